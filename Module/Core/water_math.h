@@ -1,0 +1,263 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// water_math.h: the few vector and matrix helpers the core needs; private to the core.
+//
+// Matrices are 16 doubles, row-major, for column vectors. A plane is a row vector of 4: it goes from
+// space a to space b by row * b_to_a. An output may be one of the inputs unless it says otherwise.
+#ifndef water_math_h
+#define water_math_h
+
+#include <float.h>
+#include <math.h>
+#include <stdbool.h>
+#include <string.h>
+
+#ifdef __cplusplus
+extern "C"
+{
+#endif
+
+static inline bool water_all_finite(const double* values, int count)
+{
+  for (int i = 0; i < count; ++i)
+  {
+    if (!isfinite(values[i]))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+// xmin, xmax, ymin, ymax, zmin, zmax; min > max on any axis: empty.
+static inline bool water_bounds_is_empty(const double bounds[6])
+{
+  return bounds[0] > bounds[1] || bounds[2] > bounds[3] || bounds[4] > bounds[5];
+}
+
+// Corner 0 to 7 of a box; bit 0, 1, 2 of the number picks the upper end on x, y, z.
+static inline void water_bounds_corner(const double bounds[6], int number, double corner[3])
+{
+  for (int i = 0; i < 3; ++i)
+  {
+    corner[i] = bounds[2 * i + ((number >> i) & 1)];
+  }
+}
+
+static inline double water_vec3_dot(const double a[3], const double b[3])
+{
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+static inline double water_vec3_length(const double a[3])
+{
+  return sqrt(water_vec3_dot(a, a));
+}
+
+static inline void water_vec3_cross(const double a[3], const double b[3], double product[3])
+{
+  const double x = a[1] * b[2] - a[2] * b[1];
+  const double y = a[2] * b[0] - a[0] * b[2];
+  const double z = a[0] * b[1] - a[1] * b[0];
+  product[0] = x;
+  product[1] = y;
+  product[2] = z;
+}
+
+static inline double water_vec4_dot(const double a[4], const double b[4])
+{
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3];
+}
+
+// product = matrix * column
+static inline void water_mat4_apply(
+  const double matrix[16], const double column[4], double product[4])
+{
+  double sum[4];
+  for (int i = 0; i < 4; ++i)
+  {
+    sum[i] = water_vec4_dot(matrix + 4 * i, column);
+  }
+  memcpy(product, sum, sizeof sum);
+}
+
+static inline void water_mat4_apply_point(
+  const double matrix[16], const double point[3], double product[4])
+{
+  const double column[4] = { point[0], point[1], point[2], 1.0 };
+  water_mat4_apply(matrix, column, product);
+}
+
+static inline void water_mat4_apply_dir(
+  const double matrix[16], const double dir[3], double product[4])
+{
+  const double column[4] = { dir[0], dir[1], dir[2], 0.0 };
+  water_mat4_apply(matrix, column, product);
+}
+
+// product = row * matrix: how a plane changes space.
+static inline void water_mat4_apply_row(
+  const double row[4], const double matrix[16], double product[4])
+{
+  double sum[4];
+  for (int j = 0; j < 4; ++j)
+  {
+    sum[j] = row[0] * matrix[j] + row[1] * matrix[4 + j] + row[2] * matrix[8 + j] +
+      row[3] * matrix[12 + j];
+  }
+  memcpy(product, sum, sizeof sum);
+}
+
+// product = a * b
+static inline void water_mat4_multiply(const double a[16], const double b[16], double product[16])
+{
+  double sum[16];
+  for (int i = 0; i < 4; ++i)
+  {
+    water_mat4_apply_row(a + 4 * i, b, sum + 4 * i);
+  }
+  memcpy(product, sum, sizeof sum);
+}
+
+// Inverse of a matrix with the last row 0 0 0 1. Rows of the inverse of the 3x3 part are cross
+// products over the determinant (Cramer), so a translation of any size stays out of the rotation.
+//
+// Returns false if the 3x3 part is singular; then inverse is unchanged.
+static inline bool water_mat4_invert_affine(const double matrix[16], double inverse[16])
+{
+  const double c0[3] = { matrix[0], matrix[4], matrix[8] };
+  const double c1[3] = { matrix[1], matrix[5], matrix[9] };
+  const double c2[3] = { matrix[2], matrix[6], matrix[10] };
+  const double origin[3] = { matrix[3], matrix[7], matrix[11] };
+  double rows[3][3];
+  water_vec3_cross(c1, c2, rows[0]);
+  water_vec3_cross(c2, c0, rows[1]);
+  water_vec3_cross(c0, c1, rows[2]);
+  const double determinant = water_vec3_dot(c0, rows[0]);
+  if (determinant == 0.0 || !isfinite(1.0 / determinant))
+  {
+    return false;
+  }
+  for (int i = 0; i < 3; ++i)
+  {
+    for (int j = 0; j < 3; ++j)
+    {
+      rows[i][j] /= determinant;
+      inverse[4 * i + j] = rows[i][j];
+      inverse[12 + j] = 0.0;
+    }
+    inverse[4 * i + 3] = -water_vec3_dot(rows[i], origin);
+  }
+  inverse[15] = 1.0;
+  return true;
+}
+
+// Power of two that brings the largest of 4 values, stride apart, into [1/2, 1); 0 if all are 0.
+static inline int water_mat4_exponent(const double* values, int stride, bool* is_zero)
+{
+  double largest = 0.0;
+  for (int i = 0; i < 4; ++i)
+  {
+    largest = fmax(largest, fabs(values[i * stride]));
+  }
+  int exponent = 0;
+  (void)frexp(largest, &exponent);
+  *is_zero = largest == 0.0;
+  return -exponent;
+}
+
+// Inverse of any matrix: Gauss-Jordan elimination with full pivoting on the equilibrated matrix
+// (Golub and Van Loan, "Matrix Computations", 3.4 and 3.5). Rows, then columns, are scaled by powers
+// of two first, which is exact: near and far planes of any ratio, and units of any size, then give
+// pivots near 1, and a pivot under 16 roundings of 1 means that the matrix has no inverse.
+//
+// Returns false if singular or not finite; then inverse is unchanged.
+static inline bool water_mat4_invert(const double matrix[16], double inverse[16])
+{
+  if (!water_all_finite(matrix, 16))
+  {
+    return false;
+  }
+  double left[4][4];
+  double right[4][4] = { { 0.0 } };
+  int row_exponent[4];
+  int column_exponent[4];
+  memcpy(left, matrix, sizeof left);
+  for (int i = 0; i < 4; ++i)
+  {
+    bool is_zero = false;
+    row_exponent[i] = water_mat4_exponent(left[i], 1, &is_zero);
+    for (int j = 0; j < 4; ++j)
+    {
+      left[i][j] = ldexp(left[i][j], row_exponent[i]);
+    }
+    right[i][i] = 1.0;
+  }
+  for (int j = 0; j < 4; ++j)
+  {
+    bool is_zero = false;
+    column_exponent[j] = water_mat4_exponent(&left[0][j], 4, &is_zero);
+    if (is_zero)
+    {
+      return false;
+    }
+    for (int i = 0; i < 4; ++i)
+    {
+      left[i][j] = ldexp(left[i][j], column_exponent[j]);
+    }
+  }
+
+  int row_of[4] = { -1, -1, -1, -1 }; // column -> the row that holds its pivot
+  bool used[4] = { false, false, false, false };
+  for (int step = 0; step < 4; ++step)
+  {
+    double largest = 0.0;
+    int row = 0;
+    int column = 0;
+    for (int i = 0; i < 4; ++i)
+    {
+      for (int j = 0; j < 4 && !used[i]; ++j)
+      {
+        if (row_of[j] < 0 && fabs(left[i][j]) > largest)
+        {
+          largest = fabs(left[i][j]);
+          row = i;
+          column = j;
+        }
+      }
+    }
+    if (largest < 16.0 * DBL_EPSILON)
+    {
+      return false;
+    }
+    used[row] = true;
+    row_of[column] = row;
+    const double pivot = left[row][column];
+    for (int j = 0; j < 4; ++j)
+    {
+      left[row][j] /= pivot;
+      right[row][j] /= pivot;
+    }
+    for (int i = 0; i < 4; ++i)
+    {
+      const double factor = left[i][column];
+      for (int j = 0; j < 4 && i != row; ++j)
+      {
+        left[i][j] -= factor * left[row][j];
+        right[i][j] -= factor * right[row][j];
+      }
+    }
+  }
+  for (int i = 0; i < 4; ++i)
+  {
+    for (int j = 0; j < 4; ++j)
+    {
+      inverse[4 * i + j] = ldexp(right[row_of[i]][j], column_exponent[i] + row_exponent[j]);
+    }
+  }
+  return true;
+}
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// water_mirror.c: step 2: the mirrored camera, the clip at the plane, the maps into its picture.
+#include "water_mirror.h"
+
+#include "water_math.h"
+#include "water_plane.h"
+
+// Fx m Fx, Fx = diag(-1, 1, 1, 1): entries with one index of x change sign.
+static void flip_x_both(const double matrix[16], double flipped[16])
+{
+  for (int i = 0; i < 4; ++i)
+  {
+    for (int j = 0; j < 4; ++j)
+    {
+      const bool is_flipped = (i == 0) != (j == 0);
+      flipped[4 * i + j] = is_flipped ? -matrix[4 * i + j] : matrix[4 * i + j];
+    }
+  }
+}
+
+void water_mirror_camera(
+  const water_camera* eye, const water_plane* plane, water_camera* mirrored)
+{
+  double world_to_mirrored[16];
+  water_plane_mirror_matrix(plane, world_to_mirrored);
+  double view[16];
+  water_mat4_multiply(eye->world_to_view, world_to_mirrored, view);
+  for (int j = 0; j < 4; ++j)
+  {
+    view[j] = -view[j];
+  }
+  memcpy(mirrored->world_to_view, view, sizeof view);
+  double clip[16];
+  flip_x_both(eye->view_to_clip, clip);
+  memcpy(mirrored->view_to_clip, clip, sizeof clip);
+  mirrored->parallel = eye->parallel;
+}
+
+void water_mirror_reach(const water_prop* props, size_t prop_count, const water_fate* fates,
+  water_camera* mirrored)
+{
+  double world_to_clip[16];
+  water_mat4_multiply(mirrored->view_to_clip, mirrored->world_to_view, world_to_clip);
+  // z' = s (z + w) - w keeps the near plane z + w = 0 for every s; a point lies on the new far plane
+  // z' = w for s = 2 w / (z + w), so the smallest s of all corners takes them all in.
+  double scale = 1.0;
+  for (size_t i = 0; i < prop_count; ++i)
+  {
+    if (fates[i] != WATER_DRAW || (props[i].flags & WATER_PROP_NO_BOUNDS))
+    {
+      continue;
+    }
+    const double* bounds = props[i].bounds;
+    for (int corner = 0; corner < 8; ++corner)
+    {
+      const double point[3] = { bounds[corner & 1], bounds[2 + ((corner >> 1) & 1)],
+        bounds[4 + (corner >> 2)] };
+      double clip[4];
+      water_mat4_apply_point(world_to_clip, point, clip);
+      if (clip[3] > 0.0 && clip[2] > clip[3])
+      {
+        scale = fmin(scale, 2.0 * clip[3] / (clip[2] + clip[3]));
+      }
+    }
+  }
+  if (scale < 1.0)
+  {
+    scale *= 1.0 - 1e-6; // rounding must not put the farthest corner behind the plane again
+    double* clip = mirrored->view_to_clip;
+    for (int j = 0; j < 4; ++j)
+    {
+      clip[8 + j] = scale * (clip[8 + j] + clip[12 + j]) - clip[12 + j];
+    }
+  }
+}
+
+void water_mirror_pose(
+  const water_camera* mirrored, double position[3], double focal_point[3], double view_up[3])
+{
+  const double* view = mirrored->world_to_view;
+  const double origin[3] = { view[3], view[7], view[11] };
+  for (int i = 0; i < 3; ++i)
+  {
+    // the rows of a rigid view are its axes in world, and its inverse is its transpose
+    const double column[3] = { view[i], view[4 + i], view[8 + i] };
+    position[i] = -water_vec3_dot(column, origin);
+    focal_point[i] = position[i] - view[8 + i];
+    view_up[i] = view[4 + i];
+  }
+}
+
+void water_mirror_clip_view(const double plane_view[4], double margin, double clip_plane_view[4])
+{
+  // V'^-1 = R V^-1 Fx, and the mirror turns a plane into its negative: -(plane_view Fx).
+  clip_plane_view[0] = plane_view[0];
+  clip_plane_view[1] = -plane_view[1];
+  clip_plane_view[2] = -plane_view[2];
+  clip_plane_view[3] = margin - plane_view[3];
+}
+
+water_status water_mirror_clip_clip(
+  const double view_to_clip[16], const double clip_plane_view[4], double clip_plane_clip[4])
+{
+  double clip_to_view[16];
+  if (!water_mat4_invert(view_to_clip, clip_to_view))
+  {
+    return WATER_BAD_CAMERA;
+  }
+  water_mat4_apply_row(clip_plane_view, clip_to_view, clip_plane_clip); // a plane is a row vector
+  return WATER_OK;
+}
+
+void water_mirror_clip_window(
+  const double clip_plane_clip[4], const int texture_px[2], double clip_plane_window[4])
+{
+  // Clip w is positive in front of the camera, so the division by it leaves the sign alone.
+  double plane[4];
+  memcpy(plane, clip_plane_clip, sizeof plane);
+  plane[3] -= plane[0] + plane[1] + plane[2]; // NDC = 2 * window / size - 1
+  plane[0] *= 2.0 / texture_px[0];
+  plane[1] *= 2.0 / texture_px[1];
+  plane[2] *= 2.0;
+  double largest = 0.0;
+  for (int i = 0; i < 4; ++i)
+  {
+    largest = fmax(largest, fabs(plane[i]));
+  }
+  for (int i = 0; i < 4; ++i)
+  {
+    clip_plane_window[i] = plane[i] / largest;
+  }
+}
+
+water_status water_mirror_oblique(
+  const double view_to_clip[16], const double clip_plane_view[4], double oblique[16])
+{
+  double clip_to_view[16];
+  if (!water_mat4_invert(view_to_clip, clip_to_view))
+  {
+    return WATER_BAD_CAMERA;
+  }
+  double plane_clip[4]; // k in the paper
+  water_mat4_apply_row(clip_plane_view, clip_to_view, plane_clip);
+  const double corner_clip[4] = { copysign(1.0, plane_clip[0]), copysign(1.0, plane_clip[1]), 1.0,
+    1.0 };
+  double corner_view[4]; // q: the far corner that lies deepest on the kept side
+  water_mat4_apply(clip_to_view, corner_clip, corner_view);
+  const double depth = water_vec4_dot(clip_plane_view, corner_view);
+  if (!(depth > 0.0))
+  {
+    return WATER_BAD_CAMERA;
+  }
+  double result[16];
+  memcpy(result, view_to_clip, sizeof result);
+  for (int j = 0; j < 4; ++j)
+  {
+    result[8 + j] = clip_plane_view[j] * (2.0 / depth) - view_to_clip[12 + j];
+  }
+  memcpy(oblique, result, sizeof result);
+  return WATER_OK;
+}
+
+void water_mirror_texture_matrix(const water_camera* mirrored, double world_to_texture[16])
+{
+  water_mat4_multiply(mirrored->view_to_clip, mirrored->world_to_view, world_to_texture);
+  for (int j = 0; j < 12; ++j)
+  {
+    world_to_texture[j] = 0.5 * (world_to_texture[j] + world_to_texture[12 + j % 4]);
+  }
+}
+
+void water_mirror_ray(const double world_to_map[16], const double point[3], const double dir[3],
+  double start[4], double step[4])
+{
+  water_mat4_apply_point(world_to_map, point, start);
+  water_mat4_apply_dir(world_to_map, dir, step);
+}
+
+void water_mirror_headlight(const double plane_view[4], double headlight_dir[3])
+{
+  // V' V^-1 = Fx (I - 2 n n^T) for directions, n the normal in view space, applied to (0, 0, -1).
+  const double twice = 2.0 * plane_view[2];
+  const double dir[3] = { -twice * plane_view[0], twice * plane_view[1],
+    twice * plane_view[2] - 1.0 };
+  const double length = water_vec3_length(dir);
+  for (int i = 0; i < 3; ++i)
+  {
+    headlight_dir[i] = dir[i] / length;
+  }
+}
+
+void water_mirror_map_to_eye(const water_camera* camera, const water_eye* eye,
+  const double plane_view[4], double map_ndc_to_eye[9])
+{
+  const double* to_clip = camera->view_to_clip;
+  const int rows[3] = { 0, 1, 3 };
+  for (int j = 0; j < 3; ++j)
+  {
+    // what the map sees at (x, y) is what the eye sees at (-x, y), reflected at the plane
+    double dir[3];
+    for (int k = 0; k < 3; ++k)
+    {
+      dir[k] = j == 0 ? -eye->ndc_to_dir[3 * k] : eye->ndc_to_dir[3 * k + j];
+    }
+    const double twice = 2.0 * water_vec3_dot(plane_view, dir);
+    for (int k = 0; k < 3; ++k)
+    {
+      dir[k] -= twice * plane_view[k];
+    }
+    for (int i = 0; i < 3; ++i)
+    {
+      map_ndc_to_eye[3 * i + j] = water_vec3_dot(to_clip + 4 * rows[i], dir);
+    }
+  }
+}

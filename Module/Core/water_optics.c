@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// water_optics.c: step 5: how much the surface reflects.
+#include "water_optics.h"
+
+#include "water_math.h"
+
+static double clamp_unit(double value)
+{
+  return fmin(fmax(value, 0.0), 1.0);
+}
+
+water_status water_optics_check(const water_look* look)
+{
+  if (!isfinite(look->index_of_refraction) || look->index_of_refraction < 1.0)
+  {
+    return WATER_BAD_INDEX;
+  }
+  if (!(look->reflectance >= 0.0 && look->reflectance <= 1.0))
+  {
+    return WATER_BAD_REFLECTANCE;
+  }
+  return WATER_OK;
+}
+
+double water_optics_eta(const water_look* look, water_side side)
+{
+  return side == WATER_BELOW ? 1.0 / look->index_of_refraction : look->index_of_refraction;
+}
+
+double water_optics_fresnel(double cosine, double eta)
+{
+  const double c = clamp_unit(cosine);
+  // eta^2 times the squared cosine of the refracted ray (Snell); (eta - 1)(eta + 1) keeps its digits
+  // for an eta near 1
+  const double g_squared = (eta - 1.0) * (eta + 1.0) + c * c;
+  if (g_squared < 0.0)
+  {
+    return 1.0;
+  }
+  const double g = sqrt(g_squared);
+  if (c + g == 0.0)
+  {
+    return 0.0; // no surface at all, eta = 1, along itself
+  }
+  const double s = (c - g) / (c + g);
+  const double p = (eta * eta * c - g) / (eta * eta * c + g);
+  return 0.5 * (s * s + p * p);
+}
+
+double water_optics_schlick(double cosine, double eta)
+{
+  double c = clamp_unit(cosine);
+  if (eta < 1.0)
+  {
+    const double refracted_squared = 1.0 - (1.0 - c * c) / (eta * eta); // Snell
+    if (refracted_squared < 0.0)
+    {
+      return 1.0;
+    }
+    c = sqrt(refracted_squared);
+  }
+  const double root = (eta - 1.0) / (eta + 1.0);
+  const double at_normal = root * root;
+  const double rest = 1.0 - c;
+  return at_normal + (1.0 - at_normal) * rest * rest * rest * rest * rest;
+}
+
+double water_optics_critical_rad(double eta)
+{
+  return asin(clamp_unit(eta));
+}

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// water_optics.h: step 5: how much the surface reflects.
+//
+// eta is the index of refraction beyond the surface over the one on the eye's side: 1.333 seen from
+// above, 1 / 1.333 seen from below. cosine is that of the angle between ray and normal, in [0, 1];
+// values outside are clamped. vtkWaterOptics.glsl holds the same functions for the shader.
+#ifndef water_optics_h
+#define water_optics_h
+
+#include "water_status.h"
+#include "water_types.h"
+
+#ifdef __cplusplus
+extern "C"
+{
+#endif
+
+// Returns WATER_OK, WATER_BAD_INDEX or WATER_BAD_REFLECTANCE. Both numbers are checked whichever is
+// in use, so that switching the mode brings no new error.
+water_status water_optics_check(const water_look* look);
+
+// The index ratio for an eye on that side.
+double water_optics_eta(const water_look* look, water_side side);
+
+// Reflectance of unpolarised light at a smooth surface, exact; 1 under total internal reflection.
+// Source: Fresnel 1823, in the form of Cook and Torrance 1982, "A Reflectance Model for Computer
+// Graphics".
+double water_optics_fresnel(double cosine, double eta);
+
+// The same by Schlick's approximation, off by less than 0.06 for water. From the denser side the
+// angle is that of the refracted ray, which keeps total internal reflection where it is.
+// Source: Schlick 1994, "An Inexpensive BRDF Model for Physically-based Rendering".
+double water_optics_schlick(double cosine, double eta);
+
+// The angle from the normal beyond which everything is reflected, in radians; pi/2 (never) when the
+// eye is on the thinner side, eta >= 1.
+double water_optics_critical_rad(double eta);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// water_plan.c: the order of the steps, and nothing else: check, side, mirror, select, target, optics.
+#include "water_plan.h"
+
+#include "water_camera.h"
+#include "water_math.h"
+#include "water_mirror.h"
+#include "water_optics.h"
+#include "water_plane.h"
+#include "water_select.h"
+#include "water_target.h"
+
+// What the checks compute on their way, for the steps to use.
+typedef struct checked
+{
+  water_plane plane; // unit length, as the user turned it
+  water_eye eye;
+  water_side side;
+  int texture_px[2];
+} checked;
+
+// All checks but that of the props, in the order of water_status.h.
+static water_status check(const water_scene* scene, checked* result)
+{
+  water_status status = water_plane_normalise(&scene->plane, &result->plane);
+  if (status != WATER_OK)
+  {
+    return status;
+  }
+  if (!water_all_finite(scene->surface_bounds, 6) || water_bounds_is_empty(scene->surface_bounds))
+  {
+    return WATER_BAD_SURFACE;
+  }
+  status = water_target_size(
+    scene->viewport_px, scene->texture_scale, scene->max_texture_px, result->texture_px);
+  if (status != WATER_OK)
+  {
+    return status;
+  }
+  if (!isfinite(scene->clip_margin) || scene->clip_margin < 0.0)
+  {
+    return WATER_BAD_CLIP_MARGIN;
+  }
+  status = water_optics_check(&scene->look);
+  if (status != WATER_OK)
+  {
+    return status;
+  }
+  status = water_camera_take_apart(&scene->eye, &result->eye);
+  if (status != WATER_OK)
+  {
+    return status;
+  }
+  return water_select_side(&result->eye, &result->plane, &result->side);
+}
+
+static water_decision decide(const water_scene* scene, water_side side)
+{
+  if (side == WATER_EDGE_ON)
+  {
+    return WATER_NO_REFLECT_EDGE_ON;
+  }
+  if (scene->look.constant_reflectance && scene->look.reflectance == 0.0)
+  {
+    return WATER_NO_REFLECT_NO_REFLECTANCE;
+  }
+  return water_select_is_in_view(&scene->eye, scene->surface_bounds) ? WATER_REFLECT
+                                                                     : WATER_NO_REFLECT_OUT_OF_VIEW;
+}
+
+static water_plane turn_to_eye(const water_plane* plane, water_side side)
+{
+  const double sign = side == WATER_BELOW ? -1.0 : 1.0;
+  const water_plane turned = { { sign * plane->normal[0], sign * plane->normal[1],
+                                 sign * plane->normal[2] },
+    sign * plane->offset };
+  return turned;
+}
+
+// plane: normal towards the eye.
+static water_status fill_draw(const water_scene* scene, const checked* input,
+  const water_plane* plane, water_plan* plan, water_fate* fates)
+{
+  water_mirror_camera(&scene->eye, plane, &plan->mirrored);
+  water_select_props(
+    &plan->mirrored, plane, scene->clip_margin, scene->props, scene->prop_count, fates);
+  water_mirror_reach(scene->props, scene->prop_count, fates, &plan->mirrored);
+  water_mirror_pose(&plan->mirrored, plan->mirrored_position, plan->mirrored_focal_point,
+    plan->mirrored_view_up);
+  water_camera_plane_view(&input->eye, plane, plan->plane_view);
+  water_mirror_clip_view(plan->plane_view, scene->clip_margin, plan->clip_plane_view);
+  memcpy(plan->texture_px, input->texture_px, sizeof plan->texture_px);
+  water_target_rect(
+    &scene->eye, plane, scene->surface_bounds, plan->texture_px, plan->texture_rect_px);
+  const water_status status = water_mirror_clip_clip(
+    plan->mirrored.view_to_clip, plan->clip_plane_view, plan->clip_plane_clip);
+  if (status == WATER_OK)
+  {
+    water_mirror_clip_window(plan->clip_plane_clip, plan->texture_px, plan->clip_plane_window);
+  }
+  return status;
+}
+
+// plane: normal towards the eye; plane_view of the plan is set.
+static void fill_shade(
+  const water_scene* scene, const checked* input, const water_plane* plane, water_plan* plan)
+{
+  water_mirror_texture_matrix(&plan->mirrored, plan->world_to_texture);
+  water_mirror_headlight(plan->plane_view, plan->headlight_dir);
+  water_mat4_apply_dir(scene->eye.world_to_view, plane->normal, plan->normal_clip);
+  water_mat4_apply(scene->eye.view_to_clip, plan->normal_clip, plan->normal_clip);
+  water_mat4_apply_row(plan->plane_view, input->eye.clip_to_view, plan->plane_clip);
+  double x_dir[3];
+  double y_dir[3];
+  water_plane_axes(input->plane.normal, x_dir, y_dir);
+  water_camera_rays(&input->eye, plane, x_dir, y_dir, plan->ndc_to_ray);
+  water_mirror_map_to_eye(&scene->eye, &input->eye, plan->plane_view, plan->map_ndc_to_eye);
+  plan->eta = water_optics_eta(&scene->look, input->side);
+  plan->reflectance = scene->look.constant_reflectance ? scene->look.reflectance : -1.0;
+}
+
+water_status water_plan_make(const water_scene* scene, water_plan* plan, water_fate* fates)
+{
+  water_plan made;
+  checked input;
+  memset(&made, 0, sizeof made); // same scene, same plan: also in what is not set
+  memset(&input, 0, sizeof input);
+  made.decision = WATER_NO_REFLECT_FAILED;
+
+  water_status status = check(scene, &input);
+  if (status == WATER_OK)
+  {
+    made.decision = decide(scene, input.side);
+    made.side = input.side;
+  }
+  if (made.decision == WATER_REFLECT)
+  {
+    const water_plane plane = turn_to_eye(&input.plane, input.side);
+    status = water_select_check(scene->props, scene->prop_count, &made.culprit);
+    if (status == WATER_OK)
+    {
+      status = fill_draw(scene, &input, &plane, &made, fates);
+    }
+    if (status == WATER_OK)
+    {
+      fill_shade(scene, &input, &plane, &made);
+    }
+    else
+    {
+      made.decision = WATER_NO_REFLECT_FAILED;
+    }
+  }
+  *plan = made;
+  return status;
+}
+
+const char* water_fate_text(water_fate fate)
+{
+  static const char* const texts[] = {
+#define WATER_FATE_TEXT(name, text) text,
+    WATER_FATE_LIST(WATER_FATE_TEXT)
+#undef WATER_FATE_TEXT
+  };
+  const size_t number = (size_t)fate; // a negative value becomes a large one
+  return number < WATER_FATE_COUNT ? texts[number] : "unknown fate";
+}
+
+const char* water_decision_text(water_decision decision)
+{
+  static const char* const texts[] = {
+#define WATER_DECISION_TEXT(name, text) text,
+    WATER_DECISION_LIST(WATER_DECISION_TEXT)
+#undef WATER_DECISION_TEXT
+  };
+  const size_t number = (size_t)decision;
+  return number < WATER_DECISION_COUNT ? texts[number] : "unknown decision";
+}

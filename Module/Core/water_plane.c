@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// water_plane.c: step 1: the plane: normalise, height of a point, mirror matrix, own axes, sheet.
+#include "water_plane.h"
+
+#include "water_math.h"
+
+water_status water_plane_normalise(const water_plane* plane, water_plane* unit)
+{
+  const double* normal = plane->normal;
+  const double largest = fmax(fabs(normal[0]), fmax(fabs(normal[1]), fabs(normal[2])));
+  if (!water_all_finite(normal, 3) || !isfinite(plane->offset) || largest == 0.0)
+  {
+    return WATER_BAD_PLANE;
+  }
+  // scaled first, or squares of very long or very short normals overflow or vanish
+  const double scaled[3] = { normal[0] / largest, normal[1] / largest, normal[2] / largest };
+  const double length = water_vec3_length(scaled);
+  const double offset = plane->offset / largest / length;
+  if (!isfinite(offset))
+  {
+    return WATER_BAD_PLANE;
+  }
+  for (int i = 0; i < 3; ++i)
+  {
+    unit->normal[i] = scaled[i] / length;
+  }
+  unit->offset = offset;
+  return WATER_OK;
+}
+
+double water_plane_height(const water_plane* unit, const double point[3])
+{
+  return water_vec3_dot(unit->normal, point) + unit->offset;
+}
+
+void water_plane_mirror_matrix(const water_plane* unit, double world_to_mirrored[16])
+{
+  const double* normal = unit->normal;
+  for (int i = 0; i < 3; ++i)
+  {
+    for (int j = 0; j < 3; ++j)
+    {
+      world_to_mirrored[4 * i + j] = (i == j ? 1.0 : 0.0) - 2.0 * normal[i] * normal[j];
+    }
+    world_to_mirrored[4 * i + 3] = -2.0 * unit->offset * normal[i];
+    world_to_mirrored[12 + i] = 0.0;
+  }
+  world_to_mirrored[15] = 1.0;
+}
+
+void water_plane_axes(const double unit_normal[3], double x_dir[3], double y_dir[3])
+{
+  const int axis = unit_normal[0] * unit_normal[0] > 0.5 ? 1 : 0; // 0.5 = cos^2 of 45 degrees
+  double projected[3];
+  for (int i = 0; i < 3; ++i)
+  {
+    projected[i] = (i == axis ? 1.0 : 0.0) - unit_normal[axis] * unit_normal[i];
+  }
+  const double length = water_vec3_length(projected);
+  for (int i = 0; i < 3; ++i)
+  {
+    x_dir[i] = projected[i] / length;
+  }
+  water_vec3_cross(unit_normal, x_dir, y_dir);
+}
+
+water_status water_sheet_bounds(const double origin[3], const double x_dir[3],
+  const double y_dir[3], const double bounds[6], double sheet[4])
+{
+  if (!water_all_finite(bounds, 6) || water_bounds_is_empty(bounds))
+  {
+    return WATER_BAD_SURFACE;
+  }
+  double rectangle[4] = { DBL_MAX, -DBL_MAX, DBL_MAX, -DBL_MAX };
+  for (int number = 0; number < 8; ++number)
+  {
+    double corner[3];
+    water_bounds_corner(bounds, number, corner);
+    // relative to the origin before the dot product: small numbers where the world's are large
+    const double arm[3] = { corner[0] - origin[0], corner[1] - origin[1], corner[2] - origin[2] };
+    const double x = water_vec3_dot(arm, x_dir);
+    const double y = water_vec3_dot(arm, y_dir);
+    if (!isfinite(x) || !isfinite(y))
+    {
+      return WATER_BAD_SURFACE;
+    }
+    rectangle[0] = fmin(rectangle[0], x);
+    rectangle[1] = fmax(rectangle[1], x);
+    rectangle[2] = fmin(rectangle[2], y);
+    rectangle[3] = fmax(rectangle[3], y);
+  }
+  memcpy(sheet, rectangle, sizeof rectangle);
+  return WATER_OK;
+}
+
+void water_sheet_corners(const double origin[3], const double x_dir[3], const double y_dir[3],
+  const double sheet[4], double corners[12])
+{
+  const double turn[4][2] = { { sheet[0], sheet[2] }, { sheet[1], sheet[2] },
+    { sheet[1], sheet[3] }, { sheet[0], sheet[3] } };
+  for (int number = 0; number < 4; ++number)
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      corners[3 * number + i] =
+        origin[i] + turn[number][0] * x_dir[i] + turn[number][1] * y_dir[i];
+    }
+  }
+}

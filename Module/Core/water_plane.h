@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// water_plane.h: step 1: the plane: normalise, height of a point, mirror matrix, own axes, sheet.
+#ifndef water_plane_h
+#define water_plane_h
+
+#include "water_status.h"
+#include "water_types.h"
+
+#ifdef __cplusplus
+extern "C"
+{
+#endif
+
+// Makes the normal unit length and scales the offset with it, so that heights are distances.
+//
+// Returns WATER_OK or WATER_BAD_PLANE (not finite, or a zero normal); then *unit is unchanged.
+water_status water_plane_normalise(const water_plane* plane, water_plane* unit);
+
+// Signed distance of a point from a normalised plane, positive above the water.
+double water_plane_height(const water_plane* unit, const double point[3]);
+
+// The mirror at a normalised plane as a matrix, I - 2 n n^T with its translation; determinant -1.
+// Source: Householder 1958, "Unitary Triangularization of a Nonsymmetric Matrix".
+void water_plane_mirror_matrix(const water_plane* unit, double world_to_mirrored[16]);
+
+// The plane's own axes, both unit length: x_dir is the world's x projected onto the plane (the
+// world's y when the normal is within 45 degrees of x), y_dir = normal x x_dir. For a level plane
+// they are the world's x and y.
+void water_plane_axes(const double unit_normal[3], double x_dir[3], double y_dir[3]);
+
+// The rectangle over the plane that covers a box: xmin, xmax, ymin, ymax in the plane's own axes
+// about origin.
+//
+// bounds  xmin, xmax, ymin, ymax, zmin, zmax in world
+//
+// Returns WATER_OK or WATER_BAD_SURFACE (bounds empty or not finite); then sheet is unchanged.
+water_status water_sheet_bounds(const double origin[3], const double x_dir[3],
+  const double y_dir[3], const double bounds[6], double sheet[4]);
+
+// The sheet's corners in world, counter-clockwise about the normal: 4 points of 3.
+void water_sheet_corners(const double origin[3], const double x_dir[3], const double y_dir[3],
+  const double sheet[4], double corners[12]);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// water_select.h: step 3: on which side the eye is, whether the water is seen, and what becomes of
+// each prop in the mirrored view.
+//
+// Conservative throughout: rounding, and the slack of a box around its prop, may keep what nobody
+// sees, but never lose what somebody does.
+#ifndef water_select_h
+#define water_select_h
+
+#include "water_camera.h"
+#include "water_status.h"
+#include "water_types.h"
+
+#ifdef __cplusplus
+extern "C"
+{
+#endif
+
+// The side of the plane the eye is on. Perspective: the side of its centre; parallel: the side it
+// looks from, wherever it stands.
+//
+// Returns WATER_OK or WATER_CAMERA_ON_PLANE (the height is smaller than the rounding of the numbers
+// it is made of); then *side is unchanged.
+water_status water_select_side(const water_eye* eye, const water_plane* plane, water_side* side);
+
+// Whether any point of a box may lie in the camera's frustum. Empty boxes must be sorted out before.
+bool water_select_is_in_view(const water_camera* camera, const double bounds[6]);
+
+// Looks for props that would be drawn if their bounds were finite.
+//
+// Returns WATER_OK or WATER_BAD_PROP_BOUNDS; then *culprit is the index of the first such prop.
+water_status water_select_check(const water_prop* props, size_t prop_count, size_t* culprit);
+
+// Decides the fate of every prop; water_select_check must have passed. The far plane of the eye was
+// set for the scene, not for its mirror image, which may reach further: it hides nothing here
+// (water_mirror_reach moves it).
+//
+// plane   normalised, normal towards the eye
+// margin  how far behind the plane geometry is kept, >= 0
+void water_select_props(const water_camera* mirrored, const water_plane* plane, double margin,
+  const water_prop* props, size_t prop_count, water_fate* fates);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// water_target.h: step 4: how large the map is, and which part of it the water can look up.
+#ifndef water_target_h
+#define water_target_h
+
+#include "water_status.h"
+#include "water_types.h"
+
+#ifdef __cplusplus
+extern "C"
+{
+#endif
+
+// Size of the map: the picture's size times the scale, rounded, at least 1 pixel each.
+//
+// Returns WATER_OK, WATER_BAD_VIEWPORT, WATER_BAD_TEXTURE_SCALE or WATER_TEXTURE_TOO_LARGE; then
+// texture_px is unchanged.
+water_status water_target_size(
+  const int viewport_px[2], double texture_scale, int max_texture_px, int texture_px[2]);
+
+// The rectangle of the map that calm water within a box can look up: a point at height h over the
+// plane looks at the picture of its own mirror image, which for h = 0 is its own picture. Two
+// texels are added all around for filtering. Rays that waves bend may leave it.
+//
+// eye             the eye, not the mirrored camera
+// plane           normalised
+// surface_bounds  of the water surface in world, finite, not empty
+// rect_px         x, y, width, height; within the map, never empty; all of the map where the box has
+//                 no picture (a mirror image that reaches behind the eye)
+void water_target_rect(const water_camera* eye, const water_plane* plane,
+  const double surface_bounds[6], const int texture_px[2], int rect_px[4]);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// water_types.h: the data that flows through a plan: water_scene in, water_plan out.
+//
+// Conventions of the whole core: double precision; matrices are 16 doubles, row-major, for column
+// vectors (as vtkMatrix4x4); a_to_b names the space a matrix maps from and to; lengths are in the
+// scene's unit unless a suffix says otherwise (_px pixels).
+// Flow: gather fills water_scene -> water_plan_make -> draw and shade read water_plan.
+#ifndef water_types_h
+#define water_types_h
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C"
+{
+#endif
+
+// dot(normal, x) + offset = 0. The normal points out of the water.
+typedef struct water_plane
+{
+  double normal[3]; // any finite length but 0; unit length after water_plane_normalise
+  double offset;    // signed; -level for normal (0,0,1)
+} water_plane;
+
+typedef struct water_camera
+{
+  double world_to_view[16]; // rigid: rotation and translation only; looks along -z
+  double view_to_clip[16];  // perspective, off-axis or parallel; kept depths have clip z/w in [-1, 1]
+  bool parallel;            // parallel projection
+} water_camera;
+
+enum // water_prop.flags, a bit each
+{
+  WATER_PROP_VISIBLE = 1 << 0,
+  WATER_PROP_IS_WATER = 1 << 1,      // this or another water surface, or a part of it
+  WATER_PROP_NO_BOUNDS = 1 << 2,     // fills the view whatever its bounds, e.g. a skybox
+  WATER_PROP_NOT_REFLECTED = 1 << 3, // the user's key says so
+  WATER_PROP_OVERLAY = 1 << 4,       // lives on the screen, not in the scene: 2D actors
+  WATER_PROP_LABEL = 1 << 5          // turned to the user's camera on every draw: billboards
+};
+
+typedef struct water_prop
+{
+  double bounds[6]; // xmin, xmax, ymin, ymax, zmin, zmax in world; min > max: the prop is empty
+  uint32_t flags;
+} water_prop;
+
+// What happens to a prop in the mirrored view, and why. One list, so enum and text cannot drift.
+#define WATER_FATE_LIST(X)                                                                         \
+  X(WATER_DRAW, "drawn")                                                                           \
+  X(WATER_SKIP_INVISIBLE, "invisible")                                                             \
+  X(WATER_SKIP_WATER, "water itself")                                                              \
+  X(WATER_SKIP_NOT_REFLECTED, "marked as not reflected")                                           \
+  X(WATER_SKIP_OVERLAY, "overlay")                                                                 \
+  X(WATER_SKIP_LABEL, "label facing the camera")                                                   \
+  X(WATER_SKIP_EMPTY, "empty")                                                                     \
+  X(WATER_SKIP_BEHIND_PLANE, "behind the water plane")                                             \
+  X(WATER_SKIP_OUT_OF_VIEW, "out of the mirrored view")
+
+typedef enum water_fate
+{
+#define WATER_FATE_VALUE(name, text) name,
+  WATER_FATE_LIST(WATER_FATE_VALUE)
+#undef WATER_FATE_VALUE
+    WATER_FATE_COUNT
+} water_fate;
+
+// What the plan decided for the frame, and why. WATER_REFLECT is the only one that draws.
+#define WATER_DECISION_LIST(X)                                                                     \
+  X(WATER_NOT_PLANNED, "nothing was planned yet")                                                  \
+  X(WATER_REFLECT, "rendered")                                                                     \
+  X(WATER_NO_REFLECT_FAILED, "not rendered: the last plan failed")                                 \
+  X(WATER_NO_REFLECT_SELECTING, "not rendered: hardware selection")                                \
+  X(WATER_NO_REFLECT_EDGE_ON, "not rendered: the water is seen edge-on")                           \
+  X(WATER_NO_REFLECT_OUT_OF_VIEW, "not rendered: the water is out of view")                        \
+  X(WATER_NO_REFLECT_NO_REFLECTANCE, "not rendered: the water reflects nothing")
+
+typedef enum water_decision
+{
+#define WATER_DECISION_VALUE(name, text) name,
+  WATER_DECISION_LIST(WATER_DECISION_VALUE)
+#undef WATER_DECISION_VALUE
+    WATER_DECISION_COUNT
+} water_decision;
+
+typedef enum water_side // where the eye is
+{
+  WATER_ABOVE,  // on the side the normal points to: the scene above the water is mirrored
+  WATER_BELOW,  // under water: the scene below is mirrored in the surface's underside
+  WATER_EDGE_ON // parallel projection along the surface: there is nothing to see
+} water_side;
+
+typedef struct water_look
+{
+  double index_of_refraction; // of the water against what lies above it, >= 1; 1.333 for water
+  double reflectance;         // used when constant_reflectance, in [0, 1]
+  bool constant_reflectance;  // false: exact Fresnel
+} water_look;
+
+// Everything the plan depends on; filled by the caller.
+typedef struct water_scene
+{
+  water_camera eye;
+  int viewport_px[2]; // size of the picture the water is drawn into, >= 1
+  water_plane plane;
+  double surface_bounds[6]; // of the water surface in world; min > max: there is no surface
+  const water_prop* props;  // prop_count of them: all props, not only those the eye sees
+  size_t prop_count;
+  water_look look;
+  double texture_scale; // texture pixels per viewport pixel, > 0
+  int max_texture_px;   // the GPU's limit for a side of a texture, >= 1
+  double clip_margin;   // how far behind the plane geometry is kept, >= 0
+} water_scene;
+
+typedef struct water_plan
+{
+  water_decision decision; // unless WATER_REFLECT, the fields below and the fates are not set
+  water_side side;
+  size_t culprit; // index of the prop a WATER_BAD_PROP_BOUNDS is about
+
+  // draw: the mirrored camera, twice: as matrices and in vtkCamera's terms
+  water_camera mirrored;
+  double mirrored_position[3];
+  double mirrored_focal_point[3]; // at distance 1
+  double mirrored_view_up[3];
+  double clip_plane_view[4];   // plane in mirrored view space; kept side >= 0 (margin included)
+  double clip_plane_clip[4];   // same in clip space of the mirrored view, clip not divided by w
+  double clip_plane_window[4]; // same in the map's window space (x_px, y_px, depth in [0,1], 1)
+  int texture_px[2];
+  int texture_rect_px[4]; // x, y, width, height of the part the water can look up
+
+  // shade
+  double world_to_texture[16]; // divide by w: u, v, depth in [0, 1]; of a point on the water: its
+                               // own pixel, x flipped
+  double headlight_dir[3];     // the eye's view direction in mirrored view space, unit length
+  double normal_clip[4];       // view_to_clip * world_to_view * (n, 0) of the eye; n towards the eye
+  double plane_view[4];        // plane in the eye's view space, normal towards the eye
+  double plane_clip[4];        // the same on clip space of the eye: dot(plane_clip, clip) is the
+                               // height of the point, clip not divided by w
+  double ndc_to_ray[9];        // (x, y, 1) in NDC of the eye -> direction of the view ray in the
+                               // plane's axes (third: n towards the eye), any length
+  double map_ndc_to_eye[9];    // (x, y, 1) in NDC of the map -> (x, y, w) in clip of the eye, of
+                               // the direction that the map sees there: where the sky is found
+  double eta;                  // index beyond the surface / index on the eye's side
+  double reflectance;          // in [0, 1], or -1: exact Fresnel with eta
+} water_plan;
+
+#ifdef __cplusplus
+}
+#endif
+#endif

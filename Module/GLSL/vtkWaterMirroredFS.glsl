@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkWaterMirroredFS.glsl: what a prop's fragments do in the mirrored view. Outside of it the
+// uniforms make every function a no-op, so that one program serves both views.
+
+uniform vec4 waterClipWindow;  // water plane in window space, kept side >= 0; (0,0,0,1): keep all
+uniform vec4 waterHeadlightVC; // xyz: the user's view direction in view space; w: 1 in the mirror
+
+// Cuts geometry away behind the water.
+void waterClip()
+{
+  if (dot(waterClipWindow, vec4(gl_FragCoord.xyz, 1.0)) < 0.0)
+  {
+    discard;
+  }
+}
+
+// A headlight stays at the user's camera: in the mirrored view it shines along waterHeadlightVC
+// instead of along the view. Same terms as VTK's for a directional light.
+void waterHeadlight(
+  vec3 normal, vec3 toEye, float specularPower, inout float diffuseFactor, inout float specularFactor)
+{
+  if (waterHeadlightVC.w > 0.5)
+  {
+    diffuseFactor = max(0.0, dot(normal, -waterHeadlightVC.xyz));
+    specularFactor = sign(diffuseFactor) *
+      pow(max(0.0, dot(reflect(waterHeadlightVC.xyz, normal), toEye)), specularPower);
+  }
+}

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkWaterOptics.glsl: how much the surface reflects; water_optics.c for the shader.
+//
+// eta is the index of refraction beyond the surface over the one on the eye's side; cosine is that
+// of the angle between ray and normal, in [0, 1]. Scalar on purpose: this file also compiles as C,
+// and test_optics.c compares it with the core.
+
+// Reflectance of unpolarised light, exact; 1 under total internal reflection.
+// Source: Cook and Torrance 1982, "A Reflectance Model for Computer Graphics".
+float waterFresnel(float cosine, float eta)
+{
+  float c = min(max(cosine, 0.0), 1.0);
+  float g2 = (eta - 1.0) * (eta + 1.0) + c * c;
+  if (g2 < 0.0)
+  {
+    return 1.0;
+  }
+  float g = sqrt(g2);
+  if (c + g <= 0.0)
+  {
+    return 0.0;
+  }
+  float s = (c - g) / (c + g);
+  float p = (eta * eta * c - g) / (eta * eta * c + g);
+  return 0.5 * (s * s + p * p);
+}
+
+// The same by Schlick's approximation.
+// Source: Schlick 1994, "An Inexpensive BRDF Model for Physically-based Rendering".
+float waterSchlick(float cosine, float eta)
+{
+  float c = min(max(cosine, 0.0), 1.0);
+  if (eta < 1.0)
+  {
+    float refracted2 = 1.0 - (1.0 - c * c) / (eta * eta);
+    if (refracted2 < 0.0)
+    {
+      return 1.0;
+    }
+    c = sqrt(refracted2);
+  }
+  float root = (eta - 1.0) / (eta + 1.0);
+  float atNormal = root * root;
+  float rest = 1.0 - c;
+  return atNormal + (1.0 - atNormal) * rest * rest * rest * rest * rest;
+}

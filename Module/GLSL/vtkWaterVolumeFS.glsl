@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkWaterVolumeFS.glsl: cuts the rays of a ray-cast volume at the water plane in the mirrored view.
+// Uses the globals of VTK's ray caster: g_rayOrigin, g_rayTermination, g_rayJitter (all in texture
+// coordinates), g_dataPos, g_terminatePos, g_terminatePointMax, g_dirStep.
+
+uniform vec4 waterClipView; // water plane in view space, kept side >= 0; (0,0,0,1): keep all
+
+float waterRayHeight(vec3 texturePosition)
+{
+  vec4 view = in_modelViewMatrix * in_volumeMatrix[0] * in_textureDatasetMatrix[0] *
+    vec4(texturePosition, 1.0);
+  return dot(waterClipView, view / view.w);
+}
+
+void waterClipRay()
+{
+  vec3 start = g_rayOrigin - g_rayJitter;
+  float startHeight = waterRayHeight(start);
+  float stopHeight = waterRayHeight(g_rayTermination);
+  if (startHeight < 0.0 && stopHeight < 0.0)
+  {
+    discard;
+  }
+  if (startHeight < 0.0 || stopHeight < 0.0)
+  {
+    vec3 crossing = mix(start, g_rayTermination, startHeight / (startHeight - stopHeight));
+    if (startHeight < 0.0)
+    {
+      g_rayOrigin = crossing + g_rayJitter;
+    }
+    else
+    {
+      g_rayTermination = crossing;
+    }
+    g_dataPos = g_rayOrigin;
+    g_terminatePos = g_rayTermination;
+    g_terminatePointMax = length(g_terminatePos - g_dataPos) / length(g_dirStep);
+  }
+}

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkWaterAccess.h: the two protected members of VTK that are swapped silently.
+//
+// The public setters fire events and bump modification times, which a user's observers and caches
+// would see in every frame although nothing of theirs changed. A pointer to member formed in a
+// derived class is plain C++ and does not depend on the layout of the class.
+#ifndef vtkWaterAccess_h
+#define vtkWaterAccess_h
+
+#include "vtkProp.h"
+#include "vtkRenderer.h"
+
+namespace vtkWaterAccess
+{
+struct Renderer : public vtkRenderer
+{
+  static vtkCamera*& ActiveCameraOf(vtkRenderer* renderer)
+  {
+    return renderer->*(&Renderer::ActiveCamera);
+  }
+};
+
+struct Prop : public vtkProp
+{
+  // The prop owns one reference, as if set by SetPropertyKeys.
+  static vtkInformation*& PropertyKeysOf(vtkProp* prop) { return prop->*(&Prop::PropertyKeys); }
+};
+}
+#endif

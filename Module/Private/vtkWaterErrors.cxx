@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkWaterErrors.h"
+
+#include "vtkPlane.h"
+#include "vtkProp.h"
+#include "vtkWaterActor.h"
+#include "vtkWaterGather.h"
+
+#include <sstream>
+
+namespace
+{
+void DescribePlane(std::ostream& text, vtkWaterActor* water)
+{
+  const double* origin = water->GetPlane()->GetOrigin();
+  const double* normal = water->GetPlane()->GetNormal();
+  text << "; its origin is (" << origin[0] << ", " << origin[1] << ", " << origin[2]
+       << "), its normal (" << normal[0] << ", " << normal[1] << ", " << normal[2] << ")";
+}
+
+void DescribeValue(std::ostream& text, water_status status, const vtkWaterGather& gather,
+  const water_plan& plan)
+{
+  const water_scene& scene = gather.scene;
+  switch (status)
+  {
+    case WATER_BAD_VIEWPORT:
+      text << "; it is " << scene.viewport_px[0] << " x " << scene.viewport_px[1];
+      break;
+    case WATER_BAD_TEXTURE_SCALE:
+      text << "; it is " << scene.texture_scale;
+      break;
+    case WATER_TEXTURE_TOO_LARGE:
+      text << ": a picture of " << scene.viewport_px[0] << " x " << scene.viewport_px[1]
+           << " pixels times TextureScale " << scene.texture_scale << " exceeds "
+           << scene.max_texture_px << " pixels";
+      break;
+    case WATER_BAD_CLIP_MARGIN:
+      text << "; it is " << scene.clip_margin;
+      break;
+    case WATER_BAD_INDEX:
+      text << "; it is " << scene.look.index_of_refraction;
+      break;
+    case WATER_BAD_REFLECTANCE:
+      text << "; it is " << scene.look.reflectance;
+      break;
+    case WATER_BAD_PROP_BOUNDS:
+    {
+      const double* bounds = scene.props[plan.culprit].bounds;
+      text << "; those of prop " << plan.culprit << " ("
+           << gather.vtkProps[plan.culprit]->GetClassName() << ") are (" << bounds[0] << ", "
+           << bounds[1] << ", " << bounds[2] << ", " << bounds[3] << ", " << bounds[4] << ", "
+           << bounds[5] << ")";
+      break;
+    }
+    default:
+      break;
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+std::string vtkWaterDescribe(water_status status, vtkWaterActor* water,
+  const vtkWaterGather* gather, const water_plan* plan)
+{
+  std::ostringstream text;
+  text << water_status_text(status);
+  if (status == WATER_BAD_PLANE)
+  {
+    DescribePlane(text, water);
+  }
+  else if (gather && plan)
+  {
+    DescribeValue(text, status, *gather, *plan);
+  }
+  text << ". The water shows its plain colour.";
+  return text.str();
+}

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkWaterGather.h"
+
+#include "vtkBoundingBox.h"
+#include "vtkCamera.h"
+#include "vtkInformation.h"
+#include "vtkInformationIntegerKey.h"
+#include "vtkMatrix4x4.h"
+#include "vtkPlane.h"
+#include "vtkProp.h"
+#include "vtkPropCollection.h"
+#include "vtkRenderer.h"
+#include "vtkWaterActor.h"
+#include "vtkWaterProperty.h"
+#include "vtkWaterReflectionPass.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+void ClearBounds(double bounds[6])
+{
+  const double none[6] = { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 };
+  std::copy(none, none + 6, bounds);
+}
+
+// Is the water this prop, or is it a part of it? Drawing an assembly again while it is being drawn
+// would re-enter its list of paths.
+bool HoldsWater(vtkProp* prop, const std::vector<vtkWaterActor*>& waters)
+{
+  return prop->IsA("vtkWaterActor") ||
+    std::any_of(waters.begin(), waters.end(),
+      [prop](vtkWaterActor* water) { return water->IsConsumer(prop) != 0; });
+}
+
+uint32_t ReadFlags(vtkProp* prop, const std::vector<vtkWaterActor*>& waters)
+{
+  uint32_t flags = prop->GetVisibility() ? static_cast<uint32_t>(WATER_PROP_VISIBLE) : 0u;
+  if (HoldsWater(prop, waters))
+  {
+    flags |= WATER_PROP_IS_WATER;
+  }
+  vtkInformation* keys = prop->GetPropertyKeys();
+  if (keys && keys->Has(vtkWaterReflectionPass::NOT_REFLECTED()) &&
+    keys->Get(vtkWaterReflectionPass::NOT_REFLECTED()) != 0)
+  {
+    flags |= WATER_PROP_NOT_REFLECTED;
+  }
+  if (prop->IsA("vtkActor2D"))
+  {
+    flags |= WATER_PROP_OVERLAY;
+  }
+  if (prop->IsA("vtkBillboardTextActor3D") || prop->IsA("vtkFlagpoleLabel"))
+  {
+    flags |= WATER_PROP_LABEL;
+  }
+  if (prop->IsA("vtkSkybox"))
+  {
+    flags |= WATER_PROP_NO_BOUNDS;
+  }
+  return flags;
+}
+
+water_prop ReadProp(vtkProp* prop, const std::vector<vtkWaterActor*>& waters)
+{
+  water_prop read;
+  read.flags = ReadFlags(prop, waters);
+  ClearBounds(read.bounds);
+  const uint32_t noneNeeded =
+    WATER_PROP_IS_WATER | WATER_PROP_NOT_REFLECTED | WATER_PROP_OVERLAY | WATER_PROP_LABEL;
+  if ((read.flags & WATER_PROP_VISIBLE) && !(read.flags & noneNeeded))
+  {
+    const double* bounds = prop->GetBounds(); // may bring a pipeline up to date
+    if (bounds)
+    {
+      std::copy(bounds, bounds + 6, read.bounds);
+    }
+    else
+    {
+      read.flags |= WATER_PROP_NO_BOUNDS;
+    }
+  }
+  return read;
+}
+}
+
+//------------------------------------------------------------------------------
+water_camera vtkWaterGather::ReadCamera(vtkRenderer* renderer)
+{
+  water_camera eye;
+  vtkCamera* camera = renderer->GetActiveCamera();
+  const double* view = &camera->GetModelViewTransformMatrix()->Element[0][0];
+  std::copy(view, view + 16, eye.world_to_view);
+  const double* projection =
+    &camera->GetProjectionTransformMatrix(renderer->GetTiledAspectRatio(), -1, 1)->Element[0][0];
+  std::copy(projection, projection + 16, eye.view_to_clip);
+  eye.parallel = camera->GetParallelProjection() != 0;
+  return eye;
+}
+
+//------------------------------------------------------------------------------
+water_plane vtkWaterGather::ReadPlane(vtkWaterActor* water)
+{
+  water_plane plane;
+  const double* origin = water->GetPlane()->GetOrigin();
+  const double* normal = water->GetPlane()->GetNormal();
+  std::copy(normal, normal + 3, plane.normal);
+  plane.offset = -(normal[0] * origin[0] + normal[1] * origin[1] + normal[2] * origin[2]);
+  return plane;
+}
+
+//------------------------------------------------------------------------------
+water_look vtkWaterGather::ReadLook(vtkWaterActor* water)
+{
+  water_look look;
+  vtkWaterProperty* property = water->GetWaterProperty();
+  look.index_of_refraction = property->GetIndexOfRefraction();
+  look.reflectance = property->GetReflectance();
+  look.constant_reflectance = property->GetReflectanceMode() == vtkWaterProperty::CONSTANT;
+  return look;
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterGather::Read(
+  vtkRenderer* renderer, const std::vector<vtkWaterActor*>& waters, const int viewport_px[2])
+{
+  this->scene = water_scene();
+  this->scene.eye = ReadCamera(renderer);
+  std::copy(viewport_px, viewport_px + 2, this->scene.viewport_px);
+  this->scene.plane = ReadPlane(waters.front());
+
+  vtkBoundingBox surface;
+  ClearBounds(this->scene.surface_bounds);
+  for (vtkWaterActor* water : waters)
+  {
+    if (const double* bounds = water->GetBounds())
+    {
+      surface.AddBounds(bounds);
+    }
+    // the one that reflects most speaks for those that share the map
+    const water_look look = ReadLook(water);
+    if (water == waters.front() || this->scene.look.constant_reflectance)
+    {
+      if (water == waters.front() || !look.constant_reflectance ||
+        look.reflectance > this->scene.look.reflectance)
+      {
+        this->scene.look = look;
+      }
+    }
+  }
+  if (surface.IsValid())
+  {
+    surface.GetBounds(this->scene.surface_bounds);
+  }
+
+  this->props.clear();
+  this->vtkProps.clear();
+  vtkPropCollection* all = renderer->GetViewProps();
+  vtkCollectionSimpleIterator it;
+  all->InitTraversal(it);
+  while (vtkProp* prop = all->GetNextProp(it))
+  {
+    this->vtkProps.push_back(prop);
+    this->props.push_back(ReadProp(prop, waters));
+  }
+  this->scene.props = this->props.data();
+  this->scene.prop_count = this->props.size();
+}

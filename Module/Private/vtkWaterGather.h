@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkWaterGather: VTK renderer, camera, props -> water_scene. The only reader of VTK state.
+#ifndef vtkWaterGather_h
+#define vtkWaterGather_h
+
+#include "water_plan.h"
+
+#include <vector>
+
+class vtkProp;
+class vtkRenderer;
+class vtkWaterActor;
+
+struct vtkWaterGather
+{
+  water_scene scene;             // points into props
+  std::vector<water_prop> props; // of all view props, in the renderer's order
+  std::vector<vtkProp*> vtkProps;
+
+  // Reads everything but the settings of the pass (texture_scale, max_texture_px, clip_margin).
+  //
+  // waters  the surfaces that share the plane of the first; at least one
+  void Read(vtkRenderer* renderer, const std::vector<vtkWaterActor*>& waters,
+    const int viewport_px[2]);
+
+  // The camera alone: matrices of the renderer's active camera for its viewport.
+  static water_camera ReadCamera(vtkRenderer* renderer);
+
+  // The plane of a water.
+  static water_plane ReadPlane(vtkWaterActor* water);
+
+  // The water's optics; constant 0 only if nothing is reflected.
+  static water_look ReadLook(vtkWaterActor* water);
+};
+
+#endif

@@ -1,0 +1,267 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkWaterMirror.h"
+
+#include "vtkCamera.h"
+#include "vtkDualDepthPeelingPass.h"
+#include "vtkMatrix4x4.h"
+#include "vtkOpenGLFramebufferObject.h"
+#include "vtkOpenGLRenderUtilities.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLRenderer.h"
+#include "vtkOpenGLState.h"
+#include "vtkOrderIndependentTranslucentPass.h"
+#include "vtkProp.h"
+#include "vtkRenderState.h"
+#include "vtkTextureObject.h"
+#include "vtkTranslucentPass.h"
+#include "vtkVersionMacros.h"
+#include "vtkWaterAccess.h"
+#include "vtkWaterGL.h"
+#include "vtkWaterShading.h"
+
+#include <algorithm>
+
+namespace
+{
+// Everything that the mirrored view sets, as it was, when it goes out of scope.
+struct ScopedState
+{
+  explicit ScopedState(vtkOpenGLState* state)
+    : State(state)
+    , Viewport(state)
+    , Scissor(state)
+    , ClearColor(state)
+    , ColorMask(state)
+    , DepthMask(state)
+    , DepthFunc(state)
+    , BlendFunc(state)
+    , DepthTest(state, GL_DEPTH_TEST)
+    , Blend(state, GL_BLEND)
+    , CullFace(state, GL_CULL_FACE)
+    , ScissorTest(state, GL_SCISSOR_TEST)
+  {
+    state->PushFramebufferBindings();
+  }
+  ~ScopedState() { this->State->PopFramebufferBindings(); }
+
+  vtkOpenGLState* State;
+  vtkOpenGLState::ScopedglViewport Viewport;
+  vtkOpenGLState::ScopedglScissor Scissor;
+  vtkOpenGLState::ScopedglClearColor ClearColor;
+  vtkOpenGLState::ScopedglColorMask ColorMask;
+  vtkOpenGLState::ScopedglDepthMask DepthMask;
+  vtkOpenGLState::ScopedglDepthFunc DepthFunc;
+  vtkOpenGLState::ScopedglBlendFuncSeparate BlendFunc;
+  vtkOpenGLState::ScopedglEnableDisable DepthTest;
+  vtkOpenGLState::ScopedglEnableDisable Blend;
+  vtkOpenGLState::ScopedglEnableDisable CullFace;
+  vtkOpenGLState::ScopedglEnableDisable ScissorTest;
+};
+
+// The renderer looks through another camera while an object of this class lives; nobody is told.
+struct ScopedCamera
+{
+  ScopedCamera(vtkRenderer* renderer, vtkCamera* camera)
+    : Slot(vtkWaterAccess::Renderer::ActiveCameraOf(renderer))
+    , User(this->Slot)
+  {
+    this->Slot = camera;
+  }
+  ~ScopedCamera() { this->Slot = this->User; }
+
+  vtkCamera*& Slot;
+  vtkCamera* User;
+};
+
+struct ScopedMirroredView
+{
+  ScopedMirroredView(vtkWaterShading* shading, const water_plan& plan)
+    : Shading(shading)
+  {
+    shading->BeginMirroredView(plan);
+  }
+  ~ScopedMirroredView() { this->Shading->EndMirroredView(); }
+
+  vtkWaterShading* Shading;
+};
+
+// Drawing adds to a prop's estimated render time, from which VTK chooses levels of detail and
+// allots time; the mirrored view must not make props look slower than they are.
+struct ScopedRenderTimes
+{
+  ScopedRenderTimes(vtkRenderer* renderer, const std::vector<vtkProp*>& props)
+    : Renderer(renderer)
+    , Props(props)
+  {
+    for (vtkProp* prop : props)
+    {
+      this->Before.push_back(prop->GetEstimatedRenderTime(renderer));
+    }
+  }
+  ~ScopedRenderTimes()
+  {
+    for (size_t i = 0; i < this->Props.size(); ++i)
+    {
+      const double added = this->Props[i]->GetEstimatedRenderTime(this->Renderer) - this->Before[i];
+      this->Props[i]->AddEstimatedRenderTime(-added, this->Renderer);
+    }
+  }
+
+  vtkRenderer* Renderer;
+  const std::vector<vtkProp*>& Props;
+  std::vector<double> Before;
+};
+
+void SetViewportAndScissor(vtkOpenGLState* state, const water_plan& plan)
+{
+  const int* rect = plan.texture_rect_px;
+  state->vtkglViewport(0, 0, plan.texture_px[0], plan.texture_px[1]);
+  state->vtkglEnable(GL_SCISSOR_TEST);
+  state->vtkglScissor(rect[0], rect[1], rect[2], rect[3]);
+}
+}
+
+//------------------------------------------------------------------------------
+const char* vtkWaterMirror::Draw(vtkRenderer* renderer, vtkWaterShading* shading,
+  const water_plan& plan, std::vector<vtkProp*>& props, int samples)
+{
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  vtkOpenGLState* state = window->GetState();
+  if (!this->Target.Ensure(window, plan.texture_px[0], plan.texture_px[1], samples))
+  {
+    return "the GPU gave no framebuffer for the reflection texture";
+  }
+  vtkOpenGLRenderUtilities::MarkDebugEvent("water: mirrored view begins");
+  {
+    ScopedState scopedState(state);
+    if (!this->Target.Bind())
+    {
+      return "the framebuffer of the reflection texture is not complete";
+    }
+    SetViewportAndScissor(state, plan);
+    state->vtkglDepthFunc(GL_LEQUAL);
+    state->vtkglEnable(GL_DEPTH_TEST);
+    state->vtkglEnable(GL_BLEND);
+    state->vtkglBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    this->Screen.DrawSky(renderer, plan);
+
+    this->SetCamera(renderer, plan);
+    ScopedCamera scopedCamera(renderer, this->Camera);
+    ScopedMirroredView scopedView(shading, plan);
+    ScopedRenderTimes scopedTimes(renderer, props);
+    this->DrawProps(renderer, props);
+    state->vtkglDisable(GL_SCISSOR_TEST);
+    this->Target.Resolve();
+  }
+  vtkOpenGLRenderUtilities::MarkDebugEvent("water: mirrored view ends");
+  return nullptr;
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterMirror::SetCamera(vtkRenderer* renderer, const water_plan& plan)
+{
+  if (!this->Camera)
+  {
+    this->Camera.TakeReference(renderer->MakeCamera());
+    vtkNew<vtkMatrix4x4> projection;
+    this->Camera->SetExplicitProjectionTransformMatrix(projection);
+    this->Camera->SetUseExplicitProjectionTransformMatrix(true);
+  }
+  vtkCamera* user = renderer->GetActiveCamera();
+  this->Camera->SetPosition(plan.mirrored_position);
+  this->Camera->SetFocalPoint(plan.mirrored_focal_point);
+  this->Camera->SetViewUp(plan.mirrored_view_up);
+  // shaders and volume rays still read these two, although the projection is explicit
+  this->Camera->SetParallelProjection(user->GetParallelProjection());
+  this->Camera->SetClippingRange(user->GetClippingRange());
+  double* projection = &this->Camera->GetExplicitProjectionTransformMatrix()->Element[0][0];
+  std::copy(plan.mirrored.view_to_clip, plan.mirrored.view_to_clip + 16, projection);
+  // lights and key matrices are refreshed by the camera's time; a matrix changed in place does not
+  // count, and the main view may have been set up since
+  this->Camera->Modified();
+}
+
+//------------------------------------------------------------------------------
+vtkRenderPass* vtkWaterMirror::GetTranslucentPass(vtkRenderer* renderer)
+{
+  const bool isPeeling = renderer->GetUseDepthPeeling() != 0;
+  if (!this->TranslucentPass || this->IsPeeling != isPeeling)
+  {
+    if (this->TranslucentPass)
+    {
+      this->TranslucentPass->ReleaseGraphicsResources(renderer->GetRenderWindow());
+    }
+    this->IsPeeling = isPeeling;
+    vtkNew<vtkTranslucentPass> translucent;
+    if (isPeeling)
+    {
+      auto pass = vtkSmartPointer<vtkDualDepthPeelingPass>::New();
+      pass->SetTranslucentPass(translucent);
+      this->TranslucentPass = pass;
+    }
+    else
+    {
+      auto pass = vtkSmartPointer<vtkOrderIndependentTranslucentPass>::New();
+      pass->SetTranslucentPass(translucent);
+      this->TranslucentPass = pass;
+    }
+  }
+  if (auto* peeling = vtkDualDepthPeelingPass::SafeDownCast(this->TranslucentPass))
+  {
+    peeling->SetMaximumNumberOfPeels(renderer->GetMaximumNumberOfPeels());
+    peeling->SetOcclusionRatio(renderer->GetOcclusionRatio());
+  }
+  return this->TranslucentPass;
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterMirror::DrawProps(vtkRenderer* renderer, std::vector<vtkProp*>& props)
+{
+  for (vtkProp* prop : props)
+  {
+    prop->RenderOpaqueGeometry(renderer);
+    // on for shaders that write the distance; undefined for those that do not
+    glDisable(GL_CLIP_DISTANCE0);
+  }
+  if (std::any_of(props.begin(), props.end(),
+        [](vtkProp* prop) { return prop->HasTranslucentPolygonalGeometry() != 0; }))
+  {
+    vtkRenderState state(renderer);
+    state.SetPropArrayAndCount(props.data(), static_cast<int>(props.size()));
+    state.SetFrameBuffer(this->Target.GetFramebuffer());
+    this->GetTranslucentPass(renderer)->Render(&state);
+  }
+  for (vtkProp* prop : props)
+  {
+    prop->RenderVolumetricGeometry(renderer);
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkTextureObject* vtkWaterMirror::GetBlank(vtkOpenGLRenderWindow* window)
+{
+  if (!this->Blank || this->Blank->GetContext() != window)
+  {
+    this->Blank = vtkSmartPointer<vtkTextureObject>::New();
+    this->Blank->SetContext(window);
+    this->Blank->Allocate2D(1, 1, 4, VTK_UNSIGNED_CHAR);
+  }
+  return this->Blank;
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterMirror::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Target.ReleaseGraphicsResources(window);
+  this->Screen.ReleaseGraphicsResources();
+  if (this->Blank && window)
+  {
+    this->Blank->ReleaseGraphicsResources(window);
+  }
+  this->Blank = nullptr;
+  if (this->TranslucentPass && window)
+  {
+    this->TranslucentPass->ReleaseGraphicsResources(window);
+  }
+  this->TranslucentPass = nullptr;
+}

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkWaterMirror: carries a plan out: draws the mirrored view of a renderer into its target.
+#ifndef vtkWaterMirror_h
+#define vtkWaterMirror_h
+
+#include "vtkSmartPointer.h"
+#include "vtkWaterScreen.h"
+#include "vtkWaterTarget.h"
+#include "water_plan.h"
+
+#include <vector>
+
+class vtkCamera;
+class vtkOpenGLRenderWindow;
+class vtkProp;
+class vtkRenderPass;
+class vtkRenderer;
+class vtkWaterShading;
+
+class vtkWaterMirror
+{
+public:
+  // Draws the props into the target.
+  //
+  // samples  per pixel, 0: none
+  //
+  // Returns nullptr, or what went wrong in a few words; the target is then not to be used.
+  const char* Draw(vtkRenderer* renderer, vtkWaterShading* shading, const water_plan& plan,
+    std::vector<vtkProp*>& props, int samples);
+
+  vtkTextureObject* GetColor() { return this->Target.GetColor(); }
+  vtkTextureObject* GetDepth() { return this->Target.GetDepth(); }
+  vtkWaterScreen& GetScreen() { return this->Screen; }
+
+  // A texture of one pixel, for surfaces that have no reflection to look up.
+  vtkTextureObject* GetBlank(vtkOpenGLRenderWindow* window);
+
+  void ReleaseGraphicsResources(vtkWindow* window);
+
+private:
+  void SetCamera(vtkRenderer* renderer, const water_plan& plan);
+  void DrawProps(vtkRenderer* renderer, std::vector<vtkProp*>& props);
+  vtkRenderPass* GetTranslucentPass(vtkRenderer* renderer);
+
+  vtkWaterTarget Target;
+  vtkWaterScreen Screen;
+  vtkSmartPointer<vtkTextureObject> Blank;
+  vtkSmartPointer<vtkCamera> Camera;
+  vtkSmartPointer<vtkRenderPass> TranslucentPass; // blends as the renderer does
+  bool IsPeeling = false;
+};
+
+#endif

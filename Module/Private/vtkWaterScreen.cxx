@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkWaterScreen.h"
+
+#include "vtkOpenGLQuadHelper.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLRenderer.h"
+#include "vtkOpenGLShaderCache.h"
+#include "vtkOpenGLState.h"
+#include "vtkShaderProgram.h"
+#include "vtkTextureObject.h"
+#include "vtkWaterGL.h"
+#include "vtkWaterShading.h"
+#include "vtkWaterSkyFS.h"
+#include "vtkWaterViewFS.h"
+
+namespace
+{
+// Draws a full-screen quad over the current viewport with a fragment shader; false when it does not
+// compile.
+bool Ready(std::unique_ptr<vtkOpenGLQuadHelper>& quad, vtkOpenGLRenderWindow* window,
+  const char* fragmentShader)
+{
+  if (!quad)
+  {
+    quad = std::make_unique<vtkOpenGLQuadHelper>(window, nullptr, fragmentShader, nullptr);
+  }
+  else
+  {
+    window->GetShaderCache()->ReadyShaderProgram(quad->Program);
+  }
+  return quad->Program && quad->Program->GetCompiled();
+}
+}
+
+//------------------------------------------------------------------------------
+vtkWaterScreen::vtkWaterScreen() = default;
+
+//------------------------------------------------------------------------------
+vtkWaterScreen::~vtkWaterScreen() = default;
+
+//------------------------------------------------------------------------------
+void vtkWaterScreen::DrawSky(vtkRenderer* renderer, const water_plan& plan)
+{
+  auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
+  vtkOpenGLState* state = window->GetState();
+  const double* bottom = renderer->GetBackground();
+  const float alpha = static_cast<float>(renderer->GetBackgroundAlpha());
+  state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  state->vtkglDepthMask(GL_TRUE);
+  state->vtkglClearDepth(1.0);
+  state->vtkglClearColor(static_cast<float>(bottom[0]), static_cast<float>(bottom[1]),
+    static_cast<float>(bottom[2]), alpha);
+  state->vtkglClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  if (!renderer->GetGradientBackground() || renderer->GetTexturedBackground() ||
+    !Ready(this->Sky, window, vtkWaterSkyFS))
+  {
+    return;
+  }
+  const double* top = renderer->GetBackground2();
+  vtkShaderProgram* program = this->Sky->Program;
+  const float bottomAlpha[4] = { static_cast<float>(bottom[0]), static_cast<float>(bottom[1]),
+    static_cast<float>(bottom[2]), alpha };
+  const float topAlpha[4] = { static_cast<float>(top[0]), static_cast<float>(top[1]),
+    static_cast<float>(top[2]), alpha };
+  program->SetUniform4f("waterSkyBottom", bottomAlpha);
+  program->SetUniform4f("waterSkyTop", topAlpha);
+  vtkWaterSetUniformMatrix3(program, "waterMapNdcToEye", plan.map_ndc_to_eye);
+  vtkOpenGLState::ScopedglEnableDisable depthTest(state, GL_DEPTH_TEST);
+  vtkOpenGLState::ScopedglEnableDisable blend(state, GL_BLEND);
+  vtkOpenGLState::ScopedglDepthMask depthMask(state);
+  state->vtkglDisable(GL_DEPTH_TEST);
+  state->vtkglDisable(GL_BLEND);
+  state->vtkglDepthMask(GL_FALSE);
+  this->Sky->Render();
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterScreen::DrawCorner(vtkRenderer* renderer, vtkTextureObject* reflection)
+{
+  auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
+  vtkOpenGLState* state = window->GetState();
+  int width;
+  int height;
+  int x;
+  int y;
+  renderer->GetTiledSizeAndOrigin(&width, &height, &x, &y);
+  vtkOpenGLState::ScopedglViewport viewport(state);
+  vtkOpenGLState::ScopedglEnableDisable depthTest(state, GL_DEPTH_TEST);
+  vtkOpenGLState::ScopedglEnableDisable blend(state, GL_BLEND);
+  vtkOpenGLState::ScopedglEnableDisable scissor(state, GL_SCISSOR_TEST);
+  vtkOpenGLState::ScopedglDepthMask depthMask(state);
+  state->vtkglViewport(x, y, width / 2, height / 2);
+  state->vtkglDisable(GL_DEPTH_TEST);
+  state->vtkglDisable(GL_BLEND);
+  state->vtkglDisable(GL_SCISSOR_TEST);
+  state->vtkglDepthMask(GL_FALSE);
+  if (Ready(this->Corner, window, vtkWaterViewFS))
+  {
+    reflection->Activate();
+    this->Corner->Program->SetUniformi("waterReflection", reflection->GetTextureUnit());
+    this->Corner->Render();
+    reflection->Deactivate();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterScreen::ReleaseGraphicsResources()
+{
+  this->Sky.reset();
+  this->Corner.reset();
+}

@@ -1,0 +1,419 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkWaterShading.h"
+
+#include "vtkCallbackCommand.h"
+#include "vtkInformation.h"
+#include "vtkInformationObjectBaseVectorKey.h"
+#include "vtkObjectFactory.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkPropCollection.h"
+#include "vtkRenderer.h"
+#include "vtkShaderProgram.h"
+#include "vtkTextureObject.h"
+#include "vtkWaterAccess.h"
+#include "vtkWaterCompat.h"
+#include "vtkWaterGL.h"
+#include "vtkWaterMirroredFS.h"
+#include "vtkWaterMirroredVS.h"
+#include "vtkWaterOptics.h"
+#include "vtkWaterProperty.h"
+#include "vtkWaterSurfaceFS.h"
+#include "vtkWaterVolumeFS.h"
+
+#include <algorithm>
+
+VTK_ABI_NAMESPACE_BEGIN
+vtkStandardNewMacro(vtkWaterShading);
+
+namespace
+{
+// Puts text before a tag and keeps the tag for whoever comes next.
+void InsertBefore(std::string& source, const std::string& tag, const std::string& text)
+{
+  vtkShaderProgram::Substitute(source, tag, text + "\n" + tag, false);
+}
+
+void InsertAfter(std::string& source, const std::string& tag, const std::string& text)
+{
+  vtkShaderProgram::Substitute(source, tag, tag + "\n" + text, false);
+}
+
+void SetUniform3(vtkShaderProgram* program, const char* name, const double value[3])
+{
+  if (program->IsUniformUsed(name))
+  {
+    const float single[3] = { static_cast<float>(value[0]), static_cast<float>(value[1]),
+      static_cast<float>(value[2]) };
+    program->SetUniform3f(name, single);
+  }
+}
+
+void SetUniform4(
+  vtkShaderProgram* program, const char* name, const double value[4], bool isUsed = true)
+{
+  if (program->IsUniformUsed(name))
+  {
+    float single[4] = { 0.0f, 0.0f, 0.0f, 0.0f };
+    if (isUsed)
+    {
+      std::transform(
+        value, value + 4, single, [](double component) { return static_cast<float>(component); });
+    }
+    program->SetUniform4f(name, single);
+  }
+}
+
+void SetUniform(vtkShaderProgram* program, const char* name, double value)
+{
+  if (program->IsUniformUsed(name))
+  {
+    program->SetUniformf(name, static_cast<float>(value));
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterSetUniformMatrix3(vtkShaderProgram* program, const char* name, const double rows[9])
+{
+  if (program->IsUniformUsed(name))
+  {
+    float columns[9]; // GL wants columns: the one place that transposes
+    for (int row = 0; row < 3; ++row)
+    {
+      for (int column = 0; column < 3; ++column)
+      {
+        columns[3 * column + row] = static_cast<float>(rows[3 * row + column]);
+      }
+    }
+    program->SetUniformMatrix3x3(name, columns);
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkWaterShading::vtkWaterShading()
+{
+  this->SetActiveDrawBuffers(1); // volume mappers ask the last pass of the list
+}
+
+//------------------------------------------------------------------------------
+vtkWaterShading::~vtkWaterShading()
+{
+  for (auto& held : this->HeldFrames)
+  {
+    this->EndFrame(held.second);
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkWaterShading> vtkWaterShading::GetShared()
+{
+  static thread_local vtkWeakPointer<vtkWaterShading> shared;
+  if (!shared)
+  {
+    auto made = vtkSmartPointer<vtkWaterShading>::New();
+    shared = made;
+    return made;
+  }
+  return shared.Get();
+}
+
+//------------------------------------------------------------------------------
+bool vtkWaterShading::HasKey(vtkProp* prop) const
+{
+  vtkInformation* keys = prop->GetPropertyKeys();
+  if (!keys || !keys->Has(vtkOpenGLRenderPass::RenderPasses()))
+  {
+    return false;
+  }
+  const int count = keys->Length(vtkOpenGLRenderPass::RenderPasses());
+  for (int i = 0; i < count; ++i)
+  {
+    if (keys->Get(vtkOpenGLRenderPass::RenderPasses(), i) == this)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterShading::AddKey(vtkProp* prop)
+{
+  if (this->HasKey(prop))
+  {
+    return;
+  }
+  if (!prop->GetPropertyKeys())
+  {
+    // silently: a key for a frame is no change of the prop
+    vtkWaterAccess::Prop::PropertyKeysOf(prop) = vtkInformation::New();
+  }
+  prop->GetPropertyKeys()->Append(vtkOpenGLRenderPass::RenderPasses(), this);
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterShading::RemoveKey(vtkProp* prop)
+{
+  vtkInformation* keys = prop->GetPropertyKeys();
+  if (keys && keys->Has(vtkOpenGLRenderPass::RenderPasses()))
+  {
+    keys->Remove(vtkOpenGLRenderPass::RenderPasses(), this);
+    if (keys->Length(vtkOpenGLRenderPass::RenderPasses()) == 0)
+    {
+      keys->Remove(vtkOpenGLRenderPass::RenderPasses());
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterShading::HoldUntilEndOfFrame(vtkRenderer* renderer)
+{
+  for (auto it = this->HeldFrames.begin(); it != this->HeldFrames.end();)
+  {
+    // a renderer that died took its observer along
+    it = it->second.Renderer ? std::next(it) : this->HeldFrames.erase(it);
+  }
+  HeldFrame& held = this->HeldFrames[renderer];
+  held.Renderer = renderer;
+  if (held.Observer)
+  {
+    return; // another water of this frame was first
+  }
+  vtkPropCollection* props = renderer->GetViewProps();
+  vtkCollectionSimpleIterator it;
+  props->InitTraversal(it);
+  while (vtkProp* prop = props->GetNextProp(it))
+  {
+    if (prop->GetVisibility() && !this->HasKey(prop))
+    {
+      this->AddKey(prop);
+      held.Props.emplace_back(prop);
+    }
+  }
+  held.Observer = vtkSmartPointer<vtkCallbackCommand>::New();
+  held.Observer->SetClientData(this);
+  held.Observer->SetCallback(
+    [](vtkObject* caller, unsigned long, void* clientData, void*)
+    {
+      auto* self = static_cast<vtkWaterShading*>(clientData);
+      auto found = self->HeldFrames.find(vtkRenderer::SafeDownCast(caller));
+      if (found != self->HeldFrames.end())
+      {
+        self->EndFrame(found->second);
+      }
+    });
+  held.ObserverTag = renderer->AddObserver(vtkCommand::EndEvent, held.Observer);
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterShading::EndFrame(HeldFrame& held)
+{
+  for (vtkProp* prop : held.Props)
+  {
+    this->RemoveKey(prop);
+  }
+  held.Props.clear();
+  if (held.Renderer && held.Observer)
+  {
+    held.Renderer->RemoveObserver(held.ObserverTag);
+  }
+  held.Observer = nullptr;
+  ++held.EndedFrames;
+}
+
+//------------------------------------------------------------------------------
+unsigned long vtkWaterShading::GetEndedFrames(vtkRenderer* renderer) const
+{
+  auto found = this->HeldFrames.find(renderer);
+  return found == this->HeldFrames.end() ? 0 : found->second.EndedFrames;
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterShading::BeginMirroredView(const water_plan& plan)
+{
+  this->MirroredView = &plan;
+  this->SetUp.clear();
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterShading::EndMirroredView()
+{
+  this->MirroredView = nullptr;
+  this->SetUp.clear();
+}
+
+//------------------------------------------------------------------------------
+bool vtkWaterShading::PreReplaceShaderValues(std::string& vertexShader,
+  std::string& geometryShader, std::string& fragmentShader, vtkAbstractMapper*, vtkProp* prop)
+{
+  if (prop->IsA("vtkWaterActor"))
+  {
+    InsertBefore(fragmentShader, "//VTK::Clip::Dec",
+      std::string(vtkWaterOptics) + "\n" + vtkWaterSurfaceFS);
+    return true;
+  }
+  InsertBefore(fragmentShader, "//VTK::Clip::Dec", vtkWaterMirroredFS);
+  // Opaque geometry is cut by a clip distance. It needs a vertex shader that ends the chain (a
+  // geometry shader would have to pass the distance on), and must not be on for the full-screen
+  // quads that blend translucent geometry: those two discard.
+  const bool canClipVertices = geometryShader.empty() &&
+    vertexShader.find("//VTK::CustomEnd::Impl") != std::string::npos &&
+    !prop->HasTranslucentPolygonalGeometry();
+  if (canClipVertices)
+  {
+    InsertBefore(vertexShader, "//VTK::Clip::Dec", vtkWaterMirroredVS);
+    InsertBefore(vertexShader, "//VTK::CustomEnd::Impl", "  waterClipVertex(gl_Position);");
+  }
+  else
+  {
+    InsertBefore(fragmentShader, "//VTK::Clip::Impl", "  waterClip();");
+  }
+  // the tags of VTK's ray caster; no other shader has them
+  InsertAfter(fragmentShader, "//VTK::Clipping::Dec", vtkWaterVolumeFS);
+  InsertAfter(fragmentShader, "//VTK::Clipping::Init", "  waterClipRay();");
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkWaterShading::PostReplaceShaderValues(std::string&, std::string&,
+  std::string& fragmentShader, vtkAbstractMapper*, vtkProp* prop)
+{
+  if (prop->IsA("vtkWaterActor"))
+  {
+    InsertBefore(fragmentShader, "//VTK::Light::Impl", "\n  waterShade(gl_FragData[0]);");
+    return true;
+  }
+  // VTK's code for a single headlight takes the light for the view; a mapper that has no such line
+  // (unlit, other lights) needs nothing
+  InsertAfter(fragmentShader, "float sf = pow(df, specularPower);",
+    "  waterHeadlight(normalVCVSOutput, normalize(-vertexVC.xyz), specularPower, df, sf);");
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkWaterShading::SetShaderParameters(
+  vtkShaderProgram* program, vtkAbstractMapper*, vtkProp* prop, vtkOpenGLVertexArrayObject*)
+{
+  if (prop->IsA("vtkWaterActor"))
+  {
+    this->SetSurfaceParameters(program);
+  }
+  else
+  {
+    this->SetMirroredParameters(program);
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterShading::SetMirroredParameters(vtkShaderProgram* program)
+{
+  static const double keepAll[4] = { 0.0, 0.0, 0.0, 1.0 };
+  const water_plan* plan = this->MirroredView;
+  if (plan && program->IsUniformUsed("waterClipPosition"))
+  {
+    glEnable(GL_CLIP_DISTANCE0); // vtkWaterMirror turns it off again
+  }
+  // props share programs, and a program keeps its uniforms
+  if (!this->SetUp.insert(program).second)
+  {
+    return;
+  }
+  SetUniform4(program, "waterClipWindow", plan ? plan->clip_plane_window : keepAll);
+  SetUniform4(program, "waterClipPosition", plan ? plan->clip_plane_clip : keepAll);
+  SetUniform4(program, "waterClipView", plan ? plan->clip_plane_view : keepAll);
+  double headlight[4] = { 0.0, 0.0, -1.0, 0.0 };
+  if (plan)
+  {
+    std::copy(plan->headlight_dir, plan->headlight_dir + 3, headlight);
+    headlight[3] = 1.0;
+  }
+  SetUniform4(program, "waterHeadlightVC", headlight);
+  // VTK sets the lights of a program, which are in view space, once per camera or light change by
+  // their modification times; main and mirrored camera share the program.
+  program->SetUniformGroupUpdateTime(vtkShaderProgram::LightingGroup, 0);
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterShading::SetSurfaceParameters(vtkShaderProgram* program)
+{
+  if (!this->Surface)
+  {
+    return; // drawn by somebody else than vtkWaterActor::Render: nothing to say
+  }
+  const vtkWaterSurface& surface = *this->Surface;
+  if (program->IsUniformUsed("waterReflection"))
+  {
+    program->SetUniformi("waterReflection", surface.Reflection->GetTextureUnit());
+  }
+  if (program->IsUniformUsed("waterIsReflecting"))
+  {
+    program->SetUniformi("waterIsReflecting", surface.Plan ? 1 : 0);
+  }
+  SetUniform3(program, "waterDeepColor", surface.Property->GetDeepColor());
+  SetUniform(program, "waterOpacity", surface.Property->GetOpacity());
+  if (surface.Plan)
+  {
+    int viewport[4];
+    surface.Reflection->GetContext()->GetState()->vtkglGetIntegerv(GL_VIEWPORT, viewport);
+    const double inverse[4] = { static_cast<double>(viewport[0]), static_cast<double>(viewport[1]),
+      1.0 / viewport[2], 1.0 / viewport[3] };
+    SetUniform4(program, "waterViewport", inverse);
+    SetUniform4(program, "waterNormalClip", surface.Plan->normal_clip);
+    SetUniform4(program, "waterPlaneClip", surface.Plan->plane_clip, !surface.IsFlat);
+    vtkWaterSetUniformMatrix3(program, "waterNdcToRay", surface.Plan->ndc_to_ray);
+    SetUniform(program, "waterEta", surface.Plan->eta);
+    SetUniform(program, "waterReflectance", surface.Plan->reflectance);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterShading::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Renderers held: " << this->HeldFrames.size() << "\n";
+  os << indent << "In a mirrored view: " << (this->MirroredView ? "yes" : "no") << "\n";
+}
+
+//------------------------------------------------------------------------------
+vtkWaterForeignKeysSuspended::vtkWaterForeignKeysSuspended(
+  vtkWaterShading* shading, const std::vector<vtkProp*>& props)
+{
+  for (vtkProp* prop : props)
+  {
+    vtkInformation* keys = prop->GetPropertyKeys();
+    if (!keys || !keys->Has(vtkOpenGLRenderPass::RenderPasses()))
+    {
+      continue;
+    }
+    const int count = keys->Length(vtkOpenGLRenderPass::RenderPasses());
+    if (count == 1 && keys->Get(vtkOpenGLRenderPass::RenderPasses(), 0) == shading)
+    {
+      continue;
+    }
+    SavedKeys saved{ prop, {} };
+    for (int i = 0; i < count; ++i)
+    {
+      saved.Passes.emplace_back(keys->Get(vtkOpenGLRenderPass::RenderPasses(), i));
+    }
+    keys->Remove(vtkOpenGLRenderPass::RenderPasses());
+    keys->Append(vtkOpenGLRenderPass::RenderPasses(), shading);
+    this->Saved.push_back(std::move(saved));
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkWaterForeignKeysSuspended::~vtkWaterForeignKeysSuspended()
+{
+  for (SavedKeys& saved : this->Saved)
+  {
+    vtkInformation* keys = saved.Prop->GetPropertyKeys();
+    keys->Remove(vtkOpenGLRenderPass::RenderPasses());
+    for (vtkObjectBase* pass : saved.Passes)
+    {
+      keys->Append(vtkOpenGLRenderPass::RenderPasses(), pass);
+    }
+  }
+}
+VTK_ABI_NAMESPACE_END

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkWaterShading: plan -> shader replacements and uniforms. The only writer of uniforms.
+//
+// It is a key in the RenderPasses list of the props: mappers ask the passes of that list to change
+// their shaders. One object serves all waters of a thread, because a mapper rebuilds its shaders
+// whenever the list changes: with one key per water, two waters would rebuild everything, twice a
+// frame. See Documentation/decisions.
+#ifndef vtkWaterShading_h
+#define vtkWaterShading_h
+
+#include "vtkOpenGLRenderPass.h"
+#include "vtkSmartPointer.h"
+#include "vtkWeakPointer.h"
+#include "water_types.h"
+
+#include <map>
+#include <unordered_set>
+#include <vector>
+
+class vtkCallbackCommand;
+class vtkProp;
+class vtkRenderer;
+class vtkTextureObject;
+class vtkWaterProperty;
+
+// What the shader of a surface needs besides the water's property.
+struct vtkWaterSurface
+{
+  vtkWaterProperty* Property;
+  vtkTextureObject* Reflection; // active; any texture when not reflecting
+  const water_plan* Plan;       // nullptr: there is no mirrored view, show the plain colour
+  bool IsFlat;                  // lies in the plane exactly
+};
+
+// Sets a 3 x 3 matrix given by rows; does nothing when the program has no use for it.
+void vtkWaterSetUniformMatrix3(vtkShaderProgram* program, const char* name, const double rows[9]);
+
+class vtkWaterShading : public vtkOpenGLRenderPass
+{
+public:
+  static vtkWaterShading* New();
+  vtkTypeMacro(vtkWaterShading, vtkOpenGLRenderPass);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  // The object of this thread; it lives as long as somebody holds it.
+  static vtkSmartPointer<vtkWaterShading> GetShared();
+
+  // Puts the key on every visible prop of the renderer until the frame ends (its EndEvent), so that
+  // mirrored and main view use the same shaders.
+  void HoldUntilEndOfFrame(vtkRenderer* renderer);
+
+  // Puts the key on a prop, once.
+  void AddKey(vtkProp* prop);
+
+  // Counts the renderer's frames that have ended since it was first held; 0 before.
+  unsigned long GetEndedFrames(vtkRenderer* renderer) const;
+
+  // The mirrored view of this plan is drawn between the two.
+  void BeginMirroredView(const water_plan& plan);
+  void EndMirroredView();
+  bool IsInMirroredView() const { return this->MirroredView != nullptr; }
+
+  // This surface is drawn between the two.
+  void BeginSurface(const vtkWaterSurface& surface) { this->Surface = &surface; }
+  void EndSurface() { this->Surface = nullptr; }
+
+  void Render(const vtkRenderState*) override {} // a key only, it draws nothing
+  bool PreReplaceShaderValues(std::string& vertexShader, std::string& geometryShader,
+    std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp* prop) override;
+  bool PostReplaceShaderValues(std::string& vertexShader, std::string& geometryShader,
+    std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp* prop) override;
+  bool SetShaderParameters(vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp* prop,
+    vtkOpenGLVertexArrayObject* vao) override;
+
+protected:
+  vtkWaterShading();
+  ~vtkWaterShading() override;
+
+private:
+  vtkWaterShading(const vtkWaterShading&) = delete;
+  void operator=(const vtkWaterShading&) = delete;
+
+  struct HeldFrame
+  {
+    vtkWeakPointer<vtkRenderer> Renderer;
+    std::vector<vtkSmartPointer<vtkProp>> Props;
+    vtkSmartPointer<vtkCallbackCommand> Observer;
+    unsigned long ObserverTag = 0;
+    unsigned long EndedFrames = 0;
+  };
+
+  bool HasKey(vtkProp* prop) const;
+  void RemoveKey(vtkProp* prop);
+  void EndFrame(HeldFrame& held);
+  void SetSurfaceParameters(vtkShaderProgram* program);
+  void SetMirroredParameters(vtkShaderProgram* program);
+
+  std::map<vtkRenderer*, HeldFrame> HeldFrames;
+  const water_plan* MirroredView = nullptr;
+  std::unordered_set<vtkShaderProgram*> SetUp; // programs that know the present view
+  const vtkWaterSurface* Surface = nullptr;
+};
+
+// For the mirrored view of a nested draw: other passes have put their keys on the props for the
+// main view, where they would act on framebuffers that are not bound now. While an object of this
+// class lives, the props carry the water's key alone.
+class vtkWaterForeignKeysSuspended
+{
+public:
+  vtkWaterForeignKeysSuspended(vtkWaterShading* shading, const std::vector<vtkProp*>& props);
+  ~vtkWaterForeignKeysSuspended();
+  vtkWaterForeignKeysSuspended(const vtkWaterForeignKeysSuspended&) = delete;
+  void operator=(const vtkWaterForeignKeysSuspended&) = delete;
+
+private:
+  struct SavedKeys
+  {
+    vtkProp* Prop;
+    std::vector<vtkSmartPointer<vtkObjectBase>> Passes;
+  };
+  std::vector<SavedKeys> Saved;
+};
+
+#endif

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkWaterSheet.h"
+
+#include "vtkBoundingBox.h"
+#include "vtkCellArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkMath.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkPropCollection.h"
+#include "vtkRenderer.h"
+
+#include <algorithm>
+
+namespace
+{
+// Bounds of all that a renderer shows, waters left out: they are what is fitted.
+void AddSceneBounds(vtkRenderer* renderer, vtkBoundingBox& box)
+{
+  vtkPropCollection* props = renderer->GetViewProps();
+  vtkCollectionSimpleIterator it;
+  props->InitTraversal(it);
+  while (vtkProp* prop = props->GetNextProp(it))
+  {
+    if (prop->GetVisibility() && prop->GetUseBounds() && !prop->IsA("vtkWaterActor") &&
+      !prop->IsA("vtkSkybox"))
+    {
+      const double* bounds = prop->GetBounds();
+      if (bounds && vtkMath::AreBoundsInitialized(bounds) &&
+        std::all_of(bounds, bounds + 6, [](double bound) { return vtkMath::IsFinite(bound); }))
+      {
+        box.AddBounds(bounds);
+      }
+    }
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+vtkWaterSheet::vtkWaterSheet()
+{
+  this->Points->SetDataTypeToDouble();
+  this->Rectangle->SetPoints(this->Points);
+  this->Mapper->SetInputData(this->Rectangle);
+  this->Mapper->ScalarVisibilityOff();
+}
+
+//------------------------------------------------------------------------------
+vtkWaterSheet::~vtkWaterSheet() = default;
+
+//------------------------------------------------------------------------------
+vtkPolyDataMapper* vtkWaterSheet::GetMapper()
+{
+  return this->Mapper;
+}
+
+//------------------------------------------------------------------------------
+water_status vtkWaterSheet::Fit(const water_plane& plane, const double origin[3],
+  const double bounds[4], const std::vector<vtkRenderer*>& scene)
+{
+  water_plane unit;
+  water_status status = water_plane_normalise(&plane, &unit);
+  if (status != WATER_OK)
+  {
+    return status;
+  }
+  double x_dir[3];
+  double y_dir[3];
+  water_plane_axes(unit.normal, x_dir, y_dir);
+  double sheet[4];
+  if (bounds)
+  {
+    std::copy(bounds, bounds + 4, sheet);
+  }
+  else
+  {
+    vtkBoundingBox box;
+    for (vtkRenderer* renderer : scene)
+    {
+      AddSceneBounds(renderer, box);
+    }
+    double sceneBounds[6] = { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 };
+    if (box.IsValid())
+    {
+      box.GetBounds(sceneBounds);
+    }
+    status = water_sheet_bounds(origin, x_dir, y_dir, sceneBounds, sheet);
+    if (status != WATER_OK)
+    {
+      return status;
+    }
+  }
+
+  double corners[12];
+  water_sheet_corners(origin, x_dir, y_dir, sheet, corners);
+  if (std::equal(corners, corners + 12, this->Corners) &&
+    std::equal(unit.normal, unit.normal + 3, this->Normal))
+  {
+    return WATER_OK;
+  }
+  std::copy(corners, corners + 12, this->Corners);
+  std::copy(unit.normal, unit.normal + 3, this->Normal);
+
+  this->Points->SetNumberOfPoints(4);
+  vtkNew<vtkDoubleArray> normals;
+  normals->SetNumberOfComponents(3);
+  normals->SetName("Normals");
+  for (int corner = 0; corner < 4; ++corner)
+  {
+    this->Points->SetPoint(corner, corners + 3 * corner);
+    normals->InsertNextTuple(unit.normal);
+  }
+  this->Points->Modified();
+  const vtkIdType quad[4] = { 0, 1, 2, 3 };
+  vtkNew<vtkCellArray> cells;
+  cells->InsertNextCell(4, quad);
+  this->Rectangle->SetPolys(cells);
+  this->Rectangle->GetPointData()->SetNormals(normals);
+  this->Rectangle->Modified();
+  return WATER_OK;
+}

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkWaterSheet: the water's own sheet: a rectangle in the plane, over the bounds of the scene.
+#ifndef vtkWaterSheet_h
+#define vtkWaterSheet_h
+
+#include "vtkNew.h"
+#include "water_plane.h"
+
+#include <vector>
+
+class vtkPoints;
+class vtkPolyData;
+class vtkPolyDataMapper;
+class vtkRenderer;
+
+class vtkWaterSheet
+{
+public:
+  vtkWaterSheet();
+  ~vtkWaterSheet();
+
+  vtkPolyDataMapper* GetMapper();
+
+  // Fits the sheet; when it cannot, the last good one stays.
+  //
+  // plane     of any scale; its origin is the origin of the sheet's axes
+  // bounds    xmin, xmax, ymin, ymax in the plane's axes; nullptr: over the scene
+  // scene     renderers whose props are to be covered, when bounds is nullptr
+  water_status Fit(const water_plane& plane, const double origin[3], const double bounds[4],
+    const std::vector<vtkRenderer*>& scene);
+
+private:
+  vtkWaterSheet(const vtkWaterSheet&) = delete;
+  void operator=(const vtkWaterSheet&) = delete;
+
+  vtkNew<vtkPoints> Points; // 4, in double precision: scenes may lie far from the origin
+  vtkNew<vtkPolyData> Rectangle;
+  vtkNew<vtkPolyDataMapper> Mapper;
+  double Corners[12] = {};
+  double Normal[3] = {};
+};
+
+#endif

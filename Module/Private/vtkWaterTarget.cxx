@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkWaterTarget.h"
+
+#include "vtkOpenGLFramebufferObject.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkTextureObject.h"
+#include "vtkWaterGL.h"
+
+//------------------------------------------------------------------------------
+bool vtkWaterTarget::Ensure(vtkOpenGLRenderWindow* window, int width, int height, int samples)
+{
+  if (this->Framebuffer && this->Framebuffer->GetContext() == window && this->Width == width &&
+    this->Height == height && this->Samples == samples)
+  {
+    return true;
+  }
+  this->ReleaseGraphicsResources(nullptr);
+
+  this->Color = vtkSmartPointer<vtkTextureObject>::New();
+  this->Color->SetContext(window);
+  this->Color->SetMinificationFilter(vtkTextureObject::Linear);
+  this->Color->SetMagnificationFilter(vtkTextureObject::Linear);
+  this->Depth = vtkSmartPointer<vtkTextureObject>::New();
+  this->Depth->SetContext(window);
+  this->Depth->SetMinificationFilter(vtkTextureObject::Nearest);
+  this->Depth->SetMagnificationFilter(vtkTextureObject::Nearest);
+  for (vtkTextureObject* texture : { this->Color.Get(), this->Depth.Get() })
+  {
+    texture->SetWrapS(vtkTextureObject::ClampToEdge);
+    texture->SetWrapT(vtkTextureObject::ClampToEdge);
+  }
+
+  vtkOpenGLState* state = window->GetState();
+  state->PushFramebufferBindings();
+  // Fixed32, as the window's own depth: volume mappers blit it, which wants equal formats.
+  bool ok = this->Color->Allocate2D(width, height, 4, VTK_UNSIGNED_CHAR) &&
+    this->Depth->AllocateDepth(width, height, vtkTextureObject::Fixed32);
+  if (ok)
+  {
+    this->Framebuffer = vtkSmartPointer<vtkOpenGLFramebufferObject>::New();
+    this->Framebuffer->SetContext(window);
+    this->Framebuffer->Bind();
+    this->Framebuffer->AddColorAttachment(0, this->Color);
+    this->Framebuffer->AddDepthAttachment(this->Depth);
+    this->Framebuffer->ActivateBuffer(0);
+    const char* reason = nullptr;
+    ok = vtkOpenGLFramebufferObject::GetFrameBufferStatus(
+      vtkOpenGLFramebufferObject::GetBothMode(), reason);
+  }
+  if (ok && samples > 0)
+  {
+    this->SampledFramebuffer = vtkSmartPointer<vtkOpenGLFramebufferObject>::New();
+    this->SampledFramebuffer->SetContext(window);
+    ok = this->SampledFramebuffer->PopulateFramebuffer(
+      width, height, true, 1, VTK_UNSIGNED_CHAR, true, 32, samples);
+  }
+  state->PopFramebufferBindings();
+  if (!ok)
+  {
+    this->ReleaseGraphicsResources(nullptr);
+    return false;
+  }
+  this->Width = width;
+  this->Height = height;
+  this->Samples = samples;
+  return true;
+}
+
+//------------------------------------------------------------------------------
+vtkOpenGLFramebufferObject* vtkWaterTarget::GetFramebuffer()
+{
+  return this->SampledFramebuffer ? this->SampledFramebuffer : this->Framebuffer;
+}
+
+//------------------------------------------------------------------------------
+bool vtkWaterTarget::Bind()
+{
+  this->GetFramebuffer()->Bind();
+  this->GetFramebuffer()->ActivateBuffer(0);
+  return this->GetFramebuffer()->StartNonOrtho(this->Width, this->Height);
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterTarget::Resolve()
+{
+  if (!this->SampledFramebuffer)
+  {
+    return;
+  }
+  this->SampledFramebuffer->Bind(vtkOpenGLFramebufferObject::GetReadMode());
+  this->SampledFramebuffer->ActivateReadBuffer(0);
+  this->Framebuffer->Bind(vtkOpenGLFramebufferObject::GetDrawMode());
+  this->Framebuffer->ActivateDrawBuffer(0);
+  this->Framebuffer->GetContext()->GetState()->vtkglBlitFramebuffer(0, 0, this->Width,
+    this->Height, 0, 0, this->Width, this->Height, GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT, GL_NEAREST);
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterTarget::ReleaseGraphicsResources(vtkWindow* window)
+{
+  for (vtkOpenGLFramebufferObject* framebuffer :
+    { this->Framebuffer.Get(), this->SampledFramebuffer.Get() })
+  {
+    if (framebuffer && window)
+    {
+      framebuffer->ReleaseGraphicsResources(window);
+    }
+  }
+  for (vtkTextureObject* texture : { this->Color.Get(), this->Depth.Get() })
+  {
+    if (texture && window)
+    {
+      texture->ReleaseGraphicsResources(window);
+    }
+  }
+  // without a window the destructors free what is left, through VTK's resource callbacks
+  this->Framebuffer = nullptr;
+  this->SampledFramebuffer = nullptr;
+  this->Color = nullptr;
+  this->Depth = nullptr;
+  this->Width = this->Height = this->Samples = 0;
+}

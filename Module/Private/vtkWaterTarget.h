@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkWaterTarget: the textures and framebuffers a mirrored view is drawn into.
+#ifndef vtkWaterTarget_h
+#define vtkWaterTarget_h
+
+#include "vtkSmartPointer.h"
+
+class vtkOpenGLFramebufferObject;
+class vtkOpenGLRenderWindow;
+class vtkTextureObject;
+class vtkWindow;
+
+class vtkWaterTarget
+{
+public:
+  // Makes or changes the textures to this size (pixels) and number of samples (0: none).
+  //
+  // Returns false, and leaves nothing half made, when the GPU refuses.
+  bool Ensure(vtkOpenGLRenderWindow* window, int width, int height, int samples);
+
+  // Binds the framebuffer to draw into; Resolve() brings its samples into the textures. The caller
+  // has pushed the framebuffer bindings and pops them.
+  bool Bind();
+  void Resolve();
+
+  // What VTK's passes take as the framebuffer they draw into.
+  vtkOpenGLFramebufferObject* GetFramebuffer();
+
+  vtkTextureObject* GetColor() { return this->Color; }
+  vtkTextureObject* GetDepth() { return this->Depth; }
+
+  void ReleaseGraphicsResources(vtkWindow* window);
+
+private:
+  vtkSmartPointer<vtkTextureObject> Color;
+  vtkSmartPointer<vtkTextureObject> Depth;
+  vtkSmartPointer<vtkOpenGLFramebufferObject> Framebuffer;        // holds the two textures
+  vtkSmartPointer<vtkOpenGLFramebufferObject> SampledFramebuffer; // only with samples
+  int Width = 0;
+  int Height = 0;
+  int Samples = 0;
+};
+
+#endif

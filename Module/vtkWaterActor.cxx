@@ -1,0 +1,442 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkWaterActor.h"
+
+#include "vtkInformation.h"
+#include "vtkInformationIntegerKey.h"
+#include "vtkInformationObjectBaseVectorKey.h"
+#include "vtkMapper.h"
+#include "vtkMath.h"
+#include "vtkObjectFactory.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLRenderer.h"
+#include "vtkOpenGLState.h"
+#include "vtkPlane.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkTextureObject.h"
+#include "vtkWaterCompat.h"
+#include "vtkWaterErrors.h"
+#include "vtkWaterGL.h"
+#include "vtkWaterGather.h"
+#include "vtkWaterProperty.h"
+#include "vtkWaterReflectionPass.h"
+#include "vtkWaterShading.h"
+#include "vtkWaterSheet.h"
+#include "water_plan.h"
+
+#include <algorithm>
+
+VTK_ABI_NAMESPACE_BEGIN
+vtkStandardNewMacro(vtkWaterActor);
+
+namespace
+{
+// Is the actor being drawn for a shadow map, by a light's camera?
+bool IsBakingShadows(vtkInformation* keys)
+{
+  if (!keys || !keys->Has(vtkOpenGLRenderPass::RenderPasses()))
+  {
+    return false;
+  }
+  const int count = keys->Length(vtkOpenGLRenderPass::RenderPasses());
+  for (int i = 0; i < count; ++i)
+  {
+    if (keys->Get(vtkOpenGLRenderPass::RenderPasses(), i)->IsA("vtkShadowMapBakerPass"))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+}
+
+//------------------------------------------------------------------------------
+vtkWaterActor::vtkWaterActor()
+  : Plane(vtkSmartPointer<vtkPlane>::New()) // z = 0, +z up
+  , WaterProperty(vtkSmartPointer<vtkWaterProperty>::New())
+  , OwnPass(vtkSmartPointer<vtkWaterReflectionPass>::New())
+  , Shading(vtkWaterShading::GetShared())
+  , Sheet(std::make_unique<vtkWaterSheet>())
+{
+  this->Superclass::SetMapper(this->Sheet->GetMapper());
+}
+
+//------------------------------------------------------------------------------
+vtkWaterActor::~vtkWaterActor() = default;
+
+//------------------------------------------------------------------------------
+void vtkWaterActor::SetLevel(double z)
+{
+  if (!vtkMath::IsFinite(z))
+  {
+    vtkErrorMacro("Level is " << z << "; it must be finite. It stays " << this->GetLevel() << ".");
+    return;
+  }
+  auto plane = vtkSmartPointer<vtkPlane>::New();
+  plane->SetOrigin(0.0, 0.0, z);
+  plane->SetNormal(0.0, 0.0, 1.0);
+  this->SetPlane(plane);
+}
+
+//------------------------------------------------------------------------------
+double vtkWaterActor::GetLevel()
+{
+  return this->Plane->GetOrigin()[2];
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterActor::SetPlane(vtkPlane* plane)
+{
+  if (!plane)
+  {
+    this->SetLevel(0.0);
+  }
+  else if (this->Plane != plane)
+  {
+    this->Plane = plane;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkPlane* vtkWaterActor::GetPlane()
+{
+  return this->Plane;
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterActor::SetSheetBounds(double xmin, double xmax, double ymin, double ymax)
+{
+  const double bounds[4] = { xmin, xmax, ymin, ymax };
+  if (!std::all_of(bounds, bounds + 4, [](double bound) { return vtkMath::IsFinite(bound); }) ||
+    !(xmin < xmax && ymin < ymax))
+  {
+    vtkErrorMacro("SheetBounds are (" << xmin << ", " << xmax << ", " << ymin << ", " << ymax
+                                      << "); they must be finite with xmin < xmax and ymin < ymax. "
+                                         "They stay as they were.");
+    return;
+  }
+  if (!this->UseSheetBounds || !std::equal(bounds, bounds + 4, this->SheetBounds))
+  {
+    std::copy(bounds, bounds + 4, this->SheetBounds);
+    this->UseSheetBounds = true;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterActor::ResetSheetBounds()
+{
+  if (this->UseSheetBounds)
+  {
+    std::fill(this->SheetBounds, this->SheetBounds + 4, 0.0);
+    this->UseSheetBounds = false;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterActor::SetWaterProperty(vtkWaterProperty* property)
+{
+  if (!property)
+  {
+    this->WaterProperty = vtkSmartPointer<vtkWaterProperty>::New();
+    this->Modified();
+  }
+  else if (this->WaterProperty != property)
+  {
+    this->WaterProperty = property;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkWaterProperty* vtkWaterActor::GetWaterProperty()
+{
+  return this->WaterProperty;
+}
+
+//------------------------------------------------------------------------------
+vtkWaterReflectionPass* vtkWaterActor::GetReflectionPass()
+{
+  return this->ComposedPass ? this->ComposedPass.Get() : this->OwnPass.Get();
+}
+
+//------------------------------------------------------------------------------
+const char* vtkWaterActor::GetLastError() const
+{
+  return this->Errors[SHEET].empty() ? this->Errors[PLAN].c_str() : this->Errors[SHEET].c_str();
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterActor::ReportError(ErrorSources source, const std::string& text)
+{
+  const bool isKnown =
+    std::find(this->Errors, this->Errors + NUMBER_OF_ERROR_SOURCES, text) !=
+    this->Errors + NUMBER_OF_ERROR_SOURCES;
+  this->Errors[source] = text;
+  if (!text.empty() && !isKnown)
+  {
+    vtkErrorMacro(<< text);
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkWaterActor::UsesOwnSheet()
+{
+  return this->Mapper == this->Sheet->GetMapper();
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterActor::UpdateSheet()
+{
+  if (!this->UsesOwnSheet() || this->IsUpdatingSheet)
+  {
+    return;
+  }
+  std::vector<vtkRenderer*> scene;
+  for (int i = 0; i < this->GetNumberOfConsumers(); ++i)
+  {
+    if (auto* renderer = vtkRenderer::SafeDownCast(this->GetConsumer(i)))
+    {
+      scene.push_back(renderer);
+    }
+  }
+  if (scene.empty() && this->LastRenderer)
+  {
+    scene.push_back(this->LastRenderer); // a part of an assembly is a consumer of that only
+  }
+  if (scene.empty() && !this->UseSheetBounds)
+  {
+    return; // not in a scene yet
+  }
+  this->IsUpdatingSheet = true; // an assembly that holds this water asks for its bounds
+  const water_status status = this->Sheet->Fit(vtkWaterGather::ReadPlane(this),
+    this->Plane->GetOrigin(), this->UseSheetBounds ? this->SheetBounds : nullptr, scene);
+  this->IsUpdatingSheet = false;
+  this->ReportError(
+    SHEET, status == WATER_OK ? std::string() : vtkWaterDescribe(status, this));
+}
+
+//------------------------------------------------------------------------------
+double* vtkWaterActor::GetBounds()
+{
+  this->UpdateSheet();
+  return this->Superclass::GetBounds();
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterActor::SetMapper(vtkMapper* mapper)
+{
+  this->Superclass::SetMapper(mapper ? mapper : this->Sheet->GetMapper());
+  this->ReportError(SHEET, std::string());
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterActor::SetAllocatedRenderTime(double seconds, vtkViewport* viewport)
+{
+  this->Superclass::SetAllocatedRenderTime(seconds, viewport);
+
+  // The renderer calls this once per frame and eye for a prop that survived culling, before it draws
+  // anything: the moment to draw the mirrored view. See Documentation/decisions.
+  auto* renderer = vtkOpenGLRenderer::SafeDownCast(viewport);
+  if (!renderer || !vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow()) ||
+    this->Shading->IsInMirroredView())
+  {
+    return;
+  }
+  this->LastRenderer = renderer;
+  if (renderer->GetSelector())
+  {
+    this->GetReflectionPass()->SetDecision(WATER_NO_REFLECT_SELECTING);
+    return;
+  }
+  if (auto* composed = vtkWaterReflectionPass::SafeDownCast(renderer->GetPass()))
+  {
+    this->ComposedPass = composed;
+  }
+  if (this->ComposedPass && renderer->GetPass())
+  {
+    return; // it draws before its delegate
+  }
+  this->ComposedPass = nullptr;
+  if (renderer->GetUseImageBasedLighting() || this->OwnPass->IsFresh(renderer))
+  {
+    return; // the textures of image-based light are loaded later: drawn nested
+  }
+  if (renderer->GetLightFollowCamera())
+  {
+    renderer->UpdateLightsGeometryToFollowCamera();
+  }
+  renderer->UpdateLights();
+  int size[2];
+  int origin[2];
+  renderer->GetTiledSizeAndOrigin(&size[0], &size[1], &origin[0], &origin[1]);
+  this->OwnPass->RenderReflection(renderer, { this }, size);
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterActor::RenderReflectionIfStale(vtkViewport* viewport)
+{
+  auto* renderer = vtkOpenGLRenderer::SafeDownCast(viewport);
+  vtkInformation* keys = this->GetPropertyKeys();
+  if (!renderer || renderer->GetSelector() || this->Shading->IsInMirroredView() ||
+    IsBakingShadows(keys) || this->GetReflectionPass()->IsFresh(renderer))
+  {
+    return;
+  }
+  if (keys && keys->Has(vtkOpenGLActor::GLDepthMaskOverride()))
+  {
+    return; // in the middle of depth peeling, whose framebuffers must stay bound
+  }
+  this->ComposedPass = nullptr; // it was taken out of the chain
+  if (this->OwnPass->IsFresh(renderer))
+  {
+    return;
+  }
+  this->Shading->HoldUntilEndOfFrame(renderer);
+  std::vector<vtkProp*> props;
+  vtkPropCollection* all = renderer->GetViewProps();
+  vtkCollectionSimpleIterator it;
+  all->InitTraversal(it);
+  while (vtkProp* prop = all->GetNextProp(it))
+  {
+    props.push_back(prop);
+  }
+  vtkWaterForeignKeysSuspended suspended(this->Shading, props);
+  int drawn[4]; // the size of what is being drawn into, whoever set it up
+  renderer->GetState()->vtkglGetIntegerv(GL_VIEWPORT, drawn);
+  this->OwnPass->RenderReflection(renderer, { this }, drawn + 2);
+}
+
+//------------------------------------------------------------------------------
+int vtkWaterActor::RenderOpaqueGeometry(vtkViewport* viewport)
+{
+  if (this->HasOpaqueGeometry())
+  {
+    this->RenderReflectionIfStale(viewport);
+  }
+  return this->Superclass::RenderOpaqueGeometry(viewport);
+}
+
+//------------------------------------------------------------------------------
+int vtkWaterActor::RenderTranslucentPolygonalGeometry(vtkViewport* viewport)
+{
+  if (this->HasTranslucentPolygonalGeometry())
+  {
+    this->RenderReflectionIfStale(viewport);
+  }
+  return this->Superclass::RenderTranslucentPolygonalGeometry(viewport);
+}
+
+//------------------------------------------------------------------------------
+int vtkWaterActor::RenderOverlay(vtkViewport* viewport)
+{
+  auto* renderer = vtkOpenGLRenderer::SafeDownCast(viewport);
+  if (renderer && !renderer->GetSelector() && this->GetReflectionPass()->GetShowReflection())
+  {
+    this->GetReflectionPass()->RenderCorner(renderer);
+  }
+  return this->Superclass::RenderOverlay(viewport);
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterActor::Render(vtkRenderer* renderer, vtkMapper* mapper)
+{
+  if (this->Shading->IsInMirroredView())
+  {
+    return; // no endless mirror, whatever drew this water
+  }
+  this->LastRenderer = renderer;
+  this->Shading->AddKey(this);
+  vtkWaterReflectionPass* pass = this->GetReflectionPass();
+  vtkWaterSurface surface;
+  surface.Property = this->WaterProperty;
+  surface.Plan = renderer->GetSelector() ? nullptr : pass->GetFreshPlan(renderer);
+  surface.Reflection = pass->GetTexture(renderer);
+  surface.IsFlat = this->UsesOwnSheet() && this->GetIsIdentity();
+  surface.Reflection->Activate();
+  this->Shading->BeginSurface(surface);
+  this->Superclass::Render(renderer, mapper);
+  this->Shading->EndSurface();
+  surface.Reflection->Deactivate();
+}
+
+//------------------------------------------------------------------------------
+vtkTypeBool vtkWaterActor::HasOpaqueGeometry()
+{
+  return this->GetForceOpaque() || this->WaterProperty->GetOpacity() >= 1.0
+    ? this->Superclass::HasOpaqueGeometry()
+    : 0;
+}
+
+//------------------------------------------------------------------------------
+vtkTypeBool vtkWaterActor::HasTranslucentPolygonalGeometry()
+{
+  return this->GetForceOpaque() || this->WaterProperty->GetOpacity() >= 1.0
+    ? this->Superclass::HasTranslucentPolygonalGeometry()
+    : 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterActor::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->OwnPass->ReleaseGraphicsResources(window);
+  this->Superclass::ReleaseGraphicsResources(window);
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterActor::ShallowCopy(vtkProp* prop)
+{
+  auto* other = vtkWaterActor::SafeDownCast(prop);
+  this->Superclass::ShallowCopy(prop);
+  if (other)
+  {
+    if (other->UsesOwnSheet())
+    {
+      this->SetMapper(nullptr);
+    }
+    this->SetPlane(other->Plane);
+    this->SetWaterProperty(other->WaterProperty);
+    if (other->UseSheetBounds)
+    {
+      this->SetSheetBounds(other->SheetBounds);
+    }
+    else
+    {
+      this->ResetSheetBounds();
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkMTimeType vtkWaterActor::GetMTime()
+{
+  return std::max(
+    { this->Superclass::GetMTime(), this->Plane->GetMTime(), this->WaterProperty->GetMTime() });
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterActor::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  const vtkIndent next = indent.GetNextIndent();
+  os << indent << "Plane:\n";
+  this->Plane->PrintSelf(os, next);
+  os << indent << "SheetBounds: ";
+  if (this->UseSheetBounds)
+  {
+    os << "(" << this->SheetBounds[0] << ", " << this->SheetBounds[1] << ", "
+       << this->SheetBounds[2] << ", " << this->SheetBounds[3] << ")\n";
+  }
+  else
+  {
+    os << "those of the scene\n";
+  }
+  os << indent << "Surface: " << (this->UsesOwnSheet() ? "own sheet" : "mapper of the user") << "\n";
+  os << indent << "WaterProperty:\n";
+  this->WaterProperty->PrintSelf(os, next);
+  os << indent << "ReflectionPass (" << (this->ComposedPass ? "composed by hand" : "own") << "):\n";
+  this->GetReflectionPass()->PrintSelf(os, next);
+  os << indent << "LastError: " << (*this->GetLastError() ? this->GetLastError() : "(none)") << "\n";
+}
+VTK_ABI_NAMESPACE_END

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkWaterActor
+ * @brief   a water surface that reflects its scene
+ *
+ * Add it to a renderer, and that is all: the actor has the mirrored scene rendered into a texture
+ * before each frame in which it can be seen, and looks its reflection up there. Everything else
+ * that the renderer has on (FXAA, SSAO, depth peeling, multisampling, stereo, selection, the user's
+ * own passes) stays as it was.
+ *
+ * @code
+ * vtkNew<vtkWaterActor> water;
+ * water->SetLevel(355.0);
+ * renderer->AddActor(water);
+ * @endcode
+ *
+ * Without a mapper the actor makes its own sheet over the bounds of the scene. With a mapper of the
+ * user's (a lake polygon, a terrain-clipped sheet) that is the surface; SetMapper(nullptr) brings
+ * the own sheet back. The mirror is always the plane.
+ *
+ * What is wrong with a scene (a zero normal, a camera exactly on the plane, ...) is reported once
+ * per change by an ErrorEvent of this object; the surface then shows its plain colour.
+ *
+ * @sa vtkWaterProperty vtkWaterReflectionPass
+ */
+#ifndef vtkWaterActor_h
+#define vtkWaterActor_h
+
+#include "vtkNew.h" // for members
+#include "vtkOpenGLActor.h"
+#include "vtkRenderingWaterModule.h" // for the export macro
+#include "vtkSmartPointer.h"         // for members
+#include "vtkWeakPointer.h"          // for members
+
+#include <memory> // for std::unique_ptr
+#include <string> // for std::string
+
+#ifdef VTK_ABI_NAMESPACE_BEGIN
+VTK_ABI_NAMESPACE_BEGIN
+#endif
+
+class vtkPlane;
+class vtkWaterProperty;
+class vtkWaterReflectionPass;
+class vtkWaterShading;
+class vtkWaterSheet;
+
+class VTKRENDERINGWATER_EXPORT vtkWaterActor : public vtkOpenGLActor
+{
+public:
+  static vtkWaterActor* New();
+  vtkTypeMacro(vtkWaterActor, vtkOpenGLActor);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * Make the water level: a horizontal plane at height z with +z up, in the scene's unit. Any
+   * finite value; another is refused with an error and the last good level stays. It replaces the
+   * plane by a new one. GetLevel returns the z of the plane's origin. Default is 0.
+   */
+  void SetLevel(double z);
+  double GetLevel();
+  ///@}
+
+  ///@{
+  /**
+   * The plane of the water, of any orientation; its normal points out of the water. It is kept by
+   * reference: changing it moves the water. It never is null: nullptr means level 0.
+   */
+  void SetPlane(vtkPlane* plane);
+  vtkPlane* GetPlane();
+  ///@}
+
+  ///@{
+  /**
+   * Bounds of the own sheet: xmin, xmax, ymin, ymax in the plane's own axes, in the scene's unit.
+   * The axes: origin at the plane's origin; the first is the world's x projected onto the plane
+   * (y when the normal is within 45 degrees of x), the second is normal x first. For a level sheet
+   * they are the world's x and y. Finite, with min < max; else they are refused with an error.
+   * Default: none, the sheet covers the bounds of the scene (ResetSheetBounds).
+   */
+  void SetSheetBounds(double xmin, double xmax, double ymin, double ymax);
+  void SetSheetBounds(const double bounds[4])
+  {
+    this->SetSheetBounds(bounds[0], bounds[1], bounds[2], bounds[3]);
+  }
+  void ResetSheetBounds();
+  vtkGetVector4Macro(SheetBounds, double);
+  vtkGetMacro(UseSheetBounds, bool);
+  ///@}
+
+  ///@{
+  /**
+   * How the water looks. Never null: nullptr means a new default one. Not to be confused with
+   * vtkActor's own property, which keeps its meaning for edges, points and culling.
+   */
+  void SetWaterProperty(vtkWaterProperty* property);
+  vtkWaterProperty* GetWaterProperty();
+  ///@}
+
+  /**
+   * The pass in charge of this water: one composed by hand into the renderer's chain once that has
+   * rendered, else the actor's own. Never null.
+   */
+  vtkWaterReflectionPass* GetReflectionPass();
+
+  /**
+   * What the last plan found wrong, as said in the ErrorEvent; empty when all was right.
+   */
+  const char* GetLastError() const;
+
+  ///@{
+  /**
+   * vtkProp, vtkProp3D and vtkActor interface; called by the renderer.
+   */
+  void SetAllocatedRenderTime(double seconds, vtkViewport* viewport) override;
+  int RenderOpaqueGeometry(vtkViewport* viewport) override;
+  int RenderTranslucentPolygonalGeometry(vtkViewport* viewport) override;
+  int RenderOverlay(vtkViewport* viewport) override;
+  void Render(vtkRenderer* renderer, vtkMapper* mapper) override;
+  vtkTypeBool HasOpaqueGeometry() override;
+  vtkTypeBool HasTranslucentPolygonalGeometry() override;
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+  using Superclass::GetBounds;
+  double* GetBounds() VTK_SIZEHINT(6) override;
+  void SetMapper(vtkMapper* mapper) override;
+  void ShallowCopy(vtkProp* prop) override;
+  vtkMTimeType GetMTime() override;
+  ///@}
+
+protected:
+  vtkWaterActor();
+  ~vtkWaterActor() override;
+
+private:
+  vtkWaterActor(const vtkWaterActor&) = delete;
+  void operator=(const vtkWaterActor&) = delete;
+
+  friend class vtkWaterReflectionPass;
+
+  enum ErrorSources
+  {
+    SHEET,
+    PLAN,
+    NUMBER_OF_ERROR_SOURCES
+  };
+
+  bool UsesOwnSheet();
+  // Fits the own sheet to the scene and the plane; does nothing with a mapper of the user's.
+  void UpdateSheet();
+  // Says an error once until it changes or goes away (empty text).
+  void ReportError(ErrorSources source, const std::string& text);
+  // A nested mirror for a draw whose camera was not the one mirrored before the frame.
+  void RenderReflectionIfStale(vtkViewport* viewport);
+
+  vtkSmartPointer<vtkPlane> Plane;
+  vtkSmartPointer<vtkWaterProperty> WaterProperty;
+  vtkSmartPointer<vtkWaterReflectionPass> OwnPass;
+  vtkWeakPointer<vtkWaterReflectionPass> ComposedPass;
+  vtkSmartPointer<vtkWaterShading> Shading;
+  std::unique_ptr<vtkWaterSheet> Sheet;
+  vtkWeakPointer<vtkRenderer> LastRenderer;
+  double SheetBounds[4] = { 0.0, 0.0, 0.0, 0.0 };
+  bool UseSheetBounds = false;
+  bool IsUpdatingSheet = false;
+  std::string Errors[NUMBER_OF_ERROR_SOURCES];
+};
+
+#ifdef VTK_ABI_NAMESPACE_END
+VTK_ABI_NAMESPACE_END
+#endif
+#endif

@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkWaterReflectionPass
+ * @brief   renders the mirrored scene of a water surface into a texture
+ *
+ * Every vtkWaterActor has one of its own and needs no other (vtkWaterActor::GetReflectionPass).
+ * Composing one by hand, at the head of a renderer's chain of passes, works too: it renders the
+ * reflections of the renderer's waters and then its delegate. It takes charge of the first water
+ * of the renderer and of those in the same plane; others keep their own passes.
+ *
+ * @code
+ * vtkNew<vtkWaterReflectionPass> pass;
+ * pass->SetDelegatePass(vtkNew<vtkRenderStepsPass>());
+ * renderer->SetPass(pass);
+ * @endcode
+ *
+ * The mirrored view holds opaque and translucent geometry and volumes, lit by the scene's lights
+ * where they really are, cut away behind the plane, without the water itself. It is flipped in x.
+ *
+ * The environment variable VTK_WATER_DEBUG=1 turns ShowReflection on without a change of code.
+ *
+ * @sa vtkWaterActor
+ */
+#ifndef vtkWaterReflectionPass_h
+#define vtkWaterReflectionPass_h
+
+#include "vtkOpenGLRenderPass.h"
+#include "vtkRenderingWaterModule.h" // for the export macro
+#include "vtkSmartPointer.h"         // for members
+
+#include <memory> // for std::unique_ptr
+#include <vector> // for std::vector
+
+#ifdef VTK_ABI_NAMESPACE_BEGIN
+VTK_ABI_NAMESPACE_BEGIN
+#endif
+
+class vtkInformationIntegerKey;
+class vtkRenderer;
+class vtkTextureObject;
+class vtkWaterActor;
+struct water_plan;
+
+class VTKRENDERINGWATER_EXPORT vtkWaterReflectionPass : public vtkOpenGLRenderPass
+{
+public:
+  static vtkWaterReflectionPass* New();
+  vtkTypeMacro(vtkWaterReflectionPass, vtkOpenGLRenderPass);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /**
+   * What happened to a prop in the mirrored view, and why (GetFateCount).
+   */
+  enum Fates
+  {
+    DRAWN = 0,
+    INVISIBLE,
+    WATER_ITSELF,
+    MARKED_NOT_REFLECTED,
+    OVERLAY,
+    LABEL,
+    EMPTY,
+    BEHIND_PLANE,
+    OUT_OF_VIEW,
+    NUMBER_OF_FATES
+  };
+
+  /**
+   * What was decided for the last frame, and why (GetDecision).
+   */
+  enum Decisions
+  {
+    NOT_PLANNED = 0,
+    RENDERED,
+    FAILED,
+    SELECTING,
+    EDGE_ON,
+    WATER_OUT_OF_VIEW,
+    NO_REFLECTANCE,
+    NUMBER_OF_DECISIONS
+  };
+
+  ///@{
+  /**
+   * What renders the frame after the reflections, when the pass is composed by hand. nullptr means
+   * a vtkRenderStepsPass. Default is nullptr.
+   */
+  void SetDelegatePass(vtkRenderPass* pass);
+  vtkRenderPass* GetDelegatePass();
+  ///@}
+
+  ///@{
+  /**
+   * Pixels of the texture per pixel of the viewport along each axis: greater than 0, at most 16.
+   * Another value is refused with an error. Default is 1.
+   */
+  void SetTextureScale(double scale);
+  vtkGetMacro(TextureScale, double);
+  ///@}
+
+  ///@{
+  /**
+   * Samples per pixel of the mirrored view, 0 to 32: 0 and 1 mean none. -1: as many as the
+   * window's MultiSamples, at most 8. Default is -1.
+   */
+  void SetMultiSamples(int samples);
+  vtkGetMacro(MultiSamples, int);
+  ///@}
+
+  ///@{
+  /**
+   * How far behind the plane geometry is kept in the mirrored view, in the scene's unit: finite
+   * and not negative. Default is 0.
+   */
+  void SetClipMargin(double margin);
+  vtkGetMacro(ClipMargin, double);
+  ///@}
+
+  ///@{
+  /**
+   * Show the reflection texture in the lower left quarter of the viewport, as the water sees it
+   * (not flipped). For debugging. Default is off, or on with VTK_WATER_DEBUG=1.
+   */
+  vtkSetMacro(ShowReflection, bool);
+  vtkGetMacro(ShowReflection, bool);
+  vtkBooleanMacro(ShowReflection, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Colour (8-bit RGBA) and depth of the last mirrored view, flipped in x; nullptr before the
+   * first. They belong to the pass, and only the part that the water can look up is drawn.
+   */
+  vtkTextureObject* GetReflectionTexture();
+  vtkTextureObject* GetReflectionDepthTexture();
+  ///@}
+
+  /**
+   * Number of mirrored views rendered since the pass was made.
+   */
+  vtkGetMacro(NumberOfReflectionRenders, vtkIdType);
+
+  /**
+   * Number of props drawn in the last mirrored view.
+   */
+  int GetNumberOfPropsReflected() const { return this->GetFateCount(DRAWN); }
+
+  ///@{
+  /**
+   * Number of the renderer's props that met a fate (Fates) in the last plan, 0 for an unknown
+   * fate; and the fate in words.
+   */
+  int GetFateCount(int fate) const;
+  static const char* GetFateAsString(int fate);
+  ///@}
+
+  ///@{
+  /**
+   * What was decided last (Decisions), and in words.
+   */
+  int GetDecision() const;
+  const char* GetDecisionAsString() const;
+  ///@}
+
+  /**
+   * A prop with this key (any value but 0) in its property keys is left out of reflections.
+   */
+  static vtkInformationIntegerKey* NOT_REFLECTED();
+
+  void Render(const vtkRenderState* s) override;
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+
+protected:
+  vtkWaterReflectionPass();
+  ~vtkWaterReflectionPass() override;
+
+private:
+  vtkWaterReflectionPass(const vtkWaterReflectionPass&) = delete;
+  void operator=(const vtkWaterReflectionPass&) = delete;
+
+  friend class vtkWaterActor;
+
+  struct Internals;
+
+  // Gathers, plans and draws the reflection of waters in one plane for the renderer's active camera.
+  void RenderReflection(
+    vtkRenderer* renderer, const std::vector<vtkWaterActor*>& waters, const int viewport_px[2]);
+  // Was the frame that is being rendered planned for the renderer's active camera?
+  bool IsFresh(vtkRenderer* renderer) const;
+  // The plan whose map shows this frame's reflection, nullptr when there is none.
+  const water_plan* GetFreshPlan(vtkRenderer* renderer) const;
+  // The map, or a blank texture when there is none.
+  vtkTextureObject* GetTexture(vtkRenderer* renderer);
+  void RenderCorner(vtkRenderer* renderer);
+  void SetDecision(int decision);
+
+  std::unique_ptr<Internals> Internal;
+  vtkSmartPointer<vtkRenderPass> DelegatePass;
+  double TextureScale = 1.0;
+  int MultiSamples = -1;
+  double ClipMargin = 0.0;
+  bool ShowReflection = false;
+  vtkIdType NumberOfReflectionRenders = 0;
+};
+
+#ifdef VTK_ABI_NAMESPACE_END
+VTK_ABI_NAMESPACE_END
+#endif
+#endif

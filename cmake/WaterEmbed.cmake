@@ -1,0 +1,37 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# water_embed_glsl(<headers> <file.glsl>...): makes vtkWaterX.h out of each vtkWaterX.glsl, anew
+# whenever that changes, in the current binary folder. The header declares the text as
+#   static const char* const vtkWaterX
+# <headers> receives the names of the headers, to be listed as sources.
+#
+# The same file is run by the build (cmake -P) with INPUT and OUTPUT, and then does the work.
+
+if(CMAKE_SCRIPT_MODE_FILE)
+  get_filename_component(name "${INPUT}" NAME_WE)
+  file(READ "${INPUT}" text)
+  file(WRITE "${OUTPUT}" "// Made from ${name}.glsl; do not edit.
+#ifndef ${name}_h
+#define ${name}_h
+static const char* const ${name} = R\"glsl(${text})glsl\";
+#endif
+")
+  return()
+endif()
+
+set(water_embed_script "${CMAKE_CURRENT_LIST_FILE}")
+
+function(water_embed_glsl headers)
+  set(made)
+  foreach(file IN LISTS ARGN)
+    get_filename_component(name "${file}" NAME_WE)
+    set(input "${CMAKE_CURRENT_SOURCE_DIR}/${file}")
+    set(output "${CMAKE_CURRENT_BINARY_DIR}/${name}.h")
+    add_custom_command(OUTPUT "${output}"
+      COMMAND "${CMAKE_COMMAND}" "-DINPUT=${input}" "-DOUTPUT=${output}" -P "${water_embed_script}"
+      DEPENDS "${input}" "${water_embed_script}"
+      COMMENT "Embedding ${file}"
+      VERBATIM)
+    list(APPEND made "${output}")
+  endforeach()
+  set(${headers} "${made}" PARENT_SCOPE)
+endfunction()

@@ -1,0 +1,138 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# How a test is run: functions for Testing/ and Examples/.
+#
+#   water_add_test(NAME <name> COMMAND <command>... [LABELS <label>...] [TIMEOUT <seconds>]
+#     [PROPERTIES <property> <value>...] [NO_WINDOW])
+#   water_add_cxx_tests(TestA.cxx ... [LABELS <label>...])
+#   water_add_python_tests(TestA.py ... [LABELS <label>...])
+#
+# A test that renders is run once per off-screen window that this VTK has: first under its own name,
+# then as <name>-EGL with the label egl. NO_WINDOW: it does not render, once is enough.
+#
+# Every test finds in its environment: our library and Python package, VTK_DATA_ROOT (Testing/Data),
+# VTK_BASELINE_ROOT and WATER_TEST_OUTPUT, a folder for what it writes. In COMMAND, the word
+# {output} stands for that folder.
+
+if(VTK_VERSION VERSION_LESS 9.4)
+  set(water_windows Own) # VTK has GLX only: the plugin gives it our EGL window
+else()
+  set(water_windows OSMesa EGL)
+endif()
+set(WATER_TEST_WINDOWS "${water_windows}" CACHE STRING
+  "Off-screen windows the tests are run with: Own (VTK < 9.4), OSMesa, EGL")
+set(WATER_TEST_PREFIX "" CACHE STRING
+  "Put before the tests' names, to tell build trees apart in one ctest run")
+
+set(water_test_dir "${CMAKE_CURRENT_LIST_DIR}/../Testing")
+get_filename_component(water_test_dir "${water_test_dir}" ABSOLUTE)
+set(water_test_output "${CMAKE_BINARY_DIR}/Testing/Temporary")
+
+# What VTK's own tests are failed by: errors in the log, leaks, pictures.
+set(water_fail_regex
+  "(^|\n)ERROR: " "ERR\\|" "instances? still around" "Failed Image Test" "ImageNotFound")
+
+function(water_test_environment result window output)
+  set(environment
+    "DISPLAY=" # a window on a screen would differ with the screen
+    "VTK_TESTING=1" # VTK switches antialiasing off
+    "VTK_DATA_ROOT=${water_test_dir}/Data"
+    "VTK_BASELINE_ROOT=${water_test_dir}/Data/Baseline"
+    "WATER_TEST_OUTPUT=${output}"
+    "LD_LIBRARY_PATH=${CMAKE_BINARY_DIR}/lib:$ENV{LD_LIBRARY_PATH}"
+    "PYTHONPATH=${CMAKE_BINARY_DIR}/${WATER_PYTHON_DESTINATION}"
+    "PYTHONDONTWRITEBYTECODE=1")
+  if(window STREQUAL "Own")
+    list(APPEND environment "VTK_AUTOLOAD_PATH=${CMAKE_BINARY_DIR}/lib/vtkwater-plugins")
+  elseif(window STREQUAL "OSMesa")
+    list(APPEND environment "VTK_DEFAULT_OPENGL_WINDOW=vtkOSOpenGLRenderWindow")
+  else()
+    list(APPEND environment "VTK_DEFAULT_OPENGL_WINDOW=vtk${window}RenderWindow")
+  endif()
+  if(WATER_SANITIZE)
+    list(APPEND environment
+      "LSAN_OPTIONS=suppressions=${water_test_dir}/lsan.supp:print_suppressions=0"
+      "UBSAN_OPTIONS=print_stacktrace=1")
+  endif()
+  set(${result} "${environment}" PARENT_SCOPE)
+endfunction()
+
+function(water_add_test)
+  cmake_parse_arguments(PARSE_ARGV 0 arg "NO_WINDOW" "NAME;TIMEOUT" "COMMAND;LABELS;PROPERTIES")
+  if(arg_UNPARSED_ARGUMENTS OR NOT arg_NAME OR NOT arg_COMMAND)
+    message(FATAL_ERROR "water_add_test(${ARGN}): wants NAME and COMMAND")
+  endif()
+  if(NOT BUILD_TESTING)
+    return()
+  endif()
+  if(NOT arg_TIMEOUT)
+    set(arg_TIMEOUT 120)
+  endif()
+
+  list(GET WATER_TEST_WINDOWS 0 first_window)
+  foreach(window IN LISTS WATER_TEST_WINDOWS)
+    set(suffix "")
+    if(NOT window STREQUAL first_window)
+      set(suffix "-${window}")
+      string(TOLOWER ${window} window_label)
+      list(APPEND arg_LABELS ${window_label})
+    endif()
+    set(name "${WATER_TEST_PREFIX}${arg_NAME}${suffix}")
+    set(output "${water_test_output}${suffix}")
+    file(MAKE_DIRECTORY "${output}")
+    string(REPLACE "{output}" "${output}" command "${arg_COMMAND}")
+    water_test_environment(environment ${window} "${output}")
+
+    add_test(NAME "${name}" COMMAND ${command})
+    set_tests_properties("${name}" PROPERTIES
+      ENVIRONMENT "${environment}"
+      FAIL_REGULAR_EXPRESSION "${water_fail_regex}"
+      LABELS "${arg_LABELS}"
+      SKIP_RETURN_CODE 125
+      TIMEOUT ${arg_TIMEOUT}
+      ${arg_PROPERTIES})
+    if(arg_NO_WINDOW)
+      break()
+    endif()
+  endforeach()
+endfunction()
+
+# One executable for all files, in VTK's manner: TestA.cxx holds int TestA(int argc, char* argv[]).
+# -V is always given: a picture without a baseline fails and is not passed over.
+function(water_add_cxx_tests)
+  cmake_parse_arguments(PARSE_ARGV 0 arg "" "TIMEOUT" "LABELS")
+  set(driver vtkRenderingWaterCxxTests)
+  include("${VTK_DIR}/vtkTestingDriver.cmake") # what main does before a test
+  create_test_sourcelist(sources ${driver}.cxx ${arg_UNPARSED_ARGUMENTS}
+    EXTRA_INCLUDE vtkTestDriver.h)
+  add_executable(${driver} ${sources})
+  list(TRANSFORM WATER_DEPENDS PREPEND VTK:: OUTPUT_VARIABLE libraries)
+  list(TRANSFORM WATER_TEST_DEPENDS PREPEND VTK:: OUTPUT_VARIABLE test_libraries)
+  target_link_libraries(${driver} PRIVATE VTK::RenderingWater ${libraries} ${test_libraries})
+  vtk_module_autoinit(TARGETS ${driver} MODULES VTK::RenderingWater ${libraries} ${test_libraries})
+  target_compile_definitions(${driver} PRIVATE VTK_DEPRECATION_LEVEL=0) # see Module/CMakeLists.txt
+  if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
+    target_compile_options(${driver} PRIVATE -Wall -Wextra)
+  endif()
+
+  foreach(source IN LISTS arg_UNPARSED_ARGUMENTS)
+    get_filename_component(test "${source}" NAME_WE)
+    water_add_test(NAME ${test}
+      COMMAND ${driver} ${test}
+        -D "${water_test_dir}/Data" -T "{output}" -V "${water_test_dir}/Data/Baseline/${test}.png"
+      LABELS cxx ${arg_LABELS}
+      TIMEOUT "${arg_TIMEOUT}")
+  endforeach()
+endfunction()
+
+# Each file is a script for the Python that VTK is wrapped for; its exit status counts.
+function(water_add_python_tests)
+  cmake_parse_arguments(PARSE_ARGV 0 arg "" "TIMEOUT" "LABELS")
+  foreach(source IN LISTS arg_UNPARSED_ARGUMENTS)
+    get_filename_component(test "${source}" NAME_WE)
+    water_add_test(NAME ${test}
+      COMMAND "${Python3_EXECUTABLE}" "${CMAKE_CURRENT_SOURCE_DIR}/${source}"
+        -D "${water_test_dir}/Data" -T "{output}" -V "${water_test_dir}/Data/Baseline/${test}.png"
+      LABELS python ${arg_LABELS}
+      TIMEOUT "${arg_TIMEOUT}")
+  endforeach()
+endfunction()
