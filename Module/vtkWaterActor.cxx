@@ -250,6 +250,11 @@ void vtkWaterActor::SetAllocatedRenderTime(double seconds, vtkViewport* viewport
     this->GetReflectionPass()->SetDecision(WATER_NO_REFLECT_SELECTING);
     return;
   }
+  if (!this->Errors[SHEET].empty())
+  {
+    this->OwnPass->SetDecision(WATER_NO_REFLECT_FAILED);
+    return;
+  }
   if (auto* composed = vtkWaterReflectionPass::SafeDownCast(renderer->GetPass()))
   {
     this->ComposedPass = composed;
@@ -280,7 +285,8 @@ void vtkWaterActor::RenderReflectionIfStale(vtkViewport* viewport)
   auto* renderer = vtkOpenGLRenderer::SafeDownCast(viewport);
   vtkInformation* keys = this->GetPropertyKeys();
   if (!renderer || renderer->GetSelector() || this->Shading->IsInMirroredView() ||
-    IsBakingShadows(keys) || this->GetReflectionPass()->IsFresh(renderer))
+    IsBakingShadows(keys) || !this->Errors[SHEET].empty() ||
+    this->GetReflectionPass()->IsFresh(renderer))
   {
     return;
   }
@@ -351,7 +357,8 @@ void vtkWaterActor::Render(vtkRenderer* renderer, vtkMapper* mapper)
   vtkWaterReflectionPass* pass = this->GetReflectionPass();
   vtkWaterSurface surface;
   surface.Property = this->WaterProperty;
-  surface.Plan = renderer->GetSelector() ? nullptr : pass->GetFreshPlan(renderer);
+  const bool isPlain = renderer->GetSelector() || !this->Errors[SHEET].empty();
+  surface.Plan = isPlain ? nullptr : pass->GetFreshPlan(renderer);
   surface.Reflection = pass->GetTexture(renderer);
   surface.IsFlat = this->UsesOwnSheet() && this->GetIsIdentity();
   surface.Reflection->Activate();

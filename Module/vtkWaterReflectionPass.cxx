@@ -137,7 +137,7 @@ vtkRenderPass* vtkWaterReflectionPass::GetDelegatePass()
 //------------------------------------------------------------------------------
 void vtkWaterReflectionPass::SetTextureScale(double scale)
 {
-  vtkWaterSetInRange(TextureScale, scale, std::numeric_limits<double>::min(), 16.0);
+  vtkWaterSetInRange(TextureScale, scale, 1.0 / 64.0, 16.0);
 }
 
 //------------------------------------------------------------------------------

@@ -91,8 +91,8 @@ public:
 
   ///@{
   /**
-   * Pixels of the texture per pixel of the viewport along each axis: greater than 0, at most 16.
-   * Another value is refused with an error. Default is 1.
+   * Pixels of the texture per pixel of the viewport along each axis, in [1/64, 16]. Another value
+   * is refused with an error and the last good one stays. Default is 1.
    */
   void SetTextureScale(double scale);
   vtkGetMacro(TextureScale, double);

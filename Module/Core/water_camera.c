@@ -47,8 +47,8 @@ water_status water_camera_take_apart(const water_camera* camera, water_eye* eye)
   const double* to_clip = camera->view_to_clip;
   const double* to_view = parts.clip_to_view;
 
-  // The third column of the inverse, clip (0,0,1,0), is where all view rays meet: x, y and w of clip
-  // vanish there. It is a point for a perspective projection, a direction for a parallel one.
+  // The third column of the inverse, clip (0,0,1,0), is where all view rays meet: x, y and w of
+  // clip vanish there. It is a point for a perspective projection, a direction for a parallel one.
   const double center[4] = { to_view[2], to_view[6], to_view[10], to_view[14] };
   parts.has_center = to_clip[12] != 0.0 || to_clip[13] != 0.0 || to_clip[14] != 0.0;
   if (parts.has_center)
@@ -78,8 +78,7 @@ water_status water_camera_take_apart(const water_camera* camera, water_eye* eye)
       parts.ndc_to_dir[3 * i + 2] = sign * center[i] / length;
     }
   }
-  if (!water_all_finite(parts.view_to_world, 16) || !water_all_finite(parts.clip_to_view, 16) ||
-    !water_all_finite(parts.center_view, 3) || !water_all_finite(parts.ndc_to_dir, 9))
+  if (!water_all_finite(parts.clip_to_view, 16) || !water_all_finite(parts.ndc_to_dir, 9))
   {
     return WATER_BAD_CAMERA;
   }

@@ -27,8 +27,8 @@ typedef struct water_eye
 
 // Takes a camera apart.
 //
-// Returns WATER_OK or WATER_BAD_CAMERA (a matrix is not finite, the view is further than 1e-6 from a
-// proper rotation with translation, or the projection has no inverse); then *eye is unchanged.
+// Returns WATER_OK or WATER_BAD_CAMERA (a matrix is not finite, the view is further than 1e-6 from
+// a proper rotation with translation, or the projection has no inverse); then *eye is unchanged.
 water_status water_camera_take_apart(const water_camera* camera, water_eye* eye);
 
 // The view ray of a pixel in the plane's own axes, for the third one towards the eye.
@@ -40,8 +40,7 @@ void water_camera_rays(const water_eye* eye, const water_plane* plane, const dou
   const double y_dir[3], double ndc_to_ray[9]);
 
 // A plane given in world, for points in view space: dot(plane_view, (x, y, z, 1)) is the height.
-void water_camera_plane_view(
-  const water_eye* eye, const water_plane* plane, double plane_view[4]);
+void water_camera_plane_view(const water_eye* eye, const water_plane* plane, double plane_view[4]);
 
 #ifdef __cplusplus
 }

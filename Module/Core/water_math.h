@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // water_math.h: the few vector and matrix helpers the core needs; private to the core.
 //
-// Matrices are 16 doubles, row-major, for column vectors. A plane is a row vector of 4: it goes from
-// space a to space b by row * b_to_a. An output may be one of the inputs unless it says otherwise.
+// Matrices are 16 doubles, row-major, for column vectors. A plane is a row vector of 4: it goes
+// from space a to space b by row * b_to_a. An output may be one of the inputs unless it says
+// otherwise.
 #ifndef water_math_h
 #define water_math_h
 
@@ -69,8 +70,8 @@ static inline double water_vec4_dot(const double a[4], const double b[4])
 }
 
 // product = matrix * column
-static inline void water_mat4_apply(
-  const double matrix[16], const double column[4], double product[4])
+static inline void water_mat4_apply(const double matrix[16], const double column[4],
+  double product[4])
 {
   double sum[4];
   for (int i = 0; i < 4; ++i)
@@ -80,23 +81,23 @@ static inline void water_mat4_apply(
   memcpy(product, sum, sizeof sum);
 }
 
-static inline void water_mat4_apply_point(
-  const double matrix[16], const double point[3], double product[4])
+static inline void water_mat4_apply_point(const double matrix[16], const double point[3],
+  double product[4])
 {
   const double column[4] = { point[0], point[1], point[2], 1.0 };
   water_mat4_apply(matrix, column, product);
 }
 
-static inline void water_mat4_apply_dir(
-  const double matrix[16], const double dir[3], double product[4])
+static inline void water_mat4_apply_dir(const double matrix[16], const double dir[3],
+  double product[4])
 {
   const double column[4] = { dir[0], dir[1], dir[2], 0.0 };
   water_mat4_apply(matrix, column, product);
 }
 
 // product = row * matrix: how a plane changes space.
-static inline void water_mat4_apply_row(
-  const double row[4], const double matrix[16], double product[4])
+static inline void water_mat4_apply_row(const double row[4], const double matrix[16],
+  double product[4])
 {
   double sum[4];
   for (int j = 0; j < 4; ++j)
@@ -166,9 +167,10 @@ static inline int water_mat4_exponent(const double* values, int stride, bool* is
 }
 
 // Inverse of any matrix: Gauss-Jordan elimination with full pivoting on the equilibrated matrix
-// (Golub and Van Loan, "Matrix Computations", 3.4 and 3.5). Rows, then columns, are scaled by powers
-// of two first, which is exact: near and far planes of any ratio, and units of any size, then give
-// pivots near 1, and a pivot under 16 roundings of 1 means that the matrix has no inverse.
+// (Golub and Van Loan, "Matrix Computations", 3.4 and 3.5). Rows, then columns, are scaled by
+// powers of two first, which is exact: near and far planes of any ratio, and units of any size,
+// then give pivots near 1, and a pivot under 16 roundings of 1 means that the matrix has no
+// inverse.
 //
 // Returns false if singular or not finite; then inverse is unchanged.
 static inline bool water_mat4_invert(const double matrix[16], double inverse[16])

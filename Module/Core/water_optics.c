@@ -30,8 +30,8 @@ double water_optics_eta(const water_look* look, water_side side)
 double water_optics_fresnel(double cosine, double eta)
 {
   const double c = clamp_unit(cosine);
-  // eta^2 times the squared cosine of the refracted ray (Snell); (eta - 1)(eta + 1) keeps its digits
-  // for an eta near 1
+  // eta^2 times the squared cosine of the refracted ray (Snell); (eta - 1)(eta + 1) keeps its
+  // digits for an eta near 1
   const double g_squared = (eta - 1.0) * (eta + 1.0) + c * c;
   if (g_squared < 0.0)
   {

@@ -102,8 +102,7 @@ void water_sheet_corners(const double origin[3], const double x_dir[3], const do
   {
     for (int i = 0; i < 3; ++i)
     {
-      corners[3 * number + i] =
-        origin[i] + turn[number][0] * x_dir[i] + turn[number][1] * y_dir[i];
+      corners[3 * number + i] = origin[i] + turn[number][0] * x_dir[i] + turn[number][1] * y_dir[i];
     }
   }
 }

@@ -105,8 +105,8 @@ water_status water_select_side(const water_eye* eye, const water_plane* plane, w
   const double height = water_vec3_dot(plane_view, eye->center_view) + plane_view[3];
   // Rounding: the origin of the view went through two rotations (into the matrix and back), each
   // component off by 3 roundings of its length at most, so by sqrt(3) * 3 together, twice; the unit
-  // normal and its rotation add 3 and 3 of the same, the sum of the height 4: less than 24 roundings
-  // of all lengths.
+  // normal and its rotation add 3 and 3 of the same, the sum of the height 4: less than 24
+  // roundings of all lengths.
   const double bound = 24.0 * DBL_EPSILON *
     (fabs(plane->offset) + water_vec3_length(origin) + water_vec3_length(eye->center_view));
   if (!(fabs(height) > bound))

@@ -23,7 +23,8 @@ extern "C"
 // it is made of); then *side is unchanged.
 water_status water_select_side(const water_eye* eye, const water_plane* plane, water_side* side);
 
-// Whether any point of a box may lie in the camera's frustum. Empty boxes must be sorted out before.
+// Whether any point of a box may lie in the camera's frustum. Empty boxes must be sorted out
+// before.
 bool water_select_is_in_view(const water_camera* camera, const double bounds[6]);
 
 // Looks for props that would be drawn if their bounds were finite.

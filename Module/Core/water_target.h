@@ -15,8 +15,8 @@ extern "C"
 //
 // Returns WATER_OK, WATER_BAD_VIEWPORT, WATER_BAD_TEXTURE_SCALE or WATER_TEXTURE_TOO_LARGE; then
 // texture_px is unchanged.
-water_status water_target_size(
-  const int viewport_px[2], double texture_scale, int max_texture_px, int texture_px[2]);
+water_status water_target_size(const int viewport_px[2], double texture_scale, int max_texture_px,
+  int texture_px[2]);
 
 // The rectangle of the map that calm water within a box can look up: a point at height h over the
 // plane looks at the picture of its own mirror image, which for h = 0 is its own picture. Two
@@ -25,8 +25,8 @@ water_status water_target_size(
 // eye             the eye, not the mirrored camera
 // plane           normalised
 // surface_bounds  of the water surface in world, finite, not empty
-// rect_px         x, y, width, height; within the map, never empty; all of the map where the box has
-//                 no picture (a mirror image that reaches behind the eye)
+// rect_px         x, y, width, height; within the map, never empty; all of the map where
+//                 the box has no picture (a mirror image that reaches behind the eye)
 void water_target_rect(const water_camera* eye, const water_plane* plane,
   const double surface_bounds[6], const int texture_px[2], int rect_px[4]);
 

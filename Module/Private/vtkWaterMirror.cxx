@@ -15,6 +15,7 @@
 #include "vtkTextureObject.h"
 #include "vtkTranslucentPass.h"
 #include "vtkVersionMacros.h"
+#include "vtkVolumetricPass.h"
 #include "vtkWaterAccess.h"
 #include "vtkWaterGL.h"
 #include "vtkWaterShading.h"
@@ -182,27 +183,52 @@ void vtkWaterMirror::SetCamera(vtkRenderer* renderer, const water_plan& plan)
 }
 
 //------------------------------------------------------------------------------
+vtkWaterMirror::Blendings vtkWaterMirror::GetBlending(vtkRenderer* renderer)
+{
+  if (renderer->GetUseDepthPeeling())
+  {
+    return renderer->GetUseDepthPeelingForVolumes() ? PEELING_WITH_VOLUMES : PEELING;
+  }
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 5, 0)
+  if (!renderer->GetUseOIT())
+  {
+    return PLAIN;
+  }
+#endif
+  return ORDER_INDEPENDENT;
+}
+
+//------------------------------------------------------------------------------
 vtkRenderPass* vtkWaterMirror::GetTranslucentPass(vtkRenderer* renderer)
 {
-  const bool isPeeling = renderer->GetUseDepthPeeling() != 0;
-  if (!this->TranslucentPass || this->IsPeeling != isPeeling)
+  const Blendings blending = GetBlending(renderer);
+  if (this->TranslucentPass && this->Blending != blending)
   {
-    if (this->TranslucentPass)
-    {
-      this->TranslucentPass->ReleaseGraphicsResources(renderer->GetRenderWindow());
-    }
-    this->IsPeeling = isPeeling;
+    this->TranslucentPass->ReleaseGraphicsResources(renderer->GetRenderWindow());
+    this->TranslucentPass = nullptr;
+  }
+  if (!this->TranslucentPass)
+  {
+    this->Blending = blending;
     vtkNew<vtkTranslucentPass> translucent;
-    if (isPeeling)
+    if (blending == PLAIN)
     {
-      auto pass = vtkSmartPointer<vtkDualDepthPeelingPass>::New();
+      this->TranslucentPass = translucent.Get();
+    }
+    else if (blending == ORDER_INDEPENDENT)
+    {
+      auto pass = vtkSmartPointer<vtkOrderIndependentTranslucentPass>::New();
       pass->SetTranslucentPass(translucent);
       this->TranslucentPass = pass;
     }
     else
     {
-      auto pass = vtkSmartPointer<vtkOrderIndependentTranslucentPass>::New();
+      auto pass = vtkSmartPointer<vtkDualDepthPeelingPass>::New();
       pass->SetTranslucentPass(translucent);
+      if (blending == PEELING_WITH_VOLUMES)
+      {
+        pass->SetVolumetricPass(vtkNew<vtkVolumetricPass>());
+      }
       this->TranslucentPass = pass;
     }
   }
@@ -223,13 +249,18 @@ void vtkWaterMirror::DrawProps(vtkRenderer* renderer, std::vector<vtkProp*>& pro
     // on for shaders that write the distance; undefined for those that do not
     glDisable(GL_CLIP_DISTANCE0);
   }
-  if (std::any_of(props.begin(), props.end(),
-        [](vtkProp* prop) { return prop->HasTranslucentPolygonalGeometry() != 0; }))
+  const bool hasTranslucent = std::any_of(props.begin(), props.end(),
+    [](vtkProp* prop) { return prop->HasTranslucentPolygonalGeometry() != 0; });
+  if (hasTranslucent)
   {
     vtkRenderState state(renderer);
     state.SetPropArrayAndCount(props.data(), static_cast<int>(props.size()));
     state.SetFrameBuffer(this->Target.GetFramebuffer());
     this->GetTranslucentPass(renderer)->Render(&state);
+  }
+  if (hasTranslucent && this->Blending == PEELING_WITH_VOLUMES)
+  {
+    return; // volumes were peeled with the translucent geometry
   }
   for (vtkProp* prop : props)
   {

@@ -42,12 +42,21 @@ private:
   void DrawProps(vtkRenderer* renderer, std::vector<vtkProp*>& props);
   vtkRenderPass* GetTranslucentPass(vtkRenderer* renderer);
 
+  enum Blendings // of translucent geometry, as the renderer's flags choose it
+  {
+    ORDER_INDEPENDENT,
+    PEELING,
+    PEELING_WITH_VOLUMES,
+    PLAIN
+  };
+  static Blendings GetBlending(vtkRenderer* renderer);
+
   vtkWaterTarget Target;
   vtkWaterScreen Screen;
   vtkSmartPointer<vtkTextureObject> Blank;
   vtkSmartPointer<vtkCamera> Camera;
-  vtkSmartPointer<vtkRenderPass> TranslucentPass; // blends as the renderer does
-  bool IsPeeling = false;
+  vtkSmartPointer<vtkRenderPass> TranslucentPass;
+  Blendings Blending = ORDER_INDEPENDENT; // of the pass
 };
 
 #endif

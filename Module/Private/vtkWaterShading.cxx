@@ -301,17 +301,18 @@ bool vtkWaterShading::SetShaderParameters(
   }
   else
   {
-    this->SetMirroredParameters(program);
+    this->SetMirroredParameters(program, prop);
   }
   return true;
 }
 
 //------------------------------------------------------------------------------
-void vtkWaterShading::SetMirroredParameters(vtkShaderProgram* program)
+void vtkWaterShading::SetMirroredParameters(vtkShaderProgram* program, vtkProp* prop)
 {
   static const double keepAll[4] = { 0.0, 0.0, 0.0, 1.0 };
   const water_plan* plan = this->MirroredView;
-  if (plan && program->IsUniformUsed("waterClipPosition"))
+  if (plan && !prop->IsRenderingTranslucentPolygonalGeometry() &&
+    program->IsUniformUsed("waterClipPosition"))
   {
     glEnable(GL_CLIP_DISTANCE0); // vtkWaterMirror turns it off again
   }

@@ -93,7 +93,7 @@ private:
   void RemoveKey(vtkProp* prop);
   void EndFrame(HeldFrame& held);
   void SetSurfaceParameters(vtkShaderProgram* program);
-  void SetMirroredParameters(vtkShaderProgram* program);
+  void SetMirroredParameters(vtkShaderProgram* program, vtkProp* prop);
 
   std::map<vtkRenderer*, HeldFrame> HeldFrames;
   const water_plan* MirroredView = nullptr;

@@ -1,0 +1,347 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkWaterEGLContext.h"
+
+#if VTK_WATER_GLX_ONLY
+
+#include <cstdint>
+#include <cstdlib>
+#include <sstream>
+
+#include <dlfcn.h>
+#include <unistd.h>
+
+namespace
+{
+// The part of EGL/egl.h and EGL/eglext.h in use; no package with these headers is needed.
+using EGLBoolean = unsigned int;
+using EGLEnum = unsigned int;
+using EGLInt = std::int32_t;
+using EGLHandle = void*; // EGLDisplay, EGLSurface, EGLContext, EGLConfig, EGLDeviceEXT
+
+constexpr EGLInt EGL_NONE = 0x3038;
+constexpr EGLInt EGL_ALPHA_SIZE = 0x3021;
+constexpr EGLInt EGL_BLUE_SIZE = 0x3022;
+constexpr EGLInt EGL_GREEN_SIZE = 0x3023;
+constexpr EGLInt EGL_RED_SIZE = 0x3024;
+constexpr EGLInt EGL_DEPTH_SIZE = 0x3025;
+constexpr EGLInt EGL_SURFACE_TYPE = 0x3033;
+constexpr EGLInt EGL_PBUFFER_BIT = 0x0001;
+constexpr EGLInt EGL_RENDERABLE_TYPE = 0x3040;
+constexpr EGLInt EGL_OPENGL_BIT = 0x0008;
+constexpr EGLInt EGL_EXTENSIONS = 0x3055;
+constexpr EGLInt EGL_HEIGHT = 0x3056;
+constexpr EGLInt EGL_WIDTH = 0x3057;
+constexpr EGLInt EGL_DRAW = 0x3059;
+constexpr EGLInt EGL_READ = 0x305A;
+constexpr EGLInt EGL_CONTEXT_MAJOR_VERSION = 0x3098;
+constexpr EGLInt EGL_CONTEXT_MINOR_VERSION = 0x30FB;
+constexpr EGLInt EGL_CONTEXT_OPENGL_PROFILE_MASK = 0x30FD;
+constexpr EGLInt EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT = 0x0001;
+constexpr EGLEnum EGL_OPENGL_API = 0x30A2;
+constexpr EGLEnum EGL_PLATFORM_SURFACELESS_MESA = 0x31DD;
+constexpr EGLEnum EGL_PLATFORM_DEVICE_EXT = 0x313F;
+
+constexpr const char* PackageHint = "; the Debian packages libegl1 and libegl-mesa0 provide it";
+
+// libEGL, its functions and the process' display. Lives to the end of the process.
+struct Library
+{
+  EGLBoolean (*BindAPI)(EGLEnum) = nullptr;
+  EGLBoolean (*ChooseConfig)(EGLHandle, const EGLInt*, EGLHandle*, EGLInt, EGLInt*) = nullptr;
+  EGLHandle (*CreateContext)(EGLHandle, EGLHandle, EGLHandle, const EGLInt*) = nullptr;
+  EGLHandle (*CreatePbufferSurface)(EGLHandle, EGLHandle, const EGLInt*) = nullptr;
+  EGLBoolean (*DestroyContext)(EGLHandle, EGLHandle) = nullptr;
+  EGLBoolean (*DestroySurface)(EGLHandle, EGLHandle) = nullptr;
+  EGLHandle (*GetCurrentContext)() = nullptr;
+  EGLHandle (*GetCurrentDisplay)() = nullptr;
+  EGLHandle (*GetCurrentSurface)(EGLInt) = nullptr;
+  EGLInt (*GetError)() = nullptr;
+  void (*(*GetProcAddress)(const char*))() = nullptr;
+  EGLBoolean (*Initialize)(EGLHandle, EGLInt*, EGLInt*) = nullptr;
+  EGLBoolean (*MakeCurrent)(EGLHandle, EGLHandle, EGLHandle, EGLHandle) = nullptr;
+  const char* (*QueryString)(EGLHandle, EGLInt) = nullptr;
+
+  EGLHandle Display = nullptr; // nullptr: EGL cannot be used, Error says why
+  EGLHandle Config = nullptr;
+  std::string DisplayName;
+  std::string Error;
+  pid_t Process = 0; // that opened the display
+
+  static Library& Get();
+  bool CreateOn(EGLHandle display, EGLHandle config, EGLHandle& context, EGLHandle& surface);
+  std::string LastError();
+
+private:
+  bool Load();
+  void OpenDisplay();
+  bool UseDisplay(EGLHandle display, const char* name);
+};
+
+//------------------------------------------------------------------------------
+Library& Library::Get()
+{
+  // Never destroyed: windows may be, after all static objects.
+  static Library* library = [] {
+    auto* opened = new Library;
+    opened->Process = getpid();
+    if (opened->Load())
+    {
+      opened->OpenDisplay();
+    }
+    return opened;
+  }();
+  return *library;
+}
+
+//------------------------------------------------------------------------------
+bool Library::Load()
+{
+  const char* name = std::getenv("VTK_WATER_EGL_LIBRARY");
+  name = name && *name ? name : "libEGL.so.1";
+  void* library = dlopen(name, RTLD_LAZY | RTLD_LOCAL);
+  if (!library)
+  {
+    const char* reason = dlerror();
+    this->Error = std::string("EGL cannot be loaded (") + (reason ? reason : name) + ")" +
+      PackageHint;
+    return false;
+  }
+  auto find = [this, library, name](const char* symbol, auto& function) {
+    using Pointer = std::remove_reference_t<decltype(function)>;
+    function = reinterpret_cast<Pointer>(dlsym(library, symbol));
+    if (!function && this->Error.empty())
+    {
+      this->Error = std::string(name) + " lacks the function " + symbol + PackageHint;
+    }
+  };
+  find("eglBindAPI", this->BindAPI);
+  find("eglChooseConfig", this->ChooseConfig);
+  find("eglCreateContext", this->CreateContext);
+  find("eglCreatePbufferSurface", this->CreatePbufferSurface);
+  find("eglDestroyContext", this->DestroyContext);
+  find("eglDestroySurface", this->DestroySurface);
+  find("eglGetCurrentContext", this->GetCurrentContext);
+  find("eglGetCurrentDisplay", this->GetCurrentDisplay);
+  find("eglGetCurrentSurface", this->GetCurrentSurface);
+  find("eglGetError", this->GetError);
+  find("eglGetProcAddress", this->GetProcAddress);
+  find("eglInitialize", this->Initialize);
+  find("eglMakeCurrent", this->MakeCurrent);
+  find("eglQueryString", this->QueryString);
+  return this->Error.empty();
+}
+
+//------------------------------------------------------------------------------
+void Library::OpenDisplay()
+{
+  // No display yet (nullptr): the extensions of EGL itself.
+  const char* text = this->QueryString(nullptr, EGL_EXTENSIONS);
+  const std::string extensions = text ? text : "";
+  auto has = [&extensions](const char* name) {
+    return extensions.find(name) != std::string::npos;
+  };
+
+  auto getDisplay = reinterpret_cast<EGLHandle (*)(EGLEnum, void*, const EGLInt*)>(
+    this->GetProcAddress("eglGetPlatformDisplayEXT"));
+  if (getDisplay && has("EGL_MESA_platform_surfaceless") &&
+    this->UseDisplay(
+      getDisplay(EGL_PLATFORM_SURFACELESS_MESA, nullptr, nullptr), "surfaceless (Mesa)"))
+  {
+    return;
+  }
+  if (getDisplay && has("EGL_EXT_platform_device"))
+  {
+    auto queryDevices = reinterpret_cast<EGLBoolean (*)(EGLInt, EGLHandle*, EGLInt*)>(
+      this->GetProcAddress("eglQueryDevicesEXT"));
+    EGLHandle devices[16] = {};
+    EGLInt count = 0;
+    if (queryDevices && queryDevices(16, devices, &count))
+    {
+      for (EGLInt i = 0; i < count; ++i)
+      {
+        const std::string name = "device " + std::to_string(i);
+        if (this->UseDisplay(
+              getDisplay(EGL_PLATFORM_DEVICE_EXT, devices[i], nullptr), name.c_str()))
+        {
+          return;
+        }
+      }
+    }
+  }
+  this->Error = "EGL has no driver for off-screen OpenGL 3.2 (tried surfaceless and devices; " +
+    this->LastError() + "); the Debian packages libegl-mesa0 and libgl1-mesa-dri provide one";
+}
+
+//------------------------------------------------------------------------------
+bool Library::UseDisplay(EGLHandle display, const char* name)
+{
+  EGLInt major = 0;
+  EGLInt minor = 0;
+  // EGL 1.4 is the first with OpenGL (not ES).
+  if (!display || !this->Initialize(display, &major, &minor) || (major == 1 && minor < 4))
+  {
+    return false;
+  }
+  // VTK renders into its own framebuffers; the surface's 8 bit colours only tell it that the
+  // window has alpha, its depth that the window is an ordinary one.
+  const EGLInt wanted[] = { EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT,
+    EGL_RED_SIZE, 8, EGL_GREEN_SIZE, 8, EGL_BLUE_SIZE, 8, EGL_ALPHA_SIZE, 8, EGL_DEPTH_SIZE, 24,
+    EGL_NONE };
+  EGLHandle config = nullptr;
+  EGLInt count = 0;
+  EGLHandle context = nullptr;
+  EGLHandle surface = nullptr;
+  if (!this->ChooseConfig(display, wanted, &config, 1, &count) || count < 1 ||
+    !this->CreateOn(display, config, context, surface))
+  {
+    return false;
+  }
+  this->DestroySurface(display, surface);
+  this->DestroyContext(display, context);
+  this->Display = display;
+  this->Config = config;
+  this->DisplayName = name;
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool Library::CreateOn(
+  EGLHandle display, EGLHandle config, EGLHandle& context, EGLHandle& surface)
+{
+  const EGLInt version[] = { EGL_CONTEXT_MAJOR_VERSION, 3, EGL_CONTEXT_MINOR_VERSION, 2,
+    EGL_CONTEXT_OPENGL_PROFILE_MASK, EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE };
+  const EGLInt size[] = { EGL_WIDTH, 16, EGL_HEIGHT, 16, EGL_NONE }; // never drawn to
+  this->BindAPI(EGL_OPENGL_API); // a thread starts with OpenGL ES
+  context = this->CreateContext(display, config, nullptr, version);
+  surface = context ? this->CreatePbufferSurface(display, config, size) : nullptr;
+  if (context && !surface)
+  {
+    this->DestroyContext(display, context);
+    context = nullptr;
+  }
+  return surface != nullptr;
+}
+
+//------------------------------------------------------------------------------
+std::string Library::LastError()
+{
+  std::ostringstream text;
+  text << "EGL error 0x" << std::hex << this->GetError();
+  return text.str();
+}
+}
+
+//------------------------------------------------------------------------------
+bool vtkWaterEGLContext::Create(std::string& why)
+{
+  Library& egl = Library::Get();
+  if (!egl.Display)
+  {
+    why = egl.Error;
+    return false;
+  }
+  if (egl.Process != getpid())
+  {
+    // Mesa's threads stay in the parent: the child would wait for them for ever.
+    why = "the process was forked after EGL was opened; spawn it instead";
+    return false;
+  }
+  if (!this->Context && !egl.CreateOn(egl.Display, egl.Config, this->Context, this->Surface))
+  {
+    why = "EGL made no OpenGL 3.2 core context (" + egl.LastError() + ")";
+    return false;
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterEGLContext::Destroy()
+{
+  if (!this->Context)
+  {
+    return;
+  }
+  this->ReleaseCurrent();
+  Library& egl = Library::Get();
+  egl.DestroySurface(egl.Display, this->Surface);
+  egl.DestroyContext(egl.Display, this->Context);
+  this->Surface = nullptr;
+  this->Context = nullptr;
+}
+
+//------------------------------------------------------------------------------
+bool vtkWaterEGLContext::MakeCurrent()
+{
+  Library& egl = Library::Get();
+  // To make a context current flushes it, so this is not done again for every GL call of VTK.
+  return this->Context &&
+    (this->IsCurrent() ||
+      egl.MakeCurrent(egl.Display, this->Surface, this->Surface, this->Context));
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterEGLContext::ReleaseCurrent()
+{
+  if (this->IsCurrent())
+  {
+    Library& egl = Library::Get();
+    egl.MakeCurrent(egl.Display, nullptr, nullptr, nullptr);
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkWaterEGLContext::IsCurrent() const
+{
+  if (!this->Context)
+  {
+    return false;
+  }
+  Library& egl = Library::Get();
+  egl.BindAPI(EGL_OPENGL_API); // whose context is asked for, in this thread
+  return egl.GetCurrentContext() == this->Context;
+}
+
+//------------------------------------------------------------------------------
+bool vtkWaterEGLContext::Push()
+{
+  Library& egl = Library::Get();
+  Binding before = {};
+  if (egl.Display)
+  {
+    egl.BindAPI(EGL_OPENGL_API);
+    before = { egl.GetCurrentDisplay(), egl.GetCurrentSurface(EGL_DRAW),
+      egl.GetCurrentSurface(EGL_READ), egl.GetCurrentContext() };
+  }
+  this->Stack.push_back(before);
+  return !this->Context || this->MakeCurrent();
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterEGLContext::Pop()
+{
+  if (this->Stack.empty())
+  {
+    return;
+  }
+  const Binding before = this->Stack.back();
+  this->Stack.pop_back();
+  Library& egl = Library::Get();
+  if (before.Context && before.Context != egl.GetCurrentContext())
+  {
+    egl.MakeCurrent(before.Display, before.Draw, before.Read, before.Context);
+  }
+}
+
+//------------------------------------------------------------------------------
+void* vtkWaterEGLContext::GetDisplay()
+{
+  return Library::Get().Display;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkWaterEGLContext::GetDisplayName()
+{
+  return Library::Get().DisplayName;
+}
+
+#endif

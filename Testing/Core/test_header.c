@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// test_header.c: the core's headers compile as plain C, on their own, in any order, twice.
+#include "water_target.h"
+
+#include "water_select.h"
+
+#include "water_optics.h"
+
+#include "water_mirror.h"
+
+#include "water_camera.h"
+
+#include "water_math.h"
+
+#include "water_plane.h"
+
+#include "water_plan.h"
+
+#include "water_status.h"
+#include "water_types.h"
+
+#include "water_plan.h"
+
+_Static_assert(WATER_OK == 0, "success is 0 in every language");
+_Static_assert(WATER_NOT_PLANNED == 0, "a zeroed plan says that nothing was planned");
+
+// A scene of zeros has no plane: the header's promise, reached from C.
+int main(void)
+{
+  const water_scene scene = { 0 };
+  water_plan plan;
+  return water_plan_make(&scene, &plan, NULL) == WATER_BAD_PLANE ? 0 : 1;
+}

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// test_header.cxx: the core's headers compile as C++17 and link as C.
+#include "water_target.h"
+
+#include "water_select.h"
+
+#include "water_optics.h"
+
+#include "water_mirror.h"
+
+#include "water_camera.h"
+
+#include "water_math.h"
+
+#include "water_plane.h"
+
+#include "water_plan.h"
+
+#include "water_status.h"
+#include "water_types.h"
+
+#include <type_traits>
+
+static_assert(std::is_trivially_copyable<water_plan>::value, "a plan is plain data");
+static_assert(std::is_standard_layout<water_scene>::value, "a scene is plain data");
+
+// A scene of zeros has no plane: the header's promise, reached from C++.
+int main()
+{
+  const water_scene scene = {};
+  water_plan plan = {};
+  return water_plan_make(&scene, &plan, nullptr) == WATER_BAD_PLANE ? 0 : 1;
+}

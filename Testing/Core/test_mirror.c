@@ -1,0 +1,317 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// test_mirror.c: step 2: the mirrored camera and the clip at the water.
+#include "test_scene.h"
+
+#include "water_math.h"
+#include "water_mirror.h"
+#include "water_plane.h"
+
+static const double nearby[3] = { 1.0, 2.0, 3.0 };
+
+// Seen from 5 above a lake, the mirrored camera is 5 below it and looks up at the same spot, its up
+// vector mirrored and turned over with it: what the eye's picture has above, its picture has above.
+TEST(mirrored_camera_of_a_known_eye)
+{
+  UNUSED;
+  const water_scene scene = lake();
+  const water_plan plan = plan_of(&scene, NULL);
+  const double position[3] = { 0.0, -10.0, -5.0 };
+  const double view_dir[3] = { 0.0, 10.0 / sqrt(125.0), 5.0 / sqrt(125.0) };
+  const double up[3] = { 0.0, 5.0 / sqrt(125.0), -10.0 / sqrt(125.0) };
+  for (int i = 0; i < 3; ++i)
+  {
+    ASSERT_CLOSE(plan.mirrored_position[i], position[i], 1e-14);
+    ASSERT_CLOSE(plan.mirrored_focal_point[i], position[i] + view_dir[i], 1e-14);
+    ASSERT_CLOSE(plan.mirrored_view_up[i], up[i], 1e-14);
+  }
+}
+
+// A look-at made of position, focal point and up is the mirrored view: what the host sets in its
+// own terms is what the matrices say.
+TEST(pose_and_matrix_are_the_same_camera)
+{
+  UNUSED;
+  dice from = dice_seeded(7);
+  for (int round = 0; round < 600; ++round)
+  {
+    const random_scene random = scene_rolled(&from, round, nearby);
+    const water_plan plan = plan_of(&random.scene, NULL);
+    double view[16];
+    look_at(plan.mirrored_position, plan.mirrored_focal_point, plan.mirrored_view_up, view);
+    for (int i = 0; i < 16; ++i)
+    {
+      ASSERT_CLOSE(view[i], plan.mirrored.world_to_view[i], 1e-12);
+    }
+    ASSERT_CLOSE(determinant3(plan.mirrored.world_to_view), 1.0, 1e-13);
+    assert_int_equal(plan.mirrored.parallel, random.scene.eye.parallel);
+  }
+}
+
+// A point on the water is seen at the same place by both cameras, x flipped, at the same depth.
+TEST(point_on_water_keeps_its_pixel)
+{
+  UNUSED;
+  dice from = dice_seeded(8);
+  for (int round = 0; round < 3000; ++round)
+  {
+    const random_scene random = scene_rolled(&from, round, nearby);
+    const water_plan plan = plan_of(&random.scene, NULL);
+    double point[3];
+    double image[3];
+    double eye[4];
+    double mirrored[4];
+    point_near(&from, &random, 5.0, point);
+    mirror_image(&random, point, image);
+    for (int i = 0; i < 3; ++i)
+    {
+      point[i] = 0.5 * (point[i] + image[i]); // on the water
+    }
+    project(&random.scene.eye, point, 1.0, eye);
+    project(&plan.mirrored, point, 1.0, mirrored);
+    ASSERT_CLOSE(mirrored[0], -eye[0], 1e-12 * 100.0);
+    for (int i = 1; i < 4; ++i)
+    {
+      ASSERT_CLOSE(mirrored[i], eye[i], 1e-12 * 100.0);
+    }
+  }
+}
+
+// Any point is seen by the mirrored camera where the eye sees the point's mirror image, x flipped;
+// with coordinates of 5e6 still to a thousandth of a pixel.
+TEST(point_above_water_is_seen_as_its_mirror_image)
+{
+  UNUSED;
+  dice from = dice_seeded(9);
+  const double far_away[3] = { 5e6, -4e6, 300.0 };
+  for (int round = 0; round < 3000; ++round)
+  {
+    const random_scene random = scene_rolled(&from, round, round % 2 ? far_away : nearby);
+    const water_plan plan = plan_of(&random.scene, NULL);
+    double point[3];
+    double image[3];
+    double eye[4];
+    double mirrored[4];
+    point_near(&from, &random, 5.0, point);
+    mirror_image(&random, point, image);
+    project(&random.scene.eye, image, 1.0, eye);
+    project(&plan.mirrored, point, 1.0, mirrored);
+    ASSERT_CLOSE(mirrored[0], -eye[0], 1e-6);
+    for (int i = 1; i < 4; ++i)
+    {
+      ASSERT_CLOSE(mirrored[i], eye[i], 1e-6);
+    }
+  }
+}
+
+// Mirrored twice, a camera is itself again.
+TEST(mirrored_twice_is_the_eye)
+{
+  UNUSED;
+  dice from = dice_seeded(10);
+  for (int round = 0; round < 300; ++round)
+  {
+    random_scene random = scene_rolled(&from, round, nearby);
+    water_plane unit;
+    water_camera camera = random.scene.eye;
+    assert_int_equal(water_plane_normalise(&random.scene.plane, &unit), WATER_OK);
+    water_mirror_camera(&camera, &unit, &camera);
+    assert_true(fabs(camera.world_to_view[0] - random.scene.eye.world_to_view[0]) > 1e-9);
+    water_mirror_camera(&camera, &unit, &camera);
+    for (int i = 0; i < 16; ++i)
+    {
+      ASSERT_CLOSE(camera.world_to_view[i], random.scene.eye.world_to_view[i], 1e-12);
+      assert_true(camera.view_to_clip[i] == random.scene.eye.view_to_clip[i]);
+    }
+  }
+}
+
+// The clip keeps what is on the eye's side of the water, the margin included: in mirrored view
+// space its value is the height itself, in window space it has the same sign, for every point in
+// front.
+TEST(clip_has_the_sign_of_the_height)
+{
+  UNUSED;
+  dice from = dice_seeded(11);
+  int kept = 0;
+  int cut = 0;
+  for (int round = 0; round < 6000; ++round)
+  {
+    random_scene random = scene_rolled(&from, round, nearby);
+    random.scene.clip_margin = round % 2 ? 0.25 : 0.0;
+    const water_plan plan = plan_of(&random.scene, NULL);
+    double point[3];
+    double view[4];
+    double clip[4];
+    point_near(&from, &random, 2.0, point);
+    const double height = height_of(&random, point) + random.scene.clip_margin;
+    apply(plan.mirrored.world_to_view, point, 1.0, view);
+    const double* plane = plan.clip_plane_view;
+    ASSERT_CLOSE(dot(plane, view) + plane[3], height, 1e-12);
+    project(&plan.mirrored, point, 1.0, clip);
+    plane = plan.clip_plane_clip;
+    ASSERT_CLOSE(dot(plane, clip) + plane[3] * clip[3], height, 1e-11);
+    if (clip[3] <= 0.01 || fabs(height) < 1e-9)
+    {
+      continue;
+    }
+    const double window[3] = { (0.5 + 0.5 * clip[0] / clip[3]) * plan.texture_px[0],
+      (0.5 + 0.5 * clip[1] / clip[3]) * plan.texture_px[1], 0.5 + 0.5 * clip[2] / clip[3] };
+    plane = plan.clip_plane_window;
+    const double value = dot(plane, window) + plane[3];
+    assert_true((value > 0.0) == (height > 0.0));
+    kept += height > 0.0;
+    cut += height < 0.0;
+    double largest = 0.0;
+    for (int i = 0; i < 4; ++i)
+    {
+      largest = fmax(largest, fabs(plane[i]));
+    }
+    ASSERT_CLOSE(largest, 1.0, 1e-15);
+  }
+  assert_in_range(kept, 2000, 6000);
+  assert_in_range(cut, 1500, 6000);
+}
+
+// The near plane of the oblique projection is the clip plane: within the frustum's sides a point is
+// in front of it exactly if it is kept, and none that is kept is lost behind the far plane; x, y
+// and w stay.
+TEST(oblique_near_plane_is_the_clip_plane)
+{
+  UNUSED;
+  dice from = dice_seeded(12);
+  int kept = 0;
+  int cut = 0;
+  for (int round = 0; round < 6000; ++round)
+  {
+    const random_scene random = scene_rolled(&from, round, nearby);
+    water_plan plan = plan_of(&random.scene, NULL);
+    for (int j = 0; j < 4 && round % 2; ++j)
+    {
+      plan.mirrored.view_to_clip[j] *= -1.0; // a picture turned over in x: corners change places
+    }
+    water_camera oblique = plan.mirrored;
+    double point[3];
+    double clip[4];
+    double bent[4];
+    if (water_mirror_oblique(plan.mirrored.view_to_clip, plan.clip_plane_view,
+          oblique.view_to_clip) != WATER_OK)
+    {
+      continue;
+    }
+    point_near(&from, &random, 3.0, point);
+    project(&plan.mirrored, point, 1.0, clip);
+    project(&oblique, point, 1.0, bent);
+    const double height = height_of(&random, point);
+    if (!is_inside(clip) || fabs(height) < 1e-9)
+    {
+      continue;
+    }
+    assert_true((bent[2] > -bent[3]) == (height > 0.0));
+    assert_true(height < 0.0 || bent[2] <= bent[3] * (1.0 + 1e-12));
+    assert_true(bent[0] == clip[0] && bent[1] == clip[1] && bent[3] == clip[3]);
+    kept += height > 0.0;
+    cut += height < 0.0;
+  }
+  assert_in_range(kept, 1000, 6000);
+  assert_in_range(cut, 1000, 6000);
+}
+
+// However far a drawn prop reaches, no point of it that is in front of the mirrored camera lies
+// beyond its far plane; picture and near plane stay, and so does everything if nothing reaches out.
+TEST(far_plane_moves_behind_the_drawn_props)
+{
+  UNUSED;
+  dice from = dice_seeded(26);
+  int moved = 0;
+  for (int round = 0; round < 3000; ++round)
+  {
+    random_scene random = scene_rolled(&from, round, nearby);
+    const water_plan before = plan_of(&random.scene, NULL);
+    const double far_out = round % 4 ? 90.0 : 1e6;
+    water_prop props[3];
+    water_fate fates[3];
+    for (int number = 0; number < 3; ++number)
+    {
+      double center[3];
+      point_near(&from, &random, far_out, center);
+      props[number].flags = WATER_PROP_VISIBLE;
+      for (int i = 0; i < 3; ++i)
+      {
+        props[number].bounds[2 * i] = center[i] - 1.0;
+        props[number].bounds[2 * i + 1] = center[i] + dice_roll(&from, 0.0, far_out);
+      }
+    }
+    random.scene.props = props;
+    random.scene.prop_count = 3;
+    const water_plan plan = plan_of(&random.scene, fates);
+    int reaches_out = 0;
+    for (int number = 0; number < 24; ++number)
+    {
+      const double* bounds = props[number / 8].bounds;
+      const double corner[3] = { bounds[number & 1], bounds[2 + ((number >> 1) & 1)],
+        bounds[4 + ((number >> 2) & 1)] };
+      double old_clip[4];
+      double clip[4];
+      project(&before.mirrored, corner, 1.0, old_clip);
+      project(&plan.mirrored, corner, 1.0, clip);
+      assert_true(clip[0] == old_clip[0] && clip[1] == old_clip[1] && clip[3] == old_clip[3]);
+      if (fabs(old_clip[2] + old_clip[3]) > 1e-6)
+      {
+        assert_true((clip[2] > -clip[3]) == (old_clip[2] > -old_clip[3]));
+      }
+      if (fates[number / 8] == WATER_DRAW && clip[3] > 0.0)
+      {
+        assert_true(clip[2] <= clip[3]);
+        reaches_out |= old_clip[2] > old_clip[3];
+      }
+    }
+    const size_t size = sizeof before.mirrored.view_to_clip;
+    assert_int_equal(memcmp(plan.mirrored.view_to_clip, before.mirrored.view_to_clip, size) != 0,
+      reaches_out);
+    moved += reaches_out;
+    // a skybox has no far end
+    for (int number = 0; number < 3; ++number)
+    {
+      props[number].flags |= WATER_PROP_NO_BOUNDS;
+    }
+    const water_plan endless = plan_of(&random.scene, fates);
+    assert_memory_equal(endless.mirrored.view_to_clip, before.mirrored.view_to_clip, size);
+  }
+  assert_in_range(moved, 500, 2900);
+}
+
+// Looking down from above with the plane's kept side behind the eye, no far corner is kept:
+// refused, output untouched; the same for a projection without inverse.
+TEST(oblique_refuses_what_keeps_nothing)
+{
+  UNUSED;
+  const water_scene scene = lake();
+  const double behind[4] = { 0.0, 0.0, 1.0, -1.0 }; // view z >= 1
+  const double ahead[4] = { 0.0, 0.0, -1.0, -5.0 }; // view z <= -5
+  double oblique[16] = { 7.0 };
+  assert_int_equal(water_mirror_oblique(scene.eye.view_to_clip, behind, oblique), WATER_BAD_CAMERA);
+  assert_true(oblique[0] == 7.0);
+  const double zeros[16] = { 0.0 };
+  assert_int_equal(water_mirror_oblique(zeros, ahead, oblique), WATER_BAD_CAMERA);
+  assert_true(oblique[0] == 7.0);
+  double clip[4] = { 7.0 };
+  assert_int_equal(water_mirror_clip_clip(zeros, ahead, clip), WATER_BAD_CAMERA);
+  assert_true(clip[0] == 7.0);
+  assert_int_equal(water_mirror_oblique(scene.eye.view_to_clip, ahead, oblique), WATER_OK);
+}
+
+int main(void)
+{
+  const struct CMUnitTest tests[] = {
+    RUN(mirrored_camera_of_a_known_eye),
+    RUN(pose_and_matrix_are_the_same_camera),
+    RUN(point_on_water_keeps_its_pixel),
+    RUN(point_above_water_is_seen_as_its_mirror_image),
+    RUN(mirrored_twice_is_the_eye),
+    RUN(clip_has_the_sign_of_the_height),
+    RUN(far_plane_moves_behind_the_drawn_props),
+    RUN(oblique_near_plane_is_the_clip_plane),
+    RUN(oblique_refuses_what_keeps_nothing),
+  };
+  return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// test_optics.c: step 5: the reflectance, against numbers of Fresnel's own form, and the shader's.
+#include "test_scene.h"
+
+#include "water_optics.h"
+
+// vtkWaterOptics.glsl read as C: its scalar GLSL means the same with these words.
+#define float double
+#define min fmin
+#define max fmax
+#include "vtkWaterOptics.glsl"
+#undef float
+#undef min
+#undef max
+
+static const double water = 1.333;
+
+static double cos_deg(double angle_deg)
+{
+  return cos(angle_deg * acos(-1.0) / 180.0);
+}
+
+// Reflectances computed from sines and tangents of the angles (Fresnel's own form, another one than
+// the core's), from above, from below, and for glass.
+TEST(fresnel_has_the_known_values)
+{
+  UNUSED;
+  const double known[][3] = { // eta, degrees, reflectance
+    { 1.333, 0, 0.0203731878 }, { 1.333, 10, 0.0203836676 }, { 1.333, 20, 0.0205554062 },
+    { 1.333, 30, 0.0214364659 }, { 1.333, 40, 0.0245023610 }, { 1.333, 50, 0.0336678738 },
+    { 1.333, 60, 0.0596909192 }, { 1.333, 70, 0.1334750019 }, { 1.333, 80, 0.3479167070 },
+    { 1.333, 85, 0.5835234787 }, { 1.333, 89, 0.8962764037 }, { 1.333, 90, 1.0 },
+    { 1 / 1.333, 0, 0.0203731878 }, { 1 / 1.333, 15, 0.0205625231 },
+    { 1 / 1.333, 30, 0.0255191623 }, { 1 / 1.333, 40, 0.0555815915 },
+    { 1 / 1.333, 45, 0.1394584557 }, { 1 / 1.333, 48, 0.4330766462 },
+    { 1 / 1.333, 48.5, 0.7003063339 }, { 1 / 1.333, 48.7, 1.0 }, { 1 / 1.333, 60, 1.0 },
+    { 1 / 1.333, 90, 1.0 }, { 1.5, 0, 0.04 }, { 1.5, 60, 0.0891867128 }
+  };
+  for (size_t i = 0; i < sizeof known / sizeof known[0]; ++i)
+  {
+    ASSERT_CLOSE(water_optics_fresnel(cos_deg(known[i][1]), known[i][0]), known[i][2], 1e-9);
+  }
+}
+
+// At Brewster's angle, tan = eta, no light polarised in the plane of incidence is reflected, so
+// half of the other is; there the rays are at right angles, and its share is (sin^2 - cos^2)^2 =
+// cos^2(2b).
+TEST(brewster_angle_reflects_one_polarisation)
+{
+  UNUSED;
+  for (double eta = 1.1; eta < 2.5; eta += 0.1)
+  {
+    const double brewster = atan(eta);
+    const double root = cos(2.0 * brewster);
+    ASSERT_CLOSE(water_optics_fresnel(cos(brewster), eta), 0.5 * root * root, 1e-14);
+  }
+}
+
+// From under water everything beyond 48.61 degrees is reflected, and not everything before; from
+// above there is no such angle.
+TEST(critical_angle_of_water)
+{
+  UNUSED;
+  const double critical = water_optics_critical_rad(1.0 / water);
+  ASSERT_CLOSE(critical * 180.0 / acos(-1.0), 48.6066263917, 1e-9);
+  assert_true(water_optics_fresnel(cos(critical + 1e-9), 1.0 / water) == 1.0);
+  assert_true(water_optics_schlick(cos(critical + 1e-9), 1.0 / water) == 1.0);
+  assert_true(water_optics_fresnel(cos(critical - 1e-6), 1.0 / water) < 0.999);
+  assert_true(water_optics_schlick(cos(critical - 1e-6), 1.0 / water) < 0.999);
+  ASSERT_CLOSE(water_optics_critical_rad(water), 0.5 * acos(-1.0), 1e-15);
+}
+
+// Light takes the same path both ways: a ray and its refracted one have the same reflectance.
+TEST(reflectance_is_the_same_both_ways)
+{
+  UNUSED;
+  for (double angle_deg = 0.0; angle_deg < 89.5; angle_deg += 1.0)
+  {
+    const double sine = sin(angle_deg * acos(-1.0) / 180.0) / water; // Snell
+    const double refracted = sqrt(1.0 - sine * sine);
+    const double above = water_optics_fresnel(cos_deg(angle_deg), water);
+    ASSERT_CLOSE(water_optics_fresnel(refracted, 1.0 / water), above, 1e-12);
+    const double schlick = water_optics_schlick(cos_deg(angle_deg), water);
+    ASSERT_CLOSE(water_optics_schlick(refracted, 1.0 / water), schlick, 1e-12);
+  }
+}
+
+// Schlick's curve has the exact ends, and stays near the exact one for water, but is not the same.
+TEST(schlick_is_close_to_fresnel)
+{
+  UNUSED;
+  double largest = 0.0;
+  for (double angle_deg = 0.0; angle_deg <= 90.0; angle_deg += 0.25)
+  {
+    const double cosine = cos_deg(angle_deg);
+    const double apart = water_optics_schlick(cosine, water) - water_optics_fresnel(cosine, water);
+    largest = fmax(largest, fabs(apart));
+  }
+  assert_true(largest > 0.05 && largest < 0.06);
+  ASSERT_CLOSE(water_optics_schlick(1.0, water), 0.0203731878, 1e-9);
+  ASSERT_CLOSE(water_optics_schlick(0.0, water), 1.0, 1e-15);
+}
+
+// No difference of index, no surface: nothing is reflected at any angle; cosines that rounding took
+// out of [0, 1] count as the nearest end.
+TEST(ends_of_the_range_are_safe)
+{
+  UNUSED;
+  for (int i = 0; i <= 10; ++i)
+  {
+    ASSERT_CLOSE(water_optics_fresnel(0.1 * i, 1.0), 0.0, 1e-15);
+  }
+  ASSERT_CLOSE(water_optics_fresnel(1.0 + 1e-9, water), 0.0203731878, 1e-9);
+  ASSERT_CLOSE(water_optics_fresnel(-1e-9, water), 1.0, 1e-15);
+  ASSERT_CLOSE(water_optics_schlick(-1e-9, water), 1.0, 1e-15);
+}
+
+// The shader's functions are the core's.
+TEST(shader_computes_the_same)
+{
+  UNUSED;
+  for (double eta = 0.4; eta < 2.5; eta += 0.05)
+  {
+    for (double cosine = -0.1; cosine < 1.1; cosine += 0.01)
+    {
+      ASSERT_CLOSE(waterFresnel(cosine, eta), water_optics_fresnel(cosine, eta), 1e-14);
+      ASSERT_CLOSE(waterSchlick(cosine, eta), water_optics_schlick(cosine, eta), 1e-14);
+    }
+  }
+  ASSERT_CLOSE(waterFresnel(cos_deg(60.0), water), 0.0596909192, 1e-9);
+  ASSERT_CLOSE(waterFresnel(0.0, 1.0), 0.0, 1e-15);
+}
+
+// From above the other side is the water, from below the air; a constant reflectance is handed on,
+// Fresnel is -1.
+TEST(plan_carries_index_and_reflectance)
+{
+  UNUSED;
+  water_scene scene = lake();
+  ASSERT_CLOSE(plan_of(&scene, NULL).eta, 1.333, 1e-15);
+  ASSERT_CLOSE(plan_of(&scene, NULL).reflectance, -1.0, 0.0);
+  scene.look.reflectance = 0.25;
+  ASSERT_CLOSE(plan_of(&scene, NULL).reflectance, -1.0, 0.0);
+  scene.look.constant_reflectance = true;
+  ASSERT_CLOSE(plan_of(&scene, NULL).reflectance, 0.25, 0.0);
+  scene.plane.normal[2] = -1.0; // now the eye is below
+  ASSERT_CLOSE(plan_of(&scene, NULL).eta, 0.7501875469, 1e-10);
+}
+
+int main(void)
+{
+  const struct CMUnitTest tests[] = {
+    RUN(fresnel_has_the_known_values),
+    RUN(brewster_angle_reflects_one_polarisation),
+    RUN(critical_angle_of_water),
+    RUN(reflectance_is_the_same_both_ways),
+    RUN(schlick_is_close_to_fresnel),
+    RUN(ends_of_the_range_are_safe),
+    RUN(shader_computes_the_same),
+    RUN(plan_carries_index_and_reflectance),
+  };
+  return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// test_plan.c: the plan as a whole: what is refused, in which order, what is decided, and that it
+// is a pure function.
+#include "test_scene.h"
+
+static void assert_status(const water_scene* scene, water_status expected)
+{
+  water_plan plan;
+  water_fate fate = WATER_FATE_COUNT;
+  memset(&plan, 0xff, sizeof plan);
+  const water_status status = water_plan_make(scene, &plan, &fate);
+  assert_string_equal(water_status_text(status), water_status_text(expected));
+  assert_int_equal(plan.decision, WATER_NO_REFLECT_FAILED);
+  assert_int_equal(fate, WATER_FATE_COUNT);
+}
+
+static water_decision decision_of(const water_scene* scene)
+{
+  water_plan plan;
+  water_fate fate = WATER_FATE_COUNT;
+  assert_int_equal(water_plan_make(scene, &plan, &fate), WATER_OK);
+  assert_int_equal(fate == WATER_FATE_COUNT, plan.decision != WATER_REFLECT);
+  return plan.decision;
+}
+
+// A lake with one prop over it, on which the fates can be seen.
+static water_scene lake_with_prop(void)
+{
+  static const water_prop tree = { { -1.0, 1.0, 2.0, 4.0, 0.0, 3.0 }, WATER_PROP_VISIBLE };
+  water_scene scene = lake();
+  scene.props = &tree;
+  scene.prop_count = 1;
+  return scene;
+}
+
+// A scene with everything wrong reports the first fault of the list; repaired one by one, the next.
+TEST(faults_are_reported_in_the_order_of_the_list)
+{
+  UNUSED;
+  const double nan_value = (double)NAN;
+  const water_prop bad = { { nan_value, 1.0, 0.0, 1.0, 0.0, 1.0 }, WATER_PROP_VISIBLE };
+  const water_scene good = lake();
+  water_scene scene = good;
+  scene.plane.normal[2] = 0.0;
+  scene.surface_bounds[0] = 20.0;
+  scene.viewport_px[1] = 0;
+  scene.texture_scale = 0.0;
+  scene.clip_margin = -1.0;
+  scene.look.index_of_refraction = 0.9;
+  scene.look.reflectance = 1.5;
+  scene.eye.world_to_view[0] = nan_value;
+  scene.props = &bad;
+  scene.prop_count = 1;
+  assert_status(&scene, WATER_BAD_PLANE);
+  scene.plane = good.plane;
+  assert_status(&scene, WATER_BAD_SURFACE);
+  scene.surface_bounds[0] = good.surface_bounds[0];
+  assert_status(&scene, WATER_BAD_VIEWPORT);
+  scene.viewport_px[1] = 600;
+  assert_status(&scene, WATER_BAD_TEXTURE_SCALE);
+  scene.texture_scale = 100.0;
+  assert_status(&scene, WATER_TEXTURE_TOO_LARGE);
+  scene.texture_scale = 1.0;
+  assert_status(&scene, WATER_BAD_CLIP_MARGIN);
+  scene.clip_margin = 0.0;
+  assert_status(&scene, WATER_BAD_INDEX);
+  scene.look.index_of_refraction = 1.0;
+  assert_status(&scene, WATER_BAD_REFLECTANCE);
+  scene.look.reflectance = 1.0;
+  assert_status(&scene, WATER_BAD_CAMERA);
+  scene.eye = good.eye;
+  scene.plane.offset = -5.0; // at the height of the eye
+  assert_status(&scene, WATER_CAMERA_ON_PLANE);
+  scene.plane.offset = 0.0;
+  assert_status(&scene, WATER_BAD_PROP_BOUNDS);
+  scene.props = NULL;
+  scene.prop_count = 0;
+  assert_int_equal(plan_of(&scene, NULL).decision, WATER_REFLECT);
+}
+
+// NaN or infinity in any number of the scene has the status of the part it stands in.
+TEST(numbers_that_are_not_finite_are_named)
+{
+  UNUSED;
+  const double bad[3] = { (double)NAN, (double)INFINITY, -(double)INFINITY };
+  for (int i = 0; i < 3; ++i)
+  {
+    water_scene scene;
+    for (int j = 0; j < 6; ++j)
+    {
+      scene = lake_with_prop();
+      scene.surface_bounds[j] = bad[i];
+      assert_status(&scene, WATER_BAD_SURFACE);
+      const water_prop prop = { { bad[i], bad[i], bad[i], bad[i], bad[i], bad[i] }, 1 };
+      water_prop one = { { 0.0, 1.0, 0.0, 1.0, 0.0, 1.0 }, WATER_PROP_VISIBLE };
+      one.bounds[j] = prop.bounds[j];
+      scene = lake();
+      scene.props = &one;
+      scene.prop_count = 1;
+      assert_status(&scene, WATER_BAD_PROP_BOUNDS);
+    }
+    for (int j = 0; j < 16; ++j)
+    {
+      scene = lake_with_prop();
+      scene.eye.world_to_view[j] = bad[i];
+      assert_status(&scene, WATER_BAD_CAMERA);
+      scene = lake_with_prop();
+      scene.eye.view_to_clip[j] = bad[i];
+      assert_status(&scene, WATER_BAD_CAMERA);
+    }
+    scene = lake_with_prop();
+    scene.plane.offset = bad[i];
+    assert_status(&scene, WATER_BAD_PLANE);
+    scene = lake_with_prop();
+    scene.plane.normal[0] = bad[i];
+    assert_status(&scene, WATER_BAD_PLANE);
+    scene = lake_with_prop();
+    scene.texture_scale = bad[i];
+    assert_status(&scene, WATER_BAD_TEXTURE_SCALE);
+    scene = lake_with_prop();
+    scene.clip_margin = bad[i];
+    assert_status(&scene, WATER_BAD_CLIP_MARGIN);
+    scene = lake_with_prop();
+    scene.look.index_of_refraction = bad[i];
+    assert_status(&scene, WATER_BAD_INDEX);
+    scene = lake_with_prop();
+    scene.look.reflectance = bad[i];
+    assert_status(&scene, WATER_BAD_REFLECTANCE);
+  }
+}
+
+// Water in view reflects; looked away from, or with a reflectance of 0, it does not, which is no
+// error, and the fates stay as they were.
+TEST(decision_says_why_nothing_is_drawn)
+{
+  UNUSED;
+  water_scene scene = lake_with_prop();
+  assert_int_equal(decision_of(&scene), WATER_REFLECT);
+  scene.look.reflectance = 0.0; // Fresnel is in use: of no importance
+  assert_int_equal(decision_of(&scene), WATER_REFLECT);
+  scene.look.constant_reflectance = true;
+  assert_int_equal(decision_of(&scene), WATER_NO_REFLECT_NO_REFLECTANCE);
+  scene.look.reflectance = 1e-3;
+  assert_int_equal(decision_of(&scene), WATER_REFLECT);
+  const double eye[3] = { 0.0, -10.0, 5.0 };
+  const double away[3] = { 0.0, -20.0, 10.0 };
+  const double up[3] = { 0.0, 0.0, 1.0 };
+  look_at(eye, away, up, scene.eye.world_to_view);
+  assert_int_equal(decision_of(&scene), WATER_NO_REFLECT_OUT_OF_VIEW);
+}
+
+// A prop with bad bounds does not matter while nothing is drawn.
+TEST(props_are_not_looked_at_when_nothing_is_drawn)
+{
+  UNUSED;
+  const water_prop bad = { { (double)NAN, 1.0, 0.0, 1.0, 0.0, 1.0 }, WATER_PROP_VISIBLE };
+  water_scene scene = lake();
+  scene.props = &bad;
+  scene.prop_count = 1;
+  scene.look.constant_reflectance = true;
+  assert_int_equal(decision_of(&scene), WATER_NO_REFLECT_NO_REFLECTANCE);
+}
+
+// Same scene, same plan, bit by bit; and the scene is not written to.
+TEST(plan_is_a_pure_function)
+{
+  UNUSED;
+  dice from = dice_seeded(24);
+  const double center[3] = { 0.0, 0.0, 0.0 };
+  for (int round = 0; round < 100; ++round)
+  {
+    const random_scene random = scene_rolled(&from, round, center);
+    water_scene copy;
+    water_plan first;
+    water_plan second;
+    memset(&first, 0x00, sizeof first);
+    memset(&second, 0xff, sizeof second);
+    memcpy(&copy, &random.scene, sizeof copy);
+    assert_int_equal(water_plan_make(&random.scene, &first, NULL), WATER_OK);
+    assert_int_equal(water_plan_make(&random.scene, &second, NULL), WATER_OK);
+    assert_memory_equal(&copy, &random.scene, sizeof copy);
+    assert_int_equal(first.decision, WATER_REFLECT);
+    assert_memory_equal(first.world_to_texture, second.world_to_texture,
+      sizeof first - offsetof(water_plan, world_to_texture));
+    assert_memory_equal(first.clip_plane_window, second.clip_plane_window,
+      sizeof first.clip_plane_window);
+    assert_memory_equal(first.texture_rect_px, second.texture_rect_px,
+      sizeof first.texture_rect_px);
+  }
+}
+
+// Turning the plane over moves the eye to its other side and changes nothing else of the picture:
+// the scene is mirrored where the eye is, whichever side the normal calls up.
+TEST(turning_the_plane_over_only_changes_the_side)
+{
+  UNUSED;
+  dice from = dice_seeded(25);
+  const double center[3] = { 1.0, 2.0, 3.0 };
+  for (int round = 0; round < 300; ++round)
+  {
+    random_scene random = scene_rolled(&from, round, center);
+    const water_plan plan = plan_of(&random.scene, NULL);
+    for (int i = 0; i < 3; ++i)
+    {
+      random.scene.plane.normal[i] *= -1.0;
+    }
+    random.scene.plane.offset *= -1.0;
+    const water_plan turned = plan_of(&random.scene, NULL);
+    assert_int_equal(turned.side, plan.side == WATER_ABOVE ? WATER_BELOW : WATER_ABOVE);
+    for (int i = 0; i < 16; ++i)
+    {
+      ASSERT_CLOSE(turned.world_to_texture[i], plan.world_to_texture[i], 0.0);
+    }
+    for (int i = 0; i < 4; ++i)
+    {
+      ASSERT_CLOSE(turned.plane_clip[i], plan.plane_clip[i], 0.0);
+      ASSERT_CLOSE(turned.clip_plane_window[i], plan.clip_plane_window[i], 0.0);
+    }
+    ASSERT_CLOSE(turned.eta * plan.eta, 1.0, 1e-15);
+  }
+}
+
+int main(void)
+{
+  const struct CMUnitTest tests[] = {
+    RUN(faults_are_reported_in_the_order_of_the_list),
+    RUN(numbers_that_are_not_finite_are_named),
+    RUN(decision_says_why_nothing_is_drawn),
+    RUN(props_are_not_looked_at_when_nothing_is_drawn),
+    RUN(plan_is_a_pure_function),
+    RUN(turning_the_plane_over_only_changes_the_side),
+  };
+  return cmocka_run_group_tests(tests, NULL, NULL);
+}

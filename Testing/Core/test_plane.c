@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// test_plane.c: step 1: the plane, its mirror, its axes and its sheet.
+#include "test_scene.h"
+
+#include "water_plane.h"
+
+static const double far_away[3] = { 5e6, -4e6, 300.0 };
+
+// z = 3 written with a normal of any length: a point at z = 5 is 2 above it.
+TEST(heights_are_distances_for_normals_of_any_length)
+{
+  UNUSED;
+  const double lengths[4] = { 1.0, 2.0, 1e-200, 1e200 };
+  const double point[3] = { 7.0, -8.0, 5.0 };
+  for (int i = 0; i < 4; ++i)
+  {
+    const water_plane plane = { { 0.0, 0.0, lengths[i] }, -3.0 * lengths[i] };
+    water_plane unit;
+    assert_int_equal(water_plane_normalise(&plane, &unit), WATER_OK);
+    ASSERT_CLOSE(unit.normal[2], 1.0, 1e-15);
+    ASSERT_CLOSE(water_plane_height(&unit, point), 2.0, 1e-14);
+  }
+}
+
+// No direction or no finite number: no plane, and the output is left alone.
+TEST(planes_without_direction_are_refused)
+{
+  UNUSED;
+  const double bad = (double)NAN;
+  const double huge = (double)INFINITY;
+  const water_plane cases[] = { { { 0.0, 0.0, 0.0 }, 1.0 }, { { bad, 0.0, 1.0 }, 0.0 },
+    { { 0.0, bad, 1.0 }, 0.0 }, { { 0.0, 0.0, huge }, 0.0 }, { { 0.0, 0.0, 1.0 }, bad },
+    { { 0.0, 0.0, 1.0 }, huge }, { { 0.0, 0.0, 1e-300 }, 1e300 } };
+  for (size_t i = 0; i < sizeof cases / sizeof cases[0]; ++i)
+  {
+    water_plane unit = { { 1.0, 2.0, 3.0 }, 4.0 };
+    assert_int_equal(water_plane_normalise(&cases[i], &unit), WATER_BAD_PLANE);
+    assert_true(unit.normal[0] == 1.0 && unit.offset == 4.0);
+  }
+}
+
+// Mirrored at z = 3, the point (1, 2, 5) is (1, 2, 1).
+TEST(mirror_sends_a_known_point_where_it_belongs)
+{
+  UNUSED;
+  const water_plane unit = { { 0.0, 0.0, 1.0 }, -3.0 };
+  const double point[3] = { 1.0, 2.0, 5.0 };
+  double mirror[16];
+  double image[4];
+  water_plane_mirror_matrix(&unit, mirror);
+  apply(mirror, point, 1.0, image);
+  assert_true(image[0] == 1.0 && image[1] == 2.0 && image[2] == 1.0 && image[3] == 1.0);
+}
+
+// A point and its image have the plane halfway between them and the normal as their direction;
+// mirroring twice is nothing; a mirror turns right hands into left ones (determinant -1).
+TEST(mirror_is_a_reflection_at_any_plane)
+{
+  UNUSED;
+  dice from = dice_seeded(2);
+  for (int round = 0; round < 1000; ++round)
+  {
+    const random_scene random = scene_rolled(&from, round, far_away);
+    water_plane unit;
+    double mirror[16];
+    double point[3];
+    double image[4];
+    double again[4];
+    double apart[3];
+    double middle[3];
+    double across[3];
+    assert_int_equal(water_plane_normalise(&random.scene.plane, &unit), WATER_OK);
+    water_plane_mirror_matrix(&unit, mirror);
+    point_near(&from, &random, 50.0, point);
+    apply(mirror, point, 1.0, image);
+    apply(mirror, image, 1.0, again);
+    for (int i = 0; i < 3; ++i)
+    {
+      apart[i] = image[i] - point[i];
+      middle[i] = 0.5 * (image[i] + point[i]);
+      ASSERT_CLOSE(again[i], point[i], 1e-7);
+    }
+    cross(apart, random.normal, across);
+    ASSERT_CLOSE(sqrt(dot(across, across)), 0.0, 1e-7);
+    ASSERT_CLOSE(height_of(&random, middle), 0.0, 1e-7);
+    ASSERT_CLOSE(determinant3(mirror), -1.0, 1e-14);
+  }
+}
+
+// A level sheet has the world's axes; a wall facing x takes the world's y; one facing y the world's
+// x.
+TEST(axes_of_known_planes)
+{
+  UNUSED;
+  const double normals[4][3] = { { 0, 0, 1 }, { 1, 0, 0 }, { 0, 1, 0 }, { -0.6, 0, 0.8 } };
+  const double xs[4][3] = { { 1, 0, 0 }, { 0, 1, 0 }, { 1, 0, 0 }, { 0.8, 0, 0.6 } };
+  const double ys[4][3] = { { 0, 1, 0 }, { 0, 0, 1 }, { 0, 0, -1 }, { 0, 1, 0 } };
+  for (int number = 0; number < 4; ++number)
+  {
+    double x_dir[3];
+    double y_dir[3];
+    water_plane_axes(normals[number], x_dir, y_dir);
+    for (int i = 0; i < 3; ++i)
+    {
+      ASSERT_CLOSE(x_dir[i], xs[number][i], 1e-15);
+      ASSERT_CLOSE(y_dir[i], ys[number][i], 1e-15);
+    }
+  }
+}
+
+// Axes of any plane: unit length, in the plane, right-handed with the normal, and never near a
+// degenerate choice: x_dir stays within 45 degrees of the axis it was made from.
+TEST(axes_are_a_right_handed_frame)
+{
+  UNUSED;
+  dice from = dice_seeded(3);
+  for (int round = 0; round < 1000; ++round)
+  {
+    double frame[16] = { 0.0 };
+    double normal[3];
+    dice_dir(&from, normal);
+    water_plane_axes(normal, frame, frame + 4);
+    memcpy(frame + 8, normal, sizeof normal);
+    ASSERT_CLOSE(dot(frame, frame), 1.0, 1e-14);
+    ASSERT_CLOSE(dot(frame, normal), 0.0, 1e-14);
+    ASSERT_CLOSE(determinant3(frame), 1.0, 1e-14);
+    assert_true(fmax(frame[0], frame[1]) > 0.707);
+  }
+}
+
+// Over a level plane the sheet of a box is the box's own floor, counted from the origin.
+TEST(sheet_of_a_level_plane_is_the_floor_of_the_box)
+{
+  UNUSED;
+  const double origin[3] = { 100.0, 200.0, 7.0 };
+  const double x_dir[3] = { 1.0, 0.0, 0.0 };
+  const double y_dir[3] = { 0.0, 1.0, 0.0 };
+  const double bounds[6] = { 90.0, 130.0, 195.0, 260.0, -5.0, 5.0 };
+  const double expected[12] = { 90, 195, 7, 130, 195, 7, 130, 260, 7, 90, 260, 7 };
+  double sheet[4];
+  double corners[12];
+  assert_int_equal(water_sheet_bounds(origin, x_dir, y_dir, bounds, sheet), WATER_OK);
+  water_sheet_corners(origin, x_dir, y_dir, sheet, corners);
+  for (int i = 0; i < 12; ++i)
+  {
+    ASSERT_CLOSE(corners[i], expected[i], 1e-12);
+  }
+}
+
+// Over any plane the sheet covers the box (no point of it projects outside), touches it on all four
+// sides, lies in the plane, and turns counter-clockwise about the normal.
+TEST(sheet_of_any_plane_covers_the_box_tightly)
+{
+  UNUSED;
+  dice from = dice_seeded(4);
+  for (int round = 0; round < 500; ++round)
+  {
+    const random_scene random = scene_rolled(&from, round, far_away);
+    const double* box = random.scene.surface_bounds;
+    double x_dir[3];
+    double y_dir[3];
+    double sheet[4];
+    double corners[12];
+    double first[3];
+    double second[3];
+    double turn[3];
+    double extreme[4] = { 1e9, -1e9, 1e9, -1e9 };
+    water_plane_axes(random.normal, x_dir, y_dir);
+    assert_int_equal(water_sheet_bounds(random.target, x_dir, y_dir, box, sheet), WATER_OK);
+    for (int number = 0; number < 8; ++number)
+    {
+      const double arm[3] = { box[number & 1] - random.target[0],
+        box[2 + ((number >> 1) & 1)] - random.target[1],
+        box[4 + ((number >> 2) & 1)] - random.target[2] };
+      extreme[0] = fmin(extreme[0], dot(arm, x_dir));
+      extreme[1] = fmax(extreme[1], dot(arm, x_dir));
+      extreme[2] = fmin(extreme[2], dot(arm, y_dir));
+      extreme[3] = fmax(extreme[3], dot(arm, y_dir));
+    }
+    for (int i = 0; i < 4; ++i)
+    {
+      ASSERT_CLOSE(sheet[i], extreme[i], 1e-9);
+    }
+    water_sheet_corners(random.target, x_dir, y_dir, sheet, corners);
+    for (int i = 0; i < 3; ++i)
+    {
+      first[i] = corners[3 + i] - corners[i];
+      second[i] = corners[6 + i] - corners[3 + i];
+    }
+    cross(first, second, turn);
+    const double area = (sheet[1] - sheet[0]) * (sheet[3] - sheet[2]);
+    ASSERT_CLOSE(dot(turn, random.normal), area, 1e-6 * area);
+    ASSERT_CLOSE(height_of(&random, corners + 9), 0.0, 1e-8);
+  }
+}
+
+// Bounds that are empty or not finite make no sheet, nor do such whose sheet is not finite.
+TEST(sheet_needs_bounds)
+{
+  UNUSED;
+  const double origin[3] = { 0.0, 0.0, 0.0 };
+  const double x_dir[3] = { 0.8, 0.6, 0.0 };
+  const double y_dir[3] = { -0.6, 0.8, 0.0 };
+  const double cases[5][6] = { { 1, -1, 1, -1, 1, -1 }, { 0, 1.5e308, 0, 1.5e308, 0, 1 },
+    { 0, 1, 0, 1, 3, 2 }, { 0, (double)INFINITY, 0, 1, 0, 1 }, { 0, 1, (double)NAN, 1, 0, 1 } };
+  for (int number = 0; number < 5; ++number)
+  {
+    double sheet[4] = { 5.0, 6.0, 7.0, 8.0 };
+    assert_int_equal(water_sheet_bounds(origin, x_dir, y_dir, cases[number], sheet),
+      WATER_BAD_SURFACE);
+    assert_true(sheet[0] == 5.0 && sheet[3] == 8.0);
+  }
+}
+
+int main(void)
+{
+  const struct CMUnitTest tests[] = {
+    RUN(heights_are_distances_for_normals_of_any_length),
+    RUN(planes_without_direction_are_refused),
+    RUN(mirror_sends_a_known_point_where_it_belongs),
+    RUN(mirror_is_a_reflection_at_any_plane),
+    RUN(axes_of_known_planes),
+    RUN(axes_are_a_right_handed_frame),
+    RUN(sheet_of_a_level_plane_is_the_floor_of_the_box),
+    RUN(sheet_of_any_plane_covers_the_box_tightly),
+    RUN(sheet_needs_bounds),
+  };
+  return cmocka_run_group_tests(tests, NULL, NULL);
+}

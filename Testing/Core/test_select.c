@@ -1,0 +1,360 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// test_select.c: step 3: side of the eye, is the water seen, fate of each prop.
+#include "test_scene.h"
+
+#include "water_select.h"
+
+static const double nearby[3] = { 1.0, 2.0, 3.0 };
+enum
+{
+  visible = WATER_PROP_VISIBLE
+};
+
+// Moves the eye of a scene to (x, y, z), looking at (x, y + 1, z + slope).
+static void stand_at(water_scene* scene, double x, double y, double z, double slope)
+{
+  const double eye[3] = { x, y, z };
+  const double target[3] = { x, y + 1.0, z + slope };
+  const double up[3] = { 0.0, 0.0, 1.0 };
+  look_at(eye, target, up, scene->eye.world_to_view);
+}
+
+static void make_parallel(water_scene* scene)
+{
+  const double box[4] = { -10.0, 10.0, -10.0, 10.0 };
+  ortho_matrix(box, 1.0, 1000.0, scene->eye.view_to_clip);
+  scene->eye.parallel = true;
+}
+
+// An eye over the water is above, one under it below, also when the plane is given upside down
+// (then the other way round).
+TEST(perspective_side_is_where_the_eye_is)
+{
+  UNUSED;
+  water_scene scene = lake();
+  assert_int_equal(plan_of(&scene, NULL).side, WATER_ABOVE);
+  stand_at(&scene, 0.0, -10.0, -5.0, 0.5);
+  assert_int_equal(plan_of(&scene, NULL).side, WATER_BELOW);
+  scene.plane.normal[2] = -2.0;
+  assert_int_equal(plan_of(&scene, NULL).side, WATER_ABOVE);
+}
+
+// A parallel eye is on the side it looks from, wherever it stands: a camera under the plane that
+// looks down shows the water from above.
+TEST(parallel_side_is_where_the_view_comes_from)
+{
+  UNUSED;
+  water_scene scene = lake();
+  make_parallel(&scene);
+  for (int height = -5; height <= 5; height += 5)
+  {
+    stand_at(&scene, 0.0, -10.0, height, -0.5);
+    assert_int_equal(plan_of(&scene, NULL).side, WATER_ABOVE);
+    stand_at(&scene, 0.0, -10.0, height, 0.5);
+    assert_int_equal(plan_of(&scene, NULL).side, WATER_BELOW);
+  }
+}
+
+// A parallel view along the water sees nothing of it, which is no error; a tilt of a millionth of a
+// degree does.
+TEST(parallel_view_along_the_water_is_edge_on)
+{
+  UNUSED;
+  water_scene scene = lake();
+  make_parallel(&scene);
+  stand_at(&scene, 0.0, -100.0, 0.0, 0.0);
+  water_plan plan;
+  assert_int_equal(water_plan_make(&scene, &plan, NULL), WATER_OK);
+  assert_int_equal(plan.decision, WATER_NO_REFLECT_EDGE_ON);
+  stand_at(&scene, 0.0, -100.0, 0.0, -2e-8);
+  assert_int_equal(plan_of(&scene, NULL).decision, WATER_REFLECT);
+
+  dice from = dice_seeded(27); // along any water, where rounding leaves no exact zero
+  for (int round = 0; round < 300; ++round)
+  {
+    random_scene random = scene_rolled(&from, 3 * round + 2, nearby);
+    double normal[3];
+    dice_dir(&from, normal);
+    cross(random.view_dir, normal, random.scene.plane.normal);
+    assert_int_equal(water_plan_make(&random.scene, &plan, NULL), WATER_OK);
+    assert_int_equal(plan.decision, WATER_NO_REFLECT_EDGE_ON);
+  }
+}
+
+// An eye whose height is only rounding is on the plane, on any plane and 5000 km out; a hair off
+// it, a thousand roundings, it is not, and is on the right side.
+TEST(eye_on_the_plane_is_told_from_rounding)
+{
+  UNUSED;
+  dice from = dice_seeded(19);
+  const double far_away[3] = { 5e6, -4e6, 300.0 };
+  for (int round = 0; round < 600; ++round)
+  {
+    const random_scene random = scene_rolled(&from, 3 * round, round % 2 ? far_away : nearby);
+    const double hair = round % 2 ? 1e-5 : 1e-11;
+    water_scene scene = random.scene;
+    water_plan plan;
+    const double* given = scene.plane.normal;
+    const double length = sqrt(dot(given, given));
+    const double to_eye = dot(given, random.normal) > 0.0 ? 1.0 : -1.0;
+    scene.plane.offset = -dot(given, random.eye);
+    assert_int_equal(water_plan_make(&scene, &plan, NULL), WATER_CAMERA_ON_PLANE);
+    assert_int_equal(plan.decision, WATER_NO_REFLECT_FAILED);
+    scene.plane.offset += length * hair * to_eye;
+    water_status status = water_plan_make(&scene, &plan, NULL);
+    assert_int_equal(status, WATER_OK);
+    assert_int_equal(plan.side, to_eye > 0.0 ? WATER_ABOVE : WATER_BELOW);
+  }
+}
+
+// Each flag has its fate, and of several flags the first of the list counts.
+TEST(flags_decide_in_their_order)
+{
+  UNUSED;
+  const water_scene scene = lake();
+  enum
+  {
+    water = WATER_PROP_IS_WATER,
+    marked = WATER_PROP_NOT_REFLECTED,
+    overlay = WATER_PROP_OVERLAY,
+    label = WATER_PROP_LABEL,
+    endless = WATER_PROP_NO_BOUNDS
+  };
+  const uint32_t flags[] = { visible, 0, visible | water, visible | marked, visible | overlay,
+    visible | label, visible | endless, water | marked, visible | water | marked | endless,
+    visible | marked | overlay, visible | overlay | label, visible | label | endless };
+  const water_fate expected[] = { WATER_DRAW, WATER_SKIP_INVISIBLE, WATER_SKIP_WATER,
+    WATER_SKIP_NOT_REFLECTED, WATER_SKIP_OVERLAY, WATER_SKIP_LABEL, WATER_DRAW,
+    WATER_SKIP_INVISIBLE, WATER_SKIP_WATER, WATER_SKIP_NOT_REFLECTED, WATER_SKIP_OVERLAY,
+    WATER_SKIP_LABEL };
+  for (size_t i = 0; i < sizeof flags / sizeof flags[0]; ++i)
+  {
+    const water_prop prop = { { -1, 1, -1, 1, 1, 2 }, flags[i] };
+    water_scene with = scene;
+    water_fate fate = WATER_FATE_COUNT;
+    with.props = &prop;
+    with.prop_count = 1;
+    (void)plan_of(&with, &fate);
+    assert_string_equal(water_fate_text(fate), water_fate_text(expected[i]));
+  }
+}
+
+// Boxes over the lake of lake(): where they are decides; one without bounds is drawn wherever it
+// is.
+TEST(boxes_decide_in_their_order)
+{
+  UNUSED;
+  water_scene scene = lake();
+  scene.clip_margin = 0.5;
+  const water_prop props[] = {
+    { { -1, 1, -1, 1, -1, 2 }, visible },            // across the water
+    { { -1, 1, -1, 1, -3, -0.4 }, visible },         // under it, within the margin
+    { { -1, 1, -1, 1, -3, -0.6 }, visible },         // under the margin
+    { { -1, 1, -1, 1, -3, -0.5 }, visible },         // touches the margin
+    { { 1, -1, 1, -1, 1, -1 }, visible },            // empty
+    { { 0, 1, 0, 1, -3, -4 }, visible },             // empty comes before behind
+    { { -1, 1, -40, -30, 1, 2 }, visible },          // behind the back of the mirrored camera
+    { { 900, 910, 0, 1, 1, 2 }, visible },           // far to the right
+    { { -1, 1, 5000, 5001, 0, 2 }, visible },        // beyond the far plane, which gives way
+    { { -1, 1, -10.1, -9.9, -0.4, -0.3 }, visible }, // close over the mirrored camera: not in view
+    { { 900, 910, 0, 1, 1, 2 }, visible | WATER_PROP_NO_BOUNDS },
+    { { (double)NAN, 1, 0, 1, -9, -8 }, visible | WATER_PROP_NO_BOUNDS },
+  };
+  const water_fate expected[] = { WATER_DRAW, WATER_DRAW, WATER_SKIP_BEHIND_PLANE, WATER_DRAW,
+    WATER_SKIP_EMPTY, WATER_SKIP_EMPTY, WATER_SKIP_OUT_OF_VIEW, WATER_SKIP_OUT_OF_VIEW, WATER_DRAW,
+    WATER_SKIP_OUT_OF_VIEW, WATER_DRAW, WATER_DRAW };
+  water_fate fates[12];
+  scene.props = props;
+  scene.prop_count = 12;
+  (void)plan_of(&scene, fates);
+  for (int i = 0; i < 12; ++i)
+  {
+    assert_string_equal(water_fate_text(fates[i]), water_fate_text(expected[i]));
+  }
+  // between the mirrored camera, 0.2 under the water, and its near plane, 1 ahead: not in view
+  const water_prop near_by = { { -0.1, 0.1, -9.6, -9.5, 0.0, 0.1 }, visible };
+  water_scene low = scene;
+  low.clip_margin = 0.0;
+  low.props = &near_by;
+  low.prop_count = 1;
+  stand_at(&low, 0.0, -10.0, 0.2, 0.0);
+  (void)plan_of(&low, fates);
+  assert_int_equal(fates[0], WATER_SKIP_OUT_OF_VIEW);
+  // seen from below it is the other side that is kept
+  stand_at(&scene, 0.0, -10.0, -5.0, 0.5);
+  const water_prop above = { { -1, 1, -1, 1, 0.6, 3 }, visible };
+  scene.props = &above;
+  scene.prop_count = 1;
+  (void)plan_of(&scene, fates);
+  assert_int_equal(fates[0], WATER_SKIP_BEHIND_PLANE);
+}
+
+// Bounds that are not finite are an error of the first prop that has them, but only if it would be
+// drawn; the fates stay untouched.
+TEST(bounds_that_are_not_finite_name_their_prop)
+{
+  UNUSED;
+  water_scene scene = lake();
+  const double bad = (double)NAN;
+  const double huge = (double)INFINITY;
+  water_prop props[4] = { { { 0, 1, 0, 1, 0, 1 }, visible }, { { bad, 1, 0, 1, 0, 1 }, 0 },
+    { { 0, 1, 0, huge, 0, 1 }, visible }, { { 0, 1, 0, 1, bad, 1 }, visible } };
+  water_fate fates[4] = { WATER_FATE_COUNT, WATER_FATE_COUNT, WATER_FATE_COUNT, WATER_FATE_COUNT };
+  water_plan plan;
+  scene.props = props;
+  scene.prop_count = 4;
+  assert_int_equal(water_plan_make(&scene, &plan, fates), WATER_BAD_PROP_BOUNDS);
+  assert_int_equal(plan.culprit, 2);
+  assert_int_equal(plan.decision, WATER_NO_REFLECT_FAILED);
+  assert_int_equal(fates[0], WATER_FATE_COUNT);
+  props[2].flags |= WATER_PROP_NOT_REFLECTED;
+  assert_int_equal(water_plan_make(&scene, &plan, fates), WATER_BAD_PROP_BOUNDS);
+  assert_int_equal(plan.culprit, 3);
+  props[3].flags = WATER_PROP_VISIBLE | WATER_PROP_IS_WATER;
+  assert_int_equal(water_plan_make(&scene, &plan, fates), WATER_OK);
+}
+
+// A prop with any point that the mirrored camera sees on the kept side is drawn: checked against
+// 64 points of each box. And culling is of use: most boxes that it could drop are dropped.
+TEST(culling_never_drops_what_is_seen)
+{
+  UNUSED;
+  dice from = dice_seeded(20);
+  int seen = 0;
+  int dropped = 0;
+  for (int round = 0; round < 20000; ++round)
+  {
+    random_scene random = scene_rolled(&from, round, nearby);
+    water_prop prop = { { 0.0 }, visible };
+    water_fate fate;
+    double center[3];
+    random.scene.clip_margin = round % 2 ? 0.1 : 0.0;
+    point_near(&from, &random, 30.0, center);
+    for (int i = 0; i < 3; ++i)
+    {
+      const double half = dice_roll(&from, 0.0, round % 5 ? 2.0 : 20.0);
+      prop.bounds[2 * i] = center[i] - half;
+      prop.bounds[2 * i + 1] = center[i] + half;
+    }
+    random.scene.props = &prop;
+    random.scene.prop_count = 1;
+    const water_plan plan = plan_of(&random.scene, &fate);
+    int is_seen = 0;
+    for (int number = 0; number < 64 && !is_seen; ++number)
+    {
+      double point[3];
+      double clip[4];
+      for (int i = 0; i < 3; ++i)
+      {
+        const double part = ((number >> (2 * i)) & 3) / 3.0;
+        point[i] = (1.0 - part) * prop.bounds[2 * i] + part * prop.bounds[2 * i + 1];
+      }
+      project(&plan.mirrored, point, 1.0, clip);
+      is_seen = is_inside(clip) && height_of(&random, point) >= -random.scene.clip_margin;
+    }
+    assert_true(!is_seen || fate == WATER_DRAW);
+    seen += is_seen;
+    dropped += fate != WATER_DRAW;
+  }
+  assert_in_range(seen, 1000, 20000);
+  assert_in_range(dropped, 8 * (20000 - seen) / 10, 20000);
+}
+
+// Water with any point in the eye's frustum is in view: checked against 64 points of each box; and
+// water behind the eye's back, beside its picture or beyond its far plane is not.
+TEST(water_in_view_is_never_out_of_view)
+{
+  UNUSED;
+  dice from = dice_seeded(21);
+  int seen = 0;
+  int out = 0;
+  for (int round = 0; round < 20000; ++round)
+  {
+    random_scene random = scene_rolled(&from, round, nearby);
+    double* bounds = random.scene.surface_bounds;
+    double center[3];
+    point_near(&from, &random, 30.0, center);
+    for (int i = 0; i < 3; ++i)
+    {
+      const double half = dice_roll(&from, 0.0, 3.0);
+      bounds[2 * i] = center[i] - half;
+      bounds[2 * i + 1] = center[i] + half;
+    }
+    const water_plan plan = plan_of(&random.scene, NULL);
+    int is_seen = 0;
+    for (int number = 0; number < 64 && !is_seen; ++number)
+    {
+      double point[3];
+      double clip[4];
+      for (int i = 0; i < 3; ++i)
+      {
+        const double part = ((number >> (2 * i)) & 3) / 3.0;
+        point[i] = (1.0 - part) * bounds[2 * i] + part * bounds[2 * i + 1];
+      }
+      project(&random.scene.eye, point, 1.0, clip);
+      is_seen = is_inside(clip);
+    }
+    assert_true(!is_seen || plan.decision == WATER_REFLECT);
+    seen += is_seen;
+    out += plan.decision == WATER_NO_REFLECT_OUT_OF_VIEW;
+  }
+  assert_in_range(seen, 1000, 20000);
+  assert_in_range(out, 8 * (20000 - seen) / 10, 20000);
+}
+
+// A box that just touches the picture's edge from outside, 5000 km from the origin, is kept: its
+// distance from the edge is smaller than the rounding of its own coordinates.
+TEST(rounding_never_drops)
+{
+  UNUSED;
+  dice from = dice_seeded(22);
+  const double far_away[3] = { 5e6, -4e6, 300.0 };
+  for (int round = 0; round < 3000; ++round)
+  {
+    random_scene random = scene_rolled(&from, 3 * round, far_away); // symmetric, perspective
+    const double* view = random.scene.eye.world_to_view;
+    const double edge[3] = { 0.8, dice_roll(&from, -0.5, 0.5), -1.0 }; // left = right = 0.8
+    const double distance = dice_roll(&from, 1.5, 40.0);
+    for (int i = 0; i < 3; ++i)
+    {
+      const double at = random.eye[i] +
+        distance * (view[i] * edge[0] + view[4 + i] * edge[1] + view[8 + i] * edge[2]);
+      random.scene.surface_bounds[2 * i] = at;
+      random.scene.surface_bounds[2 * i + 1] = at;
+    }
+    assert_int_equal(plan_of(&random.scene, NULL).decision, WATER_REFLECT);
+
+    // the same for a box at the origin, seen on the edge from as far out
+    double* moved = random.scene.eye.world_to_view;
+    const double box[4] = { -0.8, 0.8, -0.6, 0.6 };
+    frustum_matrix(box, 1.0, 1e8, random.scene.eye.view_to_clip);
+    memset(random.scene.surface_bounds, 0, sizeof random.scene.surface_bounds);
+    for (int i = 0; i < 3; ++i)
+    {
+      random.eye[i] = -5e6 * (moved[i] * edge[0] + moved[4 + i] * edge[1] + moved[8 + i] * edge[2]);
+    }
+    for (int i = 0; i < 3; ++i)
+    {
+      moved[4 * i + 3] = -dot(moved + 4 * i, random.eye);
+    }
+    random.scene.plane.offset = 1e9; // away from the eye, wherever that is
+    assert_int_equal(plan_of(&random.scene, NULL).decision, WATER_REFLECT);
+  }
+}
+
+int main(void)
+{
+  const struct CMUnitTest tests[] = {
+    RUN(perspective_side_is_where_the_eye_is),
+    RUN(parallel_side_is_where_the_view_comes_from),
+    RUN(parallel_view_along_the_water_is_edge_on),
+    RUN(eye_on_the_plane_is_told_from_rounding),
+    RUN(flags_decide_in_their_order),
+    RUN(boxes_decide_in_their_order),
+    RUN(bounds_that_are_not_finite_name_their_prop),
+    RUN(culling_never_drops_what_is_seen),
+    RUN(water_in_view_is_never_out_of_view),
+    RUN(rounding_never_drops),
+  };
+  return cmocka_run_group_tests(tests, NULL, NULL);
+}

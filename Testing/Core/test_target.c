@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// test_target.c: step 4: size of the map and the rectangle of it that the water can look up.
+#include "test_scene.h"
+
+#include "water_target.h"
+
+static const double nearby[3] = { 1.0, 2.0, 3.0 };
+
+// An eye 10 over the lake looks straight down, 90 degrees high and wide on 400 x 400 pixels: the
+// picture covers 20 x 20 of the water.
+static water_scene from_above(double xmin, double xmax, double ymin, double ymax, double height)
+{
+  water_scene scene = lake();
+  const double eye[3] = { 0.0, 0.0, 10.0 };
+  const double target[3] = { 0.0, 0.0, 0.0 };
+  const double up[3] = { 0.0, 1.0, 0.0 };
+  const double box[4] = { -1.0, 1.0, -1.0, 1.0 };
+  const double bounds[6] = { xmin, xmax, ymin, ymax, -height, height };
+  look_at(eye, target, up, scene.eye.world_to_view);
+  frustum_matrix(box, 1.0, 100.0, scene.eye.view_to_clip);
+  memcpy(scene.surface_bounds, bounds, sizeof bounds);
+  scene.viewport_px[0] = 400;
+  scene.viewport_px[1] = 400;
+  return scene;
+}
+
+static void assert_rect(const water_scene* scene, int x, int y, int width, int height)
+{
+  const water_plan plan = plan_of(scene, NULL);
+  const int* rect = plan.texture_rect_px;
+  if (rect[0] != x || rect[1] != y || rect[2] != width || rect[3] != height)
+  {
+    print_error("rect is %d %d %d %d\n", rect[0], rect[1], rect[2], rect[3]);
+    fail();
+  }
+}
+
+// Size is picture times scale, rounded to the nearest, never under 1 pixel.
+TEST(size_is_picture_times_scale)
+{
+  UNUSED;
+  const int viewport[2] = { 801, 3 };
+  const double scales[5] = { 1.0, 0.5, 0.25, 2.0, 0.01 };
+  const int expected[5][2] = { { 801, 3 }, { 401, 2 }, { 200, 1 }, { 1602, 6 }, { 8, 1 } };
+  for (int i = 0; i < 5; ++i)
+  {
+    int size[2];
+    assert_int_equal(water_target_size(viewport, scales[i], 4096, size), WATER_OK);
+    assert_int_equal(size[0], expected[i][0]);
+    assert_int_equal(size[1], expected[i][1]);
+    const int upright[2] = { viewport[1], viewport[0] };
+    assert_int_equal(water_target_size(upright, scales[i], 4096, size), WATER_OK);
+    assert_int_equal(size[0], expected[i][1]);
+    assert_int_equal(size[1], expected[i][0]);
+  }
+}
+
+// The GPU's limit itself fits, one pixel more does not, nor does a scale that no int can hold.
+TEST(size_over_the_limit_is_refused)
+{
+  UNUSED;
+  const int viewport[2] = { 100, 4096 };
+  const int wide[2] = { 4097, 100 };
+  int size[2] = { 7, 8 };
+  assert_int_equal(water_target_size(wide, 1.0, 4096, size), WATER_TEXTURE_TOO_LARGE);
+  assert_int_equal(water_target_size(viewport, 1.001, 4096, size), WATER_TEXTURE_TOO_LARGE);
+  assert_int_equal(water_target_size(viewport, 1e300, 4096, size), WATER_TEXTURE_TOO_LARGE);
+  assert_int_equal(water_target_size(viewport, 1.0, 0, size), WATER_TEXTURE_TOO_LARGE);
+  assert_int_equal(size[0], 7);
+  assert_int_equal(water_target_size(viewport, 1.0, 4096, size), WATER_OK);
+}
+
+// Seen straight down, a pond from x = 2 to 6 and y = 0 to 5 covers pixels 240 to 320 of the
+// picture, so 80 to 160 of the map (flipped), and rows 200 to 300; two texels are added all around.
+TEST(rect_of_a_known_pond_is_tight_and_flipped)
+{
+  UNUSED;
+  const water_scene pond = from_above(2.0, 6.0, 0.0, 5.0, 0.0);
+  assert_rect(&pond, 78, 198, 84, 104);
+  water_scene half = pond;
+  half.texture_scale = 0.5;
+  assert_rect(&half, 38, 98, 44, 54);
+}
+
+// A pond that is 1 higher at one place looks lower there: heights of -1 to 1 are seen 9 to 11 away,
+// so the far corner reaches 6 / 9 of the half picture and the near one begins at 2 / 11.
+TEST(rect_of_a_rough_pond_covers_the_mirror_images)
+{
+  UNUSED;
+  water_scene pond = from_above(2.0, 6.0, 0.0, 5.0, 1.0);
+  // x: 200 - 200 * 6/9 = 66.7, 200 - 200 * 2/11 = 163.6; y: 200, 200 + 200 * 5/9 = 311.1
+  assert_rect(&pond, 64, 198, 102, 116);
+  // only upwards: the box is seen 9 to 10 away, its images 10 to 11
+  pond.surface_bounds[4] = 0.0;
+  assert_rect(&pond, 64, 198, 102, 116);
+}
+
+// Water beside the picture, which a plan does not ask for, still has a rectangle within the map.
+TEST(rect_is_never_empty)
+{
+  UNUSED;
+  for (int side = 0; side < 4; ++side)
+  {
+    const double far_out = side % 2 ? 40.0 : -40.0;
+    const double x = side < 2 ? far_out : 0.0;
+    const double y = side < 2 ? 0.0 : far_out;
+    const water_scene scene = from_above(x - 1.0, x + 1.0, y - 1.0, y + 1.0, 0.0);
+    const int size[2] = { 400, 400 };
+    const water_plane level = { { 0.0, 0.0, 1.0 }, 0.0 };
+    int rect[4];
+    water_target_rect(&scene.eye, &level, scene.surface_bounds, size, rect);
+    for (int i = 0; i < 2; ++i)
+    {
+      assert_in_range(rect[i], 0, 399);
+      assert_in_range(rect[2 + i], 1, 400 - rect[i]);
+    }
+  }
+}
+
+// Water that fills the picture, or reaches behind the eye, takes what the picture has of it: all of
+// it, or for a lake with its horizon in the middle of the picture the half below.
+TEST(rect_is_clamped_to_the_map)
+{
+  UNUSED;
+  const water_scene all = from_above(-500.0, 500.0, -500.0, 500.0, 0.0);
+  assert_rect(&all, 0, 0, 400, 400);
+  water_scene around = all;
+  const double eye[3] = { 0.0, 0.0, 10.0 };
+  const double ahead[3] = { 0.0, 1.0, 10.0 };
+  const double up[3] = { 0.0, 0.0, 1.0 };
+  look_at(eye, ahead, up, around.eye.world_to_view);
+  // the shore 500 ahead is 10 / 500 of the half picture under the horizon: row 196, and 2 of
+  // padding
+  assert_rect(&around, 0, 0, 400, 198);
+}
+
+// Waves higher than the eye mirror points behind it: all of the map, as they have no picture.
+TEST(rect_is_all_of_the_map_where_there_is_no_picture)
+{
+  UNUSED;
+  water_scene scene = from_above(2.0, 6.0, 0.0, 5.0, 0.0);
+  scene.surface_bounds[4] = -12.0; // its mirror image is 2 over the eye
+  assert_rect(&scene, 0, 0, 400, 400);
+}
+
+// Whatever the eye sees of the water looks up a pixel of the rectangle: points of the box that are
+// in the picture, their own pixel and that of their mirror image. The rectangle lies within the
+// map.
+TEST(rect_covers_every_lookup)
+{
+  UNUSED;
+  dice from = dice_seeded(23);
+  int looked_up = 0;
+  int saved = 0;
+  for (int round = 0; round < 5000; ++round)
+  {
+    random_scene random = scene_rolled(&from, round, nearby);
+    const double* bounds = random.scene.surface_bounds;
+    for (int i = 0; i < 6; ++i)
+    {
+      random.scene.surface_bounds[i] =
+        random.target[i / 2] + (i % 2 ? 1.0 : -1.0) * dice_roll(&from, 0.0, 3.0);
+    }
+    random.scene.texture_scale = dice_roll(&from, 0.3, 2.0);
+    const water_plan plan = plan_of(&random.scene, NULL);
+    const int* rect = plan.texture_rect_px;
+    assert_true(rect[0] >= 0 && rect[1] >= 0 && rect[2] >= 1 && rect[3] >= 1);
+    assert_true(rect[0] + rect[2] <= plan.texture_px[0]);
+    assert_true(rect[1] + rect[3] <= plan.texture_px[1]);
+    saved += rect[2] < plan.texture_px[0] && rect[3] < plan.texture_px[1];
+    for (int number = 0; number < 125; ++number)
+    {
+      const int steps[3] = { number % 5, number / 5 % 5, number / 25 };
+      double point[3];
+      double image[3];
+      double clip[4];
+      for (int i = 0; i < 3; ++i)
+      {
+        point[i] = bounds[2 * i] + (bounds[2 * i + 1] - bounds[2 * i]) * 0.25 * (double)steps[i];
+      }
+      project(&random.scene.eye, point, 1.0, clip);
+      if (!is_inside(clip))
+      {
+        continue;
+      }
+      mirror_image(&random, point, image);
+      for (int pass = 0; pass < 2; ++pass)
+      {
+        project(&random.scene.eye, pass ? image : point, 1.0, clip);
+        const double x = (0.5 - 0.5 * clip[0] / clip[3]) * plan.texture_px[0];
+        const double y = (0.5 + 0.5 * clip[1] / clip[3]) * plan.texture_px[1];
+        if (clip[3] > 0.0 && x >= 0.0 && x <= plan.texture_px[0] && y >= 0.0 &&
+          y <= plan.texture_px[1])
+        {
+          assert_true(x >= rect[0] && x <= rect[0] + rect[2]);
+          assert_true(y >= rect[1] && y <= rect[1] + rect[3]);
+          ++looked_up;
+        }
+      }
+    }
+  }
+  assert_in_range(looked_up, 100000, 2000000);
+  assert_in_range(saved, 1000, 5000);
+}
+
+int main(void)
+{
+  const struct CMUnitTest tests[] = {
+    RUN(size_is_picture_times_scale),
+    RUN(size_over_the_limit_is_refused),
+    RUN(rect_of_a_known_pond_is_tight_and_flipped),
+    RUN(rect_of_a_rough_pond_covers_the_mirror_images),
+    RUN(rect_is_never_empty),
+    RUN(rect_is_clamped_to_the_map),
+    RUN(rect_is_all_of_the_map_where_there_is_no_picture),
+    RUN(rect_covers_every_lookup),
+  };
+  return cmocka_run_group_tests(tests, NULL, NULL);
+}
