@@ -5,7 +5,9 @@
 
 #include <cstdint>
 #include <cstdlib>
+#include <mutex>
 #include <sstream>
+#include <type_traits>
 
 #include <dlfcn.h>
 #include <unistd.h>
@@ -44,6 +46,9 @@ constexpr EGLEnum EGL_PLATFORM_DEVICE_EXT = 0x313F;
 constexpr const char* PackageHint = "; the Debian packages libegl1 and libegl-mesa0 provide it";
 
 // libEGL, its functions and the process' display. Lives to the end of the process.
+//
+// The display is tried out first and opened again by the first window: a process may look for
+// EGL, fork its workers and render in these, but not fork once the driver's threads run.
 struct Library
 {
   EGLBoolean (*BindAPI)(EGLEnum) = nullptr;
@@ -60,21 +65,26 @@ struct Library
   EGLBoolean (*Initialize)(EGLHandle, EGLInt*, EGLInt*) = nullptr;
   EGLBoolean (*MakeCurrent)(EGLHandle, EGLHandle, EGLHandle, EGLHandle) = nullptr;
   const char* (*QueryString)(EGLHandle, EGLInt) = nullptr;
+  EGLBoolean (*Terminate)(EGLHandle) = nullptr;
 
   EGLHandle Display = nullptr; // nullptr: EGL cannot be used, Error says why
-  EGLHandle Config = nullptr;
   std::string DisplayName;
   std::string Error;
-  pid_t Process = 0; // that opened the display
+  pid_t Process = 0; // that opened the display; 0 until then
 
   static Library& Get();
-  bool CreateOn(EGLHandle display, EGLHandle config, EGLHandle& context, EGLHandle& surface);
+  bool CreateContextAndSurface(EGLHandle& context, EGLHandle& surface);
   std::string LastError();
 
 private:
   bool Load();
-  void OpenDisplay();
-  bool UseDisplay(EGLHandle display, const char* name);
+  void FindDisplay();
+  bool TryDisplay(EGLHandle display, const std::string& name);
+  bool Open(EGLHandle display);
+  bool CreateOn(EGLHandle display, EGLHandle& context, EGLHandle& surface);
+
+  std::mutex Mutex;
+  EGLHandle Config = nullptr;
 };
 
 //------------------------------------------------------------------------------
@@ -82,13 +92,12 @@ Library& Library::Get()
 {
   // Never destroyed: windows may be, after all static objects.
   static Library* library = [] {
-    auto* opened = new Library;
-    opened->Process = getpid();
-    if (opened->Load())
+    auto* created = new Library;
+    if (created->Load())
     {
-      opened->OpenDisplay();
+      created->FindDisplay();
     }
-    return opened;
+    return created;
   }();
   return *library;
 }
@@ -102,8 +111,8 @@ bool Library::Load()
   if (!library)
   {
     const char* reason = dlerror();
-    this->Error = std::string("EGL cannot be loaded (") + (reason ? reason : name) + ")" +
-      PackageHint;
+    this->Error =
+      std::string("EGL cannot be loaded (") + (reason ? reason : name) + ")" + PackageHint;
     return false;
   }
   auto find = [this, library, name](const char* symbol, auto& function) {
@@ -128,23 +137,34 @@ bool Library::Load()
   find("eglInitialize", this->Initialize);
   find("eglMakeCurrent", this->MakeCurrent);
   find("eglQueryString", this->QueryString);
+  find("eglTerminate", this->Terminate);
+
+  // VTK's GLEW asks libGL for its functions. A prototype needed libGL's own first call to come
+  // before any EGL context is current; it costs nothing. VTK has loaded the library already.
+  if (void* gl = dlopen("libGL.so.1", RTLD_LAZY | RTLD_LOCAL))
+  {
+    using GetProcAddress = void (*(*)(const unsigned char*))();
+    auto getFunction = reinterpret_cast<GetProcAddress>(dlsym(gl, "glXGetProcAddressARB"));
+    if (getFunction)
+    {
+      getFunction(reinterpret_cast<const unsigned char*>("glGetString"));
+    }
+  }
   return this->Error.empty();
 }
 
 //------------------------------------------------------------------------------
-void Library::OpenDisplay()
+void Library::FindDisplay()
 {
   // No display yet (nullptr): the extensions of EGL itself.
   const char* text = this->QueryString(nullptr, EGL_EXTENSIONS);
   const std::string extensions = text ? text : "";
-  auto has = [&extensions](const char* name) {
-    return extensions.find(name) != std::string::npos;
-  };
+  auto has = [&extensions](const char* name) { return extensions.find(name) != std::string::npos; };
 
   auto getDisplay = reinterpret_cast<EGLHandle (*)(EGLEnum, void*, const EGLInt*)>(
     this->GetProcAddress("eglGetPlatformDisplayEXT"));
   if (getDisplay && has("EGL_MESA_platform_surfaceless") &&
-    this->UseDisplay(
+    this->TryDisplay(
       getDisplay(EGL_PLATFORM_SURFACELESS_MESA, nullptr, nullptr), "surfaceless (Mesa)"))
   {
     return;
@@ -159,26 +179,46 @@ void Library::OpenDisplay()
     {
       for (EGLInt i = 0; i < count; ++i)
       {
-        const std::string name = "device " + std::to_string(i);
-        if (this->UseDisplay(
-              getDisplay(EGL_PLATFORM_DEVICE_EXT, devices[i], nullptr), name.c_str()))
+        if (this->TryDisplay(getDisplay(EGL_PLATFORM_DEVICE_EXT, devices[i], nullptr),
+              "device " + std::to_string(i)))
         {
           return;
         }
       }
     }
   }
-  this->Error = "EGL has no driver for off-screen OpenGL 3.2 (tried surfaceless and devices; " +
-    this->LastError() + "); the Debian packages libegl-mesa0 and libgl1-mesa-dri provide one";
+  this->Error = "EGL has no driver for off-screen OpenGL 3.2 (tried Mesa's surfaceless display and "
+                "all devices); the Debian packages libegl-mesa0 and libgl1-mesa-dri provide one";
 }
 
 //------------------------------------------------------------------------------
-bool Library::UseDisplay(EGLHandle display, const char* name)
+bool Library::TryDisplay(EGLHandle display, const std::string& name)
+{
+  EGLHandle context = nullptr;
+  EGLHandle surface = nullptr;
+  if (!display || !this->Open(display))
+  {
+    return false;
+  }
+  const bool works = this->CreateOn(display, context, surface);
+  if (works)
+  {
+    this->DestroySurface(display, surface);
+    this->DestroyContext(display, context);
+    this->Display = display;
+    this->DisplayName = name;
+  }
+  this->Terminate(display); // ends the driver's threads
+  return works;
+}
+
+//------------------------------------------------------------------------------
+bool Library::Open(EGLHandle display)
 {
   EGLInt major = 0;
   EGLInt minor = 0;
   // EGL 1.4 is the first with OpenGL (not ES).
-  if (!display || !this->Initialize(display, &major, &minor) || (major == 1 && minor < 4))
+  if (!this->Initialize(display, &major, &minor) || (major == 1 && minor < 4))
   {
     return false;
   }
@@ -187,39 +227,40 @@ bool Library::UseDisplay(EGLHandle display, const char* name)
   const EGLInt wanted[] = { EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT,
     EGL_RED_SIZE, 8, EGL_GREEN_SIZE, 8, EGL_BLUE_SIZE, 8, EGL_ALPHA_SIZE, 8, EGL_DEPTH_SIZE, 24,
     EGL_NONE };
-  EGLHandle config = nullptr;
   EGLInt count = 0;
-  EGLHandle context = nullptr;
-  EGLHandle surface = nullptr;
-  if (!this->ChooseConfig(display, wanted, &config, 1, &count) || count < 1 ||
-    !this->CreateOn(display, config, context, surface))
-  {
-    return false;
-  }
-  this->DestroySurface(display, surface);
-  this->DestroyContext(display, context);
-  this->Display = display;
-  this->Config = config;
-  this->DisplayName = name;
-  return true;
+  return this->ChooseConfig(display, wanted, &this->Config, 1, &count) && count > 0;
 }
 
 //------------------------------------------------------------------------------
-bool Library::CreateOn(
-  EGLHandle display, EGLHandle config, EGLHandle& context, EGLHandle& surface)
+bool Library::CreateOn(EGLHandle display, EGLHandle& context, EGLHandle& surface)
 {
   const EGLInt version[] = { EGL_CONTEXT_MAJOR_VERSION, 3, EGL_CONTEXT_MINOR_VERSION, 2,
     EGL_CONTEXT_OPENGL_PROFILE_MASK, EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE };
   const EGLInt size[] = { EGL_WIDTH, 16, EGL_HEIGHT, 16, EGL_NONE }; // never drawn to
   this->BindAPI(EGL_OPENGL_API); // a thread starts with OpenGL ES
-  context = this->CreateContext(display, config, nullptr, version);
-  surface = context ? this->CreatePbufferSurface(display, config, size) : nullptr;
+  context = this->CreateContext(display, this->Config, nullptr, version);
+  surface = context ? this->CreatePbufferSurface(display, this->Config, size) : nullptr;
   if (context && !surface)
   {
     this->DestroyContext(display, context);
     context = nullptr;
   }
   return surface != nullptr;
+}
+
+//------------------------------------------------------------------------------
+bool Library::CreateContextAndSurface(EGLHandle& context, EGLHandle& surface)
+{
+  std::lock_guard<std::mutex> lock(this->Mutex);
+  if (!this->Process)
+  {
+    if (!this->Open(this->Display))
+    {
+      return false;
+    }
+    this->Process = getpid();
+  }
+  return this->CreateOn(this->Display, context, surface);
 }
 
 //------------------------------------------------------------------------------
@@ -232,21 +273,27 @@ std::string Library::LastError()
 }
 
 //------------------------------------------------------------------------------
+bool vtkWaterEGLContext::Probe(std::string& why)
+{
+  Library& egl = Library::Get();
+  why = egl.Error;
+  return egl.Display != nullptr;
+}
+
+//------------------------------------------------------------------------------
 bool vtkWaterEGLContext::Create(std::string& why)
 {
   Library& egl = Library::Get();
-  if (!egl.Display)
+  if (!vtkWaterEGLContext::Probe(why))
   {
-    why = egl.Error;
     return false;
   }
-  if (egl.Process != getpid())
+  if (vtkWaterEGLContext::IsForked())
   {
-    // Mesa's threads stay in the parent: the child would wait for them for ever.
-    why = "the process was forked after EGL was opened; spawn it instead";
+    why = "the process was forked after a first window had rendered; spawn it instead";
     return false;
   }
-  if (!this->Context && !egl.CreateOn(egl.Display, egl.Config, this->Context, this->Surface))
+  if (!this->Context && !egl.CreateContextAndSurface(this->Context, this->Surface))
   {
     why = "EGL made no OpenGL 3.2 core context (" + egl.LastError() + ")";
     return false;
@@ -261,10 +308,13 @@ void vtkWaterEGLContext::Destroy()
   {
     return;
   }
-  this->ReleaseCurrent();
-  Library& egl = Library::Get();
-  egl.DestroySurface(egl.Display, this->Surface);
-  egl.DestroyContext(egl.Display, this->Context);
+  if (!vtkWaterEGLContext::IsForked())
+  {
+    this->ReleaseCurrent();
+    Library& egl = Library::Get();
+    egl.DestroySurface(egl.Display, this->Surface);
+    egl.DestroyContext(egl.Display, this->Context);
+  }
   this->Surface = nullptr;
   this->Context = nullptr;
 }
@@ -330,6 +380,13 @@ void vtkWaterEGLContext::Pop()
   {
     egl.MakeCurrent(before.Display, before.Draw, before.Read, before.Context);
   }
+}
+
+//------------------------------------------------------------------------------
+bool vtkWaterEGLContext::IsForked()
+{
+  const pid_t process = Library::Get().Process;
+  return process && process != getpid();
 }
 
 //------------------------------------------------------------------------------

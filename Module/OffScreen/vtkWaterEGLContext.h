@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkWaterEGLContext: one OpenGL 3.2 core context of EGL that needs no display server.
 //
-// libEGL is opened at run time, so the module links against none. The display is opened once for
-// the process and never closed: Mesa keeps threads behind it that other windows share.
+// libEGL is opened at run time, so the module links against none. The first context opens the
+// process' display, which is never closed: all windows share the driver's threads behind it.
 // The environment variable VTK_WATER_EGL_LIBRARY names another libEGL than libEGL.so.1.
 #ifndef vtkWaterEGLContext_h
 #define vtkWaterEGLContext_h
@@ -30,6 +30,9 @@ public:
   vtkWaterEGLContext(const vtkWaterEGLContext&) = delete;
   void operator=(const vtkWaterEGLContext&) = delete;
 
+  // Whether EGL can be used here. The first call tries a context, and leaves no threads behind.
+  static bool Probe(std::string& why);
+
   // Creates the context and its surface; they are not made current.
   //
   // why  set on failure: one sentence, with the Debian packages that would help
@@ -47,6 +50,11 @@ public:
   // Where there was none, this one stays, as VTK's X window does it.
   bool Push();
   void Pop();
+
+  // Whether this process was forked from the one that opened the display. The driver's threads
+  // stayed there and a call would wait for them for ever, so no context can be made here or drawn
+  // to; Destroy just forgets it.
+  static bool IsForked();
 
   void* GetHandle() const { return this->Context; }
   static void* GetDisplay();

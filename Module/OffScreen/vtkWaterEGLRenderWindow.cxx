@@ -14,9 +14,6 @@
 #include <mutex>
 #include <set>
 
-#include <dlfcn.h>
-#include <unistd.h>
-
 VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
@@ -26,7 +23,7 @@ struct LiveWindows
 {
   std::mutex Mutex;
   std::set<vtkWaterEGLRenderWindow*> Windows;
-  pid_t Process = 0;
+  bool Registered = false;
   bool Exiting = false;
 
   static LiveWindows& Get()
@@ -38,11 +35,11 @@ struct LiveWindows
   void Add(vtkWaterEGLRenderWindow* window)
   {
     std::lock_guard<std::mutex> lock(this->Mutex);
-    if (!this->Process)
+    if (!this->Registered)
     {
       // Now and not earlier: what was registered last runs first, and the driver, loaded with
       // the first context, has registered its own end.
-      this->Process = getpid();
+      this->Registered = true;
       std::atexit(LiveWindows::FinalizeAll);
     }
     this->Windows.insert(window);
@@ -63,12 +60,9 @@ struct LiveWindows
       self.Exiting = true;
       windows.swap(self.Windows);
     }
-    if (self.Process == getpid()) // a forked child must not wait for the driver's threads
+    for (vtkWaterEGLRenderWindow* window : windows)
     {
-      for (vtkWaterEGLRenderWindow* window : windows)
-      {
-        window->Finalize();
-      }
+      window->Finalize();
     }
   }
 };
@@ -172,7 +166,10 @@ void vtkWaterEGLRenderWindow::DestroyWindow()
   if (this->Context.IsCreated())
   {
     LiveWindows::Get().Remove(this);
-    this->ReleaseGraphicsResources(this);
+    if (!vtkWaterEGLContext::IsForked())
+    {
+      this->ReleaseGraphicsResources(this);
+    }
     this->Context.Destroy();
   }
 }

@@ -63,7 +63,8 @@ vtkWeakPointer<vtkObjectFactory> Registered;
 
 std::string& Reason()
 {
-  static auto* reason = new std::string("off-screen rendering was not asked for"); // see LiveWindows
+  static auto* reason =
+    new std::string("off-screen rendering was not asked for"); // never destroyed
   return *reason;
 }
 
@@ -108,8 +109,7 @@ bool vtkWaterOffScreen::Enable()
     return true;
   }
   std::string why;
-  vtkWaterEGLContext probe;
-  if (!probe.Create(why))
+  if (!vtkWaterEGLContext::Probe(why))
   {
     Reason() = "off-screen rendering is not possible: " + why;
     return false;
