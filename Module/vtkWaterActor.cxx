@@ -3,7 +3,6 @@
 
 #include "vtkInformation.h"
 #include "vtkInformationIntegerKey.h"
-#include "vtkInformationObjectBaseVectorKey.h"
 #include "vtkMapper.h"
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"
@@ -27,27 +26,6 @@
 
 VTK_ABI_NAMESPACE_BEGIN
 vtkStandardNewMacro(vtkWaterActor);
-
-namespace
-{
-// Is the actor being drawn for a shadow map, by a light's camera?
-bool IsBakingShadows(vtkInformation* keys)
-{
-  if (!keys || !keys->Has(vtkOpenGLRenderPass::RenderPasses()))
-  {
-    return false;
-  }
-  const int count = keys->Length(vtkOpenGLRenderPass::RenderPasses());
-  for (int i = 0; i < count; ++i)
-  {
-    if (keys->Get(vtkOpenGLRenderPass::RenderPasses(), i)->IsA("vtkShadowMapBakerPass"))
-    {
-      return true;
-    }
-  }
-  return false;
-}
-}
 
 //------------------------------------------------------------------------------
 vtkWaterActor::vtkWaterActor()
@@ -170,8 +148,7 @@ const char* vtkWaterActor::GetLastError() const
 //------------------------------------------------------------------------------
 void vtkWaterActor::ReportError(ErrorSources source, const std::string& text)
 {
-  const bool isKnown =
-    std::find(this->Errors, this->Errors + NUMBER_OF_ERROR_SOURCES, text) !=
+  const bool isKnown = std::find(this->Errors, this->Errors + NUMBER_OF_ERROR_SOURCES, text) !=
     this->Errors + NUMBER_OF_ERROR_SOURCES;
   this->Errors[source] = text;
   if (!text.empty() && !isKnown)
@@ -213,8 +190,7 @@ void vtkWaterActor::UpdateSheet()
   const water_status status = this->Sheet->Fit(vtkWaterGather::ReadPlane(this),
     this->Plane->GetOrigin(), this->UseSheetBounds ? this->SheetBounds : nullptr, scene);
   this->IsUpdatingSheet = false;
-  this->ReportError(
-    SHEET, status == WATER_OK ? std::string() : vtkWaterDescribe(status, this));
+  this->ReportError(SHEET, status == WATER_OK ? std::string() : vtkWaterDescribe(status, this));
 }
 
 //------------------------------------------------------------------------------
@@ -236,8 +212,8 @@ void vtkWaterActor::SetAllocatedRenderTime(double seconds, vtkViewport* viewport
 {
   this->Superclass::SetAllocatedRenderTime(seconds, viewport);
 
-  // The renderer calls this once per frame and eye for a prop that survived culling, before it draws
-  // anything: the moment to draw the mirrored view. See Documentation/decisions.
+  // The renderer calls this once per frame and eye for a prop that survived culling, before it
+  // draws anything: the moment to draw the mirrored view. See Documentation/decisions.
   auto* renderer = vtkOpenGLRenderer::SafeDownCast(viewport);
   if (!renderer || !vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow()) ||
     this->Shading->IsInMirroredView())
@@ -285,7 +261,7 @@ void vtkWaterActor::RenderReflectionIfStale(vtkViewport* viewport)
   auto* renderer = vtkOpenGLRenderer::SafeDownCast(viewport);
   vtkInformation* keys = this->GetPropertyKeys();
   if (!renderer || renderer->GetSelector() || this->Shading->IsInMirroredView() ||
-    IsBakingShadows(keys) || !this->Errors[SHEET].empty() ||
+    vtkWaterKeys::IsBakingShadows(this) || !this->Errors[SHEET].empty() ||
     this->GetReflectionPass()->IsFresh(renderer))
   {
     return;
@@ -299,16 +275,8 @@ void vtkWaterActor::RenderReflectionIfStale(vtkViewport* viewport)
   {
     return;
   }
-  this->Shading->HoldUntilEndOfFrame(renderer);
-  std::vector<vtkProp*> props;
-  vtkPropCollection* all = renderer->GetViewProps();
-  vtkCollectionSimpleIterator it;
-  all->InitTraversal(it);
-  while (vtkProp* prop = all->GetNextProp(it))
-  {
-    props.push_back(prop);
-  }
-  vtkWaterForeignKeysSuspended suspended(this->Shading, props);
+  this->Shading->Keys.HoldUntilEndOfFrame(renderer);
+  vtkWaterForeignKeysSuspended suspended(this->Shading, renderer);
   int drawn[4]; // the size of what is being drawn into, whoever set it up
   renderer->GetState()->vtkglGetIntegerv(GL_VIEWPORT, drawn);
   this->OwnPass->RenderReflection(renderer, { this }, drawn + 2);
@@ -353,7 +321,7 @@ void vtkWaterActor::Render(vtkRenderer* renderer, vtkMapper* mapper)
     return; // no endless mirror, whatever drew this water
   }
   this->LastRenderer = renderer;
-  this->Shading->AddKey(this);
+  this->Shading->Keys.Add(this);
   vtkWaterReflectionPass* pass = this->GetReflectionPass();
   vtkWaterSurface surface;
   surface.Property = this->WaterProperty;
@@ -439,11 +407,13 @@ void vtkWaterActor::PrintSelf(ostream& os, vtkIndent indent)
   {
     os << "those of the scene\n";
   }
-  os << indent << "Surface: " << (this->UsesOwnSheet() ? "own sheet" : "mapper of the user") << "\n";
+  os << indent << "Surface: " << (this->UsesOwnSheet() ? "own sheet" : "mapper of the user")
+     << "\n";
   os << indent << "WaterProperty:\n";
   this->WaterProperty->PrintSelf(os, next);
   os << indent << "ReflectionPass (" << (this->ComposedPass ? "composed by hand" : "own") << "):\n";
   this->GetReflectionPass()->PrintSelf(os, next);
-  os << indent << "LastError: " << (*this->GetLastError() ? this->GetLastError() : "(none)") << "\n";
+  os << indent << "LastError: " << (*this->GetLastError() ? this->GetLastError() : "(none)")
+     << "\n";
 }
 VTK_ABI_NAMESPACE_END

@@ -39,10 +39,9 @@ void vtkWaterProperty::SetDeepColor(double red, double green, double blue)
   {
     if (!(channel >= 0.0 && channel <= 1.0))
     {
-      vtkErrorMacro("DeepColor is (" << red << ", " << green << ", " << blue
-                                     << "); every channel must lie in [0, 1]. It stays ("
-                                     << this->DeepColor[0] << ", " << this->DeepColor[1] << ", "
-                                     << this->DeepColor[2] << ").");
+      vtkErrorMacro("DeepColor is ("
+        << red << ", " << green << ", " << blue << "); every channel must lie in [0, 1]. It stays ("
+        << this->DeepColor[0] << ", " << this->DeepColor[1] << ", " << this->DeepColor[2] << ").");
       return;
     }
   }

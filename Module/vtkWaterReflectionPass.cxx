@@ -17,7 +17,6 @@
 #include "vtkWaterMirror.h"
 #include "vtkWaterShading.h"
 #include "water_plan.h"
-#include "water_plane.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -39,32 +38,7 @@ static_assert(
 
 namespace
 {
-constexpr int kMaximumDefaultSamples = 8;
-
-bool AreCoplanar(vtkWaterActor* a, vtkWaterActor* b)
-{
-  const water_plane planes[2] = { vtkWaterGather::ReadPlane(a), vtkWaterGather::ReadPlane(b) };
-  water_plane units[2];
-  return water_plane_normalise(&planes[0], &units[0]) == WATER_OK &&
-    water_plane_normalise(&planes[1], &units[1]) == WATER_OK &&
-    std::equal(units[0].normal, units[0].normal + 3, units[1].normal) &&
-    units[0].offset == units[1].offset;
-}
-
-// The first water of a list of props, and all that share its plane.
-std::vector<vtkWaterActor*> FindWaters(const vtkRenderState* s)
-{
-  std::vector<vtkWaterActor*> waters;
-  for (int i = 0; i < s->GetPropArrayCount(); ++i)
-  {
-    vtkWaterActor* water = vtkWaterActor::SafeDownCast(s->GetPropArray()[i]);
-    if (water && (waters.empty() || AreCoplanar(waters.front(), water)))
-    {
-      waters.push_back(water);
-    }
-  }
-  return waters;
-}
+constexpr int kMaximumDefaultSamples = 8; // more is slow and not seen in a reflection
 }
 
 //------------------------------------------------------------------------------
@@ -202,7 +176,7 @@ void vtkWaterReflectionPass::RenderReflection(
 {
   Internals& internal = *this->Internal;
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
-  internal.Shading->HoldUntilEndOfFrame(renderer);
+  internal.Shading->Keys.HoldUntilEndOfFrame(renderer);
 
   // gather
   vtkWaterGather& gather = internal.Gather;
@@ -214,10 +188,9 @@ void vtkWaterReflectionPass::RenderReflection(
 
   // plan
   internal.Fates.assign(gather.props.size(), WATER_DRAW);
-  const water_status status =
-    water_plan_make(&gather.scene, &internal.Plan, internal.Fates.data());
+  const water_status status = water_plan_make(&gather.scene, &internal.Plan, internal.Fates.data());
   internal.PlannedFor = renderer;
-  internal.PlannedFrame = internal.Shading->GetEndedFrames(renderer);
+  internal.PlannedFrame = internal.Shading->Keys.GetEndedFrames(renderer);
   std::string error;
   if (status != WATER_OK)
   {
@@ -263,7 +236,7 @@ bool vtkWaterReflectionPass::IsFresh(vtkRenderer* renderer) const
 {
   const Internals& internal = *this->Internal;
   if (internal.PlannedFor != renderer ||
-    internal.PlannedFrame != internal.Shading->GetEndedFrames(renderer))
+    internal.PlannedFrame != internal.Shading->Keys.GetEndedFrames(renderer))
   {
     return false;
   }
@@ -321,7 +294,8 @@ void vtkWaterReflectionPass::Render(const vtkRenderState* s)
     renderer->GetActiveCamera()->Render(renderer);
   }
 
-  const std::vector<vtkWaterActor*> waters = FindWaters(s);
+  const std::vector<vtkWaterActor*> waters =
+    vtkWaterGather::FindWaters(s->GetPropArray(), s->GetPropArrayCount());
   if (!waters.empty())
   {
     for (vtkWaterActor* water : waters)

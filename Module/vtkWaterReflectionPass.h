@@ -182,7 +182,8 @@ private:
 
   struct Internals;
 
-  // Gathers, plans and draws the reflection of waters in one plane for the renderer's active camera.
+  // Gathers, plans and draws the reflection of waters in one plane for the renderer's active
+  // camera.
   void RenderReflection(
     vtkRenderer* renderer, const std::vector<vtkWaterActor*>& waters, const int viewport_px[2]);
   // Was the frame that is being rendered planned for the renderer's active camera?

@@ -32,15 +32,15 @@ foreach(component IN LISTS WATER_OPTIONAL_DEPENDS)
   endif()
 endforeach()
 string(REPLACE ";" " " water_vtk_component_names "${water_vtk_components}")
-configure_package_config_file("${PROJECT_SOURCE_DIR}/cmake/vtkWater-config.cmake.in"
-  "${water_build_package_dir}/vtkWater-config.cmake"
+configure_package_config_file("${PROJECT_SOURCE_DIR}/cmake/vtkWaterConfig.cmake.in"
+  "${water_build_package_dir}/vtkWaterConfig.cmake"
   INSTALL_DESTINATION "${water_cmake_destination}"
   NO_SET_AND_CHECK_MACRO)
-write_basic_package_version_file("${water_build_package_dir}/vtkWater-config-version.cmake"
+write_basic_package_version_file("${water_build_package_dir}/vtkWaterConfigVersion.cmake"
   COMPATIBILITY SameMinorVersion)
 install(FILES
-  "${water_build_package_dir}/vtkWater-config.cmake"
-  "${water_build_package_dir}/vtkWater-config-version.cmake"
+  "${water_build_package_dir}/vtkWaterConfig.cmake"
+  "${water_build_package_dir}/vtkWaterConfigVersion.cmake"
   DESTINATION "${water_cmake_destination}" COMPONENT development)
 install(FILES "${PROJECT_SOURCE_DIR}/LICENSE"
   DESTINATION "${CMAKE_INSTALL_DATADIR}/licenses/vtkWater" COMPONENT licenses)

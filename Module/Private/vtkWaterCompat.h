@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkWaterCompat.h: what differs between the supported VTK versions, and the setter all classes use.
+// vtkWaterCompat.h: what differs between the supported VTK versions, and the setter all classes
+// use.
 #ifndef vtkWaterCompat_h
 #define vtkWaterCompat_h
 

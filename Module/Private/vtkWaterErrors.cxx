@@ -18,8 +18,8 @@ void DescribePlane(std::ostream& text, vtkWaterActor* water)
        << "), its normal (" << normal[0] << ", " << normal[1] << ", " << normal[2] << ")";
 }
 
-void DescribeValue(std::ostream& text, water_status status, const vtkWaterGather& gather,
-  const water_plan& plan)
+void DescribeValue(
+  std::ostream& text, water_status status, const vtkWaterGather& gather, const water_plan& plan)
 {
   const water_scene& scene = gather.scene;
   switch (status)
@@ -60,8 +60,8 @@ void DescribeValue(std::ostream& text, water_status status, const vtkWaterGather
 }
 
 //------------------------------------------------------------------------------
-std::string vtkWaterDescribe(water_status status, vtkWaterActor* water,
-  const vtkWaterGather* gather, const water_plan* plan)
+std::string vtkWaterDescribe(
+  water_status status, vtkWaterActor* water, const vtkWaterGather* gather, const water_plan* plan)
 {
   std::ostringstream text;
   text << water_status_text(status);

@@ -13,6 +13,7 @@
 #include "vtkWaterActor.h"
 #include "vtkWaterProperty.h"
 #include "vtkWaterReflectionPass.h"
+#include "water_plane.h"
 
 #include <algorithm>
 #include <cmath>
@@ -83,6 +84,31 @@ water_prop ReadProp(vtkProp* prop, const std::vector<vtkWaterActor*>& waters)
   }
   return read;
 }
+
+bool AreCoplanar(vtkWaterActor* a, vtkWaterActor* b)
+{
+  const water_plane planes[2] = { vtkWaterGather::ReadPlane(a), vtkWaterGather::ReadPlane(b) };
+  water_plane units[2];
+  return water_plane_normalise(&planes[0], &units[0]) == WATER_OK &&
+    water_plane_normalise(&planes[1], &units[1]) == WATER_OK &&
+    std::equal(units[0].normal, units[0].normal + 3, units[1].normal) &&
+    units[0].offset == units[1].offset;
+}
+}
+
+//------------------------------------------------------------------------------
+std::vector<vtkWaterActor*> vtkWaterGather::FindWaters(vtkProp** props, int count)
+{
+  std::vector<vtkWaterActor*> waters;
+  for (int i = 0; i < count; ++i)
+  {
+    vtkWaterActor* water = vtkWaterActor::SafeDownCast(props[i]);
+    if (water && (waters.empty() || AreCoplanar(waters.front(), water)))
+    {
+      waters.push_back(water);
+    }
+  }
+  return waters;
 }
 
 //------------------------------------------------------------------------------

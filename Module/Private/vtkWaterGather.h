@@ -20,8 +20,11 @@ struct vtkWaterGather
   // Reads everything but the settings of the pass (texture_scale, max_texture_px, clip_margin).
   //
   // waters  the surfaces that share the plane of the first; at least one
-  void Read(vtkRenderer* renderer, const std::vector<vtkWaterActor*>& waters,
-    const int viewport_px[2]);
+  void Read(
+    vtkRenderer* renderer, const std::vector<vtkWaterActor*>& waters, const int viewport_px[2]);
+
+  // The first water of a list of props, and all that share its plane.
+  static std::vector<vtkWaterActor*> FindWaters(vtkProp** props, int count);
 
   // The camera alone: matrices of the renderer's active camera for its viewport.
   static water_camera ReadCamera(vtkRenderer* renderer);

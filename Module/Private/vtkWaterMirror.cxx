@@ -143,7 +143,8 @@ const char* vtkWaterMirror::Draw(vtkRenderer* renderer, vtkWaterShading* shading
     state->vtkglDepthFunc(GL_LEQUAL);
     state->vtkglEnable(GL_DEPTH_TEST);
     state->vtkglEnable(GL_BLEND);
-    state->vtkglBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    state->vtkglBlendFuncSeparate(
+      GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
     this->Screen.DrawSky(renderer, plan);
 
     this->SetCamera(renderer, plan);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkWaterScreen: the two full-screen draws: the sky behind the mirrored view, and the debug corner.
+// vtkWaterScreen: the two full-screen draws: the sky behind the mirrored view, and the debug
+// corner.
 #ifndef vtkWaterScreen_h
 #define vtkWaterScreen_h
 

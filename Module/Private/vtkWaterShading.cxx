@@ -1,17 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkWaterShading.h"
 
-#include "vtkCallbackCommand.h"
-#include "vtkInformation.h"
-#include "vtkInformationObjectBaseVectorKey.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
-#include "vtkPropCollection.h"
-#include "vtkRenderer.h"
+#include "vtkProp.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
-#include "vtkWaterAccess.h"
 #include "vtkWaterCompat.h"
 #include "vtkWaterGL.h"
 #include "vtkWaterMirroredFS.h"
@@ -92,18 +87,13 @@ void vtkWaterSetUniformMatrix3(vtkShaderProgram* program, const char* name, cons
 
 //------------------------------------------------------------------------------
 vtkWaterShading::vtkWaterShading()
+  : Keys(this)
 {
   this->SetActiveDrawBuffers(1); // volume mappers ask the last pass of the list
 }
 
 //------------------------------------------------------------------------------
-vtkWaterShading::~vtkWaterShading()
-{
-  for (auto& held : this->HeldFrames)
-  {
-    this->EndFrame(held.second);
-  }
-}
+vtkWaterShading::~vtkWaterShading() = default;
 
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkWaterShading> vtkWaterShading::GetShared()
@@ -116,117 +106,6 @@ vtkSmartPointer<vtkWaterShading> vtkWaterShading::GetShared()
     return made;
   }
   return shared.Get();
-}
-
-//------------------------------------------------------------------------------
-bool vtkWaterShading::HasKey(vtkProp* prop) const
-{
-  vtkInformation* keys = prop->GetPropertyKeys();
-  if (!keys || !keys->Has(vtkOpenGLRenderPass::RenderPasses()))
-  {
-    return false;
-  }
-  const int count = keys->Length(vtkOpenGLRenderPass::RenderPasses());
-  for (int i = 0; i < count; ++i)
-  {
-    if (keys->Get(vtkOpenGLRenderPass::RenderPasses(), i) == this)
-    {
-      return true;
-    }
-  }
-  return false;
-}
-
-//------------------------------------------------------------------------------
-void vtkWaterShading::AddKey(vtkProp* prop)
-{
-  if (this->HasKey(prop))
-  {
-    return;
-  }
-  if (!prop->GetPropertyKeys())
-  {
-    // silently: a key for a frame is no change of the prop
-    vtkWaterAccess::Prop::PropertyKeysOf(prop) = vtkInformation::New();
-  }
-  prop->GetPropertyKeys()->Append(vtkOpenGLRenderPass::RenderPasses(), this);
-}
-
-//------------------------------------------------------------------------------
-void vtkWaterShading::RemoveKey(vtkProp* prop)
-{
-  vtkInformation* keys = prop->GetPropertyKeys();
-  if (keys && keys->Has(vtkOpenGLRenderPass::RenderPasses()))
-  {
-    keys->Remove(vtkOpenGLRenderPass::RenderPasses(), this);
-    if (keys->Length(vtkOpenGLRenderPass::RenderPasses()) == 0)
-    {
-      keys->Remove(vtkOpenGLRenderPass::RenderPasses());
-    }
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkWaterShading::HoldUntilEndOfFrame(vtkRenderer* renderer)
-{
-  for (auto it = this->HeldFrames.begin(); it != this->HeldFrames.end();)
-  {
-    // a renderer that died took its observer along
-    it = it->second.Renderer ? std::next(it) : this->HeldFrames.erase(it);
-  }
-  HeldFrame& held = this->HeldFrames[renderer];
-  held.Renderer = renderer;
-  if (held.Observer)
-  {
-    return; // another water of this frame was first
-  }
-  vtkPropCollection* props = renderer->GetViewProps();
-  vtkCollectionSimpleIterator it;
-  props->InitTraversal(it);
-  while (vtkProp* prop = props->GetNextProp(it))
-  {
-    if (prop->GetVisibility() && !this->HasKey(prop))
-    {
-      this->AddKey(prop);
-      held.Props.emplace_back(prop);
-    }
-  }
-  held.Observer = vtkSmartPointer<vtkCallbackCommand>::New();
-  held.Observer->SetClientData(this);
-  held.Observer->SetCallback(
-    [](vtkObject* caller, unsigned long, void* clientData, void*)
-    {
-      auto* self = static_cast<vtkWaterShading*>(clientData);
-      auto found = self->HeldFrames.find(vtkRenderer::SafeDownCast(caller));
-      if (found != self->HeldFrames.end())
-      {
-        self->EndFrame(found->second);
-      }
-    });
-  held.ObserverTag = renderer->AddObserver(vtkCommand::EndEvent, held.Observer);
-}
-
-//------------------------------------------------------------------------------
-void vtkWaterShading::EndFrame(HeldFrame& held)
-{
-  for (vtkProp* prop : held.Props)
-  {
-    this->RemoveKey(prop);
-  }
-  held.Props.clear();
-  if (held.Renderer && held.Observer)
-  {
-    held.Renderer->RemoveObserver(held.ObserverTag);
-  }
-  held.Observer = nullptr;
-  ++held.EndedFrames;
-}
-
-//------------------------------------------------------------------------------
-unsigned long vtkWaterShading::GetEndedFrames(vtkRenderer* renderer) const
-{
-  auto found = this->HeldFrames.find(renderer);
-  return found == this->HeldFrames.end() ? 0 : found->second.EndedFrames;
 }
 
 //------------------------------------------------------------------------------
@@ -244,13 +123,13 @@ void vtkWaterShading::EndMirroredView()
 }
 
 //------------------------------------------------------------------------------
-bool vtkWaterShading::PreReplaceShaderValues(std::string& vertexShader,
-  std::string& geometryShader, std::string& fragmentShader, vtkAbstractMapper*, vtkProp* prop)
+bool vtkWaterShading::PreReplaceShaderValues(std::string& vertexShader, std::string& geometryShader,
+  std::string& fragmentShader, vtkAbstractMapper*, vtkProp* prop)
 {
   if (prop->IsA("vtkWaterActor"))
   {
-    InsertBefore(fragmentShader, "//VTK::Clip::Dec",
-      std::string(vtkWaterOptics) + "\n" + vtkWaterSurfaceFS);
+    InsertBefore(
+      fragmentShader, "//VTK::Clip::Dec", std::string(vtkWaterOptics) + "\n" + vtkWaterSurfaceFS);
     return true;
   }
   InsertBefore(fragmentShader, "//VTK::Clip::Dec", vtkWaterMirroredFS);
@@ -276,8 +155,8 @@ bool vtkWaterShading::PreReplaceShaderValues(std::string& vertexShader,
 }
 
 //------------------------------------------------------------------------------
-bool vtkWaterShading::PostReplaceShaderValues(std::string&, std::string&,
-  std::string& fragmentShader, vtkAbstractMapper*, vtkProp* prop)
+bool vtkWaterShading::PostReplaceShaderValues(
+  std::string&, std::string&, std::string& fragmentShader, vtkAbstractMapper*, vtkProp* prop)
 {
   if (prop->IsA("vtkWaterActor"))
   {
@@ -373,48 +252,7 @@ void vtkWaterShading::SetSurfaceParameters(vtkShaderProgram* program)
 void vtkWaterShading::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Renderers held: " << this->HeldFrames.size() << "\n";
   os << indent << "In a mirrored view: " << (this->MirroredView ? "yes" : "no") << "\n";
 }
 
-//------------------------------------------------------------------------------
-vtkWaterForeignKeysSuspended::vtkWaterForeignKeysSuspended(
-  vtkWaterShading* shading, const std::vector<vtkProp*>& props)
-{
-  for (vtkProp* prop : props)
-  {
-    vtkInformation* keys = prop->GetPropertyKeys();
-    if (!keys || !keys->Has(vtkOpenGLRenderPass::RenderPasses()))
-    {
-      continue;
-    }
-    const int count = keys->Length(vtkOpenGLRenderPass::RenderPasses());
-    if (count == 1 && keys->Get(vtkOpenGLRenderPass::RenderPasses(), 0) == shading)
-    {
-      continue;
-    }
-    SavedKeys saved{ prop, {} };
-    for (int i = 0; i < count; ++i)
-    {
-      saved.Passes.emplace_back(keys->Get(vtkOpenGLRenderPass::RenderPasses(), i));
-    }
-    keys->Remove(vtkOpenGLRenderPass::RenderPasses());
-    keys->Append(vtkOpenGLRenderPass::RenderPasses(), shading);
-    this->Saved.push_back(std::move(saved));
-  }
-}
-
-//------------------------------------------------------------------------------
-vtkWaterForeignKeysSuspended::~vtkWaterForeignKeysSuspended()
-{
-  for (SavedKeys& saved : this->Saved)
-  {
-    vtkInformation* keys = saved.Prop->GetPropertyKeys();
-    keys->Remove(vtkOpenGLRenderPass::RenderPasses());
-    for (vtkObjectBase* pass : saved.Passes)
-    {
-      keys->Append(vtkOpenGLRenderPass::RenderPasses(), pass);
-    }
-  }
-}
 VTK_ABI_NAMESPACE_END

@@ -10,16 +10,12 @@
 
 #include "vtkOpenGLRenderPass.h"
 #include "vtkSmartPointer.h"
-#include "vtkWeakPointer.h"
+#include "vtkWaterKeys.h"
 #include "water_types.h"
 
-#include <map>
 #include <unordered_set>
-#include <vector>
 
-class vtkCallbackCommand;
 class vtkProp;
-class vtkRenderer;
 class vtkTextureObject;
 class vtkWaterProperty;
 
@@ -45,15 +41,8 @@ public:
   // The object of this thread; it lives as long as somebody holds it.
   static vtkSmartPointer<vtkWaterShading> GetShared();
 
-  // Puts the key on every visible prop of the renderer until the frame ends (its EndEvent), so that
-  // mirrored and main view use the same shaders.
-  void HoldUntilEndOfFrame(vtkRenderer* renderer);
-
-  // Puts the key on a prop, once.
-  void AddKey(vtkProp* prop);
-
-  // Counts the renderer's frames that have ended since it was first held; 0 before.
-  unsigned long GetEndedFrames(vtkRenderer* renderer) const;
+  // Which props carry this object in their lists.
+  vtkWaterKeys Keys;
 
   // The mirrored view of this plan is drawn between the two.
   void BeginMirroredView(const water_plan& plan);
@@ -80,45 +69,12 @@ private:
   vtkWaterShading(const vtkWaterShading&) = delete;
   void operator=(const vtkWaterShading&) = delete;
 
-  struct HeldFrame
-  {
-    vtkWeakPointer<vtkRenderer> Renderer;
-    std::vector<vtkSmartPointer<vtkProp>> Props;
-    vtkSmartPointer<vtkCallbackCommand> Observer;
-    unsigned long ObserverTag = 0;
-    unsigned long EndedFrames = 0;
-  };
-
-  bool HasKey(vtkProp* prop) const;
-  void RemoveKey(vtkProp* prop);
-  void EndFrame(HeldFrame& held);
   void SetSurfaceParameters(vtkShaderProgram* program);
   void SetMirroredParameters(vtkShaderProgram* program, vtkProp* prop);
 
-  std::map<vtkRenderer*, HeldFrame> HeldFrames;
   const water_plan* MirroredView = nullptr;
   std::unordered_set<vtkShaderProgram*> SetUp; // programs that know the present view
   const vtkWaterSurface* Surface = nullptr;
-};
-
-// For the mirrored view of a nested draw: other passes have put their keys on the props for the
-// main view, where they would act on framebuffers that are not bound now. While an object of this
-// class lives, the props carry the water's key alone.
-class vtkWaterForeignKeysSuspended
-{
-public:
-  vtkWaterForeignKeysSuspended(vtkWaterShading* shading, const std::vector<vtkProp*>& props);
-  ~vtkWaterForeignKeysSuspended();
-  vtkWaterForeignKeysSuspended(const vtkWaterForeignKeysSuspended&) = delete;
-  void operator=(const vtkWaterForeignKeysSuspended&) = delete;
-
-private:
-  struct SavedKeys
-  {
-    vtkProp* Prop;
-    std::vector<vtkSmartPointer<vtkObjectBase>> Passes;
-  };
-  std::vector<SavedKeys> Saved;
 };
 
 #endif

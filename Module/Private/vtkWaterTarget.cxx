@@ -92,8 +92,8 @@ void vtkWaterTarget::Resolve()
   this->SampledFramebuffer->ActivateReadBuffer(0);
   this->Framebuffer->Bind(vtkOpenGLFramebufferObject::GetDrawMode());
   this->Framebuffer->ActivateDrawBuffer(0);
-  this->Framebuffer->GetContext()->GetState()->vtkglBlitFramebuffer(0, 0, this->Width,
-    this->Height, 0, 0, this->Width, this->Height, GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT, GL_NEAREST);
+  this->Framebuffer->GetContext()->GetState()->vtkglBlitFramebuffer(0, 0, this->Width, this->Height,
+    0, 0, this->Width, this->Height, GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT, GL_NEAREST);
 }
 
 //------------------------------------------------------------------------------

@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkWaterKeys.h"
+
+#include "vtkCallbackCommand.h"
+#include "vtkInformation.h"
+#include "vtkInformationObjectBaseVectorKey.h"
+#include "vtkOpenGLRenderPass.h"
+#include "vtkPropCollection.h"
+#include "vtkRenderer.h"
+#include "vtkWaterAccess.h"
+
+#include <algorithm>
+
+namespace
+{
+using Passes = std::vector<vtkSmartPointer<vtkObjectBase>>;
+
+Passes GetPasses(vtkProp* prop)
+{
+  Passes passes;
+  vtkInformation* keys = prop->GetPropertyKeys();
+  if (keys && keys->Has(vtkOpenGLRenderPass::RenderPasses()))
+  {
+    const int count = keys->Length(vtkOpenGLRenderPass::RenderPasses());
+    for (int i = 0; i < count; ++i)
+    {
+      passes.emplace_back(keys->Get(vtkOpenGLRenderPass::RenderPasses(), i));
+    }
+  }
+  return passes;
+}
+
+void SetPasses(vtkProp* prop, const Passes& passes)
+{
+  vtkInformation* keys = prop->GetPropertyKeys();
+  keys->Remove(vtkOpenGLRenderPass::RenderPasses());
+  for (vtkObjectBase* pass : passes)
+  {
+    keys->Append(vtkOpenGLRenderPass::RenderPasses(), pass);
+  }
+}
+
+template <typename Function>
+void ForEachProp(vtkRenderer* renderer, Function function)
+{
+  vtkPropCollection* props = renderer->GetViewProps();
+  vtkCollectionSimpleIterator it;
+  props->InitTraversal(it);
+  while (vtkProp* prop = props->GetNextProp(it))
+  {
+    function(prop);
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+vtkWaterKeys::vtkWaterKeys(vtkOpenGLRenderPass* key)
+  : Key(key)
+{
+}
+
+//------------------------------------------------------------------------------
+vtkWaterKeys::~vtkWaterKeys()
+{
+  for (auto& held : this->HeldFrames)
+  {
+    this->EndFrame(held.second);
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkWaterKeys::Has(vtkProp* prop) const
+{
+  const Passes passes = GetPasses(prop);
+  return std::find(passes.begin(), passes.end(), this->Key) != passes.end();
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterKeys::Add(vtkProp* prop)
+{
+  if (this->Has(prop))
+  {
+    return;
+  }
+  if (!prop->GetPropertyKeys())
+  {
+    // silently: a key for a frame is no change of the prop
+    vtkWaterAccess::Prop::PropertyKeysOf(prop) = vtkInformation::New();
+  }
+  prop->GetPropertyKeys()->Append(vtkOpenGLRenderPass::RenderPasses(), this->Key);
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterKeys::Remove(vtkProp* prop)
+{
+  vtkInformation* keys = prop->GetPropertyKeys();
+  if (keys && keys->Has(vtkOpenGLRenderPass::RenderPasses()))
+  {
+    keys->Remove(vtkOpenGLRenderPass::RenderPasses(), this->Key);
+    if (keys->Length(vtkOpenGLRenderPass::RenderPasses()) == 0)
+    {
+      keys->Remove(vtkOpenGLRenderPass::RenderPasses());
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterKeys::HoldUntilEndOfFrame(vtkRenderer* renderer)
+{
+  for (auto it = this->HeldFrames.begin(); it != this->HeldFrames.end();)
+  {
+    // a renderer that died took its observer along
+    it = it->second.Renderer ? std::next(it) : this->HeldFrames.erase(it);
+  }
+  HeldFrame& held = this->HeldFrames[renderer];
+  held.Renderer = renderer;
+  if (held.Observer)
+  {
+    return; // another water of this frame was first
+  }
+  ForEachProp(renderer, [&](vtkProp* prop) {
+    if (prop->GetVisibility() && !this->Has(prop))
+    {
+      this->Add(prop);
+      held.Props.emplace_back(prop);
+    }
+  });
+  held.Observer = vtkSmartPointer<vtkCallbackCommand>::New();
+  held.Observer->SetClientData(this);
+  held.Observer->SetCallback([](vtkObject* caller, unsigned long, void* clientData, void*) {
+    auto* self = static_cast<vtkWaterKeys*>(clientData);
+    auto found = self->HeldFrames.find(vtkRenderer::SafeDownCast(caller));
+    if (found != self->HeldFrames.end())
+    {
+      self->EndFrame(found->second);
+    }
+  });
+  held.ObserverTag = renderer->AddObserver(vtkCommand::EndEvent, held.Observer);
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterKeys::EndFrame(HeldFrame& held)
+{
+  for (vtkProp* prop : held.Props)
+  {
+    this->Remove(prop);
+  }
+  held.Props.clear();
+  if (held.Renderer && held.Observer)
+  {
+    held.Renderer->RemoveObserver(held.ObserverTag);
+  }
+  held.Observer = nullptr;
+  ++held.EndedFrames;
+}
+
+//------------------------------------------------------------------------------
+unsigned long vtkWaterKeys::GetEndedFrames(vtkRenderer* renderer) const
+{
+  auto found = this->HeldFrames.find(renderer);
+  return found == this->HeldFrames.end() ? 0 : found->second.EndedFrames;
+}
+
+//------------------------------------------------------------------------------
+bool vtkWaterKeys::IsBakingShadows(vtkProp* prop)
+{
+  const Passes passes = GetPasses(prop);
+  return std::any_of(passes.begin(), passes.end(),
+    [](vtkObjectBase* pass) { return pass->IsA("vtkShadowMapBakerPass"); });
+}
+
+//------------------------------------------------------------------------------
+vtkWaterForeignKeysSuspended::vtkWaterForeignKeysSuspended(
+  vtkOpenGLRenderPass* key, vtkRenderer* renderer)
+{
+  const Passes alone{ key };
+  ForEachProp(renderer, [&](vtkProp* prop) {
+    Passes passes = GetPasses(prop);
+    if (!passes.empty() && passes != alone)
+    {
+      SetPasses(prop, alone);
+      this->Saved.push_back(SavedKeys{ prop, std::move(passes) });
+    }
+  });
+}
+
+//------------------------------------------------------------------------------
+vtkWaterForeignKeysSuspended::~vtkWaterForeignKeysSuspended()
+{
+  for (SavedKeys& saved : this->Saved)
+  {
+    SetPasses(saved.Prop, saved.Passes);
+  }
+}

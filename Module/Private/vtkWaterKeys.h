@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkWaterKeys: puts a pass into the RenderPasses lists of props, and takes it out again.
+//
+// A mapper asks the passes of its prop's list to change its shaders, and builds them anew whenever
+// the list changes: so a list must be the same in the mirrored and in the main view.
+#ifndef vtkWaterKeys_h
+#define vtkWaterKeys_h
+
+#include "vtkSmartPointer.h"
+#include "vtkWeakPointer.h"
+
+#include <map>
+#include <vector>
+
+class vtkCallbackCommand;
+class vtkObjectBase;
+class vtkOpenGLRenderPass;
+class vtkProp;
+class vtkRenderer;
+
+class vtkWaterKeys
+{
+public:
+  // key  the pass; not held, it owns this object
+  explicit vtkWaterKeys(vtkOpenGLRenderPass* key);
+  ~vtkWaterKeys();
+
+  // Puts the key on a prop, once.
+  void Add(vtkProp* prop);
+
+  // Puts the key on every visible prop of the renderer until the frame ends (its EndEvent).
+  void HoldUntilEndOfFrame(vtkRenderer* renderer);
+
+  // Counts the renderer's frames that have ended since it was first held; 0 before.
+  unsigned long GetEndedFrames(vtkRenderer* renderer) const;
+
+  // Is a prop being drawn for a shadow map, by a light's camera?
+  static bool IsBakingShadows(vtkProp* prop);
+
+private:
+  vtkWaterKeys(const vtkWaterKeys&) = delete;
+  void operator=(const vtkWaterKeys&) = delete;
+
+  struct HeldFrame
+  {
+    vtkWeakPointer<vtkRenderer> Renderer;
+    std::vector<vtkSmartPointer<vtkProp>> Props;
+    vtkSmartPointer<vtkCallbackCommand> Observer;
+    unsigned long ObserverTag = 0;
+    unsigned long EndedFrames = 0;
+  };
+
+  bool Has(vtkProp* prop) const;
+  void Remove(vtkProp* prop);
+  void EndFrame(HeldFrame& held);
+
+  vtkOpenGLRenderPass* Key;
+  std::map<vtkRenderer*, HeldFrame> HeldFrames;
+};
+
+// For a mirrored view that is drawn in the middle of the main one: other passes have put their keys
+// on the props, which would act on framebuffers that are not bound now. While an object of this
+// class lives, the renderer's props carry one key alone.
+class vtkWaterForeignKeysSuspended
+{
+public:
+  vtkWaterForeignKeysSuspended(vtkOpenGLRenderPass* key, vtkRenderer* renderer);
+  ~vtkWaterForeignKeysSuspended();
+  vtkWaterForeignKeysSuspended(const vtkWaterForeignKeysSuspended&) = delete;
+  void operator=(const vtkWaterForeignKeysSuspended&) = delete;
+
+private:
+  struct SavedKeys
+  {
+    vtkSmartPointer<vtkProp> Prop;
+    std::vector<vtkSmartPointer<vtkObjectBase>> Passes;
+  };
+  std::vector<SavedKeys> Saved;
+};
+
+#endif
