@@ -74,7 +74,6 @@ struct Library
 
   static Library& Get();
   bool CreateContextAndSurface(EGLHandle& context, EGLHandle& surface);
-  std::string LastError();
 
 private:
   bool Load();
@@ -138,18 +137,6 @@ bool Library::Load()
   find("eglMakeCurrent", this->MakeCurrent);
   find("eglQueryString", this->QueryString);
   find("eglTerminate", this->Terminate);
-
-  // VTK's GLEW asks libGL for its functions. A prototype needed libGL's own first call to come
-  // before any EGL context is current; it costs nothing. VTK has loaded the library already.
-  if (void* gl = dlopen("libGL.so.1", RTLD_LAZY | RTLD_LOCAL))
-  {
-    using GetProcAddress = void (*(*)(const unsigned char*))();
-    auto getFunction = reinterpret_cast<GetProcAddress>(dlsym(gl, "glXGetProcAddressARB"));
-    if (getFunction)
-    {
-      getFunction(reinterpret_cast<const unsigned char*>("glGetString"));
-    }
-  }
   return this->Error.empty();
 }
 
@@ -200,8 +187,7 @@ bool Library::TryDisplay(EGLHandle display, const std::string& name)
   {
     return false;
   }
-  const bool works = this->CreateOn(display, context, surface);
-  if (works)
+  if (this->CreateOn(display, context, surface))
   {
     this->DestroySurface(display, surface);
     this->DestroyContext(display, context);
@@ -209,7 +195,7 @@ bool Library::TryDisplay(EGLHandle display, const std::string& name)
     this->DisplayName = name;
   }
   this->Terminate(display); // ends the driver's threads
-  return works;
+  return this->Display != nullptr;
 }
 
 //------------------------------------------------------------------------------
@@ -249,6 +235,22 @@ bool Library::CreateOn(EGLHandle display, EGLHandle& context, EGLHandle& surface
 }
 
 //------------------------------------------------------------------------------
+// VTK's GLEW asks GLX for OpenGL's functions. GLX's first call after a fork takes the current
+// context away, an EGL one too (libglvnd resets its dispatch), so that call is made here.
+void EnterGLX()
+{
+  if (void* gl = dlopen("libGL.so.1", RTLD_LAZY | RTLD_LOCAL)) // VTK has loaded it already
+  {
+    using GetFunction = void (*(*)(const unsigned char*))();
+    if (auto getFunction = reinterpret_cast<GetFunction>(dlsym(gl, "glXGetProcAddressARB")))
+    {
+      getFunction(reinterpret_cast<const unsigned char*>("glGetString"));
+    }
+    dlclose(gl);
+  }
+}
+
+//------------------------------------------------------------------------------
 bool Library::CreateContextAndSurface(EGLHandle& context, EGLHandle& surface)
 {
   std::lock_guard<std::mutex> lock(this->Mutex);
@@ -259,35 +261,27 @@ bool Library::CreateContextAndSurface(EGLHandle& context, EGLHandle& surface)
       return false;
     }
     this->Process = getpid();
+    EnterGLX();
   }
   return this->CreateOn(this->Display, context, surface);
-}
-
-//------------------------------------------------------------------------------
-std::string Library::LastError()
-{
-  std::ostringstream text;
-  text << "EGL error 0x" << std::hex << this->GetError();
-  return text.str();
 }
 }
 
 //------------------------------------------------------------------------------
 bool vtkWaterEGLContext::Probe(std::string& why)
 {
-  Library& egl = Library::Get();
-  why = egl.Error;
-  return egl.Display != nullptr;
+  why = Library::Get().Error;
+  return why.empty();
 }
 
 //------------------------------------------------------------------------------
 bool vtkWaterEGLContext::Create(std::string& why)
 {
-  Library& egl = Library::Get();
   if (!vtkWaterEGLContext::Probe(why))
   {
     return false;
   }
+  Library& egl = Library::Get();
   if (vtkWaterEGLContext::IsForked())
   {
     why = "the process was forked after a first window had rendered; spawn it instead";
@@ -295,7 +289,9 @@ bool vtkWaterEGLContext::Create(std::string& why)
   }
   if (!this->Context && !egl.CreateContextAndSurface(this->Context, this->Surface))
   {
-    why = "EGL made no OpenGL 3.2 core context (" + egl.LastError() + ")";
+    std::ostringstream text;
+    text << "EGL made no OpenGL 3.2 core context (error 0x" << std::hex << egl.GetError() << ")";
+    why = text.str();
     return false;
   }
   return true;

@@ -63,9 +63,8 @@ vtkWeakPointer<vtkObjectFactory> Registered;
 
 std::string& Reason()
 {
-  static auto* reason =
-    new std::string("off-screen rendering was not asked for"); // never destroyed
-  return *reason;
+  static std::string reason = "off-screen rendering was not asked for";
+  return reason;
 }
 
 // An environment variable's value; empty if it is unset.
@@ -116,8 +115,8 @@ bool vtkWaterOffScreen::Enable()
   }
   vtkNew<WindowFactory> factory;
   vtkObjectFactory::RegisterFactory(factory);
-  // VTK asks the factories in their order, and the one of its X windows may be there already. So
-  // this one goes first; to switch off the others' flags would have to be undone by Disable.
+  // VTK asks the factories in their order, and the one of its X windows may be there already, so
+  // this one goes first. The others stay as they are, and Disable has nothing to restore.
   vtkObjectFactoryCollection* factories = vtkObjectFactory::GetRegisteredFactories();
   factories->vtkCollection::RemoveItem(factory);
   if (factories->GetNumberOfItems() > 0)
