@@ -70,8 +70,8 @@ static inline double water_vec4_dot(const double a[4], const double b[4])
 }
 
 // product = matrix * column
-static inline void water_mat4_apply(const double matrix[16], const double column[4],
-  double product[4])
+static inline void water_mat4_apply(
+  const double matrix[16], const double column[4], double product[4])
 {
   double sum[4];
   for (int i = 0; i < 4; ++i)
@@ -81,23 +81,23 @@ static inline void water_mat4_apply(const double matrix[16], const double column
   memcpy(product, sum, sizeof sum);
 }
 
-static inline void water_mat4_apply_point(const double matrix[16], const double point[3],
-  double product[4])
+static inline void water_mat4_apply_point(
+  const double matrix[16], const double point[3], double product[4])
 {
   const double column[4] = { point[0], point[1], point[2], 1.0 };
   water_mat4_apply(matrix, column, product);
 }
 
-static inline void water_mat4_apply_dir(const double matrix[16], const double dir[3],
-  double product[4])
+static inline void water_mat4_apply_dir(
+  const double matrix[16], const double dir[3], double product[4])
 {
   const double column[4] = { dir[0], dir[1], dir[2], 0.0 };
   water_mat4_apply(matrix, column, product);
 }
 
 // product = row * matrix: how a plane changes space.
-static inline void water_mat4_apply_row(const double row[4], const double matrix[16],
-  double product[4])
+static inline void water_mat4_apply_row(
+  const double row[4], const double matrix[16], double product[4])
 {
   double sum[4];
   for (int j = 0; j < 4; ++j)

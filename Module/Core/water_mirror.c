@@ -35,8 +35,8 @@ void water_mirror_camera(const water_camera* eye, const water_plane* plane, wate
   mirrored->parallel = eye->parallel;
 }
 
-void water_mirror_reach(const water_prop* props, size_t prop_count, const water_fate* fates,
-  water_camera* mirrored)
+void water_mirror_reach(
+  const water_prop* props, size_t prop_count, const water_fate* fates, water_camera* mirrored)
 {
   double world_to_clip[16];
   water_mat4_multiply(mirrored->view_to_clip, mirrored->world_to_view, world_to_clip);
@@ -73,8 +73,8 @@ void water_mirror_reach(const water_prop* props, size_t prop_count, const water_
   }
 }
 
-void water_mirror_pose(const water_camera* mirrored, double position[3], double focal_point[3],
-  double view_up[3])
+void water_mirror_pose(
+  const water_camera* mirrored, double position[3], double focal_point[3], double view_up[3])
 {
   const double* view = mirrored->world_to_view;
   const double origin[3] = { view[3], view[7], view[11] };
@@ -97,8 +97,8 @@ void water_mirror_clip_view(const double plane_view[4], double margin, double cl
   clip_plane_view[3] = margin - plane_view[3];
 }
 
-water_status water_mirror_clip_clip(const double view_to_clip[16], const double clip_plane_view[4],
-  double clip_plane_clip[4])
+water_status water_mirror_clip_clip(
+  const double view_to_clip[16], const double clip_plane_view[4], double clip_plane_clip[4])
 {
   double clip_to_view[16];
   if (!water_mat4_invert(view_to_clip, clip_to_view))
@@ -109,8 +109,8 @@ water_status water_mirror_clip_clip(const double view_to_clip[16], const double 
   return WATER_OK;
 }
 
-void water_mirror_clip_window(const double clip_plane_clip[4], const int texture_px[2],
-  double clip_plane_window[4])
+void water_mirror_clip_window(
+  const double clip_plane_clip[4], const int texture_px[2], double clip_plane_window[4])
 {
   // Clip w is positive in front of the camera, so the division by it leaves the sign alone.
   double plane[4];
@@ -130,8 +130,8 @@ void water_mirror_clip_window(const double clip_plane_clip[4], const int texture
   }
 }
 
-water_status water_mirror_oblique(const double view_to_clip[16], const double clip_plane_view[4],
-  double oblique[16])
+water_status water_mirror_oblique(
+  const double view_to_clip[16], const double clip_plane_view[4], double oblique[16])
 {
   double clip_to_view[16];
   if (!water_mat4_invert(view_to_clip, clip_to_view))

@@ -25,15 +25,15 @@ void water_mirror_camera(const water_camera* eye, const water_plane* plane, wate
 // picture stay where they are. Does nothing when they do already.
 //
 // fates  of water_select_props; only WATER_DRAW counts
-void water_mirror_reach(const water_prop* props, size_t prop_count, const water_fate* fates,
-  water_camera* mirrored);
+void water_mirror_reach(
+  const water_prop* props, size_t prop_count, const water_fate* fates, water_camera* mirrored);
 
 // A rigid camera in vtkCamera's terms, in world.
 //
 // focal_point  at distance 1 of position
 // view_up      unit length, at right angles to the view direction
-void water_mirror_pose(const water_camera* mirrored, double position[3], double focal_point[3],
-  double view_up[3]);
+void water_mirror_pose(
+  const water_camera* mirrored, double position[3], double focal_point[3], double view_up[3]);
 
 // The clip at the plane in mirrored view space: kept side >= 0, unit normal.
 //
@@ -44,14 +44,14 @@ void water_mirror_clip_view(const double plane_view[4], double margin, double cl
 // The same clip in clip space: dot(clip_plane_clip, clip) is the height over the clip.
 //
 // Returns WATER_OK or WATER_BAD_CAMERA (view_to_clip has no inverse).
-water_status water_mirror_clip_clip(const double view_to_clip[16], const double clip_plane_view[4],
-  double clip_plane_clip[4]);
+water_status water_mirror_clip_clip(
+  const double view_to_clip[16], const double clip_plane_view[4], double clip_plane_clip[4]);
 
 // The same clip in the map's window space: dot(clip_plane_window, (x_px, y_px, depth, 1)) has the
 // sign of the clip for every point in front of the camera; depth in [0, 1]. The largest entry is 1
 // or -1.
-void water_mirror_clip_window(const double clip_plane_clip[4], const int texture_px[2],
-  double clip_plane_window[4]);
+void water_mirror_clip_window(
+  const double clip_plane_clip[4], const int texture_px[2], double clip_plane_window[4]);
 
 // A projection whose near plane is the clip plane, for what cannot discard in window space (volume
 // rays). It bends the depths, so it is not for the map whose depth is searched.
@@ -60,8 +60,8 @@ void water_mirror_clip_window(const double clip_plane_clip[4], const int texture
 // side: nothing is seen of it); then oblique is unchanged.
 // Source: Lengyel 2005, "Oblique View Frustum Depth Projection and Clipping", with the general
 // inverse in place of the entries of a symmetric perspective matrix.
-water_status water_mirror_oblique(const double view_to_clip[16], const double clip_plane_view[4],
-  double oblique[16]);
+water_status water_mirror_oblique(
+  const double view_to_clip[16], const double clip_plane_view[4], double oblique[16]);
 
 // World to the map: divide by w: u, v, depth in [0, 1].
 void water_mirror_texture_matrix(const water_camera* mirrored, double world_to_texture[16]);

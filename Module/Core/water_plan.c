@@ -32,8 +32,8 @@ static water_status check(const water_scene* scene, checked* result)
   {
     return WATER_BAD_SURFACE;
   }
-  status = water_target_size(scene->viewport_px, scene->texture_scale, scene->max_texture_px,
-    result->texture_px);
+  status = water_target_size(
+    scene->viewport_px, scene->texture_scale, scene->max_texture_px, result->texture_px);
   if (status != WATER_OK)
   {
     return status;
@@ -83,18 +83,18 @@ static water_status fill_draw(const water_scene* scene, const checked* input,
   const water_plane* plane, water_plan* plan, water_fate* fates)
 {
   water_mirror_camera(&scene->eye, plane, &plan->mirrored);
-  water_select_props(&plan->mirrored, plane, scene->clip_margin, scene->props, scene->prop_count,
-    fates);
+  water_select_props(
+    &plan->mirrored, plane, scene->clip_margin, scene->props, scene->prop_count, fates);
   water_mirror_reach(scene->props, scene->prop_count, fates, &plan->mirrored);
-  water_mirror_pose(&plan->mirrored, plan->mirrored_position, plan->mirrored_focal_point,
-    plan->mirrored_view_up);
+  water_mirror_pose(
+    &plan->mirrored, plan->mirrored_position, plan->mirrored_focal_point, plan->mirrored_view_up);
   water_camera_plane_view(&input->eye, plane, plan->plane_view);
   water_mirror_clip_view(plan->plane_view, scene->clip_margin, plan->clip_plane_view);
   memcpy(plan->texture_px, input->texture_px, sizeof plan->texture_px);
-  water_target_rect(&scene->eye, plane, scene->surface_bounds, plan->texture_px,
-    plan->texture_rect_px);
-  const water_status status = water_mirror_clip_clip(plan->mirrored.view_to_clip,
-    plan->clip_plane_view, plan->clip_plane_clip);
+  water_target_rect(
+    &scene->eye, plane, scene->surface_bounds, plan->texture_px, plan->texture_rect_px);
+  const water_status status = water_mirror_clip_clip(
+    plan->mirrored.view_to_clip, plan->clip_plane_view, plan->clip_plane_clip);
   if (status == WATER_OK)
   {
     water_mirror_clip_window(plan->clip_plane_clip, plan->texture_px, plan->clip_plane_window);
@@ -103,8 +103,8 @@ static water_status fill_draw(const water_scene* scene, const checked* input,
 }
 
 // plane: normal towards the eye; plane_view of the plan is set.
-static void fill_shade(const water_scene* scene, const checked* input, const water_plane* plane,
-  water_plan* plan)
+static void fill_shade(
+  const water_scene* scene, const checked* input, const water_plane* plane, water_plan* plan)
 {
   water_mirror_texture_matrix(&plan->mirrored, plan->world_to_texture);
   water_mirror_headlight(plan->plane_view, plan->headlight_dir);

@@ -23,9 +23,11 @@ extern "C"
   X(WATER_BAD_CLIP_MARGIN, "ClipMargin must be finite and not negative")                           \
   X(WATER_BAD_INDEX, "IndexOfRefraction must be finite and at least 1")                            \
   X(WATER_BAD_REFLECTANCE, "Reflectance must lie in [0, 1]")                                       \
-  X(WATER_BAD_CAMERA, "the camera's matrices must be finite, the view rigid and the projection "   \
-                      "invertible")                                                                \
-  X(WATER_CAMERA_ON_PLANE, "the camera lies exactly on the water plane; it must be above or below") \
+  X(WATER_BAD_CAMERA,                                                                              \
+    "the camera's matrices must be finite, the view rigid and the projection "                     \
+    "invertible")                                                                                  \
+  X(WATER_CAMERA_ON_PLANE,                                                                         \
+    "the camera lies exactly on the water plane; it must be above or below")                       \
   X(WATER_BAD_PROP_BOUNDS, "the bounds of every prop must be finite")
 
 typedef enum water_status

@@ -8,8 +8,8 @@
 // Filtering reads one texel beside the point looked up; the other covers the rounding of the GPU.
 static const double pad_px = 2.0;
 
-water_status water_target_size(const int viewport_px[2], double texture_scale, int max_texture_px,
-  int texture_px[2])
+water_status water_target_size(
+  const int viewport_px[2], double texture_scale, int max_texture_px, int texture_px[2])
 {
   if (viewport_px[0] < 1 || viewport_px[1] < 1)
   {

@@ -15,8 +15,8 @@ extern "C"
 //
 // Returns WATER_OK, WATER_BAD_VIEWPORT, WATER_BAD_TEXTURE_SCALE or WATER_TEXTURE_TOO_LARGE; then
 // texture_px is unchanged.
-water_status water_target_size(const int viewport_px[2], double texture_scale, int max_texture_px,
-  int texture_px[2]);
+water_status water_target_size(
+  const int viewport_px[2], double texture_scale, int max_texture_px, int texture_px[2]);
 
 // The rectangle of the map that calm water within a box can look up: a point at height h over the
 // plane looks at the picture of its own mirror image, which for h = 0 is its own picture. Two

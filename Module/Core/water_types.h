@@ -27,8 +27,9 @@ typedef struct water_plane
 typedef struct water_camera
 {
   double world_to_view[16]; // rigid: rotation and translation only; looks along -z
-  double view_to_clip[16];  // perspective, off-axis or parallel; kept depths have clip z/w in [-1, 1]
-  bool parallel;            // parallel projection
+  double
+    view_to_clip[16]; // perspective, off-axis or parallel; kept depths have clip z/w in [-1, 1]
+  bool parallel;      // parallel projection
 } water_camera;
 
 enum // water_prop.flags, a bit each
@@ -135,16 +136,16 @@ typedef struct water_plan
   double world_to_texture[16]; // divide by w: u, v, depth in [0, 1]; of a point on the water: its
                                // own pixel, x flipped
   double headlight_dir[3];     // the eye's view direction in mirrored view space, unit length
-  double normal_clip[4];       // view_to_clip * world_to_view * (n, 0) of the eye; n towards the eye
-  double plane_view[4];        // plane in the eye's view space, normal towards the eye
-  double plane_clip[4];        // the same on clip space of the eye: dot(plane_clip, clip) is the
-                               // height of the point, clip not divided by w
-  double ndc_to_ray[9];        // (x, y, 1) in NDC of the eye -> direction of the view ray in the
-                               // plane's axes (third: n towards the eye), any length
-  double map_ndc_to_eye[9];    // (x, y, 1) in NDC of the map -> (x, y, w) in clip of the eye, of
-                               // the direction that the map sees there: where the sky is found
-  double eta;                  // index beyond the surface / index on the eye's side
-  double reflectance;          // in [0, 1], or -1: exact Fresnel with eta
+  double normal_clip[4];    // view_to_clip * world_to_view * (n, 0) of the eye; n towards the eye
+  double plane_view[4];     // plane in the eye's view space, normal towards the eye
+  double plane_clip[4];     // the same on clip space of the eye: dot(plane_clip, clip) is the
+                            // height of the point, clip not divided by w
+  double ndc_to_ray[9];     // (x, y, 1) in NDC of the eye -> direction of the view ray in the
+                            // plane's axes (third: n towards the eye), any length
+  double map_ndc_to_eye[9]; // (x, y, 1) in NDC of the map -> (x, y, w) in clip of the eye, of
+                            // the direction that the map sees there: where the sky is found
+  double eta;               // index beyond the surface / index on the eye's side
+  double reflectance;       // in [0, 1], or -1: exact Fresnel with eta
 } water_plan;
 
 #ifdef __cplusplus

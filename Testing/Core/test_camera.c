@@ -117,8 +117,8 @@ TEST(eye_point_of_a_sheared_projection_is_found)
   for (int i = 0; i < 3; ++i)
   {
     const double* row = eye.ndc_to_dir + 3 * i;
-    ASSERT_CLOSE(row[0] * clip[0] + row[1] * clip[1] + row[2] * clip[3],
-      point[i] - eye.center_view[i], 1e-13);
+    ASSERT_CLOSE(
+      row[0] * clip[0] + row[1] * clip[1] + row[2] * clip[3], point[i] - eye.center_view[i], 1e-13);
   }
 }
 

@@ -193,8 +193,8 @@ TEST(oblique_near_plane_is_the_clip_plane)
     double point[3];
     double clip[4];
     double bent[4];
-    if (water_mirror_oblique(plan.mirrored.view_to_clip, plan.clip_plane_view,
-          oblique.view_to_clip) != WATER_OK)
+    if (water_mirror_oblique(
+          plan.mirrored.view_to_clip, plan.clip_plane_view, oblique.view_to_clip) != WATER_OK)
     {
       continue;
     }
@@ -266,8 +266,8 @@ TEST(far_plane_moves_behind_the_drawn_props)
       }
     }
     const size_t size = sizeof before.mirrored.view_to_clip;
-    assert_int_equal(memcmp(plan.mirrored.view_to_clip, before.mirrored.view_to_clip, size) != 0,
-      reaches_out);
+    assert_int_equal(
+      memcmp(plan.mirrored.view_to_clip, before.mirrored.view_to_clip, size) != 0, reaches_out);
     moved += reaches_out;
     // a skybox has no far end
     for (int number = 0; number < 3; ++number)

@@ -182,10 +182,10 @@ TEST(plan_is_a_pure_function)
     assert_int_equal(first.decision, WATER_REFLECT);
     assert_memory_equal(first.world_to_texture, second.world_to_texture,
       sizeof first - offsetof(water_plan, world_to_texture));
-    assert_memory_equal(first.clip_plane_window, second.clip_plane_window,
-      sizeof first.clip_plane_window);
-    assert_memory_equal(first.texture_rect_px, second.texture_rect_px,
-      sizeof first.texture_rect_px);
+    assert_memory_equal(
+      first.clip_plane_window, second.clip_plane_window, sizeof first.clip_plane_window);
+    assert_memory_equal(
+      first.texture_rect_px, second.texture_rect_px, sizeof first.texture_rect_px);
   }
 }
 

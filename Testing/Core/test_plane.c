@@ -206,8 +206,8 @@ TEST(sheet_needs_bounds)
   for (int number = 0; number < 5; ++number)
   {
     double sheet[4] = { 5.0, 6.0, 7.0, 8.0 };
-    assert_int_equal(water_sheet_bounds(origin, x_dir, y_dir, cases[number], sheet),
-      WATER_BAD_SURFACE);
+    assert_int_equal(
+      water_sheet_bounds(origin, x_dir, y_dir, cases[number], sheet), WATER_BAD_SURFACE);
     assert_true(sheet[0] == 5.0 && sheet[3] == 8.0);
   }
 }

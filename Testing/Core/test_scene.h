@@ -122,8 +122,8 @@ static inline int is_inside(const double clip[4])
 }
 
 // gluLookAt
-static inline void look_at(const double eye[3], const double target[3], const double up[3],
-  double m[16])
+static inline void look_at(
+  const double eye[3], const double target[3], const double up[3], double m[16])
 {
   double back[3];
   double right[3];
