@@ -47,8 +47,11 @@ set(CMAKE_ARCHIVE_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/lib")
 set(CMAKE_LIBRARY_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/lib")
 set(CMAKE_RUNTIME_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/bin")
 # An installed library finds a VTK outside of the system's folders (PyPI's wheel, a home folder).
-if(NOT DEFINED CMAKE_INSTALL_RPATH_USE_LINK_PATH)
-  set(CMAKE_INSTALL_RPATH_USE_LINK_PATH ON)
+# CMAKE_INSTALL_RPATH_USE_LINK_PATH would not do: it passes over folders inside this project.
+get_target_property(water_vtk_library VTK::CommonCore LOCATION)
+get_filename_component(water_vtk_library_dir "${water_vtk_library}" DIRECTORY)
+if(NOT water_vtk_library_dir IN_LIST CMAKE_CXX_IMPLICIT_LINK_DIRECTORIES)
+  list(APPEND CMAKE_INSTALL_RPATH "${water_vtk_library_dir}")
 endif()
 
 vtk_module_scan(

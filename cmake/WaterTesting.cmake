@@ -13,7 +13,7 @@
 # VTK_BASELINE_ROOT and WATER_TEST_OUTPUT, a folder for what it writes. In COMMAND, the word
 # {output} stands for that folder.
 
-if(VTK_VERSION VERSION_LESS 9.4)
+if("${VTK_MAJOR_VERSION}.${VTK_MINOR_VERSION}" VERSION_LESS 9.4) # VTK_VERSION: not in VTK's build
   set(water_windows Own) # VTK has GLX only: the plugin gives it our EGL window
 else()
   set(water_windows OSMesa EGL)
@@ -23,6 +23,7 @@ set(WATER_TEST_WINDOWS "${water_windows}" CACHE STRING
 set(WATER_TEST_PREFIX "" CACHE STRING
   "Put before the tests' names, to tell build trees apart in one ctest run")
 
+set(water_cmake_dir "${CMAKE_CURRENT_LIST_DIR}")
 set(water_test_dir "${CMAKE_CURRENT_LIST_DIR}/../Testing")
 get_filename_component(water_test_dir "${water_test_dir}" ABSOLUTE)
 set(water_test_output "${CMAKE_BINARY_DIR}/Testing/Temporary")
@@ -50,7 +51,7 @@ function(water_test_environment result window output)
   endif()
   if(WATER_SANITIZE)
     list(APPEND environment
-      "LSAN_OPTIONS=suppressions=${water_test_dir}/lsan.supp:print_suppressions=0"
+      "LSAN_OPTIONS=suppressions=${water_cmake_dir}/lsan.supp:print_suppressions=0"
       "UBSAN_OPTIONS=print_stacktrace=1")
   endif()
   set(${result} "${environment}" PARENT_SCOPE)
@@ -101,7 +102,8 @@ endfunction()
 function(water_add_cxx_tests)
   cmake_parse_arguments(PARSE_ARGV 0 arg "" "TIMEOUT" "LABELS")
   set(driver vtkRenderingWaterCxxTests)
-  include("${VTK_DIR}/vtkTestingDriver.cmake") # what main does before a test
+  list(APPEND CMAKE_MODULE_PATH "${VTK_DIR}") # VTK's own build has its CMake files there already
+  include(vtkTestingDriver) # what main does before a test
   create_test_sourcelist(sources ${driver}.cxx ${arg_UNPARSED_ARGUMENTS}
     EXTRA_INCLUDE vtkTestDriver.h)
   add_executable(${driver} ${sources})

@@ -1,0 +1,31 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# Installs the build tree into an empty prefix, then builds and runs a project that knows only that
+# prefix and VTK.
+include("${CMAKE_CURRENT_LIST_DIR}/run.cmake")
+
+set(prefix "${WORK_DIR}/prefix")
+file(REMOVE_RECURSE "${WORK_DIR}")
+file(MAKE_DIRECTORY "${WORK_DIR}")
+
+run("${CMAKE_COMMAND}" --install "${BINARY_DIR}" --prefix "${prefix}")
+run("${CMAKE_COMMAND}" -S "${CMAKE_CURRENT_LIST_DIR}/Consumer" -B "${WORK_DIR}/consumer"
+  -G "${GENERATOR}" "-DCMAKE_BUILD_TYPE=${BUILD_TYPE}"
+  "-DCMAKE_PREFIX_PATH=${prefix}" "-DVTK_DIR=${VTK_DIR}" "-DPython3_EXECUTABLE=${PYTHON}")
+run("${CMAKE_COMMAND}" --build "${WORK_DIR}/consumer" --config "${BUILD_TYPE}")
+
+# From here on nothing of the build tree may help.
+set(ENV{LD_LIBRARY_PATH} "")
+set(ENV{PYTHONPATH} "${prefix}/${PYTHON_DESTINATION}")
+if(DEFINED ENV{VTK_AUTOLOAD_PATH})
+  set(ENV{VTK_AUTOLOAD_PATH} "${prefix}/lib/vtkwater-plugins")
+endif()
+
+run("${WORK_DIR}/consumer/consumer_c")
+expect("plan: rendered, box drawn, texture [1-9][0-9]* x [1-9]")
+run("${WORK_DIR}/consumer/consumer_cxx")
+expect("level 2")
+expect("mirror rendered 1")
+if(PYTHON)
+  run("${PYTHON}" "${CMAKE_CURRENT_LIST_DIR}/Consumer/consumer.py")
+  expect("vtkwater [0-9.]+ level 0")
+endif()
