@@ -1,0 +1,115 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Ray-cast volumes and translucent geometry are reflected, and cut at the water.
+
+The reference is the mirrored camera looking at the scene without any water, the volume cut by its
+mapper's own clipping plane; flipped in x it is what the water must show.
+"""
+
+import numpy as np
+import water_test as wt
+import vtkmodules.vtkRenderingVolumeOpenGL2  # noqa: F401
+from vtkmodules.vtkCommonDataModel import vtkPiecewiseFunction, vtkSphere
+from vtkmodules.vtkImagingCore import vtkImageShiftScale
+from vtkmodules.vtkImagingHybrid import vtkSampleFunction
+from vtkmodules.vtkRenderingCore import vtkColorTransferFunction, vtkVolume
+from vtkmodules.vtkRenderingVolume import vtkGPUVolumeRayCastMapper
+
+SIZE = (320, 240)
+
+
+def cloud(height):
+    ball = vtkSphere()
+    ball.SetRadius(1.0)
+    ball.SetCenter(0, 0, height)
+    sample = vtkSampleFunction()
+    sample.SetImplicitFunction(ball)
+    sample.SetModelBounds(-1.2, 1.2, -1.2, 1.2, height - 1.2, height + 1.2)
+    sample.SetSampleDimensions(48, 48, 48)
+    scale = vtkImageShiftScale()
+    scale.SetInputConnection(sample.GetOutputPort())
+    scale.SetShift(1)
+    scale.SetScale(100)
+    scale.SetOutputScalarTypeToUnsignedChar()
+    scale.ClampOverflowOn()
+    mapper = vtkGPUVolumeRayCastMapper()
+    mapper.SetInputConnection(scale.GetOutputPort())
+    mapper.UseJitteringOff()
+    mapper.AutoAdjustSampleDistancesOff()
+    mapper.SetSampleDistance(0.02)
+    volume = vtkVolume()
+    volume.SetMapper(mapper)
+    color = vtkColorTransferFunction()
+    color.AddRGBPoint(0, 1, 0.8, 0)
+    color.AddRGBPoint(120, 1, 0.2, 0)
+    opacity = vtkPiecewiseFunction()
+    opacity.AddPoint(0, 0.9)
+    opacity.AddPoint(90, 0.3)
+    opacity.AddPoint(101, 0)
+    volume.GetProperty().SetColor(color)
+    volume.GetProperty().SetScalarOpacity(opacity)
+    return volume
+
+
+def fill(view, kind, cut):
+    if kind.startswith("volume"):
+        volume = cloud(1.5 if "above" in kind else 0.2)
+        if cut and "across" in kind:
+            volume.GetMapper().AddClippingPlane(wt.plane((0, 0, 0), (0, 0, 1)))
+        view.renderer.AddVolume(volume)
+        wt.add_actor(view.renderer, wt.box((2.5, 1, 1), (1, 1, 2)), (0.3, 0.8, 0.3), lit=False)
+    else:
+        for i in range(3):
+            wt.add_actor(view.renderer, wt.box((1.2 * i - 1, i, 1.5), (1.5, 0.8, 1.5)),
+                         (1 - 0.4 * i, 0.2 + 0.3 * i, 0.3), lit=False, opacity=0.5)
+    if "peeling" in kind:
+        view.renderer.UseDepthPeelingOn()
+        view.renderer.SetMaximumNumberOfPeels(20)
+        view.window.SetAlphaBitPlanes(True)
+
+
+def compare(kind):
+    view = wt.View(SIZE)
+    fill(view, kind, cut=False)
+    water = wt.add_water(view.renderer, wt.plane((0, 0, 0), (0, 0, 1)), (-6, 6, -4, 8))
+    camera = view.renderer.GetActiveCamera()
+    camera.SetPosition(1, -9, 3)
+    camera.SetFocalPoint(0.5, 0, 0)
+    camera.SetViewUp(0, 0, 1)
+    camera.SetClippingRange(1, 40)
+    seen = view.picture()
+    mask = wt.water_mask(view, water)
+
+    mirror = wt.View(SIZE)
+    fill(mirror, kind, cut=True)
+    below = mirror.renderer.GetActiveCamera()
+    below.SetPosition(1, -9, -3)
+    below.SetFocalPoint(0.5, 0, 0)
+    below.SetViewUp(0, 0, -1)
+    below.SetClippingRange(1, 40)
+    expected = mirror.picture()[:, ::-1]
+    background = expected[0, 0]
+
+    # only what is really behind the surface in the reference: a volume in front hides the water
+    error = np.abs(seen - expected).max(axis=2)
+    hidden = np.abs(view_without_water(kind) - background).max(axis=2) > 0
+    shown = mask & ~hidden
+    wt.check_at_least(f"{kind}: reflected pixels", int((np.abs(expected - background).max(axis=2) > 30)[shown].sum()), 500)
+    rmse = float(np.sqrt(((seen - expected)[shown] ** 2).mean()))
+    wt.check_at_most(f"{kind}: RMSE of 255", rmse, 1.0)
+    wt.check_at_most(f"{kind}: % of water pixels off by more than 8/255", float(100 * (error > 8)[shown].mean()), 0.5)
+
+
+def view_without_water(kind):
+    view = wt.View(SIZE)
+    fill(view, kind, cut=False)
+    camera = view.renderer.GetActiveCamera()
+    camera.SetPosition(1, -9, 3)
+    camera.SetFocalPoint(0.5, 0, 0)
+    camera.SetViewUp(0, 0, 1)
+    camera.SetClippingRange(1, 40)
+    return view.picture()
+
+
+for case in ("volume above", "volume across the surface", "translucent", "translucent with depth peeling"):
+    compare(case)
+wt.finish()
