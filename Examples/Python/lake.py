@@ -43,7 +43,7 @@ REFINEMENT = 2  # points drawn per point of the elevation model, along each axis
 TILES = 4  # the terrain is drawn in TILES x TILES props, so that those out of view cost nothing
 SIZE = (1280, 720)
 SAMPLES = 8
-FRAMES = 5  # timed, of each kind
+FRAMES = 3  # timed, of each kind
 
 # The camera stands over the lake: fractions of the map's extent, east and north, and metres drawn.
 EYE = (0.831, 0.233)

@@ -52,7 +52,8 @@ def cloud(height):
 
 def fill(view, kind, cut):
     if kind.startswith("volume"):
-        volume = cloud(1.5 if "above" in kind else 0.2)
+        # widest under water: uncut, that part would stand out from behind the cap over it
+        volume = cloud(1.5 if "above" in kind else -0.3)
         if cut and "across" in kind:
             volume.GetMapper().AddClippingPlane(wt.plane((0, 0, 0), (0, 0, 1)))
         view.renderer.AddVolume(volume)

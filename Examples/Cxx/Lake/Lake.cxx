@@ -70,7 +70,7 @@ const int REFINEMENT = 2;        // points drawn per point of the elevation mode
 const int TILES = 4; // the terrain is TILES x TILES props, so that those out of view cost nothing
 const int SIZE[2] = { 1280, 720 };
 const int SAMPLES = 8;
-const int FRAMES = 5; // timed, of each kind
+const int FRAMES = 3; // timed, of each kind
 
 // The camera stands over the lake: fractions of the map's extent, east and north, and metres drawn.
 const double EYE[2] = { 0.831, 0.233 };
