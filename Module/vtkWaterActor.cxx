@@ -329,6 +329,17 @@ void vtkWaterActor::Render(vtkRenderer* renderer, vtkMapper* mapper)
   surface.Plan = isPlain ? nullptr : pass->GetFreshPlan(renderer);
   surface.Reflection = pass->GetTexture(renderer);
   surface.IsFlat = this->UsesOwnSheet() && this->GetIsIdentity();
+  if (surface.Plan)
+  {
+    // where pixel meets texel, one texel is the same as four
+    int drawn[4];
+    static_cast<vtkOpenGLRenderer*>(renderer)->GetState()->vtkglGetIntegerv(GL_VIEWPORT, drawn);
+    const bool isAligned =
+      surface.IsFlat && std::equal(drawn + 2, drawn + 4, surface.Plan->texture_px);
+    const int filter = isAligned ? vtkTextureObject::Nearest : vtkTextureObject::Linear;
+    surface.Reflection->SetMinificationFilter(filter);
+    surface.Reflection->SetMagnificationFilter(filter);
+  }
   surface.Reflection->Activate();
   this->Shading->BeginSurface(surface);
   this->Superclass::Render(renderer, mapper);

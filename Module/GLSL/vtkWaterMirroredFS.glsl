@@ -15,14 +15,18 @@ void waterClip()
 }
 
 // A headlight stays at the user's camera: in the mirrored view it shines along waterHeadlightVC
-// instead of along the view. Same terms as VTK's for a directional light.
-void waterHeadlight(
-  vec3 normal, vec3 toEye, float specularPower, inout float diffuseFactor, inout float specularFactor)
+// instead of along the view. Sets the diffuse factor and returns the base of the specular power, in
+// VTK's terms for a directional light; outside of the mirror both are the given factor. No second
+// power is taken: software renderers execute both sides of a branch.
+float waterHeadlight(vec3 normal, vec3 position, inout float diffuseFactor)
 {
+  float specularBase = diffuseFactor;
   if (waterHeadlightVC.w > 0.5)
   {
     diffuseFactor = max(0.0, dot(normal, -waterHeadlightVC.xyz));
-    specularFactor = sign(diffuseFactor) *
-      pow(max(0.0, dot(reflect(waterHeadlightVC.xyz, normal), toEye)), specularPower);
+    specularBase = diffuseFactor > 0.0
+      ? max(0.0, dot(reflect(waterHeadlightVC.xyz, normal), normalize(-position)))
+      : 0.0;
   }
+  return specularBase;
 }

@@ -165,8 +165,8 @@ bool vtkWaterShading::PostReplaceShaderValues(
   }
   // VTK's code for a single headlight takes the light for the view; a mapper that has no such line
   // (unlit, other lights) needs nothing
-  InsertAfter(fragmentShader, "float sf = pow(df, specularPower);",
-    "  waterHeadlight(normalVCVSOutput, normalize(-vertexVC.xyz), specularPower, df, sf);");
+  vtkShaderProgram::Substitute(fragmentShader, "float sf = pow(df, specularPower);",
+    "float sf = pow(waterHeadlight(normalVCVSOutput, vertexVC.xyz, df), specularPower);", false);
   return true;
 }
 
