@@ -190,6 +190,10 @@ void vtkWaterActor::UpdateSheet()
   const water_status status = this->Sheet->Fit(vtkWaterGather::ReadPlane(this),
     this->Plane->GetOrigin(), this->UseSheetBounds ? this->SheetBounds : nullptr, scene);
   this->IsUpdatingSheet = false;
+  if (status != WATER_OK)
+  {
+    this->OwnPass->SetDecision(WATER_NO_REFLECT_FAILED);
+  }
   this->ReportError(SHEET, status == WATER_OK ? std::string() : vtkWaterDescribe(status, this));
 }
 

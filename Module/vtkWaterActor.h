@@ -16,7 +16,8 @@
  *
  * Without a mapper the actor makes its own sheet over the bounds of the scene. With a mapper of the
  * user's (a lake polygon, a terrain-clipped sheet) that is the surface; SetMapper(nullptr) brings
- * the own sheet back. The mirror is always the plane.
+ * the own sheet back. The mirror is always the plane: move that and not the actor, whose position
+ * moves the surface alone; a user's mesh should lie in the plane.
  *
  * What is wrong with a scene (a zero normal, a camera exactly on the plane, ...) is reported once
  * per change by an ErrorEvent of this object; the surface then shows its plain colour.
@@ -92,7 +93,8 @@ public:
   ///@{
   /**
    * How the water looks. Never null: nullptr means a new default one. Not to be confused with
-   * vtkActor's own property, which keeps its meaning for edges, points and culling.
+   * vtkActor's own property: of that, representation, edges and culling keep their meaning, its
+   * opacity multiplies the water's, and its colours and lighting are not used.
    */
   void SetWaterProperty(vtkWaterProperty* property);
   vtkWaterProperty* GetWaterProperty();
