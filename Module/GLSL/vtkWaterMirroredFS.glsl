@@ -15,15 +15,24 @@ void waterClip()
 }
 
 // A headlight stays at the user's camera: in the mirrored view it shines along waterHeadlightVC
-// instead of along the view. Sets the diffuse factor and returns the base of the specular power, in
-// VTK's terms for a directional light; outside of the mirror both are the given factor. No second
-// power is taken: software renderers execute both sides of a branch.
+// instead of along the view. This code runs for every pixel of every prop, in both views, so props
+// without highlights get the first function only.
+
+// The diffuse factor; outside of the mirror it is normal.z, which is VTK's.
+float waterHeadlightDiffuse(vec3 normal)
+{
+  return max(0.0, -dot(waterHeadlightVC.xyz, normal));
+}
+
+// Sets the diffuse factor and returns the base of the specular power, in VTK's terms for a
+// directional light; outside of the mirror both are the given factor. No second power is taken:
+// software renderers execute both sides of a branch.
 float waterHeadlight(vec3 normal, vec3 position, inout float diffuseFactor)
 {
   float specularBase = diffuseFactor;
   if (waterHeadlightVC.w > 0.5)
   {
-    diffuseFactor = max(0.0, dot(normal, -waterHeadlightVC.xyz));
+    diffuseFactor = waterHeadlightDiffuse(normal);
     specularBase = diffuseFactor > 0.0
       ? max(0.0, dot(reflect(waterHeadlightVC.xyz, normal), normalize(-position)))
       : 0.0;

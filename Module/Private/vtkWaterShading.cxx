@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkWaterShading.h"
 
+#include "vtkActor.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 #include "vtkProp.h"
+#include "vtkProperty.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
 #include "vtkWaterCompat.h"
@@ -32,6 +34,13 @@ void InsertBefore(std::string& source, const std::string& tag, const std::string
 void InsertAfter(std::string& source, const std::string& tag, const std::string& text)
 {
   vtkShaderProgram::Substitute(source, tag, tag + "\n" + text, false);
+}
+
+// Does the prop have no highlights? A change of its property makes the mapper ask again.
+bool IsMatte(vtkProp* prop)
+{
+  auto* actor = vtkActor::SafeDownCast(prop);
+  return actor && !actor->GetBackfaceProperty() && actor->GetProperty()->GetSpecular() <= 0.0;
 }
 
 void SetUniform3(vtkShaderProgram* program, const char* name, const double value[3])
@@ -166,7 +175,10 @@ bool vtkWaterShading::PostReplaceShaderValues(
   // VTK's code for a single headlight takes the light for the view; a mapper that has no such line
   // (unlit, other lights) needs nothing
   vtkShaderProgram::Substitute(fragmentShader, "float sf = pow(df, specularPower);",
-    "float sf = pow(waterHeadlight(normalVCVSOutput, vertexVC.xyz, df), specularPower);", false);
+    IsMatte(prop)
+      ? "df = waterHeadlightDiffuse(normalVCVSOutput); float sf = 0.0;"
+      : "float sf = pow(waterHeadlight(normalVCVSOutput, vertexVC.xyz, df), specularPower);",
+    false);
   return true;
 }
 

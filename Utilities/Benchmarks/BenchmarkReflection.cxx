@@ -7,6 +7,9 @@
 // 300 actors, 800 x 600, VTK's default lighting, no multisampling. The camera moves before every
 // frame, so that nothing can be used again. Kinds of frames take turns, in another random order in
 // every round: what slows the machine down slows them all.
+//
+// The first ratio is taken twice: with VTK's default property, which has no highlights, and with
+// highlights, for which the shader of the props has more to compute.
 #include <vtkActor.h>
 #include <vtkCamera.h>
 #include <vtkMinimalStandardRandomSequence.h>
@@ -25,6 +28,10 @@
 #include <vtkWaterProperty.h>
 #include <vtkWaterReflectionPass.h>
 
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
+
 #include <algorithm>
 #include <cstdlib>
 #include <iostream>
@@ -39,13 +46,15 @@ const int SIZE[2] = { 800, 600 };
 const int SEED = 20261121;
 const int WARM_UP = 5; // frames of each kind that are not counted
 const double LAKE = 12.0;
+const double HIGHLIGHTS = 0.5; // specular coefficient
 const double EYE[3] = { 0.0, -25.0, 8.0 };
 
 // One kind of frame: a window of its own over a scene of its own, always the same one.
 struct Frame
 {
-  explicit Frame(const std::string& name)
+  explicit Frame(const std::string& name, double specular = 0.0)
     : Name(name)
+    , Specular(specular)
   {
     this->Window->SetOffScreenRendering(true);
     this->Window->SetMultiSamples(0);
@@ -79,6 +88,8 @@ struct Frame
       vtkNew<vtkActor> actor;
       actor->SetMapper(mapper);
       actor->GetProperty()->SetColor(next(0.2, 1.0), 0.5, 0.5);
+      actor->GetProperty()->SetSpecular(this->Specular);
+      actor->GetProperty()->SetSpecularPower(20.0);
       this->Renderer->AddActor(actor);
     }
   }
@@ -125,6 +136,7 @@ struct Frame
   }
 
   std::string Name;
+  double Specular;
   vtkNew<vtkRenderWindow> Window;
   vtkNew<vtkRenderer> Renderer;
   vtkSmartPointer<vtkWaterActor> Water;
@@ -163,14 +175,15 @@ bool Report(const std::string& name, double ratio, double limit)
   return ratio <= limit;
 }
 
-bool MeasureWater(int rounds)
+bool MeasureWater(int rounds, double specular)
 {
-  Frame plain("plain frame");
-  Frame withPlane("plain frame with a plane in place of the water");
+  std::cout << "specular " << specular << "\n";
+  Frame plain("plain frame", specular);
+  Frame withPlane("plain frame with a plane in place of the water", specular);
   withPlane.AddPlane();
-  Frame mirrored("mirrored view by hand");
+  Frame mirrored("mirrored view by hand", specular);
   mirrored.LookFrom(-EYE[2]);
-  Frame water("frame with water");
+  Frame water("frame with water", specular);
   water.AddWater();
   Measure({ &plain, &withPlane, &mirrored, &water }, rounds);
 
@@ -186,8 +199,14 @@ bool MeasureWater(int rounds)
   }
   std::cout << "frame with water / (plain frame with a plane + mirrored view): "
             << water.Median / (withPlane.Median + mirrored.Median) << "\n";
-  return Report("frame with water / (plain frame + mirrored view)",
-    water.Median / (plain.Median + mirrored.Median), 1.1);
+  const double ratio = water.Median / (plain.Median + mirrored.Median);
+  if (specular > 0.0)
+  {
+    // no limit: the view by hand is cheaper than the same view, as its headlight moves with it
+    std::cout << "frame with water / (plain frame + mirrored view), highlights: " << ratio << "\n";
+    return true;
+  }
+  return Report("frame with water / (plain frame + mirrored view)", ratio, 1.1);
 }
 
 bool MeasureIdlePass(int rounds)
@@ -217,6 +236,13 @@ int main(int argc, char* argv[])
                  "Exit status 1: a limit was exceeded.\n";
     return 2;
   }
+#ifdef __GLIBC__
+  // Mesa's software renderer takes some 32 MB for every view it draws and frees them again. Whether
+  // they go back to the kernel, and cost 8,000 page faults in the next frame, depends on what happens
+  // to lie at the top of the heap: a quarter of a frame's time, from one run to the next.
+  mallopt(M_TRIM_THRESHOLD, 1 << 30);
+  mallopt(M_MMAP_THRESHOLD, 1 << 30);
+#endif
   if (!vtkWaterOffScreen::EnableIfNeeded())
   {
     std::cerr << vtkWaterOffScreen::GetReason() << "\n";
@@ -224,7 +250,8 @@ int main(int argc, char* argv[])
   }
   std::cout << ACTORS << " actors, " << SIZE[0] << " x " << SIZE[1] << ", medians of " << rounds
             << " frames of each kind, seed " << SEED << "\n";
-  const bool isWaterCheap = MeasureWater(rounds);
-  const bool isPassCheap = MeasureIdlePass(2 * rounds); // a finer limit
-  return isWaterCheap && isPassCheap ? EXIT_SUCCESS : EXIT_FAILURE;
+  bool isCheap = MeasureWater(rounds, 0.0);
+  isCheap = MeasureWater(rounds, HIGHLIGHTS) && isCheap;
+  isCheap = MeasureIdlePass(2 * rounds) && isCheap; // a finer limit
+  return isCheap ? EXIT_SUCCESS : EXIT_FAILURE;
 }
