@@ -27,12 +27,31 @@
 VTK_ABI_NAMESPACE_BEGIN
 vtkStandardNewMacro(vtkWaterActor);
 
+namespace
+{
+// The renderers that show a prop, itself or as a part of assemblies.
+void FindRenderers(vtkProp* prop, std::vector<vtkRenderer*>& renderers)
+{
+  for (int i = 0; i < prop->GetNumberOfConsumers(); ++i)
+  {
+    vtkObject* consumer = prop->GetConsumer(i);
+    if (auto* renderer = vtkRenderer::SafeDownCast(consumer))
+    {
+      renderers.push_back(renderer);
+    }
+    else if (auto* assembly = vtkProp::SafeDownCast(consumer))
+    {
+      FindRenderers(assembly, renderers);
+    }
+  }
+}
+}
+
 //------------------------------------------------------------------------------
 vtkWaterActor::vtkWaterActor()
   : Plane(vtkSmartPointer<vtkPlane>::New()) // z = 0, +z up
   , WaterProperty(vtkSmartPointer<vtkWaterProperty>::New())
   , OwnPass(vtkSmartPointer<vtkWaterReflectionPass>::New())
-  , Shading(vtkWaterShading::GetShared())
   , Sheet(std::make_unique<vtkWaterSheet>())
 {
   this->Superclass::SetMapper(this->Sheet->GetMapper());
@@ -142,19 +161,41 @@ vtkWaterReflectionPass* vtkWaterActor::GetReflectionPass()
 //------------------------------------------------------------------------------
 const char* vtkWaterActor::GetLastError() const
 {
-  return this->Errors[SHEET].empty() ? this->Errors[PLAN].c_str() : this->Errors[SHEET].c_str();
+  return this->Errors.empty() ? "" : this->Errors.front().Text.c_str();
 }
 
 //------------------------------------------------------------------------------
-void vtkWaterActor::ReportError(ErrorSources source, const std::string& text)
+void vtkWaterActor::ReportError(vtkRenderer* renderer, const vtkWaterError& error)
 {
-  const bool isKnown = std::find(this->Errors, this->Errors + NUMBER_OF_ERROR_SOURCES, text) !=
-    this->Errors + NUMBER_OF_ERROR_SOURCES;
-  this->Errors[source] = text;
-  if (!text.empty() && !isKnown)
+  // The plane is looked at twice, for the sheet and for the plan, and by every renderer.
+  const bool isKnown = std::any_of(this->Errors.begin(), this->Errors.end(),
+    [&error](const SourcedError& other) { return other.Kind == error.Kind; });
+  this->Errors.erase(std::remove_if(this->Errors.begin(), this->Errors.end(),
+                       [renderer](const SourcedError& other) {
+                         return other.Renderer == renderer || (!other.IsOfSheet && !other.Renderer);
+                       }),
+    this->Errors.end());
+  if (error.Text.empty())
   {
-    vtkErrorMacro(<< text);
+    return;
   }
+  SourcedError sourced;
+  sourced.Kind = error.Kind;
+  sourced.Text = error.Text;
+  sourced.Renderer = renderer;
+  sourced.IsOfSheet = !renderer;
+  // what is wrong with the sheet is said first
+  this->Errors.insert(renderer ? this->Errors.end() : this->Errors.begin(), sourced);
+  if (!isKnown)
+  {
+    vtkErrorMacro(<< error.Text);
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkWaterActor::HasSheetError() const
+{
+  return !this->Errors.empty() && this->Errors.front().IsOfSheet;
 }
 
 //------------------------------------------------------------------------------
@@ -166,35 +207,37 @@ bool vtkWaterActor::UsesOwnSheet()
 //------------------------------------------------------------------------------
 void vtkWaterActor::UpdateSheet()
 {
-  if (!this->UsesOwnSheet() || this->IsUpdatingSheet)
+  if (this->IsUpdatingSheet)
   {
+    return; // the scene was asked for its bounds, and asks all that it holds
+  }
+  if (!this->UsesOwnSheet())
+  {
+    const bool hasInput = this->Mapper->GetNumberOfInputPorts() == 0 ||
+      this->Mapper->GetNumberOfInputConnections(0) > 0;
+    this->ReportError(nullptr,
+      hasInput
+        ? vtkWaterError()
+        : vtkWaterError{ "no input", "the water's mapper has no input. There is no water." });
     return;
   }
   std::vector<vtkRenderer*> scene;
-  for (int i = 0; i < this->GetNumberOfConsumers(); ++i)
-  {
-    if (auto* renderer = vtkRenderer::SafeDownCast(this->GetConsumer(i)))
-    {
-      scene.push_back(renderer);
-    }
-  }
-  if (scene.empty() && this->LastRenderer)
-  {
-    scene.push_back(this->LastRenderer); // a part of an assembly is a consumer of that only
-  }
+  FindRenderers(this, scene);
   if (scene.empty() && !this->UseSheetBounds)
   {
     return; // not in a scene yet
   }
-  this->IsUpdatingSheet = true; // an assembly that holds this water asks for its bounds
-  const water_status status = this->Sheet->Fit(vtkWaterGather::ReadPlane(this),
-    this->Plane->GetOrigin(), this->UseSheetBounds ? this->SheetBounds : nullptr, scene);
+  double origin[3];
+  vtkWaterGather::ReadPlaneOrigin(this, origin);
+  this->IsUpdatingSheet = true;
+  const water_status status = this->Sheet->Fit(vtkWaterGather::ReadPlane(this), origin,
+    this->UseSheetBounds ? this->SheetBounds : nullptr, scene);
   this->IsUpdatingSheet = false;
   if (status != WATER_OK)
   {
     this->OwnPass->SetDecision(WATER_NO_REFLECT_FAILED);
   }
-  this->ReportError(SHEET, status == WATER_OK ? std::string() : vtkWaterDescribe(status, this));
+  this->ReportError(nullptr, status == WATER_OK ? vtkWaterError() : vtkWaterDescribe(status, this));
 }
 
 //------------------------------------------------------------------------------
@@ -208,7 +251,7 @@ double* vtkWaterActor::GetBounds()
 void vtkWaterActor::SetMapper(vtkMapper* mapper)
 {
   this->Superclass::SetMapper(mapper ? mapper : this->Sheet->GetMapper());
-  this->ReportError(SHEET, std::string());
+  this->ReportError(nullptr, vtkWaterError());
 }
 
 //------------------------------------------------------------------------------
@@ -220,31 +263,27 @@ void vtkWaterActor::SetAllocatedRenderTime(double seconds, vtkViewport* viewport
   // draws anything: the moment to draw the mirrored view. See Documentation/decisions.
   auto* renderer = vtkOpenGLRenderer::SafeDownCast(viewport);
   if (!renderer || !vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow()) ||
-    this->Shading->IsInMirroredView())
+    vtkWaterShading::GetOfThread()->IsInMirroredView())
   {
     return;
   }
-  this->LastRenderer = renderer;
   if (renderer->GetSelector())
   {
     this->GetReflectionPass()->SetDecision(WATER_NO_REFLECT_SELECTING);
     return;
   }
-  if (!this->Errors[SHEET].empty())
+  if (this->HasSheetError())
   {
     this->OwnPass->SetDecision(WATER_NO_REFLECT_FAILED);
     return;
   }
-  if (auto* composed = vtkWaterReflectionPass::SafeDownCast(renderer->GetPass()))
+  if (vtkWaterReflectionPass::SafeDownCast(renderer->GetPass()) ||
+    (this->ComposedPass && renderer->GetPass()))
   {
-    this->ComposedPass = composed;
-  }
-  if (this->ComposedPass && renderer->GetPass())
-  {
-    return; // it draws before its delegate
+    return; // it draws before its delegate, if it takes charge of this water
   }
   this->ComposedPass = nullptr;
-  if (renderer->GetUseImageBasedLighting() || this->OwnPass->IsFresh(renderer))
+  if (renderer->GetUseImageBasedLighting() || this->OwnPass->IsFresh(renderer, this))
   {
     return; // the textures of image-based light are loaded later: drawn nested
   }
@@ -264,9 +303,9 @@ void vtkWaterActor::RenderReflectionIfStale(vtkViewport* viewport)
 {
   auto* renderer = vtkOpenGLRenderer::SafeDownCast(viewport);
   vtkInformation* keys = this->GetPropertyKeys();
-  if (!renderer || renderer->GetSelector() || this->Shading->IsInMirroredView() ||
-    vtkWaterKeys::IsBakingShadows(this) || !this->Errors[SHEET].empty() ||
-    this->GetReflectionPass()->IsFresh(renderer))
+  if (!renderer || renderer->GetSelector() || vtkWaterShading::GetOfThread()->IsInMirroredView() ||
+    vtkWaterKeys::IsBakingShadows(this) || this->HasSheetError() ||
+    this->GetReflectionPass()->IsFresh(renderer, this))
   {
     return;
   }
@@ -275,12 +314,13 @@ void vtkWaterActor::RenderReflectionIfStale(vtkViewport* viewport)
     return; // in the middle of depth peeling, whose framebuffers must stay bound
   }
   this->ComposedPass = nullptr; // it was taken out of the chain
-  if (this->OwnPass->IsFresh(renderer))
+  if (this->OwnPass->IsFresh(renderer, this))
   {
     return;
   }
-  this->Shading->Keys.HoldUntilEndOfFrame(renderer);
-  vtkWaterForeignKeysSuspended suspended(this->Shading, renderer);
+  vtkWaterShading* shading = vtkWaterShading::GetOfThread();
+  shading->Keys.HoldUntilEndOfFrame(renderer);
+  vtkWaterForeignKeysSuspended suspended(shading, renderer);
   int drawn[4]; // the size of what is being drawn into, whoever set it up
   renderer->GetState()->vtkglGetIntegerv(GL_VIEWPORT, drawn);
   this->OwnPass->RenderReflection(renderer, { this }, drawn + 2);
@@ -312,7 +352,7 @@ int vtkWaterActor::RenderOverlay(vtkViewport* viewport)
   auto* renderer = vtkOpenGLRenderer::SafeDownCast(viewport);
   if (renderer && !renderer->GetSelector() && this->GetReflectionPass()->GetShowReflection())
   {
-    this->GetReflectionPass()->RenderCorner(renderer);
+    this->GetReflectionPass()->RenderCorner(renderer, this);
   }
   return this->Superclass::RenderOverlay(viewport);
 }
@@ -320,18 +360,18 @@ int vtkWaterActor::RenderOverlay(vtkViewport* viewport)
 //------------------------------------------------------------------------------
 void vtkWaterActor::Render(vtkRenderer* renderer, vtkMapper* mapper)
 {
-  if (this->Shading->IsInMirroredView())
+  vtkWaterShading* shading = vtkWaterShading::GetOfThread();
+  if (shading->IsInMirroredView())
   {
     return; // no endless mirror, whatever drew this water
   }
-  this->LastRenderer = renderer;
-  this->Shading->Keys.Add(this);
+  shading->Keys.Add(this);
   vtkWaterReflectionPass* pass = this->GetReflectionPass();
   vtkWaterSurface surface;
   surface.Property = this->WaterProperty;
-  const bool isPlain = renderer->GetSelector() || !this->Errors[SHEET].empty();
-  surface.Plan = isPlain ? nullptr : pass->GetFreshPlan(renderer);
-  surface.Reflection = pass->GetTexture(renderer);
+  const bool isPlain = renderer->GetSelector() || this->HasSheetError();
+  surface.Plan = isPlain ? nullptr : pass->GetFreshPlan(renderer, this);
+  surface.Reflection = pass->GetTexture(renderer, this);
   surface.IsFlat = this->UsesOwnSheet() && this->GetIsIdentity();
   if (surface.Plan)
   {
@@ -345,9 +385,9 @@ void vtkWaterActor::Render(vtkRenderer* renderer, vtkMapper* mapper)
     surface.Reflection->SetMagnificationFilter(filter);
   }
   surface.Reflection->Activate();
-  this->Shading->BeginSurface(surface);
+  shading->BeginSurface(surface);
   this->Superclass::Render(renderer, mapper);
-  this->Shading->EndSurface();
+  shading->EndSurface();
   surface.Reflection->Deactivate();
 }
 
@@ -395,14 +435,18 @@ void vtkWaterActor::ShallowCopy(vtkProp* prop)
     {
       this->ResetSheetBounds();
     }
+    this->OwnPass->SetTextureScale(other->OwnPass->GetTextureScale());
+    this->OwnPass->SetMultiSamples(other->OwnPass->GetMultiSamples());
+    this->OwnPass->SetClipMargin(other->OwnPass->GetClipMargin());
+    this->OwnPass->SetShowReflection(other->OwnPass->GetShowReflection());
   }
 }
 
 //------------------------------------------------------------------------------
 vtkMTimeType vtkWaterActor::GetMTime()
 {
-  return std::max(
-    { this->Superclass::GetMTime(), this->Plane->GetMTime(), this->WaterProperty->GetMTime() });
+  return std::max({ this->Superclass::GetMTime(), this->Plane->GetMTime(),
+    this->WaterProperty->GetMTime(), this->OwnPass->GetMTime() });
 }
 
 //------------------------------------------------------------------------------

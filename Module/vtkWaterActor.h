@@ -35,6 +35,7 @@
 
 #include <memory> // for std::unique_ptr
 #include <string> // for std::string
+#include <vector> // for std::vector
 
 #ifdef VTK_ABI_NAMESPACE_BEGIN
 VTK_ABI_NAMESPACE_BEGIN
@@ -43,8 +44,8 @@ VTK_ABI_NAMESPACE_BEGIN
 class vtkPlane;
 class vtkWaterProperty;
 class vtkWaterReflectionPass;
-class vtkWaterShading;
 class vtkWaterSheet;
+struct vtkWaterError;
 
 class VTKRENDERINGWATER_EXPORT vtkWaterActor : public vtkOpenGLActor
 {
@@ -93,8 +94,8 @@ public:
   ///@{
   /**
    * How the water looks. Never null: nullptr means a new default one. Not to be confused with
-   * vtkActor's own property: of that, representation, edges and culling keep their meaning, its
-   * opacity multiplies the water's, and its colours and lighting are not used.
+   * vtkActor's own property: of that, representation and culling keep their meaning, its opacity
+   * multiplies the water's, and its colours, edges and lighting are not used.
    */
   void SetWaterProperty(vtkWaterProperty* property);
   vtkWaterProperty* GetWaterProperty();
@@ -140,18 +141,22 @@ private:
 
   friend class vtkWaterReflectionPass;
 
-  enum ErrorSources
+  struct SourcedError
   {
-    SHEET,
-    PLAN,
-    NUMBER_OF_ERROR_SOURCES
+    std::string Kind; // the same for the same error with another value
+    std::string Text;
+    vtkWeakPointer<vtkRenderer> Renderer;
+    bool IsOfSheet = false; // and of no renderer
   };
 
   bool UsesOwnSheet();
   // Fits the own sheet to the scene and the plane; does nothing with a mapper of the user's.
   void UpdateSheet();
-  // Says an error once until it changes or goes away (empty text).
-  void ReportError(ErrorSources source, const std::string& text);
+  // Says an error once until it changes or goes away (empty).
+  //
+  // renderer  of the plan that failed; nullptr: it is the sheet
+  void ReportError(vtkRenderer* renderer, const vtkWaterError& error);
+  bool HasSheetError() const;
   // A nested mirror for a draw whose camera was not the one mirrored before the frame.
   void RenderReflectionIfStale(vtkViewport* viewport);
 
@@ -159,13 +164,11 @@ private:
   vtkSmartPointer<vtkWaterProperty> WaterProperty;
   vtkSmartPointer<vtkWaterReflectionPass> OwnPass;
   vtkWeakPointer<vtkWaterReflectionPass> ComposedPass;
-  vtkSmartPointer<vtkWaterShading> Shading;
   std::unique_ptr<vtkWaterSheet> Sheet;
-  vtkWeakPointer<vtkRenderer> LastRenderer;
   double SheetBounds[4] = { 0.0, 0.0, 0.0, 0.0 };
   bool UseSheetBounds = false;
   bool IsUpdatingSheet = false;
-  std::string Errors[NUMBER_OF_ERROR_SOURCES];
+  std::vector<SourcedError> Errors;
 };
 
 #ifdef VTK_ABI_NAMESPACE_END

@@ -23,6 +23,7 @@
 #include <cstring>
 #include <limits>
 #include <map>
+#include <set>
 
 VTK_ABI_NAMESPACE_BEGIN
 vtkStandardNewMacro(vtkWaterReflectionPass);
@@ -50,30 +51,37 @@ struct vtkWaterReflectionPass::Internals
     vtkWaterMirror Mirror;
   };
 
-  std::map<vtkRenderer*, View> Views;
-  vtkSmartPointer<vtkWaterShading> Shading = vtkWaterShading::GetShared();
+  std::map<vtkRenderer*, std::shared_ptr<View>> Views; // shared: a view in use outlives its release
   vtkWaterGather Gather;
   std::vector<water_fate> Fates;
   int FateCounts[WATER_FATE_COUNT] = {};
   water_plan Plan = water_plan();
   vtkWeakPointer<vtkRenderer> PlannedFor;
-  unsigned long PlannedFrame = 0;
+  std::vector<vtkWaterActor*> PlannedWaters; // compared only
+  vtkMTimeType PlannedFrame = 0;
+  std::set<vtkRenderer*> Rendering; // in the middle of Render
+  bool HasCycle = false;
+  bool IsVisiting = false; // the chain of delegates
 
-  View& GetView(vtkRenderer* renderer)
+  std::shared_ptr<View> GetView(vtkRenderer* renderer)
   {
     for (auto it = this->Views.begin(); it != this->Views.end();)
     {
-      it = it->second.Renderer || it->first == renderer ? std::next(it) : this->Views.erase(it);
+      it = it->second->Renderer || it->first == renderer ? std::next(it) : this->Views.erase(it);
     }
-    View& view = this->Views[renderer];
-    view.Renderer = renderer;
+    std::shared_ptr<View>& view = this->Views[renderer];
+    if (!view)
+    {
+      view = std::make_shared<View>();
+    }
+    view->Renderer = renderer;
     return view;
   }
 
   View* GetPlannedView()
   {
     auto found = this->Views.find(this->PlannedFor);
-    return found == this->Views.end() ? nullptr : &found->second;
+    return found == this->Views.end() ? nullptr : found->second.get();
   }
 };
 
@@ -98,6 +106,7 @@ void vtkWaterReflectionPass::SetDelegatePass(vtkRenderPass* pass)
   else if (this->DelegatePass != pass)
   {
     this->DelegatePass = pass;
+    this->Internal->HasCycle = false;
     this->Modified();
   }
 }
@@ -174,9 +183,13 @@ void vtkWaterReflectionPass::SetDecision(int decision)
 void vtkWaterReflectionPass::RenderReflection(
   vtkRenderer* renderer, const std::vector<vtkWaterActor*>& waters, const int viewport_px[2])
 {
+  // drawing runs the user's observers, who may drop any of these
+  const vtkSmartPointer<vtkWaterReflectionPass> self = this;
+  const std::vector<vtkSmartPointer<vtkWaterActor>> held(waters.begin(), waters.end());
   Internals& internal = *this->Internal;
+  vtkWaterShading* shading = vtkWaterShading::GetOfThread();
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
-  internal.Shading->Keys.HoldUntilEndOfFrame(renderer);
+  shading->Keys.HoldUntilEndOfFrame(renderer);
 
   // gather
   vtkWaterGather& gather = internal.Gather;
@@ -190,8 +203,9 @@ void vtkWaterReflectionPass::RenderReflection(
   internal.Fates.assign(gather.props.size(), WATER_DRAW);
   const water_status status = water_plan_make(&gather.scene, &internal.Plan, internal.Fates.data());
   internal.PlannedFor = renderer;
-  internal.PlannedFrame = internal.Shading->Keys.GetEndedFrames(renderer);
-  std::string error;
+  internal.PlannedWaters = waters;
+  internal.PlannedFrame = shading->Keys.GetFrame(renderer);
+  vtkWaterError error;
   if (status != WATER_OK)
   {
     error = vtkWaterDescribe(status, waters.front(), &gather, &internal.Plan);
@@ -208,17 +222,30 @@ void vtkWaterReflectionPass::RenderReflection(
       if (internal.Fates[i] == WATER_DRAW)
       {
         drawn.push_back(gather.vtkProps[i]);
+        if (drawn.back()->IsA("vtkLODProp3D"))
+        {
+          // It chooses its level here, which the renderer has not come to yet, and never does for
+          // a prop that only the mirror sees.
+          drawn.back()->SetAllocatedRenderTime(waters.front()->GetAllocatedRenderTime(), renderer);
+        }
       }
     }
     const int samples = this->MultiSamples >= 0
       ? this->MultiSamples
       : std::min(window->GetMultiSamples(), kMaximumDefaultSamples);
-    const char* failure = internal.GetView(renderer).Mirror.Draw(
-      renderer, internal.Shading, internal.Plan, drawn, samples > 1 ? samples : 0);
-    if (failure)
+    const std::shared_ptr<Internals::View> view = internal.GetView(renderer);
+    const char* failure =
+      view->Mirror.Draw(renderer, shading, internal.Plan, drawn, samples > 1 ? samples : 0);
+    if (internal.GetPlannedView() != view.get())
+    {
+      view->Mirror.ReleaseGraphicsResources(window); // was wanted in the middle of it
+      internal.Plan.decision = WATER_NOT_PLANNED;
+    }
+    else if (failure)
     {
       internal.Plan.decision = WATER_NO_REFLECT_FAILED;
-      error = std::string(failure) + ". The water shows its plain colour.";
+      error.Kind = failure;
+      error.Text = error.Kind + ". The water shows its plain colour.";
     }
     else
     {
@@ -227,16 +254,18 @@ void vtkWaterReflectionPass::RenderReflection(
   }
   for (vtkWaterActor* water : waters)
   {
-    water->ReportError(vtkWaterActor::PLAN, error);
+    water->ReportError(renderer, error);
   }
 }
 
 //------------------------------------------------------------------------------
-bool vtkWaterReflectionPass::IsFresh(vtkRenderer* renderer) const
+bool vtkWaterReflectionPass::IsFresh(vtkRenderer* renderer, vtkWaterActor* water) const
 {
   const Internals& internal = *this->Internal;
-  if (internal.PlannedFor != renderer ||
-    internal.PlannedFrame != internal.Shading->Keys.GetEndedFrames(renderer))
+  const auto& waters = internal.PlannedWaters;
+  if (internal.PlannedFor != renderer || internal.PlannedFrame == 0 ||
+    internal.PlannedFrame != vtkWaterShading::GetOfThread()->Keys.GetFrame(renderer) ||
+    std::find(waters.begin(), waters.end(), water) == waters.end())
   {
     return false;
   }
@@ -248,34 +277,54 @@ bool vtkWaterReflectionPass::IsFresh(vtkRenderer* renderer) const
 }
 
 //------------------------------------------------------------------------------
-const water_plan* vtkWaterReflectionPass::GetFreshPlan(vtkRenderer* renderer) const
+const water_plan* vtkWaterReflectionPass::GetFreshPlan(
+  vtkRenderer* renderer, vtkWaterActor* water) const
 {
-  return this->Internal->Plan.decision == WATER_REFLECT && this->IsFresh(renderer)
+  return this->Internal->Plan.decision == WATER_REFLECT && this->IsFresh(renderer, water)
     ? &this->Internal->Plan
     : nullptr;
 }
 
 //------------------------------------------------------------------------------
-vtkTextureObject* vtkWaterReflectionPass::GetTexture(vtkRenderer* renderer)
+vtkTextureObject* vtkWaterReflectionPass::GetTexture(vtkRenderer* renderer, vtkWaterActor* water)
 {
-  vtkWaterMirror& mirror = this->Internal->GetView(renderer).Mirror;
-  return this->GetFreshPlan(renderer)
+  vtkWaterMirror& mirror = this->Internal->GetView(renderer)->Mirror;
+  return this->GetFreshPlan(renderer, water)
     ? mirror.GetColor()
     : mirror.GetBlank(static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow()));
 }
 
 //------------------------------------------------------------------------------
-void vtkWaterReflectionPass::RenderCorner(vtkRenderer* renderer)
+void vtkWaterReflectionPass::RenderCorner(vtkRenderer* renderer, vtkWaterActor* water)
 {
-  if (this->GetFreshPlan(renderer))
+  if (this->GetFreshPlan(renderer, water))
   {
-    vtkWaterMirror& mirror = this->Internal->GetView(renderer).Mirror;
+    vtkWaterMirror& mirror = this->Internal->GetView(renderer)->Mirror;
     mirror.GetScreen().DrawCorner(renderer, mirror.GetColor());
   }
 }
 
 //------------------------------------------------------------------------------
 void vtkWaterReflectionPass::Render(const vtkRenderState* s)
+{
+  Internals& internal = *this->Internal;
+  vtkRenderer* renderer = s->GetRenderer();
+  if (!internal.Rendering.insert(renderer).second)
+  {
+    if (!internal.HasCycle)
+    {
+      vtkErrorMacro("DelegatePass leads back to this pass; the chain must end in another pass. "
+                    "Nothing is rendered at its end.");
+    }
+    internal.HasCycle = true; // until another delegate is set
+    return;
+  }
+  this->RenderReflectionAndDelegate(s);
+  internal.Rendering.erase(renderer);
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterReflectionPass::RenderReflectionAndDelegate(const vtkRenderState* s)
 {
   vtkRenderer* renderer = s->GetRenderer();
   if (vtkHardwareSelector* selector = renderer->GetSelector())
@@ -320,29 +369,49 @@ void vtkWaterReflectionPass::Render(const vtkRenderState* s)
     this->RenderReflection(renderer, waters, size);
   }
 
-  if (!this->DelegatePass)
+  vtkSmartPointer<vtkRenderPass> delegate = this->DelegatePass;
+  if (!delegate)
   {
-    this->DelegatePass = vtkSmartPointer<vtkRenderStepsPass>::New();
+    if (!this->DefaultDelegate)
+    {
+      this->DefaultDelegate = vtkSmartPointer<vtkRenderStepsPass>::New();
+    }
+    delegate = this->DefaultDelegate;
   }
-  this->DelegatePass->Render(s);
-  this->NumberOfRenderedProps = this->DelegatePass->GetNumberOfRenderedProps();
+  delegate->Render(s);
+  this->NumberOfRenderedProps = delegate->GetNumberOfRenderedProps();
 }
 
 //------------------------------------------------------------------------------
 void vtkWaterReflectionPass::ReleaseGraphicsResources(vtkWindow* window)
 {
-  if (this->DelegatePass)
+  Internals& internal = *this->Internal;
+  if (internal.IsVisiting)
   {
-    this->DelegatePass->ReleaseGraphicsResources(window);
+    return; // the chain of delegates leads back to this pass
   }
-  for (auto it = this->Internal->Views.begin(); it != this->Internal->Views.end();)
+  internal.IsVisiting = true;
+  for (vtkRenderPass* delegate : { this->DelegatePass.Get(), this->DefaultDelegate.Get() })
   {
-    vtkRenderer* renderer = it->second.Renderer;
+    if (delegate)
+    {
+      delegate->ReleaseGraphicsResources(window);
+    }
+  }
+  internal.IsVisiting = false;
+  for (auto it = internal.Views.begin(); it != internal.Views.end();)
+  {
+    vtkRenderer* renderer = it->second->Renderer;
     if (!renderer || !window || renderer->GetRenderWindow() == window ||
       !renderer->GetRenderWindow())
     {
-      it->second.Mirror.ReleaseGraphicsResources(window);
-      it = this->Internal->Views.erase(it);
+      const std::shared_ptr<Internals::View> view = it->second;
+      it = internal.Views.erase(it);
+      internal.PlannedFrame = renderer == internal.PlannedFor ? 0 : internal.PlannedFrame;
+      if (!view->Mirror.GetIsDrawing()) // else RenderReflection does it
+      {
+        view->Mirror.ReleaseGraphicsResources(window);
+      }
     }
     else
     {
@@ -357,14 +426,20 @@ void vtkWaterReflectionPass::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "DelegatePass: ";
-  if (this->DelegatePass)
+  if (!this->DelegatePass)
   {
-    os << "\n";
-    this->DelegatePass->PrintSelf(os, indent.GetNextIndent());
+    os << "(none)\n";
+  }
+  else if (this->Internal->IsVisiting)
+  {
+    os << "leads back to this pass\n";
   }
   else
   {
-    os << "(none)\n";
+    os << "\n";
+    this->Internal->IsVisiting = true;
+    this->DelegatePass->PrintSelf(os, indent.GetNextIndent());
+    this->Internal->IsVisiting = false;
   }
   os << indent << "TextureScale: " << this->TextureScale << "\n";
   os << indent << "MultiSamples: " << this->MultiSamples << "\n";

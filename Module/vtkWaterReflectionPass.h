@@ -100,8 +100,8 @@ public:
 
   ///@{
   /**
-   * Samples per pixel of the mirrored view, 0 to 32: 0 and 1 mean none. -1: as many as the
-   * window's MultiSamples, at most 8. Default is -1.
+   * Samples per pixel of the mirrored view, 0 to 32 and at most what the GPU has: 0 and 1 mean
+   * none. -1: as many as the window's MultiSamples, at most 8. Default is -1.
    */
   void SetMultiSamples(int samples);
   vtkGetMacro(MultiSamples, int);
@@ -186,17 +186,19 @@ private:
   // camera.
   void RenderReflection(
     vtkRenderer* renderer, const std::vector<vtkWaterActor*>& waters, const int viewport_px[2]);
-  // Was the frame that is being rendered planned for the renderer's active camera?
-  bool IsFresh(vtkRenderer* renderer) const;
-  // The plan whose map shows this frame's reflection, nullptr when there is none.
-  const water_plan* GetFreshPlan(vtkRenderer* renderer) const;
+  // Was the frame that is being rendered planned for this water and the renderer's active camera?
+  bool IsFresh(vtkRenderer* renderer, vtkWaterActor* water) const;
+  // The plan whose map shows the water's reflection in this frame, nullptr when there is none.
+  const water_plan* GetFreshPlan(vtkRenderer* renderer, vtkWaterActor* water) const;
   // The map, or a blank texture when there is none.
-  vtkTextureObject* GetTexture(vtkRenderer* renderer);
-  void RenderCorner(vtkRenderer* renderer);
+  vtkTextureObject* GetTexture(vtkRenderer* renderer, vtkWaterActor* water);
+  void RenderCorner(vtkRenderer* renderer, vtkWaterActor* water);
+  void RenderReflectionAndDelegate(const vtkRenderState* s);
   void SetDecision(int decision);
 
   std::unique_ptr<Internals> Internal;
   vtkSmartPointer<vtkRenderPass> DelegatePass;
+  vtkSmartPointer<vtkRenderPass> DefaultDelegate; // when there is no other
   double TextureScale = 1.0;
   int MultiSamples = -1;
   double ClipMargin = 0.0;

@@ -33,6 +33,15 @@ double water_plane_height(const water_plane* unit, const double point[3])
   return water_vec3_dot(unit->normal, point) + unit->offset;
 }
 
+void water_plane_project(const water_plane* unit, const double point[3], double projected[3])
+{
+  const double height = water_plane_height(unit, point);
+  for (int i = 0; i < 3; ++i)
+  {
+    projected[i] = point[i] - height * unit->normal[i];
+  }
+}
+
 void water_plane_mirror_matrix(const water_plane* unit, double world_to_mirrored[16])
 {
   const double* normal = unit->normal;

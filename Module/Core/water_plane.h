@@ -19,6 +19,9 @@ water_status water_plane_normalise(const water_plane* plane, water_plane* unit);
 // Signed distance of a point from a normalised plane, positive above the water.
 double water_plane_height(const water_plane* unit, const double point[3]);
 
+// The point of a normalised plane that is nearest to a point. projected may be point.
+void water_plane_project(const water_plane* unit, const double point[3], double projected[3]);
+
 // The mirror at a normalised plane as a matrix, I - 2 n n^T with its translation; determinant -1.
 // Source: Householder 1958, "Unitary Triangularization of a Nonsymmetric Matrix".
 void water_plane_mirror_matrix(const water_plane* unit, double world_to_mirrored[16]);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkWaterErrors.h"
 
+#include "vtkCamera.h"
 #include "vtkPlane.h"
 #include "vtkProp.h"
 #include "vtkWaterActor.h"
@@ -16,6 +17,16 @@ void DescribePlane(std::ostream& text, vtkWaterActor* water)
   const double* normal = water->GetPlane()->GetNormal();
   text << "; its origin is (" << origin[0] << ", " << origin[1] << ", " << origin[2]
        << "), its normal (" << normal[0] << ", " << normal[1] << ", " << normal[2] << ")";
+}
+
+void DescribeCamera(std::ostream& text, vtkCamera* camera)
+{
+  const double* position = camera->GetPosition();
+  const double* focus = camera->GetFocalPoint();
+  const double* range = camera->GetClippingRange();
+  text << "; it is at (" << position[0] << ", " << position[1] << ", " << position[2]
+       << "), looks at (" << focus[0] << ", " << focus[1] << ", " << focus[2] << "), view angle "
+       << camera->GetViewAngle() << ", clipping range (" << range[0] << ", " << range[1] << ")";
 }
 
 void DescribeValue(
@@ -44,6 +55,10 @@ void DescribeValue(
     case WATER_BAD_REFLECTANCE:
       text << "; it is " << scene.look.reflectance;
       break;
+    case WATER_BAD_CAMERA:
+    case WATER_CAMERA_ON_PLANE:
+      DescribeCamera(text, gather.camera);
+      break;
     case WATER_BAD_PROP_BOUNDS:
     {
       const double* bounds = scene.props[plan.culprit].bounds;
@@ -60,11 +75,17 @@ void DescribeValue(
 }
 
 //------------------------------------------------------------------------------
-std::string vtkWaterDescribe(
+vtkWaterError vtkWaterDescribe(
   water_status status, vtkWaterActor* water, const vtkWaterGather* gather, const water_plan* plan)
 {
   std::ostringstream text;
   text << water_status_text(status);
+  vtkWaterError error;
+  error.Kind = text.str();
+  if (status == WATER_BAD_PROP_BOUNDS && plan)
+  {
+    error.Kind += std::to_string(plan->culprit);
+  }
   if (status == WATER_BAD_PLANE)
   {
     DescribePlane(text, water);
@@ -74,5 +95,6 @@ std::string vtkWaterDescribe(
     DescribeValue(text, status, *gather, *plan);
   }
   text << ". The water shows its plain colour.";
-  return text.str();
+  error.Text = text.str();
+  return error;
 }

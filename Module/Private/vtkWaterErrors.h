@@ -11,8 +11,14 @@ struct water_plan;
 struct vtkWaterGather;
 class vtkWaterActor;
 
+struct vtkWaterError
+{
+  std::string Kind; // the same for the same error with another value; empty: no error
+  std::string Text; // with the value
+};
+
 // gather, plan  where the value is read from; nullptr: from the water alone
-std::string vtkWaterDescribe(water_status status, vtkWaterActor* water,
+vtkWaterError vtkWaterDescribe(water_status status, vtkWaterActor* water,
   const vtkWaterGather* gather = nullptr, const water_plan* plan = nullptr);
 
 #endif

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkWaterGather.h"
 
+#include "vtkAssembly.h"
 #include "vtkBoundingBox.h"
 #include "vtkCamera.h"
 #include "vtkInformation.h"
@@ -8,6 +9,8 @@
 #include "vtkMatrix4x4.h"
 #include "vtkPlane.h"
 #include "vtkProp.h"
+#include "vtkProp3DCollection.h"
+#include "vtkPropAssembly.h"
 #include "vtkPropCollection.h"
 #include "vtkRenderer.h"
 #include "vtkWaterActor.h"
@@ -26,19 +29,10 @@ void ClearBounds(double bounds[6])
   std::copy(none, none + 6, bounds);
 }
 
-// Is the water this prop, or is it a part of it? Drawing an assembly again while it is being drawn
-// would re-enter its list of paths.
-bool HoldsWater(vtkProp* prop, const std::vector<vtkWaterActor*>& waters)
-{
-  return prop->IsA("vtkWaterActor") ||
-    std::any_of(waters.begin(), waters.end(),
-      [prop](vtkWaterActor* water) { return water->IsConsumer(prop) != 0; });
-}
-
-uint32_t ReadFlags(vtkProp* prop, const std::vector<vtkWaterActor*>& waters)
+uint32_t ReadFlags(vtkProp* prop)
 {
   uint32_t flags = prop->GetVisibility() ? static_cast<uint32_t>(WATER_PROP_VISIBLE) : 0u;
-  if (HoldsWater(prop, waters))
+  if (vtkWaterGather::HoldsWater(prop))
   {
     flags |= WATER_PROP_IS_WATER;
   }
@@ -63,10 +57,10 @@ uint32_t ReadFlags(vtkProp* prop, const std::vector<vtkWaterActor*>& waters)
   return flags;
 }
 
-water_prop ReadProp(vtkProp* prop, const std::vector<vtkWaterActor*>& waters)
+water_prop ReadProp(vtkProp* prop)
 {
   water_prop read;
-  read.flags = ReadFlags(prop, waters);
+  read.flags = ReadFlags(prop);
   ClearBounds(read.bounds);
   const uint32_t noneNeeded =
     WATER_PROP_IS_WATER | WATER_PROP_NOT_REFLECTED | WATER_PROP_OVERLAY | WATER_PROP_LABEL;
@@ -128,12 +122,56 @@ water_camera vtkWaterGather::ReadCamera(vtkRenderer* renderer)
 //------------------------------------------------------------------------------
 water_plane vtkWaterGather::ReadPlane(vtkWaterActor* water)
 {
+  // by value and gradient, as planes may have an offset or a transform besides
+  const double worldOrigin[3] = { 0.0, 0.0, 0.0 };
   water_plane plane;
-  const double* origin = water->GetPlane()->GetOrigin();
-  const double* normal = water->GetPlane()->GetNormal();
-  std::copy(normal, normal + 3, plane.normal);
-  plane.offset = -(normal[0] * origin[0] + normal[1] * origin[1] + normal[2] * origin[2]);
+  water->GetPlane()->FunctionGradient(worldOrigin, plane.normal);
+  plane.offset = water->GetPlane()->FunctionValue(worldOrigin);
   return plane;
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterGather::ReadPlaneOrigin(vtkWaterActor* water, double origin[3])
+{
+  const water_plane plane = ReadPlane(water);
+  water_plane unit;
+  water->GetPlane()->GetOrigin(origin);
+  if (water->GetPlane()->FunctionValue(origin) != 0.0 &&
+    water_plane_normalise(&plane, &unit) == WATER_OK)
+  {
+    water_plane_project(&unit, origin, origin);
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkPropCollection* vtkWaterGather::GetParts(vtkProp* prop)
+{
+  if (auto* assembly = vtkAssembly::SafeDownCast(prop))
+  {
+    return assembly->GetParts();
+  }
+  auto* assembly = vtkPropAssembly::SafeDownCast(prop);
+  return assembly ? assembly->GetParts() : nullptr;
+}
+
+//------------------------------------------------------------------------------
+bool vtkWaterGather::HoldsWater(vtkProp* prop)
+{
+  vtkPropCollection* parts = GetParts(prop);
+  if (!parts)
+  {
+    return prop->IsA("vtkWaterActor") != 0;
+  }
+  vtkCollectionSimpleIterator it;
+  parts->InitTraversal(it);
+  while (vtkProp* part = parts->GetNextProp(it))
+  {
+    if (HoldsWater(part))
+    {
+      return true;
+    }
+  }
+  return false;
 }
 
 //------------------------------------------------------------------------------
@@ -153,6 +191,7 @@ void vtkWaterGather::Read(
 {
   this->scene = water_scene();
   this->scene.eye = ReadCamera(renderer);
+  this->camera = renderer->GetActiveCamera();
   std::copy(viewport_px, viewport_px + 2, this->scene.viewport_px);
   this->scene.plane = ReadPlane(waters.front());
 
@@ -188,7 +227,7 @@ void vtkWaterGather::Read(
   while (vtkProp* prop = all->GetNextProp(it))
   {
     this->vtkProps.push_back(prop);
-    this->props.push_back(ReadProp(prop, waters));
+    this->props.push_back(ReadProp(prop));
   }
   this->scene.props = this->props.data();
   this->scene.prop_count = this->props.size();

@@ -7,7 +7,9 @@
 
 #include <vector>
 
+class vtkCamera;
 class vtkProp;
+class vtkPropCollection;
 class vtkRenderer;
 class vtkWaterActor;
 
@@ -16,6 +18,7 @@ struct vtkWaterGather
   water_scene scene;             // points into props
   std::vector<water_prop> props; // of all view props, in the renderer's order
   std::vector<vtkProp*> vtkProps;
+  vtkCamera* camera = nullptr; // the one read last
 
   // Reads everything but the settings of the pass (texture_scale, max_texture_px, clip_margin).
   //
@@ -29,8 +32,17 @@ struct vtkWaterGather
   // The camera alone: matrices of the renderer's active camera for its viewport.
   static water_camera ReadCamera(vtkRenderer* renderer);
 
-  // The plane of a water.
+  // The plane of a water, and a point of it: the origin, unless the vtkPlane has an offset or a
+  // transform.
   static water_plane ReadPlane(vtkWaterActor* water);
+  static void ReadPlaneOrigin(vtkWaterActor* water, double origin[3]);
+
+  // The parts of a prop that is an assembly of any kind; nullptr: it is none.
+  static vtkPropCollection* GetParts(vtkProp* prop);
+
+  // Is the prop a water, or is one among its parts? Such an assembly must not be asked for its
+  // bounds, nor drawn again, while it is being drawn: it would rebuild the list that it walks.
+  static bool HoldsWater(vtkProp* prop);
 
   // The water's optics; constant 0 only if nothing is reflected.
   static water_look ReadLook(vtkWaterActor* water);

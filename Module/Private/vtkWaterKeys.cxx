@@ -10,6 +10,7 @@
 #include "vtkWaterAccess.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace
 {
@@ -33,7 +34,11 @@ Passes GetPasses(vtkProp* prop)
 void SetPasses(vtkProp* prop, const Passes& passes)
 {
   vtkInformation* keys = prop->GetPropertyKeys();
-  keys->Remove(vtkOpenGLRenderPass::RenderPasses());
+  // one by one: Append counts a reference twice, and only this Remove takes back both
+  for (vtkObjectBase* pass : GetPasses(prop))
+  {
+    keys->Remove(vtkOpenGLRenderPass::RenderPasses(), pass);
+  }
   for (vtkObjectBase* pass : passes)
   {
     keys->Append(vtkOpenGLRenderPass::RenderPasses(), pass);
@@ -41,14 +46,20 @@ void SetPasses(vtkProp* prop, const Passes& passes)
 }
 
 template <typename Function>
-void ForEachProp(vtkRenderer* renderer, Function function)
+void ForEachProp(vtkPropCollection* props, Function function)
 {
-  vtkPropCollection* props = renderer->GetViewProps();
   vtkCollectionSimpleIterator it;
   props->InitTraversal(it);
   while (vtkProp* prop = props->GetNextProp(it))
   {
     function(prop);
+    if (prop->IsA("vtkAxesActor"))
+    {
+      // the one prop with parts that does not hand its keys on to them
+      vtkNew<vtkPropCollection> parts;
+      prop->GetActors(parts);
+      ForEachProp(parts, function);
+    }
   }
 }
 }
@@ -109,16 +120,24 @@ void vtkWaterKeys::HoldUntilEndOfFrame(vtkRenderer* renderer)
 {
   for (auto it = this->HeldFrames.begin(); it != this->HeldFrames.end();)
   {
-    // a renderer that died took its observer along
-    it = it->second.Renderer ? std::next(it) : this->HeldFrames.erase(it);
+    if (it->second.Renderer)
+    {
+      ++it;
+      continue;
+    }
+    HeldFrame dead = std::move(it->second); // a renderer that died took its observer along
+    it = this->HeldFrames.erase(it);
+    this->EndFrame(dead);
   }
-  HeldFrame& held = this->HeldFrames[renderer];
-  held.Renderer = renderer;
-  if (held.Observer)
+  if (this->GetFrame(renderer))
   {
     return; // another water of this frame was first
   }
-  ForEachProp(renderer, [&](vtkProp* prop) {
+  HeldFrame& held = this->HeldFrames[renderer];
+  this->EndFrame(held); // somebody removed the observer
+  held.Renderer = renderer;
+  held.Frame.Modified();
+  ForEachProp(renderer->GetViewProps(), [&](vtkProp* prop) {
     if (prop->GetVisibility() && !this->Has(prop))
     {
       this->Add(prop);
@@ -135,30 +154,37 @@ void vtkWaterKeys::HoldUntilEndOfFrame(vtkRenderer* renderer)
       self->EndFrame(found->second);
     }
   });
-  held.ObserverTag = renderer->AddObserver(vtkCommand::EndEvent, held.Observer);
+  // before the user's observers, which may abort the event; a frame that begins has ended the last
+  const float first = std::numeric_limits<float>::max();
+  renderer->AddObserver(vtkCommand::StartEvent, held.Observer, first);
+  renderer->AddObserver(vtkCommand::EndEvent, held.Observer, first);
 }
 
 //------------------------------------------------------------------------------
 void vtkWaterKeys::EndFrame(HeldFrame& held)
 {
-  for (vtkProp* prop : held.Props)
+  // what dies with its last reference may run the user's code, so all else comes first
+  const auto props = std::move(held.Props);
+  held.Props.clear();
+  for (vtkProp* prop : props)
   {
     this->Remove(prop);
   }
-  held.Props.clear();
   if (held.Renderer && held.Observer)
   {
-    held.Renderer->RemoveObserver(held.ObserverTag);
+    held.Renderer->RemoveObserver(held.Observer);
   }
   held.Observer = nullptr;
-  ++held.EndedFrames;
 }
 
 //------------------------------------------------------------------------------
-unsigned long vtkWaterKeys::GetEndedFrames(vtkRenderer* renderer) const
+vtkMTimeType vtkWaterKeys::GetFrame(vtkRenderer* renderer) const
 {
   auto found = this->HeldFrames.find(renderer);
-  return found == this->HeldFrames.end() ? 0 : found->second.EndedFrames;
+  return found != this->HeldFrames.end() && found->second.Renderer && found->second.Observer &&
+      renderer->HasObserver(vtkCommand::EndEvent, found->second.Observer)
+    ? found->second.Frame.GetMTime()
+    : 0;
 }
 
 //------------------------------------------------------------------------------
@@ -174,7 +200,7 @@ vtkWaterForeignKeysSuspended::vtkWaterForeignKeysSuspended(
   vtkOpenGLRenderPass* key, vtkRenderer* renderer)
 {
   const Passes alone{ key };
-  ForEachProp(renderer, [&](vtkProp* prop) {
+  ForEachProp(renderer->GetViewProps(), [&](vtkProp* prop) {
     Passes passes = GetPasses(prop);
     if (!passes.empty() && passes != alone)
     {

@@ -7,6 +7,7 @@
 #define vtkWaterKeys_h
 
 #include "vtkSmartPointer.h"
+#include "vtkTimeStamp.h"
 #include "vtkWeakPointer.h"
 
 #include <map>
@@ -28,11 +29,13 @@ public:
   // Puts the key on a prop, once.
   void Add(vtkProp* prop);
 
-  // Puts the key on every visible prop of the renderer until the frame ends (its EndEvent).
+  // Puts the key on every visible prop of the renderer until the frame ends (its EndEvent,
+  // or the StartEvent of the next).
   void HoldUntilEndOfFrame(vtkRenderer* renderer);
 
-  // Counts the renderer's frames that have ended since it was first held; 0 before.
-  unsigned long GetEndedFrames(vtkRenderer* renderer) const;
+  // A number of the frame for which the renderer's props are held, never used twice; 0: they are
+  // not held.
+  vtkMTimeType GetFrame(vtkRenderer* renderer) const;
 
   // Is a prop being drawn for a shadow map, by a light's camera?
   static bool IsBakingShadows(vtkProp* prop);
@@ -45,9 +48,8 @@ private:
   {
     vtkWeakPointer<vtkRenderer> Renderer;
     std::vector<vtkSmartPointer<vtkProp>> Props;
-    vtkSmartPointer<vtkCallbackCommand> Observer;
-    unsigned long ObserverTag = 0;
-    unsigned long EndedFrames = 0;
+    vtkSmartPointer<vtkCallbackCommand> Observer; // nullptr: not held
+    vtkTimeStamp Frame;
   };
 
   bool Has(vtkProp* prop) const;

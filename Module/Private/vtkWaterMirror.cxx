@@ -60,18 +60,36 @@ struct ScopedState
 };
 
 // The renderer looks through another camera while an object of this class lives; nobody is told.
+// The renderer holds a reference on the camera in its slot, whoever puts it there: a user who sets
+// another one from an observer meanwhile gets that.
 struct ScopedCamera
 {
   ScopedCamera(vtkRenderer* renderer, vtkCamera* camera)
-    : Slot(vtkWaterAccess::Renderer::ActiveCameraOf(renderer))
+    : Renderer(renderer)
+    , Slot(vtkWaterAccess::Renderer::ActiveCameraOf(renderer))
     , User(this->Slot)
+    , Mirrored(camera)
   {
+    camera->Register(renderer);
     this->Slot = camera;
   }
-  ~ScopedCamera() { this->Slot = this->User; }
+  ~ScopedCamera()
+  {
+    if (this->Slot == this->Mirrored)
+    {
+      this->Slot = this->User;
+      this->Mirrored->UnRegister(this->Renderer);
+    }
+    else
+    {
+      this->User->UnRegister(this->Renderer);
+    }
+  }
 
+  vtkRenderer* Renderer;
   vtkCamera*& Slot;
   vtkCamera* User;
+  vtkSmartPointer<vtkCamera> Mirrored;
 };
 
 struct ScopedMirroredView
@@ -133,30 +151,36 @@ const char* vtkWaterMirror::Draw(vtkRenderer* renderer, vtkWaterShading* shading
     return "the GPU gave no framebuffer for the reflection texture";
   }
   vtkOpenGLRenderUtilities::MarkDebugEvent("water: mirrored view begins");
+  this->IsDrawing = true;
+  const char* failure = nullptr;
   {
     ScopedState scopedState(state);
-    if (!this->Target.Bind())
+    if (this->Target.Bind())
     {
-      return "the framebuffer of the reflection texture is not complete";
-    }
-    SetViewportAndScissor(state, plan);
-    state->vtkglDepthFunc(GL_LEQUAL);
-    state->vtkglEnable(GL_DEPTH_TEST);
-    state->vtkglEnable(GL_BLEND);
-    state->vtkglBlendFuncSeparate(
-      GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-    this->Screen.DrawSky(renderer, plan);
+      SetViewportAndScissor(state, plan);
+      state->vtkglDepthFunc(GL_LEQUAL);
+      state->vtkglEnable(GL_DEPTH_TEST);
+      state->vtkglEnable(GL_BLEND);
+      state->vtkglBlendFuncSeparate(
+        GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+      this->Screen.DrawSky(renderer, plan);
 
-    this->SetCamera(renderer, plan);
-    ScopedCamera scopedCamera(renderer, this->Camera);
-    ScopedMirroredView scopedView(shading, plan);
-    ScopedRenderTimes scopedTimes(renderer, props);
-    this->DrawProps(renderer, props);
-    state->vtkglDisable(GL_SCISSOR_TEST);
-    this->Target.Resolve();
+      this->SetCamera(renderer, plan);
+      ScopedCamera scopedCamera(renderer, this->Camera);
+      ScopedMirroredView scopedView(shading, plan);
+      ScopedRenderTimes scopedTimes(renderer, props);
+      this->DrawProps(renderer, props);
+      state->vtkglDisable(GL_SCISSOR_TEST);
+      this->Target.Resolve();
+    }
+    else
+    {
+      failure = "the framebuffer of the reflection texture is not complete";
+    }
   }
+  this->IsDrawing = false;
   vtkOpenGLRenderUtilities::MarkDebugEvent("water: mirrored view ends");
-  return nullptr;
+  return failure;
 }
 
 //------------------------------------------------------------------------------
@@ -178,6 +202,8 @@ void vtkWaterMirror::SetCamera(vtkRenderer* renderer, const water_plan& plan)
   this->Camera->SetClippingRange(user->GetClippingRange());
   double* projection = &this->Camera->GetExplicitProjectionTransformMatrix()->Element[0][0];
   std::copy(plan.mirrored.view_to_clip, plan.mirrored.view_to_clip + 16, projection);
+  // mappers that shift and scale coordinates by the camera ask it for how much
+  this->Camera->UpdateIdealShiftScale(renderer->GetTiledAspectRatio());
   // lights and key matrices are refreshed by the camera's time; a matrix changed in place does not
   // count, and the main view may have been set up since
   this->Camera->Modified();

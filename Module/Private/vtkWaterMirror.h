@@ -28,6 +28,9 @@ public:
   const char* Draw(vtkRenderer* renderer, vtkWaterShading* shading, const water_plan& plan,
     std::vector<vtkProp*>& props, int samples);
 
+  // In the middle of Draw, which runs the user's observers: nothing may be released then.
+  bool GetIsDrawing() const { return this->IsDrawing; }
+
   vtkTextureObject* GetColor() { return this->Target.GetColor(); }
   vtkTextureObject* GetDepth() { return this->Target.GetDepth(); }
   vtkWaterScreen& GetScreen() { return this->Screen; }
@@ -56,6 +59,7 @@ private:
   vtkSmartPointer<vtkTextureObject> Blank;
   vtkSmartPointer<vtkCamera> Camera;
   vtkSmartPointer<vtkRenderPass> TranslucentPass;
+  bool IsDrawing = false;
   Blendings Blending = ORDER_INDEPENDENT; // of the pass
 };
 

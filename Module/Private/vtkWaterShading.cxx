@@ -2,6 +2,7 @@
 #include "vtkWaterShading.h"
 
 #include "vtkActor.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
@@ -29,6 +30,20 @@ namespace
 void InsertBefore(std::string& source, const std::string& tag, const std::string& text)
 {
   vtkShaderProgram::Substitute(source, tag, text + "\n" + tag, false);
+}
+
+// Puts declarations before the tag that all of VTK's shaders have, or, where the user's own
+// replacement took that, before main. Returns whether they are in.
+bool InsertDeclarations(std::string& source, const std::string& text)
+{
+  const std::string tag = "//VTK::Clip::Dec";
+  const std::string place = source.find(tag) != std::string::npos ? tag : "void main(";
+  return vtkShaderProgram::Substitute(source, place, text + "\n" + place, false);
+}
+
+bool Declares(const std::string& source, const std::string& function)
+{
+  return source.find(function + "(") != std::string::npos;
 }
 
 void InsertAfter(std::string& source, const std::string& tag, const std::string& text)
@@ -105,16 +120,10 @@ vtkWaterShading::vtkWaterShading()
 vtkWaterShading::~vtkWaterShading() = default;
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkWaterShading> vtkWaterShading::GetShared()
+vtkWaterShading* vtkWaterShading::GetOfThread()
 {
-  static thread_local vtkWeakPointer<vtkWaterShading> shared;
-  if (!shared)
-  {
-    auto made = vtkSmartPointer<vtkWaterShading>::New();
-    shared = made;
-    return made;
-  }
-  return shared.Get();
+  static thread_local vtkNew<vtkWaterShading> shading;
+  return shading;
 }
 
 //------------------------------------------------------------------------------
@@ -137,20 +146,21 @@ bool vtkWaterShading::PreReplaceShaderValues(std::string& vertexShader, std::str
 {
   if (prop->IsA("vtkWaterActor"))
   {
-    InsertBefore(
-      fragmentShader, "//VTK::Clip::Dec", std::string(vtkWaterOptics) + "\n" + vtkWaterSurfaceFS);
+    InsertDeclarations(fragmentShader, std::string(vtkWaterOptics) + "\n" + vtkWaterSurfaceFS);
     return true;
   }
-  InsertBefore(fragmentShader, "//VTK::Clip::Dec", vtkWaterMirroredFS);
+  if (!InsertDeclarations(fragmentShader, vtkWaterMirroredFS))
+  {
+    return true; // not a shader that can be helped
+  }
   // Opaque geometry is cut by a clip distance. It needs a vertex shader that ends the chain (a
   // geometry shader would have to pass the distance on), and must not be on for the full-screen
   // quads that blend translucent geometry: those two discard.
   const bool canClipVertices = geometryShader.empty() &&
     vertexShader.find("//VTK::CustomEnd::Impl") != std::string::npos &&
     !prop->HasTranslucentPolygonalGeometry();
-  if (canClipVertices)
+  if (canClipVertices && InsertDeclarations(vertexShader, vtkWaterMirroredVS))
   {
-    InsertBefore(vertexShader, "//VTK::Clip::Dec", vtkWaterMirroredVS);
     InsertBefore(vertexShader, "//VTK::CustomEnd::Impl", "  waterClipVertex(gl_Position);");
   }
   else
@@ -169,7 +179,14 @@ bool vtkWaterShading::PostReplaceShaderValues(
 {
   if (prop->IsA("vtkWaterActor"))
   {
-    InsertBefore(fragmentShader, "//VTK::Light::Impl", "\n  waterShade(gl_FragData[0]);");
+    if (Declares(fragmentShader, "waterShade"))
+    {
+      InsertBefore(fragmentShader, "//VTK::Light::Impl", "\n  waterShade(gl_FragData[0]);");
+    }
+    return true;
+  }
+  if (!Declares(fragmentShader, "waterHeadlight"))
+  {
     return true;
   }
   // VTK's code for a single headlight takes the light for the view; a mapper that has no such line

@@ -2,9 +2,9 @@
 // vtkWaterShading: plan -> shader replacements and uniforms. The only writer of uniforms.
 //
 // It is a key in the RenderPasses list of the props: mappers ask the passes of that list to change
-// their shaders. One object serves all waters of a thread, because a mapper rebuilds its shaders
-// whenever the list changes: with one key per water, two waters would rebuild everything, twice a
-// frame. See Documentation/decisions.
+// their shaders. One object serves all waters that a thread renders, because a mapper rebuilds its
+// shaders whenever the list changes: with one key per water, two waters would rebuild everything,
+// twice a frame. See Documentation/decisions.
 #ifndef vtkWaterShading_h
 #define vtkWaterShading_h
 
@@ -38,8 +38,9 @@ public:
   vtkTypeMacro(vtkWaterShading, vtkOpenGLRenderPass);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  // The object of this thread; it lives as long as somebody holds it.
-  static vtkSmartPointer<vtkWaterShading> GetShared();
+  // The object of the thread that renders, whichever thread made the water. It lives as long as
+  // the thread.
+  static vtkWaterShading* GetOfThread();
 
   // Which props carry this object in their lists.
   vtkWaterKeys Keys;

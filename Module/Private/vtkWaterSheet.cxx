@@ -5,35 +5,70 @@
 #include "vtkCellArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkMath.h"
+#include "vtkMatrix4x4.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
+#include "vtkProp3D.h"
 #include "vtkPropCollection.h"
 #include "vtkRenderer.h"
+#include "vtkWaterGather.h"
 
 #include <algorithm>
 
 namespace
 {
-// Bounds of all that a renderer shows, waters left out: they are what is fitted.
-void AddSceneBounds(vtkRenderer* renderer, vtkBoundingBox& box)
+// Bounds of what a prop shows, waters left out: they are what is fitted. An assembly that holds a
+// water is taken apart.
+//
+// parent  matrix of the assembly that the prop is a part of; nullptr: of none
+void AddBounds(vtkProp* prop, vtkMatrix4x4* parent, vtkBoundingBox& box)
 {
-  vtkPropCollection* props = renderer->GetViewProps();
-  vtkCollectionSimpleIterator it;
-  props->InitTraversal(it);
-  while (vtkProp* prop = props->GetNextProp(it))
+  if (!prop->GetVisibility() || !prop->GetUseBounds() || prop->IsA("vtkWaterActor") ||
+    prop->IsA("vtkSkybox"))
   {
-    if (prop->GetVisibility() && prop->GetUseBounds() && !prop->IsA("vtkWaterActor") &&
-      !prop->IsA("vtkSkybox"))
+    return;
+  }
+  if (vtkWaterGather::HoldsWater(prop))
+  {
+    vtkNew<vtkMatrix4x4> matrix;
+    if (auto* placed = vtkProp3D::SafeDownCast(prop))
     {
-      const double* bounds = prop->GetBounds();
-      if (bounds && vtkMath::AreBoundsInitialized(bounds) &&
-        std::all_of(bounds, bounds + 6, [](double bound) { return vtkMath::IsFinite(bound); }))
-      {
-        box.AddBounds(bounds);
-      }
+      placed->ComputeMatrix();
+      matrix->DeepCopy(placed->GetMatrix());
     }
+    if (parent)
+    {
+      vtkMatrix4x4::Multiply4x4(parent, matrix, matrix);
+    }
+    vtkPropCollection* parts = vtkWaterGather::GetParts(prop);
+    vtkCollectionSimpleIterator it;
+    parts->InitTraversal(it);
+    while (vtkProp* part = parts->GetNextProp(it))
+    {
+      AddBounds(part, matrix, box);
+    }
+    return;
+  }
+  const double* bounds = prop->GetBounds();
+  if (!bounds || !vtkMath::AreBoundsInitialized(bounds) ||
+    !std::all_of(bounds, bounds + 6, [](double bound) { return vtkMath::IsFinite(bound); }))
+  {
+    return;
+  }
+  if (!parent)
+  {
+    box.AddBounds(bounds);
+    return;
+  }
+  const vtkBoundingBox own(bounds);
+  for (int i = 0; i < 8; ++i)
+  {
+    double corner[4] = { 0.0, 0.0, 0.0, 1.0 };
+    own.GetCorner(i, corner);
+    parent->MultiplyPoint(corner, corner);
+    box.AddPoint(corner);
   }
 }
 }
@@ -79,7 +114,13 @@ water_status vtkWaterSheet::Fit(const water_plane& plane, const double origin[3]
     vtkBoundingBox box;
     for (vtkRenderer* renderer : scene)
     {
-      AddSceneBounds(renderer, box);
+      vtkPropCollection* props = renderer->GetViewProps();
+      vtkCollectionSimpleIterator it;
+      props->InitTraversal(it);
+      while (vtkProp* prop = props->GetNextProp(it))
+      {
+        AddBounds(prop, nullptr, box);
+      }
     }
     double sceneBounds[6] = { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 };
     if (box.IsValid())

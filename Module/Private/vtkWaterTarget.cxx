@@ -7,9 +7,17 @@
 #include "vtkTextureObject.h"
 #include "vtkWaterGL.h"
 
+#include <algorithm>
+
 //------------------------------------------------------------------------------
-bool vtkWaterTarget::Ensure(vtkOpenGLRenderWindow* window, int width, int height, int samples)
+bool vtkWaterTarget::Ensure(vtkOpenGLRenderWindow* window, int width, int height, int wanted)
 {
+  int samples = 0;
+  if (wanted > 0)
+  {
+    glGetIntegerv(GL_MAX_SAMPLES, &samples);
+    samples = std::min(samples, wanted); // as VTK's windows do
+  }
   if (this->Framebuffer && this->Framebuffer->GetContext() == window && this->Width == width &&
     this->Height == height && this->Samples == samples)
   {

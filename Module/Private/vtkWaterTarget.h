@@ -13,7 +13,8 @@ class vtkWindow;
 class vtkWaterTarget
 {
 public:
-  // Makes or changes the textures to this size (pixels) and number of samples (0: none).
+  // Makes or changes the textures to this size (pixels) and number of samples (0: none; at
+  // most what the GPU has).
   //
   // Returns false, and leaves nothing half made, when the GPU refuses.
   bool Ensure(vtkOpenGLRenderWindow* window, int width, int height, int samples);

@@ -212,6 +212,21 @@ TEST(sheet_needs_bounds)
   }
 }
 
+// The nearest point of a plane lies on it, straight below the point; a point of the plane stays.
+TEST(projection_is_the_nearest_point)
+{
+  UNUSED;
+  const water_plane tilted = { { 2.0 / 3.0, 1.0 / 3.0, 2.0 / 3.0 }, -9.0 };
+  const double point[3] = { 12.0, 6.0, 12.0 }; // 9 above the foot (6, 3, 6)
+  double foot[3];
+  water_plane_project(&tilted, point, foot);
+  ASSERT_CLOSE(foot[0], 6.0, 1e-14);
+  ASSERT_CLOSE(foot[1], 3.0, 1e-14);
+  ASSERT_CLOSE(foot[2], 6.0, 1e-14);
+  water_plane_project(&tilted, foot, foot);
+  ASSERT_CLOSE(foot[0], 6.0, 1e-14);
+}
+
 int main(void)
 {
   const struct CMUnitTest tests[] = {
@@ -224,6 +239,7 @@ int main(void)
     RUN(sheet_of_a_level_plane_is_the_floor_of_the_box),
     RUN(sheet_of_any_plane_covers_the_box_tightly),
     RUN(sheet_needs_bounds),
+    RUN(projection_is_the_nearest_point),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

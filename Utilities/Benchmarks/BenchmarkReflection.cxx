@@ -238,8 +238,8 @@ int main(int argc, char* argv[])
   }
 #ifdef __GLIBC__
   // Mesa's software renderer takes some 32 MB for every view it draws and frees them again. Whether
-  // they go back to the kernel, and cost 8,000 page faults in the next frame, depends on what happens
-  // to lie at the top of the heap: a quarter of a frame's time, from one run to the next.
+  // they go back to the kernel, and cost 8,000 page faults in the next frame, depends on what
+  // happens to lie at the top of the heap: a quarter of a frame's time, from one run to the next.
   mallopt(M_TRIM_THRESHOLD, 1 << 30);
   mallopt(M_MMAP_THRESHOLD, 1 << 30);
 #endif

@@ -33,7 +33,7 @@ forbid code "The core allocates nothing and prints nothing" \
 forbid code "Formulas belong into the core, shims copy and call" \
   '(sqrt|acos|asin|atan2?|hypot|pow|::Dot|::Cross|::Normalize|[^a-zA-Z]sin|[^a-zA-Z]cos|[^a-zA-Z]tan)[(]' "${shims[@]}"
 forbid text "GLSL belongs into Module/GLSL" \
-  '"[^"]*(gl_Position|gl_Frag[A-Z]|texture[(]|uniform |void main|vec[234][ (])' "${shims[@]}"
+  '"[^"]*(gl_Position|gl_Frag[A-Z]|texture[(]|uniform |void main[(][)]|vec[234][ (])' "${shims[@]}"
 
 found=$(LC_ALL=C grep -n '[^ -~]' "${shaders[@]}" || true)
 if [ -n "$found" ]; then
