@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // water_status.h: what can be wrong with a scene; one list gives the codes and their texts.
 //
-// The order is the order in which water_plan_make checks. A text names the accepted range; the
-// caller adds the value it had.
+// Up to WATER_BAD_PROP_BOUNDS the order is the order in which water_plan_make checks; the later
+// ones belong to the waves, the spectrum, the body and the presets. A text names the accepted
+// range; the caller adds the value it had.
 #ifndef water_status_h
 #define water_status_h
 
@@ -28,7 +29,35 @@ extern "C"
     "invertible")                                                                                  \
   X(WATER_CAMERA_ON_PLANE,                                                                         \
     "the camera lies exactly on the water plane; it must be above or below")                       \
-  X(WATER_BAD_PROP_BOUNDS, "the bounds of every prop must be finite")
+  X(WATER_BAD_PROP_BOUNDS, "the bounds of every prop must be finite")                              \
+  X(WATER_BAD_WAVE_AMPLITUDE, "Amplitude of a wave must be finite and not negative")               \
+  X(WATER_BAD_WAVELENGTH, "Wavelength must be finite and greater than 0")                          \
+  X(WATER_BAD_WAVE_DIRECTION, "Direction of a wave must be finite")                                \
+  X(WATER_BAD_WAVE_PHASE, "Phase of a wave must be finite")                                        \
+  X(WATER_BAD_STEEPNESS, "Steepness must lie in [0, 1]")                                           \
+  X(WATER_WAVES_FOLD,                                                                              \
+    "the waves fold over: the sum of 2 pi Amplitude Steepness / Wavelength must not exceed 1")     \
+  X(WATER_BAD_DEPTH, "Depth must be greater than 0; infinity is deep water")                       \
+  X(WATER_BAD_TIME, "Time must be finite")                                                         \
+  X(WATER_BAD_POINT, "the point must be finite")                                                   \
+  X(WATER_BAD_WAVENUMBER, "wave numbers must be finite, not negative and in rising order")         \
+  X(WATER_BAD_FREQUENCY, "the angular frequency must be finite and not negative")                  \
+  X(WATER_BAD_SEA_MODEL, "the spectrum's model or spreading is not one of the list")               \
+  X(WATER_BAD_WIND_SPEED, "WindSpeed must lie in [0.1, 100] m/s")                                  \
+  X(WATER_BAD_WIND_DIRECTION, "WindDirection must be finite")                                      \
+  X(WATER_BAD_FETCH, "Fetch must be at least 1 m; infinity is a fully developed sea")              \
+  X(WATER_BAD_PEAK_ENHANCEMENT, "PeakEnhancement must lie in [1, 20]")                             \
+  X(WATER_BAD_SPREADING_POWER, "SpreadingPower must lie in [0, 1000]")                             \
+  X(WATER_BAD_TILE_SIZE, "the tile's size must be an even number from 4 to 16384")                 \
+  X(WATER_BAD_TILE_LENGTH, "the tile's length must lie in [0.001, 1e9] m")                         \
+  X(WATER_BAD_PERIOD, "the period must be finite and not negative; 0 does not repeat")             \
+  X(WATER_BAD_ABSORPTION, "Absorption must be finite and not negative")                            \
+  X(WATER_BAD_SCATTERING, "Scattering must be finite and not negative")                            \
+  X(WATER_BAD_DIRECTION, "a direction must be finite and of unit length")                          \
+  X(WATER_BAD_INDEX_RATIO, "the ratio of the indices must be finite and greater than 0")           \
+  X(WATER_TOTAL_REFLECTION, "total internal reflection: there is no refracted ray")                \
+  X(WATER_BAD_WATER_TYPE, "the Jerlov water type is not one of the list")                          \
+  X(WATER_BAD_PRESET, "the preset's name is not one of the list")
 
 typedef enum water_status
 {

@@ -2,6 +2,8 @@
 // test_status.c: every code has a text of its own, and no number is without one.
 #include "test_scene.h"
 
+#include "water_body.h"
+
 typedef const char* (*text_function)(int);
 
 static const char* status_text(int number)
@@ -17,6 +19,11 @@ static const char* fate_text(int number)
 static const char* decision_text(int number)
 {
   return water_decision_text((water_decision)number);
+}
+
+static const char* type_text(int number)
+{
+  return water_type_text((water_type)number);
 }
 
 static void assert_texts(text_function text, int count)
@@ -42,6 +49,7 @@ TEST(texts_are_distinct_and_never_null)
   assert_texts(status_text, WATER_STATUS_COUNT);
   assert_texts(fate_text, WATER_FATE_COUNT);
   assert_texts(decision_text, WATER_DECISION_COUNT);
+  assert_texts(type_text, WATER_TYPE_COUNT);
 }
 
 // A text belongs to its code: three known ones of each list, the last included.
@@ -51,6 +59,9 @@ TEST(texts_belong_to_their_codes)
   assert_string_equal(water_status_text(WATER_OK), "no error");
   assert_non_null(strstr(water_status_text(WATER_BAD_INDEX), "IndexOfRefraction"));
   assert_non_null(strstr(water_status_text(WATER_BAD_PROP_BOUNDS), "every prop"));
+  assert_non_null(strstr(water_status_text(WATER_WAVES_FOLD), "fold"));
+  assert_non_null(strstr(water_status_text(WATER_BAD_FETCH), "Fetch"));
+  assert_non_null(strstr(water_status_text(WATER_BAD_PRESET), "preset"));
   assert_string_equal(water_fate_text(WATER_DRAW), "drawn");
   assert_string_equal(water_fate_text(WATER_SKIP_WATER), "water itself");
   assert_non_null(strstr(water_fate_text(WATER_SKIP_OUT_OF_VIEW), "out of"));

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// water_glitter.c: slopes of a wind-blown sea as a distribution, and the sun's glitter from it.
+#include "water_glitter.h"
+
+#include "water_math.h"
+#include "water_phase.h"
+
+static bool is_wind(double wind_speed)
+{
+  return wind_speed >= 0.1 && wind_speed <= 100.0;
+}
+
+water_status water_glitter_variance(double wind_speed, double variance[2])
+{
+  if (!is_wind(wind_speed))
+  {
+    return WATER_BAD_WIND_SPEED;
+  }
+  variance[0] = 0.00316 * wind_speed;
+  variance[1] = 0.003 + 0.00192 * wind_speed;
+  return WATER_OK;
+}
+
+water_status water_glitter_mean_square(double wind_speed, double* mean_square)
+{
+  if (!is_wind(wind_speed))
+  {
+    return WATER_BAD_WIND_SPEED;
+  }
+  *mean_square = 0.003 + 0.00512 * wind_speed;
+  return WATER_OK;
+}
+
+double water_glitter_density(const double variance[2], const double slope[2])
+{
+  const double square = slope[0] * slope[0] / variance[0] + slope[1] * slope[1] / variance[1];
+  return exp(-0.5 * square) / (water_two_pi * sqrt(variance[0] * variance[1]));
+}
+
+double water_glitter_radiance(const double sun_dir[3], const double eye_dir[3], double wind_dir_rad,
+  const double variance[2], double* facet_cosine)
+{
+  double facet[3]; // the normal that mirrors the sun into the eye
+  for (int i = 0; i < 3; ++i)
+  {
+    facet[i] = sun_dir[i] + eye_dir[i];
+  }
+  const double length = water_vec3_length(facet);
+  *facet_cosine = 0.5 * length; // of half the angle between two unit vectors
+  if (!(sun_dir[2] > 0.0) || !(eye_dir[2] > 0.0))
+  {
+    return 0.0;
+  }
+  const double slope[2] = { -facet[0] / facet[2], -facet[1] / facet[2] };
+  const double c = cos(wind_dir_rad);
+  const double s = sin(wind_dir_rad);
+  const double turned[2] = { c * slope[0] + s * slope[1], c * slope[1] - s * slope[0] };
+  const double tilt = facet[2] / length;
+  return water_glitter_density(variance, turned) / (4.0 * eye_dir[2] * tilt * tilt * tilt * tilt);
+}

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// water_glitter.h: slopes of a wind-blown sea as a distribution, and the sun's glitter from it.
+//
+// Directions are in axes whose third is the plane's normal; wind speeds are at 12.5 m (41 feet),
+// the height of the measurements (within 3 % of those at 10 m).
+// Source: Cox and Munk 1954, "Measurement of the Roughness of the Sea Surface from Photographs of
+// the Sun's Glitter" (clean sea, winds of 1 to 14 m/s).
+#ifndef water_glitter_h
+#define water_glitter_h
+
+#include "water_status.h"
+
+#ifdef __cplusplus
+extern "C"
+{
+#endif
+
+// Variances of slope of a wind sea along and across the wind: 0.000 + 0.00316 U (+- 0.004) and
+// 0.003 + 0.00192 U (+- 0.002).
+//
+// wind_speed  m/s, in [0.1, 100]
+//
+// Returns WATER_OK or WATER_BAD_WIND_SPEED ; then variance is unchanged.
+water_status water_glitter_variance(double wind_speed, double variance[2]);
+
+// The two together, in Cox and Munk's own fit of the sum: 0.003 + 0.00512 U (+- 0.004). Inputs and
+// errors as above.
+water_status water_glitter_mean_square(double wind_speed, double* mean_square);
+
+// Probability per unit of both slopes, Gaussian; the integral over all slopes is 1.
+//
+// variance  along two axes at right angles, both > 0
+// slope     along the same axes
+double water_glitter_density(const double variance[2], const double slope[2]);
+
+// Radiance towards the eye per irradiance of the sun on a plane facing it (1/sr), for a surface
+// that reflects everything: density / (4 cos(eye) cos^4(facet)). Times Fresnel's reflectance at
+// facet_cosine it is the glitter. Shadowing of waves by waves is left out.
+//
+// sun_dir, eye_dir  from the water to the sun and to the eye, unit length, above the plane
+// wind_dir_rad      axis of the first variance, from the first towards the second axis
+// facet_cosine      of the angle of incidence on the facets that shine
+//
+// 0 where the sun or the eye is not above the plane.
+double water_glitter_radiance(const double sun_dir[3], const double eye_dir[3], double wind_dir_rad,
+  const double variance[2], double* facet_cosine);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

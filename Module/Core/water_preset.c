@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// water_preset.c: waters a user would look for, as the numbers of the other headers.
+#include "water_preset.h"
+
+#include <math.h>
+#include <string.h>
+
+#define DEEP ((double)INFINITY)
+#define FRESNEL                                                                                    \
+  {                                                                                                \
+    1.333, 1.0, false                                                                              \
+  }
+// a growing sea of a short fetch, and a fully developed one (Pierson and Moskowitz 1964)
+#define GROWING(wind, fetch, depth)                                                                \
+  {                                                                                                \
+    WATER_SEA_JONSWAP, WATER_SPREAD_DONELAN_BANNER, wind, 0.0, fetch, depth, 3.3, 10.0             \
+  }
+#define DEVELOPED(wind)                                                                            \
+  {                                                                                                \
+    WATER_SEA_JONSWAP, WATER_SPREAD_DONELAN_BANNER, wind, 0.0, DEEP, DEEP, 1.0, 10.0               \
+  }
+#define NO_SEA GROWING(1.0, 1000.0, DEEP) // a good one, should it be switched on
+#define NO_WAVES                                                                                   \
+  {                                                                                                \
+    { 0.0, 1.0, 0.0, 0.0, 0.0 }, { 0.0, 1.0, 0.0, 0.0, 0.0 },                                      \
+    {                                                                                              \
+      0.0, 1.0, 0.0, 0.0, 0.0                                                                      \
+    }                                                                                              \
+  }
+
+typedef struct recipe
+{
+  water_type type;  // WATER_TYPE_COUNT: the medium is given in full
+  double particles; // 1/m scattered backward by them: moved from the type's absorption
+  water_preset preset;
+} recipe;
+
+static const recipe recipes[] = {
+  { WATER_TYPE_COUNT, 0.0,
+    { "pool",
+      "Pope and Fry 1997 (absorption of pure water), Morel 1974 (scattering); three chosen ripples "
+      "of rms slope 0.027",
+      FRESNEL, { { 0.340, 0.0565, 0.00922 }, { 0.00047, 0.00096, 0.00228 } }, false, NO_SEA,
+      { { 0.0020, 0.60, 0.0, 0.0, 0.0 }, { 0.0012, 0.35, 1.1, 2.0, 0.0 },
+        { 0.0008, 0.22, -0.9, 4.0, 0.0 } },
+      3 } },
+  { WATER_TYPE_3C, 0.02,
+    { "lake",
+      "Jerlov 1976 (3C stands in for a lake), chosen backward scattering of 2 g/m^3 of particles "
+      "at 0.01 m^2/g; JONSWAP, wind 3 m/s over 2 km, 20 m deep",
+      FRESNEL, { { 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0 } }, true, GROWING(3.0, 2000.0, 20.0), NO_WAVES,
+      0 } },
+  { WATER_TYPE_IB, 0.0,
+    { "clear tropical", "Jerlov 1976 (IB); JONSWAP, wind 4 m/s over 10 km, 5 m deep", FRESNEL,
+      { { 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0 } }, true, GROWING(4.0, 10000.0, 5.0), NO_WAVES, 0 } },
+  { WATER_TYPE_IA, 0.0,
+    { "ocean wind 5", "Jerlov 1976 (IA); JONSWAP with gamma 1, fully developed (Pierson-Moskowitz)",
+      FRESNEL, { { 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0 } }, true, DEVELOPED(5.0), NO_WAVES, 0 } },
+  { WATER_TYPE_IA, 0.0,
+    { "ocean wind 10",
+      "Jerlov 1976 (IA); JONSWAP with gamma 1, fully developed (Pierson-Moskowitz)", FRESNEL,
+      { { 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0 } }, true, DEVELOPED(10.0), NO_WAVES, 0 } },
+  { WATER_TYPE_IA, 0.0,
+    { "ocean wind 15",
+      "Jerlov 1976 (IA); JONSWAP with gamma 1, fully developed (Pierson-Moskowitz)", FRESNEL,
+      { { 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0 } }, true, DEVELOPED(15.0), NO_WAVES, 0 } },
+  { WATER_TYPE_9C, 0.3,
+    { "turbid river",
+      "Jerlov 1976 (9C), chosen backward scattering of 30 g/m^3 of particles at 0.01 m^2/g; "
+      "JONSWAP, "
+      "wind 2 m/s over 300 m, 3 m deep",
+      FRESNEL, { { 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0 } }, true, GROWING(2.0, 300.0, 3.0), NO_WAVES,
+      0 } },
+  { WATER_TYPE_COUNT, 0.0,
+    { "mirror floor", "chosen: a perfect mirror, no waves, nothing below", { 1.333, 1.0, true },
+      { { 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0 } }, false, NO_SEA, NO_WAVES, 0 } }
+};
+
+size_t water_preset_count(void)
+{
+  return sizeof recipes / sizeof recipes[0];
+}
+
+const char* water_preset_name(size_t number)
+{
+  return number < water_preset_count() ? recipes[number].preset.name : NULL;
+}
+
+water_status water_preset_find(const char* name, water_preset* preset)
+{
+  for (size_t i = 0; name != NULL && i < water_preset_count(); ++i)
+  {
+    const recipe* from = &recipes[i];
+    if (strcmp(name, from->preset.name) != 0)
+    {
+      continue;
+    }
+    *preset = from->preset;
+    if (water_type_medium(from->type, &preset->medium) == WATER_OK)
+    {
+      for (int channel = 0; channel < 3; ++channel)
+      {
+        preset->medium.absorption[channel] -= from->particles;
+        preset->medium.scattering[channel] += from->particles;
+      }
+    }
+    return WATER_OK;
+  }
+  return WATER_BAD_PRESET;
+}

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// water_tile.c: a wind sea on a square that repeats: random amplitudes, and the spectrum at a time.
+#include "water_tile.h"
+
+#include "water_math.h"
+#include "water_phase.h"
+#include "water_random.h"
+
+water_status water_tile_check(const water_tile* tile, const water_sea* sea)
+{
+  if (tile->size < 4 || tile->size > 16384 || tile->size % 2 != 0)
+  {
+    return WATER_BAD_TILE_SIZE;
+  }
+  if (!(tile->length >= 1e-3 && tile->length <= 1e9))
+  {
+    return WATER_BAD_TILE_LENGTH;
+  }
+  if (!isfinite(tile->period) || tile->period < 0.0)
+  {
+    return WATER_BAD_PERIOD;
+  }
+  return water_sea_check(sea);
+}
+
+typedef struct mode // a wave vector of the tile
+{
+  int number[2];  // whole waves along the side
+  double k[2];    // rad/m
+  size_t at;      // where its complex number is
+  size_t partner; // where that of -k is
+  bool is_used;   // not the mean, and has a partner
+} mode;
+
+static mode mode_of(const water_tile* tile, size_t column, size_t row)
+{
+  const size_t n = tile->size;
+  const size_t index[2] = { column, row };
+  mode made;
+  for (int i = 0; i < 2; ++i)
+  {
+    made.number[i] = index[i] < n / 2 ? (int)index[i] : (int)index[i] - (int)n;
+    made.k[i] = water_two_pi * made.number[i] / tile->length;
+  }
+  made.at = 2 * (row * n + column);
+  made.partner = 2 * ((n - row) % n * n + (n - column) % n);
+  made.is_used = column != n / 2 && row != n / 2 && (column != 0 || row != 0);
+  return made;
+}
+
+// One number for each (i, j), whatever the tile's size (16384 at most).
+static uint64_t counter_of(const mode* m)
+{
+  return (uint64_t)(m->number[0] + 8192) * 16384u + (uint64_t)(m->number[1] + 8192);
+}
+
+water_status water_tile_amplitudes(const water_tile* tile, const water_sea* sea, double* amplitudes)
+{
+  const water_status status = water_tile_check(tile, sea);
+  if (status != WATER_OK)
+  {
+    return status;
+  }
+  const double step = water_two_pi / tile->length;
+  // seeds that differ by the generator's step would give the same sequence, shifted: mixed first
+  const uint64_t seed = water_random_bits(tile->seed, 0);
+  for (size_t row = 0; row < tile->size; ++row)
+  {
+    for (size_t column = 0; column < tile->size; ++column)
+    {
+      const mode m = mode_of(tile, column, row);
+      double pair[2];
+      water_random_normal(seed, counter_of(&m), pair);
+      // |h|^2 has the variance of both h0: a half each, and a half each for its two parts
+      const double scale =
+        m.is_used ? 0.5 * step * sqrt(water_sea_density(sea, m.k[0], m.k[1])) : 0.0;
+      amplitudes[m.at] = scale * pair[0];
+      amplitudes[m.at + 1] = scale * pair[1];
+    }
+  }
+  return WATER_OK;
+}
+
+static double turns_of(const water_tile* tile, double k, double depth, double time)
+{
+  const double frequency = water_dispersion(k, depth) / water_two_pi;
+  if (tile->period > 0.0)
+  {
+    const double whole = fmax(1.0, rint(frequency * tile->period));
+    return water_turns(whole, fmod(time, tile->period) / tile->period); // fmod is exact
+  }
+  return water_turns(frequency, time);
+}
+
+water_status water_tile_at(const water_tile* tile, const water_sea* sea, const double* amplitudes,
+  double time, double* height)
+{
+  const water_status status = water_tile_check(tile, sea);
+  if (status != WATER_OK)
+  {
+    return status;
+  }
+  if (!isfinite(time))
+  {
+    return WATER_BAD_TIME;
+  }
+  for (size_t row = 0; row < tile->size; ++row)
+  {
+    for (size_t column = 0; column < tile->size; ++column)
+    {
+      const mode m = mode_of(tile, column, row);
+      const double* own = amplitudes + m.at;
+      const double* other = amplitudes + m.partner;
+      const double angle = water_two_pi * turns_of(tile, hypot(m.k[0], m.k[1]), sea->depth, time);
+      const double c = cos(angle);
+      const double s = sin(angle);
+      height[m.at] = m.is_used ? (own[0] + other[0]) * c + (own[1] + other[1]) * s : 0.0;
+      height[m.at + 1] = m.is_used ? (own[1] - other[1]) * c + (other[0] - own[0]) * s : 0.0;
+    }
+  }
+  return WATER_OK;
+}
+
+void water_tile_derive(
+  const water_tile* tile, const double* height, water_tile_field field, double* out)
+{
+  const int axis = field == WATER_TILE_SLOPE_Y || field == WATER_TILE_CHOP_Y ? 1 : 0;
+  const bool is_chop = field == WATER_TILE_CHOP_X || field == WATER_TILE_CHOP_Y;
+  for (size_t row = 0; row < tile->size; ++row)
+  {
+    for (size_t column = 0; column < tile->size; ++column)
+    {
+      const mode m = mode_of(tile, column, row);
+      const double length = m.is_used ? hypot(m.k[0], m.k[1]) : 1.0;
+      const double factor = is_chop ? m.k[axis] / length : m.k[axis];
+      const double real = height[m.at];
+      out[m.at] = -factor * height[m.at + 1];
+      out[m.at + 1] = factor * real;
+    }
+  }
+}

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// water_tile.h: a wind sea on a square that repeats: random amplitudes, and the spectrum at a time.
+//
+// The surface is the sum over wave vectors (2 pi / length) (i, j) of h exp(i k . x); an inverse FFT
+// without scale makes it. A spectrum is size * size complex numbers (real, imaginary), the x index
+// fastest, in the order of an FFT: indices from size / 2 on stand for index - size. The mean and
+// the highest frequency (index size / 2), which has no partner, are left 0.
+// Source: Tessendorf 2001, "Simulating Ocean Water".
+// Flow: water_tile_amplitudes once -> water_tile_at for each time -> water_tile_derive -> FFT.
+#ifndef water_tile_h
+#define water_tile_h
+
+#include "water_spectrum.h"
+
+#include <stddef.h>
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C"
+{
+#endif
+
+typedef struct water_tile
+{
+  size_t size;   // points a side, even, 4 to 16384
+  double length; // m a side, in [0.001, 1e9]
+  double period; // s after which the sea repeats itself exactly, >= 0; 0: it never does
+  uint64_t seed; // the same seed gives the same sea
+} water_tile;
+
+typedef enum water_tile_field
+{
+  WATER_TILE_SLOPE_X,
+  WATER_TILE_SLOPE_Y,
+  WATER_TILE_CHOP_X, // horizontal displacement towards the crests; a Gerstner wave's of steepness 1
+  WATER_TILE_CHOP_Y
+} water_tile_field;
+
+// Returns WATER_OK, WATER_BAD_TILE_SIZE, WATER_BAD_TILE_LENGTH, WATER_BAD_PERIOD, or as
+// water_sea_check. The functions that return nothing want a checked tile.
+water_status water_tile_check(const water_tile* tile, const water_sea* sea);
+
+// The amplitudes h0: normal numbers times sqrt(S(k) dk^2) / 2, S at the cell's middle. The normal
+// numbers belong to (i, j) and the seed, not to the size: a finer tile of the same length has the
+// same waves, and more. They have the same bits everywhere; S is as exact as the C library's pow
+// and exp, so amplitudes agree within some 1e-14 of themselves between machines.
+//
+// Expected variance of the surface: the sum of S dk^2 over the tile; within 1 % of the integral of
+// S for a length of at least 10 peak wavelengths.
+//
+// amplitudes  2 * size * size numbers, written
+//
+// Returns as water_tile_check; then amplitudes are unchanged.
+water_status water_tile_amplitudes(
+  const water_tile* tile, const water_sea* sea, double* amplitudes);
+
+// The spectrum of the height at a time: h0(k) exp(-i w t) + conj(h0(-k)) exp(i w t), which travels
+// along k and has a real surface: h(-k) = conj(h(k)). Phases are reduced as in water_waves.h. With
+// a period each frequency is the nearest whole number (from 1) of turns a period.
+//
+// height  2 * size * size numbers, written; not amplitudes
+//
+// Returns as water_tile_check, or WATER_BAD_TIME; then height is unchanged.
+water_status water_tile_at(const water_tile* tile, const water_sea* sea, const double* amplitudes,
+  double time, double* height);
+
+// The spectrum of a field that follows from the height: slopes i k h, chop i k/|k| h.
+//
+// field  one of the list
+// out    2 * size * size numbers, written; may be height
+void water_tile_derive(
+  const water_tile* tile, const double* height, water_tile_field field, double* out);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

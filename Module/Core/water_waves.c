@@ -1,0 +1,315 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// water_waves.c: sine and Gerstner waves: dispersion, the surface at (x, y, t), buoys, shader rows.
+#include "water_waves.h"
+
+#include "water_math.h"
+#include "water_phase.h"
+
+static bool is_depth(double depth)
+{
+  return depth > 0.0; // not NaN; infinity is deep
+}
+
+water_status water_waves_omega(double k, double depth, double* omega)
+{
+  if (!isfinite(k) || k < 0.0)
+  {
+    return WATER_BAD_WAVENUMBER;
+  }
+  if (!is_depth(depth))
+  {
+    return WATER_BAD_DEPTH;
+  }
+  *omega = water_dispersion(k, depth);
+  return WATER_OK;
+}
+
+// k * depth from root = omega sqrt(depth / g): y tanh y = root^2.
+static double solve_dispersion(double root)
+{
+  if (root < 1e-8)
+  {
+    return root; // y = root (1 + root^2 / 6 ...): shallow
+  }
+  const double square = root * root;
+  if (square > 20.0)
+  {
+    return square; // tanh is 1: deep
+  }
+  const double beta = 2.4908; // Guo's
+  double y = square * pow(-expm1(-pow(root, beta)), -1.0 / beta);
+  for (int step = 0; step < 4; ++step)
+  {
+    const double t = tanh(y);
+    y -= (y * t - square) / (t + y * (1.0 - t * t));
+  }
+  return y;
+}
+
+water_status water_waves_wavenumber(double omega, double depth, double* k)
+{
+  if (!isfinite(omega) || omega < 0.0)
+  {
+    return WATER_BAD_FREQUENCY;
+  }
+  if (!is_depth(depth))
+  {
+    return WATER_BAD_DEPTH;
+  }
+  const double deep = omega / water_gravity * omega;
+  const double root = omega * sqrt(depth / water_gravity);
+  const double found = isfinite(root) ? solve_dispersion(root) / depth : deep;
+  // in very deep water the product overflows before the answer does
+  const double answer = isfinite(found) ? found : deep;
+  if (!isfinite(answer))
+  {
+    return WATER_BAD_FREQUENCY;
+  }
+  *k = answer;
+  return WATER_OK;
+}
+
+static water_status check_wave(const water_wave* wave)
+{
+  if (!isfinite(wave->amplitude) || wave->amplitude < 0.0)
+  {
+    return WATER_BAD_WAVE_AMPLITUDE;
+  }
+  if (!isfinite(wave->wavelength) || !(wave->wavelength > 0.0) ||
+    !isfinite(water_two_pi / wave->wavelength))
+  {
+    return WATER_BAD_WAVELENGTH;
+  }
+  if (!isfinite(wave->direction_rad))
+  {
+    return WATER_BAD_WAVE_DIRECTION;
+  }
+  if (!isfinite(wave->phase_rad))
+  {
+    return WATER_BAD_WAVE_PHASE;
+  }
+  if (!(wave->steepness >= 0.0 && wave->steepness <= 1.0))
+  {
+    return WATER_BAD_STEEPNESS;
+  }
+  return WATER_OK;
+}
+
+// Rounding of a sum that means 1; also what keeps Newton's matrix invertible on a cusp.
+static const double rounding = 16.0 * DBL_EPSILON;
+
+water_status water_waves_check(const water_wave* waves, size_t count, size_t* culprit)
+{
+  double steepness = 0.0;
+  for (size_t i = 0; i < count; ++i)
+  {
+    const water_wave* wave = &waves[i];
+    water_status status = check_wave(wave);
+    if (status == WATER_OK)
+    {
+      steepness += water_two_pi / wave->wavelength * (wave->amplitude * wave->steepness);
+      status = steepness <= 1.0 + rounding ? WATER_OK : WATER_WAVES_FOLD;
+    }
+    if (status != WATER_OK)
+    {
+      *culprit = i;
+      return status;
+    }
+  }
+  return WATER_OK;
+}
+
+water_status water_waves_at(const water_wave* waves, size_t count, double depth, double time,
+  water_wave_term* terms, size_t* culprit)
+{
+  if (!is_depth(depth))
+  {
+    return WATER_BAD_DEPTH;
+  }
+  if (!isfinite(time))
+  {
+    return WATER_BAD_TIME;
+  }
+  const water_status status = water_waves_check(waves, count, culprit);
+  if (status != WATER_OK)
+  {
+    return status;
+  }
+  for (size_t i = 0; i < count; ++i)
+  {
+    const water_wave* wave = &waves[i];
+    water_wave_term* term = &terms[i];
+    term->dir[0] = cos(wave->direction_rad);
+    term->dir[1] = sin(wave->direction_rad);
+    term->turns_per_m[0] = term->dir[0] / wave->wavelength;
+    term->turns_per_m[1] = term->dir[1] / wave->wavelength;
+    term->k = water_two_pi / wave->wavelength;
+    term->amplitude = wave->amplitude;
+    term->steepness = wave->steepness;
+    const double frequency = water_dispersion(term->k, depth) / water_two_pi;
+    const double own = water_turn(wave->phase_rad / water_two_pi);
+    term->turns = water_turn(own - water_turns(frequency, time));
+  }
+  return WATER_OK;
+}
+
+// Phase of (x, y) plus a short way from there, in turns; the way is not reduced.
+static double turns_at(const water_wave_term* term, double x, double y, const double way[2])
+{
+  const double there =
+    water_turn(water_turns(term->turns_per_m[0], x) + water_turns(term->turns_per_m[1], y));
+  return water_turn(term->turns + there) + term->turns_per_m[0] * way[0] +
+    term->turns_per_m[1] * way[1];
+}
+
+typedef struct surface // sums over the waves at a point at rest
+{
+  double moved[3];
+  double gradient[2]; // of the height by the point at rest
+  double stretch[3];  // xx, xy, yy of d place / d rest: symmetric
+} surface;
+
+static surface surface_at(
+  const water_wave_term* terms, size_t count, double x, double y, const double way[2])
+{
+  surface sum = { { 0.0, 0.0, 0.0 }, { 0.0, 0.0 }, { 1.0, 0.0, 1.0 } };
+  for (size_t i = 0; i < count; ++i)
+  {
+    const water_wave_term* term = &terms[i];
+    const double angle = water_two_pi * turns_at(term, x, y, way);
+    const double sine = sin(angle);
+    const double cosine = cos(angle);
+    const double pull = term->steepness * term->amplitude;
+    const double bend = term->k * pull * sine;
+    for (int j = 0; j < 2; ++j)
+    {
+      sum.moved[j] += pull * cosine * term->dir[j];
+      sum.gradient[j] += term->k * term->amplitude * cosine * term->dir[j];
+    }
+    sum.moved[2] += term->amplitude * sine;
+    sum.stretch[0] -= bend * term->dir[0] * term->dir[0];
+    sum.stretch[1] -= bend * term->dir[0] * term->dir[1];
+    sum.stretch[2] -= bend * term->dir[1] * term->dir[1];
+  }
+  return sum;
+}
+
+static water_wave_point point_of(const surface* at)
+{
+  water_wave_point point;
+  // the cross product of the two tangents, (sxx, sxy, gx) and (sxy, syy, gy)
+  const double area = at->stretch[0] * at->stretch[2] - at->stretch[1] * at->stretch[1];
+  point.jacobian = fmax(area, 0.0); // the waves do not fold: below 0 is rounding
+  const double across[3] = { at->stretch[1] * at->gradient[1] - at->stretch[2] * at->gradient[0],
+    at->stretch[1] * at->gradient[0] - at->stretch[0] * at->gradient[1], point.jacobian };
+  const double length = water_vec3_length(across);
+  for (int i = 0; i < 3; ++i)
+  {
+    point.displacement[i] = at->moved[i];
+    // on a cusp one tangent vanishes, and its direction is rounding; the crest then points up
+    point.normal[i] = length > rounding ? across[i] / length : (i == 2 ? 1.0 : 0.0);
+  }
+  for (int i = 0; i < 2; ++i)
+  {
+    point.slope[i] = length > rounding ? -across[i] / point.jacobian : 0.0;
+  }
+  return point;
+}
+
+void water_waves_point(
+  const water_wave_term* terms, size_t count, double x, double y, water_wave_point* point)
+{
+  const double way[2] = { 0.0, 0.0 };
+  const surface at = surface_at(terms, count, x, y, way);
+  *point = point_of(&at);
+}
+
+typedef struct guess
+{
+  double way[2]; // from the place to the point at rest; short, so that it keeps its digits
+  double miss[2];
+  double distance; // length of the miss
+  surface at;
+} guess;
+
+static guess guess_at(
+  const water_wave_term* terms, size_t count, double x, double y, const double way[2])
+{
+  guess made = { { way[0], way[1] }, { 0.0, 0.0 }, 0.0, surface_at(terms, count, x, y, way) };
+  made.miss[0] = way[0] + made.at.moved[0];
+  made.miss[1] = way[1] + made.at.moved[1];
+  made.distance = hypot(made.miss[0], made.miss[1]);
+  return made;
+}
+
+water_status water_waves_find(const water_wave_term* terms, size_t count, double x, double y,
+  double rest[2], water_wave_point* point)
+{
+  double reach = 0.0;
+  for (size_t i = 0; i < count; ++i)
+  {
+    reach += terms[i].steepness * terms[i].amplitude;
+  }
+  const double start[2] = { 0.0, 0.0 };
+  guess best = guess_at(terms, count, x, y, start);
+  bool is_better = true;
+  // each step at least shortens the miss; near the solution it squares it, near a cusp it takes off
+  // two thirds, and 100 of those leave nothing
+  for (int step = 0; step < 100 && is_better && best.distance > 8.0 * DBL_EPSILON * reach; ++step)
+  {
+    const double xx = best.at.stretch[0] + rounding;
+    const double xy = best.at.stretch[1];
+    const double yy = best.at.stretch[2] + rounding;
+    const double area = xx * yy - xy * xy;
+    const double go[2] = { (yy * best.miss[0] - xy * best.miss[1]) / area,
+      (xx * best.miss[1] - xy * best.miss[0]) / area };
+    is_better = false;
+    double part = 1.0;
+    for (int halving = 0; halving < 60 && !is_better; ++halving)
+    {
+      const double way[2] = { best.way[0] - part * go[0], best.way[1] - part * go[1] };
+      const guess next = guess_at(terms, count, x, y, way);
+      is_better = next.distance < best.distance;
+      best = is_better ? next : best;
+      part *= 0.5;
+    }
+  }
+  if (!isfinite(x) || !isfinite(y) || !isfinite(best.at.moved[2]))
+  {
+    return WATER_BAD_POINT;
+  }
+  rest[0] = x + best.way[0];
+  rest[1] = y + best.way[1];
+  *point = point_of(&best.at);
+  return WATER_OK;
+}
+
+void water_waves_rms(const water_wave* waves, size_t count, double* height, double* slope)
+{
+  double height_sum = 0.0;
+  double slope_sum = 0.0;
+  for (size_t i = 0; i < count; ++i)
+  {
+    const double amplitude = waves[i].amplitude;
+    const double steep = water_two_pi / waves[i].wavelength * amplitude;
+    height_sum += 0.5 * amplitude * amplitude;
+    slope_sum += 0.5 * steep * steep;
+  }
+  *height = sqrt(height_sum);
+  *slope = sqrt(slope_sum);
+}
+
+void water_waves_rows(
+  const water_wave_term* terms, size_t count, double x, double y, water_wave_row* rows)
+{
+  const double way[2] = { 0.0, 0.0 };
+  for (size_t i = 0; i < count; ++i)
+  {
+    const water_wave_term* term = &terms[i];
+    rows[i].k[0] = (float)(term->k * term->dir[0]);
+    rows[i].k[1] = (float)(term->k * term->dir[1]);
+    rows[i].amplitude = (float)term->amplitude;
+    rows[i].phase = (float)(water_two_pi * water_turn(turns_at(term, x, y, way)));
+    rows[i].steepness = (float)term->steepness;
+  }
+}

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// water_waves.h: sine and Gerstner waves: dispersion, the surface at (x, y, t), buoys, shader rows.
+//
+// x and y are in the plane's own axes, z is height over the plane at rest, all in metres; time in
+// seconds. A wave is height = A sin(angle), angle = k . x + phase - omega t; a steep one also moves
+// its points by Q A cos(angle) along its direction, towards the crests.
+// Sources: Fournier and Reeves 1986, "A Simple Model of Ocean Waves"; Finch 2004, "Effective Water
+// Simulation from Physical Models" (GPU Gems, chapter 1).
+//
+// Time is as exact at 1e7 s as at 0: a phase is frequency times time, the product of two doubles,
+// and loses its whole turns with an error under 2^-53 turn (1e-15 rad) at any time. The frequency
+// itself has four roundings; they equal a shift of at most 5e-16 t in time, or three steps between
+// neighbouring doubles at t: what the caller's own time can hold. Positions are treated alike.
+// Flow: water_waves_at checks the waves and makes terms of them for one time; all else reads terms.
+#ifndef water_waves_h
+#define water_waves_h
+
+#include "water_status.h"
+
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C"
+{
+#endif
+
+typedef struct water_wave
+{
+  double amplitude;     // m, half the height from trough to crest, >= 0
+  double wavelength;    // m, > 0
+  double direction_rad; // it travels to there; from the first towards the second axis
+  double phase_rad;     // of the origin at time 0
+  double steepness;     // Q in [0, 1]: 0 is a sine, 1 Gerstner's trochoid
+} water_wave;
+
+typedef struct water_wave_term // a wave at one time; written by water_waves_at
+{
+  double dir[2];         // unit length
+  double turns_per_m[2]; // wave vector / (2 pi)
+  double k;              // rad/m
+  double amplitude;      // m
+  double steepness;
+  double turns; // phase of the origin, in [-1/2, 1/2]
+} water_wave_term;
+
+typedef struct water_wave_point
+{
+  double displacement[3]; // m; from (x, y, 0) at rest to the surface
+  double normal[3];       // unit length; the third is along the plane's normal
+  double slope[2];        // dz/dx and dz/dy of the surface as it stands; 0 on a cusp
+  double jacobian;        // area over the plane per area at rest; 0 on a cusp, never less
+} water_wave_point;
+
+typedef struct water_wave_row // a wave for the shader
+{
+  float k[2];      // rad/m
+  float amplitude; // m
+  float phase;     // rad in [-pi, pi], of the rows' own origin
+  float steepness;
+} water_wave_row;
+
+// Angular frequency of a wave, sqrt(g k tanh(k depth)), g = 9.80665 m/s^2; no surface tension, so
+// waves under some 5 cm are slower than real ones.
+//
+// k      rad/m, >= 0
+// depth  m, > 0; infinity is deep water
+// omega  rad/s
+//
+// Returns WATER_OK, WATER_BAD_WAVENUMBER or WATER_BAD_DEPTH; then omega is unchanged.
+// Source: Airy 1845, "Tides and Waves".
+water_status water_waves_omega(double k, double depth, double* omega);
+
+// The inverse: the wave number of an angular frequency, within 1e-14 of itself. Newton's method on
+// y tanh y = omega^2 depth / g from Guo's start, which is within 1 %: each step squares the error,
+// and four leave only rounding.
+//
+// Returns WATER_OK, WATER_BAD_FREQUENCY (also one whose wave number is no finite double) or
+// WATER_BAD_DEPTH; then k is unchanged.
+// Source: Guo 2002, "Simple and Explicit Solution of Wave Dispersion Equation".
+water_status water_waves_wavenumber(double omega, double depth, double* k);
+
+// Checks waves; the first wrong one is the culprit, for WATER_WAVES_FOLD the one that reached 1.
+// The sum of k A Q <= 1 is exact for one wave and on the safe side for several.
+//
+// Returns WATER_OK, or WATER_BAD_WAVE_AMPLITUDE, WATER_BAD_WAVELENGTH, WATER_BAD_WAVE_DIRECTION,
+// WATER_BAD_WAVE_PHASE, WATER_BAD_STEEPNESS or WATER_WAVES_FOLD; culprit is set only then.
+water_status water_waves_check(const water_wave* waves, size_t count, size_t* culprit);
+
+// The waves at one time.
+//
+// depth    m, > 0; infinity is deep water
+// terms    count of them, written
+// culprit  as above, unless the waves are good
+//
+// Returns WATER_OK, WATER_BAD_DEPTH, WATER_BAD_TIME, or as water_waves_check; then terms are
+// unchanged.
+water_status water_waves_at(const water_wave* waves, size_t count, double depth, double time,
+  water_wave_term* terms, size_t* culprit);
+
+// The surface's point that is at (x, y) when the water is at rest. x and y are finite.
+void water_waves_point(
+  const water_wave_term* terms, size_t count, double x, double y, water_wave_point* point);
+
+// The surface over a place: for buoys and picks. point->displacement[2] is the height there.
+//
+// The point at rest is found by Newton's method with halved steps; the map from rest to place is
+// the gradient of a convex function while the waves do not fold, so that it has one solution. The
+// place is met within 8 roundings of the reach R = sum of Q A, or as near as rounding of the angles
+// lets it. With s = sum of k A Q the error of the height is no more than the sum of k A times that,
+// over 1 - s; at s = 1 exactly, on a cusp, it is below 1e-9 A.
+//
+// rest  the point at rest, x and y
+//
+// Returns WATER_OK or WATER_BAD_POINT (not finite, or too far for its phase); then rest and point
+// are unchanged.
+water_status water_waves_find(const water_wave_term* terms, size_t count, double x, double y,
+  double rest[2], water_wave_point* point);
+
+// Root mean square height (m) and slope of checked waves, no two of the same wave vector:
+// sqrt(sum A^2 / 2), sqrt(sum (k A)^2 / 2). Per area at rest and of the sines; steepness moves both
+// by the order of s^2.
+void water_waves_rms(const water_wave* waves, size_t count, double* height, double* slope);
+
+// The rows for the shader, in float. Their phases belong to the origin (x, y), which a shader takes
+// off its coordinates first: near the eye a float is then exact enough.
+//
+// rows  count of them
+void water_waves_rows(
+  const water_wave_term* terms, size_t count, double x, double y, water_wave_row* rows);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,364 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// test_tile.c: the random numbers, and the sea on a tile: statistics, symmetry, time.
+#include "test_scene.h"
+
+#include "water_random.h"
+#include "water_tile.h"
+
+static const double pi = 3.141592653589793;
+
+enum
+{
+  SIDE = 64,
+  NUMBERS = 2 * SIDE * SIDE
+};
+
+static const water_sea sea = { WATER_SEA_JONSWAP, WATER_SPREAD_DONELAN_BANNER, 6.0, 0.7, 2e4,
+  (double)INFINITY, 3.3, 8.0 };
+static const water_tile tile = { SIDE, 200.0, 0.0, 11 };
+
+static void amplitudes_of(const water_tile* of, double* amplitudes)
+{
+  assert_int_equal(water_tile_amplitudes(of, &sea, amplitudes), WATER_OK);
+}
+
+static void height_at(const water_tile* of, const double* amplitudes, double time, double* height)
+{
+  assert_int_equal(water_tile_at(of, &sea, amplitudes, time, height), WATER_OK);
+}
+
+static size_t place(const water_tile* of, int column, int row)
+{
+  const int n = (int)of->size;
+  return 2 * ((size_t)((row + n) % n) * of->size + (size_t)((column + n) % n));
+}
+
+// The first five numbers of splitmix64 for seed 1234567 and the first for seed 0, as its authors'
+// program prints them.
+TEST(bits_are_splitmix64s)
+{
+  UNUSED;
+  const uint64_t known[5] = { 6457827717110365317u, 3203168211198807973u, 9817491932198370423u,
+    4593380528125082431u, 16408922859458223821u };
+  for (uint64_t i = 0; i < 5; ++i)
+  {
+    assert_true(water_random_bits(1234567, i) == known[i]);
+  }
+  assert_true(water_random_bits(0, 0) == 0xe220a8397b1dcdafu);
+}
+
+// Box and Muller's formula, from 40 digits; then on many pairs against the C library's functions.
+TEST(normal_numbers_are_box_and_mullers)
+{
+  UNUSED;
+  const struct
+  {
+    uint64_t seed;
+    uint64_t counter;
+    double pair[2];
+  } known[] = {
+    { 1, 0, { -0.0282497460958549411, -1.06561764841432598 } },
+    { 1, 1, { -0.227919522867634717, 0.08309416847150083 } },
+    { 42, 7, { 0.260450539110271898, 0.864651733247278753 } },
+    { 9223372036854775808u, 123456789, { -2.33470460939649032, 1.10528591003665835 } },
+  };
+  double pair[2];
+  for (size_t i = 0; i < sizeof known / sizeof known[0]; ++i)
+  {
+    water_random_normal(known[i].seed, known[i].counter, pair);
+    ASSERT_CLOSE(pair[0], known[i].pair[0], 1e-15);
+    ASSERT_CLOSE(pair[1], known[i].pair[1], 1e-15);
+  }
+  for (uint64_t i = 0; i < 50000; ++i)
+  {
+    const double u = ldexp((double)(water_random_bits(5, 2 * i) >> 11) + 1.0, -53);
+    const double v = ldexp((double)(water_random_bits(5, 2 * i + 1) >> 11), -53);
+    water_random_normal(5, i, pair);
+    ASSERT_CLOSE(pair[0], sqrt(-2.0 * log(u)) * cos(2.0 * pi * v), 4e-15);
+    ASSERT_CLOSE(pair[1], sqrt(-2.0 * log(u)) * sin(2.0 * pi * v), 4e-15);
+  }
+}
+
+// The bits themselves, which must be the same with every compiler and library: the checksum comes
+// from Python.
+TEST(normal_numbers_have_the_same_bits_everywhere)
+{
+  UNUSED;
+  uint64_t sum = 0;
+  for (uint64_t i = 0; i < 1000; ++i)
+  {
+    double pair[2];
+    uint64_t bits[2];
+    water_random_normal(2026, i, pair);
+    memcpy(bits, pair, sizeof bits);
+    sum = sum * 31u + bits[0];
+    sum = sum * 31u + bits[1];
+  }
+  assert_true(sum == 0x6bd978744613aed7u);
+}
+
+// Mean 0, variance 1, kurtosis 3, the two of a pair independent, the right share beyond 2.
+TEST(normal_numbers_are_normal)
+{
+  UNUSED;
+  const int count = 200000;
+  double sum[4] = { 0.0, 0.0, 0.0, 0.0 };
+  int beyond = 0;
+  for (int i = 0; i < count; ++i)
+  {
+    double pair[2];
+    water_random_normal(77, (uint64_t)i, pair);
+    sum[0] += pair[0] / count;
+    sum[1] += pair[0] * pair[0] / count;
+    sum[2] += pow(pair[1], 4.0) / count;
+    sum[3] += pair[0] * pair[1] / count;
+    beyond += fabs(pair[1]) > 2.0 ? 1 : 0;
+  }
+  // five standard errors of each
+  ASSERT_CLOSE(sum[0], 0.0, 5.0 / sqrt(count));
+  ASSERT_CLOSE(sum[1], 1.0, 5.0 * sqrt(2.0 / count));
+  ASSERT_CLOSE(sum[2], 3.0, 5.0 * sqrt(96.0 / count));
+  ASSERT_CLOSE(sum[3], 0.0, 5.0 / sqrt(count));
+  ASSERT_CLOSE((double)beyond / count, 0.0455, 5.0 * sqrt(0.0455 / count));
+}
+
+// The surface is real: h(-k) is the conjugate of h(k); the mean is 0, the highest frequency empty.
+TEST(spectrum_is_hermitian)
+{
+  UNUSED;
+  static double amplitudes[NUMBERS];
+  static double height[NUMBERS];
+  amplitudes_of(&tile, amplitudes);
+  height_at(&tile, amplitudes, 17.3, height);
+  double sum = 0.0;
+  for (int row = -SIDE / 2; row < SIDE / 2; ++row)
+  {
+    for (int column = -SIDE / 2; column < SIDE / 2; ++column)
+    {
+      const double* one = height + place(&tile, column, row);
+      const double* other = height + place(&tile, -column, -row);
+      ASSERT_CLOSE(one[0], other[0], 0.0);
+      ASSERT_CLOSE(one[1], -other[1], 0.0);
+      if (column == -SIDE / 2 || row == -SIDE / 2 || (column == 0 && row == 0))
+      {
+        assert_true(one[0] == 0.0 && one[1] == 0.0);
+      }
+      sum += fabs(one[0]);
+    }
+  }
+  assert_true(sum > 0.1);
+}
+
+// Sum of S dk^2 over the tile's wave vectors.
+static double tile_sum(int side)
+{
+  const double step = 2.0 * pi / tile.length;
+  double sum = 0.0;
+  for (int row = 1 - side / 2; row < side / 2; ++row)
+  {
+    for (int column = 1 - side / 2; column < side / 2; ++column)
+    {
+      sum += water_sea_density(&sea, column * step, row * step) * step * step;
+    }
+  }
+  return sum;
+}
+
+// On a tile of 10 peak wavelengths and more, fine enough for its corners not to count, the sum over
+// the tile is the integral over all wave vectors, within 1 %.
+TEST(tile_holds_the_variance_of_the_spectrum)
+{
+  UNUSED;
+  double height = 0.0;
+  double slope = 0.0;
+  const double end = 127.5 * 2.0 * pi / tile.length;
+  assert_int_equal(water_sea_moments(&sea, 0.0, end, &height, &slope), WATER_OK);
+  const double peak = water_sea_peak(&sea);
+  assert_true(tile.length > 10.0 * 2.0 * pi * 9.80665 / (peak * peak));
+  ASSERT_CLOSE(tile_sum(256), height, 0.01 * height);
+}
+
+// Averaged over seeds the surface's variance is the sum of S dk^2.
+TEST(variance_is_that_of_the_spectrum)
+{
+  UNUSED;
+  static double amplitudes[NUMBERS];
+  static double height[NUMBERS];
+  const double known = tile_sum(SIDE);
+  double variance = 0.0;
+  const int seeds = 60;
+  for (int seed = 0; seed < seeds; ++seed)
+  {
+    water_tile own = tile;
+    own.seed = (uint64_t)seed;
+    amplitudes_of(&own, amplitudes);
+    height_at(&own, amplitudes, 3.0 * seed, height);
+    for (int i = 0; i < NUMBERS; ++i)
+    {
+      variance += height[i] * height[i] / seeds;
+    }
+  }
+  ASSERT_CLOSE(variance, known, 0.05 * known);
+}
+
+// A lone amplitude is a wave that travels along its wave vector with the speed of its dispersion:
+// at (x, t) it is what it was at the origin at time 0.
+TEST(waves_travel_along_their_wave_vector)
+{
+  UNUSED;
+  static double amplitudes[NUMBERS];
+  static double height[NUMBERS];
+  memset(amplitudes, 0, sizeof amplitudes);
+  const double k[2] = { 2.0 * pi / 200.0 * 3.0, 2.0 * pi / 200.0 * -5.0 };
+  amplitudes[place(&tile, 3, -5)] = 0.5;
+  const double length = hypot(k[0], k[1]);
+  const double seconds = 5.0;
+  const double way = seconds * sqrt(9.80665 / length); // phase velocity
+  height_at(&tile, amplitudes, seconds, height);
+  for (int pick = 0; pick < 2; ++pick) // the crest, then a quarter wave before it
+  {
+    const double there = way + pick * 0.5 * pi / length;
+    double sum = 0.0;
+    for (int sign = -1; sign <= 1; sign += 2)
+    {
+      const double* h = height + place(&tile, sign * 3, sign * -5);
+      const double angle = sign * there * length;
+      sum += h[0] * cos(angle) - h[1] * sin(angle);
+    }
+    ASSERT_CLOSE(sum, pick == 0 ? 1.0 : 0.0, 1e-13);
+  }
+}
+
+// Slopes and chop of a lone wave of height cos(angle): -k sin(angle) and -sin(angle), which moves
+// the water towards the crests.
+TEST(fields_follow_from_the_height)
+{
+  UNUSED;
+  static double height[NUMBERS];
+  static double out[NUMBERS];
+  memset(height, 0, sizeof height);
+  height[place(&tile, 3, 4)] = 0.5;
+  height[place(&tile, -3, -4)] = 0.5;
+  const double step = 2.0 * pi / 200.0;
+  const double known[4] = { 3.0 * step, 4.0 * step, 0.6, 0.8 };
+  const water_tile_field fields[4] = { WATER_TILE_SLOPE_X, WATER_TILE_SLOPE_Y, WATER_TILE_CHOP_X,
+    WATER_TILE_CHOP_Y };
+  for (int i = 0; i < 4; ++i)
+  {
+    water_tile_derive(&tile, height, fields[i], out);
+    // -s sin(angle) = Re(i s exp(i angle)): i s / 2 at k and -i s / 2 at -k
+    ASSERT_CLOSE(out[place(&tile, 3, 4)], 0.0, 0.0);
+    ASSERT_CLOSE(out[place(&tile, 3, 4) + 1], 0.5 * known[i], 1e-15);
+    ASSERT_CLOSE(out[place(&tile, -3, -4) + 1], -0.5 * known[i], 1e-15);
+  }
+  // sin(angle) has the slope k cos(angle): -i / 2 becomes k / 2
+  height[place(&tile, 3, 4)] = 0.0;
+  height[place(&tile, 3, 4) + 1] = -0.5;
+  height[place(&tile, -3, -4)] = 0.0;
+  height[place(&tile, -3, -4) + 1] = 0.5;
+  water_tile_derive(&tile, height, WATER_TILE_SLOPE_X, out);
+  ASSERT_CLOSE(out[place(&tile, 3, 4)], 1.5 * step, 1e-15);
+  ASSERT_CLOSE(out[place(&tile, -3, -4)], 1.5 * step, 1e-15);
+  water_tile_derive(&tile, height, WATER_TILE_CHOP_Y, out);
+  water_tile_derive(&tile, height, WATER_TILE_CHOP_Y, height); // in place
+  assert_memory_equal(height, out, sizeof out);
+}
+
+// With a period the sea is bit for bit the same after any number of them, and near the free one at
+// first.
+TEST(period_repeats_exactly)
+{
+  UNUSED;
+  static double amplitudes[NUMBERS];
+  static double first[NUMBERS];
+  static double later[NUMBERS];
+  water_tile repeating = tile;
+  repeating.period = 64.0;
+  amplitudes_of(&tile, amplitudes);
+  height_at(&repeating, amplitudes, 11.25, first);
+  height_at(&repeating, amplitudes, 11.25 + 64.0 * 150000.0, later);
+  assert_memory_equal(first, later, sizeof first);
+  height_at(&tile, amplitudes, 11.25, later);
+  assert_true(memcmp(first, later, sizeof first) != 0);
+  height_at(&repeating, amplitudes, 0.0, first);
+  height_at(&tile, amplitudes, 0.0, later);
+  assert_memory_equal(first, later, sizeof first);
+}
+
+// The same seed is the same sea; another seed is another; a finer tile of the same length has the
+// same long waves.
+TEST(seed_makes_the_sea)
+{
+  UNUSED;
+  static double one[NUMBERS];
+  static double other[NUMBERS];
+  amplitudes_of(&tile, one);
+  amplitudes_of(&tile, other);
+  assert_memory_equal(one, other, sizeof one);
+  water_tile coarse = tile;
+  coarse.size = 16;
+  amplitudes_of(&coarse, other);
+  for (int row = -7; row < 8; ++row)
+  {
+    for (int column = -7; column < 8; ++column)
+    {
+      assert_memory_equal(
+        one + place(&tile, column, row), other + place(&coarse, column, row), 2 * sizeof(double));
+    }
+  }
+  water_tile seeded = tile;
+  seeded.seed = 12;
+  amplitudes_of(&seeded, other);
+  assert_true(memcmp(one, other, sizeof one) != 0);
+}
+
+// Numbers out of range are refused by every function, and nothing is written.
+TEST(bad_tiles_are_refused)
+{
+  UNUSED;
+  const double nan = (double)NAN;
+  const struct
+  {
+    water_tile tile;
+    water_status status;
+  } cases[] = {
+    { { 2, 200.0, 0.0, 0 }, WATER_BAD_TILE_SIZE },
+    { { 63, 200.0, 0.0, 0 }, WATER_BAD_TILE_SIZE },
+    { { 16386, 200.0, 0.0, 0 }, WATER_BAD_TILE_SIZE },
+    { { 64, 0.0, 0.0, 0 }, WATER_BAD_TILE_LENGTH },
+    { { 64, nan, 0.0, 0 }, WATER_BAD_TILE_LENGTH },
+    { { 64, (double)INFINITY, 0.0, 0 }, WATER_BAD_TILE_LENGTH },
+    { { 64, 200.0, -1.0, 0 }, WATER_BAD_PERIOD },
+    { { 64, 200.0, nan, 0 }, WATER_BAD_PERIOD },
+  };
+  double numbers[2] = { 7.0, 7.0 };
+  for (size_t i = 0; i < sizeof cases / sizeof cases[0]; ++i)
+  {
+    assert_int_equal(water_tile_amplitudes(&cases[i].tile, &sea, numbers), cases[i].status);
+    assert_int_equal(water_tile_at(&cases[i].tile, &sea, numbers, 0.0, numbers), cases[i].status);
+  }
+  water_sea calm = sea;
+  calm.wind_speed = 0.0;
+  assert_int_equal(water_tile_amplitudes(&tile, &calm, numbers), WATER_BAD_WIND_SPEED);
+  assert_int_equal(water_tile_at(&tile, &sea, numbers, nan, numbers), WATER_BAD_TIME);
+  assert_true(numbers[0] == 7.0 && numbers[1] == 7.0);
+}
+
+int main(void)
+{
+  const struct CMUnitTest tests[] = {
+    RUN(bits_are_splitmix64s),
+    RUN(normal_numbers_are_box_and_mullers),
+    RUN(normal_numbers_have_the_same_bits_everywhere),
+    RUN(normal_numbers_are_normal),
+    RUN(spectrum_is_hermitian),
+    RUN(tile_holds_the_variance_of_the_spectrum),
+    RUN(variance_is_that_of_the_spectrum),
+    RUN(waves_travel_along_their_wave_vector),
+    RUN(fields_follow_from_the_height),
+    RUN(period_repeats_exactly),
+    RUN(seed_makes_the_sea),
+    RUN(bad_tiles_are_refused),
+  };
+  return cmocka_run_group_tests(tests, NULL, NULL);
+}
