@@ -11,6 +11,7 @@
 #include "vtkOpenGLState.h"
 #include "vtkPlane.h"
 #include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
 #include "vtkTextureObject.h"
 #include "vtkWaterCompat.h"
 #include "vtkWaterErrors.h"
@@ -21,8 +22,10 @@
 #include "vtkWaterShading.h"
 #include "vtkWaterSheet.h"
 #include "water_plan.h"
+#include "water_waves.h"
 
 #include <algorithm>
+#include <array>
 
 VTK_ABI_NAMESPACE_BEGIN
 vtkStandardNewMacro(vtkWaterActor);
@@ -150,6 +153,56 @@ void vtkWaterActor::SetWaterProperty(vtkWaterProperty* property)
 vtkWaterProperty* vtkWaterActor::GetWaterProperty()
 {
   return this->WaterProperty;
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterActor::SetTime(double seconds)
+{
+  if (!vtkMath::IsFinite(seconds))
+  {
+    vtkErrorMacro("Time is " << seconds << "; it must be finite. It stays " << this->Time << ".");
+  }
+  else if (this->Time != seconds)
+  {
+    this->Time = seconds;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+std::vector<water_wave_term> vtkWaterActor::GetWaveTerms()
+{
+  const auto count = static_cast<size_t>(this->WaterProperty->GetNumberOfWaves());
+  std::vector<water_wave_term> terms(count);
+  size_t culprit = 0;
+  // all are checked by their setters
+  water_waves_at(this->WaterProperty->GetWaves(), count, this->WaterProperty->GetDepth(),
+    this->Time, terms.data(), &culprit);
+  return terms;
+}
+
+//------------------------------------------------------------------------------
+double vtkWaterActor::GetWaveHeight(double x, double y)
+{
+  const std::vector<water_wave_term> terms = this->GetWaveTerms();
+  double rest[2];
+  water_wave_point point;
+  return water_waves_find(terms.data(), terms.size(), x, y, rest, &point) == WATER_OK
+    ? point.displacement[2]
+    : vtkMath::Nan();
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterActor::GetWaveNormal(double x, double y, double normal[3])
+{
+  const std::vector<water_wave_term> terms = this->GetWaveTerms();
+  double rest[2];
+  water_wave_point point;
+  std::fill(normal, normal + 3, vtkMath::Nan());
+  if (water_waves_find(terms.data(), terms.size(), x, y, rest, &point) == WATER_OK)
+  {
+    std::copy(point.normal, point.normal + 3, normal);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -367,7 +420,8 @@ void vtkWaterActor::Render(vtkRenderer* renderer, vtkMapper* mapper)
   }
   shading->Keys.Add(this);
   vtkWaterReflectionPass* pass = this->GetReflectionPass();
-  vtkWaterSurface surface;
+  vtkWaterSurface surface{};
+  surface.Renderer = renderer;
   surface.Property = this->WaterProperty;
   const bool isPlain = renderer->GetSelector() || this->HasSheetError();
   surface.Plan = isPlain ? nullptr : pass->GetFreshPlan(renderer, this);
@@ -378,17 +432,54 @@ void vtkWaterActor::Render(vtkRenderer* renderer, vtkMapper* mapper)
     // where pixel meets texel, one texel is the same as four
     int drawn[4];
     static_cast<vtkOpenGLRenderer*>(renderer)->GetState()->vtkglGetIntegerv(GL_VIEWPORT, drawn);
-    const bool isAligned =
-      surface.IsFlat && std::equal(drawn + 2, drawn + 4, surface.Plan->texture_px);
+    const bool isAligned = this->WaterProperty->GetNumberOfWaves() == 0 && surface.IsFlat &&
+      std::equal(drawn + 2, drawn + 4, surface.Plan->texture_px);
     const int filter = isAligned ? vtkTextureObject::Nearest : vtkTextureObject::Linear;
     surface.Reflection->SetMinificationFilter(filter);
     surface.Reflection->SetMagnificationFilter(filter);
   }
-  surface.Reflection->Activate();
+  surface.WaveCount = this->WaterProperty->GetNumberOfWaves();
+  const int variant = vtkWaterShading::GetVariant(this->WaterProperty);
+  if (this->ShaderVariant != variant)
+  {
+    this->ShaderVariant = variant;
+    this->GetProperty()->Modified(); // the mapper builds the other shader
+  }
+  if (surface.Plan && surface.WaveCount > 0)
+  {
+    const std::vector<water_wave_term> terms = this->GetWaveTerms();
+    std::vector<water_wave_row> rows(terms.size());
+    water_waves_rows(terms.data(), terms.size(), surface.Plan->origin_xy[0],
+      surface.Plan->origin_xy[1], rows.data());
+    std::vector<float> table;
+    for (const water_wave_row& row : rows)
+    {
+      table.insert(table.end(),
+        { row.k[0], row.k[1], row.amplitude, row.phase, row.steepness, 0.0f, 0.0f, 0.0f });
+      surface.IsSteep = surface.IsSteep || row.steepness > 0.0f;
+    }
+    surface.Waves = pass->GetWaves(renderer, table, surface.WaveCount);
+    surface.ReflectionDepth = pass->GetReflectionDepthTexture();
+  }
+  const std::array<vtkTextureObject*, 3> textures{ surface.Reflection, surface.ReflectionDepth,
+    surface.Waves };
+  for (vtkTextureObject* texture : textures)
+  {
+    if (texture)
+    {
+      texture->Activate();
+    }
+  }
   shading->BeginSurface(surface);
   this->Superclass::Render(renderer, mapper);
   shading->EndSurface();
-  surface.Reflection->Deactivate();
+  for (vtkTextureObject* texture : textures)
+  {
+    if (texture)
+    {
+      texture->Deactivate();
+    }
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -426,6 +517,7 @@ void vtkWaterActor::ShallowCopy(vtkProp* prop)
       this->SetMapper(nullptr);
     }
     this->SetPlane(other->Plane);
+    this->SetTime(other->Time);
     this->SetWaterProperty(other->WaterProperty);
     if (other->UseSheetBounds)
     {
@@ -468,6 +560,7 @@ void vtkWaterActor::PrintSelf(ostream& os, vtkIndent indent)
   }
   os << indent << "Surface: " << (this->UsesOwnSheet() ? "own sheet" : "mapper of the user")
      << "\n";
+  os << indent << "Time: " << this->Time << "\n";
   os << indent << "WaterProperty:\n";
   this->WaterProperty->PrintSelf(os, next);
   os << indent << "ReflectionPass (" << (this->ComposedPass ? "composed by hand" : "own") << "):\n";

@@ -46,6 +46,7 @@ class vtkWaterProperty;
 class vtkWaterReflectionPass;
 class vtkWaterSheet;
 struct vtkWaterError;
+struct water_wave_term;
 
 class VTKRENDERINGWATER_EXPORT vtkWaterActor : public vtkOpenGLActor
 {
@@ -99,6 +100,25 @@ public:
    */
   void SetWaterProperty(vtkWaterProperty* property);
   vtkWaterProperty* GetWaterProperty();
+  ///@}
+
+  ///@{
+  /**
+   * Time of the waves, s: any finite value; another is refused with an error. The picture depends
+   * on this number alone, not on the frames before. Default is 0.
+   */
+  void SetTime(double seconds);
+  vtkGetMacro(Time, double);
+  ///@}
+
+  ///@{
+  /**
+   * The waves at a place, at the actor's time: for buoys and picks. x and y, and the normal, are in
+   * the plane's own axes (SetSheetBounds), the third along the plane's normal; the height is over
+   * the plane, m. Without waves 0 and (0, 0, 1). NaN when the place is not finite.
+   */
+  double GetWaveHeight(double x, double y);
+  void GetWaveNormal(double x, double y, double normal[3]) VTK_SIZEHINT(normal, 3);
   ///@}
 
   /**
@@ -157,6 +177,8 @@ private:
   // renderer  of the plan that failed; nullptr: it is the sheet
   void ReportError(vtkRenderer* renderer, const vtkWaterError& error);
   bool HasSheetError() const;
+  // The waves at the actor's time.
+  std::vector<water_wave_term> GetWaveTerms();
   // A nested mirror for a draw whose camera was not the one mirrored before the frame.
   void RenderReflectionIfStale(vtkViewport* viewport);
 
@@ -168,6 +190,8 @@ private:
   double SheetBounds[4] = { 0.0, 0.0, 0.0, 0.0 };
   bool UseSheetBounds = false;
   bool IsUpdatingSheet = false;
+  double Time = 0.0;
+  int ShaderVariant = 0; // of the shader that the mapper has built: vtkWaterShading::Variants
   std::vector<SourcedError> Errors;
 };
 

@@ -1,11 +1,32 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkWaterProperty.h"
 
+#include "vtkMath.h"
 #include "vtkObjectFactory.h"
 #include "vtkWaterCompat.h"
+#include "water_waves.h"
+
+#include <limits>
+#include <utility>
+#include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
 vtkStandardNewMacro(vtkWaterProperty);
+
+struct vtkWaterProperty::Internals
+{
+  std::vector<water_wave> Waves;
+};
+
+//------------------------------------------------------------------------------
+vtkWaterProperty::vtkWaterProperty()
+  : Internal(std::make_unique<Internals>())
+  , Depth(std::numeric_limits<double>::infinity())
+{
+}
+
+//------------------------------------------------------------------------------
+vtkWaterProperty::~vtkWaterProperty() = default;
 
 //------------------------------------------------------------------------------
 void vtkWaterProperty::SetReflectanceMode(int mode)
@@ -61,6 +82,132 @@ void vtkWaterProperty::SetOpacity(double opacity)
 }
 
 //------------------------------------------------------------------------------
+int vtkWaterProperty::AddWave(
+  double amplitude, double wavelength, double direction, double phase, double steepness)
+{
+  std::vector<water_wave> waves = this->Internal->Waves;
+  waves.push_back(water_wave{ amplitude, wavelength, vtkMath::RadiansFromDegrees(direction),
+    vtkMath::RadiansFromDegrees(phase), steepness });
+  size_t culprit = 0;
+  const water_status status = water_waves_check(waves.data(), waves.size(), &culprit);
+  if (status != WATER_OK)
+  {
+    vtkErrorMacro("Wave of Amplitude "
+      << amplitude << ", Wavelength " << wavelength << ", Direction " << direction << ", Phase "
+      << phase << ", Steepness " << steepness << ": " << water_status_text(status)
+      << ". It is not added.");
+    return -1;
+  }
+  this->Internal->Waves = std::move(waves);
+  this->Modified();
+  return this->GetNumberOfWaves() - 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterProperty::RemoveAllWaves()
+{
+  if (!this->Internal->Waves.empty())
+  {
+    this->Internal->Waves.clear();
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+int vtkWaterProperty::GetNumberOfWaves() const
+{
+  return static_cast<int>(this->Internal->Waves.size());
+}
+
+//------------------------------------------------------------------------------
+bool vtkWaterProperty::GetWave(int number, double wave[5]) const
+{
+  if (number < 0 || number >= this->GetNumberOfWaves())
+  {
+    return false;
+  }
+  const water_wave& found = this->Internal->Waves[static_cast<size_t>(number)];
+  wave[0] = found.amplitude;
+  wave[1] = found.wavelength;
+  wave[2] = vtkMath::DegreesFromRadians(found.direction_rad);
+  wave[3] = vtkMath::DegreesFromRadians(found.phase_rad);
+  wave[4] = found.steepness;
+  return true;
+}
+
+//------------------------------------------------------------------------------
+const water_wave* vtkWaterProperty::GetWaves() const
+{
+  return this->Internal->Waves.data();
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterProperty::SetDepth(double depth)
+{
+  if (!(depth > 0.0))
+  {
+    vtkErrorMacro("Depth is " << depth << "; it must be greater than 0 (infinity is deep water). "
+                              << "It stays " << this->Depth << ".");
+  }
+  else if (this->Depth != depth)
+  {
+    this->Depth = depth;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterProperty::SetLookup(int lookup)
+{
+  vtkWaterSetInRange(Lookup, lookup, RAY_TRACED, VIEW_SCALED_OFFSET);
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterProperty::SetOffsetScale(double scale)
+{
+  vtkWaterSetInRange(OffsetScale, scale, -1000.0, 1000.0);
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterProperty::SetRayTraceSteps(int steps)
+{
+  vtkWaterSetInRange(RayTraceSteps, steps, 1, 256);
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterProperty::SetRayTraceProbes(int probes)
+{
+  vtkWaterSetInRange(RayTraceProbes, probes, 0, 64);
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterProperty::SetRayTraceQualityToFast()
+{
+  this->SetRayTraceSteps(8);
+  this->SetRayTraceProbes(3);
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterProperty::SetRayTraceQualityToDefault()
+{
+  this->SetRayTraceSteps(16);
+  this->SetRayTraceProbes(6);
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterProperty::SetRayTraceQualityToHigh()
+{
+  this->SetRayTraceSteps(24);
+  this->SetRayTraceProbes(12);
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterProperty::SetOutput(int output)
+{
+  vtkWaterSetInRange(Output, output, COLOR, CONFIDENCE);
+}
+
+//------------------------------------------------------------------------------
 void vtkWaterProperty::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
@@ -70,5 +217,19 @@ void vtkWaterProperty::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "DeepColor: (" << this->DeepColor[0] << ", " << this->DeepColor[1] << ", "
      << this->DeepColor[2] << ")\n";
   os << indent << "Opacity: " << this->Opacity << "\n";
+  os << indent << "Depth: " << this->Depth << "\n";
+  os << indent << "Waves: " << this->GetNumberOfWaves() << "\n";
+  for (int i = 0; i < this->GetNumberOfWaves(); ++i)
+  {
+    double wave[5];
+    this->GetWave(i, wave);
+    os << indent.GetNextIndent() << "amplitude " << wave[0] << ", wavelength " << wave[1]
+       << ", direction " << wave[2] << ", phase " << wave[3] << ", steepness " << wave[4] << "\n";
+  }
+  os << indent << "Lookup: " << this->Lookup << "\n";
+  os << indent << "OffsetScale: " << this->OffsetScale << "\n";
+  os << indent << "RayTraceSteps: " << this->RayTraceSteps << "\n";
+  os << indent << "RayTraceProbes: " << this->RayTraceProbes << "\n";
+  os << indent << "Output: " << this->Output << "\n";
 }
 VTK_ABI_NAMESPACE_END

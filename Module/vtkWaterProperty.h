@@ -15,6 +15,10 @@
 #include "vtkObject.h"
 #include "vtkRenderingWaterModule.h" // for the export macro
 
+#include <memory> // for std::unique_ptr
+
+struct water_wave;
+
 #ifdef VTK_ABI_NAMESPACE_BEGIN
 VTK_ABI_NAMESPACE_BEGIN
 #endif
@@ -84,19 +88,140 @@ public:
   vtkGetMacro(Opacity, double);
   ///@}
 
+  ///@{
+  /**
+   * Waves: any number of sines, the height being amplitude times the sine of k . x + phase - omega
+   * t, x in the plane's own axes, omega from the dispersion relation of Depth. With waves the
+   * surface is a flat sheet with the waves' normals.
+   *
+   * amplitude  m, half the height from trough to crest, finite and not negative
+   * wavelength m, finite and greater than 0; the scene's unit is taken for a metre
+   * direction  degrees; the wave travels to there, from the plane's first axis towards the second
+   * phase      degrees, at the axes' origin and time 0
+   * steepness  [0, 1]: 0 is a sine, 1 Gerstner's wave with cusps; the sum of 2 pi amplitude
+   *            steepness / wavelength over all waves must not exceed 1, or the surface would fold
+   *
+   * Returns the wave's number, or -1 when it was refused (with an error that names the value).
+   * GetWave gives the five numbers again; false when there is no such wave.
+   *
+   * Sources: Airy 1845, "Tides and Waves"; Fournier and Reeves 1986, "A Simple Model of Ocean
+   * Waves".
+   */
+  int AddWave(double amplitude, double wavelength, double direction = 0.0, double phase = 0.0,
+    double steepness = 0.0);
+  void RemoveAllWaves();
+  int GetNumberOfWaves() const;
+  bool GetWave(int number, double wave[5]) const;
+  ///@}
+
+  ///@{
+  /**
+   * Depth of the water for the waves' speed, m: greater than 0; infinity is deep water. Default is
+   * infinity.
+   */
+  void SetDepth(double depth);
+  vtkGetMacro(Depth, double);
+  ///@}
+
+  enum Lookups
+  {
+    RAY_TRACED = 0,
+    FIXED_OFFSET = 1,
+    VIEW_SCALED_OFFSET = 2
+  };
+
+  ///@{
+  /**
+   * How a wave's reflection is found in the mirrored view. RAY_TRACED: the reflected ray is walked
+   * until it meets what the mirrored view shows. FIXED_OFFSET: the calm reflection, shifted by the
+   * normal times OffsetScale (in shares of the picture). VIEW_SCALED_OFFSET: the same over the
+   * distance from the eye. The latter two are fast and wrong; most programs use them, and they are
+   * here for comparison. Default is RAY_TRACED.
+   */
+  void SetLookup(int lookup);
+  vtkGetMacro(Lookup, int);
+  void SetLookupToRayTraced() { this->SetLookup(RAY_TRACED); }
+  void SetLookupToFixedOffset() { this->SetLookup(FIXED_OFFSET); }
+  void SetLookupToViewScaledOffset() { this->SetLookup(VIEW_SCALED_OFFSET); }
+  ///@}
+
+  ///@{
+  /**
+   * Factor of the two offset lookups, in [-1000, 1000]. Default is 0.3.
+   */
+  void SetOffsetScale(double scale);
+  vtkGetMacro(OffsetScale, double);
+  ///@}
+
+  ///@{
+  /**
+   * Work of the ray-traced lookup: steps of the march in [1, 256] (default 16), taken where the
+   * ray does not settle at once, and probes between the water and where it settled, in [0, 64]
+   * (default 6). Fast is 8 and 3, high 24 and 12.
+   */
+  void SetRayTraceSteps(int steps);
+  vtkGetMacro(RayTraceSteps, int);
+  void SetRayTraceProbes(int probes);
+  vtkGetMacro(RayTraceProbes, int);
+  void SetRayTraceQualityToFast();
+  void SetRayTraceQualityToDefault();
+  void SetRayTraceQualityToHigh();
+  ///@}
+
+  enum Outputs
+  {
+    COLOR = 0,
+    CONFIDENCE = 1
+  };
+
+  /**
+   * Why a pixel has its colour, as OUTPUT CONFIDENCE shows it: all three channels are this number
+   * of 255. Only water with waves has it.
+   */
+  enum Confidences
+  {
+    NOT_REFLECTING = 0, // there is no mirrored view
+    HIT = 1,            // the ray meets a surface
+    SKY = 2,            // the ray leaves the scene within the mirrored view
+    OFF_MAP = 3,        // the ray leaves the mirrored view: sky, or the colour at its border
+    HIDDEN = 4,         // what the ray meets is hidden in the mirrored view: a guess
+    DOWNWARD = 5        // the ray would meet the water again; it was bounced off once more
+  };
+
+  ///@{
+  /**
+   * What water with waves shows: its COLOR, or the CONFIDENCE of its reflection. Default is COLOR.
+   */
+  void SetOutput(int output);
+  vtkGetMacro(Output, int);
+  void SetOutputToColor() { this->SetOutput(COLOR); }
+  void SetOutputToConfidence() { this->SetOutput(CONFIDENCE); }
+  ///@}
+
 protected:
-  vtkWaterProperty() = default;
-  ~vtkWaterProperty() override = default;
+  vtkWaterProperty();
+  ~vtkWaterProperty() override;
 
 private:
   vtkWaterProperty(const vtkWaterProperty&) = delete;
   void operator=(const vtkWaterProperty&) = delete;
 
+  friend class vtkWaterActor;
+  const water_wave* GetWaves() const;
+
+  struct Internals;
+  std::unique_ptr<Internals> Internal;
   int ReflectanceMode = FRESNEL;
   double Reflectance = 1.0;
   double IndexOfRefraction = 1.333;
   double DeepColor[3] = { 0.02, 0.09, 0.13 };
   double Opacity = 1.0;
+  double Depth;
+  int Lookup = RAY_TRACED;
+  double OffsetScale = 0.3;
+  int RayTraceSteps = 16;
+  int RayTraceProbes = 6;
+  int Output = COLOR;
 };
 
 #ifdef VTK_ABI_NAMESPACE_END

@@ -49,6 +49,7 @@ struct vtkWaterReflectionPass::Internals
   {
     vtkWeakPointer<vtkRenderer> Renderer;
     vtkWaterMirror Mirror;
+    vtkSmartPointer<vtkTextureObject> Waves;
   };
 
   std::map<vtkRenderer*, std::shared_ptr<View>> Views; // shared: a view in use outlives its release
@@ -295,6 +296,22 @@ vtkTextureObject* vtkWaterReflectionPass::GetTexture(vtkRenderer* renderer, vtkW
 }
 
 //------------------------------------------------------------------------------
+vtkTextureObject* vtkWaterReflectionPass::GetWaves(
+  vtkRenderer* renderer, std::vector<float>& rows, int count)
+{
+  auto view = this->Internal->GetView(renderer);
+  if (!view->Waves)
+  {
+    view->Waves = vtkSmartPointer<vtkTextureObject>::New();
+    view->Waves->SetContext(static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow()));
+    view->Waves->SetMinificationFilter(vtkTextureObject::Nearest);
+    view->Waves->SetMagnificationFilter(vtkTextureObject::Nearest);
+  }
+  view->Waves->Create2DFromRaw(2, static_cast<unsigned int>(count), 4, VTK_FLOAT, rows.data());
+  return view->Waves;
+}
+
+//------------------------------------------------------------------------------
 void vtkWaterReflectionPass::RenderCorner(vtkRenderer* renderer, vtkWaterActor* water)
 {
   if (this->GetFreshPlan(renderer, water))
@@ -411,6 +428,10 @@ void vtkWaterReflectionPass::ReleaseGraphicsResources(vtkWindow* window)
       if (!view->Mirror.GetIsDrawing()) // else RenderReflection does it
       {
         view->Mirror.ReleaseGraphicsResources(window);
+      }
+      if (view->Waves && window)
+      {
+        view->Waves->ReleaseGraphicsResources(window);
       }
     }
     else

@@ -192,6 +192,8 @@ private:
   const water_plan* GetFreshPlan(vtkRenderer* renderer, vtkWaterActor* water) const;
   // The map, or a blank texture when there is none.
   vtkTextureObject* GetTexture(vtkRenderer* renderer, vtkWaterActor* water);
+  // A table of waves for the shader: count rows of 2 x 4 numbers.
+  vtkTextureObject* GetWaves(vtkRenderer* renderer, std::vector<float>& rows, int count);
   void RenderCorner(vtkRenderer* renderer, vtkWaterActor* water);
   void RenderReflectionAndDelegate(const vtkRenderState* s);
   void SetDecision(int decision);

@@ -35,7 +35,7 @@ void water_mirror_camera(const water_camera* eye, const water_plane* plane, wate
   mirrored->parallel = eye->parallel;
 }
 
-void water_mirror_reach(
+double water_mirror_reach(
   const water_prop* props, size_t prop_count, const water_fate* fates, water_camera* mirrored)
 {
   double world_to_clip[16];
@@ -71,6 +71,7 @@ void water_mirror_reach(
       clip[8 + j] = scale * (clip[8 + j] + clip[12 + j]) - clip[12 + j];
     }
   }
+  return scale;
 }
 
 void water_mirror_pose(

@@ -25,7 +25,9 @@ void water_mirror_camera(const water_camera* eye, const water_plane* plane, wate
 // picture stay where they are. Does nothing when they do already.
 //
 // fates  of water_select_props; only WATER_DRAW counts
-void water_mirror_reach(
+//
+// Returns by what the depths were scaled: a window depth z becomes scale * z.
+double water_mirror_reach(
   const water_prop* props, size_t prop_count, const water_fate* fates, water_camera* mirrored);
 
 // A rigid camera in vtkCamera's terms, in world.

@@ -4,6 +4,7 @@
 #include "water_plan.h"
 
 #include "water_camera.h"
+#include "water_lookup.h"
 #include "water_math.h"
 #include "water_mirror.h"
 #include "water_optics.h"
@@ -85,14 +86,23 @@ static water_status fill_draw(const water_scene* scene, const checked* input,
   water_mirror_camera(&scene->eye, plane, &plan->mirrored);
   water_select_props(
     &plan->mirrored, plane, scene->clip_margin, scene->props, scene->prop_count, fates);
-  water_mirror_reach(scene->props, scene->prop_count, fates, &plan->mirrored);
+  plan->depth_scale = water_mirror_reach(scene->props, scene->prop_count, fates, &plan->mirrored);
   water_mirror_pose(
     &plan->mirrored, plan->mirrored_position, plan->mirrored_focal_point, plan->mirrored_view_up);
   water_camera_plane_view(&input->eye, plane, plan->plane_view);
   water_mirror_clip_view(plan->plane_view, scene->clip_margin, plan->clip_plane_view);
   memcpy(plan->texture_px, input->texture_px, sizeof plan->texture_px);
-  water_target_rect(
-    &scene->eye, plane, scene->surface_bounds, plan->texture_px, plan->texture_rect_px);
+  if (scene->has_waves)
+  {
+    // a ray may end anywhere in the map
+    const int whole[4] = { 0, 0, plan->texture_px[0], plan->texture_px[1] };
+    memcpy(plan->texture_rect_px, whole, sizeof whole);
+  }
+  else
+  {
+    water_target_rect(
+      &scene->eye, plane, scene->surface_bounds, plan->texture_px, plan->texture_rect_px);
+  }
   const water_status status = water_mirror_clip_clip(
     plan->mirrored.view_to_clip, plan->clip_plane_view, plan->clip_plane_clip);
   if (status == WATER_OK)
@@ -100,6 +110,21 @@ static water_status fill_draw(const water_scene* scene, const checked* input,
     water_mirror_clip_window(plan->clip_plane_clip, plan->texture_px, plan->clip_plane_window);
   }
   return status;
+}
+
+// plane: normal towards the eye.
+static water_status fill_lookup(
+  const water_scene* scene, const checked* input, const water_plane* plane, water_plan* plan)
+{
+  water_axes axes;
+  water_plane_axes(input->plane.normal, axes.x_dir, axes.y_dir);
+  memcpy(axes.normal, plane->normal, sizeof axes.normal);
+  memcpy(axes.origin, scene->plane_origin, sizeof axes.origin);
+  water_lookup_depths(&plan->mirrored, &plan->map_z_infinity, plan->map_tolerance);
+  water_lookup_dirs(&plan->mirrored, &axes, plan->dir_to_map);
+  water_lookup_dirs(&scene->eye, &axes, plan->dir_to_eye);
+  return water_lookup_places(
+    &scene->eye, &input->eye, plane, &axes, plan->origin_xy, plan->ndc_to_plane);
 }
 
 // plane: normal towards the eye; plane_view of the plan is set.
@@ -146,7 +171,11 @@ water_status water_plan_make(const water_scene* scene, water_plan* plan, water_f
     {
       fill_shade(scene, &input, &plane, &made);
     }
-    else
+    if (status == WATER_OK && scene->has_waves)
+    {
+      status = fill_lookup(scene, &input, &plane, &made);
+    }
+    if (status != WATER_OK)
     {
       made.decision = WATER_NO_REFLECT_FAILED;
     }

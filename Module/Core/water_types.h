@@ -106,6 +106,8 @@ typedef struct water_scene
   water_camera eye;
   int viewport_px[2]; // size of the picture the water is drawn into, >= 1
   water_plane plane;
+  double plane_origin[3];   // of the plane's own axes, in world
+  bool has_waves;           // the surface is not calm: its reflection is looked up along rays
   double surface_bounds[6]; // of the water surface in world; min > max: there is no surface
   const water_prop* props;  // prop_count of them: all props, not only those the eye sees
   size_t prop_count;
@@ -144,8 +146,15 @@ typedef struct water_plan
                             // plane's axes (third: n towards the eye), any length
   double map_ndc_to_eye[9]; // (x, y, 1) in NDC of the map -> (x, y, w) in clip of the eye, of
                             // the direction that the map sees there: where the sky is found
-  double eta;               // index beyond the surface / index on the eye's side
-  double reflectance;       // in [0, 1], or -1: exact Fresnel with eta
+  double depth_scale;       // map depth of a point on the water / its depth in the eye's picture
+  double map_z_infinity;    // water_lookup.h, this and the rest; set when the scene has waves
+  double map_tolerance[2];
+  double dir_to_map[12];  // direction in the plane's axes -> clip of the map
+  double dir_to_eye[12];  // the same -> clip of the eye
+  double origin_xy[2];    // of the point under the eye, in the plane's own axes
+  double ndc_to_plane[9]; // (x, y, 1) in NDC of the eye -> (x, y, w) on the plane, from origin_xy
+  double eta;             // index beyond the surface / index on the eye's side
+  double reflectance;     // in [0, 1], or -1: exact Fresnel with eta
 } water_plan;
 
 #ifdef __cplusplus

@@ -194,6 +194,9 @@ void vtkWaterGather::Read(
   this->camera = renderer->GetActiveCamera();
   std::copy(viewport_px, viewport_px + 2, this->scene.viewport_px);
   this->scene.plane = ReadPlane(waters.front());
+  ReadPlaneOrigin(waters.front(), this->scene.plane_origin);
+  this->scene.has_waves = std::any_of(waters.begin(), waters.end(),
+    [](vtkWaterActor* water) { return water->GetWaterProperty()->GetNumberOfWaves() > 0; });
 
   vtkBoundingBox surface;
   ClearBounds(this->scene.surface_bounds);

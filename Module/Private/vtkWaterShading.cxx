@@ -8,16 +8,22 @@
 #include "vtkOpenGLState.h"
 #include "vtkProp.h"
 #include "vtkProperty.h"
+#include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
+#include "vtkWaterActor.h"
 #include "vtkWaterCompat.h"
 #include "vtkWaterGL.h"
+#include "vtkWaterLookupFS.h"
 #include "vtkWaterMirroredFS.h"
 #include "vtkWaterMirroredVS.h"
+#include "vtkWaterOffsetFS.h"
 #include "vtkWaterOptics.h"
 #include "vtkWaterProperty.h"
 #include "vtkWaterSurfaceFS.h"
 #include "vtkWaterVolumeFS.h"
+#include "vtkWaterWavesFS.h"
+#include "vtkWaterWavySurfaceFS.h"
 
 #include <algorithm>
 
@@ -26,6 +32,8 @@ vtkStandardNewMacro(vtkWaterShading);
 
 namespace
 {
+constexpr int kRestSteps = 3; // Newton's steps; the error is under a pixel's slope after two
+
 // Puts text before a tag and keeps the tag for whoever comes next.
 void InsertBefore(std::string& source, const std::string& tag, const std::string& text)
 {
@@ -83,6 +91,31 @@ void SetUniform4(
   }
 }
 
+// A 4 x 3 matrix given by rows, as the first columns of a 4 x 4 one.
+void SetUniform4x3(vtkShaderProgram* program, const char* name, const double rows[12])
+{
+  if (program->IsUniformUsed(name))
+  {
+    float columns[16] = {};
+    for (int row = 0; row < 4; ++row)
+    {
+      for (int column = 0; column < 3; ++column)
+      {
+        columns[4 * column + row] = static_cast<float>(rows[3 * row + column]);
+      }
+    }
+    program->SetUniformMatrix4x4(name, columns);
+  }
+}
+
+void SetUniform(vtkShaderProgram* program, const char* name, int value)
+{
+  if (program->IsUniformUsed(name))
+  {
+    program->SetUniformi(name, value);
+  }
+}
+
 void SetUniform(vtkShaderProgram* program, const char* name, double value)
 {
   if (program->IsUniformUsed(name))
@@ -127,6 +160,16 @@ vtkWaterShading* vtkWaterShading::GetOfThread()
 }
 
 //------------------------------------------------------------------------------
+vtkWaterShading::Variants vtkWaterShading::GetVariant(vtkWaterProperty* property)
+{
+  if (property->GetNumberOfWaves() == 0)
+  {
+    return CALM;
+  }
+  return property->GetLookup() == vtkWaterProperty::RAY_TRACED ? RAY_TRACED : OFFSET;
+}
+
+//------------------------------------------------------------------------------
 void vtkWaterShading::BeginMirroredView(const water_plan& plan)
 {
   this->MirroredView = &plan;
@@ -146,7 +189,15 @@ bool vtkWaterShading::PreReplaceShaderValues(std::string& vertexShader, std::str
 {
   if (prop->IsA("vtkWaterActor"))
   {
-    InsertDeclarations(fragmentShader, std::string(vtkWaterOptics) + "\n" + vtkWaterSurfaceFS);
+    std::string surface = vtkWaterSurfaceFS;
+    const Variants variant = GetVariant(static_cast<vtkWaterActor*>(prop)->GetWaterProperty());
+    if (variant != CALM)
+    {
+      surface = std::string(vtkWaterWavesFS) + "\n" +
+        (variant == RAY_TRACED ? vtkWaterLookupFS : vtkWaterOffsetFS) + "\n" +
+        vtkWaterWavySurfaceFS;
+    }
+    InsertDeclarations(fragmentShader, std::string(vtkWaterOptics) + "\n" + surface);
     return true;
   }
   if (!InsertDeclarations(fragmentShader, vtkWaterMirroredFS))
@@ -274,7 +325,48 @@ void vtkWaterShading::SetSurfaceParameters(vtkShaderProgram* program)
     vtkWaterSetUniformMatrix3(program, "waterNdcToRay", surface.Plan->ndc_to_ray);
     SetUniform(program, "waterEta", surface.Plan->eta);
     SetUniform(program, "waterReflectance", surface.Plan->reflectance);
+    if (surface.Waves)
+    {
+      this->SetWaveParameters(program);
+    }
   }
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterShading::SetWaveParameters(vtkShaderProgram* program)
+{
+  const vtkWaterSurface& surface = *this->Surface;
+  const water_plan& plan = *surface.Plan;
+  vtkWaterProperty* property = surface.Property;
+  SetUniform(program, "waterWaves", surface.Waves->GetTextureUnit());
+  SetUniform(program, "waterWaveCount", surface.WaveCount);
+  SetUniform(program, "waterRestSteps", surface.IsSteep ? kRestSteps : 0);
+  vtkWaterSetUniformMatrix3(program, "waterNdcToPlane", plan.ndc_to_plane);
+  SetUniform(program, "waterSide", plan.side == WATER_BELOW ? -1.0 : 1.0);
+  SetUniform(program, "waterReflectionDepth", surface.ReflectionDepth->GetTextureUnit());
+  SetUniform4x3(program, "waterDirToMap", plan.dir_to_map);
+  SetUniform4x3(program, "waterDirToEye", plan.dir_to_eye);
+  SetUniform(program, "waterDepthScale", plan.depth_scale);
+  SetUniform(program, "waterMapZInfinity", plan.map_z_infinity);
+  if (program->IsUniformUsed("waterMapTolerance"))
+  {
+    const float tolerance[2] = { static_cast<float>(plan.map_tolerance[0]),
+      static_cast<float>(plan.map_tolerance[1]) };
+    program->SetUniform2f("waterMapTolerance", tolerance);
+  }
+  SetUniform(program, "waterSteps", property->GetRayTraceSteps());
+  SetUniform(program, "waterProbes", property->GetRayTraceProbes());
+  SetUniform(program, "waterLookup", property->GetLookup());
+  SetUniform(program, "waterOffsetScale", property->GetOffsetScale());
+  SetUniform(program, "waterOutput", property->GetOutput());
+  vtkRenderer* renderer = surface.Renderer;
+  const bool hasGradient = renderer->GetGradientBackground() && !renderer->GetTexturedBackground();
+  const double* bottom = renderer->GetBackground();
+  const double* top = hasGradient ? renderer->GetBackground2() : bottom;
+  const double bottomKnown[4] = { bottom[0], bottom[1], bottom[2], 1.0 };
+  const double topKnown[4] = { top[0], top[1], top[2], 1.0 };
+  SetUniform4(program, "waterSkyBottom", bottomKnown);
+  SetUniform4(program, "waterSkyTop", topKnown);
 }
 
 //------------------------------------------------------------------------------

@@ -16,6 +16,7 @@
 #include <unordered_set>
 
 class vtkProp;
+class vtkRenderer;
 class vtkTextureObject;
 class vtkWaterProperty;
 
@@ -26,6 +27,12 @@ struct vtkWaterSurface
   vtkTextureObject* Reflection; // active; any texture when not reflecting
   const water_plan* Plan;       // nullptr: there is no mirrored view, show the plain colour
   bool IsFlat;                  // lies in the plane exactly
+  vtkRenderer* Renderer;        // whose background is the sky
+  // with waves; else nullptr
+  vtkTextureObject* ReflectionDepth; // active
+  vtkTextureObject* Waves;           // active; a row per wave
+  int WaveCount;
+  bool IsSteep; // waves that move their points
 };
 
 // Sets a 3 x 3 matrix given by rows; does nothing when the program has no use for it.
@@ -41,6 +48,16 @@ public:
   // The object of the thread that renders, whichever thread made the water. It lives as long as
   // the thread.
   static vtkWaterShading* GetOfThread();
+
+  // The shaders of a surface. They are separate because software renderers execute both sides of a
+  // branch. Another one is built when the surface's vtkProperty says that it was modified.
+  enum Variants
+  {
+    CALM,
+    RAY_TRACED,
+    OFFSET
+  };
+  static Variants GetVariant(vtkWaterProperty* property);
 
   // Which props carry this object in their lists.
   vtkWaterKeys Keys;
@@ -71,6 +88,7 @@ private:
   void operator=(const vtkWaterShading&) = delete;
 
   void SetSurfaceParameters(vtkShaderProgram* program);
+  void SetWaveParameters(vtkShaderProgram* program);
   void SetMirroredParameters(vtkShaderProgram* program, vtkProp* prop);
 
   const water_plan* MirroredView = nullptr;

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// water_lookup.c: places on the plane and rays in the map's window, for the shader.
+#include "water_lookup.h"
+
+#include "water_math.h"
+#include "water_plane.h"
+
+// Rows x, y and w of the clip coordinates of a world vector (w 0: a direction).
+static void picture_of(
+  const water_camera* camera, const double vector[3], double w, double picture[3])
+{
+  const double world[4] = { vector[0], vector[1], vector[2], w };
+  double view[4];
+  double clip[4];
+  water_mat4_apply(camera->world_to_view, world, view);
+  water_mat4_apply(camera->view_to_clip, view, clip);
+  picture[0] = clip[0];
+  picture[1] = clip[1];
+  picture[2] = clip[3];
+}
+
+water_status water_lookup_places(const water_camera* camera, const water_eye* eye,
+  const water_plane* plane, const water_axes* axes, double origin_xy[2], double ndc_to_plane[9])
+{
+  const double eye_view[4] = { eye->has_center ? eye->center_view[0] : 0.0,
+    eye->has_center ? eye->center_view[1] : 0.0, eye->has_center ? eye->center_view[2] : 0.0, 1.0 };
+  double foot[4];
+  water_mat4_apply(eye->view_to_world, eye_view, foot);
+  water_plane_project(plane, foot, foot);
+
+  // columns: the pictures of the two axes and of the foot; the inverse leads back
+  double columns[3][3];
+  picture_of(camera, axes->x_dir, 0.0, columns[0]);
+  picture_of(camera, axes->y_dir, 0.0, columns[1]);
+  picture_of(camera, foot, 1.0, columns[2]);
+  double rows[3][3]; // of the inverse, up to the determinant, which cancels
+  water_vec3_cross(columns[1], columns[2], rows[0]);
+  water_vec3_cross(columns[2], columns[0], rows[1]);
+  water_vec3_cross(columns[0], columns[1], rows[2]);
+  double largest = 0.0;
+  for (int i = 0; i < 9; ++i)
+  {
+    largest = fmax(largest, fabs(rows[i / 3][i % 3]));
+  }
+  if (!(largest > 0.0) || !isfinite(largest) || water_vec3_length(rows[2]) == 0.0)
+  {
+    return WATER_BAD_CAMERA;
+  }
+  for (int i = 0; i < 9; ++i)
+  {
+    ndc_to_plane[i] = rows[i / 3][i % 3] / largest;
+  }
+  const double from_origin[3] = { foot[0] - axes->origin[0], foot[1] - axes->origin[1],
+    foot[2] - axes->origin[2] };
+  origin_xy[0] = water_vec3_dot(from_origin, axes->x_dir);
+  origin_xy[1] = water_vec3_dot(from_origin, axes->y_dir);
+  return WATER_OK;
+}
+
+void water_lookup_dirs(const water_camera* camera, const water_axes* axes, double dir_to_clip[12])
+{
+  const double* directions[3] = { axes->x_dir, axes->y_dir, axes->normal };
+  for (int j = 0; j < 3; ++j)
+  {
+    double clip[4];
+    water_mat4_apply_dir(camera->world_to_view, directions[j], clip);
+    water_mat4_apply(camera->view_to_clip, clip, clip);
+    for (int i = 0; i < 4; ++i)
+    {
+      dir_to_clip[3 * i + j] = clip[i];
+    }
+  }
+}
+
+void water_lookup_depths(const water_camera* mirrored, double* z_infinity, double tolerance[2])
+{
+  const double* clip = mirrored->view_to_clip;
+  const bool is_perspective = clip[14] != 0.0;
+  *z_infinity = is_perspective ? 0.5 + 0.5 * clip[10] / clip[14] : 2.0;
+  tolerance[0] = is_perspective ? 0.05 : 0.002;
+  tolerance[1] = is_perspective ? 0.10 : 0.004;
+}

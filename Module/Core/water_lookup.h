@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// water_lookup.h: what a shader needs to look waves up in the map: places on the plane, and rays
+// in the map's window.
+//
+// Waves turn the surface's normal, so that a pixel's reflected ray no longer meets the map where
+// the pixel is. A ray is a straight line in the map's window, depth included; the shader walks it
+// and compares with the map's depth. Everything here is small near the eye: places count from a
+// point under it.
+#ifndef water_lookup_h
+#define water_lookup_h
+
+#include "water_camera.h"
+#include "water_status.h"
+#include "water_types.h"
+
+#ifdef __cplusplus
+extern "C"
+{
+#endif
+
+// The plane's axes as the lookup uses them.
+typedef struct water_axes
+{
+  double x_dir[3]; // with y_dir the plane's own axes, of the plane as the user turned it
+  double y_dir[3];
+  double normal[3]; // towards the eye
+  double origin[3]; // of the plane's own axes, in world
+} water_axes;
+
+// Where on the plane a pixel of the eye looks.
+//
+// plane         normalised, normal towards the eye
+// origin_xy     of the point under the eye, in the plane's own axes
+// ndc_to_plane  (x, y, 1) in NDC of the eye -> (x, y, w), from origin_xy on; the largest entry is 1
+//               or -1
+//
+// Returns WATER_OK or WATER_BAD_CAMERA (the plane is seen edge-on); then the outputs are unchanged.
+water_status water_lookup_places(const water_camera* camera, const water_eye* eye,
+  const water_plane* plane, const water_axes* axes, double origin_xy[2], double ndc_to_plane[9]);
+
+// Directions in the plane's axes (the third towards the eye) -> clip of a camera, not divided by w:
+// where a ray ends. 4 rows of 3.
+void water_lookup_dirs(const water_camera* camera, const water_axes* axes, double dir_to_clip[12]);
+
+// The map's window depth at infinity, beyond 1 for a perspective map, and how far a ray may be from
+// the map's depth to have met it, in shares of (z_infinity - depth).
+//
+// tolerance  of a ray that settled on a surface, and of the depths on both sides of a crossing that
+//            is a surface and not a silhouette
+// Source: measured, Documentation/decisions/006-lookup.md.
+void water_lookup_depths(const water_camera* mirrored, double* z_infinity, double tolerance[2]);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

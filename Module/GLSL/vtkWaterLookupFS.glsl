@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkWaterLookupFS.glsl: where the map shows what a reflected ray meets. The formulas of the rays are
+// in water_lookup.h, the rules and what each is worth in Documentation/decisions/006-lookup.md.
+
+uniform sampler2D waterReflection;      // mirrored view, flipped in x; linear
+uniform sampler2D waterReflectionDepth; // its window depth, 1: nothing drawn; nearest
+uniform mat4 waterDirToMap;             // direction in the plane's axes -> clip of the map
+uniform mat4 waterDirToEye;             // the same -> clip of the eye
+uniform float waterMapZInfinity;
+uniform vec2 waterMapTolerance; // settled on a surface; a surface on both sides of a crossing
+uniform int waterSteps;         // of the march
+uniform int waterProbes;        // between the water and where the ray settled
+uniform vec4 waterSkyBottom;    // a: 1 when the sky is known in all directions
+uniform vec4 waterSkyTop;
+
+// Why a pixel has its colour (vtkWaterProperty::Confidences).
+const int WATER_HIT = 1;
+const int WATER_SKY = 2;
+const int WATER_OFF_MAP = 3;
+const int WATER_HIDDEN = 4;
+const int WATER_DOWNWARD = 5;
+
+float waterMapDepth(vec2 uv)
+{
+  return textureLod(waterReflectionDepth, uv, 0.0).r;
+}
+
+// The background in a direction: painted on the user's screen, as in vtkWaterSkyFS.glsl.
+vec3 waterSky(vec3 dir)
+{
+  vec4 eye = waterDirToEye * vec4(dir, 0.0);
+  float height = eye.w > 0.0 ? 0.5 + 0.5 * eye.y / eye.w : step(0.0, eye.y);
+  return mix(waterSkyBottom.rgb, waterSkyTop.rgb, clamp(height, 0.0, 1.0));
+}
+
+// Colour in a direction from a point of the water.
+//
+// start   of the ray in the map's window: u, v, depth
+// dir     in the plane's axes, upwards, of any length
+// reason  one of the first four
+vec3 waterTrace(vec3 start, vec3 dir, out int reason)
+{
+  vec4 end = waterDirToMap * vec4(dir, 0.0);
+  vec3 way = 0.5 * (end.xyz - (2.0 * start - 1.0) * end.w); // the ray is start + s way
+  float last = end.w > 1e-6 ? 1.0 / end.w : (way.z > 0.0 ? (1.0 - start.z) / way.z : 1e20);
+  vec2 border =
+    (step(0.0, way.xy) - start.xy) / mix(way.xy, vec2(1e-9), equal(way.xy, vec2(0.0)));
+  float leaves = max(min(border.x, border.y), 0.0);
+  bool isInside = last <= leaves; // the ray ends on the map
+  way *= min(last, leaves);       // from here on s is in [0, 1]
+
+  // steps to the depth that the map has where the ray is now
+  float perDepth = 1.0 / (abs(way.z) > 1e-20 ? way.z : 1e-20);
+  float depth = waterMapDepth(start.xy);
+  float s = 0.0;
+  vec3 at = start;
+  for (int i = 0; i < 2; ++i)
+  {
+    s = clamp((depth - start.z) * perDepth, 0.0, 1.0);
+    at = start + s * way;
+    depth = waterMapDepth(at.xy);
+  }
+  bool isSettled = s > 0.9999
+    ? min(at.z, 1.0) <= depth
+    : abs(at.z - depth) <= waterMapTolerance.x * (waterMapZInfinity - depth);
+  // nothing nearer on the way
+  float part = s / float(waterProbes + 1);
+  for (int i = 1; i <= waterProbes; ++i)
+  {
+    vec3 probe = start + part * float(i) * way;
+    isSettled = isSettled && min(probe.z, 1.0) <= waterMapDepth(probe.xy);
+  }
+
+  vec2 uv = at.xy;
+  bool isSky = isSettled && s > 0.9999 && depth >= 1.0 && !isInside;
+  reason = s <= 0.9999 ? WATER_HIT : (isInside ? WATER_SKY : WATER_OFF_MAP);
+  if (!isSettled)
+  {
+    float low = 0.0;
+    float high = 0.0;
+    float depthLow = waterMapDepth(start.xy);
+    float depthHigh = 1.0;
+    float depthEnd = waterMapDepth(start.xy + way.xy);
+    bool isHit = false;
+    float stride = 1.0 / float(waterSteps);
+    for (int i = 0, halvings = 0; i < waterSteps + 5 && halvings < 5; ++i)
+    {
+      float middle = isHit ? 0.5 * (low + high) : min(low + stride, 1.0);
+      depth = waterMapDepth(start.xy + middle * way.xy);
+      if (min(start.z + middle * way.z, 1.0) > depth)
+      {
+        high = middle;
+        depthHigh = depth;
+        isHit = true;
+      }
+      else
+      {
+        low = middle;
+        depthLow = depth;
+        if (middle >= 1.0)
+        {
+          break;
+        }
+      }
+      halvings += isHit ? 1 : 0;
+    }
+    if (!isHit)
+    {
+      uv = start.xy + way.xy;
+      isSky = !isInside && depthEnd >= 1.0;
+      reason = isInside ? WATER_SKY : WATER_OFF_MAP;
+    }
+    else if (depthLow - depthHigh <= waterMapTolerance.y * (waterMapZInfinity - depthHigh))
+    {
+      uv = start.xy + high * way.xy; // a surface: filtered
+      reason = WATER_HIT;
+    }
+    else if (isInside && depthEnd >= 1.0)
+    {
+      uv = start.xy + way.xy; // it goes behind something; where it ends there is sky
+      reason = WATER_HIDDEN;
+    }
+    else
+    {
+      vec2 size = vec2(textureSize(waterReflection, 0)); // the front side, not filtered
+      uv = (floor((start.xy + low * way.xy) * size) + 0.5) / size;
+      isSky = depthLow >= 1.0;
+      reason = WATER_HIDDEN;
+    }
+  }
+  if (reason == WATER_HIT && waterMapDepth(uv) >= 1.0)
+  {
+    reason = WATER_SKY; // settled on the far plane, where nothing is
+  }
+  bool isKnown = isSky && waterSkyBottom.a > 0.5;
+  return isKnown ? waterSky(dir) : textureLod(waterReflection, uv, 0.0).rgb;
+}
+
+// Colour of the reflection of a view ray, both of unit length, in the plane's axes.
+//
+// start   of the reflected ray in the map's window: u, v, depth
+// reason  one of the above
+vec3 waterReflected(vec3 start, vec3 ray, vec3 normal, out int reason)
+{
+  vec3 dir = reflect(ray, normal);
+  bool isDownward = dir.z < 0.0;
+  dir.z = max(abs(dir.z), 1e-6); // met the water again: bounced off it once more
+  vec3 color = waterTrace(start, dir, reason);
+  reason = isDownward ? WATER_DOWNWARD : reason;
+  return color;
+}

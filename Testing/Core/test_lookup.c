@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// test_lookup.c: places on the plane behind a pixel, rays in the map's window, depths at infinity.
+#include "test_scene.h"
+
+#include "water_plane.h"
+
+static const double nearby[3] = { 1.0, 2.0, 3.0 };
+
+static random_scene wavy(dice* from, int round)
+{
+  random_scene random = scene_rolled(from, round, nearby);
+  random.scene.has_waves = true;
+  for (int i = 0; i < 3; ++i)
+  {
+    random.scene.plane_origin[i] = random.target[i];
+  }
+  return random;
+}
+
+// The plane's own axes of a random scene, whose plane the user turned as he liked.
+static void axes_of(const random_scene* random, double x_dir[3], double y_dir[3])
+{
+  double normal[3];
+  const double length = sqrt(dot(random->scene.plane.normal, random->scene.plane.normal));
+  for (int i = 0; i < 3; ++i)
+  {
+    normal[i] = random->scene.plane.normal[i] / length;
+  }
+  water_plane_axes(normal, x_dir, y_dir);
+}
+
+// The pixel that shows a place on the plane leads back to that place.
+TEST(pixel_of_a_place_leads_back_to_it)
+{
+  UNUSED;
+  dice from = dice_seeded(61);
+  for (int round = 0; round < 3000; ++round)
+  {
+    const random_scene random = wavy(&from, round);
+    const water_plan plan = plan_of(&random.scene, NULL);
+    double x_dir[3];
+    double y_dir[3];
+    axes_of(&random, x_dir, y_dir);
+    const double place[2] = { dice_roll(&from, -2.0, 2.0), dice_roll(&from, -2.0, 2.0) };
+    double point[3];
+    for (int i = 0; i < 3; ++i)
+    {
+      point[i] = random.target[i] + place[0] * x_dir[i] + place[1] * y_dir[i];
+    }
+    double clip[4];
+    project(&random.scene.eye, point, 1.0, clip);
+    if (!is_inside(clip))
+    {
+      continue;
+    }
+    const double ndc[3] = { clip[0] / clip[3], clip[1] / clip[3], 1.0 };
+    const double w = dot(plan.ndc_to_plane + 6, ndc);
+    ASSERT_CLOSE(plan.origin_xy[0] + dot(plan.ndc_to_plane, ndc) / w, place[0], 1e-9);
+    ASSERT_CLOSE(plan.origin_xy[1] + dot(plan.ndc_to_plane + 3, ndc) / w, place[1], 1e-9);
+  }
+}
+
+// A point t along a direction from a place on the water is seen where the place's clip coordinates
+// plus t times the direction's are; the place's own depth in the map is that of the eye, scaled.
+TEST(directions_lead_to_the_pictures_of_points_along_them)
+{
+  UNUSED;
+  dice from = dice_seeded(62);
+  for (int round = 0; round < 2000; ++round)
+  {
+    random_scene random = wavy(&from, round);
+    water_prop tall = { { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 }, WATER_PROP_VISIBLE };
+    water_fate fate = WATER_DRAW;
+    for (int i = 0; i < 3; ++i) // far away, so that the map's far plane moves
+    {
+      tall.bounds[2 * i] = random.target[i] - 300.0;
+      tall.bounds[2 * i + 1] = random.target[i] + 300.0;
+    }
+    random.scene.props = &tall;
+    random.scene.prop_count = 1;
+    const water_plan plan = plan_of(&random.scene, &fate);
+    double x_dir[3];
+    double y_dir[3];
+    axes_of(&random, x_dir, y_dir);
+    const double dir[3] = { dice_roll(&from, -1.0, 1.0), dice_roll(&from, -1.0, 1.0), 1.0 };
+    const double t = dice_roll(&from, 0.0, 10.0);
+    double point[3];
+    for (int i = 0; i < 3; ++i)
+    {
+      point[i] =
+        random.target[i] + t * (dir[0] * x_dir[i] + dir[1] * y_dir[i] + dir[2] * random.normal[i]);
+    }
+    double eye[4];
+    double start[4];
+    double end[4];
+    double seen[4];
+    project(&random.scene.eye, random.target, 1.0, eye);
+    project(&plan.mirrored, random.target, 1.0, start);
+    project(&plan.mirrored, point, 1.0, end);
+    project(&random.scene.eye, point, 1.0, seen);
+    ASSERT_CLOSE(start[0] / start[3], -eye[0] / eye[3], 1e-10);
+    ASSERT_CLOSE(
+      0.5 + 0.5 * start[2] / start[3], plan.depth_scale * (0.5 + 0.5 * eye[2] / eye[3]), 1e-10);
+    for (int i = 0; i < 4; ++i)
+    {
+      ASSERT_CLOSE(start[i] + t * dot(plan.dir_to_map + 3 * i, dir), end[i], 1e-9);
+      ASSERT_CLOSE(eye[i] + t * dot(plan.dir_to_eye + 3 * i, dir), seen[i], 1e-9);
+    }
+  }
+}
+
+// A ray of a perspective map ends at the depth of infinity; that of a parallel map never does.
+TEST(depth_at_infinity_is_where_rays_end)
+{
+  UNUSED;
+  dice from = dice_seeded(63);
+  for (int round = 0; round < 300; ++round)
+  {
+    const random_scene random = wavy(&from, round);
+    const water_plan plan = plan_of(&random.scene, NULL);
+    if (random.is_parallel)
+    {
+      ASSERT_CLOSE(plan.map_z_infinity, 2.0, 0.0);
+      continue;
+    }
+    double point[3];
+    double clip[4];
+    for (int i = 0; i < 3; ++i)
+    {
+      point[i] = random.target[i] + 1e9 * random.view_dir[i] -
+        2e9 * dot(random.view_dir, random.normal) * random.normal[i]; // away from the mirrored eye
+    }
+    project(&plan.mirrored, point, 1.0, clip);
+    ASSERT_CLOSE(0.5 + 0.5 * clip[2] / clip[3], plan.map_z_infinity, 1e-6);
+    assert_true(plan.map_z_infinity > 1.0);
+  }
+}
+
+// Waves may look a pixel's ray up anywhere in the map, so all of it is drawn.
+TEST(waves_use_the_whole_map)
+{
+  UNUSED;
+  water_scene scene = lake();
+  scene.surface_bounds[0] = scene.surface_bounds[2] = -1.0;
+  scene.surface_bounds[1] = scene.surface_bounds[3] = 1.0;
+  assert_true(plan_of(&scene, NULL).texture_rect_px[2] < 800);
+  scene.has_waves = true;
+  const water_plan plan = plan_of(&scene, NULL);
+  assert_int_equal(plan.texture_rect_px[2], 800);
+  assert_int_equal(plan.texture_rect_px[3], 600);
+}
+
+int main(void)
+{
+  const struct CMUnitTest tests[] = {
+    RUN(pixel_of_a_place_leads_back_to_it),
+    RUN(directions_lead_to_the_pictures_of_points_along_them),
+    RUN(depth_at_infinity_is_where_rays_end),
+    RUN(waves_use_the_whole_map),
+  };
+  return cmocka_run_group_tests(tests, NULL, NULL);
+}

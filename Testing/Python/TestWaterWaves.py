@@ -1,0 +1,211 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Reflections on waves against a ray caster; the waves themselves; time, queries and bad input."""
+
+import numpy as np
+import ray_caster
+import water_test as wt
+from vtkwater import vtkWaterActor, vtkWaterProperty
+
+SIZE = (400, 300)
+SKY = (0.55, 0.7, 0.9)
+# amplitude m, wavelength m, direction and phase in degrees; the slopes add up to 0.10
+WAVES = ((0.0127, 2.0, 20.0, 10.0), (0.0064, 1.2, 80.0, 200.0), (0.0032, 0.75, 140.0, 90.0))
+VIEWS = {"middle": ((2, -13, 4), 30), "low": ((3, -12, 1.2), 30), "high": ((1, -9, 9), 35)}
+
+
+def things():
+    colors = ((0.85, 0.2, 0.15), (0.95, 0.85, 0.3), (0.15, 0.5, 0.2), (0.9, 0.9, 0.9), (0.25, 0.2, 0.6))
+    made = []
+    for i in range(9):  # poles
+        x, y = -6 + 1.6 * i, -3 + 2.9 * (i % 4)
+        made.append(ray_caster.Box((x, y, 1), (0.22, 0.22, 3 + 0.5 * (i % 3)), colors[i % 5]))
+    for i in range(6):  # boxes in the water
+        made.append(ray_caster.Box((-5 + 2.1 * i, 4 - 1.1 * i, 0.2), (0.9, 0.7, 0.9 + 0.3 * (i % 2)), colors[(i + 2) % 5]))
+    for i in range(6):  # things over it
+        made.append(ray_caster.Sphere((-4.5 + 1.9 * i, -2 + 1.4 * i, 1.0 + 0.3 * i), 0.35 + 0.06 * i, colors[(i + 1) % 5]))
+    return made
+
+
+def scene(view, waves=WAVES, parallel=False):
+    made = wt.View(SIZE, SKY)
+    for thing in things():
+        if isinstance(thing, ray_caster.Box):
+            data = wt.box(0.5 * (thing.low + thing.high), thing.high - thing.low)
+        else:
+            data = wt.sphere(thing.center, thing.radius, 96)
+        wt.add_actor(made.renderer, data, thing.color, lit=False)
+    water = wt.add_water(made.renderer, None, (-60, 60, -60, 60))
+    for wave in waves:
+        water.GetWaterProperty().AddWave(*wave)
+    camera = made.renderer.GetActiveCamera()
+    position, angle = VIEWS[view]
+    camera.SetPosition(position)
+    camera.SetFocalPoint(0, 0, 0)
+    camera.SetViewUp(0, 0, 1)
+    camera.SetViewAngle(angle)
+    camera.SetParallelProjection(parallel)
+    camera.SetParallelScale(4)
+    camera.SetClippingRange(0.5, 150)
+    return made, water
+
+
+def truth_of(made, water, samples=4):
+    """The ray caster's picture, and the pixels that are water and nothing else there and here."""
+    truth, mask = ray_caster.picture(made.renderer.GetActiveCamera(), SIZE, things(), SKY, WAVES, 0.0, samples)
+    return truth, mask & wt.water_mask(made, water)
+
+
+def rmse(picture, truth, mask):
+    return float(np.sqrt(((picture - truth)[mask] ** 2).mean()))
+
+
+# Colour against the ray caster, and against the best constant offset that a search finds.
+folder = wt.output_folder()
+traced, offset = [], []
+for view in VIEWS:
+    made, water = scene(view)
+    truth, mask = truth_of(made, water)
+    once, _ = truth_of(made, water, samples=1)
+    look = water.GetWaterProperty()
+    errors = []
+    for quality in ("Fast", "High", "Default"):
+        getattr(look, f"SetRayTraceQualityTo{quality}")()
+        errors.append(f"{quality.lower()} {rmse(made.picture(), truth, mask):.2f}")
+    traced.append(rmse(made.picture(), truth, mask))
+    wt.save(made.picture(), folder / f"TestWaterWaves-{view}.png")
+    wt.save(np.clip(truth, 0, 255), folder / f"TestWaterWaves-{view}-truth.png")
+    for lookup, scales in (("ViewScaledOffset", np.linspace(0, 10, 21)), ("FixedOffset", np.linspace(0, 1, 21))):
+        getattr(look, f"SetLookupTo{lookup}")()
+        found = []
+        for scale in scales:
+            look.SetOffsetScale(scale)
+            found.append(rmse(made.picture(), truth, mask))
+        best = int(np.argmin(found))
+        errors.append(f"{lookup} {found[best]:.2f} at {scales[best]:.2f} (0: {found[0]:.2f})")
+    offset.append(min(found))
+    print(f"{view}: RMSE of 255 over {mask.mean():.0%} of the picture: ray traced {', '.join(errors)}; "
+          f"a perfect tracer at one sample a pixel {rmse(once, truth, mask):.2f}", flush=True)
+wt.check_at_least("RMSE of the best fixed offset of each view / ray traced, all views together",
+                  np.linalg.norm(offset) / np.linalg.norm(traced), 3.0)
+
+# Parallel projection.
+made, water = scene("middle", parallel=True)
+truth, mask = truth_of(made, water)
+error = rmse(made.picture(), truth, mask)
+water.GetWaterProperty().SetLookupToFixedOffset()
+water.GetWaterProperty().SetOffsetScale(0)
+wt.check_at_least(f"parallel: RMSE of the calm lookup / ray traced ({error:.2f})",
+                  rmse(made.picture(), truth, mask) / error, 2.5)
+
+# Waves of no height are calm water: from above, from below, tilted, in parallel projection.
+for name, camera_z, normal, parallel in (("above", 4, (0, 0, 1), False), ("below", -4, (0, 0, 1), False),
+                                         ("tilted", 4, (0.1, 0.05, 1), False), ("parallel", 4, (0, 0, 1), True)):
+    made, water = scene("middle", waves=(), parallel=parallel)
+    water.SetPlane(wt.plane((0, 0, 0.1), normal))
+    camera = made.renderer.GetActiveCamera()
+    camera.SetPosition(2, -13, camera_z)
+    calm = made.picture()
+    water.GetWaterProperty().AddWave(0.0, 1.0)
+    flat = made.picture()
+    wt.check_at_most(f"no waves, {name}: % of pixels off by more than 1/255 from calm water",
+                     100 * float((np.abs(flat - calm).max(axis=2) > 1).mean()), 0.02)
+    water.GetWaterProperty().RemoveAllWaves()
+    wt.check_equal(f"waves removed, {name}: error", int(np.abs(made.picture() - calm).max()), 0)
+
+# The confidence channel says why, and where: a calm pixel of the sky, a box, the picture's border.
+made, water = scene("middle")
+_, mask = truth_of(made, water)
+color = made.picture()
+water.GetWaterProperty().SetOutputToConfidence()
+reasons = made.picture()
+shares = [float((reasons[:, :, 0][mask] == reason).mean()) for reason in range(6)]
+print("confidence: shares of none, hit, sky, off the map, hidden, downward:", np.round(shares, 4).tolist())
+wt.check_equal("confidence: all pixels have a reason", round(sum(shares[1:]), 12), 1.0)
+is_sky = mask & (np.abs(color - 255 * np.asarray(SKY)).max(axis=2) < 1)
+seen_as_sky = np.isin(reasons[:, :, 0], (vtkWaterProperty.SKY, vtkWaterProperty.OFF_MAP, vtkWaterProperty.HIDDEN))
+wt.check_at_least("confidence: sky-coloured pixels that are sky, off the map or hidden",
+                  float(seen_as_sky[is_sky].mean()), 0.98)
+is_thing = mask & (np.abs(color - 255 * np.asarray(SKY)).max(axis=2) > 60)
+wt.check_at_least("confidence: pixels that show things and are hits",
+                  float((reasons[:, :, 0] == vtkWaterProperty.HIT)[is_thing].mean()), 0.75)
+
+# Time alone makes the picture; phases are as exact at 1e7 s as at 0.
+made, water = scene("middle")
+water.SetTime(1e6)
+straight = made.picture()
+for time in (0.0, 3.7, 12345.6):
+    water.SetTime(time)
+    made.picture()
+water.SetTime(1e6)
+wt.check_equal("time: 1e6 s after other frames, error", int(np.abs(made.picture() - straight).max()), 0)
+water.SetTime(1.0)
+wt.check_at_least("time: 1 s makes another picture", int(np.abs(made.picture() - straight).max()), 50)
+x, y = np.meshgrid(np.linspace(-7, 7, 9), np.linspace(-5, 9, 9))
+for time in (0.0, 17.3, 1e4):
+    water.SetTime(time)
+    height, slope_x, slope_y = ray_caster.heights_and_slopes(WAVES, x, y, time)
+    found = np.array([water.GetWaveHeight(*place) for place in zip(x.ravel(), y.ravel())])
+    wt.check_at_most(f"height at {time:g} s: largest error, m", float(np.abs(found - height.ravel()).max()), 1e-11)
+    largest = 0.0
+    for place, sx, sy in zip(zip(x.ravel(), y.ravel()), slope_x.ravel(), slope_y.ravel()):
+        normal = [0.0, 0.0, 0.0]
+        water.GetWaveNormal(*place, normal)
+        largest = max(largest, abs(normal[0] / normal[2] + sx), abs(normal[1] / normal[2] + sy))
+    wt.check_at_most(f"slope at {time:g} s: largest error", largest, 1e-10)
+water.SetTime(1e7)
+period = 2 * np.pi / ray_caster.angular_frequency(WAVES[0][1])
+alone = vtkWaterActor()
+alone.GetWaterProperty().AddWave(*WAVES[0])
+alone.SetTime(0.25 * period)
+near = alone.GetWaveHeight(0.3, 0.4)
+turns = np.round(1e7 / period)
+alone.SetTime((turns + 0.25) * period)
+wt.check_at_most("time: the same phase at 1e7 s, error of the height, m",
+                 abs(alone.GetWaveHeight(0.3, 0.4) - near), 1e-9)
+
+# Steep waves: the shader finds the point at rest as the core does. Truth: crests are sharper.
+made, water = scene("middle", waves=())
+water.GetWaterProperty().AddWave(0.05, 2.0, 30.0, 0.0, 1.0)
+steep = made.picture()
+water.GetWaterProperty().RemoveAllWaves()
+water.GetWaterProperty().AddWave(0.05, 2.0, 30.0, 0.0, 0.0)
+wt.check_at_least("steepness changes the picture", int(np.abs(made.picture() - steep).max()), 50)
+
+
+# Bad input.
+def refused(name, do, words):
+    errors = []
+
+    class Text:
+        CallDataType = "string0"
+
+        def __call__(self, caller, event, text):
+            errors.append(text)
+
+    thing = do[0]
+    thing.AddObserver("ErrorEvent", Text())
+    result = do[1](thing)
+    wt.check_equal(f"{name}: errors", len(errors), 1)
+    for word in words:
+        wt.check_equal(f"{name}: the error says '{word}'", word in "".join(errors), True)
+    return result
+
+
+NAN, INFINITY = float("nan"), float("inf")
+for wave, words in (((-1.0, 2.0), ("-1", "not negative")), ((0.1, 0.0), ("Wavelength 0", "greater than 0")),
+                    ((NAN, 2.0), ("nan", "finite")), ((0.1, 2.0, INFINITY), ("inf", "Direction")),
+                    ((0.1, 2.0, 0.0, NAN), ("nan", "Phase")), ((0.1, 2.0, 0.0, 0.0, 1.5), ("1.5", "[0, 1]")),
+                    ((1.0, 2.0, 0.0, 0.0, 1.0), ("fold", "exceed 1"))):
+    look = vtkWaterProperty()
+    wt.check_equal(f"wave {wave}: refused", refused(f"wave {wave}", (look, lambda it: it.AddWave(*wave)), words), -1)
+    wt.check_equal(f"wave {wave}: none added", look.GetNumberOfWaves(), 0)
+for time in (NAN, INFINITY):
+    water = vtkWaterActor()
+    refused(f"time {time}", (water, lambda it: it.SetTime(time)), (str(time), "finite"))
+    wt.check_equal(f"time {time}: the last good one stays", water.GetTime(), 0.0)
+for setter, value, words in (("SetDepth", 0.0, ("greater than 0",)), ("SetDepth", NAN, ("nan",)),
+                             ("SetLookup", 3, ("[0, 2]",)), ("SetRayTraceSteps", 0, ("[1, 256]",)),
+                             ("SetRayTraceProbes", -1, ("[0, 64]",)), ("SetOffsetScale", NAN, ("nan",)),
+                             ("SetOutput", 2, ("[0, 1]",))):
+    refused(f"{setter}({value})", (vtkWaterProperty(), lambda it: getattr(it, setter)(value)), words)
+wt.finish()

@@ -1,0 +1,115 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""ray_caster: the truth for waves: a ray caster in double precision, of spheres and boxes, unlit.
+
+It shares nothing with the code under test: waves, dispersion, reflection and intersections are
+written here again, from the definitions in vtkWaterProperty.h.
+"""
+
+import numpy as np
+
+GRAVITY = 9.80665  # m/s^2
+
+
+class Box:
+    def __init__(self, center, lengths, color):
+        self.low = np.asarray(center) - 0.5 * np.asarray(lengths)
+        self.high = np.asarray(center) + 0.5 * np.asarray(lengths)
+        self.color = np.asarray(color)
+
+    def distance(self, start, ray):
+        with np.errstate(divide="ignore", invalid="ignore"):
+            first = (self.low - start) / ray
+            second = (self.high - start) / ray
+        enters = np.minimum(first, second).max(axis=-1)
+        leaves = np.maximum(first, second).min(axis=-1)
+        return np.where((enters <= leaves) & (leaves > 1e-9), np.maximum(enters, 0), np.inf)
+
+
+class Sphere:
+    def __init__(self, center, radius, color):
+        self.center, self.radius, self.color = np.asarray(center), radius, np.asarray(color)
+
+    def distance(self, start, ray):
+        arm = start - self.center
+        b = (arm * ray).sum(axis=-1)
+        under = b * b - (arm * arm).sum(axis=-1) + self.radius**2
+        root = np.sqrt(np.maximum(under, 0))
+        near = np.where(-b - root > 1e-9, -b - root, -b + root)
+        return np.where((under >= 0) & (near > 1e-9), near, np.inf)
+
+
+def cast(things, background, start, ray):
+    """Colours (n x 3) that rays of unit length see, and the distances to them (inf: background)."""
+    nearest = np.full(len(ray), np.inf)
+    colors = np.tile(np.asarray(background, dtype=float), (len(ray), 1))
+    for thing in things:
+        distance = thing.distance(start, ray)
+        closer = distance < nearest
+        nearest[closer] = distance[closer]
+        colors[closer] = thing.color
+    return colors, nearest
+
+
+def angular_frequency(wavelength, depth=np.inf):
+    k = 2 * np.pi / wavelength
+    return np.sqrt(GRAVITY * k * np.tanh(k * depth))
+
+
+def heights_and_slopes(waves, x, y, time, depth=np.inf):
+    """Sines (amplitude, wavelength, direction and phase in degrees) over places, by definition."""
+    height, slope_x, slope_y = np.zeros_like(x), np.zeros_like(x), np.zeros_like(x)
+    for amplitude, wavelength, direction, phase in waves:
+        k = 2 * np.pi / wavelength
+        kx, ky = k * np.cos(np.radians(direction)), k * np.sin(np.radians(direction))
+        angle = kx * x + ky * y + np.radians(phase) - angular_frequency(wavelength, depth) * time
+        height += amplitude * np.sin(angle)
+        slope_x += amplitude * kx * np.cos(angle)
+        slope_y += amplitude * ky * np.cos(angle)
+    return height, slope_x, slope_y
+
+
+def eye_rays(camera, size, samples):
+    """Start and unit direction of samples x samples rays in every pixel; rows from the bottom."""
+    width, height = size
+    position, target = np.asarray(camera.GetPosition()), np.asarray(camera.GetFocalPoint())
+    ahead = target - position
+    ahead /= np.linalg.norm(ahead)
+    right = np.cross(ahead, camera.GetViewUp())
+    right /= np.linalg.norm(right)
+    up = np.cross(right, ahead)
+    place = (np.arange(samples) + 0.5) / samples
+    x = (np.arange(width)[:, None] + place).ravel() / width * 2 - 1
+    y = (np.arange(height)[:, None] + place).ravel() / height * 2 - 1
+    x, y = np.meshgrid(x, y)
+    if camera.GetParallelProjection():
+        scale = camera.GetParallelScale()
+        start = (position + scale * (x[..., None] * width / height * right + y[..., None] * up)).reshape(-1, 3)
+        return start, np.tile(ahead, (len(start), 1))
+    tangent = np.tan(np.radians(camera.GetViewAngle()) / 2)
+    ray = ahead + tangent * (x[..., None] * width / height * right + y[..., None] * up)
+    ray = ray.reshape(-1, 3)
+    ray /= np.linalg.norm(ray, axis=1, keepdims=True)
+    return np.tile(position, (len(ray), 1)), ray
+
+
+def picture(camera, size, things, background, waves, time, samples=4):
+    """The picture of level water at z = 0 that reflects everything (255 RGB), and which pixels are
+    water and nothing else."""
+    start, ray = eye_rays(camera, size, samples)
+    colors, distance = cast(things, background, start, ray)
+    with np.errstate(divide="ignore"):
+        to_water = np.where(ray[:, 2] < 0, -start[:, 2] / ray[:, 2], np.inf)
+    is_water = to_water < distance
+    point = start[is_water] + to_water[is_water][:, None] * ray[is_water]
+    point[:, 2] = 0
+    _, slope_x, slope_y = heights_and_slopes(waves, point[:, 0], point[:, 1], time)
+    normal = np.stack([-slope_x, -slope_y, np.ones_like(slope_x)], axis=1)
+    normal /= np.linalg.norm(normal, axis=1, keepdims=True)
+    seen = ray[is_water]
+    away = seen - 2 * (seen * normal).sum(axis=1, keepdims=True) * normal
+    away[:, 2] = np.abs(away[:, 2])  # a ray that would meet the water again is bounced off once more
+    colors[is_water] = cast(things, background, point, away)[0]
+    width, height = size
+    shape = (height, samples, width, samples)
+    return (255 * colors.reshape(*shape, 3).mean(axis=(1, 3)),
+            is_water.reshape(shape).all(axis=(1, 3)))
