@@ -136,6 +136,15 @@ bool vtkWaterProperty::GetWave(int number, double wave[5]) const
 }
 
 //------------------------------------------------------------------------------
+double vtkWaterProperty::GetSlopeRMS() const
+{
+  double height = 0.0;
+  double slope = 0.0;
+  water_waves_rms(this->Internal->Waves.data(), this->Internal->Waves.size(), &height, &slope);
+  return slope;
+}
+
+//------------------------------------------------------------------------------
 const water_wave* vtkWaterProperty::GetWaves() const
 {
   return this->Internal->Waves.data();

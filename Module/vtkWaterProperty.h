@@ -112,6 +112,7 @@ public:
   void RemoveAllWaves();
   int GetNumberOfWaves() const;
   bool GetWave(int number, double wave[5]) const;
+  double GetSlopeRMS() const; // root mean square slope of all waves together
   ///@}
 
   ///@{

@@ -137,6 +137,22 @@ void vtkWaterReflectionPass::SetClipMargin(double margin)
 }
 
 //------------------------------------------------------------------------------
+void vtkWaterReflectionPass::SetGuardBand(double band)
+{
+  if (!(band == 0.0 || (band >= 1.0 && band <= 2.0)))
+  {
+    vtkErrorMacro("GuardBand is " << band
+                                  << "; it must lie in [1, 2], or be 0 (by the waves' slope). "
+                                  << "It stays " << this->GuardBand << ".");
+  }
+  else if (this->GuardBand != band)
+  {
+    this->GuardBand = band;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
 vtkTextureObject* vtkWaterReflectionPass::GetReflectionTexture()
 {
   Internals::View* view = this->Internal->GetPlannedView();
@@ -198,6 +214,7 @@ void vtkWaterReflectionPass::RenderReflection(
   window->MakeCurrent(); // bringing pipelines up to date may have rendered another window
   gather.scene.texture_scale = this->TextureScale;
   gather.scene.clip_margin = this->ClipMargin;
+  gather.scene.guard_band = this->GuardBand;
   gather.scene.max_texture_px = vtkTextureObject::GetMaximumTextureSize(window);
 
   // plan
@@ -465,6 +482,7 @@ void vtkWaterReflectionPass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "TextureScale: " << this->TextureScale << "\n";
   os << indent << "MultiSamples: " << this->MultiSamples << "\n";
   os << indent << "ClipMargin: " << this->ClipMargin << "\n";
+  os << indent << "GuardBand: " << this->GuardBand << "\n";
   os << indent << "ShowReflection: " << (this->ShowReflection ? "on" : "off") << "\n";
   os << indent << "NumberOfReflectionRenders: " << this->NumberOfReflectionRenders << "\n";
   os << indent << "Last plan: " << this->GetDecisionAsString() << "\n";

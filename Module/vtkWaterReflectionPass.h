@@ -118,6 +118,16 @@ public:
 
   ///@{
   /**
+   * With waves: size of the mirrored view over that of the picture, in [1, 2], as reflected rays
+   * leave the picture at its edges; 0: by the waves' slope, at most 1.25. Texels keep their size,
+   * the texture grows. Default is 0.
+   */
+  void SetGuardBand(double band);
+  vtkGetMacro(GuardBand, double);
+  ///@}
+
+  ///@{
+  /**
    * Show the reflection texture in the lower left quarter of the viewport, as the water sees it
    * (not flipped). For debugging. Default is off, or on with VTK_WATER_DEBUG=1.
    */
@@ -204,6 +214,7 @@ private:
   double TextureScale = 1.0;
   int MultiSamples = -1;
   double ClipMargin = 0.0;
+  double GuardBand = 0.0;
   bool ShowReflection = false;
   vtkIdType NumberOfReflectionRenders = 0;
 };

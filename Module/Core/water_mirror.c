@@ -35,6 +35,15 @@ void water_mirror_camera(const water_camera* eye, const water_plane* plane, wate
   mirrored->parallel = eye->parallel;
 }
 
+void water_mirror_widen(const double map_scale[2], water_camera* mirrored)
+{
+  for (int j = 0; j < 4; ++j)
+  {
+    mirrored->view_to_clip[j] *= map_scale[0];
+    mirrored->view_to_clip[4 + j] *= map_scale[1];
+  }
+}
+
 double water_mirror_reach(
   const water_prop* props, size_t prop_count, const water_fate* fates, water_camera* mirrored)
 {
@@ -190,7 +199,7 @@ void water_mirror_headlight(const double plane_view[4], double headlight_dir[3])
 }
 
 void water_mirror_map_to_eye(const water_camera* camera, const water_eye* eye,
-  const double plane_view[4], double map_ndc_to_eye[9])
+  const double plane_view[4], const double map_scale[2], double map_ndc_to_eye[9])
 {
   const double* to_clip = camera->view_to_clip;
   const int rows[3] = { 0, 1, 3 };
@@ -201,6 +210,7 @@ void water_mirror_map_to_eye(const water_camera* camera, const water_eye* eye,
     for (int k = 0; k < 3; ++k)
     {
       dir[k] = j == 0 ? -eye->ndc_to_dir[3 * k] : eye->ndc_to_dir[3 * k + j];
+      dir[k] /= j < 2 ? map_scale[j] : 1.0;
     }
     const double twice = 2.0 * water_vec3_dot(plane_view, dir);
     for (int k = 0; k < 3; ++k)

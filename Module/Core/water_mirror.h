@@ -30,6 +30,10 @@ void water_mirror_camera(const water_camera* eye, const water_plane* plane, wate
 double water_mirror_reach(
   const water_prop* props, size_t prop_count, const water_fate* fates, water_camera* mirrored);
 
+// Widens the frustum of a mirrored camera: its present picture becomes the part map_scale of the
+// new one, per axis, about the middle.
+void water_mirror_widen(const double map_scale[2], water_camera* mirrored);
+
 // A rigid camera in vtkCamera's terms, in world.
 //
 // focal_point  at distance 1 of position
@@ -82,8 +86,10 @@ void water_mirror_headlight(const double plane_view[4], double headlight_dir[3])
 
 // (x, y, 1) in NDC of the map -> (x, y, w) in clip of the eye, of the direction that the map sees
 // there. For a parallel eye that is one and the same direction, and w is 0.
+//
+// map_scale  part of the map that is the eye's own picture, per axis
 void water_mirror_map_to_eye(const water_camera* camera, const water_eye* eye,
-  const double plane_view[4], double map_ndc_to_eye[9]);
+  const double plane_view[4], const double map_scale[2], double map_ndc_to_eye[9]);
 
 #ifdef __cplusplus
 }

@@ -84,6 +84,16 @@ static water_status fill_draw(const water_scene* scene, const checked* input,
   const water_plane* plane, water_plan* plan, water_fate* fates)
 {
   water_mirror_camera(&scene->eye, plane, &plan->mirrored);
+  memcpy(plan->texture_px, input->texture_px, sizeof plan->texture_px);
+  plan->map_scale[0] = plan->map_scale[1] = 1.0;
+  if (scene->has_waves)
+  {
+    const double band = scene->guard_band > 0.0
+      ? scene->guard_band
+      : water_target_guard_band(&scene->eye, scene->slope_rms);
+    water_target_widen(band, scene->max_texture_px, plan->texture_px, plan->map_scale);
+    water_mirror_widen(plan->map_scale, &plan->mirrored);
+  }
   water_select_props(
     &plan->mirrored, plane, scene->clip_margin, scene->props, scene->prop_count, fates);
   plan->depth_scale = water_mirror_reach(scene->props, scene->prop_count, fates, &plan->mirrored);
@@ -91,7 +101,6 @@ static water_status fill_draw(const water_scene* scene, const checked* input,
     &plan->mirrored, plan->mirrored_position, plan->mirrored_focal_point, plan->mirrored_view_up);
   water_camera_plane_view(&input->eye, plane, plan->plane_view);
   water_mirror_clip_view(plan->plane_view, scene->clip_margin, plan->clip_plane_view);
-  memcpy(plan->texture_px, input->texture_px, sizeof plan->texture_px);
   if (scene->has_waves)
   {
     // a ray may end anywhere in the map
@@ -140,7 +149,8 @@ static void fill_shade(
   double y_dir[3];
   water_plane_axes(input->plane.normal, x_dir, y_dir);
   water_camera_rays(&input->eye, plane, x_dir, y_dir, plan->ndc_to_ray);
-  water_mirror_map_to_eye(&scene->eye, &input->eye, plan->plane_view, plan->map_ndc_to_eye);
+  water_mirror_map_to_eye(
+    &scene->eye, &input->eye, plan->plane_view, plan->map_scale, plan->map_ndc_to_eye);
   plan->eta = water_optics_eta(&scene->look, input->side);
   plan->reflectance = scene->look.constant_reflectance ? scene->look.reflectance : -1.0;
 }

@@ -137,3 +137,29 @@ void water_target_rect(const water_camera* eye, const water_plane* plane,
     rect_px[2 + i] = end - first;
   }
 }
+
+double water_target_guard_band(const water_camera* camera, double slope_rms)
+{
+  const double* clip = camera->view_to_clip;
+  if (clip[14] == 0.0)
+  {
+    return 1.0;
+  }
+  // a turn by an angle moves a pixel by it times the projection's scale
+  const double turn = 2.0 * slope_rms * fmax(fabs(clip[0]), fabs(clip[5]));
+  return fmin(1.0 + turn, 1.25);
+}
+
+void water_target_widen(
+  double guard_band, int max_texture_px, int texture_px[2], double map_scale[2])
+{
+  for (int i = 0; i < 2; ++i)
+  {
+    const int inner = texture_px[i];
+    const double wanted = ceil(0.5 * (guard_band - 1.0) * inner);
+    const int most = (max_texture_px - inner) / 2;
+    const int margin = wanted < (double)most ? (int)wanted : most;
+    texture_px[i] = inner + 2 * margin;
+    map_scale[i] = (double)inner / texture_px[i];
+  }
+}

@@ -30,6 +30,19 @@ water_status water_target_size(
 void water_target_rect(const water_camera* eye, const water_plane* plane,
   const double surface_bounds[6], const int texture_px[2], int rect_px[4]);
 
+// Size of the eye's frustum's surroundings that waves may look up, over the eye's: waves of slope s
+// turn reflected rays by up to 2 s. In [1, 1.25]: more costs more than it gives. 1 for a parallel
+// eye, whose rays cross so much of the map that a march over more of it is coarser than it gains.
+double water_target_guard_band(const water_camera* camera, double slope_rms);
+
+// Widens a map by a guard band without a change of the size of its texels.
+//
+// guard_band  >= 1
+// texture_px  changed; even margins, and no more than max_texture_px
+// map_scale   part of the map per axis that is the picture without the band
+void water_target_widen(
+  double guard_band, int max_texture_px, int texture_px[2], double map_scale[2]);
+
 #ifdef __cplusplus
 }
 #endif

@@ -106,8 +106,10 @@ typedef struct water_scene
   water_camera eye;
   int viewport_px[2]; // size of the picture the water is drawn into, >= 1
   water_plane plane;
-  double plane_origin[3];   // of the plane's own axes, in world
-  bool has_waves;           // the surface is not calm: its reflection is looked up along rays
+  double plane_origin[3]; // of the plane's own axes, in world
+  bool has_waves;         // the surface is not calm: its reflection is looked up along rays
+  double slope_rms;       // of the waves, >= 0
+  double guard_band; // map with waves: size of its frustum over the eye's, >= 1; 0: by slope_rms
   double surface_bounds[6]; // of the water surface in world; min > max: there is no surface
   const water_prop* props;  // prop_count of them: all props, not only those the eye sees
   size_t prop_count;
@@ -147,6 +149,7 @@ typedef struct water_plan
   double map_ndc_to_eye[9]; // (x, y, 1) in NDC of the map -> (x, y, w) in clip of the eye, of
                             // the direction that the map sees there: where the sky is found
   double depth_scale;       // map depth of a point on the water / its depth in the eye's picture
+  double map_scale[2];      // part of the map that the eye's own frustum takes, per axis, in (0, 1]
   double map_z_infinity;    // water_lookup.h, this and the rest; set when the scene has waves
   double map_tolerance[2];
   double dir_to_map[12];  // direction in the plane's axes -> clip of the map

@@ -4,6 +4,7 @@
 
 uniform sampler2D waterReflection;      // mirrored view, flipped in x; linear
 uniform sampler2D waterReflectionDepth; // its window depth, 1: nothing drawn; nearest
+uniform vec2 waterMapScale; // part of the map that is the picture itself, without its band
 uniform mat4 waterDirToMap;             // direction in the plane's axes -> clip of the map
 uniform mat4 waterDirToEye;             // the same -> clip of the eye
 uniform float waterMapZInfinity;

@@ -5,11 +5,12 @@
 uniform sampler2D waterReflection; // mirrored view, flipped in x; linear
 uniform int waterLookup;           // vtkWaterProperty::Lookups
 uniform float waterOffsetScale;
+uniform vec2 waterMapScale;        // part of the map that is the picture itself, without its band
 
 // Colour of the reflection: as in vtkWaterLookupFS.glsl.
 vec3 waterReflected(vec3 start, vec3 ray, vec3 normal, out int reason)
 {
-  vec2 offset = waterOffsetScale * normal.xy * (waterLookup == 2 ? gl_FragCoord.w : 1.0);
+  vec2 offset = waterOffsetScale * waterMapScale * normal.xy * (waterLookup == 2 ? gl_FragCoord.w : 1.0);
   reason = 1;
   return textureLod(waterReflection, start.xy + vec2(-offset.x, offset.y), 0.0).rgb;
 }

@@ -27,7 +27,7 @@ void waterShade(inout vec4 color)
   {
     vec3 ray = normalize(waterNdcToRay * vec3(ndc, 1.0));
     float cosine = clamp(-dot(ray, normal), 0.0, 1.0);
-    vec3 start = vec3(0.5 + 0.5 * vec2(-ndc.x, ndc.y), waterDepthScale * gl_FragCoord.z);
+    vec3 start = vec3(0.5 + 0.5 * waterMapScale * vec2(-ndc.x, ndc.y), waterDepthScale * gl_FragCoord.z);
     vec3 reflection = waterReflected(start, ray, normal, reason);
     float reflectance =
       waterReflectance < 0.0 ? waterFresnel(cosine, waterEta) : waterReflectance;

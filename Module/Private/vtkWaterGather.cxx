@@ -195,8 +195,14 @@ void vtkWaterGather::Read(
   std::copy(viewport_px, viewport_px + 2, this->scene.viewport_px);
   this->scene.plane = ReadPlane(waters.front());
   ReadPlaneOrigin(waters.front(), this->scene.plane_origin);
-  this->scene.has_waves = std::any_of(waters.begin(), waters.end(),
-    [](vtkWaterActor* water) { return water->GetWaterProperty()->GetNumberOfWaves() > 0; });
+  this->scene.has_waves = false;
+  this->scene.slope_rms = 0.0;
+  for (vtkWaterActor* water : waters)
+  {
+    vtkWaterProperty* property = water->GetWaterProperty();
+    this->scene.has_waves = this->scene.has_waves || property->GetNumberOfWaves() > 0;
+    this->scene.slope_rms = std::max(this->scene.slope_rms, property->GetSlopeRMS());
+  }
 
   vtkBoundingBox surface;
   ClearBounds(this->scene.surface_bounds);

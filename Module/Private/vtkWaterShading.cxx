@@ -66,6 +66,15 @@ bool IsMatte(vtkProp* prop)
   return actor && !actor->GetBackfaceProperty() && actor->GetProperty()->GetSpecular() <= 0.0;
 }
 
+void SetUniform2(vtkShaderProgram* program, const char* name, const double value[2])
+{
+  if (program->IsUniformUsed(name))
+  {
+    const float single[2] = { static_cast<float>(value[0]), static_cast<float>(value[1]) };
+    program->SetUniform2f(name, single);
+  }
+}
+
 void SetUniform3(vtkShaderProgram* program, const char* name, const double value[3])
 {
   if (program->IsUniformUsed(name))
@@ -348,12 +357,8 @@ void vtkWaterShading::SetWaveParameters(vtkShaderProgram* program)
   SetUniform4x3(program, "waterDirToEye", plan.dir_to_eye);
   SetUniform(program, "waterDepthScale", plan.depth_scale);
   SetUniform(program, "waterMapZInfinity", plan.map_z_infinity);
-  if (program->IsUniformUsed("waterMapTolerance"))
-  {
-    const float tolerance[2] = { static_cast<float>(plan.map_tolerance[0]),
-      static_cast<float>(plan.map_tolerance[1]) };
-    program->SetUniform2f("waterMapTolerance", tolerance);
-  }
+  SetUniform2(program, "waterMapTolerance", plan.map_tolerance);
+  SetUniform2(program, "waterMapScale", plan.map_scale);
   SetUniform(program, "waterSteps", property->GetRayTraceSteps());
   SetUniform(program, "waterProbes", property->GetRayTraceProbes());
   SetUniform(program, "waterLookup", property->GetLookup());

@@ -150,6 +150,62 @@ TEST(waves_use_the_whole_map)
   assert_int_equal(plan.texture_rect_px[3], 600);
 }
 
+// A guard band shows more of the same: what the map saw at a place it sees at map_scale times it.
+TEST(guard_band_widens_the_map_about_its_middle)
+{
+  UNUSED;
+  dice from = dice_seeded(64);
+  for (int round = 0; round < 1000; ++round)
+  {
+    random_scene random = wavy(&from, round);
+    const water_plan plain = plan_of(&random.scene, NULL);
+    random.scene.guard_band = dice_roll(&from, 1.0, 2.0);
+    const water_plan wide = plan_of(&random.scene, NULL);
+    double point[3];
+    double before[4];
+    double after[4];
+    point_near(&from, &random, 2.0, point);
+    project(&plain.mirrored, point, 1.0, before);
+    project(&wide.mirrored, point, 1.0, after);
+    ASSERT_CLOSE(after[3], before[3], 1e-12);
+    ASSERT_CLOSE(after[2], before[2], 1e-9);
+    for (int i = 0; i < 2; ++i)
+    {
+      // texels keep their size, and the margins are whole texels
+      assert_true(wide.texture_px[i] >= random.scene.guard_band * plain.texture_px[i]);
+      assert_int_equal((wide.texture_px[i] - plain.texture_px[i]) % 2, 0);
+      ASSERT_CLOSE(after[i] * wide.texture_px[i], before[i] * plain.texture_px[i], 1e-8);
+      ASSERT_CLOSE(wide.map_scale[i] * wide.texture_px[i], plain.texture_px[i], 1e-9);
+    }
+    // the sky of a direction does not depend on the band
+    const double ndc[3] = { dice_roll(&from, -1.0, 1.0), dice_roll(&from, -1.0, 1.0), 1.0 };
+    const double in_wide[3] = { wide.map_scale[0] * ndc[0], wide.map_scale[1] * ndc[1], 1.0 };
+    for (int i = 0; i < 3; ++i)
+    {
+      ASSERT_CLOSE(
+        dot(wide.map_ndc_to_eye + 3 * i, in_wide), dot(plain.map_ndc_to_eye + 3 * i, ndc), 1e-9);
+    }
+  }
+}
+
+// By itself the band grows with the waves up to a quarter, and stops at the GPU's limit.
+TEST(guard_band_follows_the_waves)
+{
+  UNUSED;
+  water_scene scene = lake();
+  scene.has_waves = true;
+  assert_int_equal(plan_of(&scene, NULL).texture_px[0], 800);
+  scene.slope_rms = 0.01;
+  const int some = plan_of(&scene, NULL).texture_px[0];
+  assert_true(some > 800 && some < 1000);
+  scene.slope_rms = 1.0;
+  assert_int_equal(plan_of(&scene, NULL).texture_px[0], 1000);
+  scene.max_texture_px = 901;
+  assert_int_equal(plan_of(&scene, NULL).texture_px[0], 900);
+  scene.has_waves = false;
+  assert_int_equal(plan_of(&scene, NULL).texture_px[0], 800);
+}
+
 int main(void)
 {
   const struct CMUnitTest tests[] = {
@@ -157,6 +213,8 @@ int main(void)
     RUN(directions_lead_to_the_pictures_of_points_along_them),
     RUN(depth_at_infinity_is_where_rays_end),
     RUN(waves_use_the_whole_map),
+    RUN(guard_band_widens_the_map_about_its_middle),
+    RUN(guard_band_follows_the_waves),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -163,6 +163,8 @@ for value in (0.0, -1.0, 17.0, NAN):
     refuses(mirror, "SetTextureScale", "GetTextureScale", value, "16]")
 for value in (-1.0, NAN, INFINITY):
     refuses(mirror, "SetClipMargin", "GetClipMargin", value, "[0, ")
+for value in (0.5, 2.5, NAN):
+    refuses(mirror, "SetGuardBand", "GetGuardBand", value, "[1, 2]")
 refuses(mirror, "SetMultiSamples", "GetMultiSamples", -2, "[-1, 32]")
 for value in (NAN, INFINITY):
     refuses(water, "SetLevel", "GetLevel", value, "finite")
