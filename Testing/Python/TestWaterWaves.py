@@ -112,6 +112,46 @@ for name, camera_z, normal, parallel in (("above", 4, (0, 0, 1), False), ("below
     water.GetWaterProperty().RemoveAllWaves()
     wt.check_equal(f"waves removed, {name}: error", int(np.abs(made.picture() - calm).max()), 0)
 
+# Things that stand in the water touch their reflections, from every heading.
+def count_gaps(lookup, headings):
+    """Columns in which a thing ends on the water, and those of them whose next pixel is not the
+    thing's reflection. A column counts when the thing is there beside it, too."""
+    made = wt.View((200, 150), SKY)
+    wt.add_actor(made.renderer, wt.box((0.3, 0.2, 1), (0.5, 0.9, 3)), (1, 0, 0), lit=False)
+    wt.add_actor(made.renderer, wt.pyramid((-1.2, 0.4, 0.5), 2, 24, 0.6), (1, 0, 0), lit=False)
+    water = wt.add_water(made.renderer, None, (-60, 60, -60, 60))
+    for wave in WAVES:
+        water.GetWaterProperty().AddWave(*wave)
+    getattr(water.GetWaterProperty(), f"SetLookupTo{lookup}")()
+    camera = made.renderer.GetActiveCamera()
+    camera.SetFocalPoint(0, 0, 0.3)
+    camera.SetViewUp(0, 0, 1)
+    camera.SetClippingRange(0.5, 150)
+    columns = gaps = 0
+    for heading in headings:
+        angle = np.radians(heading)
+        camera.SetPosition(9 * np.sin(angle), -9 * np.cos(angle), 2.2)
+        picture = made.picture()
+        is_red = (picture[:, :, 0] > 200) & (picture[:, :, 1] < 60)
+        is_water = wt.water_mask(made, water)
+        is_thing = is_red & ~is_water
+        for x in range(2, 198):
+            rows = np.nonzero(is_thing[:, x])[0]
+            if len(rows) < 3 or not is_water[rows[0] - 1, x]:
+                continue
+            y = rows[0]
+            if is_thing[y:y + 2, x - 2].any() and is_thing[y:y + 2, x + 2].any():
+                columns += 1
+                gaps += not is_red[y - 1, x]
+    return columns, gaps
+
+
+columns, gaps = count_gaps("RayTraced", range(360))
+wt.check_at_least("contact: columns in which a thing ends on the water, 360 headings", columns, 10000)
+wt.check_equal("contact: columns with a gap under the thing", gaps, 0)
+columns, gaps = count_gaps("FixedOffset", range(0, 360, 12))
+print(f"contact: with a fixed offset {gaps} of {columns} columns have a gap")
+
 # The confidence channel says why, and where: a calm pixel of the sky, a box, the picture's border.
 made, water = scene("middle")
 _, mask = truth_of(made, water)
