@@ -213,7 +213,7 @@ void vtkWaterProperty::SetRayTraceQualityToHigh()
 //------------------------------------------------------------------------------
 void vtkWaterProperty::SetOutput(int output)
 {
-  vtkWaterSetInRange(Output, output, COLOR, CONFIDENCE);
+  vtkWaterSetInRange(Output, output, COLOR, LOOKUP);
 }
 
 //------------------------------------------------------------------------------

@@ -172,7 +172,8 @@ public:
   enum Outputs
   {
     COLOR = 0,
-    CONFIDENCE = 1
+    CONFIDENCE = 1,
+    LOOKUP = 2
   };
 
   /**
@@ -191,12 +192,15 @@ public:
 
   ///@{
   /**
-   * What water with waves shows: its COLOR, or the CONFIDENCE of its reflection. Default is COLOR.
+   * What water with waves shows: its COLOR; the CONFIDENCE of its reflection (Confidences); or its
+   * LOOKUP: where in the reflection texture a pixel has its colour from, u and v in [0, 1] as 12
+   * bits each: red and the high half of green are u, the rest v. Default is COLOR.
    */
   void SetOutput(int output);
   vtkGetMacro(Output, int);
   void SetOutputToColor() { this->SetOutput(COLOR); }
   void SetOutputToConfidence() { this->SetOutput(CONFIDENCE); }
+  void SetOutputToLookup() { this->SetOutput(LOOKUP); }
   ///@}
 
 protected:

@@ -80,3 +80,27 @@ void water_lookup_depths(const water_camera* mirrored, double* z_infinity, doubl
   tolerance[0] = is_perspective ? 0.05 : 0.002;
   tolerance[1] = is_perspective ? 0.10 : 0.004;
 }
+
+double water_lookup_top(
+  const water_plane* plane, const water_prop* props, size_t prop_count, const water_fate* fates)
+{
+  double top = 0.0;
+  for (size_t i = 0; i < prop_count; ++i)
+  {
+    if (fates[i] != WATER_DRAW)
+    {
+      continue;
+    }
+    if (props[i].flags & WATER_PROP_NO_BOUNDS)
+    {
+      return (double)INFINITY;
+    }
+    for (int corner = 0; corner < 8; ++corner)
+    {
+      double point[3];
+      water_bounds_corner(props[i].bounds, corner, point);
+      top = fmax(top, water_plane_height(plane, point));
+    }
+  }
+  return top;
+}

@@ -50,6 +50,13 @@ void water_lookup_dirs(const water_camera* camera, const water_axes* axes, doubl
 // Source: measured, Documentation/decisions/006-lookup.md.
 void water_lookup_depths(const water_camera* mirrored, double* z_infinity, double tolerance[2]);
 
+// Height over a plane under which all drawn props lie, >= 0: a ray that got so far sees the sky.
+// Infinite when a drawn prop has no bounds.
+//
+// plane  normalised, normal towards the eye
+double water_lookup_top(
+  const water_plane* plane, const water_prop* props, size_t prop_count, const water_fate* fates);
+
 #ifdef __cplusplus
 }
 #endif

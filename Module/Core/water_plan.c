@@ -122,13 +122,14 @@ static water_status fill_draw(const water_scene* scene, const checked* input,
 }
 
 // plane: normal towards the eye.
-static water_status fill_lookup(
-  const water_scene* scene, const checked* input, const water_plane* plane, water_plan* plan)
+static water_status fill_lookup(const water_scene* scene, const checked* input,
+  const water_plane* plane, const water_fate* fates, water_plan* plan)
 {
   water_axes axes;
   water_plane_axes(input->plane.normal, axes.x_dir, axes.y_dir);
   memcpy(axes.normal, plane->normal, sizeof axes.normal);
   memcpy(axes.origin, scene->plane_origin, sizeof axes.origin);
+  plan->map_top = water_lookup_top(plane, scene->props, scene->prop_count, fates);
   water_lookup_depths(&plan->mirrored, &plan->map_z_infinity, plan->map_tolerance);
   water_lookup_dirs(&plan->mirrored, &axes, plan->dir_to_map);
   water_lookup_dirs(&scene->eye, &axes, plan->dir_to_eye);
@@ -183,7 +184,7 @@ water_status water_plan_make(const water_scene* scene, water_plan* plan, water_f
     }
     if (status == WATER_OK && scene->has_waves)
     {
-      status = fill_lookup(scene, &input, &plane, &made);
+      status = fill_lookup(scene, &input, &plane, fates, &made);
     }
     if (status != WATER_OK)
     {

@@ -150,7 +150,8 @@ typedef struct water_plan
                             // the direction that the map sees there: where the sky is found
   double depth_scale;       // map depth of a point on the water / its depth in the eye's picture
   double map_scale[2];      // part of the map that the eye's own frustum takes, per axis, in (0, 1]
-  double map_z_infinity;    // water_lookup.h, this and the rest; set when the scene has waves
+  double map_top;        // height over the plane of all that is drawn in the map; may be infinite
+  double map_z_infinity; // water_lookup.h, this and the rest; set when the scene has waves
   double map_tolerance[2];
   double dir_to_map[12];  // direction in the plane's axes -> clip of the map
   double dir_to_eye[12];  // the same -> clip of the eye

@@ -7,6 +7,7 @@ uniform sampler2D waterReflectionDepth; // its window depth, 1: nothing drawn; n
 uniform vec2 waterMapScale; // part of the map that is the picture itself, without its band
 uniform mat4 waterDirToMap;             // direction in the plane's axes -> clip of the map
 uniform mat4 waterDirToEye;             // the same -> clip of the eye
+uniform float waterMapTop; // height over the plane of all that the map shows
 uniform float waterMapZInfinity;
 uniform vec2 waterMapTolerance; // settled on a surface; a surface on both sides of a crossing
 uniform int waterSteps;         // of the march
@@ -37,16 +38,23 @@ vec3 waterSky(vec3 dir)
 // Colour in a direction from a point of the water.
 //
 // start   of the ray in the map's window: u, v, depth
-// dir     in the plane's axes, upwards, of any length
+// dir     in the plane's axes, upwards, of unit length
 // reason  one of the first four
-vec3 waterTrace(vec3 start, vec3 dir, out int reason)
+// uv      where in the map that is
+vec3 waterTrace(vec3 start, vec3 dir, out int reason, out vec2 uv)
 {
   vec4 end = waterDirToMap * vec4(dir, 0.0);
   vec3 way = 0.5 * (end.xyz - (2.0 * start - 1.0) * end.w); // the ray is start + s way
   float last = end.w > 1e-6 ? 1.0 / end.w : (way.z > 0.0 ? (1.0 - start.z) / way.z : 1e20);
+  // over the highest thing there is nothing but sky
+  float climb = waterMapTop / max(dir.z, 1e-6);
+  float climbW = 1.0 / gl_FragCoord.w + climb * end.w;
+  float overAll = climbW > 0.0 ? climb / climbW : 1e20;
   vec2 border =
     (step(0.0, way.xy) - start.xy) / mix(way.xy, vec2(1e-9), equal(way.xy, vec2(0.0)));
   float leaves = max(min(border.x, border.y), 0.0);
+  bool isOver = overAll < min(last, leaves);
+  last = min(last, overAll);
   bool isInside = last <= leaves; // the ray ends on the map
   way *= min(last, leaves);       // from here on s is in [0, 1]
 
@@ -72,8 +80,16 @@ vec3 waterTrace(vec3 start, vec3 dir, out int reason)
     isSettled = isSettled && min(probe.z, 1.0) <= waterMapDepth(probe.xy);
   }
 
-  vec2 uv = at.xy;
-  bool isSky = isSettled && s > 0.9999 && depth >= 1.0 && !isInside;
+  // the depth there leads closer still
+  for (int i = 0; i < 2 && isSettled; ++i)
+  {
+    s = clamp((depth - start.z) * perDepth, 0.0, 1.0);
+    at = start + s * way;
+    depth = waterMapDepth(at.xy);
+  }
+  uv = at.xy;
+  bool isEnd = isSettled && s > 0.9999; // nothing was met
+  bool isSky = isEnd && (isOver || (depth >= 1.0 && !isInside));
   reason = s <= 0.9999 ? WATER_HIT : (isInside ? WATER_SKY : WATER_OFF_MAP);
   if (!isSettled)
   {
@@ -108,7 +124,7 @@ vec3 waterTrace(vec3 start, vec3 dir, out int reason)
     if (!isHit)
     {
       uv = start.xy + way.xy;
-      isSky = !isInside && depthEnd >= 1.0;
+      isSky = isOver || (!isInside && depthEnd >= 1.0);
       reason = isInside ? WATER_SKY : WATER_OFF_MAP;
     }
     else if (depthLow - depthHigh <= waterMapTolerance.y * (waterMapZInfinity - depthHigh))
@@ -141,12 +157,13 @@ vec3 waterTrace(vec3 start, vec3 dir, out int reason)
 //
 // start   of the reflected ray in the map's window: u, v, depth
 // reason  one of the above
-vec3 waterReflected(vec3 start, vec3 ray, vec3 normal, out int reason)
+// uv      where in the map that is
+vec3 waterReflected(vec3 start, vec3 ray, vec3 normal, out int reason, out vec2 uv)
 {
   vec3 dir = reflect(ray, normal);
   bool isDownward = dir.z < 0.0;
   dir.z = max(abs(dir.z), 1e-6); // met the water again: bounced off it once more
-  vec3 color = waterTrace(start, dir, reason);
+  vec3 color = waterTrace(start, dir, reason, uv);
   reason = isDownward ? WATER_DOWNWARD : reason;
   return color;
 }

@@ -8,9 +8,10 @@ uniform float waterOffsetScale;
 uniform vec2 waterMapScale;        // part of the map that is the picture itself, without its band
 
 // Colour of the reflection: as in vtkWaterLookupFS.glsl.
-vec3 waterReflected(vec3 start, vec3 ray, vec3 normal, out int reason)
+vec3 waterReflected(vec3 start, vec3 ray, vec3 normal, out int reason, out vec2 uv)
 {
   vec2 offset = waterOffsetScale * waterMapScale * normal.xy * (waterLookup == 2 ? gl_FragCoord.w : 1.0);
   reason = 1;
-  return textureLod(waterReflection, start.xy + vec2(-offset.x, offset.y), 0.0).rgb;
+  uv = start.xy + vec2(-offset.x, offset.y);
+  return textureLod(waterReflection, uv, 0.0).rgb;
 }

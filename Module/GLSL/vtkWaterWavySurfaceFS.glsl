@@ -14,6 +14,15 @@ uniform vec3 waterDeepColor;
 uniform float waterOpacity;
 uniform int waterOutput;        // vtkWaterProperty::Outputs
 
+// A place in the map as a colour: 12 bits of u, then 12 bits of v.
+vec3 waterPack(vec2 uv)
+{
+  vec2 parts = floor(clamp(uv, 0.0, 1.0) * 4095.0 + 0.5);
+  vec2 low = mod(parts, vec2(16.0, 256.0));
+  vec2 high = floor(parts / vec2(16.0, 256.0));
+  return vec3(high.x, 16.0 * low.x + high.y, low.y) / 255.0;
+}
+
 void waterShade(inout vec4 color)
 {
   vec2 ndc = 2.0 * (gl_FragCoord.xy - waterViewport.xy) * waterViewport.zw - 1.0;
@@ -23,17 +32,17 @@ void waterShade(inout vec4 color)
     normalize(vec3(-waterSide * waterSlope(place, dFdx(place), dFdy(place)), 1.0));
   vec3 rgb = waterDeepColor;
   int reason = 0;
+  vec2 uv = vec2(0.0);
   if (waterIsReflecting != 0)
   {
     vec3 ray = normalize(waterNdcToRay * vec3(ndc, 1.0));
     float cosine = clamp(-dot(ray, normal), 0.0, 1.0);
     vec3 start = vec3(0.5 + 0.5 * waterMapScale * vec2(-ndc.x, ndc.y), waterDepthScale * gl_FragCoord.z);
-    vec3 reflection = waterReflected(start, ray, normal, reason);
+    vec3 reflection = waterReflected(start, ray, normal, reason, uv);
     float reflectance =
       waterReflectance < 0.0 ? waterFresnel(cosine, waterEta) : waterReflectance;
     rgb = mix(rgb, reflection, reflectance);
   }
-  color = waterOutput == 0
-    ? vec4(rgb, color.a * waterOpacity)
-    : vec4(vec3(float(reason) / 255.0), 1.0);
+  color = waterOutput == 0 ? vec4(rgb, color.a * waterOpacity)
+                           : vec4(waterOutput == 1 ? vec3(float(reason) / 255.0) : waterPack(uv), 1.0);
 }

@@ -32,7 +32,8 @@ vtkStandardNewMacro(vtkWaterShading);
 
 namespace
 {
-constexpr int kRestSteps = 3; // Newton's steps; the error is under a pixel's slope after two
+constexpr double kFarUp = 1e30; // for a float
+constexpr int kRestSteps = 3;   // Newton's steps; the error is under a pixel's slope after two
 
 // Puts text before a tag and keeps the tag for whoever comes next.
 void InsertBefore(std::string& source, const std::string& tag, const std::string& text)
@@ -356,6 +357,7 @@ void vtkWaterShading::SetWaveParameters(vtkShaderProgram* program)
   SetUniform4x3(program, "waterDirToMap", plan.dir_to_map);
   SetUniform4x3(program, "waterDirToEye", plan.dir_to_eye);
   SetUniform(program, "waterDepthScale", plan.depth_scale);
+  SetUniform(program, "waterMapTop", std::min(plan.map_top, kFarUp));
   SetUniform(program, "waterMapZInfinity", plan.map_z_infinity);
   SetUniform2(program, "waterMapTolerance", plan.map_tolerance);
   SetUniform2(program, "waterMapScale", plan.map_scale);

@@ -206,6 +206,28 @@ TEST(guard_band_follows_the_waves)
   assert_int_equal(plan_of(&scene, NULL).texture_px[0], 800);
 }
 
+// Over the highest corner of what is drawn there is only sky; what is not drawn does not count, and
+// a prop without bounds may reach anywhere.
+TEST(top_is_the_highest_drawn_corner)
+{
+  UNUSED;
+  water_scene scene = lake();
+  scene.has_waves = true;
+  water_prop props[3] = { { { -1.0, 1.0, -1.0, 1.0, -2.0, 3.0 }, WATER_PROP_VISIBLE },
+    { { -2.0, 2.0, -2.0, 2.0, 0.0, 4.0 }, WATER_PROP_VISIBLE },
+    { { -1.0, 1.0, -1.0, 1.0, 0.0, 9.0 }, 0u } };
+  water_fate fates[3];
+  scene.props = props;
+  scene.prop_count = 3;
+  ASSERT_CLOSE(plan_of(&scene, fates).map_top, 4.0, 1e-12);
+  scene.plane.offset = -1.0; // the water rises by 1
+  ASSERT_CLOSE(plan_of(&scene, fates).map_top, 3.0, 1e-12);
+  props[0].flags |= WATER_PROP_NO_BOUNDS;
+  assert_true(isinf(plan_of(&scene, fates).map_top));
+  scene.prop_count = 0;
+  ASSERT_CLOSE(plan_of(&scene, NULL).map_top, 0.0, 0.0);
+}
+
 int main(void)
 {
   const struct CMUnitTest tests[] = {
@@ -215,6 +237,7 @@ int main(void)
     RUN(waves_use_the_whole_map),
     RUN(guard_band_widens_the_map_about_its_middle),
     RUN(guard_band_follows_the_waves),
+    RUN(top_is_the_highest_drawn_corner),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

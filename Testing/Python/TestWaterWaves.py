@@ -246,6 +246,6 @@ for time in (NAN, INFINITY):
 for setter, value, words in (("SetDepth", 0.0, ("greater than 0",)), ("SetDepth", NAN, ("nan",)),
                              ("SetLookup", 3, ("[0, 2]",)), ("SetRayTraceSteps", 0, ("[1, 256]",)),
                              ("SetRayTraceProbes", -1, ("[0, 64]",)), ("SetOffsetScale", NAN, ("nan",)),
-                             ("SetOutput", 2, ("[0, 1]",))):
+                             ("SetOutput", 3, ("[0, 2]",))):
     refused(f"{setter}({value})", (vtkWaterProperty(), lambda it: getattr(it, setter)(value)), words)
 wt.finish()
