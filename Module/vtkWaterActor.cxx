@@ -12,7 +12,7 @@
 #include "vtkPlane.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
-#include "vtkTextureObject.h"
+#include "vtkWaterAccess.h"
 #include "vtkWaterCompat.h"
 #include "vtkWaterErrors.h"
 #include "vtkWaterGL.h"
@@ -21,11 +21,11 @@
 #include "vtkWaterReflectionPass.h"
 #include "vtkWaterShading.h"
 #include "vtkWaterSheet.h"
+#include "vtkWaterSurface.h"
 #include "water_plan.h"
 #include "water_waves.h"
 
 #include <algorithm>
-#include <array>
 
 VTK_ABI_NAMESPACE_BEGIN
 vtkStandardNewMacro(vtkWaterActor);
@@ -56,6 +56,7 @@ vtkWaterActor::vtkWaterActor()
   , WaterProperty(vtkSmartPointer<vtkWaterProperty>::New())
   , OwnPass(vtkSmartPointer<vtkWaterReflectionPass>::New())
   , Sheet(std::make_unique<vtkWaterSheet>())
+  , Surface(std::make_unique<vtkWaterSurface>())
 {
   this->Superclass::SetMapper(this->Sheet->GetMapper());
 }
@@ -308,6 +309,29 @@ void vtkWaterActor::SetMapper(vtkMapper* mapper)
 }
 
 //------------------------------------------------------------------------------
+void vtkWaterActor::DrawLast(vtkRenderer* renderer)
+{
+  vtkProp** props = vtkWaterAccess::Renderer::PropsOf(renderer);
+  vtkProp** end = props ? props + vtkWaterAccess::Renderer::PropCountOf(renderer) : nullptr;
+  vtkProp** self = std::find(props, end, this);
+  auto isLast = [](vtkProp* prop) {
+    auto* water = vtkWaterActor::SafeDownCast(prop);
+    return water && (vtkWaterSurface::GetStages(water->WaterProperty) & vtkWaterSurface::BODY);
+  };
+  if (self == end || std::all_of(self, end, isLast))
+  {
+    return;
+  }
+  std::rotate(self, self + 1, end);
+  // The renderer is in the middle of allotting times, by place; it has done this one.
+  vtkProp* next = *self;
+  const double mine = this->GetRenderTimeMultiplier();
+  next->SetAllocatedRenderTime(
+    mine > 0.0 ? this->AllocatedRenderTime * next->GetRenderTimeMultiplier() / mine : 0.0,
+    renderer);
+}
+
+//------------------------------------------------------------------------------
 void vtkWaterActor::SetAllocatedRenderTime(double seconds, vtkViewport* viewport)
 {
   this->Superclass::SetAllocatedRenderTime(seconds, viewport);
@@ -319,6 +343,10 @@ void vtkWaterActor::SetAllocatedRenderTime(double seconds, vtkViewport* viewport
     vtkWaterShading::GetOfThread()->IsInMirroredView())
   {
     return;
+  }
+  if (vtkWaterSurface::GetStages(this->WaterProperty) & vtkWaterSurface::BODY)
+  {
+    this->DrawLast(renderer);
   }
   if (renderer->GetSelector())
   {
@@ -420,66 +448,22 @@ void vtkWaterActor::Render(vtkRenderer* renderer, vtkMapper* mapper)
   }
   shading->Keys.Add(this);
   vtkWaterReflectionPass* pass = this->GetReflectionPass();
-  vtkWaterSurface surface{};
-  surface.Renderer = renderer;
-  surface.Property = this->WaterProperty;
   const bool isPlain = renderer->GetSelector() || this->HasSheetError();
-  surface.Plan = isPlain ? nullptr : pass->GetFreshPlan(renderer, this);
-  surface.Reflection = pass->GetTexture(renderer, this);
-  surface.IsFlat = this->UsesOwnSheet() && this->GetIsIdentity();
-  if (surface.Plan)
+  vtkWaterSurface::Frame frame;
+  frame.Renderer = static_cast<vtkOpenGLRenderer*>(renderer);
+  frame.Plan = isPlain ? nullptr : pass->GetFreshPlan(renderer, this);
+  frame.Reflection = pass->GetTexture(renderer, this);
+  frame.ReflectionDepth = frame.Plan ? pass->GetReflectionDepthTexture() : nullptr;
+  frame.IsFlat = this->UsesOwnSheet() && this->GetIsIdentity();
+  if (this->Surface->UpdateStages(this->WaterProperty))
   {
-    // where pixel meets texel, one texel is the same as four
-    int drawn[4];
-    static_cast<vtkOpenGLRenderer*>(renderer)->GetState()->vtkglGetIntegerv(GL_VIEWPORT, drawn);
-    const bool isAligned = this->WaterProperty->GetNumberOfWaves() == 0 && surface.IsFlat &&
-      std::equal(drawn + 2, drawn + 4, surface.Plan->texture_px);
-    const int filter = isAligned ? vtkTextureObject::Nearest : vtkTextureObject::Linear;
-    surface.Reflection->SetMinificationFilter(filter);
-    surface.Reflection->SetMagnificationFilter(filter);
-  }
-  surface.WaveCount = this->WaterProperty->GetNumberOfWaves();
-  const int variant = vtkWaterShading::GetVariant(this->WaterProperty);
-  if (this->ShaderVariant != variant)
-  {
-    this->ShaderVariant = variant;
     this->GetProperty()->Modified(); // the mapper builds the other shader
   }
-  if (surface.Plan && surface.WaveCount > 0)
-  {
-    const std::vector<water_wave_term> terms = this->GetWaveTerms();
-    std::vector<water_wave_row> rows(terms.size());
-    water_waves_rows(terms.data(), terms.size(), surface.Plan->origin_xy[0],
-      surface.Plan->origin_xy[1], rows.data());
-    std::vector<float> table;
-    for (const water_wave_row& row : rows)
-    {
-      table.insert(table.end(),
-        { row.k[0], row.k[1], row.amplitude, row.phase, row.steepness, 0.0f, 0.0f, 0.0f });
-      surface.IsSteep = surface.IsSteep || row.steepness > 0.0f;
-    }
-    surface.Waves = pass->GetWaves(renderer, table, surface.WaveCount);
-    surface.ReflectionDepth = pass->GetReflectionDepthTexture();
-  }
-  const std::array<vtkTextureObject*, 3> textures{ surface.Reflection, surface.ReflectionDepth,
-    surface.Waves };
-  for (vtkTextureObject* texture : textures)
-  {
-    if (texture)
-    {
-      texture->Activate();
-    }
-  }
-  shading->BeginSurface(surface);
+  this->Surface->Begin(this, frame);
+  shading->BeginSurface(this->Surface.get());
   this->Superclass::Render(renderer, mapper);
   shading->EndSurface();
-  for (vtkTextureObject* texture : textures)
-  {
-    if (texture)
-    {
-      texture->Deactivate();
-    }
-  }
+  this->Surface->End();
 }
 
 //------------------------------------------------------------------------------
@@ -502,6 +486,7 @@ vtkTypeBool vtkWaterActor::HasTranslucentPolygonalGeometry()
 void vtkWaterActor::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->OwnPass->ReleaseGraphicsResources(window);
+  this->Surface->ReleaseGraphicsResources(window);
   this->Superclass::ReleaseGraphicsResources(window);
 }
 

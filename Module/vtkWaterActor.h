@@ -45,6 +45,7 @@ class vtkPlane;
 class vtkWaterProperty;
 class vtkWaterReflectionPass;
 class vtkWaterSheet;
+class vtkWaterSurface;
 struct vtkWaterError;
 struct water_wave_term;
 
@@ -160,6 +161,7 @@ private:
   void operator=(const vtkWaterActor&) = delete;
 
   friend class vtkWaterReflectionPass;
+  friend class vtkWaterSurface;
 
   struct SourcedError
   {
@@ -179,6 +181,9 @@ private:
   bool HasSheetError() const;
   // The waves at the actor's time.
   std::vector<water_wave_term> GetWaveTerms();
+  // What is seen through the surface must be there before it: puts it behind all other props in the
+  // order of this frame.
+  void DrawLast(vtkRenderer* renderer);
   // A nested mirror for a draw whose camera was not the one mirrored before the frame.
   void RenderReflectionIfStale(vtkViewport* viewport);
 
@@ -187,11 +192,11 @@ private:
   vtkSmartPointer<vtkWaterReflectionPass> OwnPass;
   vtkWeakPointer<vtkWaterReflectionPass> ComposedPass;
   std::unique_ptr<vtkWaterSheet> Sheet;
+  std::unique_ptr<vtkWaterSurface> Surface;
   double SheetBounds[4] = { 0.0, 0.0, 0.0, 0.0 };
   bool UseSheetBounds = false;
   bool IsUpdatingSheet = false;
   double Time = 0.0;
-  int ShaderVariant = 0; // of the shader that the mapper has built: vtkWaterShading::Variants
   std::vector<SourcedError> Errors;
 };
 

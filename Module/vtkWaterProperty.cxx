@@ -4,9 +4,14 @@
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"
 #include "vtkWaterCompat.h"
+#include "water_body.h"
+#include "water_preset.h"
 #include "water_waves.h"
 
+#include <algorithm>
+#include <cstring>
 #include <limits>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -16,6 +21,7 @@ vtkStandardNewMacro(vtkWaterProperty);
 struct vtkWaterProperty::Internals
 {
   std::vector<water_wave> Waves;
+  double Extinction[3]; // 1/m
 };
 
 //------------------------------------------------------------------------------
@@ -23,6 +29,9 @@ vtkWaterProperty::vtkWaterProperty()
   : Internal(std::make_unique<Internals>())
   , Depth(std::numeric_limits<double>::infinity())
 {
+  water_preset lake;
+  water_preset_find("lake", &lake);
+  this->UseMedium(lake.medium);
 }
 
 //------------------------------------------------------------------------------
@@ -73,6 +82,134 @@ void vtkWaterProperty::SetDeepColor(double red, double green, double blue)
     this->DeepColor[2] = blue;
     this->Modified();
   }
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterProperty::SetRefraction(bool refraction)
+{
+  if (this->Refraction != refraction)
+  {
+    this->Refraction = refraction;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterProperty::SetMedium(
+  const char* name, double (vtkWaterProperty::*member)[3], const double value[3])
+{
+  water_medium medium;
+  const double(&last)[3] = this->*member;
+  std::copy(this->Absorption, this->Absorption + 3, medium.absorption);
+  std::copy(this->Scattering, this->Scattering + 3, medium.scattering);
+  std::copy(value, value + 3,
+    member == &vtkWaterProperty::Absorption ? medium.absorption : medium.scattering);
+  const water_status status = water_body_check(&medium);
+  if (status != WATER_OK)
+  {
+    vtkErrorMacro(<< name << " is (" << value[0] << ", " << value[1] << ", " << value[2]
+                  << "): " << water_status_text(status) << ". It stays (" << last[0] << ", "
+                  << last[1] << ", " << last[2] << ").");
+  }
+  else if (!std::equal(value, value + 3, last))
+  {
+    this->UseMedium(medium);
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterProperty::UseMedium(const water_medium& medium)
+{
+  std::copy(medium.absorption, medium.absorption + 3, this->Absorption);
+  std::copy(medium.scattering, medium.scattering + 3, this->Scattering);
+  water_body_extinction(&medium, this->Internal->Extinction);
+}
+
+//------------------------------------------------------------------------------
+const double* vtkWaterProperty::GetExtinction() const
+{
+  return this->Internal->Extinction;
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterProperty::SetAbsorption(double red, double green, double blue)
+{
+  const double perMetre[3] = { red, green, blue };
+  this->SetMedium("Absorption", &vtkWaterProperty::Absorption, perMetre);
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterProperty::SetScattering(double red, double green, double blue)
+{
+  const double perMetre[3] = { red, green, blue };
+  this->SetMedium("Scattering", &vtkWaterProperty::Scattering, perMetre);
+}
+
+//------------------------------------------------------------------------------
+bool vtkWaterProperty::SetWaterType(const char* name)
+{
+  for (int type = 0; name && type < WATER_TYPE_COUNT; ++type)
+  {
+    water_medium medium;
+    if (std::strcmp(name, water_type_text(static_cast<water_type>(type))) == 0 &&
+      water_type_medium(static_cast<water_type>(type), &medium) == WATER_OK)
+    {
+      this->UseMedium(medium);
+      water_body_deep_color(&medium, this->DeepColor);
+      this->Modified();
+      return true;
+    }
+  }
+  vtkErrorMacro("WaterType is '" << (name ? name : "(null)") << "'; it must be one of I, IA, IB, "
+                                 << "II, III, 1C, 3C, 5C, 7C, 9C. The water stays as it was.");
+  return false;
+}
+
+//------------------------------------------------------------------------------
+bool vtkWaterProperty::SetPreset(const char* name)
+{
+  water_preset preset;
+  if (water_preset_find(name, &preset) != WATER_OK)
+  {
+    std::string known;
+    for (int i = 0; i < GetNumberOfPresets(); ++i)
+    {
+      known += std::string(i ? ", " : "") + GetPresetName(i);
+    }
+    vtkErrorMacro("Preset is '" << (name ? name : "(null)") << "'; it must be one of " << known
+                                << ". The water stays as it was.");
+    return false;
+  }
+  this->ReflectanceMode = preset.look.constant_reflectance ? CONSTANT : FRESNEL;
+  this->Reflectance = preset.look.constant_reflectance ? preset.look.reflectance : 1.0;
+  this->IndexOfRefraction = preset.look.index_of_refraction;
+  this->Refraction = !preset.look.constant_reflectance;
+  this->UseMedium(preset.medium);
+  water_body_deep_color(&preset.medium, this->DeepColor);
+  this->Internal->Waves.assign(preset.waves, preset.waves + preset.wave_count);
+  this->Depth = preset.has_sea ? preset.sea.depth : std::numeric_limits<double>::infinity();
+  this->Modified();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+int vtkWaterProperty::GetNumberOfPresets()
+{
+  return static_cast<int>(water_preset_count());
+}
+
+//------------------------------------------------------------------------------
+const char* vtkWaterProperty::GetPresetName(int number)
+{
+  return number < 0 ? nullptr : water_preset_name(static_cast<size_t>(number));
+}
+
+//------------------------------------------------------------------------------
+const char* vtkWaterProperty::GetPresetSource(const char* name)
+{
+  water_preset preset;
+  return water_preset_find(name, &preset) == WATER_OK ? preset.source : nullptr;
 }
 
 //------------------------------------------------------------------------------
@@ -213,7 +350,7 @@ void vtkWaterProperty::SetRayTraceQualityToHigh()
 //------------------------------------------------------------------------------
 void vtkWaterProperty::SetOutput(int output)
 {
-  vtkWaterSetInRange(Output, output, COLOR, LOOKUP);
+  vtkWaterSetInRange(Output, output, COLOR, REFLECTANCE);
 }
 
 //------------------------------------------------------------------------------
@@ -225,6 +362,11 @@ void vtkWaterProperty::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "IndexOfRefraction: " << this->IndexOfRefraction << "\n";
   os << indent << "DeepColor: (" << this->DeepColor[0] << ", " << this->DeepColor[1] << ", "
      << this->DeepColor[2] << ")\n";
+  os << indent << "Refraction: " << (this->Refraction ? "on" : "off") << "\n";
+  os << indent << "Absorption: (" << this->Absorption[0] << ", " << this->Absorption[1] << ", "
+     << this->Absorption[2] << ")\n";
+  os << indent << "Scattering: (" << this->Scattering[0] << ", " << this->Scattering[1] << ", "
+     << this->Scattering[2] << ")\n";
   os << indent << "Opacity: " << this->Opacity << "\n";
   os << indent << "Depth: " << this->Depth << "\n";
   os << indent << "Waves: " << this->GetNumberOfWaves() << "\n";

@@ -3,9 +3,10 @@
  * @class   vtkWaterProperty
  * @brief   how a water surface looks
  *
- * The colour of a water pixel is the reflection, weighted by the reflectance, over the water's own
- * colour. Setters refuse a value outside the stated range: an error names the value and the range,
- * and the last good value stays.
+ * The colour of a water pixel is the reflection, weighted by the reflectance, over what is seen
+ * through the surface: the water's own colour, or, with Refraction, the scene beneath. Setters
+ * refuse a value outside the stated range: an error names the value and the range, and the last
+ * good value stays.
  *
  * @sa vtkWaterActor
  */
@@ -17,6 +18,7 @@
 
 #include <memory> // for std::unique_ptr
 
+struct water_medium;
 struct water_wave;
 
 #ifdef VTK_ABI_NAMESPACE_BEGIN
@@ -71,8 +73,68 @@ public:
 
   ///@{
   /**
+   * Whether the scene beyond the surface is seen through it: refracted by Snell's law, dimmed by
+   * Absorption and Scattering on its way through the water, and turning into DeepColor with the
+   * length of the way. It is taken from the main picture, without another view of the scene: the
+   * water is then drawn after all other opaque props, and translucent ones and volumes are not seen
+   * through it. Has no effect on water with an Opacity below 1. Default is off: DeepColor alone.
+   */
+  void SetRefraction(bool refraction);
+  vtkGetMacro(Refraction, bool);
+  vtkBooleanMacro(Refraction, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Absorption and scattering of the water, 1/m at 650, 550 and 450 nm (red, green, blue): finite
+   * and not negative; the scene's unit is taken for a metre. After a way of x metres the part
+   * exp(-(absorption + scattering) x) of the light is left. Only scattering out of the line of
+   * sight counts: of real water the part scattered backward. Default is the preset "lake".
+   */
+  void SetAbsorption(double red, double green, double blue);
+  void SetAbsorption(const double perMetre[3])
+  {
+    this->SetAbsorption(perMetre[0], perMetre[1], perMetre[2]);
+  }
+  vtkGetVector3Macro(Absorption, double);
+  void SetScattering(double red, double green, double blue);
+  void SetScattering(const double perMetre[3])
+  {
+    this->SetScattering(perMetre[0], perMetre[1], perMetre[2]);
+  }
+  vtkGetVector3Macro(Scattering, double);
+  ///@}
+
+  /**
+   * Sets Absorption and Scattering to those of one of Jerlov's optical water types: "I", "IA",
+   * "IB", "II", "III" (ocean), "1C", "3C", "5C", "7C", "9C" (coast, clear to turbid), and DeepColor
+   * to the colour of such water without an end under white daylight, 0.33 b / (a + b).
+   *
+   * Returns false, with an error, for another name.
+   *
+   * Sources: Jerlov 1976, "Marine Optics", table XXVII; Morel and Prieur 1977, "Analysis of
+   * Variations in Ocean Color" (the colour).
+   */
+  bool SetWaterType(const char* name);
+
+  /**
+   * Sets everything to a water of this name: "pool", "lake", "clear tropical", "ocean wind 5",
+   * "ocean wind 10", "ocean wind 15" (m/s), "turbid river" or "mirror floor". GetPresetSource says
+   * where its numbers come from (nullptr for another name). Lookup, its numbers, Output and Opacity
+   * stay.
+   *
+   * Returns false, with an error, for another name; then nothing changes.
+   */
+  bool SetPreset(const char* name);
+  static int GetNumberOfPresets();
+  static const char* GetPresetName(int number); // nullptr from the number on
+  static const char* GetPresetSource(const char* name);
+
+  ///@{
+  /**
    * Colour of the water itself, seen where it does not reflect: red, green, blue, each in [0, 1].
-   * It is not lit. Default is (0.02, 0.09, 0.13), a deep lake.
+   * It is not lit. With Refraction the colour of water without an end. Default is (0.02, 0.09,
+   * 0.13), a deep lake.
    */
   void SetDeepColor(double red, double green, double blue);
   void SetDeepColor(const double rgb[3]) { this->SetDeepColor(rgb[0], rgb[1], rgb[2]); }
@@ -173,12 +235,13 @@ public:
   {
     COLOR = 0,
     CONFIDENCE = 1,
-    LOOKUP = 2
+    LOOKUP = 2,
+    REFLECTANCE = 3
   };
 
   /**
    * Why a pixel has its colour, as OUTPUT CONFIDENCE shows it: all three channels are this number
-   * of 255. Only water with waves has it.
+   * of 255.
    */
   enum Confidences
   {
@@ -192,15 +255,17 @@ public:
 
   ///@{
   /**
-   * What water with waves shows: its COLOR; the CONFIDENCE of its reflection (Confidences); or its
-   * LOOKUP: where in the reflection texture a pixel has its colour from, u and v in [0, 1] as 12
-   * bits each: red and the high half of green are u, the rest v. Default is COLOR.
+   * What the water shows: its COLOR; the CONFIDENCE of its reflection (Confidences); its LOOKUP:
+   * where in the reflection texture a pixel has its colour from, u and v in [0, 1] as 12 bits each:
+   * red and the high half of green are u, the rest v; or its REFLECTANCE, in [0, 1] as 16 bits: red
+   * is the high byte and green the low one. Default is COLOR.
    */
   void SetOutput(int output);
   vtkGetMacro(Output, int);
   void SetOutputToColor() { this->SetOutput(COLOR); }
   void SetOutputToConfidence() { this->SetOutput(CONFIDENCE); }
   void SetOutputToLookup() { this->SetOutput(LOOKUP); }
+  void SetOutputToReflectance() { this->SetOutput(REFLECTANCE); }
   ///@}
 
 protected:
@@ -212,13 +277,21 @@ private:
   void operator=(const vtkWaterProperty&) = delete;
 
   friend class vtkWaterActor;
+  friend class vtkWaterSurface;
   const water_wave* GetWaves() const;
+  const double* GetExtinction() const; // absorption + scattering
+  // Sets one of the two when the water has good numbers then.
+  void SetMedium(const char* name, double (vtkWaterProperty::*member)[3], const double value[3]);
+  void UseMedium(const water_medium& medium);
 
   struct Internals;
   std::unique_ptr<Internals> Internal;
   int ReflectanceMode = FRESNEL;
   double Reflectance = 1.0;
   double IndexOfRefraction = 1.333;
+  bool Refraction = false;
+  double Absorption[3] = { 0.0, 0.0, 0.0 };
+  double Scattering[3] = { 0.0, 0.0, 0.0 };
   double DeepColor[3] = { 0.02, 0.09, 0.13 };
   double Opacity = 1.0;
   double Depth;

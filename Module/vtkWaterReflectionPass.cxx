@@ -33,7 +33,7 @@ static_assert(static_cast<int>(vtkWaterReflectionPass::OUT_OF_VIEW) == WATER_SKI
     static_cast<int>(vtkWaterReflectionPass::NUMBER_OF_FATES) == WATER_FATE_COUNT,
   "the public fates mirror the core's");
 static_assert(
-  static_cast<int>(vtkWaterReflectionPass::NO_REFLECTANCE) == WATER_NO_REFLECT_NO_REFLECTANCE &&
+  static_cast<int>(vtkWaterReflectionPass::STATIC_ENVIRONMENT) == WATER_NO_REFLECT_ENVIRONMENT &&
     static_cast<int>(vtkWaterReflectionPass::NUMBER_OF_DECISIONS) == WATER_DECISION_COUNT,
   "the public decisions mirror the core's");
 
@@ -49,7 +49,6 @@ struct vtkWaterReflectionPass::Internals
   {
     vtkWeakPointer<vtkRenderer> Renderer;
     vtkWaterMirror Mirror;
-    vtkSmartPointer<vtkTextureObject> Waves;
   };
 
   std::map<vtkRenderer*, std::shared_ptr<View>> Views; // shared: a view in use outlives its release
@@ -194,6 +193,7 @@ const char* vtkWaterReflectionPass::GetDecisionAsString() const
 void vtkWaterReflectionPass::SetDecision(int decision)
 {
   this->Internal->Plan.decision = static_cast<water_decision>(decision);
+  this->Internal->Plan.has_view = false;
 }
 
 //------------------------------------------------------------------------------
@@ -257,11 +257,11 @@ void vtkWaterReflectionPass::RenderReflection(
     if (internal.GetPlannedView() != view.get())
     {
       view->Mirror.ReleaseGraphicsResources(window); // was wanted in the middle of it
-      internal.Plan.decision = WATER_NOT_PLANNED;
+      this->SetDecision(WATER_NOT_PLANNED);
     }
     else if (failure)
     {
-      internal.Plan.decision = WATER_NO_REFLECT_FAILED;
+      this->SetDecision(WATER_NO_REFLECT_FAILED);
       error.Kind = failure;
       error.Text = error.Kind + ". The water shows its plain colour.";
     }
@@ -298,40 +298,25 @@ bool vtkWaterReflectionPass::IsFresh(vtkRenderer* renderer, vtkWaterActor* water
 const water_plan* vtkWaterReflectionPass::GetFreshPlan(
   vtkRenderer* renderer, vtkWaterActor* water) const
 {
-  return this->Internal->Plan.decision == WATER_REFLECT && this->IsFresh(renderer, water)
-    ? &this->Internal->Plan
-    : nullptr;
+  return this->Internal->Plan.has_view && this->IsFresh(renderer, water) ? &this->Internal->Plan
+                                                                         : nullptr;
 }
 
 //------------------------------------------------------------------------------
 vtkTextureObject* vtkWaterReflectionPass::GetTexture(vtkRenderer* renderer, vtkWaterActor* water)
 {
   vtkWaterMirror& mirror = this->Internal->GetView(renderer)->Mirror;
-  return this->GetFreshPlan(renderer, water)
+  const water_plan* plan = this->GetFreshPlan(renderer, water);
+  return plan && plan->decision == WATER_REFLECT
     ? mirror.GetColor()
     : mirror.GetBlank(static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow()));
 }
 
 //------------------------------------------------------------------------------
-vtkTextureObject* vtkWaterReflectionPass::GetWaves(
-  vtkRenderer* renderer, std::vector<float>& rows, int count)
-{
-  auto view = this->Internal->GetView(renderer);
-  if (!view->Waves)
-  {
-    view->Waves = vtkSmartPointer<vtkTextureObject>::New();
-    view->Waves->SetContext(static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow()));
-    view->Waves->SetMinificationFilter(vtkTextureObject::Nearest);
-    view->Waves->SetMagnificationFilter(vtkTextureObject::Nearest);
-  }
-  view->Waves->Create2DFromRaw(2, static_cast<unsigned int>(count), 4, VTK_FLOAT, rows.data());
-  return view->Waves;
-}
-
-//------------------------------------------------------------------------------
 void vtkWaterReflectionPass::RenderCorner(vtkRenderer* renderer, vtkWaterActor* water)
 {
-  if (this->GetFreshPlan(renderer, water))
+  const water_plan* plan = this->GetFreshPlan(renderer, water);
+  if (plan && plan->decision == WATER_REFLECT)
   {
     vtkWaterMirror& mirror = this->Internal->GetView(renderer)->Mirror;
     mirror.GetScreen().DrawCorner(renderer, mirror.GetColor());
@@ -445,10 +430,6 @@ void vtkWaterReflectionPass::ReleaseGraphicsResources(vtkWindow* window)
       if (!view->Mirror.GetIsDrawing()) // else RenderReflection does it
       {
         view->Mirror.ReleaseGraphicsResources(window);
-      }
-      if (view->Waves && window)
-      {
-        view->Waves->ReleaseGraphicsResources(window);
       }
     }
     else

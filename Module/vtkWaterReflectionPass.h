@@ -77,6 +77,7 @@ public:
     EDGE_ON,
     WATER_OUT_OF_VIEW,
     NO_REFLECTANCE,
+    STATIC_ENVIRONMENT,
     NUMBER_OF_DECISIONS
   };
 
@@ -198,15 +199,13 @@ private:
     vtkRenderer* renderer, const std::vector<vtkWaterActor*>& waters, const int viewport_px[2]);
   // Was the frame that is being rendered planned for this water and the renderer's active camera?
   bool IsFresh(vtkRenderer* renderer, vtkWaterActor* water) const;
-  // The plan whose map shows the water's reflection in this frame, nullptr when there is none.
+  // The plan of this frame, nullptr when it has no view.
   const water_plan* GetFreshPlan(vtkRenderer* renderer, vtkWaterActor* water) const;
   // The map, or a blank texture when there is none.
   vtkTextureObject* GetTexture(vtkRenderer* renderer, vtkWaterActor* water);
-  // A table of waves for the shader: count rows of 2 x 4 numbers.
-  vtkTextureObject* GetWaves(vtkRenderer* renderer, std::vector<float>& rows, int count);
   void RenderCorner(vtkRenderer* renderer, vtkWaterActor* water);
   void RenderReflectionAndDelegate(const vtkRenderState* s);
-  void SetDecision(int decision);
+  void SetDecision(int decision); // one without a view
 
   std::unique_ptr<Internals> Internal;
   vtkSmartPointer<vtkRenderPass> DelegatePass;

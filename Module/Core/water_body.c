@@ -91,6 +91,25 @@ double water_body_apparent_depth(double depth, double cosine, double eta)
   return depth * clamp_unit(cosine) / (eta * water_body_cosine(cosine, eta));
 }
 
+void water_body_extinction(const water_medium* medium, double extinction[3])
+{
+  for (int channel = 0; channel < 3; ++channel)
+  {
+    extinction[channel] = medium->absorption[channel] + medium->scattering[channel];
+  }
+}
+
+void water_body_deep_color(const water_medium* medium, double color[3])
+{
+  double extinction[3];
+  water_body_extinction(medium, extinction);
+  for (int channel = 0; channel < 3; ++channel)
+  {
+    color[channel] =
+      extinction[channel] > 0.0 ? 0.33 * (medium->scattering[channel] / extinction[channel]) : 0.0;
+  }
+}
+
 void water_body_transmittance(const water_medium* medium, double path, double transmittance[3])
 {
   for (int i = 0; i < 3; ++i)

@@ -66,8 +66,11 @@ static water_decision decide(const water_scene* scene, water_side side)
   {
     return WATER_NO_REFLECT_NO_REFLECTANCE;
   }
-  return water_select_is_in_view(&scene->eye, scene->surface_bounds) ? WATER_REFLECT
-                                                                     : WATER_NO_REFLECT_OUT_OF_VIEW;
+  if (!water_select_is_in_view(&scene->eye, scene->surface_bounds))
+  {
+    return WATER_NO_REFLECT_OUT_OF_VIEW;
+  }
+  return scene->has_environment ? WATER_NO_REFLECT_ENVIRONMENT : WATER_REFLECT;
 }
 
 static water_plane turn_to_eye(const water_plane* plane, water_side side)
@@ -79,7 +82,16 @@ static water_plane turn_to_eye(const water_plane* plane, water_side side)
   return turned;
 }
 
-// plane: normal towards the eye.
+static water_axes axes_of(const water_scene* scene, const checked* input, const water_plane* plane)
+{
+  water_axes axes;
+  water_plane_axes(input->plane.normal, axes.x_dir, axes.y_dir);
+  memcpy(axes.normal, plane->normal, sizeof axes.normal);
+  memcpy(axes.origin, scene->plane_origin, sizeof axes.origin);
+  return axes;
+}
+
+// plane: normal towards the eye; plane_view of the plan is set.
 static water_status fill_draw(const water_scene* scene, const checked* input,
   const water_plane* plane, water_plan* plan, water_fate* fates)
 {
@@ -99,7 +111,7 @@ static water_status fill_draw(const water_scene* scene, const checked* input,
   plan->depth_scale = water_mirror_reach(scene->props, scene->prop_count, fates, &plan->mirrored);
   water_mirror_pose(
     &plan->mirrored, plan->mirrored_position, plan->mirrored_focal_point, plan->mirrored_view_up);
-  water_camera_plane_view(&input->eye, plane, plan->plane_view);
+  water_mirror_headlight(plan->plane_view, plan->headlight_dir);
   water_mirror_clip_view(plan->plane_view, scene->clip_margin, plan->clip_plane_view);
   if (scene->has_waves)
   {
@@ -122,38 +134,32 @@ static water_status fill_draw(const water_scene* scene, const checked* input,
 }
 
 // plane: normal towards the eye.
-static water_status fill_lookup(const water_scene* scene, const checked* input,
-  const water_plane* plane, const water_fate* fates, water_plan* plan)
+static water_status fill_view(const water_scene* scene, const checked* input,
+  const water_plane* plane, const water_axes* axes, water_plan* plan)
 {
-  water_axes axes;
-  water_plane_axes(input->plane.normal, axes.x_dir, axes.y_dir);
-  memcpy(axes.normal, plane->normal, sizeof axes.normal);
-  memcpy(axes.origin, scene->plane_origin, sizeof axes.origin);
-  plan->map_top = water_lookup_top(plane, scene->props, scene->prop_count, fates);
-  water_lookup_depths(&plan->mirrored, &plan->map_z_infinity, plan->map_tolerance);
-  water_lookup_dirs(&plan->mirrored, &axes, plan->dir_to_map);
-  water_lookup_dirs(&scene->eye, &axes, plan->dir_to_eye);
-  return water_lookup_places(
-    &scene->eye, &input->eye, plane, &axes, plan->origin_xy, plan->ndc_to_plane);
-}
-
-// plane: normal towards the eye; plane_view of the plan is set.
-static void fill_shade(
-  const water_scene* scene, const checked* input, const water_plane* plane, water_plan* plan)
-{
-  water_mirror_texture_matrix(&plan->mirrored, plan->world_to_texture);
-  water_mirror_headlight(plan->plane_view, plan->headlight_dir);
+  water_camera_plane_view(&input->eye, plane, plan->plane_view);
   water_mat4_apply_dir(scene->eye.world_to_view, plane->normal, plan->normal_clip);
   water_mat4_apply(scene->eye.view_to_clip, plan->normal_clip, plan->normal_clip);
   water_mat4_apply_row(plan->plane_view, input->eye.clip_to_view, plan->plane_clip);
-  double x_dir[3];
-  double y_dir[3];
-  water_plane_axes(input->plane.normal, x_dir, y_dir);
-  water_camera_rays(&input->eye, plane, x_dir, y_dir, plan->ndc_to_ray);
-  water_mirror_map_to_eye(
-    &scene->eye, &input->eye, plan->plane_view, plan->map_scale, plan->map_ndc_to_eye);
+  memcpy(plan->clip_w, input->eye.clip_to_view + 12, sizeof plan->clip_w);
+  water_camera_rays(&input->eye, plane, axes->x_dir, axes->y_dir, plan->ndc_to_ray);
+  water_lookup_dirs(&scene->eye, axes, plan->dir_to_eye);
   plan->eta = water_optics_eta(&scene->look, input->side);
   plan->reflectance = scene->look.constant_reflectance ? scene->look.reflectance : -1.0;
+  return water_lookup_places(
+    &scene->eye, &input->eye, plane, axes, plan->origin_xy, plan->ndc_to_plane);
+}
+
+// plane: normal towards the eye; the view and the mirrored camera of the plan are set.
+static void fill_shade(const water_scene* scene, const checked* input, const water_plane* plane,
+  const water_axes* axes, const water_fate* fates, water_plan* plan)
+{
+  water_mirror_texture_matrix(&plan->mirrored, plan->world_to_texture);
+  water_mirror_map_to_eye(
+    &scene->eye, &input->eye, plan->plane_view, plan->map_scale, plan->map_ndc_to_eye);
+  plan->map_top = water_lookup_top(plane, scene->props, scene->prop_count, fates);
+  water_lookup_depths(&plan->mirrored, &plan->map_z_infinity, plan->map_tolerance);
+  water_lookup_dirs(&plan->mirrored, axes, plan->dir_to_map);
 }
 
 water_status water_plan_make(const water_scene* scene, water_plan* plan, water_fate* fates)
@@ -170,25 +176,30 @@ water_status water_plan_make(const water_scene* scene, water_plan* plan, water_f
     made.decision = decide(scene, input.side);
     made.side = input.side;
   }
-  if (made.decision == WATER_REFLECT)
+  made.has_view = made.decision == WATER_REFLECT ||
+    made.decision == WATER_NO_REFLECT_NO_REFLECTANCE ||
+    made.decision == WATER_NO_REFLECT_ENVIRONMENT;
+  if (made.has_view)
   {
     const water_plane plane = turn_to_eye(&input.plane, input.side);
-    status = water_select_check(scene->props, scene->prop_count, &made.culprit);
-    if (status == WATER_OK)
+    const water_axes axes = axes_of(scene, &input, &plane);
+    status = fill_view(scene, &input, &plane, &axes, &made);
+    if (status == WATER_OK && made.decision == WATER_REFLECT)
     {
-      status = fill_draw(scene, &input, &plane, &made, fates);
-    }
-    if (status == WATER_OK)
-    {
-      fill_shade(scene, &input, &plane, &made);
-    }
-    if (status == WATER_OK && scene->has_waves)
-    {
-      status = fill_lookup(scene, &input, &plane, fates, &made);
+      status = water_select_check(scene->props, scene->prop_count, &made.culprit);
+      if (status == WATER_OK)
+      {
+        status = fill_draw(scene, &input, &plane, &made, fates);
+      }
+      if (status == WATER_OK)
+      {
+        fill_shade(scene, &input, &plane, &axes, fates, &made);
+      }
     }
     if (status != WATER_OK)
     {
       made.decision = WATER_NO_REFLECT_FAILED;
+      made.has_view = false;
     }
   }
   *plan = made;

@@ -76,7 +76,8 @@ typedef enum water_fate
   X(WATER_NO_REFLECT_SELECTING, "not rendered: hardware selection")                                \
   X(WATER_NO_REFLECT_EDGE_ON, "not rendered: the water is seen edge-on")                           \
   X(WATER_NO_REFLECT_OUT_OF_VIEW, "not rendered: the water is out of view")                        \
-  X(WATER_NO_REFLECT_NO_REFLECTANCE, "not rendered: the water reflects nothing")
+  X(WATER_NO_REFLECT_NO_REFLECTANCE, "not rendered: the water reflects nothing")                   \
+  X(WATER_NO_REFLECT_ENVIRONMENT, "not rendered: a static environment is reflected")
 
 typedef enum water_decision
 {
@@ -109,7 +110,8 @@ typedef struct water_scene
   double plane_origin[3]; // of the plane's own axes, in world
   bool has_waves;         // the surface is not calm: its reflection is looked up along rays
   double slope_rms;       // of the waves, >= 0
-  double guard_band; // map with waves: size of its frustum over the eye's, >= 1; 0: by slope_rms
+  double guard_band;    // map with waves: size of its frustum over the eye's, >= 1; 0: by slope_rms
+  bool has_environment; // what is reflected is a static picture of the surroundings
   double surface_bounds[6]; // of the water surface in world; min > max: there is no surface
   const water_prop* props;  // prop_count of them: all props, not only those the eye sees
   size_t prop_count;
@@ -121,9 +123,24 @@ typedef struct water_scene
 
 typedef struct water_plan
 {
-  water_decision decision; // unless WATER_REFLECT, the fields below and the fates are not set
+  water_decision decision; // unless WATER_REFLECT, the fates and the mirrored view are not set
+  bool has_view;           // the fields of the view are set; false: show the plain colour
   water_side side;
   size_t culprit; // index of the prop a WATER_BAD_PROP_BOUNDS is about
+
+  // view: where the eye is and what its pixels look at
+  double normal_clip[4];  // view_to_clip * world_to_view * (n, 0) of the eye; n towards the eye
+  double plane_view[4];   // plane in the eye's view space, normal towards the eye
+  double plane_clip[4];   // the same on clip space of the eye: dot(plane_clip, clip) is the
+                          // height of the point, clip not divided by w
+  double clip_w[4];       // the same -> w of the point in view space
+  double ndc_to_ray[9];   // (x, y, 1) in NDC of the eye -> direction of the view ray in the
+                          // plane's axes (third: n towards the eye), any length
+  double dir_to_eye[12];  // direction in the plane's axes -> clip of the eye; 4 rows of 3
+  double origin_xy[2];    // of the point under the eye, in the plane's own axes
+  double ndc_to_plane[9]; // (x, y, 1) in NDC of the eye -> (x, y, w) on the plane, from origin_xy
+  double eta;             // index beyond the surface / index on the eye's side
+  double reflectance;     // in [0, 1], or -1: exact Fresnel with eta
 
   // draw: the mirrored camera, twice: as matrices and in vtkCamera's terms
   water_camera mirrored;
@@ -133,32 +150,21 @@ typedef struct water_plan
   double clip_plane_view[4];   // plane in mirrored view space; kept side >= 0 (margin included)
   double clip_plane_clip[4];   // same in clip space of the mirrored view, clip not divided by w
   double clip_plane_window[4]; // same in the map's window space (x_px, y_px, depth in [0,1], 1)
+  double headlight_dir[3];     // the eye's view direction in mirrored view space, unit length
   int texture_px[2];
   int texture_rect_px[4]; // x, y, width, height of the part the water can look up
 
-  // shade
+  // shade: where the map shows what
   double world_to_texture[16]; // divide by w: u, v, depth in [0, 1]; of a point on the water: its
                                // own pixel, x flipped
-  double headlight_dir[3];     // the eye's view direction in mirrored view space, unit length
-  double normal_clip[4];    // view_to_clip * world_to_view * (n, 0) of the eye; n towards the eye
-  double plane_view[4];     // plane in the eye's view space, normal towards the eye
-  double plane_clip[4];     // the same on clip space of the eye: dot(plane_clip, clip) is the
-                            // height of the point, clip not divided by w
-  double ndc_to_ray[9];     // (x, y, 1) in NDC of the eye -> direction of the view ray in the
-                            // plane's axes (third: n towards the eye), any length
-  double map_ndc_to_eye[9]; // (x, y, 1) in NDC of the map -> (x, y, w) in clip of the eye, of
-                            // the direction that the map sees there: where the sky is found
-  double depth_scale;       // map depth of a point on the water / its depth in the eye's picture
-  double map_scale[2];      // part of the map that the eye's own frustum takes, per axis, in (0, 1]
+  double map_ndc_to_eye[9];    // (x, y, 1) in NDC of the map -> (x, y, w) in clip of the eye, of
+                               // the direction that the map sees there: where the sky is found
+  double depth_scale;          // map depth of a point on the water / its depth in the eye's picture
+  double map_scale[2];   // part of the map that the eye's own frustum takes, per axis, in (0, 1]
   double map_top;        // height over the plane of all that is drawn in the map; may be infinite
-  double map_z_infinity; // water_lookup.h, this and the rest; set when the scene has waves
+  double map_z_infinity; // water_lookup.h
   double map_tolerance[2];
-  double dir_to_map[12];  // direction in the plane's axes -> clip of the map
-  double dir_to_eye[12];  // the same -> clip of the eye
-  double origin_xy[2];    // of the point under the eye, in the plane's own axes
-  double ndc_to_plane[9]; // (x, y, 1) in NDC of the eye -> (x, y, w) on the plane, from origin_xy
-  double eta;             // index beyond the surface / index on the eye's side
-  double reflectance;     // in [0, 1], or -1: exact Fresnel with eta
+  double dir_to_map[12]; // direction in the plane's axes -> clip of the map; 4 rows of 3
 } water_plan;
 
 #ifdef __cplusplus

@@ -1,19 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkWaterLookupFS.glsl: where the map shows what a reflected ray meets. The formulas of the rays are
-// in water_lookup.h, the rules and what each is worth in Documentation/decisions/006-lookup.md.
+// vtkWaterLookupFS.glsl: stage reflection: where the map shows what a reflected ray meets. The formulas
+// of the rays are in water_lookup.h, the rules and what each is worth in
+// Documentation/decisions/006-lookup.md. Needs vtkWaterPointFS.glsl before it.
 
 uniform sampler2D waterReflection;      // mirrored view, flipped in x; linear
 uniform sampler2D waterReflectionDepth; // its window depth, 1: nothing drawn; nearest
-uniform vec2 waterMapScale; // part of the map that is the picture itself, without its band
 uniform mat4 waterDirToMap;             // direction in the plane's axes -> clip of the map
-uniform mat4 waterDirToEye;             // the same -> clip of the eye
 uniform float waterMapTop; // height over the plane of all that the map shows
 uniform float waterMapZInfinity;
 uniform vec2 waterMapTolerance; // settled on a surface; a surface on both sides of a crossing
 uniform int waterSteps;         // of the march
 uniform int waterProbes;        // between the water and where the ray settled
-uniform vec4 waterSkyBottom;    // a: 1 when the sky is known in all directions
-uniform vec4 waterSkyTop;
 
 // Why a pixel has its colour (vtkWaterProperty::Confidences).
 const int WATER_HIT = 1;
@@ -25,14 +22,6 @@ const int WATER_DOWNWARD = 5;
 float waterMapDepth(vec2 uv)
 {
   return textureLod(waterReflectionDepth, uv, 0.0).r;
-}
-
-// The background in a direction: painted on the user's screen, as in vtkWaterSkyFS.glsl.
-vec3 waterSky(vec3 dir)
-{
-  vec4 eye = waterDirToEye * vec4(dir, 0.0);
-  float height = eye.w > 0.0 ? 0.5 + 0.5 * eye.y / eye.w : step(0.0, eye.y);
-  return mix(waterSkyBottom.rgb, waterSkyTop.rgb, clamp(height, 0.0, 1.0));
 }
 
 // Colour in a direction from a point of the water.
@@ -153,17 +142,16 @@ vec3 waterTrace(vec3 start, vec3 dir, out int reason, out vec2 uv)
   return isKnown ? waterSky(dir) : textureLod(waterReflection, uv, 0.0).rgb;
 }
 
-// Colour of the reflection of a view ray, both of unit length, in the plane's axes.
+// Colour of the reflection.
 //
-// start   of the reflected ray in the map's window: u, v, depth
 // reason  one of the above
 // uv      where in the map that is
-vec3 waterReflected(vec3 start, vec3 ray, vec3 normal, out int reason, out vec2 uv)
+vec3 waterReflected(WaterPoint point, out int reason, out vec2 uv)
 {
-  vec3 dir = reflect(ray, normal);
+  vec3 dir = reflect(point.ray, point.normal);
   bool isDownward = dir.z < 0.0;
   dir.z = max(abs(dir.z), 1e-6); // met the water again: bounced off it once more
-  vec3 color = waterTrace(start, dir, reason, uv);
+  vec3 color = waterTrace(point.start, dir, reason, uv);
   reason = isDownward ? WATER_DOWNWARD : reason;
   return color;
 }

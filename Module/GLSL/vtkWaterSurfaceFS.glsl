@@ -1,41 +1,54 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkWaterSurfaceFS.glsl: the colour of a calm water pixel. Needs vtkWaterOptics.glsl before it.
-//
-// NDC come from gl_FragCoord and the viewport of the draw itself (read from the GL state), which is
-// exact for a sheet of any size.
+// vtkWaterSurfaceFS.glsl: the colour of a water pixel, from the stages.
+// Needs vtkWaterOptics.glsl, vtkWaterPointFS.glsl, vtkWaterCalmFS.glsl and vtkWaterDeepFS.glsl before
+// it, or others of their stages.
 
-uniform sampler2D waterReflection; // mirrored view, flipped in x
-uniform int waterIsReflecting;     // 0: there is no mirrored view, show the plain colour
-uniform vec4 waterViewport;        // x, y, 1 / width, 1 / height of the draw, in pixels
-uniform vec4 waterNormalClip;      // plane normal (towards the eye) in clip space, w included
-uniform vec4 waterPlaneClip;       // clip space point -> height over the plane; 0 for a flat sheet
-uniform mat3 waterNdcToRay;        // (NDC x, NDC y, 1) -> view ray in the plane's axes
-uniform float waterEta;            // index beyond the surface / index on the eye's side
-uniform float waterReflectance;    // 0 to 1, or below 0: Fresnel
-uniform vec3 waterDeepColor;
+uniform int waterHasView;       // 0: nothing is known of the view, show the plain colour
+uniform int waterIsReflecting;  // 0: there is no mirrored view
+uniform float waterReflectance; // 0 to 1, or below 0: Fresnel
 uniform float waterOpacity;
+uniform int waterOutput;        // vtkWaterProperty::Outputs
 
-// Where the mirrored view sees what this point of the surface reflects when it is calm.
-vec2 waterLookup(vec2 ndc)
+// A place in the map as a colour: 12 bits of u, then 12 bits of v.
+vec3 waterPack(vec2 uv)
 {
-  vec4 clip = vec4(ndc, 2.0 * gl_FragCoord.z - 1.0, 1.0); // w cancels below
-  vec4 mirrored = clip - 2.0 * dot(waterPlaneClip, clip) * waterNormalClip;
-  return 0.5 + 0.5 / mirrored.w * vec2(-mirrored.x, mirrored.y);
+  vec2 parts = floor(clamp(uv, 0.0, 1.0) * 4095.0 + 0.5);
+  vec2 low = mod(parts, vec2(16.0, 256.0));
+  vec2 high = floor(parts / vec2(16.0, 256.0));
+  return vec3(high.x, 16.0 * low.x + high.y, low.y) / 255.0;
+}
+
+// A share as a colour: 16 bits in red and green.
+vec3 waterPack(float share)
+{
+  float whole = floor(clamp(share, 0.0, 1.0) * 65535.0 + 0.5);
+  return vec3(floor(whole / 256.0), mod(whole, 256.0), 0.0) / 255.0;
 }
 
 void waterShade(inout vec4 color)
 {
   vec3 rgb = waterDeepColor;
-  if (waterIsReflecting != 0)
+  int reason = 0;
+  vec2 uv = vec2(0.0);
+  float reflectance = 0.0;
+  if (waterHasView != 0)
   {
-    vec2 ndc = 2.0 * (gl_FragCoord.xy - waterViewport.xy) * waterViewport.zw - 1.0;
-    float reflectance = waterReflectance;
-    if (reflectance < 0.0)
+    WaterPoint point = waterPoint();
+    waterRipple(point);
+    reflectance = waterReflectance < 0.0
+      ? waterFresnel(clamp(-dot(point.ray, point.normal), 0.0, 1.0), waterEta)
+      : waterReflectance;
+    rgb = waterBeneath(point);
+    if (waterIsReflecting != 0)
     {
-      vec3 ray = waterNdcToRay * vec3(ndc, 1.0);
-      reflectance = waterFresnel(clamp(-ray.z * inversesqrt(dot(ray, ray)), 0.0, 1.0), waterEta);
+      rgb = mix(rgb, waterReflected(point, reason, uv), reflectance);
     }
-    rgb = mix(rgb, textureLod(waterReflection, waterLookup(ndc), 0.0).rgb, reflectance);
+    rgb = waterSeenFrom(point, rgb);
   }
   color = vec4(rgb, color.a * waterOpacity);
+  if (waterOutput != 0)
+  {
+    color = vec4(waterOutput == 1 ? vec3(float(reason) / 255.0)
+        : (waterOutput == 2 ? waterPack(uv) : waterPack(reflectance)), 1.0);
+  }
 }

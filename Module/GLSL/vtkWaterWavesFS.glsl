@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkWaterWavesFS.glsl: slope of sine and Gerstner waves; water_waves.c for the shader.
+// vtkWaterWavesFS.glsl: stage waves: sine and Gerstner waves; water_waves.c for the shader.
+// Needs vtkWaterPointFS.glsl before it.
 
 uniform sampler2D waterWaves; // a row per wave: (kx, ky, amplitude, phase), (steepness, 0, 0, 0)
 uniform int waterWaveCount;
@@ -45,4 +46,10 @@ vec2 waterSlope(vec2 place, vec2 across, vec2 down)
   float area = max(stretch.x * stretch.z - stretch.y * stretch.y, 1e-6);
   return vec2(stretch.z * gradient.x - stretch.y * gradient.y,
            stretch.x * gradient.y - stretch.y * gradient.x) / area;
+}
+
+void waterRipple(inout WaterPoint point)
+{
+  vec2 slope = waterSlope(point.place, point.across, point.down);
+  point.normal = normalize(vec3(-waterSide * slope, 1.0));
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkWaterAccess.h: the two protected members of VTK that are swapped silently.
+// vtkWaterAccess.h: the protected members of VTK that are swapped silently.
 //
 // The public setters fire events and bump modification times, which a user's observers and caches
 // would see in every frame although nothing of theirs changed. A pointer to member formed in a
@@ -18,6 +18,9 @@ struct Renderer : public vtkRenderer
   {
     return renderer->*(&Renderer::ActiveCamera);
   }
+  // What is drawn in this frame, in this order; there from culling to the end of the frame.
+  static vtkProp** PropsOf(vtkRenderer* renderer) { return renderer->*(&Renderer::PropArray); }
+  static int PropCountOf(vtkRenderer* renderer) { return renderer->*(&Renderer::PropArrayCount); }
 };
 
 struct Prop : public vtkProp

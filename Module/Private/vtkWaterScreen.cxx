@@ -9,8 +9,8 @@
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
 #include "vtkWaterGL.h"
-#include "vtkWaterShading.h"
 #include "vtkWaterSkyFS.h"
+#include "vtkWaterUniforms.h"
 #include "vtkWaterViewFS.h"
 
 namespace
@@ -64,7 +64,7 @@ void vtkWaterScreen::DrawSky(vtkRenderer* renderer, const water_plan& plan)
     static_cast<float>(top[2]), alpha };
   program->SetUniform4f("waterSkyBottom", bottomAlpha);
   program->SetUniform4f("waterSkyTop", topAlpha);
-  vtkWaterSetUniformMatrix3(program, "waterMapNdcToEye", plan.map_ndc_to_eye);
+  vtkWaterUniforms::SetMatrix3(program, "waterMapNdcToEye", plan.map_ndc_to_eye);
   vtkOpenGLState::ScopedglEnableDisable depthTest(state, GL_DEPTH_TEST);
   vtkOpenGLState::ScopedglEnableDisable blend(state, GL_BLEND);
   vtkOpenGLState::ScopedglDepthMask depthMask(state);

@@ -4,26 +4,18 @@
 #include "vtkActor.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
-#include "vtkOpenGLRenderWindow.h"
-#include "vtkOpenGLState.h"
 #include "vtkProp.h"
 #include "vtkProperty.h"
-#include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
-#include "vtkTextureObject.h"
 #include "vtkWaterActor.h"
 #include "vtkWaterCompat.h"
 #include "vtkWaterGL.h"
-#include "vtkWaterLookupFS.h"
 #include "vtkWaterMirroredFS.h"
 #include "vtkWaterMirroredVS.h"
-#include "vtkWaterOffsetFS.h"
-#include "vtkWaterOptics.h"
-#include "vtkWaterProperty.h"
-#include "vtkWaterSurfaceFS.h"
+#include "vtkWaterSurface.h"
+#include "vtkWaterUniforms.h"
 #include "vtkWaterVolumeFS.h"
-#include "vtkWaterWavesFS.h"
-#include "vtkWaterWavySurfaceFS.h"
+#include "water_types.h"
 
 #include <algorithm>
 
@@ -32,9 +24,6 @@ vtkStandardNewMacro(vtkWaterShading);
 
 namespace
 {
-constexpr double kFarUp = 1e30; // for a float
-constexpr int kRestSteps = 3;   // Newton's steps; the error is under a pixel's slope after two
-
 // Puts text before a tag and keeps the tag for whoever comes next.
 void InsertBefore(std::string& source, const std::string& tag, const std::string& text)
 {
@@ -66,90 +55,6 @@ bool IsMatte(vtkProp* prop)
   auto* actor = vtkActor::SafeDownCast(prop);
   return actor && !actor->GetBackfaceProperty() && actor->GetProperty()->GetSpecular() <= 0.0;
 }
-
-void SetUniform2(vtkShaderProgram* program, const char* name, const double value[2])
-{
-  if (program->IsUniformUsed(name))
-  {
-    const float single[2] = { static_cast<float>(value[0]), static_cast<float>(value[1]) };
-    program->SetUniform2f(name, single);
-  }
-}
-
-void SetUniform3(vtkShaderProgram* program, const char* name, const double value[3])
-{
-  if (program->IsUniformUsed(name))
-  {
-    const float single[3] = { static_cast<float>(value[0]), static_cast<float>(value[1]),
-      static_cast<float>(value[2]) };
-    program->SetUniform3f(name, single);
-  }
-}
-
-void SetUniform4(
-  vtkShaderProgram* program, const char* name, const double value[4], bool isUsed = true)
-{
-  if (program->IsUniformUsed(name))
-  {
-    float single[4] = { 0.0f, 0.0f, 0.0f, 0.0f };
-    if (isUsed)
-    {
-      std::transform(
-        value, value + 4, single, [](double component) { return static_cast<float>(component); });
-    }
-    program->SetUniform4f(name, single);
-  }
-}
-
-// A 4 x 3 matrix given by rows, as the first columns of a 4 x 4 one.
-void SetUniform4x3(vtkShaderProgram* program, const char* name, const double rows[12])
-{
-  if (program->IsUniformUsed(name))
-  {
-    float columns[16] = {};
-    for (int row = 0; row < 4; ++row)
-    {
-      for (int column = 0; column < 3; ++column)
-      {
-        columns[4 * column + row] = static_cast<float>(rows[3 * row + column]);
-      }
-    }
-    program->SetUniformMatrix4x4(name, columns);
-  }
-}
-
-void SetUniform(vtkShaderProgram* program, const char* name, int value)
-{
-  if (program->IsUniformUsed(name))
-  {
-    program->SetUniformi(name, value);
-  }
-}
-
-void SetUniform(vtkShaderProgram* program, const char* name, double value)
-{
-  if (program->IsUniformUsed(name))
-  {
-    program->SetUniformf(name, static_cast<float>(value));
-  }
-}
-}
-
-//------------------------------------------------------------------------------
-void vtkWaterSetUniformMatrix3(vtkShaderProgram* program, const char* name, const double rows[9])
-{
-  if (program->IsUniformUsed(name))
-  {
-    float columns[9]; // GL wants columns: the one place that transposes
-    for (int row = 0; row < 3; ++row)
-    {
-      for (int column = 0; column < 3; ++column)
-      {
-        columns[3 * column + row] = static_cast<float>(rows[3 * row + column]);
-      }
-    }
-    program->SetUniformMatrix3x3(name, columns);
-  }
 }
 
 //------------------------------------------------------------------------------
@@ -167,16 +72,6 @@ vtkWaterShading* vtkWaterShading::GetOfThread()
 {
   static thread_local vtkNew<vtkWaterShading> shading;
   return shading;
-}
-
-//------------------------------------------------------------------------------
-vtkWaterShading::Variants vtkWaterShading::GetVariant(vtkWaterProperty* property)
-{
-  if (property->GetNumberOfWaves() == 0)
-  {
-    return CALM;
-  }
-  return property->GetLookup() == vtkWaterProperty::RAY_TRACED ? RAY_TRACED : OFFSET;
 }
 
 //------------------------------------------------------------------------------
@@ -199,15 +94,8 @@ bool vtkWaterShading::PreReplaceShaderValues(std::string& vertexShader, std::str
 {
   if (prop->IsA("vtkWaterActor"))
   {
-    std::string surface = vtkWaterSurfaceFS;
-    const Variants variant = GetVariant(static_cast<vtkWaterActor*>(prop)->GetWaterProperty());
-    if (variant != CALM)
-    {
-      surface = std::string(vtkWaterWavesFS) + "\n" +
-        (variant == RAY_TRACED ? vtkWaterLookupFS : vtkWaterOffsetFS) + "\n" +
-        vtkWaterWavySurfaceFS;
-    }
-    InsertDeclarations(fragmentShader, std::string(vtkWaterOptics) + "\n" + surface);
+    InsertDeclarations(fragmentShader,
+      vtkWaterSurface::GetShader(static_cast<vtkWaterActor*>(prop)->GetWaterProperty()));
     return true;
   }
   if (!InsertDeclarations(fragmentShader, vtkWaterMirroredFS))
@@ -266,7 +154,10 @@ bool vtkWaterShading::SetShaderParameters(
 {
   if (prop->IsA("vtkWaterActor"))
   {
-    this->SetSurfaceParameters(program);
+    if (this->Surface)
+    {
+      this->Surface->SetParameters(program);
+    }
   }
   else
   {
@@ -290,90 +181,19 @@ void vtkWaterShading::SetMirroredParameters(vtkShaderProgram* program, vtkProp* 
   {
     return;
   }
-  SetUniform4(program, "waterClipWindow", plan ? plan->clip_plane_window : keepAll);
-  SetUniform4(program, "waterClipPosition", plan ? plan->clip_plane_clip : keepAll);
-  SetUniform4(program, "waterClipView", plan ? plan->clip_plane_view : keepAll);
+  vtkWaterUniforms::Set4(program, "waterClipWindow", plan ? plan->clip_plane_window : keepAll);
+  vtkWaterUniforms::Set4(program, "waterClipPosition", plan ? plan->clip_plane_clip : keepAll);
+  vtkWaterUniforms::Set4(program, "waterClipView", plan ? plan->clip_plane_view : keepAll);
   double headlight[4] = { 0.0, 0.0, -1.0, 0.0 };
   if (plan)
   {
     std::copy(plan->headlight_dir, plan->headlight_dir + 3, headlight);
     headlight[3] = 1.0;
   }
-  SetUniform4(program, "waterHeadlightVC", headlight);
+  vtkWaterUniforms::Set4(program, "waterHeadlightVC", headlight);
   // VTK sets the lights of a program, which are in view space, once per camera or light change by
   // their modification times; main and mirrored camera share the program.
   program->SetUniformGroupUpdateTime(vtkShaderProgram::LightingGroup, 0);
-}
-
-//------------------------------------------------------------------------------
-void vtkWaterShading::SetSurfaceParameters(vtkShaderProgram* program)
-{
-  if (!this->Surface)
-  {
-    return; // drawn by somebody else than vtkWaterActor::Render: nothing to say
-  }
-  const vtkWaterSurface& surface = *this->Surface;
-  if (program->IsUniformUsed("waterReflection"))
-  {
-    program->SetUniformi("waterReflection", surface.Reflection->GetTextureUnit());
-  }
-  if (program->IsUniformUsed("waterIsReflecting"))
-  {
-    program->SetUniformi("waterIsReflecting", surface.Plan ? 1 : 0);
-  }
-  SetUniform3(program, "waterDeepColor", surface.Property->GetDeepColor());
-  SetUniform(program, "waterOpacity", surface.Property->GetOpacity());
-  if (surface.Plan)
-  {
-    int viewport[4];
-    surface.Reflection->GetContext()->GetState()->vtkglGetIntegerv(GL_VIEWPORT, viewport);
-    const double inverse[4] = { static_cast<double>(viewport[0]), static_cast<double>(viewport[1]),
-      1.0 / viewport[2], 1.0 / viewport[3] };
-    SetUniform4(program, "waterViewport", inverse);
-    SetUniform4(program, "waterNormalClip", surface.Plan->normal_clip);
-    SetUniform4(program, "waterPlaneClip", surface.Plan->plane_clip, !surface.IsFlat);
-    vtkWaterSetUniformMatrix3(program, "waterNdcToRay", surface.Plan->ndc_to_ray);
-    SetUniform(program, "waterEta", surface.Plan->eta);
-    SetUniform(program, "waterReflectance", surface.Plan->reflectance);
-    if (surface.Waves)
-    {
-      this->SetWaveParameters(program);
-    }
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkWaterShading::SetWaveParameters(vtkShaderProgram* program)
-{
-  const vtkWaterSurface& surface = *this->Surface;
-  const water_plan& plan = *surface.Plan;
-  vtkWaterProperty* property = surface.Property;
-  SetUniform(program, "waterWaves", surface.Waves->GetTextureUnit());
-  SetUniform(program, "waterWaveCount", surface.WaveCount);
-  SetUniform(program, "waterRestSteps", surface.IsSteep ? kRestSteps : 0);
-  vtkWaterSetUniformMatrix3(program, "waterNdcToPlane", plan.ndc_to_plane);
-  SetUniform(program, "waterSide", plan.side == WATER_BELOW ? -1.0 : 1.0);
-  SetUniform(program, "waterReflectionDepth", surface.ReflectionDepth->GetTextureUnit());
-  SetUniform4x3(program, "waterDirToMap", plan.dir_to_map);
-  SetUniform4x3(program, "waterDirToEye", plan.dir_to_eye);
-  SetUniform(program, "waterDepthScale", plan.depth_scale);
-  SetUniform(program, "waterMapTop", std::min(plan.map_top, kFarUp));
-  SetUniform(program, "waterMapZInfinity", plan.map_z_infinity);
-  SetUniform2(program, "waterMapTolerance", plan.map_tolerance);
-  SetUniform2(program, "waterMapScale", plan.map_scale);
-  SetUniform(program, "waterSteps", property->GetRayTraceSteps());
-  SetUniform(program, "waterProbes", property->GetRayTraceProbes());
-  SetUniform(program, "waterLookup", property->GetLookup());
-  SetUniform(program, "waterOffsetScale", property->GetOffsetScale());
-  SetUniform(program, "waterOutput", property->GetOutput());
-  vtkRenderer* renderer = surface.Renderer;
-  const bool hasGradient = renderer->GetGradientBackground() && !renderer->GetTexturedBackground();
-  const double* bottom = renderer->GetBackground();
-  const double* top = hasGradient ? renderer->GetBackground2() : bottom;
-  const double bottomKnown[4] = { bottom[0], bottom[1], bottom[2], 1.0 };
-  const double topKnown[4] = { top[0], top[1], top[2], 1.0 };
-  SetUniform4(program, "waterSkyBottom", bottomKnown);
-  SetUniform4(program, "waterSkyTop", topKnown);
 }
 
 //------------------------------------------------------------------------------

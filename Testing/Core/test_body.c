@@ -241,6 +241,33 @@ TEST(bad_numbers_are_refused)
   assert_true(kd[0] == 7.0);
 }
 
+// Clear water without scattering is black, water that only scatters returns a third of the light,
+// and pure water is blue.
+TEST(deep_color_is_the_share_that_comes_back)
+{
+  UNUSED;
+  const water_medium black = { { 0.3, 0.1, 0.05 }, { 0.0, 0.0, 0.0 } };
+  const water_medium milk = { { 0.0, 0.0, 0.0 }, { 2.0, 1.0, 0.5 } };
+  const water_medium nothing = { { 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0 } };
+  double color[3];
+  double extinction[3];
+  water_body_extinction(&milk, extinction);
+  water_body_deep_color(&milk, color);
+  for (int i = 0; i < 3; ++i)
+  {
+    ASSERT_CLOSE(color[i], 0.33, 1e-15);
+    ASSERT_CLOSE(extinction[i], milk.scattering[i], 0.0);
+  }
+  water_body_deep_color(&black, color);
+  ASSERT_CLOSE(color[0] + color[1] + color[2], 0.0, 0.0);
+  water_body_deep_color(&nothing, color);
+  ASSERT_CLOSE(color[0] + color[1] + color[2], 0.0, 0.0);
+  water_medium ocean;
+  assert_int_equal(water_type_medium(WATER_TYPE_I, &ocean), WATER_OK);
+  water_body_deep_color(&ocean, color);
+  assert_true(color[2] > 5.0 * color[1] && color[1] > color[0]);
+}
+
 int main(void)
 {
   const struct CMUnitTest tests[] = {
@@ -253,6 +280,7 @@ int main(void)
     RUN(deep_clear_water_is_blue),
     RUN(jerlov_types_are_in_order),
     RUN(bad_numbers_are_refused),
+    RUN(deep_color_is_the_share_that_comes_back),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -142,6 +142,8 @@ TEST(decision_says_why_nothing_is_drawn)
   assert_int_equal(decision_of(&scene), WATER_NO_REFLECT_NO_REFLECTANCE);
   scene.look.reflectance = 1e-3;
   assert_int_equal(decision_of(&scene), WATER_REFLECT);
+  scene.has_environment = true;
+  assert_int_equal(decision_of(&scene), WATER_NO_REFLECT_ENVIRONMENT);
   const double eye[3] = { 0.0, -10.0, 5.0 };
   const double away[3] = { 0.0, -20.0, 10.0 };
   const double up[3] = { 0.0, 0.0, 1.0 };
@@ -159,6 +161,28 @@ TEST(props_are_not_looked_at_when_nothing_is_drawn)
   scene.prop_count = 1;
   scene.look.constant_reflectance = true;
   assert_int_equal(decision_of(&scene), WATER_NO_REFLECT_NO_REFLECTANCE);
+}
+
+// What looks through the water needs the eye's view whether a mirrored view is drawn or not; it is
+// the same view.
+TEST(view_is_planned_without_a_mirror)
+{
+  UNUSED;
+  water_scene scene = lake();
+  const water_plan mirror = plan_of(&scene, NULL);
+  assert_true(mirror.has_view);
+  scene.has_environment = true;
+  const water_plan environment = plan_of(&scene, NULL);
+  assert_true(environment.has_view);
+  const size_t begin = offsetof(water_plan, normal_clip);
+  assert_memory_equal((const char*)&environment + begin, (const char*)&mirror + begin,
+    offsetof(water_plan, mirrored) - begin);
+  scene.look.constant_reflectance = true;
+  assert_true(plan_of(&scene, NULL).has_view);
+  scene.plane.normal[2] = 0.0;
+  water_plan failed;
+  assert_int_equal(water_plan_make(&scene, &failed, NULL), WATER_BAD_PLANE);
+  assert_false(failed.has_view);
 }
 
 // Same scene, same plan, bit by bit; and the scene is not written to.
@@ -180,12 +204,8 @@ TEST(plan_is_a_pure_function)
     assert_int_equal(water_plan_make(&random.scene, &second, NULL), WATER_OK);
     assert_memory_equal(&copy, &random.scene, sizeof copy);
     assert_int_equal(first.decision, WATER_REFLECT);
-    assert_memory_equal(first.world_to_texture, second.world_to_texture,
-      sizeof first - offsetof(water_plan, world_to_texture));
     assert_memory_equal(
-      first.clip_plane_window, second.clip_plane_window, sizeof first.clip_plane_window);
-    assert_memory_equal(
-      first.texture_rect_px, second.texture_rect_px, sizeof first.texture_rect_px);
+      &first.normal_clip, &second.normal_clip, sizeof first - offsetof(water_plan, normal_clip));
   }
 }
 
@@ -227,6 +247,7 @@ int main(void)
     RUN(numbers_that_are_not_finite_are_named),
     RUN(decision_says_why_nothing_is_drawn),
     RUN(props_are_not_looked_at_when_nothing_is_drawn),
+    RUN(view_is_planned_without_a_mirror),
     RUN(plan_is_a_pure_function),
     RUN(turning_the_plane_over_only_changes_the_side),
   };

@@ -94,7 +94,7 @@ def eye_rays(camera, size, samples):
 
 def picture(camera, size, things, background, waves, time, samples=4):
     """The picture of level water at z = 0 that reflects everything (255 RGB), and which pixels are
-    water and nothing else."""
+    water and nothing else. waves: as in heights_and_slopes, or a function (x, y) -> slopes."""
     start, ray = eye_rays(camera, size, samples)
     colors, distance = cast(things, background, start, ray)
     with np.errstate(divide="ignore"):
@@ -102,7 +102,10 @@ def picture(camera, size, things, background, waves, time, samples=4):
     is_water = to_water < distance
     point = start[is_water] + to_water[is_water][:, None] * ray[is_water]
     point[:, 2] = 0
-    _, slope_x, slope_y = heights_and_slopes(waves, point[:, 0], point[:, 1], time)
+    if callable(waves):
+        slope_x, slope_y = waves(point[:, 0], point[:, 1])
+    else:
+        _, slope_x, slope_y = heights_and_slopes(waves, point[:, 0], point[:, 1], time)
     normal = np.stack([-slope_x, -slope_y, np.ones_like(slope_x)], axis=1)
     normal /= np.linalg.norm(normal, axis=1, keepdims=True)
     seen = ray[is_water]

@@ -275,6 +275,18 @@ def water_mask(view, water):
     return np.abs(first - second).max(axis=2) > 128
 
 
+def errors_of(thing):
+    """A list that the texts of an object's errors will be put into."""
+    errors = []
+
+    def remember(caller, event, text):
+        errors.append(text)
+
+    remember.CallDataType = "string0"
+    thing.AddObserver("ErrorEvent", remember)
+    return errors
+
+
 def add_scene_light(renderer, position, focal_point=(0, 0, 0)):
     light = vtkLight()
     light.SetLightTypeToSceneLight()

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkWaterBodyFS.glsl: stage body: what is seen through the surface, refracted, and what the way
+// through the water leaves of it; water_body.c for the shader.
+// Needs vtkWaterPointFS.glsl before it.
+//
+// Seen from above the refracted ray runs through the water, from below the view ray does.
+
+uniform sampler2D waterSceneColor; // the picture without this water; linear
+uniform sampler2D waterSceneDepth; // its window depth, 1: background; nearest
+uniform vec3 waterExtinction;      // absorption + scattering, 1/m
+uniform vec4 waterHeightClip; // point in clip space of the eye -> height over the plane, times w
+uniform vec4 waterClipW;      // the same -> w of the point in view space
+
+const int WATER_BODY_STEPS = 16;
+const float WATER_BODY_JUMP = 8.0; // a silhouette's, in depths that the ray goes meanwhile
+
+float waterBodyDepth(vec2 uv)
+{
+  return textureLod(waterSceneDepth, uv, 0.0).r;
+}
+
+// Height over the plane of what the picture shows.
+float waterBodyHeight(vec2 uv, float depth)
+{
+  vec4 clip = vec4(2.0 * vec3(uv, depth) - 1.0, 1.0);
+  return dot(waterHeightClip, clip) / dot(waterClipW, clip);
+}
+
+// What is left of a color after a way of so many metres through the water.
+vec3 waterAfter(vec3 color, float way)
+{
+  return mix(waterDeepColor, color, exp(-waterExtinction * way));
+}
+
+// Where a ray into the scene meets what the picture shows.
+//
+// start  of the ray in the picture's window: u, v, depth
+// way    the ray is start + s way
+// s      of the hit
+// uv     where in the picture its color is; within it
+//
+// Returns false when the picture does not show it: uv is then beside it and s of no use.
+bool waterBodyMeets(vec3 start, vec3 way, out float s, out vec2 uv)
+{
+  // how far it can come: to the depth straight behind the surface, and on while still in front
+  float perDepth = 1.0 / max(way.z, 1e-20);
+  float depth = waterBodyDepth(start.xy);
+  float reach = max(depth - start.z, 0.0) * perDepth;
+  for (int i = 0; i < 3; ++i)
+  {
+    vec3 at = start + reach * way;
+    reach += max(waterBodyDepth(at.xy) - at.z, 0.0) * perDepth;
+  }
+  vec2 border =
+    (step(0.0, way.xy) - start.xy) / mix(way.xy, vec2(1e-9), equal(way.xy, vec2(0.0)));
+  float leaves = max(min(border.x, border.y), 0.0);
+  bool isInside = reach <= leaves;
+  reach = min(reach, leaves);
+
+  // the first place behind the map, between low and high
+  float low = 0.0;
+  float high = reach;
+  float depthLow = depth;
+  float depthHigh = waterBodyDepth(start.xy + reach * way.xy);
+  bool isHit = false;
+  for (int i = 1, halvings = 0; i <= WATER_BODY_STEPS + 5 && halvings < 5; ++i)
+  {
+    float middle = isHit ? 0.5 * (low + high) : reach * float(i) / float(WATER_BODY_STEPS);
+    depth = waterBodyDepth(start.xy + middle * way.xy);
+    if (start.z + middle * way.z > depth)
+    {
+      high = middle;
+      depthHigh = depth;
+      isHit = true;
+    }
+    else
+    {
+      low = middle;
+      depthLow = depth;
+      if (middle >= reach)
+      {
+        break;
+      }
+    }
+    halvings += isHit ? 1 : 0;
+  }
+  vec2 size = vec2(textureSize(waterSceneColor, 0));
+  float texel = 1.0 / max(length(way.xy * size), 1e-6);
+  if (isHit && depthLow - depthHigh > WATER_BODY_JUMP * way.z * max(high - low, texel))
+  {
+    // behind something: what is beside it, not filtered
+    uv = (floor((start.xy + low * way.xy) * size) + 0.5) / size;
+    return false;
+  }
+  // the false position between the two, which are close
+  float missLow = start.z + low * way.z - depthLow;
+  float missHigh = start.z + high * way.z - depthHigh;
+  s = isHit ? low - missLow * (high - low) / max(missHigh - missLow, 1e-20) : reach;
+  uv = start.xy + s * way.xy;
+  return isHit || isInside;
+}
+
+// Color of what lies beyond a point of the surface, and the light that the water adds.
+vec3 waterBeneath(WaterPoint point)
+{
+  vec3 dir = refract(point.ray, point.normal, 1.0 / waterEta);
+  if (dir.z >= 0.0)
+  {
+    return waterDeepColor; // total reflection: it has no weight
+  }
+  float w0 = 1.0 / gl_FragCoord.w;
+  vec3 start = vec3(0.5 + 0.5 * point.ndc, gl_FragCoord.z);
+  vec4 end = waterDirToEye * vec4(dir, 0.0);
+  vec3 way = 0.5 * (end.xyz - (2.0 * start - 1.0) * end.w);
+  float s;
+  vec2 uv;
+  bool isMet = waterBodyMeets(start, way, s, uv);
+  float depth = waterBodyDepth(uv);
+  float length = s * w0 / max(1.0 - s * end.w, 1e-6);
+  if (!isMet)
+  {
+    length = max(waterBodyHeight(uv, depth) / dir.z, 0.0); // over a level bed
+  }
+  vec3 color = textureLod(waterSceneColor, uv, 0.0).rgb;
+  if (waterSide < 0.0)
+  {
+    return depth >= 1.0 && waterSkyBottom.a > 0.5 ? waterSky(dir) : color;
+  }
+  return depth >= 1.0 ? waterDeepColor : waterAfter(color, length);
+}
+
+// The surface as the eye sees it, which may be under water.
+vec3 waterSeenFrom(WaterPoint point, vec3 color)
+{
+  if (waterSide > 0.0)
+  {
+    return color;
+  }
+  vec4 view = waterDirToEye * vec4(point.ray, 0.0);
+  float way = view.w > 0.0 ? 1.0 / (gl_FragCoord.w * view.w) : 2.0 * gl_FragCoord.z / view.z;
+  return waterAfter(color, way);
+}

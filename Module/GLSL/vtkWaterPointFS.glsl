@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkWaterPointFS.glsl: what all stages of a surface's shader know about their pixel, and the sky.
+//
+// The stages, each one file of several: waves (waterRipple), reflection (waterReflected), body
+// (waterBeneath); vtkWaterSurfaceFS.glsl puts them together. They are files and not branches because
+// software renderers execute both sides of a branch.
+//
+// NDC come from gl_FragCoord and the viewport of the draw itself (read from the GL state), which is
+// exact for a sheet of any size.
+
+uniform vec4 waterViewport;    // x, y, 1 / width, 1 / height of the draw, in pixels
+uniform mat3 waterNdcToRay;    // (NDC x, NDC y, 1) -> view ray in the plane's axes
+uniform mat3 waterNdcToPlane;  // (NDC x, NDC y, 1) -> place on the plane, from under the eye
+uniform mat4 waterDirToEye;    // direction in the plane's axes -> clip of the eye
+uniform vec4 waterNormalClip;  // plane normal (towards the eye) in clip space, w included
+uniform vec4 waterPlaneClip;   // clip space point -> height over the plane; 0 for a flat sheet
+uniform vec2 waterMapScale;    // part of the map that is the picture itself, without its band
+uniform float waterDepthScale; // depth in the map / depth in the picture, of the surface
+uniform float waterSide;       // 1: seen from above, -1: from below
+uniform float waterEta;        // index beyond the surface / index on the eye's side
+uniform vec3 waterDeepColor;   // of water without an end
+uniform vec4 waterSkyBottom;   // a: 1 when the sky is known in all directions
+uniform vec4 waterSkyTop;
+
+struct WaterPoint
+{
+  vec2 ndc;      // of the picture
+  vec3 ray;      // view ray of unit length; directions are in the plane's axes, the third to the eye
+  vec2 place;    // on the plane, from the point under the eye
+  vec2 across;   // change of the place from pixel to pixel
+  vec2 down;
+  vec3 normal;   // of the surface, of unit length
+  vec3 start;    // where the map shows its calm reflection: u, v, depth
+};
+
+WaterPoint waterPoint()
+{
+  WaterPoint point;
+  point.ndc = 2.0 * (gl_FragCoord.xy - waterViewport.xy) * waterViewport.zw - 1.0;
+  point.ray = normalize(waterNdcToRay * vec3(point.ndc, 1.0));
+  vec3 seen = waterNdcToPlane * vec3(point.ndc, 1.0);
+  point.place = seen.xy / seen.z;
+  point.across = dFdx(point.place);
+  point.down = dFdy(point.place);
+  point.normal = vec3(0.0, 0.0, 1.0);
+  vec4 clip = vec4(point.ndc, 2.0 * gl_FragCoord.z - 1.0, 1.0); // w cancels below
+  vec4 mirrored = clip - 2.0 * dot(waterPlaneClip, clip) * waterNormalClip;
+  vec3 window = 0.5 / mirrored.w * mirrored.xyz;
+  point.start = vec3(0.5 + waterMapScale * vec2(-window.x, window.y),
+    waterDepthScale * (0.5 + window.z));
+  return point;
+}
+
+// The background in a direction: painted on the user's screen, as in vtkWaterSkyFS.glsl.
+vec3 waterSky(vec3 dir)
+{
+  vec4 eye = waterDirToEye * vec4(dir, 0.0);
+  float height = eye.w > 0.0 ? 0.5 + 0.5 * eye.y / eye.w : step(0.0, eye.y);
+  return mix(waterSkyBottom.rgb, waterSkyTop.rgb, clamp(height, 0.0, 1.0));
+}

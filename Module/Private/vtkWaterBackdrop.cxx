@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkWaterBackdrop.h"
+
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkWaterGL.h"
+
+namespace
+{
+// What is bound for drawing.
+struct Source
+{
+  Source()
+  {
+    glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &this->Framebuffer);
+    glGetIntegerv(GL_DRAW_BUFFER, &this->Buffer);
+    glGetIntegerv(GL_SAMPLES, &this->Samples);
+  }
+
+  int Get(int attachment, GLenum name) const
+  {
+    GLint value = 0;
+    glGetFramebufferAttachmentParameteriv(
+      GL_DRAW_FRAMEBUFFER, static_cast<GLenum>(attachment), name, &value);
+    return value;
+  }
+
+  int GetColorType() const
+  {
+    const GLenum name = GL_FRAMEBUFFER_ATTACHMENT_COMPONENT_TYPE;
+    const bool isFloat = this->Framebuffer && this->Get(this->Buffer, name) == GL_FLOAT;
+    return isFloat ? VTK_FLOAT : VTK_UNSIGNED_CHAR;
+  }
+
+  int GetDepthFormat() const
+  {
+    if (!this->Framebuffer)
+    {
+      return vtkTextureObject::Fixed24;
+    }
+    if (this->Get(GL_DEPTH_ATTACHMENT, GL_FRAMEBUFFER_ATTACHMENT_COMPONENT_TYPE) == GL_FLOAT)
+    {
+      return vtkTextureObject::Float32;
+    }
+    const int bits = this->Get(GL_DEPTH_ATTACHMENT, GL_FRAMEBUFFER_ATTACHMENT_DEPTH_SIZE);
+    return bits == 16 ? vtkTextureObject::Fixed16
+                      : (bits == 24 ? vtkTextureObject::Fixed24 : vtkTextureObject::Fixed32);
+  }
+
+  GLint Framebuffer = 0;
+  GLint Buffer = 0;
+  GLint Samples = 0;
+};
+
+void CopyTo(vtkTextureObject* texture, const int rect[4])
+{
+  texture->Activate();
+  glCopyTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, rect[0], rect[1], rect[2], rect[3]);
+  texture->Deactivate();
+}
+}
+
+//------------------------------------------------------------------------------
+bool vtkWaterBackdrop::Ensure(vtkOpenGLRenderWindow* window, int width, int height)
+{
+  const Source source;
+  const int colorType = source.GetColorType();
+  const int depthFormat = source.GetDepthFormat();
+  if (this->Color && this->Color->GetContext() == window && this->Width == width &&
+    this->Height == height && this->ColorType == colorType && this->DepthFormat == depthFormat)
+  {
+    return true;
+  }
+  this->ReleaseGraphicsResources(nullptr);
+  this->Color = vtkSmartPointer<vtkTextureObject>::New();
+  this->Depth = vtkSmartPointer<vtkTextureObject>::New();
+  for (vtkTextureObject* texture : { this->Color.Get(), this->Depth.Get() })
+  {
+    const int filter =
+      texture == this->Color ? vtkTextureObject::Linear : vtkTextureObject::Nearest;
+    texture->SetContext(window);
+    texture->SetMinificationFilter(filter);
+    texture->SetMagnificationFilter(filter);
+    texture->SetWrapS(vtkTextureObject::ClampToEdge);
+    texture->SetWrapT(vtkTextureObject::ClampToEdge);
+  }
+  if (!this->Color->Allocate2D(
+        static_cast<unsigned int>(width), static_cast<unsigned int>(height), 4, colorType) ||
+    !this->Depth->AllocateDepth(
+      static_cast<unsigned int>(width), static_cast<unsigned int>(height), depthFormat))
+  {
+    this->ReleaseGraphicsResources(nullptr);
+    return false;
+  }
+  this->Width = width;
+  this->Height = height;
+  this->ColorType = colorType;
+  this->DepthFormat = depthFormat;
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkWaterBackdrop::Copy(vtkOpenGLRenderWindow* window, const int rect[4])
+{
+  if (!this->Ensure(window, rect[2], rect[3]))
+  {
+    return false;
+  }
+  const Source source;
+  vtkOpenGLState* state = window->GetState();
+  state->PushFramebufferBindings();
+  state->vtkglBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<unsigned int>(source.Framebuffer));
+  GLint readBuffer = 0;
+  glGetIntegerv(GL_READ_BUFFER, &readBuffer);
+  glReadBuffer(static_cast<GLenum>(source.Buffer));
+  if (source.Samples > 0)
+  {
+    if (!this->Framebuffer)
+    {
+      this->Framebuffer = vtkSmartPointer<vtkOpenGLFramebufferObject>::New();
+      this->Framebuffer->SetContext(window);
+    }
+    vtkOpenGLState::ScopedglEnableDisable scissor(state, GL_SCISSOR_TEST);
+    state->vtkglDisable(GL_SCISSOR_TEST); // it cuts a blit
+    this->Framebuffer->Bind(vtkOpenGLFramebufferObject::GetDrawMode());
+    this->Framebuffer->AddColorAttachment(0, this->Color);
+    this->Framebuffer->AddDepthAttachment(this->Depth);
+    this->Framebuffer->ActivateDrawBuffer(0);
+    state->vtkglBlitFramebuffer(rect[0], rect[1], rect[0] + rect[2], rect[1] + rect[3], 0, 0,
+      rect[2], rect[3], GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT, GL_NEAREST);
+  }
+  else
+  {
+    CopyTo(this->Color, rect);
+    CopyTo(this->Depth, rect);
+  }
+  glReadBuffer(static_cast<GLenum>(readBuffer));
+  state->PopFramebufferBindings();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterBackdrop::ReleaseGraphicsResources(vtkWindow* window)
+{
+  if (this->Framebuffer && window)
+  {
+    this->Framebuffer->ReleaseGraphicsResources(window);
+  }
+  for (vtkTextureObject* texture : { this->Color.Get(), this->Depth.Get() })
+  {
+    if (texture && window)
+    {
+      texture->ReleaseGraphicsResources(window);
+    }
+  }
+  // without a window the destructors free what is left, through VTK's resource callbacks
+  this->Framebuffer = nullptr;
+  this->Color = nullptr;
+  this->Depth = nullptr;
+  this->Width = this->Height = 0;
+}
