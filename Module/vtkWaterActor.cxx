@@ -514,6 +514,7 @@ void vtkWaterActor::ShallowCopy(vtkProp* prop)
     }
     this->OwnPass->SetTextureScale(other->OwnPass->GetTextureScale());
     this->OwnPass->SetMultiSamples(other->OwnPass->GetMultiSamples());
+    this->OwnPass->SetColorPrecision(other->OwnPass->GetColorPrecision());
     this->OwnPass->SetClipMargin(other->OwnPass->GetClipMargin());
     this->OwnPass->SetGuardBand(other->OwnPass->GetGuardBand());
     this->OwnPass->SetShowReflection(other->OwnPass->GetShowReflection());

@@ -130,6 +130,12 @@ void vtkWaterReflectionPass::SetMultiSamples(int samples)
 }
 
 //------------------------------------------------------------------------------
+void vtkWaterReflectionPass::SetColorPrecision(int precision)
+{
+  vtkWaterSetInRange(ColorPrecision, precision, AUTOMATIC, HALF_FLOAT);
+}
+
+//------------------------------------------------------------------------------
 void vtkWaterReflectionPass::SetClipMargin(double margin)
 {
   vtkWaterSetInRange(ClipMargin, margin, 0.0, std::numeric_limits<double>::max());
@@ -252,8 +258,10 @@ void vtkWaterReflectionPass::RenderReflection(
       ? this->MultiSamples
       : std::min(window->GetMultiSamples(), kMaximumDefaultSamples);
     const std::shared_ptr<Internals::View> view = internal.GetView(renderer);
-    const char* failure =
-      view->Mirror.Draw(renderer, shading, internal.Plan, drawn, samples > 1 ? samples : 0);
+    const bool isFloat = this->ColorPrecision == HALF_FLOAT ||
+      (this->ColorPrecision == AUTOMATIC && renderer->GetPass());
+    const char* failure = view->Mirror.Draw(
+      renderer, shading, internal.Plan, drawn, samples > 1 ? samples : 0, isFloat);
     if (internal.GetPlannedView() != view.get())
     {
       view->Mirror.ReleaseGraphicsResources(window); // was wanted in the middle of it
@@ -462,6 +470,7 @@ void vtkWaterReflectionPass::PrintSelf(ostream& os, vtkIndent indent)
   }
   os << indent << "TextureScale: " << this->TextureScale << "\n";
   os << indent << "MultiSamples: " << this->MultiSamples << "\n";
+  os << indent << "ColorPrecision: " << this->ColorPrecision << "\n";
   os << indent << "ClipMargin: " << this->ClipMargin << "\n";
   os << indent << "GuardBand: " << this->GuardBand << "\n";
   os << indent << "ShowReflection: " << (this->ShowReflection ? "on" : "off") << "\n";

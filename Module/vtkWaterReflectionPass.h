@@ -108,6 +108,24 @@ public:
   vtkGetMacro(MultiSamples, int);
   ///@}
 
+  enum ColorPrecisions
+  {
+    AUTOMATIC = 0,
+    EIGHT_BIT = 1,
+    HALF_FLOAT = 2
+  };
+
+  ///@{
+  /**
+   * What the mirrored view's colours are stored in. They are linear, as the picture's, and not tone
+   * mapped. EIGHT_BIT holds [0, 1]; HALF_FLOAT holds any light with 11 bits, at a tenth more time
+   * on software renderers. AUTOMATIC: half floats when the renderer has a pass of its own, which
+   * may tone map; else 8 bits, as the picture. Default is AUTOMATIC.
+   */
+  void SetColorPrecision(int precision);
+  vtkGetMacro(ColorPrecision, int);
+  ///@}
+
   ///@{
   /**
    * How far behind the plane geometry is kept in the mirrored view, in the scene's unit: finite
@@ -139,7 +157,7 @@ public:
 
   ///@{
   /**
-   * Colour (8-bit RGBA) and depth of the last mirrored view, flipped in x; nullptr before the
+   * Colour (RGBA) and depth of the last mirrored view, flipped in x; nullptr before the
    * first. They belong to the pass, and only the part that the water can look up is drawn.
    */
   vtkTextureObject* GetReflectionTexture();
@@ -212,6 +230,7 @@ private:
   vtkSmartPointer<vtkRenderPass> DefaultDelegate; // when there is no other
   double TextureScale = 1.0;
   int MultiSamples = -1;
+  int ColorPrecision = AUTOMATIC;
   double ClipMargin = 0.0;
   double GuardBand = 0.0;
   bool ShowReflection = false;

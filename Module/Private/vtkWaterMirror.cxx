@@ -142,11 +142,11 @@ void SetViewportAndScissor(vtkOpenGLState* state, const water_plan& plan)
 
 //------------------------------------------------------------------------------
 const char* vtkWaterMirror::Draw(vtkRenderer* renderer, vtkWaterShading* shading,
-  const water_plan& plan, std::vector<vtkProp*>& props, int samples)
+  const water_plan& plan, std::vector<vtkProp*>& props, int samples, bool isFloat)
 {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   vtkOpenGLState* state = window->GetState();
-  if (!this->Target.Ensure(window, plan.texture_px[0], plan.texture_px[1], samples))
+  if (!this->Target.Ensure(window, plan.texture_px[0], plan.texture_px[1], samples, isFloat))
   {
     return "the GPU gave no framebuffer for the reflection texture";
   }

@@ -23,10 +23,11 @@ public:
   // Draws the props into the target.
   //
   // samples  per pixel, 0: none
+  // isFloat  colours are half floats, or bytes
   //
   // Returns nullptr, or what went wrong in a few words; the target is then not to be used.
   const char* Draw(vtkRenderer* renderer, vtkWaterShading* shading, const water_plan& plan,
-    std::vector<vtkProp*>& props, int samples);
+    std::vector<vtkProp*>& props, int samples, bool isFloat);
 
   // In the middle of Draw, which runs the user's observers: nothing may be released then.
   bool GetIsDrawing() const { return this->IsDrawing; }

@@ -10,7 +10,8 @@
 #include <algorithm>
 
 //------------------------------------------------------------------------------
-bool vtkWaterTarget::Ensure(vtkOpenGLRenderWindow* window, int width, int height, int wanted)
+bool vtkWaterTarget::Ensure(
+  vtkOpenGLRenderWindow* window, int width, int height, int wanted, bool isFloat)
 {
   int samples = 0;
   if (wanted > 0)
@@ -19,7 +20,7 @@ bool vtkWaterTarget::Ensure(vtkOpenGLRenderWindow* window, int width, int height
     samples = std::min(samples, wanted); // as VTK's windows do
   }
   if (this->Framebuffer && this->Framebuffer->GetContext() == window && this->Width == width &&
-    this->Height == height && this->Samples == samples)
+    this->Height == height && this->Samples == samples && this->IsFloat == isFloat)
   {
     return true;
   }
@@ -42,7 +43,12 @@ bool vtkWaterTarget::Ensure(vtkOpenGLRenderWindow* window, int width, int height
   vtkOpenGLState* state = window->GetState();
   state->PushFramebufferBindings();
   // Fixed32, as the window's own depth: volume mappers blit it, which wants equal formats.
-  bool ok = this->Color->Allocate2D(width, height, 4, VTK_UNSIGNED_CHAR) &&
+  const int colorType = isFloat ? VTK_FLOAT : VTK_UNSIGNED_CHAR;
+  if (isFloat)
+  {
+    this->Color->SetInternalFormat(GL_RGBA16F);
+  }
+  bool ok = this->Color->Allocate2D(width, height, 4, colorType) &&
     this->Depth->AllocateDepth(width, height, vtkTextureObject::Fixed32);
   if (ok)
   {
@@ -61,7 +67,7 @@ bool vtkWaterTarget::Ensure(vtkOpenGLRenderWindow* window, int width, int height
     this->SampledFramebuffer = vtkSmartPointer<vtkOpenGLFramebufferObject>::New();
     this->SampledFramebuffer->SetContext(window);
     ok = this->SampledFramebuffer->PopulateFramebuffer(
-      width, height, true, 1, VTK_UNSIGNED_CHAR, true, 32, samples);
+      width, height, true, 1, colorType, true, 32, samples);
   }
   state->PopFramebufferBindings();
   if (!ok)
@@ -72,6 +78,7 @@ bool vtkWaterTarget::Ensure(vtkOpenGLRenderWindow* window, int width, int height
   this->Width = width;
   this->Height = height;
   this->Samples = samples;
+  this->IsFloat = isFloat;
   return true;
 }
 

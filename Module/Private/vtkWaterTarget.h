@@ -14,10 +14,10 @@ class vtkWaterTarget
 {
 public:
   // Makes or changes the textures to this size (pixels) and number of samples (0: none; at
-  // most what the GPU has).
+  // most what the GPU has). Colours are half floats, or bytes.
   //
   // Returns false, and leaves nothing half made, when the GPU refuses.
-  bool Ensure(vtkOpenGLRenderWindow* window, int width, int height, int samples);
+  bool Ensure(vtkOpenGLRenderWindow* window, int width, int height, int samples, bool isFloat);
 
   // Binds the framebuffer to draw into; Resolve() brings its samples into the textures. The caller
   // has pushed the framebuffer bindings and pops them.
@@ -40,6 +40,7 @@ private:
   int Width = 0;
   int Height = 0;
   int Samples = 0;
+  bool IsFloat = false;
 };
 
 #endif
