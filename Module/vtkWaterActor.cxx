@@ -12,6 +12,7 @@
 #include "vtkPlane.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
+#include "vtkTexture.h"
 #include "vtkWaterAccess.h"
 #include "vtkWaterCompat.h"
 #include "vtkWaterErrors.h"
@@ -487,6 +488,10 @@ void vtkWaterActor::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->OwnPass->ReleaseGraphicsResources(window);
   this->Surface->ReleaseGraphicsResources(window);
+  if (vtkTexture* environment = this->WaterProperty->GetEnvironmentTexture())
+  {
+    environment->ReleaseGraphicsResources(window);
+  }
   this->Superclass::ReleaseGraphicsResources(window);
 }
 

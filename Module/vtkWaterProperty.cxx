@@ -3,12 +3,16 @@
 
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"
+#include "vtkSmartPointer.h"
+#include "vtkTexture.h"
 #include "vtkWaterCompat.h"
 #include "water_body.h"
+#include "water_glitter.h"
 #include "water_preset.h"
 #include "water_waves.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <limits>
 #include <string>
@@ -22,6 +26,7 @@ struct vtkWaterProperty::Internals
 {
   std::vector<water_wave> Waves;
   double Extinction[3]; // 1/m
+  vtkSmartPointer<vtkTexture> Environment;
 };
 
 //------------------------------------------------------------------------------
@@ -62,36 +67,144 @@ void vtkWaterProperty::SetIndexOfRefraction(double index)
 }
 
 //------------------------------------------------------------------------------
-void vtkWaterProperty::SetDeepColor(double red, double green, double blue)
+void vtkWaterProperty::SetColor(
+  const char* name, double (&member)[3], double red, double green, double blue)
 {
   const double rgb[3] = { red, green, blue };
   for (double channel : rgb)
   {
     if (!(channel >= 0.0 && channel <= 1.0))
     {
-      vtkErrorMacro("DeepColor is ("
-        << red << ", " << green << ", " << blue << "); every channel must lie in [0, 1]. It stays ("
-        << this->DeepColor[0] << ", " << this->DeepColor[1] << ", " << this->DeepColor[2] << ").");
+      vtkErrorMacro(<< name << " is (" << red << ", " << green << ", " << blue
+                    << "); every channel must lie in [0, 1]. It stays (" << member[0] << ", "
+                    << member[1] << ", " << member[2] << ").");
       return;
     }
   }
-  if (red != this->DeepColor[0] || green != this->DeepColor[1] || blue != this->DeepColor[2])
+  if (!std::equal(rgb, rgb + 3, member))
   {
-    this->DeepColor[0] = red;
-    this->DeepColor[1] = green;
-    this->DeepColor[2] = blue;
+    std::copy(rgb, rgb + 3, member);
     this->Modified();
   }
 }
 
 //------------------------------------------------------------------------------
-void vtkWaterProperty::SetRefraction(bool refraction)
+void vtkWaterProperty::SetDeepColor(double red, double green, double blue)
 {
-  if (this->Refraction != refraction)
+  this->SetColor("DeepColor", this->DeepColor, red, green, blue);
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterProperty::SetFoamColor(double red, double green, double blue)
+{
+  this->SetColor("FoamColor", this->FoamColor, red, green, blue);
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterProperty::SetFoamDepth(double depth)
+{
+  vtkWaterSetInRange(FoamDepth, depth, 0.0, std::numeric_limits<double>::max());
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterProperty::SetFoamStretch(double stretch)
+{
+  vtkWaterSetInRange(FoamStretch, stretch, 0.0, 1.0);
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterProperty::SetShoreSoftness(double depth)
+{
+  vtkWaterSetInRange(ShoreSoftness, depth, 0.0, std::numeric_limits<double>::max());
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterProperty::SetReflectionSource(int source)
+{
+  vtkWaterSetInRange(ReflectionSource, source, SCENE, ENVIRONMENT);
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterProperty::SetEnvironmentTexture(vtkTexture* texture)
+{
+  if (texture && texture->GetCubeMap())
   {
-    this->Refraction = refraction;
+    vtkErrorMacro("EnvironmentTexture is a cube map; it must be one picture in latitude and "
+                  "longitude. It stays as it was.");
+  }
+  else if (this->Internal->Environment != texture)
+  {
+    this->Internal->Environment = texture;
     this->Modified();
   }
+}
+
+//------------------------------------------------------------------------------
+vtkTexture* vtkWaterProperty::GetEnvironmentTexture() const
+{
+  return this->Internal->Environment;
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterProperty::SetGlitter(bool glitter)
+{
+  vtkWaterSetInRange(Glitter, glitter, false, true);
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterProperty::SetSlopeVariance(double along, double across, double direction)
+{
+  const double variance[3] = { along, across, direction };
+  if (!(along >= 0.0 && across >= 0.0 && std::isfinite(along) && std::isfinite(across) &&
+        std::isfinite(direction)))
+  {
+    vtkErrorMacro("SlopeVariance is " << along << " along and " << across << " across " << direction
+                                      << " degrees; all must be finite and the "
+                                      << "variances not negative. They stay as they were.");
+  }
+  else if (!std::equal(variance, variance + 3, this->SlopeVariance))
+  {
+    std::copy(variance, variance + 3, this->SlopeVariance);
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterProperty::SetSlopeVarianceToWind(double speed, double direction)
+{
+  double variance[2];
+  const water_status status = water_glitter_variance(speed, variance);
+  if (status != WATER_OK)
+  {
+    vtkErrorMacro("Wind of " << speed << " m/s: " << water_status_text(status)
+                             << ". SlopeVariance stays as it was.");
+    return;
+  }
+  this->SetSlopeVariance(variance[0], variance[1], direction);
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterProperty::GetSlopeVariance(double variance[3]) const
+{
+  std::copy(this->SlopeVariance, this->SlopeVariance + 3, variance);
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterProperty::SetShadows(bool shadows)
+{
+  vtkWaterSetInRange(Shadows, shadows, false, true);
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterProperty::SetCaustics(double strength)
+{
+  vtkWaterSetInRange(Caustics, strength, 0.0, 1.0);
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterProperty::SetRefraction(bool refraction)
+{
+  vtkWaterSetInRange(Refraction, refraction, false, true);
 }
 
 //------------------------------------------------------------------------------
@@ -288,6 +401,19 @@ const water_wave* vtkWaterProperty::GetWaves() const
 }
 
 //------------------------------------------------------------------------------
+bool vtkWaterProperty::NeedsRays() const
+{
+  return this->GetNumberOfWaves() > 0 || this->Output != COLOR || this->Shadows;
+}
+
+//------------------------------------------------------------------------------
+bool vtkWaterProperty::HasGlitter() const
+{
+  return this->Glitter &&
+    (this->GetNumberOfWaves() > 0 || this->SlopeVariance[0] + this->SlopeVariance[1] > 0.0);
+}
+
+//------------------------------------------------------------------------------
 void vtkWaterProperty::SetDepth(double depth)
 {
   if (!(depth > 0.0))
@@ -367,6 +493,20 @@ void vtkWaterProperty::PrintSelf(ostream& os, vtkIndent indent)
      << this->Absorption[2] << ")\n";
   os << indent << "Scattering: (" << this->Scattering[0] << ", " << this->Scattering[1] << ", "
      << this->Scattering[2] << ")\n";
+  os << indent << "ShoreSoftness: " << this->ShoreSoftness << "\n";
+  os << indent
+     << "ReflectionSource: " << (this->ReflectionSource == ENVIRONMENT ? "ENVIRONMENT" : "SCENE")
+     << "\n";
+  os << indent << "EnvironmentTexture: " << this->GetEnvironmentTexture() << "\n";
+  os << indent << "Glitter: " << (this->Glitter ? "on" : "off") << "\n";
+  os << indent << "SlopeVariance: " << this->SlopeVariance[0] << " along, "
+     << this->SlopeVariance[1] << " across " << this->SlopeVariance[2] << " degrees\n";
+  os << indent << "FoamDepth: " << this->FoamDepth << "\n";
+  os << indent << "FoamStretch: " << this->FoamStretch << "\n";
+  os << indent << "FoamColor: (" << this->FoamColor[0] << ", " << this->FoamColor[1] << ", "
+     << this->FoamColor[2] << ")\n";
+  os << indent << "Shadows: " << (this->Shadows ? "on" : "off") << "\n";
+  os << indent << "Caustics: " << this->Caustics << "\n";
   os << indent << "Opacity: " << this->Opacity << "\n";
   os << indent << "Depth: " << this->Depth << "\n";
   os << indent << "Waves: " << this->GetNumberOfWaves() << "\n";

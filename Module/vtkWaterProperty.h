@@ -25,6 +25,8 @@ struct water_wave;
 VTK_ABI_NAMESPACE_BEGIN
 #endif
 
+class vtkTexture;
+
 class VTKRENDERINGWATER_EXPORT vtkWaterProperty : public vtkObject
 {
 public:
@@ -139,6 +141,103 @@ public:
   void SetDeepColor(double red, double green, double blue);
   void SetDeepColor(const double rgb[3]) { this->SetDeepColor(rgb[0], rgb[1], rgb[2]); }
   vtkGetVector3Macro(DeepColor, double);
+  ///@}
+
+  ///@{
+  /**
+   * Depth of water over which its reflection begins at a shore, m: finite and not negative. Only
+   * with Refraction, which knows the depth. Default is 0.05.
+   */
+  void SetShoreSoftness(double depth);
+  vtkGetMacro(ShoreSoftness, double);
+  ///@}
+
+  enum ReflectionSources
+  {
+    SCENE = 0,
+    ENVIRONMENT = 1
+  };
+
+  ///@{
+  /**
+   * What is reflected: the SCENE, rendered once more by a mirrored camera; or the static
+   * ENVIRONMENT, for which nothing is rendered: EnvironmentTexture, or the renderer's background
+   * without one. Default is SCENE.
+   */
+  void SetReflectionSource(int source);
+  vtkGetMacro(ReflectionSource, int);
+  void SetReflectionSourceToScene() { this->SetReflectionSource(SCENE); }
+  void SetReflectionSourceToEnvironment() { this->SetReflectionSource(ENVIRONMENT); }
+  ///@}
+
+  ///@{
+  /**
+   * The picture of the surroundings, in latitude and longitude, as vtkSkybox with the projection
+   * Sphere has it; it lies as the renderer's EnvironmentUp and EnvironmentRight say. A cube map is
+   * refused with an error. Default is nullptr.
+   */
+  void SetEnvironmentTexture(vtkTexture* texture);
+  vtkTexture* GetEnvironmentTexture() const;
+  ///@}
+
+  ///@{
+  /**
+   * The sun's glitter on waves, and on water with a SlopeVariance, by the distribution of the
+   * slopes. The sun is the brightest scene light of the renderer; a headlight has none. Default is
+   * on.
+   *
+   * Source: Cox and Munk 1954, "Measurement of the Roughness of the Sea Surface from Photographs of
+   * the Sun's Glitter".
+   */
+  void SetGlitter(bool glitter);
+  vtkGetMacro(Glitter, bool);
+  vtkBooleanMacro(Glitter, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Variance of the slopes of waves that are too small to be given one by one: along and across a
+   * direction (degrees), finite and not negative. SetSlopeVarianceToWind takes Cox and Munk's
+   * measured ones for a wind speed in [0.1, 100] m/s that blows to a direction. Default is 0.
+   */
+  void SetSlopeVariance(double along, double across, double direction = 0.0);
+  void SetSlopeVarianceToWind(double speed, double direction = 0.0);
+  void GetSlopeVariance(double variance[3]) const; // along, across, direction
+  ///@}
+
+  ///@{
+  /**
+   * Foam: where the water is shallower than FoamDepth (m, with Refraction), and on crests whose
+   * points stand closer than FoamStretch times their distance at rest, in [0, 1]: those of steep
+   * waves. 0 is none. FoamColor in [0, 1] is lit by the sun. Defaults: 0, 0 and (0.95, 0.97, 1).
+   */
+  void SetFoamDepth(double depth);
+  vtkGetMacro(FoamDepth, double);
+  void SetFoamStretch(double stretch);
+  vtkGetMacro(FoamStretch, double);
+  void SetFoamColor(double red, double green, double blue);
+  void SetFoamColor(const double rgb[3]) { this->SetFoamColor(rgb[0], rgb[1], rgb[2]); }
+  vtkGetVector3Macro(FoamColor, double);
+  ///@}
+
+  ///@{
+  /**
+   * Shadows of things on the water's glitter and foam: a ray to the sun is traced in the mirrored
+   * view, and finds what that shows; what passes behind a thing there counts as shaded by it. Costs
+   * as much as the reflection, and needs Lookup RAY_TRACED. Default is off.
+   */
+  void SetShadows(bool shadows);
+  vtkGetMacro(Shadows, bool);
+  vtkBooleanMacro(Shadows, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Strength of the light that waves gather on what lies under them, in [0, 1]; with Refraction,
+   * waves and a sun. Default is 0: none.
+   */
+  void SetCaustics(double strength);
+  vtkGetMacro(Caustics, double);
   ///@}
 
   ///@{
@@ -277,9 +376,15 @@ private:
   void operator=(const vtkWaterProperty&) = delete;
 
   friend class vtkWaterActor;
+  friend struct vtkWaterGather;
   friend class vtkWaterSurface;
   const water_wave* GetWaves() const;
+  // Is the map looked up along rays? A calm look has no reasons, and sees no shadows.
+  bool NeedsRays() const;
+  bool HasGlitter() const;             // calm water has none
   const double* GetExtinction() const; // absorption + scattering
+  // Refuses a colour with a channel outside [0, 1].
+  void SetColor(const char* name, double (&member)[3], double red, double green, double blue);
   // Sets one of the two when the water has good numbers then.
   void SetMedium(const char* name, double (vtkWaterProperty::*member)[3], const double value[3]);
   void UseMedium(const water_medium& medium);
@@ -293,6 +398,15 @@ private:
   double Absorption[3] = { 0.0, 0.0, 0.0 };
   double Scattering[3] = { 0.0, 0.0, 0.0 };
   double DeepColor[3] = { 0.02, 0.09, 0.13 };
+  double ShoreSoftness = 0.05;
+  int ReflectionSource = SCENE;
+  bool Glitter = true;
+  double SlopeVariance[3] = { 0.0, 0.0, 0.0 };
+  double FoamDepth = 0.0;
+  double FoamStretch = 0.0;
+  double FoamColor[3] = { 0.95, 0.97, 1.0 };
+  bool Shadows = false;
+  double Caustics = 0.0;
   double Opacity = 1.0;
   double Depth;
   int Lookup = RAY_TRACED;

@@ -31,6 +31,15 @@ water_status water_glitter_mean_square(double wind_speed, double* mean_square)
   return WATER_OK;
 }
 
+void water_glitter_covariance(const double variance[2], double dir_rad, double covariance[3])
+{
+  const double c = cos(dir_rad);
+  const double s = sin(dir_rad);
+  covariance[0] = c * c * variance[0] + s * s * variance[1];
+  covariance[1] = s * s * variance[0] + c * c * variance[1];
+  covariance[2] = c * s * (variance[0] - variance[1]);
+}
+
 double water_glitter_density(const double variance[2], const double slope[2])
 {
   const double square = slope[0] * slope[0] / variance[0] + slope[1] * slope[1] / variance[1];

@@ -27,6 +27,11 @@ water_status water_glitter_variance(double wind_speed, double variance[2]);
 // errors as above.
 water_status water_glitter_mean_square(double wind_speed, double* mean_square);
 
+// The same variances in axes that the first variance's direction is turned from: xx, yy and xy.
+//
+// dir_rad  of the first variance, from the first towards the second axis
+void water_glitter_covariance(const double variance[2], double dir_rad, double covariance[3]);
+
 // Probability per unit of both slopes, Gaussian; the integral over all slopes is 1.
 //
 // variance  along two axes at right angles, both > 0

@@ -72,6 +72,66 @@ void water_lookup_dirs(const water_camera* camera, const water_axes* axes, doubl
   }
 }
 
+bool water_lookup_local(const water_axes* axes, const double dir[3], double local[3])
+{
+  const double length = water_vec3_length(dir);
+  if (!(length > 0.0) || !isfinite(length))
+  {
+    return false;
+  }
+  local[0] = water_vec3_dot(dir, axes->x_dir) / length;
+  local[1] = water_vec3_dot(dir, axes->y_dir) / length;
+  local[2] = water_vec3_dot(dir, axes->normal) / length;
+  return true;
+}
+
+void water_lookup_environment(
+  const water_axes* axes, const double up[3], const double right[3], double dir_to_environment[9])
+{
+  double rows[3][3] = { { 1.0, 0.0, 0.0 }, { 0.0, 1.0, 0.0 }, { 0.0, 0.0, 1.0 } };
+  double back[3];
+  water_vec3_cross(right, up, back);
+  const double back_length = water_vec3_length(back);
+  const double up_length = water_vec3_length(up);
+  if (back_length > 0.0 && isfinite(back_length) && isfinite(up_length))
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      rows[1][i] = up[i] / up_length;
+      rows[2][i] = back[i] / back_length;
+    }
+    water_vec3_cross(rows[1], rows[2], rows[0]);
+  }
+  const double* local[3] = { axes->x_dir, axes->y_dir, axes->normal };
+  for (int i = 0; i < 9; ++i)
+  {
+    dir_to_environment[i] = water_vec3_dot(rows[i / 3], local[i % 3]);
+  }
+}
+
+bool water_lookup_is_submerged(const water_camera* camera, const water_eye* eye,
+  const water_plane* plane, const double surface_bounds[6])
+{
+  if (camera->parallel || !eye->has_center)
+  {
+    return false;
+  }
+  const double center[4] = { eye->center_view[0], eye->center_view[1], eye->center_view[2], 1.0 };
+  double foot[4];
+  water_mat4_apply(eye->view_to_world, center, foot);
+  water_plane_project(plane, foot, foot);
+  for (int i = 0; i < 3; ++i)
+  {
+    // a flat box has no inside
+    const double margin = 1e-6 * (1.0 + fabs(foot[i]));
+    if (foot[i] < surface_bounds[2 * i] - margin || foot[i] > surface_bounds[2 * i + 1] + margin)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
 void water_lookup_depths(const water_camera* mirrored, double* z_infinity, double tolerance[2])
 {
   const double* clip = mirrored->view_to_clip;

@@ -42,6 +42,25 @@ water_status water_lookup_places(const water_camera* camera, const water_eye* ey
 // where a ray ends. 4 rows of 3.
 void water_lookup_dirs(const water_camera* camera, const water_axes* axes, double dir_to_clip[12]);
 
+// A direction of the world in the plane's axes (the third towards the eye), at unit length.
+//
+// Returns false, and leaves the output, when it has no finite length or none.
+bool water_lookup_local(const water_axes* axes, const double dir[3], double local[3]);
+
+// Directions in the plane's axes -> (right, up, back) of a picture of the surroundings: back =
+// right x up, which is made orthogonal to up first. Parallel ones, or ones without a length, give
+// the world's x, y and z. As vtkSkybox has it.
+void water_lookup_environment(
+  const water_axes* axes, const double up[3], const double right[3], double dir_to_environment[9]);
+
+// Is the eye in the water: under the plane, beside or under no edge of the surface? Never for a
+// parallel eye, which is nowhere.
+//
+// plane           normalised, normal towards the eye, which is below
+// surface_bounds  of the surface in world
+bool water_lookup_is_submerged(const water_camera* camera, const water_eye* eye,
+  const water_plane* plane, const double surface_bounds[6]);
+
 // The map's window depth at infinity, beyond 1 for a perspective map, and how far a ray may be from
 // the map's depth to have met it, in shares of (z_infinity - depth).
 //

@@ -144,6 +144,11 @@ static water_status fill_view(const water_scene* scene, const checked* input,
   memcpy(plan->clip_w, input->eye.clip_to_view + 12, sizeof plan->clip_w);
   water_camera_rays(&input->eye, plane, axes->x_dir, axes->y_dir, plan->ndc_to_ray);
   water_lookup_dirs(&scene->eye, axes, plan->dir_to_eye);
+  water_lookup_environment(
+    axes, scene->environment_up, scene->environment_right, plan->dir_to_environment);
+  plan->is_submerged = input->side == WATER_BELOW &&
+    water_lookup_is_submerged(&scene->eye, &input->eye, plane, scene->surface_bounds);
+  plan->has_sun = scene->has_sun && water_lookup_local(axes, scene->sun_dir, plan->sun_dir);
   plan->eta = water_optics_eta(&scene->look, input->side);
   plan->reflectance = scene->look.constant_reflectance ? scene->look.reflectance : -1.0;
   return water_lookup_places(
@@ -178,7 +183,8 @@ water_status water_plan_make(const water_scene* scene, water_plan* plan, water_f
   }
   made.has_view = made.decision == WATER_REFLECT ||
     made.decision == WATER_NO_REFLECT_NO_REFLECTANCE ||
-    made.decision == WATER_NO_REFLECT_ENVIRONMENT;
+    made.decision == WATER_NO_REFLECT_ENVIRONMENT ||
+    (made.decision == WATER_NO_REFLECT_OUT_OF_VIEW && made.side == WATER_BELOW);
   if (made.has_view)
   {
     const water_plane plane = turn_to_eye(&input.plane, input.side);
@@ -195,6 +201,10 @@ water_status water_plan_make(const water_scene* scene, water_plan* plan, water_f
       {
         fill_shade(scene, &input, &plane, &axes, fates, &made);
       }
+    }
+    if (made.decision == WATER_NO_REFLECT_OUT_OF_VIEW)
+    {
+      made.has_view = made.is_submerged; // an eye in it sees the water wherever it looks
     }
     if (status != WATER_OK)
     {

@@ -112,6 +112,10 @@ typedef struct water_scene
   double slope_rms;       // of the waves, >= 0
   double guard_band;    // map with waves: size of its frustum over the eye's, >= 1; 0: by slope_rms
   bool has_environment; // what is reflected is a static picture of the surroundings
+  double environment_up[3]; // of that picture, in world; water_lookup.h
+  double environment_right[3];
+  bool has_sun;
+  double sun_dir[3];        // towards the sun, in world, any length but 0
   double surface_bounds[6]; // of the water surface in world; min > max: there is no surface
   const water_prop* props;  // prop_count of them: all props, not only those the eye sees
   size_t prop_count;
@@ -139,8 +143,13 @@ typedef struct water_plan
   double dir_to_eye[12];  // direction in the plane's axes -> clip of the eye; 4 rows of 3
   double origin_xy[2];    // of the point under the eye, in the plane's own axes
   double ndc_to_plane[9]; // (x, y, 1) in NDC of the eye -> (x, y, w) on the plane, from origin_xy
-  double eta;             // index beyond the surface / index on the eye's side
-  double reflectance;     // in [0, 1], or -1: exact Fresnel with eta
+  double dir_to_environment[9]; // direction in the plane's axes -> (right, up, back) of the static
+                                // environment
+  bool is_submerged;            // the eye is under this water
+  bool has_sun;                 // it shines on the surface from the normal's side
+  double sun_dir[3];            // towards the sun, in the plane's axes, unit length
+  double eta;                   // index beyond the surface / index on the eye's side
+  double reflectance;           // in [0, 1], or -1: exact Fresnel with eta
 
   // draw: the mirrored camera, twice: as matrices and in vtkCamera's terms
   water_camera mirrored;

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkWaterBodyFS.glsl: stage body: what is seen through the surface, refracted, and what the way
 // through the water leaves of it; water_body.c for the shader.
-// Needs vtkWaterPointFS.glsl before it.
+// Needs vtkWaterPointFS.glsl and vtkWaterNoCausticsFS.glsl before it.
 //
 // Seen from above the refracted ray runs through the water, from below the view ray does.
 
 uniform sampler2D waterSceneColor; // the picture without this water; linear
 uniform sampler2D waterSceneDepth; // its window depth, 1: background; nearest
 uniform vec3 waterExtinction;      // absorption + scattering, 1/m
+uniform int waterIsSubmerged; // 1: the eye is in the water
 uniform vec4 waterHeightClip; // point in clip space of the eye -> height over the plane, times w
 uniform vec4 waterClipW;      // the same -> w of the point in view space
 
@@ -126,17 +127,25 @@ vec3 waterBeneath(WaterPoint point)
   {
     return depth >= 1.0 && waterSkyBottom.a > 0.5 ? waterSky(dir) : color;
   }
+  color *= waterCaustic(point.place + length * dir.xy, -length * dir.z);
   return depth >= 1.0 ? waterDeepColor : waterAfter(color, length);
+}
+
+// Depth of the water where the pixel looks straight, m.
+float waterBeneathDepth(WaterPoint point)
+{
+  vec2 uv = 0.5 + 0.5 * point.ndc;
+  float depth = waterBodyDepth(uv);
+  return depth >= 1.0 || waterSide < 0.0 ? 1e9 : max(-waterBodyHeight(uv, depth), 0.0);
 }
 
 // The surface as the eye sees it, which may be under water.
 vec3 waterSeenFrom(WaterPoint point, vec3 color)
 {
-  if (waterSide > 0.0)
+  if (waterIsSubmerged == 0)
   {
     return color;
   }
-  vec4 view = waterDirToEye * vec4(point.ray, 0.0);
-  float way = view.w > 0.0 ? 1.0 / (gl_FragCoord.w * view.w) : 2.0 * gl_FragCoord.z / view.z;
-  return waterAfter(color, way);
+  float along = (waterDirToEye * vec4(point.ray, 0.0)).w;
+  return waterAfter(color, 1.0 / (gl_FragCoord.w * along));
 }

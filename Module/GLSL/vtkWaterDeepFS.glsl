@@ -11,3 +11,9 @@ vec3 waterSeenFrom(WaterPoint point, vec3 color)
 {
   return color;
 }
+
+// Depth of the water where the pixel looks, m.
+float waterBeneathDepth(WaterPoint point)
+{
+  return 1e9; // not known
+}

@@ -155,3 +155,12 @@ vec3 waterReflected(WaterPoint point, out int reason, out vec2 uv)
   reason = isDownward ? WATER_DOWNWARD : reason;
   return color;
 }
+
+// How much of the light from a direction something keeps off, as far as the map shows it.
+float waterShaded(WaterPoint point, vec3 dir)
+{
+  int reason;
+  vec2 uv;
+  waterTrace(point.start, vec3(dir.xy, max(dir.z, 1e-6)), reason, uv);
+  return reason == WATER_HIT || reason == WATER_HIDDEN ? 1.0 : 0.0;
+}

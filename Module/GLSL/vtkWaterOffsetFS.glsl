@@ -14,3 +14,9 @@ vec3 waterReflected(WaterPoint point, out int reason, out vec2 uv)
   uv = point.start.xy + vec2(-offset.x, offset.y);
   return textureLod(waterReflection, uv, 0.0).rgb;
 }
+
+// How much of the light from a direction something keeps off, as far as the map shows it.
+float waterShaded(WaterPoint point, vec3 dir)
+{
+  return 0.0;
+}

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkWaterPointFS.glsl: what all stages of a surface's shader know about their pixel, and the sky.
 //
-// The stages, each one file of several: waves (waterRipple), reflection (waterReflected), body
-// (waterBeneath); vtkWaterSurfaceFS.glsl puts them together. They are files and not branches because
+// The stages, each one file of several: waves (waterRipple), reflection (waterReflected), caustics
+// (waterCaustic), body (waterBeneath), sun (waterSunlit); vtkWaterSurfaceFS.glsl puts them together. They are files and not branches because
 // software renderers execute both sides of a branch.
 //
 // NDC come from gl_FragCoord and the viewport of the draw itself (read from the GL state), which is
@@ -19,6 +19,8 @@ uniform float waterDepthScale; // depth in the map / depth in the picture, of th
 uniform float waterSide;       // 1: seen from above, -1: from below
 uniform float waterEta;        // index beyond the surface / index on the eye's side
 uniform vec3 waterDeepColor;   // of water without an end
+uniform vec3 waterSunDir;      // towards it, in the plane's axes
+uniform vec3 waterSlopeVariance; // xx, yy, xy of the slopes too small for waves
 uniform vec4 waterSkyBottom;   // a: 1 when the sky is known in all directions
 uniform vec4 waterSkyTop;
 
@@ -30,6 +32,8 @@ struct WaterPoint
   vec2 across;   // change of the place from pixel to pixel
   vec2 down;
   vec3 normal;   // of the surface, of unit length
+  vec2 variance; // of the slopes along the two axes that the normal leaves out
+  float stretch; // how close the surface's points stand, over at rest: 0 on a breaking crest
   vec3 start;    // where the map shows its calm reflection: u, v, depth
 };
 
@@ -43,6 +47,8 @@ WaterPoint waterPoint()
   point.across = dFdx(point.place);
   point.down = dFdy(point.place);
   point.normal = vec3(0.0, 0.0, 1.0);
+  point.variance = waterSlopeVariance.xy;
+  point.stretch = 1.0;
   vec4 clip = vec4(point.ndc, 2.0 * gl_FragCoord.z - 1.0, 1.0); // w cancels below
   vec4 mirrored = clip - 2.0 * dot(waterPlaneClip, clip) * waterNormalClip;
   vec3 window = 0.5 / mirrored.w * mirrored.xyz;

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkWaterSurfaceFS.glsl: the colour of a water pixel, from the stages.
-// Needs vtkWaterOptics.glsl, vtkWaterPointFS.glsl, vtkWaterCalmFS.glsl and vtkWaterDeepFS.glsl before
-// it, or others of their stages.
+// Needs vtkWaterOptics.glsl, vtkWaterPointFS.glsl, vtkWaterCalmFS.glsl, vtkWaterMirrorFS.glsl, vtkWaterDeepFS.glsl
+// and
+// vtkWaterNoSunFS.glsl before it, or others of their stages.
 
 uniform int waterHasView;       // 0: nothing is known of the view, show the plain colour
 uniform int waterIsReflecting;  // 0: there is no mirrored view
 uniform float waterReflectance; // 0 to 1, or below 0: Fresnel
+uniform float waterShoreSoftness; // m of depth
 uniform float waterOpacity;
 uniform int waterOutput;        // vtkWaterProperty::Outputs
 
@@ -39,10 +41,13 @@ void waterShade(inout vec4 color)
       ? waterFresnel(clamp(-dot(point.ray, point.normal), 0.0, 1.0), waterEta)
       : waterReflectance;
     rgb = waterBeneath(point);
+    // where the water is thinner than that it begins
+    reflectance *= clamp(waterBeneathDepth(point) / max(waterShoreSoftness, 1e-9), 0.0, 1.0);
     if (waterIsReflecting != 0)
     {
       rgb = mix(rgb, waterReflected(point, reason, uv), reflectance);
     }
+    waterSunlit(point, rgb);
     rgb = waterSeenFrom(point, rgb);
   }
   color = vec4(rgb, color.a * waterOpacity);

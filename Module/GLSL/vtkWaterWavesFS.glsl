@@ -10,16 +10,17 @@ uniform int waterRestSteps; // steps to the point at rest; 0 for sines, which do
 //
 // across, down  change of the place from pixel to pixel: of a wave that is short against them the
 //               pixel sees the mean slope. A Gaussian that falls as the mean over a box does.
-vec2 waterSlope(vec2 place, vec2 across, vec2 down)
+// stretch       area over that at rest
+vec2 waterSlope(vec2 place, vec2 across, vec2 down, out float stretch)
 {
   vec2 rest = place;
   vec2 gradient = vec2(0.0);
-  vec3 stretch = vec3(1.0, 0.0, 1.0); // d place / d rest: xx, xy, yy
+  vec3 bent = vec3(1.0, 0.0, 1.0); // d place / d rest: xx, xy, yy
   for (int step = 0; step <= waterRestSteps; ++step)
   {
     vec2 moved = vec2(0.0);
     gradient = vec2(0.0);
-    stretch = vec3(1.0, 0.0, 1.0);
+    bent = vec3(1.0, 0.0, 1.0);
     for (int i = 0; i < waterWaveCount; ++i)
     {
       vec4 wave = texelFetch(waterWaves, ivec2(0, i), 0);
@@ -32,24 +33,24 @@ vec2 waterSlope(vec2 place, vec2 across, vec2 down)
       float perK = steepness * inversesqrt(dot(k, k));
       gradient += bend.y * k;
       moved += perK * bend.y * k;
-      stretch -= perK * bend.x * vec3(k.x * k.x, k.x * k.y, k.y * k.y);
+      bent -= perK * bend.x * vec3(k.x * k.x, k.x * k.y, k.y * k.y);
     }
     if (step < waterRestSteps)
     {
       vec2 miss = rest + moved - place;
-      float area = max(stretch.x * stretch.z - stretch.y * stretch.y, 1e-3);
-      rest -= vec2(stretch.z * miss.x - stretch.y * miss.y,
-                stretch.x * miss.y - stretch.y * miss.x) / area;
+      float area = max(bent.x * bent.z - bent.y * bent.y, 1e-3);
+      rest -= vec2(bent.z * miss.x - bent.y * miss.y,
+                bent.x * miss.y - bent.y * miss.x) / area;
     }
   }
   // from slopes per point at rest to slopes per place
-  float area = max(stretch.x * stretch.z - stretch.y * stretch.y, 1e-6);
-  return vec2(stretch.z * gradient.x - stretch.y * gradient.y,
-           stretch.x * gradient.y - stretch.y * gradient.x) / area;
+  stretch = max(bent.x * bent.z - bent.y * bent.y, 1e-6);
+  return vec2(bent.z * gradient.x - bent.y * gradient.y,
+           bent.x * gradient.y - bent.y * gradient.x) / stretch;
 }
 
 void waterRipple(inout WaterPoint point)
 {
-  vec2 slope = waterSlope(point.place, point.across, point.down);
+  vec2 slope = waterSlope(point.place, point.across, point.down, point.stretch);
   point.normal = normalize(vec3(-waterSide * slope, 1.0));
 }

@@ -6,6 +6,8 @@
 #include "vtkCamera.h"
 #include "vtkInformation.h"
 #include "vtkInformationIntegerKey.h"
+#include "vtkLight.h"
+#include "vtkLightCollection.h"
 #include "vtkMatrix4x4.h"
 #include "vtkPlane.h"
 #include "vtkProp.h"
@@ -20,6 +22,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 namespace
 {
@@ -144,6 +147,23 @@ void vtkWaterGather::ReadPlaneOrigin(vtkWaterActor* water, double origin[3])
 }
 
 //------------------------------------------------------------------------------
+vtkLight* vtkWaterGather::FindSun(vtkRenderer* renderer)
+{
+  vtkLight* sun = nullptr;
+  vtkCollectionSimpleIterator it;
+  renderer->GetLights()->InitTraversal(it);
+  while (vtkLight* light = renderer->GetLights()->GetNextLight(it))
+  {
+    if (light->GetSwitch() && light->LightTypeIsSceneLight() && light->GetIntensity() > 0.0 &&
+      (!sun || light->GetIntensity() > sun->GetIntensity()))
+    {
+      sun = light;
+    }
+  }
+  return sun;
+}
+
+//------------------------------------------------------------------------------
 vtkPropCollection* vtkWaterGather::GetParts(vtkProp* prop)
 {
   if (auto* assembly = vtkAssembly::SafeDownCast(prop))
@@ -200,8 +220,21 @@ void vtkWaterGather::Read(
   for (vtkWaterActor* water : waters)
   {
     vtkWaterProperty* property = water->GetWaterProperty();
-    this->scene.has_waves = this->scene.has_waves || property->GetNumberOfWaves() > 0;
+    this->scene.has_waves = this->scene.has_waves || property->NeedsRays();
     this->scene.slope_rms = std::max(this->scene.slope_rms, property->GetSlopeRMS());
+  }
+
+  // what a mirrored view is drawn for by one of them, all use
+  this->scene.has_environment = std::all_of(waters.begin(), waters.end(), [](vtkWaterActor* water) {
+    return water->GetWaterProperty()->GetReflectionSource() == vtkWaterProperty::ENVIRONMENT;
+  });
+  renderer->GetEnvironmentUp(this->scene.environment_up);
+  renderer->GetEnvironmentRight(this->scene.environment_right);
+  if (vtkLight* sun = FindSun(renderer))
+  {
+    this->scene.has_sun = true;
+    std::transform(sun->GetTransformedPosition(), sun->GetTransformedPosition() + 3,
+      sun->GetTransformedFocalPoint(), this->scene.sun_dir, std::minus<double>());
   }
 
   vtkBoundingBox surface;

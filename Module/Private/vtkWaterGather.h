@@ -8,6 +8,7 @@
 #include <vector>
 
 class vtkCamera;
+class vtkLight;
 class vtkProp;
 class vtkPropCollection;
 class vtkRenderer;
@@ -36,6 +37,9 @@ struct vtkWaterGather
   // transform.
   static water_plane ReadPlane(vtkWaterActor* water);
   static void ReadPlaneOrigin(vtkWaterActor* water, double origin[3]);
+
+  // The brightest scene light that is on; nullptr: there is none.
+  static vtkLight* FindSun(vtkRenderer* renderer);
 
   // The parts of a prop that is an assembly of any kind; nullptr: it is none.
   static vtkPropCollection* GetParts(vtkProp* prop);

@@ -8,6 +8,8 @@
 #include "vtkOpenGLState.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
+#include "vtkWaterBackdrop.h"
+#include "vtkWaterFogFS.h"
 #include "vtkWaterGL.h"
 #include "vtkWaterSkyFS.h"
 #include "vtkWaterUniforms.h"
@@ -75,6 +77,38 @@ void vtkWaterScreen::DrawSky(vtkRenderer* renderer, const water_plan& plan)
 }
 
 //------------------------------------------------------------------------------
+void vtkWaterScreen::DrawFog(vtkRenderer* renderer, const water_plan& plan,
+  vtkWaterBackdrop& backdrop, const double deepColor[3], const double extinction[3])
+{
+  auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
+  if (!Ready(this->Fog, window, vtkWaterFogFS))
+  {
+    return;
+  }
+  vtkOpenGLState* state = window->GetState();
+  vtkOpenGLState::ScopedglEnableDisable depthTest(state, GL_DEPTH_TEST);
+  vtkOpenGLState::ScopedglEnableDisable blend(state, GL_BLEND);
+  vtkOpenGLState::ScopedglDepthMask depthMask(state);
+  state->vtkglDisable(GL_DEPTH_TEST);
+  state->vtkglDisable(GL_BLEND);
+  state->vtkglDepthMask(GL_FALSE);
+  vtkShaderProgram* program = this->Fog->Program;
+  backdrop.GetColor()->Activate();
+  backdrop.GetDepth()->Activate();
+  vtkWaterUniforms::Set(program, "waterSceneColor", backdrop.GetColor());
+  vtkWaterUniforms::Set(program, "waterSceneDepth", backdrop.GetDepth());
+  vtkWaterUniforms::SetMatrix3(program, "waterNdcToRay", plan.ndc_to_ray);
+  vtkWaterUniforms::SetMatrix4x3(program, "waterDirToEye", plan.dir_to_eye);
+  vtkWaterUniforms::Set4(program, "waterHeightClip", plan.plane_clip);
+  vtkWaterUniforms::Set4(program, "waterClipW", plan.clip_w);
+  vtkWaterUniforms::Set3(program, "waterDeepColor", deepColor);
+  vtkWaterUniforms::Set3(program, "waterExtinction", extinction);
+  this->Fog->Render();
+  backdrop.GetDepth()->Deactivate();
+  backdrop.GetColor()->Deactivate();
+}
+
+//------------------------------------------------------------------------------
 void vtkWaterScreen::DrawCorner(vtkRenderer* renderer, vtkTextureObject* reflection)
 {
   auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
@@ -107,5 +141,6 @@ void vtkWaterScreen::DrawCorner(vtkRenderer* renderer, vtkTextureObject* reflect
 void vtkWaterScreen::ReleaseGraphicsResources()
 {
   this->Sky.reset();
+  this->Fog.reset();
   this->Corner.reset();
 }

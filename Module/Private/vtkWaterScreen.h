@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkWaterScreen: the two full-screen draws: the sky behind the mirrored view, and the debug
-// corner.
+// vtkWaterScreen: the full-screen draws: the sky behind the mirrored view, the water between an eye
+// in it and the scene, and the debug corner.
 #ifndef vtkWaterScreen_h
 #define vtkWaterScreen_h
 
@@ -12,6 +12,7 @@ class vtkOpenGLQuadHelper;
 class vtkOpenGLRenderWindow;
 class vtkRenderer;
 class vtkTextureObject;
+class vtkWaterBackdrop;
 
 class vtkWaterScreen
 {
@@ -24,6 +25,10 @@ public:
   // backgrounds give their plain colour.
   void DrawSky(vtkRenderer* renderer, const water_plan& plan);
 
+  // Draws the picture again as seen through the water, for an eye that is submerged.
+  void DrawFog(vtkRenderer* renderer, const water_plan& plan, vtkWaterBackdrop& backdrop,
+    const double deepColor[3], const double extinction[3]);
+
   // Shows a texture in the lower left quarter of the renderer's viewport.
   void DrawCorner(vtkRenderer* renderer, vtkTextureObject* reflection);
 
@@ -31,6 +36,7 @@ public:
 
 private:
   std::unique_ptr<vtkOpenGLQuadHelper> Sky;
+  std::unique_ptr<vtkOpenGLQuadHelper> Fog;
   std::unique_ptr<vtkOpenGLQuadHelper> Corner;
 };
 

@@ -1,24 +1,35 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkWaterSurface.h"
 
+#include "vtkLight.h"
+#include "vtkMath.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLRenderer.h"
 #include "vtkOpenGLState.h"
 #include "vtkShaderProgram.h"
+#include "vtkTexture.h"
 #include "vtkTextureObject.h"
 #include "vtkWaterActor.h"
 #include "vtkWaterBodyFS.h"
 #include "vtkWaterCalmFS.h"
+#include "vtkWaterCausticsFS.h"
 #include "vtkWaterDeepFS.h"
+#include "vtkWaterEnvironmentFS.h"
 #include "vtkWaterGL.h"
+#include "vtkWaterGather.h"
 #include "vtkWaterLookupFS.h"
+#include "vtkWaterMirrorFS.h"
+#include "vtkWaterNoCausticsFS.h"
+#include "vtkWaterNoSunFS.h"
 #include "vtkWaterOffsetFS.h"
 #include "vtkWaterOptics.h"
 #include "vtkWaterPointFS.h"
 #include "vtkWaterProperty.h"
+#include "vtkWaterSunFS.h"
 #include "vtkWaterSurfaceFS.h"
 #include "vtkWaterUniforms.h"
 #include "vtkWaterWavesFS.h"
+#include "water_glitter.h"
 #include "water_waves.h"
 
 #include <algorithm>
@@ -27,8 +38,9 @@
 
 namespace
 {
-constexpr double kFarUp = 1e30; // for a float
-constexpr int kRestSteps = 3;   // of Newton's method, to the point at rest of steep waves
+constexpr double kFarUp = 1e30;    // for a float
+constexpr int kRestSteps = 3;      // of Newton's method, to the point at rest of steep waves
+constexpr double kPattern = 256.0; // m after which the foam's pattern repeats
 constexpr double kFlat[4] = { 0.0, 0.0, 0.0, 0.0 };
 }
 
@@ -36,15 +48,27 @@ constexpr double kFlat[4] = { 0.0, 0.0, 0.0, 0.0 };
 int vtkWaterSurface::GetStages(vtkWaterProperty* property)
 {
   int stages = 0;
-  // a calm reflection has no reasons: those come with the rays
-  if (property->GetNumberOfWaves() > 0 || property->GetOutput() != vtkWaterProperty::COLOR)
+  const bool hasWaves = property->GetNumberOfWaves() > 0;
+  if (hasWaves)
   {
     stages |= WAVES;
+  }
+  if (property->GetReflectionSource() == vtkWaterProperty::ENVIRONMENT)
+  {
+    stages |= ENVIRONMENT;
+  }
+  else if (property->NeedsRays())
+  {
     stages |= property->GetLookup() == vtkWaterProperty::RAY_TRACED ? RAY_TRACED : OFFSET;
   }
   if (property->GetRefraction() && property->GetOpacity() >= 1.0)
   {
     stages |= BODY;
+    stages |= hasWaves && property->GetCaustics() > 0.0 ? CAUSTICS : 0;
+  }
+  if (property->HasGlitter() || property->GetFoamDepth() > 0.0 || property->GetFoamStretch() > 0.0)
+  {
+    stages |= SUN;
   }
   return stages;
 }
@@ -53,20 +77,16 @@ int vtkWaterSurface::GetStages(vtkWaterProperty* property)
 std::string vtkWaterSurface::GetShader(vtkWaterProperty* property)
 {
   const int stages = GetStages(property);
-  std::vector<const char*> files{ vtkWaterOptics, vtkWaterPointFS };
-  if (stages & WAVES)
-  {
-    files.push_back(vtkWaterWavesFS);
-    files.push_back(stages & RAY_TRACED ? vtkWaterLookupFS : vtkWaterOffsetFS);
-  }
-  else
-  {
-    files.push_back(vtkWaterCalmFS);
-  }
-  files.push_back(stages & BODY ? vtkWaterBodyFS : vtkWaterDeepFS);
-  files.push_back(vtkWaterSurfaceFS);
+  const char* reflection = stages & ENVIRONMENT ? vtkWaterEnvironmentFS
+    : stages & RAY_TRACED                       ? vtkWaterLookupFS
+    : stages & OFFSET                           ? vtkWaterOffsetFS
+                                                : vtkWaterMirrorFS;
   std::string source;
-  for (const char* file : files)
+  for (const char* file :
+    { vtkWaterOptics, vtkWaterPointFS, stages & WAVES ? vtkWaterWavesFS : vtkWaterCalmFS,
+      reflection, stages & CAUSTICS ? vtkWaterCausticsFS : vtkWaterNoCausticsFS,
+      stages & BODY ? vtkWaterBodyFS : vtkWaterDeepFS,
+      stages & SUN ? vtkWaterSunFS : vtkWaterNoSunFS, vtkWaterSurfaceFS })
   {
     source += file;
     source += "\n";
@@ -118,45 +138,63 @@ void vtkWaterSurface::Begin(vtkWaterActor* water, const Frame& frame)
   this->Drawn = frame;
   this->Property = water->GetWaterProperty();
   this->HasBackdrop = false;
-  std::fill(std::begin(this->Active), std::end(this->Active), nullptr);
+  this->Active.clear();
   auto* window = static_cast<vtkOpenGLRenderWindow*>(frame.Renderer->GetRenderWindow());
   int drawn[4];
   window->GetState()->vtkglGetIntegerv(GL_VIEWPORT, drawn);
-  this->Active[0] = frame.Reflection;
+  this->Active.emplace_back("waterReflection", frame.Reflection);
   if (frame.Plan && (this->BuiltStages & BODY))
   {
     this->HasBackdrop = this->Backdrop.Copy(window, drawn);
-    this->Active[1] = this->Backdrop.GetColor();
-    this->Active[2] = this->Backdrop.GetDepth();
+    this->Active.emplace_back("waterSceneColor", this->Backdrop.GetColor());
+    this->Active.emplace_back("waterSceneDepth", this->Backdrop.GetDepth());
+    if (this->HasBackdrop && frame.Plan->is_submerged)
+    {
+      this->Screen.DrawFog(frame.Renderer, *frame.Plan, this->Backdrop,
+        this->Property->GetDeepColor(), this->Property->GetExtinction());
+    }
   }
   if (frame.Plan && (this->BuiltStages & WAVES))
   {
     this->UploadWaves(water);
-    this->Active[3] = this->Waves;
-    this->Active[4] = frame.ReflectionDepth;
+    this->Active.emplace_back("waterWaves", this->Waves);
+  }
+  if (frame.Plan && (this->BuiltStages & RAY_TRACED))
+  {
+    this->Active.emplace_back("waterReflectionDepth", frame.ReflectionDepth);
   }
   if (frame.Plan && frame.Plan->decision == WATER_REFLECT)
   {
     // where pixel meets texel, one texel is the same as four
-    const bool isAligned = !(this->BuiltStages & WAVES) && frame.IsFlat &&
+    const bool isAligned = !(this->BuiltStages & (WAVES | RAY_TRACED | OFFSET)) && frame.IsFlat &&
       std::equal(drawn + 2, drawn + 4, frame.Plan->texture_px);
     const int filter = isAligned ? vtkTextureObject::Nearest : vtkTextureObject::Linear;
     frame.Reflection->SetMinificationFilter(filter);
     frame.Reflection->SetMagnificationFilter(filter);
   }
-  for (vtkTextureObject* texture : this->Active)
+  for (const auto& [name, texture] : this->Active)
   {
     if (texture)
     {
       texture->Activate();
     }
   }
+  vtkTexture* environment = this->Property->GetEnvironmentTexture();
+  if (environment && (this->BuiltStages & ENVIRONMENT))
+  {
+    environment->Render(frame.Renderer);
+  }
 }
 
 //------------------------------------------------------------------------------
 void vtkWaterSurface::End()
 {
-  for (vtkTextureObject* texture : this->Active)
+  vtkTexture* environment = this->Property->GetEnvironmentTexture();
+  if (environment && (this->BuiltStages & ENVIRONMENT))
+  {
+    environment->PostRender(this->Drawn.Renderer);
+  }
+  for (const auto& [name, texture] : this->Active)
   {
     if (texture)
     {
@@ -176,13 +214,14 @@ void vtkWaterSurface::SetParameters(vtkShaderProgram* program)
   }
   const water_plan* plan = this->Drawn.Plan;
   const bool hasView = plan && (this->HasBackdrop || !(this->BuiltStages & BODY));
-  uniforms::Set(program, "waterReflection", this->Active[0]);
-  uniforms::Set(program, "waterSceneColor", this->Active[1]);
-  uniforms::Set(program, "waterSceneDepth", this->Active[2]);
-  uniforms::Set(program, "waterWaves", this->Active[3]);
-  uniforms::Set(program, "waterReflectionDepth", this->Active[4]);
+  for (const auto& [name, texture] : this->Active)
+  {
+    uniforms::Set(program, name, texture);
+  }
   uniforms::Set(program, "waterHasView", hasView ? 1 : 0);
-  uniforms::Set(program, "waterIsReflecting", plan && plan->decision == WATER_REFLECT ? 1 : 0);
+  const bool isReflecting =
+    plan && (plan->decision == WATER_REFLECT || (this->BuiltStages & ENVIRONMENT));
+  uniforms::Set(program, "waterIsReflecting", isReflecting ? 1 : 0);
   uniforms::Set(program, "waterOpacity", this->Property->GetOpacity());
   uniforms::Set(program, "waterOutput", this->Property->GetOutput());
   uniforms::Set3(program, "waterDeepColor", this->Property->GetDeepColor());
@@ -191,6 +230,7 @@ void vtkWaterSurface::SetParameters(vtkShaderProgram* program)
     this->SetViewParameters(program);
     this->SetReflectionParameters(program);
     this->SetSkyParameters(program);
+    this->SetSunParameters(program);
   }
 }
 
@@ -217,6 +257,8 @@ void vtkWaterSurface::SetViewParameters(vtkShaderProgram* program)
   uniforms::Set(program, "waterWaveCount", this->WaveCount);
   uniforms::Set(program, "waterRestSteps", this->IsSteep ? kRestSteps : 0);
   uniforms::Set3(program, "waterExtinction", this->Property->GetExtinction());
+  uniforms::Set(program, "waterIsSubmerged", plan.is_submerged ? 1 : 0);
+  uniforms::Set(program, "waterShoreSoftness", this->Property->GetShoreSoftness());
 }
 
 //------------------------------------------------------------------------------
@@ -254,6 +296,43 @@ void vtkWaterSurface::SetSkyParameters(vtkShaderProgram* program)
   const double topKnown[4] = { top[0], top[1], top[2], isKnown };
   vtkWaterUniforms::Set4(program, "waterSkyBottom", bottomKnown);
   vtkWaterUniforms::Set4(program, "waterSkyTop", topKnown);
+  vtkTexture* environment = this->Property->GetEnvironmentTexture();
+  vtkWaterUniforms::Set(program, "waterHasEnvironment", environment ? 1 : 0);
+  if (environment)
+  {
+    vtkWaterUniforms::Set(program, "waterEnvironment", environment->GetTextureUnit());
+  }
+  vtkWaterUniforms::SetMatrix3(program, "waterDirToEnvironment", plan.dir_to_environment);
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterSurface::SetSunParameters(vtkShaderProgram* program)
+{
+  namespace uniforms = vtkWaterUniforms;
+  const water_plan& plan = *this->Drawn.Plan;
+  double color[3] = { 0.0, 0.0, 0.0 };
+  vtkLight* sun = vtkWaterGather::FindSun(this->Drawn.Renderer);
+  if (sun && plan.has_sun)
+  {
+    std::transform(sun->GetDiffuseColor(), sun->GetDiffuseColor() + 3, color,
+      [sun](double channel) { return channel * sun->GetIntensity(); });
+  }
+  double given[3]; // along, across, degrees
+  this->Property->GetSlopeVariance(given);
+  double variance[3];
+  water_glitter_covariance(given, vtkMath::RadiansFromDegrees(given[2]), variance);
+  const double pattern[2] = { std::fmod(plan.origin_xy[0], kPattern),
+    std::fmod(plan.origin_xy[1], kPattern) };
+  uniforms::Set3(program, "waterSunDir", plan.sun_dir);
+  uniforms::Set3(program, "waterSunColor", color);
+  uniforms::Set3(program, "waterSlopeVariance", variance);
+  uniforms::Set(program, "waterGlitter", this->Property->HasGlitter() ? 1.0 : 0.0);
+  uniforms::Set(program, "waterShadow", this->Property->GetShadows() ? 1.0 : 0.0);
+  uniforms::Set(program, "waterCaustics", this->Property->GetCaustics());
+  uniforms::Set(program, "waterFoamDepth", this->Property->GetFoamDepth());
+  uniforms::Set(program, "waterFoamStretch", this->Property->GetFoamStretch());
+  uniforms::Set3(program, "waterFoamColor", this->Property->GetFoamColor());
+  uniforms::Set2(program, "waterPatternOrigin", pattern);
 }
 
 //------------------------------------------------------------------------------
@@ -265,4 +344,5 @@ void vtkWaterSurface::ReleaseGraphicsResources(vtkWindow* window)
   }
   this->Waves = nullptr;
   this->Backdrop.ReleaseGraphicsResources(window);
+  this->Screen.ReleaseGraphicsResources();
 }

@@ -5,9 +5,12 @@
 
 #include "vtkSmartPointer.h"
 #include "vtkWaterBackdrop.h"
+#include "vtkWaterScreen.h"
 #include "water_types.h"
 
 #include <string>
+#include <utility>
+#include <vector>
 
 class vtkOpenGLRenderer;
 class vtkShaderProgram;
@@ -36,7 +39,10 @@ public:
     WAVES = 1 << 0,
     RAY_TRACED = 1 << 1,
     OFFSET = 1 << 2,
-    BODY = 1 << 3
+    ENVIRONMENT = 1 << 3,
+    BODY = 1 << 4,
+    CAUSTICS = 1 << 5,
+    SUN = 1 << 6
   };
   static int GetStages(vtkWaterProperty* property);
 
@@ -59,16 +65,18 @@ private:
   void SetViewParameters(vtkShaderProgram* program);
   void SetReflectionParameters(vtkShaderProgram* program);
   void SetSkyParameters(vtkShaderProgram* program);
+  void SetSunParameters(vtkShaderProgram* program);
 
   int BuiltStages = 0;
   Frame Drawn = Frame();
-  vtkWaterProperty* Property = nullptr;    // of what is drawn
-  vtkTextureObject* Active[5] = {};        // nullptr: not in use
-  vtkSmartPointer<vtkTextureObject> Waves; // a row per wave
+  vtkWaterProperty* Property = nullptr;                          // of what is drawn
+  std::vector<std::pair<const char*, vtkTextureObject*>> Active; // by the names in the shader
+  vtkSmartPointer<vtkTextureObject> Waves;                       // a row per wave
   int WaveCount = 0;
   bool IsSteep = false; // waves that move their points
   vtkWaterBackdrop Backdrop;
   bool HasBackdrop = false;
+  vtkWaterScreen Screen;
 };
 
 #endif

@@ -111,6 +111,24 @@ TEST(bad_winds_are_refused)
   assert_true(out[0] == 7.0);
 }
 
+// Turned variances keep their sum; along the first direction the variance is the first.
+TEST(covariance_turns_the_variances)
+{
+  UNUSED;
+  const double variance[2] = { 0.03, 0.02 };
+  for (int degrees = -180; degrees <= 180; degrees += 15)
+  {
+    const double angle = degrees * 3.141592653589793 / 180.0;
+    const double c = cos(angle);
+    const double s = sin(angle);
+    double turned[3];
+    water_glitter_covariance(variance, angle, turned);
+    ASSERT_CLOSE(turned[0] + turned[1], 0.05, 1e-16);
+    ASSERT_CLOSE(c * c * turned[0] + 2.0 * c * s * turned[2] + s * s * turned[1], 0.03, 1e-16);
+    ASSERT_CLOSE(s * s * turned[0] - 2.0 * c * s * turned[2] + c * c * turned[1], 0.02, 1e-16);
+  }
+}
+
 int main(void)
 {
   const struct CMUnitTest tests[] = {
@@ -119,6 +137,7 @@ int main(void)
     RUN(glitter_keeps_the_light),
     RUN(glitter_is_where_the_mirror_is),
     RUN(bad_winds_are_refused),
+    RUN(covariance_turns_the_variances),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

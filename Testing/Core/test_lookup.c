@@ -228,6 +228,73 @@ TEST(top_is_the_highest_drawn_corner)
   ASSERT_CLOSE(plan_of(&scene, NULL).map_top, 0.0, 0.0);
 }
 
+// VTK's default environment has the world's axes; with +z up and +x right, back is -y.
+TEST(environment_has_its_own_axes)
+{
+  UNUSED;
+  water_scene scene = lake();
+  scene.has_environment = true;
+  water_plan plan = plan_of(&scene, NULL); // no directions: the world's
+  for (int i = 0; i < 9; ++i)
+  {
+    ASSERT_CLOSE(plan.dir_to_environment[i], i % 4 == 0 ? 1.0 : 0.0, 1e-15);
+  }
+  const double up[3] = { 0.0, 0.0, 2.0 };
+  const double right[3] = { 3.0, 0.0, 1.0 }; // not at right angles
+  memcpy(scene.environment_up, up, sizeof up);
+  memcpy(scene.environment_right, right, sizeof right);
+  plan = plan_of(&scene, NULL);
+  const double expected[9] = { 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, -1.0, 0.0 };
+  for (int i = 0; i < 9; ++i)
+  {
+    ASSERT_CLOSE(plan.dir_to_environment[i], expected[i], 1e-15);
+  }
+}
+
+// Under the sheet is under water; beside it, above it, or with a parallel eye, is not.
+TEST(eye_under_the_sheet_is_submerged)
+{
+  UNUSED;
+  water_scene scene = lake();
+  const double up[3] = { 0.0, 0.0, 1.0 };
+  const double places[4][3] = { { 0.0, -9.0, -5.0 }, { 0.0, -11.0, -5.0 }, { 0.0, -9.0, 5.0 },
+    { 9.9, 9.9, -0.1 } };
+  const bool expected[4] = { true, false, false, true };
+  for (int i = 0; i < 4; ++i)
+  {
+    const double target[3] = { 0.0, 0.0, 0.0 };
+    look_at(places[i], target, up, scene.eye.world_to_view);
+    assert_int_equal(plan_of(&scene, NULL).is_submerged, expected[i]);
+  }
+  const double down[3] = { 0.0, -9.1, -50.0 };
+  look_at(places[0], down, up, scene.eye.world_to_view); // the sheet is out of view
+  assert_true(plan_of(&scene, NULL).has_view);
+  look_at(places[1], down, up, scene.eye.world_to_view);
+  assert_false(plan_of(&scene, NULL).has_view);
+  const double box[4] = { -5.0, 5.0, -5.0, 5.0 };
+  scene.eye.parallel = true;
+  ortho_matrix(box, 0.0, 100.0, scene.eye.view_to_clip);
+  assert_false(plan_of(&scene, NULL).is_submerged);
+}
+
+// The sun in the plane's axes; a light without a direction is none.
+TEST(sun_is_seen_in_the_axes_of_the_plane)
+{
+  UNUSED;
+  water_scene scene = lake();
+  const double sun[3] = { 3.0, 0.0, 4.0 };
+  memcpy(scene.sun_dir, sun, sizeof sun);
+  assert_false(plan_of(&scene, NULL).has_sun);
+  scene.has_sun = true;
+  const water_plan plan = plan_of(&scene, NULL);
+  assert_true(plan.has_sun);
+  ASSERT_CLOSE(plan.sun_dir[0], 0.6, 1e-15);
+  ASSERT_CLOSE(plan.sun_dir[1], 0.0, 1e-15);
+  ASSERT_CLOSE(plan.sun_dir[2], 0.8, 1e-15);
+  memset(scene.sun_dir, 0, sizeof sun);
+  assert_false(plan_of(&scene, NULL).has_sun);
+}
+
 int main(void)
 {
   const struct CMUnitTest tests[] = {
@@ -237,6 +304,9 @@ int main(void)
     RUN(waves_use_the_whole_map),
     RUN(guard_band_widens_the_map_about_its_middle),
     RUN(guard_band_follows_the_waves),
+    RUN(environment_has_its_own_axes),
+    RUN(eye_under_the_sheet_is_submerged),
+    RUN(sun_is_seen_in_the_axes_of_the_plane),
     RUN(top_is_the_highest_drawn_corner),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);

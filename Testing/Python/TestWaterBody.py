@@ -172,6 +172,54 @@ for name, position, view, waves, least in (("high", (1, -9, 9), {}, (), 4.0), ("
                        water.GetReflectionPass().GetNumberOfReflectionRenders(), 0)
 
 
+# An eye in the water sees a white wall through the water between, and nothing of the far side.
+for distance in (1.0, 4.0, 12.0):
+    made = wt.View(SIZE, SKY)
+    wt.add_actor(made.renderer, wt.box((0, distance + 0.5, -5), (300, 1, 9)), (1, 1, 1), lit=False)
+    water = clear_water(made, ABSORPTION, DEEP)
+    camera = look_at(made, (0, 0, -5), (0, 1, -5))
+    _, ray = ray_caster.eye_rays(camera, SIZE, 1)
+    left = np.exp(-ABSORPTION * (distance / ray[:, 1])[:, None])
+    expected = 255 * (left + (1 - left) * DEEP)
+    wt.check_at_most(f"under water, a wall {distance:g} m away: error of 255, 99 % of the pixels",
+                     float(np.percentile(np.abs(made.picture().reshape(-1, 3) - expected), 99)), 1.0)
+made = wt.View(SIZE, SKY)
+wt.add_actor(made.renderer, wt.box((0, 0, -9.5), (1, 1, 1)), (1, 1, 1), lit=False)
+clear_water(made, ABSORPTION, DEEP)
+look_at(made, (0, 0, -5), (0, 1, -7))  # down into nothing: the sheet itself is out of view
+wt.check_at_most("under water, looking down: error of the deep colour",
+                 float(np.abs(made.picture()[100:200, 100:300] - 255 * DEEP).max()), 1.0)
+look_at(made, (0, 0, 5), (0, 1, 7))
+wt.check_at_most("over water, looking up: error of the sky",
+                 float(np.abs(made.picture()[100:200, 100:300] - 255 * np.array(SKY)).max()), 1.0)
+look_at(made, (0, 300, -5), (0, 301, -5))  # lower than the water, but beside it
+wt.check_at_most("beside the water: error of the sky",
+                 float(np.abs(made.picture()[100:200, 100:300] - 255 * np.array(SKY)).max()), 1.0)
+
+# From under water things in the air stand where the refracted ray meets them.
+BALLS = [ray_caster.Sphere((-2.0 + 1.5 * i, 2.5 + 0.5 * i, 2.0 + 0.4 * i), 0.6, (0.8, 0.2 + 0.2 * i, 0.2)) for i in range(4)]
+made = wt.View(SIZE, SKY)
+for ball in BALLS:
+    wt.add_actor(made.renderer, wt.sphere(ball.center, ball.radius, 96), ball.color, lit=False)
+water = clear_water(made, (0, 0, 0), DEEP)
+camera = look_at(made, (0, -0.5, -4), (0, 2.0, 2), angle=60)
+start, ray = ray_caster.eye_rays(camera, SIZE, 1)
+point = start - (start[:, 2] / ray[:, 2])[:, None] * ray
+point[:, 2] = 0
+beyond = refracted(ray, np.array((0, 0, -1.0)), INDEX)
+is_window = np.isfinite(beyond).all(axis=1) & (ray[:, 2] > 0)
+truth = np.tile(DEEP, (len(ray), 1))
+truth[is_window] = ray_caster.cast(BALLS, SKY, point[is_window], beyond[is_window])[0]
+difference = np.abs(made.picture().reshape(-1, 3) - 255 * truth).max(axis=1)
+is_ball = is_window & (np.abs(truth - SKY).max(axis=1) > 0.1)
+wt.check_at_least("from under water: pixels of things in the air", int(is_ball.sum()), 1000)
+wt.check_at_least("from under water: % of the window within 4 of 255 of the ray caster",
+                  100 * float((difference <= 4)[is_window].mean()), 95)
+water.GetWaterProperty().SetIndexOfRefraction(1.0)
+straight = np.abs(made.picture().reshape(-1, 3) - 255 * truth).max(axis=1)
+wt.check_at_most("from under water, straight through: % of the things within 4 of 255",
+                 100 * float((straight <= 4)[is_ball].mean()), 60)
+
 # Fresnel's reflectance read back from the shader, from both sides; Born and Wolf, 1.5.2, eq. 21a.
 def reflectance_at(angle, below):
     made = wt.View((41, 41), (1, 1, 1))

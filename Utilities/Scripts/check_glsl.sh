@@ -20,7 +20,7 @@ prelude() {
   fi
   while read -r needed; do
     cat "Module/GLSL/$needed"
-  done < <(grep -oE 'Needs .*' "Module/GLSL/$1.glsl" | grep -oE 'vtkWater[A-Za-z]+\.glsl')
+  done < <(sed -n '/Needs /,/before/p' "Module/GLSL/$1.glsl" | sed 's/.*Needs//' | grep -oE 'vtkWater[A-Za-z]+\.glsl')
   if [ "$1" = vtkWaterVolumeFS ]; then # the globals of VTK's ray caster
     cat <<'GLSL'
 uniform mat4 in_modelViewMatrix;

@@ -1,0 +1,30 @@
+//VTK::System::Dec
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkWaterFogFS.glsl: the whole picture as an eye under water sees it: what lies under water, through
+// the water between. Drawn before the surface, which does the same for itself.
+//VTK::Output::Dec
+
+in vec2 texCoord;
+uniform sampler2D waterSceneColor;
+uniform sampler2D waterSceneDepth; // 1: background
+uniform mat3 waterNdcToRay;        // as in vtkWaterPointFS.glsl
+uniform mat4 waterDirToEye;
+uniform vec4 waterHeightClip; // as in vtkWaterBodyFS.glsl
+uniform vec4 waterClipW;
+uniform vec3 waterDeepColor;
+uniform vec3 waterExtinction;
+
+void main()
+{
+  float depth = textureLod(waterSceneDepth, texCoord, 0.0).r;
+  vec4 clip = vec4(2.0 * vec3(texCoord, depth) - 1.0, 1.0);
+  vec3 ray = normalize(waterNdcToRay * vec3(clip.xy, 1.0));
+  float w = 1.0 / dot(waterClipW, clip);
+  float way = w / (waterDirToEye * vec4(ray, 0.0)).w;
+  float below = dot(waterHeightClip, clip) * w; // of the thing, under the surface
+  float eyeBelow = below - way * ray.z;
+  // to the surface at most; the background under water is without an end
+  way = below < 0.0 ? way * eyeBelow / (eyeBelow - below) : (depth >= 1.0 ? 1e9 : way);
+  vec3 color = textureLod(waterSceneColor, texCoord, 0.0).rgb;
+  gl_FragData[0] = vec4(mix(waterDeepColor, color, exp(-waterExtinction * way)), 1.0);
+}

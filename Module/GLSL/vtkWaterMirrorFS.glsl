@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkWaterMirrorFS.glsl: stage reflection of calm water: one exact look at the map.
+// Needs vtkWaterPointFS.glsl before it.
+
+uniform sampler2D waterReflection; // mirrored view, flipped in x
+
+vec3 waterReflected(WaterPoint point, out int reason, out vec2 uv)
+{
+  reason = 1;
+  uv = point.start.xy;
+  return textureLod(waterReflection, uv, 0.0).rgb;
+}
+
+// How much of the light from a direction something keeps off, as far as the map shows it.
+float waterShaded(WaterPoint point, vec3 dir)
+{
+  return 0.0;
+}
