@@ -35,8 +35,12 @@ vec3 waterSky(vec3 dir)
   return mix(waterSkyBottom.rgb, waterSkyTop.rgb, clamp(height, 0.0, 1.0));
 }
 
-// Can a step from one place in front of the map to the next have passed behind a thing's edge? The
-// map's depth jumps back there, and the ray is as deep as the thing.
+// Can a ray that is in front of the map before and after a step have been behind the edge of a thing
+// on its way? The map's depth jumps back then, and the ray is as deep as the thing.
+//
+// depthBefore  of the map, before the step
+// depth        of the map, after it
+// rayDepth     after it
 bool waterMayPassBehind(float depthBefore, float depth, float rayDepth)
 {
   float slack = waterMapTolerance.x * (waterMapZInfinity - depthBefore);
@@ -108,18 +112,18 @@ vec3 waterTrace(vec3 start, vec3 dir, out int reason, out vec2 uv)
   reason = s <= 0.9999 ? WATER_HIT : (isInside ? WATER_SKY : WATER_OFF_MAP);
   if (!isSettled)
   {
-    // steps, and halvings of a step that ends behind the map, or may have been there on its way
+    // steps; one that ends behind the map, or may have been there on its way, is halved
     float low = 0.0;
     float high = 0.0;
-    float next = 0.0; // where steps go on when halvings met nothing
+    float next = 0.0; // where the steps go on when the halvings met nothing
     float depthLow = depthStart;
     float depthHigh = 1.0;
     float depthNext = 1.0;
-    float rayHigh = 1.0;
+    float rayHigh = 1.0; // depth of the ray
     float depthEnd = waterMapDepth(start.xy + way.xy);
     bool isHit = false;
     float stride = 1.0 / float(waterSteps);
-    for (int i = 0, halvings = 0; i < waterSteps + 5; ++i)
+    for (int i = 0, halvings = 0; i < waterSteps + 20; ++i) // the hit and four edges
     {
       bool isHalving = halvings > 0;
       float middle = isHalving ? 0.5 * (low + high) : min(low + stride, 1.0);
@@ -145,7 +149,7 @@ vec3 waterTrace(vec3 start, vec3 dir, out int reason, out vec2 uv)
         low = middle;
         depthLow = depth;
       }
-      halvings += isHalving || isBehind || isJump ? 1 : 0;
+      halvings += (isHalving || isBehind || isJump) ? 1 : 0;
       if (halvings >= 5 && !isHit)
       {
         low = next;
