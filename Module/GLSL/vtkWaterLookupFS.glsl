@@ -24,6 +24,18 @@ float waterMapDepth(vec2 uv)
   return textureLod(waterReflectionDepth, uv, 0.0).r;
 }
 
+// Can a ray that is in front of the map before and after a step have been behind the edge of a thing
+// on its way? The map's depth jumps back then, and the ray is as deep as the thing.
+//
+// depthBefore  of the map, before the step
+// depth        of the map, after it
+// rayDepth     after it
+bool waterMayPassBehind(float depthBefore, float depth, float rayDepth)
+{
+  float slack = waterMapTolerance.x * (waterMapZInfinity - depthBefore);
+  return depth > depthBefore + slack && rayDepth > depthBefore - slack;
+}
+
 // Colour in a direction from a point of the water.
 //
 // start   of the ray in the map's window: u, v, depth
@@ -49,7 +61,8 @@ vec3 waterTrace(vec3 start, vec3 dir, out int reason, out vec2 uv)
 
   // steps to the depth that the map has where the ray is now
   float perDepth = 1.0 / (abs(way.z) > 1e-20 ? way.z : 1e-20);
-  float depth = waterMapDepth(start.xy);
+  float depthStart = waterMapDepth(start.xy);
+  float depth = depthStart;
   float s = 0.0;
   vec3 at = start;
   for (int i = 0; i < 2; ++i)
@@ -63,11 +76,17 @@ vec3 waterTrace(vec3 start, vec3 dir, out int reason, out vec2 uv)
     : abs(at.z - depth) <= waterMapTolerance.x * (waterMapZInfinity - depth);
   // nothing nearer on the way
   float part = s / float(waterProbes + 1);
+  float depthBefore = depthStart;
   for (int i = 1; i <= waterProbes; ++i)
   {
     vec3 probe = start + part * float(i) * way;
-    isSettled = isSettled && min(probe.z, 1.0) <= waterMapDepth(probe.xy);
+    float rayDepth = min(probe.z, 1.0);
+    float depthProbe = waterMapDepth(probe.xy);
+    isSettled = isSettled && rayDepth <= depthProbe &&
+      !waterMayPassBehind(depthBefore, depthProbe, rayDepth);
+    depthBefore = depthProbe;
   }
+  isSettled = isSettled && !waterMayPassBehind(depthBefore, depth, min(at.z, 1.0));
 
   // the depth there leads closer still
   for (int i = 0; i < 2 && isSettled; ++i)
@@ -82,33 +101,54 @@ vec3 waterTrace(vec3 start, vec3 dir, out int reason, out vec2 uv)
   reason = s <= 0.9999 ? WATER_HIT : (isInside ? WATER_SKY : WATER_OFF_MAP);
   if (!isSettled)
   {
+    // steps; one that ends behind the map, or may have been there on its way, is halved
     float low = 0.0;
     float high = 0.0;
-    float depthLow = waterMapDepth(start.xy);
+    float next = 0.0; // where the steps go on when the halvings met nothing
+    float depthLow = depthStart;
     float depthHigh = 1.0;
+    float depthNext = 1.0;
+    float rayHigh = 1.0; // depth of the ray
     float depthEnd = waterMapDepth(start.xy + way.xy);
     bool isHit = false;
     float stride = 1.0 / float(waterSteps);
-    for (int i = 0, halvings = 0; i < waterSteps + 5 && halvings < 5; ++i)
+    for (int i = 0, halvings = 0; i < waterSteps + 20; ++i) // the hit and four edges
     {
-      float middle = isHit ? 0.5 * (low + high) : min(low + stride, 1.0);
+      bool isHalving = halvings > 0;
+      float middle = isHalving ? 0.5 * (low + high) : min(low + stride, 1.0);
       depth = waterMapDepth(start.xy + middle * way.xy);
-      if (min(start.z + middle * way.z, 1.0) > depth)
+      float rayDepth = min(start.z + middle * way.z, 1.0);
+      bool isBehind = rayDepth > depth;
+      bool isJump = !isHalving && !isBehind && waterMayPassBehind(depthLow, depth, rayDepth);
+      bool isBeyond = isHalving && !isHit && depth >= rayHigh; // of the edge
+      isHit = isHit || isBehind;
+      if (isJump)
+      {
+        next = middle;
+        depthNext = depth;
+      }
+      if (isBehind || isJump || isBeyond)
       {
         high = middle;
         depthHigh = depth;
-        isHit = true;
+        rayHigh = rayDepth;
       }
       else
       {
         low = middle;
         depthLow = depth;
-        if (middle >= 1.0)
-        {
-          break;
-        }
       }
-      halvings += isHit ? 1 : 0;
+      halvings += (isHalving || isBehind || isJump) ? 1 : 0;
+      if (halvings >= 5 && !isHit)
+      {
+        low = next;
+        depthLow = depthNext;
+        halvings = 0;
+      }
+      if (halvings >= 5 || (halvings == 0 && low >= 1.0))
+      {
+        break;
+      }
     }
     if (!isHit)
     {
