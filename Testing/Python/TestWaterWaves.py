@@ -5,65 +5,21 @@ import numpy as np
 import ray_caster
 import water_test as wt
 from vtkwater import vtkWaterActor, vtkWaterProperty
-
-SIZE = (400, 300)
-SKY = (0.55, 0.7, 0.9)
-# amplitude m, wavelength m, direction and phase in degrees; the slopes add up to 0.10
-WAVES = ((0.0127, 2.0, 20.0, 10.0), (0.0064, 1.2, 80.0, 200.0), (0.0032, 0.75, 140.0, 90.0))
-VIEWS = {"middle": ((2, -13, 4), 30), "low": ((3, -12, 1.2), 30), "high": ((1, -9, 9), 35)}
-
-
-def things():
-    colors = ((0.85, 0.2, 0.15), (0.95, 0.85, 0.3), (0.15, 0.5, 0.2), (0.9, 0.9, 0.9), (0.25, 0.2, 0.6))
-    made = []
-    for i in range(9):  # poles
-        x, y = -6 + 1.6 * i, -3 + 2.9 * (i % 4)
-        made.append(ray_caster.Box((x, y, 1), (0.22, 0.22, 3 + 0.5 * (i % 3)), colors[i % 5]))
-    for i in range(6):  # boxes in the water
-        made.append(ray_caster.Box((-5 + 2.1 * i, 4 - 1.1 * i, 0.2), (0.9, 0.7, 0.9 + 0.3 * (i % 2)), colors[(i + 2) % 5]))
-    for i in range(6):  # things over it
-        made.append(ray_caster.Sphere((-4.5 + 1.9 * i, -2 + 1.4 * i, 1.0 + 0.3 * i), 0.35 + 0.06 * i, colors[(i + 1) % 5]))
-    return made
-
-
-def scene(view, waves=WAVES, parallel=False):
-    made = wt.View(SIZE, SKY)
-    for thing in things():
-        if isinstance(thing, ray_caster.Box):
-            data = wt.box(0.5 * (thing.low + thing.high), thing.high - thing.low)
-        else:
-            data = wt.sphere(thing.center, thing.radius, 96)
-        wt.add_actor(made.renderer, data, thing.color, lit=False)
-    water = wt.add_water(made.renderer, None, (-60, 60, -60, 60))
-    for wave in waves:
-        water.GetWaterProperty().AddWave(*wave)
-    camera = made.renderer.GetActiveCamera()
-    position, angle = VIEWS[view]
-    camera.SetPosition(position)
-    camera.SetFocalPoint(0, 0, 0)
-    camera.SetViewUp(0, 0, 1)
-    camera.SetViewAngle(angle)
-    camera.SetParallelProjection(parallel)
-    camera.SetParallelScale(4)
-    camera.SetClippingRange(0.5, 150)
-    return made, water
+from wave_scenes import POSTS_SIZE, POSTS_VIEWS, POSTS_WAVES, SKY, post_scene, posts, rmse
 
 
 def truth_of(made, water, samples=4):
     """The ray caster's picture, and the pixels that are water and nothing else there and here."""
-    truth, mask = ray_caster.picture(made.renderer.GetActiveCamera(), SIZE, things(), SKY, WAVES, 0.0, samples)
+    camera = made.renderer.GetActiveCamera()
+    truth, mask = ray_caster.picture(camera, POSTS_SIZE, posts(), SKY, POSTS_WAVES, 0.0, samples)
     return truth, mask & wt.water_mask(made, water)
-
-
-def rmse(picture, truth, mask):
-    return float(np.sqrt(((picture - truth)[mask] ** 2).mean()))
 
 
 # Colour against the ray caster, and against the best constant offset that a search finds.
 folder = wt.output_folder()
 traced, offset = [], []
-for view in VIEWS:
-    made, water = scene(view)
+for view in POSTS_VIEWS:
+    made, water = post_scene(view)
     truth, mask = truth_of(made, water)
     once, _ = truth_of(made, water, samples=1)
     look = water.GetWaterProperty()
@@ -89,7 +45,7 @@ wt.check_at_least("RMSE of the best fixed offset of each view / ray traced, all 
                   np.linalg.norm(offset) / np.linalg.norm(traced), 3.0)
 
 # Parallel projection.
-made, water = scene("middle", parallel=True)
+made, water = post_scene("middle", parallel=True)
 truth, mask = truth_of(made, water)
 error = rmse(made.picture(), truth, mask)
 water.GetWaterProperty().SetLookupToFixedOffset()
@@ -100,7 +56,7 @@ wt.check_at_least(f"parallel: RMSE of the calm lookup / ray traced ({error:.2f})
 # Waves of no height are calm water: from above, from below, tilted, in parallel projection.
 for name, camera_z, normal, parallel in (("above", 4, (0, 0, 1), False), ("below", -4, (0, 0, 1), False),
                                          ("tilted", 4, (0.1, 0.05, 1), False), ("parallel", 4, (0, 0, 1), True)):
-    made, water = scene("middle", waves=(), parallel=parallel)
+    made, water = post_scene("middle", waves=(), parallel=parallel)
     water.SetPlane(wt.plane((0, 0, 0.1), normal))
     camera = made.renderer.GetActiveCamera()
     camera.SetPosition(2, -13, camera_z)
@@ -120,7 +76,7 @@ def count_gaps(lookup, headings):
     wt.add_actor(made.renderer, wt.box((0.3, 0.2, 1), (0.5, 0.9, 3)), (1, 0, 0), lit=False)
     wt.add_actor(made.renderer, wt.pyramid((-1.2, 0.4, 0.5), 2, 24, 0.6), (1, 0, 0), lit=False)
     water = wt.add_water(made.renderer, None, (-60, 60, -60, 60))
-    for wave in WAVES:
+    for wave in POSTS_WAVES:
         water.GetWaterProperty().AddWave(*wave)
     getattr(water.GetWaterProperty(), f"SetLookupTo{lookup}")()
     camera = made.renderer.GetActiveCamera()
@@ -153,7 +109,7 @@ columns, gaps = count_gaps("FixedOffset", range(0, 360, 12))
 print(f"contact: with a fixed offset {gaps} of {columns} columns have a gap")
 
 # The confidence channel says why, and where: a calm pixel of the sky, a box, the picture's border.
-made, water = scene("middle")
+made, water = post_scene("middle")
 _, mask = truth_of(made, water)
 color = made.picture()
 water.GetWaterProperty().SetOutputToConfidence()
@@ -170,7 +126,7 @@ wt.check_at_least("confidence: pixels that show things and are hits",
                   float((reasons[:, :, 0] == vtkWaterProperty.HIT)[is_thing].mean()), 0.75)
 
 # Time alone makes the picture; phases are as exact at 1e7 s as at 0.
-made, water = scene("middle")
+made, water = post_scene("middle")
 water.SetTime(1e6)
 straight = made.picture()
 for time in (0.0, 3.7, 12345.6):
@@ -183,7 +139,7 @@ wt.check_at_least("time: 1 s makes another picture", int(np.abs(made.picture() -
 x, y = np.meshgrid(np.linspace(-7, 7, 9), np.linspace(-5, 9, 9))
 for time in (0.0, 17.3, 1e4):
     water.SetTime(time)
-    height, slope_x, slope_y = ray_caster.heights_and_slopes(WAVES, x, y, time)
+    height, slope_x, slope_y = ray_caster.heights_and_slopes(POSTS_WAVES, x, y, time)
     found = np.array([water.GetWaveHeight(*place) for place in zip(x.ravel(), y.ravel())])
     wt.check_at_most(f"height at {time:g} s: largest error, m", float(np.abs(found - height.ravel()).max()), 1e-11)
     largest = 0.0
@@ -193,9 +149,9 @@ for time in (0.0, 17.3, 1e4):
         largest = max(largest, abs(normal[0] / normal[2] + sx), abs(normal[1] / normal[2] + sy))
     wt.check_at_most(f"slope at {time:g} s: largest error", largest, 1e-10)
 water.SetTime(1e7)
-period = 2 * np.pi / ray_caster.angular_frequency(WAVES[0][1])
+period = 2 * np.pi / ray_caster.angular_frequency(POSTS_WAVES[0][1])
 alone = vtkWaterActor()
-alone.GetWaterProperty().AddWave(*WAVES[0])
+alone.GetWaterProperty().AddWave(*POSTS_WAVES[0])
 alone.SetTime(0.25 * period)
 near = alone.GetWaveHeight(0.3, 0.4)
 turns = np.round(1e7 / period)
@@ -204,7 +160,7 @@ wt.check_at_most("time: the same phase at 1e7 s, error of the height, m",
                  abs(alone.GetWaveHeight(0.3, 0.4) - near), 1e-9)
 
 # Steep waves: the shader finds the point at rest as the core does. Truth: crests are sharper.
-made, water = scene("middle", waves=())
+made, water = post_scene("middle", waves=())
 water.GetWaterProperty().AddWave(0.05, 2.0, 30.0, 0.0, 1.0)
 steep = made.picture()
 water.GetWaterProperty().RemoveAllWaves()
