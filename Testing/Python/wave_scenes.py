@@ -4,14 +4,20 @@
 islands  smooth spheres in the water: how far from its right place a reflection is looked up
 posts    poles, boxes and floating things with hard edges: colour
 
-Both are unlit, in water at z = 0 that reflects everything.
+Both are unlit, in water at z = 0 that reflects everything. Colours are whole 255ths: a picture of 8 bits
+can be right.
 """
 
 import numpy as np
 import ray_caster
 import water_test as wt
 
-SKY = (0.55, 0.7, 0.9)
+
+def _color(red, green, blue):
+    return (red / 255, green / 255, blue / 255)
+
+
+SKY = _color(140, 178, 230)
 
 ISLANDS_SIZE = (240, 180)
 ISLANDS_VIEWS = {"middle": (2, -13, 4), "low": (3, -12, 1.2), "high": (1, -9, 9)}
@@ -47,7 +53,7 @@ def island_scene(view, waves):
 
 
 def posts():
-    colors = ((0.85, 0.2, 0.15), (0.95, 0.85, 0.3), (0.15, 0.5, 0.2), (0.9, 0.9, 0.9), (0.25, 0.2, 0.6))
+    colors = [_color(*rgb) for rgb in ((217, 51, 38), (242, 217, 77), (38, 128, 51), (230, 230, 230), (64, 51, 153))]
     made = []
     for i in range(9):  # poles
         x, y = -6 + 1.6 * i, -3 + 2.9 * (i % 4)
