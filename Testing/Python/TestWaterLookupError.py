@@ -4,85 +4,33 @@
 Smooth islands in waves. The ray caster follows a pixel's reflected ray to what it meets; the right
 place is where the mirrored view shows that point. Counted are rays that meet an island at a point
 which the mirrored view sees and has on its picture: nothing can be looked up of the others. The ray
-caster has the normals of the surface under test: a wave that is short against a pixel counts by its
-mean over the pixel, exp(-(turn per pixel)^2 / 24).
+caster has the normals of the surface under test (wave_scenes.mean_slopes).
 """
 
 import numpy as np
 import ray_caster
 import water_test as wt
-
-SIZE = (240, 180)
-ISLANDS = tuple(
-    ray_caster.Sphere(center, radius, color)
-    for center, radius, color in (
-        ((-3.0, 2.0, -2.4), 3.2, (0.2, 0.5, 0.2)),
-        ((2.5, 4.0, -4.0), 5.5, (0.4, 0.4, 0.2)),
-        ((0.5, -1.5, -1.6), 2.0, (0.6, 0.5, 0.4)),
-        ((-8.0, 14.0, -6.0), 10.0, (0.3, 0.3, 0.5)),
-        ((9.0, 18.0, -9.0), 13.0, (0.5, 0.3, 0.3)),
-    )
+from wave_scenes import (
+    ISLANDS,
+    ISLANDS_SIZE,
+    ISLANDS_VIEWS,
+    island_scene,
+    island_waves,
+    looked_up,
+    map_places,
+    mean_slopes,
 )
-# wavelength, direction, phase; the amplitudes make the slopes alike
-WAVES = ((2.0, 20.0, 10.0), (1.2, 80.0, 200.0), (0.75, 140.0, 90.0))
-VIEWS = {"middle": (2, -13, 4), "low": (3, -12, 1.2), "high": (1, -9, 9)}
-
-
-def waves_of(slope_rms):
-    each = slope_rms * np.sqrt(2.0 / len(WAVES))
-    return tuple((each * length / (2 * np.pi), length, direction, phase) for length, direction, phase in WAVES)
-
-
-def scene(position, waves):
-    made = wt.View(SIZE, (0.55, 0.7, 0.9))
-    for island in ISLANDS:
-        wt.add_actor(made.renderer, wt.sphere(island.center, island.radius, 200), island.color, lit=False)
-    water = wt.add_water(made.renderer, None, (-200, 200, -200, 200))
-    for wave in waves:
-        water.GetWaterProperty().AddWave(*wave)
-    camera = made.renderer.GetActiveCamera()
-    camera.SetPosition(position)
-    camera.SetFocalPoint(0, 0, 0)
-    camera.SetViewUp(0, 0, 1)
-    camera.SetClippingRange(0.5, 150)
-    return made, water
-
-
-def map_places(camera, water, points):
-    """Where the mirrored view shows points of the world: u, v in [0, 1] of its texture."""
-    matrix = camera.GetCompositeProjectionTransformMatrix(SIZE[0] / SIZE[1], -1, 1)
-    to_clip = np.array([[matrix.GetElement(i, j) for j in range(4)] for i in range(4)])
-    mirrored = np.concatenate([points * (1, 1, -1), np.ones((len(points), 1))], axis=1)
-    clip = mirrored @ to_clip.T
-    ndc = clip[:, :2] / clip[:, 3:] * (-1, 1)
-    texture = water.GetReflectionPass().GetReflectionTexture()
-    texture_size = np.array((texture.GetWidth(), texture.GetHeight()))
-    return 0.5 + 0.5 * ndc * np.array(SIZE) / texture_size, texture_size
-
-
-def mean_slopes(waves, place):
-    across = np.repeat(place[:, 1::2] - place[:, ::2], 2, axis=1)[..., :2]  # pixels go by fours
-    down = np.repeat(place[1::2] - place[::2], 2, axis=0)[..., :2]
-    slopes = [np.zeros(place.shape[0] * place.shape[1]) for _ in range(2)]
-    for wave in waves:
-        k = 2 * np.pi / wave[1]
-        direction = k * np.array((np.cos(np.radians(wave[2])), np.sin(np.radians(wave[2]))))
-        seen = np.exp(-((across @ direction) ** 2 + (down @ direction) ** 2) / 24).ravel()
-        _, *own = ray_caster.heights_and_slopes((wave,), place[..., 0].ravel(), place[..., 1].ravel(), 0.0)
-        for total, slope in zip(slopes, own):
-            total += seen * slope
-    return slopes
 
 
 def truth(camera, water, waves):
     """For every pixel of the picture: the right place in the map, and whether it counts."""
-    start, ray = ray_caster.eye_rays(camera, SIZE, 1)
+    start, ray = ray_caster.eye_rays(camera, ISLANDS_SIZE, 1)
     _, distance = ray_caster.cast(ISLANDS, (0, 0, 0), start, ray)
     with np.errstate(divide="ignore"):
         to_water = np.where(ray[:, 2] < 0, -start[:, 2] / ray[:, 2], np.inf)
     counts = to_water < np.minimum(distance, 150)
     place = start + np.where(np.isfinite(to_water), to_water, 0)[:, None] * ray
-    slope_x, slope_y = mean_slopes(waves, place.reshape(SIZE[1], SIZE[0], 3))
+    slope_x, slope_y = mean_slopes(waves, place.reshape(ISLANDS_SIZE[1], ISLANDS_SIZE[0], 3))
     normal = np.stack([-slope_x, -slope_y, np.ones_like(slope_x)], axis=1)
     normal /= np.linalg.norm(normal, axis=1, keepdims=True)
     away = ray - 2 * (ray * normal).sum(axis=1, keepdims=True) * normal
@@ -100,26 +48,19 @@ def truth(camera, water, waves):
     direction = look / np.linalg.norm(look, axis=1, keepdims=True)
     _, free = ray_caster.cast(ISLANDS, (0, 0, 0), through + 1e-9 * direction, direction)
     counts &= free > way - 1e-3
-    right, texture_size = map_places(camera, water, met)
+    right, texture_size = map_places(camera, water, met, ISLANDS_SIZE)
     counts &= ((right > 0) & (right < 1)).all(axis=1)
     return right, counts, texture_size
-
-
-def looked_up(made, water):
-    water.GetWaterProperty().SetOutputToLookup()
-    red, green, blue = (made.picture()[:, :, i].ravel() for i in range(3))
-    water.GetWaterProperty().SetOutputToColor()
-    return np.stack([red * 16 + green // 16, green % 16 * 256 + blue], axis=1) / 4095.0
 
 
 class Suite:
     """All views with waves of a slope, and the truth of each."""
 
     def __init__(self, slope_rms):
-        waves = waves_of(slope_rms)
+        waves = island_waves(slope_rms)
         self.cases = []
-        for position in VIEWS.values():
-            made, water = scene(position, waves)
+        for view in ISLANDS_VIEWS:
+            made, water = island_scene(view, waves)
             made.picture()
             is_water = wt.water_mask(made, water).ravel()
             right, counts, texture_size = truth(made.renderer.GetActiveCamera(), water, waves)

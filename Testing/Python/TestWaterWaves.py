@@ -8,65 +8,21 @@ from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkCommonTransforms import vtkTransform
 from vtkmodules.vtkRenderingCore import vtkSkybox, vtkTexture
 from vtkwater import vtkWaterActor, vtkWaterProperty, vtkWaterReflectionPass
-
-SIZE = (400, 300)
-SKY = (0.55, 0.7, 0.9)
-# amplitude m, wavelength m, direction and phase in degrees; the slopes add up to 0.10
-WAVES = ((0.0127, 2.0, 20.0, 10.0), (0.0064, 1.2, 80.0, 200.0), (0.0032, 0.75, 140.0, 90.0))
-VIEWS = {"middle": ((2, -13, 4), 30), "low": ((3, -12, 1.2), 30), "high": ((1, -9, 9), 35)}
-
-
-def things():
-    colors = ((0.85, 0.2, 0.15), (0.95, 0.85, 0.3), (0.15, 0.5, 0.2), (0.9, 0.9, 0.9), (0.25, 0.2, 0.6))
-    made = []
-    for i in range(9):  # poles
-        x, y = -6 + 1.6 * i, -3 + 2.9 * (i % 4)
-        made.append(ray_caster.Box((x, y, 1), (0.22, 0.22, 3 + 0.5 * (i % 3)), colors[i % 5]))
-    for i in range(6):  # boxes in the water
-        made.append(ray_caster.Box((-5 + 2.1 * i, 4 - 1.1 * i, 0.2), (0.9, 0.7, 0.9 + 0.3 * (i % 2)), colors[(i + 2) % 5]))
-    for i in range(6):  # things over it
-        made.append(ray_caster.Sphere((-4.5 + 1.9 * i, -2 + 1.4 * i, 1.0 + 0.3 * i), 0.35 + 0.06 * i, colors[(i + 1) % 5]))
-    return made
-
-
-def scene(view, waves=WAVES, parallel=False):
-    made = wt.View(SIZE, SKY)
-    for thing in things():
-        if isinstance(thing, ray_caster.Box):
-            data = wt.box(0.5 * (thing.low + thing.high), thing.high - thing.low)
-        else:
-            data = wt.sphere(thing.center, thing.radius, 96)
-        wt.add_actor(made.renderer, data, thing.color, lit=False)
-    water = wt.add_water(made.renderer, None, (-60, 60, -60, 60))
-    for wave in waves:
-        water.GetWaterProperty().AddWave(*wave)
-    camera = made.renderer.GetActiveCamera()
-    position, angle = VIEWS[view]
-    camera.SetPosition(position)
-    camera.SetFocalPoint(0, 0, 0)
-    camera.SetViewUp(0, 0, 1)
-    camera.SetViewAngle(angle)
-    camera.SetParallelProjection(parallel)
-    camera.SetParallelScale(4)
-    camera.SetClippingRange(0.5, 150)
-    return made, water
+from wave_scenes import POSTS_SIZE, POSTS_VIEWS, POSTS_WAVES, SKY, post_scene, posts, rmse
 
 
 def truth_of(made, water, samples=4):
     """The ray caster's picture, and the pixels that are water and nothing else there and here."""
-    truth, mask = ray_caster.picture(made.renderer.GetActiveCamera(), SIZE, things(), SKY, WAVES, 0.0, samples)
+    camera = made.renderer.GetActiveCamera()
+    truth, mask = ray_caster.picture(camera, POSTS_SIZE, posts(), SKY, POSTS_WAVES, 0.0, samples)
     return truth, mask & wt.water_mask(made, water)
-
-
-def rmse(picture, truth, mask):
-    return float(np.sqrt(((picture - truth)[mask] ** 2).mean()))
 
 
 # Colour against the ray caster, and against the best constant offset that a search finds.
 folder = wt.output_folder()
 traced, offset = [], []
-for view in VIEWS:
-    made, water = scene(view)
+for view in POSTS_VIEWS:
+    made, water = post_scene(view)
     truth, mask = truth_of(made, water)
     once, _ = truth_of(made, water, samples=1)
     look = water.GetWaterProperty()
@@ -92,7 +48,7 @@ wt.check_at_least("RMSE of the best fixed offset of each view / ray traced, all 
                   np.linalg.norm(offset) / np.linalg.norm(traced), 3.0)
 
 # Parallel projection.
-made, water = scene("middle", parallel=True)
+made, water = post_scene("middle", parallel=True)
 truth, mask = truth_of(made, water)
 error = rmse(made.picture(), truth, mask)
 water.GetWaterProperty().SetLookupToFixedOffset()
@@ -103,7 +59,7 @@ wt.check_at_least(f"parallel: RMSE of the calm lookup / ray traced ({error:.2f})
 # Waves of no height are calm water: from above, from below, tilted, in parallel projection.
 for name, camera_z, normal, parallel in (("above", 4, (0, 0, 1), False), ("below", -4, (0, 0, 1), False),
                                          ("tilted", 4, (0.1, 0.05, 1), False), ("parallel", 4, (0, 0, 1), True)):
-    made, water = scene("middle", waves=(), parallel=parallel)
+    made, water = post_scene("middle", waves=(), parallel=parallel)
     water.SetPlane(wt.plane((0, 0, 0.1), normal))
     camera = made.renderer.GetActiveCamera()
     camera.SetPosition(2, -13, camera_z)
@@ -123,7 +79,7 @@ def count_gaps(lookup, headings):
     wt.add_actor(made.renderer, wt.box((0.3, 0.2, 1), (0.5, 0.9, 3)), (1, 0, 0), lit=False)
     wt.add_actor(made.renderer, wt.pyramid((-1.2, 0.4, 0.5), 2, 24, 0.6), (1, 0, 0), lit=False)
     water = wt.add_water(made.renderer, None, (-60, 60, -60, 60))
-    for wave in WAVES:
+    for wave in POSTS_WAVES:
         water.GetWaterProperty().AddWave(*wave)
     getattr(water.GetWaterProperty(), f"SetLookupTo{lookup}")()
     camera = made.renderer.GetActiveCamera()
@@ -156,7 +112,7 @@ columns, gaps = count_gaps("FixedOffset", range(0, 360, 12))
 print(f"contact: with a fixed offset {gaps} of {columns} columns have a gap")
 
 # The confidence channel says why, and where: a calm pixel of the sky, a box, the picture's border.
-made, water = scene("middle")
+made, water = post_scene("middle")
 _, mask = truth_of(made, water)
 color = made.picture()
 water.GetWaterProperty().SetOutputToConfidence()
@@ -173,7 +129,7 @@ wt.check_at_least("confidence: pixels that show things and are hits",
                   float((reasons[:, :, 0] == vtkWaterProperty.HIT)[is_thing].mean()), 0.75)
 
 # Time alone makes the picture; phases are as exact at 1e7 s as at 0.
-made, water = scene("middle")
+made, water = post_scene("middle")
 water.SetTime(1e6)
 straight = made.picture()
 for time in (0.0, 3.7, 12345.6):
@@ -186,7 +142,7 @@ wt.check_at_least("time: 1 s makes another picture", int(np.abs(made.picture() -
 x, y = np.meshgrid(np.linspace(-7, 7, 9), np.linspace(-5, 9, 9))
 for time in (0.0, 17.3, 1e4):
     water.SetTime(time)
-    height, slope_x, slope_y = ray_caster.heights_and_slopes(WAVES, x, y, time)
+    height, slope_x, slope_y = ray_caster.heights_and_slopes(POSTS_WAVES, x, y, time)
     found = np.array([water.GetWaveHeight(*place) for place in zip(x.ravel(), y.ravel())])
     wt.check_at_most(f"height at {time:g} s: largest error, m", float(np.abs(found - height.ravel()).max()), 1e-11)
     largest = 0.0
@@ -196,9 +152,9 @@ for time in (0.0, 17.3, 1e4):
         largest = max(largest, abs(normal[0] / normal[2] + sx), abs(normal[1] / normal[2] + sy))
     wt.check_at_most(f"slope at {time:g} s: largest error", largest, 1e-10)
 water.SetTime(1e7)
-period = 2 * np.pi / ray_caster.angular_frequency(WAVES[0][1])
+period = 2 * np.pi / ray_caster.angular_frequency(POSTS_WAVES[0][1])
 alone = vtkWaterActor()
-alone.GetWaterProperty().AddWave(*WAVES[0])
+alone.GetWaterProperty().AddWave(*POSTS_WAVES[0])
 alone.SetTime(0.25 * period)
 near = alone.GetWaveHeight(0.3, 0.4)
 turns = np.round(1e7 / period)
@@ -233,11 +189,11 @@ def fresnel(cosine, index=1.333):
     return 0.5 * (s**2 + p**2)
 
 
-made, water = scene("high", waves=(STEEP,))
+made, water = post_scene("high", waves=(STEEP,))
 look = water.GetWaterProperty()
 look.SetReflectanceModeToFresnel()
 is_water = wt.water_mask(made, water).ravel()
-start, ray = ray_caster.eye_rays(made.renderer.GetActiveCamera(), SIZE, 1)
+start, ray = ray_caster.eye_rays(made.renderer.GetActiveCamera(), POSTS_SIZE, 1)
 place = start - (start[:, 2] / ray[:, 2])[:, None] * ray
 normal = np.stack([*(-slope for slope in steep_slopes(place[:, 0], place[:, 1])), np.ones(len(ray))], axis=1)
 normal /= np.linalg.norm(normal, axis=1, keepdims=True)
@@ -256,14 +212,14 @@ look.AddWave(*STEEP[:4])
 wt.check_at_least("the same wave as a sine: error of the reflectance", reflectance_error(), 1e-2)
 
 # A tilted plane whose axes begin elsewhere: the same scene, turned as a whole, gives the same picture.
-made, water = scene("middle")
+made, water = post_scene("middle")
 level = made.picture()
 turn = vtkTransform()
 turn.Translate(3, -2, 5)
 turn.RotateX(25)
 turn.RotateY(-10)
 rows = np.array([[turn.GetMatrix().GetElement(i, j) for j in range(4)] for i in range(4)])
-tilted = wt.View(SIZE, SKY)
+tilted = wt.View(POSTS_SIZE, SKY)
 for actor in made.renderer.GetActors():
     if not actor.IsA("vtkWaterActor"):
         wt.add_actor(tilted.renderer, wt.transformed(actor.GetMapper().GetInput(), turn.GetMatrix()),
@@ -274,7 +230,7 @@ first = np.array((1.0, 0, 0)) - rows[0, 2] * rows[:3, 2]
 first /= np.linalg.norm(first)
 angle = np.degrees(np.arctan2(rows[:3, 1] @ first, rows[:3, 0] @ first))
 other.SetSheetBounds(-90, 90, -90, 90)
-for amplitude, wavelength, direction, phase in WAVES:
+for amplitude, wavelength, direction, phase in POSTS_WAVES:
     other.GetWaterProperty().AddWave(amplitude, wavelength, direction - angle, phase)
 camera = tilted.renderer.GetActiveCamera()
 camera.DeepCopy(made.renderer.GetActiveCamera())
@@ -286,13 +242,13 @@ wt.check_at_most("tilted, elsewhere: % of the water off by more than 4 of 255 fr
                  100 * float((np.abs(tilted.picture() - level).max(axis=2) > 4)[both].mean()), 0.5)
 
 # Waves seen from below reflect the things under water: the scene turned over, with waves turned over.
-made, water = scene("middle")
-below = wt.View(SIZE, SKY)
+made, water = post_scene("middle")
+below = wt.View(POSTS_SIZE, SKY)
 for actor in made.renderer.GetActors():
     if not actor.IsA("vtkWaterActor"):
         wt.add_actor(below.renderer, actor.GetMapper().GetInput(), actor.GetProperty().GetColor(), lit=False)
 other = wt.add_water(below.renderer, wt.plane((0, 0, 0), (0, 0, -1)), (-60, 60, -60, 60))
-for amplitude, wavelength, direction, phase in WAVES:  # its second axis is -y; up is down
+for amplitude, wavelength, direction, phase in POSTS_WAVES:  # its second axis is -y; up is down
     other.GetWaterProperty().AddWave(amplitude, wavelength, -direction, phase + 180)
 below.renderer.GetActiveCamera().DeepCopy(made.renderer.GetActiveCamera())
 both = wt.water_mask(made, water) & wt.water_mask(below, other)
@@ -300,20 +256,20 @@ wt.check_at_most("from below: % of the water off by more than 4 of 255 from the 
                  100 * float((np.abs(below.picture() - made.picture()).max(axis=2) > 4)[both].mean()), 0.5)
 
 # Depth slows long waves down: at 1 s the picture is that of deep waves at the time of the same phase.
-made, water = scene("middle", waves=WAVES[:1])
+made, water = post_scene("middle", waves=POSTS_WAVES[:1])
 water.GetWaterProperty().SetDepth(0.1)
 water.SetTime(1.0)
 shallow = made.picture()
 water.GetWaterProperty().SetDepth(float("inf"))
 deep_same_time = made.picture()
-length = WAVES[0][1]
+length = POSTS_WAVES[0][1]
 water.SetTime(ray_caster.angular_frequency(length, 0.1) / ray_caster.angular_frequency(length))
 wt.check_at_most("depth: largest difference from the same phase in deep water",
                  int(np.abs(made.picture() - shallow).max()), 1)
 wt.check_at_least("depth: difference from the same time in deep water", int(np.abs(deep_same_time - shallow).max()), 50)
 
 # Rays that waves turn out of the picture: with a guard band fewer leave the map.
-made, water = scene("low")
+made, water = post_scene("low")
 water.GetWaterProperty().SetOutputToConfidence()
 water.GetReflectionPass().SetGuardBand(1.0)
 without = int((made.picture()[:, :, 0] == vtkWaterProperty.OFF_MAP).sum())
@@ -322,7 +278,7 @@ automatic = int((made.picture()[:, :, 0] == vtkWaterProperty.OFF_MAP).sum())
 wt.check_at_least(f"guard band: pixels off the map without / with it ({automatic})", without / max(automatic, 1), 3)
 
 # Calm water that shares its map with wavy water in the same plane is as calm as alone.
-made, wavy = scene("middle")
+made, wavy = post_scene("middle")
 wavy.SetSheetBounds(-60, 0, -60, 60)
 calm = wt.add_water(made.renderer, None, (0, 60, -60, 60))
 alone = made.picture()
@@ -335,7 +291,7 @@ wt.check_at_most("one map: % of the calm water off by more than 1 of 255",
                  100 * float((np.abs(together - alone).max(axis=2) > 1)[is_calm].mean()), 0.1)
 
 # A skybox: what rays off the map meet is not the renderer's background.
-made, water = scene("middle")
+made, water = post_scene("middle")
 image = vtkImageData()
 image.SetDimensions(2, 2, 1)
 image.AllocateScalars(3, 3)  # unsigned char

@@ -1,0 +1,76 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""report: figures with their limits, tables and plots, and the text they make."""
+
+import pathlib
+import string
+
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt  # noqa: E402  after the choice of its backend
+import water_test as wt  # noqa: E402
+from vtkmodules.vtkCommonCore import vtkVersion  # noqa: E402
+
+plt.rcParams.update({"font.size": 9, "axes.grid": True, "grid.alpha": 0.3, "axes.spines.top": False,
+                     "axes.spines.right": False, "legend.frameon": False, "figure.constrained_layout.use": True})
+
+
+def table(header, rows):
+    """A table in Markdown; numbers are to be formatted already."""
+    lines = ["| " + " | ".join(cells) + " |" for cells in (header, *rows)]
+    return "\n".join([lines[0], "|---" * len(header) + "|", *lines[1:]])
+
+
+class Report:
+    """Collects the sections. folder gets accuracy.md, and images/accuracy-*.png."""
+
+    def __init__(self, folder):
+        self._folder = folder
+        self._sections, self._checks = [], []
+        (folder / "images").mkdir(parents=True, exist_ok=True)
+
+    def check_at_most(self, name, value, limit, digits=3):
+        self._check(name, value, f"<= {limit:g}", value <= limit, digits)
+
+    def check_at_least(self, name, value, limit, digits=3):
+        self._check(name, value, f">= {limit:g}", value >= limit, digits)
+
+    def _check(self, name, value, limit, holds, digits):
+        verdict = "ok" if holds else "NOT MET"
+        self._checks.append((name, f"{value:.{digits}f}", limit, verdict))
+        print(f"{name}: {value:.{digits}f} (limit {limit}) {verdict}", flush=True)
+
+    def has_failed(self):
+        return any(verdict != "ok" for *_, verdict in self._checks)
+
+    def save(self, figure, name, alt):
+        """Saves a plot or picture; returns the Markdown that shows it."""
+        path = pathlib.Path("images") / f"accuracy-{name}.png"
+        figure.savefig(self._folder / path, dpi=110, metadata={"Software": None})
+        plt.close(figure)
+        return f"![{alt}]({path})"
+
+    def add(self, title, text, **values):
+        """A section: prose with $name where a value goes."""
+        self._sections.append(f"## {title}\n" + string.Template(text).substitute(values).strip())
+
+    def write(self):
+        frame = string.Template((pathlib.Path(__file__).parent / "accuracy.md.in").read_text())
+        text = frame.substitute(
+            checks=table(("figure", "value", "limit", ""), self._checks),
+            vtk=vtkVersion.GetVTKVersion(),
+            driver=_driver(),
+            sections="\n\n".join(self._sections),
+        )
+        path = self._folder / "accuracy.md"
+        path.write_text(text.rstrip() + "\n")
+        print(f"the report: {path}")
+
+
+def _driver():
+    view = wt.View((8, 8))
+    view.picture()
+    for line in view.window.ReportCapabilities().splitlines():
+        if line.startswith("OpenGL renderer string:"):
+            return line.split(":", 1)[1].strip()
+    return "an unnamed OpenGL renderer"
