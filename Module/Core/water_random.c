@@ -12,6 +12,11 @@ uint64_t water_random_bits(uint64_t seed, uint64_t counter)
   return z ^ (z >> 31);
 }
 
+double water_random_uniform(uint64_t seed, uint64_t counter)
+{
+  return (double)(water_random_bits(seed, counter) >> 11) / 9007199254740992.0; // 2^53
+}
+
 // -ln(u), u in (0, 1].
 static double minus_log(double u)
 {
@@ -56,7 +61,7 @@ void water_random_normal(uint64_t seed, uint64_t counter, double pair[2])
 {
   const double unit = 1.0 / 9007199254740992.0; // 2^-53
   const double u = (double)((water_random_bits(seed, 2u * counter) >> 11) + 1u) * unit;
-  const double v = (double)(water_random_bits(seed, 2u * counter + 1u) >> 11) * unit;
+  const double v = water_random_uniform(seed, 2u * counter + 1u);
   const double radius = sqrt(2.0 * minus_log(u));
   circle(v, pair);
   pair[0] *= radius;

@@ -17,6 +17,9 @@ extern "C"
 // Source: Steele, Lea and Flood 2014, "Fast Splittable Pseudorandom Number Generators".
 uint64_t water_random_bits(uint64_t seed, uint64_t counter);
 
+// Number counter of the seed's sequence of numbers spread evenly in [0, 1).
+double water_random_uniform(uint64_t seed, uint64_t counter);
+
 // Two independent normal numbers (mean 0, variance 1, none beyond 8.6), number counter of the
 // seed's pairs. Box and Muller's formula within 4e-15.
 // Source: Box and Muller 1958, "A Note on the Generation of Random Normal Deviates".

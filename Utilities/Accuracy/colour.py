@@ -12,6 +12,8 @@ import wave_scenes
 from report import plt, table
 from tracer import Tracer
 
+SIZE = (640, 480)
+SMALL_SIZE = (400, 300)  # edges are a larger part of it
 SAMPLES = 4  # squared: rays per pixel of the truth
 # setting of the module, constants to try
 OFFSETS = {"constant offset": ("FixedOffset", 1.0), "offset over depth": ("ViewScaledOffset", 10.0)}
@@ -32,6 +34,10 @@ measure, from a search that knows the answer ($constants).
 
 $table
 
+The smaller the picture, the larger a part of it are edges, which one sample cannot know: in $small_width x $small_height
+pixels the best constant offset has $small_rmse times the RMSE and $small_flip times the FLIP of the ray traced default,
+and $small_ceiling times the FLIP of the perfect tracer.
+
 $pictures
 
 *$view view, its middle. Above: the pictures; below: FLIP's error maps (black: none).*
@@ -50,11 +56,11 @@ $off of 255 where the perfect tracer's single ray is not; $both are off in both.
 class View:
     """One view: the truth, and the errors of pictures against it."""
 
-    def __init__(self, name):
+    def __init__(self, name, size=SIZE):
         self.name = name
-        self.made, self.water = wave_scenes.post_scene(name)
+        self.made, self.water = wave_scenes.post_scene(name, size=size)
         self.tracer = Tracer(self.made.renderer)
-        camera, size, waves = self.made.renderer.GetActiveCamera(), wave_scenes.POSTS_SIZE, wave_scenes.POSTS_WAVES
+        camera, waves = self.made.renderer.GetActiveCamera(), wave_scenes.POSTS_WAVES
         self.truth, is_water = reference.picture(self.tracer, camera, size, waves, SAMPLES)
         self.mask = is_water & wt.water_mask(self.made, self.water)
         self.once = reference.picture(self.tracer, camera, size, waves, 1)[0]
@@ -144,6 +150,21 @@ def measure():
     return views, found
 
 
+def _small_ratios():
+    """RMSE and FLIP of the best constant offset over ray traced, and FLIP over a perfect tracer, in a
+    smaller picture."""
+    offset, traced, perfect = Errors(), Errors(), Errors()
+    for name in wave_scenes.POSTS_VIEWS:
+        view = View(name, SMALL_SIZE)
+        for errors, measure_of in ((offset.rmse, view.rmse), (offset.flip, view.flip)):
+            errors.append(_search(lambda scale: measure_of(view.picture("LookupToFixedOffset", scale)), 1.0)[0])
+        for errors, picture in ((traced, _default_picture(view)), (perfect, view.once)):
+            errors.rmse.append(view.rmse(picture))
+            errors.flip.append(view.flip(picture))
+    by_traced = np.array(offset.together()) / traced.together()
+    return (*by_traced, offset.together()[1] / perfect.together()[1])
+
+
 def _default_picture(view):
     view.picture("LookupToRayTraced")
     return view.picture("RayTraceQualityToDefault")
@@ -198,7 +219,7 @@ def _tracers_apart(view):
     """Share of the pixels that Embree and the tests' ray caster, of ideal spheres, see otherwise."""
     camera = view.made.renderer.GetActiveCamera()
     other, _ = ray_caster.picture(
-        camera, wave_scenes.POSTS_SIZE, wave_scenes.posts(), wave_scenes.SKY, wave_scenes.POSTS_WAVES, 0.0, 1)
+        camera, SIZE, wave_scenes.posts(), wave_scenes.SKY, wave_scenes.POSTS_WAVES, 0.0, 1)
     return float((np.abs(other - view.once).max(axis=2) > 1).mean())
 
 
@@ -228,7 +249,8 @@ def run(report):
         for name, errors in found.items() if errors.constants)
     report.add(
         "Colour", TEXT, triangles=views[0].tracer.triangle_count,
-        width=wave_scenes.POSTS_SIZE[0], height=wave_scenes.POSTS_SIZE[1], samples=SAMPLES**2,
+        width=SIZE[0], height=SIZE[1], samples=SAMPLES**2, small_width=SMALL_SIZE[0], small_height=SMALL_SIZE[1],
+        **dict(zip(("small_rmse", "small_flip", "small_ceiling"), (f"{ratio:.2f}" for ratio in _small_ratios()))),
         shares=", ".join(f"{view.mask.mean():.0%}" for view in views), constants=constants, table=table(header, rows),
         ceiling=f"{ceiling:.2f}", off=OFF, only=f"{100 * only:.2f} %", both=f"{100 * both:.2f} %",
         view=views[0].name.capitalize(),

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// test_normals.c: the built-in normal map, and the motion of maps.
+#include "test_scene.h"
+
+#include "water_normals.h"
+
+enum
+{
+  SIZE = 128
+};
+
+static unsigned char pixels[3 * SIZE * SIZE];
+static unsigned char others[3 * SIZE * SIZE];
+
+static double part(const unsigned char* map, size_t x, size_t y, size_t channel)
+{
+  return map[3 * ((y % SIZE) * SIZE + x % SIZE) + channel] / 127.5 - 1.0;
+}
+
+// Unit normals that point up, level on average, with the promised rms slope.
+TEST(map_holds_unit_normals)
+{
+  UNUSED;
+  water_normals_fill(SIZE, 1, pixels);
+  double mean[2] = { 0.0, 0.0 };
+  double square = 0.0;
+  for (size_t i = 0; i < SIZE * SIZE; ++i)
+  {
+    const double n[3] = { part(pixels, i, i / SIZE, 0), part(pixels, i, i / SIZE, 1),
+      part(pixels, i, i / SIZE, 2) };
+    ASSERT_CLOSE(sqrt(dot(n, n)), 1.0, 0.01);
+    assert_true(n[2] > 0.8);
+    mean[0] += n[0] / n[2];
+    mean[1] += n[1] / n[2];
+    square += (n[0] * n[0] + n[1] * n[1]) / (n[2] * n[2]);
+  }
+  ASSERT_CLOSE(mean[0] / (SIZE * SIZE), 0.0, 0.01);
+  ASSERT_CLOSE(mean[1] / (SIZE * SIZE), 0.0, 0.01);
+  ASSERT_CLOSE(sqrt(square / (SIZE * SIZE)), 0.1, 0.015);
+}
+
+// The step over the edge is no larger than those inside: the map repeats without a seam.
+TEST(map_repeats_without_a_seam)
+{
+  UNUSED;
+  water_normals_fill(SIZE, 1, pixels);
+  double inside = 0.0;
+  double seam = 0.0;
+  for (size_t y = 0; y < SIZE; ++y)
+  {
+    for (size_t x = 0; x < SIZE; ++x)
+    {
+      const double across = fabs(part(pixels, x + 1, y, 0) - part(pixels, x, y, 0));
+      const double down = fabs(part(pixels, x, y + 1, 1) - part(pixels, x, y, 1));
+      double* largest = x == SIZE - 1 || y == SIZE - 1 ? &seam : &inside;
+      *largest = fmax(*largest, fmax(across, down));
+    }
+  }
+  assert_true(seam <= 1.01 * inside);
+  assert_true(inside < 0.2); // and it is smooth
+}
+
+TEST(seed_makes_the_map)
+{
+  UNUSED;
+  water_normals_fill(SIZE, 1, pixels);
+  water_normals_fill(SIZE, 1, others);
+  assert_memory_equal(pixels, others, sizeof pixels);
+  water_normals_fill(SIZE, 2, others);
+  assert_memory_not_equal(pixels, others, sizeof pixels);
+}
+
+// A map of 4 m that moves along the second axis with 0.5 m/s.
+TEST(map_moves_with_time)
+{
+  UNUSED;
+  const water_normal_map map = { 4.0, 0.5, 1.5707963267948966, 1.0 };
+  double place[2];
+  water_normals_place(&map, 1.0, 3.0, 0.0, place);
+  ASSERT_CLOSE(place[0], 0.25, 1e-15);
+  ASSERT_CLOSE(place[1], 0.75, 1e-15);
+  water_normals_place(&map, 1.0, 3.0, 2.0, place);
+  ASSERT_CLOSE(place[0], 0.25, 1e-15);
+  ASSERT_CLOSE(place[1], 0.5, 1e-15);
+  water_normals_place(&map, -1.0, -3.0, 0.0, place);
+  ASSERT_CLOSE(place[0], 0.75, 1e-15);
+  ASSERT_CLOSE(place[1], 0.25, 1e-15);
+  water_normals_place(&map, 1.0, 3.0, 8e6, place); // whole maps
+  ASSERT_CLOSE(place[1], 0.75, 1e-9);
+}
+
+TEST(bad_numbers_are_named)
+{
+  UNUSED;
+  const double bad[2] = { (double)NAN, (double)INFINITY };
+  const water_normal_map good = { 4.0, 0.5, 1.0, 1.0 };
+  assert_int_equal(water_normals_check(&good), WATER_OK);
+  for (int i = 0; i < 2; ++i)
+  {
+    water_normal_map map = good;
+    map.size = bad[i];
+    assert_int_equal(water_normals_check(&map), WATER_BAD_NORMAL_MAP_SIZE);
+    map = good;
+    map.speed = bad[i];
+    assert_int_equal(water_normals_check(&map), WATER_BAD_NORMAL_MAP_MOTION);
+    map = good;
+    map.direction_rad = bad[i];
+    assert_int_equal(water_normals_check(&map), WATER_BAD_NORMAL_MAP_MOTION);
+    map = good;
+    map.strength = bad[i];
+    assert_int_equal(water_normals_check(&map), WATER_BAD_NORMAL_MAP_STRENGTH);
+  }
+  water_normal_map map = good;
+  map.size = 0.0;
+  assert_int_equal(water_normals_check(&map), WATER_BAD_NORMAL_MAP_SIZE);
+}
+
+int main(void)
+{
+  const struct CMUnitTest tests[] = {
+    RUN(map_holds_unit_normals),
+    RUN(map_repeats_without_a_seam),
+    RUN(seed_makes_the_map),
+    RUN(map_moves_with_time),
+    RUN(bad_numbers_are_named),
+  };
+  return cmocka_run_group_tests(tests, NULL, NULL);
+}
