@@ -6,6 +6,7 @@
 #include "vtkWaterCompat.h"
 #include "water_body.h"
 #include "water_preset.h"
+#include "water_tile.h"
 #include "water_waves.h"
 
 #include <algorithm>
@@ -21,7 +22,9 @@ vtkStandardNewMacro(vtkWaterProperty);
 struct vtkWaterProperty::Internals
 {
   std::vector<water_wave> Waves;
-  double Extinction[3]; // 1/m
+  double Extinction[3];               // 1/m
+  double SeaSlopes[2] = { 0.0, 0.0 }; // variances of the sea, as of SeaTime
+  vtkMTimeType SeaTime = 0;
 };
 
 //------------------------------------------------------------------------------
@@ -189,6 +192,16 @@ bool vtkWaterProperty::SetPreset(const char* name)
   water_body_deep_color(&preset.medium, this->DeepColor);
   this->Internal->Waves.assign(preset.waves, preset.waves + preset.wave_count);
   this->Depth = preset.has_sea ? preset.sea.depth : std::numeric_limits<double>::infinity();
+  this->Sea = preset.has_sea;
+  if (preset.has_sea)
+  {
+    this->SeaModel = preset.sea.model == WATER_SEA_PHILLIPS ? PHILLIPS : JONSWAP;
+    this->WindSpeed = preset.sea.wind_speed;
+    this->WindDirection = vtkMath::DegreesFromRadians(preset.sea.wind_dir_rad);
+    this->Fetch = preset.sea.fetch;
+    this->PeakEnhancement = preset.sea.peak_enhancement;
+    this->SeaTileLength = 0.0;
+  }
   this->Modified();
   return true;
 }
@@ -278,7 +291,21 @@ double vtkWaterProperty::GetSlopeRMS() const
   double height = 0.0;
   double slope = 0.0;
   water_waves_rms(this->Internal->Waves.data(), this->Internal->Waves.size(), &height, &slope);
-  return slope;
+  if (!this->Sea)
+  {
+    return slope;
+  }
+  if (this->Internal->SeaTime != this->MTime)
+  {
+    // an integral over the spectrum: not in every frame
+    water_sea sea;
+    water_tile tile;
+    this->ReadSea(&sea, &tile);
+    double leftOut[2];
+    water_tile_slopes(&tile, &sea, this->Internal->SeaSlopes, leftOut);
+    this->Internal->SeaTime = this->MTime;
+  }
+  return water_tile_slope_rms(this->Internal->SeaSlopes, slope);
 }
 
 //------------------------------------------------------------------------------
@@ -377,6 +404,7 @@ void vtkWaterProperty::PrintSelf(ostream& os, vtkIndent indent)
     os << indent.GetNextIndent() << "amplitude " << wave[0] << ", wavelength " << wave[1]
        << ", direction " << wave[2] << ", phase " << wave[3] << ", steepness " << wave[4] << "\n";
   }
+  this->PrintSea(os, indent);
   os << indent << "Lookup: " << this->Lookup << "\n";
   os << indent << "OffsetScale: " << this->OffsetScale << "\n";
   os << indent << "RayTraceSteps: " << this->RayTraceSteps << "\n";

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkWaterPointFS.glsl: what all stages of a surface's shader know about their pixel, and the sky.
 //
-// The stages, each one file of several: waves (waterRipple), reflection (waterReflected), body
-// (waterBeneath); vtkWaterSurfaceFS.glsl puts them together. They are files and not branches because
+// The stages, each one file of several: waves (waterSlope and waterSeaSlope, put together by
+// waterRipple), reflection (waterReflected), body (waterBeneath); vtkWaterSurfaceFS.glsl puts them
+// together. They are files and not branches because
 // software renderers execute both sides of a branch.
 //
 // NDC come from gl_FragCoord and the viewport of the draw itself (read from the GL state), which is
@@ -30,6 +31,7 @@ struct WaterPoint
   vec2 across;   // change of the place from pixel to pixel
   vec2 down;
   vec3 normal;   // of the surface, of unit length
+  vec2 variance; // of the slope along the plane's two axes, of the waves that the pixel averages
   vec3 start;    // where the map shows its calm reflection: u, v, depth
 };
 
@@ -43,6 +45,7 @@ WaterPoint waterPoint()
   point.across = dFdx(point.place);
   point.down = dFdy(point.place);
   point.normal = vec3(0.0, 0.0, 1.0);
+  point.variance = vec2(0.0);
   vec4 clip = vec4(point.ndc, 2.0 * gl_FragCoord.z - 1.0, 1.0); // w cancels below
   vec4 mirrored = clip - 2.0 * dot(waterPlaneClip, clip) * waterNormalClip;
   vec3 window = 0.5 / mirrored.w * mirrored.xyz;

@@ -200,7 +200,8 @@ void vtkWaterGather::Read(
   for (vtkWaterActor* water : waters)
   {
     vtkWaterProperty* property = water->GetWaterProperty();
-    this->scene.has_waves = this->scene.has_waves || property->GetNumberOfWaves() > 0;
+    this->scene.has_waves =
+      this->scene.has_waves || property->GetNumberOfWaves() > 0 || property->GetSea();
     this->scene.slope_rms = std::max(this->scene.slope_rms, property->GetSlopeRMS());
   }
 

@@ -10,12 +10,17 @@
 #include "vtkWaterBodyFS.h"
 #include "vtkWaterCalmFS.h"
 #include "vtkWaterDeepFS.h"
+#include "vtkWaterFacetsFS.h"
 #include "vtkWaterGL.h"
 #include "vtkWaterLookupFS.h"
+#include "vtkWaterNoSeaFS.h"
 #include "vtkWaterOffsetFS.h"
 #include "vtkWaterOptics.h"
 #include "vtkWaterPointFS.h"
 #include "vtkWaterProperty.h"
+#include "vtkWaterRippleFS.h"
+#include "vtkWaterSea.h"
+#include "vtkWaterSeaFS.h"
 #include "vtkWaterSurfaceFS.h"
 #include "vtkWaterUniforms.h"
 #include "vtkWaterWavesFS.h"
@@ -37,9 +42,10 @@ int vtkWaterSurface::GetStages(vtkWaterProperty* property)
 {
   int stages = 0;
   // a calm reflection has no reasons: those come with the rays
-  if (property->GetNumberOfWaves() > 0 || property->GetOutput() != vtkWaterProperty::COLOR)
+  if (property->GetNumberOfWaves() > 0 || property->GetSea() ||
+    property->GetOutput() != vtkWaterProperty::COLOR)
   {
-    stages |= WAVES;
+    stages |= property->GetSea() ? WAVES | SEA : WAVES;
     stages |= property->GetLookup() == vtkWaterProperty::RAY_TRACED ? RAY_TRACED : OFFSET;
   }
   if (property->GetRefraction() && property->GetOpacity() >= 1.0)
@@ -57,6 +63,8 @@ std::string vtkWaterSurface::GetShader(vtkWaterProperty* property)
   if (stages & WAVES)
   {
     files.push_back(vtkWaterWavesFS);
+    files.push_back(stages & SEA ? vtkWaterSeaFS : vtkWaterNoSeaFS);
+    files.push_back(vtkWaterRippleFS);
     files.push_back(stages & RAY_TRACED ? vtkWaterLookupFS : vtkWaterOffsetFS);
   }
   else
@@ -64,6 +72,7 @@ std::string vtkWaterSurface::GetShader(vtkWaterProperty* property)
     files.push_back(vtkWaterCalmFS);
   }
   files.push_back(stages & BODY ? vtkWaterBodyFS : vtkWaterDeepFS);
+  files.push_back(vtkWaterFacetsFS);
   files.push_back(vtkWaterSurfaceFS);
   std::string source;
   for (const char* file : files)
@@ -135,6 +144,13 @@ void vtkWaterSurface::Begin(vtkWaterActor* water, const Frame& frame)
     this->Active[3] = this->Waves;
     this->Active[4] = frame.ReflectionDepth;
   }
+  this->Sea = nullptr;
+  if (frame.Plan && (this->BuiltStages & SEA))
+  {
+    vtkWaterSea* sea = water->GetSeaAtTime();
+    this->Active[5] = sea->Upload(window);
+    this->Sea = sea;
+  }
   if (frame.Plan && frame.Plan->decision == WATER_REFLECT)
   {
     // where pixel meets texel, one texel is the same as four
@@ -181,6 +197,7 @@ void vtkWaterSurface::SetParameters(vtkShaderProgram* program)
   uniforms::Set(program, "waterSceneDepth", this->Active[2]);
   uniforms::Set(program, "waterWaves", this->Active[3]);
   uniforms::Set(program, "waterReflectionDepth", this->Active[4]);
+  uniforms::Set(program, "waterSea", this->Active[5]);
   uniforms::Set(program, "waterHasView", hasView ? 1 : 0);
   uniforms::Set(program, "waterIsReflecting", plan && plan->decision == WATER_REFLECT ? 1 : 0);
   uniforms::Set(program, "waterOpacity", this->Property->GetOpacity());
@@ -191,6 +208,10 @@ void vtkWaterSurface::SetParameters(vtkShaderProgram* program)
     this->SetViewParameters(program);
     this->SetReflectionParameters(program);
     this->SetSkyParameters(program);
+  }
+  if (plan && this->Sea)
+  {
+    this->SetSeaParameters(program);
   }
 }
 
@@ -254,6 +275,18 @@ void vtkWaterSurface::SetSkyParameters(vtkShaderProgram* program)
   const double topKnown[4] = { top[0], top[1], top[2], isKnown };
   vtkWaterUniforms::Set4(program, "waterSkyBottom", bottomKnown);
   vtkWaterUniforms::Set4(program, "waterSkyTop", topKnown);
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterSurface::SetSeaParameters(vtkShaderProgram* program)
+{
+  const water_tile& tile = this->Sea->GetTile();
+  double place[2] = { 0.0, 0.0 };
+  water_tile_place(&tile, this->Drawn.Plan->origin_xy[0], this->Drawn.Plan->origin_xy[1], place);
+  const double placeAndScale[4] = { place[0], place[1], 1.0 / tile.length,
+    0.5 / static_cast<double>(tile.size) };
+  vtkWaterUniforms::Set4(program, "waterSeaTile", placeAndScale);
+  vtkWaterUniforms::Set2(program, "waterSeaLeftOut", this->Sea->GetLeftOut());
 }
 
 //------------------------------------------------------------------------------

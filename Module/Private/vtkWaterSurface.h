@@ -14,6 +14,7 @@ class vtkShaderProgram;
 class vtkTextureObject;
 class vtkWaterActor;
 class vtkWaterProperty;
+class vtkWaterSea;
 class vtkWindow;
 
 class vtkWaterSurface
@@ -36,7 +37,8 @@ public:
     WAVES = 1 << 0,
     RAY_TRACED = 1 << 1,
     OFFSET = 1 << 2,
-    BODY = 1 << 3
+    BODY = 1 << 3,
+    SEA = 1 << 4
   };
   static int GetStages(vtkWaterProperty* property);
 
@@ -59,14 +61,16 @@ private:
   void SetViewParameters(vtkShaderProgram* program);
   void SetReflectionParameters(vtkShaderProgram* program);
   void SetSkyParameters(vtkShaderProgram* program);
+  void SetSeaParameters(vtkShaderProgram* program);
 
   int BuiltStages = 0;
   Frame Drawn = Frame();
   vtkWaterProperty* Property = nullptr;    // of what is drawn
-  vtkTextureObject* Active[5] = {};        // nullptr: not in use
+  vtkTextureObject* Active[6] = {};        // nullptr: not in use
   vtkSmartPointer<vtkTextureObject> Waves; // a row per wave
   int WaveCount = 0;
-  bool IsSteep = false; // waves that move their points
+  bool IsSteep = false;             // waves that move their points
+  const vtkWaterSea* Sea = nullptr; // of what is drawn; nullptr: it has none
   vtkWaterBackdrop Backdrop;
   bool HasBackdrop = false;
 };
