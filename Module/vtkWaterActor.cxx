@@ -20,6 +20,7 @@
 #include "vtkWaterGather.h"
 #include "vtkWaterProperty.h"
 #include "vtkWaterReflectionPass.h"
+#include "vtkWaterSea.h"
 #include "vtkWaterShading.h"
 #include "vtkWaterSheet.h"
 #include "vtkWaterSurface.h"
@@ -58,6 +59,7 @@ vtkWaterActor::vtkWaterActor()
   , OwnPass(vtkSmartPointer<vtkWaterReflectionPass>::New())
   , Sheet(std::make_unique<vtkWaterSheet>())
   , Surface(std::make_unique<vtkWaterSurface>())
+  , Sea(std::make_unique<vtkWaterSea>())
 {
   this->Superclass::SetMapper(this->Sheet->GetMapper());
 }
@@ -184,14 +186,31 @@ std::vector<water_wave_term> vtkWaterActor::GetWaveTerms()
 }
 
 //------------------------------------------------------------------------------
+vtkWaterSea* vtkWaterActor::GetSeaAtTime()
+{
+  if (!this->WaterProperty->GetSea())
+  {
+    return nullptr;
+  }
+  water_sea sea;
+  water_tile tile;
+  this->WaterProperty->ReadSea(&sea, &tile);
+  this->Sea->Update(tile, sea, this->Time);
+  return this->Sea.get();
+}
+
+//------------------------------------------------------------------------------
 double vtkWaterActor::GetWaveHeight(double x, double y)
 {
   const std::vector<water_wave_term> terms = this->GetWaveTerms();
   double rest[2];
   water_wave_point point;
-  return water_waves_find(terms.data(), terms.size(), x, y, rest, &point) == WATER_OK
-    ? point.displacement[2]
-    : vtkMath::Nan();
+  if (water_waves_find(terms.data(), terms.size(), x, y, rest, &point) != WATER_OK)
+  {
+    return vtkMath::Nan();
+  }
+  const vtkWaterSea* sea = this->GetSeaAtTime();
+  return sea ? point.displacement[2] + sea->GetHeight(x, y) : point.displacement[2];
 }
 
 //------------------------------------------------------------------------------
@@ -204,6 +223,12 @@ void vtkWaterActor::GetWaveNormal(double x, double y, double normal[3])
   if (water_waves_find(terms.data(), terms.size(), x, y, rest, &point) == WATER_OK)
   {
     std::copy(point.normal, point.normal + 3, normal);
+    if (const vtkWaterSea* sea = this->GetSeaAtTime())
+    {
+      double slope[2];
+      sea->GetSlope(x, y, slope);
+      water_waves_tilt(slope, normal);
+    }
   }
 }
 
@@ -492,6 +517,7 @@ void vtkWaterActor::ReleaseGraphicsResources(vtkWindow* window)
   {
     environment->ReleaseGraphicsResources(window);
   }
+  this->Sea->ReleaseGraphicsResources(window);
   this->Superclass::ReleaseGraphicsResources(window);
 }
 

@@ -44,6 +44,7 @@ VTK_ABI_NAMESPACE_BEGIN
 class vtkPlane;
 class vtkWaterProperty;
 class vtkWaterReflectionPass;
+class vtkWaterSea;
 class vtkWaterSheet;
 class vtkWaterSurface;
 struct vtkWaterError;
@@ -116,7 +117,8 @@ public:
   /**
    * The waves at a place, at the actor's time: for buoys and picks. x and y, and the normal, are in
    * the plane's own axes (SetSheetBounds), the third along the plane's normal; the height is over
-   * the plane, m. Without waves 0 and (0, 0, 1). NaN when the place is not finite.
+   * the plane, m. A wind sea is included, bilinear between the points of its tile. Without waves 0
+   * and (0, 0, 1). NaN when the place is not finite.
    */
   double GetWaveHeight(double x, double y);
   void GetWaveNormal(double x, double y, double normal[3]) VTK_SIZEHINT(normal, 3);
@@ -181,6 +183,8 @@ private:
   bool HasSheetError() const;
   // The waves at the actor's time.
   std::vector<water_wave_term> GetWaveTerms();
+  // The wind sea at the actor's time; nullptr when it is off.
+  vtkWaterSea* GetSeaAtTime();
   // What is seen through the surface must be there before it: puts it behind all other props in the
   // order of this frame.
   void DrawLast(vtkRenderer* renderer);
@@ -193,6 +197,7 @@ private:
   vtkWeakPointer<vtkWaterReflectionPass> ComposedPass;
   std::unique_ptr<vtkWaterSheet> Sheet;
   std::unique_ptr<vtkWaterSurface> Surface;
+  std::unique_ptr<vtkWaterSea> Sea;
   double SheetBounds[4] = { 0.0, 0.0, 0.0, 0.0 };
   bool UseSheetBounds = false;
   bool IsUpdatingSheet = false;

@@ -6,9 +6,11 @@
 #include "vtkSmartPointer.h"
 #include "vtkTexture.h"
 #include "vtkWaterCompat.h"
+#include "vtkWaterNormalMaps.h"
 #include "water_body.h"
 #include "water_glitter.h"
 #include "water_preset.h"
+#include "water_tile.h"
 #include "water_waves.h"
 
 #include <algorithm>
@@ -27,6 +29,9 @@ struct vtkWaterProperty::Internals
   std::vector<water_wave> Waves;
   double Extinction[3]; // 1/m
   vtkSmartPointer<vtkTexture> Environment;
+  vtkWaterNormalMaps NormalMaps;
+  double SeaSlopes[2] = { 0.0, 0.0 }; // variances of the sea, as of SeaTime
+  vtkMTimeType SeaTime = 0;
 };
 
 //------------------------------------------------------------------------------
@@ -302,6 +307,16 @@ bool vtkWaterProperty::SetPreset(const char* name)
   water_body_deep_color(&preset.medium, this->DeepColor);
   this->Internal->Waves.assign(preset.waves, preset.waves + preset.wave_count);
   this->Depth = preset.has_sea ? preset.sea.depth : std::numeric_limits<double>::infinity();
+  this->Sea = preset.has_sea;
+  if (preset.has_sea)
+  {
+    this->SeaModel = preset.sea.model == WATER_SEA_PHILLIPS ? PHILLIPS : JONSWAP;
+    this->WindSpeed = preset.sea.wind_speed;
+    this->WindDirection = vtkMath::DegreesFromRadians(preset.sea.wind_dir_rad);
+    this->Fetch = preset.sea.fetch;
+    this->PeakEnhancement = preset.sea.peak_enhancement;
+    this->SeaTileLength = 0.0;
+  }
   this->Modified();
   return true;
 }
@@ -391,7 +406,21 @@ double vtkWaterProperty::GetSlopeRMS() const
   double height = 0.0;
   double slope = 0.0;
   water_waves_rms(this->Internal->Waves.data(), this->Internal->Waves.size(), &height, &slope);
-  return slope;
+  if (!this->Sea)
+  {
+    return slope;
+  }
+  if (this->Internal->SeaTime != this->MTime)
+  {
+    // an integral over the spectrum: not in every frame
+    water_sea sea;
+    water_tile tile;
+    this->ReadSea(&sea, &tile);
+    double leftOut[2];
+    water_tile_slopes(&tile, &sea, this->Internal->SeaSlopes, leftOut);
+    this->Internal->SeaTime = this->MTime;
+  }
+  return water_tile_slope_rms(this->Internal->SeaSlopes, slope);
 }
 
 //------------------------------------------------------------------------------
@@ -401,16 +430,89 @@ const water_wave* vtkWaterProperty::GetWaves() const
 }
 
 //------------------------------------------------------------------------------
+int vtkWaterProperty::AddNormalMap(
+  vtkTexture* texture, double size, double speed, double direction, double strength)
+{
+  const std::string wrong = this->Internal->NormalMaps.Add(
+    texture, water_normal_map{ size, speed, vtkMath::RadiansFromDegrees(direction), strength });
+  if (!wrong.empty())
+  {
+    vtkErrorMacro("Normal map of Size " << size << ", Speed " << speed << ", Direction "
+                                        << direction << ", Strength " << strength << ": " << wrong
+                                        << ". It is not added.");
+    return -1;
+  }
+  this->Modified();
+  return this->GetNumberOfNormalMaps() - 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterProperty::RemoveAllNormalMaps()
+{
+  if (!this->Internal->NormalMaps.Layers.empty())
+  {
+    this->Internal->NormalMaps.Layers.clear();
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+int vtkWaterProperty::GetNumberOfNormalMaps() const
+{
+  return static_cast<int>(this->Internal->NormalMaps.Layers.size());
+}
+
+//------------------------------------------------------------------------------
+bool vtkWaterProperty::GetNormalMap(int number, double map[4]) const
+{
+  if (number < 0 || number >= this->GetNumberOfNormalMaps())
+  {
+    return false;
+  }
+  const water_normal_map& found = this->Internal->NormalMaps.Layers[static_cast<size_t>(number)].Map;
+  map[0] = found.size;
+  map[1] = found.speed;
+  map[2] = vtkMath::DegreesFromRadians(found.direction_rad);
+  map[3] = found.strength;
+  return true;
+}
+
+//------------------------------------------------------------------------------
+vtkTexture* vtkWaterProperty::GetNormalMapTexture(int number) const
+{
+  return number < 0 || number >= this->GetNumberOfNormalMaps()
+    ? nullptr
+    : this->Internal->NormalMaps.Layers[static_cast<size_t>(number)].Texture;
+}
+
+//------------------------------------------------------------------------------
+const vtkWaterNormalMaps& vtkWaterProperty::GetNormalMaps() const
+{
+  return this->Internal->NormalMaps;
+}
+
+//------------------------------------------------------------------------------
+bool vtkWaterProperty::HasWaves() const
+{
+  return this->GetNumberOfWaves() > 0 || this->Sea || this->GetNumberOfNormalMaps() > 0;
+}
+
+//------------------------------------------------------------------------------
+bool vtkWaterProperty::IsRough() const
+{
+  return this->HasWaves() || this->SlopeVariance[0] + this->SlopeVariance[1] > 0.0;
+}
+
+//------------------------------------------------------------------------------
 bool vtkWaterProperty::NeedsRays() const
 {
-  return this->GetNumberOfWaves() > 0 || this->Output != COLOR || this->Shadows;
+  return this->IsRough() || this->Output != COLOR || this->Shadows;
 }
 
 //------------------------------------------------------------------------------
 bool vtkWaterProperty::HasGlitter() const
 {
-  return this->Glitter &&
-    (this->GetNumberOfWaves() > 0 || this->SlopeVariance[0] + this->SlopeVariance[1] > 0.0);
+  return this->Glitter && this->IsRough();
 }
 
 //------------------------------------------------------------------------------
@@ -516,6 +618,15 @@ void vtkWaterProperty::PrintSelf(ostream& os, vtkIndent indent)
     this->GetWave(i, wave);
     os << indent.GetNextIndent() << "amplitude " << wave[0] << ", wavelength " << wave[1]
        << ", direction " << wave[2] << ", phase " << wave[3] << ", steepness " << wave[4] << "\n";
+  }
+  this->PrintSea(os, indent);
+  os << indent << "NormalMaps: " << this->GetNumberOfNormalMaps() << "\n";
+  for (int i = 0; i < this->GetNumberOfNormalMaps(); ++i)
+  {
+    double map[4];
+    this->GetNormalMap(i, map);
+    os << indent.GetNextIndent() << "size " << map[0] << ", speed " << map[1] << ", direction "
+       << map[2] << ", strength " << map[3] << "\n";
   }
   os << indent << "Lookup: " << this->Lookup << "\n";
   os << indent << "OffsetScale: " << this->OffsetScale << "\n";

@@ -19,6 +19,8 @@
 #include <memory> // for std::unique_ptr
 
 struct water_medium;
+struct water_sea;
+struct water_tile;
 struct water_wave;
 
 #ifdef VTK_ABI_NAMESPACE_BEGIN
@@ -26,6 +28,7 @@ VTK_ABI_NAMESPACE_BEGIN
 #endif
 
 class vtkTexture;
+class vtkWaterNormalMaps;
 
 class VTKRENDERINGWATER_EXPORT vtkWaterProperty : public vtkObject
 {
@@ -122,8 +125,8 @@ public:
   /**
    * Sets everything to a water of this name: "pool", "lake", "clear tropical", "ocean wind 5",
    * "ocean wind 10", "ocean wind 15" (m/s), "turbid river" or "mirror floor". GetPresetSource says
-   * where its numbers come from (nullptr for another name). Lookup, its numbers, Output and Opacity
-   * stay.
+   * where its numbers come from (nullptr for another name). Lookup, its numbers, Output, Opacity,
+   * Seed, SeaTileSize and SeaPeriod stay.
    *
    * Returns false, with an error, for another name; then nothing changes.
    */
@@ -273,16 +276,147 @@ public:
   void RemoveAllWaves();
   int GetNumberOfWaves() const;
   bool GetWave(int number, double wave[5]) const;
-  double GetSlopeRMS() const; // root mean square slope of all waves together
+  ///@}
+
+  /**
+   * Root mean square slope of the waves together, those of the sea included that its tile holds.
+   */
+  double GetSlopeRMS() const;
+
+  ///@{
+  /**
+   * One or two normal maps that move over the water, in addition to other waves. A texture's red and
+   * green are the normal's parts along the plane's axes and blue the one up, from -1 to 1 as 0 to
+   * 255: 3 or 4 channels of 8 bits, from 2 x 2 to 4096 x 4096; nullptr is a built-in map of
+   * ripples with an rms slope of 0.1. They have no heights: GetWaveHeight and GetWaveNormal leave them
+   * out.
+   *
+   * size       m of water that the map covers, finite and greater than 0
+   * speed      m/s with which it moves, finite
+   * direction  degrees; it moves to there, from the plane's first axis towards the second
+   * strength   factor of its slopes, finite
+   *
+   * AddNormalMap returns the map's number, or -1 when it was refused (with an error that names the
+   * value). GetNormalMap gives the four numbers again; false when there is no such map.
+   */
+  int AddNormalMap(vtkTexture* texture, double size, double speed = 0.0, double direction = 0.0,
+    double strength = 1.0);
+  void RemoveAllNormalMaps();
+  int GetNumberOfNormalMaps() const;
+  bool GetNormalMap(int number, double map[4]) const;
+  vtkTexture* GetNormalMapTexture(int number) const; // also the built-in one; nullptr: no such map
   ///@}
 
   ///@{
   /**
-   * Depth of the water for the waves' speed, m: greater than 0; infinity is deep water. Default is
-   * infinity.
+   * Depth of the water for the waves' speed and the sea's spectrum, m: greater than 0; infinity is
+   * deep water. Default is infinity.
    */
   void SetDepth(double depth);
   vtkGetMacro(Depth, double);
+  ///@}
+
+  ///@{
+  /**
+   * A wind sea: random waves with the spectrum that the wind makes, on a square tile that repeats
+   * in both directions, added to the waves of AddWave. The surface between the tile's points is
+   * bilinear, in heights and in slopes, for GetWaveHeight and in the picture. Waves that are too
+   * short for a pixel, or for the tile, roughen the reflection. Default is off.
+   *
+   * Source: Tessendorf 2001, "Simulating Ocean Water".
+   */
+  void SetSea(bool sea);
+  vtkGetMacro(Sea, bool);
+  vtkBooleanMacro(Sea, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Speed of the wind at 10 m, m/s in [0.1, 100] (default 5), and where it blows to, degrees from
+   * the plane's first axis towards the second (default 0).
+   */
+  void SetWindSpeed(double speed);
+  vtkGetMacro(WindSpeed, double);
+  void SetWindDirection(double direction);
+  vtkGetMacro(WindDirection, double);
+  ///@}
+
+  ///@{
+  /**
+   * Open water upwind, m: at least 1; infinity is a fully developed sea. Default is 10000.
+   */
+  void SetFetch(double fetch);
+  vtkGetMacro(Fetch, double);
+  ///@}
+
+  enum SeaModels
+  {
+    JONSWAP = 0,
+    PHILLIPS = 1
+  };
+
+  ///@{
+  /**
+   * The sea's spectrum. JONSWAP: a growing sea, with the TMA factor for finite Depth. PHILLIPS: a
+   * fully developed sea in deep water, with as many waves against the wind as with it; Fetch and
+   * PeakEnhancement have no effect. Default is JONSWAP.
+   *
+   * Sources: Hasselmann et al. 1973, "Measurements of Wind-Wave Growth and Swell Decay during the
+   * Joint North Sea Wave Project"; Bouws et al. 1985, "Similarity of the Wind Wave Spectrum in
+   * Finite Depth Water 1" (TMA); Donelan, Hamilton and Hui 1985, "Directional Spectra of
+   * Wind-Generated Waves" (directions); Phillips's as in Tessendorf 2001.
+   */
+  void SetSeaModel(int model);
+  vtkGetMacro(SeaModel, int);
+  void SetSeaModelToJONSWAP() { this->SetSeaModel(JONSWAP); }
+  void SetSeaModelToPhillips() { this->SetSeaModel(PHILLIPS); }
+  ///@}
+
+  ///@{
+  /**
+   * How much higher the JONSWAP spectrum's peak is than that of a developed sea, in [1, 20]: 1 is
+   * one. Default is 3.3, the mean of the measurements.
+   */
+  void SetPeakEnhancement(double enhancement);
+  vtkGetMacro(PeakEnhancement, double);
+  ///@}
+
+  ///@{
+  /**
+   * Seed of the sea's random numbers, any integer: the same one gives the same sea. Default is 1.
+   */
+  void SetSeed(int seed);
+  vtkGetMacro(Seed, int);
+  ///@}
+
+  ///@{
+  /**
+   * Points of the sea's tile along a side: a power of two in [32, 1024]. The shortest waves are two
+   * points long. The time to make a sea goes with the square. Default is 256.
+   */
+  void SetSeaTileSize(int size);
+  vtkGetMacro(SeaTileSize, int);
+  ///@}
+
+  ///@{
+  /**
+   * Length of the tile's side, m: in [0.001, 1e9], or 0 for 10 times the wavelength of the
+   * spectrum's peak, which holds the sea's height within 1 %. Shorter tiles show shorter waves near
+   * the eye, repeat sooner, and lack the waves that are longer than they are. GetUsedSeaTileLength
+   * tells the length in use. Default is 0.
+   */
+  void SetSeaTileLength(double length);
+  vtkGetMacro(SeaTileLength, double);
+  double GetUsedSeaTileLength() const;
+  ///@}
+
+  ///@{
+  /**
+   * Time after which the sea repeats itself exactly, s: finite, not negative; 0 is never. Every
+   * wave then has the frequency next to its own that fits. Default is 0.
+   */
+  void SetSeaPeriod(double period);
+  vtkGetMacro(SeaPeriod, double);
   ///@}
 
   enum Lookups
@@ -378,13 +512,22 @@ private:
   friend class vtkWaterActor;
   friend struct vtkWaterGather;
   friend class vtkWaterSurface;
+  const vtkWaterNormalMaps& GetNormalMaps() const;
   const water_wave* GetWaves() const;
+  bool HasWaves() const; // of any kind
+  bool IsRough() const;  // has slopes, one by one or as a variance
   // Is the map looked up along rays? A calm look has no reasons, and sees no shadows.
   bool NeedsRays() const;
   bool HasGlitter() const;             // calm water has none
   const double* GetExtinction() const; // absorption + scattering
   // Refuses a colour with a channel outside [0, 1].
   void SetColor(const char* name, double (&member)[3], double red, double green, double blue);
+  // The sea and its tile, whether it is on or not.
+  void ReadSea(water_sea* sea, water_tile* tile) const;
+  void PrintSea(ostream& os, vtkIndent indent) const;
+  // Sets one of the sea's numbers when the core finds it good.
+  template <typename T>
+  void SetOfSea(const char* name, T& member, T value);
   // Sets one of the two when the water has good numbers then.
   void SetMedium(const char* name, double (vtkWaterProperty::*member)[3], const double value[3]);
   void UseMedium(const water_medium& medium);
@@ -409,6 +552,16 @@ private:
   double Caustics = 0.0;
   double Opacity = 1.0;
   double Depth;
+  bool Sea = false;
+  double WindSpeed = 5.0;
+  double WindDirection = 0.0;
+  double Fetch = 10000.0;
+  int SeaModel = JONSWAP;
+  double PeakEnhancement = 3.3;
+  int Seed = 1;
+  int SeaTileSize = 256;
+  double SeaTileLength = 0.0;
+  double SeaPeriod = 0.0;
   int Lookup = RAY_TRACED;
   double OffsetScale = 0.3;
   int RayTraceSteps = 16;

@@ -44,6 +44,22 @@ void water_normals_place(
   }
 }
 
+void water_normals_texels(
+  const unsigned char* pixels, size_t channels, size_t count, float* texels)
+{
+  for (size_t i = 0; i < count; ++i)
+  {
+    const unsigned char* pixel = pixels + channels * i;
+    const double up = fmax(pixel[2] / 127.5 - 1.0, 0.05); // none that faces down
+    for (size_t j = 0; j < 2; ++j)
+    {
+      const double slope = -(pixel[j] / 127.5 - 1.0) / up;
+      texels[4 * i + j] = (float)slope;
+      texels[4 * i + j + 2] = (float)(slope * slope);
+    }
+  }
+}
+
 // Each has the same variance of slope, which all of them share out.
 static void roll_ripples(uint64_t seed, ripple ripples[RIPPLES])
 {

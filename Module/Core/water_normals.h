@@ -33,6 +33,14 @@ water_status water_normals_check(const water_normal_map* map);
 void water_normals_place(
   const water_normal_map* map, double x, double y, double time, double place[2]);
 
+// A normal map's slopes and their squares, for a texture whose mip levels keep both moments.
+//
+// pixels    channels * count bytes: red, green and blue are the normal, from -1 to 1 as 0 to 255
+// channels  3 or 4
+// texels    4 * count numbers, written: slope x, slope y and their squares; at most 20
+void water_normals_texels(
+  const unsigned char* pixels, size_t channels, size_t count, float* texels);
+
 // Fills a normal map: 40 sines with whole wave numbers from 2 to 20 a side and random directions, in
 // the manner of short waves: as much slope at all lengths. The rms slope is 0.1. Red and green are
 // the normal's first two parts, blue the third, from -1 to 1 as 0 to 255.

@@ -156,8 +156,24 @@ double water_sea_density(const water_sea* sea, double kx, double ky)
   return water_sea_wavenumber_density(sea, k) / k * water_sea_spread(sea, omega, angle);
 }
 
-water_status water_sea_moments(
-  const water_sea* sea, double k_low, double k_high, double* height, double* slope)
+// Gauss's rule over ln k between two wave numbers.
+enum
+{
+  PANELS = 512,
+  NODES = 4
+};
+static const double node[NODES] = { -0.8611363115940526, -0.3399810435848563, 0.3399810435848563,
+  0.8611363115940526 };
+static const double weight[NODES] = { 0.3478548451374538, 0.6521451548625461, 0.6521451548625461,
+  0.3478548451374538 };
+
+typedef struct band
+{
+  double first; // ln k
+  double half;  // half a panel
+} band;
+
+static water_status band_of(const water_sea* sea, double k_low, double k_high, band* made)
 {
   if (!(k_low >= 0.0) || !(k_high > k_low) || !isfinite(k_high))
   {
@@ -165,27 +181,91 @@ water_status water_sea_moments(
   }
   double k_empty = 0.0; // no variance below
   (void)water_waves_wavenumber(water_sea_peak(sea) * lowest, sea_depth(sea), &k_empty);
-  static const double node[4] = { -0.8611363115940526, -0.3399810435848563, 0.3399810435848563,
-    0.8611363115940526 };
-  static const double weight[4] = { 0.3478548451374538, 0.6521451548625461, 0.6521451548625461,
-    0.3478548451374538 };
-  const int panels = 512;
-  const double first = log(fmin(fmax(k_low, k_empty), k_high));
-  const double half = 0.5 * (log(k_high) - first) / panels;
-  double height_sum = 0.0;
-  double slope_sum = 0.0;
-  for (int panel = 0; panel < panels; ++panel)
+  made->first = log(fmin(fmax(k_low, k_empty), k_high));
+  made->half = 0.5 * (log(k_high) - made->first) / PANELS;
+  return WATER_OK;
+}
+
+static double middle_of(const band* of, int panel)
+{
+  return of->first + of->half * (2.0 * panel + 1.0);
+}
+
+// Adds the variances of height and slope of a panel.
+static void add_panel(
+  const water_sea* sea, const band* of, int panel, double* height, double* slope)
+{
+  for (int i = 0; i < NODES; ++i)
   {
-    for (int i = 0; i < 4; ++i)
+    // dk = k d(ln k)
+    const double k = exp(middle_of(of, panel) + of->half * node[i]);
+    const double part = of->half * weight[i] * k * water_sea_wavenumber_density(sea, k);
+    *height += part;
+    *slope += k * k * part;
+  }
+}
+
+water_status water_sea_moments(
+  const water_sea* sea, double k_low, double k_high, double* height, double* slope)
+{
+  band all;
+  const water_status status = band_of(sea, k_low, k_high, &all);
+  if (status != WATER_OK)
+  {
+    return status;
+  }
+  *height = 0.0;
+  *slope = 0.0;
+  for (int panel = 0; panel < PANELS; ++panel)
+  {
+    add_panel(sea, &all, panel, height, slope);
+  }
+  return WATER_OK;
+}
+
+// Mean of cos(2 angle) over the directions of a frequency, the angle from the wind.
+static double alignment(const water_sea* sea, double omega)
+{
+  enum
+  {
+    POINTS = 128
+  };
+  double sum = 0.0;
+  double aligned = 0.0;
+  for (int i = 0; i < POINTS; ++i)
+  {
+    const double angle = water_two_pi * i / POINTS;
+    const double share = water_sea_spread(sea, omega, angle);
+    sum += share;
+    aligned += share * cos(2.0 * angle);
+  }
+  return aligned / sum;
+}
+
+water_status water_sea_slopes(const water_sea* sea, double k_low, double k_high, double variance[2])
+{
+  band all;
+  const water_status status = band_of(sea, k_low, k_high, &all);
+  if (status != WATER_OK)
+  {
+    return status;
+  }
+  const double turn = cos(2.0 * remainder(sea->wind_dir_rad, water_two_pi));
+  variance[0] = 0.0;
+  variance[1] = 0.0;
+  for (int panel = 0; panel < PANELS; ++panel)
+  {
+    double height = 0.0;
+    double slope = 0.0;
+    add_panel(sea, &all, panel, &height, &slope);
+    if (slope > 0.0)
     {
-      // dk = k d(ln k)
-      const double k = exp(first + half * (2.0 * panel + 1.0 + node[i]));
-      const double part = half * weight[i] * k * water_sea_wavenumber_density(sea, k);
-      height_sum += part;
-      slope_sum += k * k * part;
+      // cos^2 = (1 + cos 2) / 2; spreading is even in the angle, so that its sines cancel
+      const double omega = water_dispersion(exp(middle_of(&all, panel)), sea_depth(sea));
+      const double share = 0.5 + 0.5 * turn * alignment(sea, omega);
+      variance[0] += share * slope;
+      variance[1] += (1.0 - share) * slope;
     }
   }
-  *height = height_sum;
-  *slope = slope_sum;
   return WATER_OK;
 }

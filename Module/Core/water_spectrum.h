@@ -96,6 +96,13 @@ double water_sea_density(const water_sea* sea, double kx, double ky);
 water_status water_sea_moments(
   const water_sea* sea, double k_low, double k_high, double* height, double* slope);
 
+// The slope's variance along the plane's two axes; the two together are that of water_sea_moments.
+// The directions by the trapezoid rule of 128 points, once a panel.
+//
+// Returns WATER_OK or WATER_BAD_WAVENUMBER; then variance is unchanged.
+water_status water_sea_slopes(
+  const water_sea* sea, double k_low, double k_high, double variance[2]);
+
 #ifdef __cplusplus
 }
 #endif

@@ -5,6 +5,10 @@
 #include "water_math.h"
 #include "water_phase.h"
 #include "water_random.h"
+#include "water_waves.h"
+
+static const double shortest = 370.0; // rad/m, of the waves that count (water_spectrum.h)
+static const double natural_waves = 10.0;
 
 water_status water_tile_check(const water_tile* tile, const water_sea* sea)
 {
@@ -137,5 +141,97 @@ void water_tile_derive(
       out[m.at] = -factor * height[m.at + 1];
       out[m.at + 1] = factor * real;
     }
+  }
+}
+
+void water_tile_pack(const water_tile* tile, const double* first, const double* second, double* out)
+{
+  for (size_t at = 0; at < 2 * tile->size * tile->size; at += 2)
+  {
+    const double real = first[at] + (second != NULL ? second[at + 1] : 0.0);
+    const double imaginary = (second != NULL ? second[at] : 0.0) - first[at + 1];
+    out[at] = real;
+    out[at + 1] = imaginary;
+  }
+}
+
+double water_tile_natural_length(const water_sea* sea)
+{
+  const double depth = sea->model == WATER_SEA_PHILLIPS ? (double)INFINITY : sea->depth;
+  double k = 0.0;
+  const water_status status = water_waves_wavenumber(water_sea_peak(sea), depth, &k);
+  return status == WATER_OK ? fmax(natural_waves * water_two_pi / k, 1e-3) : 1e-3;
+}
+
+void water_tile_slopes(
+  const water_tile* tile, const water_sea* sea, double held[2], double left_out[2])
+{
+  const double nyquist = 0.5 * water_two_pi * (double)tile->size / tile->length;
+  held[0] = held[1] = left_out[0] = left_out[1] = 0.0;
+  (void)water_sea_slopes(sea, 0.0, nyquist, held);
+  if (nyquist < shortest)
+  {
+    (void)water_sea_slopes(sea, nyquist, shortest, left_out);
+  }
+}
+
+double water_tile_slope_rms(const double variance[2], double other_rms)
+{
+  return sqrt(variance[0] + variance[1] + other_rms * other_rms);
+}
+
+water_status water_tile_place(const water_tile* tile, double x, double y, double share[2])
+{
+  if (!isfinite(x) || !isfinite(y))
+  {
+    return WATER_BAD_POINT;
+  }
+  const double place[2] = { x, y };
+  for (int i = 0; i < 2; ++i)
+  {
+    const double rest = fmod(place[i], tile->length) / tile->length; // fmod is exact
+    const double wrapped = rest < 0.0 ? rest + 1.0 : rest;
+    share[i] = wrapped < 1.0 ? wrapped : 0.0;
+  }
+  return WATER_OK;
+}
+
+water_status water_tile_sample(
+  const water_tile* tile, const double* values, double x, double y, double* value)
+{
+  double share[2];
+  const water_status status = water_tile_place(tile, x, y, share);
+  if (status != WATER_OK)
+  {
+    return status;
+  }
+  const size_t n = tile->size;
+  size_t low[2];
+  size_t high[2];
+  double part[2];
+  for (int i = 0; i < 2; ++i)
+  {
+    const double at = share[i] * (double)n;
+    low[i] = (size_t)at % n;
+    high[i] = (low[i] + 1) % n;
+    part[i] = at - floor(at);
+  }
+  const double front =
+    (1.0 - part[0]) * values[low[1] * n + low[0]] + part[0] * values[low[1] * n + high[0]];
+  const double back =
+    (1.0 - part[0]) * values[high[1] * n + low[0]] + part[0] * values[high[1] * n + high[0]];
+  *value = (1.0 - part[1]) * front + part[1] * back;
+  return WATER_OK;
+}
+
+void water_tile_texels(
+  const water_tile* tile, const double* slope_x, const double* slope_y, float* texels)
+{
+  for (size_t i = 0; i < tile->size * tile->size; ++i)
+  {
+    texels[4 * i] = (float)slope_x[i];
+    texels[4 * i + 1] = (float)slope_y[i];
+    texels[4 * i + 2] = texels[4 * i] * texels[4 * i];
+    texels[4 * i + 3] = texels[4 * i + 1] * texels[4 * i + 1];
   }
 }

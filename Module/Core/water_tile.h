@@ -6,7 +6,9 @@
 // fastest, in the order of an FFT: indices from size / 2 on stand for index - size. The mean and
 // the highest frequency (index size / 2), which has no partner, are left 0.
 // Source: Tessendorf 2001, "Simulating Ocean Water".
-// Flow: water_tile_amplitudes once -> water_tile_at for each time -> water_tile_derive -> FFT.
+// Flow: water_tile_amplitudes once -> water_tile_at for each time -> water_tile_derive ->
+// water_tile_pack -> FFT. What comes out are values at the places (column, row) length / size; the
+// surface between them is bilinear by definition, for buoys and shaders alike.
 #ifndef water_tile_h
 #define water_tile_h
 
@@ -70,6 +72,47 @@ water_status water_tile_at(const water_tile* tile, const water_sea* sea, const d
 // out    2 * size * size numbers, written; may be height
 void water_tile_derive(
   const water_tile* tile, const double* height, water_tile_field field, double* out);
+
+// The spectrum whose forward FFT (exp(-i k . x), no scale: VTK's) is first(x) + i second(x), for
+// two fields at the price of one: conj(first) + i conj(second).
+//
+// first, second  spectra of real fields; second may be NULL: zero
+// out            2 * size * size numbers, written; may be one of the two
+void water_tile_pack(
+  const water_tile* tile, const double* first, const double* second, double* out);
+
+// A length that shows a sea well: 10 wavelengths of its peak at its depth, at least 0.001 m.
+double water_tile_natural_length(const water_sea* sea);
+
+// Slope variances along the plane's axes by the spectrum's integral: of the waves that the tile
+// holds, up to its Nyquist wave number pi size / length; and of the shorter ones up to 370 rad/m
+// (water_sea_moments), 0 for a tile that is finer than that.
+void water_tile_slopes(
+  const water_tile* tile, const water_sea* sea, double held[2], double left_out[2]);
+
+// Root mean square slope of a sea of such variances together with other waves.
+double water_tile_slope_rms(const double variance[2], double other_rms);
+
+// Where in the tile a place is, as shares of its side in [0, 1). In doubles, so that it is exact
+// far from the origin, too.
+//
+// Returns WATER_OK or WATER_BAD_POINT (not finite); then share is unchanged.
+water_status water_tile_place(const water_tile* tile, double x, double y, double share[2]);
+
+// A field at a place, bilinear.
+//
+// values  size * size numbers, the column fastest
+//
+// Returns as water_tile_place; then value is unchanged.
+water_status water_tile_sample(
+  const water_tile* tile, const double* values, double x, double y, double* value);
+
+// Slopes for a texture: slope x, slope y and their squares, whose means over texels tell the
+// variance.
+//
+// texels  4 * size * size numbers, written
+void water_tile_texels(
+  const water_tile* tile, const double* slope_x, const double* slope_y, float* texels);
 
 #ifdef __cplusplus
 }

@@ -299,6 +299,16 @@ void water_waves_rms(const water_wave* waves, size_t count, double* height, doub
   *slope = sqrt(slope_sum);
 }
 
+void water_waves_tilt(const double slope[2], double normal[3])
+{
+  const double x = normal[0] - slope[0] * normal[2];
+  const double y = normal[1] - slope[1] * normal[2];
+  const double length = sqrt(x * x + y * y + normal[2] * normal[2]);
+  normal[0] = x / length;
+  normal[1] = y / length;
+  normal[2] /= length;
+}
+
 void water_waves_rows(
   const water_wave_term* terms, size_t count, double x, double y, water_wave_row* rows)
 {

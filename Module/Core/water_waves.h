@@ -121,6 +121,9 @@ water_status water_waves_find(const water_wave_term* terms, size_t count, double
 // by the order of s^2.
 void water_waves_rms(const water_wave* waves, size_t count, double* height, double* slope);
 
+// Tilts a unit normal by the slope of other waves on top: it keeps its own slope and gets theirs.
+void water_waves_tilt(const double slope[2], double normal[3]);
+
 // The rows for the shader, in float. Their phases belong to the origin (x, y), which a shader takes
 // off its coordinates first: near the eye a float is then exact enough.
 //

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkWaterCausticsFS.glsl: stage caustics: how waves gather the sun's light on what lies under them.
-// Needs vtkWaterPointFS.glsl and vtkWaterWavesFS.glsl before it.
+// Needs vtkWaterPointFS.glsl, vtkWaterWavesFS.glsl, vtkWaterNoSeaFS.glsl, vtkWaterNoNormalMapsFS.glsl
+// and vtkWaterRippleFS.glsl before it.
 //
 // A slope g turns a steep ray by (1 - 1/n) g, so that a point x of the surface sends its light to
 // x + depth (1 - 1/n) g(x): where that map shrinks an area, the bed is as much brighter. Of several
@@ -12,8 +13,9 @@ const float WATER_CAUSTIC_BLUR = 0.15; // the sun is a disc: no place is infinit
 
 vec2 waterCausticSlope(vec2 place, float width)
 {
+  vec2 variance = vec2(0.0);
   float stretch;
-  return waterSlope(place, vec2(width, 0.0), vec2(0.0, width), stretch);
+  return waterAllSlopes(place, vec2(width, 0.0), vec2(0.0, width), variance, stretch);
 }
 
 // Light on a place under water, over that of calm water.

@@ -2,7 +2,8 @@
 // vtkWaterPointFS.glsl: what all stages of a surface's shader know about their pixel, and the sky.
 //
 // The stages, each one file of several: waves (waterRipple), reflection (waterReflected), caustics
-// (waterCaustic), body (waterBeneath), sun (waterSunlit); vtkWaterSurfaceFS.glsl puts them together. They are files and not branches because
+// (waterCaustic), body (waterBeneath), sun (waterSunlit), facets (waterFacet);
+// vtkWaterSurfaceFS.glsl puts them together. They are files and not branches because
 // software renderers execute both sides of a branch.
 //
 // NDC come from gl_FragCoord and the viewport of the draw itself (read from the GL state), which is

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkWaterSurfaceFS.glsl: the colour of a water pixel, from the stages.
-// Needs vtkWaterOptics.glsl, vtkWaterPointFS.glsl, vtkWaterCalmFS.glsl, vtkWaterMirrorFS.glsl, vtkWaterDeepFS.glsl
-// and
-// vtkWaterNoSunFS.glsl before it, or others of their stages.
+// Needs vtkWaterOptics.glsl, vtkWaterPointFS.glsl, vtkWaterNoFacetsFS.glsl, vtkWaterCalmFS.glsl,
+// vtkWaterMirrorFS.glsl, vtkWaterDeepFS.glsl and vtkWaterNoSunFS.glsl before it, or others of their
+// stages.
 
 uniform int waterHasView;       // 0: nothing is known of the view, show the plain colour
 uniform int waterIsReflecting;  // 0: there is no mirrored view
@@ -27,6 +27,33 @@ vec3 waterPack(float share)
   return vec3(floor(whole / 256.0), mod(whole, 256.0), 0.0) / 255.0;
 }
 
+// The reflection of a pixel's facets, each weighted by its own reflectance.
+//
+// reflectance  of all
+// reason, uv   of the one that is looked up last
+vec3 waterFacets(WaterPoint point, out float reflectance, inout int reason, inout vec2 uv)
+{
+  vec3 reflected = vec3(0.0);
+  reflectance = 0.0;
+  // a place in the map, and its reason, are those of the mean normal
+  int count = waterOutput == 1 || waterOutput == 2 ? 1 : waterFacetCount(point);
+  for (int i = count - 1; i >= 0; --i)
+  {
+    WaterPoint facet = point;
+    float weight;
+    facet.normal = waterFacet(point, i, count, weight);
+    float share = weight * (waterReflectance < 0.0
+      ? waterFresnel(clamp(-dot(point.ray, facet.normal), 0.0, 1.0), waterEta)
+      : waterReflectance);
+    reflectance += share;
+    if (waterIsReflecting != 0)
+    {
+      reflected += share * waterReflected(facet, reason, uv);
+    }
+  }
+  return reflected;
+}
+
 void waterShade(inout vec4 color)
 {
   vec3 rgb = waterDeepColor;
@@ -37,15 +64,14 @@ void waterShade(inout vec4 color)
   {
     WaterPoint point = waterPoint();
     waterRipple(point);
-    reflectance = waterReflectance < 0.0
-      ? waterFresnel(clamp(-dot(point.ray, point.normal), 0.0, 1.0), waterEta)
-      : waterReflectance;
+    vec3 reflected = waterFacets(point, reflectance, reason, uv);
     rgb = waterBeneath(point);
     // where the water is thinner than that it begins
-    reflectance *= clamp(waterBeneathDepth(point) / max(waterShoreSoftness, 1e-9), 0.0, 1.0);
+    float begun = clamp(waterBeneathDepth(point) / max(waterShoreSoftness, 1e-9), 0.0, 1.0);
+    reflectance *= begun;
     if (waterIsReflecting != 0)
     {
-      rgb = mix(rgb, waterReflected(point, reason, uv), reflectance);
+      rgb = rgb * (1.0 - reflectance) + begun * reflected;
     }
     waterSunlit(point, rgb);
     rgb = waterSeenFrom(point, rgb);

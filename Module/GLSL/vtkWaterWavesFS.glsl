@@ -10,16 +10,19 @@ uniform int waterRestSteps; // steps to the point at rest; 0 for sines, which do
 //
 // across, down  change of the place from pixel to pixel: of a wave that is short against them the
 //               pixel sees the mean slope. A Gaussian that falls as the mean over a box does.
+// variance      the rest of the wave's variance is added, along the plane's two axes
 // stretch       area over that at rest
-vec2 waterSlope(vec2 place, vec2 across, vec2 down, out float stretch)
+vec2 waterSlope(vec2 place, vec2 across, vec2 down, inout vec2 variance, out float stretch)
 {
   vec2 rest = place;
   vec2 gradient = vec2(0.0);
+  vec2 unseen = vec2(0.0);
   vec3 bent = vec3(1.0, 0.0, 1.0); // d place / d rest: xx, xy, yy
   for (int step = 0; step <= waterRestSteps; ++step)
   {
     vec2 moved = vec2(0.0);
     gradient = vec2(0.0);
+    unseen = vec2(0.0);
     bent = vec3(1.0, 0.0, 1.0);
     for (int i = 0; i < waterWaveCount; ++i)
     {
@@ -27,7 +30,9 @@ vec2 waterSlope(vec2 place, vec2 across, vec2 down, out float stretch)
       float steepness = texelFetch(waterWaves, ivec2(1, i), 0).x;
       vec2 k = wave.xy;
       vec2 turn = vec2(dot(k, across), dot(k, down));
-      float seen = wave.z * exp(-dot(turn, turn) / 24.0);
+      float part = exp(-dot(turn, turn) / 24.0);
+      float seen = wave.z * part;
+      unseen += 0.5 * (1.0 - part * part) * wave.z * wave.z * k * k;
       float angle = dot(k, rest) + wave.w;
       vec2 bend = seen * vec2(sin(angle), cos(angle));
       float perK = steepness * inversesqrt(dot(k, k));
@@ -43,14 +48,9 @@ vec2 waterSlope(vec2 place, vec2 across, vec2 down, out float stretch)
                 bent.x * miss.y - bent.y * miss.x) / area;
     }
   }
+  variance += unseen;
   // from slopes per point at rest to slopes per place
   stretch = max(bent.x * bent.z - bent.y * bent.y, 1e-6);
   return vec2(bent.z * gradient.x - bent.y * gradient.y,
            bent.x * gradient.y - bent.y * gradient.x) / stretch;
-}
-
-void waterRipple(inout WaterPoint point)
-{
-  vec2 slope = waterSlope(point.place, point.across, point.down, point.stretch);
-  point.normal = normalize(vec3(-waterSide * slope, 1.0));
 }

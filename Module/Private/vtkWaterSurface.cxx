@@ -15,18 +15,27 @@
 #include "vtkWaterCausticsFS.h"
 #include "vtkWaterDeepFS.h"
 #include "vtkWaterEnvironmentFS.h"
+#include "vtkWaterFacetsFS.h"
 #include "vtkWaterGL.h"
 #include "vtkWaterGather.h"
 #include "vtkWaterLookupFS.h"
 #include "vtkWaterMirrorFS.h"
 #include "vtkWaterNoCausticsFS.h"
+#include "vtkWaterNoFacetsFS.h"
+#include "vtkWaterNoNormalMapsFS.h"
+#include "vtkWaterNoSeaFS.h"
 #include "vtkWaterNoSunFS.h"
+#include "vtkWaterNormalMapsFS.h"
 #include "vtkWaterOffsetFS.h"
 #include "vtkWaterOptics.h"
 #include "vtkWaterPointFS.h"
 #include "vtkWaterProperty.h"
+#include "vtkWaterRippleFS.h"
+#include "vtkWaterSea.h"
+#include "vtkWaterSeaFS.h"
 #include "vtkWaterSunFS.h"
 #include "vtkWaterSurfaceFS.h"
+#include "vtkWaterTileFS.h"
 #include "vtkWaterUniforms.h"
 #include "vtkWaterWavesFS.h"
 #include "water_glitter.h"
@@ -48,11 +57,14 @@ constexpr double kFlat[4] = { 0.0, 0.0, 0.0, 0.0 };
 int vtkWaterSurface::GetStages(vtkWaterProperty* property)
 {
   int stages = 0;
-  const bool hasWaves = property->GetNumberOfWaves() > 0;
+  const bool hasWaves = property->HasWaves();
   if (hasWaves)
   {
     stages |= WAVES;
+    stages |= property->GetSea() ? SEA : 0;
+    stages |= property->GetNumberOfNormalMaps() > 0 ? NORMAL_MAPS : 0;
   }
+  stages |= property->IsRough() ? ROUGH : 0;
   if (property->GetReflectionSource() == vtkWaterProperty::ENVIRONMENT)
   {
     stages |= ENVIRONMENT;
@@ -81,12 +93,24 @@ std::string vtkWaterSurface::GetShader(vtkWaterProperty* property)
     : stages & RAY_TRACED                       ? vtkWaterLookupFS
     : stages & OFFSET                           ? vtkWaterOffsetFS
                                                 : vtkWaterMirrorFS;
-  std::string source;
-  for (const char* file :
-    { vtkWaterOptics, vtkWaterPointFS, stages & WAVES ? vtkWaterWavesFS : vtkWaterCalmFS,
-      reflection, stages & CAUSTICS ? vtkWaterCausticsFS : vtkWaterNoCausticsFS,
+  std::vector<const char*> files{ vtkWaterOptics, vtkWaterPointFS };
+  if (stages & WAVES)
+  {
+    files.insert(files.end(),
+      { vtkWaterTileFS, vtkWaterWavesFS, stages & SEA ? vtkWaterSeaFS : vtkWaterNoSeaFS,
+        stages & NORMAL_MAPS ? vtkWaterNormalMapsFS : vtkWaterNoNormalMapsFS, vtkWaterRippleFS });
+  }
+  else
+  {
+    files.push_back(vtkWaterCalmFS);
+  }
+  files.insert(files.end(),
+    { reflection, stages & CAUSTICS ? vtkWaterCausticsFS : vtkWaterNoCausticsFS,
       stages & BODY ? vtkWaterBodyFS : vtkWaterDeepFS,
-      stages & SUN ? vtkWaterSunFS : vtkWaterNoSunFS, vtkWaterSurfaceFS })
+      stages & ROUGH ? vtkWaterFacetsFS : vtkWaterNoFacetsFS,
+      stages & SUN ? vtkWaterSunFS : vtkWaterNoSunFS, vtkWaterSurfaceFS });
+  std::string source;
+  for (const char* file : files)
   {
     source += file;
     source += "\n";
@@ -133,6 +157,26 @@ void vtkWaterSurface::UploadWaves(vtkWaterActor* water)
 }
 
 //------------------------------------------------------------------------------
+void vtkWaterSurface::UploadNormalMap(size_t number)
+{
+  // with one map the second is the same, with strength 0
+  const auto& layers = this->Property->GetNormalMaps().Layers;
+  const vtkWaterNormalMaps::Layer& layer = layers[std::min(number, layers.size() - 1)];
+  auto* window = static_cast<vtkOpenGLRenderWindow*>(this->Drawn.Renderer->GetRenderWindow());
+  const std::pair<vtkTexture*, vtkMTimeType> now{ layer.Texture,
+    vtkWaterNormalMaps::GetTime(layer) };
+  if (this->NormalMapTimes[number] != now || !this->NormalMaps[number].Get(window))
+  {
+    int size[2];
+    std::vector<float> texels = vtkWaterNormalMaps::GetTexels(layer, size);
+    this->NormalMaps[number].Upload(
+      window, static_cast<unsigned int>(size[0]), static_cast<unsigned int>(size[1]), texels);
+    this->NormalMapTimes[number] = now;
+    this->NormalMapTexels[number] = 1.0 / std::max(size[0], size[1]);
+  }
+}
+
+//------------------------------------------------------------------------------
 void vtkWaterSurface::Begin(vtkWaterActor* water, const Frame& frame)
 {
   this->Drawn = frame;
@@ -163,6 +207,21 @@ void vtkWaterSurface::Begin(vtkWaterActor* water, const Frame& frame)
   {
     this->Active.emplace_back("waterReflectionDepth", frame.ReflectionDepth);
   }
+  this->Time = water->GetTime();
+  if (frame.Plan && (this->BuiltStages & NORMAL_MAPS))
+  {
+    this->UploadNormalMap(0);
+    this->UploadNormalMap(1);
+    this->Active.emplace_back("waterNormalMap0", this->NormalMaps[0].Get(window));
+    this->Active.emplace_back("waterNormalMap1", this->NormalMaps[1].Get(window));
+  }
+  this->Sea = nullptr;
+  if (frame.Plan && (this->BuiltStages & SEA))
+  {
+    vtkWaterSea* sea = water->GetSeaAtTime();
+    this->Active.emplace_back("waterSea", sea->Upload(window));
+    this->Sea = sea;
+  }
   if (frame.Plan && frame.Plan->decision == WATER_REFLECT)
   {
     // where pixel meets texel, one texel is the same as four
@@ -179,20 +238,20 @@ void vtkWaterSurface::Begin(vtkWaterActor* water, const Frame& frame)
       texture->Activate();
     }
   }
-  vtkTexture* environment = this->Property->GetEnvironmentTexture();
-  if (environment && (this->BuiltStages & ENVIRONMENT))
+  this->Environment =
+    this->BuiltStages & ENVIRONMENT ? this->Property->GetEnvironmentTexture() : nullptr;
+  if (this->Environment)
   {
-    environment->Render(frame.Renderer);
+    this->Environment->Render(frame.Renderer);
   }
 }
 
 //------------------------------------------------------------------------------
 void vtkWaterSurface::End()
 {
-  vtkTexture* environment = this->Property->GetEnvironmentTexture();
-  if (environment && (this->BuiltStages & ENVIRONMENT))
+  if (this->Environment)
   {
-    environment->PostRender(this->Drawn.Renderer);
+    this->Environment->PostRender(this->Drawn.Renderer);
   }
   for (const auto& [name, texture] : this->Active)
   {
@@ -218,6 +277,10 @@ void vtkWaterSurface::SetParameters(vtkShaderProgram* program)
   {
     uniforms::Set(program, name, texture);
   }
+  if (this->Environment)
+  {
+    uniforms::Set(program, "waterEnvironment", this->Environment->GetTextureUnit());
+  }
   uniforms::Set(program, "waterHasView", hasView ? 1 : 0);
   const bool isReflecting =
     plan && (plan->decision == WATER_REFLECT || (this->BuiltStages & ENVIRONMENT));
@@ -231,6 +294,14 @@ void vtkWaterSurface::SetParameters(vtkShaderProgram* program)
     this->SetReflectionParameters(program);
     this->SetSkyParameters(program);
     this->SetSunParameters(program);
+  }
+  if (plan && (this->BuiltStages & NORMAL_MAPS))
+  {
+    this->SetNormalMapParameters(program);
+  }
+  if (plan && this->Sea)
+  {
+    this->SetSeaParameters(program);
   }
 }
 
@@ -296,12 +367,7 @@ void vtkWaterSurface::SetSkyParameters(vtkShaderProgram* program)
   const double topKnown[4] = { top[0], top[1], top[2], isKnown };
   vtkWaterUniforms::Set4(program, "waterSkyBottom", bottomKnown);
   vtkWaterUniforms::Set4(program, "waterSkyTop", topKnown);
-  vtkTexture* environment = this->Property->GetEnvironmentTexture();
-  vtkWaterUniforms::Set(program, "waterHasEnvironment", environment ? 1 : 0);
-  if (environment)
-  {
-    vtkWaterUniforms::Set(program, "waterEnvironment", environment->GetTextureUnit());
-  }
+  vtkWaterUniforms::Set(program, "waterHasEnvironment", this->Environment ? 1 : 0);
   vtkWaterUniforms::SetMatrix3(program, "waterDirToEnvironment", plan.dir_to_environment);
 }
 
@@ -336,6 +402,40 @@ void vtkWaterSurface::SetSunParameters(vtkShaderProgram* program)
 }
 
 //------------------------------------------------------------------------------
+void vtkWaterSurface::SetNormalMapParameters(vtkShaderProgram* program)
+{
+  const auto& layers = this->Property->GetNormalMaps().Layers;
+  const char* const names[vtkWaterNormalMaps::Limit] = { "waterNormalMapPlace0",
+    "waterNormalMapPlace1" };
+  for (size_t i = 0; i < vtkWaterNormalMaps::Limit; ++i)
+  {
+    double values[4] = { 0.0, 0.0, 0.0, 0.0 };
+    if (i < layers.size())
+    {
+      const water_normal_map& map = layers[i].Map;
+      const double* origin = this->Drawn.Plan->origin_xy;
+      water_normals_place(&map, origin[0], origin[1], this->Time, values);
+      values[2] = 1.0 / map.size;
+      values[3] = map.strength;
+    }
+    vtkWaterUniforms::Set4(program, names[i], values);
+  }
+  vtkWaterUniforms::Set2(program, "waterNormalMapTexels", this->NormalMapTexels);
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterSurface::SetSeaParameters(vtkShaderProgram* program)
+{
+  const water_tile& tile = this->Sea->GetTile();
+  double place[2] = { 0.0, 0.0 };
+  water_tile_place(&tile, this->Drawn.Plan->origin_xy[0], this->Drawn.Plan->origin_xy[1], place);
+  const double placeAndScale[4] = { place[0], place[1], 1.0 / tile.length,
+    0.5 / static_cast<double>(tile.size) };
+  vtkWaterUniforms::Set4(program, "waterSeaTile", placeAndScale);
+  vtkWaterUniforms::Set2(program, "waterSeaLeftOut", this->Sea->GetLeftOut());
+}
+
+//------------------------------------------------------------------------------
 void vtkWaterSurface::ReleaseGraphicsResources(vtkWindow* window)
 {
   if (this->Waves && window)
@@ -343,6 +443,10 @@ void vtkWaterSurface::ReleaseGraphicsResources(vtkWindow* window)
     this->Waves->ReleaseGraphicsResources(window);
   }
   this->Waves = nullptr;
+  for (vtkWaterSlopeTexture& texture : this->NormalMaps)
+  {
+    texture.ReleaseGraphicsResources(window);
+  }
   this->Backdrop.ReleaseGraphicsResources(window);
   this->Screen.ReleaseGraphicsResources();
 }

@@ -5,7 +5,9 @@
 
 #include "vtkSmartPointer.h"
 #include "vtkWaterBackdrop.h"
+#include "vtkWaterNormalMaps.h"
 #include "vtkWaterScreen.h"
+#include "vtkWaterSlopeTexture.h"
 #include "water_types.h"
 
 #include <string>
@@ -14,9 +16,11 @@
 
 class vtkOpenGLRenderer;
 class vtkShaderProgram;
+class vtkTexture;
 class vtkTextureObject;
 class vtkWaterActor;
 class vtkWaterProperty;
+class vtkWaterSea;
 class vtkWindow;
 
 class vtkWaterSurface
@@ -42,7 +46,10 @@ public:
     ENVIRONMENT = 1 << 3,
     BODY = 1 << 4,
     CAUSTICS = 1 << 5,
-    SUN = 1 << 6
+    SUN = 1 << 6,
+    SEA = 1 << 7,
+    NORMAL_MAPS = 1 << 8,
+    ROUGH = 1 << 9
   };
   static int GetStages(vtkWaterProperty* property);
 
@@ -62,18 +69,27 @@ public:
 
 private:
   void UploadWaves(vtkWaterActor* water);
+  void UploadNormalMap(size_t number);
   void SetViewParameters(vtkShaderProgram* program);
   void SetReflectionParameters(vtkShaderProgram* program);
   void SetSkyParameters(vtkShaderProgram* program);
   void SetSunParameters(vtkShaderProgram* program);
+  void SetSeaParameters(vtkShaderProgram* program);
+  void SetNormalMapParameters(vtkShaderProgram* program);
 
   int BuiltStages = 0;
   Frame Drawn = Frame();
   vtkWaterProperty* Property = nullptr;                          // of what is drawn
   std::vector<std::pair<const char*, vtkTextureObject*>> Active; // by the names in the shader
+  vtkTexture* Environment = nullptr; // in use
+  double Time = 0.0;
   vtkSmartPointer<vtkTextureObject> Waves;                       // a row per wave
   int WaveCount = 0;
-  bool IsSteep = false; // waves that move their points
+  bool IsSteep = false;             // waves that move their points
+  const vtkWaterSea* Sea = nullptr; // of what is drawn; nullptr: it has none
+  vtkWaterSlopeTexture NormalMaps[vtkWaterNormalMaps::Limit];
+  std::pair<vtkTexture*, vtkMTimeType> NormalMapTimes[vtkWaterNormalMaps::Limit] = {}; // of those
+  double NormalMapTexels[vtkWaterNormalMaps::Limit] = {};                              // their size
   vtkWaterBackdrop Backdrop;
   bool HasBackdrop = false;
   vtkWaterScreen Screen;

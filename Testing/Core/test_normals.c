@@ -89,6 +89,21 @@ TEST(map_moves_with_time)
   ASSERT_CLOSE(place[1], 0.75, 1e-9);
 }
 
+// The normal of a slope of 1 along x; one that faces down is taken for a steep one.
+TEST(texels_are_slopes_and_their_squares)
+{
+  UNUSED;
+  const unsigned char map[8] = { 37, 128, 218, 255, 255, 128, 0, 0 };
+  float texels[8];
+  water_normals_texels(map, 4, 2, texels);
+  ASSERT_CLOSE((double)texels[0], 1.0, 0.01);
+  ASSERT_CLOSE((double)texels[1], 0.0, 0.01);
+  ASSERT_CLOSE((double)texels[2], (double)texels[0] * (double)texels[0], 1e-6);
+  ASSERT_CLOSE((double)texels[3], 0.0, 1e-4);
+  ASSERT_CLOSE((double)texels[4], -20.0, 1e-6);
+  ASSERT_CLOSE((double)texels[6], 400.0, 1e-4);
+}
+
 TEST(bad_numbers_are_named)
 {
   UNUSED;
@@ -122,6 +137,7 @@ int main(void)
     RUN(map_repeats_without_a_seam),
     RUN(seed_makes_the_map),
     RUN(map_moves_with_time),
+    RUN(texels_are_slopes_and_their_squares),
     RUN(bad_numbers_are_named),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkWaterSea: a wind sea at one time: heights and slopes on its tile, by VTK's FFT, and as a
+// texture.
+#ifndef vtkWaterSea_h
+#define vtkWaterSea_h
+
+#include "vtkWaterSlopeTexture.h"
+#include "water_tile.h"
+
+#include <vector>
+
+class vtkOpenGLRenderWindow;
+class vtkTextureObject;
+class vtkWindow;
+
+class vtkWaterSea
+{
+public:
+  // Brings the sea to a time; does nothing when it is there. All three have been checked.
+  void Update(const water_tile& tile, const water_sea& sea, double time);
+
+  // Bilinear on the tile, x and y in the plane's own axes; NaN when the place is not finite.
+  double GetHeight(double x, double y) const;
+  void GetSlope(double x, double y, double slope[2]) const;
+
+  // For displaced surfaces: size * size heights, the column fastest, at (column, row) length /
+  // size.
+  const std::vector<double>& GetHeights() const { return this->Heights; }
+  const water_tile& GetTile() const { return this->Tile; }
+
+  // Slope variance along the plane's axes of the waves that are too short for the tile.
+  const double* GetLeftOut() const { return this->LeftOut; }
+
+  // Slopes and their squares with mip levels, as of the last update.
+  vtkTextureObject* Upload(vtkOpenGLRenderWindow* window);
+  void ReleaseGraphicsResources(vtkWindow* window);
+
+private:
+  double Sample(const std::vector<double>& field, double x, double y) const;
+
+  water_tile Tile = water_tile();
+  water_sea Sea = water_sea();
+  double Time = 0.0;
+  double LeftOut[2] = { 0.0, 0.0 };
+  std::vector<double> Amplitudes; // empty: never updated
+  std::vector<double> Heights;
+  std::vector<double> SlopesX;
+  std::vector<double> SlopesY;
+  vtkWaterSlopeTexture Texture;
+  bool IsUploaded = false;
+};
+
+#endif

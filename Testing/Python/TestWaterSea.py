@@ -1,0 +1,267 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""A wind sea has its spectrum's heights and slopes, travels by its dispersion, and is drawn as it is."""
+
+import math
+
+import numpy as np
+import water_test as wt
+from vtkwater import vtkWaterActor, vtkWaterProperty
+
+G = 9.80665
+INF = math.inf
+
+
+def sea_water(**settings):
+    water = vtkWaterActor()
+    water.GetWaterProperty().SetSea(True)
+    for name, value in settings.items():
+        getattr(water.GetWaterProperty(), f"Set{name}")(value)
+    return water
+
+
+def heights(water):
+    """The heights at the tile's points: rows x columns."""
+    look = water.GetWaterProperty()
+    steps = np.arange(look.GetSeaTileSize()) * (look.GetUsedSeaTileLength() / look.GetSeaTileSize())
+    return np.array([[water.GetWaveHeight(x, y) for x in steps] for y in steps])
+
+
+def slope_at(water, x, y):
+    normal = [0.0, 0.0, 0.0]
+    water.GetWaveNormal(x, y, normal)
+    return -normal[0] / normal[2], -normal[1] / normal[2]
+
+
+def wave_numbers(water):
+    look = water.GetWaterProperty()
+    k = 2 * np.pi * np.fft.fftfreq(look.GetSeaTileSize(), look.GetUsedSeaTileLength() / look.GetSeaTileSize())
+    return k[np.newaxis, :], k[:, np.newaxis]
+
+
+def jonswap_moments(wind, fetch, gamma, k_end):
+    """Variances of height and slope up to a wave number, deep water: the report's formulas."""
+    omega = np.linspace(0.02, math.sqrt(G * k_end), 400001)[1:]
+    peak = 22 * (G * G / (wind * fetch)) ** (1 / 3)
+    alpha = 0.076 * (wind * wind / (fetch * G)) ** 0.22
+    width = np.where(omega <= peak, 0.07, 0.09)
+    density = alpha * G * G * omega**-5.0 * np.exp(-1.25 * (peak / omega) ** 4)
+    density = density * gamma ** np.exp(-0.5 * ((omega - peak) / (width * peak)) ** 2)
+    step = omega[1] - omega[0]
+    return density.sum() * step, ((omega**2 / G) ** 2 * density).sum() * step, peak
+
+
+# Height and slope against the spectrum's integrals, over seeds.
+water = sea_water(WindSpeed=7.0, Fetch=20000.0, WindDirection=30.0, SeaTileSize=64)
+look = water.GetWaterProperty()
+nyquist = math.pi * 64 / look.GetUsedSeaTileLength()
+variance, _, peak = jonswap_moments(7.0, 20000.0, 3.3, nyquist)
+wt.check_at_most("automatic tile: 10 wavelengths of the peak, relative error",
+                 abs(look.GetUsedSeaTileLength() / (20 * math.pi * G / peak**2) - 1), 1e-9)
+measured = []
+for seed in range(40):
+    look.SetSeed(seed)
+    measured.append(float((heights(water) ** 2).mean()))
+wt.check_at_most(f"Hs of 40 seas ({4 * math.sqrt(np.mean(measured)):.3f} m) against the formula "
+                 f"({4 * math.sqrt(variance):.3f} m), relative", abs(math.sqrt(np.mean(measured) / variance) - 1), 0.03)
+look.SetSeaTileSize(256)
+length = look.GetUsedSeaTileLength()
+_, slopes, _ = jonswap_moments(7.0, 20000.0, 3.3, math.pi * 256 / length)
+random = np.random.default_rng(5)
+squares = []
+for seed in range(6):
+    look.SetSeed(seed)
+    places = random.integers(0, 256, (3000, 2)) * (length / 256)
+    squares += [sum(s * s for s in slope_at(water, x, y)) for x, y in places]
+wt.check_at_most(f"mean square slope of 6 seas ({np.mean(squares):.5f}) against the formula ({slopes:.5f}), relative",
+                 abs(np.mean(squares) / slopes - 1), 0.08)
+wt.check_at_most("GetSlopeRMS against the formula, relative", abs(look.GetSlopeRMS() / math.sqrt(slopes) - 1), 0.002)
+
+# A finite depth, and Phillips's spectrum: every wave vector swings with its own frequency, its slopes are
+# its height's, and between the tile's points the surface is bilinear.
+for model, depth in ((vtkWaterProperty.JONSWAP, 4.0), (vtkWaterProperty.JONSWAP, INF), (vtkWaterProperty.PHILLIPS, INF)):
+    water = sea_water(WindSpeed=6.0, SeaTileSize=64, SeaModel=model, Depth=depth)
+    length = water.GetWaterProperty().GetUsedSeaTileLength()
+    spectra = []
+    for time in (99.0, 99.4, 99.8):
+        water.SetTime(time)
+        spectra.append(np.fft.fft2(heights(water)))
+    kx, ky = wave_numbers(water)
+    k = np.hypot(kx, ky)
+    omega = np.sqrt(G * k * np.tanh(np.where(k > 0, k, 1) * depth))
+    miss = spectra[0] + spectra[2] - 2 * np.cos(0.4 * omega) * spectra[1]
+    wt.check_at_most(f"model {model}, depth {depth}: swing of each wave vector, relative miss",
+                     float(np.abs(miss).max() / np.abs(spectra[1]).max()), 1e-11)
+    water.SetTime(0.0)
+    one = np.fft.fft2(heights(water))
+    slope = [np.fft.ifft2(1j * axis * one).real for axis in (kx, ky)]
+    step = length / 64
+    worst = 0.0
+    for i, j in random.integers(0, 64, (300, 2)):
+        found = slope_at(water, i * step, j * step)
+        worst = max(worst, abs(found[0] - slope[0][j, i]), abs(found[1] - slope[1][j, i]))
+    wt.check_at_most(f"model {model}, depth {depth}: slopes against those of the heights", worst, 1e-12)
+    field = heights(water)
+    x, y = 17.3 * step - 5 * length, 63.6 * step + 2e4 * length
+    bilinear = (0.4 * (0.7 * field[63, 17] + 0.3 * field[63, 18]) + 0.6 * (0.7 * field[0, 17] + 0.3 * field[0, 18]))
+    wt.check_at_most(f"model {model}, depth {depth}: bilinear between points, and repeating",
+                     abs(water.GetWaveHeight(x, y) - bilinear), 1e-8)
+
+# The wind: the waves travel with it. A wave vector's phase falls with time.
+water = sea_water(WindSpeed=6.0, SeaTileSize=64, WindDirection=90.0)
+first = np.fft.fft2(heights(water))
+water.SetTime(0.05)
+turn = np.angle(np.fft.fft2(heights(water)) / np.where(first == 0, 1, first))
+kx, ky = wave_numbers(water)
+omega = np.sqrt(G * np.hypot(kx, ky))
+power = np.abs(first) ** 2 * (ky > 2 * np.abs(kx))
+wt.check_at_most("waves along the wind: mean turn against -omega t, rad",
+                 abs(float((power * (turn + 0.05 * omega)).sum() / power.sum())), 0.01)
+
+# The seed and the period; sines add.
+places = [(1.5, 2.0), (-40.0, 13.0), (3.25, -7.5)]
+
+
+def at_places(**settings):
+    time = settings.pop("Time", 0.0)
+    made = sea_water(**settings)
+    made.SetTime(time)
+    return [made.GetWaveHeight(*place) for place in places]
+
+
+wt.check_equal("same seed, same sea", at_places(Seed=7) == at_places(Seed=7), True)
+wt.check_equal("other seed, other sea", at_places(Seed=7) != at_places(Seed=8), True)
+wt.check_equal("negative seeds are seeds", at_places(Seed=-7) != at_places(Seed=7), True)
+wt.check_equal("the sea repeats after its period", at_places(SeaPeriod=20.0, Time=3.0), at_places(SeaPeriod=20.0, Time=20003.0))
+water = sea_water()
+alone = water.GetWaveHeight(1.5, 2.0), slope_at(water, 1.5, 2.0), water.GetWaterProperty().GetSlopeRMS()
+water.GetWaterProperty().AddWave(0.3, 5.0, 0.0, 0.0)
+angle = 2 * math.pi * 1.5 / 5
+wt.check_at_most("a sine adds to the sea's height", abs(water.GetWaveHeight(1.5, 2.0) - alone[0] - 0.3 * math.sin(angle)), 1e-12)
+steep = 0.3 * 2 * math.pi / 5
+wt.check_at_most("a sine adds to the sea's slope", abs(slope_at(water, 1.5, 2.0)[0] - alone[1][0] - steep * math.cos(angle)), 1e-12)
+wt.check_at_most("a sine adds to the rms slope", abs(water.GetWaterProperty().GetSlopeRMS() - math.hypot(alone[2], steep / math.sqrt(2))), 1e-12)
+wt.check_equal("height at a place that is not finite", math.isnan(water.GetWaveHeight(INF, 0)), True)
+
+# Presets bring their sea, or none.
+look = vtkWaterProperty()
+look.SetPreset("ocean wind 10")
+wt.check_equal("ocean: sea, wind, fetch, gamma", (look.GetSea(), look.GetWindSpeed(), look.GetFetch(), look.GetPeakEnhancement()), (True, 10.0, INF, 1.0))
+look.SetPreset("pool")
+wt.check_equal("pool: sea", look.GetSea(), False)
+
+# Bad input: an error that names value and range; the last good value stays.
+look = vtkWaterProperty()
+errors = wt.errors_of(look)
+for name, bad, part in (
+    ("WindSpeed", 0.0, "WindSpeed must lie in [0.1, 100] m/s"), ("WindSpeed", math.nan, "[0.1, 100]"),
+    ("WindDirection", INF, "must be finite"), ("Fetch", 0.5, "at least 1 m"), ("PeakEnhancement", 0.9, "[1, 20]"),
+    ("SeaTileSize", 100, "a power of two in [32, 1024]"), ("SeaTileSize", 16, "[32, 1024]"), ("SeaTileSize", 2048, "[32, 1024]"),
+    ("SeaTileLength", -1.0, "[0.001, 1e9] m"), ("SeaPeriod", -1.0, "not negative"), ("SeaModel", 2, "[0, 1]"),
+):
+    good = getattr(look, f"Get{name}")()
+    del errors[:]
+    getattr(look, f"Set{name}")(bad)
+    wt.check_equal(f"{name} {bad}: errors", len(errors), 1)
+    text = errors[0] if errors else ""
+    wt.check_equal(f"{name} {bad}: '{text.strip()}' names value and range", part in text and f"{name} is" in text, True)
+    wt.check_equal(f"{name} {bad}: it stays", getattr(look, f"Get{name}")(), good)
+
+
+# The picture. The reflectance of each pixel is Fresnel's with the twin's normal there, near the origin and far.
+def fresnel(cosine, n):
+    c = np.clip(cosine, 0, 1)
+    g = np.sqrt(n * n - 1 + c * c)
+    s = (c - g) / (c + g)
+    p = (n * n * c - g) / (n * n * c + g)
+    return 0.5 * (s * s + p * p)
+
+
+def view_of(water, position, focus, size, angle=30, clipping=(0.01, 50), sheet=30):
+    made = wt.View(size, (0.5, 0.6, 0.7))
+    made.renderer.GradientBackgroundOn()
+    made.renderer.SetBackground2(0.2, 0.4, 0.8)
+    made.renderer.AddActor(water)
+    x, y = position[:2]
+    water.SetSheetBounds(x - sheet, x + sheet, y - sheet, y + sheet)
+    camera = made.renderer.GetActiveCamera()
+    camera.SetPosition(position)
+    camera.SetFocalPoint(focus)
+    camera.SetViewUp(0, 0, 1)
+    camera.SetViewAngle(angle)
+    camera.SetClippingRange(*clipping)
+    return made
+
+
+SIZE = (300, 200)
+for name, x0, y0 in (("near the origin", 0.0, 0.0), ("2000 km away", 1e6 + 0.1, -2e6)):
+    # a tile so fine that it leaves no waves out, and pixels so near that they average nothing
+    water = sea_water(WindSpeed=2.0, SeaTileLength=1.0)
+    water.GetWaterProperty().SetOutputToReflectance()
+    water.SetTime(12.5)
+    eye = np.array((x0, y0, 0.15))
+    made = view_of(water, eye, eye + (0.1, 0.25, -0.2), SIZE, angle=8)
+    picture = made.picture()
+    shown = (256 * picture[:, :, 0] + picture[:, :, 1]) / 65535
+    forward = wt.unit((0.1, 0.25, -0.2))
+    right = wt.unit(np.cross(forward, (0, 0, 1)))
+    up = np.cross(right, forward)
+    tangent = math.tan(math.radians(4))
+    worst = []
+    for i, j in zip(random.integers(0, SIZE[0], 2000), random.integers(0, SIZE[1], 2000)):
+        u = (2 * (i + 0.5) / SIZE[0] - 1) * tangent * SIZE[0] / SIZE[1]
+        v = (2 * (j + 0.5) / SIZE[1] - 1) * tangent
+        ray = wt.unit(forward + u * right + v * up)
+        place = eye - ray * (eye[2] / ray[2])
+        normal = [0.0, 0.0, 0.0]
+        water.GetWaveNormal(place[0], place[1], normal)
+        worst.append(abs(shown[j, i] - fresnel(-np.dot(ray, normal), 1.333)))
+    wt.check_at_most(f"{name}: reflectance against the twin's normal, worst of 2000 pixels", max(worst), 2e-3)
+    wt.check_at_least(f"{name}: and it varies, standard deviation", float(shown.std()), 0.01)
+
+# The picture depends on the time alone.
+def frames(times, **settings):
+    water = sea_water(**settings)
+    made = view_of(water, (0, -10, 2), (0, 0, 1), SIZE, clipping=(0.5, 3000), sheet=2000)
+    wt.add_actor(made.renderer, wt.box((0, 6, 1), (2, 2, 4)), (0.9, 0.3, 0.1))
+    pictures = []
+    for time in times:
+        water.SetTime(time)
+        pictures.append(made.picture())
+    return pictures
+
+
+several = frames((0.0, 0.5, 1e6, 0.5))
+direct = frames((1e6,))[0]
+wt.check_equal("time 1e6 after other frames and at once: difference", int(np.abs(several[2] - direct).max()), 0)
+wt.check_equal("time 0.5 again: difference", int(np.abs(several[1] - several[3]).max()), 0)
+wt.check_at_least("the sea moves", float(np.abs(several[0] - several[1]).mean()), 1.0)
+
+# A distant sea neither shimmers nor turns into a mirror: one sample a pixel is near the mean of 64.
+def distant(factor, shift=0.0):
+    water = sea_water(WindSpeed=8.0, Fetch=3000.0, WindDirection=110.0)
+    made = view_of(water, (3, -14, 12), (shift, 200, -20), (200 * factor, 150 * factor), clipping=(1, 9000), sheet=8000)
+    return made.picture().astype(float), wt.water_mask(made, water)
+
+
+def mean_of(picture, factor):
+    rows, columns = picture.shape[0] // factor, picture.shape[1] // factor
+    return picture.reshape(rows, factor, columns, factor, 3).mean(axis=(1, 3))
+
+
+rmse = lambda difference, mask: float(np.sqrt((difference[mask] ** 2).mean()))
+once, mask = distant(1)
+often, _ = distant(8)
+truth = mean_of(often, 8)
+point = often[4::8, 4::8]
+wt.save(once, wt.output_folder() / "TestWaterSea-distant.png")
+wt.save(truth, wt.output_folder() / "TestWaterSea-distant-truth.png")
+error = rmse(once - truth, mask)
+wt.check_at_least(f"distant sea: RMSE of a point sample ({rmse(point - truth, mask):.2f}) / of the picture ({error:.2f})",
+                  rmse(point - truth, mask) / error, 1.5)
+half = 0.5 * 214 * 2 * math.tan(math.radians(15)) / 150  # half a pixel at the focus
+moved, _ = distant(1, half)
+moved_often, _ = distant(8, half)
+shimmer = rmse((moved - once) - (mean_of(moved_often, 8) - truth), mask)
+worse = rmse((moved_often[4::8, 4::8] - point) - (mean_of(moved_often, 8) - truth), mask)
+wt.check_at_least(f"half a pixel on: RMSE of the change, point sample ({worse:.2f}) / picture ({shimmer:.2f})", worse / shimmer, 1.5)
+wt.finish()
