@@ -18,9 +18,10 @@ float waterNormalShare(float x)
   return 1.0 / (1.0 + exp(-x * (1.5957691 + 0.0713548 * x * x)));
 }
 
+// Any direction will do for a view straight down.
 vec2 waterAzimuth(WaterPoint point)
 {
-  return point.ray.xy / max(length(point.ray.xy), 1e-6);
+  return length(point.ray.xy) > 1e-6 ? normalize(point.ray.xy) : vec2(1.0, 0.0);
 }
 
 // Number of facets: as a bound of a loop, which ends early also where branches do not save.

@@ -326,6 +326,39 @@ TEST(bad_seas_are_refused)
   }
 }
 
+// The slopes along the two axes: together those of the moments; of Phillips's cos^2 three parts
+// along the wind and one across; of all directions alike a half each; of a narrow sea nearly all
+// along it.
+TEST(slopes_know_the_wind)
+{
+  UNUSED;
+  water_sea windy = { WATER_SEA_JONSWAP, WATER_SPREAD_DONELAN_BANNER, 8.0, 0.6, 2e4,
+    (double)INFINITY, 3.3, 8.0 };
+  const double c = cos(1.2);
+  double height = 0.0;
+  double slope = 0.0;
+  double variance[2] = { 7.0, 7.0 };
+  assert_int_equal(water_sea_moments(&windy, 0.5, 40.0, &height, &slope), WATER_OK);
+  assert_int_equal(water_sea_slopes(&windy, 0.5, 40.0, variance), WATER_OK);
+  ASSERT_CLOSE(variance[0] + variance[1], slope, 1e-12);
+  assert_true(variance[0] > variance[1]); // the wind is nearer to the first axis
+  windy.spreading = WATER_SPREAD_COS_2S;
+  windy.spreading_power = 0.0;
+  assert_int_equal(water_sea_slopes(&windy, 0.5, 40.0, variance), WATER_OK);
+  ASSERT_CLOSE(variance[0], 0.5 * slope, 1e-12);
+  windy.spreading_power = 1000.0; // mean of cos 2a for cos^2s: s (s - 1) / ((s + 1) (s + 2))
+  assert_int_equal(water_sea_slopes(&windy, 0.5, 40.0, variance), WATER_OK);
+  const double narrow = 1000.0 * 999.0 / (1001.0 * 1002.0);
+  ASSERT_CLOSE(variance[0], 0.5 * slope * (1.0 + c * narrow), 1e-6 * slope);
+  windy.model = WATER_SEA_PHILLIPS;
+  assert_int_equal(water_sea_moments(&windy, 0.5, 40.0, &height, &slope), WATER_OK);
+  assert_int_equal(water_sea_slopes(&windy, 0.5, 40.0, variance), WATER_OK);
+  ASSERT_CLOSE(variance[0], 0.5 * slope * (1.0 + 0.5 * c), 1e-12);
+  variance[0] = 7.0;
+  assert_int_equal(water_sea_slopes(&windy, 2.0, 1.0, variance), WATER_BAD_WAVENUMBER);
+  assert_true(variance[0] == 7.0);
+}
+
 int main(void)
 {
   const struct CMUnitTest tests[] = {
@@ -341,6 +374,7 @@ int main(void)
     RUN(slopes_are_of_cox_and_munks_size),
     RUN(bands_add_up),
     RUN(bad_seas_are_refused),
+    RUN(slopes_know_the_wind),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -312,6 +312,137 @@ TEST(seed_makes_the_sea)
   assert_true(memcmp(one, other, sizeof one) != 0);
 }
 
+// One forward FFT of a packed pair gives both fields: the sums over wave vectors that define them.
+TEST(packed_pair_is_two_fields)
+{
+  UNUSED;
+  enum
+  {
+    SMALL = 8
+  };
+  const water_tile small = { SMALL, 3.0, 0.0, 4 };
+  double first[2 * SMALL * SMALL];
+  double second[2 * SMALL * SMALL];
+  double packed[2 * SMALL * SMALL];
+  amplitudes_of(&small, packed);
+  height_at(&small, packed, 0.7, first);
+  water_tile_derive(&small, first, WATER_TILE_SLOPE_X, second);
+  water_tile_pack(&small, first, second, packed);
+  const int places[3][2] = { { 0, 0 }, { 3, 1 }, { 6, 7 } };
+  for (int at = 0; at < 3; ++at)
+  {
+    double known[2] = { 0.0, 0.0 };
+    double found[2] = { 0.0, 0.0 };
+    for (int row = 0; row < SMALL; ++row)
+    {
+      for (int column = 0; column < SMALL; ++column)
+      {
+        const double angle = 2.0 * pi * (column * places[at][0] + row * places[at][1]) / SMALL;
+        const size_t i = place(&small, column, row);
+        known[0] += first[i] * cos(angle) - first[i + 1] * sin(angle);
+        known[1] += second[i] * cos(angle) - second[i + 1] * sin(angle);
+        found[0] += packed[i] * cos(angle) + packed[i + 1] * sin(angle);
+        found[1] += packed[i + 1] * cos(angle) - packed[i] * sin(angle);
+      }
+    }
+    ASSERT_CLOSE(found[0], known[0], 1e-14);
+    ASSERT_CLOSE(found[1], known[1], 1e-14);
+  }
+  water_tile_pack(&small, first, NULL, packed);
+  water_tile_pack(&small, first, NULL, first); // in place
+  assert_memory_equal(first, packed, sizeof packed);
+}
+
+// Bilinear between the points, the same in every repetition of the tile, and exact far away.
+TEST(samples_are_bilinear_and_repeat)
+{
+  UNUSED;
+  const water_tile small = { 4, 8.0, 0.0, 0 };
+  double values[16];
+  for (int i = 0; i < 16; ++i)
+  {
+    values[i] = i * i;
+  }
+  const struct
+  {
+    double x, y, value;
+  } cases[] = {
+    { 2.0, 4.0, 81.0 },  // column 1, row 2
+    { 3.0, 4.0, 90.5 },  // halfway to column 2
+    { 2.0, 5.0, 125.0 }, // to row 3
+    { 7.0, 7.0, 94.5 },  // between the four corners: 225, 144, 9 and 0
+    { -1.0, -1.0, 94.5 },
+    { 2.0 + 8e15, 4.0, 81.0 },
+    { 2.0, 4.0 - 8e15, 81.0 },
+  };
+  for (size_t i = 0; i < sizeof cases / sizeof cases[0]; ++i)
+  {
+    double value = 0.0;
+    assert_int_equal(water_tile_sample(&small, values, cases[i].x, cases[i].y, &value), WATER_OK);
+    ASSERT_CLOSE(value, cases[i].value, 1e-12);
+  }
+  double share[2] = { 7.0, 7.0 };
+  assert_int_equal(water_tile_place(&small, -1e-300, 10.0, share), WATER_OK);
+  assert_true(share[0] == 0.0 && share[1] == 0.25); // never 1
+  share[0] = 7.0;
+  assert_int_equal(water_tile_place(&small, (double)NAN, 0.0, share), WATER_BAD_POINT);
+  assert_int_equal(
+    water_tile_sample(&small, values, 0.0, (double)INFINITY, share), WATER_BAD_POINT);
+  assert_true(share[0] == 7.0);
+}
+
+// The natural length is 10 wavelengths: of the deep water's peak, less over a shallow bed.
+TEST(natural_length_is_ten_peak_waves)
+{
+  UNUSED;
+  const double peak = water_sea_peak(&sea);
+  ASSERT_CLOSE(water_tile_natural_length(&sea), 20.0 * pi * 9.80665 / (peak * peak), 1e-9);
+  water_sea other = sea;
+  other.depth = 0.5;
+  const double k = 20.0 * pi / water_tile_natural_length(&other);
+  ASSERT_CLOSE(9.80665 * k * tanh(0.5 * k), peak * peak, 1e-12);
+  other.model = WATER_SEA_PHILLIPS; // knows deep water only
+  ASSERT_CLOSE(
+    water_tile_natural_length(&other), 2.0 * pi * 36.0 / 9.80665 * 10.0 / sqrt(0.8), 1e-9);
+  other.model = WATER_SEA_JONSWAP;
+  other.depth = 1e-300;
+  assert_true(water_tile_natural_length(&other) == 1e-3);
+}
+
+// What the tile holds and what it leaves out are together the slope of all waves that count.
+TEST(held_and_left_out_slopes_are_all)
+{
+  UNUSED;
+  double held[2];
+  double left_out[2];
+  double height = 0.0;
+  double slope = 0.0;
+  water_tile_slopes(&tile, &sea, held, left_out);
+  assert_int_equal(water_sea_moments(&sea, 0.0, 370.0, &height, &slope), WATER_OK);
+  ASSERT_CLOSE(held[0] + held[1] + left_out[0] + left_out[1], slope, 1e-5 * slope);
+  ASSERT_CLOSE(water_tile_slope_rms(held, 0.1), sqrt(held[0] + held[1] + 0.01), 1e-15);
+  water_tile fine = tile;
+  fine.length = 0.1;
+  water_tile_slopes(&fine, &sea, held, left_out);
+  assert_true(left_out[0] == 0.0 && left_out[1] == 0.0);
+}
+
+TEST(texels_hold_slopes_and_squares)
+{
+  UNUSED;
+  const water_tile small = { 4, 8.0, 0.0, 0 };
+  double slopes[2][16];
+  float texels[64];
+  for (int i = 0; i < 16; ++i)
+  {
+    slopes[0][i] = 0.25 * i;
+    slopes[1][i] = -0.5 * i;
+  }
+  water_tile_texels(&small, slopes[0], slopes[1], texels);
+  const float known[4] = { 0.75f, -1.5f, 0.5625f, 2.25f };
+  assert_memory_equal(texels + 12, known, sizeof known);
+}
+
 // Numbers out of range are refused by every function, and nothing is written.
 TEST(bad_tiles_are_refused)
 {
@@ -358,6 +489,11 @@ int main(void)
     RUN(fields_follow_from_the_height),
     RUN(period_repeats_exactly),
     RUN(seed_makes_the_sea),
+    RUN(packed_pair_is_two_fields),
+    RUN(samples_are_bilinear_and_repeat),
+    RUN(natural_length_is_ten_peak_waves),
+    RUN(held_and_left_out_slopes_are_all),
+    RUN(texels_hold_slopes_and_squares),
     RUN(bad_tiles_are_refused),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);

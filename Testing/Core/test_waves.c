@@ -305,6 +305,22 @@ TEST(bad_numbers_are_refused)
   assert_true(rest[0] == 7.0);
 }
 
+// A tilted normal has the sum of both slopes; on a cusp, where the normal lies flat, it stays.
+TEST(tilt_adds_slopes)
+{
+  UNUSED;
+  const double slope[2] = { 0.3, -0.2 };
+  const double length = sqrt(1.0 + 0.25 + 0.01);
+  double normal[3] = { -0.5 / length, 0.1 / length, 1.0 / length };
+  water_waves_tilt(slope, normal);
+  ASSERT_CLOSE(normal[0] / normal[2], -0.8, 1e-15);
+  ASSERT_CLOSE(normal[1] / normal[2], 0.3, 1e-15);
+  ASSERT_CLOSE(hypot(hypot(normal[0], normal[1]), normal[2]), 1.0, 1e-15);
+  double flat[3] = { 1.0, 0.0, 0.0 };
+  water_waves_tilt(slope, flat);
+  assert_true(flat[0] == 1.0 && flat[1] == 0.0 && flat[2] == 0.0);
+}
+
 int main(void)
 {
   const struct CMUnitTest tests[] = {
@@ -318,6 +334,7 @@ int main(void)
     RUN(rows_give_the_same_height_in_float),
     RUN(bad_waves_are_refused),
     RUN(bad_numbers_are_refused),
+    RUN(tilt_adds_slopes),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }
