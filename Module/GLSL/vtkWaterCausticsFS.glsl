@@ -13,7 +13,7 @@ const float WATER_CAUSTIC_BLUR = 0.15; // the sun is a disc: no place is infinit
 
 vec2 waterCausticSlope(vec2 place, float width)
 {
-  vec2 variance = vec2(0.0);
+  vec4 variance = vec4(0.0);
   float stretch;
   return waterAllSlopes(place, vec2(width, 0.0), vec2(0.0, width), variance, stretch);
 }

@@ -28,7 +28,7 @@ vec2 waterAzimuth(WaterPoint point)
 int waterFacetCount(WaterPoint point)
 {
   vec2 azimuth = waterAzimuth(point);
-  return dot(point.variance, azimuth * azimuth) > WATER_SMOOTH ? 3 : 1;
+  return dot(point.variance.xy, azimuth * azimuth) > WATER_SMOOTH ? 3 : 1;
 }
 
 // Normal of a facet; number 0 is the middle one.
@@ -42,7 +42,7 @@ vec3 waterFacet(WaterPoint point, int number, int count, out float weight)
     return point.normal;
   }
   vec2 azimuth = waterAzimuth(point);
-  float spread = sqrt(dot(point.variance, azimuth * azimuth));
+  float spread = sqrt(dot(point.variance.xy, azimuth * azimuth));
   // in units of the spread: how far the mean facet is from facing away
   float edge = -dot(point.ray, point.normal) /
     (spread * point.normal.z * max(length(point.ray.xy), 1e-6));

@@ -9,7 +9,7 @@ uniform vec4 waterNormalMapPlace1; // strength 0: there is no second one
 uniform vec2 waterNormalMapTexels; // size of a texel, in maps
 
 // As waterSlope of vtkWaterWavesFS.glsl.
-vec2 waterMapSlope(vec2 place, vec2 across, vec2 down, inout vec2 variance)
+vec2 waterMapSlope(vec2 place, vec2 across, vec2 down, inout vec4 variance)
 {
   vec4 first = waterNormalMapPlace0;
   vec4 second = waterNormalMapPlace1;

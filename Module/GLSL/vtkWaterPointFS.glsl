@@ -33,7 +33,7 @@ struct WaterPoint
   vec2 across;   // change of the place from pixel to pixel
   vec2 down;
   vec3 normal;   // of the surface, of unit length
-  vec2 variance; // of the slopes along the two axes that the normal leaves out
+  vec4 variance; // of the slopes along the two axes: within the pixel; taken by filters, not seen
   float stretch; // how close the surface's points stand, over at rest: 0 on a breaking crest
   vec3 start;    // where the map shows its calm reflection: u, v, depth
 };
@@ -48,7 +48,7 @@ WaterPoint waterPoint()
   point.across = dFdx(point.place);
   point.down = dFdy(point.place);
   point.normal = vec3(0.0, 0.0, 1.0);
-  point.variance = waterSlopeVariance.xy;
+  point.variance = vec4(waterSlopeVariance.xy, 0.0, 0.0);
   point.stretch = 1.0;
   vec4 clip = vec4(point.ndc, 2.0 * gl_FragCoord.z - 1.0, 1.0); // w cancels below
   vec4 mirrored = clip - 2.0 * dot(waterPlaneClip, clip) * waterNormalClip;

@@ -5,7 +5,7 @@
 
 // dz/dx and dz/dy over a place in the plane's axes; see waterSlope.
 vec2 waterAllSlopes(
-  vec2 place, vec2 across, vec2 down, inout vec2 variance, out float stretch)
+  vec2 place, vec2 across, vec2 down, inout vec4 variance, out float stretch)
 {
   return waterSlope(place, across, down, variance, stretch) +
     waterSeaSlope(place, across, down, variance) + waterMapSlope(place, across, down, variance);

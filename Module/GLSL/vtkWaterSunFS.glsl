@@ -70,8 +70,9 @@ void waterSunlit(WaterPoint point, inout vec3 rgb)
   {
     vec3 facet = normalize(waterSunDir - point.ray);
     vec2 off = point.normal.xy / point.normal.z - facet.xy / facet.z;
-    float xx = point.variance.x + WATER_SUN_VARIANCE;
-    float yy = point.variance.y + WATER_SUN_VARIANCE;
+    // what filters took counts, too: the sea has as many slopes from near as from afar
+    float xx = point.variance.x + point.variance.z + WATER_SUN_VARIANCE;
+    float yy = point.variance.y + point.variance.w + WATER_SUN_VARIANCE;
     float xy = waterSlopeVariance.z;
     float area = max(xx * yy - xy * xy, 1e-12);
     float density = exp(-0.5 * (yy * off.x * off.x - 2.0 * xy * off.x * off.y + xx * off.y * off.y) / area)

@@ -9,9 +9,9 @@ const int WATER_TILE_LOOKS = 4; // along the pixel's longer side: the anisotropy
 // middle        of the pixel, in tiles; across and down its sides
 // texel         size of one, in tiles
 // strength      factor of the slopes
-// variance      of the slopes within the pixel is added
+// variance      of the slopes within the pixel, and what the filter took, are added, as in WaterPoint
 vec2 waterTileSlope(sampler2D tile, vec2 middle, vec2 across, vec2 down, float texel,
-  float strength, inout vec2 variance)
+  float strength, inout vec4 variance)
 {
   // GL's own anisotropic filter is not used: Mesa's software renderer needs minutes for it
   bool isWide = dot(across, across) > dot(down, down);
@@ -28,6 +28,7 @@ vec2 waterTileSlope(sampler2D tile, vec2 middle, vec2 across, vec2 down, float t
   // on average; a pixel that spans w texels has a variance of only (w step)^2 / 12.
   float texels = length(longer) / texel;
   float share = min(0.5 * texels * texels, 1.0);
-  variance += strength * strength * share * max(seen.zw - seen.xy * seen.xy, 0.0);
+  vec2 within = strength * strength * max(seen.zw - seen.xy * seen.xy, 0.0);
+  variance += vec4(share * within, (1.0 - share) * within);
   return strength * seen.xy;
 }

@@ -10,9 +10,9 @@ uniform int waterRestSteps; // steps to the point at rest; 0 for sines, which do
 //
 // across, down  change of the place from pixel to pixel: of a wave that is short against them the
 //               pixel sees the mean slope. A Gaussian that falls as the mean over a box does.
-// variance      the rest of the wave's variance is added, along the plane's two axes
+// variance      the rest of the wave's variance is added to the first two, as in WaterPoint
 // stretch       area over that at rest
-vec2 waterSlope(vec2 place, vec2 across, vec2 down, inout vec2 variance, out float stretch)
+vec2 waterSlope(vec2 place, vec2 across, vec2 down, inout vec4 variance, out float stretch)
 {
   vec2 rest = place;
   vec2 gradient = vec2(0.0);
@@ -48,7 +48,7 @@ vec2 waterSlope(vec2 place, vec2 across, vec2 down, inout vec2 variance, out flo
                 bent.x * miss.y - bent.y * miss.x) / area;
     }
   }
-  variance += unseen;
+  variance.xy += unseen;
   // from slopes per point at rest to slopes per place
   stretch = max(bent.x * bent.z - bent.y * bent.y, 1e-6);
   return vec2(bent.z * gradient.x - bent.y * gradient.y,

@@ -264,4 +264,39 @@ moved_often, _ = distant(8, half)
 shimmer = rmse((moved - once) - (mean_of(moved_often, 8) - truth), mask)
 worse = rmse((moved_often[4::8, 4::8] - point) - (mean_of(moved_often, 8) - truth), mask)
 wt.check_at_least(f"half a pixel on: RMSE of the change, point sample ({worse:.2f}) / picture ({shimmer:.2f})", worse / shimmer, 1.5)
+
+# A glittering sea is as bright from 10 m as from 100 km, seen along the same direction under the same sun:
+# slopes that a pixel does not resolve shine as those that it does.
+def glitter_from(distance):
+    """Mean of 255 over pictures that are as high as 30 degrees of view, at random places and times."""
+    made = wt.View((160, 120), (0, 0, 0))
+    wt.add_scene_light(made.renderer, (0.1, 0.8, 0.55))
+    made.renderer.GetLights().GetItemAsObject(0).SetIntensity(0.6)  # no pixel is white
+    water = wt.add_water(made.renderer, None, (-2e5, 2e5, -2e5, 2e5), 0.0)
+    look = water.GetWaterProperty()
+    look.SetDeepColor(0, 0, 0)
+    look.SetFetch(2000.0)
+    look.SeaOn()
+    camera = made.renderer.GetActiveCamera()
+    camera.ParallelProjectionOn()
+    camera.SetParallelScale(distance * math.tan(math.radians(15)))
+    away = max(distance, 50.0)
+    means, brightest = [], 0
+    for _ in range(40 if distance < 2000 else 4):
+        place = np.append(random.uniform(-500, 500, 2), 0)
+        camera.SetPosition(place + 2 * away * wt.unit((0, -1, 0.5)))
+        camera.SetFocalPoint(place)
+        camera.SetViewUp(0, 0, 1)
+        camera.SetClippingRange(0.5 * away, 4 * away)
+        water.SetTime(float(random.uniform(0, 1000)))
+        picture = made.picture()[:, :, 0]
+        means.append(picture.mean())
+        brightest = max(brightest, picture.max())
+    print(f"glitter from {distance:g} m: mean {np.mean(means):.2f} of 255, brightest pixel {brightest}", flush=True)
+    return float(np.mean(means))
+
+
+shine = [glitter_from(distance) for distance in (10, 100, 1e3, 1e4, 1e5)]
+wt.check_at_most("glitter from 10 m to 100 km: largest deviation from the mean, %",
+                 100 * float(np.abs(np.array(shine) / np.mean(shine) - 1).max()), 2.0)
 wt.finish()
