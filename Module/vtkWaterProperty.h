@@ -491,7 +491,8 @@ public:
    * What the water shows: its COLOR; the CONFIDENCE of its reflection (Confidences); its LOOKUP:
    * where in the reflection texture a pixel has its colour from, u and v in [0, 1] as 12 bits each:
    * red and the high half of green are u, the rest v; or its REFLECTANCE, in [0, 1] as 16 bits: red
-   * is the high byte and green the low one. Default is COLOR.
+   * is the high byte and green the low one. CONFIDENCE and LOOKUP are of the pixel's mean slope;
+   * its roughness has no part in them. Default is COLOR.
    */
   void SetOutput(int output);
   vtkGetMacro(Output, int);

@@ -30,12 +30,11 @@ vec3 waterPack(float share)
 // The reflection of a pixel's facets, each weighted by its own reflectance.
 //
 // reflectance  of all
-// reason, uv   of the one that is looked up last
+// reason, uv   of the pixel's mean one, which is the only one where these are shown
 vec3 waterFacets(WaterPoint point, out float reflectance, inout int reason, inout vec2 uv)
 {
   vec3 reflected = vec3(0.0);
   reflectance = 0.0;
-  // a place in the map, and its reason, are those of the mean normal
   int count = waterOutput == 1 || waterOutput == 2 ? 1 : waterFacetCount(point);
   for (int i = count - 1; i >= 0; --i)
   {
