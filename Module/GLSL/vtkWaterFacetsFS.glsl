@@ -5,10 +5,11 @@
 // The slopes are Gaussian about the pixel's mean one, along the azimuth of the view only: at a low
 // view a slope across it turns the reflection little. A facet counts by the part of the pixel that
 // it covers, nothing when it faces away from the eye. Of the slopes so weighted the mean and the
-// variance are exact, and three nodes (Gauss and Hermite's) stand for them.
+// variance are exact, and two nodes (Gauss and Hermite's) stand for them: a third costs a third more
+// and is not seen.
 // Source: Abramowitz and Stegun 1964, "Handbook of Mathematical Functions", table 25.10.
 
-const float WATER_SMOOTH = 1e-5; // slope variance whose reflection blurs by less than half a degree
+const float WATER_SMOOTH = 2e-5; // slope variance whose reflection blurs by half a degree
 
 // Cumulative normal distribution, within 2e-4.
 // Source: Page 1977, "Approximations to the Cumulative Normal Function and its Inverse for Use on a
@@ -28,10 +29,10 @@ vec2 waterAzimuth(WaterPoint point)
 int waterFacetCount(WaterPoint point)
 {
   vec2 azimuth = waterAzimuth(point);
-  return dot(point.variance.xy, azimuth * azimuth) > WATER_SMOOTH ? 3 : 1;
+  return dot(point.variance.xy, azimuth * azimuth) > WATER_SMOOTH ? 2 : 1;
 }
 
-// Normal of a facet; number 0 is the middle one.
+// Normal of a facet.
 //
 // weight  they add up to 1
 vec3 waterFacet(WaterPoint point, int number, int count, out float weight)
@@ -56,8 +57,8 @@ vec3 waterFacet(WaterPoint point, int number, int count, out float weight)
   float low = 1.0 - smoothstep(3.0, 6.0, edge);
   float shift = low * (mean + from - edge);
   variance = mix(1.0, variance, low);
-  float node = number == 0 ? 0.0 : (number == 1 ? -1.7320508 : 1.7320508);
+  float node = number == 0 ? -1.0 : 1.0;
   float slope = spread * (shift + node * sqrt(max(variance, 0.0)));
-  weight = number == 0 ? 2.0 / 3.0 : 1.0 / 6.0;
+  weight = 0.5;
   return normalize(vec3(point.normal.xy - point.normal.z * slope * azimuth, point.normal.z));
 }
