@@ -42,11 +42,14 @@ VTK_ABI_NAMESPACE_BEGIN
 #endif
 
 class vtkPlane;
+class vtkWaterGrid;
 class vtkWaterProperty;
 class vtkWaterReflectionPass;
 class vtkWaterSheet;
 class vtkWaterSurface;
 struct vtkWaterError;
+struct vtkWaterGather;
+struct water_grid_view;
 struct water_wave_term;
 
 class VTKRENDERINGWATER_EXPORT vtkWaterActor : public vtkOpenGLActor
@@ -162,6 +165,7 @@ private:
 
   friend class vtkWaterReflectionPass;
   friend class vtkWaterSurface;
+  friend struct vtkWaterGather;
 
   struct SourcedError
   {
@@ -179,6 +183,10 @@ private:
   // renderer  of the plan that failed; nullptr: it is the sheet
   void ReportError(vtkRenderer* renderer, const vtkWaterError& error);
   bool HasSheetError() const;
+  // Do waves move the surface itself?
+  bool IsDisplaced() const;
+  // The own sheet as this eye sees it; a user's mapper is drawn as it is.
+  vtkMapper* LayGrid(const water_grid_view& view, vtkMapper* mapper);
   // The waves at the actor's time.
   std::vector<water_wave_term> GetWaveTerms();
   // What is seen through the surface must be there before it: puts it behind all other props in the
@@ -192,9 +200,11 @@ private:
   vtkSmartPointer<vtkWaterReflectionPass> OwnPass;
   vtkWeakPointer<vtkWaterReflectionPass> ComposedPass;
   std::unique_ptr<vtkWaterSheet> Sheet;
+  std::unique_ptr<vtkWaterGrid> Grid; // the sheet when it is displaced
   std::unique_ptr<vtkWaterSurface> Surface;
   double SheetBounds[4] = { 0.0, 0.0, 0.0, 0.0 };
   bool UseSheetBounds = false;
+  double DisplacedBounds[6] = {};
   bool IsUpdatingSheet = false;
   double Time = 0.0;
   std::vector<SourcedError> Errors;

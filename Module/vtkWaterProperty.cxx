@@ -282,6 +282,40 @@ double vtkWaterProperty::GetSlopeRMS() const
 }
 
 //------------------------------------------------------------------------------
+double vtkWaterProperty::GetWaveHeightMax() const
+{
+  double height = 0.0;
+  double across = 0.0;
+  water_waves_reach(this->Internal->Waves.data(), this->Internal->Waves.size(), &height, &across);
+  return height;
+}
+
+//------------------------------------------------------------------------------
+double vtkWaterProperty::GetWaveReach() const
+{
+  double height = 0.0;
+  double across = 0.0;
+  water_waves_reach(this->Internal->Waves.data(), this->Internal->Waves.size(), &height, &across);
+  return across;
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterProperty::SetWaveGeometry(bool geometry)
+{
+  if (this->WaveGeometry != geometry)
+  {
+    this->WaveGeometry = geometry;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterProperty::SetWaveGridSize(int size)
+{
+  vtkWaterSetInRange(WaveGridSize, size, 16, 2048);
+}
+
+//------------------------------------------------------------------------------
 const water_wave* vtkWaterProperty::GetWaves() const
 {
   return this->Internal->Waves.data();
@@ -377,6 +411,8 @@ void vtkWaterProperty::PrintSelf(ostream& os, vtkIndent indent)
     os << indent.GetNextIndent() << "amplitude " << wave[0] << ", wavelength " << wave[1]
        << ", direction " << wave[2] << ", phase " << wave[3] << ", steepness " << wave[4] << "\n";
   }
+  os << indent << "WaveGeometry: " << (this->WaveGeometry ? "on" : "off") << "\n";
+  os << indent << "WaveGridSize: " << this->WaveGridSize << "\n";
   os << indent << "Lookup: " << this->Lookup << "\n";
   os << indent << "OffsetScale: " << this->OffsetScale << "\n";
   os << indent << "RayTraceSteps: " << this->RayTraceSteps << "\n";

@@ -154,7 +154,7 @@ public:
   /**
    * Waves: any number of sines, the height being amplitude times the sine of k . x + phase - omega
    * t, x in the plane's own axes, omega from the dispersion relation of Depth. With waves the
-   * surface is a flat sheet with the waves' normals.
+   * surface is a flat sheet with the waves' normals, or, with WaveGeometry, displaced.
    *
    * amplitude  m, half the height from trough to crest, finite and not negative
    * wavelength m, finite and greater than 0; the scene's unit is taken for a metre
@@ -175,6 +175,30 @@ public:
   int GetNumberOfWaves() const;
   bool GetWave(int number, double wave[5]) const;
   double GetSlopeRMS() const; // root mean square slope of all waves together
+  double GetWaveHeightMax() const; // sum of the amplitudes: no point is higher, or deeper, m
+  ///@}
+
+  ///@{
+  /**
+   * Whether waves displace the surface: up and down, and, steep ones, to and fro. Off is a flat
+   * sheet with their normals: cheaper, and right where waves are low against what stands in them.
+   * On, the own sheet becomes a grid over what the eye sees of it; of a mapper of the user's the
+   * points are displaced as they are, so that it needs several to a wave. Has no effect without
+   * waves, nor on edges and wide lines. Default is off.
+   */
+  void SetWaveGeometry(bool geometry);
+  vtkGetMacro(WaveGeometry, bool);
+  vtkBooleanMacro(WaveGeometry, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Cells along a side of that grid, in [16, 2048]: as many across the view as into its depth.
+   * Waves with fewer than four cells keep part of their height, those with fewer than two only
+   * their normals. Default is 256.
+   */
+  void SetWaveGridSize(int size);
+  vtkGetMacro(WaveGridSize, int);
   ///@}
 
   ///@{
@@ -280,6 +304,7 @@ private:
   friend class vtkWaterSurface;
   const water_wave* GetWaves() const;
   const double* GetExtinction() const; // absorption + scattering
+  double GetWaveReach() const;         // how far steep waves move a point in the plane
   // Sets one of the two when the water has good numbers then.
   void SetMedium(const char* name, double (vtkWaterProperty::*member)[3], const double value[3]);
   void UseMedium(const water_medium& medium);
@@ -295,6 +320,8 @@ private:
   double DeepColor[3] = { 0.02, 0.09, 0.13 };
   double Opacity = 1.0;
   double Depth;
+  bool WaveGeometry = false;
+  int WaveGridSize = 256;
   int Lookup = RAY_TRACED;
   double OffsetScale = 0.3;
   int RayTraceSteps = 16;

@@ -299,6 +299,17 @@ void water_waves_rms(const water_wave* waves, size_t count, double* height, doub
   *slope = sqrt(slope_sum);
 }
 
+void water_waves_reach(const water_wave* waves, size_t count, double* height, double* across)
+{
+  *height = 0.0;
+  *across = 0.0;
+  for (size_t i = 0; i < count; ++i)
+  {
+    *height += waves[i].amplitude;
+    *across += waves[i].amplitude * waves[i].steepness;
+  }
+}
+
 void water_waves_rows(
   const water_wave_term* terms, size_t count, double x, double y, water_wave_row* rows)
 {

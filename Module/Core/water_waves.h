@@ -121,6 +121,9 @@ water_status water_waves_find(const water_wave_term* terms, size_t count, double
 // by the order of s^2.
 void water_waves_rms(const water_wave* waves, size_t count, double* height, double* slope);
 
+// How far waves can move a point at most: up or down (the sum of the amplitudes), and in the plane.
+void water_waves_reach(const water_wave* waves, size_t count, double* height, double* across);
+
 // The rows for the shader, in float. Their phases belong to the origin (x, y), which a shader takes
 // off its coordinates first: near the eye a float is then exact enough.
 //

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkWaterBodyFS.glsl: stage body: what is seen through the surface, refracted, and what the way
 // through the water leaves of it; water_body.c for the shader.
-// Needs vtkWaterPointFS.glsl before it.
+// Needs vtkWaterFlatFS.glsl, vtkWaterPointFS.glsl before it.
 //
 // Seen from above the refracted ray runs through the water, from below the view ray does.
 

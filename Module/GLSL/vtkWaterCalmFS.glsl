@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkWaterCalmFS.glsl: stages waves and reflection of calm water: no waves, and one exact look at the
-// map. Needs vtkWaterPointFS.glsl before it.
+// map. Needs vtkWaterFlatFS.glsl, vtkWaterPointFS.glsl before it.
 
 uniform sampler2D waterReflection; // mirrored view, flipped in x
 

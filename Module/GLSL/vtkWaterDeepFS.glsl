@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkWaterDeepFS.glsl: stage body of water that nothing is seen in.
-// Needs vtkWaterPointFS.glsl before it.
+// Needs vtkWaterFlatFS.glsl, vtkWaterPointFS.glsl before it.
 
 vec3 waterBeneath(WaterPoint point)
 {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkWaterLookupFS.glsl: stage reflection: where the map shows what a reflected ray meets. The formulas
 // of the rays are in water_lookup.h, the rules and what each is worth in
-// Documentation/decisions/006-lookup.md. Needs vtkWaterPointFS.glsl before it.
+// Documentation/decisions/006-lookup.md. Needs vtkWaterFlatFS.glsl, vtkWaterPointFS.glsl before it.
 
 uniform sampler2D waterReflection;      // mirrored view, flipped in x; linear
 uniform sampler2D waterReflectionDepth; // its window depth, 1: nothing drawn; nearest
@@ -19,25 +19,29 @@ const int WATER_OFF_MAP = 3;
 const int WATER_HIDDEN = 4;
 const int WATER_DOWNWARD = 5;
 
+float waterFloor = -1e30; // height that no ray of this pixel meets anything below
+
 float waterMapDepth(vec2 uv)
 {
-  return textureLod(waterReflectionDepth, uv, 0.0).r;
+  float depth = textureLod(waterReflectionDepth, uv, 0.0).r;
+  return waterIsUnder(uv, depth, waterFloor) ? 1.0 : depth;
 }
 
 // Colour in a direction from a point of the water.
 //
 // start   of the ray in the map's window: u, v, depth
+// startW  w of the start in clip space of the map
 // dir     in the plane's axes, upwards, of unit length
 // reason  one of the first four
 // uv      where in the map that is
-vec3 waterTrace(vec3 start, vec3 dir, out int reason, out vec2 uv)
+vec3 waterTrace(vec3 start, float startW, vec3 dir, out int reason, out vec2 uv)
 {
   vec4 end = waterDirToMap * vec4(dir, 0.0);
   vec3 way = 0.5 * (end.xyz - (2.0 * start - 1.0) * end.w); // the ray is start + s way
   float last = end.w > 1e-6 ? 1.0 / end.w : (way.z > 0.0 ? (1.0 - start.z) / way.z : 1e20);
   // over the highest thing there is nothing but sky
   float climb = waterMapTop / max(dir.z, 1e-6);
-  float climbW = 1.0 / gl_FragCoord.w + climb * end.w;
+  float climbW = startW + climb * end.w;
   float overAll = climbW > 0.0 ? climb / climbW : 1e20;
   vec2 border =
     (step(0.0, way.xy) - start.xy) / mix(way.xy, vec2(1e-9), equal(way.xy, vec2(0.0)));
@@ -151,7 +155,8 @@ vec3 waterReflected(WaterPoint point, out int reason, out vec2 uv)
   vec3 dir = reflect(point.ray, point.normal);
   bool isDownward = dir.z < 0.0;
   dir.z = max(abs(dir.z), 1e-6); // met the water again: bounced off it once more
-  vec3 color = waterTrace(point.start, dir, reason, uv);
+  waterFloor = point.height;
+  vec3 color = waterTrace(point.start, point.startW, dir, reason, uv);
   reason = isDownward ? WATER_DOWNWARD : reason;
   return color;
 }

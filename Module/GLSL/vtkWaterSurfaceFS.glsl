@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkWaterSurfaceFS.glsl: the colour of a water pixel, from the stages.
-// Needs vtkWaterOptics.glsl, vtkWaterPointFS.glsl, vtkWaterCalmFS.glsl and vtkWaterDeepFS.glsl before
+// Needs vtkWaterOptics.glsl, vtkWaterFlatFS.glsl, vtkWaterPointFS.glsl, vtkWaterCalmFS.glsl and vtkWaterDeepFS.glsl before
 // it, or others of their stages.
 
 uniform int waterHasView;       // 0: nothing is known of the view, show the plain colour

@@ -3,6 +3,7 @@
 #ifndef vtkWaterGather_h
 #define vtkWaterGather_h
 
+#include "water_grid.h"
 #include "water_plan.h"
 
 #include <vector>
@@ -36,6 +37,9 @@ struct vtkWaterGather
   // transform.
   static water_plane ReadPlane(vtkWaterActor* water);
   static void ReadPlaneOrigin(vtkWaterActor* water, double origin[3]);
+
+  // The eye over a water's plane, for what displaces its points. false: there is nothing to see.
+  static bool ReadView(vtkRenderer* renderer, vtkWaterActor* water, water_grid_view* view);
 
   // The parts of a prop that is an assembly of any kind; nullptr: it is none.
   static vtkPropCollection* GetParts(vtkProp* prop);

@@ -15,6 +15,7 @@
 #include "vtkWaterSurface.h"
 #include "vtkWaterUniforms.h"
 #include "vtkWaterVolumeFS.h"
+#include "vtkWaterWavesVS.h"
 #include "water_types.h"
 
 #include <algorithm>
@@ -24,6 +25,8 @@ vtkStandardNewMacro(vtkWaterShading);
 
 namespace
 {
+const char* const kVertexEnd = "//VTK::CustomEnd::Impl";
+
 // Puts text before a tag and keeps the tag for whoever comes next.
 void InsertBefore(std::string& source, const std::string& tag, const std::string& text)
 {
@@ -94,8 +97,16 @@ bool vtkWaterShading::PreReplaceShaderValues(std::string& vertexShader, std::str
 {
   if (prop->IsA("vtkWaterActor"))
   {
-    InsertDeclarations(fragmentShader,
-      vtkWaterSurface::GetShader(static_cast<vtkWaterActor*>(prop)->GetWaterProperty()));
+    vtkWaterProperty* property = static_cast<vtkWaterActor*>(prop)->GetWaterProperty();
+    // a geometry shader would have to pass the place at rest on
+    const bool canDisplace =
+      geometryShader.empty() && vertexShader.find(kVertexEnd) != std::string::npos;
+    if (canDisplace && (vtkWaterSurface::GetStages(property) & vtkWaterSurface::DISPLACED) &&
+      InsertDeclarations(vertexShader, vtkWaterWavesVS))
+    {
+      InsertBefore(vertexShader, kVertexEnd, "  waterDisplace(gl_Position);");
+    }
+    InsertDeclarations(fragmentShader, vtkWaterSurface::GetShader(property, canDisplace));
     return true;
   }
   if (!InsertDeclarations(fragmentShader, vtkWaterMirroredFS))
@@ -106,11 +117,11 @@ bool vtkWaterShading::PreReplaceShaderValues(std::string& vertexShader, std::str
   // geometry shader would have to pass the distance on), and must not be on for the full-screen
   // quads that blend translucent geometry: those two discard.
   const bool canClipVertices = geometryShader.empty() &&
-    vertexShader.find("//VTK::CustomEnd::Impl") != std::string::npos &&
+    vertexShader.find(kVertexEnd) != std::string::npos &&
     !prop->HasTranslucentPolygonalGeometry();
   if (canClipVertices && InsertDeclarations(vertexShader, vtkWaterMirroredVS))
   {
-    InsertBefore(vertexShader, "//VTK::CustomEnd::Impl", "  waterClipVertex(gl_Position);");
+    InsertBefore(vertexShader, kVertexEnd, "  waterClipVertex(gl_Position);");
   }
   else
   {

@@ -10,6 +10,8 @@
 #include "vtkWaterBodyFS.h"
 #include "vtkWaterCalmFS.h"
 #include "vtkWaterDeepFS.h"
+#include "vtkWaterDisplacedFS.h"
+#include "vtkWaterFlatFS.h"
 #include "vtkWaterGL.h"
 #include "vtkWaterLookupFS.h"
 #include "vtkWaterOffsetFS.h"
@@ -29,6 +31,7 @@ namespace
 {
 constexpr double kFarUp = 1e30; // for a float
 constexpr int kRestSteps = 3;   // of Newton's method, to the point at rest of steep waves
+constexpr double kSlack = 0.05; // in heights of the waves
 constexpr double kFlat[4] = { 0.0, 0.0, 0.0, 0.0 };
 }
 
@@ -42,6 +45,10 @@ int vtkWaterSurface::GetStages(vtkWaterProperty* property)
     stages |= WAVES;
     stages |= property->GetLookup() == vtkWaterProperty::RAY_TRACED ? RAY_TRACED : OFFSET;
   }
+  if (property->GetWaveGeometry() && property->GetNumberOfWaves() > 0)
+  {
+    stages |= DISPLACED;
+  }
   if (property->GetRefraction() && property->GetOpacity() >= 1.0)
   {
     stages |= BODY;
@@ -50,10 +57,12 @@ int vtkWaterSurface::GetStages(vtkWaterProperty* property)
 }
 
 //------------------------------------------------------------------------------
-std::string vtkWaterSurface::GetShader(vtkWaterProperty* property)
+std::string vtkWaterSurface::GetShader(vtkWaterProperty* property, bool canDisplace)
 {
   const int stages = GetStages(property);
-  std::vector<const char*> files{ vtkWaterOptics, vtkWaterPointFS };
+  const bool isDisplaced = canDisplace && (stages & DISPLACED);
+  std::vector<const char*> files{ vtkWaterOptics,
+    isDisplaced ? vtkWaterDisplacedFS : vtkWaterFlatFS, vtkWaterPointFS };
   if (stages & WAVES)
   {
     files.push_back(vtkWaterWavesFS);
@@ -84,13 +93,12 @@ bool vtkWaterSurface::UpdateStages(vtkWaterProperty* property)
 }
 
 //------------------------------------------------------------------------------
-void vtkWaterSurface::UploadWaves(vtkWaterActor* water)
+void vtkWaterSurface::UploadWaves(vtkWaterActor* water, const double origin[2])
 {
-  const water_plan& plan = *this->Drawn.Plan;
   const std::vector<water_wave_term> terms = water->GetWaveTerms();
   // a table is never empty
   std::vector<water_wave_row> rows(std::max<size_t>(terms.size(), 1), water_wave_row());
-  water_waves_rows(terms.data(), terms.size(), plan.origin_xy[0], plan.origin_xy[1], rows.data());
+  water_waves_rows(terms.data(), terms.size(), origin[0], origin[1], rows.data());
   std::vector<float> table;
   this->IsSteep = false;
   for (const water_wave_row& row : rows)
@@ -129,9 +137,10 @@ void vtkWaterSurface::Begin(vtkWaterActor* water, const Frame& frame)
     this->Active[1] = this->Backdrop.GetColor();
     this->Active[2] = this->Backdrop.GetDepth();
   }
-  if (frame.Plan && (this->BuiltStages & WAVES))
+  if ((frame.Plan || frame.View) && (this->BuiltStages & WAVES))
   {
-    this->UploadWaves(water);
+    // both count from the point under the eye
+    this->UploadWaves(water, frame.View ? frame.View->origin_xy : frame.Plan->origin_xy);
     this->Active[3] = this->Waves;
     this->Active[4] = frame.ReflectionDepth;
   }
@@ -186,6 +195,8 @@ void vtkWaterSurface::SetParameters(vtkShaderProgram* program)
   uniforms::Set(program, "waterOpacity", this->Property->GetOpacity());
   uniforms::Set(program, "waterOutput", this->Property->GetOutput());
   uniforms::Set3(program, "waterDeepColor", this->Property->GetDeepColor());
+  uniforms::Set(program, "waterWaveCount", this->WaveCount);
+  this->SetDisplacement(program);
   if (plan)
   {
     this->SetViewParameters(program);
@@ -214,9 +225,22 @@ void vtkWaterSurface::SetViewParameters(vtkShaderProgram* program)
   uniforms::Set(program, "waterReflectance", plan.reflectance);
   uniforms::Set4(program, "waterHeightClip", plan.plane_clip);
   uniforms::Set4(program, "waterClipW", plan.clip_w);
-  uniforms::Set(program, "waterWaveCount", this->WaveCount);
-  uniforms::Set(program, "waterRestSteps", this->IsSteep ? kRestSteps : 0);
+  // a displaced surface knows its points at rest
+  const bool hasRest = program->IsUniformUsed("waterAxesToClip");
+  uniforms::Set(program, "waterRestSteps", this->IsSteep && !hasRest ? kRestSteps : 0);
   uniforms::Set3(program, "waterExtinction", this->Property->GetExtinction());
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterSurface::SetDisplacement(vtkShaderProgram* program)
+{
+  namespace uniforms = vtkWaterUniforms;
+  static const water_grid_view still = water_grid_view(); // moves nothing
+  const water_grid_view& view = this->Drawn.View ? *this->Drawn.View : still;
+  uniforms::SetMatrix4x3(program, "waterAxesToClip", view.dir_to_clip);
+  uniforms::SetMatrix3(program, "waterClipToPlace", view.clip_to_place);
+  uniforms::Set4(program, "waterHeightOfClip", view.height_clip);
+  uniforms::Set2(program, "waterRowDir", this->Drawn.RowDir);
 }
 
 //------------------------------------------------------------------------------
@@ -231,6 +255,9 @@ void vtkWaterSurface::SetReflectionParameters(vtkShaderProgram* program)
   uniforms::Set(program, "waterDepthScale", plan.depth_scale);
   uniforms::Set2(program, "waterMapScale", plan.map_scale);
   uniforms::SetMatrix4x3(program, "waterDirToMap", plan.dir_to_map);
+  uniforms::Set4(program, "waterMapHeight", plan.map_height);
+  uniforms::Set4(program, "waterMapW", plan.map_w);
+  uniforms::Set(program, "waterSlack", kSlack * this->Property->GetWaveHeightMax());
   uniforms::Set(program, "waterMapTop", std::min(plan.map_top, kFarUp));
   uniforms::Set(program, "waterMapZInfinity", plan.map_z_infinity);
   uniforms::Set2(program, "waterMapTolerance", plan.map_tolerance);

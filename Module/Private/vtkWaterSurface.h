@@ -5,7 +5,7 @@
 
 #include "vtkSmartPointer.h"
 #include "vtkWaterBackdrop.h"
-#include "water_types.h"
+#include "water_grid.h"
 
 #include <string>
 
@@ -27,6 +27,8 @@ public:
     vtkTextureObject* Reflection; // any texture when nothing is reflected
     vtkTextureObject* ReflectionDepth;
     bool IsFlat; // the sheet lies in the plane exactly
+    const water_grid_view* View; // waves move the vertices; nullptr: they do not
+    const double* RowDir;        // of the grid under them
   };
 
   // The stages of a water's shader, as bits: they are files of their own, because software
@@ -36,12 +38,15 @@ public:
     WAVES = 1 << 0,
     RAY_TRACED = 1 << 1,
     OFFSET = 1 << 2,
-    BODY = 1 << 3
+    BODY = 1 << 3,
+    DISPLACED = 1 << 4
   };
   static int GetStages(vtkWaterProperty* property);
 
   // The source that defines waterShade.
-  static std::string GetShader(vtkWaterProperty* property);
+  //
+  // canDisplace  the vertex shader can move its vertices
+  static std::string GetShader(vtkWaterProperty* property, bool canDisplace);
 
   // Is another shader needed than for the last draw?
   bool UpdateStages(vtkWaterProperty* property);
@@ -55,7 +60,8 @@ public:
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
-  void UploadWaves(vtkWaterActor* water);
+  void UploadWaves(vtkWaterActor* water, const double origin[2]);
+  void SetDisplacement(vtkShaderProgram* program);
   void SetViewParameters(vtkShaderProgram* program);
   void SetReflectionParameters(vtkShaderProgram* program);
   void SetSkyParameters(vtkShaderProgram* program);
