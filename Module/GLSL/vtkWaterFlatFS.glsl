@@ -10,6 +10,16 @@ vec2 waterPlaceOf(vec2 ndc)
   return seen.xy / seen.z;
 }
 
+float waterMoving(float amplitude, float seen, vec2 k)
+{
+  return seen;
+}
+
+vec2 waterMiss(vec3 point, vec3 normal, vec3 ray, float side)
+{
+  return point.xy; // whatever its height, it is drawn at its place
+}
+
 bool waterIsUnder(vec2 uv, float depth, float height)
 {
   return false; // the mirrored view is cut at the surface

@@ -15,7 +15,6 @@
 #include "vtkWaterSurface.h"
 #include "vtkWaterUniforms.h"
 #include "vtkWaterVolumeFS.h"
-#include "vtkWaterWavesVS.h"
 #include "water_types.h"
 
 #include <algorithm>
@@ -102,7 +101,7 @@ bool vtkWaterShading::PreReplaceShaderValues(std::string& vertexShader, std::str
     const bool canDisplace =
       geometryShader.empty() && vertexShader.find(kVertexEnd) != std::string::npos;
     if (canDisplace && (vtkWaterSurface::GetStages(property) & vtkWaterSurface::DISPLACED) &&
-      InsertDeclarations(vertexShader, vtkWaterWavesVS))
+      InsertDeclarations(vertexShader, vtkWaterSurface::GetVertexShader()))
     {
       InsertBefore(vertexShader, kVertexEnd, "  waterDisplace(gl_Position);");
     }

@@ -9,6 +9,7 @@
 #include "vtkWaterActor.h"
 #include "vtkWaterBodyFS.h"
 #include "vtkWaterCalmFS.h"
+#include "vtkWaterCell.h"
 #include "vtkWaterDeepFS.h"
 #include "vtkWaterDisplacedFS.h"
 #include "vtkWaterFlatFS.h"
@@ -21,6 +22,7 @@
 #include "vtkWaterSurfaceFS.h"
 #include "vtkWaterUniforms.h"
 #include "vtkWaterWavesFS.h"
+#include "vtkWaterWavesVS.h"
 #include "water_waves.h"
 
 #include <algorithm>
@@ -31,6 +33,7 @@ namespace
 {
 constexpr double kFarUp = 1e30; // for a float
 constexpr int kRestSteps = 3;   // of Newton's method, to the point at rest of steep waves
+constexpr int kChordSteps = 1;  // from the chord that a triangle is to the waves
 constexpr double kSlack = 0.05; // in heights of the waves
 constexpr double kFlat[4] = { 0.0, 0.0, 0.0, 0.0 };
 }
@@ -61,8 +64,13 @@ std::string vtkWaterSurface::GetShader(vtkWaterProperty* property, bool canDispl
 {
   const int stages = GetStages(property);
   const bool isDisplaced = canDisplace && (stages & DISPLACED);
-  std::vector<const char*> files{ vtkWaterOptics,
-    isDisplaced ? vtkWaterDisplacedFS : vtkWaterFlatFS, vtkWaterPointFS };
+  std::vector<const char*> files{ vtkWaterOptics };
+  if (isDisplaced)
+  {
+    files.push_back(vtkWaterCell);
+  }
+  files.push_back(isDisplaced ? vtkWaterDisplacedFS : vtkWaterFlatFS);
+  files.push_back(vtkWaterPointFS);
   if (stages & WAVES)
   {
     files.push_back(vtkWaterWavesFS);
@@ -81,6 +89,12 @@ std::string vtkWaterSurface::GetShader(vtkWaterProperty* property, bool canDispl
     source += "\n";
   }
   return source;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkWaterSurface::GetVertexShader()
+{
+  return std::string(vtkWaterCell) + "\n" + vtkWaterWavesVS;
 }
 
 //------------------------------------------------------------------------------
@@ -225,9 +239,9 @@ void vtkWaterSurface::SetViewParameters(vtkShaderProgram* program)
   uniforms::Set(program, "waterReflectance", plan.reflectance);
   uniforms::Set4(program, "waterHeightClip", plan.plane_clip);
   uniforms::Set4(program, "waterClipW", plan.clip_w);
-  // a displaced surface knows its points at rest
-  const bool hasRest = program->IsUniformUsed("waterAxesToClip");
-  uniforms::Set(program, "waterRestSteps", this->IsSteep && !hasRest ? kRestSteps : 0);
+  const int flatSteps = this->IsSteep ? kRestSteps : 0;
+  uniforms::Set(program, "waterRestSteps",
+    program->IsUniformUsed("waterAxesToClip") ? kChordSteps : flatSteps);
   uniforms::Set3(program, "waterExtinction", this->Property->GetExtinction());
 }
 

@@ -48,6 +48,9 @@ public:
   // canDisplace  the vertex shader can move its vertices
   static std::string GetShader(vtkWaterProperty* property, bool canDisplace);
 
+  // The source that defines waterDisplace, for vertices.
+  static std::string GetVertexShader();
+
   // Is another shader needed than for the last draw?
   bool UpdateStages(vtkWaterProperty* property);
 

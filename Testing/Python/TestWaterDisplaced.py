@@ -1,0 +1,142 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Displaced waves reflect what a ray caster says, from the points where its rays meet them.
+
+Smooth islands in a swell of 0.3 m rms. The ray caster finds where a pixel's ray first meets the
+waves, by the definition of their height; from there on it is TestWaterLookupError's.
+"""
+
+import numpy as np
+import ray_caster
+import water_test as wt
+
+SIZE = (240, 180)
+RMS_HEIGHT = 0.3
+ISLANDS = tuple(
+    ray_caster.Sphere(center, radius, color)
+    for center, radius, color in (
+        ((-6.0, 8.0, -2.4), 5.2, (0.2, 0.5, 0.2)),
+        ((5.0, 10.0, -4.0), 7.5, (0.4, 0.4, 0.2)),
+        ((0.5, 1.5, -1.6), 3.0, (0.6, 0.5, 0.4)),
+        ((-18.0, 34.0, -6.0), 16.0, (0.3, 0.3, 0.5)),
+        ((19.0, 38.0, -9.0), 20.0, (0.5, 0.3, 0.3)),
+    )
+)
+VIEWS = {"middle": (2, -18, 5), "low": (3, -16, 2.2), "high": (1, -12, 12)}
+
+
+def waves_of(lengths):
+    """Wavelength, direction and phase of each; together they have the rms height."""
+    each = RMS_HEIGHT * np.sqrt(2.0 / len(lengths))
+    return tuple((each, length, 20.0 + 55.0 * i, 70.0 * i) for i, length in enumerate(lengths))
+
+
+def scene(position, waves, size=SIZE):
+    made = wt.View(size, (0.55, 0.7, 0.9))
+    for island in ISLANDS:
+        wt.add_actor(made.renderer, wt.sphere(island.center, island.radius, 200), island.color, lit=False)
+    water = wt.add_water(made.renderer, None, (-200, 200, -200, 200))
+    for wave in waves:
+        water.GetWaterProperty().AddWave(*wave)
+    water.GetWaterProperty().WaveGeometryOn()
+    camera = made.renderer.GetActiveCamera()
+    camera.SetPosition(position)
+    camera.SetFocalPoint(0, 2, 0)
+    camera.SetViewUp(0, 0, 1)
+    camera.SetClippingRange(0.5, 150)
+    return made, water
+
+
+def meet_waves(start, ray, waves, farthest):
+    """Distances at which rays first meet the waves (inf: not within the farthest)."""
+    top = sum(wave[0] for wave in waves)
+
+    def over(way):
+        at = start + way[:, None] * ray
+        return at[:, 2] - ray_caster.heights_and_slopes(waves, at[:, 0], at[:, 1], 0.0)[0]
+
+    with np.errstate(divide="ignore", invalid="ignore"):
+        enters = np.where(ray[:, 2] < 0, np.maximum((top - start[:, 2]) / ray[:, 2], 0), np.inf)
+        leaves = np.where(ray[:, 2] < 0, np.minimum((-top - start[:, 2]) / ray[:, 2], farthest), np.inf)
+    goes = enters < leaves
+    enters, leaves = np.where(goes, enters, 0), np.where(goes, leaves, 1)
+    low, high, met = enters.copy(), leaves.copy(), np.zeros(len(ray), dtype=bool)
+    for part in np.linspace(0, 1, 400)[1:]:
+        here = enters + part * (leaves - enters)
+        hits = ~met & (over(here) <= 0)
+        high[hits] = here[hits]
+        met |= hits
+        low = np.where(met, low, here)
+    for _ in range(40):
+        middle = 0.5 * (low + high)
+        above = over(middle) > 0
+        low, high = np.where(above, middle, low), np.where(above, high, middle)
+    return np.where(goes & met, high, np.inf)
+
+
+def map_places(camera, water, points, size):
+    """Where the mirrored view shows points of the world: u, v in [0, 1] of its texture."""
+    matrix = camera.GetCompositeProjectionTransformMatrix(size[0] / size[1], -1, 1)
+    to_clip = np.array([[matrix.GetElement(i, j) for j in range(4)] for i in range(4)])
+    mirrored = np.concatenate([points * (1, 1, -1), np.ones((len(points), 1))], axis=1)
+    clip = mirrored @ to_clip.T
+    ndc = clip[:, :2] / clip[:, 3:] * (-1, 1)
+    texture = water.GetReflectionPass().GetReflectionTexture()
+    texture_size = np.array((texture.GetWidth(), texture.GetHeight()))
+    return 0.5 + 0.5 * ndc * np.array(size) / texture_size, texture_size
+
+
+def mean_slopes(waves, place):
+    """Of the pixel: a wave that is short against it counts by its mean, exp(-(turn per pixel)^2 / 24)."""
+    across = np.repeat(place[:, 1::2] - place[:, ::2], 2, axis=1)[..., :2]  # pixels go by fours
+    down = np.repeat(place[1::2] - place[::2], 2, axis=0)[..., :2]
+    slopes = [np.zeros(place.shape[0] * place.shape[1]) for _ in range(2)]
+    for wave in waves:
+        k = 2 * np.pi / wave[1]
+        direction = k * np.array((np.cos(np.radians(wave[2])), np.sin(np.radians(wave[2]))))
+        seen = np.exp(-((across @ direction) ** 2 + (down @ direction) ** 2) / 24).ravel()
+        _, *own = ray_caster.heights_and_slopes((wave,), place[..., 0].ravel(), place[..., 1].ravel(), 0.0)
+        for total, slope in zip(slopes, own):
+            total += seen * slope
+    return slopes
+
+
+def truth(camera, water, waves, size):
+    """For every pixel: the right place in the map, and whether it counts."""
+    start, ray = ray_caster.eye_rays(camera, size, 1)
+    _, distance = ray_caster.cast(ISLANDS, (0, 0, 0), start, ray)
+    to_water = meet_waves(start, ray, waves, 150)
+    counts = to_water < np.minimum(distance, 150)
+    place = start + np.where(np.isfinite(to_water), to_water, 0)[:, None] * ray
+    slope_x, slope_y = mean_slopes(waves, place.reshape(size[1], size[0], 3))
+    normal = np.stack([-slope_x, -slope_y, np.ones_like(slope_x)], axis=1)
+    normal /= np.linalg.norm(normal, axis=1, keepdims=True)
+    away = ray - 2 * (ray * normal).sum(axis=1, keepdims=True) * normal
+    _, length = ray_caster.cast(ISLANDS, (0, 0, 0), place + 1e-9 * normal, away)
+    counts &= (away[:, 2] > 0) & np.isfinite(length)
+    met = place + np.where(counts, length, 0)[:, None] * away
+    # the mirrored eye looks at it from below; its view begins at the deepest trough
+    trough = -sum(wave[0] for wave in waves)
+    below = np.asarray(camera.GetPosition()) * (1, 1, -1)
+    look = met - below
+    with np.errstate(divide="ignore", invalid="ignore"):
+        enters = np.where(look[:, 2] > 0, (trough - below[2]) / look[:, 2], 0)
+    through = below + np.maximum(enters, 0)[:, None] * look
+    way = np.linalg.norm(met - through, axis=1)
+    direction = look / np.linalg.norm(look, axis=1, keepdims=True)
+    _, free = ray_caster.cast(ISLANDS, (0, 0, 0), through + 1e-9 * direction, direction)
+    counts &= free > way - 1e-3
+    right, texture_size = map_places(camera, water, met, size)
+    counts &= ((right > 0) & (right < 1)).all(axis=1)
+    return right, counts, texture_size
+
+
+def looked_up(made, water):
+    water.GetWaterProperty().SetOutputToLookup()
+    red, green, blue = (made.picture()[:, :, i].ravel() for i in range(3))
+    water.GetWaterProperty().SetOutputToColor()
+    return np.stack([red * 16 + green // 16, green % 16 * 256 + blue], axis=1) / 4095.0
+
+
+def describe(errors):
+    return (f"median {np.median(errors):.3f} px, 95 % within {np.percentile(errors, 95):.2f} px, "
+            f"{100 * (errors < 1).mean():.2f} % under 1 px, {len(errors)} pixels")
