@@ -5,6 +5,8 @@
 #include "vtkDataObject.h"
 #include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"
+#include "vtkOpenGLPolyDataMapper.h"
+#include "vtkOpenGLVertexBufferObject.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
@@ -38,7 +40,11 @@ vtkWaterGrid::vtkWaterGrid()
   this->Grid->GetPointData()->AddArray(this->Cells);
   this->Mapper->SetInputData(this->Grid);
   this->Mapper->ScalarVisibilityOff();
-  this->Mapper->SetVBOShiftScaleMethod(vtkPolyDataMapper::ALWAYS_AUTO_SHIFT_SCALE);
+  // the points come anew with every view, and are exact near it
+  if (auto* mapper = vtkOpenGLPolyDataMapper::SafeDownCast(this->Mapper))
+  {
+    mapper->SetVBOShiftScaleMethod(vtkOpenGLVertexBufferObject::ALWAYS_AUTO_SHIFT_SCALE);
+  }
   this->Mapper->MapDataArrayToVertexAttribute(
     "waterCell", "waterCell", vtkDataObject::FIELD_ASSOCIATION_POINTS, -1);
 }
