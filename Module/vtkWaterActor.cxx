@@ -490,8 +490,7 @@ void vtkWaterActor::Render(vtkRenderer* renderer, vtkMapper* mapper)
   frame.Reflection = pass->GetTexture(renderer, this);
   frame.ReflectionDepth = frame.Plan ? pass->GetReflectionDepthTexture() : nullptr;
   water_grid_view view;
-  const bool isDisplaced =
-    this->IsDisplaced() && vtkWaterGather::ReadView(renderer, this, &view);
+  const bool isDisplaced = this->IsDisplaced() && vtkWaterGather::ReadView(renderer, this, &view);
   frame.View = isDisplaced ? &view : nullptr;
   frame.RowDir = this->Grid->GetRowDir();
   frame.IsFlat = this->UsesOwnSheet() && this->GetIsIdentity() && !isDisplaced;

@@ -174,7 +174,7 @@ public:
   void RemoveAllWaves();
   int GetNumberOfWaves() const;
   bool GetWave(int number, double wave[5]) const;
-  double GetSlopeRMS() const; // root mean square slope of all waves together
+  double GetSlopeRMS() const;      // root mean square slope of all waves together
   double GetWaveHeightMax() const; // sum of the amplitudes: no point is higher, or deeper, m
   ///@}
 

@@ -45,8 +45,7 @@ water_status water_grid_look(const water_camera* camera, const water_plane* plan
   {
     return WATER_BAD_CAMERA;
   }
-  status =
-    water_lookup_places(camera, &eye, &unit, &made.axes, made.origin_xy, made.clip_to_place);
+  status = water_lookup_places(camera, &eye, &unit, &made.axes, made.origin_xy, made.clip_to_place);
   if (status != WATER_OK)
   {
     return status;
@@ -55,8 +54,8 @@ water_status water_grid_look(const water_camera* camera, const water_plane* plan
   double foot[3];
   for (int i = 0; i < 3; ++i)
   {
-    foot[i] = origin[i] + made.origin_xy[0] * made.axes.x_dir[i] +
-      made.origin_xy[1] * made.axes.y_dir[i];
+    foot[i] =
+      origin[i] + made.origin_xy[0] * made.axes.x_dir[i] + made.origin_xy[1] * made.axes.y_dir[i];
   }
   water_mat4_apply_point(camera->world_to_view, foot, made.foot_clip);
   water_mat4_apply(camera->view_to_clip, made.foot_clip, made.foot_clip);
@@ -228,8 +227,7 @@ static double row_next(const row_places* rows, int* corner, int* even)
   const double way = *even < rows->even_count
     ? evened_inverse(rows->first + rows->step * (*even + 1), rows->eye_height)
     : DBL_MAX;
-  if (*corner < rows->corner_count &&
-    (rows->corners[*corner] <= way || *even >= rows->even_count))
+  if (*corner < rows->corner_count && (rows->corners[*corner] <= way || *even >= rows->even_count))
   {
     return rows->corners[(*corner)++];
   }

@@ -2,11 +2,11 @@
 // water_grid.h: points at rest over the part of a sheet that the eye sees, for waves that displace
 // them: rows across the view, dense near the eye, each from one border of the view to the other.
 //
-// The part in view is a convex polygon: the sheet cut by the planes of the view, which are moved out
-// by as far as waves can move a point. Rows run across the direction in which the view goes away
-// from the eye; they stand apart by the square root of their distance, which is what a chord of a
-// wave may have for an error of so many pixels. A row passes through every corner of the polygon,
-// so that the grid covers all of it.
+// The part in view is a convex polygon: the sheet cut by the planes of the view, which are moved
+// out by as far as waves can move a point. Rows run across the direction in which the view goes
+// away from the eye; they stand apart by the square root of their distance, which is what a chord
+// of a wave may have for an error of so many pixels. A row passes through every corner of the
+// polygon, so that the grid covers all of it.
 #ifndef water_grid_h
 #define water_grid_h
 

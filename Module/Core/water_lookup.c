@@ -82,8 +82,8 @@ void water_lookup_depths(const water_camera* mirrored, double* z_infinity, doubl
   tolerance[1] = is_perspective ? 0.10 : 0.004;
 }
 
-water_status water_lookup_heights(const water_camera* mirrored, const double plane_view[4],
-  double map_height[4], double map_w[4])
+water_status water_lookup_heights(
+  const water_camera* mirrored, const double plane_view[4], double map_height[4], double map_w[4])
 {
   double mirrored_view[4];
   water_mirror_clip_view(plane_view, 0.0, mirrored_view);

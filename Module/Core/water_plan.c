@@ -109,8 +109,7 @@ static water_status fill_draw(const water_scene* scene, const checked* input,
     water_target_widen(band, scene->max_texture_px, plan->texture_px, plan->map_scale);
     water_mirror_widen(plan->map_scale, &plan->mirrored);
   }
-  water_select_props(
-    &plan->mirrored, plane, margin, scene->props, scene->prop_count, fates);
+  water_select_props(&plan->mirrored, plane, margin, scene->props, scene->prop_count, fates);
   plan->depth_scale = water_mirror_reach(scene->props, scene->prop_count, fates, &plan->mirrored);
   water_mirror_pose(
     &plan->mirrored, plan->mirrored_position, plan->mirrored_focal_point, plan->mirrored_view_up);
@@ -154,8 +153,8 @@ static water_status fill_view(const water_scene* scene, const checked* input,
 }
 
 // plane: normal towards the eye; the view and the mirrored camera of the plan are set.
-static water_status fill_shade(const water_scene* scene, const checked* input, const water_plane* plane,
-  const water_axes* axes, const water_fate* fates, water_plan* plan)
+static water_status fill_shade(const water_scene* scene, const checked* input,
+  const water_plane* plane, const water_axes* axes, const water_fate* fates, water_plan* plan)
 {
   water_mirror_texture_matrix(&plan->mirrored, plan->world_to_texture);
   water_mirror_map_to_eye(

@@ -102,8 +102,8 @@ water_status water_sheet_bounds(const double origin[3], const double x_dir[3],
   return WATER_OK;
 }
 
-void water_plane_displaced_bounds(const water_plane* unit, const double bounds[6], double height,
-  double reach, double displaced[6])
+void water_plane_displaced_bounds(
+  const water_plane* unit, const double bounds[6], double height, double reach, double displaced[6])
 {
   for (int i = 0; i < 3; ++i)
   {

@@ -65,7 +65,8 @@ void vtkWaterGrid::Resize(int size)
   this->Points->SetNumberOfPoints(side * side);
   this->Cells->SetNumberOfTuples(side * side);
   vtkNew<vtkCellArray> quads;
-  quads->AllocateExact(static_cast<vtkIdType>(size) * size, 4 * static_cast<vtkIdType>(size) * size);
+  quads->AllocateExact(
+    static_cast<vtkIdType>(size) * size, 4 * static_cast<vtkIdType>(size) * size);
   for (vtkIdType i = 0; i < size; ++i)
   {
     for (vtkIdType j = 0; j < size; ++j)

@@ -24,8 +24,6 @@ vtkStandardNewMacro(vtkWaterShading);
 
 namespace
 {
-const char* const kVertexEnd = "//VTK::CustomEnd::Impl";
-
 // Puts text before a tag and keeps the tag for whoever comes next.
 void InsertBefore(std::string& source, const std::string& tag, const std::string& text)
 {
@@ -99,11 +97,11 @@ bool vtkWaterShading::PreReplaceShaderValues(std::string& vertexShader, std::str
     vtkWaterProperty* property = static_cast<vtkWaterActor*>(prop)->GetWaterProperty();
     // a geometry shader would have to pass the place at rest on
     const bool canDisplace =
-      geometryShader.empty() && vertexShader.find(kVertexEnd) != std::string::npos;
+      geometryShader.empty() && vertexShader.find("//VTK::CustomEnd::Impl") != std::string::npos;
     if (canDisplace && (vtkWaterSurface::GetStages(property) & vtkWaterSurface::DISPLACED) &&
       InsertDeclarations(vertexShader, vtkWaterSurface::GetVertexShader()))
     {
-      InsertBefore(vertexShader, kVertexEnd, "  waterDisplace(gl_Position);");
+      InsertBefore(vertexShader, "//VTK::CustomEnd::Impl", "  waterDisplace(gl_Position);");
     }
     InsertDeclarations(fragmentShader, vtkWaterSurface::GetShader(property, canDisplace));
     return true;
@@ -116,11 +114,11 @@ bool vtkWaterShading::PreReplaceShaderValues(std::string& vertexShader, std::str
   // geometry shader would have to pass the distance on), and must not be on for the full-screen
   // quads that blend translucent geometry: those two discard.
   const bool canClipVertices = geometryShader.empty() &&
-    vertexShader.find(kVertexEnd) != std::string::npos &&
+    vertexShader.find("//VTK::CustomEnd::Impl") != std::string::npos &&
     !prop->HasTranslucentPolygonalGeometry();
   if (canClipVertices && InsertDeclarations(vertexShader, vtkWaterMirroredVS))
   {
-    InsertBefore(vertexShader, kVertexEnd, "  waterClipVertex(gl_Position);");
+    InsertBefore(vertexShader, "//VTK::CustomEnd::Impl", "  waterClipVertex(gl_Position);");
   }
   else
   {

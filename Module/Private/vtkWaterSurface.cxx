@@ -240,8 +240,8 @@ void vtkWaterSurface::SetViewParameters(vtkShaderProgram* program)
   uniforms::Set4(program, "waterHeightClip", plan.plane_clip);
   uniforms::Set4(program, "waterClipW", plan.clip_w);
   const int flatSteps = this->IsSteep ? kRestSteps : 0;
-  uniforms::Set(program, "waterRestSteps",
-    program->IsUniformUsed("waterAxesToClip") ? kChordSteps : flatSteps);
+  uniforms::Set(
+    program, "waterRestSteps", program->IsUniformUsed("waterAxesToClip") ? kChordSteps : flatSteps);
   uniforms::Set3(program, "waterExtinction", this->Property->GetExtinction());
 }
 

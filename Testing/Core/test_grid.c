@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// test_grid.c: grids over what an eye sees of a sheet: covered, ordered, in the plane, never broken.
+// test_grid.c: grids over what an eye sees of a sheet: covered, ordered, in the plane, never
+// broken.
 #include "test_scene.h"
 
 #include "water_grid.h"
@@ -187,7 +188,8 @@ TEST(cells_are_as_large_as_they_say)
       double before[2];
       grid_point(&view, &grid, row, 0, here);
       grid_point(&view, &grid, row - 1, 0, before);
-      const double said = fmax((double)grid.cells[row * SIDE][0], (double)grid.cells[(row - 1) * SIDE][0]);
+      const double said =
+        fmax((double)grid.cells[row * SIDE][0], (double)grid.cells[(row - 1) * SIDE][0]);
       assert_true(here[0] - before[0] <= 1.001 * said);
     }
   }
@@ -211,8 +213,7 @@ TEST(view_leads_from_clip_to_places_and_back)
       dice_roll(&from, -1.0, 1.0) };
     for (int k = 0; k < 3; ++k)
     {
-      rest[k] =
-        random.target[k] + place[0] * view.axes.x_dir[k] + place[1] * view.axes.y_dir[k];
+      rest[k] = random.target[k] + place[0] * view.axes.x_dir[k] + place[1] * view.axes.y_dir[k];
       moved[k] = rest[k] + by[0] * view.axes.x_dir[k] + by[1] * view.axes.y_dir[k] +
         by[2] * view.axes.normal[k];
     }
@@ -262,8 +263,7 @@ TEST(odd_views_are_safe)
   const double inside[3] = { 0.0, -10.0, 0.0 };
   const double high[3] = { 0.0, 0.0, 1.0 };
   look_at(inside, random.target, high, random.scene.eye.world_to_view);
-  assert_int_equal(
-    water_grid_look(&random.scene.eye, &random.scene.plane, random.target, &view),
+  assert_int_equal(water_grid_look(&random.scene.eye, &random.scene.plane, random.target, &view),
     WATER_CAMERA_ON_PLANE);
   random.scene.plane.normal[2] = 0.0;
   assert_int_equal(
