@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""swell: a beacon, a mooring buoy and a boat in waves that are displaced.
+"""swell: a beacon, a buoy and a raft in waves that are displaced.
 
 usage: swell.py [PICTURE.png [TIME]]    TIME in seconds, default 0
 """
