@@ -94,6 +94,13 @@ water_status water_lookup_heights(
                             : status;
 }
 
+double water_lookup_texel(const double dir_to_map[12], const int texture_px[2])
+{
+  const double x_px = 0.5 * dir_to_map[2] * texture_px[0];
+  const double y_px = 0.5 * dir_to_map[5] * texture_px[1];
+  return 1.0 / hypot(x_px, y_px);
+}
+
 double water_lookup_top(
   const water_plane* plane, const water_prop* props, size_t prop_count, const water_fate* fates)
 {

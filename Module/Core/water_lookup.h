@@ -59,6 +59,9 @@ void water_lookup_depths(const water_camera* mirrored, double* z_infinity, doubl
 water_status water_lookup_heights(
   const water_camera* mirrored, const double plane_view[4], double map_height[4], double map_w[4]);
 
+// Height that a texel of the map spans, over w of what it shows; infinite straight down.
+double water_lookup_texel(const double dir_to_map[12], const int texture_px[2]);
+
 // Height over a plane under which all drawn props lie, >= 0: a ray that got so far sees the sky.
 // Infinite when a drawn prop has no bounds.
 //

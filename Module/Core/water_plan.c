@@ -164,6 +164,7 @@ static water_status fill_shade(const water_scene* scene, const checked* input,
     water_lookup_top(plane, scene->props, scene->prop_count, fates) + scene->wave_height_max;
   water_lookup_depths(&plan->mirrored, &plan->map_z_infinity, plan->map_tolerance);
   water_lookup_dirs(&plan->mirrored, axes, plan->dir_to_map);
+  plan->map_texel = water_lookup_texel(plan->dir_to_map, plan->texture_px);
   return water_lookup_heights(&plan->mirrored, plan->plane_view, plan->map_height, plan->map_w);
 }
 

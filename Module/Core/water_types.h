@@ -167,6 +167,7 @@ typedef struct water_plan
   double map_tolerance[2];
   double map_height[4];  // point in NDC of the map -> height over the plane, times 1 / w
   double map_w[4];       // the same -> 1 / w
+  double map_texel;      // height that a texel of the map spans, over its w
   double dir_to_map[12]; // direction in the plane's axes -> clip of the map; 4 rows of 3
 } water_plan;
 

@@ -7,7 +7,8 @@ in vec3 waterMovedVSOutput; // from there to the triangle
 in vec2 waterCellVSOutput;
 uniform vec4 waterMapHeight; // NDC of the map -> height over the plane / w
 uniform vec4 waterMapW;      // NDC of the map -> 1 / w
-uniform float waterSlack;    // in heights: roundings of the map's depth, and its texels' size
+uniform float waterTexel;    // height that a texel of the map spans, over its w
+uniform float waterSlack;    // the most that a height may be off by for that
 
 vec2 waterPlaceOf(vec2 ndc)
 {
@@ -40,9 +41,11 @@ vec2 waterMiss(vec3 point, vec3 normal, vec3 ray, float side)
 
 // Does the map show there what lies lower than a height? The mirrored view is cut at the deepest
 // trough, and elsewhere has things that are under water. No ray meets them: it goes up from the
-// surface.
+// surface. What is on the height itself counts as over it, to a texel.
 bool waterIsUnder(vec2 uv, float depth, float height)
 {
   vec4 ndc = vec4(2.0 * vec3(uv, depth) - 1.0, 1.0);
-  return dot(waterMapHeight, ndc) < (height - waterSlack) * dot(waterMapW, ndc);
+  float perW = dot(waterMapW, ndc);
+  float slack = min(waterTexel / perW, waterSlack);
+  return dot(waterMapHeight, ndc) < (height - slack) * perW;
 }

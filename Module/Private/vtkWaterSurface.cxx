@@ -34,7 +34,7 @@ namespace
 constexpr double kFarUp = 1e30; // for a float
 constexpr int kRestSteps = 3;   // of Newton's method, to the point at rest of steep waves
 constexpr int kChordSteps = 1;  // from the chord that a triangle is to the waves
-constexpr double kSlack = 0.05; // in heights of the waves
+constexpr double kSlack = 0.25; // in heights of the waves
 constexpr double kFlat[4] = { 0.0, 0.0, 0.0, 0.0 };
 }
 
@@ -271,6 +271,7 @@ void vtkWaterSurface::SetReflectionParameters(vtkShaderProgram* program)
   uniforms::SetMatrix4x3(program, "waterDirToMap", plan.dir_to_map);
   uniforms::Set4(program, "waterMapHeight", plan.map_height);
   uniforms::Set4(program, "waterMapW", plan.map_w);
+  uniforms::Set(program, "waterTexel", std::min(plan.map_texel, kFarUp));
   uniforms::Set(program, "waterSlack", kSlack * this->Property->GetWaveHeightMax());
   uniforms::Set(program, "waterMapTop", std::min(plan.map_top, kFarUp));
   uniforms::Set(program, "waterMapZInfinity", plan.map_z_infinity);

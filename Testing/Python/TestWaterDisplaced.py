@@ -46,33 +46,6 @@ def scene(position, waves, size=SIZE):
     return made, water
 
 
-def meet_waves(start, ray, waves, farthest):
-    """Distances at which rays first meet the waves (inf: not within the farthest)."""
-    top = sum(wave[0] for wave in waves)
-
-    def over(way):
-        at = start + way[:, None] * ray
-        return at[:, 2] - ray_caster.heights_and_slopes(waves, at[:, 0], at[:, 1], 0.0)[0]
-
-    with np.errstate(divide="ignore", invalid="ignore"):
-        enters = np.where(ray[:, 2] < 0, np.maximum((top - start[:, 2]) / ray[:, 2], 0), np.inf)
-        leaves = np.where(ray[:, 2] < 0, np.minimum((-top - start[:, 2]) / ray[:, 2], farthest), np.inf)
-    goes = enters < leaves
-    enters, leaves = np.where(goes, enters, 0), np.where(goes, leaves, 1)
-    low, high, met = enters.copy(), leaves.copy(), np.zeros(len(ray), dtype=bool)
-    for part in np.linspace(0, 1, 400)[1:]:
-        here = enters + part * (leaves - enters)
-        hits = ~met & (over(here) <= 0)
-        high[hits] = here[hits]
-        met |= hits
-        low = np.where(met, low, here)
-    for _ in range(40):
-        middle = 0.5 * (low + high)
-        above = over(middle) > 0
-        low, high = np.where(above, middle, low), np.where(above, high, middle)
-    return np.where(goes & met, high, np.inf)
-
-
 def map_places(camera, water, points, size):
     """Where the mirrored view shows points of the world: u, v in [0, 1] of its texture."""
     matrix = camera.GetCompositeProjectionTransformMatrix(size[0] / size[1], -1, 1)
@@ -104,7 +77,7 @@ def truth(camera, water, waves, size):
     """For every pixel: the right place in the map, and whether it counts."""
     start, ray = ray_caster.eye_rays(camera, size, 1)
     _, distance = ray_caster.cast(ISLANDS, (0, 0, 0), start, ray)
-    to_water = meet_waves(start, ray, waves, 150)
+    to_water = ray_caster.meet_waves(start, ray, waves, 0.0, 150)
     counts = to_water < np.minimum(distance, 150)
     place = start + np.where(np.isfinite(to_water), to_water, 0)[:, None] * ray
     slope_x, slope_y = mean_slopes(waves, place.reshape(size[1], size[0], 3))
@@ -144,7 +117,7 @@ def describe(errors):
 
 def off_silhouettes(camera, waves, size):
     """Pixels whose neighbours show the same wave: a mean over a pixel has a meaning there."""
-    way = meet_waves(*ray_caster.eye_rays(camera, size, 1), waves, 150).reshape(size[::-1])
+    way = ray_caster.meet_waves(*ray_caster.eye_rays(camera, size, 1), waves, 0.0, 150).reshape(size[::-1])
     way = np.where(np.isfinite(way), way, 1e9)
     smooth = np.ones_like(way, dtype=bool)
     across = np.abs(np.diff(way, axis=1)) < 0.1 * way[:, 1:]
