@@ -18,6 +18,7 @@
 #include "vtkWaterErrors.h"
 #include "vtkWaterGL.h"
 #include "vtkWaterGather.h"
+#include "vtkWaterGrid.h"
 #include "vtkWaterProperty.h"
 #include "vtkWaterReflectionPass.h"
 #include "vtkWaterSea.h"
@@ -58,6 +59,7 @@ vtkWaterActor::vtkWaterActor()
   , WaterProperty(vtkSmartPointer<vtkWaterProperty>::New())
   , OwnPass(vtkSmartPointer<vtkWaterReflectionPass>::New())
   , Sheet(std::make_unique<vtkWaterSheet>())
+  , Grid(std::make_unique<vtkWaterGrid>())
   , Surface(std::make_unique<vtkWaterSurface>())
   , Sea(std::make_unique<vtkWaterSea>())
 {
@@ -324,7 +326,40 @@ void vtkWaterActor::UpdateSheet()
 double* vtkWaterActor::GetBounds()
 {
   this->UpdateSheet();
-  return this->Superclass::GetBounds();
+  double* bounds = this->Superclass::GetBounds();
+  water_plane unit;
+  const water_plane plane = vtkWaterGather::ReadPlane(this);
+  if (!this->IsDisplaced() || !bounds || !vtkMath::AreBoundsInitialized(bounds) ||
+    water_plane_normalise(&plane, &unit) != WATER_OK)
+  {
+    return bounds;
+  }
+  water_plane_displaced_bounds(&unit, bounds, this->WaterProperty->GetWaveHeightMax(),
+    this->WaterProperty->GetWaveReach(), this->DisplacedBounds);
+  return this->DisplacedBounds;
+}
+
+//------------------------------------------------------------------------------
+bool vtkWaterActor::IsDisplaced() const
+{
+  return this->WaterProperty->GetWaveGeometry() && this->WaterProperty->GetNumberOfWaves() > 0;
+}
+
+//------------------------------------------------------------------------------
+vtkMapper* vtkWaterActor::LayGrid(const water_grid_view& view, vtkMapper* mapper)
+{
+  if (mapper != this->Sheet->GetMapper())
+  {
+    return mapper;
+  }
+  vtkWaterGrid::Place place;
+  place.View = view;
+  std::copy(this->Sheet->GetRectangle(), this->Sheet->GetRectangle() + 4, place.Sheet);
+  place.Height = this->WaterProperty->GetWaveHeightMax();
+  place.Reach = this->WaterProperty->GetWaveReach();
+  place.Size = this->WaterProperty->GetWaveGridSize();
+  this->Grid->Lay(place);
+  return this->Grid->GetMapper();
 }
 
 //------------------------------------------------------------------------------
@@ -480,14 +515,19 @@ void vtkWaterActor::Render(vtkRenderer* renderer, vtkMapper* mapper)
   frame.Plan = isPlain ? nullptr : pass->GetFreshPlan(renderer, this);
   frame.Reflection = pass->GetTexture(renderer, this);
   frame.ReflectionDepth = frame.Plan ? pass->GetReflectionDepthTexture() : nullptr;
-  frame.IsFlat = this->UsesOwnSheet() && this->GetIsIdentity();
+  water_grid_view view;
+  const bool isDisplaced = this->IsDisplaced() && vtkWaterGather::ReadView(renderer, this, &view);
+  frame.View = isDisplaced ? &view : nullptr;
+  frame.RowDir = this->Grid->GetRowDir();
+  frame.IsFlat = this->UsesOwnSheet() && this->GetIsIdentity() && !isDisplaced;
+  vtkMapper* drawn = isDisplaced ? this->LayGrid(view, mapper) : mapper;
   if (this->Surface->UpdateStages(this->WaterProperty))
   {
     this->GetProperty()->Modified(); // the mapper builds the other shader
   }
   this->Surface->Begin(this, frame);
   shading->BeginSurface(this->Surface.get());
-  this->Superclass::Render(renderer, mapper);
+  this->Superclass::Render(renderer, drawn);
   shading->EndSurface();
   this->Surface->End();
 }
@@ -518,6 +558,7 @@ void vtkWaterActor::ReleaseGraphicsResources(vtkWindow* window)
     environment->ReleaseGraphicsResources(window);
   }
   this->Sea->ReleaseGraphicsResources(window);
+  this->Grid->GetMapper()->ReleaseGraphicsResources(window);
   this->Superclass::ReleaseGraphicsResources(window);
 }
 

@@ -42,12 +42,15 @@ VTK_ABI_NAMESPACE_BEGIN
 #endif
 
 class vtkPlane;
+class vtkWaterGrid;
 class vtkWaterProperty;
 class vtkWaterReflectionPass;
 class vtkWaterSea;
 class vtkWaterSheet;
 class vtkWaterSurface;
 struct vtkWaterError;
+struct vtkWaterGather;
+struct water_grid_view;
 struct water_wave_term;
 
 class VTKRENDERINGWATER_EXPORT vtkWaterActor : public vtkOpenGLActor
@@ -164,6 +167,7 @@ private:
 
   friend class vtkWaterReflectionPass;
   friend class vtkWaterSurface;
+  friend struct vtkWaterGather;
 
   struct SourcedError
   {
@@ -181,6 +185,10 @@ private:
   // renderer  of the plan that failed; nullptr: it is the sheet
   void ReportError(vtkRenderer* renderer, const vtkWaterError& error);
   bool HasSheetError() const;
+  // Do waves move the surface itself?
+  bool IsDisplaced() const;
+  // The own sheet as this eye sees it; a user's mapper is drawn as it is.
+  vtkMapper* LayGrid(const water_grid_view& view, vtkMapper* mapper);
   // The waves at the actor's time.
   std::vector<water_wave_term> GetWaveTerms();
   // The wind sea at the actor's time; nullptr when it is off.
@@ -196,10 +204,12 @@ private:
   vtkSmartPointer<vtkWaterReflectionPass> OwnPass;
   vtkWeakPointer<vtkWaterReflectionPass> ComposedPass;
   std::unique_ptr<vtkWaterSheet> Sheet;
+  std::unique_ptr<vtkWaterGrid> Grid; // the sheet when it is displaced
   std::unique_ptr<vtkWaterSurface> Surface;
   std::unique_ptr<vtkWaterSea> Sea;
   double SheetBounds[4] = { 0.0, 0.0, 0.0, 0.0 };
   bool UseSheetBounds = false;
+  double DisplacedBounds[6] = {};
   bool IsUpdatingSheet = false;
   double Time = 0.0;
   std::vector<SourcedError> Errors;

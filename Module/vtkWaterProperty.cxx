@@ -424,6 +424,40 @@ double vtkWaterProperty::GetSlopeRMS() const
 }
 
 //------------------------------------------------------------------------------
+double vtkWaterProperty::GetWaveHeightMax() const
+{
+  double height = 0.0;
+  double across = 0.0;
+  water_waves_reach(this->Internal->Waves.data(), this->Internal->Waves.size(), &height, &across);
+  return height;
+}
+
+//------------------------------------------------------------------------------
+double vtkWaterProperty::GetWaveReach() const
+{
+  double height = 0.0;
+  double across = 0.0;
+  water_waves_reach(this->Internal->Waves.data(), this->Internal->Waves.size(), &height, &across);
+  return across;
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterProperty::SetWaveGeometry(bool geometry)
+{
+  if (this->WaveGeometry != geometry)
+  {
+    this->WaveGeometry = geometry;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterProperty::SetWaveGridSize(int size)
+{
+  vtkWaterSetInRange(WaveGridSize, size, 16, 2048);
+}
+
+//------------------------------------------------------------------------------
 const water_wave* vtkWaterProperty::GetWaves() const
 {
   return this->Internal->Waves.data();
@@ -469,7 +503,8 @@ bool vtkWaterProperty::GetNormalMap(int number, double map[4]) const
   {
     return false;
   }
-  const water_normal_map& found = this->Internal->NormalMaps.Layers[static_cast<size_t>(number)].Map;
+  const water_normal_map& found =
+    this->Internal->NormalMaps.Layers[static_cast<size_t>(number)].Map;
   map[0] = found.size;
   map[1] = found.speed;
   map[2] = vtkMath::DegreesFromRadians(found.direction_rad);
@@ -628,6 +663,8 @@ void vtkWaterProperty::PrintSelf(ostream& os, vtkIndent indent)
     os << indent.GetNextIndent() << "size " << map[0] << ", speed " << map[1] << ", direction "
        << map[2] << ", strength " << map[3] << "\n";
   }
+  os << indent << "WaveGeometry: " << (this->WaveGeometry ? "on" : "off") << "\n";
+  os << indent << "WaveGridSize: " << this->WaveGridSize << "\n";
   os << indent << "Lookup: " << this->Lookup << "\n";
   os << indent << "OffsetScale: " << this->OffsetScale << "\n";
   os << indent << "RayTraceSteps: " << this->RayTraceSteps << "\n";

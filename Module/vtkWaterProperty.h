@@ -256,7 +256,7 @@ public:
   /**
    * Waves: any number of sines, the height being amplitude times the sine of k . x + phase - omega
    * t, x in the plane's own axes, omega from the dispersion relation of Depth. With waves the
-   * surface is a flat sheet with the waves' normals.
+   * surface is a flat sheet with the waves' normals, or, with WaveGeometry, displaced.
    *
    * amplitude  m, half the height from trough to crest, finite and not negative
    * wavelength m, finite and greater than 0; the scene's unit is taken for a metre
@@ -283,13 +283,18 @@ public:
    */
   double GetSlopeRMS() const;
 
+  /**
+   * Sum of the waves' amplitudes, m: displaced, no point is higher, or deeper.
+   */
+  double GetWaveHeightMax() const;
+
   ///@{
   /**
-   * One or two normal maps that move over the water, in addition to other waves. A texture's red and
-   * green are the normal's parts along the plane's axes and blue the one up, from -1 to 1 as 0 to
-   * 255: 3 or 4 channels of 8 bits, from 2 x 2 to 4096 x 4096; nullptr is a built-in map of
-   * ripples with an rms slope of 0.1. They have no heights: GetWaveHeight and GetWaveNormal leave them
-   * out.
+   * One or two normal maps that move over the water, in addition to other waves. A texture's red
+   * and green are the normal's parts along the plane's axes and blue the one up, from -1 to 1 as 0
+   * to 255: 3 or 4 channels of 8 bits, from 2 x 2 to 4096 x 4096; nullptr is a built-in map of
+   * ripples with an rms slope of 0.1. They have no heights: GetWaveHeight and GetWaveNormal leave
+   * them out.
    *
    * size       m of water that the map covers, finite and greater than 0
    * speed      m/s with which it moves, finite
@@ -305,6 +310,29 @@ public:
   int GetNumberOfNormalMaps() const;
   bool GetNormalMap(int number, double map[4]) const;
   vtkTexture* GetNormalMapTexture(int number) const; // also the built-in one; nullptr: no such map
+  ///@}
+
+  ///@{
+  /**
+   * Whether waves displace the surface: up and down, and, steep ones, to and fro. Off is a flat
+   * sheet with their normals: cheaper, and right where waves are low against what stands in them.
+   * On, the own sheet becomes a grid over what the eye sees of it; of a mapper of the user's the
+   * points are displaced as they are, so that it needs several to a wave. Has no effect without
+   * waves, nor on edges and wide lines. Default is off.
+   */
+  void SetWaveGeometry(bool geometry);
+  vtkGetMacro(WaveGeometry, bool);
+  vtkBooleanMacro(WaveGeometry, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Cells along a side of that grid, in [16, 2048]: as many across the view as into its depth.
+   * Waves with fewer than four cells keep part of their height, those with fewer than two only
+   * their normals. Default is 256.
+   */
+  void SetWaveGridSize(int size);
+  vtkGetMacro(WaveGridSize, int);
   ///@}
 
   ///@{
@@ -529,6 +557,7 @@ private:
   // Sets one of the sea's numbers when the core finds it good.
   template <typename T>
   void SetOfSea(const char* name, T& member, T value);
+  double GetWaveReach() const; // how far steep waves move a point in the plane
   // Sets one of the two when the water has good numbers then.
   void SetMedium(const char* name, double (vtkWaterProperty::*member)[3], const double value[3]);
   void UseMedium(const water_medium& medium);
@@ -563,6 +592,8 @@ private:
   int SeaTileSize = 256;
   double SeaTileLength = 0.0;
   double SeaPeriod = 0.0;
+  bool WaveGeometry = false;
+  int WaveGridSize = 256;
   int Lookup = RAY_TRACED;
   double OffsetScale = 0.3;
   int RayTraceSteps = 16;

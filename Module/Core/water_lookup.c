@@ -3,6 +3,7 @@
 #include "water_lookup.h"
 
 #include "water_math.h"
+#include "water_mirror.h"
 #include "water_plane.h"
 
 // Rows x, y and w of the clip coordinates of a world vector (w 0: a direction).
@@ -139,6 +140,25 @@ void water_lookup_depths(const water_camera* mirrored, double* z_infinity, doubl
   *z_infinity = is_perspective ? 0.5 + 0.5 * clip[10] / clip[14] : 2.0;
   tolerance[0] = is_perspective ? 0.05 : 0.002;
   tolerance[1] = is_perspective ? 0.10 : 0.004;
+}
+
+water_status water_lookup_heights(
+  const water_camera* mirrored, const double plane_view[4], double map_height[4], double map_w[4])
+{
+  double mirrored_view[4];
+  water_mirror_clip_view(plane_view, 0.0, mirrored_view);
+  const double w_view[4] = { 0.0, 0.0, 0.0, 1.0 };
+  const water_status status =
+    water_mirror_clip_clip(mirrored->view_to_clip, mirrored_view, map_height);
+  return status == WATER_OK ? water_mirror_clip_clip(mirrored->view_to_clip, w_view, map_w)
+                            : status;
+}
+
+double water_lookup_texel(const double dir_to_map[12], const int texture_px[2])
+{
+  const double x_px = 0.5 * dir_to_map[2] * texture_px[0];
+  const double y_px = 0.5 * dir_to_map[5] * texture_px[1];
+  return 1.0 / hypot(x_px, y_px);
 }
 
 double water_lookup_top(

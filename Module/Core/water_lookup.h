@@ -69,6 +69,18 @@ bool water_lookup_is_submerged(const water_camera* camera, const water_eye* eye,
 // Source: measured, Documentation/decisions/006-lookup.md.
 void water_lookup_depths(const water_camera* mirrored, double* z_infinity, double tolerance[2]);
 
+// What the map's depth says about heights over the plane, for NDC (x, y, z, 1) of the map: the
+// height over w, and 1 over w.
+//
+// plane_view  in the eye's view space, normal towards the eye
+//
+// Returns WATER_OK or WATER_BAD_CAMERA; then the outputs are not set.
+water_status water_lookup_heights(
+  const water_camera* mirrored, const double plane_view[4], double map_height[4], double map_w[4]);
+
+// Height that a texel of the map spans, over w of what it shows; infinite straight down.
+double water_lookup_texel(const double dir_to_map[12], const int texture_px[2]);
+
 // Height over a plane under which all drawn props lie, >= 0: a ray that got so far sees the sky.
 // Infinite when a drawn prop has no bounds.
 //

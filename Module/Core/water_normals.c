@@ -44,8 +44,7 @@ void water_normals_place(
   }
 }
 
-void water_normals_texels(
-  const unsigned char* pixels, size_t channels, size_t count, float* texels)
+void water_normals_texels(const unsigned char* pixels, size_t channels, size_t count, float* texels)
 {
   for (size_t i = 0; i < count; ++i)
   {

@@ -41,9 +41,9 @@ void water_normals_place(
 void water_normals_texels(
   const unsigned char* pixels, size_t channels, size_t count, float* texels);
 
-// Fills a normal map: 40 sines with whole wave numbers from 2 to 20 a side and random directions, in
-// the manner of short waves: as much slope at all lengths. The rms slope is 0.1. Red and green are
-// the normal's first two parts, blue the third, from -1 to 1 as 0 to 255.
+// Fills a normal map: 40 sines with whole wave numbers from 2 to 20 a side and random directions,
+// in the manner of short waves: as much slope at all lengths. The rms slope is 0.1. Red and green
+// are the normal's first two parts, blue the third, from -1 to 1 as 0 to 255.
 //
 // size    texels a side, >= 64
 // seed    the same seed gives the same map

@@ -39,7 +39,8 @@ static water_status check(const water_scene* scene, checked* result)
   {
     return status;
   }
-  if (!isfinite(scene->clip_margin) || scene->clip_margin < 0.0)
+  if (!isfinite(scene->clip_margin) || scene->clip_margin < 0.0 ||
+    !isfinite(scene->wave_height_max) || scene->wave_height_max < 0.0)
   {
     return WATER_BAD_CLIP_MARGIN;
   }
@@ -95,6 +96,8 @@ static water_axes axes_of(const water_scene* scene, const checked* input, const 
 static water_status fill_draw(const water_scene* scene, const checked* input,
   const water_plane* plane, water_plan* plan, water_fate* fates)
 {
+  // what stands in a trough must be seen in it
+  const double margin = fmax(scene->clip_margin, scene->wave_height_max);
   water_mirror_camera(&scene->eye, plane, &plan->mirrored);
   memcpy(plan->texture_px, input->texture_px, sizeof plan->texture_px);
   plan->map_scale[0] = plan->map_scale[1] = 1.0;
@@ -106,13 +109,12 @@ static water_status fill_draw(const water_scene* scene, const checked* input,
     water_target_widen(band, scene->max_texture_px, plan->texture_px, plan->map_scale);
     water_mirror_widen(plan->map_scale, &plan->mirrored);
   }
-  water_select_props(
-    &plan->mirrored, plane, scene->clip_margin, scene->props, scene->prop_count, fates);
+  water_select_props(&plan->mirrored, plane, margin, scene->props, scene->prop_count, fates);
   plan->depth_scale = water_mirror_reach(scene->props, scene->prop_count, fates, &plan->mirrored);
   water_mirror_pose(
     &plan->mirrored, plan->mirrored_position, plan->mirrored_focal_point, plan->mirrored_view_up);
   water_mirror_headlight(plan->plane_view, plan->headlight_dir);
-  water_mirror_clip_view(plan->plane_view, scene->clip_margin, plan->clip_plane_view);
+  water_mirror_clip_view(plan->plane_view, margin, plan->clip_plane_view);
   if (scene->has_waves)
   {
     // a ray may end anywhere in the map
@@ -156,15 +158,19 @@ static water_status fill_view(const water_scene* scene, const checked* input,
 }
 
 // plane: normal towards the eye; the view and the mirrored camera of the plan are set.
-static void fill_shade(const water_scene* scene, const checked* input, const water_plane* plane,
-  const water_axes* axes, const water_fate* fates, water_plan* plan)
+static water_status fill_shade(const water_scene* scene, const checked* input,
+  const water_plane* plane, const water_axes* axes, const water_fate* fates, water_plan* plan)
 {
   water_mirror_texture_matrix(&plan->mirrored, plan->world_to_texture);
   water_mirror_map_to_eye(
     &scene->eye, &input->eye, plan->plane_view, plan->map_scale, plan->map_ndc_to_eye);
-  plan->map_top = water_lookup_top(plane, scene->props, scene->prop_count, fates);
+  // a ray may start in a trough
+  plan->map_top =
+    water_lookup_top(plane, scene->props, scene->prop_count, fates) + scene->wave_height_max;
   water_lookup_depths(&plan->mirrored, &plan->map_z_infinity, plan->map_tolerance);
   water_lookup_dirs(&plan->mirrored, axes, plan->dir_to_map);
+  plan->map_texel = water_lookup_texel(plan->dir_to_map, plan->texture_px);
+  return water_lookup_heights(&plan->mirrored, plan->plane_view, plan->map_height, plan->map_w);
 }
 
 water_status water_plan_make(const water_scene* scene, water_plan* plan, water_fate* fates)
@@ -199,7 +205,7 @@ water_status water_plan_make(const water_scene* scene, water_plan* plan, water_f
       }
       if (status == WATER_OK)
       {
-        fill_shade(scene, &input, &plane, &axes, fates, &made);
+        status = fill_shade(scene, &input, &plane, &axes, fates, &made);
       }
     }
     if (made.decision == WATER_NO_REFLECT_OUT_OF_VIEW)

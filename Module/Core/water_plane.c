@@ -102,6 +102,18 @@ water_status water_sheet_bounds(const double origin[3], const double x_dir[3],
   return WATER_OK;
 }
 
+void water_plane_displaced_bounds(
+  const water_plane* unit, const double bounds[6], double height, double reach, double displaced[6])
+{
+  for (int i = 0; i < 3; ++i)
+  {
+    const double normal = fmin(fabs(unit->normal[i]), 1.0);
+    const double way = height * normal + reach * sqrt(1.0 - normal * normal);
+    displaced[2 * i] = bounds[2 * i] - way;
+    displaced[2 * i + 1] = bounds[2 * i + 1] + way;
+  }
+}
+
 void water_sheet_corners(const double origin[3], const double x_dir[3], const double y_dir[3],
   const double sheet[4], double corners[12])
 {

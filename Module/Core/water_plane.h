@@ -40,6 +40,15 @@ void water_plane_axes(const double unit_normal[3], double x_dir[3], double y_dir
 water_status water_sheet_bounds(const double origin[3], const double x_dir[3],
   const double y_dir[3], const double bounds[6], double sheet[4]);
 
+// Bounds in world of what waves displace.
+//
+// unit    normalised
+// bounds  at rest: xmin, xmax, ymin, ymax, zmin, zmax in world
+// height  how far a point moves along the normal at most, up or down
+// reach   and in the plane
+void water_plane_displaced_bounds(const water_plane* unit, const double bounds[6], double height,
+  double reach, double displaced[6]);
+
 // The sheet's corners in world, counter-clockwise about the normal: 4 points of 3.
 void water_sheet_corners(const double origin[3], const double x_dir[3], const double y_dir[3],
   const double sheet[4], double corners[12]);

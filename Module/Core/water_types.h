@@ -110,6 +110,7 @@ typedef struct water_scene
   double plane_origin[3]; // of the plane's own axes, in world
   bool has_waves;         // the surface is not calm: its reflection is looked up along rays
   double slope_rms;       // of the waves, >= 0
+  double wave_height_max; // how far waves move the surface itself up or down; 0: a flat sheet
   double guard_band;    // map with waves: size of its frustum over the eye's, >= 1; 0: by slope_rms
   bool has_environment; // what is reflected is a static picture of the surroundings
   double environment_up[3]; // of that picture, in world; water_lookup.h
@@ -173,6 +174,9 @@ typedef struct water_plan
   double map_top;        // height over the plane of all that is drawn in the map; may be infinite
   double map_z_infinity; // water_lookup.h
   double map_tolerance[2];
+  double map_height[4];  // point in NDC of the map -> height over the plane, times 1 / w
+  double map_w[4];       // the same -> 1 / w
+  double map_texel;      // height that a texel of the map spans, over its w
   double dir_to_map[12]; // direction in the plane's axes -> clip of the map; 4 rows of 3
 } water_plan;
 

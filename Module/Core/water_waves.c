@@ -309,6 +309,17 @@ void water_waves_tilt(const double slope[2], double normal[3])
   normal[2] /= length;
 }
 
+void water_waves_reach(const water_wave* waves, size_t count, double* height, double* across)
+{
+  *height = 0.0;
+  *across = 0.0;
+  for (size_t i = 0; i < count; ++i)
+  {
+    *height += waves[i].amplitude;
+    *across += waves[i].amplitude * waves[i].steepness;
+  }
+}
+
 void water_waves_rows(
   const water_wave_term* terms, size_t count, double x, double y, water_wave_row* rows)
 {

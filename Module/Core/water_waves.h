@@ -124,6 +124,9 @@ void water_waves_rms(const water_wave* waves, size_t count, double* height, doub
 // Tilts a unit normal by the slope of other waves on top: it keeps its own slope and gets theirs.
 void water_waves_tilt(const double slope[2], double normal[3]);
 
+// How far waves can move a point at most: up or down (the sum of the amplitudes), and in the plane.
+void water_waves_reach(const water_wave* waves, size_t count, double* height, double* across);
+
 // The rows for the shader, in float. Their phases belong to the origin (x, y), which a shader takes
 // off its coordinates first: near the eye a float is then exact enough.
 //

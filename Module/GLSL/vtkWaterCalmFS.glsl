@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkWaterCalmFS.glsl: stage waves of water that has none. Needs vtkWaterPointFS.glsl before it.
+// vtkWaterCalmFS.glsl: stage waves of water that has none. Needs vtkWaterPointFS.glsl
+// before it.
 
 void waterRipple(inout WaterPoint point) {}

@@ -15,7 +15,8 @@ vec2 waterCausticSlope(vec2 place, float width)
 {
   vec4 variance = vec4(0.0);
   float stretch;
-  return waterAllSlopes(place, vec2(width, 0.0), vec2(0.0, width), variance, stretch);
+  return waterAllSlopes(
+    place, vec2(width, 0.0), vec2(0.0, width), vec3(0.0), variance, stretch);
 }
 
 // Light on a place under water, over that of calm water.

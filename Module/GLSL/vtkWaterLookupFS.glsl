@@ -19,9 +19,12 @@ const int WATER_OFF_MAP = 3;
 const int WATER_HIDDEN = 4;
 const int WATER_DOWNWARD = 5;
 
+float waterFloor = -1e30; // height that no ray of this pixel meets anything below
+
 float waterMapDepth(vec2 uv)
 {
-  return textureLod(waterReflectionDepth, uv, 0.0).r;
+  float depth = textureLod(waterReflectionDepth, uv, 0.0).r;
+  return waterIsUnder(uv, depth, waterFloor) ? 1.0 : depth;
 }
 
 // Can a ray that is in front of the map before and after a step have been behind the edge of a thing
@@ -39,17 +42,18 @@ bool waterMayPassBehind(float depthBefore, float depth, float rayDepth)
 // Colour in a direction from a point of the water.
 //
 // start   of the ray in the map's window: u, v, depth
+// startW  w of the start in clip space of the map
 // dir     in the plane's axes, upwards, of unit length
 // reason  one of the first four
 // uv      where in the map that is
-vec3 waterTrace(vec3 start, vec3 dir, out int reason, out vec2 uv)
+vec3 waterTrace(vec3 start, float startW, vec3 dir, out int reason, out vec2 uv)
 {
   vec4 end = waterDirToMap * vec4(dir, 0.0);
   vec3 way = 0.5 * (end.xyz - (2.0 * start - 1.0) * end.w); // the ray is start + s way
   float last = end.w > 1e-6 ? 1.0 / end.w : (way.z > 0.0 ? (1.0 - start.z) / way.z : 1e20);
   // over the highest thing there is nothing but sky
   float climb = waterMapTop / max(dir.z, 1e-6);
-  float climbW = 1.0 / gl_FragCoord.w + climb * end.w;
+  float climbW = startW + climb * end.w;
   float overAll = climbW > 0.0 ? climb / climbW : 1e20;
   vec2 border =
     (step(0.0, way.xy) - start.xy) / mix(way.xy, vec2(1e-9), equal(way.xy, vec2(0.0)));
@@ -191,7 +195,8 @@ vec3 waterReflected(WaterPoint point, out int reason, out vec2 uv)
   vec3 dir = reflect(point.ray, point.normal);
   bool isDownward = dir.z < 0.0;
   dir.z = max(abs(dir.z), 1e-6); // met the water again: bounced off it once more
-  vec3 color = waterTrace(point.start, dir, reason, uv);
+  waterFloor = point.height;
+  vec3 color = waterTrace(point.start, point.startW, dir, reason, uv);
   reason = isDownward ? WATER_DOWNWARD : reason;
   return color;
 }
@@ -201,6 +206,6 @@ float waterShaded(WaterPoint point, vec3 dir)
 {
   int reason;
   vec2 uv;
-  waterTrace(point.start, vec3(dir.xy, max(dir.z, 1e-6)), reason, uv);
+  waterTrace(point.start, point.startW, vec3(dir.xy, max(dir.z, 1e-6)), reason, uv);
   return reason == WATER_HIT || reason == WATER_HIDDEN ? 1.0 : 0.0;
 }

@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkWaterPointFS.glsl: what all stages of a surface's shader know about their pixel, and the sky.
 //
-// The stages, each one file of several: waves (waterRipple), reflection (waterReflected), caustics
-// (waterCaustic), body (waterBeneath), sun (waterSunlit), facets (waterFacet);
-// vtkWaterSurfaceFS.glsl puts them together. They are files and not branches because
+// The stages, each one file of several: place (waterPlaceOf), waves (waterRipple), reflection
+// (waterReflected), caustics (waterCaustic), body (waterBeneath), sun (waterSunlit), facets
+// (waterFacet); vtkWaterSurfaceFS.glsl puts them together. They are files and not branches because
 // software renderers execute both sides of a branch.
+//
+// Needs vtkWaterFlatFS.glsl before it, or another of the stage place.
 //
 // NDC come from gl_FragCoord and the viewport of the draw itself (read from the GL state), which is
 // exact for a sheet of any size.
 
 uniform vec4 waterViewport;    // x, y, 1 / width, 1 / height of the draw, in pixels
 uniform mat3 waterNdcToRay;    // (NDC x, NDC y, 1) -> view ray in the plane's axes
-uniform mat3 waterNdcToPlane;  // (NDC x, NDC y, 1) -> place on the plane, from under the eye
 uniform mat4 waterDirToEye;    // direction in the plane's axes -> clip of the eye
 uniform vec4 waterNormalClip;  // plane normal (towards the eye) in clip space, w included
 uniform vec4 waterPlaneClip;   // clip space point -> height over the plane; 0 for a flat sheet
@@ -29,13 +30,15 @@ struct WaterPoint
 {
   vec2 ndc;      // of the picture
   vec3 ray;      // view ray of unit length; directions are in the plane's axes, the third to the eye
-  vec2 place;    // on the plane, from the point under the eye
+  vec2 place;    // at rest on the plane, from the point under the eye
+  float height;  // over the plane, towards the eye
   vec2 across;   // change of the place from pixel to pixel
   vec2 down;
   vec3 normal;   // of the surface, of unit length
   vec4 variance; // of the slopes along the two axes: within the pixel; taken by filters, not seen
   float stretch; // how close the surface's points stand, over at rest: 0 on a breaking crest
   vec3 start;    // where the map shows its calm reflection: u, v, depth
+  float startW;  // w of that in clip space of the map
 };
 
 WaterPoint waterPoint()
@@ -43,15 +46,17 @@ WaterPoint waterPoint()
   WaterPoint point;
   point.ndc = 2.0 * (gl_FragCoord.xy - waterViewport.xy) * waterViewport.zw - 1.0;
   point.ray = normalize(waterNdcToRay * vec3(point.ndc, 1.0));
-  vec3 seen = waterNdcToPlane * vec3(point.ndc, 1.0);
-  point.place = seen.xy / seen.z;
+  point.place = waterPlaceOf(point.ndc);
   point.across = dFdx(point.place);
   point.down = dFdy(point.place);
   point.normal = vec3(0.0, 0.0, 1.0);
   point.variance = vec4(waterSlopeVariance.xy, 0.0, 0.0);
   point.stretch = 1.0;
   vec4 clip = vec4(point.ndc, 2.0 * gl_FragCoord.z - 1.0, 1.0); // w cancels below
-  vec4 mirrored = clip - 2.0 * dot(waterPlaneClip, clip) * waterNormalClip;
+  float height = dot(waterPlaneClip, clip);
+  vec4 mirrored = clip - 2.0 * height * waterNormalClip;
+  point.height = height / gl_FragCoord.w;
+  point.startW = mirrored.w / gl_FragCoord.w;
   vec3 window = 0.5 / mirrored.w * mirrored.xyz;
   point.start = vec3(0.5 + waterMapScale * vec2(-window.x, window.y),
     waterDepthScale * (0.5 + window.z));

@@ -5,15 +5,15 @@
 
 // dz/dx and dz/dy over a place in the plane's axes; see waterSlope.
 vec2 waterAllSlopes(
-  vec2 place, vec2 across, vec2 down, inout vec4 variance, out float stretch)
+  vec2 place, vec2 across, vec2 down, vec3 ray, inout vec4 variance, out float stretch)
 {
-  return waterSlope(place, across, down, variance, stretch) +
+  return waterSlope(place, across, down, ray, variance, stretch) +
     waterSeaSlope(place, across, down, variance) + waterMapSlope(place, across, down, variance);
 }
 
 void waterRipple(inout WaterPoint point)
 {
-  vec2 slope =
-    waterAllSlopes(point.place, point.across, point.down, point.variance, point.stretch);
+  vec2 slope = waterAllSlopes(point.place, point.across, point.down,
+    vec3(point.ray.xy, waterSide * point.ray.z), point.variance, point.stretch);
   point.normal = normalize(vec3(-waterSide * slope, 1.0));
 }

@@ -4,7 +4,7 @@
 
 uniform sampler2D waterWaves; // a row per wave: (kx, ky, amplitude, phase), (steepness, 0, 0, 0)
 uniform int waterWaveCount;
-uniform int waterRestSteps; // steps to the point at rest; 0 for sines, which do not move it
+uniform int waterRestSteps; // steps to the point at rest; 0 for sines in the plane: not moved
 
 // dz/dx and dz/dy over a place in the plane's axes.
 //
@@ -12,15 +12,19 @@ uniform int waterRestSteps; // steps to the point at rest; 0 for sines, which do
 //               pixel sees the mean slope. A Gaussian that falls as the mean over a box does.
 // variance      the rest of the wave's variance is added to the first two, as in WaterPoint
 // stretch       area over that at rest
-vec2 waterSlope(vec2 place, vec2 across, vec2 down, inout vec4 variance, out float stretch)
+// ray           the view ray, the third along the plane's own normal; 0: not a place of the pixel
+vec2 waterSlope(
+  vec2 place, vec2 across, vec2 down, vec3 ray, inout vec4 variance, out float stretch)
 {
   vec2 rest = place;
+  float height = 0.0;
   vec2 gradient = vec2(0.0);
   vec2 unseen = vec2(0.0);
   vec3 bent = vec3(1.0, 0.0, 1.0); // d place / d rest: xx, xy, yy
   for (int step = 0; step <= waterRestSteps; ++step)
   {
     vec2 moved = vec2(0.0);
+    height = 0.0;
     gradient = vec2(0.0);
     unseen = vec2(0.0);
     bent = vec3(1.0, 0.0, 1.0);
@@ -34,16 +38,21 @@ vec2 waterSlope(vec2 place, vec2 across, vec2 down, inout vec4 variance, out flo
       float seen = wave.z * part;
       unseen += 0.5 * (1.0 - part * part) * wave.z * wave.z * k * k;
       float angle = dot(k, rest) + wave.w;
+      float moving = waterMoving(wave.z, seen, k);
       vec2 bend = seen * vec2(sin(angle), cos(angle));
       float perK = steepness * inversesqrt(dot(k, k));
       gradient += bend.y * k;
-      moved += perK * bend.y * k;
+      moved += perK * moving * cos(angle) * k;
+      height += moving * sin(angle);
       bent -= perK * bend.x * vec3(k.x * k.x, k.x * k.y, k.y * k.y);
     }
     if (step < waterRestSteps)
     {
-      vec2 miss = rest + moved - place;
       float area = max(bent.x * bent.z - bent.y * bent.y, 1e-3);
+      vec3 normal = vec3(bent.y * gradient.y - bent.z * gradient.x,
+        bent.y * gradient.x - bent.x * gradient.y, area);
+      vec3 off = vec3(rest + moved - place, height);
+      vec2 miss = dot(ray, ray) > 0.0 ? waterMiss(off, normal, ray, waterSide) : off.xy;
       rest -= vec2(bent.z * miss.x - bent.y * miss.y,
                 bent.x * miss.y - bent.y * miss.x) / area;
     }

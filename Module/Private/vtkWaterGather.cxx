@@ -164,6 +164,16 @@ vtkLight* vtkWaterGather::FindSun(vtkRenderer* renderer)
 }
 
 //------------------------------------------------------------------------------
+bool vtkWaterGather::ReadView(vtkRenderer* renderer, vtkWaterActor* water, water_grid_view* view)
+{
+  const water_camera eye = ReadCamera(renderer);
+  const water_plane plane = ReadPlane(water);
+  double origin[3];
+  ReadPlaneOrigin(water, origin);
+  return water_grid_look(&eye, &plane, origin, view) == WATER_OK;
+}
+
+//------------------------------------------------------------------------------
 vtkPropCollection* vtkWaterGather::GetParts(vtkProp* prop)
 {
   if (auto* assembly = vtkAssembly::SafeDownCast(prop))
@@ -217,11 +227,17 @@ void vtkWaterGather::Read(
   ReadPlaneOrigin(waters.front(), this->scene.plane_origin);
   this->scene.has_waves = false;
   this->scene.slope_rms = 0.0;
+  this->scene.wave_height_max = 0.0;
   for (vtkWaterActor* water : waters)
   {
     vtkWaterProperty* property = water->GetWaterProperty();
     this->scene.has_waves = this->scene.has_waves || property->NeedsRays();
     this->scene.slope_rms = std::max(this->scene.slope_rms, property->GetSlopeRMS());
+    if (water->IsDisplaced())
+    {
+      this->scene.wave_height_max =
+        std::max(this->scene.wave_height_max, property->GetWaveHeightMax());
+    }
   }
 
   // what a mirrored view is drawn for by one of them, all use

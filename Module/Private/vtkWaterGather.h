@@ -3,6 +3,7 @@
 #ifndef vtkWaterGather_h
 #define vtkWaterGather_h
 
+#include "water_grid.h"
 #include "water_plan.h"
 
 #include <vector>
@@ -40,6 +41,9 @@ struct vtkWaterGather
 
   // The brightest scene light that is on; nullptr: there is none.
   static vtkLight* FindSun(vtkRenderer* renderer);
+
+  // The eye over a water's plane, for what displaces its points. false: there is nothing to see.
+  static bool ReadView(vtkRenderer* renderer, vtkWaterActor* water, water_grid_view* view);
 
   // The parts of a prop that is an assembly of any kind; nullptr: it is none.
   static vtkPropCollection* GetParts(vtkProp* prop);

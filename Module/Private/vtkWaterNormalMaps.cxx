@@ -101,7 +101,7 @@ std::vector<float> vtkWaterNormalMaps::GetTexels(const Layer& layer, int size[2]
   std::copy(image->GetDimensions(), image->GetDimensions() + 2, size);
   const auto count = static_cast<size_t>(size[0]) * static_cast<size_t>(size[1]);
   std::vector<float> texels(4 * count);
-  water_normals_texels(pixels->GetPointer(0),
-    static_cast<size_t>(pixels->GetNumberOfComponents()), count, texels.data());
+  water_normals_texels(pixels->GetPointer(0), static_cast<size_t>(pixels->GetNumberOfComponents()),
+    count, texels.data());
   return texels;
 }

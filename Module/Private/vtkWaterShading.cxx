@@ -94,8 +94,16 @@ bool vtkWaterShading::PreReplaceShaderValues(std::string& vertexShader, std::str
 {
   if (prop->IsA("vtkWaterActor"))
   {
-    InsertDeclarations(fragmentShader,
-      vtkWaterSurface::GetShader(static_cast<vtkWaterActor*>(prop)->GetWaterProperty()));
+    vtkWaterProperty* property = static_cast<vtkWaterActor*>(prop)->GetWaterProperty();
+    // a geometry shader would have to pass the place at rest on
+    const bool canDisplace =
+      geometryShader.empty() && vertexShader.find("//VTK::CustomEnd::Impl") != std::string::npos;
+    if (canDisplace && (vtkWaterSurface::GetStages(property) & vtkWaterSurface::DISPLACED) &&
+      InsertDeclarations(vertexShader, vtkWaterSurface::GetVertexShader()))
+    {
+      InsertBefore(vertexShader, "//VTK::CustomEnd::Impl", "  waterDisplace(gl_Position);");
+    }
+    InsertDeclarations(fragmentShader, vtkWaterSurface::GetShader(property, canDisplace));
     return true;
   }
   if (!InsertDeclarations(fragmentShader, vtkWaterMirroredFS))

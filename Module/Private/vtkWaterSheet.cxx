@@ -136,6 +136,7 @@ water_status vtkWaterSheet::Fit(const water_plane& plane, const double origin[3]
 
   double corners[12];
   water_sheet_corners(origin, x_dir, y_dir, sheet, corners);
+  std::copy(sheet, sheet + 4, this->Bounds);
   if (std::equal(corners, corners + 12, this->Corners) &&
     std::equal(unit.normal, unit.normal + 3, this->Normal))
   {

@@ -21,6 +21,9 @@ public:
 
   vtkPolyDataMapper* GetMapper();
 
+  // xmin, xmax, ymin, ymax in the plane's axes, as last fitted.
+  const double* GetRectangle() const { return this->Bounds; }
+
   // Fits the sheet; when it cannot, the last good one stays.
   //
   // plane     of any scale; its origin is the origin of the sheet's axes
@@ -36,6 +39,7 @@ private:
   vtkNew<vtkPoints> Points; // 4, in double precision: scenes may lie far from the origin
   vtkNew<vtkPolyData> Rectangle;
   vtkNew<vtkPolyDataMapper> Mapper;
+  double Bounds[4] = {};
   double Corners[12] = {};
   double Normal[3] = {};
 };

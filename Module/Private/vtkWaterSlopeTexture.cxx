@@ -10,8 +10,8 @@ constexpr int kAllLevels = 1000;
 }
 
 //------------------------------------------------------------------------------
-void vtkWaterSlopeTexture::Upload(
-  vtkOpenGLRenderWindow* window, unsigned int width, unsigned int height, std::vector<float>& texels)
+void vtkWaterSlopeTexture::Upload(vtkOpenGLRenderWindow* window, unsigned int width,
+  unsigned int height, std::vector<float>& texels)
 {
   if (!this->Get(window))
   {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkWaterSlopeTexture: slopes and their squares on the GPU, repeating, with mip levels that average
-// both: what a pixel does not resolve is left as a variance.
+// vtkWaterSlopeTexture: slopes and their squares on the GPU, repeating, with mip levels that
+// average both: what a pixel does not resolve is left as a variance.
 #ifndef vtkWaterSlopeTexture_h
 #define vtkWaterSlopeTexture_h
 
@@ -16,8 +16,8 @@ class vtkWaterSlopeTexture
 {
 public:
   // texels  4 * width * height: slope x, slope y and their squares
-  void Upload(
-    vtkOpenGLRenderWindow* window, unsigned int width, unsigned int height, std::vector<float>& texels);
+  void Upload(vtkOpenGLRenderWindow* window, unsigned int width, unsigned int height,
+    std::vector<float>& texels);
 
   // nullptr: nothing was uploaded for this window.
   vtkTextureObject* Get(vtkOpenGLRenderWindow* window);

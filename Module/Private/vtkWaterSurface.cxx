@@ -13,9 +13,12 @@
 #include "vtkWaterBodyFS.h"
 #include "vtkWaterCalmFS.h"
 #include "vtkWaterCausticsFS.h"
+#include "vtkWaterCell.h"
 #include "vtkWaterDeepFS.h"
+#include "vtkWaterDisplacedFS.h"
 #include "vtkWaterEnvironmentFS.h"
 #include "vtkWaterFacetsFS.h"
+#include "vtkWaterFlatFS.h"
 #include "vtkWaterGL.h"
 #include "vtkWaterGather.h"
 #include "vtkWaterLookupFS.h"
@@ -38,6 +41,7 @@
 #include "vtkWaterTileFS.h"
 #include "vtkWaterUniforms.h"
 #include "vtkWaterWavesFS.h"
+#include "vtkWaterWavesVS.h"
 #include "water_glitter.h"
 #include "water_waves.h"
 
@@ -49,6 +53,8 @@ namespace
 {
 constexpr double kFarUp = 1e30;    // for a float
 constexpr int kRestSteps = 3;      // of Newton's method, to the point at rest of steep waves
+constexpr int kChordSteps = 1;     // from the chord that a triangle is to the waves
+constexpr double kSlack = 0.25;    // in heights of the waves
 constexpr double kPattern = 256.0; // m after which the foam's pattern repeats
 constexpr double kFlat[4] = { 0.0, 0.0, 0.0, 0.0 };
 }
@@ -73,6 +79,10 @@ int vtkWaterSurface::GetStages(vtkWaterProperty* property)
   {
     stages |= property->GetLookup() == vtkWaterProperty::RAY_TRACED ? RAY_TRACED : OFFSET;
   }
+  if (property->GetWaveGeometry() && property->GetNumberOfWaves() > 0)
+  {
+    stages |= DISPLACED;
+  }
   if (property->GetRefraction() && property->GetOpacity() >= 1.0)
   {
     stages |= BODY;
@@ -86,14 +96,21 @@ int vtkWaterSurface::GetStages(vtkWaterProperty* property)
 }
 
 //------------------------------------------------------------------------------
-std::string vtkWaterSurface::GetShader(vtkWaterProperty* property)
+std::string vtkWaterSurface::GetShader(vtkWaterProperty* property, bool canDisplace)
 {
   const int stages = GetStages(property);
   const char* reflection = stages & ENVIRONMENT ? vtkWaterEnvironmentFS
     : stages & RAY_TRACED                       ? vtkWaterLookupFS
     : stages & OFFSET                           ? vtkWaterOffsetFS
                                                 : vtkWaterMirrorFS;
-  std::vector<const char*> files{ vtkWaterOptics, vtkWaterPointFS };
+  const bool isDisplaced = canDisplace && (stages & DISPLACED);
+  std::vector<const char*> files{ vtkWaterOptics };
+  if (isDisplaced)
+  {
+    files.push_back(vtkWaterCell);
+  }
+  files.push_back(isDisplaced ? vtkWaterDisplacedFS : vtkWaterFlatFS);
+  files.push_back(vtkWaterPointFS);
   if (stages & WAVES)
   {
     files.insert(files.end(),
@@ -119,6 +136,12 @@ std::string vtkWaterSurface::GetShader(vtkWaterProperty* property)
 }
 
 //------------------------------------------------------------------------------
+std::string vtkWaterSurface::GetVertexShader()
+{
+  return std::string(vtkWaterCell) + "\n" + vtkWaterWavesVS;
+}
+
+//------------------------------------------------------------------------------
 bool vtkWaterSurface::UpdateStages(vtkWaterProperty* property)
 {
   const int stages = GetStages(property);
@@ -128,13 +151,12 @@ bool vtkWaterSurface::UpdateStages(vtkWaterProperty* property)
 }
 
 //------------------------------------------------------------------------------
-void vtkWaterSurface::UploadWaves(vtkWaterActor* water)
+void vtkWaterSurface::UploadWaves(vtkWaterActor* water, const double origin[2])
 {
-  const water_plan& plan = *this->Drawn.Plan;
   const std::vector<water_wave_term> terms = water->GetWaveTerms();
   // a table is never empty
   std::vector<water_wave_row> rows(std::max<size_t>(terms.size(), 1), water_wave_row());
-  water_waves_rows(terms.data(), terms.size(), plan.origin_xy[0], plan.origin_xy[1], rows.data());
+  water_waves_rows(terms.data(), terms.size(), origin[0], origin[1], rows.data());
   std::vector<float> table;
   this->IsSteep = false;
   for (const water_wave_row& row : rows)
@@ -198,9 +220,10 @@ void vtkWaterSurface::Begin(vtkWaterActor* water, const Frame& frame)
         this->Property->GetDeepColor(), this->Property->GetExtinction());
     }
   }
-  if (frame.Plan && (this->BuiltStages & WAVES))
+  if ((frame.Plan || frame.View) && (this->BuiltStages & WAVES))
   {
-    this->UploadWaves(water);
+    // both count from the point under the eye
+    this->UploadWaves(water, frame.View ? frame.View->origin_xy : frame.Plan->origin_xy);
     this->Active.emplace_back("waterWaves", this->Waves);
   }
   if (frame.Plan && (this->BuiltStages & RAY_TRACED))
@@ -288,6 +311,8 @@ void vtkWaterSurface::SetParameters(vtkShaderProgram* program)
   uniforms::Set(program, "waterOpacity", this->Property->GetOpacity());
   uniforms::Set(program, "waterOutput", this->Property->GetOutput());
   uniforms::Set3(program, "waterDeepColor", this->Property->GetDeepColor());
+  uniforms::Set(program, "waterWaveCount", this->WaveCount);
+  this->SetDisplacement(program);
   if (plan)
   {
     this->SetViewParameters(program);
@@ -325,11 +350,24 @@ void vtkWaterSurface::SetViewParameters(vtkShaderProgram* program)
   uniforms::Set(program, "waterReflectance", plan.reflectance);
   uniforms::Set4(program, "waterHeightClip", plan.plane_clip);
   uniforms::Set4(program, "waterClipW", plan.clip_w);
-  uniforms::Set(program, "waterWaveCount", this->WaveCount);
-  uniforms::Set(program, "waterRestSteps", this->IsSteep ? kRestSteps : 0);
+  const int flatSteps = this->IsSteep ? kRestSteps : 0;
+  uniforms::Set(
+    program, "waterRestSteps", program->IsUniformUsed("waterAxesToClip") ? kChordSteps : flatSteps);
   uniforms::Set3(program, "waterExtinction", this->Property->GetExtinction());
   uniforms::Set(program, "waterIsSubmerged", plan.is_submerged ? 1 : 0);
   uniforms::Set(program, "waterShoreSoftness", this->Property->GetShoreSoftness());
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterSurface::SetDisplacement(vtkShaderProgram* program)
+{
+  namespace uniforms = vtkWaterUniforms;
+  static const water_grid_view still = water_grid_view(); // moves nothing
+  const water_grid_view& view = this->Drawn.View ? *this->Drawn.View : still;
+  uniforms::SetMatrix4x3(program, "waterAxesToClip", view.dir_to_clip);
+  uniforms::SetMatrix3(program, "waterClipToPlace", view.clip_to_place);
+  uniforms::Set4(program, "waterHeightOfClip", view.height_clip);
+  uniforms::Set2(program, "waterRowDir", this->Drawn.RowDir);
 }
 
 //------------------------------------------------------------------------------
@@ -344,6 +382,10 @@ void vtkWaterSurface::SetReflectionParameters(vtkShaderProgram* program)
   uniforms::Set(program, "waterDepthScale", plan.depth_scale);
   uniforms::Set2(program, "waterMapScale", plan.map_scale);
   uniforms::SetMatrix4x3(program, "waterDirToMap", plan.dir_to_map);
+  uniforms::Set4(program, "waterMapHeight", plan.map_height);
+  uniforms::Set4(program, "waterMapW", plan.map_w);
+  uniforms::Set(program, "waterTexel", std::min(plan.map_texel, kFarUp));
+  uniforms::Set(program, "waterSlack", kSlack * this->Property->GetWaveHeightMax());
   uniforms::Set(program, "waterMapTop", std::min(plan.map_top, kFarUp));
   uniforms::Set(program, "waterMapZInfinity", plan.map_z_infinity);
   uniforms::Set2(program, "waterMapTolerance", plan.map_tolerance);

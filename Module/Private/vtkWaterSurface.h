@@ -8,6 +8,7 @@
 #include "vtkWaterNormalMaps.h"
 #include "vtkWaterScreen.h"
 #include "vtkWaterSlopeTexture.h"
+#include "water_grid.h"
 #include "water_types.h"
 
 #include <string>
@@ -33,7 +34,9 @@ public:
     const water_plan* Plan;       // nullptr: show the plain colour
     vtkTextureObject* Reflection; // any texture when nothing is reflected
     vtkTextureObject* ReflectionDepth;
-    bool IsFlat; // the sheet lies in the plane exactly
+    bool IsFlat;                 // the sheet lies in the plane exactly
+    const water_grid_view* View; // waves move the vertices; nullptr: they do not
+    const double* RowDir;        // of the grid under them
   };
 
   // The stages of a water's shader, as bits: they are files of their own, because software
@@ -49,12 +52,18 @@ public:
     SUN = 1 << 6,
     SEA = 1 << 7,
     NORMAL_MAPS = 1 << 8,
-    ROUGH = 1 << 9
+    ROUGH = 1 << 9,
+    DISPLACED = 1 << 10
   };
   static int GetStages(vtkWaterProperty* property);
 
   // The source that defines waterShade.
-  static std::string GetShader(vtkWaterProperty* property);
+  //
+  // canDisplace  the vertex shader can move its vertices
+  static std::string GetShader(vtkWaterProperty* property, bool canDisplace);
+
+  // The source that defines waterDisplace, for vertices.
+  static std::string GetVertexShader();
 
   // Is another shader needed than for the last draw?
   bool UpdateStages(vtkWaterProperty* property);
@@ -68,7 +77,8 @@ public:
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
-  void UploadWaves(vtkWaterActor* water);
+  void UploadWaves(vtkWaterActor* water, const double origin[2]);
+  void SetDisplacement(vtkShaderProgram* program);
   void UploadNormalMap(size_t number);
   void SetViewParameters(vtkShaderProgram* program);
   void SetReflectionParameters(vtkShaderProgram* program);
@@ -81,9 +91,9 @@ private:
   Frame Drawn = Frame();
   vtkWaterProperty* Property = nullptr;                          // of what is drawn
   std::vector<std::pair<const char*, vtkTextureObject*>> Active; // by the names in the shader
-  vtkTexture* Environment = nullptr; // in use
+  vtkTexture* Environment = nullptr;                             // in use
   double Time = 0.0;
-  vtkSmartPointer<vtkTextureObject> Waves;                       // a row per wave
+  vtkSmartPointer<vtkTextureObject> Waves; // a row per wave
   int WaveCount = 0;
   bool IsSteep = false;             // waves that move their points
   const vtkWaterSea* Sea = nullptr; // of what is drawn; nullptr: it has none

@@ -295,6 +295,64 @@ TEST(sun_is_seen_in_the_axes_of_the_plane)
   assert_false(plan_of(&scene, NULL).has_sun);
 }
 
+// The map's depth says how high what it shows is over the plane, on the eye's side.
+TEST(depth_of_the_map_tells_heights)
+{
+  UNUSED;
+  dice from = dice_seeded(66);
+  for (int round = 0; round < 1000; ++round)
+  {
+    const random_scene random = wavy(&from, round);
+    const water_plan plan = plan_of(&random.scene, NULL);
+    double point[3];
+    point_near(&from, &random, 2.0, point);
+    double clip[4];
+    project(&plan.mirrored, point, 1.0, clip);
+    if (clip[3] < 0.1)
+    {
+      continue;
+    }
+    double height = 0.0;
+    double w = 0.0;
+    for (int i = 0; i < 4; ++i)
+    {
+      height += plan.map_height[i] * clip[i] / clip[3];
+      w += plan.map_w[i] * clip[i] / clip[3];
+    }
+    ASSERT_CLOSE(height / w, height_of(&random, point), 1e-8);
+  }
+}
+
+// Waves that move the surface: what stands in a trough is drawn, and rays from one may rise
+// further.
+TEST(mirrored_view_reaches_down_into_troughs)
+{
+  UNUSED;
+  water_scene scene = lake();
+  scene.has_waves = true;
+  scene.clip_margin = 0.1;
+  const double flat = plan_of(&scene, NULL).clip_plane_view[3];
+  scene.wave_height_max = 0.75;
+  const water_plan plan = plan_of(&scene, NULL);
+  ASSERT_CLOSE(plan.clip_plane_view[3] - flat, 0.65, 1e-12);
+  ASSERT_CLOSE(plan.map_top, 0.75, 1e-12);
+  scene.clip_margin = 1.0; // the user's, if that is more
+  ASSERT_CLOSE(plan_of(&scene, NULL).clip_plane_view[3] - flat, 0.9, 1e-12);
+  water_prop low = { { -1.0, 1.0, -1.0, 1.0, -2.0, -0.5 }, WATER_PROP_VISIBLE };
+  water_fate fate = WATER_DRAW;
+  scene.props = &low;
+  scene.prop_count = 1;
+  scene.clip_margin = 0.0;
+  plan_of(&scene, &fate);
+  assert_int_equal(fate, WATER_DRAW);
+  scene.wave_height_max = 0.25;
+  plan_of(&scene, &fate);
+  assert_int_equal(fate, WATER_SKIP_BEHIND_PLANE);
+  water_plan bad;
+  scene.wave_height_max = (double)NAN;
+  assert_int_equal(water_plan_make(&scene, &bad, &fate), WATER_BAD_CLIP_MARGIN);
+}
+
 int main(void)
 {
   const struct CMUnitTest tests[] = {
@@ -308,6 +366,8 @@ int main(void)
     RUN(eye_under_the_sheet_is_submerged),
     RUN(sun_is_seen_in_the_axes_of_the_plane),
     RUN(top_is_the_highest_drawn_corner),
+    RUN(depth_of_the_map_tells_heights),
+    RUN(mirrored_view_reaches_down_into_troughs),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

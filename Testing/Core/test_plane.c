@@ -227,6 +227,32 @@ TEST(projection_is_the_nearest_point)
   ASSERT_CLOSE(foot[0], 6.0, 1e-14);
 }
 
+// Whatever moves within its reach stays within the bounds, and some of it touches them.
+TEST(displaced_bounds_hold_what_moves)
+{
+  UNUSED;
+  dice from = dice_seeded(29);
+  const double bounds[6] = { -1.0, 2.0, -3.0, 4.0, 5.0, 5.5 };
+  for (int round = 0; round < 1000; ++round)
+  {
+    water_plane unit = { { 0.0, 0.0, 0.0 }, 0.0 };
+    dice_dir(&from, unit.normal);
+    const double height = dice_roll(&from, 0.0, 1.0);
+    const double reach = dice_roll(&from, 0.0, 1.0);
+    double wide[6];
+    water_plane_displaced_bounds(&unit, bounds, height, reach, wide);
+    double x_dir[3];
+    double y_dir[3];
+    water_plane_axes(unit.normal, x_dir, y_dir);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const double way = height * fabs(unit.normal[axis]) + reach * hypot(x_dir[axis], y_dir[axis]);
+      ASSERT_CLOSE(wide[2 * axis], bounds[2 * axis] - way, 1e-12);
+      ASSERT_CLOSE(wide[2 * axis + 1], bounds[2 * axis + 1] + way, 1e-12);
+    }
+  }
+}
+
 int main(void)
 {
   const struct CMUnitTest tests[] = {
@@ -240,6 +266,7 @@ int main(void)
     RUN(sheet_of_any_plane_covers_the_box_tightly),
     RUN(sheet_needs_bounds),
     RUN(projection_is_the_nearest_point),
+    RUN(displaced_bounds_hold_what_moves),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

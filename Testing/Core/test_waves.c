@@ -321,6 +321,33 @@ TEST(tilt_adds_slopes)
   assert_true(flat[0] == 1.0 && flat[1] == 0.0 && flat[2] == 0.0);
 }
 
+// No point of the surface leaves its reach, and crests that meet come near it.
+TEST(reach_holds_the_surface)
+{
+  UNUSED;
+  const water_wave waves[2] = { { 0.5, 6.0, 0.3, 0.0, 0.6 }, { 0.25, 4.0, 1.1, 0.0, 0.2 } };
+  double height = 0.0;
+  double across = 0.0;
+  water_waves_reach(waves, 2, &height, &across);
+  ASSERT_CLOSE(height, 0.75, 1e-15);
+  ASSERT_CLOSE(across, 0.35, 1e-15);
+  water_wave_term terms[2];
+  terms_of(waves, 2, 5.0, 0.0, terms);
+  double highest = 0.0;
+  for (int i = 0; i < 200; ++i)
+  {
+    for (int j = 0; j < 200; ++j)
+    {
+      water_wave_point point;
+      water_waves_point(terms, 2, 0.3 * i, 0.3 * j, &point);
+      assert_true(fabs(point.displacement[2]) <= height);
+      assert_true(hypot(point.displacement[0], point.displacement[1]) <= across);
+      highest = fmax(highest, point.displacement[2]);
+    }
+  }
+  assert_true(highest > 0.98 * height);
+}
+
 int main(void)
 {
   const struct CMUnitTest tests[] = {
@@ -331,6 +358,7 @@ int main(void)
     RUN(cusp_is_safe),
     RUN(no_waves_are_a_flat_surface),
     RUN(rms_is_that_of_the_surface),
+    RUN(reach_holds_the_surface),
     RUN(rows_give_the_same_height_in_float),
     RUN(bad_waves_are_refused),
     RUN(bad_numbers_are_refused),

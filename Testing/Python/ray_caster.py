@@ -92,6 +92,33 @@ def eye_rays(camera, size, samples):
     return np.tile(position, (len(ray), 1)), ray
 
 
+def meet_waves(start, ray, waves, time, farthest):
+    """Distances at which rays first meet displaced sines (inf: not within the farthest)."""
+    top = sum(wave[0] for wave in waves)
+
+    def over(way):
+        at = start + way[:, None] * ray
+        return at[:, 2] - heights_and_slopes(waves, at[:, 0], at[:, 1], time)[0]
+
+    with np.errstate(divide="ignore", invalid="ignore"):
+        enters = np.where(ray[:, 2] < 0, np.maximum((top - start[:, 2]) / ray[:, 2], 0), np.inf)
+        leaves = np.where(ray[:, 2] < 0, np.minimum((-top - start[:, 2]) / ray[:, 2], farthest), np.inf)
+    goes = enters < leaves
+    enters, leaves = np.where(goes, enters, 0), np.where(goes, leaves, 1)
+    low, high, met = enters.copy(), leaves.copy(), np.zeros(len(ray), dtype=bool)
+    for part in np.linspace(0, 1, 400)[1:]:
+        here = enters + part * (leaves - enters)
+        hits = ~met & (over(here) <= 0)
+        high[hits] = here[hits]
+        met |= hits
+        low = np.where(met, low, here)
+    for _ in range(40):
+        middle = 0.5 * (low + high)
+        above = over(middle) > 0
+        low, high = np.where(above, middle, low), np.where(above, high, middle)
+    return np.where(goes & met, high, np.inf)
+
+
 def picture(camera, size, things, background, waves, time, samples=4):
     """The picture of level water at z = 0 that reflects everything (255 RGB), and which pixels are
     water and nothing else. waves: as in heights_and_slopes, or a function (x, y) -> slopes."""

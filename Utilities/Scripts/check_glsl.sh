@@ -10,17 +10,27 @@ command -v glslangValidator >/dev/null || { echo "check_glsl: no glslangValidato
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
-# prelude NAME: what VTK and other pieces have declared before the piece NAME. One that builds on
-# another says so in its head: "Needs vtkWaterOptics.glsl before it."
+# needed NAME: the pieces that NAME builds on, and those that they do, each once and in order. A piece
+# says so in its head: "Needs vtkWaterOptics.glsl and vtkWaterPointFS.glsl before it".
+needed() {
+  local piece
+  for piece in $(sed '/^\/\//!{/./q}' "Module/GLSL/$1.glsl" | tr -d '\n/' |
+    sed 's/^.*Needs //; t; d' | sed 's/ before.*//' | grep -oE 'vtkWater[A-Za-z]+\.glsl'); do
+    needed "${piece%.glsl}"
+    echo "$piece"
+  done | awk '!seen[$0]++'
+}
+
+# prelude NAME: what VTK and other pieces have declared before the piece NAME.
 prelude() {
-  local needed
+  local piece
   echo "#version 150"
   if [[ $1 != *VS ]]; then
     echo "out vec4 fragOutput0;" # VTK makes such an output of gl_FragData[0]
   fi
-  while read -r needed; do
-    cat "Module/GLSL/$needed"
-  done < <(sed -n '/Needs /,/before/p' "Module/GLSL/$1.glsl" | sed 's/.*Needs//' | grep -oE 'vtkWater[A-Za-z]+\.glsl')
+  for piece in $(needed "$1"); do
+    cat "Module/GLSL/$piece"
+  done
   if [ "$1" = vtkWaterVolumeFS ]; then # the globals of VTK's ray caster
     cat <<'GLSL'
 uniform mat4 in_modelViewMatrix;

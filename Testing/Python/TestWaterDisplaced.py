@@ -1,0 +1,158 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Displaced waves reflect what a ray caster says, from the points where its rays meet them.
+
+Smooth islands in a swell of 0.3 m rms. The ray caster finds where a pixel's ray first meets the
+waves, by the definition of their height; from there on it is TestWaterLookupError's.
+"""
+
+import numpy as np
+import ray_caster
+import water_test as wt
+
+SIZE = (240, 180)
+RMS_HEIGHT = 0.3
+ISLANDS = tuple(
+    ray_caster.Sphere(center, radius, color)
+    for center, radius, color in (
+        ((-6.0, 8.0, -2.4), 5.2, (0.2, 0.5, 0.2)),
+        ((5.0, 10.0, -4.0), 7.5, (0.4, 0.4, 0.2)),
+        ((0.5, 1.5, -1.6), 3.0, (0.6, 0.5, 0.4)),
+        ((-18.0, 34.0, -6.0), 16.0, (0.3, 0.3, 0.5)),
+        ((19.0, 38.0, -9.0), 20.0, (0.5, 0.3, 0.3)),
+    )
+)
+VIEWS = {"middle": (2, -18, 5), "low": (3, -16, 2.2), "high": (1, -12, 12)}
+
+
+def waves_of(lengths):
+    """Wavelength, direction and phase of each; together they have the rms height."""
+    each = RMS_HEIGHT * np.sqrt(2.0 / len(lengths))
+    return tuple((each, length, 20.0 + 55.0 * i, 70.0 * i) for i, length in enumerate(lengths))
+
+
+def scene(position, waves, size=SIZE):
+    made = wt.View(size, (0.55, 0.7, 0.9))
+    for island in ISLANDS:
+        wt.add_actor(made.renderer, wt.sphere(island.center, island.radius, 200), island.color, lit=False)
+    water = wt.add_water(made.renderer, None, (-200, 200, -200, 200))
+    for wave in waves:
+        water.GetWaterProperty().AddWave(*wave)
+    water.GetWaterProperty().WaveGeometryOn()
+    camera = made.renderer.GetActiveCamera()
+    camera.SetPosition(position)
+    camera.SetFocalPoint(0, 2, 0)
+    camera.SetViewUp(0, 0, 1)
+    camera.SetClippingRange(0.5, 150)
+    return made, water
+
+
+def map_places(camera, water, points, size):
+    """Where the mirrored view shows points of the world: u, v in [0, 1] of its texture."""
+    matrix = camera.GetCompositeProjectionTransformMatrix(size[0] / size[1], -1, 1)
+    to_clip = np.array([[matrix.GetElement(i, j) for j in range(4)] for i in range(4)])
+    mirrored = np.concatenate([points * (1, 1, -1), np.ones((len(points), 1))], axis=1)
+    clip = mirrored @ to_clip.T
+    ndc = clip[:, :2] / clip[:, 3:] * (-1, 1)
+    texture = water.GetReflectionPass().GetReflectionTexture()
+    texture_size = np.array((texture.GetWidth(), texture.GetHeight()))
+    return 0.5 + 0.5 * ndc * np.array(size) / texture_size, texture_size
+
+
+def mean_slopes(waves, place):
+    """Of the pixel: a wave that is short against it counts by its mean, exp(-(turn per pixel)^2 / 24)."""
+    across = np.repeat(place[:, 1::2] - place[:, ::2], 2, axis=1)[..., :2]  # pixels go by fours
+    down = np.repeat(place[1::2] - place[::2], 2, axis=0)[..., :2]
+    slopes = [np.zeros(place.shape[0] * place.shape[1]) for _ in range(2)]
+    for wave in waves:
+        k = 2 * np.pi / wave[1]
+        direction = k * np.array((np.cos(np.radians(wave[2])), np.sin(np.radians(wave[2]))))
+        seen = np.exp(-((across @ direction) ** 2 + (down @ direction) ** 2) / 24).ravel()
+        _, *own = ray_caster.heights_and_slopes((wave,), place[..., 0].ravel(), place[..., 1].ravel(), 0.0)
+        for total, slope in zip(slopes, own):
+            total += seen * slope
+    return slopes
+
+
+def truth(camera, water, waves, size):
+    """For every pixel: the right place in the map, and whether it counts."""
+    start, ray = ray_caster.eye_rays(camera, size, 1)
+    _, distance = ray_caster.cast(ISLANDS, (0, 0, 0), start, ray)
+    to_water = ray_caster.meet_waves(start, ray, waves, 0.0, 150)
+    counts = to_water < np.minimum(distance, 150)
+    place = start + np.where(np.isfinite(to_water), to_water, 0)[:, None] * ray
+    slope_x, slope_y = mean_slopes(waves, place.reshape(size[1], size[0], 3))
+    normal = np.stack([-slope_x, -slope_y, np.ones_like(slope_x)], axis=1)
+    normal /= np.linalg.norm(normal, axis=1, keepdims=True)
+    away = ray - 2 * (ray * normal).sum(axis=1, keepdims=True) * normal
+    _, length = ray_caster.cast(ISLANDS, (0, 0, 0), place + 1e-9 * normal, away)
+    counts &= (away[:, 2] > 0) & np.isfinite(length)
+    met = place + np.where(counts, length, 0)[:, None] * away
+    # the mirrored eye looks at it from below; its view begins at the deepest trough
+    trough = -sum(wave[0] for wave in waves)
+    below = np.asarray(camera.GetPosition()) * (1, 1, -1)
+    look = met - below
+    with np.errstate(divide="ignore", invalid="ignore"):
+        enters = np.where(look[:, 2] > 0, (trough - below[2]) / look[:, 2], 0)
+    through = below + np.maximum(enters, 0)[:, None] * look
+    way = np.linalg.norm(met - through, axis=1)
+    direction = look / np.linalg.norm(look, axis=1, keepdims=True)
+    _, free = ray_caster.cast(ISLANDS, (0, 0, 0), through + 1e-9 * direction, direction)
+    counts &= free > way - 1e-3
+    right, texture_size = map_places(camera, water, met, size)
+    counts &= ((right > 0) & (right < 1)).all(axis=1)
+    return right, counts, texture_size
+
+
+def looked_up(made, water):
+    water.GetWaterProperty().SetOutputToLookup()
+    red, green, blue = (made.picture()[:, :, i].ravel() for i in range(3))
+    water.GetWaterProperty().SetOutputToColor()
+    return np.stack([red * 16 + green // 16, green % 16 * 256 + blue], axis=1) / 4095.0
+
+
+def describe(errors):
+    return (f"median {np.median(errors):.3f} px, 95 % within {np.percentile(errors, 95):.2f} px, "
+            f"{100 * (errors < 1).mean():.2f} % under 1 px, {len(errors)} pixels")
+
+
+def off_silhouettes(camera, waves, size):
+    """Pixels whose neighbours show the same wave: a mean over a pixel has a meaning there."""
+    way = ray_caster.meet_waves(*ray_caster.eye_rays(camera, size, 1), waves, 0.0, 150).reshape(size[::-1])
+    way = np.where(np.isfinite(way), way, 1e9)
+    smooth = np.ones_like(way, dtype=bool)
+    across = np.abs(np.diff(way, axis=1)) < 0.1 * way[:, 1:]
+    down = np.abs(np.diff(way, axis=0)) < 0.1 * way[1:]
+    smooth[:, 1:] &= across
+    smooth[:, :-1] &= across
+    smooth[1:] &= down
+    smooth[:-1] &= down
+    return smooth.ravel()
+
+
+# Long enough steps lose thin things; that is 006's subject, so the march is a fine one here.
+for lengths in ((24, 15, 9), (12, 7, 4)):
+    waves = waves_of(lengths)
+    errors, smooth = [], []
+    for view, position in VIEWS.items():
+        made, water = scene(position, waves)
+        look = water.GetWaterProperty()
+        look.SetRayTraceSteps(256)
+        look.SetRayTraceProbes(64)
+        made.picture()
+        is_water = wt.water_mask(made, water).ravel()
+        right, counts, texture_size = truth(made.renderer.GetActiveCamera(), water, waves, SIZE)
+        counts &= is_water
+        found = np.linalg.norm((looked_up(made, water) - right) * texture_size, axis=1)[counts]
+        errors.append(found)
+        smooth.append(off_silhouettes(made.renderer.GetActiveCamera(), waves, SIZE)[counts])
+        print(f"waves {lengths} m, slope {look.GetSlopeRMS():.2f}, {view}: {describe(found)}")
+    errors, smooth = np.concatenate(errors), np.concatenate(smooth)
+    name = f"waves {lengths} m"
+    print(f"{name}: {describe(errors)}")
+    print(f"{name}, off silhouettes: {describe(errors[smooth])}")
+    wt.check_at_least(f"{name}: pixels", len(errors), 5000)
+    wt.check_at_most(f"{name}: median error, px", float(np.median(errors)), 0.15)
+    wt.check_at_least(f"{name}, off silhouettes: % under 1 px", 100 * float((errors[smooth] < 1).mean()), 94)
+    if lengths[0] == 24:
+        wt.check_at_most(f"{name}: 95 % within, px", float(np.percentile(errors, 95)), 1.0)
+wt.finish()
