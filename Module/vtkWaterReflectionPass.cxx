@@ -276,6 +276,10 @@ void vtkWaterReflectionPass::RenderReflection(
     else
     {
       ++this->NumberOfReflectionRenders;
+      if (gather.IsRough)
+      {
+        view->Mirror.MakeLevels();
+      }
     }
   }
   for (vtkWaterActor* water : waters)

@@ -109,6 +109,7 @@ def make_water(time):
     water = vtkWaterActor()
     look = water.GetWaterProperty()
     look.SetPreset("clear tropical")
+    look.SeaOff()  # waves of its own
     for amplitude, wavelength, direction in ((0.035, 5.0, 165.0), (0.016, 2.3, 205.0), (0.010, 1.4, 130.0),
                                              (0.006, 0.9, 230.0), (0.003, 0.5, 170.0)):
         look.AddWave(amplitude, wavelength, direction)

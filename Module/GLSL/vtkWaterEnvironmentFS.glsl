@@ -22,3 +22,17 @@ float waterShaded(WaterPoint point, vec3 dir)
 {
   return 0.0;
 }
+
+// Is what a facet sees a place of the map?
+bool waterIsOfMap(int reason)
+{
+  return false;
+}
+
+// Two places of the map with their shares, blurred over their distance.
+//
+// sharp  the same without a blur
+vec3 waterBlurred(vec2 first, float firstShare, vec2 second, float secondShare, vec3 sharp)
+{
+  return sharp;
+}

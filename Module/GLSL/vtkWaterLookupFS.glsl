@@ -19,6 +19,11 @@ const int WATER_OFF_MAP = 3;
 const int WATER_HIDDEN = 4;
 const int WATER_DOWNWARD = 5;
 
+const float WATER_THICKNESS = 0.05; // of things that cast shadows, over their distance
+
+// How far behind the edge of a thing the last ray went, over the thing's distance.
+float waterBehind = 0.0;
+
 float waterFloor = -1e30; // height that no ray of this pixel meets anything below
 
 float waterMapDepth(vec2 uv)
@@ -154,6 +159,7 @@ vec3 waterTrace(vec3 start, float startW, vec3 dir, out int reason, out vec2 uv)
         break;
       }
     }
+    waterBehind = (rayHigh - depthHigh) / (waterMapZInfinity - depthHigh);
     if (!isHit)
     {
       uv = start.xy + way.xy;
@@ -207,5 +213,25 @@ float waterShaded(WaterPoint point, vec3 dir)
   int reason;
   vec2 uv;
   waterTrace(point.start, point.startW, vec3(dir.xy, max(dir.z, 1e-6)), reason, uv);
-  return reason == WATER_HIT || reason == WATER_HIDDEN ? 1.0 : 0.0;
+  // a ray that goes close behind an edge meets a side that the map does not show
+  bool isSide = reason == WATER_HIDDEN && waterBehind < WATER_THICKNESS;
+  return reason == WATER_HIT || isSide ? 1.0 : 0.0;
+}
+
+// Is what a facet sees a place of the map?
+bool waterIsOfMap(int reason)
+{
+  return reason != WATER_OFF_MAP;
+}
+
+// Two places of the map with their shares, blurred over their distance.
+//
+// sharp  the same without a blur
+vec3 waterBlurred(vec2 first, float firstShare, vec2 second, float secondShare, vec3 sharp)
+{
+  float texels = 0.3 * length((first - second) * vec2(textureSize(waterReflection, 0)));
+  float level = log2(max(texels, 1.0));
+  return level > 0.0 ? firstShare * textureLod(waterReflection, first, level).rgb +
+      secondShare * textureLod(waterReflection, second, level).rgb
+                     : sharp;
 }

@@ -20,3 +20,21 @@ float waterShaded(WaterPoint point, vec3 dir)
 {
   return 0.0;
 }
+
+// Is what a facet sees a place of the map?
+bool waterIsOfMap(int reason)
+{
+  return true;
+}
+
+// Two places of the map with their shares, blurred over their distance.
+//
+// sharp  the same without a blur
+vec3 waterBlurred(vec2 first, float firstShare, vec2 second, float secondShare, vec3 sharp)
+{
+  float texels = 0.3 * length((first - second) * vec2(textureSize(waterReflection, 0)));
+  float level = log2(max(texels, 1.0));
+  return level > 0.0 ? firstShare * textureLod(waterReflection, first, level).rgb +
+      secondShare * textureLod(waterReflection, second, level).rgb
+                     : sharp;
+}

@@ -34,6 +34,9 @@ vec3 waterPack(float share)
 vec3 waterFacets(WaterPoint point, out float reflectance, inout int reason, inout vec2 uv)
 {
   vec3 reflected = vec3(0.0);
+  vec2 places[2] = vec2[2](vec2(0.0), vec2(0.0));
+  float shares[2] = float[2](0.0, 0.0);
+  bool isOnMap = true;
   reflectance = 0.0;
   int count = waterOutput == 1 || waterOutput == 2 ? 1 : waterFacetCount(point);
   for (int i = count - 1; i >= 0; --i)
@@ -48,9 +51,15 @@ vec3 waterFacets(WaterPoint point, out float reflectance, inout int reason, inou
     if (waterIsReflecting != 0)
     {
       reflected += share * waterReflected(facet, reason, uv);
+      isOnMap = isOnMap && waterIsOfMap(reason);
+      places[i] = uv;
+      shares[i] = share;
     }
   }
-  return reflected;
+  // two sharp images would be seen as two: each is as wide as they are apart
+  return count == 2 && isOnMap && waterIsReflecting != 0
+    ? waterBlurred(places[0], shares[0], places[1], shares[1], reflected)
+    : reflected;
 }
 
 void waterShade(inout vec4 color)

@@ -227,6 +227,8 @@ void vtkWaterGather::Read(
   ReadPlaneOrigin(waters.front(), this->scene.plane_origin);
   this->scene.has_waves = false;
   this->scene.slope_rms = 0.0;
+  this->IsRough = std::any_of(waters.begin(), waters.end(),
+    [](vtkWaterActor* water) { return water->GetWaterProperty()->IsRough(); });
   this->scene.wave_height_max = 0.0;
   for (vtkWaterActor* water : waters)
   {

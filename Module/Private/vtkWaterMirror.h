@@ -32,6 +32,9 @@ public:
   // In the middle of Draw, which runs the user's observers: nothing may be released then.
   bool GetIsDrawing() const { return this->IsDrawing; }
 
+  // Fills the colour's mip levels with what was drawn last.
+  void MakeLevels() { this->Target.MakeLevels(); }
+
   vtkTextureObject* GetColor() { return this->Target.GetColor(); }
   vtkTextureObject* GetDepth() { return this->Target.GetDepth(); }
   vtkWaterScreen& GetScreen() { return this->Screen; }

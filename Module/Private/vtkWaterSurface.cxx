@@ -250,9 +250,11 @@ void vtkWaterSurface::Begin(vtkWaterActor* water, const Frame& frame)
     // where pixel meets texel, one texel is the same as four
     const bool isAligned = !(this->BuiltStages & (WAVES | RAY_TRACED | OFFSET)) && frame.IsFlat &&
       std::equal(drawn + 2, drawn + 4, frame.Plan->texture_px);
-    const int filter = isAligned ? vtkTextureObject::Nearest : vtkTextureObject::Linear;
-    frame.Reflection->SetMinificationFilter(filter);
-    frame.Reflection->SetMagnificationFilter(filter);
+    frame.Reflection->SetMagnificationFilter(
+      isAligned ? vtkTextureObject::Nearest : vtkTextureObject::Linear);
+    frame.Reflection->SetMinificationFilter(isAligned ? vtkTextureObject::Nearest
+        : this->BuiltStages & ROUGH                   ? vtkTextureObject::LinearMipmapLinear
+                                                      : vtkTextureObject::Linear);
   }
   for (const auto& [name, texture] : this->Active)
   {

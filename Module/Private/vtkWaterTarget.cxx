@@ -9,6 +9,11 @@
 
 #include <algorithm>
 
+namespace
+{
+constexpr int kAllLevels = 1000;
+}
+
 //------------------------------------------------------------------------------
 bool vtkWaterTarget::Ensure(
   vtkOpenGLRenderWindow* window, int width, int height, int wanted, bool isFloat)
@@ -30,6 +35,7 @@ bool vtkWaterTarget::Ensure(
   this->Color->SetContext(window);
   this->Color->SetMinificationFilter(vtkTextureObject::Linear);
   this->Color->SetMagnificationFilter(vtkTextureObject::Linear);
+  this->Color->SetMaxLevel(kAllLevels);
   this->Depth = vtkSmartPointer<vtkTextureObject>::New();
   this->Depth->SetContext(window);
   this->Depth->SetMinificationFilter(vtkTextureObject::Nearest);
@@ -80,6 +86,14 @@ bool vtkWaterTarget::Ensure(
   this->Samples = samples;
   this->IsFloat = isFloat;
   return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterTarget::MakeLevels()
+{
+  this->Color->Activate();
+  glGenerateMipmap(GL_TEXTURE_2D);
+  this->Color->Deactivate();
 }
 
 //------------------------------------------------------------------------------

@@ -24,6 +24,9 @@ public:
   bool Bind();
   void Resolve();
 
+  // Fills the colour's mip levels.
+  void MakeLevels();
+
   // What VTK's passes take as the framebuffer they draw into.
   vtkOpenGLFramebufferObject* GetFramebuffer();
 

@@ -129,15 +129,17 @@ def off_silhouettes(camera, waves, size):
     return smooth.ravel()
 
 
-# Long enough steps lose thin things; that is 006's subject, so the march is a fine one here.
+# Long waves at the default quality. Of the steep ones many rays are long and end on thin slivers of an
+# island: what the march loses there is 006's subject, so it is a fine one.
 for lengths in ((24, 15, 9), (12, 7, 4)):
     waves = waves_of(lengths)
     errors, smooth = [], []
     for view, position in VIEWS.items():
         made, water = scene(position, waves)
         look = water.GetWaterProperty()
-        look.SetRayTraceSteps(256)
-        look.SetRayTraceProbes(64)
+        if lengths[0] == 12:
+            look.SetRayTraceSteps(256)
+            look.SetRayTraceProbes(64)
         made.picture()
         is_water = wt.water_mask(made, water).ravel()
         right, counts, texture_size = truth(made.renderer.GetActiveCamera(), water, waves, SIZE)
@@ -151,8 +153,8 @@ for lengths in ((24, 15, 9), (12, 7, 4)):
     print(f"{name}: {describe(errors)}")
     print(f"{name}, off silhouettes: {describe(errors[smooth])}")
     wt.check_at_least(f"{name}: pixels", len(errors), 5000)
-    wt.check_at_most(f"{name}: median error, px", float(np.median(errors)), 0.15)
+    wt.check_at_most(f"{name}: median error, px", float(np.median(errors)), 0.2)
     wt.check_at_least(f"{name}, off silhouettes: % under 1 px", 100 * float((errors[smooth] < 1).mean()), 94)
     if lengths[0] == 24:
-        wt.check_at_most(f"{name}: 95 % within, px", float(np.percentile(errors, 95)), 1.0)
+        wt.check_at_least(f"{name}, default quality: % under 1 px", 100 * float((errors < 1).mean()), 95)
 wt.finish()
