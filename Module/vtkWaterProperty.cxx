@@ -568,7 +568,7 @@ void vtkWaterProperty::SetDepth(double depth)
 //------------------------------------------------------------------------------
 void vtkWaterProperty::SetLookup(int lookup)
 {
-  vtkWaterSetInRange(Lookup, lookup, RAY_TRACED, VIEW_SCALED_OFFSET);
+  vtkWaterSetInRange(Lookup, lookup, RAY_TRACED, MOVED_POINT);
 }
 
 //------------------------------------------------------------------------------

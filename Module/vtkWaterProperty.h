@@ -451,7 +451,8 @@ public:
   {
     RAY_TRACED = 0,
     FIXED_OFFSET = 1,
-    VIEW_SCALED_OFFSET = 2
+    VIEW_SCALED_OFFSET = 2,
+    MOVED_POINT = 3
   };
 
   ///@{
@@ -459,19 +460,21 @@ public:
    * How a wave's reflection is found in the mirrored view. RAY_TRACED: the reflected ray is walked
    * until it meets what the mirrored view shows. FIXED_OFFSET: the calm reflection, shifted by the
    * normal times OffsetScale (in shares of the picture). VIEW_SCALED_OFFSET: the same over the
-   * distance from the eye. The latter two are fast and wrong; most programs use them, and they are
-   * here for comparison. Default is RAY_TRACED.
+   * distance from the eye. MOVED_POINT: the calm reflection of a point that is moved by the normal
+   * times OffsetScale (in the scene's unit). The latter three are fast and wrong; most programs use
+   * them, and they are here for comparison. Default is RAY_TRACED.
    */
   void SetLookup(int lookup);
   vtkGetMacro(Lookup, int);
   void SetLookupToRayTraced() { this->SetLookup(RAY_TRACED); }
   void SetLookupToFixedOffset() { this->SetLookup(FIXED_OFFSET); }
   void SetLookupToViewScaledOffset() { this->SetLookup(VIEW_SCALED_OFFSET); }
+  void SetLookupToMovedPoint() { this->SetLookup(MOVED_POINT); }
   ///@}
 
   ///@{
   /**
-   * Factor of the two offset lookups, in [-1000, 1000]. Default is 0.3.
+   * Factor of the three offset lookups, in [-1000, 1000]. Default is 0.3.
    */
   void SetOffsetScale(double scale);
   vtkGetMacro(OffsetScale, double);
@@ -510,7 +513,7 @@ public:
     HIT = 1,            // the ray meets a surface
     SKY = 2,            // the ray leaves the scene within the mirrored view
     OFF_MAP = 3,        // the ray leaves the mirrored view: sky, or the colour at its border
-    HIDDEN = 4,         // what the ray meets is hidden in the mirrored view: a guess
+    HIDDEN = 4,         // the ray passes behind something in the mirrored view, whatever it meets
     DOWNWARD = 5        // the ray would meet the water again; it was bounced off once more
   };
 

@@ -5,13 +5,20 @@
 uniform sampler2D waterReflection; // mirrored view, flipped in x; linear
 uniform int waterLookup;           // vtkWaterProperty::Lookups
 uniform float waterOffsetScale;
+uniform mat4 waterDirToMap; // direction in the plane's axes -> clip of the map
 
 vec3 waterReflected(WaterPoint point, out int reason, out vec2 uv)
 {
   float scale = waterOffsetScale * (waterLookup == 2 ? gl_FragCoord.w : 1.0);
   vec2 offset = scale * waterMapScale * point.normal.xy;
-  reason = 1;
   uv = point.start.xy + vec2(-offset.x, offset.y);
+  if (waterLookup == 3) // the point itself is moved
+  {
+    vec4 moved = waterDirToMap * vec4(waterOffsetScale * point.normal.xy, 0.0, 0.0);
+    uv = 0.5 + 0.5 * ((2.0 * point.start.xy - 1.0) * point.startW + moved.xy) /
+        (point.startW + moved.w);
+  }
+  reason = 1;
   return textureLod(waterReflection, uv, 0.0).rgb;
 }
 

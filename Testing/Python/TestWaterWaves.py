@@ -333,7 +333,7 @@ for time in (NAN, INFINITY):
     refused(f"time {time}", (water, lambda it: it.SetTime(time)), (str(time), "finite"))
     wt.check_equal(f"time {time}: the last good one stays", water.GetTime(), 0.0)
 for setter, value, words in (("SetDepth", 0.0, ("greater than 0",)), ("SetDepth", NAN, ("nan",)),
-                             ("SetLookup", 3, ("[0, 2]",)), ("SetRayTraceSteps", 0, ("[1, 256]",)),
+                             ("SetLookup", 4, ("[0, 3]",)), ("SetRayTraceSteps", 0, ("[1, 256]",)),
                              ("SetRayTraceProbes", -1, ("[0, 64]",)), ("SetOffsetScale", NAN, ("nan",)),
                              ("SetOutput", 4, ("[0, 3]",))):
     refused(f"{setter}({value})", (vtkWaterProperty(), lambda it: getattr(it, setter)(value)), words)
