@@ -35,6 +35,8 @@ vtkStandardNewMacro(vtkWaterActor);
 
 namespace
 {
+constexpr double kLargestTime = 1e15; // s; beyond, a double has no phases left
+
 // The renderers that show a prop, itself or as a part of assemblies.
 void FindRenderers(vtkProp* prop, std::vector<vtkRenderer*>& renderers)
 {
@@ -164,9 +166,10 @@ vtkWaterProperty* vtkWaterActor::GetWaterProperty()
 //------------------------------------------------------------------------------
 void vtkWaterActor::SetTime(double seconds)
 {
-  if (!vtkMath::IsFinite(seconds))
+  if (!(seconds >= -kLargestTime && seconds <= kLargestTime))
   {
-    vtkErrorMacro("Time is " << seconds << "; it must be finite. It stays " << this->Time << ".");
+    vtkErrorMacro("Time is " << seconds << "; it must be finite and lie in [" << -kLargestTime
+                             << ", " << kLargestTime << "]. It stays " << this->Time << ".");
   }
   else if (this->Time != seconds)
   {
@@ -377,7 +380,7 @@ void vtkWaterActor::DrawLast(vtkRenderer* renderer)
   vtkProp** self = std::find(props, end, this);
   auto isLast = [](vtkProp* prop) {
     auto* water = vtkWaterActor::SafeDownCast(prop);
-    return water && (vtkWaterSurface::GetStages(water->WaterProperty) & vtkWaterSurface::BODY);
+    return water && (vtkWaterSurface::GetStages(water) & vtkWaterSurface::BODY);
   };
   if (self == end || std::all_of(self, end, isLast))
   {
@@ -405,7 +408,7 @@ void vtkWaterActor::SetAllocatedRenderTime(double seconds, vtkViewport* viewport
   {
     return;
   }
-  if (vtkWaterSurface::GetStages(this->WaterProperty) & vtkWaterSurface::BODY)
+  if (vtkWaterSurface::GetStages(this) & vtkWaterSurface::BODY)
   {
     this->DrawLast(renderer);
   }
@@ -507,12 +510,18 @@ void vtkWaterActor::Render(vtkRenderer* renderer, vtkMapper* mapper)
   {
     return; // no endless mirror, whatever drew this water
   }
+  if (vtkWaterKeys::IsBakingShadows(this) &&
+    (vtkWaterSurface::GetStages(this) & vtkWaterSurface::BODY))
+  {
+    return; // clear water lets the light through
+  }
   shading->Keys.Add(this);
   vtkWaterReflectionPass* pass = this->GetReflectionPass();
   const bool isPlain = renderer->GetSelector() || this->HasSheetError();
   vtkWaterSurface::Frame frame;
   frame.Renderer = static_cast<vtkOpenGLRenderer*>(renderer);
   frame.Plan = isPlain ? nullptr : pass->GetFreshPlan(renderer, this);
+  frame.Screen = pass->GetScreen(renderer);
   frame.Reflection = pass->GetTexture(renderer, this);
   frame.ReflectionDepth = frame.Plan ? pass->GetReflectionDepthTexture() : nullptr;
   water_grid_view view;
@@ -521,7 +530,7 @@ void vtkWaterActor::Render(vtkRenderer* renderer, vtkMapper* mapper)
   frame.RowDir = this->Grid->GetRowDir();
   frame.IsFlat = this->UsesOwnSheet() && this->GetIsIdentity() && !isDisplaced;
   vtkMapper* drawn = isDisplaced ? this->LayGrid(view, mapper) : mapper;
-  if (this->Surface->UpdateStages(this->WaterProperty))
+  if (this->Surface->UpdateStages(this))
   {
     this->GetProperty()->Modified(); // the mapper builds the other shader
   }

@@ -37,14 +37,7 @@
 #include <string> // for std::string
 #include <vector> // for std::vector
 
-#ifdef VTK_ABI_NAMESPACE_BEGIN
-VTK_ABI_NAMESPACE_BEGIN
-#endif
-
-class vtkPlane;
 class vtkWaterGrid;
-class vtkWaterProperty;
-class vtkWaterReflectionPass;
 class vtkWaterSea;
 class vtkWaterSheet;
 class vtkWaterSurface;
@@ -52,6 +45,14 @@ struct vtkWaterError;
 struct vtkWaterGather;
 struct water_grid_view;
 struct water_wave_term;
+
+#ifdef VTK_ABI_NAMESPACE_BEGIN
+VTK_ABI_NAMESPACE_BEGIN
+#endif
+
+class vtkPlane;
+class vtkWaterProperty;
+class vtkWaterReflectionPass;
 
 class VTKRENDERINGWATER_EXPORT vtkWaterActor : public vtkOpenGLActor
 {
@@ -109,7 +110,7 @@ public:
 
   ///@{
   /**
-   * Time of the waves, s: any finite value; another is refused with an error. The picture depends
+   * Time of the waves, s: in [-1e15, 1e15]; another is refused with an error. The picture depends
    * on this number alone, not on the frames before. Default is 0.
    */
   void SetTime(double seconds);

@@ -24,6 +24,11 @@
 VTK_ABI_NAMESPACE_BEGIN
 vtkStandardNewMacro(vtkWaterProperty);
 
+namespace
+{
+constexpr double kLargestVariance = 1e6; // shaders have floats
+}
+
 struct vtkWaterProperty::Internals
 {
   std::vector<water_wave> Waves;
@@ -160,12 +165,14 @@ void vtkWaterProperty::SetGlitter(bool glitter)
 void vtkWaterProperty::SetSlopeVariance(double along, double across, double direction)
 {
   const double variance[3] = { along, across, direction };
-  if (!(along >= 0.0 && across >= 0.0 && std::isfinite(along) && std::isfinite(across) &&
+  if (!(along >= 0.0 && across >= 0.0 && along <= kLargestVariance && across <= kLargestVariance &&
         std::isfinite(direction)))
   {
     vtkErrorMacro("SlopeVariance is " << along << " along and " << across << " across " << direction
-                                      << " degrees; all must be finite and the "
-                                      << "variances not negative. They stay as they were.");
+                                      << " degrees; the variances must lie in [0, "
+                                      << kLargestVariance
+                                      << "], not negative, and the direction be "
+                                      << "finite. They stay as they were.");
   }
   else if (!std::equal(variance, variance + 3, this->SlopeVariance))
   {
@@ -524,6 +531,18 @@ vtkTexture* vtkWaterProperty::GetNormalMapTexture(int number) const
 const vtkWaterNormalMaps& vtkWaterProperty::GetNormalMaps() const
 {
   return this->Internal->NormalMaps;
+}
+
+//------------------------------------------------------------------------------
+vtkMTimeType vtkWaterProperty::GetMTime()
+{
+  vtkMTimeType time = this->Superclass::GetMTime();
+  for (vtkTexture* texture :
+    { this->GetEnvironmentTexture(), this->GetNormalMapTexture(0), this->GetNormalMapTexture(1) })
+  {
+    time = texture ? std::max(time, texture->GetMTime()) : time;
+  }
+  return time;
 }
 
 //------------------------------------------------------------------------------

@@ -200,7 +200,7 @@ public:
   ///@{
   /**
    * Variance of the slopes of waves that are too small to be given one by one: along and across a
-   * direction (degrees), finite and not negative. SetSlopeVarianceToWind takes Cox and Munk's
+   * direction (degrees), in [0, 1e6]. SetSlopeVarianceToWind takes Cox and Munk's
    * measured ones for a wind speed in [0.1, 100] m/s that blows to a direction. Default is 0.
    */
   void SetSlopeVariance(double along, double across, double direction = 0.0);
@@ -296,10 +296,10 @@ public:
    * ripples with an rms slope of 0.1. They have no heights: GetWaveHeight and GetWaveNormal leave
    * them out.
    *
-   * size       m of water that the map covers, finite and greater than 0
+   * size       m of water that the map covers, in [1e-6, 1e9]
    * speed      m/s with which it moves, finite
    * direction  degrees; it moves to there, from the plane's first axis towards the second
-   * strength   factor of its slopes, finite
+   * strength   factor of its slopes, in [-1000, 1000]
    *
    * AddNormalMap returns the map's number, or -1 when it was refused (with an error that names the
    * value). GetNormalMap gives the four numbers again; false when there is no such map.
@@ -532,6 +532,8 @@ public:
   void SetOutputToLookup() { this->SetOutput(LOOKUP); }
   void SetOutputToReflectance() { this->SetOutput(REFLECTANCE); }
   ///@}
+
+  vtkMTimeType GetMTime() override; // of its textures, too
 
 protected:
   vtkWaterProperty();

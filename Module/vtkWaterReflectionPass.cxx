@@ -258,8 +258,11 @@ void vtkWaterReflectionPass::RenderReflection(
       ? this->MultiSamples
       : std::min(window->GetMultiSamples(), kMaximumDefaultSamples);
     const std::shared_ptr<Internals::View> view = internal.GetView(renderer);
-    const bool isFloat = this->ColorPrecision == HALF_FLOAT ||
-      (this->ColorPrecision == AUTOMATIC && renderer->GetPass());
+    const bool mayToneMap = renderer->GetPass() &&
+      (renderer->GetPass() != this ||
+        (this->DelegatePass && !this->DelegatePass->IsA("vtkRenderStepsPass")));
+    const bool isFloat =
+      this->ColorPrecision == HALF_FLOAT || (this->ColorPrecision == AUTOMATIC && mayToneMap);
     const char* failure = view->Mirror.Draw(
       renderer, shading, internal.Plan, drawn, samples > 1 ? samples : 0, isFloat);
     if (internal.GetPlannedView() != view.get())
@@ -322,6 +325,12 @@ vtkTextureObject* vtkWaterReflectionPass::GetTexture(vtkRenderer* renderer, vtkW
   return plan && plan->decision == WATER_REFLECT
     ? mirror.GetColor()
     : mirror.GetBlank(static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow()));
+}
+
+//------------------------------------------------------------------------------
+vtkWaterScreen* vtkWaterReflectionPass::GetScreen(vtkRenderer* renderer)
+{
+  return &this->Internal->GetView(renderer)->Mirror.GetScreen();
 }
 
 //------------------------------------------------------------------------------

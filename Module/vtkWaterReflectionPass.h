@@ -31,6 +31,9 @@
 #include <memory> // for std::unique_ptr
 #include <vector> // for std::vector
 
+class vtkWaterScreen;
+struct water_plan;
+
 #ifdef VTK_ABI_NAMESPACE_BEGIN
 VTK_ABI_NAMESPACE_BEGIN
 #endif
@@ -39,7 +42,6 @@ class vtkInformationIntegerKey;
 class vtkRenderer;
 class vtkTextureObject;
 class vtkWaterActor;
-struct water_plan;
 
 class VTKRENDERINGWATER_EXPORT vtkWaterReflectionPass : public vtkOpenGLRenderPass
 {
@@ -119,7 +121,7 @@ public:
   /**
    * What the mirrored view's colours are stored in. They are linear, as the picture's, and not tone
    * mapped. EIGHT_BIT holds [0, 1]; HALF_FLOAT holds any light with 11 bits, at a tenth more time
-   * on software renderers. AUTOMATIC: half floats when the renderer has a pass of its own, which
+   * on software renderers. AUTOMATIC: half floats when the renderer has another pass, which
    * may tone map; else 8 bits, as the picture. Default is AUTOMATIC.
    */
   void SetColorPrecision(int precision);
@@ -221,6 +223,7 @@ private:
   const water_plan* GetFreshPlan(vtkRenderer* renderer, vtkWaterActor* water) const;
   // The map, or a blank texture when there is none.
   vtkTextureObject* GetTexture(vtkRenderer* renderer, vtkWaterActor* water);
+  vtkWaterScreen* GetScreen(vtkRenderer* renderer);
   void RenderCorner(vtkRenderer* renderer, vtkWaterActor* water);
   void RenderReflectionAndDelegate(const vtkRenderState* s);
   void SetDecision(int decision); // one without a view

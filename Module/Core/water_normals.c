@@ -21,7 +21,7 @@ typedef struct ripple
 
 water_status water_normals_check(const water_normal_map* map)
 {
-  if (!isfinite(map->size) || !(map->size > 0.0))
+  if (!(map->size >= 1e-6 && map->size <= 1e9))
   {
     return WATER_BAD_NORMAL_MAP_SIZE;
   }
@@ -29,7 +29,7 @@ water_status water_normals_check(const water_normal_map* map)
   {
     return WATER_BAD_NORMAL_MAP_MOTION;
   }
-  return isfinite(map->strength) ? WATER_OK : WATER_BAD_NORMAL_MAP_STRENGTH;
+  return fabs(map->strength) <= 1e3 ? WATER_OK : WATER_BAD_NORMAL_MAP_STRENGTH;
 }
 
 void water_normals_place(

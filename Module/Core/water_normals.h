@@ -15,10 +15,10 @@ extern "C"
 
 typedef struct water_normal_map // a layer
 {
-  double size;          // m of water that the map covers once along each axis, > 0
+  double size;          // m of water that the map covers once along each axis, in [1e-6, 1e9]
   double speed;         // m/s, of the map over the water
   double direction_rad; // it moves to there; from the first towards the second axis
-  double strength;      // factor of the map's slopes
+  double strength;      // factor of the map's slopes, in [-1000, 1000]
 } water_normal_map;
 
 // Returns WATER_OK, WATER_BAD_NORMAL_MAP_SIZE, WATER_BAD_NORMAL_MAP_MOTION or

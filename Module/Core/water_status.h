@@ -57,9 +57,9 @@ extern "C"
   X(WATER_BAD_INDEX_RATIO, "the ratio of the indices must be finite and greater than 0")           \
   X(WATER_TOTAL_REFLECTION, "total internal reflection: there is no refracted ray")                \
   X(WATER_BAD_WATER_TYPE, "the Jerlov water type is not one of the list")                          \
-  X(WATER_BAD_NORMAL_MAP_SIZE, "Size of a normal map must be finite and greater than 0")           \
+  X(WATER_BAD_NORMAL_MAP_SIZE, "Size of a normal map must lie in [1e-6, 1e9] m")                   \
   X(WATER_BAD_NORMAL_MAP_MOTION, "Speed and Direction of a normal map must be finite")             \
-  X(WATER_BAD_NORMAL_MAP_STRENGTH, "Strength of a normal map must be finite")                      \
+  X(WATER_BAD_NORMAL_MAP_STRENGTH, "Strength of a normal map must lie in [-1000, 1000]")           \
   X(WATER_BAD_PRESET, "the preset's name is not one of the list")
 
 typedef enum water_status

@@ -29,10 +29,10 @@ bool waterIsOfMap(int reason)
   return false;
 }
 
-// Two places of the map with their shares, blurred over their distance.
+// Places of the map with their shares, blurred over their distance.
 //
 // sharp  the same without a blur
-vec3 waterBlurred(vec2 first, float firstShare, vec2 second, float secondShare, vec3 sharp)
+vec3 waterBlurred(vec2 places[4], vec4 shares, int count, vec3 sharp)
 {
   return sharp;
 }

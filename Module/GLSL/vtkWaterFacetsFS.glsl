@@ -5,11 +5,11 @@
 // The slopes are Gaussian about the pixel's mean one, along the azimuth of the view only: at a low
 // view a slope across it turns the reflection little. A facet counts by the part of the pixel that
 // it covers, nothing when it faces away from the eye. Of the slopes so weighted the mean and the
-// variance are exact, and two nodes (Gauss and Hermite's) stand for them: a third costs a third more
-// and is not seen.
+// variance are exact, and two nodes (Gauss and Hermite's) stand for them, or four for rough water.
 // Source: Abramowitz and Stegun 1964, "Handbook of Mathematical Functions", table 25.10.
 
 const float WATER_SMOOTH = 2e-5; // slope variance whose reflection blurs by half a degree
+const float WATER_ROUGH = 1e-3;  // and by four
 
 // Cumulative normal distribution, within 2e-4.
 // Source: Page 1977, "Approximations to the Cumulative Normal Function and its Inverse for Use on a
@@ -29,7 +29,8 @@ vec2 waterAzimuth(WaterPoint point)
 int waterFacetCount(WaterPoint point)
 {
   vec2 azimuth = waterAzimuth(point);
-  return dot(point.variance.xy, azimuth * azimuth) > WATER_SMOOTH ? 2 : 1;
+  float variance = dot(point.variance.xy, azimuth * azimuth);
+  return variance > WATER_ROUGH ? 4 : (variance > WATER_SMOOTH ? 2 : 1);
 }
 
 // Normal of a facet.
@@ -57,8 +58,9 @@ vec3 waterFacet(WaterPoint point, int number, int count, out float weight)
   float low = 1.0 - smoothstep(3.0, 6.0, edge);
   float shift = low * (mean + from - edge);
   variance = mix(1.0, variance, low);
-  float node = number == 0 ? -1.0 : 1.0;
+  float node = float(number & 1) * 2.0 - 1.0;
+  node *= count == 2 ? 1.0 : (number < 2 ? 0.378 : 1.363); // 4: quarters of the slopes
   float slope = spread * (shift + node * sqrt(max(variance, 0.0)));
-  weight = 0.5;
+  weight = 1.0 / float(count);
   return normalize(vec3(point.normal.xy - point.normal.z * slope * azimuth, point.normal.z));
 }

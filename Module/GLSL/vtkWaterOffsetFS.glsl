@@ -34,14 +34,17 @@ bool waterIsOfMap(int reason)
   return true;
 }
 
-// Two places of the map with their shares, blurred over their distance.
+// Places of the map with their shares, blurred over their distance.
 //
 // sharp  the same without a blur
-vec3 waterBlurred(vec2 first, float firstShare, vec2 second, float secondShare, vec3 sharp)
+vec3 waterBlurred(vec2 places[4], vec4 shares, int count, vec3 sharp)
 {
-  float texels = 0.3 * length((first - second) * vec2(textureSize(waterReflection, 0)));
-  float level = log2(max(texels, 1.0));
-  return level > 0.0 ? firstShare * textureLod(waterReflection, first, level).rgb +
-      secondShare * textureLod(waterReflection, second, level).rgb
-                     : sharp;
+  vec2 apart = (places[count - 2] - places[count - 1]) / float(count - 1);
+  float level = log2(max(0.3 * length(apart * vec2(textureSize(waterReflection, 0))), 1.0));
+  vec3 blurred = vec3(0.0);
+  for (int i = 0; i < count; ++i)
+  {
+    blurred += shares[i] * textureLod(waterReflection, places[i], level).rgb;
+  }
+  return level > 0.0 ? blurred : sharp;
 }

@@ -34,9 +34,9 @@ vec3 waterPack(float share)
 vec3 waterFacets(WaterPoint point, out float reflectance, inout int reason, inout vec2 uv)
 {
   vec3 reflected = vec3(0.0);
-  vec2 places[2] = vec2[2](vec2(0.0), vec2(0.0));
-  float shares[2] = float[2](0.0, 0.0);
-  bool isOnMap = true;
+  vec3 sharp = vec3(0.0);
+  vec2 places[4] = vec2[4](vec2(0.0), vec2(0.0), vec2(0.0), vec2(0.0));
+  vec4 shares = vec4(0.0);
   reflectance = 0.0;
   int count = waterOutput == 1 || waterOutput == 2 ? 1 : waterFacetCount(point);
   for (int i = count - 1; i >= 0; --i)
@@ -50,16 +50,17 @@ vec3 waterFacets(WaterPoint point, out float reflectance, inout int reason, inou
     reflectance += share;
     if (waterIsReflecting != 0)
     {
-      reflected += share * waterReflected(facet, reason, uv);
-      isOnMap = isOnMap && waterIsOfMap(reason);
+      vec3 seen = waterReflected(facet, reason, uv);
+      bool isOfMap = waterIsOfMap(reason);
       places[i] = uv;
-      shares[i] = share;
+      shares[i] = isOfMap ? share : 0.0;
+      sharp += shares[i] * seen;
+      reflected += (share - shares[i]) * seen;
     }
   }
-  // two sharp images would be seen as two: each is as wide as they are apart
-  return count == 2 && isOnMap && waterIsReflecting != 0
-    ? waterBlurred(places[0], shares[0], places[1], shares[1], reflected)
-    : reflected;
+  // several sharp images would be seen as several: each is as wide as they are apart
+  return reflected + (count > 1 && waterIsReflecting != 0
+    ? waterBlurred(places, shares, count, sharp) : sharp);
 }
 
 void waterShade(inout vec4 color)

@@ -25,6 +25,12 @@ struct Source
     return value;
   }
 
+  bool HasDepth() const
+  {
+    return !this->Framebuffer ||
+      this->Get(GL_DEPTH_ATTACHMENT, GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE) != GL_NONE;
+  }
+
   int GetColorType() const
   {
     const GLenum name = GL_FRAMEBUFFER_ATTACHMENT_COMPONENT_TYPE;
@@ -102,7 +108,7 @@ bool vtkWaterBackdrop::Ensure(vtkOpenGLRenderWindow* window, int width, int heig
 //------------------------------------------------------------------------------
 bool vtkWaterBackdrop::Copy(vtkOpenGLRenderWindow* window, const int rect[4])
 {
-  if (!this->Ensure(window, rect[2], rect[3]))
+  if (!Source().HasDepth() || !this->Ensure(window, rect[2], rect[3]))
   {
     return false;
   }

@@ -87,9 +87,14 @@ std::string vtkWaterNormalMaps::Add(vtkTexture* texture, const water_normal_map&
 }
 
 //------------------------------------------------------------------------------
+std::string vtkWaterNormalMaps::Check(const Layer& layer)
+{
+  return CheckPicture(layer.Texture);
+}
+
+//------------------------------------------------------------------------------
 vtkMTimeType vtkWaterNormalMaps::GetTime(const Layer& layer)
 {
-  layer.Texture->Update();
   return std::max(layer.Texture->GetMTime(), layer.Texture->GetInput()->GetMTime());
 }
 

@@ -26,10 +26,14 @@ public:
   // Returns nothing, or what is wrong and what is accepted; then no layer is added.
   std::string Add(vtkTexture* texture, const water_normal_map& map);
 
-  // When the picture of a layer changed last; brings it up to date.
+  // What is wrong with a layer's texture, which may have changed since it was added; empty when
+  // nothing is. Brings it up to date.
+  static std::string Check(const Layer& layer);
+
+  // When the picture of a layer that is right changed last.
   static vtkMTimeType GetTime(const Layer& layer);
 
-  // The layer's slopes for a vtkWaterSlopeTexture, and its size.
+  // The layer's slopes for a vtkWaterSlopeTexture, and its size, when it is right.
   static std::vector<float> GetTexels(const Layer& layer, int size[2]);
 
   std::vector<Layer> Layers;

@@ -15,8 +15,44 @@
 #include "vtkWaterUniforms.h"
 #include "vtkWaterViewFS.h"
 
+#include <algorithm>
+#include <vector>
+
 namespace
 {
+// Draws go into the first of the bound draw buffers alone while an object of this class lives: the
+// others have what full-screen draws know nothing of.
+struct ScopedFirstBuffer
+{
+  ScopedFirstBuffer()
+  {
+    GLint count = 1;
+    glGetIntegerv(GL_MAX_DRAW_BUFFERS, &count);
+    for (GLint i = 0; i < count; ++i)
+    {
+      GLint buffer = GL_NONE;
+      glGetIntegerv(static_cast<GLenum>(GL_DRAW_BUFFER0 + i), &buffer);
+      this->Buffers.push_back(static_cast<GLenum>(buffer));
+    }
+    this->HasMore = std::any_of(this->Buffers.begin() + 1, this->Buffers.end(),
+      [](GLenum buffer) { return buffer != GL_NONE; });
+    if (this->HasMore)
+    {
+      glDrawBuffers(1, this->Buffers.data());
+    }
+  }
+  ~ScopedFirstBuffer()
+  {
+    if (this->HasMore)
+    {
+      glDrawBuffers(static_cast<GLsizei>(this->Buffers.size()), this->Buffers.data());
+    }
+  }
+
+  std::vector<GLenum> Buffers;
+  bool HasMore;
+};
+
 // Draws a full-screen quad over the current viewport with a fragment shader; false when it does not
 // compile.
 bool Ready(std::unique_ptr<vtkOpenGLQuadHelper>& quad, vtkOpenGLRenderWindow* window,
@@ -103,7 +139,12 @@ void vtkWaterScreen::DrawFog(vtkRenderer* renderer, const water_plan& plan,
   vtkWaterUniforms::Set4(program, "waterClipW", plan.clip_w);
   vtkWaterUniforms::Set3(program, "waterDeepColor", deepColor);
   vtkWaterUniforms::Set3(program, "waterExtinction", extinction);
-  this->Fog->Render();
+  {
+    vtkOpenGLState::ScopedglColorMask colorMask(state);
+    state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_FALSE);
+    const ScopedFirstBuffer first;
+    this->Fog->Render();
+  }
   backdrop.GetDepth()->Deactivate();
   backdrop.GetColor()->Deactivate();
 }

@@ -94,16 +94,16 @@ bool vtkWaterShading::PreReplaceShaderValues(std::string& vertexShader, std::str
 {
   if (prop->IsA("vtkWaterActor"))
   {
-    vtkWaterProperty* property = static_cast<vtkWaterActor*>(prop)->GetWaterProperty();
+    auto* water = static_cast<vtkWaterActor*>(prop);
     // a geometry shader would have to pass the place at rest on
     const bool canDisplace =
       geometryShader.empty() && vertexShader.find("//VTK::CustomEnd::Impl") != std::string::npos;
-    if (canDisplace && (vtkWaterSurface::GetStages(property) & vtkWaterSurface::DISPLACED) &&
+    if (canDisplace && (vtkWaterSurface::GetStages(water) & vtkWaterSurface::DISPLACED) &&
       InsertDeclarations(vertexShader, vtkWaterSurface::GetVertexShader()))
     {
       InsertBefore(vertexShader, "//VTK::CustomEnd::Impl", "  waterDisplace(gl_Position);");
     }
-    InsertDeclarations(fragmentShader, vtkWaterSurface::GetShader(property, canDisplace));
+    InsertDeclarations(fragmentShader, vtkWaterSurface::GetShader(water, canDisplace));
     return true;
   }
   if (!InsertDeclarations(fragmentShader, vtkWaterMirroredFS))
@@ -202,6 +202,19 @@ void vtkWaterShading::SetMirroredParameters(vtkShaderProgram* program, vtkProp* 
   // VTK sets the lights of a program, which are in view space, once per camera or light change by
   // their modification times; main and mirrored camera share the program.
   program->SetUniformGroupUpdateTime(vtkShaderProgram::LightingGroup, 0);
+}
+
+//------------------------------------------------------------------------------
+bool vtkWaterShading::BeginFog(vtkRenderer* renderer, const water_plan& plan)
+{
+  const vtkMTimeType frame = this->Keys.GetFrame(renderer);
+  if (frame == this->FogFrame && std::equal(plan.dir_to_eye, plan.dir_to_eye + 12, this->FogEye))
+  {
+    return false;
+  }
+  this->FogFrame = frame;
+  std::copy(plan.dir_to_eye, plan.dir_to_eye + 12, this->FogEye);
+  return true;
 }
 
 //------------------------------------------------------------------------------

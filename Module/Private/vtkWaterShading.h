@@ -17,6 +17,7 @@
 #include <unordered_set>
 
 class vtkProp;
+class vtkRenderer;
 class vtkWaterSurface;
 
 class vtkWaterShading : public vtkOpenGLRenderPass
@@ -37,6 +38,9 @@ public:
   void BeginMirroredView(const water_plan& plan);
   void EndMirroredView();
   bool IsInMirroredView() const { return this->MirroredView != nullptr; }
+
+  // Is this the first water that an eye is in, in the renderer's frame? The others add no fog.
+  bool BeginFog(vtkRenderer* renderer, const water_plan& plan);
 
   // This surface is drawn between the two.
   void BeginSurface(vtkWaterSurface* surface) { this->Surface = surface; }
@@ -62,6 +66,8 @@ private:
 
   const water_plan* MirroredView = nullptr;
   std::unordered_set<vtkShaderProgram*> SetUp; // programs that know the present view
+  vtkMTimeType FogFrame = 0;
+  double FogEye[12] = {}; // its directions
   vtkWaterSurface* Surface = nullptr;
 };
 

@@ -36,6 +36,7 @@
 #include "vtkWaterRippleFS.h"
 #include "vtkWaterSea.h"
 #include "vtkWaterSeaFS.h"
+#include "vtkWaterShading.h"
 #include "vtkWaterSunFS.h"
 #include "vtkWaterSurfaceFS.h"
 #include "vtkWaterTileFS.h"
@@ -60,8 +61,9 @@ constexpr double kFlat[4] = { 0.0, 0.0, 0.0, 0.0 };
 }
 
 //------------------------------------------------------------------------------
-int vtkWaterSurface::GetStages(vtkWaterProperty* property)
+int vtkWaterSurface::GetStages(vtkWaterActor* water)
 {
+  vtkWaterProperty* property = water->GetWaterProperty();
   int stages = 0;
   const bool hasWaves = property->HasWaves();
   if (hasWaves)
@@ -83,7 +85,7 @@ int vtkWaterSurface::GetStages(vtkWaterProperty* property)
   {
     stages |= DISPLACED;
   }
-  if (property->GetRefraction() && property->GetOpacity() >= 1.0)
+  if (property->GetRefraction() && water->HasOpaqueGeometry())
   {
     stages |= BODY;
     stages |= hasWaves && property->GetCaustics() > 0.0 ? CAUSTICS : 0;
@@ -96,9 +98,9 @@ int vtkWaterSurface::GetStages(vtkWaterProperty* property)
 }
 
 //------------------------------------------------------------------------------
-std::string vtkWaterSurface::GetShader(vtkWaterProperty* property, bool canDisplace)
+std::string vtkWaterSurface::GetShader(vtkWaterActor* water, bool canDisplace)
 {
-  const int stages = GetStages(property);
+  const int stages = GetStages(water);
   const char* reflection = stages & ENVIRONMENT ? vtkWaterEnvironmentFS
     : stages & RAY_TRACED                       ? vtkWaterLookupFS
     : stages & OFFSET                           ? vtkWaterOffsetFS
@@ -142,9 +144,9 @@ std::string vtkWaterSurface::GetVertexShader()
 }
 
 //------------------------------------------------------------------------------
-bool vtkWaterSurface::UpdateStages(vtkWaterProperty* property)
+bool vtkWaterSurface::UpdateStages(vtkWaterActor* water)
 {
-  const int stages = GetStages(property);
+  const int stages = GetStages(water);
   const bool isOther = stages != this->BuiltStages;
   this->BuiltStages = stages;
   return isOther;
@@ -185,6 +187,23 @@ void vtkWaterSurface::UploadNormalMap(size_t number)
   const auto& layers = this->Property->GetNormalMaps().Layers;
   const vtkWaterNormalMaps::Layer& layer = layers[std::min(number, layers.size() - 1)];
   auto* window = static_cast<vtkOpenGLRenderWindow*>(this->Drawn.Renderer->GetRenderWindow());
+  const std::string wrong = vtkWaterNormalMaps::Check(layer);
+  if (!wrong.empty())
+  {
+    const std::pair<vtkTexture*, vtkMTimeType> broken{ layer.Texture, 0 };
+    if (this->NormalMapTimes[number] != broken)
+    {
+      std::vector<float> level(4, 0.0f);
+      this->NormalMaps[number].Upload(window, 1, 1, level);
+      this->NormalMapTimes[number] = broken;
+      if (number < layers.size()) // said once
+      {
+        vtkErrorWithObjectMacro(this->Property,
+          "The texture of a normal map has changed: " << wrong << ". The map is left out.");
+      }
+    }
+    return;
+  }
   const std::pair<vtkTexture*, vtkMTimeType> now{ layer.Texture,
     vtkWaterNormalMaps::GetTime(layer) };
   if (this->NormalMapTimes[number] != now || !this->NormalMaps[number].Get(window))
@@ -202,6 +221,11 @@ void vtkWaterSurface::UploadNormalMap(size_t number)
 void vtkWaterSurface::Begin(vtkWaterActor* water, const Frame& frame)
 {
   this->Drawn = frame;
+  if (frame.Plan)
+  {
+    this->Plan = *frame.Plan;
+    this->Drawn.Plan = &this->Plan;
+  }
   this->Property = water->GetWaterProperty();
   this->HasBackdrop = false;
   this->Active.clear();
@@ -214,9 +238,10 @@ void vtkWaterSurface::Begin(vtkWaterActor* water, const Frame& frame)
     this->HasBackdrop = this->Backdrop.Copy(window, drawn);
     this->Active.emplace_back("waterSceneColor", this->Backdrop.GetColor());
     this->Active.emplace_back("waterSceneDepth", this->Backdrop.GetDepth());
-    if (this->HasBackdrop && frame.Plan->is_submerged)
+    if (this->HasBackdrop && frame.Plan->is_submerged &&
+      vtkWaterShading::GetOfThread()->BeginFog(frame.Renderer, *frame.Plan))
     {
-      this->Screen.DrawFog(frame.Renderer, *frame.Plan, this->Backdrop,
+      frame.Screen->DrawFog(frame.Renderer, *frame.Plan, this->Backdrop,
         this->Property->GetDeepColor(), this->Property->GetExtinction());
     }
   }
@@ -265,6 +290,11 @@ void vtkWaterSurface::Begin(vtkWaterActor* water, const Frame& frame)
   }
   this->Environment =
     this->BuiltStages & ENVIRONMENT ? this->Property->GetEnvironmentTexture() : nullptr;
+  if (this->Environment &&
+    (this->Environment->GetCubeMap() || this->Environment->GetNumberOfInputConnections(0) == 0))
+  {
+    this->Environment = nullptr; // it has changed since it was set; the background is at hand
+  }
   if (this->Environment)
   {
     this->Environment->Render(frame.Renderer);
@@ -285,6 +315,8 @@ void vtkWaterSurface::End()
       texture->Deactivate();
     }
   }
+  this->Active.clear();
+  this->Environment = nullptr;
   this->Property = nullptr;
 }
 
@@ -492,5 +524,4 @@ void vtkWaterSurface::ReleaseGraphicsResources(vtkWindow* window)
     texture.ReleaseGraphicsResources(window);
   }
   this->Backdrop.ReleaseGraphicsResources(window);
-  this->Screen.ReleaseGraphicsResources();
 }

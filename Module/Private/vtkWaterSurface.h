@@ -31,6 +31,7 @@ public:
   struct Frame
   {
     vtkOpenGLRenderer* Renderer;
+    vtkWaterScreen* Screen;       // of the renderer
     const water_plan* Plan;       // nullptr: show the plain colour
     vtkTextureObject* Reflection; // any texture when nothing is reflected
     vtkTextureObject* ReflectionDepth;
@@ -55,18 +56,18 @@ public:
     ROUGH = 1 << 9,
     DISPLACED = 1 << 10
   };
-  static int GetStages(vtkWaterProperty* property);
+  static int GetStages(vtkWaterActor* water);
 
   // The source that defines waterShade.
   //
   // canDisplace  the vertex shader can move its vertices
-  static std::string GetShader(vtkWaterProperty* property, bool canDisplace);
+  static std::string GetShader(vtkWaterActor* water, bool canDisplace);
 
   // The source that defines waterDisplace, for vertices.
   static std::string GetVertexShader();
 
   // Is another shader needed than for the last draw?
-  bool UpdateStages(vtkWaterProperty* property);
+  bool UpdateStages(vtkWaterActor* water);
 
   // The surface is drawn between the two.
   void Begin(vtkWaterActor* water, const Frame& frame);
@@ -89,9 +90,12 @@ private:
 
   int BuiltStages = 0;
   Frame Drawn = Frame();
-  vtkWaterProperty* Property = nullptr;                          // of what is drawn
-  std::vector<std::pair<const char*, vtkTextureObject*>> Active; // by the names in the shader
-  vtkTexture* Environment = nullptr;                             // in use
+  // Drawing runs the user's observers, who may drop any of these.
+  vtkSmartPointer<vtkWaterProperty> Property; // of what is drawn
+  water_plan Plan = water_plan();
+  std::vector<std::pair<const char*, vtkSmartPointer<vtkTextureObject>>>
+    Active;                                // names in the shader
+  vtkSmartPointer<vtkTexture> Environment; // in use
   double Time = 0.0;
   vtkSmartPointer<vtkTextureObject> Waves; // a row per wave
   int WaveCount = 0;
@@ -102,7 +106,6 @@ private:
   double NormalMapTexels[vtkWaterNormalMaps::Limit] = {};                              // their size
   vtkWaterBackdrop Backdrop;
   bool HasBackdrop = false;
-  vtkWaterScreen Screen;
 };
 
 #endif

@@ -287,6 +287,19 @@ def errors_of(thing):
     return errors
 
 
+def checker(size=16):
+    """A picture of black and white squares."""
+    from vtkmodules.util.numpy_support import numpy_to_vtk
+    from vtkmodules.vtkCommonDataModel import vtkImageData
+
+    squares = np.add.outer(np.arange(size), np.arange(size)) % 2 * 255
+    image = vtkImageData()
+    image.SetDimensions(size, size, 1)
+    image.GetPointData().SetScalars(
+        numpy_to_vtk(np.repeat(squares.reshape(-1, 1), 3, axis=1).astype(np.uint8), deep=True))
+    return image
+
+
 def add_scene_light(renderer, position, focal_point=(0, 0, 0)):
     light = vtkLight()
     light.SetLightTypeToSceneLight()
