@@ -314,7 +314,8 @@ public:
 
   ///@{
   /**
-   * Whether waves displace the surface: up and down, and, steep ones, to and fro. Off is a flat
+   * Whether the waves of AddWave displace the surface (the wind sea and normal maps do not): up and
+   * down, and, steep ones, to and fro. Off is a flat
    * sheet with their normals: cheaper, and right where waves are low against what stands in them.
    * On, the own sheet becomes a grid over what the eye sees of it; of a mapper of the user's the
    * points are displaced as they are, so that it needs several to a wave. Has no effect without
