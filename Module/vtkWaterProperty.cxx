@@ -3,41 +3,19 @@
 
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"
-#include "vtkSmartPointer.h"
 #include "vtkTexture.h"
 #include "vtkWaterCompat.h"
-#include "vtkWaterNormalMaps.h"
+#include "vtkWaterPropertyInternals.h"
 #include "water_body.h"
-#include "water_glitter.h"
 #include "water_preset.h"
-#include "water_tile.h"
-#include "water_waves.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstring>
 #include <limits>
 #include <string>
-#include <utility>
-#include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
 vtkStandardNewMacro(vtkWaterProperty);
-
-namespace
-{
-constexpr double kLargestVariance = 1e6; // shaders have floats
-}
-
-struct vtkWaterProperty::Internals
-{
-  std::vector<water_wave> Waves;
-  double Extinction[3]; // 1/m
-  vtkSmartPointer<vtkTexture> Environment;
-  vtkWaterNormalMaps NormalMaps;
-  double SeaSlopes[2] = { 0.0, 0.0 }; // variances of the sea, as of SeaTime
-  vtkMTimeType SeaTime = 0;
-};
 
 //------------------------------------------------------------------------------
 vtkWaterProperty::vtkWaterProperty()
@@ -159,46 +137,6 @@ vtkTexture* vtkWaterProperty::GetEnvironmentTexture() const
 void vtkWaterProperty::SetGlitter(bool glitter)
 {
   vtkWaterSetInRange(Glitter, glitter, false, true);
-}
-
-//------------------------------------------------------------------------------
-void vtkWaterProperty::SetSlopeVariance(double along, double across, double direction)
-{
-  const double variance[3] = { along, across, direction };
-  if (!(along >= 0.0 && across >= 0.0 && along <= kLargestVariance && across <= kLargestVariance &&
-        std::isfinite(direction)))
-  {
-    vtkErrorMacro("SlopeVariance is " << along << " along and " << across << " across " << direction
-                                      << " degrees; the variances must lie in [0, "
-                                      << kLargestVariance
-                                      << "], not negative, and the direction be "
-                                      << "finite. They stay as they were.");
-  }
-  else if (!std::equal(variance, variance + 3, this->SlopeVariance))
-  {
-    std::copy(variance, variance + 3, this->SlopeVariance);
-    this->Modified();
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkWaterProperty::SetSlopeVarianceToWind(double speed, double direction)
-{
-  double variance[2];
-  const water_status status = water_glitter_variance(speed, variance);
-  if (status != WATER_OK)
-  {
-    vtkErrorMacro("Wind of " << speed << " m/s: " << water_status_text(status)
-                             << ". SlopeVariance stays as it was.");
-    return;
-  }
-  this->SetSlopeVariance(variance[0], variance[1], direction);
-}
-
-//------------------------------------------------------------------------------
-void vtkWaterProperty::GetSlopeVariance(double variance[3]) const
-{
-  std::copy(this->SlopeVariance, this->SlopeVariance + 3, variance);
 }
 
 //------------------------------------------------------------------------------
@@ -354,186 +292,6 @@ void vtkWaterProperty::SetOpacity(double opacity)
 }
 
 //------------------------------------------------------------------------------
-int vtkWaterProperty::AddWave(
-  double amplitude, double wavelength, double direction, double phase, double steepness)
-{
-  std::vector<water_wave> waves = this->Internal->Waves;
-  waves.push_back(water_wave{ amplitude, wavelength, vtkMath::RadiansFromDegrees(direction),
-    vtkMath::RadiansFromDegrees(phase), steepness });
-  size_t culprit = 0;
-  const water_status status = water_waves_check(waves.data(), waves.size(), &culprit);
-  if (status != WATER_OK)
-  {
-    vtkErrorMacro("Wave of Amplitude "
-      << amplitude << ", Wavelength " << wavelength << ", Direction " << direction << ", Phase "
-      << phase << ", Steepness " << steepness << ": " << water_status_text(status)
-      << ". It is not added.");
-    return -1;
-  }
-  this->Internal->Waves = std::move(waves);
-  this->Modified();
-  return this->GetNumberOfWaves() - 1;
-}
-
-//------------------------------------------------------------------------------
-void vtkWaterProperty::RemoveAllWaves()
-{
-  if (!this->Internal->Waves.empty())
-  {
-    this->Internal->Waves.clear();
-    this->Modified();
-  }
-}
-
-//------------------------------------------------------------------------------
-int vtkWaterProperty::GetNumberOfWaves() const
-{
-  return static_cast<int>(this->Internal->Waves.size());
-}
-
-//------------------------------------------------------------------------------
-bool vtkWaterProperty::GetWave(int number, double wave[5]) const
-{
-  if (number < 0 || number >= this->GetNumberOfWaves())
-  {
-    return false;
-  }
-  const water_wave& found = this->Internal->Waves[static_cast<size_t>(number)];
-  wave[0] = found.amplitude;
-  wave[1] = found.wavelength;
-  wave[2] = vtkMath::DegreesFromRadians(found.direction_rad);
-  wave[3] = vtkMath::DegreesFromRadians(found.phase_rad);
-  wave[4] = found.steepness;
-  return true;
-}
-
-//------------------------------------------------------------------------------
-double vtkWaterProperty::GetSlopeRMS() const
-{
-  double height = 0.0;
-  double slope = 0.0;
-  water_waves_rms(this->Internal->Waves.data(), this->Internal->Waves.size(), &height, &slope);
-  if (!this->Sea)
-  {
-    return slope;
-  }
-  if (this->Internal->SeaTime != this->MTime)
-  {
-    // an integral over the spectrum: not in every frame
-    water_sea sea;
-    water_tile tile;
-    this->ReadSea(&sea, &tile);
-    double leftOut[2];
-    water_tile_slopes(&tile, &sea, this->Internal->SeaSlopes, leftOut);
-    this->Internal->SeaTime = this->MTime;
-  }
-  return water_tile_slope_rms(this->Internal->SeaSlopes, slope);
-}
-
-//------------------------------------------------------------------------------
-double vtkWaterProperty::GetWaveHeightMax() const
-{
-  double height = 0.0;
-  double across = 0.0;
-  water_waves_reach(this->Internal->Waves.data(), this->Internal->Waves.size(), &height, &across);
-  return height;
-}
-
-//------------------------------------------------------------------------------
-double vtkWaterProperty::GetWaveReach() const
-{
-  double height = 0.0;
-  double across = 0.0;
-  water_waves_reach(this->Internal->Waves.data(), this->Internal->Waves.size(), &height, &across);
-  return across;
-}
-
-//------------------------------------------------------------------------------
-void vtkWaterProperty::SetWaveGeometry(bool geometry)
-{
-  if (this->WaveGeometry != geometry)
-  {
-    this->WaveGeometry = geometry;
-    this->Modified();
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkWaterProperty::SetWaveGridSize(int size)
-{
-  vtkWaterSetInRange(WaveGridSize, size, 16, 2048);
-}
-
-//------------------------------------------------------------------------------
-const water_wave* vtkWaterProperty::GetWaves() const
-{
-  return this->Internal->Waves.data();
-}
-
-//------------------------------------------------------------------------------
-int vtkWaterProperty::AddNormalMap(
-  vtkTexture* texture, double size, double speed, double direction, double strength)
-{
-  const std::string wrong = this->Internal->NormalMaps.Add(
-    texture, water_normal_map{ size, speed, vtkMath::RadiansFromDegrees(direction), strength });
-  if (!wrong.empty())
-  {
-    vtkErrorMacro("Normal map of Size " << size << ", Speed " << speed << ", Direction "
-                                        << direction << ", Strength " << strength << ": " << wrong
-                                        << ". It is not added.");
-    return -1;
-  }
-  this->Modified();
-  return this->GetNumberOfNormalMaps() - 1;
-}
-
-//------------------------------------------------------------------------------
-void vtkWaterProperty::RemoveAllNormalMaps()
-{
-  if (!this->Internal->NormalMaps.Layers.empty())
-  {
-    this->Internal->NormalMaps.Layers.clear();
-    this->Modified();
-  }
-}
-
-//------------------------------------------------------------------------------
-int vtkWaterProperty::GetNumberOfNormalMaps() const
-{
-  return static_cast<int>(this->Internal->NormalMaps.Layers.size());
-}
-
-//------------------------------------------------------------------------------
-bool vtkWaterProperty::GetNormalMap(int number, double map[4]) const
-{
-  if (number < 0 || number >= this->GetNumberOfNormalMaps())
-  {
-    return false;
-  }
-  const water_normal_map& found =
-    this->Internal->NormalMaps.Layers[static_cast<size_t>(number)].Map;
-  map[0] = found.size;
-  map[1] = found.speed;
-  map[2] = vtkMath::DegreesFromRadians(found.direction_rad);
-  map[3] = found.strength;
-  return true;
-}
-
-//------------------------------------------------------------------------------
-vtkTexture* vtkWaterProperty::GetNormalMapTexture(int number) const
-{
-  return number < 0 || number >= this->GetNumberOfNormalMaps()
-    ? nullptr
-    : this->Internal->NormalMaps.Layers[static_cast<size_t>(number)].Texture;
-}
-
-//------------------------------------------------------------------------------
-const vtkWaterNormalMaps& vtkWaterProperty::GetNormalMaps() const
-{
-  return this->Internal->NormalMaps;
-}
-
-//------------------------------------------------------------------------------
 vtkMTimeType vtkWaterProperty::GetMTime()
 {
   vtkMTimeType time = this->Superclass::GetMTime();
@@ -546,18 +304,6 @@ vtkMTimeType vtkWaterProperty::GetMTime()
 }
 
 //------------------------------------------------------------------------------
-bool vtkWaterProperty::HasWaves() const
-{
-  return this->GetNumberOfWaves() > 0 || this->Sea || this->GetNumberOfNormalMaps() > 0;
-}
-
-//------------------------------------------------------------------------------
-bool vtkWaterProperty::IsRough() const
-{
-  return this->HasWaves() || this->SlopeVariance[0] + this->SlopeVariance[1] > 0.0;
-}
-
-//------------------------------------------------------------------------------
 bool vtkWaterProperty::NeedsRays() const
 {
   return this->IsRough() || this->Output != COLOR || this->Shadows;
@@ -567,21 +313,6 @@ bool vtkWaterProperty::NeedsRays() const
 bool vtkWaterProperty::HasGlitter() const
 {
   return this->Glitter && this->IsRough();
-}
-
-//------------------------------------------------------------------------------
-void vtkWaterProperty::SetDepth(double depth)
-{
-  if (!(depth > 0.0))
-  {
-    vtkErrorMacro("Depth is " << depth << "; it must be greater than 0 (infinity is deep water). "
-                              << "It stays " << this->Depth << ".");
-  }
-  else if (this->Depth != depth)
-  {
-    this->Depth = depth;
-    this->Modified();
-  }
 }
 
 //------------------------------------------------------------------------------
