@@ -6,6 +6,7 @@ import numpy as np
 import ray_caster
 import water_test as wt
 from vtkwater import vtkWaterProperty
+from wave_scenes import rmse
 
 INDEX = 1.333
 SIZE = (400, 300)
@@ -139,10 +140,6 @@ def truth_of(camera, waves=(), samples=4):
     colors[is_water] = left * seen + (1 - left) * DEEP
     shape = (SIZE[1], samples, SIZE[0], samples)
     return (255 * colors.reshape(*shape, 3).mean(axis=(1, 3)), is_water.reshape(shape).all(axis=(1, 3)))
-
-
-def rmse(picture, truth, mask):
-    return float(np.sqrt(((picture - truth)[mask] ** 2).mean()))
 
 
 folder = wt.output_folder()

@@ -7,6 +7,7 @@ import water_test as wt
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkUnsignedCharArray
 from vtkmodules.vtkRenderingCore import vtkTexture
+from vtkmodules.vtkRenderingOpenGL2 import vtkCameraPass, vtkRenderPassCollection, vtkSequencePass, vtkShadowMapPass
 from vtkwater import vtkWaterActor
 
 SIZE = (200, 150)
@@ -128,4 +129,82 @@ made.window.GetRGBACharPixelData(0, 0, SIZE[0] - 1, SIZE[1] - 1, 0, plain)
 is_open = (vtk_to_numpy(plain).reshape(SIZE[1], SIZE[0], 4)[:, :, 3] == 0) & ~wt.water_mask(*scene(
     eye=(3, -8, -1.2), target=(0, 60, 20)))
 wt.check_equal("transparent background: opaque pixels beside the surface", int((alpha[is_open] > 0).sum()), 0)
+
+# A soft shore: the reflectance begins with the depth of the water.
+made = wt.View(SIZE, (0, 0, 0))
+bed = wt.box((0, 0, -0.5), (40, 40, 1))
+points = bed.GetPoints()
+for i in range(points.GetNumberOfPoints()):  # dry from x = 0 on, 0.1 m deeper every metre to the left
+    px, py, pz = points.GetPoint(i)
+    points.SetPoint(i, px, py, pz + 0.1 * px)
+wt.add_actor(made.renderer, bed, (0.5, 0.5, 0.5), lit=False)
+water = wt.add_water(made.renderer, None, SHEET, 1.0)
+look = water.GetWaterProperty()
+look.RefractionOn()
+look.SetShoreSoftness(0.2)  # full from x = -2 on
+look.SetOutputToReflectance()
+camera = made.renderer.GetActiveCamera()
+camera.ParallelProjectionOn()
+camera.SetParallelScale(3)
+camera.SetPosition(-1, 0, 20)
+camera.SetFocalPoint(-1, 0, 0)
+camera.SetViewUp(0, 1, 0)
+camera.SetClippingRange(1, 40)
+row = made.picture()[75]
+x = -1 + (np.arange(SIZE[0]) + 0.5 - SIZE[0] / 2) * 6 / SIZE[1]
+shown = (256 * row[:, 0] + row[:, 1]) / 65535
+is_water = x < -0.05
+wt.check_at_most("soft shore: error of the reflectance",
+                 float(np.abs(shown - np.clip(-0.1 * x / 0.2, 0, 1))[is_water].max()), 0.01)
+
+# Clear water lets the light of a shadow map through to its bed.
+def bed_under(passes, clear):
+    made, water = scene(eye=(3, -8, 8), clear=clear)
+    water.GetWaterProperty().SetReflectanceModeToConstant()
+    water.GetWaterProperty().SetReflectance(0)
+    water.GetWaterProperty().SetAbsorption(0, 0, 0)
+    for actor in made.renderer.GetActors():
+        actor.GetProperty().LightingOn()
+    wt.add_scene_light(made.renderer, (0, 0, 30))
+    made.renderer.GetLights().GetItemAsObject(0).PositionalOn()
+    made.renderer.GetLights().GetItemAsObject(0).SetConeAngle(60)
+    if passes:
+        shadows = vtkShadowMapPass()
+        sequence = vtkSequencePass()
+        collection = vtkRenderPassCollection()
+        collection.AddItem(shadows.GetShadowMapBakerPass())
+        collection.AddItem(shadows)
+        sequence.SetPasses(collection)
+        camera_pass = vtkCameraPass()
+        camera_pass.SetDelegatePass(sequence)
+        made.renderer.SetPass(camera_pass)
+    return made.picture()[20:40, 20:60].mean()
+
+
+wt.check_at_least("shadow map: light on the bed under clear water, over that without shadows",
+                  float(bed_under(True, True) / bed_under(False, True)), 0.8)
+
+# A rough reflection is one blurred image, not several sharp ones: between the images of an edge the
+# brightness rises step by step.
+made = wt.View(SIZE, (0, 0, 0))
+wt.add_actor(made.renderer, wt.box((0, 20, 4), (200, 0.1, 8)), (1, 1, 1), lit=False)
+water = wt.add_water(made.renderer, None, (-90, 90, -90, 90), 1.0)
+water.GetWaterProperty().SetSlopeVariance(5e-4, 5e-4)
+camera = made.renderer.GetActiveCamera()
+camera.SetPosition(0, -20, 5)
+camera.SetFocalPoint(0, 0, 1)
+camera.SetViewUp(0, 0, 1)
+camera.SetClippingRange(1, 200)
+column = made.picture()[:, 100, 0]
+steps = np.abs(np.diff(column))[:70]  # from the bottom up to the foot of the wall
+wt.check_at_most("rough reflection: largest step from pixel to pixel, of 255", int(steps.max()), 60)
+
+# A change of a texture is a change of the water.
+water = vtkWaterActor()
+picture = vtkTexture()
+picture.SetInputData(wt.checker())
+water.GetWaterProperty().SetEnvironmentTexture(picture)
+before = water.GetMTime()
+picture.Modified()
+wt.check_equal("a texture's change is the water's", water.GetMTime() > before, True)
 wt.finish()

@@ -8,6 +8,7 @@ waves, by the definition of their height; from there on it is TestWaterLookupErr
 import numpy as np
 import ray_caster
 import water_test as wt
+from wave_scenes import looked_up, map_places, mean_slopes
 
 SIZE = (240, 180)
 RMS_HEIGHT = 0.3
@@ -46,33 +47,6 @@ def scene(position, waves, size=SIZE):
     return made, water
 
 
-def map_places(camera, water, points, size):
-    """Where the mirrored view shows points of the world: u, v in [0, 1] of its texture."""
-    matrix = camera.GetCompositeProjectionTransformMatrix(size[0] / size[1], -1, 1)
-    to_clip = np.array([[matrix.GetElement(i, j) for j in range(4)] for i in range(4)])
-    mirrored = np.concatenate([points * (1, 1, -1), np.ones((len(points), 1))], axis=1)
-    clip = mirrored @ to_clip.T
-    ndc = clip[:, :2] / clip[:, 3:] * (-1, 1)
-    texture = water.GetReflectionPass().GetReflectionTexture()
-    texture_size = np.array((texture.GetWidth(), texture.GetHeight()))
-    return 0.5 + 0.5 * ndc * np.array(size) / texture_size, texture_size
-
-
-def mean_slopes(waves, place):
-    """Of the pixel: a wave that is short against it counts by its mean, exp(-(turn per pixel)^2 / 24)."""
-    across = np.repeat(place[:, 1::2] - place[:, ::2], 2, axis=1)[..., :2]  # pixels go by fours
-    down = np.repeat(place[1::2] - place[::2], 2, axis=0)[..., :2]
-    slopes = [np.zeros(place.shape[0] * place.shape[1]) for _ in range(2)]
-    for wave in waves:
-        k = 2 * np.pi / wave[1]
-        direction = k * np.array((np.cos(np.radians(wave[2])), np.sin(np.radians(wave[2]))))
-        seen = np.exp(-((across @ direction) ** 2 + (down @ direction) ** 2) / 24).ravel()
-        _, *own = ray_caster.heights_and_slopes((wave,), place[..., 0].ravel(), place[..., 1].ravel(), 0.0)
-        for total, slope in zip(slopes, own):
-            total += seen * slope
-    return slopes
-
-
 def truth(camera, water, waves, size):
     """For every pixel: the right place in the map, and whether it counts."""
     start, ray = ray_caster.eye_rays(camera, size, 1)
@@ -101,13 +75,6 @@ def truth(camera, water, waves, size):
     right, texture_size = map_places(camera, water, met, size)
     counts &= ((right > 0) & (right < 1)).all(axis=1)
     return right, counts, texture_size
-
-
-def looked_up(made, water):
-    water.GetWaterProperty().SetOutputToLookup()
-    red, green, blue = (made.picture()[:, :, i].ravel() for i in range(3))
-    water.GetWaterProperty().SetOutputToColor()
-    return np.stack([red * 16 + green // 16, green % 16 * 256 + blue], axis=1) / 4095.0
 
 
 def describe(errors):

@@ -15,13 +15,6 @@ INDEX = 1.333
 TEXELS = 128
 
 
-def fresnel(cosine):
-    out = np.sqrt(1 - (1 - cosine**2) / INDEX**2)
-    s = (cosine - INDEX * out) / (cosine + INDEX * out)
-    p = (INDEX * cosine - out) / (INDEX * cosine + out)
-    return 0.5 * (s**2 + p**2)
-
-
 def texture_of(values, kind=np.uint8):
     image = vtkImageData()
     image.SetDimensions(values.shape[1], values.shape[0], 1)
@@ -73,7 +66,7 @@ def expected_reflectance(layers, time, place, ray):
         slope_x, slope_y = slope_x + strength * x, slope_y + strength * y
     normal = np.stack([-slope_x, -slope_y, np.ones_like(slope_x)], axis=1)
     normal /= np.linalg.norm(normal, axis=1, keepdims=True)
-    return fresnel(-(ray * normal).sum(axis=1))
+    return ray_caster.fresnel(-(ray * normal).sum(axis=1))
 
 
 LAYERS = ((3.0, 0.4, 30.0, 1.0), (1.7, 0.7, -100.0, 0.6))

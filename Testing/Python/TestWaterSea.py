@@ -4,6 +4,7 @@
 import math
 
 import numpy as np
+import ray_caster
 import water_test as wt
 from vtkwater import vtkWaterActor, vtkWaterProperty
 
@@ -168,14 +169,6 @@ for name, bad, part in (
 
 
 # The picture. The reflectance of each pixel is Fresnel's with the twin's normal there, near the origin and far.
-def fresnel(cosine, n):
-    c = np.clip(cosine, 0, 1)
-    g = np.sqrt(n * n - 1 + c * c)
-    s = (c - g) / (c + g)
-    p = (n * n * c - g) / (n * n * c + g)
-    return 0.5 * (s * s + p * p)
-
-
 def view_of(water, position, focus, size, angle=30, clipping=(0.01, 50), sheet=30):
     made = wt.View(size, (0.5, 0.6, 0.7))
     made.renderer.GradientBackgroundOn()
@@ -214,7 +207,7 @@ for name, x0, y0 in (("near the origin", 0.0, 0.0), ("2000 km away", 1e6 + 0.1, 
         place = eye - ray * (eye[2] / ray[2])
         normal = [0.0, 0.0, 0.0]
         water.GetWaveNormal(place[0], place[1], normal)
-        worst.append(abs(shown[j, i] - fresnel(-np.dot(ray, normal), 1.333)))
+        worst.append(abs(shown[j, i] - ray_caster.fresnel(-np.dot(ray, normal), 1.333)))
     wt.check_at_most(f"{name}: reflectance against the twin's normal, worst of 2000 pixels", max(worst), 2e-3)
     wt.check_at_least(f"{name}: and it varies, standard deviation", float(shown.std()), 0.005)
 

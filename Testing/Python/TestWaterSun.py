@@ -24,13 +24,6 @@ def look_at(made, position, target=(0, 0, 0), angle=30, up=(0, 0, 1)):
     return camera
 
 
-def fresnel(cosine):
-    out = np.sqrt(1 - (1 - cosine**2) / INDEX**2)
-    s = (cosine - INDEX * out) / (cosine + INDEX * out)
-    p = (INDEX * cosine - out) / (INDEX * cosine + out)
-    return 0.5 * (s**2 + p**2)
-
-
 def dark_water(made, reflectance=0.0):
     water = wt.add_water(made.renderer, None, (-200, 200, -200, 200), reflectance)
     water.GetWaterProperty().SetDeepColor(0, 0, 0)
@@ -61,7 +54,7 @@ for along, across, wind in ((0.02, 0.02, 0.0), (0.03, 0.012, 0.0), (0.03, 0.012,
     first = slope @ (np.cos(turn), np.sin(turn))
     second = slope @ (-np.sin(turn), np.cos(turn))
     density = np.exp(-0.5 * (first**2 / along + second**2 / across)) / (2 * np.pi * np.sqrt(along * across))
-    expected = np.pi * 0.5 * fresnel(facet @ sun) * density / (4 * -ray[:, 2] * facet[:, 2] ** 4)
+    expected = np.pi * 0.5 * ray_caster.fresnel(facet @ sun) * density / (4 * -ray[:, 2] * facet[:, 2] ** 4)
     shown = made.picture()[:, :, 0].ravel() / 255
     good = (ray[:, 2] < -0.05) & (expected < 0.99)
     name = f"glitter, variances {along}, {across}, wind {wind:g} degrees"

@@ -182,13 +182,6 @@ def steep_slopes(x, y):
     return along[0] * slope, along[1] * slope
 
 
-def fresnel(cosine, index=1.333):
-    out = np.sqrt(1 - (1 - cosine**2) / index**2)
-    s = (cosine - index * out) / (cosine + index * out)
-    p = (index * cosine - out) / (index * cosine + out)
-    return 0.5 * (s**2 + p**2)
-
-
 made, water = post_scene("high", waves=(STEEP,))
 look = water.GetWaterProperty()
 look.SetReflectanceModeToFresnel()
@@ -197,7 +190,7 @@ start, ray = ray_caster.eye_rays(made.renderer.GetActiveCamera(), POSTS_SIZE, 1)
 place = start - (start[:, 2] / ray[:, 2])[:, None] * ray
 normal = np.stack([*(-slope for slope in steep_slopes(place[:, 0], place[:, 1])), np.ones(len(ray))], axis=1)
 normal /= np.linalg.norm(normal, axis=1, keepdims=True)
-expected = fresnel(np.clip(-(ray * normal).sum(axis=1), 0, 1))
+expected = ray_caster.fresnel(np.clip(-(ray * normal).sum(axis=1), 0, 1))
 look.SetOutputToReflectance()
 
 

@@ -68,6 +68,14 @@ def heights_and_slopes(waves, x, y, time, depth=np.inf):
     return height, slope_x, slope_y
 
 
+def fresnel(cosine, index=1.333):
+    """Reflectance of unpolarised light from above; Born and Wolf, 1.5.2, eq. 21, by amplitudes."""
+    inside = np.sqrt(1 - (1 - cosine**2) / index**2)
+    s = (cosine - index * inside) / (cosine + index * inside)
+    p = (index * cosine - inside) / (index * cosine + inside)
+    return 0.5 * (s**2 + p**2)
+
+
 def eye_rays(camera, size, samples):
     """Start and unit direction of samples x samples rays in every pixel; rows from the bottom."""
     width, height = size
