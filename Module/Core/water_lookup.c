@@ -5,6 +5,7 @@
 #include "water_math.h"
 #include "water_mirror.h"
 #include "water_plane.h"
+#include "water_select.h"
 
 // Rows x, y and w of the clip coordinates of a world vector (w 0: a direction).
 static void picture_of(
@@ -171,7 +172,7 @@ double water_lookup_top(
     {
       continue;
     }
-    if (props[i].flags & WATER_PROP_NO_BOUNDS)
+    if (water_select_is_unbounded(props + i))
     {
       return (double)INFINITY;
     }

@@ -4,6 +4,7 @@
 
 #include "water_math.h"
 #include "water_plane.h"
+#include "water_select.h"
 
 // Fx m Fx, Fx = diag(-1, 1, 1, 1): entries with one index of x change sign.
 static void flip_x_both(const double matrix[16], double flipped[16])
@@ -54,7 +55,7 @@ double water_mirror_reach(
   double scale = 1.0;
   for (size_t i = 0; i < prop_count; ++i)
   {
-    if (fates[i] != WATER_DRAW || (props[i].flags & WATER_PROP_NO_BOUNDS))
+    if (fates[i] != WATER_DRAW || water_select_is_unbounded(props + i))
     {
       continue;
     }

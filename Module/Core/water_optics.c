@@ -65,6 +65,30 @@ double water_optics_schlick(double cosine, double eta)
   return at_normal + (1.0 - at_normal) * rest * rest * rest * rest * rest;
 }
 
+double water_optics_reflectance_max(const water_look* look, double eta, const double ndc_to_ray[9],
+  const double box[4], double slope_max)
+{
+  if (look->constant_reflectance)
+  {
+    return look->reflectance;
+  }
+  // The angle to the normal is largest in a corner: the box is a spherical polygon of directions.
+  double most = 0.0;
+  for (int corner = 0; corner < 4; ++corner)
+  {
+    const double x = corner & 1 ? box[2] : box[0];
+    const double y = corner & 2 ? box[3] : box[1];
+    double ray[3];
+    for (int i = 0; i < 3; ++i)
+    {
+      ray[i] = ndc_to_ray[3 * i] * x + ndc_to_ray[3 * i + 1] * y + ndc_to_ray[3 * i + 2];
+    }
+    const double angle = atan2(hypot(ray[0], ray[1]), -ray[2]) + atan(slope_max);
+    most = fmax(most, angle);
+  }
+  return water_optics_fresnel(cos(most), eta);
+}
+
 double water_optics_critical_rad(double eta)
 {
   return asin(clamp_unit(eta));

@@ -32,6 +32,14 @@ double water_optics_fresnel(double cosine, double eta);
 // Source: Schlick 1994, "An Inexpensive BRDF Model for Physically-based Rendering".
 double water_optics_schlick(double cosine, double eta);
 
+// The most that any pixel of a part of the picture reflects, from above the water.
+//
+// ndc_to_ray  of the plan
+// box         the part, NDC of the eye: low x, low y, high x, high y
+// slope_max   of the waves, >= 0, may be infinite
+double water_optics_reflectance_max(const water_look* look, double eta, const double ndc_to_ray[9],
+  const double box[4], double slope_max);
+
 // The angle from the normal beyond which everything is reflected, in radians; pi/2 (never) when the
 // eye is on the thinner side, eta >= 1.
 double water_optics_critical_rad(double eta);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// water_plan.c: the order of the steps, and nothing else: check, side, mirror, select, target,
-// optics.
+// water_plan.c: the order of the steps, and nothing else: check, side, view, target, mirror,
+// select, reuse.
 #include "water_plan.h"
 
 #include "water_camera.h"
@@ -44,6 +44,14 @@ static water_status check(const water_scene* scene, checked* result)
   {
     return WATER_BAD_CLIP_MARGIN;
   }
+  if (!(scene->prop_px_min >= 0.0))
+  {
+    return WATER_BAD_PROP_SIZE;
+  }
+  if (!(scene->reflectance_error >= 0.0 && scene->reflectance_error <= 1.0))
+  {
+    return WATER_BAD_REFLECTANCE_ERROR;
+  }
   status = water_optics_check(&scene->look);
   if (status != WATER_OK)
   {
@@ -67,11 +75,29 @@ static water_decision decide(const water_scene* scene, water_side side)
   {
     return WATER_NO_REFLECT_NO_REFLECTANCE;
   }
-  if (!water_select_is_in_view(&scene->eye, scene->surface_bounds))
+  if (scene->skips & WATER_MAY_SKIP_UNSEEN)
   {
-    return WATER_NO_REFLECT_OUT_OF_VIEW;
+    if (side == WATER_BELOW ? scene->hides_below : scene->hides_above)
+    {
+      return WATER_NO_REFLECT_FACING_AWAY;
+    }
+    if (!water_select_is_in_view(&scene->eye, scene->surface_bounds))
+    {
+      return WATER_NO_REFLECT_OUT_OF_VIEW;
+    }
+  }
+  if (scene->is_hidden && (scene->skips & WATER_MAY_SKIP_HIDDEN))
+  {
+    return WATER_NO_REFLECT_HIDDEN;
   }
   return scene->has_environment ? WATER_NO_REFLECT_ENVIRONMENT : WATER_REFLECT;
+}
+
+// Is nothing of the water seen, unless the eye is in it?
+static bool is_unseen(water_decision decision)
+{
+  return decision == WATER_NO_REFLECT_OUT_OF_VIEW || decision == WATER_NO_REFLECT_HIDDEN ||
+    decision == WATER_NO_REFLECT_FACING_AWAY;
 }
 
 static water_plane turn_to_eye(const water_plane* plane, water_side side)
@@ -92,9 +118,20 @@ static water_axes axes_of(const water_scene* scene, const checked* input, const 
   return axes;
 }
 
+// box: of the picture that the water covers
+static bool is_faint(
+  const water_scene* scene, const checked* input, const water_plan* plan, const double box[4])
+{
+  return (scene->skips & WATER_MAY_SKIP_FAINT) && scene->reflectance_error > 0.0 &&
+    water_optics_reflectance_max(&scene->look, plan->eta, plan->ndc_to_ray, box,
+      scene->has_waves ? scene->slope_max : 0.0) <= scene->reflectance_error &&
+    input->side == WATER_ABOVE;
+}
+
 // plane: normal towards the eye; plane_view of the plan is set.
+// box: of the picture that the water covers
 static water_status fill_draw(const water_scene* scene, const checked* input,
-  const water_plane* plane, water_plan* plan, water_fate* fates)
+  const water_plane* plane, const double box[4], water_plan* plan, water_fate* fates)
 {
   // what stands in a trough must be seen in it
   const double margin = fmax(scene->clip_margin, scene->wave_height_max);
@@ -109,23 +146,30 @@ static water_status fill_draw(const water_scene* scene, const checked* input,
     water_target_widen(band, scene->max_texture_px, plan->texture_px, plan->map_scale);
     water_mirror_widen(plan->map_scale, &plan->mirrored);
   }
-  water_select_props(&plan->mirrored, plane, margin, scene->props, scene->prop_count, fates);
+  double looked_up[4];
+  memcpy(looked_up, box, sizeof looked_up);
+  if (scene->has_waves)
+  {
+    water_target_reach(&scene->eye, scene->slope_max, looked_up);
+  }
+  water_target_rect(looked_up, plan->map_scale, plan->texture_px, plan->texture_rect_px);
+  water_selection selection;
+  selection.is_off = !(scene->skips & WATER_MAY_SKIP_PROPS);
+  selection.margin = margin;
+  selection.prop_px_min = scene->prop_px_min;
+  memcpy(selection.texture_px, plan->texture_px, sizeof selection.texture_px);
+  water_target_box_of_rect(plan->texture_rect_px, plan->texture_px, selection.box);
+  water_select_props(&plan->mirrored, plane, &selection, scene->props, scene->prop_count, fates);
+  if (!(scene->skips & WATER_MAY_SKIP_PIXELS))
+  {
+    const int whole[4] = { 0, 0, plan->texture_px[0], plan->texture_px[1] };
+    memcpy(plan->texture_rect_px, whole, sizeof whole);
+  }
   plan->depth_scale = water_mirror_reach(scene->props, scene->prop_count, fates, &plan->mirrored);
   water_mirror_pose(
     &plan->mirrored, plan->mirrored_position, plan->mirrored_focal_point, plan->mirrored_view_up);
   water_mirror_headlight(plan->plane_view, plan->headlight_dir);
   water_mirror_clip_view(plan->plane_view, margin, plan->clip_plane_view);
-  if (scene->has_waves)
-  {
-    // a ray may end anywhere in the map
-    const int whole[4] = { 0, 0, plan->texture_px[0], plan->texture_px[1] };
-    memcpy(plan->texture_rect_px, whole, sizeof whole);
-  }
-  else
-  {
-    water_target_rect(
-      &scene->eye, plane, scene->surface_bounds, plan->texture_px, plan->texture_rect_px);
-  }
   const water_status status = water_mirror_clip_clip(
     plan->mirrored.view_to_clip, plan->clip_plane_view, plan->clip_plane_clip);
   if (status == WATER_OK)
@@ -182,6 +226,7 @@ water_status water_plan_make(const water_scene* scene, water_plan* plan, water_f
   made.decision = WATER_NO_REFLECT_FAILED;
 
   water_status status = check(scene, &input);
+  water_status props_status = WATER_OK;
   if (status == WATER_OK)
   {
     made.decision = decide(scene, input.side);
@@ -190,25 +235,28 @@ water_status water_plan_make(const water_scene* scene, water_plan* plan, water_f
   made.has_view = made.decision == WATER_REFLECT ||
     made.decision == WATER_NO_REFLECT_NO_REFLECTANCE ||
     made.decision == WATER_NO_REFLECT_ENVIRONMENT ||
-    (made.decision == WATER_NO_REFLECT_OUT_OF_VIEW && made.side == WATER_BELOW);
+    (is_unseen(made.decision) && made.side == WATER_BELOW);
   if (made.has_view)
   {
     const water_plane plane = turn_to_eye(&input.plane, input.side);
     const water_axes axes = axes_of(scene, &input, &plane);
     status = fill_view(scene, &input, &plane, &axes, &made);
+    double box[4];
+    water_target_box(&scene->eye, &plane, scene->surface_bounds, box);
+    if (status == WATER_OK && made.decision == WATER_REFLECT && is_faint(scene, &input, &made, box))
+    {
+      made.decision = WATER_NO_REFLECT_FAINT;
+    }
     if (status == WATER_OK && made.decision == WATER_REFLECT)
     {
-      status = water_select_check(scene->props, scene->prop_count, &made.culprit);
-      if (status == WATER_OK)
-      {
-        status = fill_draw(scene, &input, &plane, &made, fates);
-      }
+      props_status = water_select_check(scene->props, scene->prop_count, &made.culprit);
+      status = fill_draw(scene, &input, &plane, box, &made, fates);
       if (status == WATER_OK)
       {
         status = fill_shade(scene, &input, &plane, &axes, fates, &made);
       }
     }
-    if (made.decision == WATER_NO_REFLECT_OUT_OF_VIEW)
+    if (is_unseen(made.decision))
     {
       made.has_view = made.is_submerged; // an eye in it sees the water wherever it looks
     }
@@ -219,7 +267,31 @@ water_status water_plan_make(const water_scene* scene, water_plan* plan, water_f
     }
   }
   *plan = made;
-  return status;
+  return status != WATER_OK ? status : props_status;
+}
+
+void water_plan_reuse(const water_plan* last, bool is_unchanged, unsigned skips, water_plan* plan)
+{
+  const int* had = last->texture_rect_px;
+  const int* wanted = plan->texture_rect_px;
+  const bool is_covered = had[0] <= wanted[0] && had[1] <= wanted[1] &&
+    had[0] + had[2] >= wanted[0] + wanted[2] && had[1] + had[3] >= wanted[1] + wanted[3];
+  const bool is_same_view = memcmp(last->mirrored.world_to_view, plan->mirrored.world_to_view,
+                              sizeof last->mirrored.world_to_view) == 0 &&
+    memcmp(last->mirrored.view_to_clip, plan->mirrored.view_to_clip,
+      sizeof last->mirrored.view_to_clip) == 0 &&
+    memcmp(last->clip_plane_view, plan->clip_plane_view, sizeof last->clip_plane_view) == 0 &&
+    memcmp(last->texture_px, plan->texture_px, sizeof last->texture_px) == 0;
+  if (plan->decision == WATER_REFLECT && (skips & WATER_MAY_SKIP_UNCHANGED) && is_unchanged &&
+    water_plan_has_map(last) && is_covered && is_same_view)
+  {
+    plan->decision = WATER_REUSE;
+  }
+}
+
+bool water_plan_has_map(const water_plan* plan)
+{
+  return plan->decision == WATER_REFLECT || plan->decision == WATER_REUSE;
 }
 
 const char* water_fate_text(water_fate fate)

@@ -16,8 +16,21 @@ extern "C"
 // fates  prop_count entries, written only when the plan reflects; NULL if prop_count is 0
 //
 // Returns WATER_OK, or the first of the statuses in water_status.h that applies, in their order;
-// then plan->decision is WATER_NO_REFLECT_FAILED and the fates are untouched.
+// then plan->decision is WATER_NO_REFLECT_FAILED and the fates are untouched. But for
+// WATER_BAD_PROP_BOUNDS, with which the plan is made: such a prop is drawn wherever it may be.
 water_status water_plan_make(const water_scene* scene, water_plan* plan, water_fate* fates);
+
+// A plan that reflects is to use the last map again (WATER_REUSE) if that shows the same.
+//
+// last          the plan that the map was drawn by
+// is_unchanged  so is all that a plan does not know: what the drawn props look like, the lights,
+// the
+//               background
+// skips         of the scene
+void water_plan_reuse(const water_plan* last, bool is_unchanged, unsigned skips, water_plan* plan);
+
+// Is there a map to look up, drawn or used again?
+bool water_plan_has_map(const water_plan* plan);
 
 // Short English text of a fate or a decision, never NULL; static storage.
 const char* water_fate_text(water_fate fate);

@@ -2,6 +2,7 @@
 // water_select.c: step 3: side of the eye, is the water seen, fate of each prop.
 #include "water_select.h"
 
+#include "water_frustum.h"
 #include "water_math.h"
 #include "water_plane.h"
 
@@ -9,63 +10,12 @@
 // than a tenth of a pixel: there is nothing to see.
 static const double edge_on_sine = 1e-9;
 
-// Half-spaces of a frustum in world, dot(plane, (x, 1)) >= 0 inside, and how far they may be off.
-typedef struct frustum
-{
-  double planes[6][4];
-  double reach; // the length of the numbers that were summed and cancelled to the planes' offsets
-} frustum;
+static const double whole_picture[4] = { -1.0, -1.0, 1.0, 1.0 };
 
-static void frustum_make(const water_camera* camera, frustum* made)
-{
-  double world_to_clip[16];
-  water_mat4_multiply(camera->view_to_clip, camera->world_to_view, world_to_clip);
-  // -w <= x, y, z <= w: rows of the matrix (Gribb and Hartmann 2001, "Fast Extraction of Viewing
-  // Frustum Planes from the World-View-Projection Matrix")
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    for (int j = 0; j < 4; ++j)
-    {
-      made->planes[2 * axis][j] = world_to_clip[12 + j] + world_to_clip[4 * axis + j];
-      made->planes[2 * axis + 1][j] = world_to_clip[12 + j] - world_to_clip[4 * axis + j];
-    }
-  }
-  const double* view = camera->world_to_view;
-  const double origin[3] = { view[3], view[7], view[11] };
-  made->reach = water_vec3_length(origin);
-}
-
-// Whether a box lies wholly on the negative side of a plane, and by more than rounding.
-//
-// Rounding: an offset and the products of a corner are sums of at most 8 products, each off by half
-// an epsilon for every sum and factor, of numbers no larger than |normal| * (corner + reach). 32
-// epsilons are more than all of that. A sum that overflows is not below anything: kept.
-static bool is_behind(const double plane[4], const double bounds[6], double reach)
-{
-  double highest = plane[3];
-  double size = fabs(plane[3]);
-  for (int i = 0; i < 3; ++i)
-  {
-    const double low = plane[i] * bounds[2 * i];
-    const double high = plane[i] * bounds[2 * i + 1];
-    highest += fmax(low, high);
-    size += fmax(fabs(low), fabs(high)) + fabs(plane[i]) * reach;
-  }
-  return highest < -32.0 * DBL_EPSILON * size;
-}
-
-// plane_count  6, or 5 without the far plane, which is the last
-static bool is_in_frustum(const frustum* view, int plane_count, const double bounds[6])
-{
-  for (int i = 0; i < plane_count; ++i)
-  {
-    if (is_behind(view->planes[i], bounds, view->reach))
-    {
-      return false;
-    }
-  }
-  return true;
-}
+// Rounding of a box against a plane: an offset and the products of a corner are sums of at most 8
+// products, each off by half an epsilon for every sum and factor. 32 epsilons are more than all of
+// that.
+static const double box_rounding = 32.0 * DBL_EPSILON;
 
 // The fate as far as the flags decide it; WATER_DRAW: they do not mind.
 static water_fate fate_of_flags(uint32_t flags)
@@ -119,9 +69,9 @@ water_status water_select_side(const water_eye* eye, const water_plane* plane, w
 
 bool water_select_is_in_view(const water_camera* camera, const double bounds[6])
 {
-  frustum view;
-  frustum_make(camera, &view);
-  return is_in_frustum(&view, 6, bounds);
+  water_frustum view;
+  water_frustum_make(camera, whole_picture, &view);
+  return water_frustum_meets(&view, 6, bounds, box_rounding);
 }
 
 water_status water_select_check(const water_prop* props, size_t prop_count, size_t* culprit)
@@ -139,30 +89,75 @@ water_status water_select_check(const water_prop* props, size_t prop_count, size
   return WATER_OK;
 }
 
-void water_select_props(const water_camera* mirrored, const water_plane* plane, double margin,
-  const water_prop* props, size_t prop_count, water_fate* fates)
+bool water_select_is_unbounded(const water_prop* prop)
 {
-  frustum view;
-  frustum_make(mirrored, &view);
+  return (prop->flags & WATER_PROP_NO_BOUNDS) || !water_all_finite(prop->bounds, 6);
+}
+
+// Is the picture of a box smaller than that many pixels, both ways?
+static bool is_smaller(
+  const double world_to_clip[16], const int texture_px[2], const double bounds[6], double px)
+{
+  double low[2] = { DBL_MAX, DBL_MAX };
+  double high[2] = { -DBL_MAX, -DBL_MAX };
+  for (int number = 0; number < 8; ++number)
+  {
+    double corner[3];
+    double clip[4];
+    water_bounds_corner(bounds, number, corner);
+    water_mat4_apply_point(world_to_clip, corner, clip);
+    if (!(clip[3] > 0.0))
+    {
+      return false;
+    }
+    for (int i = 0; i < 2; ++i)
+    {
+      low[i] = fmin(low[i], clip[i] / clip[3]);
+      high[i] = fmax(high[i], clip[i] / clip[3]);
+    }
+  }
+  return 0.5 * texture_px[0] * (high[0] - low[0]) < px &&
+    0.5 * texture_px[1] * (high[1] - low[1]) < px;
+}
+
+void water_select_props(const water_camera* mirrored, const water_plane* plane,
+  const water_selection* selection, const water_prop* props, size_t prop_count, water_fate* fates)
+{
+  water_frustum view;
+  water_frustum pyramid;
+  water_frustum_make(mirrored, whole_picture, &view);
+  water_frustum_make(mirrored, selection->box, &pyramid);
+  double world_to_clip[16];
+  water_mat4_multiply(mirrored->view_to_clip, mirrored->world_to_view, world_to_clip);
   const double kept[4] = { plane->normal[0], plane->normal[1], plane->normal[2],
-    plane->offset + margin };
+    plane->offset + selection->margin };
   for (size_t i = 0; i < prop_count; ++i)
   {
     const double* bounds = props[i].bounds;
     water_fate fate = fate_of_flags(props[i].flags);
-    if (fate == WATER_DRAW && !(props[i].flags & WATER_PROP_NO_BOUNDS))
+    if (fate == WATER_DRAW && !water_select_is_unbounded(props + i))
     {
       if (water_bounds_is_empty(bounds))
       {
         fate = WATER_SKIP_EMPTY;
       }
-      else if (is_behind(kept, bounds, 0.0))
+      else if (selection->is_off)
+      {
+        fate = WATER_DRAW;
+      }
+      else if (water_frustum_is_behind(kept, bounds, 0.0, box_rounding))
       {
         fate = WATER_SKIP_BEHIND_PLANE;
       }
-      else if (!is_in_frustum(&view, 5, bounds))
+      else if (!water_frustum_meets(&pyramid, 5, bounds, box_rounding))
       {
-        fate = WATER_SKIP_OUT_OF_VIEW;
+        fate = water_frustum_meets(&view, 5, bounds, box_rounding) ? WATER_SKIP_OUT_OF_WATER
+                                                                   : WATER_SKIP_OUT_OF_VIEW;
+      }
+      else if (selection->prop_px_min > 0.0 &&
+        is_smaller(world_to_clip, selection->texture_px, bounds, selection->prop_px_min))
+      {
+        fate = WATER_SKIP_TOO_SMALL;
       }
     }
     fates[i] = fate;

@@ -32,14 +32,24 @@ bool water_select_is_in_view(const water_camera* camera, const double bounds[6])
 // Returns WATER_OK or WATER_BAD_PROP_BOUNDS; then *culprit is the index of the first such prop.
 water_status water_select_check(const water_prop* props, size_t prop_count, size_t* culprit);
 
-// Decides the fate of every prop; water_select_check must have passed. The far plane of the eye was
-// set for the scene, not for its mirror image, which may reach further: it hides nothing here
-// (water_mirror_reach moves it).
+// Is a prop drawn wherever it may be: it fills the view, or its bounds are not finite?
+bool water_select_is_unbounded(const water_prop* prop);
+
+typedef struct water_selection
+{
+  bool is_off;        // draw all that the flags and the bounds allow
+  double box[4];      // part of the map that the water looks up, NDC: low x, low y, high x, high y
+  double margin;      // how far behind the plane geometry is kept, >= 0
+  double prop_px_min; // smaller props are left out, >= 0
+  int texture_px[2];
+} water_selection;
+
+// Decides the fate of every prop. The far plane of the eye was set for the scene, not for its
+// mirror image, which may reach further: it hides nothing here (water_mirror_reach moves it).
 //
-// plane   normalised, normal towards the eye
-// margin  how far behind the plane geometry is kept, >= 0
-void water_select_props(const water_camera* mirrored, const water_plane* plane, double margin,
-  const water_prop* props, size_t prop_count, water_fate* fates);
+// plane  normalised, normal towards the eye
+void water_select_props(const water_camera* mirrored, const water_plane* plane,
+  const water_selection* selection, const water_prop* props, size_t prop_count, water_fate* fates);
 
 #ifdef __cplusplus
 }

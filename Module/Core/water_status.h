@@ -22,6 +22,8 @@ extern "C"
   X(WATER_BAD_TEXTURE_SCALE, "TextureScale must be finite and greater than 0")                     \
   X(WATER_TEXTURE_TOO_LARGE, "the reflection texture is larger than the GPU's limit")              \
   X(WATER_BAD_CLIP_MARGIN, "ClipMargin must be finite and not negative")                           \
+  X(WATER_BAD_PROP_SIZE, "MinimumPropSize must not be negative")                                   \
+  X(WATER_BAD_REFLECTANCE_ERROR, "ReflectanceError must lie in [0, 1]")                            \
   X(WATER_BAD_INDEX, "IndexOfRefraction must be finite and at least 1")                            \
   X(WATER_BAD_REFLECTANCE, "Reflectance must lie in [0, 1]")                                       \
   X(WATER_BAD_CAMERA,                                                                              \

@@ -8,6 +8,8 @@
 // Filtering reads one texel beside the point looked up; the other covers the rounding of the GPU.
 static const double pad_px = 2.0;
 
+static const double right_angle = 1.57079632679489662;
+
 water_status water_target_size(
   const int viewport_px[2], double texture_scale, int max_texture_px, int texture_px[2])
 {
@@ -65,13 +67,8 @@ static void surface_point_add(const surface_point* point, rectangle* covered)
   rectangle_add(covered, point->mirrored);
 }
 
-static int clamp_px(double value, int size)
-{
-  return (int)fmin(fmax(value, 0.0), (double)size);
-}
-
-void water_target_rect(const water_camera* eye, const water_plane* plane,
-  const double surface_bounds[6], const int texture_px[2], int rect_px[4])
+void water_target_box(
+  const water_camera* eye, const water_plane* plane, const double surface_bounds[6], double box[4])
 {
   surface_point points[8];
   double in_front[8]; // distance from the near plane, in clip space: z + w
@@ -120,21 +117,66 @@ void water_target_rect(const water_camera* eye, const water_plane* plane,
   }
   for (int i = 0; i < 2; ++i)
   {
+    box[i] = covered.has_picture ? fmin(fmax(covered.low[i], -1.0), 1.0) : -1.0;
+    box[2 + i] = covered.has_picture ? fmin(fmax(covered.high[i], -1.0), 1.0) : 1.0;
+  }
+}
+
+void water_target_reach(const water_camera* eye, double slope_max, double box[4])
+{
+  const double* clip = eye->view_to_clip;
+  double turned = (double)INFINITY;
+  if (clip[14] != 0.0)
+  {
+    // the steepest view ray of the picture, as a slope against the view axis
+    double steepest = 0.0;
+    for (int corner = 0; corner < 4; ++corner)
+    {
+      const double x = (corner & 1 ? 1.0 : -1.0) + clip[2];
+      const double y = (corner & 2 ? 1.0 : -1.0) + clip[6];
+      steepest = fmax(steepest, hypot(x / clip[0], y / clip[5]));
+    }
+    // a normal turned by an angle turns the reflected ray by twice that
+    const double angle = atan(steepest) + 2.0 * atan(slope_max);
+    turned = angle < right_angle ? tan(angle) - steepest : (double)INFINITY;
+  }
+  for (int i = 0; i < 2; ++i)
+  {
+    const double widened = turned * fabs(clip[5 * i]);
+    box[i] -= slope_max > 0.0 ? widened : 0.0;
+    box[2 + i] += slope_max > 0.0 ? widened : 0.0;
+  }
+}
+
+static int clamp_px(double value, int size)
+{
+  return (int)fmin(fmax(value, 0.0), (double)size);
+}
+
+void water_target_rect(
+  const double box[4], const double map_scale[2], const int texture_px[2], int rect_px[4])
+{
+  for (int i = 0; i < 2; ++i)
+  {
     const int size = texture_px[i];
     // the map is flipped in x
-    const double low = i == 0 ? -covered.high[0] : covered.low[1];
-    const double high = i == 0 ? -covered.low[0] : covered.high[1];
+    const double low = map_scale[i] * (i == 0 ? -box[2] : box[1]);
+    const double high = map_scale[i] * (i == 0 ? -box[0] : box[3]);
     int first = clamp_px(floor((0.5 + 0.5 * low) * size) - pad_px, size);
     int end = clamp_px(ceil((0.5 + 0.5 * high) * size) + pad_px, size);
-    if (!covered.has_picture)
-    {
-      first = 0;
-      end = size;
-    }
     first = first < size ? first : size - 1;
     end = end > first ? end : first + 1;
     rect_px[i] = first;
     rect_px[2 + i] = end - first;
+  }
+}
+
+void water_target_box_of_rect(const int rect_px[4], const int texture_px[2], double box[4])
+{
+  for (int i = 0; i < 2; ++i)
+  {
+    box[i] = 2.0 * rect_px[i] / texture_px[i] - 1.0;
+    box[2 + i] = 2.0 * (rect_px[i] + rect_px[2 + i]) / texture_px[i] - 1.0;
   }
 }
 

@@ -18,17 +18,36 @@ extern "C"
 water_status water_target_size(
   const int viewport_px[2], double texture_scale, int max_texture_px, int texture_px[2]);
 
-// The rectangle of the map that calm water within a box can look up: a point at height h over the
-// plane looks at the picture of its own mirror image, which for h = 0 is its own picture. Two
-// texels are added all around for filtering. Rays that waves bend may leave it.
+// The part of the picture that water within a box covers, or whose mirror image it is: a point at
+// height h over the plane looks at the picture of its own mirror image, which for h = 0 is its own
+// picture.
 //
 // eye             the eye, not the mirrored camera
 // plane           normalised
 // surface_bounds  of the water surface in world, finite, not empty
-// rect_px         x, y, width, height; within the map, never empty; all of the map where
-//                 the box has no picture (a mirror image that reaches behind the eye)
-void water_target_rect(const water_camera* eye, const water_plane* plane,
-  const double surface_bounds[6], const int texture_px[2], int rect_px[4]);
+// box             NDC of the eye in [-1, 1]: low x, low y, high x, high y; all of it where the box
+//                 has no picture (a mirror image that reaches behind the eye)
+void water_target_box(
+  const water_camera* eye, const water_plane* plane, const double surface_bounds[6], double box[4]);
+
+// Widens such a part by what waves look up beyond it. The map shows in every pixel a direction; a
+// reflected ray is a straight line in it, from the pixel of its calm reflection to that of its own
+// direction, so it stays as close as the two directions are. Infinite for a parallel eye.
+//
+// slope_max  of the waves, >= 0, may be infinite
+// box        may leave [-1, 1]
+void water_target_reach(const water_camera* eye, double slope_max, double box[4]);
+
+// The rectangle of the map for a part of the picture. Two texels are added all around for
+// filtering.
+//
+// map_scale  part of the map per axis that is the picture
+// rect_px    x, y, width, height; within the map, never empty
+void water_target_rect(
+  const double box[4], const double map_scale[2], const int texture_px[2], int rect_px[4]);
+
+// A rectangle of the map in its NDC: low x, low y, high x, high y.
+void water_target_box_of_rect(const int rect_px[4], const int texture_px[2], double box[4]);
 
 // Size of the eye's frustum's surroundings that waves may look up, over the eye's: waves of slope s
 // turn reflected rays by up to 2 s. In [1, 1.25]: more costs more than it gives. 1 for a parallel

@@ -58,7 +58,9 @@ typedef struct water_prop
   X(WATER_SKIP_LABEL, "label facing the camera")                                                   \
   X(WATER_SKIP_EMPTY, "empty")                                                                     \
   X(WATER_SKIP_BEHIND_PLANE, "behind the water plane")                                             \
-  X(WATER_SKIP_OUT_OF_VIEW, "out of the mirrored view")
+  X(WATER_SKIP_OUT_OF_VIEW, "out of the mirrored view")                                            \
+  X(WATER_SKIP_OUT_OF_WATER, "out of what the visible water reflects")                             \
+  X(WATER_SKIP_TOO_SMALL, "too small in the mirrored view")
 
 typedef enum water_fate
 {
@@ -67,6 +69,19 @@ typedef enum water_fate
 #undef WATER_FATE_VALUE
     WATER_FATE_COUNT
 } water_fate;
+
+enum // water_scene.skips, a bit each: what may be left undone where that is not seen
+{
+  WATER_MAY_SKIP_UNSEEN = 1 << 0,    // the map of water out of view or facing away
+  WATER_MAY_SKIP_HIDDEN = 1 << 1,    // the map of water behind the scene
+  WATER_MAY_SKIP_FAINT = 1 << 2,     // the map of water that reflects next to nothing
+  WATER_MAY_SKIP_UNCHANGED = 1 << 3, // a map that would be the last one again
+  WATER_MAY_SKIP_SHARED = 1 << 4,    // a map that another sheet of the same plane has
+  WATER_MAY_SKIP_PROPS = 1 << 5,     // props that no visible water reflects
+  WATER_MAY_SKIP_PIECES = 1 << 6,    // parts of large meshes, likewise
+  WATER_MAY_SKIP_PIXELS = 1 << 7,    // pixels of the map, likewise
+  WATER_MAY_SKIP_ALL = (1 << 8) - 1
+};
 
 // What the plan decided for the frame, and why. WATER_REFLECT is the only one that draws.
 #define WATER_DECISION_LIST(X)                                                                     \
@@ -77,7 +92,12 @@ typedef enum water_fate
   X(WATER_NO_REFLECT_EDGE_ON, "not rendered: the water is seen edge-on")                           \
   X(WATER_NO_REFLECT_OUT_OF_VIEW, "not rendered: the water is out of view")                        \
   X(WATER_NO_REFLECT_NO_REFLECTANCE, "not rendered: the water reflects nothing")                   \
-  X(WATER_NO_REFLECT_ENVIRONMENT, "not rendered: a static environment is reflected")
+  X(WATER_NO_REFLECT_ENVIRONMENT, "not rendered: a static environment is reflected")               \
+  X(WATER_REUSE, "used again: nothing has changed")                                                \
+  X(WATER_NO_REFLECT_FACING_AWAY, "not rendered: the water faces away")                            \
+  X(WATER_NO_REFLECT_HIDDEN, "not rendered: the water is hidden behind the scene")                 \
+  X(WATER_NO_REFLECT_FAINT, "not rendered: the water reflects too little to be seen")              \
+  X(WATER_NO_REFLECT_SHARED, "not rendered: another sheet of the same plane has the map")
 
 typedef enum water_decision
 {
@@ -110,6 +130,8 @@ typedef struct water_scene
   double plane_origin[3]; // of the plane's own axes, in world
   bool has_waves;         // the surface is not calm: its reflection is looked up along rays
   double slope_rms;       // of the waves, >= 0
+  double slope_max;       // no slope that a reflection is looked up with is steeper; infinity: none
+                          // is known, or the map is read elsewhere, too
   double wave_height_max; // how far waves move the surface itself up or down; 0: a flat sheet
   double guard_band;    // map with waves: size of its frustum over the eye's, >= 1; 0: by slope_rms
   bool has_environment; // what is reflected is a static picture of the surroundings
@@ -118,12 +140,18 @@ typedef struct water_scene
   bool has_sun;
   double sun_dir[3];        // towards the sun, in world, any length but 0
   double surface_bounds[6]; // of the water surface in world; min > max: there is no surface
-  const water_prop* props;  // prop_count of them: all props, not only those the eye sees
+  bool hides_above;         // the surface is not drawn for an eye above it, or below
+  bool hides_below;
+  bool is_hidden;          // all of it is behind the scene
+  unsigned skips;          // WATER_MAY_SKIP_*
+  const water_prop* props; // prop_count of them: all props, not only those the eye sees
   size_t prop_count;
   water_look look;
-  double texture_scale; // texture pixels per viewport pixel, > 0
-  int max_texture_px;   // the GPU's limit for a side of a texture, >= 1
-  double clip_margin;   // how far behind the plane geometry is kept, >= 0
+  double texture_scale;     // texture pixels per viewport pixel, > 0
+  int max_texture_px;       // the GPU's limit for a side of a texture, >= 1
+  double clip_margin;       // how far behind the plane geometry is kept, >= 0
+  double prop_px_min;       // props that are smaller in the map, both ways, are left out, >= 0
+  double reflectance_error; // share of the light that may be neglected, in [0, 1]
 } water_scene;
 
 typedef struct water_plan
@@ -131,7 +159,7 @@ typedef struct water_plan
   water_decision decision; // unless WATER_REFLECT, the fates and the mirrored view are not set
   bool has_view;           // the fields of the view are set; false: show the plain colour
   water_side side;
-  size_t culprit; // index of the prop a WATER_BAD_PROP_BOUNDS is about
+  size_t culprit; // index of the first prop a WATER_BAD_PROP_BOUNDS is about
 
   // view: where the eye is and what its pixels look at
   double normal_clip[4];  // view_to_clip * world_to_view * (n, 0) of the eye; n towards the eye

@@ -191,6 +191,7 @@ static inline water_scene lake(void)
   scene.look.index_of_refraction = 1.333;
   scene.texture_scale = 1.0;
   scene.max_texture_px = 16384;
+  scene.skips = WATER_MAY_SKIP_ALL;
   return scene;
 }
 

@@ -146,6 +146,7 @@ TEST(boxes_decide_in_their_order)
   UNUSED;
   water_scene scene = lake();
   scene.clip_margin = 0.5;
+  scene.surface_bounds[3] = 1e6; // to the horizon
   const water_prop props[] = {
     { { -1, 1, -1, 1, -1, 2 }, visible },            // across the water
     { { -1, 1, -1, 1, -3, -0.4 }, visible },         // under it, within the margin
@@ -190,14 +191,14 @@ TEST(boxes_decide_in_their_order)
 }
 
 // Bounds that are not finite are an error of the first prop that has them, but only if it would be
-// drawn; the fates stay untouched.
+// drawn; it is drawn all the same, as it may be anywhere, and so are the others.
 TEST(bounds_that_are_not_finite_name_their_prop)
 {
   UNUSED;
   water_scene scene = lake();
   const double bad = (double)NAN;
   const double huge = (double)INFINITY;
-  water_prop props[4] = { { { 0, 1, 0, 1, 0, 1 }, visible }, { { bad, 1, 0, 1, 0, 1 }, 0 },
+  water_prop props[4] = { { { 0, 1, 0, 1, -2, -1 }, visible }, { { bad, 1, 0, 1, 0, 1 }, 0 },
     { { 0, 1, 0, huge, 0, 1 }, visible }, { { 0, 1, 0, 1, bad, 1 }, visible } };
   water_fate fates[4] = { WATER_FATE_COUNT, WATER_FATE_COUNT, WATER_FATE_COUNT, WATER_FATE_COUNT };
   water_plan plan;
@@ -205,8 +206,13 @@ TEST(bounds_that_are_not_finite_name_their_prop)
   scene.prop_count = 4;
   assert_int_equal(water_plan_make(&scene, &plan, fates), WATER_BAD_PROP_BOUNDS);
   assert_int_equal(plan.culprit, 2);
-  assert_int_equal(plan.decision, WATER_NO_REFLECT_FAILED);
-  assert_int_equal(fates[0], WATER_FATE_COUNT);
+  assert_int_equal(plan.decision, WATER_REFLECT);
+  assert_true(isinf(plan.map_top));
+  assert_true(plan.depth_scale == 1.0);
+  assert_int_equal(fates[0], WATER_SKIP_BEHIND_PLANE);
+  assert_int_equal(fates[1], WATER_SKIP_INVISIBLE);
+  assert_int_equal(fates[2], WATER_DRAW);
+  assert_int_equal(fates[3], WATER_DRAW);
   props[2].flags |= WATER_PROP_NOT_REFLECTED;
   assert_int_equal(water_plan_make(&scene, &plan, fates), WATER_BAD_PROP_BOUNDS);
   assert_int_equal(plan.culprit, 3);
@@ -214,8 +220,9 @@ TEST(bounds_that_are_not_finite_name_their_prop)
   assert_int_equal(water_plan_make(&scene, &plan, fates), WATER_OK);
 }
 
-// A prop with any point that the mirrored camera sees on the kept side is drawn: checked against
-// 64 points of each box. And culling is of use: most boxes that it could drop are dropped.
+// A prop with any point that the mirrored camera sees on the kept side, where the water looks
+// anything up, is drawn: checked against 64 points of each box. And culling is of use: most boxes
+// that it could drop are dropped.
 TEST(culling_never_drops_what_is_seen)
 {
   UNUSED;
@@ -250,7 +257,11 @@ TEST(culling_never_drops_what_is_seen)
         point[i] = (1.0 - part) * prop.bounds[2 * i] + part * prop.bounds[2 * i + 1];
       }
       project(&plan.mirrored, point, 1.0, clip);
-      is_seen = is_inside(clip) && height_of(&random, point) >= -random.scene.clip_margin;
+      const int* rect = plan.texture_rect_px;
+      const double x = 0.5 * (1.0 + clip[0] / clip[3]) * plan.texture_px[0] - rect[0];
+      const double y = 0.5 * (1.0 + clip[1] / clip[3]) * plan.texture_px[1] - rect[1];
+      is_seen = is_inside(clip) && x >= 0.0 && x <= rect[2] && y >= 0.0 && y <= rect[3] &&
+        height_of(&random, point) >= -random.scene.clip_margin;
     }
     assert_true(!is_seen || fate == WATER_DRAW);
     seen += is_seen;

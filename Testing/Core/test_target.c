@@ -108,7 +108,10 @@ TEST(rect_is_never_empty)
     const int size[2] = { 400, 400 };
     const water_plane level = { { 0.0, 0.0, 1.0 }, 0.0 };
     int rect[4];
-    water_target_rect(&scene.eye, &level, scene.surface_bounds, size, rect);
+    const double all_picture[2] = { 1.0, 1.0 };
+    double box[4];
+    water_target_box(&scene.eye, &level, scene.surface_bounds, box);
+    water_target_rect(box, all_picture, size, rect);
     for (int i = 0; i < 2; ++i)
     {
       assert_in_range(rect[i], 0, 399);

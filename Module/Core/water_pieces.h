@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// water_pieces.h: step 4: large meshes in pieces, so that the mirrored view draws only those that
+// the water can show. A piece is a run of a mesh's triangles in the order they are drawn in: what
+// is left is drawn in that order, too, and covers every pixel as before.
+#ifndef water_pieces_h
+#define water_pieces_h
+
+#include "water_frustum.h"
+#include "water_types.h"
+
+#ifdef __cplusplus
+extern "C"
+{
+#endif
+
+enum
+{
+  WATER_PIECE_TRIANGLES = 32, // of a piece; the last has what is left
+  WATER_PIECES_MIN = 128      // a smaller mesh is drawn as a whole
+};
+
+typedef struct water_points // xyz, one of the two
+{
+  const float* floats;
+  const double* doubles;
+} water_points;
+
+// Number of pieces of a mesh; 0: it is drawn as a whole.
+size_t water_pieces_count(size_t triangle_count);
+
+// The boxes around the pieces.
+//
+// indices  3 per triangle, of points
+// boxes    one per piece: xmin, xmax, ymin, ymax, zmin, zmax; infinite where the points are
+//
+// Returns false when an index is not below point_count.
+bool water_pieces_bound(const water_points* points, size_t point_count, const uint32_t* indices,
+  size_t triangle_count, double (*boxes)[6]);
+
+// What the pieces must meet to be drawn, in the mesh's own coordinates: the part of the mirrored
+// frustum behind the drawn part of the map, without its far plane, and the kept side of the clip.
+//
+// model_to_world  affine
+void water_pieces_view(
+  const water_plan* plan, const double model_to_world[16], water_frustum* view);
+
+// Copies the indices of the pieces that may be seen, in their order.
+//
+// drawn  room for 3 * triangle_count
+//
+// Returns how many indices were copied.
+size_t water_pieces_select(const water_frustum* view, const uint32_t* indices,
+  size_t triangle_count, double (*boxes)[6], uint32_t* drawn);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// test_pieces.c: large meshes in pieces: what is seen of them is kept, in its order, and what is
+// not seen is dropped.
+#include "test_scene.h"
+
+#include <stdlib.h>
+
+#include "water_math.h"
+#include "water_pieces.h"
+
+enum
+{
+  SIDE = 120, // quads of the mesh
+  POINTS = (SIDE + 1) * (SIDE + 1),
+  TRIANGLES = 2 * SIDE * SIDE,
+  PIECES = (TRIANGLES + WATER_PIECE_TRIANGLES - 1) / WATER_PIECE_TRIANGLES
+};
+
+typedef struct mesh
+{
+  float points[3 * POINTS];
+  uint32_t indices[3 * TRIANGLES];
+  double boxes[PIECES][6];
+  uint32_t drawn[3 * TRIANGLES];
+} mesh;
+
+// A hilly square of 100 x 100 about a place.
+static mesh* mesh_made(dice* from)
+{
+  mesh* made = malloc(sizeof *made);
+  assert_non_null(made);
+  for (int i = 0; i < POINTS; ++i)
+  {
+    made->points[3 * i] = (float)(100.0 * (i % (SIDE + 1)) / SIDE - 50.0);
+    made->points[3 * i + 1] = (float)(100.0 * (i / (SIDE + 1)) / SIDE - 50.0);
+    made->points[3 * i + 2] = (float)dice_roll(from, -3.0, 3.0);
+  }
+  uint32_t* index = made->indices;
+  for (uint32_t i = 0; i < SIDE * SIDE; ++i)
+  {
+    const uint32_t corner = i / SIDE * (SIDE + 1) + i % SIDE;
+    const uint32_t quad[6] = { corner, corner + 1, corner + SIDE + 2, corner, corner + SIDE + 2,
+      corner + SIDE + 1 };
+    for (int j = 0; j < 6; ++j)
+    {
+      *index++ = quad[j];
+    }
+  }
+  return made;
+}
+
+TEST(only_large_meshes_have_pieces)
+{
+  UNUSED;
+  assert_int_equal(water_pieces_count(0), 0);
+  assert_int_equal(water_pieces_count(WATER_PIECE_TRIANGLES * (WATER_PIECES_MIN - 1)), 0);
+  assert_int_equal(
+    water_pieces_count(WATER_PIECE_TRIANGLES * (WATER_PIECES_MIN - 1) + 1), WATER_PIECES_MIN);
+}
+
+TEST(indices_out_of_the_points_are_refused)
+{
+  UNUSED;
+  dice from = dice_seeded(60);
+  mesh* const terrain = mesh_made(&from);
+  const water_points points = { terrain->points, NULL };
+  assert_true(water_pieces_bound(&points, POINTS, terrain->indices, TRIANGLES, terrain->boxes));
+  assert_false(
+    water_pieces_bound(&points, POINTS - 1, terrain->indices, TRIANGLES, terrain->boxes));
+  free(terrain);
+}
+
+// Of random views: every triangle with a corner that the mirrored camera sees on the kept side, in
+// the part of the map that is looked up, is drawn; the order stays; and it is of use.
+TEST(what_is_seen_is_kept_in_its_order)
+{
+  UNUSED;
+  const double center[3] = { 0.0, 0.0, 0.0 };
+  dice from = dice_seeded(61);
+  mesh* const terrain = mesh_made(&from);
+  const water_points points = { terrain->points, NULL };
+  assert_true(water_pieces_bound(&points, POINTS, terrain->indices, TRIANGLES, terrain->boxes));
+  double model_to_world[16] = { 0, -1, 0, 1, 1, 0, 0, 2, 0, 0, 2, 0.5, 0, 0, 0, 1 };
+  size_t drawn_sum = 0;
+  size_t seen_sum = 0;
+  for (int round = 0; round < 60; ++round)
+  {
+    random_scene random = scene_rolled(&from, round, center);
+    const water_plan plan = plan_of(&random.scene, NULL);
+    water_frustum view;
+    water_pieces_view(&plan, model_to_world, &view);
+    const size_t count =
+      water_pieces_select(&view, terrain->indices, TRIANGLES, terrain->boxes, terrain->drawn);
+    assert_int_equal(count % 3, 0);
+    drawn_sum += count / 3;
+    size_t at = 0;
+    for (size_t i = 0; i < TRIANGLES; ++i)
+    {
+      const uint32_t* triangle = terrain->indices + 3 * i;
+      const bool is_drawn =
+        at < count && memcmp(terrain->drawn + at, triangle, 3 * sizeof *triangle) == 0;
+      at += is_drawn ? 3 : 0;
+      bool is_seen = false;
+      for (int j = 0; j < 3 && !is_seen; ++j)
+      {
+        const float* corner = terrain->points + 3 * triangle[j];
+        const double local[3] = { (double)corner[0], (double)corner[1], (double)corner[2] };
+        double world[4];
+        double clip[4];
+        water_mat4_apply_point(model_to_world, local, world);
+        project(&plan.mirrored, world, 1.0, clip);
+        const int* rect = plan.texture_rect_px;
+        const double x = 0.5 * (1.0 + clip[0] / clip[3]) * plan.texture_px[0] - rect[0];
+        const double y = 0.5 * (1.0 + clip[1] / clip[3]) * plan.texture_px[1] - rect[1];
+        is_seen = clip[2] >= -clip[3] && clip[3] > 0.0 && x >= 0.0 && x <= rect[2] && y >= 0.0 &&
+          y <= rect[3] && height_of(&random, world) >= 0.0;
+      }
+      assert_true(is_drawn || !is_seen);
+      seen_sum += is_seen;
+    }
+    assert_int_equal(at, count); // all that was drawn was found, in its order
+  }
+  print_message(
+    "seen %zu, drawn %zu of %zu triangles\n", seen_sum, drawn_sum, (size_t)60 * TRIANGLES);
+  assert_in_range(seen_sum, 50000, 60 * TRIANGLES / 2);
+  assert_in_range(drawn_sum, seen_sum, 5 * seen_sum / 2); // of a hilly mesh seen from close
+  free(terrain);
+}
+
+// A place at infinity keeps its piece; doubles give the boxes that floats give.
+TEST(points_of_both_kinds_and_without_an_end)
+{
+  UNUSED;
+  const double huge = (double)INFINITY;
+  const double doubles[9] = { 0, 0, 0, 1, 0, 0, huge, 1, 2 };
+  const float floats[9] = { 0, 0, 0, 1, 0, 0, (float)huge, 1, 2 };
+  const uint32_t indices[3] = { 0, 1, 2 };
+  const water_points points[2] = { { NULL, doubles }, { floats, NULL } };
+  for (int i = 0; i < 2; ++i)
+  {
+    double boxes[1][6];
+    uint32_t drawn[3];
+    assert_true(water_pieces_bound(&points[i], 3, indices, 1, boxes));
+    const double expected[6] = { 0, huge, 0, 1, 0, 2 };
+    assert_memory_equal(boxes[0], expected, sizeof expected);
+    water_frustum nothing;
+    memset(&nothing, 0, sizeof nothing);
+    nothing.planes[0][3] = -1.0; // nothing is inside
+    assert_int_equal(water_pieces_select(&nothing, indices, 1, boxes, drawn), 3);
+    boxes[0][1] = 5.0;
+    assert_int_equal(water_pieces_select(&nothing, indices, 1, boxes, drawn), 0);
+  }
+}
+
+int main(void)
+{
+  const struct CMUnitTest tests[] = {
+    RUN(only_large_meshes_have_pieces),
+    RUN(indices_out_of_the_points_are_refused),
+    RUN(what_is_seen_is_kept_in_its_order),
+    RUN(points_of_both_kinds_and_without_an_end),
+  };
+  return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,293 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// test_skips.c: what a plan leaves undone, why, and that each of it can be forced.
+#include "test_scene.h"
+
+#include "water_math.h"
+
+static const uint32_t visible = WATER_PROP_VISIBLE;
+
+static water_decision decision_of(const water_scene* scene)
+{
+  return plan_of(scene, NULL).decision;
+}
+
+// A pond seen straight down from 10 above its middle, half a field of view of 45 degrees.
+static water_scene pool(double half)
+{
+  water_scene scene = lake();
+  const double eye[3] = { 0.0, 0.0, 10.0 };
+  const double target[3] = { 0.0, 0.0, 0.0 };
+  const double up[3] = { 0.0, 1.0, 0.0 };
+  const double box[4] = { -1.0, 1.0, -1.0, 1.0 };
+  look_at(eye, target, up, scene.eye.world_to_view);
+  frustum_matrix(box, 1.0, 1000.0, scene.eye.view_to_clip);
+  for (int i = 0; i < 4; ++i)
+  {
+    scene.surface_bounds[i] = i % 2 ? half : -half;
+  }
+  return scene;
+}
+
+// Each reason not to draw has its switch; with the switch off the mirrored view is drawn.
+TEST(every_reason_has_its_switch)
+{
+  UNUSED;
+  const double eye[3] = { 0.0, -10.0, 5.0 };
+  const double away[3] = { 0.0, -20.0, 10.0 };
+  const double up[3] = { 0.0, 0.0, 1.0 };
+  water_scene scenes[4] = { lake(), lake(), lake(), pool(1.0) };
+  look_at(eye, away, up, scenes[0].eye.world_to_view);
+  scenes[1].hides_above = true;
+  scenes[2].is_hidden = true;
+  scenes[3].reflectance_error = 0.03;
+  const water_decision reasons[4] = { WATER_NO_REFLECT_OUT_OF_VIEW, WATER_NO_REFLECT_FACING_AWAY,
+    WATER_NO_REFLECT_HIDDEN, WATER_NO_REFLECT_FAINT };
+  const unsigned switches[4] = { WATER_MAY_SKIP_UNSEEN, WATER_MAY_SKIP_UNSEEN,
+    WATER_MAY_SKIP_HIDDEN, WATER_MAY_SKIP_FAINT };
+  for (int i = 0; i < 4; ++i)
+  {
+    assert_int_equal(decision_of(&scenes[i]), reasons[i]);
+    assert_int_equal(plan_of(&scenes[i], NULL).has_view, i == 3);
+    scenes[i].skips = WATER_MAY_SKIP_ALL & ~switches[i];
+    assert_int_equal(decision_of(&scenes[i]), WATER_REFLECT);
+    scenes[i].skips = 0;
+    assert_int_equal(decision_of(&scenes[i]), WATER_REFLECT);
+  }
+}
+
+// A surface that is not drawn from above is drawn from below, and the other way round.
+TEST(facing_away_depends_on_the_side)
+{
+  UNUSED;
+  water_scene scene = lake();
+  scene.hides_below = true;
+  assert_int_equal(decision_of(&scene), WATER_REFLECT);
+  scene.plane.normal[2] = -1.0; // turned over: the eye is below
+  assert_int_equal(decision_of(&scene), WATER_NO_REFLECT_FACING_AWAY);
+}
+
+// Straight down water reflects 2.04 %; a pond that reaches 45 degrees from there 2.8 %: Fresnel's
+// equations by hand, cos 45 = 0.70711, refracted 32.04 degrees, s 0.0530, p 0.0028.
+TEST(faint_is_what_the_steepest_and_the_flattest_ray_reflect)
+{
+  UNUSED;
+  water_scene small = pool(1e-3);
+  small.reflectance_error = 0.0205;
+  assert_int_equal(decision_of(&small), WATER_NO_REFLECT_FAINT);
+  small.reflectance_error = 0.0200;
+  assert_int_equal(decision_of(&small), WATER_REFLECT);
+  water_scene large = pool(10.0 / sqrt(2.0)); // its corners lie at 45 degrees
+  large.reflectance_error = 0.0285;
+  assert_int_equal(decision_of(&large), WATER_NO_REFLECT_FAINT);
+  large.reflectance_error = 0.0270;
+  assert_int_equal(decision_of(&large), WATER_REFLECT);
+  // waves turn the surface; of unknown slope, as far as may be
+  small.reflectance_error = 0.0285;
+  assert_int_equal(decision_of(&small), WATER_NO_REFLECT_FAINT);
+  small.has_waves = true;
+  small.slope_max = 1.1; // more than 45 degrees
+  assert_int_equal(decision_of(&small), WATER_REFLECT);
+  small.slope_max = 0.9;
+  assert_int_equal(decision_of(&small), WATER_NO_REFLECT_FAINT);
+  small.slope_max = (double)INFINITY;
+  assert_int_equal(decision_of(&small), WATER_REFLECT);
+  // a mirror reflects what it is told to
+  water_scene mirror = pool(1e-3);
+  mirror.look.constant_reflectance = true;
+  mirror.look.reflectance = 0.001;
+  mirror.reflectance_error = 0.5 / 255.0;
+  assert_int_equal(decision_of(&mirror), WATER_NO_REFLECT_FAINT);
+  mirror.look.reflectance = 0.002;
+  assert_int_equal(decision_of(&mirror), WATER_REFLECT);
+}
+
+// A pond in the middle of a view straight down is reflected in by what stands over it, as the
+// mirrored eye sees it through the pond; what only the rest of the picture would mirror is not.
+TEST(props_outside_the_pyramid_are_left_out)
+{
+  UNUSED;
+  const water_prop props[3] = { { { -0.1, 0.1, -0.1, 0.1, 1.0, 2.0 }, visible },
+    { { 4.0, 4.2, 0.0, 0.2, 1.0, 2.0 }, visible },
+    { { 40.0, 41.0, 0.0, 1.0, 1.0, 2.0 }, visible } };
+  water_fate fates[3];
+  water_scene scene = pool(1.0);
+  scene.props = props;
+  scene.prop_count = 3;
+  (void)plan_of(&scene, fates);
+  assert_int_equal(fates[0], WATER_DRAW);
+  assert_int_equal(fates[1], WATER_SKIP_OUT_OF_WATER);
+  assert_int_equal(fates[2], WATER_SKIP_OUT_OF_VIEW);
+  // pixels drawn or not, the props' fates are theirs
+  scene.skips = WATER_MAY_SKIP_ALL & ~(unsigned)WATER_MAY_SKIP_PIXELS;
+  const water_plan plan = plan_of(&scene, fates);
+  assert_int_equal(fates[1], WATER_SKIP_OUT_OF_WATER);
+  assert_int_equal(plan.texture_rect_px[2], 800);
+  assert_int_equal(plan.texture_rect_px[3], 600);
+  scene.skips = WATER_MAY_SKIP_ALL & ~(unsigned)WATER_MAY_SKIP_PROPS;
+  (void)plan_of(&scene, fates);
+  for (int i = 0; i < 3; ++i)
+  {
+    assert_int_equal(fates[i], WATER_DRAW);
+  }
+}
+
+// A box of 1 at a distance of 12 is 1 / 12 of half the picture: 33 pixels wide, 25 high.
+TEST(small_props_are_left_out_below_the_stated_size)
+{
+  UNUSED;
+  const water_prop props[2] = { { { -0.5, 0.5, -0.5, 0.5, 2.0, 2.0 }, visible },
+    { { -0.5, 0.5, -0.5, 0.5, 2.0, 2.0 }, visible | WATER_PROP_NO_BOUNDS } };
+  water_fate fates[2];
+  water_scene scene = pool(5.0);
+  scene.props = props;
+  scene.prop_count = 2;
+  (void)plan_of(&scene, fates);
+  assert_int_equal(fates[0], WATER_DRAW); // 0: none is left out
+  scene.prop_px_min = 32.0;
+  (void)plan_of(&scene, fates);
+  assert_int_equal(fates[0], WATER_DRAW);
+  scene.prop_px_min = 34.0;
+  (void)plan_of(&scene, fates);
+  assert_int_equal(fates[0], WATER_SKIP_TOO_SMALL);
+  assert_int_equal(fates[1], WATER_DRAW);
+}
+
+// No ray that waves of a slope turn leaves the part that it is said to reach: rays of the eye,
+// mirrored at normals tilted at random, against the map's own projection.
+TEST(waves_look_nothing_up_beyond_their_reach)
+{
+  UNUSED;
+  const double center[3] = { 0.0, 0.0, 0.0 };
+  dice from = dice_seeded(51);
+  int looked_up = 0;
+  for (int round = 0; round < 3000; ++round)
+  {
+    random_scene random = scene_rolled(&from, round, center);
+    if (random.is_parallel)
+    {
+      continue;
+    }
+    random.scene.has_waves = true;
+    random.scene.slope_max = dice_roll(&from, 0.0, 0.1);
+    random.scene.guard_band = 1.0;
+    for (int i = 0; i < 6; ++i)
+    {
+      random.scene.surface_bounds[i] = random.target[i / 2];
+    }
+    const water_plan plan = plan_of(&random.scene, NULL);
+    const int* rect = plan.texture_rect_px;
+    for (int ray = 0; ray < 20; ++ray)
+    {
+      double tilt[3];
+      double normal[3];
+      dice_dir(&from, tilt);
+      const double along = dot(tilt, random.normal);
+      double length = 0.0;
+      for (int i = 0; i < 3; ++i)
+      {
+        tilt[i] -= along * random.normal[i];
+        length += tilt[i] * tilt[i];
+      }
+      for (int i = 0; i < 3; ++i)
+      {
+        normal[i] = random.normal[i] + random.scene.slope_max * tilt[i] / sqrt(length);
+      }
+      const double twice = 2.0 * dot(normal, random.view_dir) / dot(normal, normal);
+      double point[3];
+      double clip[4];
+      const double distance = dice_roll(&from, 0.0, 50.0);
+      for (int i = 0; i < 3; ++i)
+      {
+        point[i] = random.target[i] + distance * (random.view_dir[i] - twice * normal[i]);
+      }
+      project(&plan.mirrored, point, 1.0, clip);
+      const double x = 0.5 * (1.0 + clip[0] / clip[3]) * plan.texture_px[0];
+      const double y = 0.5 * (1.0 + clip[1] / clip[3]) * plan.texture_px[1];
+      if (clip[3] > 0.0 && x >= 0.0 && x <= plan.texture_px[0] && y >= 0.0 &&
+        y <= plan.texture_px[1])
+      {
+        assert_true(x >= rect[0] && x <= rect[0] + rect[2]);
+        assert_true(y >= rect[1] && y <= rect[1] + rect[3]);
+        looked_up += rect[2] < plan.texture_px[0];
+      }
+    }
+  }
+  assert_in_range(looked_up, 10000, 60000);
+}
+
+// A map serves again for the same view of an unchanged scene, and for no other.
+TEST(map_is_used_again_only_for_the_same)
+{
+  UNUSED;
+  const water_prop tree = { { -1.0, 1.0, 2.0, 4.0, 0.0, 3.0 }, visible };
+  water_fate fate;
+  water_scene scene = lake();
+  scene.props = &tree;
+  scene.prop_count = 1;
+  const water_plan last = plan_of(&scene, &fate);
+  water_plan plan = last;
+  water_plan_reuse(&last, true, WATER_MAY_SKIP_ALL, &plan);
+  assert_int_equal(plan.decision, WATER_REUSE);
+  assert_true(water_plan_has_map(&plan));
+  const water_plan again = plan;
+  plan = last;
+  water_plan_reuse(&again, true, WATER_MAY_SKIP_ALL, &plan); // and again
+  assert_int_equal(plan.decision, WATER_REUSE);
+  plan = last;
+  water_plan_reuse(&last, false, WATER_MAY_SKIP_ALL, &plan);
+  assert_int_equal(plan.decision, WATER_REFLECT);
+  water_plan_reuse(&last, true, WATER_MAY_SKIP_ALL & ~(unsigned)WATER_MAY_SKIP_UNCHANGED, &plan);
+  assert_int_equal(plan.decision, WATER_REFLECT);
+
+  // a smaller surface needs less of the map, a larger one may need more
+  water_scene other = scene;
+  other.surface_bounds[1] = 1.0;
+  plan = plan_of(&other, &fate);
+  water_plan_reuse(&last, true, WATER_MAY_SKIP_ALL, &plan);
+  assert_int_equal(plan.decision, WATER_REUSE);
+  const water_plan smaller = plan_of(&other, &fate);
+  plan = plan_of(&scene, &fate);
+  water_plan_reuse(&smaller, true, WATER_MAY_SKIP_ALL, &plan);
+  assert_int_equal(plan.decision, WATER_REFLECT);
+
+  for (int i = 0; i < 7; ++i)
+  {
+    other = scene;
+    other.eye.world_to_view[3] += i == 0 ? 1e-9 : 0.0;
+    other.eye.view_to_clip[0] *= i == 1 ? 1.0001 : 1.0;
+    other.plane.offset += i == 2 ? 1e-6 : 0.0;
+    other.texture_scale = i == 3 ? 0.5 : 1.0;
+    other.clip_margin = i == 4 ? 0.1 : 0.0;
+    other.viewport_px[0] += i == 5;
+    other.has_waves = i == 6;
+    other.slope_rms = 0.05;
+    plan = plan_of(&other, &fate);
+    water_plan_reuse(&last, true, WATER_MAY_SKIP_ALL, &plan);
+    assert_int_equal(plan.decision, WATER_REFLECT);
+  }
+
+  // what did not reflect left no map
+  other = scene;
+  other.is_hidden = true;
+  const water_plan none = plan_of(&other, &fate);
+  plan = plan_of(&scene, &fate);
+  water_plan_reuse(&none, true, WATER_MAY_SKIP_ALL, &plan);
+  assert_int_equal(plan.decision, WATER_REFLECT);
+  plan = none;
+  water_plan_reuse(&last, true, WATER_MAY_SKIP_ALL, &plan);
+  assert_int_equal(plan.decision, WATER_NO_REFLECT_HIDDEN);
+}
+
+int main(void)
+{
+  const struct CMUnitTest tests[] = {
+    RUN(every_reason_has_its_switch),
+    RUN(facing_away_depends_on_the_side),
+    RUN(faint_is_what_the_steepest_and_the_flattest_ray_reflect),
+    RUN(props_outside_the_pyramid_are_left_out),
+    RUN(small_props_are_left_out_below_the_stated_size),
+    RUN(waves_look_nothing_up_beyond_their_reach),
+    RUN(map_is_used_again_only_for_the_same),
+  };
+  return cmocka_run_group_tests(tests, NULL, NULL);
+}
