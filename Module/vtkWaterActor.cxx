@@ -598,6 +598,9 @@ void vtkWaterActor::ShallowCopy(vtkProp* prop)
     this->OwnPass->SetColorPrecision(other->OwnPass->GetColorPrecision());
     this->OwnPass->SetClipMargin(other->OwnPass->GetClipMargin());
     this->OwnPass->SetGuardBand(other->OwnPass->GetGuardBand());
+    this->OwnPass->SetSkips(other->OwnPass->GetSkips());
+    this->OwnPass->SetMinimumPropSize(other->OwnPass->GetMinimumPropSize());
+    this->OwnPass->SetReflectanceError(other->OwnPass->GetReflectanceError());
     this->OwnPass->SetShowReflection(other->OwnPass->GetShowReflection());
   }
 }

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -145,6 +146,22 @@ double vtkWaterProperty::GetWaveHeightMax() const
   double across = 0.0;
   water_waves_reach(this->Internal->Waves.data(), this->Internal->Waves.size(), &height, &across);
   return height;
+}
+
+//------------------------------------------------------------------------------
+double vtkWaterProperty::GetSlopeLookedUp() const
+{
+  if (!this->NeedsRays())
+  {
+    return 0.0;
+  }
+  const bool isOfSines = this->Lookup == RAY_TRACED && !this->Sea && !this->WaveGeometry &&
+    this->GetNumberOfNormalMaps() == 0 && this->SlopeVariance[0] + this->SlopeVariance[1] == 0.0;
+  const bool hasShadows = this->Shadows &&
+    (this->HasGlitter() || this->FoamDepth > 0.0 || this->FoamStretch > 0.0);
+  return isOfSines && !hasShadows
+    ? water_waves_looked_up(this->Internal->Waves.data(), this->Internal->Waves.size())
+    : std::numeric_limits<double>::infinity();
 }
 
 //------------------------------------------------------------------------------

@@ -4,6 +4,7 @@
 #include "vtkCamera.h"
 #include "vtkHardwareSelector.h"
 #include "vtkInformationIntegerKey.h"
+#include "vtkInformationObjectBaseKey.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLRenderer.h"
@@ -16,6 +17,7 @@
 #include "vtkWaterGather.h"
 #include "vtkWaterMirror.h"
 #include "vtkWaterShading.h"
+#include "vtkWaterSignature.h"
 #include "water_plan.h"
 
 #include <algorithm>
@@ -28,14 +30,18 @@
 VTK_ABI_NAMESPACE_BEGIN
 vtkStandardNewMacro(vtkWaterReflectionPass);
 vtkInformationKeyMacro(vtkWaterReflectionPass, NOT_REFLECTED, Integer);
+vtkInformationKeyRestrictedMacro(vtkWaterReflectionPass, STAND_IN, ObjectBase, "vtkProp");
 
-static_assert(static_cast<int>(vtkWaterReflectionPass::OUT_OF_VIEW) == WATER_SKIP_OUT_OF_VIEW &&
+static_assert(static_cast<int>(vtkWaterReflectionPass::TOO_SMALL) == WATER_SKIP_TOO_SMALL &&
     static_cast<int>(vtkWaterReflectionPass::NUMBER_OF_FATES) == WATER_FATE_COUNT,
   "the public fates mirror the core's");
 static_assert(
-  static_cast<int>(vtkWaterReflectionPass::STATIC_ENVIRONMENT) == WATER_NO_REFLECT_ENVIRONMENT &&
+  static_cast<int>(vtkWaterReflectionPass::SHARED) == WATER_NO_REFLECT_SHARED &&
     static_cast<int>(vtkWaterReflectionPass::NUMBER_OF_DECISIONS) == WATER_DECISION_COUNT,
   "the public decisions mirror the core's");
+static_assert(static_cast<int>(vtkWaterReflectionPass::PIXELS) == WATER_MAY_SKIP_PIXELS &&
+    static_cast<int>(vtkWaterReflectionPass::SKIP_ALL) == WATER_MAY_SKIP_ALL,
+  "the public skips mirror the core's");
 
 namespace
 {
@@ -45,31 +51,43 @@ constexpr int kMaximumDefaultSamples = 8; // more is slow and not seen in a refl
 //------------------------------------------------------------------------------
 struct vtkWaterReflectionPass::Internals
 {
-  struct View // what belongs to one renderer
+  struct View // what belongs to one eye of a renderer
   {
     vtkWeakPointer<vtkRenderer> Renderer;
     vtkWaterMirror Mirror;
+    water_plan MapPlan = water_plan(); // what the mirror shows was drawn by it
+    vtkWaterSignature MapSignature;
+    bool MapHasLevels = false;
   };
+  using Eye = std::pair<vtkRenderer*, bool>; // is it the second of two?
 
-  std::map<vtkRenderer*, std::shared_ptr<View>> Views; // shared: a view in use outlives its release
+  std::map<Eye, std::shared_ptr<View>> Views; // shared: a view in use outlives its release
   vtkWaterGather Gather;
   std::vector<water_fate> Fates;
   int FateCounts[WATER_FATE_COUNT] = {};
   water_plan Plan = water_plan();
   vtkWeakPointer<vtkRenderer> PlannedFor;
+  bool PlannedForSecondEye = false;
   std::vector<vtkWaterActor*> PlannedWaters; // compared only
   vtkMTimeType PlannedFrame = 0;
   std::set<vtkRenderer*> Rendering; // in the middle of Render
   bool HasCycle = false;
   bool IsVisiting = false; // the chain of delegates
 
+  static bool IsSecondEye(vtkRenderer* renderer)
+  {
+    vtkCamera* camera = renderer->GetActiveCamera();
+    return camera->GetStereo() && !camera->GetLeftEye();
+  }
+
   std::shared_ptr<View> GetView(vtkRenderer* renderer)
   {
+    const Eye eye(renderer, IsSecondEye(renderer));
     for (auto it = this->Views.begin(); it != this->Views.end();)
     {
-      it = it->second->Renderer || it->first == renderer ? std::next(it) : this->Views.erase(it);
+      it = it->second->Renderer || it->first == eye ? std::next(it) : this->Views.erase(it);
     }
-    std::shared_ptr<View>& view = this->Views[renderer];
+    std::shared_ptr<View>& view = this->Views[eye];
     if (!view)
     {
       view = std::make_shared<View>();
@@ -80,7 +98,7 @@ struct vtkWaterReflectionPass::Internals
 
   View* GetPlannedView()
   {
-    auto found = this->Views.find(this->PlannedFor);
+    auto found = this->Views.find(Eye(this->PlannedFor, this->PlannedForSecondEye));
     return found == this->Views.end() ? nullptr : found->second.get();
   }
 };
@@ -139,6 +157,24 @@ void vtkWaterReflectionPass::SetColorPrecision(int precision)
 void vtkWaterReflectionPass::SetClipMargin(double margin)
 {
   vtkWaterSetInRange(ClipMargin, margin, 0.0, std::numeric_limits<double>::max());
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterReflectionPass::SetSkips(int skips)
+{
+  vtkWaterSetInRange(Skips, skips, SKIP_NONE, SKIP_ALL);
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterReflectionPass::SetMinimumPropSize(double pixels)
+{
+  vtkWaterSetInRange(MinimumPropSize, pixels, 0.0, std::numeric_limits<double>::max());
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterReflectionPass::SetReflectanceError(double share)
+{
+  vtkWaterSetInRange(ReflectanceError, share, 0.0, 1.0);
 }
 
 //------------------------------------------------------------------------------
@@ -221,12 +257,16 @@ void vtkWaterReflectionPass::RenderReflection(
   gather.scene.texture_scale = this->TextureScale;
   gather.scene.clip_margin = this->ClipMargin;
   gather.scene.guard_band = this->GuardBand;
+  gather.scene.skips = static_cast<unsigned>(this->Skips);
+  gather.scene.prop_px_min = this->MinimumPropSize;
+  gather.scene.reflectance_error = this->ReflectanceError;
   gather.scene.max_texture_px = vtkTextureObject::GetMaximumTextureSize(window);
 
   // plan
   internal.Fates.assign(gather.props.size(), WATER_DRAW);
   const water_status status = water_plan_make(&gather.scene, &internal.Plan, internal.Fates.data());
   internal.PlannedFor = renderer;
+  internal.PlannedForSecondEye = Internals::IsSecondEye(renderer);
   internal.PlannedWaters = waters;
   internal.PlannedFrame = shading->Keys.GetFrame(renderer);
   vtkWaterError error;
@@ -263,8 +303,20 @@ void vtkWaterReflectionPass::RenderReflection(
         (this->DelegatePass && !this->DelegatePass->IsA("vtkRenderStepsPass")));
     const bool isFloat =
       this->ColorPrecision == HALF_FLOAT || (this->ColorPrecision == AUTOMATIC && mayToneMap);
-    const char* failure = view->Mirror.Draw(
-      renderer, shading, internal.Plan, drawn, samples > 1 ? samples : 0, isFloat);
+    vtkWaterSignature signature;
+    signature.Read(renderer, drawn);
+    signature.Add(static_cast<vtkMTimeType>(samples));
+    signature.Add(isFloat ? 1 : 0);
+    water_plan_reuse(&view->MapPlan, signature.IsSameAs(view->MapSignature),
+      static_cast<unsigned>(this->Skips), &internal.Plan);
+    const char* failure = nullptr;
+    if (internal.Plan.decision == WATER_REFLECT)
+    {
+      view->MapPlan = water_plan();
+      view->MapHasLevels = false;
+      failure = view->Mirror.Draw(
+        renderer, shading, internal.Plan, drawn, samples > 1 ? samples : 0, isFloat, (this->Skips & PIECES) != 0);
+    }
     if (internal.GetPlannedView() != view.get())
     {
       view->Mirror.ReleaseGraphicsResources(window); // was wanted in the middle of it
@@ -278,10 +330,16 @@ void vtkWaterReflectionPass::RenderReflection(
     }
     else
     {
-      ++this->NumberOfReflectionRenders;
-      if (gather.IsRough)
+      if (internal.Plan.decision == WATER_REFLECT)
+      {
+        ++this->NumberOfReflectionRenders;
+        view->MapPlan = internal.Plan;
+        view->MapSignature = signature;
+      }
+      if (gather.IsRough && !view->MapHasLevels)
       {
         view->Mirror.MakeLevels();
+        view->MapHasLevels = true;
       }
     }
   }
@@ -322,7 +380,7 @@ vtkTextureObject* vtkWaterReflectionPass::GetTexture(vtkRenderer* renderer, vtkW
 {
   vtkWaterMirror& mirror = this->Internal->GetView(renderer)->Mirror;
   const water_plan* plan = this->GetFreshPlan(renderer, water);
-  return plan && plan->decision == WATER_REFLECT
+  return plan && water_plan_has_map(plan)
     ? mirror.GetColor()
     : mirror.GetBlank(static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow()));
 }
@@ -337,7 +395,7 @@ vtkWaterScreen* vtkWaterReflectionPass::GetScreen(vtkRenderer* renderer)
 void vtkWaterReflectionPass::RenderCorner(vtkRenderer* renderer, vtkWaterActor* water)
 {
   const water_plan* plan = this->GetFreshPlan(renderer, water);
-  if (plan && plan->decision == WATER_REFLECT)
+  if (plan && water_plan_has_map(plan))
   {
     vtkWaterMirror& mirror = this->Internal->GetView(renderer)->Mirror;
     mirror.GetScreen().DrawCorner(renderer, mirror.GetColor());
@@ -486,11 +544,14 @@ void vtkWaterReflectionPass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ColorPrecision: " << this->ColorPrecision << "\n";
   os << indent << "ClipMargin: " << this->ClipMargin << "\n";
   os << indent << "GuardBand: " << this->GuardBand << "\n";
+  os << indent << "Skips: " << this->Skips << "\n";
+  os << indent << "MinimumPropSize: " << this->MinimumPropSize << "\n";
+  os << indent << "ReflectanceError: " << this->ReflectanceError << "\n";
   os << indent << "ShowReflection: " << (this->ShowReflection ? "on" : "off") << "\n";
   os << indent << "NumberOfReflectionRenders: " << this->NumberOfReflectionRenders << "\n";
   os << indent << "Last plan: " << this->GetDecisionAsString() << "\n";
   const water_plan& plan = this->Internal->Plan;
-  if (plan.decision == WATER_REFLECT)
+  if (water_plan_has_map(&plan))
   {
     const vtkIndent next = indent.GetNextIndent();
     os << next << "Texture: " << plan.texture_px[0] << " x " << plan.texture_px[1]

@@ -39,6 +39,7 @@ VTK_ABI_NAMESPACE_BEGIN
 #endif
 
 class vtkInformationIntegerKey;
+class vtkInformationObjectBaseKey;
 class vtkRenderer;
 class vtkTextureObject;
 class vtkWaterActor;
@@ -64,6 +65,8 @@ public:
     EMPTY,
     BEHIND_PLANE,
     OUT_OF_VIEW,
+    OUT_OF_WATER, ///< in view of the mirror, but no visible water reflects it
+    TOO_SMALL,    ///< see SetMinimumPropSize
     NUMBER_OF_FATES
   };
 
@@ -80,7 +83,29 @@ public:
     WATER_OUT_OF_VIEW,
     NO_REFLECTANCE,
     STATIC_ENVIRONMENT,
+    REUSED, ///< nothing has changed since the last mirrored view
+    FACING_AWAY,
+    HIDDEN, ///< behind the scene
+    FAINT,  ///< see SetReflectanceError
+    SHARED, ///< a sheet of the same plane has the mirrored view
     NUMBER_OF_DECISIONS
+  };
+
+  /**
+   * What is left undone where nobody sees it (SetSkips): bits.
+   */
+  enum Skips
+  {
+    SKIP_NONE = 0,
+    UNSEEN_WATER = 1 << 0,   ///< the mirrored view, of water out of view or facing away
+    HIDDEN_WATER = 1 << 1,   ///< of water behind the scene
+    FAINT_WATER = 1 << 2,    ///< of water that reflects next to nothing
+    UNCHANGED_VIEWS = 1 << 3,///< one that would be the last one again
+    SHARED_VIEWS = 1 << 4,   ///< one that another sheet of the same plane has
+    PROPS = 1 << 5,          ///< props that no visible water reflects
+    PIECES = 1 << 6,         ///< parts of large meshes, likewise
+    PIXELS = 1 << 7,         ///< pixels of the mirrored view, likewise
+    SKIP_ALL = (1 << 8) - 1
   };
 
   ///@{
@@ -139,6 +164,34 @@ public:
 
   ///@{
   /**
+   * What may be left undone: Skips, or-ed. None of it changes the picture; SKIP_NONE renders
+   * everything in every frame, to compare with. Default is SKIP_ALL.
+   */
+  void SetSkips(int skips);
+  vtkGetMacro(Skips, int);
+  ///@}
+
+  ///@{
+  /**
+   * Props whose picture in the mirrored view is smaller than this, both ways, are left out: pixels
+   * of the texture, not negative. Default is 0: none is.
+   */
+  void SetMinimumPropSize(double pixels);
+  vtkGetMacro(MinimumPropSize, double);
+  ///@}
+
+  ///@{
+  /**
+   * Share of the light that may be neglected, in [0, 1]: no mirrored view is rendered while no
+   * visible pixel reflects more, as with 0.03 for a pool that is seen straight down. Default is
+   * 0.5 / 255, which no picture of 8 bits shows.
+   */
+  void SetReflectanceError(double share);
+  vtkGetMacro(ReflectanceError, double);
+  ///@}
+
+  ///@{
+  /**
    * With waves: size of the mirrored view over that of the picture, in [1, 2], as reflected rays
    * leave the picture at its edges; 0: by the waves' slope, at most 1.25. Texels keep their size,
    * the texture grows. Default is 0.
@@ -172,7 +225,7 @@ public:
   vtkGetMacro(NumberOfReflectionRenders, vtkIdType);
 
   /**
-   * Number of props drawn in the last mirrored view.
+   * Number of props in the last mirrored view.
    */
   int GetNumberOfPropsReflected() const { return this->GetFateCount(DRAWN); }
 
@@ -197,6 +250,12 @@ public:
    * A prop with this key (any value but 0) in its property keys is left out of reflections.
    */
   static vtkInformationIntegerKey* NOT_REFLECTED();
+
+  /**
+   * A prop with this key is drawn in reflections by the prop that the key holds: a coarser model of
+   * a large mesh, say. That one is placed and coloured by itself and need not be in a renderer.
+   */
+  static vtkInformationObjectBaseKey* STAND_IN();
 
   void Render(const vtkRenderState* s) override;
   void ReleaseGraphicsResources(vtkWindow* window) override;
@@ -234,6 +293,9 @@ private:
   double TextureScale = 1.0;
   int MultiSamples = -1;
   int ColorPrecision = AUTOMATIC;
+  int Skips = SKIP_ALL;
+  double MinimumPropSize = 0.0;
+  double ReflectanceError = 0.5 / 255.0;
   double ClipMargin = 0.0;
   double GuardBand = 0.0;
   bool ShowReflection = false;

@@ -284,6 +284,19 @@ water_status water_waves_find(const water_wave_term* terms, size_t count, double
   return WATER_OK;
 }
 
+double water_waves_looked_up(const water_wave* waves, size_t count)
+{
+  double slope = 0.0;
+  double fold = 0.0;
+  for (size_t i = 0; i < count; ++i)
+  {
+    const double steep = water_two_pi / waves[i].wavelength * waves[i].amplitude;
+    slope += steep;
+    fold += waves[i].steepness * steep;
+  }
+  return fold < 1.0 ? 4.0 * slope / (1.0 - fold) : (double)INFINITY;
+}
+
 void water_waves_rms(const water_wave* waves, size_t count, double* height, double* slope)
 {
   double height_sum = 0.0;

@@ -7,6 +7,8 @@
 #ifndef vtkWaterAccess_h
 #define vtkWaterAccess_h
 
+#include "vtkOpenGLHelper.h"
+#include "vtkOpenGLPolyDataMapper.h"
 #include "vtkProp.h"
 #include "vtkRenderer.h"
 
@@ -21,6 +23,15 @@ struct Renderer : public vtkRenderer
   // What is drawn in this frame, in this order; there from culling to the end of the frame.
   static vtkProp** PropsOf(vtkRenderer* renderer) { return renderer->*(&Renderer::PropArray); }
   static int PropCountOf(vtkRenderer* renderer) { return renderer->*(&Renderer::PropArrayCount); }
+};
+
+struct PolyDataMapper : public vtkOpenGLPolyDataMapper
+{
+  // The index buffer that lists the triangles of polygons; the mapper owns a reference.
+  static vtkOpenGLIndexBufferObject*& TrianglesOf(vtkOpenGLPolyDataMapper* mapper)
+  {
+    return (mapper->*(&PolyDataMapper::Primitives))[PrimitiveTris].IBO;
+  }
 };
 
 struct Prop : public vtkProp

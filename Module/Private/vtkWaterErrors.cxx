@@ -94,7 +94,8 @@ vtkWaterError vtkWaterDescribe(
   {
     DescribeValue(text, status, *gather, *plan);
   }
-  text << ". The water shows its plain colour.";
+  text << (status == WATER_BAD_PROP_BOUNDS ? ". It is reflected as if it were everywhere."
+                                           : ". The water shows its plain colour.");
   error.Text = text.str();
   return error;
 }

@@ -6,6 +6,7 @@
 #include "vtkCamera.h"
 #include "vtkInformation.h"
 #include "vtkInformationIntegerKey.h"
+#include "vtkInformationObjectBaseKey.h"
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
 #include "vtkMatrix4x4.h"
@@ -14,6 +15,7 @@
 #include "vtkProp3DCollection.h"
 #include "vtkPropAssembly.h"
 #include "vtkPropCollection.h"
+#include "vtkProperty.h"
 #include "vtkRenderer.h"
 #include "vtkWaterActor.h"
 #include "vtkWaterProperty.h"
@@ -60,7 +62,18 @@ uint32_t ReadFlags(vtkProp* prop)
   return flags;
 }
 
-water_prop ReadProp(vtkProp* prop)
+// What is drawn for a prop in the mirrored view.
+vtkProp* FindStandIn(vtkProp* prop)
+{
+  vtkInformation* keys = prop->GetPropertyKeys();
+  auto* other = keys && keys->Has(vtkWaterReflectionPass::STAND_IN())
+    ? vtkProp::SafeDownCast(keys->Get(vtkWaterReflectionPass::STAND_IN()))
+    : nullptr;
+  return other && !vtkWaterGather::HoldsWater(other) ? other : prop;
+}
+
+// drawn  the prop or its stand-in, which has the place
+water_prop ReadProp(vtkProp* prop, vtkProp* drawn)
 {
   water_prop read;
   read.flags = ReadFlags(prop);
@@ -69,7 +82,7 @@ water_prop ReadProp(vtkProp* prop)
     WATER_PROP_IS_WATER | WATER_PROP_NOT_REFLECTED | WATER_PROP_OVERLAY | WATER_PROP_LABEL;
   if ((read.flags & WATER_PROP_VISIBLE) && !(read.flags & noneNeeded))
   {
-    const double* bounds = prop->GetBounds(); // may bring a pipeline up to date
+    const double* bounds = drawn->GetBounds(); // may bring a pipeline up to date
     if (bounds)
     {
       std::copy(bounds, bounds + 6, read.bounds);
@@ -227,6 +240,8 @@ void vtkWaterGather::Read(
   ReadPlaneOrigin(waters.front(), this->scene.plane_origin);
   this->scene.has_waves = false;
   this->scene.slope_rms = 0.0;
+  this->scene.slope_max = 0.0;
+  this->scene.hides_above = this->scene.hides_below = true;
   this->IsRough = std::any_of(waters.begin(), waters.end(),
     [](vtkWaterActor* water) { return water->GetWaterProperty()->IsRough(); });
   this->scene.wave_height_max = 0.0;
@@ -235,6 +250,13 @@ void vtkWaterGather::Read(
     vtkWaterProperty* property = water->GetWaterProperty();
     this->scene.has_waves = this->scene.has_waves || property->NeedsRays();
     this->scene.slope_rms = std::max(this->scene.slope_rms, property->GetSlopeRMS());
+    this->scene.slope_max = std::max(this->scene.slope_max, property->GetSlopeLookedUp());
+    // of a mesh of the user's nobody knows where its faces look; the sheet's look along the normal
+    const bool isSheet = water->UsesOwnSheet() && water->GetIsIdentity();
+    this->scene.hides_above =
+      this->scene.hides_above && isSheet && water->GetProperty()->GetFrontfaceCulling();
+    this->scene.hides_below =
+      this->scene.hides_below && isSheet && water->GetProperty()->GetBackfaceCulling();
     if (water->IsDisplaced())
     {
       this->scene.wave_height_max =
@@ -286,8 +308,9 @@ void vtkWaterGather::Read(
   all->InitTraversal(it);
   while (vtkProp* prop = all->GetNextProp(it))
   {
-    this->vtkProps.push_back(prop);
-    this->props.push_back(ReadProp(prop));
+    vtkProp* drawn = FindStandIn(prop);
+    this->vtkProps.push_back(drawn);
+    this->props.push_back(ReadProp(prop, drawn));
   }
   this->scene.props = this->props.data();
   this->scene.prop_count = this->props.size();

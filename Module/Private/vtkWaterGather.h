@@ -19,7 +19,7 @@ struct vtkWaterGather
 {
   water_scene scene;             // points into props
   std::vector<water_prop> props; // of all view props, in the renderer's order
-  std::vector<vtkProp*> vtkProps;
+  std::vector<vtkProp*> vtkProps; // or what stands in for them
   vtkCamera* camera = nullptr; // the one read last
   bool IsRough = false;        // one of the waters blurs its reflection
 

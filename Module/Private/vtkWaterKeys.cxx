@@ -3,11 +3,13 @@
 
 #include "vtkCallbackCommand.h"
 #include "vtkInformation.h"
+#include "vtkInformationObjectBaseKey.h"
 #include "vtkInformationObjectBaseVectorKey.h"
 #include "vtkOpenGLRenderPass.h"
 #include "vtkPropCollection.h"
 #include "vtkRenderer.h"
 #include "vtkWaterAccess.h"
+#include "vtkWaterReflectionPass.h"
 
 #include <algorithm>
 #include <limits>
@@ -53,6 +55,14 @@ void ForEachProp(vtkPropCollection* props, Function function)
   while (vtkProp* prop = props->GetNextProp(it))
   {
     function(prop);
+    vtkInformation* keys = prop->GetPropertyKeys();
+    if (keys && keys->Has(vtkWaterReflectionPass::STAND_IN()))
+    {
+      if (auto* drawn = vtkProp::SafeDownCast(keys->Get(vtkWaterReflectionPass::STAND_IN())))
+      {
+        function(drawn);
+      }
+    }
     if (prop->IsA("vtkAxesActor"))
     {
       // the one prop with parts that does not hand its keys on to them

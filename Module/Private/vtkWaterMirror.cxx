@@ -94,10 +94,10 @@ struct ScopedCamera
 
 struct ScopedMirroredView
 {
-  ScopedMirroredView(vtkWaterShading* shading, const water_plan& plan)
+  ScopedMirroredView(vtkWaterShading* shading, const water_plan& plan, vtkWaterPieces* pieces)
     : Shading(shading)
   {
-    shading->BeginMirroredView(plan);
+    shading->BeginMirroredView(plan, pieces);
   }
   ~ScopedMirroredView() { this->Shading->EndMirroredView(); }
 
@@ -142,7 +142,7 @@ void SetViewportAndScissor(vtkOpenGLState* state, const water_plan& plan)
 
 //------------------------------------------------------------------------------
 const char* vtkWaterMirror::Draw(vtkRenderer* renderer, vtkWaterShading* shading,
-  const water_plan& plan, std::vector<vtkProp*>& props, int samples, bool isFloat)
+  const water_plan& plan, std::vector<vtkProp*>& props, int samples, bool isFloat, bool canCut)
 {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   vtkOpenGLState* state = window->GetState();
@@ -167,9 +167,10 @@ const char* vtkWaterMirror::Draw(vtkRenderer* renderer, vtkWaterShading* shading
 
       this->SetCamera(renderer, plan);
       ScopedCamera scopedCamera(renderer, this->Camera);
-      ScopedMirroredView scopedView(shading, plan);
+      ScopedMirroredView scopedView(shading, plan, canCut ? &this->Pieces : nullptr);
       ScopedRenderTimes scopedTimes(renderer, props);
       this->DrawProps(renderer, props);
+      this->SkippedTriangles = this->Pieces.TakeSkippedTriangles();
       state->vtkglDisable(GL_SCISSOR_TEST);
       this->Target.Resolve();
     }
@@ -275,6 +276,7 @@ void vtkWaterMirror::DrawProps(vtkRenderer* renderer, std::vector<vtkProp*>& pro
     prop->RenderOpaqueGeometry(renderer);
     // on for shaders that write the distance; undefined for those that do not
     glDisable(GL_CLIP_DISTANCE0);
+    this->Pieces.TakeBack();
   }
   const bool hasTranslucent = std::any_of(props.begin(), props.end(),
     [](vtkProp* prop) { return prop->HasTranslucentPolygonalGeometry() != 0; });
@@ -311,6 +313,7 @@ vtkTextureObject* vtkWaterMirror::GetBlank(vtkOpenGLRenderWindow* window)
 void vtkWaterMirror::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Target.ReleaseGraphicsResources(window);
+  this->Pieces.ReleaseGraphicsResources();
   this->Screen.ReleaseGraphicsResources();
   if (this->Blank && window)
   {

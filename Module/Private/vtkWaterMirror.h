@@ -4,6 +4,7 @@
 #define vtkWaterMirror_h
 
 #include "vtkSmartPointer.h"
+#include "vtkWaterPieces.h"
 #include "vtkWaterScreen.h"
 #include "vtkWaterTarget.h"
 #include "water_plan.h"
@@ -24,10 +25,11 @@ public:
   //
   // samples  per pixel, 0: none
   // isFloat  colours are half floats, or bytes
+  // canCut   parts of large meshes may be left out
   //
   // Returns nullptr, or what went wrong in a few words; the target is then not to be used.
   const char* Draw(vtkRenderer* renderer, vtkWaterShading* shading, const water_plan& plan,
-    std::vector<vtkProp*>& props, int samples, bool isFloat);
+    std::vector<vtkProp*>& props, int samples, bool isFloat, bool canCut);
 
   // In the middle of Draw, which runs the user's observers: nothing may be released then.
   bool GetIsDrawing() const { return this->IsDrawing; }
@@ -38,6 +40,9 @@ public:
   vtkTextureObject* GetColor() { return this->Target.GetColor(); }
   vtkTextureObject* GetDepth() { return this->Target.GetDepth(); }
   vtkWaterScreen& GetScreen() { return this->Screen; }
+
+  // Triangles left out of the last view.
+  vtkIdType GetSkippedTriangles() const { return this->SkippedTriangles; }
 
   // A texture of one pixel, for surfaces that have no reflection to look up.
   vtkTextureObject* GetBlank(vtkOpenGLRenderWindow* window);
@@ -60,6 +65,8 @@ private:
 
   vtkWaterTarget Target;
   vtkWaterScreen Screen;
+  vtkWaterPieces Pieces;
+  vtkIdType SkippedTriangles = 0;
   vtkSmartPointer<vtkTextureObject> Blank;
   vtkSmartPointer<vtkCamera> Camera;
   vtkSmartPointer<vtkRenderPass> TranslucentPass;

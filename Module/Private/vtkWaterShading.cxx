@@ -12,6 +12,7 @@
 #include "vtkWaterGL.h"
 #include "vtkWaterMirroredFS.h"
 #include "vtkWaterMirroredVS.h"
+#include "vtkWaterPieces.h"
 #include "vtkWaterSurface.h"
 #include "vtkWaterUniforms.h"
 #include "vtkWaterVolumeFS.h"
@@ -75,9 +76,10 @@ vtkWaterShading* vtkWaterShading::GetOfThread()
 }
 
 //------------------------------------------------------------------------------
-void vtkWaterShading::BeginMirroredView(const water_plan& plan)
+void vtkWaterShading::BeginMirroredView(const water_plan& plan, vtkWaterPieces* pieces)
 {
   this->MirroredView = &plan;
+  this->Pieces = pieces;
   this->SetUp.clear();
 }
 
@@ -85,6 +87,7 @@ void vtkWaterShading::BeginMirroredView(const water_plan& plan)
 void vtkWaterShading::EndMirroredView()
 {
   this->MirroredView = nullptr;
+  this->Pieces = nullptr;
   this->SetUp.clear();
 }
 
@@ -158,7 +161,7 @@ bool vtkWaterShading::PostReplaceShaderValues(
 
 //------------------------------------------------------------------------------
 bool vtkWaterShading::SetShaderParameters(
-  vtkShaderProgram* program, vtkAbstractMapper*, vtkProp* prop, vtkOpenGLVertexArrayObject*)
+  vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp* prop, vtkOpenGLVertexArrayObject*)
 {
   if (prop->IsA("vtkWaterActor"))
   {
@@ -170,6 +173,10 @@ bool vtkWaterShading::SetShaderParameters(
   else
   {
     this->SetMirroredParameters(program, prop);
+    if (this->Pieces)
+    {
+      this->Pieces->Give(*this->MirroredView, program, mapper, prop);
+    }
   }
   return true;
 }

@@ -18,6 +18,7 @@
 
 class vtkProp;
 class vtkRenderer;
+class vtkWaterPieces;
 class vtkWaterSurface;
 
 class vtkWaterShading : public vtkOpenGLRenderPass
@@ -35,7 +36,9 @@ public:
   vtkWaterKeys Keys;
 
   // The mirrored view of this plan is drawn between the two.
-  void BeginMirroredView(const water_plan& plan);
+  //
+  // pieces  of large meshes, if they may be drawn in pieces
+  void BeginMirroredView(const water_plan& plan, vtkWaterPieces* pieces);
   void EndMirroredView();
   bool IsInMirroredView() const { return this->MirroredView != nullptr; }
 
@@ -65,6 +68,7 @@ private:
   void SetMirroredParameters(vtkShaderProgram* program, vtkProp* prop);
 
   const water_plan* MirroredView = nullptr;
+  vtkWaterPieces* Pieces = nullptr;
   std::unordered_set<vtkShaderProgram*> SetUp; // programs that know the present view
   vtkMTimeType FogFrame = 0;
   double FogEye[12] = {}; // its directions

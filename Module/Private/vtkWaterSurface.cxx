@@ -39,6 +39,7 @@
 #include "vtkWaterTileFS.h"
 #include "vtkWaterWavesFS.h"
 #include "vtkWaterWavesVS.h"
+#include "water_plan.h"
 #include "water_waves.h"
 
 #include <algorithm>
@@ -254,7 +255,7 @@ void vtkWaterSurface::Begin(vtkWaterActor* water, const Frame& frame)
     this->Active.emplace_back("waterSea", sea->Upload(window));
     this->Sea = sea;
   }
-  if (frame.Plan && frame.Plan->decision == WATER_REFLECT)
+  if (frame.Plan && water_plan_has_map(frame.Plan))
   {
     // where pixel meets texel, one texel is the same as four
     const bool isAligned = !(this->BuiltStages & (WAVES | RAY_TRACED | OFFSET)) && frame.IsFlat &&

@@ -16,6 +16,7 @@
 #include "vtkWaterSurface.h"
 #include "vtkWaterUniforms.h"
 #include "water_glitter.h"
+#include "water_plan.h"
 #include "water_waves.h"
 
 #include <algorithm>
@@ -52,7 +53,7 @@ void vtkWaterSurface::SetParameters(vtkShaderProgram* program)
   }
   uniforms::Set(program, "waterHasView", hasView ? 1 : 0);
   const bool isReflecting =
-    plan && (plan->decision == WATER_REFLECT || (this->BuiltStages & ENVIRONMENT));
+    plan && (water_plan_has_map(plan) || (this->BuiltStages & ENVIRONMENT));
   uniforms::Set(program, "waterIsReflecting", isReflecting ? 1 : 0);
   uniforms::Set(program, "waterOpacity", this->Property->GetOpacity());
   uniforms::Set(program, "waterOutput", this->Property->GetOutput());
@@ -121,7 +122,7 @@ void vtkWaterSurface::SetReflectionParameters(vtkShaderProgram* program)
 {
   namespace uniforms = vtkWaterUniforms;
   const water_plan& plan = *this->Drawn.Plan;
-  if (plan.decision != WATER_REFLECT)
+  if (!water_plan_has_map(&plan))
   {
     return;
   }

@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkWaterPieces.h"
+
+#include "vtkActor.h"
+#include "vtkDoubleArray.h"
+#include "vtkFloatArray.h"
+#include "vtkMatrix4x4.h"
+#include "vtkOpenGLIndexBufferObject.h"
+#include "vtkOpenGLPolyDataMapper.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkProperty.h"
+#include "vtkShaderProgram.h"
+#include "vtkWaterAccess.h"
+#include "vtkWaterGL.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace
+{
+double (*BoxesOf(std::vector<std::array<double, 6>>& boxes))[6]
+{
+  return reinterpret_cast<double(*)[6]>(boxes.data()); // std::array<double, 6> is a double[6]
+}
+
+// Can the triangles of a mesh be drawn without some of them? Not when the shader counts them to find
+// the data of their cells.
+bool CanBeCut(vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkActor* actor)
+{
+  return actor && std::strcmp(mapper->GetClassName(), "vtkOpenGLPolyDataMapper") == 0 &&
+    actor->GetCoordinateSystem() == vtkProp3D::WORLD &&
+    actor->GetProperty()->GetRepresentation() == VTK_SURFACE &&
+    !actor->IsRenderingTranslucentPolygonalGeometry() &&
+    !program->IsUniformUsed("PrimitiveIDOffset");
+}
+}
+
+//------------------------------------------------------------------------------
+vtkWaterPieces::vtkWaterPieces() = default;
+
+//------------------------------------------------------------------------------
+vtkWaterPieces::~vtkWaterPieces()
+{
+  this->TakeBack();
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterPieces::Read(vtkOpenGLPolyDataMapper* mapper, Mesh& mesh)
+{
+  mesh.Boxes.clear();
+  mesh.Indices.clear();
+  vtkOpenGLIndexBufferObject* buffer = vtkWaterAccess::PolyDataMapper::TrianglesOf(mapper);
+  const size_t count = water_pieces_count(buffer->IndexCount / 3);
+  vtkPoints* points = mapper->GetInput() ? mapper->GetInput()->GetPoints() : nullptr;
+  if (count == 0 || buffer->IndexCount % 3 != 0 || !points)
+  {
+    return;
+  }
+  water_points places{ nullptr, nullptr };
+  if (auto* floats = vtkFloatArray::FastDownCast(points->GetData()))
+  {
+    places.floats = floats->GetPointer(0);
+  }
+  else if (auto* doubles = vtkDoubleArray::FastDownCast(points->GetData()))
+  {
+    places.doubles = doubles->GetPointer(0);
+  }
+  else
+  {
+    return;
+  }
+  mesh.Indices.resize(buffer->IndexCount);
+  GLint bound = 0;
+  glGetIntegerv(GL_COPY_READ_BUFFER, &bound); // the binding's name is also that of its query
+  glBindBuffer(GL_COPY_READ_BUFFER, static_cast<GLuint>(buffer->GetHandle()));
+  glGetBufferSubData(GL_COPY_READ_BUFFER, 0,
+    static_cast<GLsizeiptr>(mesh.Indices.size() * sizeof(uint32_t)), mesh.Indices.data());
+  glBindBuffer(GL_COPY_READ_BUFFER, static_cast<GLuint>(bound));
+  mesh.Boxes.resize(count);
+  if (!water_pieces_bound(&places, static_cast<size_t>(points->GetNumberOfPoints()),
+        mesh.Indices.data(), mesh.Indices.size() / 3, BoxesOf(mesh.Boxes)))
+  {
+    mesh.Boxes.clear(); // not the indices of these points
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterPieces::Give(
+  const water_plan& plan, vtkShaderProgram* program, vtkAbstractMapper* anyMapper, vtkProp* prop)
+{
+  auto* actor = vtkActor::SafeDownCast(prop);
+  this->TakeBack(); // of another part of an assembly
+  if (!anyMapper || !CanBeCut(program, anyMapper, actor))
+  {
+    return;
+  }
+  auto* mapper = static_cast<vtkOpenGLPolyDataMapper*>(anyMapper);
+  vtkOpenGLIndexBufferObject*& slot = vtkWaterAccess::PolyDataMapper::TrianglesOf(mapper);
+  if (water_pieces_count(slot->IndexCount / 3) == 0)
+  {
+    return;
+  }
+  for (auto it = this->Meshes.begin(); it != this->Meshes.end();)
+  {
+    it = it->second.Mapper ? std::next(it) : this->Meshes.erase(it);
+  }
+  Mesh& mesh = this->Meshes[mapper];
+  const std::array<vtkMTimeType, 4> state{ mapper->GetInput() ? mapper->GetInput()->GetMTime() : 0,
+    std::max(mapper->GetMTime(), actor->GetProperty()->GetMTime()), slot->IndexCount,
+    static_cast<vtkMTimeType>(slot->GetHandle()) };
+  if (!mesh.Mapper || mesh.State != state)
+  {
+    mesh.Mapper = mapper;
+    mesh.State = state;
+    Read(mapper, mesh);
+  }
+  if (mesh.Boxes.empty())
+  {
+    return;
+  }
+  water_frustum view;
+  water_pieces_view(&plan, &actor->GetMatrix()->Element[0][0], &view);
+  this->Selected.resize(mesh.Indices.size());
+  const size_t count = water_pieces_select(&view, mesh.Indices.data(), mesh.Indices.size() / 3,
+    BoxesOf(mesh.Boxes), this->Selected.data());
+  if (count == mesh.Indices.size())
+  {
+    return;
+  }
+  if (!mesh.Drawn)
+  {
+    mesh.Drawn = vtkSmartPointer<vtkOpenGLIndexBufferObject>::New();
+  }
+  if (count > 0)
+  {
+    mesh.Drawn->Upload(
+      this->Selected.data(), count, vtkOpenGLBufferObject::ElementArrayBuffer);
+  }
+  else if (!mesh.Drawn->IsReady())
+  {
+    mesh.Drawn->GenerateBuffer(vtkOpenGLBufferObject::ElementArrayBuffer);
+  }
+  mesh.Drawn->IndexCount = count;
+  this->SkippedTriangles += static_cast<vtkIdType>((mesh.Indices.size() - count) / 3);
+  this->Given = mapper;
+  this->Own.TakeReference(slot); // the mapper's reference, until it has it back
+  slot = mesh.Drawn;
+  mesh.Drawn->Register(mapper);
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterPieces::TakeBack()
+{
+  if (!this->Given)
+  {
+    return;
+  }
+  vtkOpenGLIndexBufferObject*& slot = vtkWaterAccess::PolyDataMapper::TrianglesOf(this->Given);
+  slot->UnRegister(this->Given);
+  slot = this->Own;
+  this->Own->Register(this->Given);
+  this->Own = nullptr;
+  this->Given = nullptr;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkWaterPieces::TakeSkippedTriangles()
+{
+  const vtkIdType skipped = this->SkippedTriangles;
+  this->SkippedTriangles = 0;
+  return skipped;
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterPieces::ReleaseGraphicsResources()
+{
+  this->TakeBack();
+  for (auto& mesh : this->Meshes)
+  {
+    if (mesh.second.Drawn)
+    {
+      mesh.second.Drawn->ReleaseGraphicsResources();
+    }
+  }
+  this->Meshes.clear();
+}

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkWaterPieces: draws of large meshes only the pieces that the mirrored view can show.
+//
+// A mapper draws the triangles that its index buffer lists. For the time of a draw in the mirrored
+// view it gets another list, in which pieces are left out (water_pieces.h): the same vertices, the
+// same order, so every pixel is the same as before. See Documentation/decisions/009-skips.md.
+#ifndef vtkWaterPieces_h
+#define vtkWaterPieces_h
+
+#include "vtkSmartPointer.h"
+#include "vtkType.h"
+#include "vtkWeakPointer.h"
+#include "water_pieces.h"
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <vector>
+
+class vtkAbstractMapper;
+class vtkOpenGLIndexBufferObject;
+class vtkOpenGLPolyDataMapper;
+class vtkProp;
+class vtkShaderProgram;
+
+class vtkWaterPieces
+{
+public:
+  vtkWaterPieces();
+  ~vtkWaterPieces();
+
+  // A mapper is about to draw a prop with a program: gives it its pieces, if the mesh is large, in a
+  // form that can be cut, and parts of it cannot be seen.
+  void Give(
+    const water_plan& plan, vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp* prop);
+
+  // The prop is drawn: the mapper gets its own index buffer back.
+  void TakeBack();
+
+  // Triangles that were left out since the last call.
+  vtkIdType TakeSkippedTriangles();
+
+  void ReleaseGraphicsResources();
+
+private:
+  vtkWaterPieces(const vtkWaterPieces&) = delete;
+  void operator=(const vtkWaterPieces&) = delete;
+
+  struct Mesh
+  {
+    vtkWeakPointer<vtkOpenGLPolyDataMapper> Mapper;
+    std::array<vtkMTimeType, 4> State{}; // of what the index buffer was made from
+    std::vector<uint32_t> Indices;
+    std::vector<std::array<double, 6>> Boxes; // empty: it cannot be cut
+    vtkSmartPointer<vtkOpenGLIndexBufferObject> Drawn;
+  };
+
+  static void Read(vtkOpenGLPolyDataMapper* mapper, Mesh& mesh);
+
+  std::map<vtkOpenGLPolyDataMapper*, Mesh> Meshes;
+  std::vector<uint32_t> Selected;
+  vtkSmartPointer<vtkOpenGLPolyDataMapper> Given; // has a buffer of ours
+  vtkSmartPointer<vtkOpenGLIndexBufferObject> Own;
+  vtkIdType SkippedTriangles = 0;
+};
+
+#endif

@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkWaterSignature.h"
+
+#include "vtkAbstractMapper.h"
+#include "vtkAbstractVolumeMapper.h"
+#include "vtkActor.h"
+#include "vtkAlgorithm.h"
+#include "vtkCamera.h"
+#include "vtkCommand.h"
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkDataObject.h"
+#include "vtkDemandDrivenPipeline.h"
+#include "vtkFollower.h"
+#include "vtkImageMapper3D.h"
+#include "vtkImageProperty.h"
+#include "vtkImageSlice.h"
+#include "vtkLight.h"
+#include "vtkLightCollection.h"
+#include "vtkMapper.h"
+#include "vtkMatrix4x4.h"
+#include "vtkPropCollection.h"
+#include "vtkProperty.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkShaderProperty.h"
+#include "vtkSmartPointer.h"
+#include "vtkTexture.h"
+#include "vtkTransform.h"
+#include "vtkUniforms.h"
+#include "vtkVolume.h"
+#include "vtkVolumeProperty.h"
+#include "vtkWaterGather.h"
+
+#include <algorithm>
+#include <cstring>
+#include <initializer_list>
+
+namespace
+{
+// Exact classes: what is derived from them may look different for reasons of its own.
+bool IsOneOf(vtkObjectBase* object, std::initializer_list<const char*> names)
+{
+  const char* own = object->GetClassName();
+  return std::any_of(
+    names.begin(), names.end(), [own](const char* name) { return std::strcmp(own, name) == 0; });
+}
+
+bool IsKnownActor(vtkProp* prop)
+{
+  return IsOneOf(
+    prop, { "vtkActor", "vtkOpenGLActor", "vtkFollower", "vtkOpenGLSkybox", "vtkSkybox" });
+}
+
+bool IsKnownMapper(vtkAbstractMapper* mapper)
+{
+  return IsOneOf(mapper,
+    { "vtkOpenGLPolyDataMapper", "vtkPolyDataMapper", "vtkDataSetMapper", "vtkGlyph3DMapper",
+      "vtkOpenGLGlyph3DMapper", "vtkOpenGLSphereMapper", "vtkOpenGLStickMapper",
+      "vtkPointGaussianMapper", "vtkOpenGLPointGaussianMapper", "vtkCompositePolyDataMapper",
+      "vtkCompositePolyDataMapper2", "vtkOpenGLImageSliceMapper", "vtkImageSliceMapper",
+      "vtkOpenGLGPUVolumeRayCastMapper", "vtkSmartVolumeMapper",
+      "vtkFixedPointVolumeRayCastMapper" });
+}
+
+vtkMTimeType TimeOf(vtkDataObject* data)
+{
+  vtkMTimeType time = data ? data->GetMTime() : 0;
+  if (auto* composite = vtkCompositeDataSet::SafeDownCast(data))
+  {
+    vtkSmartPointer<vtkCompositeDataIterator> it;
+    it.TakeReference(composite->NewIterator());
+    for (it->InitTraversal(); !it->IsDoneWithTraversal(); it->GoToNextItem())
+    {
+      time = std::max(time, it->GetCurrentDataObject()->GetMTime());
+    }
+  }
+  return time;
+}
+
+bool HasUniforms(vtkUniforms* uniforms)
+{
+  return uniforms && uniforms->GetNumberOfUniforms() > 0;
+}
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterSignature::Read(vtkRenderer* renderer, const std::vector<vtkProp*>& props)
+{
+  this->Values.clear();
+  this->IsComplete = true;
+  this->Values.reserve(6 * props.size() + 16);
+  // its own time: vtkRenderer's counts the camera in
+  this->Values.emplace_back(renderer, renderer->vtkObject::GetMTime());
+  double rate = renderer->GetRenderWindow()->GetDesiredUpdateRate();
+  vtkMTimeType bits = 0;
+  std::memcpy(&bits, &rate, std::min(sizeof bits, sizeof rate)); // volumes sample by it
+  this->Add(bits);
+  this->Add(static_cast<vtkMTimeType>(vtkMapper::GetResolveCoincidentTopology()));
+
+  vtkLightCollection* lights = renderer->GetLights();
+  this->Values.emplace_back(lights, lights->GetMTime());
+  vtkCollectionSimpleIterator it;
+  lights->InitTraversal(it);
+  while (vtkLight* light = lights->GetNextLight(it))
+  {
+    vtkMatrix4x4* matrix = light->GetTransformMatrix();
+    this->Values.emplace_back(
+      light, std::max(light->GetMTime(), matrix ? matrix->GetMTime() : vtkMTimeType(0)));
+  }
+  this->AddTexture(renderer->GetEnvironmentTexture());
+  this->AddTexture(renderer->GetBackgroundTexture());
+  for (vtkProp* prop : props)
+  {
+    this->AddProp(prop);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterSignature::AddProp(vtkProp* prop)
+{
+  this->Values.emplace_back(prop, prop->GetMTime());
+  if (vtkPropCollection* parts = vtkWaterGather::GetParts(prop))
+  {
+    vtkCollectionSimpleIterator it;
+    parts->InitTraversal(it);
+    while (vtkProp* part = parts->GetNextProp(it))
+    {
+      this->AddProp(part);
+    }
+    return;
+  }
+  vtkAbstractMapper* mapper = nullptr;
+  if (IsKnownActor(prop))
+  {
+    auto* actor = static_cast<vtkActor*>(prop);
+    vtkMatrix4x4* matrix = actor->GetUserMatrix();
+    this->Add(matrix ? matrix->GetMTime() : 0);
+    this->AddProperty(actor->GetProperty());
+    this->AddProperty(actor->GetBackfaceProperty());
+    this->AddTexture(actor->GetTexture());
+    mapper = actor->GetMapper();
+    if (auto* follower = vtkFollower::SafeDownCast(prop))
+    {
+      this->Add(follower->GetCamera() ? follower->GetCamera()->GetMTime() : 0);
+    }
+  }
+  else if (IsOneOf(prop, { "vtkVolume" }))
+  {
+    auto* volume = static_cast<vtkVolume*>(prop);
+    vtkMatrix4x4* matrix = volume->GetUserMatrix();
+    this->Add(matrix ? matrix->GetMTime() : 0);
+    this->Add(volume->GetProperty()->GetMTime());
+    mapper = volume->GetMapper();
+  }
+  else if (IsOneOf(prop, { "vtkImageSlice", "vtkImageActor" }))
+  {
+    auto* slice = static_cast<vtkImageSlice*>(prop);
+    this->Add(slice->GetProperty()->GetMTime());
+    mapper = slice->GetMapper();
+  }
+  else
+  {
+    this->IsComplete = false;
+  }
+  vtkShaderProperty* shaders = prop->GetShaderProperty();
+  this->Add(shaders->GetShaderMTime());
+  // uniforms may be set at any time, and what observes the shader does so
+  if (HasUniforms(shaders->GetVertexCustomUniforms()) ||
+    HasUniforms(shaders->GetFragmentCustomUniforms()) ||
+    HasUniforms(shaders->GetGeometryCustomUniforms()) ||
+    (mapper && (!IsKnownMapper(mapper) || mapper->HasObserver(vtkCommand::UpdateShaderEvent))))
+  {
+    this->IsComplete = false;
+  }
+  if (mapper)
+  {
+    this->AddAlgorithm(mapper);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterSignature::AddAlgorithm(vtkAlgorithm* algorithm)
+{
+  this->Values.emplace_back(algorithm, algorithm->GetMTime());
+  for (int port = 0; port < algorithm->GetNumberOfInputPorts(); ++port)
+  {
+    for (int i = 0; i < algorithm->GetNumberOfInputConnections(port); ++i)
+    {
+      vtkAlgorithm* producer = algorithm->GetInputAlgorithm(port, i);
+      auto* pipeline = vtkDemandDrivenPipeline::SafeDownCast(producer->GetExecutive());
+      if (!pipeline)
+      {
+        this->IsComplete = false;
+        continue;
+      }
+      pipeline->UpdatePipelineMTime();
+      this->Values.emplace_back(producer, pipeline->GetPipelineMTime());
+      vtkDataObject* data = algorithm->GetInputDataObject(port, i);
+      this->Values.emplace_back(data, TimeOf(data));
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterSignature::AddProperty(vtkProperty* property)
+{
+  this->Values.emplace_back(property, property ? property->GetMTime() : 0);
+  if (property)
+  {
+    for (const auto& texture : property->GetAllTextures())
+    {
+      this->AddTexture(texture.second);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterSignature::AddTexture(vtkTexture* texture)
+{
+  if (!texture)
+  {
+    this->Add(0);
+    return;
+  }
+  if (!IsOneOf(texture, { "vtkTexture", "vtkOpenGLTexture" }) ||
+    texture->GetNumberOfInputConnections(0) == 0)
+  {
+    this->IsComplete = false; // filled by somebody else
+  }
+  this->Add(texture->GetTransform() ? texture->GetTransform()->GetMTime() : 0);
+  this->AddAlgorithm(texture);
+}
+
+//------------------------------------------------------------------------------
+bool vtkWaterSignature::IsSameAs(const vtkWaterSignature& other) const
+{
+  return this->IsComplete && other.IsComplete && this->Values == other.Values;
+}
