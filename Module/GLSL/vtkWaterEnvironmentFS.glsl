@@ -23,16 +23,17 @@ float waterShaded(WaterPoint point, vec3 dir)
   return 0.0;
 }
 
-// Is what a facet sees a place of the map?
-bool waterIsOfMap(int reason)
+// What one of several facets sees: a place of the map, or a colour.
+//
+// Returns whether it is a place.
+bool waterFacetSees(WaterPoint point, out vec2 uv, out vec3 color)
 {
+  int reason;
+  color = waterReflected(point, reason, uv);
   return false;
 }
 
-// Places of the map with their shares, blurred over their distance.
-//
-// sharp  the same without a blur
-vec3 waterBlurred(vec2 places[4], vec4 shares, int count, vec3 sharp)
+vec3 waterBlurred(WaterPlaces places, int count)
 {
-  return sharp;
+  return vec3(0.0);
 }

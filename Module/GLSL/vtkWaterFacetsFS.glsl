@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkWaterFacetsFS.glsl: the facets that stand for all slopes within a pixel.
-// Needs vtkWaterPointFS.glsl before it.
+// Needs vtkWaterOptics.glsl, vtkWaterPointFS.glsl and vtkWaterLookupFS.glsl before it, or another of
+// the last one's stage.
 //
 // The slopes are Gaussian about the pixel's mean one, along the azimuth of the view only: at a low
 // view a slope across it turns the reflection little. A facet counts by the part of the pixel that
@@ -25,7 +26,7 @@ vec2 waterAzimuth(WaterPoint point)
   return length(point.ray.xy) > 1e-6 ? normalize(point.ray.xy) : vec2(1.0, 0.0);
 }
 
-// Number of facets: as a bound of a loop, which ends early also where branches do not save.
+// Number of facets.
 int waterFacetCount(WaterPoint point)
 {
   vec2 azimuth = waterAzimuth(point);
@@ -33,17 +34,9 @@ int waterFacetCount(WaterPoint point)
   return variance > WATER_ROUGH ? 4 : (variance > WATER_SMOOTH ? 2 : 1);
 }
 
-// Normal of a facet.
-//
-// weight  they add up to 1
-vec3 waterFacet(WaterPoint point, int number, int count, out float weight)
+// Mean and spread of the slopes that face the eye, against the pixel's own normal: x, y.
+vec2 waterFacetSlopes(WaterPoint point, vec2 azimuth)
 {
-  weight = 1.0;
-  if (count == 1)
-  {
-    return point.normal;
-  }
-  vec2 azimuth = waterAzimuth(point);
   float spread = sqrt(dot(point.variance.xy, azimuth * azimuth));
   // in units of the spread: how far the mean facet is from facing away
   float edge = -dot(point.ray, point.normal) /
@@ -58,9 +51,66 @@ vec3 waterFacet(WaterPoint point, int number, int count, out float weight)
   float low = 1.0 - smoothstep(3.0, 6.0, edge);
   float shift = low * (mean + from - edge);
   variance = mix(1.0, variance, low);
-  float node = float(number & 1) * 2.0 - 1.0;
-  node *= count == 2 ? 1.0 : (number < 2 ? 0.378 : 1.363); // 4: quarters of the slopes
-  float slope = spread * (shift + node * sqrt(max(variance, 0.0)));
-  weight = 1.0 / float(count);
-  return normalize(vec3(point.normal.xy - point.normal.z * slope * azimuth, point.normal.z));
+  return spread * vec2(shift, sqrt(max(variance, 0.0)));
+}
+
+float waterFacetReflectance(WaterPoint point)
+{
+  return waterReflectance < 0.0
+    ? waterFresnel(clamp(-dot(point.ray, point.normal), 0.0, 1.0), waterEta) : waterReflectance;
+}
+
+// The reflection of a pixel's facets, each weighted by its own reflectance.
+//
+// Loops stand where a branch would do: they end early also where both sides of a branch are
+// executed, on software renderers, and most pixels have either one facet or several all around.
+//
+// reflectance  of all
+// reason, uv   of the pixel's mean one, which is the only one where these are shown
+vec3 waterFacets(WaterPoint point, out float reflectance, inout int reason, inout vec2 uv)
+{
+  int count = waterOutput == 1 || waterOutput == 2 ? 1 : waterFacetCount(point);
+  vec3 reflected = vec3(0.0);
+  reflectance = 0.0;
+  for (int i = 0; i < 2 - min(count, 2); ++i)
+  {
+    reflectance = waterFacetReflectance(point);
+    if (waterIsReflecting != 0)
+    {
+      reflected = reflectance * waterReflected(point, reason, uv);
+    }
+  }
+  int several = count > 1 ? count : 0;
+  vec2 azimuth = vec2(0.0);
+  vec2 slopes = vec2(0.0);
+  for (int i = 0; i < min(several, 1); ++i)
+  {
+    azimuth = waterAzimuth(point);
+    slopes = waterFacetSlopes(point, azimuth);
+  }
+  WaterPlaces places = WaterPlaces(vec4(0.0), vec4(0.0), vec4(0.0));
+  for (int i = 0; i < several; ++i)
+  {
+    float node = float(i & 1) * 2.0 - 1.0;
+    node *= count == 2 ? 1.0 : (i < 2 ? 0.378 : 1.363); // 4: quarters of the slopes
+    float slope = slopes.x + node * slopes.y;
+    WaterPoint facet = point;
+    facet.normal = normalize(
+      vec3(point.normal.xy - point.normal.z * slope * azimuth, point.normal.z));
+    float share = waterFacetReflectance(facet) / float(count);
+    reflectance += share;
+    if (waterIsReflecting != 0)
+    {
+      vec3 color;
+      vec2 place;
+      bool isPlace = waterFacetSees(facet, place, color);
+      waterPutPlace(places, i, place, isPlace ? share : 0.0);
+      reflected += isPlace ? vec3(0.0) : share * color;
+    }
+  }
+  if (waterIsReflecting != 0)
+  {
+    reflected += waterBlurred(places, several);
+  }
+  return reflected;
 }

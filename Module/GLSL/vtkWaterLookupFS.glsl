@@ -21,6 +21,8 @@ const int WATER_DOWNWARD = 5;
 
 const float WATER_THICKNESS = 0.05; // of things that cast shadows, over their distance
 
+const float WATER_PROBE_PX = 6.0; // between probes; the default's are closer on ways below 42
+
 // How far behind the edge of a thing the last ray went, over the thing's distance.
 float waterBehind = 0.0;
 
@@ -44,6 +46,35 @@ bool waterMayPassBehind(float depthBefore, float depth, float rayDepth)
   return depth > depthBefore + slack && rayDepth > depthBefore - slack;
 }
 
+// The way of a ray through the map's window, from its start to where it leaves the map, or all that
+// there is to meet.
+struct WaterWay
+{
+  vec3 line;     // the ray is start + s line, s in [0, 1]
+  bool isOver;   // ends over all that the map shows
+  bool isInside; // ends on the map
+};
+
+WaterWay waterWay(vec3 start, float startW, vec3 dir)
+{
+  WaterWay way;
+  vec4 end = waterDirToMap * vec4(dir, 0.0);
+  way.line = 0.5 * (end.xyz - (2.0 * start - 1.0) * end.w);
+  float last = end.w > 1e-6 ? 1.0 / end.w : (way.line.z > 0.0 ? (1.0 - start.z) / way.line.z : 1e20);
+  // over the highest thing there is nothing but sky
+  float climb = waterMapTop / max(dir.z, 1e-6);
+  float climbW = startW + climb * end.w;
+  float overAll = climbW > 0.0 ? climb / climbW : 1e20;
+  vec2 border = (step(0.0, way.line.xy) - start.xy) /
+    mix(way.line.xy, vec2(1e-9), equal(way.line.xy, vec2(0.0)));
+  float leaves = max(min(border.x, border.y), 0.0);
+  way.isOver = overAll < min(last, leaves);
+  last = min(last, overAll);
+  way.isInside = last <= leaves;
+  way.line *= min(last, leaves);
+  return way;
+}
+
 // Colour in a direction from a point of the water.
 //
 // start   of the ray in the map's window: u, v, depth
@@ -53,20 +84,10 @@ bool waterMayPassBehind(float depthBefore, float depth, float rayDepth)
 // uv      where in the map that is
 vec3 waterTrace(vec3 start, float startW, vec3 dir, out int reason, out vec2 uv)
 {
-  vec4 end = waterDirToMap * vec4(dir, 0.0);
-  vec3 way = 0.5 * (end.xyz - (2.0 * start - 1.0) * end.w); // the ray is start + s way
-  float last = end.w > 1e-6 ? 1.0 / end.w : (way.z > 0.0 ? (1.0 - start.z) / way.z : 1e20);
-  // over the highest thing there is nothing but sky
-  float climb = waterMapTop / max(dir.z, 1e-6);
-  float climbW = startW + climb * end.w;
-  float overAll = climbW > 0.0 ? climb / climbW : 1e20;
-  vec2 border =
-    (step(0.0, way.xy) - start.xy) / mix(way.xy, vec2(1e-9), equal(way.xy, vec2(0.0)));
-  float leaves = max(min(border.x, border.y), 0.0);
-  bool isOver = overAll < min(last, leaves);
-  last = min(last, overAll);
-  bool isInside = last <= leaves; // the ray ends on the map
-  way *= min(last, leaves);       // from here on s is in [0, 1]
+  WaterWay bounded = waterWay(start, startW, dir);
+  vec3 way = bounded.line;
+  bool isOver = bounded.isOver;
+  bool isInside = bounded.isInside;
 
   // steps to the depth that the map has where the ray is now
   float perDepth = 1.0 / (abs(way.z) > 1e-20 ? way.z : 1e-20);
@@ -83,10 +104,12 @@ vec3 waterTrace(vec3 start, float startW, vec3 dir, out int reason, out vec2 uv)
   bool isSettled = s > 0.9999
     ? min(at.z, 1.0) <= depth
     : abs(at.z - depth) <= waterMapTolerance.x * (waterMapZInfinity - depth);
-  // nothing nearer on the way
-  float part = s / float(waterProbes + 1);
+  // nothing nearer on the way; of a short one fewer probes miss no more
+  float lengthPx = s * length(way.xy * vec2(textureSize(waterReflectionDepth, 0)));
+  int probes = isSettled ? min(waterProbes, int(lengthPx / WATER_PROBE_PX)) : 0;
+  float part = s / float(probes + 1);
   float depthBefore = depthStart;
-  for (int i = 1; i <= waterProbes; ++i)
+  for (int i = 1; i <= probes && isSettled; ++i)
   {
     vec3 probe = start + part * float(i) * way;
     float rayDepth = min(probe.z, 1.0);
@@ -98,7 +121,7 @@ vec3 waterTrace(vec3 start, float startW, vec3 dir, out int reason, out vec2 uv)
   isSettled = isSettled && !waterMayPassBehind(depthBefore, depth, min(at.z, 1.0));
 
   // the depth there leads closer still
-  for (int i = 0; i < 2 && isSettled; ++i)
+  for (int i = 0; i < 2 && isSettled && s <= 0.9999; ++i)
   {
     s = clamp((depth - start.z) * perDepth, 0.0, 1.0);
     at = start + s * way;
@@ -218,23 +241,46 @@ float waterShaded(WaterPoint point, vec3 dir)
   return reason == WATER_HIT || isSide ? 1.0 : 0.0;
 }
 
-// Is what a facet sees a place of the map?
-bool waterIsOfMap(int reason)
+// What one of several facets sees: a place of the map, or a colour.
+//
+// Returns whether it is a place.
+bool waterFacetSees(WaterPoint point, out vec2 uv, out vec3 color)
 {
-  return reason != WATER_OFF_MAP;
+  // All of them together are blurred: two steps find each of them well enough.
+  vec3 dir = reflect(point.ray, point.normal);
+  dir.z = max(abs(dir.z), 1e-6);
+  waterFloor = point.height;
+  WaterWay way = waterWay(point.start, point.startW, dir);
+  float perDepth = 1.0 / (abs(way.line.z) > 1e-20 ? way.line.z : 1e-20);
+  float depth = waterMapDepth(point.start.xy);
+  float s = 0.0;
+  for (int i = 0; i < 2; ++i)
+  {
+    s = clamp((depth - point.start.z) * perDepth, 0.0, 1.0);
+    uv = point.start.xy + s * way.line.xy;
+    depth = waterMapDepth(uv);
+  }
+  color = waterSky(dir);
+  bool isSky = s > 0.9999 && depth >= 1.0 && !way.isInside;
+  return !isSky || waterSkyBottom.a <= 0.5;
 }
 
-// Places of the map with their shares, blurred over their distance.
-//
-// sharp  the same without a blur
-vec3 waterBlurred(vec2 places[4], vec4 shares, int count, vec3 sharp)
+// Places of the map with their shares, blurred over their distance: several sharp images would be
+// seen as several.
+vec3 waterBlurred(WaterPlaces places, int count)
 {
-  vec2 apart = (places[count - 2] - places[count - 1]) / float(count - 1);
-  float level = log2(max(0.3 * length(apart * vec2(textureSize(waterReflection, 0))), 1.0));
   vec3 blurred = vec3(0.0);
+  float level = 0.0;
   for (int i = 0; i < count; ++i)
   {
-    blurred += shares[i] * textureLod(waterReflection, places[i], level).rgb;
+    if (i == 0)
+    {
+      vec2 apart = (waterPlaceOf(places, count - 2) - waterPlaceOf(places, count - 1)) /
+        float(count - 1);
+      level = log2(max(0.3 * length(apart * vec2(textureSize(waterReflection, 0))), 1.0));
+    }
+    float share = dot(places.shares, vec4(equal(vec4(i), vec4(0.0, 1.0, 2.0, 3.0))));
+    blurred += share * textureLod(waterReflection, waterPlaceOf(places, i), level).rgb;
   }
-  return level > 0.0 ? blurred : sharp;
+  return blurred;
 }

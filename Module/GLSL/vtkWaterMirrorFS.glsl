@@ -16,17 +16,3 @@ float waterShaded(WaterPoint point, vec3 dir)
 {
   return 0.0;
 }
-
-// Is what a facet sees a place of the map?
-bool waterIsOfMap(int reason)
-{
-  return false;
-}
-
-// Places of the map with their shares, blurred over their distance.
-//
-// sharp  the same without a blur
-vec3 waterBlurred(vec2 places[4], vec4 shares, int count, vec3 sharp)
-{
-  return sharp;
-}

@@ -1,14 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkWaterNoFacetsFS.glsl: stage facets of smooth water: the one that the normal is of.
-// Needs vtkWaterPointFS.glsl before it.
+// Needs vtkWaterOptics.glsl, vtkWaterPointFS.glsl and vtkWaterMirrorFS.glsl before it, or another of
+// the last one's stage.
 
-int waterFacetCount(WaterPoint point)
+// The reflection, times the reflectance.
+//
+// reason, uv  of the reflection
+vec3 waterFacets(WaterPoint point, out float reflectance, inout int reason, inout vec2 uv)
 {
-  return 1;
-}
-
-vec3 waterFacet(WaterPoint point, int number, int count, out float weight)
-{
-  weight = 1.0;
-  return point.normal;
+  reflectance = waterReflectance < 0.0
+    ? waterFresnel(clamp(-dot(point.ray, point.normal), 0.0, 1.0), waterEta) : waterReflectance;
+  vec3 reflected = vec3(0.0);
+  if (waterIsReflecting != 0)
+  {
+    reflected = reflectance * waterReflected(point, reason, uv);
+  }
+  return reflected;
 }

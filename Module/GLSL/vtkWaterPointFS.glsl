@@ -3,7 +3,7 @@
 //
 // The stages, each one file of several: place (waterPlaceOf), waves (waterRipple), reflection
 // (waterReflected), caustics (waterCaustic), body (waterBeneath), sun (waterSunlit), facets
-// (waterFacet); vtkWaterSurfaceFS.glsl puts them together. They are files and not branches because
+// (waterFacets); vtkWaterSurfaceFS.glsl puts them together. They are files and not branches because
 // software renderers execute both sides of a branch.
 //
 // Needs vtkWaterFlatFS.glsl before it, or another of the stage place.
@@ -20,6 +20,9 @@ uniform vec2 waterMapScale;    // part of the map that is the picture itself, wi
 uniform float waterDepthScale; // depth in the map / depth in the picture, of the surface
 uniform float waterSide;       // 1: seen from above, -1: from below
 uniform float waterEta;        // index beyond the surface / index on the eye's side
+uniform int waterIsReflecting; // 0: there is no mirrored view
+uniform float waterReflectance; // 0 to 1, or below 0: Fresnel
+uniform int waterOutput;       // vtkWaterProperty::Outputs
 uniform vec3 waterDeepColor;   // of water without an end
 uniform vec3 waterSunDir;      // towards it, in the plane's axes
 uniform vec3 waterSlopeVariance; // xx, yy, xy of the slopes too small for waves
@@ -40,6 +43,29 @@ struct WaterPoint
   vec3 start;    // where the map shows its calm reflection: u, v, depth
   float startW;  // w of that in clip space of the map
 };
+
+// What up to four facets see in the map, and the share of each. No array: software renderers keep one
+// that is indexed by a loop in memory.
+struct WaterPlaces
+{
+  vec4 first; // two places
+  vec4 last;
+  vec4 shares;
+};
+
+void waterPutPlace(inout WaterPlaces places, int i, vec2 place, float share)
+{
+  bvec4 isThis = equal(vec4(i), vec4(0.0, 1.0, 2.0, 3.0));
+  places.first = mix(places.first, place.xyxy, isThis.xxyy);
+  places.last = mix(places.last, place.xyxy, isThis.zzww);
+  places.shares = mix(places.shares, vec4(share), isThis);
+}
+
+vec2 waterPlaceOf(WaterPlaces places, int i)
+{
+  vec4 two = i < 2 ? places.first : places.last;
+  return (i & 1) == 0 ? two.xy : two.zw;
+}
 
 WaterPoint waterPoint()
 {

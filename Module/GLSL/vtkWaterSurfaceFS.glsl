@@ -5,11 +5,8 @@
 // stages.
 
 uniform int waterHasView;       // 0: nothing is known of the view, show the plain colour
-uniform int waterIsReflecting;  // 0: there is no mirrored view
-uniform float waterReflectance; // 0 to 1, or below 0: Fresnel
 uniform float waterShoreSoftness; // m of depth
 uniform float waterOpacity;
-uniform int waterOutput;        // vtkWaterProperty::Outputs
 
 // A place in the map as a colour: 12 bits of u, then 12 bits of v.
 vec3 waterPack(vec2 uv)
@@ -25,42 +22,6 @@ vec3 waterPack(float share)
 {
   float whole = floor(clamp(share, 0.0, 1.0) * 65535.0 + 0.5);
   return vec3(floor(whole / 256.0), mod(whole, 256.0), 0.0) / 255.0;
-}
-
-// The reflection of a pixel's facets, each weighted by its own reflectance.
-//
-// reflectance  of all
-// reason, uv   of the pixel's mean one, which is the only one where these are shown
-vec3 waterFacets(WaterPoint point, out float reflectance, inout int reason, inout vec2 uv)
-{
-  vec3 reflected = vec3(0.0);
-  vec3 sharp = vec3(0.0);
-  vec2 places[4] = vec2[4](vec2(0.0), vec2(0.0), vec2(0.0), vec2(0.0));
-  vec4 shares = vec4(0.0);
-  reflectance = 0.0;
-  int count = waterOutput == 1 || waterOutput == 2 ? 1 : waterFacetCount(point);
-  for (int i = count - 1; i >= 0; --i)
-  {
-    WaterPoint facet = point;
-    float weight;
-    facet.normal = waterFacet(point, i, count, weight);
-    float share = weight * (waterReflectance < 0.0
-      ? waterFresnel(clamp(-dot(point.ray, facet.normal), 0.0, 1.0), waterEta)
-      : waterReflectance);
-    reflectance += share;
-    if (waterIsReflecting != 0)
-    {
-      vec3 seen = waterReflected(facet, reason, uv);
-      bool isOfMap = waterIsOfMap(reason);
-      places[i] = uv;
-      shares[i] = isOfMap ? share : 0.0;
-      sharp += shares[i] * seen;
-      reflected += (share - shares[i]) * seen;
-    }
-  }
-  // several sharp images would be seen as several: each is as wide as they are apart
-  return reflected + (count > 1 && waterIsReflecting != 0
-    ? waterBlurred(places, shares, count, sharp) : sharp);
 }
 
 void waterShade(inout vec4 color)

@@ -6,6 +6,24 @@ uniform sampler2D waterWaves; // a row per wave: (kx, ky, amplitude, phase), (st
 uniform int waterWaveCount;
 uniform int waterRestSteps; // steps to the point at rest; 0 for sines in the plane: not moved
 
+// The slope of waterSlope where all waves are sines in the plane.
+vec2 waterSineSlope(vec2 place, vec2 across, vec2 down, inout vec4 variance)
+{
+  vec2 gradient = vec2(0.0);
+  vec2 unseen = vec2(0.0);
+  for (int i = 0; i < waterWaveCount; ++i)
+  {
+    vec4 wave = texelFetch(waterWaves, ivec2(0, i), 0);
+    vec2 turn = vec2(dot(wave.xy, across), dot(wave.xy, down));
+    float part = exp(-dot(turn, turn) / 24.0);
+    vec2 steep = wave.z * wave.xy;
+    unseen += 0.5 * (1.0 - part * part) * steep * steep;
+    gradient += part * cos(dot(wave.xy, place) + wave.w) * steep;
+  }
+  variance.xy += unseen;
+  return gradient;
+}
+
 // dz/dx and dz/dy over a place in the plane's axes.
 //
 // across, down  change of the place from pixel to pixel: of a wave that is short against them the
@@ -16,6 +34,11 @@ uniform int waterRestSteps; // steps to the point at rest; 0 for sines in the pl
 vec2 waterSlope(
   vec2 place, vec2 across, vec2 down, vec3 ray, inout vec4 variance, out float stretch)
 {
+  if (waterRestSteps == 0)
+  {
+    stretch = 1.0;
+    return waterSineSlope(place, across, down, variance);
+  }
   vec2 rest = place;
   float height = 0.0;
   vec2 gradient = vec2(0.0);
