@@ -26,7 +26,7 @@ vec2 waterAzimuth(WaterPoint point)
   return length(point.ray.xy) > 1e-6 ? normalize(point.ray.xy) : vec2(1.0, 0.0);
 }
 
-// Number of facets.
+// Number of facets: 1, 2, or 4, which see places on the line of two.
 int waterFacetCount(WaterPoint point)
 {
   vec2 azimuth = waterAzimuth(point);
@@ -88,23 +88,24 @@ vec3 waterFacets(WaterPoint point, out float reflectance, inout int reason, inou
     azimuth = waterAzimuth(point);
     slopes = waterFacetSlopes(point, azimuth);
   }
-  WaterPlaces places = WaterPlaces(vec4(0.0), vec4(0.0), vec4(0.0));
-  for (int i = 0; i < several; ++i)
+  WaterPlaces places = WaterPlaces(vec4(0.0), vec2(0.0));
+  for (int i = 0; i < min(several, 2); ++i)
   {
-    float node = float(i & 1) * 2.0 - 1.0;
-    node *= count == 2 ? 1.0 : (i < 2 ? 0.378 : 1.363); // 4: quarters of the slopes
+    float node = i == 0 ? -1.0 : 1.0;
     float slope = slopes.x + node * slopes.y;
     WaterPoint facet = point;
     facet.normal = normalize(
       vec3(point.normal.xy - point.normal.z * slope * azimuth, point.normal.z));
-    float share = waterFacetReflectance(facet) / float(count);
+    float share = 0.5 * waterFacetReflectance(facet);
     reflectance += share;
     if (waterIsReflecting != 0)
     {
       vec3 color;
       vec2 place;
       bool isPlace = waterFacetSees(facet, place, color);
-      waterPutPlace(places, i, place, isPlace ? share : 0.0);
+      places.two = i == 0 ? place.xyxy : vec4(places.two.xy, place);
+      places.shares = isPlace ? (i == 0 ? vec2(share, 0.0) : vec2(places.shares.x, share))
+                              : places.shares;
       reflected += isPlace ? vec3(0.0) : share * color;
     }
   }

@@ -265,22 +265,27 @@ bool waterFacetSees(WaterPoint point, out vec2 uv, out vec3 color)
   return !isSky || waterSkyBottom.a <= 0.5;
 }
 
-// Places of the map with their shares, blurred over their distance: several sharp images would be
-// seen as several.
+// The places that some facets see, blurred over their distance: several sharp images would be seen as
+// several.
+//
+// count  2, or 4: quarters of the slopes, on the line through the two; 0: none
 vec3 waterBlurred(WaterPlaces places, int count)
 {
   vec3 blurred = vec3(0.0);
+  vec2 middle = 0.5 * (places.two.xy + places.two.zw);
+  vec2 arm = 0.5 * (places.two.zw - places.two.xy);
   float level = 0.0;
   for (int i = 0; i < count; ++i)
   {
     if (i == 0)
     {
-      vec2 apart = (waterPlaceOf(places, count - 2) - waterPlaceOf(places, count - 1)) /
-        float(count - 1);
-      level = log2(max(0.3 * length(apart * vec2(textureSize(waterReflection, 0))), 1.0));
+      float apart = length(arm * vec2(textureSize(waterReflection, 0))) * (count == 2 ? 2.0 : 0.909);
+      level = log2(max(0.3 * apart, 1.0));
     }
-    float share = dot(places.shares, vec4(equal(vec4(i), vec4(0.0, 1.0, 2.0, 3.0))));
-    blurred += share * textureLod(waterReflection, waterPlaceOf(places, i), level).rgb;
+    float node = float(i & 1) * 2.0 - 1.0;
+    float share = (i & 1) == 0 ? places.shares.x : places.shares.y;
+    node *= count == 2 ? 1.0 : (i < 2 ? 0.378 : 1.363);
+    blurred += share * textureLod(waterReflection, middle + node * arm, level).rgb;
   }
-  return blurred;
+  return blurred * (count == 4 ? 0.5 : 1.0);
 }

@@ -44,28 +44,12 @@ struct WaterPoint
   float startW;  // w of that in clip space of the map
 };
 
-// What up to four facets see in the map, and the share of each. No array: software renderers keep one
-// that is indexed by a loop in memory.
+// What two facets see in the map, one spread of the slopes to each side, and the share of each.
 struct WaterPlaces
 {
-  vec4 first; // two places
-  vec4 last;
-  vec4 shares;
+  vec4 two;
+  vec2 shares; // 0: not a place of the map
 };
-
-void waterPutPlace(inout WaterPlaces places, int i, vec2 place, float share)
-{
-  bvec4 isThis = equal(vec4(i), vec4(0.0, 1.0, 2.0, 3.0));
-  places.first = mix(places.first, place.xyxy, isThis.xxyy);
-  places.last = mix(places.last, place.xyxy, isThis.zzww);
-  places.shares = mix(places.shares, vec4(share), isThis);
-}
-
-vec2 waterPlaceOf(WaterPlaces places, int i)
-{
-  vec4 two = i < 2 ? places.first : places.last;
-  return (i & 1) == 0 ? two.xy : two.zw;
-}
 
 WaterPoint waterPoint()
 {
