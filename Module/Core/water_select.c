@@ -40,16 +40,27 @@ static void frustum_make(const water_camera* camera, frustum* made)
 // Rounding: an offset and the products of a corner are sums of at most 8 products, each off by half
 // an epsilon for every sum and factor, of numbers no larger than |normal| * (corner + reach). 32
 // epsilons are more than all of that. A sum that overflows is not below anything: kept.
+// The larger of two by a comparison and not by fmax, which is a call: NaN must do something else
+// there. Bounds have none, and a plane that has any makes sums that are not below anything.
 static bool is_behind(const double plane[4], const double bounds[6], double reach)
 {
   double highest = plane[3];
-  double size = fabs(plane[3]);
   for (int i = 0; i < 3; ++i)
   {
     const double low = plane[i] * bounds[2 * i];
     const double high = plane[i] * bounds[2 * i + 1];
-    highest += fmax(low, high);
-    size += fmax(fabs(low), fabs(high)) + fabs(plane[i]) * reach;
+    highest += low > high ? low : high;
+  }
+  if (!(highest < 0.0))
+  {
+    return false; // most boxes: no need to know how far it may be off
+  }
+  double size = fabs(plane[3]);
+  for (int i = 0; i < 3; ++i)
+  {
+    const double low = fabs(bounds[2 * i]);
+    const double high = fabs(bounds[2 * i + 1]);
+    size += fabs(plane[i]) * (low > high ? low : high) + fabs(plane[i]) * reach;
   }
   return highest < -32.0 * DBL_EPSILON * size;
 }
