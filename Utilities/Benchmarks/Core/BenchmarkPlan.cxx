@@ -4,8 +4,8 @@
 //   a plan of 100000 props    limit 3 ms, calm and with waves
 //
 // A lake of 2 x 2 km seen from 30 m over it, boxes of up to 20 m anywhere on and over it, in and
-// out of view, always the same ones. "big_o" is the time per prop of the best fit, and of what
-// order it is; "rms" how well that fits. Exit status 1: over the limit.
+// out of view, always the same ones. "BigO" is the time per prop, fitted, "RMS" how well a time
+// that grows with the number fits. Times are the processor's. Exit status 1: over the limit.
 #include "water_plan.h"
 
 #include <benchmark/benchmark.h>
@@ -113,6 +113,11 @@ void Plan(benchmark::State& state, bool hasWaves)
 class Reporter : public benchmark::ConsoleReporter
 {
 public:
+  Reporter()
+    : ConsoleReporter(OO_Tabular) // no colours: the output goes into files, too
+  {
+  }
+
   void ReportRuns(const std::vector<Run>& runs) override
   {
     this->ConsoleReporter::ReportRuns(runs);
