@@ -28,14 +28,25 @@ void water_frustum_make(const water_camera* camera, const double box[4], water_f
 bool water_frustum_is_behind(
   const double plane[4], const double bounds[6], double reach, double rounding)
 {
+  // The larger of two by a comparison and not by fmax, which is a call: NaN must do something else
+  // there. Bounds have none, and a plane that has any makes sums that are not below anything.
   double highest = plane[3];
-  double size = fabs(plane[3]);
   for (int i = 0; i < 3; ++i)
   {
     const double low = plane[i] * bounds[2 * i];
     const double high = plane[i] * bounds[2 * i + 1];
-    highest += fmax(low, high);
-    size += fmax(fabs(low), fabs(high)) + fabs(plane[i]) * reach;
+    highest += low > high ? low : high;
+  }
+  if (!(highest < 0.0))
+  {
+    return false; // most boxes: no need to know how far it may be off
+  }
+  double size = fabs(plane[3]);
+  for (int i = 0; i < 3; ++i)
+  {
+    const double low = fabs(bounds[2 * i]);
+    const double high = fabs(bounds[2 * i + 1]);
+    size += fabs(plane[i]) * (low > high ? low : high) + fabs(plane[i]) * reach;
   }
   return highest < -rounding * size;
 }

@@ -45,6 +45,16 @@ void water_mirror_widen(const double map_scale[2], water_camera* mirrored)
   }
 }
 
+// The far plane for depths that are scaled, z' - w of water_mirror_reach: positive beyond it.
+static void far_plane(const double world_to_clip[16], double scale, double beyond[4])
+{
+  for (int j = 0; j < 4; ++j)
+  {
+    beyond[j] =
+      scale * (world_to_clip[8 + j] + world_to_clip[12 + j]) - 2.0 * world_to_clip[12 + j];
+  }
+}
+
 double water_mirror_reach(
   const water_prop* props, size_t prop_count, const water_fate* fates, water_camera* mirrored)
 {
@@ -53,17 +63,36 @@ double water_mirror_reach(
   // z' = s (z + w) - w keeps the near plane z + w = 0 for every s; a point lies on the new far
   // plane z' = w for s = 2 w / (z + w), so the smallest s of all corners takes them all in.
   double scale = 1.0;
+  double beyond[4];
+  double sizes[4]; // of what the far plane is made of
+  far_plane(world_to_clip, scale, beyond);
+  for (int j = 0; j < 4; ++j)
+  {
+    sizes[j] = fabs(world_to_clip[8 + j]) + 2.0 * fabs(world_to_clip[12 + j]);
+  }
   for (size_t i = 0; i < prop_count; ++i)
   {
-    if (fates[i] != WATER_DRAW || water_select_is_unbounded(props + i))
+    const double* bounds = props[i].bounds;
+    double farthest = beyond[3]; // of all corners
+    double size = sizes[3];
+    for (int j = 0; j < 3; ++j)
+    {
+      const double low = fabs(bounds[2 * j]);
+      const double high = fabs(bounds[2 * j + 1]);
+      farthest += beyond[j] * bounds[2 * j + (beyond[j] > 0.0)];
+      size += sizes[j] * (low > high ? low : high);
+    }
+    // Most props are before the far plane by more than rounding (water_select.c): none of their
+    // corners would change the scale. Fates are less foreseeable, to a processor, too.
+    if (farthest < -32.0 * DBL_EPSILON * size || fates[i] != WATER_DRAW ||
+      water_select_is_unbounded(props + i))
     {
       continue;
     }
-    const double* bounds = props[i].bounds;
     for (int corner = 0; corner < 8; ++corner)
     {
-      const double point[3] = { bounds[corner & 1], bounds[2 + ((corner >> 1) & 1)],
-        bounds[4 + (corner >> 2)] };
+      double point[3];
+      water_bounds_corner(bounds, corner, point);
       double clip[4];
       water_mat4_apply_point(world_to_clip, point, clip);
       if (clip[3] > 0.0 && clip[2] > clip[3])
@@ -71,6 +100,7 @@ double water_mirror_reach(
         scale = fmin(scale, 2.0 * clip[3] / (clip[2] + clip[3]));
       }
     }
+    far_plane(world_to_clip, scale, beyond);
   }
   if (scale < 1.0)
   {

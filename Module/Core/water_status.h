@@ -2,8 +2,8 @@
 // water_status.h: what can be wrong with a scene; one list gives the codes and their texts.
 //
 // Up to WATER_BAD_PROP_BOUNDS the order is the order in which water_plan_make checks; the later
-// ones belong to the waves, the spectrum, the body and the presets. A text names the accepted
-// range; the caller adds the value it had.
+// ones belong to the waves, the spectrum, the body, the presets and the quality. A text names the
+// accepted range; the caller adds the value it had.
 #ifndef water_status_h
 #define water_status_h
 
@@ -62,7 +62,12 @@ extern "C"
   X(WATER_BAD_NORMAL_MAP_SIZE, "Size of a normal map must lie in [1e-6, 1e9] m")                   \
   X(WATER_BAD_NORMAL_MAP_MOTION, "Speed and Direction of a normal map must be finite")             \
   X(WATER_BAD_NORMAL_MAP_STRENGTH, "Strength of a normal map must lie in [-1000, 1000]")           \
-  X(WATER_BAD_PRESET, "the preset's name is not one of the list")
+  X(WATER_BAD_PRESET, "the preset's name is not one of the list")                                  \
+  X(WATER_BAD_TIME_BUDGET, "TimeBudget must be finite and greater than 0 ms")                      \
+  X(WATER_BAD_TARGET_ERROR, "TargetError must be finite and greater than 0 pixels")                \
+  X(WATER_BAD_ROUGHNESS,                                                                           \
+    "the waves' slope, their turn per pixel and the picture's pixels per radian must be finite "   \
+    "and not negative")
 
 typedef enum water_status
 {

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// water_quality.h: how fine a reflection must be for an error in pixels, and may be for a time.
+//
+// A ladder of steps, 0 the finest, leads from all that the module can do to a sixteenth of the
+// texels. A target error picks a step by a model of the lookup's error; a time budget moves along
+// the ladder by the times that were measured. Both have hysteresis: a value that lies on a limit
+// does not make the picture pump. Equal inputs give equal outputs; all memory is the caller's.
+// Errors are pixels of the picture (not of the map), times are milliseconds, of one water's
+// reflection: its mirrored view and its lookups.
+// Source of all constants: measured, Documentation/decisions/010-quality.md.
+#ifndef water_quality_h
+#define water_quality_h
+
+#include "water_status.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C"
+{
+#endif
+
+#define WATER_QUALITY_STEPS 8      // of the ladder, 0 to 7
+#define WATER_QUALITY_NO_STEP (-1) // nothing was chosen yet
+
+// What a step of the ladder sets. Multisampling is not in it: a coarse map needs it most.
+typedef struct water_quality
+{
+  double texture_scale; // texels per pixel along each axis, 1 to 0.25; about 2^(-1/4) a step
+  int ray_steps;        // of the march (RayTraceSteps), 24 to 8
+  int ray_probes;       // RayTraceProbes, 12 to 3
+} water_quality;
+
+// A step of the ladder; a number beyond its ends counts as the end.
+void water_quality_of_step(int step, water_quality* quality);
+
+// How rough the water looks: all of it finite and >= 0.
+typedef struct water_roughness
+{
+  double slope_rms;         // of all its waves together
+  double turn_rad;          // by how much a typical wave turns over a typical pixel of the water:
+                            // hypot(k . across, k . down), k in rad/m, the pixel's sides in m
+  double pixels_per_radian; // of the picture at its middle, 0.5 height_px view_to_clip[5]; 0 for a
+                            // parallel eye
+} water_roughness;
+
+// Median distance, in pixels, of what a reflected ray reads from its right place.
+//
+// The place is known to the texel: half of the points of a square of side 1 / scale are nearer than
+// 0.4 / scale to its middle. Waves turn the ray by up to twice their slope: a share of the rays,
+// which grows with the square of the slope, loses its way; the march's steps are the longer, the
+// farther the ray is turned on the picture.
+//
+//   sharp = 0.4 / scale (1 + 1.8 seen^2) + 2 seen pixels_per_radian / (280 ray_steps)
+//
+// seen = slope_rms exp(-turn_rad^2 / 24) is what a pixel resolves of the slopes. The rest of them,
+// hidden = sqrt(slope_rms^2 - seen^2), blurs the reflection over blur = 2 hidden pixels_per_radian
+// (rms), and in a blur only so much of the error shows (variances add):
+//
+//   error_px = sqrt(blur^2 + sharp^2) - blur
+//
+// Grows with the step, falls with the turn, and without a turn grows with the slope.
+//
+// step  beyond the ends of the ladder it counts as the end
+//
+// Returns WATER_OK or WATER_BAD_ROUGHNESS; then *error_px is unchanged.
+water_status water_quality_error(int step, const water_roughness* roughness, double* error_px);
+
+// The coarsest step whose error is within a target; the finest if none is (water_quality_error
+// tells). A step in use stays until it is over the target, or a coarser one under 0.9 of it.
+//
+// target_px  finite, > 0
+// step       in: the one in use, or WATER_QUALITY_NO_STEP; out: the one to use
+//
+// Returns WATER_OK, WATER_BAD_TARGET_ERROR or WATER_BAD_ROUGHNESS; then *step is unchanged.
+water_status water_quality_for_error(double target_px, const water_roughness* roughness, int* step);
+
+// What a time budget remembers of the frames so far. Zeros are a good beginning, any step besides:
+// only the step is for the caller to read or set.
+typedef struct water_quality_state
+{
+  int step;           // to draw the next frame with
+  int settle_count;   // frames whose times are not believed yet
+  double over;        // budgets by which frames were too long, less those by which they were not
+  double over_ms;     // sum of the times since that was 0
+  int over_count;     // and their number
+  double under;       // the same for a finer step that would be short enough
+  double under_ms;    // sum
+  int under_count;    // number
+  double fixed_share; // of the finest step's time: what does not depend on the scale
+  int patience;       // finer steps are tried 2^patience times as late, 0 to 6
+  int calm_count;     // frames since the last change
+  bool was_finer;     // the last change was to a finer step
+  int before_step;    // of the last change
+  double before_ms;   // mean before the last change; 0: not known
+  double after_ms;    // sum after it
+  int after_count;    // number
+} water_quality_state;
+
+// The step for the next frame, from the time of the last one.
+//
+// Coarser, by one or two steps, when the frames since they began to be too long were so by 3
+// budgets in all (a frame counts for one at most): after 3 frames of twice the budget, or 30 of 1.1
+// times. Finer, by one step, when the time predicted for it was under 0.8 of the budget, by 8
+// budgets in all: after 10 frames that cost nothing, or 80 of 0.7. So a time between 0.8 and 1 of
+// the budget changes nothing, nor does noise about it. 3 frames after a change are ignored: they
+// make textures, and GPU timers run late. A finer step that had to be taken back within 1000 frames
+// is tried half as often from then on, up to 64 times later; 1000 quiet frames forget one such
+// failure.
+//
+// The model is time = a + b scale^2. Its fixed share a / (a + b) is fitted to the means before and
+// after each change of at least 16 and of 32 frames, half old and half new; it starts at 0, which
+// expects the most of a finer step.
+//
+// finest_step  no finer one than this, e.g. that of a target error; beyond the ends of the ladder
+//              it counts as the end
+// budget_ms    finite, > 0
+// measured_ms  of the frame that was drawn with state->step; not finite or <= 0: not known, and
+//              nothing is learned of it
+//
+// Returns WATER_OK or WATER_BAD_TIME_BUDGET; then the state is unchanged.
+water_status water_quality_for_budget(
+  water_quality_state* state, int finest_step, double budget_ms, double measured_ms);
+
+// Shares a budget over many waters: a tenth of it evenly among those that are seen, so that none
+// starves, and the rest by the areas that are seen of them.
+//
+// areas_px   count of them; a water without a finite area over 0 is not seen and gets 0
+// budget_ms  finite, > 0
+// shares_ms  count of them; their sum is the budget, or 0 if no water is seen
+//
+// Returns WATER_OK or WATER_BAD_TIME_BUDGET; then the shares are unchanged.
+water_status water_quality_share(
+  const double* areas_px, size_t count, double budget_ms, double* shares_ms);
+
+#ifdef __cplusplus
+}
+#endif
+#endif
