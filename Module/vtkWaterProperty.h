@@ -553,8 +553,8 @@ private:
   bool IsRough() const;  // has slopes, one by one or as a variance
   // Is the map looked up along rays? A calm look has no reasons, and sees no shadows.
   bool NeedsRays() const;
-  // No slope that a reflection is looked up with is steeper; infinity: none is known, or the mirrored
-  // view is read elsewhere, too.
+  // No slope that a reflection is looked up with is steeper; infinity: none is known, or the
+  // mirrored view is read elsewhere, too.
   double GetSlopeLookedUp() const;
   bool HasGlitter() const;             // calm water has none
   const double* GetExtinction() const; // absorption + scattering

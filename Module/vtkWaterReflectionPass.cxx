@@ -35,8 +35,7 @@ vtkInformationKeyRestrictedMacro(vtkWaterReflectionPass, STAND_IN, ObjectBase, "
 static_assert(static_cast<int>(vtkWaterReflectionPass::TOO_SMALL) == WATER_SKIP_TOO_SMALL &&
     static_cast<int>(vtkWaterReflectionPass::NUMBER_OF_FATES) == WATER_FATE_COUNT,
   "the public fates mirror the core's");
-static_assert(
-  static_cast<int>(vtkWaterReflectionPass::SHARED) == WATER_NO_REFLECT_SHARED &&
+static_assert(static_cast<int>(vtkWaterReflectionPass::SHARED) == WATER_NO_REFLECT_SHARED &&
     static_cast<int>(vtkWaterReflectionPass::NUMBER_OF_DECISIONS) == WATER_DECISION_COUNT,
   "the public decisions mirror the core's");
 static_assert(static_cast<int>(vtkWaterReflectionPass::PIXELS) == WATER_MAY_SKIP_PIXELS &&
@@ -314,8 +313,8 @@ void vtkWaterReflectionPass::RenderReflection(
     {
       view->MapPlan = water_plan();
       view->MapHasLevels = false;
-      failure = view->Mirror.Draw(
-        renderer, shading, internal.Plan, drawn, samples > 1 ? samples : 0, isFloat, (this->Skips & PIECES) != 0);
+      failure = view->Mirror.Draw(renderer, shading, internal.Plan, drawn,
+        samples > 1 ? samples : 0, isFloat, (this->Skips & PIECES) != 0);
     }
     if (internal.GetPlannedView() != view.get())
     {

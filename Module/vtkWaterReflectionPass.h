@@ -97,14 +97,14 @@ public:
   enum Skips
   {
     SKIP_NONE = 0,
-    UNSEEN_WATER = 1 << 0,   ///< the mirrored view, of water out of view or facing away
-    HIDDEN_WATER = 1 << 1,   ///< of water behind the scene
-    FAINT_WATER = 1 << 2,    ///< of water that reflects next to nothing
-    UNCHANGED_VIEWS = 1 << 3,///< one that would be the last one again
-    SHARED_VIEWS = 1 << 4,   ///< one that another sheet of the same plane has
-    PROPS = 1 << 5,          ///< props that no visible water reflects
-    PIECES = 1 << 6,         ///< parts of large meshes, likewise
-    PIXELS = 1 << 7,         ///< pixels of the mirrored view, likewise
+    UNSEEN_WATER = 1 << 0,    ///< the mirrored view, of water out of view or facing away
+    HIDDEN_WATER = 1 << 1,    ///< of water behind the scene
+    FAINT_WATER = 1 << 2,     ///< of water that reflects next to nothing
+    UNCHANGED_VIEWS = 1 << 3, ///< one that would be the last one again
+    SHARED_VIEWS = 1 << 4,    ///< one that another sheet of the same plane has
+    PROPS = 1 << 5,           ///< props that no visible water reflects
+    PIECES = 1 << 6,          ///< parts of large meshes, likewise
+    PIXELS = 1 << 7,          ///< pixels of the mirrored view, likewise
     SKIP_ALL = (1 << 8) - 1
   };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// water_frustum.c: boxes against half-spaces and frusta.
+// water_frustum.c: the half-spaces of a frustum.
 #include "water_frustum.h"
 
 #include "water_math.h"
@@ -23,43 +23,4 @@ void water_frustum_make(const water_camera* camera, const double box[4], water_f
   const double* view = camera->world_to_view;
   const double origin[3] = { view[3], view[7], view[11] };
   made->reach = water_vec3_length(origin);
-}
-
-bool water_frustum_is_behind(
-  const double plane[4], const double bounds[6], double reach, double rounding)
-{
-  // The larger of two by a comparison and not by fmax, which is a call: NaN must do something else
-  // there. Bounds have none, and a plane that has any makes sums that are not below anything.
-  double highest = plane[3];
-  for (int i = 0; i < 3; ++i)
-  {
-    const double low = plane[i] * bounds[2 * i];
-    const double high = plane[i] * bounds[2 * i + 1];
-    highest += low > high ? low : high;
-  }
-  if (!(highest < 0.0))
-  {
-    return false; // most boxes: no need to know how far it may be off
-  }
-  double size = fabs(plane[3]);
-  for (int i = 0; i < 3; ++i)
-  {
-    const double low = fabs(bounds[2 * i]);
-    const double high = fabs(bounds[2 * i + 1]);
-    size += fabs(plane[i]) * (low > high ? low : high) + fabs(plane[i]) * reach;
-  }
-  return highest < -rounding * size;
-}
-
-bool water_frustum_meets(
-  const water_frustum* frustum, int plane_count, const double bounds[6], double rounding)
-{
-  for (int i = 0; i < plane_count; ++i)
-  {
-    if (water_frustum_is_behind(frustum->planes[i], bounds, frustum->reach, rounding))
-    {
-      return false;
-    }
-  }
-  return true;
 }

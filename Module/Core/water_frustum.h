@@ -6,6 +6,8 @@
 
 #include "water_types.h"
 
+#include <math.h>
+
 #ifdef __cplusplus
 extern "C"
 {
@@ -28,13 +30,49 @@ void water_frustum_make(const water_camera* camera, const double box[4], water_f
 //
 // reach     of the frustum, or 0
 // rounding  of the arithmetic, relative to the numbers summed
-bool water_frustum_is_behind(
-  const double plane[4], const double bounds[6], double reach, double rounding);
+static inline bool water_frustum_is_behind(
+  const double plane[4], const double bounds[6], double reach, double rounding)
+{
+  // the corner that lies furthest on the positive side: every product is the largest there
+  double highest = plane[3];
+  for (int i = 0; i < 3; ++i)
+  {
+    highest += plane[i] * bounds[2 * i + (plane[i] > 0.0)];
+  }
+  if (!(highest < 0.0))
+  {
+    return false; // most boxes: no need to know how far it may be off
+  }
+  double size = fabs(plane[3]);
+  for (int i = 0; i < 3; ++i)
+  {
+    const double low = fabs(bounds[2 * i]);
+    const double high = fabs(bounds[2 * i + 1]);
+    size += fabs(plane[i]) * (low > high ? low : high) + fabs(plane[i]) * reach;
+  }
+  return highest < -rounding * size;
+}
 
-// Whether any point of a box may lie within the first plane_count planes: 6, or 5 without the far
-// one.
-bool water_frustum_meets(
-  const water_frustum* frustum, int plane_count, const double bounds[6], double rounding);
+// The first of plane_count planes (6, or 5 without the far one) that has a box wholly behind it;
+// -1: there is none, and any point of the box may lie within.
+static inline int water_frustum_divides(
+  const water_frustum* frustum, int plane_count, const double bounds[6], double rounding)
+{
+  for (int i = 0; i < plane_count; ++i)
+  {
+    if (water_frustum_is_behind(frustum->planes[i], bounds, frustum->reach, rounding))
+    {
+      return i;
+    }
+  }
+  return -1;
+}
+
+static inline bool water_frustum_meets(
+  const water_frustum* frustum, int plane_count, const double bounds[6], double rounding)
+{
+  return water_frustum_divides(frustum, plane_count, bounds, rounding) < 0;
+}
 
 #ifdef __cplusplus
 }

@@ -120,6 +120,20 @@ static bool is_smaller(
     0.5 * texture_px[1] * (high[1] - low[1]) < px;
 }
 
+static water_fate fate_of_box(
+  const water_frustum* view, const water_frustum* pyramid, const double bounds[6])
+{
+  const int side = water_frustum_divides(pyramid, 5, bounds, box_rounding);
+  if (side < 0)
+  {
+    return WATER_DRAW;
+  }
+  // the pyramid is a part of the view: what is behind the same side of both is out of both
+  return water_frustum_is_behind(view->planes[side], bounds, view->reach, box_rounding)
+    ? WATER_SKIP_OUT_OF_VIEW
+    : WATER_SKIP_OUT_OF_WATER;
+}
+
 void water_select_props(const water_camera* mirrored, const water_plane* plane,
   const water_selection* selection, const water_prop* props, size_t prop_count, water_fate* fates)
 {
@@ -149,15 +163,14 @@ void water_select_props(const water_camera* mirrored, const water_plane* plane,
       {
         fate = WATER_SKIP_BEHIND_PLANE;
       }
-      else if (!water_frustum_meets(&pyramid, 5, bounds, box_rounding))
+      else
       {
-        fate = water_frustum_meets(&view, 5, bounds, box_rounding) ? WATER_SKIP_OUT_OF_WATER
-                                                                   : WATER_SKIP_OUT_OF_VIEW;
-      }
-      else if (selection->prop_px_min > 0.0 &&
-        is_smaller(world_to_clip, selection->texture_px, bounds, selection->prop_px_min))
-      {
-        fate = WATER_SKIP_TOO_SMALL;
+        fate = fate_of_box(&view, &pyramid, bounds);
+        if (fate == WATER_DRAW && selection->prop_px_min > 0.0 &&
+          is_smaller(world_to_clip, selection->texture_px, bounds, selection->prop_px_min))
+        {
+          fate = WATER_SKIP_TOO_SMALL;
+        }
       }
     }
     fates[i] = fate;

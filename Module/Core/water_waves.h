@@ -122,8 +122,8 @@ water_status water_waves_find(const water_wave_term* terms, size_t count, double
 void water_waves_rms(const water_wave* waves, size_t count, double* height, double* slope);
 
 // A slope that no reflection on checked waves is looked up beyond: the steepest that all waves
-// together can have, sum k A / (1 - sum s k A), times 4 for the facets that stand for waves within a
-// pixel (1.4 times the rest of the slopes, and as much for facets that turn to a low eye) and the
+// together can have, sum k A / (1 - sum s k A), times 4 for the facets that stand for waves within
+// a pixel (1.4 times the rest of the slopes, and as much for facets that turn to a low eye) and the
 // blur between them. Infinite for waves that are about to fold.
 double water_waves_looked_up(const water_wave* waves, size_t count);
 

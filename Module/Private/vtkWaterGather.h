@@ -17,11 +17,11 @@ class vtkWaterActor;
 
 struct vtkWaterGather
 {
-  water_scene scene;             // points into props
-  std::vector<water_prop> props; // of all view props, in the renderer's order
+  water_scene scene;              // points into props
+  std::vector<water_prop> props;  // of all view props, in the renderer's order
   std::vector<vtkProp*> vtkProps; // or what stands in for them
-  vtkCamera* camera = nullptr; // the one read last
-  bool IsRough = false;        // one of the waters blurs its reflection
+  vtkCamera* camera = nullptr;    // the one read last
+  bool IsRough = false;           // one of the waters blurs its reflection
 
   // Reads everything but the settings of the pass (texture_scale, max_texture_px, clip_margin).
   //

@@ -24,8 +24,8 @@ double (*BoxesOf(std::vector<std::array<double, 6>>& boxes))[6]
   return reinterpret_cast<double(*)[6]>(boxes.data()); // std::array<double, 6> is a double[6]
 }
 
-// Can the triangles of a mesh be drawn without some of them? Not when the shader counts them to find
-// the data of their cells.
+// Can the triangles of a mesh be drawn without some of them? Not when the shader counts them to
+// find the data of their cells.
 bool CanBeCut(vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkActor* actor)
 {
   return actor && std::strcmp(mapper->GetClassName(), "vtkOpenGLPolyDataMapper") == 0 &&
@@ -134,8 +134,7 @@ void vtkWaterPieces::Give(
   }
   if (count > 0)
   {
-    mesh.Drawn->Upload(
-      this->Selected.data(), count, vtkOpenGLBufferObject::ElementArrayBuffer);
+    mesh.Drawn->Upload(this->Selected.data(), count, vtkOpenGLBufferObject::ElementArrayBuffer);
   }
   else if (!mesh.Drawn->IsReady())
   {

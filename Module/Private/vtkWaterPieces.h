@@ -29,8 +29,8 @@ public:
   vtkWaterPieces();
   ~vtkWaterPieces();
 
-  // A mapper is about to draw a prop with a program: gives it its pieces, if the mesh is large, in a
-  // form that can be cut, and parts of it cannot be seen.
+  // A mapper is about to draw a prop with a program: gives it its pieces, if the mesh is large, in
+  // a form that can be cut, and parts of it cannot be seen.
   void Give(
     const water_plan& plan, vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp* prop);
 

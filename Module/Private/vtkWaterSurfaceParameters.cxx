@@ -52,8 +52,7 @@ void vtkWaterSurface::SetParameters(vtkShaderProgram* program)
     uniforms::Set(program, "waterEnvironment", this->Environment->GetTextureUnit());
   }
   uniforms::Set(program, "waterHasView", hasView ? 1 : 0);
-  const bool isReflecting =
-    plan && (water_plan_has_map(plan) || (this->BuiltStages & ENVIRONMENT));
+  const bool isReflecting = plan && (water_plan_has_map(plan) || (this->BuiltStages & ENVIRONMENT));
   uniforms::Set(program, "waterIsReflecting", isReflecting ? 1 : 0);
   uniforms::Set(program, "waterOpacity", this->Property->GetOpacity());
   uniforms::Set(program, "waterOutput", this->Property->GetOutput());

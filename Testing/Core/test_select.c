@@ -172,7 +172,8 @@ TEST(boxes_decide_in_their_order)
   {
     assert_string_equal(water_fate_text(fates[i]), water_fate_text(expected[i]));
   }
-  // between the mirrored camera, 0.2 under the water, and its near plane, 1 ahead: not in view
+  // between the mirrored camera, 0.2 under the water, and its near plane, 1 ahead: not in view, and
+  // before that beside what the water reflects
   const water_prop near_by = { { -0.1, 0.1, -9.6, -9.5, 0.0, 0.1 }, visible };
   water_scene low = scene;
   low.clip_margin = 0.0;
@@ -180,7 +181,7 @@ TEST(boxes_decide_in_their_order)
   low.prop_count = 1;
   stand_at(&low, 0.0, -10.0, 0.2, 0.0);
   (void)plan_of(&low, fates);
-  assert_int_equal(fates[0], WATER_SKIP_OUT_OF_VIEW);
+  assert_int_equal(fates[0], WATER_SKIP_OUT_OF_WATER);
   // seen from below it is the other side that is kept
   stand_at(&scene, 0.0, -10.0, -5.0, 0.5);
   const water_prop above = { { -1, 1, -1, 1, 0.6, 3 }, visible };

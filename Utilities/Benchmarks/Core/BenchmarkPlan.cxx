@@ -12,6 +12,7 @@
 
 #include <cstdio>
 #include <cstring>
+#include <limits>
 #include <map>
 #include <random>
 #include <string>
@@ -73,9 +74,11 @@ struct Scene
     this->Made.look.index_of_refraction = 1.333;
     this->Made.texture_scale = 1.0;
     this->Made.max_texture_px = 16384;
+    this->Made.skips = WATER_MAY_SKIP_ALL;
     this->Made.props = this->Props.data();
     this->Made.prop_count = this->Props.size();
     this->Made.has_waves = hasWaves;
+    this->Made.slope_max = std::numeric_limits<double>::infinity();
     this->Made.slope_rms = hasWaves ? 0.05 : 0.0;
     this->Made.wave_height_max = hasWaves ? 0.5 : 0.0;
   }
