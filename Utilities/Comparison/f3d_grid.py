@@ -38,13 +38,12 @@ class View:
             color=f3d.Color(*scene["sun_color"]),
             position=tuple(10000.0 * each for each in scene["to_sun"]),
             direction=tuple(-each for each in scene["to_sun"]), intensity=3.0))
-        camera = self.engine.window.camera
-        camera.view_up = (0.0, 0.0, 1.0)
-        camera.view_angle = scene["view_angle"]
+        self.engine.window.camera.view_angle = scene["view_angle"]
 
     def render(self, eye, target):
         camera = self.engine.window.camera
         camera.position, camera.focal_point = eye, target
+        camera.view_up = (0.0, 0.0, 1.0)  # again: F3D turns it with the eye
         self.engine.window.render()
         GL.glFinish()
 
