@@ -1,28 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkWaterActor.h"
 
-#include "vtkInformation.h"
-#include "vtkInformationIntegerKey.h"
 #include "vtkMapper.h"
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLRenderer.h"
-#include "vtkOpenGLState.h"
 #include "vtkPlane.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
 #include "vtkTexture.h"
-#include "vtkWaterAccess.h"
 #include "vtkWaterCompat.h"
 #include "vtkWaterErrors.h"
-#include "vtkWaterGL.h"
 #include "vtkWaterGather.h"
 #include "vtkWaterGrid.h"
 #include "vtkWaterProperty.h"
 #include "vtkWaterReflectionPass.h"
 #include "vtkWaterSea.h"
-#include "vtkWaterShading.h"
 #include "vtkWaterSheet.h"
 #include "vtkWaterSurface.h"
 #include "water_plan.h"
@@ -370,175 +364,6 @@ void vtkWaterActor::SetMapper(vtkMapper* mapper)
 {
   this->Superclass::SetMapper(mapper ? mapper : this->Sheet->GetMapper());
   this->ReportError(nullptr, vtkWaterError());
-}
-
-//------------------------------------------------------------------------------
-void vtkWaterActor::DrawLast(vtkRenderer* renderer)
-{
-  vtkProp** props = vtkWaterAccess::Renderer::PropsOf(renderer);
-  vtkProp** end = props ? props + vtkWaterAccess::Renderer::PropCountOf(renderer) : nullptr;
-  vtkProp** self = std::find(props, end, this);
-  auto isLast = [](vtkProp* prop) {
-    auto* water = vtkWaterActor::SafeDownCast(prop);
-    return water && (vtkWaterSurface::GetStages(water) & vtkWaterSurface::BODY);
-  };
-  if (self == end || std::all_of(self, end, isLast))
-  {
-    return;
-  }
-  std::rotate(self, self + 1, end);
-  // The renderer is in the middle of allotting times, by place; it has done this one.
-  vtkProp* next = *self;
-  const double mine = this->GetRenderTimeMultiplier();
-  next->SetAllocatedRenderTime(
-    mine > 0.0 ? this->AllocatedRenderTime * next->GetRenderTimeMultiplier() / mine : 0.0,
-    renderer);
-}
-
-//------------------------------------------------------------------------------
-void vtkWaterActor::SetAllocatedRenderTime(double seconds, vtkViewport* viewport)
-{
-  this->Superclass::SetAllocatedRenderTime(seconds, viewport);
-
-  // The renderer calls this once per frame and eye for a prop that survived culling, before it
-  // draws anything: the moment to draw the mirrored view. See Documentation/decisions.
-  auto* renderer = vtkOpenGLRenderer::SafeDownCast(viewport);
-  if (!renderer || !vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow()) ||
-    vtkWaterShading::GetOfThread()->IsInMirroredView())
-  {
-    return;
-  }
-  if (vtkWaterSurface::GetStages(this) & vtkWaterSurface::BODY)
-  {
-    this->DrawLast(renderer);
-  }
-  if (renderer->GetSelector())
-  {
-    this->GetReflectionPass()->SetDecision(WATER_NO_REFLECT_SELECTING);
-    return;
-  }
-  if (this->HasSheetError())
-  {
-    this->OwnPass->SetDecision(WATER_NO_REFLECT_FAILED);
-    return;
-  }
-  if (vtkWaterReflectionPass::SafeDownCast(renderer->GetPass()) ||
-    (this->ComposedPass && renderer->GetPass()))
-  {
-    return; // it draws before its delegate, if it takes charge of this water
-  }
-  this->ComposedPass = nullptr;
-  if (renderer->GetUseImageBasedLighting() || this->OwnPass->IsFresh(renderer, this))
-  {
-    return; // the textures of image-based light are loaded later: drawn nested
-  }
-  if (renderer->GetLightFollowCamera())
-  {
-    renderer->UpdateLightsGeometryToFollowCamera();
-  }
-  renderer->UpdateLights();
-  int size[2];
-  int origin[2];
-  renderer->GetTiledSizeAndOrigin(&size[0], &size[1], &origin[0], &origin[1]);
-  this->OwnPass->RenderReflection(renderer, { this }, size);
-}
-
-//------------------------------------------------------------------------------
-void vtkWaterActor::RenderReflectionIfStale(vtkViewport* viewport)
-{
-  auto* renderer = vtkOpenGLRenderer::SafeDownCast(viewport);
-  vtkInformation* keys = this->GetPropertyKeys();
-  if (!renderer || renderer->GetSelector() || vtkWaterShading::GetOfThread()->IsInMirroredView() ||
-    vtkWaterKeys::IsBakingShadows(this) || this->HasSheetError() ||
-    this->GetReflectionPass()->IsFresh(renderer, this))
-  {
-    return;
-  }
-  if (keys && keys->Has(vtkOpenGLActor::GLDepthMaskOverride()))
-  {
-    return; // in the middle of depth peeling, whose framebuffers must stay bound
-  }
-  this->ComposedPass = nullptr; // it was taken out of the chain
-  if (this->OwnPass->IsFresh(renderer, this))
-  {
-    return;
-  }
-  vtkWaterShading* shading = vtkWaterShading::GetOfThread();
-  shading->Keys.HoldUntilEndOfFrame(renderer);
-  vtkWaterForeignKeysSuspended suspended(shading, renderer);
-  int drawn[4]; // the size of what is being drawn into, whoever set it up
-  renderer->GetState()->vtkglGetIntegerv(GL_VIEWPORT, drawn);
-  this->OwnPass->RenderReflection(renderer, { this }, drawn + 2);
-}
-
-//------------------------------------------------------------------------------
-int vtkWaterActor::RenderOpaqueGeometry(vtkViewport* viewport)
-{
-  if (this->HasOpaqueGeometry())
-  {
-    this->RenderReflectionIfStale(viewport);
-  }
-  return this->Superclass::RenderOpaqueGeometry(viewport);
-}
-
-//------------------------------------------------------------------------------
-int vtkWaterActor::RenderTranslucentPolygonalGeometry(vtkViewport* viewport)
-{
-  if (this->HasTranslucentPolygonalGeometry())
-  {
-    this->RenderReflectionIfStale(viewport);
-  }
-  return this->Superclass::RenderTranslucentPolygonalGeometry(viewport);
-}
-
-//------------------------------------------------------------------------------
-int vtkWaterActor::RenderOverlay(vtkViewport* viewport)
-{
-  auto* renderer = vtkOpenGLRenderer::SafeDownCast(viewport);
-  if (renderer && !renderer->GetSelector() && this->GetReflectionPass()->GetShowReflection())
-  {
-    this->GetReflectionPass()->RenderCorner(renderer, this);
-  }
-  return this->Superclass::RenderOverlay(viewport);
-}
-
-//------------------------------------------------------------------------------
-void vtkWaterActor::Render(vtkRenderer* renderer, vtkMapper* mapper)
-{
-  vtkWaterShading* shading = vtkWaterShading::GetOfThread();
-  if (shading->IsInMirroredView())
-  {
-    return; // no endless mirror, whatever drew this water
-  }
-  if (vtkWaterKeys::IsBakingShadows(this) &&
-    (vtkWaterSurface::GetStages(this) & vtkWaterSurface::BODY))
-  {
-    return; // clear water lets the light through
-  }
-  shading->Keys.Add(this);
-  vtkWaterReflectionPass* pass = this->GetReflectionPass();
-  const bool isPlain = renderer->GetSelector() || this->HasSheetError();
-  vtkWaterSurface::Frame frame;
-  frame.Renderer = static_cast<vtkOpenGLRenderer*>(renderer);
-  frame.Plan = isPlain ? nullptr : pass->GetFreshPlan(renderer, this);
-  frame.Screen = pass->GetScreen(renderer);
-  frame.Reflection = pass->GetTexture(renderer, this);
-  frame.ReflectionDepth = frame.Plan ? pass->GetReflectionDepthTexture() : nullptr;
-  water_grid_view view;
-  const bool isDisplaced = this->IsDisplaced() && vtkWaterGather::ReadView(renderer, this, &view);
-  frame.View = isDisplaced ? &view : nullptr;
-  frame.RowDir = this->Grid->GetRowDir();
-  frame.IsFlat = this->UsesOwnSheet() && this->GetIsIdentity() && !isDisplaced;
-  vtkMapper* drawn = isDisplaced ? this->LayGrid(view, mapper) : mapper;
-  if (this->Surface->UpdateStages(this))
-  {
-    this->GetProperty()->Modified(); // the mapper builds the other shader
-  }
-  this->Surface->Begin(this, frame);
-  shading->BeginSurface(this->Surface.get());
-  this->Superclass::Render(renderer, drawn);
-  shading->EndSurface();
-  this->Surface->End();
 }
 
 //------------------------------------------------------------------------------

@@ -50,6 +50,7 @@ struct water_wave_term;
 VTK_ABI_NAMESPACE_BEGIN
 #endif
 
+class vtkOpenGLRenderer;
 class vtkPlane;
 class vtkWaterProperty;
 class vtkWaterReflectionPass;
@@ -194,9 +195,25 @@ private:
   std::vector<water_wave_term> GetWaveTerms();
   // The wind sea at the actor's time; nullptr when it is off.
   vtkWaterSea* GetSeaAtTime();
-  // What is seen through the surface must be there before it: puts it behind all other props in the
-  // order of this frame.
+  // Puts the water behind all other props in the order of this frame: what hides it, and what is
+  // seen through it, is there before it.
   void DrawLast(vtkRenderer* renderer);
+  // Is it likely that the picture before the water says what need not be drawn in its mirrored
+  // view?
+  bool IsWorthWaiting(vtkOpenGLRenderer* renderer, const std::vector<vtkWaterActor*>& sheets);
+  // May the mirrored view be drawn in the middle of the main one, just before the water?
+  bool CanBeLate(vtkOpenGLRenderer* renderer);
+  // Could one mirrored view serve both, and look the same?
+  bool CanShareWith(vtkWaterActor* other);
+  // Finds the sheets that share a mirrored view in this frame, and when it is drawn; for all of
+  // them when the first is asked.
+  void FindSheets(vtkOpenGLRenderer* renderer);
+  // The pass that has the mirrored view of this frame.
+  vtkWaterReflectionPass* GetPassInCharge(vtkRenderer* renderer);
+  // isLate  drawn just before the water, else before the frame
+  void RenderSharedReflection(vtkOpenGLRenderer* renderer, const int viewport_px[2], bool isLate);
+  // Is all of them hidden by what has been drawn so far?
+  bool AreSheetsHidden(vtkOpenGLRenderer* renderer, const std::vector<vtkWaterActor*>& sheets);
   // A nested mirror for a draw whose camera was not the one mirrored before the frame.
   void RenderReflectionIfStale(vtkViewport* viewport);
 
@@ -214,6 +231,12 @@ private:
   bool IsUpdatingSheet = false;
   double Time = 0.0;
   std::vector<SourcedError> Errors;
+  vtkWeakPointer<vtkWaterActor>
+    Leader; // of the sheets that share a view; all of this for one frame
+  std::vector<vtkWeakPointer<vtkWaterActor>> Sheets; // the leader's
+  vtkMTimeType SheetsFrame = 0;
+  bool IsLate = false;
+  bool IsProbing = false; // is drawn only to be counted
 };
 
 #ifdef VTK_ABI_NAMESPACE_END

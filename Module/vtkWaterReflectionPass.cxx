@@ -5,17 +5,20 @@
 #include "vtkHardwareSelector.h"
 #include "vtkInformationIntegerKey.h"
 #include "vtkInformationObjectBaseKey.h"
+#include "vtkMath.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLRenderer.h"
 #include "vtkRenderState.h"
 #include "vtkRenderStepsPass.h"
 #include "vtkTextureObject.h"
+#include "vtkTimerLog.h"
 #include "vtkWaterActor.h"
 #include "vtkWaterCompat.h"
 #include "vtkWaterErrors.h"
 #include "vtkWaterGather.h"
 #include "vtkWaterMirror.h"
+#include "vtkWaterOcclusion.h"
 #include "vtkWaterShading.h"
 #include "vtkWaterSignature.h"
 #include "water_plan.h"
@@ -57,6 +60,7 @@ struct vtkWaterReflectionPass::Internals
     water_plan MapPlan = water_plan(); // what the mirror shows was drawn by it
     vtkWaterSignature MapSignature;
     bool MapHasLevels = false;
+    vtkWaterOcclusion Occlusion;
   };
   using Eye = std::pair<vtkRenderer*, bool>; // is it the second of two?
 
@@ -231,6 +235,55 @@ const char* vtkWaterReflectionPass::GetDecisionAsString() const
 }
 
 //------------------------------------------------------------------------------
+void vtkWaterReflectionPass::SetInstrumentation(bool instrumentation)
+{
+  // no modification: it changes nothing that is rendered
+  this->Instrumentation = instrumentation;
+  if (!instrumentation)
+  {
+    this->LastGatherTime = this->LastPlanTime = vtkMath::Nan();
+  }
+}
+
+//------------------------------------------------------------------------------
+double vtkWaterReflectionPass::GetLastReflectionTime()
+{
+  Internals::View* view = this->Internal->GetPlannedView();
+  return view ? view->Mirror.GetInstruments().GetTime(vtkWaterInstruments::REFLECTION)
+              : vtkMath::Nan();
+}
+
+//------------------------------------------------------------------------------
+double vtkWaterReflectionPass::GetLastSurfaceTime()
+{
+  Internals::View* view = this->Internal->GetPlannedView();
+  return view ? view->Mirror.GetInstruments().GetTime(vtkWaterInstruments::SURFACE)
+              : vtkMath::Nan();
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkWaterReflectionPass::GetNumberOfTrianglesReflected()
+{
+  Internals::View* view = this->Internal->GetPlannedView();
+  return view ? view->Mirror.GetInstruments().GetTriangles() : -1;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkWaterReflectionPass::GetNumberOfFragmentsReflected()
+{
+  Internals::View* view = this->Internal->GetPlannedView();
+  return view ? view->Mirror.GetInstruments().GetFragments() : -1;
+}
+
+//------------------------------------------------------------------------------
+vtkWaterInstruments* vtkWaterReflectionPass::GetInstruments(vtkRenderer* renderer)
+{
+  vtkWaterInstruments* instruments = &this->Internal->GetView(renderer)->Mirror.GetInstruments();
+  instruments->SetOn(this->Instrumentation);
+  return instruments;
+}
+
+//------------------------------------------------------------------------------
 void vtkWaterReflectionPass::SetDecision(int decision)
 {
   this->Internal->Plan.decision = static_cast<water_decision>(decision);
@@ -238,8 +291,30 @@ void vtkWaterReflectionPass::SetDecision(int decision)
 }
 
 //------------------------------------------------------------------------------
-void vtkWaterReflectionPass::RenderReflection(
-  vtkRenderer* renderer, const std::vector<vtkWaterActor*>& waters, const int viewport_px[2])
+bool vtkWaterReflectionPass::DrawsAs(vtkWaterReflectionPass* other) const
+{
+  return this->TextureScale == other->TextureScale && this->MultiSamples == other->MultiSamples &&
+    this->ColorPrecision == other->ColorPrecision && this->ClipMargin == other->ClipMargin &&
+    this->GuardBand == other->GuardBand && this->Skips == other->Skips &&
+    this->MinimumPropSize == other->MinimumPropSize &&
+    this->ReflectanceError == other->ReflectanceError;
+}
+
+//------------------------------------------------------------------------------
+vtkWaterOcclusion* vtkWaterReflectionPass::GetOcclusion(vtkRenderer* renderer)
+{
+  return &this->Internal->GetView(renderer)->Occlusion;
+}
+
+//------------------------------------------------------------------------------
+bool vtkWaterReflectionPass::DoesMaskPay(vtkRenderer* renderer, double visible_px)
+{
+  return water_plan_mask_pays(&this->Internal->GetView(renderer)->MapPlan, visible_px);
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterReflectionPass::RenderReflection(vtkRenderer* renderer,
+  const std::vector<vtkWaterActor*>& waters, const int viewport_px[2], const Moment& moment)
 {
   // drawing runs the user's observers, who may drop any of these
   const vtkSmartPointer<vtkWaterReflectionPass> self = this;
@@ -250,6 +325,7 @@ void vtkWaterReflectionPass::RenderReflection(
   shading->Keys.HoldUntilEndOfFrame(renderer);
 
   // gather
+  const double begun = this->Instrumentation ? vtkTimerLog::GetUniversalTime() : 0.0;
   vtkWaterGather& gather = internal.Gather;
   gather.Read(renderer, waters, viewport_px);
   window->MakeCurrent(); // bringing pipelines up to date may have rendered another window
@@ -259,11 +335,20 @@ void vtkWaterReflectionPass::RenderReflection(
   gather.scene.skips = static_cast<unsigned>(this->Skips);
   gather.scene.prop_px_min = this->MinimumPropSize;
   gather.scene.reflectance_error = this->ReflectanceError;
+  gather.scene.is_hidden = moment.IsHidden;
+  gather.scene.has_scene_depth = moment.HasSceneDepth;
   gather.scene.max_texture_px = vtkTextureObject::GetMaximumTextureSize(window);
 
   // plan
+  const double gathered = this->Instrumentation ? vtkTimerLog::GetUniversalTime() : 0.0;
   internal.Fates.assign(gather.props.size(), WATER_DRAW);
   const water_status status = water_plan_make(&gather.scene, &internal.Plan, internal.Fates.data());
+  if (this->Instrumentation)
+  {
+    this->LastGatherTime = 1000.0 * (gathered - begun);
+    this->LastPlanTime = 1000.0 * (vtkTimerLog::GetUniversalTime() - gathered);
+    this->GetInstruments(renderer);
+  }
   internal.PlannedFor = renderer;
   internal.PlannedForSecondEye = Internals::IsSecondEye(renderer);
   internal.PlannedWaters = waters;
@@ -463,7 +548,7 @@ void vtkWaterReflectionPass::RenderReflectionAndDelegate(const vtkRenderState* s
       renderer->UpdateLightsGeometryToFollowCamera();
     }
     static_cast<vtkOpenGLRenderer*>(renderer)->UpdateLights();
-    this->RenderReflection(renderer, waters, size);
+    this->RenderReflection(renderer, waters, size, Moment());
   }
 
   vtkSmartPointer<vtkRenderPass> delegate = this->DelegatePass;
@@ -509,6 +594,10 @@ void vtkWaterReflectionPass::ReleaseGraphicsResources(vtkWindow* window)
       {
         view->Mirror.ReleaseGraphicsResources(window);
       }
+      if (window)
+      {
+        view->Occlusion.ReleaseGraphicsResources();
+      }
     }
     else
     {
@@ -546,6 +635,17 @@ void vtkWaterReflectionPass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Skips: " << this->Skips << "\n";
   os << indent << "MinimumPropSize: " << this->MinimumPropSize << "\n";
   os << indent << "ReflectanceError: " << this->ReflectanceError << "\n";
+  os << indent << "Instrumentation: " << (this->Instrumentation ? "on" : "off") << "\n";
+  if (this->Instrumentation)
+  {
+    const vtkIndent next = indent.GetNextIndent();
+    os << next << "LastGatherTime: " << this->LastGatherTime << " ms\n";
+    os << next << "LastPlanTime: " << this->LastPlanTime << " ms\n";
+    os << next << "LastReflectionTime: " << this->GetLastReflectionTime() << " ms\n";
+    os << next << "LastSurfaceTime: " << this->GetLastSurfaceTime() << " ms\n";
+    os << next << "TrianglesReflected: " << this->GetNumberOfTrianglesReflected() << "\n";
+    os << next << "FragmentsReflected: " << this->GetNumberOfFragmentsReflected() << "\n";
+  }
   os << indent << "ShowReflection: " << (this->ShowReflection ? "on" : "off") << "\n";
   os << indent << "NumberOfReflectionRenders: " << this->NumberOfReflectionRenders << "\n";
   os << indent << "Last plan: " << this->GetDecisionAsString() << "\n";

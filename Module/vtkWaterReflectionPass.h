@@ -28,9 +28,12 @@
 #include "vtkRenderingWaterModule.h" // for the export macro
 #include "vtkSmartPointer.h"         // for members
 
+#include <limits> // for std::numeric_limits
 #include <memory> // for std::unique_ptr
 #include <vector> // for std::vector
 
+class vtkWaterInstruments;
+class vtkWaterOcclusion;
 class vtkWaterScreen;
 struct water_plan;
 
@@ -240,6 +243,38 @@ public:
 
   ///@{
   /**
+   * Let times and numbers be taken. Default is off, which asks nothing of the GPU.
+   */
+  void SetInstrumentation(bool instrumentation);
+  vtkGetMacro(Instrumentation, bool);
+  vtkBooleanMacro(Instrumentation, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Milliseconds that the last of each took with Instrumentation on: reading the scene and
+   * planning, on the CPU; drawing the mirrored view and the surface, on the GPU, of the last that
+   * it has finished. The surface's time includes that of copying what is seen through it. NaN: not
+   * known.
+   */
+  vtkGetMacro(LastGatherTime, double);
+  vtkGetMacro(LastPlanTime, double);
+  double GetLastReflectionTime();
+  double GetLastSurfaceTime();
+  ///@}
+
+  ///@{
+  /**
+   * Triangles (or other primitives) and fragments of opaque geometry that were drawn in the last
+   * mirrored view with Instrumentation on; fragments that the depth test rejected do not count.
+   * They wait for the GPU. -1: not known.
+   */
+  vtkIdType GetNumberOfTrianglesReflected();
+  vtkIdType GetNumberOfFragmentsReflected();
+  ///@}
+
+  ///@{
+  /**
    * What was decided last (Decisions), and in words.
    */
   int GetDecision() const;
@@ -272,10 +307,23 @@ private:
 
   struct Internals;
 
+  struct Moment // of drawing a mirrored view
+  {
+    bool IsHidden = false;      // the waters are behind what the bound framebuffer shows
+    bool HasSceneDepth = false; // it shows all that can hide them
+  };
+
   // Gathers, plans and draws the reflection of waters in one plane for the renderer's active
   // camera.
-  void RenderReflection(
-    vtkRenderer* renderer, const std::vector<vtkWaterActor*>& waters, const int viewport_px[2]);
+  void RenderReflection(vtkRenderer* renderer, const std::vector<vtkWaterActor*>& waters,
+    const int viewport_px[2], const Moment& moment);
+  // Would the other draw the same mirrored view?
+  bool DrawsAs(vtkWaterReflectionPass* other) const;
+  // How much is seen of the water that owns the pass.
+  vtkWaterOcclusion* GetOcclusion(vtkRenderer* renderer);
+  vtkWaterInstruments* GetInstruments(vtkRenderer* renderer);
+  // Would a mask have been worth its cost in the last mirrored view?
+  bool DoesMaskPay(vtkRenderer* renderer, double visible_px);
   // Was the frame that is being rendered planned for this water and the renderer's active camera?
   bool IsFresh(vtkRenderer* renderer, vtkWaterActor* water) const;
   // The plan of this frame, nullptr when it has no view.
@@ -299,6 +347,9 @@ private:
   double ClipMargin = 0.0;
   double GuardBand = 0.0;
   bool ShowReflection = false;
+  bool Instrumentation = false;
+  double LastGatherTime = std::numeric_limits<double>::quiet_NaN();
+  double LastPlanTime = std::numeric_limits<double>::quiet_NaN();
   vtkIdType NumberOfReflectionRenders = 0;
 };
 

@@ -12,6 +12,10 @@
 #include "water_select.h"
 #include "water_target.h"
 
+// A mask costs a depth test of its own for every pixel of the rectangle, and the mirrored view must
+// wait for the main one: worth it if more than that is left out. Measured (decision 009).
+static const double mask_share = 0.4;
+
 // What the checks compute on their way, for the steps to use.
 typedef struct checked
 {
@@ -165,6 +169,14 @@ static water_status fill_draw(const water_scene* scene, const checked* input,
     const int whole[4] = { 0, 0, plan->texture_px[0], plan->texture_px[1] };
     memcpy(plan->texture_rect_px, whole, sizeof whole);
   }
+  for (int i = 0; i < 4; ++i)
+  {
+    plan->mask_rounding += 16.0 * (double)FLT_EPSILON * fabs(plan->plane_clip[i]);
+  }
+  // calm and flat water looks up its own pixels, where those of the map are the picture's
+  plan->can_mask = (scene->skips & WATER_MAY_SKIP_PIXELS) && scene->is_flat && !scene->has_waves &&
+    memcmp(plan->texture_px, scene->viewport_px, sizeof plan->texture_px) == 0;
+  plan->has_mask = plan->can_mask && scene->has_scene_depth;
   plan->depth_scale = water_mirror_reach(scene->props, scene->prop_count, fates, &plan->mirrored);
   water_mirror_pose(
     &plan->mirrored, plan->mirrored_position, plan->mirrored_focal_point, plan->mirrored_view_up);
@@ -282,11 +294,21 @@ void water_plan_reuse(const water_plan* last, bool is_unchanged, unsigned skips,
       sizeof last->mirrored.view_to_clip) == 0 &&
     memcmp(last->clip_plane_view, plan->clip_plane_view, sizeof last->clip_plane_view) == 0 &&
     memcmp(last->texture_px, plan->texture_px, sizeof last->texture_px) == 0;
+  // What hides the water is no part of what the map shows. So a map with a mask serves once, and in
+  // a view that stays as it is none gets a mask.
+  plan->has_mask = plan->has_mask && !is_same_view;
   if (plan->decision == WATER_REFLECT && (skips & WATER_MAY_SKIP_UNCHANGED) && is_unchanged &&
-    water_plan_has_map(last) && is_covered && is_same_view)
+    water_plan_has_map(last) && is_covered && is_same_view && !last->has_mask)
   {
     plan->decision = WATER_REUSE;
   }
+}
+
+bool water_plan_mask_pays(const water_plan* last, double visible_px)
+{
+  const int* rect = last->texture_rect_px;
+  return last->can_mask && water_plan_has_map(last) &&
+    visible_px < mask_share * ((double)rect[2] * rect[3]);
 }
 
 bool water_plan_has_map(const water_plan* plan)

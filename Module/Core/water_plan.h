@@ -20,14 +20,21 @@ extern "C"
 // WATER_BAD_PROP_BOUNDS, with which the plan is made: such a prop is drawn wherever it may be.
 water_status water_plan_make(const water_scene* scene, water_plan* plan, water_fate* fates);
 
-// A plan that reflects is to use the last map again (WATER_REUSE) if that shows the same.
+// A plan that reflects is to use the last map again (WATER_REUSE) if that shows the same. In a view
+// that has not changed it goes without a mask, so that its map can be used again.
 //
-// last          the plan that the map was drawn by
+// last          the plan that the map was drawn by; all 0: there is none
 // is_unchanged  so is all that a plan does not know: what the drawn props look like, the lights,
 // the
 //               background
 // skips         of the scene
 void water_plan_reuse(const water_plan* last, bool is_unchanged, unsigned skips, water_plan* plan);
+
+// Is it worth to wait for the eye's picture, for a mask in the next map?
+//
+// last        the plan of the last map
+// visible_px  pixels of the water that were seen with it
+bool water_plan_mask_pays(const water_plan* last, double visible_px);
 
 // Is there a map to look up, drawn or used again?
 bool water_plan_has_map(const water_plan* plan);

@@ -94,16 +94,17 @@ water_prop ReadProp(vtkProp* prop, vtkProp* drawn)
   }
   return read;
 }
+}
 
-bool AreCoplanar(vtkWaterActor* a, vtkWaterActor* b)
+//------------------------------------------------------------------------------
+bool vtkWaterGather::AreCoplanar(vtkWaterActor* a, vtkWaterActor* b)
 {
-  const water_plane planes[2] = { vtkWaterGather::ReadPlane(a), vtkWaterGather::ReadPlane(b) };
+  const water_plane planes[2] = { ReadPlane(a), ReadPlane(b) };
   water_plane units[2];
   return water_plane_normalise(&planes[0], &units[0]) == WATER_OK &&
     water_plane_normalise(&planes[1], &units[1]) == WATER_OK &&
     std::equal(units[0].normal, units[0].normal + 3, units[1].normal) &&
     units[0].offset == units[1].offset;
-}
 }
 
 //------------------------------------------------------------------------------
@@ -241,6 +242,7 @@ void vtkWaterGather::Read(
   this->scene.has_waves = false;
   this->scene.slope_rms = 0.0;
   this->scene.slope_max = 0.0;
+  this->scene.is_flat = true;
   this->scene.hides_above = this->scene.hides_below = true;
   this->IsRough = std::any_of(waters.begin(), waters.end(),
     [](vtkWaterActor* water) { return water->GetWaterProperty()->IsRough(); });
@@ -253,6 +255,7 @@ void vtkWaterGather::Read(
     this->scene.slope_max = std::max(this->scene.slope_max, property->GetSlopeLookedUp());
     // of a mesh of the user's nobody knows where its faces look; the sheet's look along the normal
     const bool isSheet = water->UsesOwnSheet() && water->GetIsIdentity();
+    this->scene.is_flat = this->scene.is_flat && isSheet && !water->IsDisplaced();
     this->scene.hides_above =
       this->scene.hides_above && isSheet && water->GetProperty()->GetFrontfaceCulling();
     this->scene.hides_below =

@@ -32,6 +32,8 @@ struct vtkWaterGather
   // The first water of a list of props, and all that share its plane.
   static std::vector<vtkWaterActor*> FindWaters(vtkProp** props, int count);
 
+  static bool AreCoplanar(vtkWaterActor* a, vtkWaterActor* b);
+
   // The camera alone: matrices of the renderer's active camera for its viewport.
   static water_camera ReadCamera(vtkRenderer* renderer);
 

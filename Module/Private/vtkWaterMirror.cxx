@@ -151,7 +151,14 @@ const char* vtkWaterMirror::Draw(vtkRenderer* renderer, vtkWaterShading* shading
     return "the GPU gave no framebuffer for the reflection texture";
   }
   vtkOpenGLRenderUtilities::MarkDebugEvent("water: mirrored view begins");
+  if (plan.has_mask)
+  {
+    int drawn[4]; // the picture's place in what is bound
+    state->vtkglGetIntegerv(GL_VIEWPORT, drawn);
+    this->SceneDepth.Find(drawn);
+  }
   this->IsDrawing = true;
+  this->Instruments.Begin(vtkWaterInstruments::REFLECTION);
   const char* failure = nullptr;
   {
     ScopedState scopedState(state);
@@ -164,13 +171,16 @@ const char* vtkWaterMirror::Draw(vtkRenderer* renderer, vtkWaterShading* shading
       state->vtkglBlendFuncSeparate(
         GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
       this->Screen.DrawSky(renderer, plan);
+      if (plan.has_mask && this->SceneDepth.IsThere())
+      {
+        this->Screen.DrawMask(renderer, plan, this->SceneDepth);
+      }
 
       this->SetCamera(renderer, plan);
       ScopedCamera scopedCamera(renderer, this->Camera);
       ScopedMirroredView scopedView(shading, plan, canCut ? &this->Pieces : nullptr);
       ScopedRenderTimes scopedTimes(renderer, props);
       this->DrawProps(renderer, props);
-      this->SkippedTriangles = this->Pieces.TakeSkippedTriangles();
       state->vtkglDisable(GL_SCISSOR_TEST);
       this->Target.Resolve();
     }
@@ -179,6 +189,7 @@ const char* vtkWaterMirror::Draw(vtkRenderer* renderer, vtkWaterShading* shading
       failure = "the framebuffer of the reflection texture is not complete";
     }
   }
+  this->Instruments.End(vtkWaterInstruments::REFLECTION);
   this->IsDrawing = false;
   vtkOpenGLRenderUtilities::MarkDebugEvent("water: mirrored view ends");
   return failure;
@@ -271,6 +282,7 @@ vtkRenderPass* vtkWaterMirror::GetTranslucentPass(vtkRenderer* renderer)
 //------------------------------------------------------------------------------
 void vtkWaterMirror::DrawProps(vtkRenderer* renderer, std::vector<vtkProp*>& props)
 {
+  this->Instruments.BeginCounting();
   for (vtkProp* prop : props)
   {
     prop->RenderOpaqueGeometry(renderer);
@@ -278,6 +290,7 @@ void vtkWaterMirror::DrawProps(vtkRenderer* renderer, std::vector<vtkProp*>& pro
     glDisable(GL_CLIP_DISTANCE0);
     this->Pieces.TakeBack();
   }
+  this->Instruments.EndCounting();
   const bool hasTranslucent = std::any_of(props.begin(), props.end(),
     [](vtkProp* prop) { return prop->HasTranslucentPolygonalGeometry() != 0; });
   if (hasTranslucent)
@@ -314,6 +327,10 @@ void vtkWaterMirror::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Target.ReleaseGraphicsResources(window);
   this->Pieces.ReleaseGraphicsResources();
+  if (window)
+  {
+    this->Instruments.ReleaseGraphicsResources();
+  }
   this->Screen.ReleaseGraphicsResources();
   if (this->Blank && window)
   {

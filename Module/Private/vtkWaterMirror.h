@@ -4,7 +4,9 @@
 #define vtkWaterMirror_h
 
 #include "vtkSmartPointer.h"
+#include "vtkWaterInstruments.h"
 #include "vtkWaterPieces.h"
+#include "vtkWaterSceneDepth.h"
 #include "vtkWaterScreen.h"
 #include "vtkWaterTarget.h"
 #include "water_plan.h"
@@ -41,8 +43,7 @@ public:
   vtkTextureObject* GetDepth() { return this->Target.GetDepth(); }
   vtkWaterScreen& GetScreen() { return this->Screen; }
 
-  // Triangles left out of the last view.
-  vtkIdType GetSkippedTriangles() const { return this->SkippedTriangles; }
+  vtkWaterInstruments& GetInstruments() { return this->Instruments; }
 
   // A texture of one pixel, for surfaces that have no reflection to look up.
   vtkTextureObject* GetBlank(vtkOpenGLRenderWindow* window);
@@ -65,8 +66,9 @@ private:
 
   vtkWaterTarget Target;
   vtkWaterScreen Screen;
+  vtkWaterSceneDepth SceneDepth;
   vtkWaterPieces Pieces;
-  vtkIdType SkippedTriangles = 0;
+  vtkWaterInstruments Instruments;
   vtkSmartPointer<vtkTextureObject> Blank;
   vtkSmartPointer<vtkCamera> Camera;
   vtkSmartPointer<vtkRenderPass> TranslucentPass;

@@ -119,15 +119,12 @@ void vtkWaterPieces::Give(
   {
     return;
   }
-  water_frustum view;
-  water_pieces_view(&plan, &actor->GetMatrix()->Element[0][0], &view);
+  water_pieces_view view;
+  water_pieces_look(&plan, &actor->GetMatrix()->Element[0][0], &view);
   this->Selected.resize(mesh.Indices.size());
+  this->Steps.resize(mesh.Boxes.size());
   const size_t count = water_pieces_select(&view, mesh.Indices.data(), mesh.Indices.size() / 3,
-    BoxesOf(mesh.Boxes), this->Selected.data());
-  if (count == mesh.Indices.size())
-  {
-    return;
-  }
+    BoxesOf(mesh.Boxes), this->Steps.data(), this->Selected.data());
   if (!mesh.Drawn)
   {
     mesh.Drawn = vtkSmartPointer<vtkOpenGLIndexBufferObject>::New();
@@ -141,7 +138,6 @@ void vtkWaterPieces::Give(
     mesh.Drawn->GenerateBuffer(vtkOpenGLBufferObject::ElementArrayBuffer);
   }
   mesh.Drawn->IndexCount = count;
-  this->SkippedTriangles += static_cast<vtkIdType>((mesh.Indices.size() - count) / 3);
   this->Given = mapper;
   this->Own.TakeReference(slot); // the mapper's reference, until it has it back
   slot = mesh.Drawn;
@@ -161,14 +157,6 @@ void vtkWaterPieces::TakeBack()
   this->Own->Register(this->Given);
   this->Own = nullptr;
   this->Given = nullptr;
-}
-
-//------------------------------------------------------------------------------
-vtkIdType vtkWaterPieces::TakeSkippedTriangles()
-{
-  const vtkIdType skipped = this->SkippedTriangles;
-  this->SkippedTriangles = 0;
-  return skipped;
 }
 
 //------------------------------------------------------------------------------

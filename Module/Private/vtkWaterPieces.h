@@ -2,8 +2,9 @@
 // vtkWaterPieces: draws of large meshes only the pieces that the mirrored view can show.
 //
 // A mapper draws the triangles that its index buffer lists. For the time of a draw in the mirrored
-// view it gets another list, in which pieces are left out (water_pieces.h): the same vertices, the
-// same order, so every pixel is the same as before. See Documentation/decisions/009-skips.md.
+// view it gets another list, in which pieces are left out and the near ones come first
+// (water_pieces.h): the same vertices, so every pixel is the same as before. See
+// Documentation/decisions/009-skips.md.
 #ifndef vtkWaterPieces_h
 #define vtkWaterPieces_h
 
@@ -37,9 +38,6 @@ public:
   // The prop is drawn: the mapper gets its own index buffer back.
   void TakeBack();
 
-  // Triangles that were left out since the last call.
-  vtkIdType TakeSkippedTriangles();
-
   void ReleaseGraphicsResources();
 
 private:
@@ -58,10 +56,10 @@ private:
   static void Read(vtkOpenGLPolyDataMapper* mapper, Mesh& mesh);
 
   std::map<vtkOpenGLPolyDataMapper*, Mesh> Meshes;
+  std::vector<uint16_t> Steps;
   std::vector<uint32_t> Selected;
   vtkSmartPointer<vtkOpenGLPolyDataMapper> Given; // has a buffer of ours
   vtkSmartPointer<vtkOpenGLIndexBufferObject> Own;
-  vtkIdType SkippedTriangles = 0;
 };
 
 #endif

@@ -11,6 +11,8 @@
 #include "vtkWaterBackdrop.h"
 #include "vtkWaterFogFS.h"
 #include "vtkWaterGL.h"
+#include "vtkWaterMaskFS.h"
+#include "vtkWaterSceneDepth.h"
 #include "vtkWaterSkyFS.h"
 #include "vtkWaterUniforms.h"
 #include "vtkWaterViewFS.h"
@@ -113,6 +115,37 @@ void vtkWaterScreen::DrawSky(vtkRenderer* renderer, const water_plan& plan)
 }
 
 //------------------------------------------------------------------------------
+void vtkWaterScreen::DrawMask(
+  vtkRenderer* renderer, const water_plan& plan, vtkWaterSceneDepth& sceneDepth)
+{
+  auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
+  if (!Ready(this->Mask, window, vtkWaterMaskFS))
+  {
+    return;
+  }
+  vtkOpenGLState* state = window->GetState();
+  vtkOpenGLState::ScopedglEnableDisable depthTest(state, GL_DEPTH_TEST);
+  vtkOpenGLState::ScopedglDepthMask depthMask(state);
+  vtkOpenGLState::ScopedglDepthFunc depthFunc(state);
+  vtkOpenGLState::ScopedglColorMask colorMask(state);
+  state->vtkglEnable(GL_DEPTH_TEST);
+  state->vtkglDepthMask(GL_TRUE);
+  state->vtkglDepthFunc(GL_ALWAYS);
+  state->vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+  vtkShaderProgram* program = this->Mask->Program;
+  program->SetUniformi("waterSceneDepth", sceneDepth.Activate(window));
+  const int corner[2] = { sceneDepth.GetOrigin()[0] + plan.texture_px[0] - 1,
+    sceneDepth.GetOrigin()[1] };
+  program->SetUniform2i("waterSceneCorner", corner);
+  vtkWaterUniforms::Set4(program, "waterHeightClip", plan.plane_clip);
+  vtkWaterUniforms::Set(program, "waterRounding", plan.mask_rounding);
+  glDepthRange(0.0, 0.0); // VTK keeps no record of it
+  this->Mask->Render();
+  glDepthRange(0.0, 1.0);
+  sceneDepth.Deactivate();
+}
+
+//------------------------------------------------------------------------------
 void vtkWaterScreen::DrawFog(vtkRenderer* renderer, const water_plan& plan,
   vtkWaterBackdrop& backdrop, const double deepColor[3], const double extinction[3])
 {
@@ -182,6 +215,7 @@ void vtkWaterScreen::DrawCorner(vtkRenderer* renderer, vtkTextureObject* reflect
 void vtkWaterScreen::ReleaseGraphicsResources()
 {
   this->Sky.reset();
+  this->Mask.reset();
   this->Fog.reset();
   this->Corner.reset();
 }

@@ -13,6 +13,7 @@ class vtkOpenGLRenderWindow;
 class vtkRenderer;
 class vtkTextureObject;
 class vtkWaterBackdrop;
+class vtkWaterSceneDepth;
 
 class vtkWaterScreen
 {
@@ -25,6 +26,9 @@ public:
   // backgrounds give their plain colour.
   void DrawSky(vtkRenderer* renderer, const water_plan& plan);
 
+  // Closes the pixels of the bound map that no visible water looks up.
+  void DrawMask(vtkRenderer* renderer, const water_plan& plan, vtkWaterSceneDepth& sceneDepth);
+
   // Draws the picture again as seen through the water, for an eye that is submerged.
   void DrawFog(vtkRenderer* renderer, const water_plan& plan, vtkWaterBackdrop& backdrop,
     const double deepColor[3], const double extinction[3]);
@@ -36,6 +40,7 @@ public:
 
 private:
   std::unique_ptr<vtkOpenGLQuadHelper> Sky;
+  std::unique_ptr<vtkOpenGLQuadHelper> Mask;
   std::unique_ptr<vtkOpenGLQuadHelper> Fog;
   std::unique_ptr<vtkOpenGLQuadHelper> Corner;
 };

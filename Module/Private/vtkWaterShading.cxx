@@ -168,6 +168,11 @@ bool vtkWaterShading::SetShaderParameters(
     if (this->Surface)
     {
       this->Surface->SetParameters(program);
+      if (this->IsProbe)
+      {
+        glDepthMask(
+          GL_FALSE); // the actor has just set it; vtkWaterActor::AreSheetsHidden resets it
+      }
     }
   }
   else

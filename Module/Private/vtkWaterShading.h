@@ -46,7 +46,13 @@ public:
   bool BeginFog(vtkRenderer* renderer, const water_plan& plan);
 
   // This surface is drawn between the two.
-  void BeginSurface(vtkWaterSurface* surface) { this->Surface = surface; }
+  //
+  // isProbe  it leaves no trace in the depth
+  void BeginSurface(vtkWaterSurface* surface, bool isProbe)
+  {
+    this->Surface = surface;
+    this->IsProbe = isProbe;
+  }
   void EndSurface() { this->Surface = nullptr; }
 
   void Render(const vtkRenderState*) override {} // a key only, it draws nothing
@@ -73,6 +79,7 @@ private:
   vtkMTimeType FogFrame = 0;
   double FogEye[12] = {}; // its directions
   vtkWaterSurface* Surface = nullptr;
+  bool IsProbe = false;
 };
 
 #endif

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkWaterInstruments.h"
+
+#include "vtkOpenGLRenderTimer.h"
+#include "vtkWaterGL.h"
+
+//------------------------------------------------------------------------------
+vtkWaterInstruments::vtkWaterInstruments() = default;
+
+//------------------------------------------------------------------------------
+vtkWaterInstruments::~vtkWaterInstruments() = default;
+
+//------------------------------------------------------------------------------
+void vtkWaterInstruments::Begin(int stage)
+{
+  if (!this->IsOn || !vtkOpenGLRenderTimer::IsSupported())
+  {
+    return;
+  }
+  this->GetTime(stage); // keeps what is there
+  this->Timers[stage] = std::make_unique<vtkOpenGLRenderTimer>();
+  this->Timers[stage]->Start();
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterInstruments::End(int stage)
+{
+  if (this->Timers[stage] && this->Timers[stage]->Started() && !this->Timers[stage]->Stopped())
+  {
+    this->Timers[stage]->Stop();
+  }
+}
+
+//------------------------------------------------------------------------------
+double vtkWaterInstruments::GetTime(int stage)
+{
+  vtkOpenGLRenderTimer* timer = this->Timers[stage].get();
+  if (timer && timer->Stopped() && timer->Ready())
+  {
+    this->Times[stage] = timer->GetElapsedMilliseconds();
+  }
+  return this->Times[stage];
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterInstruments::BeginCounting()
+{
+  GLint current = 0;
+  glGetQueryiv(GL_PRIMITIVES_GENERATED, GL_CURRENT_QUERY, &current);
+  if (!this->IsOn || current != 0)
+  {
+    return;
+  }
+  if (this->Triangles == 0)
+  {
+    glGenQueries(1, &this->Triangles);
+  }
+  this->Fragments.Begin();
+  glBeginQuery(GL_PRIMITIVES_GENERATED, this->Triangles);
+  this->IsCounting = true;
+  this->HasCounted = false;
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterInstruments::EndCounting()
+{
+  if (this->IsCounting)
+  {
+    glEndQuery(GL_PRIMITIVES_GENERATED);
+    this->Fragments.End();
+    this->IsCounting = false;
+    this->HasCounted = true;
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkWaterInstruments::GetTriangles()
+{
+  if (!this->HasCounted)
+  {
+    return -1;
+  }
+  GLuint count = 0;
+  glGetQueryObjectuiv(this->Triangles, GL_QUERY_RESULT, &count);
+  return static_cast<vtkIdType>(count);
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkWaterInstruments::GetFragments()
+{
+  return this->HasCounted ? this->Fragments.WaitForSamples() : -1;
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterInstruments::ReleaseGraphicsResources()
+{
+  for (auto& timer : this->Timers)
+  {
+    timer.reset(); // deletes its queries
+  }
+  this->Fragments.ReleaseGraphicsResources();
+  if (this->Triangles != 0)
+  {
+    glDeleteQueries(1, &this->Triangles);
+  }
+  this->Triangles = 0;
+  this->HasCounted = this->IsCounting = false;
+}

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkWaterOcclusion.h"
+
+#include "vtkWaterGL.h"
+
+//------------------------------------------------------------------------------
+void vtkWaterOcclusion::Begin()
+{
+  GLint current = 0;
+  glGetQueryiv(GL_SAMPLES_PASSED, GL_CURRENT_QUERY, &current);
+  if (current != 0)
+  {
+    return; // depth peeling counts, too
+  }
+  if (this->Query == 0)
+  {
+    glGenQueries(1, &this->Query);
+  }
+  glBeginQuery(GL_SAMPLES_PASSED, this->Query);
+  this->IsCounting = true;
+  this->HasCounted = false;
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterOcclusion::End()
+{
+  if (this->IsCounting)
+  {
+    glEndQuery(GL_SAMPLES_PASSED);
+    this->IsCounting = false;
+    this->HasCounted = true;
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkWaterOcclusion::GetSamples()
+{
+  GLuint isReady = 0;
+  if (this->HasCounted)
+  {
+    glGetQueryObjectuiv(this->Query, GL_QUERY_RESULT_AVAILABLE, &isReady);
+  }
+  return isReady != 0 ? this->WaitForSamples() : -1;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkWaterOcclusion::WaitForSamples()
+{
+  if (!this->HasCounted)
+  {
+    return -1;
+  }
+  GLuint samples = 0;
+  glGetQueryObjectuiv(this->Query, GL_QUERY_RESULT, &samples);
+  return static_cast<vtkIdType>(samples);
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterOcclusion::ReleaseGraphicsResources()
+{
+  if (this->Query != 0)
+  {
+    glDeleteQueries(1, &this->Query);
+  }
+  this->Query = 0;
+  this->HasCounted = this->IsCounting = false;
+}

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkWaterOcclusion: counts the samples of a draw that are seen (an occlusion query of GL).
+#ifndef vtkWaterOcclusion_h
+#define vtkWaterOcclusion_h
+
+#include "vtkType.h"
+
+class vtkWaterOcclusion
+{
+public:
+  // What is drawn between the two is counted. Begin does nothing while somebody else counts.
+  void Begin();
+  void End();
+
+  // Samples of the last draw that was counted; -1: none was, or it is not known to have been
+  // finished yet.
+  vtkIdType GetSamples();
+
+  // Samples of the last draw that was counted; waits for it. -1: none was.
+  vtkIdType WaitForSamples();
+
+  // With the context that drew.
+  void ReleaseGraphicsResources();
+
+private:
+  unsigned int Query = 0;
+  bool IsCounting = false;
+  bool HasCounted = false;
+};
+
+#endif

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkWaterSceneDepth: the depth texture of the bound framebuffer, read where it is, without a copy,
+// while another framebuffer is drawn into.
+#ifndef vtkWaterSceneDepth_h
+#define vtkWaterSceneDepth_h
+
+class vtkOpenGLRenderWindow;
+
+class vtkWaterSceneDepth
+{
+public:
+  // Looks at what is bound for drawing now. viewport: the picture's place in it, x and y in pixels.
+  void Find(const int viewport[4]);
+
+  // Is there a texture with one sample a pixel?
+  bool IsThere() const { return this->Texture != 0; }
+
+  // Binds the texture to a unit of its own, and gives both back.
+  //
+  // Returns the unit.
+  int Activate(vtkOpenGLRenderWindow* window);
+  void Deactivate();
+
+  const int* GetOrigin() const { return this->Origin; }
+
+private:
+  unsigned int Texture = 0;
+  int Origin[2] = { 0, 0 };
+  int Unit = -1;
+  vtkOpenGLRenderWindow* Window = nullptr;
+};
+
+#endif
