@@ -57,13 +57,10 @@ def set_waves(water, waves):
             look.AddWave(*wave)
 
 
-def cases(is_short):
-    """(step, scale) pairs of the matrix: all, or the calm, the default and one offset."""
-    if is_short:
-        return [(CALM, 1.0), (FIXED, 1.0), (TRACED, 1.0), (CALM, 0.5)]
-    return [(step, scale) for scale in SCALES for step in STEPS]
-
-
-def quick_cases():
-    """All steps at scale 1, and what the default does at others."""
-    return [*((step, 1.0) for step in STEPS), (CALM, 0.5), (TRACED, 0.5), (TRACED, 0.25)]
+def cases(is_quick, is_main):
+    """(step, scale) pairs of the matrix: all of them; or, for the main scene, all steps at scale 1."""
+    if not is_quick:
+        return [(step, scale) for scale in SCALES for step in STEPS]
+    if is_main:
+        return [*((step, 1.0) for step in STEPS), (CALM, 0.5), (TRACED, 0.5), (TRACED, 0.25)]
+    return [(CALM, 1.0), (TRACED, 1.0)]

@@ -15,6 +15,7 @@ ERROR_SIZE, QUICK_ERROR_SIZE = (640, 480), (200, 152)
 PLUME_SIZE = (200, 152)  # its truth has four times as many pixels along each axis
 BUDGET_S, QUICK_BUDGET_S = 100.0, 2.0  # a scene
 ROUNDS, QUICK_ROUNDS = 15, 5
+MAIN = "terrain"  # the scene that has all steps in a quick run
 
 TEXT = """
 Times: $width x $height pixels, lit, the water with Fresnel's reflectance; all kinds of frames share one window, and
@@ -49,7 +50,6 @@ def _counts(scene, frame):
     instruments.turn_on(scene.water)
     frame.choose()
     frame.render(0)
-    frame.render(1)
     said = instruments.read(scene.water)
     instruments.turn_on(scene.water, False)
     return said
@@ -57,14 +57,12 @@ def _counts(scene, frame):
 
 def _measure(results, kind):
     """Times without water, rows of a scene, and its reference."""
-    cases = kinds.cases(results.is_quick)
-    if results.is_quick and kind.name == "terrain":
-        cases = kinds.quick_cases()
+    cases = kinds.cases(results.is_quick, kind.name == MAIN)
     size = QUICK_ERROR_SIZE if results.is_quick else ERROR_SIZE
     truth = errors.Reference(kind, size if kind.has_tracer else PLUME_SIZE)
     scene, plain, frames = _frames(kind, cases, truth.constants)
     budget = QUICK_BUDGET_S if results.is_quick else BUDGET_S
-    measure([plain, *frames.values()], results.rounds(ROUNDS, QUICK_ROUNDS), budget, warm_up=1)
+    measure([plain, *frames.values()], results.rounds(ROUNDS, QUICK_ROUNDS), budget, warm_up=0)
     plain_row = {"median_ms": plain.median, "quartiles_ms": plain.quartiles, "frames": len(plain.times)}
     _save(results, kind, "no water", None, plain_row)
     print(f"{kind.name}: no water {plain} ms, {len(plain.times)} frames of each kind", flush=True)
@@ -115,7 +113,7 @@ def run(results):
         plain, rows, truth = _measure(results, kind)
         tables.append(f"### {kind.name.capitalize()}\n{kind.text[0].upper()}{kind.text[1:]}.\n\n{_table(plain, rows)}")
         tables.append(results.save(plots.pictures(truth), f"scene-{number}", f"{kind.name}: reference and picture"))
-        if kind.has_tracer and (not results.is_quick or kind.name == "terrain"):
+        if kind.has_tracer and (not results.is_quick or kind.name == MAIN):
             front = plots.pareto(rows, _classics(results, kind, rows, truth))
             tables.append(results.save(front, f"pareto-{number}", f"{kind.name}: error against time"))
             tables.append(plots.PARETO_TEXT)

@@ -114,7 +114,7 @@ def geometry_of_plume(scene):
                   (0.3 + 0.1 * i, 0.5, 0.7 - 0.1 * i))
 
 
-def _props(count, size):
+def make_props(count, size):
     return lambda scene: scene.add_things(count, (-14, -9, -0.3), (14, 26, 3.0), size)
 
 
@@ -129,9 +129,9 @@ def kinds(is_quick):
     found = (
         Kind("terrain", "the land of Examples/Data, one actor of 275,772 triangles", make_terrain(), TERRAIN_SHEET,
              TERRAIN_EYE, TERRAIN_TARGET),
-        Kind("1,000 props", "boxes, pyramids and balls, an actor each", _props(1000, 0.5), SMALL_SHEET, SMALL_EYE,
+        Kind("1,000 props", "boxes, pyramids and balls, an actor each", make_props(1000, 0.5), SMALL_SHEET, SMALL_EYE,
              SMALL_TARGET),
-        Kind("10,000 props", "the same, ten times as many and smaller", _props(10_000, 0.22), SMALL_SHEET, SMALL_EYE,
+        Kind("10,000 props", "the same, ten times as many and smaller", make_props(10_000, 0.22), SMALL_SHEET, SMALL_EYE,
              SMALL_TARGET),
         Kind("big mesh", f"hills, one actor of about {count:,} triangles",
              lambda scene: scene.add(geometry.big_mesh(count)), SMALL_SHEET, SMALL_EYE, SMALL_TARGET),

@@ -13,6 +13,7 @@ import numpy as np
 
 WARM_UP = 2  # rounds
 LEAST = 3  # rounds, whatever the budget
+TURN_OF_SETTLING = 31  # another place on the path than that of the frame that counts
 SEED = 20261121
 
 
@@ -68,10 +69,3 @@ def measure(frames, rounds, budget_s, warm_up=WARM_UP):
                 frame.times.append(took)
     gc.enable()
     return frames
-
-
-TURN_OF_SETTLING = 31  # another place on the path than that of the frame that counts
-
-
-def first_quartile_ratio(frame, other):
-    return frame.quartiles[0] / other.quartiles[0]
