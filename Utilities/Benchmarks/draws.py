@@ -3,18 +3,22 @@
 
 import instruments
 import numpy as np
+import ray_caster
 import scenes
 import water_test as wt
 from instruments import text
 from ratios import compare, terrain
 from report import table
 from timing import Frame
+from tracer import Tracer
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkInformation
 from vtkwater import vtkWaterReflectionPass
 
 COUNT = 1000
 LIMIT = 80  # % of what could be left out
-POND = (10, 24, -8, 6)  # in the view of the terrain
-BESIDE = (POND[0] - 40, POND[2] - 20, 0.3), (POND[0] - 12, POND[3] + 10, 5)
+POND = (33.6, 35.6, 12.6, 14.6)  # small, in the middle of the terrain's lake
+BESIDE = (17, -5, 0.3), (22, -1, 5)  # between the sides of the view and of what the pond mirrors
 
 TEXT = """
 $count props that water cannot show, under its plane or beside the pyramid of what it mirrors, against the same props
@@ -52,8 +56,6 @@ def _compare(results, title, make):
 
 
 def _marked():
-    from vtkmodules.vtkCommonCore import vtkInformation
-
     keys = vtkInformation()
     keys.Set(vtkWaterReflectionPass.NOT_REFLECTED(), 1)
     return keys
@@ -72,13 +74,11 @@ def _five_scenes():
 
 def _needed(scene):
     """How many props, and at least how many fragments, the water needs."""
-    from vtkmodules.util.numpy_support import vtk_to_numpy
-
     mask = wt.water_mask(scene.view, scene.water)
     width, height = scene.size
     matrix = scene.camera.GetCompositeProjectionTransformMatrix(width / height, -1, 1)
     to_clip = np.array([[matrix.GetElement(i, j) for j in range(4)] for i in range(4)])
-    props, covered = 0, np.zeros_like(mask)
+    props = 0
     for actor in scene.renderer.GetActors():
         if actor.IsA("vtkWaterActor"):
             continue
@@ -91,8 +91,16 @@ def _needed(scene):
         is_inside = (x >= 0) & (x < width) & (y >= 0) & (y < height)
         x, y = x[is_inside], y[is_inside]
         props += bool(mask[y, x].any())
-        covered[y, x] = True
-    return props, int((covered & mask).sum())
+    return props, _reflecting_pixels(scene, mask)
+
+
+def _reflecting_pixels(scene, mask):
+    """How many pixels of calm water reflect something other than the sky."""
+    start, ray = (rows[mask.ravel()] for rows in ray_caster.eye_rays(scene.camera, scene.size, 1))
+    falls = ray[:, 2] < 0
+    place = start[falls] - (start[falls, 2] / ray[falls, 2])[:, None] * ray[falls]
+    _, distance = Tracer(scene.renderer).cast(place, ray[falls] * (1, 1, -1))
+    return int(np.isfinite(distance).sum())
 
 
 def _drawn(scene, has_skips):

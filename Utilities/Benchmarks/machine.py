@@ -18,7 +18,7 @@ def describe():
         "vtk": vtkVersion.GetVTKVersion(),
         "python": platform.python_version(),
         "system": f"{platform.system()} {platform.machine()}",
-        "load": os.getloadavg()[0] if hasattr(os, "getloadavg") else None,
+        "load": round(os.getloadavg()[0], 2) if hasattr(os, "getloadavg") else None,
     }
 
 

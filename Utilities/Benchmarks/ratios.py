@@ -12,7 +12,7 @@ from vtkmodules.vtkFiltersSources import vtkPlaneSource
 
 SIZE = (800, 600)
 ROUNDS, QUICK_ROUNDS = 60, 9
-BUDGET_S, QUICK_BUDGET_S = 60.0, 3.0  # a group
+BUDGET_S, QUICK_BUDGET_S = 40.0, 3.0  # a group
 TIER = 0.02  # units between the levels of the lakes
 SHEET_OPACITY = 0.5
 HIDDEN = 6  # cells of the elevation model that the hidden water is wide to each side

@@ -46,7 +46,7 @@ class Results(Report):
         (self._folder / "benchmarks.json").write_text(json.dumps(
             {"machine": self.machine, "quick": self.is_quick, "limits": checks, "rows": self._rows},
             indent=1, default=float) + "\n")
-        names = ("cpu", "cores", "renderer", "window", "vtk", "python", "system")
+        names = ("cpu", "cores", "renderer", "window", "vtk", "python", "system", "load")
         super().write(
             machine=table(("", ""), [(name, str(self.machine[name])) for name in names]),
             how="`--quick`: few frames, a small mesh, some of the steps. " if self.is_quick else "")

@@ -9,7 +9,7 @@ from timing import Frame, measure
 
 SIZE = (800, 600)
 ROUNDS, QUICK_ROUNDS = 15, 3
-BUDGET_S, QUICK_BUDGET_S = 20.0, 0.5  # a point of a curve
+BUDGET_S, QUICK_BUDGET_S = 12.0, 0.5  # a point of a curve
 COUNTS, QUICK_COUNTS = (1, 10, 100, 1000, 3000, 10_000), (10, 100, 1000)
 SCALES, QUICK_SCALES = (2.0, 1.5, 1.0, 0.75, 0.5, 0.25, 0.125), (1.0, 0.5, 0.25)
 EDGES, QUICK_EDGES = (-9, -5, -3, -1, 1, 3, 5, 60), (-4, 0, 60)  # of the water, in x

@@ -17,8 +17,8 @@ LEVEL = 384.0  # m over sea level; the lake of Examples/Python/lake.py
 FLOOD_LEVEL = 396.0  # m
 FLOOD = 0.3  # units that the flood moves up and down
 FAR = 150.0
-TURN = 0.1  # degrees that the camera goes around from frame to frame
-TURNS = 60  # frames, then it goes there again
+TURN = 0.05  # degrees that the camera goes around from frame to frame
+TURNS = 30  # frames, then it goes there again
 
 
 @dataclass(frozen=True)

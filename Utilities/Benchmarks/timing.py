@@ -13,7 +13,7 @@ import numpy as np
 
 WARM_UP = 2  # rounds
 LEAST = 3  # rounds, whatever the budget
-TURN_OF_SETTLING = 31  # another place on the path than that of the frame that counts
+TURN_OF_SETTLING = 17  # another place on the path than that of the frame that counts
 SEED = 20261121
 
 
