@@ -57,10 +57,13 @@ def set_waves(water, waves):
             look.AddWave(*wave)
 
 
-def cases(is_quick, is_main):
-    """(step, scale) pairs of the matrix: all of them; or, for the main scene, all steps at scale 1."""
-    if not is_quick:
-        return [(step, scale) for scale in SCALES for step in STEPS]
+def cases():
+    """(step, scale) pairs of the matrix."""
+    return [(step, scale) for scale in SCALES for step in STEPS]
+
+
+def quick_cases(is_main, is_slow):
+    """All steps for the main scene, at scale 1; the calm and the default for others."""
     if is_main:
         return [*((step, 1.0) for step in STEPS), (CALM, 0.5), (TRACED, 0.5), (TRACED, 0.25)]
-    return [(CALM, 1.0), (TRACED, 1.0)]
+    return [(CALM, 1.0)] if is_slow else [(CALM, 1.0), (TRACED, 1.0)]

@@ -13,7 +13,7 @@ BUDGET_S, QUICK_BUDGET_S = 12.0, 0.5  # a point of a curve
 COUNTS, QUICK_COUNTS = (1, 10, 100, 1000, 3000, 10_000), (10, 100, 1000)
 SCALES, QUICK_SCALES = (2.0, 1.5, 1.0, 0.75, 0.5, 0.25, 0.125), (1.0, 0.5, 0.25)
 EDGES, QUICK_EDGES = (-9, -5, -3, -1, 1, 3, 5, 60), (-4, 0, 60)  # of the water, in x
-STEPS = (kinds.CALM, kinds.FIXED, kinds.TRACED)
+STEPS, QUICK_STEPS = (kinds.CALM, kinds.FIXED, kinds.TRACED), (kinds.CALM, kinds.TRACED)
 
 TEXT = """
 Props: those of the scene of 1,000 props, $width x $height pixels, the camera moving; scales: the terrain; share of water:
@@ -25,6 +25,10 @@ $scales
 
 $share
 """
+
+
+def _steps(results):
+    return QUICK_STEPS if results.is_quick else STEPS
 
 
 def _times(results, scene, cases, name):
@@ -56,7 +60,7 @@ def _by_props(results):
         kind = scenes.kinds(True)["1,000 props"]
         kind = scenes.Kind(**{**vars(kind), "fill": scenes.make_props(count, 0.5 if count <= 1000 else 0.22)})
         scene = scenes.Scene(kind, SIZE)
-        for frame in _times(results, scene, [(None, 1.0), *((step, 1.0) for step in STEPS)], f"{count} props").values():
+        for frame in _times(results, scene, [(None, 1.0), *((step, 1.0) for step in _steps(results))], f"{count} props").values():
             _add(series, count, frame)
     return plots.curves(series, "props", "frame, ms", is_log=True)
 
@@ -64,7 +68,7 @@ def _by_props(results):
 def _by_scale(results):
     scales = QUICK_SCALES if results.is_quick else SCALES
     scene = scenes.Scene(scenes.kinds(True)["terrain"], SIZE)
-    frames = _times(results, scene, [(None, 1.0), *((step, scale) for step in STEPS for scale in scales)], "terrain")
+    frames = _times(results, scene, [(None, 1.0), *((step, scale) for step in _steps(results) for scale in scales)], "terrain")
     series = {}
     for (step, scale), frame in frames.items():
         for x in (scale,) if step else (min(scales), max(scales)):
@@ -81,7 +85,7 @@ def _by_share(results):
         scene.water.VisibilityOn()
         scene.stand(0)
         share = 100 * float(wt.water_mask(scene.view, scene.water).mean())
-        frames = _times(results, scene, [(None, 1.0), *((step, 1.0) for step in STEPS)], f"{share:.0f} % water")
+        frames = _times(results, scene, [(None, 1.0), *((step, 1.0) for step in _steps(results))], f"{share:.0f} % water")
         for frame in frames.values():
             _add(series, share, frame)
     return plots.curves(series, "% of the picture that is water", "frame, ms")
