@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """benchmark: measures what the water costs, against the error that is left, and writes a report.
 
-    script/benchmark                       everything, into Documentation/benchmarks.md and its images
-    script/benchmark --quick               less of everything, under two minutes, into build/benchmark
-    script/benchmark --only ratios [...]   some sections, into build/benchmark
+    script/benchmark                      everything, into Documentation/benchmarks.md, its images
+    script/benchmark --quick              less of everything in two minutes, into build/benchmark
+    script/benchmark --only ratios [...]  some sections, into build/benchmark
 
 How it is put together:
 
@@ -36,11 +36,17 @@ SECTIONS = ("ratios", "draws", "bound", "matrix", "scaling")
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--only", nargs="+", choices=SECTIONS, help="only these sections, into build/benchmark")
-    parser.add_argument("--quick", action="store_true", help="under two minutes, into build/benchmark")
+    parser.add_argument(
+        "--only", nargs="+", choices=SECTIONS, help="only these sections, into build/benchmark"
+    )
+    parser.add_argument(
+        "--quick", action="store_true", help="under two minutes, into build/benchmark"
+    )
     arguments = parser.parse_args()
 
-    from results import Results  # VTK and the plots take seconds to load; a wrong argument should not
+    from results import (
+        Results,
+    )  # VTK and the plots take seconds to load; a wrong argument should not
 
     is_all = not arguments.only and not arguments.quick
     results = Results(PROJECT / ("Documentation" if is_all else "build/benchmark"), arguments.quick)

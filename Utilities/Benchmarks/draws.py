@@ -21,14 +21,14 @@ POND = (33.6, 35.6, 12.6, 14.6)  # small, in the middle of the terrain's lake
 BESIDE = (17, -5, 0.3), (22, -1, 5)  # between the sides of the view and of what the pond mirrors
 
 TEXT = """
-$count props that water cannot show, under its plane or beside the pyramid of what it mirrors, against the same props
-with NOT_REFLECTED on each.
+$count props that water cannot show, under its plane or beside the pyramid of what it mirrors,
+against the same props with NOT_REFLECTED on each.
 
 $tables
 
-What is left out, against everything drawn (SKIP_NONE). A prop is needed if one of its points over the plane has its
-mirror image on a pixel of water; needed fragments are at least one for each pixel of water that reflects something.
-Share: of what is not needed, how much is left out.
+What is left out, against everything drawn (SKIP_NONE). A prop is needed if one of its points over
+the plane has its mirror image on a pixel of water; needed fragments are at least one for each
+pixel of water that reflects something. Share: of what is not needed, how much is left out.
 
 $shares
 """
@@ -50,8 +50,10 @@ def _compare(results, title, make):
     (ours, _), (by_hand, props) = make(), make()
     for prop in props:
         prop.SetPropertyKeys(_marked())
-    frames = [Frame(name, scene.window, scene.step) for name, scene in (
-        ("NOT_REFLECTED by hand", by_hand), ("as they are", ours))]
+    frames = [
+        Frame(name, scene.window, scene.step)
+        for name, scene in (("NOT_REFLECTED by hand", by_hand), ("as they are", ours))
+    ]
     return compare(results, title, frames, (("as they are", "NOT_REFLECTED by hand", 1.05),))
 
 
@@ -86,8 +88,10 @@ def _needed(scene):
         points = points[points[:, 2] > 0].astype(float) * (1, 1, -1)
         clip = np.concatenate([points, np.ones((len(points), 1))], axis=1) @ to_clip.T
         clip = clip[clip[:, 3] > 0]
-        x, y = (np.floor((0.5 + 0.5 * clip[:, i] / clip[:, 3]) * size).astype(int)
-                for i, size in ((0, width), (1, height)))
+        x, y = (
+            np.floor((0.5 + 0.5 * clip[:, i] / clip[:, 3]) * size).astype(int)
+            for i, size in ((0, width), (1, height))
+        )
         is_inside = (x >= 0) & (x < width) & (y >= 0) & (y < height)
         x, y = x[is_inside], y[is_inside]
         props += bool(mask[y, x].any())
@@ -107,15 +111,16 @@ def _drawn(scene, has_skips):
     """Props and fragments of a mirrored view."""
     is_known = instruments.set_skips(scene.water, has_skips)
     instruments.turn_on(scene.water)
-    scene.stand(1)
-    scene.view.picture()
+    for turn in (2, 1):  # the last frame's view may be shown again if the camera stands still
+        scene.stand(turn)
+        scene.view.picture()
     said = instruments.read(scene.water)
     instruments.turn_on(scene.water, False)
     return (said["props"] if is_known or has_skips else None), said["fragments"]
 
 
 def _share(everything, drawn, needed):
-    """% of what is not needed that is left out; None: nothing could be, or this module cannot tell."""
+    """% of what is not needed that is left out; None: nothing could be, or nothing is known."""
     if everything is None or drawn is None or everything <= needed:
         return None
     return min(100.0, 100 * (everything - drawn) / (everything - needed))
@@ -135,14 +140,42 @@ def _shares(results):
                 results.check_at_least(title, share, LIMIT, 1)
             elif counts[0] is None or counts[1] is None:
                 results.check_unknown(title, f">= {LIMIT}", "not measured by this module")
-            results.row("draws", name, what, everything=counts[0], drawn=counts[1], needed=counts[2], share=share)
+            results.row(
+                "draws",
+                name,
+                what,
+                everything=counts[0],
+                drawn=counts[1],
+                needed=counts[2],
+                share=share,
+            )
             cells += [*map(text, counts), text(share, "{:.0f} %")]
         rows.append(cells)
-    return table(("scene", "draws: all", "drawn", "needed", "share", "fragments: all", "drawn", "needed", "share"), rows)
+    return table(
+        (
+            "scene",
+            "draws: all",
+            "drawn",
+            "needed",
+            "share",
+            "fragments: all",
+            "drawn",
+            "needed",
+            "share",
+        ),
+        rows,
+    )
 
 
 def run(results):
-    tables = [_compare(results, f"{COUNT:,} props {where}", make) for where, make in (
-        ("under the plane", _under), ("beside the water's pyramid", _beside))]
-    results.add("What cannot be seen in the water", TEXT, count=f"{COUNT:,}", tables="\n\n".join(tables),
-                shares=_shares(results))
+    tables = [
+        _compare(results, f"{COUNT:,} props {where}", make)
+        for where, make in (("under the plane", _under), ("beside the water's pyramid", _beside))
+    ]
+    results.add(
+        "What cannot be seen in the water",
+        TEXT,
+        count=f"{COUNT:,}",
+        tables="\n\n".join(tables),
+        shares=_shares(results),
+    )

@@ -39,7 +39,9 @@ class Places(lookup.Case):
         """Distances in pixels of the picture, of the water as it is set, at a texture scale."""
         uv = wave_scenes.looked_up(self.made, self.water)[self._counts]
         size = np.array(self.scene.size) * scale
-        right, texture = wave_scenes.map_places(self.scene.camera, self.water, self.pixels.end, size)
+        right, texture = wave_scenes.map_places(
+            self.scene.camera, self.water, self.pixels.end, size
+        )
         is_there = ((right >= 0) & (right <= 1)).all(axis=1)
         return (np.linalg.norm((uv - right) * texture, axis=1) / scale)[is_there]
 
@@ -60,7 +62,9 @@ class Truth(colour.View):
         self.scene, self.water = scene, scene.water
         kinds.set_waves(self.water, waves)
         if tracer:
-            self.truth, is_water = reference.picture(tracer, scene.camera, scene.size, waves, SAMPLES)
+            self.truth, is_water = reference.picture(
+                tracer, scene.camera, scene.size, waves, SAMPLES
+            )
             self.mask = is_water & wt.water_mask(scene.view, self.water)
         else:
             self.truth, self.mask = _mirrored_scene(scene.kind, scene.size)
@@ -85,11 +89,15 @@ class Reference:
             self._truths[True] = Truth(self.scene, kinds.WAVES, self.tracer)
             for has_waves in (False, True):
                 self._render_once(kinds.TRACED if has_waves else kinds.CALM)
-                self._places[has_waves] = Places(self.scene, self.tracer, kinds.WAVES if has_waves else ())
+                self._places[has_waves] = Places(
+                    self.scene, self.tracer, kinds.WAVES if has_waves else ()
+                )
             some = self._places[True].some()
             for step in kinds.STEPS:  # the module turns no axes
                 if step.formula:
-                    self.constants[step.formula] = _best_constant(some, kinds.formula_of(step), is_turned=False)
+                    self.constants[step.formula] = _best_constant(
+                        some, kinds.formula_of(step), is_turned=False
+                    )
 
     @property
     def truth(self):
@@ -111,22 +119,29 @@ class Reference:
         self.scene.view.picture()
 
     def classics(self):
-        """(formula, who and constant, RMSE, FLIP, median of the lookup error) of all classic formulas.
+        """All classic formulas: (formula, who, RMSE, FLIP, median error of the lookup).
 
-        Their pictures are the tracer's: the colour that the mirrored view has at the place they look
-        up, without the loss of a texture.
+        Their pictures are the tracer's: the colour that the mirrored view has at the place they
+        look up, without the loss of a texture.
         """
         self._render_once(kinds.TRACED)
         truth, places = self._truths[True], self._places[True].some()
         for formula in FORMULAS:
-            for who, scale in (("best constant", _best_constant(places, formula)), *formula.published):
+            for who, scale in (
+                ("best constant", _best_constant(places, formula)),
+                *formula.published,
+            ):
                 median, axes = _best_axes(places, formula, scale)
                 picture = self._picture(formula, axes, scale)
                 yield formula.name, who, truth.rmse(picture), truth.flip(picture), median
 
     def _picture(self, formula, axes, scale):
-        truth, pixels = self._truths[True], self._places[True].all.only(self._truths[True].mask.ravel())
-        uv = np.clip(np.nan_to_num(formula.place(pixels, pixels.normal @ axes.T, scale), nan=0.5), 0, 1)
+        truth, pixels = self._truths[True], self._places[True].all.only(
+            self._truths[True].mask.ravel()
+        )
+        uv = np.clip(
+            np.nan_to_num(formula.place(pixels, pixels.normal @ axes.T, scale), nan=0.5), 0, 1
+        )
         picture = truth.truth.copy()
         picture[truth.mask] = np.rint(255 * self._mirrored_colors(pixels, uv))
         return picture
@@ -163,8 +178,10 @@ def _best_constant(places, formula, is_turned=True):
 
 def _best_axes(places, formula, scale, is_turned=True):
     """The smallest median error over the ways to turn a formula's axes, and that way."""
-    found = [(float(np.median(lookup.formula_errors([places], formula, axes, scale))), axes)
-             for axes in (axes_of(formula) if is_turned else (np.eye(3),))]
+    found = [
+        (float(np.median(lookup.formula_errors([places], formula, axes, scale))), axes)
+        for axes in (axes_of(formula) if is_turned else (np.eye(3),))
+    ]
     return min(found, key=lambda each: each[0])
 
 
@@ -178,7 +195,10 @@ def _mirrored_scene(kind, size):
         if actor.IsA("vtkWaterActor"):
             continue
         actor.GetMapper().AddClippingPlane(wt.plane(origin, up))
-        scene.add(wt.mirror_image(actor.GetMapper().GetInput(), origin, up), actor.GetProperty().GetColor())
+        scene.add(
+            wt.mirror_image(actor.GetMapper().GetInput(), origin, up),
+            actor.GetProperty().GetColor(),
+        )
     above = list(scene.renderer.GetVolumes())
     for volume in above:
         scene.renderer.RemoveVolume(volume)
@@ -186,4 +206,7 @@ def _mirrored_scene(kind, size):
         scene.renderer.AddVolume(volume)
     picture = scene.view.picture()
     shape = (size[1], SAMPLES, size[0], SAMPLES)
-    return (np.rint(picture.reshape(*shape, 3).mean(axis=(1, 3))), mask.reshape(shape).all(axis=(1, 3)))
+    return (
+        np.rint(picture.reshape(*shape, 3).mean(axis=(1, 3))),
+        mask.reshape(shape).all(axis=(1, 3)),
+    )

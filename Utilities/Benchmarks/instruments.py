@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""instruments: what the reflection pass says about its last frame. None: this module does not say it."""
+"""instruments: what the reflection pass says about its last frame; None: it does not say."""
 
 SAYS = {
     "props": "GetNumberOfPropsReflected",
@@ -21,8 +21,10 @@ def turn_on(water, is_on=True):
 
 def read(water):
     reflection = water.GetReflectionPass()
-    return {name: getattr(reflection, getter)() if hasattr(reflection, getter) else None
-            for name, getter in SAYS.items()}
+    return {
+        name: getattr(reflection, getter)() if hasattr(reflection, getter) else None
+        for name, getter in SAYS.items()
+    }
 
 
 def set_skips(water, is_on):

@@ -38,7 +38,9 @@ TRACED = Step("RAY_TRACED default", "RayTraceQualityToDefault")
 STEPS = (
     CALM,
     Step("FIXED_OFFSET, s = 0", "LookupToFixedOffset"),
-    FIXED, MOVED, SCALED,
+    FIXED,
+    MOVED,
+    SCALED,
     Step("RAY_TRACED fast", "RayTraceQualityToFast"),
     TRACED,
     Step("RAY_TRACED high", "RayTraceQualityToHigh"),

@@ -12,7 +12,9 @@ from vtkmodules.vtkCommonCore import vtkVersion
 def describe():
     return {
         "cpu": _cpu(),
-        "cores": len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count(),
+        "cores": (
+            len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count()
+        ),
         "renderer": driver(),
         "window": os.environ.get("VTK_DEFAULT_OPENGL_WINDOW", "VTK's choice"),
         "vtk": vtkVersion.GetVTKVersion(),

@@ -5,9 +5,10 @@ import kinds
 import numpy as np
 from report import plt
 
-PARETO_TEXT = """*Full line: the Pareto front, what nothing beats in both time and error. Small marks: the formulas of other
-programs; those that the module lacks are put at the time of its fixed offset, whose shader does no less, and their
-pictures are the tracer's, without the loss of a texture.*"""
+PARETO_TEXT = """*Full line: the Pareto front, what nothing beats in both time and error. Small
+marks: the formulas of other programs; those that the module lacks are put at
+the time of its fixed offset, whose shader does no less, and their pictures are
+the tracer's, without the loss of a texture.*"""
 MARKERS = {1.0: "o", 0.5: "s", 0.25: "^"}
 
 
@@ -22,28 +23,45 @@ def _front(points):
 
 
 def pareto(rows, classics):
-    """rows: (step, scale, frame, row) of the matrix; classics: (formula, who, RMSE, FLIP, ratio)."""
+    """rows: (step, scale, frame, row); classics: (formula, who, RMSE, FLIP, ratio)."""
     figure, axes = plt.subplots(1, 2, figsize=(10, 5.2))
     waves = [each for each in rows if each[0].has_waves]
-    colors = {name: f"C{number}" for number, name in enumerate(dict.fromkeys(step.name for step, *_ in waves))}
+    colors = {
+        name: f"C{number}"
+        for number, name in enumerate(dict.fromkeys(step.name for step, *_ in waves))
+    }
     formulas = list(dict.fromkeys(name for name, *_ in classics))
     for axis, what, label in zip(axes, ("rmse", "flip"), ("RMSE of 255", "FLIP")):
         points = []
         for step, scale, _, row in waves:
-            axis.plot(row["ratio"], row[what], MARKERS[scale], color=colors[step.name], markersize=8,
-                      label=step.name if scale == 1 else None)
+            axis.plot(
+                row["ratio"],
+                row[what],
+                MARKERS[scale],
+                color=colors[step.name],
+                markersize=8,
+                label=step.name if scale == 1 else None,
+            )
             points.append((row["ratio"], row[what]))
         for name, who, rmse, flip, ratio in classics:
             marker = "1234+x"[formulas.index(name) % 6]
-            axis.plot(ratio, rmse if what == "rmse" else flip, marker, color="0.35" if who.startswith("best") else "0.65",
-                      markersize=7, label=name if who.startswith("best") else None)
+            axis.plot(
+                ratio,
+                rmse if what == "rmse" else flip,
+                marker,
+                color="0.35" if who.startswith("best") else "0.65",
+                markersize=7,
+                label=name if who.startswith("best") else None,
+            )
             points.append((ratio, rmse if what == "rmse" else flip))
         axis.plot(*zip(*_front(points)), color="0.2", linewidth=1, zorder=0)
         axis.set(xlabel="time of a frame / without water", ylabel=label, ylim=(0, None))
     for scale, marker in MARKERS.items():
         if any(other == scale for _, other, *_ in waves):
             axes[0].plot([], [], marker, color="0.6", label=f"texture scale {scale:g}")
-    figure.legend(*axes[0].get_legend_handles_labels(), loc="outside lower center", ncols=4, fontsize=8)
+    figure.legend(
+        *axes[0].get_legend_handles_labels(), loc="outside lower center", ncols=4, fontsize=8
+    )
     return figure
 
 
@@ -55,10 +73,16 @@ def pictures(reference):
     shown = reference.scene.view.picture()
     apart = truth.flip_map(shown)
     figure, axes = plt.subplots(1, 3, figsize=(12, 3.3))
-    for axis, name, picture in zip(axes, ("reference", step.name, "FLIP (black: none)"), (truth.truth, shown, apart)):
+    for axis, name, picture in zip(
+        axes, ("reference", step.name, "FLIP (black: none)"), (truth.truth, shown, apart)
+    ):
         is_map = picture.ndim == 2
-        axis.imshow(picture if is_map else (picture / 255).clip(0, 1), origin="lower", interpolation="nearest",
-                    **({"cmap": "magma", "vmin": 0, "vmax": 0.8} if is_map else {}))
+        axis.imshow(
+            picture if is_map else (picture / 255).clip(0, 1),
+            origin="lower",
+            interpolation="nearest",
+            **({"cmap": "magma", "vmin": 0, "vmax": 0.8} if is_map else {}),
+        )
         axis.set_title(name)
         axis.axis("off")
     return figure

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""ratios: what water costs on the terrain when nothing changes, when it is not seen, and with waves."""
+"""ratios: what water costs on the terrain: unchanged, not seen, with waves, in many lakes."""
 
 import geometry
 import kinds
@@ -18,10 +18,11 @@ SHEET_OPACITY = 0.5
 HIDDEN = 6  # cells of the elevation model that the hidden water is wide to each side
 
 TEXT = """
-Ratios of medians on the terrain, $width x $height pixels, every kind of frame in a window of its own. In the first group
-scene and camera stand still, and only the time of the waves moves on; sheet: a plain plane at the water's level with
-an opacity of $opacity. Hidden water lies inside a mountain; water that faces away has backface culling and is seen from
-its culled side; neither changes a pixel, which is checked. Of eight lakes at eight levels two are in view.
+Ratios of medians on the terrain, $width x $height pixels, every kind of frame in a window of its
+own. In the first group scene and camera stand still, and only the time of the waves moves on;
+sheet: a plain plane at the water's level with an opacity of $opacity. Hidden water lies inside a
+mountain; water that faces away has backface culling and is seen from its culled side; neither
+changes a pixel, which is checked. Of eight lakes at eight levels two are in view.
 
 $tables
 """
@@ -34,11 +35,14 @@ def terrain(has_water=True, **changes):
 
 def compare(results, title, frames, checks):
     """Measures a group of frames. checks: (of what, over what, limit). Returns the table."""
-    measure(frames, results.rounds(ROUNDS, QUICK_ROUNDS), QUICK_BUDGET_S if results.is_quick else BUDGET_S)
+    measure(
+        frames,
+        results.rounds(ROUNDS, QUICK_ROUNDS),
+        QUICK_BUDGET_S if results.is_quick else BUDGET_S,
+    )
     by_name = {frame.name: frame for frame in frames}
     for frame in frames:
-        results.row("ratios", title, frame.name, median_ms=frame.median, q1_ms=frame.quartiles[0],
-                    q3_ms=frame.quartiles[1], frames=len(frame.times), ratio=frame.median / frames[0].median)
+        results.row("ratios", title, frame.name, **frame.row, ratio=frame.median / frames[0].median)
     for what, over, limit in checks:
         name = f"{title}: {what} / {over}"
         ratio = by_name[what].median / by_name[over].median
@@ -48,7 +52,8 @@ def compare(results, title, frames, checks):
             print(f"{name}: {ratio:.3f}", flush=True)
     return f"**{title}**, medians of {len(frames[0].times)} frames of each kind\n\n" + table(
         ("frame", "ms", f"/ {frames[0].name}"),
-        [(frame.name, str(frame), f"{frame.median / frames[0].median:.3f}") for frame in frames])
+        [(frame.name, str(frame), f"{frame.median / frames[0].median:.3f}") for frame in frames],
+    )
 
 
 def _add_sheet(scene):
@@ -67,18 +72,39 @@ def _static(results):
     _add_sheet(sheet)
     kinds.CALM.apply(calm.water, 1, {})
     kinds.TRACED.apply(traced.water, 1, {})
-    frames = [Frame(name, scene.window, scene.pass_time) for name, scene in (
-        ("no water", plain), ("sheet", sheet), ("calm water", calm), ("RAY_TRACED on waves", traced))]
-    return compare(results, "nothing changes but time", frames, (
-        ("calm water", "sheet", 1.10), ("RAY_TRACED on waves", "sheet", 1.30), ("calm water", "no water", None)))
+    frames = [
+        Frame(name, scene.window, scene.pass_time)
+        for name, scene in (
+            ("no water", plain),
+            ("sheet", sheet),
+            ("calm water", calm),
+            ("RAY_TRACED on waves", traced),
+        )
+    ]
+    return compare(
+        results,
+        "nothing changes but time",
+        frames,
+        (
+            ("calm water", "sheet", 1.10),
+            ("RAY_TRACED on waves", "sheet", 1.30),
+            ("calm water", "no water", None),
+        ),
+    )
 
 
 def inside_a_mountain(scene):
     """Bounds of a sheet that the ground covers, in the middle of the view."""
     x, y, metres = geometry.elevation()
     height = metres - scenes.LEVEL / geometry.METRES
-    lowest = np.min([np.roll(height, (i, j), (0, 1)) for i in range(-HIDDEN, HIDDEN + 1, 2)
-                     for j in range(-HIDDEN, HIDDEN + 1, 2)], axis=0)
+    lowest = np.min(
+        [
+            np.roll(height, (i, j), (0, 1))
+            for i in range(-HIDDEN, HIDDEN + 1, 2)
+            for j in range(-HIDDEN, HIDDEN + 1, 2)
+        ],
+        axis=0,
+    )
     east, north = np.meshgrid(x, y)
     eye = np.array(scene.kind.eye)
     ahead = np.array(scene.kind.target) - eye
@@ -92,7 +118,12 @@ def inside_a_mountain(scene):
 
 
 def behind_the_eye(scene):
-    return (scene.kind.eye[0] + 5, scene.kind.eye[0] + 15, scene.kind.eye[1] - 5, scene.kind.eye[1] + 5)
+    return (
+        scene.kind.eye[0] + 5,
+        scene.kind.eye[0] + 15,
+        scene.kind.eye[1] - 5,
+        scene.kind.eye[1] + 5,
+    )
 
 
 def _unseen(results):
@@ -105,8 +136,10 @@ def _unseen(results):
     for name, scene in names.items():
         apart = int((plain.view.picture() != scene.view.picture()).any(axis=2).sum())
         results.check_at_most(f"water not seen: pixels that change, {name}", apart, 0, 0)
-    frames = [Frame("no water", plain.window, plain.step),
-              *(Frame(name, scene.window, scene.step) for name, scene in names.items())]
+    frames = [
+        Frame("no water", plain.window, plain.step),
+        *(Frame(name, scene.window, scene.step) for name, scene in names.items()),
+    ]
     return compare(results, "water not seen", frames, [(name, "no water", 1.02) for name in names])
 
 
@@ -115,7 +148,9 @@ def _lookups(results):
     for step in (kinds.CALM, kinds.FIXED, kinds.TRACED):
         step.apply(scene_of[step.name].water, 1, {kinds.FIXED.formula: 0.2})
     frames = [Frame(name, scene.window, scene.step) for name, scene in scene_of.items()]
-    return compare(results, "everything moves", frames, ((kinds.TRACED.name, kinds.FIXED.name, 1.3),))
+    return compare(
+        results, "everything moves", frames, ((kinds.TRACED.name, kinds.FIXED.name, 1.3),)
+    )
 
 
 def _lakes(results):
@@ -136,10 +171,22 @@ def _lakes(results):
     eight.view.picture()
     renders = [water.GetReflectionPass().GetNumberOfReflectionRenders() for water in waters]
     print(f"lakes: mirrored views {renders} in one frame")
-    frames = [Frame(name, scene.window, scene.step) for name, scene in (("two lakes", two), ("eight lakes", eight))]
-    return compare(results, "lakes at levels of their own", frames, (("eight lakes", "two lakes", 1.1),))
+    frames = [
+        Frame(name, scene.window, scene.step)
+        for name, scene in (("two lakes", two), ("eight lakes", eight))
+    ]
+    return compare(
+        results, "lakes at levels of their own", frames, (("eight lakes", "two lakes", 1.1),)
+    )
 
 
 def run(results):
     tables = [part(results) for part in (_static, _unseen, _lookups, _lakes)]
-    results.add("Ratios", TEXT, width=SIZE[0], height=SIZE[1], opacity=SHEET_OPACITY, tables="\n\n".join(tables))
+    results.add(
+        "Ratios",
+        TEXT,
+        width=SIZE[0],
+        height=SIZE[1],
+        opacity=SHEET_OPACITY,
+        tables="\n\n".join(tables),
+    )

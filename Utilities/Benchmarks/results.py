@@ -41,15 +41,27 @@ class Results(Report):
             writer = csv.DictWriter(file, columns, restval="", lineterminator="\n")
             writer.writeheader()
             writer.writerows(
-                {name: _short(value) for name, value in row.items()} for row in self._rows)
+                {name: _short(value) for name, value in row.items()} for row in self._rows
+            )
         checks = [dict(zip(("figure", "value", "limit", "verdict"), each)) for each in self._checks]
-        (self._folder / "benchmarks.json").write_text(json.dumps(
-            {"machine": self.machine, "quick": self.is_quick, "limits": checks, "rows": self._rows},
-            indent=1, default=float) + "\n")
+        (self._folder / "benchmarks.json").write_text(
+            json.dumps(
+                {
+                    "machine": self.machine,
+                    "quick": self.is_quick,
+                    "limits": checks,
+                    "rows": self._rows,
+                },
+                indent=1,
+                default=float,
+            )
+            + "\n"
+        )
         names = ("cpu", "cores", "renderer", "window", "vtk", "python", "system", "load")
         super().write(
             machine=table(("", ""), [(name, str(self.machine[name])) for name in names]),
-            how="`--quick`: few frames, a small mesh, some of the steps. " if self.is_quick else "")
+            how="`--quick`: few frames, a small mesh, some of the steps. " if self.is_quick else "",
+        )
 
 
 def _short(value):

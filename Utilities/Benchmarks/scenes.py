@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""scenes: what the benchmark draws. The water is at z = 0 everywhere, its waves are the posts' (wave_scenes).
+"""scenes: what the benchmark draws. The water is at z = 0, its waves are the posts' (wave_scenes).
 
 A scene is timed lit, in water as it comes, and its errors are taken unlit, in water that reflects
 everything: that is what the tracer knows.
@@ -99,6 +99,7 @@ def make_terrain(tiles=1, level=LEVEL):
     def fill(scene):
         for tile in geometry.terrain(level, tiles):
             scene.add(tile)
+
     return fill
 
 
@@ -110,8 +111,10 @@ def _fill_plume(scene):
 def geometry_of_plume(scene):
     """What stands around the plume."""
     for i in range(6):
-        scene.add(wt.box((-6 + 2.4 * i, 7 - 0.8 * (i % 3), 0.5 + 0.2 * i), (0.8, 0.8, 2 + 0.5 * i)),
-                  (0.3 + 0.1 * i, 0.5, 0.7 - 0.1 * i))
+        scene.add(
+            wt.box((-6 + 2.4 * i, 7 - 0.8 * (i % 3), 0.5 + 0.2 * i), (0.8, 0.8, 2 + 0.5 * i)),
+            (0.3 + 0.1 * i, 0.5, 0.7 - 0.1 * i),
+        )
 
 
 def make_props(count, size):
@@ -127,17 +130,55 @@ def kinds(is_quick):
     """The scenes of the matrix by name."""
     count = 500_000 if is_quick else 5_000_000
     found = (
-        Kind("terrain", "the land of Examples/Data, one actor of 275,772 triangles", make_terrain(), TERRAIN_SHEET,
-             TERRAIN_EYE, TERRAIN_TARGET),
-        Kind("1,000 props", "boxes, pyramids and balls, an actor each", make_props(1000, 0.5), SMALL_SHEET, SMALL_EYE,
-             SMALL_TARGET),
-        Kind("10,000 props", "the same, ten times as many and smaller", make_props(10_000, 0.22), SMALL_SHEET, SMALL_EYE,
-             SMALL_TARGET),
-        Kind("big mesh", f"hills, one actor of about {count:,} triangles",
-             lambda scene: scene.add(geometry.big_mesh(count)), SMALL_SHEET, SMALL_EYE, SMALL_TARGET),
-        Kind("plume", f"a volume of {geometry.PLUME_SIZE}^3 voxels over the water and six boxes", _fill_plume,
-             SMALL_SHEET, (2, -17, 4), (0, 0, 1.2), has_tracer=False),
-        Kind("flood", "the terrain, the water's level moving from frame to frame",
-             make_terrain(level=FLOOD_LEVEL), TERRAIN_SHEET, TERRAIN_EYE, TERRAIN_TARGET, is_flood=True),
+        Kind(
+            "terrain",
+            "the land of Examples/Data, one actor of 275,772 triangles",
+            make_terrain(),
+            TERRAIN_SHEET,
+            TERRAIN_EYE,
+            TERRAIN_TARGET,
+        ),
+        Kind(
+            "1,000 props",
+            "boxes, pyramids and balls, an actor each",
+            make_props(1000, 0.5),
+            SMALL_SHEET,
+            SMALL_EYE,
+            SMALL_TARGET,
+        ),
+        Kind(
+            "10,000 props",
+            "the same, ten times as many and smaller",
+            make_props(10_000, 0.22),
+            SMALL_SHEET,
+            SMALL_EYE,
+            SMALL_TARGET,
+        ),
+        Kind(
+            "big mesh",
+            f"hills, one actor of about {count:,} triangles",
+            lambda scene: scene.add(geometry.big_mesh(count)),
+            SMALL_SHEET,
+            SMALL_EYE,
+            SMALL_TARGET,
+        ),
+        Kind(
+            "plume",
+            f"a volume of {geometry.PLUME_SIZE}^3 voxels over the water and six boxes",
+            _fill_plume,
+            SMALL_SHEET,
+            (2, -17, 4),
+            (0, 0, 1.2),
+            has_tracer=False,
+        ),
+        Kind(
+            "flood",
+            "the terrain, the water's level moving from frame to frame",
+            make_terrain(level=FLOOD_LEVEL),
+            TERRAIN_SHEET,
+            TERRAIN_EYE,
+            TERRAIN_TARGET,
+            is_flood=True,
+        ),
     )
     return {kind.name: kind for kind in found}

@@ -19,7 +19,7 @@ SEED = 20261121
 
 @dataclass
 class Frame:
-    """One kind of frame. before(turn): what is new, not timed; choose(): makes a shared window its own."""
+    """One kind of frame. before(turn): what is new, untimed; choose(): makes a window its own."""
 
     name: str
     window: object
@@ -43,6 +43,18 @@ class Frame:
     def quartiles(self):
         """ms"""
         return tuple(1000 * float(share) for share in np.percentile(self.times, (25, 75)))
+
+    @property
+    def row(self):
+        """For the CSV. What else the machine does lengthens the median, but hardly the fastest."""
+        low, high = self.quartiles
+        return {
+            "median_ms": self.median,
+            "q1_ms": low,
+            "q3_ms": high,
+            "fastest_ms": 1000 * min(self.times),
+            "frames": len(self.times),
+        }
 
     def __str__(self):
         low, high = self.quartiles
