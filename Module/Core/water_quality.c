@@ -49,6 +49,45 @@ static bool is_length(double value)
   return isfinite(value) && value >= 0.0;
 }
 
+// The place on the plane of a point of the picture, in NDC.
+static void place_of(const water_plan* plan, double x, double y, double place[2])
+{
+  const double* rows = plan->ndc_to_plane;
+  const double w = rows[6] * x + rows[7] * y + rows[8];
+  place[0] = (rows[0] * x + rows[1] * y + rows[2]) / w;
+  place[1] = (rows[3] * x + rows[4] * y + rows[5]) / w;
+}
+
+void water_quality_look(const water_scene* scene, const water_plan* plan, double wave_number,
+  water_roughness* roughness)
+{
+  const double* clip = scene->eye.view_to_clip;
+  roughness->slope_rms = scene->slope_rms;
+  roughness->turn_rad = 0.0;
+  roughness->pixels_per_radian =
+    clip[14] != 0.0 ? 0.5 * scene->viewport_px[1] * fabs(clip[5]) : 0.0;
+  if (!plan->has_view || !water_plan_has_map(plan))
+  {
+    return;
+  }
+  double box[4];
+  water_target_box_of_rect(plan->texture_rect_px, plan->texture_px, box);
+  // the map is flipped in x
+  const double x = -0.5 * (box[0] + box[2]) / plan->map_scale[0];
+  const double y = 0.5 * (box[1] + box[3]) / plan->map_scale[1];
+  double middle[2];
+  double across[2];
+  double down[2];
+  place_of(plan, x, y, middle);
+  place_of(plan, x + 2.0 / scene->viewport_px[0], y, across);
+  place_of(plan, x, y + 2.0 / scene->viewport_px[1], down);
+  const double pixel = hypot(hypot(across[0] - middle[0], across[1] - middle[1]),
+    hypot(down[0] - middle[0], down[1] - middle[1]));
+  // a wave runs along both sides alike, on the mean of all directions
+  const double turn = wave_number * pixel / sqrt(2.0);
+  roughness->turn_rad = isfinite(turn) ? turn : 0.0;
+}
+
 water_status water_quality_error(int step, const water_roughness* roughness, double* error_px)
 {
   if (!is_length(roughness->slope_rms) || !is_length(roughness->turn_rad) ||

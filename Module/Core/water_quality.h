@@ -32,6 +32,9 @@ typedef struct water_quality
   int ray_probes;       // RayTraceProbes, 12 to 3
 } water_quality;
 
+struct water_plan;
+struct water_scene;
+
 // A step of the ladder; a number beyond its ends counts as the end.
 void water_quality_of_step(int step, water_quality* quality);
 
@@ -44,6 +47,13 @@ typedef struct water_roughness
   double pixels_per_radian; // of the picture at its middle, 0.5 height_px view_to_clip[5]; 0 for a
                             // parallel eye
 } water_roughness;
+
+// How rough water looks in the middle of what is seen of it.
+//
+// plan         of the scene, or of the one before it; with a view
+// wave_number  typical of the waves, rad/m; 0: not known, all of them are resolved
+void water_quality_look(const struct water_scene* scene, const struct water_plan* plan,
+  double wave_number, water_roughness* roughness);
 
 // Median distance, in pixels, of what a reflected ray reads from its right place.
 //

@@ -128,7 +128,8 @@ def mean_slopes(waves, place):
 def looked_up(made, water):
     """Where each pixel had its reflection from: u, v of the mirrored view's texture."""
     water.GetWaterProperty().SetOutputToLookup()
-    red, green, blue = (made.picture()[:, :, i].ravel() for i in range(3))
+    picture = made.picture()
+    red, green, blue = (picture[:, :, i].ravel() for i in range(3))
     water.GetWaterProperty().SetOutputToColor()
     return np.stack([red * 16 + green // 16, green % 16 * 256 + blue], axis=1) / 4095.0
 

@@ -69,7 +69,6 @@ class Case:
         look.SetOffsetScale(scale)
         return wave_scenes.looked_up(self.made, self.water)[self._counts]
 
-
     def reasons(self):
         """The kind (confidence.KINDS) that the module calls its lookup."""
         look = self.water.GetWaterProperty()

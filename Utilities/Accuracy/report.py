@@ -22,10 +22,13 @@ def table(header, rows):
 
 
 class Report:
-    """Collects the sections. folder gets accuracy.md, and images/accuracy-*.png."""
+    """Collects the sections. The template is NAME.md.in; folder gets NAME.md, and images/NAME-*.png."""
 
-    def __init__(self, folder):
-        self._folder = folder
+    FAILED = "NOT MET"
+
+    def __init__(self, folder, template=pathlib.Path(__file__).parent / "accuracy.md.in"):
+        self._folder, self._template = folder, template
+        self._name = template.name.split(".")[0]
         self._sections, self._checks = [], []
         (folder / "images").mkdir(parents=True, exist_ok=True)
 
@@ -36,16 +39,16 @@ class Report:
         self._check(name, value, f">= {limit:g}", value >= limit, digits)
 
     def _check(self, name, value, limit, holds, digits):
-        verdict = "ok" if holds else "NOT MET"
+        verdict = "ok" if holds else self.FAILED
         self._checks.append((name, f"{value:.{digits}f}", limit, verdict))
         print(f"{name}: {value:.{digits}f} (limit {limit}) {verdict}", flush=True)
 
     def has_failed(self):
-        return any(verdict != "ok" for *_, verdict in self._checks)
+        return any(verdict == self.FAILED for *_, verdict in self._checks)
 
     def save(self, figure, name, alt):
         """Saves a plot or picture; returns the Markdown that shows it."""
-        path = pathlib.Path("images") / f"accuracy-{name}.png"
+        path = pathlib.Path("images") / f"{self._name}-{name}.png"
         figure.savefig(self._folder / path, dpi=110, metadata={"Software": None})
         plt.close(figure)
         return f"![{alt}]({path})"
@@ -54,20 +57,23 @@ class Report:
         """A section: prose with $name where a value goes."""
         self._sections.append(f"## {title}\n" + string.Template(text).substitute(values).strip())
 
-    def write(self):
-        frame = string.Template((pathlib.Path(__file__).parent / "accuracy.md.in").read_text())
+    def write(self, **values):
+        """Fills the template in; values: what it wants beside the following."""
+        frame = string.Template(self._template.read_text())
         text = frame.substitute(
             checks=table(("figure", "value", "limit", ""), self._checks),
             vtk=vtkVersion.GetVTKVersion(),
-            driver=_driver(),
+            driver=driver(),
             sections="\n\n".join(self._sections),
+            **values,
         )
-        path = self._folder / "accuracy.md"
+        path = self._folder / f"{self._name}.md"
         path.write_text(text.rstrip() + "\n")
         print(f"the report: {path}")
 
 
-def _driver():
+def driver():
+    """The renderer's name."""
     view = wt.View((8, 8))
     view.picture()
     for line in view.window.ReportCapabilities().splitlines():

@@ -15,11 +15,13 @@ FLOAT_TOLERANCE = 1e-4  # relative; a hit that is farther from its triangle's pl
 
 
 class Tracer:
-    """The unlit actors of a renderer, without its water."""
+    """The unlit actors of a renderer, without its water: of one colour, or of the points' RGB bytes."""
 
     def __init__(self, renderer):
         self._scene = EmbreeScene(robust=True)
         self._corners, self._first, colors = [], [], []
+        self._corner_colors = {}  # by actor, of those that have colours at their points
+        count = 0
         for actor in renderer.GetActors():
             if actor.IsA("vtkWaterActor"):
                 continue
@@ -31,14 +33,19 @@ class Tracer:
             triangles.Update()
             data = triangles.GetOutput()
             points = vtk_to_numpy(data.GetPoints().GetData()).astype(float)
-            corners = points[vtk_to_numpy(data.GetPolys().GetConnectivityArray()).reshape(-1, 3)]
+            ids = vtk_to_numpy(data.GetPolys().GetConnectivityArray()).reshape(-1, 3)
+            corners = points[ids]
             TriangleMesh(self._scene, np.ascontiguousarray(corners, dtype=np.float32))
-            self._first.append(sum(len(other) for other in self._corners))
+            if actor.GetMapper().GetScalarVisibility() and data.GetPointData().GetScalars():
+                rgb = vtk_to_numpy(data.GetPointData().GetScalars())
+                self._corner_colors[len(self._first)] = (rgb, ids)
+            self._first.append(count)
+            count += len(corners)
             self._corners.append(corners)
             colors.append(actor.GetProperty().GetColor())
         self._corners = np.concatenate(self._corners)
         self._first = np.array(self._first)
-        self._colors = np.array(colors + [renderer.GetBackground()])
+        self._colors = np.array([*colors, renderer.GetBackground()])
         self.top = float(self._corners[..., 2].max())
         self.triangle_count = len(self._corners)
         self.hit_count = 0
@@ -63,4 +70,13 @@ class Tracer:
         self.doubtful_count += int((~is_fine).sum())
         distance = np.full(len(ray), np.inf)
         distance[is_hit] = np.where(is_fine, fine, coarse)
-        return self._colors[thing], distance
+        return self._seen(thing, found), distance
+
+    def _seen(self, thing, found):
+        colors = self._colors[thing]
+        for number, (rgb, ids) in self._corner_colors.items():
+            chosen = np.flatnonzero(thing == number)
+            second, third = (found[name][chosen].astype(float)[:, None] for name in "uv")
+            first, *others = (rgb[ids[found["primID"][chosen], i]] for i in range(3))
+            colors[chosen] = ((1 - second - third) * first + second * others[0] + third * others[1]) / 255
+        return colors

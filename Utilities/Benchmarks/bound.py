@@ -1,0 +1,152 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""bound: a moving camera, and what a frame with water costs at least when all is drawn anew."""
+
+import instruments
+import kinds
+import water_test as wt
+from ratios import compare, terrain
+from report import table
+from timing import Frame
+
+SCALES = (1.0, 0.5)
+TINY = 0.01  # of the window, the viewport in which only the geometry costs
+LIMITS = {
+    ("bare terrain", 1.0): 1.6,
+    ("terrain and 1,000 props", 1.0): 1.55,
+    ("bare terrain", 0.5): 1.45,
+}
+BOUND_LIMIT = 1.15
+PROPS = (1000, (0, -20, 0.3), (30, 25, 3.0), 0.3)
+
+TEXT = """
+The camera moves, calm water. The bound is 1 + (g V + f s^2 F) / (V + F) + f c: V the time of the
+frame's geometry, from a viewport of $tiny of the window's width and height; F the rest of the
+frame without water; f the water's share of the picture; g the share of the triangles that the
+mirrored view draws (of the props, if the module does not count triangles); s the texture scale; f
+c the surface's own time over that of the frame, from water that reflects a static environment and
+has no mirrored view.
+
+$tables
+
+$bounds
+"""
+
+
+def _scene(has_props, has_water=True):
+    scene = terrain(has_water)
+    if has_props:
+        scene.add_things(*PROPS)
+    return scene
+
+
+def _triangles(scene):
+    return sum(
+        actor.GetMapper().GetInput().GetNumberOfCells()
+        for actor in scene.renderer.GetActors()
+        if not actor.IsA("vtkWaterActor")
+    )
+
+
+def _mirrored_share(scene):
+    """g"""
+    instruments.turn_on(scene.water)
+    scene.stand(0)
+    scene.view.picture()
+    said = instruments.read(scene.water)
+    instruments.turn_on(scene.water, False)
+    if said["triangles"] is not None:
+        return said["triangles"] / _triangles(scene)
+    return said["props"] / (scene.renderer.GetActors().GetNumberOfItems() - 1)
+
+
+def _measure(results, name, has_props):
+    plain, geometry = _scene(has_props, False), _scene(has_props, False)
+    geometry.renderer.SetViewport(0, 0, TINY, TINY)
+    still = _scene(has_props)
+    still.water.GetWaterProperty().SetReflectionSourceToEnvironment()
+    waters = {scale: _scene(has_props) for scale in SCALES}
+    for scale, scene in waters.items():
+        kinds.CALM.apply(scene.water, scale, {})
+    frames = [
+        Frame("no water", plain.window, plain.step),
+        Frame("geometry", geometry.window, geometry.step),
+        Frame("environment", still.window, still.step),
+        *(
+            Frame(f"calm water, scale {scale:g}", scene.window, scene.step)
+            for scale, scene in waters.items()
+        ),
+    ]
+    shown = compare(
+        results,
+        name,
+        frames,
+        [
+            (f"calm water, scale {scale:g}", "no water", LIMITS.get((name, scale)))
+            for scale in SCALES
+        ],
+    )
+    whole, only_geometry, surface = (frame.median for frame in frames[:3])
+    v = min(only_geometry, whole)
+    f_share = float(wt.water_mask(waters[1.0].view, waters[1.0].water).mean())
+    cost = max(surface - whole, 0) / whole
+    rows = []
+    for (scale, scene), frame in zip(waters.items(), frames[3:]):
+        g = _mirrored_share(scene)
+        bound = 1 + (g * v + f_share * scale**2 * (whole - v)) / whole + cost
+        ratio = frame.median / whole
+        results.check_at_most(f"{name}, scale {scale:g}: ratio / bound", ratio / bound, BOUND_LIMIT)
+        results.row(
+            "bound",
+            name,
+            f"scale {scale:g}",
+            scale=scale,
+            V_ms=v,
+            F_ms=whole - v,
+            g=g,
+            f=f_share,
+            f_c=cost,
+            bound=bound,
+            ratio=ratio,
+        )
+        rows.append(
+            (
+                name,
+                f"{scale:g}",
+                f"{v:.1f}",
+                f"{whole - v:.1f}",
+                f"{g:.2f}",
+                f"{f_share:.2f}",
+                f"{cost:.3f}",
+                f"{bound:.2f}",
+                f"{ratio:.2f}",
+                f"{ratio / bound:.2f}",
+            )
+        )
+    return shown, rows
+
+
+def run(results):
+    tables, rows = [], []
+    for name, has_props in (("bare terrain", False), ("terrain and 1,000 props", True)):
+        shown, found = _measure(results, name, has_props)
+        tables.append(shown)
+        rows += found
+    header = (
+        "scene",
+        "s",
+        "V, ms",
+        "F, ms",
+        "g",
+        "f",
+        "f c",
+        "bound",
+        "measured",
+        "measured / bound",
+    )
+    results.add(
+        "A moving camera, and its bound",
+        TEXT,
+        tiny=TINY,
+        tables="\n\n".join(tables),
+        bounds=table(header, rows),
+    )

@@ -1,0 +1,83 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""timing: times of frames that take turns, in another random order in every round.
+
+What slows the machine down slows all kinds of frames down. The first frames of each kind do not
+count. Several kinds may share a window: after each change some frames settle it, uncounted.
+"""
+
+import gc
+import time
+from dataclasses import dataclass, field
+
+import numpy as np
+
+WARM_UP = 2  # rounds
+LEAST = 3  # rounds, whatever the budget
+TURN_OF_SETTLING = 17  # another place on the path than that of the frame that counts
+SEED = 20261121
+
+
+@dataclass
+class Frame:
+    """One kind of frame. before(turn): what is new, untimed; choose(): makes a window its own."""
+
+    name: str
+    window: object
+    before: object
+    choose: object = None
+    times: list = field(default_factory=list)  # s
+
+    def render(self, turn):
+        self.before(turn)
+        begin = time.perf_counter()
+        self.window.Render()
+        self.window.WaitForCompletion()
+        return time.perf_counter() - begin
+
+    @property
+    def median(self):
+        """ms"""
+        return 1000 * float(np.median(self.times))
+
+    @property
+    def quartiles(self):
+        """ms"""
+        return tuple(1000 * float(share) for share in np.percentile(self.times, (25, 75)))
+
+    @property
+    def row(self):
+        """For the CSV. What else the machine does lengthens the median, but hardly the fastest."""
+        low, high = self.quartiles
+        return {
+            "median_ms": self.median,
+            "q1_ms": low,
+            "q3_ms": high,
+            "fastest_ms": 1000 * min(self.times),
+            "frames": len(self.times),
+        }
+
+    def __str__(self):
+        low, high = self.quartiles
+        return f"{self.median:.1f} ({low:.1f} to {high:.1f})"
+
+
+def measure(frames, rounds, budget_s, warm_up=WARM_UP):
+    """Renders all kinds in turns: so many rounds, fewer when the time is over, at least LEAST."""
+    random = np.random.default_rng(SEED)
+    order = list(frames)
+    gc.collect()
+    gc.disable()  # a collection would fall into somebody's frame
+    begin = time.perf_counter()
+    for turn in range(-warm_up, rounds):
+        if turn >= LEAST and time.perf_counter() - begin > budget_s:
+            break
+        random.shuffle(order)
+        for frame in order:
+            if frame.choose:
+                frame.choose()
+                frame.render(turn + TURN_OF_SETTLING)
+            took = frame.render(turn + warm_up)
+            if turn >= 0:
+                frame.times.append(took)
+    gc.enable()
+    return frames
