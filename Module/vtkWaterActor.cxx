@@ -426,6 +426,9 @@ void vtkWaterActor::ShallowCopy(vtkProp* prop)
     this->OwnPass->SetSkips(other->OwnPass->GetSkips());
     this->OwnPass->SetMinimumPropSize(other->OwnPass->GetMinimumPropSize());
     this->OwnPass->SetReflectanceError(other->OwnPass->GetReflectanceError());
+    this->OwnPass->SetQuality(other->OwnPass->GetQuality());
+    this->OwnPass->SetTargetError(other->OwnPass->GetTargetError());
+    this->OwnPass->SetTimeBudget(other->OwnPass->GetTimeBudget());
     this->OwnPass->SetShowReflection(other->OwnPass->GetShowReflection());
   }
 }

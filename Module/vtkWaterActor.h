@@ -198,6 +198,8 @@ private:
   // Puts the water behind all other props in the order of this frame: what hides it, and what is
   // seen through it, is there before it.
   void DrawLast(vtkRenderer* renderer);
+  // Milliseconds that the sheets may take in this frame; 0: theirs is no budget.
+  double FindBudget(vtkOpenGLRenderer* renderer, const std::vector<vtkWaterActor*>& sheets);
   // Is it likely that the picture before the water says what need not be drawn in its mirrored
   // view?
   bool IsWorthWaiting(vtkOpenGLRenderer* renderer, const std::vector<vtkWaterActor*>& sheets);

@@ -25,6 +25,7 @@
 #include "vtkWaterSheet.h"
 #include "vtkWaterSurface.h"
 #include "water_plan.h"
+#include "water_quality.h"
 
 #include <algorithm>
 
@@ -181,6 +182,7 @@ void vtkWaterActor::RenderSharedReflection(
     isLate && std::count_if(Props(renderer).Begin, Props(renderer).End, [](vtkProp* prop) {
       return prop->IsA("vtkWaterActor") != 0;
     }) == static_cast<std::ptrdiff_t>(sheets.size());
+  moment.Budget = this->FindBudget(renderer, sheets);
   leader->OwnPass->RenderReflection(renderer, sheets, viewport_px, moment);
   for (vtkWaterActor* water : sheets)
   {
@@ -189,6 +191,42 @@ void vtkWaterActor::RenderSharedReflection(
       water->OwnPass->SetDecision(WATER_NO_REFLECT_SHARED);
     }
   }
+}
+
+//------------------------------------------------------------------------------
+double vtkWaterActor::FindBudget(
+  vtkOpenGLRenderer* renderer, const std::vector<vtkWaterActor*>& sheets)
+{
+  vtkWaterReflectionPass* pass = sheets.front()->OwnPass;
+  if (pass->GetQuality() == vtkWaterReflectionPass::FIXED ||
+    pass->GetQuality() == vtkWaterReflectionPass::TARGET_ERROR)
+  {
+    return 0.0;
+  }
+  const bool isByRate = pass->GetQuality() == vtkWaterReflectionPass::UPDATE_RATE;
+  const double rate = renderer->GetRenderWindow()->GetDesiredUpdateRate();
+  const double budget = isByRate ? 500.0 / std::max(rate, 1e-6) : pass->GetTimeBudget();
+  // what was seen in the last frame of all that go by a budget, and which of them are ours
+  std::vector<double> areas;
+  std::vector<bool> areOurs;
+  const Props props(renderer);
+  std::for_each(props.Begin, props.End, [&](vtkProp* prop) {
+    auto* water = vtkWaterActor::SafeDownCast(prop);
+    if (water && water->OwnPass->GetQuality() == pass->GetQuality())
+    {
+      areas.push_back(
+        static_cast<double>(water->OwnPass->GetOcclusion(renderer)->WaitForSamples()));
+      areOurs.push_back(std::find(sheets.begin(), sheets.end(), water) != sheets.end());
+    }
+  });
+  std::vector<double> shares(areas.size(), 0.0);
+  water_quality_share(areas.data(), areas.size(), budget, shares.data());
+  double sum = 0.0;
+  for (size_t i = 0; i < shares.size(); ++i)
+  {
+    sum += areOurs[i] ? shares[i] : 0.0;
+  }
+  return sum > 0.0 ? sum : budget; // nothing is known of the first frame
 }
 
 //------------------------------------------------------------------------------
@@ -384,6 +422,7 @@ void vtkWaterActor::Render(vtkRenderer* renderer, vtkMapper* mapper)
   frame.Screen = pass->GetScreen(renderer);
   frame.Reflection = pass->GetTexture(renderer, this);
   frame.ReflectionDepth = frame.Plan ? pass->GetReflectionDepthTexture() : nullptr;
+  pass->GetRayLimits(&frame.MostSteps, &frame.MostProbes);
   water_grid_view view;
   const bool isDisplaced = this->IsDisplaced() && vtkWaterGather::ReadView(renderer, this, &view);
   frame.View = isDisplaced ? &view : nullptr;

@@ -556,6 +556,7 @@ private:
   // No slope that a reflection is looked up with is steeper; infinity: none is known, or the
   // mirrored view is read elsewhere, too.
   double GetSlopeLookedUp() const;
+  double GetWaveNumber() const;        // typical of the sines, rad/m; 0: not known
   bool HasGlitter() const;             // calm water has none
   const double* GetExtinction() const; // absorption + scattering
   // Refuses a colour with a channel outside [0, 1].

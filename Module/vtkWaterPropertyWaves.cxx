@@ -149,6 +149,15 @@ double vtkWaterProperty::GetWaveHeightMax() const
 }
 
 //------------------------------------------------------------------------------
+double vtkWaterProperty::GetWaveNumber() const
+{
+  double height = 0.0;
+  double slope = 0.0;
+  water_waves_rms(this->Internal->Waves.data(), this->Internal->Waves.size(), &height, &slope);
+  return height > 0.0 && !this->Sea ? slope / height : 0.0;
+}
+
+//------------------------------------------------------------------------------
 double vtkWaterProperty::GetSlopeLookedUp() const
 {
   if (!this->NeedsRays())

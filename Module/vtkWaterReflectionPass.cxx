@@ -5,7 +5,6 @@
 #include "vtkHardwareSelector.h"
 #include "vtkInformationIntegerKey.h"
 #include "vtkInformationObjectBaseKey.h"
-#include "vtkMath.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLRenderer.h"
@@ -16,19 +15,13 @@
 #include "vtkWaterActor.h"
 #include "vtkWaterCompat.h"
 #include "vtkWaterErrors.h"
-#include "vtkWaterGather.h"
-#include "vtkWaterMirror.h"
-#include "vtkWaterOcclusion.h"
+#include "vtkWaterReflectionPassInternals.h"
 #include "vtkWaterShading.h"
-#include "vtkWaterSignature.h"
 #include "water_plan.h"
 
 #include <algorithm>
 #include <cstdlib>
 #include <cstring>
-#include <limits>
-#include <map>
-#include <set>
 
 VTK_ABI_NAMESPACE_BEGIN
 vtkStandardNewMacro(vtkWaterReflectionPass);
@@ -49,62 +42,6 @@ namespace
 {
 constexpr int kMaximumDefaultSamples = 8; // more is slow and not seen in a reflection
 }
-
-//------------------------------------------------------------------------------
-struct vtkWaterReflectionPass::Internals
-{
-  struct View // what belongs to one eye of a renderer
-  {
-    vtkWeakPointer<vtkRenderer> Renderer;
-    vtkWaterMirror Mirror;
-    water_plan MapPlan = water_plan(); // what the mirror shows was drawn by it
-    vtkWaterSignature MapSignature;
-    bool MapHasLevels = false;
-    vtkWaterOcclusion Occlusion;
-  };
-  using Eye = std::pair<vtkRenderer*, bool>; // is it the second of two?
-
-  std::map<Eye, std::shared_ptr<View>> Views; // shared: a view in use outlives its release
-  vtkWaterGather Gather;
-  std::vector<water_fate> Fates;
-  int FateCounts[WATER_FATE_COUNT] = {};
-  water_plan Plan = water_plan();
-  vtkWeakPointer<vtkRenderer> PlannedFor;
-  bool PlannedForSecondEye = false;
-  std::vector<vtkWaterActor*> PlannedWaters; // compared only
-  vtkMTimeType PlannedFrame = 0;
-  std::set<vtkRenderer*> Rendering; // in the middle of Render
-  bool HasCycle = false;
-  bool IsVisiting = false; // the chain of delegates
-
-  static bool IsSecondEye(vtkRenderer* renderer)
-  {
-    vtkCamera* camera = renderer->GetActiveCamera();
-    return camera->GetStereo() && !camera->GetLeftEye();
-  }
-
-  std::shared_ptr<View> GetView(vtkRenderer* renderer)
-  {
-    const Eye eye(renderer, IsSecondEye(renderer));
-    for (auto it = this->Views.begin(); it != this->Views.end();)
-    {
-      it = it->second->Renderer || it->first == eye ? std::next(it) : this->Views.erase(it);
-    }
-    std::shared_ptr<View>& view = this->Views[eye];
-    if (!view)
-    {
-      view = std::make_shared<View>();
-    }
-    view->Renderer = renderer;
-    return view;
-  }
-
-  View* GetPlannedView()
-  {
-    auto found = this->Views.find(Eye(this->PlannedFor, this->PlannedForSecondEye));
-    return found == this->Views.end() ? nullptr : found->second.get();
-  }
-};
 
 //------------------------------------------------------------------------------
 vtkWaterReflectionPass::vtkWaterReflectionPass()
@@ -139,147 +76,11 @@ vtkRenderPass* vtkWaterReflectionPass::GetDelegatePass()
 }
 
 //------------------------------------------------------------------------------
-void vtkWaterReflectionPass::SetTextureScale(double scale)
-{
-  vtkWaterSetInRange(TextureScale, scale, 1.0 / 64.0, 16.0);
-}
-
-//------------------------------------------------------------------------------
-void vtkWaterReflectionPass::SetMultiSamples(int samples)
-{
-  vtkWaterSetInRange(MultiSamples, samples, -1, 32);
-}
-
-//------------------------------------------------------------------------------
-void vtkWaterReflectionPass::SetColorPrecision(int precision)
-{
-  vtkWaterSetInRange(ColorPrecision, precision, AUTOMATIC, HALF_FLOAT);
-}
-
-//------------------------------------------------------------------------------
-void vtkWaterReflectionPass::SetClipMargin(double margin)
-{
-  vtkWaterSetInRange(ClipMargin, margin, 0.0, std::numeric_limits<double>::max());
-}
-
-//------------------------------------------------------------------------------
-void vtkWaterReflectionPass::SetSkips(int skips)
-{
-  vtkWaterSetInRange(Skips, skips, SKIP_NONE, SKIP_ALL);
-}
-
-//------------------------------------------------------------------------------
-void vtkWaterReflectionPass::SetMinimumPropSize(double pixels)
-{
-  vtkWaterSetInRange(MinimumPropSize, pixels, 0.0, std::numeric_limits<double>::max());
-}
-
-//------------------------------------------------------------------------------
-void vtkWaterReflectionPass::SetReflectanceError(double share)
-{
-  vtkWaterSetInRange(ReflectanceError, share, 0.0, 1.0);
-}
-
-//------------------------------------------------------------------------------
-void vtkWaterReflectionPass::SetGuardBand(double band)
-{
-  if (!(band == 0.0 || (band >= 1.0 && band <= 2.0)))
-  {
-    vtkErrorMacro("GuardBand is " << band
-                                  << "; it must lie in [1, 2], or be 0 (by the waves' slope). "
-                                  << "It stays " << this->GuardBand << ".");
-  }
-  else if (this->GuardBand != band)
-  {
-    this->GuardBand = band;
-    this->Modified();
-  }
-}
-
-//------------------------------------------------------------------------------
-vtkTextureObject* vtkWaterReflectionPass::GetReflectionTexture()
-{
-  Internals::View* view = this->Internal->GetPlannedView();
-  return view ? view->Mirror.GetColor() : nullptr;
-}
-
-//------------------------------------------------------------------------------
-vtkTextureObject* vtkWaterReflectionPass::GetReflectionDepthTexture()
-{
-  Internals::View* view = this->Internal->GetPlannedView();
-  return view ? view->Mirror.GetDepth() : nullptr;
-}
-
-//------------------------------------------------------------------------------
-int vtkWaterReflectionPass::GetFateCount(int fate) const
-{
-  return fate >= 0 && fate < WATER_FATE_COUNT ? this->Internal->FateCounts[fate] : 0;
-}
-
-//------------------------------------------------------------------------------
-const char* vtkWaterReflectionPass::GetFateAsString(int fate)
-{
-  return water_fate_text(static_cast<water_fate>(fate));
-}
-
-//------------------------------------------------------------------------------
-int vtkWaterReflectionPass::GetDecision() const
-{
-  return this->Internal->Plan.decision;
-}
-
-//------------------------------------------------------------------------------
-const char* vtkWaterReflectionPass::GetDecisionAsString() const
-{
-  return water_decision_text(this->Internal->Plan.decision);
-}
-
-//------------------------------------------------------------------------------
-void vtkWaterReflectionPass::SetInstrumentation(bool instrumentation)
-{
-  // no modification: it changes nothing that is rendered
-  this->Instrumentation = instrumentation;
-  if (!instrumentation)
-  {
-    this->LastGatherTime = this->LastPlanTime = vtkMath::Nan();
-  }
-}
-
-//------------------------------------------------------------------------------
-double vtkWaterReflectionPass::GetLastReflectionTime()
-{
-  Internals::View* view = this->Internal->GetPlannedView();
-  return view ? view->Mirror.GetInstruments().GetTime(vtkWaterInstruments::REFLECTION)
-              : vtkMath::Nan();
-}
-
-//------------------------------------------------------------------------------
-double vtkWaterReflectionPass::GetLastSurfaceTime()
-{
-  Internals::View* view = this->Internal->GetPlannedView();
-  return view ? view->Mirror.GetInstruments().GetTime(vtkWaterInstruments::SURFACE)
-              : vtkMath::Nan();
-}
-
-//------------------------------------------------------------------------------
-vtkIdType vtkWaterReflectionPass::GetNumberOfTrianglesReflected()
-{
-  Internals::View* view = this->Internal->GetPlannedView();
-  return view ? view->Mirror.GetInstruments().GetTriangles() : -1;
-}
-
-//------------------------------------------------------------------------------
-vtkIdType vtkWaterReflectionPass::GetNumberOfFragmentsReflected()
-{
-  Internals::View* view = this->Internal->GetPlannedView();
-  return view ? view->Mirror.GetInstruments().GetFragments() : -1;
-}
-
-//------------------------------------------------------------------------------
 vtkWaterInstruments* vtkWaterReflectionPass::GetInstruments(vtkRenderer* renderer)
 {
   vtkWaterInstruments* instruments = &this->Internal->GetView(renderer)->Mirror.GetInstruments();
-  instruments->SetOn(this->Instrumentation);
+  instruments->SetOn(
+    this->Instrumentation || this->Quality == TIME_BUDGET || this->Quality == UPDATE_RATE);
   return instruments;
 }
 
@@ -291,25 +92,54 @@ void vtkWaterReflectionPass::SetDecision(int decision)
 }
 
 //------------------------------------------------------------------------------
-bool vtkWaterReflectionPass::DrawsAs(vtkWaterReflectionPass* other) const
-{
-  return this->TextureScale == other->TextureScale && this->MultiSamples == other->MultiSamples &&
-    this->ColorPrecision == other->ColorPrecision && this->ClipMargin == other->ClipMargin &&
-    this->GuardBand == other->GuardBand && this->Skips == other->Skips &&
-    this->MinimumPropSize == other->MinimumPropSize &&
-    this->ReflectanceError == other->ReflectanceError;
-}
-
-//------------------------------------------------------------------------------
 vtkWaterOcclusion* vtkWaterReflectionPass::GetOcclusion(vtkRenderer* renderer)
 {
   return &this->Internal->GetView(renderer)->Occlusion;
 }
 
 //------------------------------------------------------------------------------
+void vtkWaterReflectionPass::GetRayLimits(int* steps, int* probes) const
+{
+  *steps = this->Internal->MostSteps;
+  *probes = this->Internal->MostProbes;
+}
+
+//------------------------------------------------------------------------------
 bool vtkWaterReflectionPass::DoesMaskPay(vtkRenderer* renderer, double visible_px)
 {
   return water_plan_mask_pays(&this->Internal->GetView(renderer)->MapPlan, visible_px);
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterReflectionPass::ChooseQuality(vtkRenderer* renderer, double budget_ms)
+{
+  Internals& internal = *this->Internal;
+  const std::shared_ptr<Internals::View> view = internal.GetView(renderer);
+  water_scene& scene = internal.Gather.scene;
+  int step = 0;
+  if (this->Quality == TARGET_ERROR)
+  {
+    water_roughness roughness;
+    water_quality_look(&scene, &view->MapPlan, internal.Gather.WaveNumber, &roughness);
+    water_quality_for_error(this->TargetError, &roughness, &view->ErrorStep);
+    step = view->ErrorStep;
+  }
+  else if (this->Quality != FIXED)
+  {
+    // a view that was used again took no time
+    const bool isRendered = internal.Plan.decision == WATER_REFLECT;
+    vtkWaterInstruments& instruments = view->Mirror.GetInstruments();
+    const double measured = instruments.GetTime(vtkWaterInstruments::SURFACE) +
+      (isRendered ? instruments.GetTime(vtkWaterInstruments::REFLECTION) : 0.0);
+    water_quality_for_budget(&view->Quality, 0, budget_ms, measured);
+    step = view->Quality.step;
+  }
+  water_quality quality;
+  water_quality_of_step(step, &quality);
+  this->QualityStep = this->Quality == FIXED ? -1 : step;
+  scene.texture_scale = this->TextureScale * (this->Quality == FIXED ? 1.0 : quality.texture_scale);
+  internal.MostSteps = this->Quality == FIXED ? VTK_INT_MAX : quality.ray_steps;
+  internal.MostProbes = this->Quality == FIXED ? VTK_INT_MAX : quality.ray_probes;
 }
 
 //------------------------------------------------------------------------------
@@ -329,7 +159,7 @@ void vtkWaterReflectionPass::RenderReflection(vtkRenderer* renderer,
   vtkWaterGather& gather = internal.Gather;
   gather.Read(renderer, waters, viewport_px);
   window->MakeCurrent(); // bringing pipelines up to date may have rendered another window
-  gather.scene.texture_scale = this->TextureScale;
+  this->ChooseQuality(renderer, moment.Budget);
   gather.scene.clip_margin = this->ClipMargin;
   gather.scene.guard_band = this->GuardBand;
   gather.scene.skips = static_cast<unsigned>(this->Skips);
@@ -347,8 +177,8 @@ void vtkWaterReflectionPass::RenderReflection(vtkRenderer* renderer,
   {
     this->LastGatherTime = 1000.0 * (gathered - begun);
     this->LastPlanTime = 1000.0 * (vtkTimerLog::GetUniversalTime() - gathered);
-    this->GetInstruments(renderer);
   }
+  this->GetInstruments(renderer); // turns them on or off
   internal.PlannedFor = renderer;
   internal.PlannedForSecondEye = Internals::IsSecondEye(renderer);
   internal.PlannedWaters = waters;
@@ -607,60 +437,4 @@ void vtkWaterReflectionPass::ReleaseGraphicsResources(vtkWindow* window)
   this->Superclass::ReleaseGraphicsResources(window);
 }
 
-//------------------------------------------------------------------------------
-void vtkWaterReflectionPass::PrintSelf(ostream& os, vtkIndent indent)
-{
-  this->Superclass::PrintSelf(os, indent);
-  os << indent << "DelegatePass: ";
-  if (!this->DelegatePass)
-  {
-    os << "(none)\n";
-  }
-  else if (this->Internal->IsVisiting)
-  {
-    os << "leads back to this pass\n";
-  }
-  else
-  {
-    os << "\n";
-    this->Internal->IsVisiting = true;
-    this->DelegatePass->PrintSelf(os, indent.GetNextIndent());
-    this->Internal->IsVisiting = false;
-  }
-  os << indent << "TextureScale: " << this->TextureScale << "\n";
-  os << indent << "MultiSamples: " << this->MultiSamples << "\n";
-  os << indent << "ColorPrecision: " << this->ColorPrecision << "\n";
-  os << indent << "ClipMargin: " << this->ClipMargin << "\n";
-  os << indent << "GuardBand: " << this->GuardBand << "\n";
-  os << indent << "Skips: " << this->Skips << "\n";
-  os << indent << "MinimumPropSize: " << this->MinimumPropSize << "\n";
-  os << indent << "ReflectanceError: " << this->ReflectanceError << "\n";
-  os << indent << "Instrumentation: " << (this->Instrumentation ? "on" : "off") << "\n";
-  if (this->Instrumentation)
-  {
-    const vtkIndent next = indent.GetNextIndent();
-    os << next << "LastGatherTime: " << this->LastGatherTime << " ms\n";
-    os << next << "LastPlanTime: " << this->LastPlanTime << " ms\n";
-    os << next << "LastReflectionTime: " << this->GetLastReflectionTime() << " ms\n";
-    os << next << "LastSurfaceTime: " << this->GetLastSurfaceTime() << " ms\n";
-    os << next << "TrianglesReflected: " << this->GetNumberOfTrianglesReflected() << "\n";
-    os << next << "FragmentsReflected: " << this->GetNumberOfFragmentsReflected() << "\n";
-  }
-  os << indent << "ShowReflection: " << (this->ShowReflection ? "on" : "off") << "\n";
-  os << indent << "NumberOfReflectionRenders: " << this->NumberOfReflectionRenders << "\n";
-  os << indent << "Last plan: " << this->GetDecisionAsString() << "\n";
-  const water_plan& plan = this->Internal->Plan;
-  if (water_plan_has_map(&plan))
-  {
-    const vtkIndent next = indent.GetNextIndent();
-    os << next << "Texture: " << plan.texture_px[0] << " x " << plan.texture_px[1]
-       << " pixels, drawn in " << plan.texture_rect_px[2] << " x " << plan.texture_rect_px[3]
-       << " at (" << plan.texture_rect_px[0] << ", " << plan.texture_rect_px[1] << ")\n";
-    os << next << "Seen from " << (plan.side == WATER_BELOW ? "below" : "above") << "\n";
-    for (int fate = 0; fate < WATER_FATE_COUNT; ++fate)
-    {
-      os << next << "Props " << GetFateAsString(fate) << ": " << this->GetFateCount(fate) << "\n";
-    }
-  }
-}
 VTK_ABI_NAMESPACE_END

@@ -241,6 +241,56 @@ public:
   static const char* GetFateAsString(int fate);
   ///@}
 
+  enum Qualities
+  {
+    FIXED = 0,
+    TARGET_ERROR = 1,
+    TIME_BUDGET = 2,
+    UPDATE_RATE = 3
+  };
+
+  ///@{
+  /**
+   * How TextureScale and the steps of ray traced lookups are chosen. FIXED: as they are set.
+   * TARGET_ERROR: as coarse as the median error of the lookup stays within TargetError, by the
+   * waves' slopes and what a pixel sees of them. TIME_BUDGET: by what the mirrored view and the
+   * surface took on the GPU in the frames before. UPDATE_RATE: likewise, for half of the time that
+   * the window's DesiredUpdateRate leaves for a frame, so coarser while a user interacts and fine
+   * when still. The last three go along a ladder of eight steps, from the set values to a quarter
+   * of TextureScale, and do not change back and forth. Source:
+   * Documentation/decisions/010-quality.md. Default is FIXED.
+   */
+  void SetQuality(int quality);
+  vtkGetMacro(Quality, int);
+  void SetQualityToFixed() { this->SetQuality(FIXED); }
+  void SetQualityToTargetError() { this->SetQuality(TARGET_ERROR); }
+  void SetQualityToTimeBudget() { this->SetQuality(TIME_BUDGET); }
+  void SetQualityToUpdateRate() { this->SetQuality(UPDATE_RATE); }
+  ///@}
+
+  ///@{
+  /**
+   * Median distance, in pixels of the picture, that a reflection may be found off its place, in
+   * [1e-3, 1e3]; texels that are as large as pixels are off by 0.4. Default is 1.
+   */
+  void SetTargetError(double pixels);
+  vtkGetMacro(TargetError, double);
+  ///@}
+
+  ///@{
+  /**
+   * Milliseconds a frame for all waters of a renderer whose quality goes by a budget, in
+   * [1e-3, 1e6]; they share it by the area that is seen of them. Default is 10.
+   */
+  void SetTimeBudget(double milliseconds);
+  vtkGetMacro(TimeBudget, double);
+  ///@}
+
+  /**
+   * Step of the ladder in the last frame, 0 (finest) to 7; -1: the quality is fixed.
+   */
+  vtkGetMacro(QualityStep, int);
+
   ///@{
   /**
    * Let times and numbers be taken. Default is off, which asks nothing of the GPU.
@@ -311,17 +361,22 @@ private:
   {
     bool IsHidden = false;      // the waters are behind what the bound framebuffer shows
     bool HasSceneDepth = false; // it shows all that can hide them
+    double Budget = 0.0;        // ms of this frame, for a quality that goes by a budget
   };
 
   // Gathers, plans and draws the reflection of waters in one plane for the renderer's active
   // camera.
   void RenderReflection(vtkRenderer* renderer, const std::vector<vtkWaterActor*>& waters,
     const int viewport_px[2], const Moment& moment);
+  // Chooses the texture's scale and the steps for the scene that was gathered.
+  void ChooseQuality(vtkRenderer* renderer, double budget_ms);
   // Would the other draw the same mirrored view?
   bool DrawsAs(vtkWaterReflectionPass* other) const;
   // How much is seen of the water that owns the pass.
   vtkWaterOcclusion* GetOcclusion(vtkRenderer* renderer);
   vtkWaterInstruments* GetInstruments(vtkRenderer* renderer);
+  // The most steps and probes of a ray in this frame.
+  void GetRayLimits(int* steps, int* probes) const;
   // Would a mask have been worth its cost in the last mirrored view?
   bool DoesMaskPay(vtkRenderer* renderer, double visible_px);
   // Was the frame that is being rendered planned for this water and the renderer's active camera?
@@ -347,6 +402,10 @@ private:
   double ClipMargin = 0.0;
   double GuardBand = 0.0;
   bool ShowReflection = false;
+  int Quality = FIXED;
+  double TargetError = 1.0;
+  double TimeBudget = 10.0;
+  int QualityStep = -1;
   bool Instrumentation = false;
   double LastGatherTime = std::numeric_limits<double>::quiet_NaN();
   double LastPlanTime = std::numeric_limits<double>::quiet_NaN();

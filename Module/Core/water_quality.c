@@ -3,6 +3,8 @@
 #include "water_quality.h"
 
 #include "water_math.h"
+#include "water_plan.h"
+#include "water_target.h"
 
 static const water_quality ladder[WATER_QUALITY_STEPS] = {
   { 1.00, 24, 12 },
@@ -58,8 +60,8 @@ static void place_of(const water_plan* plan, double x, double y, double place[2]
   place[1] = (rows[3] * x + rows[4] * y + rows[5]) / w;
 }
 
-void water_quality_look(const water_scene* scene, const water_plan* plan, double wave_number,
-  water_roughness* roughness)
+void water_quality_look(
+  const water_scene* scene, const water_plan* plan, double wave_number, water_roughness* roughness)
 {
   const double* clip = scene->eye.view_to_clip;
   roughness->slope_rms = scene->slope_rms;
@@ -72,19 +74,24 @@ void water_quality_look(const water_scene* scene, const water_plan* plan, double
   }
   double box[4];
   water_target_box_of_rect(plan->texture_rect_px, plan->texture_px, box);
-  // the map is flipped in x
-  const double x = -0.5 * (box[0] + box[2]) / plan->map_scale[0];
-  const double y = 0.5 * (box[1] + box[3]) / plan->map_scale[1];
-  double middle[2];
-  double across[2];
-  double down[2];
-  place_of(plan, x, y, middle);
-  place_of(plan, x + 2.0 / scene->viewport_px[0], y, across);
-  place_of(plan, x, y + 2.0 / scene->viewport_px[1], down);
-  const double pixel = hypot(hypot(across[0] - middle[0], across[1] - middle[1]),
-    hypot(down[0] - middle[0], down[1] - middle[1]));
-  // a wave runs along both sides alike, on the mean of all directions
-  const double turn = wave_number * pixel / sqrt(2.0);
+  // where the waves are seen best: in one of the corners
+  double turn = DBL_MAX;
+  for (int corner = 0; corner < 4; ++corner)
+  {
+    // the map is flipped in x
+    const double x = -box[corner & 1 ? 2 : 0] / plan->map_scale[0];
+    const double y = box[corner & 2 ? 3 : 1] / plan->map_scale[1];
+    double here[2];
+    double across[2];
+    double down[2];
+    place_of(plan, x, y, here);
+    place_of(plan, x + 2.0 / scene->viewport_px[0], y, across);
+    place_of(plan, x, y + 2.0 / scene->viewport_px[1], down);
+    const double pixel = hypot(
+      hypot(across[0] - here[0], across[1] - here[1]), hypot(down[0] - here[0], down[1] - here[1]));
+    // a wave runs along both sides alike, on the mean of all directions
+    turn = fmin(turn, wave_number * pixel / sqrt(2.0));
+  }
   roughness->turn_rad = isfinite(turn) ? turn : 0.0;
 }
 

@@ -12,6 +12,7 @@
 #define water_quality_h
 
 #include "water_status.h"
+#include "water_types.h"
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -32,9 +33,6 @@ typedef struct water_quality
   int ray_probes;       // RayTraceProbes, 12 to 3
 } water_quality;
 
-struct water_plan;
-struct water_scene;
-
 // A step of the ladder; a number beyond its ends counts as the end.
 void water_quality_of_step(int step, water_quality* quality);
 
@@ -48,12 +46,13 @@ typedef struct water_roughness
                             // parallel eye
 } water_roughness;
 
-// How rough water looks in the middle of what is seen of it.
+// How rough water looks where its waves are seen best: an error must be within its target there,
+// too.
 //
 // plan         of the scene, or of the one before it; with a view
 // wave_number  typical of the waves, rad/m; 0: not known, all of them are resolved
-void water_quality_look(const struct water_scene* scene, const struct water_plan* plan,
-  double wave_number, water_roughness* roughness);
+void water_quality_look(
+  const water_scene* scene, const water_plan* plan, double wave_number, water_roughness* roughness);
 
 // Median distance, in pixels, of what a reflected ray reads from its right place.
 //

@@ -243,6 +243,7 @@ void vtkWaterGather::Read(
   this->scene.slope_rms = 0.0;
   this->scene.slope_max = 0.0;
   this->scene.is_flat = true;
+  this->WaveNumber = 0.0;
   this->scene.hides_above = this->scene.hides_below = true;
   this->IsRough = std::any_of(waters.begin(), waters.end(),
     [](vtkWaterActor* water) { return water->GetWaterProperty()->IsRough(); });
@@ -253,6 +254,7 @@ void vtkWaterGather::Read(
     this->scene.has_waves = this->scene.has_waves || property->NeedsRays();
     this->scene.slope_rms = std::max(this->scene.slope_rms, property->GetSlopeRMS());
     this->scene.slope_max = std::max(this->scene.slope_max, property->GetSlopeLookedUp());
+    this->WaveNumber = std::max(this->WaveNumber, property->GetWaveNumber());
     // of a mesh of the user's nobody knows where its faces look; the sheet's look along the normal
     const bool isSheet = water->UsesOwnSheet() && water->GetIsIdentity();
     this->scene.is_flat = this->scene.is_flat && isSheet && !water->IsDisplaced();

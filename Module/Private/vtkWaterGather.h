@@ -21,6 +21,7 @@ struct vtkWaterGather
   std::vector<water_prop> props;  // of all view props, in the renderer's order
   std::vector<vtkProp*> vtkProps; // or what stands in for them
   vtkCamera* camera = nullptr;    // the one read last
+  double WaveNumber = 0.0;        // typical of the waves, rad per unit; 0: not known
   bool IsRough = false;           // one of the waters blurs its reflection
 
   // Reads everything but the settings of the pass (texture_scale, max_texture_px, clip_margin).

@@ -35,6 +35,8 @@ public:
     const water_plan* Plan;       // nullptr: show the plain colour
     vtkTextureObject* Reflection; // any texture when nothing is reflected
     vtkTextureObject* ReflectionDepth;
+    int MostSteps = 0; // of the march
+    int MostProbes = 0;
     bool IsFlat;                 // the sheet lies in the plane exactly
     const water_grid_view* View; // waves move the vertices; nullptr: they do not
     const double* RowDir;        // of the grid under them

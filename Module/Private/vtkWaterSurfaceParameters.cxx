@@ -135,8 +135,10 @@ void vtkWaterSurface::SetReflectionParameters(vtkShaderProgram* program)
   uniforms::Set(program, "waterMapTop", std::min(plan.map_top, kFarUp));
   uniforms::Set(program, "waterMapZInfinity", plan.map_z_infinity);
   uniforms::Set2(program, "waterMapTolerance", plan.map_tolerance);
-  uniforms::Set(program, "waterSteps", this->Property->GetRayTraceSteps());
-  uniforms::Set(program, "waterProbes", this->Property->GetRayTraceProbes());
+  uniforms::Set(
+    program, "waterSteps", std::min(this->Property->GetRayTraceSteps(), this->Drawn.MostSteps));
+  uniforms::Set(
+    program, "waterProbes", std::min(this->Property->GetRayTraceProbes(), this->Drawn.MostProbes));
   uniforms::Set(program, "waterLookup", this->Property->GetLookup());
   uniforms::Set(program, "waterOffsetScale", this->Property->GetOffsetScale());
 }

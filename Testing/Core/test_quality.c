@@ -489,6 +489,35 @@ TEST(bad_input_is_refused)
   assert_non_null(strstr(water_status_text(WATER_BAD_TARGET_ERROR), "TargetError"));
 }
 
+// Seen straight down from 10 over a pool, a quarter of a turn of view: a pixel of 100 is 0.2 on each
+// side, and turns a wave of 0.5 rad per unit by 0.1 on the mean of its directions.
+TEST(roughness_is_of_a_pixel_on_the_water)
+{
+  UNUSED;
+  water_scene scene = lake();
+  const double eye[3] = { 0.0, 0.0, 10.0 };
+  const double target[3] = { 0.0, 0.0, 0.0 };
+  const double up[3] = { 0.0, 1.0, 0.0 };
+  const double box[4] = { -1.0, 1.0, -1.0, 1.0 };
+  look_at(eye, target, up, scene.eye.world_to_view);
+  frustum_matrix(box, 1.0, 1000.0, scene.eye.view_to_clip);
+  scene.viewport_px[0] = scene.viewport_px[1] = 100;
+  scene.has_waves = true;
+  scene.slope_rms = 0.05;
+  scene.slope_max = (double)INFINITY;
+  const water_plan plan = plan_of(&scene, NULL);
+  water_roughness roughness;
+  water_quality_look(&scene, &plan, 0.5, &roughness);
+  ASSERT_CLOSE(roughness.slope_rms, 0.05, 0.0);
+  ASSERT_CLOSE(roughness.turn_rad, 0.1, 1e-9);
+  ASSERT_CLOSE(roughness.pixels_per_radian, 50.0, 1e-9);
+  // nothing is known of the first frame, nor of water that is not seen
+  water_plan none;
+  memset(&none, 0, sizeof none);
+  water_quality_look(&scene, &none, 0.5, &roughness);
+  ASSERT_CLOSE(roughness.turn_rad, 0.0, 0.0);
+}
+
 int main(void)
 {
   const struct CMUnitTest tests[] = {
@@ -508,6 +537,7 @@ int main(void)
     RUN(same_times_same_steps),
     RUN(budget_is_shared_by_area),
     RUN(bad_input_is_refused),
+    RUN(roughness_is_of_a_pixel_on_the_water),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }
