@@ -489,8 +489,8 @@ TEST(bad_input_is_refused)
   assert_non_null(strstr(water_status_text(WATER_BAD_TARGET_ERROR), "TargetError"));
 }
 
-// Seen straight down from 10 over a pool, a quarter of a turn of view: a pixel of 100 is 0.2 on each
-// side, and turns a wave of 0.5 rad per unit by 0.1 on the mean of its directions.
+// Seen straight down from 10 over a pool, a quarter of a turn of view: a pixel of 100 is 0.2 on
+// each side, and turns a wave of 0.5 rad per unit by 0.1 on the mean of its directions.
 TEST(roughness_is_of_a_pixel_on_the_water)
 {
   UNUSED;
