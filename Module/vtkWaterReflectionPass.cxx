@@ -15,9 +15,11 @@
 #include "vtkWaterActor.h"
 #include "vtkWaterCompat.h"
 #include "vtkWaterErrors.h"
+#include "vtkWaterGL.h"
 #include "vtkWaterReflectionPassInternals.h"
 #include "vtkWaterShading.h"
 #include "water_plan.h"
+#include "water_select.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -41,6 +43,16 @@ static_assert(static_cast<int>(vtkWaterReflectionPass::PIXELS) == WATER_MAY_SKIP
 namespace
 {
 constexpr int kMaximumDefaultSamples = 8; // more is slow and not seen in a reflection
+
+// Is GL executed by the processor? As Mesa's and Google's renderers of that kind call themselves.
+bool IsSoftware()
+{
+  const char* name = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+  const std::string renderer = name ? name : "";
+  return renderer.find("llvmpipe") != std::string::npos ||
+    renderer.find("softpipe") != std::string::npos ||
+    renderer.find("SwiftShader") != std::string::npos;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -107,7 +119,8 @@ void vtkWaterReflectionPass::GetRayLimits(int* steps, int* probes) const
 //------------------------------------------------------------------------------
 bool vtkWaterReflectionPass::DoesMaskPay(vtkRenderer* renderer, double visible_px)
 {
-  return water_plan_mask_pays(&this->Internal->GetView(renderer)->MapPlan, visible_px);
+  return water_plan_mask_pays(&this->Internal->GetView(renderer)->MapPlan, visible_px,
+    static_cast<size_t>(this->GetNumberOfPropsReflected()));
 }
 
 //------------------------------------------------------------------------------
@@ -167,6 +180,7 @@ void vtkWaterReflectionPass::RenderReflection(vtkRenderer* renderer,
   gather.scene.reflectance_error = this->ReflectanceError;
   gather.scene.is_hidden = moment.IsHidden;
   gather.scene.has_scene_depth = moment.HasSceneDepth;
+  gather.scene.is_software = IsSoftware();
   gather.scene.max_texture_px = vtkTextureObject::GetMaximumTextureSize(window);
 
   // plan
@@ -194,11 +208,13 @@ void vtkWaterReflectionPass::RenderReflection(vtkRenderer* renderer,
   if (internal.Plan.decision == WATER_REFLECT)
   {
     std::vector<vtkProp*> drawn;
+    std::vector<size_t> order;
     for (size_t i = 0; i < internal.Fates.size(); ++i)
     {
       ++internal.FateCounts[internal.Fates[i]];
       if (internal.Fates[i] == WATER_DRAW)
       {
+        order.push_back(i);
         drawn.push_back(gather.vtkProps[i]);
         if (drawn.back()->IsA("vtkLODProp3D"))
         {
@@ -207,6 +223,15 @@ void vtkWaterReflectionPass::RenderReflection(vtkRenderer* renderer,
           drawn.back()->SetAllocatedRenderTime(waters.front()->GetAllocatedRenderTime(), renderer);
         }
       }
+    }
+    if (this->Skips & PIXELS)
+    {
+      water_select_order(&internal.Plan.mirrored, gather.props.data(), order.size(), order.data());
+    }
+    std::vector<vtkProp*> opaque;
+    for (const size_t i : order)
+    {
+      opaque.push_back(gather.vtkProps[i]);
     }
     const int samples = this->MultiSamples >= 0
       ? this->MultiSamples
@@ -228,7 +253,7 @@ void vtkWaterReflectionPass::RenderReflection(vtkRenderer* renderer,
     {
       view->MapPlan = water_plan();
       view->MapHasLevels = false;
-      failure = view->Mirror.Draw(renderer, shading, internal.Plan, drawn,
+      failure = view->Mirror.Draw(renderer, shading, internal.Plan, drawn, opaque,
         samples > 1 ? samples : 0, isFloat, (this->Skips & PIECES) != 0);
     }
     if (internal.GetPlannedView() != view.get())

@@ -33,8 +33,9 @@ void water_plan_reuse(const water_plan* last, bool is_unchanged, unsigned skips,
 // Is it worth to wait for the eye's picture, for a mask in the next map?
 //
 // last        the plan of the last map
-// visible_px  pixels of the water that were seen with it
-bool water_plan_mask_pays(const water_plan* last, double visible_px);
+// visible_px   pixels of the water that were seen with it
+// drawn_count  props that were drawn in it
+bool water_plan_mask_pays(const water_plan* last, double visible_px, size_t drawn_count);
 
 // Is there a map to look up, drawn or used again?
 bool water_plan_has_map(const water_plan* plan);

@@ -176,3 +176,55 @@ void water_select_props(const water_camera* mirrored, const water_plane* plane,
     fates[i] = fate;
   }
 }
+
+// Whether two boxes have more than a face in common.
+static bool do_overlap(const water_prop* a, const water_prop* b)
+{
+  if (water_select_is_unbounded(a) || water_select_is_unbounded(b))
+  {
+    return true;
+  }
+  for (int i = 0; i < 6; i += 2)
+  {
+    if (a->bounds[i + 1] <= b->bounds[i] || b->bounds[i + 1] <= a->bounds[i])
+    {
+      // two that are flat there lie in the same plane, or apart
+      return a->bounds[i] == b->bounds[i] && a->bounds[i + 1] == b->bounds[i + 1];
+    }
+  }
+  return true;
+}
+
+static double distance_to(const water_camera* mirrored, const water_prop* prop)
+{
+  const double middle[3] = { 0.5 * (prop->bounds[0] + prop->bounds[1]),
+    0.5 * (prop->bounds[2] + prop->bounds[3]), 0.5 * (prop->bounds[4] + prop->bounds[5]) };
+  double view[4];
+  water_mat4_apply_point(mirrored->world_to_view, middle, view);
+  return -view[2];
+}
+
+void water_select_order(
+  const water_camera* mirrored, const water_prop* props, size_t count, size_t* order)
+{
+  double distances[WATER_ORDER_MAX];
+  if (count > WATER_ORDER_MAX)
+  {
+    return;
+  }
+  for (size_t i = 0; i < count; ++i)
+  {
+    distances[i] = distance_to(mirrored, props + order[i]);
+    for (size_t j = i; j > 0 && distances[j - 1] > distances[j] &&
+         !do_overlap(props + order[j - 1], props + order[j]);
+         --j)
+    {
+      const size_t index = order[j];
+      const double distance = distances[j];
+      order[j] = order[j - 1];
+      distances[j] = distances[j - 1];
+      order[j - 1] = index;
+      distances[j - 1] = distance;
+    }
+  }
+}

@@ -145,6 +145,7 @@ typedef struct water_scene
   bool is_hidden;       // all of it is behind the scene
   bool is_flat;         // all of it lies in the plane
   bool has_scene_depth; // the eye's picture of what hides the surface is at hand, a depth per pixel
+  bool is_software;     // there is no GPU: pixels cost the time that draws cost
   unsigned skips;       // WATER_MAY_SKIP_*
   const water_prop* props; // prop_count of them: all props, not only those the eye sees
   size_t prop_count;
@@ -194,8 +195,9 @@ typedef struct water_plan
   int texture_px[2];
   int texture_rect_px[4]; // x, y, width, height of the part the water can look up
   double mask_rounding;   // of dot(plane_clip, NDC) in single precision
-  bool can_mask; // of it, only pixels where the eye's picture shows the water are looked up
-  bool has_mask; // and that picture is at hand: the others are closed
+  bool can_mask;    // of it, only pixels where the eye's picture shows the water are looked up
+  bool has_mask;    // and that picture is at hand: the others are closed
+  bool is_software; // of the scene
 
   // shade: where the map shows what
   double world_to_texture[16]; // divide by w: u, v, depth in [0, 1]; of a point on the water: its

@@ -142,7 +142,8 @@ void SetViewportAndScissor(vtkOpenGLState* state, const water_plan& plan)
 
 //------------------------------------------------------------------------------
 const char* vtkWaterMirror::Draw(vtkRenderer* renderer, vtkWaterShading* shading,
-  const water_plan& plan, std::vector<vtkProp*>& props, int samples, bool isFloat, bool canCut)
+  const water_plan& plan, std::vector<vtkProp*>& props, const std::vector<vtkProp*>& opaque,
+  int samples, bool isFloat, bool canCut)
 {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   vtkOpenGLState* state = window->GetState();
@@ -180,7 +181,7 @@ const char* vtkWaterMirror::Draw(vtkRenderer* renderer, vtkWaterShading* shading
       ScopedCamera scopedCamera(renderer, this->Camera);
       ScopedMirroredView scopedView(shading, plan, canCut ? &this->Pieces : nullptr);
       ScopedRenderTimes scopedTimes(renderer, props);
-      this->DrawProps(renderer, props);
+      this->DrawProps(renderer, props, opaque);
       state->vtkglDisable(GL_SCISSOR_TEST);
       this->Target.Resolve();
     }
@@ -280,10 +281,11 @@ vtkRenderPass* vtkWaterMirror::GetTranslucentPass(vtkRenderer* renderer)
 }
 
 //------------------------------------------------------------------------------
-void vtkWaterMirror::DrawProps(vtkRenderer* renderer, std::vector<vtkProp*>& props)
+void vtkWaterMirror::DrawProps(
+  vtkRenderer* renderer, std::vector<vtkProp*>& props, const std::vector<vtkProp*>& opaque)
 {
   this->Instruments.BeginCounting();
-  for (vtkProp* prop : props)
+  for (vtkProp* prop : opaque)
   {
     prop->RenderOpaqueGeometry(renderer);
     // on for shaders that write the distance; undefined for those that do not

@@ -354,6 +354,37 @@ TEST(rounding_never_drops)
   }
 }
 
+// Near ones come first, but for those that overlap: two boxes in each other keep their order, boxes
+// side by side do not mind, and a prop that may be anywhere holds its place.
+TEST(near_props_are_drawn_first)
+{
+  UNUSED;
+  const water_scene scene = lake(); // the mirrored eye is 10 in front, and looks along y
+  const water_plan plan = plan_of(&scene, NULL);
+  const water_prop props[] = {
+    { { -1, 1, 30, 31, 1, 2 }, visible },                      // 0: far
+    { { -1, 1, 20, 21, 1, 2 }, visible },                      // 1
+    { { -0.5, 0.5, 19.5, 20.5, 1, 2 }, visible },              // 2: nearer than 1, but in it
+    { { -1, 1, 19, 20, 1, 2 }, visible },                      // 3: side by side with 1, in 2
+    { { -1, 1, 5, 6, 1, 2 }, visible },                        // 4: near
+    { { -1, 1, 2, 3, 1, 2 }, visible | WATER_PROP_NO_BOUNDS }, // 5: anywhere
+    { { -1, 1, 0, 1, 1, 2 }, visible },                        // 6: nearest, after 5
+  };
+  const size_t expected[] = { 4, 1, 2, 3, 0, 5, 6 };
+  size_t order[] = { 0, 1, 2, 3, 4, 5, 6 };
+  water_select_order(&plan.mirrored, props, 7, order);
+  for (size_t i = 0; i < 7; ++i)
+  {
+    assert_int_equal(order[i], expected[i]);
+  }
+  // two flat ones in the same place
+  const water_prop flat[] = { { { 0, 1, 9, 10, 1, 1 }, visible },
+    { { 0, 1, 8.5, 9.5, 1, 1 }, visible } };
+  size_t two[] = { 0, 1 };
+  water_select_order(&plan.mirrored, flat, 2, two);
+  assert_int_equal(two[0], 0);
+}
+
 int main(void)
 {
   const struct CMUnitTest tests[] = {
@@ -365,6 +396,7 @@ int main(void)
     RUN(boxes_decide_in_their_order),
     RUN(bounds_that_are_not_finite_name_their_prop),
     RUN(culling_never_drops_what_is_seen),
+    RUN(near_props_are_drawn_first),
     RUN(water_in_view_is_never_out_of_view),
     RUN(rounding_never_drops),
   };
