@@ -17,6 +17,7 @@
 #include "vtkWaterProperty.h"
 #include "vtkWaterReflectionPass.h"
 #include "vtkWaterSea.h"
+#include "vtkWaterShading.h"
 #include "vtkWaterSheet.h"
 #include "vtkWaterSurface.h"
 #include "water_plan.h"
@@ -306,6 +307,13 @@ void vtkWaterActor::UpdateSheet()
   {
     return; // not in a scene yet
   }
+  const vtkMTimeType frame =
+    scene.empty() ? 0 : vtkWaterShading::GetOfThread()->Keys.GetFrame(scene.front());
+  if (frame != 0 && this->FittedFrame == frame)
+  {
+    return; // asking all props for their bounds costs time
+  }
+  this->FittedFrame = frame;
   double origin[3];
   vtkWaterGather::ReadPlaneOrigin(this, origin);
   this->IsUpdatingSheet = true;

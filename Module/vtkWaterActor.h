@@ -231,6 +231,7 @@ private:
   bool UseSheetBounds = false;
   double DisplacedBounds[6] = {};
   bool IsUpdatingSheet = false;
+  vtkMTimeType FittedFrame = 0; // of which the sheet is
   double Time = 0.0;
   std::vector<SourcedError> Errors;
   vtkWeakPointer<vtkWaterActor>

@@ -7,6 +7,7 @@
 #ifndef vtkWaterAccess_h
 #define vtkWaterAccess_h
 
+#include "vtkActor.h"
 #include "vtkOpenGLHelper.h"
 #include "vtkOpenGLPolyDataMapper.h"
 #include "vtkProp.h"
@@ -31,6 +32,16 @@ struct PolyDataMapper : public vtkOpenGLPolyDataMapper
   static vtkOpenGLIndexBufferObject*& TrianglesOf(vtkOpenGLPolyDataMapper* mapper)
   {
     return (mapper->*(&PolyDataMapper::Primitives))[PrimitiveTris].IBO;
+  }
+};
+
+struct Actor : public vtkActor
+{
+  // The bounds that GetBounds found last, and when it did.
+  static const double* BoundsOf(vtkActor* actor) { return actor->*(&Actor::Bounds); }
+  static vtkMTimeType BoundsTimeOf(vtkActor* actor)
+  {
+    return (actor->*(&Actor::BoundsMTime)).GetMTime();
   }
 };
 

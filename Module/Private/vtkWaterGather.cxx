@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkWaterGather.h"
 
+#include "vtkActor.h"
 #include "vtkAssembly.h"
 #include "vtkBoundingBox.h"
 #include "vtkCamera.h"
+#include "vtkDataObject.h"
 #include "vtkInformation.h"
 #include "vtkInformationIntegerKey.h"
 #include "vtkInformationObjectBaseKey.h"
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
+#include "vtkMapper.h"
 #include "vtkMatrix4x4.h"
 #include "vtkPlane.h"
 #include "vtkProp.h"
@@ -17,6 +20,9 @@
 #include "vtkPropCollection.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
+#include "vtkTrivialProducer.h"
+#include "vtkVersionMacros.h"
+#include "vtkWaterAccess.h"
 #include "vtkWaterActor.h"
 #include "vtkWaterProperty.h"
 #include "vtkWaterReflectionPass.h"
@@ -24,6 +30,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <functional>
 
 namespace
@@ -82,7 +89,7 @@ water_prop ReadProp(vtkProp* prop, vtkProp* drawn)
     WATER_PROP_IS_WATER | WATER_PROP_NOT_REFLECTED | WATER_PROP_OVERLAY | WATER_PROP_LABEL;
   if ((read.flags & WATER_PROP_VISIBLE) && !(read.flags & noneNeeded))
   {
-    const double* bounds = drawn->GetBounds(); // may bring a pipeline up to date
+    const double* bounds = vtkWaterGather::GetBounds(drawn); // may bring a pipeline up to date
     if (bounds)
     {
       std::copy(bounds, bounds + 6, read.bounds);
@@ -185,6 +192,39 @@ bool vtkWaterGather::ReadView(vtkRenderer* renderer, vtkWaterActor* water, water
   double origin[3];
   ReadPlaneOrigin(water, origin);
   return water_grid_look(&eye, &plane, origin, view) == WATER_OK;
+}
+
+//------------------------------------------------------------------------------
+const double* vtkWaterGather::GetBounds(vtkProp* prop)
+{
+  // what is derived from it may have bounds of its own
+  if (std::strcmp(prop->GetClassName(), "vtkOpenGLActor") == 0)
+  {
+    auto* actor = static_cast<vtkActor*>(prop);
+    vtkMapper* mapper = actor->GetMapper();
+    const bool hasData = mapper && IsInWorld(actor) &&
+      std::strcmp(mapper->GetClassName(), "vtkOpenGLPolyDataMapper") == 0 &&
+      mapper->GetNumberOfInputConnections(0) == 1 &&
+      vtkTrivialProducer::SafeDownCast(mapper->GetInputAlgorithm(0, 0));
+    vtkDataObject* data = hasData ? mapper->GetInputDataObject(0, 0) : nullptr;
+    if (data &&
+      std::max({ actor->GetMTime(), mapper->GetMTime(), data->GetMTime() }) <
+        vtkWaterAccess::Actor::BoundsTimeOf(actor))
+    {
+      return vtkWaterAccess::Actor::BoundsOf(actor);
+    }
+  }
+  return prop->GetBounds();
+}
+
+//------------------------------------------------------------------------------
+bool vtkWaterGather::IsInWorld(vtkProp3D* prop)
+{
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
+  return prop->GetCoordinateSystem() == vtkProp3D::WORLD;
+#else
+  return prop != nullptr; // there is nothing else
+#endif
 }
 
 //------------------------------------------------------------------------------

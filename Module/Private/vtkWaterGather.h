@@ -11,6 +11,7 @@
 class vtkCamera;
 class vtkLight;
 class vtkProp;
+class vtkProp3D;
 class vtkPropCollection;
 class vtkRenderer;
 class vtkWaterActor;
@@ -48,6 +49,13 @@ struct vtkWaterGather
 
   // The eye over a water's plane, for what displaces its points. false: there is nothing to see.
   static bool ReadView(vtkRenderer* renderer, vtkWaterActor* water, water_grid_view* view);
+
+  // vtkProp::GetBounds, which asks the pipeline whether it is up to date: ten times as long as all
+  // else that is read of a prop. Of an actor that shows data as it is given, the data's time tells.
+  static const double* GetBounds(vtkProp* prop);
+
+  // Does the prop's place count in the world, and not on the device or in a room?
+  static bool IsInWorld(vtkProp3D* prop);
 
   // The parts of a prop that is an assembly of any kind; nullptr: it is none.
   static vtkPropCollection* GetParts(vtkProp* prop);

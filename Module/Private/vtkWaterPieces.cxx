@@ -11,9 +11,9 @@
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
 #include "vtkShaderProgram.h"
-#include "vtkVersionMacros.h"
 #include "vtkWaterAccess.h"
 #include "vtkWaterGL.h"
+#include "vtkWaterGather.h"
 
 #include <algorithm>
 #include <cstring>
@@ -25,21 +25,12 @@ double (*BoxesOf(std::vector<std::array<double, 6>>& boxes))[6]
   return reinterpret_cast<double(*)[6]>(boxes.data()); // std::array<double, 6> is a double[6]
 }
 
-bool IsInWorld(vtkProp3D* prop)
-{
-#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
-  return prop->GetCoordinateSystem() == vtkProp3D::WORLD;
-#else
-  return prop != nullptr; // there is nothing else
-#endif
-}
-
 // Can the triangles of a mesh be drawn without some of them? Not when the shader counts them to
 // find the data of their cells.
 bool CanBeCut(vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkActor* actor)
 {
   return actor && std::strcmp(mapper->GetClassName(), "vtkOpenGLPolyDataMapper") == 0 &&
-    IsInWorld(actor) && actor->GetProperty()->GetRepresentation() == VTK_SURFACE &&
+    vtkWaterGather::IsInWorld(actor) && actor->GetProperty()->GetRepresentation() == VTK_SURFACE &&
     !actor->IsRenderingTranslucentPolygonalGeometry() &&
     !program->IsUniformUsed("PrimitiveIDOffset");
 }

@@ -51,7 +51,7 @@ void AddBounds(vtkProp* prop, vtkMatrix4x4* parent, vtkBoundingBox& box)
     }
     return;
   }
-  const double* bounds = prop->GetBounds();
+  const double* bounds = vtkWaterGather::GetBounds(prop);
   if (!bounds || !vtkMath::AreBoundsInitialized(bounds) ||
     !std::all_of(bounds, bounds + 6, [](double bound) { return vtkMath::IsFinite(bound); }))
   {

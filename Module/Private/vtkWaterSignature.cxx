@@ -27,6 +27,7 @@
 #include "vtkSmartPointer.h"
 #include "vtkTexture.h"
 #include "vtkTransform.h"
+#include "vtkTrivialProducer.h"
 #include "vtkUniforms.h"
 #include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
@@ -188,6 +189,12 @@ void vtkWaterSignature::AddAlgorithm(vtkAlgorithm* algorithm)
     for (int i = 0; i < algorithm->GetNumberOfInputConnections(port); ++i)
     {
       vtkAlgorithm* producer = algorithm->GetInputAlgorithm(port, i);
+      vtkDataObject* data = algorithm->GetInputDataObject(port, i);
+      this->Values.emplace_back(data, TimeOf(data));
+      if (vtkTrivialProducer::SafeDownCast(producer))
+      {
+        continue; // it is the data
+      }
       auto* pipeline = vtkDemandDrivenPipeline::SafeDownCast(producer->GetExecutive());
       if (!pipeline)
       {
@@ -196,8 +203,6 @@ void vtkWaterSignature::AddAlgorithm(vtkAlgorithm* algorithm)
       }
       pipeline->UpdatePipelineMTime();
       this->Values.emplace_back(producer, pipeline->GetPipelineMTime());
-      vtkDataObject* data = algorithm->GetInputDataObject(port, i);
-      this->Values.emplace_back(data, TimeOf(data));
     }
   }
 }
