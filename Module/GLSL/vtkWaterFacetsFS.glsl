@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkWaterFacetsFS.glsl: the facets that stand for all slopes within a pixel.
-// Needs vtkWaterOptics.glsl, vtkWaterPointFS.glsl and vtkWaterLookupFS.glsl before it, or another of
-// the last one's stage.
+// Needs vtkWaterOptics.glsl, vtkWaterPointFS.glsl, vtkWaterColorFS.glsl and vtkWaterLookupFS.glsl before
+// it, or others of the last two's stages.
 //
 // The slopes are Gaussian about the pixel's mean one, along the azimuth of the view only: at a low
 // view a slope across it turns the reflection little. A facet counts by the part of the pixel that
@@ -69,7 +69,7 @@ float waterFacetReflectance(WaterPoint point)
 // reason, uv   of the pixel's mean one, which is the only one where these are shown
 vec3 waterFacets(WaterPoint point, out float reflectance, inout int reason, inout vec2 uv)
 {
-  int count = waterOutput == 1 || waterOutput == 2 ? 1 : waterFacetCount(point);
+  int count = waterShowsMean() ? 1 : waterFacetCount(point);
   vec3 reflected = vec3(0.0);
   reflectance = 0.0;
   for (int i = 0; i < 2 - min(count, 2); ++i)
