@@ -44,6 +44,10 @@ WaterLook waterGlance(WaterPoint point, vec3 normal)
   return look;
 }
 
+void waterReadOnce() {}
+
+void waterSettle(vec3 start, bool isFollowed, inout WaterLook look) {}
+
 void waterFollow(vec3 start, bool isWanted, inout WaterLook look) {}
 
 int waterReason(WaterLook look)

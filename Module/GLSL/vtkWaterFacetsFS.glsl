@@ -51,7 +51,8 @@ vec2 waterFacetSlopes(WaterPoint point, float spread)
 // The reflection of a pixel's facets, each weighted by its own reflectance.
 //
 // One facet goes the way of the first of several: software renderers execute a branch for either, and
-// a loop's body once at least. It alone is followed further than a glance.
+// a loop's body once at least. It alone is followed where a glance and some probes do not settle: of
+// several, which are blurred, they find each of them well enough.
 //
 // reflectance  of all
 // reason, uv   of the pixel's mean one, which is the only one where these are shown
@@ -59,37 +60,42 @@ vec3 waterFacets(WaterPoint point, out float reflectance, inout int reason, inou
 {
   vec2 azimuth = waterAzimuth(point);
   float variance = dot(point.variance.xy, azimuth * azimuth);
-  // four see places on the line of two
   int count = variance > WATER_ROUGH ? 4 : (variance > WATER_SMOOTH ? 2 : 1);
   count = waterShowsMean() ? 1 : count;
   bool isOne = count == 1;
   vec2 slopes = isOne ? vec2(0.0) : waterFacetSlopes(point, sqrt(variance));
-  WaterPlaces places = WaterPlaces(vec4(0.0), vec2(0.0));
+  WaterPlaces places = WaterPlaces(vec4(0.0), vec4(0.0), vec4(0.0));
   WaterLook look;
   vec3 reflected = vec3(0.0);
   float share = 0.0;
   reflectance = 0.0;
+  waterReadOnce();
   int i = 0;
   do
   {
-    float slope = slopes.x + (i == 0 ? -slopes.y : slopes.y);
+    // two nodes, or four: the means of the slopes' quarters
+    float node = (i & 1) == 0 ? -1.0 : 1.0;
+    node *= count == 4 ? (i < 2 ? 0.378 : 1.363) : 1.0;
+    float slope = slopes.x + node * slopes.y;
     vec3 normal =
       normalize(vec3(point.normal.xy - point.normal.z * slope * azimuth, point.normal.z));
     float cosine = clamp(-dot(point.ray, normal), 0.0, 1.0);
-    share = (isOne ? 1.0 : 0.5) *
+    share = (isOne ? 1.0 : (count == 4 ? 0.25 : 0.5)) *
       (waterReflectance < 0.0 ? waterFresnel(cosine, waterEta) : waterReflectance);
     reflectance += share;
     look = waterGlance(point, normal);
-    places.two = vec4(i == 0 ? look.uv : places.two.xy, look.uv);
+    waterSettle(point.start, isOne, look);
     float atPlace = look.isPlace ? share : 0.0;
-    places.shares = vec2(i == 0 ? atPlace : places.shares.x, i == 0 ? 0.0 : atPlace);
+    places.inner = vec4(i == 0 ? look.uv : places.inner.xy, i == 1 ? look.uv : places.inner.zw);
+    places.outer = vec4(i == 2 ? look.uv : places.outer.xy, i == 3 ? look.uv : places.outer.zw);
+    places.shares = mix(places.shares, vec4(atPlace), equal(ivec4(i), ivec4(0, 1, 2, 3)));
     reflected += look.isPlace ? vec3(0.0) : share * look.color;
     ++i;
-  } while (i < 2 && !isOne);
+  } while (i < count);
   waterFollow(point.start, isOne, look);
   if (isOne)
   {
-    places.two = look.uv.xyxy;
+    places.inner = look.uv.xyxy;
     places.shares.x = look.isPlace ? share : 0.0;
     reflected = look.isPlace ? vec3(0.0) : share * look.color;
     reason = waterReason(look);

@@ -21,9 +21,35 @@ const int WATER_DOWNWARD = 5;
 
 const float WATER_THICKNESS = 0.05; // of things that cast shadows, over their distance
 
+const int WATER_FACET_PROBES = 3; // for one of several facets
+
 const float WATER_PROBE_PX = 6.0; // between probes; the default's are closer on ways below 42
 
 float waterFloor = -1e30; // height that no ray of this pixel meets anything below
+
+// What rays need of the uniforms, read once for all of a pixel: software renderers take some 30
+// instructions to read each number, and would for every ray. A plain copy would be undone by compilers.
+mat4 waterHalfToMap;   // half of waterDirToMap
+vec2 waterToSlack;     // how far a ray may be off a depth and has settled: x depth + y
+mat2x3 waterHalfToSky; // direction -> half of its y and w on the user's screen
+vec3 waterSkyRise;     // from its bottom to its top
+
+void waterReadOnce()
+{
+  waterHalfToMap = 0.5 * waterDirToMap;
+  waterToSlack = waterMapTolerance.x * vec2(-1.0, waterMapZInfinity);
+  mat4 rows = transpose(waterDirToEye);
+  waterHalfToSky = 0.5 * mat2x3(rows[1].xyz, rows[3].xyz);
+  waterSkyRise = waterSkyTop.rgb - waterSkyBottom.rgb;
+}
+
+// waterSky, from these.
+vec3 waterSkyOfRay(vec3 dir)
+{
+  vec2 eye = dir * waterHalfToSky;
+  float height = eye.y > 0.0 ? 0.5 + 0.5 * eye.x / eye.y : step(0.0, eye.x);
+  return waterSkyBottom.rgb + clamp(height, 0.0, 1.0) * waterSkyRise;
+}
 
 float waterMapDepth(vec2 uv)
 {
@@ -39,7 +65,7 @@ float waterMapDepth(vec2 uv)
 // rayDepth     after it
 bool waterMayPassBehind(float depthBefore, float depth, float rayDepth)
 {
-  float slack = waterMapTolerance.x * (waterMapZInfinity - depthBefore);
+  float slack = waterToSlack.x * depthBefore + waterToSlack.y;
   return depth > depthBefore + slack && rayDepth > depthBefore - slack;
 }
 
@@ -58,7 +84,9 @@ struct WaterLook
   float s;
   float depthStart; // of the map, at the ray's ends
   float depth;
-  float behind; // how far behind the edge of a thing it went, over the thing's distance
+  bool isSettled; // the glance is what it meets
+  float near;     // depth of the nearest thing that a probe found before that
+  float behind;   // how far behind the edge of a thing it went, over the thing's distance
 };
 
 // Two steps along a ray, to the depth that the map has where the ray is.
@@ -69,12 +97,13 @@ struct WaterLook
 WaterLook waterGlanceAlong(vec3 start, float startW, vec3 dir)
 {
   WaterLook look;
-  vec4 end = waterDirToMap * vec4(dir, 0.0);
-  vec3 line = 0.5 * (end.xyz - (2.0 * start - 1.0) * end.w);
-  float last = end.w > 1e-6 ? 1.0 / end.w : (line.z > 0.0 ? (1.0 - start.z) / line.z : 1e20);
+  vec4 halfEnd = waterHalfToMap * vec4(dir, 0.0);
+  vec3 line = halfEnd.xyz - (2.0 * start - 1.0) * halfEnd.w;
+  float endW = 2.0 * halfEnd.w;
+  float last = endW > 1e-6 ? 1.0 / endW : (line.z > 0.0 ? (1.0 - start.z) / line.z : 1e20);
   // over the highest thing there is nothing but sky
   float climb = waterMapTop / max(dir.z, 1e-6);
-  float climbW = startW + climb * end.w;
+  float climbW = startW + climb * endW;
   float overAll = climbW > 0.0 ? climb / climbW : 1e20;
   vec2 border =
     (step(0.0, line.xy) - start.xy) / mix(line.xy, vec2(1e-9), equal(line.xy, vec2(0.0)));
@@ -94,17 +123,18 @@ WaterLook waterGlanceAlong(vec3 start, float startW, vec3 dir)
     look.uv = start.xy + look.s * look.line.xy;
     look.depth = waterMapDepth(look.uv);
   }
-  look.color = waterSky(dir);
+  look.color = waterSkyOfRay(dir);
   bool isSky = look.s > 0.9999 && look.depth >= 1.0 && !look.isInside;
   look.isPlace = !isSky || waterSkyBottom.a <= 0.5;
   look.reason = WATER_HIT;
   look.isDown = false;
+  look.isSettled = false;
+  look.near = look.depth;
   look.behind = 0.0;
   return look;
 }
 
-// The same, of a point's reflected ray: of facets that are blurred together this finds each of them well
-// enough.
+// The same, of a point's reflected ray.
 WaterLook waterGlance(WaterPoint point, vec3 normal)
 {
   vec3 dir = reflect(point.ray, normal);
@@ -116,12 +146,12 @@ WaterLook waterGlance(WaterPoint point, vec3 normal)
   return look;
 }
 
-// Looks whether a glance has settled on what the ray meets, and follows the ray where it has not.
+// Looks whether a glance has settled on what the ray meets.
 //
 // Loops are tested at their end: software renderers execute their bodies once more than needed otherwise.
 //
-// isWanted  a glance will not do
-void waterFollow(vec3 start, bool isWanted, inout WaterLook look)
+// most  probes
+void waterProbe(vec3 start, int most, inout WaterLook look)
 {
   vec3 way = look.line;
   float s = look.s;
@@ -129,13 +159,14 @@ void waterFollow(vec3 start, bool isWanted, inout WaterLook look)
   float rayDepth = min(start.z + s * way.z, 1.0);
   bool isSettled = s > 0.9999
     ? rayDepth <= depth
-    : abs(start.z + s * way.z - depth) <= waterMapTolerance.x * (waterMapZInfinity - depth);
+    : abs(start.z + s * way.z - depth) <= waterToSlack.x * depth + waterToSlack.y;
   // nothing nearer on the way; of a short one fewer probes miss no more
   float lengthPx = s * length(way.xy * vec2(textureSize(waterReflectionDepth, 0)));
-  int probes = isSettled && isWanted ? min(waterProbes, int(lengthPx / WATER_PROBE_PX)) : 0;
+  int probes = isSettled ? min(most, int(lengthPx / WATER_PROBE_PX)) : 0;
   float part = s / float(probes + 1);
   float depthBefore = look.depthStart;
   int probe = 1;
+  float depthNear = depth;
   do
   {
     vec3 at = start + part * float(probe) * way;
@@ -146,10 +177,22 @@ void waterFollow(vec3 start, bool isWanted, inout WaterLook look)
     bool isProbe = probe <= probes;
     isSettled = isSettled && (isFree || !isProbe);
     depthBefore = isProbe ? depthProbe : depthBefore;
+    depthNear = isProbe && !isFree ? depthProbe : depthNear;
     ++probe;
   } while (probe <= probes && isSettled);
-  isSettled = (isSettled && !waterMayPassBehind(depthBefore, depth, rayDepth)) || !isWanted;
+  look.isSettled = isSettled && !waterMayPassBehind(depthBefore, depth, rayDepth);
+  look.near = depthNear;
+}
 
+// Follows a ray that has not settled, and settles others closer.
+//
+// isWanted  or else nothing that comes of it is used
+void waterFollow(vec3 start, bool isWanted, inout WaterLook look)
+{
+  vec3 way = look.line;
+  float s = look.s;
+  float depth = look.depth;
+  bool isSettled = look.isSettled || !isWanted;
   // the depth there leads closer still
   float perDepth = 1.0 / (abs(way.z) > 1e-20 ? way.z : 1e-20);
   vec2 uv = look.uv;
@@ -182,7 +225,7 @@ void waterFollow(vec3 start, bool isWanted, inout WaterLook look)
       bool isHalving = halvings > 0;
       float middle = isHalving ? 0.5 * (low + high) : min(low + stride, 1.0);
       depth = waterMapDepth(start.xy + middle * way.xy);
-      rayDepth = min(start.z + middle * way.z, 1.0);
+      float rayDepth = min(start.z + middle * way.z, 1.0);
       bool isBehind = rayDepth > depth;
       bool isJump = !isHalving && !isBehind && waterMayPassBehind(depthLow, depth, rayDepth);
       bool isBeyond = isHalving && !isHit && depth >= rayHigh; // of the edge
@@ -221,6 +264,17 @@ void waterFollow(vec3 start, bool isWanted, inout WaterLook look)
   look.isPlace = !isSky || waterSkyBottom.a <= 0.5;
 }
 
+// Probes. A ray that is not followed meets what they find, about where that is.
+void waterSettle(vec3 start, bool isFollowed, inout WaterLook look)
+{
+  waterProbe(start, isFollowed ? waterProbes : min(waterProbes, WATER_FACET_PROBES), look);
+  float perDepth = 1.0 / (abs(look.line.z) > 1e-20 ? look.line.z : 1e-20);
+  bool isNear = look.near < look.depth && !isFollowed;
+  float s = clamp((look.near - start.z) * perDepth, 0.0, 1.0);
+  look.uv = isNear ? start.xy + s * look.line.xy : look.uv;
+  look.isPlace = look.isPlace || isNear;
+}
+
 // Why the point has its reflection.
 int waterReason(WaterLook look)
 {
@@ -235,7 +289,9 @@ int waterReason(WaterLook look)
 // uv      where in the map that is
 vec3 waterReflected(WaterPoint point, out int reason, out vec2 uv)
 {
+  waterReadOnce();
   WaterLook look = waterGlance(point, point.normal);
+  waterProbe(point.start, waterProbes, look);
   waterFollow(point.start, true, look);
   reason = waterReason(look);
   uv = look.uv;
@@ -245,8 +301,10 @@ vec3 waterReflected(WaterPoint point, out int reason, out vec2 uv)
 // How much of the light from a direction something keeps off, as far as the map shows it.
 float waterShaded(WaterPoint point, vec3 dir)
 {
+  waterReadOnce();
   WaterLook look =
     waterGlanceAlong(point.start, point.startW, vec3(dir.xy, max(dir.z, 1e-6)));
+  waterProbe(point.start, waterProbes, look);
   waterFollow(point.start, true, look);
   int reason = waterReason(look);
   // a ray that goes close behind an edge meets a side that the map does not show
@@ -257,23 +315,23 @@ float waterShaded(WaterPoint point, vec3 dir)
 // The places that some facets see, blurred over their distance: several sharp images would be seen as
 // several.
 //
-// count  1: the first place, sharp; 2, or 4: quarters of the slopes, on the line through the two
+// count  1: the first place, sharp; 2, or 4
 vec3 waterBlurred(WaterPlaces places, int count)
 {
-  vec2 middle = 0.5 * (places.two.xy + places.two.zw);
-  vec2 arm = 0.5 * (places.two.zw - places.two.xy);
-  float apart = length(arm * vec2(textureSize(waterReflection, 0))) * (count == 4 ? 0.909 : 2.0);
-  float level = log2(max(0.3 * apart, 1.0));
+  // from one to the next
+  vec2 apart = count == 4 ? (places.outer.zw - places.outer.xy) / 3.0 : places.inner.zw - places.inner.xy;
+  apart = count == 1 ? vec2(0.0) : apart;
+  float level = log2(max(0.3 * length(apart * vec2(textureSize(waterReflection, 0))), 1.0));
   vec3 blurred = vec3(0.0);
   int i = 0;
   do
   {
+    vec4 pair = i < 2 ? places.inner : places.outer;
+    vec2 shares = i < 2 ? places.shares.xy : places.shares.zw;
     bool isFirst = (i & 1) == 0;
-    float node = count == 4 ? (i < 2 ? 0.378 : 1.363) : 1.0;
-    vec2 uv = middle + (isFirst ? -node : node) * arm;
-    float share = isFirst ? places.shares.x : places.shares.y;
-    blurred += share * textureLod(waterReflection, uv, level).rgb;
+    blurred += (isFirst ? shares.x : shares.y) *
+      textureLod(waterReflection, isFirst ? pair.xy : pair.zw, level).rgb;
     ++i;
   } while (i < count);
-  return blurred * (count == 4 ? 0.5 : 1.0);
+  return blurred;
 }

@@ -47,6 +47,10 @@ WaterLook waterGlance(WaterPoint point, vec3 normal)
   return WaterLook(waterOffsetPlace(point, normal), true, vec3(0.0));
 }
 
+void waterReadOnce() {}
+
+void waterSettle(vec3 start, bool isFollowed, inout WaterLook look) {}
+
 void waterFollow(vec3 start, bool isWanted, inout WaterLook look) {}
 
 int waterReason(WaterLook look)
@@ -57,23 +61,23 @@ int waterReason(WaterLook look)
 // The places that some facets see, blurred over their distance: several sharp images would be seen as
 // several.
 //
-// count  1: the first place, sharp; 2, or 4: quarters of the slopes, on the line through the two
+// count  1: the first place, sharp; 2, or 4
 vec3 waterBlurred(WaterPlaces places, int count)
 {
-  vec2 middle = 0.5 * (places.two.xy + places.two.zw);
-  vec2 arm = 0.5 * (places.two.zw - places.two.xy);
-  float apart = length(arm * vec2(textureSize(waterReflection, 0))) * (count == 4 ? 0.909 : 2.0);
-  float level = log2(max(0.3 * apart, 1.0));
+  // from one to the next
+  vec2 apart = count == 4 ? (places.outer.zw - places.outer.xy) / 3.0 : places.inner.zw - places.inner.xy;
+  apart = count == 1 ? vec2(0.0) : apart;
+  float level = log2(max(0.3 * length(apart * vec2(textureSize(waterReflection, 0))), 1.0));
   vec3 blurred = vec3(0.0);
   int i = 0;
   do
   {
+    vec4 pair = i < 2 ? places.inner : places.outer;
+    vec2 shares = i < 2 ? places.shares.xy : places.shares.zw;
     bool isFirst = (i & 1) == 0;
-    float node = count == 4 ? (i < 2 ? 0.378 : 1.363) : 1.0;
-    vec2 uv = middle + (isFirst ? -node : node) * arm;
-    float share = isFirst ? places.shares.x : places.shares.y;
-    blurred += share * textureLod(waterReflection, uv, level).rgb;
+    blurred += (isFirst ? shares.x : shares.y) *
+      textureLod(waterReflection, isFirst ? pair.xy : pair.zw, level).rgb;
     ++i;
   } while (i < count);
-  return blurred * (count == 4 ? 0.5 : 1.0);
+  return blurred;
 }

@@ -44,11 +44,13 @@ struct WaterPoint
   float startW;  // w of that in clip space of the map
 };
 
-// What two facets see in the map, one spread of the slopes to each side, and the share of each.
+// What up to four facets see in the map, and the share of each. Not an array: software renderers are slow
+// with a place in one that is known late.
 struct WaterPlaces
 {
-  vec4 two;
-  vec2 shares; // 0: not a place of the map
+  vec4 inner; // two places
+  vec4 outer;
+  vec4 shares; // 0: not a place of the map
 };
 
 WaterPoint waterPoint()
