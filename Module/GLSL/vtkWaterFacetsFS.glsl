@@ -70,6 +70,9 @@ vec3 waterFacets(WaterPoint point, out float reflectance, inout int reason, inou
   float share = 0.0;
   reflectance = 0.0;
   waterReadOnce();
+  bool isFresnel = waterReflectance < 0.0;
+  float given = max(waterReflectance, 0.0);
+  float eta = max(waterEta, 0.0);
   int i = 0;
   do
   {
@@ -81,7 +84,7 @@ vec3 waterFacets(WaterPoint point, out float reflectance, inout int reason, inou
       normalize(vec3(point.normal.xy - point.normal.z * slope * azimuth, point.normal.z));
     float cosine = clamp(-dot(point.ray, normal), 0.0, 1.0);
     share = (isOne ? 1.0 : (count == 4 ? 0.25 : 0.5)) *
-      (waterReflectance < 0.0 ? waterFresnel(cosine, waterEta) : waterReflectance);
+      (isFresnel ? waterFresnel(cosine, eta) : given);
     reflectance += share;
     look = waterGlance(point, normal);
     waterSettle(point.start, isOne, look);

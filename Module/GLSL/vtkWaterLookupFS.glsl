@@ -32,7 +32,12 @@ float waterFloor = -1e30; // height that no ray of this pixel meets anything bel
 mat4 waterHalfToMap;   // half of waterDirToMap
 vec2 waterToSlack;     // how far a ray may be off a depth and has settled: x depth + y
 mat2x3 waterHalfToSky; // direction -> half of its y and w on the user's screen
+vec4 waterSkyLow;      // waterSkyBottom
 vec3 waterSkyRise;     // from its bottom to its top
+vec2 waterMapSize;     // texels
+float waterTop;        // waterMapTop
+int waterProbesOfOne;
+int waterProbesOfSeveral; // each
 
 void waterReadOnce()
 {
@@ -40,7 +45,12 @@ void waterReadOnce()
   waterToSlack = waterMapTolerance.x * vec2(-1.0, waterMapZInfinity);
   mat4 rows = transpose(waterDirToEye);
   waterHalfToSky = 0.5 * mat2x3(rows[1].xyz, rows[3].xyz);
+  waterSkyLow = max(waterSkyBottom, vec4(0.0));
   waterSkyRise = waterSkyTop.rgb - waterSkyBottom.rgb;
+  waterMapSize = vec2(textureSize(waterReflectionDepth, 0));
+  waterTop = max(waterMapTop, 0.0);
+  waterProbesOfOne = max(waterProbes, 0);
+  waterProbesOfSeveral = min(waterProbes, WATER_FACET_PROBES);
 }
 
 // waterSky, from these.
@@ -48,7 +58,7 @@ vec3 waterSkyOfRay(vec3 dir)
 {
   vec2 eye = dir * waterHalfToSky;
   float height = eye.y > 0.0 ? 0.5 + 0.5 * eye.x / eye.y : step(0.0, eye.x);
-  return waterSkyBottom.rgb + clamp(height, 0.0, 1.0) * waterSkyRise;
+  return waterSkyLow.rgb + clamp(height, 0.0, 1.0) * waterSkyRise;
 }
 
 float waterMapDepth(vec2 uv)
@@ -102,7 +112,7 @@ WaterLook waterGlanceAlong(vec3 start, float startW, vec3 dir)
   float endW = 2.0 * halfEnd.w;
   float last = endW > 1e-6 ? 1.0 / endW : (line.z > 0.0 ? (1.0 - start.z) / line.z : 1e20);
   // over the highest thing there is nothing but sky
-  float climb = waterMapTop / max(dir.z, 1e-6);
+  float climb = waterTop / max(dir.z, 1e-6);
   float climbW = startW + climb * endW;
   float overAll = climbW > 0.0 ? climb / climbW : 1e20;
   vec2 border =
@@ -125,7 +135,7 @@ WaterLook waterGlanceAlong(vec3 start, float startW, vec3 dir)
   }
   look.color = waterSkyOfRay(dir);
   bool isSky = look.s > 0.9999 && look.depth >= 1.0 && !look.isInside;
-  look.isPlace = !isSky || waterSkyBottom.a <= 0.5;
+  look.isPlace = !isSky || waterSkyLow.a <= 0.5;
   look.reason = WATER_HIT;
   look.isDown = false;
   look.isSettled = false;
@@ -161,7 +171,7 @@ void waterProbe(vec3 start, int most, inout WaterLook look)
     ? rayDepth <= depth
     : abs(start.z + s * way.z - depth) <= waterToSlack.x * depth + waterToSlack.y;
   // nothing nearer on the way; of a short one fewer probes miss no more
-  float lengthPx = s * length(way.xy * vec2(textureSize(waterReflectionDepth, 0)));
+  float lengthPx = s * length(way.xy * waterMapSize);
   int probes = isSettled ? min(most, int(lengthPx / WATER_PROBE_PX)) : 0;
   float part = s / float(probes + 1);
   float depthBefore = look.depthStart;
@@ -261,13 +271,13 @@ void waterFollow(vec3 start, bool isWanted, inout WaterLook look)
   }
   look.uv = uv;
   look.reason = reason;
-  look.isPlace = !isSky || waterSkyBottom.a <= 0.5;
+  look.isPlace = !isSky || waterSkyLow.a <= 0.5;
 }
 
 // Probes. A ray that is not followed meets what they find, about where that is.
 void waterSettle(vec3 start, bool isFollowed, inout WaterLook look)
 {
-  waterProbe(start, isFollowed ? waterProbes : min(waterProbes, WATER_FACET_PROBES), look);
+  waterProbe(start, isFollowed ? waterProbesOfOne : waterProbesOfSeveral, look);
   float perDepth = 1.0 / (abs(look.line.z) > 1e-20 ? look.line.z : 1e-20);
   bool isNear = look.near < look.depth && !isFollowed;
   float s = clamp((look.near - start.z) * perDepth, 0.0, 1.0);
