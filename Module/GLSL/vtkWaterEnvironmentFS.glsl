@@ -6,15 +6,20 @@ uniform sampler2D waterEnvironment;
 uniform int waterHasEnvironment; // 0: the background
 uniform mat3 waterDirToEnvironment;
 
-vec3 waterReflected(WaterPoint point, out int reason, out vec2 uv)
+vec3 waterAround(WaterPoint point, vec3 normal, out vec2 uv)
 {
-  vec3 dir = reflect(point.ray, point.normal);
+  vec3 dir = reflect(point.ray, normal);
   dir.z = abs(dir.z); // met the water again: bounced off it once more
   vec3 around = waterDirToEnvironment * dir;
-  reason = 2;
   uv = vec2(0.5 + 0.15915494 * atan(around.z, around.x),
     0.5 + 0.31830989 * atan(around.y, length(around.xz)));
   return waterHasEnvironment != 0 ? textureLod(waterEnvironment, uv, 0.0).rgb : waterSky(dir);
+}
+
+vec3 waterReflected(WaterPoint point, out int reason, out vec2 uv)
+{
+  reason = 2;
+  return waterAround(point, point.normal, uv);
 }
 
 // How much of the light from a direction something keeps off, as far as the map shows it.
@@ -23,14 +28,31 @@ float waterShaded(WaterPoint point, vec3 dir)
   return 0.0;
 }
 
-// What one of several facets sees: a place of the map, or a colour.
-//
-// Returns whether it is a place.
-bool waterFacetSees(WaterPoint point, out vec2 uv, out vec3 color)
+// What a facet sees: a place of the map, or a colour.
+struct WaterLook
 {
-  int reason;
-  color = waterReflected(point, reason, uv);
-  return false;
+  vec2 uv;
+  bool isPlace;
+  vec3 color;
+};
+
+WaterLook waterGlance(WaterPoint point, vec3 normal)
+{
+  WaterLook look;
+  look.color = waterAround(point, normal, look.uv);
+  look.isPlace = false;
+  return look;
+}
+
+void waterReadOnce() {}
+
+void waterSettle(vec3 start, bool isFollowed, inout WaterLook look) {}
+
+void waterFollow(vec3 start, bool isWanted, inout WaterLook look) {}
+
+int waterReason(WaterLook look)
+{
+  return 2;
 }
 
 vec3 waterBlurred(WaterPlaces places, int count)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkWaterFacetsFS.glsl: the facets that stand for all slopes within a pixel.
-// Needs vtkWaterOptics.glsl, vtkWaterPointFS.glsl and vtkWaterLookupFS.glsl before it, or another of
-// the last one's stage.
+// Needs vtkWaterOptics.glsl, vtkWaterPointFS.glsl, vtkWaterColorFS.glsl and vtkWaterLookupFS.glsl before
+// it, or others of the last two's stages.
 //
 // The slopes are Gaussian about the pixel's mean one, along the azimuth of the view only: at a low
 // view a slope across it turns the reflection little. A facet counts by the part of the pixel that
@@ -23,30 +23,24 @@ float waterNormalShare(float x)
 // Any direction will do for a view straight down.
 vec2 waterAzimuth(WaterPoint point)
 {
-  return length(point.ray.xy) > 1e-6 ? normalize(point.ray.xy) : vec2(1.0, 0.0);
-}
-
-// Number of facets: 1, 2, or 4, which see places on the line of two.
-int waterFacetCount(WaterPoint point)
-{
-  vec2 azimuth = waterAzimuth(point);
-  float variance = dot(point.variance.xy, azimuth * azimuth);
-  return variance > WATER_ROUGH ? 4 : (variance > WATER_SMOOTH ? 2 : 1);
+  float across2 = dot(point.ray.xy, point.ray.xy);
+  return across2 > 1e-12 ? inversesqrt(across2) * point.ray.xy : vec2(1.0, 0.0);
 }
 
 // Mean and spread of the slopes that face the eye, against the pixel's own normal: x, y.
-vec2 waterFacetSlopes(WaterPoint point, vec2 azimuth)
+//
+// spread  of all slopes
+vec2 waterFacetSlopes(WaterPoint point, float spread)
 {
-  float spread = sqrt(dot(point.variance.xy, azimuth * azimuth));
   // in units of the spread: how far the mean facet is from facing away
   float edge = -dot(point.ray, point.normal) /
     (spread * point.normal.z * max(length(point.ray.xy), 1e-6));
   float from = max(edge, -1.0);
   float share = waterNormalShare(from);
   float density = 0.39894228 * exp(-0.5 * from * from);
-  float area = from * share + density;
-  float mean = share / area;
-  float variance = (from * share + 2.0 * density) / area - mean * mean;
+  float perArea = 1.0 / (from * share + density);
+  float mean = share * perArea;
+  float variance = (from * share + 2.0 * density) * perArea - mean * mean;
   // Steep views see all facets, and on a flat sheet all alike.
   float low = 1.0 - smoothstep(3.0, 6.0, edge);
   float shift = low * (mean + from - edge);
@@ -54,64 +48,62 @@ vec2 waterFacetSlopes(WaterPoint point, vec2 azimuth)
   return spread * vec2(shift, sqrt(max(variance, 0.0)));
 }
 
-float waterFacetReflectance(WaterPoint point)
-{
-  return waterReflectance < 0.0
-    ? waterFresnel(clamp(-dot(point.ray, point.normal), 0.0, 1.0), waterEta) : waterReflectance;
-}
-
 // The reflection of a pixel's facets, each weighted by its own reflectance.
 //
-// Loops stand where a branch would do: they end early also where both sides of a branch are
-// executed, on software renderers, and most pixels have either one facet or several all around.
+// One facet goes the way of the first of several: software renderers execute a branch for either, and
+// a loop's body once at least. It alone is followed where a glance and some probes do not settle: of
+// several, which are blurred, they find each of them well enough.
 //
 // reflectance  of all
 // reason, uv   of the pixel's mean one, which is the only one where these are shown
 vec3 waterFacets(WaterPoint point, out float reflectance, inout int reason, inout vec2 uv)
 {
-  int count = waterOutput == 1 || waterOutput == 2 ? 1 : waterFacetCount(point);
+  vec2 azimuth = waterAzimuth(point);
+  float variance = dot(point.variance.xy, azimuth * azimuth);
+  int count = variance > WATER_ROUGH ? 4 : (variance > WATER_SMOOTH ? 2 : 1);
+  count = waterShowsMean() ? 1 : count;
+  bool isOne = count == 1;
+  vec2 slopes = isOne ? vec2(0.0) : waterFacetSlopes(point, sqrt(variance));
+  WaterPlaces places = WaterPlaces(vec4(0.0), vec4(0.0), vec4(0.0));
+  WaterLook look;
   vec3 reflected = vec3(0.0);
+  float share = 0.0;
   reflectance = 0.0;
-  for (int i = 0; i < 2 - min(count, 2); ++i)
+  waterReadOnce();
+  bool isFresnel = waterReflectance < 0.0;
+  float given = max(waterReflectance, 0.0);
+  float eta = max(waterEta, 0.0);
+  int i = 0;
+  do
   {
-    reflectance = waterFacetReflectance(point);
-    if (waterIsReflecting != 0)
-    {
-      reflected = reflectance * waterReflected(point, reason, uv);
-    }
-  }
-  int several = count > 1 ? count : 0;
-  vec2 azimuth = vec2(0.0);
-  vec2 slopes = vec2(0.0);
-  for (int i = 0; i < min(several, 1); ++i)
-  {
-    azimuth = waterAzimuth(point);
-    slopes = waterFacetSlopes(point, azimuth);
-  }
-  WaterPlaces places = WaterPlaces(vec4(0.0), vec2(0.0));
-  for (int i = 0; i < min(several, 2); ++i)
-  {
-    float node = i == 0 ? -1.0 : 1.0;
+    // two nodes, or four: the means of the slopes' quarters
+    float node = (i & 1) == 0 ? -1.0 : 1.0;
+    node *= count == 4 ? (i < 2 ? 0.378 : 1.363) : 1.0;
     float slope = slopes.x + node * slopes.y;
-    WaterPoint facet = point;
-    facet.normal = normalize(
-      vec3(point.normal.xy - point.normal.z * slope * azimuth, point.normal.z));
-    float share = 0.5 * waterFacetReflectance(facet);
+    vec3 normal =
+      normalize(vec3(point.normal.xy - point.normal.z * slope * azimuth, point.normal.z));
+    float cosine = clamp(-dot(point.ray, normal), 0.0, 1.0);
+    share = (isOne ? 1.0 : (count == 4 ? 0.25 : 0.5)) *
+      (isFresnel ? waterFresnel(cosine, eta) : given);
     reflectance += share;
-    if (waterIsReflecting != 0)
-    {
-      vec3 color;
-      vec2 place;
-      bool isPlace = waterFacetSees(facet, place, color);
-      places.two = i == 0 ? place.xyxy : vec4(places.two.xy, place);
-      places.shares = isPlace ? (i == 0 ? vec2(share, 0.0) : vec2(places.shares.x, share))
-                              : places.shares;
-      reflected += isPlace ? vec3(0.0) : share * color;
-    }
-  }
-  if (waterIsReflecting != 0)
+    look = waterGlance(point, normal);
+    waterSettle(point.start, isOne, look);
+    float atPlace = look.isPlace ? share : 0.0;
+    places.inner = vec4(i == 0 ? look.uv : places.inner.xy, i == 1 ? look.uv : places.inner.zw);
+    places.outer = vec4(i == 2 ? look.uv : places.outer.xy, i == 3 ? look.uv : places.outer.zw);
+    places.shares = mix(places.shares, vec4(atPlace), equal(ivec4(i), ivec4(0, 1, 2, 3)));
+    reflected += look.isPlace ? vec3(0.0) : share * look.color;
+    ++i;
+  } while (i < count);
+  waterFollow(point.start, isOne, look);
+  if (isOne)
   {
-    reflected += waterBlurred(places, several);
+    places.inner = look.uv.xyxy;
+    places.shares.x = look.isPlace ? share : 0.0;
+    reflected = look.isPlace ? vec3(0.0) : share * look.color;
+    reason = waterReason(look);
+    uv = look.uv;
   }
-  return reflected;
+  reflected += waterBlurred(places, count);
+  return waterIsReflecting != 0 ? reflected : vec3(0.0);
 }

@@ -7,14 +7,14 @@ uniform int waterLookup;           // vtkWaterProperty::Lookups
 uniform float waterOffsetScale;
 uniform mat4 waterDirToMap; // direction in the plane's axes -> clip of the map
 
-vec2 waterOffsetPlace(WaterPoint point)
+vec2 waterOffsetPlace(WaterPoint point, vec3 normal)
 {
   float scale = waterOffsetScale * (waterLookup == 2 ? gl_FragCoord.w : 1.0);
-  vec2 offset = scale * waterMapScale * point.normal.xy;
+  vec2 offset = scale * waterMapScale * normal.xy;
   vec2 uv = point.start.xy + vec2(-offset.x, offset.y);
   if (waterLookup == 3) // the point itself is moved
   {
-    vec4 moved = waterDirToMap * vec4(waterOffsetScale * point.normal.xy, 0.0, 0.0);
+    vec4 moved = waterDirToMap * vec4(waterOffsetScale * normal.xy, 0.0, 0.0);
     uv = 0.5 + 0.5 * ((2.0 * point.start.xy - 1.0) * point.startW + moved.xy) /
         (point.startW + moved.w);
   }
@@ -23,7 +23,7 @@ vec2 waterOffsetPlace(WaterPoint point)
 
 vec3 waterReflected(WaterPoint point, out int reason, out vec2 uv)
 {
-  uv = waterOffsetPlace(point);
+  uv = waterOffsetPlace(point, point.normal);
   reason = 1;
   return textureLod(waterReflection, uv, 0.0).rgb;
 }
@@ -34,37 +34,50 @@ float waterShaded(WaterPoint point, vec3 dir)
   return 0.0;
 }
 
-// What one of several facets sees: a place of the map, or a colour.
-//
-// Returns whether it is a place.
-bool waterFacetSees(WaterPoint point, out vec2 uv, out vec3 color)
+// What a facet sees: a place of the map, or a colour.
+struct WaterLook
 {
-  uv = waterOffsetPlace(point);
-  color = vec3(0.0);
-  return true;
+  vec2 uv;
+  bool isPlace;
+  vec3 color;
+};
+
+WaterLook waterGlance(WaterPoint point, vec3 normal)
+{
+  return WaterLook(waterOffsetPlace(point, normal), true, vec3(0.0));
+}
+
+void waterReadOnce() {}
+
+void waterSettle(vec3 start, bool isFollowed, inout WaterLook look) {}
+
+void waterFollow(vec3 start, bool isWanted, inout WaterLook look) {}
+
+int waterReason(WaterLook look)
+{
+  return 1;
 }
 
 // The places that some facets see, blurred over their distance: several sharp images would be seen as
 // several.
 //
-// count  2, or 4: quarters of the slopes, on the line through the two; 0: none
+// count  1: the first place, sharp; 2, or 4
 vec3 waterBlurred(WaterPlaces places, int count)
 {
+  // from one to the next
+  vec2 apart = count == 4 ? (places.outer.zw - places.outer.xy) / 3.0 : places.inner.zw - places.inner.xy;
+  apart = count == 1 ? vec2(0.0) : apart;
+  float level = log2(max(0.3 * length(apart * vec2(textureSize(waterReflection, 0))), 1.0));
   vec3 blurred = vec3(0.0);
-  vec2 middle = 0.5 * (places.two.xy + places.two.zw);
-  vec2 arm = 0.5 * (places.two.zw - places.two.xy);
-  float level = 0.0;
-  for (int i = 0; i < count; ++i)
+  int i = 0;
+  do
   {
-    if (i == 0)
-    {
-      float apart = length(arm * vec2(textureSize(waterReflection, 0))) * (count == 2 ? 2.0 : 0.909);
-      level = log2(max(0.3 * apart, 1.0));
-    }
-    float node = float(i & 1) * 2.0 - 1.0;
-    float share = (i & 1) == 0 ? places.shares.x : places.shares.y;
-    node *= count == 2 ? 1.0 : (i < 2 ? 0.378 : 1.363);
-    blurred += share * textureLod(waterReflection, middle + node * arm, level).rgb;
-  }
-  return blurred * (count == 4 ? 0.5 : 1.0);
+    vec4 pair = i < 2 ? places.inner : places.outer;
+    vec2 shares = i < 2 ? places.shares.xy : places.shares.zw;
+    bool isFirst = (i & 1) == 0;
+    blurred += (isFirst ? shares.x : shares.y) *
+      textureLod(waterReflection, isFirst ? pair.xy : pair.zw, level).rgb;
+    ++i;
+  } while (i < count);
+  return blurred;
 }

@@ -2,9 +2,10 @@
 // vtkWaterPointFS.glsl: what all stages of a surface's shader know about their pixel, and the sky.
 //
 // The stages, each one file of several: place (waterPlaceOf), waves (waterRipple), reflection
-// (waterReflected), caustics (waterCaustic), body (waterBeneath), sun (waterSunlit), facets
-// (waterFacets); vtkWaterSurfaceFS.glsl puts them together. They are files and not branches because
-// software renderers execute both sides of a branch.
+// (waterReflected), caustics (waterCaustic), body (waterBeneath), facets (waterFacets), shadows
+// (waterSunArrives), glitter (waterGlint), foam (waterFoam), sun (waterSunlit), output (waterShow);
+// vtkWaterSurfaceFS.glsl puts them together. They are files and not branches because software renderers
+// execute both sides of a branch.
 //
 // Needs vtkWaterFlatFS.glsl before it, or another of the stage place.
 //
@@ -22,7 +23,6 @@ uniform float waterSide;       // 1: seen from above, -1: from below
 uniform float waterEta;        // index beyond the surface / index on the eye's side
 uniform int waterIsReflecting; // 0: there is no mirrored view
 uniform float waterReflectance; // 0 to 1, or below 0: Fresnel
-uniform int waterOutput;       // vtkWaterProperty::Outputs
 uniform vec3 waterDeepColor;   // of water without an end
 uniform vec3 waterSunDir;      // towards it, in the plane's axes
 uniform vec3 waterSlopeVariance; // xx, yy, xy of the slopes too small for waves
@@ -44,11 +44,13 @@ struct WaterPoint
   float startW;  // w of that in clip space of the map
 };
 
-// What two facets see in the map, one spread of the slopes to each side, and the share of each.
+// What up to four facets see in the map, and the share of each. Not an array: software renderers are slow
+// with a place in one that is known late.
 struct WaterPlaces
 {
-  vec4 two;
-  vec2 shares; // 0: not a place of the map
+  vec4 inner; // two places
+  vec4 outer;
+  vec4 shares; // 0: not a place of the map
 };
 
 WaterPoint waterPoint()

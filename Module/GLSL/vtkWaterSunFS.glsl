@@ -1,90 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkWaterSunFS.glsl: stage sun: glitter, foam and shadows; water_glitter.c for the shader.
-// Needs vtkWaterOptics.glsl, vtkWaterPointFS.glsl, vtkWaterLookupFS.glsl and vtkWaterDeepFS.glsl before
-// it, or others of their stages.
+// vtkWaterSunFS.glsl: stage sun: its light, on glitter and foam.
+// Needs vtkWaterPointFS.glsl, vtkWaterNoShadowsFS.glsl, vtkWaterNoGlitterFS.glsl and
+// vtkWaterNoFoamFS.glsl before it, or others of their stages.
 
-uniform vec3 waterSunColor;       // of the light; a white card facing it shows this
-uniform float waterGlitter;       // 0 or 1
-uniform float waterShadow;        // 0 or 1
-uniform vec3 waterFoamColor;
-uniform float waterFoamDepth;     // m of water over which the shore's foam ends; 0: none
-uniform float waterFoamStretch;   // crests are foam where their points stand closer than that; 0: none
-uniform vec2 waterPatternOrigin;  // of the foam's pattern, m, from the point under the eye
-
-// The smallest variance of slopes: the sun is a disc of half a degree, and a pixel is not a point.
-const float WATER_SUN_VARIANCE = 2e-5;
-
-// A number in [0, 1] for a cell of a grid.
-float waterHash(vec2 cell)
-{
-  vec2 p = fract(cell * vec2(0.1031, 0.1030));
-  p += dot(p, p.yx + 33.33);
-  return fract((p.x + p.y) * p.x * p.y * 8.0 + p.x);
-}
-
-float waterNoise(vec2 place)
-{
-  vec2 cell = floor(place);
-  vec2 t = place - cell;
-  t = t * t * (3.0 - 2.0 * t);
-  cell = mod(cell, 256.0);
-  vec2 next = mod(cell + 1.0, 256.0);
-  return mix(mix(waterHash(cell), waterHash(vec2(next.x, cell.y)), t.x),
-    mix(waterHash(vec2(cell.x, next.y)), waterHash(next), t.x), t.y);
-}
-
-// How much of a pixel is foam, in [0, 1].
-float waterFoamShare(WaterPoint point)
-{
-  float share = 0.0;
-  if (waterFoamDepth > 0.0)
-  {
-    float depth = waterBeneathDepth(point);
-    share = 1.0 - clamp(depth / waterFoamDepth, 0.0, 1.0);
-  }
-  if (waterFoamStretch > 0.0)
-  {
-    share = max(share, clamp(2.0 - 2.0 * point.stretch / waterFoamStretch, 0.0, 1.0));
-  }
-  // bubbles: what is shorter than two pixels is their mean
-  vec2 place = point.place + waterPatternOrigin;
-  float pixel = max(length(point.across), length(point.down));
-  float bubbles = 0.5;
-  float weight = 0.5;
-  for (float size = 1.0; size > 0.05; size *= 0.5, weight *= 0.6)
-  {
-    bubbles += weight * (waterNoise(place / size) - 0.5) * clamp(size / pixel - 1.0, 0.0, 1.0);
-  }
-  return clamp(smoothstep(0.0, 1.0, 2.0 * share - 1.0 + bubbles), 0.0, 1.0) * step(1e-4, share);
-}
+uniform vec3 waterSunColor; // of the light; a white card facing it shows this
 
 // Adds what the sun does to the surface's color.
 void waterSunlit(WaterPoint point, inout vec3 rgb)
 {
-  vec3 sun = waterSunColor * step(0.0, waterSide * waterSunDir.z);
-  if (waterShadow > 0.0)
-  {
-    sun *= 1.0 - waterShadow * waterShaded(point, waterSunDir);
-  }
-  if (waterGlitter > 0.0 && waterSide > 0.0)
-  {
-    vec3 facet = normalize(waterSunDir - point.ray);
-    vec2 off = point.normal.xy / point.normal.z - facet.xy / facet.z;
-    // what filters took counts, too: the sea has as many slopes from near as from afar
-    float xx = point.variance.x + point.variance.z + WATER_SUN_VARIANCE;
-    float yy = point.variance.y + point.variance.w + WATER_SUN_VARIANCE;
-    float xy = waterSlopeVariance.z;
-    float area = max(xx * yy - xy * xy, 1e-12);
-    float density = exp(-0.5 * (yy * off.x * off.x - 2.0 * xy * off.x * off.y + xx * off.y * off.y) / area)
-      / (6.2831853 * sqrt(area));
-    float facet4 = facet.z * facet.z * facet.z * facet.z;
-    // a light of 1 is an irradiance of pi
-    rgb += 3.1415927 * sun * waterFresnel(dot(facet, waterSunDir), waterEta) * density
-      / (4.0 * max(-point.ray.z, 1e-3) * max(facet4, 1e-6));
-  }
-  if (waterFoamDepth + waterFoamStretch > 0.0)
-  {
-    vec3 light = 0.35 + 0.65 * sun * clamp(dot(point.normal, waterSunDir) * waterSide, 0.0, 1.0);
-    rgb = mix(rgb, waterFoamColor * light, waterFoamShare(point));
-  }
+  vec3 sun = waterSunArrives(point) * waterSunColor * step(0.0, waterSide * waterSunDir.z);
+  waterGlint(point, sun, rgb);
+  waterFoam(point, sun, rgb);
 }

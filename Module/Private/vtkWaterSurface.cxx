@@ -11,29 +11,37 @@
 #include "vtkWaterCalmFS.h"
 #include "vtkWaterCausticsFS.h"
 #include "vtkWaterCell.h"
+#include "vtkWaterColorFS.h"
 #include "vtkWaterDeepFS.h"
 #include "vtkWaterDisplacedFS.h"
 #include "vtkWaterEnvironmentFS.h"
 #include "vtkWaterFacetsFS.h"
 #include "vtkWaterFlatFS.h"
+#include "vtkWaterFoamFS.h"
 #include "vtkWaterGL.h"
 #include "vtkWaterGather.h"
+#include "vtkWaterGlitterFS.h"
 #include "vtkWaterLookupFS.h"
 #include "vtkWaterMirrorFS.h"
 #include "vtkWaterNoCausticsFS.h"
 #include "vtkWaterNoFacetsFS.h"
+#include "vtkWaterNoFoamFS.h"
+#include "vtkWaterNoGlitterFS.h"
 #include "vtkWaterNoNormalMapsFS.h"
 #include "vtkWaterNoSeaFS.h"
+#include "vtkWaterNoShadowsFS.h"
 #include "vtkWaterNoSunFS.h"
 #include "vtkWaterNormalMapsFS.h"
 #include "vtkWaterOffsetFS.h"
 #include "vtkWaterOptics.h"
+#include "vtkWaterOutputFS.h"
 #include "vtkWaterPointFS.h"
 #include "vtkWaterProperty.h"
 #include "vtkWaterRippleFS.h"
 #include "vtkWaterSea.h"
 #include "vtkWaterSeaFS.h"
 #include "vtkWaterShading.h"
+#include "vtkWaterShadowsFS.h"
 #include "vtkWaterSunFS.h"
 #include "vtkWaterSurfaceFS.h"
 #include "vtkWaterTileFS.h"
@@ -75,10 +83,13 @@ int vtkWaterSurface::GetStages(vtkWaterActor* water)
     stages |= BODY;
     stages |= hasWaves && property->GetCaustics() > 0.0 ? CAUSTICS : 0;
   }
-  if (property->HasGlitter() || property->GetFoamDepth() > 0.0 || property->GetFoamStretch() > 0.0)
+  stages |= property->HasGlitter() ? GLITTER : 0;
+  stages |= property->GetFoamDepth() > 0.0 || property->GetFoamStretch() > 0.0 ? FOAM : 0;
+  if (stages & (GLITTER | FOAM))
   {
-    stages |= SUN;
+    stages |= property->GetShadows() ? SHADOWS : 0;
   }
+  stages |= property->GetOutput() != vtkWaterProperty::COLOR ? OUTPUT : 0;
   return stages;
 }
 
@@ -109,10 +120,14 @@ std::string vtkWaterSurface::GetShader(vtkWaterActor* water, bool canDisplace)
     files.push_back(vtkWaterCalmFS);
   }
   files.insert(files.end(),
-    { reflection, stages & CAUSTICS ? vtkWaterCausticsFS : vtkWaterNoCausticsFS,
+    { stages & OUTPUT ? vtkWaterOutputFS : vtkWaterColorFS, reflection,
+      stages & CAUSTICS ? vtkWaterCausticsFS : vtkWaterNoCausticsFS,
       stages & BODY ? vtkWaterBodyFS : vtkWaterDeepFS,
       stages & ROUGH ? vtkWaterFacetsFS : vtkWaterNoFacetsFS,
-      stages & SUN ? vtkWaterSunFS : vtkWaterNoSunFS, vtkWaterSurfaceFS });
+      stages & SHADOWS ? vtkWaterShadowsFS : vtkWaterNoShadowsFS,
+      stages & GLITTER ? vtkWaterGlitterFS : vtkWaterNoGlitterFS,
+      stages & FOAM ? vtkWaterFoamFS : vtkWaterNoFoamFS,
+      stages & (GLITTER | FOAM) ? vtkWaterSunFS : vtkWaterNoSunFS, vtkWaterSurfaceFS });
   std::string source;
   for (const char* file : files)
   {

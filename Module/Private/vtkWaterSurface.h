@@ -52,11 +52,14 @@ public:
     ENVIRONMENT = 1 << 3,
     BODY = 1 << 4,
     CAUSTICS = 1 << 5,
-    SUN = 1 << 6,
+    GLITTER = 1 << 6,
     SEA = 1 << 7,
     NORMAL_MAPS = 1 << 8,
     ROUGH = 1 << 9,
-    DISPLACED = 1 << 10
+    DISPLACED = 1 << 10,
+    FOAM = 1 << 11,
+    SHADOWS = 1 << 12,
+    OUTPUT = 1 << 13
   };
   static int GetStages(vtkWaterActor* water);
 

@@ -182,8 +182,6 @@ void vtkWaterSurface::SetSunParameters(vtkShaderProgram* program)
   uniforms::Set3(program, "waterSunDir", plan.sun_dir);
   uniforms::Set3(program, "waterSunColor", color);
   uniforms::Set3(program, "waterSlopeVariance", variance);
-  uniforms::Set(program, "waterGlitter", this->Property->HasGlitter() ? 1.0 : 0.0);
-  uniforms::Set(program, "waterShadow", this->Property->GetShadows() ? 1.0 : 0.0);
   uniforms::Set(program, "waterCaustics", this->Property->GetCaustics());
   uniforms::Set(program, "waterFoamDepth", this->Property->GetFoamDepth());
   uniforms::Set(program, "waterFoamStretch", this->Property->GetFoamStretch());

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkWaterGlitterFS.glsl: stage glitter: the sun in the slopes that a pixel does not resolve;
+// water_glitter.c for the shader. Needs vtkWaterOptics.glsl and vtkWaterPointFS.glsl before it.
+
+// The smallest variance of slopes: the sun is a disc of half a degree, and a pixel is not a point.
+const float WATER_SUN_VARIANCE = 2e-5;
+
+// Adds the glitter to the surface's color.
+//
+// sun  light of the sun that arrives
+void waterGlint(WaterPoint point, vec3 sun, inout vec3 rgb)
+{
+  vec3 facet = normalize(waterSunDir - point.ray);
+  vec2 off = point.normal.xy / point.normal.z - facet.xy / facet.z;
+  // what filters took counts, too: the sea has as many slopes from near as from afar
+  float xx = point.variance.x + point.variance.z + WATER_SUN_VARIANCE;
+  float yy = point.variance.y + point.variance.w + WATER_SUN_VARIANCE;
+  float xy = waterSlopeVariance.z;
+  float area = max(xx * yy - xy * xy, 1e-12);
+  float density = exp(-0.5 * (yy * off.x * off.x - 2.0 * xy * off.x * off.y + xx * off.y * off.y) / area)
+    / (6.2831853 * sqrt(area));
+  float facet4 = facet.z * facet.z * facet.z * facet.z;
+  // a light of 1 is an irradiance of pi
+  vec3 glint = 3.1415927 * sun * waterFresnel(dot(facet, waterSunDir), waterEta) * density
+    / (4.0 * max(-point.ray.z, 1e-3) * max(facet4, 1e-6));
+  rgb += waterSide > 0.0 ? glint : vec3(0.0); // from below there is none
+}
