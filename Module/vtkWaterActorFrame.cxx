@@ -48,6 +48,15 @@ struct Props
   vtkProp** End;
 };
 
+// Waves count from there.
+bool HaveSameOrigin(vtkWaterActor* a, vtkWaterActor* b)
+{
+  double origins[2][3];
+  vtkWaterGather::ReadPlaneOrigin(a, origins[0]);
+  vtkWaterGather::ReadPlaneOrigin(b, origins[1]);
+  return std::equal(origins[0], origins[0] + 3, origins[1]);
+}
+
 bool IsClear(vtkProp* prop)
 {
   auto* water = vtkWaterActor::SafeDownCast(prop);
@@ -102,7 +111,8 @@ bool vtkWaterActor::CanShareWith(vtkWaterActor* other)
     vtkWaterGather::AreCoplanar(this, other) && this->OwnPass->DrawsAs(other->OwnPass) &&
     mine->GetReflectionSource() == its->GetReflectionSource() &&
     this->HasOpaqueGeometry() == other->HasOpaqueGeometry() &&
-    this->IsDisplaced() == other->IsDisplaced() && (mine == its || isCalm);
+    this->IsDisplaced() == other->IsDisplaced() &&
+    (isCalm || (mine == its && HaveSameOrigin(this, other)));
 }
 
 //------------------------------------------------------------------------------

@@ -14,6 +14,7 @@ class vtkProp;
 class vtkPropCollection;
 class vtkRenderer;
 class vtkWaterActor;
+class vtkWaterProperty;
 
 struct vtkWaterGather
 {
@@ -56,7 +57,7 @@ struct vtkWaterGather
   static bool HoldsWater(vtkProp* prop);
 
   // The water's optics; constant 0 only if nothing is reflected.
-  static water_look ReadLook(vtkWaterActor* water);
+  static water_look ReadLook(vtkWaterProperty* property);
 };
 
 #endif
