@@ -556,6 +556,7 @@ private:
   // No slope that a reflection is looked up with is steeper; infinity: none is known, or the
   // mirrored view is read elsewhere, too.
   double GetSlopeLookedUp() const;
+  bool LooksUpShadows() const;         // in the map, of what keeps light off the surface
   bool HasGlitter() const;             // calm water has none
   const double* GetExtinction() const; // absorption + scattering
   // Refuses a colour with a channel outside [0, 1].

@@ -127,6 +127,7 @@ static bool is_faint(
   const water_scene* scene, const checked* input, const water_plan* plan, const double box[4])
 {
   return (scene->skips & WATER_MAY_SKIP_FAINT) && scene->reflectance_error > 0.0 &&
+    !scene->has_shadows &&
     water_optics_reflectance_max(&scene->look, plan->eta, plan->ndc_to_ray, box,
       scene->has_waves ? scene->slope_max : 0.0) <= scene->reflectance_error &&
     input->side == WATER_ABOVE;

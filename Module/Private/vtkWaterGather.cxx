@@ -260,6 +260,7 @@ void vtkWaterGather::Read(
   this->scene.plane = ReadPlane(waters.front());
   ReadPlaneOrigin(waters.front(), this->scene.plane_origin);
   this->scene.has_waves = false;
+  this->scene.has_shadows = false;
   this->scene.slope_rms = 0.0;
   this->scene.slope_max = 0.0;
   this->scene.is_flat = true;
@@ -271,6 +272,7 @@ void vtkWaterGather::Read(
   {
     vtkWaterProperty* property = water->GetWaterProperty();
     this->scene.has_waves = this->scene.has_waves || property->NeedsRays();
+    this->scene.has_shadows = this->scene.has_shadows || property->LooksUpShadows();
     this->scene.slope_rms = std::max(this->scene.slope_rms, property->GetSlopeRMS());
     this->scene.slope_max = std::max(this->scene.slope_max, property->GetSlopeLookedUp());
     // of a mesh of the user's nobody knows where its faces look; the sheet's look along the normal
