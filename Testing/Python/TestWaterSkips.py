@@ -15,6 +15,7 @@ import water_test as wt
 from vtkwater import vtkWaterReflectionPass as Pass
 
 LARGEST_ERROR = 1  # of 255
+DEFAULT_SEED = 1
 
 # steps, kind of scene, samples per pixel of the window
 WALKS = (
@@ -72,7 +73,7 @@ def walk(kind, samples, steps, random, decisions, fates, folder):
 
 
 parser = argparse.ArgumentParser()
-parser.add_argument("-S", type=int, default=1)
+parser.add_argument("-S", type=int, default=DEFAULT_SEED)
 parser.add_argument("-N", type=float, default=1)
 options = parser.parse_known_args()[0]
 print("seed", options.S)
@@ -82,8 +83,9 @@ for steps, kind, samples in WALKS:
     begun = time.monotonic()
     walk(kind, samples, int(steps * options.N), random, decisions, fates, wt.output_folder())
     print(f"  {time.monotonic() - begun:.1f} s")
-for name in DECISIONS:
+usual = options.S == DEFAULT_SEED  # other walks need not come by everything
+for name in DECISIONS if usual else ():
     wt.check_at_least(f"decision {name}: times", decisions[getattr(Pass, name)], 1)
-for name in FATES:
+for name in FATES if usual else ():
     wt.check_at_least(f"fate {name}: times", fates[getattr(Pass, name)], 1)
 wt.finish()
