@@ -13,6 +13,7 @@
 #include "vtkProperty.h"
 #include "vtkWaterAccess.h"
 #include "vtkWaterActor.h"
+#include "vtkWaterCompat.h"
 #include "vtkWaterErrors.h"
 #include "vtkWaterGL.h"
 #include "vtkWaterGather.h"
