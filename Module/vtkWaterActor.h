@@ -206,7 +206,7 @@ private:
   // May the mirrored view be drawn in the middle of the main one, just before the water?
   bool CanBeLate(vtkOpenGLRenderer* renderer);
   // Could one mirrored view serve both, and look the same?
-  bool CanShareWith(vtkWaterActor* other);
+  bool CanShareWith(vtkOpenGLRenderer* renderer, vtkWaterActor* other);
   // Finds the sheets that share a mirrored view in this frame, and when it is drawn; for all of
   // them when the first is asked.
   void FindSheets(vtkOpenGLRenderer* renderer);

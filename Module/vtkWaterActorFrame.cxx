@@ -2,6 +2,7 @@
 // vtkWaterActorFrame.cxx: the part of vtkWaterActor that takes part in a frame: when its mirrored
 // view is drawn, with which other sheets it shares it, and how the surface is drawn.
 // See Documentation/decisions/002-host.md and 009-skips.md.
+#include "vtkCamera.h"
 #include "vtkInformation.h"
 #include "vtkInformationIntegerKey.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -50,6 +51,15 @@ struct Props
   vtkProp** End;
 };
 
+// Waves count from there.
+bool HaveSameOrigin(vtkWaterActor* a, vtkWaterActor* b)
+{
+  double origins[2][3];
+  vtkWaterGather::ReadPlaneOrigin(a, origins[0]);
+  vtkWaterGather::ReadPlaneOrigin(b, origins[1]);
+  return std::equal(origins[0], origins[0] + 3, origins[1]);
+}
+
 bool IsClear(vtkProp* prop)
 {
   auto* water = vtkWaterActor::SafeDownCast(prop);
@@ -95,8 +105,14 @@ bool vtkWaterActor::CanBeLate(vtkOpenGLRenderer* renderer)
 }
 
 //------------------------------------------------------------------------------
-bool vtkWaterActor::CanShareWith(vtkWaterActor* other)
+bool vtkWaterActor::CanShareWith(vtkOpenGLRenderer* renderer, vtkWaterActor* other)
 {
+  vtkCamera* camera = renderer->GetActiveCamera();
+  if ((IsClear(this) || IsClear(other)) && !camera->GetParallelProjection() &&
+    this->Plane->FunctionValue(camera->GetPosition()) < 0.0)
+  {
+    return false; // which of them is the eye in?
+  }
   vtkWaterProperty* mine = this->WaterProperty;
   vtkWaterProperty* its = other->WaterProperty;
   const bool isCalm = !mine->NeedsRays() && !its->NeedsRays();
@@ -104,7 +120,8 @@ bool vtkWaterActor::CanShareWith(vtkWaterActor* other)
     vtkWaterGather::AreCoplanar(this, other) && this->OwnPass->DrawsAs(other->OwnPass) &&
     mine->GetReflectionSource() == its->GetReflectionSource() &&
     this->HasOpaqueGeometry() == other->HasOpaqueGeometry() &&
-    this->IsDisplaced() == other->IsDisplaced() && (mine == its || isCalm);
+    this->IsDisplaced() == other->IsDisplaced() &&
+    (isCalm || (mine == its && HaveSameOrigin(this, other)));
 }
 
 //------------------------------------------------------------------------------
@@ -134,7 +151,7 @@ void vtkWaterActor::FindSheets(vtkOpenGLRenderer* renderer)
   while (vtkProp* prop = all->GetNextProp(it))
   {
     auto* water = vtkWaterActor::SafeDownCast(prop);
-    if (water && (water == this || (this->CanShareWith(water) && props.Has(water))))
+    if (water && (water == this || (this->CanShareWith(renderer, water) && props.Has(water))))
     {
       sheets.push_back(water);
     }
@@ -270,6 +287,7 @@ bool vtkWaterActor::AreSheetsHidden(
   vtkOpenGLState::ScopedglColorMask colorMask(state);
   state->vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
   auto isHidden = [renderer](vtkWaterActor* water) {
+    water->GetBounds(); // lays the sheet where it is now; without cullers nobody has asked yet
     water->IsProbing = true;
     water->Superclass::RenderOpaqueGeometry(renderer);
     water->IsProbing = false;

@@ -310,6 +310,12 @@ bool vtkWaterProperty::NeedsRays() const
 }
 
 //------------------------------------------------------------------------------
+bool vtkWaterProperty::LooksUpShadows() const
+{
+  return this->Shadows && (this->HasGlitter() || this->FoamDepth > 0.0 || this->FoamStretch > 0.0);
+}
+
+//------------------------------------------------------------------------------
 bool vtkWaterProperty::HasGlitter() const
 {
   return this->Glitter && this->IsRough();

@@ -557,6 +557,7 @@ private:
   // mirrored view is read elsewhere, too.
   double GetSlopeLookedUp() const;
   double GetWaveNumber() const;        // typical of the sines, rad/m; 0: not known
+  bool LooksUpShadows() const;         // in the map, of what keeps light off the surface
   bool HasGlitter() const;             // calm water has none
   const double* GetExtinction() const; // absorption + scattering
   // Refuses a colour with a channel outside [0, 1].

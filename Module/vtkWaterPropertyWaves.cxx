@@ -166,9 +166,7 @@ double vtkWaterProperty::GetSlopeLookedUp() const
   }
   const bool isOfSines = this->Lookup == RAY_TRACED && !this->Sea && !this->WaveGeometry &&
     this->GetNumberOfNormalMaps() == 0 && this->SlopeVariance[0] + this->SlopeVariance[1] == 0.0;
-  const bool hasShadows =
-    this->Shadows && (this->HasGlitter() || this->FoamDepth > 0.0 || this->FoamStretch > 0.0);
-  return isOfSines && !hasShadows
+  return isOfSines && !this->LooksUpShadows()
     ? water_waves_looked_up(this->Internal->Waves.data(), this->Internal->Waves.size())
     : std::numeric_limits<double>::infinity();
 }

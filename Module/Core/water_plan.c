@@ -131,6 +131,7 @@ static bool is_faint(
   const water_scene* scene, const checked* input, const water_plan* plan, const double box[4])
 {
   return (scene->skips & WATER_MAY_SKIP_FAINT) && scene->reflectance_error > 0.0 &&
+    !scene->has_shadows &&
     water_optics_reflectance_max(&scene->look, plan->eta, plan->ndc_to_ray, box,
       scene->has_waves ? scene->slope_max : 0.0) <= scene->reflectance_error &&
     input->side == WATER_ABOVE;
@@ -162,7 +163,7 @@ static water_status fill_draw(const water_scene* scene, const checked* input,
   }
   water_target_rect(looked_up, plan->map_scale, plan->texture_px, plan->texture_rect_px);
   water_selection selection;
-  selection.is_off = !(scene->skips & WATER_MAY_SKIP_PROPS);
+  selection.is_off = false;
   selection.margin = margin;
   selection.prop_px_min = scene->prop_px_min;
   memcpy(selection.texture_px, plan->texture_px, sizeof selection.texture_px);
@@ -183,6 +184,15 @@ static water_status fill_draw(const water_scene* scene, const checked* input,
   plan->is_software = scene->is_software;
   plan->has_mask = plan->can_mask && scene->has_scene_depth;
   plan->depth_scale = water_mirror_reach(scene->props, scene->prop_count, fates, &plan->mirrored);
+  // a ray may start in a trough
+  plan->map_top =
+    water_lookup_top(plane, scene->props, scene->prop_count, fates) + scene->wave_height_max;
+  if (!(scene->skips & WATER_MAY_SKIP_PROPS))
+  {
+    // after the reach and the top: rays are to take the same steps with all props and without some
+    selection.is_off = true;
+    water_select_props(&plan->mirrored, plane, &selection, scene->props, scene->prop_count, fates);
+  }
   water_mirror_pose(
     &plan->mirrored, plan->mirrored_position, plan->mirrored_focal_point, plan->mirrored_view_up);
   water_mirror_headlight(plan->plane_view, plan->headlight_dir);
@@ -218,16 +228,13 @@ static water_status fill_view(const water_scene* scene, const checked* input,
     &scene->eye, &input->eye, plane, axes, plan->origin_xy, plan->ndc_to_plane);
 }
 
-// plane: normal towards the eye; the view and the mirrored camera of the plan are set.
-static water_status fill_shade(const water_scene* scene, const checked* input,
-  const water_plane* plane, const water_axes* axes, const water_fate* fates, water_plan* plan)
+// The view and the mirrored camera of the plan are set.
+static water_status fill_shade(
+  const water_scene* scene, const checked* input, const water_axes* axes, water_plan* plan)
 {
   water_mirror_texture_matrix(&plan->mirrored, plan->world_to_texture);
   water_mirror_map_to_eye(
     &scene->eye, &input->eye, plan->plane_view, plan->map_scale, plan->map_ndc_to_eye);
-  // a ray may start in a trough
-  plan->map_top =
-    water_lookup_top(plane, scene->props, scene->prop_count, fates) + scene->wave_height_max;
   water_lookup_depths(&plan->mirrored, &plan->map_z_infinity, plan->map_tolerance);
   water_lookup_dirs(&plan->mirrored, axes, plan->dir_to_map);
   plan->map_texel = water_lookup_texel(plan->dir_to_map, plan->texture_px);
@@ -270,7 +277,7 @@ water_status water_plan_make(const water_scene* scene, water_plan* plan, water_f
       status = fill_draw(scene, &input, &plane, box, &made, fates);
       if (status == WATER_OK)
       {
-        status = fill_shade(scene, &input, &plane, &axes, fates, &made);
+        status = fill_shade(scene, &input, &axes, &made);
       }
     }
     if (is_unseen(made.decision))

@@ -129,6 +129,7 @@ typedef struct water_scene
   water_plane plane;
   double plane_origin[3]; // of the plane's own axes, in world
   bool has_waves;         // the surface is not calm: its reflection is looked up along rays
+  bool has_shadows;       // what the map shows keeps light off it, however little is reflected
   double slope_rms;       // of the waves, >= 0
   double slope_max;       // no slope that a reflection is looked up with is steeper; infinity: none
                           // is known, or the map is read elsewhere, too

@@ -69,6 +69,27 @@ uint32_t ReadFlags(vtkProp* prop)
   return flags;
 }
 
+// What a map is wanted for by several waters: it is left undrawn only if none of them reflects.
+// Each is shaded by its own.
+void AddLook(const water_look& look, bool isFirst, water_look* all)
+{
+  if (isFirst)
+  {
+    *all = look;
+  }
+  else if (look.constant_reflectance && all->constant_reflectance)
+  {
+    all->reflectance = std::max(all->reflectance, look.reflectance);
+  }
+  else if (look.constant_reflectance != all->constant_reflectance ||
+    look.index_of_refraction != all->index_of_refraction)
+  {
+    // which reflects more depends on the angle
+    all->constant_reflectance = true;
+    all->reflectance = 1.0;
+  }
+}
+
 // What is drawn for a prop in the mirrored view.
 vtkProp* FindStandIn(vtkProp* prop)
 {
@@ -259,10 +280,9 @@ bool vtkWaterGather::HoldsWater(vtkProp* prop)
 }
 
 //------------------------------------------------------------------------------
-water_look vtkWaterGather::ReadLook(vtkWaterActor* water)
+water_look vtkWaterGather::ReadLook(vtkWaterProperty* property)
 {
   water_look look;
-  vtkWaterProperty* property = water->GetWaterProperty();
   look.index_of_refraction = property->GetIndexOfRefraction();
   look.reflectance = property->GetReflectance();
   look.constant_reflectance = property->GetReflectanceMode() == vtkWaterProperty::CONSTANT;
@@ -280,6 +300,7 @@ void vtkWaterGather::Read(
   this->scene.plane = ReadPlane(waters.front());
   ReadPlaneOrigin(waters.front(), this->scene.plane_origin);
   this->scene.has_waves = false;
+  this->scene.has_shadows = false;
   this->scene.slope_rms = 0.0;
   this->scene.slope_max = 0.0;
   this->scene.is_flat = true;
@@ -292,6 +313,7 @@ void vtkWaterGather::Read(
   {
     vtkWaterProperty* property = water->GetWaterProperty();
     this->scene.has_waves = this->scene.has_waves || property->NeedsRays();
+    this->scene.has_shadows = this->scene.has_shadows || property->LooksUpShadows();
     this->scene.slope_rms = std::max(this->scene.slope_rms, property->GetSlopeRMS());
     this->scene.slope_max = std::max(this->scene.slope_max, property->GetSlopeLookedUp());
     this->WaveNumber = std::max(this->WaveNumber, property->GetWaveNumber());
@@ -330,16 +352,7 @@ void vtkWaterGather::Read(
     {
       surface.AddBounds(bounds);
     }
-    // the one that reflects most speaks for those that share the map
-    const water_look look = ReadLook(water);
-    if (water == waters.front() || this->scene.look.constant_reflectance)
-    {
-      if (water == waters.front() || !look.constant_reflectance ||
-        look.reflectance > this->scene.look.reflectance)
-      {
-        this->scene.look = look;
-      }
-    }
+    AddLook(ReadLook(water->GetWaterProperty()), water == waters.front(), &this->scene.look);
   }
   if (surface.IsValid())
   {

@@ -15,6 +15,7 @@ class vtkProp3D;
 class vtkPropCollection;
 class vtkRenderer;
 class vtkWaterActor;
+class vtkWaterProperty;
 
 struct vtkWaterGather
 {
@@ -65,7 +66,7 @@ struct vtkWaterGather
   static bool HoldsWater(vtkProp* prop);
 
   // The water's optics; constant 0 only if nothing is reflected.
-  static water_look ReadLook(vtkWaterActor* water);
+  static water_look ReadLook(vtkWaterProperty* property);
 };
 
 #endif

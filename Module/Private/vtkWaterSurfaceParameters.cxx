@@ -16,6 +16,7 @@
 #include "vtkWaterSurface.h"
 #include "vtkWaterUniforms.h"
 #include "water_glitter.h"
+#include "water_optics.h"
 #include "water_plan.h"
 #include "water_waves.h"
 
@@ -92,8 +93,10 @@ void vtkWaterSurface::SetViewParameters(vtkShaderProgram* program)
   uniforms::SetMatrix3(program, "waterNdcToPlane", plan.ndc_to_plane);
   uniforms::SetMatrix4x3(program, "waterDirToEye", plan.dir_to_eye);
   uniforms::Set(program, "waterSide", plan.side == WATER_BELOW ? -1.0 : 1.0);
-  uniforms::Set(program, "waterEta", plan.eta);
-  uniforms::Set(program, "waterReflectance", plan.reflectance);
+  // its own: the plan may have been made for several waters
+  const water_look look = vtkWaterGather::ReadLook(this->Property);
+  uniforms::Set(program, "waterEta", water_optics_eta(&look, plan.side));
+  uniforms::Set(program, "waterReflectance", look.constant_reflectance ? look.reflectance : -1.0);
   uniforms::Set4(program, "waterHeightClip", plan.plane_clip);
   uniforms::Set4(program, "waterClipW", plan.clip_w);
   const int flatSteps = this->IsSteep ? kRestSteps : 0;

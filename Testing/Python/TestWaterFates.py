@@ -36,6 +36,7 @@ camera.SetClippingRange(1, 60)
 picture = view.picture()
 
 mirror = water.GetReflectionPass()
+mirror.SetSkips(Pass.SKIP_ALL & ~Pass.UNCHANGED_VIEWS)
 expected = {
     "DRAWN": 1,
     "INVISIBLE": 1,

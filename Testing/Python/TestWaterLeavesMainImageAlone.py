@@ -9,6 +9,9 @@ the difference of two frames without any mirror.
 import numpy as np
 import water_test as wt
 from vtkmodules.vtkRenderingOpenGL2 import vtkOpenGLRenderPass, vtkRenderStepsPass, vtkSSAAPass
+from vtkwater import vtkWaterReflectionPass as Pass
+
+ALWAYS_RENDERED = Pass.SKIP_ALL & ~Pass.UNCHANGED_VIEWS
 
 # How many pixels away a filter over the finished picture takes colour from.
 FILTER_REACH = {"FXAA": 8, "supersampling pass": 2}
@@ -51,6 +54,8 @@ def build(mode):
             ssaa = vtkSSAAPass()
             ssaa.SetDelegatePass(vtkRenderStepsPass())
             renderer.SetPass(ssaa)
+    for water in waters:
+        water.GetReflectionPass().SetSkips(ALWAYS_RENDERED)
     if mode == "headlight":
         view.renderer.RemoveAllLights()
     if mode == "two viewports":
@@ -96,6 +101,13 @@ def main_image(mode):
     on = view.picture()
     for water in waters:
         wt.check_equal(f"{mode}: decision", water.GetReflectionPass().GetDecisionAsString(), "rendered")
+        water.GetReflectionPass().SetSkips(Pass.SKIP_ALL)
+    view.picture()
+    reused = view.picture()
+    for water in waters:
+        # there the lists of lights are modified in every frame
+        wt.check_equal(f"{mode}: decision later", water.GetReflectionPass().GetDecision(),
+                       Pass.RENDERED if mode == "two viewports" else Pass.REUSED)
     wt.check_equal(f"{mode}: flags unchanged", flags(view) == before, True)
 
     # the water's pixels, and those that a filter over the whole picture mixes with them
@@ -118,7 +130,7 @@ def main_image(mode):
         f"{mode}: water pixels that reflect", int((np.abs(on - off).max(axis=2) > 8)[mask].sum()), 500
     )
     bound = int(noise[~mask].max())
-    for name, frame in (("first frame", first), ("later frame", on)):
+    for name, frame in (("first frame", first), ("later frame", on), ("used again", reused)):
         error = np.abs(frame - off)[~mask]
         if mode == "SSAO":
             wt.check_at_most(f"{mode}: {name}, mean error (noise {noise[~mask].mean():.5f})",

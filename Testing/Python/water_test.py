@@ -31,7 +31,7 @@ from vtkmodules.vtkRenderingCore import (
 )
 
 import vtkwater  # noqa: F401
-from vtkwater import vtkWaterActor
+from vtkwater import vtkWaterActor, vtkWaterReflectionPass
 
 failures = []
 
@@ -253,6 +253,14 @@ def add_water(renderer, water_plane=None, sheet=None, reflectance=1.0):
         water.GetWaterProperty().SetReflectance(reflectance)
     renderer.AddActor(water)
     return water
+
+
+def decision_of(water):
+    """The name of what was decided last."""
+    decision = water.GetReflectionPass().GetDecision()
+    values = vars(vtkWaterReflectionPass).items()
+    return next(name for name, value in values if isinstance(value, vtkWaterReflectionPass.Decisions) and
+                value == decision)
 
 
 def water_mask(view, water):

@@ -1,0 +1,168 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""No mirrored view is rendered of water that nobody sees, and none is missing in the very frame in which
+somebody does: behind a wall, out of view, facing away, reflecting next to nothing."""
+
+import numpy as np
+import water_test as wt
+from vtkmodules.vtkCommonCore import vtkInformation
+from vtkwater import vtkWaterReflectionPass as Pass
+
+SIZE = (200, 150)
+
+
+class Scene:
+    def __init__(self, skips=Pass.SKIP_ALL, samples=0, reflectance=0.9):
+        self.view = wt.View(SIZE, samples=samples)
+        self.renderer = self.view.renderer
+        self.renderer.GetCullers().RemoveAllItems()  # water out of view is ours to find
+        self.thing = wt.add_actor(self.renderer, wt.pyramid((0, 0, 1), 2), (1, 0.6, 0.2))
+        wt.add_actor(self.renderer, wt.box((1, 3, 0.8), (1, 1, 3)), (0.3, 0.7, 0.4))
+        self.water = wt.add_water(self.renderer, None, (-6, 6, -6, 6), reflectance)
+        self.wall = wt.add_actor(self.renderer, wt.box((0, -8, 3), (40, 0.2, 20)), (0.6, 0.5, 0.5), lit=False)
+        self.wall.SetPropertyKeys(vtkInformation())
+        self.wall.GetPropertyKeys().Set(Pass.NOT_REFLECTED(), 1)
+        self.wall.VisibilityOff()
+        self.reflection = self.water.GetReflectionPass()
+        self.reflection.SetSkips(skips)
+        self.camera = self.renderer.GetActiveCamera()
+        self.look((2, -12, 4))
+
+    def look(self, position, target=(0, 0, 0)):
+        self.camera.SetPosition(position)
+        self.camera.SetFocalPoint(target)
+        straight = position[0] == target[0] and position[1] == target[1]
+        self.camera.SetViewUp((0, 1, 0) if straight else (0, 0, 1))
+        self.camera.SetClippingRange(0.5, 60)
+
+    def picture(self):
+        return self.view.picture()
+
+    def renders(self):
+        return self.reflection.GetNumberOfReflectionRenders()
+
+    def decision(self):
+        return self.reflection.GetDecision()
+
+
+def frame(name, scenes, decision):
+    """Both scenes' next picture: equal, and decided as it should be."""
+    pictures = [scene.picture() for scene in scenes]
+    wt.check_equal(f"{name}: largest error", int(np.abs(pictures[0] - pictures[1]).max()), 0)
+    if decision is not None:
+        wt.check_equal(f"{name}: decision", wt.decision_of(scenes[0].water), decision)
+    return pictures[1]
+
+
+def both(**settings):
+    return [Scene(skips, **settings) for skips in (Pass.SKIP_ALL, Pass.SKIP_NONE)]
+
+
+def for_both(scenes, do):
+    for scene in scenes:
+        do(scene)
+
+
+def move_thing(scene):
+    scene.thing.AddPosition(0.2, 0.1, 0)
+
+
+# A wall hides the water and leaves again; the scene goes on behind it. The first frame of a window
+# cannot know, nor the first with the wall: what was seen last is asked for.
+for samples in (0, 8):
+    for waves in (False, True):
+        scenes = both(samples=samples)
+        name = f"wall, {samples} samples, {'waves' if waves else 'calm'}"
+        if waves:
+            for_both(scenes, lambda scene: scene.water.GetWaterProperty().AddWave(0.05, 2.0, 20.0))
+        seen = frame(f"{name}, before it", scenes, "RENDERED")
+        for_both(scenes, lambda scene: scene.wall.VisibilityOn())
+        hidden = frame(f"{name}, first frame", scenes, None)
+        renders = scenes[0].renders()
+        for number in range(2, 6):
+            for_both(scenes, move_thing)
+            frame(f"{name}, frame {number}", scenes, "HIDDEN")
+        wt.check_equal(f"{name}: mirrored views rendered behind it", scenes[0].renders() - renders, 0)
+        for_both(scenes, lambda scene: scene.look((1, -12.5, 3.5)))
+        frame(f"{name}, the camera moves", scenes, "HIDDEN")
+        for_both(scenes, lambda scene: scene.wall.VisibilityOff())
+        again = frame(f"{name}, it has left", scenes, "RENDERED")
+        wt.check_at_least(f"{name}: the wall is seen", int(np.abs(hidden - seen).max()), 50)
+        wt.check_at_least(f"{name}: the water is seen", int((np.abs(hidden - again).max(axis=2) > 8).sum()), 2000)
+
+# The wall leaves and nothing else changes: what was drawn before it came is used again.
+scenes = both()
+frame("before the wall", scenes, "RENDERED")
+for_both(scenes, lambda scene: scene.wall.VisibilityOn())
+for number in range(3):
+    frame("behind the wall", scenes, None)
+for_both(scenes, lambda scene: scene.wall.VisibilityOff())
+frame("the wall leaves an unchanged scene", scenes, "REUSED")
+
+# A slit of water is left: next to nothing is not nothing.
+scenes = both()
+for_both(scenes, lambda scene: (scene.wall.VisibilityOn(), scene.wall.SetScale(1, 1, 1), scene.wall.SetPosition(0, 0, 9)))
+for_both(scenes, lambda scene: scene.wall.SetPosition(20.9, 0, 0))
+for number in range(3):
+    for_both(scenes, move_thing)
+    frame(f"a slit beside the wall, frame {number + 1}", scenes, "RENDERED")
+
+# HIDDEN_WATER forced off.
+scene = Scene(Pass.SKIP_ALL & ~Pass.HIDDEN_WATER & ~Pass.UNCHANGED_VIEWS)
+scene.wall.VisibilityOn()
+for number in range(3):
+    scene.picture()
+wt.check_equal("behind the wall without HIDDEN_WATER: mirrored views in three frames", scene.renders(), 3)
+
+# Another renderer's view of the same water is another matter.
+scenes = both()
+for scene in scenes:
+    scene.renderer.SetViewport(0, 0, 0.5, 1)
+    scene.other = scene.view.add_renderer((0.4, 0.2, 0.1), (0.5, 0, 1, 1))
+    scene.other.GetCullers().RemoveAllItems()
+    props = scene.renderer.GetViewProps()
+    for i in range(props.GetNumberOfItems()):
+        if props.GetItemAsObject(i) is not scene.wall:
+            scene.other.AddViewProp(props.GetItemAsObject(i))
+    scene.other.GetActiveCamera().DeepCopy(scene.camera)
+    scene.wall.VisibilityOn()
+for number in range(3):
+    frame(f"hidden in one of two renderers, frame {number + 1}", scenes, None)
+    for_both(scenes, move_thing)
+
+# Out of view, and back.
+scenes = both()
+frame("in view", scenes, "RENDERED")
+renders = scenes[0].renders()
+for_both(scenes, lambda scene: scene.look((2, -12, 4), (2, -40, 4)))
+frame("out of view", scenes, "WATER_OUT_OF_VIEW")
+for_both(scenes, move_thing)
+frame("still out of view", scenes, "WATER_OUT_OF_VIEW")
+wt.check_equal("out of view: mirrored views", scenes[0].renders() - renders, 0)
+for_both(scenes, lambda scene: scene.look((2, -12, 4)))
+frame("in view again", scenes, "RENDERED")
+
+# Facing away: from below, the sheet's back is culled.
+for culled in (False, True):
+    scenes = both()
+    for_both(scenes, lambda scene: scene.water.GetProperty().SetBackfaceCulling(culled))
+    for_both(scenes, lambda scene: scene.look((2, -9, -3), (0, 0, 0)))
+    frame(f"from below, back faces {'culled' if culled else 'drawn'}", scenes, "FACING_AWAY" if culled else "RENDERED")
+    for_both(scenes, lambda scene: scene.look((2, -12, 4)))
+    frame("from above again", scenes, "RENDERED")
+scenes = both()
+for_both(scenes, lambda scene: scene.water.GetProperty().FrontfaceCullingOn())
+frame("from above, front faces culled", scenes, "FACING_AWAY")
+
+# A pool straight down reflects 2 %.
+scenes = both(reflectance=None)
+for_both(scenes, lambda scene: scene.look((0, 0, 12)))
+frame("straight down, by default", scenes, "RENDERED")
+scenes[0].reflection.SetReflectanceError(0.03)
+pictures = [scene.picture() for scene in scenes]
+wt.check_equal("straight down, 0.03 may be neglected: decision", wt.decision_of(scenes[0].water), "FAINT")
+error = np.abs(pictures[0] - pictures[1]).max() / 255
+wt.check_at_most("straight down: largest error", float(error), 0.03)
+wt.check_at_least("straight down: there is something to neglect", float(error), 1 / 255)
+for_both(scenes, lambda scene: scene.look((2, -12, 4)))
+frame("from the side, 0.03 may be neglected", scenes, "RENDERED")
+wt.finish()

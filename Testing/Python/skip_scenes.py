@@ -1,0 +1,536 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""skip_scenes: scenes with all that a skip may be wrong about, and changes of them by name.
+
+A change is a function of a scene and of random numbers; two scenes that get the same changes stay
+equal.
+"""
+
+import numpy as np
+import water_test as wt
+import vtkmodules.vtkRenderingVolumeOpenGL2  # noqa: F401
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkInformation, vtkLookupTable
+from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPiecewiseFunction, vtkPolyData
+from vtkmodules.vtkCommonTransforms import vtkTransform
+from vtkmodules.vtkFiltersCore import vtkTriangleFilter
+from vtkmodules.vtkFiltersSources import vtkPlaneSource
+from vtkmodules.vtkRenderingCore import (
+    vtkActor,
+    vtkAssembly,
+    vtkBillboardTextActor3D,
+    vtkColorTransferFunction,
+    vtkLight,
+    vtkPolyDataMapper,
+    vtkTextActor,
+    vtkTexture,
+    vtkVolume,
+)
+from vtkmodules.vtkRenderingVolume import vtkGPUVolumeRayCastMapper
+from vtkwater import vtkWaterReflectionPass as Pass
+
+SIZE = (160, 120)
+TERRAIN_CELLS = 90  # 16,200 triangles
+
+
+def terrain(low, high, height):
+    """A mesh of many triangles with heights as scalars and places as texture coordinates."""
+    source = vtkPlaneSource()
+    source.SetOrigin(low[0], low[1], 0)
+    source.SetPoint1(high[0], low[1], 0)
+    source.SetPoint2(low[0], high[1], 0)
+    source.SetResolution(TERRAIN_CELLS, TERRAIN_CELLS)
+    triangles = vtkTriangleFilter()
+    triangles.SetInputConnection(source.GetOutputPort())
+    triangles.Update()
+    data = vtkPolyData()
+    data.DeepCopy(triangles.GetOutput())
+    points = vtk_to_numpy(data.GetPoints().GetData())
+    points[:, 2] = height(points[:, 0], points[:, 1])
+    data.GetPointData().SetScalars(numpy_to_vtk(points[:, 2].copy(), deep=True))
+    return data
+
+
+def blob():
+    """A small volume of bytes."""
+    size = 12
+    axis = np.linspace(-1, 1, size)
+    distance = np.sqrt(sum(part**2 for part in np.meshgrid(axis, axis, axis)))
+    image = vtkImageData()
+    image.SetDimensions(size, size, size)
+    image.SetSpacing(*[2.0 / (size - 1)] * 3)
+    image.SetOrigin(-1, -1, -1)
+    values = np.clip(255 * (1 - distance), 0, 255).astype(np.uint8)
+    image.GetPointData().SetScalars(numpy_to_vtk(values.ravel(), deep=True))
+    mapper = vtkGPUVolumeRayCastMapper()
+    mapper.SetInputData(image)
+    mapper.UseJitteringOff()
+    mapper.AutoAdjustSampleDistancesOff()
+    mapper.SetSampleDistance(0.2)
+    color = vtkColorTransferFunction()
+    color.AddRGBPoint(0, 0.2, 0.4, 1)
+    color.AddRGBPoint(255, 1, 0.9, 0.4)
+    opacity = vtkPiecewiseFunction()
+    opacity.AddPoint(20, 0)
+    opacity.AddPoint(255, 0.5)
+    volume = vtkVolume()
+    volume.SetMapper(mapper)
+    volume.GetProperty().SetColor(color)
+    volume.GetProperty().SetScalarOpacity(opacity)
+    return volume
+
+
+class Scene:
+    """kind: "one plane": two calm sheets; "levels": a pool and a sheet with waves besides;
+    "clear": two sheets of a wind sea that is seen through, with sun, shadows and caustics."""
+
+    def __init__(self, kind, skips, samples=0, size=SIZE):
+        self.kind, self.skips = kind, skips
+        self.view = wt.View(size, samples=samples)
+        self.renderer = self.view.renderer
+        if kind == "one plane":
+            self.renderer.GetCullers().RemoveAllItems()  # so that water out of view is ours to find
+        self.camera = self.renderer.GetActiveCamera()
+        self.extras = []
+        self.sun = self.add_light((8, -10, 20))
+        self.add_land()
+        self.add_things()
+        self.waters = []
+        self.add_waters()
+        for water in self.waters:
+            water.GetReflectionPass().SetSkips(skips)
+        self.place_camera((3, -17, 5), (0, 0, 0))
+
+    def place_camera(self, position, target, roll=0.0, angle=40.0):
+        camera = self.camera
+        camera.ParallelProjectionOff()
+        camera.SetPosition(position)
+        camera.SetFocalPoint(target)
+        camera.SetViewUp((0, 0, 1) if abs(position[0] - target[0]) + abs(position[1] - target[1]) > 0.1 else (0, 1, 0))
+        camera.SetRoll(camera.GetRoll() + roll)
+        camera.SetViewAngle(angle)
+        camera.SetClippingRange(0.1, 120)
+
+    def add_light(self, position):
+        light = vtkLight()
+        light.SetLightTypeToSceneLight()
+        light.SetPosition(position)
+        light.SetFocalPoint(0, 0, 0)
+        self.renderer.AddLight(light)
+        return light
+
+    def add_land(self):
+        hills = terrain((-12, 4), (12, 16), lambda x, y: -1.5 + 5 * np.exp(-((y - 10) / 4) ** 2) * (1.3 + np.sin(x)))
+        self.hills = wt.add_actor(self.renderer, hills, (1, 1, 1), specular=0.2)
+        self.table = vtkLookupTable()
+        self.table.SetHueRange(0.1, 0.45)
+        self.table.SetRange(-1.5, 9)
+        mapper = self.hills.GetMapper()
+        mapper.ScalarVisibilityOn()
+        mapper.SetLookupTable(self.table)
+        mapper.UseLookupTableScalarRangeOn()
+        bed = terrain((-14, -14), (14, 6), lambda x, y: -2.2 + 0.5 * np.sin(x) * np.cos(y) + 3 * np.exp(-((x + 6) ** 2 + (y - 1) ** 2)))
+        self.bed = wt.add_actor(self.renderer, bed, (0.6, 0.5, 0.3))
+
+    def add_things(self):
+        self.things = []
+        for number, (x, y, z) in enumerate(((-2, 1, 0.4), (1, -3, 0.2), (4, 2, 2.5), (-5, -2, -1.2), (6, -5, 0.5),
+                                            (0, 3, 1.5), (11, 0, 0.6), (300, 5, 2))):
+            shape = wt.box((0, 0, 0), (1, 1.2, 2.2)) if number % 2 else wt.sphere((0, 0, 0), 0.9, 16)
+            color = (0.9 - 0.1 * number, 0.2 + 0.1 * number, 0.3)
+            thing = wt.add_actor(self.renderer, shape, color, specular=0.3, opacity=0.5 if number in (1, 5) else 1.0)
+            thing.SetPosition(x, y, z)
+            self.things.append(thing)
+        self.parts = vtkAssembly()
+        for offset in (-0.8, 0.8):
+            part = vtkActor()
+            part.SetMapper(self.things[1].GetMapper())
+            part.GetProperty().SetColor(0.2, 0.8, 0.8)
+            part.SetPosition(offset, 0, 0)
+            part.SetScale(0.4)
+            self.parts.AddPart(part)
+        self.parts.SetPosition(-4, 3, 0.9)
+        self.renderer.AddActor(self.parts)
+        self.image = wt.checker(8)
+        texture = vtkTexture()
+        texture.SetInputData(self.image)
+        square = vtkPlaneSource()
+        square.SetOrigin(-3, 0, 0)
+        square.SetPoint1(3, 0, 0)
+        square.SetPoint2(-3, 0, 2)
+        square.Update()
+        self.poster = wt.add_actor(self.renderer, square.GetOutput(), (1, 1, 1), lit=False)
+        self.poster.SetPosition(3, 5, 0.3)
+        self.poster.SetTexture(texture)
+        self.volume = blob()
+        self.volume.SetPosition(-1, -4, 1.4)
+        self.renderer.AddVolume(self.volume)
+        self.wall = wt.add_actor(self.renderer, wt.box((0, 0, 0), (1, 1, 0.01)), (0.5, 0.4, 0.4), lit=False)
+        self.wall.VisibilityOff()
+        self.wall.SetPropertyKeys(vtkInformation())
+        self.wall.GetPropertyKeys().Set(Pass.NOT_REFLECTED(), 1)
+        self.renderer.AddActor(vtkActor())  # no mapper: empty
+        empty = wt.add_actor(self.renderer, vtkPolyData(), (1, 1, 1))
+        self.extras.append(empty)
+        text = vtkTextActor()
+        text.SetInput("overlay")
+        self.renderer.AddActor(text)
+        label = vtkBillboardTextActor3D()
+        label.SetInput("label")
+        label.SetPosition(2, 0, 1)
+        self.renderer.AddActor(label)
+
+    def add_waters(self):
+        def add(level, sheet, reflectance=None):
+            water = wt.add_water(self.renderer, wt.plane((0, 0, level), (0, 0, 1)), sheet, reflectance)
+            self.waters.append(water)
+            return water
+
+        if self.kind == "clear":
+            look = add(0, (-13, 2, -13, 13)).GetWaterProperty()
+            add(0, (2, 13, -13, 13)).SetWaterProperty(look)
+            look.SetPreset("lake")
+            look.SetAbsorption(0.2, 0.1, 0.05)
+            look.SetScattering(0.01, 0.01, 0.01)
+            look.SetCaustics(0.8)
+            look.ShadowsOn()
+            look.SetFoamDepth(0.2)
+            return
+        add(0, (-9, 0, -9, 9), 0.9)
+        add(0, (0, 9, -9, 9), 0.9)
+        if self.kind == "levels":
+            add(1.2, (-8, -4, -8, -4))
+            basin = wt.add_actor(self.renderer, wt.box((-6, -6, 0.5), (4.4, 4.4, 1.2)), (0.4, 0.4, 0.5))
+            self.things.append(basin)
+            look = add(0, (9.2, 14, -9, 9)).GetWaterProperty()
+            look.AddWave(0.05, 2.0, 20.0)
+            look.AddWave(0.02, 0.9, 100.0)
+
+    def decisions(self):
+        return [water.GetReflectionPass().GetDecision() for water in self.waters]
+
+    def record_views(self):
+        """A list that says which views of a frame show the bed, in the order they are drawn."""
+        views = []
+        self.bed.GetMapper().AddObserver("StartEvent", lambda mapper, event: views.append(
+            "main" if self.renderer.GetActiveCamera() is self.camera else "mirrored"))
+        return views
+
+    def reasons(self):
+        return [water.GetReflectionPass().GetDecisionAsString() for water in self.waters]
+
+    def picture(self):
+        return self.view.picture()
+
+
+# The changes: each takes a scene and the numbers that numbers() drew, uniform in [-1, 1].
+
+CHANGES = {}
+
+
+def change(function):
+    CHANGES[function.__name__.replace("_", " ")] = function
+    return function
+
+
+def numbers(random):
+    return random.uniform(-1, 1, 8)
+
+
+def _pick(things, number):
+    return things[int((number + 1) / 2 * len(things)) % len(things)]
+
+
+@change
+def camera_orbits(scene, n):
+    angle, height = np.pi * n[0], 0.6 + 5 * (n[1] + 1)
+    scene.place_camera((16 * np.sin(angle), -16 * np.cos(angle), height), (3 * n[2], 3 * n[3], 0))
+
+
+@change
+def camera_creeps(scene, n):
+    x, y, z = scene.camera.GetPosition()
+    scene.camera.SetPosition(x + 0.3 * n[0], y + 0.3 * n[1], max(z, 0.2) + 0.1 * abs(n[2]))
+
+
+@change
+def camera_zooms(scene, n):
+    scene.camera.SetViewAngle(30 + 20 * n[0])
+
+
+@change
+def camera_rolls(scene, n):
+    scene.camera.Roll(60 * n[0])
+
+
+@change
+def camera_under_water(scene, n):
+    scene.place_camera((6 * n[0], 6 * n[1] - 3, -0.9 + 0.5 * n[2]), (6 * n[3], 6 * n[4], 0.4 * n[5] - 0.3), angle=60)
+
+
+@change
+def camera_behind_a_hill(scene, n):
+    scene.place_camera((4 * n[0], 18, 0.8 + 0.4 * n[1]), (2 * n[2], 0, 0.6), angle=25 + 10 * n[3])
+
+
+@change
+def camera_looks_down(scene, n):
+    scene.place_camera((4 * n[0], 4 * n[1], 12), (4 * n[0], 4 * n[1], 0), roll=90 * n[2])
+
+
+@change
+def camera_looks_away(scene, n):
+    scene.place_camera((3 * n[0], -14, 2), (3 * n[0], -40, 6 + 3 * n[1]))
+
+
+@change
+def camera_grazes(scene, n):
+    scene.place_camera((8 * n[0], -12, 0.25 + 0.1 * n[1]), (0, 0, 0.2), angle=20)
+
+
+@change
+def camera_parallel(scene, n):
+    scene.place_camera((10 * n[0], -12, 6 + 4 * n[1]), (0, 0, 0))
+    scene.camera.ParallelProjectionOn()
+    scene.camera.SetParallelScale(6 + 3 * n[2])
+
+
+@change
+def camera_parallel_to_the_water(scene, n):
+    scene.place_camera((0, -14, 0.5), (0, 0, 0.5))
+    scene.camera.ParallelProjectionOn()
+    scene.camera.SetParallelScale(5)
+
+
+@change
+def clipping_range(scene, n):
+    scene.camera.SetClippingRange(0.2 + 0.1 * n[0], 80 + 20 * n[1])
+
+
+@change
+def nothing(scene, n):
+    pass
+
+
+@change
+def time_goes_on(scene, n):
+    for water in scene.waters:
+        water.SetTime(water.GetTime() + 0.2 + 0.1 * n[0])
+
+
+@change
+def thing_moves(scene, n):
+    _pick(scene.things, n[0]).AddPosition(1.5 * n[1], 1.5 * n[2], n[3])
+
+
+@change
+def assembly_turns(scene, n):
+    scene.parts.RotateZ(90 * n[0])
+    scene.parts.GetParts().GetItemAsObject(0).SetScale(0.4 + 0.1 * n[1])
+
+
+@change
+def user_matrix(scene, n):
+    transform = vtkTransform()
+    transform.RotateX(30 * n[0])
+    transform.Scale(1 + 0.3 * n[1], 1, 1)
+    _pick(scene.things, n[2]).SetUserTransform(transform)
+
+
+@change
+def volume_moves(scene, n):
+    scene.volume.SetPosition(4 * n[0], 4 * n[1], 1 + n[2])
+
+
+@change
+def volume_transfer(scene, n):
+    opacity = vtkPiecewiseFunction()
+    opacity.AddPoint(40 + 20 * n[0], 0)
+    opacity.AddPoint(255, 0.5 + 0.2 * n[1])
+    scene.volume.GetProperty().SetScalarOpacity(opacity)
+
+
+@change
+def visibility(scene, n):
+    thing = _pick([*scene.things, scene.hills, scene.parts, scene.volume], n[0])
+    thing.SetVisibility(not thing.GetVisibility())
+
+
+@change
+def colour(scene, n):
+    _pick(scene.things, n[0]).GetProperty().SetColor(*(0.5 + 0.5 * n[1:4]))
+
+
+@change
+def opacity(scene, n):
+    _pick(scene.things, n[0]).GetProperty().SetOpacity(0.4 if n[1] > 0 else 1.0)
+
+
+@change
+def representation(scene, n):
+    land = _pick([scene.hills, scene.bed], n[0]).GetProperty()
+    land.SetRepresentation(1 if n[1] > 0.6 else 2)
+    land.SetInterpolation(1 if n[2] > 0 else 0)
+
+
+@change
+def points_in_place(scene, n):
+    land = _pick([scene.hills, scene.bed], n[0]).GetMapper().GetInput()
+    points = vtk_to_numpy(land.GetPoints().GetData())
+    points[:, 2] += 0.3 * n[1] * np.sin(points[:, 0] * 2 + 3 * n[2])
+    land.GetPoints().GetData().Modified()
+    land.GetPoints().Modified()
+    land.Modified()
+
+
+@change
+def scalars_in_place(scene, n):
+    scalars = scene.hills.GetMapper().GetInput().GetPointData().GetScalars()
+    vtk_to_numpy(scalars)[:] *= 1 + 0.3 * n[0]
+    scalars.Modified()
+
+
+@change
+def scalars_shown_or_not(scene, n):
+    scene.hills.GetMapper().SetScalarVisibility(int(n[0] > 0))
+
+
+@change
+def lookup_table(scene, n):
+    scene.table.SetHueRange(0.3 + 0.3 * n[0], 0.5 + 0.3 * n[1])
+    scene.table.ForceBuild()
+
+
+@change
+def texture_pixels(scene, n):
+    pixels = scene.image.GetPointData().GetScalars()
+    values = vtk_to_numpy(pixels)
+    values[:] = np.roll(values, 3, axis=0) // 2 + int(60 * (n[0] + 1))
+    pixels.Modified()
+    scene.image.Modified()
+
+
+@change
+def light_moves(scene, n):
+    scene.sun.SetPosition(15 * n[0], 15 * n[1], 20)
+
+
+@change
+def light_intensity(scene, n):
+    scene.sun.SetIntensity(0.8 + 0.3 * n[0])
+
+
+@change
+def light_added_or_removed(scene, n):
+    lights = scene.renderer.GetLights()
+    if lights.GetNumberOfItems() > 1:
+        scene.renderer.RemoveLight(lights.GetItemAsObject(1))
+    else:
+        scene.add_light((10 * n[0], 10, 8)).SetColor(1, 0.5 + 0.5 * n[1], 0.5)
+
+
+@change
+def background(scene, n):
+    scene.renderer.SetBackground(*(0.5 + 0.4 * n[:3]))
+    scene.renderer.SetBackground2(*(0.5 + 0.4 * n[3:6]))
+    scene.renderer.SetGradientBackground(int(n[6] > 0))
+
+
+@change
+def level(scene, n):
+    for water in scene.waters[:1] if n[0] > 0.6 else scene.waters[:2]:
+        water.SetLevel(0.3 * n[1])
+
+
+@change
+def levels_again(scene, n):
+    for water in scene.waters[:2]:
+        water.SetLevel(0)
+
+
+@change
+def sheet_bounds(scene, n):
+    scene.waters[0].SetSheetBounds(-7 + 2 * n[0], 0, -7 + 2 * n[1], 7 + 2 * n[2])
+
+
+@change
+def sheet_shrinks(scene, n):
+    for i, water in enumerate(scene.waters[:2]):
+        x = 4 * i - 3 + n[0]
+        water.SetSheetBounds(x, x + 1.5, -1, 1 + n[1])
+
+
+@change
+def water_property(scene, n):
+    look = scene.waters[0].GetWaterProperty()
+    look.SetDeepColor(*(0.5 + 0.5 * n[:3]))
+    look.SetIndexOfRefraction(1.3 + 0.2 * n[3])
+    look.SetReflectanceMode(int(n[4] > 0))
+
+
+@change
+def reflects_nothing(scene, n):
+    look = scene.waters[-1].GetWaterProperty()
+    look.SetReflectanceModeToConstant()
+    look.SetReflectance(0 if n[0] > 0.4 else 0.8)
+
+
+@change
+def reflects_next_to_nothing(scene, n):
+    for water in scene.waters[:2]:
+        look = water.GetWaterProperty()
+        look.SetReflectanceModeToConstant()
+        look.SetReflectance(0.0015 if n[0] > 0.3 else 0.9)
+
+
+@change
+def environment(scene, n):
+    for water in scene.waters[:2]:
+        look = water.GetWaterProperty()
+        look.SetReflectionSource(int(n[0] > 0.5))
+
+
+@change
+def culled_below(scene, n):
+    for water in scene.waters:
+        water.GetProperty().SetBackfaceCulling(int(n[0] > -0.3))
+
+
+@change
+def window_size(scene, n):
+    scene.view.window.SetSize(*((SIZE[0] + 13, SIZE[1] - 7) if n[0] > 0 else SIZE))
+
+
+@change
+def prop_added_or_removed(scene, n):
+    if len(scene.extras) > 3:
+        scene.renderer.RemoveActor(scene.extras.pop(1))
+        return
+    thing = wt.add_actor(scene.renderer, wt.pyramid((0, 0, 0), 2), tuple(0.5 + 0.5 * n[:3]))
+    thing.SetPosition(7 * n[3], 7 * n[4], 0.5)
+    scene.extras.append(thing)
+
+
+@change
+def wall_before_the_eye(scene, n):
+    """A wall that is not reflected hides all of the picture, or a side of it."""
+    camera = scene.camera
+    position, forward = np.array(camera.GetPosition()), np.array(camera.GetDirectionOfProjection())
+    transform = vtkTransform()
+    transform.PostMultiply()
+    size = 8 if camera.GetParallelProjection() == 0 else 40
+    transform.Scale(size, size, 1)
+    right = np.cross(forward, camera.GetViewUp())
+    middle = position + 2 * forward + (0 if n[0] > -0.3 else 0.5 + 4) * right
+    matrix = camera.GetModelViewTransformMatrix()
+    turn = vtkTransform()
+    turn.SetMatrix(matrix)
+    angles = turn.GetInverse().GetOrientationWXYZ()
+    transform.RotateWXYZ(*angles)
+    transform.Translate(*middle)
+    scene.wall.SetUserTransform(transform)
+    scene.wall.VisibilityOn()
+
+
+@change
+def wall_leaves(scene, n):
+    scene.wall.VisibilityOff()
