@@ -140,7 +140,8 @@ static bool is_faint(
 // plane: normal towards the eye; plane_view of the plan is set.
 // box: of the picture that the water covers
 static water_status fill_draw(const water_scene* scene, const checked* input,
-  const water_plane* plane, const double box[4], water_plan* plan, water_fate* fates)
+  const water_plane* plane, const double box[4], water_plan* plan, water_fate* fates,
+  size_t* culprit)
 {
   // what stands in a trough must be seen in it
   const double margin = fmax(scene->clip_margin, scene->wave_height_max);
@@ -168,7 +169,8 @@ static water_status fill_draw(const water_scene* scene, const checked* input,
   selection.prop_px_min = scene->prop_px_min;
   memcpy(selection.texture_px, plan->texture_px, sizeof selection.texture_px);
   water_target_box_of_rect(plan->texture_rect_px, plan->texture_px, selection.box);
-  water_select_props(&plan->mirrored, plane, &selection, scene->props, scene->prop_count, fates);
+  *culprit =
+    water_select_props(&plan->mirrored, plane, &selection, scene->props, scene->prop_count, fates);
   if (!(scene->skips & WATER_MAY_SKIP_PIXELS))
   {
     const int whole[4] = { 0, 0, plan->texture_px[0], plan->texture_px[1] };
@@ -191,7 +193,8 @@ static water_status fill_draw(const water_scene* scene, const checked* input,
   {
     // after the reach and the top: rays are to take the same steps with all props and without some
     selection.is_off = true;
-    water_select_props(&plan->mirrored, plane, &selection, scene->props, scene->prop_count, fates);
+    (void)water_select_props(
+      &plan->mirrored, plane, &selection, scene->props, scene->prop_count, fates);
   }
   water_mirror_pose(
     &plan->mirrored, plan->mirrored_position, plan->mirrored_focal_point, plan->mirrored_view_up);
@@ -273,8 +276,13 @@ water_status water_plan_make(const water_scene* scene, water_plan* plan, water_f
     }
     if (status == WATER_OK && made.decision == WATER_REFLECT)
     {
-      props_status = water_select_check(scene->props, scene->prop_count, &made.culprit);
-      status = fill_draw(scene, &input, &plane, box, &made, fates);
+      size_t culprit = 0;
+      status = fill_draw(scene, &input, &plane, box, &made, fates, &culprit);
+      if (culprit < scene->prop_count)
+      {
+        made.culprit = culprit;
+        props_status = WATER_BAD_PROP_BOUNDS;
+      }
       if (status == WATER_OK)
       {
         status = fill_shade(scene, &input, &axes, &made);

@@ -74,21 +74,6 @@ bool water_select_is_in_view(const water_camera* camera, const double bounds[6])
   return water_frustum_meets(&view, 6, bounds, box_rounding);
 }
 
-water_status water_select_check(const water_prop* props, size_t prop_count, size_t* culprit)
-{
-  for (size_t i = 0; i < prop_count; ++i)
-  {
-    const uint32_t flags = props[i].flags;
-    if (fate_of_flags(flags) == WATER_DRAW && !(flags & WATER_PROP_NO_BOUNDS) &&
-      !water_all_finite(props[i].bounds, 6))
-    {
-      *culprit = i;
-      return WATER_BAD_PROP_BOUNDS;
-    }
-  }
-  return WATER_OK;
-}
-
 bool water_select_is_unbounded(const water_prop* prop)
 {
   return (prop->flags & WATER_PROP_NO_BOUNDS) || !water_all_finite(prop->bounds, 6);
@@ -134,7 +119,7 @@ static water_fate fate_of_box(
     : WATER_SKIP_OUT_OF_WATER;
 }
 
-void water_select_props(const water_camera* mirrored, const water_plane* plane,
+size_t water_select_props(const water_camera* mirrored, const water_plane* plane,
   const water_selection* selection, const water_prop* props, size_t prop_count, water_fate* fates)
 {
   water_frustum view;
@@ -145,11 +130,21 @@ void water_select_props(const water_camera* mirrored, const water_plane* plane,
   water_mat4_multiply(mirrored->view_to_clip, mirrored->world_to_view, world_to_clip);
   const double kept[4] = { plane->normal[0], plane->normal[1], plane->normal[2],
     plane->offset + selection->margin };
+  size_t culprit = prop_count;
   for (size_t i = 0; i < prop_count; ++i)
   {
     const double* bounds = props[i].bounds;
     water_fate fate = fate_of_flags(props[i].flags);
-    if (fate == WATER_DRAW && !water_select_is_unbounded(props + i))
+    if (fate != WATER_DRAW || (props[i].flags & WATER_PROP_NO_BOUNDS))
+    {
+      fates[i] = fate;
+      continue;
+    }
+    if (!water_all_finite(bounds, 6))
+    {
+      culprit = culprit < i ? culprit : i;
+    }
+    else
     {
       if (water_bounds_is_empty(bounds))
       {
@@ -175,6 +170,7 @@ void water_select_props(const water_camera* mirrored, const water_plane* plane,
     }
     fates[i] = fate;
   }
+  return culprit;
 }
 
 // Whether two boxes have more than a face in common.

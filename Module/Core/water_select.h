@@ -27,11 +27,6 @@ water_status water_select_side(const water_eye* eye, const water_plane* plane, w
 // before.
 bool water_select_is_in_view(const water_camera* camera, const double bounds[6]);
 
-// Looks for props that would be drawn if their bounds were finite.
-//
-// Returns WATER_OK or WATER_BAD_PROP_BOUNDS; then *culprit is the index of the first such prop.
-water_status water_select_check(const water_prop* props, size_t prop_count, size_t* culprit);
-
 // Is a prop drawn wherever it may be: it fills the view, or its bounds are not finite?
 bool water_select_is_unbounded(const water_prop* prop);
 
@@ -48,7 +43,10 @@ typedef struct water_selection
 // mirror image, which may reach further: it hides nothing here (water_mirror_reach moves it).
 //
 // plane  normalised, normal towards the eye
-void water_select_props(const water_camera* mirrored, const water_plane* plane,
+//
+// Returns the index of the first prop that is drawn although its bounds are not finite; prop_count:
+// there is none.
+size_t water_select_props(const water_camera* mirrored, const water_plane* plane,
   const water_selection* selection, const water_prop* props, size_t prop_count, water_fate* fates);
 
 // The order to draw props in: near ones first, as what they hide is rejected before it is shaded,
