@@ -23,4 +23,16 @@ void water_frustum_make(const water_camera* camera, const double box[4], water_f
   const double* view = camera->world_to_view;
   const double origin[3] = { view[3], view[7], view[11] };
   made->reach = water_vec3_length(origin);
+  water_frustum_prepare(made);
+}
+
+void water_frustum_prepare(water_frustum* frustum)
+{
+  for (int i = 0; i < 6; ++i)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      frustum->corners[i][axis] = 2 * axis + (frustum->planes[i][axis] > 0.0);
+    }
+  }
 }

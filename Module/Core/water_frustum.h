@@ -18,7 +18,11 @@ typedef struct water_frustum
 {
   double planes[6][4];
   double reach; // the length of the numbers that were summed and cancelled to the planes' offsets
+  int corners[6][3]; // of a box, as indices of its bounds: the furthest on a plane's positive side
 } water_frustum;
+
+// Finds the corners for the planes.
+void water_frustum_prepare(water_frustum* frustum);
 
 // The part of a camera's frustum, in world, behind a part of its picture.
 //
@@ -58,6 +62,20 @@ static inline bool water_frustum_is_behind(
 static inline int water_frustum_divides(
   const water_frustum* frustum, int plane_count, const double bounds[6], double rounding)
 {
+  // all planes at once: what a branch would decide for each is hard to foresee, for a processor
+  double lowest = 0.0;
+  for (int i = 0; i < plane_count; ++i)
+  {
+    const double* plane = frustum->planes[i];
+    const int* corner = frustum->corners[i];
+    const double highest = plane[3] + plane[0] * bounds[corner[0]] + plane[1] * bounds[corner[1]] +
+      plane[2] * bounds[corner[2]];
+    lowest = highest < lowest ? highest : lowest;
+  }
+  if (lowest == 0.0)
+  {
+    return -1;
+  }
   for (int i = 0; i < plane_count; ++i)
   {
     if (water_frustum_is_behind(frustum->planes[i], bounds, frustum->reach, rounding))

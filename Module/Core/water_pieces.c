@@ -64,6 +64,7 @@ void water_pieces_look(
   }
   const double origin[3] = { model_to_world[3], model_to_world[7], model_to_world[11] };
   view->frustum.reach = world.reach + water_vec3_length(origin);
+  water_frustum_prepare(&view->frustum);
   double back[4] = { plan->mirrored.world_to_view[8], plan->mirrored.world_to_view[9],
     plan->mirrored.world_to_view[10], 0.0 };
   water_mat4_apply_row(back, model_to_world, back);

@@ -169,6 +169,7 @@ TEST(points_of_both_kinds_and_without_an_end)
     water_pieces_view nothing;
     memset(&nothing, 0, sizeof nothing);
     nothing.frustum.planes[0][3] = -1.0; // nothing is inside
+    water_frustum_prepare(&nothing.frustum);
     assert_int_equal(water_pieces_select(&nothing, indices, 1, boxes, steps, drawn), 3);
     boxes[0][1] = 5.0;
     assert_int_equal(water_pieces_select(&nothing, indices, 1, boxes, steps, drawn), 0);
