@@ -395,6 +395,12 @@ int vtkWaterActor::RenderOpaqueGeometry(vtkViewport* viewport)
   if (this->HasOpaqueGeometry())
   {
     this->RenderReflectionIfStale(viewport);
+    auto* renderer = vtkOpenGLRenderer::SafeDownCast(viewport);
+    if (renderer && !renderer->GetSelector() &&
+      this->GetPassInCharge(renderer)->IsUnseen(renderer, this))
+    {
+      return 0;
+    }
   }
   return this->Superclass::RenderOpaqueGeometry(viewport);
 }

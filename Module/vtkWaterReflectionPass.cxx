@@ -307,6 +307,15 @@ bool vtkWaterReflectionPass::IsFresh(vtkRenderer* renderer, vtkWaterActor* water
 }
 
 //------------------------------------------------------------------------------
+bool vtkWaterReflectionPass::IsUnseen(vtkRenderer* renderer, vtkWaterActor* water) const
+{
+  const water_plan& plan = this->Internal->Plan;
+  return (plan.decision == WATER_NO_REFLECT_HIDDEN ||
+           plan.decision == WATER_NO_REFLECT_FACING_AWAY) &&
+    !plan.has_view && this->IsFresh(renderer, water);
+}
+
+//------------------------------------------------------------------------------
 const water_plan* vtkWaterReflectionPass::GetFreshPlan(
   vtkRenderer* renderer, vtkWaterActor* water) const
 {

@@ -381,6 +381,8 @@ private:
   bool DoesMaskPay(vtkRenderer* renderer, double visible_px);
   // Was the frame that is being rendered planned for this water and the renderer's active camera?
   bool IsFresh(vtkRenderer* renderer, vtkWaterActor* water) const;
+  // Is it known of this frame that no pixel of the water is seen?
+  bool IsUnseen(vtkRenderer* renderer, vtkWaterActor* water) const;
   // The plan of this frame, nullptr when it has no view.
   const water_plan* GetFreshPlan(vtkRenderer* renderer, vtkWaterActor* water) const;
   // The map, or a blank texture when there is none.
