@@ -224,8 +224,8 @@ static water_status fill_view(const water_scene* scene, const checked* input,
 }
 
 // The view and the mirrored camera of the plan are set.
-static water_status fill_shade(const water_scene* scene, const checked* input,
-  const water_axes* axes, water_plan* plan)
+static water_status fill_shade(
+  const water_scene* scene, const checked* input, const water_axes* axes, water_plan* plan)
 {
   water_mirror_texture_matrix(&plan->mirrored, plan->world_to_texture);
   water_mirror_map_to_eye(

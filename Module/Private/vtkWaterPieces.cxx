@@ -11,6 +11,7 @@
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
 #include "vtkShaderProgram.h"
+#include "vtkVersionMacros.h"
 #include "vtkWaterAccess.h"
 #include "vtkWaterGL.h"
 
@@ -24,13 +25,21 @@ double (*BoxesOf(std::vector<std::array<double, 6>>& boxes))[6]
   return reinterpret_cast<double(*)[6]>(boxes.data()); // std::array<double, 6> is a double[6]
 }
 
+bool IsInWorld(vtkActor* actor)
+{
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 0)
+  return actor->GetCoordinateSystem() == vtkProp3D::WORLD;
+#else
+  return actor != nullptr; // there is no other
+#endif
+}
+
 // Can the triangles of a mesh be drawn without some of them? Not when the shader counts them to
 // find the data of their cells.
 bool CanBeCut(vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkActor* actor)
 {
   return actor && std::strcmp(mapper->GetClassName(), "vtkOpenGLPolyDataMapper") == 0 &&
-    actor->GetCoordinateSystem() == vtkProp3D::WORLD &&
-    actor->GetProperty()->GetRepresentation() == VTK_SURFACE &&
+    IsInWorld(actor) && actor->GetProperty()->GetRepresentation() == VTK_SURFACE &&
     !actor->IsRenderingTranslucentPolygonalGeometry() &&
     !program->IsUniformUsed("PrimitiveIDOffset");
 }

@@ -96,8 +96,7 @@ void vtkWaterSurface::SetViewParameters(vtkShaderProgram* program)
   // its own: the plan may have been made for several waters
   const water_look look = vtkWaterGather::ReadLook(this->Property);
   uniforms::Set(program, "waterEta", water_optics_eta(&look, plan.side));
-  uniforms::Set(
-    program, "waterReflectance", look.constant_reflectance ? look.reflectance : -1.0);
+  uniforms::Set(program, "waterReflectance", look.constant_reflectance ? look.reflectance : -1.0);
   uniforms::Set4(program, "waterHeightClip", plan.plane_clip);
   uniforms::Set4(program, "waterClipW", plan.clip_w);
   const int flatSteps = this->IsSteep ? kRestSteps : 0;

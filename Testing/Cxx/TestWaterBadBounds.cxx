@@ -90,19 +90,21 @@ int TestWaterBadBounds(int, char*[])
     }
     ok &= WaterCheck(name + "errors in three frames", errors, 1);
     const std::string text = scene.Water->GetLastError();
-    for (const std::string& word : { std::string("BoundlessProp"), words[i], std::string("finite") })
+    for (const std::string& word :
+      { std::string("BoundlessProp"), words[i], std::string("finite") })
     {
-      ok &= WaterCheck(name + "the error names " + word, text.find(word) != std::string::npos, true);
+      ok &=
+        WaterCheck(name + "the error names " + word, text.find(word) != std::string::npos, true);
     }
     ok &= WaterCheck(name + "decision",
       std::string(scene.Water->GetReflectionPass()->GetDecisionAsString()),
       std::string("rendered"));
 
     scene.Renderer->RemoveActor(boundless);
-    ok &= WaterCheck(
-      name + "next picture is right again", Picture(scene.Window) == without, true);
+    ok &= WaterCheck(name + "next picture is right again", Picture(scene.Window) == without, true);
     ok &= WaterCheck(name + "errors after that", errors, 1);
-    ok &= WaterCheck(name + "no error left", std::string(scene.Water->GetLastError()), std::string());
+    ok &=
+      WaterCheck(name + "no error left", std::string(scene.Water->GetLastError()), std::string());
   }
   return ok ? EXIT_SUCCESS : EXIT_FAILURE;
 }
