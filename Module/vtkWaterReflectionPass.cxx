@@ -104,6 +104,25 @@ struct vtkWaterReflectionPass::Internals
     auto found = this->Views.find(Eye(this->PlannedFor, this->PlannedForSecondEye));
     return found == this->Views.end() ? nullptr : found->second.get();
   }
+
+  // What the instruments of the planned view say, with the context that they measured in: another
+  // window's may be current.
+  template <typename Value, typename Question>
+  Value Ask(Value none, Question question)
+  {
+    View* view = this->GetPlannedView();
+    vtkRenderer* renderer = view ? view->Renderer.Get() : nullptr;
+    auto* window =
+      vtkOpenGLRenderWindow::SafeDownCast(renderer ? renderer->GetRenderWindow() : nullptr);
+    if (!window)
+    {
+      return none;
+    }
+    window->PushContext();
+    const Value value = question(view->Mirror.GetInstruments());
+    window->PopContext();
+    return value;
+  }
 };
 
 //------------------------------------------------------------------------------
@@ -248,31 +267,31 @@ void vtkWaterReflectionPass::SetInstrumentation(bool instrumentation)
 //------------------------------------------------------------------------------
 double vtkWaterReflectionPass::GetLastReflectionTime()
 {
-  Internals::View* view = this->Internal->GetPlannedView();
-  return view ? view->Mirror.GetInstruments().GetTime(vtkWaterInstruments::REFLECTION)
-              : vtkMath::Nan();
+  return this->Internal->Ask(vtkMath::Nan(), [](vtkWaterInstruments& instruments) {
+    return instruments.GetTime(vtkWaterInstruments::REFLECTION);
+  });
 }
 
 //------------------------------------------------------------------------------
 double vtkWaterReflectionPass::GetLastSurfaceTime()
 {
-  Internals::View* view = this->Internal->GetPlannedView();
-  return view ? view->Mirror.GetInstruments().GetTime(vtkWaterInstruments::SURFACE)
-              : vtkMath::Nan();
+  return this->Internal->Ask(vtkMath::Nan(), [](vtkWaterInstruments& instruments) {
+    return instruments.GetTime(vtkWaterInstruments::SURFACE);
+  });
 }
 
 //------------------------------------------------------------------------------
 vtkIdType vtkWaterReflectionPass::GetNumberOfTrianglesReflected()
 {
-  Internals::View* view = this->Internal->GetPlannedView();
-  return view ? view->Mirror.GetInstruments().GetTriangles() : -1;
+  return this->Internal->Ask(
+    vtkIdType(-1), [](vtkWaterInstruments& instruments) { return instruments.GetTriangles(); });
 }
 
 //------------------------------------------------------------------------------
 vtkIdType vtkWaterReflectionPass::GetNumberOfFragmentsReflected()
 {
-  Internals::View* view = this->Internal->GetPlannedView();
-  return view ? view->Mirror.GetInstruments().GetFragments() : -1;
+  return this->Internal->Ask(
+    vtkIdType(-1), [](vtkWaterInstruments& instruments) { return instruments.GetFragments(); });
 }
 
 //------------------------------------------------------------------------------

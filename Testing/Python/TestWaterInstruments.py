@@ -75,6 +75,12 @@ scene.frames()
 wt.check_at_least("resources released: triangles in the next frames",
                   scene.reflection.GetNumberOfTrianglesReflected(), 1)
 
+# Another window's context may be current.
+known = scene.frames()
+other = Scene()
+other.frames()
+wt.check_equal("after another window's frames: counts", read(scene.reflection, COUNTS), known)
+
 # Triangles: without skips all there are; with PIECES those that the sheet can show, and no more fragments.
 def counts(skips, **settings):
     scene = Scene(skips, **settings)
@@ -134,6 +140,6 @@ for name, good, bads, limits in (
         missing = [word for word in (name, f"{bad:g}".replace("+", ""), *limits) if word not in text]
         wt.check_equal(f"Set{name}({bad}): not named", missing, [])
         wt.check_equal(f"Set{name}({bad}): it stays", getattr(reflection, "Get" + name)(), good)
-wt.check_equal("errors' defaults", (Scene().reflection.GetSkips(), Scene().reflection.GetMinimumPropSize()),
+wt.check_equal("defaults", (Scene().reflection.GetSkips(), Scene().reflection.GetMinimumPropSize()),
                (Pass.SKIP_ALL, 0.0))
 wt.finish()
