@@ -139,31 +139,31 @@ const char* vtkWaterReflectionPass::GetDecisionAsString() const
 //------------------------------------------------------------------------------
 double vtkWaterReflectionPass::GetLastReflectionTime()
 {
-  Internals::View* view = this->Internal->GetPlannedView();
-  return view ? view->Mirror.GetInstruments().GetTime(vtkWaterInstruments::REFLECTION)
-              : vtkMath::Nan();
+  return this->Internal->Ask(vtkMath::Nan(), [](vtkWaterInstruments& instruments) {
+    return instruments.GetTime(vtkWaterInstruments::REFLECTION);
+  });
 }
 
 //------------------------------------------------------------------------------
 double vtkWaterReflectionPass::GetLastSurfaceTime()
 {
-  Internals::View* view = this->Internal->GetPlannedView();
-  return view ? view->Mirror.GetInstruments().GetTime(vtkWaterInstruments::SURFACE)
-              : vtkMath::Nan();
+  return this->Internal->Ask(vtkMath::Nan(), [](vtkWaterInstruments& instruments) {
+    return instruments.GetTime(vtkWaterInstruments::SURFACE);
+  });
 }
 
 //------------------------------------------------------------------------------
 vtkIdType vtkWaterReflectionPass::GetNumberOfTrianglesReflected()
 {
-  Internals::View* view = this->Internal->GetPlannedView();
-  return view ? view->Mirror.GetInstruments().GetTriangles() : -1;
+  return this->Internal->Ask(
+    vtkIdType(-1), [](vtkWaterInstruments& instruments) { return instruments.GetTriangles(); });
 }
 
 //------------------------------------------------------------------------------
 vtkIdType vtkWaterReflectionPass::GetNumberOfFragmentsReflected()
 {
-  Internals::View* view = this->Internal->GetPlannedView();
-  return view ? view->Mirror.GetInstruments().GetFragments() : -1;
+  return this->Internal->Ask(
+    vtkIdType(-1), [](vtkWaterInstruments& instruments) { return instruments.GetFragments(); });
 }
 
 //------------------------------------------------------------------------------

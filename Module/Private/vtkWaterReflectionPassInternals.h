@@ -4,6 +4,7 @@
 #define vtkWaterReflectionPassInternals_h
 
 #include "vtkCamera.h"
+#include "vtkOpenGLRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkWaterGather.h"
 #include "vtkWaterMirror.h"
@@ -75,6 +76,25 @@ struct vtkWaterReflectionPass::Internals
   {
     auto found = this->Views.find(Eye(this->PlannedFor, this->PlannedForSecondEye));
     return found == this->Views.end() ? nullptr : found->second.get();
+  }
+
+  // What the instruments of the planned view say, with the context that they measured in: another
+  // window's may be current.
+  template <typename Value, typename Question>
+  Value Ask(Value none, Question question)
+  {
+    View* view = this->GetPlannedView();
+    vtkRenderer* renderer = view ? view->Renderer.Get() : nullptr;
+    auto* window =
+      vtkOpenGLRenderWindow::SafeDownCast(renderer ? renderer->GetRenderWindow() : nullptr);
+    if (!window)
+    {
+      return none;
+    }
+    window->PushContext();
+    const Value value = question(view->Mirror.GetInstruments());
+    window->PopContext();
+    return value;
   }
 };
 

@@ -97,6 +97,10 @@ TEST(faint_is_what_the_steepest_and_the_flattest_ray_reflect)
   mirror.look.reflectance = 0.001;
   mirror.reflectance_error = 0.5 / 255.0;
   assert_int_equal(decision_of(&mirror), WATER_NO_REFLECT_FAINT);
+  // shadows are looked up however little is reflected
+  mirror.has_shadows = true;
+  assert_int_equal(decision_of(&mirror), WATER_REFLECT);
+  mirror.has_shadows = false;
   mirror.look.reflectance = 0.002;
   assert_int_equal(decision_of(&mirror), WATER_REFLECT);
 }
@@ -129,6 +133,26 @@ TEST(props_outside_the_pyramid_are_left_out)
   {
     assert_int_equal(fates[i], WATER_DRAW);
   }
+}
+
+// Rays are traced alike with all props and without those that the water does not show: tall ones
+// beside it, and far ones beyond the eye's far plane.
+TEST(rays_take_the_same_steps_with_all_props)
+{
+  UNUSED;
+  const water_prop props[3] = { { { -0.1, 0.1, -0.1, 0.1, 1.0, 2.0 }, visible },
+    { { 4.0, 4.2, 0.0, 0.2, 1.0, 9.0 }, visible },
+    { { 4000.0, 4001.0, 0.0, 1.0, 1.0, 9000.0 }, visible } };
+  water_fate fates[3];
+  water_scene scene = pool(1.0);
+  scene.props = props;
+  scene.prop_count = 3;
+  const water_plan some = plan_of(&scene, fates);
+  assert_int_equal(fates[1], WATER_SKIP_OUT_OF_WATER);
+  scene.skips = WATER_MAY_SKIP_ALL & ~(unsigned)WATER_MAY_SKIP_PROPS;
+  const water_plan all = plan_of(&scene, fates);
+  assert_int_equal(fates[2], WATER_DRAW);
+  assert_memory_equal(&some, &all, sizeof some);
 }
 
 // A box of 1 at a distance of 12 is 1 / 12 of half the picture: 33 pixels wide, 25 high.
@@ -285,6 +309,7 @@ int main(void)
     RUN(facing_away_depends_on_the_side),
     RUN(faint_is_what_the_steepest_and_the_flattest_ray_reflect),
     RUN(props_outside_the_pyramid_are_left_out),
+    RUN(rays_take_the_same_steps_with_all_props),
     RUN(small_props_are_left_out_below_the_stated_size),
     RUN(waves_look_nothing_up_beyond_their_reach),
     RUN(map_is_used_again_only_for_the_same),

@@ -100,11 +100,28 @@ frame("the wall leaves an unchanged scene", scenes, "REUSED")
 
 # A slit of water is left: next to nothing is not nothing.
 scenes = both()
-for_both(scenes, lambda scene: (scene.wall.VisibilityOn(), scene.wall.SetScale(1, 1, 1), scene.wall.SetPosition(0, 0, 9)))
-for_both(scenes, lambda scene: scene.wall.SetPosition(20.9, 0, 0))
+for_both(scenes, lambda scene: (scene.wall.VisibilityOn(), scene.wall.SetPosition(20.05, 0, 0)))
 for number in range(3):
     for_both(scenes, move_thing)
     frame(f"a slit beside the wall, frame {number + 1}", scenes, "RENDERED")
+
+# A wall hides most of it while the camera moves: what it hides is left out of the mirrored view, which
+# is not used again then, when the wall moves or leaves and nothing else changes.
+for name, leave in (("moves", lambda scene: scene.wall.AddPosition(0.5, 0, 0)),
+                    ("leaves", lambda scene: scene.wall.VisibilityOff())):
+    scenes = both()
+    for_both(scenes, lambda scene: (scene.wall.VisibilityOn(), scene.wall.SetPosition(20.6, 0, 0)))
+    scenes[0].reflection.InstrumentationOn()
+    frame("before the camera moves", scenes, "RENDERED")
+    whole = scenes[0].reflection.GetNumberOfFragmentsReflected()
+    for number in range(3):
+        for_both(scenes, lambda scene: scene.camera.Azimuth(0.1))
+        frame(f"most is hidden, frame {number + 1}", scenes, "RENDERED")
+    wt.check_at_most("most is hidden: fragments in the mirrored view", scenes[0].reflection.GetNumberOfFragmentsReflected(),
+                     0.7 * whole)
+    for_both(scenes, leave)
+    frame(f"the wall {name}", scenes, "RENDERED")
+    frame(f"the wall {name}, next frame", scenes, "REUSED")
 
 # HIDDEN_WATER forced off.
 scene = Scene(Pass.SKIP_ALL & ~Pass.HIDDEN_WATER & ~Pass.UNCHANGED_VIEWS)

@@ -23,20 +23,20 @@ class Scene:
     def __init__(self, skips=Pass.SKIP_ALL, samples=0, wall=False, sheet=(-2, 2, -2, 2)):
         self.view = wt.View((200, 150), samples=samples)
         self.renderer = self.view.renderer
-        land = skip_scenes.terrain((-14, -14), (14, 14), lambda x, y: 1 + np.sin(x) * np.cos(y) + 0.03 * y * y)
+        land = skip_scenes.terrain((-14, -14), (14, 14), lambda x, y: 1 + np.sin(x) * np.cos(y) + 0.03 * np.maximum(y, 0) ** 2)
         self.land = wt.add_actor(self.renderer, land, (0.6, 0.5, 0.3))
         self.triangles = land.GetNumberOfPolys()
         self.box = wt.add_actor(self.renderer, wt.box((0, 3, 4), (1, 1, 1)), (0.9, 0.3, 0.2))
         wt.add_actor(self.renderer, wt.box((200, 3, 4), (1, 1, 1)), (0.9, 0.3, 0.2))
         self.water = wt.add_water(self.renderer, wt.plane((0, 0, 3), (0, 0, 1)), sheet, 0.9)
         if wall:
-            wall = wt.add_actor(self.renderer, wt.box((-1.3, -6, 8), (6, 0.1, 8)), (0.5, 0.5, 0.5))
+            wall = wt.add_actor(self.renderer, wt.box((-1.3, -6, 6), (6, 0.1, 12)), (0.5, 0.5, 0.5))
             wall.SetPropertyKeys(skip_scenes.vtkInformation())
             wall.GetPropertyKeys().Set(Pass.NOT_REFLECTED(), 1)
         self.reflection = self.water.GetReflectionPass()
         self.reflection.SetSkips(skips)
         self.camera = self.renderer.GetActiveCamera()
-        self.camera.SetPosition(0, -12, 9)
+        self.camera.SetPosition(0, -12, 5)
         self.camera.SetFocalPoint(0, 0, 3)
         self.camera.SetViewUp(0, 0, 1)
         self.camera.SetClippingRange(0.5, 80)
@@ -75,6 +75,12 @@ scene.frames()
 wt.check_at_least("resources released: triangles in the next frames",
                   scene.reflection.GetNumberOfTrianglesReflected(), 1)
 
+# Another window's context may be current.
+known = scene.frames()
+other = Scene()
+other.frames()
+wt.check_equal("after another window's frames: counts", read(scene.reflection, COUNTS), known)
+
 # Triangles: without skips all there are; with PIECES those that the sheet can show, and no more fragments.
 def counts(skips, **settings):
     scene = Scene(skips, **settings)
@@ -90,7 +96,8 @@ for samples in (0, 4):
     wt.check_at_most(f"{samples} samples, PIECES: triangles", triangles, 0.95 * all_triangles)
     wt.check_at_least(f"{samples} samples, PIECES: triangles", triangles, 0.05 * all_triangles)
     _, (with_pixels, fewer) = counts(Pass.PIECES | Pass.PIXELS, samples=samples)
-    wt.check_at_most(f"{samples} samples, PIECES and PIXELS: triangles", with_pixels, 0.5 * triangles)
+    wt.check_at_most(f"{samples} samples, PIECES and PIXELS: triangles", with_pixels, 0.6 * triangles)
+    wt.check_at_least(f"{samples} samples, PIECES and PIXELS: triangles", with_pixels, boxes + 300)
     wt.check_at_most(f"{samples} samples, PIECES and PIXELS: fragments", fewer, 0.5 * all_fragments)
     _, (with_props, _) = counts(Pass.PROPS, samples=samples)
     wt.check_equal(f"{samples} samples, PROPS: triangles", with_props, all_triangles - 12)
@@ -133,6 +140,6 @@ for name, good, bads, limits in (
         missing = [word for word in (name, f"{bad:g}".replace("+", ""), *limits) if word not in text]
         wt.check_equal(f"Set{name}({bad}): not named", missing, [])
         wt.check_equal(f"Set{name}({bad}): it stays", getattr(reflection, "Get" + name)(), good)
-wt.check_equal("errors' defaults", (Scene().reflection.GetSkips(), Scene().reflection.GetMinimumPropSize()),
+wt.check_equal("defaults", (Scene().reflection.GetSkips(), Scene().reflection.GetMinimumPropSize()),
                (Pass.SKIP_ALL, 0.0))
 wt.finish()

@@ -4,6 +4,7 @@ anew; and no pipeline runs more often for it than it would without the water."""
 
 import numpy as np
 import water_test as wt
+import vtkmodules.vtkRenderingOpenGL2 as opengl
 import vtkmodules.vtkRenderingVolumeOpenGL2  # noqa: F401
 from skip_scenes import blob
 from vtkmodules.util.numpy_support import numpy_to_vtk
@@ -31,6 +32,8 @@ from vtkmodules.vtkRenderingLOD import vtkLODActor
 from vtkwater import vtkWaterReflectionPass as Pass
 
 SIZE = (160, 120)
+HAS_COLORS = hasattr(vtkCompositePolyDataMapper, "SetCompositeDataDisplayAttributes")  # VTK 9.3 and later
+BlockMapper = vtkCompositePolyDataMapper if HAS_COLORS else opengl.vtkCompositePolyDataMapper2
 
 
 def texture_of(image):
@@ -71,7 +74,7 @@ class Scene:
         self.blocks = vtkMultiBlockDataSet()
         for number in range(2):
             self.blocks.SetBlock(number, wt.box((0, 0, number), (0.8, 0.8, 0.8)))
-        self.composite = self.add(vtkCompositePolyDataMapper(), (2, 0, 0.6))
+        self.composite = self.add(BlockMapper(), (2, 0, 0.6))
         self.composite.GetMapper().SetInputDataObject(self.blocks)
         self.attributes = vtkCompositeDataDisplayAttributes()
         self.composite.GetMapper().SetCompositeDataDisplayAttributes(self.attributes)
