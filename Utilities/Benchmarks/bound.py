@@ -112,8 +112,8 @@ def _measure(results, name, has_props):
             (
                 name,
                 f"{scale:g}",
-                f"{v:.1f}",
-                f"{whole - v:.1f}",
+                f"{v:.2f}",
+                f"{whole - v:.2f}",
                 f"{g:.2f}",
                 f"{f_share:.2f}",
                 f"{cost:.3f}",

@@ -59,7 +59,8 @@ def _counts(scene, frame):
     """What the pass says of one more frame, which is not timed."""
     instruments.turn_on(scene.water)
     frame.choose()
-    frame.render(0)
+    for turn in (1, 0):  # the last frame's view would be shown again if the camera stood still
+        frame.render(turn)
     said = instruments.read(scene.water)
     instruments.turn_on(scene.water, False)
     return said
