@@ -137,7 +137,8 @@ void vtkWaterReflectionPass::ChooseQuality(vtkRenderer* renderer, double budget_
     water_quality_for_error(this->TargetError, &roughness, &view->ErrorStep);
     step = view->ErrorStep;
   }
-  else if (this->Quality != FIXED)
+  else if (this->Quality != FIXED &&
+    !(this->Quality == UPDATE_RATE && water_quality_is_still(budget_ms)))
   {
     // a view that was used again took no time
     const bool isRendered = internal.Plan.decision == WATER_REFLECT;
@@ -150,7 +151,8 @@ void vtkWaterReflectionPass::ChooseQuality(vtkRenderer* renderer, double budget_
   water_quality quality;
   water_quality_of_step(step, &quality);
   this->QualityStep = this->Quality == FIXED ? -1 : step;
-  scene.texture_scale = this->TextureScale * (this->Quality == FIXED ? 1.0 : quality.texture_scale);
+  this->TextureScaleInUse = this->Quality == FIXED ? this->TextureScale : quality.texture_scale;
+  scene.texture_scale = this->TextureScaleInUse;
   internal.MostSteps = this->Quality == FIXED ? VTK_INT_MAX : quality.ray_steps;
   internal.MostProbes = this->Quality == FIXED ? VTK_INT_MAX : quality.ray_probes;
 }

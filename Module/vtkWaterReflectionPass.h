@@ -167,7 +167,8 @@ public:
 
   ///@{
   /**
-   * What may be left undone: Skips, or-ed. None of it changes the picture; SKIP_NONE renders
+   * What may be left undone: Skips, or-ed. None of it changes the picture, but for what
+   * MinimumPropSize (of PROPS) and ReflectanceError (of FAINT_WATER) allow; SKIP_NONE renders
    * everything in every frame, to compare with. Default is SKIP_ALL.
    */
   void SetSkips(int skips);
@@ -251,14 +252,15 @@ public:
 
   ///@{
   /**
-   * How TextureScale and the steps of ray traced lookups are chosen. FIXED: as they are set.
-   * TARGET_ERROR: as coarse as the median error of the lookup stays within TargetError, by the
-   * waves' slopes and what a pixel sees of them. TIME_BUDGET: by what the mirrored view and the
-   * surface took on the GPU in the frames before. UPDATE_RATE: likewise, for half of the time that
-   * the window's DesiredUpdateRate leaves for a frame, so coarser while a user interacts and fine
-   * when still. The last three go along a ladder of eight steps, from the set values to a quarter
-   * of TextureScale, and do not change back and forth. Source:
-   * Documentation/decisions/010-quality.md. Default is FIXED.
+   * How the texture's scale and the steps of ray traced lookups are chosen. FIXED: TextureScale, and
+   * the steps that are set. TARGET_ERROR: as coarse as the median error of the lookup stays within
+   * TargetError, by the waves' slopes and what a pixel sees of them. TIME_BUDGET: by what the mirrored
+   * view and the surface took on the GPU in the frames before. UPDATE_RATE: likewise, for half of the
+   * time that the window's DesiredUpdateRate leaves for a frame; a picture that stands still is fine at
+   * once. The last three go along a ladder of eight steps, with texture scales from 1 to 0.25 in place
+   * of TextureScale and no more steps of rays than are set, and do not change back and forth. On a
+   * software renderer the GPU's times are the processor's, with all that was put off until then.
+   * Source: Documentation/decisions/010-quality.md. Default is FIXED.
    */
   void SetQuality(int quality);
   vtkGetMacro(Quality, int);
@@ -290,6 +292,11 @@ public:
    * Step of the ladder in the last frame, 0 (finest) to 7; -1: the quality is fixed.
    */
   vtkGetMacro(QualityStep, int);
+
+  /**
+   * Texture scale of the last frame: TextureScale, or what the quality chose.
+   */
+  vtkGetMacro(TextureScaleInUse, double);
 
   ///@{
   /**
@@ -338,7 +345,8 @@ public:
 
   /**
    * A prop with this key is drawn in reflections by the prop that the key holds: a coarser model of
-   * a large mesh, say. That one is placed and coloured by itself and need not be in a renderer.
+   * a large mesh, say. That one is placed and coloured by itself, need not be in a renderer, and is drawn
+   * whenever the prop would be; its own visibility and keys do not count. A water stands in for nothing.
    */
   static vtkInformationObjectBaseKey* STAND_IN();
 
@@ -408,6 +416,7 @@ private:
   double TargetError = 1.0;
   double TimeBudget = 10.0;
   int QualityStep = -1;
+  double TextureScaleInUse = 1.0;
   bool Instrumentation = false;
   double LastGatherTime = std::numeric_limits<double>::quiet_NaN();
   double LastPlanTime = std::numeric_limits<double>::quiet_NaN();

@@ -220,6 +220,7 @@ void vtkWaterReflectionPass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "TargetError: " << this->TargetError << "\n";
   os << indent << "TimeBudget: " << this->TimeBudget << "\n";
   os << indent << "QualityStep: " << this->QualityStep << "\n";
+  os << indent << "TextureScaleInUse: " << this->TextureScaleInUse << "\n";
   os << indent << "ShowReflection: " << (this->ShowReflection ? "on" : "off") << "\n";
   os << indent << "NumberOfReflectionRenders: " << this->NumberOfReflectionRenders << "\n";
   os << indent << "Last plan: " << this->GetDecisionAsString() << "\n";

@@ -47,8 +47,7 @@ bool water_pieces_bound(const water_points* points, size_t point_count, const ui
   return true;
 }
 
-void water_pieces_look(
-  const water_plan* plan, const double model_to_world[16], water_pieces_view* view)
+void water_pieces_view(const water_plan* plan, const double model_to_world[16], water_frustum* view)
 {
   double box[4];
   water_frustum world;
@@ -60,76 +59,28 @@ void water_pieces_look(
   memcpy(world.planes[5], clip_world, sizeof clip_world);
   for (int i = 0; i < 6; ++i)
   {
-    water_mat4_apply_row(world.planes[i], model_to_world, view->frustum.planes[i]);
+    water_mat4_apply_row(world.planes[i], model_to_world, view->planes[i]);
   }
   const double origin[3] = { model_to_world[3], model_to_world[7], model_to_world[11] };
-  view->frustum.reach = world.reach + water_vec3_length(origin);
-  water_frustum_prepare(&view->frustum);
-  double back[4] = { plan->mirrored.world_to_view[8], plan->mirrored.world_to_view[9],
-    plan->mirrored.world_to_view[10], 0.0 };
-  water_mat4_apply_row(back, model_to_world, back);
-  for (int i = 0; i < 3; ++i)
-  {
-    view->away[i] = -back[i];
-  }
+  view->reach = world.reach + water_vec3_length(origin);
+  water_frustum_prepare(view);
 }
 
-enum
-{
-  NOT_SEEN = UINT16_MAX,
-  LAST_STEP = 255
-};
-
-static double distance_of(const water_pieces_view* view, const double box[6])
-{
-  const double middle[3] = { 0.5 * (box[0] + box[1]), 0.5 * (box[2] + box[3]),
-    0.5 * (box[4] + box[5]) };
-  return water_vec3_dot(view->away, middle);
-}
-
-size_t water_pieces_select(const water_pieces_view* view, const uint32_t* indices,
-  size_t triangle_count, double (*boxes)[6], uint16_t* steps, uint32_t* drawn)
+size_t water_pieces_select(const water_frustum* view, const uint32_t* indices,
+  size_t triangle_count, double (*boxes)[6], uint32_t* drawn)
 {
   const size_t per_piece = 3 * (size_t)WATER_PIECE_TRIANGLES;
   const size_t index_count = 3 * triangle_count;
-  const size_t piece_count = (index_count + per_piece - 1) / per_piece;
-  double nearest = DBL_MAX;
-  double farthest = -DBL_MAX;
-  for (size_t i = 0; i < piece_count; ++i)
+  size_t drawn_count = 0;
+  for (size_t first = 0; first < index_count; first += per_piece)
   {
-    const bool is_endless = !water_all_finite(boxes[i], 6);
-    steps[i] = NOT_SEEN;
-    if (is_endless || water_frustum_meets(&view->frustum, 6, boxes[i], piece_rounding))
+    const double* box = boxes[first / per_piece];
+    const size_t rest = index_count - first;
+    const size_t size = rest < per_piece ? rest : per_piece;
+    if (!water_all_finite(box, 6) || water_frustum_meets(view, 6, box, piece_rounding))
     {
-      steps[i] = 0;
-      nearest = is_endless ? nearest : fmin(nearest, distance_of(view, boxes[i]));
-      farthest = is_endless ? farthest : fmax(farthest, distance_of(view, boxes[i]));
-    }
-  }
-  // sorted by counting: how many indices lie before each step
-  size_t before[LAST_STEP + 2] = { 0 };
-  const double per_step = farthest > nearest ? (farthest - nearest) / LAST_STEP : 1.0;
-  for (size_t i = 0; i < piece_count; ++i)
-  {
-    if (steps[i] != NOT_SEEN)
-    {
-      const double step = (distance_of(view, boxes[i]) - nearest) / per_step;
-      steps[i] = step > 0.0 ? (uint16_t)fmin(step, LAST_STEP) : 0; // NaN: 0
-      before[steps[i] + 1] += i + 1 < piece_count ? per_piece : index_count - i * per_piece;
-    }
-  }
-  for (int step = 0; step <= LAST_STEP; ++step)
-  {
-    before[step + 1] += before[step];
-  }
-  const size_t drawn_count = before[LAST_STEP + 1];
-  for (size_t i = 0; i < piece_count; ++i)
-  {
-    if (steps[i] != NOT_SEEN)
-    {
-      const size_t size = i + 1 < piece_count ? per_piece : index_count - i * per_piece;
-      memcpy(drawn + before[steps[i]], indices + i * per_piece, size * sizeof *indices);
-      before[steps[i]] += size;
+      memcpy(drawn + drawn_count, indices + first, size * sizeof *indices);
+      drawn_count += size;
     }
   }
   return drawn_count;

@@ -37,28 +37,20 @@ size_t water_pieces_count(size_t triangle_count);
 bool water_pieces_bound(const water_points* points, size_t point_count, const uint32_t* indices,
   size_t triangle_count, double (*boxes)[6]);
 
-typedef struct water_pieces_view
-{
-  // what the pieces must meet, in the mesh's own coordinates: the part of the mirrored frustum
-  // behind the drawn part of the map, without its far plane, and the kept side of the clip
-  water_frustum frustum;
-  double away[3]; // from the mirrored eye
-} water_pieces_view;
-
-// model_to_world  affine
-void water_pieces_look(
-  const water_plan* plan, const double model_to_world[16], water_pieces_view* view);
-
-// Copies the indices of the pieces that may be seen, from near to far, as well as steps of 1 / 256
-// of the distance between the nearest and the farthest tell them apart; those of one step in the
-// order of the mesh.
+// What the pieces must meet to be drawn, in the mesh's own coordinates: the part of the mirrored
+// frustum behind the drawn part of the map, without its far plane, and the kept side of the clip.
 //
-// steps  room for a number per piece
+// model_to_world  affine
+void water_pieces_view(
+  const water_plan* plan, const double model_to_world[16], water_frustum* view);
+
+// Copies the indices of the pieces that may be seen, in their order.
+//
 // drawn  room for 3 * triangle_count
 //
 // Returns how many indices were copied.
-size_t water_pieces_select(const water_pieces_view* view, const uint32_t* indices,
-  size_t triangle_count, double (*boxes)[6], uint16_t* steps, uint32_t* drawn);
+size_t water_pieces_select(const water_frustum* view, const uint32_t* indices,
+  size_t triangle_count, double (*boxes)[6], uint32_t* drawn);
 
 #ifdef __cplusplus
 }

@@ -308,6 +308,11 @@ static bool is_seen(double area_px)
   return isfinite(area_px) && area_px > 0.0;
 }
 
+bool water_quality_is_still(double budget_ms)
+{
+  return budget_ms >= 1000.0;
+}
+
 water_status water_quality_share(
   const double* areas_px, size_t count, double budget_ms, double* shares_ms)
 {

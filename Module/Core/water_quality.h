@@ -132,6 +132,10 @@ typedef struct water_quality_state
 water_status water_quality_for_budget(
   water_quality_state* state, int finest_step, double budget_ms, double measured_ms);
 
+// Is a budget that of a picture that stands still? It is a second or more: VTK's windows ask for
+// hours then. The finest step is the one for it, at once: there may be no other frame.
+bool water_quality_is_still(double budget_ms);
+
 // Shares a budget over many waters: a tenth of it evenly among those that are seen, so that none
 // starves, and the rest by the areas that are seen of them.
 //

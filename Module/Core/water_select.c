@@ -173,8 +173,8 @@ size_t water_select_props(const water_camera* mirrored, const water_plane* plane
   return culprit;
 }
 
-// Whether two boxes have more than a face in common.
-static bool do_overlap(const water_prop* a, const water_prop* b)
+// Whether two boxes have a point in common.
+static bool do_touch(const water_prop* a, const water_prop* b)
 {
   if (water_select_is_unbounded(a) || water_select_is_unbounded(b))
   {
@@ -182,10 +182,9 @@ static bool do_overlap(const water_prop* a, const water_prop* b)
   }
   for (int i = 0; i < 6; i += 2)
   {
-    if (a->bounds[i + 1] <= b->bounds[i] || b->bounds[i + 1] <= a->bounds[i])
+    if (a->bounds[i + 1] < b->bounds[i] || b->bounds[i + 1] < a->bounds[i])
     {
-      // two that are flat there lie in the same plane, or apart
-      return a->bounds[i] == b->bounds[i] && a->bounds[i + 1] == b->bounds[i + 1];
+      return false;
     }
   }
   return true;
@@ -212,7 +211,7 @@ void water_select_order(
   {
     distances[i] = distance_to(mirrored, props + order[i]);
     for (size_t j = i; j > 0 && distances[j - 1] > distances[j] &&
-         !do_overlap(props + order[j - 1], props + order[j]);
+         !do_touch(props + order[j - 1], props + order[j]);
          --j)
     {
       const size_t index = order[j];

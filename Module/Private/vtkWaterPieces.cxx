@@ -119,12 +119,15 @@ void vtkWaterPieces::Give(
   {
     return;
   }
-  water_pieces_view view;
-  water_pieces_look(&plan, &actor->GetMatrix()->Element[0][0], &view);
+  water_frustum view;
+  water_pieces_view(&plan, &actor->GetMatrix()->Element[0][0], &view);
   this->Selected.resize(mesh.Indices.size());
-  this->Steps.resize(mesh.Boxes.size());
   const size_t count = water_pieces_select(&view, mesh.Indices.data(), mesh.Indices.size() / 3,
-    BoxesOf(mesh.Boxes), this->Steps.data(), this->Selected.data());
+    BoxesOf(mesh.Boxes), this->Selected.data());
+  if (count == mesh.Indices.size())
+  {
+    return;
+  }
   if (!mesh.Drawn)
   {
     mesh.Drawn = vtkSmartPointer<vtkOpenGLIndexBufferObject>::New();

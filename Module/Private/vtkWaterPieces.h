@@ -2,8 +2,8 @@
 // vtkWaterPieces: draws of large meshes only the pieces that the mirrored view can show.
 //
 // A mapper draws the triangles that its index buffer lists. For the time of a draw in the mirrored
-// view it gets another list, in which pieces are left out and the near ones come first
-// (water_pieces.h): the same vertices, so every pixel is the same as before. See
+// view it gets another list, in which pieces are left out (water_pieces.h): the same vertices, the
+// same order, so every pixel is the same as before. See
 // Documentation/decisions/009-skips.md.
 #ifndef vtkWaterPieces_h
 #define vtkWaterPieces_h
@@ -56,7 +56,6 @@ private:
   static void Read(vtkOpenGLPolyDataMapper* mapper, Mesh& mesh);
 
   std::map<vtkOpenGLPolyDataMapper*, Mesh> Meshes;
-  std::vector<uint16_t> Steps;
   std::vector<uint32_t> Selected;
   vtkSmartPointer<vtkOpenGLPolyDataMapper> Given; // has a buffer of ours
   vtkSmartPointer<vtkOpenGLIndexBufferObject> Own;

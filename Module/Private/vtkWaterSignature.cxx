@@ -19,6 +19,7 @@
 #include "vtkLightCollection.h"
 #include "vtkMapper.h"
 #include "vtkMatrix4x4.h"
+#include "vtkOpenGLRenderer.h"
 #include "vtkPropCollection.h"
 #include "vtkProperty.h"
 #include "vtkRenderWindow.h"
@@ -29,6 +30,7 @@
 #include "vtkTransform.h"
 #include "vtkTrivialProducer.h"
 #include "vtkUniforms.h"
+#include "vtkVersionMacros.h"
 #include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
 #include "vtkWaterGather.h"
@@ -91,12 +93,8 @@ void vtkWaterSignature::Read(vtkRenderer* renderer, const std::vector<vtkProp*>&
   this->Values.clear();
   this->IsComplete = true;
   this->Values.reserve(6 * props.size() + 16);
-  // its own time: vtkRenderer's counts the camera in
-  this->Values.emplace_back(renderer, renderer->vtkObject::GetMTime());
-  double rate = renderer->GetRenderWindow()->GetDesiredUpdateRate();
-  vtkMTimeType bits = 0;
-  std::memcpy(&bits, &rate, std::min(sizeof bits, sizeof rate)); // volumes sample by it
-  this->Add(bits);
+  this->AddRenderer(renderer);
+  this->AddNumber(renderer->GetRenderWindow()->GetDesiredUpdateRate()); // volumes sample by it
   this->Add(static_cast<vtkMTimeType>(vtkMapper::GetResolveCoincidentTopology()));
 
   vtkLightCollection* lights = renderer->GetLights();
@@ -115,6 +113,47 @@ void vtkWaterSignature::Read(vtkRenderer* renderer, const std::vector<vtkProp*>&
   {
     this->AddProp(prop);
   }
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterSignature::AddNumber(double value)
+{
+  vtkMTimeType bits = 0;
+  std::memcpy(&bits, &value, std::min(sizeof bits, sizeof value));
+  this->Add(bits);
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterSignature::AddRenderer(vtkRenderer* renderer)
+{
+  // One by one: its time says too much, as any change of the camera counts, and taking a picture of
+  // the window changes it twice.
+  for (int i = 0; i < 3; ++i)
+  {
+    this->AddNumber(renderer->GetBackground()[i]);
+    this->AddNumber(renderer->GetBackground2()[i]);
+    this->AddNumber(renderer->GetAmbient()[i]);
+    this->AddNumber(renderer->GetEnvironmentUp()[i]);
+    this->AddNumber(renderer->GetEnvironmentRight()[i]);
+  }
+  this->AddNumber(renderer->GetBackgroundAlpha());
+  this->AddNumber(renderer->GetOcclusionRatio());
+  for (const int flag : { static_cast<int>(renderer->GetGradientBackground()),
+         static_cast<int>(renderer->GetTexturedBackground()),
+         static_cast<int>(renderer->GetTwoSidedLighting()),
+         static_cast<int>(renderer->GetUseDepthPeeling()),
+         static_cast<int>(renderer->GetUseDepthPeelingForVolumes()),
+         static_cast<int>(renderer->GetMaximumNumberOfPeels()),
+         static_cast<int>(renderer->GetUseImageBasedLighting()),
+         static_cast<int>(renderer->GetUseSSAO()), static_cast<int>(renderer->GetUseShadows()) })
+  {
+    this->Add(static_cast<vtkMTimeType>(flag));
+  }
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 5, 0)
+  this->Add(renderer->GetUseOIT() ? 1 : 0);
+#endif
+  auto* openGL = vtkOpenGLRenderer::SafeDownCast(renderer);
+  this->Add(openGL && openGL->GetUseSphericalHarmonics() ? 1 : 0);
 }
 
 //------------------------------------------------------------------------------

@@ -32,6 +32,8 @@ public:
   bool IsSameAs(const vtkWaterSignature& other) const;
 
 private:
+  void AddNumber(double value);
+  void AddRenderer(vtkRenderer* renderer);
   void AddProp(vtkProp* prop);
   void AddAlgorithm(vtkAlgorithm* algorithm);
   void AddProperty(vtkProperty* property);

@@ -21,7 +21,6 @@ typedef struct mesh
   float points[3 * POINTS];
   uint32_t indices[3 * TRIANGLES];
   double boxes[PIECES][6];
-  uint16_t steps[PIECES];
   uint32_t drawn[3 * TRIANGLES];
 } mesh;
 
@@ -71,18 +70,9 @@ TEST(indices_out_of_the_points_are_refused)
   free(terrain);
 }
 
-static void corner_in_world(
-  const mesh* terrain, uint32_t number, const double model_to_world[16], double world[4])
-{
-  const float* corner = terrain->points + 3 * number;
-  const double local[3] = { (double)corner[0], (double)corner[1], (double)corner[2] };
-  water_mat4_apply_point(model_to_world, local, world);
-}
-
 // Of random views: every triangle with a corner that the mirrored camera sees on the kept side, in
-// the part of the map that is looked up, is drawn, once; the near ones come first; and it is of
-// use.
-TEST(what_is_seen_is_kept_near_ones_first)
+// the part of the map that is looked up, is drawn; the order stays; and it is of use.
+TEST(what_is_seen_is_kept_in_its_order)
 {
   UNUSED;
   const double center[3] = { 0.0, 0.0, 0.0 };
@@ -97,40 +87,27 @@ TEST(what_is_seen_is_kept_near_ones_first)
   {
     random_scene random = scene_rolled(&from, round, center);
     const water_plan plan = plan_of(&random.scene, NULL);
-    water_pieces_view view;
-    water_pieces_look(&plan, model_to_world, &view);
-    const size_t count = water_pieces_select(
-      &view, terrain->indices, TRIANGLES, terrain->boxes, terrain->steps, terrain->drawn);
+    water_frustum view;
+    water_pieces_view(&plan, model_to_world, &view);
+    const size_t count =
+      water_pieces_select(&view, terrain->indices, TRIANGLES, terrain->boxes, terrain->drawn);
     assert_int_equal(count % 3, 0);
     drawn_sum += count / 3;
-    static bool is_drawn[TRIANGLES];
-    memset(is_drawn, 0, sizeof is_drawn);
-    double distances[2] = { 0.0, 0.0 }; // summed over the first and the second half
-    for (size_t i = 0; i < count; i += 3)
-    {
-      // a quad's triangles are told apart by their second corner
-      const uint32_t* triangle = terrain->drawn + i;
-      const uint32_t corner = triangle[0];
-      const uint32_t quad = corner / (SIDE + 1) * SIDE + corner % (SIDE + 1);
-      const uint32_t number = 2 * quad + (triangle[1] != corner + 1);
-      assert_memory_equal(triangle, terrain->indices + 3 * number, 3 * sizeof *triangle);
-      assert_false(is_drawn[number]);
-      is_drawn[number] = true;
-      double world[4];
-      double eye[4];
-      corner_in_world(terrain, corner, model_to_world, world);
-      water_mat4_apply_point(plan.mirrored.world_to_view, world, eye);
-      distances[2 * i >= count] -= eye[2];
-    }
-    assert_true(distances[0] < distances[1] || count < 6);
+    size_t at = 0;
     for (size_t i = 0; i < TRIANGLES; ++i)
     {
+      const uint32_t* triangle = terrain->indices + 3 * i;
+      const bool is_drawn =
+        at < count && memcmp(terrain->drawn + at, triangle, 3 * sizeof *triangle) == 0;
+      at += is_drawn ? 3 : 0;
       bool is_seen = false;
       for (int j = 0; j < 3 && !is_seen; ++j)
       {
+        const float* corner = terrain->points + 3 * triangle[j];
+        const double local[3] = { (double)corner[0], (double)corner[1], (double)corner[2] };
         double world[4];
         double clip[4];
-        corner_in_world(terrain, terrain->indices[3 * i + (size_t)j], model_to_world, world);
+        water_mat4_apply_point(model_to_world, local, world);
         project(&plan.mirrored, world, 1.0, clip);
         const int* rect = plan.texture_rect_px;
         const double x = 0.5 * (1.0 + clip[0] / clip[3]) * plan.texture_px[0] - rect[0];
@@ -138,9 +115,10 @@ TEST(what_is_seen_is_kept_near_ones_first)
         is_seen = clip[2] >= -clip[3] && clip[3] > 0.0 && x >= 0.0 && x <= rect[2] && y >= 0.0 &&
           y <= rect[3] && height_of(&random, world) >= 0.0;
       }
-      assert_true(is_drawn[i] || !is_seen);
+      assert_true(is_drawn || !is_seen);
       seen_sum += is_seen;
     }
+    assert_int_equal(at, count); // all that was drawn was found, in its order
   }
   print_message(
     "seen %zu, drawn %zu of %zu triangles\n", seen_sum, drawn_sum, (size_t)60 * TRIANGLES);
@@ -165,14 +143,13 @@ TEST(points_of_both_kinds_and_without_an_end)
     assert_true(water_pieces_bound(&points[i], 3, indices, 1, boxes));
     const double expected[6] = { 0, huge, 0, 1, 0, 2 };
     assert_memory_equal(boxes[0], expected, sizeof expected);
-    uint16_t steps[1];
-    water_pieces_view nothing;
+    water_frustum nothing;
     memset(&nothing, 0, sizeof nothing);
-    nothing.frustum.planes[0][3] = -1.0; // nothing is inside
-    water_frustum_prepare(&nothing.frustum);
-    assert_int_equal(water_pieces_select(&nothing, indices, 1, boxes, steps, drawn), 3);
+    nothing.planes[0][3] = -1.0; // nothing is inside
+    water_frustum_prepare(&nothing);
+    assert_int_equal(water_pieces_select(&nothing, indices, 1, boxes, drawn), 3);
     boxes[0][1] = 5.0;
-    assert_int_equal(water_pieces_select(&nothing, indices, 1, boxes, steps, drawn), 0);
+    assert_int_equal(water_pieces_select(&nothing, indices, 1, boxes, drawn), 0);
   }
 }
 
@@ -181,7 +158,7 @@ int main(void)
   const struct CMUnitTest tests[] = {
     RUN(only_large_meshes_have_pieces),
     RUN(indices_out_of_the_points_are_refused),
-    RUN(what_is_seen_is_kept_near_ones_first),
+    RUN(what_is_seen_is_kept_in_its_order),
     RUN(points_of_both_kinds_and_without_an_end),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
