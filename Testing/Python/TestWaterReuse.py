@@ -27,6 +27,7 @@ from vtkmodules.vtkRenderingCore import (
     vtkPolyDataMapper,
     vtkProperty,
     vtkTexture,
+    vtkWindowToImageFilter,
 )
 from vtkmodules.vtkRenderingLOD import vtkLODActor
 from vtkwater import vtkWaterReflectionPass as Pass
@@ -292,6 +293,17 @@ for name, change in {
     scene.renders()
     change(scene)
     wt.check_equal(f"{name}: mirrored views in three frames", scene.renders(3), 3)
+
+# Taking a picture of the window swaps the renderer's camera and back: no change.
+scene = Scene()
+scene.renders(2)
+for _ in range(3):
+    taken = vtkWindowToImageFilter()
+    taken.SetInput(scene.view.window)
+    taken.ReadFrontBufferOff()
+    taken.ShouldRerenderOff()
+    taken.Update()
+    wt.check_equal("a picture taken: mirrored views", scene.renders(), 0)
 
 # Each eye has its own map, and so has each renderer.
 scene = Scene()
