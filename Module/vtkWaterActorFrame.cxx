@@ -232,8 +232,8 @@ double vtkWaterActor::FindBudget(
     auto* water = vtkWaterActor::SafeDownCast(prop);
     if (water && water->OwnPass->GetQuality() == pass->GetQuality())
     {
-      areas.push_back(
-        static_cast<double>(water->OwnPass->GetOcclusion(renderer)->WaitForSamples()));
+      areas.push_back(static_cast<double>(
+        water->OwnPass->GetOcclusion(renderer)->GetSamples(renderer->GetRenderWindow())));
       areOurs.push_back(std::find(sheets.begin(), sheets.end(), water) != sheets.end());
     }
   });
@@ -256,7 +256,8 @@ bool vtkWaterActor::IsWorthWaiting(
   vtkIdType visible = 0;
   for (vtkWaterActor* water : sheets)
   {
-    const vtkIdType samples = water->OwnPass->GetOcclusion(renderer)->GetSamples();
+    const vtkIdType samples =
+      water->OwnPass->GetOcclusion(renderer)->GetSamples(renderer->GetRenderWindow());
     if (samples < 0)
     {
       return false;
@@ -276,7 +277,7 @@ bool vtkWaterActor::AreSheetsHidden(
   // Asking GL what is seen waits for all that was drawn. It is worth that only if the answer is
   // likely to be no, and it likely is what it was in the last frame.
   auto wasHidden = [renderer](vtkWaterActor* water) {
-    return water->OwnPass->GetOcclusion(renderer)->GetSamples() == 0;
+    return water->OwnPass->GetOcclusion(renderer)->GetSamples(renderer->GetRenderWindow()) == 0;
   };
   if (!(this->OwnPass->GetSkips() & vtkWaterReflectionPass::HIDDEN_WATER) ||
     !std::all_of(sheets.begin(), sheets.end(), wasHidden))
@@ -331,7 +332,7 @@ void vtkWaterActor::SetAllocatedRenderTime(double seconds, vtkViewport* viewport
     shading->Keys.HoldUntilEndOfFrame(renderer);
     this->FindSheets(renderer);
   }
-  if (IsClear(this) || (!isComposed && this->CanBeLate(renderer)))
+  if (this->HasOpaqueGeometry())
   {
     this->DrawLast(renderer);
   }
@@ -459,11 +460,11 @@ void vtkWaterActor::Render(vtkRenderer* renderer, vtkMapper* mapper)
     this->GetProperty()->Modified(); // the mapper builds the other shader
   }
   vtkWaterInstruments* instruments = this->OwnPass->GetInstruments(renderer);
-  instruments->Begin(vtkWaterInstruments::SURFACE);
+  instruments->Begin(vtkWaterInstruments::SURFACE, renderer->GetRenderWindow());
   this->Surface->Begin(this, frame);
   shading->BeginSurface(this->Surface.get(), this->IsProbing);
   vtkWaterOcclusion* occlusion = this->OwnPass->GetOcclusion(renderer);
-  occlusion->Begin();
+  occlusion->Begin(renderer->GetRenderWindow());
   this->Superclass::Render(renderer, drawn);
   occlusion->End();
   shading->EndSurface();

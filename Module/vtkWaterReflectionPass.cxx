@@ -19,7 +19,6 @@
 #include "vtkWaterReflectionPassInternals.h"
 #include "vtkWaterShading.h"
 #include "water_plan.h"
-#include "water_select.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -210,13 +209,11 @@ void vtkWaterReflectionPass::RenderReflection(vtkRenderer* renderer,
   if (internal.Plan.decision == WATER_REFLECT)
   {
     std::vector<vtkProp*> drawn;
-    std::vector<size_t> order;
     for (size_t i = 0; i < internal.Fates.size(); ++i)
     {
       ++internal.FateCounts[internal.Fates[i]];
       if (internal.Fates[i] == WATER_DRAW)
       {
-        order.push_back(i);
         drawn.push_back(gather.vtkProps[i]);
         if (drawn.back()->IsA("vtkLODProp3D"))
         {
@@ -225,15 +222,6 @@ void vtkWaterReflectionPass::RenderReflection(vtkRenderer* renderer,
           drawn.back()->SetAllocatedRenderTime(waters.front()->GetAllocatedRenderTime(), renderer);
         }
       }
-    }
-    if (this->Skips & PIXELS)
-    {
-      water_select_order(&internal.Plan.mirrored, gather.props.data(), order.size(), order.data());
-    }
-    std::vector<vtkProp*> opaque;
-    for (const size_t i : order)
-    {
-      opaque.push_back(gather.vtkProps[i]);
     }
     const int samples = this->MultiSamples >= 0
       ? this->MultiSamples
@@ -255,7 +243,7 @@ void vtkWaterReflectionPass::RenderReflection(vtkRenderer* renderer,
     {
       view->MapPlan = water_plan();
       view->MapHasLevels = false;
-      failure = view->Mirror.Draw(renderer, shading, internal.Plan, drawn, opaque,
+      failure = view->Mirror.Draw(renderer, shading, internal.Plan, drawn,
         samples > 1 ? samples : 0, isFloat, (this->Skips & PIECES) != 0);
     }
     if (internal.GetPlannedView() != view.get())

@@ -90,7 +90,7 @@ public:
     FACING_AWAY,
     HIDDEN, ///< behind the scene
     FAINT,  ///< see SetReflectanceError
-    SHARED, ///< a sheet of the same plane has the mirrored view
+    SHARED, ///< a sheet of the same plane has the mirrored view; its pass has the numbers
     NUMBER_OF_DECISIONS
   };
 
@@ -252,15 +252,15 @@ public:
 
   ///@{
   /**
-   * How the texture's scale and the steps of ray traced lookups are chosen. FIXED: TextureScale, and
-   * the steps that are set. TARGET_ERROR: as coarse as the median error of the lookup stays within
-   * TargetError, by the waves' slopes and what a pixel sees of them. TIME_BUDGET: by what the mirrored
-   * view and the surface took on the GPU in the frames before. UPDATE_RATE: likewise, for half of the
-   * time that the window's DesiredUpdateRate leaves for a frame; a picture that stands still is fine at
-   * once. The last three go along a ladder of eight steps, with texture scales from 1 to 0.25 in place
-   * of TextureScale and no more steps of rays than are set, and do not change back and forth. On a
-   * software renderer the GPU's times are the processor's, with all that was put off until then.
-   * Source: Documentation/decisions/010-quality.md. Default is FIXED.
+   * How the texture's scale and the steps of ray traced lookups are chosen. FIXED: TextureScale,
+   * and the steps that are set. TARGET_ERROR: as coarse as the median error of the lookup stays
+   * within TargetError, by the waves' slopes and what a pixel sees of them. TIME_BUDGET: by what
+   * the mirrored view and the surface took on the GPU in the frames before. UPDATE_RATE: likewise,
+   * for half of the time that the window's DesiredUpdateRate leaves for a frame; a picture that
+   * stands still is fine at once. The last three go along a ladder of eight steps, with texture
+   * scales from 1 to 0.25 in place of TextureScale and no more steps of rays than are set, and do
+   * not change back and forth. On a software renderer the GPU's times are the processor's, with all
+   * that was put off until then. Source: Documentation/decisions/010-quality.md. Default is FIXED.
    */
   void SetQuality(int quality);
   vtkGetMacro(Quality, int);
@@ -345,8 +345,9 @@ public:
 
   /**
    * A prop with this key is drawn in reflections by the prop that the key holds: a coarser model of
-   * a large mesh, say. That one is placed and coloured by itself, need not be in a renderer, and is drawn
-   * whenever the prop would be; its own visibility and keys do not count. A water stands in for nothing.
+   * a large mesh, say. That one is placed and coloured by itself, need not be in a renderer, and is
+   * drawn whenever the prop would be; its own visibility and keys do not count. A water stands in
+   * for nothing.
    */
   static vtkInformationObjectBaseKey* STAND_IN();
 

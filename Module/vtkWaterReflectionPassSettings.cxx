@@ -139,31 +139,39 @@ const char* vtkWaterReflectionPass::GetDecisionAsString() const
 //------------------------------------------------------------------------------
 double vtkWaterReflectionPass::GetLastReflectionTime()
 {
-  return this->Internal->Ask(vtkMath::Nan(), [](vtkWaterInstruments& instruments) {
-    return instruments.GetTime(vtkWaterInstruments::REFLECTION);
-  });
+  return !this->Instrumentation
+    ? vtkMath::Nan()
+    : this->Internal->Ask(vtkMath::Nan(), [](vtkWaterInstruments& instruments) {
+        return instruments.GetTime(vtkWaterInstruments::REFLECTION);
+      });
 }
 
 //------------------------------------------------------------------------------
 double vtkWaterReflectionPass::GetLastSurfaceTime()
 {
-  return this->Internal->Ask(vtkMath::Nan(), [](vtkWaterInstruments& instruments) {
-    return instruments.GetTime(vtkWaterInstruments::SURFACE);
-  });
+  return !this->Instrumentation
+    ? vtkMath::Nan()
+    : this->Internal->Ask(vtkMath::Nan(), [](vtkWaterInstruments& instruments) {
+        return instruments.GetTime(vtkWaterInstruments::SURFACE);
+      });
 }
 
 //------------------------------------------------------------------------------
 vtkIdType vtkWaterReflectionPass::GetNumberOfTrianglesReflected()
 {
-  return this->Internal->Ask(
-    vtkIdType(-1), [](vtkWaterInstruments& instruments) { return instruments.GetTriangles(); });
+  return !this->Instrumentation
+    ? vtkIdType(-1)
+    : this->Internal->Ask(
+        vtkIdType(-1), [](vtkWaterInstruments& instruments) { return instruments.GetTriangles(); });
 }
 
 //------------------------------------------------------------------------------
 vtkIdType vtkWaterReflectionPass::GetNumberOfFragmentsReflected()
 {
-  return this->Internal->Ask(
-    vtkIdType(-1), [](vtkWaterInstruments& instruments) { return instruments.GetFragments(); });
+  return !this->Instrumentation
+    ? vtkIdType(-1)
+    : this->Internal->Ask(
+        vtkIdType(-1), [](vtkWaterInstruments& instruments) { return instruments.GetFragments(); });
 }
 
 //------------------------------------------------------------------------------

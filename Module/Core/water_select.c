@@ -105,6 +105,20 @@ static bool is_smaller(
     0.5 * texture_px[1] * (high[1] - low[1]) < px;
 }
 
+// Points and lines have a width in pixels whatever their distance.
+static water_fate fate_of_wide_box(
+  const water_camera* mirrored, const water_selection* selection, const water_prop* prop)
+{
+  const double* box = selection->box;
+  const double x = 2.0 * prop->wide_px / selection->texture_px[0];
+  const double y = 2.0 * prop->wide_px / selection->texture_px[1];
+  const double widened[4] = { box[0] - x, box[1] - y, box[2] + x, box[3] + y };
+  water_frustum pyramid;
+  water_frustum_make(mirrored, widened, &pyramid);
+  return water_frustum_meets(&pyramid, 5, prop->bounds, box_rounding) ? WATER_DRAW
+                                                                      : WATER_SKIP_OUT_OF_WATER;
+}
+
 static water_fate fate_of_box(
   const water_frustum* view, const water_frustum* pyramid, const double bounds[6])
 {
@@ -160,7 +174,8 @@ size_t water_select_props(const water_camera* mirrored, const water_plane* plane
       }
       else
       {
-        fate = fate_of_box(&view, &pyramid, bounds);
+        fate = props[i].wide_px > 0.0 ? fate_of_wide_box(mirrored, selection, props + i)
+                                      : fate_of_box(&view, &pyramid, bounds);
         if (fate == WATER_DRAW && selection->prop_px_min > 0.0 &&
           is_smaller(world_to_clip, selection->texture_px, bounds, selection->prop_px_min))
         {
@@ -171,55 +186,4 @@ size_t water_select_props(const water_camera* mirrored, const water_plane* plane
     fates[i] = fate;
   }
   return culprit;
-}
-
-// Whether two boxes have a point in common.
-static bool do_touch(const water_prop* a, const water_prop* b)
-{
-  if (water_select_is_unbounded(a) || water_select_is_unbounded(b))
-  {
-    return true;
-  }
-  for (int i = 0; i < 6; i += 2)
-  {
-    if (a->bounds[i + 1] < b->bounds[i] || b->bounds[i + 1] < a->bounds[i])
-    {
-      return false;
-    }
-  }
-  return true;
-}
-
-static double distance_to(const water_camera* mirrored, const water_prop* prop)
-{
-  const double middle[3] = { 0.5 * (prop->bounds[0] + prop->bounds[1]),
-    0.5 * (prop->bounds[2] + prop->bounds[3]), 0.5 * (prop->bounds[4] + prop->bounds[5]) };
-  double view[4];
-  water_mat4_apply_point(mirrored->world_to_view, middle, view);
-  return -view[2];
-}
-
-void water_select_order(
-  const water_camera* mirrored, const water_prop* props, size_t count, size_t* order)
-{
-  double distances[WATER_ORDER_MAX];
-  if (count > WATER_ORDER_MAX)
-  {
-    return;
-  }
-  for (size_t i = 0; i < count; ++i)
-  {
-    distances[i] = distance_to(mirrored, props + order[i]);
-    for (size_t j = i; j > 0 && distances[j - 1] > distances[j] &&
-         !do_touch(props + order[j - 1], props + order[j]);
-         --j)
-    {
-      const size_t index = order[j];
-      const double distance = distances[j];
-      order[j] = order[j - 1];
-      distances[j] = distances[j - 1];
-      order[j - 1] = index;
-      distances[j - 1] = distance;
-    }
-  }
 }

@@ -49,20 +49,6 @@ typedef struct water_selection
 size_t water_select_props(const water_camera* mirrored, const water_plane* plane,
   const water_selection* selection, const water_prop* props, size_t prop_count, water_fate* fates);
 
-// The order to draw props in: near ones first, as what they hide is rejected before it is shaded,
-// but none before another that it may touch and that came before it: where two are equally far, the
-// later one is seen. Does nothing for more than WATER_ORDER_MAX, whose time goes into other things.
-//
-// props  of the scene
-// count  of those that are drawn
-// order  in: their indices in the scene's order; out: in that to draw them
-enum
-{
-  WATER_ORDER_MAX = 64
-};
-void water_select_order(
-  const water_camera* mirrored, const water_prop* props, size_t count, size_t* order);
-
 #ifdef __cplusplus
 }
 #endif

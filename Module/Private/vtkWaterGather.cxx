@@ -100,18 +100,49 @@ vtkProp* FindStandIn(vtkProp* prop)
   return other && !vtkWaterGather::HoldsWater(other) ? other : prop;
 }
 
+// Are its points drawn larger than its bounds know?
+bool HasSplats(vtkProp* prop)
+{
+  auto* actor = vtkActor::SafeDownCast(prop);
+  return actor && actor->GetMapper() && actor->GetMapper()->IsA("vtkPointGaussianMapper");
+}
+
+// Half of the width of points and lines, in pixels; what is as wide as a line by default needs
+// none.
+double ReadWidth(vtkProp* prop)
+{
+  double width = 0.0;
+  if (vtkPropCollection* parts = vtkWaterGather::GetParts(prop))
+  {
+    vtkCollectionSimpleIterator it;
+    parts->InitTraversal(it);
+    while (vtkProp* part = parts->GetNextProp(it))
+    {
+      width = std::max(width, ReadWidth(part));
+    }
+  }
+  else if (auto* actor = vtkActor::SafeDownCast(prop))
+  {
+    const double size =
+      std::max(actor->GetProperty()->GetPointSize(), actor->GetProperty()->GetLineWidth());
+    width = size > 2.0 ? 0.5 * size + 1.0 : 0.0;
+  }
+  return width;
+}
+
 // drawn  the prop or its stand-in, which has the place
 water_prop ReadProp(vtkProp* prop, vtkProp* drawn)
 {
   water_prop read;
   read.flags = ReadFlags(prop);
+  read.wide_px = ReadWidth(drawn);
   ClearBounds(read.bounds);
   const uint32_t noneNeeded =
     WATER_PROP_IS_WATER | WATER_PROP_NOT_REFLECTED | WATER_PROP_OVERLAY | WATER_PROP_LABEL;
   if ((read.flags & WATER_PROP_VISIBLE) && !(read.flags & noneNeeded))
   {
     const double* bounds = vtkWaterGather::GetBounds(drawn); // may bring a pipeline up to date
-    if (bounds)
+    if (bounds && !HasSplats(drawn))
     {
       std::copy(bounds, bounds + 6, read.bounds);
     }
@@ -320,8 +351,9 @@ void vtkWaterGather::Read(
     // of a mesh of the user's nobody knows where its faces look; the sheet's look along the normal
     const bool isSheet = water->UsesOwnSheet() && water->GetIsIdentity();
     this->scene.is_flat = this->scene.is_flat && isSheet && !water->IsDisplaced();
-    this->scene.hides_above =
-      this->scene.hides_above && isSheet && water->GetProperty()->GetFrontfaceCulling();
+    this->scene.hides_above = this->scene.hides_above && isSheet &&
+      water->GetProperty()->GetFrontfaceCulling() &&
+      !water->GetProperty()->GetBackfaceCulling(); // with both, VTK culls back faces
     this->scene.hides_below =
       this->scene.hides_below && isSheet && water->GetProperty()->GetBackfaceCulling();
     if (water->IsDisplaced())

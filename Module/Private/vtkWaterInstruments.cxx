@@ -11,8 +11,20 @@ vtkWaterInstruments::vtkWaterInstruments() = default;
 vtkWaterInstruments::~vtkWaterInstruments() = default;
 
 //------------------------------------------------------------------------------
-void vtkWaterInstruments::Begin(int stage)
+void vtkWaterInstruments::Use(vtkWindow* window)
 {
+  if (window != this->Window)
+  {
+    this->Window = window;
+    this->Triangles = 0; // a name of the other context
+    this->HasCounted = false;
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterInstruments::Begin(int stage, vtkWindow* window)
+{
+  this->Use(window);
   if (!this->IsOn || !vtkOpenGLRenderTimer::IsSupported())
   {
     return;
@@ -43,8 +55,9 @@ double vtkWaterInstruments::GetTime(int stage)
 }
 
 //------------------------------------------------------------------------------
-void vtkWaterInstruments::BeginCounting()
+void vtkWaterInstruments::BeginCounting(vtkWindow* window)
 {
+  this->Use(window);
   GLint current = 0;
   glGetQueryiv(GL_PRIMITIVES_GENERATED, GL_CURRENT_QUERY, &current);
   if (!this->IsOn || current != 0)
@@ -55,7 +68,7 @@ void vtkWaterInstruments::BeginCounting()
   {
     glGenQueries(1, &this->Triangles);
   }
-  this->Fragments.Begin();
+  this->Fragments.Begin(window);
   glBeginQuery(GL_PRIMITIVES_GENERATED, this->Triangles);
   this->IsCounting = true;
   this->HasCounted = false;

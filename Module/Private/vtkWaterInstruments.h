@@ -28,10 +28,10 @@ public:
   void SetOn(bool isOn) { this->IsOn = isOn; }
 
   // Times what is drawn between the two.
-  void Begin(int stage);
+  void Begin(int stage, vtkWindow* window);
   void End(int stage);
   // Counts the opaque geometry that is drawn between the two.
-  void BeginCounting();
+  void BeginCounting(vtkWindow* window);
   void EndCounting();
 
   // ms of the last one that the GPU has finished; NaN: there is none.
@@ -47,7 +47,10 @@ private:
   vtkWaterInstruments(const vtkWaterInstruments&) = delete;
   void operator=(const vtkWaterInstruments&) = delete;
 
+  void Use(vtkWindow* window);
+
   bool IsOn = false;
+  vtkWindow* Window = nullptr; // compared only
   std::unique_ptr<vtkOpenGLRenderTimer> Timers[NUMBER_OF_STAGES];
   double Times[NUMBER_OF_STAGES] = { std::numeric_limits<double>::quiet_NaN(),
     std::numeric_limits<double>::quiet_NaN() };

@@ -142,8 +142,7 @@ void SetViewportAndScissor(vtkOpenGLState* state, const water_plan& plan)
 
 //------------------------------------------------------------------------------
 const char* vtkWaterMirror::Draw(vtkRenderer* renderer, vtkWaterShading* shading,
-  const water_plan& plan, std::vector<vtkProp*>& props, const std::vector<vtkProp*>& opaque,
-  int samples, bool isFloat, bool canCut)
+  const water_plan& plan, std::vector<vtkProp*>& props, int samples, bool isFloat, bool canCut)
 {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   vtkOpenGLState* state = window->GetState();
@@ -159,7 +158,7 @@ const char* vtkWaterMirror::Draw(vtkRenderer* renderer, vtkWaterShading* shading
     this->SceneDepth.Find(drawn);
   }
   this->IsDrawing = true;
-  this->Instruments.Begin(vtkWaterInstruments::REFLECTION);
+  this->Instruments.Begin(vtkWaterInstruments::REFLECTION, window);
   const char* failure = nullptr;
   {
     ScopedState scopedState(state);
@@ -181,7 +180,7 @@ const char* vtkWaterMirror::Draw(vtkRenderer* renderer, vtkWaterShading* shading
       ScopedCamera scopedCamera(renderer, this->Camera);
       ScopedMirroredView scopedView(shading, plan, canCut ? &this->Pieces : nullptr);
       ScopedRenderTimes scopedTimes(renderer, props);
-      this->DrawProps(renderer, props, opaque);
+      this->DrawProps(renderer, props);
       state->vtkglDisable(GL_SCISSOR_TEST);
       this->Target.Resolve();
     }
@@ -281,11 +280,10 @@ vtkRenderPass* vtkWaterMirror::GetTranslucentPass(vtkRenderer* renderer)
 }
 
 //------------------------------------------------------------------------------
-void vtkWaterMirror::DrawProps(
-  vtkRenderer* renderer, std::vector<vtkProp*>& props, const std::vector<vtkProp*>& opaque)
+void vtkWaterMirror::DrawProps(vtkRenderer* renderer, std::vector<vtkProp*>& props)
 {
-  this->Instruments.BeginCounting();
-  for (vtkProp* prop : opaque)
+  this->Instruments.BeginCounting(renderer->GetRenderWindow());
+  for (vtkProp* prop : props)
   {
     prop->RenderOpaqueGeometry(renderer);
     // on for shaders that write the distance; undefined for those that do not

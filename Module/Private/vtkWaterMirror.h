@@ -25,15 +25,13 @@ class vtkWaterMirror
 public:
   // Draws the props into the target.
   //
-  // opaque   the same in the order in which to draw their opaque geometry
   // samples  per pixel, 0: none
   // isFloat  colours are half floats, or bytes
   // canCut   parts of large meshes may be left out
   //
   // Returns nullptr, or what went wrong in a few words; the target is then not to be used.
   const char* Draw(vtkRenderer* renderer, vtkWaterShading* shading, const water_plan& plan,
-    std::vector<vtkProp*>& props, const std::vector<vtkProp*>& opaque, int samples, bool isFloat,
-    bool canCut);
+    std::vector<vtkProp*>& props, int samples, bool isFloat, bool canCut);
 
   // In the middle of Draw, which runs the user's observers: nothing may be released then.
   bool GetIsDrawing() const { return this->IsDrawing; }
@@ -54,8 +52,7 @@ public:
 
 private:
   void SetCamera(vtkRenderer* renderer, const water_plan& plan);
-  void DrawProps(
-    vtkRenderer* renderer, std::vector<vtkProp*>& props, const std::vector<vtkProp*>& opaque);
+  void DrawProps(vtkRenderer* renderer, std::vector<vtkProp*>& props);
   vtkRenderPass* GetTranslucentPass(vtkRenderer* renderer);
 
   enum Blendings // of translucent geometry, as the renderer's flags choose it

@@ -4,8 +4,14 @@
 #include "vtkWaterGL.h"
 
 //------------------------------------------------------------------------------
-void vtkWaterOcclusion::Begin()
+void vtkWaterOcclusion::Begin(vtkWindow* window)
 {
+  if (window != this->Window)
+  {
+    this->Window = window;
+    this->Query = 0; // a name of the other context
+    this->HasCounted = false;
+  }
   GLint current = 0;
   glGetQueryiv(GL_SAMPLES_PASSED, GL_CURRENT_QUERY, &current);
   if (current != 0)
@@ -33,10 +39,10 @@ void vtkWaterOcclusion::End()
 }
 
 //------------------------------------------------------------------------------
-vtkIdType vtkWaterOcclusion::GetSamples()
+vtkIdType vtkWaterOcclusion::GetSamples(vtkWindow* window)
 {
   GLuint isReady = 0;
-  if (this->HasCounted)
+  if (this->HasCounted && window == this->Window)
   {
     glGetQueryObjectuiv(this->Query, GL_QUERY_RESULT_AVAILABLE, &isReady);
   }

@@ -5,16 +5,20 @@
 
 #include "vtkType.h"
 
+class vtkWindow;
+
 class vtkWaterOcclusion
 {
 public:
   // What is drawn between the two is counted. Begin does nothing while somebody else counts.
-  void Begin();
+  //
+  // window  whose context is current; what another one's counted is forgotten
+  void Begin(vtkWindow* window);
   void End();
 
   // Samples of the last draw that was counted; -1: none was, or it is not known to have been
   // finished yet.
-  vtkIdType GetSamples();
+  vtkIdType GetSamples(vtkWindow* window);
 
   // Samples of the last draw that was counted; waits for it. -1: none was.
   vtkIdType WaitForSamples();
@@ -23,6 +27,7 @@ public:
   void ReleaseGraphicsResources();
 
 private:
+  vtkWindow* Window = nullptr; // compared only
   unsigned int Query = 0;
   bool IsCounting = false;
   bool HasCounted = false;

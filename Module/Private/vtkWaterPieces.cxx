@@ -2,6 +2,7 @@
 #include "vtkWaterPieces.h"
 
 #include "vtkActor.h"
+#include "vtkCommand.h"
 #include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"
 #include "vtkMatrix4x4.h"
@@ -11,6 +12,7 @@
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
 #include "vtkShaderProgram.h"
+#include "vtkShaderProperty.h"
 #include "vtkWaterAccess.h"
 #include "vtkWaterGL.h"
 #include "vtkWaterGather.h"
@@ -25,6 +27,14 @@ double (*BoxesOf(std::vector<std::array<double, 6>>& boxes))[6]
   return reinterpret_cast<double(*)[6]>(boxes.data()); // std::array<double, 6> is a double[6]
 }
 
+// May the vertices be elsewhere than the data says?
+bool HasOwnShaders(vtkAbstractMapper* mapper, vtkActor* actor)
+{
+  vtkShaderProperty* shaders = actor->GetShaderProperty();
+  return shaders->GetNumberOfShaderReplacements() > 0 || shaders->HasVertexShaderCode() ||
+    shaders->HasGeometryShaderCode() || mapper->HasObserver(vtkCommand::UpdateShaderEvent);
+}
+
 // Can the triangles of a mesh be drawn without some of them? Not when the shader counts them to
 // find the data of their cells.
 bool CanBeCut(vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkActor* actor)
@@ -32,7 +42,7 @@ bool CanBeCut(vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkActor* ac
   return actor && std::strcmp(mapper->GetClassName(), "vtkOpenGLPolyDataMapper") == 0 &&
     vtkWaterGather::IsInWorld(actor) && actor->GetProperty()->GetRepresentation() == VTK_SURFACE &&
     !actor->IsRenderingTranslucentPolygonalGeometry() &&
-    !program->IsUniformUsed("PrimitiveIDOffset");
+    !program->IsUniformUsed("PrimitiveIDOffset") && !HasOwnShaders(mapper, actor);
 }
 }
 
@@ -106,9 +116,10 @@ void vtkWaterPieces::Give(
     it = it->second.Mapper ? std::next(it) : this->Meshes.erase(it);
   }
   Mesh& mesh = this->Meshes[mapper];
-  const std::array<vtkMTimeType, 4> state{ mapper->GetInput() ? mapper->GetInput()->GetMTime() : 0,
-    std::max(mapper->GetMTime(), actor->GetProperty()->GetMTime()), slot->IndexCount,
-    static_cast<vtkMTimeType>(slot->GetHandle()) };
+  vtkProperty* property = actor->GetProperty();
+  const std::array<vtkMTimeType, 6> state{ mapper->GetInput() ? mapper->GetInput()->GetMTime() : 0,
+    mapper->GetMTime(), reinterpret_cast<vtkMTimeType>(property), property->GetMTime(),
+    slot->IndexCount, static_cast<vtkMTimeType>(slot->GetHandle()) };
   if (!mesh.Mapper || mesh.State != state)
   {
     mesh.Mapper = mapper;

@@ -47,7 +47,7 @@ private:
   struct Mesh
   {
     vtkWeakPointer<vtkOpenGLPolyDataMapper> Mapper;
-    std::array<vtkMTimeType, 4> State{}; // of what the index buffer was made from
+    std::array<vtkMTimeType, 6> State{}; // of what the index buffer was made from
     std::vector<uint32_t> Indices;
     std::vector<std::array<double, 6>> Boxes; // empty: it cannot be cut
     vtkSmartPointer<vtkOpenGLIndexBufferObject> Drawn;

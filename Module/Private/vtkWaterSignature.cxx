@@ -12,6 +12,8 @@
 #include "vtkDataObject.h"
 #include "vtkDemandDrivenPipeline.h"
 #include "vtkFollower.h"
+#include "vtkGPUVolumeRayCastMapper.h"
+#include "vtkImageData.h"
 #include "vtkImageMapper3D.h"
 #include "vtkImageProperty.h"
 #include "vtkImageSlice.h"
@@ -20,10 +22,13 @@
 #include "vtkMapper.h"
 #include "vtkMatrix4x4.h"
 #include "vtkOpenGLRenderer.h"
+#include "vtkPlane.h"
+#include "vtkPlaneCollection.h"
 #include "vtkPropCollection.h"
 #include "vtkProperty.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
+#include "vtkScalarsToColors.h"
 #include "vtkShaderProperty.h"
 #include "vtkSmartPointer.h"
 #include "vtkTexture.h"
@@ -60,9 +65,8 @@ bool IsKnownMapper(vtkAbstractMapper* mapper)
   return IsOneOf(mapper,
     { "vtkOpenGLPolyDataMapper", "vtkPolyDataMapper", "vtkDataSetMapper", "vtkGlyph3DMapper",
       "vtkOpenGLGlyph3DMapper", "vtkOpenGLSphereMapper", "vtkOpenGLStickMapper",
-      "vtkPointGaussianMapper", "vtkOpenGLPointGaussianMapper", "vtkCompositePolyDataMapper",
-      "vtkCompositePolyDataMapper2", "vtkOpenGLImageSliceMapper", "vtkImageSliceMapper",
-      "vtkOpenGLGPUVolumeRayCastMapper", "vtkSmartVolumeMapper",
+      "vtkCompositePolyDataMapper", "vtkCompositePolyDataMapper2", "vtkOpenGLImageSliceMapper",
+      "vtkImageSliceMapper", "vtkOpenGLGPUVolumeRayCastMapper", "vtkSmartVolumeMapper",
       "vtkFixedPointVolumeRayCastMapper" });
 }
 
@@ -96,6 +100,15 @@ void vtkWaterSignature::Read(vtkRenderer* renderer, const std::vector<vtkProp*>&
   this->AddRenderer(renderer);
   this->AddNumber(renderer->GetRenderWindow()->GetDesiredUpdateRate()); // volumes sample by it
   this->Add(static_cast<vtkMTimeType>(vtkMapper::GetResolveCoincidentTopology()));
+  double offsets[6] = {};
+  vtkMapper::GetResolveCoincidentTopologyPolygonOffsetParameters(offsets[0], offsets[1]);
+  vtkMapper::GetResolveCoincidentTopologyLineOffsetParameters(offsets[2], offsets[3]);
+  vtkMapper::GetResolveCoincidentTopologyPointOffsetParameter(offsets[4]);
+  offsets[5] = vtkMapper::GetResolveCoincidentTopologyZShift();
+  for (const double offset : offsets)
+  {
+    this->AddNumber(offset);
+  }
 
   vtkLightCollection* lights = renderer->GetLights();
   this->Values.emplace_back(lights, lights->GetMTime());
@@ -215,7 +228,27 @@ void vtkWaterSignature::AddProp(vtkProp* prop)
   }
   if (mapper)
   {
-    this->AddAlgorithm(mapper);
+    this->AddMapper(mapper);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterSignature::AddMapper(vtkAbstractMapper* mapper)
+{
+  this->AddAlgorithm(mapper);
+  // its time does not count what it points to
+  if (vtkPlaneCollection* planes = mapper->GetClippingPlanes())
+  {
+    vtkCollectionSimpleIterator it;
+    planes->InitTraversal(it);
+    while (vtkPlane* plane = planes->GetNextPlane(it))
+    {
+      this->Values.emplace_back(plane, plane->GetMTime());
+    }
+  }
+  if (auto* volume = vtkGPUVolumeRayCastMapper::SafeDownCast(mapper))
+  {
+    this->Values.emplace_back(volume->GetMaskInput(), TimeOf(volume->GetMaskInput()));
   }
 }
 
@@ -272,6 +305,7 @@ void vtkWaterSignature::AddTexture(vtkTexture* texture)
   {
     this->IsComplete = false; // filled by somebody else
   }
+  this->Add(texture->GetLookupTable() ? texture->GetLookupTable()->GetMTime() : 0);
   this->Add(texture->GetTransform() ? texture->GetTransform()->GetMTime() : 0);
   this->AddAlgorithm(texture);
 }

@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+class vtkAbstractMapper;
 class vtkAlgorithm;
 class vtkProp;
 class vtkProperty;
@@ -35,6 +36,7 @@ private:
   void AddNumber(double value);
   void AddRenderer(vtkRenderer* renderer);
   void AddProp(vtkProp* prop);
+  void AddMapper(vtkAbstractMapper* mapper);
   void AddAlgorithm(vtkAlgorithm* algorithm);
   void AddProperty(vtkProperty* property);
   void AddTexture(vtkTexture* texture);

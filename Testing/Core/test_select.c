@@ -2,8 +2,6 @@
 // test_select.c: step 3: side of the eye, is the water seen, fate of each prop.
 #include "test_scene.h"
 
-#include "water_select.h"
-
 static const double nearby[3] = { 1.0, 2.0, 3.0 };
 enum
 {
@@ -354,31 +352,6 @@ TEST(rounding_never_drops)
   }
 }
 
-// Near ones come first, but for those that touch, which keep their order; a prop that may be
-// anywhere holds its place.
-TEST(near_props_are_drawn_first)
-{
-  UNUSED;
-  const water_scene scene = lake(); // the mirrored eye is 10 in front, and looks along y
-  const water_plan plan = plan_of(&scene, NULL);
-  const water_prop props[] = {
-    { { -1, 1, 30, 31, 1, 2 }, visible },         // 0: far
-    { { -1, 1, 20, 21, 1, 2 }, visible },         // 1
-    { { -0.5, 0.5, 19.5, 20.5, 1, 2 }, visible }, // 2: nearer than 1, but in it
-    { { -1, 1, 18, 19.5, 1, 2 }, visible },       // 3: nearer, apart from 1, side by side with 2
-    { { -1, 1, 5, 6, 1, 2 }, visible },           // 4: near
-    { { -1, 1, 2, 3, 1, 2 }, visible | WATER_PROP_NO_BOUNDS }, // 5: anywhere
-    { { -1, 1, 0, 1, 1, 2 }, visible },                        // 6: nearest, after 5
-  };
-  const size_t expected[] = { 4, 1, 2, 3, 0, 5, 6 };
-  size_t order[] = { 0, 1, 2, 3, 4, 5, 6 };
-  water_select_order(&plan.mirrored, props, 7, order);
-  for (size_t i = 0; i < 7; ++i)
-  {
-    assert_int_equal(order[i], expected[i]);
-  }
-}
-
 int main(void)
 {
   const struct CMUnitTest tests[] = {
@@ -390,7 +363,6 @@ int main(void)
     RUN(boxes_decide_in_their_order),
     RUN(bounds_that_are_not_finite_name_their_prop),
     RUN(culling_never_drops_what_is_seen),
-    RUN(near_props_are_drawn_first),
     RUN(water_in_view_is_never_out_of_view),
     RUN(rounding_never_drops),
   };

@@ -155,6 +155,26 @@ TEST(rays_take_the_same_steps_with_all_props)
   assert_memory_equal(&some, &all, sizeof some);
 }
 
+// What is wide on the screen is drawn as far as it may reach: a point 20 pixels beside the pyramid.
+TEST(wide_points_are_drawn_beside_the_pyramid)
+{
+  UNUSED;
+  // 12 from the mirrored eye 0.05 of half the picture is 0.6: the pool reaches to 0.1, or 1.2
+  water_prop props[1] = { { { 1.8, 1.8, 0.0, 0.0, 2.0, 2.0 }, visible, 0.0 } };
+  water_fate fates[1];
+  water_scene scene = pool(1.0);
+  scene.props = props;
+  scene.prop_count = 1;
+  (void)plan_of(&scene, fates);
+  assert_int_equal(fates[0], WATER_SKIP_OUT_OF_WATER);
+  props[0].wide_px = 25.0;
+  (void)plan_of(&scene, fates);
+  assert_int_equal(fates[0], WATER_DRAW);
+  props[0].wide_px = 10.0;
+  (void)plan_of(&scene, fates);
+  assert_int_equal(fates[0], WATER_SKIP_OUT_OF_WATER);
+}
+
 // A box of 1 at a distance of 12 is 1 / 12 of half the picture: 33 pixels wide, 25 high.
 TEST(small_props_are_left_out_below_the_stated_size)
 {
@@ -311,6 +331,7 @@ int main(void)
     RUN(props_outside_the_pyramid_are_left_out),
     RUN(rays_take_the_same_steps_with_all_props),
     RUN(small_props_are_left_out_below_the_stated_size),
+    RUN(wide_points_are_drawn_beside_the_pyramid),
     RUN(waves_look_nothing_up_beyond_their_reach),
     RUN(map_is_used_again_only_for_the_same),
   };
