@@ -301,6 +301,7 @@ bool vtkWaterReflectionPass::IsUnseen(vtkRenderer* renderer, vtkWaterActor* wate
 {
   const water_plan& plan = this->Internal->Plan;
   return (plan.decision == WATER_NO_REFLECT_HIDDEN ||
+           plan.decision == WATER_NO_REFLECT_OUT_OF_VIEW ||
            plan.decision == WATER_NO_REFLECT_FACING_AWAY) &&
     !plan.has_view && this->IsFresh(renderer, water);
 }

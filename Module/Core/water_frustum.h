@@ -62,23 +62,13 @@ static inline bool water_frustum_is_behind(
 static inline int water_frustum_divides(
   const water_frustum* frustum, int plane_count, const double bounds[6], double rounding)
 {
-  // all planes at once: what a branch would decide for each is hard to foresee, for a processor
-  double lowest = 0.0;
   for (int i = 0; i < plane_count; ++i)
   {
     const double* plane = frustum->planes[i];
     const int* corner = frustum->corners[i];
     const double highest = plane[3] + plane[0] * bounds[corner[0]] + plane[1] * bounds[corner[1]] +
       plane[2] * bounds[corner[2]];
-    lowest = highest < lowest ? highest : lowest;
-  }
-  if (lowest == 0.0)
-  {
-    return -1;
-  }
-  for (int i = 0; i < plane_count; ++i)
-  {
-    if (water_frustum_is_behind(frustum->planes[i], bounds, frustum->reach, rounding))
+    if (highest < 0.0 && water_frustum_is_behind(plane, bounds, frustum->reach, rounding))
     {
       return i;
     }

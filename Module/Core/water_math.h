@@ -29,6 +29,13 @@ static inline bool water_all_finite(const double* values, int count)
   return true;
 }
 
+static inline bool water_bounds_are_finite(const double bounds[6])
+{
+  // one question for all, unless the sum of large numbers is not
+  const double sum = bounds[0] + bounds[1] + bounds[2] + bounds[3] + bounds[4] + bounds[5];
+  return isfinite(sum) || water_all_finite(bounds, 6);
+}
+
 // xmin, xmax, ymin, ymax, zmin, zmax; min > max on any axis: empty.
 static inline bool water_bounds_is_empty(const double bounds[6])
 {

@@ -20,6 +20,10 @@ static const double box_rounding = 32.0 * DBL_EPSILON;
 // The fate as far as the flags decide it; WATER_DRAW: they do not mind.
 static water_fate fate_of_flags(uint32_t flags)
 {
+  if (flags == WATER_PROP_VISIBLE)
+  {
+    return WATER_DRAW; // most of them
+  }
   if (!(flags & WATER_PROP_VISIBLE))
   {
     return WATER_SKIP_INVISIBLE;
@@ -76,7 +80,7 @@ bool water_select_is_in_view(const water_camera* camera, const double bounds[6])
 
 bool water_select_is_unbounded(const water_prop* prop)
 {
-  return (prop->flags & WATER_PROP_NO_BOUNDS) || !water_all_finite(prop->bounds, 6);
+  return (prop->flags & WATER_PROP_NO_BOUNDS) || !water_bounds_are_finite(prop->bounds);
 }
 
 // Is the picture of a box smaller than that many pixels, both ways?
@@ -154,7 +158,7 @@ size_t water_select_props(const water_camera* mirrored, const water_plane* plane
       fates[i] = fate;
       continue;
     }
-    if (!water_all_finite(bounds, 6))
+    if (!water_bounds_are_finite(bounds))
     {
       culprit = culprit < i ? culprit : i;
     }

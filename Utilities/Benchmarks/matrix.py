@@ -13,8 +13,8 @@ from timing import Frame, measure
 SIZE = (800, 600)
 ERROR_SIZE, QUICK_ERROR_SIZE = (400, 304), (200, 152)
 PLUME_SIZE = (200, 152)  # its truth has four times as many pixels along each axis
-BUDGET_S, QUICK_BUDGET_S = 25.0, 2.0  # a scene
-ROUNDS, QUICK_ROUNDS = 11, 5
+BUDGET_S, QUICK_BUDGET_S = 15.0, 2.0  # a scene
+ROUNDS, QUICK_ROUNDS = 9, 5
 MAIN = "terrain"  # the scene that has all steps in a quick run
 SLOW = ("10,000 props", "plume")  # scenes that have calm water only in a quick run
 UNTRACED = "10,000 props"  # the scene that has no errors then
