@@ -222,8 +222,9 @@ double vtkWaterActor::FindBudget(
     return 0.0;
   }
   const bool isByRate = pass->GetQuality() == vtkWaterReflectionPass::UPDATE_RATE;
-  const double rate = renderer->GetRenderWindow()->GetDesiredUpdateRate();
-  const double budget = isByRate ? 500.0 / std::max(rate, 1e-6) : pass->GetTimeBudget();
+  const double budget = isByRate
+    ? water_quality_budget(renderer->GetRenderWindow()->GetDesiredUpdateRate())
+    : pass->GetTimeBudget();
   // what was seen in the last frame of all that go by a budget, and which of them are ours
   std::vector<double> areas;
   std::vector<bool> areOurs;
@@ -264,10 +265,7 @@ bool vtkWaterActor::IsWorthWaiting(
     }
     visible += samples;
   }
-  const int skips = this->OwnPass->GetSkips();
-  return ((skips & vtkWaterReflectionPass::HIDDEN_WATER) && visible == 0) ||
-    ((skips & vtkWaterReflectionPass::PIXELS) &&
-      sheets.front()->OwnPass->DoesMaskPay(renderer, static_cast<double>(visible)));
+  return sheets.front()->OwnPass->ShouldWait(renderer, static_cast<double>(visible));
 }
 
 //------------------------------------------------------------------------------

@@ -151,10 +151,8 @@ double vtkWaterProperty::GetWaveHeightMax() const
 //------------------------------------------------------------------------------
 double vtkWaterProperty::GetWaveNumber() const
 {
-  double height = 0.0;
-  double slope = 0.0;
-  water_waves_rms(this->Internal->Waves.data(), this->Internal->Waves.size(), &height, &slope);
-  return height > 0.0 && !this->Sea ? slope / height : 0.0;
+  return this->Sea ? 0.0
+                   : water_waves_number(this->Internal->Waves.data(), this->Internal->Waves.size());
 }
 
 //------------------------------------------------------------------------------

@@ -116,10 +116,10 @@ void vtkWaterReflectionPass::GetRayLimits(int* steps, int* probes) const
 }
 
 //------------------------------------------------------------------------------
-bool vtkWaterReflectionPass::DoesMaskPay(vtkRenderer* renderer, double visible_px)
+bool vtkWaterReflectionPass::ShouldWait(vtkRenderer* renderer, double visible_px)
 {
-  return water_plan_mask_pays(&this->Internal->GetView(renderer)->MapPlan, visible_px,
-    static_cast<size_t>(this->GetNumberOfPropsReflected()));
+  return water_plan_should_wait(&this->Internal->GetView(renderer)->MapPlan, visible_px,
+    static_cast<size_t>(this->GetNumberOfPropsReflected()), static_cast<unsigned>(this->Skips));
 }
 
 //------------------------------------------------------------------------------

@@ -386,8 +386,8 @@ private:
   vtkWaterInstruments* GetInstruments(vtkRenderer* renderer);
   // The most steps and probes of a ray in this frame.
   void GetRayLimits(int* steps, int* probes) const;
-  // Would a mask have been worth its cost in the last mirrored view?
-  bool DoesMaskPay(vtkRenderer* renderer, double visible_px);
+  // Should the next mirrored view wait for the main one? By how much of the water was seen.
+  bool ShouldWait(vtkRenderer* renderer, double visible_px);
   // Was the frame that is being rendered planned for this water and the renderer's active camera?
   bool IsFresh(vtkRenderer* renderer, vtkWaterActor* water) const;
   // Is it known of this frame that no pixel of the water is seen?

@@ -22,6 +22,21 @@ water_status water_optics_check(const water_look* look)
   return WATER_OK;
 }
 
+void water_optics_join(const water_look* look, water_look* all)
+{
+  if (look->constant_reflectance && all->constant_reflectance)
+  {
+    all->reflectance = fmax(all->reflectance, look->reflectance);
+  }
+  else if (look->constant_reflectance != all->constant_reflectance ||
+    look->index_of_refraction != all->index_of_refraction)
+  {
+    // which reflects more depends on the angle
+    all->constant_reflectance = true;
+    all->reflectance = 1.0;
+  }
+}
+
 double water_optics_eta(const water_look* look, water_side side)
 {
   return side == WATER_BELOW ? 1.0 / look->index_of_refraction : look->index_of_refraction;

@@ -19,6 +19,10 @@ extern "C"
 // in use, so that switching the mode brings no new error.
 water_status water_optics_check(const water_look* look);
 
+// Takes a water into the look of all that share a map: one that reflects no less than each of them
+// from anywhere.
+void water_optics_join(const water_look* look, water_look* all);
+
 // The index ratio for an eye on that side.
 double water_optics_eta(const water_look* look, water_side side);
 

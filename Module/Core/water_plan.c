@@ -324,13 +324,16 @@ void water_plan_reuse(const water_plan* last, bool is_unchanged, unsigned skips,
   }
 }
 
-bool water_plan_mask_pays(const water_plan* last, double visible_px, size_t drawn_count)
+bool water_plan_should_wait(
+  const water_plan* last, double visible_px, size_t drawn_count, unsigned skips)
 {
   const int* rect = last->texture_rect_px;
   const bool is_dear = last->is_software && drawn_count < many_draws;
   const double share = is_dear ? mask_share_software : mask_share;
-  return last->can_mask && water_plan_has_map(last) &&
-    visible_px < share * ((double)rect[2] * rect[3]);
+  const bool does_mask_pay =
+    last->can_mask && water_plan_has_map(last) && visible_px < share * ((double)rect[2] * rect[3]);
+  return ((skips & WATER_MAY_SKIP_HIDDEN) && visible_px <= 0.0) ||
+    ((skips & WATER_MAY_SKIP_PIXELS) && does_mask_pay);
 }
 
 bool water_plan_has_map(const water_plan* plan)

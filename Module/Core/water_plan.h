@@ -30,12 +30,15 @@ water_status water_plan_make(const water_scene* scene, water_plan* plan, water_f
 // skips         of the scene
 void water_plan_reuse(const water_plan* last, bool is_unchanged, unsigned skips, water_plan* plan);
 
-// Is it worth to wait for the eye's picture, for a mask in the next map?
+// Is it worth to draw the next map only when the eye's picture is there, which tells whether the
+// water is hidden, and what a mask may close?
 //
-// last        the plan of the last map
-// visible_px   pixels of the water that were seen with it
-// drawn_count  props that were drawn in it
-bool water_plan_mask_pays(const water_plan* last, double visible_px, size_t drawn_count);
+// last         the plan of the last map
+// visible_px   pixels of the water that were seen in the frame before
+// drawn_count  props that were drawn in the last map
+// skips        of the scene
+bool water_plan_should_wait(
+  const water_plan* last, double visible_px, size_t drawn_count, unsigned skips);
 
 // Is there a map to look up, drawn or used again?
 bool water_plan_has_map(const water_plan* plan);

@@ -308,6 +308,11 @@ static bool is_seen(double area_px)
   return isfinite(area_px) && area_px > 0.0;
 }
 
+double water_quality_budget(double frames_per_s)
+{
+  return 0.5 * 1000.0 / fmax(frames_per_s, 1e-6);
+}
+
 bool water_quality_is_still(double budget_ms)
 {
   return budget_ms >= 1000.0;

@@ -132,6 +132,11 @@ typedef struct water_quality_state
 water_status water_quality_for_budget(
   water_quality_state* state, int finest_step, double budget_ms, double measured_ms);
 
+// The budget of all waters, ms, for a rate of frames: half of the time of a frame.
+//
+// frames_per_s  finite; 1e-6 and less counts as that
+double water_quality_budget(double frames_per_s);
+
 // Is a budget that of a picture that stands still? It is a second or more: VTK's windows ask for
 // hours then. The finest step is the one for it, at once: there may be no other frame.
 bool water_quality_is_still(double budget_ms);

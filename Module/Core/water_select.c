@@ -109,13 +109,17 @@ static bool is_smaller(
     0.5 * texture_px[1] * (high[1] - low[1]) < px;
 }
 
-// Points and lines have a width in pixels whatever their distance.
+// Points and lines have a width in pixels whatever their distance: half of it may reach into the
+// pyramid. What is 2 pixels wide stays within the texels that are added for filtering.
+static const float width_px_thin = 2.0f;
+
 static water_fate fate_of_wide_box(
   const water_camera* mirrored, const water_selection* selection, const water_prop* prop)
 {
   const double* box = selection->box;
-  const double x = 2.0 * prop->wide_px / selection->texture_px[0];
-  const double y = 2.0 * prop->wide_px / selection->texture_px[1];
+  const double reach_px = 0.5 * (double)prop->width_px + 1.0; // and what antialiasing adds
+  const double x = 2.0 * reach_px / selection->texture_px[0];
+  const double y = 2.0 * reach_px / selection->texture_px[1];
   const double widened[4] = { box[0] - x, box[1] - y, box[2] + x, box[3] + y };
   water_frustum pyramid;
   water_frustum_make(mirrored, widened, &pyramid);
@@ -178,8 +182,8 @@ size_t water_select_props(const water_camera* mirrored, const water_plane* plane
       }
       else
       {
-        fate = props[i].wide_px > 0.0 ? fate_of_wide_box(mirrored, selection, props + i)
-                                      : fate_of_box(&view, &pyramid, bounds);
+        fate = props[i].width_px > width_px_thin ? fate_of_wide_box(mirrored, selection, props + i)
+                                                 : fate_of_box(&view, &pyramid, bounds);
         if (fate == WATER_DRAW && selection->prop_px_min > 0.0 &&
           is_smaller(world_to_clip, selection->texture_px, bounds, selection->prop_px_min))
         {

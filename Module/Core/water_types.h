@@ -46,7 +46,7 @@ typedef struct water_prop
 {
   double bounds[6]; // xmin, xmax, ymin, ymax, zmin, zmax in world; min > max: the prop is empty
   uint32_t flags;
-  float wide_px; // how far its picture may reach beyond that of its bounds: half of a point's size
+  float width_px; // of its points and lines, whatever their distance; 0: it has none
 } water_prop;
 
 // What happens to a prop in the mirrored view, and why. One list, so enum and text cannot drift.

@@ -347,3 +347,11 @@ void water_waves_rows(
     rows[i].steepness = (float)term->steepness;
   }
 }
+
+double water_waves_number(const water_wave* waves, size_t count)
+{
+  double height = 0.0;
+  double slope = 0.0;
+  water_waves_rms(waves, count, &height, &slope);
+  return height > 0.0 ? slope / height : 0.0;
+}

@@ -121,6 +121,9 @@ water_status water_waves_find(const water_wave_term* terms, size_t count, double
 // by the order of s^2.
 void water_waves_rms(const water_wave* waves, size_t count, double* height, double* slope);
 
+// The wave number that stands for all of them, rad/m: rms slope over rms height; 0 without waves.
+double water_waves_number(const water_wave* waves, size_t count);
+
 // A slope that no reflection on checked waves is looked up beyond: the steepest that all waves
 // together can have, sum k A / (1 - sum s k A), times 4 for the facets that stand for waves within
 // a pixel (1.4 times the rest of the slopes, and as much for facets that turn to a low eye) and the

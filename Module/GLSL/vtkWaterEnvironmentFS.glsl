@@ -54,8 +54,3 @@ int waterReason(WaterLook look)
 {
   return 2;
 }
-
-vec3 waterBlurred(WaterPlaces places, int count)
-{
-  return vec3(0.0);
-}

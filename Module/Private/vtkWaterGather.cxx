@@ -26,6 +26,7 @@
 #include "vtkWaterActor.h"
 #include "vtkWaterProperty.h"
 #include "vtkWaterReflectionPass.h"
+#include "water_optics.h"
 #include "water_plane.h"
 
 #include <algorithm>
@@ -69,27 +70,6 @@ uint32_t ReadFlags(vtkProp* prop)
   return flags;
 }
 
-// What a map is wanted for by several waters: it is left undrawn only if none of them reflects.
-// Each is shaded by its own.
-void AddLook(const water_look& look, bool isFirst, water_look* all)
-{
-  if (isFirst)
-  {
-    *all = look;
-  }
-  else if (look.constant_reflectance && all->constant_reflectance)
-  {
-    all->reflectance = std::max(all->reflectance, look.reflectance);
-  }
-  else if (look.constant_reflectance != all->constant_reflectance ||
-    look.index_of_refraction != all->index_of_refraction)
-  {
-    // which reflects more depends on the angle
-    all->constant_reflectance = true;
-    all->reflectance = 1.0;
-  }
-}
-
 // What is drawn for a prop in the mirrored view.
 vtkProp* FindStandIn(vtkProp* prop)
 {
@@ -107,11 +87,10 @@ bool HasSplats(vtkProp* prop)
   return actor && actor->GetMapper() && actor->GetMapper()->IsA("vtkPointGaussianMapper");
 }
 
-// Half of the width of points and lines, in pixels; what is as wide as a line by default needs
-// none.
-double ReadWidth(vtkProp* prop)
+// How wide points and lines are drawn, in pixels.
+float ReadWidth(vtkProp* prop)
 {
-  double width = 0.0;
+  float width = 0.0f;
   if (vtkPropCollection* parts = vtkWaterGather::GetParts(prop))
   {
     vtkCollectionSimpleIterator it;
@@ -123,9 +102,7 @@ double ReadWidth(vtkProp* prop)
   }
   else if (auto* actor = vtkActor::SafeDownCast(prop))
   {
-    const double size =
-      std::max(actor->GetProperty()->GetPointSize(), actor->GetProperty()->GetLineWidth());
-    width = size > 2.0 ? 0.5 * size + 1.0 : 0.0;
+    width = std::max(actor->GetProperty()->GetPointSize(), actor->GetProperty()->GetLineWidth());
   }
   return width;
 }
@@ -135,7 +112,7 @@ water_prop ReadProp(vtkProp* prop, vtkProp* drawn)
 {
   water_prop read;
   read.flags = ReadFlags(prop);
-  read.wide_px = ReadWidth(drawn);
+  read.width_px = ReadWidth(drawn);
   ClearBounds(read.bounds);
   const uint32_t noneNeeded =
     WATER_PROP_IS_WATER | WATER_PROP_NOT_REFLECTED | WATER_PROP_OVERLAY | WATER_PROP_LABEL;
@@ -384,7 +361,13 @@ void vtkWaterGather::Read(
     {
       surface.AddBounds(bounds);
     }
-    AddLook(ReadLook(water->GetWaterProperty()), water == waters.front(), &this->scene.look);
+    const water_look look = ReadLook(water->GetWaterProperty());
+    if (water == waters.front())
+    {
+      this->scene.look = look;
+    }
+    // each is shaded by its own; the map is left undrawn only if none of them reflects
+    water_optics_join(&look, &this->scene.look);
   }
   if (surface.IsValid())
   {

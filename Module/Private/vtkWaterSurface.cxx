@@ -7,6 +7,7 @@
 #include "vtkTexture.h"
 #include "vtkTextureObject.h"
 #include "vtkWaterActor.h"
+#include "vtkWaterBlurFS.h"
 #include "vtkWaterBodyFS.h"
 #include "vtkWaterCalmFS.h"
 #include "vtkWaterCausticsFS.h"
@@ -23,6 +24,7 @@
 #include "vtkWaterGlitterFS.h"
 #include "vtkWaterLookupFS.h"
 #include "vtkWaterMirrorFS.h"
+#include "vtkWaterNoBlurFS.h"
 #include "vtkWaterNoCausticsFS.h"
 #include "vtkWaterNoFacetsFS.h"
 #include "vtkWaterNoFoamFS.h"
@@ -123,6 +125,7 @@ std::string vtkWaterSurface::GetShader(vtkWaterActor* water, bool canDisplace)
     { stages & OUTPUT ? vtkWaterOutputFS : vtkWaterColorFS, reflection,
       stages & CAUSTICS ? vtkWaterCausticsFS : vtkWaterNoCausticsFS,
       stages & BODY ? vtkWaterBodyFS : vtkWaterDeepFS,
+      stages & (RAY_TRACED | OFFSET) ? vtkWaterBlurFS : vtkWaterNoBlurFS,
       stages & ROUGH ? vtkWaterFacetsFS : vtkWaterNoFacetsFS,
       stages & SHADOWS ? vtkWaterShadowsFS : vtkWaterNoShadowsFS,
       stages & GLITTER ? vtkWaterGlitterFS : vtkWaterNoGlitterFS,

@@ -160,17 +160,17 @@ TEST(wide_points_are_drawn_beside_the_pyramid)
 {
   UNUSED;
   // 12 from the mirrored eye 0.05 of half the picture is 0.6: the pool reaches to 0.1, or 1.2
-  water_prop props[1] = { { { 1.8, 1.8, 0.0, 0.0, 2.0, 2.0 }, visible, 0.0 } };
+  water_prop props[1] = { { { 1.8, 1.8, 0.0, 0.0, 2.0, 2.0 }, visible, 1.0f } };
   water_fate fates[1];
   water_scene scene = pool(1.0);
   scene.props = props;
   scene.prop_count = 1;
   (void)plan_of(&scene, fates);
   assert_int_equal(fates[0], WATER_SKIP_OUT_OF_WATER);
-  props[0].wide_px = 25.0;
+  props[0].width_px = 50.0f;
   (void)plan_of(&scene, fates);
   assert_int_equal(fates[0], WATER_DRAW);
-  props[0].wide_px = 10.0;
+  props[0].width_px = 20.0f;
   (void)plan_of(&scene, fates);
   assert_int_equal(fates[0], WATER_SKIP_OUT_OF_WATER);
 }
