@@ -147,6 +147,39 @@ TEST(plan_carries_index_and_reflectance)
   ASSERT_CLOSE(plan_of(&scene, NULL).eta, 0.7501875469, 1e-10);
 }
 
+// Waters that share a map are as one that reflects no less than each: from any angle.
+TEST(joined_waters_reflect_no_less_than_each)
+{
+  UNUSED;
+  const water_look looks[4] = { { 1.333, 0.3, true }, { 1.333, 0.5, true }, { 1.333, 0.1, false },
+    { 1.5, 0.1, false } };
+  for (int i = 0; i < 4; ++i)
+  {
+    for (int j = 0; j < 4; ++j)
+    {
+      water_look all = looks[i];
+      water_optics_join(looks + j, &all);
+      for (int k = 0; k < 2; ++k)
+      {
+        const water_look* one = looks + (k ? i : j);
+        for (double cosine = 0.0; cosine <= 1.0; cosine += 0.125)
+        {
+          const double mine = one->constant_reflectance
+            ? one->reflectance
+            : water_optics_fresnel(cosine, one->index_of_refraction);
+          const double joined = all.constant_reflectance
+            ? all.reflectance
+            : water_optics_fresnel(cosine, all.index_of_refraction);
+          assert_true(joined >= mine);
+        }
+      }
+    }
+  }
+  water_look same = looks[2];
+  water_optics_join(looks + 2, &same);
+  assert_false(same.constant_reflectance); // not made a mirror by its like
+}
+
 int main(void)
 {
   const struct CMUnitTest tests[] = {
@@ -158,6 +191,7 @@ int main(void)
     RUN(ends_of_the_range_are_safe),
     RUN(shader_computes_the_same),
     RUN(plan_carries_index_and_reflectance),
+    RUN(joined_waters_reflect_no_less_than_each),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

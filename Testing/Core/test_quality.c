@@ -494,13 +494,7 @@ TEST(bad_input_is_refused)
 TEST(roughness_is_of_a_pixel_on_the_water)
 {
   UNUSED;
-  water_scene scene = lake();
-  const double eye[3] = { 0.0, 0.0, 10.0 };
-  const double target[3] = { 0.0, 0.0, 0.0 };
-  const double up[3] = { 0.0, 1.0, 0.0 };
-  const double box[4] = { -1.0, 1.0, -1.0, 1.0 };
-  look_at(eye, target, up, scene.eye.world_to_view);
-  frustum_matrix(box, 1.0, 1000.0, scene.eye.view_to_clip);
+  water_scene scene = pool(10.0);
   scene.viewport_px[0] = scene.viewport_px[1] = 100;
   scene.has_waves = true;
   scene.slope_rms = 0.05;
@@ -516,6 +510,18 @@ TEST(roughness_is_of_a_pixel_on_the_water)
   memset(&none, 0, sizeof none);
   water_quality_look(&scene, &none, 0.5, &roughness);
   ASSERT_CLOSE(roughness.turn_rad, 0.0, 0.0);
+}
+
+// Half of a frame's time is the water's; what VTK asks for a picture that stands still is no
+// budget.
+TEST(update_rates_have_their_budgets)
+{
+  UNUSED;
+  ASSERT_CLOSE(water_quality_budget(50.0), 10.0, 1e-12);
+  assert_false(water_quality_is_still(water_quality_budget(15.0)));
+  assert_true(water_quality_is_still(water_quality_budget(0.0001)));
+  assert_true(water_quality_is_still(water_quality_budget(0.0)));
+  assert_true(isfinite(water_quality_budget(0.0)));
 }
 
 int main(void)
@@ -538,6 +544,7 @@ int main(void)
     RUN(budget_is_shared_by_area),
     RUN(bad_input_is_refused),
     RUN(roughness_is_of_a_pixel_on_the_water),
+    RUN(update_rates_have_their_budgets),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -195,6 +195,23 @@ static inline water_scene lake(void)
   return scene;
 }
 
+// A pond seen straight down from 10 above its middle, half a field of view of 45 degrees.
+static inline water_scene pool(double half)
+{
+  water_scene scene = lake();
+  const double eye[3] = { 0.0, 0.0, 10.0 };
+  const double target[3] = { 0.0, 0.0, 0.0 };
+  const double up[3] = { 0.0, 1.0, 0.0 };
+  const double box[4] = { -1.0, 1.0, -1.0, 1.0 };
+  look_at(eye, target, up, scene.eye.world_to_view);
+  frustum_matrix(box, 1.0, 1000.0, scene.eye.view_to_clip);
+  for (int i = 0; i < 4; ++i)
+  {
+    scene.surface_bounds[i] = i % 2 ? half : -half;
+  }
+  return scene;
+}
+
 // A random scene that must be planned: any plane, eye on either side of it, looking at a point of
 // the water near `center`; perspective, off-axis and parallel in turn.
 typedef struct random_scene

@@ -11,23 +11,6 @@ static water_decision decision_of(const water_scene* scene)
   return plan_of(scene, NULL).decision;
 }
 
-// A pond seen straight down from 10 above its middle, half a field of view of 45 degrees.
-static water_scene pool(double half)
-{
-  water_scene scene = lake();
-  const double eye[3] = { 0.0, 0.0, 10.0 };
-  const double target[3] = { 0.0, 0.0, 0.0 };
-  const double up[3] = { 0.0, 1.0, 0.0 };
-  const double box[4] = { -1.0, 1.0, -1.0, 1.0 };
-  look_at(eye, target, up, scene.eye.world_to_view);
-  frustum_matrix(box, 1.0, 1000.0, scene.eye.view_to_clip);
-  for (int i = 0; i < 4; ++i)
-  {
-    scene.surface_bounds[i] = i % 2 ? half : -half;
-  }
-  return scene;
-}
-
 // Each reason not to draw has its switch; with the switch off the mirrored view is drawn.
 TEST(every_reason_has_its_switch)
 {
@@ -322,6 +305,78 @@ TEST(map_is_used_again_only_for_the_same)
   assert_int_equal(plan.decision, WATER_NO_REFLECT_HIDDEN);
 }
 
+// The next map waits when the water was hidden, or when a mask closes enough of its rectangle: on a
+// GPU nearly any part, on the processor most of it or with many draws.
+TEST(map_waits_when_it_pays)
+{
+  UNUSED;
+  water_scene scene = pool(5.0); // 400 x 300 pixels of 800 x 600, 2 texels more on each side
+  scene.is_flat = true;
+  const water_plan gpu = plan_of(&scene, NULL);
+  scene.is_software = true;
+  const water_plan software = plan_of(&scene, NULL);
+  const double whole = 404.0 * 304.0;
+  assert_int_equal(gpu.texture_rect_px[2] * gpu.texture_rect_px[3], (int)whole);
+  const struct
+  {
+    const water_plan* last;
+    double share;
+    size_t drawn;
+    bool waits;
+  } cases[] = { { &gpu, 0.85, 1, true }, { &gpu, 0.95, 1, false }, { &software, 0.25, 1, true },
+    { &software, 0.35, 1, false }, { &software, 0.85, 64, true }, { &software, 0.95, 64, false } };
+  for (size_t i = 0; i < sizeof cases / sizeof cases[0]; ++i)
+  {
+    assert_int_equal(water_plan_should_wait(
+                       cases[i].last, cases[i].share * whole, cases[i].drawn, WATER_MAY_SKIP_ALL),
+      cases[i].waits);
+    assert_false(water_plan_should_wait(cases[i].last, cases[i].share * whole, cases[i].drawn,
+      WATER_MAY_SKIP_ALL & ~(unsigned)WATER_MAY_SKIP_PIXELS));
+  }
+  // hidden: whatever the map was, unless that may not be skipped
+  water_plan none;
+  memset(&none, 0, sizeof none);
+  assert_true(water_plan_should_wait(&none, 0.0, 0, WATER_MAY_SKIP_ALL));
+  assert_false(water_plan_should_wait(&none, 1.0, 0, WATER_MAY_SKIP_ALL));
+  assert_false(
+    water_plan_should_wait(&none, 0.0, 0, WATER_MAY_SKIP_ALL & ~(unsigned)WATER_MAY_SKIP_HIDDEN));
+  // waves look up other pixels than their own
+  scene.has_waves = true;
+  scene.is_software = false;
+  const water_plan waves = plan_of(&scene, NULL);
+  assert_false(water_plan_should_wait(&waves, 1.0, 1, WATER_MAY_SKIP_ALL));
+}
+
+// A mask is for flat, calm water at the picture's own scale, in a view that has changed.
+TEST(mask_is_made_only_where_pixels_are_the_same)
+{
+  UNUSED;
+  water_scene scene = lake();
+  scene.is_flat = true;
+  scene.has_scene_depth = true;
+  const water_plan masked = plan_of(&scene, NULL);
+  assert_true(masked.has_mask);
+  for (int i = 0; i < 5; ++i)
+  {
+    water_scene other = scene;
+    other.is_flat = i != 0;
+    other.has_scene_depth = i != 1;
+    other.has_waves = i == 2;
+    other.texture_scale = i == 3 ? 0.5 : 1.0;
+    other.skips =
+      i == 4 ? WATER_MAY_SKIP_ALL & ~(unsigned)WATER_MAY_SKIP_PIXELS : WATER_MAY_SKIP_ALL;
+    assert_false(plan_of(&other, NULL).has_mask);
+  }
+  // a map with a mask serves once; the next of the same view has none, and can be used again
+  water_plan plan = masked;
+  water_plan_reuse(&masked, true, WATER_MAY_SKIP_ALL, &plan);
+  assert_int_equal(plan.decision, WATER_REFLECT);
+  assert_false(plan.has_mask);
+  water_plan next = masked;
+  water_plan_reuse(&plan, true, WATER_MAY_SKIP_ALL, &next);
+  assert_int_equal(next.decision, WATER_REUSE);
+}
+
 int main(void)
 {
   const struct CMUnitTest tests[] = {
@@ -334,6 +389,8 @@ int main(void)
     RUN(wide_points_are_drawn_beside_the_pyramid),
     RUN(waves_look_nothing_up_beyond_their_reach),
     RUN(map_is_used_again_only_for_the_same),
+    RUN(map_waits_when_it_pays),
+    RUN(mask_is_made_only_where_pixels_are_the_same),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -348,9 +348,29 @@ TEST(reach_holds_the_surface)
   assert_true(highest > 0.98 * height);
 }
 
+// One wave is as steep as k A, and looked up by 4 times that; its number is its own. Waves about to
+// fold have no steepest slope.
+TEST(slope_looked_up_bounds_the_slope)
+{
+  UNUSED;
+  water_wave wave = { 0 };
+  wave.amplitude = 0.1;
+  wave.wavelength = 2.0;
+  const double k = 3.14159265358979323846;
+  ASSERT_CLOSE(water_waves_looked_up(&wave, 1), 0.4 * k, 1e-12);
+  ASSERT_CLOSE(water_waves_number(&wave, 1), k, 1e-12);
+  wave.steepness = 1.0;
+  ASSERT_CLOSE(water_waves_looked_up(&wave, 1), 0.4 * k / (1.0 - 0.1 * k), 1e-12);
+  wave.amplitude = 1.0 / k;
+  assert_true(isinf(water_waves_looked_up(&wave, 1)));
+  ASSERT_CLOSE(water_waves_looked_up(NULL, 0), 0.0, 0.0);
+  ASSERT_CLOSE(water_waves_number(NULL, 0), 0.0, 0.0);
+}
+
 int main(void)
 {
   const struct CMUnitTest tests[] = {
+    RUN(slope_looked_up_bounds_the_slope),
     RUN(sine_wave_is_where_it_should_be),
     RUN(normal_slope_and_area_are_those_of_the_surface),
     RUN(trochoid_has_its_known_slope_and_mean_level),
