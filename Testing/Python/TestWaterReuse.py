@@ -9,7 +9,7 @@ import vtkmodules.vtkRenderingVolumeOpenGL2  # noqa: F401
 from skip_scenes import blob
 from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonCore import vtkLookupTable
-from vtkmodules.vtkCommonDataModel import vtkImageData, vtkMultiBlockDataSet
+from vtkmodules.vtkCommonDataModel import vtkImageData, vtkMultiBlockDataSet, vtkPlane
 from vtkmodules.vtkCommonMath import vtkMatrix4x4
 from vtkmodules.vtkCommonTransforms import vtkTransform
 from vtkmodules.vtkFiltersCore import vtkElevationFilter
@@ -72,6 +72,8 @@ class Scene:
         self.poster.GetMapper().SetInputConnection(square.GetOutputPort())
         self.poster.SetOrientation(90, 0, 0)
         self.poster.SetTexture(texture_of(self.image))
+        self.tones = vtkLookupTable()
+        self.poster.GetTexture().SetLookupTable(self.tones)
         self.blocks = vtkMultiBlockDataSet()
         for number in range(2):
             self.blocks.SetBlock(number, wt.box((0, 0, number), (0.8, 0.8, 0.8)))
@@ -86,6 +88,14 @@ class Scene:
         self.glyphs.GetMapper().SetSourceConnection(self.shape.GetOutputPort())
         self.volume = blob()
         self.volume.SetPosition(0, 2, 2.5)
+        self.cuts = [vtkPlane(), vtkPlane()]
+        for cut, thing in zip(self.cuts, (self.actor, self.volume)):
+            cut.SetOrigin(thing.GetPosition())
+            cut.SetNormal(1, 0, 0)
+            thing.GetMapper().AddClippingPlane(cut)
+        self.mask = vtkImageData()
+        self.mask.DeepCopy(self.volume.GetMapper().GetInput())
+        self.mask.GetPointData().GetScalars().Fill(255)
         self.renderer.AddVolume(self.volume)
         self.slice = vtkImageSlice()
         self.slice.SetMapper(vtkImageSliceMapper())
@@ -159,6 +169,11 @@ def user_transform(scene):
     scene.actor.SetUserTransform(transform)
 
 
+def mask_volume(scene):
+    scene.volume.GetMapper().SetMaskTypeToBinary()
+    scene.volume.GetMapper().SetMaskInput(scene.mask)
+
+
 def opacity_points(scene):
     scene.volume.GetProperty().GetScalarOpacity().AddPoint(200, 0.9)
 
@@ -179,6 +194,7 @@ CHANGES = {
     "opacity": lambda s: s.colored.GetProperty().SetOpacity(0.5),
     "texture's pixels": lambda s: in_place(s.image.GetPointData().GetScalars(), 17),
     "texture's interpolation": lambda s: s.poster.GetTexture().InterpolateOn(),
+    "texture's table": lambda s: s.tones.SetTableValue(3, 1, 0, 1, 1),
     "texture replaced": lambda s: s.poster.SetTexture(texture_of(wt.checker(4))),
     "point in place": lambda s: in_place(s.data.GetPoints().GetData(), 0.1),
     "scalar in place": lambda s: in_place(s.data.GetPointData().GetScalars(), 0.1),
@@ -199,6 +215,10 @@ CHANGES = {
     "glyphs' size": lambda s: s.glyphs.GetMapper().SetScaleFactor(1.3),
     "volume's opacity": opacity_points,
     "volume's data": lambda s: in_place(s.volume.GetMapper().GetInput().GetPointData().GetScalars(), 1),
+    "clipping plane in place": lambda s: s.cuts[0].SetOrigin(-4.3, 0, 1),
+    "volume's clipping plane in place": lambda s: s.cuts[1].SetOrigin(-0.3, 2, 2.5),
+    "volume's mask": mask_volume,
+    "volume's mask in place": lambda s: in_place(s.mask.GetPointData().GetScalars(), 1),
     "volume moves": lambda s: s.volume.AddPosition(0.1, 0, 0),
     "slice's window": lambda s: s.slice.GetProperty().SetColorWindow(100),
     "slice's data": lambda s: in_place(s.slice.GetMapper().GetInput().GetPointData().GetScalars(), 1),
@@ -216,6 +236,8 @@ CHANGES = {
     "window's size": lambda s: s.view.window.SetSize(SIZE[0] + 8, SIZE[1]),
     "update rate": lambda s: s.view.window.SetDesiredUpdateRate(5.0),
     "coincident topology": lambda s: vtkMapper.SetResolveCoincidentTopologyToPolygonOffset(),
+    "offset of polygons": lambda s: vtkMapper.SetResolveCoincidentTopologyPolygonOffsetParameters(1, 2),
+    "offset of lines": lambda s: vtkMapper.SetResolveCoincidentTopologyLineOffsetParameters(1, 2),
     "texture scale": lambda s: s.reflection.SetTextureScale(0.5),
     "samples": lambda s: s.reflection.SetMultiSamples(4),
     "colour precision": lambda s: s.reflection.SetColorPrecision(Pass.HALF_FLOAT),
@@ -253,6 +275,8 @@ for name, change in NO_CHANGES.items():
     wt.check_at_most(f"{name}: largest error", scene.error(), 1)
     scene.renders()
 vtkMapper.SetResolveCoincidentTopologyToOff()
+vtkMapper.SetResolveCoincidentTopologyPolygonOffsetParameters(2, 2)  # VTK's own
+vtkMapper.SetResolveCoincidentTopologyLineOffsetParameters(-1, -4)
 
 # Forced off.
 scene.reflection.SetSkips(Pass.SKIP_ALL & ~Pass.UNCHANGED_VIEWS)

@@ -1,0 +1,130 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Skips do not show in props that are not what their bounds, their order or their data say: each alone,
+picture by picture equal to that with all skips off."""
+
+import numpy as np
+import skip_scenes
+import water_test as wt
+from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+from vtkmodules.vtkFiltersCore import vtkAppendPolyData
+from vtkmodules.vtkRenderingCore import vtkActor, vtkPointGaussianMapper, vtkPolyDataMapper
+from vtkwater import vtkWaterReflectionPass as Pass
+
+SIZE = (200, 150)
+POND = (-2, 2, -2, 2)
+LAKE = (-14, 14, -14, 14)
+
+
+def land():
+    return skip_scenes.terrain((-14, 0), (14, 20), lambda x, y: 0.5 + np.sin(x) * np.cos(y) + 0.1 * y)
+
+
+def add(renderer, mapper, data):
+    mapper.SetInputData(data)
+    actor = vtkActor()
+    actor.SetMapper(mapper)
+    renderer.AddActor(actor)
+    return actor
+
+
+def blending(renderer):
+    """VTK blends in the opaque pass what is forced into it: the order shows."""
+    for i in range(8):
+        box = wt.add_actor(renderer, wt.box((0, 8 - 2 * i, 2), (6 - 0.3 * i, 0.5, 3)), (i / 8, 0.5, 1 - i / 8), opacity=0.4)
+        box.ForceOpaqueOn()
+
+
+def layers(renderer):
+    """Where two triangles are equally far, the later one is seen."""
+    both = vtkAppendPolyData()
+    for shade in (0.0, 1.0):
+        layer = land()
+        layer.GetPointData().SetScalars(numpy_to_vtk(np.full(layer.GetNumberOfPoints(), shade), deep=True))
+        both.AddInputData(layer)
+    both.Update()
+    add(renderer, vtkPolyDataMapper(), both.GetOutput())
+
+
+def displaced(renderer):
+    """A vertex shader moves a large mesh to where its pieces are not."""
+    actor = wt.add_actor(renderer, land(), (0.6, 0.5, 0.3))
+    actor.GetShaderProperty().AddVertexShaderReplacement(
+        "//VTK::PositionVC::Impl", True,
+        "vec4 lifted = vec4(vertexMC.xy * vec2(0.5, 1.0), vertexMC.z + 3.0, 1.0);\n"
+        "  gl_Position = MCDCMatrix * lifted;\n  vertexVCVSOutput = MCVCMatrix * lifted;\n", False)
+
+
+def dots(renderer, mapper, cells):
+    """Beside what the pond reflects, but for their width."""
+    x = np.concatenate([np.linspace(-3.4, -2.2, 9), np.linspace(2.2, 3.4, 9)])
+    data = vtkPolyData()
+    points = vtkPoints()
+    points.SetData(numpy_to_vtk(np.stack([x, 0 * x, 0 * x + 1.5], axis=1), deep=True))
+    data.SetPoints(points)
+    for number in range(len(x)):
+        part = vtkPolyData()
+        own = vtkPoints()
+        own.InsertNextPoint(points.GetPoint(number))
+        own.InsertNextPoint(points.GetPoint(number)[0], 0, 2.5)
+        part.SetPoints(own)
+        array = vtkCellArray()
+        array.InsertNextCell(2 if cells == "lines" else 1, (0, 1)[: 2 if cells == "lines" else 1])
+        (part.SetLines if cells == "lines" else part.SetVerts)(array)
+        actor = add(renderer, mapper(), part)
+        actor.GetProperty().SetColor(1, number / len(x), 0)
+        actor.GetProperty().SetPointSize(30)
+        actor.GetProperty().SetLineWidth(30)
+
+
+def splats():
+    mapper = vtkPointGaussianMapper()
+    mapper.SetScaleFactor(0.5)
+    mapper.EmissiveOff()
+    return mapper
+
+
+SCENES = {
+    "blends in the opaque pass": (LAKE, blending),
+    "coincident layers of a mesh": (LAKE, layers),
+    "vertex shader of its own": (LAKE, displaced),
+    "wide points": (POND, lambda renderer: dots(renderer, vtkPolyDataMapper, "points")),
+    "wide lines": (POND, lambda renderer: dots(renderer, vtkPolyDataMapper, "lines")),
+    "splats": (POND, lambda renderer: dots(renderer, splats, "points")),
+}
+
+
+class Scene:
+    def __init__(self, fill, sheet, skips):
+        self.view = wt.View(SIZE)
+        fill(self.view.renderer)
+        self.water = wt.add_water(self.view.renderer, wt.plane((0, 0, 0), (0, 0, 1)), sheet, 1.0)
+        self.water.GetReflectionPass().SetSkips(skips)
+        camera = self.view.renderer.GetActiveCamera()
+        camera.SetPosition(0, -14, 6)
+        camera.SetFocalPoint(0, 0, 0)
+        camera.SetViewUp(0, 0, 1)
+        camera.SetClippingRange(0.5, 80)
+
+    def pictures(self):
+        for _ in range(6):
+            self.view.renderer.GetActiveCamera().Azimuth(4)
+            yield self.view.picture()
+
+
+for name, (sheet, fill) in SCENES.items():
+    full = list(Scene(fill, sheet, Pass.SKIP_NONE).pictures())
+    scene = Scene(fill, sheet, Pass.SKIP_ALL)
+    errors = [int(np.abs(one - other).max()) for one, other in zip(scene.pictures(), full)]
+    wt.check_equal(f"{name}: decision", wt.decision_of(scene.water), "RENDERED")
+    wt.check_at_most(f"{name}: largest error", max(errors), 1)
+
+# Of both cullings VTK takes that of back faces: the front stays.
+scene = Scene(blending, LAKE, Pass.SKIP_ALL)
+right = scene.view.picture()
+scene.water.GetProperty().BackfaceCullingOn()
+scene.water.GetProperty().FrontfaceCullingOn()
+wt.check_at_most("both cullings: largest error", int(np.abs(scene.view.picture() - right).max()), 1)
+wt.check_equal("both cullings: decision", wt.decision_of(scene.water) in ("RENDERED", "REUSED"), True)
+wt.finish()
