@@ -45,13 +45,18 @@ void water_mirror_widen(const double map_scale[2], water_camera* mirrored)
   }
 }
 
-// The far plane for depths that are scaled, z' - w of water_mirror_reach: positive beyond it.
+// How far before the far plane props end, in NDC: rounding must not put them behind it, nor give
+// them the depth that the map is cleared with.
+static const double far_margin = 2e-6;
+
+// The far plane for depths that are scaled, z' - (1 - margin) w of water_mirror_reach: positive
+// beyond it.
 static void far_plane(const double world_to_clip[16], double scale, double beyond[4])
 {
   for (int j = 0; j < 4; ++j)
   {
-    beyond[j] =
-      scale * (world_to_clip[8 + j] + world_to_clip[12 + j]) - 2.0 * world_to_clip[12 + j];
+    beyond[j] = scale * (world_to_clip[8 + j] + world_to_clip[12 + j]) -
+      (2.0 - far_margin) * world_to_clip[12 + j];
   }
 }
 
@@ -60,8 +65,9 @@ double water_mirror_reach(
 {
   double world_to_clip[16];
   water_mat4_multiply(mirrored->view_to_clip, mirrored->world_to_view, world_to_clip);
-  // z' = s (z + w) - w keeps the near plane z + w = 0 for every s; a point lies on the new far
-  // plane z' = w for s = 2 w / (z + w), so the smallest s of all corners takes them all in.
+  // z' = s (z + w) - w keeps the near plane z + w = 0 for every s; a point lies before the new far
+  // plane, at z' = (1 - margin) w, for s = (2 - margin) w / (z + w), so the smallest s of all
+  // corners takes them all in.
   double scale = 1.0;
   double beyond[4];
   double sizes[4]; // of what the far plane is made of
@@ -95,16 +101,15 @@ double water_mirror_reach(
       water_bounds_corner(bounds, corner, point);
       double clip[4];
       water_mat4_apply_point(world_to_clip, point, clip);
-      if (clip[3] > 0.0 && clip[2] > clip[3])
+      if (clip[3] > 0.0 && clip[2] > -clip[3])
       {
-        scale = fmin(scale, 2.0 * clip[3] / (clip[2] + clip[3]));
+        scale = fmin(scale, (2.0 - far_margin) * clip[3] / (clip[2] + clip[3]));
       }
     }
     far_plane(world_to_clip, scale, beyond);
   }
   if (scale < 1.0)
   {
-    scale *= 1.0 - 1e-6; // rounding must not put the farthest corner behind the plane again
     double* clip = mirrored->view_to_clip;
     for (int j = 0; j < 4; ++j)
     {

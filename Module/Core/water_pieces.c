@@ -66,22 +66,70 @@ void water_pieces_view(const water_plan* plan, const double model_to_world[16], 
   water_frustum_prepare(view);
 }
 
-size_t water_pieces_select(const water_frustum* view, const uint32_t* indices,
-  size_t triangle_count, double (*boxes)[6], uint32_t* drawn)
+static double height_over(const double plane[4], const double point[3])
 {
-  const size_t per_piece = 3 * (size_t)WATER_PIECE_TRIANGLES;
-  const size_t index_count = 3 * triangle_count;
-  size_t drawn_count = 0;
-  for (size_t first = 0; first < index_count; first += per_piece)
+  return water_vec3_dot(plane, point) + plane[3];
+}
+
+// Where between two planes of the view a place lies, as one of the cells; outside: the next one.
+static size_t cell_of(const double low[4], const double high[4], const double place[3])
+{
+  const double from_low = height_over(low, place);
+  const double share = from_low / (from_low + height_over(high, place));
+  return share > 0.0 ? (size_t)fmin(WATER_TREND_CELLS * share, WATER_TREND_CELLS - 1) : 0;
+}
+
+static void add_to(water_trend* trend, const water_frustum* view, const double box[6])
+{
+  const double center[3] = { 0.5 * (box[0] + box[1]), 0.5 * (box[2] + box[3]),
+    0.5 * (box[4] + box[5]) };
+  const size_t column = cell_of(view->planes[0], view->planes[1], center);
+  const size_t row = cell_of(view->planes[2], view->planes[3], center);
+  const double distance = height_over(view->planes[4], center);
+  double* last = &trend->last_distance[row][column];
+  if (!(distance > 0.0))
   {
-    const double* box = boxes[first / per_piece];
-    const size_t rest = index_count - first;
-    const size_t size = rest < per_piece ? rest : per_piece;
-    if (!water_all_finite(box, 6) || water_frustum_meets(view, 6, box, piece_rounding))
+    return; // about the eye: nowhere in the picture
+  }
+  if (*last > 0.0)
+  {
+    trend->nearer_steps += distance < *last;
+    trend->farther_steps += distance > *last;
+  }
+  *last = distance;
+}
+
+size_t water_pieces_select(const water_frustum* view, const uint32_t* indices,
+  size_t triangle_count, double (*boxes)[6], bool is_reversed, water_trend* trend, uint32_t* drawn)
+{
+  const size_t piece_count = (triangle_count + WATER_PIECE_TRIANGLES - 1) / WATER_PIECE_TRIANGLES;
+  size_t drawn_count = 0;
+  for (size_t i = 0; i < piece_count; ++i)
+  {
+    const size_t piece = is_reversed ? piece_count - 1 - i : i;
+    const double* box = boxes[piece];
+    const bool is_finite = water_all_finite(box, 6);
+    if (is_finite && !water_frustum_meets(view, 6, box, piece_rounding))
     {
-      memcpy(drawn + drawn_count, indices + first, size * sizeof *indices);
-      drawn_count += size;
+      continue;
     }
+    if (is_finite)
+    {
+      add_to(trend, view, box);
+    }
+    const size_t first = piece * WATER_PIECE_TRIANGLES;
+    const size_t rest = triangle_count - first;
+    const size_t size = rest < WATER_PIECE_TRIANGLES ? rest : WATER_PIECE_TRIANGLES;
+    if (!is_reversed)
+    {
+      memcpy(drawn + drawn_count, indices + 3 * first, 3 * size * sizeof *indices);
+    }
+    for (size_t j = 0; is_reversed && j < size; ++j)
+    {
+      memcpy(
+        drawn + drawn_count + 3 * j, indices + 3 * (first + size - 1 - j), 3 * sizeof *indices);
+    }
+    drawn_count += 3 * size;
   }
   return drawn_count;
 }

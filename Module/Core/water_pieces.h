@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // water_pieces.h: step 4: large meshes in pieces, so that the mirrored view draws only those that
 // the water can show. A piece is a run of a mesh's triangles in the order they are drawn in: what
-// is left is drawn in that order, too, and covers every pixel as before.
+// is left is drawn in that order, too, and covers every pixel as before. So it does from the last
+// triangle to the first, if of equally far ones the first drawn stays: a mesh that runs towards the
+// eye is drawn that way, and what is near hides what is far before that is shaded.
 #ifndef water_pieces_h
 #define water_pieces_h
 
@@ -16,7 +18,8 @@ extern "C"
 enum
 {
   WATER_PIECE_TRIANGLES = 32, // of a piece; the last has what is left
-  WATER_PIECES_MIN = 128      // a smaller mesh is drawn as a whole
+  WATER_PIECES_MIN = 128,     // a smaller mesh is drawn as a whole
+  WATER_TREND_CELLS = 16      // of the picture, per axis
 };
 
 typedef struct water_points // xyz, one of the two
@@ -44,13 +47,24 @@ bool water_pieces_bound(const water_points* points, size_t point_count, const ui
 void water_pieces_view(
   const water_plan* plan, const double model_to_world[16], water_frustum* view);
 
-// Copies the indices of the pieces that may be seen, in their order.
+// Whether pieces come nearer in the order they are drawn in, where one lies behind the other; all
+// 0: none is drawn yet.
+typedef struct water_trend
+{
+  double last_distance[WATER_TREND_CELLS][WATER_TREND_CELLS]; // by place in the picture; 0: none
+  int nearer_steps;                                           // from piece to piece in a cell
+  int farther_steps;
+} water_trend;
+
+// Copies the indices of the pieces that may be seen, in their order or from the last triangle to
+// the first.
 //
+// trend  of all pieces drawn so far in a view; these are added
 // drawn  room for 3 * triangle_count
 //
 // Returns how many indices were copied.
 size_t water_pieces_select(const water_frustum* view, const uint32_t* indices,
-  size_t triangle_count, double (*boxes)[6], uint32_t* drawn);
+  size_t triangle_count, double (*boxes)[6], bool is_reversed, water_trend* trend, uint32_t* drawn);
 
 #ifdef __cplusplus
 }

@@ -21,6 +21,7 @@
 #include "vtkWaterShading.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace
 {
@@ -180,7 +181,8 @@ const char* vtkWaterMirror::Draw(vtkRenderer* renderer, vtkWaterShading* shading
       ScopedCamera scopedCamera(renderer, this->Camera);
       ScopedMirroredView scopedView(shading, plan, canCut ? &this->Pieces : nullptr);
       ScopedRenderTimes scopedTimes(renderer, props);
-      this->DrawProps(renderer, props);
+      this->DrawOpaque(renderer, props, canCut);
+      this->DrawTranslucent(renderer, props);
       state->vtkglDisable(GL_SCISSOR_TEST);
       this->Target.Resolve();
     }
@@ -280,17 +282,41 @@ vtkRenderPass* vtkWaterMirror::GetTranslucentPass(vtkRenderer* renderer)
 }
 
 //------------------------------------------------------------------------------
-void vtkWaterMirror::DrawProps(vtkRenderer* renderer, std::vector<vtkProp*>& props)
+void vtkWaterMirror::DrawOpaque(
+  vtkRenderer* renderer, const std::vector<vtkProp*>& props, bool canCut)
 {
-  this->Instruments.BeginCounting(renderer->GetRenderWindow());
-  for (vtkProp* prop : props)
-  {
+  auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
+  const auto draw = [this, renderer](vtkProp* prop) {
     prop->RenderOpaqueGeometry(renderer);
     // on for shaders that write the distance; undefined for those that do not
     glDisable(GL_CLIP_DISTANCE0);
     this->Pieces.TakeBack();
+  };
+  this->Instruments.BeginCounting(window);
+  auto next = props.begin();
+  if (canCut)
+  {
+    const auto leading = next + this->Pieces.BeginLeading(props);
+    if (this->Pieces.IsReversed())
+    {
+      vtkOpenGLState::ScopedglDepthFunc depthFunc(window->GetState());
+      window->GetState()->vtkglDepthFunc(GL_LESS);
+      std::for_each(std::make_reverse_iterator(leading), std::make_reverse_iterator(next), draw);
+    }
+    else
+    {
+      std::for_each(next, leading, draw);
+    }
+    this->Pieces.EndLeading();
+    next = leading;
   }
+  std::for_each(next, props.end(), draw);
   this->Instruments.EndCounting();
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterMirror::DrawTranslucent(vtkRenderer* renderer, std::vector<vtkProp*>& props)
+{
   const bool hasTranslucent = std::any_of(props.begin(), props.end(),
     [](vtkProp* prop) { return prop->HasTranslucentPolygonalGeometry() != 0; });
   if (hasTranslucent)

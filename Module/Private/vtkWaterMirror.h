@@ -52,7 +52,8 @@ public:
 
 private:
   void SetCamera(vtkRenderer* renderer, const water_plan& plan);
-  void DrawProps(vtkRenderer* renderer, std::vector<vtkProp*>& props);
+  void DrawOpaque(vtkRenderer* renderer, const std::vector<vtkProp*>& props, bool canCut);
+  void DrawTranslucent(vtkRenderer* renderer, std::vector<vtkProp*>& props);
   vtkRenderPass* GetTranslucentPass(vtkRenderer* renderer);
 
   enum Blendings // of translucent geometry, as the renderer's flags choose it

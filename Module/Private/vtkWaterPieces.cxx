@@ -5,6 +5,7 @@
 #include "vtkCommand.h"
 #include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"
+#include "vtkImageData.h"
 #include "vtkMatrix4x4.h"
 #include "vtkOpenGLIndexBufferObject.h"
 #include "vtkOpenGLPolyDataMapper.h"
@@ -13,6 +14,7 @@
 #include "vtkProperty.h"
 #include "vtkShaderProgram.h"
 #include "vtkShaderProperty.h"
+#include "vtkTexture.h"
 #include "vtkWaterAccess.h"
 #include "vtkWaterGL.h"
 #include "vtkWaterGather.h"
@@ -43,6 +45,35 @@ bool CanBeCut(vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkActor* ac
     vtkWaterGather::IsInWorld(actor) && actor->GetProperty()->GetRepresentation() == VTK_SURFACE &&
     !actor->IsRenderingTranslucentPolygonalGeometry() &&
     !program->IsUniformUsed("PrimitiveIDOffset") && !HasOwnShaders(mapper, actor);
+}
+
+bool HasAlpha(vtkTexture* texture)
+{
+  vtkImageData* image = texture->GetInput();
+  return !image || image->GetScalarType() != VTK_UNSIGNED_CHAR ||
+    image->GetNumberOfScalarComponents() != 3;
+}
+
+// Is every pixel of what an actor draws in the opaque pass opaque? VTK blends there, too.
+bool IsOpaqueEverywhere(vtkActor* actor)
+{
+  if (actor->GetForceOpaque() || actor->GetBackfaceProperty() ||
+    actor->HasTranslucentPolygonalGeometry() ||
+    (actor->GetTexture() && HasAlpha(actor->GetTexture())))
+  {
+    return false;
+  }
+  const auto& textures = actor->GetProperty()->GetAllTextures();
+  return std::none_of(textures.begin(), textures.end(),
+    [](const std::pair<const std::string, vtkTexture*>& named) { return HasAlpha(named.second); });
+}
+
+bool HasTrianglesOnly(vtkPolyDataMapper* mapper, vtkProperty* property)
+{
+  vtkPolyData* mesh = mapper->GetInput();
+  return mesh && mesh->GetNumberOfVerts() == 0 && mesh->GetNumberOfLines() == 0 &&
+    mesh->GetNumberOfStrips() == 0 && !mapper->GetSelection() && !property->GetVertexVisibility() &&
+    !property->GetEdgeVisibility();
 }
 }
 
@@ -96,6 +127,46 @@ void vtkWaterPieces::Read(vtkOpenGLPolyDataMapper* mapper, Mesh& mesh)
 }
 
 //------------------------------------------------------------------------------
+vtkWaterPieces::MeshState vtkWaterPieces::StateOf(vtkOpenGLPolyDataMapper* mapper, vtkActor* actor)
+{
+  vtkOpenGLIndexBufferObject* buffer = vtkWaterAccess::PolyDataMapper::TrianglesOf(mapper);
+  vtkProperty* property = actor->GetProperty();
+  return { mapper->GetInput() ? mapper->GetInput()->GetMTime() : 0, mapper->GetMTime(),
+    reinterpret_cast<vtkMTimeType>(property), property->GetMTime(), buffer->IndexCount,
+    static_cast<vtkMTimeType>(buffer->GetHandle()) };
+}
+
+//------------------------------------------------------------------------------
+bool vtkWaterPieces::CanLead(vtkProp* prop)
+{
+  auto* actor = vtkActor::SafeDownCast(prop);
+  auto* mapper = actor ? vtkOpenGLPolyDataMapper::SafeDownCast(actor->GetMapper()) : nullptr;
+  const auto it = this->Meshes.find(mapper);
+  return mapper && it != this->Meshes.end() && it->second.Mapper && !it->second.Boxes.empty() &&
+    it->second.State == StateOf(mapper, actor) && !HasOwnShaders(mapper, actor) &&
+    vtkWaterGather::IsInWorld(actor) && IsOpaqueEverywhere(actor) &&
+    HasTrianglesOnly(mapper, actor->GetProperty());
+}
+
+//------------------------------------------------------------------------------
+size_t vtkWaterPieces::BeginLeading(const std::vector<vtkProp*>& props)
+{
+  this->HasLeading = true;
+  this->Trend = water_trend{};
+  const auto other = std::find_if_not(
+    props.begin(), props.end(), [this](vtkProp* prop) { return this->CanLead(prop); });
+  return static_cast<size_t>(other - props.begin());
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterPieces::EndLeading()
+{
+  // what they were like in this view tells how to draw them in the next
+  this->FarFirst = this->FarFirst != (this->Trend.nearer_steps > this->Trend.farther_steps);
+  this->HasLeading = false;
+}
+
+//------------------------------------------------------------------------------
 void vtkWaterPieces::Give(
   const water_plan& plan, vtkShaderProgram* program, vtkAbstractMapper* anyMapper, vtkProp* prop)
 {
@@ -116,10 +187,7 @@ void vtkWaterPieces::Give(
     it = it->second.Mapper ? std::next(it) : this->Meshes.erase(it);
   }
   Mesh& mesh = this->Meshes[mapper];
-  vtkProperty* property = actor->GetProperty();
-  const std::array<vtkMTimeType, 6> state{ mapper->GetInput() ? mapper->GetInput()->GetMTime() : 0,
-    mapper->GetMTime(), reinterpret_cast<vtkMTimeType>(property), property->GetMTime(),
-    slot->IndexCount, static_cast<vtkMTimeType>(slot->GetHandle()) };
+  const MeshState state = StateOf(mapper, actor);
   if (!mesh.Mapper || mesh.State != state)
   {
     mesh.Mapper = mapper;
@@ -134,8 +202,8 @@ void vtkWaterPieces::Give(
   water_pieces_view(&plan, &actor->GetMatrix()->Element[0][0], &view);
   this->Selected.resize(mesh.Indices.size());
   const size_t count = water_pieces_select(&view, mesh.Indices.data(), mesh.Indices.size() / 3,
-    BoxesOf(mesh.Boxes), this->Selected.data());
-  if (count == mesh.Indices.size())
+    BoxesOf(mesh.Boxes), this->IsReversed(), &this->Trend, this->Selected.data());
+  if (count == mesh.Indices.size() && !this->IsReversed())
   {
     return;
   }

@@ -3,7 +3,9 @@
 //
 // A mapper draws the triangles that its index buffer lists. For the time of a draw in the mirrored
 // view it gets another list, in which pieces are left out (water_pieces.h): the same vertices, the
-// same order, so every pixel is the same as before. See
+// same order, so every pixel is the same as before. Large meshes that are drawn before all else may
+// be drawn backwards, the last triangle of the last of them first, with a depth test that keeps the
+// first of equally far ones: this, too, gives the same pixels. See
 // Documentation/decisions/009-skips.md.
 #ifndef vtkWaterPieces_h
 #define vtkWaterPieces_h
@@ -19,6 +21,7 @@
 #include <vector>
 
 class vtkAbstractMapper;
+class vtkActor;
 class vtkOpenGLIndexBufferObject;
 class vtkOpenGLPolyDataMapper;
 class vtkProp;
@@ -29,6 +32,15 @@ class vtkWaterPieces
 public:
   vtkWaterPieces();
   ~vtkWaterPieces();
+
+  // How many of the props, from the first on, are nothing but large opaque meshes, as far as is
+  // known from the last frame. They are about to be drawn: in their order, or, if IsReversed, from
+  // the last of them to the first, with the depth test GL_LESS.
+  size_t BeginLeading(const std::vector<vtkProp*>& props);
+  bool IsReversed() const { return this->HasLeading && this->FarFirst; }
+
+  // All of them are drawn.
+  void EndLeading();
 
   // A mapper is about to draw a prop with a program: gives it its pieces, if the mesh is large, in
   // a form that can be cut, and parts of it cannot be seen.
@@ -44,19 +56,26 @@ private:
   vtkWaterPieces(const vtkWaterPieces&) = delete;
   void operator=(const vtkWaterPieces&) = delete;
 
+  using MeshState = std::array<vtkMTimeType, 6>;
+
   struct Mesh
   {
     vtkWeakPointer<vtkOpenGLPolyDataMapper> Mapper;
-    std::array<vtkMTimeType, 6> State{}; // of what the index buffer was made from
+    MeshState State{}; // of what the index buffer was made from
     std::vector<uint32_t> Indices;
     std::vector<std::array<double, 6>> Boxes; // empty: it cannot be cut
     vtkSmartPointer<vtkOpenGLIndexBufferObject> Drawn;
   };
 
+  static MeshState StateOf(vtkOpenGLPolyDataMapper* mapper, vtkActor* actor);
   static void Read(vtkOpenGLPolyDataMapper* mapper, Mesh& mesh);
+  bool CanLead(vtkProp* prop);
 
   std::map<vtkOpenGLPolyDataMapper*, Mesh> Meshes;
   std::vector<uint32_t> Selected;
+  water_trend Trend{};
+  bool HasLeading = false;                        // are being drawn
+  bool FarFirst = false;                          // is the leading meshes' own order
   vtkSmartPointer<vtkOpenGLPolyDataMapper> Given; // has a buffer of ours
   vtkSmartPointer<vtkOpenGLIndexBufferObject> Own;
 };

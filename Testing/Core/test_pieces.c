@@ -88,9 +88,11 @@ TEST(what_is_seen_is_kept_in_its_order)
     random_scene random = scene_rolled(&from, round, center);
     const water_plan plan = plan_of(&random.scene, NULL);
     water_frustum view;
+    water_trend trend;
+    memset(&trend, 0, sizeof trend);
     water_pieces_view(&plan, model_to_world, &view);
-    const size_t count =
-      water_pieces_select(&view, terrain->indices, TRIANGLES, terrain->boxes, terrain->drawn);
+    const size_t count = water_pieces_select(
+      &view, terrain->indices, TRIANGLES, terrain->boxes, false, &trend, terrain->drawn);
     assert_int_equal(count % 3, 0);
     drawn_sum += count / 3;
     size_t at = 0;
@@ -140,6 +142,8 @@ TEST(points_of_both_kinds_and_without_an_end)
   {
     double boxes[1][6];
     uint32_t drawn[3];
+    water_trend trend;
+    memset(&trend, 0, sizeof trend);
     assert_true(water_pieces_bound(&points[i], 3, indices, 1, boxes));
     const double expected[6] = { 0, huge, 0, 1, 0, 2 };
     assert_memory_equal(boxes[0], expected, sizeof expected);
@@ -147,10 +151,85 @@ TEST(points_of_both_kinds_and_without_an_end)
     memset(&nothing, 0, sizeof nothing);
     nothing.planes[0][3] = -1.0; // nothing is inside
     water_frustum_prepare(&nothing);
-    assert_int_equal(water_pieces_select(&nothing, indices, 1, boxes, drawn), 3);
+    assert_int_equal(water_pieces_select(&nothing, indices, 1, boxes, false, &trend, drawn), 3);
     boxes[0][1] = 5.0;
-    assert_int_equal(water_pieces_select(&nothing, indices, 1, boxes, drawn), 0);
+    assert_int_equal(water_pieces_select(&nothing, indices, 1, boxes, false, &trend, drawn), 0);
   }
+}
+
+// The other way around every triangle is where it was from the end, and what came nearer goes away.
+TEST(backwards_is_the_order_backwards)
+{
+  UNUSED;
+  const double center[3] = { 0.0, 0.0, 0.0 };
+  const double model_to_world[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 };
+  dice from = dice_seeded(62);
+  mesh* const terrain = mesh_made(&from);
+  uint32_t* const backwards = malloc(sizeof terrain->drawn);
+  const water_points points = { terrain->points, NULL };
+  assert_non_null(backwards);
+  assert_true(water_pieces_bound(&points, POINTS, terrain->indices, TRIANGLES, terrain->boxes));
+  int steps = 0;
+  for (int round = 0; round < 60; ++round)
+  {
+    random_scene random = scene_rolled(&from, round, center);
+    const water_plan plan = plan_of(&random.scene, NULL);
+    water_frustum view;
+    water_trend trends[2];
+    memset(trends, 0, sizeof trends);
+    water_pieces_view(&plan, model_to_world, &view);
+    const size_t count = water_pieces_select(
+      &view, terrain->indices, TRIANGLES, terrain->boxes, false, &trends[0], terrain->drawn);
+    assert_int_equal(count,
+      water_pieces_select(
+        &view, terrain->indices, TRIANGLES, terrain->boxes, true, &trends[1], backwards));
+    for (size_t i = 0; i < count; i += 3)
+    {
+      assert_memory_equal(
+        terrain->drawn + i, backwards + count - 3 - i, 3 * sizeof *terrain->drawn);
+    }
+    assert_int_equal(trends[0].nearer_steps, trends[1].farther_steps);
+    assert_int_equal(trends[0].farther_steps, trends[1].nearer_steps);
+    steps += trends[0].nearer_steps + trends[0].farther_steps;
+  }
+  assert_in_range(steps, 1000, 60 * PIECES);
+  free(backwards);
+  free(terrain);
+}
+
+// A mesh whose rows lie one behind the other goes away from an eye at its first row and comes
+// nearer to one at its last; so do its columns, within every row.
+TEST(the_trend_says_which_end_is_near)
+{
+  UNUSED;
+  const double model_to_world[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 };
+  const double up[3] = { 0.0, 0.0, 1.0 };
+  dice from = dice_seeded(63);
+  mesh* const terrain = mesh_made(&from);
+  const water_points points = { terrain->points, NULL };
+  assert_true(water_pieces_bound(&points, POINTS, terrain->indices, TRIANGLES, terrain->boxes));
+  for (int side = 0; side < 4; ++side)
+  {
+    water_scene scene = lake();
+    double eye[3] = { 0.0, 0.0, 6.0 };
+    const double target[3] = { 0.0, 0.0, 0.0 };
+    const double wide[6] = { -60.0, 60.0, -60.0, 60.0, 0.0, 0.0 };
+    eye[side / 2] = side % 2 ? 60.0 : -60.0;
+    look_at(eye, target, up, scene.eye.world_to_view);
+    memcpy(scene.surface_bounds, wide, sizeof wide);
+    const water_plan plan = plan_of(&scene, NULL);
+    water_frustum view;
+    water_trend trend;
+    memset(&trend, 0, sizeof trend);
+    water_pieces_view(&plan, model_to_world, &view);
+    (void)water_pieces_select(
+      &view, terrain->indices, TRIANGLES, terrain->boxes, false, &trend, terrain->drawn);
+    const int away = side % 2 ? trend.nearer_steps : trend.farther_steps;
+    const int back = side % 2 ? trend.farther_steps : trend.nearer_steps;
+    assert_in_range(away, 200, PIECES);
+    assert_in_range(back, 0, 4 * away / 5);
+  }
+  free(terrain);
 }
 
 int main(void)
@@ -159,6 +238,8 @@ int main(void)
     RUN(only_large_meshes_have_pieces),
     RUN(indices_out_of_the_points_are_refused),
     RUN(what_is_seen_is_kept_in_its_order),
+    RUN(backwards_is_the_order_backwards),
+    RUN(the_trend_says_which_end_is_near),
     RUN(points_of_both_kinds_and_without_an_end),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);

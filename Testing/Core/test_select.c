@@ -2,6 +2,8 @@
 // test_select.c: step 3: side of the eye, is the water seen, fate of each prop.
 #include "test_scene.h"
 
+#include "water_math.h"
+
 static const double nearby[3] = { 1.0, 2.0, 3.0 };
 enum
 {
@@ -245,6 +247,15 @@ TEST(culling_never_drops_what_is_seen)
     random.scene.props = &prop;
     random.scene.prop_count = 1;
     const water_plan plan = plan_of(&random.scene, &fate);
+    for (int corner = 0; corner < 8 && fate == WATER_DRAW; ++corner)
+    {
+      // before the far plane, and by more than single precision rounds: the map is cleared with it
+      double point[3];
+      double clip[4];
+      water_bounds_corner(prop.bounds, corner, point);
+      project(&plan.mirrored, point, 1.0, clip);
+      assert_true(!(clip[3] > 0.0) || clip[2] <= (1.0 - 8.0 * (double)FLT_EPSILON) * clip[3]);
+    }
     int is_seen = 0;
     for (int number = 0; number < 64 && !is_seen; ++number)
     {

@@ -110,6 +110,18 @@ _, (_, behind) = counts(Pass.SKIP_ALL, wall=(-2.5, -9), **wide)
 wt.check_at_least("beside a wall, no PIXELS: fragments", behind_all, 0.9 * seen)
 wt.check_at_most("beside a wall: fragments", behind, 0.6 * seen)
 
+# A mesh that comes nearer triangle by triangle is drawn from its end: what is near hides what is far.
+def hills(*rows):
+    scene = Scene(Pass.SKIP_ALL, sheet=(-14, 14, -14, 14))
+    mesh = skip_scenes.terrain((-14, rows[0]), (14, rows[1]), lambda x, y: np.where(y > 2, 3 + 3 * np.cos(2 * y) + 0.1 * y, 0))
+    scene.land.GetMapper().SetInputData(mesh)
+    scene.reflection.InstrumentationOn()
+    return scene.frames()[1]
+
+
+away, nearer = hills(-14, 14), hills(14, -14)
+wt.check_at_most("hills that come nearer / that go away: fragments", nearer / away, 1.1)
+
 # A scalar-coloured mesh whose triangles the shader counts is drawn as a whole.
 scene = Scene(Pass.SKIP_ALL)
 cells = skip_scenes.numpy_to_vtk(np.arange(scene.triangles, dtype=float), deep=True)

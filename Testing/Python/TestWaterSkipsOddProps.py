@@ -7,9 +7,9 @@ import skip_scenes
 import water_test as wt
 from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkAppendPolyData
-from vtkmodules.vtkRenderingCore import vtkActor, vtkPointGaussianMapper, vtkPolyDataMapper
+from vtkmodules.vtkRenderingCore import vtkActor, vtkPointGaussianMapper, vtkPolyDataMapper, vtkTexture
 from vtkwater import vtkWaterReflectionPass as Pass
 
 SIZE = (200, 150)
@@ -17,8 +17,9 @@ POND = (-2, 2, -2, 2)
 LAKE = (-14, 14, -14, 14)
 
 
-def land():
-    return skip_scenes.terrain((-14, 0), (14, 20), lambda x, y: 0.5 + np.sin(x) * np.cos(y) + 0.1 * y)
+def land(first=0, last=20):
+    """Rows of triangles, from one y to the other: from the eye on, or towards it."""
+    return skip_scenes.terrain((-14, first), (14, last), lambda x, y: 0.5 + np.sin(x) * np.cos(y) + 0.1 * y)
 
 
 def add(renderer, mapper, data):
@@ -36,15 +37,42 @@ def blending(renderer):
         box.ForceOpaqueOn()
 
 
-def layers(renderer):
+def layers(renderer, *rows):
     """Where two triangles are equally far, the later one is seen."""
     both = vtkAppendPolyData()
     for shade in (0.0, 1.0):
-        layer = land()
+        layer = land(*rows)
         layer.GetPointData().SetScalars(numpy_to_vtk(np.full(layer.GetNumberOfPoints(), shade), deep=True))
         both.AddInputData(layer)
     both.Update()
     add(renderer, vtkPolyDataMapper(), both.GetOutput())
+
+
+def meshes(renderer):
+    """So it is with two meshes."""
+    for color in ((1, 0, 0), (0, 1, 0)):
+        wt.add_actor(renderer, land(20, 0), color)
+
+
+def glass(renderer):
+    """A mesh that blends, and comes nearer."""
+    wt.add_actor(renderer, land(20, 0), (0.6, 0.5, 0.3), opacity=0.4).ForceOpaqueOn()
+
+
+def fence(renderer):
+    """So does one whose texture is glass in places."""
+    actor = wt.add_actor(renderer, land(20, 0), (1, 1, 1))
+    image = vtkImageData()
+    image.SetDimensions(16, 16, 1)
+    texels = np.full((256, 4), 200, np.uint8)
+    texels[:, 3] = np.where(np.arange(256) % 3, 255, 90)
+    image.GetPointData().SetScalars(numpy_to_vtk(texels, deep=True))
+    texture = vtkTexture()
+    texture.SetInputData(image)
+    texture.RepeatOn()
+    texture.UseSRGBColorSpaceOn()
+    actor.GetProperty().SetTexture("albedoTex", texture)
+    actor.GetProperty().SetInterpolationToPBR()
 
 
 def displaced(renderer):
@@ -88,6 +116,10 @@ def splats():
 SCENES = {
     "blends in the opaque pass": (LAKE, blending),
     "coincident layers of a mesh": (LAKE, layers),
+    "coincident layers that come nearer": (LAKE, lambda renderer: layers(renderer, 20, 0)),
+    "coincident meshes": (LAKE, meshes),
+    "blending mesh": (LAKE, glass),
+    "texture with alpha": (LAKE, fence),
     "vertex shader of its own": (LAKE, displaced),
     "wide points": (POND, lambda renderer: dots(renderer, vtkPolyDataMapper, "points")),
     "wide lines": (POND, lambda renderer: dots(renderer, vtkPolyDataMapper, "lines")),
