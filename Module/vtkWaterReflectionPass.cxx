@@ -118,8 +118,8 @@ void vtkWaterReflectionPass::GetRayLimits(int* steps, int* probes) const
 //------------------------------------------------------------------------------
 bool vtkWaterReflectionPass::ShouldWait(vtkRenderer* renderer, double visible_px)
 {
-  return water_plan_should_wait(&this->Internal->GetView(renderer)->MapPlan, visible_px,
-    static_cast<size_t>(this->GetNumberOfPropsReflected()), static_cast<unsigned>(this->Skips));
+  return water_plan_should_wait(
+    &this->Internal->GetView(renderer)->MapPlan, visible_px, static_cast<unsigned>(this->Skips));
 }
 
 //------------------------------------------------------------------------------
@@ -154,6 +154,29 @@ void vtkWaterReflectionPass::ChooseQuality(vtkRenderer* renderer, double budget_
   scene.texture_scale = this->TextureScaleInUse;
   internal.MostSteps = this->Quality == FIXED ? VTK_INT_MAX : quality.ray_steps;
   internal.MostProbes = this->Quality == FIXED ? VTK_INT_MAX : quality.ray_probes;
+}
+
+//------------------------------------------------------------------------------
+std::vector<vtkProp*> vtkWaterReflectionPass::FindDrawn(vtkRenderer* renderer, vtkWaterActor* water)
+{
+  Internals& internal = *this->Internal;
+  std::vector<vtkProp*> drawn;
+  std::fill(internal.FateCounts, internal.FateCounts + WATER_FATE_COUNT, 0);
+  for (size_t i = 0; i < internal.Fates.size(); ++i)
+  {
+    ++internal.FateCounts[internal.Fates[i]];
+    if (internal.Fates[i] == WATER_DRAW)
+    {
+      drawn.push_back(internal.Gather.vtkProps[i]);
+      if (drawn.back()->IsA("vtkLODProp3D"))
+      {
+        // It chooses its level here, which the renderer has not come to yet, and never does for a
+        // prop that only the mirror sees.
+        drawn.back()->SetAllocatedRenderTime(water->GetAllocatedRenderTime(), renderer);
+      }
+    }
+  }
+  return drawn;
 }
 
 //------------------------------------------------------------------------------
@@ -208,21 +231,7 @@ void vtkWaterReflectionPass::RenderReflection(vtkRenderer* renderer,
   // draw
   if (internal.Plan.decision == WATER_REFLECT)
   {
-    std::vector<vtkProp*> drawn;
-    for (size_t i = 0; i < internal.Fates.size(); ++i)
-    {
-      ++internal.FateCounts[internal.Fates[i]];
-      if (internal.Fates[i] == WATER_DRAW)
-      {
-        drawn.push_back(gather.vtkProps[i]);
-        if (drawn.back()->IsA("vtkLODProp3D"))
-        {
-          // It chooses its level here, which the renderer has not come to yet, and never does for
-          // a prop that only the mirror sees.
-          drawn.back()->SetAllocatedRenderTime(waters.front()->GetAllocatedRenderTime(), renderer);
-        }
-      }
-    }
+    std::vector<vtkProp*> drawn = this->FindDrawn(renderer, waters.front());
     const int samples = this->MultiSamples >= 0
       ? this->MultiSamples
       : std::min(window->GetMultiSamples(), kMaximumDefaultSamples);
@@ -241,6 +250,13 @@ void vtkWaterReflectionPass::RenderReflection(vtkRenderer* renderer,
     const char* failure = nullptr;
     if (internal.Plan.decision == WATER_REFLECT)
     {
+      view->Mirror.FindSeen(renderer, internal.Plan);
+      if (const water_seen* seen = view->Mirror.GetSeen())
+      {
+        water_seen_select(seen, &internal.Plan.mirrored, gather.props.data(), gather.props.size(),
+          static_cast<unsigned>(this->Skips), internal.Fates.data());
+        drawn = this->FindDrawn(renderer, waters.front());
+      }
       view->MapPlan = water_plan();
       view->MapHasLevels = false;
       failure = view->Mirror.Draw(renderer, shading, internal.Plan, drawn,

@@ -377,6 +377,8 @@ private:
   // camera.
   void RenderReflection(vtkRenderer* renderer, const std::vector<vtkWaterActor*>& waters,
     const int viewport_px[2], const Moment& moment);
+  // What the fates say is drawn; counts them.
+  std::vector<vtkProp*> FindDrawn(vtkRenderer* renderer, vtkWaterActor* water);
   // Chooses the texture's scale and the steps for the scene that was gathered.
   void ChooseQuality(vtkRenderer* renderer, double budget_ms);
   // Would the other draw the same mirrored view?

@@ -47,8 +47,10 @@ bool water_pieces_bound(const water_points* points, size_t point_count, const ui
   return true;
 }
 
-void water_pieces_view(const water_plan* plan, const double model_to_world[16], water_frustum* view)
+void water_pieces_look(const water_plan* plan, const water_seen* seen,
+  const double model_to_world[16], water_pieces_view* view)
 {
+  water_frustum* local = &view->frustum;
   double box[4];
   water_frustum world;
   water_target_box_of_rect(plan->texture_rect_px, plan->texture_px, box);
@@ -59,11 +61,15 @@ void water_pieces_view(const water_plan* plan, const double model_to_world[16], 
   memcpy(world.planes[5], clip_world, sizeof clip_world);
   for (int i = 0; i < 6; ++i)
   {
-    water_mat4_apply_row(world.planes[i], model_to_world, view->planes[i]);
+    water_mat4_apply_row(world.planes[i], model_to_world, local->planes[i]);
   }
   const double origin[3] = { model_to_world[3], model_to_world[7], model_to_world[11] };
-  view->reach = world.reach + water_vec3_length(origin);
-  water_frustum_prepare(view);
+  local->reach = world.reach + water_vec3_length(origin);
+  water_frustum_prepare(local);
+  double model_to_view[16];
+  water_mat4_multiply(plan->mirrored.world_to_view, model_to_world, model_to_view);
+  water_mat4_multiply(plan->mirrored.view_to_clip, model_to_view, view->to_clip);
+  view->seen = seen;
 }
 
 static double height_over(const double plane[4], const double point[3])
@@ -99,7 +105,13 @@ static void add_to(water_trend* trend, const water_frustum* view, const double b
   *last = distance;
 }
 
-size_t water_pieces_select(const water_frustum* view, const uint32_t* indices,
+static bool is_seen(const water_pieces_view* view, const double box[6])
+{
+  return water_frustum_meets(&view->frustum, 6, box, piece_rounding) &&
+    (!view->seen || water_seen_meets(view->seen, view->to_clip, box, 0.0));
+}
+
+size_t water_pieces_select(const water_pieces_view* view, const uint32_t* indices,
   size_t triangle_count, double (*boxes)[6], bool is_reversed, water_trend* trend, uint32_t* drawn)
 {
   const size_t piece_count = (triangle_count + WATER_PIECE_TRIANGLES - 1) / WATER_PIECE_TRIANGLES;
@@ -109,13 +121,13 @@ size_t water_pieces_select(const water_frustum* view, const uint32_t* indices,
     const size_t piece = is_reversed ? piece_count - 1 - i : i;
     const double* box = boxes[piece];
     const bool is_finite = water_all_finite(box, 6);
-    if (is_finite && !water_frustum_meets(view, 6, box, piece_rounding))
+    if (is_finite && !is_seen(view, box))
     {
       continue;
     }
     if (is_finite)
     {
-      add_to(trend, view, box);
+      add_to(trend, &view->frustum, box);
     }
     const size_t first = piece * WATER_PIECE_TRIANGLES;
     const size_t rest = triangle_count - first;

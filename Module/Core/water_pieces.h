@@ -8,6 +8,7 @@
 #define water_pieces_h
 
 #include "water_frustum.h"
+#include "water_seen.h"
 #include "water_types.h"
 
 #ifdef __cplusplus
@@ -40,12 +41,18 @@ size_t water_pieces_count(size_t triangle_count);
 bool water_pieces_bound(const water_points* points, size_t point_count, const uint32_t* indices,
   size_t triangle_count, double (*boxes)[6]);
 
-// What the pieces must meet to be drawn, in the mesh's own coordinates: the part of the mirrored
-// frustum behind the drawn part of the map, without its far plane, and the kept side of the clip.
-//
+// What the pieces must meet to be drawn, in the mesh's own coordinates.
+typedef struct water_pieces_view
+{
+  water_frustum frustum; // the part of the mirrored one behind the drawn part of the map; in place
+                         // of its far plane the kept side of the clip
+  double to_clip[16];
+  const water_seen* seen; // NULL: all of the drawn part of the map is
+} water_pieces_view;
+
 // model_to_world  affine
-void water_pieces_view(
-  const water_plan* plan, const double model_to_world[16], water_frustum* view);
+void water_pieces_look(const water_plan* plan, const water_seen* seen,
+  const double model_to_world[16], water_pieces_view* view);
 
 // Whether pieces come nearer in the order they are drawn in, where one lies behind the other; all
 // 0: none is drawn yet.
@@ -63,7 +70,7 @@ typedef struct water_trend
 // drawn  room for 3 * triangle_count
 //
 // Returns how many indices were copied.
-size_t water_pieces_select(const water_frustum* view, const uint32_t* indices,
+size_t water_pieces_select(const water_pieces_view* view, const uint32_t* indices,
   size_t triangle_count, double (*boxes)[6], bool is_reversed, water_trend* trend, uint32_t* drawn);
 
 #ifdef __cplusplus

@@ -12,13 +12,17 @@
 #include "water_select.h"
 #include "water_target.h"
 
-// A mask costs a depth test of its own for every pixel of the rectangle, and the mirrored view must
-// wait for the main one: worth it if much is left out. For a GPU that is nearly always; on the
-// processor both cost as much as a large part of it, unless the time goes into many draws.
-// Measured (decision 009).
-static const double mask_share = 0.9;
-static const double mask_share_software = 0.3;
+// To find out what of the map is seen costs a look at every pixel of the rectangle, and the
+// mirrored view must wait for the main one: worth it if a part of it is left out. To leave out
+// draws the answer must come back from the GPU, which then has nothing to do meanwhile: worth it
+// for many of them, and where the processor does the GPU's work. There a mask costs more than the
+// pixels that it saves. Measured (decision 009).
+static const double seen_share = 0.9;
 static const size_t many_draws = 64;
+
+// What is looked up is not asked for maps that are coarser than this: a cell of theirs is too large
+// a part of the picture to go through.
+static const double seen_texture_scale = 0.25;
 
 // What the checks compute on their way, for the steps to use.
 typedef struct checked
@@ -137,6 +141,35 @@ static bool is_faint(
     input->side == WATER_ABOVE;
 }
 
+// Calm and flat water looks up its own pixels.
+static void fill_seen(const water_scene* scene, const water_fate* fates, water_plan* plan)
+{
+  const bool is_same_size =
+    memcmp(plan->texture_px, scene->viewport_px, sizeof plan->texture_px) == 0;
+  const bool saves_draws = (scene->skips & (WATER_MAY_SKIP_PROPS | WATER_MAY_SKIP_PIECES)) != 0;
+  size_t draw_count = 0;
+  for (size_t i = 0; i < scene->prop_count; ++i)
+  {
+    draw_count += fates[i] == WATER_DRAW;
+  }
+  const bool is_asked_back = scene->is_software || draw_count >= many_draws;
+  const bool can_see = (scene->skips & WATER_MAY_SKIP_PIXELS) && scene->is_flat &&
+    !scene->has_waves && scene->texture_scale >= seen_texture_scale;
+  const bool can_mask = can_see && is_same_size && !scene->is_software;
+  const bool can_leave_out = can_see && saves_draws && is_asked_back;
+  plan->has_mask = can_mask && scene->has_scene_depth;
+  plan->has_seen = can_leave_out && scene->has_scene_depth;
+  if (can_mask || can_leave_out)
+  {
+    double area = seen_share;
+    for (int i = 0; i < 2; ++i)
+    {
+      area *= (double)plan->texture_rect_px[2 + i] * scene->viewport_px[i] / plan->texture_px[i];
+    }
+    plan->seen_px_max = area;
+  }
+}
+
 // plane: normal towards the eye; plane_view of the plan is set.
 // box: of the picture that the water covers
 static water_status fill_draw(const water_scene* scene, const checked* input,
@@ -180,11 +213,6 @@ static water_status fill_draw(const water_scene* scene, const checked* input,
   {
     plan->mask_rounding += 16.0 * (double)FLT_EPSILON * fabs(plan->plane_clip[i]);
   }
-  // calm and flat water looks up its own pixels, where those of the map are the picture's
-  plan->can_mask = (scene->skips & WATER_MAY_SKIP_PIXELS) && scene->is_flat && !scene->has_waves &&
-    memcmp(plan->texture_px, scene->viewport_px, sizeof plan->texture_px) == 0;
-  plan->is_software = scene->is_software;
-  plan->has_mask = plan->can_mask && scene->has_scene_depth;
   plan->depth_scale = water_mirror_reach(scene->props, scene->prop_count, fates, &plan->mirrored);
   // a ray may start in a trough
   plan->map_top =
@@ -196,6 +224,7 @@ static water_status fill_draw(const water_scene* scene, const checked* input,
     (void)water_select_props(
       &plan->mirrored, plane, &selection, scene->props, scene->prop_count, fates);
   }
+  fill_seen(scene, fates, plan);
   water_mirror_pose(
     &plan->mirrored, plan->mirrored_position, plan->mirrored_focal_point, plan->mirrored_view_up);
   water_mirror_headlight(plan->plane_view, plan->headlight_dir);
@@ -317,23 +346,18 @@ void water_plan_reuse(const water_plan* last, bool is_unchanged, unsigned skips,
   // What hides the water is no part of what the map shows. So a map with a mask serves once, and in
   // a view that stays as it is none gets a mask.
   plan->has_mask = plan->has_mask && !is_same_view;
+  plan->has_seen = plan->has_seen && !is_same_view;
   if (plan->decision == WATER_REFLECT && (skips & WATER_MAY_SKIP_UNCHANGED) && is_unchanged &&
-    water_plan_has_map(last) && is_covered && is_same_view && !last->has_mask)
+    water_plan_has_map(last) && is_covered && is_same_view && !last->has_mask && !last->has_seen)
   {
     plan->decision = WATER_REUSE;
   }
 }
 
-bool water_plan_should_wait(
-  const water_plan* last, double visible_px, size_t drawn_count, unsigned skips)
+bool water_plan_should_wait(const water_plan* last, double visible_px, unsigned skips)
 {
-  const int* rect = last->texture_rect_px;
-  const bool is_dear = last->is_software && drawn_count < many_draws;
-  const double share = is_dear ? mask_share_software : mask_share;
-  const bool does_mask_pay =
-    last->can_mask && water_plan_has_map(last) && visible_px < share * ((double)rect[2] * rect[3]);
   return ((skips & WATER_MAY_SKIP_HIDDEN) && visible_px <= 0.0) ||
-    ((skips & WATER_MAY_SKIP_PIXELS) && does_mask_pay);
+    ((skips & WATER_MAY_SKIP_PIXELS) && water_plan_has_map(last) && visible_px < last->seen_px_max);
 }
 
 bool water_plan_has_map(const water_plan* plan)

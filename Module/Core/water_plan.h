@@ -33,12 +33,10 @@ void water_plan_reuse(const water_plan* last, bool is_unchanged, unsigned skips,
 // Is it worth to draw the next map only when the eye's picture is there, which tells whether the
 // water is hidden, and what a mask may close?
 //
-// last         the plan of the last map
-// visible_px   pixels of the water that were seen in the frame before
-// drawn_count  props that were drawn in the last map
-// skips        of the scene
-bool water_plan_should_wait(
-  const water_plan* last, double visible_px, size_t drawn_count, unsigned skips);
+// last        the plan of the last map
+// visible_px  pixels of the water that were seen in the frame before
+// skips       of the scene
+bool water_plan_should_wait(const water_plan* last, double visible_px, unsigned skips);
 
 // Is there a map to look up, drawn or used again?
 bool water_plan_has_map(const water_plan* plan);

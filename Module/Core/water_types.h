@@ -197,9 +197,9 @@ typedef struct water_plan
   int texture_px[2];
   int texture_rect_px[4]; // x, y, width, height of the part the water can look up
   double mask_rounding;   // of dot(plane_clip, NDC) in single precision
-  bool can_mask;    // of it, only pixels where the eye's picture shows the water are looked up
-  bool has_mask;    // and that picture is at hand: the others are closed
-  bool is_software; // of the scene
+  double seen_px_max;     // if the eye's picture shows less of the water, it pays to wait for it
+  bool has_mask;          // it is at hand: pixels that no water in it looks up are closed
+  bool has_seen; // so it is: props and pieces that such pixels alone would show are left out
 
   // shade: where the map shows what
   double world_to_texture[16]; // divide by w: u, v, depth in [0, 1]; of a point on the water: its

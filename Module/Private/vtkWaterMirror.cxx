@@ -154,10 +154,9 @@ const char* vtkWaterMirror::Draw(vtkRenderer* renderer, vtkWaterShading* shading
   vtkOpenGLRenderUtilities::MarkDebugEvent("water: mirrored view begins");
   if (plan.has_mask)
   {
-    int drawn[4]; // the picture's place in what is bound
-    state->vtkglGetIntegerv(GL_VIEWPORT, drawn);
-    this->SceneDepth.Find(drawn);
+    this->SceneDepth.Find(state);
   }
+  this->Pieces.SetSeen(this->Seen);
   this->IsDrawing = true;
   this->Instruments.Begin(vtkWaterInstruments::REFLECTION, window);
   const char* failure = nullptr;
@@ -195,6 +194,20 @@ const char* vtkWaterMirror::Draw(vtkRenderer* renderer, vtkWaterShading* shading
   this->IsDrawing = false;
   vtkOpenGLRenderUtilities::MarkDebugEvent("water: mirrored view ends");
   return failure;
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterMirror::FindSeen(vtkRenderer* renderer, const water_plan& plan)
+{
+  this->Seen = nullptr;
+  if (plan.has_seen)
+  {
+    auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+    this->SceneDepth.Find(window->GetState());
+    this->Seen = this->SceneDepth.IsThere()
+      ? this->SeenCells.Find(renderer, plan, this->Screen, this->SceneDepth)
+      : nullptr;
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -353,6 +366,7 @@ void vtkWaterMirror::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Target.ReleaseGraphicsResources(window);
   this->Pieces.ReleaseGraphicsResources();
+  this->SeenCells.ReleaseGraphicsResources(window);
   if (window)
   {
     this->Instruments.ReleaseGraphicsResources();

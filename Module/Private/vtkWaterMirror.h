@@ -8,6 +8,7 @@
 #include "vtkWaterPieces.h"
 #include "vtkWaterSceneDepth.h"
 #include "vtkWaterScreen.h"
+#include "vtkWaterSeen.h"
 #include "vtkWaterTarget.h"
 #include "water_plan.h"
 
@@ -32,6 +33,13 @@ public:
   // Returns nullptr, or what went wrong in a few words; the target is then not to be used.
   const char* Draw(vtkRenderer* renderer, vtkWaterShading* shading, const water_plan& plan,
     std::vector<vtkProp*>& props, int samples, bool isFloat, bool canCut);
+
+  // Which cells of the map visible water looks up, by the picture that is bound for drawing; all of
+  // it may be where that cannot be told.
+  void FindSeen(vtkRenderer* renderer, const water_plan& plan);
+
+  // Of the last map that was drawn, or is about to be; nullptr: all may be.
+  const water_seen* GetSeen() const { return this->Seen; }
 
   // In the middle of Draw, which runs the user's observers: nothing may be released then.
   bool GetIsDrawing() const { return this->IsDrawing; }
@@ -68,6 +76,8 @@ private:
   vtkWaterTarget Target;
   vtkWaterScreen Screen;
   vtkWaterSceneDepth SceneDepth;
+  vtkWaterSeen SeenCells;
+  const water_seen* Seen = nullptr;
   vtkWaterPieces Pieces;
   vtkWaterInstruments Instruments;
   vtkSmartPointer<vtkTextureObject> Blank;

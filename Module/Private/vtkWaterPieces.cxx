@@ -198,8 +198,8 @@ void vtkWaterPieces::Give(
   {
     return;
   }
-  water_frustum view;
-  water_pieces_view(&plan, &actor->GetMatrix()->Element[0][0], &view);
+  water_pieces_view view;
+  water_pieces_look(&plan, this->Seen, &actor->GetMatrix()->Element[0][0], &view);
   this->Selected.resize(mesh.Indices.size());
   const size_t count = water_pieces_select(&view, mesh.Indices.data(), mesh.Indices.size() / 3,
     BoxesOf(mesh.Boxes), this->IsReversed(), &this->Trend, this->Selected.data());

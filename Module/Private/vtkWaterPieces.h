@@ -33,6 +33,9 @@ public:
   vtkWaterPieces();
   ~vtkWaterPieces();
 
+  // What of the map is looked up; nullptr: all of it.
+  void SetSeen(const water_seen* seen) { this->Seen = seen; }
+
   // How many of the props, from the first on, are nothing but large opaque meshes, as far as is
   // known from the last frame. They are about to be drawn: in their order, or, if IsReversed, from
   // the last of them to the first, with the depth test GL_LESS.
@@ -73,6 +76,7 @@ private:
 
   std::map<vtkOpenGLPolyDataMapper*, Mesh> Meshes;
   std::vector<uint32_t> Selected;
+  const water_seen* Seen = nullptr;
   water_trend Trend{};
   bool HasLeading = false;                        // are being drawn
   bool FarFirst = false;                          // is the leading meshes' own order

@@ -6,10 +6,8 @@
 #include "vtkTextureUnitManager.h"
 #include "vtkWaterGL.h"
 
-#include <algorithm>
-
 //------------------------------------------------------------------------------
-void vtkWaterSceneDepth::Find(const int viewport[4])
+void vtkWaterSceneDepth::Find(vtkOpenGLState* state)
 {
   this->Texture = 0;
   GLint framebuffer = 0;
@@ -30,7 +28,7 @@ void vtkWaterSceneDepth::Find(const int viewport[4])
       GL_DRAW_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_FRAMEBUFFER_ATTACHMENT_OBJECT_NAME, &name);
   }
   this->Texture = static_cast<unsigned int>(name);
-  std::copy(viewport, viewport + 2, this->Origin);
+  state->vtkglGetIntegerv(GL_VIEWPORT, this->Viewport);
 }
 
 //------------------------------------------------------------------------------

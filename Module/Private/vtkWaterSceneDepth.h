@@ -5,12 +5,13 @@
 #define vtkWaterSceneDepth_h
 
 class vtkOpenGLRenderWindow;
+class vtkOpenGLState;
 
 class vtkWaterSceneDepth
 {
 public:
-  // Looks at what is bound for drawing now. viewport: the picture's place in it, x and y in pixels.
-  void Find(const int viewport[4]);
+  // Looks at what is bound for drawing now; the viewport is the picture's place in it.
+  void Find(vtkOpenGLState* state);
 
   // Is there a texture with one sample a pixel?
   bool IsThere() const { return this->Texture != 0; }
@@ -21,11 +22,13 @@ public:
   int Activate(vtkOpenGLRenderWindow* window);
   void Deactivate();
 
-  const int* GetOrigin() const { return this->Origin; }
+  // Of the picture in it, in pixels.
+  const int* GetOrigin() const { return this->Viewport; }
+  const int* GetSize() const { return this->Viewport + 2; }
 
 private:
   unsigned int Texture = 0;
-  int Origin[2] = { 0, 0 };
+  int Viewport[4] = { 0, 0, 0, 0 };
   int Unit = -1;
   vtkOpenGLRenderWindow* Window = nullptr;
 };

@@ -16,6 +16,7 @@
 #include "vtkWaterSkyFS.h"
 #include "vtkWaterUniforms.h"
 #include "vtkWaterViewFS.h"
+#include "water_seen.h"
 
 #include <algorithm>
 #include <vector>
@@ -115,6 +116,36 @@ void vtkWaterScreen::DrawSky(vtkRenderer* renderer, const water_plan& plan)
 }
 
 //------------------------------------------------------------------------------
+void vtkWaterScreen::DrawCovers(vtkOpenGLRenderWindow* window, const water_plan& plan,
+  vtkWaterSceneDepth& sceneDepth, const int rect_px[4], int cell_px)
+{
+  vtkShaderProgram* program = this->Mask->Program;
+  program->SetUniformi("waterSceneDepth", sceneDepth.Activate(window));
+  const int* size = sceneDepth.GetSize();
+  const int corner[2] = { sceneDepth.GetOrigin()[0] + size[0] - 1, sceneDepth.GetOrigin()[1] };
+  const int last[2] = { size[0] - 1, size[1] - 1 };
+  const float pixel[2] = { 2.0f / static_cast<float>(size[0]), 2.0f / static_cast<float>(size[1]) };
+  int viewport[4];
+  window->GetState()->vtkglGetIntegerv(GL_VIEWPORT, viewport);
+  const float count[2] = { static_cast<float>(viewport[2]), static_cast<float>(viewport[3]) };
+  water_seen_walk walk;
+  water_seen_walk_of(plan.texture_px, rect_px, size, cell_px, &walk);
+  const float first[2] = { static_cast<float>(walk.first[0]), static_cast<float>(walk.first[1]) };
+  const float step[2] = { static_cast<float>(walk.step[0]), static_cast<float>(walk.step[1]) };
+  program->SetUniform2i("waterSceneCorner", corner);
+  program->SetUniform2i("waterLastPixel", last);
+  program->SetUniform2f("waterPixel", pixel);
+  program->SetUniform2f("waterCellCount", count);
+  program->SetUniform2f("waterWalkFirst", first);
+  program->SetUniform2f("waterWalkStep", step);
+  program->SetUniform2i("waterWalkSize", walk.size);
+  vtkWaterUniforms::Set4(program, "waterHeightClip", plan.plane_clip);
+  vtkWaterUniforms::Set(program, "waterRounding", plan.mask_rounding);
+  this->Mask->Render();
+  sceneDepth.Deactivate();
+}
+
+//------------------------------------------------------------------------------
 void vtkWaterScreen::DrawMask(
   vtkRenderer* renderer, const water_plan& plan, vtkWaterSceneDepth& sceneDepth)
 {
@@ -132,17 +163,33 @@ void vtkWaterScreen::DrawMask(
   state->vtkglDepthMask(GL_TRUE);
   state->vtkglDepthFunc(GL_ALWAYS);
   state->vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-  vtkShaderProgram* program = this->Mask->Program;
-  program->SetUniformi("waterSceneDepth", sceneDepth.Activate(window));
-  const int corner[2] = { sceneDepth.GetOrigin()[0] + plan.texture_px[0] - 1,
-    sceneDepth.GetOrigin()[1] };
-  program->SetUniform2i("waterSceneCorner", corner);
-  vtkWaterUniforms::Set4(program, "waterHeightClip", plan.plane_clip);
-  vtkWaterUniforms::Set(program, "waterRounding", plan.mask_rounding);
+  const int whole[4] = { 0, 0, plan.texture_px[0], plan.texture_px[1] };
   glDepthRange(0.0, 0.0); // VTK keeps no record of it
-  this->Mask->Render();
+  this->DrawCovers(window, plan, sceneDepth, whole, 1);
   glDepthRange(0.0, 1.0);
-  sceneDepth.Deactivate();
+}
+
+//------------------------------------------------------------------------------
+bool vtkWaterScreen::DrawCells(
+  vtkRenderer* renderer, const water_plan& plan, vtkWaterSceneDepth& sceneDepth)
+{
+  auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
+  if (!Ready(this->Mask, window, vtkWaterMaskFS))
+  {
+    return false;
+  }
+  vtkOpenGLState* state = window->GetState();
+  vtkOpenGLState::ScopedglEnableDisable depthTest(state, GL_DEPTH_TEST);
+  vtkOpenGLState::ScopedglEnableDisable blend(state, GL_BLEND);
+  vtkOpenGLState::ScopedglColorMask colorMask(state);
+  vtkOpenGLState::ScopedglClearColor clearColor(state);
+  state->vtkglDisable(GL_DEPTH_TEST);
+  state->vtkglDisable(GL_BLEND);
+  state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  state->vtkglClearColor(1.0f, 1.0f, 1.0f, 1.0f);
+  state->vtkglClear(GL_COLOR_BUFFER_BIT);
+  this->DrawCovers(window, plan, sceneDepth, plan.texture_rect_px, WATER_SEEN_CELL_PX);
+  return true;
 }
 
 //------------------------------------------------------------------------------

@@ -29,6 +29,10 @@ public:
   // Closes the pixels of the bound map that no visible water looks up.
   void DrawMask(vtkRenderer* renderer, const water_plan& plan, vtkWaterSceneDepth& sceneDepth);
 
+  // Fills the bound framebuffer, its viewport set to the cells of the map, a pixel each: black
+  // where no visible water looks anything up, else white. false: it cannot.
+  bool DrawCells(vtkRenderer* renderer, const water_plan& plan, vtkWaterSceneDepth& sceneDepth);
+
   // Draws the picture again as seen through the water, for an eye that is submerged.
   void DrawFog(vtkRenderer* renderer, const water_plan& plan, vtkWaterBackdrop& backdrop,
     const double deepColor[3], const double extinction[3]);
@@ -39,6 +43,9 @@ public:
   void ReleaseGraphicsResources();
 
 private:
+  void DrawCovers(vtkOpenGLRenderWindow* window, const water_plan& plan,
+    vtkWaterSceneDepth& sceneDepth, const int rect_px[4], int cell_px);
+
   std::unique_ptr<vtkOpenGLQuadHelper> Sky;
   std::unique_ptr<vtkOpenGLQuadHelper> Mask;
   std::unique_ptr<vtkOpenGLQuadHelper> Fog;

@@ -87,10 +87,10 @@ TEST(what_is_seen_is_kept_in_its_order)
   {
     random_scene random = scene_rolled(&from, round, center);
     const water_plan plan = plan_of(&random.scene, NULL);
-    water_frustum view;
+    water_pieces_view view;
     water_trend trend;
     memset(&trend, 0, sizeof trend);
-    water_pieces_view(&plan, model_to_world, &view);
+    water_pieces_look(&plan, NULL, model_to_world, &view);
     const size_t count = water_pieces_select(
       &view, terrain->indices, TRIANGLES, terrain->boxes, false, &trend, terrain->drawn);
     assert_int_equal(count % 3, 0);
@@ -147,10 +147,10 @@ TEST(points_of_both_kinds_and_without_an_end)
     assert_true(water_pieces_bound(&points[i], 3, indices, 1, boxes));
     const double expected[6] = { 0, huge, 0, 1, 0, 2 };
     assert_memory_equal(boxes[0], expected, sizeof expected);
-    water_frustum nothing;
+    water_pieces_view nothing;
     memset(&nothing, 0, sizeof nothing);
-    nothing.planes[0][3] = -1.0; // nothing is inside
-    water_frustum_prepare(&nothing);
+    nothing.frustum.planes[0][3] = -1.0; // nothing is inside
+    water_frustum_prepare(&nothing.frustum);
     assert_int_equal(water_pieces_select(&nothing, indices, 1, boxes, false, &trend, drawn), 3);
     boxes[0][1] = 5.0;
     assert_int_equal(water_pieces_select(&nothing, indices, 1, boxes, false, &trend, drawn), 0);
@@ -174,10 +174,10 @@ TEST(backwards_is_the_order_backwards)
   {
     random_scene random = scene_rolled(&from, round, center);
     const water_plan plan = plan_of(&random.scene, NULL);
-    water_frustum view;
+    water_pieces_view view;
     water_trend trends[2];
     memset(trends, 0, sizeof trends);
-    water_pieces_view(&plan, model_to_world, &view);
+    water_pieces_look(&plan, NULL, model_to_world, &view);
     const size_t count = water_pieces_select(
       &view, terrain->indices, TRIANGLES, terrain->boxes, false, &trends[0], terrain->drawn);
     assert_int_equal(count,
@@ -218,10 +218,10 @@ TEST(the_trend_says_which_end_is_near)
     look_at(eye, target, up, scene.eye.world_to_view);
     memcpy(scene.surface_bounds, wide, sizeof wide);
     const water_plan plan = plan_of(&scene, NULL);
-    water_frustum view;
+    water_pieces_view view;
     water_trend trend;
     memset(&trend, 0, sizeof trend);
-    water_pieces_view(&plan, model_to_world, &view);
+    water_pieces_look(&plan, NULL, model_to_world, &view);
     (void)water_pieces_select(
       &view, terrain->indices, TRIANGLES, terrain->boxes, false, &trend, terrain->drawn);
     const int away = side % 2 ? trend.nearer_steps : trend.farther_steps;

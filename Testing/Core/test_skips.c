@@ -305,76 +305,121 @@ TEST(map_is_used_again_only_for_the_same)
   assert_int_equal(plan.decision, WATER_NO_REFLECT_HIDDEN);
 }
 
-// The next map waits when the water was hidden, or when a mask closes enough of its rectangle: on a
-// GPU nearly any part, on the processor most of it or with many draws.
+// A hundred boxes over a pool.
+static void crowd(water_prop props[100])
+{
+  for (int i = 0; i < 100; ++i)
+  {
+    const water_prop box = { { -1, 1, -1, 1, 1, 2 }, WATER_PROP_VISIBLE, 0.0f };
+    props[i] = box;
+  }
+}
+
+// The next map waits when the water was hidden, or when it pays to know what of it is seen: when
+// less is than nine tenths of its rectangle.
 TEST(map_waits_when_it_pays)
 {
   UNUSED;
   water_scene scene = pool(5.0); // 400 x 300 pixels of 800 x 600, 2 texels more on each side
+  water_prop props[100];
+  water_fate fates[100];
+  crowd(props);
   scene.is_flat = true;
-  const water_plan gpu = plan_of(&scene, NULL);
-  scene.is_software = true;
-  const water_plan software = plan_of(&scene, NULL);
+  scene.props = props;
   const double whole = 404.0 * 304.0;
-  assert_int_equal(gpu.texture_rect_px[2] * gpu.texture_rect_px[3], (int)whole);
   const struct
   {
-    const water_plan* last;
-    double share;
-    size_t drawn;
-    bool waits;
-  } cases[] = { { &gpu, 0.85, 1, true }, { &gpu, 0.95, 1, false }, { &software, 0.25, 1, true },
-    { &software, 0.35, 1, false }, { &software, 0.85, 64, true }, { &software, 0.95, 64, false } };
+    bool is_software;
+    size_t prop_count;
+    double texture_scale;
+    bool can_wait;
+  } cases[] = { { false, 0, 1.0, true }, { false, 0, 0.5, false }, { false, 100, 0.5, true },
+    { true, 0, 1.0, true }, { true, 0, 0.5, true }, { true, 0, 0.2, false },
+    { false, 100, 0.2, false } };
   for (size_t i = 0; i < sizeof cases / sizeof cases[0]; ++i)
   {
-    assert_int_equal(water_plan_should_wait(
-                       cases[i].last, cases[i].share * whole, cases[i].drawn, WATER_MAY_SKIP_ALL),
-      cases[i].waits);
-    assert_false(water_plan_should_wait(cases[i].last, cases[i].share * whole, cases[i].drawn,
-      WATER_MAY_SKIP_ALL & ~(unsigned)WATER_MAY_SKIP_PIXELS));
+    scene.is_software = cases[i].is_software;
+    scene.prop_count = cases[i].prop_count;
+    scene.texture_scale = cases[i].texture_scale;
+    const water_plan last = plan_of(&scene, fates);
+    assert_int_equal(
+      water_plan_should_wait(&last, 0.85 * whole, WATER_MAY_SKIP_ALL), cases[i].can_wait);
+    assert_false(water_plan_should_wait(&last, 0.95 * whole, WATER_MAY_SKIP_ALL));
+    assert_false(water_plan_should_wait(
+      &last, 0.85 * whole, WATER_MAY_SKIP_ALL & ~(unsigned)WATER_MAY_SKIP_PIXELS));
   }
   // hidden: whatever the map was, unless that may not be skipped
   water_plan none;
   memset(&none, 0, sizeof none);
-  assert_true(water_plan_should_wait(&none, 0.0, 0, WATER_MAY_SKIP_ALL));
-  assert_false(water_plan_should_wait(&none, 1.0, 0, WATER_MAY_SKIP_ALL));
+  assert_true(water_plan_should_wait(&none, 0.0, WATER_MAY_SKIP_ALL));
+  assert_false(water_plan_should_wait(&none, 1.0, WATER_MAY_SKIP_ALL));
   assert_false(
-    water_plan_should_wait(&none, 0.0, 0, WATER_MAY_SKIP_ALL & ~(unsigned)WATER_MAY_SKIP_HIDDEN));
+    water_plan_should_wait(&none, 0.0, WATER_MAY_SKIP_ALL & ~(unsigned)WATER_MAY_SKIP_HIDDEN));
   // waves look up other pixels than their own
   scene.has_waves = true;
   scene.is_software = false;
-  const water_plan waves = plan_of(&scene, NULL);
-  assert_false(water_plan_should_wait(&waves, 1.0, 1, WATER_MAY_SKIP_ALL));
+  scene.texture_scale = 1.0;
+  const water_plan waves = plan_of(&scene, fates);
+  assert_false(water_plan_should_wait(&waves, 1.0, WATER_MAY_SKIP_ALL));
 }
 
-// A mask is for flat, calm water at the picture's own scale, in a view that has changed.
-TEST(mask_is_made_only_where_pixels_are_the_same)
+// What is seen of the map is found out for flat, calm water whose picture is at hand, in a view
+// that has changed: as a mask for a map with the picture's pixels on a GPU, as cells in software or
+// for many draws.
+TEST(what_is_seen_is_found_out_where_it_can_be)
 {
   UNUSED;
-  water_scene scene = lake();
+  water_scene scene = pool(5.0);
+  water_prop props[100];
+  water_fate fates[100];
+  crowd(props);
+  scene.props = props;
   scene.is_flat = true;
   scene.has_scene_depth = true;
-  const water_plan masked = plan_of(&scene, NULL);
-  assert_true(masked.has_mask);
-  for (int i = 0; i < 5; ++i)
+  const unsigned no_draws = WATER_MAY_SKIP_PROPS | WATER_MAY_SKIP_PIECES;
+  const struct
   {
-    water_scene other = scene;
-    other.is_flat = i != 0;
-    other.has_scene_depth = i != 1;
-    other.has_waves = i == 2;
-    other.texture_scale = i == 3 ? 0.5 : 1.0;
-    other.skips =
-      i == 4 ? WATER_MAY_SKIP_ALL & ~(unsigned)WATER_MAY_SKIP_PIXELS : WATER_MAY_SKIP_ALL;
-    assert_false(plan_of(&other, NULL).has_mask);
+    bool is_software;
+    size_t prop_count;
+    double texture_scale;
+    unsigned off; // skips
+    bool has_mask;
+    bool has_seen;
+  } cases[] = { { false, 63, 1.0, 0, true, false }, { false, 64, 1.0, 0, true, true },
+    { false, 64, 0.5, 0, false, true }, { false, 63, 0.5, 0, false, false },
+    { true, 0, 1.0, 0, false, true }, { true, 0, 0.5, 0, false, true },
+    { true, 64, 0.2, 0, false, false }, { false, 64, 1.0, WATER_MAY_SKIP_PIXELS, false, false },
+    { false, 64, 1.0, no_draws, true, false }, { true, 64, 1.0, no_draws, false, false } };
+  for (size_t i = 0; i < sizeof cases / sizeof cases[0]; ++i)
+  {
+    scene.is_software = cases[i].is_software;
+    scene.prop_count = cases[i].prop_count;
+    scene.texture_scale = cases[i].texture_scale;
+    scene.skips = WATER_MAY_SKIP_ALL & ~cases[i].off;
+    const water_plan plan = plan_of(&scene, fates);
+    assert_int_equal(plan.has_mask, cases[i].has_mask);
+    assert_int_equal(plan.has_seen, cases[i].has_seen);
+    for (int j = 0; j < 3; ++j)
+    {
+      water_scene other = scene;
+      other.is_flat = j != 0;
+      other.has_scene_depth = j != 1;
+      other.has_waves = j == 2;
+      const water_plan none = plan_of(&other, fates);
+      assert_false(none.has_mask || none.has_seen);
+    }
+    // such a map serves once; the next of the same view is whole, and can be used again
+    if (cases[i].has_mask || cases[i].has_seen)
+    {
+      water_plan again = plan;
+      water_plan_reuse(&plan, true, WATER_MAY_SKIP_ALL, &again);
+      assert_int_equal(again.decision, WATER_REFLECT);
+      assert_false(again.has_mask || again.has_seen);
+      water_plan next = plan;
+      water_plan_reuse(&again, true, WATER_MAY_SKIP_ALL, &next);
+      assert_int_equal(next.decision, WATER_REUSE);
+    }
   }
-  // a map with a mask serves once; the next of the same view has none, and can be used again
-  water_plan plan = masked;
-  water_plan_reuse(&masked, true, WATER_MAY_SKIP_ALL, &plan);
-  assert_int_equal(plan.decision, WATER_REFLECT);
-  assert_false(plan.has_mask);
-  water_plan next = masked;
-  water_plan_reuse(&plan, true, WATER_MAY_SKIP_ALL, &next);
-  assert_int_equal(next.decision, WATER_REUSE);
 }
 
 int main(void)
@@ -390,7 +435,7 @@ int main(void)
     RUN(waves_look_nothing_up_beyond_their_reach),
     RUN(map_is_used_again_only_for_the_same),
     RUN(map_waits_when_it_pays),
-    RUN(mask_is_made_only_where_pixels_are_the_same),
+    RUN(what_is_seen_is_found_out_where_it_can_be),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// water_seen.c: step 4: which cells of the map visible water looks up.
+#include "water_seen.h"
+
+#include "water_math.h"
+#include "water_select.h"
+
+// The GPU places a vertex, and the surface its lookup, to a fraction of a pixel.
+static const double rounding_px = 1.0;
+
+void water_seen_size(const int rect_px[4], int size[2])
+{
+  for (int i = 0; i < 2; ++i)
+  {
+    size[i] = (rect_px[2 + i] + WATER_SEEN_CELL_PX - 1) / WATER_SEEN_CELL_PX;
+  }
+}
+
+void water_seen_walk_of(const int texture_px[2], const int rect_px[4], const int viewport_px[2],
+  int cell_px, water_seen_walk* walk)
+{
+  for (int i = 0; i < 2; ++i)
+  {
+    const double ratio = (double)viewport_px[i] / texture_px[i];
+    // a pixel between four texels looks up all of them
+    const double filter = texture_px[i] == viewport_px[i] ? 0.0 : 0.5 * ratio + 0.5;
+    walk->first[i] = rect_px[i] * ratio - filter;
+    walk->step[i] = cell_px * ratio;
+    walk->size[i] = (int)ceil(walk->step[i] + 2.0 * filter) + (filter > 0.0);
+  }
+}
+
+void water_seen_sum(water_seen* seen, const uint8_t* cells, size_t stride)
+{
+  const size_t width = (size_t)seen->size[0];
+  const size_t height = (size_t)seen->size[1];
+  memset(seen->counts, 0, (width + 1) * sizeof *seen->counts);
+  for (size_t y = 0; y < height; ++y)
+  {
+    const uint32_t* below = seen->counts + y * (width + 1);
+    uint32_t* row = seen->counts + (y + 1) * (width + 1);
+    uint32_t count = 0;
+    row[0] = 0;
+    for (size_t x = 0; x < width; ++x)
+    {
+      count += cells[stride * (y * width + x)] != 0;
+      row[x + 1] = below[x + 1] + count;
+    }
+  }
+}
+
+bool water_seen_meets(
+  const water_seen* seen, const double to_clip[16], const double bounds[6], double reach_px)
+{
+  double low[2] = { DBL_MAX, DBL_MAX };
+  double high[2] = { -DBL_MAX, -DBL_MAX };
+  for (int number = 0; number < 8; ++number)
+  {
+    double corner[3];
+    double clip[4];
+    water_bounds_corner(bounds, number, corner);
+    water_mat4_apply_point(to_clip, corner, clip);
+    const double place[2] = { clip[0] / clip[3], clip[1] / clip[3] };
+    if (!(clip[3] > 0.0) || !water_all_finite(place, 2))
+    {
+      return true; // about the eye
+    }
+    for (int i = 0; i < 2; ++i)
+    {
+      low[i] = fmin(low[i], place[i]);
+      high[i] = fmax(high[i], place[i]);
+    }
+  }
+  size_t first[2];
+  size_t end[2];
+  for (int i = 0; i < 2; ++i)
+  {
+    // in cells, from the rectangle's corner
+    const double reach = reach_px + rounding_px;
+    const double from =
+      (0.5 * (1.0 + low[i]) * seen->texture_px[i] - reach - seen->rect_px[i]) / WATER_SEEN_CELL_PX;
+    const double to =
+      (0.5 * (1.0 + high[i]) * seen->texture_px[i] + reach - seen->rect_px[i]) / WATER_SEEN_CELL_PX;
+    if (!(to > 0.0) || !(from < seen->size[i]))
+    {
+      return false;
+    }
+    first[i] = (size_t)fmax(from, 0.0);
+    end[i] = (size_t)ceil(fmin(to, seen->size[i]));
+  }
+  const size_t width = (size_t)seen->size[0] + 1;
+  const uint32_t* top = seen->counts + end[1] * width;
+  const uint32_t* bottom = seen->counts + first[1] * width;
+  return top[end[0]] - top[first[0]] != bottom[end[0]] - bottom[first[0]];
+}
+
+void water_seen_select(const water_seen* seen, const water_camera* mirrored,
+  const water_prop* props, size_t prop_count, unsigned skips, water_fate* fates)
+{
+  double world_to_clip[16];
+  water_mat4_multiply(mirrored->view_to_clip, mirrored->world_to_view, world_to_clip);
+  for (size_t i = 0; i < prop_count && (skips & WATER_MAY_SKIP_PROPS); ++i)
+  {
+    if (fates[i] == WATER_DRAW && !water_select_is_unbounded(props + i) &&
+      !water_seen_meets(seen, world_to_clip, props[i].bounds, 0.5 * (double)props[i].width_px))
+    {
+      fates[i] = WATER_SKIP_OUT_OF_WATER;
+    }
+  }
+}

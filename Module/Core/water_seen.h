@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// water_seen.h: step 4: which parts of the map visible water looks up, in square cells of pixels.
+// That is known once the eye's picture is there, and leaves out what only hidden water would
+// reflect.
+#ifndef water_seen_h
+#define water_seen_h
+
+#include "water_types.h"
+
+#ifdef __cplusplus
+extern "C"
+{
+#endif
+
+enum
+{
+  WATER_SEEN_CELL_PX = 8 // a side of a cell
+};
+
+typedef struct water_seen
+{
+  int texture_px[2];
+  int rect_px[4];   // of the map, what the cells cover: x, y, width, height
+  int size[2];      // cells per axis; the last of an axis may reach over the rectangle
+  uint32_t* counts; // room for (size[0] + 1) * (size[1] + 1), rows of x: how many cells below and
+                    // to the left of a corner are looked up (Crow 1984, "Summed-area tables for
+                    // texture mapping")
+} water_seen;
+
+// Which pixels of the eye's picture, flipped in x as the map is, to go through for a cell: size of
+// them from floor(first + step * cell) on; as many as look up any pixel of the cell.
+typedef struct water_seen_walk
+{
+  double first[2];
+  double step[2];
+  int size[2];
+} water_seen_walk;
+
+// cell_px      a side of a cell, in pixels of the map
+// viewport_px  size of the eye's picture
+void water_seen_walk_of(const int texture_px[2], const int rect_px[4], const int viewport_px[2],
+  int cell_px, water_seen_walk* walk);
+
+// How many cells a rectangle of pixels has, per axis.
+void water_seen_size(const int rect_px[4], int size[2]);
+
+// Fills the counts.
+//
+// cells   rows of size[0]; 0: no pixel of the cell is looked up
+// stride  from cell to cell, >= 1
+void water_seen_sum(water_seen* seen, const uint8_t* cells, size_t stride);
+
+// May a box have a pixel in a cell that is looked up? Conservative.
+//
+// to_clip   from the box's space to the map's clip space
+// reach_px  how far its picture reaches beyond it, >= 0
+bool water_seen_meets(
+  const water_seen* seen, const double to_clip[16], const double bounds[6], double reach_px);
+
+// Gives props that were to be drawn, but cannot be seen, the fate WATER_SKIP_OUT_OF_WATER.
+//
+// skips  of the scene; without WATER_MAY_SKIP_PROPS nothing is done
+void water_seen_select(const water_seen* seen, const water_camera* mirrored,
+  const water_prop* props, size_t prop_count, unsigned skips, water_fate* fates);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkWaterSeen: finds out which cells of the map visible water looks up (water_seen.h): draws a
+// pixel for each and reads them back.
+#ifndef vtkWaterSeen_h
+#define vtkWaterSeen_h
+
+#include "vtkSmartPointer.h"
+#include "water_plan.h"
+#include "water_seen.h"
+
+#include <cstdint>
+#include <vector>
+
+class vtkOpenGLFramebufferObject;
+class vtkRenderer;
+class vtkTextureObject;
+class vtkWaterSceneDepth;
+class vtkWaterScreen;
+class vtkWindow;
+
+class vtkWaterSeen
+{
+public:
+  // Returns nullptr when it cannot be found out: anything may be looked up.
+  const water_seen* Find(vtkRenderer* renderer, const water_plan& plan, vtkWaterScreen& screen,
+    vtkWaterSceneDepth& sceneDepth);
+
+  void ReleaseGraphicsResources(vtkWindow* window);
+
+private:
+  bool Ensure(vtkRenderer* renderer);
+
+  vtkSmartPointer<vtkTextureObject> Color;
+  vtkSmartPointer<vtkOpenGLFramebufferObject> Framebuffer;
+  std::vector<uint8_t> Pixels; // RGBA of each cell
+  std::vector<uint32_t> Counts;
+  water_seen Seen{};
+};
+
+#endif

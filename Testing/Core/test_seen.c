@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// test_seen.c: which cells of the map visible water looks up: nothing that has a pixel in one is
+// left out, and what has none is.
+#include "test_scene.h"
+
+#include "water_math.h"
+#include "water_plan.h"
+#include "water_seen.h"
+
+enum
+{
+  CELLS = 60 * 40,
+  CORNERS = 61 * 41
+};
+
+// A fifth of the cells of a plan's rectangle is looked up, the rest is not.
+static void seen_rolled(
+  dice* from, const water_plan* plan, uint8_t* cells, uint32_t* counts, water_seen* seen)
+{
+  memcpy(seen->texture_px, plan->texture_px, sizeof seen->texture_px);
+  memcpy(seen->rect_px, plan->texture_rect_px, sizeof seen->rect_px);
+  water_seen_size(seen->rect_px, seen->size);
+  assert_in_range(seen->size[0], 1, 60);
+  assert_in_range(seen->size[1], 1, 40);
+  for (int i = 0; i < seen->size[0] * seen->size[1]; ++i)
+  {
+    cells[i] = dice_roll(from, 0.0, 1.0) < 0.2 ? 255 : 0;
+  }
+  seen->counts = counts;
+  water_seen_sum(seen, cells, 1);
+}
+
+TEST(cells_cover_their_rectangle)
+{
+  UNUSED;
+  const int rects[3][4] = { { 3, 4, 1, 16 }, { 0, 0, 17, 32 }, { 5, 5, 800, 600 } };
+  const int expected[3][2] = { { 1, 1 }, { 2, 2 }, { 50, 38 } };
+  for (int i = 0; i < 3; ++i)
+  {
+    int size[2];
+    water_seen_size(rects[i], size);
+    assert_memory_equal(size, expected[i], sizeof size);
+  }
+}
+
+// Every count is that of the cells below and to the left, one by one; a stride passes others by.
+TEST(counts_are_sums)
+{
+  UNUSED;
+  const uint8_t cells[2 * 3 * 4] = { 0, 9, 9, 9, 7, 9, 9, 9, 0, 9, 9, 9, 1, 0, 0, 0, 0, 0, 0, 0,
+    255, 0, 0, 0 };
+  const uint32_t expected[12] = { 0, 0, 0, 0, 0, 0, 1, 1, 0, 1, 2, 3 };
+  uint32_t counts[12];
+  water_seen seen = { { 48, 32 }, { 0, 0, 48, 32 }, { 3, 2 }, counts };
+  water_seen_sum(&seen, cells, 4);
+  assert_memory_equal(counts, expected, sizeof expected);
+}
+
+// Of random boxes in random views: one with a point in a cell that is looked up is kept, and most
+// others are not.
+TEST(what_is_seen_is_kept)
+{
+  UNUSED;
+  const double center[3] = { 0.0, 0.0, 0.0 };
+  dice from = dice_seeded(70);
+  static uint8_t cells[CELLS];
+  static uint32_t counts[CORNERS];
+  int kept = 0;
+  int seen_count = 0;
+  for (int round = 0; round < 3000; ++round)
+  {
+    random_scene random = scene_rolled(&from, round, center);
+    random.scene.viewport_px[0] = 640;
+    random.scene.viewport_px[1] = 480;
+    const water_plan plan = plan_of(&random.scene, NULL);
+    water_seen seen;
+    seen_rolled(&from, &plan, cells, counts, &seen);
+    water_prop prop = { { 0.0 }, WATER_PROP_VISIBLE, 0.0f };
+    double middle[3];
+    point_near(&from, &random, 10.0, middle);
+    for (int i = 0; i < 3; ++i)
+    {
+      const double half = dice_roll(&from, 0.0, 0.3);
+      prop.bounds[2 * i] = middle[i] - half;
+      prop.bounds[2 * i + 1] = middle[i] + half;
+    }
+    water_fate fate = WATER_DRAW;
+    water_seen_select(&seen, &plan.mirrored, &prop, 1, WATER_MAY_SKIP_ALL, &fate);
+    assert_true(fate == WATER_DRAW || fate == WATER_SKIP_OUT_OF_WATER);
+    bool is_seen = false;
+    for (int number = 0; number < 64 && !is_seen; ++number)
+    {
+      double point[3];
+      double clip[4];
+      for (int i = 0; i < 3; ++i)
+      {
+        const double part = ((number >> (2 * i)) & 3) / 3.0;
+        point[i] = (1.0 - part) * prop.bounds[2 * i] + part * prop.bounds[2 * i + 1];
+      }
+      project(&plan.mirrored, point, 1.0, clip);
+      const int* rect = plan.texture_rect_px;
+      const double x = 0.5 * (1.0 + clip[0] / clip[3]) * plan.texture_px[0] - rect[0];
+      const double y = 0.5 * (1.0 + clip[1] / clip[3]) * plan.texture_px[1] - rect[1];
+      const int column = (int)floor(x / WATER_SEEN_CELL_PX);
+      const int row = (int)floor(y / WATER_SEEN_CELL_PX);
+      is_seen = clip[3] > 0.0 && x >= 0.0 && x < rect[2] && y >= 0.0 && y < rect[3] &&
+        cells[row * seen.size[0] + column] != 0;
+    }
+    assert_true(fate == WATER_DRAW || !is_seen);
+    seen_count += is_seen;
+    kept += fate == WATER_DRAW;
+  }
+  print_message("seen %d, kept %d of 3000 boxes\n", seen_count, kept);
+  assert_in_range(seen_count, 150, 2000);
+  assert_in_range(kept, seen_count, 2400);
+}
+
+// Without the skip, without bounds, about the eye: drawn. Wide points reach into the next cell.
+TEST(what_cannot_be_told_is_drawn)
+{
+  UNUSED;
+  water_scene scene = lake();
+  const water_plan plan = plan_of(&scene, NULL);
+  uint8_t cells[CELLS] = { 0 };
+  uint32_t counts[CORNERS];
+  water_seen seen = { { 800, 600 }, { 0, 0, 800, 600 }, { 50, 38 }, counts };
+  water_seen_sum(&seen, cells, 1);
+  water_prop props[3] = { { { -1, 1, 4, 5, 1, 2 }, WATER_PROP_VISIBLE, 0.0f },
+    { { 0, 0, 0, 0, 0, (double)NAN }, WATER_PROP_VISIBLE, 0.0f },
+    { { -20, 20, -20, 20, -20, 20 }, WATER_PROP_VISIBLE, 0.0f } };
+  water_fate fates[3] = { WATER_DRAW, WATER_DRAW, WATER_DRAW };
+  water_seen_select(
+    &seen, &plan.mirrored, props, 3, WATER_MAY_SKIP_ALL & ~(unsigned)WATER_MAY_SKIP_PROPS, fates);
+  assert_int_equal(fates[0], WATER_DRAW);
+  water_seen_select(&seen, &plan.mirrored, props, 3, WATER_MAY_SKIP_ALL, fates);
+  assert_int_equal(fates[0], WATER_SKIP_OUT_OF_WATER);
+  assert_int_equal(fates[1], WATER_DRAW);
+  assert_int_equal(fates[2], WATER_DRAW);
+
+  // a dot in the middle of the picture, and the cell that begins 32 pixels beside it
+  const double to_clip[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 };
+  const double dot[6] = { 0, 0, 0, 0, 0, 0 };
+  cells[18 * 50 + 27] = 1; // from (432, 288)
+  water_seen_sum(&seen, cells, 1);
+  assert_false(water_seen_meets(&seen, to_clip, dot, 30.0));
+  assert_true(water_seen_meets(&seen, to_clip, dot, 32.0));
+  // beside the picture
+  const double beside[6] = { 1.5, 2.0, 0, 0, 0, 0 };
+  assert_false(water_seen_meets(&seen, to_clip, beside, 0.0));
+}
+
+// Every pixel of the picture asks for the texels around its place in the map; the cells of all of
+// them must go through it.
+TEST(cells_go_through_all_that_look_them_up)
+{
+  UNUSED;
+  dice from = dice_seeded(71);
+  for (int round = 0; round < 2000; ++round)
+  {
+    const int picture = (int)dice_roll(&from, 20.0, 300.0);
+    const int map = round % 4 ? (int)dice_roll(&from, picture / 4.0, 2.0 * picture) : picture;
+    const int corner = (int)dice_roll(&from, 0.0, map / 2.0);
+    const int texture_px[2] = { map, map };
+    const int viewport_px[2] = { picture, picture };
+    const int rect_px[4] = { corner, corner, map - corner, map - corner };
+    water_seen_walk walk;
+    water_seen_walk_of(texture_px, rect_px, viewport_px, WATER_SEEN_CELL_PX, &walk);
+    for (int pixel = 0; pixel < picture; ++pixel)
+    {
+      const double place = (pixel + 0.5) * map / picture - 0.5; // in texels' middles
+      for (int side = 0; side < (map == picture ? 1 : 2); ++side)
+      {
+        const int texel = (int)floor(place + 1e-9) + side;
+        const int cell = (texel - corner) / WATER_SEEN_CELL_PX;
+        const int begin = (int)floor(walk.first[0] + walk.step[0] * cell);
+        assert_true(
+          texel < corner || texel >= map || (pixel >= begin && pixel < begin + walk.size[0]));
+      }
+    }
+    assert_in_range(walk.size[1], 1, (int)(walk.step[1] + 2.0 * picture / map + 5.0));
+  }
+}
+
+int main(void)
+{
+  const struct CMUnitTest tests[] = {
+    RUN(cells_cover_their_rectangle),
+    RUN(counts_are_sums),
+    RUN(what_is_seen_is_kept),
+    RUN(what_cannot_be_told_is_drawn),
+    RUN(cells_go_through_all_that_look_them_up),
+  };
+  return cmocka_run_group_tests(tests, NULL, NULL);
+}
