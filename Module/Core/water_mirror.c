@@ -60,33 +60,35 @@ static void far_plane(const double world_to_clip[16], double scale, double beyon
   }
 }
 
-double water_mirror_reach(
-  const water_prop* props, size_t prop_count, const water_fate* fates, water_camera* mirrored)
+void water_mirror_reach_begin(const water_camera* mirrored, water_reach* reach)
 {
-  double world_to_clip[16];
+  double* world_to_clip = reach->world_to_clip;
   water_mat4_multiply(mirrored->view_to_clip, mirrored->world_to_view, world_to_clip);
   // z' = s (z + w) - w keeps the near plane z + w = 0 for every s; a point lies before the new far
   // plane, at z' = (1 - margin) w, for s = (2 - margin) w / (z + w), so the smallest s of all
   // corners takes them all in.
-  double scale = 1.0;
-  double beyond[4];
-  double sizes[4]; // of what the far plane is made of
-  far_plane(world_to_clip, scale, beyond);
+  reach->scale = 1.0;
+  far_plane(world_to_clip, reach->scale, reach->beyond);
   for (int j = 0; j < 4; ++j)
   {
-    sizes[j] = fabs(world_to_clip[8 + j]) + 2.0 * fabs(world_to_clip[12 + j]);
+    reach->sizes[j] = fabs(world_to_clip[8 + j]) + 2.0 * fabs(world_to_clip[12 + j]);
   }
+}
+
+void water_mirror_reach_add(
+  const water_prop* props, size_t prop_count, const water_fate* fates, water_reach* reach)
+{
   for (size_t i = 0; i < prop_count; ++i)
   {
     const double* bounds = props[i].bounds;
-    double farthest = beyond[3]; // of all corners
-    double size = sizes[3];
+    double farthest = reach->beyond[3]; // of all corners
+    double size = reach->sizes[3];
     for (int j = 0; j < 3; ++j)
     {
       const double low = fabs(bounds[2 * j]);
       const double high = fabs(bounds[2 * j + 1]);
-      farthest += beyond[j] * bounds[2 * j + (beyond[j] > 0.0)];
-      size += sizes[j] * (low > high ? low : high);
+      farthest += reach->beyond[j] * bounds[2 * j + (reach->beyond[j] > 0.0)];
+      size += reach->sizes[j] * (low > high ? low : high);
     }
     // Most props are before the far plane by more than rounding (water_select.c): none of their
     // corners would change the scale. Fates are less foreseeable, to a processor, too.
@@ -100,23 +102,23 @@ double water_mirror_reach(
       double point[3];
       water_bounds_corner(bounds, corner, point);
       double clip[4];
-      water_mat4_apply_point(world_to_clip, point, clip);
+      water_mat4_apply_point(reach->world_to_clip, point, clip);
       if (clip[3] > 0.0 && clip[2] > -clip[3])
       {
-        scale = fmin(scale, (2.0 - far_margin) * clip[3] / (clip[2] + clip[3]));
+        reach->scale = fmin(reach->scale, (2.0 - far_margin) * clip[3] / (clip[2] + clip[3]));
       }
     }
-    far_plane(world_to_clip, scale, beyond);
+    far_plane(reach->world_to_clip, reach->scale, reach->beyond);
   }
-  if (scale < 1.0)
+}
+
+void water_mirror_reach_apply(const water_reach* reach, water_camera* mirrored)
+{
+  double* clip = mirrored->view_to_clip;
+  for (int j = 0; j < 4 && reach->scale < 1.0; ++j)
   {
-    double* clip = mirrored->view_to_clip;
-    for (int j = 0; j < 4; ++j)
-    {
-      clip[8 + j] = scale * (clip[8 + j] + clip[12 + j]) - clip[12 + j];
-    }
+    clip[8 + j] = reach->scale * (clip[8 + j] + clip[12 + j]) - clip[12 + j];
   }
-  return scale;
 }
 
 void water_mirror_pose(

@@ -21,14 +21,27 @@ extern "C"
 // Mirrors a camera at a normalised plane. The sign of the normal does not matter.
 void water_mirror_camera(const water_camera* eye, const water_plane* plane, water_camera* mirrored);
 
-// Moves the far plane of a camera away until the drawn props lie before it; the near plane and the
-// picture stay where they are. Does nothing when they do already.
+// How far the far plane of a camera must move away for the drawn props to lie before it, by more
+// than rounding; the near plane and the picture stay where they are.
+typedef struct water_reach
+{
+  double world_to_clip[16];
+  double beyond[4]; // the far plane so far, in world: positive beyond it
+  double sizes[4];  // of the numbers that it is made of
+  double scale;     // of the depths: a window depth z becomes scale * z
+} water_reach;
+
+// Until props are added, the far plane stays.
+void water_mirror_reach_begin(const water_camera* mirrored, water_reach* reach);
+
+// Adds props, some at a time.
 //
 // fates  of water_select_props; only WATER_DRAW counts
-//
-// Returns by what the depths were scaled: a window depth z becomes scale * z.
-double water_mirror_reach(
-  const water_prop* props, size_t prop_count, const water_fate* fates, water_camera* mirrored);
+void water_mirror_reach_add(
+  const water_prop* props, size_t prop_count, const water_fate* fates, water_reach* reach);
+
+// Moves the far plane.
+void water_mirror_reach_apply(const water_reach* reach, water_camera* mirrored);
 
 // Widens the frustum of a mirrored camera: its present picture becomes the part map_scale of the
 // new one, per axis, about the middle.

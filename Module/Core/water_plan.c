@@ -20,6 +20,9 @@
 static const double seen_share = 0.9;
 static const size_t many_draws = 64;
 
+// The props go through all steps some at a time, while they are in the processor's nearest cache.
+static const size_t props_at_once = 256;
+
 // What is looked up is not asked for maps that are coarser than this: a cell of theirs is too large
 // a part of the picture to go through.
 static const double seen_texture_scale = 0.25;
@@ -170,6 +173,47 @@ static void fill_seen(const water_scene* scene, const water_fate* fates, water_p
   }
 }
 
+// Chooses the props that the map shows, and what depends on them all: their reach and their top.
+// margin: of the clip
+static void fill_props(const water_scene* scene, const water_plane* plane, double margin,
+  water_plan* plan, water_fate* fates, size_t* culprit)
+{
+  water_selection selection;
+  selection.is_off = false;
+  selection.margin = margin;
+  selection.prop_px_min = scene->prop_px_min;
+  memcpy(selection.texture_px, plan->texture_px, sizeof selection.texture_px);
+  water_target_box_of_rect(plan->texture_rect_px, plan->texture_px, selection.box);
+  water_reach reach;
+  water_mirror_reach_begin(&plan->mirrored, &reach);
+  *culprit = scene->prop_count;
+  for (size_t first = 0; first < scene->prop_count; first += props_at_once)
+  {
+    const size_t rest = scene->prop_count - first;
+    const size_t count = rest < props_at_once ? rest : props_at_once;
+    const water_prop* props = scene->props + first;
+    const size_t found =
+      water_select_props(&plan->mirrored, plane, &selection, props, count, fates + first);
+    if (found < count && *culprit == scene->prop_count)
+    {
+      *culprit = first + found;
+    }
+    water_mirror_reach_add(props, count, fates + first, &reach);
+    plan->map_top = fmax(plan->map_top, water_lookup_top(plane, props, count, fates + first));
+    if (!(scene->skips & WATER_MAY_SKIP_PROPS))
+    {
+      // after the reach and the top: rays are to take the same steps with all props and without
+      // some
+      selection.is_off = true;
+      (void)water_select_props(&plan->mirrored, plane, &selection, props, count, fates + first);
+      selection.is_off = false;
+    }
+  }
+  water_mirror_reach_apply(&reach, &plan->mirrored);
+  plan->depth_scale = reach.scale;
+  plan->map_top += scene->wave_height_max; // a ray may start in a trough
+}
+
 // plane: normal towards the eye; plane_view of the plan is set.
 // box: of the picture that the water covers
 static water_status fill_draw(const water_scene* scene, const checked* input,
@@ -196,14 +240,7 @@ static water_status fill_draw(const water_scene* scene, const checked* input,
     water_target_reach(&scene->eye, scene->slope_max, looked_up);
   }
   water_target_rect(looked_up, plan->map_scale, plan->texture_px, plan->texture_rect_px);
-  water_selection selection;
-  selection.is_off = false;
-  selection.margin = margin;
-  selection.prop_px_min = scene->prop_px_min;
-  memcpy(selection.texture_px, plan->texture_px, sizeof selection.texture_px);
-  water_target_box_of_rect(plan->texture_rect_px, plan->texture_px, selection.box);
-  *culprit =
-    water_select_props(&plan->mirrored, plane, &selection, scene->props, scene->prop_count, fates);
+  fill_props(scene, plane, margin, plan, fates, culprit);
   if (!(scene->skips & WATER_MAY_SKIP_PIXELS))
   {
     const int whole[4] = { 0, 0, plan->texture_px[0], plan->texture_px[1] };
@@ -212,17 +249,6 @@ static water_status fill_draw(const water_scene* scene, const checked* input,
   for (int i = 0; i < 4; ++i)
   {
     plan->mask_rounding += 16.0 * (double)FLT_EPSILON * fabs(plan->plane_clip[i]);
-  }
-  plan->depth_scale = water_mirror_reach(scene->props, scene->prop_count, fates, &plan->mirrored);
-  // a ray may start in a trough
-  plan->map_top =
-    water_lookup_top(plane, scene->props, scene->prop_count, fates) + scene->wave_height_max;
-  if (!(scene->skips & WATER_MAY_SKIP_PROPS))
-  {
-    // after the reach and the top: rays are to take the same steps with all props and without some
-    selection.is_off = true;
-    (void)water_select_props(
-      &plan->mirrored, plane, &selection, scene->props, scene->prop_count, fates);
   }
   fill_seen(scene, fates, plan);
   water_mirror_pose(

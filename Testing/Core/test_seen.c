@@ -9,8 +9,8 @@
 
 enum
 {
-  CELLS = 60 * 40,
-  CORNERS = 61 * 41
+  CELLS = 128 * 80,
+  CORNERS = 129 * 81
 };
 
 // A fifth of the cells of a plan's rectangle is looked up, the rest is not.
@@ -20,8 +20,8 @@ static void seen_rolled(
   memcpy(seen->texture_px, plan->texture_px, sizeof seen->texture_px);
   memcpy(seen->rect_px, plan->texture_rect_px, sizeof seen->rect_px);
   water_seen_size(seen->rect_px, seen->size);
-  assert_in_range(seen->size[0], 1, 60);
-  assert_in_range(seen->size[1], 1, 40);
+  assert_in_range(seen->size[0], 1, 128);
+  assert_in_range(seen->size[1], 1, 80);
   for (int i = 0; i < seen->size[0] * seen->size[1]; ++i)
   {
     cells[i] = dice_roll(from, 0.0, 1.0) < 0.2 ? 255 : 0;
@@ -34,7 +34,7 @@ TEST(cells_cover_their_rectangle)
 {
   UNUSED;
   const int rects[3][4] = { { 3, 4, 1, 16 }, { 0, 0, 17, 32 }, { 5, 5, 800, 600 } };
-  const int expected[3][2] = { { 1, 1 }, { 2, 2 }, { 50, 38 } };
+  const int expected[3][2] = { { 1, 2 }, { 3, 4 }, { 100, 75 } };
   for (int i = 0; i < 3; ++i)
   {
     int size[2];
@@ -51,7 +51,7 @@ TEST(counts_are_sums)
     255, 0, 0, 0 };
   const uint32_t expected[12] = { 0, 0, 0, 0, 0, 0, 1, 1, 0, 1, 2, 3 };
   uint32_t counts[12];
-  water_seen seen = { { 48, 32 }, { 0, 0, 48, 32 }, { 3, 2 }, counts };
+  water_seen seen = { { 24, 16 }, { 0, 0, 24, 16 }, { 3, 2 }, counts };
   water_seen_sum(&seen, cells, 4);
   assert_memory_equal(counts, expected, sizeof expected);
 }
@@ -123,7 +123,7 @@ TEST(what_cannot_be_told_is_drawn)
   const water_plan plan = plan_of(&scene, NULL);
   uint8_t cells[CELLS] = { 0 };
   uint32_t counts[CORNERS];
-  water_seen seen = { { 800, 600 }, { 0, 0, 800, 600 }, { 50, 38 }, counts };
+  water_seen seen = { { 800, 600 }, { 0, 0, 800, 600 }, { 100, 75 }, counts };
   water_seen_sum(&seen, cells, 1);
   water_prop props[3] = { { { -1, 1, 4, 5, 1, 2 }, WATER_PROP_VISIBLE, 0.0f },
     { { 0, 0, 0, 0, 0, (double)NAN }, WATER_PROP_VISIBLE, 0.0f },
@@ -140,7 +140,7 @@ TEST(what_cannot_be_told_is_drawn)
   // a dot in the middle of the picture, and the cell that begins 32 pixels beside it
   const double to_clip[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 };
   const double dot[6] = { 0, 0, 0, 0, 0, 0 };
-  cells[18 * 50 + 27] = 1; // from (432, 288)
+  cells[36 * 100 + 54] = 1; // from (432, 288)
   water_seen_sum(&seen, cells, 1);
   assert_false(water_seen_meets(&seen, to_clip, dot, 30.0));
   assert_true(water_seen_meets(&seen, to_clip, dot, 32.0));
