@@ -28,11 +28,6 @@ water_status water_plane_normalise(const water_plane* plane, water_plane* unit)
   return WATER_OK;
 }
 
-double water_plane_height(const water_plane* unit, const double point[3])
-{
-  return water_vec3_dot(unit->normal, point) + unit->offset;
-}
-
 void water_plane_project(const water_plane* unit, const double point[3], double projected[3])
 {
   const double height = water_plane_height(unit, point);

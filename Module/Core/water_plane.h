@@ -17,7 +17,11 @@ extern "C"
 water_status water_plane_normalise(const water_plane* plane, water_plane* unit);
 
 // Signed distance of a point from a normalised plane, positive above the water.
-double water_plane_height(const water_plane* unit, const double point[3]);
+static inline double water_plane_height(const water_plane* unit, const double point[3])
+{
+  return unit->normal[0] * point[0] + unit->normal[1] * point[1] + unit->normal[2] * point[2] +
+    unit->offset;
+}
 
 // The point of a normalised plane that is nearest to a point. projected may be point.
 void water_plane_project(const water_plane* unit, const double point[3], double projected[3]);

@@ -78,11 +78,6 @@ bool water_select_is_in_view(const water_camera* camera, const double bounds[6])
   return water_frustum_meets(&view, 6, bounds, box_rounding);
 }
 
-bool water_select_is_unbounded(const water_prop* prop)
-{
-  return (prop->flags & WATER_PROP_NO_BOUNDS) || !water_bounds_are_finite(prop->bounds);
-}
-
 // Is the picture of a box smaller than that many pixels, both ways?
 static bool is_smaller(
   const double world_to_clip[16], const int texture_px[2], const double bounds[6], double px)
@@ -127,16 +122,35 @@ static water_fate fate_of_wide_box(
                                                                       : WATER_SKIP_OUT_OF_WATER;
 }
 
-static water_fate fate_of_box(
-  const water_frustum* view, const water_frustum* pyramid, const double bounds[6])
+// The mirrored view and the part of it that the water looks up.
+typedef struct frusta
 {
-  const int side = water_frustum_divides(pyramid, 5, bounds, box_rounding);
+  water_frustum view;
+  water_frustum pyramid;
+  bool is_side_of_view[5]; // of the pyramid's sides
+} frusta;
+
+static void make_frusta(const water_camera* mirrored, const double box[4], frusta* made)
+{
+  water_frustum_make(mirrored, whole_picture, &made->view);
+  water_frustum_make(mirrored, box, &made->pyramid);
+  for (int i = 0; i < 5; ++i)
+  {
+    made->is_side_of_view[i] =
+      memcmp(made->view.planes[i], made->pyramid.planes[i], sizeof made->view.planes[i]) == 0;
+  }
+}
+
+static water_fate fate_of_box(const frusta* both, const double bounds[6])
+{
+  const int side = water_frustum_divides(&both->pyramid, 5, bounds, box_rounding);
   if (side < 0)
   {
     return WATER_DRAW;
   }
   // the pyramid is a part of the view: what is behind the same side of both is out of both
-  return water_frustum_is_behind(view->planes[side], bounds, view->reach, box_rounding)
+  return both->is_side_of_view[side] ||
+      water_frustum_is_behind(both->view.planes[side], bounds, both->view.reach, box_rounding)
     ? WATER_SKIP_OUT_OF_VIEW
     : WATER_SKIP_OUT_OF_WATER;
 }
@@ -144,10 +158,8 @@ static water_fate fate_of_box(
 size_t water_select_props(const water_camera* mirrored, const water_plane* plane,
   const water_selection* selection, const water_prop* props, size_t prop_count, water_fate* fates)
 {
-  water_frustum view;
-  water_frustum pyramid;
-  water_frustum_make(mirrored, whole_picture, &view);
-  water_frustum_make(mirrored, selection->box, &pyramid);
+  frusta both;
+  make_frusta(mirrored, selection->box, &both);
   double world_to_clip[16];
   water_mat4_multiply(mirrored->view_to_clip, mirrored->world_to_view, world_to_clip);
   const double kept[4] = { plane->normal[0], plane->normal[1], plane->normal[2],
@@ -183,7 +195,7 @@ size_t water_select_props(const water_camera* mirrored, const water_plane* plane
       else
       {
         fate = props[i].width_px > width_px_thin ? fate_of_wide_box(mirrored, selection, props + i)
-                                                 : fate_of_box(&view, &pyramid, bounds);
+                                                 : fate_of_box(&both, bounds);
         if (fate == WATER_DRAW && selection->prop_px_min > 0.0 &&
           is_smaller(world_to_clip, selection->texture_px, bounds, selection->prop_px_min))
         {
