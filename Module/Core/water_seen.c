@@ -49,6 +49,44 @@ void water_seen_sum(water_seen* seen, const uint8_t* cells, size_t stride)
   }
 }
 
+static bool is_closed(const water_seen* seen, int x, int y)
+{
+  const uint32_t* low = seen->counts + (size_t)y * ((size_t)seen->size[0] + 1) + (size_t)x;
+  const uint32_t* high = low + seen->size[0] + 1;
+  return high[1] - high[0] == low[1] - low[0];
+}
+
+size_t water_seen_closed(const water_seen* seen, float (*boxes)[4])
+{
+  const int* rect = seen->rect_px;
+  size_t count = 0;
+  for (int y = 0; y < seen->size[1]; ++y)
+  {
+    int first = 0; // of a run of closed cells
+    for (int x = 0; x <= seen->size[0]; ++x)
+    {
+      if (x < seen->size[0] && is_closed(seen, x, y))
+      {
+        continue;
+      }
+      if (x > first)
+      {
+        const int corners[4] = { first, y, x, y + 1 };
+        for (int i = 0; i < 4; ++i)
+        {
+          const int axis = i % 2;
+          const int place = corners[i] * WATER_SEEN_CELL_PX; // cells may reach over the rectangle
+          const int px = rect[axis] + (place < rect[2 + axis] ? place : rect[2 + axis]);
+          boxes[count][i] = (float)(2.0 * px / seen->texture_px[axis] - 1.0);
+        }
+        ++count;
+      }
+      first = x + 1;
+    }
+  }
+  return count;
+}
+
 bool water_seen_meets(
   const water_seen* seen, const double to_clip[16], const double bounds[6], double reach_px)
 {

@@ -50,6 +50,13 @@ void water_seen_size(const int rect_px[4], int size[2]);
 // stride  from cell to cell, >= 1
 void water_seen_sum(water_seen* seen, const uint8_t* cells, size_t stride);
 
+// The cells that are not looked up, as rectangles in NDC of the map: low x, low y, high x, high y.
+//
+// boxes  room for size[1] * (size[0] + 1) / 2
+//
+// Returns how many there are.
+size_t water_seen_closed(const water_seen* seen, float (*boxes)[4]);
+
 // May a box have a pixel in a cell that is looked up? Conservative.
 //
 // to_clip   from the box's space to the map's clip space

@@ -175,6 +175,10 @@ const char* vtkWaterMirror::Draw(vtkRenderer* renderer, vtkWaterShading* shading
       {
         this->Screen.DrawMask(renderer, plan, this->SceneDepth);
       }
+      else if (this->Seen)
+      {
+        this->Screen.DrawClosedCells(renderer, *this->Seen);
+      }
 
       this->SetCamera(renderer, plan);
       ScopedCamera scopedCamera(renderer, this->Camera);

@@ -2,13 +2,17 @@
 #include "vtkWaterScreen.h"
 
 #include "vtkOpenGLQuadHelper.h"
+#include "vtkOpenGLRenderUtilities.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLRenderer.h"
 #include "vtkOpenGLShaderCache.h"
 #include "vtkOpenGLState.h"
+#include "vtkOpenGLVertexArrayObject.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
 #include "vtkWaterBackdrop.h"
+#include "vtkWaterCoverFS.h"
+#include "vtkWaterCoverVS.h"
 #include "vtkWaterFogFS.h"
 #include "vtkWaterGL.h"
 #include "vtkWaterMaskFS.h"
@@ -19,6 +23,7 @@
 #include "water_seen.h"
 
 #include <algorithm>
+#include <array>
 #include <vector>
 
 namespace
@@ -193,6 +198,52 @@ bool vtkWaterScreen::DrawCells(
 }
 
 //------------------------------------------------------------------------------
+void vtkWaterScreen::DrawClosedCells(vtkRenderer* renderer, const water_seen& seen)
+{
+  auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
+  std::vector<std::array<float, 4>> boxes(
+    static_cast<size_t>(seen.size[1]) * (static_cast<size_t>(seen.size[0]) + 1) / 2);
+  boxes.resize(
+    water_seen_closed(&seen, reinterpret_cast<float(*)[4]>(boxes.data()))); // float[4] each
+  vtkShaderProgram* program =
+    window->GetShaderCache()->ReadyShaderProgram(vtkWaterCoverVS, vtkWaterCoverFS, "");
+  if (!program || boxes.empty())
+  {
+    return;
+  }
+  std::vector<float> corners;
+  std::vector<GLuint> triangles;
+  for (const std::array<float, 4>& box : boxes)
+  {
+    const auto first = static_cast<GLuint>(corners.size() / 3);
+    for (const int corner : { 0, 1, 2, 3 })
+    {
+      corners.insert(corners.end(), { box[corner & 1 ? 2 : 0], box[corner & 2 ? 3 : 1], 0.0f });
+    }
+    for (const GLuint corner : { 0u, 1u, 2u, 2u, 1u, 3u })
+    {
+      triangles.push_back(first + corner);
+    }
+  }
+  if (!this->CoverArray)
+  {
+    this->CoverArray = vtkSmartPointer<vtkOpenGLVertexArrayObject>::New();
+  }
+  vtkOpenGLState* state = window->GetState();
+  vtkOpenGLState::ScopedglEnableDisable depthTest(state, GL_DEPTH_TEST);
+  vtkOpenGLState::ScopedglDepthMask depthMask(state);
+  vtkOpenGLState::ScopedglDepthFunc depthFunc(state);
+  vtkOpenGLState::ScopedglColorMask colorMask(state);
+  state->vtkglEnable(GL_DEPTH_TEST);
+  state->vtkglDepthMask(GL_TRUE);
+  state->vtkglDepthFunc(GL_ALWAYS);
+  state->vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+  vtkOpenGLRenderUtilities::RenderTriangles(corners.data(),
+    static_cast<unsigned int>(corners.size() / 3), triangles.data(),
+    static_cast<unsigned int>(triangles.size()), nullptr, program, this->CoverArray);
+}
+
+//------------------------------------------------------------------------------
 void vtkWaterScreen::DrawFog(vtkRenderer* renderer, const water_plan& plan,
   vtkWaterBackdrop& backdrop, const double deepColor[3], const double extinction[3])
 {
@@ -263,6 +314,11 @@ void vtkWaterScreen::ReleaseGraphicsResources()
 {
   this->Sky.reset();
   this->Mask.reset();
+  if (this->CoverArray)
+  {
+    this->CoverArray->ReleaseGraphicsResources();
+  }
+  this->CoverArray = nullptr;
   this->Fog.reset();
   this->Corner.reset();
 }

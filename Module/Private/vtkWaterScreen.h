@@ -4,12 +4,14 @@
 #ifndef vtkWaterScreen_h
 #define vtkWaterScreen_h
 
-#include "water_types.h"
+#include "vtkSmartPointer.h"
+#include "water_seen.h"
 
 #include <memory>
 
 class vtkOpenGLQuadHelper;
 class vtkOpenGLRenderWindow;
+class vtkOpenGLVertexArrayObject;
 class vtkRenderer;
 class vtkTextureObject;
 class vtkWaterBackdrop;
@@ -33,6 +35,9 @@ public:
   // where no visible water looks anything up, else white. false: it cannot.
   bool DrawCells(vtkRenderer* renderer, const water_plan& plan, vtkWaterSceneDepth& sceneDepth);
 
+  // Closes the pixels of the bound map that are in cells that no visible water looks up.
+  void DrawClosedCells(vtkRenderer* renderer, const water_seen& seen);
+
   // Draws the picture again as seen through the water, for an eye that is submerged.
   void DrawFog(vtkRenderer* renderer, const water_plan& plan, vtkWaterBackdrop& backdrop,
     const double deepColor[3], const double extinction[3]);
@@ -48,6 +53,7 @@ private:
 
   std::unique_ptr<vtkOpenGLQuadHelper> Sky;
   std::unique_ptr<vtkOpenGLQuadHelper> Mask;
+  vtkSmartPointer<vtkOpenGLVertexArrayObject> CoverArray;
   std::unique_ptr<vtkOpenGLQuadHelper> Fog;
   std::unique_ptr<vtkOpenGLQuadHelper> Corner;
 };

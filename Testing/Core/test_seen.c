@@ -56,6 +56,29 @@ TEST(counts_are_sums)
   assert_memory_equal(counts, expected, sizeof expected);
 }
 
+// Every cell that is not looked up is in one rectangle, and none that is; the last ones end with
+// the map's rectangle.
+TEST(closed_cells_are_rectangles)
+{
+  UNUSED;
+  const uint8_t cells[3 * 3] = { 0, 0, 0, 1, 0, 1, 0, 1, 0 };
+  uint32_t counts[16];
+  water_seen seen = { { 80, 40 }, { 40, 20, 20, 24 }, { 3, 3 }, counts };
+  float boxes[6][4];
+  const float expected[4][4] = { { 40, 20, 60, 28 }, { 48, 28, 56, 36 }, { 40, 36, 48, 44 },
+    { 56, 36, 60, 44 } };
+  water_seen_sum(&seen, cells, 1);
+  assert_int_equal(water_seen_closed(&seen, boxes), 4);
+  for (int i = 0; i < 4; ++i)
+  {
+    for (int j = 0; j < 4; ++j)
+    {
+      const double px = 0.5 * (1.0 + (double)boxes[i][j]) * seen.texture_px[j % 2];
+      assert_true(fabs(px - (double)expected[i][j]) < 1e-4);
+    }
+  }
+}
+
 // Of random boxes in random views: one with a point in a cell that is looked up is kept, and most
 // others are not.
 TEST(what_is_seen_is_kept)
@@ -186,6 +209,7 @@ int main(void)
   const struct CMUnitTest tests[] = {
     RUN(cells_cover_their_rectangle),
     RUN(counts_are_sums),
+    RUN(closed_cells_are_rectangles),
     RUN(what_is_seen_is_kept),
     RUN(what_cannot_be_told_is_drawn),
     RUN(cells_go_through_all_that_look_them_up),

@@ -111,7 +111,7 @@ def _drawn(scene, has_skips):
     """Props and fragments of a mirrored view."""
     is_known = instruments.set_skips(scene.water, has_skips)
     instruments.turn_on(scene.water)
-    for turn in (2, 1):  # the last frame's view may be shown again if the camera stands still
+    for turn in (4, 3, 2, 1):  # a moving camera; what is left out is known from the frames before
         scene.stand(turn)
         scene.view.picture()
     said = instruments.read(scene.water)
