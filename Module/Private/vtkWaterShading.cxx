@@ -50,6 +50,36 @@ void InsertAfter(std::string& source, const std::string& tag, const std::string&
   vtkShaderProgram::Substitute(source, tag, tag + "\n" + text, false);
 }
 
+// VTK's physically based shader of a single headlight has L = V = H written out; this gives it the
+// terms of a directional light, which it declares anyway.
+void MoveHeadlight(std::string& source)
+{
+  const std::string isotropic = "SpecularIsotropic(NdV, NdV, NdV, 1.0,";
+  const std::string anisotropic =
+    "SpecularAnisotropic(at, ab, V, tangentVC, bitangentVC, V, TdV, BdV, NdV, NdV, NdV,\n1.0,";
+  if (source.find(isotropic) == std::string::npos && source.find(anisotropic) == std::string::npos)
+  {
+    return; // unlit, or of other lights
+  }
+  InsertAfter(source, "float NdL, NdH, HdL, distanceVC, attenuation, D, Vis;",
+    "  waterHeadlightPhysical(N, V, L, H, NdL, NdH, HdL);");
+  InsertAfter(
+    source, "float coatNdL, coatNdH;", "  waterHeadlightTerms(coatN, L, H, coatNdL, coatNdH);");
+  const char* const terms[][2] = {
+    { isotropic.c_str(), "SpecularIsotropic(NdH, NdV, NdL, HdL," },
+    { anisotropic.c_str(),
+      "SpecularAnisotropic(at, ab, L, tangentVC, bitangentVC, H, TdV, BdV, NdH, NdV, NdL, HdL," },
+    { "SpecularIsotropic(coatNdV, coatNdV, coatNdV, 1.0,",
+      "SpecularIsotropic(coatNdH, coatNdV, coatNdL, HdL," },
+    { "radiance * coatNdV * coatStrength", "radiance * coatNdL * coatStrength" },
+    { "(diffuse + specular) * NdV", "(diffuse + specular) * NdL" },
+  };
+  for (const auto& term : terms)
+  {
+    vtkShaderProgram::Substitute(source, term[0], term[1], false);
+  }
+}
+
 // Does the prop have no highlights? A change of its property makes the mapper ask again.
 bool IsMatte(vtkProp* prop)
 {
@@ -149,6 +179,7 @@ bool vtkWaterShading::PostReplaceShaderValues(
   {
     return true;
   }
+  MoveHeadlight(fragmentShader);
   // VTK's code for a single headlight takes the light for the view; a mapper that has no such line
   // (unlit, other lights) needs nothing
   vtkShaderProgram::Substitute(fragmentShader, "float sf = pow(df, specularPower);",
