@@ -64,7 +64,8 @@ class Scene(wt.View):
         camera.SetFocalPoint(0, 0, 0.2)
         camera.SetViewUp(0, 0, 1)
         camera.SetClippingRange(1, 60)
-        self.keep = []  # Python's ends of observers
+        self.keep = []  # what VTK does not hold on to
+        self.when_mirrored = []  # to be called when the camera is
 
     def add(self, prop, cut=True):
         """Adds a prop, in the mirrored picture cut at the water unless cut is False; returns it."""
@@ -83,11 +84,36 @@ class Scene(wt.View):
             normal = self.normal if self.is_above() else -self.normal
             prop.GetMapper().AddClippingPlane(wt.plane(self.origin, normal))
 
-    def add_data(self, data, color=(1, 0.6, 0.2), **options):
+    def cut_fragments(self, actor):
+        """In the mirrored picture, cuts an actor fragment by fragment, by a shader of the user's.
+
+        For what VTK's clipping planes keep or drop whole, by its center.
+        """
+        if self.kind != MIRRORED:
+            return
+        above = self.is_above()
+
+        def set_plane():
+            normal = self.normal if above else -self.normal
+            world_to_clip = self.camera.GetCompositeProjectionTransformMatrix(
+                self.renderer.GetTiledAspectRatio(), -1, 1)
+            clip_to_world = np.linalg.inv([[world_to_clip.GetElement(i, j) for j in range(4)] for i in range(4)])
+            plane = np.append(normal, -np.dot(normal, self.origin)) @ clip_to_world
+            width, height = self.window.GetSize()
+            window_to_clip = np.array([(2 / width, 0, 0, -1), (0, 2 / height, 0, -1), (0, 0, 2, -1), (0, 0, 0, 1)])
+            actor.GetShaderProperty().GetFragmentCustomUniforms().SetUniform4f(
+                "cutPlane", list(plane @ window_to_clip))
+
+        actor.GetShaderProperty().AddFragmentShaderReplacement(
+            "//VTK::Clip::Impl", True,
+            "if (dot(cutPlane, vec4(gl_FragCoord.xyz, 1.0)) < 0.0) discard;\n//VTK::Clip::Impl", False)
+        self.when_mirrored.append(set_plane)
+
+    def add_data(self, data, color=(1, 0.6, 0.2), cut=True, **options):
         """Adds an actor of poly data; options as those of water_test.add_actor."""
         actor = wt.add_actor(self.renderer, data, color, **options)
         self.renderer.RemoveActor(actor)
-        return self.add(actor)
+        return self.add(actor, cut)
 
     def is_above(self):
         """Is the user's eye on the side that the normal points to? Asked before the camera is mirrored."""
@@ -116,6 +142,8 @@ def mirror(scene):
     if camera.GetUseExplicitProjectionTransformMatrix():
         matrix = camera.GetExplicitProjectionTransformMatrix()
         camera.SetExplicitProjectionTransformMatrix(turned_left_to_right(matrix, scene).GetMatrix())
+    for act in scene.when_mirrored:
+        act()
 
 
 def turned_left_to_right(matrix, scene):
@@ -284,7 +312,8 @@ class Results:
         wt.save(seen, self.folder / f"{stem}_water.png")
         wt.save(expected, self.folder / f"{stem}_truth.png")
 
-    def cell(self, name, fill, truth=None, reason=None, exact=True, bounds=SHEET, prepare=None, **options):
+    def cell(self, name, fill, truth=None, reason=None, exact=True, bounds=SHEET, prepare=None,
+             reflected=True, **options):
         """One cell.
 
         fill     fills a Scene; called as fill(scene), or as fill(scene, True) and, for the control, as
@@ -292,6 +321,7 @@ class Results:
                  control is the empty scene.
         truth    fills the mirrored and the composed picture, where that needs other means; None: fill
         prepare  (scene, water), called before the water is seen for the first time
+        reflected  False: what the cell is about is not reflected by rule, and the control has it
         options  of Scene: size, background, samples, origin, normal
         """
         base = (lambda scene: fill(scene, False)) if takes_two(fill) else without_props(fill)
@@ -309,8 +339,9 @@ class Results:
         water.VisibilityOff()
         without = scene.pixels()
         truth = truth or full
-        expected = composed_picture(truth, mirrored_picture(truth, **options), bounds, **options)
-        control = composed_picture(truth, mirrored_picture(base, **options), bounds, **options)
+        mirrored, other = (truth, base) if reflected else (base, truth)
+        expected = composed_picture(truth, mirrored_picture(mirrored, **options), bounds, **options)
+        control = composed_picture(truth, mirrored_picture(other, **options), bounds, **options)
         self.compare(name, seen, expected, without, pixels, control, reason, exact)
 
     def finish(self):
