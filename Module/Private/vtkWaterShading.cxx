@@ -80,6 +80,26 @@ void MoveHeadlight(std::string& source)
   }
 }
 
+// VTK's volumes have their headlight in a global for each volume; those after the first matrix,
+// which is of all of them, when there are several.
+void MoveHeadlightOfVolumes(std::string& source)
+{
+  const bool areSeveral = source.find("g_ldir[1] =") != std::string::npos;
+  for (int i = 0;; ++i)
+  {
+    const std::string index = "[" + std::to_string(i) + "]";
+    const std::string matrix = "[" + std::to_string(areSeveral ? i + 1 : i) + "]";
+    const std::string line = "g_ldir" + index + " =";
+    if (source.find(line) == std::string::npos)
+    {
+      return;
+    }
+    InsertBefore(source, line,
+      "g_lightPosObj" + index + " = waterHeadlightPlace(g_lightPosObj" + index +
+        ", in_inverseVolumeMatrix" + matrix + ");");
+  }
+}
+
 // Does the prop have no highlights? A change of its property makes the mapper ask again.
 bool IsMatte(vtkProp* prop)
 {
@@ -180,6 +200,10 @@ bool vtkWaterShading::PostReplaceShaderValues(
     return true;
   }
   MoveHeadlight(fragmentShader);
+  if (Declares(fragmentShader, "waterHeadlightPlace"))
+  {
+    MoveHeadlightOfVolumes(fragmentShader);
+  }
   // VTK's code for a single headlight takes the light for the view; a mapper that has no such line
   // (unlit, other lights) needs nothing
   vtkShaderProgram::Substitute(fragmentShader, "float sf = pow(df, specularPower);",
@@ -236,12 +260,15 @@ void vtkWaterShading::SetMirroredParameters(vtkShaderProgram* program, vtkProp* 
   vtkWaterUniforms::Set4(program, "waterClipPosition", plan ? plan->clip_plane_clip : keepAll);
   vtkWaterUniforms::Set4(program, "waterClipView", plan ? plan->clip_plane_view : keepAll);
   double headlight[4] = { 0.0, 0.0, -1.0, 0.0 };
+  double place[4] = { 0.0, 0.0, 0.0, 0.0 };
   if (plan)
   {
     std::copy(plan->headlight_dir, plan->headlight_dir + 3, headlight);
-    headlight[3] = 1.0;
+    std::copy(plan->headlight_position, plan->headlight_position + 3, place);
+    headlight[3] = place[3] = 1.0;
   }
   vtkWaterUniforms::Set4(program, "waterHeadlightVC", headlight);
+  vtkWaterUniforms::Set4(program, "waterHeadlightPlaceVC", place);
   // VTK sets the lights of a program, which are in view space, once per camera or light change by
   // their modification times; main and mirrored camera share the program.
   program->SetUniformGroupUpdateTime(vtkShaderProgram::LightingGroup, 0);
