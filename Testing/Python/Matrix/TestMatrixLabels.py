@@ -97,7 +97,7 @@ def with_ball(add):
 
 def rule(name, add, reason):
     """A cell of what is not reflected, beside a ball that is."""
-    row.cell(name, with_ball(add), reflected=False, reason=reason)
+    row.cell(name, with_ball(add), control=mm.UNREFLECTED, reason=reason)
 
 
 def billboard(scene):

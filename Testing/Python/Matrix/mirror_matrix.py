@@ -32,7 +32,7 @@ from vtkmodules.vtkCommonTransforms import vtkMatrixToLinearTransform  # noqa: E
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy  # noqa: E402
 from vtkmodules.vtkCommonCore import vtkUnsignedCharArray  # noqa: E402
 from vtkmodules.vtkFiltersSources import vtkPlaneSource  # noqa: E402
-from vtkmodules.vtkRenderingCore import vtkActor, vtkLight, vtkPolyDataMapper, vtkTexture  # noqa: E402
+from vtkmodules.vtkRenderingCore import vtkActor, vtkLight, vtkPolyDataMapper, vtkRenderer, vtkTexture  # noqa: E402
 
 SIZE = (240, 180)
 SHEET = (-7, 7, -5, 7)
@@ -41,11 +41,12 @@ EXACT_PERCENT = 0.05  # of the water's pixels may be off by more than 1/255
 LARGEST_RMSE = 1.0  # of 255, of a cell that says why it is not exact
 VTK_VERSION = tuple(int(x) for x in re.findall(r"\d+", vtkVersion.GetVTKVersion())[:2])
 
+REFLECTED, UNREFLECTED, BEHIND = "reflected", "unreflected", "behind"
 SEEN, MIRRORED, COMPOSED = "seen", "mirrored", "composed"
 
 # The sheet of the composed picture shows its texture by the place in the window.
 BY_PLACE = """
-  gl_FragData[0] = vec4(texelFetch({texture}, ivec2(gl_FragCoord.xy), 0).rgb, 1.0);
+  gl_FragData[0] = vec4(texelFetch({texture}, ivec2(gl_FragCoord.xy), 0).rgb, opacity);
 """
 
 
@@ -65,6 +66,7 @@ class Scene(wt.View):
         camera.SetViewUp(0, 0, 1)
         camera.SetClippingRange(1, 60)
         self.keep = []  # what VTK does not hold on to
+        self.freezes_lights = True
         self.when_mirrored = []  # to be called when the camera is
 
     def add(self, prop, cut=True):
@@ -128,7 +130,8 @@ def mirror(scene):
     """Turns a filled scene into its mirrored picture's, to be turned left to right."""
     camera, origin, normal = scene.camera, scene.origin, scene.normal
     scene.renderer.ComputeAspect()
-    freeze_lights(scene)
+    if scene.freezes_lights:
+        freeze_lights(scene)
     up = np.asarray(camera.GetViewUp())
     position, focal_point = camera.GetPosition(), camera.GetFocalPoint()
     camera.SetPosition(wt.mirror_point(position, origin, normal))
@@ -206,8 +209,8 @@ def image_of(picture):
     return image
 
 
-def add_sheet(scene, picture, data=None, bounds=SHEET):
-    """An ordinary opaque sheet in the water's place that shows a picture by the place in the window."""
+def add_sheet(scene, picture, data=None, bounds=SHEET, opacity=1.0):
+    """An ordinary sheet in the water's place that shows a picture by the place in the window."""
     if data is None:
         first, second = axes_of(scene.normal)
         corner = [scene.origin + x * first + y * second
@@ -229,6 +232,7 @@ def add_sheet(scene, picture, data=None, bounds=SHEET):
     sheet = vtkActor()
     sheet.SetMapper(mapper)
     sheet.GetProperty().LightingOff()
+    sheet.GetProperty().SetOpacity(opacity)
     sheet.SetTexture(texture)
     name = "actortexture" if VTK_VERSION >= (9, 1) else "texture1"
     sheet.GetShaderProperty().AddFragmentShaderReplacement(
@@ -253,11 +257,11 @@ def mirrored_picture(fill, **options):
     return scene.pixels()[:, ::-1]
 
 
-def composed_picture(fill, mirrored, bounds=SHEET, **options):
+def composed_picture(fill, mirrored, bounds=SHEET, opacity=1.0, **options):
     """The scene with an ordinary sheet in the water's place that shows a mirrored picture."""
     scene = Scene(COMPOSED, **options)
     fill(scene)
-    add_sheet(scene, mirrored, None, bounds)
+    add_sheet(scene, mirrored, None, bounds, opacity)
     return scene.pixels()
 
 
@@ -313,7 +317,7 @@ class Results:
         wt.save(expected, self.folder / f"{stem}_truth.png")
 
     def cell(self, name, fill, truth=None, reason=None, exact=True, bounds=SHEET, prepare=None,
-             reflected=True, **options):
+             control=REFLECTED, opacity=1.0, **options):
         """One cell.
 
         fill     fills a Scene; called as fill(scene), or as fill(scene, True) and, for the control, as
@@ -321,7 +325,9 @@ class Results:
                  control is the empty scene.
         truth    fills the mirrored and the composed picture, where that needs other means; None: fill
         prepare  (scene, water), called before the water is seen for the first time
-        reflected  False: what the cell is about is not reflected by rule, and the control has it
+        control  what the control differs in: REFLECTED, what the cell is about is not in the mirrored
+                 picture; UNREFLECTED, it is, and must not be; BEHIND, it is not seen through the water
+        opacity  of the water
         options  of Scene: size, background, samples, origin, normal
         """
         base = (lambda scene: fill(scene, False)) if takes_two(fill) else without_props(fill)
@@ -329,6 +335,7 @@ class Results:
         scene = Scene(SEEN, **options)
         full(scene)
         water = wt.add_water(scene.renderer, wt.plane(scene.origin, scene.normal), bounds)
+        water.GetWaterProperty().SetOpacity(opacity)
         if prepare:
             prepare(scene, water)
         errors = wt.errors_of(water)
@@ -339,10 +346,11 @@ class Results:
         water.VisibilityOff()
         without = scene.pixels()
         truth = truth or full
-        mirrored, other = (truth, base) if reflected else (base, truth)
-        expected = composed_picture(truth, mirrored_picture(mirrored, **options), bounds, **options)
-        control = composed_picture(truth, mirrored_picture(other, **options), bounds, **options)
-        self.compare(name, seen, expected, without, pixels, control, reason, exact)
+        composed = base if control is BEHIND else truth
+        mirrored, other = (base, truth) if control is UNREFLECTED else (truth, base)
+        expected = composed_picture(truth, mirrored_picture(mirrored, **options), bounds, opacity, **options)
+        wrong = composed_picture(composed, mirrored_picture(other, **options), bounds, opacity, **options)
+        self.compare(name, seen, expected, without, pixels, wrong, reason, exact)
 
     def finish(self):
         """Writes the row for the table and ends the test."""
