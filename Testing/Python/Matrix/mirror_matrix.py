@@ -46,7 +46,7 @@ SEEN, MIRRORED, COMPOSED = "seen", "mirrored", "composed"
 
 # The sheet of the composed picture shows its texture by the place in the window.
 BY_PLACE = """
-  gl_FragData[0] = vec4(texelFetch({texture}, ivec2(gl_FragCoord.xy), 0).rgb, opacity);
+  gl_FragData[0] = vec4(texelFetch(actortexture, ivec2(gl_FragCoord.xy), 0).rgb, opacity);
 """
 
 
@@ -210,7 +210,7 @@ def image_of(picture):
 
 
 def add_sheet(scene, picture, data=None, bounds=SHEET, opacity=1.0):
-    """An ordinary sheet in the water's place that shows a picture by the place in the window."""
+    """An ordinary sheet in the water's place that shows a picture, if any, by the place in the window."""
     if data is None:
         first, second = axes_of(scene.normal)
         corner = [scene.origin + x * first + y * second
@@ -222,22 +222,21 @@ def add_sheet(scene, picture, data=None, bounds=SHEET, opacity=1.0):
         source.SetPoint2(corner[2])
         source.Update()
         data = source.GetOutput()
-    texture = vtkTexture()
-    texture.SetInputData(image_of(picture))
-    texture.InterpolateOff()
-    texture.RepeatOff()
     mapper = vtkPolyDataMapper()
     mapper.SetInputData(data)
     mapper.ScalarVisibilityOff()
     sheet = vtkActor()
     sheet.SetMapper(mapper)
-    sheet.GetProperty().LightingOff()
     sheet.GetProperty().SetOpacity(opacity)
-    sheet.SetTexture(texture)
-    name = "actortexture" if VTK_VERSION >= (9, 1) else "texture1"
-    sheet.GetShaderProperty().AddFragmentShaderReplacement(
-        "//VTK::TCoord::Impl", True, BY_PLACE.format(texture=name), False)
     scene.renderer.AddActor(sheet)
+    if picture is None:
+        return sheet
+    texture = vtkTexture()
+    texture.SetInputData(image_of(picture))
+    texture.InterpolateOff()
+    texture.RepeatOff()
+    sheet.SetTexture(texture)
+    sheet.GetShaderProperty().AddFragmentShaderReplacement("//VTK::TCoord::Impl", True, BY_PLACE, False)
     return sheet
 
 
@@ -317,7 +316,7 @@ class Results:
         wt.save(expected, self.folder / f"{stem}_truth.png")
 
     def cell(self, name, fill, truth=None, reason=None, exact=True, bounds=SHEET, prepare=None,
-             control=REFLECTED, opacity=1.0, **options):
+             control=REFLECTED, opacity=1.0, is_alone=True, **options):
         """One cell.
 
         fill     fills a Scene; called as fill(scene), or as fill(scene, True) and, for the control, as
@@ -328,6 +327,7 @@ class Results:
         control  what the control differs in: REFLECTED, what the cell is about is not in the mirrored
                  picture; UNREFLECTED, it is, and must not be; BEHIND, it is not seen through the water
         opacity  of the water
+        is_alone  False: any sheet changes other pixels, too; they are those with an ordinary sheet then
         options  of Scene: size, background, samples, origin, normal
         """
         base = (lambda scene: fill(scene, False)) if takes_two(fill) else without_props(fill)
@@ -350,6 +350,8 @@ class Results:
         mirrored, other = (base, truth) if control is UNREFLECTED else (truth, base)
         expected = composed_picture(truth, mirrored_picture(mirrored, **options), bounds, opacity, **options)
         wrong = composed_picture(composed, mirrored_picture(other, **options), bounds, opacity, **options)
+        if not is_alone:
+            without = composed_picture(truth, None, bounds, opacity, **options)
         self.compare(name, seen, expected, without, pixels, wrong, reason, exact)
 
     def finish(self):
