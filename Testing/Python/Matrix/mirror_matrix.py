@@ -354,6 +354,26 @@ class Results:
             without = composed_picture(truth, None, bounds, opacity, **options)
         self.compare(name, seen, expected, without, pixels, wrong, reason, exact)
 
+    def cell_of_picture(self, name, fill, mirrored, reason=None, exact=True, bounds=SHEET, prepare=None, **options):
+        """A cell whose mirrored picture is known; its control is that of the scene's plain background."""
+
+        def plain(scene):
+            fill(scene)
+            scene.renderer.GradientBackgroundOff()
+
+        scene = Scene(SEEN, **options)
+        fill(scene)
+        water = wt.add_water(scene.renderer, wt.plane(scene.origin, scene.normal), bounds)
+        if prepare:
+            prepare(scene, water)
+        seen = scene.pixels()
+        pixels = water_pixels(scene, water)
+        water.VisibilityOff()
+        without = scene.pixels()
+        wrong = composed_picture(fill, mirrored_picture(plain, **options), bounds, **options)
+        expected = composed_picture(fill, mirrored, bounds, **options)
+        self.compare(name, seen, expected, without, pixels, wrong, reason, exact)
+
     def finish(self):
         """Writes the row for the table and ends the test."""
         result = dict(row=self.row, vtk=vtkVersion.GetVTKVersion(), cells=self.cells)
