@@ -382,8 +382,8 @@ class Results:
 
 
 def takes_two(fill):
-    """Does a fill take a second argument?"""
-    return len(inspect.signature(fill).parameters) > 1
+    """Does a fill take whether what the cell is about is on?"""
+    return "on" in inspect.signature(fill).parameters
 
 
 def without_props(fill):
