@@ -95,7 +95,7 @@ def shadowed(scene, on):
     scene.renderer.SetUseShadows(scene.kind != mm.MIRRORED or not on)
 
 
-row.cell("shadow maps", shadowed, is_alone=False,
+row.cell("shadow maps", shadowed, others=mm.BESIDE,
          reason="Shadow maps are not in the reflection: vtkShadowMapPass makes and reads them, and it draws the "
                 "renderer's picture only.")
 

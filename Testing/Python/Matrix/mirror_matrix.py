@@ -42,6 +42,7 @@ LARGEST_RMSE = 1.0  # of 255, of a cell that says why it is not exact
 VTK_VERSION = tuple(int(x) for x in re.findall(r"\d+", vtkVersion.GetVTKVersion())[:2])
 
 REFLECTED, UNREFLECTED, BEHIND = "reflected", "unreflected", "behind"
+ALONE, BESIDE, FILTERED = "alone", "beside", "filtered"
 SEEN, MIRRORED, COMPOSED = "seen", "mirrored", "composed"
 
 # The sheet of the composed picture shows its texture by the place in the window.
@@ -316,7 +317,7 @@ class Results:
         wt.save(expected, self.folder / f"{stem}_truth.png")
 
     def cell(self, name, fill, truth=None, reason=None, exact=True, bounds=SHEET, prepare=None,
-             control=REFLECTED, opacity=1.0, is_alone=True, **options):
+             control=REFLECTED, opacity=1.0, others=ALONE, **options):
         """One cell.
 
         fill     fills a Scene; called as fill(scene), or as fill(scene, True) and, for the control, as
@@ -327,7 +328,9 @@ class Results:
         control  what the control differs in: REFLECTED, what the cell is about is not in the mirrored
                  picture; UNREFLECTED, it is, and must not be; BEHIND, it is not seen through the water
         opacity  of the water
-        is_alone  False: any sheet changes other pixels, too; they are those with an ordinary sheet then
+        others   what pixels beside the water are compared with: ALONE, without water; BESIDE, with an
+                 ordinary sheet, where any sheet changes them; FILTERED, with the composed picture, where a
+                 filter mixes them with the water's
         options  of Scene: size, background, samples, origin, normal
         """
         base = (lambda scene: fill(scene, False)) if takes_two(fill) else without_props(fill)
@@ -350,8 +353,10 @@ class Results:
         mirrored, other = (base, truth) if control is UNREFLECTED else (truth, base)
         expected = composed_picture(truth, mirrored_picture(mirrored, **options), bounds, opacity, **options)
         wrong = composed_picture(composed, mirrored_picture(other, **options), bounds, opacity, **options)
-        if not is_alone:
+        if others is BESIDE:
             without = composed_picture(truth, None, bounds, opacity, **options)
+        elif others is FILTERED:
+            without = expected
         self.compare(name, seen, expected, without, pixels, wrong, reason, exact)
 
     def cell_of_picture(self, name, fill, mirrored, reason=None, exact=True, bounds=SHEET, prepare=None, **options):
