@@ -150,8 +150,8 @@ for number, kind in enumerate(("clamped", "Reinhard", "exponential")):
     cell(f"tone mapping, {kind}", pass_of(vtkToneMappingPass, lambda made: made.SetToneMappingType(number)), steps)
 filtered("Gaussian blur", pass_of(vtkGaussianBlurPass), 4)
 filtered("Sobel filter", pass_of(vtkSobelGradientMagnitudePass), 4, exact=False,
-         reason="The filter multiplies differences of neighbours, and with them the rounding to 8 bits, by up to 4 "
-                "(vtkSobelGradientMagnitudePass2FS.glsl).")
+         reason="The filter rounds halved differences of neighbours to 8 bits before it doubles and squares them "
+                "(vtkSobelGradientMagnitudePass1FS.glsl and 2FS.glsl).")
 filtered("SSAA, with TextureScale sqrt(5)", pass_of(vtkSSAAPass), 3, int(mm.SIZE[0] * 5**0.5) / mm.SIZE[0],
          reason="The mirrored view has the size of the picture, and not that of the pass, which is sqrt(5) times as "
                 "large (vtkSSAAPass::Render); TextureScale makes it as fine.")
