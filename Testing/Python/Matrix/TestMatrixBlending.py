@@ -29,7 +29,7 @@ def order(scene, kind):
         renderer.SetUseOIT(kind == ORDERED)
 
 
-KINDS = [ORDERED, PEELED] + ([PLAIN] if hasattr(mm.vtkRenderer, "SetUseOIT") else [])
+KINDS = [ORDERED, PEELED] + ([PLAIN] if hasattr(wt.vtkRenderer, "SetUseOIT") else [])
 
 
 def under(scene):

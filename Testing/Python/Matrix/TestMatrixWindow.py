@@ -195,7 +195,8 @@ else:
     first, second = mm.Scene(mm.SEEN), mm.Scene(mm.SEEN)
     second.renderer.AddViewProp(first.add_data(wt.sphere((0, 0, 0.4), 1.5)))
     pictures = [[scene.pixels() for scene in (first, second)] for _ in range(2)][-1]
-    row.say("two windows that share props", (pictures[0] != pictures[1]).any(),
+    is_blank = [(picture == picture[0, 0]).all() for picture in pictures]
+    row.say("two windows that share props", any(is_blank) or (pictures[0] != pictures[1]).any(),
             reason="VTK 9.6 itself leaves a prop out of one of two windows that share it, without any water: its "
                    "windows release each other's buffers (vtkOpenGLResourceFreeCallback::RegisterGraphicsResources).")
 
