@@ -22,9 +22,9 @@ composes what lies before, over and behind it. Other truths are named in the cel
 
 The figures are the share of the water's pixels that differ by more than 1/255, and the RMSE of 255 over them. At most 0.05 %
 may differ, or the last column says why, and then the RMSE is at most 1. In every cell no other pixel differs from the scene
-without the water by more than 1/255. *Without it* is the same share for a picture that lacks what the cell is about:
+without the water by more than 1/255, or from the composed picture, where a filter mixes them with the water. *Without it* is the same share for a picture that lacks what the cell is about:
 a cell that could not fail would have 0 there. The worse one of two windows stands where there are two (OSMesa and EGL).
-Statements are true or false. Pairs of pictures stay in the build tree, under `Testing/Temporary/mirror-matrix`.
+Statements are true or false. Pairs of pictures stay in the build tree, under `Testing/Temporary*/mirror-matrix`.
 """
 
 
@@ -32,7 +32,7 @@ def read(folders):
     """{test: (row, {cell: {version: [results]}})} and the versions, in their order."""
     tests, versions = {}, []
     for folder in folders:
-        for path in sorted(pathlib.Path(folder).glob("Testing/Temporary/mirror-matrix/*/*/cells.json")):
+        for path in sorted(pathlib.Path(folder).glob("Testing/Temporary*/mirror-matrix/*/*/cells.json")):
             result = json.loads(path.read_text())
             version = result["vtk"]
             if version not in versions:
