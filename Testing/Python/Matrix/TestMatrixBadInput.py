@@ -128,7 +128,7 @@ if mm.VTK_VERSION >= (9, 6):
     bad_prop("a prop whose shader does not compile", does_not_compile, "this is no GLSL")
 else:
     row.note("a prop whose shader does not compile", "VTK 9.1 ends the program with a segmentation fault, without water "
-             "as well: vtkOpenGLPolyDataMapper::RenderPieceDraw goes on without a program.")
+             "as well: vtkOpenGLPolyDataMapper::UpdateShaders goes on without a program.")
 bad_prop("a prop without a mapper", vtkActor, None)
 bad_prop("a mapper without input", without_input, None)
 bad_prop("a volume without transfer functions", volume_without_functions, None, is_drawn=True)

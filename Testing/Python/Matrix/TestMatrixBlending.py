@@ -129,7 +129,7 @@ CELLS = None if mm.VTK_VERSION >= (9, 6) else (
     "The truth is off: clipping planes of VTK 9.1 miss the place by part of a voxel, as ClippingInit "
     "(vtkVolumeShaderComposer.h) leaves in_cellToPoint out; VTK 9.6 has it.")
 OVER = ("VTK draws volumes over all translucent props, the half opaque water as well, unless they are peeled: "
-        "vtkRenderer::DeviceRenderTranslucentPolygonalGeometry and vtkOpenGLRenderer::UpdateGeometry.")
+        "vtkOpenGLRenderer::UpdateGeometry.")
 for kind in (ORDERED, PEELED_VOLUMES):
     for place, height in (("over", 1.6), ("across", 0.3), ("under", -1.6)):
         for eye in (None, under):
