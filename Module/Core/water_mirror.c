@@ -223,7 +223,8 @@ void water_mirror_ray(const double world_to_map[16], const double point[3], cons
   water_mat4_apply_dir(world_to_map, dir, step);
 }
 
-void water_mirror_headlight(const double plane_view[4], double headlight_dir[3])
+void water_mirror_headlight(
+  const double plane_view[4], double headlight_dir[3], double headlight_position[3])
 {
   // V' V^-1 = Fx (I - 2 n n^T) for directions, n the normal in view space, applied to (0, 0, -1).
   const double twice = 2.0 * plane_view[2];
@@ -233,6 +234,8 @@ void water_mirror_headlight(const double plane_view[4], double headlight_dir[3])
   for (int i = 0; i < 3; ++i)
   {
     headlight_dir[i] = dir[i] / length;
+    // and for points Fx (x - 2 h(x) n), applied to the eye, (0, 0, 0), at height plane_view[3]
+    headlight_position[i] = (i == 0 ? 2.0 : -2.0) * plane_view[3] * plane_view[i];
   }
 }
 

@@ -93,9 +93,10 @@ void water_mirror_texture_matrix(const water_camera* mirrored, double world_to_t
 void water_mirror_ray(const double world_to_map[16], const double point[3], const double dir[3],
   double start[4], double step[4]);
 
-// The eye's view direction in mirrored view space, unit length: lights that sit on the camera must
-// keep to the user's one.
-void water_mirror_headlight(const double plane_view[4], double headlight_dir[3]);
+// The eye's view direction, unit length, and its place in mirrored view space: lights that sit on
+// the camera must keep to the user's one.
+void water_mirror_headlight(
+  const double plane_view[4], double headlight_dir[3], double headlight_position[3]);
 
 // (x, y, 1) in NDC of the map -> (x, y, w) in clip of the eye, of the direction that the map sees
 // there. For a parallel eye that is one and the same direction, and w is 0.

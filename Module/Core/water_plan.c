@@ -253,7 +253,7 @@ static water_status fill_draw(const water_scene* scene, const checked* input,
   fill_seen(scene, fates, plan);
   water_mirror_pose(
     &plan->mirrored, plan->mirrored_position, plan->mirrored_focal_point, plan->mirrored_view_up);
-  water_mirror_headlight(plan->plane_view, plan->headlight_dir);
+  water_mirror_headlight(plan->plane_view, plan->headlight_dir, plan->headlight_position);
   water_mirror_clip_view(plan->plane_view, margin, plan->clip_plane_view);
   const water_status status = water_mirror_clip_clip(
     plan->mirrored.view_to_clip, plan->clip_plane_view, plan->clip_plane_clip);

@@ -190,10 +190,11 @@ typedef struct water_plan
   double mirrored_position[3];
   double mirrored_focal_point[3]; // at distance 1
   double mirrored_view_up[3];
-  double clip_plane_view[4];   // plane in mirrored view space; kept side >= 0 (margin included)
-  double clip_plane_clip[4];   // same in clip space of the mirrored view, clip not divided by w
-  double clip_plane_window[4]; // same in the map's window space (x_px, y_px, depth in [0,1], 1)
-  double headlight_dir[3];     // the eye's view direction in mirrored view space, unit length
+  double clip_plane_view[4];    // plane in mirrored view space; kept side >= 0 (margin included)
+  double clip_plane_clip[4];    // same in clip space of the mirrored view, clip not divided by w
+  double clip_plane_window[4];  // same in the map's window space (x_px, y_px, depth in [0,1], 1)
+  double headlight_dir[3];      // the eye's view direction in mirrored view space, unit length
+  double headlight_position[3]; // the eye in mirrored view space
   int texture_px[2];
   int texture_rect_px[4]; // x, y, width, height of the part the water can look up
   double mask_rounding;   // of dot(plane_clip, NDC) in single precision

@@ -24,6 +24,24 @@ float waterHeadlightDiffuse(vec3 normal)
   return max(0.0, -dot(waterHeadlightVC.xyz, normal));
 }
 
+// What a surface and a light have in common, in the names of VTK's physically based shading.
+void waterHeadlightTerms(vec3 N, vec3 L, vec3 H, out float NdL, out float NdH)
+{
+  NdL = clamp(dot(N, L), 1e-5, 1.0);
+  NdH = clamp(dot(N, H), 1e-5, 1.0);
+}
+
+// The same with the light's direction L and the half vector H; outside of the mirror both are the
+// direction V to the eye, which VTK takes for them.
+void waterHeadlightPhysical(
+  vec3 N, vec3 V, out vec3 L, out vec3 H, out float NdL, out float NdH, out float HdL)
+{
+  L = waterHeadlightVC.w > 0.5 ? -waterHeadlightVC.xyz : V;
+  H = normalize(V + L);
+  HdL = clamp(dot(H, L), 1e-5, 1.0);
+  waterHeadlightTerms(N, L, H, NdL, NdH);
+}
+
 // Sets the diffuse factor and returns the base of the specular power, in VTK's terms for a
 // directional light; outside of the mirror both are the given factor. No second power is taken:
 // software renderers execute both sides of a branch.

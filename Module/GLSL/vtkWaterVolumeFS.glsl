@@ -4,11 +4,23 @@
 // coordinates), g_dataPos, g_terminatePos, g_terminatePointMax, g_dirStep.
 
 uniform vec4 waterClipView; // water plane in view space, kept side >= 0; (0,0,0,1): keep all
+uniform vec4 waterHeadlightPlaceVC; // xyz: the user's eye in view space; w: 1 in the mirror
+
+// Where the headlight of a volume's shading is, which VTK takes for a lamp at the eye: in the mirrored
+// view at the user's. given: the place of the eye, in a volume's own space.
+vec4 waterHeadlightPlace(vec4 given, mat4 worldToVolume)
+{
+  vec4 world = in_inverseModelViewMatrix * vec4(waterHeadlightPlaceVC.xyz, 1.0);
+  return waterHeadlightPlaceVC.w > 0.5 ? worldToVolume * world : given;
+}
 
 float waterRayHeight(vec3 texturePosition)
 {
-  vec4 view = in_modelViewMatrix * in_volumeMatrix[0] * in_textureDatasetMatrix[0] *
-    vec4(texturePosition, 1.0);
+  // what VTK's vertex shader does to place samples in the middle of texels, undone: scale and offset
+  mat4 toPoint = in_cellToPoint[0];
+  vec3 cell = (texturePosition - toPoint[3].xyz) / vec3(toPoint[0][0], toPoint[1][1], toPoint[2][2]);
+  vec4 view =
+    in_modelViewMatrix * in_volumeMatrix[0] * in_textureDatasetMatrix[0] * vec4(cell, 1.0);
   return dot(waterClipView, view / view.w);
 }
 

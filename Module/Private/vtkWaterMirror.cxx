@@ -253,7 +253,8 @@ vtkWaterMirror::Blendings vtkWaterMirror::GetBlending(vtkRenderer* renderer)
     return PLAIN;
   }
 #endif
-  return ORDER_INDEPENDENT;
+  // vtkTranslucentPass, of which chains are made, blends in the order of drawing
+  return renderer->GetPass() ? PLAIN : ORDER_INDEPENDENT;
 }
 
 //------------------------------------------------------------------------------

@@ -50,6 +50,56 @@ void InsertAfter(std::string& source, const std::string& tag, const std::string&
   vtkShaderProgram::Substitute(source, tag, tag + "\n" + text, false);
 }
 
+// VTK's physically based shader of a single headlight has L = V = H written out; this gives it the
+// terms of a directional light, which it declares anyway.
+void MoveHeadlight(std::string& source)
+{
+  const std::string isotropic = "SpecularIsotropic(NdV, NdV, NdV, 1.0,";
+  const std::string anisotropic =
+    "SpecularAnisotropic(at, ab, V, tangentVC, bitangentVC, V, TdV, BdV, NdV, NdV, NdV,\n1.0,";
+  if (source.find(isotropic) == std::string::npos && source.find(anisotropic) == std::string::npos)
+  {
+    return; // unlit, or of other lights
+  }
+  InsertAfter(source, "float NdL, NdH, HdL, distanceVC, attenuation, D, Vis;",
+    "  waterHeadlightPhysical(N, V, L, H, NdL, NdH, HdL);");
+  InsertAfter(
+    source, "float coatNdL, coatNdH;", "  waterHeadlightTerms(coatN, L, H, coatNdL, coatNdH);");
+  const char* const terms[][2] = {
+    { isotropic.c_str(), "SpecularIsotropic(NdH, NdV, NdL, HdL," },
+    { anisotropic.c_str(),
+      "SpecularAnisotropic(at, ab, L, tangentVC, bitangentVC, H, TdV, BdV, NdH, NdV, NdL, HdL," },
+    { "SpecularIsotropic(coatNdV, coatNdV, coatNdV, 1.0,",
+      "SpecularIsotropic(coatNdH, coatNdV, coatNdL, HdL," },
+    { "radiance * coatNdV * coatStrength", "radiance * coatNdL * coatStrength" },
+    { "(diffuse + specular) * NdV", "(diffuse + specular) * NdL" },
+  };
+  for (const auto& term : terms)
+  {
+    vtkShaderProgram::Substitute(source, term[0], term[1], false);
+  }
+}
+
+// VTK's volumes have their headlight in a global for each volume; those after the first matrix,
+// which is of all of them, when there are several.
+void MoveHeadlightOfVolumes(std::string& source)
+{
+  const bool areSeveral = source.find("g_ldir[1] =") != std::string::npos;
+  for (int i = 0;; ++i)
+  {
+    const std::string index = "[" + std::to_string(i) + "]";
+    const std::string matrix = "[" + std::to_string(areSeveral ? i + 1 : i) + "]";
+    const std::string line = "g_ldir" + index + " =";
+    if (source.find(line) == std::string::npos)
+    {
+      return;
+    }
+    InsertBefore(source, line,
+      "g_lightPosObj" + index + " = waterHeadlightPlace(g_lightPosObj" + index +
+        ", in_inverseVolumeMatrix" + matrix + ");");
+  }
+}
+
 // Does the prop have no highlights? A change of its property makes the mapper ask again.
 bool IsMatte(vtkProp* prop)
 {
@@ -149,6 +199,11 @@ bool vtkWaterShading::PostReplaceShaderValues(
   {
     return true;
   }
+  MoveHeadlight(fragmentShader);
+  if (Declares(fragmentShader, "waterHeadlightPlace"))
+  {
+    MoveHeadlightOfVolumes(fragmentShader);
+  }
   // VTK's code for a single headlight takes the light for the view; a mapper that has no such line
   // (unlit, other lights) needs nothing
   vtkShaderProgram::Substitute(fragmentShader, "float sf = pow(df, specularPower);",
@@ -205,12 +260,15 @@ void vtkWaterShading::SetMirroredParameters(vtkShaderProgram* program, vtkProp* 
   vtkWaterUniforms::Set4(program, "waterClipPosition", plan ? plan->clip_plane_clip : keepAll);
   vtkWaterUniforms::Set4(program, "waterClipView", plan ? plan->clip_plane_view : keepAll);
   double headlight[4] = { 0.0, 0.0, -1.0, 0.0 };
+  double place[4] = { 0.0, 0.0, 0.0, 0.0 };
   if (plan)
   {
     std::copy(plan->headlight_dir, plan->headlight_dir + 3, headlight);
-    headlight[3] = 1.0;
+    std::copy(plan->headlight_position, plan->headlight_position + 3, place);
+    headlight[3] = place[3] = 1.0;
   }
   vtkWaterUniforms::Set4(program, "waterHeadlightVC", headlight);
+  vtkWaterUniforms::Set4(program, "waterHeadlightPlaceVC", place);
   // VTK sets the lights of a program, which are in view space, once per camera or light change by
   // their modification times; main and mirrored camera share the program.
   program->SetUniformGroupUpdateTime(vtkShaderProgram::LightingGroup, 0);

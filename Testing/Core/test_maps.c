@@ -165,6 +165,9 @@ TEST(headlight_stays_with_the_eye)
   ASSERT_CLOSE(plan_down.headlight_dir[0], 0.0, 1e-15);
   ASSERT_CLOSE(plan_down.headlight_dir[1], 0.0, 1e-15);
   ASSERT_CLOSE(plan_down.headlight_dir[2], 1.0, 1e-15);
+  ASSERT_CLOSE(plan_down.headlight_position[0], 0.0, 1e-14);
+  ASSERT_CLOSE(plan_down.headlight_position[1], 0.0, 1e-14);
+  ASSERT_CLOSE(plan_down.headlight_position[2], -10.0, 1e-14);
 
   dice from = dice_seeded(17);
   for (int round = 0; round < 600; ++round)

@@ -33,9 +33,9 @@ prelude() {
   done
   if [ "$1" = vtkWaterVolumeFS ]; then # the globals of VTK's ray caster
     cat <<'GLSL'
-uniform mat4 in_modelViewMatrix;
+uniform mat4 in_modelViewMatrix, in_inverseModelViewMatrix;
 uniform mat4 in_volumeMatrix[1];
-uniform mat4 in_textureDatasetMatrix[1];
+uniform mat4 in_textureDatasetMatrix[1], in_cellToPoint[1];
 vec3 g_rayOrigin, g_rayTermination, g_rayJitter, g_dataPos, g_terminatePos, g_dirStep;
 float g_terminatePointMax;
 GLSL

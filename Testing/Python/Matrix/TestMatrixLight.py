@@ -1,0 +1,141 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Row Light of the mirror matrix: lights and shadows, and the headlight against its formula."""
+
+import mirror_matrix as mm
+import numpy as np
+import water_test as wt
+from vtkmodules.vtkRenderingCore import vtkLight, vtkLightKit
+
+row = mm.Results("Light")
+
+
+def things(scene, specular=0.6):
+    scene.add_data(wt.sphere((0, 0, 0.4), 1.5), (1, 0.6, 0.2), specular=specular)
+    scene.add_data(wt.box((2.6, 0.8, 0.4), (0.8, 0.8, 2.2)), (0.3, 0.8, 0.4), specular=specular)
+    scene.add_data(wt.pyramid((-2.4, 0.8, 0.6), 2.2), (0.4, 0.5, 1), specular=specular)
+
+
+def light(kind, position, focal_point=(0, 0, 0), color=(1, 1, 1), cone=None):
+    made = vtkLight()
+    made.SetLightType(kind)
+    made.SetPosition(position)
+    made.SetFocalPoint(focal_point)
+    made.SetColor(color)
+    if cone is not None:
+        made.SetPositional(True)
+        made.SetConeAngle(cone)
+        made.SetExponent(2)
+        made.SetAttenuationValues(0.5, 0.05, 0.01)
+    return made
+
+
+HEAD, CAMERA, SCENE = 1, 2, 3  # VTK_LIGHT_TYPE_*
+
+
+def lit_by(*lights):
+    """Each light as arguments of light(); without the cell's lights it is the headlight that lights."""
+
+    def fill(scene, on):
+        things(scene)
+        if on:
+            for arguments in lights:
+                scene.renderer.AddLight(light(*arguments[:-1], **arguments[-1]))
+
+    return fill
+
+
+def unlit(scene, on):
+    things(scene)
+    if not on:
+        for i in range(3):
+            scene.renderer.GetViewProps().GetItemAsObject(i).GetProperty().LightingOff()
+
+
+HIGH, LEFT, RIGHT = (1, -2, 6), (-5, -4, 3), (6, -3, 4)
+row.cell("default headlight", unlit)
+row.cell("headlight of a colour", lit_by((HEAD, (0, 0, 1), dict(color=(1, 0.4, 0.3)))))
+row.cell("camera light", lit_by((CAMERA, (0.8, 0.6, 0.4), dict())))
+row.cell("camera light, positional", lit_by((CAMERA, (0.8, 0.6, 0.4), (0, 0, 0), dict(cone=180))))
+row.cell("scene light, directional", lit_by((SCENE, LEFT, dict())))
+row.cell("scene light, positional", lit_by((SCENE, HIGH, dict(cone=180))))
+row.cell("scene light, spot", lit_by((SCENE, HIGH, (0.5, 0, 0), dict(cone=22))))
+row.cell("scene light under the water", lit_by((SCENE, (1, -3, -4), dict(cone=180))))
+row.cell("headlight, camera light and scene lights at once", lit_by(
+    (HEAD, (0, 0, 1), dict(color=(0.3, 0.3, 0.3))), (CAMERA, (-1, 0.5, 0.2), dict(color=(0.5, 0.2, 0.2))),
+    (SCENE, RIGHT, dict(color=(0.2, 0.2, 0.7))), (SCENE, HIGH, dict(cone=30))))
+
+
+def light_kit(scene, on):
+    things(scene)
+    if on:
+        kit = vtkLightKit()
+        kit.SetKeyLightWarmth(0.7)
+        kit.AddLightsToRenderer(scene.renderer)
+
+
+row.cell("light kit", light_kit)
+
+
+def switched_off(scene, on):
+    things(scene)
+    scene.renderer.AddLight(light(SCENE, LEFT))
+    scene.renderer.AddLight(light(SCENE, RIGHT, color=(1, 0.3, 0.3)))
+    scene.renderer.GetLights().GetItemAsObject(1).SetSwitch(not on)
+
+
+row.cell("light switched off", switched_off)
+
+
+# Shadow maps darken the picture and not its reflection, also where things cross the water: the rule.
+def shadowed(scene, on):
+    things(scene, 0.0)
+    scene.add_data(wt.box((0, 0, -0.2), (8, 4, 0.1)), (0.8, 0.8, 0.7))
+    scene.add_data(wt.box((-0.8, -1.6, 1.0), (0.5, 0.5, 3.2)), (0.9, 0.3, 0.3))
+    scene.renderer.AddLight(light(SCENE, (-4, -6, 9), (0, 0, 0), cone=40))
+    scene.renderer.SetUseShadows(scene.kind != mm.MIRRORED or not on)
+
+
+row.cell("shadow maps", shadowed, others=mm.BESIDE,
+         reason="Shadow maps are not in the reflection: vtkShadowMapPass makes and reads them, and it draws the "
+                "renderer's picture only.")
+
+
+# The formula: a Lambert sphere's radiance is max(0, N . L) with L against the user's view direction.
+def lambert():
+    scene = mm.Scene(mm.SEEN, background=(0, 0, 0))
+    center, radius = np.array((0.0, 0.0, 2.6)), 1.4
+    data = wt.sphere(center, radius, 200)
+    actor = scene.add_data(data, (1, 1, 1))
+    actor.GetProperty().SetInterpolationToPhong()
+    water = wt.add_water(scene.renderer, wt.plane((0, 0, 0), (0, 0, 1)), (-20, 20, -20, 20))
+    seen = scene.pixels()
+    water_is_there = mm.water_pixels(scene, water)
+    camera = scene.camera
+    eye, towards = np.asarray(camera.GetPosition()), np.asarray(camera.GetDirectionOfProjection())
+    right = wt.unit(np.cross(towards, camera.GetViewUp()))
+    up = np.cross(right, towards)
+    width, height = mm.SIZE
+    y, x = np.mgrid[0:height, 0:width]
+    reach = np.tan(np.radians(camera.GetViewAngle()) / 2)
+    rays = (towards + ((2 * x + 1) / width - 1)[:, :, None] * reach * width / height * right
+            + ((2 * y + 1) / height - 1)[:, :, None] * reach * up)
+    rays /= np.linalg.norm(rays, axis=2)[:, :, None]
+    with np.errstate(all="ignore"):
+        place = eye - rays * (eye[2] / rays[:, :, 2])[:, :, None]
+        down = rays * (1, 1, -1)  # reflected
+        to_center = center - place
+        along = (down * to_center).sum(axis=2)
+        inside = radius**2 - (to_center**2).sum(axis=2) + along**2
+        normal = (place + down * (along - np.sqrt(inside))[:, :, None] - center) / radius
+        truth = 255 * np.maximum(0, -(normal @ towards))
+    # not its rim, where facets differ from the sphere, nor where there is no light
+    sphere = water_is_there & (rays[:, :, 2] < 0) & (inside > (0.3 * radius) ** 2) & (truth > 40)
+    error = np.abs(seen[:, :, 0] - truth)[sphere] / 255
+    wt.check_at_least("Lambert sphere: pixels", int(sphere.sum()), 500)
+    print(f"Lambert sphere: largest error {100 * error.max():.3f} % of white, mean {100 * error.mean():.3f} %")
+    row.say("a Lambert sphere's mirrored radiance under the headlight is its formula's within 1 %",
+            float(error.max()) <= 0.01)
+
+
+lambert()
+row.finish()

@@ -1,0 +1,204 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Rows Waters and Picking of the mirror matrix."""
+
+import mirror_matrix as mm
+import numpy as np
+import water_test as wt
+from vtkmodules.vtkFiltersSources import vtkDiskSource
+from vtkmodules.vtkFiltersCore import vtkTriangleFilter
+from vtkmodules.vtkCommonDataModel import vtkDataObject
+from vtkmodules.vtkRenderingCore import (
+    vtkAreaPicker,
+    vtkCellPicker,
+    vtkHardwareSelector,
+    vtkPointPicker,
+    vtkPolyDataMapper,
+    vtkPropPicker,
+    vtkWorldPointPicker,
+)
+from vtkwater import vtkWaterReflectionPass as Pass
+
+row = mm.Results("Waters and picking")
+
+
+def things(scene):
+    scene.add_data(wt.sphere((0, 0, 0.4), 1.5), (1, 0.6, 0.2), specular=0.6)
+    scene.add_data(wt.box((2.4, 0.8, 0.4), (0.8, 0.8, 2.2)), (0.3, 0.8, 0.4), specular=0.6)
+
+
+class Sheet:
+    """A water's plane and bounds, and its mirrored picture."""
+
+    def __init__(self, origin, normal, bounds):
+        self.origin, self.normal, self.bounds = np.asarray(origin, float), wt.unit(normal), bounds
+        self.options = dict(origin=origin, normal=normal)
+
+
+def several(name, sheets, decisions, reason=None):
+    """Waters in one scene: each must show its own mirrored picture."""
+    scene = mm.Scene(mm.SEEN)
+    things(scene)
+    waters = [wt.add_water(scene.renderer, wt.plane(sheet.origin, sheet.normal), sheet.bounds) for sheet in sheets]
+    seen = scene.pixels()
+    made = [water.GetReflectionPass().GetDecision() for water in waters]
+    renders = sum(water.GetReflectionPass().GetNumberOfReflectionRenders() for water in waters)
+    pixels = np.any([mm.water_pixels(scene, water) for water in waters], axis=0)
+    for water in waters:
+        water.VisibilityOff()
+    without = scene.pixels()
+
+    def composed(fill):
+        truth = mm.Scene(mm.COMPOSED)
+        things(truth)
+        for sheet in sheets:
+            truth.origin, truth.normal = sheet.origin, sheet.normal
+            mm.add_sheet(truth, mm.mirrored_picture(fill, **sheet.options), None, sheet.bounds)
+        return truth.pixels()
+
+    row.compare(name, seen, composed(things), without, pixels, composed(mm.without_props(things)), reason=reason)
+    row.say(f"{name}: mirrored views rendered: {decisions}", renders == decisions)
+    return made
+
+
+LEVEL = (0, 0, 1)
+several("several sheets at one level share one map",
+        [Sheet((0, 0, 0), LEVEL, (-7, 0, -5, 7)), Sheet((0, 0, 0), LEVEL, (0, 7, -5, 2)),
+         Sheet((0, 0, 0), LEVEL, (0, 7, 2, 7))], 1)
+several("two levels", [Sheet((0, 0, 0), LEVEL, (-7, 0, -5, 7)), Sheet((0, 0, -0.4), LEVEL, (0, 7, -5, 7))], 2,
+        reason="Water is not reflected in other water, so that there is no recursion: what the other would cover "
+               "is seen as if it were not there.")
+several("a level and a tilted plane",
+        [Sheet((0, 0, 0), LEVEL, (-7, 0, -5, 7)), Sheet((3.5, 0, 0), (-0.15, 0.05, 1), (-2.5, 2.5, -4, 5))], 2)
+
+
+def back():
+    """An upright sheet seen from the side its normal does not point to."""
+
+    def fill(scene):
+        scene.camera.SetPosition(3, -9, 2)
+        things(scene)
+
+    row.cell("a sheet whose back is seen", fill, origin=(-2.2, 0, 0), normal=(-1, 0.2, 0.1), bounds=(-4, 4, -3, 3))
+
+
+back()
+
+
+def lake():
+    """A lake of the user's mesh with an island: a ring of triangles."""
+    disk = vtkDiskSource()
+    disk.SetInnerRadius(1.0)
+    disk.SetOuterRadius(4.2)
+    disk.SetCircumferentialResolution(40)
+    disk.SetRadialResolution(3)
+    triangles = vtkTriangleFilter()
+    triangles.SetInputConnection(disk.GetOutputPort())
+    triangles.Update()
+    return triangles.GetOutput()
+
+
+def lake_with_island():
+    def fill(scene):
+        scene.add_data(wt.pyramid((0, 0, 0.5), 2.2, 24, 1.3), (0.4, 0.7, 0.3))
+        scene.add_data(wt.box((2.4, 0.8, 0.4), (0.8, 0.8, 2.2)), (1, 0.6, 0.2))
+
+    scene = mm.Scene(mm.SEEN)
+    fill(scene)
+    water = wt.add_water(scene.renderer, wt.plane((0, 0, 0), LEVEL))
+    mapper = vtkPolyDataMapper()
+    mapper.SetInputData(lake())
+    water.SetMapper(mapper)
+    seen = scene.pixels()
+    pixels = mm.water_pixels(scene, water)
+    water.VisibilityOff()
+    without = scene.pixels()
+
+    def composed(fill_mirrored):
+        truth = mm.Scene(mm.COMPOSED)
+        fill(truth)
+        mm.add_sheet(truth, mm.mirrored_picture(fill_mirrored), lake())
+        return truth.pixels()
+
+    row.compare("a lake of the user's mesh, with an island", seen, composed(fill), without, pixels,
+                composed(mm.without_props(fill)))
+
+
+lake_with_island()
+
+
+# Picking: what is there is hit, the water too, unless it is not pickable.
+def picking():
+    scene = mm.Scene(mm.SEEN)
+    things(scene)
+    ground = scene.add_data(wt.box((0, 0, -1.2), (12, 12, 0.4)), (0.6, 0.5, 0.4))
+    ball = scene.renderer.GetViewProps().GetItemAsObject(0)
+    water = wt.add_water(scene.renderer, wt.plane((0, 0, 0), LEVEL), mm.SHEET)
+    scene.pixels()
+    on_ball, on_water, on_sky = (118, 120), (60, 50), (10, 175)
+
+    def selected(x, y):
+        selector = vtkHardwareSelector()
+        selector.SetRenderer(scene.renderer)
+        selector.SetArea(x, y, x, y)
+        selector.SetFieldAssociation(vtkDataObject.FIELD_ASSOCIATION_CELLS)
+        selection = selector.Select()
+        if selection.GetNumberOfNodes() == 0:
+            return None
+        return selection.GetNode(0).GetProperties().Get(selection.GetNode(0).PROP())
+
+    def picked_by(picker_class):
+        def pick(x, y):
+            picker = picker_class()
+            if picker_class is vtkPointPicker:
+                picker.SetTolerance(0.5)  # corners of large faces are far apart
+            picker.Pick(x, y, 0, scene.renderer)
+            return picker.GetViewProp()
+
+        return pick
+
+    def picked_by_area(x, y):
+        picker = vtkAreaPicker()
+        picker.AreaPick(x - 1, y - 1, x + 1, y + 1, scene.renderer)
+        props = picker.GetProp3Ds()
+        return [props.GetItemAsObject(i) for i in range(props.GetNumberOfItems())]
+
+    pickers = {"hardware selector": selected, "cell picker": picked_by(vtkCellPicker),
+               "prop picker": picked_by(vtkPropPicker)}
+    for name, pick in pickers.items():
+        water.PickableOn()
+        row.say(f"{name}: a ball over the water is hit", pick(*on_ball) is ball)
+        row.say(f"{name}: the water is hit", pick(*on_water) is water)
+        row.say(f"{name}: nothing is hit in the sky", pick(*on_sky) is None)
+        water.PickableOff()
+        row.say(f"{name}: the ground is hit through water that is not pickable", pick(*on_water) is ground)
+        row.say(f"{name}: a ball is hit beside water that is not pickable", pick(*on_ball) is ball)
+    pick = picked_by(vtkPointPicker)
+    water.PickableOn()
+    row.say("point picker: a point of the ball is hit", pick(*on_ball) is ball)
+    water.PickableOff()
+    row.say("point picker: not the water that is not pickable", pick(*on_water) is not water)
+    row.say("area picker: not the water that is not pickable", water not in picked_by_area(*on_water))
+    water.PickableOn()
+    row.say("area picker: the water", water in picked_by_area(*on_water))
+    scene.pixels()
+
+    def place(renderer):
+        world = vtkWorldPointPicker()
+        world.Pick(*on_water, 0, renderer)
+        return np.array(world.GetPickPosition())
+
+    on_it = place(scene.renderer)
+    ordinary = mm.Scene(mm.COMPOSED)
+    things(ordinary)
+    mm.add_sheet(ordinary, None)
+    ordinary.pixels()
+    row.say("world point picker: where an ordinary sheet is hit",
+            np.abs(on_it - place(ordinary.renderer)).max() < 1e-4)
+    before = scene.pixels()
+    for pick in pickers.values():
+        pick(*on_water)
+    row.say("the picture after picking is that before it", np.array_equal(scene.pixels(), before))
+
+
+picking()
+row.finish()

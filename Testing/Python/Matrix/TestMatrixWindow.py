@@ -1,0 +1,315 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Row Window of the mirror matrix: viewports, layers, sizes, windows, samples, stereo, tiles."""
+
+import mirror_matrix as mm
+import numpy as np
+import water_test as wt
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkRenderingCore import vtkTextActor, vtkWindowToImageFilter
+
+row = mm.Results("Window")
+PLANE = wt.plane((0, 0, 0), (0, 0, 1))
+
+
+def things(scene, color=(1, 0.6, 0.2)):
+    scene.add_data(wt.sphere((0, 0, 0.4), 1.5), color, specular=0.6)
+    scene.add_data(wt.box((2.4, 0.8, 0.4), (0.8, 0.8, 2.2)), (0.3, 0.8, 0.4), specular=0.6)
+    wt.add_scene_light(scene.renderer, (2, -4, 5))
+
+
+def expected_of(fill=things, **options):
+    return mm.composed_picture(fill, mm.mirrored_picture(fill, **options), **options)
+
+
+def control_of(fill=things, **options):
+    return mm.composed_picture(fill, mm.mirrored_picture(mm.without_props(fill), **options), **options)
+
+
+def seen_scene(fill=things, **options):
+    """A scene with water, and the water."""
+    scene = mm.Scene(mm.SEEN, **options)
+    fill(scene)
+    return scene, wt.add_water(scene.renderer, PLANE, mm.SHEET)
+
+
+def compare(name, scene, water, seen, expected, control, **notes):
+    pixels = mm.water_pixels(scene, water)
+    water.VisibilityOff()
+    without = scene.pixels()
+    water.VisibilityOn()
+    row.compare(name, seen, expected, without, pixels, control, **notes)
+
+
+# Viewports and layers: every renderer is a scene in the window.
+class Part(mm.Scene):
+    """A scene in one viewport of another scene's window."""
+
+    def __init__(self, whole, viewport, layer=0, background=(0.2, 0.3, 0.4)):
+        self.__dict__.update(whole.__dict__)
+        self.renderer = whole.add_renderer(background, viewport)
+        self.renderer.SetLayer(layer)
+        self.camera = self.renderer.GetActiveCamera()
+        self.camera.DeepCopy(whole.camera)
+        self.keep, self.when_mirrored = [], []
+
+
+def viewports(kind, add=lambda part, index: None):
+    """Two viewports with different scenes; add puts the water, or a sheet, into each."""
+    whole = mm.Scene(kind)
+    whole.window.RemoveRenderer(whole.renderer)
+    parts = [Part(whole, (0, 0, 0.5, 1)), Part(whole, (0.5, 0.3, 1, 1), background=(0.6, 0.5, 0.4))]
+    for index, part in enumerate(parts):
+        things(part, ((1, 0.6, 0.2), (0.3, 0.5, 1))[index])
+        part.camera.Azimuth(25 * index)
+        added = add(part, index)
+        if kind == mm.MIRRORED:
+            mm.mirror(part)
+        whole.keep += [part, added]
+    return whole
+
+
+def turned(picture):
+    """Left and right changed in each of the viewports."""
+    half, low = mm.SIZE[0] // 2, int(0.3 * mm.SIZE[1])
+    result = picture.copy()
+    result[:, :half] = picture[:, :half][:, ::-1]
+    result[low:, half:] = picture[low:, half:][:, ::-1]
+    return result
+
+
+def several_viewports():
+    waters = []
+    scene = viewports(mm.SEEN, lambda part, index: waters.append(wt.add_water(part.renderer, PLANE, mm.SHEET)))
+    seen = scene.pixels()
+    mirrored = turned(viewports(mm.MIRRORED).pixels())
+    expected = viewports(mm.COMPOSED, lambda part, index: mm.add_sheet(part, mirrored)).pixels()
+    blank = np.full_like(mirrored, 60)
+    control = viewports(mm.COMPOSED, lambda part, index: mm.add_sheet(part, blank)).pixels()
+    pixels = mm.water_pixels(scene, waters[0]) | mm.water_pixels(scene, waters[1])
+    for water in waters:
+        water.VisibilityOff()
+    row.compare("two viewports with different scenes", seen, expected, scene.pixels(), pixels, control)
+
+
+several_viewports()
+
+
+def layers(name, water_layer):
+    """A scene in one layer, a ball in the other."""
+
+    def make(kind, mirrored=None):
+        whole = mm.Scene(kind, background=(0.5, 0.6, 0.8))
+        whole.window.SetNumberOfLayers(2)
+        over = Part(whole, (0, 0, 1, 1), layer=1)
+        scenes = (whole, over)
+        things(scenes[water_layer])
+        other = scenes[1 - water_layer]
+        other.add_data(wt.sphere((-2.2, -1, 1.4), 0.7), (0.4, 0.5, 1), cut=False)
+        whole.keep.append(over)
+        added = None
+        if kind == mm.SEEN:
+            added = wt.add_water(scenes[water_layer].renderer, PLANE, mm.SHEET)
+        elif kind == mm.COMPOSED:
+            mm.add_sheet(scenes[water_layer], mirrored)
+        else:
+            other.renderer.RemoveAllViewProps()
+            mm.mirror(scenes[water_layer])
+            if water_layer == 1:  # the rule: what a layer's water reflects is the layer's own background
+                whole.renderer.SetBackground(over.renderer.GetBackground())
+        return whole, added
+
+    scene, water = make(mm.SEEN)
+    seen = scene.pixels()
+    mirrored = make(mm.MIRRORED)[0].pixels()[:, ::-1]
+    expected = make(mm.COMPOSED, mirrored)[0].pixels()
+    control = make(mm.COMPOSED, np.full_like(mirrored, 60))[0].pixels()
+    compare(name, scene, water, seen, expected, control, reason=None if water_layer == 0 else
+            "A transparent layer has no background of its own in the picture; its colour is reflected all the same.")
+
+
+layers("two renderers in layers, water in the lower", 0)
+layers("two renderers in layers, water in the upper", 1)
+
+
+# Sizes, windows, resources.
+def resized():
+    scene, water = seen_scene()
+    scene.pixels()
+    for number, size in enumerate(((301, 200), (160, 240))):
+        scene.window.SetSize(*size)
+        compare(f"resize while running, to {size[0]} x {size[1]}", scene, water, scene.pixels(),
+                expected_of(size=size), control_of(size=size))
+
+
+resized()
+
+
+def moved_to_another_window():
+    scene, water = seen_scene()
+    scene.pixels()
+    other = wt.View(mm.SIZE)
+    other.window.RemoveRenderer(other.renderer)
+    scene.window.RemoveRenderer(scene.renderer)
+    other.window.AddRenderer(scene.renderer)
+    scene.window, other.window = other.window, scene.window
+    compare("re-parenting to another window", scene, water, scene.pixels(), expected_of(), control_of())
+
+
+moved_to_another_window()
+
+
+def from_the_left(scene):
+    scene.camera.SetPosition(-4, -8, 3)
+    things(scene)
+
+
+def two_windows(shares_props):
+    """What two windows show that look from elsewhere at the same props, or the same data, plane and look."""
+    first, water = seen_scene()
+    second = mm.Scene(mm.SEEN)
+    second.camera.SetPosition(-4, -8, 3)
+    wt.add_scene_light(second.renderer, (2, -4, 5))
+    props = first.renderer.GetViewProps()
+    for prop in [props.GetItemAsObject(i) for i in range(props.GetNumberOfItems())]:
+        if not shares_props:
+            other = type(prop)()
+            other.ShallowCopy(prop)
+            if prop is not water:
+                other.SetMapper(type(prop.GetMapper())())
+                other.GetMapper().ShallowCopy(prop.GetMapper())
+            prop = other
+        second.renderer.AddViewProp(prop)
+    waters = (water, prop)
+    for _ in range(2):
+        pictures = [scene.pixels() for scene in (first, second)]
+    kind = "props" if shares_props else "data"
+    for number, (scene, seen, fill) in enumerate(((first, pictures[0], things), (second, pictures[1], from_the_left))):
+        compare(f"two windows that share {kind}, the {'second' if number else 'first'}", scene, waters[number], seen,
+                expected_of(fill), control_of(fill))
+
+
+two_windows(False)
+if mm.VTK_VERSION < (9, 6):
+    two_windows(True)
+else:
+    first, second = mm.Scene(mm.SEEN), mm.Scene(mm.SEEN)
+    second.renderer.AddViewProp(first.add_data(wt.sphere((0, 0, 0.4), 1.5)))
+    pictures = [[scene.pixels() for scene in (first, second)] for _ in range(2)][-1]
+    is_blank = [(picture == picture[0, 0]).all() for picture in pictures]
+    row.say("two windows that share props", any(is_blank) or (pictures[0] != pictures[1]).any(),
+            reason="VTK 9.6 itself leaves a prop out of one of two windows that share it, without any water: its "
+                   "windows release each other's buffers (vtkOpenGLResourceFreeCallback::RegisterGraphicsResources).")
+
+
+def released():
+    scene, water = seen_scene()
+    scene.pixels()
+    scene.renderer.ReleaseGraphicsResources(scene.window)
+    compare("graphics resources released and made again", scene, water, scene.pixels(), expected_of(), control_of())
+    scene, water = seen_scene()
+    scene.pixels()
+    scene.window.Finalize()
+    compare("window finalized and made again", scene, water, scene.pixels(), expected_of(), control_of())
+
+
+released()
+
+
+def high_resolution():
+    def fill(scene):
+        things(scene)
+        scene.window.SetDPI(192)
+        if scene.kind != mm.MIRRORED:
+            text = vtkTextActor()
+            text.SetInput("high DPI")
+            scene.renderer.AddViewProp(text)
+
+    row.cell("192 DPI", fill)
+
+
+high_resolution()
+
+
+# Samples. VTK's clipping planes drop whole pixels of the mirrored picture, not samples: its data is cut.
+def cut_data():
+    return [(wt.sphere((0, 0, 0.4), 1.5), (1, 0.6, 0.2)), (wt.box((2.4, 0.8, 0.4), (0.8, 0.8, 2.2)), (0.3, 0.8, 0.4))]
+
+
+def samples(scene):
+    wt.add_scene_light(scene.renderer, (2, -4, 5))
+    for data, color in cut_data():
+        if scene.kind == mm.MIRRORED:
+            data = wt.mirror_image(wt.mirror_image(data, (0, 0, 0), (0, 0, 1)), (0, 0, 0), (0, 0, -1))
+        scene.add_data(data, color, cut=False, specular=0.6)
+
+
+row.cell("8 samples", samples, samples=8)
+
+
+# Stereo: the mirror image of the left eye's view is a right eye's.
+def stereo(name, set_type, eyes):
+    def make(kind, eye=None):
+        scene = mm.Scene(kind)
+        things(scene)
+        scene.camera.SetEyeAngle(3)
+        scene.window.StereoRenderOn()
+        if eye:
+            getattr(scene.window, "SetStereoTypeTo" + eye)()
+        else:
+            set_type(scene.window)
+        return scene
+
+    mirrored = {}
+    for eye, other in (("Left", "Right"), ("Right", "Left")):
+        scene = make(mm.MIRRORED, other)
+        mm.mirror(scene)
+        mirrored[eye] = scene.pixels()[:, ::-1]
+    scene = make(mm.SEEN)
+    water = wt.add_water(scene.renderer, PLANE, mm.SHEET)
+    seen = scene.pixels()
+
+    def composed(pictures):
+        scene = make(mm.COMPOSED)
+        sheets = {eye: mm.add_sheet(scene, pictures[eye]) for eye in pictures}
+
+        def choose(renderer, event):
+            is_left = bool(scene.camera.GetLeftEye())
+            sheets["Left"].SetVisibility(is_left)
+            sheets["Right"].SetVisibility(not is_left)
+
+        scene.renderer.AddObserver("StartEvent", choose)
+        return scene.pixels()
+
+    compare(name, scene, water, seen, composed(mirrored),
+            composed({"Left": mirrored["Right"], "Right": mirrored["Left"]}))
+
+
+stereo("stereo, left eye", lambda window: window.SetStereoTypeToLeft(), 1)
+stereo("stereo, right eye", lambda window: window.SetStereoTypeToRight(), 1)
+stereo("stereo, anaglyph", lambda window: window.SetStereoTypeToAnaglyph(), 2)
+stereo("stereo, interlaced", lambda window: window.SetStereoTypeToInterlaced(), 2)
+stereo("stereo, side by side", lambda window: window.SetStereoTypeToSplitViewportHorizontal(), 2)
+
+
+# Tiles: the picture in four by four pieces is the picture rendered large.
+def tiled():
+    large = (4 * mm.SIZE[0], 4 * mm.SIZE[1])
+    scene, water = seen_scene()
+
+    def capture():
+        tiles = vtkWindowToImageFilter()
+        tiles.SetInput(scene.window)
+        tiles.SetScale(4)
+        tiles.SetInputBufferTypeToRGB()
+        tiles.ReadFrontBufferOff()
+        tiles.Update()
+        return vtk_to_numpy(tiles.GetOutput().GetPointData().GetScalars()).reshape(large[1], large[0], 3).astype(int)
+
+    seen = capture()
+    big, big_water = seen_scene(size=large)
+    pixels = mm.water_pixels(big, big_water)
+    row.compare("tiles, scale 4", seen, expected_of(size=large), None, pixels, control_of(size=large))
+
+
+tiled()
+row.finish()
