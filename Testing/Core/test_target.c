@@ -206,6 +206,25 @@ TEST(rect_covers_every_lookup)
   assert_in_range(saved, 1000, 5000);
 }
 
+// A guard band is none below 1, whatever the numbers it is made of: the map is never smaller than
+// the picture.
+TEST(guard_band_never_shrinks_the_map)
+{
+  UNUSED;
+  const water_scene scene = lake();
+  const double slopes[4] = { -1.0, -1e300, (double)-INFINITY, 0.0 };
+  const double bands[4] = { 0.5, -1e300, (double)NAN, (double)-INFINITY };
+  for (int i = 0; i < 4; ++i)
+  {
+    assert_true(water_target_guard_band(&scene.eye, slopes[i]) == 1.0);
+    int px[2] = { 800, 600 };
+    double scale[2];
+    water_target_widen(bands[i], 16384, px, scale);
+    assert_true(px[0] == 800 && px[1] == 600 && scale[0] == 1.0 && scale[1] == 1.0);
+  }
+  assert_true(water_target_guard_band(&scene.eye, 1e300) == 1.25);
+}
+
 int main(void)
 {
   const struct CMUnitTest tests[] = {
@@ -217,6 +236,7 @@ int main(void)
     RUN(rect_is_clamped_to_the_map),
     RUN(rect_is_all_of_the_map_where_there_is_no_picture),
     RUN(rect_covers_every_lookup),
+    RUN(guard_band_never_shrinks_the_map),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }
