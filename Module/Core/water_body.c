@@ -60,12 +60,12 @@ water_status water_body_refract(
   double tangent[3];
   water_vec3_cross(normal, dir, across);
   water_vec3_cross(across, normal, tangent);
-  const double squared = 1.0 - water_vec3_dot(tangent, tangent) / (eta * eta);
-  if (squared < 0.0)
+  const double sine = water_vec3_length(tangent) / eta; // of the refracted ray; eta^2 may vanish
+  if (sine > 1.0)
   {
     return WATER_TOTAL_REFLECTION;
   }
-  const double onward = copysign(sqrt(squared), along);
+  const double onward = copysign(sqrt((1.0 - sine) * (1.0 + sine)), along);
   for (int i = 0; i < 3; ++i)
   {
     refracted[i] = tangent[i] / eta + onward * normal[i];

@@ -29,6 +29,22 @@ static inline bool water_all_finite(const double* values, int count)
   return true;
 }
 
+// No number of a scene may be larger, nor an entry of a matrix or of its inverse: the product of
+// any three of them, which is the most that the core multiplies, is still finite.
+static const double water_largest = 1e100;
+
+static inline bool water_all_usable(const double* values, int count)
+{
+  for (int i = 0; i < count; ++i)
+  {
+    if (!(fabs(values[i]) <= water_largest)) // NaN neither
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
 static inline bool water_bounds_are_finite(const double bounds[6])
 {
   // one question for all, unless the sum of large numbers is not

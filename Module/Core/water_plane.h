@@ -13,7 +13,8 @@ extern "C"
 
 // Makes the normal unit length and scales the offset with it, so that heights are distances.
 //
-// Returns WATER_OK or WATER_BAD_PLANE (not finite, or a zero normal); then *unit is unchanged.
+// Returns WATER_OK or WATER_BAD_PLANE (not finite, a zero normal, or over 1e100 from the origin);
+// then *unit is unchanged.
 water_status water_plane_normalise(const water_plane* plane, water_plane* unit);
 
 // Signed distance of a point from a normalised plane, positive above the water.
