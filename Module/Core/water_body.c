@@ -60,15 +60,19 @@ water_status water_body_refract(
   double tangent[3];
   water_vec3_cross(normal, dir, across);
   water_vec3_cross(across, normal, tangent);
-  const double sine = water_vec3_length(tangent) / eta; // of the refracted ray; eta^2 may vanish
-  if (sine > 1.0)
+  for (int i = 0; i < 3; ++i)
+  {
+    tangent[i] /= eta; // first, as the square of eta, or of a short tangent, may vanish
+  }
+  const double squared = 1.0 - water_vec3_dot(tangent, tangent);
+  if (squared < 0.0)
   {
     return WATER_TOTAL_REFLECTION;
   }
-  const double onward = copysign(sqrt((1.0 - sine) * (1.0 + sine)), along);
+  const double onward = copysign(sqrt(squared), along);
   for (int i = 0; i < 3; ++i)
   {
-    refracted[i] = tangent[i] / eta + onward * normal[i];
+    refracted[i] = tangent[i] + onward * normal[i];
   }
   return WATER_OK;
 }

@@ -275,6 +275,10 @@ TEST(ray_along_the_normal_is_not_refracted)
     assert_int_equal(water_body_refract(down, up, ratios[i], refracted), WATER_OK);
     assert_true(refracted[0] == 0.0 && refracted[1] == 0.0 && refracted[2] == -1.0);
   }
+  const double nearly[3] = { 0.0, DBL_MIN, -1.0 }; // as far off as the ratio: along the surface
+  double refracted[3];
+  assert_int_equal(water_body_refract(nearly, up, DBL_MIN, refracted), WATER_OK);
+  assert_true(refracted[0] == 0.0 && refracted[1] == 1.0 && refracted[2] == 0.0);
 }
 
 // An eye whose projection moves it stands over the plane where it is, not where its view begins.
