@@ -3,9 +3,10 @@
 """Changes signs and comparisons of the core, one at a time, and sees whether the unit tests notice.
 
 Each mutant is compiled alone, linked with the unchanged rest into a shared library, and the tests,
-built once, are run with that: first the one of its own file, then those that caught most so far.
-What none of them catches is tried again under the address and undefined behaviour sanitizers, as
-the preset sanitize would run it. See script/mutation.
+built once, are run with that: those that include the file's header, the one of its own name first,
+then those that caught most so far. What none of them catches is tried again with all tests under
+the address and undefined behaviour sanitizers, as the preset sanitize would run them. See
+script/mutation.
 """
 import argparse
 import collections
@@ -160,6 +161,7 @@ class Judge:
     """Hands mutants to benches, one per thread, and remembers which tests catch most."""
 
     def __init__(self, folder, kind):
+        self.kind = kind
         self.folder = folder / kind
         self.build = Build(self.folder / "original", kind)
         self.local = threading.local()
@@ -169,8 +171,12 @@ class Judge:
         if not hasattr(self.local, "bench"):
             self.local.bench = Bench(self.folder / threading.current_thread().name, self.build)
         own = mutant.file.split(".")[0].replace("water_", "")
-        order = sorted(self.build.tests,
-                       key=lambda noun: (noun != own, -self.kills[mutant.file, noun]))
+        nouns = self.build.tests
+        if self.kind == "plain":
+            header = f'#include "water_{own}.h"'
+            nouns = [noun for noun in nouns if noun == own or
+                     header in (TESTS / f"test_{noun}.c").read_text()]
+        order = sorted(nouns, key=lambda noun: (noun != own, -self.kills[mutant.file, noun]))
         killer = self.local.bench.killer(mutant, order)
         if killer:
             self.kills[mutant.file, killer] += 1
@@ -215,20 +221,29 @@ def main():
     parser.add_argument("files", nargs="*", help="of Module/Core; without any: all")
     parser.add_argument("--folder", type=pathlib.Path, default=PROJECT / "build/mutation")
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
+    parser.add_argument("--again", action="store_true",
+                        help="believe the last run's table what was caught; only try the rest")
     arguments = parser.parse_args()
 
     paths = [CORE / name for name in arguments.files] or sorted(CORE.glob("*.[ch]"))
     mutants = [mutant for path in paths for mutant in mutants_of(path.name, path.read_text())]
     equivalents = read_equivalents()
-    results = {mutant.key: killer for mutant, killer in
-               judged(mutants, arguments.folder, "plain", arguments.jobs)}
+    table_path = arguments.folder / "mutants.tsv"
+    last = {}
+    if arguments.again:
+        rows = (line.split("\t") for line in table_path.read_text().splitlines())
+        last = {key: verdict for key, verdict in rows if verdict not in ("equivalent", "ALIVE")}
+    results = {mutant.key: last.get(mutant.key) for mutant in mutants}
+    results.update((mutant.key, killer) for mutant, killer in judged(
+        [mutant for mutant in mutants if mutant.key not in last],
+        arguments.folder, "plain", arguments.jobs))
     alive = [mutant for mutant in mutants if not results[mutant.key]]
     for mutant, killer in judged([mutant for mutant in alive if mutant.key not in equivalents],
                                  arguments.folder, "sanitized", arguments.jobs):
         results[mutant.key] = f"{killer} under the sanitizers" if killer else None
 
     arguments.folder.mkdir(parents=True, exist_ok=True)
-    with open(arguments.folder / "mutants.tsv", "w", encoding="utf-8") as table:
+    with open(table_path, "w", encoding="utf-8") as table:
         for key, killer in results.items():
             verdict = killer or ("equivalent" if key in equivalents else "ALIVE")
             table.write(f"{key}\t{verdict}\n")
