@@ -260,6 +260,20 @@ TEST(numbers_too_large_to_multiply_are_refused)
   water_plan plan;
   scene.eye.view_to_clip[11] = DBL_MIN;
   assert_int_equal(water_plan_make(&scene, &plan, NULL), WATER_BAD_CAMERA);
+  // and numbers whose products vanish: where they are places on the plane are lost
+  scene = lake();
+  for (int i = 0; i < 16; ++i)
+  {
+    scene.eye.view_to_clip[i] *= 1e-95;
+  }
+  water_eye eye;
+  water_grid_view view;
+  const double origin[3] = { 0.0, 0.0, 0.0 };
+  assert_int_equal(water_camera_take_apart(&scene.eye, &eye), WATER_OK);
+  assert_int_equal(water_grid_look(&scene.eye, &scene.plane, origin, &view), WATER_BAD_CAMERA);
+  assert_int_equal(water_plan_make(&scene, &plan, NULL), WATER_BAD_CAMERA);
+  assert_int_equal(plan.decision, WATER_NO_REFLECT_FAILED);
+  assert_false(plan.has_view);
 }
 
 // However small the ratio of the indices, a ray along the normal goes straight on.
