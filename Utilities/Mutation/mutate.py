@@ -229,10 +229,13 @@ def main():
     mutants = [mutant for path in paths for mutant in mutants_of(path.name, path.read_text())]
     equivalents = read_equivalents()
     table_path = arguments.folder / "mutants.tsv"
+    known = {}  # of all files
+    if table_path.exists():
+        known = dict(line.split("\t") for line in table_path.read_text().splitlines())
     last = {}
     if arguments.again:
-        rows = (line.split("\t") for line in table_path.read_text().splitlines())
-        last = {key: verdict for key, verdict in rows if verdict not in ("equivalent", "ALIVE")}
+        last = {key: verdict for key, verdict in known.items()
+                if verdict not in ("equivalent", "ALIVE")}
     results = {mutant.key: last.get(mutant.key) for mutant in mutants}
     results.update((mutant.key, killer) for mutant, killer in judged(
         [mutant for mutant in mutants if mutant.key not in last],
@@ -243,10 +246,12 @@ def main():
         results[mutant.key] = f"{killer} under the sanitizers" if killer else None
 
     arguments.folder.mkdir(parents=True, exist_ok=True)
+    known = {key: verdict for key, verdict in known.items()
+             if arguments.files and key.split(":")[0] not in arguments.files}
+    known.update((key, killer or ("equivalent" if key in equivalents else "ALIVE"))
+                 for key, killer in results.items())
     with open(table_path, "w", encoding="utf-8") as table:
-        for key, killer in results.items():
-            verdict = killer or ("equivalent" if key in equivalents else "ALIVE")
-            table.write(f"{key}\t{verdict}\n")
+        table.writelines(f"{key}\t{verdict}\n" for key, verdict in sorted(known.items()))
 
     wrong = 0
     for key in equivalents:

@@ -21,7 +21,7 @@ while IFS= read -r -d '' file; do
   lacks "$file" "a stack that is not executable" '^ *GNU_STACK .* RW +0x' "$segments"
   lacks "$file" "relocations that are read-only" '^ *GNU_RELRO ' "$segments"
   lacks "$file" "immediate binding" 'BIND_NOW|FLAGS.*NOW' "$(readelf -dW "$file")"
-  if readelf -sW --dyn-syms "$file" | grep -q '__stack_chk_fail'; then
+  if grep -q '__stack_chk_fail' <<<"$(readelf -W --dyn-syms "$file")"; then
     guarded=$((guarded + 1)) # a file without an array on any stack has nothing to guard
   elif [[ $file == *libvtkRenderingWater* ]]; then
     echo "$file lacks checked stack frames"
