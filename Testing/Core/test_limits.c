@@ -343,6 +343,90 @@ TEST(prop_around_the_eye_is_never_too_small)
   assert_int_equal(fate, WATER_SKIP_TOO_SMALL);
 }
 
+// The most that is reflected, of the corners of a part of the picture; rows that mix x and y.
+TEST(most_is_reflected_in_a_corner)
+{
+  UNUSED;
+  const double rows[9] = { 1.0, 0.5, 0.1, -0.25, 1.0, 0.2, 0.1, 0.3, -1.0 };
+  const double box[4] = { -0.2, 0.1, 0.6, 0.9 };
+  const water_look look = { 1.333, 0.0, false };
+  double most = 0.0;
+  for (int corner = 0; corner < 4; ++corner)
+  {
+    const double x = corner & 1 ? box[2] : box[0];
+    const double y = corner & 2 ? box[3] : box[1];
+    const double ray[3] = { x + 0.5 * y + 0.1, -0.25 * x + y + 0.2, 0.1 * x + 0.3 * y - 1.0 };
+    const double c = -ray[2] / sqrt(dot(ray, ray));
+    const double g = sqrt(1.333 * 1.333 - 1.0 + c * c);
+    const double s = (c - g) / (c + g);
+    const double p = (1.333 * 1.333 * c - g) / (1.333 * 1.333 * c + g);
+    most = fmax(most, 0.5 * (s * s + p * p));
+  }
+  ASSERT_CLOSE(water_optics_reflectance_max(&look, 1.333, rows, box, 0.0), most, 1e-14);
+}
+
+// Bounds whose sum overflows are bounds.
+TEST(bounds_may_be_as_large_as_doubles)
+{
+  UNUSED;
+  water_scene scene = lake();
+  const water_prop hall = { { 1.0, DBL_MAX, 1.0, DBL_MAX, 1.0, DBL_MAX }, WATER_PROP_VISIBLE };
+  water_fate fate = WATER_SKIP_EMPTY;
+  scene.props = &hall;
+  scene.prop_count = 1;
+  assert_false(water_select_is_unbounded(&hall));
+  plan_of(&scene, &fate);
+  assert_int_equal(fate, WATER_DRAW);
+}
+
+// A map is used again only if it covers what is wanted, on each side.
+TEST(map_that_lacks_a_column_is_not_used_again)
+{
+  UNUSED;
+  const water_scene scene = lake();
+  const water_plan plan = plan_of(&scene, NULL);
+  for (int side = 0; side < 5; ++side)
+  {
+    water_plan last = plan;
+    water_plan next = plan;
+    last.has_mask = false;
+    last.texture_rect_px[0] = last.texture_rect_px[1] = 10;
+    last.texture_rect_px[2] = last.texture_rect_px[3] = 20;
+    memcpy(next.texture_rect_px, last.texture_rect_px, sizeof next.texture_rect_px);
+    if (side < 2)
+    {
+      last.texture_rect_px[side] += 1; // the same end, a later begin
+      last.texture_rect_px[2 + side] -= 1;
+    }
+    else if (side < 4)
+    {
+      last.texture_rect_px[side] -= 1; // an earlier end
+    }
+    water_plan_reuse(&last, true, scene.skips, &next);
+    assert_int_equal(next.decision, side == 4 ? WATER_REUSE : WATER_REFLECT);
+  }
+}
+
+// What the masks and the shader are told of a point: its w, and how far its height may be off.
+TEST(view_tells_w_and_rounding)
+{
+  UNUSED;
+  const water_scene scene = lake();
+  const water_plan plan = plan_of(&scene, NULL);
+  const double point[3] = { 1.0, 2.0, 3.0 };
+  double clip[4];
+  project(&scene.eye, point, 1.0, clip);
+  double w = 0.0;
+  double size = 0.0;
+  for (int i = 0; i < 4; ++i)
+  {
+    w += plan.clip_w[i] * clip[i];
+    size += fabs(plan.plane_clip[i]);
+  }
+  ASSERT_CLOSE(w, 1.0, 1e-12);
+  ASSERT_CLOSE(plan.mask_rounding, 16.0 * (double)FLT_EPSILON * size, 1e-15 * size);
+}
+
 int main(void)
 {
   const struct CMUnitTest tests[] = {
@@ -361,6 +445,10 @@ int main(void)
     RUN(edge_on_and_endless_views_have_no_places),
     RUN(numbers_too_large_to_multiply_are_refused),
     RUN(ray_along_the_normal_is_not_refracted),
+    RUN(most_is_reflected_in_a_corner),
+    RUN(bounds_may_be_as_large_as_doubles),
+    RUN(map_that_lacks_a_column_is_not_used_again),
+    RUN(view_tells_w_and_rounding),
     RUN(grid_knows_the_height_of_a_moved_eye),
     RUN(clip_in_the_far_plane_keeps_nothing),
     RUN(prop_around_the_eye_is_never_too_small),

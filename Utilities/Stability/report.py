@@ -19,6 +19,7 @@ PROJECT = pathlib.Path(__file__).resolve().parents[2]
 IMAGES = PROJECT / "Documentation/images"
 HERE = pathlib.Path(__file__).resolve().parent
 U = 2.0**-53
+FIRST_DECADE = -20  # STRESS_FIRST_DECADE of record.h
 
 # The plots: what a reader asks for, and the properties that answer it, with the bound as a function
 # of the condition where it is one.
@@ -68,18 +69,20 @@ def number(value):
 def plot(name, title, properties, found):
     """Largest error, and largest share of the bound, in each decade of the condition."""
     figure, (errors, ratios) = plt.subplots(1, 2, figsize=(10, 4.2), layout="constrained")
+    conditions = {}
     for text in properties:
-        bins = sorted(found[text].bins.items())
+        # the first bin holds conditions of 0, which have no place on a logarithmic axis
+        bins = [each for each in sorted(found[text].bins.items()) if each[0] > FIRST_DECADE]
+        conditions.setdefault(found[text].condition, len(conditions))
         decades = [10.0**(decade + 0.5) for decade, _ in bins]
         errors.plot(decades, [max(entry[1], 1e-17) for _, entry in bins], "o-", ms=3, label=text)
         ratios.plot(decades, [max(entry[2], 1e-6) for _, entry in bins], "o-", ms=3, label=text)
     for axes in (errors, ratios):
         axes.set_xscale("log")
-        axes.set_xlabel(" / ".join(sorted({found[text].condition for text in properties}, key=len)[:1])
-                        + " (condition)")
+        axes.set_xlabel("condition: " + "; ".join(conditions), fontsize=8)
         axes.grid(alpha=0.3)
     errors.set_yscale("log")
-    errors.set_ylabel("largest error: " + ", ".join(sorted({found[t].unit for t in properties})))
+    errors.set_ylabel("largest error (units: see the table)")
     errors.axhline(U, color="grey", ls=":", lw=1)
     errors.text(0.01, U * 1.2, "u", color="grey", transform=errors.get_yaxis_transform())
     ratios.set_ylim(0.0, 1.05)

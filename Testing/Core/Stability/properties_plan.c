@@ -157,14 +157,16 @@ void stress_picture(stress_case* of, const water_plan* plan, stress_record* reco
   {
     const quad ndc = (i == 0 ? -1 : 1) * at.clip[i] / at.clip[3] * (quad)plan->map_scale[i];
     const double* row = to_clip + 4 * i;
-    const double bound = 2.0 * stress_u +
-      (off * (fabs(row[0]) + fabs(row[1]) + fabs(row[2])) + absolute(ndc) * off_w) / (w - off_w);
-    stress_keep(record, OWN_PIXEL, condition, absolute(clip[i] / clip[3] - ndc), bound);
+    // how many halves of the picture, there where the point is, the reach is long
+    const double pictures = at.reach *
+      (fabs(row[0]) + fabs(row[1]) + fabs(row[2]) + absolute(ndc) * off_w / off) / (w - off_w);
+    const double bound = 2.0 * stress_u + 32.0 * stress_u * pictures;
+    stress_keep(record, OWN_PIXEL, pictures, absolute(clip[i] / clip[3] - ndc), bound);
     // the matrix: a product of 4 terms, a sum and a half: 6 u of what it is summed from
     const quad share = (1 + ndc) / 2;
     const double size =
       (row_size(&plan->mirrored, i, at.world) + row_size(&plan->mirrored, 3, at.world)) / w;
-    stress_keep(record, MAP_PIXEL, condition, absolute(texture[i] / texture[3] - share),
+    stress_keep(record, MAP_PIXEL, pictures, absolute(texture[i] / texture[3] - share),
       0.5 * bound + 8.0 * stress_u * size * (1.0 + absolute(share)));
     const double low = plan->texture_rect_px[i];
     const double px = (double)(share * plan->texture_px[i]);
