@@ -4,8 +4,8 @@
 
 Each mutant is compiled alone, linked with the unchanged rest into a shared library, and the tests,
 built once, are run with that: those that include the file's header, the one of its own name first,
-then those that caught most so far. What none of them catches is tried again with all tests under
-the address and undefined behaviour sanitizers, as the preset sanitize would run them. See
+then those that caught most so far. What none of them catches is tried again under the address and
+undefined behaviour sanitizers, as the preset sanitize would run them, and then with all tests. See
 script/mutation.
 """
 import argparse
@@ -160,8 +160,8 @@ class Bench:
 class Judge:
     """Hands mutants to benches, one per thread, and remembers which tests catch most."""
 
-    def __init__(self, folder, kind):
-        self.kind = kind
+    def __init__(self, folder, kind, is_whole):
+        self.is_whole = is_whole
         self.folder = folder / kind
         self.build = Build(self.folder / "original", kind)
         self.local = threading.local()
@@ -172,7 +172,7 @@ class Judge:
             self.local.bench = Bench(self.folder / threading.current_thread().name, self.build)
         own = mutant.file.split(".")[0].replace("water_", "")
         nouns = self.build.tests
-        if self.kind == "plain":
+        if not self.is_whole:
             header = f'#include "water_{own}.h"'
             nouns = [noun for noun in nouns if noun == own or
                      header in (TESTS / f"test_{noun}.c").read_text()]
@@ -199,11 +199,11 @@ def read_equivalents():
     return reasons
 
 
-def judged(mutants, folder, kind, jobs):
-    """(mutant, killer) of each, in order; progress to stderr."""
+def judged(mutants, folder, kind, jobs, is_whole=False):
+    """(mutant, killer) of each, in order; progress to stderr. is_whole: by all tests."""
     if not mutants:
         return []
-    judge = Judge(folder, kind)
+    judge = Judge(folder, kind, is_whole)
     killers = []
     with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
         for number, killer in enumerate(pool.map(judge.judge, mutants), 1):
@@ -240,10 +240,11 @@ def main():
     results.update((mutant.key, killer) for mutant, killer in judged(
         [mutant for mutant in mutants if mutant.key not in last],
         arguments.folder, "plain", arguments.jobs))
-    alive = [mutant for mutant in mutants if not results[mutant.key]]
-    for mutant, killer in judged([mutant for mutant in alive if mutant.key not in equivalents],
-                                 arguments.folder, "sanitized", arguments.jobs):
-        results[mutant.key] = f"{killer} under the sanitizers" if killer else None
+    for kind, is_whole, how in (("sanitized", False, " under the sanitizers"), ("plain", True, "")):
+        alive = [mutant for mutant in mutants
+                 if not results[mutant.key] and mutant.key not in equivalents]
+        results.update((mutant.key, killer + how if killer else None) for mutant, killer in
+                       judged(alive, arguments.folder, kind, arguments.jobs, is_whole))
 
     arguments.folder.mkdir(parents=True, exist_ok=True)
     known = {key: verdict for key, verdict in known.items()
