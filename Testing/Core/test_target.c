@@ -257,6 +257,9 @@ TEST(reach_is_the_turn_of_the_steepest_ray)
   double parallel[4] = { 0.0, 0.0, 0.0, 0.0 };
   water_target_reach(&scene.eye, 0.1, parallel);
   assert_true(isinf(parallel[0]) && isinf(parallel[3]));
+  double still[4] = { 0.1, 0.2, 0.3, 0.4 };
+  water_target_reach(&scene.eye, 0.0, still);
+  assert_true(still[0] == 0.1 && still[1] == 0.2 && still[2] == 0.3 && still[3] == 0.4);
 }
 
 // Beyond the map a part of the picture is the texel at its border.
