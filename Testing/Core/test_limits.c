@@ -11,6 +11,7 @@
 #include "water_mirror.h"
 #include "water_normals.h"
 #include "water_optics.h"
+#include "water_plan.h"
 #include "water_plane.h"
 #include "water_select.h"
 #include "water_target.h"
