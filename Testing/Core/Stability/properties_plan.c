@@ -111,10 +111,9 @@ static double row_size(const water_camera* camera, int row, const quad point[3])
 // The mirrored view: R's entries are off by 7 u (Frobenius), its translation by 4 u of the plane's
 // offset, the product by 12 u, 14 u and 4 u of the three lengths, the unit plane by 12 u: at most
 // 32 u of their sum, the reach.
-static void check_place(const stress_case* of, const water_plan* plan, const place* at,
-  double condition, stress_record* record)
+static void check_place(
+  const water_plan* plan, const place* at, double condition, stress_record* record)
 {
-  (void)of;
   quad seen[3];
   quad_apply(plan->mirrored.world_to_view, 3, at->world, 1, seen);
   seen[0] = -seen[0];
@@ -135,7 +134,7 @@ void stress_picture(stress_case* of, const water_plan* plan, stress_record* reco
   }
   const double depth = of->scene.eye.parallel ? of->size : absolute(at.view[2]);
   const double condition = at.reach / depth;
-  check_place(of, plan, &at, condition, record);
+  check_place(plan, &at, condition, record);
 
   quad view[3];
   quad clip[4];
