@@ -145,10 +145,10 @@ TEST(error_is_the_formula)
 }
 
 // Where the ray of a pixel meets the lake's level, by the camera's own axes.
-static void place_of_pixel(const water_scene* scene, double x, double y, double place[2])
+static void place_of_pixel(
+  const water_scene* scene, const double eye[3], double x, double y, double place[2])
 {
   const double* view = scene->eye.world_to_view;
-  const double eye[3] = { 0.0, -10.0, 5.0 };
   double dir[3];
   for (int i = 0; i < 3; ++i)
   {
@@ -170,6 +170,10 @@ TEST(roughness_is_that_of_the_nearest_corner)
   scene.slope_rms = 0.1;
   for (int round = 0; round < 2; ++round)
   {
+    const double eye[3] = { round == 0 ? -4.0 : 3.0, -10.0, 5.0 };
+    const double target[3] = { 0.0, 0.0, 0.0 };
+    const double up[3] = { 0.0, 0.0, 1.0 };
+    look_at(eye, target, up, scene.eye.world_to_view);
     scene.surface_bounds[0] = round == 0 ? 0.5 : -4.0;
     scene.surface_bounds[1] = round == 0 ? 4.0 : -0.5;
     scene.surface_bounds[2] = -7.0;
@@ -184,9 +188,9 @@ TEST(roughness_is_that_of_the_nearest_corner)
       double here[2];
       double across[2];
       double down[2];
-      place_of_pixel(&scene, x, y, here);
-      place_of_pixel(&scene, x + 2.0 / 800.0, y, across);
-      place_of_pixel(&scene, x, y + 2.0 / 600.0, down);
+      place_of_pixel(&scene, eye, x, y, here);
+      place_of_pixel(&scene, eye, x + 2.0 / 800.0, y, across);
+      place_of_pixel(&scene, eye, x, y + 2.0 / 600.0, down);
       least = fmin(least,
         hypot(hypot(across[0] - here[0], across[1] - here[1]),
           hypot(down[0] - here[0], down[1] - here[1])));
