@@ -19,6 +19,8 @@ if(WATER_SANITIZE)
   add_link_options(-fsanitize=${WATER_SANITIZE})
 endif()
 
+include(WaterHardening)
+
 include(GNUInstallDirs)
 include(CTest) # BUILD_TESTING
 

@@ -60,7 +60,11 @@ water_status water_body_refract(
   double tangent[3];
   water_vec3_cross(normal, dir, across);
   water_vec3_cross(across, normal, tangent);
-  const double squared = 1.0 - water_vec3_dot(tangent, tangent) / (eta * eta);
+  for (int i = 0; i < 3; ++i)
+  {
+    tangent[i] /= eta; // first, as the square of eta, or of a short tangent, may vanish
+  }
+  const double squared = 1.0 - water_vec3_dot(tangent, tangent);
   if (squared < 0.0)
   {
     return WATER_TOTAL_REFLECTION;
@@ -68,7 +72,7 @@ water_status water_body_refract(
   const double onward = copysign(sqrt(squared), along);
   for (int i = 0; i < 3; ++i)
   {
-    refracted[i] = tangent[i] / eta + onward * normal[i];
+    refracted[i] = tangent[i] + onward * normal[i];
   }
   return WATER_OK;
 }

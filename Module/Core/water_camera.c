@@ -38,7 +38,8 @@ static bool is_rigid(const double world_to_view[16])
 water_status water_camera_take_apart(const water_camera* camera, water_eye* eye)
 {
   water_eye parts = { { 0.0 }, { 0.0 }, false, { 0.0 }, { 0.0 } };
-  if (!water_all_finite(camera->world_to_view, 16) || !is_rigid(camera->world_to_view) ||
+  if (!water_all_usable(camera->world_to_view, 16) || !water_all_usable(camera->view_to_clip, 16) ||
+    !is_rigid(camera->world_to_view) ||
     !water_mat4_invert_affine(camera->world_to_view, parts.view_to_world) ||
     !water_mat4_invert(camera->view_to_clip, parts.clip_to_view))
   {
@@ -78,7 +79,7 @@ water_status water_camera_take_apart(const water_camera* camera, water_eye* eye)
       parts.ndc_to_dir[3 * i + 2] = sign * center[i] / length;
     }
   }
-  if (!water_all_finite(parts.clip_to_view, 16) || !water_all_finite(parts.ndc_to_dir, 9))
+  if (!water_all_usable(parts.clip_to_view, 16) || !water_all_usable(parts.ndc_to_dir, 9))
   {
     return WATER_BAD_CAMERA;
   }

@@ -27,7 +27,8 @@ typedef struct water_eye
 
 // Takes a camera apart.
 //
-// Returns WATER_OK or WATER_BAD_CAMERA (a matrix is not finite, the view is further than 1e-6 from
+// Returns WATER_OK or WATER_BAD_CAMERA (a matrix or its inverse is not finite or has an
+// entry over 1e100, the view is further than 1e-6 from
 // a proper rotation with translation, or the projection has no inverse); then *eye is unchanged.
 water_status water_camera_take_apart(const water_camera* camera, water_eye* eye);
 

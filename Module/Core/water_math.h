@@ -29,6 +29,22 @@ static inline bool water_all_finite(const double* values, int count)
   return true;
 }
 
+// No number of a scene may be larger, nor an entry of a matrix or of its inverse: the product of
+// any three of them, which is the most that the core multiplies, is still finite.
+static const double water_largest = 1e100;
+
+static inline bool water_all_usable(const double* values, int count)
+{
+  for (int i = 0; i < count; ++i)
+  {
+    if (!(fabs(values[i]) <= water_largest)) // NaN neither
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
 static inline bool water_bounds_are_finite(const double bounds[6])
 {
   // one question for all, unless the sum of large numbers is not
@@ -173,11 +189,13 @@ static inline int water_mat4_exponent(const double* values, int stride, bool* is
   return -exponent;
 }
 
-// Inverse of any matrix: Gauss-Jordan elimination with full pivoting on the equilibrated matrix
-// (Golub and Van Loan, "Matrix Computations", 3.4 and 3.5). Rows, then columns, are scaled by
-// powers of two first, which is exact: near and far planes of any ratio, and units of any size,
-// then give pivots near 1, and a pivot under 16 roundings of 1 means that the matrix has no
-// inverse.
+// Inverse of any matrix: Gauss-Jordan elimination with pivoting on the equilibrated matrix (Golub
+// and Van Loan, "Matrix Computations", 3.4 and 3.5). Rows, then columns, are scaled by powers of
+// two first, which is exact: near and far planes of any ratio, and units of any size, then give
+// pivots near 1, and a pivot under 16 roundings of 1 means that the matrix has no inverse. A pivot
+// is at least an eighth of the largest entry, and of those one in the row with the fewest entries
+// (Markowitz 1957, "The Elimination Form of the Inverse"), so that zeros of a projection's inverse
+// are zeros: a rounding in their place, times a scale of 1e9, would turn a view direction.
 //
 // Returns false if singular or not finite; then inverse is unchanged.
 static inline bool water_mat4_invert(const double matrix[16], double inverse[16])
@@ -220,23 +238,36 @@ static inline bool water_mat4_invert(const double matrix[16], double inverse[16]
   for (int step = 0; step < 4; ++step)
   {
     double largest = 0.0;
-    int row = 0;
-    int column = 0;
-    for (int i = 0; i < 4; ++i)
+    for (int i = 0; i < 16; ++i)
     {
-      for (int j = 0; j < 4 && !used[i]; ++j)
+      if (!used[i / 4] && row_of[i % 4] < 0)
       {
-        if (row_of[j] < 0 && fabs(left[i][j]) > largest)
-        {
-          largest = fabs(left[i][j]);
-          row = i;
-          column = j;
-        }
+        largest = fmax(largest, fabs(left[i / 4][i % 4]));
       }
     }
     if (largest < 16.0 * DBL_EPSILON)
     {
       return false;
+    }
+    int row = 0;
+    int column = 0;
+    int fewest = 5;
+    for (int i = 0; i < 4; ++i)
+    {
+      int count = 0; // of what the row would spread to others
+      for (int j = 0; j < 4; ++j)
+      {
+        count += row_of[j] < 0 && left[i][j] != 0.0 ? 1 : 0;
+      }
+      for (int j = 0; j < 4 && !used[i]; ++j)
+      {
+        if (row_of[j] < 0 && fabs(left[i][j]) >= 0.125 * largest && count < fewest)
+        {
+          fewest = count;
+          row = i;
+          column = j;
+        }
+      }
     }
     used[row] = true;
     row_of[column] = row;

@@ -40,7 +40,8 @@ void water_normals_place(
   for (int i = 0; i < 2; ++i)
   {
     const double maps = at[i] / map->size;
-    place[i] = maps - floor(maps);
+    const double rest = maps - floor(maps);
+    place[i] = rest < 1.0 ? rest : 0.0; // just under a whole number it rounds up to 1
   }
 }
 

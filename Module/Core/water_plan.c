@@ -44,7 +44,7 @@ static water_status check(const water_scene* scene, checked* result)
   {
     return status;
   }
-  if (!water_all_finite(scene->surface_bounds, 6) || water_bounds_is_empty(scene->surface_bounds))
+  if (!water_all_usable(scene->surface_bounds, 6) || water_bounds_is_empty(scene->surface_bounds))
   {
     return WATER_BAD_SURFACE;
   }
@@ -54,8 +54,8 @@ static water_status check(const water_scene* scene, checked* result)
   {
     return status;
   }
-  if (!isfinite(scene->clip_margin) || scene->clip_margin < 0.0 ||
-    !isfinite(scene->wave_height_max) || scene->wave_height_max < 0.0)
+  if (!(scene->clip_margin >= 0.0 && scene->clip_margin <= water_largest &&
+        scene->wave_height_max >= 0.0 && scene->wave_height_max <= water_largest))
   {
     return WATER_BAD_CLIP_MARGIN;
   }

@@ -8,15 +8,12 @@ water_status water_plane_normalise(const water_plane* plane, water_plane* unit)
 {
   const double* normal = plane->normal;
   const double largest = fmax(fabs(normal[0]), fmax(fabs(normal[1]), fabs(normal[2])));
-  if (!water_all_finite(normal, 3) || !isfinite(plane->offset) || largest == 0.0)
-  {
-    return WATER_BAD_PLANE;
-  }
-  // scaled first, or squares of very long or very short normals overflow or vanish
+  // scaled first, or squares of very long or very short normals overflow or vanish; what is not
+  // finite, or has no length, ends as an offset that is no number
   const double scaled[3] = { normal[0] / largest, normal[1] / largest, normal[2] / largest };
   const double length = water_vec3_length(scaled);
   const double offset = plane->offset / largest / length;
-  if (!isfinite(offset))
+  if (!water_all_usable(&offset, 1))
   {
     return WATER_BAD_PLANE;
   }

@@ -21,7 +21,8 @@ extern "C"
 // looks from, wherever it stands.
 //
 // Returns WATER_OK or WATER_CAMERA_ON_PLANE (the height is smaller than the rounding of the numbers
-// it is made of); then *side is unchanged.
+// it is made of); then *side is unchanged. Never the wrong side: heights under 48 roundings (2^-53)
+// of the lengths are refused, over 96 they are not.
 water_status water_select_side(const water_eye* eye, const water_plane* plane, water_side* side);
 
 // Whether any point of a box may lie in the camera's frustum. Empty boxes must be sorted out

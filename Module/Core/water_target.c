@@ -189,7 +189,7 @@ double water_target_guard_band(const water_camera* camera, double slope_rms)
   }
   // a turn by an angle moves a pixel by it times the projection's scale
   const double turn = 2.0 * slope_rms * fmax(fabs(clip[0]), fabs(clip[5]));
-  return fmin(1.0 + turn, 1.25);
+  return fmin(fmax(1.0 + turn, 1.0), 1.25);
 }
 
 void water_target_widen(
@@ -198,7 +198,7 @@ void water_target_widen(
   for (int i = 0; i < 2; ++i)
   {
     const int inner = texture_px[i];
-    const double wanted = ceil(0.5 * (guard_band - 1.0) * inner);
+    const double wanted = ceil(0.5 * fmax(guard_band - 1.0, 0.0) * inner);
     const int most = (max_texture_px - inner) / 2;
     const int margin = wanted < (double)most ? (int)wanted : most;
     texture_px[i] = inner + 2 * margin;

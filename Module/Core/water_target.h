@@ -56,7 +56,7 @@ double water_target_guard_band(const water_camera* camera, double slope_rms);
 
 // Widens a map by a guard band without a change of the size of its texels.
 //
-// guard_band  >= 1
+// guard_band  >= 1; less counts as 1
 // texture_px  changed; even margins, and no more than max_texture_px
 // map_scale   part of the map per axis that is the picture without the band
 void water_target_widen(

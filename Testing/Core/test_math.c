@@ -98,6 +98,39 @@ TEST(inverse_refuses_singular_matrices)
   }
 }
 
+// Where the inverse of a projection is 0 it is 0, not a rounding: the view ray of a parallel camera
+// is its third column, and a rounding of its frustum's width would turn it.
+TEST(inverse_of_a_projection_keeps_its_zeros)
+{
+  UNUSED;
+  dice from = dice_seeded(61);
+  for (int round = 0; round < 1000; ++round)
+  {
+    double m[16];
+    double inverse[16];
+    const double half = pow(10.0, dice_roll(&from, -9.0, 9.0));
+    const double x = half * dice_roll(&from, -100.0, 100.0);
+    const double y = half * dice_roll(&from, -100.0, 100.0);
+    const double near_z = pow(10.0, dice_roll(&from, -6.0, 6.0));
+    const double far_z = near_z * pow(10.0, dice_roll(&from, 0.1, 8.0));
+    const double box[4] = { x - half, x + half, y - half, y + half };
+    ortho_matrix(box, near_z, far_z, m);
+    assert_true(water_mat4_invert(m, inverse));
+    static const int parallel_zeros[9] = { 1, 2, 4, 6, 8, 9, 12, 13, 14 };
+    for (int i = 0; i < 9; ++i)
+    {
+      assert_true(inverse[parallel_zeros[i]] == 0.0);
+    }
+    frustum_matrix(box, near_z, far_z, m);
+    assert_true(water_mat4_invert(m, inverse));
+    static const int perspective_zeros[9] = { 1, 2, 4, 6, 8, 9, 10, 12, 13 };
+    for (int i = 0; i < 9; ++i)
+    {
+      assert_true(inverse[perspective_zeros[i]] == 0.0);
+    }
+  }
+}
+
 // The inverse of a view takes the origin of view space to the eye, however far out the eye is.
 TEST(affine_inverse_finds_the_eye)
 {
@@ -125,6 +158,7 @@ int main(void)
     RUN(inverse_survives_any_scale),
     RUN(inverse_exists_close_to_singular),
     RUN(inverse_refuses_singular_matrices),
+    RUN(inverse_of_a_projection_keeps_its_zeros),
     RUN(affine_inverse_finds_the_eye),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);

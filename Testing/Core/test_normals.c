@@ -89,6 +89,16 @@ TEST(map_moves_with_time)
   ASSERT_CLOSE(place[1], 0.75, 1e-9);
 }
 
+// A place just before a whole map is in [0, 1), too, where its share rounds up to 1.
+TEST(place_is_under_one)
+{
+  UNUSED;
+  const water_normal_map map = { 1.0, 0.0, 0.0, 1.0 };
+  double place[2];
+  water_normals_place(&map, -1e-20, -1e-300, 0.0, place);
+  assert_true(place[0] == 0.0 && place[1] == 0.0);
+}
+
 // The normal of a slope of 1 along x; one that faces down is taken for a steep one.
 TEST(texels_are_slopes_and_their_squares)
 {
@@ -137,6 +147,7 @@ int main(void)
     RUN(map_repeats_without_a_seam),
     RUN(seed_makes_the_map),
     RUN(map_moves_with_time),
+    RUN(place_is_under_one),
     RUN(texels_are_slopes_and_their_squares),
     RUN(bad_numbers_are_named),
   };

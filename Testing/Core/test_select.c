@@ -55,6 +55,31 @@ TEST(parallel_side_is_where_the_view_comes_from)
   }
 }
 
+// So it is however wide the view is against its depth, and however far it is shifted.
+TEST(parallel_side_of_a_wide_and_shifted_view)
+{
+  UNUSED;
+  dice from = dice_seeded(62);
+  for (int round = 0; round < 1000; ++round)
+  {
+    water_scene scene = lake();
+    const double eye[3] = { 0.0, 0.0, 1.0 };
+    const double sine = round % 2 ? -1e-8 : 1e-8;
+    const double target[3] = { dice_roll(&from, 0.5, 1.0), dice_roll(&from, 0.5, 1.0), 1.0 - sine };
+    const double up[3] = { 0.0, 0.0, 1.0 };
+    const double half = pow(10.0, dice_roll(&from, 0.0, 9.0));
+    const double x = half * dice_roll(&from, -100.0, 100.0);
+    const double y = half * dice_roll(&from, -100.0, 100.0);
+    const double box[4] = { x - half, x + half, y - half, y + half };
+    const double near_z = dice_roll(&from, 1.0, 1000.0);
+    look_at(eye, target, up, scene.eye.world_to_view);
+    ortho_matrix(box, near_z, near_z + dice_roll(&from, 0.1, 100.0), scene.eye.view_to_clip);
+    scene.eye.parallel = true;
+    const water_plan plan = plan_of(&scene, NULL);
+    assert_int_equal(plan.side, round % 2 ? WATER_BELOW : WATER_ABOVE);
+  }
+}
+
 // A parallel view along the water sees nothing of it, which is no error; a tilt of a millionth of a
 // degree does.
 TEST(parallel_view_along_the_water_is_edge_on)
@@ -368,6 +393,7 @@ int main(void)
   const struct CMUnitTest tests[] = {
     RUN(perspective_side_is_where_the_eye_is),
     RUN(parallel_side_is_where_the_view_comes_from),
+    RUN(parallel_side_of_a_wide_and_shifted_view),
     RUN(parallel_view_along_the_water_is_edge_on),
     RUN(eye_on_the_plane_is_told_from_rounding),
     RUN(flags_decide_in_their_order),

@@ -206,6 +206,96 @@ TEST(rect_covers_every_lookup)
   assert_in_range(saved, 1000, 5000);
 }
 
+// A guard band is none below 1, whatever the numbers it is made of: the map is never smaller than
+// the picture.
+TEST(guard_band_never_shrinks_the_map)
+{
+  UNUSED;
+  const water_scene scene = lake();
+  const double slopes[4] = { -1.0, -1e300, (double)-INFINITY, 0.0 };
+  const double bands[4] = { 0.5, -1e300, (double)NAN, (double)-INFINITY };
+  for (int i = 0; i < 4; ++i)
+  {
+    assert_true(water_target_guard_band(&scene.eye, slopes[i]) == 1.0);
+    int px[2] = { 800, 600 };
+    double scale[2];
+    water_target_widen(bands[i], 16384, px, scale);
+    assert_true(px[0] == 800 && px[1] == 600 && scale[0] == 1.0 && scale[1] == 1.0);
+  }
+  assert_true(water_target_guard_band(&scene.eye, 1e300) == 1.25);
+}
+
+// Waves look up beyond a part of the picture by the turn of its steepest ray, which for a frustum
+// that is not symmetric leads to one certain corner.
+TEST(reach_is_the_turn_of_the_steepest_ray)
+{
+  UNUSED;
+  const double boxes[4][4] = { { -0.2, 0.9, -0.5, 0.3 }, { -0.9, 0.2, -0.5, 0.3 },
+    { -0.2, 0.9, -0.3, 0.5 }, { -0.9, 0.2, -0.3, 0.5 } };
+  water_scene scene = lake();
+  for (int i = 0; i < 4; ++i)
+  {
+    frustum_matrix(boxes[i], 1.0, 100.0, scene.eye.view_to_clip);
+    const double steepest = hypot(0.9, 0.5);
+    const double turned = tan(atan(steepest) + 2.0 * atan(0.1)) - steepest;
+    double box[4] = { -0.1, -0.2, 0.3, 0.4 };
+    water_target_reach(&scene.eye, 0.1, box);
+    ASSERT_CLOSE(box[0], -0.1 - turned * 2.0 / 1.1, 1e-12);
+    ASSERT_CLOSE(box[1], -0.2 - turned * 2.0 / 0.8, 1e-12);
+    ASSERT_CLOSE(box[2], 0.3 + turned * 2.0 / 1.1, 1e-12);
+    ASSERT_CLOSE(box[3], 0.4 + turned * 2.0 / 0.8, 1e-12);
+    double calm[4] = { -0.1, -0.2, 0.3, 0.4 };
+    water_target_reach(&scene.eye, 0.0, calm);
+    assert_true(calm[0] == -0.1 && calm[1] == -0.2 && calm[2] == 0.3 && calm[3] == 0.4);
+    double rough[4] = { 0.0, 0.0, 0.0, 0.0 };
+    water_target_reach(&scene.eye, 10.0, rough);
+    assert_true(isinf(rough[0]) && isinf(rough[3]));
+    // waves turn a pixel by the larger of the two scales
+    ASSERT_CLOSE(water_target_guard_band(&scene.eye, 0.01), 1.0 + 0.02 * 2.0 / 0.8, 1e-12);
+  }
+  ortho_matrix(boxes[0], 1.0, 100.0, scene.eye.view_to_clip);
+  double parallel[4] = { 0.0, 0.0, 0.0, 0.0 };
+  water_target_reach(&scene.eye, 0.1, parallel);
+  assert_true(isinf(parallel[0]) && isinf(parallel[3]));
+  double still[4] = { 0.1, 0.2, 0.3, 0.4 };
+  water_target_reach(&scene.eye, 0.0, still);
+  assert_true(still[0] == 0.1 && still[1] == 0.2 && still[2] == 0.3 && still[3] == 0.4);
+}
+
+// Beyond the map a part of the picture is the texel at its border.
+TEST(rect_beyond_the_map_is_its_border)
+{
+  UNUSED;
+  const double beyond[4] = { 2.0, 2.0, 3.0, 3.0 };
+  const double before[4] = { -3.0, -3.0, -2.0, -2.0 };
+  const double scale[2] = { 1.0, 1.0 };
+  const int px[2] = { 800, 600 };
+  int rect[4];
+  water_target_rect(beyond, scale, px, rect);
+  assert_true(rect[0] == 0 && rect[2] == 1 && rect[1] == 599 && rect[3] == 1);
+  water_target_rect(before, scale, px, rect);
+  assert_true(rect[0] == 799 && rect[2] == 1 && rect[1] == 0 && rect[3] == 1);
+  double box[4];
+  water_target_box_of_rect(rect, px, box);
+  ASSERT_CLOSE(box[0], 2.0 * 799.0 / 800.0 - 1.0, 1e-15);
+  ASSERT_CLOSE(box[1], -1.0, 1e-15);
+  ASSERT_CLOSE(box[2], 1.0, 1e-15);
+  ASSERT_CLOSE(box[3], 2.0 / 600.0 - 1.0, 1e-15);
+}
+
+// A guard band ends at the limit of textures, with even margins.
+TEST(guard_band_ends_at_the_limit)
+{
+  UNUSED;
+  int px[2] = { 1000, 995 };
+  double scale[2];
+  water_target_widen(1e300, 1100, px, scale);
+  assert_true(px[0] == 1100 && px[1] == 995 + 2 * 52);
+  ASSERT_CLOSE(scale[0], 1000.0 / 1100.0, 1e-15);
+  assert_int_equal(water_target_size(px, (double)INFINITY, 16384, px), WATER_BAD_TEXTURE_SCALE);
+  assert_int_equal(water_target_size(px, 0.0, 16384, px), WATER_BAD_TEXTURE_SCALE);
+}
+
 int main(void)
 {
   const struct CMUnitTest tests[] = {
@@ -217,6 +307,10 @@ int main(void)
     RUN(rect_is_clamped_to_the_map),
     RUN(rect_is_all_of_the_map_where_there_is_no_picture),
     RUN(rect_covers_every_lookup),
+    RUN(guard_band_never_shrinks_the_map),
+    RUN(reach_is_the_turn_of_the_steepest_ray),
+    RUN(rect_beyond_the_map_is_its_border),
+    RUN(guard_band_ends_at_the_limit),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

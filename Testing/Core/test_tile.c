@@ -475,9 +475,53 @@ TEST(bad_tiles_are_refused)
   assert_true(numbers[0] == 7.0 && numbers[1] == 7.0);
 }
 
+// Every wave of the tile has an amplitude, but for the mean and the highest frequencies, and turns
+// in time as h0(k) exp(-i w t) + conj(h0(-k)) exp(i w t), with w in whole turns of the period.
+TEST(spectrum_turns_as_its_formula)
+{
+  UNUSED;
+  enum
+  {
+    N = 8
+  };
+  const water_sea windy = { WATER_SEA_JONSWAP, WATER_SPREAD_DONELAN_BANNER, 8.0, 0.4, 1e4,
+    (double)INFINITY, 3.3, 10.0 };
+  const double two_pi = 6.283185307179586;
+  for (int round = 0; round < 2; ++round)
+  {
+    const water_tile small = { N, 60.0, round == 0 ? 0.0 : 20.0, 5 };
+    const double time = 3.25;
+    double h0[2 * N * N];
+    double h[2 * N * N];
+    assert_int_equal(water_tile_amplitudes(&small, &windy, h0), WATER_OK);
+    assert_int_equal(water_tile_at(&small, &windy, h0, time, h), WATER_OK);
+    for (int i = 0; i < N * N; ++i)
+    {
+      const int column = i % N;
+      const int row = i / N;
+      const int is_used = column != N / 2 && row != N / 2 && i != 0;
+      assert_int_equal(h0[2 * i] != 0.0 && h0[2 * i + 1] != 0.0, is_used);
+      const double kx = two_pi * (column < N / 2 ? column : column - N) / 60.0;
+      const double ky = two_pi * (row < N / 2 ? row : row - N) / 60.0;
+      const double frequency = sqrt(9.80665 * hypot(kx, ky)) / two_pi;
+      const double turns =
+        round == 0 ? frequency * time : fmax(1.0, rint(frequency * 20.0)) * time / 20.0;
+      const double c = cos(two_pi * turns);
+      const double s = sin(two_pi * turns);
+      const double* own = h0 + 2 * i;
+      const double* other = h0 + 2 * ((N - row) % N * N + (N - column) % N);
+      const double real = own[0] * c + own[1] * s + other[0] * c + other[1] * s;
+      const double imaginary = own[1] * c - own[0] * s + other[0] * s - other[1] * c;
+      ASSERT_CLOSE(h[2 * i], is_used ? real : 0.0, 1e-14);
+      ASSERT_CLOSE(h[2 * i + 1], is_used ? imaginary : 0.0, 1e-14);
+    }
+  }
+}
+
 int main(void)
 {
   const struct CMUnitTest tests[] = {
+    RUN(spectrum_turns_as_its_formula),
     RUN(bits_are_splitmix64s),
     RUN(normal_numbers_are_box_and_mullers),
     RUN(normal_numbers_have_the_same_bits_everywhere),

@@ -367,9 +367,27 @@ TEST(slope_looked_up_bounds_the_slope)
   ASSERT_CLOSE(water_waves_number(NULL, 0), 0.0, 0.0);
 }
 
+// A place that is no number has no surface, whichever of its two parts it is, waves or none.
+TEST(no_place_has_no_surface)
+{
+  UNUSED;
+  const double bad[3] = { (double)NAN, (double)INFINITY, (double)-INFINITY };
+  for (int i = 0; i < 3; ++i)
+  {
+    double rest[2] = { 7.0, 7.0 };
+    water_wave_point point;
+    assert_int_equal(water_waves_find(NULL, 0, bad[i], 1.0, rest, &point), WATER_BAD_POINT);
+    assert_int_equal(water_waves_find(NULL, 0, 1.0, bad[i], rest, &point), WATER_BAD_POINT);
+    assert_true(rest[0] == 7.0 && rest[1] == 7.0);
+    assert_int_equal(water_waves_find(NULL, 0, 1.0, 2.0, rest, &point), WATER_OK);
+    assert_true(rest[0] == 1.0 && rest[1] == 2.0 && point.displacement[2] == 0.0);
+  }
+}
+
 int main(void)
 {
   const struct CMUnitTest tests[] = {
+    RUN(no_place_has_no_surface),
     RUN(slope_looked_up_bounds_the_slope),
     RUN(sine_wave_is_where_it_should_be),
     RUN(normal_slope_and_area_are_those_of_the_surface),

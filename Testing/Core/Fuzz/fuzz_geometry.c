@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// fuzz_geometry.c: the steps of a plan one by one, with any numbers; grids and pieces of meshes.
+#include "fuzz_scene.h"
+
+#include "water_camera.h"
+#include "water_frustum.h"
+#include "water_grid.h"
+#include "water_lookup.h"
+#include "water_math.h"
+#include "water_mirror.h"
+#include "water_optics.h"
+#include "water_pieces.h"
+#include "water_plane.h"
+#include "water_select.h"
+#include "water_target.h"
+
+enum
+{
+  POINTS = 64,
+  TRIANGLES = 100,
+  GRID = 16
+};
+
+static void fuzz_pieces(fuzz_input* from)
+{
+  float floats[3 * POINTS];
+  double doubles[3 * POINTS];
+  uint32_t indices[3 * TRIANGLES];
+  uint32_t drawn[3 * TRIANGLES];
+  double boxes[(TRIANGLES + WATER_PIECE_TRIANGLES - 1) / WATER_PIECE_TRIANGLES][6];
+  const size_t triangle_count = fuzz_below(from, TRIANGLES + 1);
+  for (int i = 0; i < 3 * POINTS; ++i)
+  {
+    doubles[i] = fuzz_double(from);
+    floats[i] = (float)doubles[i];
+  }
+  for (size_t i = 0; i < 3 * triangle_count; ++i)
+  {
+    indices[i] = fuzz_byte(from) % (POINTS + 1); // one beyond
+  }
+  const water_points points = { fuzz_bool(from) ? floats : NULL, doubles };
+  (void)water_pieces_count(triangle_count);
+  if (!water_pieces_bound(&points, POINTS, indices, triangle_count, boxes))
+  {
+    return;
+  }
+  water_frustum view;
+  fuzz_doubles(from, &view.planes[0][0], 24);
+  view.reach = fuzz_double(from);
+  water_frustum_prepare(&view);
+  PROMISED(water_pieces_select(&view, indices, triangle_count, boxes, drawn) <= 3 * triangle_count);
+}
+
+static void fuzz_grid(fuzz_input* from)
+{
+  water_camera camera;
+  water_plane plane;
+  double origin[3];
+  double sheet[4];
+  water_grid_view view;
+  fuzz_camera(from, &camera);
+  for (int i = 0; i < 3; ++i)
+  {
+    plane.normal[i] = fuzz_near(from, i == 2 ? 1.0 : 0.0);
+    origin[i] = fuzz_near(from, 0.0);
+  }
+  plane.offset = fuzz_near(from, 0.0);
+  for (int i = 0; i < 4; ++i)
+  {
+    sheet[i] = fuzz_near(from, i % 2 ? 10.0 : -10.0);
+  }
+  if (water_grid_look(&camera, &plane, origin, &view) == WATER_OK)
+  {
+    double points[3 * (GRID + 1) * (GRID + 1)];
+    float cells[2 * (GRID + 1) * (GRID + 1)];
+    double row_dir[2];
+    if (water_grid_lay(
+          &view, sheet, fuzz_near(from, 0.1), fuzz_near(from, 0.1), GRID, points, cells, row_dir))
+    {
+      fuzz_use(points, sizeof points);
+    }
+  }
+}
+
+static void fuzz_plane(fuzz_input* from)
+{
+  water_plane plane;
+  water_plane unit;
+  double point[3];
+  double bounds[6];
+  double sheet[4];
+  double corners[12];
+  double x_dir[3];
+  double y_dir[3];
+  double matrix[16];
+  fuzz_doubles(from, plane.normal, 3);
+  plane.offset = fuzz_double(from);
+  fuzz_doubles(from, point, 3);
+  fuzz_doubles(from, bounds, 6);
+  if (water_plane_normalise(&plane, &unit) != WATER_OK)
+  {
+    return;
+  }
+  const double length = hypot(hypot(unit.normal[0], unit.normal[1]), unit.normal[2]);
+  PROMISED(fabs(length - 1.0) < 1e-14 && isfinite(unit.offset));
+  (void)water_plane_height(&unit, point);
+  water_plane_project(&unit, point, point);
+  water_plane_mirror_matrix(&unit, matrix);
+  water_plane_axes(unit.normal, x_dir, y_dir);
+  PROMISED(
+    fabs(water_vec3_dot(x_dir, y_dir)) < 1e-14 && fabs(water_vec3_dot(x_dir, x_dir) - 1.0) < 1e-14);
+  if (water_sheet_bounds(point, x_dir, y_dir, bounds, sheet) == WATER_OK)
+  {
+    PROMISED(sheet[0] <= sheet[1] && sheet[2] <= sheet[3]);
+    water_sheet_corners(point, x_dir, y_dir, sheet, corners);
+  }
+  double displaced[6];
+  water_plane_displaced_bounds(&unit, bounds, fuzz_double(from), fuzz_double(from), displaced);
+  water_axes axes;
+  memcpy(axes.x_dir, x_dir, sizeof x_dir);
+  memcpy(axes.y_dir, y_dir, sizeof y_dir);
+  memcpy(axes.normal, unit.normal, sizeof axes.normal);
+  memcpy(axes.origin, point, sizeof axes.origin);
+  double dirs[2][3];
+  double local[9];
+  fuzz_doubles(from, &dirs[0][0], 6);
+  (void)water_lookup_local(&axes, dirs[0], local);
+  water_lookup_environment(&axes, dirs[0], dirs[1], local);
+}
+
+static void fuzz_steps(fuzz_input* from)
+{
+  water_camera camera;
+  double matrix[16];
+  double inverse[16];
+  double four[4];
+  double scale[2];
+  int px[2] = { (int)fuzz_below(from, 5000) + 1, (int)fuzz_below(from, 5000) + 1 };
+  int rect[4];
+  fuzz_camera(from, &camera);
+  fuzz_doubles(from, matrix, 16);
+  (void)water_mat4_invert(matrix, inverse);
+  (void)water_mat4_invert_affine(matrix, inverse);
+  fuzz_doubles(from, four, 4);
+  (void)water_mirror_oblique(camera.view_to_clip, four, matrix);
+  water_mirror_clip_window(four, px, matrix);
+  water_target_reach(&camera, fuzz_double(from), four);
+  scale[0] = fuzz_double(from);
+  scale[1] = fuzz_double(from);
+  water_target_rect(four, scale, px, rect);
+  for (int i = 0; i < 2; ++i)
+  {
+    PROMISED(rect[i] >= 0 && rect[2 + i] >= 1 && rect[i] + rect[2 + i] <= px[i]);
+  }
+  water_target_box_of_rect(rect, px, four);
+  const double band = water_target_guard_band(&camera, fuzz_double(from));
+  water_target_widen(fmax(band, fuzz_double(from)), 16384, px, scale);
+  PROMISED(px[0] <= 16384 && px[1] <= 16384);
+  const double eta = fuzz_double(from);
+  const double cosine = fuzz_double(from);
+  if (eta >= 1e-3 && eta <= 1e3) // of any two media
+  {
+    const double reflectance = water_optics_fresnel(cosine, eta);
+    PROMISED(reflectance >= 0.0 && reflectance <= 1.0);
+    const double schlick = water_optics_schlick(cosine, eta);
+    PROMISED(schlick >= 0.0 && schlick <= 1.0);
+    const double critical = water_optics_critical_rad(eta);
+    PROMISED(critical >= 0.0 && critical < 1.6);
+  }
+  water_look look = { fuzz_double(from), fuzz_double(from), fuzz_bool(from) };
+  water_look all = { fuzz_double(from), fuzz_double(from), fuzz_bool(from) };
+  if (water_optics_check(&look) == WATER_OK && water_optics_check(&all) == WATER_OK)
+  {
+    water_optics_join(&look, &all);
+    PROMISED(water_optics_check(&all) == WATER_OK);
+  }
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t* bytes, size_t size)
+{
+  fuzz_input from = { bytes, size };
+  static void (*const parts[])(fuzz_input*) = { fuzz_pieces, fuzz_grid, fuzz_plane, fuzz_steps };
+  parts[fuzz_byte(&from) % 4](&from);
+  return 0;
+}

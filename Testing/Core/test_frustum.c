@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// test_frustum.c: boxes against half-spaces: to either side of the rounding that is allowed for.
+#include "test_scene.h"
+
+#include "water_frustum.h"
+
+// A box is behind a plane if its furthest corner is, by more than the rounding of the numbers
+// summed: of each axis the larger end counts, and the reach as often as the plane has entries.
+TEST(behind_by_more_than_rounding)
+{
+  UNUSED;
+  const double plane[4] = { 1.0, -2.0, 0.5, 0.0 };
+  // furthest corner: x 3, y 7, z 2: 3 - 14 + 1 = -10; sizes: 4 + 2 * 9 + 0.5 * 8 = 26
+  const double bounds[6] = { -4.0, 3.0, 7.0, 9.0, -8.0, 2.0 };
+  assert_true(water_frustum_is_behind(plane, bounds, 0.0, 0.38));
+  assert_false(water_frustum_is_behind(plane, bounds, 0.0, 0.39));
+  // the reach 2 adds 3.5 * 2
+  assert_true(water_frustum_is_behind(plane, bounds, 2.0, 0.30));
+  assert_false(water_frustum_is_behind(plane, bounds, 2.0, 0.31));
+  const double shifted[4] = { 1.0, -2.0, 0.5, -6.0 }; // -16 of 32
+  assert_true(water_frustum_is_behind(shifted, bounds, 0.0, 0.49));
+  assert_false(water_frustum_is_behind(shifted, bounds, 0.0, 0.5));
+  assert_false(water_frustum_is_behind(shifted, bounds, 0.0, 0.51));
+}
+
+// A box that touches a plane is not behind it, nor is one whose sum overflows.
+TEST(touching_is_not_behind)
+{
+  UNUSED;
+  const double plane[4] = { 1.0, 0.0, 0.0, -3.0 };
+  const double touching[6] = { -4.0, 3.0, 0.0, 1.0, 0.0, 1.0 };
+  const double endless[6] = { -DBL_MAX, -DBL_MAX, -DBL_MAX, DBL_MAX, 0.0, 1.0 };
+  const double steep[4] = { 2.0, 2.0, 0.0, 0.0 };
+  assert_false(water_frustum_is_behind(plane, touching, 0.0, 0.0));
+  assert_false(water_frustum_is_behind(steep, endless, 0.0, 0.0));
+}
+
+// Each of a frustum's planes divides off what is beyond it, and its number is told; five planes
+// leave the far one out.
+TEST(every_plane_divides)
+{
+  UNUSED;
+  const water_scene scene =
+    pool(1.0); // 45 degrees to each side, near 1, far 1000, looking down from 10
+  const double box[4] = { -1.0, -1.0, 1.0, 1.0 };
+  water_frustum frustum;
+  water_frustum_make(&scene.eye, box, &frustum);
+  const double beyond[6][6] = { { -21.0, -20.5, -1.0, 1.0, -1.0, 0.0 },
+    { 20.5, 21.0, -1.0, 1.0, -1.0, 0.0 }, { -1.0, 1.0, -21.0, -20.5, -1.0, 0.0 },
+    { -1.0, 1.0, 20.5, 21.0, -1.0, 0.0 }, { -0.1, 0.1, -0.1, 0.1, 9.5, 9.9 },
+    { -1.0, 1.0, -1.0, 1.0, -1000.0, -995.0 } };
+  for (int i = 0; i < 6; ++i)
+  {
+    assert_int_equal(water_frustum_divides(&frustum, 6, beyond[i], 1e-12), i);
+    assert_false(water_frustum_meets(&frustum, 6, beyond[i], 1e-12));
+    assert_int_equal(water_frustum_meets(&frustum, 5, beyond[i], 1e-12), i == 5);
+  }
+  const double inside[6] = { -1.0, 1.0, -1.0, 1.0, -1.0, 0.0 };
+  assert_true(water_frustum_meets(&frustum, 6, inside, 1e-12));
+  const double half[4] = { 0.0, -1.0, 1.0, 1.0 }; // the right half of the picture
+  water_frustum_make(&scene.eye, half, &frustum);
+  const double left[6] = { -3.0, -1.0, -1.0, 1.0, -1.0, 0.0 };
+  assert_int_equal(water_frustum_divides(&frustum, 6, left, 1e-12), 0);
+}
+
+int main(void)
+{
+  const struct CMUnitTest tests[] = {
+    RUN(behind_by_more_than_rounding),
+    RUN(touching_is_not_behind),
+    RUN(every_plane_divides),
+  };
+  return cmocka_run_group_tests(tests, NULL, NULL);
+}

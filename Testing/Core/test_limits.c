@@ -1,0 +1,458 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// test_limits.c: the ends of what is accepted belong to it, and what lies exactly on a border has
+// an answer.
+#include "test_scene.h"
+
+#include "water_body.h"
+#include "water_camera.h"
+#include "water_glitter.h"
+#include "water_grid.h"
+#include "water_lookup.h"
+#include "water_mirror.h"
+#include "water_normals.h"
+#include "water_optics.h"
+#include "water_plan.h"
+#include "water_plane.h"
+#include "water_select.h"
+#include "water_target.h"
+#include "water_tile.h"
+#include "water_waves.h"
+
+static const double inf = (double)INFINITY;
+
+// A ray along the surface between equal media goes on along it: no total reflection yet.
+TEST(ray_along_a_surface_that_is_none_goes_on)
+{
+  UNUSED;
+  const double along[3] = { 1.0, 0.0, 0.0 };
+  const double up[3] = { 0.0, 0.0, 1.0 };
+  double refracted[3] = { 7.0, 7.0, 7.0 };
+  assert_int_equal(water_body_refract(along, up, 1.0, refracted), WATER_OK);
+  assert_true(refracted[0] == 1.0 && refracted[1] == 0.0 && refracted[2] == 0.0);
+}
+
+// A view may be off from rigid by its tolerance, and no more.
+TEST(view_at_its_tolerance_is_rigid)
+{
+  UNUSED;
+  water_eye eye;
+  water_scene scene = lake();
+  memset(scene.eye.world_to_view, 0, sizeof scene.eye.world_to_view);
+  for (int i = 0; i < 4; ++i)
+  {
+    scene.eye.world_to_view[5 * i] = 1.0;
+  }
+  water_camera slanted = scene.eye;
+  slanted.world_to_view[4] = 1e-6; // the dot product of the first two rows
+  assert_int_equal(water_camera_take_apart(&slanted, &eye), WATER_OK);
+  slanted.world_to_view[4] = 1.0001e-6;
+  assert_int_equal(water_camera_take_apart(&slanted, &eye), WATER_BAD_CAMERA);
+  for (int i = 0; i < 3; ++i)
+  {
+    water_camera last = scene.eye;
+    last.world_to_view[12 + i] = 1e-12;
+    assert_int_equal(water_camera_take_apart(&last, &eye), WATER_OK);
+    last.world_to_view[12 + i] = 1.0001e-12;
+    assert_int_equal(water_camera_take_apart(&last, &eye), WATER_BAD_CAMERA);
+  }
+}
+
+TEST(winds_at_both_ends_are_accepted)
+{
+  UNUSED;
+  double two[2];
+  assert_int_equal(water_glitter_variance(0.1, two), WATER_OK);
+  assert_int_equal(water_glitter_variance(100.0, two), WATER_OK);
+  assert_int_equal(water_glitter_mean_square(0.1, two), WATER_OK);
+  assert_int_equal(water_glitter_mean_square(100.0, two), WATER_OK);
+}
+
+// The sun on the horizon lights no glitter, and an eye in the surface sees none.
+TEST(glitter_ends_at_the_horizon)
+{
+  UNUSED;
+  const double variance[2] = { 0.03, 0.02 };
+  const double level[3] = { 1.0, 0.0, 0.0 };
+  const double up[3] = { 0.0, 0.0, 1.0 };
+  double facet = 0.0;
+  assert_true(water_glitter_radiance(level, up, 0.0, variance, &facet) == 0.0);
+  ASSERT_CLOSE(facet, sqrt(0.5), 1e-15);
+  assert_true(water_glitter_radiance(up, level, 0.0, variance, &facet) == 0.0);
+}
+
+TEST(seas_at_both_ends_are_accepted)
+{
+  UNUSED;
+  const water_sea low = { WATER_SEA_JONSWAP, WATER_SPREAD_COS_2S, 0.1, -1e9, 1.0, 1e-9, 1.0, 0.0 };
+  const water_sea high = { WATER_SEA_PHILLIPS, WATER_SPREAD_DONELAN_BANNER, 100.0, 1e9, inf, inf,
+    20.0, 1000.0 };
+  assert_int_equal(water_sea_check(&low), WATER_OK);
+  assert_int_equal(water_sea_check(&high), WATER_OK);
+  const water_tile small = { 4, 1e-3, 0.0, 0 };
+  const water_tile large = { 16384, 1e9, 1e9, 1 };
+  assert_int_equal(water_tile_check(&small, &low), WATER_OK);
+  assert_int_equal(water_tile_check(&large, &high), WATER_OK);
+  water_sea none = low;
+  none.depth = 0.0;
+  assert_int_equal(water_sea_check(&none), WATER_BAD_DEPTH);
+}
+
+TEST(normal_maps_at_both_ends_are_accepted)
+{
+  UNUSED;
+  const water_normal_map low = { 1e-6, 0.0, 0.0, -1000.0 };
+  const water_normal_map high = { 1e9, 0.0, 0.0, 1000.0 };
+  assert_int_equal(water_normals_check(&low), WATER_OK);
+  assert_int_equal(water_normals_check(&high), WATER_OK);
+}
+
+// A map that moves along the first axis is met by a place later, and so along the second.
+TEST(normal_map_moves_to_where_it_points)
+{
+  UNUSED;
+  const water_normal_map map = { 4.0, 1.0, 0.0, 1.0 };
+  double place[2];
+  water_normals_place(&map, 3.0, 1.0, 1.0, place);
+  ASSERT_CLOSE(place[0], 0.5, 1e-15);
+  ASSERT_CLOSE(place[1], 0.25, 1e-15);
+}
+
+// All four numbers of all texels: slopes and squares.
+TEST(texels_hold_both_slopes_and_squares)
+{
+  UNUSED;
+  const unsigned char pixels[6] = { 255, 51, 255, 0, 204, 255 };
+  const float truth[8] = { -1.0f, 0.6f, 1.0f, 0.36f, 1.0f, -0.6f, 1.0f, 0.36f };
+  float texels[8];
+  water_normals_texels(pixels, 3, 2, texels);
+  for (int i = 0; i < 8; ++i)
+  {
+    ASSERT_CLOSE((double)texels[i], (double)truth[i], 1e-6);
+  }
+}
+
+TEST(looks_at_both_ends_are_accepted)
+{
+  UNUSED;
+  const water_look low = { 1.0, 0.0, true };
+  const water_look high = { 1e300, 1.0, true };
+  assert_int_equal(water_optics_check(&low), WATER_OK);
+  assert_int_equal(water_optics_check(&high), WATER_OK);
+}
+
+// Waves of steepness 1 whose crests are cusps do not fold; flat waves are waves.
+TEST(waves_at_both_ends_are_accepted)
+{
+  UNUSED;
+  const double two_pi = 6.283185307179586;
+  const water_wave waves[2] = { { 1.0, two_pi, 0.0, 0.0, 1.0 }, { 0.0, 1.0, 0.0, 0.0, 0.0 } };
+  size_t culprit = 7;
+  assert_int_equal(water_waves_check(waves, 2, &culprit), WATER_OK);
+  assert_true(culprit == 7);
+  double number = 0.0;
+  assert_int_equal(water_waves_omega(0.0, 1.0, &number), WATER_OK);
+  assert_int_equal(water_waves_wavenumber(0.0, 1.0, &number), WATER_OK);
+  assert_true(number == 0.0);
+}
+
+TEST(scene_at_the_ends_of_its_ranges_is_planned)
+{
+  UNUSED;
+  water_scene scene = lake();
+  scene.viewport_px[0] = scene.viewport_px[1] = 1;
+  scene.max_texture_px = 1;
+  scene.reflectance_error = 1.0;
+  scene.look.constant_reflectance = true;
+  scene.look.reflectance = 1.0;
+  assert_int_equal(plan_of(&scene, NULL).decision, WATER_NO_REFLECT_FAINT); // all may be neglected
+  scene.reflectance_error = 0.0;
+  assert_int_equal(plan_of(&scene, NULL).decision, WATER_REFLECT);
+  scene.viewport_px[0] = 2;
+  water_plan plan;
+  assert_int_equal(water_plan_make(&scene, &plan, NULL), WATER_TEXTURE_TOO_LARGE);
+}
+
+// Under the very border of the sheet the eye is in the water, however far out; one whose view is
+// called parallel never is.
+TEST(eye_under_the_border_is_submerged)
+{
+  UNUSED;
+  water_scene scene = lake();
+  const double eye_at[3] = { 10.0, -10.0, -1.0 };
+  const double target[3] = { 0.0, 0.0, 0.0 };
+  const double up[3] = { 0.0, 0.0, 1.0 };
+  look_at(eye_at, target, up, scene.eye.world_to_view);
+  const water_plane towards = { { 0.0, 0.0, -1.0 }, 0.0 };
+  water_eye eye;
+  assert_int_equal(water_camera_take_apart(&scene.eye, &eye), WATER_OK);
+  assert_true(water_lookup_is_submerged(&scene.eye, &eye, &towards, scene.surface_bounds));
+  scene.eye.parallel = true;
+  assert_false(water_lookup_is_submerged(&scene.eye, &eye, &towards, scene.surface_bounds));
+}
+
+// No place on a plane that is seen edge-on, nor where the numbers overflow: the outputs are kept.
+TEST(edge_on_and_endless_views_have_no_places)
+{
+  UNUSED;
+  water_scene scene = lake();
+  const double eye_at[3] = { 0.0, -10.0, 1.0 };
+  const double target[3] = { 0.0, 0.0, 1.0 };
+  const double up[3] = { 0.0, 0.0, 1.0 };
+  const double box[4] = { -1.0, 1.0, -1.0, 1.0 };
+  const water_axes axes = { { 1.0, 0.0, 0.0 }, { 0.0, 1.0, 0.0 }, { 0.0, 0.0, 1.0 },
+    { 0.0, 0.0, 0.0 } };
+  water_eye eye;
+  double origin[2] = { 7.0, 7.0 };
+  double places[9] = { 7.0 };
+  water_camera level = scene.eye;
+  look_at(eye_at, target, up, level.world_to_view);
+  ortho_matrix(box, 1.0, 100.0, level.view_to_clip);
+  level.parallel = true;
+  assert_int_equal(water_camera_take_apart(&level, &eye), WATER_OK);
+  assert_int_equal(
+    water_lookup_places(&level, &eye, &scene.plane, &axes, origin, places), WATER_BAD_CAMERA);
+  water_grid_view view;
+  assert_int_equal(water_grid_look(&level, &scene.plane, axes.origin, &view), WATER_BAD_CAMERA);
+  assert_int_equal(water_camera_take_apart(&scene.eye, &eye), WATER_OK);
+  for (int i = 0; i < 16; ++i)
+  {
+    scene.eye.view_to_clip[i] *= 1e160; // the same picture; its products overflow
+  }
+  assert_int_equal(
+    water_lookup_places(&scene.eye, &eye, &scene.plane, &axes, origin, places), WATER_BAD_CAMERA);
+  assert_int_equal(water_grid_look(&scene.eye, &scene.plane, axes.origin, &view), WATER_BAD_CAMERA);
+  assert_true(origin[0] == 7.0 && places[0] == 7.0);
+  water_plan plan;
+  assert_int_equal(water_plan_make(&scene, &plan, NULL), WATER_BAD_CAMERA);
+  assert_int_equal(plan.decision, WATER_NO_REFLECT_FAILED);
+  assert_false(plan.has_view);
+}
+
+// Numbers whose products would overflow are refused, and 1e100 is not yet one: a projection with an
+// inverse of 1e307, a plane, a surface, a margin out there.
+TEST(numbers_too_large_to_multiply_are_refused)
+{
+  UNUSED;
+  const double large[2] = { 1e100, 1.0001e100 };
+  for (int i = 0; i < 2; ++i)
+  {
+    water_plan plan;
+    water_plane unit;
+    water_eye eye;
+    const water_plane plane = { { 0.0, 0.0, 1.0 }, large[i] };
+    assert_int_equal(water_plane_normalise(&plane, &unit), i == 0 ? WATER_OK : WATER_BAD_PLANE);
+    water_scene scene = lake();
+    scene.surface_bounds[1] = large[i];
+    assert_int_equal(water_plan_make(&scene, &plan, NULL), i == 0 ? WATER_OK : WATER_BAD_SURFACE);
+    scene = lake();
+    scene.clip_margin = large[i];
+    assert_int_equal(
+      water_plan_make(&scene, &plan, NULL), i == 0 ? WATER_OK : WATER_BAD_CLIP_MARGIN);
+    scene = lake();
+    scene.wave_height_max = large[i];
+    assert_int_equal(
+      water_plan_make(&scene, &plan, NULL), i == 0 ? WATER_OK : WATER_BAD_CLIP_MARGIN);
+    scene = lake();
+    scene.eye.view_to_clip[0] = large[i];
+    assert_int_equal(
+      water_camera_take_apart(&scene.eye, &eye), i == 0 ? WATER_OK : WATER_BAD_CAMERA);
+  }
+  water_scene scene = lake();
+  water_plan plan;
+  scene.eye.view_to_clip[11] = DBL_MIN;
+  assert_int_equal(water_plan_make(&scene, &plan, NULL), WATER_BAD_CAMERA);
+  // and numbers whose products vanish: where they are places on the plane are lost
+  scene = lake();
+  for (int i = 0; i < 16; ++i)
+  {
+    scene.eye.view_to_clip[i] *= 1e-95;
+  }
+  water_eye eye;
+  water_grid_view view;
+  const double origin[3] = { 0.0, 0.0, 0.0 };
+  assert_int_equal(water_camera_take_apart(&scene.eye, &eye), WATER_OK);
+  assert_int_equal(water_grid_look(&scene.eye, &scene.plane, origin, &view), WATER_BAD_CAMERA);
+  assert_int_equal(water_plan_make(&scene, &plan, NULL), WATER_BAD_CAMERA);
+  assert_int_equal(plan.decision, WATER_NO_REFLECT_FAILED);
+  assert_false(plan.has_view);
+}
+
+// However small the ratio of the indices, a ray along the normal goes straight on.
+TEST(ray_along_the_normal_is_not_refracted)
+{
+  UNUSED;
+  const double up[3] = { 0.0, 0.0, 1.0 };
+  const double down[3] = { 0.0, 0.0, -1.0 };
+  const double ratios[4] = { 3e-319, 1e-200, 1.0, 1e300 };
+  for (int i = 0; i < 4; ++i)
+  {
+    double refracted[3];
+    assert_int_equal(water_body_refract(down, up, ratios[i], refracted), WATER_OK);
+    assert_true(refracted[0] == 0.0 && refracted[1] == 0.0 && refracted[2] == -1.0);
+  }
+  const double nearly[3] = { 0.0, DBL_MIN, -1.0 }; // as far off as the ratio: along the surface
+  double refracted[3];
+  assert_int_equal(water_body_refract(nearly, up, DBL_MIN, refracted), WATER_OK);
+  assert_true(refracted[0] == 0.0 && refracted[1] == 1.0 && refracted[2] == 0.0);
+}
+
+// An eye whose projection moves it stands over the plane where it is, not where its view begins.
+TEST(grid_knows_the_height_of_a_moved_eye)
+{
+  UNUSED;
+  water_scene scene = pool(10.0);
+  const double origin[3] = { 0.0, 0.0, 0.0 };
+  water_grid_view view;
+  assert_int_equal(water_grid_look(&scene.eye, &scene.plane, origin, &view), WATER_OK);
+  ASSERT_CLOSE(view.eye_height, 10.0, 1e-12);
+  for (int i = 0; i < 4; ++i) // view_to_clip * translate(0, 0, -3): the eye 3 higher
+  {
+    scene.eye.view_to_clip[4 * i + 3] -= 3.0 * scene.eye.view_to_clip[4 * i + 2];
+  }
+  assert_int_equal(water_grid_look(&scene.eye, &scene.plane, origin, &view), WATER_OK);
+  ASSERT_CLOSE(view.eye_height, 13.0, 1e-12);
+}
+
+// A clip plane in which the far plane lies keeps nothing.
+TEST(clip_in_the_far_plane_keeps_nothing)
+{
+  UNUSED;
+  const double box[4] = { -1.0, 1.0, -1.0, 1.0 };
+  const double far_plane[4] = { 0.0, 0.0, 1.0, 3.0 };
+  double to_clip[16];
+  double oblique[16] = { 7.0 };
+  ortho_matrix(box, 1.0, 3.0, to_clip);
+  assert_int_equal(water_mirror_oblique(to_clip, far_plane, oblique), WATER_BAD_CAMERA);
+  assert_true(oblique[0] == 7.0);
+}
+
+// A prop that reaches behind the eye has no size in the picture: it is never too small.
+TEST(prop_around_the_eye_is_never_too_small)
+{
+  UNUSED;
+  water_scene scene = lake();
+  water_prop hall = { { -1000.0, 1000.0, -1000.0, 1000.0, -1000.0, 1000.0 }, WATER_PROP_VISIBLE };
+  water_prop ball = { { -0.1, 0.1, -0.1, 0.1, 1.0, 1.2 }, WATER_PROP_VISIBLE };
+  water_fate fate = WATER_SKIP_EMPTY;
+  scene.prop_px_min = 1e9;
+  scene.prop_count = 1;
+  scene.props = &hall;
+  plan_of(&scene, &fate);
+  assert_int_equal(fate, WATER_DRAW);
+  scene.props = &ball;
+  plan_of(&scene, &fate);
+  assert_int_equal(fate, WATER_SKIP_TOO_SMALL);
+}
+
+// The most that is reflected, of the corners of a part of the picture; rows that mix x and y.
+TEST(most_is_reflected_in_a_corner)
+{
+  UNUSED;
+  const double rows[9] = { 1.0, 0.5, 0.1, -0.25, 1.0, 0.2, 0.1, 0.3, -1.0 };
+  const double box[4] = { -0.2, 0.1, 0.6, 0.9 };
+  const water_look look = { 1.333, 0.0, false };
+  double most = 0.0;
+  for (int corner = 0; corner < 4; ++corner)
+  {
+    const double x = corner & 1 ? box[2] : box[0];
+    const double y = corner & 2 ? box[3] : box[1];
+    const double ray[3] = { x + 0.5 * y + 0.1, -0.25 * x + y + 0.2, 0.1 * x + 0.3 * y - 1.0 };
+    const double c = -ray[2] / sqrt(dot(ray, ray));
+    const double g = sqrt(1.333 * 1.333 - 1.0 + c * c);
+    const double s = (c - g) / (c + g);
+    const double p = (1.333 * 1.333 * c - g) / (1.333 * 1.333 * c + g);
+    most = fmax(most, 0.5 * (s * s + p * p));
+  }
+  ASSERT_CLOSE(water_optics_reflectance_max(&look, 1.333, rows, box, 0.0), most, 1e-14);
+}
+
+// Bounds whose sum overflows are bounds.
+TEST(bounds_may_be_as_large_as_doubles)
+{
+  UNUSED;
+  water_scene scene = lake();
+  const water_prop hall = { { 1.0, DBL_MAX, 1.0, DBL_MAX, 1.0, DBL_MAX }, WATER_PROP_VISIBLE };
+  water_fate fate = WATER_SKIP_EMPTY;
+  scene.props = &hall;
+  scene.prop_count = 1;
+  assert_false(water_select_is_unbounded(&hall));
+  plan_of(&scene, &fate);
+  assert_int_equal(fate, WATER_DRAW);
+}
+
+// A map is used again only if it covers what is wanted, on each side.
+TEST(map_that_lacks_a_column_is_not_used_again)
+{
+  UNUSED;
+  const water_scene scene = lake();
+  const water_plan plan = plan_of(&scene, NULL);
+  for (int side = 0; side < 5; ++side)
+  {
+    water_plan last = plan;
+    water_plan next = plan;
+    last.has_mask = false;
+    last.texture_rect_px[0] = last.texture_rect_px[1] = 10;
+    last.texture_rect_px[2] = last.texture_rect_px[3] = 20;
+    memcpy(next.texture_rect_px, last.texture_rect_px, sizeof next.texture_rect_px);
+    if (side < 2)
+    {
+      last.texture_rect_px[side] += 1; // the same end, a later begin
+      last.texture_rect_px[2 + side] -= 1;
+    }
+    else if (side < 4)
+    {
+      last.texture_rect_px[side] -= 1; // an earlier end
+    }
+    water_plan_reuse(&last, true, scene.skips, &next);
+    assert_int_equal(next.decision, side == 4 ? WATER_REUSE : WATER_REFLECT);
+  }
+}
+
+// What the masks and the shader are told of a point: its w, and how far its height may be off.
+TEST(view_tells_w_and_rounding)
+{
+  UNUSED;
+  const water_scene scene = lake();
+  const water_plan plan = plan_of(&scene, NULL);
+  const double point[3] = { 1.0, 2.0, 3.0 };
+  double clip[4];
+  project(&scene.eye, point, 1.0, clip);
+  double w = 0.0;
+  double size = 0.0;
+  for (int i = 0; i < 4; ++i)
+  {
+    w += plan.clip_w[i] * clip[i];
+    size += fabs(plan.plane_clip[i]);
+  }
+  ASSERT_CLOSE(w, 1.0, 1e-12);
+  ASSERT_CLOSE(plan.mask_rounding, 16.0 * (double)FLT_EPSILON * size, 1e-15 * size);
+}
+
+int main(void)
+{
+  const struct CMUnitTest tests[] = {
+    RUN(ray_along_a_surface_that_is_none_goes_on),
+    RUN(view_at_its_tolerance_is_rigid),
+    RUN(winds_at_both_ends_are_accepted),
+    RUN(glitter_ends_at_the_horizon),
+    RUN(seas_at_both_ends_are_accepted),
+    RUN(normal_maps_at_both_ends_are_accepted),
+    RUN(normal_map_moves_to_where_it_points),
+    RUN(texels_hold_both_slopes_and_squares),
+    RUN(looks_at_both_ends_are_accepted),
+    RUN(waves_at_both_ends_are_accepted),
+    RUN(scene_at_the_ends_of_its_ranges_is_planned),
+    RUN(eye_under_the_border_is_submerged),
+    RUN(edge_on_and_endless_views_have_no_places),
+    RUN(numbers_too_large_to_multiply_are_refused),
+    RUN(ray_along_the_normal_is_not_refracted),
+    RUN(most_is_reflected_in_a_corner),
+    RUN(bounds_may_be_as_large_as_doubles),
+    RUN(map_that_lacks_a_column_is_not_used_again),
+    RUN(view_tells_w_and_rounding),
+    RUN(grid_knows_the_height_of_a_moved_eye),
+    RUN(clip_in_the_far_plane_keeps_nothing),
+    RUN(prop_around_the_eye_is_never_too_small),
+  };
+  return cmocka_run_group_tests(tests, NULL, NULL);
+}
