@@ -241,7 +241,7 @@ void vtkWaterSurface::Begin(vtkWaterActor* water, const Frame& frame)
     this->HasBackdrop = this->Backdrop.Copy(window, drawn);
     this->Active.emplace_back("waterSceneColor", this->Backdrop.GetColor());
     this->Active.emplace_back("waterSceneDepth", this->Backdrop.GetDepth());
-    if (this->HasBackdrop && frame.Plan->is_submerged &&
+    if (this->HasBackdrop && (frame.Plan->is_submerged || frame.Plan->is_awash) &&
       vtkWaterShading::GetOfThread()->BeginFog(frame.Renderer, *frame.Plan))
     {
       frame.Screen->DrawFog(frame.Renderer, *frame.Plan, this->Backdrop,
