@@ -464,8 +464,15 @@ void vtkWaterActor::Render(vtkRenderer* renderer, vtkMapper* mapper)
   vtkWaterOcclusion* occlusion = this->OwnPass->GetOcclusion(renderer);
   occlusion->Begin(renderer->GetRenderWindow());
   this->Superclass::Render(renderer, drawn);
+  if (!shading->EndSurface() && !this->Surface->GetIsRefused())
+  {
+    this->Surface->SetIsRefused();
+    vtkErrorMacro("The driver refuses the water's shader. The water shows its plain colour.");
+    shading->BeginSurface(this->Surface.get(), this->IsProbing);
+    this->Superclass::Render(renderer, drawn);
+    shading->EndSurface();
+  }
   occlusion->End();
-  shading->EndSurface();
   this->Surface->End();
   instruments->End(vtkWaterInstruments::SURFACE);
 }

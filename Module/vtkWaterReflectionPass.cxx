@@ -267,6 +267,10 @@ void vtkWaterReflectionPass::RenderReflection(vtkRenderer* renderer,
       view->Mirror.ReleaseGraphicsResources(window); // was wanted in the middle of it
       this->SetDecision(WATER_NOT_PLANNED);
     }
+    else if (internal.Plan.decision == WATER_REFLECT && window->GetAbortRender())
+    {
+      this->SetDecision(WATER_NOT_PLANNED); // mappers draw nothing from then on
+    }
     else if (failure)
     {
       this->SetDecision(WATER_NO_REFLECT_FAILED);

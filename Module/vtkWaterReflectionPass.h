@@ -347,7 +347,8 @@ public:
    * A prop with this key is drawn in reflections by the prop that the key holds: a coarser model of
    * a large mesh, say. That one is placed and coloured by itself, need not be in a renderer, and is
    * drawn whenever the prop would be; its own visibility and keys do not count. A water stands in
-   * for nothing.
+   * for nothing. The key of a prop that holds the prop itself is taken away when a frame begins:
+   * the two would keep each other alive. A loop over several props is yours to break.
    */
   static vtkInformationObjectBaseKey* STAND_IN();
 

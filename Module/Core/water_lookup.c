@@ -111,7 +111,7 @@ void water_lookup_environment(
   }
 }
 
-bool water_lookup_is_submerged(const water_camera* camera, const water_eye* eye,
+bool water_lookup_is_at_surface(const water_camera* camera, const water_eye* eye,
   const water_plane* plane, const double surface_bounds[6])
 {
   if (camera->parallel || !eye->has_center)
@@ -132,6 +132,22 @@ bool water_lookup_is_submerged(const water_camera* camera, const water_eye* eye,
     }
   }
   return true;
+}
+
+bool water_lookup_cuts_surface(const water_eye* eye, const double plane_view[4])
+{
+  for (int corner = 0; corner < 4; ++corner)
+  {
+    const double clip[4] = { corner % 2 ? 1.0 : -1.0, corner / 2 ? 1.0 : -1.0, -1.0, 1.0 };
+    double view[4];
+    water_mat4_apply(eye->clip_to_view, clip, view);
+    // w is that of a point before the eye: positive
+    if (water_vec3_dot(plane_view, view) + plane_view[3] * view[3] < 0.0)
+    {
+      return true;
+    }
+  }
+  return false;
 }
 
 void water_lookup_depths(const water_camera* mirrored, double* z_infinity, double tolerance[2])

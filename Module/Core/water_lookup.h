@@ -53,13 +53,19 @@ bool water_lookup_local(const water_axes* axes, const double dir[3], double loca
 void water_lookup_environment(
   const water_axes* axes, const double up[3], const double right[3], double dir_to_environment[9]);
 
-// Is the eye in the water: under the plane, beside or under no edge of the surface? Never for a
-// parallel eye, which is nowhere.
+// Is the surface where the eye is: does the foot of the eye on the plane lie in its bounds? An eye
+// below the plane is in the water then. Never for a parallel eye, which is nowhere.
 //
-// plane           normalised, normal towards the eye, which is below
+// plane           normalised
 // surface_bounds  of the surface in world
-bool water_lookup_is_submerged(const water_camera* camera, const water_eye* eye,
+bool water_lookup_is_at_surface(const water_camera* camera, const water_eye* eye,
   const water_plane* plane, const double surface_bounds[6]);
+
+// Does some of the near plane lie on the other side of the water than the eye? The surface before
+// it is not drawn.
+//
+// plane_view  normal towards the eye
+bool water_lookup_cuts_surface(const water_eye* eye, const double plane_view[4]);
 
 // The map's window depth at infinity, beyond 1 for a perspective map, and how far a ray may be from
 // the map's depth to have met it, in shares of (z_infinity - depth).

@@ -277,8 +277,11 @@ static water_status fill_view(const water_scene* scene, const checked* input,
   water_lookup_dirs(&scene->eye, axes, plan->dir_to_eye);
   water_lookup_environment(
     axes, scene->environment_up, scene->environment_right, plan->dir_to_environment);
-  plan->is_submerged = input->side == WATER_BELOW &&
-    water_lookup_is_submerged(&scene->eye, &input->eye, plane, scene->surface_bounds);
+  const bool is_at_surface =
+    water_lookup_is_at_surface(&scene->eye, &input->eye, plane, scene->surface_bounds);
+  plan->is_submerged = input->side == WATER_BELOW && is_at_surface;
+  plan->is_awash = input->side == WATER_ABOVE && is_at_surface &&
+    water_lookup_cuts_surface(&input->eye, plan->plane_view);
   plan->has_sun = scene->has_sun && water_lookup_local(axes, scene->sun_dir, plan->sun_dir);
   plan->eta = water_optics_eta(&scene->look, input->side);
   plan->reflectance = scene->look.constant_reflectance ? scene->look.reflectance : -1.0;
@@ -316,8 +319,7 @@ water_status water_plan_make(const water_scene* scene, water_plan* plan, water_f
   }
   made.has_view = made.decision == WATER_REFLECT ||
     made.decision == WATER_NO_REFLECT_NO_REFLECTANCE ||
-    made.decision == WATER_NO_REFLECT_ENVIRONMENT ||
-    (is_unseen(made.decision) && made.side == WATER_BELOW);
+    made.decision == WATER_NO_REFLECT_ENVIRONMENT || is_unseen(made.decision);
   if (made.has_view)
   {
     const water_plane plane = turn_to_eye(&input.plane, input.side);
@@ -345,7 +347,8 @@ water_status water_plan_make(const water_scene* scene, water_plan* plan, water_f
     }
     if (is_unseen(made.decision))
     {
-      made.has_view = made.is_submerged; // an eye in it sees the water wherever it looks
+      // an eye in it sees the water wherever it looks
+      made.has_view = made.is_submerged || made.is_awash;
     }
     if (status != WATER_OK)
     {

@@ -180,6 +180,7 @@ typedef struct water_plan
   double dir_to_environment[9]; // direction in the plane's axes -> (right, up, back) of the static
                                 // environment
   bool is_submerged;            // the eye is under this water
+  bool is_awash;                // it is over it, and the near plane cuts through the surface
   bool has_sun;                 // it shines on the surface from the normal's side
   double sun_dir[3];            // towards the sun, in the plane's axes, unit length
   double eta;                   // index beyond the surface / index on the eye's side

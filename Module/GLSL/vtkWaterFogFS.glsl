@@ -1,7 +1,8 @@
 //VTK::System::Dec
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkWaterFogFS.glsl: the whole picture as an eye under water sees it: what lies under water, through
-// the water between. Drawn before the surface, which does the same for itself.
+// the water between. Drawn before the surface, which does the same for itself. For an eye over the
+// water: only where the near plane is under it, because there is no surface there.
 //VTK::Output::Dec
 
 in vec2 texCoord;
@@ -10,6 +11,7 @@ uniform sampler2D waterSceneDepth; // 1: background
 uniform mat3 waterNdcToRay;        // as in vtkWaterPointFS.glsl
 uniform mat4 waterDirToEye;
 uniform vec4 waterHeightClip; // as in vtkWaterBodyFS.glsl
+uniform float waterSide;      // of the eye: 1 over the water, -1 under it
 uniform vec4 waterClipW;
 uniform vec3 waterDeepColor;
 uniform vec3 waterExtinction;
@@ -21,10 +23,26 @@ void main()
   vec3 ray = normalize(waterNdcToRay * vec3(clip.xy, 1.0));
   float w = 1.0 / dot(waterClipW, clip);
   float way = w / (waterDirToEye * vec4(ray, 0.0)).w;
-  float below = dot(waterHeightClip, clip) * w; // of the thing, under the surface
-  float eyeBelow = below - way * ray.z;
-  // to the surface at most; the background under water is without an end
-  way = below < 0.0 ? way * eyeBelow / (eyeBelow - below) : (depth >= 1.0 ? 1e9 : way);
+  float height = dot(waterHeightClip, clip) * w; // of the thing, towards the eye
+  float below = -waterSide * height;
+  float eyeBelow = -waterSide * (height - way * ray.z);
+  float share = below / (below - eyeBelow); // of the way that is on the thing's side of the surface
+  if (eyeBelow < 0.0)
+  {
+    if (dot(waterHeightClip, vec4(clip.xy, -1.0, 1.0)) >= 0.0)
+    {
+      discard; // the surface is drawn here, or the ray does not meet it
+    }
+    way *= share;
+  }
+  else if (below < 0.0)
+  {
+    way *= 1.0 - share;
+  }
+  if (below >= 0.0 && depth >= 1.0)
+  {
+    way = 1e9; // the background under water is without an end
+  }
   vec3 color = textureLod(waterSceneColor, texCoord, 0.0).rgb;
   gl_FragData[0] = vec4(mix(waterDeepColor, color, exp(-waterExtinction * way)), 1.0);
 }

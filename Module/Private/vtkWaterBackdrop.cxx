@@ -58,6 +58,16 @@ struct Source
   GLint Samples = 0;
 };
 
+// Did the GPU have the memory? VTK's textures do not say.
+bool HasSize(vtkTextureObject* texture, int width)
+{
+  GLint given = 0;
+  texture->Activate();
+  glGetTexLevelParameteriv(GL_TEXTURE_2D, 0, GL_TEXTURE_WIDTH, &given);
+  texture->Deactivate();
+  return given == width;
+}
+
 void CopyTo(vtkTextureObject* texture, const int rect[4])
 {
   texture->Activate();
@@ -93,11 +103,14 @@ bool vtkWaterBackdrop::Ensure(vtkOpenGLRenderWindow* window, int width, int heig
   if (!this->Color->Allocate2D(
         static_cast<unsigned int>(width), static_cast<unsigned int>(height), 4, colorType) ||
     !this->Depth->AllocateDepth(
-      static_cast<unsigned int>(width), static_cast<unsigned int>(height), depthFormat))
+      static_cast<unsigned int>(width), static_cast<unsigned int>(height), depthFormat) ||
+    !HasSize(this->Color, width) || !HasSize(this->Depth, width))
   {
     this->ReleaseGraphicsResources(nullptr);
+    this->HasFailed = true;
     return false;
   }
+  this->HasFailed = false;
   this->Width = width;
   this->Height = height;
   this->ColorType = colorType;

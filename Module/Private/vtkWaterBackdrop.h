@@ -20,6 +20,9 @@ public:
   // Returns false when the GPU refuses; there is then no backdrop.
   bool Copy(vtkOpenGLRenderWindow* window, const int rect[4]);
 
+  // Did the GPU give no memory for it, when last asked?
+  bool GetHasFailed() const { return this->HasFailed; }
+
   vtkTextureObject* GetColor() { return this->Color; }
   vtkTextureObject* GetDepth() { return this->Depth; }
 
@@ -35,6 +38,7 @@ private:
   int Height = 0;
   int ColorType = 0; // VTK's, as the picture's
   int DepthFormat = 0;
+  bool HasFailed = false;
 };
 
 #endif

@@ -7,6 +7,7 @@
 #include "vtkInformationObjectBaseVectorKey.h"
 #include "vtkOpenGLRenderPass.h"
 #include "vtkPropCollection.h"
+#include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkWaterAccess.h"
 #include "vtkWaterReflectionPass.h"
@@ -47,6 +48,14 @@ void SetPasses(vtkProp* prop, const Passes& passes)
   }
 }
 
+vtkProp* GetStandIn(vtkProp* prop)
+{
+  vtkInformation* keys = prop->GetPropertyKeys();
+  return keys && keys->Has(vtkWaterReflectionPass::STAND_IN())
+    ? vtkProp::SafeDownCast(keys->Get(vtkWaterReflectionPass::STAND_IN()))
+    : nullptr;
+}
+
 template <typename Function>
 void ForEachProp(vtkPropCollection* props, Function function)
 {
@@ -55,13 +64,9 @@ void ForEachProp(vtkPropCollection* props, Function function)
   while (vtkProp* prop = props->GetNextProp(it))
   {
     function(prop);
-    vtkInformation* keys = prop->GetPropertyKeys();
-    if (keys && keys->Has(vtkWaterReflectionPass::STAND_IN()))
+    if (vtkProp* drawn = GetStandIn(prop))
     {
-      if (auto* drawn = vtkProp::SafeDownCast(keys->Get(vtkWaterReflectionPass::STAND_IN())))
-      {
-        function(drawn);
-      }
+      function(drawn);
     }
     if (prop->IsA("vtkAxesActor"))
     {
@@ -69,6 +74,36 @@ void ForEachProp(vtkPropCollection* props, Function function)
       vtkNew<vtkPropCollection> parts;
       prop->GetActors(parts);
       ForEachProp(parts, function);
+    }
+  }
+}
+
+// A prop that stands in for itself would never die: it holds its keys, and they hold it.
+void DropOwnStandIns(vtkPropCollection* props)
+{
+  vtkCollectionSimpleIterator it;
+  props->InitTraversal(it);
+  while (vtkProp* prop = props->GetNextProp(it))
+  {
+    if (GetStandIn(prop) == prop)
+    {
+      prop->GetPropertyKeys()->Remove(vtkWaterReflectionPass::STAND_IN());
+    }
+  }
+}
+
+// VTK's mappers and textures free what they hold for another window in the middle of their draw,
+// with that window's context current, and only some of its windows make the drawing one current
+// again (vtkOpenGLRenderWindow::PopContext does nothing): what follows goes into the other window,
+// or crashes. So it is done before.
+void ReleaseFromOtherWindows(vtkProp* prop, vtkRenderWindow* window)
+{
+  for (int i = 0; i < prop->GetNumberOfConsumers(); ++i)
+  {
+    auto* renderer = vtkRenderer::SafeDownCast(prop->GetConsumer(i));
+    if (renderer && renderer->GetRenderWindow() && renderer->GetRenderWindow() != window)
+    {
+      prop->ReleaseGraphicsResources(renderer->GetRenderWindow());
     }
   }
 }
@@ -142,6 +177,15 @@ void vtkWaterKeys::HoldUntilEndOfFrame(vtkRenderer* renderer)
   if (this->GetFrame(renderer))
   {
     return; // another water of this frame was first
+  }
+  DropOwnStandIns(renderer->GetViewProps());
+  vtkRenderWindow* window = renderer->GetRenderWindow();
+  if (this->LastWindow != window)
+  {
+    ForEachProp(
+      renderer->GetViewProps(), [window](vtkProp* prop) { ReleaseFromOtherWindows(prop, window); });
+    window->MakeCurrent();
+    this->LastWindow = window;
   }
   HeldFrame& held = this->HeldFrames[renderer];
   this->EndFrame(held); // somebody removed the observer

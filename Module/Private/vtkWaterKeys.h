@@ -17,6 +17,7 @@ class vtkCallbackCommand;
 class vtkObjectBase;
 class vtkOpenGLRenderPass;
 class vtkProp;
+class vtkRenderWindow;
 class vtkRenderer;
 
 class vtkWaterKeys
@@ -58,6 +59,7 @@ private:
 
   vtkOpenGLRenderPass* Key;
   std::map<vtkRenderer*, HeldFrame> HeldFrames;
+  vtkWeakPointer<vtkRenderWindow> LastWindow; // that a frame was held for
 };
 
 // For a mirrored view that is drawn in the middle of the main one: other passes have put their keys

@@ -13,6 +13,7 @@
 #include "vtkWaterMirroredFS.h"
 #include "vtkWaterMirroredVS.h"
 #include "vtkWaterPieces.h"
+#include "vtkWaterPlainFS.h"
 #include "vtkWaterSurface.h"
 #include "vtkWaterUniforms.h"
 #include "vtkWaterVolumeFS.h"
@@ -148,15 +149,17 @@ bool vtkWaterShading::PreReplaceShaderValues(std::string& vertexShader, std::str
   if (prop->IsA("vtkWaterActor"))
   {
     auto* water = static_cast<vtkWaterActor*>(prop);
+    const bool isRefused = this->Surface && this->Surface->GetIsRefused();
     // a geometry shader would have to pass the place at rest on
-    const bool canDisplace =
-      geometryShader.empty() && vertexShader.find("//VTK::CustomEnd::Impl") != std::string::npos;
+    const bool canDisplace = !isRefused && geometryShader.empty() &&
+      vertexShader.find("//VTK::CustomEnd::Impl") != std::string::npos;
     if (canDisplace && (vtkWaterSurface::GetStages(water) & vtkWaterSurface::DISPLACED) &&
       InsertDeclarations(vertexShader, vtkWaterSurface::GetVertexShader()))
     {
       InsertBefore(vertexShader, "//VTK::CustomEnd::Impl", "  waterDisplace(gl_Position);");
     }
-    InsertDeclarations(fragmentShader, vtkWaterSurface::GetShader(water, canDisplace));
+    InsertDeclarations(
+      fragmentShader, isRefused ? vtkWaterPlainFS : vtkWaterSurface::GetShader(water, canDisplace));
     return true;
   }
   if (!InsertDeclarations(fragmentShader, vtkWaterMirroredFS))
@@ -193,6 +196,11 @@ bool vtkWaterShading::PostReplaceShaderValues(
     {
       InsertBefore(fragmentShader, "//VTK::Light::Impl", "\n  waterShade(gl_FragData[0]);");
     }
+    if (this->Surface)
+    {
+      this->IsAwaited = true;
+      this->Surface->ReleaseShader();
+    }
     return true;
   }
   if (!Declares(fragmentShader, "waterHeadlight"))
@@ -220,8 +228,10 @@ bool vtkWaterShading::SetShaderParameters(
 {
   if (prop->IsA("vtkWaterActor"))
   {
-    if (this->Surface)
+    // a mapper whose new program was refused still has its last one, which is not in use
+    if (this->Surface && program->isBound())
     {
+      this->IsAwaited = false;
       this->Surface->SetParameters(program);
       if (this->IsProbe)
       {

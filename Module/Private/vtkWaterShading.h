@@ -52,8 +52,14 @@ public:
   {
     this->Surface = surface;
     this->IsProbe = isProbe;
+    this->IsAwaited = false;
   }
-  void EndSurface() { this->Surface = nullptr; }
+  // Returns false when the driver has refused the shader that was built for it.
+  bool EndSurface()
+  {
+    this->Surface = nullptr;
+    return !this->IsAwaited;
+  }
 
   void Render(const vtkRenderState*) override {} // a key only, it draws nothing
   bool PreReplaceShaderValues(std::string& vertexShader, std::string& geometryShader,
@@ -80,6 +86,7 @@ private:
   double FogEye[12] = {}; // its directions
   vtkWaterSurface* Surface = nullptr;
   bool IsProbe = false;
+  bool IsAwaited = false; // the surface's shader was built, and nobody has asked for its parameters
 };
 
 #endif

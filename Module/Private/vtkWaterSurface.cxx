@@ -3,6 +3,7 @@
 
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLRenderer.h"
+#include "vtkOpenGLShaderCache.h"
 #include "vtkOpenGLState.h"
 #include "vtkTexture.h"
 #include "vtkTextureObject.h"
@@ -152,7 +153,15 @@ bool vtkWaterSurface::UpdateStages(vtkWaterActor* water)
   const int stages = GetStages(water);
   const bool isOther = stages != this->BuiltStages;
   this->BuiltStages = stages;
+  this->IsRefused = this->IsRefused && !isOther;
   return isOther;
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterSurface::ReleaseShader()
+{
+  auto* window = static_cast<vtkOpenGLRenderWindow*>(this->Drawn.Renderer->GetRenderWindow());
+  window->GetShaderCache()->ReleaseCurrentShader();
 }
 
 //------------------------------------------------------------------------------
@@ -238,10 +247,17 @@ void vtkWaterSurface::Begin(vtkWaterActor* water, const Frame& frame)
   this->Active.emplace_back("waterReflection", frame.Reflection);
   if (frame.Plan && (this->BuiltStages & BODY))
   {
+    const bool hadFailed = this->Backdrop.GetHasFailed();
     this->HasBackdrop = this->Backdrop.Copy(window, drawn);
+    if (this->Backdrop.GetHasFailed() && !hadFailed) // said once
+    {
+      vtkErrorWithObjectMacro(water,
+        "the GPU gave no textures for what is seen through the water. The water shows its plain "
+        "colour.");
+    }
     this->Active.emplace_back("waterSceneColor", this->Backdrop.GetColor());
     this->Active.emplace_back("waterSceneDepth", this->Backdrop.GetDepth());
-    if (this->HasBackdrop && frame.Plan->is_submerged &&
+    if (this->HasBackdrop && (frame.Plan->is_submerged || frame.Plan->is_awash) &&
       vtkWaterShading::GetOfThread()->BeginFog(frame.Renderer, *frame.Plan))
     {
       frame.Screen->DrawFog(frame.Renderer, *frame.Plan, this->Backdrop,
@@ -336,4 +352,5 @@ void vtkWaterSurface::ReleaseGraphicsResources(vtkWindow* window)
     texture.ReleaseGraphicsResources(window);
   }
   this->Backdrop.ReleaseGraphicsResources(window);
+  this->IsRefused = false;
 }

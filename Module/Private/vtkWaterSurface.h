@@ -74,6 +74,14 @@ public:
   // Is another shader needed than for the last draw?
   bool UpdateStages(vtkWaterActor* water);
 
+  // The driver has refused the shader of these stages: the plain colour is shown until there are
+  // others, or another context.
+  void SetIsRefused() { this->IsRefused = true; }
+  bool GetIsRefused() const { return this->IsRefused; }
+
+  // VTK draws with the program that was in use before when one does not compile: none.
+  void ReleaseShader();
+
   // The surface is drawn between the two.
   void Begin(vtkWaterActor* water, const Frame& frame);
   void End();
@@ -94,6 +102,7 @@ private:
   void SetNormalMapParameters(vtkShaderProgram* program);
 
   int BuiltStages = 0;
+  bool IsRefused = false;
   Frame Drawn = Frame();
   // Drawing runs the user's observers, who may drop any of these.
   vtkSmartPointer<vtkWaterProperty> Property; // of what is drawn

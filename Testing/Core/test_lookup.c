@@ -278,6 +278,34 @@ TEST(eye_under_the_sheet_is_submerged)
   assert_false(plan_of(&scene, NULL).is_submerged);
 }
 
+// An eye over the sheet is awash when its near plane dips in: one that looks down by 45 degrees,
+// with a field of view of 90, has the lowest edge of a near plane at 0.5 m straight below,
+// 0.5 sqrt(2) m.
+TEST(near_plane_in_the_water_is_awash)
+{
+  UNUSED;
+  water_scene scene = lake();
+  const double up[3] = { 0.0, 0.0, 1.0 };
+  const double box[4] = { -0.5, 0.5, -0.5, 0.5 };
+  const double places[5][3] = { { 0.0, -9.0, 0.708 }, { 0.0, -9.0, 0.707 }, { 0.0, -9.0, 1e-9 },
+    { 0.0, -11.0, 0.1 }, { 0.0, -9.0, -0.1 } };
+  const bool expected[5] = { false, true, true, false, false };
+  frustum_matrix(box, 0.5, 100.0, scene.eye.view_to_clip);
+  for (int i = 0; i < 5; ++i)
+  {
+    const double target[3] = { 0.0, places[i][1] + 1.0, places[i][2] - 1.0 };
+    look_at(places[i], target, up, scene.eye.world_to_view);
+    const water_plan plan = plan_of(&scene, NULL);
+    assert_int_equal(plan.is_awash, expected[i]);
+    assert_false(plan.is_awash && plan.is_submerged);
+  }
+  const double straight_down[3] = { 0.0, -9.0, -50.0 };
+  const double north[3] = { 0.0, 1.0, 0.0 };
+  look_at(places[2], straight_down, north, scene.eye.world_to_view); // all of the sheet is cut off
+  const water_plan plan = plan_of(&scene, NULL);
+  assert_true(plan.is_awash && plan.has_view);
+}
+
 // The sun in the plane's axes; a light without a direction is none.
 TEST(sun_is_seen_in_the_axes_of_the_plane)
 {
@@ -365,6 +393,7 @@ int main(void)
     RUN(guard_band_follows_the_waves),
     RUN(environment_has_its_own_axes),
     RUN(eye_under_the_sheet_is_submerged),
+    RUN(near_plane_in_the_water_is_awash),
     RUN(sun_is_seen_in_the_axes_of_the_plane),
     RUN(top_is_the_highest_drawn_corner),
     RUN(depth_of_the_map_tells_heights),

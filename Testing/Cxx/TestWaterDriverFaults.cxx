@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A driver that refuses shaders, framebuffers or memory: the water says so once and shows its plain
+// colour, all else is as without water, and the next picture is right again once the cause is gone.
+// The driver's functions are replaced in the loader that VTK calls them through.
+#include "WaterTestScene.h"
+
+#include "../../Module/Private/vtkWaterGL.h"
+
+#include "vtkCallbackCommand.h"
+#include "vtkLogger.h"
+#include "vtkOutputWindow.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkWaterReflectionPass.h"
+
+#include <cstring>
+#include <functional>
+#include <vector>
+
+namespace
+{
+int refused = 0;
+
+PFNGLSHADERSOURCEPROC shaderSource = nullptr;
+void ShaderSource(GLuint shader, GLsizei count, const GLchar* const* text, const GLint* lengths)
+{
+  if (count == 1 && std::strstr(text[0], "waterFacets"))
+  {
+    ++refused;
+    const GLchar* const wrong[1] = { "#version 150\n#error refused\n" };
+    shaderSource(shader, 1, wrong, nullptr);
+    return;
+  }
+  shaderSource(shader, count, text, lengths);
+}
+
+PFNGLCHECKFRAMEBUFFERSTATUSPROC checkStatus = nullptr;
+GLenum CheckStatus(GLenum)
+{
+  ++refused;
+  return GL_FRAMEBUFFER_UNSUPPORTED;
+}
+
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 4, 0)
+PFNGLTEXIMAGE2DPROC texImage = nullptr;
+void TexImage(GLenum target, GLint level, GLint format, GLsizei width, GLsizei height, GLint border,
+  GLenum pixelFormat, GLenum type, const void* pixels)
+{
+  const bool isWanted = !pixels; // a target to draw into
+  refused += isWanted ? 1 : 0;
+  // a width below 0 is an error, and leaves the texture without an image
+  texImage(target, level, format, isWanted ? -1 : width, height, border, pixelFormat, type, pixels);
+}
+#endif
+
+struct FaultyScene : public WaterTestScene
+{
+  std::vector<std::string> Errors;
+
+  FaultyScene()
+  {
+    this->AddThings<vtkPolyDataMapper>();
+    this->AddWater();
+    vtkNew<vtkCallbackCommand> note;
+    note->SetClientData(&this->Errors);
+    note->SetCallback([](vtkObject*, unsigned long, void* errors, void* text) {
+      static_cast<std::vector<std::string>*>(errors)->push_back(static_cast<char*>(text));
+    });
+    this->Water->AddObserver(vtkCommand::ErrorEvent, note);
+  }
+
+  std::vector<unsigned char> Picture()
+  {
+    this->Window->Render();
+    vtkNew<vtkUnsignedCharArray> pixels;
+    const int* size = this->Window->GetSize();
+    this->Window->GetRGBACharPixelData(0, 0, size[0] - 1, size[1] - 1, 0, pixels);
+    return std::vector<unsigned char>(
+      pixels->GetPointer(0), pixels->GetPointer(0) + pixels->GetNumberOfValues());
+  }
+
+  // The same with water that reflects nothing.
+  std::vector<unsigned char> Plain()
+  {
+    auto* look = this->Water->GetWaterProperty();
+    look->SetReflectanceModeToConstant();
+    look->SetReflectance(0.0);
+    return this->Picture();
+  }
+};
+
+// slot     of the loader, for the driver's function
+// own      function in its place, which calls `driver`
+// prepare  makes the driver be asked again
+template <typename Function>
+bool Check(const std::string& name, const std::string& says, Function& slot, Function& driver,
+  Function own, const std::function<void(FaultyScene&)>& prepare)
+{
+  const auto plain = FaultyScene().Plain();
+  FaultyScene scene;
+  const auto right = scene.Picture(); // every new window fills the loader again
+  driver = slot;
+  slot = own;
+  refused = 0;
+  prepare(scene);
+  const auto faulty = scene.Picture();
+  scene.Picture();
+  slot = driver;
+  bool ok = WaterCheck(name + ": it was refused", refused > 0, true);
+  ok &= WaterCheck<size_t>(name + ": errors", scene.Errors.size(), 1);
+  const bool isSaid = !scene.Errors.empty() && scene.Errors[0].find(says) != std::string::npos;
+  ok &= WaterCheck(name + ": says \"" + says + "\"", isSaid, true);
+  ok &= WaterCheck(name + ": the picture is the plain one", faulty == plain, true);
+  ok &= WaterCheck(name + ": which is another", right == plain, false);
+  prepare(scene);
+  ok &= WaterCheck(name + ": and right afterwards", scene.Picture() == right, true);
+  return ok;
+}
+
+void Release(FaultyScene& scene)
+{
+  scene.Water->ReleaseGraphicsResources(scene.Window);
+}
+
+// To a shader that has not been built in this window, and back.
+void ToggleWaves(FaultyScene& scene)
+{
+  auto* look = scene.Water->GetWaterProperty();
+  if (look->GetNumberOfWaves() > 0)
+  {
+    look->RemoveAllWaves();
+  }
+  else
+  {
+    look->AddWave(0.01, 2.0, 20.0);
+  }
+}
+
+void ToggleRefraction(FaultyScene& scene)
+{
+  auto* look = scene.Water->GetWaterProperty();
+  look->SetRefraction(!look->GetRefraction());
+}
+}
+
+int TestWaterDriverFaults(int, char*[])
+{
+  // VTK prints the shader, for one
+  vtkOutputWindow::GetInstance()->SetDisplayModeToNever();
+  vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
+  bool ok = Check<PFNGLSHADERSOURCEPROC>("shader", "refuses the water's shader", glShaderSource,
+    shaderSource, ShaderSource, ToggleWaves);
+  ok &= Check<PFNGLCHECKFRAMEBUFFERSTATUSPROC>("framebuffer", "no framebuffer for the reflection",
+    glCheckFramebufferStatus, checkStatus, CheckStatus, Release);
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 4, 0)
+  ok &= Check<PFNGLTEXIMAGE2DPROC>(
+    "texture", "no framebuffer for the reflection", glTexImage2D, texImage, TexImage, Release);
+  ok &= Check<PFNGLTEXIMAGE2DPROC>("texture of clear water", "no textures for what is seen through",
+    glTexImage2D, texImage, TexImage, ToggleRefraction);
+#else
+  std::cout << "textures: left out, this VTK calls glTexImage2D without a loader" << std::endl;
+#endif
+  return ok ? EXIT_SUCCESS : EXIT_FAILURE;
+}

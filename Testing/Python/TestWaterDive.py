@@ -1,0 +1,86 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""A camera comes down to the water and goes through it: no frame is black, has a pixel that is no number,
+or jumps out of the row of its neighbours.
+
+TestWaterDive.py --frames 1000 takes smaller steps.
+"""
+
+import argparse
+
+import numpy as np
+import water_test as wt
+from wave_scenes import POSTS_WAVES, posts, SKY
+from ray_caster import Box
+
+SIZE = (120, 90)
+NEAR = 0.01  # m: it cuts through the surface before the eye does
+LARGEST_STEP = 9.0  # mean of the differences of two frames, of 255
+parser = argparse.ArgumentParser()
+parser.add_argument("--frames", type=int, default=90)
+frames = parser.parse_known_args()[0].frames
+
+
+class Scene:
+    def __init__(self, waves, clear):
+        self.view = wt.View(SIZE, SKY)
+        for thing in posts():
+            data = (wt.box(0.5 * (thing.low + thing.high), thing.high - thing.low) if isinstance(thing, Box)
+                    else wt.sphere(thing.center, thing.radius, 32))
+            wt.add_actor(self.view.renderer, data, thing.color, lit=False)
+        wt.add_actor(self.view.renderer, wt.box((0, 0, -6), (120, 120, 1)), (0.8, 0.7, 0.5), lit=False)
+        self.water = wt.add_water(self.view.renderer, None, (-60, 60, -60, 60), reflectance=None)
+        look = self.water.GetWaterProperty()
+        look.SetRefraction(clear)
+        look.SetAbsorption(0.3, 0.1, 0.05)
+        for wave in waves:
+            look.AddWave(*wave)
+        self.errors = wt.errors_of(self.water)
+
+    def at(self, height):
+        camera = self.view.renderer.GetActiveCamera()
+        camera.SetPosition(2, -13, height)
+        camera.SetFocalPoint(0, 0, 0.3 * height if height < 1 else 0.3)
+        camera.SetViewUp(0, 0, 1)
+        camera.SetClippingRange(NEAR, 400)
+        return self.view.picture()
+
+
+def check(name, waves, clear):
+    scene = Scene(waves, clear)
+    heights = np.concatenate([
+        np.geomspace(100, 1e-3, frames // 2), np.linspace(1e-3, -1e-3, frames // 5),
+        -np.geomspace(1e-3, 5, frames - frames // 2 - frames // 5)])
+    pictures = [scene.at(height) for height in heights]
+    steps = np.array([np.abs(b - a).mean() for a, b in zip(pictures, pictures[1:])])
+    # a flash: far from both neighbours, which are like each other
+    across = np.array([np.abs(b - a).mean() for a, b in zip(pictures, pictures[2:])])
+    flash = (np.minimum(steps[:-1], steps[1:]) - across)[heights[1:-1] < 10]
+    through = np.abs(heights[1:]) <= 1.01e-3
+    wt.check_equal(f"{name}: pixels of 0, 0, 0", sum(int((picture.max(axis=2) == 0).sum()) for picture in pictures), 0)
+    wt.check_at_most(f"{name}: largest step, within 1 mm of the surface", round(float(steps[through].max()), 2),
+                     LARGEST_STEP)
+    wt.check_at_most(f"{name}: largest flash", round(float(flash.max()), 2), 2.0)
+    wt.check_equal(f"{name}: errors", scene.errors, [])
+    straight_down(name, scene, clear)
+
+
+def straight_down(name, scene, clear):
+    """All of the sheet is cut off before the eye is in the water."""
+    def at(height):
+        camera = scene.view.renderer.GetActiveCamera()
+        camera.SetPosition(2, -13, height)
+        camera.SetFocalPoint(2, -13, -5)
+        camera.SetViewUp(0, 1, 0)
+        camera.SetClippingRange(0.1, 400)
+        return scene.view.picture()
+
+    if clear:
+        difference = np.abs(at(1e-4) - at(-1e-4)).max()
+        wt.check_at_most(f"{name}: straight down, eye over and under the surface, difference", int(difference), 1)
+
+
+check("calm", (), False)
+check("wavy", POSTS_WAVES, False)
+check("calm and clear", (), True)
+check("wavy and clear", POSTS_WAVES, True)
+wt.finish()
