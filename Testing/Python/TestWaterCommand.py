@@ -120,7 +120,7 @@ def check_errors():
         *((1, f"text.{kind}: not ", ["render", f"text.{kind}", "--level", 1])
           for kind in ("vti", "vtp", "stl", "tif", "vtk", "ply")),
         (1, "half.vti: not a VTK image", ["render", "half.vti", "--level", 1]),
-        (1, "empty.vtp: is empty", ["render", "empty.vtp", "--level", 1]),
+        (1, "empty.vtp: ", ["render", "empty.vtp", "--level", 1]),
         (1, "holes.vti: holds no elevations, only holes", ["render", "holes.vti", "--level", 1]),
         (1, "row.vti: 1 x 5 heights are no grid", ["render", "row.vti", "--level", 1]),
         (1, "colours.tif: holds no elevations: it has 3 numbers a pixel", ["render", "colours.tif", "--level", 1]),
