@@ -14,6 +14,7 @@ import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkUnsignedCharArray
 from vtkmodules.vtkFiltersCore import vtkPolyDataNormals
+from vtkmodules.vtkFiltersSources import vtkCubeSource
 from vtkmodules.vtkIOImage import vtkPNGWriter
 from vtkmodules.vtkRenderingCore import (
     vtkActor,
@@ -93,6 +94,30 @@ class Scene:
         self.renderer.AddActor(actor)
         return actor
 
+    def add_mesh(self, data, color, smooth=True):
+        """Polygonal data (vtkPolyData, or a filter that makes it) in one colour: red, green, blue in [0, 1]."""
+        mapper = vtkPolyDataMapper()
+        if smooth:
+            normals = vtkPolyDataNormals()
+            normals.SetFeatureAngle(40.0)
+        connect(normals if smooth else mapper, data)
+        if smooth:
+            mapper.SetInputConnection(normals.GetOutputPort())
+        mapper.ScalarVisibilityOff()
+        actor = vtkActor()
+        actor.SetMapper(mapper)
+        actor.GetProperty().SetColor(color)
+        actor.GetProperty().SetAmbient(0.25)
+        actor.GetProperty().SetDiffuse(0.95)
+        self.renderer.AddActor(actor)
+        return actor
+
+    def add_box(self, bounds, color):
+        """A box with these xmin, xmax, ymin, ymax, zmin, zmax."""
+        box = vtkCubeSource()
+        box.SetBounds(bounds)
+        return self.add_mesh(box, color, smooth=False)
+
     def add_water(self, level, preset=None, wind=None, exaggeration=1.0):
         """Water at a level of the data; around a mesh it is wider than that. Raises ValueError."""
         self.water = vtkWaterActor()
@@ -127,11 +152,15 @@ class Scene:
         target = [*middle, level if self._ground.is_terrain else 0.5 * (max(level, bounds[4]) + bounds[5])]
         distance = 0.62 * radius / math.tan(math.radians(0.5 * VIEW_ANGLE_DEG)) / zoom
         eye = [at + distance * part for at, part in zip(target, direction(azimuth, height))]
+        self.set_camera(eye, target, up=(0.0, 0.0, 1.0) if height < 89.0 else (0.0, 1.0, 0.0))
+
+    def set_camera(self, eye, target, angle=VIEW_ANGLE_DEG, up=(0.0, 0.0, 1.0)):
+        """Where the eye is and what it looks at; the vertical angle of view in degrees."""
         camera = self.renderer.GetActiveCamera()
         camera.SetPosition(eye)
         camera.SetFocalPoint(target)
-        camera.SetViewUp(0.0, 0.0, 1.0) if height < 89.0 else camera.SetViewUp(0.0, 1.0, 0.0)
-        camera.SetViewAngle(VIEW_ANGLE_DEG)
+        camera.SetViewUp(up)
+        camera.SetViewAngle(angle)
         self.renderer.ResetCameraClippingRange()
 
     def picture(self):
@@ -155,6 +184,13 @@ class Scene:
         writer.Write()
         if writer.GetErrorCode():
             raise OSError(f"{file}: cannot be written")
+
+
+def connect(algorithm, data):
+    if data.IsA("vtkAlgorithm"):
+        algorithm.SetInputConnection(data.GetOutputPort())
+    else:
+        algorithm.SetInputData(data)
 
 
 def direction(azimuth, height):

@@ -4,7 +4,8 @@
     slider = LevelSlider(interactor, water, 350.0, 400.0)
     plane = PlaneWidget(interactor, water)
 
-Keep the object: the widget goes with it. The window must have been given to the interactor before.
+Keep the object: the widget goes with it. The window must have been given to the interactor before; it is
+initialised when that was not done, as VTK's widgets crash without.
 """
 import vtkmodules.vtkRenderingFreeType  # noqa: F401  the slider's text
 from vtkmodules.vtkCommonDataModel import vtkPlane
@@ -18,6 +19,13 @@ from vtkmodules.vtkInteractionWidgets import (
 from .errors import raising
 
 __all__ = ["LevelSlider", "PlaneWidget"]
+
+
+def initialize(interactor):
+    if not interactor.GetRenderWindow():
+        raise ValueError("the interactor has no window: SetRenderWindow comes first")
+    if not interactor.GetInitialized():
+        interactor.Initialize()
 
 
 class LevelSlider:
@@ -48,6 +56,7 @@ class LevelSlider:
         for text in (representation.GetTitleProperty(), representation.GetLabelProperty()):
             text.ShadowOff()
             text.ItalicOff()
+        initialize(interactor)
         self.widget = vtkSliderWidget()
         self.widget.SetInteractor(interactor)
         self.widget.SetRepresentation(representation)
@@ -92,6 +101,7 @@ class PlaneWidget:
         representation.PlaceWidget(list(bounds))
         representation.SetOrigin(water.GetPlane().GetOrigin())
         representation.SetNormal(water.GetPlane().GetNormal())
+        initialize(interactor)
         self.widget = vtkImplicitPlaneWidget2()
         self.widget.SetInteractor(interactor)
         self.widget.SetRepresentation(representation)

@@ -23,7 +23,6 @@ def make():
     interactor = vtkGenericRenderWindowInteractor()
     interactor.SetRenderWindow(view.window)
     interactor.SetInteractorStyle(vtkInteractorStyleTrackballCamera())
-    interactor.Initialize()
     view.picture()
     return view, water, interactor
 
@@ -94,6 +93,16 @@ def check_plane():
     wt.check_equal(f"an empty box: {said}", "xmin < xmax" in said, True)
 
 
+def check_no_window():
+    try:
+        LevelSlider(vtkGenericRenderWindowInteractor(), make()[1], -1.0, 1.0)
+        said = ""
+    except ValueError as error:
+        said = str(error)
+    wt.check_equal(f"no window: {said}", "has no window" in said, True)
+
+
 check_slider()
 check_plane()
+check_no_window()
 wt.finish()
