@@ -94,3 +94,5 @@ endif()
 if(WATER_BUILD_EXAMPLES AND EXISTS "${PROJECT_SOURCE_DIR}/Examples/CMakeLists.txt")
   add_subdirectory(Examples)
 endif()
+
+include(WaterDebian)
