@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /**
+ * @file
  * vtkWaterC.h: water, its pass and a small scene for C programs and foreign-function callers.
  *
  *   vtk_water_scene* scene;

@@ -49,6 +49,14 @@ def open_movie(file, frames_per_second):
     raise ValueError(f"{file}: kind {suffix} is not known; known are {', '.join(KINDS)}")
 
 
+def pillow(file):
+    try:
+        from PIL import Image
+    except ImportError:
+        raise ValueError(f"{file}: writing it wants Pillow: pip install pillow (Debian: python3-pil)") from None
+    return Image
+
+
 class Movie:
     def __enter__(self):
         return self
@@ -59,9 +67,7 @@ class Movie:
 
 class Folder(Movie):
     def __init__(self, folder):
-        from PIL import Image
-
-        self._image = Image
+        self._image = pillow(folder)
         self._folder = Path(folder)
         self._folder.mkdir(parents=True, exist_ok=True)
         self._count = 0
@@ -76,9 +82,7 @@ class Folder(Movie):
 
 class Gif(Movie):
     def __init__(self, file, frames_per_second):
-        from PIL import Image
-
-        self._image = Image
+        self._image = pillow(file)
         self._file = open(file, "wb")
         self._duration_ms = round(1000.0 / frames_per_second)
         self._frames = []

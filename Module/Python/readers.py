@@ -35,7 +35,7 @@ class FileError(ValueError):
 
 @dataclass
 class Surface:
-    """What a file shows, z up."""
+    """What a file shows, with z up."""
 
     data: vtkPolyData
     is_terrain: bool = False
@@ -45,7 +45,20 @@ class Surface:
 def read(file, no_data=None):
     """The surface in a file; KINDS are known, by their suffix.
 
-    no_data   a height that stands for a hole in an elevation model, beside NaN and what the file says
+    Parameters
+    ----------
+    file : str or pathlib.Path
+    no_data : float, optional
+        A height that stands for a hole in an elevation model, beside NaN and what the file says.
+
+    Returns
+    -------
+    Surface
+
+    Raises
+    ------
+    FileError
+        When the file is missing, of no known kind, not what its name claims, or empty.
     """
     path = Path(file)
     kind = KINDS.get(path.suffix.lower())

@@ -31,9 +31,16 @@ def initialize(interactor):
 class LevelSlider:
     """A slider for the level of a horizontal water, along the window's lower edge.
 
-    low, high   the ends of the slider, in the scene's unit, low < high; else ValueError. The water keeps
-                its level, which must lie between them
-    changed     called with the new level after each change; may be None
+    Parameters
+    ----------
+    interactor : :vtk:`vtkRenderWindowInteractor`
+    water : vtkwater.vtkWaterActor
+        It keeps its level, which must lie between the ends.
+    low, high : float
+        The ends of the slider, in the scene's unit, low < high; else ValueError.
+    title : str, default: 'water level'
+    changed : callable, optional
+        Called with the new level after each change.
     """
 
     def __init__(self, interactor, water, low, high, title="water level", changed=None):
@@ -83,8 +90,15 @@ class LevelSlider:
 class PlaneWidget:
     """A plane to drag along its normal and to turn by it; the water follows.
 
-    bounds    xmin, xmax, ymin, ymax, zmin, zmax of the box that the plane stays in; the scene's by default
-    changed   called with the water's vtkPlane after each change; may be None
+    Parameters
+    ----------
+    interactor : :vtk:`vtkRenderWindowInteractor`
+    water : vtkwater.vtkWaterActor
+    bounds : sequence[float], optional
+        xmin, xmax, ymin, ymax, zmin, zmax of the box that the plane stays in, each min < max, else ValueError. By
+        default the bounds of the scene.
+    changed : callable, optional
+        Called with the water's :vtk:`vtkPlane` after each change.
     """
 
     def __init__(self, interactor, water, bounds=None, changed=None):

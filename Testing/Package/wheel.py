@@ -49,6 +49,7 @@ def build(source, vtk_dir, work):
 def check_versions(source, wheel):
     cmake = re.search(r"project\(vtkWater VERSION ([0-9.]+)", (source / "CMakeLists.txt").read_text()).group(1)
     check("version of CMakeLists.txt in the wheel's name", wheel.name, f"-{cmake}-" in wheel.name)
+    check("and in CITATION.cff", cmake, f"\nversion: {cmake}\n" in (source / "CITATION.cff").read_text())
 
 
 def check_stubs(folder):
@@ -81,6 +82,7 @@ def main():
     environment = dict(os.environ, PYTHONPATH=str(site), LD_LIBRARY_PATH="")
     output = run(sys.executable, "-c", USE, env=environment, cwd=work, stdout=subprocess.PIPE).stdout
     check("classes of the wheel", output.strip(), output.strip() == "level 2.5 wind 7.0")
+    run(sys.executable, "-m", "vtkwater", "--version", env=environment, cwd=work)
     picture = work / "first_water.png"
     run(sys.executable, source / "Examples/Python/first_water.py", picture, env=environment, cwd=work)
     check("bytes of the picture", picture.stat().st_size, picture.stat().st_size > 5000)
