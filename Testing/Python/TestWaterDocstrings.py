@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Every public class, method and function says what it does; what sets a number says its range and its default.
 
-VTK's wrapping gives the text of a group (///@{) to its first method alone, in VTK's own classes too; so a method
-without a text has that of the nearest before it in the header, which must speak of it: a bare method has to be
-another accessor of what the group is about.
+VTK's wrapping gives the text of a group (///@{) to its first method alone, in VTK's own classes too. So what sets
+something begins its group and has the text; its bare accessors (Get, On, Off, To) have the nearest text before them in
+the header, which must speak of them.
 """
 
 import importlib
@@ -24,7 +24,7 @@ RANGE = re.compile(r"\[[^]]*\d[^]]*\]|finite|any integer|must |one of|nullptr|nu
 DEFAULT = re.compile(r"default", re.I)
 # what they set is no number with a default
 NO_DEFAULT = {"SetWaterType", "SetPreset", "SetSlopeVarianceToWind", "SetMapper", "SetAllocatedRenderTime",
-              "SetRayTraceSteps"}
+              "SetRayTraceQualityToFast"}
 
 
 def text_of(name, doc):
@@ -54,6 +54,8 @@ def check_class(cls):
             group, group_name = text, name
         elif len(group) < LEAST:
             wt.check_equal(f"{cls.__name__}.{name} has a text", False, True)
+        if name.startswith("Set") and not re.search(r"To[A-Z]\w+$", name):
+            wt.check_equal(f"{cls.__name__}.{name} has a text of its own", name, group_name)
         if name.startswith("Set") and name == group_name and name not in NO_DEFAULT:
             wt.check_equal(f"{cls.__name__}.{name} says a default", bool(DEFAULT.search(text)), True)
             wt.check_equal(f"{cls.__name__}.{name} says what it takes", bool(RANGE.search(text)), True)
