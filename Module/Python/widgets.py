@@ -5,7 +5,7 @@
     plane = PlaneWidget(interactor, water)
 
 Keep the object: the widget goes with it. The window must have been given to the interactor before; it is
-initialised when that was not done, as VTK's widgets crash without.
+initialised when that was not done: VTK crashes where a picture is taken without.
 """
 import vtkmodules.vtkRenderingFreeType  # noqa: F401  the slider's text
 from vtkmodules.vtkCommonDataModel import vtkPlane

@@ -38,11 +38,13 @@ def valley(side=40):
     return heights
 
 
-def write_vti(path, heights):
+def write_vti(path, heights, blanked=()):
     image = vtkImageData()
     image.SetDimensions(heights.shape[1], heights.shape[0], 1)
     image.SetSpacing(10.0, 10.0, 1.0)
     image.GetPointData().SetScalars(numpy_to_vtk(heights.ravel(), deep=True))
+    for point in blanked:
+        image.BlankPoint(point)
     writer = vtkXMLImageDataWriter()
     writer.SetFileName(str(path))
     writer.SetInputData(image)
@@ -91,6 +93,8 @@ def check_readers():
         wt.check_equal(f"{name}: cells, less those at the hole", ground.data.GetNumberOfCells(), 39 * 39 - 25)
     # its own no-data value is in the TIFF
     wt.check_equal("the TIFF's own holes", readers.read(FOLDER / "valley.tif").data.GetNumberOfCells(), 39 * 39 - 25)
+    write_vti(FOLDER / "blanked.vti", np.ones((10, 10), dtype=np.float32), blanked=(33,))
+    wt.check_equal("cells, less those at a blanked point", readers.read(FOLDER / "blanked.vti").data.GetNumberOfCells(), 81 - 4)
     # In degrees, at 60 north: a degree of longitude is half of one of latitude, which is 111.2 km.
     write_tiff(FOLDER / "degrees.tif", valley(), keys=(1, 1, 0, 1, 1024, 0, 1, 2), scale=(0.1, 0.1, 0.0),
                tie=(0.0, 0.0, 0.0, 10.0, 61.95, 0.0))

@@ -5,6 +5,7 @@ import numpy as np
 import water_test as wt
 from vtkmodules.vtkInteractionStyle import vtkInteractorStyleTrackballCamera
 from vtkmodules.vtkRenderingUI import vtkGenericRenderWindowInteractor
+from vtkwater.scenes import Scene
 from vtkwater.widgets import LevelSlider, PlaneWidget
 
 SIZE = (400, 300)
@@ -93,6 +94,23 @@ def check_plane():
     wt.check_equal(f"an empty box: {said}", "xmin < xmax" in said, True)
 
 
+def check_before_the_first_frame():
+    """Made before anything was rendered, and the interactor not initialised: a picture
+    taken by vtkWindowToImageFilter crashes in VTK then."""
+    scene = Scene(SIZE)
+    scene.add_box((-1, 1, -1, 1, -1, 1), (1, 0, 0))
+    water = scene.add_water(0.0)
+    water.SetSheetBounds(-6, 6, -5, 7)
+    scene.set_camera((2, -14, 5), (0, 0, 0))
+    interactor = vtkGenericRenderWindowInteractor()
+    interactor.SetRenderWindow(scene.window)
+    slider = LevelSlider(interactor, water, -1.0, 1.0)
+    picture = wt.output_folder() / "FirstFrame.png"
+    scene.write(picture)
+    wt.check_equal("enabled", slider.widget.GetEnabled(), 1)
+    wt.check_at_least("bytes of the first frame", picture.stat().st_size, 1000)
+
+
 def check_no_window():
     try:
         LevelSlider(vtkGenericRenderWindowInteractor(), make()[1], -1.0, 1.0)
@@ -102,6 +120,7 @@ def check_no_window():
     wt.check_equal(f"no window: {said}", "has no window" in said, True)
 
 
+check_before_the_first_frame()  # before any other: what crashed is OpenGL that was never loaded
 check_slider()
 check_plane()
 check_no_window()
