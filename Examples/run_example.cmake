@@ -5,6 +5,8 @@
 #     background alone, stays far below the size asked for
 #   cmake -DERROR=<text> -P run_example.cmake -- <command>...
 #     it must say the text and end with an exit code of its own: not 0, and no crash
+#   cmake -DSAYS=<text> -P run_example.cmake -- <command>...
+#     it must say the text and end with 0, and leave no file called --help
 set(command)
 set(is_command FALSE)
 math(EXPR last "${CMAKE_ARGC} - 1")
@@ -34,6 +36,15 @@ endif()
 
 if(NOT result STREQUAL "0")
   message(FATAL_ERROR "Exit code ${result}; it should be 0")
+endif()
+if(SAYS)
+  if(NOT output MATCHES "${SAYS}")
+    message(FATAL_ERROR "It did not say: ${SAYS}")
+  endif()
+  if(EXISTS "${CMAKE_CURRENT_BINARY_DIR}/--help")
+    message(FATAL_ERROR "It made a file --help")
+  endif()
+  return()
 endif()
 if(NOT EXISTS "${PICTURE}")
   message(FATAL_ERROR "No picture ${PICTURE}")

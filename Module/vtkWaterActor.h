@@ -75,7 +75,7 @@ public:
   ///@{
   /**
    * The plane of the water, of any orientation; its normal points out of the water. It is kept by
-   * reference: changing it moves the water. It never is null: nullptr means level 0.
+   * reference: changing it moves the water. It never is null: nullptr means level 0, the default.
    */
   void SetPlane(vtkPlane* plane);
   vtkPlane* GetPlane();

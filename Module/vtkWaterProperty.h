@@ -91,10 +91,9 @@ public:
 
   ///@{
   /**
-   * Absorption and scattering of the water, 1/m at 650, 550 and 450 nm (red, green, blue): finite
-   * and not negative; the scene's unit is taken for a metre. After a way of x metres the part
-   * exp(-(absorption + scattering) x) of the light is left. Only scattering out of the line of
-   * sight counts: of real water the part scattered backward. Default is the preset "lake".
+   * Absorption of the water, 1/m at 650, 550 and 450 nm (red, green, blue): finite and not
+   * negative; the scene's unit is taken for a metre. After a way of x metres the part
+   * exp(-(absorption + scattering) x) of the light is left. Default is that of the preset "lake".
    */
   void SetAbsorption(double red, double green, double blue);
   void SetAbsorption(const double perMetre[3])
@@ -102,6 +101,14 @@ public:
     this->SetAbsorption(perMetre[0], perMetre[1], perMetre[2]);
   }
   vtkGetVector3Macro(Absorption, double);
+  ///@}
+
+  ///@{
+  /**
+   * Scattering of the water, 1/m at 650, 550 and 450 nm (red, green, blue): finite and not
+   * negative. Only scattering out of the line of sight counts: of real water the part scattered
+   * backward. Default is that of the preset "lake".
+   */
   void SetScattering(double red, double green, double blue);
   void SetScattering(const double perMetre[3])
   {
@@ -210,14 +217,27 @@ public:
 
   ///@{
   /**
-   * Foam: where the water is shallower than FoamDepth (m, with Refraction), and on crests whose
-   * points stand closer than FoamStretch times their distance at rest, in [0, 1]: those of steep
-   * waves. 0 is none. FoamColor in [0, 1] is lit by the sun. Defaults: 0, 0 and (0.95, 0.97, 1).
+   * Foam where the water is shallower than FoamDepth, m: finite and not negative; with Refraction.
+   * Default is 0: none.
    */
   void SetFoamDepth(double depth);
   vtkGetMacro(FoamDepth, double);
+  ///@}
+
+  ///@{
+  /**
+   * Foam on crests whose points stand closer than FoamStretch times their distance at rest, in
+   * [0, 1]: those of steep waves. Default is 0: none.
+   */
   void SetFoamStretch(double stretch);
   vtkGetMacro(FoamStretch, double);
+  ///@}
+
+  ///@{
+  /**
+   * Colour of the foam, red, green, blue, each in [0, 1]; it is lit by the sun. Default is (0.95,
+   * 0.97, 1).
+   */
   void SetFoamColor(double red, double green, double blue);
   void SetFoamColor(const double rgb[3]) { this->SetFoamColor(rgb[0], rgb[1], rgb[2]); }
   vtkGetVector3Macro(FoamColor, double);
@@ -361,11 +381,17 @@ public:
 
   ///@{
   /**
-   * Speed of the wind at 10 m, m/s in [0.1, 100] (default 5), and where it blows to, degrees from
-   * the plane's first axis towards the second (default 0).
+   * Speed of the wind at 10 m, m/s in [0.1, 100]. Default is 5.
    */
   void SetWindSpeed(double speed);
   vtkGetMacro(WindSpeed, double);
+  ///@}
+
+  ///@{
+  /**
+   * Where the wind blows to, degrees from the plane's first axis towards the second: finite.
+   * Default is 0.
+   */
   void SetWindDirection(double direction);
   vtkGetMacro(WindDirection, double);
   ///@}
@@ -483,14 +509,26 @@ public:
 
   ///@{
   /**
-   * Work of the ray-traced lookup: steps of the march in [1, 256] (default 16), taken where the
-   * ray does not settle at once, and probes between the water and where it settled, in [0, 64]
-   * (default 6). Fast is 8 and 3, high 24 and 12.
+   * Work of the ray-traced lookup: steps of the march, taken where the ray does not settle at once,
+   * in [1, 256]. Default is 16.
    */
   void SetRayTraceSteps(int steps);
   vtkGetMacro(RayTraceSteps, int);
+  ///@}
+
+  ///@{
+  /**
+   * Work of the ray-traced lookup: probes between the water and where the ray settled, in [0, 64].
+   * Default is 6.
+   */
   void SetRayTraceProbes(int probes);
   vtkGetMacro(RayTraceProbes, int);
+  ///@}
+
+  ///@{
+  /**
+   * Steps and probes at once: fast is 8 and 3, the default 16 and 6, high 24 and 12.
+   */
   void SetRayTraceQualityToFast();
   void SetRayTraceQualityToDefault();
   void SetRayTraceQualityToHigh();

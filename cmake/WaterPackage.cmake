@@ -2,6 +2,7 @@
 # The CMake package vtkWater, for the build tree and for the installation:
 #   find_package(vtkWater)                   VTK::RenderingWater (finds VTK as well)
 #   find_package(vtkWater COMPONENTS Core)   vtkWater::Core, plain C, no VTK needed
+# and for the core alone a file for pkg-config, vtkwater-core.
 # vtk_module_build has made the part about VTK::RenderingWater already.
 include(CMakePackageConfigHelpers)
 
@@ -42,6 +43,12 @@ install(FILES
   "${water_build_package_dir}/vtkWaterConfig.cmake"
   "${water_build_package_dir}/vtkWaterConfigVersion.cmake"
   DESTINATION "${water_cmake_destination}" COMPONENT development)
+file(RELATIVE_PATH water_pc_to_prefix
+  "/prefix/${CMAKE_INSTALL_LIBDIR}/pkgconfig" "/prefix")
+configure_file("${PROJECT_SOURCE_DIR}/cmake/vtkwater-core.pc.in"
+  "${water_build_package_dir}/vtkwater-core.pc" @ONLY)
+install(FILES "${water_build_package_dir}/vtkwater-core.pc"
+  DESTINATION "${CMAKE_INSTALL_LIBDIR}/pkgconfig" COMPONENT development)
 install(FILES "${PROJECT_SOURCE_DIR}/LICENSE"
   DESTINATION "${CMAKE_INSTALL_DATADIR}/licenses/vtkWater" COMPONENT licenses)
 

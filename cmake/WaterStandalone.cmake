@@ -6,6 +6,8 @@ option(BUILD_SHARED_LIBS "Build shared libraries" ON)
 option(WATER_WERROR "Treat compiler warnings as errors" OFF)
 option(WATER_WRAP_PYTHON "Build the Python package vtkwater" ON)
 option(WATER_BUILD_EXAMPLES "Build the C and C++ examples" ON)
+set(WATER_INSTALL_RPATH "" CACHE STRING
+  "Where installed libraries look for VTK's; empty: where this VTK is")
 set(WATER_SANITIZE "" CACHE STRING "Sanitizers for our code and its tests, e.g. address,undefined")
 
 if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
@@ -52,7 +54,9 @@ set(CMAKE_RUNTIME_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/bin")
 # CMAKE_INSTALL_RPATH_USE_LINK_PATH would not do: it passes over folders inside this project.
 get_target_property(water_vtk_library VTK::CommonCore LOCATION)
 get_filename_component(water_vtk_library_dir "${water_vtk_library}" DIRECTORY)
-if(NOT water_vtk_library_dir IN_LIST CMAKE_CXX_IMPLICIT_LINK_DIRECTORIES)
+if(WATER_INSTALL_RPATH)
+  list(APPEND CMAKE_INSTALL_RPATH ${WATER_INSTALL_RPATH})
+elseif(NOT water_vtk_library_dir IN_LIST CMAKE_CXX_IMPLICIT_LINK_DIRECTORIES)
   list(APPEND CMAKE_INSTALL_RPATH "${water_vtk_library_dir}")
 endif()
 
@@ -92,3 +96,5 @@ endif()
 if(WATER_BUILD_EXAMPLES AND EXISTS "${PROJECT_SOURCE_DIR}/Examples/CMakeLists.txt")
   add_subdirectory(Examples)
 endif()
+
+include(WaterDebian)

@@ -1,9 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""cove: a shore with clear water: refraction, absorption, foam, glitter, shadows and caustics.
+"""cove: a shore with clear water: refraction, absorption, foam, glitter, shadows and caustics."""
 
-usage: cove.py [PICTURE.png [TIME [EYE]]]    TIME in seconds, default 0; EYE above (default) or below
-"""
-
+import argparse
 import math
 import sys
 
@@ -123,9 +121,12 @@ def make_water(time):
 
 
 def main():
-    picture = sys.argv[1] if len(sys.argv) > 1 else "cove.png"
-    time = float(sys.argv[2]) if len(sys.argv) > 2 else 0.0
-    eye = sys.argv[3] if len(sys.argv) > 3 else "above"
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("picture", nargs="?", default="cove.png", help="default: %(default)s")
+    parser.add_argument("time", nargs="?", type=float, default=0.0, help="of the waves, s; default: %(default)s")
+    parser.add_argument("eye", nargs="?", default="above", choices=("above", "below"), help="default: %(default)s")
+    arguments = parser.parse_args()
+    picture, time, eye = arguments.picture, arguments.time, arguments.eye
 
     renderer = vtkRenderer()
     renderer.GradientBackgroundOn()

@@ -1,12 +1,16 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """first_water: a cone stands in water. Writes first_water.png, or the file that it is given."""
 
-import sys
+import argparse
 
 from vtkmodules.vtkFiltersSources import vtkConeSource
 from vtkmodules.vtkIOImage import vtkPNGWriter
 from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow
 from vtkmodules.vtkRenderingCore import vtkWindowToImageFilter
+
+parser = argparse.ArgumentParser(description=__doc__)
+parser.add_argument("picture", nargs="?", default="first_water.png", help="default: %(default)s")
+picture = parser.parse_args().picture
 
 # README: from here
 from vtkwater import vtkWaterActor
@@ -41,5 +45,5 @@ capture = vtkWindowToImageFilter()
 capture.SetInput(window)
 writer = vtkPNGWriter()
 writer.SetInputConnection(capture.GetOutputPort())
-writer.SetFileName(sys.argv[1] if len(sys.argv) > 1 else "first_water.png")
+writer.SetFileName(picture)
 writer.Write()

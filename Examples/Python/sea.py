@@ -1,9 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""sea: a ship and buoys on a wind sea.
+"""sea: a ship and buoys on a wind sea."""
 
-usage: sea.py [PICTURE.png [TIME]]    TIME in seconds, default 0
-"""
-
+import argparse
 import sys
 
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
@@ -104,8 +102,11 @@ def add_buoy(renderer, water, x, y):
 
 
 def main():
-    picture = sys.argv[1] if len(sys.argv) > 1 else "sea.png"
-    time = float(sys.argv[2]) if len(sys.argv) > 2 else 0.0
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("picture", nargs="?", default="sea.png", help="default: %(default)s")
+    parser.add_argument("time", nargs="?", type=float, default=0.0, help="of the waves, s; default: %(default)s")
+    arguments = parser.parse_args()
+    picture, time = arguments.picture, arguments.time
 
     water = vtkWaterActor()
     look = water.GetWaterProperty()

@@ -1,9 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""swell: a beacon, a buoy and a raft in waves that are displaced.
+"""swell: a beacon, a buoy and a raft in waves that are displaced."""
 
-usage: swell.py [PICTURE.png [TIME]]    TIME in seconds, default 0
-"""
-
+import argparse
 import math
 import sys
 
@@ -99,8 +97,11 @@ def add_raft(renderer, water, x, y):
 
 
 def main():
-    picture = sys.argv[1] if len(sys.argv) > 1 else "swell.png"
-    time = float(sys.argv[2]) if len(sys.argv) > 2 else 0.0
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("picture", nargs="?", default="swell.png", help="default: %(default)s")
+    parser.add_argument("time", nargs="?", type=float, default=0.0, help="of the waves, s; default: %(default)s")
+    arguments = parser.parse_args()
+    picture, time = arguments.picture, arguments.time
 
     water = vtkWaterActor()
     look = water.GetWaterProperty()

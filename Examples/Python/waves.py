@@ -1,9 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""waves: a pier and buoys that float on waves.
+"""waves: a pier and buoys that float on waves."""
 
-usage: waves.py [PICTURE.png [TIME]]    TIME in seconds, default 0
-"""
-
+import argparse
 import sys
 
 from vtkmodules.vtkFiltersSources import (
@@ -82,8 +80,11 @@ def add_buoy(renderer, x, y, height):
 
 
 def main():
-    picture = sys.argv[1] if len(sys.argv) > 1 else "waves.png"
-    time = float(sys.argv[2]) if len(sys.argv) > 2 else 0.0
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("picture", nargs="?", default="waves.png", help="default: %(default)s")
+    parser.add_argument("time", nargs="?", type=float, default=0.0, help="of the waves, s; default: %(default)s")
+    arguments = parser.parse_args()
+    picture, time = arguments.picture, arguments.time
 
     water = vtkWaterActor()
     for amplitude, wavelength, direction in WAVES:

@@ -1,5 +1,33 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // test_header.c: the core's headers compile as plain C, on their own, in any order, twice.
+#include "water_body.h"
+
+#include "water_glitter.h"
+
+#include "water_grid.h"
+
+#include "water_lookup.h"
+
+#include "water_normals.h"
+
+#include "water_phase.h"
+
+#include "water_pieces.h"
+
+#include "water_preset.h"
+
+#include "water_quality.h"
+
+#include "water_random.h"
+
+#include "water_spectrum.h"
+
+#include "water_tile.h"
+
+#include "water_waves.h"
+
+#include "water_frustum.h"
+
 #include "water_target.h"
 
 #include "water_select.h"

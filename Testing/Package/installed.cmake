@@ -29,3 +29,26 @@ if(PYTHON)
   run("${PYTHON}" "${CMAKE_CURRENT_LIST_DIR}/Consumer/consumer.py")
   expect("vtkwater [0-9.]+ level 0")
 endif()
+
+# The core by pkg-config, and the example in C as a project of its own.
+find_program(PKG_CONFIG pkg-config)
+find_program(C_COMPILER cc)
+file(GLOB_RECURSE pc "${prefix}/*/vtkwater-core.pc")
+if(PKG_CONFIG AND C_COMPILER)
+  get_filename_component(pc_dir "${pc}" DIRECTORY)
+  set(ENV{PKG_CONFIG_PATH} "${pc_dir}")
+  run("${PKG_CONFIG}" --modversion vtkwater-core)
+  expect("^[0-9]+\\.[0-9]+\\.[0-9]+\n$")
+  run(sh -c "'${C_COMPILER}' '${CMAKE_CURRENT_LIST_DIR}/Consumer/consumer.c' -o '${WORK_DIR}/consumer_pc' \
+    $('${PKG_CONFIG}' --cflags --libs vtkwater-core)")
+  run("${WORK_DIR}/consumer_pc")
+  expect("plan: rendered, box drawn")
+else()
+  message("pkg-config or cc is not here: vtkwater-core.pc is not tried")
+endif()
+run("${CMAKE_COMMAND}" -S "${CMAKE_CURRENT_LIST_DIR}/../../Examples/C/FirstWater" -B "${WORK_DIR}/example_c"
+  -G "${GENERATOR}" "-DCMAKE_BUILD_TYPE=${BUILD_TYPE}" "-DCMAKE_PREFIX_PATH=${prefix}" "-DVTK_DIR=${VTK_DIR}"
+  "-DPython3_EXECUTABLE=${PYTHON}")
+run("${CMAKE_COMMAND}" --build "${WORK_DIR}/example_c" --config "${BUILD_TYPE}")
+run("${WORK_DIR}/example_c/FirstWaterC" "${WORK_DIR}/first_water.ppm")
+expect("reflection rendered, 1 mesh reflected")

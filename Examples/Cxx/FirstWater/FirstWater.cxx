@@ -13,8 +13,16 @@
 #include <vtkWaterOffScreen.h>
 #include <vtkWindowToImageFilter.h>
 
+#include <cstring>
+#include <iostream>
+
 int main(int argc, char* argv[])
 {
+  if (argc > 1 && argv[1][0] == '-')
+  {
+    std::cout << "usage: FirstWater [PICTURE.png]    default: FirstWater.png\n";
+    return std::strcmp(argv[1], "--help") == 0 ? 0 : 2;
+  }
   vtkWaterOffScreen::EnableIfNeeded(); // VTK before 9.4 wants help without a display
 
   // README: from here

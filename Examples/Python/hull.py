@@ -1,0 +1,135 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""hull: the free surface of a ship's flow, as a solver gives it, is the water.
+
+The mesh brings the heights, and a normal map made of its slopes the reflection's waves. --surface takes a file of
+yours (.vtp and others: a height over each x and y); without it Kelvin's waves behind a Wigley hull stand for one.
+"""
+
+import argparse
+
+import numpy as np
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPlane
+from vtkmodules.vtkFiltersCore import vtkProbeFilter
+from vtkmodules.vtkFiltersGeneral import vtkTransformPolyDataFilter
+from vtkmodules.vtkCommonTransforms import vtkTransform
+from vtkmodules.vtkFiltersSources import vtkPlaneSource
+from vtkmodules.vtkRenderingCore import vtkPolyDataMapper, vtkTexture
+from vtkwater.readers import FileError, read, surface_of_heights
+from vtkwater.scenes import Scene
+
+LENGTH, BEAM, DRAUGHT, FREEBOARD = 40.0, 6.0, 2.5, 2.2  # m
+SPEED, GRAVITY = 7.0, 9.81
+SIZE, POINTS = 160.0, 512  # m of water around the ship, and points along a side
+STEEPEST = 0.5  # slope that the normal map can hold
+
+
+def kelvin_waves():
+    """Heights of the steady waves of a moving bow and stern: Newman 1977, "Marine Hydrodynamics", section 6.10."""
+    places = np.linspace(-0.5 * SIZE, 0.5 * SIZE, POINTS)
+    angles = np.linspace(-1.45, 1.45, 1201)  # of the wave's way to the ship's
+    number = GRAVITY / (SPEED * np.cos(angles)) ** 2
+    damping = np.exp(-((0.9 * number) ** 2))  # a blunt end makes no short waves
+    across = np.exp(1j * np.outer(number * np.sin(angles), places))
+    heights = np.zeros((POINTS, POINTS))
+    for end, strength in ((0.45 * LENGTH, 1.0), (-0.45 * LENGTH, -0.8)):
+        along = np.exp(1j * np.outer(number * np.cos(angles), end - places)) * (damping / np.cos(angles))[:, None]
+        waves = (across.T @ along).imag * (angles[1] - angles[0])
+        heights += 0.6 * strength * waves / (1.0 + np.exp((places - end) / 1.5))  # none ahead
+    return heights
+
+
+def heights_of(surface):
+    """Heights of a surface over the square around its middle, at POINTS x POINTS places."""
+    flat = vtkTransformPolyDataFilter()
+    transform = vtkTransform()
+    transform.Scale(1.0, 1.0, 0.0)
+    flat.SetTransform(transform)
+    flat.SetInputData(surface)
+    places = vtkPlaneSource()
+    places.SetResolution(POINTS - 1, POINTS - 1)
+    places.SetOrigin(-0.5 * SIZE, -0.5 * SIZE, 0.0)
+    places.SetPoint1(0.5 * SIZE, -0.5 * SIZE, 0.0)
+    places.SetPoint2(-0.5 * SIZE, 0.5 * SIZE, 0.0)
+    probe = vtkProbeFilter()
+    probe.SetInputConnection(places.GetOutputPort())
+    flat.Update()
+    data = flat.GetOutput()
+    z = numpy_to_vtk(np.ascontiguousarray(vtk_to_numpy(surface.GetPoints().GetData())[:, 2]).astype(float), deep=True)
+    z.SetName("height")
+    data.GetPointData().AddArray(z)
+    probe.SetSourceData(data)
+    probe.Update()
+    return vtk_to_numpy(probe.GetOutput().GetPointData().GetArray("height")).reshape(POINTS, POINTS)
+
+
+def normal_map(heights):
+    """A texture of the surface's normals: the map covers SIZE, from the plane's origin on."""
+    slope_y, slope_x = np.gradient(heights, SIZE / (POINTS - 1))
+    normals = np.stack([-slope_x / STEEPEST, -slope_y / STEEPEST, np.ones_like(heights)], axis=2)
+    normals /= np.linalg.norm(normals, axis=2, keepdims=True)
+    shifted = np.roll(normals, (POINTS // 2, POINTS // 2), axis=(0, 1))
+    image = vtkImageData()
+    image.SetDimensions(POINTS, POINTS, 1)
+    image.GetPointData().SetScalars(
+        numpy_to_vtk(np.round(127.5 * (shifted + 1.0)).astype(np.uint8).reshape(-1, 3), deep=True))
+    texture = vtkTexture()
+    texture.SetInputData(image)
+    texture.InterpolateOn()
+    texture.RepeatOn()
+    return texture
+
+
+def add_ship(scene):
+    """A Wigley hull with straight sides above the water, a deckhouse and a mast."""
+    x, z = np.meshgrid(np.linspace(-0.5, 0.5, 81), np.linspace(-1.0, 1.0, 21))
+    half = 0.5 * BEAM * (1.0 - (2.0 * x) ** 2) * (1.0 - np.clip(-z, 0.0, 1.0) ** 2)
+    hull = surface_of_heights(half).data
+    for side in (-1.0, 1.0):
+        data = hull.NewInstance()
+        data.DeepCopy(hull)
+        height = np.where(z < 0.0, DRAUGHT * z, FREEBOARD * z * (1.0 + 0.5 * x))
+        points = np.stack([LENGTH * x, side * half, height], axis=2).reshape(-1, 3)
+        data.GetPoints().SetData(numpy_to_vtk(points, deep=True))
+        scene.add_mesh(data, (0.15, 0.22, 0.38))
+    share, side = np.meshgrid(np.linspace(-0.5, 0.5, 81), [-1.0, 1.0])
+    deck = surface_of_heights(side).data
+    points = np.stack([LENGTH * share, side * 0.5 * BEAM * (1.0 - (2.0 * share) ** 2),
+                       0.85 * FREEBOARD * (1.0 + 0.5 * share)], axis=2).reshape(-1, 3)
+    deck.GetPoints().SetData(numpy_to_vtk(points, deep=True))
+    scene.add_mesh(deck, (0.55, 0.50, 0.42))
+    scene.add_box((-13.0, -5.0, -1.7, 1.7, 1.9, 5.2), (0.92, 0.92, 0.89))
+    scene.add_box((-11.5, -6.0, -1.5, 1.5, 5.2, 7.0), (0.92, 0.92, 0.89))
+    scene.add_box((-9.2, -8.8, -0.2, 0.2, 7.0, 12.0), (0.80, 0.30, 0.15))
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("picture", nargs="?", default="hull.png", help="default: %(default)s")
+    parser.add_argument("--surface", help="the free surface: a mesh with z over x and y, the ship at the origin")
+    arguments = parser.parse_args()
+    try:
+        surface = read(arguments.surface).data if arguments.surface else None
+    except FileError as error:
+        raise SystemExit(f"hull: {error}") from None
+    heights = heights_of(surface) if surface else kelvin_waves()
+    spacing = SIZE / (POINTS - 1)
+    mesh = surface or surface_of_heights(heights, (spacing, spacing), (-0.5 * SIZE, -0.5 * SIZE)).data
+
+    scene = Scene((1280, 720))
+    add_ship(scene)
+    water = scene.add_water(0.0)
+    plane = vtkPlane()
+    plane.SetNormal(0.0, 0.0, 1.0)
+    water.SetPlane(plane)
+    mapper = vtkPolyDataMapper()
+    mapper.SetInputData(mesh)
+    mapper.ScalarVisibilityOff()
+    water.SetMapper(mapper)
+    water.GetWaterProperty().AddNormalMap(normal_map(heights), SIZE, 0.0, 0.0, STEEPEST)
+    scene.set_camera((48.0, -58.0, 26.0), (-12.0, 0.0, 0.0), 34.0)
+    scene.write(arguments.picture)
+
+
+if __name__ == "__main__":
+    main()

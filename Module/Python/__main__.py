@@ -1,0 +1,7 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""python -m vtkwater: the command, where its script is not on the path."""
+import sys
+
+from .command import main
+
+sys.exit(main())

@@ -1,0 +1,53 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Which off-screen window VTK renders in here, and what draws; found out in a process of its own.
+
+VTK ends the process where it finds no OpenGL at all. `find()` therefore asks another one:
+
+    backend = find()
+    backend.window, backend.renderer, backend.version    # "vtkEGLRenderWindow", "llvmpipe ...", "4.5 ..."
+    backend.error                                        # "" or what is missing and which packages provide it
+"""
+import json
+import subprocess
+import sys
+from dataclasses import dataclass
+
+__all__ = ["Backend", "find"]
+
+TIMEOUT_S = 60.0
+PACKAGES = ("Rendering needs OpenGL 3.2: a GPU's driver, or Mesa "
+            "(Debian and Ubuntu: apt-get install libegl1 libegl-mesa0 libgl1-mesa-dri, or libosmesa6)")
+CODE = """
+import json
+import vtkwater
+from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow
+window = vtkRenderWindow()
+window.SetOffScreenRendering(True)
+window.SetSize(16, 16)
+window.AddRenderer(vtkRenderer())
+window.Render()
+report = dict(line.split(" string:  ", 1) for line in window.ReportCapabilities().splitlines() if " string:  " in line)
+print("FOUND" + json.dumps([window.GetClassName(), report.get("OpenGL renderer", ""), report.get("OpenGL version", "")]))
+"""
+
+
+@dataclass
+class Backend:
+    window: str = ""
+    renderer: str = ""
+    version: str = ""
+    error: str = ""
+
+
+def find():
+    try:
+        answer = subprocess.run([sys.executable, "-c", CODE], capture_output=True, text=True, timeout=TIMEOUT_S)
+    except subprocess.TimeoutExpired:
+        return Backend(error=f"No picture after {TIMEOUT_S:.0f} s. {PACKAGES}")
+    found = [line[5:] for line in answer.stdout.splitlines() if line.startswith("FOUND")]
+    if answer.returncode or not found:
+        return Backend(error=f"VTK finds no OpenGL here. {PACKAGES}")
+    window, renderer, version = json.loads(found[0])
+    if not version:
+        return Backend(error=f"VTK's {window} has no OpenGL here. {PACKAGES}")
+    return Backend(window, renderer, version)

@@ -1,0 +1,210 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The command vtkwater: pictures of terrains and meshes in water, from the shell.
+
+Exit status: 0, done; 1, it could not be done (a file, no OpenGL); 2, the command line is wrong;
+130, stopped by the user: what was finished is kept.
+"""
+import argparse
+import math
+import sys
+import warnings
+
+from . import __version__, backend, movies, readers, vtkWaterProperty
+
+__all__ = ["main"]
+
+DONE, FAILED, WRONG_USAGE, STOPPED = 0, 1, 2, 130
+EXAMPLES = """examples:
+  vtkwater render terrain.tif --level 355 --preset lake --out lake.png
+  vtkwater render ship.stl --level 0 --wind 8 --out ship.png
+  vtkwater animate terrain.vti --level 350:400 --frames 60 --out flood.gif
+  vtkwater info
+"""
+
+
+class Failure(Exception):
+    """Something that the user is told in one line."""
+
+
+def number(least=-math.inf, most=math.inf, kind=float):
+    def parse(text):
+        try:
+            value = kind(text)
+        except ValueError:
+            raise argparse.ArgumentTypeError(f"{text!r} is no {'whole ' if kind is int else ''}number") from None
+        if not least <= value <= most:  # also NaN
+            raise argparse.ArgumentTypeError(f"{text} must lie in [{least:g}, {most:g}]")
+        return value
+    return parse
+
+
+def level_range(text):
+    first, colon, last = text.partition(":")
+    one = number(-1e9, 1e9)
+    return one(first), one(last) if colon else one(first)
+
+
+def size(text):
+    width, cross, height = text.lower().partition("x")
+    if not cross:
+        raise argparse.ArgumentTypeError(f"{text!r} is no size such as 960x600")
+    one = number(16, 16384, int)
+    return one(width), one(height)
+
+
+def preset(text):
+    names = [vtkWaterProperty.GetPresetName(i) for i in range(vtkWaterProperty.GetNumberOfPresets())]
+    if text not in names:
+        raise argparse.ArgumentTypeError(f"{text!r} must be one of {', '.join(names)}")
+    return text
+
+
+def add_scene_arguments(parser):
+    water = parser.add_argument_group("the water")
+    water.add_argument("--preset", type=preset, metavar="NAME",
+                       help="pool, lake, 'clear tropical', 'ocean wind 5', ... 10, ... 15, 'turbid river' or 'mirror floor' "
+                            "(without it: a calm, deep lake)")
+    water.add_argument("--wind", type=number(0.0, 100.0), metavar="M/S",
+                       help="waves that a wind of this speed makes, in place of the preset's; 0 calms the water")
+    view = parser.add_argument_group("the view")
+    view.add_argument("--azimuth", type=number(-360.0, 360.0), default=200.0, metavar="DEG",
+                      help="where the eye is, from north (0) over east (90); default %(default)s")
+    view.add_argument("--elevation", type=number(0.5, 90.0), default=15.0, metavar="DEG",
+                      help="its height over the horizon; default %(default)s")
+    view.add_argument("--zoom", type=number(0.01, 1000.0), default=1.0, metavar="X",
+                      help="2 shows half of the width; default 1: all")
+    view.add_argument("--sun", type=number(-360.0, 360.0), default=None, metavar="DEG",
+                      help="where the light comes from, from north over east; default: from the eye's right")
+    view.add_argument("--size", type=size, default=(960, 600), metavar="WxH", help="pixels; default 960x600")
+    ground = parser.add_argument_group("the ground")
+    ground.add_argument("--exaggeration", type=number(1e-6, 1e6), default=1.0, metavar="X",
+                        help="draw heights so many times higher; terrains only")
+    ground.add_argument("--no-data", type=number(), metavar="HEIGHT",
+                        help="a height that means a hole, beside NaN and what the file says; holes stay holes")
+
+
+def make_parser():
+    parser = argparse.ArgumentParser(
+        prog="vtkwater", description="Puts terrains and meshes into water that reflects them.", epilog=EXAMPLES,
+        formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--version", action="version", version=f"vtkwater {__version__}")
+    commands = parser.add_subparsers(dest="command", required=True, metavar="COMMAND")
+    kinds = f"a terrain or mesh: {' '.join(readers.KINDS)}"
+
+    render = commands.add_parser("render", help="a picture of a file in water", epilog=EXAMPLES,
+                                 formatter_class=argparse.RawDescriptionHelpFormatter)
+    render.add_argument("file", help=kinds)
+    render.add_argument("--level", type=number(-1e9, 1e9), required=True, help="of the water, in the file's unit")
+    render.add_argument("--out", default="water.png", metavar="FILE", help="the picture, a PNG; default %(default)s")
+    render.add_argument("--time", type=number(-1e15, 1e15), default=0.0, metavar="S", help="of the waves; default 0")
+    add_scene_arguments(render)
+
+    animate = commands.add_parser("animate", help="waves and a changing level, as a movie", epilog=EXAMPLES,
+                                  formatter_class=argparse.RawDescriptionHelpFormatter)
+    animate.add_argument("file", help=kinds)
+    animate.add_argument("--level", type=level_range, required=True, metavar="LEVEL[:LAST]",
+                         help="of the water, in the file's unit: a number, or the first and the last of the animation")
+    animate.add_argument("--frames", type=number(1, 100000, int), default=48, metavar="N", help="default %(default)s")
+    animate.add_argument("--fps", type=number(0.1, 100.0), default=12.0, metavar="N",
+                         help="frames a second of the movie, and of the waves; default 12")
+    animate.add_argument("--out", default="water.gif", metavar="FILE",
+                         help=f"{', '.join(movies.KINDS)} (a name without a suffix); default %(default)s. "
+                              "Ctrl-C stops, and keeps what is done")
+    add_scene_arguments(animate)
+
+    commands.add_parser("info", help="versions, and what renders on this machine")
+    return parser
+
+
+def progress(steps):
+    """The steps, with a bar on a terminal's stderr."""
+    try:
+        from tqdm import tqdm
+    except ImportError:
+        return steps
+    return tqdm(steps, unit="frame", disable=not sys.stderr.isatty() or None)
+
+
+def make_scene(arguments, level):
+    from .scenes import Scene
+
+    ground = readers.read(arguments.file, arguments.no_data)
+    if ground.note:
+        print(f"vtkwater: {arguments.file}: {ground.note} are taken", file=sys.stderr)
+    found = backend.find()
+    if found.error:
+        raise Failure(found.error)
+    scene = Scene(arguments.size)
+    sun = arguments.azimuth - 70.0 if arguments.sun is None else arguments.sun
+    scene.set_sun(sun, 35.0)
+    exaggeration = arguments.exaggeration if ground.is_terrain else 1.0
+    scene.add_ground(ground, level, exaggeration)
+    scene.add_water(level, arguments.preset, arguments.wind, exaggeration)
+    scene.look(arguments.azimuth, arguments.elevation, arguments.zoom)
+    return scene, ground, exaggeration
+
+
+def warn_of_level(ground, level):
+    low, high = ground.data.GetBounds()[4:]
+    if not low <= level <= high:
+        what = "under the ground: nothing is flooded" if level < low else "above the ground: all of it is flooded"
+        print(f"vtkwater: level {level:g} is {what} (its heights are {low:g} to {high:g})", file=sys.stderr)
+
+
+def render(arguments):
+    scene, ground, _ = make_scene(arguments, arguments.level)
+    warn_of_level(ground, arguments.level)
+    scene.water.SetTime(arguments.time)
+    scene.write(arguments.out)
+    print(f"{arguments.out}: {arguments.size[0]} x {arguments.size[1]}, "
+          f"reflection {scene.water.GetReflectionPass().GetDecisionAsString()}")
+    return DONE
+
+
+def animate(arguments):
+    first, last = arguments.level
+    scene, ground, exaggeration = make_scene(arguments, first)
+    for level in sorted({first, last}):
+        warn_of_level(ground, level)
+    done = 0
+    with movies.open_movie(arguments.out, arguments.fps) as movie, movies.interrupts() as is_stopped:
+        for i in progress(range(arguments.frames)):
+            if is_stopped():
+                break
+            scene.water.SetLevel(exaggeration * (first + (last - first) * i / max(arguments.frames - 1, 1)))
+            scene.water.SetTime(i / arguments.fps)
+            movie.add(scene.picture())
+            done += 1
+    print(f"{arguments.out}: {done} of {arguments.frames} frames" + (", stopped" if is_stopped() else ""))
+    return STOPPED if is_stopped() else DONE
+
+
+def info(_):
+    from vtkmodules.vtkCommonCore import vtkVersion
+
+    print(f"vtkwater {__version__}\nVTK {vtkVersion.GetVTKVersion()}\nPython {sys.version.split()[0]}")
+    found = backend.find()
+    if found.error:
+        raise Failure(found.error)
+    print(f"window {found.window}\nrenderer {found.renderer}\nOpenGL {found.version}")
+    return DONE
+
+
+def main(arguments=None):
+    """Runs the command line; returns the exit status."""
+    arguments = make_parser().parse_args(arguments)
+    warnings.simplefilter("ignore")  # of the packages beneath
+    try:
+        return {"render": render, "animate": animate, "info": info}[arguments.command](arguments)
+    except (Failure, ValueError, ImportError) as error:
+        print(f"vtkwater: {error}", file=sys.stderr)
+    except OSError as error:
+        print(f"vtkwater: {error.filename or ''}: {error.strerror or error}", file=sys.stderr)
+    except MemoryError:
+        print(f"vtkwater: {arguments.file}: does not fit into memory", file=sys.stderr)
+    except KeyboardInterrupt:
+        print("vtkwater: stopped", file=sys.stderr)
+        return STOPPED
+    return FAILED
+
+

@@ -1,0 +1,31 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Errors of VTK objects as Python exceptions: for what is written in Python around the classes.
+
+The classes themselves report a bad value by an ErrorEvent, as VTK's do, and keep the last good one.
+"""
+import contextlib
+import re
+
+__all__ = ["raising"]
+
+
+@contextlib.contextmanager
+def raising(*things):
+    """Raise a ValueError after the block when one of the VTK objects has reported an error in it.
+
+    The exception's text is that of the first error, which names the value and the accepted range.
+    """
+    texts = []
+
+    def remember(caller, event, text):
+        texts.append(re.sub(r"^ERROR: In .*\n\w+ \(0x[0-9a-f]+\): ", "", text).strip())
+
+    remember.CallDataType = "string0"
+    tags = [(thing, thing.AddObserver("ErrorEvent", remember)) for thing in things]
+    try:
+        yield
+    finally:
+        for thing, tag in tags:
+            thing.RemoveObserver(tag)
+    if texts:
+        raise ValueError(texts[0])

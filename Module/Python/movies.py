@@ -1,0 +1,116 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Writes the pictures of an animation: a GIF, an MP4, or numbered PNGs in a folder.
+
+    with open_movie("tide.gif", frames_per_second=12) as movie:
+        movie.add(picture)    # rows x columns x RGB of 8 bits
+
+What was added is kept, also when the block is left by an exception. `interrupts()` makes Ctrl-C wait until
+the picture at hand is whole:
+
+    with interrupts() as is_stopped:
+        for step in steps:
+            if is_stopped():
+                break
+"""
+import contextlib
+import signal
+from pathlib import Path
+
+__all__ = ["KINDS", "interrupts", "open_movie"]
+
+KINDS = (".gif", ".mp4", "a folder")
+
+
+@contextlib.contextmanager
+def interrupts():
+    """Gives a function that tells whether Ctrl-C was pressed; pressed again, it interrupts as ever."""
+    pressed = []
+
+    def remember(number, frame):
+        pressed.append(number)
+        signal.signal(signal.SIGINT, before)
+
+    before = signal.signal(signal.SIGINT, remember)
+    try:
+        yield lambda: bool(pressed)
+    finally:
+        signal.signal(signal.SIGINT, before)
+
+
+def open_movie(file, frames_per_second):
+    """Raises ValueError for another kind of file, or when a package for it is missing; OSError as open does."""
+    suffix = Path(file).suffix.lower()
+    if not suffix:
+        return Folder(file)
+    if suffix == ".gif":
+        return Gif(file, frames_per_second)
+    if suffix == ".mp4":
+        return Mp4(file, frames_per_second)
+    raise ValueError(f"{file}: kind {suffix} is not known; known are {', '.join(KINDS)}")
+
+
+def pillow(file):
+    try:
+        from PIL import Image
+    except ImportError:
+        raise ValueError(f"{file}: writing it wants Pillow: pip install pillow (Debian: python3-pil)") from None
+    return Image
+
+
+class Movie:
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        self.close()
+
+
+class Folder(Movie):
+    def __init__(self, folder):
+        self._image = pillow(folder)
+        self._folder = Path(folder)
+        self._folder.mkdir(parents=True, exist_ok=True)
+        self._count = 0
+
+    def add(self, picture):
+        self._image.fromarray(picture).save(self._folder / f"{self._count:04d}.png")
+        self._count += 1
+
+    def close(self):
+        pass
+
+
+class Gif(Movie):
+    def __init__(self, file, frames_per_second):
+        self._image = pillow(file)
+        self._file = open(file, "wb")
+        self._duration_ms = round(1000.0 / frames_per_second)
+        self._frames = []
+
+    def add(self, picture):
+        # 8 bits a pixel now: a long animation stays small in memory
+        self._frames.append(self._image.fromarray(picture).quantize(colors=256))
+
+    def close(self):
+        if self._frames:
+            self._frames[0].save(self._file, format="GIF", save_all=True, append_images=self._frames[1:],
+                                 duration=self._duration_ms, loop=0)
+        self._file.close()
+
+
+class Mp4(Movie):
+    def __init__(self, file, frames_per_second):
+        try:
+            import imageio.v2 as imageio
+            import imageio_ffmpeg  # noqa: F401  the encoder
+        except ImportError:
+            raise ValueError(f"{file}: writing MP4 wants pip install imageio imageio-ffmpeg") from None
+        with open(file, "wb"):
+            pass  # an error is said here, in Python's words
+        self._writer = imageio.get_writer(file, fps=frames_per_second, macro_block_size=2)
+
+    def add(self, picture):
+        self._writer.append_data(picture)
+
+    def close(self):
+        self._writer.close()

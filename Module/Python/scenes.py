@@ -1,0 +1,211 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""An off-screen picture of something in water: ground, sun, sky, camera and a vtkWaterActor.
+
+    scene = Scene(size=(960, 600))
+    scene.add_ground(read("terrain.tif"), level=355.0)
+    scene.add_water(355.0, preset="lake")
+    scene.look(azimuth=200.0, height=15.0)
+    scene.write("lake.png")
+"""
+import math
+
+import numpy as np
+import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkUnsignedCharArray
+from vtkmodules.vtkFiltersCore import vtkPolyDataNormals
+from vtkmodules.vtkFiltersSources import vtkCubeSource
+from vtkmodules.vtkIOImage import vtkPNGWriter
+from vtkmodules.vtkRenderingCore import (
+    vtkActor,
+    vtkColorTransferFunction,
+    vtkLight,
+    vtkPolyDataMapper,
+    vtkRenderer,
+    vtkRenderWindow,
+    vtkWindowToImageFilter,
+)
+
+from . import vtkWaterActor
+from .errors import raising
+from .readers import ELEVATION
+
+__all__ = ["Scene"]
+
+SAMPLES = 8
+VIEW_ANGLE_DEG = 30.0
+SKY_AT_BOTTOM, SKY_AT_TOP = (0.93, 0.94, 0.93), (0.30, 0.50, 0.76)
+SUN_COLOR = (1.0, 0.95, 0.87)
+MESH_COLOR = (0.78, 0.76, 0.72)
+BED_COLOR = (0.36, 0.33, 0.26)
+# Colours of dry ground, by the share of its height over the water: shore, meadow, forest, rock, snow.
+GROUND = ((0.0, 0.55, 0.50, 0.38), (0.03, 0.36, 0.40, 0.22), (0.35, 0.24, 0.32, 0.17), (0.65, 0.42, 0.39, 0.33),
+          (0.9, 0.66, 0.65, 0.63), (1.0, 0.88, 0.88, 0.89))
+WATER_AROUND_A_MESH = 20.0  # times its width
+
+
+class Scene:
+    """A renderer, its off-screen window and what stands in it."""
+
+    def __init__(self, size=(960, 600)):
+        self.renderer = vtkRenderer()
+        self.renderer.GradientBackgroundOn()
+        self.renderer.SetBackground(SKY_AT_BOTTOM)
+        self.renderer.SetBackground2(SKY_AT_TOP)
+        self.window = vtkRenderWindow()
+        self.window.SetOffScreenRendering(True)
+        self.window.SetMultiSamples(SAMPLES)
+        self.window.SetSize(*size)
+        self.window.AddRenderer(self.renderer)
+        self.set_sun(150.0, 35.0)
+        self.water = None
+        self._ground = None
+
+    def set_sun(self, azimuth, height):
+        """The sun by its azimuth (degrees from north, 90 is east) and its height over the horizon (degrees)."""
+        self.renderer.RemoveAllLights()
+        light = vtkLight()
+        light.SetLightTypeToSceneLight()
+        light.SetPosition(*direction(azimuth, height))
+        light.SetFocalPoint(0.0, 0.0, 0.0)
+        light.SetColor(SUN_COLOR)
+        self.renderer.AddLight(light)
+
+    def add_ground(self, surface, level, exaggeration=1.0):
+        """A readers.Surface; a terrain is coloured by its height over the level, both times exaggeration."""
+        self._ground = surface
+        mapper = vtkPolyDataMapper()
+        mapper.SetInputData(surface.data)
+        actor = vtkActor()
+        actor.GetProperty().SetAmbient(0.25)
+        actor.GetProperty().SetDiffuse(0.95)
+        if surface.is_terrain:
+            actor.SetScale(1.0, 1.0, exaggeration)
+            normals = vtkPolyDataNormals()
+            normals.SetInputData(surface.data)
+            normals.SplittingOff()
+            mapper.SetInputConnection(normals.GetOutputPort())
+            mapper.SetLookupTable(ground_colors(level, surface.data.GetPointData().GetArray(ELEVATION).GetRange()))
+            mapper.UseLookupTableScalarRangeOn()
+        else:
+            mapper.ScalarVisibilityOff()
+            actor.GetProperty().SetColor(MESH_COLOR)
+        actor.SetMapper(mapper)
+        self.renderer.AddActor(actor)
+        return actor
+
+    def add_mesh(self, data, color, smooth=True):
+        """Polygonal data (vtkPolyData, or a filter that makes it) in one colour: red, green, blue in [0, 1]."""
+        mapper = vtkPolyDataMapper()
+        if smooth:
+            normals = vtkPolyDataNormals()
+            normals.SetFeatureAngle(40.0)
+        connect(normals if smooth else mapper, data)
+        if smooth:
+            mapper.SetInputConnection(normals.GetOutputPort())
+        mapper.ScalarVisibilityOff()
+        actor = vtkActor()
+        actor.SetMapper(mapper)
+        actor.GetProperty().SetColor(color)
+        actor.GetProperty().SetAmbient(0.25)
+        actor.GetProperty().SetDiffuse(0.95)
+        self.renderer.AddActor(actor)
+        return actor
+
+    def add_box(self, bounds, color):
+        """A box with these xmin, xmax, ymin, ymax, zmin, zmax."""
+        box = vtkCubeSource()
+        box.SetBounds(bounds)
+        return self.add_mesh(box, color, smooth=False)
+
+    def add_water(self, level, preset=None, wind=None, exaggeration=1.0):
+        """Water at a level of the data; around a mesh it is wider than that. Raises ValueError."""
+        self.water = vtkWaterActor()
+        look = self.water.GetWaterProperty()
+        with raising(self.water, look):
+            self.water.SetLevel(level * exaggeration)
+            if preset:
+                look.SetPreset(preset)
+            if wind == 0:
+                look.SeaOff()
+                look.RemoveAllWaves()
+            elif wind is not None:
+                look.SetWindSpeed(wind)
+                look.SeaOn()
+        if self._ground and not self._ground.is_terrain:
+            low_x, high_x, low_y, high_y = self._ground.data.GetBounds()[:4]
+            reach = 0.5 * WATER_AROUND_A_MESH * max(high_x - low_x, high_y - low_y)
+            x, y = 0.5 * (low_x + high_x), 0.5 * (low_y + high_y)
+            self.water.SetSheetBounds(x - reach, x + reach, y - reach, y + reach)
+        self.renderer.AddActor(self.water)
+        return self.water
+
+    def look(self, azimuth=200.0, height=15.0, zoom=1.0):
+        """From where the eye looks at the middle of the ground: degrees from north, and over the horizon.
+
+        zoom 1 shows all of the ground; 2 half of its width.
+        """
+        bounds = self._ground.data.GetBounds()
+        middle = [0.5 * (bounds[0] + bounds[1]), 0.5 * (bounds[2] + bounds[3])]
+        radius = 0.5 * math.hypot(bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4])
+        level = self.water.GetLevel() if self.water else bounds[4]
+        target = [*middle, level if self._ground.is_terrain else 0.5 * (max(level, bounds[4]) + bounds[5])]
+        distance = 0.62 * radius / math.tan(math.radians(0.5 * VIEW_ANGLE_DEG)) / zoom
+        eye = [at + distance * part for at, part in zip(target, direction(azimuth, height))]
+        self.set_camera(eye, target, up=(0.0, 0.0, 1.0) if height < 89.0 else (0.0, 1.0, 0.0))
+
+    def set_camera(self, eye, target, angle=VIEW_ANGLE_DEG, up=(0.0, 0.0, 1.0)):
+        """Where the eye is and what it looks at; the vertical angle of view in degrees."""
+        camera = self.renderer.GetActiveCamera()
+        camera.SetPosition(eye)
+        camera.SetFocalPoint(target)
+        camera.SetViewUp(up)
+        camera.SetViewAngle(angle)
+        self.renderer.ResetCameraClippingRange()
+
+    def picture(self):
+        """Renders; rows x columns x RGB of 8 bits, top row first."""
+        self.window.Render()
+        width, height = self.window.GetSize()
+        pixels = vtkUnsignedCharArray()
+        self.window.GetRGBACharPixelData(0, 0, width - 1, height - 1, 0, pixels)
+        return np.ascontiguousarray(vtk_to_numpy(pixels).reshape(height, width, 4)[::-1, :, :3])
+
+    def write(self, file):
+        """Renders into a PNG; raises OSError when that cannot be written."""
+        capture = vtkWindowToImageFilter()
+        capture.SetInput(self.window)
+        capture.ReadFrontBufferOff()
+        writer = vtkPNGWriter()
+        writer.SetInputConnection(capture.GetOutputPort())
+        writer.SetFileName(str(file))
+        with open(file, "ab"):
+            pass  # the reason, in Python's words
+        writer.Write()
+        if writer.GetErrorCode():
+            raise OSError(f"{file}: cannot be written")
+
+
+def connect(algorithm, data):
+    if data.IsA("vtkAlgorithm"):
+        algorithm.SetInputConnection(data.GetOutputPort())
+    else:
+        algorithm.SetInputData(data)
+
+
+def direction(azimuth, height):
+    """Unit vector to there: degrees from north (y) towards east (x), and over the horizon."""
+    azimuth, height = math.radians(azimuth), math.radians(height)
+    return math.sin(azimuth) * math.cos(height), math.cos(azimuth) * math.cos(height), math.sin(height)
+
+
+def ground_colors(level, heights):
+    colors = vtkColorTransferFunction()
+    span = heights[1] - max(level, heights[0])
+    shore = max(level, heights[0])
+    if span <= 0.0:  # all of it under water
+        shore, span = heights[1], 1.0
+    colors.AddRGBPoint(min(heights[0], level) - 1.0, *BED_COLOR)
+    for share, red, green, blue in GROUND:
+        colors.AddRGBPoint(shore + share * span, red, green, blue)
+    return colors

@@ -1,0 +1,130 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""VTK's own widgets on a water: a slider for its level, and a plane to drag and turn.
+
+    slider = LevelSlider(interactor, water, 350.0, 400.0)
+    plane = PlaneWidget(interactor, water)
+
+Keep the object: the widget goes with it. The window must have been given to the interactor before; it is
+initialised when that was not done: VTK crashes where a picture is taken without.
+"""
+import vtkmodules.vtkRenderingFreeType  # noqa: F401  the slider's text
+from vtkmodules.vtkCommonDataModel import vtkPlane
+from vtkmodules.vtkInteractionWidgets import (
+    vtkImplicitPlaneRepresentation,
+    vtkImplicitPlaneWidget2,
+    vtkSliderRepresentation2D,
+    vtkSliderWidget,
+)
+
+from .errors import raising
+
+__all__ = ["LevelSlider", "PlaneWidget"]
+
+
+def initialize(interactor):
+    if not interactor.GetRenderWindow():
+        raise ValueError("the interactor has no window: SetRenderWindow comes first")
+    if not interactor.GetInitialized():
+        interactor.Initialize()
+
+
+class LevelSlider:
+    """A slider for the level of a horizontal water, along the window's lower edge.
+
+    Parameters
+    ----------
+    interactor : :vtk:`vtkRenderWindowInteractor`
+    water : vtkwater.vtkWaterActor
+        It keeps its level, which must lie between the ends.
+    low, high : float
+        The ends of the slider, in the scene's unit, low < high; else ValueError.
+    title : str, default: 'water level'
+    changed : callable, optional
+        Called with the new level after each change.
+    """
+
+    def __init__(self, interactor, water, low, high, title="water level", changed=None):
+        level = water.GetLevel()
+        if not low <= level <= high or not low < high:
+            raise ValueError(f"low {low} and high {high}: low must be less, and the water's level {level} between them")
+        self._water, self._changed = water, changed
+        representation = vtkSliderRepresentation2D()
+        representation.SetMinimumValue(low)
+        representation.SetMaximumValue(high)
+        representation.SetValue(level)
+        representation.SetTitleText(title)
+        representation.SetLabelFormat("%.4g")
+        representation.GetPoint1Coordinate().SetCoordinateSystemToNormalizedDisplay()
+        representation.GetPoint1Coordinate().SetValue(0.06, 0.1)
+        representation.GetPoint2Coordinate().SetCoordinateSystemToNormalizedDisplay()
+        representation.GetPoint2Coordinate().SetValue(0.44, 0.1)
+        representation.SetSliderLength(0.03)
+        representation.SetTubeWidth(0.006)
+        for text in (representation.GetTitleProperty(), representation.GetLabelProperty()):
+            text.ShadowOff()
+            text.ItalicOff()
+        initialize(interactor)
+        self.widget = vtkSliderWidget()
+        self.widget.SetInteractor(interactor)
+        self.widget.SetRepresentation(representation)
+        self.widget.SetAnimationModeToJump()
+        self.widget.AddObserver("InteractionEvent", self._slid)
+        self.widget.AddObserver("EndInteractionEvent", self._slid)  # a click on the tube
+        self.widget.EnabledOn()
+
+    def set_level(self, level):
+        """Moves water and slider; a level beyond its ends is taken for the end."""
+        self.widget.GetRepresentation().SetValue(level)
+        self._slid(self.widget, None)
+
+    def _slid(self, widget, event):
+        level = widget.GetRepresentation().GetValue()
+        if level == self._water.GetLevel():
+            return
+        with raising(self._water):
+            self._water.SetLevel(level)
+        if self._changed:
+            self._changed(level)
+
+
+class PlaneWidget:
+    """A plane to drag along its normal and to turn by it; the water follows.
+
+    Parameters
+    ----------
+    interactor : :vtk:`vtkRenderWindowInteractor`
+    water : vtkwater.vtkWaterActor
+    bounds : sequence[float], optional
+        xmin, xmax, ymin, ymax, zmin, zmax of the box that the plane stays in, each min < max, else ValueError. By
+        default the bounds of the scene.
+    changed : callable, optional
+        Called with the water's :vtk:`vtkPlane` after each change.
+    """
+
+    def __init__(self, interactor, water, bounds=None, changed=None):
+        self._water, self._changed = water, changed
+        if bounds is None:
+            renderer = interactor.GetRenderWindow().GetRenderers().GetFirstRenderer()
+            bounds = renderer.ComputeVisiblePropBounds()
+        if len(bounds) != 6 or not all(low < high for low, high in zip(bounds[::2], bounds[1::2])):
+            raise ValueError(f"bounds {tuple(bounds)}: wanted are xmin < xmax, ymin < ymax, zmin < zmax")
+        representation = vtkImplicitPlaneRepresentation()
+        representation.SetPlaceFactor(1.0)
+        representation.OutlineTranslationOff()
+        representation.DrawPlaneOff()  # the water is there
+        representation.PlaceWidget(list(bounds))
+        representation.SetOrigin(water.GetPlane().GetOrigin())
+        representation.SetNormal(water.GetPlane().GetNormal())
+        initialize(interactor)
+        self.widget = vtkImplicitPlaneWidget2()
+        self.widget.SetInteractor(interactor)
+        self.widget.SetRepresentation(representation)
+        self.widget.AddObserver("InteractionEvent", self._moved)
+        self.widget.On()
+
+    def _moved(self, widget, event):
+        plane = vtkPlane()
+        widget.GetRepresentation().GetPlane(plane)
+        self._water.SetPlane(plane)
+        if self._changed:
+            self._changed(plane)

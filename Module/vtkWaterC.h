@@ -1,0 +1,158 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/**
+ * @file
+ * vtkWaterC.h: water, its pass and a small scene for C programs and foreign-function callers.
+ *
+ *   vtk_water_scene* scene;
+ *   vtk_water_actor* water;
+ *   vtk_water_scene_new(640, 400, &scene);
+ *   vtk_water_scene_add_mesh(scene, points, point_count, triangles, triangle_count, color);
+ *   vtk_water_actor_new(&water);
+ *   vtk_water_actor_set_level(water, -0.2);
+ *   vtk_water_scene_add_water(scene, water);
+ *   vtk_water_scene_render(scene, pixels, sizeof pixels);
+ *
+ * Conventions. Handles are opaque; who makes one with _new ends it with _delete, in any order, and
+ * NULL may be deleted. Every function that can fail returns a status, whose text
+ * vtk_water_status_text has; vtk_water_last_error says more of the last failure in this thread: the
+ * value and its accepted range. After a failure everything is as it was. No exception leaves a
+ * function. Outputs come last. Lengths are in the scene's unit, which waves take for a metre.
+ * As in VTK, one thread at a time may use a scene and what is in it.
+ *
+ * The symbols have the version VTK_WATER_C_1 (ELF). Within it functions are added and never
+ * changed.
+ */
+#ifndef vtkWaterC_h
+#define vtkWaterC_h
+
+#include <stddef.h> /* for size_t */
+#include <stdint.h> /* for int64_t */
+
+#include "vtkRenderingWaterModule.h" /* for the export macro */
+
+#ifdef __cplusplus
+extern "C"
+{
+#endif
+
+typedef struct vtk_water_actor vtk_water_actor; /* a vtkWaterActor and its look */
+typedef struct vtk_water_pass vtk_water_pass;   /* a vtkWaterReflectionPass; belongs to its water */
+typedef struct vtk_water_scene vtk_water_scene; /* an off-screen window with one renderer */
+
+typedef enum vtk_water_status
+{
+  VTK_WATER_OK = 0,
+  VTK_WATER_NULL_ARGUMENT, /* a handle or pointer is NULL */
+  VTK_WATER_BAD_VALUE,     /* out of range; vtk_water_last_error names it */
+  VTK_WATER_NO_OPENGL,     /* nothing can render here */
+  VTK_WATER_NO_MEMORY,
+  VTK_WATER_FAILED, /* anything else */
+  VTK_WATER_STATUS_COUNT
+} vtk_water_status;
+
+/* What a status means, in a few words; never NULL. */
+VTKRENDERINGWATER_EXPORT const char* vtk_water_status_text(vtk_water_status status);
+
+/* The last failure in this thread, in a sentence; "" when there was none. Valid until the next
+ * call. */
+VTKRENDERINGWATER_EXPORT const char* vtk_water_last_error(void);
+
+/* Version of this interface: 1. */
+VTKRENDERINGWATER_EXPORT int vtk_water_interface_version(void);
+
+/* The water ---------------------------------------------------------------------------------- */
+
+VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_actor_new(vtk_water_actor** actor);
+VTKRENDERINGWATER_EXPORT void vtk_water_actor_delete(vtk_water_actor* actor);
+
+/* A horizontal plane at height z, +z up; finite. Default 0. */
+VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_actor_set_level(
+  vtk_water_actor* actor, double z);
+
+/* A plane through a point; the normal points out of the water, any length but 0. */
+VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_actor_set_plane(
+  vtk_water_actor* actor, const double origin[3], const double normal[3]);
+
+/* Bounds of the sheet in the plane's own axes: xmin, xmax, ymin, ymax. Default: as wide as the
+ * scene. */
+VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_actor_set_sheet_bounds(
+  vtk_water_actor* actor, const double bounds[4]);
+
+/* "pool", "lake", "clear tropical", "ocean wind 5", "ocean wind 10", "ocean wind 15", "turbid
+   river" or "mirror floor". */
+VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_actor_set_preset(
+  vtk_water_actor* actor, const char* name);
+
+/* One more wave: amplitude and wavelength in m, direction and phase in degrees, steepness in [0,
+ * 1]. */
+VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_actor_add_wave(vtk_water_actor* actor,
+  double amplitude, double wavelength, double direction_deg, double phase_deg, double steepness);
+VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_actor_remove_all_waves(vtk_water_actor* actor);
+
+/* A wind sea of this speed, m/s in [0.1, 100]; 0 takes the sea away. */
+VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_actor_set_wind(
+  vtk_water_actor* actor, double speed);
+
+/* Time of the waves, s in [-1e15, 1e15]. */
+VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_actor_set_time(
+  vtk_water_actor* actor, double seconds);
+
+/* Height of the waves over the plane at a place in the plane's own axes. */
+VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_actor_get_wave_height(
+  vtk_water_actor* actor, double x, double y, double* height);
+
+/* The vtkWaterActor itself, for programs that have VTK objects; it belongs to the handle. */
+VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_actor_get_vtk_object(
+  vtk_water_actor* actor, void** vtk_object);
+
+/* The pass, which renders the reflection --------------------------------------------------- */
+
+VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_actor_get_pass(
+  vtk_water_actor* actor, vtk_water_pass** pass);
+
+/* Texels per pixel along each axis, in [1/64, 16]. Default 1. */
+VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_pass_set_texture_scale(
+  vtk_water_pass* pass, double scale);
+
+/* Mirrored views rendered so far; props in the last one; what was decided last, in words. */
+VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_pass_get_render_count(
+  vtk_water_pass* pass, int64_t* count);
+VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_pass_get_prop_count(
+  vtk_water_pass* pass, int64_t* count);
+VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_pass_get_decision(
+  vtk_water_pass* pass, const char** text);
+
+/* A scene, for programs that have no VTK objects --------------------------------------------- */
+
+/* An off-screen window of width x height pixels, each in [1, 16384]. */
+VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_scene_new(
+  int width, int height, vtk_water_scene** scene);
+VTKRENDERINGWATER_EXPORT void vtk_water_scene_delete(vtk_water_scene* scene);
+
+/* Sky colours at the bottom and at the top of the picture, red, green and blue in [0, 1]. */
+VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_scene_set_sky(
+  vtk_water_scene* scene, const double bottom[3], const double top[3]);
+
+/* A mesh of one colour: point_count times x, y, z; triangle_count times three numbers of points. It
+   is copied. */
+VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_scene_add_mesh(vtk_water_scene* scene,
+  const double* points, size_t point_count, const int64_t* triangles, size_t triangle_count,
+  const double color[3]);
+
+/* The scene shares the water: the handle may be deleted, or used on. */
+VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_scene_add_water(
+  vtk_water_scene* scene, vtk_water_actor* actor);
+
+/* Where the eye is and what it looks at; the angle of view is vertical, degrees in [1, 170]. */
+VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_scene_set_camera(vtk_water_scene* scene,
+  const double eye[3], const double target[3], const double up[3], double angle_deg);
+
+/* Renders. pixels: NULL, or room for width x height x 3 bytes, which gets red, green and blue, top
+   row first; byte_count: its size. */
+VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_scene_render(
+  vtk_water_scene* scene, unsigned char* pixels, size_t byte_count);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

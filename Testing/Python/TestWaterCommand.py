@@ -1,0 +1,188 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The command vtkwater: pictures of every kind of file, holes that stay holes, and one clear line for what is wrong."""
+
+import pathlib
+import signal
+import subprocess
+import sys
+import time
+
+import numpy as np
+import water_test as wt
+from PIL import Image
+from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
+from vtkmodules.vtkFiltersSources import vtkConeSource
+from vtkmodules.vtkIOGeometry import vtkSTLWriter
+from vtkmodules.vtkIOXML import vtkXMLImageDataWriter, vtkXMLPolyDataWriter
+from vtkwater import readers
+
+FOLDER = wt.output_folder() / "Command"
+FOLDER.mkdir(exist_ok=True)
+SIZE = (240, 160)
+NO_DATA = -9999.0
+
+
+def run(*arguments):
+    """Exit status and all that was said."""
+    done = subprocess.run([sys.executable, "-m", "vtkwater", *map(str, arguments)], capture_output=True, text=True,
+                          cwd=FOLDER, timeout=120)
+    return done.returncode, done.stdout + done.stderr
+
+
+def valley(side=40):
+    """Heights 0 to 100 of a valley from south to north, falling to its middle; a hole in one corner."""
+    x = np.linspace(-1.0, 1.0, side)
+    heights = np.tile(100.0 * np.abs(x), (side, 1)).astype(np.float32)
+    heights[:5, :5] = NO_DATA
+    return heights
+
+
+def write_vti(path, heights, blanked=()):
+    image = vtkImageData()
+    image.SetDimensions(heights.shape[1], heights.shape[0], 1)
+    image.SetSpacing(10.0, 10.0, 1.0)
+    image.GetPointData().SetScalars(numpy_to_vtk(heights.ravel(), deep=True))
+    for point in blanked:
+        image.BlankPoint(point)
+    writer = vtkXMLImageDataWriter()
+    writer.SetFileName(str(path))
+    writer.SetInputData(image)
+    writer.Write()
+
+
+def write_tiff(path, heights, keys=(), scale=(10.0, 10.0, 0.0), tie=(0.0, 0.0, 0.0, 500.0, 9000.0, 0.0)):
+    from PIL import TiffImagePlugin
+
+    tags = TiffImagePlugin.ImageFileDirectory_v2()
+    for tag, value, kind in ((33550, scale, 12), (33922, tie, 12), (34735, keys, 3), (42113, str(NO_DATA), 2)):
+        if value:
+            tags[tag] = value
+            tags.tagtype[tag] = kind
+    Image.fromarray(heights[::-1]).save(path, tiffinfo=tags)
+
+
+def write_files():
+    write_vti(FOLDER / "valley.vti", valley())
+    write_tiff(FOLDER / "valley.tif", valley())
+    cone = vtkConeSource()
+    cone.SetDirection(0.0, 0.0, 1.0)
+    for name, writer in (("cone.stl", vtkSTLWriter()), ("cone.vtp", vtkXMLPolyDataWriter())):
+        writer.SetInputConnection(cone.GetOutputPort())
+        writer.SetFileName(str(FOLDER / name))
+        writer.Write()
+    empty = vtkXMLPolyDataWriter()
+    empty.SetInputData(vtkPolyData())
+    empty.SetFileName(str(FOLDER / "empty.vtp"))
+    empty.Write()
+    write_vti(FOLDER / "holes.vti", np.full((4, 4), np.nan, dtype=np.float32))
+    write_vti(FOLDER / "row.vti", np.zeros((1, 5), dtype=np.float32))
+    Image.new("RGB", (4, 4)).save(FOLDER / "colours.tif")
+    for name in ("text.vti", "text.vtp", "text.stl", "text.tif", "text.vtk", "text.ply", "text.xyz"):
+        (FOLDER / name).write_text("not what its name claims\n")
+    (FOLDER / "half.vti").write_bytes((FOLDER / "valley.vti").read_bytes()[:900])
+
+
+def check_readers():
+    for name in ("valley.vti", "valley.tif"):
+        ground = readers.read(FOLDER / name, NO_DATA)
+        low = [500.0, 8610.0] if name.endswith("tif") else [0.0, 0.0]
+        bounds = ground.data.GetBounds()
+        wt.check_equal(f"{name}: west, south, lowest, highest", [bounds[0], bounds[2], round(bounds[4], 3), bounds[5]],
+                       [*low, 2.564, 100.0])
+        wt.check_equal(f"{name}: cells, less those at the hole", ground.data.GetNumberOfCells(), 39 * 39 - 25)
+    # its own no-data value is in the TIFF
+    wt.check_equal("the TIFF's own holes", readers.read(FOLDER / "valley.tif").data.GetNumberOfCells(), 39 * 39 - 25)
+    write_vti(FOLDER / "blanked.vti", np.ones((10, 10), dtype=np.float32), blanked=(33,))
+    wt.check_equal("cells, less those at a blanked point", readers.read(FOLDER / "blanked.vti").data.GetNumberOfCells(), 81 - 4)
+    # In degrees, at 60 north: a degree of longitude is half of one of latitude, which is 111.2 km.
+    write_tiff(FOLDER / "degrees.tif", valley(), keys=(1, 1, 0, 1, 1024, 0, 1, 2), scale=(0.1, 0.1, 0.0),
+               tie=(0.0, 0.0, 0.0, 10.0, 61.95, 0.0))
+    bounds = readers.read(FOLDER / "degrees.tif").data.GetBounds()
+    wt.check_at_most("a map in degrees: width over half of its height, less 1", abs(2 * bounds[1] / bounds[3] - 1), 1e-6)
+    wt.check_at_most("a map in degrees: km of 3.9 degrees, error", abs(bounds[3] / 1000.0 - 3.9 * 111.195), 0.1)
+
+
+def check_pictures():
+    for name, level in (("valley.vti", 40.0), ("valley.tif", 40.0), ("cone.stl", 0.0), ("cone.vtp", 0.0)):
+        out = FOLDER / f"{name}.png"
+        out.unlink(missing_ok=True)
+        status, said = run("render", name, "--level", level, "--no-data", NO_DATA, "--size", "240x160", "--out", out.name)
+        wt.check_equal(f"{name}: status, rendered", (status, "reflection rendered" in said), (0, True))
+        picture = np.asarray(Image.open(out))
+        wt.check_equal(f"{name}: shape", picture.shape, (SIZE[1], SIZE[0], 3))
+        wt.check_at_least(f"{name}: colours", len(np.unique(picture.reshape(-1, 3), axis=0)), 100)
+    for level, words in ((-50.0, "nothing is flooded"), (500.0, "all of it is flooded")):
+        status, said = run("render", "valley.tif", "--level", level, "--size", "240x160")
+        wt.check_equal(f"level {level}: status, warned", (status, words in said), (0, True))
+
+
+def check_errors():
+    cases = [
+        (1, "missing.vti: no such file", ["render", "missing.vti", "--level", 1]),
+        (1, "text.xyz: kind .xyz is not known; known are .tif", ["render", "text.xyz", "--level", 1]),
+        *((1, f"text.{kind}: not ", ["render", f"text.{kind}", "--level", 1])
+          for kind in ("vti", "vtp", "stl", "tif", "vtk", "ply")),
+        (1, "half.vti: not a VTK image", ["render", "half.vti", "--level", 1]),
+        (1, "empty.vtp: ", ["render", "empty.vtp", "--level", 1]),
+        (1, "holes.vti: holds no elevations, only holes", ["render", "holes.vti", "--level", 1]),
+        (1, "row.vti: 1 x 5 heights are no grid", ["render", "row.vti", "--level", 1]),
+        (1, "colours.tif: holds no elevations: it has 3 numbers a pixel", ["render", "colours.tif", "--level", 1]),
+        (1, "No such file or directory", ["render", "valley.tif", "--level", 50, "--out", "no/such/folder.png"]),
+        (1, "kind .avi is not known", ["animate", "valley.tif", "--level", 50, "--out", "x.avi"]),
+        (2, "--level", ["render", "valley.tif"]),
+        (2, "'high' is no number", ["render", "valley.tif", "--level", "high"]),
+        (2, "nan must lie in", ["render", "valley.tif", "--level", "nan"]),
+        (2, "'swamp' must be one of pool", ["render", "valley.tif", "--level", 1, "--preset", "swamp"]),
+        (2, "is no size", ["render", "valley.tif", "--level", 1, "--size", "big"]),
+        (2, "must lie in [0, 100]", ["render", "valley.tif", "--level", 1, "--wind", 200]),
+        (2, "COMMAND", []),
+    ]
+    for status, words, arguments in cases:
+        got, said = run(*arguments)
+        last = said.strip().splitlines()[-1]
+        wt.check_equal(f"{' '.join(map(str, arguments))}: '{last}'", (got, words in last, "Traceback" in said),
+                       (status, True, False))
+        if status == 1:
+            wt.check_equal("  in one line", len(said.strip().splitlines()), 1)
+
+
+def check_animation():
+    status, said = run("animate", "valley.tif", "--level", "20:60", "--frames", 3, "--size", "240x160", "--out", "rise.gif")
+    wt.check_equal(f"a movie: {said.strip()}", (status, "3 of 3 frames" in said), (0, True))
+    with Image.open(FOLDER / "rise.gif") as movie:
+        wt.check_equal("frames in it", movie.n_frames, 3)
+
+    frames = FOLDER / "frames"
+    for old in frames.glob("*.png"):
+        old.unlink()
+    process = subprocess.Popen([sys.executable, "-m", "vtkwater", "animate", "valley.tif", "--level", "20:60", "--frames",
+                                "5000", "--size", "240x160", "--out", "frames"], cwd=FOLDER, stdout=subprocess.PIPE, text=True)
+    end = time.monotonic() + 60.0
+    while len(list(frames.glob("*.png"))) < 3 and time.monotonic() < end:
+        time.sleep(0.05)
+    process.send_signal(signal.SIGINT)
+    said = process.communicate(timeout=60)[0]
+    kept = sorted(frames.glob("*.png"))
+    wt.check_equal(f"stopped: status of '{said.strip()}'", process.returncode, 130)
+    wt.check_at_least("stopped: pictures kept", len(kept), 3)
+    wt.check_equal("stopped: it says how many", f"{len(kept)} of 5000 frames, stopped" in said, True)
+    wt.check_equal("stopped: the last is whole", np.asarray(Image.open(kept[-1])).shape, (SIZE[1], SIZE[0], 3))
+
+
+def check_info_and_help():
+    status, said = run("info")
+    wt.check_equal("info", (status, all(word in said for word in ("vtkwater ", "VTK ", "window vtk", "renderer "))), (0, True))
+    for arguments in (["--help"], ["render", "--help"], ["animate", "--help"]):
+        status, said = run(*arguments)
+        wt.check_equal(f"{arguments}: status, an example", (status, "--level 355 --preset lake" in said), (0, True))
+    wt.check_equal("no file called --help", pathlib.Path(FOLDER / "--help").exists(), False)
+
+
+write_files()
+check_readers()
+check_pictures()
+check_errors()
+check_animation()
+check_info_and_help()
+wt.finish()

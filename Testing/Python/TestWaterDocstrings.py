@@ -1,0 +1,88 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Every public class, method and function says what it does; what sets a number says its range and its default.
+
+VTK's wrapping gives the text of a group (///@{) to its first method alone, in VTK's own classes too. So what sets
+something begins its group and has the text; its bare accessors (Get, On, Off, To) have the nearest text before them in
+the header, which must speak of them.
+"""
+
+import importlib
+import inspect
+import re
+
+import water_test as wt
+import vtkwater
+
+CLASSES = (vtkwater.vtkWaterActor, vtkwater.vtkWaterProperty, vtkwater.vtkWaterReflectionPass, vtkwater.vtkWaterOffScreen)
+MODULES = ("backend", "command", "errors", "movies", "readers", "scenes", "widgets")
+OF_VTK = {"SafeDownCast", "NewInstance", "IsA", "IsTypeOf", "GetNumberOfGenerationsFromBase", "New",
+          "GetNumberOfGenerationsFromBaseType"}
+LEAST = 25  # letters of a sentence
+# how a text tells which values are taken
+RANGE = re.compile(r"\[[^]]*\d[^]]*\]|finite|any integer|must |one of|nullptr|null|true|Whether|\b[A-Z_]{5,}\b|power of two|"
+                   r"or-ed|on, or|is on|is off|Finite|greater than|at least|not negative|-1|environment|Let times", re.S)
+DEFAULT = re.compile(r"default", re.I)
+# what they set is no number with a default
+NO_DEFAULT = {"SetWaterType", "SetPreset", "SetSlopeVarianceToWind", "SetMapper", "SetAllocatedRenderTime",
+              "SetRayTraceQualityToFast"}
+
+
+def text_of(name, doc):
+    """A wrapped method's docstring without its signatures."""
+    paragraphs = re.split(r"\n\s*\n", doc or "")
+    return " ".join(part for part in paragraphs if not part.startswith((name + "(", "C++:")))
+
+
+def methods(cls):
+    """Names of the class's own public methods with their texts, in the header's order."""
+    for name, value in vars(cls).items():
+        if not name.startswith("_") and name not in OF_VTK and inspect.isroutine(value):
+            yield name, text_of(name, value.__doc__)
+
+
+def stem(name):
+    """What an accessor is about: Set, Get, On, ToX and the like taken off."""
+    return re.sub(r"^(Set|Get|Add|RemoveAll|Reset|Use|GetUse|GetNumberOf)|(On|Off|AsString|To[A-Z]\w+)$", "", name)
+
+
+def check_class(cls):
+    wt.check_at_least(f"{cls.__name__}: letters", len(text_of(cls.__name__, cls.__doc__)), 100)
+    group, group_name, count = "", "", 0
+    for name, text in methods(cls):
+        count += 1
+        if len(text) >= LEAST:
+            group, group_name = text, name
+        elif len(group) < LEAST:
+            wt.check_equal(f"{cls.__name__}.{name} has a text", False, True)
+        if name.startswith("Set") and not re.search(r"To[A-Z]\w+$", name):
+            wt.check_equal(f"{cls.__name__}.{name} has a text of its own", name, group_name)
+        if name.startswith("Set") and name == group_name and name not in NO_DEFAULT:
+            wt.check_equal(f"{cls.__name__}.{name} says a default", bool(DEFAULT.search(text)), True)
+            wt.check_equal(f"{cls.__name__}.{name} says what it takes", bool(RANGE.search(text)), True)
+        if name != group_name:
+            about = stem(name).rstrip("s")
+            words = re.sub(r"\W", "", group).lower()
+            known = about.lower() in words or stem(group_name).rstrip("s") in about or about in group_name or any(
+                part.lower() in words for part in re.findall(r"[A-Z][a-z]+", about))
+            wt.check_equal(f"{cls.__name__}.{name} is told of by {group_name}", known, True)
+    wt.check_at_least(f"{cls.__name__}: methods read", count, 5)
+
+
+def check_module(name):
+    module = importlib.import_module(f"vtkwater.{name}")
+    wt.check_at_least(f"{name}: letters", len(module.__doc__ or ""), 60)
+    for public in module.__all__:
+        thing = getattr(module, public)
+        if not (inspect.isclass(thing) or inspect.isfunction(thing)):
+            continue
+        wt.check_at_least(f"{name}.{public}: letters", len(thing.__doc__ or module.__doc__), LEAST)
+        for method, value in vars(thing).items() if inspect.isclass(thing) else ():
+            if not method.startswith("_") and inspect.isfunction(value):
+                wt.check_at_least(f"{name}.{public}.{method}: letters", len(value.__doc__ or ""), LEAST)
+
+
+for cls in CLASSES:
+    check_class(cls)
+for name in MODULES:
+    check_module(name)
+wt.finish()

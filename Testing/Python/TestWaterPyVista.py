@@ -1,0 +1,201 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""add_water puts water into every kind of PyVista's pictures: a box shows where its mirror image lies.
+
+Where that is says the camera: a point of the box's mirror image is projected to the screen. Without the
+water the background is there. What is wrong raises, names its argument, and adds nothing.
+"""
+
+import sys
+
+import numpy as np
+import water_test as wt
+
+try:
+    import pyvista as pv
+except ImportError as error:
+    print(f"skipped: {error}; Testing/Python/requirements.txt says what to install")
+    sys.exit(125)
+import vtkwater.pyvista  # noqa: F401
+from vtkmodules.vtkRenderingCore import vtkActor
+from vtkwater import vtkWaterActor
+
+SIZE = (320, 240)
+LEVEL = -0.1
+RED, CENTER = (1.0, 0.0, 0.0), (0.0, 0.0, 0.6)
+FOLDER = wt.output_folder()
+
+
+def fill(plotter, **water):
+    """A red box over a mirror; the box's front is lit from the camera."""
+    plotter.set_background("lightblue")
+    plotter.add_mesh(pv.Cube(center=CENTER), color=RED, ambient=0.4)
+    plotter.camera_position = [(0.0, -5.0, 1.5), (0.0, 0.0, 0.0), (0.0, 0.0, 1.0)]
+    return plotter.add_water(**{"level": LEVEL, "preset": "mirror floor", "bounds": (-4, 4, -4, 4), **water})
+
+
+def redness(picture, renderer):
+    """Of the pixel in which the middle of the mirrored box's front lies: red less green."""
+    renderer.SetWorldPoint(CENTER[0], CENTER[1] - 0.5, 2.0 * LEVEL - CENTER[2], 1.0)
+    renderer.WorldToDisplay()
+    x, y, _ = renderer.GetDisplayPoint()
+    red, green, _ = picture[picture.shape[0] - 1 - round(y), round(x)][:3].astype(int)
+    return int(red - green)
+
+
+def check_mirrored(name, picture, renderer):
+    wt.check_at_least(f"{name}: redness where the box is mirrored", redness(picture, renderer), 60)
+
+
+def scene_light(plotter):
+    plotter.remove_all_lights()
+    plotter.add_light(pv.Light(position=(1, -6, 4), light_type="scene light", positional=True, cone_angle=60))
+    plotter.enable_shadows()
+
+
+def features():
+    yield "plain", lambda plotter: None
+    for kind in ("ssaa", "fxaa", "msaa"):
+        yield kind, lambda plotter, kind=kind: plotter.enable_anti_aliasing(kind)
+    yield "ssao", lambda plotter: plotter.enable_ssao(radius=0.5)
+    yield "shadows", scene_light
+    yield "depth peeling", lambda plotter: plotter.enable_depth_peeling(4)
+    yield "parallel projection", lambda plotter: plotter.enable_parallel_projection()
+    yield "eye dome lighting", lambda plotter: plotter.enable_eye_dome_lighting()
+
+
+def check_features():
+    for name, enable in features():
+        plotter = pv.Plotter(off_screen=True, window_size=SIZE)
+        water = fill(plotter)
+        enable(plotter)
+        picture = plotter.screenshot(None, return_img=True)
+        wt.save(picture[::-1, :, :3], FOLDER / f"PyVista-{name.replace(' ', '-')}.png")
+        check_mirrored(name, picture, plotter.renderer)
+        wt.check_equal(f"{name}: error", water.GetLastError(), "")
+        plotter.remove_actor(water)
+        picture = plotter.screenshot(None, return_img=True)
+        wt.check_at_most(f"{name}, without water: redness there", redness(picture, plotter.renderer), 0)
+        plotter.close()
+
+
+def check_show():
+    """show() returns the picture it has shown, with water that was added before there was a camera."""
+    plotter = pv.Plotter(off_screen=True, window_size=SIZE)
+    plotter.add_mesh(pv.Cube(center=CENTER), color=RED)
+    water = plotter.add_water(LEVEL, bounds=(-4, 4, -4, 4))
+    picture = plotter.show(screenshot=True, return_img=True)
+    wt.check_equal("show: shape of the picture", picture.shape, (SIZE[1], SIZE[0], 3))
+    wt.check_equal("show: mirrored views", water.GetReflectionPass().GetNumberOfReflectionRenders() > 0, True)
+
+
+def check_subplots():
+    plotter = pv.Plotter(off_screen=True, shape=(1, 2), window_size=(2 * SIZE[0], SIZE[1]))
+    waters = []
+    for column in range(2):
+        plotter.subplot(0, column)
+        waters.append(fill(plotter))
+    picture = plotter.screenshot(None, return_img=True)
+    for column in range(2):
+        check_mirrored(f"subplot {column}", picture, plotter.renderers[column])
+    plotter.subplot(0, 0)
+    plotter.remove_actor(waters[0])
+    picture = plotter.screenshot(None, return_img=True)
+    wt.check_at_most("subplot 0, its water removed: redness", redness(picture, plotter.renderers[0]), 0)
+    check_mirrored("subplot 1, the other's water removed", picture, plotter.renderers[1])
+    plotter.close()
+
+
+def check_movies():
+    """Frames of a movie differ by the waves' time, and the same time gives the same frame."""
+    for name, opened in (("waves.gif", pv.Plotter.open_gif), ("waves.mp4", pv.Plotter.open_movie)):
+        plotter = pv.Plotter(off_screen=True, window_size=SIZE)
+        water = fill(plotter, waves=[(0.02, 0.7, 20)])
+        opened(plotter, str(FOLDER / name))
+        frames = []
+        for time in (0.0, 0.4, 0.0):
+            water.SetTime(time)
+            plotter.write_frame()
+            frames.append(plotter.image.astype(int))
+        plotter.close()
+        wt.check_at_least(f"{name}: bytes", (FOLDER / name).stat().st_size, 1000)
+        wt.check_at_least(f"{name}: largest change between frames", int(np.abs(frames[1] - frames[0]).max()), 50)
+        wt.check_equal(f"{name}: largest change of the same time", int(np.abs(frames[2] - frames[0]).max()), 0)
+
+
+def check_arguments():
+    plotter = pv.Plotter(off_screen=True, window_size=SIZE)
+    water = fill(plotter, color="navy", opacity=0.5, time=3.0, name="lake", waves=[(0.1, 3.0), (0.05, 2.0, 30, 10, 0.5)])
+    look = water.GetWaterProperty()
+    wt.check_equal("an actor of VTK's", isinstance(water, vtkWaterActor) and isinstance(water, vtkActor), True)
+    wt.check_equal("known to the plotter by its name", plotter.actors["lake"] is water, True)
+    wt.check_equal("color", np.round(np.multiply(255, look.GetDeepColor())).tolist(), [0, 0, 128])
+    wt.check_equal("opacity, time, waves", (look.GetOpacity(), water.GetTime(), look.GetNumberOfWaves()), (0.5, 3.0, 2))
+    wave = [0.0] * 5
+    look.GetWave(1, wave)
+    wt.check_equal("the second wave", np.round(wave, 9).tolist(), [0.05, 2.0, 30.0, 10.0, 0.5])
+    again = plotter.add_water(1.0, name="lake", preset="lake")
+    wt.check_equal("the same name takes its place", [a for a in plotter.actors.values() if isinstance(a, vtkWaterActor)],
+                   [again])
+    wt.check_equal("a preset's sea", again.GetWaterProperty().GetSea(), True)
+    wt.check_equal("waves=0 calms a preset", plotter.add_water(preset="lake", waves=0).GetWaterProperty().GetSea(), False)
+    windy = plotter.add_water(waves=7.5).GetWaterProperty()
+    wt.check_equal("a wind", (windy.GetSea(), windy.GetWindSpeed()), (True, 7.5))
+    up = plotter.add_water(2.0, normal="y", origin=(1, 1, 1)).GetPlane()
+    wt.check_equal("a plane", (up.GetOrigin(), up.GetNormal()), ((1.0, 3.0, 1.0), (0.0, 1.0, 0.0)))
+    mesh = plotter.add_water(surface=pv.Disc(outer=3.0))
+    wt.check_equal("bounds of a surface", np.round(mesh.GetBounds()[:2], 6).tolist(), [-3.0, 3.0])
+    plotter.close()
+
+
+def check_scale():
+    """A scaled scene: the level is one of the data, drawn where the data's height is."""
+    plotter = pv.Plotter(off_screen=True, window_size=SIZE)
+    plotter.set_scale(zscale=2.0)
+    wt.check_equal("height in a scene scaled by 2", fill(plotter).GetBounds()[4:], (2 * LEVEL, 2 * LEVEL))
+    plotter.close()
+
+
+def check_bad_input():
+    cases = [
+        (TypeError, "level must be a number, not str", {"level": "high"}),
+        (TypeError, "level must be a number, not bool", {"level": True}),
+        (ValueError, "level nan", {"level": float("nan")}),
+        (TypeError, "preset must be str, not int", {"preset": 3}),
+        (ValueError, "'swamp'; it must be one of pool, lake", {"preset": "swamp"}),
+        (TypeError, "waves must be a number or a sequence", {"waves": "high"}),
+        (TypeError, r"waves[1] must be a sequence of numbers, not float", {"waves": [(0.1, 1.0), 2.0]}),
+        (ValueError, "waves[0] must have 2 to 5 numbers, not 1", {"waves": [(0.1,)]}),
+        (TypeError, "waves[0][1] must be a number, not str", {"waves": [(0.1, "long")]}),
+        (ValueError, "Amplitude of a wave must be finite", {"waves": [(-0.1, 1.0)]}),
+        (ValueError, "WindSpeed is -3", {"waves": -3}),
+        (ValueError, "bounds must have 4 numbers, not 6", {"bounds": (0, 1, 0, 1, 0, 1)}),
+        (ValueError, "xmin < xmax", {"bounds": (1, 0, 0, 1)}),
+        (ValueError, "normal is 'up'", {"normal": "up"}),
+        (ValueError, "normal is (0.0, 0.0, 0.0)", {"normal": (0, 0, 0)}),
+        (ValueError, "origin must have 3 numbers, not 2", {"origin": (0, 0)}),
+        (ValueError, "Opacity is 1.5; it must lie in [0, 1]", {"opacity": 1.5}),
+        (ValueError, "Time is", {"time": float("inf")}),
+        (TypeError, "surface must be a pyvista.DataSet, not list", {"surface": [1], "bounds": None}),
+        (ValueError, "surface has no cells", {"surface": pv.PolyData(), "bounds": None}),
+        (ValueError, "there is none with a surface", {"surface": pv.Plane()}),
+    ]
+    plotter = pv.Plotter(off_screen=True, window_size=SIZE)
+    for kind, text, argument in cases:
+        try:
+            fill(plotter, **argument)
+            raised = None
+        except (TypeError, ValueError) as error:
+            raised = error
+        wt.check_equal(f"{list(argument)}: {raised}", type(raised) is kind and text in str(raised), True)
+    wt.check_equal("waters added by them", sum(isinstance(a, vtkWaterActor) for a in plotter.actors.values()), 0)
+    plotter.close()
+
+
+check_features()
+check_show()
+check_subplots()
+check_movies()
+check_arguments()
+check_scale()
+check_bad_input()
+wt.finish()
