@@ -6,14 +6,21 @@
 #include "water_select.h"
 
 // The GPU places a vertex, and the surface its lookup, to a fraction of a pixel.
-static const double rounding_px = 1.0;
+static const double rounding_px = 0.25;
 
-void water_seen_size(const int rect_px[4], int size[2])
+void water_seen_begin(const int texture_px[2], const int rect_px[4], water_seen* seen)
 {
-  for (int i = 0; i < 2; ++i)
+  memcpy(seen->texture_px, texture_px, sizeof seen->texture_px);
+  memcpy(seen->rect_px, rect_px, sizeof seen->rect_px);
+  seen->cell_px = 1;
+  do
   {
-    size[i] = (rect_px[2 + i] + WATER_SEEN_CELL_PX - 1) / WATER_SEEN_CELL_PX;
-  }
+    ++seen->cell_px;
+    for (int i = 0; i < 2; ++i)
+    {
+      seen->size[i] = (rect_px[2 + i] + seen->cell_px - 1) / seen->cell_px;
+    }
+  } while ((double)seen->size[0] * seen->size[1] > WATER_SEEN_CELLS_MAX);
 }
 
 void water_seen_walk_of(const int texture_px[2], const int rect_px[4], const int viewport_px[2],
@@ -75,7 +82,7 @@ size_t water_seen_closed(const water_seen* seen, float (*boxes)[4])
         for (int i = 0; i < 4; ++i)
         {
           const int axis = i % 2;
-          const int place = corners[i] * WATER_SEEN_CELL_PX; // cells may reach over the rectangle
+          const int place = corners[i] * seen->cell_px; // cells may reach over the rectangle
           const int px = rect[axis] + (place < rect[2 + axis] ? place : rect[2 + axis]);
           boxes[count][i] = (float)(2.0 * px / seen->texture_px[axis] - 1.0);
         }
@@ -116,9 +123,9 @@ bool water_seen_meets(
     // in cells, from the rectangle's corner
     const double reach = reach_px + rounding_px;
     const double from =
-      (0.5 * (1.0 + low[i]) * seen->texture_px[i] - reach - seen->rect_px[i]) / WATER_SEEN_CELL_PX;
+      (0.5 * (1.0 + low[i]) * seen->texture_px[i] - reach - seen->rect_px[i]) / seen->cell_px;
     const double to =
-      (0.5 * (1.0 + high[i]) * seen->texture_px[i] + reach - seen->rect_px[i]) / WATER_SEEN_CELL_PX;
+      (0.5 * (1.0 + high[i]) * seen->texture_px[i] + reach - seen->rect_px[i]) / seen->cell_px;
     if (!(to > 0.0) || !(from < seen->size[i]))
     {
       return false;

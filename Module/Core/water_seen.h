@@ -14,13 +14,14 @@ extern "C"
 
 enum
 {
-  WATER_SEEN_CELL_PX = 8 // a side of a cell
+  WATER_SEEN_CELLS_MAX = 1 << 16 // they come back from the GPU in every frame
 };
 
 typedef struct water_seen
 {
   int texture_px[2];
   int rect_px[4];   // of the map, what the cells cover: x, y, width, height
+  int cell_px;      // a side of a cell
   int size[2];      // cells per axis; the last of an axis may reach over the rectangle
   uint32_t* counts; // room for (size[0] + 1) * (size[1] + 1), rows of x: how many cells below and
                     // to the left of a corner are looked up (Crow 1984, "Summed-area tables for
@@ -41,8 +42,9 @@ typedef struct water_seen_walk
 void water_seen_walk_of(const int texture_px[2], const int rect_px[4], const int viewport_px[2],
   int cell_px, water_seen_walk* walk);
 
-// How many cells a rectangle of pixels has, per axis.
-void water_seen_size(const int rect_px[4], int size[2]);
+// The cells of a rectangle of the map: the smallest of which there are not too many, but not single
+// pixels. What they tell is not set.
+void water_seen_begin(const int texture_px[2], const int rect_px[4], water_seen* seen);
 
 // Fills the counts.
 //

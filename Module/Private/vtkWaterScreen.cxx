@@ -176,7 +176,7 @@ void vtkWaterScreen::DrawMask(
 
 //------------------------------------------------------------------------------
 bool vtkWaterScreen::DrawCells(
-  vtkRenderer* renderer, const water_plan& plan, vtkWaterSceneDepth& sceneDepth)
+  vtkRenderer* renderer, const water_plan& plan, int cell_px, vtkWaterSceneDepth& sceneDepth)
 {
   auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
   if (!Ready(this->Mask, window, vtkWaterMaskFS))
@@ -193,7 +193,7 @@ bool vtkWaterScreen::DrawCells(
   state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   state->vtkglClearColor(1.0f, 1.0f, 1.0f, 1.0f);
   state->vtkglClear(GL_COLOR_BUFFER_BIT);
-  this->DrawCovers(window, plan, sceneDepth, plan.texture_rect_px, WATER_SEEN_CELL_PX);
+  this->DrawCovers(window, plan, sceneDepth, plan.texture_rect_px, cell_px);
   return true;
 }
 

@@ -33,7 +33,8 @@ public:
 
   // Fills the bound framebuffer, its viewport set to the cells of the map, a pixel each: black
   // where no visible water looks anything up, else white. false: it cannot.
-  bool DrawCells(vtkRenderer* renderer, const water_plan& plan, vtkWaterSceneDepth& sceneDepth);
+  bool DrawCells(
+    vtkRenderer* renderer, const water_plan& plan, int cell_px, vtkWaterSceneDepth& sceneDepth);
 
   // Closes the pixels of the bound map that are in cells that no visible water looks up.
   void DrawClosedCells(vtkRenderer* renderer, const water_seen& seen);

@@ -10,8 +10,6 @@
 #include "vtkWaterSceneDepth.h"
 #include "vtkWaterScreen.h"
 
-#include <algorithm>
-
 namespace
 {
 constexpr size_t kRGBA = 4;
@@ -49,9 +47,7 @@ bool vtkWaterSeen::Ensure(vtkRenderer* renderer)
 const water_seen* vtkWaterSeen::Find(vtkRenderer* renderer, const water_plan& plan,
   vtkWaterScreen& screen, vtkWaterSceneDepth& sceneDepth)
 {
-  std::copy(plan.texture_px, plan.texture_px + 2, this->Seen.texture_px);
-  std::copy(plan.texture_rect_px, plan.texture_rect_px + 4, this->Seen.rect_px);
-  water_seen_size(this->Seen.rect_px, this->Seen.size);
+  water_seen_begin(plan.texture_px, plan.texture_rect_px, &this->Seen);
   const int width = this->Seen.size[0];
   const int height = this->Seen.size[1];
   auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
@@ -67,7 +63,7 @@ const water_seen* vtkWaterSeen::Find(vtkRenderer* renderer, const water_plan& pl
     this->Framebuffer->ActivateBuffer(0);
     state->vtkglDisable(GL_SCISSOR_TEST);
     state->vtkglViewport(0, 0, width, height);
-    isFound = screen.DrawCells(renderer, plan, sceneDepth);
+    isFound = screen.DrawCells(renderer, plan, this->Seen.cell_px, sceneDepth);
     if (isFound)
     {
       this->Pixels.resize(kRGBA * static_cast<size_t>(width) * static_cast<size_t>(height));

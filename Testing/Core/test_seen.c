@@ -9,19 +9,15 @@
 
 enum
 {
-  CELLS = 128 * 80,
-  CORNERS = 129 * 81
+  CELLS = WATER_SEEN_CELLS_MAX,
+  CORNERS = 2 * CELLS
 };
 
 // A fifth of the cells of a plan's rectangle is looked up, the rest is not.
 static void seen_rolled(
   dice* from, const water_plan* plan, uint8_t* cells, uint32_t* counts, water_seen* seen)
 {
-  memcpy(seen->texture_px, plan->texture_px, sizeof seen->texture_px);
-  memcpy(seen->rect_px, plan->texture_rect_px, sizeof seen->rect_px);
-  water_seen_size(seen->rect_px, seen->size);
-  assert_in_range(seen->size[0], 1, 128);
-  assert_in_range(seen->size[1], 1, 80);
+  water_seen_begin(plan->texture_px, plan->texture_rect_px, seen);
   for (int i = 0; i < seen->size[0] * seen->size[1]; ++i)
   {
     cells[i] = dice_roll(from, 0.0, 1.0) < 0.2 ? 255 : 0;
@@ -33,13 +29,19 @@ static void seen_rolled(
 TEST(cells_cover_their_rectangle)
 {
   UNUSED;
-  const int rects[3][4] = { { 3, 4, 1, 16 }, { 0, 0, 17, 32 }, { 5, 5, 800, 600 } };
-  const int expected[3][2] = { { 1, 2 }, { 3, 4 }, { 100, 75 } };
-  for (int i = 0; i < 3; ++i)
+  const int texture_px[2] = { 16384, 16384 };
+  const int rects[5][4] = { { 3, 4, 1, 16 }, { 0, 0, 17, 32 }, { 5, 5, 512, 512 },
+    { 5, 5, 513, 512 }, { 0, 0, 16384, 16384 } };
+  const int expected[5][3] = { { 2, 1, 8 }, { 2, 9, 16 }, { 2, 256, 256 }, { 3, 171, 171 },
+    { 64, 256, 256 } };
+  for (int i = 0; i < 5; ++i)
   {
-    int size[2];
-    water_seen_size(rects[i], size);
-    assert_memory_equal(size, expected[i], sizeof size);
+    water_seen seen;
+    water_seen_begin(texture_px, rects[i], &seen);
+    assert_int_equal(seen.cell_px, expected[i][0]);
+    assert_memory_equal(seen.size, expected[i] + 1, sizeof seen.size);
+    assert_memory_equal(seen.rect_px, rects[i], sizeof seen.rect_px);
+    assert_memory_equal(seen.texture_px, texture_px, sizeof seen.texture_px);
   }
 }
 
@@ -51,7 +53,7 @@ TEST(counts_are_sums)
     255, 0, 0, 0 };
   const uint32_t expected[12] = { 0, 0, 0, 0, 0, 0, 1, 1, 0, 1, 2, 3 };
   uint32_t counts[12];
-  water_seen seen = { { 24, 16 }, { 0, 0, 24, 16 }, { 3, 2 }, counts };
+  water_seen seen = { { 24, 16 }, { 0, 0, 24, 16 }, 8, { 3, 2 }, counts };
   water_seen_sum(&seen, cells, 4);
   assert_memory_equal(counts, expected, sizeof expected);
 }
@@ -63,7 +65,7 @@ TEST(closed_cells_are_rectangles)
   UNUSED;
   const uint8_t cells[3 * 3] = { 0, 0, 0, 1, 0, 1, 0, 1, 0 };
   uint32_t counts[16];
-  water_seen seen = { { 80, 40 }, { 40, 20, 20, 24 }, { 3, 3 }, counts };
+  water_seen seen = { { 80, 40 }, { 40, 20, 20, 24 }, 8, { 3, 3 }, counts };
   float boxes[6][4];
   const float expected[4][4] = { { 40, 20, 60, 28 }, { 48, 28, 56, 36 }, { 40, 36, 48, 44 },
     { 56, 36, 60, 44 } };
@@ -124,8 +126,8 @@ TEST(what_is_seen_is_kept)
       const int* rect = plan.texture_rect_px;
       const double x = 0.5 * (1.0 + clip[0] / clip[3]) * plan.texture_px[0] - rect[0];
       const double y = 0.5 * (1.0 + clip[1] / clip[3]) * plan.texture_px[1] - rect[1];
-      const int column = (int)floor(x / WATER_SEEN_CELL_PX);
-      const int row = (int)floor(y / WATER_SEEN_CELL_PX);
+      const int column = (int)floor(x / seen.cell_px);
+      const int row = (int)floor(y / seen.cell_px);
       is_seen = clip[3] > 0.0 && x >= 0.0 && x < rect[2] && y >= 0.0 && y < rect[3] &&
         cells[row * seen.size[0] + column] != 0;
     }
@@ -144,9 +146,9 @@ TEST(what_cannot_be_told_is_drawn)
   UNUSED;
   water_scene scene = lake();
   const water_plan plan = plan_of(&scene, NULL);
-  uint8_t cells[CELLS] = { 0 };
-  uint32_t counts[CORNERS];
-  water_seen seen = { { 800, 600 }, { 0, 0, 800, 600 }, { 100, 75 }, counts };
+  static uint8_t cells[CELLS];
+  static uint32_t counts[CORNERS];
+  water_seen seen = { { 800, 600 }, { 0, 0, 800, 600 }, 8, { 100, 75 }, counts };
   water_seen_sum(&seen, cells, 1);
   water_prop props[3] = { { { -1, 1, 4, 5, 1, 2 }, WATER_PROP_VISIBLE, 0.0f },
     { { 0, 0, 0, 0, 0, (double)NAN }, WATER_PROP_VISIBLE, 0.0f },
@@ -187,14 +189,15 @@ TEST(cells_go_through_all_that_look_them_up)
     const int viewport_px[2] = { picture, picture };
     const int rect_px[4] = { corner, corner, map - corner, map - corner };
     water_seen_walk walk;
-    water_seen_walk_of(texture_px, rect_px, viewport_px, WATER_SEEN_CELL_PX, &walk);
+    const int cell_px = 2 + round % 7;
+    water_seen_walk_of(texture_px, rect_px, viewport_px, cell_px, &walk);
     for (int pixel = 0; pixel < picture; ++pixel)
     {
       const double place = (pixel + 0.5) * map / picture - 0.5; // in texels' middles
       for (int side = 0; side < (map == picture ? 1 : 2); ++side)
       {
         const int texel = (int)floor(place + 1e-9) + side;
-        const int cell = (texel - corner) / WATER_SEEN_CELL_PX;
+        const int cell = (texel - corner) / cell_px;
         const int begin = (int)floor(walk.first[0] + walk.step[0] * cell);
         assert_true(
           texel < corner || texel >= map || (pixel >= begin && pixel < begin + walk.size[0]));

@@ -16,6 +16,7 @@ LIMITS = {
     ("bare terrain", 0.5): 1.45,
 }
 BOUND_LIMIT = 1.15
+CLOCKS = {"median": "frame", "work": "processor"}
 PROPS = (1000, (0, -20, 0.3), (30, 25, 3.0), 0.3)
 
 TEXT = """
@@ -24,7 +25,9 @@ frame's geometry, from a viewport of $tiny of the window's width and height; F t
 frame without water; f the water's share of the picture; g the share of the triangles that the
 mirrored view draws (of the props, if the module does not count triangles); s the texture scale; f
 c the surface's own time over that of the frame, from water that reflects a static environment and
-has no mirrored view.
+has no mirrored view. Twice: in the time of the frame, and in the processor's time for it, of all
+threads: the mirrored view waits for the picture that says what of it is seen, and a core that waits
+works no less.
 
 $tables
 
@@ -85,43 +88,53 @@ def _measure(results, name, has_props):
             for scale in SCALES
         ],
     )
-    whole, only_geometry, surface = (frame.median for frame in frames[:3])
-    v = min(only_geometry, whole)
     f_share = float(wt.water_mask(waters[1.0].view, waters[1.0].water).mean())
-    cost = max(surface - whole, 0) / whole
     rows = []
     for (scale, scene), frame in zip(waters.items(), frames[3:]):
         g = _mirrored_share(scene)
-        bound = 1 + (g * v + f_share * scale**2 * (whole - v)) / whole + cost
-        ratio = frame.median / whole
-        results.check_at_most(f"{name}, scale {scale:g}: ratio / bound", ratio / bound, BOUND_LIMIT)
-        results.row(
-            "bound",
-            name,
-            f"scale {scale:g}",
-            scale=scale,
-            V_ms=v,
-            F_ms=whole - v,
-            g=g,
-            f=f_share,
-            f_c=cost,
-            bound=bound,
-            ratio=ratio,
-        )
-        rows.append(
-            (
-                name,
-                f"{scale:g}",
-                f"{v:.2f}",
-                f"{whole - v:.2f}",
-                f"{g:.2f}",
-                f"{f_share:.2f}",
-                f"{cost:.3f}",
-                f"{bound:.2f}",
-                f"{ratio:.2f}",
-                f"{ratio / bound:.2f}",
+        for clock, limit in (("median", BOUND_LIMIT), ("work", None)):
+            whole, only_geometry, surface, measured = (
+                getattr(one, clock) for one in (*frames[:3], frame)
             )
-        )
+            v = min(only_geometry, whole)
+            cost = max(surface - whole, 0) / whole
+            bound = 1 + (g * v + f_share * scale**2 * (whole - v)) / whole + cost
+            ratio = measured / whole
+            of = CLOCKS[clock]
+            title = f"{name}, scale {scale:g}, {of}: ratio / bound"
+            if limit:
+                results.check_at_most(title, ratio / bound, limit)
+            else:
+                print(f"{title}: {ratio / bound:.3f}", flush=True)
+            results.row(
+                "bound",
+                name,
+                f"scale {scale:g}",
+                clock=of,
+                scale=scale,
+                V_ms=v,
+                F_ms=whole - v,
+                g=g,
+                f=f_share,
+                f_c=cost,
+                bound=bound,
+                ratio=ratio,
+            )
+            rows.append(
+                (
+                    name,
+                    f"{scale:g}",
+                    of,
+                    f"{v:.2f}",
+                    f"{whole - v:.2f}",
+                    f"{g:.2f}",
+                    f"{f_share:.2f}",
+                    f"{cost:.3f}",
+                    f"{bound:.2f}",
+                    f"{ratio:.2f}",
+                    f"{ratio / bound:.2f}",
+                )
+            )
     return shown, rows
 
 
@@ -134,6 +147,7 @@ def run(results):
     header = (
         "scene",
         "s",
+        "time of",
         "V, ms",
         "F, ms",
         "g",

@@ -30,18 +30,24 @@ class Frame:
     before: object
     choose: object = None
     times: list = field(default_factory=list)  # s
+    works: list = field(default_factory=list)  # s that all threads of the processor worked
 
     def render(self, turn):
         self.before(turn)
-        begin = time.perf_counter()
+        begin, work = time.perf_counter(), time.process_time()
         self.window.Render()
         self.window.WaitForCompletion()
-        return time.perf_counter() - begin
+        return time.perf_counter() - begin, time.process_time() - work
 
     @property
     def median(self):
         """ms"""
         return 1000 * float(np.median(self.times))
+
+    @property
+    def work(self):
+        """ms, the median"""
+        return 1000 * float(np.median(self.works))
 
     @property
     def quartiles(self):
@@ -82,9 +88,10 @@ def measure(frames, rounds, budget_s, warm_up=WARM_UP):
             if frame.choose:
                 frame.choose()
                 frame.render(turn + TURN_OF_SETTLING)
-            took = frame.render(turn + warm_up)
+            took, work = frame.render(turn + warm_up)
             if turn >= 0:
                 frame.times.append(took)
+                frame.works.append(work)
     gc.enable()
     return frames
 
