@@ -185,9 +185,9 @@ TEST(eye_under_the_border_is_submerged)
   const water_plane towards = { { 0.0, 0.0, -1.0 }, 0.0 };
   water_eye eye;
   assert_int_equal(water_camera_take_apart(&scene.eye, &eye), WATER_OK);
-  assert_true(water_lookup_is_submerged(&scene.eye, &eye, &towards, scene.surface_bounds));
+  assert_true(water_lookup_is_at_surface(&scene.eye, &eye, &towards, scene.surface_bounds));
   scene.eye.parallel = true;
-  assert_false(water_lookup_is_submerged(&scene.eye, &eye, &towards, scene.surface_bounds));
+  assert_false(water_lookup_is_at_surface(&scene.eye, &eye, &towards, scene.surface_bounds));
 }
 
 // No place on a plane that is seen edge-on, nor where the numbers overflow: the outputs are kept.
