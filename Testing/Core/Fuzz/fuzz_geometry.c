@@ -11,6 +11,7 @@
 #include "water_optics.h"
 #include "water_pieces.h"
 #include "water_plane.h"
+#include "water_seen.h"
 #include "water_select.h"
 #include "water_target.h"
 
@@ -44,11 +45,58 @@ static void fuzz_pieces(fuzz_input* from)
   {
     return;
   }
-  water_frustum view;
-  fuzz_doubles(from, &view.planes[0][0], 24);
-  view.reach = fuzz_double(from);
-  water_frustum_prepare(&view);
-  PROMISED(water_pieces_select(&view, indices, triangle_count, boxes, drawn) <= 3 * triangle_count);
+  water_pieces_view view;
+  water_trend trend;
+  memset(&trend, 0, sizeof trend);
+  fuzz_doubles(from, &view.frustum.planes[0][0], 24);
+  view.frustum.reach = fuzz_double(from);
+  water_frustum_prepare(&view.frustum);
+  fuzz_doubles(from, view.to_clip, 16);
+  view.seen = NULL;
+  PROMISED(water_pieces_select(&view, indices, triangle_count, boxes, fuzz_bool(from), &trend,
+             drawn) <= 3 * triangle_count);
+}
+
+// Cells of a map of any size, and boxes anywhere.
+static void fuzz_seen(fuzz_input* from)
+{
+  enum
+  {
+    SIDE = 64
+  };
+  uint8_t cells[SIDE * SIDE / 4];
+  uint32_t counts[(SIDE / 2 + 1) * (SIDE / 2 + 1)];
+  float boxes[SIDE * SIDE / 8 + SIDE][4];
+  water_seen seen;
+  water_seen_walk walk;
+  water_prop prop = { { 0.0 }, WATER_PROP_VISIBLE, 0.0f };
+  water_fate fate = WATER_DRAW;
+  water_camera camera;
+  int texture_px[2];
+  int rect_px[4];
+  int viewport_px[2];
+  for (int i = 0; i < 2; ++i)
+  {
+    texture_px[i] = 1 + (int)fuzz_below(from, SIDE);
+    viewport_px[i] = 1 + (int)fuzz_below(from, 4 * SIDE);
+    rect_px[i] = (int)fuzz_below(from, (size_t)texture_px[i]);
+    rect_px[2 + i] = 1 + (int)fuzz_below(from, (size_t)(texture_px[i] - rect_px[i]));
+  }
+  water_seen_begin(texture_px, rect_px, &seen);
+  seen.counts = counts;
+  for (size_t i = 0; i < sizeof cells; ++i)
+  {
+    cells[i] = fuzz_byte(from);
+  }
+  water_seen_sum(&seen, cells, 1);
+  const size_t room = (size_t)(seen.size[1] * (seen.size[0] + 1) / 2);
+  PROMISED(water_seen_closed(&seen, boxes) <= room);
+  water_seen_walk_of(texture_px, rect_px, viewport_px, 1 + (int)fuzz_below(from, SIDE), &walk);
+  PROMISED(walk.size[0] > 0 && walk.size[1] > 0);
+  fuzz_camera(from, &camera);
+  fuzz_doubles(from, prop.bounds, 6);
+  prop.width_px = (float)fuzz_double(from);
+  water_seen_select(&seen, &camera, &prop, 1, WATER_MAY_SKIP_ALL, &fate);
 }
 
 static void fuzz_grid(fuzz_input* from)
@@ -179,7 +227,8 @@ static void fuzz_steps(fuzz_input* from)
 int LLVMFuzzerTestOneInput(const uint8_t* bytes, size_t size)
 {
   fuzz_input from = { bytes, size };
-  static void (*const parts[])(fuzz_input*) = { fuzz_pieces, fuzz_grid, fuzz_plane, fuzz_steps };
-  parts[fuzz_byte(&from) % 4](&from);
+  static void (*const parts[])(
+    fuzz_input*) = { fuzz_pieces, fuzz_grid, fuzz_plane, fuzz_steps, fuzz_seen };
+  parts[fuzz_byte(&from) % 5](&from);
   return 0;
 }

@@ -59,16 +59,16 @@ int LLVMFuzzerTestOneInput(const uint8_t* bytes, size_t size)
   {
     PROMISED(step >= 0 && step < WATER_QUALITY_STEPS);
   }
-  (void)water_plan_should_wait(&plan, fuzz_double(&from), fuzz_below(&from, 200), scene.skips);
+  (void)water_plan_should_wait(&plan, fuzz_double(&from), scene.skips);
   if (plan.decision == WATER_REFLECT)
   {
     double model[16];
-    water_frustum view;
+    water_pieces_view view;
     fuzz_doubles(&from, model, 16);
-    water_pieces_view(&plan, model, &view);
+    water_pieces_look(&plan, NULL, model, &view);
     for (size_t i = 0; i < scene.prop_count; ++i)
     {
-      (void)water_frustum_divides(&view, 6, props[i].bounds, 1e-6);
+      (void)water_frustum_divides(&view.frustum, 6, props[i].bounds, 1e-6);
     }
     double oblique[16];
     if (water_mirror_oblique(plan.mirrored.view_to_clip, plan.clip_plane_view, oblique) == WATER_OK)
