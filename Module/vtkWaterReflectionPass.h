@@ -107,7 +107,8 @@ public:
     SHARED_VIEWS = 1 << 4,    ///< one that another sheet of the same plane has
     PROPS = 1 << 5,           ///< props that no visible water reflects
     PIECES = 1 << 6,          ///< parts of large meshes, likewise
-    PIXELS = 1 << 7,          ///< pixels of the mirrored view, likewise
+    PIXELS = 1 << 7,          ///< pixels of the mirrored view, likewise, and with PROPS and PIECES
+                              ///< what only hidden pixels of water would reflect
     SKIP_ALL = (1 << 8) - 1
   };
 
