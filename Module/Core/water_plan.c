@@ -284,7 +284,6 @@ static water_status fill_view(const water_scene* scene, const checked* input,
     water_lookup_cuts_surface(&input->eye, plan->plane_view);
   plan->has_sun = scene->has_sun && water_lookup_local(axes, scene->sun_dir, plan->sun_dir);
   plan->eta = water_optics_eta(&scene->look, input->side);
-  plan->reflectance = scene->look.constant_reflectance ? scene->look.reflectance : -1.0;
   return water_lookup_places(
     &scene->eye, &input->eye, plane, axes, plan->origin_xy, plan->ndc_to_plane);
 }

@@ -184,7 +184,6 @@ typedef struct water_plan
   bool has_sun;                 // it shines on the surface from the normal's side
   double sun_dir[3];            // towards the sun, in the plane's axes, unit length
   double eta;                   // index beyond the surface / index on the eye's side
-  double reflectance;           // in [0, 1], or -1: exact Fresnel with eta
 
   // draw: the mirrored camera, twice: as matrices and in vtkCamera's terms
   water_camera mirrored;

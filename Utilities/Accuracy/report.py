@@ -22,7 +22,7 @@ def table(header, rows):
 
 
 class Report:
-    """Collects the sections. The template is NAME.md.in; folder gets NAME.md, and images/NAME-*.png."""
+    """Collects the sections. The template is NAME.md.in; folder gets NAME.md, and images/NAME-*."""
 
     FAILED = "NOT MET"
 
@@ -46,10 +46,11 @@ class Report:
     def has_failed(self):
         return any(verdict == self.FAILED for *_, verdict in self._checks)
 
-    def save(self, figure, name, alt):
-        """Saves a plot or picture; returns the Markdown that shows it."""
-        path = pathlib.Path("images") / f"{self._name}-{name}.png"
-        figure.savefig(self._folder / path, dpi=110, metadata={"Software": None})
+    def save(self, figure, name, alt, has_pictures=False):
+        """Saves a plot, or one with pictures in it; returns the Markdown that shows it."""
+        path = pathlib.Path("images") / f"{self._name}-{name}.{'jpg' if has_pictures else 'png'}"
+        how = {"pil_kwargs": {"quality": 85}} if has_pictures else {"metadata": {"Software": None}}
+        figure.savefig(self._folder / path, dpi=110, **how)
         plt.close(figure)
         return f"![{alt}]({path})"
 

@@ -172,7 +172,10 @@ def run(results):
             continue
         tables.append(
             results.save(
-                plots.pictures(truth), f"scene-{number}", f"{kind.name}: reference and picture"
+                plots.pictures(truth),
+                f"scene-{number}",
+                f"{kind.name}: reference and picture",
+                has_pictures=True,
             )
         )
         if kind.has_tracer and (not results.is_quick or kind.name == MAIN):

@@ -101,11 +101,11 @@ class Report:
              "medians": medians, "ratios": ratios}, indent=1) + "\n")
 
     def write_text(self, folder, pictures):
-        """comparison.md, and images/comparison-*.png beside it."""
+        """comparison.md, and images/comparison-* beside it."""
         images = folder / "images"
         images.mkdir(parents=True, exist_ok=True)
         self._plot(images / "comparison-ratios.png")
-        self._sheet(images / "comparison-pictures.png", pictures)
+        self._sheet(images / "comparison-pictures.jpg", pictures)
         left_out = [f"- {peer}: {why}" for peer, why in self._left_out.items()]
         frame = string.Template((pathlib.Path(__file__).parent / "comparison.md.in").read_text())
         text = frame.substitute(
@@ -163,7 +163,7 @@ class Report:
             for axis, variant in zip(row, what["variants"]):
                 axis.imshow(plt.imread(pictures / f"{peer}-{variant}.png"))
                 axis.set_title(_label(peer, variant), fontsize=8)
-        figure.savefig(file, dpi=100, metadata={"Software": None})
+        figure.savefig(file, dpi=100, pil_kwargs={"quality": 85})
         plt.close(figure)
 
 
