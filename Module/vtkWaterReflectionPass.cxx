@@ -191,6 +191,11 @@ void vtkWaterReflectionPass::RenderReflection(vtkRenderer* renderer,
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   shading->Keys.HoldUntilEndOfFrame(renderer);
 
+  if (moment.HasSceneDepth)
+  {
+    glFlush(); // the picture is drawn while the reflection is planned
+  }
+
   // gather
   const double begun = this->Instrumentation ? vtkTimerLog::GetUniversalTime() : 0.0;
   vtkWaterGather& gather = internal.Gather;
