@@ -4,6 +4,7 @@
 #include "vtkWaterC.h"
 
 #include "vtkActor.h"
+#include "vtkActorCollection.h"
 #include "vtkAutoInit.h"
 #include "vtkCallbackCommand.h"
 #include "vtkCamera.h"
@@ -25,6 +26,7 @@
 #include <cmath>
 #include <cstring>
 #include <exception>
+#include <list>
 #include <new>
 #include <string>
 
@@ -486,6 +488,19 @@ vtk_water_status vtk_water_scene_render(
       return Fail(VTK_WATER_BAD_VALUE,
         std::to_string(byte_count) + " bytes are too few for " + std::to_string(width) + " x " +
           std::to_string(height) + " x 3");
+    }
+    // what waters report meanwhile is said with the picture that shows the rest
+    std::list<ErrorWatch> watches;
+    vtkActorCollection* actors = scene->Renderer->GetActors();
+    vtkCollectionSimpleIterator next;
+    actors->InitTraversal(next);
+    while (vtkActor* actor = actors->GetNextActor(next))
+    {
+      if (auto* water = vtkWaterActor::SafeDownCast(actor))
+      {
+        watches.emplace_back(water);
+        watches.emplace_back(water->GetReflectionPass());
+      }
     }
     scene->Renderer->ResetCameraClippingRange();
     scene->Window->Render();

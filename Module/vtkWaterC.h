@@ -148,7 +148,8 @@ VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_scene_set_camera(vtk_water_s
   const double eye[3], const double target[3], const double up[3], double angle_deg);
 
 /* Renders. pixels: NULL, or room for width x height x 3 bytes, which gets red, green and blue, top
-   row first; byte_count: its size. */
+   row first; byte_count: its size. VTK_WATER_BAD_VALUE, too, when a water cannot be drawn, said
+   once: the picture has the rest of the scene. */
 VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_scene_render(
   vtk_water_scene* scene, unsigned char* pixels, size_t byte_count);
 

@@ -145,7 +145,7 @@ typedef struct water_scene
   bool hides_above;         // the surface is not drawn for an eye above it, or below
   bool hides_below;
   bool is_hidden;       // all of it is behind the scene
-  bool is_flat;         // all of it lies in the plane
+  bool is_flat;         // all of it lies in the plane, and is drawn no nearer than that
   bool has_scene_depth; // the eye's picture of what hides the surface is at hand, a depth per pixel
   bool is_software;     // there is no GPU: pixels cost the time that draws cost
   unsigned skips;       // WATER_MAY_SKIP_*

@@ -20,6 +20,7 @@
 #include "vtkPropCollection.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
+#include "vtkShaderProperty.h"
 #include "vtkTrivialProducer.h"
 #include "vtkVersionMacros.h"
 #include "vtkWaterAccess.h"
@@ -40,6 +41,29 @@ void ClearBounds(double bounds[6])
 {
   const double none[6] = { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 };
   std::copy(none, none + 6, bounds);
+}
+
+// May VTK draw a water nearer to the eye than it is, before things that are in front of it? It does
+// with what resolves coincident topology by offsets of less than 0, as those of its lines and
+// points are by default; and nobody knows where the user's own shaders put it.
+bool MayBePulled(vtkWaterActor* water)
+{
+  vtkShaderProperty* shaders = water->GetShaderProperty();
+  const bool hasOwnShaders = shaders->GetNumberOfShaderReplacements() > 0 ||
+    shaders->HasVertexShaderCode() || shaders->HasGeometryShaderCode() ||
+    shaders->HasFragmentShaderCode();
+  vtkProperty* property = water->GetProperty();
+  const bool isSurface = property->GetRepresentation() == VTK_SURFACE;
+  const int resolution = vtkMapper::GetResolveCoincidentTopology();
+  double factor = 0.0;
+  double units = 0.0;
+  water->GetMapper()->GetCoincidentTopologyPolygonOffsetParameters(factor, units);
+  const bool isPulled = !isSurface || !(factor >= 0.0) || !(units >= 0.0);
+  const bool hasOffsets = resolution == VTK_RESOLVE_POLYGON_OFFSET ||
+    (isSurface && property->GetEdgeVisibility()); // whatever the resolution
+  return hasOwnShaders || (hasOffsets && isPulled) ||
+    (resolution == VTK_RESOLVE_SHIFT_ZBUFFER &&
+      vtkMapper::GetResolveCoincidentTopologyZShift() < 0.0);
 }
 
 uint32_t ReadFlags(vtkProp* prop)
@@ -327,7 +351,8 @@ void vtkWaterGather::Read(
     this->WaveNumber = std::max(this->WaveNumber, property->GetWaveNumber());
     // of a mesh of the user's nobody knows where its faces look; the sheet's look along the normal
     const bool isSheet = water->UsesOwnSheet() && water->GetIsIdentity();
-    this->scene.is_flat = this->scene.is_flat && isSheet && !water->IsDisplaced();
+    this->scene.is_flat =
+      this->scene.is_flat && isSheet && !water->IsDisplaced() && !MayBePulled(water);
     this->scene.hides_above = this->scene.hides_above && isSheet &&
       water->GetProperty()->GetFrontfaceCulling() &&
       !water->GetProperty()->GetBackfaceCulling(); // with both, VTK culls back faces

@@ -139,6 +139,7 @@ def read_mesh(module, name, what):
             raise FileError(f"{path}: holds no data set of a kind that can be shown")
         if data.IsA("vtkImageData"):
             return surface_of_image(data, path, no_data)
+        check_cells(data, path)
         surface = vtkDataSetSurfaceFilter()
         surface.SetInputData(data)
         normals = vtkPolyDataNormals()
@@ -149,6 +150,21 @@ def read_mesh(module, name, what):
             raise FileError(f"{path}: is empty, it has no cells")
         return Surface(normals.GetOutput())
     return read_it
+
+
+def check_cells(data, path):
+    """Readers take cells as they are; filters crash at those of points that there are not."""
+    if data.IsA("vtkPolyData"):
+        arrays = [data.GetVerts(), data.GetLines(), data.GetPolys(), data.GetStrips()]
+    elif data.IsA("vtkUnstructuredGrid"):
+        arrays = [data.GetCells()]
+    else:
+        return
+    for cells in arrays:
+        points = vtk_to_numpy(cells.GetConnectivityArray())
+        wrong = points[(points < 0) | (points >= data.GetNumberOfPoints())]
+        if wrong.size:
+            raise FileError(f"{path}: a cell names point {wrong[0]}; there are {data.GetNumberOfPoints()}, from 0 on")
 
 
 def surface_of_image(image: vtkImageData, path, no_data):
@@ -174,30 +190,44 @@ def read_tiff(path, no_data):
         with Image.open(path) as image:
             if image.format != "TIFF":
                 raise FileError(f"{path}: not a TIFF image but {image.format}")
-            tags = {tag: image.tag_v2.get(tag)
-                    for tag in (TIFF_PIXEL_SCALE, TIFF_TIEPOINT, TIFF_GEO_KEYS, TIFF_NO_DATA)}
+            no_data_tag = image.tag_v2.get(TIFF_NO_DATA)
+            spacing, tie, keys = (numbers_of(image.tag_v2.get(tag), tag, path)
+                                  for tag in (TIFF_PIXEL_SCALE, TIFF_TIEPOINT, TIFF_GEO_KEYS))
             heights = np.asarray(image)
     except OSError as error:
         raise FileError(f"{path}: not a TIFF image that can be read: {error}") from None
     if heights.ndim != 2:
         raise FileError(f"{path}: holds no elevations: it has {heights.shape[2]} numbers a pixel, wanted is one")
-    if no_data is None and tags[TIFF_NO_DATA]:
+    if no_data is None and no_data_tag:
         try:
-            no_data = float(str(tags[TIFF_NO_DATA]).strip("\0 "))
+            no_data = float(str(no_data_tag).strip("\0 "))
         except ValueError:
-            raise FileError(f"{path}: its no-data value {tags[TIFF_NO_DATA]!r} is no number") from None
-    spacing = tuple(tags[TIFF_PIXEL_SCALE] or (1.0, 1.0))[:2]
-    if not all(0.0 < part < math.inf for part in spacing):
-        raise FileError(f"{path}: its pixels are {spacing[0]} x {spacing[1]} large; both must be greater than 0")
-    tie = tuple(tags[TIFF_TIEPOINT] or ()) + (0.0,) * 6
+            raise FileError(f"{path}: its no-data value {no_data_tag!r} is no number") from None
+    spacing = (spacing or (1.0, 1.0))[:2]
+    if len(spacing) != 2 or not all(0.0 < part < math.inf for part in spacing):
+        raise FileError(f"{path}: its pixels are {' x '.join(map(str, spacing))} large; wanted are two numbers greater than 0")
+    tie += (0.0,) * 6
+    if not all(map(math.isfinite, tie)):
+        raise FileError(f"{path}: its tie point {tie[:6]} is not finite")
     south = tie[4] - spacing[1] * (heights.shape[0] - 1 - tie[1])
-    keys = tuple(tags[TIFF_GEO_KEYS] or ())
     if (GEO_KEY_MODEL_TYPE, 0, 1, MODEL_TYPE_GEOGRAPHIC) in zip(*(keys[i::4] for i in range(4))):
         # degrees: metres on a plane that touches the Earth in the middle of the map
-        middle = math.radians(south + 0.5 * spacing[1] * (heights.shape[0] - 1))
+        latitude = south + 0.5 * spacing[1] * (heights.shape[0] - 1)
+        if not -90.0 < latitude < 90.0:
+            raise FileError(f"{path}: its middle is at latitude {latitude:g}; it must lie between -90 and 90 degrees")
+        middle = math.radians(latitude)
         spacing = (spacing[0] * METRES_PER_DEGREE * math.cos(middle), spacing[1] * METRES_PER_DEGREE)
         return with_path(path, heights[::-1], spacing, (0.0, 0.0), no_data)
     return with_path(path, heights[::-1], spacing, (tie[3] - spacing[0] * tie[0], south), no_data)
+
+
+def numbers_of(value, tag, path):
+    """What Pillow makes of a tag: nothing, a value, or a tuple of them."""
+    values = value if isinstance(value, tuple) else () if value is None else (value,)
+    try:
+        return tuple(map(float, values))
+    except (TypeError, ValueError):
+        raise FileError(f"{path}: its tag {tag} is {value!r}; wanted are numbers") from None
 
 
 def with_path(path, heights, spacing, origin, no_data):

@@ -136,7 +136,8 @@ class Scene:
             low_x, high_x, low_y, high_y = self._ground.data.GetBounds()[:4]
             reach = 0.5 * WATER_AROUND_A_MESH * max(high_x - low_x, high_y - low_y)
             x, y = 0.5 * (low_x + high_x), 0.5 * (low_y + high_y)
-            self.water.SetSheetBounds(x - reach, x + reach, y - reach, y + reach)
+            with raising(self.water):
+                self.water.SetSheetBounds(x - reach, x + reach, y - reach, y + reach)
         self.renderer.AddActor(self.water)
         return self.water
 
@@ -163,19 +164,25 @@ class Scene:
         camera.SetViewAngle(angle)
         self.renderer.ResetCameraClippingRange()
 
+    def _raising(self):
+        return raising(*([self.water] if self.water else []))
+
     def picture(self):
-        """Renders; rows x columns x RGB of 8 bits, top row first."""
-        self.window.Render()
+        """Renders; rows x columns x RGB of 8 bits, top row first. Raises ValueError when the water cannot be drawn."""
+        with self._raising():
+            self.window.Render()
         width, height = self.window.GetSize()
         pixels = vtkUnsignedCharArray()
         self.window.GetRGBACharPixelData(0, 0, width - 1, height - 1, 0, pixels)
         return np.ascontiguousarray(vtk_to_numpy(pixels).reshape(height, width, 4)[::-1, :, :3])
 
     def write(self, file):
-        """Renders into a PNG; raises OSError when that cannot be written."""
+        """Renders into a PNG; raises OSError when that cannot be written, ValueError when the water cannot be drawn."""
         capture = vtkWindowToImageFilter()
         capture.SetInput(self.window)
         capture.ReadFrontBufferOff()
+        with self._raising():
+            capture.Update()
         writer = vtkPNGWriter()
         writer.SetInputConnection(capture.GetOutputPort())
         writer.SetFileName(str(file))

@@ -7,6 +7,8 @@
 Keep the object: the widget goes with it. The window must have been given to the interactor before; it is
 initialised when that was not done: VTK crashes where a picture is taken without.
 """
+import math
+
 import vtkmodules.vtkRenderingFreeType  # noqa: F401  the slider's text
 from vtkmodules.vtkCommonDataModel import vtkPlane
 from vtkmodules.vtkInteractionWidgets import (
@@ -24,6 +26,8 @@ __all__ = ["LevelSlider", "PlaneWidget"]
 def initialize(interactor):
     if not interactor.GetRenderWindow():
         raise ValueError("the interactor has no window: SetRenderWindow comes first")
+    if not interactor.GetRenderWindow().GetRenderers().GetFirstRenderer():
+        raise ValueError("the interactor's window has no renderer: AddRenderer comes first")
     if not interactor.GetInitialized():
         interactor.Initialize()
 
@@ -37,16 +41,17 @@ class LevelSlider:
     water : vtkwater.vtkWaterActor
         It keeps its level, which must lie between the ends.
     low, high : float
-        The ends of the slider, in the scene's unit, low < high; else ValueError.
+        The ends of the slider, in the scene's unit, finite, low < high; else ValueError.
     title : str, default: 'water level'
     changed : callable, optional
         Called with the new level after each change.
     """
 
     def __init__(self, interactor, water, low, high, title="water level", changed=None):
+        initialize(interactor)
         level = water.GetLevel()
-        if not low <= level <= high or not low < high:
-            raise ValueError(f"low {low} and high {high}: low must be less, and the water's level {level} between them")
+        if not -math.inf < low <= level <= high < math.inf or not low < high:
+            raise ValueError(f"low {low} and high {high}: low must be less, both finite, and the water's level {level} between them")
         self._water, self._changed = water, changed
         representation = vtkSliderRepresentation2D()
         representation.SetMinimumValue(low)
@@ -63,7 +68,6 @@ class LevelSlider:
         for text in (representation.GetTitleProperty(), representation.GetLabelProperty()):
             text.ShadowOff()
             text.ItalicOff()
-        initialize(interactor)
         self.widget = vtkSliderWidget()
         self.widget.SetInteractor(interactor)
         self.widget.SetRepresentation(representation)
@@ -95,19 +99,21 @@ class PlaneWidget:
     interactor : :vtk:`vtkRenderWindowInteractor`
     water : vtkwater.vtkWaterActor
     bounds : sequence[float], optional
-        xmin, xmax, ymin, ymax, zmin, zmax of the box that the plane stays in, each min < max, else ValueError. By
-        default the bounds of the scene.
+        xmin, xmax, ymin, ymax, zmin, zmax of the box that the plane stays in, finite, each min < max, else
+        ValueError. By default the bounds of the scene.
     changed : callable, optional
         Called with the water's :vtk:`vtkPlane` after each change.
     """
 
     def __init__(self, interactor, water, bounds=None, changed=None):
+        initialize(interactor)
         self._water, self._changed = water, changed
         if bounds is None:
             renderer = interactor.GetRenderWindow().GetRenderers().GetFirstRenderer()
             bounds = renderer.ComputeVisiblePropBounds()
-        if len(bounds) != 6 or not all(low < high for low, high in zip(bounds[::2], bounds[1::2])):
-            raise ValueError(f"bounds {tuple(bounds)}: wanted are xmin < xmax, ymin < ymax, zmin < zmax")
+        if len(bounds) != 6 or not all(
+                -math.inf < low < high < math.inf for low, high in zip(bounds[::2], bounds[1::2])):
+            raise ValueError(f"bounds {tuple(bounds)}: wanted are xmin < xmax, ymin < ymax, zmin < zmax, all finite")
         representation = vtkImplicitPlaneRepresentation()
         representation.SetPlaceFactor(1.0)
         representation.OutlineTranslationOff()
@@ -115,7 +121,6 @@ class PlaneWidget:
         representation.PlaceWidget(list(bounds))
         representation.SetOrigin(water.GetPlane().GetOrigin())
         representation.SetNormal(water.GetPlane().GetNormal())
-        initialize(interactor)
         self.widget = vtkImplicitPlaneWidget2()
         self.widget.SetInteractor(interactor)
         self.widget.SetRepresentation(representation)

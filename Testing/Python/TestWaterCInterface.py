@@ -22,6 +22,7 @@ COLOR, BOTTOM, TOP = (0.9, 0.4, 0.2), (0.9, 0.9, 0.9), (0.2, 0.4, 0.8)
 EYE, TARGET, UP, ANGLE = (1.0, -5.0, 1.2), (0.0, 0.0, 0.2), (0.0, 0.0, 1.0), 35.0
 LEVEL, BOUNDS, WAVE = -0.1, (-4.0, 4.0, -4.0, 4.0), (0.02, 1.0, 30.0, 10.0, 0.0)
 OK, NULL_ARGUMENT, BAD_VALUE = 0, 1, 2
+UNTOUCHED = 77
 
 
 def load():
@@ -112,6 +113,7 @@ def check_errors():
     mirror = made(lib.vtk_water_actor_get_pass, water)
     number, none = ctypes.c_double, ctypes.c_void_p()
     bad = np.array([(0, 1, 7)], dtype=np.int64)
+    picture = np.full((16, 32, 3), UNTOUCHED, dtype=np.uint8)
     cases = [
         (NULL_ARGUMENT, b"actor is NULL", lib.vtk_water_actor_set_level, none, number(1.0)),
         (BAD_VALUE, b"Level is nan; it must be finite", lib.vtk_water_actor_set_level, water, number(float("nan"))),
@@ -131,6 +133,9 @@ def check_errors():
          doubles(0, 1, 0), number(180.0)),
         (BAD_VALUE, b"10 bytes are too few for 32 x 16 x 3", lib.vtk_water_scene_render, scene,
          np.zeros(10, np.uint8).ctypes, ctypes.c_size_t(10)),
+        (OK, b"", lib.vtk_water_scene_add_water, scene, water),
+        (BAD_VALUE, b"the water has no surface", lib.vtk_water_scene_render, scene, picture.ctypes,
+         ctypes.c_size_t(picture.nbytes)),
         (NULL_ARGUMENT, b"NULL", lib.vtk_water_actor_get_pass, water, None),
         (NULL_ARGUMENT, b"NULL", lib.vtk_water_actor_new, None),
     ]
@@ -139,6 +144,7 @@ def check_errors():
         said = lib.vtk_water_last_error()
         wt.check_equal(f"{function.__name__}: '{said.decode()}'", (got, words in said), (status, True))
         wt.check_equal("  its text", lib.vtk_water_status_text(got) != b"unknown status", True)
+    wt.check_equal("a water without a surface leaves the picture of the rest", (picture != UNTOUCHED).all(), True)
     sea = ctypes.c_void_p()
     wt.check_equal("object", lib.vtk_water_actor_get_vtk_object(water, ctypes.byref(sea)), OK)
     native = vtkWaterActor(f"_{sea.value:016x}_p_void")

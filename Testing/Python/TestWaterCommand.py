@@ -80,6 +80,12 @@ def write_files():
     Image.new("RGB", (4, 4)).save(FOLDER / "colours.tif")
     for name in ("text.vti", "text.vtp", "text.stl", "text.tif", "text.vtk", "text.ply", "text.xyz"):
         (FOLDER / name).write_text("not what its name claims\n")
+    write_tiff(FOLDER / "scale.tif", valley(), scale=(10.0,))
+    write_tiff(FOLDER / "nowhere.tif", valley(), tie=(0.0, 0.0, 0.0, np.nan, 9000.0, 0.0))
+    write_tiff(FOLDER / "pole.tif", valley(), keys=(1, 1, 0, 1, 1024, 0, 1, 2), tie=(0.0, 0.0, 0.0, 0.0, 9000.0, 0.0))
+    triangle = "v 0 0 0\nv {0} 0 0\nv 0 {0} 0\nf 1 2 {1}\n"
+    (FOLDER / "index.obj").write_text(triangle.format(1, 9))
+    (FOLDER / "dot.obj").write_text(triangle.format(0, 3))
     (FOLDER / "half.vti").write_bytes((FOLDER / "valley.vti").read_bytes()[:900])
 
 
@@ -128,6 +134,11 @@ def check_errors():
         (1, "holes.vti: holds no elevations, only holes", ["render", "holes.vti", "--level", 1]),
         (1, "row.vti: 1 x 5 heights are no grid", ["render", "row.vti", "--level", 1]),
         (1, "colours.tif: holds no elevations: it has 3 numbers a pixel", ["render", "colours.tif", "--level", 1]),
+        (1, "scale.tif: its pixels are 10.0 large; wanted are two", ["render", "scale.tif", "--level", 1]),
+        (1, "nowhere.tif: its tie point (0.0, 0.0, 0.0, nan", ["render", "nowhere.tif", "--level", 1]),
+        (1, "pole.tif: its middle is at latitude", ["render", "pole.tif", "--level", 1]),
+        (1, "index.obj: a cell names point 8; there are 3", ["render", "index.obj", "--level", 1]),
+        (1, "SheetBounds are (0, 0, 0, 0)", ["render", "dot.obj", "--level", 0]),
         (1, "No such file or directory", ["render", "valley.tif", "--level", 50, "--out", "no/such/folder.png"]),
         (1, "kind .avi is not known", ["animate", "valley.tif", "--level", 50, "--out", "x.avi"]),
         (2, "--level", ["render", "valley.tif"]),

@@ -5,6 +5,7 @@ and beside it, at several texture scales; no picture changes, and no map of that
 import numpy as np
 import skip_scenes
 import water_test as wt
+from vtkmodules.vtkRenderingCore import VTK_RESOLVE_OFF, VTK_RESOLVE_POLYGON_OFFSET, vtkMapper
 from vtkwater import vtkWaterReflectionPass as Pass
 
 SIZE = (400, 300)
@@ -56,6 +57,34 @@ for scale in (1.0, 0.5, 0.3, 2.0):
     wt.check_at_most(f"{title}: props, of those drawn without PIXELS", drawn["all"][0] / drawn["no PIXELS"][0], 0.8)
     wt.check_at_most(f"{title}: triangles, of those drawn without PIXELS", drawn["all"][1] / drawn["no PIXELS"][1], 0.8)
     wt.check_equal(f"{title}: props drawn without PROPS", drawn["no PROPS"][0], BOXES + 2)
+
+# Water that is drawn nearer than it is, by an offset against coincident surfaces or by the user's own
+# shader, is seen before things that are in front of it.
+PULL = "//VTK::PositionVC::Impl\n  gl_Position.z -= 0.02 * gl_Position.w;\n"
+
+
+def add_offset(water):
+    water.GetMapper().SetRelativeCoincidentTopologyPolygonOffsetParameters(-1, -1)
+
+
+def add_shader(water):
+    water.GetShaderProperty().AddVertexShaderReplacement("//VTK::PositionVC::Impl", True, PULL, False)
+
+
+def pulled_pictures(skips, pull):
+    scene = Scene(1.0, skips)
+    wt.add_actor(scene.view.renderer, skip_scenes.terrain((-14, -14), (14, 14), lambda x, y: 0.05 * np.sin(x) * np.cos(y)),
+                 (0.4, 0.7, 0.2))
+    pull(scene.water)
+    return list(scene.pictures())
+
+
+for pull, resolution in ((add_offset, VTK_RESOLVE_POLYGON_OFFSET), (add_shader, VTK_RESOLVE_OFF)):
+    vtkMapper.SetResolveCoincidentTopology(resolution)
+    pairs = zip(pulled_pictures(Pass.SKIP_ALL, pull), pulled_pictures(Pass.SKIP_NONE, pull))
+    error = max(int(np.abs(one - other).max()) for one, other in pairs)
+    wt.check_at_most(f"{pull.__name__} to the water: largest error", error, 1)
+vtkMapper.SetResolveCoincidentTopologyToDefault()
 
 # A view that stands still has a whole map in its second frame, and uses it from then on, also when
 # what hid a part of the water is gone.

@@ -4,6 +4,7 @@
 import numpy as np
 import water_test as wt
 from vtkmodules.vtkInteractionStyle import vtkInteractorStyleTrackballCamera
+from vtkmodules.vtkRenderingCore import vtkRenderWindow
 from vtkmodules.vtkRenderingUI import vtkGenericRenderWindowInteractor
 from vtkwater.scenes import Scene
 from vtkwater.widgets import LevelSlider, PlaneWidget
@@ -58,7 +59,7 @@ def check_slider():
     wt.check_equal("dragged beyond its end", water.GetLevel(), 1.0)
     slider.set_level(-0.25)
     wt.check_equal("set by the program", (water.GetLevel(), slider.widget.GetRepresentation().GetValue()), (-0.25, -0.25))
-    for low, high in ((1.0, 0.0), (2.0, 3.0), (float("nan"), 1.0)):
+    for low, high in ((1.0, 0.0), (2.0, 3.0), (float("nan"), 1.0), (-float("inf"), 1.0)):
         try:
             LevelSlider(interactor, water, low, high)
             said = ""
@@ -86,12 +87,13 @@ def check_plane():
     wt.check_equal("the plane told is the water's", planes[-1] is water.GetPlane(), True)
     wt.check_at_least("pixels that change", int((np.abs(view.picture() - before).max(axis=2) > 20).sum()), 2000)
     wt.check_equal("the water is right", water.GetLastError(), "")
-    try:
-        PlaneWidget(interactor, water, (0, 0, 0, 1, 0, 1))
-        said = ""
-    except ValueError as error:
-        said = str(error)
-    wt.check_equal(f"an empty box: {said}", "xmin < xmax" in said, True)
+    for bounds in ((0, 0, 0, 1, 0, 1), (-np.inf, np.inf, 0, 1, 0, 1)):  # VTK crashes at infinite ones
+        try:
+            PlaneWidget(interactor, water, bounds)
+            said = ""
+        except ValueError as error:
+            said = str(error)
+        wt.check_equal(f"a box: {said}", "xmin < xmax" in said, True)
 
 
 def check_before_the_first_frame():
@@ -112,12 +114,17 @@ def check_before_the_first_frame():
 
 
 def check_no_window():
-    try:
-        LevelSlider(vtkGenericRenderWindowInteractor(), make()[1], -1.0, 1.0)
-        said = ""
-    except ValueError as error:
-        said = str(error)
-    wt.check_equal(f"no window: {said}", "has no window" in said, True)
+    bare, water = vtkGenericRenderWindowInteractor(), make()[1]
+    blind = vtkGenericRenderWindowInteractor()
+    blind.SetRenderWindow(vtkRenderWindow())
+    for interactor, words in ((bare, "has no window"), (blind, "has no renderer")):
+        for make_widget in (lambda: LevelSlider(interactor, water, -1.0, 1.0), lambda: PlaneWidget(interactor, water)):
+            try:
+                make_widget()
+                said = ""
+            except ValueError as error:
+                said = str(error)
+            wt.check_equal(f"cannot be: {said}", words in said, True)
 
 
 check_before_the_first_frame()  # before any other: what crashed is OpenGL that was never loaded
