@@ -62,17 +62,18 @@ def preset(text):
 def add_scene_arguments(parser):
     water = parser.add_argument_group("the water")
     water.add_argument("--preset", type=preset, metavar="NAME",
-                       help="pool, lake, 'clear tropical', 'ocean wind 5', ... 10, ... 15, 'turbid river' or 'mirror floor' "
-                            "(without it: a calm, deep lake)")
+                       help="pool, lake, 'clear tropical', 'ocean wind 5', 'ocean wind 10', 'ocean wind 15', "
+                            "'turbid river' or 'mirror floor' (without it: a calm, deep lake)")
     water.add_argument("--wind", type=number(0.0, 100.0), metavar="M/S",
-                       help="waves that a wind of this speed makes, in place of the preset's; 0 calms the water")
+                       help="waves that a wind of this speed makes, 0.1 to 100, in place of the preset's; "
+                            "0 calms the water")
     view = parser.add_argument_group("the view")
     view.add_argument("--azimuth", type=number(-360.0, 360.0), default=200.0, metavar="DEG",
                       help="where the eye is, from north (0) over east (90); default %(default)s")
     view.add_argument("--elevation", type=number(0.5, 90.0), default=15.0, metavar="DEG",
                       help="its height over the horizon; default %(default)s")
     view.add_argument("--zoom", type=number(0.01, 1000.0), default=1.0, metavar="X",
-                      help="2 shows half of the width; default 1: all")
+                      help="2 shows half of the width; default 1: about all")
     view.add_argument("--sun", type=number(-360.0, 360.0), default=None, metavar="DEG",
                       help="where the light comes from, from north over east; default: from the eye's right")
     view.add_argument("--size", type=size, default=(960, 600), metavar="WxH", help="pixels; default 960x600")

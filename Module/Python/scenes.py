@@ -144,7 +144,7 @@ class Scene:
     def look(self, azimuth=200.0, height=15.0, zoom=1.0):
         """From where the eye looks at the middle of the ground: degrees from north, and over the horizon.
 
-        zoom 1 shows all of the ground; 2 half of its width.
+        zoom 1 shows about all of the ground; 2 half of its width.
         """
         bounds = self._ground.data.GetBounds()
         middle = [0.5 * (bounds[0] + bounds[1]), 0.5 * (bounds[2] + bounds[3])]
