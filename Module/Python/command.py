@@ -6,6 +6,7 @@ Exit status: 0, done; 1, it could not be done (a file, no OpenGL); 2, the comman
 """
 import argparse
 import math
+import os
 import sys
 import warnings
 
@@ -135,6 +136,8 @@ def make_scene(arguments, level):
     found = backend.find()
     if found.error:
         raise Failure(found.error)
+    if found.window:
+        os.environ.setdefault("VTK_DEFAULT_OPENGL_WINDOW", found.window)  # VTK tries X first and says so
     scene = Scene(arguments.size)
     sun = arguments.azimuth - 70.0 if arguments.sun is None else arguments.sun
     scene.set_sun(sun, 35.0)
@@ -153,6 +156,8 @@ def warn_of_level(ground, level):
 
 
 def render(arguments):
+    if not arguments.out.lower().endswith(".png"):
+        raise Failure(f"{arguments.out}: a picture is a PNG; give --out a name that ends with .png")
     scene, ground, _ = make_scene(arguments, arguments.level)
     warn_of_level(ground, arguments.level)
     scene.water.SetTime(arguments.time)

@@ -89,7 +89,9 @@ class Gif(Movie):
 
     def add(self, picture):
         # 8 bits a pixel now: a long animation stays small in memory
-        self._frames.append(self._image.fromarray(picture).quantize(colors=256))
+        # the palette that covers all colours: the usual one makes snow on few pixels blue
+        method = self._image.Quantize.MAXCOVERAGE
+        self._frames.append(self._image.fromarray(picture).quantize(colors=256, method=method))
 
     def close(self):
         if self._frames:

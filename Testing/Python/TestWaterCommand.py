@@ -140,6 +140,7 @@ def check_errors():
         (1, "index.obj: a cell names point 8; there are 3", ["render", "index.obj", "--level", 1]),
         (1, "SheetBounds are (0, 0, 0, 0)", ["render", "dot.obj", "--level", 0]),
         (1, "No such file or directory", ["render", "valley.tif", "--level", 50, "--out", "no/such/folder.png"]),
+        (1, "ends with .png", ["render", "valley.tif", "--level", 50, "--out", "x.jpg"]),
         (1, "kind .avi is not known", ["animate", "valley.tif", "--level", 50, "--out", "x.avi"]),
         (2, "--level", ["render", "valley.tif"]),
         (2, "'high' is no number", ["render", "valley.tif", "--level", "high"]),
