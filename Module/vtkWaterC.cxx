@@ -9,6 +9,7 @@
 #include "vtkCallbackCommand.h"
 #include "vtkCamera.h"
 #include "vtkCellArray.h"
+#include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkPlane.h"
 #include "vtkPoints.h"
@@ -53,6 +54,8 @@ struct vtk_water_scene
 namespace
 {
 thread_local std::string lastError;
+
+constexpr double kSmallestAngleToUp = 1e-6; // radians
 
 const char* const statusTexts[VTK_WATER_STATUS_COUNT] = { "done", "an argument is NULL",
   "a value is out of range", "nothing can render here", "out of memory", "failed" };
@@ -457,11 +460,18 @@ vtk_water_status vtk_water_scene_set_camera(vtk_water_scene* scene, const double
       return Fail(VTK_WATER_NULL_ARGUMENT, "scene, eye, target or up is NULL");
     }
     const bool isPoint = eye[0] == target[0] && eye[1] == target[1] && eye[2] == target[2];
-    if (!AreFinite(eye, 3) || !AreFinite(target, 3) || !AreFinite(up, 3) || isPoint ||
+    double view[3];
+    vtkMath::Subtract(target, eye, view);
+    // VTK draws nothing with an up along the view; 0 for one of no length
+    const double angleToUp = vtkMath::AngleBetweenVectors(view, up);
+    const bool isTurned =
+      angleToUp > kSmallestAngleToUp && angleToUp < vtkMath::Pi() - kSmallestAngleToUp;
+    if (!AreFinite(eye, 3) || !AreFinite(target, 3) || !AreFinite(up, 3) || isPoint || !isTurned ||
       !(angle_deg >= 1.0 && angle_deg <= 170.0))
     {
       return Fail(VTK_WATER_BAD_VALUE,
-        "eye, target and up must be finite, eye and target apart, the angle (" +
+        "eye, target and up must be finite, eye and target apart, up not zero nor along the view, "
+        "the angle (" +
           std::to_string(angle_deg) + ") in [1, 170] degrees");
     }
     vtkCamera* camera = scene->Renderer->GetActiveCamera();

@@ -143,7 +143,8 @@ VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_scene_add_mesh(vtk_water_sce
 VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_scene_add_water(
   vtk_water_scene* scene, vtk_water_actor* actor);
 
-/* Where the eye is and what it looks at; the angle of view is vertical, degrees in [1, 170]. */
+/* Where the eye is and what it looks at; up is not along that; the angle of view is vertical,
+   degrees in [1, 170]. */
 VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_scene_set_camera(vtk_water_scene* scene,
   const double eye[3], const double target[3], const double up[3], double angle_deg);
 

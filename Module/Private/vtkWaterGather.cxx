@@ -104,11 +104,27 @@ vtkProp* FindStandIn(vtkProp* prop)
   return other && !vtkWaterGather::HoldsWater(other) ? other : prop;
 }
 
-// Are its points drawn larger than its bounds know?
+// Are points of it, or of a part of it, drawn larger than its bounds know?
 bool HasSplats(vtkProp* prop)
 {
+  if (vtkPropCollection* parts = vtkWaterGather::GetParts(prop))
+  {
+    vtkCollectionSimpleIterator it;
+    parts->InitTraversal(it);
+    while (vtkProp* part = parts->GetNextProp(it))
+    {
+      if (HasSplats(part))
+      {
+        return true;
+      }
+    }
+    return false;
+  }
   auto* actor = vtkActor::SafeDownCast(prop);
-  return actor && actor->GetMapper() && actor->GetMapper()->IsA("vtkPointGaussianMapper");
+  vtkMapper* mapper = actor ? actor->GetMapper() : nullptr;
+  return mapper &&
+    (mapper->IsA("vtkPointGaussianMapper") || mapper->IsA("vtkOpenGLSphereMapper") ||
+      mapper->IsA("vtkOpenGLStickMapper"));
 }
 
 // How wide points and lines are drawn, in pixels.

@@ -131,6 +131,8 @@ def check_errors():
          ctypes.c_size_t(5), bad.ctypes, ctypes.c_size_t(1), doubles(1, 1, 1)),
         (BAD_VALUE, b"in [1, 170]", lib.vtk_water_scene_set_camera, scene, doubles(0, 0, 1), doubles(0, 0, 0),
          doubles(0, 1, 0), number(180.0)),
+        *((BAD_VALUE, b"up not zero nor along the view", lib.vtk_water_scene_set_camera, scene, doubles(0, 0, 1),
+           doubles(0, 0, 0), up, number(30.0)) for up in (doubles(0, 0, 1), doubles(0, 0, -2), doubles(0, 0, 0))),
         (BAD_VALUE, b"10 bytes are too few for 32 x 16 x 3", lib.vtk_water_scene_render, scene,
          np.zeros(10, np.uint8).ctypes, ctypes.c_size_t(10)),
         (OK, b"", lib.vtk_water_scene_add_water, scene, water),

@@ -9,7 +9,8 @@ from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkAppendPolyData
-from vtkmodules.vtkRenderingCore import vtkActor, vtkPointGaussianMapper, vtkPolyDataMapper, vtkTexture
+from vtkmodules.vtkRenderingCore import vtkActor, vtkAssembly, vtkPointGaussianMapper, vtkPolyDataMapper, vtkTexture
+from vtkmodules.vtkRenderingOpenGL2 import vtkOpenGLSphereMapper
 from vtkwater import vtkWaterReflectionPass as Pass
 
 SIZE = (200, 150)
@@ -84,7 +85,7 @@ def displaced(renderer):
         "  gl_Position = MCDCMatrix * lifted;\n  vertexVCVSOutput = MCVCMatrix * lifted;\n", False)
 
 
-def dots(renderer, mapper, cells):
+def dots(renderer, mapper, cells, width_px=30):
     """Beside what the pond reflects, but for their width."""
     x = np.concatenate([np.linspace(-3.4, -2.2, 9), np.linspace(2.2, 3.4, 9)])
     data = vtkPolyData()
@@ -102,8 +103,8 @@ def dots(renderer, mapper, cells):
         (part.SetLines if cells == "lines" else part.SetVerts)(array)
         actor = add(renderer, mapper(), part)
         actor.GetProperty().SetColor(1, number / len(x), 0)
-        actor.GetProperty().SetPointSize(30)
-        actor.GetProperty().SetLineWidth(30)
+        actor.GetProperty().SetPointSize(width_px)
+        actor.GetProperty().SetLineWidth(width_px)
 
 
 def splats():
@@ -111,6 +112,22 @@ def splats():
     mapper.SetScaleFactor(0.5)
     mapper.EmissiveOff()
     return mapper
+
+
+def spheres():
+    mapper = vtkOpenGLSphereMapper()
+    mapper.SetRadius(2.0)
+    return mapper
+
+
+def assembled(renderer):
+    """A part's splats are those of the whole."""
+    dots(renderer, spheres, "points", 1)
+    for actor in list(renderer.GetActors()):
+        renderer.RemoveActor(actor)
+        assembly = vtkAssembly()
+        assembly.AddPart(actor)
+        renderer.AddActor(assembly)
 
 
 SCENES = {
@@ -123,7 +140,9 @@ SCENES = {
     "vertex shader of its own": (LAKE, displaced),
     "wide points": (POND, lambda renderer: dots(renderer, vtkPolyDataMapper, "points")),
     "wide lines": (POND, lambda renderer: dots(renderer, vtkPolyDataMapper, "lines")),
-    "splats": (POND, lambda renderer: dots(renderer, splats, "points")),
+    "splats": (POND, lambda renderer: dots(renderer, splats, "points", 1)),
+    "spheres of points": (POND, lambda renderer: dots(renderer, spheres, "points", 1)),
+    "spheres in assemblies": (POND, assembled),
 }
 
 
