@@ -11,7 +11,7 @@ import numpy as np
 import water_test as wt
 from PIL import Image
 from vtkmodules.util.numpy_support import numpy_to_vtk
-from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
+from vtkmodules.vtkCommonDataModel import vtkDataSetAttributes, vtkImageData, vtkPolyData
 from vtkmodules.vtkFiltersSources import vtkConeSource
 from vtkmodules.vtkIOGeometry import vtkSTLWriter
 from vtkmodules.vtkIOXML import vtkXMLImageDataWriter, vtkXMLPolyDataWriter
@@ -43,8 +43,12 @@ def write_vti(path, heights, blanked=()):
     image.SetDimensions(heights.shape[1], heights.shape[0], 1)
     image.SetSpacing(10.0, 10.0, 1.0)
     image.GetPointData().SetScalars(numpy_to_vtk(heights.ravel(), deep=True))
-    for point in blanked:
-        image.BlankPoint(point)
+    if blanked:
+        ghosts = np.zeros(heights.size, dtype=np.uint8)
+        ghosts[list(blanked)] = vtkDataSetAttributes.HIDDENPOINT
+        array = numpy_to_vtk(ghosts, deep=True)
+        array.SetName(vtkDataSetAttributes.GhostArrayName())
+        image.GetPointData().AddArray(array)
     writer = vtkXMLImageDataWriter()
     writer.SetFileName(str(path))
     writer.SetInputData(image)
