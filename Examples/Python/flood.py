@@ -16,6 +16,7 @@ from vtkwater.widgets import LevelSlider
 
 TERRAIN = pathlib.Path(__file__).resolve().parents[1] / "Data/jacksboro.vti"
 EXAGGERATION = 2.0  # heights are drawn this many times higher than they are
+FLOODED_AROUND = 10.0  # times the terrain's width: no edge of the water is seen
 
 
 def main():
@@ -36,7 +37,11 @@ def main():
     scene = Scene((1280, 720))
     scene.add_ground(terrain, level, EXAGGERATION)
     water = scene.add_water(level, "lake", wind=0, exaggeration=EXAGGERATION)
-    scene.look(azimuth=105.0, height=16.0, zoom=1.6)
+    west, east, south, north = terrain.data.GetBounds()[:4]
+    reach = FLOODED_AROUND * max(east - west, north - south)
+    water.SetSheetBounds(west - reach, east + reach, south - reach, north + reach)
+    scene.set_sun(150.0, 28.0)
+    scene.look(azimuth=105.0, height=3.0, zoom=6.5)  # low over the water: what it mirrors is seen
     if arguments.picture:
         interactor = vtkGenericRenderWindowInteractor()
     else:

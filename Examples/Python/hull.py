@@ -20,8 +20,10 @@ from vtkwater.scenes import Scene
 
 LENGTH, BEAM, DRAUGHT, FREEBOARD = 40.0, 6.0, 2.5, 2.2  # m
 SPEED, GRAVITY = 7.0, 9.81
-SIZE, POINTS = 160.0, 512  # m of water around the ship, and points along a side
-STEEPEST = 0.5  # slope that the normal map can hold
+SIZE, POINTS = 320.0, 1024  # m of water around the ship, and points along a side
+HORIZON = 10e3  # m: calm water goes on to there
+STEEPEST = 0.25  # slope at which the normals of the map lean by 45 degrees: its finest steps are below that
+WIND = 1.0  # m/s: ripples on the waves
 
 
 def kelvin_waves():
@@ -36,7 +38,8 @@ def kelvin_waves():
         along = np.exp(1j * np.outer(number * np.cos(angles), end - places)) * (damping / np.cos(angles))[:, None]
         waves = (across.T @ along).imag * (angles[1] - angles[0])
         heights += 0.6 * strength * waves / (1.0 + np.exp((places - end) / 1.5))  # none ahead
-    return heights
+    edge = np.clip((0.5 * SIZE - np.abs(places)) / (0.15 * SIZE), 0.0, 1.0)  # they end in calm water
+    return heights * np.outer(edge, edge)
 
 
 def heights_of(surface):
@@ -69,15 +72,28 @@ def normal_map(heights):
     normals = np.stack([-slope_x / STEEPEST, -slope_y / STEEPEST, np.ones_like(heights)], axis=2)
     normals /= np.linalg.norm(normals, axis=2, keepdims=True)
     shifted = np.roll(normals, (POINTS // 2, POINTS // 2), axis=(0, 1))
+    grain = np.random.default_rng(1).random(shifted.shape)  # dither: 8 bits alone would show as steps
     image = vtkImageData()
     image.SetDimensions(POINTS, POINTS, 1)
     image.GetPointData().SetScalars(
-        numpy_to_vtk(np.round(127.5 * (shifted + 1.0)).astype(np.uint8).reshape(-1, 3), deep=True))
+        numpy_to_vtk(np.floor(127.5 * (shifted + 1.0) + grain).clip(0, 255).astype(np.uint8).reshape(-1, 3), deep=True))
     texture = vtkTexture()
     texture.SetInputData(image)
     texture.InterpolateOn()
     texture.RepeatOn()
     return texture
+
+
+def calm_around(mesh):
+    """The plane around a surface, to the horizon."""
+    west, east, south, north = mesh.GetBounds()[:4]
+    data = surface_of_heights(np.zeros((4, 4))).data
+    x, y = np.meshgrid((-HORIZON, west, east, HORIZON), (-HORIZON, south, north, HORIZON))
+    data.GetPoints().SetData(numpy_to_vtk(np.stack([x, y, 0.0 * x], axis=2).reshape(-1, 3), deep=True))
+    data.BuildCells()
+    data.DeleteCell(4)  # the middle one: there is the surface
+    data.RemoveDeletedCells()
+    return data
 
 
 def add_ship(scene):
@@ -91,7 +107,7 @@ def add_ship(scene):
         height = np.where(z < 0.0, DRAUGHT * z, FREEBOARD * z * (1.0 + 0.5 * x))
         points = np.stack([LENGTH * x, side * half, height], axis=2).reshape(-1, 3)
         data.GetPoints().SetData(numpy_to_vtk(points, deep=True))
-        scene.add_mesh(data, (0.15, 0.22, 0.38))
+        scene.add_mesh(data, (0.62, 0.13, 0.10))
     share, side = np.meshgrid(np.linspace(-0.5, 0.5, 81), [-1.0, 1.0])
     deck = surface_of_heights(side).data
     points = np.stack([LENGTH * share, side * 0.5 * BEAM * (1.0 - (2.0 * share) ** 2),
@@ -118,16 +134,20 @@ def main():
 
     scene = Scene((1280, 720))
     add_ship(scene)
-    water = scene.add_water(0.0)
-    plane = vtkPlane()
-    plane.SetNormal(0.0, 0.0, 1.0)
-    water.SetPlane(plane)
-    mapper = vtkPolyDataMapper()
-    mapper.SetInputData(mesh)
-    mapper.ScalarVisibilityOff()
-    water.SetMapper(mapper)
-    water.GetWaterProperty().AddNormalMap(normal_map(heights), SIZE, 0.0, 0.0, STEEPEST)
-    scene.set_camera((48.0, -58.0, 26.0), (-12.0, 0.0, 0.0), 34.0)
+    for sheet, is_wavy in ((mesh, True), (calm_around(mesh), False)):
+        water = scene.add_water(0.0, wind=WIND)
+        plane = vtkPlane()
+        plane.SetNormal(0.0, 0.0, 1.0)
+        water.SetPlane(plane)
+        mapper = vtkPolyDataMapper()
+        mapper.SetInputData(sheet)
+        mapper.ScalarVisibilityOff()
+        water.SetMapper(mapper)
+        if is_wavy:
+            water.GetWaterProperty().AddNormalMap(normal_map(heights), SIZE, 0.0, 0.0, STEEPEST)
+    scene.set_sun(172.0, 30.0)
+    scene.set_camera((42.0, -40.0, 10.0), (-10.0, 4.0, 0.0), 38.0)
+    scene.renderer.GetActiveCamera().SetClippingRange(1.0, 2.0 * HORIZON)
     scene.write(arguments.picture)
 
 

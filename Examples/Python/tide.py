@@ -22,21 +22,22 @@ except ImportError:  # without a bar
 M2_HOURS, TIDE, SURGE = 12.42, 0.7, 2.4  # period; amplitudes in m
 DURATION_HOURS, PEAK_HOURS, WIDTH_HOURS = 30.0, 17.0, 4.0
 WIND, STORM_WIND = 4.0, 14.0  # m/s
-EXAGGERATION = 12.0
+EXAGGERATION = 20.0
 
 
-def bathymetry(size=240, spacing=25.0):
+def bathymetry(size=(240, 640), spacing=25.0):
     """Heights in m: sea in the south, an island with dunes and an inlet, a bay with marshes, the mainland."""
-    y, x = np.mgrid[0:size, 0:size] * spacing
+    y, x = np.mgrid[0:size[0], 0:size[1]] * spacing
     wobble = 120.0 * np.sin(x / 900.0) + 60.0 * np.sin(x / 310.0 + 1.0)
     offshore = (y - 1700.0 - wobble) / 1700.0
     heights = 7.0 * np.tanh(1.6 * offshore) - 0.5
     heights = np.where(offshore > 0, -1.6 + 0.25 * np.sin(x / 150.0) * np.sin(y / 170.0), heights)  # the bay
     dunes = np.exp(-(((y - 1900.0 - wobble) / 260.0) ** 2))
     inlet = 1.0 - np.exp(-(((x - 3900.0) / 230.0) ** 2))
-    heights += dunes * inlet * (4.3 + 0.8 * np.sin(x / 210.0) + 0.5 * np.sin(x / 77.0))
+    heights += dunes * inlet * (5.4 + 0.8 * np.sin(x / 210.0) + 0.5 * np.sin(x / 77.0))
     mainland = np.clip((y - 4300.0 - 2.0 * wobble) / 1300.0, 0.0, 1.0)
-    return heights + 9.0 * mainland + 1.1 * np.exp(-(((x - 1500.0) / 500.0) ** 2) - ((y - 3300.0) / 300.0) ** 2), spacing
+    hills = 15.0 + 3.0 * np.sin(x / 700.0) + 1.5 * np.sin(x / 260.0 + y / 900.0)
+    return heights + hills * mainland + 1.1 * np.exp(-(((x - 1500.0) / 500.0) ** 2) - ((y - 3300.0) / 300.0) ** 2), spacing
 
 
 def sea(hours):
@@ -48,15 +49,19 @@ def sea(hours):
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("movie", nargs="?", default="tide.gif", help=f"{', '.join(movies.KINDS)}; default: %(default)s")
-    parser.add_argument("--frames", type=int, default=40, help="default: %(default)s")
+    parser.add_argument("--frames", type=int, default=30, help="default: %(default)s")
     parser.add_argument("--picture", metavar="FILE.png", help="the frame of the highest water, besides")
     arguments = parser.parse_args()
 
     heights, spacing = bathymetry()
     scene = Scene((800, 450))
     scene.add_ground(surface_of_heights(heights, (spacing, spacing)), 0.0, EXAGGERATION)
-    water = scene.add_water(0.0, "turbid river", wind=WIND)
-    scene.look(azimuth=212.0, height=20.0, zoom=1.3)
+    water = scene.add_water(0.0, "clear tropical", wind=WIND)
+    water.GetWaterProperty().SetFetch(20e3)  # m
+    water.GetWaterProperty().SetFoamDepth(0.3 * EXAGGERATION)
+    water.SetSheetBounds(-80e3, 96e3, -80e3, 6e3)  # the open sea to the horizon; land is in the north
+    scene.set_sun(105.0, 35.0)
+    scene.set_camera((4800.0, 1000.0, 190.0), (7600.0, 2250.0, 0.0), 32.0)
     levels = []
     with movies.open_movie(arguments.movie, 10.0) as movie, movies.interrupts() as is_stopped:
         for i in tqdm(range(arguments.frames)):

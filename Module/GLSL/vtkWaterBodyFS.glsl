@@ -132,11 +132,14 @@ vec3 waterBeneath(WaterPoint point)
 }
 
 // Depth of the water where the pixel looks straight, m.
+//
+// What is found over the water shares the pixel's samples and stands before it: at the waterline
+// that is the shore, and far over it as good as none, or silhouettes had a shore.
 float waterBeneathDepth(WaterPoint point)
 {
   vec2 uv = 0.5 + 0.5 * point.ndc;
   float depth = waterBodyDepth(uv);
-  return depth >= 1.0 || waterSide < 0.0 ? 1e9 : max(-waterBodyHeight(uv, depth), 0.0);
+  return depth >= 1.0 || waterSide < 0.0 ? 1e9 : abs(waterBodyHeight(uv, depth));
 }
 
 // The surface as the eye sees it, which may be under water.

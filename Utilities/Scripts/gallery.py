@@ -16,7 +16,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 # example -> its arguments; PICTURE is the file to write
 EXAMPLES = {
     "flood": ["--picture", "PICTURE"],
-    "tide": ["FOLDER/tide.gif", "--frames", "40", "--picture", "PICTURE"],
+    "tide": ["FOLDER/tide.gif", "--frames", "30", "--picture", "PICTURE"],
     "hull": ["PICTURE"],
     "reservoir": ["PICTURE"],
     "harbour": ["PICTURE"],
