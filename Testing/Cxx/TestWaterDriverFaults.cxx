@@ -135,11 +135,13 @@ void ToggleWaves(FaultyScene& scene)
   }
 }
 
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 4, 0)
 void ToggleRefraction(FaultyScene& scene)
 {
   auto* look = scene.Water->GetWaterProperty();
   look->SetRefraction(!look->GetRefraction());
 }
+#endif
 }
 
 int TestWaterDriverFaults(int, char*[])
