@@ -172,9 +172,9 @@ TEST(scene_at_the_ends_of_its_ranges_is_planned)
   assert_int_equal(water_plan_make(&scene, &plan, NULL), WATER_TEXTURE_TOO_LARGE);
 }
 
-// Under the very border of the sheet the eye is in the water, however far out; one whose view is
+// Over the very border of the sheet the eye is at its surface, however far out; one whose view is
 // called parallel never is.
-TEST(eye_under_the_border_is_submerged)
+TEST(eye_at_the_border_is_at_the_surface)
 {
   UNUSED;
   water_scene scene = lake();
@@ -185,9 +185,9 @@ TEST(eye_under_the_border_is_submerged)
   const water_plane towards = { { 0.0, 0.0, -1.0 }, 0.0 };
   water_eye eye;
   assert_int_equal(water_camera_take_apart(&scene.eye, &eye), WATER_OK);
-  assert_true(water_lookup_is_submerged(&scene.eye, &eye, &towards, scene.surface_bounds));
+  assert_true(water_lookup_is_at_surface(&scene.eye, &eye, &towards, scene.surface_bounds));
   scene.eye.parallel = true;
-  assert_false(water_lookup_is_submerged(&scene.eye, &eye, &towards, scene.surface_bounds));
+  assert_false(water_lookup_is_at_surface(&scene.eye, &eye, &towards, scene.surface_bounds));
 }
 
 // No place on a plane that is seen edge-on, nor where the numbers overflow: the outputs are kept.
@@ -442,7 +442,7 @@ int main(void)
     RUN(looks_at_both_ends_are_accepted),
     RUN(waves_at_both_ends_are_accepted),
     RUN(scene_at_the_ends_of_its_ranges_is_planned),
-    RUN(eye_under_the_border_is_submerged),
+    RUN(eye_at_the_border_is_at_the_surface),
     RUN(edge_on_and_endless_views_have_no_places),
     RUN(numbers_too_large_to_multiply_are_refused),
     RUN(ray_along_the_normal_is_not_refracted),
