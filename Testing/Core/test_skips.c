@@ -158,6 +158,46 @@ TEST(wide_points_are_drawn_beside_the_pyramid)
   assert_int_equal(fates[0], WATER_SKIP_OUT_OF_WATER);
 }
 
+// On each side of what is looked up, 10 pixels off: 18 pixels wide, and one for antialiasing,
+// reaches it; 2 pixels wide is thin, and none of it is asked.
+TEST(half_a_width_and_a_pixel_reach_on_each_side)
+{
+  UNUSED;
+  water_scene scene = pool(1.0);
+  const water_plan plan = plan_of(&scene, NULL);
+  const int* rect = plan.texture_rect_px;
+  const double off_px[3] = { 10.0, 10.0, 1.5 };
+  const float width_px[3] = { 18.02f, 17.98f, 2.0f };
+  for (int round = 0; round < 3; ++round)
+  {
+    water_prop props[9];
+    water_fate fates[5];
+    for (int i = 0; i < 9; ++i)
+    {
+      double place[2] = { rect[0] + 0.5 * rect[2], rect[1] + 0.5 * rect[3] };
+      if (i >= 5)
+      {
+        const int side = i - 5;
+        place[side % 2] =
+          side < 2 ? rect[side] - off_px[round] : rect[side - 2] + rect[side] + off_px[round];
+      }
+      // 12 over the mirrored eye, to which left is right
+      const double x = -12.0 * (2.0 * place[0] / plan.texture_px[0] - 1.0);
+      const double y = 12.0 * (2.0 * place[1] / plan.texture_px[1] - 1.0);
+      const water_prop prop = { { x, x, y, y, 2.0, 2.0 }, visible, width_px[round] };
+      props[i] = prop;
+    }
+    scene.props = props + 4; // what is before it is in the middle of what is looked up
+    scene.prop_count = 5;
+    (void)plan_of(&scene, fates);
+    assert_int_equal(fates[0], WATER_DRAW);
+    for (int i = 1; i < 5; ++i)
+    {
+      assert_int_equal(fates[i], round == 0 ? WATER_DRAW : WATER_SKIP_OUT_OF_WATER);
+    }
+  }
+}
+
 // A box of 1 at a distance of 12 is 1 / 12 of half the picture: 33 pixels wide, 25 high.
 TEST(small_props_are_left_out_below_the_stated_size)
 {
@@ -177,6 +217,40 @@ TEST(small_props_are_left_out_below_the_stated_size)
   (void)plan_of(&scene, fates);
   assert_int_equal(fates[0], WATER_SKIP_TOO_SMALL);
   assert_int_equal(fates[1], WATER_DRAW);
+}
+
+// Small is what is below the stated size both ways: a box of 2 at a distance of 16 is an eighth of
+// half the picture, 50 pixels wide and 37.5 high, wherever it is; none is smaller than it is.
+TEST(either_side_of_a_box_may_be_its_size)
+{
+  UNUSED;
+  const double boxes[3][4] = { { -1.0, 1.0, -0.25, 0.25 }, { -0.25, 0.25, -1.0, 1.0 },
+    { 2.0, 4.0, -4.0, -3.5 } };
+  const double size_px[3] = { 50.0, 37.5, 50.0 };
+  for (int i = 0; i < 3; ++i)
+  {
+    const double* box = boxes[i];
+    const water_prop prop = { { box[0], box[1], box[2], box[3], 6.0, 6.0 }, visible };
+    water_fate fate;
+    water_scene scene = pool(5.0);
+    scene.props = &prop;
+    scene.prop_count = 1;
+    scene.prop_px_min = size_px[i];
+    (void)plan_of(&scene, &fate);
+    assert_int_equal(fate, WATER_DRAW);
+    scene.prop_px_min = nextafter(size_px[i], 100.0);
+    (void)plan_of(&scene, &fate);
+    assert_int_equal(fate, WATER_SKIP_TOO_SMALL);
+  }
+  // a pole up from the mirrored eye itself has no size
+  const water_prop pole = { { 0.0, 0.0, 0.0, 0.0, -10.0, 2.0 }, visible };
+  water_fate fate;
+  water_scene scene = pool(5.0);
+  scene.props = &pole;
+  scene.prop_count = 1;
+  scene.prop_px_min = 1.0;
+  (void)plan_of(&scene, &fate);
+  assert_int_equal(fate, WATER_DRAW);
 }
 
 // No ray that waves of a slope turn leaves the part that it is said to reach: rays of the eye,
@@ -430,7 +504,9 @@ int main(void)
     RUN(faint_is_what_the_steepest_and_the_flattest_ray_reflect),
     RUN(props_outside_the_pyramid_are_left_out),
     RUN(rays_take_the_same_steps_with_all_props),
+    RUN(half_a_width_and_a_pixel_reach_on_each_side),
     RUN(small_props_are_left_out_below_the_stated_size),
+    RUN(either_side_of_a_box_may_be_its_size),
     RUN(wide_points_are_drawn_beside_the_pyramid),
     RUN(waves_look_nothing_up_beyond_their_reach),
     RUN(map_is_used_again_only_for_the_same),
