@@ -462,7 +462,8 @@ TEST(what_is_seen_is_found_out_where_it_can_be)
   } cases[] = { { false, 63, 1.0, 0, true, false }, { false, 64, 1.0, 0, true, true },
     { false, 64, 0.5, 0, false, true }, { false, 63, 0.5, 0, false, false },
     { true, 0, 1.0, 0, false, true }, { true, 0, 0.5, 0, false, true },
-    { true, 64, 0.2, 0, false, false }, { false, 64, 1.0, WATER_MAY_SKIP_PIXELS, false, false },
+    { true, 0, 0.25, 0, false, true }, { true, 64, 0.2, 0, false, false },
+    { false, 64, 1.0, WATER_MAY_SKIP_PIXELS, false, false },
     { false, 64, 1.0, no_draws, true, false }, { true, 64, 1.0, no_draws, false, false } };
   for (size_t i = 0; i < sizeof cases / sizeof cases[0]; ++i)
   {
@@ -473,6 +474,14 @@ TEST(what_is_seen_is_found_out_where_it_can_be)
     const water_plan plan = plan_of(&scene, fates);
     assert_int_equal(plan.has_mask, cases[i].has_mask);
     assert_int_equal(plan.has_seen, cases[i].has_seen);
+    // of the picture's pixels that the map's rectangle covers nine tenths may be seen
+    const bool is_asked = cases[i].has_mask || cases[i].has_seen;
+    const int* rect = plan.texture_rect_px;
+    ASSERT_CLOSE(plan.seen_px_max,
+      is_asked
+        ? 0.9 * rect[2] * rect[3] * (800.0 / plan.texture_px[0]) * (600.0 / plan.texture_px[1])
+        : 0.0,
+      1e-6);
     for (int j = 0; j < 3; ++j)
     {
       water_scene other = scene;
