@@ -233,6 +233,51 @@ TEST(view_leads_from_clip_to_places_and_back)
   }
 }
 
+// Seen straight down a sheet within the picture, or that just fills it, has two rows through its
+// two corners at either end, and even ones between: of a length that grows with sqrt(h + |y|), h
+// the height of the eye or of waves that are higher. A sheet without a width has all of them in a
+// line.
+TEST(rows_seen_straight_down_are_where_they_should_be)
+{
+  UNUSED;
+  enum
+  {
+    EVEN = SIDE - 4
+  };
+  static laid grid;
+  const double halves[4] = { 10.0, 5.0, 5.0, 0.0 };
+  const double heights[4] = { 0.0, 0.0, 40.0, 0.0 };
+  random_scene random;
+  memset(&random, 0, sizeof random);
+  random.scene = pool(10.0); // from 10 above, 45 degrees to each side
+  const water_grid_view view = view_of(&random);
+  for (int i = 0; i < 4; ++i)
+  {
+    const double half = halves[i];
+    const double middle = i == 3 ? 3.0 : 0.0;
+    const double h = fmax(10.0, heights[i]);
+    const double sheet[4] = { -5.0, 5.0, middle - half, middle + half };
+    assert_true(water_grid_lay(
+      &view, sheet, heights[i], 0.0, GRID, grid.points[0], grid.cells[0], grid.row_dir));
+    const double most = 2.0 * (sqrt(h + half) - sqrt(h)); // of the integral of 1 / sqrt(h + |y|)
+    for (int row = 0; row < SIDE; ++row)
+    {
+      const int even = row < 2 ? 0 : row > EVEN + 1 ? EVEN + 1 : row - 1;
+      const double measure = most * (2.0 * even / (EVEN + 1) - 1.0);
+      const double root = sqrt(h) + 0.5 * fabs(measure);
+      const double y = middle + copysign(root * root - h, measure);
+      for (int end = 0; end < 2; ++end)
+      {
+        const double* point = grid.points[row * SIDE + end * GRID];
+        ASSERT_CLOSE(point[0], end == 0 ? 5.0 : -5.0, 1e-12);
+        ASSERT_CLOSE(point[1], y, 1e-12);
+      }
+      const double apart = half > 0.0 ? 2.0 * most / (EVEN + 1) * root : 0.0;
+      ASSERT_CLOSE((double)grid.cells[row * SIDE][0], apart, 1e-6);
+    }
+  }
+}
+
 // Straight down, a sheet out of view, an eye in the plane, a plane that is none.
 TEST(odd_views_are_safe)
 {
@@ -278,6 +323,7 @@ int main(void)
     RUN(grid_is_ordered_and_on_the_sheet),
     RUN(cells_are_as_large_as_they_say),
     RUN(view_leads_from_clip_to_places_and_back),
+    RUN(rows_seen_straight_down_are_where_they_should_be),
     RUN(odd_views_are_safe),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
