@@ -195,6 +195,26 @@ TEST(cells_are_as_large_as_they_say)
   }
 }
 
+// Rows follow each other away from the eye: as its view goes, along the sheet.
+TEST(rows_lead_where_the_view_goes)
+{
+  UNUSED;
+  dice from = dice_seeded(175);
+  static laid grid;
+  for (int round = 0; round < 300; ++round)
+  {
+    const random_scene random = scene_rolled(&from, 3 * (round / 2) + round % 2, nearby);
+    const water_grid_view view = view_of(&random);
+    const double sheet[4] = { -30.0, 20.0, -10.0, 40.0 };
+    assert_true(
+      water_grid_lay(&view, sheet, 0.3, 0.2, GRID, grid.points[0], grid.cells[0], grid.row_dir));
+    const double x = dot(random.view_dir, view.axes.x_dir);
+    const double y = dot(random.view_dir, view.axes.y_dir);
+    ASSERT_CLOSE(grid.row_dir[0] * hypot(x, y), x, 1e-12);
+    ASSERT_CLOSE(grid.row_dir[1] * hypot(x, y), y, 1e-12);
+  }
+}
+
 // What the shader has leads from clip back to the place and the height, and on to a moved point.
 TEST(view_leads_from_clip_to_places_and_back)
 {
@@ -322,6 +342,7 @@ int main(void)
     RUN(grid_covers_what_can_come_into_view),
     RUN(grid_is_ordered_and_on_the_sheet),
     RUN(cells_are_as_large_as_they_say),
+    RUN(rows_lead_where_the_view_goes),
     RUN(view_leads_from_clip_to_places_and_back),
     RUN(rows_seen_straight_down_are_where_they_should_be),
     RUN(odd_views_are_safe),

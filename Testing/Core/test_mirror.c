@@ -216,6 +216,25 @@ TEST(oblique_near_plane_is_the_clip_plane)
   assert_in_range(cut, 1000, 6000);
 }
 
+// Where nothing reaches out the mirrored projection keeps its depths to the last bit.
+TEST(far_plane_stays_without_a_reason)
+{
+  UNUSED;
+  dice from = dice_seeded(91);
+  const double box[4] = { -1.0, 1.0, -1.0, 1.0 };
+  for (int round = 0; round < 100; ++round)
+  {
+    water_scene scene = pool(5.0);
+    frustum_matrix(box, 1.0, pow(10.0, dice_roll(&from, 2.0, 6.0)), scene.eye.view_to_clip);
+    const water_plan plan = plan_of(&scene, NULL);
+    assert_true(plan.depth_scale == 1.0);
+    for (int i = 8; i < 12; ++i)
+    {
+      assert_true(plan.mirrored.view_to_clip[i] == scene.eye.view_to_clip[i]);
+    }
+  }
+}
+
 // A prop that ends before the far plane, but closer to it than rounding may be, moves it, too: at
 // 999.5 of 1000 it is 1 - 1e-6 deep. One at 998.5, 3e-6 off, does not.
 TEST(far_plane_keeps_its_margin)
@@ -331,6 +350,7 @@ int main(void)
     RUN(point_above_water_is_seen_as_its_mirror_image),
     RUN(mirrored_twice_is_the_eye),
     RUN(clip_has_the_sign_of_the_height),
+    RUN(far_plane_stays_without_a_reason),
     RUN(far_plane_keeps_its_margin),
     RUN(far_plane_moves_behind_the_drawn_props),
     RUN(oblique_near_plane_is_the_clip_plane),
