@@ -259,6 +259,7 @@ TEST(eye_under_the_sheet_is_submerged)
   UNUSED;
   water_scene scene = lake();
   const double up[3] = { 0.0, 0.0, 1.0 };
+  const double north[3] = { 0.0, 1.0, 0.0 };
   const double places[4][3] = { { 0.0, -9.0, -5.0 }, { 0.0, -11.0, -5.0 }, { 0.0, -9.0, 5.0 },
     { 9.9, 9.9, -0.1 } };
   const bool expected[4] = { true, false, false, true };
@@ -273,6 +274,18 @@ TEST(eye_under_the_sheet_is_submerged)
   assert_true(plan_of(&scene, NULL).has_view);
   look_at(places[1], down, up, scene.eye.world_to_view);
   assert_false(plan_of(&scene, NULL).has_view);
+  // whatever the reason not to draw the mirrored view
+  look_at(places[0], places[2], north, scene.eye.world_to_view);
+  for (int i = 0; i < 2; ++i)
+  {
+    scene.is_hidden = i == 0;
+    scene.hides_below = i == 1;
+    const water_plan plan = plan_of(&scene, NULL);
+    assert_int_equal(
+      plan.decision, i == 0 ? WATER_NO_REFLECT_HIDDEN : WATER_NO_REFLECT_FACING_AWAY);
+    assert_true(plan.has_view && plan.is_submerged);
+  }
+  scene.hides_below = false;
   const double box[4] = { -5.0, 5.0, -5.0, 5.0 };
   scene.eye.parallel = true;
   ortho_matrix(box, 0.0, 100.0, scene.eye.view_to_clip);
