@@ -214,6 +214,24 @@ TEST(inverse_refuses_singular_matrices)
   }
 }
 
+// A pivot of 16 roundings of the largest entry, here 1/2 of it, is the smallest; a determinant
+// whose inverse overflows is none.
+TEST(inverse_ends_where_it_is_said_to)
+{
+  UNUSED;
+  for (int i = 0; i < 2; ++i)
+  {
+    const double close = 1.0 + (i == 0 ? 32.0 : 31.0) * DBL_EPSILON;
+    const double m[16] = { 1, 1, 0, 0, 1, close, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 };
+    double inverse[16];
+    assert_int_equal(water_mat4_invert(m, inverse), i == 0);
+  }
+  const double tiny[16] = { 1e-155, 0, 0, 0, 0, 1e-155, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 };
+  double inverse[16] = { 7.0 };
+  assert_false(water_mat4_invert_affine(tiny, inverse));
+  assert_true(inverse[0] == 7.0);
+}
+
 // Where the inverse of a projection is 0 it is 0, not a rounding: the view ray of a parallel camera
 // is its third column, and a rounding of its frustum's width would turn it.
 TEST(inverse_of_a_projection_keeps_its_zeros)
@@ -279,6 +297,7 @@ int main(void)
     RUN(inverse_survives_any_scale),
     RUN(inverse_exists_close_to_singular),
     RUN(inverse_refuses_singular_matrices),
+    RUN(inverse_ends_where_it_is_said_to),
     RUN(inverse_of_a_projection_keeps_its_zeros),
     RUN(affine_inverse_finds_the_eye),
   };

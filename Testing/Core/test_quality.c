@@ -562,6 +562,47 @@ TEST(roughness_is_of_the_smallest_pixel_in_a_corner)
   }
 }
 
+// With half of the time fixed a finer step, 0.84 of the scale for 0.71, costs 1.134 times as much:
+// frames of 6.6 ms lead to one of 7.5 in a budget of 10, frames of 7.2 to none; and what was
+// measured on too few frames teaches nothing about that share.
+TEST(fixed_share_is_believed)
+{
+  UNUSED;
+  const double times_ms[2] = { 6.6, 7.2 };
+  for (int i = 0; i < 2; ++i)
+  {
+    water_quality_state control = { .step = 2, .before_step = 1, .fixed_share = 0.5 };
+    for (int frame = 0; frame < 1000 && control.step == 2; ++frame)
+    {
+      assert_int_equal(water_quality_for_budget(&control, 0, 10.0, times_ms[i]), WATER_OK);
+      assert_true(control.fixed_share == 0.5);
+    }
+    assert_int_equal(control.step, i == 0 ? 1 : 2);
+  }
+}
+
+// A coarser step must have an error of nine tenths of the target, and that is enough.
+TEST(margin_of_a_coarser_step_is_a_tenth)
+{
+  UNUSED;
+  const water_roughness calm = { 0.0, 0.0, 0.0 };
+  int found = 0;
+  for (int step = 1; step < WATER_QUALITY_STEPS; ++step)
+  {
+    double error_px = 0.0;
+    assert_int_equal(water_quality_error(step, &calm, &error_px), WATER_OK);
+    const double target_px = error_px / 0.9;
+    if (0.9 * target_px == error_px) // as doubles round
+    {
+      int chosen = 0;
+      assert_int_equal(water_quality_for_error(target_px, &calm, &chosen), WATER_OK);
+      assert_int_equal(chosen, step);
+      ++found;
+    }
+  }
+  assert_in_range(found, 1, WATER_QUALITY_STEPS);
+}
+
 // Frames that take just the budget are neither too long nor too short: after any number of them
 // long ones are answered as if they were the first.
 TEST(frames_of_just_the_budget_count_for_nothing)
@@ -622,6 +663,8 @@ int main(void)
     RUN(bad_input_is_refused),
     RUN(roughness_is_of_a_pixel_on_the_water),
     RUN(roughness_is_of_the_smallest_pixel_in_a_corner),
+    RUN(fixed_share_is_believed),
+    RUN(margin_of_a_coarser_step_is_a_tenth),
     RUN(frames_of_just_the_budget_count_for_nothing),
     RUN(update_rates_have_their_budgets),
   };

@@ -419,6 +419,8 @@ TEST(map_waits_when_it_pays)
     assert_int_equal(
       water_plan_should_wait(&last, 0.85 * whole, WATER_MAY_SKIP_ALL), cases[i].can_wait);
     assert_false(water_plan_should_wait(&last, 0.95 * whole, WATER_MAY_SKIP_ALL));
+    assert_false(
+      cases[i].can_wait && water_plan_should_wait(&last, last.seen_px_max, WATER_MAY_SKIP_ALL));
     assert_false(water_plan_should_wait(
       &last, 0.85 * whole, WATER_MAY_SKIP_ALL & ~(unsigned)WATER_MAY_SKIP_PIXELS));
   }
