@@ -38,6 +38,15 @@ TEST(every_reason_has_its_switch)
   }
 }
 
+TEST(all_skips_are_all_of_them)
+{
+  UNUSED;
+  const unsigned all = WATER_MAY_SKIP_UNSEEN | WATER_MAY_SKIP_HIDDEN | WATER_MAY_SKIP_FAINT |
+    WATER_MAY_SKIP_UNCHANGED | WATER_MAY_SKIP_SHARED | WATER_MAY_SKIP_PROPS |
+    WATER_MAY_SKIP_PIECES | WATER_MAY_SKIP_PIXELS;
+  assert_int_equal(WATER_MAY_SKIP_ALL, all);
+}
+
 // A surface that is not drawn from above is drawn from below, and the other way round.
 TEST(facing_away_depends_on_the_side)
 {
@@ -511,6 +520,7 @@ int main(void)
 {
   const struct CMUnitTest tests[] = {
     RUN(every_reason_has_its_switch),
+    RUN(all_skips_are_all_of_them),
     RUN(facing_away_depends_on_the_side),
     RUN(faint_is_what_the_steepest_and_the_flattest_ray_reflect),
     RUN(props_outside_the_pyramid_are_left_out),

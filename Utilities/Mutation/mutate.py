@@ -4,7 +4,7 @@
 
 Each mutant is compiled alone, linked with the unchanged rest into a shared library, and the tests,
 built once, are run with that: those that include the file's header, the one of its own name first,
-then those that caught most so far. What none of them catches is tried again under the address and
+then those that caught most so far, then the shortest. What none of them catches is tried again under the address and
 undefined behaviour sanitizers, as the preset sanitize would run them, and then with all tests. A
 test that never ends is known by the time it computes, which no load on the machine lengthens. See
 script/mutation.
@@ -20,6 +20,7 @@ import signal
 import subprocess
 import sys
 import threading
+import time
 
 from operators import mutants_of
 
@@ -88,9 +89,12 @@ class Build:
             must(self.link(self.core))
             list(pool.map(must, [self.build_test(self.core, noun, self.bin)
                                  for noun in self.tests]))
-        failing = [noun for noun in self.tests if self.catch(self.core, self.bin / noun)]
-        if failing:
-            sys.exit(f"without any mutant these tests fail ({kind}): {failing}")
+        self.seconds = {}
+        for noun in self.tests:
+            began = time.monotonic()
+            if self.catch(self.core, self.bin / noun):
+                sys.exit(f"without any mutant test_{noun} fails ({kind})")
+            self.seconds[noun] = time.monotonic() - began
 
     def compile(self, core, name):
         return [*COMMON, *self.flags, "-c", core / name, "-o", core / (name + ".o")]
@@ -186,7 +190,8 @@ class Judge:
             header = f'#include "water_{own}.h"'
             nouns = [noun for noun in nouns if noun == own or
                      header in (self.build.texts / f"test_{noun}.c").read_text()]
-        order = sorted(nouns, key=lambda noun: (noun != own, -self.kills[mutant.file, noun]))
+        order = sorted(nouns, key=lambda noun: (noun != own, -self.kills[mutant.file, noun],
+                                                self.build.seconds[noun]))
         killer = self.local.bench.killer(mutant, order)
         if killer:
             self.kills[mutant.file, killer.removesuffix(NO_END)] += 1
