@@ -63,9 +63,27 @@ TEST(every_plane_divides)
   assert_int_equal(water_frustum_divides(&frustum, 6, left, 1e-12), 0);
 }
 
+// Of a view in NDC the sides are those of the part of the picture, before and behind it -1 and 1.
+TEST(sides_are_those_of_the_part)
+{
+  UNUSED;
+  const water_camera camera = { .world_to_view = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 },
+    .view_to_clip = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 } };
+  const double box[4] = { -0.5, -0.25, 0.125, 0.75 };
+  const double expected[6][4] = { { 1, 0, 0, 0.5 }, { -1, 0, 0, 0.125 }, { 0, 1, 0, 0.25 },
+    { 0, -1, 0, 0.75 }, { 0, 0, 1, 1 }, { 0, 0, -1, 1 } };
+  water_frustum made;
+  water_frustum_make(&camera, box, &made);
+  for (int i = 0; i < 24; ++i)
+  {
+    assert_true(made.planes[i / 4][i % 4] == expected[i / 4][i % 4]);
+  }
+}
+
 int main(void)
 {
   const struct CMUnitTest tests[] = {
+    RUN(sides_are_those_of_the_part),
     RUN(behind_by_more_than_rounding),
     RUN(touching_is_not_behind),
     RUN(every_plane_divides),

@@ -195,6 +195,26 @@ TEST(cells_are_as_large_as_they_say)
   }
 }
 
+// Rows follow each other away from the eye: as its view goes, along the sheet.
+TEST(rows_lead_where_the_view_goes)
+{
+  UNUSED;
+  dice from = dice_seeded(175);
+  static laid grid;
+  for (int round = 0; round < 300; ++round)
+  {
+    const random_scene random = scene_rolled(&from, 3 * (round / 2) + round % 2, nearby);
+    const water_grid_view view = view_of(&random);
+    const double sheet[4] = { -30.0, 20.0, -10.0, 40.0 };
+    assert_true(
+      water_grid_lay(&view, sheet, 0.3, 0.2, GRID, grid.points[0], grid.cells[0], grid.row_dir));
+    const double x = dot(random.view_dir, view.axes.x_dir);
+    const double y = dot(random.view_dir, view.axes.y_dir);
+    ASSERT_CLOSE(grid.row_dir[0] * hypot(x, y), x, 1e-12);
+    ASSERT_CLOSE(grid.row_dir[1] * hypot(x, y), y, 1e-12);
+  }
+}
+
 // What the shader has leads from clip back to the place and the height, and on to a moved point.
 TEST(view_leads_from_clip_to_places_and_back)
 {
@@ -230,6 +250,51 @@ TEST(view_leads_from_clip_to_places_and_back)
       height += view.height_clip[i] * clip_moved[i];
     }
     ASSERT_CLOSE(height, by[2], 1e-8);
+  }
+}
+
+// Seen straight down a sheet within the picture, or that just fills it, has two rows through its
+// two corners at either end, and even ones between: of a length that grows with sqrt(h + |y|), h
+// the height of the eye or of waves that are higher. A sheet without a width has all of them in a
+// line.
+TEST(rows_seen_straight_down_are_where_they_should_be)
+{
+  UNUSED;
+  enum
+  {
+    EVEN = SIDE - 4
+  };
+  static laid grid;
+  const double halves[4] = { 10.0, 5.0, 5.0, 0.0 };
+  const double heights[4] = { 0.0, 0.0, 40.0, 0.0 };
+  random_scene random;
+  memset(&random, 0, sizeof random);
+  random.scene = pool(10.0); // from 10 above, 45 degrees to each side
+  const water_grid_view view = view_of(&random);
+  for (int i = 0; i < 4; ++i)
+  {
+    const double half = halves[i];
+    const double middle = i == 3 ? 3.0 : 0.0;
+    const double h = fmax(10.0, heights[i]);
+    const double sheet[4] = { -5.0, 5.0, middle - half, middle + half };
+    assert_true(water_grid_lay(
+      &view, sheet, heights[i], 0.0, GRID, grid.points[0], grid.cells[0], grid.row_dir));
+    const double most = 2.0 * (sqrt(h + half) - sqrt(h)); // of the integral of 1 / sqrt(h + |y|)
+    for (int row = 0; row < SIDE; ++row)
+    {
+      const int even = row < 2 ? 0 : row > EVEN + 1 ? EVEN + 1 : row - 1;
+      const double measure = most * (2.0 * even / (EVEN + 1) - 1.0);
+      const double root = sqrt(h) + 0.5 * fabs(measure);
+      const double y = middle + copysign(root * root - h, measure);
+      for (int end = 0; end < 2; ++end)
+      {
+        const double* point = grid.points[row * SIDE + end * GRID];
+        ASSERT_CLOSE(point[0], end == 0 ? 5.0 : -5.0, 1e-12);
+        ASSERT_CLOSE(point[1], y, 1e-12);
+      }
+      const double apart = half > 0.0 ? 2.0 * most / (EVEN + 1) * root : 0.0;
+      ASSERT_CLOSE((double)grid.cells[row * SIDE][0], apart, 1e-6);
+    }
   }
 }
 
@@ -277,7 +342,9 @@ int main(void)
     RUN(grid_covers_what_can_come_into_view),
     RUN(grid_is_ordered_and_on_the_sheet),
     RUN(cells_are_as_large_as_they_say),
+    RUN(rows_lead_where_the_view_goes),
     RUN(view_leads_from_clip_to_places_and_back),
+    RUN(rows_seen_straight_down_are_where_they_should_be),
     RUN(odd_views_are_safe),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);

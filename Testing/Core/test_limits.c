@@ -155,6 +155,46 @@ TEST(waves_at_both_ends_are_accepted)
   assert_true(number == 0.0);
 }
 
+// What is a rounding over the steepest waves is not yet folded, and 16 of them are.
+TEST(waves_fold_beyond_a_rounding)
+{
+  UNUSED;
+  for (int i = 0; i < 2; ++i)
+  {
+    const double steepness = 1.0 + (16 + i) * DBL_EPSILON;
+    const water_wave wave = { steepness, 6.283185307179586, 0.0, 0.0, 1.0 };
+    size_t culprit = 7;
+    assert_int_equal(water_waves_check(&wave, 1, &culprit), i == 0 ? WATER_OK : WATER_WAVES_FOLD);
+  }
+}
+
+// Rays turned to a right angle, which is as good as endless, look up everything.
+TEST(rays_turned_by_a_right_angle_reach_everything)
+{
+  UNUSED;
+  water_camera camera = { .view_to_clip = {
+                            1e-300, 0, 0, 0, 0, 1e-300, 0, 0, 0, 0, -1, -1, 0, 0, -1, 0 } };
+  double box[4] = { -0.5, -0.5, 0.5, 0.5 };
+  water_target_reach(&camera, 1e-300, box);
+  for (int i = 0; i < 4; ++i)
+  {
+    assert_true(box[i] == (i < 2 ? -inf : inf));
+  }
+}
+
+// Either side of a picture without pixels is refused.
+TEST(both_sides_of_the_picture_are_asked)
+{
+  UNUSED;
+  const int sizes[3][2] = { { 0, 5 }, { 5, 0 }, { 1, 1 } };
+  for (int i = 0; i < 3; ++i)
+  {
+    int size[2] = { 7, 7 };
+    assert_int_equal(
+      water_target_size(sizes[i], 1.0, 100, size), i < 2 ? WATER_BAD_VIEWPORT : WATER_OK);
+  }
+}
+
 TEST(scene_at_the_ends_of_its_ranges_is_planned)
 {
   UNUSED;
@@ -172,9 +212,9 @@ TEST(scene_at_the_ends_of_its_ranges_is_planned)
   assert_int_equal(water_plan_make(&scene, &plan, NULL), WATER_TEXTURE_TOO_LARGE);
 }
 
-// Under the very border of the sheet the eye is in the water, however far out; one whose view is
+// Over the very border of the sheet the eye is at its surface, however far out; one whose view is
 // called parallel never is.
-TEST(eye_under_the_border_is_submerged)
+TEST(eye_at_the_border_is_at_the_surface)
 {
   UNUSED;
   water_scene scene = lake();
@@ -441,8 +481,11 @@ int main(void)
     RUN(texels_hold_both_slopes_and_squares),
     RUN(looks_at_both_ends_are_accepted),
     RUN(waves_at_both_ends_are_accepted),
+    RUN(waves_fold_beyond_a_rounding),
+    RUN(rays_turned_by_a_right_angle_reach_everything),
+    RUN(both_sides_of_the_picture_are_asked),
     RUN(scene_at_the_ends_of_its_ranges_is_planned),
-    RUN(eye_under_the_border_is_submerged),
+    RUN(eye_at_the_border_is_at_the_surface),
     RUN(edge_on_and_endless_views_have_no_places),
     RUN(numbers_too_large_to_multiply_are_refused),
     RUN(ray_along_the_normal_is_not_refracted),

@@ -2,6 +2,7 @@
 // test_lookup.c: places on the plane behind a pixel, rays in the map's window, depths at infinity.
 #include "test_scene.h"
 
+#include "water_lookup.h"
 #include "water_plane.h"
 
 static const double nearby[3] = { 1.0, 2.0, 3.0 };
@@ -258,6 +259,7 @@ TEST(eye_under_the_sheet_is_submerged)
   UNUSED;
   water_scene scene = lake();
   const double up[3] = { 0.0, 0.0, 1.0 };
+  const double north[3] = { 0.0, 1.0, 0.0 };
   const double places[4][3] = { { 0.0, -9.0, -5.0 }, { 0.0, -11.0, -5.0 }, { 0.0, -9.0, 5.0 },
     { 9.9, 9.9, -0.1 } };
   const bool expected[4] = { true, false, false, true };
@@ -272,6 +274,18 @@ TEST(eye_under_the_sheet_is_submerged)
   assert_true(plan_of(&scene, NULL).has_view);
   look_at(places[1], down, up, scene.eye.world_to_view);
   assert_false(plan_of(&scene, NULL).has_view);
+  // whatever the reason not to draw the mirrored view
+  look_at(places[0], places[2], north, scene.eye.world_to_view);
+  for (int i = 0; i < 2; ++i)
+  {
+    scene.is_hidden = i == 0;
+    scene.hides_below = i == 1;
+    const water_plan plan = plan_of(&scene, NULL);
+    assert_int_equal(
+      plan.decision, i == 0 ? WATER_NO_REFLECT_HIDDEN : WATER_NO_REFLECT_FACING_AWAY);
+    assert_true(plan.has_view && plan.is_submerged);
+  }
+  scene.hides_below = false;
   const double box[4] = { -5.0, 5.0, -5.0, 5.0 };
   scene.eye.parallel = true;
   ortho_matrix(box, 0.0, 100.0, scene.eye.view_to_clip);
@@ -304,6 +318,43 @@ TEST(near_plane_in_the_water_is_awash)
   look_at(places[2], straight_down, north, scene.eye.world_to_view); // all of the sheet is cut off
   const water_plan plan = plan_of(&scene, NULL);
   assert_true(plan.is_awash && plan.has_view);
+}
+
+// The corners of the near plane, one by one: in NDC as view, planes that rise from -2 in one corner
+// by 2 and 4 to the others, lifted; what touches is not cut.
+TEST(each_corner_of_the_near_plane_is_asked)
+{
+  UNUSED;
+  const double lifts[4] = { 1.0, 1.999, 2.0, 2.5 };
+  for (int corner = 0; corner < 4; ++corner)
+  {
+    for (int i = 0; i < 4; ++i)
+    {
+      const water_eye eye = { .clip_to_view = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 } };
+      const double plane[4] = { corner & 1 ? -1.0 : 1.0, corner & 2 ? -1.0 : 1.0, 0.0, lifts[i] };
+      assert_int_equal(water_lookup_cuts_surface(&eye, plane), i < 2);
+    }
+  }
+}
+
+// A flat sheet has a rim of a millionth: the eye is over it up to its very end, at either side.
+TEST(eye_is_over_the_rim_of_the_sheet)
+{
+  UNUSED;
+  const water_camera camera = { .parallel = false };
+  const water_plane plane = { { 0.0, 0.0, 1.0 }, 0.0 };
+  const double rims[2] = { 1e-6, nextafter(1e-6, 1.0) };
+  water_eye eye = { { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 5, 0, 0, 0, 1 } };
+  eye.has_center = true;
+  for (int side = 0; side < 6; ++side)
+  {
+    for (int i = 0; i < 2; ++i)
+    {
+      double bounds[6] = { -1.0, 1.0, -1.0, 1.0, -1.0, 1.0 };
+      bounds[side] = side % 2 ? -rims[i] : rims[i];
+      assert_int_equal(water_lookup_is_at_surface(&camera, &eye, &plane, bounds), i == 0);
+    }
+  }
 }
 
 // The sun in the plane's axes; a light without a direction is none.
@@ -394,6 +445,8 @@ int main(void)
     RUN(environment_has_its_own_axes),
     RUN(eye_under_the_sheet_is_submerged),
     RUN(near_plane_in_the_water_is_awash),
+    RUN(each_corner_of_the_near_plane_is_asked),
+    RUN(eye_is_over_the_rim_of_the_sheet),
     RUN(sun_is_seen_in_the_axes_of_the_plane),
     RUN(top_is_the_highest_drawn_corner),
     RUN(depth_of_the_map_tells_heights),

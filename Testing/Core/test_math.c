@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// test_math.c: the inverses, on which everything else stands.
+// test_math.c: the helpers and the inverses, on which everything else stands.
 #include "test_scene.h"
 
 #include "water_math.h"
@@ -20,6 +20,122 @@ static void assert_inverse(const double m[16], const double inverse[16], double 
       ASSERT_CLOSE(sum, i == j ? 1.0 : 0.0, tolerance * (1.0 + size));
     }
   }
+}
+
+// Numbers are asked up to the count and no further.
+TEST(numbers_are_finite_or_usable_up_to_their_count)
+{
+  UNUSED;
+  const double bad[3] = { (double)NAN, (double)INFINITY, 1.0001e100 };
+  for (int i = 0; i < 3; ++i)
+  {
+    const double values[4] = { -1e100, 1e100, 0.0, i == 1 ? -bad[i] : bad[i] };
+    const bool is_finite = i == 2;
+    assert_true(water_all_finite(values, 3));
+    assert_true(water_all_usable(values, 3));
+    assert_int_equal(water_all_finite(values, 4), is_finite);
+    assert_false(water_all_usable(values, 4));
+    assert_true(water_all_finite(values + 3, 0));
+    assert_true(water_all_usable(values + 3, 0));
+  }
+}
+
+// A box is finite when each of its numbers is, whatever their sum; empty when it is so on any axis,
+// which a flat one is not.
+TEST(boxes_are_finite_and_empty_by_axis)
+{
+  UNUSED;
+  const double huge[6] = { -1.0, DBL_MAX, -1.0, DBL_MAX, -1.0, DBL_MAX };
+  const double flat[6] = { 1.0, 1.0, 2.0, 2.0, -3.0, -3.0 };
+  assert_true(water_bounds_are_finite(huge));
+  assert_true(water_bounds_are_finite(flat));
+  assert_false(water_bounds_is_empty(huge));
+  assert_false(water_bounds_is_empty(flat));
+  for (int i = 0; i < 6; ++i)
+  {
+    double box[6];
+    memcpy(box, flat, sizeof box);
+    box[i] = i % 2 ? -4.0 : 4.0; // either end past the other
+    assert_true(water_bounds_is_empty(box));
+    box[i] = (double)NAN;
+    assert_false(water_bounds_are_finite(box));
+    box[i] = (double)INFINITY;
+    assert_false(water_bounds_are_finite(box));
+    memcpy(box, huge, sizeof box);
+    box[i] = -(double)INFINITY;
+    assert_false(water_bounds_are_finite(box));
+  }
+}
+
+// Bit 0, 1 and 2 of a corner's number pick the upper end on x, y and z.
+TEST(corners_are_numbered_in_binary)
+{
+  UNUSED;
+  const double box[6] = { 1.0, 2.0, 10.0, 20.0, 100.0, 200.0 };
+  const double sums[8] = { 111.0, 112.0, 121.0, 122.0, 211.0, 212.0, 221.0, 222.0 };
+  for (int number = 0; number < 8; ++number)
+  {
+    double corner[4] = { 0.0, 0.0, 0.0, 7.0 };
+    water_bounds_corner(box, number, corner);
+    assert_true(corner[0] + corner[1] + corner[2] == sums[number]);
+    assert_true(corner[0] < 10.0 && corner[2] >= 100.0 && corner[3] == 7.0);
+  }
+}
+
+// Small whole numbers have exact products, worked out by hand.
+TEST(products_of_whole_numbers_are_exact)
+{
+  UNUSED;
+  const double a[4] = { 1.0, 2.0, 3.0, 4.0 };
+  const double b[4] = { 5.0, 7.0, 11.0, 13.0 };
+  const double sides[3] = { 2.0, 3.0, 6.0 };
+  assert_true(water_vec3_dot(a, b) == 52.0);
+  assert_true(water_vec4_dot(a, b) == 104.0);
+  assert_true(water_vec3_length(sides) == 7.0);
+  double product[4];
+  water_vec3_cross(a, b, product);
+  assert_true(product[0] == 1.0 && product[1] == 4.0 && product[2] == -3.0);
+
+  const double m[16] = { 1, 2, 0, 3, -1, 4, 1, 0, 2, 0, 5, -2, 1, 1, 0, 6 };
+  const double columns[3][4] = { { 17, 10, 9, 27 }, { 8, 10, 15, 9 }, { 5, 10, 17, 3 } };
+  const double row[4] = { 9, 14, 17, 21 };
+  for (int i = 0; i < 4; ++i)
+  {
+    water_mat4_apply(m, a, product);
+    assert_true(product[i] == columns[0][i]);
+    water_mat4_apply_point(m, a, product);
+    assert_true(product[i] == columns[1][i]);
+    water_mat4_apply_dir(m, a, product);
+    assert_true(product[i] == columns[2][i]);
+    water_mat4_apply_row(a, m, product);
+    assert_true(product[i] == row[i]);
+  }
+  const double squared[16] = { 2, 13, 2, 21, -3, 14, 9, -5, 10, 2, 25, -16, 6, 12, 1, 39 };
+  double both[17];
+  both[16] = 7.0;
+  water_mat4_multiply(m, m, both);
+  assert_memory_equal(both, squared, sizeof squared);
+  assert_true(both[16] == 7.0);
+}
+
+// The power of two is that of the largest of four, their signs aside; others are passed by.
+TEST(exponent_is_that_of_the_largest_of_four)
+{
+  UNUSED;
+  double values[17] = { 0.0 };
+  bool is_zero = false;
+  for (int stride = 1; stride <= 4; stride += 3)
+  {
+    for (int i = 0; i < 17; ++i)
+    {
+      values[i] = i % stride == 0 && i / stride < 4 ? (i == stride ? -12.0 : 1.0) : 1e9;
+    }
+    assert_int_equal(water_mat4_exponent(values, stride, &is_zero), -4);
+    assert_false(is_zero);
+  }
+  const double zeros[5] = { 0.0, 0.0, 0.0, 0.0, 1.0 };
+  assert_int_equal(water_mat4_exponent(zeros, 1, &is_zero), 0);
+  assert_true(is_zero);
 }
 
 // A matrix times its inverse is the identity.
@@ -98,6 +214,24 @@ TEST(inverse_refuses_singular_matrices)
   }
 }
 
+// A pivot of 16 roundings of the largest entry, here 1/2 of it, is the smallest; a determinant
+// whose inverse overflows is none.
+TEST(inverse_ends_where_it_is_said_to)
+{
+  UNUSED;
+  for (int i = 0; i < 2; ++i)
+  {
+    const double close = 1.0 + (i == 0 ? 32.0 : 31.0) * DBL_EPSILON;
+    const double m[16] = { 1, 1, 0, 0, 1, close, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 };
+    double inverse[16];
+    assert_int_equal(water_mat4_invert(m, inverse), i == 0);
+  }
+  const double tiny[16] = { 1e-155, 0, 0, 0, 0, 1e-155, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 };
+  double inverse[16] = { 7.0 };
+  assert_false(water_mat4_invert_affine(tiny, inverse));
+  assert_true(inverse[0] == 7.0);
+}
+
 // Where the inverse of a projection is 0 it is 0, not a rounding: the view ray of a parallel camera
 // is its third column, and a rounding of its frustum's width would turn it.
 TEST(inverse_of_a_projection_keeps_its_zeros)
@@ -154,10 +288,16 @@ TEST(affine_inverse_finds_the_eye)
 int main(void)
 {
   const struct CMUnitTest tests[] = {
+    RUN(numbers_are_finite_or_usable_up_to_their_count),
+    RUN(boxes_are_finite_and_empty_by_axis),
+    RUN(corners_are_numbered_in_binary),
+    RUN(products_of_whole_numbers_are_exact),
+    RUN(exponent_is_that_of_the_largest_of_four),
     RUN(inverse_undoes_random_matrices),
     RUN(inverse_survives_any_scale),
     RUN(inverse_exists_close_to_singular),
     RUN(inverse_refuses_singular_matrices),
+    RUN(inverse_ends_where_it_is_said_to),
     RUN(inverse_of_a_projection_keeps_its_zeros),
     RUN(affine_inverse_finds_the_eye),
   };

@@ -216,6 +216,47 @@ TEST(oblique_near_plane_is_the_clip_plane)
   assert_in_range(cut, 1000, 6000);
 }
 
+// Where nothing reaches out the mirrored projection keeps its depths to the last bit.
+TEST(far_plane_stays_without_a_reason)
+{
+  UNUSED;
+  dice from = dice_seeded(91);
+  const double box[4] = { -1.0, 1.0, -1.0, 1.0 };
+  for (int round = 0; round < 100; ++round)
+  {
+    water_scene scene = pool(5.0);
+    frustum_matrix(box, 1.0, pow(10.0, dice_roll(&from, 2.0, 6.0)), scene.eye.view_to_clip);
+    const water_plan plan = plan_of(&scene, NULL);
+    assert_true(plan.depth_scale == 1.0);
+    for (int i = 8; i < 12; ++i)
+    {
+      assert_true(plan.mirrored.view_to_clip[i] == scene.eye.view_to_clip[i]);
+    }
+  }
+}
+
+// A prop that ends before the far plane, but closer to it than rounding may be, moves it, too: at
+// 999.5 of 1000 it is 1 - 1e-6 deep. One at 998.5, 3e-6 off, does not.
+TEST(far_plane_keeps_its_margin)
+{
+  UNUSED;
+  water_scene scene = pool(5.0); // its mirrored eye is 10 under the water, and looks up
+  const double tops[2] = { 989.5, 988.5 };
+  for (int i = 0; i < 2; ++i)
+  {
+    const water_prop prop = { { -0.1, 0.1, -0.1, 0.1, 1.0, tops[i] }, WATER_PROP_VISIBLE };
+    water_fate fate;
+    scene.props = &prop;
+    scene.prop_count = 1;
+    const water_plan plan = plan_of(&scene, &fate);
+    const double top[3] = { 0.0, 0.0, tops[i] };
+    double clip[4];
+    project(&plan.mirrored, top, 1.0, clip);
+    assert_true(1.0 - clip[2] / clip[3] > 1.9e-6);
+    assert_int_equal(plan.depth_scale < 1.0, i == 0);
+  }
+}
+
 // However far a drawn prop reaches, no point of it that is in front of the mirrored camera lies
 // beyond its far plane; picture and near plane stay, and so does everything if nothing reaches out.
 TEST(far_plane_moves_behind_the_drawn_props)
@@ -309,6 +350,8 @@ int main(void)
     RUN(point_above_water_is_seen_as_its_mirror_image),
     RUN(mirrored_twice_is_the_eye),
     RUN(clip_has_the_sign_of_the_height),
+    RUN(far_plane_stays_without_a_reason),
+    RUN(far_plane_keeps_its_margin),
     RUN(far_plane_moves_behind_the_drawn_props),
     RUN(oblique_near_plane_is_the_clip_plane),
     RUN(oblique_refuses_what_keeps_nothing),

@@ -197,6 +197,111 @@ TEST(backwards_is_the_order_backwards)
   free(terrain);
 }
 
+// The last piece has what is left, from none to one less than a piece, both ways around.
+TEST(last_piece_has_what_is_left)
+{
+  UNUSED;
+  enum
+  {
+    MOST = 3 * WATER_PIECE_TRIANGLES
+  };
+  water_pieces_view all;
+  memset(&all, 0, sizeof all);
+  water_frustum_prepare(&all.frustum);
+  uint32_t indices[3 * MOST];
+  for (uint32_t i = 0; i < 3 * MOST; ++i)
+  {
+    indices[i] = i;
+  }
+  for (size_t count = 1; count <= MOST; ++count)
+  {
+    // exact sizes: a sanitizer sees what is read or written beyond
+    const size_t pieces = (count + WATER_PIECE_TRIANGLES - 1) / WATER_PIECE_TRIANGLES;
+    double(*boxes)[6] = calloc(pieces, sizeof *boxes);
+    uint32_t* drawn = malloc(3 * count * sizeof *drawn);
+    assert_non_null(boxes);
+    assert_non_null(drawn);
+    for (int way = 0; way < 2; ++way)
+    {
+      water_trend trend;
+      memset(&trend, 0, sizeof trend);
+      assert_int_equal(
+        water_pieces_select(&all, indices, count, boxes, way, &trend, drawn), 3 * count);
+      for (uint32_t i = 0; i < 3 * count; ++i)
+      {
+        const uint32_t triangle = way ? (uint32_t)count - 1 - i / 3 : i / 3;
+        assert_int_equal(drawn[i], 3 * triangle + i % 3);
+      }
+    }
+    free(drawn);
+    free(boxes);
+  }
+}
+
+// A step is counted in a cell of the picture, between the middles of two boxes before the eye, if
+// they are not as far as each other. The view is a cube with the eye in its side z = 0.
+TEST(steps_are_counted_by_cell_and_distance)
+{
+  UNUSED;
+  const double planes[6][4] = { { 1, 0, 0, 1 }, { -1, 0, 0, 1 }, { 0, 1, 0, 1 }, { 0, -1, 0, 1 },
+    { 0, 0, 1, 0 }, { 0, 0, -1, 9 } };
+  const struct
+  {
+    double middles[3][3];
+    int nearer;
+    int farther;
+  } cases[6] = {
+    { { { 0.1, 0.1, 1.0 }, { 0.1, 0.1, 2.0 }, { 0.1, 0.1, 1.5 } }, 1, 1 },
+    { { { 0.1, 0.1, 2.0 }, { 0.1, 0.1, 2.0 }, { 0.1, 0.1, 2.0 } }, 0, 0 },
+    { { { 0.1, 0.1, 1.0 }, { 0.1, 0.1, 0.0 }, { 0.1, 0.1, 2.0 } }, 0, 1 }, // the second: at the eye
+    { { { 0.5, 0.1, 1.0 }, { 0.95, 0.1, 2.0 }, { -0.5, 0.1, 3.0 } }, 0, 0 },
+    { { { 0.1, 0.5, 1.0 }, { 0.1, 0.95, 2.0 }, { 0.1, -0.5, 3.0 } }, 0, 0 },
+    { { { -0.95, 0.1, 2.0 }, { -1.5, 0.1, 1.0 }, { -0.99, 0.1, 4.0 } }, 1, 1 }, // past the side
+  };
+  for (int i = 0; i < 6; ++i)
+  {
+    water_pieces_view view;
+    water_trend trend;
+    uint32_t indices[9 * WATER_PIECE_TRIANGLES] = { 0 };
+    uint32_t drawn[9 * WATER_PIECE_TRIANGLES];
+    double boxes[3][6];
+    memset(&view, 0, sizeof view);
+    memset(&trend, 0, sizeof trend);
+    memcpy(view.frustum.planes, planes, sizeof planes);
+    water_frustum_prepare(&view.frustum);
+    for (int j = 0; j < 18; ++j)
+    {
+      boxes[j / 6][j % 6] = cases[i].middles[j / 6][j % 6 / 2] + (j % 2 ? 0.75 : -0.75);
+    }
+    const size_t count = sizeof indices / sizeof indices[0];
+    assert_int_equal(
+      water_pieces_select(&view, indices, count / 3, boxes, false, &trend, drawn), count);
+    assert_int_equal(trend.nearer_steps, cases[i].nearer);
+    assert_int_equal(trend.farther_steps, cases[i].farther);
+  }
+}
+
+// What a mesh's own place adds to the numbers that are summed, its rounding must know.
+TEST(rounding_knows_how_far_the_mesh_is_moved)
+{
+  UNUSED;
+  const double moves[3][16] = { { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 },
+    { 1, 0, 0, 3, 0, 1, 0, -4, 0, 0, 1, 12, 0, 0, 0, 1 },
+    { 0, -2, 0, 0, 2, 0, 0, 0, 0, 0, 2, -7, 0, 0, 0, 1 } };
+  const double lengths[3] = { 0.0, 13.0, 7.0 };
+  const water_scene scene = lake();
+  const water_plan plan = plan_of(&scene, NULL);
+  double reach = 0.0;
+  for (int i = 0; i < 3; ++i)
+  {
+    water_pieces_view view;
+    water_pieces_look(&plan, NULL, moves[i], &view);
+    reach = i == 0 ? view.frustum.reach : reach;
+    ASSERT_CLOSE(view.frustum.reach, reach + lengths[i], 1e-12);
+  }
+  assert_true(reach > 0.0);
+}
+
 // A mesh whose rows lie one behind the other goes away from an eye at its first row and comes
 // nearer to one at its last; so do its columns, within every row.
 TEST(the_trend_says_which_end_is_near)
@@ -239,6 +344,9 @@ int main(void)
     RUN(indices_out_of_the_points_are_refused),
     RUN(what_is_seen_is_kept_in_its_order),
     RUN(backwards_is_the_order_backwards),
+    RUN(last_piece_has_what_is_left),
+    RUN(steps_are_counted_by_cell_and_distance),
+    RUN(rounding_knows_how_far_the_mesh_is_moved),
     RUN(the_trend_says_which_end_is_near),
     RUN(points_of_both_kinds_and_without_an_end),
   };

@@ -256,6 +256,73 @@ TEST(turning_the_plane_over_only_changes_the_side)
   }
 }
 
+// Of many props each has the fate that it has alone; they reach as far, and as high, as the
+// farthest and the highest of them, and the first without an end is named. They are looked at some
+// hundreds at a time.
+TEST(many_props_are_each_decided_as_alone)
+{
+  UNUSED;
+  enum
+  {
+    COUNT = 700
+  };
+  static water_prop props[COUNT];
+  static water_fate fates[COUNT];
+  dice from = dice_seeded(90);
+  for (int i = 0; i < COUNT; ++i)
+  {
+    props[i].flags = WATER_PROP_VISIBLE;
+    for (int j = 0; j < 6; j += 2)
+    {
+      props[i].bounds[j] = dice_roll(&from, -30.0, 30.0);
+      props[i].bounds[j + 1] = props[i].bounds[j] + dice_roll(&from, 0.0, 9.0);
+    }
+  }
+  const double far_out[6] = { -9000.0, 9000.0, 3000.0, 3001.0, 1.0, 2000.0 };
+  const double high[6] = { -1.0, 1.0, 2.0, 3.0, 1.0, 4000.0 };
+  memcpy(props[300].bounds, far_out, sizeof far_out);
+  memcpy(props[400].bounds, high, sizeof high);
+  for (int way = 0; way < 2; ++way)
+  {
+    water_scene scene = lake();
+    scene.skips =
+      way == 0 ? WATER_MAY_SKIP_ALL : WATER_MAY_SKIP_ALL & ~(unsigned)WATER_MAY_SKIP_PROPS;
+    scene.props = props;
+    scene.prop_count = COUNT;
+    const water_plan all = plan_of(&scene, fates);
+    double top = 0.0;
+    double scale = 1.0;
+    int skipped = 0;
+    scene.prop_count = 1;
+    for (int i = 0; i < COUNT; ++i)
+    {
+      water_fate fate = WATER_FATE_COUNT;
+      scene.props = props + i;
+      const water_plan one = plan_of(&scene, &fate);
+      assert_int_equal(fate, fates[i]);
+      top = fmax(top, one.map_top);
+      scale = fmin(scale, one.depth_scale);
+      skipped += fate != WATER_DRAW;
+    }
+    assert_in_range(skipped, way == 0 ? 100 : 0, way == 0 ? COUNT - 100 : 0);
+    assert_true(top == 4000.0 && scale < 1.0);
+    ASSERT_CLOSE(all.map_top, top, 0.0);
+    ASSERT_CLOSE(all.depth_scale, scale, 0.0);
+  }
+  const int bad[2] = { 600, 301 };
+  for (int i = 0; i < 2; ++i)
+  {
+    water_scene scene = lake();
+    water_plan plan;
+    props[bad[i]].bounds[0] = (double)NAN;
+    scene.props = props;
+    scene.prop_count = COUNT;
+    assert_int_equal(water_plan_make(&scene, &plan, fates), WATER_BAD_PROP_BOUNDS);
+    assert_int_equal(plan.culprit, bad[i]);
+    assert_int_equal(fates[bad[i]], WATER_DRAW);
+  }
+}
+
 int main(void)
 {
   const struct CMUnitTest tests[] = {
@@ -265,6 +332,7 @@ int main(void)
     RUN(props_are_not_looked_at_when_nothing_is_drawn),
     RUN(view_is_planned_without_a_mirror),
     RUN(plan_is_a_pure_function),
+    RUN(many_props_are_each_decided_as_alone),
     RUN(turning_the_plane_over_only_changes_the_side),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);

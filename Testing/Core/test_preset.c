@@ -68,6 +68,21 @@ TEST(waves_have_the_size_of_their_name)
   ASSERT_CLOSE(slope, 0.027, 0.0005);
 }
 
+// The ripples of a pool cross: to both sides of the longest one.
+TEST(ripples_of_a_pool_cross)
+{
+  UNUSED;
+  const water_preset pool = preset_of("pool");
+  int left = 0;
+  int right = 0;
+  for (size_t i = 0; i < (size_t)pool.wave_count; ++i)
+  {
+    left += pool.waves[i].direction_rad > 0.5;
+    right += pool.waves[i].direction_rad < -0.5;
+  }
+  assert_true(left > 0 && right > 0);
+}
+
 // A pool's bed is seen through 2 m, a tropical lagoon's through 5, a river's not through 3; pools
 // and lagoons turn cyan (red goes first), the river keeps green and red over blue; a mirror is a
 // mirror.
@@ -113,6 +128,7 @@ int main(void)
   const struct CMUnitTest tests[] = {
     RUN(presets_are_good_input),
     RUN(waves_have_the_size_of_their_name),
+    RUN(ripples_of_a_pool_cross),
     RUN(water_has_the_clarity_of_its_name),
     RUN(unknown_names_are_refused),
   };

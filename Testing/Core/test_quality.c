@@ -512,6 +512,124 @@ TEST(roughness_is_of_a_pixel_on_the_water)
   ASSERT_CLOSE(roughness.turn_rad, 0.0, 0.0);
 }
 
+// In a view that is tilted and rolled the pixel that counts is the smallest in a corner of what the
+// map is drawn for: view rays through it, the pixel to its right and the one above meet the water
+// at places that far apart. The map is flipped.
+TEST(roughness_is_of_the_smallest_pixel_in_a_corner)
+{
+  UNUSED;
+  const double eye[3] = { 0.0, -10.0, 5.0 };
+  const double target[3] = { 0.0, 0.0, 0.0 };
+  const double up[3] = { 0.3, 0.0, 1.0 };
+  for (int side = -1; side <= 1; side += 2)
+  {
+    water_scene scene = lake();
+    look_at(eye, target, up, scene.eye.world_to_view);
+    scene.surface_bounds[0] = side < 0 ? -6.0 : 2.0;
+    scene.surface_bounds[1] = side < 0 ? -2.0 : 6.0;
+    scene.surface_bounds[3] = -2.0; // its picture's corners are under the horizon
+    scene.viewport_px[0] = 80;
+    scene.viewport_px[1] = 60;
+    const water_plan plan = plan_of(&scene, NULL);
+    const int* rect = plan.texture_rect_px;
+    const double* view = scene.eye.world_to_view;
+    double least = DBL_MAX;
+    for (int corner = 0; corner < 4; ++corner)
+    {
+      const double x_px = plan.texture_px[0] - (rect[0] + (corner & 1 ? rect[2] : 0));
+      const double y_px = rect[1] + (corner & 2 ? rect[3] : 0);
+      double places[3][2];
+      for (int ray = 0; ray < 3; ++ray)
+      {
+        const double x = 4.0 / 3.0 * (2.0 * (x_px + (ray == 1)) / 80.0 - 1.0);
+        const double y = 2.0 * (y_px + (ray == 2)) / 60.0 - 1.0;
+        double dir[3];
+        for (int i = 0; i < 3; ++i)
+        {
+          dir[i] = x * view[i] + y * view[4 + i] - view[8 + i];
+        }
+        assert_true(dir[2] < 0.0);
+        places[ray][0] = eye[0] - eye[2] / dir[2] * dir[0];
+        places[ray][1] = eye[1] - eye[2] / dir[2] * dir[1];
+      }
+      const double across = hypot(places[1][0] - places[0][0], places[1][1] - places[0][1]);
+      const double along = hypot(places[2][0] - places[0][0], places[2][1] - places[0][1]);
+      least = fmin(least, hypot(across, along));
+    }
+    water_roughness roughness;
+    water_quality_look(&scene, &plan, 3.0, &roughness);
+    ASSERT_CLOSE(roughness.turn_rad, 3.0 * least / sqrt(2.0), 1e-9);
+  }
+}
+
+// With half of the time fixed a finer step, 0.84 of the scale for 0.71, costs 1.134 times as much:
+// frames of 6.6 ms lead to one of 7.5 in a budget of 10, frames of 7.2 to none; and what was
+// measured on too few frames teaches nothing about that share.
+TEST(fixed_share_is_believed)
+{
+  UNUSED;
+  const double times_ms[2] = { 6.6, 7.2 };
+  for (int i = 0; i < 2; ++i)
+  {
+    water_quality_state control = { .step = 2, .before_step = 1, .fixed_share = 0.5 };
+    for (int frame = 0; frame < 1000 && control.step == 2; ++frame)
+    {
+      assert_int_equal(water_quality_for_budget(&control, 0, 10.0, times_ms[i]), WATER_OK);
+      assert_true(control.fixed_share == 0.5);
+    }
+    assert_int_equal(control.step, i == 0 ? 1 : 2);
+  }
+}
+
+// A coarser step must have an error of nine tenths of the target, and that is enough.
+TEST(margin_of_a_coarser_step_is_a_tenth)
+{
+  UNUSED;
+  const water_roughness calm = { 0.0, 0.0, 0.0 };
+  int found = 0;
+  for (int step = 1; step < WATER_QUALITY_STEPS; ++step)
+  {
+    double error_px = 0.0;
+    assert_int_equal(water_quality_error(step, &calm, &error_px), WATER_OK);
+    const double target_px = error_px / 0.9;
+    if (0.9 * target_px == error_px) // as doubles round
+    {
+      int chosen = 0;
+      assert_int_equal(water_quality_for_error(target_px, &calm, &chosen), WATER_OK);
+      assert_int_equal(chosen, step);
+      ++found;
+    }
+  }
+  assert_in_range(found, 1, WATER_QUALITY_STEPS);
+}
+
+// Frames that take just the budget are neither too long nor too short: after any number of them
+// long ones are answered as if they were the first.
+TEST(frames_of_just_the_budget_count_for_nothing)
+{
+  UNUSED;
+  const double long_ms[3] = { 14.0, 20.0, 40.0 };
+  for (int i = 0; i < 3; ++i)
+  {
+    water_quality_state fresh = { 0 };
+    water_quality_state used = { 0 };
+    for (int frame = 0; frame < 25; ++frame)
+    {
+      assert_int_equal(water_quality_for_budget(&used, 0, 10.0, 10.0), WATER_OK);
+      assert_int_equal(used.step, 0);
+    }
+    int frames = 0;
+    for (; fresh.step == 0 && frames < 100; ++frames)
+    {
+      assert_int_equal(used.step, 0);
+      assert_int_equal(water_quality_for_budget(&fresh, 0, 10.0, long_ms[i]), WATER_OK);
+      assert_int_equal(water_quality_for_budget(&used, 0, 10.0, long_ms[i]), WATER_OK);
+    }
+    assert_in_range(fresh.step, 1, WATER_QUALITY_STEPS - 1);
+    assert_int_equal(used.step, fresh.step);
+  }
+}
+
 // Half of a frame's time is the water's; what VTK asks for a picture that stands still is no
 // budget.
 TEST(update_rates_have_their_budgets)
@@ -544,6 +662,10 @@ int main(void)
     RUN(budget_is_shared_by_area),
     RUN(bad_input_is_refused),
     RUN(roughness_is_of_a_pixel_on_the_water),
+    RUN(roughness_is_of_the_smallest_pixel_in_a_corner),
+    RUN(fixed_share_is_believed),
+    RUN(margin_of_a_coarser_step_is_a_tenth),
+    RUN(frames_of_just_the_budget_count_for_nothing),
     RUN(update_rates_have_their_budgets),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);

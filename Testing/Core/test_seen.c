@@ -53,6 +53,7 @@ TEST(counts_are_sums)
     255, 0, 0, 0 };
   const uint32_t expected[12] = { 0, 0, 0, 0, 0, 0, 1, 1, 0, 1, 2, 3 };
   uint32_t counts[12];
+  memset(counts, 0xff, sizeof counts);
   water_seen seen = { { 24, 16 }, { 0, 0, 24, 16 }, 8, { 3, 2 }, counts };
   water_seen_sum(&seen, cells, 4);
   assert_memory_equal(counts, expected, sizeof expected);
@@ -65,10 +66,10 @@ TEST(closed_cells_are_rectangles)
   UNUSED;
   const uint8_t cells[3 * 3] = { 0, 0, 0, 1, 0, 1, 0, 1, 0 };
   uint32_t counts[16];
-  water_seen seen = { { 80, 40 }, { 40, 20, 20, 24 }, 8, { 3, 3 }, counts };
+  water_seen seen = { { 80, 40 }, { 40, 4, 20, 24 }, 8, { 3, 3 }, counts };
   float boxes[6][4];
-  const float expected[4][4] = { { 40, 20, 60, 28 }, { 48, 28, 56, 36 }, { 40, 36, 48, 44 },
-    { 56, 36, 60, 44 } };
+  const float expected[4][4] = { { 40, 4, 60, 12 }, { 48, 12, 56, 20 }, { 40, 20, 48, 28 },
+    { 56, 20, 60, 28 } };
   water_seen_sum(&seen, cells, 1);
   assert_int_equal(water_seen_closed(&seen, boxes), 4);
   for (int i = 0; i < 4; ++i)
@@ -174,6 +175,54 @@ TEST(what_cannot_be_told_is_drawn)
   assert_false(water_seen_meets(&seen, to_clip, beside, 0.0));
 }
 
+// A dot in the middle of its cell meets the one that is looked up, two cells away on any side, when
+// it reaches as far, 12 pixels, a quarter being granted; the picture begins beside the map.
+TEST(reach_is_the_same_on_each_side)
+{
+  UNUSED;
+  const double to_clip[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 };
+  const int steps[4][2] = { { -2, 0 }, { 2, 0 }, { 0, -2 }, { 0, 2 } };
+  uint32_t counts[21 * 11];
+  water_seen seen = { { 320, 200 }, { 100, 60, 160, 80 }, 8, { 20, 10 }, counts };
+  const double x_px = 100.0 + 8.0 * 7 + 4.0; // the cell (7, 5)
+  const double y_px = 60.0 + 8.0 * 5 + 4.0;
+  const double x = 2.0 * x_px / 320.0 - 1.0;
+  const double y = 2.0 * y_px / 200.0 - 1.0;
+  const double dot[6] = { x, x, y, y, 0.0, 0.0 };
+  for (int i = 0; i < 4; ++i)
+  {
+    uint8_t cells[20 * 10] = { 0 };
+    cells[(5 + steps[i][1]) * 20 + 7 + steps[i][0]] = 1;
+    water_seen_sum(&seen, cells, 1);
+    assert_false(water_seen_meets(&seen, to_clip, dot, 0.0));
+    assert_false(water_seen_meets(&seen, to_clip, dot, 11.7));
+    assert_true(water_seen_meets(&seen, to_clip, dot, 11.8));
+    assert_true(water_seen_meets(&seen, to_clip, dot, 1e6));
+  }
+}
+
+// The pixels of a cell are its own where map and picture have the same; where the picture has twice
+// as many a cell has 16, and a pixel and a half beside them lie between its texels and others.
+TEST(pixels_of_a_cell_are_counted)
+{
+  UNUSED;
+  const int texture_px[2] = { 100, 60 };
+  const int rect_px[4] = { 10, 20, 40, 30 };
+  for (int ratio = 1; ratio <= 2; ++ratio)
+  {
+    const int viewport_px[2] = { 100 * ratio, 60 * ratio };
+    const double filter = ratio == 1 ? 0.0 : 1.5;
+    water_seen_walk walk;
+    water_seen_walk_of(texture_px, rect_px, viewport_px, 8, &walk);
+    for (int i = 0; i < 2; ++i)
+    {
+      ASSERT_CLOSE(walk.first[i], ratio * rect_px[i] - filter, 1e-12);
+      ASSERT_CLOSE(walk.step[i], 8.0 * ratio, 1e-12);
+      assert_int_equal(walk.size[i], ratio == 1 ? 8 : 20); // 19, from between two pixels on
+    }
+  }
+}
+
 // Every pixel of the picture asks for the texels around its place in the map; the cells of all of
 // them must go through it.
 TEST(cells_go_through_all_that_look_them_up)
@@ -215,6 +264,8 @@ int main(void)
     RUN(closed_cells_are_rectangles),
     RUN(what_is_seen_is_kept),
     RUN(what_cannot_be_told_is_drawn),
+    RUN(reach_is_the_same_on_each_side),
+    RUN(pixels_of_a_cell_are_counted),
     RUN(cells_go_through_all_that_look_them_up),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);

@@ -2,7 +2,9 @@
 // test_select.c: step 3: side of the eye, is the water seen, fate of each prop.
 #include "test_scene.h"
 
+#include "water_camera.h"
 #include "water_math.h"
+#include "water_select.h"
 
 static const double nearby[3] = { 1.0, 2.0, 3.0 };
 enum
@@ -129,6 +131,48 @@ TEST(eye_on_the_plane_is_told_from_rounding)
     water_status status = water_plan_make(&scene, &plan, NULL);
     assert_int_equal(status, WATER_OK);
     assert_int_equal(plan.side, to_eye > 0.0 ? WATER_ABOVE : WATER_BELOW);
+  }
+}
+
+// A sine of exactly 1e-9 is still edge-on, from either side, and the next double is not.
+TEST(parallel_view_is_edge_on_up_to_the_stated_sine)
+{
+  UNUSED;
+  const water_plane plane = { { 0.0, 0.0, 1.0 }, 0.0 };
+  const double sines[4] = { -1e-9, 1e-9, nextafter(-1e-9, -1.0), nextafter(1e-9, 1.0) };
+  const water_side expected[4] = { WATER_EDGE_ON, WATER_EDGE_ON, WATER_ABOVE, WATER_BELOW };
+  for (int i = 0; i < 4; ++i)
+  {
+    water_eye eye = { { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 } };
+    eye.ndc_to_dir[2] = 1.0;
+    eye.ndc_to_dir[8] = sines[i];
+    water_side side = WATER_EDGE_ON;
+    assert_int_equal(water_select_side(&eye, &plane, &side), WATER_OK);
+    assert_int_equal(side, expected[i]);
+  }
+}
+
+// An eye as high as the rounding may be is on the plane, and one a rounding higher is not: the
+// lengths 1/4 of the offset, 1/2 to the origin of the view and 1/4 to the eye from there are 1
+// together, of which 24 roundings are allowed.
+TEST(eye_is_on_the_plane_up_to_the_stated_rounding)
+{
+  UNUSED;
+  const double bound = 24.0 * DBL_EPSILON;
+  for (int side = -1; side <= 1; side += 2)
+  {
+    for (int i = 0; i < 2; ++i)
+    {
+      const double height = i == 0 ? bound : bound + DBL_EPSILON;
+      const water_plane plane = { { 0.0, 0.0, 1.0 }, -0.25 * side };
+      water_eye eye = { { 1, 0, 0, 0.5 - bound, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 } };
+      eye.has_center = true;
+      eye.center_view[2] = side * (0.25 + height);
+      water_side found = WATER_EDGE_ON;
+      assert_int_equal(
+        water_select_side(&eye, &plane, &found), i == 0 ? WATER_CAMERA_ON_PLANE : WATER_OK);
+      assert_int_equal(found, i == 0 ? WATER_EDGE_ON : side > 0 ? WATER_ABOVE : WATER_BELOW);
+    }
   }
 }
 
@@ -396,6 +440,8 @@ int main(void)
     RUN(parallel_side_of_a_wide_and_shifted_view),
     RUN(parallel_view_along_the_water_is_edge_on),
     RUN(eye_on_the_plane_is_told_from_rounding),
+    RUN(parallel_view_is_edge_on_up_to_the_stated_sine),
+    RUN(eye_is_on_the_plane_up_to_the_stated_rounding),
     RUN(flags_decide_in_their_order),
     RUN(boxes_decide_in_their_order),
     RUN(bounds_that_are_not_finite_name_their_prop),

@@ -38,6 +38,15 @@ TEST(every_reason_has_its_switch)
   }
 }
 
+TEST(all_skips_are_all_of_them)
+{
+  UNUSED;
+  const unsigned all = WATER_MAY_SKIP_UNSEEN | WATER_MAY_SKIP_HIDDEN | WATER_MAY_SKIP_FAINT |
+    WATER_MAY_SKIP_UNCHANGED | WATER_MAY_SKIP_SHARED | WATER_MAY_SKIP_PROPS |
+    WATER_MAY_SKIP_PIECES | WATER_MAY_SKIP_PIXELS;
+  assert_int_equal(WATER_MAY_SKIP_ALL, all);
+}
+
 // A surface that is not drawn from above is drawn from below, and the other way round.
 TEST(facing_away_depends_on_the_side)
 {
@@ -158,6 +167,46 @@ TEST(wide_points_are_drawn_beside_the_pyramid)
   assert_int_equal(fates[0], WATER_SKIP_OUT_OF_WATER);
 }
 
+// On each side of what is looked up, 10 pixels off: 18 pixels wide, and one for antialiasing,
+// reaches it; 2 pixels wide is thin, and none of it is asked.
+TEST(half_a_width_and_a_pixel_reach_on_each_side)
+{
+  UNUSED;
+  water_scene scene = pool(1.0);
+  const water_plan plan = plan_of(&scene, NULL);
+  const int* rect = plan.texture_rect_px;
+  const double off_px[3] = { 10.0, 10.0, 1.5 };
+  const float width_px[3] = { 18.02f, 17.98f, 2.0f };
+  for (int round = 0; round < 3; ++round)
+  {
+    water_prop props[9];
+    water_fate fates[5];
+    for (int i = 0; i < 9; ++i)
+    {
+      double place[2] = { rect[0] + 0.5 * rect[2], rect[1] + 0.5 * rect[3] };
+      if (i >= 5)
+      {
+        const int side = i - 5;
+        place[side % 2] =
+          side < 2 ? rect[side] - off_px[round] : rect[side - 2] + rect[side] + off_px[round];
+      }
+      // 12 over the mirrored eye, to which left is right
+      const double x = -12.0 * (2.0 * place[0] / plan.texture_px[0] - 1.0);
+      const double y = 12.0 * (2.0 * place[1] / plan.texture_px[1] - 1.0);
+      const water_prop prop = { { x, x, y, y, 2.0, 2.0 }, visible, width_px[round] };
+      props[i] = prop;
+    }
+    scene.props = props + 4; // what is before it is in the middle of what is looked up
+    scene.prop_count = 5;
+    (void)plan_of(&scene, fates);
+    assert_int_equal(fates[0], WATER_DRAW);
+    for (int i = 1; i < 5; ++i)
+    {
+      assert_int_equal(fates[i], round == 0 ? WATER_DRAW : WATER_SKIP_OUT_OF_WATER);
+    }
+  }
+}
+
 // A box of 1 at a distance of 12 is 1 / 12 of half the picture: 33 pixels wide, 25 high.
 TEST(small_props_are_left_out_below_the_stated_size)
 {
@@ -177,6 +226,40 @@ TEST(small_props_are_left_out_below_the_stated_size)
   (void)plan_of(&scene, fates);
   assert_int_equal(fates[0], WATER_SKIP_TOO_SMALL);
   assert_int_equal(fates[1], WATER_DRAW);
+}
+
+// Small is what is below the stated size both ways: a box of 2 at a distance of 16 is an eighth of
+// half the picture, 50 pixels wide and 37.5 high, wherever it is; none is smaller than it is.
+TEST(either_side_of_a_box_may_be_its_size)
+{
+  UNUSED;
+  const double boxes[3][4] = { { -1.0, 1.0, -0.25, 0.25 }, { -0.25, 0.25, -1.0, 1.0 },
+    { 2.0, 4.0, -4.0, -3.5 } };
+  const double size_px[3] = { 50.0, 37.5, 50.0 };
+  for (int i = 0; i < 3; ++i)
+  {
+    const double* box = boxes[i];
+    const water_prop prop = { { box[0], box[1], box[2], box[3], 6.0, 6.0 }, visible };
+    water_fate fate;
+    water_scene scene = pool(5.0);
+    scene.props = &prop;
+    scene.prop_count = 1;
+    scene.prop_px_min = size_px[i];
+    (void)plan_of(&scene, &fate);
+    assert_int_equal(fate, WATER_DRAW);
+    scene.prop_px_min = nextafter(size_px[i], 100.0);
+    (void)plan_of(&scene, &fate);
+    assert_int_equal(fate, WATER_SKIP_TOO_SMALL);
+  }
+  // a pole up from the mirrored eye itself has no size
+  const water_prop pole = { { 0.0, 0.0, 0.0, 0.0, -10.0, 2.0 }, visible };
+  water_fate fate;
+  water_scene scene = pool(5.0);
+  scene.props = &pole;
+  scene.prop_count = 1;
+  scene.prop_px_min = 1.0;
+  (void)plan_of(&scene, &fate);
+  assert_int_equal(fate, WATER_DRAW);
 }
 
 // No ray that waves of a slope turn leaves the part that it is said to reach: rays of the eye,
@@ -345,6 +428,8 @@ TEST(map_waits_when_it_pays)
     assert_int_equal(
       water_plan_should_wait(&last, 0.85 * whole, WATER_MAY_SKIP_ALL), cases[i].can_wait);
     assert_false(water_plan_should_wait(&last, 0.95 * whole, WATER_MAY_SKIP_ALL));
+    assert_false(
+      cases[i].can_wait && water_plan_should_wait(&last, last.seen_px_max, WATER_MAY_SKIP_ALL));
     assert_false(water_plan_should_wait(
       &last, 0.85 * whole, WATER_MAY_SKIP_ALL & ~(unsigned)WATER_MAY_SKIP_PIXELS));
   }
@@ -388,7 +473,8 @@ TEST(what_is_seen_is_found_out_where_it_can_be)
   } cases[] = { { false, 63, 1.0, 0, true, false }, { false, 64, 1.0, 0, true, true },
     { false, 64, 0.5, 0, false, true }, { false, 63, 0.5, 0, false, false },
     { true, 0, 1.0, 0, false, true }, { true, 0, 0.5, 0, false, true },
-    { true, 64, 0.2, 0, false, false }, { false, 64, 1.0, WATER_MAY_SKIP_PIXELS, false, false },
+    { true, 0, 0.25, 0, false, true }, { true, 64, 0.2, 0, false, false },
+    { false, 64, 1.0, WATER_MAY_SKIP_PIXELS, false, false },
     { false, 64, 1.0, no_draws, true, false }, { true, 64, 1.0, no_draws, false, false } };
   for (size_t i = 0; i < sizeof cases / sizeof cases[0]; ++i)
   {
@@ -399,6 +485,14 @@ TEST(what_is_seen_is_found_out_where_it_can_be)
     const water_plan plan = plan_of(&scene, fates);
     assert_int_equal(plan.has_mask, cases[i].has_mask);
     assert_int_equal(plan.has_seen, cases[i].has_seen);
+    // of the picture's pixels that the map's rectangle covers nine tenths may be seen
+    const bool is_asked = cases[i].has_mask || cases[i].has_seen;
+    const int* rect = plan.texture_rect_px;
+    ASSERT_CLOSE(plan.seen_px_max,
+      is_asked
+        ? 0.9 * rect[2] * rect[3] * (800.0 / plan.texture_px[0]) * (600.0 / plan.texture_px[1])
+        : 0.0,
+      1e-6);
     for (int j = 0; j < 3; ++j)
     {
       water_scene other = scene;
@@ -426,11 +520,14 @@ int main(void)
 {
   const struct CMUnitTest tests[] = {
     RUN(every_reason_has_its_switch),
+    RUN(all_skips_are_all_of_them),
     RUN(facing_away_depends_on_the_side),
     RUN(faint_is_what_the_steepest_and_the_flattest_ray_reflect),
     RUN(props_outside_the_pyramid_are_left_out),
     RUN(rays_take_the_same_steps_with_all_props),
+    RUN(half_a_width_and_a_pixel_reach_on_each_side),
     RUN(small_props_are_left_out_below_the_stated_size),
+    RUN(either_side_of_a_box_may_be_its_size),
     RUN(wide_points_are_drawn_beside_the_pyramid),
     RUN(waves_look_nothing_up_beyond_their_reach),
     RUN(map_is_used_again_only_for_the_same),

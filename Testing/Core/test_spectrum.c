@@ -102,6 +102,39 @@ TEST(growing_sea_follows_the_charts)
   }
 }
 
+// Where two formulas of Donelan and Banner meet, a little apart, the one below still holds: along
+// the wind the share is beta / (2 tanh(pi beta)).
+TEST(spreading_changes_its_formula_where_it_should)
+{
+  UNUSED;
+  const water_sea sea = sea_of(10.0, 1e5, 3.3);
+  const double peak = water_sea_peak(&sea);
+  const double limits[3] = { 0.56, 0.95, 1.6 };
+  const double betas[3] = { 1.24, 2.61 * pow(0.95, 1.3), 2.28 * pow(1.6, -1.3) };
+  for (int i = 0; i < 3; ++i)
+  {
+    double omega = limits[i] * peak;
+    omega = omega / peak > limits[i] ? nextafter(omega, 0.0) : omega;
+    assert_true(omega / peak == limits[i]);
+    const double share = betas[i] / (2.0 * tanh(betas[i] * pi));
+    ASSERT_CLOSE(water_sea_spread(&sea, omega, 0.0), share, 1e-6);
+  }
+}
+
+// A range of wave numbers has an end beyond its begin.
+TEST(empty_ranges_of_waves_are_refused)
+{
+  UNUSED;
+  const water_sea sea = sea_of(10.0, 1e5, 3.3);
+  double height = -1.0;
+  double slope = -1.0;
+  double slopes[2];
+  assert_int_equal(water_sea_moments(&sea, 2.0, 2.0, &height, &slope), WATER_BAD_WAVENUMBER);
+  assert_int_equal(water_sea_slopes(&sea, 2.0, 2.0, slopes), WATER_BAD_WAVENUMBER);
+  assert_true(height == -1.0 && slope == -1.0);
+  assert_int_equal(water_sea_moments(&sea, 2.0, nextafter(2.0, 3.0), &height, &slope), WATER_OK);
+}
+
 // The peak is the peak: nothing to its left or right is higher.
 TEST(peak_is_the_highest)
 {
@@ -365,6 +398,8 @@ int main(void)
     RUN(shape_has_the_known_area_and_period),
     RUN(developed_sea_has_the_height_of_pierson_and_moskowitz),
     RUN(growing_sea_follows_the_charts),
+    RUN(spreading_changes_its_formula_where_it_should),
+    RUN(empty_ranges_of_waves_are_refused),
     RUN(peak_is_the_highest),
     RUN(depth_factor_has_its_limits),
     RUN(depth_factor_is_kitaigorodskiis),

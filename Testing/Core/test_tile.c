@@ -370,6 +370,7 @@ TEST(samples_are_bilinear_and_repeat)
     { 2.0, 4.0, 81.0 },  // column 1, row 2
     { 3.0, 4.0, 90.5 },  // halfway to column 2
     { 2.0, 5.0, 125.0 }, // to row 3
+    { 3.0, 5.0, 136.5 }, // between 81, 100, 169 and 196
     { 7.0, 7.0, 94.5 },  // between the four corners: 225, 144, 9 and 0
     { -1.0, -1.0, 94.5 },
     { 2.0 + 8e15, 4.0, 81.0 },

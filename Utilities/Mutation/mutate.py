@@ -4,8 +4,9 @@
 
 Each mutant is compiled alone, linked with the unchanged rest into a shared library, and the tests,
 built once, are run with that: those that include the file's header, the one of its own name first,
-then those that caught most so far. What none of them catches is tried again under the address and
-undefined behaviour sanitizers, as the preset sanitize would run them, and then with all tests. See
+then those that caught most so far, then the shortest. What none of them catches is tried again under the address and
+undefined behaviour sanitizers, as the preset sanitize would run them, and then with all tests. A
+test that never ends is known by the time it computes, which no load on the machine lengthens. See
 script/mutation.
 """
 import argparse
@@ -15,9 +16,11 @@ import os
 import pathlib
 import re
 import shutil
+import signal
 import subprocess
 import sys
 import threading
+import time
 
 from operators import mutants_of
 
@@ -25,8 +28,11 @@ PROJECT = pathlib.Path(__file__).resolve().parents[2]
 CORE = PROJECT / "Module/Core"
 TESTS = PROJECT / "Testing/Core"
 HERE = pathlib.Path(__file__).resolve().parent
+TABLE = "mutants.tsv"
 LEAST_CAUGHT = 0.95
-TIMEOUT_S = 20  # of one test; the longest takes half a second
+MOST_CPU_S = 5  # of one test; the longest takes 0.6 s
+
+NO_END = ", without end"
 
 COMMON = ["cc", "-std=c11", "-ffp-contract=off", "-fPIC", "-w"]
 KINDS = {  # how the core and its tests are compiled
@@ -36,12 +42,9 @@ KINDS = {  # how the core and its tests are compiled
 
 
 def run(command, **more):
-    """Runs a command; whether it succeeded in time."""
-    try:
-        return subprocess.run(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
-                              check=False, **more).returncode == 0
-    except subprocess.TimeoutExpired:
-        return False
+    """Runs a command; its exit status."""
+    return subprocess.run(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
+                          check=False, **more).returncode
 
 
 def must(command):
@@ -67,24 +70,31 @@ def including(header, *folders):
 class Build:
     """The core as it is, with its tests, compiled in one of the KINDS."""
 
-    def __init__(self, folder, kind):
+    def __init__(self, folder, kind, jobs):
         self.flags = KINDS[kind]
         self.core = folder / "core"
         self.bin = folder / "tests"
+        self.texts = folder / "texts"  # of the tests, which may be edited while this runs
         shutil.rmtree(folder, ignore_errors=True)
         shutil.copytree(CORE, self.core)
+        self.texts.mkdir()
+        for path in TESTS.glob("*.[ch]"):
+            shutil.copy(path, self.texts)
         self.bin.mkdir()
         self.sources = sorted(path.name for path in self.core.glob("*.c"))
-        self.tests = sorted(path.stem[5:] for path in TESTS.glob("test_*.c")
+        self.tests = sorted(path.stem[5:] for path in self.texts.glob("test_*.c")
                             if path.stem != "test_header")
-        for name in self.sources:
-            must(self.compile(self.core, name))
-        must(self.link(self.core))
+        with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
+            list(pool.map(must, [self.compile(self.core, name) for name in self.sources]))
+            must(self.link(self.core))
+            list(pool.map(must, [self.build_test(self.core, noun, self.bin)
+                                 for noun in self.tests]))
+        self.seconds = {}
         for noun in self.tests:
-            must(self.build_test(self.core, noun, self.bin))
-        failing = [noun for noun in self.tests if not self.passes(self.core, self.bin / noun)]
-        if failing:
-            sys.exit(f"without any mutant these tests fail ({kind}): {failing}")
+            began = time.monotonic()
+            if self.catch(self.core, self.bin / noun):
+                sys.exit(f"without any mutant test_{noun} fails ({kind})")
+            self.seconds[noun] = time.monotonic() - began
 
     def compile(self, core, name):
         return [*COMMON, *self.flags, "-c", core / name, "-o", core / (name + ".o")]
@@ -95,14 +105,17 @@ class Build:
 
     def build_test(self, core, noun, folder):
         return [*COMMON, *self.flags, "-I", core, "-I", PROJECT / "Module/GLSL",
-                TESTS / f"test_{noun}.c", "-o", folder / noun, "-L", core, "-lwater_core",
+                self.texts / f"test_{noun}.c", "-o", folder / noun, "-L", core, "-lwater_core",
                 "-lcmocka", "-lm"]
 
     @staticmethod
-    def passes(core, program):
-        """Whether a test passes with the library of a folder."""
+    def catch(core, program):
+        """What a test says of the library of a folder: nothing when it passes."""
         environment = dict(os.environ, LD_LIBRARY_PATH=str(core), ASAN_OPTIONS="detect_leaks=0")
-        return run([program], timeout=TIMEOUT_S, env=environment)
+        status = run(["prlimit", f"--cpu={MOST_CPU_S}", program], env=environment)
+        if status == -signal.SIGKILL:
+            return program.name + NO_END
+        return program.name if status else None
 
 
 class Bench:
@@ -121,31 +134,32 @@ class Bench:
         sources = {name}
         if name.endswith(".h"):
             sources = including(name, self.core) & set(self.build.sources)
-        return all(run(self.build.compile(self.core, source)) for source in sources)
+        return all(run(self.build.compile(self.core, source)) == 0 for source in sources)
 
     def _judge(self, name, order):
         programs = {noun: self.build.bin / noun for noun in self.build.tests}
         if name.endswith(".h"):
             # functions in headers are in the tests themselves: most need no other core to fail
             tests = [noun for noun in order
-                     if f"test_{noun}.c" in including(name, TESTS, self.core)]
+                     if f"test_{noun}.c" in including(name, self.build.texts, self.core)]
             for noun in tests:
                 programs[noun] = self.bin / noun
-                if not run(self.build.build_test(self.core, noun, self.bin)):
+                if run(self.build.build_test(self.core, noun, self.bin)):
                     return "compiler"
-                if not self.build.passes(self.core, programs[noun]):
-                    return noun
+                catch = self.build.catch(self.core, programs[noun])
+                if catch:
+                    return catch
         self.changed = name
-        if not self._compile(name) or not run(self.build.link(self.core)):
+        if not self._compile(name) or run(self.build.link(self.core)):
             return "compiler"
-        return next((noun for noun in order if not self.build.passes(self.core, programs[noun])),
-                    None)
+        catches = (self.build.catch(self.core, programs[noun]) for noun in order)
+        return next((catch for catch in catches if catch), None)
 
     def killer(self, mutant, order):
         """The first test that fails with a mutant, "compiler", or None: it survives."""
         if self.changed is not None and not (
                 self.changed == mutant.file and mutant.file.endswith(".c")):
-            if not self._compile(self.changed) or not run(self.build.link(self.core)):
+            if not self._compile(self.changed) or run(self.build.link(self.core)):
                 sys.exit(f"{self.changed} no longer builds")
             self.changed = None
         path = self.core / mutant.file
@@ -160,10 +174,10 @@ class Bench:
 class Judge:
     """Hands mutants to benches, one per thread, and remembers which tests catch most."""
 
-    def __init__(self, folder, kind, is_whole):
+    def __init__(self, folder, kind, jobs, is_whole):
         self.is_whole = is_whole
         self.folder = folder / kind
-        self.build = Build(self.folder / "original", kind)
+        self.build = Build(self.folder / "original", kind, jobs)
         self.local = threading.local()
         self.kills = collections.Counter()
 
@@ -175,11 +189,12 @@ class Judge:
         if not self.is_whole:
             header = f'#include "water_{own}.h"'
             nouns = [noun for noun in nouns if noun == own or
-                     header in (TESTS / f"test_{noun}.c").read_text()]
-        order = sorted(nouns, key=lambda noun: (noun != own, -self.kills[mutant.file, noun]))
+                     header in (self.build.texts / f"test_{noun}.c").read_text()]
+        order = sorted(nouns, key=lambda noun: (noun != own, -self.kills[mutant.file, noun],
+                                                self.build.seconds[noun]))
         killer = self.local.bench.killer(mutant, order)
         if killer:
-            self.kills[mutant.file, killer] += 1
+            self.kills[mutant.file, killer.removesuffix(NO_END)] += 1
         return killer
 
 
@@ -199,21 +214,32 @@ def read_equivalents():
     return reasons
 
 
-def judged(mutants, folder, kind, jobs, is_whole=False):
-    """(mutant, killer) of each, in order; progress to stderr. is_whole: by all tests."""
+def judged(mutants, folder, kind, jobs, how="", is_whole=False):
+    """(mutant, killer and how) of each, in order; progress to stderr. is_whole: by all tests.
+
+    What is caught goes to the table at once, so that --again can take up a run that was ended.
+    """
     if not mutants:
         return []
-    judge = Judge(folder, kind, is_whole)
+    judge = Judge(folder, kind, jobs, is_whole)
     killers = []
     with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
         for number, killer in enumerate(pool.map(judge.judge, mutants), 1):
-            killers.append(killer)
-            if not killer:
+            killers.append(killer + how if killer else None)
+            if killer:
+                with open(folder / TABLE, "a", encoding="utf-8") as table:
+                    table.write(f"{mutants[number - 1].key}\t{killers[-1]}\n")
+            else:
                 print(f"{kind}: alive: {mutants[number - 1].key}", file=sys.stderr)
             if number % 50 == 0 or number == len(mutants):
                 print(f"{kind}: {number} of {len(mutants)}, {killers.count(None)} alive",
                       file=sys.stderr, flush=True)
     return list(zip(mutants, killers))
+
+
+def write_table(path, verdicts):
+    with open(path, "w", encoding="utf-8") as table:
+        table.writelines(f"{key}\t{verdict}\n" for key, verdict in sorted(verdicts.items()))
 
 
 def main():
@@ -222,13 +248,14 @@ def main():
     parser.add_argument("--folder", type=pathlib.Path, default=PROJECT / "build/mutation")
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
     parser.add_argument("--again", action="store_true",
-                        help="believe the last run's table what was caught; only try the rest")
+                        help="believe the last run's table, ended or not, what was caught; only try the"
+                             " rest")
     arguments = parser.parse_args()
 
     paths = [CORE / name for name in arguments.files] or sorted(CORE.glob("*.[ch]"))
     mutants = [mutant for path in paths for mutant in mutants_of(path.name, path.read_text())]
     equivalents = read_equivalents()
-    table_path = arguments.folder / "mutants.tsv"
+    table_path = arguments.folder / TABLE
     known = {}  # of all files
     if table_path.exists():
         known = dict(line.split("\t") for line in table_path.read_text().splitlines())
@@ -236,6 +263,11 @@ def main():
     if arguments.again:
         last = {key: verdict for key, verdict in known.items()
                 if verdict not in ("equivalent", "ALIVE")}
+    else:
+        known = {key: verdict for key, verdict in known.items()
+                 if arguments.files and key.split(":")[0] not in arguments.files}
+        arguments.folder.mkdir(parents=True, exist_ok=True)
+        write_table(table_path, known)
     results = {mutant.key: last.get(mutant.key) for mutant in mutants}
     results.update((mutant.key, killer) for mutant, killer in judged(
         [mutant for mutant in mutants if mutant.key not in last],
@@ -243,16 +275,14 @@ def main():
     for kind, is_whole, how in (("sanitized", False, " under the sanitizers"), ("plain", True, "")):
         alive = [mutant for mutant in mutants
                  if not results[mutant.key] and mutant.key not in equivalents]
-        results.update((mutant.key, killer + how if killer else None) for mutant, killer in
-                       judged(alive, arguments.folder, kind, arguments.jobs, is_whole))
+        results.update((mutant.key, killer) for mutant, killer in
+                       judged(alive, arguments.folder, kind, arguments.jobs, how, is_whole))
 
-    arguments.folder.mkdir(parents=True, exist_ok=True)
     known = {key: verdict for key, verdict in known.items()
              if arguments.files and key.split(":")[0] not in arguments.files}
     known.update((key, killer or ("equivalent" if key in equivalents else "ALIVE"))
                  for key, killer in results.items())
-    with open(table_path, "w", encoding="utf-8") as table:
-        table.writelines(f"{key}\t{verdict}\n" for key, verdict in sorted(known.items()))
+    write_table(table_path, known)
 
     wrong = 0
     for key in equivalents:
