@@ -96,7 +96,12 @@ void vtkWaterScreen::DrawSky(vtkRenderer* renderer, const water_plan& plan)
   state->vtkglClearDepth(1.0);
   state->vtkglClearColor(static_cast<float>(bottom[0]), static_cast<float>(bottom[1]),
     static_cast<float>(bottom[2]), alpha);
-  state->vtkglClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  {
+    // all of it: drivers have a way for that which is faster than for a part
+    vtkOpenGLState::ScopedglEnableDisable scissor(state, GL_SCISSOR_TEST);
+    state->vtkglDisable(GL_SCISSOR_TEST);
+    state->vtkglClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  }
   if (!renderer->GetGradientBackground() || renderer->GetTexturedBackground() ||
     !Ready(this->Sky, window, vtkWaterSkyFS))
   {

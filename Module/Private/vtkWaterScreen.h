@@ -23,9 +23,9 @@ public:
   vtkWaterScreen();
   ~vtkWaterScreen();
 
-  // Clears the bound framebuffer, its viewport and scissor set, to the renderer's background as the
-  // mirrored view sees it: a plain colour, or the gradient in the direction of each ray. Textured
-  // backgrounds give their plain colour.
+  // Clears the bound framebuffer to the renderer's background as the mirrored view sees it: a plain
+  // colour, or, within its viewport and scissor, the gradient in the direction of each ray.
+  // Textured backgrounds give their plain colour.
   void DrawSky(vtkRenderer* renderer, const water_plan& plan);
 
   // Closes the pixels of the bound map that no visible water looks up.
