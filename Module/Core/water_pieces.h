@@ -20,7 +20,7 @@ enum
 {
   WATER_PIECE_TRIANGLES = 32, // of a piece; the last has what is left
   WATER_PIECES_MIN = 128,     // a smaller mesh is drawn as a whole
-  WATER_TREND_CELLS = 16      // of the picture, per axis
+  WATER_TREND_CELLS = 64      // of the picture, per axis
 };
 
 typedef struct water_points // xyz, one of the two
