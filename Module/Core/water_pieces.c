@@ -78,19 +78,19 @@ static double height_over(const double plane[4], const double point[3])
 }
 
 // Where between two planes of the view a place lies, as one of the cells; outside: the next one.
-static size_t cell_of(const double low[4], const double high[4], const double place[3])
+static size_t cell_of(const double low[4], const double high[4], int count, const double place[3])
 {
   const double from_low = height_over(low, place);
   const double share = from_low / (from_low + height_over(high, place));
-  return share > 0.0 ? (size_t)fmin(WATER_TREND_CELLS * share, WATER_TREND_CELLS - 1) : 0;
+  return share > 0.0 ? (size_t)fmin(count * share, count - 1) : 0;
 }
 
 static void add_to(water_trend* trend, const water_frustum* view, const double box[6])
 {
   const double center[3] = { 0.5 * (box[0] + box[1]), 0.5 * (box[2] + box[3]),
     0.5 * (box[4] + box[5]) };
-  const size_t column = cell_of(view->planes[0], view->planes[1], center);
-  const size_t row = cell_of(view->planes[2], view->planes[3], center);
+  const size_t column = cell_of(view->planes[0], view->planes[1], WATER_TREND_COLUMNS, center);
+  const size_t row = cell_of(view->planes[2], view->planes[3], WATER_TREND_ROWS, center);
   const double distance = height_over(view->planes[4], center);
   double* last = &trend->last_distance[row][column];
   if (!(distance > 0.0))

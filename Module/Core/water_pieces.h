@@ -20,7 +20,8 @@ enum
 {
   WATER_PIECE_TRIANGLES = 32, // of a piece; the last has what is left
   WATER_PIECES_MIN = 128,     // a smaller mesh is drawn as a whole
-  WATER_TREND_CELLS = 64      // of the picture, per axis
+  WATER_TREND_COLUMNS = 64,   // cells of the picture: what lies one behind the other is in a column
+  WATER_TREND_ROWS = 4
 };
 
 typedef struct water_points // xyz, one of the two
@@ -58,8 +59,8 @@ void water_pieces_look(const water_plan* plan, const water_seen* seen,
 // 0: none is drawn yet.
 typedef struct water_trend
 {
-  double last_distance[WATER_TREND_CELLS][WATER_TREND_CELLS]; // by place in the picture; 0: none
-  int nearer_steps;                                           // from piece to piece in a cell
+  double last_distance[WATER_TREND_ROWS][WATER_TREND_COLUMNS]; // by place in the picture; 0: none
+  int nearer_steps;                                            // from piece to piece in a cell
   int farther_steps;
 } water_trend;
 
