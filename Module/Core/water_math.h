@@ -297,6 +297,36 @@ static inline bool water_mat4_invert(const double matrix[16], double inverse[16]
   return true;
 }
 
+// The part of the picture around a box: low x, low y, high x, high y in NDC.
+//
+// to_clip  from the box's space
+//
+// Returns false where the box has no such part: a corner is not before the eye.
+static inline bool water_bounds_picture(
+  const double to_clip[16], const double bounds[6], double picture[4])
+{
+  picture[0] = picture[1] = DBL_MAX;
+  picture[2] = picture[3] = -DBL_MAX;
+  for (int number = 0; number < 8; ++number)
+  {
+    double corner[3];
+    double clip[4];
+    water_bounds_corner(bounds, number, corner);
+    water_mat4_apply_point(to_clip, corner, clip);
+    const double place[2] = { clip[0] / clip[3], clip[1] / clip[3] };
+    if (!(clip[3] > 0.0) || !water_all_finite(place, 2))
+    {
+      return false;
+    }
+    for (int i = 0; i < 2; ++i)
+    {
+      picture[i] = fmin(picture[i], place[i]);
+      picture[2 + i] = fmax(picture[2 + i], place[i]);
+    }
+  }
+  return true;
+}
+
 #ifdef __cplusplus
 }
 #endif

@@ -33,6 +33,7 @@ void water_seen_walk_of(const int texture_px[2], const int rect_px[4], const int
     const double filter = texture_px[i] == viewport_px[i] ? 0.0 : 0.5 * ratio + 0.5;
     walk->first[i] = rect_px[i] * ratio - filter;
     walk->step[i] = cell_px * ratio;
+    walk->pixel[i] = 2.0 / viewport_px[i];
     walk->size[i] = (int)ceil(walk->step[i] + 2.0 * filter) + (filter > 0.0);
   }
 }
@@ -97,24 +98,10 @@ size_t water_seen_closed(const water_seen* seen, float (*boxes)[4])
 bool water_seen_meets(
   const water_seen* seen, const double to_clip[16], const double bounds[6], double reach_px)
 {
-  double low[2] = { DBL_MAX, DBL_MAX };
-  double high[2] = { -DBL_MAX, -DBL_MAX };
-  for (int number = 0; number < 8; ++number)
+  double picture[4];
+  if (!water_bounds_picture(to_clip, bounds, picture))
   {
-    double corner[3];
-    double clip[4];
-    water_bounds_corner(bounds, number, corner);
-    water_mat4_apply_point(to_clip, corner, clip);
-    const double place[2] = { clip[0] / clip[3], clip[1] / clip[3] };
-    if (!(clip[3] > 0.0) || !water_all_finite(place, 2))
-    {
-      return true; // about the eye
-    }
-    for (int i = 0; i < 2; ++i)
-    {
-      low[i] = fmin(low[i], place[i]);
-      high[i] = fmax(high[i], place[i]);
-    }
+    return true; // about the eye
   }
   size_t first[2];
   size_t end[2];
@@ -123,9 +110,10 @@ bool water_seen_meets(
     // in cells, from the rectangle's corner
     const double reach = reach_px + rounding_px;
     const double from =
-      (0.5 * (1.0 + low[i]) * seen->texture_px[i] - reach - seen->rect_px[i]) / seen->cell_px;
+      (0.5 * (1.0 + picture[i]) * seen->texture_px[i] - reach - seen->rect_px[i]) / seen->cell_px;
     const double to =
-      (0.5 * (1.0 + high[i]) * seen->texture_px[i] + reach - seen->rect_px[i]) / seen->cell_px;
+      (0.5 * (1.0 + picture[2 + i]) * seen->texture_px[i] + reach - seen->rect_px[i]) /
+      seen->cell_px;
     if (!(to > 0.0) || !(from < seen->size[i]))
     {
       return false;

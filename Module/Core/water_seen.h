@@ -35,6 +35,7 @@ typedef struct water_seen_walk
   double first[2];
   double step[2];
   int size[2];
+  double pixel[2]; // its size in NDC
 } water_seen_walk;
 
 // cell_px      a side of a cell, in pixels of the map

@@ -82,26 +82,10 @@ bool water_select_is_in_view(const water_camera* camera, const double bounds[6])
 static bool is_smaller(
   const double world_to_clip[16], const int texture_px[2], const double bounds[6], double px)
 {
-  double low[2] = { DBL_MAX, DBL_MAX };
-  double high[2] = { -DBL_MAX, -DBL_MAX };
-  for (int number = 0; number < 8; ++number)
-  {
-    double corner[3];
-    double clip[4];
-    water_bounds_corner(bounds, number, corner);
-    water_mat4_apply_point(world_to_clip, corner, clip);
-    if (!(clip[3] > 0.0))
-    {
-      return false;
-    }
-    for (int i = 0; i < 2; ++i)
-    {
-      low[i] = fmin(low[i], clip[i] / clip[3]);
-      high[i] = fmax(high[i], clip[i] / clip[3]);
-    }
-  }
-  return 0.5 * texture_px[0] * (high[0] - low[0]) < px &&
-    0.5 * texture_px[1] * (high[1] - low[1]) < px;
+  double picture[4];
+  return water_bounds_picture(world_to_clip, bounds, picture) &&
+    0.5 * texture_px[0] * (picture[2] - picture[0]) < px &&
+    0.5 * texture_px[1] * (picture[3] - picture[1]) < px;
 }
 
 // Points and lines have a width in pixels whatever their distance: half of it may reach into the

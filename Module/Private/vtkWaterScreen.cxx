@@ -61,6 +61,27 @@ struct ScopedFirstBuffer
   bool HasMore;
 };
 
+// Draws write depths alone, whatever is there, while an object of this class lives.
+struct ScopedDepthsOnly
+{
+  explicit ScopedDepthsOnly(vtkOpenGLState* state)
+    : DepthTest(state, GL_DEPTH_TEST)
+    , DepthMask(state)
+    , DepthFunc(state)
+    , ColorMask(state)
+  {
+    state->vtkglEnable(GL_DEPTH_TEST);
+    state->vtkglDepthMask(GL_TRUE);
+    state->vtkglDepthFunc(GL_ALWAYS);
+    state->vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+  }
+
+  vtkOpenGLState::ScopedglEnableDisable DepthTest;
+  vtkOpenGLState::ScopedglDepthMask DepthMask;
+  vtkOpenGLState::ScopedglDepthFunc DepthFunc;
+  vtkOpenGLState::ScopedglColorMask ColorMask;
+};
+
 // Draws a full-screen quad over the current viewport with a fragment shader; false when it does not
 // compile.
 bool Ready(std::unique_ptr<vtkOpenGLQuadHelper>& quad, vtkOpenGLRenderWindow* window,
@@ -134,7 +155,6 @@ void vtkWaterScreen::DrawCovers(vtkOpenGLRenderWindow* window, const water_plan&
   const int* size = sceneDepth.GetSize();
   const int corner[2] = { sceneDepth.GetOrigin()[0] + size[0] - 1, sceneDepth.GetOrigin()[1] };
   const int last[2] = { size[0] - 1, size[1] - 1 };
-  const float pixel[2] = { 2.0f / static_cast<float>(size[0]), 2.0f / static_cast<float>(size[1]) };
   int viewport[4];
   window->GetState()->vtkglGetIntegerv(GL_VIEWPORT, viewport);
   const float count[2] = { static_cast<float>(viewport[2]), static_cast<float>(viewport[3]) };
@@ -142,6 +162,7 @@ void vtkWaterScreen::DrawCovers(vtkOpenGLRenderWindow* window, const water_plan&
   water_seen_walk_of(plan.texture_px, rect_px, size, cell_px, &walk);
   const float first[2] = { static_cast<float>(walk.first[0]), static_cast<float>(walk.first[1]) };
   const float step[2] = { static_cast<float>(walk.step[0]), static_cast<float>(walk.step[1]) };
+  const float pixel[2] = { static_cast<float>(walk.pixel[0]), static_cast<float>(walk.pixel[1]) };
   program->SetUniform2i("waterSceneCorner", corner);
   program->SetUniform2i("waterLastPixel", last);
   program->SetUniform2f("waterPixel", pixel);
@@ -164,15 +185,7 @@ void vtkWaterScreen::DrawMask(
   {
     return;
   }
-  vtkOpenGLState* state = window->GetState();
-  vtkOpenGLState::ScopedglEnableDisable depthTest(state, GL_DEPTH_TEST);
-  vtkOpenGLState::ScopedglDepthMask depthMask(state);
-  vtkOpenGLState::ScopedglDepthFunc depthFunc(state);
-  vtkOpenGLState::ScopedglColorMask colorMask(state);
-  state->vtkglEnable(GL_DEPTH_TEST);
-  state->vtkglDepthMask(GL_TRUE);
-  state->vtkglDepthFunc(GL_ALWAYS);
-  state->vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+  const ScopedDepthsOnly depthsOnly(window->GetState());
   const int whole[4] = { 0, 0, plan.texture_px[0], plan.texture_px[1] };
   glDepthRange(0.0, 0.0); // VTK keeps no record of it
   this->DrawCovers(window, plan, sceneDepth, whole, 1);
@@ -234,15 +247,7 @@ void vtkWaterScreen::DrawClosedCells(vtkRenderer* renderer, const water_seen& se
   {
     this->CoverArray = vtkSmartPointer<vtkOpenGLVertexArrayObject>::New();
   }
-  vtkOpenGLState* state = window->GetState();
-  vtkOpenGLState::ScopedglEnableDisable depthTest(state, GL_DEPTH_TEST);
-  vtkOpenGLState::ScopedglDepthMask depthMask(state);
-  vtkOpenGLState::ScopedglDepthFunc depthFunc(state);
-  vtkOpenGLState::ScopedglColorMask colorMask(state);
-  state->vtkglEnable(GL_DEPTH_TEST);
-  state->vtkglDepthMask(GL_TRUE);
-  state->vtkglDepthFunc(GL_ALWAYS);
-  state->vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+  const ScopedDepthsOnly depthsOnly(window->GetState());
   vtkOpenGLRenderUtilities::RenderTriangles(corners.data(),
     static_cast<unsigned int>(corners.size() / 3), triangles.data(),
     static_cast<unsigned int>(triangles.size()), nullptr, program, this->CoverArray);

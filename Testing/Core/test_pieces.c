@@ -110,12 +110,11 @@ TEST(what_is_seen_is_kept_in_its_order)
         double world[4];
         double clip[4];
         water_mat4_apply_point(model_to_world, local, world);
-        project(&plan.mirrored, world, 1.0, clip);
+        double px[2];
         const int* rect = plan.texture_rect_px;
-        const double x = 0.5 * (1.0 + clip[0] / clip[3]) * plan.texture_px[0] - rect[0];
-        const double y = 0.5 * (1.0 + clip[1] / clip[3]) * plan.texture_px[1] - rect[1];
-        is_seen = clip[2] >= -clip[3] && clip[3] > 0.0 && x >= 0.0 && x <= rect[2] && y >= 0.0 &&
-          y <= rect[3] && height_of(&random, world) >= 0.0;
+        map_place(&plan, world, clip, px);
+        is_seen = clip[2] >= -clip[3] && clip[3] > 0.0 && px[0] >= 0.0 && px[0] <= rect[2] &&
+          px[1] >= 0.0 && px[1] <= rect[3] && height_of(&random, world) >= 0.0;
       }
       assert_true(is_drawn || !is_seen);
       seen_sum += is_seen;

@@ -297,6 +297,27 @@ static inline void point_near(dice* from, const random_scene* random, double rea
   }
 }
 
+// One of 64 points of a box, spread over all of it.
+static inline void box_point(const double bounds[6], int number, double point[3])
+{
+  for (int i = 0; i < 3; ++i)
+  {
+    const double part = ((number >> (2 * i)) & 3) / 3.0;
+    point[i] = (1.0 - part) * bounds[2 * i] + part * bounds[2 * i + 1];
+  }
+}
+
+// Where the map shows a point, in pixels from the corner of the rectangle that is drawn.
+static inline void map_place(
+  const water_plan* plan, const double point[3], double clip[4], double px[2])
+{
+  project(&plan->mirrored, point, 1.0, clip);
+  for (int i = 0; i < 2; ++i)
+  {
+    px[i] = 0.5 * (1.0 + clip[i] / clip[3]) * plan->texture_px[i] - plan->texture_rect_px[i];
+  }
+}
+
 static inline water_plan plan_of(const water_scene* scene, water_fate* fates)
 {
   water_plan plan;

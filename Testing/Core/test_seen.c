@@ -118,19 +118,14 @@ TEST(what_is_seen_is_kept)
     {
       double point[3];
       double clip[4];
-      for (int i = 0; i < 3; ++i)
-      {
-        const double part = ((number >> (2 * i)) & 3) / 3.0;
-        point[i] = (1.0 - part) * prop.bounds[2 * i] + part * prop.bounds[2 * i + 1];
-      }
-      project(&plan.mirrored, point, 1.0, clip);
+      double px[2];
       const int* rect = plan.texture_rect_px;
-      const double x = 0.5 * (1.0 + clip[0] / clip[3]) * plan.texture_px[0] - rect[0];
-      const double y = 0.5 * (1.0 + clip[1] / clip[3]) * plan.texture_px[1] - rect[1];
-      const int column = (int)floor(x / seen.cell_px);
-      const int row = (int)floor(y / seen.cell_px);
-      is_seen = clip[3] > 0.0 && x >= 0.0 && x < rect[2] && y >= 0.0 && y < rect[3] &&
-        cells[row * seen.size[0] + column] != 0;
+      box_point(prop.bounds, number, point);
+      map_place(&plan, point, clip, px);
+      const int column = (int)floor(px[0] / seen.cell_px);
+      const int row = (int)floor(px[1] / seen.cell_px);
+      is_seen = clip[3] > 0.0 && px[0] >= 0.0 && px[0] < rect[2] && px[1] >= 0.0 &&
+        px[1] < rect[3] && cells[row * seen.size[0] + column] != 0;
     }
     assert_true(fate == WATER_DRAW || !is_seen);
     seen_count += is_seen;
@@ -218,6 +213,7 @@ TEST(pixels_of_a_cell_are_counted)
     {
       ASSERT_CLOSE(walk.first[i], ratio * rect_px[i] - filter, 1e-12);
       ASSERT_CLOSE(walk.step[i], 8.0 * ratio, 1e-12);
+      ASSERT_CLOSE(walk.pixel[i], 2.0 / viewport_px[i], 1e-15);
       assert_int_equal(walk.size[i], ratio == 1 ? 8 : 20); // 19, from between two pixels on
     }
   }

@@ -330,17 +330,12 @@ TEST(culling_never_drops_what_is_seen)
     {
       double point[3];
       double clip[4];
-      for (int i = 0; i < 3; ++i)
-      {
-        const double part = ((number >> (2 * i)) & 3) / 3.0;
-        point[i] = (1.0 - part) * prop.bounds[2 * i] + part * prop.bounds[2 * i + 1];
-      }
-      project(&plan.mirrored, point, 1.0, clip);
+      double px[2];
       const int* rect = plan.texture_rect_px;
-      const double x = 0.5 * (1.0 + clip[0] / clip[3]) * plan.texture_px[0] - rect[0];
-      const double y = 0.5 * (1.0 + clip[1] / clip[3]) * plan.texture_px[1] - rect[1];
-      is_seen = is_inside(clip) && x >= 0.0 && x <= rect[2] && y >= 0.0 && y <= rect[3] &&
-        height_of(&random, point) >= -random.scene.clip_margin;
+      box_point(prop.bounds, number, point);
+      map_place(&plan, point, clip, px);
+      is_seen = is_inside(clip) && px[0] >= 0.0 && px[0] <= rect[2] && px[1] >= 0.0 &&
+        px[1] <= rect[3] && height_of(&random, point) >= -random.scene.clip_margin;
     }
     assert_true(!is_seen || fate == WATER_DRAW);
     seen += is_seen;
