@@ -1,18 +1,136 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// test_budget.c: what a time budget learns and forgets, and how rough a view looks, by other means.
+// test_budget.c: a time budget: how it is shared, how long it waits, what it learns and forgets.
 #include "test_scene.h"
 
 #include "water_quality.h"
 
+static const int last_step = WATER_QUALITY_STEPS - 1;
 static const double scale_1 = 0.84; // of step 1
 static const double budget = 8.0;   // ms
 
-static void frames(water_quality_state* state, int count, double measured_ms)
+static void draw_frames(water_quality_state* state, int count, double measured_ms)
 {
   for (int i = 0; i < count; ++i)
   {
     assert_int_equal(water_quality_for_budget(state, 0, budget, measured_ms), WATER_OK);
   }
+}
+
+static int frames_until_change(int step, double measured_ms)
+{
+  water_quality_state control = { 0 };
+  control.step = step;
+  int frames = 0;
+  while (control.step == step && frames < 1000)
+  {
+    assert_int_equal(water_quality_for_budget(&control, 0, 10.0, measured_ms), WATER_OK);
+    ++frames;
+  }
+  return frames;
+}
+
+// The waits that the header names; between 0.8 and 1 of the budget nothing happens.
+TEST(waits_are_as_promised)
+{
+  UNUSED;
+  const double to_finer = 0.71 / 0.84 * 0.71 / 0.84; // of time, without a fixed share
+  assert_int_equal(frames_until_change(2, 1000.0), 3);
+  assert_int_equal(frames_until_change(2, 20.0), 3);
+  assert_in_range(frames_until_change(2, 11.0), 30, 31);
+  assert_in_range(frames_until_change(2, 1e-9), 10, 11);
+  assert_in_range(frames_until_change(2, 7.0 * to_finer), 80, 81);
+  assert_int_equal(frames_until_change(2, 8.01 * to_finer), 1000);
+  assert_int_equal(frames_until_change(2, 9.99), 1000);
+
+  water_quality_state control = { 0 };
+  for (int i = 0; i < 3; ++i)
+  {
+    assert_int_equal(water_quality_for_budget(&control, 0, 10.0, 1000.0), WATER_OK);
+  }
+  assert_int_equal(control.step, 2); // two at a time
+  for (int i = 0; i < 3; ++i)
+  {
+    assert_int_equal(water_quality_for_budget(&control, 0, 10.0, 1000.0), WATER_OK);
+    assert_int_equal(control.step, 2); // late times of the old step
+  }
+}
+
+// Frames that take just the budget are neither too long nor too short: after any number of them
+// long ones are answered as if they were the first.
+TEST(frames_of_just_the_budget_count_for_nothing)
+{
+  UNUSED;
+  const double long_ms[3] = { 14.0, 20.0, 40.0 };
+  for (int i = 0; i < 3; ++i)
+  {
+    water_quality_state fresh = { 0 };
+    water_quality_state used = { 0 };
+    for (int frame = 0; frame < 25; ++frame)
+    {
+      assert_int_equal(water_quality_for_budget(&used, 0, 10.0, 10.0), WATER_OK);
+      assert_int_equal(used.step, 0);
+    }
+    int frames = 0;
+    for (; fresh.step == 0 && frames < 100; ++frames)
+    {
+      assert_int_equal(used.step, 0);
+      assert_int_equal(water_quality_for_budget(&fresh, 0, 10.0, long_ms[i]), WATER_OK);
+      assert_int_equal(water_quality_for_budget(&used, 0, 10.0, long_ms[i]), WATER_OK);
+    }
+    assert_in_range(fresh.step, 1, WATER_QUALITY_STEPS - 1);
+    assert_int_equal(used.step, fresh.step);
+  }
+}
+
+// A frame without a time keeps all as it is: the first one, one that drew nothing, a timer's error.
+TEST(no_measurement_no_change)
+{
+  UNUSED;
+  const double none[5] = { (double)NAN, 0.0, -1.0, (double)INFINITY, -(double)INFINITY };
+  water_quality_state control = { 0 };
+  control.step = 3;
+  const water_quality_state before = control;
+  for (int i = 0; i < 100; ++i)
+  {
+    assert_int_equal(water_quality_for_budget(&control, 0, 10.0, none[i % 5]), WATER_OK);
+    assert_memory_equal(&control, &before, sizeof control);
+  }
+}
+
+// Never finer than asked; a step that a caller set wrongly is brought onto the ladder.
+TEST(finest_step_is_kept)
+{
+  UNUSED;
+  water_quality_state control = { 0 };
+  for (int i = 0; i < 1000; ++i)
+  {
+    assert_int_equal(water_quality_for_budget(&control, 3, 10.0, 0.001), WATER_OK);
+    assert_int_equal(control.step, 3);
+  }
+  assert_int_equal(water_quality_for_budget(&control, 100, 10.0, 0.001), WATER_OK);
+  assert_int_equal(control.step, last_step);
+  control.step = -7;
+  assert_int_equal(water_quality_for_budget(&control, 0, 10.0, 1.0), WATER_OK);
+  assert_int_equal(control.step, 0);
+  control.step = 99;
+  assert_int_equal(water_quality_for_budget(&control, 0, 10.0, 1.0), WATER_OK);
+  assert_int_equal(control.step, last_step);
+}
+
+// A step from beyond the ladder is put on it, and that is no try of a finer one.
+TEST(step_from_beyond_is_no_failure)
+{
+  UNUSED;
+  water_quality_state course;
+  memset(&course, 0, sizeof course);
+  course.step = -5;
+  draw_frames(&course, 1, 1.0);
+  assert_int_equal(course.step, 0);
+  assert_false(course.was_finer);
+  course.step = 99;
+  draw_frames(&course, 1, 1.0);
+  assert_int_equal(course.step, last_step);
+  assert_false(course.was_finer);
 }
 
 // Of 4 ms that stay and 5.5 that follow the area: 16 frames before and 32 after a change tell the
@@ -22,17 +140,17 @@ TEST(fixed_share_is_learned_from_a_change)
   UNUSED;
   water_quality_state course;
   memset(&course, 0, sizeof course);
-  frames(&course, 15, 9.5); // 3/16 of a budget too long, each
+  draw_frames(&course, 15, 9.5); // 3/16 of a budget too long, each
   assert_int_equal(course.step, 0);
-  frames(&course, 1, 9.5);
+  draw_frames(&course, 1, 9.5);
   assert_int_equal(course.step, 1);
-  frames(&course, 3, 100.0); // not believed yet
+  draw_frames(&course, 3, 100.0); // not believed yet
   const double after_ms = 4.0 + 5.5 * scale_1 * scale_1;
-  frames(&course, 31, after_ms);
+  draw_frames(&course, 31, after_ms);
   assert_true(course.fixed_share == 0.0);
-  frames(&course, 1, after_ms);
+  draw_frames(&course, 1, after_ms);
   ASSERT_CLOSE(course.fixed_share, 0.5 * 4.0 / 9.5, 1e-12);
-  frames(&course, 100, after_ms);
+  draw_frames(&course, 100, after_ms);
   ASSERT_CLOSE(course.fixed_share, 0.5 * 4.0 / 9.5, 1e-12); // once
   assert_int_equal(course.step, 1);
 }
@@ -44,8 +162,8 @@ TEST(fixed_share_has_its_limits)
   UNUSED;
   water_quality_state course;
   memset(&course, 0, sizeof course);
-  frames(&course, 16, 9.5);
-  frames(&course, 3, 9.5);
+  draw_frames(&course, 16, 9.5);
+  draw_frames(&course, 3, 9.5);
   course.step = 1;
   for (int i = 0; i < 32; ++i)
   {
@@ -53,13 +171,32 @@ TEST(fixed_share_has_its_limits)
   }
   ASSERT_CLOSE(course.fixed_share, 0.45, 1e-12);
   memset(&course, 0, sizeof course);
-  frames(&course, 16, 9.5);
-  frames(&course, 3, 9.5);
+  draw_frames(&course, 16, 9.5);
+  draw_frames(&course, 3, 9.5);
   for (int i = 0; i < 32; ++i)
   {
     (void)water_quality_for_budget(&course, 0, 4.0, 4.0); // less than the area's share
   }
   ASSERT_CLOSE(course.fixed_share, 0.0, 1e-12);
+}
+
+// With half of the time fixed a finer step, 0.84 of the scale for 0.71, costs 1.134 times as much:
+// frames of 6.6 ms lead to one of 7.5 in a budget of 10, frames of 7.2 to none; and what was
+// measured on too few frames teaches nothing about that share.
+TEST(fixed_share_is_believed)
+{
+  UNUSED;
+  const double times_ms[2] = { 6.6, 7.2 };
+  for (int i = 0; i < 2; ++i)
+  {
+    water_quality_state control = { .step = 2, .before_step = 1, .fixed_share = 0.5 };
+    for (int frame = 0; frame < 1000 && control.step == 2; ++frame)
+    {
+      assert_int_equal(water_quality_for_budget(&control, 0, 10.0, times_ms[i]), WATER_OK);
+      assert_true(control.fixed_share == 0.5);
+    }
+    assert_int_equal(control.step, i == 0 ? 1 : 2);
+  }
 }
 
 // A finer step that is taken back makes the next try later, by powers of two up to 64; a thousand
@@ -75,137 +212,84 @@ TEST(patience_grows_with_failures_and_is_forgotten)
     int count = 0;
     while (course.step == 1 && count < 2000)
     {
-      frames(&course, 1, 1e-9); // 0.8 of a budget short
+      draw_frames(&course, 1, 1e-9); // 0.8 of a budget short
       ++count;
     }
     assert_int_equal(course.step, 0);
-    frames(&course, 3 + 15, 1.2001 * budget); // 0.2 too long each: one step is enough
+    draw_frames(&course, 3 + 15, 1.2001 * budget); // 0.2 too long each: one step is enough
     assert_int_equal(course.step, 1);
     assert_int_equal(course.patience, failure < 6 ? failure : 6);
   }
   const double quiet_ms = 0.9 * budget;
   for (int left = 6; left >= 0; --left)
   {
-    frames(&course, left == 6 ? 3 + 999 : 999, quiet_ms);
+    draw_frames(&course, left == 6 ? 3 + 999 : 999, quiet_ms);
     assert_int_equal(course.patience, left);
-    frames(&course, 1, quiet_ms);
+    draw_frames(&course, 1, quiet_ms);
     assert_int_equal(course.patience, left > 0 ? left - 1 : 0);
   }
   assert_int_equal(course.step, 1);
 }
 
-// A step from beyond the ladder is put on it, and that is no try of a finer one.
-TEST(step_from_beyond_is_no_failure)
+// Shares add up to the budget, follow the areas, leave none to what is not seen and a little to
+// what is hardly seen.
+TEST(budget_is_shared_by_area)
 {
   UNUSED;
-  water_quality_state course;
-  memset(&course, 0, sizeof course);
-  course.step = -5;
-  frames(&course, 1, 1.0);
-  assert_int_equal(course.step, 0);
-  assert_false(course.was_finer);
-  course.step = 99;
-  frames(&course, 1, 1.0);
-  assert_int_equal(course.step, WATER_QUALITY_STEPS - 1);
-  assert_false(course.was_finer);
-}
-
-// A step whose error is the very target is within it.
-TEST(error_at_the_target_is_within)
-{
-  UNUSED;
-  const water_roughness roughness = { 0.05, 0.3, 800.0 };
-  for (int i = 0; i < WATER_QUALITY_STEPS; ++i)
+  const double areas[6] = { 3e5, 1e5, 0.0, 1.0, -5.0, (double)NAN };
+  double shares[6];
+  assert_int_equal(water_quality_share(areas, 6, 12.0, shares), WATER_OK);
+  double sum = 0.0;
+  for (int i = 0; i < 6; ++i)
   {
-    double error_px = 0.0;
-    int step = WATER_QUALITY_NO_STEP;
-    assert_int_equal(water_quality_error(i, &roughness, &error_px), WATER_OK);
-    assert_int_equal(water_quality_for_error(error_px, &roughness, &step), WATER_OK);
-    assert_int_equal(step, i);
+    sum += shares[i];
   }
-}
+  ASSERT_CLOSE(sum, 12.0, 1e-13);
+  ASSERT_CLOSE((shares[0] - 0.4) / (shares[1] - 0.4), 3.0, 1e-12); // 0.1 of 12 among 3
+  assert_true(shares[2] == 0.0 && shares[4] == 0.0 && shares[5] == 0.0);
+  ASSERT_CLOSE(shares[3], 0.4, 1e-4);
 
-// The error is the formula of the header, for a step of scale 1 and 24 steps of the march.
-TEST(error_is_the_formula)
-{
-  UNUSED;
-  for (int i = 0; i < 5; ++i)
-  {
-    const double slope = 0.02 * (i + 1);
-    const double turn = 0.7 * i;
-    const water_roughness roughness = { slope, turn, 500.0 };
-    const double seen = slope * exp(-turn * turn / 24.0);
-    const double hidden = sqrt(slope * slope - seen * seen);
-    const double sharp = 0.4 * (1.0 + 1.8 * seen * seen) + 2.0 * seen * 500.0 / (280.0 * 24.0);
-    const double blur = 2.0 * hidden * 500.0;
-    double error_px = 0.0;
-    assert_int_equal(water_quality_error(0, &roughness, &error_px), WATER_OK);
-    ASSERT_CLOSE(error_px, sqrt(blur * blur + sharp * sharp) - blur, 1e-12);
-  }
-}
+  const double huge[2] = { DBL_MAX, DBL_MAX };
+  assert_int_equal(water_quality_share(huge, 2, 10.0, shares), WATER_OK);
+  ASSERT_CLOSE(shares[0], 5.0, 1e-12);
+  ASSERT_CLOSE(shares[1], 5.0, 1e-12);
+  const double none[2] = { 0.0, 0.0 };
+  assert_int_equal(water_quality_share(none, 2, 10.0, shares), WATER_OK);
+  assert_true(shares[0] == 0.0 && shares[1] == 0.0);
+  assert_int_equal(water_quality_share(NULL, 0, 10.0, NULL), WATER_OK);
 
-// Where the ray of a pixel meets the lake's level, by the camera's own axes.
-static void place_of_pixel(
-  const water_scene* scene, const double eye[3], double x, double y, double place[2])
-{
-  const double* view = scene->eye.world_to_view;
-  double dir[3];
-  for (int i = 0; i < 3; ++i)
+  dice rolled = dice_seeded(20261207);
+  for (int round = 0; round < 1000; ++round)
   {
-    dir[i] = view[i] * x / scene->eye.view_to_clip[0] +
-      view[4 + i] * y / scene->eye.view_to_clip[5] - view[8 + i];
-  }
-  for (int i = 0; i < 2; ++i)
-  {
-    place[i] = eye[i] - eye[2] / dir[2] * dir[i];
-  }
-}
-
-// The turn of a wave over a pixel where it is seen best: the corner of the map's drawn part whose
-// pixel is the smallest on the water. For a pond to one side of the picture.
-TEST(roughness_is_that_of_the_nearest_corner)
-{
-  UNUSED;
-  water_scene scene = lake();
-  scene.slope_rms = 0.1;
-  for (int round = 0; round < 2; ++round)
-  {
-    const double eye[3] = { round == 0 ? -4.0 : 3.0, -10.0, 5.0 };
-    const double target[3] = { 0.0, 0.0, 0.0 };
-    const double up[3] = { 0.0, 0.0, 1.0 };
-    look_at(eye, target, up, scene.eye.world_to_view);
-    scene.surface_bounds[0] = round == 0 ? 0.5 : -4.0;
-    scene.surface_bounds[1] = round == 0 ? 4.0 : -0.5;
-    scene.surface_bounds[2] = -7.0;
-    scene.surface_bounds[3] = -3.0;
-    const water_plan plan = plan_of(&scene, NULL);
-    const int* rect = plan.texture_rect_px;
-    double least = DBL_MAX;
-    for (int corner = 0; corner < 4; ++corner)
+    double many[50];
+    double some_ms[50];
+    double all_ms = 0.0;
+    for (int i = 0; i < 50; ++i)
     {
-      const double x = 1.0 - 2.0 * (rect[0] + (corner & 1 ? rect[2] : 0)) / 800.0; // flipped
-      const double y = 2.0 * (rect[1] + (corner & 2 ? rect[3] : 0)) / 600.0 - 1.0;
-      double here[2];
-      double across[2];
-      double down[2];
-      place_of_pixel(&scene, eye, x, y, here);
-      place_of_pixel(&scene, eye, x + 2.0 / 800.0, y, across);
-      place_of_pixel(&scene, eye, x, y + 2.0 / 600.0, down);
-      least = fmin(least,
-        hypot(hypot(across[0] - here[0], across[1] - here[1]),
-          hypot(down[0] - here[0], down[1] - here[1])));
+      many[i] = fmax(0.0, dice_roll(&rolled, -1e5, 1e6));
     }
-    water_roughness roughness;
-    water_quality_look(&scene, &plan, 3.0, &roughness);
-    ASSERT_CLOSE(roughness.turn_rad, 3.0 * least / sqrt(2.0), 1e-9);
-    ASSERT_CLOSE(roughness.pixels_per_radian, 300.0, 1e-9);
-    assert_true(roughness.slope_rms == 0.1);
+    many[0] = 1.0;
+    const double budget_ms = dice_roll(&rolled, 0.1, 100.0);
+    assert_int_equal(water_quality_share(many, 50, budget_ms, some_ms), WATER_OK);
+    for (int i = 0; i < 50; ++i)
+    {
+      all_ms += some_ms[i];
+      assert_true(many[i] > 0.0 ? some_ms[i] >= 0.1 / 50.0 * budget_ms : some_ms[i] == 0.0);
+    }
+    ASSERT_CLOSE(all_ms, budget_ms, 1e-12 * budget_ms);
   }
-  scene.look.constant_reflectance = true; // a view, but no map
-  const water_plan dull = plan_of(&scene, NULL);
-  water_roughness roughness;
-  water_quality_look(&scene, &dull, 3.0, &roughness);
-  assert_true(roughness.turn_rad == 0.0);
+}
+
+// Half of a frame's time is the water's; what VTK asks for a picture that stands still is no
+// budget.
+TEST(update_rates_have_their_budgets)
+{
+  UNUSED;
+  ASSERT_CLOSE(water_quality_budget(50.0), 10.0, 1e-12);
+  assert_false(water_quality_is_still(water_quality_budget(15.0)));
+  assert_true(water_quality_is_still(water_quality_budget(0.0001)));
+  assert_true(water_quality_is_still(water_quality_budget(0.0)));
+  assert_true(isfinite(water_quality_budget(0.0)));
 }
 
 TEST(a_second_is_a_still_picture)
@@ -218,13 +302,17 @@ TEST(a_second_is_a_still_picture)
 int main(void)
 {
   const struct CMUnitTest tests[] = {
+    RUN(waits_are_as_promised),
+    RUN(frames_of_just_the_budget_count_for_nothing),
+    RUN(no_measurement_no_change),
+    RUN(finest_step_is_kept),
+    RUN(step_from_beyond_is_no_failure),
     RUN(fixed_share_is_learned_from_a_change),
     RUN(fixed_share_has_its_limits),
+    RUN(fixed_share_is_believed),
     RUN(patience_grows_with_failures_and_is_forgotten),
-    RUN(step_from_beyond_is_no_failure),
-    RUN(error_at_the_target_is_within),
-    RUN(error_is_the_formula),
-    RUN(roughness_is_that_of_the_nearest_corner),
+    RUN(budget_is_shared_by_area),
+    RUN(update_rates_have_their_budgets),
     RUN(a_second_is_a_still_picture),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
