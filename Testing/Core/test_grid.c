@@ -253,6 +253,23 @@ TEST(view_leads_from_clip_to_places_and_back)
   }
 }
 
+// An eye whose projection moves it stands over the plane where it is, not where its view begins.
+TEST(grid_knows_the_height_of_a_moved_eye)
+{
+  UNUSED;
+  water_scene scene = pool(10.0);
+  const double origin[3] = { 0.0, 0.0, 0.0 };
+  water_grid_view view;
+  assert_int_equal(water_grid_look(&scene.eye, &scene.plane, origin, &view), WATER_OK);
+  ASSERT_CLOSE(view.eye_height, 10.0, 1e-12);
+  for (int i = 0; i < 4; ++i) // view_to_clip * translate(0, 0, -3): the eye 3 higher
+  {
+    scene.eye.view_to_clip[4 * i + 3] -= 3.0 * scene.eye.view_to_clip[4 * i + 2];
+  }
+  assert_int_equal(water_grid_look(&scene.eye, &scene.plane, origin, &view), WATER_OK);
+  ASSERT_CLOSE(view.eye_height, 13.0, 1e-12);
+}
+
 // Seen straight down a sheet within the picture, or that just fills it, has two rows through its
 // two corners at either end, and even ones between: of a length that grows with sqrt(h + |y|), h
 // the height of the eye or of waves that are higher. A sheet without a width has all of them in a
@@ -344,6 +361,7 @@ int main(void)
     RUN(cells_are_as_large_as_they_say),
     RUN(rows_lead_where_the_view_goes),
     RUN(view_leads_from_clip_to_places_and_back),
+    RUN(grid_knows_the_height_of_a_moved_eye),
     RUN(rows_seen_straight_down_are_where_they_should_be),
     RUN(odd_views_are_safe),
   };

@@ -106,31 +106,6 @@ TEST(normal_maps_at_both_ends_are_accepted)
   assert_int_equal(water_normals_check(&high), WATER_OK);
 }
 
-// A map that moves along the first axis is met by a place later, and so along the second.
-TEST(normal_map_moves_to_where_it_points)
-{
-  UNUSED;
-  const water_normal_map map = { 4.0, 1.0, 0.0, 1.0 };
-  double place[2];
-  water_normals_place(&map, 3.0, 1.0, 1.0, place);
-  ASSERT_CLOSE(place[0], 0.5, 1e-15);
-  ASSERT_CLOSE(place[1], 0.25, 1e-15);
-}
-
-// All four numbers of all texels: slopes and squares.
-TEST(texels_hold_both_slopes_and_squares)
-{
-  UNUSED;
-  const unsigned char pixels[6] = { 255, 51, 255, 0, 204, 255 };
-  const float truth[8] = { -1.0f, 0.6f, 1.0f, 0.36f, 1.0f, -0.6f, 1.0f, 0.36f };
-  float texels[8];
-  water_normals_texels(pixels, 3, 2, texels);
-  for (int i = 0; i < 8; ++i)
-  {
-    ASSERT_CLOSE((double)texels[i], (double)truth[i], 1e-6);
-  }
-}
-
 TEST(looks_at_both_ends_are_accepted)
 {
   UNUSED;
@@ -336,23 +311,6 @@ TEST(ray_along_the_normal_is_not_refracted)
   assert_true(refracted[0] == 0.0 && refracted[1] == 1.0 && refracted[2] == 0.0);
 }
 
-// An eye whose projection moves it stands over the plane where it is, not where its view begins.
-TEST(grid_knows_the_height_of_a_moved_eye)
-{
-  UNUSED;
-  water_scene scene = pool(10.0);
-  const double origin[3] = { 0.0, 0.0, 0.0 };
-  water_grid_view view;
-  assert_int_equal(water_grid_look(&scene.eye, &scene.plane, origin, &view), WATER_OK);
-  ASSERT_CLOSE(view.eye_height, 10.0, 1e-12);
-  for (int i = 0; i < 4; ++i) // view_to_clip * translate(0, 0, -3): the eye 3 higher
-  {
-    scene.eye.view_to_clip[4 * i + 3] -= 3.0 * scene.eye.view_to_clip[4 * i + 2];
-  }
-  assert_int_equal(water_grid_look(&scene.eye, &scene.plane, origin, &view), WATER_OK);
-  ASSERT_CLOSE(view.eye_height, 13.0, 1e-12);
-}
-
 // A clip plane in which the far plane lies keeps nothing.
 TEST(clip_in_the_far_plane_keeps_nothing)
 {
@@ -364,46 +322,6 @@ TEST(clip_in_the_far_plane_keeps_nothing)
   ortho_matrix(box, 1.0, 3.0, to_clip);
   assert_int_equal(water_mirror_oblique(to_clip, far_plane, oblique), WATER_BAD_CAMERA);
   assert_true(oblique[0] == 7.0);
-}
-
-// A prop that reaches behind the eye has no size in the picture: it is never too small.
-TEST(prop_around_the_eye_is_never_too_small)
-{
-  UNUSED;
-  water_scene scene = lake();
-  water_prop hall = { { -1000.0, 1000.0, -1000.0, 1000.0, -1000.0, 1000.0 }, WATER_PROP_VISIBLE };
-  water_prop ball = { { -0.1, 0.1, -0.1, 0.1, 1.0, 1.2 }, WATER_PROP_VISIBLE };
-  water_fate fate = WATER_SKIP_EMPTY;
-  scene.prop_px_min = 1e9;
-  scene.prop_count = 1;
-  scene.props = &hall;
-  plan_of(&scene, &fate);
-  assert_int_equal(fate, WATER_DRAW);
-  scene.props = &ball;
-  plan_of(&scene, &fate);
-  assert_int_equal(fate, WATER_SKIP_TOO_SMALL);
-}
-
-// The most that is reflected, of the corners of a part of the picture; rows that mix x and y.
-TEST(most_is_reflected_in_a_corner)
-{
-  UNUSED;
-  const double rows[9] = { 1.0, 0.5, 0.1, -0.25, 1.0, 0.2, 0.1, 0.3, -1.0 };
-  const double box[4] = { -0.2, 0.1, 0.6, 0.9 };
-  const water_look look = { 1.333, 0.0, false };
-  double most = 0.0;
-  for (int corner = 0; corner < 4; ++corner)
-  {
-    const double x = corner & 1 ? box[2] : box[0];
-    const double y = corner & 2 ? box[3] : box[1];
-    const double ray[3] = { x + 0.5 * y + 0.1, -0.25 * x + y + 0.2, 0.1 * x + 0.3 * y - 1.0 };
-    const double c = -ray[2] / sqrt(dot(ray, ray));
-    const double g = sqrt(1.333 * 1.333 - 1.0 + c * c);
-    const double s = (c - g) / (c + g);
-    const double p = (1.333 * 1.333 * c - g) / (1.333 * 1.333 * c + g);
-    most = fmax(most, 0.5 * (s * s + p * p));
-  }
-  ASSERT_CLOSE(water_optics_reflectance_max(&look, 1.333, rows, box, 0.0), most, 1e-14);
 }
 
 // Bounds whose sum overflows are bounds.
@@ -420,54 +338,6 @@ TEST(bounds_may_be_as_large_as_doubles)
   assert_int_equal(fate, WATER_DRAW);
 }
 
-// A map is used again only if it covers what is wanted, on each side.
-TEST(map_that_lacks_a_column_is_not_used_again)
-{
-  UNUSED;
-  const water_scene scene = lake();
-  const water_plan plan = plan_of(&scene, NULL);
-  for (int side = 0; side < 5; ++side)
-  {
-    water_plan last = plan;
-    water_plan next = plan;
-    last.has_mask = false;
-    last.texture_rect_px[0] = last.texture_rect_px[1] = 10;
-    last.texture_rect_px[2] = last.texture_rect_px[3] = 20;
-    memcpy(next.texture_rect_px, last.texture_rect_px, sizeof next.texture_rect_px);
-    if (side < 2)
-    {
-      last.texture_rect_px[side] += 1; // the same end, a later begin
-      last.texture_rect_px[2 + side] -= 1;
-    }
-    else if (side < 4)
-    {
-      last.texture_rect_px[side] -= 1; // an earlier end
-    }
-    water_plan_reuse(&last, true, scene.skips, &next);
-    assert_int_equal(next.decision, side == 4 ? WATER_REUSE : WATER_REFLECT);
-  }
-}
-
-// What the masks and the shader are told of a point: its w, and how far its height may be off.
-TEST(view_tells_w_and_rounding)
-{
-  UNUSED;
-  const water_scene scene = lake();
-  const water_plan plan = plan_of(&scene, NULL);
-  const double point[3] = { 1.0, 2.0, 3.0 };
-  double clip[4];
-  project(&scene.eye, point, 1.0, clip);
-  double w = 0.0;
-  double size = 0.0;
-  for (int i = 0; i < 4; ++i)
-  {
-    w += plan.clip_w[i] * clip[i];
-    size += fabs(plan.plane_clip[i]);
-  }
-  ASSERT_CLOSE(w, 1.0, 1e-12);
-  ASSERT_CLOSE(plan.mask_rounding, 16.0 * (double)FLT_EPSILON * size, 1e-15 * size);
-}
-
 int main(void)
 {
   const struct CMUnitTest tests[] = {
@@ -477,8 +347,6 @@ int main(void)
     RUN(glitter_ends_at_the_horizon),
     RUN(seas_at_both_ends_are_accepted),
     RUN(normal_maps_at_both_ends_are_accepted),
-    RUN(normal_map_moves_to_where_it_points),
-    RUN(texels_hold_both_slopes_and_squares),
     RUN(looks_at_both_ends_are_accepted),
     RUN(waves_at_both_ends_are_accepted),
     RUN(waves_fold_beyond_a_rounding),
@@ -489,13 +357,8 @@ int main(void)
     RUN(edge_on_and_endless_views_have_no_places),
     RUN(numbers_too_large_to_multiply_are_refused),
     RUN(ray_along_the_normal_is_not_refracted),
-    RUN(most_is_reflected_in_a_corner),
     RUN(bounds_may_be_as_large_as_doubles),
-    RUN(map_that_lacks_a_column_is_not_used_again),
-    RUN(view_tells_w_and_rounding),
-    RUN(grid_knows_the_height_of_a_moved_eye),
     RUN(clip_in_the_far_plane_keeps_nothing),
-    RUN(prop_around_the_eye_is_never_too_small),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

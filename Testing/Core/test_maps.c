@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // test_maps.c: what the shaders are given: texture matrix, reflected ray, plane and normal in clip
-// space, view rays in the plane's axes, headlight, and where the sky is found.
+// space, view rays in the plane's axes, headlight, where the sky is found, and how the masks round.
 #include "test_scene.h"
 
 #include "water_mirror.h"
+#include "water_plan.h"
 #include "water_plane.h"
 
 static const double nearby[3] = { 1.0, 2.0, 3.0 };
@@ -231,6 +232,26 @@ TEST(sky_of_the_map_is_found_on_the_eyes_screen)
   assert_in_range(behind, 300, 6000);
 }
 
+// What the masks and the shader are told of a point: its w, and how far its height may be off.
+TEST(view_tells_w_and_rounding)
+{
+  UNUSED;
+  const water_scene scene = lake();
+  const water_plan plan = plan_of(&scene, NULL);
+  const double point[3] = { 1.0, 2.0, 3.0 };
+  double clip[4];
+  project(&scene.eye, point, 1.0, clip);
+  double w = 0.0;
+  double size = 0.0;
+  for (int i = 0; i < 4; ++i)
+  {
+    w += plan.clip_w[i] * clip[i];
+    size += fabs(plan.plane_clip[i]);
+  }
+  ASSERT_CLOSE(w, 1.0, 1e-12);
+  ASSERT_CLOSE(plan.mask_rounding, 16.0 * (double)FLT_EPSILON * size, 1e-15 * size);
+}
+
 int main(void)
 {
   const struct CMUnitTest tests[] = {
@@ -240,6 +261,7 @@ int main(void)
     RUN(ray_in_the_planes_axes),
     RUN(headlight_stays_with_the_eye),
     RUN(sky_of_the_map_is_found_on_the_eyes_screen),
+    RUN(view_tells_w_and_rounding),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

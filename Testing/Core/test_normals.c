@@ -113,6 +113,17 @@ TEST(map_moves_with_time)
   ASSERT_CLOSE(place[1], 0.75, 1e-9);
 }
 
+// A map that moves along the first axis is met by a place later, and so along the second.
+TEST(normal_map_moves_to_where_it_points)
+{
+  UNUSED;
+  const water_normal_map map = { 4.0, 1.0, 0.0, 1.0 };
+  double place[2];
+  water_normals_place(&map, 3.0, 1.0, 1.0, place);
+  ASSERT_CLOSE(place[0], 0.5, 1e-15);
+  ASSERT_CLOSE(place[1], 0.25, 1e-15);
+}
+
 // A place just before a whole map is in [0, 1), too, where its share rounds up to 1.
 TEST(place_is_under_one)
 {
@@ -136,6 +147,20 @@ TEST(texels_are_slopes_and_their_squares)
   ASSERT_CLOSE((double)texels[3], 0.0, 1e-4);
   ASSERT_CLOSE((double)texels[4], -20.0, 1e-6);
   ASSERT_CLOSE((double)texels[6], 400.0, 1e-4);
+}
+
+// All four numbers of all texels: slopes and squares.
+TEST(texels_hold_both_slopes_and_squares)
+{
+  UNUSED;
+  const unsigned char colors[6] = { 255, 51, 255, 0, 204, 255 };
+  const float truth[8] = { -1.0f, 0.6f, 1.0f, 0.36f, 1.0f, -0.6f, 1.0f, 0.36f };
+  float texels[8];
+  water_normals_texels(colors, 3, 2, texels);
+  for (int i = 0; i < 8; ++i)
+  {
+    ASSERT_CLOSE((double)texels[i], (double)truth[i], 1e-6);
+  }
 }
 
 TEST(bad_numbers_are_named)
@@ -172,8 +197,10 @@ int main(void)
     RUN(seed_makes_the_map),
     RUN(map_of_a_seed_stays_as_it_was),
     RUN(map_moves_with_time),
+    RUN(normal_map_moves_to_where_it_points),
     RUN(place_is_under_one),
     RUN(texels_are_slopes_and_their_squares),
+    RUN(texels_hold_both_slopes_and_squares),
     RUN(bad_numbers_are_named),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);

@@ -174,6 +174,28 @@ TEST(joined_waters_reflect_no_less_than_each)
   assert_false(same.constant_reflectance); // not made a mirror by its like
 }
 
+// The most that is reflected, of the corners of a part of the picture; rows that mix x and y.
+TEST(most_is_reflected_in_a_corner)
+{
+  UNUSED;
+  const double rows[9] = { 1.0, 0.5, 0.1, -0.25, 1.0, 0.2, 0.1, 0.3, -1.0 };
+  const double box[4] = { -0.2, 0.1, 0.6, 0.9 };
+  const water_look look = { 1.333, 0.0, false };
+  double most = 0.0;
+  for (int corner = 0; corner < 4; ++corner)
+  {
+    const double x = corner & 1 ? box[2] : box[0];
+    const double y = corner & 2 ? box[3] : box[1];
+    const double ray[3] = { x + 0.5 * y + 0.1, -0.25 * x + y + 0.2, 0.1 * x + 0.3 * y - 1.0 };
+    const double c = -ray[2] / sqrt(dot(ray, ray));
+    const double g = sqrt(1.333 * 1.333 - 1.0 + c * c);
+    const double s = (c - g) / (c + g);
+    const double p = (1.333 * 1.333 * c - g) / (1.333 * 1.333 * c + g);
+    most = fmax(most, 0.5 * (s * s + p * p));
+  }
+  ASSERT_CLOSE(water_optics_reflectance_max(&look, 1.333, rows, box, 0.0), most, 1e-14);
+}
+
 int main(void)
 {
   const struct CMUnitTest tests[] = {
@@ -186,6 +208,7 @@ int main(void)
     RUN(shader_computes_the_same),
     RUN(plan_carries_the_index_beyond),
     RUN(joined_waters_reflect_no_less_than_each),
+    RUN(most_is_reflected_in_a_corner),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// test_reuse.c: when a map serves again, when the next one waits, and when it is found out what of
+// it is seen.
+#include "test_scene.h"
+
+#include "water_plan.h"
+
+// A map serves again for the same view of an unchanged scene, and for no other.
+TEST(map_is_used_again_only_for_the_same)
+{
+  UNUSED;
+  const water_prop tree = { { -1.0, 1.0, 2.0, 4.0, 0.0, 3.0 }, WATER_PROP_VISIBLE };
+  water_fate fate;
+  water_scene scene = lake();
+  scene.props = &tree;
+  scene.prop_count = 1;
+  const water_plan last = plan_of(&scene, &fate);
+  water_plan plan = last;
+  water_plan_reuse(&last, true, WATER_MAY_SKIP_ALL, &plan);
+  assert_int_equal(plan.decision, WATER_REUSE);
+  assert_true(water_plan_has_map(&plan));
+  const water_plan again = plan;
+  plan = last;
+  water_plan_reuse(&again, true, WATER_MAY_SKIP_ALL, &plan); // and again
+  assert_int_equal(plan.decision, WATER_REUSE);
+  plan = last;
+  water_plan_reuse(&last, false, WATER_MAY_SKIP_ALL, &plan);
+  assert_int_equal(plan.decision, WATER_REFLECT);
+  water_plan_reuse(&last, true, WATER_MAY_SKIP_ALL & ~(unsigned)WATER_MAY_SKIP_UNCHANGED, &plan);
+  assert_int_equal(plan.decision, WATER_REFLECT);
+
+  // a smaller surface needs less of the map, a larger one may need more
+  water_scene other = scene;
+  other.surface_bounds[1] = 1.0;
+  plan = plan_of(&other, &fate);
+  water_plan_reuse(&last, true, WATER_MAY_SKIP_ALL, &plan);
+  assert_int_equal(plan.decision, WATER_REUSE);
+  const water_plan smaller = plan_of(&other, &fate);
+  plan = plan_of(&scene, &fate);
+  water_plan_reuse(&smaller, true, WATER_MAY_SKIP_ALL, &plan);
+  assert_int_equal(plan.decision, WATER_REFLECT);
+
+  for (int i = 0; i < 7; ++i)
+  {
+    other = scene;
+    other.eye.world_to_view[3] += i == 0 ? 1e-9 : 0.0;
+    other.eye.view_to_clip[0] *= i == 1 ? 1.0001 : 1.0;
+    other.plane.offset += i == 2 ? 1e-6 : 0.0;
+    other.texture_scale = i == 3 ? 0.5 : 1.0;
+    other.clip_margin = i == 4 ? 0.1 : 0.0;
+    other.viewport_px[0] += i == 5;
+    other.has_waves = i == 6;
+    other.slope_rms = 0.05;
+    plan = plan_of(&other, &fate);
+    water_plan_reuse(&last, true, WATER_MAY_SKIP_ALL, &plan);
+    assert_int_equal(plan.decision, WATER_REFLECT);
+  }
+
+  // what did not reflect left no map
+  other = scene;
+  other.is_hidden = true;
+  const water_plan none = plan_of(&other, &fate);
+  plan = plan_of(&scene, &fate);
+  water_plan_reuse(&none, true, WATER_MAY_SKIP_ALL, &plan);
+  assert_int_equal(plan.decision, WATER_REFLECT);
+  plan = none;
+  water_plan_reuse(&last, true, WATER_MAY_SKIP_ALL, &plan);
+  assert_int_equal(plan.decision, WATER_NO_REFLECT_HIDDEN);
+}
+
+// A map is used again only if it covers what is wanted, on each side.
+TEST(map_that_lacks_a_column_is_not_used_again)
+{
+  UNUSED;
+  const water_scene scene = lake();
+  const water_plan plan = plan_of(&scene, NULL);
+  for (int side = 0; side < 5; ++side)
+  {
+    water_plan last = plan;
+    water_plan next = plan;
+    last.has_mask = false;
+    last.texture_rect_px[0] = last.texture_rect_px[1] = 10;
+    last.texture_rect_px[2] = last.texture_rect_px[3] = 20;
+    memcpy(next.texture_rect_px, last.texture_rect_px, sizeof next.texture_rect_px);
+    if (side < 2)
+    {
+      last.texture_rect_px[side] += 1; // the same end, a later begin
+      last.texture_rect_px[2 + side] -= 1;
+    }
+    else if (side < 4)
+    {
+      last.texture_rect_px[side] -= 1; // an earlier end
+    }
+    water_plan_reuse(&last, true, scene.skips, &next);
+    assert_int_equal(next.decision, side == 4 ? WATER_REUSE : WATER_REFLECT);
+  }
+}
+
+// A hundred boxes over a pool.
+static void crowd(water_prop props[100])
+{
+  for (int i = 0; i < 100; ++i)
+  {
+    const water_prop box = { { -1, 1, -1, 1, 1, 2 }, WATER_PROP_VISIBLE, 0.0f };
+    props[i] = box;
+  }
+}
+
+// The next map waits when the water was hidden, or when it pays to know what of it is seen: when
+// less is than nine tenths of its rectangle.
+TEST(map_waits_when_it_pays)
+{
+  UNUSED;
+  water_scene scene = pool(5.0); // 400 x 300 pixels of 800 x 600, 2 texels more on each side
+  water_prop props[100];
+  water_fate fates[100];
+  crowd(props);
+  scene.is_flat = true;
+  scene.props = props;
+  const double whole = 404.0 * 304.0;
+  const struct
+  {
+    bool is_software;
+    size_t prop_count;
+    double texture_scale;
+    bool can_wait;
+  } cases[] = { { false, 0, 1.0, true }, { false, 0, 0.5, false }, { false, 100, 0.5, true },
+    { true, 0, 1.0, true }, { true, 0, 0.5, true }, { true, 0, 0.2, false },
+    { false, 100, 0.2, false } };
+  for (size_t i = 0; i < sizeof cases / sizeof cases[0]; ++i)
+  {
+    scene.is_software = cases[i].is_software;
+    scene.prop_count = cases[i].prop_count;
+    scene.texture_scale = cases[i].texture_scale;
+    const water_plan last = plan_of(&scene, fates);
+    assert_int_equal(
+      water_plan_should_wait(&last, 0.85 * whole, WATER_MAY_SKIP_ALL), cases[i].can_wait);
+    assert_false(water_plan_should_wait(&last, 0.95 * whole, WATER_MAY_SKIP_ALL));
+    assert_false(
+      cases[i].can_wait && water_plan_should_wait(&last, last.seen_px_max, WATER_MAY_SKIP_ALL));
+    assert_false(water_plan_should_wait(
+      &last, 0.85 * whole, WATER_MAY_SKIP_ALL & ~(unsigned)WATER_MAY_SKIP_PIXELS));
+  }
+  // hidden: whatever the map was, unless that may not be skipped
+  water_plan none;
+  memset(&none, 0, sizeof none);
+  assert_true(water_plan_should_wait(&none, 0.0, WATER_MAY_SKIP_ALL));
+  assert_false(water_plan_should_wait(&none, 1.0, WATER_MAY_SKIP_ALL));
+  assert_false(
+    water_plan_should_wait(&none, 0.0, WATER_MAY_SKIP_ALL & ~(unsigned)WATER_MAY_SKIP_HIDDEN));
+  // waves look up other pixels than their own
+  scene.has_waves = true;
+  scene.is_software = false;
+  scene.texture_scale = 1.0;
+  const water_plan waves = plan_of(&scene, fates);
+  assert_false(water_plan_should_wait(&waves, 1.0, WATER_MAY_SKIP_ALL));
+}
+
+// What is seen of the map is found out for flat, calm water whose picture is at hand, in a view
+// that has changed: as a mask for a map with the picture's pixels on a GPU, as cells in software or
+// for many draws.
+TEST(what_is_seen_is_found_out_where_it_can_be)
+{
+  UNUSED;
+  water_scene scene = pool(5.0);
+  water_prop props[100];
+  water_fate fates[100];
+  crowd(props);
+  scene.props = props;
+  scene.is_flat = true;
+  scene.has_scene_depth = true;
+  const unsigned no_draws = WATER_MAY_SKIP_PROPS | WATER_MAY_SKIP_PIECES;
+  const struct
+  {
+    bool is_software;
+    size_t prop_count;
+    double texture_scale;
+    unsigned off; // skips
+    bool has_mask;
+    bool has_seen;
+  } cases[] = { { false, 63, 1.0, 0, true, false }, { false, 64, 1.0, 0, true, true },
+    { false, 64, 0.5, 0, false, true }, { false, 63, 0.5, 0, false, false },
+    { true, 0, 1.0, 0, false, true }, { true, 0, 0.5, 0, false, true },
+    { true, 0, 0.25, 0, false, true }, { true, 64, 0.2, 0, false, false },
+    { false, 64, 1.0, WATER_MAY_SKIP_PIXELS, false, false },
+    { false, 64, 1.0, no_draws, true, false }, { true, 64, 1.0, no_draws, false, false } };
+  for (size_t i = 0; i < sizeof cases / sizeof cases[0]; ++i)
+  {
+    scene.is_software = cases[i].is_software;
+    scene.prop_count = cases[i].prop_count;
+    scene.texture_scale = cases[i].texture_scale;
+    scene.skips = WATER_MAY_SKIP_ALL & ~cases[i].off;
+    const water_plan plan = plan_of(&scene, fates);
+    assert_int_equal(plan.has_mask, cases[i].has_mask);
+    assert_int_equal(plan.has_seen, cases[i].has_seen);
+    // of the picture's pixels that the map's rectangle covers nine tenths may be seen
+    const bool is_asked = cases[i].has_mask || cases[i].has_seen;
+    const int* rect = plan.texture_rect_px;
+    ASSERT_CLOSE(plan.seen_px_max,
+      is_asked
+        ? 0.9 * rect[2] * rect[3] * (800.0 / plan.texture_px[0]) * (600.0 / plan.texture_px[1])
+        : 0.0,
+      1e-6);
+    for (int j = 0; j < 3; ++j)
+    {
+      water_scene other = scene;
+      other.is_flat = j != 0;
+      other.has_scene_depth = j != 1;
+      other.has_waves = j == 2;
+      const water_plan none = plan_of(&other, fates);
+      assert_false(none.has_mask || none.has_seen);
+    }
+    // such a map serves once; the next of the same view is whole, and can be used again
+    if (cases[i].has_mask || cases[i].has_seen)
+    {
+      water_plan again = plan;
+      water_plan_reuse(&plan, true, WATER_MAY_SKIP_ALL, &again);
+      assert_int_equal(again.decision, WATER_REFLECT);
+      assert_false(again.has_mask || again.has_seen);
+      water_plan next = plan;
+      water_plan_reuse(&again, true, WATER_MAY_SKIP_ALL, &next);
+      assert_int_equal(next.decision, WATER_REUSE);
+    }
+  }
+}
+
+int main(void)
+{
+  const struct CMUnitTest tests[] = {
+    RUN(map_is_used_again_only_for_the_same),
+    RUN(map_that_lacks_a_column_is_not_used_again),
+    RUN(map_waits_when_it_pays),
+    RUN(what_is_seen_is_found_out_where_it_can_be),
+  };
+  return cmocka_run_group_tests(tests, NULL, NULL);
+}
