@@ -22,11 +22,7 @@ def scene(eye=(3, -8, 4), target=(0, 0, 0), clear=True):
     # added after the water: it must be seen through it all the same
     wt.add_actor(made.renderer, wt.box((0, 0, -3), (40, 40, 1)), (0.8, 0.7, 0.5), lit=False)
     wt.add_actor(made.renderer, wt.box((0, 0, -0.5), (1, 1, 4)), (0.9, 0.2, 0.1), lit=False)
-    camera = made.renderer.GetActiveCamera()
-    camera.SetPosition(eye)
-    camera.SetFocalPoint(target)
-    camera.SetViewUp(0, 0, 1)
-    camera.SetClippingRange(0.1, 200)
+    wt.place_camera(made.renderer, eye, target, (0.1, 200))
     return made, water
 
 
@@ -164,11 +160,7 @@ made = wt.View(SIZE, (0, 0, 0))
 wt.add_actor(made.renderer, wt.box((0, 20, 4), (200, 0.1, 8)), (1, 1, 1), lit=False)
 water = wt.add_water(made.renderer, None, (-90, 90, -90, 90), 1.0)
 water.GetWaterProperty().SetSlopeVariance(5e-4, 5e-4)
-camera = made.renderer.GetActiveCamera()
-camera.SetPosition(0, -20, 5)
-camera.SetFocalPoint(0, 0, 1)
-camera.SetViewUp(0, 0, 1)
-camera.SetClippingRange(1, 200)
+wt.place_camera(made.renderer, (0, -20, 5), (0, 0, 1), (1, 200))
 column = made.picture()[:, 100, 0]
 steps = np.abs(np.diff(column))[:70]  # from the bottom up to the foot of the wall
 wt.check_at_most("rough reflection: largest step from pixel to pixel, of 255", int(steps.max()), 60)

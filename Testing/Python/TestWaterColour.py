@@ -23,11 +23,7 @@ def card_and_water(gray, reflectance, light=1.0):
     made.renderer.AddLight(source)
     water = wt.add_water(made.renderer, None, (-60, 60, -60, 60), reflectance)
     water.GetWaterProperty().SetDeepColor(0, 0, 0)
-    camera = made.renderer.GetActiveCamera()
-    camera.SetPosition(0, -12, 3)
-    camera.SetFocalPoint(0, 0, 1.5)
-    camera.SetViewUp(0, 0, 1)
-    camera.SetClippingRange(0.5, 100)
+    wt.place_camera(made.renderer, (0, -12, 3), (0, 0, 1.5), (0.5, 100))
     return made, water
 
 

@@ -24,11 +24,7 @@ FAR = (1e7, 2e7, 1e3)
 
 def view(offset=(0, 0, 0)):
     result = wt.View((200, 150))
-    camera = result.renderer.GetActiveCamera()
-    camera.SetPosition(np.add((4, -5, 2), offset))
-    camera.SetFocalPoint(offset)
-    camera.SetViewUp(0, 0, 1)
-    camera.SetClippingRange(0.1, 100)
+    wt.place_camera(result.renderer, np.add((4, -5, 2), offset), offset, (0.1, 100))
     return result
 
 

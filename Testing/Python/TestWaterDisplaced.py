@@ -39,11 +39,7 @@ def scene(position, waves, size=SIZE):
     for wave in waves:
         water.GetWaterProperty().AddWave(*wave)
     water.GetWaterProperty().WaveGeometryOn()
-    camera = made.renderer.GetActiveCamera()
-    camera.SetPosition(position)
-    camera.SetFocalPoint(0, 2, 0)
-    camera.SetViewUp(0, 0, 1)
-    camera.SetClippingRange(0.5, 150)
+    wt.place_camera(made.renderer, position, (0, 2, 0), (0.5, 150))
     return made, water
 
 

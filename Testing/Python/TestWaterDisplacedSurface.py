@@ -29,12 +29,7 @@ def scene(waves, size=(200, 150), sheet=SHEET, reflectance=1.0, plane=None):
 
 
 def look(made, position, focal_point, up=(0, 0, 1), near_far=(0.5, 150)):
-    camera = made.renderer.GetActiveCamera()
-    camera.SetPosition(position)
-    camera.SetFocalPoint(focal_point)
-    camera.SetViewUp(up)
-    camera.SetClippingRange(near_far)
-    return camera
+    return wt.place_camera(made.renderer, position, focal_point, near_far, view_up=up)
 
 
 def depths(made):

@@ -37,11 +37,7 @@ class Scene:
         self.errors = wt.errors_of(self.water)
 
     def at(self, height):
-        camera = self.view.renderer.GetActiveCamera()
-        camera.SetPosition(2, -13, height)
-        camera.SetFocalPoint(0, 0, 0.3 * height if height < 1 else 0.3)
-        camera.SetViewUp(0, 0, 1)
-        camera.SetClippingRange(NEAR, 400)
+        wt.place_camera(self.view.renderer, (2, -13, height), (0, 0, 0.3 * height if height < 1 else 0.3), (NEAR, 400))
         return self.view.picture()
 
 
@@ -67,11 +63,7 @@ def check(name, waves, clear):
 def straight_down(name, scene, clear):
     """All of the sheet is cut off before the eye is in the water."""
     def at(height):
-        camera = scene.view.renderer.GetActiveCamera()
-        camera.SetPosition(2, -13, height)
-        camera.SetFocalPoint(2, -13, -5)
-        camera.SetViewUp(0, 1, 0)
-        camera.SetClippingRange(0.1, 400)
+        wt.place_camera(scene.view.renderer, (2, -13, height), (2, -13, -5), (0.1, 400), view_up=(0, 1, 0))
         return scene.view.picture()
 
     if clear:

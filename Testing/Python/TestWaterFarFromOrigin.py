@@ -16,11 +16,7 @@ def picture(offset, tilt):
     water = wt.add_water(
         view.renderer, wt.plane(offset, wt.unit(tilt)), (-20, 20, -20, 20), reflectance=None
     )
-    camera = view.renderer.GetActiveCamera()
-    camera.SetPosition(np.add((2, -14, 4), offset))
-    camera.SetFocalPoint(offset)
-    camera.SetViewUp(0, 0, 1)
-    camera.SetClippingRange(1, 60)
+    wt.place_camera(view.renderer, np.add((2, -14, 4), offset), offset, (1, 60))
     seen = view.picture()
     wt.check_equal(f"offset {offset}: decision", water.GetReflectionPass().GetDecisionAsString(), "rendered")
     return seen

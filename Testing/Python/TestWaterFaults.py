@@ -27,11 +27,7 @@ class Scene:
             self.view.renderer.AddActor(actor)
         self.water = wt.add_water(self.view.renderer, None, SHEET, reflectance=0.7)
         self.errors = wt.errors_of(self.water)
-        camera = self.view.renderer.GetActiveCamera()
-        camera.SetPosition(4, -5, 2)
-        camera.SetFocalPoint(0, 0, 0)
-        camera.SetViewUp(0, 0, 1)
-        camera.SetClippingRange(0.1, 100)
+        wt.place_camera(self.view.renderer, (4, -5, 2), (0, 0, 0), (0.1, 100))
 
     def picture(self):
         return self.view.picture()

@@ -35,11 +35,7 @@ class Scene:
             wall.GetPropertyKeys().Set(Pass.NOT_REFLECTED(), 1)
         self.reflection = self.water.GetReflectionPass()
         self.reflection.SetSkips(skips)
-        self.camera = self.renderer.GetActiveCamera()
-        self.camera.SetPosition(0, -12, 5)
-        self.camera.SetFocalPoint(0, 0, 3)
-        self.camera.SetViewUp(0, 0, 1)
-        self.camera.SetClippingRange(0.5, 80)
+        self.camera = wt.place_camera(self.renderer, (0, -12, 5), (0, 0, 3), (0.5, 80))
 
     def frames(self, count=4):
         for _ in range(count):

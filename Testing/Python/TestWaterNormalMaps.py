@@ -41,11 +41,7 @@ def scene(position):
     made = wt.View(SIZE, (0, 0, 0))
     water = wt.add_water(made.renderer, None, (-90, 90, -90, 90), None)
     water.GetWaterProperty().SetIndexOfRefraction(INDEX)
-    camera = made.renderer.GetActiveCamera()
-    camera.SetPosition(position)
-    camera.SetFocalPoint(0.3, 0.2, 0)
-    camera.SetViewUp(0, 1, 0.2)
-    camera.SetClippingRange(0.1, 400)
+    camera = wt.place_camera(made.renderer, position, (0.3, 0.2, 0), (0.1, 400), view_up=(0, 1, 0.2))
     start, ray = ray_caster.eye_rays(camera, SIZE, 1)
     return made, water, start - (start[:, 2] / ray[:, 2])[:, None] * ray, ray
 

@@ -28,11 +28,7 @@ class Scene:
                 wall = wt.add_actor(self.view.renderer, wt.box(center, (0.9, 0.9, 2)), (0, 0, 1))
                 wall.SetPropertyKeys(vtkInformation())
                 wall.GetPropertyKeys().Set(Pass.NOT_REFLECTED(), 1)
-        camera = self.view.renderer.GetActiveCamera()
-        camera.SetPosition(4, -5, 2)
-        camera.SetFocalPoint(0, 0, 0)
-        camera.SetViewUp(0, 0, 1)
-        camera.SetClippingRange(0.1, 100)
+        wt.place_camera(self.view.renderer, (4, -5, 2), (0, 0, 0), (0.1, 100))
 
     def picture(self):
         return self.view.picture()

@@ -13,11 +13,7 @@ def make(count=1):
     wt.add_actor(view.renderer, wt.box((0, 3, 1), (2, 2, 2)), (0.9, 0.4, 0.2))
     waters = [wt.add_water(view.renderer, wt.plane((0, 0, -0.01 * i), (0, 0, 1)), (-9 + 9 * i, 9 * i, -9, 9), 0.9)
               for i in range(count)]
-    camera = view.renderer.GetActiveCamera()
-    camera.SetPosition(0, -14, 5)
-    camera.SetFocalPoint(0, 0, 0)
-    camera.SetViewUp(0, 0, 1)
-    camera.SetClippingRange(0.5, 80)
+    wt.place_camera(view.renderer, (0, -14, 5), (0, 0, 0), (0.5, 80))
     return view, waters, [water.GetReflectionPass() for water in waters]
 
 

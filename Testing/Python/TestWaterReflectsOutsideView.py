@@ -10,11 +10,8 @@ def picture(box_center, focal_point=(0, 0, 0), with_box=True):
     wt.add_water(view.renderer, wt.plane((0, 0, 0), (0, 0, 1)), (-30, 30, -30, 30))
     if with_box:
         wt.add_actor(view.renderer, wt.box(box_center, (3, 3, 3)), (1, 0, 0), lit=False)
-    camera = view.renderer.GetActiveCamera()
-    camera.SetPosition(0, -20, 6)
-    camera.SetFocalPoint(focal_point)
-    camera.SetViewUp(0, 0, 1)
-    camera.SetClippingRange(1, 45)  # ends behind the water, before the farthest mirror image
+    # the clipping range ends behind the water, before the farthest mirror image
+    wt.place_camera(view.renderer, (0, -20, 6), focal_point, (1, 45))
     return (view.picture() == (255, 0, 0)).all(axis=2)
 
 

@@ -111,11 +111,7 @@ class Scene:
         self.water = wt.add_water(self.renderer, wt.plane((0, 0, 0), (0, 0, 1)), (-9, 9, -9, -1), 0.9)
         self.reflection = self.water.GetReflectionPass()
         self.look = self.water.GetWaterProperty()
-        self.camera = self.renderer.GetActiveCamera()
-        self.camera.SetPosition(1, -16, 5)
-        self.camera.SetFocalPoint(0, 0, 0.3)
-        self.camera.SetViewUp(0, 0, 1)
-        self.camera.SetClippingRange(1, 60)
+        self.camera = wt.place_camera(self.renderer, (1, -16, 5), (0, 0, 0.3), (1, 60))
 
     def add(self, mapper, position):
         actor = vtkActor()

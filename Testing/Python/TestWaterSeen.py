@@ -28,11 +28,7 @@ class Scene:
         self.reflection.SetSkips(skips)
         self.reflection.SetTextureScale(scale)
         self.reflection.InstrumentationOn()
-        self.camera = renderer.GetActiveCamera()
-        self.camera.SetPosition(0, -14, 4)
-        self.camera.SetFocalPoint(0, 0, 0)
-        self.camera.SetViewUp(0, 0, 1)
-        self.camera.SetClippingRange(0.5, 80)
+        self.camera = wt.place_camera(renderer, (0, -14, 4), (0, 0, 0), (0.5, 80))
 
     def pictures(self, turn=3):
         for _ in range(4):

@@ -152,11 +152,7 @@ class Scene:
         fill(self.view.renderer)
         self.water = wt.add_water(self.view.renderer, wt.plane((0, 0, 0), (0, 0, 1)), sheet, 1.0)
         self.water.GetReflectionPass().SetSkips(skips)
-        camera = self.view.renderer.GetActiveCamera()
-        camera.SetPosition(0, -14, 6)
-        camera.SetFocalPoint(0, 0, 0)
-        camera.SetViewUp(0, 0, 1)
-        camera.SetClippingRange(0.5, 80)
+        wt.place_camera(self.view.renderer, (0, -14, 6), (0, 0, 0), (0.5, 80))
 
     def pictures(self):
         for _ in range(6):

@@ -15,11 +15,7 @@ for data, color in wt.curved_things():
     wt.add_actor(view.renderer, data, color, specular=0.5)
 wt.add_scene_light(view.renderer, (3, -5, 8))
 wt.add_water(view.renderer, wt.plane((0, 0, 0.1), wt.unit((0.2, 0.1, 1))), (-6, 6, -5, 9), 0.6)
-camera = view.renderer.GetActiveCamera()
-camera.SetPosition(2, -9, 3)
-camera.SetFocalPoint(0, 0, 0)
-camera.SetViewUp(0, 0, 1)
-camera.SetClippingRange(1, 40)
+wt.place_camera(view.renderer, (2, -9, 3), (0, 0, 0), (1, 40))
 view.window.Render()
 
 tester = vtkTesting()

@@ -72,21 +72,13 @@ def compare(kind):
     view = wt.View(SIZE)
     fill(view, kind, cut=False)
     water = wt.add_water(view.renderer, wt.plane((0, 0, 0), (0, 0, 1)), (-6, 6, -4, 8))
-    camera = view.renderer.GetActiveCamera()
-    camera.SetPosition(1, -9, 3)
-    camera.SetFocalPoint(0.5, 0, 0)
-    camera.SetViewUp(0, 0, 1)
-    camera.SetClippingRange(1, 40)
+    wt.place_camera(view.renderer, (1, -9, 3), (0.5, 0, 0), (1, 40))
     seen = view.picture()
     mask = wt.water_mask(view, water)
 
     mirror = wt.View(SIZE)
     fill(mirror, kind, cut=True)
-    below = mirror.renderer.GetActiveCamera()
-    below.SetPosition(1, -9, -3)
-    below.SetFocalPoint(0.5, 0, 0)
-    below.SetViewUp(0, 0, -1)
-    below.SetClippingRange(1, 40)
+    wt.place_camera(mirror.renderer, (1, -9, -3), (0.5, 0, 0), (1, 40), view_up=(0, 0, -1))
     expected = mirror.picture()[:, ::-1]
     background = expected[0, 0]
 
@@ -103,11 +95,7 @@ def compare(kind):
 def view_without_water(kind):
     view = wt.View(SIZE)
     fill(view, kind, cut=False)
-    camera = view.renderer.GetActiveCamera()
-    camera.SetPosition(1, -9, 3)
-    camera.SetFocalPoint(0.5, 0, 0)
-    camera.SetViewUp(0, 0, 1)
-    camera.SetClippingRange(1, 40)
+    wt.place_camera(view.renderer, (1, -9, 3), (0.5, 0, 0), (1, 40))
     return view.picture()
 
 

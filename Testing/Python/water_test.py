@@ -99,6 +99,16 @@ class View:
         return vtk_to_numpy(pixels).reshape(height, width, 4)[:, :, :3].astype(int)
 
 
+def place_camera(renderer, position, focal_point, clipping_range, view_up=(0, 0, 1)):
+    """Places a renderer's camera and returns it; what VTK's own view takes from the scene's bounds is given."""
+    camera = renderer.GetActiveCamera()
+    camera.SetPosition(position)
+    camera.SetFocalPoint(focal_point)
+    camera.SetViewUp(view_up)
+    camera.SetClippingRange(clipping_range)
+    return camera
+
+
 def with_normals(source):
     """Output of a source with normals, hard edges split, in double precision."""
     normals = vtkPolyDataNormals()

@@ -88,11 +88,7 @@ def _add_water(made, waves, half_width, position):
     water = wt.add_water(made.renderer, None, (-half_width, half_width, -half_width, half_width))
     for wave in waves:
         water.GetWaterProperty().AddWave(*wave)
-    camera = made.renderer.GetActiveCamera()
-    camera.SetPosition(position)
-    camera.SetFocalPoint(0, 0, 0)
-    camera.SetViewUp(0, 0, 1)
-    camera.SetClippingRange(0.5, 150)
+    wt.place_camera(made.renderer, position, (0, 0, 0), (0.5, 150))
     return water
 
 
