@@ -26,10 +26,6 @@ def scene(eye=(3, -8, 4), target=(0, 0, 0), clear=True):
     return made, water
 
 
-def difference(first, second):
-    return int(np.abs(first - second).max())
-
-
 UNDER = {"eye": (3, -8, -1.2), "target": (0, 0, -1)}
 
 # The order of adding does not matter.
@@ -37,7 +33,7 @@ made, water = scene()
 before = made.picture()
 made.renderer.RemoveActor(water)
 made.renderer.AddActor(water)
-wt.check_equal("water added last: difference", difference(made.picture(), before), 0)
+wt.check_equal("water added last: difference", wt.difference(made.picture(), before), 0)
 
 # An actor that is made translucent by its own vtkProperty is plain alpha blending, as by the water's.
 for peeling in (False, True):
@@ -48,7 +44,7 @@ for peeling in (False, True):
             made.renderer.SetUseDepthPeeling(peeling)
             (water.GetProperty() if by_actor else water.GetWaterProperty()).SetOpacity(0.5)
             pictures.append(made.picture())
-        wt.check_at_most(f"opacity by either property, {name}, peeling {peeling}: difference", difference(*pictures), 1)
+        wt.check_at_most(f"opacity by either property, {name}, peeling {peeling}: difference", wt.difference(*pictures), 1)
 
 # Observers that drop what is being drawn.
 for name, drop in (("property", lambda water: water.SetWaterProperty(None)),
@@ -76,9 +72,9 @@ background = made.picture()
 picture = vtkTexture()
 picture.SetInputData(wt.checker())
 look.SetEnvironmentTexture(picture)
-wt.check_at_least("environment: it is reflected", difference(made.picture(), background), 10)
+wt.check_at_least("environment: it is reflected", wt.difference(made.picture(), background), 10)
 picture.RemoveAllInputConnections(0)
-wt.check_equal("environment without a picture: difference from the background", difference(made.picture(), background), 0)
+wt.check_equal("environment without a picture: difference from the background", wt.difference(made.picture(), background), 0)
 
 # Two sheets over one eye: the water between eye and scene is there once.
 made, water = scene(**UNDER)

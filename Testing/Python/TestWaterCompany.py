@@ -32,10 +32,6 @@ def thing(renderer, offset=(0, 0, 0)):
     return wt.add_actor(renderer, wt.moved(wt.pyramid((0, 0, 0.4), 1.2), offset), (1, 0.6, 0.2))
 
 
-def error(first, second):
-    return int(np.abs(first - second).max())
-
-
 def count_errors(prop):
     errors = []
     prop.AddObserver("ErrorEvent", lambda caller, event: errors.append(event))
@@ -74,7 +70,7 @@ scene.renderer.RemoveActor(actor)
 levels = vtkLODProp3D()
 levels.AddLOD(actor.GetMapper(), actor.GetProperty(), 0.0)
 scene.renderer.AddViewProp(levels)
-wt.check_equal("vtkLODProp3D after the water: first picture, error", error(scene.picture(), plain), 0)
+wt.check_equal("vtkLODProp3D after the water: first picture, error", wt.difference(scene.picture(), plain), 0)
 
 # Axes that stand half under water: reflected as the ordinary actors that they are made of.
 def axes_scene(in_parts):
@@ -97,7 +93,7 @@ def axes_scene(in_parts):
     return scene.picture()
 
 
-wt.check_equal("vtkAxesActor half under water: error", error(axes_scene(False), axes_scene(True)), 0)
+wt.check_equal("vtkAxesActor half under water: error", wt.difference(axes_scene(False), axes_scene(True)), 0)
 
 # A user's own shader that takes the place where water declares its functions.
 scene = view()
@@ -105,7 +101,7 @@ actor = thing(scene.renderer)
 for tag in ("//VTK::Clip::Dec", "//VTK::Clip::Impl"):
     actor.GetShaderProperty().AddFragmentShaderReplacement(tag, True, "// mine\n", True)
 wt.add_water(scene.renderer, None, SHEET)
-wt.check_equal("user's shader replacement: picture, error", error(scene.picture(), plain), 0)
+wt.check_equal("user's shader replacement: picture, error", wt.difference(scene.picture(), plain), 0)
 
 # Water made by a thread and water made by another, in one renderer.
 halves = []
@@ -120,7 +116,7 @@ for water, sheet in zip(halves, ((-9, 0, -9, 9), (0, 9, -9, 9))):
     water.GetWaterProperty().SetReflectanceModeToConstant()
     water.GetWaterProperty().SetReflectance(1)
     scene.renderer.AddActor(water)
-wt.check_equal("water of two threads: picture, error", error(scene.picture(), plain), 0)
+wt.check_equal("water of two threads: picture, error", wt.difference(scene.picture(), plain), 0)
 
 
 # A composed pass takes charge of one plane; water in another keeps its own mirror.
@@ -135,7 +131,7 @@ def two_levels(composed):
 
 
 for own, composed in zip(two_levels(False), two_levels(True)):
-    wt.check_equal("two levels with a composed pass: error", error(composed, own), 0)
+    wt.check_equal("two levels with a composed pass: error", wt.difference(composed, own), 0)
 
 # A chain of passes that leads back is said once, and ends.
 first, second = vtkWaterReflectionPass(), vtkWaterReflectionPass()

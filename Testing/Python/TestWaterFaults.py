@@ -9,7 +9,6 @@ import subprocess
 import sys
 import threading
 
-import numpy as np
 import water_test as wt
 from vtkmodules.vtkCommonCore import vtkInformation
 from vtkwater import vtkWaterReflectionPass as Pass
@@ -46,10 +45,6 @@ class Scene:
         tag = [mapper.AddObserver("StartEvent", on_start)]
 
 
-def error(first, second):
-    return int(np.abs(first - second).max())
-
-
 def as_child(what):
     scene = Scene()
     if what == "exit":
@@ -64,7 +59,7 @@ def as_child(what):
             scene.water.SetLevel(0.3)
             os._exit(4)
         print("child ended with", os.waitstatus_to_exitcode(os.waitpid(pid, 0)[1]))
-        print("error", error(scene.picture(), right))
+        print("error", wt.difference(scene.picture(), right))
 
 
 right = Scene().picture()
@@ -73,14 +68,14 @@ if "--child" in sys.argv:
     sys.exit(0)
 dry = Scene()
 dry.view.renderer.RemoveActor(dry.water)
-wt.check_at_least("the water is seen", error(right, dry.picture()), 50)
+wt.check_at_least("the water is seen", wt.difference(right, dry.picture()), 50)
 
 
 def frame_with(name, do, actor=1):
     scene = Scene()
     scene.once_in_mirror(lambda: do(scene), actor)
     scene.picture()
-    wt.check_equal(f"{name}: next picture, error", error(scene.picture(), right), 0)
+    wt.check_equal(f"{name}: next picture, error", wt.difference(scene.picture(), right), 0)
     wt.check_equal(f"{name}: errors", scene.errors, [])
     return scene
 
@@ -110,7 +105,7 @@ def prop_deleted(which):
     scene.picture()
     other.view.renderer.RemoveActor(other.actors[which])
     wt.check_equal(f"prop {which} deleted in the mirrored view of prop 1: next picture, error",
-                   error(scene.picture(), other.picture()), 0)
+                   wt.difference(scene.picture(), other.picture()), 0)
     gc.collect()
     wt.check_equal(f"prop {which} deleted: died", died, [which])
 
@@ -125,7 +120,7 @@ def own_stand_in():
     actor = scene.actors[0]
     actor.SetPropertyKeys(vtkInformation())
     actor.GetPropertyKeys().Set(Pass.STAND_IN(), actor)
-    wt.check_equal("own stand-in: picture, error", error(scene.picture(), right), 0)
+    wt.check_equal("own stand-in: picture, error", wt.difference(scene.picture(), right), 0)
     died = []
     actor.AddObserver("DeleteEvent", lambda caller, event: died.append(True))
     scene.view.renderer.RemoveActor(actor)
@@ -145,9 +140,9 @@ def shared_actors():
     second = Scene((180, 120), first.actors)
     alone = Scene((180, 120)).picture()
     for frame in range(3):
-        wt.check_equal(f"actors in two windows, frame {frame}: error in the first", error(first.picture(), right), 0)
+        wt.check_equal(f"actors in two windows, frame {frame}: error in the first", wt.difference(first.picture(), right), 0)
         wt.check_equal(f"actors in two windows, frame {frame}: error in the second",
-                       error(second.picture(), alone), 0)
+                       wt.difference(second.picture(), alone), 0)
 
 
 shared_actors()
@@ -173,7 +168,7 @@ def threads():
         worker.join()
     wt.check_equal("two threads: pictures", len(pictures), 2)
     for number, picture in pictures.items():
-        wt.check_at_most(f"two threads: error of picture {number}", error(picture, right), 1)
+        wt.check_at_most(f"two threads: error of picture {number}", wt.difference(picture, right), 1)
 
 
 threads()

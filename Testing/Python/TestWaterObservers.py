@@ -6,7 +6,6 @@ way round when the mirrored view waits for the scene before the water. What an o
 must have happened afterwards, and the picture after the frame must be right.
 """
 
-import numpy as np
 import water_test as wt
 from vtkmodules.vtkCommonCore import vtkInformation
 from vtkmodules.vtkRenderingCore import vtkCamera
@@ -35,10 +34,6 @@ class Scene:
 
     def reflections(self):
         return self.water.GetReflectionPass().GetNumberOfReflectionRenders()
-
-
-def error(first, second):
-    return int(np.abs(first - second).max())
 
 
 def is_mirrored(scene):
@@ -79,14 +74,14 @@ for order in (FIRST, LATE):
     dry = Scene(order)
     dry.view.renderer.RemoveActor(dry.water)
     dry = dry.picture()
-    wt.check_at_least(f"drawn {order}: the water is seen", error(right, dry), 50)
+    wt.check_at_least(f"drawn {order}: the water is seen", wt.difference(right, dry), 50)
     for view in (MIRRORED, MAIN):
         name = f"in the {view} view, drawn {order}: next picture, error"
         scene, picture = in_view(view, order, lambda scene: scene.view.renderer.RemoveActor(scene.water))
-        wt.check_equal(f"water removed {name}", error(picture, dry), 0)
+        wt.check_equal(f"water removed {name}", wt.difference(picture, dry), 0)
         scene, picture = in_view(
             view, order, lambda scene: scene.water.ReleaseGraphicsResources(scene.view.window))
-        wt.check_equal(f"resources released {name}", error(picture, right), 0)
+        wt.check_equal(f"resources released {name}", wt.difference(picture, right), 0)
 
         other = vtkCamera()
         other.DeepCopy(Scene().view.renderer.GetActiveCamera())
@@ -110,7 +105,7 @@ def drop(caller, event):
 
 scene.view.renderer.AddObserver("EndEvent", drop, 1.0)
 scene.picture()
-wt.check_equal("water dropped at the frame's end: next picture, error", error(scene.picture(), dry), 0)
+wt.check_equal("water dropped at the frame's end: next picture, error", wt.difference(scene.picture(), dry), 0)
 
 
 # An observer that takes all observers of the frame's end away, or keeps others from hearing of it.
@@ -125,7 +120,7 @@ def end_of_frame(name, do):
     fresh = Scene()
     fresh.actor.SetPosition(0.5, 0, 0)
     wt.check_equal(f"{name}: reflections in the next frame", scene.reflections() - before, 1)
-    wt.check_equal(f"{name}: next picture, error", error(moved, fresh.picture()), 0)
+    wt.check_equal(f"{name}: next picture, error", wt.difference(moved, fresh.picture()), 0)
 
 
 def abort(renderer, tag):

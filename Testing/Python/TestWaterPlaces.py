@@ -27,10 +27,6 @@ def build(size=(320, 240), reflectance=1.0, sheet=(-9, 9, -6, 9), background=(0.
     return view, water
 
 
-def largest(a, b):
-    return int(np.abs(a - b).max())
-
-
 view, water = build()
 reference = view.picture()
 mask = wt.water_mask(view, water)
@@ -57,7 +53,7 @@ wt.check_at_least("mesh with an island: pixels of the hole", int((mask & ~mesh_m
 off = float((np.abs(mesh - reference).max(axis=2) > 1)[mesh_mask].mean() * 100)
 wt.check_at_most("mesh with an island: % of its pixels off", off, 0.02)
 water.SetMapper(None)
-wt.check_equal("own sheet again: largest error", largest(view.picture(), reference), 0)
+wt.check_equal("own sheet again: largest error", wt.difference(view.picture(), reference), 0)
 
 # Composed by hand, the pass gives the same picture.
 for name, delegate in (("default delegate", None), ("render steps", vtkRenderStepsPass())):
@@ -68,9 +64,9 @@ for name, delegate in (("default delegate", None), ("render steps", vtkRenderSte
     picture = composed_view.picture()
     wt.check_equal(f"pass composed by hand, {name}: in charge", composed_water.GetReflectionPass() is by_hand, True)
     wt.check_equal(f"pass composed by hand, {name}: renders", by_hand.GetNumberOfReflectionRenders(), 1)
-    wt.check_equal(f"pass composed by hand, {name}: largest error", largest(picture, reference), 0)
+    wt.check_equal(f"pass composed by hand, {name}: largest error", wt.difference(picture, reference), 0)
     composed_view.renderer.SetPass(None)
-    wt.check_equal(f"taken out again, {name}: largest error", largest(composed_view.picture(), reference), 0)
+    wt.check_equal(f"taken out again, {name}: largest error", wt.difference(composed_view.picture(), reference), 0)
     wt.check_equal(f"taken out again, {name}: own pass", composed_water.GetReflectionPass() is by_hand, False)
 
 # From below: the underside shows what is below, whole where reflection is total.
@@ -97,15 +93,15 @@ wt.check_at_most("from below, total reflection: % of water pixels off", off, 0.0
 view.window.SetSize(200, 300)
 view.picture()
 view.window.SetSize(320, 240)
-wt.check_equal("resized and back: largest error", largest(view.picture(), reference), 0)
+wt.check_equal("resized and back: largest error", wt.difference(view.picture(), reference), 0)
 view.window.Finalize()
-wt.check_equal("released and rendered again: largest error", largest(view.picture(), reference), 0)
+wt.check_equal("released and rendered again: largest error", wt.difference(view.picture(), reference), 0)
 other = wt.View((320, 240))
 other.window.RemoveRenderer(other.renderer)
 view.window.RemoveRenderer(view.renderer)
 other.window.AddRenderer(view.renderer)
 other.renderer = view.renderer
-wt.check_equal("in another window: largest error", largest(other.picture(), reference), 0)
+wt.check_equal("in another window: largest error", wt.difference(other.picture(), reference), 0)
 # VTK itself draws no prop rightly in two windows of separate contexts (9.6, without any water): each
 # window has its own water here, and both of them the one look and plane.
 first, shared = build()
@@ -113,21 +109,21 @@ second, twin = build()
 twin.SetWaterProperty(shared.GetWaterProperty())
 twin.SetPlane(shared.GetPlane())
 for turn in range(2):
-    wt.check_equal(f"two windows in turn, first, turn {turn}: largest error", largest(first.picture(), reference), 0)
-    wt.check_equal(f"two windows in turn, second, turn {turn}: largest error", largest(second.picture(), reference), 0)
+    wt.check_equal(f"two windows in turn, first, turn {turn}: largest error", wt.difference(first.picture(), reference), 0)
+    wt.check_equal(f"two windows in turn, second, turn {turn}: largest error", wt.difference(second.picture(), reference), 0)
 del twin
 del second
 gc.collect()
-wt.check_equal("after the second window is gone: largest error", largest(first.picture(), reference), 0)
+wt.check_equal("after the second window is gone: largest error", wt.difference(first.picture(), reference), 0)
 
 # The debug corner: the map, turned back, in the lower left quarter and nowhere else.
 view, water = build()
 water.GetReflectionPass().ShowReflectionOn()
 corner = view.picture()
 wt.check_equal("debug corner: the rest, largest error",
-               largest(np.where(np.arange(240)[:, None, None] >= 120, corner, 0),
-                       np.where(np.arange(240)[:, None, None] >= 120, reference, 0)), 0)
-wt.check_equal("debug corner: right half, largest error", largest(corner[:, 160:], reference[:, 160:]), 0)
+               wt.difference(np.where(np.arange(240)[:, None, None] >= 120, corner, 0),
+                             np.where(np.arange(240)[:, None, None] >= 120, reference, 0)), 0)
+wt.check_equal("debug corner: right half, largest error", wt.difference(corner[:, 160:], reference[:, 160:]), 0)
 # each pixel of the corner is the map at twice its place, where the water looks it up
 shown = corner[:120, :160][2:-2, 2:-2]
 expected = reference[::2, ::2][2:-2, 2:-2]

@@ -109,6 +109,11 @@ def place_camera(renderer, position, focal_point, clipping_range, view_up=(0, 0,
     return camera
 
 
+def difference(first, second):
+    """The largest difference of two pictures in any colour of any pixel, of 255."""
+    return int(np.abs(first - second).max())
+
+
 def with_normals(source):
     """Output of a source with normals, hard edges split, in double precision."""
     normals = vtkPolyDataNormals()
