@@ -6,48 +6,15 @@ mapper's own clipping plane; flipped in x it is what the water must show.
 """
 
 import numpy as np
+import volumes
 import water_test as wt
-import vtkmodules.vtkRenderingVolumeOpenGL2  # noqa: F401
-from vtkmodules.vtkCommonDataModel import vtkPiecewiseFunction, vtkSphere
-from vtkmodules.vtkImagingCore import vtkImageShiftScale
-from vtkmodules.vtkImagingHybrid import vtkSampleFunction
-from vtkmodules.vtkRenderingCore import vtkColorTransferFunction, vtkVolume
-from vtkmodules.vtkRenderingVolume import vtkGPUVolumeRayCastMapper
 
 SIZE = (320, 240)
 
 
 def cloud(height):
-    ball = vtkSphere()
-    ball.SetRadius(1.0)
-    ball.SetCenter(0, 0, height)
-    sample = vtkSampleFunction()
-    sample.SetImplicitFunction(ball)
-    sample.SetModelBounds(-1.2, 1.2, -1.2, 1.2, height - 1.2, height + 1.2)
-    sample.SetSampleDimensions(48, 48, 48)
-    scale = vtkImageShiftScale()
-    scale.SetInputConnection(sample.GetOutputPort())
-    scale.SetShift(1)
-    scale.SetScale(100)
-    scale.SetOutputScalarTypeToUnsignedChar()
-    scale.ClampOverflowOn()
-    mapper = vtkGPUVolumeRayCastMapper()
-    mapper.SetInputConnection(scale.GetOutputPort())
-    mapper.UseJitteringOff()
-    mapper.AutoAdjustSampleDistancesOff()
-    mapper.SetSampleDistance(0.02)
-    volume = vtkVolume()
-    volume.SetMapper(mapper)
-    color = vtkColorTransferFunction()
-    color.AddRGBPoint(0, 1, 0.8, 0)
-    color.AddRGBPoint(120, 1, 0.2, 0)
-    opacity = vtkPiecewiseFunction()
-    opacity.AddPoint(0, 0.9)
-    opacity.AddPoint(90, 0.3)
-    opacity.AddPoint(101, 0)
-    volume.GetProperty().SetColor(color)
-    volume.GetProperty().SetScalarOpacity(opacity)
-    return volume
+    return volumes.ray_cast(volumes.ball((0, 0, height), 1.0, 48, 1, 100), 0.02,
+                            ((0, 1, 0.8, 0), (120, 1, 0.2, 0)), ((0, 0.9), (90, 0.3), (101, 0)))
 
 
 def fill(view, kind, cut):

@@ -6,8 +6,8 @@ equal.
 """
 
 import numpy as np
+import volumes
 import water_test as wt
-import vtkmodules.vtkRenderingVolumeOpenGL2  # noqa: F401
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkInformation, vtkLookupTable
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPiecewiseFunction, vtkPolyData
@@ -18,14 +18,10 @@ from vtkmodules.vtkRenderingCore import (
     vtkActor,
     vtkAssembly,
     vtkBillboardTextActor3D,
-    vtkColorTransferFunction,
     vtkLight,
-    vtkPolyDataMapper,
     vtkTextActor,
     vtkTexture,
-    vtkVolume,
 )
-from vtkmodules.vtkRenderingVolume import vtkGPUVolumeRayCastMapper
 from vtkwater import vtkWaterReflectionPass as Pass
 
 SIZE = (160, 120)
@@ -61,22 +57,7 @@ def blob():
     image.SetOrigin(-1, -1, -1)
     values = np.clip(255 * (1 - distance), 0, 255).astype(np.uint8)
     image.GetPointData().SetScalars(numpy_to_vtk(values.ravel(), deep=True))
-    mapper = vtkGPUVolumeRayCastMapper()
-    mapper.SetInputData(image)
-    mapper.UseJitteringOff()
-    mapper.AutoAdjustSampleDistancesOff()
-    mapper.SetSampleDistance(0.2)
-    color = vtkColorTransferFunction()
-    color.AddRGBPoint(0, 0.2, 0.4, 1)
-    color.AddRGBPoint(255, 1, 0.9, 0.4)
-    opacity = vtkPiecewiseFunction()
-    opacity.AddPoint(20, 0)
-    opacity.AddPoint(255, 0.5)
-    volume = vtkVolume()
-    volume.SetMapper(mapper)
-    volume.GetProperty().SetColor(color)
-    volume.GetProperty().SetScalarOpacity(opacity)
-    return volume
+    return volumes.ray_cast(image, 0.2, ((0, 0.2, 0.4, 1), (255, 1, 0.9, 0.4)), ((20, 0), (255, 0.5)))
 
 
 class Scene:

@@ -139,7 +139,7 @@ def passes(name, set_up, words=None):
     """A pass that is wrong: said once at most, and the scene is drawn; set_up returns who says it."""
     scene = mm.Scene(mm.SEEN)
     things(scene)
-    water = wt.add_water(scene.renderer, wt.plane((0, 0, 0), (0, 0, 1)), mm.SHEET)
+    wt.add_water(scene.renderer, wt.plane((0, 0, 0), (0, 0, 1)), mm.SHEET)
     good = scene.pixels()
     before = units_in_use(scene)
     made = vtkWaterReflectionPass()
@@ -183,7 +183,6 @@ passes("two passes that are each other's delegates", cycle, "leads back")
 
 def shared_pass():
     """One pass, in turn in charge of two renderers of one window."""
-    expected = mm.composed_picture(things, mm.mirrored_picture(things))
     scene = mm.Scene(mm.SEEN)
     scene.renderer.SetViewport(0, 0, 0.5, 1)
     other = scene.add_renderer((0.2, 0.3, 0.4), (0.5, 0, 1, 1))

@@ -2,12 +2,8 @@
 """Rows Props and Composition of the mirror matrix: translucent props and volumes, and their order with the water."""
 
 import mirror_matrix as mm
-import vtkmodules.vtkRenderingVolumeOpenGL2  # noqa: F401  factories
+import volumes
 import water_test as wt
-from vtkmodules.vtkCommonDataModel import vtkPiecewiseFunction, vtkSphere
-from vtkmodules.vtkImagingCore import vtkImageShiftScale
-from vtkmodules.vtkImagingHybrid import vtkSampleFunction
-from vtkmodules.vtkRenderingCore import vtkColorTransferFunction, vtkVolume
 from vtkmodules.vtkRenderingVolume import vtkGPUVolumeRayCastMapper
 from vtkmodules.vtkRenderingVolumeOpenGL2 import vtkSmartVolumeMapper
 
@@ -46,46 +42,12 @@ def glass(height, count=3, opacity=0.45):
     return fill
 
 
-def ball_of_cloud(center, size=40):
-    ball = vtkSphere()
-    ball.SetRadius(1.2)
-    ball.SetCenter(center)
-    sample = vtkSampleFunction()
-    sample.SetImplicitFunction(ball)
-    x, y, z = center
-    sample.SetModelBounds(x - 1.4, x + 1.4, y - 1.4, y + 1.4, z - 1.4, z + 1.4)
-    sample.SetSampleDimensions(size, size, size)
-    scale = vtkImageShiftScale()
-    scale.SetInputConnection(sample.GetOutputPort())
-    scale.SetShift(1.5)
-    scale.SetScale(70)
-    scale.SetOutputScalarTypeToUnsignedChar()
-    scale.ClampOverflowOn()
-    scale.Update()
-    return scale.GetOutput()
-
-
 def cloud(height, change=None, mapper_class=vtkGPUVolumeRayCastMapper, at=(0.0, 0.0)):
     def fill(scene):
-        mapper = mapper_class()
-        mapper.SetInputData(ball_of_cloud((*at, height)))
-        if mapper_class is vtkGPUVolumeRayCastMapper:
-            mapper.UseJitteringOff()
-        mapper.AutoAdjustSampleDistancesOff()
-        mapper.SetSampleDistance(0.03)
-        volume = vtkVolume()
-        volume.SetMapper(mapper)
-        color = vtkColorTransferFunction()
-        color.AddRGBPoint(0, 1, 0.9, 0.2)
-        color.AddRGBPoint(100, 0.9, 0.2, 0.1)
-        opacity = vtkPiecewiseFunction()
-        opacity.AddPoint(0, 0.6)
-        opacity.AddPoint(90, 0.2)
-        opacity.AddPoint(105, 0)
-        look = volume.GetProperty()
-        look.SetColor(color)
-        look.SetScalarOpacity(opacity)
-        look.SetInterpolationTypeToLinear()
+        volume = volumes.ray_cast(volumes.ball((*at, height), 1.2, 40, 1.5, 70), 0.03,
+                                  ((0, 1, 0.9, 0.2), (100, 0.9, 0.2, 0.1)), ((0, 0.6), (90, 0.2), (105, 0)),
+                                  mapper_class)
+        volume.GetProperty().SetInterpolationTypeToLinear()
         if change:
             change(volume)
         scene.add(volume)
@@ -105,24 +67,31 @@ def post(scene):
     scene.add_data(wt.box((2.6, 0.8, 0.4), (0.7, 0.7, 2.2)), (0.3, 0.8, 0.4))
 
 
-# Translucent props, in each order, over, across and under the water, from above and from below.
-for kind in KINDS:
-    for place, height in (("over", 1.3), ("across", 0.2), ("under", -1.3)):
-        for eye in (None, under):
-            where = "above" if eye is None else "below"
-            seen_in_it = {"over": eye is None, "across": True, "under": eye is not None}[place]
+def placed(orders, props, heights):
+    """Props over, across and under the water, in each order, seen from above and from below.
 
-            def fill(scene, on=True, kind=kind, height=height, eye=eye):
-                order(scene, kind)
-                if eye:
-                    eye(scene)
-                post(scene)
-                if on:
-                    glass(height)(scene)
+    Yields order, place, where the eye is, whether the water reflects them, and cell()'s fill and options.
+    """
+    for kind in orders:
+        for place, height in zip(("over", "across", "under"), heights):
+            for where, go in (("above", None), ("below", under)):
+                def fill(scene, on=True, kind=kind, height=height, go=go):
+                    order(scene, kind)
+                    if go:
+                        go(scene)
+                    post(scene)
+                    if on:
+                        props(height)(scene)
 
-            # what is not on the eye's side is seen through the water, which is half opaque then
-            row.cell(f"translucent props {place} the water, {kind}, seen from {where}", fill,
-                     control=mm.REFLECTED if seen_in_it else mm.BEHIND, opacity=1.0 if seen_in_it else 0.5)
+                # what is not on the eye's side is seen through the water, which is half opaque then
+                seen_in_it = place == "across" or (place == "over") == (where == "above")
+                yield kind, place, where, seen_in_it, fill, dict(
+                    control=mm.REFLECTED if seen_in_it else mm.BEHIND, opacity=1.0 if seen_in_it else 0.5)
+
+
+# Translucent props.
+for kind, place, where, seen_in_it, fill, options in placed(KINDS, glass, (1.3, 0.2, -1.3)):
+    row.cell(f"translucent props {place} the water, {kind}, seen from {where}", fill, **options)
 
 # Volumes.
 CELLS = None if mm.VTK_VERSION >= (9, 6) else (
@@ -130,25 +99,11 @@ CELLS = None if mm.VTK_VERSION >= (9, 6) else (
     "(vtkVolumeShaderComposer.h) leaves in_cellToPoint out; VTK 9.6 has it.")
 OVER = ("VTK draws volumes over all translucent props, the half opaque water as well, unless they are peeled: "
         "vtkOpenGLRenderer::UpdateGeometry.")
-for kind in (ORDERED, PEELED_VOLUMES):
-    for place, height in (("over", 1.6), ("across", 0.3), ("under", -1.6)):
-        for eye in (None, under):
-            where = "above" if eye is None else "below"
-            seen_in_it = {"over": eye is None, "across": True, "under": eye is not None}[place]
-
-            def fill(scene, on=True, kind=kind, height=height, eye=eye):
-                order(scene, kind)
-                if eye:
-                    eye(scene)
-                post(scene)
-                if on:
-                    cloud(height)(scene)
-
-            how = "" if kind == ORDERED else f" {kind},"
-            reason = CELLS if place == "across" else None
-            row.cell(f"volume {place} the water,{how} seen from {where}", fill, exact=reason is None,
-                     reason=reason or (OVER if kind == ORDERED and not seen_in_it else None),
-                     control=mm.REFLECTED if seen_in_it else mm.BEHIND, opacity=1.0 if seen_in_it else 0.5)
+for kind, place, where, seen_in_it, fill, options in placed((ORDERED, PEELED_VOLUMES), cloud, (1.6, 0.3, -1.6)):
+    how = "" if kind == ORDERED else f" {kind},"
+    reason = CELLS if place == "across" else None
+    row.cell(f"volume {place} the water,{how} seen from {where}", fill, exact=reason is None,
+             reason=reason or (OVER if kind == ORDERED and not seen_in_it else None), **options)
 
 
 def shaded(volume):
