@@ -10,6 +10,7 @@ import collections
 import time
 
 import numpy as np
+import skip_changes
 import skip_scenes
 import water_test as wt
 from vtkwater import vtkWaterReflectionPass as Pass
@@ -38,7 +39,7 @@ FATES = ("DRAWN", "INVISIBLE", "WATER_ITSELF", "MARKED_NOT_REFLECTED", "OVERLAY"
 
 def walk(kind, samples, steps, random, decisions, fates, folder):
     both = [skip_scenes.Scene(kind, skips, samples) for skips in (Pass.SKIP_ALL, Pass.SKIP_NONE)]
-    names = [name for name in skip_scenes.CHANGES for _ in range(OFTEN.get(name, 1))]
+    names = [name for name in skip_changes.CHANGES for _ in range(OFTEN.get(name, 1))]
     name = "the first picture"
     worst, masks = 0, 0
     views = both[0].record_views()
@@ -61,9 +62,9 @@ def walk(kind, samples, steps, random, decisions, fates, folder):
                 for fate in range(Pass.NUMBER_OF_FATES):
                     fates[fate] += water.GetReflectionPass().GetFateCount(fate)
         name = names[random.integers(len(names))]
-        numbers = skip_scenes.numbers(random)
+        numbers = skip_changes.numbers(random)
         for scene in both:
-            skip_scenes.CHANGES[name](scene, numbers)
+            skip_changes.CHANGES[name](scene, numbers)
     renders = [sum(water.GetReflectionPass().GetNumberOfReflectionRenders() for water in scene.waters) for scene in both]
     wt.check_at_most(f"{kind}, {samples} samples: largest error of {steps} pictures", worst, LARGEST_ERROR)
     wt.check_at_most(f"{kind}, {samples} samples: mirrored views, of {renders[1]} without skips", renders[0],
