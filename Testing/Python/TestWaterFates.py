@@ -3,7 +3,6 @@
 
 import numpy as np
 import water_test as wt
-from vtkmodules.vtkCommonCore import vtkInformation
 from vtkmodules.vtkRenderingCore import vtkActor, vtkBillboardTextActor3D, vtkTextActor
 from vtkmodules.vtkRenderingCore import vtkAssembly
 from vtkwater import vtkWaterReflectionPass as Pass
@@ -17,8 +16,7 @@ visible = wt.add_actor(renderer, wt.box((0, 3, 2), (2, 2, 2)), RED, lit=False)
 invisible = wt.add_actor(renderer, wt.box((3, 3, 2), (2, 2, 2)), GREEN, lit=False)
 invisible.VisibilityOff()
 marked = wt.add_actor(renderer, wt.box((-3, 3, 2), (2, 2, 2)), GREEN, lit=False)
-marked.SetPropertyKeys(vtkInformation())
-marked.GetPropertyKeys().Set(Pass.NOT_REFLECTED(), 1)
+wt.leave_out(marked)
 under = wt.add_actor(renderer, wt.box((0, 3, -2), (2, 2, 2)), GREEN, lit=False)
 aside = wt.add_actor(renderer, wt.box((500, 3, 2), (2, 2, 2)), GREEN, lit=False)
 renderer.AddActor(vtkActor())  # no mapper: empty

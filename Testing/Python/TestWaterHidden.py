@@ -4,7 +4,6 @@ somebody does: behind a wall, out of view, facing away, reflecting next to nothi
 
 import numpy as np
 import water_test as wt
-from vtkmodules.vtkCommonCore import vtkInformation
 from vtkwater import vtkWaterReflectionPass as Pass
 
 SIZE = (200, 150)
@@ -19,8 +18,7 @@ class Scene:
         wt.add_actor(self.renderer, wt.box((1, 3, 0.8), (1, 1, 3)), (0.3, 0.7, 0.4))
         self.water = wt.add_water(self.renderer, None, (-6, 6, -6, 6), reflectance)
         self.wall = wt.add_actor(self.renderer, wt.box((0, -8, 3), (40, 0.2, 20)), (0.6, 0.5, 0.5), lit=False)
-        self.wall.SetPropertyKeys(vtkInformation())
-        self.wall.GetPropertyKeys().Set(Pass.NOT_REFLECTED(), 1)
+        wt.leave_out(self.wall)
         self.wall.VisibilityOff()
         self.reflection = self.water.GetReflectionPass()
         self.reflection.SetSkips(skips)

@@ -7,6 +7,7 @@ import math
 import numpy as np
 import skip_scenes
 import water_test as wt
+from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkwater import vtkWaterReflectionPass as Pass
 
 TIMES = ("LastGatherTime", "LastPlanTime", "LastReflectionTime", "LastSurfaceTime")
@@ -31,8 +32,7 @@ class Scene:
         self.water = wt.add_water(self.renderer, wt.plane((0, 0, 3), (0, 0, 1)), sheet, 0.9)
         if wall:
             wall = wt.add_actor(self.renderer, wt.box((*wall, 6), (6, 0.1, 12)), (0.5, 0.5, 0.5))
-            wall.SetPropertyKeys(skip_scenes.vtkInformation())
-            wall.GetPropertyKeys().Set(Pass.NOT_REFLECTED(), 1)
+            wt.leave_out(wall)
         self.reflection = self.water.GetReflectionPass()
         self.reflection.SetSkips(skips)
         self.camera = wt.place_camera(self.renderer, (0, -12, 5), (0, 0, 3), (0.5, 80))
@@ -120,7 +120,7 @@ wt.check_at_most("hills that come nearer / that go away: fragments", nearer / aw
 
 # A scalar-coloured mesh whose triangles the shader counts is drawn as a whole.
 scene = Scene(Pass.SKIP_ALL)
-cells = skip_scenes.numpy_to_vtk(np.arange(scene.triangles, dtype=float), deep=True)
+cells = numpy_to_vtk(np.arange(scene.triangles, dtype=float), deep=True)
 scene.land.GetMapper().GetInput().GetCellData().SetScalars(cells)
 scene.land.GetMapper().ScalarVisibilityOn()
 scene.land.GetMapper().SetScalarModeToUseCellData()

@@ -7,7 +7,6 @@ must have happened afterwards, and the picture after the frame must be right.
 """
 
 import water_test as wt
-from vtkmodules.vtkCommonCore import vtkInformation
 from vtkmodules.vtkRenderingCore import vtkCamera
 from vtkwater import vtkWaterReflectionPass as Pass
 
@@ -25,8 +24,7 @@ class Scene:
         if order == LATE:  # few pixels of the water are seen: waiting for them pays
             for center in ((2.4, -4.2, 1.5), (3.62, -3.22, 1.5)):
                 wall = wt.add_actor(self.view.renderer, wt.box(center, (0.9, 0.9, 2)), (0, 0, 1))
-                wall.SetPropertyKeys(vtkInformation())
-                wall.GetPropertyKeys().Set(Pass.NOT_REFLECTED(), 1)
+                wt.leave_out(wall)
         wt.place_camera(self.view.renderer, (4, -5, 2), (0, 0, 0), (0.1, 100))
 
     def picture(self):

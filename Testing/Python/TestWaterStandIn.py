@@ -49,15 +49,13 @@ class Scene:
 truth = Scene()
 truth.renderer.AddActor(truth.fine)
 red_both, _ = truth.colors()
-truth.fine.SetPropertyKeys(vtkInformation())
-truth.fine.GetPropertyKeys().Set(Pass.NOT_REFLECTED(), 1)
+wt.leave_out(truth.fine)
 red_seen, _ = truth.colors()
 fine_picture = truth.picture
 other = Scene()
 other.renderer.AddActor(other.coarse)
 _, green_both = other.colors()
-other.coarse.SetPropertyKeys(vtkInformation())
-other.coarse.GetPropertyKeys().Set(Pass.NOT_REFLECTED(), 1)
+wt.leave_out(other.coarse)
 _, green_seen = other.colors()
 coarse_seen = other.picture
 other.coarse.GetPropertyKeys().Remove(Pass.NOT_REFLECTED())

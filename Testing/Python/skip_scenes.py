@@ -5,7 +5,7 @@ import numpy as np
 import volumes
 import water_test as wt
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkInformation, vtkLookupTable
+from vtkmodules.vtkCommonCore import vtkLookupTable
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkTriangleFilter
 from vtkmodules.vtkFiltersSources import vtkPlaneSource
@@ -17,7 +17,6 @@ from vtkmodules.vtkRenderingCore import (
     vtkTextActor,
     vtkTexture,
 )
-from vtkwater import vtkWaterReflectionPass as Pass
 
 SIZE = (160, 120)
 TERRAIN_CELLS = 90  # 16,200 triangles
@@ -142,8 +141,7 @@ class Scene:
         self.renderer.AddVolume(self.volume)
         self.wall = wt.add_actor(self.renderer, wt.box((0, 0, 0), (1, 1, 0.01)), (0.5, 0.4, 0.4), lit=False)
         self.wall.VisibilityOff()
-        self.wall.SetPropertyKeys(vtkInformation())
-        self.wall.GetPropertyKeys().Set(Pass.NOT_REFLECTED(), 1)
+        wt.leave_out(self.wall)
         self.renderer.AddActor(vtkActor())  # no mapper: empty
         empty = wt.add_actor(self.renderer, vtkPolyData(), (1, 1, 1))
         self.extras.append(empty)

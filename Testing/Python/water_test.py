@@ -16,7 +16,7 @@ import vtkmodules.vtkInteractionStyle  # noqa: F401  factories
 import vtkmodules.vtkRenderingFreeType  # noqa: F401
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkPoints, vtkUnsignedCharArray
+from vtkmodules.vtkCommonCore import vtkInformation, vtkPoints, vtkUnsignedCharArray
 from vtkmodules.vtkCommonDataModel import vtkNonMergingPointLocator, vtkPlane, vtkPolyData
 from vtkmodules.vtkCommonMath import vtkMatrix4x4
 from vtkmodules.vtkCommonTransforms import vtkMatrixToLinearTransform
@@ -254,6 +254,13 @@ def add_actor(renderer, data, color, lit=True, specular=0.0, opacity=1.0):
     actor.GetProperty().SetOpacity(opacity)
     renderer.AddActor(actor)
     return actor
+
+
+def leave_out(prop):
+    """Gives a prop the key that keeps it out of all reflections, in place of its keys."""
+    keys = vtkInformation()
+    keys.Set(vtkWaterReflectionPass.NOT_REFLECTED(), 1)
+    prop.SetPropertyKeys(keys)
 
 
 def add_water(renderer, water_plane=None, sheet=None, reflectance=1.0):
