@@ -8,7 +8,7 @@ waves, by the definition of their height; from there on it is TestWaterLookupErr
 import numpy as np
 import ray_caster
 import water_test as wt
-from wave_scenes import looked_up, map_places, mean_slopes
+from wave_scenes import looked_up, map_shows, reflected_at
 
 SIZE = (240, 180)
 RMS_HEIGHT = 0.3
@@ -50,27 +50,13 @@ def truth(camera, water, waves, size):
     to_water = ray_caster.meet_waves(start, ray, waves, 0.0, 150)
     counts = to_water < np.minimum(distance, 150)
     place = start + np.where(np.isfinite(to_water), to_water, 0)[:, None] * ray
-    slope_x, slope_y = mean_slopes(waves, place.reshape(size[1], size[0], 3))
-    normal = np.stack([-slope_x, -slope_y, np.ones_like(slope_x)], axis=1)
-    normal /= np.linalg.norm(normal, axis=1, keepdims=True)
-    away = ray - 2 * (ray * normal).sum(axis=1, keepdims=True) * normal
+    away, normal = reflected_at(waves, place, ray, size)
     _, length = ray_caster.cast(ISLANDS, (0, 0, 0), place + 1e-9 * normal, away)
     counts &= (away[:, 2] > 0) & np.isfinite(length)
     met = place + np.where(counts, length, 0)[:, None] * away
-    # the mirrored eye looks at it from below; its view begins at the deepest trough
-    trough = -sum(wave[0] for wave in waves)
-    below = np.asarray(camera.GetPosition()) * (1, 1, -1)
-    look = met - below
-    with np.errstate(divide="ignore", invalid="ignore"):
-        enters = np.where(look[:, 2] > 0, (trough - below[2]) / look[:, 2], 0)
-    through = below + np.maximum(enters, 0)[:, None] * look
-    way = np.linalg.norm(met - through, axis=1)
-    direction = look / np.linalg.norm(look, axis=1, keepdims=True)
-    _, free = ray_caster.cast(ISLANDS, (0, 0, 0), through + 1e-9 * direction, direction)
-    counts &= free > way - 1e-3
-    right, texture_size = map_places(camera, water, met, size)
-    counts &= ((right > 0) & (right < 1)).all(axis=1)
-    return right, counts, texture_size
+    trough = -sum(wave[0] for wave in waves)  # the deepest
+    right, is_shown, texture_size = map_shows(camera, water, ISLANDS, met, size, trough)
+    return right, counts & is_shown, texture_size
 
 
 def describe(errors):

@@ -18,7 +18,9 @@ from wave_scenes import (
     island_waves,
     looked_up,
     map_places,
+    map_shows,
     mean_slopes,
+    reflected_at,
 )
 
 
@@ -30,27 +32,13 @@ def truth(camera, water, waves):
         to_water = np.where(ray[:, 2] < 0, -start[:, 2] / ray[:, 2], np.inf)
     counts = to_water < np.minimum(distance, 150)
     place = start + np.where(np.isfinite(to_water), to_water, 0)[:, None] * ray
-    slope_x, slope_y = mean_slopes(waves, place.reshape(ISLANDS_SIZE[1], ISLANDS_SIZE[0], 3))
-    normal = np.stack([-slope_x, -slope_y, np.ones_like(slope_x)], axis=1)
-    normal /= np.linalg.norm(normal, axis=1, keepdims=True)
-    away = ray - 2 * (ray * normal).sum(axis=1, keepdims=True) * normal
+    away, _ = reflected_at(waves, place, ray, ISLANDS_SIZE)
     place[:, 2] = 1e-9
     _, length = ray_caster.cast(ISLANDS, (0, 0, 0), place, away)
     counts &= (away[:, 2] > 0) & np.isfinite(length)
     met = place + np.where(counts, length, 0)[:, None] * away
-    # the mirrored eye looks at it from below, through the water
-    below = np.asarray(camera.GetPosition()) * (1, 1, -1)
-    look = met - below
-    with np.errstate(divide="ignore", invalid="ignore"):
-        enters = np.where(look[:, 2] > 0, -below[2] / look[:, 2], 0)
-    through = below + enters[:, None] * look
-    way = np.linalg.norm(met - through, axis=1)
-    direction = look / np.linalg.norm(look, axis=1, keepdims=True)
-    _, free = ray_caster.cast(ISLANDS, (0, 0, 0), through + 1e-9 * direction, direction)
-    counts &= free > way - 1e-3
-    right, texture_size = map_places(camera, water, met, ISLANDS_SIZE)
-    counts &= ((right > 0) & (right < 1)).all(axis=1)
-    return right, counts, texture_size
+    right, is_shown, texture_size = map_shows(camera, water, ISLANDS, met, ISLANDS_SIZE)
+    return right, counts & is_shown, texture_size
 
 
 class Suite:

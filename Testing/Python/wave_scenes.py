@@ -121,6 +121,31 @@ def mean_slopes(waves, place):
     return slopes
 
 
+def reflected_at(waves, place, ray, size):
+    """Directions of a picture's rays, reflected by waves at places of rows x columns, and the normals there."""
+    slope_x, slope_y = mean_slopes(waves, place.reshape(size[1], size[0], 3))
+    normal = np.stack([-slope_x, -slope_y, np.ones_like(slope_x)], axis=1)
+    normal /= np.linalg.norm(normal, axis=1, keepdims=True)
+    return ray - 2 * (ray * normal).sum(axis=1, keepdims=True) * normal, normal
+
+
+def map_shows(camera, water, things, points, size, lowest=0.0):
+    """Where the mirrored view shows points of things, as map_places; and whether it sees them there.
+
+    The mirrored eye looks from below, through the height at which its view begins: lowest.
+    """
+    below = np.asarray(camera.GetPosition()) * (1, 1, -1)
+    look = points - below
+    with np.errstate(divide="ignore", invalid="ignore"):
+        enters = np.where(look[:, 2] > 0, (lowest - below[2]) / look[:, 2], 0)
+    through = below + np.maximum(enters, 0)[:, None] * look
+    way = np.linalg.norm(points - through, axis=1)
+    direction = look / np.linalg.norm(look, axis=1, keepdims=True)
+    _, free = ray_caster.cast(things, (0, 0, 0), through + 1e-9 * direction, direction)
+    right, texture_size = map_places(camera, water, points, size)
+    return right, (free > way - 1e-3) & ((right > 0) & (right < 1)).all(axis=1), texture_size
+
+
 def looked_up(made, water):
     """Where each pixel had its reflection from: u, v of the mirrored view's texture."""
     water.GetWaterProperty().SetOutputToLookup()
