@@ -43,9 +43,14 @@ namespace
 {
 constexpr int kMaximumDefaultSamples = 8; // more is slow and not seen in a reflection
 
-// Is GL executed by the processor? As Mesa's and Google's renderers of that kind call themselves.
+// Is GL executed by the processor? As Mesa's and Google's renderers of that kind call themselves;
+// unless the environment says what to take it for.
 bool IsSoftware()
 {
+  if (const char* said = std::getenv("VTK_WATER_SOFTWARE"))
+  {
+    return std::string(said) == "1";
+  }
   const char* name = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
   const std::string renderer = name ? name : "";
   return renderer.find("llvmpipe") != std::string::npos ||

@@ -16,22 +16,22 @@ size_t water_pieces_count(size_t triangle_count)
 
 static void take_in(const water_points* points, size_t number, double box[6])
 {
-  for (size_t axis = 0; axis < 3; ++axis)
+  double place[3];
+  water_points_get(points, number, place);
+  for (int axis = 0; axis < 3; ++axis)
   {
-    const size_t at = 3 * number + axis;
-    const double value = points->floats ? (double)points->floats[at] : points->doubles[at];
-    box[2 * axis] = fmin(box[2 * axis], value); // NaN is passed by: such a triangle has no picture
-    box[2 * axis + 1] = fmax(box[2 * axis + 1], value);
+    // NaN is passed by: such a triangle has no picture
+    box[2 * axis] = fmin(box[2 * axis], place[axis]);
+    box[2 * axis + 1] = fmax(box[2 * axis + 1], place[axis]);
   }
 }
 
-bool water_pieces_bound(const water_points* points, size_t point_count, const uint32_t* indices,
-  size_t triangle_count, double (*boxes)[6])
+bool water_pieces_bound(const water_mesh* mesh)
 {
-  for (size_t i = 0; i < 3 * triangle_count; ++i)
+  for (size_t i = 0; i < 3 * mesh->triangle_count; ++i)
   {
-    double* box = boxes[i / (3 * (size_t)WATER_PIECE_TRIANGLES)];
-    if (indices[i] >= point_count)
+    double* box = mesh->boxes[i / (3 * (size_t)WATER_PIECE_TRIANGLES)];
+    if (mesh->indices[i] >= mesh->point_count)
     {
       return false;
     }
@@ -42,12 +42,12 @@ bool water_pieces_bound(const water_points* points, size_t point_count, const ui
         box[j] = j % 2 ? -DBL_MAX : DBL_MAX;
       }
     }
-    take_in(points, indices[i], box);
+    take_in(&mesh->points, mesh->indices[i], box);
   }
   return true;
 }
 
-void water_pieces_look(const water_plan* plan, const water_seen* seen,
+void water_pieces_look(const water_plan* plan, const water_pieces_map* map, bool is_solid,
   const double model_to_world[16], water_pieces_view* view)
 {
   water_frustum* local = &view->frustum;
@@ -66,10 +66,20 @@ void water_pieces_look(const water_plan* plan, const water_seen* seen,
   const double origin[3] = { model_to_world[3], model_to_world[7], model_to_world[11] };
   local->reach = world.reach + water_vec3_length(origin);
   water_frustum_prepare(local);
+  water_triangles_view* triangles = &view->triangles;
   double model_to_view[16];
   water_mat4_multiply(plan->mirrored.world_to_view, model_to_world, model_to_view);
-  water_mat4_multiply(plan->mirrored.view_to_clip, model_to_view, view->to_clip);
-  view->seen = seen;
+  water_mat4_multiply(plan->mirrored.view_to_clip, model_to_view, triangles->to_clip);
+  memcpy(triangles->kept, local->planes[5], sizeof triangles->kept);
+  triangles->reach = local->reach;
+  memcpy(triangles->texture_px, plan->texture_px, sizeof triangles->texture_px);
+  memcpy(triangles->rect_px, plan->texture_rect_px, sizeof triangles->rect_px);
+  triangles->has_samples = map->samples > 1;
+  triangles->grid_px = ldexp(1.0, -map->subpixel_bits);
+  triangles->seen = map->seen;
+  triangles->depths = map->depths;
+  triangles->is_solid = is_solid;
+  view->is_fine = plan->is_software;
 }
 
 static double height_over(const double plane[4], const double point[3])
@@ -85,7 +95,8 @@ static size_t cell_of(const double low[4], const double high[4], int count, cons
   return share > 0.0 ? (size_t)fmin(count * share, count - 1) : 0;
 }
 
-static void add_to(water_trend* trend, const water_frustum* view, const double box[6])
+// Returns how far the box is from the eye, along its view; not above 0: it is about the eye.
+static double add_to(water_trend* trend, const water_frustum* view, const double box[6])
 {
   const double center[3] = { 0.5 * (box[0] + box[1]), 0.5 * (box[2] + box[3]),
     0.5 * (box[4] + box[5]) };
@@ -93,55 +104,164 @@ static void add_to(water_trend* trend, const water_frustum* view, const double b
   const size_t row = cell_of(view->planes[2], view->planes[3], WATER_TREND_ROWS, center);
   const double distance = height_over(view->planes[4], center);
   double* last = &trend->last_distance[row][column];
-  if (!(distance > 0.0))
+  if (distance > 0.0)
   {
-    return; // about the eye: nowhere in the picture
+    trend->nearer_steps += *last > 0.0 && distance < *last;
+    trend->farther_steps += *last > 0.0 && distance > *last;
+    *last = distance;
   }
-  if (*last > 0.0)
-  {
-    trend->nearer_steps += distance < *last;
-    trend->farther_steps += distance > *last;
-  }
-  *last = distance;
+  return distance;
 }
 
 static bool is_seen(const water_pieces_view* view, const double box[6])
 {
+  const water_seen* seen = view->triangles.seen;
   return water_frustum_meets(&view->frustum, 6, box, piece_rounding) &&
-    (!view->seen || water_seen_meets(view->seen, view->to_clip, box, 0.0));
+    (!seen || water_seen_meets(seen, view->triangles.to_clip, box, 0.0));
 }
 
-size_t water_pieces_select(const water_pieces_view* view, const uint32_t* indices,
-  size_t triangle_count, double (*boxes)[6], bool is_reversed, water_trend* trend, uint32_t* drawn)
+// Corners that were projected last; neighbours share them.
+enum
 {
-  const size_t piece_count = (triangle_count + WATER_PIECE_TRIANGLES - 1) / WATER_PIECE_TRIANGLES;
-  size_t drawn_count = 0;
+  CORNERS = 256
+};
+
+typedef struct corner_cache
+{
+  water_corner corners[CORNERS];
+  uint64_t numbers[CORNERS]; // of their points, + 1
+} corner_cache;
+
+static const water_corner* corner_of(
+  const water_pieces_view* view, const water_mesh* mesh, uint32_t number, corner_cache* cache)
+{
+  const size_t at = number % CORNERS;
+  if (cache->numbers[at] != (uint64_t)number + 1)
+  {
+    cache->numbers[at] = (uint64_t)number + 1;
+    water_triangles_project(&view->triangles, &mesh->points, number, &cache->corners[at]);
+  }
+  return &cache->corners[at];
+}
+
+static size_t size_of(const water_mesh* mesh, size_t piece)
+{
+  const size_t rest = mesh->triangle_count - piece * WATER_PIECE_TRIANGLES;
+  return rest < WATER_PIECE_TRIANGLES ? rest : WATER_PIECE_TRIANGLES;
+}
+
+// Marks the triangles of a piece that are drawn.
+static uint32_t look_at(
+  const water_pieces_view* view, const water_mesh* mesh, size_t piece, corner_cache* cache)
+{
+  const size_t size = size_of(mesh, piece);
+  const uint32_t* triangle = mesh->indices + 3 * piece * WATER_PIECE_TRIANGLES;
+  water_triangles_slack slack;
+  water_triangles_allow(&view->triangles, mesh->boxes[piece], &slack);
+  uint32_t marks = 0;
+  for (size_t i = 0; i < size; ++i, triangle += 3)
+  {
+    const water_corner* corners[3];
+    for (int j = 0; j < 3; ++j)
+    {
+      corners[j] = corner_of(view, mesh, triangle[j], cache);
+    }
+    // a corner may have taken the place of another of the three: then there is nothing to look at
+    const bool is_known =
+      corners[0] != corners[1] && corners[1] != corners[2] && corners[2] != corners[0];
+    const bool is_drawn = !is_known || water_triangles_add(&view->triangles, &slack, corners);
+    marks |= (uint32_t)is_drawn << i;
+  }
+  return marks;
+}
+
+// Looks at the triangles of pieces, the nearest pieces first: these hide others. distances: the
+// least and the largest of them.
+static void look_at_all(const water_pieces_view* view, const water_mesh* mesh, size_t piece_count,
+  const double distances[2], water_piece_work* work)
+{
+  enum
+  {
+    STEPS = 256, // of distance, by equal factors
+    NONE = -1
+  };
+  int32_t first[STEPS]; // lists of pieces that are about as far
+  for (int i = 0; i < STEPS; ++i)
+  {
+    first[i] = NONE;
+  }
+  const double steps =
+    distances[1] > distances[0] ? STEPS / log2(distances[1] / distances[0]) : 0.0;
   for (size_t i = 0; i < piece_count; ++i)
   {
-    const size_t piece = is_reversed ? piece_count - 1 - i : i;
-    const double* box = boxes[piece];
+    if (work[i].triangles && water_all_finite(mesh->boxes[i], 6))
+    {
+      const double step = steps * log2(fmax((double)work[i].distance / distances[0], 1.0));
+      const size_t at = (size_t)fmin(step, STEPS - 1);
+      work[i].next = first[at];
+      first[at] = (int32_t)i;
+    }
+  }
+  corner_cache cache;
+  memset(cache.numbers, 0, sizeof cache.numbers);
+  for (int i = 0; i < STEPS; ++i)
+  {
+    for (int32_t piece = first[i]; piece != NONE; piece = work[piece].next)
+    {
+      work[piece].triangles = look_at(view, mesh, (size_t)piece, &cache);
+    }
+  }
+}
+
+// Copies the marked triangles of a piece. Returns how many indices.
+static size_t copy_marked(
+  const water_mesh* mesh, size_t piece, uint32_t marks, bool is_reversed, uint32_t* drawn)
+{
+  const size_t size = size_of(mesh, piece);
+  const uint32_t* triangles = mesh->indices + 3 * piece * WATER_PIECE_TRIANGLES;
+  size_t count = 0;
+  for (size_t i = 0; i < size; ++i)
+  {
+    const size_t at = is_reversed ? size - 1 - i : i;
+    if (marks >> at & 1)
+    {
+      memcpy(drawn + count, triangles + 3 * at, 3 * sizeof *triangles);
+      count += 3;
+    }
+  }
+  return count;
+}
+
+size_t water_pieces_select(const water_pieces_view* view, const water_mesh* mesh, bool is_reversed,
+  water_trend* trend, water_piece_work* work, uint32_t* drawn)
+{
+  const size_t count = (mesh->triangle_count + WATER_PIECE_TRIANGLES - 1) / WATER_PIECE_TRIANGLES;
+  double distances[2] = { DBL_MAX, 0.0 };
+  for (size_t i = 0; i < count; ++i)
+  {
+    const size_t piece = is_reversed ? count - 1 - i : i;
+    const double* box = mesh->boxes[piece];
     const bool is_finite = water_all_finite(box, 6);
-    if (is_finite && !is_seen(view, box))
+    work[piece].triangles = !is_finite || is_seen(view, box) ? UINT32_MAX : 0;
+    work[piece].distance = 0.0F;
+    if (is_finite && work[piece].triangles)
     {
-      continue;
+      const double distance = add_to(trend, &view->frustum, box);
+      work[piece].distance = (float)distance;
+      distances[0] = distance > 0.0 ? fmin(distances[0], distance) : distances[0];
+      distances[1] = fmax(distances[1], distance);
     }
-    if (is_finite)
-    {
-      add_to(trend, &view->frustum, box);
-    }
-    const size_t first = piece * WATER_PIECE_TRIANGLES;
-    const size_t rest = triangle_count - first;
-    const size_t size = rest < WATER_PIECE_TRIANGLES ? rest : WATER_PIECE_TRIANGLES;
-    if (!is_reversed)
-    {
-      memcpy(drawn + drawn_count, indices + 3 * first, 3 * size * sizeof *indices);
-    }
-    for (size_t j = 0; is_reversed && j < size; ++j)
-    {
-      memcpy(
-        drawn + drawn_count + 3 * j, indices + 3 * (first + size - 1 - j), 3 * sizeof *indices);
-    }
-    drawn_count += 3 * size;
+  }
+  if (view->is_fine)
+  {
+    look_at_all(view, mesh, count, distances, work);
+  }
+  size_t drawn_count = 0;
+  for (size_t i = 0; i < count; ++i)
+  {
+    const size_t piece = is_reversed ? count - 1 - i : i;
+    drawn_count +=
+      copy_marked(mesh, piece, work[piece].triangles, is_reversed, drawn + drawn_count);
   }
   return drawn_count;
 }

@@ -3,12 +3,14 @@
 // the water can show. A piece is a run of a mesh's triangles in the order they are drawn in: what
 // is left is drawn in that order, too, and covers every pixel as before. So it does from the last
 // triangle to the first, if of equally far ones the first drawn stays: a mesh that runs towards the
-// eye is drawn that way, and what is near hides what is far before that is shaded.
+// eye is drawn that way, and what is near hides what is far before that is shaded. Where triangles
+// are dear, those of the pieces that are left are looked at one by one (water_triangles.h).
 #ifndef water_pieces_h
 #define water_pieces_h
 
 #include "water_frustum.h"
 #include "water_seen.h"
+#include "water_triangles.h"
 #include "water_types.h"
 
 #ifdef __cplusplus
@@ -24,35 +26,45 @@ enum
   WATER_TREND_ROWS = 4
 };
 
-typedef struct water_points // xyz, one of the two
-{
-  const float* floats;
-  const double* doubles;
-} water_points;
-
 // Number of pieces of a mesh; 0: it is drawn as a whole.
 size_t water_pieces_count(size_t triangle_count);
 
-// The boxes around the pieces.
-//
-// indices  3 per triangle, of points
-// boxes    one per piece: xmin, xmax, ymin, ymax, zmin, zmax; infinite where the points are
+typedef struct water_mesh
+{
+  water_points points;
+  size_t point_count;
+  const uint32_t* indices; // 3 per triangle, of points
+  size_t triangle_count;
+  double (*boxes)[6]; // one per piece: xmin, xmax, ymin, ymax, zmin, zmax; infinite where the
+                      // points are
+} water_mesh;
+
+// Fills the boxes around the pieces.
 //
 // Returns false when an index is not below point_count.
-bool water_pieces_bound(const water_points* points, size_t point_count, const uint32_t* indices,
-  size_t triangle_count, double (*boxes)[6]);
+bool water_pieces_bound(const water_mesh* mesh);
 
 // What the pieces must meet to be drawn, in the mesh's own coordinates.
 typedef struct water_pieces_view
 {
   water_frustum frustum; // the part of the mirrored one behind the drawn part of the map; in place
                          // of its far plane the kept side of the clip
-  double to_clip[16];
-  const water_seen* seen; // NULL: all of the drawn part of the map is
+  water_triangles_view triangles;
+  bool is_fine; // triangles are looked at one by one
 } water_pieces_view;
 
+// What the pieces are drawn into.
+typedef struct water_pieces_map
+{
+  const water_seen* seen; // NULL: all of its drawn part is looked up
+  float* depths;          // water_triangles.h; NULL: none
+  int samples;            // of a pixel; 0 and 1: its middle
+  int subpixel_bits;      // of the GPU: it puts corners at multiples of 2^-bits pixels
+} water_pieces_map;
+
+// is_solid        every pixel that a triangle of the mesh covers gets its colour and depth
 // model_to_world  affine
-void water_pieces_look(const water_plan* plan, const water_seen* seen,
+void water_pieces_look(const water_plan* plan, const water_pieces_map* map, bool is_solid,
   const double model_to_world[16], water_pieces_view* view);
 
 // Whether pieces come nearer in the order they are drawn in, where one lies behind the other; all
@@ -64,15 +76,23 @@ typedef struct water_trend
   int farther_steps;
 } water_trend;
 
-// Copies the indices of the pieces that may be seen, in their order or from the last triangle to
-// the first.
+// What a selection notes of a piece.
+typedef struct water_piece_work
+{
+  uint32_t triangles; // that are drawn, a bit each
+  int32_t next;       // of those that are about as far
+  float distance;
+} water_piece_work;
+
+// Copies the indices of what may be seen, in their order or from the last triangle to the first.
 //
 // trend  of all pieces drawn so far in a view; these are added
+// work   room for one per piece
 // drawn  room for 3 * triangle_count
 //
 // Returns how many indices were copied.
-size_t water_pieces_select(const water_pieces_view* view, const uint32_t* indices,
-  size_t triangle_count, double (*boxes)[6], bool is_reversed, water_trend* trend, uint32_t* drawn);
+size_t water_pieces_select(const water_pieces_view* view, const water_mesh* mesh, bool is_reversed,
+  water_trend* trend, water_piece_work* work, uint32_t* drawn);
 
 #ifdef __cplusplus
 }

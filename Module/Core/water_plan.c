@@ -162,6 +162,7 @@ static void fill_seen(const water_scene* scene, const water_fate* fates, water_p
   const bool can_leave_out = can_see && saves_draws && is_asked_back;
   plan->has_mask = can_mask && scene->has_scene_depth;
   plan->has_seen = can_leave_out && scene->has_scene_depth;
+  plan->is_software = scene->is_software;
   if (can_mask || can_leave_out)
   {
     double area = seen_share;

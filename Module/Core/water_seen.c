@@ -38,6 +38,58 @@ void water_seen_walk_of(const int texture_px[2], const int rect_px[4], const int
   }
 }
 
+static int clamped(double place, int count)
+{
+  return (int)fmin(fmax(floor(place), 0.0), count - 1);
+}
+
+void water_seen_rows(const water_seen* seen, const int viewport_px[2], int rows[2])
+{
+  water_seen_walk walk;
+  water_seen_walk_of(seen->texture_px, seen->rect_px, viewport_px, seen->cell_px, &walk);
+  const double last = floor(walk.first[1] + walk.step[1] * (seen->size[1] - 1)) + walk.size[1] - 1;
+  rows[0] = clamped(walk.first[1], viewport_px[1]);
+  rows[1] = clamped(last, viewport_px[1]) - rows[0] + 1;
+}
+
+void water_seen_look(const water_seen* seen, const int viewport_px[2], const double plane_clip[4],
+  double rounding, const int rows[2], const float* depths, int32_t* work, uint8_t* cells)
+{
+  const int width = viewport_px[0];
+  water_seen_walk walk;
+  water_seen_walk_of(seen->texture_px, seen->rect_px, viewport_px, seen->cell_px, &walk);
+  // in single precision, which the rounding is for: several pixels at once
+  const float by_depth = (float)(2.0 * plane_clip[2]);
+  const float by_x = (float)(plane_clip[0] * walk.pixel[0]);
+  const float limit = (float)rounding;
+  for (int y = 0; y < seen->size[1]; ++y)
+  {
+    const double bottom = floor(walk.first[1] + walk.step[1] * y);
+    memset(work, 0, (size_t)width * sizeof *work);
+    for (int i = 0; i < walk.size[1]; ++i)
+    {
+      const int row = clamped(bottom + i, viewport_px[1]);
+      const float* depth = depths + (size_t)(row - rows[0]) * (size_t)width;
+      const float start = (float)(plane_clip[0] * (0.5 * walk.pixel[0] - 1.0) +
+        plane_clip[1] * ((row + 0.5) * walk.pixel[1] - 1.0) - plane_clip[2] + plane_clip[3]);
+      for (int x = 0; x < width; ++x)
+      {
+        work[x] |= start + by_x * (float)x + by_depth * depth[x] <= limit;
+      }
+    }
+    for (int x = 0; x < seen->size[0]; ++x)
+    {
+      const double left = floor(walk.first[0] + walk.step[0] * x);
+      int32_t is_open = 0;
+      for (int i = 0; i < walk.size[0]; ++i)
+      {
+        is_open |= work[width - 1 - clamped(left + i, width)]; // the map is flipped in x
+      }
+      *cells++ = (uint8_t)is_open;
+    }
+  }
+}
+
 void water_seen_sum(water_seen* seen, const uint8_t* cells, size_t stride)
 {
   const size_t width = (size_t)seen->size[0];
@@ -57,11 +109,20 @@ void water_seen_sum(water_seen* seen, const uint8_t* cells, size_t stride)
   }
 }
 
-static bool is_closed(const water_seen* seen, int x, int y)
+// Is any of the cells looked up, from the first to before the end?
+static bool has_open(const water_seen* seen, const size_t first[2], const size_t end[2])
 {
-  const uint32_t* low = seen->counts + (size_t)y * ((size_t)seen->size[0] + 1) + (size_t)x;
-  const uint32_t* high = low + seen->size[0] + 1;
-  return high[1] - high[0] == low[1] - low[0];
+  const size_t width = (size_t)seen->size[0] + 1;
+  const uint32_t* top = seen->counts + end[1] * width;
+  const uint32_t* bottom = seen->counts + first[1] * width;
+  return top[end[0]] - top[first[0]] != bottom[end[0]] - bottom[first[0]];
+}
+
+bool water_seen_is_open(const water_seen* seen, int x, int y)
+{
+  const size_t first[2] = { (size_t)x, (size_t)y };
+  const size_t end[2] = { first[0] + 1, first[1] + 1 };
+  return has_open(seen, first, end);
 }
 
 size_t water_seen_closed(const water_seen* seen, float (*boxes)[4])
@@ -73,7 +134,7 @@ size_t water_seen_closed(const water_seen* seen, float (*boxes)[4])
     int first = 0; // of a run of closed cells
     for (int x = 0; x <= seen->size[0]; ++x)
     {
-      if (x < seen->size[0] && is_closed(seen, x, y))
+      if (x < seen->size[0] && !water_seen_is_open(seen, x, y))
       {
         continue;
       }
@@ -93,6 +154,20 @@ size_t water_seen_closed(const water_seen* seen, float (*boxes)[4])
     }
   }
   return count;
+}
+
+bool water_seen_has(const water_seen* seen, const int first_px[2], const int last_px[2])
+{
+  // a product by the inverse, from the middle of a pixel, is the quotient, and ten times as fast
+  const double cells = 1.0 / seen->cell_px;
+  size_t first[2];
+  size_t end[2];
+  for (int i = 0; i < 2; ++i)
+  {
+    first[i] = (size_t)(int)((first_px[i] + 0.5) * cells);
+    end[i] = (size_t)(int)((last_px[i] + 0.5) * cells) + 1;
+  }
+  return has_open(seen, first, end);
 }
 
 bool water_seen_meets(
@@ -121,10 +196,7 @@ bool water_seen_meets(
     first[i] = (size_t)fmax(from, 0.0);
     end[i] = (size_t)ceil(fmin(to, seen->size[i]));
   }
-  const size_t width = (size_t)seen->size[0] + 1;
-  const uint32_t* top = seen->counts + end[1] * width;
-  const uint32_t* bottom = seen->counts + first[1] * width;
-  return top[end[0]] - top[first[0]] != bottom[end[0]] - bottom[first[0]];
+  return has_open(seen, first, end);
 }
 
 void water_seen_select(const water_seen* seen, const water_camera* mirrored,

@@ -47,6 +47,23 @@ void water_seen_walk_of(const int texture_px[2], const int rect_px[4], const int
 // pixels. What they tell is not set.
 void water_seen_begin(const int texture_px[2], const int rect_px[4], water_seen* seen);
 
+// Which cells are looked up, by the depths of the eye's picture without the water: what lies under
+// the plane is seen through the water, if there is any. vtkWaterMaskFS.glsl says the same.
+//
+// viewport_px  size of the eye's picture
+// plane_clip   NDC of the eye -> height over the plane, times a positive number
+// rounding     of that
+// rows         first and count, of the picture: those of depths, which are at least the rows that
+//              the walk asks for (water_seen_rows)
+// depths       in [0, 1], rows of x
+// work         room for viewport_px[0]
+// cells        rows of size[0]; 0: no pixel of the cell is looked up
+void water_seen_look(const water_seen* seen, const int viewport_px[2], const double plane_clip[4],
+  double rounding, const int rows[2], const float* depths, int32_t* work, uint8_t* cells);
+
+// The rows of the eye's picture, first and count, that decide about the cells.
+void water_seen_rows(const water_seen* seen, const int viewport_px[2], int rows[2]);
+
 // Fills the counts.
 //
 // cells   rows of size[0]; 0: no pixel of the cell is looked up
@@ -59,6 +76,13 @@ void water_seen_sum(water_seen* seen, const uint8_t* cells, size_t stride);
 //
 // Returns how many there are.
 size_t water_seen_closed(const water_seen* seen, float (*boxes)[4]);
+
+bool water_seen_is_open(const water_seen* seen, int x, int y); // a cell
+
+// Is any cell looked up that has a pixel of a rectangle?
+//
+// first_px, last_px  from the corner of rect_px on, inside it
+bool water_seen_has(const water_seen* seen, const int first_px[2], const int last_px[2]);
 
 // May a box have a pixel in a cell that is looked up? Conservative.
 //

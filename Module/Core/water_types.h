@@ -147,7 +147,7 @@ typedef struct water_scene
   bool is_hidden;       // all of it is behind the scene
   bool is_flat;         // all of it lies in the plane, and is drawn no nearer than that
   bool has_scene_depth; // the eye's picture of what hides the surface is at hand, a depth per pixel
-  bool is_software;     // there is no GPU: pixels cost the time that draws cost
+  bool is_software;     // there is no GPU: pixels and triangles cost the time that draws cost
   unsigned skips;       // WATER_MAY_SKIP_*
   const water_prop* props; // prop_count of them: all props, not only those the eye sees
   size_t prop_count;
@@ -200,7 +200,8 @@ typedef struct water_plan
   double mask_rounding;   // of dot(plane_clip, NDC) in single precision
   double seen_px_max;     // if the eye's picture shows less of the water, it pays to wait for it
   bool has_mask;          // it is at hand: pixels that no water in it looks up are closed
-  bool has_seen; // so it is: props and pieces that such pixels alone would show are left out
+  bool has_seen;    // so it is: props and pieces that such pixels alone would show are left out
+  bool is_software; // the scene's
 
   // shade: where the map shows what
   double world_to_texture[16]; // divide by w: u, v, depth in [0, 1]; of a point on the water: its

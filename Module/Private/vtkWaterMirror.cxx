@@ -156,7 +156,7 @@ const char* vtkWaterMirror::Draw(vtkRenderer* renderer, vtkWaterShading* shading
   {
     this->SceneDepth.Find(state);
   }
-  this->Pieces.SetSeen(this->Seen);
+  this->Pieces.BeginMap(plan, this->Seen, samples);
   this->IsDrawing = true;
   this->Instruments.Begin(vtkWaterInstruments::REFLECTION, window);
   const char* failure = nullptr;

@@ -24,11 +24,6 @@
 
 namespace
 {
-double (*BoxesOf(std::vector<std::array<double, 6>>& boxes))[6]
-{
-  return reinterpret_cast<double(*)[6]>(boxes.data()); // std::array<double, 6> is a double[6]
-}
-
 // May the vertices be elsewhere than the data says?
 bool HasOwnShaders(vtkAbstractMapper* mapper, vtkActor* actor)
 {
@@ -68,6 +63,14 @@ bool IsOpaqueEverywhere(vtkActor* actor)
     [](const std::pair<const std::string, vtkTexture*>& named) { return HasAlpha(named.second); });
 }
 
+// Does every triangle, whichever way it faces, cover all of its pixels for good?
+bool IsSolid(vtkPolyDataMapper* mapper, vtkActor* actor)
+{
+  vtkProperty* property = actor->GetProperty();
+  return IsOpaqueEverywhere(actor) && !property->GetBackfaceCulling() &&
+    !property->GetFrontfaceCulling() && mapper->GetNumberOfClippingPlanes() == 0;
+}
+
 bool HasTrianglesOnly(vtkPolyDataMapper* mapper, vtkProperty* property)
 {
   vtkPolyData* mesh = mapper->GetInput();
@@ -93,21 +96,7 @@ void vtkWaterPieces::Read(vtkOpenGLPolyDataMapper* mapper, Mesh& mesh)
   mesh.Indices.clear();
   vtkOpenGLIndexBufferObject* buffer = vtkWaterAccess::PolyDataMapper::TrianglesOf(mapper);
   const size_t count = water_pieces_count(buffer->IndexCount / 3);
-  vtkPoints* points = mapper->GetInput() ? mapper->GetInput()->GetPoints() : nullptr;
-  if (count == 0 || buffer->IndexCount % 3 != 0 || !points)
-  {
-    return;
-  }
-  water_points places{ nullptr, nullptr };
-  if (auto* floats = vtkFloatArray::FastDownCast(points->GetData()))
-  {
-    places.floats = floats->GetPointer(0);
-  }
-  else if (auto* doubles = vtkDoubleArray::FastDownCast(points->GetData()))
-  {
-    places.doubles = doubles->GetPointer(0);
-  }
-  else
+  if (count == 0 || buffer->IndexCount % 3 != 0)
   {
     return;
   }
@@ -119,11 +108,30 @@ void vtkWaterPieces::Read(vtkOpenGLPolyDataMapper* mapper, Mesh& mesh)
     static_cast<GLsizeiptr>(mesh.Indices.size() * sizeof(uint32_t)), mesh.Indices.data());
   glBindBuffer(GL_COPY_READ_BUFFER, static_cast<GLuint>(bound));
   mesh.Boxes.resize(count);
-  if (!water_pieces_bound(&places, static_cast<size_t>(points->GetNumberOfPoints()),
-        mesh.Indices.data(), mesh.Indices.size() / 3, BoxesOf(mesh.Boxes)))
+  water_mesh described;
+  if (!Describe(mapper, mesh, described) || !water_pieces_bound(&described))
   {
     mesh.Boxes.clear(); // not the indices of these points
   }
+}
+
+//------------------------------------------------------------------------------
+bool vtkWaterPieces::Describe(vtkOpenGLPolyDataMapper* mapper, Mesh& mesh, water_mesh& described)
+{
+  vtkPoints* points = mapper->GetInput() ? mapper->GetInput()->GetPoints() : nullptr;
+  auto* floats = points ? vtkFloatArray::FastDownCast(points->GetData()) : nullptr;
+  auto* doubles = points ? vtkDoubleArray::FastDownCast(points->GetData()) : nullptr;
+  if (!floats && !doubles)
+  {
+    return false;
+  }
+  described.points = { floats ? floats->GetPointer(0) : nullptr,
+    doubles ? doubles->GetPointer(0) : nullptr };
+  described.point_count = static_cast<size_t>(points->GetNumberOfPoints());
+  described.indices = mesh.Indices.data();
+  described.triangle_count = mesh.Indices.size() / 3;
+  described.boxes = reinterpret_cast<double(*)[6]>(mesh.Boxes.data()); // of std::array<double, 6>
+  return true;
 }
 
 //------------------------------------------------------------------------------
@@ -146,6 +154,20 @@ bool vtkWaterPieces::CanLead(vtkProp* prop)
     it->second.State == StateOf(mapper, actor) && !HasOwnShaders(mapper, actor) &&
     vtkWaterGather::IsInWorld(actor) && IsOpaqueEverywhere(actor) &&
     HasTrianglesOnly(mapper, actor->GetProperty());
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterPieces::BeginMap(const water_plan& plan, const water_seen* seen, int samples)
+{
+  this->Map = { seen, nullptr, samples, 0 };
+  glGetIntegerv(GL_SUBPIXEL_BITS, &this->Map.subpixel_bits);
+  if (plan.is_software)
+  {
+    const int* rect = plan.texture_rect_px;
+    this->Depths.resize(static_cast<size_t>(rect[2]) * static_cast<size_t>(rect[3]));
+    water_triangles_begin(rect, seen, this->Depths.data());
+    this->Map.depths = this->Depths.data();
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -194,15 +216,18 @@ void vtkWaterPieces::Give(
     mesh.State = state;
     Read(mapper, mesh);
   }
-  if (mesh.Boxes.empty())
+  water_mesh described;
+  if (mesh.Boxes.empty() || !Describe(mapper, mesh, described))
   {
     return;
   }
   water_pieces_view view;
-  water_pieces_look(&plan, this->Seen, &actor->GetMatrix()->Element[0][0], &view);
+  water_pieces_look(
+    &plan, &this->Map, IsSolid(mapper, actor), &actor->GetMatrix()->Element[0][0], &view);
   this->Selected.resize(mesh.Indices.size());
-  const size_t count = water_pieces_select(&view, mesh.Indices.data(), mesh.Indices.size() / 3,
-    BoxesOf(mesh.Boxes), this->IsReversed(), &this->Trend, this->Selected.data());
+  this->Work.resize(mesh.Boxes.size());
+  const size_t count = water_pieces_select(
+    &view, &described, this->IsReversed(), &this->Trend, this->Work.data(), this->Selected.data());
   if (count == mesh.Indices.size() && !this->IsReversed())
   {
     return;

@@ -33,8 +33,11 @@ public:
   vtkWaterPieces();
   ~vtkWaterPieces();
 
-  // What of the map is looked up; nullptr: all of it.
-  void SetSeen(const water_seen* seen) { this->Seen = seen; }
+  // Another map is about to be drawn.
+  //
+  // seen     what of it is looked up; nullptr: all of it
+  // samples  of its pixels
+  void BeginMap(const water_plan& plan, const water_seen* seen, int samples);
 
   // How many of the props, from the first on, are nothing but large opaque meshes, as far as is
   // known from the last frame. They are about to be drawn: in their order, or, if IsReversed, from
@@ -72,11 +75,14 @@ private:
 
   static MeshState StateOf(vtkOpenGLPolyDataMapper* mapper, vtkActor* actor);
   static void Read(vtkOpenGLPolyDataMapper* mapper, Mesh& mesh);
+  static bool Describe(vtkOpenGLPolyDataMapper* mapper, Mesh& mesh, water_mesh& described);
   bool CanLead(vtkProp* prop);
 
   std::map<vtkOpenGLPolyDataMapper*, Mesh> Meshes;
   std::vector<uint32_t> Selected;
-  const water_seen* Seen = nullptr;
+  std::vector<water_piece_work> Work;
+  water_pieces_map Map{};
+  std::vector<float> Depths;
   water_trend Trend{};
   bool HasLeading = false;                        // are being drawn
   bool FarFirst = false;                          // is the leading meshes' own order

@@ -48,6 +48,33 @@ const water_seen* vtkWaterSeen::Find(vtkRenderer* renderer, const water_plan& pl
   vtkWaterScreen& screen, vtkWaterSceneDepth& sceneDepth)
 {
   water_seen_begin(plan.texture_px, plan.texture_rect_px, &this->Seen);
+  const auto width = static_cast<size_t>(this->Seen.size[0]);
+  const auto height = static_cast<size_t>(this->Seen.size[1]);
+  size_t stride = 1;
+  if (plan.is_software)
+  {
+    this->Pixels.resize(width * height);
+    this->ReadDepths(renderer, plan, sceneDepth);
+  }
+  else
+  {
+    stride = kRGBA;
+    this->Pixels.resize(kRGBA * width * height);
+    if (!this->ReadCells(renderer, plan, screen, sceneDepth))
+    {
+      return nullptr;
+    }
+  }
+  this->Counts.resize((width + 1) * (height + 1));
+  this->Seen.counts = this->Counts.data();
+  water_seen_sum(&this->Seen, this->Pixels.data(), stride);
+  return &this->Seen;
+}
+
+//------------------------------------------------------------------------------
+bool vtkWaterSeen::ReadCells(vtkRenderer* renderer, const water_plan& plan, vtkWaterScreen& screen,
+  vtkWaterSceneDepth& sceneDepth)
+{
   const int width = this->Seen.size[0];
   const int height = this->Seen.size[1];
   auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
@@ -66,7 +93,6 @@ const water_seen* vtkWaterSeen::Find(vtkRenderer* renderer, const water_plan& pl
     isFound = screen.DrawCells(renderer, plan, this->Seen.cell_px, sceneDepth);
     if (isFound)
     {
-      this->Pixels.resize(kRGBA * static_cast<size_t>(width) * static_cast<size_t>(height));
       GLint alignment = 0;
       glGetIntegerv(GL_PACK_ALIGNMENT, &alignment);
       glPixelStorei(GL_PACK_ALIGNMENT, 1);
@@ -75,14 +101,30 @@ const water_seen* vtkWaterSeen::Find(vtkRenderer* renderer, const water_plan& pl
     }
   }
   state->PopFramebufferBindings();
-  if (!isFound)
-  {
-    return nullptr;
-  }
-  this->Counts.resize(static_cast<size_t>(width + 1) * static_cast<size_t>(height + 1));
-  this->Seen.counts = this->Counts.data();
-  water_seen_sum(&this->Seen, this->Pixels.data(), kRGBA);
-  return &this->Seen;
+  return isFound;
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterSeen::ReadDepths(
+  vtkRenderer* renderer, const water_plan& plan, const vtkWaterSceneDepth& sceneDepth)
+{
+  auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
+  vtkOpenGLState* state = window->GetState();
+  const int* origin = sceneDepth.GetOrigin();
+  const int* size = sceneDepth.GetSize();
+  int rows[2];
+  water_seen_rows(&this->Seen, size, rows);
+  this->Row.resize(static_cast<size_t>(size[0]));
+  this->Depths.resize(static_cast<size_t>(size[0]) * static_cast<size_t>(rows[1]));
+  GLint drawn = 0;
+  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &drawn);
+  state->PushReadFramebufferBinding();
+  state->vtkglBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<unsigned int>(drawn));
+  glReadPixels(origin[0], origin[1] + rows[0], size[0], rows[1], GL_DEPTH_COMPONENT, GL_FLOAT,
+    this->Depths.data());
+  state->PopReadFramebufferBinding();
+  water_seen_look(&this->Seen, size, plan.plane_clip, plan.mask_rounding, rows, this->Depths.data(),
+    this->Row.data(), this->Pixels.data());
 }
 
 //------------------------------------------------------------------------------

@@ -23,6 +23,7 @@
 #include "water_spectrum.h"
 
 #include "water_tile.h"
+#include "water_triangles.h"
 
 #include "water_waves.h"
 

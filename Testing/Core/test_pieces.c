@@ -21,8 +21,12 @@ typedef struct mesh
   float points[3 * POINTS];
   uint32_t indices[3 * TRIANGLES];
   double boxes[PIECES][6];
+  water_mesh described;
+  water_piece_work work[PIECES];
   uint32_t drawn[3 * TRIANGLES];
 } mesh;
+
+static const water_pieces_map plain_map = { NULL, NULL, 0, 8 };
 
 // A hilly square of 100 x 100 about a place.
 static mesh* mesh_made(dice* from)
@@ -46,6 +50,8 @@ static mesh* mesh_made(dice* from)
       *index++ = quad[j];
     }
   }
+  made->described =
+    (water_mesh){ { made->points, NULL }, POINTS, made->indices, TRIANGLES, made->boxes };
   return made;
 }
 
@@ -63,10 +69,9 @@ TEST(indices_out_of_the_points_are_refused)
   UNUSED;
   dice from = dice_seeded(60);
   mesh* const terrain = mesh_made(&from);
-  const water_points points = { terrain->points, NULL };
-  assert_true(water_pieces_bound(&points, POINTS, terrain->indices, TRIANGLES, terrain->boxes));
-  assert_false(
-    water_pieces_bound(&points, POINTS - 1, terrain->indices, TRIANGLES, terrain->boxes));
+  assert_true(water_pieces_bound(&terrain->described));
+  terrain->described.point_count = POINTS - 1;
+  assert_false(water_pieces_bound(&terrain->described));
   free(terrain);
 }
 
@@ -78,8 +83,7 @@ TEST(what_is_seen_is_kept_in_its_order)
   const double center[3] = { 0.0, 0.0, 0.0 };
   dice from = dice_seeded(61);
   mesh* const terrain = mesh_made(&from);
-  const water_points points = { terrain->points, NULL };
-  assert_true(water_pieces_bound(&points, POINTS, terrain->indices, TRIANGLES, terrain->boxes));
+  assert_true(water_pieces_bound(&terrain->described));
   double model_to_world[16] = { 0, -1, 0, 1, 1, 0, 0, 2, 0, 0, 2, 0.5, 0, 0, 0, 1 };
   size_t drawn_sum = 0;
   size_t seen_sum = 0;
@@ -90,9 +94,9 @@ TEST(what_is_seen_is_kept_in_its_order)
     water_pieces_view view;
     water_trend trend;
     memset(&trend, 0, sizeof trend);
-    water_pieces_look(&plan, NULL, model_to_world, &view);
-    const size_t count = water_pieces_select(
-      &view, terrain->indices, TRIANGLES, terrain->boxes, false, &trend, terrain->drawn);
+    water_pieces_look(&plan, &plain_map, false, model_to_world, &view);
+    const size_t count =
+      water_pieces_select(&view, &terrain->described, false, &trend, terrain->work, terrain->drawn);
     assert_int_equal(count % 3, 0);
     drawn_sum += count / 3;
     size_t at = 0;
@@ -142,17 +146,19 @@ TEST(points_of_both_kinds_and_without_an_end)
     double boxes[1][6];
     uint32_t drawn[3];
     water_trend trend;
+    water_piece_work work;
+    const water_mesh single = { points[i], 3, indices, 1, boxes };
     memset(&trend, 0, sizeof trend);
-    assert_true(water_pieces_bound(&points[i], 3, indices, 1, boxes));
+    assert_true(water_pieces_bound(&single));
     const double expected[6] = { 0, huge, 0, 1, 0, 2 };
     assert_memory_equal(boxes[0], expected, sizeof expected);
     water_pieces_view nothing;
     memset(&nothing, 0, sizeof nothing);
     nothing.frustum.planes[0][3] = -1.0; // nothing is inside
     water_frustum_prepare(&nothing.frustum);
-    assert_int_equal(water_pieces_select(&nothing, indices, 1, boxes, false, &trend, drawn), 3);
+    assert_int_equal(water_pieces_select(&nothing, &single, false, &trend, &work, drawn), 3);
     boxes[0][1] = 5.0;
-    assert_int_equal(water_pieces_select(&nothing, indices, 1, boxes, false, &trend, drawn), 0);
+    assert_int_equal(water_pieces_select(&nothing, &single, false, &trend, &work, drawn), 0);
   }
 }
 
@@ -165,9 +171,8 @@ TEST(backwards_is_the_order_backwards)
   dice from = dice_seeded(62);
   mesh* const terrain = mesh_made(&from);
   uint32_t* const backwards = malloc(sizeof terrain->drawn);
-  const water_points points = { terrain->points, NULL };
   assert_non_null(backwards);
-  assert_true(water_pieces_bound(&points, POINTS, terrain->indices, TRIANGLES, terrain->boxes));
+  assert_true(water_pieces_bound(&terrain->described));
   int steps = 0;
   for (int round = 0; round < 60; ++round)
   {
@@ -176,12 +181,11 @@ TEST(backwards_is_the_order_backwards)
     water_pieces_view view;
     water_trend trends[2];
     memset(trends, 0, sizeof trends);
-    water_pieces_look(&plan, NULL, model_to_world, &view);
+    water_pieces_look(&plan, &plain_map, false, model_to_world, &view);
     const size_t count = water_pieces_select(
-      &view, terrain->indices, TRIANGLES, terrain->boxes, false, &trends[0], terrain->drawn);
+      &view, &terrain->described, false, &trends[0], terrain->work, terrain->drawn);
     assert_int_equal(count,
-      water_pieces_select(
-        &view, terrain->indices, TRIANGLES, terrain->boxes, true, &trends[1], backwards));
+      water_pieces_select(&view, &terrain->described, true, &trends[1], terrain->work, backwards));
     for (size_t i = 0; i < count; i += 3)
     {
       assert_memory_equal(
@@ -217,15 +221,17 @@ TEST(last_piece_has_what_is_left)
     // exact sizes: a sanitizer sees what is read or written beyond
     const size_t pieces = (count + WATER_PIECE_TRIANGLES - 1) / WATER_PIECE_TRIANGLES;
     double(*boxes)[6] = calloc(pieces, sizeof *boxes);
+    water_piece_work* work = malloc(pieces * sizeof *work);
     uint32_t* drawn = malloc(3 * count * sizeof *drawn);
     assert_non_null(boxes);
+    assert_non_null(work);
+    const water_mesh part = { { NULL, NULL }, 0, indices, count, boxes };
     assert_non_null(drawn);
     for (int way = 0; way < 2; ++way)
     {
       water_trend trend;
       memset(&trend, 0, sizeof trend);
-      assert_int_equal(
-        water_pieces_select(&all, indices, count, boxes, way, &trend, drawn), 3 * count);
+      assert_int_equal(water_pieces_select(&all, &part, way, &trend, work, drawn), 3 * count);
       for (uint32_t i = 0; i < 3 * count; ++i)
       {
         const uint32_t triangle = way ? (uint32_t)count - 1 - i / 3 : i / 3;
@@ -233,6 +239,7 @@ TEST(last_piece_has_what_is_left)
       }
     }
     free(drawn);
+    free(work);
     free(boxes);
   }
 }
@@ -273,8 +280,9 @@ TEST(steps_are_counted_by_cell_and_distance)
       boxes[j / 6][j % 6] = cases[i].middles[j / 6][j % 6 / 2] + (j % 2 ? 0.75 : -0.75);
     }
     const size_t count = sizeof indices / sizeof indices[0];
-    assert_int_equal(
-      water_pieces_select(&view, indices, count / 3, boxes, false, &trend, drawn), count);
+    water_piece_work work[3];
+    const water_mesh three = { { NULL, NULL }, 0, indices, count / 3, boxes };
+    assert_int_equal(water_pieces_select(&view, &three, false, &trend, work, drawn), count);
     assert_int_equal(trend.nearer_steps, cases[i].nearer);
     assert_int_equal(trend.farther_steps, cases[i].farther);
   }
@@ -294,7 +302,7 @@ TEST(rounding_knows_how_far_the_mesh_is_moved)
   for (int i = 0; i < 3; ++i)
   {
     water_pieces_view view;
-    water_pieces_look(&plan, NULL, moves[i], &view);
+    water_pieces_look(&plan, &plain_map, false, moves[i], &view);
     reach = i == 0 ? view.frustum.reach : reach;
     ASSERT_CLOSE(view.frustum.reach, reach + lengths[i], 1e-12);
   }
@@ -310,8 +318,7 @@ TEST(the_trend_says_which_end_is_near)
   const double up[3] = { 0.0, 0.0, 1.0 };
   dice from = dice_seeded(63);
   mesh* const terrain = mesh_made(&from);
-  const water_points points = { terrain->points, NULL };
-  assert_true(water_pieces_bound(&points, POINTS, terrain->indices, TRIANGLES, terrain->boxes));
+  assert_true(water_pieces_bound(&terrain->described));
   for (int side = 0; side < 4; ++side)
   {
     water_scene scene = lake();
@@ -325,14 +332,115 @@ TEST(the_trend_says_which_end_is_near)
     water_pieces_view view;
     water_trend trend;
     memset(&trend, 0, sizeof trend);
-    water_pieces_look(&plan, NULL, model_to_world, &view);
+    water_pieces_look(&plan, &plain_map, false, model_to_world, &view);
     (void)water_pieces_select(
-      &view, terrain->indices, TRIANGLES, terrain->boxes, false, &trend, terrain->drawn);
+      &view, &terrain->described, false, &trend, terrain->work, terrain->drawn);
     const int away = side % 2 ? trend.nearer_steps : trend.farther_steps;
     const int back = side % 2 ? trend.farther_steps : trend.nearer_steps;
     assert_in_range(away, 200, PIECES);
     assert_in_range(back, 0, away - 1);
   }
+  free(terrain);
+}
+
+// What a view tells the triangles.
+TEST(the_map_is_handed_on)
+{
+  UNUSED;
+  const double moved[16] = { 0, -1, 0, 1, 1, 0, 0, 2, 0, 0, 2, 0.5, 0, 0, 0, 1 };
+  const double place[3] = { 3.0, -2.0, 1.5 };
+  water_scene scene = lake();
+  float depths[1];
+  const water_seen seen = { { 0, 0 } };
+  for (int i = 0; i < 2; ++i)
+  {
+    scene.is_software = i;
+    const water_plan plan = plan_of(&scene, NULL);
+    const water_pieces_map map = { i ? &seen : NULL, i ? depths : NULL, i ? 2 : 1, 4 + 4 * i };
+    water_pieces_view view;
+    water_pieces_look(&plan, &map, i, moved, &view);
+    assert_int_equal(view.is_fine, i);
+    assert_int_equal(view.triangles.has_samples, i);
+    assert_int_equal(view.triangles.is_solid, i);
+    assert_ptr_equal(view.triangles.seen, map.seen);
+    assert_ptr_equal(view.triangles.depths, map.depths);
+    assert_true(view.triangles.grid_px == (i ? 1.0 / 256.0 : 1.0 / 16.0));
+    assert_memory_equal(view.triangles.rect_px, plan.texture_rect_px, sizeof plan.texture_rect_px);
+    assert_memory_equal(view.triangles.texture_px, plan.texture_px, sizeof plan.texture_px);
+    assert_true(view.triangles.reach == view.frustum.reach);
+    double world[4];
+    double expected[4];
+    double clip[4];
+    double view_place[4];
+    apply(moved, place, 1.0, world);
+    project(&plan.mirrored, world, 1.0, expected);
+    apply(view.triangles.to_clip, place, 1.0, clip);
+    apply(plan.mirrored.world_to_view, world, 1.0, view_place);
+    for (int j = 0; j < 4; ++j)
+    {
+      ASSERT_CLOSE(clip[j], expected[j], 1e-9);
+    }
+    ASSERT_CLOSE(dot(view.triangles.kept, place) + view.triangles.kept[3],
+      dot(plan.clip_plane_view, view_place) + plan.clip_plane_view[3], 1e-9);
+  }
+}
+
+// Triangles one by one: some of those of the pieces, in their order; the same from either end,
+// because it is the near pieces that hide the far ones; and fewer than half of the pieces'.
+TEST(triangles_are_looked_at_one_by_one)
+{
+  UNUSED;
+  const double center[3] = { 0.0, 0.0, 0.0 };
+  const double model_to_world[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 };
+  dice from = dice_seeded(64);
+  mesh* const terrain = mesh_made(&from);
+  uint32_t* const fine[2] = { malloc(sizeof terrain->drawn), malloc(sizeof terrain->drawn) };
+  assert_non_null(fine[0]);
+  assert_non_null(fine[1]);
+  assert_true(water_pieces_bound(&terrain->described));
+  size_t sums[2] = { 0, 0 };
+  for (int round = 0; round < 60; ++round)
+  {
+    random_scene random = scene_rolled(&from, round, center);
+    random.scene.is_software = true;
+    const water_plan plan = plan_of(&random.scene, NULL);
+    const int* rect = plan.texture_rect_px;
+    float* depths = malloc((size_t)rect[2] * (size_t)rect[3] * sizeof *depths);
+    assert_non_null(depths);
+    const water_pieces_map map = { NULL, depths, 0, 8 };
+    water_pieces_view view;
+    water_trend trend;
+    size_t counts[2];
+    water_pieces_look(&plan, &map, true, model_to_world, &view);
+    for (int i = 0; i < 2; ++i)
+    {
+      memset(&trend, 0, sizeof trend);
+      water_triangles_begin(rect, NULL, depths);
+      counts[i] =
+        water_pieces_select(&view, &terrain->described, i, &trend, terrain->work, fine[i]);
+    }
+    view.is_fine = false;
+    const size_t count =
+      water_pieces_select(&view, &terrain->described, false, &trend, terrain->work, terrain->drawn);
+    size_t at = 0;
+    for (size_t i = 0; i < count && at < counts[0]; i += 3)
+    {
+      at += memcmp(terrain->drawn + i, fine[0] + at, 3 * sizeof *fine[0]) == 0 ? 3 : 0;
+    }
+    assert_int_equal(at, counts[0]);
+    assert_int_equal(counts[0], counts[1]);
+    for (size_t i = 0; i < counts[0]; i += 3)
+    {
+      assert_memory_equal(fine[0] + i, fine[1] + counts[0] - 3 - i, 3 * sizeof *fine[0]);
+    }
+    sums[0] += counts[0];
+    sums[1] += count;
+    free(depths);
+  }
+  print_message("%zu of %zu triangles\n", sums[0] / 3, sums[1] / 3);
+  assert_in_range(sums[0], 1000, sums[1] / 2);
+  free(fine[0]);
+  free(fine[1]);
   free(terrain);
 }
 
@@ -348,6 +456,8 @@ int main(void)
     RUN(rounding_knows_how_far_the_mesh_is_moved),
     RUN(the_trend_says_which_end_is_near),
     RUN(points_of_both_kinds_and_without_an_end),
+    RUN(the_map_is_handed_on),
+    RUN(triangles_are_looked_at_one_by_one),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

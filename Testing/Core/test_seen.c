@@ -252,6 +252,125 @@ TEST(cells_go_through_all_that_look_them_up)
   }
 }
 
+// Every cell is open if one of the pixels that its walk names lies under the plane, asked one by
+// one.
+TEST(depths_tell_which_cells_are_open)
+{
+  UNUSED;
+  enum
+  {
+    WIDTH = 46,
+    HEIGHT = 34,
+    MOST = 4 * WIDTH * HEIGHT
+  };
+  dice from = dice_seeded(58);
+  const int viewport_px[2] = { WIDTH, HEIGHT };
+  int counts[2] = { 0, 0 };
+  for (int round = 0; round < 400; ++round)
+  {
+    const double scale = 0.25 * (1 + round % 8);
+    const int texture_px[2] = { (int)ceil(scale * WIDTH), (int)ceil(scale * HEIGHT) };
+    int rect_px[4];
+    for (int i = 0; i < 2; ++i)
+    {
+      rect_px[i] = (int)dice_roll(&from, 0.0, texture_px[i]);
+      rect_px[2 + i] = 1 + (int)dice_roll(&from, 0.0, texture_px[i] - rect_px[i]);
+    }
+    water_seen seen;
+    water_seen_walk walk;
+    uint8_t cells[MOST];
+    int32_t work[WIDTH];
+    float depths[WIDTH * HEIGHT];
+    int rows[2];
+    water_seen_begin(texture_px, rect_px, &seen);
+    water_seen_walk_of(texture_px, rect_px, viewport_px, seen.cell_px, &walk);
+    const double plane[4] = { dice_roll(&from, -1, 1), dice_roll(&from, -1, 1),
+      dice_roll(&from, -1, 1), dice_roll(&from, -1, 1) };
+    const double rounding = dice_roll(&from, 0.0, 0.5);
+    for (int i = 0; i < WIDTH * HEIGHT; ++i)
+    {
+      depths[i] = (float)dice_roll(&from, 0.0, 1.0);
+    }
+    water_seen_rows(&seen, viewport_px, rows);
+    assert_in_range(rows[0], 0, HEIGHT - 1);
+    assert_in_range(rows[1], 1, HEIGHT - rows[0]);
+    water_seen_look(
+      &seen, viewport_px, plane, rounding, rows, depths + WIDTH * rows[0], work, cells);
+    for (int i = 0; i < seen.size[0] * seen.size[1]; ++i)
+    {
+      bool is_open = false;
+      bool is_sure = true;
+      for (int j = 0; j < walk.size[0] * walk.size[1]; ++j)
+      {
+        const int cell[2] = { i % seen.size[0], i / seen.size[0] };
+        const int step[2] = { j % walk.size[0], j / walk.size[0] };
+        int px[2];
+        double ndc[2];
+        for (int k = 0; k < 2; ++k)
+        {
+          const int at = (int)floor(walk.first[k] + walk.step[k] * cell[k]) + step[k];
+          px[k] = at < 0 ? 0 : at >= viewport_px[k] ? viewport_px[k] - 1 : at;
+          ndc[k] = 2.0 * (px[k] + 0.5) / viewport_px[k] - 1.0;
+        }
+        assert_in_range(px[1], rows[0], rows[0] + rows[1] - 1);
+        const double depth = (double)depths[WIDTH * px[1] + WIDTH - 1 - px[0]];
+        const double height =
+          -plane[0] * ndc[0] + plane[1] * ndc[1] + plane[2] * (2.0 * depth - 1.0) + plane[3];
+        is_sure = is_sure && fabs(height - rounding) > 1e-5;
+        is_open = is_open || height <= rounding;
+      }
+      if (is_sure)
+      {
+        assert_int_equal(cells[i] != 0, is_open);
+        ++counts[is_open];
+      }
+    }
+  }
+  print_message("%d closed, %d open\n", counts[0], counts[1]);
+  assert_in_range(counts[0], 2000, 1000000);
+  assert_in_range(counts[1], 5000, 1000000);
+}
+
+// A rectangle of pixels has what one of its cells has.
+TEST(pixels_have_what_their_cells_have)
+{
+  UNUSED;
+  const int texture_px[2] = { 100, 80 };
+  const int rect_px[4] = { 7, 5, 61, 43 };
+  dice from = dice_seeded(59);
+  uint8_t cells[31 * 22];
+  uint32_t counts[32 * 23];
+  water_seen seen;
+  for (int round = 0; round < 3000; ++round)
+  {
+    water_seen_begin(texture_px, rect_px, &seen);
+    seen.counts = counts;
+    for (int i = 0; i < seen.size[0] * seen.size[1]; ++i)
+    {
+      cells[i] = dice_roll(&from, 0.0, 1.0) < 0.02;
+    }
+    water_seen_sum(&seen, cells, 1);
+    int first[2];
+    int last[2];
+    for (int i = 0; i < 2; ++i)
+    {
+      first[i] = (int)dice_roll(&from, 0.0, rect_px[2 + i]);
+      last[i] = first[i] + (int)dice_roll(&from, 0.0, fmin(8.0, rect_px[2 + i] - first[i]));
+    }
+    bool has = false;
+    for (int y = first[1]; y <= last[1]; ++y)
+    {
+      for (int x = first[0]; x <= last[0]; ++x)
+      {
+        const bool is_open = cells[y / seen.cell_px * seen.size[0] + x / seen.cell_px] != 0;
+        assert_int_equal(water_seen_is_open(&seen, x / seen.cell_px, y / seen.cell_px), is_open);
+        has = has || is_open;
+      }
+    }
+    assert_int_equal(water_seen_has(&seen, first, last), has);
+  }
+}
+
 int main(void)
 {
   const struct CMUnitTest tests[] = {
@@ -263,6 +382,8 @@ int main(void)
     RUN(reach_is_the_same_on_each_side),
     RUN(pixels_of_a_cell_are_counted),
     RUN(cells_go_through_all_that_look_them_up),
+    RUN(depths_tell_which_cells_are_open),
+    RUN(pixels_have_what_their_cells_have),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -39,9 +39,11 @@ static void fuzz_pieces(fuzz_input* from)
   {
     indices[i] = fuzz_byte(from) % (POINTS + 1); // one beyond
   }
-  const water_points points = { fuzz_bool(from) ? floats : NULL, doubles };
+  water_piece_work work[sizeof boxes / sizeof boxes[0]];
+  const water_mesh mesh = { { fuzz_bool(from) ? floats : NULL, doubles }, POINTS, indices,
+    triangle_count, boxes };
   (void)water_pieces_count(triangle_count);
-  if (!water_pieces_bound(&points, POINTS, indices, triangle_count, boxes))
+  if (!water_pieces_bound(&mesh))
   {
     return;
   }
@@ -51,10 +53,30 @@ static void fuzz_pieces(fuzz_input* from)
   fuzz_doubles(from, &view.frustum.planes[0][0], 24);
   view.frustum.reach = fuzz_double(from);
   water_frustum_prepare(&view.frustum);
-  fuzz_doubles(from, view.to_clip, 16);
-  view.seen = NULL;
-  PROMISED(water_pieces_select(&view, indices, triangle_count, boxes, fuzz_bool(from), &trend,
-             drawn) <= 3 * triangle_count);
+  enum
+  {
+    DEPTHS = 16
+  };
+  float depths[DEPTHS * DEPTHS];
+  water_triangles_view* fine = &view.triangles;
+  view.is_fine = fuzz_bool(from);
+  fuzz_doubles(from, fine->to_clip, 16);
+  fuzz_doubles(from, fine->kept, 4);
+  fine->reach = fuzz_double(from);
+  fine->grid_px = fuzz_bool(from) ? fuzz_double(from) : 1.0 / 256.0;
+  for (int i = 0; i < 2; ++i)
+  {
+    fine->rect_px[i] = (int)fuzz_below(from, 64);
+    fine->rect_px[2 + i] = 1 + (int)fuzz_below(from, DEPTHS);
+    fine->texture_px[i] = fine->rect_px[i] + fine->rect_px[2 + i] + (int)fuzz_below(from, 64);
+  }
+  fine->has_samples = fuzz_bool(from);
+  fine->is_solid = fuzz_bool(from);
+  fine->seen = NULL;
+  fine->depths = fuzz_bool(from) ? depths : NULL;
+  water_triangles_begin(fine->rect_px, NULL, depths);
+  PROMISED(
+    water_pieces_select(&view, &mesh, fuzz_bool(from), &trend, work, drawn) <= 3 * triangle_count);
 }
 
 // Cells of a map of any size, and boxes anywhere.
