@@ -12,7 +12,8 @@ enum
   WIDTH = 50, // of the drawn part
   HEIGHT = 40,
   PIXELS = WIDTH * HEIGHT,
-  TRIANGLES = 300
+  TRIANGLES = 300,
+  ROUNDS = 100
 };
 
 static const double focal = 1.5;
@@ -94,9 +95,15 @@ static double edge_of(const double a[2], const double b[2], const double p[2])
 static void draw(const drawn_triangle* of, int number, double* picture, int* owners)
 {
   const double area = edge_of(of->px[0], of->px[1], of->px[2]);
+  const double low = fmin(of->px[0][1], fmin(of->px[1][1], of->px[2][1]));
+  const double high = fmax(of->px[0][1], fmax(of->px[1][1], of->px[2][1]));
   for (int i = 0; i < PIXELS && area != 0.0; ++i)
   {
     const double middle[2] = { i % WIDTH + 0.5, i / WIDTH + 0.5 };
+    if (middle[1] < low || middle[1] > high)
+    {
+      continue;
+    }
     double depth = 0.0;
     double height = 0.0;
     double least = 1.0;
@@ -162,7 +169,7 @@ TEST(what_is_dropped_changes_no_pixel)
   dice from = dice_seeded(90);
   int kept_sum = 0;
   int seen_sum = 0;
-  for (int round = 0; round < 300; ++round)
+  for (int round = 0; round < ROUNDS; ++round)
   {
     int owners[PIXELS];
     bool is_owner[TRIANGLES] = { false };
@@ -210,7 +217,8 @@ TEST(what_is_dropped_changes_no_pixel)
       }
     }
   }
-  print_message("%d of %d triangles kept, %d seen\n", kept_sum, 240 * TRIANGLES, seen_sum);
+  print_message(
+    "%d of %d triangles kept, %d seen\n", kept_sum, ROUNDS * 4 / 5 * TRIANGLES, seen_sum);
   assert_in_range(kept_sum, seen_sum, 2 * seen_sum);
 }
 
