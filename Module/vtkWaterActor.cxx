@@ -17,6 +17,7 @@
 #include "vtkWaterProperty.h"
 #include "vtkWaterReflectionPass.h"
 #include "vtkWaterSea.h"
+#include "vtkWaterSecondary.h"
 #include "vtkWaterShading.h"
 #include "vtkWaterSheet.h"
 #include "vtkWaterSurface.h"
@@ -58,6 +59,7 @@ vtkWaterActor::vtkWaterActor()
   , Sheet(std::make_unique<vtkWaterSheet>())
   , Grid(std::make_unique<vtkWaterGrid>())
   , Surface(std::make_unique<vtkWaterSurface>())
+  , Secondary(std::make_unique<vtkWaterSecondary>())
   , Sea(std::make_unique<vtkWaterSea>())
 {
   this->Superclass::SetMapper(this->Sheet->GetMapper());
@@ -395,6 +397,7 @@ void vtkWaterActor::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->OwnPass->ReleaseGraphicsResources(window);
   this->Surface->ReleaseGraphicsResources(window);
+  this->Secondary->ReleaseGraphicsResources(window);
   if (vtkTexture* environment = this->WaterProperty->GetEnvironmentTexture())
   {
     environment->ReleaseGraphicsResources(window);

@@ -39,6 +39,7 @@
 
 class vtkWaterGrid;
 class vtkWaterSea;
+class vtkWaterSecondary;
 class vtkWaterSheet;
 class vtkWaterSurface;
 struct vtkWaterError;
@@ -216,6 +217,10 @@ private:
   void RenderSharedReflection(vtkOpenGLRenderer* renderer, const int viewport_px[2], bool isLate);
   // Is all of them hidden by what has been drawn so far?
   bool AreSheetsHidden(vtkOpenGLRenderer* renderer, const std::vector<vtkWaterActor*>& sheets);
+  // Draws the surface with its shader, or with the plain one when the driver refuses that.
+  void DrawSurface(vtkWaterSurface* surface, vtkRenderer* renderer, vtkMapper* mapper);
+  // Draws the surface in the mirrored view of another water.
+  void RenderSecondary(vtkRenderer* renderer, vtkMapper* mapper);
   // A nested mirror for a draw whose camera was not the one mirrored before the frame.
   void RenderReflectionIfStale(vtkViewport* viewport);
 
@@ -226,6 +231,7 @@ private:
   std::unique_ptr<vtkWaterSheet> Sheet;
   std::unique_ptr<vtkWaterGrid> Grid; // the sheet when it is displaced
   std::unique_ptr<vtkWaterSurface> Surface;
+  std::unique_ptr<vtkWaterSecondary> Secondary;
   std::unique_ptr<vtkWaterSea> Sea;
   double SheetBounds[4] = { 0.0, 0.0, 0.0, 0.0 };
   bool UseSheetBounds = false;

@@ -23,11 +23,13 @@
 #include "vtkWaterProperty.h"
 #include "vtkWaterReflectionPass.h"
 #include "vtkWaterSea.h"
+#include "vtkWaterSecondary.h"
 #include "vtkWaterShading.h"
 #include "vtkWaterSheet.h"
 #include "vtkWaterSurface.h"
 #include "water_plan.h"
 #include "water_quality.h"
+#include "water_secondary.h"
 
 #include <algorithm>
 
@@ -396,6 +398,7 @@ int vtkWaterActor::RenderOpaqueGeometry(vtkViewport* viewport)
     this->RenderReflectionIfStale(viewport);
     auto* renderer = vtkOpenGLRenderer::SafeDownCast(viewport);
     if (renderer && !renderer->GetSelector() &&
+      !vtkWaterShading::GetOfThread()->IsInMirroredView() &&
       this->GetPassInCharge(renderer)->IsUnseen(renderer, this))
     {
       return 0;
@@ -426,12 +429,57 @@ int vtkWaterActor::RenderOverlay(vtkViewport* viewport)
 }
 
 //------------------------------------------------------------------------------
+void vtkWaterActor::DrawSurface(vtkWaterSurface* surface, vtkRenderer* renderer, vtkMapper* mapper)
+{
+  vtkWaterShading* shading = vtkWaterShading::GetOfThread();
+  shading->BeginSurface(surface, this->IsProbing);
+  this->Superclass::Render(renderer, mapper);
+  if (!shading->EndSurface() && !surface->GetIsRefused())
+  {
+    surface->SetIsRefused();
+    vtkErrorMacro("The driver refuses the water's shader. The water shows its plain colour.");
+    shading->BeginSurface(surface, this->IsProbing);
+    this->Superclass::Render(renderer, mapper);
+    shading->EndSurface();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterActor::RenderSecondary(vtkRenderer* renderer, vtkMapper* mapper)
+{
+  vtkWaterShading* shading = vtkWaterShading::GetOfThread();
+  const vtkWaterShading::View& view = shading->GetMirroredView();
+  if (std::find(view.Props->begin(), view.Props->end(), this) == view.Props->end())
+  {
+    return; // no endless mirror, whatever drew this water
+  }
+  shading->Keys.Add(this);
+  vtkWaterSurface* surface = &this->Secondary->Surface;
+  water_plan plan;
+  const water_scene scene = vtkWaterGather::ReadSecondary(renderer, this, view.Eye);
+  water_secondary_plan(&scene, view.Plan, &plan);
+  vtkWaterSurface::Frame frame = vtkWaterSurface::Frame();
+  frame.Renderer = static_cast<vtkOpenGLRenderer*>(renderer);
+  frame.Plan = plan.has_view ? &plan : nullptr;
+  frame.IsFlat = this->UsesOwnSheet() && this->GetIsIdentity();
+  frame.IsSecondary = true;
+  if (surface->UpdateStages(vtkWaterSurface::GetSecondaryStages(this)))
+  {
+    this->GetProperty()->Modified(); // the mapper builds the other shader
+  }
+  surface->Begin(this, frame);
+  this->DrawSurface(surface, renderer, this->Secondary->Follow(mapper));
+  surface->End();
+}
+
+//------------------------------------------------------------------------------
 void vtkWaterActor::Render(vtkRenderer* renderer, vtkMapper* mapper)
 {
   vtkWaterShading* shading = vtkWaterShading::GetOfThread();
   if (shading->IsInMirroredView())
   {
-    return; // no endless mirror, whatever drew this water
+    this->RenderSecondary(renderer, mapper);
+    return;
   }
   if (vtkWaterKeys::IsBakingShadows(this) && IsClear(this))
   {
@@ -453,25 +501,16 @@ void vtkWaterActor::Render(vtkRenderer* renderer, vtkMapper* mapper)
   frame.RowDir = this->Grid->GetRowDir();
   frame.IsFlat = this->UsesOwnSheet() && this->GetIsIdentity() && !isDisplaced;
   vtkMapper* drawn = isDisplaced ? this->LayGrid(view, mapper) : mapper;
-  if (this->Surface->UpdateStages(this))
+  if (this->Surface->UpdateStages(vtkWaterSurface::GetStages(this)))
   {
     this->GetProperty()->Modified(); // the mapper builds the other shader
   }
   vtkWaterInstruments* instruments = this->OwnPass->GetInstruments(renderer);
   instruments->Begin(vtkWaterInstruments::SURFACE, renderer->GetRenderWindow());
   this->Surface->Begin(this, frame);
-  shading->BeginSurface(this->Surface.get(), this->IsProbing);
   vtkWaterOcclusion* occlusion = this->OwnPass->GetOcclusion(renderer);
   occlusion->Begin(renderer->GetRenderWindow());
-  this->Superclass::Render(renderer, drawn);
-  if (!shading->EndSurface() && !this->Surface->GetIsRefused())
-  {
-    this->Surface->SetIsRefused();
-    vtkErrorMacro("The driver refuses the water's shader. The water shows its plain colour.");
-    shading->BeginSurface(this->Surface.get(), this->IsProbing);
-    this->Superclass::Render(renderer, drawn);
-    shading->EndSurface();
-  }
+  this->DrawSurface(this->Surface.get(), renderer, drawn);
   occlusion->End();
   this->Surface->End();
   instruments->End(vtkWaterInstruments::SURFACE);

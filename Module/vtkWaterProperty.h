@@ -183,8 +183,9 @@ public:
   ///@{
   /**
    * The picture of the surroundings, in latitude and longitude, as vtkSkybox with the projection
-   * Sphere has it; it lies as the renderer's EnvironmentUp and EnvironmentRight say. A cube map is
-   * refused with an error. Default is nullptr.
+   * Sphere has it; it lies as the renderer's EnvironmentUp and EnvironmentRight say. Also what this
+   * water reflects where it stands in another water's reflection. A cube map is refused with an
+   * error. Default is nullptr.
    */
   void SetEnvironmentTexture(vtkTexture* texture);
   vtkTexture* GetEnvironmentTexture() const;
@@ -584,6 +585,7 @@ private:
 
   friend class vtkWaterActor;
   friend struct vtkWaterGather;
+  friend class vtkWaterSignature;
   friend class vtkWaterSurface;
   const vtkWaterNormalMaps& GetNormalMaps() const;
   const water_wave* GetWaves() const;
@@ -594,6 +596,9 @@ private:
   // No slope that a reflection is looked up with is steeper; infinity: none is known, or the
   // mirrored view is read elsewhere, too.
   double GetSlopeLookedUp() const;
+  // Variances xx, yy, xy of all slopes, at all times; normal maps are not counted.
+  void GetMeanSlopes(double covariance[3]) const;
+  void UpdateSeaSlopes() const;
   double GetWaveNumber() const;        // typical of the sines, rad/m; 0: not known
   bool LooksUpShadows() const;         // in the map, of what keeps light off the surface
   bool HasGlitter() const;             // calm water has none

@@ -5,6 +5,7 @@
 #include "vtkWaterCompat.h"
 #include "vtkWaterPropertyInternals.h"
 #include "water_glitter.h"
+#include "water_secondary.h"
 #include "water_tile.h"
 #include "water_waves.h"
 
@@ -117,6 +118,20 @@ bool vtkWaterProperty::GetWave(int number, double wave[5]) const
 }
 
 //------------------------------------------------------------------------------
+void vtkWaterProperty::UpdateSeaSlopes() const
+{
+  if (this->Internal->SeaTime != this->MTime)
+  {
+    // an integral over the spectrum: not in every frame
+    water_sea sea;
+    water_tile tile;
+    this->ReadSea(&sea, &tile);
+    water_tile_slopes(&tile, &sea, this->Internal->SeaSlopes, this->Internal->SeaLeftOut);
+    this->Internal->SeaTime = this->MTime;
+  }
+}
+
+//------------------------------------------------------------------------------
 double vtkWaterProperty::GetSlopeRMS() const
 {
   double height = 0.0;
@@ -126,17 +141,21 @@ double vtkWaterProperty::GetSlopeRMS() const
   {
     return slope;
   }
-  if (this->Internal->SeaTime != this->MTime)
-  {
-    // an integral over the spectrum: not in every frame
-    water_sea sea;
-    water_tile tile;
-    this->ReadSea(&sea, &tile);
-    double leftOut[2];
-    water_tile_slopes(&tile, &sea, this->Internal->SeaSlopes, leftOut);
-    this->Internal->SeaTime = this->MTime;
-  }
+  this->UpdateSeaSlopes();
   return water_tile_slope_rms(this->Internal->SeaSlopes, slope);
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterProperty::GetMeanSlopes(double covariance[3]) const
+{
+  const double none[2] = { 0.0, 0.0 };
+  if (this->Sea)
+  {
+    this->UpdateSeaSlopes();
+  }
+  water_secondary_slopes(this->Internal->Waves.data(), this->Internal->Waves.size(),
+    this->Sea ? this->Internal->SeaSlopes : none, this->Sea ? this->Internal->SeaLeftOut : none,
+    this->SlopeVariance, vtkMath::RadiansFromDegrees(this->SlopeVariance[2]), covariance);
 }
 
 //------------------------------------------------------------------------------

@@ -15,7 +15,8 @@
  * @endcode
  *
  * The mirrored view holds opaque and translucent geometry and volumes, lit by the scene's lights
- * where they really are, cut away behind the plane, without the water itself. It is flipped in x.
+ * where they really are, cut away behind the plane, without the water itself. Other waters are in
+ * it with their colour and the background's reflection. It is flipped in x.
  *
  * The environment variable VTK_WATER_DEBUG=1 turns ShowReflection on without a change of code;
  * VTK_WATER_SOFTWARE=0 or =1 has any renderer taken for a GPU, or for one without (debugging.md).

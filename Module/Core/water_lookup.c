@@ -21,6 +21,18 @@ static void picture_of(
   picture[2] = clip[3];
 }
 
+void water_lookup_axes(
+  const water_plane* plane, water_side side, const double origin[3], water_axes* axes)
+{
+  const double sign = side == WATER_BELOW ? -1.0 : 1.0;
+  water_plane_axes(plane->normal, axes->x_dir, axes->y_dir);
+  for (int i = 0; i < 3; ++i)
+  {
+    axes->normal[i] = sign * plane->normal[i];
+    axes->origin[i] = origin[i];
+  }
+}
+
 water_status water_lookup_places(const water_camera* camera, const water_eye* eye,
   const water_plane* plane, const water_axes* axes, double origin_xy[2], double ndc_to_plane[9])
 {

@@ -27,6 +27,13 @@ typedef struct water_axes
   double origin[3]; // of the plane's own axes, in world
 } water_axes;
 
+// Those of a plane seen from a side.
+//
+// plane   normalised, as the user turned it
+// origin  of the plane's own axes, in world
+void water_lookup_axes(
+  const water_plane* plane, water_side side, const double origin[3], water_axes* axes);
+
 // Where on the plane a pixel of the eye looks.
 //
 // plane         normalised, normal towards the eye

@@ -124,15 +124,6 @@ static water_plane turn_to_eye(const water_plane* plane, water_side side)
   return turned;
 }
 
-static water_axes axes_of(const water_scene* scene, const checked* input, const water_plane* plane)
-{
-  water_axes axes;
-  water_plane_axes(input->plane.normal, axes.x_dir, axes.y_dir);
-  memcpy(axes.normal, plane->normal, sizeof axes.normal);
-  memcpy(axes.origin, scene->plane_origin, sizeof axes.origin);
-  return axes;
-}
-
 // box: of the picture that the water covers
 static bool is_faint(
   const water_scene* scene, const checked* input, const water_plan* plan, const double box[4])
@@ -323,7 +314,8 @@ water_status water_plan_make(const water_scene* scene, water_plan* plan, water_f
   if (made.has_view)
   {
     const water_plane plane = turn_to_eye(&input.plane, input.side);
-    const water_axes axes = axes_of(scene, &input, &plane);
+    water_axes axes;
+    water_lookup_axes(&input.plane, input.side, scene->plane_origin, &axes);
     status = fill_view(scene, &input, &plane, &axes, &made);
     double box[4];
     water_target_box(&scene->eye, &plane, scene->surface_bounds, box);

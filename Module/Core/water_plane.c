@@ -25,6 +25,21 @@ water_status water_plane_normalise(const water_plane* plane, water_plane* unit)
   return WATER_OK;
 }
 
+// A unit normal is within 6 u of itself (water_plane.h), u half an epsilon, and an offset is a sum
+// of three products with a point: 16 epsilons are more than both.
+static const double same_rounding = 16.0 * DBL_EPSILON;
+
+bool water_plane_is_same(const water_plane* a, const water_plane* b, double reach)
+{
+  const double sign = water_vec3_dot(a->normal, b->normal) < 0.0 ? -1.0 : 1.0;
+  double turned = 0.0;
+  for (int i = 0; i < 3; ++i)
+  {
+    turned = fmax(turned, fabs(a->normal[i] - sign * b->normal[i]));
+  }
+  return turned <= same_rounding && fabs(a->offset - sign * b->offset) <= same_rounding * reach;
+}
+
 void water_plane_project(const water_plane* unit, const double point[3], double projected[3])
 {
   const double height = water_plane_height(unit, point);

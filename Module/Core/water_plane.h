@@ -28,6 +28,10 @@ static inline double water_plane_height(const water_plane* unit, const double po
     unit->offset;
 }
 
+// Are two normalised planes the same, either way round, as far as rounding can tell of planes
+// through points that are no farther than reach from the world's origin?
+bool water_plane_is_same(const water_plane* a, const water_plane* b, double reach);
+
 // The point of a normalised plane that is nearest to a point. projected may be point.
 void water_plane_project(const water_plane* unit, const double point[3], double projected[3]);
 

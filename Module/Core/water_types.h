@@ -35,7 +35,7 @@ typedef struct water_camera
 enum // water_prop.flags, a bit each
 {
   WATER_PROP_VISIBLE = 1 << 0,
-  WATER_PROP_IS_WATER = 1 << 1,      // this or another water surface, or a part of it
+  WATER_PROP_IS_WATER = 1 << 1,      // this water, another sheet of its plane, or it holds water
   WATER_PROP_NO_BOUNDS = 1 << 2,     // fills the view whatever its bounds, e.g. a skybox
   WATER_PROP_NOT_REFLECTED = 1 << 3, // the user's key says so
   WATER_PROP_OVERLAY = 1 << 4,       // lives on the screen, not in the scene: 2D actors

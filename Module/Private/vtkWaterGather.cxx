@@ -12,6 +12,7 @@
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
 #include "vtkMapper.h"
+#include "vtkMath.h"
 #include "vtkMatrix4x4.h"
 #include "vtkPlane.h"
 #include "vtkProp.h"
@@ -66,10 +67,18 @@ bool MayBePulled(vtkWaterActor* water)
       vtkMapper::GetResolveCoincidentTopologyZShift() < 0.0);
 }
 
-uint32_t ReadFlags(vtkProp* prop)
+// Is the prop the water that is mirrored at, another sheet of its plane, or an assembly with any
+// water?
+bool IsOfWater(vtkProp* prop, vtkWaterActor* mirrored)
+{
+  auto* water = vtkWaterActor::SafeDownCast(prop);
+  return water ? vtkWaterGather::AreInOnePlane(water, mirrored) : vtkWaterGather::HoldsWater(prop);
+}
+
+uint32_t ReadFlags(vtkProp* prop, vtkWaterActor* mirrored)
 {
   uint32_t flags = prop->GetVisibility() ? static_cast<uint32_t>(WATER_PROP_VISIBLE) : 0u;
-  if (vtkWaterGather::HoldsWater(prop))
+  if (IsOfWater(prop, mirrored))
   {
     flags |= WATER_PROP_IS_WATER;
   }
@@ -147,11 +156,12 @@ float ReadWidth(vtkProp* prop)
   return width;
 }
 
-// drawn  the prop or its stand-in, which has the place
-water_prop ReadProp(vtkProp* prop, vtkProp* drawn)
+// drawn     the prop or its stand-in, which has the place
+// mirrored  the water that is mirrored at
+water_prop ReadProp(vtkProp* prop, vtkProp* drawn, vtkWaterActor* mirrored)
 {
   water_prop read;
-  read.flags = ReadFlags(prop);
+  read.flags = ReadFlags(prop, mirrored);
   read.width_px = ReadWidth(drawn);
   ClearBounds(read.bounds);
   const uint32_t noneNeeded =
@@ -181,6 +191,40 @@ bool vtkWaterGather::AreCoplanar(vtkWaterActor* a, vtkWaterActor* b)
     water_plane_normalise(&planes[1], &units[1]) == WATER_OK &&
     std::equal(units[0].normal, units[0].normal + 3, units[1].normal) &&
     units[0].offset == units[1].offset;
+}
+
+//------------------------------------------------------------------------------
+bool vtkWaterGather::AreInOnePlane(vtkWaterActor* a, vtkWaterActor* b)
+{
+  const water_plane planes[2] = { ReadPlane(a), ReadPlane(b) };
+  water_plane units[2];
+  double origins[2][3];
+  ReadPlaneOrigin(a, origins[0]);
+  ReadPlaneOrigin(b, origins[1]);
+  return a == b ||
+    (water_plane_normalise(&planes[0], &units[0]) == WATER_OK &&
+      water_plane_normalise(&planes[1], &units[1]) == WATER_OK &&
+      water_plane_is_same(
+        &units[0], &units[1], vtkMath::Norm(origins[0]) + vtkMath::Norm(origins[1])));
+}
+
+//------------------------------------------------------------------------------
+water_scene vtkWaterGather::ReadSecondary(
+  vtkRenderer* renderer, vtkWaterActor* water, const water_camera& eye)
+{
+  water_scene scene = water_scene();
+  scene.eye = eye;
+  scene.plane = ReadPlane(water);
+  ReadPlaneOrigin(water, scene.plane_origin);
+  scene.look = ReadLook(water->GetWaterProperty());
+  ClearBounds(scene.surface_bounds);
+  if (const double* bounds = water->GetBounds())
+  {
+    std::copy(bounds, bounds + 6, scene.surface_bounds);
+  }
+  renderer->GetEnvironmentUp(scene.environment_up);
+  renderer->GetEnvironmentRight(scene.environment_right);
+  return scene;
 }
 
 //------------------------------------------------------------------------------
@@ -424,7 +468,7 @@ void vtkWaterGather::Read(
   {
     vtkProp* drawn = FindStandIn(prop);
     this->vtkProps.push_back(drawn);
-    this->props.push_back(ReadProp(prop, drawn));
+    this->props.push_back(ReadProp(prop, drawn, waters.front()));
   }
   this->scene.props = this->props.data();
   this->scene.prop_count = this->props.size();

@@ -37,6 +37,15 @@ struct vtkWaterGather
 
   static bool AreCoplanar(vtkWaterActor* a, vtkWaterActor* b);
 
+  // Do they lie in one plane, as far as rounding can tell, whichever way their normals point?
+  static bool AreInOnePlane(vtkWaterActor* a, vtkWaterActor* b);
+
+  // Another water for the mirrored view of one, water_secondary.h.
+  //
+  // eye  of the picture; the renderer's camera is the mirrored one
+  static water_scene ReadSecondary(
+    vtkRenderer* renderer, vtkWaterActor* water, const water_camera& eye);
+
   // The camera alone: matrices of the renderer's active camera for its viewport.
   static water_camera ReadCamera(vtkRenderer* renderer);
 

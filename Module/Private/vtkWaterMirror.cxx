@@ -18,6 +18,7 @@
 #include "vtkVolumetricPass.h"
 #include "vtkWaterAccess.h"
 #include "vtkWaterGL.h"
+#include "vtkWaterGather.h"
 #include "vtkWaterShading.h"
 
 #include <algorithm>
@@ -95,10 +96,10 @@ struct ScopedCamera
 
 struct ScopedMirroredView
 {
-  ScopedMirroredView(vtkWaterShading* shading, const water_plan& plan, vtkWaterPieces* pieces)
+  ScopedMirroredView(vtkWaterShading* shading, const vtkWaterShading::View& view)
     : Shading(shading)
   {
-    shading->BeginMirroredView(plan, pieces);
+    shading->BeginMirroredView(view);
   }
   ~ScopedMirroredView() { this->Shading->EndMirroredView(); }
 
@@ -180,9 +181,14 @@ const char* vtkWaterMirror::Draw(vtkRenderer* renderer, vtkWaterShading* shading
         this->Screen.DrawClosedCells(renderer, *this->Seen);
       }
 
+      vtkWaterShading::View view;
+      view.Plan = &plan;
+      view.Eye = vtkWaterGather::ReadCamera(renderer); // before it is the mirrored one
+      view.Props = &props;
+      view.Pieces = canCut ? &this->Pieces : nullptr;
       this->SetCamera(renderer, plan);
       ScopedCamera scopedCamera(renderer, this->Camera);
-      ScopedMirroredView scopedView(shading, plan, canCut ? &this->Pieces : nullptr);
+      ScopedMirroredView scopedView(shading, view);
       ScopedRenderTimes scopedTimes(renderer, props);
       this->DrawOpaque(renderer, props, canCut);
       this->DrawTranslucent(renderer, props);

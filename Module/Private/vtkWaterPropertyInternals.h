@@ -18,7 +18,8 @@ struct vtkWaterProperty::Internals
   double Extinction[3]; // 1/m
   vtkSmartPointer<vtkTexture> Environment;
   vtkWaterNormalMaps NormalMaps;
-  double SeaSlopes[2] = { 0.0, 0.0 }; // variances of the sea, as of SeaTime
+  double SeaSlopes[2] = { 0.0, 0.0 };  // variances of the sea that its tile holds, as of SeaTime
+  double SeaLeftOut[2] = { 0.0, 0.0 }; // and of what is too short for it
   vtkMTimeType SeaTime = 0;
 };
 

@@ -127,18 +127,16 @@ vtkWaterShading* vtkWaterShading::GetOfThread()
 }
 
 //------------------------------------------------------------------------------
-void vtkWaterShading::BeginMirroredView(const water_plan& plan, vtkWaterPieces* pieces)
+void vtkWaterShading::BeginMirroredView(const View& view)
 {
-  this->MirroredView = &plan;
-  this->Pieces = pieces;
+  this->Mirrored = view;
   this->SetUp.clear();
 }
 
 //------------------------------------------------------------------------------
 void vtkWaterShading::EndMirroredView()
 {
-  this->MirroredView = nullptr;
-  this->Pieces = nullptr;
+  this->Mirrored = View();
   this->SetUp.clear();
 }
 
@@ -150,17 +148,22 @@ bool vtkWaterShading::PreReplaceShaderValues(std::string& vertexShader, std::str
   {
     auto* water = static_cast<vtkWaterActor*>(prop);
     const bool isRefused = this->Surface && this->Surface->GetIsRefused();
+    const int stages =
+      this->Surface ? this->Surface->GetBuiltStages() : vtkWaterSurface::GetStages(water);
     // a geometry shader would have to pass the place at rest on
     const bool canDisplace = !isRefused && geometryShader.empty() &&
       vertexShader.find("//VTK::CustomEnd::Impl") != std::string::npos;
-    if (canDisplace && (vtkWaterSurface::GetStages(water) & vtkWaterSurface::DISPLACED) &&
+    if (canDisplace && (stages & vtkWaterSurface::DISPLACED) &&
       InsertDeclarations(vertexShader, vtkWaterSurface::GetVertexShader()))
     {
       InsertBefore(vertexShader, "//VTK::CustomEnd::Impl", "  waterDisplace(gl_Position);");
     }
-    InsertDeclarations(
-      fragmentShader, isRefused ? vtkWaterPlainFS : vtkWaterSurface::GetShader(water, canDisplace));
-    return true;
+    InsertDeclarations(fragmentShader,
+      isRefused ? vtkWaterPlainFS : vtkWaterSurface::GetShader(stages, canDisplace));
+    if (!this->Surface || !this->Surface->GetIsSecondary())
+    {
+      return true;
+    }
   }
   if (!InsertDeclarations(fragmentShader, vtkWaterMirroredFS))
   {
@@ -233,6 +236,10 @@ bool vtkWaterShading::SetShaderParameters(
     {
       this->IsAwaited = false;
       this->Surface->SetParameters(program);
+      if (this->Surface->GetIsSecondary())
+      {
+        this->SetMirroredParameters(program, prop); // which cut it
+      }
       if (this->IsProbe)
       {
         glDepthMask(
@@ -243,9 +250,9 @@ bool vtkWaterShading::SetShaderParameters(
   else
   {
     this->SetMirroredParameters(program, prop);
-    if (this->Pieces)
+    if (this->Mirrored.Pieces)
     {
-      this->Pieces->Give(*this->MirroredView, program, mapper, prop);
+      this->Mirrored.Pieces->Give(*this->Mirrored.Plan, program, mapper, prop);
     }
   }
   return true;
@@ -255,7 +262,7 @@ bool vtkWaterShading::SetShaderParameters(
 void vtkWaterShading::SetMirroredParameters(vtkShaderProgram* program, vtkProp* prop)
 {
   static const double keepAll[4] = { 0.0, 0.0, 0.0, 1.0 };
-  const water_plan* plan = this->MirroredView;
+  const water_plan* plan = this->Mirrored.Plan;
   if (plan && !prop->IsRenderingTranslucentPolygonalGeometry() &&
     program->IsUniformUsed("waterClipPosition"))
   {
@@ -301,7 +308,7 @@ bool vtkWaterShading::BeginFog(vtkRenderer* renderer, const water_plan& plan)
 void vtkWaterShading::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "In a mirrored view: " << (this->MirroredView ? "yes" : "no") << "\n";
+  os << indent << "In a mirrored view: " << (this->IsInMirroredView() ? "yes" : "no") << "\n";
 }
 
 VTK_ABI_NAMESPACE_END

@@ -15,6 +15,7 @@
 #include "water_types.h"
 
 #include <unordered_set>
+#include <vector>
 
 class vtkProp;
 class vtkRenderer;
@@ -35,12 +36,20 @@ public:
   // Which props carry this object in their lists.
   vtkWaterKeys Keys;
 
-  // The mirrored view of this plan is drawn between the two.
-  //
-  // pieces  of large meshes, if they may be drawn in pieces
-  void BeginMirroredView(const water_plan& plan, vtkWaterPieces* pieces);
+  // What is drawn into a map.
+  struct View
+  {
+    const water_plan* Plan = nullptr;
+    water_camera Eye = water_camera(); // of the picture that it is drawn for
+    const std::vector<vtkProp*>* Props = nullptr;
+    vtkWaterPieces* Pieces = nullptr; // of large meshes, if they may be drawn in pieces
+  };
+
+  // A mirrored view is drawn between the two.
+  void BeginMirroredView(const View& view);
   void EndMirroredView();
-  bool IsInMirroredView() const { return this->MirroredView != nullptr; }
+  bool IsInMirroredView() const { return this->Mirrored.Plan != nullptr; }
+  const View& GetMirroredView() const { return this->Mirrored; }
 
   // Is this the first water that an eye is in, in the renderer's frame? The others add no fog.
   bool BeginFog(vtkRenderer* renderer, const water_plan& plan);
@@ -79,8 +88,7 @@ private:
 
   void SetMirroredParameters(vtkShaderProgram* program, vtkProp* prop);
 
-  const water_plan* MirroredView = nullptr;
-  vtkWaterPieces* Pieces = nullptr;
+  View Mirrored;
   std::unordered_set<vtkShaderProgram*> SetUp; // programs that know the present view
   vtkMTimeType FogFrame = 0;
   double FogEye[12] = {}; // its directions

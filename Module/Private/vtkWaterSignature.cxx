@@ -38,7 +38,9 @@
 #include "vtkVersionMacros.h"
 #include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
+#include "vtkWaterActor.h"
 #include "vtkWaterGather.h"
+#include "vtkWaterProperty.h"
 
 #include <algorithm>
 #include <cstring>
@@ -172,6 +174,11 @@ void vtkWaterSignature::AddRenderer(vtkRenderer* renderer)
 //------------------------------------------------------------------------------
 void vtkWaterSignature::AddProp(vtkProp* prop)
 {
+  if (auto* water = vtkWaterActor::SafeDownCast(prop))
+  {
+    this->AddWater(water);
+    return;
+  }
   this->Values.emplace_back(prop, prop->GetMTime());
   if (vtkPropCollection* parts = vtkWaterGather::GetParts(prop))
   {
@@ -216,6 +223,12 @@ void vtkWaterSignature::AddProp(vtkProp* prop)
   {
     this->IsComplete = false;
   }
+  this->AddShaders(prop, mapper);
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterSignature::AddShaders(vtkProp* prop, vtkAbstractMapper* mapper)
+{
   vtkShaderProperty* shaders = prop->GetShaderProperty();
   this->Add(shaders->GetShaderMTime());
   // uniforms may be set at any time, and what observes the shader does so
@@ -230,6 +243,42 @@ void vtkWaterSignature::AddProp(vtkProp* prop)
   {
     this->AddMapper(mapper);
   }
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterSignature::AddWater(vtkWaterActor* water)
+{
+  // One by one, and not by its time of change, which the time of its waves counts for: they are
+  // seen as the mean of all times.
+  this->Values.emplace_back(water, 0);
+  const water_plane plane = vtkWaterGather::ReadPlane(water);
+  vtkWaterProperty* property = water->GetWaterProperty();
+  const water_look look = vtkWaterGather::ReadLook(property);
+  double slopes[3];
+  property->GetMeanSlopes(slopes);
+  for (int i = 0; i < 3; ++i)
+  {
+    this->AddNumber(plane.normal[i]);
+    this->AddNumber(property->GetDeepColor()[i]);
+    this->AddNumber(slopes[i]);
+  }
+  for (const double value : { plane.offset, property->GetOpacity(), look.index_of_refraction,
+         look.constant_reflectance ? look.reflectance : -1.0 })
+  {
+    this->AddNumber(value);
+  }
+  const double* matrix = &water->GetMatrix()->Element[0][0];
+  std::for_each(matrix, matrix + 16, [this](double element) { this->AddNumber(element); });
+  this->Add(water->GetForceOpaque() ? 1 : 0);
+  this->Add(water->GetForceTranslucent() ? 1 : 0);
+  this->Add(property->IsRough() ? 1 : 0);
+  this->AddProperty(water->GetProperty());
+  this->AddProperty(water->GetBackfaceProperty());
+  if (property->GetEnvironmentTexture())
+  {
+    this->AddTexture(property->GetEnvironmentTexture());
+  }
+  this->AddShaders(water, water->GetMapper());
 }
 
 //------------------------------------------------------------------------------

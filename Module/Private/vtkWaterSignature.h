@@ -19,6 +19,7 @@ class vtkProp;
 class vtkProperty;
 class vtkRenderer;
 class vtkTexture;
+class vtkWaterActor;
 
 class vtkWaterSignature
 {
@@ -36,6 +37,8 @@ private:
   void AddNumber(double value);
   void AddRenderer(vtkRenderer* renderer);
   void AddProp(vtkProp* prop);
+  void AddWater(vtkWaterActor* water);
+  void AddShaders(vtkProp* prop, vtkAbstractMapper* mapper);
   void AddMapper(vtkAbstractMapper* mapper);
   void AddAlgorithm(vtkAlgorithm* algorithm);
   void AddProperty(vtkProperty* property);

@@ -97,9 +97,14 @@ int vtkWaterSurface::GetStages(vtkWaterActor* water)
 }
 
 //------------------------------------------------------------------------------
-std::string vtkWaterSurface::GetShader(vtkWaterActor* water, bool canDisplace)
+int vtkWaterSurface::GetSecondaryStages(vtkWaterActor* water)
 {
-  const int stages = GetStages(water);
+  return water->GetWaterProperty()->IsRough() ? ENVIRONMENT | ROUGH : ENVIRONMENT;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkWaterSurface::GetShader(int stages, bool canDisplace)
+{
   const char* reflection = stages & ENVIRONMENT ? vtkWaterEnvironmentFS
     : stages & RAY_TRACED                       ? vtkWaterLookupFS
     : stages & OFFSET                           ? vtkWaterOffsetFS
@@ -148,9 +153,8 @@ std::string vtkWaterSurface::GetVertexShader()
 }
 
 //------------------------------------------------------------------------------
-bool vtkWaterSurface::UpdateStages(vtkWaterActor* water)
+bool vtkWaterSurface::UpdateStages(int stages)
 {
-  const int stages = GetStages(water);
   const bool isOther = stages != this->BuiltStages;
   this->BuiltStages = stages;
   this->IsRefused = this->IsRefused && !isOther;

@@ -40,6 +40,7 @@ public:
     bool IsFlat;                 // the sheet lies in the plane exactly
     const water_grid_view* View; // waves move the vertices; nullptr: they do not
     const double* RowDir;        // of the grid under them
+    bool IsSecondary = false;    // in the mirrored view of another water
   };
 
   // The stages of a water's shader, as bits: they are files of their own, because software
@@ -63,16 +64,23 @@ public:
   };
   static int GetStages(vtkWaterActor* water);
 
+  // The same in the mirrored view of another water: the background, and the mean of all waves.
+  static int GetSecondaryStages(vtkWaterActor* water);
+
+  // The stages of the last draw.
+  int GetBuiltStages() const { return this->BuiltStages; }
+  bool GetIsSecondary() const { return this->Drawn.IsSecondary; }
+
   // The source that defines waterShade.
   //
   // canDisplace  the vertex shader can move its vertices
-  static std::string GetShader(vtkWaterActor* water, bool canDisplace);
+  static std::string GetShader(int stages, bool canDisplace);
 
   // The source that defines waterDisplace, for vertices.
   static std::string GetVertexShader();
 
   // Is another shader needed than for the last draw?
-  bool UpdateStages(vtkWaterActor* water);
+  bool UpdateStages(int stages);
 
   // The driver has refused the shader of these stages: the plain colour is shown until there are
   // others, or another context.

@@ -180,6 +180,10 @@ void vtkWaterSurface::SetSunParameters(vtkShaderProgram* program)
   this->Property->GetSlopeVariance(given);
   double variance[3];
   water_glitter_covariance(given, vtkMath::RadiansFromDegrees(given[2]), variance);
+  if (this->Drawn.IsSecondary)
+  {
+    this->Property->GetMeanSlopes(variance);
+  }
   const double pattern[2] = { std::fmod(plan.origin_xy[0], kPattern),
     std::fmod(plan.origin_xy[1], kPattern) };
   uniforms::Set3(program, "waterSunDir", plan.sun_dir);

@@ -31,6 +31,8 @@
 
 #include "water_target.h"
 
+#include "water_secondary.h"
+
 #include "water_select.h"
 
 #include "water_optics.h"

@@ -10,7 +10,7 @@ import pathlib
 import sys
 
 ROWS = ("Surfaces", "Props", "Labels", "Blending", "Light", "View", "Window", "Passes", "Background", "Waters",
-        "BadInput")
+        "WaterInWater", "BadInput")
 HEAD = """# What stands right in the water
 
 *Written by `script/matrix`; every number in it is measured. To change the words, change `Testing/Python/Matrix`.*

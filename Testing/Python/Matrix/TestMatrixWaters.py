@@ -4,6 +4,7 @@
 import mirror_matrix as mm
 import numpy as np
 import water_test as wt
+from mirror_waters import Sheet, add_plain, mirrored_with
 from vtkmodules.vtkFiltersSources import vtkDiskSource
 from vtkmodules.vtkFiltersCore import vtkTriangleFilter
 from vtkmodules.vtkCommonDataModel import vtkDataObject
@@ -26,19 +27,12 @@ def things(scene):
     scene.add_data(wt.box((2.4, 0.8, 0.4), (0.8, 0.8, 2.2)), (0.3, 0.8, 0.4), specular=0.6)
 
 
-class Sheet:
-    """A water's plane and bounds, and its mirrored picture."""
-
-    def __init__(self, origin, normal, bounds):
-        self.origin, self.normal, self.bounds = np.asarray(origin, float), wt.unit(normal), bounds
-        self.options = dict(origin=origin, normal=normal)
-
-
-def several(name, sheets, decisions, reason=None):
-    """Waters in one scene: each must show its own mirrored picture."""
+def several(name, sheets, decisions):
+    """Waters in one scene that reflect everything: each must show its own mirrored picture, in which the others
+    show the background."""
     scene = mm.Scene(mm.SEEN)
     things(scene)
-    waters = [wt.add_water(scene.renderer, wt.plane(sheet.origin, sheet.normal), sheet.bounds) for sheet in sheets]
+    waters = [sheet.add_to(scene) for sheet in sheets]
     seen = scene.pixels()
     made = [water.GetReflectionPass().GetDecision() for water in waters]
     renders = sum(water.GetReflectionPass().GetNumberOfReflectionRenders() for water in waters)
@@ -51,24 +45,22 @@ def several(name, sheets, decisions, reason=None):
         truth = mm.Scene(mm.COMPOSED)
         things(truth)
         for sheet in sheets:
-            truth.origin, truth.normal = sheet.origin, sheet.normal
-            mm.add_sheet(truth, mm.mirrored_picture(fill, **sheet.options), None, sheet.bounds)
+            others = [other for other in sheets if other.plane() != sheet.plane()]
+            add_plain(truth, sheet, mirrored_with(fill, sheet, others))
         return truth.pixels()
 
-    row.compare(name, seen, composed(things), without, pixels, composed(mm.without_props(things)), reason=reason)
+    row.compare(name, seen, composed(things), without, pixels, composed(mm.without_props(things)))
     row.say(f"{name}: mirrored views rendered: {decisions}", renders == decisions)
     return made
 
 
 LEVEL = (0, 0, 1)
 several("several sheets at one level share one map",
-        [Sheet((0, 0, 0), LEVEL, (-7, 0, -5, 7)), Sheet((0, 0, 0), LEVEL, (0, 7, -5, 2)),
-         Sheet((0, 0, 0), LEVEL, (0, 7, 2, 7))], 1)
-several("two levels", [Sheet((0, 0, 0), LEVEL, (-7, 0, -5, 7)), Sheet((0, 0, -0.4), LEVEL, (0, 7, -5, 7))], 2,
-        reason="Water is not reflected in other water, so that there is no recursion: what the other would cover "
-               "is seen as if it were not there.")
+        [Sheet((0, 0, 0), LEVEL, (-7, 0, -5, 7), reflectance=1.0), Sheet((0, 0, 0), LEVEL, (0, 7, -5, 2), reflectance=1.0),
+         Sheet((0, 0, 0), LEVEL, (0, 7, 2, 7), reflectance=1.0)], 1)
+several("two levels", [Sheet((0, 0, 0), LEVEL, (-7, 0, -5, 7), reflectance=1.0), Sheet((0, 0, -0.4), LEVEL, (0, 7, -5, 7), reflectance=1.0)], 2)
 several("a level and a tilted plane",
-        [Sheet((0, 0, 0), LEVEL, (-7, 0, -5, 7)), Sheet((3.5, 0, 0), (-0.15, 0.05, 1), (-2.5, 2.5, -4, 5))], 2)
+        [Sheet((0, 0, 0), LEVEL, (-7, 0, -5, 7), reflectance=1.0), Sheet((3.5, 0, 0), (-0.15, 0.05, 1), (-2.5, 2.5, -4, 5), reflectance=1.0)], 2)
 
 
 def back():

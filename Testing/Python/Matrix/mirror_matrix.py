@@ -32,6 +32,7 @@ from mirror_scene import (  # noqa: F401  for the tests, too
     UP,
     Scene,
     add_sheet,
+    axes_of,
     composed_picture,
     image_of,
     matrix_of,

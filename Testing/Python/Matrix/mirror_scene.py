@@ -186,6 +186,14 @@ def image_of(picture):
     return image
 
 
+def mapper_of(data):
+    """A mapper of poly data that shows no scalars."""
+    mapper = vtkPolyDataMapper()
+    mapper.SetInputData(data)
+    mapper.ScalarVisibilityOff()
+    return mapper
+
+
 def add_sheet(scene, picture, data=None, bounds=SHEET, opacity=1.0):
     """An ordinary sheet in the water's place that shows a picture, if any, by the place in the window."""
     if data is None:
@@ -199,11 +207,8 @@ def add_sheet(scene, picture, data=None, bounds=SHEET, opacity=1.0):
         source.SetPoint2(corner[2])
         source.Update()
         data = source.GetOutput()
-    mapper = vtkPolyDataMapper()
-    mapper.SetInputData(data)
-    mapper.ScalarVisibilityOff()
     sheet = vtkActor()
-    sheet.SetMapper(mapper)
+    sheet.SetMapper(mapper_of(data))
     sheet.GetProperty().SetOpacity(opacity)
     scene.renderer.AddActor(sheet)
     if picture is None:

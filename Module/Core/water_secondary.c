@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// water_secondary.c: the plan of another water with the mirrored camera for an eye, and its mean
+// slopes.
+#include "water_secondary.h"
+
+#include "water_glitter.h"
+#include "water_lookup.h"
+#include "water_math.h"
+#include "water_phase.h"
+#include "water_plan.h"
+#include "water_plane.h"
+
+#include <limits.h>
+
+water_status water_secondary_plan(
+  const water_scene* scene, const water_plan* mirrored, water_plan* plan)
+{
+  water_scene seen;
+  memset(&seen, 0, sizeof seen);
+  seen.eye = mirrored->mirrored;
+  memcpy(seen.viewport_px, mirrored->texture_px, sizeof seen.viewport_px);
+  seen.plane = scene->plane;
+  memcpy(seen.plane_origin, scene->plane_origin, sizeof seen.plane_origin);
+  memcpy(seen.surface_bounds, scene->surface_bounds, sizeof seen.surface_bounds);
+  seen.look = scene->look;
+  seen.has_environment = true;
+  memcpy(seen.environment_up, scene->environment_up, sizeof seen.environment_up);
+  memcpy(seen.environment_right, scene->environment_right, sizeof seen.environment_right);
+  seen.texture_scale = 1.0;
+  seen.max_texture_px = INT_MAX;
+  const water_status status = water_plan_make(&seen, plan, NULL);
+  if (plan->has_view)
+  {
+    water_plane unit;
+    water_axes axes;
+    (void)water_plane_normalise(&scene->plane, &unit); // the plan has checked it
+    water_lookup_axes(&unit, plan->side, scene->plane_origin, &axes);
+    water_lookup_dirs(&scene->eye, &axes, plan->dir_to_eye);
+  }
+  return status;
+}
+
+void water_secondary_slopes(const water_wave* waves, size_t count, const double held[2],
+  const double left_out[2], const double given[2], double dir_rad, double covariance[3])
+{
+  double sum[3];
+  water_glitter_covariance(given, dir_rad, sum);
+  sum[0] += held[0] + left_out[0];
+  sum[1] += held[1] + left_out[1];
+  for (size_t i = 0; i < count; ++i)
+  {
+    const double steep = water_two_pi / waves[i].wavelength * waves[i].amplitude;
+    const double variance[2] = { 0.5 * steep * steep, 0.0 };
+    double wave[3];
+    water_glitter_covariance(variance, waves[i].direction_rad, wave);
+    for (int j = 0; j < 3; ++j)
+    {
+      sum[j] += wave[j];
+    }
+  }
+  memcpy(covariance, sum, sizeof sum);
+}

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// water_secondary.h: other water as the mirrored view of a water shows it.
+//
+// It is a surface with its own colour and the background's reflection by its own Fresnel, and so
+// needs no map: mirrors do not mirror each other for ever. Its waves are seen as the mean of all
+// times, which is a roughness, so that a map does not depend on the time of other water's waves.
+#ifndef water_secondary_h
+#define water_secondary_h
+
+#include "water_status.h"
+#include "water_types.h"
+#include "water_waves.h"
+
+#ifdef __cplusplus
+extern "C"
+{
+#endif
+
+// Plans another water for the mirrored view of a plan.
+//
+// scene     of the other water: its plane, plane_origin, surface_bounds and look, the environment,
+//           and the eye of the picture; nothing else counts
+// mirrored  the plan in whose view it is drawn
+// plan      has the view of the mirrored camera, but for dir_to_eye: the background is painted on
+//           the screen of the picture, so that one is of scene->eye
+//
+// Returns WATER_OK or the status of water_plan_make; then the plan has no view, and the plain
+// colour is shown.
+water_status water_secondary_plan(
+  const water_scene* scene, const water_plan* mirrored, water_plan* plan);
+
+// Variances xx, yy and xy of all slopes along the plane's axes: of checked waves by the sums of
+// (k A)^2 / 2, of a wind sea, and those given for what is too small for either.
+//
+// held, left_out  by the sea's tile, as water_tile_slopes has them; 0 without a sea
+// given           along and across dir_rad, as water_glitter_covariance has it
+void water_secondary_slopes(const water_wave* waves, size_t count, const double held[2],
+  const double left_out[2], const double given[2], double dir_rad, double covariance[3]);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,170 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Row Water in water of the mirror matrix: other waters in a mirrored view have their colour and their sky, once."""
+
+import mirror_matrix as mm
+import numpy as np
+import water_test as wt
+from mirror_waters import Sheet, add_plain, mirrored_with
+from vtkmodules.vtkFiltersCore import vtkTriangleFilter
+from vtkmodules.vtkFiltersSources import vtkDiskSource
+from vtkwater import vtkWaterReflectionPass as Pass
+
+row = mm.Results("Water in water")
+LEVEL = (0, 0, 1)
+FIRST = Sheet((0, 0, 0), LEVEL, mm.SHEET, reflectance=1.0)
+
+
+def things(scene):
+    scene.add_data(wt.sphere((0, 0, 0.4), 1.5), (1, 0.6, 0.2), specular=0.6)
+    scene.add_data(wt.box((2.4, 0.8, 0.4), (0.8, 0.8, 2.2)), (0.3, 0.8, 0.4), specular=0.6)
+
+
+def gradient(scene):
+    things(scene)
+    scene.renderer.GradientBackgroundOn()
+    scene.renderer.SetBackground(0.7, 0.75, 0.6)
+    scene.renderer.SetBackground2(0.1, 0.2, 0.7)
+
+
+def parallel(scene):
+    scene.camera.ParallelProjectionOn()
+    scene.camera.SetParallelScale(4)
+    gradient(scene)
+
+
+def from_below(scene):
+    scene.camera.SetPosition(1.5, -9, -3)
+    gradient(scene)
+
+
+def pixels_of(scene, waters, number):
+    """The pixels of one water, which the others may hide."""
+    looks = [water.GetWaterProperty() for water in waters]
+    before = [(look.GetReflectanceMode(), look.GetReflectance(), look.GetDeepColor()) for look in looks]
+    pictures = []
+    for color in ((1, 0, 1), (0, 1, 0)):
+        for i, look in enumerate(looks):
+            look.SetReflectanceModeToConstant()
+            look.SetReflectance(0)
+            look.SetDeepColor(color if i == number else (0.5, 0.5, 0.5))
+        pictures.append(scene.pixels())
+    for look, (mode, reflectance, color) in zip(looks, before):
+        look.SetReflectanceMode(mode)
+        look.SetReflectance(reflectance)
+        look.SetDeepColor(color)
+    return np.abs(pictures[0] - pictures[1]).max(axis=2) > 0
+
+
+def cell(name, fill, others, prepare=None, reason=None):
+    """The first water's pixels: the mirrored picture with the others in it; the control lacks them."""
+    scene = mm.Scene(mm.SEEN)
+    fill(scene)
+    waters = [sheet.add_to(scene) for sheet in (FIRST, *others)]
+    if prepare:
+        prepare(waters)
+    seen = scene.pixels()
+    renders = [water.GetReflectionPass().GetNumberOfReflectionRenders() for water in waters]
+    of_others = np.any([pixels_of(scene, waters, i) for i in range(1, len(waters))], axis=0)
+    pixels = pixels_of(scene, waters, 0) & ~of_others
+    for water in waters:
+        water.VisibilityOff()
+    without = scene.pixels()
+    without[of_others] = seen[of_others]  # they have a mirrored picture of their own
+
+    def composed(inside):
+        truth = mm.Scene(mm.COMPOSED)
+        fill(truth)
+        add_plain(truth, FIRST, mirrored_with(fill, FIRST, inside))
+        for other in others:
+            add_plain(truth, other, seen)
+        return truth.pixels()
+
+    row.compare(name, seen, composed(others), without, pixels, composed([]), reason)
+    return renders
+
+
+HIGHER = Sheet((0, 0, 1.4), LEVEL, (-6, -1, -3, 5))
+RAMP = Sheet((-2.5, 3, 0.8), (0.2, -0.8, 0.7), (-2.5, 2.5, -2.2, 2.5))
+cell("a level over the water, whose underside it sees", gradient, [HIGHER])
+cell("a tilted plane that crosses the water", gradient, [RAMP])
+cell("a tilted plane, on a plain background", things, [RAMP])
+cell("a tilted plane seen from its back", gradient,
+     [Sheet(RAMP.origin, (-0.2, 1, -0.1), RAMP.bounds)])
+cell("a tilted plane, parallel projection", parallel, [RAMP])
+cell("a level under the water, seen from below", from_below, [Sheet((0, 0, -1.6), LEVEL, (-6, 0, -3, 5))])
+cell("a constant reflectance", gradient, [Sheet(RAMP.origin, RAMP.normal, RAMP.bounds, reflectance=0.4)])
+cell("an environment texture", gradient, [Sheet(RAMP.origin, RAMP.normal, RAMP.bounds, sky=(1.0, 0.6, 0.2))])
+cell("half opaque water", things, [Sheet(RAMP.origin, RAMP.normal, RAMP.bounds, opacity=0.5)])
+
+
+def ring():
+    """A mesh of the user's with a hole, in a plane that is not level."""
+    disk = vtkDiskSource()
+    disk.SetInnerRadius(0.6)
+    disk.SetOuterRadius(2.2)
+    disk.SetCircumferentialResolution(40)
+    triangles = vtkTriangleFilter()
+    triangles.SetInputConnection(disk.GetOutputPort())
+    triangles.Update()
+    first, second = mm.axes_of(RAMP.normal)
+    matrix = mm.matrix_of(*np.column_stack([first, second, RAMP.normal, RAMP.origin]))
+    return wt.transformed(triangles.GetOutput(), matrix)
+
+
+cell("a mesh of the user's", gradient, [Sheet(RAMP.origin, RAMP.normal, RAMP.bounds, data=ring())])
+cell("three waters", gradient, [HIGHER, Sheet((2, 4, 1.0), (-0.3, -0.9, 0.5), (-2, 2, -2, 2))])
+cell("sheets of one plane given through other points, and turned round, are no other waters", gradient,
+     [RAMP, Sheet((5, 5, 0), (0, 0, -3), (3, 4, 3, 4), reflectance=1.0)])
+renders = cell("water that the other reflects: no recursion", gradient,
+               [Sheet((0, 5, 0), (0, -1, 0.2), (-6, 6, -3, 3))])
+row.say("water that the other reflects: each is rendered once", renders == [1, 1])
+
+
+# Waves of other water count as the mean of all times: a roughness without one.
+WAVES = [(0.03, 0.9, 30), (0.02, 0.5, 75), (0.012, 0.3, -20)]
+VARIANCE = sum((2 * np.pi / length * height) ** 2 / 2 for height, length, _ in WAVES)
+
+
+def add_waves(waters, geometry=False):
+    look = waters[1].GetWaterProperty()
+    for height, length, direction in WAVES:
+        look.AddWave(height, length, direction)
+    look.SetWaveGeometry(geometry)
+
+
+rough = Sheet(RAMP.origin, RAMP.normal, RAMP.bounds, variance=VARIANCE / 2)
+cell("water with waves", gradient, [rough], prepare=add_waves,
+     reason="Its waves are seen as the mean of all times.")
+cell("water with waves that displace it", gradient, [rough], prepare=lambda waters: add_waves(waters, True),
+     reason="It is drawn at rest, with its waves as the mean of all times.")
+
+
+def kept():
+    """What of other water makes the map a new one."""
+    scene = mm.Scene(mm.SEEN)
+    gradient(scene)
+    first, other = (sheet.add_to(scene) for sheet in (FIRST, RAMP))
+    add_waves((first, other))
+    reflection = first.GetReflectionPass()
+
+    def decides(expected, change, name):
+        for _ in range(2):  # shaders of another kind count as a change once
+            scene.pixels()
+        change()
+        scene.pixels()
+        row.say(name, reflection.GetDecision() == expected)
+
+    look = other.GetWaterProperty()
+    decides(Pass.REUSED, lambda: other.SetTime(3.0), "the time of its waves: the map is used again")
+    decides(Pass.REUSED, lambda: None, "no change: the map is used again")
+    decides(Pass.RENDERED, lambda: look.SetDeepColor(0.5, 0.1, 0.1), "another colour: the map is drawn again")
+    decides(Pass.RENDERED, lambda: look.AddWave(0.01, 0.2), "another wave: the map is drawn again")
+    decides(Pass.RENDERED, lambda: look.SetIndexOfRefraction(1.4), "another index: the map is drawn again")
+    decides(Pass.RENDERED, lambda: look.SetOpacity(0.7), "another opacity: the map is drawn again")
+    decides(Pass.RENDERED, lambda: other.GetPlane().SetOrigin(-2.5, 3.1, 0.8), "another place: the map is drawn again")
+    decides(Pass.RENDERED, lambda: other.SetSheetBounds(-2, 2, -2, 2), "another size: the map is drawn again")
+    decides(Pass.RENDERED, other.VisibilityOff, "no other water: the map is drawn again")
+
+
+kept()
+row.finish()
