@@ -18,6 +18,7 @@
 #include "vtkWaterGL.h"
 #include "vtkWaterReflectionPassInternals.h"
 #include "vtkWaterShading.h"
+#include "vtkWaterShadows.h"
 #include "water_plan.h"
 
 #include <algorithm>
@@ -255,6 +256,11 @@ void vtkWaterReflectionPass::RenderReflection(vtkRenderer* renderer,
     signature.Read(renderer, drawn);
     signature.Add(static_cast<vtkMTimeType>(samples));
     signature.Add(isFloat ? 1 : 0);
+    vtkShadowMapPass* shadows = vtkWaterShadows::Find(renderer);
+    if (shadows)
+    {
+      signature.AddShadows(renderer, shadows);
+    }
     water_plan_reuse(&view->MapPlan, signature.IsSameAs(view->MapSignature),
       static_cast<unsigned>(this->Skips), &internal.Plan);
     const char* failure = nullptr;
@@ -269,8 +275,16 @@ void vtkWaterReflectionPass::RenderReflection(vtkRenderer* renderer,
       }
       view->MapPlan = water_plan();
       view->MapHasLevels = false;
-      failure = view->Mirror.Draw(renderer, shading, internal.Plan, drawn,
-        samples > 1 ? samples : 0, isFloat, (this->Skips & PIECES) != 0);
+      if (shadows)
+      {
+        vtkWaterShadows::Bake(renderer, shadows);
+      }
+      vtkWaterMirror::Settings settings;
+      settings.Samples = samples > 1 ? samples : 0;
+      settings.IsFloat = isFloat;
+      settings.CanCut = (this->Skips & PIECES) != 0;
+      settings.Shadows = shadows;
+      failure = view->Mirror.Draw(renderer, shading, internal.Plan, drawn, settings);
     }
     if (internal.GetPlannedView() != view.get())
     {

@@ -10,8 +10,12 @@
 #include "vtkActor.h"
 #include "vtkOpenGLHelper.h"
 #include "vtkOpenGLPolyDataMapper.h"
+#include "vtkOpenGLRenderer.h"
 #include "vtkProp.h"
 #include "vtkRenderer.h"
+#include "vtkShadowMapPass.h"
+
+#include <vector>
 
 namespace vtkWaterAccess
 {
@@ -24,6 +28,28 @@ struct Renderer : public vtkRenderer
   // What is drawn in this frame, in this order; there from culling to the end of the frame.
   static vtkProp** PropsOf(vtkRenderer* renderer) { return renderer->*(&Renderer::PropArray); }
   static int PropCountOf(vtkRenderer* renderer) { return renderer->*(&Renderer::PropArrayCount); }
+};
+
+struct OpenGLRenderer : public vtkOpenGLRenderer
+{
+  // The renderer owns a reference; nullptr until it draws shadows for the first time.
+  static vtkShadowMapPass*& ShadowMapPassOf(vtkOpenGLRenderer* renderer)
+  {
+    return renderer->*(&OpenGLRenderer::ShadowMapPass);
+  }
+};
+
+struct ShadowMapPass : public vtkShadowMapPass
+{
+  static vtkRenderPass*& OpaqueSequenceOf(vtkShadowMapPass* pass)
+  {
+    return pass->*(&ShadowMapPass::OpaqueSequence);
+  }
+  // From view coordinates to those of the maps, 16 numbers for each.
+  static std::vector<double>& TransformsOf(vtkShadowMapPass* pass)
+  {
+    return pass->*(&ShadowMapPass::ShadowTransforms);
+  }
 };
 
 struct PolyDataMapper : public vtkOpenGLPolyDataMapper

@@ -20,6 +20,7 @@
 #include "vtkWaterGL.h"
 #include "vtkWaterGather.h"
 #include "vtkWaterShading.h"
+#include "vtkWaterShadows.h"
 
 #include <algorithm>
 #include <iterator>
@@ -144,11 +145,12 @@ void SetViewportAndScissor(vtkOpenGLState* state, const water_plan& plan)
 
 //------------------------------------------------------------------------------
 const char* vtkWaterMirror::Draw(vtkRenderer* renderer, vtkWaterShading* shading,
-  const water_plan& plan, std::vector<vtkProp*>& props, int samples, bool isFloat, bool canCut)
+  const water_plan& plan, std::vector<vtkProp*>& props, const Settings& settings)
 {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   vtkOpenGLState* state = window->GetState();
-  if (!this->Target.Ensure(window, plan.texture_px[0], plan.texture_px[1], samples, isFloat))
+  if (!this->Target.Ensure(
+        window, plan.texture_px[0], plan.texture_px[1], settings.Samples, settings.IsFloat))
   {
     return "the GPU gave no framebuffer for the reflection texture";
   }
@@ -157,7 +159,7 @@ const char* vtkWaterMirror::Draw(vtkRenderer* renderer, vtkWaterShading* shading
   {
     this->SceneDepth.Find(state);
   }
-  this->Pieces.BeginMap(plan, this->Seen, samples);
+  this->Pieces.BeginMap(plan, this->Seen, settings.Samples);
   this->IsDrawing = true;
   this->Instruments.Begin(vtkWaterInstruments::REFLECTION, window);
   const char* failure = nullptr;
@@ -185,12 +187,13 @@ const char* vtkWaterMirror::Draw(vtkRenderer* renderer, vtkWaterShading* shading
       view.Plan = &plan;
       view.Eye = vtkWaterGather::ReadCamera(renderer); // before it is the mirrored one
       view.Props = &props;
-      view.Pieces = canCut ? &this->Pieces : nullptr;
+      view.Pieces = settings.CanCut ? &this->Pieces : nullptr;
       this->SetCamera(renderer, plan);
       ScopedCamera scopedCamera(renderer, this->Camera);
       ScopedMirroredView scopedView(shading, view);
       ScopedRenderTimes scopedTimes(renderer, props);
-      this->DrawOpaque(renderer, props, canCut);
+      vtkWaterShadows::Draw(renderer, settings.Shadows, props,
+        [&]() { this->DrawOpaque(renderer, props, settings.CanCut); });
       this->DrawTranslucent(renderer, props);
       state->vtkglDisable(GL_SCISSOR_TEST);
       this->Target.Resolve();

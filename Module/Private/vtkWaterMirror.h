@@ -19,20 +19,25 @@ class vtkOpenGLRenderWindow;
 class vtkProp;
 class vtkRenderPass;
 class vtkRenderer;
+class vtkShadowMapPass;
 class vtkWaterShading;
 
 class vtkWaterMirror
 {
 public:
+  struct Settings
+  {
+    int Samples = 0;                     // per pixel, 0: none
+    bool IsFloat = false;                // colours are half floats, or bytes
+    bool CanCut = false;                 // parts of large meshes may be left out
+    vtkShadowMapPass* Shadows = nullptr; // which is up to date; nullptr: there are none
+  };
+
   // Draws the props into the target.
-  //
-  // samples  per pixel, 0: none
-  // isFloat  colours are half floats, or bytes
-  // canCut   parts of large meshes may be left out
   //
   // Returns nullptr, or what went wrong in a few words; the target is then not to be used.
   const char* Draw(vtkRenderer* renderer, vtkWaterShading* shading, const water_plan& plan,
-    std::vector<vtkProp*>& props, int samples, bool isFloat, bool canCut);
+    std::vector<vtkProp*>& props, const Settings& settings);
 
   // Which cells of the map visible water looks up, by the picture that is bound for drawing; all of
   // it may be where that cannot be told.

@@ -30,6 +30,8 @@
 #include "vtkRenderer.h"
 #include "vtkScalarsToColors.h"
 #include "vtkShaderProperty.h"
+#include "vtkShadowMapBakerPass.h"
+#include "vtkShadowMapPass.h"
 #include "vtkSmartPointer.h"
 #include "vtkTexture.h"
 #include "vtkTransform.h"
@@ -136,6 +138,23 @@ void vtkWaterSignature::AddNumber(double value)
   vtkMTimeType bits = 0;
   std::memcpy(&bits, &value, std::min(sizeof bits, sizeof value));
   this->Add(bits);
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterSignature::AddShadows(vtkRenderer* renderer, vtkShadowMapPass* pass)
+{
+  this->Values.emplace_back(pass, pass->GetMTime());
+  this->Values.emplace_back(
+    pass->GetShadowMapBakerPass(), pass->GetShadowMapBakerPass()->GetMTime());
+  vtkCollectionSimpleIterator it;
+  renderer->GetViewProps()->InitTraversal(it);
+  while (vtkProp* prop = renderer->GetViewProps()->GetNextProp(it))
+  {
+    if (prop->GetVisibility() && !prop->IsA("vtkActor2D"))
+    {
+      this->AddProp(prop);
+    }
+  }
 }
 
 //------------------------------------------------------------------------------

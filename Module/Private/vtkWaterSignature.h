@@ -18,6 +18,7 @@ class vtkAlgorithm;
 class vtkProp;
 class vtkProperty;
 class vtkRenderer;
+class vtkShadowMapPass;
 class vtkTexture;
 class vtkWaterActor;
 
@@ -26,6 +27,9 @@ class vtkWaterSignature
 public:
   // Reads all that the renderer's picture of some props depends on, but for the camera.
   void Read(vtkRenderer* renderer, const std::vector<vtkProp*>& props);
+
+  // Adds what shadows depend on: all that can throw one, in the mirrored view or not.
+  void AddShadows(vtkRenderer* renderer, vtkShadowMapPass* pass);
 
   // Adds a number to it.
   void Add(vtkMTimeType value) { this->Values.emplace_back(nullptr, value); }

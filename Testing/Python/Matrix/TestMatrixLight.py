@@ -4,7 +4,15 @@
 import mirror_matrix as mm
 import numpy as np
 import water_test as wt
-from vtkmodules.vtkRenderingCore import vtkLight, vtkLightKit
+from vtkmodules.vtkRenderingCore import vtkAssembly, vtkLight, vtkLightKit, vtkTexture
+from vtkmodules.vtkRenderingOpenGL2 import (
+    vtkCameraPass,
+    vtkLightsPass,
+    vtkRenderPassCollection,
+    vtkSequencePass,
+    vtkShadowMapPass,
+)
+from vtkwater import vtkWaterReflectionPass as Pass
 
 row = mm.Results("Light")
 
@@ -86,18 +94,138 @@ def switched_off(scene, on):
 row.cell("light switched off", switched_off)
 
 
-# Shadow maps darken the picture and not its reflection, also where things cross the water: the rule.
-def shadowed(scene, on):
+# Shadow maps. In the mirrored picture, too, the water throws a shadow, and counts for what the maps cover.
+def unseen_sheet(scene):
+    sheet = mm.add_sheet(scene, None)
+    sheet.GetProperty().BackfaceCullingOn()  # the mirrored camera sees its back, the lights its front
+
+
+def shadows(name, *lights, chain=False, moves=False, image_based=False):
+    def fill(scene, on):
+        things(scene, 0.0)
+        scene.add_data(wt.box((0, 0, -0.2), (8, 4, 0.1)), (0.8, 0.8, 0.7))
+        scene.add_data(wt.box((0.2, 2.6, 1.4), (7, 0.2, 3.2)), (0.8, 0.8, 0.7))  # a wall that has shadows on it
+        scene.add_data(wt.box((-0.8, -1.6, 1.0), (0.5, 0.5, 3.2)), (0.9, 0.3, 0.3))  # crosses the water
+        for arguments in lights:
+            scene.renderer.AddLight(light(*arguments[:-1], **arguments[-1]))
+        if scene.kind == mm.MIRRORED:
+            unseen_sheet(scene)
+        if image_based:
+            light_by_image(scene)
+        if not (on or scene.kind != mm.MIRRORED):
+            return
+        if chain:
+            scene.renderer.SetPass(chain_with_shadows(scene))
+        else:
+            scene.renderer.SetUseShadows(True)
+
+    def before(scene, water):
+        scene.pixels()
+        part = scene.renderer.GetViewProps().GetItemAsObject(0)
+        part.SetPosition(0.3, -0.2, 0.4)
+
+    def moved(scene, on):
+        fill(scene, on)
+        if scene.kind != mm.SEEN:
+            scene.renderer.GetViewProps().GetItemAsObject(0).SetPosition(0.3, -0.2, 0.4)
+
+    row.cell(name, moved if moves else fill, others=mm.BESIDE, prepare=before if moves else None)
+
+
+def light_by_image(scene):
+    """Image-based light is loaded late: the mirrored view is then drawn in the middle of the shadowed picture."""
+    v, u = np.mgrid[0:32, 0:64]
+    texture = vtkTexture()
+    texture.SetInputData(mm.image_of(np.stack([4 * u, 8 * v, 255 - 4 * u], axis=2)))
+    texture.MipmapOn()
+    texture.InterpolateOn()
+    renderer = scene.renderer
+    renderer.UseImageBasedLightingOn()
+    renderer.SetEnvironmentTexture(texture)
+    renderer.GetEnvMapLookupTable().SetLUTSize(64)
+    renderer.GetEnvMapLookupTable().SetLUTSamples(64)
+    renderer.GetEnvMapPrefiltered().SetPrefilterLevels(3)
+    renderer.GetEnvMapPrefiltered().SetPrefilterMaxSamples(32)
+
+
+def chain_with_shadows(scene):
+    """A camera pass, lights, shadow maps and what reads them, as in VTK's own tests."""
+    shadow_pass, lights, sequence, camera = vtkShadowMapPass(), vtkLightsPass(), vtkSequencePass(), vtkCameraPass()
+    passes = vtkRenderPassCollection()
+    for part in (lights, shadow_pass.GetShadowMapBakerPass(), shadow_pass):
+        passes.AddItem(part)
+    sequence.SetPasses(passes)
+    camera.SetDelegatePass(sequence)
+    scene.keep += [shadow_pass, camera]
+    return camera
+
+
+SPOT = (SCENE, (-4, -6, 9), (0, 0, 0), dict(cone=40))
+DIRECTIONAL = (SCENE, (3, -6, 4), dict())
+shadows("shadow maps of a spot light", SPOT)
+shadows("shadow maps of a directional light", DIRECTIONAL)
+shadows("shadow maps of two lights", SPOT, (SCENE, (3, -6, 4), dict(color=(0.4, 0.4, 0.6))))
+shadows("shadow maps of a camera light", (CAMERA, (0.8, 0.6, 1.4), dict()))
+shadows("shadow maps in a chain of the user's", SPOT, chain=True)
+shadows("shadow maps, something moved", SPOT, moves=True)
+shadows("shadow maps beside image-based light", SPOT, image_based=True)
+
+
+def in_the_middle():
+    """A mirrored view that is drawn in the middle of the shadowed picture leaves the shadows of the rest alone."""
+
+    def picture(reflectance):
+        scene = mm.Scene(mm.SEEN)
+        assembly = vtkAssembly()  # drawn in its place, and not after all others
+        scene.renderer.AddActor(assembly)
+        water = wt.add_water(scene.renderer, wt.plane((0, 0, 0), (0, 0, 1)), mm.SHEET, reflectance)
+        scene.renderer.RemoveActor(water)
+        assembly.AddPart(water)
+        things(scene, 0.0)
+        scene.renderer.AddLight(light(*SPOT[:-1], **SPOT[-1]))
+        light_by_image(scene)
+        scene.renderer.SetUseShadows(True)
+        seen = scene.pixels()
+        renders = water.GetReflectionPass().GetNumberOfReflectionRenders()
+        return seen, mm.water_pixels(scene, water), renders
+
+    seen, pixels, renders = picture(1.0)
+    without, _, others = picture(0.0)
+    row.say("shadow maps, a mirrored view in the middle of the picture: it is drawn", renders == 1 and others == 0)
+    row.say("shadow maps, a mirrored view in the middle of the picture: the rest is as without it",
+            (seen == without)[~pixels].all())
+
+
+in_the_middle()
+
+
+def kept():
+    """Shadows are drawn anew when what throws them moves, seen or not, and not for the time of waves."""
+    scene = mm.Scene(mm.SEEN)
     things(scene, 0.0)
-    scene.add_data(wt.box((0, 0, -0.2), (8, 4, 0.1)), (0.8, 0.8, 0.7))
-    scene.add_data(wt.box((-0.8, -1.6, 1.0), (0.5, 0.5, 3.2)), (0.9, 0.3, 0.3))
-    scene.renderer.AddLight(light(SCENE, (-4, -6, 9), (0, 0, 0), cone=40))
-    scene.renderer.SetUseShadows(scene.kind != mm.MIRRORED or not on)
+    scene.renderer.AddLight(light(*SPOT[:-1], **SPOT[-1]))
+    unseen = scene.add_data(wt.box((-2.5, -4, 6.5), (1.5, 1.5, 0.2)), (1, 1, 1), cut=False)  # over the picture
+    scene.renderer.SetUseShadows(True)
+    water = wt.add_water(scene.renderer, wt.plane((0, 0, 0), (0, 0, 1)), mm.SHEET)
+    reflection = water.GetReflectionPass()
+    before = [scene.pixels() for _ in range(3)][-1]
+    row.say("shadow maps, nothing changes: the map is used again", reflection.GetDecision() == Pass.REUSED)
+    row.say("shadow maps: what throws one is out of the mirrored view",
+            reflection.GetFateCount(Pass.OUT_OF_VIEW) + reflection.GetFateCount(Pass.OUT_OF_WATER) > 0)
+    unseen.SetPosition(1.5, 1, 0)
+    after = scene.pixels()
+    row.say("shadow maps, what throws one moves out of view: the map is drawn again",
+            reflection.GetDecision() == Pass.RENDERED)
+    changed = np.abs(after - before).max(axis=2) > 1
+    row.say("shadow maps, what throws one moves out of view: the water shows it",
+            (changed & mm.water_pixels(scene, water)).sum() > 100)
+    scene.pixels()
+    water.SetTime(1.0)
+    scene.pixels()
+    row.say("shadow maps, the time of waves: the map is used again", reflection.GetDecision() == Pass.REUSED)
 
 
-row.cell("shadow maps", shadowed, others=mm.BESIDE,
-         reason="Shadow maps are not in the reflection: vtkShadowMapPass makes and reads them, and it draws the "
-                "renderer's picture only.")
+kept()
 
 
 # The formula: a Lambert sphere's radiance is max(0, N . L) with L against the user's view direction.

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkWaterShadows.h"
+
+#include "vtkCameraPass.h"
+#include "vtkImageProcessingPass.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkOpenGLRenderer.h"
+#include "vtkRenderPassCollection.h"
+#include "vtkRenderState.h"
+#include "vtkRenderStepsPass.h"
+#include "vtkSequencePass.h"
+#include "vtkShadowMapBakerPass.h"
+#include "vtkShadowMapPass.h"
+#include "vtkTextureObject.h"
+#include "vtkWaterAccess.h"
+#include "vtkWaterReflectionPass.h"
+
+#include <algorithm>
+#include <iterator>
+#include <set>
+
+namespace
+{
+// Draws by a function.
+class DrawPass : public vtkRenderPass
+{
+public:
+  static DrawPass* New();
+  vtkTypeMacro(DrawPass, vtkRenderPass);
+  void Render(const vtkRenderState*) override { this->Function(); }
+
+  std::function<void()> Function;
+};
+vtkStandardNewMacro(DrawPass);
+
+// The first pass of that kind in a chain, among the passes of VTK that have others.
+//
+// visited  chains may lead back to themselves
+vtkShadowMapPass* FindIn(vtkRenderPass* pass, std::set<vtkRenderPass*>& visited)
+{
+  if (!pass || !visited.insert(pass).second)
+  {
+    return nullptr;
+  }
+  if (auto* shadows = vtkShadowMapPass::SafeDownCast(pass))
+  {
+    return shadows;
+  }
+  if (auto* sequence = vtkSequencePass::SafeDownCast(pass))
+  {
+    vtkRenderPassCollection* parts = sequence->GetPasses();
+    for (int i = 0; parts && i < parts->GetNumberOfItems(); ++i)
+    {
+      auto* part = vtkRenderPass::SafeDownCast(parts->GetItemAsObject(i));
+      if (vtkShadowMapPass* found = FindIn(part, visited))
+      {
+        return found;
+      }
+    }
+    return nullptr;
+  }
+  if (auto* camera = vtkCameraPass::SafeDownCast(pass))
+  {
+    return FindIn(camera->GetDelegatePass(), visited);
+  }
+  if (auto* image = vtkImageProcessingPass::SafeDownCast(pass))
+  {
+    return FindIn(image->GetDelegatePass(), visited);
+  }
+  if (auto* water = vtkWaterReflectionPass::SafeDownCast(pass))
+  {
+    return FindIn(water->GetDelegatePass(), visited);
+  }
+  auto* steps = vtkRenderStepsPass::SafeDownCast(pass);
+  return steps ? FindIn(steps->GetOpaquePass(), visited) : nullptr;
+}
+
+// The maps that are in use: the picture is being drawn with them.
+std::vector<vtkTextureObject*> GetActiveMaps(vtkShadowMapPass* pass)
+{
+  std::vector<vtkTextureObject*> active;
+  if (auto* maps = pass->GetShadowMapBakerPass()->GetShadowMaps())
+  {
+    std::copy_if(maps->begin(), maps->end(), std::back_inserter(active),
+      [](vtkTextureObject* map) { return map && map->GetTextureUnit() >= 0; });
+  }
+  return active;
+}
+
+// The pass draws something else while an object of this class lives. Afterwards it is as it was,
+// also when it was drawing already: a nested mirrored view.
+struct ScopedPass
+{
+  ScopedPass(vtkShadowMapPass* pass, vtkRenderPass* drawn)
+    : Pass(pass)
+    , Sequence(vtkWaterAccess::ShadowMapPass::OpaqueSequenceOf(pass))
+    , User(this->Sequence)
+    , Transforms(vtkWaterAccess::ShadowMapPass::TransformsOf(pass))
+    , Active(GetActiveMaps(pass))
+  {
+    this->Sequence = drawn;
+  }
+  ~ScopedPass()
+  {
+    this->Sequence = this->User;
+    vtkWaterAccess::ShadowMapPass::TransformsOf(this->Pass) = this->Transforms;
+    for (vtkTextureObject* map : this->Active)
+    {
+      map->Activate(); // gets the unit that it has just given back
+    }
+  }
+
+  vtkShadowMapPass* Pass;
+  vtkRenderPass*& Sequence;
+  vtkRenderPass* User;
+  std::vector<double> Transforms;
+  std::vector<vtkTextureObject*> Active;
+};
+}
+
+//------------------------------------------------------------------------------
+vtkShadowMapPass* vtkWaterShadows::Find(vtkRenderer* renderer)
+{
+  vtkShadowMapPass* pass = nullptr;
+  if (renderer->GetPass())
+  {
+    std::set<vtkRenderPass*> visited;
+    pass = FindIn(renderer->GetPass(), visited);
+  }
+  else if (renderer->GetUseShadows())
+  {
+    vtkShadowMapPass*& own =
+      vtkWaterAccess::OpenGLRenderer::ShadowMapPassOf(static_cast<vtkOpenGLRenderer*>(renderer));
+    if (!own)
+    {
+      own = vtkShadowMapPass::New(); // as the renderer does when it comes to it
+    }
+    pass = own;
+  }
+  return pass && pass->GetShadowMapBakerPass() ? pass : nullptr;
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterShadows::Bake(vtkRenderer* renderer, vtkShadowMapPass* pass)
+{
+  if (!GetActiveMaps(pass).empty())
+  {
+    return; // they were baked for the picture, in the middle of which the mirrored view is drawn
+  }
+  vtkRenderState state(renderer);
+  state.SetPropArrayAndCount(
+    vtkWaterAccess::Renderer::PropsOf(renderer), vtkWaterAccess::Renderer::PropCountOf(renderer));
+  pass->GetShadowMapBakerPass()->Render(&state);
+  // it leaves the lights where the last light's camera had them
+  if (renderer->GetLightFollowCamera())
+  {
+    renderer->UpdateLightsGeometryToFollowCamera();
+  }
+  static_cast<vtkOpenGLRenderer*>(renderer)->UpdateLights();
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterShadows::Draw(vtkRenderer* renderer, vtkShadowMapPass* pass,
+  std::vector<vtkProp*>& props, const std::function<void()>& draw)
+{
+  if (!pass || !pass->GetShadowMapBakerPass()->GetHasShadows())
+  {
+    draw();
+    return;
+  }
+  vtkNew<DrawPass> drawn;
+  drawn->Function = draw;
+  vtkRenderState state(renderer);
+  state.SetPropArrayAndCount(props.data(), static_cast<int>(props.size()));
+  ScopedPass scopedPass(pass, drawn);
+  pass->Render(&state);
+}
