@@ -93,9 +93,13 @@ class View:
     def picture(self):
         """Renders; returns rows x columns x RGB as integers, bottom row first."""
         self.window.Render()
+        return self.shown()
+
+    def shown(self, front=0, right=0):
+        """The picture of a buffer as it is: of a stereo window, the front one has one for each eye."""
         width, height = self.window.GetSize()
         pixels = vtkUnsignedCharArray()
-        self.window.GetRGBACharPixelData(0, 0, width - 1, height - 1, 0, pixels)
+        self.window.GetRGBACharPixelData(0, 0, width - 1, height - 1, front, pixels, right)
         return vtk_to_numpy(pixels).reshape(height, width, 4)[:, :, :3].astype(int)
 
 

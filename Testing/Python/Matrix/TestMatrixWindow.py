@@ -247,9 +247,23 @@ row.cell("8 samples", samples, samples=8)
 
 
 # Stereo: the mirror image of the left eye's view is a right eye's.
-def stereo(name, set_type, eyes):
+class CrystalEyesScene(mm.Scene):
+    """A window of two buffers, of which one is looked at."""
+
+    right = 0
+
+    def pixels(self):
+        self.window.Render()
+        return self.shown(1, self.right)
+
+
+def stereo(name, set_type, crystal_eye=None):
+    """crystal_eye: which of a pair of buffers is looked at, 0 left, 1 right; None: there is one."""
+
     def make(kind, eye=None):
-        scene = mm.Scene(kind)
+        scene = mm.Scene(kind) if eye or crystal_eye is None else CrystalEyesScene(kind)
+        scene.right = crystal_eye
+        scene.window.SetStereoCapableWindow(crystal_eye is not None and not eye)
         things(scene)
         scene.camera.SetEyeAngle(3)
         scene.window.StereoRenderOn()
@@ -284,11 +298,13 @@ def stereo(name, set_type, eyes):
             composed({"Left": mirrored["Right"], "Right": mirrored["Left"]}))
 
 
-stereo("stereo, left eye", lambda window: window.SetStereoTypeToLeft(), 1)
-stereo("stereo, right eye", lambda window: window.SetStereoTypeToRight(), 1)
-stereo("stereo, anaglyph", lambda window: window.SetStereoTypeToAnaglyph(), 2)
-stereo("stereo, interlaced", lambda window: window.SetStereoTypeToInterlaced(), 2)
-stereo("stereo, side by side", lambda window: window.SetStereoTypeToSplitViewportHorizontal(), 2)
+stereo("stereo, left eye", lambda window: window.SetStereoTypeToLeft())
+stereo("stereo, right eye", lambda window: window.SetStereoTypeToRight())
+stereo("stereo, anaglyph", lambda window: window.SetStereoTypeToAnaglyph())
+stereo("stereo, interlaced", lambda window: window.SetStereoTypeToInterlaced())
+stereo("stereo, side by side", lambda window: window.SetStereoTypeToSplitViewportHorizontal())
+stereo("stereo, crystal eyes, the left buffer", lambda window: window.SetStereoTypeToCrystalEyes(), 0)
+stereo("stereo, crystal eyes, the right buffer", lambda window: window.SetStereoTypeToCrystalEyes(), 1)
 
 
 # Tiles: the picture in four by four pieces is the picture rendered large.
