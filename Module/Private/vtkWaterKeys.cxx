@@ -107,6 +107,24 @@ void ReleaseFromOtherWindows(vtkProp* prop, vtkRenderWindow* window)
     }
   }
 }
+
+// An OSMesa window frees all of its props when it is initialised, after it has made its context
+// current, and then sets that one up (vtkOSOpenGLRenderWindow::WindowInitialize): what they hold
+// for another window makes that one's current, and it is set up in its place, for good. So a prop
+// holds nothing when the first frame of such a window may be next.
+void ReleaseForNewWindows(vtkProp* prop, vtkRenderWindow* window)
+{
+  for (int i = 0; i < prop->GetNumberOfConsumers(); ++i)
+  {
+    auto* renderer = vtkRenderer::SafeDownCast(prop->GetConsumer(i));
+    vtkRenderWindow* other = renderer ? renderer->GetRenderWindow() : nullptr;
+    if (other && other != window && other->GetNeverRendered() &&
+      other->IsA("vtkOSOpenGLRenderWindow"))
+    {
+      prop->ReleaseGraphicsResources(window);
+    }
+  }
+}
 }
 
 //------------------------------------------------------------------------------
@@ -200,12 +218,18 @@ void vtkWaterKeys::HoldUntilEndOfFrame(vtkRenderer* renderer)
   });
   held.Observer = vtkSmartPointer<vtkCallbackCommand>::New();
   held.Observer->SetClientData(this);
-  held.Observer->SetCallback([](vtkObject* caller, unsigned long, void* clientData, void*) {
+  held.Observer->SetCallback([](vtkObject* caller, unsigned long event, void* clientData, void*) {
     auto* self = static_cast<vtkWaterKeys*>(clientData);
-    auto found = self->HeldFrames.find(vtkRenderer::SafeDownCast(caller));
+    auto* ended = static_cast<vtkRenderer*>(caller);
+    auto found = self->HeldFrames.find(ended);
     if (found != self->HeldFrames.end())
     {
       self->EndFrame(found->second);
+    }
+    if (event == vtkCommand::EndEvent)
+    {
+      ForEachProp(ended->GetViewProps(),
+        [ended](vtkProp* prop) { ReleaseForNewWindows(prop, ended->GetRenderWindow()); });
     }
   });
   // before the user's observers, which may abort the event; a frame that begins has ended the last
