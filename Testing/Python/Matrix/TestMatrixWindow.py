@@ -5,7 +5,7 @@ import mirror_matrix as mm
 import numpy as np
 import water_test as wt
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkRenderingCore import vtkTextActor, vtkWindowToImageFilter
+from vtkmodules.vtkRenderingCore import vtkProperty, vtkTextActor, vtkWindowToImageFilter
 
 row = mm.Results("Window")
 PLANE = wt.plane((0, 0, 0), (0, 0, 1))
@@ -252,6 +252,49 @@ def samples(scene):
 
 
 row.cell("8 samples", samples, samples=8)
+
+
+def insides():
+    """The inside of closed things that the water cuts must not be seen, but a look at the middle of a pixel does not
+    know which of the samples are water's.
+
+    Of a pixel that the water has a share c of, the mirrored view shows the inside in as many samples as the thing
+    hides, 1 - c, and one more at most: the map's pattern of samples is turned left to right. The water shows that in
+    c of the picture's pixel.
+    """
+    one_sample = 0.25  # Mesa's software renderer has four
+
+    def picture(inside, color=None):
+        scene = mm.Scene(mm.SEEN, samples=8)
+        samples(scene)
+        for i in range(len(cut_data())):
+            back = vtkProperty()
+            back.SetColor(inside)
+            back.LightingOff()
+            scene.renderer.GetViewProps().GetItemAsObject(i).SetBackfaceProperty(back)
+        water = wt.add_water(scene.renderer, PLANE, mm.SHEET, 0.0 if color else 1.0)
+        if color:
+            water.GetWaterProperty().SetDeepColor(color)
+        return scene.pixels()
+
+    changed = np.abs(picture((0, 0, 0)) - picture((1, 1, 1))).max(axis=2)
+    water = np.abs(picture((0, 0, 0), (1, 1, 1)) - picture((0, 0, 0), (0, 0, 0))).max(axis=2) / 255
+    print(f"inside: {100 * (changed > 1).sum() / (water > 0).sum():.3f} % of the water's pixels depend on it, by at most "
+          f"{changed.max()} of 255")
+    wt.check_at_least("inside: pixels that depend on it", int((changed > 1).sum()), 20)
+    reason = ("The water looks its reflection up at a pixel's middle, once for all samples; the map's pixel has the samples "
+              "that the thing hides, too.")
+    shared = (water > 0) & (water < 1)
+    beside = np.pad(shared, 1)
+    near = np.any([beside[1 + i:beside.shape[0] - 1 + i, 1 + j:beside.shape[1] - 1 + j]
+                   for i in (-1, 0, 1) for j in (-1, 0, 1)], axis=0)
+    row.say("8 samples, the inside of what is cut: only pixels depend on it that a thing and the water share, or beside one",
+            near[changed > 1].all(), reason=reason)
+    row.say("8 samples, the inside of what is cut: by no more than the hidden samples' share and one of its contrast",
+            (changed <= 255 * water * (1 - water + one_sample) + 2).all(), reason=reason)
+
+
+insides()
 
 
 # Stereo: the mirror image of the left eye's view is a right eye's.
