@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkWaterActorFrame.cxx: the part of vtkWaterActor that takes part in a frame: when its mirrored
-// view is drawn, with which other sheets it shares it, and how the surface is drawn.
+// view is drawn, and with which other sheets it shares it.
 // See Documentation/decisions/002-host.md and 009-skips.md.
 #include "vtkCamera.h"
 #include "vtkInformation.h"
@@ -10,26 +10,18 @@
 #include "vtkOpenGLState.h"
 #include "vtkPlane.h"
 #include "vtkPropCollection.h"
-#include "vtkProperty.h"
 #include "vtkWaterAccess.h"
 #include "vtkWaterActor.h"
 #include "vtkWaterCompat.h"
-#include "vtkWaterErrors.h"
 #include "vtkWaterGL.h"
 #include "vtkWaterGather.h"
-#include "vtkWaterGrid.h"
-#include "vtkWaterInstruments.h"
 #include "vtkWaterOcclusion.h"
 #include "vtkWaterProperty.h"
 #include "vtkWaterReflectionPass.h"
-#include "vtkWaterSea.h"
-#include "vtkWaterSecondary.h"
 #include "vtkWaterShading.h"
-#include "vtkWaterSheet.h"
 #include "vtkWaterSurface.h"
 #include "water_plan.h"
 #include "water_quality.h"
-#include "water_secondary.h"
 
 #include <algorithm>
 
@@ -61,12 +53,6 @@ bool HaveSameOrigin(vtkWaterActor* a, vtkWaterActor* b)
   vtkWaterGather::ReadPlaneOrigin(b, origins[1]);
   return std::equal(origins[0], origins[0] + 3, origins[1]);
 }
-
-bool IsClear(vtkProp* prop)
-{
-  auto* water = vtkWaterActor::SafeDownCast(prop);
-  return water && (vtkWaterSurface::GetStages(water) & vtkWaterSurface::BODY);
-}
 }
 
 //------------------------------------------------------------------------------
@@ -74,15 +60,15 @@ void vtkWaterActor::DrawLast(vtkRenderer* renderer)
 {
   const Props props(renderer);
   vtkProp** self = props.Find(this);
-  const bool isClear = IsClear(this);
+  const bool isClear = vtkWaterSurface::IsClear(this);
   // opaque waters before clear ones, through which they are seen
   vtkProp** last = props.End;
-  while (!isClear && last > self && IsClear(last[-1]))
+  while (!isClear && last > self && vtkWaterSurface::IsClear(last[-1]))
   {
     --last;
   }
   auto mayFollow = [isClear](vtkProp* prop) {
-    return isClear ? IsClear(prop) : prop->IsA("vtkWaterActor") != 0;
+    return isClear ? vtkWaterSurface::IsClear(prop) : prop->IsA("vtkWaterActor") != 0;
   };
   if (self == props.End || std::all_of(self, last, mayFollow))
   {
@@ -110,8 +96,8 @@ bool vtkWaterActor::CanBeLate(vtkOpenGLRenderer* renderer)
 bool vtkWaterActor::CanShareWith(vtkOpenGLRenderer* renderer, vtkWaterActor* other)
 {
   vtkCamera* camera = renderer->GetActiveCamera();
-  if ((IsClear(this) || IsClear(other)) && !camera->GetParallelProjection() &&
-    this->Plane->FunctionValue(camera->GetPosition()) < 0.0)
+  if ((vtkWaterSurface::IsClear(this) || vtkWaterSurface::IsClear(other)) &&
+    !camera->GetParallelProjection() && this->Plane->FunctionValue(camera->GetPosition()) < 0.0)
   {
     return false; // which of them is the eye in?
   }
@@ -388,131 +374,5 @@ void vtkWaterActor::RenderReflectionIfStale(vtkViewport* viewport)
   }
   vtkWaterForeignKeysSuspended suspended(shading, renderer);
   this->RenderSharedReflection(renderer, drawn + 2, false);
-}
-
-//------------------------------------------------------------------------------
-int vtkWaterActor::RenderOpaqueGeometry(vtkViewport* viewport)
-{
-  if (this->HasOpaqueGeometry())
-  {
-    this->RenderReflectionIfStale(viewport);
-    auto* renderer = vtkOpenGLRenderer::SafeDownCast(viewport);
-    if (renderer && !renderer->GetSelector() &&
-      !vtkWaterShading::GetOfThread()->IsInMirroredView() &&
-      this->GetPassInCharge(renderer)->IsUnseen(renderer, this))
-    {
-      return 0;
-    }
-  }
-  return this->Superclass::RenderOpaqueGeometry(viewport);
-}
-
-//------------------------------------------------------------------------------
-int vtkWaterActor::RenderTranslucentPolygonalGeometry(vtkViewport* viewport)
-{
-  if (this->HasTranslucentPolygonalGeometry())
-  {
-    this->RenderReflectionIfStale(viewport);
-  }
-  return this->Superclass::RenderTranslucentPolygonalGeometry(viewport);
-}
-
-//------------------------------------------------------------------------------
-int vtkWaterActor::RenderOverlay(vtkViewport* viewport)
-{
-  auto* renderer = vtkOpenGLRenderer::SafeDownCast(viewport);
-  if (renderer && !renderer->GetSelector() && this->GetReflectionPass()->GetShowReflection())
-  {
-    this->GetPassInCharge(renderer)->RenderCorner(renderer, this);
-  }
-  return this->Superclass::RenderOverlay(viewport);
-}
-
-//------------------------------------------------------------------------------
-void vtkWaterActor::DrawSurface(vtkWaterSurface* surface, vtkRenderer* renderer, vtkMapper* mapper)
-{
-  vtkWaterShading* shading = vtkWaterShading::GetOfThread();
-  shading->BeginSurface(surface, this->IsProbing);
-  this->Superclass::Render(renderer, mapper);
-  if (!shading->EndSurface() && !surface->GetIsRefused())
-  {
-    surface->SetIsRefused();
-    vtkErrorMacro("The driver refuses the water's shader. The water shows its plain colour.");
-    shading->BeginSurface(surface, this->IsProbing);
-    this->Superclass::Render(renderer, mapper);
-    shading->EndSurface();
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkWaterActor::RenderSecondary(vtkRenderer* renderer, vtkMapper* mapper)
-{
-  vtkWaterShading* shading = vtkWaterShading::GetOfThread();
-  const vtkWaterShading::View& view = shading->GetMirroredView();
-  if (std::find(view.Props->begin(), view.Props->end(), this) == view.Props->end())
-  {
-    return; // no endless mirror, whatever drew this water
-  }
-  shading->Keys.Add(this);
-  vtkWaterSurface* surface = &this->Secondary->Surface;
-  water_plan plan;
-  const water_scene scene = vtkWaterGather::ReadSecondary(renderer, this, view.Eye);
-  water_secondary_plan(&scene, view.Plan, &plan);
-  vtkWaterSurface::Frame frame = vtkWaterSurface::Frame();
-  frame.Renderer = static_cast<vtkOpenGLRenderer*>(renderer);
-  frame.Plan = plan.has_view ? &plan : nullptr;
-  frame.IsFlat = this->UsesOwnSheet() && this->GetIsIdentity();
-  frame.IsSecondary = true;
-  if (surface->UpdateStages(vtkWaterSurface::GetSecondaryStages(this)))
-  {
-    this->GetProperty()->Modified(); // the mapper builds the other shader
-  }
-  surface->Begin(this, frame);
-  this->DrawSurface(surface, renderer, this->Secondary->Follow(mapper));
-  surface->End();
-}
-
-//------------------------------------------------------------------------------
-void vtkWaterActor::Render(vtkRenderer* renderer, vtkMapper* mapper)
-{
-  vtkWaterShading* shading = vtkWaterShading::GetOfThread();
-  if (shading->IsInMirroredView())
-  {
-    this->RenderSecondary(renderer, mapper);
-    return;
-  }
-  if (vtkWaterKeys::IsBakingShadows(this) && IsClear(this))
-  {
-    return; // clear water lets the light through
-  }
-  shading->Keys.Add(this);
-  vtkWaterReflectionPass* pass = this->GetPassInCharge(renderer);
-  const bool isPlain = renderer->GetSelector() || this->HasSheetError() || this->IsProbing;
-  vtkWaterSurface::Frame frame;
-  frame.Renderer = static_cast<vtkOpenGLRenderer*>(renderer);
-  frame.Plan = isPlain ? nullptr : pass->GetFreshPlan(renderer, this);
-  frame.Screen = pass->GetScreen(renderer);
-  frame.Reflection = pass->GetTexture(renderer, this);
-  frame.ReflectionDepth = frame.Plan ? pass->GetReflectionDepthTexture() : nullptr;
-  pass->GetRayLimits(&frame.MostSteps, &frame.MostProbes);
-  water_grid_view view;
-  const bool isDisplaced = this->IsDisplaced() && vtkWaterGather::ReadView(renderer, this, &view);
-  frame.View = isDisplaced ? &view : nullptr;
-  frame.RowDir = this->Grid->GetRowDir();
-  frame.IsFlat = this->UsesOwnSheet() && this->GetIsIdentity() && !isDisplaced;
-  vtkMapper* drawn = isDisplaced ? this->LayGrid(view, mapper) : mapper;
-  if (this->Surface->UpdateStages(vtkWaterSurface::GetStages(this)))
-  {
-    this->GetProperty()->Modified(); // the mapper builds the other shader
-  }
-  vtkWaterInstruments* instruments = this->OwnPass->GetInstruments(renderer);
-  instruments->Begin(vtkWaterInstruments::SURFACE, renderer->GetRenderWindow());
-  this->Surface->Begin(this, frame);
-  vtkWaterOcclusion* occlusion = this->OwnPass->GetOcclusion(renderer);
-  occlusion->Begin(renderer->GetRenderWindow());
-  this->DrawSurface(this->Surface.get(), renderer, drawn);
-  occlusion->End();
-  this->Surface->End();
-  instruments->End(vtkWaterInstruments::SURFACE);
 }
 VTK_ABI_NAMESPACE_END

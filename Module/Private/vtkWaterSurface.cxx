@@ -103,6 +103,13 @@ int vtkWaterSurface::GetSecondaryStages(vtkWaterActor* water)
 }
 
 //------------------------------------------------------------------------------
+bool vtkWaterSurface::IsClear(vtkProp* prop)
+{
+  auto* water = vtkWaterActor::SafeDownCast(prop);
+  return water && (GetStages(water) & BODY);
+}
+
+//------------------------------------------------------------------------------
 std::string vtkWaterSurface::GetShader(int stages, bool canDisplace)
 {
   const char* reflection = stages & ENVIRONMENT ? vtkWaterEnvironmentFS

@@ -16,6 +16,7 @@
 #include <vector>
 
 class vtkOpenGLRenderer;
+class vtkProp;
 class vtkShaderProgram;
 class vtkTexture;
 class vtkTextureObject;
@@ -66,6 +67,9 @@ public:
 
   // The same in the mirrored view of another water: the background, and the mean of all waves.
   static int GetSecondaryStages(vtkWaterActor* water);
+
+  // Is it a water through which the scene is seen?
+  static bool IsClear(vtkProp* prop);
 
   // The stages of the last draw.
   int GetBuiltStages() const { return this->BuiltStages; }
