@@ -13,7 +13,7 @@ from vtkmodules.vtkRenderingCore import vtkTexture
 
 INDEX = 1.333
 MARK = (255, 0, 255)  # no colour of a scene's
-NODES = 400  # of the mean over slopes
+NODES = 80  # of the mean over slopes
 
 
 class Sheet:
