@@ -221,6 +221,9 @@ private:
   void DrawSurface(vtkWaterSurface* surface, vtkRenderer* renderer, vtkMapper* mapper);
   // Draws the surface in the mirrored view of another water.
   void RenderSecondary(vtkRenderer* renderer, vtkMapper* mapper);
+  // Draws the props again that this frame has lost because their shaders were refused with the
+  // mirror's lines, and says so.
+  void MendRefusals(vtkOpenGLRenderer* renderer);
   // A nested mirror for a draw whose camera was not the one mirrored before the frame.
   void RenderReflectionIfStale(vtkViewport* viewport);
 

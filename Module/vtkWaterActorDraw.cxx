@@ -27,6 +27,7 @@ VTK_ABI_NAMESPACE_BEGIN
 //------------------------------------------------------------------------------
 int vtkWaterActor::RenderOpaqueGeometry(vtkViewport* viewport)
 {
+  this->MendRefusals(vtkOpenGLRenderer::SafeDownCast(viewport));
   if (this->HasOpaqueGeometry())
   {
     this->RenderReflectionIfStale(viewport);
@@ -44,6 +45,7 @@ int vtkWaterActor::RenderOpaqueGeometry(vtkViewport* viewport)
 //------------------------------------------------------------------------------
 int vtkWaterActor::RenderTranslucentPolygonalGeometry(vtkViewport* viewport)
 {
+  this->MendRefusals(vtkOpenGLRenderer::SafeDownCast(viewport));
   if (this->HasTranslucentPolygonalGeometry())
   {
     this->RenderReflectionIfStale(viewport);

@@ -375,4 +375,31 @@ void vtkWaterActor::RenderReflectionIfStale(vtkViewport* viewport)
   vtkWaterForeignKeysSuspended suspended(shading, renderer);
   this->RenderSharedReflection(renderer, drawn + 2, false);
 }
+
+//------------------------------------------------------------------------------
+void vtkWaterActor::MendRefusals(vtkOpenGLRenderer* renderer)
+{
+  vtkWaterShading* shading = vtkWaterShading::GetOfThread();
+  if (!renderer || renderer->GetSelector() || shading->IsInMirroredView() || this->IsProbing ||
+    vtkWaterKeys::IsBakingShadows(this))
+  {
+    return;
+  }
+  shading->Refusals.Settle();
+  if (this->HasOpaqueGeometry() && shading->Refusals.HaveLost())
+  {
+    const Props props(renderer);
+    std::for_each(props.Begin, props.End, [shading, renderer](vtkProp* prop) {
+      if (shading->Refusals.TakeLost(prop))
+      {
+        prop->RenderOpaqueGeometry(renderer);
+      }
+    });
+  }
+  const std::string text = shading->Refusals.TakeText();
+  if (!text.empty())
+  {
+    vtkErrorMacro(<< text);
+  }
+}
 VTK_ABI_NAMESPACE_END

@@ -30,7 +30,7 @@ vtkStandardNewMacro(vtkWaterReflectionPass);
 vtkInformationKeyMacro(vtkWaterReflectionPass, NOT_REFLECTED, Integer);
 vtkInformationKeyRestrictedMacro(vtkWaterReflectionPass, STAND_IN, ObjectBase, "vtkProp");
 
-static_assert(static_cast<int>(vtkWaterReflectionPass::TOO_SMALL) == WATER_SKIP_TOO_SMALL &&
+static_assert(static_cast<int>(vtkWaterReflectionPass::REFUSED) == WATER_SKIP_REFUSED &&
     static_cast<int>(vtkWaterReflectionPass::NUMBER_OF_FATES) == WATER_FATE_COUNT,
   "the public fates mirror the core's");
 static_assert(static_cast<int>(vtkWaterReflectionPass::SHARED) == WATER_NO_REFLECT_SHARED &&
@@ -196,6 +196,7 @@ void vtkWaterReflectionPass::RenderReflection(vtkRenderer* renderer,
   vtkWaterShading* shading = vtkWaterShading::GetOfThread();
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   shading->Keys.HoldUntilEndOfFrame(renderer);
+  shading->Refusals.TakeMirrored(); // of another view
 
   if (moment.HasSceneDepth)
   {
@@ -285,6 +286,13 @@ void vtkWaterReflectionPass::RenderReflection(vtkRenderer* renderer,
       settings.CanCut = (this->Skips & PIECES) != 0;
       settings.Shadows = shadows;
       failure = view->Mirror.Draw(renderer, shading, internal.Plan, drawn, settings);
+    }
+    if (shading->Refusals.TakeMirrored() && !moment.IsAgain && !window->GetAbortRender())
+    {
+      Moment again = moment;
+      again.IsAgain = true;
+      this->RenderReflection(renderer, waters, viewport_px, again); // without what was refused
+      return;
     }
     if (internal.GetPlannedView() != view.get())
     {

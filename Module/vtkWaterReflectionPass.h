@@ -72,6 +72,7 @@ public:
     OUT_OF_VIEW,
     OUT_OF_WATER, ///< in view of the mirror, but no visible water reflects it
     TOO_SMALL,    ///< see SetMinimumPropSize
+    REFUSED,      ///< the driver refuses its shader with the lines that reflections need
     NUMBER_OF_FATES
   };
 
@@ -375,6 +376,7 @@ private:
     bool IsHidden = false;      // the waters are behind what the bound framebuffer shows
     bool HasSceneDepth = false; // it shows all that can hide them
     double Budget = 0.0;        // ms of this frame, for a quality that goes by a budget
+    bool IsAgain = false;       // the last one had props whose shaders were refused
   };
 
   // Gathers, plans and draws the reflection of waters in one plane for the renderer's active

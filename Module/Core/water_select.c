@@ -40,7 +40,11 @@ static water_fate fate_of_flags(uint32_t flags)
   {
     return WATER_SKIP_OVERLAY;
   }
-  return flags & WATER_PROP_LABEL ? WATER_SKIP_LABEL : WATER_DRAW;
+  if (flags & WATER_PROP_LABEL)
+  {
+    return WATER_SKIP_LABEL;
+  }
+  return flags & WATER_PROP_REFUSED ? WATER_SKIP_REFUSED : WATER_DRAW;
 }
 
 water_status water_select_side(const water_eye* eye, const water_plane* plane, water_side* side)

@@ -39,7 +39,8 @@ enum // water_prop.flags, a bit each
   WATER_PROP_NO_BOUNDS = 1 << 2,     // fills the view whatever its bounds, e.g. a skybox
   WATER_PROP_NOT_REFLECTED = 1 << 3, // the user's key says so
   WATER_PROP_OVERLAY = 1 << 4,       // lives on the screen, not in the scene: 2D actors
-  WATER_PROP_LABEL = 1 << 5          // turned to the user's camera on every draw: billboards
+  WATER_PROP_LABEL = 1 << 5,         // turned to the user's camera on every draw: billboards
+  WATER_PROP_REFUSED = 1 << 6        // its shader does not take what cuts it at the water
 };
 
 typedef struct water_prop
@@ -61,7 +62,8 @@ typedef struct water_prop
   X(WATER_SKIP_BEHIND_PLANE, "behind the water plane")                                             \
   X(WATER_SKIP_OUT_OF_VIEW, "out of the mirrored view")                                            \
   X(WATER_SKIP_OUT_OF_WATER, "out of what the visible water reflects")                             \
-  X(WATER_SKIP_TOO_SMALL, "too small in the mirrored view")
+  X(WATER_SKIP_TOO_SMALL, "too small in the mirrored view")                                        \
+  X(WATER_SKIP_REFUSED, "refused by the driver with what reflections need")
 
 typedef enum water_fate
 {

@@ -11,10 +11,12 @@
 #include "vtkOpenGLHelper.h"
 #include "vtkOpenGLPolyDataMapper.h"
 #include "vtkOpenGLRenderer.h"
+#include "vtkOpenGLShaderCache.h"
 #include "vtkProp.h"
 #include "vtkRenderer.h"
 #include "vtkShadowMapPass.h"
 
+#include <string>
 #include <vector>
 
 namespace vtkWaterAccess
@@ -68,6 +70,32 @@ struct Actor : public vtkActor
   static vtkMTimeType BoundsTimeOf(vtkActor* actor)
   {
     return (actor->*(&Actor::BoundsMTime)).GetMTime();
+  }
+};
+
+struct ShaderCache : public vtkOpenGLShaderCache
+{
+  // Makes sources of the templates that mappers hand over, as a driver gets them.
+  static void Finish(
+    vtkOpenGLShaderCache* cache, std::string& vertex, std::string& geometry, std::string& fragment)
+  {
+    Finish(cache, &ShaderCache::ReplaceShaderValues, vertex, geometry, fragment);
+  }
+
+private:
+  using Three = unsigned int (vtkOpenGLShaderCache::*)(std::string&, std::string&, std::string&);
+  using Five = unsigned int (vtkOpenGLShaderCache::*)(
+    std::string&, std::string&, std::string&, std::string&, std::string&); // with tessellation
+  static void Finish(vtkOpenGLShaderCache* cache, Three replace, std::string& vertex,
+    std::string& geometry, std::string& fragment)
+  {
+    (cache->*replace)(vertex, fragment, geometry);
+  }
+  static void Finish(vtkOpenGLShaderCache* cache, Five replace, std::string& vertex,
+    std::string& geometry, std::string& fragment)
+  {
+    std::string none[2];
+    (cache->*replace)(vertex, fragment, geometry, none[0], none[1]);
   }
 };
 

@@ -28,6 +28,7 @@
 #include "vtkWaterActor.h"
 #include "vtkWaterProperty.h"
 #include "vtkWaterReflectionPass.h"
+#include "vtkWaterShading.h"
 #include "water_optics.h"
 #include "water_plane.h"
 
@@ -162,10 +163,14 @@ water_prop ReadProp(vtkProp* prop, vtkProp* drawn, vtkWaterActor* mirrored)
 {
   water_prop read;
   read.flags = ReadFlags(prop, mirrored);
+  if (vtkWaterShading::GetOfThread()->Refusals.Has(drawn))
+  {
+    read.flags |= WATER_PROP_REFUSED;
+  }
   read.width_px = ReadWidth(drawn);
   ClearBounds(read.bounds);
-  const uint32_t noneNeeded =
-    WATER_PROP_IS_WATER | WATER_PROP_NOT_REFLECTED | WATER_PROP_OVERLAY | WATER_PROP_LABEL;
+  const uint32_t noneNeeded = WATER_PROP_IS_WATER | WATER_PROP_NOT_REFLECTED | WATER_PROP_OVERLAY |
+    WATER_PROP_LABEL | WATER_PROP_REFUSED;
   if ((read.flags & WATER_PROP_VISIBLE) && !(read.flags & noneNeeded))
   {
     const double* bounds = vtkWaterGather::GetBounds(drawn); // may bring a pipeline up to date

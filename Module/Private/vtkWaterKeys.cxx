@@ -266,6 +266,12 @@ vtkMTimeType vtkWaterKeys::GetFrame(vtkRenderer* renderer) const
 }
 
 //------------------------------------------------------------------------------
+vtkRenderWindow* vtkWaterKeys::GetWindow() const
+{
+  return this->LastWindow;
+}
+
+//------------------------------------------------------------------------------
 bool vtkWaterKeys::IsBakingShadows(vtkProp* prop)
 {
   const Passes passes = GetPasses(prop);

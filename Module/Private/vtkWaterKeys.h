@@ -38,6 +38,9 @@ public:
   // not held.
   vtkMTimeType GetFrame(vtkRenderer* renderer) const;
 
+  // The window of the frame that began last; nullptr: none has, or it is gone.
+  vtkRenderWindow* GetWindow() const;
+
   // Is a prop being drawn for a shadow map, by a light's camera?
   static bool IsBakingShadows(vtkProp* prop);
 

@@ -4,6 +4,8 @@
 #include "vtkActor.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLShaderCache.h"
 #include "vtkProp.h"
 #include "vtkProperty.h"
 #include "vtkShaderProgram.h"
@@ -144,6 +146,7 @@ void vtkWaterShading::EndMirroredView()
 bool vtkWaterShading::PreReplaceShaderValues(std::string& vertexShader, std::string& geometryShader,
   std::string& fragmentShader, vtkAbstractMapper*, vtkProp* prop)
 {
+  this->Refusals.Settle();
   if (prop->IsA("vtkWaterActor"))
   {
     auto* water = static_cast<vtkWaterActor*>(prop);
@@ -165,7 +168,13 @@ bool vtkWaterShading::PreReplaceShaderValues(std::string& vertexShader, std::str
       return true;
     }
   }
-  if (!InsertDeclarations(fragmentShader, vtkWaterMirroredFS))
+  if (this->Refusals.Has(prop))
+  {
+    return true;
+  }
+  const int refusals = this->Refusals.GetCount(prop);
+  const std::string attempt = refusals > 0 ? "// after refusal " + std::to_string(refusals) : "";
+  if (!InsertDeclarations(fragmentShader, vtkWaterMirroredFS + attempt))
   {
     return true; // not a shader that can be helped
   }
@@ -190,8 +199,9 @@ bool vtkWaterShading::PreReplaceShaderValues(std::string& vertexShader, std::str
 }
 
 //------------------------------------------------------------------------------
-bool vtkWaterShading::PostReplaceShaderValues(
-  std::string&, std::string&, std::string& fragmentShader, vtkAbstractMapper*, vtkProp* prop)
+bool vtkWaterShading::PostReplaceShaderValues(std::string& vertexShader,
+  std::string& geometryShader, std::string& fragmentShader, vtkAbstractMapper* mapper,
+  vtkProp* prop)
 {
   if (prop->IsA("vtkWaterActor"))
   {
@@ -205,6 +215,12 @@ bool vtkWaterShading::PostReplaceShaderValues(
       this->Surface->ReleaseShader();
     }
     return true;
+  }
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(this->Keys.GetWindow());
+  if (window)
+  {
+    // a mapper whose shader is refused draws with the program that is in use, whosever that is
+    window->GetShaderCache()->ReleaseCurrentShader();
   }
   if (!Declares(fragmentShader, "waterHeadlight"))
   {
@@ -222,6 +238,11 @@ bool vtkWaterShading::PostReplaceShaderValues(
       ? "df = waterHeadlightDiffuse(normalVCVSOutput); float sf = 0.0;"
       : "float sf = pow(waterHeadlight(normalVCVSOutput, vertexVC.xyz, df), specularPower);",
     false);
+  if (window)
+  {
+    this->Refusals.Await(
+      prop, mapper, window, this->IsInMirroredView(), vertexShader, geometryShader, fragmentShader);
+  }
   return true;
 }
 
@@ -247,8 +268,9 @@ bool vtkWaterShading::SetShaderParameters(
       }
     }
   }
-  else
+  else if (program->isBound())
   {
+    this->Refusals.Arrive(prop, mapper);
     this->SetMirroredParameters(program, prop);
     if (this->Mirrored.Pieces)
     {

@@ -12,6 +12,7 @@
 #include "vtkOpenGLRenderPass.h"
 #include "vtkSmartPointer.h"
 #include "vtkWaterKeys.h"
+#include "vtkWaterRefusals.h"
 #include "water_types.h"
 
 #include <unordered_set>
@@ -35,6 +36,9 @@ public:
 
   // Which props carry this object in their lists.
   vtkWaterKeys Keys;
+
+  // Which of them go without the lines that this object adds.
+  vtkWaterRefusals Refusals;
 
   // What is drawn into a map.
   struct View
@@ -71,6 +75,7 @@ public:
   }
 
   void Render(const vtkRenderState*) override {} // a key only, it draws nothing
+  vtkMTimeType GetShaderStageMTime() override { return this->Refusals.GetTime(); }
   bool PreReplaceShaderValues(std::string& vertexShader, std::string& geometryShader,
     std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp* prop) override;
   bool PostReplaceShaderValues(std::string& vertexShader, std::string& geometryShader,

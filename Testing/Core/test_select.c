@@ -187,15 +187,17 @@ TEST(flags_decide_in_their_order)
     marked = WATER_PROP_NOT_REFLECTED,
     overlay = WATER_PROP_OVERLAY,
     label = WATER_PROP_LABEL,
+    refused = WATER_PROP_REFUSED,
     endless = WATER_PROP_NO_BOUNDS
   };
   const uint32_t flags[] = { visible, 0, visible | water, visible | marked, visible | overlay,
     visible | label, visible | endless, water | marked, visible | water | marked | endless,
-    visible | marked | overlay, visible | overlay | label, visible | label | endless };
+    visible | marked | overlay, visible | overlay | label, visible | label | endless,
+    visible | refused, visible | label | refused, visible | refused | endless };
   const water_fate expected[] = { WATER_DRAW, WATER_SKIP_INVISIBLE, WATER_SKIP_WATER,
     WATER_SKIP_NOT_REFLECTED, WATER_SKIP_OVERLAY, WATER_SKIP_LABEL, WATER_DRAW,
     WATER_SKIP_INVISIBLE, WATER_SKIP_WATER, WATER_SKIP_NOT_REFLECTED, WATER_SKIP_OVERLAY,
-    WATER_SKIP_LABEL };
+    WATER_SKIP_LABEL, WATER_SKIP_REFUSED, WATER_SKIP_LABEL, WATER_SKIP_REFUSED };
   for (size_t i = 0; i < sizeof flags / sizeof flags[0]; ++i)
   {
     const water_prop prop = { { -1, 1, -1, 1, 1, 2 }, flags[i] };

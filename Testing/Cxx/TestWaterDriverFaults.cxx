@@ -2,19 +2,16 @@
 // A driver that refuses shaders, framebuffers or memory: the water says so once and shows its plain
 // colour, all else is as without water, and the next picture is right again once the cause is gone.
 // The driver's functions are replaced in the loader that VTK calls them through.
-#include "WaterTestScene.h"
+#include "WaterFaultyScene.h"
 
 #include "../../Module/Private/vtkWaterGL.h"
 
-#include "vtkCallbackCommand.h"
 #include "vtkLogger.h"
 #include "vtkOutputWindow.h"
-#include "vtkUnsignedCharArray.h"
 #include "vtkWaterReflectionPass.h"
 
 #include <cstring>
 #include <functional>
-#include <vector>
 
 namespace
 {
@@ -51,42 +48,6 @@ void TexImage(GLenum target, GLint level, GLint format, GLsizei width, GLsizei h
   texImage(target, level, format, isWanted ? -1 : width, height, border, pixelFormat, type, pixels);
 }
 #endif
-
-struct FaultyScene : public WaterTestScene
-{
-  std::vector<std::string> Errors;
-
-  FaultyScene()
-  {
-    this->AddThings<vtkPolyDataMapper>();
-    this->AddWater();
-    vtkNew<vtkCallbackCommand> note;
-    note->SetClientData(&this->Errors);
-    note->SetCallback([](vtkObject*, unsigned long, void* errors, void* text) {
-      static_cast<std::vector<std::string>*>(errors)->push_back(static_cast<char*>(text));
-    });
-    this->Water->AddObserver(vtkCommand::ErrorEvent, note);
-  }
-
-  std::vector<unsigned char> Picture()
-  {
-    this->Window->Render();
-    vtkNew<vtkUnsignedCharArray> pixels;
-    const int* size = this->Window->GetSize();
-    this->Window->GetRGBACharPixelData(0, 0, size[0] - 1, size[1] - 1, 0, pixels);
-    return std::vector<unsigned char>(
-      pixels->GetPointer(0), pixels->GetPointer(0) + pixels->GetNumberOfValues());
-  }
-
-  // The same with water that reflects nothing.
-  std::vector<unsigned char> Plain()
-  {
-    auto* look = this->Water->GetWaterProperty();
-    look->SetReflectanceModeToConstant();
-    look->SetReflectance(0.0);
-    return this->Picture();
-  }
-};
 
 // slot     of the loader, for the driver's function
 // own      function in its place, which calls `driver`

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A driver that refuses the shader of a prop because of the lines that reflections put into it: the
+// prop is drawn as without water, in the same frame, and is not reflected; the water says so once.
+// When the cause is gone, the next picture is right.
+//
+// The driver's function is replaced in the loader that VTK calls it through; the user's own shaders
+// that clash with those lines need no such thing.
+#include "WaterFaultyScene.h"
+
+#include "../../Module/Private/vtkWaterGL.h"
+
+#include "vtkAssembly.h"
+#include "vtkInformation.h"
+#include "vtkInformationIntegerKey.h"
+#include "vtkLogger.h"
+#include "vtkOutputWindow.h"
+#include "vtkShaderProperty.h"
+#include "vtkWaterReflectionPass.h"
+
+#include <cstring>
+#include <functional>
+
+namespace
+{
+const char* const kMark = "// of the refused prop";
+
+PFNGLSHADERSOURCEPROC shaderSource = nullptr;
+void ShaderSource(GLuint shader, GLsizei count, const GLchar* const* text, const GLint* lengths)
+{
+  if (count == 1 && std::strstr(text[0], kMark) && std::strstr(text[0], "waterHeadlight"))
+  {
+    const GLchar* const wrong[1] = { "#version 150\n#error the mark\n" };
+    shaderSource(shader, 1, wrong, nullptr);
+    return;
+  }
+  shaderSource(shader, count, text, lengths);
+}
+
+struct RefusedScene : public FaultyScene
+{
+  explicit RefusedScene(bool isPart = false)
+  {
+    vtkCollectionSimpleIterator it;
+    this->Renderer->GetActors()->InitTraversal(it);
+    for (int i = 0; i < 2; ++i) // the second column, in view and in the reflection
+    {
+      this->Actor = this->Renderer->GetActors()->GetNextActor(it);
+    }
+    this->Prop = this->Actor;
+    if (isPart)
+    {
+      vtkNew<vtkAssembly> assembly;
+      assembly->AddPart(this->Actor);
+      this->Renderer->RemoveActor(this->Actor);
+      this->Renderer->AddActor(assembly);
+      this->Prop = assembly;
+    }
+  }
+
+  // The water does not reflect the prop.
+  void LeaveOut(bool isOut)
+  {
+    if (!this->Prop->GetPropertyKeys())
+    {
+      this->Prop->SetPropertyKeys(vtkNew<vtkInformation>());
+    }
+    this->Prop->GetPropertyKeys()->Set(vtkWaterReflectionPass::NOT_REFLECTED(), isOut ? 1 : 0);
+  }
+
+  int GetFate(int fate) { return this->Water->GetReflectionPass()->GetFateCount(fate); }
+
+  vtkSmartPointer<vtkActor> Actor;
+  vtkSmartPointer<vtkProp> Prop;
+};
+
+void SetShader(RefusedScene& scene, const std::string& declarations)
+{
+  scene.Actor->GetShaderProperty()->AddFragmentShaderReplacement(
+    "//VTK::Normal::Dec", true, declarations + "\n//VTK::Normal::Dec", false);
+}
+
+// says     in the error
+// make     makes the driver refuse the prop's shader
+// unmake   and not any more
+bool Check(const std::string& name, const std::string& says,
+  const std::function<void(RefusedScene&)>& make, const std::function<void(RefusedScene&)>& unmake,
+  bool isPart = false)
+{
+  RefusedScene expected(isPart);
+  expected.LeaveOut(true);
+  const auto plain = expected.Picture();
+  RefusedScene scene(isPart);
+  const auto right = scene.Picture();
+  make(scene);
+  const auto faulty = scene.Picture();
+  bool ok = WaterCheck(name + ": fate", scene.GetFate(vtkWaterReflectionPass::REFUSED), 1);
+  ok &= WaterCheck(name + ": the prop is drawn and not reflected", faulty == plain, true);
+  ok &= WaterCheck(name + ": which is another picture", right == plain, false);
+  for (int i = 0; i < 3; ++i)
+  {
+    scene.Renderer->GetActiveCamera()->Azimuth(i == 1 ? -10 : 5);
+    scene.Picture();
+  }
+  ok &= WaterCheck(name + ": and so it stays", scene.Picture() == plain, true);
+  ok &= WaterCheck<size_t>(name + ": errors", scene.Errors.size(), 1);
+  const bool isSaid = !scene.Errors.empty() &&
+    scene.Errors[0].find("refuses a shader of a prop (vtkOpenGLActor") != std::string::npos &&
+    scene.Errors[0].find(says) != std::string::npos;
+  ok &= WaterCheck(name + ": the error names the prop and says \"" + says + "\"", isSaid, true);
+  if (!isSaid && !scene.Errors.empty())
+  {
+    std::cout << scene.Errors[0] << std::endl;
+  }
+  unmake(scene);
+  ok &= WaterCheck(name + ": right afterwards", scene.Picture() == right, true);
+  ok &= WaterCheck(name + ": fate afterwards", scene.GetFate(vtkWaterReflectionPass::REFUSED), 0);
+  ok &= WaterCheck<size_t>(name + ": errors afterwards", scene.Errors.size(), 1);
+  return ok;
+}
+
+void RefuseMarked(RefusedScene& scene)
+{
+  shaderSource = glShaderSource;
+  glShaderSource = ShaderSource;
+  SetShader(scene, kMark);
+}
+
+void RefuseNothing(RefusedScene& scene)
+{
+  glShaderSource = shaderSource;
+  scene.Actor->GetProperty()->Modified();
+}
+
+// Only the eye's view draws the prop: it is lost there before anybody knows.
+bool CheckUnreflected()
+{
+  RefusedScene scene;
+  scene.LeaveOut(true);
+  const auto right = scene.Picture();
+  RefuseMarked(scene);
+  bool ok = WaterCheck("not reflected anyway: the picture", scene.Picture() == right, true);
+  ok &= WaterCheck<size_t>("not reflected anyway: errors", scene.Errors.size(), 1);
+  RefuseNothing(scene);
+  ok &= WaterCheck("not reflected anyway: right afterwards", scene.Picture() == right, true);
+  return ok;
+}
+
+// A shader that is wrong without the lines, too, fares as without water: the prop is not there.
+bool CheckBroken()
+{
+  RefusedScene expected;
+  expected.Actor->VisibilityOff();
+  const auto without = expected.Picture();
+  RefusedScene scene;
+  const auto right = scene.Picture();
+  SetShader(scene, "#error of the user");
+  bool ok = WaterCheck("wrong anyway: the prop is not there", scene.Picture() == without, true);
+  scene.Actor->GetShaderProperty()->ClearAllFragmentShaderReplacements();
+  ok &= WaterCheck("wrong anyway: right afterwards", scene.Picture() == right, true);
+  return ok;
+}
+}
+
+int TestWaterRefusedProps(int, char*[])
+{
+  // VTK prints the shader, for one
+  vtkOutputWindow::GetInstance()->SetDisplayModeToNever();
+  vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
+  bool ok = Check("refused", "the mark", RefuseMarked, RefuseNothing);
+  ok &= Check("part of an assembly", "the mark", RefuseMarked, RefuseNothing, true);
+  ok &= Check(
+    "clash of names", "waterClipWindow",
+    [](RefusedScene& scene) { SetShader(scene, "uniform float waterClipWindow;"); },
+    [](RefusedScene& scene) {
+      scene.Actor->GetShaderProperty()->ClearAllFragmentShaderReplacements();
+    });
+  ok &= CheckUnreflected();
+  ok &= CheckBroken();
+  return ok ? EXIT_SUCCESS : EXIT_FAILURE;
+}
