@@ -97,7 +97,8 @@ bool vtkWaterActor::CanShareWith(vtkOpenGLRenderer* renderer, vtkWaterActor* oth
 {
   vtkCamera* camera = renderer->GetActiveCamera();
   if ((vtkWaterSurface::IsClear(this) || vtkWaterSurface::IsClear(other)) &&
-    !camera->GetParallelProjection() && this->Plane->FunctionValue(camera->GetPosition()) < 0.0)
+    !camera->GetParallelProjection() &&
+    (this->IsDisplaced() || this->Plane->FunctionValue(camera->GetPosition()) < 0.0))
   {
     return false; // which of them is the eye in?
   }

@@ -31,10 +31,30 @@ static const double seen_texture_scale = 0.25;
 typedef struct checked
 {
   water_plane plane; // unit length, as the user turned it
+  water_plane level; // the same, moved to the surface where the eye is
   water_eye eye;
+  bool is_at_surface; // there is surface over the eye, or under it
   water_side side;
   int texture_px[2];
 } checked;
+
+// The eye's side of the surface itself, where there is one over or under the eye, and of the plane
+// elsewhere.
+static water_status select_side(const water_scene* scene, checked* result)
+{
+  result->level = result->plane;
+  result->is_at_surface =
+    water_lookup_is_at_surface(&scene->eye, &result->eye, &result->plane, scene->surface_bounds);
+  const water_status status = water_select_side(&result->eye, &result->plane, &result->side);
+  if (status == WATER_OK && result->is_at_surface && scene->surface_height != 0.0)
+  {
+    result->level.offset -= scene->surface_height;
+    result->side = WATER_ABOVE;
+    // an eye on the very surface is on both sides, and stays over it
+    (void)water_select_side(&result->eye, &result->level, &result->side);
+  }
+  return status;
+}
 
 // All checks but that of the props, in the order of water_status.h.
 static water_status check(const water_scene* scene, checked* result)
@@ -55,7 +75,8 @@ static water_status check(const water_scene* scene, checked* result)
     return status;
   }
   if (!(scene->clip_margin >= 0.0 && scene->clip_margin <= water_largest &&
-        scene->wave_height_max >= 0.0 && scene->wave_height_max <= water_largest))
+        scene->wave_height_max >= 0.0 && scene->wave_height_max <= water_largest &&
+        fabs(scene->surface_height) <= water_largest))
   {
     return WATER_BAD_CLIP_MARGIN;
   }
@@ -77,7 +98,7 @@ static water_status check(const water_scene* scene, checked* result)
   {
     return status;
   }
-  return water_select_side(&result->eye, &result->plane, &result->side);
+  return select_side(scene, result);
 }
 
 static water_decision decide(const water_scene* scene, water_side side)
@@ -269,11 +290,13 @@ static water_status fill_view(const water_scene* scene, const checked* input,
   water_lookup_dirs(&scene->eye, axes, plan->dir_to_eye);
   water_lookup_environment(
     axes, scene->environment_up, scene->environment_right, plan->dir_to_environment);
-  const bool is_at_surface =
-    water_lookup_is_at_surface(&scene->eye, &input->eye, plane, scene->surface_bounds);
-  plan->is_submerged = input->side == WATER_BELOW && is_at_surface;
-  plan->is_awash = input->side == WATER_ABOVE && is_at_surface &&
-    water_lookup_cuts_surface(&input->eye, plan->plane_view);
+  const water_plane level = turn_to_eye(&input->level, input->side);
+  double level_view[4];
+  water_camera_plane_view(&input->eye, &level, level_view);
+  water_mat4_apply_row(level_view, input->eye.clip_to_view, plan->surface_clip);
+  plan->is_submerged = input->side == WATER_BELOW && input->is_at_surface;
+  plan->is_awash = input->side == WATER_ABOVE && input->is_at_surface &&
+    water_lookup_cuts_surface(&input->eye, level_view);
   plan->has_sun = scene->has_sun && water_lookup_local(axes, scene->sun_dir, plan->sun_dir);
   plan->eta = water_optics_eta(&scene->look, input->side);
   return water_lookup_places(

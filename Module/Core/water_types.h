@@ -137,6 +137,8 @@ typedef struct water_scene
   double slope_max;       // no slope that a reflection is looked up with is steeper; infinity: none
                           // is known, or the map is read elsewhere, too
   double wave_height_max; // how far waves move the surface itself up or down; 0: a flat sheet
+  double surface_height; // of a surface that waves move, over the plane where the eye is, along the
+                         // plane's normal; 0: a flat sheet
   double guard_band;    // map with waves: size of its frustum over the eye's, >= 1; 0: by slope_rms
   bool has_environment; // what is reflected is a static picture of the surroundings
   double environment_up[3]; // of that picture, in world; water_lookup.h
@@ -173,6 +175,7 @@ typedef struct water_plan
   double plane_view[4];   // plane in the eye's view space, normal towards the eye
   double plane_clip[4];   // the same on clip space of the eye: dot(plane_clip, clip) is the
                           // height of the point, clip not divided by w
+  double surface_clip[4]; // the same as plane_clip for the surface's level where the eye is
   double clip_w[4];       // the same -> w of the point in view space
   double ndc_to_ray[9];   // (x, y, 1) in NDC of the eye -> direction of the view ray in the
                           // plane's axes (third: n towards the eye), any length

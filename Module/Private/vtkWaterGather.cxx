@@ -31,6 +31,7 @@
 #include "vtkWaterShading.h"
 #include "water_optics.h"
 #include "water_plane.h"
+#include "water_waves.h"
 
 #include <algorithm>
 #include <cmath>
@@ -313,6 +314,20 @@ bool vtkWaterGather::ReadView(vtkRenderer* renderer, vtkWaterActor* water, water
 }
 
 //------------------------------------------------------------------------------
+double vtkWaterGather::ReadSurfaceHeight(vtkRenderer* renderer, vtkWaterActor* water)
+{
+  const std::vector<water_wave_term> terms = water->GetWaveTerms();
+  water_grid_view view;
+  water_wave_point point;
+  double rest[2];
+  return ReadView(renderer, water, &view) &&
+      water_waves_find(
+        terms.data(), terms.size(), view.origin_xy[0], view.origin_xy[1], rest, &point) == WATER_OK
+    ? point.displacement[2]
+    : 0.0;
+}
+
+//------------------------------------------------------------------------------
 const double* vtkWaterGather::GetBounds(vtkProp* prop)
 {
   // what is derived from it may have bounds of its own
@@ -406,6 +421,7 @@ void vtkWaterGather::Read(
   this->IsRough = std::any_of(waters.begin(), waters.end(),
     [](vtkWaterActor* water) { return water->GetWaterProperty()->IsRough(); });
   this->scene.wave_height_max = 0.0;
+  this->scene.surface_height = 0.0;
   for (vtkWaterActor* water : waters)
   {
     vtkWaterProperty* property = water->GetWaterProperty();
@@ -427,6 +443,7 @@ void vtkWaterGather::Read(
     {
       this->scene.wave_height_max =
         std::max(this->scene.wave_height_max, property->GetWaveHeightMax());
+      this->scene.surface_height = ReadSurfaceHeight(renderer, water); // all have the same waves
     }
   }
 

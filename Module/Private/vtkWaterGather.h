@@ -59,6 +59,8 @@ struct vtkWaterGather
 
   // The eye over a water's plane, for what displaces its points. false: there is nothing to see.
   static bool ReadView(vtkRenderer* renderer, vtkWaterActor* water, water_grid_view* view);
+  // Height of the waves that move a water's surface, over the plane where the eye is.
+  static double ReadSurfaceHeight(vtkRenderer* renderer, vtkWaterActor* water);
 
   // vtkProp::GetBounds, which asks the pipeline whether it is up to date: ten times as long as all
   // else that is read of a prop. Of an actor that shows data as it is given, the data's time tells.

@@ -276,7 +276,7 @@ void vtkWaterScreen::DrawFog(vtkRenderer* renderer, const water_plan& plan,
   vtkWaterUniforms::Set(program, "waterSceneDepth", backdrop.GetDepth());
   vtkWaterUniforms::SetMatrix3(program, "waterNdcToRay", plan.ndc_to_ray);
   vtkWaterUniforms::SetMatrix4x3(program, "waterDirToEye", plan.dir_to_eye);
-  vtkWaterUniforms::Set4(program, "waterHeightClip", plan.plane_clip);
+  vtkWaterUniforms::Set4(program, "waterHeightClip", plan.surface_clip);
   vtkWaterUniforms::Set(program, "waterSide", plan.side == WATER_BELOW ? -1.0 : 1.0);
   vtkWaterUniforms::Set4(program, "waterClipW", plan.clip_w);
   vtkWaterUniforms::Set3(program, "waterDeepColor", deepColor);

@@ -3,6 +3,7 @@
 #include "test_scene.h"
 
 #include "water_lookup.h"
+#include "water_math.h"
 #include "water_plane.h"
 
 static const double nearby[3] = { 1.0, 2.0, 3.0 };
@@ -433,6 +434,64 @@ TEST(mirrored_view_reaches_down_into_troughs)
   assert_int_equal(water_plan_make(&scene, &bad, &fate), WATER_BAD_CLIP_MARGIN);
 }
 
+// Under a crest is under water, over a trough is over it, whatever the plane at rest says; where
+// there is no sheet the plane decides.
+TEST(waves_decide_where_the_eye_is)
+{
+  UNUSED;
+  const double up[3] = { 0.0, 0.0, 1.0 };
+  // y, z of the eye, height of the surface there
+  const double cases[][3] = { { -9.0, 0.3, 0.5 }, { -9.0, 0.7, 0.5 }, { -9.0, -0.3, -0.5 },
+    { -9.0, -0.7, -0.5 }, { -9.0, 0.5, 0.5 }, { -9.0, -0.1, 0.5 }, { -9.0, 0.1, -0.5 },
+    { -11.0, 0.3, 0.5 } };
+  const bool is_under[] = { true, false, false, true, false, true, false, false };
+  for (size_t i = 0; i < sizeof cases / sizeof cases[0]; ++i)
+  {
+    for (int tilt = -1; tilt <= 1; tilt += 2) // looks up or down
+    {
+      water_scene scene = lake();
+      const double place[3] = { 0.0, cases[i][0], cases[i][1] };
+      const double target[3] = { 0.0, 0.0, cases[i][1] + tilt };
+      look_at(place, target, up, scene.eye.world_to_view);
+      scene.surface_bounds[4] = -1.0;
+      scene.surface_bounds[5] = scene.wave_height_max = 1.0;
+      scene.surface_height = cases[i][2];
+      const water_plan plan = plan_of(&scene, NULL);
+      assert_int_equal(plan.side, is_under[i] ? WATER_BELOW : WATER_ABOVE);
+      assert_int_equal(plan.is_submerged, is_under[i]);
+      // its level there: a point of it has no height, one that is 0.2 nearer to the eye's side has
+      const double level = cases[i][0] < -10.0 ? 0.0 : cases[i][2];
+      const double towards = is_under[i] ? -1.0 : 1.0;
+      const double point[4] = { 3.0, 4.0, level + 0.2 * towards, 1.0 };
+      double view[4];
+      double clip[4];
+      water_mat4_apply(scene.eye.world_to_view, point, view);
+      water_mat4_apply(scene.eye.view_to_clip, view, clip);
+      double height = 0.0;
+      for (int k = 0; k < 4; ++k)
+      {
+        height += plan.surface_clip[k] * clip[k];
+      }
+      ASSERT_CLOSE(height, 0.2, 1e-12);
+    }
+  }
+  // the near plane dips into a crest
+  water_scene scene = lake();
+  const double box[4] = { -0.5, 0.5, -0.5, 0.5 };
+  frustum_matrix(box, 0.5, 100.0, scene.eye.view_to_clip);
+  const double eye[3] = { 0.0, -9.0, 0.8 };
+  const double ahead[3] = { 0.0, -8.0, -0.2 };
+  look_at(eye, ahead, up, scene.eye.world_to_view);
+  scene.surface_bounds[4] = -1.0;
+  scene.surface_bounds[5] = scene.wave_height_max = 1.0;
+  assert_false(plan_of(&scene, NULL).is_awash);
+  scene.surface_height = 0.2;
+  assert_true(plan_of(&scene, NULL).is_awash);
+  water_plan bad;
+  scene.surface_height = (double)NAN;
+  assert_int_equal(water_plan_make(&scene, &bad, NULL), WATER_BAD_CLIP_MARGIN);
+}
+
 int main(void)
 {
   const struct CMUnitTest tests[] = {
@@ -445,6 +504,7 @@ int main(void)
     RUN(environment_has_its_own_axes),
     RUN(eye_under_the_sheet_is_submerged),
     RUN(near_plane_in_the_water_is_awash),
+    RUN(waves_decide_where_the_eye_is),
     RUN(each_corner_of_the_near_plane_is_asked),
     RUN(eye_is_over_the_rim_of_the_sheet),
     RUN(sun_is_seen_in_the_axes_of_the_plane),

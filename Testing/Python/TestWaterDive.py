@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A camera comes down to the water and goes through it: no frame is black, has a pixel that is no number,
-or jumps out of the row of its neighbours.
+or jumps out of the row of its neighbours. Where waves move the surface, they decide on which side the camera is.
 
 TestWaterDive.py --frames 1000 takes smaller steps.
 """
@@ -15,6 +15,10 @@ from ray_caster import Box
 SIZE = (120, 90)
 NEAR = 0.01  # m: it cuts through the surface before the eye does
 LARGEST_STEP = 9.0  # mean of the differences of two frames, of 255
+LARGEST_STEP_SWELL = 20.0
+SWELL = ((0.15, 5.0, 20.0, 10.0), (0.06, 2.3, 80.0, 200.0))
+EYE = (2, -13)
+CREST, TROUGH = 2.2, 3.0  # s: 0.20 m over and 0.18 m under the plane at rest, where the eye is
 parser = argparse.ArgumentParser()
 parser.add_argument("--frames", type=int, default=90)
 frames = parser.parse_known_args()[0].frames
@@ -37,7 +41,7 @@ class Scene:
         self.errors = wt.errors_of(self.water)
 
     def at(self, height):
-        wt.place_camera(self.view.renderer, (2, -13, height), (0, 0, 0.3 * height if height < 1 else 0.3), (NEAR, 400))
+        wt.place_camera(self.view.renderer, (*EYE, height), (0, 0, 0.3 * height if height < 1 else 0.3), (NEAR, 400))
         return self.view.picture()
 
 
@@ -71,8 +75,57 @@ def straight_down(name, scene, clear):
         wt.check_at_most(f"{name}: straight down, eye over and under the surface, difference", int(difference), 1)
 
 
+def heights_through(count):
+    """From 0.5 m over to 0.5 m under a surface, a fifth of them within 1 mm."""
+    return np.concatenate([np.geomspace(0.5, 1e-3, count * 2 // 5), np.linspace(1e-3, -1e-3, count // 5),
+                           -np.geomspace(1e-3, 0.5, count * 2 // 5)])
+
+
+def is_under(picture, deep):
+    return bool((np.abs(picture - deep).max(axis=2) <= 2).mean() > 0.9)
+
+
+def swell(name, begins, count, absorption):
+    """Down through a moving swell: pictures, heights over the surface, and over the plane at rest."""
+    scene = Scene(SWELL, True)
+    look = scene.water.GetWaterProperty()
+    look.WaveGeometryOn()
+    look.SetAbsorption(*absorption)
+    look.SetDeepColor(0, 0.3, 0.3)
+    over = heights_through(count)
+    pictures, at_rest = [], []
+    for frame, height in enumerate(over):
+        scene.water.SetTime(begins + 0.05 * frame / count)
+        at_rest.append(scene.water.GetWaveHeight(*EYE) + height)
+        wt.place_camera(scene.view.renderer, (*EYE, at_rest[-1]), (0, 0, at_rest[-1] + 0.3), (NEAR, 400))
+        pictures.append(scene.view.picture())
+    wt.check_equal(f"{name}: errors", scene.errors, [])
+    return pictures, over, np.array(at_rest)
+
+
+def check_swell(name, begins):
+    pictures, over, at_rest = swell(name, begins, frames, (0.3, 0.1, 0.05))
+    between = (over > 0) != (at_rest > 0)
+    wt.check_at_least(f"{name}: frames between the plane at rest and the surface", int(between.sum()), 10)
+    steps = np.array([np.abs(b - a).mean() for a, b in zip(pictures, pictures[1:])])
+    across = np.array([np.abs(b - a).mean() for a, b in zip(pictures, pictures[2:])])
+    through = np.abs(over[1:]) <= 1.01e-3
+    wt.check_equal(f"{name}: pixels of 0, 0, 0", sum(int((picture.max(axis=2) == 0).sum()) for picture in pictures), 0)
+    wt.check_at_most(f"{name}: largest step, within 1 mm of the surface", round(float(steps[through].max()), 2),
+                     LARGEST_STEP_SWELL)
+    wt.check_at_most(f"{name}: largest flash", round(float((np.minimum(steps[:-1], steps[1:]) - across).max()), 2), 2.0)
+    # water that nobody sees through: an eye in it sees nothing else, and one over it sees the sky
+    pictures, over, at_rest = swell(name, begins, min(frames, 200), (300, 300, 300))
+    deep = np.array([0, 0.3, 0.3]) * 255
+    judged = np.abs(over) > NEAR
+    wrong = [is_under(picture, deep) != (height < 0) for picture, height in zip(pictures, over)]
+    wt.check_equal(f"{name}: frames from the wrong side, of {int(judged.sum())}", int((np.array(wrong) & judged).sum()), 0)
+
+
 check("calm", (), False)
 check("wavy", POSTS_WAVES, False)
 check("calm and clear", (), True)
 check("wavy and clear", POSTS_WAVES, True)
+check_swell("under a crest", CREST)
+check_swell("over a trough", TROUGH)
 wt.finish()

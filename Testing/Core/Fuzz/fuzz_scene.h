@@ -109,6 +109,7 @@ static inline void fuzz_scene(fuzz_input* from, water_prop* props, water_scene* 
   scene->clip_margin = fuzz_near(from, 0.0);
   scene->prop_px_min = fuzz_near(from, 0.0);
   scene->reflectance_error = fuzz_near(from, 0.0);
+  scene->surface_height = fuzz_near(from, 0.0);
 }
 
 #endif
