@@ -15,6 +15,7 @@
 #include "vtkLogger.h"
 #include "vtkOutputWindow.h"
 #include "vtkShaderProperty.h"
+#include "vtkVersionMacros.h"
 #include "vtkWaterReflectionPass.h"
 
 #include <cstring>
@@ -145,6 +146,7 @@ bool CheckUnreflected()
   return ok;
 }
 
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 0)
 // A shader that is wrong without the lines, too, fares as without water: the prop is not there.
 bool CheckBroken()
 {
@@ -159,6 +161,7 @@ bool CheckBroken()
   ok &= WaterCheck("wrong anyway: right afterwards", scene.Picture() == right, true);
   return ok;
 }
+#endif
 }
 
 int TestWaterRefusedProps(int, char*[])
@@ -175,6 +178,11 @@ int TestWaterRefusedProps(int, char*[])
       scene.Actor->GetShaderProperty()->ClearAllFragmentShaderReplacements();
     });
   ok &= CheckUnreflected();
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 0)
   ok &= CheckBroken();
+#else
+  std::cout << "wrong anyway: left out, this VTK crashes when it draws such a prop twice"
+            << std::endl;
+#endif
   return ok ? EXIT_SUCCESS : EXIT_FAILURE;
 }
