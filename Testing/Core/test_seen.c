@@ -82,6 +82,27 @@ TEST(closed_cells_are_rectangles)
   }
 }
 
+// Whatever lies to the left of a box, below it, or both, is not in it.
+TEST(what_lies_beside_a_box_is_not_in_it)
+{
+  UNUSED;
+  const double to_clip[16] = { 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0,
+    0.0, 1.0 };
+  const double box[6] = { -0.2, 0.2, -0.2, 0.2, 0.0, 0.0 }; // in the middle cell of 3 x 3
+  for (int pattern = 0; pattern < 512; ++pattern)
+  {
+    uint8_t cells[9];
+    for (int i = 0; i < 9; ++i)
+    {
+      cells[i] = (uint8_t)(pattern >> i & 1);
+    }
+    uint32_t counts[16];
+    water_seen seen = { { 24, 24 }, { 0, 0, 24, 24 }, 8, { 3, 3 }, counts };
+    water_seen_sum(&seen, cells, 1);
+    assert_int_equal(water_seen_meets(&seen, to_clip, box, 0.0), cells[4]);
+  }
+}
+
 // Of random boxes in random views: one with a point in a cell that is looked up is kept, and most
 // others are not.
 TEST(what_is_seen_is_kept)
@@ -377,6 +398,7 @@ int main(void)
     RUN(cells_cover_their_rectangle),
     RUN(counts_are_sums),
     RUN(closed_cells_are_rectangles),
+    RUN(what_lies_beside_a_box_is_not_in_it),
     RUN(what_is_seen_is_kept),
     RUN(what_cannot_be_told_is_drawn),
     RUN(reach_is_the_same_on_each_side),

@@ -250,11 +250,22 @@ def main():
     parser.add_argument("--again", action="store_true",
                         help="believe the last run's table, ended or not, what was caught; only try the"
                              " rest")
+    parser.add_argument("--check", action="store_true",
+                        help="only see whether the list of equivalent mutants names mutants; takes a second")
     arguments = parser.parse_args()
 
     paths = [CORE / name for name in arguments.files] or sorted(CORE.glob("*.[ch]"))
     mutants = [mutant for path in paths for mutant in mutants_of(path.name, path.read_text())]
     equivalents = read_equivalents()
+    # before an hour's work
+    keys = {mutant.key for mutant in mutants}
+    gone = [key for key in equivalents
+            if key not in keys and (not arguments.files or key.split(":")[0] in arguments.files)]
+    for key in gone:
+        print(f"called equivalent, but gone: {key}")
+    if gone or arguments.check:
+        print(f"{len(mutants)} mutants, {len(gone)} of {len(equivalents)} called equivalent are gone")
+        return 1 if gone else 0
     table_path = arguments.folder / TABLE
     known = {}  # of all files
     if table_path.exists():
@@ -286,11 +297,9 @@ def main():
 
     wrong = 0
     for key in equivalents:
-        is_known = key in results
-        if (is_known and results[key]) or (not is_known and not arguments.files):
+        if results.get(key):
             wrong += 1
-            print(f"called equivalent, but {'caught by ' + results[key] if is_known else 'gone'}:"
-                  f" {key}")
+            print(f"called equivalent, but caught by {results[key]}: {key}")
     for mutant in mutants:
         if not results[mutant.key] and mutant.key not in equivalents:
             print(f"alive: line {mutant.line} of {mutant.key}")
