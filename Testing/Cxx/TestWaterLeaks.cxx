@@ -159,6 +159,10 @@ int TestWaterLeaks(int argc, char* argv[])
   const double grown[2] = { between.Megabytes - before.Megabytes,
     after.Megabytes - between.Megabytes };
   std::cout << "memory grown by " << grown[0] << " and " << grown[1] << " MB" << std::endl;
+#if defined(__SANITIZE_ADDRESS__)
+  std::cout << "not judged: the address sanitizer keeps what is freed" << std::endl;
+#else
   ok &= WaterCheck("each by less than 24 MB", grown[0] < 24.0 && grown[1] < 24.0, true);
+#endif
   return ok ? EXIT_SUCCESS : EXIT_FAILURE;
 }

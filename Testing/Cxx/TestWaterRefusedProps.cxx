@@ -41,12 +41,8 @@ struct RefusedScene : public FaultyScene
 {
   explicit RefusedScene(bool isPart = false)
   {
-    vtkCollectionSimpleIterator it;
-    this->Renderer->GetActors()->InitTraversal(it);
-    for (int i = 0; i < 2; ++i) // the second column, in view and in the reflection
-    {
-      this->Actor = this->Renderer->GetActors()->GetNextActor(it);
-    }
+    // the second column, in view and in the reflection
+    this->Actor = vtkActor::SafeDownCast(this->Renderer->GetViewProps()->GetItemAsObject(1));
     this->Prop = this->Actor;
     if (isPart)
     {
