@@ -15,7 +15,7 @@ from ray_caster import Box
 SIZE = (120, 90)
 NEAR = 0.01  # m: it cuts through the surface before the eye does
 LARGEST_STEP = 9.0  # mean of the differences of two frames, of 255
-LARGEST_STEP_SWELL = 20.0
+LARGEST_STEP_SWELL = 25.0  # in one frame all of the surface is drawn from its other side: decision 007, limits
 SWELL = ((0.15, 5.0, 20.0, 10.0), (0.06, 2.3, 80.0, 200.0))
 EYE = (2, -13)
 CREST, TROUGH = 2.2, 3.0  # s: 0.20 m over and 0.18 m under the plane at rest, where the eye is
