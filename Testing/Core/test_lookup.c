@@ -490,6 +490,8 @@ TEST(waves_decide_where_the_eye_is)
   water_plan bad;
   scene.surface_height = (double)NAN;
   assert_int_equal(water_plan_make(&scene, &bad, NULL), WATER_BAD_CLIP_MARGIN);
+  scene.surface_height = 1e100; // the largest
+  assert_int_not_equal(water_plan_make(&scene, &bad, NULL), WATER_BAD_CLIP_MARGIN);
 }
 
 int main(void)
