@@ -480,9 +480,10 @@ void vtkWaterReflectionPass::ReleaseGraphicsResources(vtkWindow* window)
     return; // the chain of delegates leads back to this pass
   }
   internal.IsVisiting = true;
+  // without a window: a renderer gets its first one; VTK's passes assert that there is one
   for (vtkRenderPass* delegate : { this->DelegatePass.Get(), this->DefaultDelegate.Get() })
   {
-    if (delegate)
+    if (delegate && window)
     {
       delegate->ReleaseGraphicsResources(window);
     }
@@ -511,7 +512,10 @@ void vtkWaterReflectionPass::ReleaseGraphicsResources(vtkWindow* window)
       ++it;
     }
   }
-  this->Superclass::ReleaseGraphicsResources(window);
+  if (window)
+  {
+    this->Superclass::ReleaseGraphicsResources(window);
+  }
 }
 
 VTK_ABI_NAMESPACE_END
