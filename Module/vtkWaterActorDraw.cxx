@@ -68,13 +68,15 @@ int vtkWaterActor::RenderOverlay(vtkViewport* viewport)
 void vtkWaterActor::DrawSurface(vtkWaterSurface* surface, vtkRenderer* renderer, vtkMapper* mapper)
 {
   vtkWaterShading* shading = vtkWaterShading::GetOfThread();
-  shading->BeginSurface(surface, this->IsProbing);
+  vtkOpenGLState* probed =
+    this->IsProbing ? static_cast<vtkOpenGLRenderer*>(renderer)->GetState() : nullptr;
+  shading->BeginSurface(surface, probed);
   this->Superclass::Render(renderer, mapper);
   if (!shading->EndSurface() && !surface->GetIsRefused())
   {
     surface->SetIsRefused();
     vtkErrorMacro("The driver refuses the water's shader. The water shows its plain colour.");
-    shading->BeginSurface(surface, this->IsProbing);
+    shading->BeginSurface(surface, probed);
     this->Superclass::Render(renderer, mapper);
     shading->EndSurface();
   }

@@ -279,7 +279,6 @@ bool vtkWaterActor::AreSheetsHidden(
     water->IsProbing = true;
     water->Superclass::RenderOpaqueGeometry(renderer);
     water->IsProbing = false;
-    glDepthMask(GL_TRUE); // as VTK's record of the state has it
     return water->OwnPass->GetOcclusion(renderer)->WaitForSamples() == 0;
   };
   return std::all_of(sheets.begin(), sheets.end(), isHidden);

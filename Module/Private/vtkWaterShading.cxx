@@ -6,6 +6,7 @@
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"
+#include "vtkOpenGLState.h"
 #include "vtkProp.h"
 #include "vtkProperty.h"
 #include "vtkShaderProgram.h"
@@ -261,10 +262,9 @@ bool vtkWaterShading::SetShaderParameters(
       {
         this->SetMirroredParameters(program, prop); // which cut it
       }
-      if (this->IsProbe)
+      if (this->Probed)
       {
-        glDepthMask(
-          GL_FALSE); // the actor has just set it; vtkWaterActor::AreSheetsHidden resets it
+        this->Probed->vtkglDepthMask(GL_FALSE); // the actor has just set it, and resets it
       }
     }
   }

@@ -18,6 +18,7 @@
 #include <unordered_set>
 #include <vector>
 
+class vtkOpenGLState;
 class vtkProp;
 class vtkRenderer;
 class vtkWaterPieces;
@@ -60,11 +61,11 @@ public:
 
   // This surface is drawn between the two.
   //
-  // isProbe  it leaves no trace in the depth
-  void BeginSurface(vtkWaterSurface* surface, bool isProbe)
+  // probed  a state in which it leaves no trace in the depth, or none
+  void BeginSurface(vtkWaterSurface* surface, vtkOpenGLState* probed)
   {
     this->Surface = surface;
-    this->IsProbe = isProbe;
+    this->Probed = probed;
     this->IsAwaited = false;
   }
   // Returns false when the driver has refused the shader that was built for it.
@@ -98,7 +99,7 @@ private:
   vtkMTimeType FogFrame = 0;
   double FogEye[12] = {}; // its directions
   vtkWaterSurface* Surface = nullptr;
-  bool IsProbe = false;
+  vtkOpenGLState* Probed = nullptr;
   bool IsAwaited = false; // the surface's shader was built, and nobody has asked for its parameters
 };
 
