@@ -302,17 +302,22 @@ def assembly(scene):
     scene.renderer.AddActor(parts)
 
 
+def check_every_frame(name, change):
+    scene = Scene()
+    scene.renders()
+    change(scene)
+    wt.check_equal(f"{name}: mirrored views in three frames", scene.renders(3), 3)
+
+
 for name, change in {
     "custom uniform": uniform,
     "assembly, which moves its parts to draw them": assembly,
     "observer of UpdateShaderEvent": lambda s: s.poster.GetMapper().AddObserver("UpdateShaderEvent", lambda *all: None),
     "prop of an unknown kind": unknown,
-    "texture without an image": lambda s: s.poster.GetTexture().RemoveAllInputConnections(0),
 }.items():
-    scene = Scene()
-    scene.renders()
-    change(scene)
-    wt.check_equal(f"{name}: mirrored views in three frames", scene.renders(3), 3)
+    check_every_frame(name, change)
+with wt.unheard():  # VTK gives its own shader the texture unit -1, with water or without
+    check_every_frame("texture without an image", lambda s: s.poster.GetTexture().RemoveAllInputConnections(0))
 
 # Taking a picture of the window swaps the renderer's camera and back: no change.
 scene = Scene()

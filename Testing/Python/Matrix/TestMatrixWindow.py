@@ -195,9 +195,11 @@ two_windows(True)
 
 def two_windows_of_vtk():
     """The same without any water, where VTK gets it wrong."""
-    first, second = mm.Scene(mm.SEEN), mm.Scene(mm.SEEN)
-    second.renderer.AddViewProp(first.add_data(wt.sphere((0, 0, 0.4), 1.5)))
-    pictures = [[scene.pixels() for scene in (first, second)] for _ in range(2)][-1]
+    with wt.unheard():
+        first, second = mm.Scene(mm.SEEN), mm.Scene(mm.SEEN)
+        second.renderer.AddViewProp(first.add_data(wt.sphere((0, 0, 0.4), 1.5)))
+        pictures = [[scene.pixels() for scene in (first, second)] for _ in range(2)][-1]
+        del first, second  # VTK's errors, when they go
     is_blank = [(picture == picture[0, 0]).all() for picture in pictures]
     row.say("two windows that share props, without water: a prop is left out",
             any(is_blank) or (pictures[0] != pictures[1]).any(),
