@@ -63,10 +63,10 @@ void water_normals_texels(const unsigned char* pixels, size_t channels, size_t c
 // Each has the same variance of slope, which all of them share out.
 static void roll_ripples(uint64_t seed, ripple ripples[RIPPLES])
 {
-  const double slope = rms_slope * sqrt(2.0 / RIPPLES);
+  const double slope = rms_slope * sqrt(2.0 / (double)RIPPLES);
   for (int i = 0; i < RIPPLES; ++i)
   {
-    const double length = 2.0 * pow(10.0, (i + 0.5) / RIPPLES); // 2 to 20 waves a side
+    const double length = 2.0 * pow(10.0, (i + 0.5) / (double)RIPPLES); // 2 to 20 waves a side
     const double angle = water_two_pi * water_random_uniform(seed, (uint64_t)(2 * i));
     ripples[i].waves[0] = (int)lround(length * cos(angle));
     ripples[i].waves[1] = (int)lround(length * sin(angle));

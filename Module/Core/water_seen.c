@@ -20,7 +20,7 @@ void water_seen_begin(const int texture_px[2], const int rect_px[4], water_seen*
     {
       seen->size[i] = (rect_px[2 + i] + seen->cell_px - 1) / seen->cell_px;
     }
-  } while ((double)seen->size[0] * seen->size[1] > WATER_SEEN_CELLS_MAX);
+  } while ((double)seen->size[0] * seen->size[1] > (double)WATER_SEEN_CELLS_MAX);
 }
 
 void water_seen_walk_of(const int texture_px[2], const int rect_px[4], const int viewport_px[2],

@@ -182,7 +182,7 @@ static water_status band_of(const water_sea* sea, double k_low, double k_high, b
   double k_empty = 0.0; // no variance below
   (void)water_waves_wavenumber(water_sea_peak(sea) * lowest, sea_depth(sea), &k_empty);
   made->first = log(fmin(fmax(k_low, k_empty), k_high));
-  made->half = 0.5 * (log(k_high) - made->first) / PANELS;
+  made->half = 0.5 * (log(k_high) - made->first) / (double)PANELS;
   return WATER_OK;
 }
 
@@ -234,7 +234,7 @@ static double alignment(const water_sea* sea, double omega)
   double aligned = 0.0;
   for (int i = 0; i < POINTS; ++i)
   {
-    const double angle = water_two_pi * i / POINTS;
+    const double angle = water_two_pi * i / (double)POINTS;
     const double share = water_sea_spread(sea, omega, angle);
     sum += share;
     aligned += share * cos(2.0 * angle);

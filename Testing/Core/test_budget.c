@@ -36,9 +36,9 @@ TEST(waits_are_as_promised)
   const double to_finer = 0.71 / 0.84 * 0.71 / 0.84; // of time, without a fixed share
   assert_int_equal(frames_until_change(2, 1000.0), 3);
   assert_int_equal(frames_until_change(2, 20.0), 3);
-  assert_in_range(frames_until_change(2, 11.0), 30, 31);
-  assert_in_range(frames_until_change(2, 1e-9), 10, 11);
-  assert_in_range(frames_until_change(2, 7.0 * to_finer), 80, 81);
+  assert_int_in_range(frames_until_change(2, 11.0), 30, 31);
+  assert_int_in_range(frames_until_change(2, 1e-9), 10, 11);
+  assert_int_in_range(frames_until_change(2, 7.0 * to_finer), 80, 81);
   assert_int_equal(frames_until_change(2, 8.01 * to_finer), 1000);
   assert_int_equal(frames_until_change(2, 9.99), 1000);
 
@@ -77,7 +77,7 @@ TEST(frames_of_just_the_budget_count_for_nothing)
       assert_int_equal(water_quality_for_budget(&fresh, 0, 10.0, long_ms[i]), WATER_OK);
       assert_int_equal(water_quality_for_budget(&used, 0, 10.0, long_ms[i]), WATER_OK);
     }
-    assert_in_range(fresh.step, 1, WATER_QUALITY_STEPS - 1);
+    assert_int_in_range(fresh.step, 1, WATER_QUALITY_STEPS - 1);
     assert_int_equal(used.step, fresh.step);
   }
 }

@@ -183,7 +183,7 @@ TEST(ray_of_a_pixel_leads_to_what_it_shows)
       ASSERT_CLOSE(ray[i], truth[i], 1e-8);
     }
   }
-  assert_in_range(inside, 1500, 3000);
+  assert_int_in_range(inside, 1500, 3000);
 }
 
 int main(void)

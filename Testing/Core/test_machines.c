@@ -106,7 +106,7 @@ TEST(a_step_of_the_cost_is_answered_at_once)
   draw(&control, &heavy, 10.0, 37, &rolled);
   const machine quiet = { 2.0, 38.0, 0.0 };
   assert_true(time_of(&quiet, control.step, &rolled) <= 10.0);
-  assert_in_range(control.step, 5, 6);
+  assert_int_in_range(control.step, 5, 6);
   assert_true(draw(&control, &heavy, 10.0, 5000, &rolled).change_count <= 1);
   draw(&control, &light, 10.0, 3000, &rolled);
   assert_true(control.step <= 1); // 0 would take 0.75 of the budget
@@ -159,7 +159,7 @@ TEST(fixed_share_is_learned)
   draw(&control, &heavy, 14.0, 300, &rolled);
   assert_true(control.step > 0);
   print_message("step %d, fixed share %g\n", control.step, control.fixed_share);
-  assert_in_range(control.step, 2, 3);
+  assert_int_in_range(control.step, 2, 3);
   assert_true(control.fixed_share > 0.3 && control.fixed_share < 0.8); // it is 0.75
   const double ratio = scale_of(1) / scale_of(2);
   assert_true(6.1 * ratio * ratio > 0.8 * 10.0); // what a share of 0 would expect

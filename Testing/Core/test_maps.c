@@ -149,7 +149,7 @@ TEST(ray_in_the_planes_axes)
     assert_int_equal(plan.side, dot(own, random.normal) > 0.0 ? WATER_ABOVE : WATER_BELOW);
     below += plan.side == WATER_BELOW;
   }
-  assert_in_range(below, 1000, 2000);
+  assert_int_in_range(below, 1000, 2000);
 }
 
 // The eye's view direction, turned by the mirrored view; an eye that looks straight down has its
@@ -228,8 +228,8 @@ TEST(sky_of_the_map_is_found_on_the_eyes_screen)
     ++inside;
     behind += truth[3] < 0.0;
   }
-  assert_in_range(inside, 2500, 6000);
-  assert_in_range(behind, 300, 6000);
+  assert_int_in_range(inside, 2500, 6000);
+  assert_int_in_range(behind, 300, 6000);
 }
 
 // What the masks and the shader are told of a point: its w, and how far its height may be off.

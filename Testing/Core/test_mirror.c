@@ -168,8 +168,8 @@ TEST(clip_has_the_sign_of_the_height)
     }
     ASSERT_CLOSE(largest, 1.0, 1e-15);
   }
-  assert_in_range(kept, 2000, 6000);
-  assert_in_range(cut, 1500, 6000);
+  assert_int_in_range(kept, 2000, 6000);
+  assert_int_in_range(cut, 1500, 6000);
 }
 
 // The near plane of the oblique projection is the clip plane: within the frustum's sides a point is
@@ -212,8 +212,8 @@ TEST(oblique_near_plane_is_the_clip_plane)
     kept += height > 0.0;
     cut += height < 0.0;
   }
-  assert_in_range(kept, 1000, 6000);
-  assert_in_range(cut, 1000, 6000);
+  assert_int_in_range(kept, 1000, 6000);
+  assert_int_in_range(cut, 1000, 6000);
 }
 
 // Where nothing reaches out the mirrored projection keeps its depths to the last bit.
@@ -318,7 +318,7 @@ TEST(far_plane_moves_behind_the_drawn_props)
     const water_plan endless = plan_of(&random.scene, fates);
     assert_memory_equal(endless.mirrored.view_to_clip, before.mirrored.view_to_clip, size);
   }
-  assert_in_range(moved, 500, 2900);
+  assert_int_in_range(moved, 500, 2900);
 }
 
 // Looking down from above with the plane's kept side behind the eye, no far corner is kept:

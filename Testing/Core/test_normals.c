@@ -89,7 +89,7 @@ TEST(map_of_a_seed_stays_as_it_was)
     {
       // the mathematics library of another system may round a number the other way
       const int level = pixels[3 * (cases[i].y * size + cases[i].x) + j];
-      assert_in_range(level, cases[i].texel[j] - 1, cases[i].texel[j] + 1);
+      assert_int_in_range(level, cases[i].texel[j] - 1, cases[i].texel[j] + 1);
     }
   }
 }

@@ -127,8 +127,8 @@ TEST(what_is_seen_is_kept_in_its_order)
   }
   print_message(
     "seen %zu, drawn %zu of %zu triangles\n", seen_sum, drawn_sum, (size_t)60 * TRIANGLES);
-  assert_in_range(seen_sum, 50000, 60 * TRIANGLES / 2);
-  assert_in_range(drawn_sum, seen_sum, 5 * seen_sum / 2); // of a hilly mesh seen from close
+  assert_int_in_range(seen_sum, 50000, 60 * TRIANGLES / 2);
+  assert_int_in_range(drawn_sum, seen_sum, 5 * seen_sum / 2); // of a hilly mesh seen from close
   free(terrain);
 }
 
@@ -195,7 +195,7 @@ TEST(backwards_is_the_order_backwards)
     assert_int_equal(trends[0].farther_steps, trends[1].nearer_steps);
     steps += trends[0].nearer_steps + trends[0].farther_steps;
   }
-  assert_in_range(steps, 1000, 60 * PIECES);
+  assert_int_in_range(steps, 1000, 60 * PIECES);
   free(backwards);
   free(terrain);
 }
@@ -337,8 +337,8 @@ TEST(the_trend_says_which_end_is_near)
       &view, &terrain->described, false, &trend, terrain->work, terrain->drawn);
     const int away = side % 2 ? trend.nearer_steps : trend.farther_steps;
     const int back = side % 2 ? trend.farther_steps : trend.nearer_steps;
-    assert_in_range(away, 200, PIECES);
-    assert_in_range(back, 0, away - 1);
+    assert_int_in_range(away, 200, PIECES);
+    assert_int_in_range(back, 0, away - 1);
   }
   free(terrain);
 }
@@ -438,7 +438,7 @@ TEST(triangles_are_looked_at_one_by_one)
     free(depths);
   }
   print_message("%zu of %zu triangles\n", sums[0] / 3, sums[1] / 3);
-  assert_in_range(sums[0], 1000, sums[1] / 2);
+  assert_int_in_range(sums[0], 1000, sums[1] / 2);
   free(fine[0]);
   free(fine[1]);
   free(terrain);

@@ -304,7 +304,7 @@ TEST(many_props_are_each_decided_as_alone)
       scale = fmin(scale, one.depth_scale);
       skipped += fate != WATER_DRAW;
     }
-    assert_in_range(skipped, way == 0 ? 100 : 0, way == 0 ? COUNT - 100 : 0);
+    assert_int_in_range(skipped, way == 0 ? 100 : 0, way == 0 ? COUNT - 100 : 0);
     assert_true(top == 4000.0 && scale < 1.0);
     ASSERT_CLOSE(all.map_top, top, 0.0);
     ASSERT_CLOSE(all.depth_scale, scale, 0.0);

@@ -188,7 +188,7 @@ TEST(margin_of_a_coarser_step_is_a_tenth)
       ++found;
     }
   }
-  assert_in_range(found, 1, WATER_QUALITY_STEPS);
+  assert_int_in_range(found, 1, WATER_QUALITY_STEPS);
 }
 
 // Waves whose slope sways by a tenth about a limit change the step once, and a slow swell of the

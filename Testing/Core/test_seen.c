@@ -153,8 +153,8 @@ TEST(what_is_seen_is_kept)
     kept += fate == WATER_DRAW;
   }
   print_message("seen %d, kept %d of 3000 boxes\n", seen_count, kept);
-  assert_in_range(seen_count, 150, 2000);
-  assert_in_range(kept, seen_count, 2400);
+  assert_int_in_range(seen_count, 150, 2000);
+  assert_int_in_range(kept, seen_count, 2400);
 }
 
 // Without the skip, without bounds, about the eye: drawn. Wide points reach into the next cell.
@@ -269,7 +269,7 @@ TEST(cells_go_through_all_that_look_them_up)
           texel < corner || texel >= map || (pixel >= begin && pixel < begin + walk.size[0]));
       }
     }
-    assert_in_range(walk.size[1], 1, (int)(walk.step[1] + 2.0 * picture / map + 5.0));
+    assert_int_in_range(walk.size[1], 1, (int)(walk.step[1] + 2.0 * picture / map + 5.0));
   }
 }
 
@@ -313,8 +313,8 @@ TEST(depths_tell_which_cells_are_open)
       depths[i] = (float)dice_roll(&from, 0.0, 1.0);
     }
     water_seen_rows(&seen, viewport_px, rows);
-    assert_in_range(rows[0], 0, HEIGHT - 1);
-    assert_in_range(rows[1], 1, HEIGHT - rows[0]);
+    assert_int_in_range(rows[0], 0, HEIGHT - 1);
+    assert_int_in_range(rows[1], 1, HEIGHT - rows[0]);
     water_seen_look(
       &seen, viewport_px, plane, rounding, rows, depths + WIDTH * rows[0], work, cells);
     for (int i = 0; i < seen.size[0] * seen.size[1]; ++i)
@@ -333,7 +333,7 @@ TEST(depths_tell_which_cells_are_open)
           px[k] = at < 0 ? 0 : at >= viewport_px[k] ? viewport_px[k] - 1 : at;
           ndc[k] = 2.0 * (px[k] + 0.5) / viewport_px[k] - 1.0;
         }
-        assert_in_range(px[1], rows[0], rows[0] + rows[1] - 1);
+        assert_int_in_range(px[1], rows[0], rows[0] + rows[1] - 1);
         const double depth = (double)depths[WIDTH * px[1] + WIDTH - 1 - px[0]];
         const double height =
           -plane[0] * ndc[0] + plane[1] * ndc[1] + plane[2] * (2.0 * depth - 1.0) + plane[3];
@@ -348,8 +348,8 @@ TEST(depths_tell_which_cells_are_open)
     }
   }
   print_message("%d closed, %d open\n", counts[0], counts[1]);
-  assert_in_range(counts[0], 2000, 1000000);
-  assert_in_range(counts[1], 5000, 1000000);
+  assert_int_in_range(counts[0], 2000, 1000000);
+  assert_int_in_range(counts[1], 5000, 1000000);
 }
 
 // A rectangle of pixels has what one of its cells has.

@@ -343,8 +343,8 @@ TEST(culling_never_drops_what_is_seen)
     seen += is_seen;
     dropped += fate != WATER_DRAW;
   }
-  assert_in_range(seen, 1000, 20000);
-  assert_in_range(dropped, 8 * (20000 - seen) / 10, 20000);
+  assert_int_in_range(seen, 1000, 20000);
+  assert_int_in_range(dropped, 8 * (20000 - seen) / 10, 20000);
 }
 
 // Water with any point in the eye's frustum is in view: checked against 64 points of each box; and
@@ -385,8 +385,8 @@ TEST(water_in_view_is_never_out_of_view)
     seen += is_seen;
     out += plan.decision == WATER_NO_REFLECT_OUT_OF_VIEW;
   }
-  assert_in_range(seen, 1000, 20000);
-  assert_in_range(out, 8 * (20000 - seen) / 10, 20000);
+  assert_int_in_range(seen, 1000, 20000);
+  assert_int_in_range(out, 8 * (20000 - seen) / 10, 20000);
 }
 
 // A box that just touches the picture's edge from outside, 5000 km from the origin, is kept: its

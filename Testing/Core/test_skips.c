@@ -340,7 +340,7 @@ TEST(waves_look_nothing_up_beyond_their_reach)
       }
     }
   }
-  assert_in_range(looked_up, 10000, 60000);
+  assert_int_in_range(looked_up, 10000, 60000);
 }
 
 int main(void)

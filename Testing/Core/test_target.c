@@ -114,8 +114,8 @@ TEST(rect_is_never_empty)
     water_target_rect(box, all_picture, size, rect);
     for (int i = 0; i < 2; ++i)
     {
-      assert_in_range(rect[i], 0, 399);
-      assert_in_range(rect[2 + i], 1, 400 - rect[i]);
+      assert_int_in_range(rect[i], 0, 399);
+      assert_int_in_range(rect[2 + i], 1, 400 - rect[i]);
     }
   }
 }
@@ -202,8 +202,8 @@ TEST(rect_covers_every_lookup)
       }
     }
   }
-  assert_in_range(looked_up, 100000, 2000000);
-  assert_in_range(saved, 1000, 5000);
+  assert_int_in_range(looked_up, 100000, 2000000);
+  assert_int_in_range(saved, 1000, 5000);
 }
 
 // A guard band is none below 1, whatever the numbers it is made of: the map is never smaller than

@@ -219,7 +219,7 @@ TEST(what_is_dropped_changes_no_pixel)
   }
   print_message(
     "%d of %d triangles kept, %d seen\n", kept_sum, ROUNDS * 4 / 5 * TRIANGLES, seen_sum);
-  assert_in_range(kept_sum, seen_sum, 2 * seen_sum);
+  assert_int_in_range(kept_sum, seen_sum, 2 * seen_sum);
 }
 
 // Of samples none is passed over; of places beside and behind the eye none that is in the picture.
@@ -262,8 +262,8 @@ TEST(a_place_in_the_picture_keeps_its_triangle)
     }
   }
   print_message("dropped before the eye %d, about it %d of 10000\n", dropped[0], dropped[1]);
-  assert_in_range(dropped[0], 500, 9000);
-  assert_in_range(dropped[1], 500, 9000);
+  assert_int_in_range(dropped[0], 500, 9000);
+  assert_int_in_range(dropped[1], 500, 9000);
 }
 
 // A triangle from its corners in pixels of the drawn part, at one distance.
