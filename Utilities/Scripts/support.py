@@ -1,0 +1,73 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Writes what came out of a Debian suite into Documentation/support.json, and support.md out of that.
+
+usage: support.py SUITE FOLDER   as script/debian calls it
+       support.py                only writes support.md anew
+
+The folder holds facts (name=value lines) and tests.xml, ctest's JUnit output, or reason: why there is none.
+"""
+import json
+import pathlib
+import sys
+import xml.etree.ElementTree as ElementTree
+
+DOCUMENTATION = pathlib.Path(__file__).resolve().parents[2] / "Documentation"
+DATA, PAGE = DOCUMENTATION / "support.json", DOCUMENTATION / "support.md"
+PAGE_TEMPLATE = pathlib.Path(__file__).with_name("support.md.in")
+FAILED_LINES = 3  # of what a failed test said
+
+
+def said_by(case):
+    """The lines that a test wrote, without the empty ones."""
+    return [line.strip() for line in (case.findtext("system-out") or "").splitlines() if line.strip()]
+
+
+def read_results(folder):
+    """One entry of support.json."""
+    reason, facts = folder / "reason", folder / "facts"
+    entry = dict(line.split("=", 1) for line in facts.read_text().splitlines()) if facts.exists() else {}
+    if reason.exists():
+        return {**entry, "reason": reason.read_text().strip()}
+    cases = ElementTree.parse(folder / "tests.xml").getroot().findall("testcase")
+    by_status = {status: [case for case in cases if case.get("status") == status] for status in ("run", "fail", "notrun")}
+    return {
+        **entry,
+        "passed": len(by_status["run"]),
+        "failed": {case.get("name"): " / ".join(said_by(case)[-FAILED_LINES:]) for case in by_status["fail"]},
+        "skipped": {case.get("name"): " ".join(said_by(case)) or "without a word" for case in by_status["notrun"]},
+    }
+
+
+def row(suite, entry):
+    facts = [entry.get(name, "-") for name in ("vtk", "python", "compiler", "mesa")]
+    if "reason" in entry:
+        counts = ["not run: " + entry["reason"], "-", "-"]
+    else:
+        counts = [entry["passed"], len(entry["failed"]), len(entry["skipped"])]
+    return "| " + " | ".join(map(str, [f"{entry.get('system', 'Debian')} (`{suite}`)", *facts, *counts])) + " |"
+
+
+def listed(results, kind):
+    """A list of the tests of a kind, by suite, or that there is none."""
+    lines = [f"- `{suite}`: {name}: {reason}" for suite, entry in results.items()
+             for name, reason in entry.get(kind, {}).items()]
+    return "\n".join(lines) or "None."
+
+
+def main():
+    results = json.loads(DATA.read_text()) if DATA.exists() else {}
+    if len(sys.argv) == 3:
+        results[sys.argv[1]] = read_results(pathlib.Path(sys.argv[2]))
+        DATA.write_text(json.dumps(results, indent=2, sort_keys=True) + "\n")
+    elif len(sys.argv) != 1:
+        sys.exit(__doc__)
+    order = sorted(results, key=lambda suite: results[suite].get("vtk", ""))
+    results = {suite: results[suite] for suite in order}
+    PAGE.write_text(PAGE_TEMPLATE.read_text().format(
+        rows="\n".join(row(suite, entry) for suite, entry in results.items()),
+        skipped=listed(results, "skipped"), failed=listed(results, "failed")))
+
+
+if __name__ == "__main__":
+    main()
