@@ -4,9 +4,10 @@
 import argparse
 
 import pyvista as pv
+from vtkwater.pictures import png_name
 
 parser = argparse.ArgumentParser(description=__doc__)
-parser.add_argument("picture", nargs="?", default="pyvista_water.png", help="default: %(default)s")
+parser.add_argument("picture", nargs="?", default="pyvista_water.png", type=png_name, help="default: %(default)s")
 picture = parser.parse_args().picture
 
 plotter = pv.Plotter(off_screen=True, window_size=(640, 400))
@@ -16,6 +17,6 @@ plotter.camera_position = [(0.0, -3.5, 0.6), (0.0, 0.0, 0.0), (0.0, 0.0, 1.0)]
 # README: from here
 import vtkwater.pyvista
 
-water = plotter.add_water(level=-0.2, waves=[(0.008, 0.6, 30), (0.005, 0.35, 75)], bounds=(-9, 9, -9, 9))
+water = plotter.add_water(level=-0.2, waves=[(0.004, 0.6, 30), (0.0025, 0.35, 75)], bounds=(-9, 9, -9, 9))
 plotter.screenshot(picture)
 # README: to here

@@ -9,6 +9,7 @@
     water = plotter.add_water(level=355, preset="lake")
     plotter.show()
 """
+import warnings
 from collections.abc import Sequence
 from numbers import Real
 
@@ -20,6 +21,7 @@ from .errors import raising
 __all__ = ["add_water"]
 
 MOST_NUMBERS_OF_A_WAVE = 5
+DRAWN_BY_VTK_JS = ("client", "html")  # of PyVista's backends for notebooks
 
 
 def add_water(
@@ -106,8 +108,15 @@ def add_water(
     ValueError
         When a value is out of its range, or has another number of parts; the text names both.
 
+    Warns
+    -----
+    UserWarning
+        When PyVista's backend for notebooks is ``'client'`` or ``'html'``: vtk.js draws there, which has no water.
+
     Notes
     -----
+    The server must render: ``pyvista.set_jupyter_backend('server')`` or ``'static'``, trame's ``VtkRemoteView``.
+
     Of ``Plotter.set_scale`` it takes what is set before. The brightest scene light glitters on waves;
     PyVista's default lights move with the camera and are none: ``plotter.add_light(pyvista.Light(light_type='scene light'))``.
 
@@ -123,6 +132,9 @@ def add_water(
     """
     scale = self.renderer.scale
     plane_origin, plane_normal = plane_of(number("level", level), normal, origin, scale)
+    if pv.global_theme.jupyter_backend in DRAWN_BY_VTK_JS:
+        warnings.warn(f"the backend {pv.global_theme.jupyter_backend!r} draws with vtk.js, which does not know the water and "
+                      "leaves it out; say pyvista.set_jupyter_backend('server')", stacklevel=2)
     if surface is not None and bounds is not None:
         raise ValueError("bounds are of the water's own sheet; there is none with a surface")
 

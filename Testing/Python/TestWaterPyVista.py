@@ -5,7 +5,9 @@ Where that is says the camera: a point of the box's mirror image is projected to
 water the background is there. What is wrong raises, names its argument, and adds nothing.
 """
 
+import logging
 import sys
+import warnings
 
 import numpy as np
 import water_test as wt
@@ -191,7 +193,31 @@ def check_bad_input():
     plotter.close()
 
 
+def check_backends():
+    """vtk.js gets no water, and add_water says so; it says nothing where VTK itself draws."""
+    from vtkmodules.web import render_window_serializer as serializer
+
+    plotter = pv.Plotter(off_screen=True, window_size=SIZE)
+    theme, before = pv.global_theme, pv.global_theme._jupyter_backend
+    for backend in (None, "static", "server", "client", "html"):
+        theme._jupyter_backend = backend
+        with warnings.catch_warnings(record=True) as said:
+            warnings.simplefilter("always")
+            fill(plotter)
+        texts = [str(warning.message) for warning in said if "vtk.js" in str(warning.message)]
+        wt.check_equal(f"backend {backend}: warnings", len(texts), int(backend in ("client", "html")))
+    theme._jupyter_backend = before
+    plotter.render()
+    logging.disable(logging.ERROR)  # it says that it cannot
+    serializer.initializeSerializers()
+    sent = str(serializer.serializeInstance(None, plotter.render_window, "1", serializer.SynchronizationContext(), 0))
+    logging.disable(logging.NOTSET)
+    wt.check_equal("sent to vtk.js: actors, waters", ("vtkOpenGLActor" in sent, "vtkWaterActor" in sent), (True, False))
+    plotter.close()
+
+
 check_features()
+check_backends()
 check_show()
 check_subplots()
 check_movies()
