@@ -20,6 +20,7 @@ from vtkmodules.vtkFiltersGeneral import vtkTransformPolyDataFilter
 from vtkmodules.vtkFiltersSources import vtkCubeSource
 from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 from vtkwater import movies, vtkWaterActor
+from vtkwater.errors import ending
 from vtkwater.readers import FileError, read
 from vtkwater.scenes import Scene
 
@@ -86,7 +87,7 @@ def render(files, folder, is_stopped):
             scene = Scene((800, 500))
             ground = scene.add_ground(surface, 0.0)
             add_swell(scene.add_water(0.0))
-            scene.look(azimuth=215.0, height=14.0, zoom=0.8)
+            scene.look(azimuth=215.0, height=14.0)
         ground.GetMapper().SetInputData(surface.data)
         time = surface.data.GetFieldData().GetArray("TimeValue")
         scene.water.SetTime(time.GetTuple1(0) if time else float(i))
@@ -113,4 +114,5 @@ def main():
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    with ending("batch"):
+        sys.exit(main())

@@ -3,23 +3,22 @@
 
 import argparse
 import math
-import sys
 
 from vtkmodules.vtkCommonCore import vtkMinimalStandardRandomSequence, vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkStructuredGrid
 from vtkmodules.vtkFiltersCore import vtkPolyDataNormals
 from vtkmodules.vtkFiltersGeometry import vtkGeometryFilter
 from vtkmodules.vtkFiltersSources import vtkCubeSource, vtkCylinderSource, vtkSphereSource
-from vtkmodules.vtkIOImage import vtkPNGWriter
 from vtkmodules.vtkRenderingCore import (
     vtkActor,
     vtkLight,
     vtkPolyDataMapper,
     vtkRenderer,
     vtkRenderWindow,
-    vtkWindowToImageFilter,
 )
 from vtkwater import vtkWaterActor
+from vtkwater.errors import ending
+from vtkwater.pictures import png_name, write_png
 
 SIZE = 30.0  # m, half of the land's width
 
@@ -122,7 +121,7 @@ def make_water(time):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("picture", nargs="?", default="cove.png", help="default: %(default)s")
+    parser.add_argument("picture", nargs="?", default="cove.png", type=png_name, help="default: %(default)s")
     parser.add_argument("time", nargs="?", type=float, default=0.0, help="of the waves, s; default: %(default)s")
     parser.add_argument("eye", nargs="?", default="above", choices=("above", "below"), help="default: %(default)s")
     arguments = parser.parse_args()
@@ -160,15 +159,9 @@ def main():
     window.SetSize(960, 600)
     window.AddRenderer(renderer)
 
-    capture = vtkWindowToImageFilter()
-    capture.SetInput(window)
-    writer = vtkPNGWriter()
-    writer.SetInputConnection(capture.GetOutputPort())
-    writer.SetFileName(picture)
-    writer.Write()
-    if writer.GetErrorCode():
-        sys.exit(f"cove: {picture} cannot be written")
+    write_png(window, picture)
 
 
 if __name__ == "__main__":
-    main()
+    with ending("cove"):
+        main()

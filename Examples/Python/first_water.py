@@ -4,12 +4,12 @@
 import argparse
 
 from vtkmodules.vtkFiltersSources import vtkConeSource
-from vtkmodules.vtkIOImage import vtkPNGWriter
 from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow
-from vtkmodules.vtkRenderingCore import vtkWindowToImageFilter
+from vtkwater.errors import ending
+from vtkwater.pictures import png_name, write_png
 
 parser = argparse.ArgumentParser(description=__doc__)
-parser.add_argument("picture", nargs="?", default="first_water.png", help="default: %(default)s")
+parser.add_argument("picture", nargs="?", default="first_water.png", type=png_name, help="default: %(default)s")
 picture = parser.parse_args().picture
 
 # README: from here
@@ -41,9 +41,5 @@ window.SetOffScreenRendering(True)
 window.SetSize(640, 400)
 window.AddRenderer(renderer)
 
-capture = vtkWindowToImageFilter()
-capture.SetInput(window)
-writer = vtkPNGWriter()
-writer.SetInputConnection(capture.GetOutputPort())
-writer.SetFileName(picture)
-writer.Write()
+with ending("first_water"):
+    write_png(window, picture)

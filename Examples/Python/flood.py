@@ -10,38 +10,37 @@ import pathlib
 import vtkmodules.vtkInteractionStyle  # noqa: F401
 from vtkmodules.vtkRenderingCore import vtkRenderWindowInteractor
 from vtkmodules.vtkRenderingUI import vtkGenericRenderWindowInteractor
-from vtkwater.readers import FileError, read
+from vtkwater.backend import check_display
+from vtkwater.errors import ending
+from vtkwater.pictures import png_name
+from vtkwater.readers import read
 from vtkwater.scenes import Scene
 from vtkwater.widgets import LevelSlider
 
 TERRAIN = pathlib.Path(__file__).resolve().parents[1] / "Data/jacksboro.vti"
 EXAGGERATION = 2.0  # heights are drawn this many times higher than they are
-FLOODED_AROUND = 10.0  # times the terrain's width: no edge of the water is seen
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("terrain", nargs="?", default=TERRAIN, help="a GeoTIFF or VTK image; default: %(default)s")
     parser.add_argument("--level", type=float, help="of the water at first; default: a third of the relief")
-    parser.add_argument("--picture", metavar="FILE.png", help="render this and end")
+    parser.add_argument("--picture", type=png_name, metavar="FILE.png", help="render this and end")
     arguments = parser.parse_args()
-    try:
-        terrain = read(arguments.terrain)
-    except FileError as error:
-        raise SystemExit(f"flood: {error}") from None
+    terrain = read(arguments.terrain)
     low, high = terrain.data.GetBounds()[4:]
     level = arguments.level if arguments.level is not None else low + 0.33 * (high - low)
     if not low <= level <= high:
-        raise SystemExit(f"flood: level {level:g} is outside of the terrain's heights, {low:g} to {high:g}")
+        raise ValueError(f"level {level:g} is outside of the terrain's heights, {low:g} to {high:g}")
 
     scene = Scene((1280, 720))
+    if not arguments.picture:
+        check_display(scene.window, "give --picture FILE.png")
     scene.add_ground(terrain, level, EXAGGERATION)
     water = scene.add_water(level, "lake", wind=0, exaggeration=EXAGGERATION)
-    west, east, south, north = terrain.data.GetBounds()[:4]
-    reach = FLOODED_AROUND * max(east - west, north - south)
-    water.SetSheetBounds(west - reach, east + reach, south - reach, north + reach)
+    scene.make_island()
     scene.set_sun(150.0, 28.0)
-    scene.look(azimuth=105.0, height=3.0, zoom=6.5)  # low over the water: what it mirrors is seen
+    scene.look(azimuth=105.0, height=3.0, zoom=6.8)  # low over the water: what it mirrors is seen
     if arguments.picture:
         interactor = vtkGenericRenderWindowInteractor()
     else:
@@ -60,4 +59,5 @@ def main():
 
 
 if __name__ == "__main__":
-    main()
+    with ending("flood"):
+        main()

@@ -13,6 +13,8 @@ from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkAppendPolyData, vtkPolyDataNormals
 from vtkmodules.vtkFiltersSources import vtkCubeSource, vtkCylinderSource
 from vtkmodules.vtkRenderingCore import vtkActor, vtkGlyph3DMapper
+from vtkwater.errors import ending
+from vtkwater.pictures import png_name
 from vtkwater.readers import surface_of_heights
 from vtkwater.scenes import Scene
 
@@ -106,7 +108,7 @@ def add_pontoons(scene):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("picture", nargs="?", default="harbour.png", help="default: %(default)s")
+    parser.add_argument("picture", nargs="?", default="harbour.png", type=png_name, help="default: %(default)s")
     parser.add_argument("time", nargs="?", type=float, default=0.0, help="of the waves, s; default: %(default)s")
     arguments = parser.parse_args()
 
@@ -124,4 +126,5 @@ def main():
 
 
 if __name__ == "__main__":
-    main()
+    with ending("harbour"):
+        main()

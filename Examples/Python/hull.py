@@ -15,7 +15,9 @@ from vtkmodules.vtkFiltersGeneral import vtkTransformPolyDataFilter
 from vtkmodules.vtkCommonTransforms import vtkTransform
 from vtkmodules.vtkFiltersSources import vtkPlaneSource
 from vtkmodules.vtkRenderingCore import vtkPolyDataMapper, vtkTexture
-from vtkwater.readers import FileError, read, surface_of_heights
+from vtkwater.errors import ending
+from vtkwater.pictures import png_name
+from vtkwater.readers import read, surface_of_heights
 from vtkwater.scenes import Scene
 
 LENGTH, BEAM, DRAUGHT, FREEBOARD = 40.0, 6.0, 2.5, 2.2  # m
@@ -121,13 +123,10 @@ def add_ship(scene):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("picture", nargs="?", default="hull.png", help="default: %(default)s")
+    parser.add_argument("picture", nargs="?", default="hull.png", type=png_name, help="default: %(default)s")
     parser.add_argument("--surface", help="the free surface: a mesh with z over x and y, the ship at the origin")
     arguments = parser.parse_args()
-    try:
-        surface = read(arguments.surface).data if arguments.surface else None
-    except FileError as error:
-        raise SystemExit(f"hull: {error}") from None
+    surface = read(arguments.surface).data if arguments.surface else None
     heights = heights_of(surface) if surface else kelvin_waves()
     spacing = SIZE / (POINTS - 1)
     mesh = surface or surface_of_heights(heights, (spacing, spacing), (-0.5 * SIZE, -0.5 * SIZE)).data
@@ -152,4 +151,5 @@ def main():
 
 
 if __name__ == "__main__":
-    main()
+    with ending("hull"):
+        main()

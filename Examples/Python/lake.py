@@ -71,6 +71,10 @@ SKY_AT_BOTTOM, SKY_AT_TOP = (1.00, 0.97, 0.90), (0.24, 0.46, 0.74)
 
 def read_elevation(file):
     """The elevation model, heights in metres; ends the program when there is none."""
+    if Path(file).is_dir():
+        raise SystemExit(f"lake: {file}: is a folder, not a file; the folder for the picture comes second")
+    if Path(file).suffix.lower() in (".png", ".jpg", ".jpeg"):
+        raise SystemExit(f"lake: {file}: the first argument is an elevation model (.vti), the second the folder for lake.png")
     if not Path(file).is_file():
         raise SystemExit(f"lake: {file}: no such file")
     reader = vtkXMLImageDataReader()

@@ -13,6 +13,8 @@ from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkGlyph3D, vtkTubeFilter
 from vtkmodules.vtkFiltersSources import vtkSphereSource
+from vtkwater.errors import ending
+from vtkwater.pictures import png_name
 from vtkwater.scenes import Scene
 
 BOND = 1.45  # angstrom, the mean of its two kinds of bonds
@@ -37,7 +39,7 @@ def bonds(places):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("picture", nargs="?", default="molecule.png", help="default: %(default)s")
+    parser.add_argument("picture", nargs="?", default="molecule.png", type=png_name, help="default: %(default)s")
     arguments = parser.parse_args()
 
     places = atoms()
@@ -78,4 +80,5 @@ def main():
 
 
 if __name__ == "__main__":
-    main()
+    with ending("molecule"):
+        main()

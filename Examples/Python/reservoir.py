@@ -13,6 +13,8 @@ import vtkmodules.vtkRenderingVolumeOpenGL2  # noqa: F401
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPiecewiseFunction
 from vtkmodules.vtkRenderingCore import vtkColorTransferFunction, vtkVolume, vtkVolumeProperty
 from vtkmodules.vtkRenderingVolume import vtkGPUVolumeRayCastMapper
+from vtkwater.errors import ending
+from vtkwater.pictures import png_name
 from vtkwater.readers import surface_of_heights
 from vtkwater.scenes import Scene
 
@@ -72,7 +74,7 @@ def add_volume(scene, image):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("picture", nargs="?", default="reservoir.png", help="default: %(default)s")
+    parser.add_argument("picture", nargs="?", default="reservoir.png", type=png_name, help="default: %(default)s")
     arguments = parser.parse_args()
 
     scene = Scene((1280, 720))
@@ -92,4 +94,5 @@ def main():
 
 
 if __name__ == "__main__":
-    main()
+    with ending("reservoir"):
+        main()

@@ -2,21 +2,20 @@
 """sea: a ship and buoys on a wind sea."""
 
 import argparse
-import sys
 
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkFiltersSources import vtkConeSource, vtkCubeSource, vtkCylinderSource
-from vtkmodules.vtkIOImage import vtkPNGWriter
 from vtkmodules.vtkRenderingCore import (
     vtkActor,
     vtkLight,
     vtkPolyDataMapper,
     vtkRenderer,
     vtkRenderWindow,
-    vtkWindowToImageFilter,
 )
 from vtkwater import vtkWaterActor
+from vtkwater.errors import ending
+from vtkwater.pictures import png_name, write_png
 
 BUOYS = ((-13.0, 6.0), (-7.5, -9.0), (9.5, -4.0))
 
@@ -103,7 +102,7 @@ def add_buoy(renderer, water, x, y):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("picture", nargs="?", default="sea.png", help="default: %(default)s")
+    parser.add_argument("picture", nargs="?", default="sea.png", type=png_name, help="default: %(default)s")
     parser.add_argument("time", nargs="?", type=float, default=0.0, help="of the waves, s; default: %(default)s")
     arguments = parser.parse_args()
     picture, time = arguments.picture, arguments.time
@@ -143,15 +142,9 @@ def main():
     window.SetSize(960, 600)
     window.AddRenderer(renderer)
 
-    capture = vtkWindowToImageFilter()
-    capture.SetInput(window)
-    writer = vtkPNGWriter()
-    writer.SetInputConnection(capture.GetOutputPort())
-    writer.SetFileName(picture)
-    writer.Write()
-    if writer.GetErrorCode():
-        sys.exit(f"sea: {picture} cannot be written")
+    write_png(window, picture)
 
 
 if __name__ == "__main__":
-    main()
+    with ending("sea"):
+        main()

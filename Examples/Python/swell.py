@@ -3,7 +3,6 @@
 
 import argparse
 import math
-import sys
 
 from vtkmodules.vtkFiltersSources import (
     vtkConeSource,
@@ -11,16 +10,16 @@ from vtkmodules.vtkFiltersSources import (
     vtkCylinderSource,
     vtkSphereSource,
 )
-from vtkmodules.vtkIOImage import vtkPNGWriter
 from vtkmodules.vtkRenderingCore import (
     vtkActor,
     vtkLight,
     vtkPolyDataMapper,
     vtkRenderer,
     vtkRenderWindow,
-    vtkWindowToImageFilter,
 )
 from vtkwater import vtkWaterActor
+from vtkwater.errors import ending
+from vtkwater.pictures import png_name, write_png
 
 # amplitude (m), wavelength (m), direction (degrees), phase (degrees), steepness
 WAVES = (
@@ -98,7 +97,7 @@ def add_raft(renderer, water, x, y):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("picture", nargs="?", default="swell.png", help="default: %(default)s")
+    parser.add_argument("picture", nargs="?", default="swell.png", type=png_name, help="default: %(default)s")
     parser.add_argument("time", nargs="?", type=float, default=0.0, help="of the waves, s; default: %(default)s")
     arguments = parser.parse_args()
     picture, time = arguments.picture, arguments.time
@@ -138,15 +137,9 @@ def main():
     window.SetSize(960, 600)
     window.AddRenderer(renderer)
 
-    capture = vtkWindowToImageFilter()
-    capture.SetInput(window)
-    writer = vtkPNGWriter()
-    writer.SetInputConnection(capture.GetOutputPort())
-    writer.SetFileName(picture)
-    writer.Write()
-    if writer.GetErrorCode():
-        sys.exit(f"swell: {picture} cannot be written")
+    write_png(window, picture)
 
 
 if __name__ == "__main__":
-    main()
+    with ending("swell"):
+        main()

@@ -11,6 +11,8 @@ import sys
 
 import numpy as np
 from vtkwater import movies
+from vtkwater.errors import ending
+from vtkwater.pictures import png_name
 from vtkwater.readers import surface_of_heights
 from vtkwater.scenes import Scene
 
@@ -50,7 +52,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("movie", nargs="?", default="tide.gif", help=f"{', '.join(movies.KINDS)}; default: %(default)s")
     parser.add_argument("--frames", type=int, default=30, help="default: %(default)s")
-    parser.add_argument("--picture", metavar="FILE.png", help="the frame of the highest water, besides")
+    parser.add_argument("--picture", type=png_name, metavar="FILE.png", help="the frame of the highest water, besides")
     arguments = parser.parse_args()
 
     heights, spacing = bathymetry()
@@ -81,4 +83,5 @@ def main():
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    with ending("tide"):
+        sys.exit(main())

@@ -2,7 +2,6 @@
 """waves: a pier and buoys that float on waves."""
 
 import argparse
-import sys
 
 from vtkmodules.vtkFiltersSources import (
     vtkConeSource,
@@ -10,16 +9,16 @@ from vtkmodules.vtkFiltersSources import (
     vtkCylinderSource,
     vtkSphereSource,
 )
-from vtkmodules.vtkIOImage import vtkPNGWriter
 from vtkmodules.vtkRenderingCore import (
     vtkActor,
     vtkLight,
     vtkPolyDataMapper,
     vtkRenderer,
     vtkRenderWindow,
-    vtkWindowToImageFilter,
 )
 from vtkwater import vtkWaterActor
+from vtkwater.errors import ending
+from vtkwater.pictures import png_name, write_png
 
 # amplitude (m), wavelength (m), direction (degrees)
 WAVES = ((0.030, 4.1, 20.0), (0.016, 2.3, 55.0), (0.009, 1.3, -15.0), (0.005, 0.8, 80.0), (0.003, 0.5, 35.0))
@@ -81,7 +80,7 @@ def add_buoy(renderer, x, y, height):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("picture", nargs="?", default="waves.png", help="default: %(default)s")
+    parser.add_argument("picture", nargs="?", default="waves.png", type=png_name, help="default: %(default)s")
     parser.add_argument("time", nargs="?", type=float, default=0.0, help="of the waves, s; default: %(default)s")
     arguments = parser.parse_args()
     picture, time = arguments.picture, arguments.time
@@ -118,15 +117,9 @@ def main():
     window.SetSize(960, 600)
     window.AddRenderer(renderer)
 
-    capture = vtkWindowToImageFilter()
-    capture.SetInput(window)
-    writer = vtkPNGWriter()
-    writer.SetInputConnection(capture.GetOutputPort())
-    writer.SetFileName(picture)
-    writer.Write()
-    if writer.GetErrorCode():
-        sys.exit(f"waves: {picture} cannot be written")
+    write_png(window, picture)
 
 
 if __name__ == "__main__":
-    main()
+    with ending("waves"):
+        main()

@@ -8,13 +8,15 @@ VTK ends the process where it finds no OpenGL at all. `find()` therefore asks an
     backend.error                                        # "" or what is missing and which packages provide it
 """
 import json
+import os
 import subprocess
 import sys
 from dataclasses import dataclass
 
-__all__ = ["Backend", "find"]
+__all__ = ["Backend", "check_display", "find"]
 
 TIMEOUT_S = 60.0
+WINDOWS_ON_SCREENS = ("vtkXOpenGLRenderWindow", "vtkWin32OpenGLRenderWindow", "vtkCocoaRenderWindow")
 PACKAGES = ("Rendering needs OpenGL 3.2: a GPU's driver, or Mesa "
             "(Debian and Ubuntu: apt-get install libegl1 libegl-mesa0 libgl1-mesa-dri, or libosmesa6)")
 CODE = """
@@ -51,3 +53,15 @@ def find():
     if not version:
         return Backend(error=f"VTK's {window} has no OpenGL here. {PACKAGES}")
     return Backend(window, renderer, version)
+
+
+def check_display(window, instead):
+    """Raises ValueError when a window would be shown to nobody; the text says what to do instead.
+
+    VTK gives an off-screen window without a word where it has no display, and an interactor then waits for ever.
+    """
+    if not any(window.IsA(name) for name in WINDOWS_ON_SCREENS):
+        display = os.environ.get("DISPLAY")
+        why = f"DISPLAY is {display}" if display else "DISPLAY is not set"
+        raise ValueError(f"there is no display to show a window on: {why}, and VTK has a {window.GetClassName()} only. "
+                         f"Set DISPLAY to an X server, or {instead}")

@@ -11,6 +11,7 @@ import sys
 import warnings
 
 from . import __version__, backend, movies, readers, vtkWaterProperty
+from .pictures import check_png
 
 __all__ = ["main"]
 
@@ -32,11 +33,23 @@ def number(least=-math.inf, most=math.inf, kind=float):
         try:
             value = kind(text)
         except ValueError:
-            raise argparse.ArgumentTypeError(f"{text!r} is no {'whole ' if kind is int else ''}number") from None
+            wanted = f"; it must lie in [{least:g}, {most:g}]" if math.isfinite(least) else ""
+            raise argparse.ArgumentTypeError(f"{text!r} is no {'whole ' if kind is int else ''}number{wanted}") from None
         if not least <= value <= most:  # also NaN
             raise argparse.ArgumentTypeError(f"{text} must lie in [{least:g}, {most:g}]")
         return value
     return parse
+
+
+def wind(text):
+    try:
+        return number(0.0, 0.0)(text)
+    except argparse.ArgumentTypeError:
+        pass
+    try:
+        return number(0.1, 100.0)(text)
+    except argparse.ArgumentTypeError as error:
+        raise argparse.ArgumentTypeError(f"{error} m/s, or be 0") from None
 
 
 def level_range(text):
@@ -65,16 +78,16 @@ def add_scene_arguments(parser):
     water.add_argument("--preset", type=preset, metavar="NAME",
                        help="pool, lake, 'clear tropical', 'ocean wind 5', 'ocean wind 10', 'ocean wind 15', "
                             "'turbid river' or 'mirror floor' (without it: a calm, deep lake)")
-    water.add_argument("--wind", type=number(0.0, 100.0), metavar="M/S",
+    water.add_argument("--wind", type=wind, metavar="M/S",
                        help="waves that a wind of this speed makes, 0.1 to 100, in place of the preset's; "
                             "0 calms the water")
     view = parser.add_argument_group("the view")
     view.add_argument("--azimuth", type=number(-360.0, 360.0), default=200.0, metavar="DEG",
                       help="where the eye is, from north (0) over east (90); default %(default)s")
-    view.add_argument("--elevation", type=number(0.5, 90.0), default=15.0, metavar="DEG",
+    view.add_argument("--elevation", type=number(0.5, 90.0), default=8.0, metavar="DEG",
                       help="its height over the horizon; default %(default)s")
     view.add_argument("--zoom", type=number(0.01, 1000.0), default=1.0, metavar="X",
-                      help="2 shows half of the width; default 1: about all")
+                      help="2 shows half of the width; default 1: all that is over the water, and its reflection")
     view.add_argument("--sun", type=number(-360.0, 360.0), default=None, metavar="DEG",
                       help="where the light comes from, from north over east; default: from the eye's right")
     view.add_argument("--size", type=size, default=(960, 600), metavar="WxH", help="pixels; default 960x600")
@@ -144,6 +157,7 @@ def make_scene(arguments, level):
     exaggeration = arguments.exaggeration if ground.is_terrain else 1.0
     scene.add_ground(ground, level, exaggeration)
     scene.add_water(level, arguments.preset, arguments.wind, exaggeration)
+    scene.make_island()
     scene.look(arguments.azimuth, arguments.elevation, arguments.zoom)
     return scene, ground, exaggeration
 
@@ -156,8 +170,7 @@ def warn_of_level(ground, level):
 
 
 def render(arguments):
-    if not arguments.out.lower().endswith(".png"):
-        raise Failure(f"{arguments.out}: a picture is a PNG; give --out a name that ends with .png")
+    check_png(arguments.out)
     scene, ground, _ = make_scene(arguments, arguments.level)
     warn_of_level(ground, arguments.level)
     scene.water.SetTime(arguments.time)

@@ -6,7 +6,18 @@ The classes themselves report a bad value by an ErrorEvent, as VTK's do, and kee
 import contextlib
 import re
 
-__all__ = ["raising"]
+__all__ = ["ending", "raising"]
+
+
+@contextlib.contextmanager
+def ending(program):
+    """End the program with one line, and exit status 1, when a file or a value in the block is refused."""
+    try:
+        yield
+    except OSError as error:
+        raise SystemExit(f"{program}: {error.filename}: {error.strerror}" if error.strerror else f"{program}: {error}") from None
+    except ValueError as error:
+        raise SystemExit(f"{program}: {error}") from None
 
 
 @contextlib.contextmanager

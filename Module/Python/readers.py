@@ -62,6 +62,8 @@ def read(file, no_data=None):
     """
     path = Path(file)
     kind = KINDS.get(path.suffix.lower())
+    if path.is_dir():
+        raise FileError(f"{file}: is a folder, not a file")
     if not path.is_file():
         raise FileError(f"{file}: no such file")
     if not kind:

@@ -13,9 +13,9 @@ import numpy as np
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkUnsignedCharArray
-from vtkmodules.vtkFiltersCore import vtkPolyDataNormals
+from vtkmodules.vtkFiltersCore import vtkFeatureEdges, vtkPolyDataNormals
+from vtkmodules.vtkFiltersModeling import vtkLinearExtrusionFilter
 from vtkmodules.vtkFiltersSources import vtkCubeSource
-from vtkmodules.vtkIOImage import vtkPNGWriter
 from vtkmodules.vtkRenderingCore import (
     vtkActor,
     vtkColorTransferFunction,
@@ -23,25 +23,30 @@ from vtkmodules.vtkRenderingCore import (
     vtkPolyDataMapper,
     vtkRenderer,
     vtkRenderWindow,
-    vtkWindowToImageFilter,
 )
 
 from . import vtkWaterActor
 from .errors import raising
+from .pictures import write_png
 from .readers import ELEVATION
 
 __all__ = ["Scene"]
 
 SAMPLES = 8
 VIEW_ANGLE_DEG = 30.0
+STEEP_DEG = 89.0  # from here on north is up in the picture
 SKY_AT_BOTTOM, SKY_AT_TOP = (0.93, 0.94, 0.93), (0.30, 0.50, 0.76)
 SUN_COLOR = (1.0, 0.95, 0.87)
+WALL_COLOR = (0.27, 0.24, 0.20)
 MESH_COLOR = (0.78, 0.76, 0.72)
 BED_COLOR = (0.36, 0.33, 0.26)
 # Colours of dry ground, by the share of its height over the water: shore, meadow, forest, rock, snow.
 GROUND = ((0.0, 0.55, 0.50, 0.38), (0.03, 0.36, 0.40, 0.22), (0.35, 0.24, 0.32, 0.17), (0.65, 0.42, 0.39, 0.33),
           (0.9, 0.66, 0.65, 0.63), (1.0, 0.88, 0.88, 0.89))
-WATER_AROUND_A_MESH = 20.0  # times its width
+WATER_AROUND_A_MESH = 10.0  # times its width, on all sides
+WATER_AROUND = 50.0  # the same for an island: a horizon. More would cost the depth its precision
+NEAREST = 0.1  # of the way from the eye to what it looks at: nothing is drawn that is nearer
+FILLED = 0.92  # of the picture, by what stands out of the water
 
 
 class Scene:
@@ -60,6 +65,7 @@ class Scene:
         self.set_sun(150.0, 35.0)
         self.water = None
         self._ground = None
+        self._exaggeration = 1.0
 
     def set_sun(self, azimuth, height):
         """The sun by its azimuth (degrees from north, 90 is east) and its height over the horizon (degrees)."""
@@ -74,6 +80,7 @@ class Scene:
     def add_ground(self, surface, level, exaggeration=1.0):
         """A readers.Surface; a terrain is coloured by its height over the level, both times exaggeration."""
         self._ground = surface
+        self._exaggeration = exaggeration if surface.is_terrain else 1.0
         mapper = vtkPolyDataMapper()
         mapper.SetInputData(surface.data)
         actor = vtkActor()
@@ -133,27 +140,60 @@ class Scene:
                 look.SetWindSpeed(wind)
                 look.SeaOn()
         if self._ground and not self._ground.is_terrain:
-            low_x, high_x, low_y, high_y = self._ground.data.GetBounds()[:4]
-            reach = 0.5 * WATER_AROUND_A_MESH * max(high_x - low_x, high_y - low_y)
-            x, y = 0.5 * (low_x + high_x), 0.5 * (low_y + high_y)
-            with raising(self.water):
-                self.water.SetSheetBounds(x - reach, x + reach, y - reach, y + reach)
+            self._widen_water(WATER_AROUND_A_MESH)
         self.renderer.AddActor(self.water)
         return self.water
 
-    def look(self, azimuth=200.0, height=15.0, zoom=1.0):
-        """From where the eye looks at the middle of the ground: degrees from north, and over the horizon.
+    def _widen_water(self, times):
+        """Lets the water reach over the ground on all sides, so many times as far as that is wide."""
+        west, east, south, north = self._ground.data.GetBounds()[:4]
+        reach = times * max(east - west, north - south)
+        with raising(self.water):
+            self.water.SetSheetBounds(west - reach, east + reach, south - reach, north + reach)
 
-        zoom 1 shows about all of the ground; 2 half of its width.
+    def make_island(self):
+        """For ground that is seen from outside: water to the horizon, and walls where a terrain ends."""
+        self._widen_water(WATER_AROUND)
+        if not self._ground.is_terrain:
+            return
+        edges = vtkFeatureEdges()
+        edges.SetInputData(self._ground.data)
+        edges.FeatureEdgesOff()
+        edges.NonManifoldEdgesOff()
+        edges.ManifoldEdgesOff()
+        edges.ColoringOff()
+        low, high = self._ground.data.GetBounds()[4:]
+        walls = vtkLinearExtrusionFilter()
+        walls.SetInputConnection(edges.GetOutputPort())
+        walls.SetExtrusionTypeToVectorExtrusion()
+        walls.SetVector(0.0, 0.0, -1.0)
+        walls.SetScaleFactor(high - low)  # under the lowest point, wherever they begin
+        walls.CappingOff()
+        self.add_mesh(walls, WALL_COLOR, smooth=False).SetScale(1.0, 1.0, self._exaggeration)
+
+    def look(self, azimuth=200.0, height=15.0, zoom=1.0):
+        """From where the eye looks at the ground: degrees from north, and over the horizon.
+
+        zoom 1 shows all that stands out of the water, and its reflection; 2 half of its width.
         """
-        bounds = self._ground.data.GetBounds()
-        middle = [0.5 * (bounds[0] + bounds[1]), 0.5 * (bounds[2] + bounds[3])]
-        radius = 0.5 * math.hypot(bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4])
-        level = self.water.GetLevel() if self.water else bounds[4]
-        target = [*middle, level if self._ground.is_terrain else 0.5 * (max(level, bounds[4]) + bounds[5])]
-        distance = 0.62 * radius / math.tan(math.radians(0.5 * VIEW_ANGLE_DEG)) / zoom
-        eye = [at + distance * part for at, part in zip(target, direction(azimuth, height))]
-        self.set_camera(eye, target, up=(0.0, 0.0, 1.0) if height < 89.0 else (0.0, 1.0, 0.0))
+        points = vtk_to_numpy(self._ground.data.GetPoints().GetData()) * (1.0, 1.0, self._exaggeration)
+        if self.water:
+            level = self.water.GetLevel()
+            dry = points[points[:, 2] > level]
+            if len(dry):  # and their mirror image
+                points = np.concatenate([dry, dry * (1.0, 1.0, -1.0) + (0.0, 0.0, 2.0 * level)])
+        back = np.array(direction(azimuth, height))
+        up = np.array((0.0, 0.0, 1.0) if height < STEEP_DEG else (0.0, 1.0, 0.0))
+        right = np.cross(up, back) / np.linalg.norm(np.cross(up, back))
+        target = 0.5 * (points.min(axis=0) + points.max(axis=0))
+        points = points - target
+        # how far the eye must be for a point to be in the picture, along both of its sides
+        tangent = FILLED * math.tan(math.radians(0.5 * VIEW_ANGLE_DEG))
+        width, rows = self.window.GetSize()
+        across = np.abs(points @ right) / (tangent * width / rows)
+        along = np.abs(points @ np.cross(back, right)) / tangent
+        distance = np.max(points @ back + np.maximum(across, along)) / zoom
+        self.set_camera(target + distance * back, target, up=up)
 
     def set_camera(self, eye, target, angle=VIEW_ANGLE_DEG, up=(0.0, 0.0, 1.0)):
         """Where the eye is and what it looks at; the vertical angle of view in degrees."""
@@ -163,6 +203,8 @@ class Scene:
         camera.SetViewUp(up)
         camera.SetViewAngle(angle)
         self.renderer.ResetCameraClippingRange()
+        near, far = camera.GetClippingRange()  # VTK's, for such wide water, would cut the nearest away
+        camera.SetClippingRange(min(near, NEAREST * camera.GetDistance()), far)
 
     def _raising(self):
         return raising(*([self.water] if self.water else []))
@@ -177,20 +219,10 @@ class Scene:
         return np.ascontiguousarray(vtk_to_numpy(pixels).reshape(height, width, 4)[::-1, :, :3])
 
     def write(self, file):
-        """Renders into a PNG; raises OSError when that cannot be written, ValueError when the water cannot be drawn."""
-        capture = vtkWindowToImageFilter()
-        capture.SetInput(self.window)
-        capture.ReadFrontBufferOff()
+        """Renders into a PNG; raises OSError when that cannot be written, ValueError for another name or
+        when the water cannot be drawn."""
         with self._raising():
-            capture.Update()
-        writer = vtkPNGWriter()
-        writer.SetInputConnection(capture.GetOutputPort())
-        writer.SetFileName(str(file))
-        with open(file, "ab"):
-            pass  # the reason, in Python's words
-        writer.Write()
-        if writer.GetErrorCode():
-            raise OSError(f"{file}: cannot be written")
+            write_png(self.window, file)
 
 
 def connect(algorithm, data):

@@ -16,6 +16,7 @@ from vtkmodules.vtkFiltersSources import vtkConeSource
 from vtkmodules.vtkIOGeometry import vtkSTLWriter
 from vtkmodules.vtkIOXML import vtkXMLImageDataWriter, vtkXMLPolyDataWriter
 from vtkwater import readers
+from vtkwater.scenes import Scene
 
 FOLDER = wt.output_folder() / "Command"
 FOLDER.mkdir(exist_ok=True)
@@ -127,9 +128,36 @@ def check_pictures():
         wt.check_equal(f"level {level}: status, warned", (status, words in said), (0, True))
 
 
+def check_view():
+    """All that stands out of the water and its mirror image are in the picture, of any size and relief; the horizon is level."""
+    for size, relief, wide in ((1.0, 0.3, 1.0), (9e3, 40.0, 1.0), (3e5, 3e3, 0.2)):
+        x = np.linspace(-1.0, 1.0, 81)
+        hills = relief * np.clip(1.0 - np.hypot(x[None, :], x[:, None]), -0.1, None)
+        scene = Scene((240, 150))
+        scene.add_ground(readers.surface_of_heights(hills, (size / 80, wide * size / 80)), 0.0)
+        scene.add_water(0.0)
+        scene.make_island()
+        scene.look(height=8.0)
+        with_it = scene.picture().astype(int)
+        name = f"{size:g} x {wide * size:g}, {relief:g} high"
+        for i in range(scene.renderer.GetActors().GetNumberOfItems()):
+            actor = scene.renderer.GetActors().GetItemAsObject(i)
+            actor.SetVisibility(actor is scene.water)
+        without = scene.picture().astype(int)
+        changed = np.abs(with_it - without).max(axis=2) > 2
+        rows, columns = np.nonzero(changed)
+        wt.check_at_least(f"{name}: of the picture's width, or height, filled",
+                          max(np.ptp(columns) / 240, np.ptp(rows) / 150), 0.8)
+        wt.check_equal(f"{name}: at the picture's border", bool(changed[[0, -1]].any() or changed[:, [0, -1]].any()), False)
+        # all but as bright from left to right in every row (the angle is not quite the same): no edge of the water, no slanted horizon
+        wt.check_at_most(f"{name}: brightness along a row, without the ground",
+                         max(np.ptp(row.sum(axis=1)) for row in without), 20)
+
+
 def check_errors():
     cases = [
         (1, "missing.vti: no such file", ["render", "missing.vti", "--level", 1]),
+        (1, "frames: is a folder, not a file", ["render", "frames", "--level", 1]),
         (1, "text.xyz: kind .xyz is not known; known are .tif", ["render", "text.xyz", "--level", 1]),
         *((1, f"text.{kind}: not ", ["render", f"text.{kind}", "--level", 1])
           for kind in ("vti", "vtp", "stl", "tif", "vtk", "ply")),
@@ -143,7 +171,7 @@ def check_errors():
         (1, "pole.tif: its middle is at latitude", ["render", "pole.tif", "--level", 1]),
         (1, "index.obj: a cell names point 8; there are 3", ["render", "index.obj", "--level", 1]),
         (1, "SheetBounds are (0, 0, 0, 0)", ["render", "dot.obj", "--level", 0]),
-        (1, "No such file or directory", ["render", "valley.tif", "--level", 50, "--out", "no/such/folder.png"]),
+        (1, "no such folder: no/such", ["render", "valley.tif", "--level", 50, "--out", "no/such/folder.png"]),
         (1, "ends with .png", ["render", "valley.tif", "--level", 50, "--out", "x.jpg"]),
         (1, "kind .avi is not known", ["animate", "valley.tif", "--level", 50, "--out", "x.avi"]),
         (2, "--level", ["render", "valley.tif"]),
@@ -151,7 +179,8 @@ def check_errors():
         (2, "nan must lie in", ["render", "valley.tif", "--level", "nan"]),
         (2, "'swamp' must be one of pool", ["render", "valley.tif", "--level", 1, "--preset", "swamp"]),
         (2, "is no size", ["render", "valley.tif", "--level", 1, "--size", "big"]),
-        (2, "must lie in [0, 100]", ["render", "valley.tif", "--level", 1, "--wind", 200]),
+        *((2, "must lie in [0.1, 100] m/s, or be 0", ["render", "valley.tif", "--level", 1, "--wind", wind])
+          for wind in (200, 0.05, "fast")),
         (2, "COMMAND", []),
     ]
     for status, words, arguments in cases:
@@ -198,6 +227,8 @@ def check_info_and_help():
 write_files()
 check_readers()
 check_pictures()
+check_view()
+(FOLDER / "frames").mkdir(exist_ok=True)
 check_errors()
 check_animation()
 check_info_and_help()

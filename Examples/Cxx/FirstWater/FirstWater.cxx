@@ -3,6 +3,7 @@
 #include <vtkActor.h>
 #include <vtkCamera.h>
 #include <vtkConeSource.h>
+#include <vtkErrorCode.h>
 #include <vtkNew.h>
 #include <vtkPNGWriter.h>
 #include <vtkPolyDataMapper.h>
@@ -58,5 +59,10 @@ int main(int argc, char* argv[])
   writer->SetInputConnection(capture->GetOutputPort());
   writer->SetFileName(argc > 1 ? argv[1] : "FirstWater.png");
   writer->Write();
+  if (writer->GetErrorCode() != vtkErrorCode::NoError)
+  {
+    std::cerr << "FirstWater: " << writer->GetFileName() << " cannot be written\n";
+    return 1;
+  }
   return 0;
 }

@@ -139,6 +139,11 @@ Options ReadOptions(const std::vector<std::string>& arguments)
 
 vtkSmartPointer<vtkImageData> ReadElevation(const std::string& file)
 {
+  if (std::filesystem::is_directory(file))
+  {
+    throw std::runtime_error(
+      file + ": is a folder, not a file; the folder for the picture comes second");
+  }
   if (!std::filesystem::is_regular_file(file))
   {
     throw std::runtime_error(file + ": no such file");
