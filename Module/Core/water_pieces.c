@@ -191,7 +191,7 @@ static void look_at_all(const water_pieces_view* view, const water_mesh* mesh, s
     first[i] = NONE;
   }
   const double steps =
-    distances[1] > distances[0] ? STEPS / log2(distances[1] / distances[0]) : 0.0;
+    distances[1] > distances[0] ? (double)STEPS / log2(distances[1] / distances[0]) : 0.0;
   for (size_t i = 0; i < piece_count; ++i)
   {
     if (work[i].triangles && water_all_finite(mesh->boxes[i], 6))
