@@ -5,7 +5,8 @@
 usage: support.py SUITE FOLDER   as script/debian calls it
        support.py                only writes support.md anew
 
-The folder holds facts (name=value lines) and tests.xml, ctest's JUnit output, or reason: why there is none.
+The folder holds facts (name=value lines) and tests.xml, ctest's JUnit output, or reason: why there is none; and
+again.xml when the tests that had failed were run once more, one at a time.
 """
 import json
 import pathlib
@@ -23,17 +24,26 @@ def said_by(case):
     return [line.strip() for line in (case.findtext("system-out") or "").splitlines() if line.strip()]
 
 
+def cases_of(file):
+    return ElementTree.parse(file).getroot().findall("testcase") if file.exists() else []
+
+
 def read_results(folder):
     """One entry of support.json."""
     reason, facts = folder / "reason", folder / "facts"
     entry = dict(line.split("=", 1) for line in facts.read_text().splitlines()) if facts.exists() else {}
     if reason.exists():
         return {**entry, "reason": reason.read_text().strip()}
-    cases = ElementTree.parse(folder / "tests.xml").getroot().findall("testcase")
+    cases = cases_of(folder / "tests.xml")
+    again = {case.get("name"): case for case in cases_of(folder / "again.xml")}
+    second = [case.get("name") for case in cases
+              if case.get("status") == "fail" and case.get("name") in again and again[case.get("name")].get("status") == "run"]
+    cases = [again.get(case.get("name"), case) for case in cases]
     by_status = {status: [case for case in cases if case.get("status") == status] for status in ("run", "fail", "notrun")}
     return {
         **entry,
         "passed": len(by_status["run"]),
+        "second": {name: "passed when it was run again, alone" for name in second},
         "failed": {case.get("name"): " / ".join(said_by(case)[-FAILED_LINES:]) for case in by_status["fail"]},
         "skipped": {case.get("name"): " ".join(said_by(case)) or "without a word" for case in by_status["notrun"]},
     }
@@ -66,7 +76,7 @@ def main():
     results = {suite: results[suite] for suite in order}
     PAGE.write_text(PAGE_TEMPLATE.read_text().format(
         rows="\n".join(row(suite, entry) for suite, entry in results.items()),
-        skipped=listed(results, "skipped"), failed=listed(results, "failed")))
+        skipped=listed(results, "skipped"), failed=listed(results, "failed"), second=listed(results, "second")))
 
 
 if __name__ == "__main__":
