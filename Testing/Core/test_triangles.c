@@ -5,6 +5,8 @@
 // middle, as a GPU does that has put each corner somewhere within its grid.
 #include "test_scene.h"
 
+#include <stdlib.h>
+
 #include "water_triangles.h"
 
 enum
@@ -385,6 +387,179 @@ TEST(slack_grows_with_the_numbers)
   ASSERT_CLOSE(slack.height, unit * (2.0 + 3.0 + 7.0), 1e-15);
 }
 
+// A triangle on the map, all of it at one depth and height and at w = 1.
+static bool is_kept_at(const water_triangles_view* view, const water_triangles_slack* slack,
+  const double px[3][2], double depth, double height)
+{
+  water_corner corners[3];
+  for (int i = 0; i < 3; ++i)
+  {
+    const water_corner made = { { 0.0, 0.0, depth, 1.0 }, 1.0, { px[i][0], px[i][1] }, depth,
+      height };
+    corners[i] = made;
+  }
+  const water_corner* const all[3] = { corners, corners + 1, corners + 2 };
+  return water_triangles_add(view, slack, all);
+}
+
+// The slack counts on the side of caution, of what hides and of what is hidden.
+TEST(slack_is_on_the_side_of_caution)
+{
+  UNUSED;
+  const double large[3][2] = { { 5.0, 5.0 }, { 45.0, 5.0 }, { 5.0, 35.0 } };
+  const double upright[3][2] = { { 5.0, 5.0 }, { 5.0, 35.0 }, { 45.0, 35.0 } };
+  const double inside[3][2] = { { 12.0, 12.0 }, { 14.0, 12.0 }, { 12.0, 14.0 } };
+  const double column[3][2] = { { 5.3, 15.3 }, { 5.7, 15.4 }, { 5.4, 15.7 } };
+  const double row[3][2] = { { 15.3, 5.3 }, { 15.7, 5.4 }, { 15.4, 5.7 } };
+  const double slope[3][2] = { { 24.3, 19.3 }, { 24.7, 19.4 }, { 24.4, 19.7 } };
+  const double under[3][2] = { { 15.3, 34.3 }, { 15.7, 34.4 }, { 15.4, 34.7 } };
+  const double corner[3][2] = { { 24.3, 20.3 }, { 24.7, 20.4 }, { 24.4, 20.7 } };
+  const struct
+  {
+    const double (*front)[2];
+    double depth;
+    double height;
+    water_triangles_slack slack;
+    const double (*back)[2];
+    double back_depth;
+    double back_slack;
+    bool is_hidden;
+  } cases[19] = {
+    // 0.5 + slack against 0.6 - slack
+    { large, 0.5, 9.0, { { 0.0, 0.0, 0.049 }, 0.0 }, inside, 0.6, 0.049, true },
+    { large, 0.5, 9.0, { { 0.0, 0.0, 0.051 }, 0.0 }, inside, 0.6, 0.051, false },
+    { large, 0.5, 9.0, { { 0.0, 0.0, 0.09 }, 0.0 }, inside, 0.6, 0.0, true },
+    { large, 0.5, 9.0, { { 0.0, 0.0, 0.11 }, 0.0 }, inside, 0.6, 0.0, false },
+    { large, 0.5, 9.0, { { 0.0, 0.0, 0.0 }, 0.0 }, inside, 0.6, 0.09, true },
+    { large, 0.5, 9.0, { { 0.0, 0.0, 0.0 }, 0.0 }, inside, 0.6, 0.11, false },
+    // the ends of the view
+    { large, 0.9, 9.0, { { 0.0, 0.0, 0.09 }, 0.0 }, inside, 3.0, 0.0, true },
+    { large, 0.9, 9.0, { { 0.0, 0.0, 0.11 }, 0.0 }, inside, 3.0, 0.0, false },
+    { large, -0.9, 9.0, { { 0.0, 0.0, 0.09 }, 0.0 }, inside, 3.0, 0.0, true },
+    { large, -0.9, 9.0, { { 0.0, 0.0, 0.11 }, 0.0 }, inside, 3.0, 0.0, false },
+    // the water
+    { large, 0.5, 1.0, { { 0.0, 0.0, 0.0 }, 0.9 }, inside, 0.9, 0.0, true },
+    { large, 0.5, 1.0, { { 0.0, 0.0, 0.0 }, 1.1 }, inside, 0.9, 0.0, false },
+    // the middle of a pixel half a pixel from an upright edge, from a level one
+    { large, 0.5, 9.0, { { 0.42, 0.0, 0.0 }, 0.0 }, column, 0.9, 0.0, true },
+    { large, 0.5, 9.0, { { 0.45, 0.0, 0.0 }, 0.0 }, column, 0.9, 0.0, false },
+    { large, 0.5, 9.0, { { 0.0, 0.42, 0.0 }, 0.0 }, row, 0.9, 0.0, true },
+    { large, 0.5, 9.0, { { 0.0, 0.45, 0.0 }, 0.0 }, row, 0.9, 0.0, false },
+    { upright, 0.5, 9.0, { { 0.0, 0.42, 0.0 }, 0.0 }, under, 0.9, 0.0, true },
+    { upright, 0.5, 9.0, { { 0.0, 0.45, 0.0 }, 0.0 }, under, 0.9, 0.0, false },
+    // the slope passes (24.5, 20.375)
+    { large, 0.5, 9.0, { { 0.0, 0.0, 0.0 }, 0.0 }, slope, 0.9, 0.0, true },
+  };
+  for (int i = 0; i < 19; ++i)
+  {
+    for (int turn = 0; turn < 2; ++turn) // both ways around
+    {
+      float depths[PIXELS];
+      const water_triangles_view view = view_made(depths);
+      const water_triangles_slack back = { { 0.0, 0.0, cases[i].back_slack }, 0.0 };
+      double front[3][2];
+      for (int j = 0; j < 3; ++j)
+      {
+        memcpy(front[j], cases[i].front[turn ? 2 - j : j], sizeof front[j]);
+      }
+      water_triangles_begin(view.rect_px, NULL, depths);
+      assert_true(is_kept_at(
+        &view, &cases[i].slack, (const double(*)[2])front, cases[i].depth, cases[i].height));
+      assert_int_equal(
+        is_kept_at(&view, &back, cases[i].back, cases[i].back_depth, 9.0), !cases[i].is_hidden);
+      // beyond the slope nothing is hidden
+      assert_true(
+        is_kept_at(&view, &back, corner, cases[i].back_depth, 9.0) || cases[i].front == upright);
+    }
+  }
+}
+
+// What is under the water goes if it is so by more than the slack.
+TEST(under_the_water_by_more_than_the_slack)
+{
+  UNUSED;
+  const double large[3][2] = { { 5.0, 5.0 }, { 45.0, 5.0 }, { 5.0, 35.0 } };
+  const water_triangles_view view = view_made(NULL);
+  const water_triangles_slack slack = { { 0.0, 0.0, 0.0 }, 0.9 };
+  assert_false(is_kept_at(&view, &slack, large, 0.5, -1.0));
+  assert_true(is_kept_at(&view, &slack, large, 0.5, -0.8));
+}
+
+// Of a triangle with corners on both sides of the eye: it goes if all of it is beyond one side of
+// the picture, by more than the slack.
+TEST(corners_behind_the_eye_are_beyond_a_side_or_not)
+{
+  UNUSED;
+  const water_triangles_view view = view_made(NULL);
+  const double ws[3] = { 4.0, 2.0, -1.0 };
+  const water_triangles_slack slack = { { 0.01, 0.02, 0.0 }, 0.0 };
+  const double beyond[3] = { -1.5, -0.5, 0.5 }; // of the slack, of the one that is least beyond
+  for (int side = 0; side < 4; ++side)
+  {
+    for (int i = 0; i < 9; ++i)
+    {
+      water_corner corners[3];
+      memset(corners, 0, sizeof corners);
+      for (int j = 0; j < 3; ++j)
+      {
+        const int axis = side % 2;
+        const double size = view.texture_px[axis];
+        const double far_side = view.rect_px[axis] + (side < 2 ? 0 : view.rect_px[2 + axis]);
+        const double inwards = j == i % 3 ? beyond[i / 3] * slack.clip[axis] : -1.0;
+        // 0.5 (w + x) size - far_side w = inwards, or its opposite
+        const double x = 2.0 * ((side < 2 ? inwards : -inwards) + far_side * ws[j]) / size - ws[j];
+        corners[j].clip[axis] = x;
+        corners[j].clip[3] = ws[j];
+        corners[j].w_inverse = 1.0 / ws[j];
+      }
+      const water_corner* const all[3] = { corners, corners + 1, corners + 2 };
+      assert_int_equal(water_triangles_add(&view, &slack, all), i >= 3);
+    }
+  }
+  water_corner corners[3];
+  memset(corners, 0, sizeof corners);
+  corners[0].clip[0] = NAN;
+  const water_corner* const all[3] = { corners, corners, corners };
+  assert_true(water_triangles_add(&view, &slack, all)); // a number that is none
+}
+
+// Before anything is drawn all that is looked up is open, and no place beyond is written.
+TEST(depths_begin_with_what_is_looked_up)
+{
+  UNUSED;
+  for (int width = 1; width < 9; ++width)
+  {
+    for (int height = 1; height < 9; ++height)
+    {
+      const int rect_px[4] = { 2, 3, width, height };
+      const int texture_px[2] = { 20, 20 };
+      const size_t count = (size_t)width * (size_t)height;
+      float* depths = malloc(count * sizeof *depths);
+      uint32_t counts[25];
+      uint8_t cells[16];
+      water_seen seen;
+      assert_non_null(depths);
+      water_seen_begin(texture_px, rect_px, &seen);
+      for (int i = 0; i < seen.size[0] * seen.size[1]; ++i)
+      {
+        cells[i] = (uint8_t)(i % 3 == 1);
+      }
+      seen.counts = counts;
+      water_seen_sum(&seen, cells, 1);
+      for (int is_known = 0; is_known < 2; ++is_known)
+      {
+        water_triangles_begin(rect_px, is_known ? &seen : NULL, depths);
+        for (int i = 0; i < width * height; ++i)
+        {
+          const int cell = i / width / seen.cell_px * seen.size[0] + i % width / seen.cell_px;
+          assert_true(depths[i] == (!is_known || cells[cell] ? FLT_MAX : -FLT_MAX));
+        }
+      }
+      free(depths);
+    }
+  }
+}
+
 int main(void)
 {
   const struct CMUnitTest tests[] = {
@@ -395,6 +570,10 @@ int main(void)
     RUN(what_the_view_cuts_hides_nothing),
     RUN(no_number_is_kept),
     RUN(slack_grows_with_the_numbers),
+    RUN(slack_is_on_the_side_of_caution),
+    RUN(under_the_water_by_more_than_the_slack),
+    RUN(corners_behind_the_eye_are_beyond_a_side_or_not),
+    RUN(depths_begin_with_what_is_looked_up),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }
