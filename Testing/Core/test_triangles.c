@@ -379,12 +379,14 @@ TEST(slack_grows_with_the_numbers)
   water_triangles_view view = view_made(NULL);
   water_triangles_slack slack;
   view.reach = 7.0;
+  view.kept[0] = -0.5;
+  view.kept[2] = 0.25;
   water_triangles_allow(&view, box, &slack);
   const double w = 100.0;
   ASSERT_CLOSE(slack.clip[0], unit * 32.0 * (8.0 * focal + w), 1e-12);
   ASSERT_CLOSE(slack.clip[1], unit * 24.0 * (2.0 * focal + w), 1e-12);
   ASSERT_CLOSE(slack.clip[2], unit * (101.0 / 99.0 * 100.0 + 200.0 / 99.0 + w), 1e-12);
-  ASSERT_CLOSE(slack.height, unit * (2.0 + 3.0 + 7.0), 1e-15);
+  ASSERT_CLOSE(slack.height, unit * (34.0 + 1.75 * 7.0), 1e-15);
 }
 
 // A triangle on the map, all of it at one depth and height and at w = 1.
