@@ -42,6 +42,24 @@ bool CanBeCut(vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkActor* ac
     !program->IsUniformUsed("PrimitiveIDOffset") && !HasOwnShaders(mapper, actor);
 }
 
+// May a pixel have another depth than its triangle, or none? Fragment shaders write depths where an
+// offset tells coincident surfaces apart, and the user's may write or discard anything.
+bool HasOwnDepths(vtkMapper* mapper, vtkActor* actor)
+{
+  const int resolution = vtkMapper::GetResolveCoincidentTopology();
+  double factor = 0.0;
+  double units = 0.0;
+  if (resolution == VTK_RESOLVE_POLYGON_OFFSET || actor->GetProperty()->GetEdgeVisibility())
+  {
+    mapper->GetCoincidentTopologyPolygonOffsetParameters(factor, units);
+  }
+  else if (resolution == VTK_RESOLVE_SHIFT_ZBUFFER)
+  {
+    units = vtkMapper::GetResolveCoincidentTopologyZShift();
+  }
+  return factor != 0.0 || units != 0.0 || actor->GetShaderProperty()->HasFragmentShaderCode();
+}
+
 bool HasAlpha(vtkTexture* texture)
 {
   vtkImageData* image = texture->GetInput();
@@ -152,7 +170,7 @@ bool vtkWaterPieces::CanLead(vtkProp* prop)
   const auto it = this->Meshes.find(mapper);
   return mapper && it != this->Meshes.end() && it->second.Mapper && !it->second.Boxes.empty() &&
     it->second.State == StateOf(mapper, actor) && !HasOwnShaders(mapper, actor) &&
-    vtkWaterGather::IsInWorld(actor) && IsOpaqueEverywhere(actor) &&
+    !HasOwnDepths(mapper, actor) && vtkWaterGather::IsInWorld(actor) && IsOpaqueEverywhere(actor) &&
     HasTrianglesOnly(mapper, actor->GetProperty());
 }
 
@@ -221,9 +239,13 @@ void vtkWaterPieces::Give(
   {
     return;
   }
+  water_pieces_map map = this->Map;
+  if (HasOwnDepths(mapper, actor))
+  {
+    map.depths = nullptr;
+  }
   water_pieces_view view;
-  water_pieces_look(
-    &plan, &this->Map, IsSolid(mapper, actor), &actor->GetMatrix()->Element[0][0], &view);
+  water_pieces_look(&plan, &map, IsSolid(mapper, actor), &actor->GetMatrix()->Element[0][0], &view);
   this->Selected.resize(mesh.Indices.size());
   this->Work.resize(mesh.Boxes.size());
   const size_t count = water_pieces_select(
