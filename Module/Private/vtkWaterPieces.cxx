@@ -64,7 +64,8 @@ bool HasAlpha(vtkTexture* texture)
 {
   vtkImageData* image = texture->GetInput();
   return !image || image->GetScalarType() != VTK_UNSIGNED_CHAR ||
-    image->GetNumberOfScalarComponents() != 3;
+    image->GetNumberOfScalarComponents() != 3 ||
+    texture->GetColorMode() == VTK_COLOR_MODE_MAP_SCALARS; // its table may have holes
 }
 
 // Is every pixel of what an actor draws in the opaque pass opaque? VTK blends there, too.

@@ -7,7 +7,10 @@ import os
 import numpy as np
 import skip_scenes
 import water_test as wt
-from vtkmodules.vtkRenderingCore import VTK_RESOLVE_POLYGON_OFFSET, vtkMapper
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import VTK_UNSIGNED_CHAR, vtkLookupTable
+from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkRenderingCore import VTK_RESOLVE_POLYGON_OFFSET, vtkMapper, vtkTexture
 from vtkwater import vtkWaterReflectionPass as Pass
 
 SIZE = (300, 225)
@@ -87,5 +90,30 @@ for name, body, runs_nearer in (("holes", "discard;", False), ("alpha", "gl_Frag
     check(f"shader with {name}", lambda scene: scene.first.GetShaderProperty().SetFragmentShaderCode(code), runs_nearer=runs_nearer)
 code = SHADER.replace("if (mod(gl_FragCoord.x, 8.0) < 4.0) { BODY }", "gl_FragDepth = 0.9999;")
 check("shader with depths", lambda scene: scene.first.GetShaderProperty().SetFragmentShaderCode(code))
+
+
+def add_holes(scene):
+    """A texture whose colours have no alpha, and get one by a table."""
+    image = vtkImageData()
+    image.SetDimensions(8, 8, 1)
+    image.AllocateScalars(VTK_UNSIGNED_CHAR, 3)
+    vtk_to_numpy(image.GetPointData().GetScalars())[:] = 4 * np.arange(64)[:, None]
+    table = vtkLookupTable()
+    table.SetNumberOfTableValues(256)
+    table.SetRange(0, 255)
+    table.Build()
+    for i in range(256):
+        table.SetTableValue(i, i / 255, 0.5, 0.5, 0.0 if i % 16 < 8 else 1.0)
+    texture = vtkTexture()
+    texture.SetInputData(image)
+    texture.SetLookupTable(table)
+    texture.SetColorModeToMapScalars()
+    data = scene.first.GetMapper().GetInput()
+    places = vtk_to_numpy(data.GetPoints().GetData())[:, :2]
+    data.GetPointData().SetTCoords(numpy_to_vtk(np.ascontiguousarray(0.2 * places), deep=True))
+    scene.first.SetTexture(texture)
+
+
+check("texture with a table", add_holes)
 
 wt.finish()
