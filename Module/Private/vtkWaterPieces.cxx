@@ -109,10 +109,11 @@ vtkWaterPieces::~vtkWaterPieces()
 }
 
 //------------------------------------------------------------------------------
-void vtkWaterPieces::Read(vtkOpenGLPolyDataMapper* mapper, Mesh& mesh)
+void vtkWaterPieces::Read(vtkOpenGLPolyDataMapper* mapper, bool isFine, Mesh& mesh)
 {
   mesh.Boxes.clear();
   mesh.Indices.clear();
+  mesh.Points = nullptr;
   vtkOpenGLIndexBufferObject* buffer = vtkWaterAccess::PolyDataMapper::TrianglesOf(mapper);
   const size_t count = water_pieces_count(buffer->IndexCount / 3);
   if (count == 0 || buffer->IndexCount % 3 != 0)
@@ -127,26 +128,32 @@ void vtkWaterPieces::Read(vtkOpenGLPolyDataMapper* mapper, Mesh& mesh)
     static_cast<GLsizeiptr>(mesh.Indices.size() * sizeof(uint32_t)), mesh.Indices.data());
   glBindBuffer(GL_COPY_READ_BUFFER, static_cast<GLuint>(bound));
   mesh.Boxes.resize(count);
+  vtkPoints* points = mapper->GetInput() ? mapper->GetInput()->GetPoints() : nullptr;
   water_mesh described;
-  if (!Describe(mapper, mesh, described) || !water_pieces_bound(&described))
+  if (!points || !Describe(points->GetData(), mesh, described) || !water_pieces_bound(&described))
   {
     mesh.Boxes.clear(); // not the indices of these points
+  }
+  else if (isFine)
+  {
+    // a copy: who writes into the points and does not say so yet is still shown the old ones
+    mesh.Points.TakeReference(points->GetData()->NewInstance());
+    mesh.Points->DeepCopy(points->GetData());
   }
 }
 
 //------------------------------------------------------------------------------
-bool vtkWaterPieces::Describe(vtkOpenGLPolyDataMapper* mapper, Mesh& mesh, water_mesh& described)
+bool vtkWaterPieces::Describe(vtkDataArray* points, Mesh& mesh, water_mesh& described)
 {
-  vtkPoints* points = mapper->GetInput() ? mapper->GetInput()->GetPoints() : nullptr;
-  auto* floats = points ? vtkFloatArray::FastDownCast(points->GetData()) : nullptr;
-  auto* doubles = points ? vtkDoubleArray::FastDownCast(points->GetData()) : nullptr;
-  if (!floats && !doubles)
+  auto* floats = vtkFloatArray::FastDownCast(points);
+  auto* doubles = vtkDoubleArray::FastDownCast(points);
+  if (points && !floats && !doubles)
   {
     return false;
   }
   described.points = { floats ? floats->GetPointer(0) : nullptr,
     doubles ? doubles->GetPointer(0) : nullptr };
-  described.point_count = static_cast<size_t>(points->GetNumberOfPoints());
+  described.point_count = points ? static_cast<size_t>(points->GetNumberOfTuples()) : 0;
   described.indices = mesh.Indices.data();
   described.triangle_count = mesh.Indices.size() / 3;
   described.boxes = reinterpret_cast<double(*)[6]>(mesh.Boxes.data()); // of std::array<double, 6>
@@ -229,14 +236,15 @@ void vtkWaterPieces::Give(
   }
   Mesh& mesh = this->Meshes[mapper];
   const MeshState state = StateOf(mapper, actor);
-  if (!mesh.Mapper || mesh.State != state)
+  if (!mesh.Mapper || mesh.State != state ||
+    (plan.is_software && !mesh.Boxes.empty() && !mesh.Points))
   {
     mesh.Mapper = mapper;
     mesh.State = state;
-    Read(mapper, mesh);
+    Read(mapper, plan.is_software, mesh);
   }
   water_mesh described;
-  if (mesh.Boxes.empty() || !Describe(mapper, mesh, described))
+  if (mesh.Boxes.empty() || !Describe(mesh.Points, mesh, described))
   {
     return;
   }

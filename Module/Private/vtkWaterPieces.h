@@ -22,6 +22,7 @@
 
 class vtkAbstractMapper;
 class vtkActor;
+class vtkDataArray;
 class vtkOpenGLIndexBufferObject;
 class vtkOpenGLPolyDataMapper;
 class vtkProp;
@@ -67,15 +68,16 @@ private:
   struct Mesh
   {
     vtkWeakPointer<vtkOpenGLPolyDataMapper> Mapper;
-    MeshState State{}; // of what the index buffer was made from
+    MeshState State{};                    // of what the index buffer was made from
+    vtkSmartPointer<vtkDataArray> Points; // as they were then; nullptr: only boxes are looked at
     std::vector<uint32_t> Indices;
     std::vector<std::array<double, 6>> Boxes; // empty: it cannot be cut
     vtkSmartPointer<vtkOpenGLIndexBufferObject> Drawn;
   };
 
   static MeshState StateOf(vtkOpenGLPolyDataMapper* mapper, vtkActor* actor);
-  static void Read(vtkOpenGLPolyDataMapper* mapper, Mesh& mesh);
-  static bool Describe(vtkOpenGLPolyDataMapper* mapper, Mesh& mesh, water_mesh& described);
+  static void Read(vtkOpenGLPolyDataMapper* mapper, bool isFine, Mesh& mesh);
+  static bool Describe(vtkDataArray* points, Mesh& mesh, water_mesh& described);
   bool CanLead(vtkProp* prop);
 
   std::map<vtkOpenGLPolyDataMapper*, Mesh> Meshes;

@@ -116,4 +116,13 @@ def add_holes(scene):
 
 check("texture with a table", add_holes)
 
+
+def write_points(scene):
+    """Writes into the points, and does not say so: VTK still draws the old ones."""
+    points = vtk_to_numpy(scene.first.GetMapper().GetInput().GetPoints().GetData())
+    points[:, 2] += 0.3 * np.sin(points[:, 0])
+
+
+check("points written in place", lambda scene: None, before=write_points)
+
 wt.finish()
