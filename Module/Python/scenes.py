@@ -163,6 +163,7 @@ class Scene:
         edges.ManifoldEdgesOff()
         edges.ColoringOff()
         low, high = self._ground.data.GetBounds()[4:]
+        low = min(low, self.water.GetLevel() / self._exaggeration)  # walls of high ground stand in it, too
         walls = vtkLinearExtrusionFilter()
         walls.SetInputConnection(edges.GetOutputPort())
         walls.SetExtrusionTypeToVectorExtrusion()

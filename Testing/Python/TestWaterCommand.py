@@ -154,6 +154,17 @@ def check_view():
                          max(np.ptp(row.sum(axis=1)) for row in without), 20)
 
 
+def check_walls():
+    """The walls of a terrain that is all over the water stand in it."""
+    for exaggeration in (1.0, 3.0):
+        scene = Scene((240, 150))
+        scene.add_ground(readers.surface_of_heights(np.full((5, 5), 7.0), (1.0, 1.0)), 2.0, exaggeration)
+        scene.add_water(2.0, exaggeration=exaggeration)
+        scene.make_island()
+        lowest = min(actor.GetBounds()[4] for actor in scene.renderer.GetActors() if actor is not scene.water)
+        wt.check_at_most(f"walls, {exaggeration:g} times as high: lowest, over the water", round(lowest - 2.0 * exaggeration, 9), 0)
+
+
 def check_errors():
     cases = [
         (1, "missing.vti: no such file", ["render", "missing.vti", "--level", 1]),
@@ -228,6 +239,7 @@ write_files()
 check_readers()
 check_pictures()
 check_view()
+check_walls()
 (FOLDER / "frames").mkdir(exist_ok=True)
 check_errors()
 check_animation()
