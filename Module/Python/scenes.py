@@ -145,9 +145,9 @@ class Scene:
         return self.water
 
     def _widen_water(self, times):
-        """Lets the water reach over the ground on all sides, so many times as far as that is wide."""
-        west, east, south, north = self._ground.data.GetBounds()[:4]
-        reach = times * max(east - west, north - south)
+        """Lets the water reach over the ground on all sides, so many times as far as that and its image are wide, or high."""
+        west, east, south, north, _, top = self._ground.data.GetBounds()
+        reach = times * max(east - west, north - south, 2.0 * (top * self._exaggeration - self.water.GetLevel()))
         with raising(self.water):
             self.water.SetSheetBounds(west - reach, east + reach, south - reach, north + reach)
 

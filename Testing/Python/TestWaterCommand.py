@@ -130,7 +130,7 @@ def check_pictures():
 
 def check_view():
     """All that stands out of the water and its mirror image are in the picture, of any size and relief; the horizon is level."""
-    for size, relief, wide in ((1.0, 0.3, 1.0), (9e3, 40.0, 1.0), (3e5, 3e3, 0.2)):
+    for size, relief, wide in ((1.0, 0.3, 1.0), (9e3, 40.0, 1.0), (3e5, 3e3, 0.2), (10.0, 60.0, 1.0)):
         x = np.linspace(-1.0, 1.0, 81)
         hills = relief * np.clip(1.0 - np.hypot(x[None, :], x[:, None]), -0.1, None)
         scene = Scene((240, 150))
