@@ -130,12 +130,22 @@ void ReleaseForNewWindows(vtkProp* prop, vtkRenderWindow* window)
 //------------------------------------------------------------------------------
 vtkWaterKeys::vtkWaterKeys(vtkOpenGLRenderPass* key)
   : Key(key)
+  , Elsewhere(vtkSmartPointer<vtkCallbackCommand>::New())
 {
+  this->Elsewhere->SetClientData(this);
+  this->Elsewhere->SetCallback([](vtkObject* caller, unsigned long, void* clientData, void*) {
+    auto* self = static_cast<vtkWaterKeys*>(clientData);
+    if (self && static_cast<vtkRenderer*>(caller)->GetRenderWindow() != self->LastWindow)
+    {
+      self->LastWindow = nullptr;
+    }
+  });
 }
 
 //------------------------------------------------------------------------------
 vtkWaterKeys::~vtkWaterKeys()
 {
+  this->Elsewhere->SetClientData(nullptr); // renderers have it until they go
   for (auto& held : this->HeldFrames)
   {
     this->EndFrame(held.second);
@@ -179,6 +189,22 @@ void vtkWaterKeys::Remove(vtkProp* prop)
 }
 
 //------------------------------------------------------------------------------
+void vtkWaterKeys::WatchOtherWindows(vtkProp* prop, vtkRenderWindow* window)
+{
+  // also those without water, in which nothing else tells that they have drawn it
+  for (int i = 0; i < prop->GetNumberOfConsumers(); ++i)
+  {
+    auto* renderer = vtkRenderer::SafeDownCast(prop->GetConsumer(i));
+    if (renderer && renderer->GetRenderWindow() && renderer->GetRenderWindow() != window &&
+      !renderer->HasObserver(vtkCommand::StartEvent, this->Elsewhere))
+    {
+      renderer->AddObserver(vtkCommand::StartEvent, this->Elsewhere);
+      this->LastWindow = nullptr; // it may have drawn already
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
 void vtkWaterKeys::HoldUntilEndOfFrame(vtkRenderer* renderer)
 {
   for (auto it = this->HeldFrames.begin(); it != this->HeldFrames.end();)
@@ -198,6 +224,8 @@ void vtkWaterKeys::HoldUntilEndOfFrame(vtkRenderer* renderer)
   }
   DropOwnStandIns(renderer->GetViewProps());
   vtkRenderWindow* window = renderer->GetRenderWindow();
+  ForEachProp(
+    renderer->GetViewProps(), [&](vtkProp* prop) { this->WatchOtherWindows(prop, window); });
   if (this->LastWindow != window)
   {
     ForEachProp(

@@ -58,11 +58,14 @@ private:
 
   bool Has(vtkProp* prop) const;
   void Remove(vtkProp* prop);
+  void WatchOtherWindows(vtkProp* prop, vtkRenderWindow* window);
   void EndFrame(HeldFrame& held);
 
   vtkOpenGLRenderPass* Key;
   std::map<vtkRenderer*, HeldFrame> HeldFrames;
-  vtkWeakPointer<vtkRenderWindow> LastWindow; // that a frame was held for
+  // that a frame was held for; nullptr: another one with props of it has been drawn since
+  vtkWeakPointer<vtkRenderWindow> LastWindow;
+  vtkSmartPointer<vtkCallbackCommand> Elsewhere; // of the renderers of such windows
 };
 
 // For a mirrored view that is drawn in the middle of the main one: other passes have put their keys

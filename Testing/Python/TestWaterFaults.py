@@ -148,6 +148,25 @@ def shared_actors():
 shared_actors()
 
 
+def shared_with_dry_window():
+    """Nothing but the props' own state tells that a window without water has drawn them."""
+    first = Scene()
+    first.picture()
+    dry = wt.View((180, 120))
+    dry.picture()
+    for actor in first.actors:
+        dry.renderer.AddActor(actor)
+    alone = None
+    for frame in range(3):
+        picture = dry.picture()
+        alone = picture if alone is None else alone
+        wt.check_equal(f"actors in a dry window, frame {frame}: error there", wt.difference(picture, alone), 0)
+        wt.check_equal(f"actors in a dry window, frame {frame}: error with water", wt.difference(first.picture(), right), 0)
+
+
+shared_with_dry_window()
+
+
 # Two threads, each with a window of its own.
 def threads():
     pictures = {}
