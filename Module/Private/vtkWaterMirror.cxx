@@ -378,6 +378,10 @@ vtkTextureObject* vtkWaterMirror::GetBlank(vtkOpenGLRenderWindow* window)
 //------------------------------------------------------------------------------
 void vtkWaterMirror::ReleaseGraphicsResources(vtkWindow* window)
 {
+  if (auto* rendered = vtkRenderWindow::SafeDownCast(window))
+  {
+    rendered->MakeCurrent(); // shared props that went before may have left another's context
+  }
   this->Target.ReleaseGraphicsResources(window);
   this->Pieces.ReleaseGraphicsResources();
   this->SeenCells.ReleaseGraphicsResources(window);
