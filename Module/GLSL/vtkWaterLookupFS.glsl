@@ -25,7 +25,10 @@ const int WATER_FACET_PROBES = 3; // for one of several facets
 
 const float WATER_PROBE_PX = 6.0; // between probes; the default's are closer on ways below 42
 
-float waterFloor = -1e30; // height that no ray of this pixel meets anything below
+const float WATER_UNMET = 2.0; // depth of what a ray cannot meet: beyond the background's
+
+float waterFloor = -1e30;   // height that no ray of this pixel meets anything below
+float waterNearest = -1e30; // depth that the ray meets nothing before
 
 // What rays need of the uniforms, read once for all of a pixel: software renderers take some 30
 // instructions to read each number, and would for every ray. A plain copy would be undone by compilers.
@@ -61,10 +64,12 @@ vec3 waterSkyOfRay(vec3 dir)
   return waterSkyLow.rgb + clamp(height, 0.0, 1.0) * waterSkyRise;
 }
 
+// Depth of what the ray may meet there. What lies under the surface, or before all of the ray, only hides
+// what it meets.
 float waterMapDepth(vec2 uv)
 {
   float depth = textureLod(waterReflectionDepth, uv, 0.0).r;
-  return waterIsUnder(uv, depth, waterFloor) ? 1.0 : depth;
+  return depth < waterNearest || waterIsUnder(uv, depth, waterFloor) ? WATER_UNMET : depth;
 }
 
 // Can a ray that is in front of the map before and after a step have been behind the edge of a thing
@@ -122,6 +127,10 @@ WaterLook waterGlanceAlong(vec3 start, float startW, vec3 dir)
   last = min(last, overAll);
   look.isInside = last <= leaves;
   look.line = line * min(last, leaves);
+  // only where the sky in its place is known
+  float nearest = min(start.z, start.z + look.line.z);
+  waterNearest =
+    waterSkyLow.a > 0.5 ? nearest - (waterToSlack.x * nearest + waterToSlack.y) : -1e30;
 
   float perDepth = 1.0 / (abs(look.line.z) > 1e-20 ? look.line.z : 1e-20);
   look.depthStart = waterMapDepth(start.xy);
@@ -134,7 +143,8 @@ WaterLook waterGlanceAlong(vec3 start, float startW, vec3 dir)
     look.depth = waterMapDepth(look.uv);
   }
   look.color = waterSkyOfRay(dir);
-  bool isSky = look.s > 0.9999 && look.depth >= 1.0 && !look.isInside;
+  bool isSky = look.s > 0.9999 &&
+    (look.isInside ? look.isOver && look.depth >= WATER_UNMET : look.depth >= 1.0);
   look.isPlace = !isSky || waterSkyLow.a <= 0.5;
   look.reason = WATER_HIT;
   look.isDown = false;
@@ -264,7 +274,7 @@ void waterFollow(vec3 start, bool isWanted, inout WaterLook look)
     // met nothing; a surface: filtered; goes behind something, and where it ends there is sky; front
     uv = start.xy + (isHit && isSurface ? high : 1.0) * way.xy;
     uv = isHit && !isSurface && !isOpen ? front : uv;
-    isSky = isHit ? !isSurface && !isOpen && depthLow >= 1.0
+    isSky = isHit ? !isSurface && (isOpen ? depthEnd >= WATER_UNMET : depthLow >= 1.0)
                   : look.isOver || (!look.isInside && depthEnd >= 1.0);
     reason = isHit ? (isSurface ? WATER_HIT : WATER_HIDDEN)
                    : (look.isInside ? WATER_SKY : WATER_OFF_MAP);

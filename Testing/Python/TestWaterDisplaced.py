@@ -106,4 +106,48 @@ for lengths in ((24, 15, 9), (12, 7, 4)):
     wt.check_at_least(f"{name}, off silhouettes: % under 1 px", 100 * float((errors[smooth] < 1).mean()), 94)
     if lengths[0] == 24:
         wt.check_at_least(f"{name}, default quality: % under 1 px", 100 * float((errors < 1).mean()), 95)
+
+
+def shown_wrongly(waves, size=(200, 120), reach=3):
+    """A white raft before black: the share that shows it of the water that reflects none of it within reach (px),
+    and the raft's shares of all of the water, here and by the ray caster."""
+    made = wt.View(size, (0.0, 0.0, 0.0))
+    water = wt.add_water(made.renderer, None, (-500, 500, -500, 500))
+    for wave in waves:
+        water.GetWaterProperty().AddWave(*wave)
+    water.GetWaterProperty().WaveGeometryOn()
+    floating = water.GetWaveHeight(-5, 7)
+    raft = [ray_caster.Box((-5, 7, floating + z), lengths, (1.0, 1.0, 1.0))
+            for z, lengths in ((0.0, (3.2, 1.8, 0.5)), (0.7, (1.2, 1.0, 1.0)))]
+    for box in raft:
+        wt.add_actor(made.renderer, wt.box(0.5 * (box.low + box.high), box.high - box.low), (1, 1, 1), lit=False)
+    camera = wt.place_camera(made.renderer, (-1.2, -13, 2.3), (-5, 7, 0.6), (0.5, 1500))
+    camera.SetViewAngle(16)
+    shown = made.picture()[:, :, 0].ravel() / 255
+    start, ray = ray_caster.eye_rays(camera, size, 1)
+    _, distance = ray_caster.cast(raft, (0, 0, 0), start, ray)
+    to_water = ray_caster.meet_waves(start, ray, waves, 0.0, 600)
+    counts = (to_water < np.minimum(distance, 600)) & wt.water_mask(made, water).ravel()
+    place = start + np.where(counts, to_water, 0)[:, None] * ray
+    _, slope_x, slope_y = ray_caster.heights_and_slopes(waves, place[:, 0], place[:, 1], 0.0)
+    normal = np.stack([-slope_x, -slope_y, np.ones_like(slope_x)], axis=1)
+    normal /= np.linalg.norm(normal, axis=1, keepdims=True)
+    away = ray - 2 * (ray * normal).sum(axis=1, keepdims=True) * normal
+    away[:, 2] = np.abs(away[:, 2])
+    right = ray_caster.cast(raft, (0, 0, 0), place + 1e-6 * normal, away)[0][:, 0] * counts
+    near = np.pad(right.reshape(size[1], size[0]), reach, mode="edge")
+    near = np.lib.stride_tricks.sliding_window_view(near, (2 * reach + 1, 2 * reach + 1)).max(axis=(2, 3)).ravel()
+    free = counts & (near == 0)
+    return float((shown[free] > 0.5).mean()), float(shown[counts].mean()), float(right[counts].mean())
+
+
+# A raft on a wave hides water beyond it from the mirrored eye, and its bottom is in the mirrored view. The sky
+# belongs on that water, where pixels resolve the waves (one ray each) and where they do not (several).
+LONG = ((0.42, 19.0, 75.0, 180.0), (0.16, 9.0, 110.0, 0.0), (0.07, 4.7, 50.0, 0.0))
+SHORT = ((0.025, 2.1, 95.0, 0.0), (0.010, 1.1, 20.0, 0.0), (0.005, 0.6, 130.0, 0.0))
+for name, waves in (("long waves", LONG), ("and short ones", LONG + SHORT)):
+    wrong, shown, right = shown_wrongly(waves)
+    wt.check_at_most(f"a raft on {name}: % of the water that shows it wrongly", 100 * wrong, 0.1)
+    wt.check_at_most(f"a raft on {name}: its share of the water ({shown:.4f}), % off the ray caster's",
+                     100 * abs(shown / right - 1), 30)
 wt.finish()
