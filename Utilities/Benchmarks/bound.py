@@ -22,8 +22,9 @@ PROPS = (1000, (0, -20, 0.3), (30, 25, 3.0), 0.3)
 TEXT = """
 The camera moves, calm water. The bound is 1 + (g V + f s^2 F) / (V + F) + f c: V the time of the
 frame's geometry, from a viewport of $tiny of the window's width and height; F the rest of the
-frame without water; f the water's share of the picture; g the share of the triangles that the
-mirrored view draws (of the props, if the module does not count triangles); s the texture scale; f
+frame without water; f the water's share of the picture; g the share of the geometry that the
+mirrored view draws: of the bare terrain's triangles, and, for the time that the props add to V,
+which is that of their draws, of the props; s the texture scale; f
 c the surface's own time over that of the frame, from the same water in a view that stands still: no
 mirrored view is drawn. Twice: in the time of the frame, and in the processor's time for it, of all
 threads: the mirrored view waits for the picture that says what of it is seen, and a core that waits
@@ -50,19 +51,22 @@ def _triangles(scene):
     )
 
 
-def _mirrored_share(scene):
-    """g"""
+def _mirrored_shares(scene):
+    """Of all triangles, and of the props beside the terrain, how many the mirrored view draws."""
     instruments.turn_on(scene.water)
     scene.stand(0)
     scene.view.picture()
     said = instruments.read(scene.water)
     instruments.turn_on(scene.water, False)
-    if said["triangles"] is not None:
-        return said["triangles"] / _triangles(scene)
-    return said["props"] / (scene.renderer.GetActors().GetNumberOfItems() - 1)
+    beside = scene.renderer.GetActors().GetNumberOfItems() - 2
+    return (
+        said["triangles"] / _triangles(scene),
+        (said["props"] - 1) / beside if beside > 0 else 0.0,
+    )
 
 
-def _measure(results, name, has_props):
+def _measure(results, name, has_props, terrain_v):
+    """terrain_v: V of the bare terrain, by clock; is set for it."""
     plain, geometry = _scene(has_props, False), _scene(has_props, False)
     geometry.renderer.SetViewport(0, 0, TINY, TINY)
     still = _scene(has_props)
@@ -91,12 +95,16 @@ def _measure(results, name, has_props):
     f_share = float(wt.water_mask(waters[1.0].view, waters[1.0].water).mean())
     rows = []
     for (scale, scene), frame in zip(waters.items(), frames[3:]):
-        g = _mirrored_share(scene)
+        of_triangles, of_props = _mirrored_shares(scene)
         for clock, limit in (("median", BOUND_LIMIT), ("work", None)):
             whole, only_geometry, surface, measured = (
                 getattr(one, clock) for one in (*frames[:3], frame)
             )
             v = min(only_geometry, whole)
+            if not has_props:
+                terrain_v[clock] = v
+            of_terrain = min(terrain_v[clock] / v, 1.0)
+            g = of_terrain * of_triangles + (1.0 - of_terrain) * of_props
             cost = max(surface - whole, 0) / whole
             bound = 1 + (g * v + f_share * scale**2 * (whole - v)) / whole + cost
             ratio = measured / whole
@@ -139,9 +147,9 @@ def _measure(results, name, has_props):
 
 
 def run(results):
-    tables, rows = [], []
+    tables, rows, terrain_v = [], [], {}
     for name, has_props in (("bare terrain", False), ("terrain and 1,000 props", True)):
-        shown, found = _measure(results, name, has_props)
+        shown, found = _measure(results, name, has_props, terrain_v)
         tables.append(shown)
         rows += found
     header = (
