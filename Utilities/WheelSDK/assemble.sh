@@ -54,7 +54,7 @@ fi
 mirror=${WATER_DEBIAN_MIRROR:-$(sed -nE 's/^URIs: *//p; s/^deb +(\[[^]]*\] +)?([^ ]+) .*/\2/p' \
   /etc/apt/sources.list.d/*.sources /etc/apt/sources.list /etc/apt/sources.list.d/*.list 2>/dev/null |
   grep -m1 "/debian/*$" || true)}
-[ -n "$mirror" ] || die "no Debian mirror in this machine's apt sources; name one: WATER_DEBIAN_MIRROR=http://deb.debian.org/debian"
+[ -n "$mirror" ] || die "no Debian mirror in this machine's apt sources; name one: WATER_DEBIAN_MIRROR=URL"
 state=$out/apt
 mkdir -p "$state/lists/partial" "$out/debs"
 keyring=/usr/share/keyrings/debian-archive-keyring.gpg
