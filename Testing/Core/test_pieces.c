@@ -477,6 +477,45 @@ TEST(corners_that_take_each_others_place_keep_their_triangle)
   assert_memory_equal(drawn, indices, 9 * sizeof *drawn);
 }
 
+// Pieces in cells that nothing looks up are left out: none is drawn if all are closed, and with all
+// of them open as many as without cells.
+TEST(pieces_in_closed_cells_are_left_out)
+{
+  UNUSED;
+  const double model_to_world[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 };
+  dice from = dice_seeded(65);
+  mesh* const terrain = mesh_made(&from);
+  uint8_t* const cells = calloc(WATER_SEEN_CELLS_MAX, 1);
+  uint32_t* const sums = malloc(2 * WATER_SEEN_CELLS_MAX * sizeof *sums);
+  assert_non_null(cells);
+  assert_non_null(sums);
+  assert_true(water_pieces_bound(&terrain->described));
+  const water_scene scene = lake();
+  const water_plan plan = plan_of(&scene, NULL);
+  size_t counts[3];
+  for (int i = 0; i < 3; ++i)
+  {
+    water_seen seen;
+    water_seen_begin(plan.texture_px, plan.texture_rect_px, &seen);
+    memset(cells, i, WATER_SEEN_CELLS_MAX);
+    seen.counts = sums;
+    water_seen_sum(&seen, cells, 1);
+    const water_pieces_map map = { i < 2 ? &seen : NULL, NULL, 0, 8 };
+    water_pieces_view view;
+    water_trend trend;
+    memset(&trend, 0, sizeof trend);
+    water_pieces_look(&plan, &map, false, model_to_world, &view);
+    counts[i] =
+      water_pieces_select(&view, &terrain->described, false, &trend, terrain->work, terrain->drawn);
+  }
+  assert_int_in_range(counts[2], 1000, 3 * TRIANGLES);
+  assert_int_in_range(counts[0], 0, counts[2] / 2); // those about the eye stay
+  assert_int_in_range(counts[1], counts[2] / 2, counts[2]);
+  free(sums);
+  free(cells);
+  free(terrain);
+}
+
 int main(void)
 {
   const struct CMUnitTest tests[] = {
@@ -492,6 +531,7 @@ int main(void)
     RUN(the_map_is_handed_on),
     RUN(triangles_are_looked_at_one_by_one),
     RUN(corners_that_take_each_others_place_keep_their_triangle),
+    RUN(pieces_in_closed_cells_are_left_out),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }
