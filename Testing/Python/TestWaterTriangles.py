@@ -9,7 +9,7 @@ import skip_scenes
 import water_test as wt
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import VTK_UNSIGNED_CHAR, vtkLookupTable
-from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPlane
 from vtkmodules.vtkRenderingCore import VTK_RESOLVE_POLYGON_OFFSET, vtkMapper, vtkTexture
 from vtkwater import vtkWaterReflectionPass as Pass
 
@@ -115,6 +115,20 @@ def add_holes(scene):
 
 
 check("texture with a table", add_holes)
+
+
+def add_clipping(scene):
+    """The user's own clipping plane cuts the first mesh away where it is high."""
+    plane = vtkPlane()
+    plane.SetOrigin(0, 0, 1.6)
+    plane.SetNormal(0, 0, -1)
+    scene.first.GetMapper().AddClippingPlane(plane)
+
+
+# Triangles that are not drawn hide nothing.
+check("back faces culled", lambda scene: scene.first.GetProperty().BackfaceCullingOn())
+check("front faces culled", lambda scene: scene.first.GetProperty().FrontfaceCullingOn())
+check("clipping plane", add_clipping)
 
 
 def write_points(scene):
