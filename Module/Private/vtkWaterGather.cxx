@@ -115,22 +115,29 @@ vtkProp* FindStandIn(vtkProp* prop)
   return other && !vtkWaterGather::HoldsWater(other) ? other : prop;
 }
 
-// Are points of it, or of a part of it, drawn larger than its bounds know?
+// Does a prop, or a part of it, have a property?
+bool HasAny(vtkProp* prop, bool (*has)(vtkProp*))
+{
+  vtkPropCollection* parts = vtkWaterGather::GetParts(prop);
+  if (!parts)
+  {
+    return has(prop);
+  }
+  vtkCollectionSimpleIterator it;
+  parts->InitTraversal(it);
+  while (vtkProp* part = parts->GetNextProp(it))
+  {
+    if (HasAny(part, has))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+// Are points of it drawn larger than its bounds know?
 bool HasSplats(vtkProp* prop)
 {
-  if (vtkPropCollection* parts = vtkWaterGather::GetParts(prop))
-  {
-    vtkCollectionSimpleIterator it;
-    parts->InitTraversal(it);
-    while (vtkProp* part = parts->GetNextProp(it))
-    {
-      if (HasSplats(part))
-      {
-        return true;
-      }
-    }
-    return false;
-  }
   auto* actor = vtkActor::SafeDownCast(prop);
   vtkMapper* mapper = actor ? actor->GetMapper() : nullptr;
   return mapper &&
@@ -175,7 +182,7 @@ water_prop ReadProp(vtkProp* prop, vtkProp* drawn, vtkWaterActor* mirrored)
   if ((read.flags & WATER_PROP_VISIBLE) && !(read.flags & noneNeeded))
   {
     const double* bounds = vtkWaterGather::GetBounds(drawn); // may bring a pipeline up to date
-    if (bounds && !HasSplats(drawn))
+    if (bounds && !HasAny(drawn, HasSplats))
     {
       std::copy(bounds, bounds + 6, read.bounds);
     }
@@ -374,21 +381,7 @@ vtkPropCollection* vtkWaterGather::GetParts(vtkProp* prop)
 //------------------------------------------------------------------------------
 bool vtkWaterGather::HoldsWater(vtkProp* prop)
 {
-  vtkPropCollection* parts = GetParts(prop);
-  if (!parts)
-  {
-    return prop->IsA("vtkWaterActor") != 0;
-  }
-  vtkCollectionSimpleIterator it;
-  parts->InitTraversal(it);
-  while (vtkProp* part = parts->GetNextProp(it))
-  {
-    if (HoldsWater(part))
-    {
-      return true;
-    }
-  }
-  return false;
+  return HasAny(prop, [](vtkProp* part) { return part->IsA("vtkWaterActor") != 0; });
 }
 
 //------------------------------------------------------------------------------
