@@ -47,9 +47,26 @@ bool water_pieces_bound(const water_mesh* mesh)
   return true;
 }
 
-void water_pieces_look(const water_plan* plan, const water_pieces_map* map, bool is_solid,
-  const double model_to_world[16], water_pieces_view* view)
+static double size_of_normal(const double plane[4])
 {
+  return fabs(plane[0]) + fabs(plane[1]) + fabs(plane[2]);
+}
+
+void water_pieces_look(const water_plan* plan, const water_pieces_map* map, bool is_solid,
+  const double model_to_world[16], const double origin[3], water_pieces_view* view)
+{
+  // from coordinates relative to the origin
+  double near_to_world[16];
+  double origin_world[4];
+  memcpy(near_to_world, model_to_world, sizeof near_to_world);
+  water_mat4_apply_point(model_to_world, origin, origin_world);
+  for (size_t i = 0; i < 3; ++i)
+  {
+    near_to_world[4 * i + 3] = origin_world[i];
+  }
+  double near_to_view[16];
+  water_mat4_multiply(plan->mirrored.world_to_view, near_to_world, near_to_view);
+
   water_frustum* local = &view->frustum;
   double box[4];
   water_frustum world;
@@ -59,17 +76,23 @@ void water_pieces_look(const water_plan* plan, const water_pieces_map* map, bool
   double clip_world[4];
   water_mat4_apply_row(plan->clip_plane_view, plan->mirrored.world_to_view, clip_world);
   memcpy(world.planes[5], clip_world, sizeof clip_world);
+  double unit = 0.0; // at most so many of the mesh's are one of the world's
   for (int i = 0; i < 6; ++i)
   {
-    water_mat4_apply_row(world.planes[i], model_to_world, local->planes[i]);
+    water_mat4_apply_row(world.planes[i], near_to_world, local->planes[i]);
+    unit = fmax(unit, size_of_normal(world.planes[i]) / size_of_normal(local->planes[i]));
   }
-  const double origin[3] = { model_to_world[3], model_to_world[7], model_to_world[11] };
-  local->reach = world.reach + water_vec3_length(origin);
+  // The GPU gets the product of all matrices, which is of double precision: what cancels in single
+  // precision is what is left of it, and of the rest that much less.
+  const double eye[3] = { near_to_view[3], near_to_view[7], near_to_view[11] };
+  const double from_model[3] = { model_to_world[3], model_to_world[7], model_to_world[11] };
+  const double in_double =
+    world.reach + water_vec3_length(origin_world) + water_vec3_length(from_model);
+  local->reach = unit * (water_vec3_length(eye) + in_double * (DBL_EPSILON / (double)FLT_EPSILON));
   water_frustum_prepare(local);
   water_triangles_view* triangles = &view->triangles;
-  double model_to_view[16];
-  water_mat4_multiply(plan->mirrored.world_to_view, model_to_world, model_to_view);
-  water_mat4_multiply(plan->mirrored.view_to_clip, model_to_view, triangles->to_clip);
+  memcpy(triangles->origin, origin, sizeof triangles->origin);
+  water_mat4_multiply(plan->mirrored.view_to_clip, near_to_view, triangles->to_clip);
   memcpy(triangles->kept, local->planes[5], sizeof triangles->kept);
   triangles->reach = local->reach;
   memcpy(triangles->texture_px, plan->texture_px, sizeof triangles->texture_px);
@@ -80,6 +103,17 @@ void water_pieces_look(const water_plan* plan, const water_pieces_map* map, bool
   triangles->depths = map->depths;
   triangles->is_solid = is_solid;
   view->is_fine = plan->is_software;
+}
+
+// Of a piece, relative to the view's origin. Returns false where it is infinite.
+static bool box_of(
+  const water_pieces_view* view, const water_mesh* mesh, size_t piece, double box[6])
+{
+  for (int i = 0; i < 6; ++i)
+  {
+    box[i] = mesh->boxes[piece][i] - view->triangles.origin[i / 2];
+  }
+  return water_all_finite(box, 6);
 }
 
 static double height_over(const double plane[4], const double point[3])
@@ -156,8 +190,10 @@ static uint32_t look_at(
 {
   const size_t size = size_of(mesh, piece);
   const uint32_t* triangle = mesh->indices + 3 * piece * WATER_PIECE_TRIANGLES;
+  double box[6];
   water_triangles_slack slack;
-  water_triangles_allow(&view->triangles, mesh->boxes[piece], &slack);
+  box_of(view, mesh, piece, box);
+  water_triangles_allow(&view->triangles, box, &slack);
   uint32_t marks = 0;
   for (size_t i = 0; i < size; ++i, triangle += 3)
   {
@@ -240,8 +276,8 @@ size_t water_pieces_select(const water_pieces_view* view, const water_mesh* mesh
   for (size_t i = 0; i < count; ++i)
   {
     const size_t piece = is_reversed ? count - 1 - i : i;
-    const double* box = mesh->boxes[piece];
-    const bool is_finite = water_all_finite(box, 6);
+    double box[6];
+    const bool is_finite = box_of(view, mesh, piece, box);
     work[piece].triangles = !is_finite || is_seen(view, box) ? UINT32_MAX : 0;
     work[piece].distance = 0.0F;
     if (is_finite && work[piece].triangles)

@@ -44,11 +44,12 @@ typedef struct water_mesh
 // Returns false when an index is not below point_count.
 bool water_pieces_bound(const water_mesh* mesh);
 
-// What the pieces must meet to be drawn, in the mesh's own coordinates.
+// What the pieces must meet to be drawn.
 typedef struct water_pieces_view
 {
   water_frustum frustum; // the part of the mirrored one behind the drawn part of the map; in place
-                         // of its far plane the kept side of the clip
+                         // of its far plane the kept side of the clip; relative to the origin of
+                         // triangles
   water_triangles_view triangles;
   bool is_fine; // triangles are looked at one by one
 } water_pieces_view;
@@ -64,8 +65,10 @@ typedef struct water_pieces_map
 
 // is_solid        every pixel that a triangle of the mesh covers gets its colour and depth
 // model_to_world  affine
+// origin          what the GPU's coordinates of the mesh are relative to: they are in single
+//                 precision
 void water_pieces_look(const water_plan* plan, const water_pieces_map* map, bool is_solid,
-  const double model_to_world[16], water_pieces_view* view);
+  const double model_to_world[16], const double origin[3], water_pieces_view* view);
 
 // Whether pieces come nearer in the order they are drawn in, where one lies behind the other; all
 // 0: none is drawn yet.

@@ -261,6 +261,10 @@ void water_triangles_project(
 {
   double place[3];
   water_points_get(points, number, place);
+  for (size_t i = 0; i < 3; ++i)
+  {
+    place[i] -= view->origin[i];
+  }
   water_mat4_apply_point(view->to_clip, place, corner->clip);
   corner->height = water_vec3_dot(view->kept, place) + view->kept[3];
   corner->w_inverse = 1.0 / corner->clip[3];

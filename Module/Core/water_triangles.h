@@ -35,8 +35,9 @@ static inline void water_points_get(const water_points* points, size_t number, d
 
 typedef struct water_triangles_view
 {
-  double to_clip[16];     // from the mesh's own coordinates to the map's clip space
-  double kept[4];         // half-space in the mesh's own coordinates: what is drawn
+  double origin[3];       // in the mesh's own coordinates: the GPU's are relative to it
+  double to_clip[16];     // from those to the map's clip space
+  double kept[4];         // half-space in those: what is drawn
   double reach;           // of the numbers that cancelled in it (water_frustum.h)
   int texture_px[2];      // of the map
   int rect_px[4];         // its drawn part: x, y, width, height
@@ -60,10 +61,10 @@ typedef struct water_triangles_slack
   double height;  // over the kept half-space's plane, in its units
 } water_triangles_slack;
 
-// For what lies in a box. The bound: a product of single-precision matrix and point, in any order
-// of its sums, is off by less than 16 units in the last place of the sum of its terms' sizes
-// (Higham 2002, "Accuracy and Stability of Numerical Algorithms", 2nd ed., section 3.5: n + 2 = 6
-// units, and two for the matrix' and the point's own rounding).
+// For what lies in a box, relative to the view's origin. The bound: a product of single-precision
+// matrix and point, in any order of its sums, is off by less than 16 units in the last place of the
+// sum of its terms' sizes (Higham 2002, "Accuracy and Stability of Numerical Algorithms", 2nd ed.,
+// section 3.5: n + 2 = 6 units, and two for the matrix' and the point's own rounding).
 void water_triangles_allow(
   const water_triangles_view* view, const double box[6], water_triangles_slack* slack);
 

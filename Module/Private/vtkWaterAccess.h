@@ -12,6 +12,7 @@
 #include "vtkOpenGLPolyDataMapper.h"
 #include "vtkOpenGLRenderer.h"
 #include "vtkOpenGLShaderCache.h"
+#include "vtkOpenGLVertexBufferObjectGroup.h"
 #include "vtkProp.h"
 #include "vtkRenderer.h"
 #include "vtkShadowMapPass.h"
@@ -60,6 +61,11 @@ struct PolyDataMapper : public vtkOpenGLPolyDataMapper
   static vtkOpenGLIndexBufferObject*& TrianglesOf(vtkOpenGLPolyDataMapper* mapper)
   {
     return (mapper->*(&PolyDataMapper::Primitives))[PrimitiveTris].IBO;
+  }
+  // Of the points of all primitives.
+  static vtkOpenGLVertexBufferObject* VerticesOf(vtkOpenGLPolyDataMapper* mapper)
+  {
+    return (mapper->*(&PolyDataMapper::VBOs))->GetVBO("vertexMC");
   }
 };
 

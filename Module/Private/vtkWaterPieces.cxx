@@ -9,6 +9,7 @@
 #include "vtkMatrix4x4.h"
 #include "vtkOpenGLIndexBufferObject.h"
 #include "vtkOpenGLPolyDataMapper.h"
+#include "vtkOpenGLVertexBufferObject.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
@@ -88,6 +89,19 @@ bool IsSolid(vtkPolyDataMapper* mapper, vtkActor* actor)
   vtkProperty* property = actor->GetProperty();
   return IsOpaqueEverywhere(actor) && !property->GetBackfaceCulling() &&
     !property->GetFrontfaceCulling() && mapper->GetNumberOfClippingPlanes() == 0;
+}
+
+// What the vertices that the GPU has are relative to: VTK shifts those of meshes that are large, or
+// far off.
+std::array<double, 3> OriginOf(vtkOpenGLPolyDataMapper* mapper)
+{
+  vtkOpenGLVertexBufferObject* vertices = vtkWaterAccess::PolyDataMapper::VerticesOf(mapper);
+  std::array<double, 3> origin{};
+  if (vertices && vertices->GetCoordShiftAndScaleEnabled() && vertices->GetShift().size() == 3)
+  {
+    std::copy_n(vertices->GetShift().begin(), 3, origin.begin());
+  }
+  return origin;
 }
 
 bool HasTrianglesOnly(vtkPolyDataMapper* mapper, vtkProperty* property)
@@ -254,7 +268,8 @@ void vtkWaterPieces::Give(
     map.depths = nullptr;
   }
   water_pieces_view view;
-  water_pieces_look(&plan, &map, IsSolid(mapper, actor), &actor->GetMatrix()->Element[0][0], &view);
+  water_pieces_look(&plan, &map, IsSolid(mapper, actor), &actor->GetMatrix()->Element[0][0],
+    OriginOf(mapper).data(), &view);
   this->Selected.resize(mesh.Indices.size());
   this->Work.resize(mesh.Boxes.size());
   const size_t count = water_pieces_select(

@@ -1,59 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // test_pieces.c: large meshes in pieces: what is seen of them is kept, in its order, and what is
 // not seen is dropped.
-#include "test_scene.h"
-
-#include <stdlib.h>
+#include "test_mesh.h"
 
 #include "water_math.h"
-#include "water_pieces.h"
-
-enum
-{
-  SIDE = 120, // quads of the mesh
-  POINTS = (SIDE + 1) * (SIDE + 1),
-  TRIANGLES = 2 * SIDE * SIDE,
-  PIECES = (TRIANGLES + WATER_PIECE_TRIANGLES - 1) / WATER_PIECE_TRIANGLES
-};
-
-typedef struct mesh
-{
-  float points[3 * POINTS];
-  uint32_t indices[3 * TRIANGLES];
-  double boxes[PIECES][6];
-  water_mesh described;
-  water_piece_work work[PIECES];
-  uint32_t drawn[3 * TRIANGLES];
-} mesh;
-
-static const water_pieces_map plain_map = { NULL, NULL, 0, 8 };
-
-// A hilly square of 100 x 100 about a place.
-static mesh* mesh_made(dice* from)
-{
-  mesh* made = malloc(sizeof *made);
-  assert_non_null(made);
-  for (int i = 0; i < POINTS; ++i)
-  {
-    made->points[3 * i] = (float)(100.0 * (i % (SIDE + 1)) / SIDE - 50.0);
-    made->points[3 * i + 1] = (float)(100.0 * (i / (SIDE + 1)) / SIDE - 50.0);
-    made->points[3 * i + 2] = (float)dice_roll(from, -3.0, 3.0);
-  }
-  uint32_t* index = made->indices;
-  for (uint32_t i = 0; i < SIDE * SIDE; ++i)
-  {
-    const uint32_t corner = i / SIDE * (SIDE + 1) + i % SIDE;
-    const uint32_t quad[6] = { corner, corner + 1, corner + SIDE + 2, corner, corner + SIDE + 2,
-      corner + SIDE + 1 };
-    for (int j = 0; j < 6; ++j)
-    {
-      *index++ = quad[j];
-    }
-  }
-  made->described =
-    (water_mesh){ { made->points, NULL }, POINTS, made->indices, TRIANGLES, made->boxes };
-  return made;
-}
 
 TEST(only_large_meshes_have_pieces)
 {
@@ -94,7 +44,7 @@ TEST(what_is_seen_is_kept_in_its_order)
     water_pieces_view view;
     water_trend trend;
     memset(&trend, 0, sizeof trend);
-    water_pieces_look(&plan, &plain_map, false, model_to_world, &view);
+    water_pieces_look(&plan, &plain_map, false, model_to_world, at_zero, &view);
     const size_t count =
       water_pieces_select(&view, &terrain->described, false, &trend, terrain->work, terrain->drawn);
     assert_int_equal(count % 3, 0);
@@ -181,7 +131,7 @@ TEST(backwards_is_the_order_backwards)
     water_pieces_view view;
     water_trend trends[2];
     memset(trends, 0, sizeof trends);
-    water_pieces_look(&plan, &plain_map, false, model_to_world, &view);
+    water_pieces_look(&plan, &plain_map, false, model_to_world, at_zero, &view);
     const size_t count = water_pieces_select(
       &view, &terrain->described, false, &trends[0], terrain->work, terrain->drawn);
     assert_int_equal(count,
@@ -288,27 +238,6 @@ TEST(steps_are_counted_by_cell_and_distance)
   }
 }
 
-// What a mesh's own place adds to the numbers that are summed, its rounding must know.
-TEST(rounding_knows_how_far_the_mesh_is_moved)
-{
-  UNUSED;
-  const double moves[3][16] = { { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 },
-    { 1, 0, 0, 3, 0, 1, 0, -4, 0, 0, 1, 12, 0, 0, 0, 1 },
-    { 0, -2, 0, 0, 2, 0, 0, 0, 0, 0, 2, -7, 0, 0, 0, 1 } };
-  const double lengths[3] = { 0.0, 13.0, 7.0 };
-  const water_scene scene = lake();
-  const water_plan plan = plan_of(&scene, NULL);
-  double reach = 0.0;
-  for (int i = 0; i < 3; ++i)
-  {
-    water_pieces_view view;
-    water_pieces_look(&plan, &plain_map, false, moves[i], &view);
-    reach = i == 0 ? view.frustum.reach : reach;
-    ASSERT_CLOSE(view.frustum.reach, reach + lengths[i], 1e-12);
-  }
-  assert_true(reach > 0.0);
-}
-
 // A mesh whose rows lie one behind the other goes away from an eye at its first row and comes
 // nearer to one at its last; so do its columns, within every row.
 TEST(the_trend_says_which_end_is_near)
@@ -332,7 +261,7 @@ TEST(the_trend_says_which_end_is_near)
     water_pieces_view view;
     water_trend trend;
     memset(&trend, 0, sizeof trend);
-    water_pieces_look(&plan, &plain_map, false, model_to_world, &view);
+    water_pieces_look(&plan, &plain_map, false, model_to_world, at_zero, &view);
     (void)water_pieces_select(
       &view, &terrain->described, false, &trend, terrain->work, terrain->drawn);
     const int away = side % 2 ? trend.nearer_steps : trend.farther_steps;
@@ -358,7 +287,7 @@ TEST(the_map_is_handed_on)
     const water_plan plan = plan_of(&scene, NULL);
     const water_pieces_map map = { i ? &seen : NULL, i ? depths : NULL, i ? 2 : 1, 4 + 4 * i };
     water_pieces_view view;
-    water_pieces_look(&plan, &map, i, moved, &view);
+    water_pieces_look(&plan, &map, i, moved, at_zero, &view);
     assert_int_equal(view.is_fine, i);
     assert_int_equal(view.triangles.has_samples, i);
     assert_int_equal(view.triangles.is_solid, i);
@@ -411,7 +340,7 @@ TEST(triangles_are_looked_at_one_by_one)
     water_pieces_view view;
     water_trend trend;
     size_t counts[2];
-    water_pieces_look(&plan, &map, true, model_to_world, &view);
+    water_pieces_look(&plan, &map, true, model_to_world, at_zero, &view);
     for (int i = 0; i < 2; ++i)
     {
       memset(&trend, 0, sizeof trend);
@@ -504,7 +433,7 @@ TEST(pieces_in_closed_cells_are_left_out)
     water_pieces_view view;
     water_trend trend;
     memset(&trend, 0, sizeof trend);
-    water_pieces_look(&plan, &map, false, model_to_world, &view);
+    water_pieces_look(&plan, &map, false, model_to_world, at_zero, &view);
     counts[i] =
       water_pieces_select(&view, &terrain->described, false, &trend, terrain->work, terrain->drawn);
   }
@@ -525,7 +454,6 @@ int main(void)
     RUN(backwards_is_the_order_backwards),
     RUN(last_piece_has_what_is_left),
     RUN(steps_are_counted_by_cell_and_distance),
-    RUN(rounding_knows_how_far_the_mesh_is_moved),
     RUN(the_trend_says_which_end_is_near),
     RUN(points_of_both_kinds_and_without_an_end),
     RUN(the_map_is_handed_on),

@@ -2,13 +2,14 @@
 """Large meshes whose pixels are not where their corners say, or have holes that the data does not
 show, neither hide triangles nor are drawn in another order; what is left out changes no picture."""
 
+import functools
 import os
 
 import numpy as np
 import skip_scenes
 import water_test as wt
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonCore import VTK_UNSIGNED_CHAR, vtkLookupTable
+from vtkmodules.vtkCommonCore import VTK_UNSIGNED_CHAR, vtkLookupTable, vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPlane
 from vtkmodules.vtkRenderingCore import VTK_RESOLVE_POLYGON_OFFSET, vtkMapper, vtkTexture
 from vtkwater import vtkWaterReflectionPass as Pass
@@ -138,5 +139,41 @@ def write_points(scene):
 
 
 check("points written in place", lambda scene: None, before=write_points)
+
+# A scene in UTM metres, and parts that are placed there or scaled, are as good as one at the origin: VTK draws
+# large and far meshes relative to their middle, and so is what single precision may do to them.
+UTM = (500000.0, 4500000.0, 120.0)
+
+
+def move(scene, offset, in_data, unit):
+    """To an offset, by the data or by the actors' matrices; the data in its unit (m)."""
+    for actor in (scene.first, scene.second):
+        data = actor.GetMapper().GetInput()
+        points = vtk_to_numpy(data.GetPoints().GetData()).astype(float)
+        moved = vtkPoints()
+        moved.SetData(numpy_to_vtk((points + in_data * np.array(offset)) / unit, deep=True))
+        data.SetPoints(moved)
+        actor.SetScale(unit, unit, unit)
+        if not in_data:
+            actor.SetPosition(*offset)
+    scene.water.GetPlane().SetOrigin(*offset)
+    scene.camera.SetPosition(*np.add(scene.camera.GetPosition(), offset))
+    scene.camera.SetFocalPoint(*np.add(scene.camera.GetFocalPoint(), offset))
+
+
+def triangles_of(change):
+    os.environ["VTK_WATER_SOFTWARE"] = "1"
+    scene = Scene(Pass.SKIP_ALL, change)
+    scene.water.GetReflectionPass().InstrumentationOn()
+    list(scene.pictures())
+    return scene.water.GetReflectionPass().GetNumberOfTrianglesReflected()
+
+
+near = triangles_of(lambda scene: None)
+for name, in_data, unit in (("data", True, 1.0), ("matrices", False, 1.0), ("millimetres", True, 1e-3),
+                            ("matrices, kilometres", False, 1e3)):
+    change = functools.partial(move, offset=UTM, in_data=in_data, unit=unit)
+    check(f"UTM by {name}", change)
+    wt.check_at_most(f"UTM by {name}: triangles to {near} at the origin", triangles_of(change) / near, 1.02)
 
 wt.finish()

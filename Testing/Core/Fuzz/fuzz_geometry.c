@@ -60,6 +60,7 @@ static void fuzz_pieces(fuzz_input* from)
   float depths[DEPTHS * DEPTHS];
   water_triangles_view* fine = &view.triangles;
   view.is_fine = fuzz_bool(from);
+  fuzz_doubles(from, fine->origin, 3);
   fuzz_doubles(from, fine->to_clip, 16);
   fuzz_doubles(from, fine->kept, 4);
   fine->reach = fuzz_double(from);

@@ -66,7 +66,9 @@ int LLVMFuzzerTestOneInput(const uint8_t* bytes, size_t size)
     water_pieces_view view;
     fuzz_doubles(&from, model, 16);
     const water_pieces_map map = { NULL, NULL, fuzz_byte(&from), fuzz_byte(&from) };
-    water_pieces_look(&plan, &map, true, model, &view);
+    double origin[3];
+    fuzz_doubles(&from, origin, 3);
+    water_pieces_look(&plan, &map, true, model, origin, &view);
     for (size_t i = 0; i < scene.prop_count; ++i)
     {
       (void)water_frustum_divides(&view.frustum, 6, props[i].bounds, 1e-6);

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// test_mesh.h: a mesh for the tests of pieces.
+#ifndef test_mesh_h
+#define test_mesh_h
+
+#include "test_scene.h"
+
+#include <stdlib.h>
+
+#include "water_pieces.h"
+
+enum
+{
+  SIDE = 120, // quads of the mesh
+  POINTS = (SIDE + 1) * (SIDE + 1),
+  TRIANGLES = 2 * SIDE * SIDE,
+  PIECES = (TRIANGLES + WATER_PIECE_TRIANGLES - 1) / WATER_PIECE_TRIANGLES
+};
+
+typedef struct mesh
+{
+  float points[3 * POINTS];
+  uint32_t indices[3 * TRIANGLES];
+  double boxes[PIECES][6];
+  water_mesh described;
+  water_piece_work work[PIECES];
+  uint32_t drawn[3 * TRIANGLES];
+} mesh;
+
+static const double at_zero[3] = { 0.0, 0.0, 0.0 };
+static const water_pieces_map plain_map = { NULL, NULL, 0, 8 };
+
+// A hilly square of 100 x 100 about a place.
+static inline mesh* mesh_made(dice* from)
+{
+  mesh* made = malloc(sizeof *made);
+  assert_non_null(made);
+  for (int i = 0; i < POINTS; ++i)
+  {
+    made->points[3 * i] = (float)(100.0 * (i % (SIDE + 1)) / SIDE - 50.0);
+    made->points[3 * i + 1] = (float)(100.0 * (i / (SIDE + 1)) / SIDE - 50.0);
+    made->points[3 * i + 2] = (float)dice_roll(from, -3.0, 3.0);
+  }
+  uint32_t* index = made->indices;
+  for (uint32_t i = 0; i < SIDE * SIDE; ++i)
+  {
+    const uint32_t corner = i / SIDE * (SIDE + 1) + i % SIDE;
+    const uint32_t quad[6] = { corner, corner + 1, corner + SIDE + 2, corner, corner + SIDE + 2,
+      corner + SIDE + 1 };
+    for (int j = 0; j < 6; ++j)
+    {
+      *index++ = quad[j];
+    }
+  }
+  made->described =
+    (water_mesh){ { made->points, NULL }, POINTS, made->indices, TRIANGLES, made->boxes };
+  return made;
+}
+
+#endif
