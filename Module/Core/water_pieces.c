@@ -14,6 +14,15 @@ size_t water_pieces_count(size_t triangle_count)
   return count < WATER_PIECES_MIN ? 0 : count;
 }
 
+int water_pieces_bands(bool is_software, size_t triangle_count, unsigned core_count)
+{
+  const size_t worth = water_pieces_count(triangle_count) / WATER_BAND_PIECES;
+  size_t count = is_software ? core_count : 1;
+  count = count < worth ? count : worth;
+  count = count < WATER_PIECES_BANDS_MAX ? count : WATER_PIECES_BANDS_MAX;
+  return count > 1 ? (int)count : 1;
+}
+
 static void take_in(const water_points* points, size_t number, double box[6])
 {
   double place[3];
@@ -52,8 +61,9 @@ static double size_of_normal(const double plane[4])
   return fabs(plane[0]) + fabs(plane[1]) + fabs(plane[2]);
 }
 
-void water_pieces_look(const water_plan* plan, const water_pieces_map* map, bool is_solid,
-  const double model_to_world[16], const double origin[3], water_pieces_view* view)
+void water_pieces_look(const water_plan* plan, const water_pieces_map* map, int band,
+  int band_count, bool is_solid, const double model_to_world[16], const double origin[3],
+  water_pieces_view* view)
 {
   // from coordinates relative to the origin
   double near_to_world[16];
@@ -70,7 +80,11 @@ void water_pieces_look(const water_plan* plan, const water_pieces_map* map, bool
   water_frustum* local = &view->frustum;
   double box[4];
   water_frustum world;
-  water_target_box_of_rect(plan->texture_rect_px, plan->texture_px, box);
+  const int* rect_px = plan->texture_rect_px;
+  const int columns[2] = { rect_px[2] * band / band_count, rect_px[2] * (band + 1) / band_count };
+  const int band_px[4] = { rect_px[0] + columns[0], rect_px[1], columns[1] - columns[0],
+    rect_px[3] };
+  water_target_box_of_rect(band_px, plan->texture_px, box);
   water_frustum_make(&plan->mirrored, box, &world);
   // the far plane gives way to the clip at the water
   double clip_world[4];
@@ -96,7 +110,8 @@ void water_pieces_look(const water_plan* plan, const water_pieces_map* map, bool
   memcpy(triangles->kept, local->planes[5], sizeof triangles->kept);
   triangles->reach = local->reach;
   memcpy(triangles->texture_px, plan->texture_px, sizeof triangles->texture_px);
-  memcpy(triangles->rect_px, plan->texture_rect_px, sizeof triangles->rect_px);
+  memcpy(triangles->rect_px, rect_px, sizeof triangles->rect_px);
+  memcpy(triangles->columns, columns, sizeof triangles->columns);
   triangles->has_samples = map->samples > 1;
   triangles->grid_px = ldexp(1.0, -map->subpixel_bits);
   triangles->seen = map->seen;
@@ -268,10 +283,15 @@ static size_t copy_marked(
   return count;
 }
 
-size_t water_pieces_select(const water_pieces_view* view, const water_mesh* mesh, bool is_reversed,
-  water_trend* trend, water_piece_work* work, uint32_t* drawn)
+static size_t count_of(const water_mesh* mesh)
 {
-  const size_t count = (mesh->triangle_count + WATER_PIECE_TRIANGLES - 1) / WATER_PIECE_TRIANGLES;
+  return (mesh->triangle_count + WATER_PIECE_TRIANGLES - 1) / WATER_PIECE_TRIANGLES;
+}
+
+void water_pieces_mark(const water_pieces_view* view, const water_mesh* mesh, bool is_reversed,
+  water_trend* trend, water_piece_work* work)
+{
+  const size_t count = count_of(mesh);
   double distances[2] = { DBL_MAX, 0.0 };
   for (size_t i = 0; i < count; ++i)
   {
@@ -292,12 +312,22 @@ size_t water_pieces_select(const water_pieces_view* view, const water_mesh* mesh
   {
     look_at_all(view, mesh, count, distances, work);
   }
+}
+
+size_t water_pieces_copy(const water_mesh* mesh, bool is_reversed, const water_piece_work* works,
+  int band_count, uint32_t* drawn)
+{
+  const size_t count = count_of(mesh);
   size_t drawn_count = 0;
   for (size_t i = 0; i < count; ++i)
   {
     const size_t piece = is_reversed ? count - 1 - i : i;
-    drawn_count +=
-      copy_marked(mesh, piece, work[piece].triangles, is_reversed, drawn + drawn_count);
+    uint32_t marks = 0;
+    for (size_t band = 0; band < (size_t)band_count; ++band)
+    {
+      marks |= works[band * count + piece].triangles;
+    }
+    drawn_count += copy_marked(mesh, piece, marks, is_reversed, drawn + drawn_count);
   }
   return drawn_count;
 }

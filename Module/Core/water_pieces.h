@@ -22,9 +22,16 @@ enum
 {
   WATER_PIECE_TRIANGLES = 32, // of a piece; the last has what is left
   WATER_PIECES_MIN = 128,     // a smaller mesh is drawn as a whole
-  WATER_TREND_COLUMNS = 64,   // cells of the picture: what lies one behind the other is in a column
+  WATER_PIECES_BANDS_MAX = 4,
+  WATER_BAND_PIECES = 200,  // for fewer, a thread takes longer to begin than it saves
+  WATER_TREND_COLUMNS = 64, // cells of the picture: what lies one behind the other is in a column
   WATER_TREND_ROWS = 4
 };
+
+// How many bands are worth a thread each.
+//
+// core_count  of the machine; 0: not known
+int water_pieces_bands(bool is_software, size_t triangle_count, unsigned core_count);
 
 // Number of pieces of a mesh; 0: it is drawn as a whole.
 size_t water_pieces_count(size_t triangle_count);
@@ -63,12 +70,15 @@ typedef struct water_pieces_map
   int subpixel_bits;      // of the GPU: it puts corners at multiples of 2^-bits pixels
 } water_pieces_map;
 
+// band            of band_count bands of columns of the drawn part, of which each has its own view:
+//                 what may change a pixel is marked in one of them, at least
 // is_solid        every pixel that a triangle of the mesh covers gets its colour and depth
 // model_to_world  affine
 // origin          what the GPU's coordinates of the mesh are relative to: they are in single
 //                 precision
-void water_pieces_look(const water_plan* plan, const water_pieces_map* map, bool is_solid,
-  const double model_to_world[16], const double origin[3], water_pieces_view* view);
+void water_pieces_look(const water_plan* plan, const water_pieces_map* map, int band,
+  int band_count, bool is_solid, const double model_to_world[16], const double origin[3],
+  water_pieces_view* view);
 
 // Whether pieces come nearer in the order they are drawn in, where one lies behind the other; all
 // 0: none is drawn yet.
@@ -79,7 +89,7 @@ typedef struct water_trend
   int farther_steps;
 } water_trend;
 
-// What a selection notes of a piece.
+// What is noted of a piece.
 typedef struct water_piece_work
 {
   uint32_t triangles; // that are drawn, a bit each
@@ -87,15 +97,22 @@ typedef struct water_piece_work
   float distance;
 } water_piece_work;
 
-// Copies the indices of what may be seen, in their order or from the last triangle to the first.
+// Marks what may be seen. Bands of one map may be done at the same time, by one thread each.
 //
-// trend  of all pieces drawn so far in a view; these are added
-// work   room for one per piece
+// is_reversed  they are drawn from the last triangle to the first
+// trend        of all pieces drawn so far in the band; these are added
+// work         room for one per piece
+void water_pieces_mark(const water_pieces_view* view, const water_mesh* mesh, bool is_reversed,
+  water_trend* trend, water_piece_work* work);
+
+// Copies the indices of what is marked, in their order or from the last triangle to the first.
+//
+// works  of all bands, one after the other
 // drawn  room for 3 * triangle_count
 //
 // Returns how many indices were copied.
-size_t water_pieces_select(const water_pieces_view* view, const water_mesh* mesh, bool is_reversed,
-  water_trend* trend, water_piece_work* work, uint32_t* drawn);
+size_t water_pieces_copy(const water_mesh* mesh, bool is_reversed, const water_piece_work* works,
+  int band_count, uint32_t* drawn);
 
 #ifdef __cplusplus
 }

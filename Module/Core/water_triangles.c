@@ -85,14 +85,15 @@ static bool has_pixels(const water_triangles_view* view, picture* of)
   {
     const double from = of->low[i] - of->shift_px[i];
     const double to = of->high[i] + of->shift_px[i];
-    const double end = view->rect_px[2 + i];
-    if (!(to > 0.0) || !(from < end))
+    const double begin = i == 0 ? view->columns[0] : 0.0;
+    const double end = i == 0 ? view->columns[1] : view->rect_px[3];
+    if (!(to > begin) || !(from < end))
     {
       return false;
     }
     // the pixels that it touches, or whose middles it may cover
     const double to_middle = view->has_samples ? 0.0 : 0.5;
-    of->first[i] = (int)(greater(from, 0.0) + to_middle);
+    of->first[i] = (int)(greater(from, begin) + to_middle);
     of->last[i] = (int)(lesser(to, end - 0.5) + to_middle) - (view->has_samples ? 0 : 1);
     if (of->last[i] < of->first[i])
     {

@@ -41,6 +41,7 @@ typedef struct water_triangles_view
   double reach;           // of the numbers that cancelled in it (water_frustum.h)
   int texture_px[2];      // of the map
   int rect_px[4];         // its drawn part: x, y, width, height
+  int columns[2];         // of that, first and end: what is looked at
   bool has_samples;       // of several places in a pixel, not of its middle alone
   double grid_px;         // of the places that the GPU puts corners at
   const water_seen* seen; // of the drawn part; NULL: all of it is looked up

@@ -193,7 +193,7 @@ const char* vtkWaterMirror::Draw(vtkRenderer* renderer, vtkWaterShading* shading
       ScopedMirroredView scopedView(shading, view);
       ScopedRenderTimes scopedTimes(renderer, props);
       vtkWaterShadows::Draw(renderer, settings.Shadows, props,
-        [&]() { this->DrawOpaque(renderer, props, settings.CanCut); });
+        [&]() { this->DrawOpaque(renderer, plan, props, settings.CanCut); });
       this->DrawTranslucent(renderer, props);
       state->vtkglDisable(GL_SCISSOR_TEST);
       this->Target.Resolve();
@@ -310,7 +310,7 @@ vtkRenderPass* vtkWaterMirror::GetTranslucentPass(vtkRenderer* renderer)
 
 //------------------------------------------------------------------------------
 void vtkWaterMirror::DrawOpaque(
-  vtkRenderer* renderer, const std::vector<vtkProp*>& props, bool canCut)
+  vtkRenderer* renderer, const water_plan& plan, const std::vector<vtkProp*>& props, bool canCut)
 {
   auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
   const auto draw = [this, renderer](vtkProp* prop) {
@@ -335,6 +335,10 @@ void vtkWaterMirror::DrawOpaque(
       std::for_each(next, leading, draw);
     }
     this->Pieces.EndLeading();
+    if (plan.is_software && next != leading)
+    {
+      glFlush(); // they are drawn while the others are handed over
+    }
     next = leading;
   }
   std::for_each(next, props.end(), draw);

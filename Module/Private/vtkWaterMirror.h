@@ -65,7 +65,8 @@ public:
 
 private:
   void SetCamera(vtkRenderer* renderer, const water_plan& plan);
-  void DrawOpaque(vtkRenderer* renderer, const std::vector<vtkProp*>& props, bool canCut);
+  void DrawOpaque(
+    vtkRenderer* renderer, const water_plan& plan, const std::vector<vtkProp*>& props, bool canCut);
   void DrawTranslucent(vtkRenderer* renderer, std::vector<vtkProp*>& props);
   vtkRenderPass* GetTranslucentPass(vtkRenderer* renderer);
 

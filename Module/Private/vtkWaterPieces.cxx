@@ -22,6 +22,8 @@
 
 #include <algorithm>
 #include <cstring>
+#include <system_error>
+#include <thread>
 
 namespace
 {
@@ -102,6 +104,29 @@ std::array<double, 3> OriginOf(vtkOpenGLPolyDataMapper* mapper)
     std::copy_n(vertices->GetShift().begin(), 3, origin.begin());
   }
   return origin;
+}
+
+// Calls back for every number below a count, at the same time if the machine lets us.
+template <typename Function>
+void ForEach(int count, const Function& function)
+{
+  std::vector<std::thread> others;
+  for (int i = 1; i < count; ++i)
+  {
+    try
+    {
+      others.emplace_back(function, i);
+    }
+    catch (const std::system_error&) // no more threads
+    {
+      function(i);
+    }
+  }
+  function(0);
+  for (std::thread& other : others)
+  {
+    other.join();
+  }
 }
 
 bool HasTrianglesOnly(vtkPolyDataMapper* mapper, vtkProperty* property)
@@ -214,7 +239,7 @@ void vtkWaterPieces::BeginMap(const water_plan& plan, const water_seen* seen, in
 size_t vtkWaterPieces::BeginLeading(const std::vector<vtkProp*>& props)
 {
   this->HasLeading = true;
-  this->Trend = water_trend{};
+  this->Trends = {};
   const auto other = std::find_if_not(
     props.begin(), props.end(), [this](vtkProp* prop) { return this->CanLead(prop); });
   return static_cast<size_t>(other - props.begin());
@@ -224,7 +249,14 @@ size_t vtkWaterPieces::BeginLeading(const std::vector<vtkProp*>& props)
 void vtkWaterPieces::EndLeading()
 {
   // what they were like in this view tells how to draw them in the next
-  this->FarFirst = this->FarFirst != (this->Trend.nearer_steps > this->Trend.farther_steps);
+  int nearerSteps = 0;
+  int fartherSteps = 0;
+  for (const water_trend& trend : this->Trends)
+  {
+    nearerSteps += trend.nearer_steps;
+    fartherSteps += trend.farther_steps;
+  }
+  this->FarFirst = this->FarFirst != (nearerSteps > fartherSteps);
   this->HasLeading = false;
 }
 
@@ -267,13 +299,21 @@ void vtkWaterPieces::Give(
   {
     map.depths = nullptr;
   }
-  water_pieces_view view;
-  water_pieces_look(&plan, &map, IsSolid(mapper, actor), &actor->GetMatrix()->Element[0][0],
-    OriginOf(mapper).data(), &view);
+  const bool isSolid = IsSolid(mapper, actor);
+  const double* modelToWorld = &actor->GetMatrix()->Element[0][0];
+  const std::array<double, 3> origin = OriginOf(mapper);
+  const int bandCount = water_pieces_bands(
+    plan.is_software, described.triangle_count, std::thread::hardware_concurrency());
+  this->Work.resize(static_cast<size_t>(bandCount) * mesh.Boxes.size());
+  ForEach(bandCount, [&](int band) {
+    water_pieces_view view;
+    water_pieces_look(&plan, &map, band, bandCount, isSolid, modelToWorld, origin.data(), &view);
+    water_pieces_mark(&view, &described, this->IsReversed(), &this->Trends[band],
+      this->Work.data() + static_cast<size_t>(band) * mesh.Boxes.size());
+  });
   this->Selected.resize(mesh.Indices.size());
-  this->Work.resize(mesh.Boxes.size());
-  const size_t count = water_pieces_select(
-    &view, &described, this->IsReversed(), &this->Trend, this->Work.data(), this->Selected.data());
+  const size_t count = water_pieces_copy(
+    &described, this->IsReversed(), this->Work.data(), bandCount, this->Selected.data());
   if (count == mesh.Indices.size() && !this->IsReversed())
   {
     return;

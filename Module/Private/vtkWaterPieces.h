@@ -85,7 +85,7 @@ private:
   std::vector<water_piece_work> Work;
   water_pieces_map Map{};
   std::vector<float> Depths;
-  water_trend Trend{};
+  std::array<water_trend, WATER_PIECES_BANDS_MAX> Trends{};
   bool HasLeading = false;                        // are being drawn
   bool FarFirst = false;                          // is the leading meshes' own order
   vtkSmartPointer<vtkOpenGLPolyDataMapper> Given; // has a buffer of ours

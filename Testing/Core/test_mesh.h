@@ -57,4 +57,12 @@ static inline mesh* mesh_made(dice* from)
   return made;
 }
 
+// Marks what may be seen in one band, and copies it.
+static inline size_t selected(const water_pieces_view* view, const water_mesh* described,
+  bool is_reversed, water_trend* trend, water_piece_work* work, uint32_t* drawn)
+{
+  water_pieces_mark(view, described, is_reversed, trend, work);
+  return water_pieces_copy(described, is_reversed, work, 1, drawn);
+}
+
 #endif

@@ -44,9 +44,9 @@ TEST(what_is_seen_is_kept_in_its_order)
     water_pieces_view view;
     water_trend trend;
     memset(&trend, 0, sizeof trend);
-    water_pieces_look(&plan, &plain_map, false, model_to_world, at_zero, &view);
+    water_pieces_look(&plan, &plain_map, 0, 1, false, model_to_world, at_zero, &view);
     const size_t count =
-      water_pieces_select(&view, &terrain->described, false, &trend, terrain->work, terrain->drawn);
+      selected(&view, &terrain->described, false, &trend, terrain->work, terrain->drawn);
     assert_int_equal(count % 3, 0);
     drawn_sum += count / 3;
     size_t at = 0;
@@ -106,9 +106,9 @@ TEST(points_of_both_kinds_and_without_an_end)
     memset(&nothing, 0, sizeof nothing);
     nothing.frustum.planes[0][3] = -1.0; // nothing is inside
     water_frustum_prepare(&nothing.frustum);
-    assert_int_equal(water_pieces_select(&nothing, &single, false, &trend, &work, drawn), 3);
+    assert_int_equal(selected(&nothing, &single, false, &trend, &work, drawn), 3);
     boxes[0][1] = 5.0;
-    assert_int_equal(water_pieces_select(&nothing, &single, false, &trend, &work, drawn), 0);
+    assert_int_equal(selected(&nothing, &single, false, &trend, &work, drawn), 0);
   }
 }
 
@@ -131,11 +131,11 @@ TEST(backwards_is_the_order_backwards)
     water_pieces_view view;
     water_trend trends[2];
     memset(trends, 0, sizeof trends);
-    water_pieces_look(&plan, &plain_map, false, model_to_world, at_zero, &view);
-    const size_t count = water_pieces_select(
-      &view, &terrain->described, false, &trends[0], terrain->work, terrain->drawn);
-    assert_int_equal(count,
-      water_pieces_select(&view, &terrain->described, true, &trends[1], terrain->work, backwards));
+    water_pieces_look(&plan, &plain_map, 0, 1, false, model_to_world, at_zero, &view);
+    const size_t count =
+      selected(&view, &terrain->described, false, &trends[0], terrain->work, terrain->drawn);
+    assert_int_equal(
+      count, selected(&view, &terrain->described, true, &trends[1], terrain->work, backwards));
     for (size_t i = 0; i < count; i += 3)
     {
       assert_memory_equal(
@@ -181,7 +181,7 @@ TEST(last_piece_has_what_is_left)
     {
       water_trend trend;
       memset(&trend, 0, sizeof trend);
-      assert_int_equal(water_pieces_select(&all, &part, way, &trend, work, drawn), 3 * count);
+      assert_int_equal(selected(&all, &part, way, &trend, work, drawn), 3 * count);
       for (uint32_t i = 0; i < 3 * count; ++i)
       {
         const uint32_t triangle = way ? (uint32_t)count - 1 - i / 3 : i / 3;
@@ -232,7 +232,7 @@ TEST(steps_are_counted_by_cell_and_distance)
     const size_t count = sizeof indices / sizeof indices[0];
     water_piece_work work[3];
     const water_mesh three = { { NULL, NULL }, 0, indices, count / 3, boxes };
-    assert_int_equal(water_pieces_select(&view, &three, false, &trend, work, drawn), count);
+    assert_int_equal(selected(&view, &three, false, &trend, work, drawn), count);
     assert_int_equal(trend.nearer_steps, cases[i].nearer);
     assert_int_equal(trend.farther_steps, cases[i].farther);
   }
@@ -261,9 +261,8 @@ TEST(the_trend_says_which_end_is_near)
     water_pieces_view view;
     water_trend trend;
     memset(&trend, 0, sizeof trend);
-    water_pieces_look(&plan, &plain_map, false, model_to_world, at_zero, &view);
-    (void)water_pieces_select(
-      &view, &terrain->described, false, &trend, terrain->work, terrain->drawn);
+    water_pieces_look(&plan, &plain_map, 0, 1, false, model_to_world, at_zero, &view);
+    (void)selected(&view, &terrain->described, false, &trend, terrain->work, terrain->drawn);
     const int away = side % 2 ? trend.nearer_steps : trend.farther_steps;
     const int back = side % 2 ? trend.farther_steps : trend.nearer_steps;
     assert_int_in_range(away, 200, PIECES);
@@ -287,7 +286,7 @@ TEST(the_map_is_handed_on)
     const water_plan plan = plan_of(&scene, NULL);
     const water_pieces_map map = { i ? &seen : NULL, i ? depths : NULL, i ? 2 : 1, 4 + 4 * i };
     water_pieces_view view;
-    water_pieces_look(&plan, &map, i, moved, at_zero, &view);
+    water_pieces_look(&plan, &map, 0, 1, i, moved, at_zero, &view);
     assert_int_equal(view.is_fine, i);
     assert_int_equal(view.triangles.has_samples, i);
     assert_int_equal(view.triangles.is_solid, i);
@@ -340,17 +339,16 @@ TEST(triangles_are_looked_at_one_by_one)
     water_pieces_view view;
     water_trend trend;
     size_t counts[2];
-    water_pieces_look(&plan, &map, true, model_to_world, at_zero, &view);
+    water_pieces_look(&plan, &map, 0, 1, true, model_to_world, at_zero, &view);
     for (int i = 0; i < 2; ++i)
     {
       memset(&trend, 0, sizeof trend);
       water_triangles_begin(rect, NULL, depths);
-      counts[i] =
-        water_pieces_select(&view, &terrain->described, i, &trend, terrain->work, fine[i]);
+      counts[i] = selected(&view, &terrain->described, i, &trend, terrain->work, fine[i]);
     }
     view.is_fine = false;
     const size_t count =
-      water_pieces_select(&view, &terrain->described, false, &trend, terrain->work, terrain->drawn);
+      selected(&view, &terrain->described, false, &trend, terrain->work, terrain->drawn);
     size_t at = 0;
     for (size_t i = 0; i < count && at < counts[0]; i += 3)
     {
@@ -402,7 +400,7 @@ TEST(corners_that_take_each_others_place_keep_their_triangle)
   view.triangles.kept[3] = -1.0;
   const water_mesh single = { { places, NULL }, MANY, indices, COUNT, boxes };
   assert_true(water_pieces_bound(&single));
-  assert_int_equal(water_pieces_select(&view, &single, false, &trend, &work, drawn), 9);
+  assert_int_equal(selected(&view, &single, false, &trend, &work, drawn), 9);
   assert_memory_equal(drawn, indices, 9 * sizeof *drawn);
 }
 
@@ -433,9 +431,8 @@ TEST(pieces_in_closed_cells_are_left_out)
     water_pieces_view view;
     water_trend trend;
     memset(&trend, 0, sizeof trend);
-    water_pieces_look(&plan, &map, false, model_to_world, at_zero, &view);
-    counts[i] =
-      water_pieces_select(&view, &terrain->described, false, &trend, terrain->work, terrain->drawn);
+    water_pieces_look(&plan, &map, 0, 1, false, model_to_world, at_zero, &view);
+    counts[i] = selected(&view, &terrain->described, false, &trend, terrain->work, terrain->drawn);
   }
   assert_int_in_range(counts[2], 1000, 3 * TRIANGLES);
   assert_int_in_range(counts[0], 0, counts[2] / 2); // those about the eye stay

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // test_pieces_place.c: large meshes that are far from the origin of the world, or of their own
-// coordinates.
+// coordinates, or are looked at in bands of the map.
 #include "test_mesh.h"
 
 // What cancels in single precision, its rounding must know: how far the eye is from the origin of
@@ -34,7 +34,7 @@ TEST(rounding_knows_how_far_the_origin_is)
     }
     const water_plan plan = plan_of(&scene, NULL);
     water_pieces_view view;
-    water_pieces_look(&plan, &plain_map, false, model_to_world, origin, &view);
+    water_pieces_look(&plan, &plain_map, 0, 1, false, model_to_world, origin, &view);
     double world[4];
     apply(model_to_world, origin, 1.0, world);
     const double mirrored_eye[3] = { eye[0], eye[1], 2.0 * shift[2] - eye[2] };
@@ -89,10 +89,9 @@ TEST(far_meshes_are_cut_as_near_ones)
     water_pieces_view view;
     water_trend trend;
     memset(&trend, 0, sizeof trend);
-    water_pieces_look(&plan, &map, true, model_to_world, i == 2 ? at_zero : origin, &view);
+    water_pieces_look(&plan, &map, 0, 1, true, model_to_world, i == 2 ? at_zero : origin, &view);
     water_triangles_begin(rect, NULL, depths);
-    counts[i] =
-      water_pieces_select(&view, &terrain->described, false, &trend, terrain->work, terrain->drawn);
+    counts[i] = selected(&view, &terrain->described, false, &trend, terrain->work, terrain->drawn);
     free(depths);
   }
   print_message("near %zu, far %zu, as single precision has it there %zu of %d triangles\n",
@@ -104,11 +103,99 @@ TEST(far_meshes_are_cut_as_near_ones)
   free(terrain);
 }
 
+TEST(bands_are_for_cores_and_large_meshes)
+{
+  UNUSED;
+  const size_t enough = (size_t)WATER_PIECE_TRIANGLES * WATER_BAND_PIECES;
+  assert_int_equal(water_pieces_bands(true, 3 * enough, 8), 3);
+  assert_int_equal(water_pieces_bands(true, 3 * enough - WATER_PIECE_TRIANGLES, 8), 2);
+  assert_int_equal(water_pieces_bands(true, 3 * enough, 2), 2);
+  assert_int_equal(water_pieces_bands(true, 100 * enough, 64), WATER_PIECES_BANDS_MAX);
+  assert_int_equal(water_pieces_bands(true, 100 * enough, 0), 1);
+  assert_int_equal(water_pieces_bands(true, 100 * enough, 1), 1);
+  assert_int_equal(water_pieces_bands(true, 10, 64), 1);
+  assert_int_equal(water_pieces_bands(false, 100 * enough, 64), 1);
+}
+
+// Bands share the work: what is drawn into the map is marked in the bands that it is in, and hardly
+// anything else.
+TEST(bands_mark_what_is_in_them)
+{
+  UNUSED;
+  enum
+  {
+    BANDS = 3
+  };
+  const double center[3] = { 0.0, 0.0, 0.0 };
+  const double model_to_world[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 };
+  dice from = dice_seeded(67);
+  mesh* const terrain = mesh_made(&from);
+  water_piece_work* const works = malloc(BANDS * PIECES * sizeof *works);
+  assert_non_null(works);
+  assert_true(water_pieces_bound(&terrain->described));
+  size_t whole = 0;
+  size_t all = 0;
+  size_t fine = 0;
+  size_t each = 0;
+  for (int round = 0; round < 60; ++round)
+  {
+    random_scene random = scene_rolled(&from, round, center);
+    random.scene.is_software = round % 2;
+    const water_plan plan = plan_of(&random.scene, NULL);
+    const int* rect = plan.texture_rect_px;
+    float* depths = malloc((size_t)rect[2] * (size_t)rect[3] * sizeof *depths);
+    assert_non_null(depths);
+    const water_pieces_map map = { NULL, depths, 0, 8 };
+    water_pieces_view view;
+    water_trend trend;
+    memset(&trend, 0, sizeof trend);
+    water_triangles_begin(rect, NULL, depths);
+    water_pieces_look(&plan, &map, 0, 1, true, model_to_world, at_zero, &view);
+    whole += selected(&view, &terrain->described, false, &trend, terrain->work, terrain->drawn);
+    water_triangles_begin(rect, NULL, depths);
+    int end = 0;
+    for (int band = 0; band < BANDS; ++band)
+    {
+      water_piece_work* work = works + (size_t)band * PIECES;
+      memset(&trend, 0, sizeof trend);
+      water_pieces_look(&plan, &map, band, BANDS, true, model_to_world, at_zero, &view);
+      assert_int_equal(view.triangles.columns[0], end); // one after the other
+      end = view.triangles.columns[1];
+      water_pieces_mark(&view, &terrain->described, false, &trend, work);
+      const size_t count = water_pieces_copy(&terrain->described, false, work, 1, terrain->drawn);
+      each += round % 2 ? count : 0;
+    }
+    assert_int_equal(end, rect[2]);
+    const size_t count =
+      water_pieces_copy(&terrain->described, false, works, BANDS, terrain->drawn);
+    all += count;
+    fine += round % 2 ? count : 0;
+    size_t at = 0;
+    for (size_t i = 0; i < TRIANGLES; ++i)
+    {
+      const uint32_t* triangle = terrain->indices + 3 * i;
+      const bool is_drawn =
+        at < count && memcmp(terrain->drawn + at, triangle, 3 * sizeof *triangle) == 0;
+      at += is_drawn ? 3 : 0;
+    }
+    assert_int_equal(at, count); // in their order
+    free(depths);
+  }
+  print_message("%zu triangles, in bands %zu; one by one %zu, %zu with those in several\n",
+    whole / 3, all / 3, fine / 3, each / 3);
+  assert_true(fabs((double)all / (double)whole - 1.0) < 0.02);
+  assert_true((double)each < 1.15 * (double)fine);
+  free(works);
+  free(terrain);
+}
+
 int main(void)
 {
   const struct CMUnitTest tests[] = {
     RUN(rounding_knows_how_far_the_origin_is),
     RUN(far_meshes_are_cut_as_near_ones),
+    RUN(bands_are_for_cores_and_large_meshes),
+    RUN(bands_mark_what_is_in_them),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -76,8 +76,11 @@ static void fuzz_pieces(fuzz_input* from)
   fine->seen = NULL;
   fine->depths = fuzz_bool(from) ? depths : NULL;
   water_triangles_begin(fine->rect_px, NULL, depths);
-  PROMISED(
-    water_pieces_select(&view, &mesh, fuzz_bool(from), &trend, work, drawn) <= 3 * triangle_count);
+  fine->columns[0] = (int)fuzz_below(from, (size_t)fine->rect_px[2]);
+  fine->columns[1] = fine->rect_px[2];
+  const bool is_reversed = fuzz_bool(from);
+  water_pieces_mark(&view, &mesh, is_reversed, &trend, work);
+  PROMISED(water_pieces_copy(&mesh, is_reversed, work, 1, drawn) <= 3 * triangle_count);
 }
 
 // Cells of a map of any size, and boxes anywhere.

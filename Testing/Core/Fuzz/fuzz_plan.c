@@ -68,7 +68,8 @@ int LLVMFuzzerTestOneInput(const uint8_t* bytes, size_t size)
     const water_pieces_map map = { NULL, NULL, fuzz_byte(&from), fuzz_byte(&from) };
     double origin[3];
     fuzz_doubles(&from, origin, 3);
-    water_pieces_look(&plan, &map, true, model, origin, &view);
+    const int band = (int)fuzz_byte(&from) % 4;
+    water_pieces_look(&plan, &map, band, 4, true, model, origin, &view);
     for (size_t i = 0; i < scene.prop_count; ++i)
     {
       (void)water_frustum_divides(&view.frustum, 6, props[i].bounds, 1e-6);
