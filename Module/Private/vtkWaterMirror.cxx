@@ -2,20 +2,13 @@
 #include "vtkWaterMirror.h"
 
 #include "vtkCamera.h"
-#include "vtkDualDepthPeelingPass.h"
 #include "vtkMatrix4x4.h"
-#include "vtkOpenGLFramebufferObject.h"
 #include "vtkOpenGLRenderUtilities.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLRenderer.h"
 #include "vtkOpenGLState.h"
-#include "vtkOrderIndependentTranslucentPass.h"
 #include "vtkProp.h"
-#include "vtkRenderState.h"
 #include "vtkTextureObject.h"
-#include "vtkTranslucentPass.h"
-#include "vtkVersionMacros.h"
-#include "vtkVolumetricPass.h"
 #include "vtkWaterAccess.h"
 #include "vtkWaterGL.h"
 #include "vtkWaterGather.h"
@@ -194,7 +187,8 @@ const char* vtkWaterMirror::Draw(vtkRenderer* renderer, vtkWaterShading* shading
       ScopedRenderTimes scopedTimes(renderer, props);
       vtkWaterShadows::Draw(renderer, settings.Shadows, props,
         [&]() { this->DrawOpaque(renderer, plan, props, settings.CanCut); });
-      this->DrawTranslucent(renderer, props);
+      this->Translucent.DrawPolygons(renderer, props, this->Target.GetFramebuffer());
+      this->Translucent.DrawVolumes(renderer, props);
       state->vtkglDisable(GL_SCISSOR_TEST);
       this->Target.Resolve();
     }
@@ -250,65 +244,6 @@ void vtkWaterMirror::SetCamera(vtkRenderer* renderer, const water_plan& plan)
 }
 
 //------------------------------------------------------------------------------
-vtkWaterMirror::Blendings vtkWaterMirror::GetBlending(vtkRenderer* renderer)
-{
-  if (renderer->GetUseDepthPeeling())
-  {
-    return renderer->GetUseDepthPeelingForVolumes() ? PEELING_WITH_VOLUMES : PEELING;
-  }
-#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 5, 0)
-  if (!renderer->GetUseOIT())
-  {
-    return PLAIN;
-  }
-#endif
-  // vtkTranslucentPass, of which chains are made, blends in the order of drawing
-  return renderer->GetPass() ? PLAIN : ORDER_INDEPENDENT;
-}
-
-//------------------------------------------------------------------------------
-vtkRenderPass* vtkWaterMirror::GetTranslucentPass(vtkRenderer* renderer)
-{
-  const Blendings blending = GetBlending(renderer);
-  if (this->TranslucentPass && this->Blending != blending)
-  {
-    this->TranslucentPass->ReleaseGraphicsResources(renderer->GetRenderWindow());
-    this->TranslucentPass = nullptr;
-  }
-  if (!this->TranslucentPass)
-  {
-    this->Blending = blending;
-    vtkNew<vtkTranslucentPass> translucent;
-    if (blending == PLAIN)
-    {
-      this->TranslucentPass = translucent.Get();
-    }
-    else if (blending == ORDER_INDEPENDENT)
-    {
-      auto pass = vtkSmartPointer<vtkOrderIndependentTranslucentPass>::New();
-      pass->SetTranslucentPass(translucent);
-      this->TranslucentPass = pass;
-    }
-    else
-    {
-      auto pass = vtkSmartPointer<vtkDualDepthPeelingPass>::New();
-      pass->SetTranslucentPass(translucent);
-      if (blending == PEELING_WITH_VOLUMES)
-      {
-        pass->SetVolumetricPass(vtkNew<vtkVolumetricPass>());
-      }
-      this->TranslucentPass = pass;
-    }
-  }
-  if (auto* peeling = vtkDualDepthPeelingPass::SafeDownCast(this->TranslucentPass))
-  {
-    peeling->SetMaximumNumberOfPeels(renderer->GetMaximumNumberOfPeels());
-    peeling->SetOcclusionRatio(renderer->GetOcclusionRatio());
-  }
-  return this->TranslucentPass;
-}
-
-//------------------------------------------------------------------------------
 void vtkWaterMirror::DrawOpaque(
   vtkRenderer* renderer, const water_plan& plan, const std::vector<vtkProp*>& props, bool canCut)
 {
@@ -346,28 +281,6 @@ void vtkWaterMirror::DrawOpaque(
 }
 
 //------------------------------------------------------------------------------
-void vtkWaterMirror::DrawTranslucent(vtkRenderer* renderer, std::vector<vtkProp*>& props)
-{
-  const bool hasTranslucent = std::any_of(props.begin(), props.end(),
-    [](vtkProp* prop) { return prop->HasTranslucentPolygonalGeometry() != 0; });
-  if (hasTranslucent)
-  {
-    vtkRenderState state(renderer);
-    state.SetPropArrayAndCount(props.data(), static_cast<int>(props.size()));
-    state.SetFrameBuffer(this->Target.GetFramebuffer());
-    this->GetTranslucentPass(renderer)->Render(&state);
-  }
-  if (hasTranslucent && this->Blending == PEELING_WITH_VOLUMES)
-  {
-    return; // volumes were peeled with the translucent geometry
-  }
-  for (vtkProp* prop : props)
-  {
-    prop->RenderVolumetricGeometry(renderer);
-  }
-}
-
-//------------------------------------------------------------------------------
 vtkTextureObject* vtkWaterMirror::GetBlank(vtkOpenGLRenderWindow* window)
 {
   if (!this->Blank || this->Blank->GetContext() != window)
@@ -399,9 +312,5 @@ void vtkWaterMirror::ReleaseGraphicsResources(vtkWindow* window)
     this->Blank->ReleaseGraphicsResources(window);
   }
   this->Blank = nullptr;
-  if (this->TranslucentPass && window)
-  {
-    this->TranslucentPass->ReleaseGraphicsResources(window);
-  }
-  this->TranslucentPass = nullptr;
+  this->Translucent.ReleaseGraphicsResources(window);
 }

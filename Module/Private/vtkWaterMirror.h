@@ -10,6 +10,7 @@
 #include "vtkWaterScreen.h"
 #include "vtkWaterSeen.h"
 #include "vtkWaterTarget.h"
+#include "vtkWaterTranslucent.h"
 #include "water_plan.h"
 
 #include <vector>
@@ -17,7 +18,6 @@
 class vtkCamera;
 class vtkOpenGLRenderWindow;
 class vtkProp;
-class vtkRenderPass;
 class vtkRenderer;
 class vtkShadowMapPass;
 class vtkWaterShading;
@@ -67,17 +67,6 @@ private:
   void SetCamera(vtkRenderer* renderer, const water_plan& plan);
   void DrawOpaque(
     vtkRenderer* renderer, const water_plan& plan, const std::vector<vtkProp*>& props, bool canCut);
-  void DrawTranslucent(vtkRenderer* renderer, std::vector<vtkProp*>& props);
-  vtkRenderPass* GetTranslucentPass(vtkRenderer* renderer);
-
-  enum Blendings // of translucent geometry, as the renderer's flags choose it
-  {
-    ORDER_INDEPENDENT,
-    PEELING,
-    PEELING_WITH_VOLUMES,
-    PLAIN
-  };
-  static Blendings GetBlending(vtkRenderer* renderer);
 
   vtkWaterTarget Target;
   vtkWaterScreen Screen;
@@ -88,9 +77,8 @@ private:
   vtkWaterInstruments Instruments;
   vtkSmartPointer<vtkTextureObject> Blank;
   vtkSmartPointer<vtkCamera> Camera;
-  vtkSmartPointer<vtkRenderPass> TranslucentPass;
+  vtkWaterTranslucent Translucent;
   bool IsDrawing = false;
-  Blendings Blending = ORDER_INDEPENDENT; // of the pass
 };
 
 #endif
