@@ -132,6 +132,7 @@ void vtkWaterActor::Render(vtkRenderer* renderer, vtkMapper* mapper)
   frame.Screen = pass->GetScreen(renderer);
   frame.Reflection = pass->GetTexture(renderer, this);
   frame.ReflectionDepth = frame.Plan ? pass->GetReflectionDepthTexture() : nullptr;
+  frame.Layer = pass->GetLayer(renderer);
   pass->GetRayLimits(&frame.MostSteps, &frame.MostProbes);
   water_grid_view view;
   const bool isDisplaced = this->IsDisplaced() && vtkWaterGather::ReadView(renderer, this, &view);
@@ -139,7 +140,8 @@ void vtkWaterActor::Render(vtkRenderer* renderer, vtkMapper* mapper)
   frame.RowDir = this->Grid->GetRowDir();
   frame.IsFlat = this->UsesOwnSheet() && this->GetIsIdentity() && !isDisplaced;
   vtkMapper* drawn = isDisplaced ? this->LayGrid(view, mapper) : mapper;
-  if (this->Surface->UpdateStages(vtkWaterSurface::GetStages(this)))
+  if (this->Surface->UpdateStages(
+        frame.Layer ? vtkWaterSurface::GetLayeredStages(this) : vtkWaterSurface::GetStages(this)))
   {
     this->GetProperty()->Modified(); // the mapper builds the other shader
   }

@@ -257,6 +257,7 @@ void vtkWaterReflectionPass::RenderReflection(vtkRenderer* renderer,
     signature.Read(renderer, drawn);
     signature.Add(static_cast<vtkMTimeType>(samples));
     signature.Add(isFloat ? 1 : 0);
+    signature.Add(gather.HasFollowed ? 1 : 0);
     vtkShadowMapPass* shadows = vtkWaterShadows::Find(renderer);
     if (shadows)
     {
@@ -283,6 +284,7 @@ void vtkWaterReflectionPass::RenderReflection(vtkRenderer* renderer,
       vtkWaterMirror::Settings settings;
       settings.Samples = samples > 1 ? samples : 0;
       settings.IsFloat = isFloat;
+      settings.HasFollowed = gather.HasFollowed;
       settings.CanCut = (this->Skips & PIECES) != 0;
       settings.Shadows = shadows;
       failure = view->Mirror.Draw(renderer, shading, internal.Plan, drawn, settings);
@@ -374,6 +376,12 @@ vtkTextureObject* vtkWaterReflectionPass::GetTexture(vtkRenderer* renderer, vtkW
   return plan && water_plan_has_map(plan)
     ? mirror.GetColor()
     : mirror.GetBlank(static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow()));
+}
+
+//------------------------------------------------------------------------------
+vtkWaterLayer* vtkWaterReflectionPass::GetLayer(vtkRenderer* renderer)
+{
+  return this->Internal->GetView(renderer)->Mirror.GetLayer();
 }
 
 //------------------------------------------------------------------------------

@@ -35,6 +35,7 @@
 #include <vector> // for std::vector
 
 class vtkWaterInstruments;
+class vtkWaterLayer;
 class vtkWaterOcclusion;
 class vtkWaterScreen;
 struct water_plan;
@@ -405,6 +406,7 @@ private:
   // The map, or a blank texture when there is none.
   vtkTextureObject* GetTexture(vtkRenderer* renderer, vtkWaterActor* water);
   vtkWaterScreen* GetScreen(vtkRenderer* renderer);
+  vtkWaterLayer* GetLayer(vtkRenderer* renderer); // of what is translucent; nullptr: none
   void RenderCorner(vtkRenderer* renderer, vtkWaterActor* water);
   void RenderReflectionAndDelegate(const vtkRenderState* s);
   void SetDecision(int decision); // one without a view

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkWaterFacetsFS.glsl: the facets that stand for all slopes within a pixel.
 // Needs vtkWaterOptics.glsl, vtkWaterPointFS.glsl, vtkWaterColorFS.glsl, vtkWaterLookupFS.glsl and
-// vtkWaterBlurFS.glsl before it, or others of the last three's stages.
+// vtkWaterNoLayerFS.glsl and vtkWaterBlurFS.glsl before it, or others of the last four's stages.
 //
 // The slopes are Gaussian about the pixel's mean one, along the azimuth of the view only: at a low
 // view a slope across it turns the reflection little. A facet counts by the part of the pixel that
@@ -88,6 +88,10 @@ vec3 waterFacets(WaterPoint point, out float reflectance, inout int reason, inou
     reflectance += share;
     look = waterGlance(point, normal);
     waterSettle(point.start, isOne, look);
+    if (!isOne)
+    {
+      waterCrossFacet(point, normal, i, look);
+    }
     float atPlace = look.isPlace ? share : 0.0;
     places.inner = vec4(i == 0 ? look.uv : places.inner.xy, i == 1 ? look.uv : places.inner.zw);
     places.outer = vec4(i == 2 ? look.uv : places.outer.xy, i == 3 ? look.uv : places.outer.zw);
@@ -98,6 +102,7 @@ vec3 waterFacets(WaterPoint point, out float reflectance, inout int reason, inou
   waterFollow(point.start, isOne, look);
   if (isOne)
   {
+    waterCross(point, look);
     places.inner = look.uv.xyxy;
     places.shares.x = look.isPlace ? share : 0.0;
     reflected = look.isPlace ? vec3(0.0) : share * look.color;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkWaterLookupFS.glsl: stage reflection: where the map shows what a reflected ray meets. The formulas
 // of the rays are in water_lookup.h, the rules and what each is worth in
-// Documentation/decisions/006-lookup.md. Needs vtkWaterPointFS.glsl before it.
+// Documentation/decisions/006-lookup.md. Needs vtkWaterPointFS.glsl before it, and vtkWaterNoLayerFS.glsl
+// or another of its stage after it.
 
-uniform sampler2D waterReflection;      // mirrored view, flipped in x; linear
-uniform sampler2D waterReflectionDepth; // its window depth, 1: nothing drawn; nearest
+uniform sampler2D waterReflection; // mirrored view, flipped in x; linear
 uniform mat4 waterDirToMap;             // direction in the plane's axes -> clip of the map
 uniform float waterMapTop; // height over the plane of all that the map shows
 uniform float waterMapZInfinity;
@@ -50,7 +50,7 @@ void waterReadOnce()
   waterHalfToSky = 0.5 * mat2x3(rows[1].xyz, rows[3].xyz);
   waterSkyLow = max(waterSkyBottom, vec4(0.0));
   waterSkyRise = waterSkyTop.rgb - waterSkyBottom.rgb;
-  waterMapSize = vec2(textureSize(waterReflectionDepth, 0));
+  waterMapSize = vec2(textureSize(waterReflection, 0));
   waterTop = max(waterMapTop, 0.0);
   waterProbesOfOne = max(waterProbes, 0);
   waterProbesOfSeveral = min(waterProbes, WATER_FACET_PROBES);
@@ -64,11 +64,13 @@ vec3 waterSkyOfRay(vec3 dir)
   return waterSkyLow.rgb + clamp(height, 0.0, 1.0) * waterSkyRise;
 }
 
+float waterDepthAt(vec2 uv); // of the map; of the stage layer
+
 // Depth of what the ray may meet there. What lies under the surface, or before all of the ray, only hides
 // what it meets.
 float waterMapDepth(vec2 uv)
 {
-  float depth = textureLod(waterReflectionDepth, uv, 0.0).r;
+  float depth = waterDepthAt(uv);
   return depth < waterNearest || waterIsUnder(uv, depth, waterFloor) ? WATER_UNMET : depth;
 }
 
@@ -303,6 +305,9 @@ int waterReason(WaterLook look)
   return look.isDown ? WATER_DOWNWARD : (isNothing ? WATER_SKY : look.reason);
 }
 
+// Lets a point's ray go through what is translucent; of the stage layer.
+void waterCross(WaterPoint point, inout WaterLook look);
+
 // Colour of the reflection.
 //
 // reason  one of the above
@@ -315,6 +320,7 @@ vec3 waterReflected(WaterPoint point, out int reason, out vec2 uv)
   waterFollow(point.start, true, look);
   reason = waterReason(look);
   uv = look.uv;
+  waterCross(point, look);
   return look.isPlace ? textureLod(waterReflection, uv, 0.0).rgb : look.color;
 }
 

@@ -14,6 +14,7 @@
 #include "vtkMapper.h"
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
+#include "vtkNew.h"
 #include "vtkPlane.h"
 #include "vtkProp.h"
 #include "vtkProp3DCollection.h"
@@ -385,6 +386,16 @@ bool vtkWaterGather::HoldsWater(vtkProp* prop)
 }
 
 //------------------------------------------------------------------------------
+bool vtkWaterGather::HoldsVolume(vtkProp* prop)
+{
+  return HasAny(prop, [](vtkProp* part) {
+    const vtkNew<vtkPropCollection> volumes;
+    part->GetVolumes(volumes);
+    return volumes->GetNumberOfItems() > 0;
+  });
+}
+
+//------------------------------------------------------------------------------
 water_look vtkWaterGather::ReadLook(vtkWaterProperty* property)
 {
   water_look look;
@@ -410,6 +421,7 @@ void vtkWaterGather::Read(
   this->scene.slope_max = 0.0;
   this->scene.is_flat = true;
   this->WaveNumber = 0.0;
+  this->HasFollowed = false;
   this->scene.hides_above = this->scene.hides_below = true;
   this->IsRough = std::any_of(waters.begin(), waters.end(),
     [](vtkWaterActor* water) { return water->GetWaterProperty()->IsRough(); });
@@ -422,6 +434,8 @@ void vtkWaterGather::Read(
     this->scene.has_shadows = this->scene.has_shadows || property->LooksUpShadows();
     this->scene.slope_rms = std::max(this->scene.slope_rms, property->GetSlopeRMS());
     this->scene.slope_max = std::max(this->scene.slope_max, property->GetSlopeLookedUp());
+    this->HasFollowed = this->HasFollowed ||
+      (property->NeedsRays() && property->GetLookup() == vtkWaterProperty::RAY_TRACED);
     this->WaveNumber = std::max(this->WaveNumber, property->GetWaveNumber());
     // of a mesh of the user's nobody knows where its faces look; the sheet's look along the normal
     const bool isSheet = water->UsesOwnSheet() && water->GetIsIdentity();

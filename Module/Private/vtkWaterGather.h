@@ -25,6 +25,7 @@ struct vtkWaterGather
   vtkCamera* camera = nullptr;    // the one read last
   double WaveNumber = 0.0;        // typical of the waves, rad per unit; 0: not known
   bool IsRough = false;           // one of the waters blurs its reflection
+  bool HasFollowed = false;       // one of the waters follows rays through the map
 
   // Reads everything but the settings of the pass (texture_scale, max_texture_px, clip_margin).
   //
@@ -75,6 +76,9 @@ struct vtkWaterGather
   // Is the prop a water, or is one among its parts? Such an assembly must not be asked for its
   // bounds, nor drawn again, while it is being drawn: it would rebuild the list that it walks.
   static bool HoldsWater(vtkProp* prop);
+
+  // Is it a volume, or is one among its parts or levels of detail?
+  static bool HoldsVolume(vtkProp* prop);
 
   // The water's optics; constant 0 only if nothing is reflected.
   static water_look ReadLook(vtkWaterProperty* property);

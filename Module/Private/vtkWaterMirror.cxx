@@ -187,10 +187,23 @@ const char* vtkWaterMirror::Draw(vtkRenderer* renderer, vtkWaterShading* shading
       ScopedRenderTimes scopedTimes(renderer, props);
       vtkWaterShadows::Draw(renderer, settings.Shadows, props,
         [&]() { this->DrawOpaque(renderer, plan, props, settings.CanCut); });
+      this->HasLayer = settings.HasFollowed && vtkWaterLayer::IsNeeded(props) &&
+        this->Layer.Keep(window, this->Target);
+      if (this->HasLayer)
+      {
+        this->Target.Bind();
+        SetViewportAndScissor(state, plan);
+      }
       this->Translucent.DrawPolygons(renderer, props, this->Target.GetFramebuffer());
       this->Translucent.DrawVolumes(renderer, props);
       state->vtkglDisable(GL_SCISSOR_TEST);
       this->Target.Resolve();
+      if (this->HasLayer)
+      {
+        this->Layer.Bind();
+        SetViewportAndScissor(state, plan);
+        this->Layer.Draw(renderer, shading, plan, props, this->Translucent);
+      }
     }
     else
     {
@@ -281,6 +294,16 @@ void vtkWaterMirror::DrawOpaque(
 }
 
 //------------------------------------------------------------------------------
+void vtkWaterMirror::MakeLevels()
+{
+  this->Target.MakeLevels();
+  if (this->HasLayer)
+  {
+    this->Layer.MakeLevels();
+  }
+}
+
+//------------------------------------------------------------------------------
 vtkTextureObject* vtkWaterMirror::GetBlank(vtkOpenGLRenderWindow* window)
 {
   if (!this->Blank || this->Blank->GetContext() != window)
@@ -313,4 +336,6 @@ void vtkWaterMirror::ReleaseGraphicsResources(vtkWindow* window)
   }
   this->Blank = nullptr;
   this->Translucent.ReleaseGraphicsResources(window);
+  this->Layer.ReleaseGraphicsResources(window);
+  this->HasLayer = false;
 }

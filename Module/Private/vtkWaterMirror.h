@@ -5,6 +5,7 @@
 
 #include "vtkSmartPointer.h"
 #include "vtkWaterInstruments.h"
+#include "vtkWaterLayer.h"
 #include "vtkWaterPieces.h"
 #include "vtkWaterSceneDepth.h"
 #include "vtkWaterScreen.h"
@@ -29,6 +30,7 @@ public:
   {
     int Samples = 0;                     // per pixel, 0: none
     bool IsFloat = false;                // colours are half floats, or bytes
+    bool HasFollowed = false;            // rays are followed through the map
     bool CanCut = false;                 // parts of large meshes may be left out
     vtkShadowMapPass* Shadows = nullptr; // which is up to date; nullptr: there are none
   };
@@ -50,10 +52,14 @@ public:
   bool GetIsDrawing() const { return this->IsDrawing; }
 
   // Fills the colour's mip levels with what was drawn last.
-  void MakeLevels() { this->Target.MakeLevels(); }
+  void MakeLevels();
 
   vtkTextureObject* GetColor() { return this->Target.GetColor(); }
   vtkTextureObject* GetDepth() { return this->Target.GetDepth(); }
+
+  // What is translucent in the map; nullptr: nothing, or no rays are followed.
+  vtkWaterLayer* GetLayer() { return this->HasLayer ? &this->Layer : nullptr; }
+
   vtkWaterScreen& GetScreen() { return this->Screen; }
 
   vtkWaterInstruments& GetInstruments() { return this->Instruments; }
@@ -78,6 +84,8 @@ private:
   vtkSmartPointer<vtkTextureObject> Blank;
   vtkSmartPointer<vtkCamera> Camera;
   vtkWaterTranslucent Translucent;
+  vtkWaterLayer Layer;
+  bool HasLayer = false;
   bool IsDrawing = false;
 };
 

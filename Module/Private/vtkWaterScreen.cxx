@@ -81,11 +81,11 @@ struct ScopedDepthsOnly
   vtkOpenGLState::ScopedglDepthFunc DepthFunc;
   vtkOpenGLState::ScopedglColorMask ColorMask;
 };
+}
 
-// Draws a full-screen quad over the current viewport with a fragment shader; false when it does not
-// compile.
-bool Ready(std::unique_ptr<vtkOpenGLQuadHelper>& quad, vtkOpenGLRenderWindow* window,
-  const char* fragmentShader)
+//------------------------------------------------------------------------------
+bool vtkWaterScreen::Ready(std::unique_ptr<vtkOpenGLQuadHelper>& quad,
+  vtkOpenGLRenderWindow* window, const char* fragmentShader)
 {
   if (!quad)
   {
@@ -96,7 +96,6 @@ bool Ready(std::unique_ptr<vtkOpenGLQuadHelper>& quad, vtkOpenGLRenderWindow* wi
     window->GetShaderCache()->ReadyShaderProgram(quad->Program);
   }
   return quad->Program && quad->Program->GetCompiled();
-}
 }
 
 //------------------------------------------------------------------------------

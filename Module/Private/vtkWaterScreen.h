@@ -20,6 +20,10 @@ class vtkWaterSceneDepth;
 class vtkWaterScreen
 {
 public:
+  // Readies a full-screen quad with a fragment shader, made at first; false: it does not compile.
+  static bool Ready(std::unique_ptr<vtkOpenGLQuadHelper>& quad, vtkOpenGLRenderWindow* window,
+    const char* fragmentShader);
+
   vtkWaterScreen();
   ~vtkWaterScreen();
 

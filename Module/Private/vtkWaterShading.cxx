@@ -140,6 +140,7 @@ void vtkWaterShading::BeginMirroredView(const View& view)
 void vtkWaterShading::EndMirroredView()
 {
   this->Mirrored = View();
+  this->DepthWriter = nullptr;
   this->SetUp.clear();
 }
 
@@ -276,6 +277,10 @@ bool vtkWaterShading::SetShaderParameters(
     {
       this->Mirrored.Pieces->Give(*this->Mirrored.Plan, program, mapper, prop);
     }
+  }
+  if (this->DepthWriter)
+  {
+    this->DepthWriter->vtkglDepthMask(GL_TRUE); // the actor has just set it, and resets it
   }
   return true;
 }

@@ -53,6 +53,9 @@ public:
   // A mirrored view is drawn between the two.
   void BeginMirroredView(const View& view);
   void EndMirroredView();
+
+  // Translucent geometry writes its depth until then; nullptr: no more.
+  void SetDepthWriter(vtkOpenGLState* state) { this->DepthWriter = state; }
   bool IsInMirroredView() const { return this->Mirrored.Plan != nullptr; }
   const View& GetMirroredView() const { return this->Mirrored; }
 
@@ -100,6 +103,7 @@ private:
   double FogEye[12] = {}; // its directions
   vtkWaterSurface* Surface = nullptr;
   vtkOpenGLState* Probed = nullptr;
+  vtkOpenGLState* DepthWriter = nullptr; // in it, of translucent geometry
   bool IsAwaited = false; // the surface's shader was built, and nobody has asked for its parameters
 };
 

@@ -23,6 +23,8 @@
 #include "vtkWaterGL.h"
 #include "vtkWaterGather.h"
 #include "vtkWaterGlitterFS.h"
+#include "vtkWaterLayer.h"
+#include "vtkWaterLayerFS.h"
 #include "vtkWaterLookupFS.h"
 #include "vtkWaterMirrorFS.h"
 #include "vtkWaterNoBlurFS.h"
@@ -30,6 +32,7 @@
 #include "vtkWaterNoFacetsFS.h"
 #include "vtkWaterNoFoamFS.h"
 #include "vtkWaterNoGlitterFS.h"
+#include "vtkWaterNoLayerFS.h"
 #include "vtkWaterNoNormalMapsFS.h"
 #include "vtkWaterNoSeaFS.h"
 #include "vtkWaterNoShadowsFS.h"
@@ -97,6 +100,13 @@ int vtkWaterSurface::GetStages(vtkWaterActor* water)
 }
 
 //------------------------------------------------------------------------------
+int vtkWaterSurface::GetLayeredStages(vtkWaterActor* water)
+{
+  const int stages = GetStages(water);
+  return stages & RAY_TRACED ? stages | LAYER : stages;
+}
+
+//------------------------------------------------------------------------------
 int vtkWaterSurface::GetSecondaryStages(vtkWaterActor* water)
 {
   return water->GetWaterProperty()->IsRough() ? ENVIRONMENT | ROUGH : ENVIRONMENT;
@@ -134,11 +144,19 @@ std::string vtkWaterSurface::GetShader(int stages, bool canDisplace)
   {
     files.push_back(vtkWaterCalmFS);
   }
+  files.insert(files.end(), { stages & OUTPUT ? vtkWaterOutputFS : vtkWaterColorFS, reflection });
+  if (stages & LAYER)
+  {
+    files.push_back(vtkWaterLayerFS);
+  }
+  else if (reflection != vtkWaterMirrorFS)
+  {
+    files.insert(files.end(),
+      { vtkWaterNoLayerFS, stages & (RAY_TRACED | OFFSET) ? vtkWaterBlurFS : vtkWaterNoBlurFS });
+  }
   files.insert(files.end(),
-    { stages & OUTPUT ? vtkWaterOutputFS : vtkWaterColorFS, reflection,
-      stages & CAUSTICS ? vtkWaterCausticsFS : vtkWaterNoCausticsFS,
+    { stages & CAUSTICS ? vtkWaterCausticsFS : vtkWaterNoCausticsFS,
       stages & BODY ? vtkWaterBodyFS : vtkWaterDeepFS,
-      stages & (RAY_TRACED | OFFSET) ? vtkWaterBlurFS : vtkWaterNoBlurFS,
       stages & ROUGH ? vtkWaterFacetsFS : vtkWaterNoFacetsFS,
       stages & SHADOWS ? vtkWaterShadowsFS : vtkWaterNoShadowsFS,
       stages & GLITTER ? vtkWaterGlitterFS : vtkWaterNoGlitterFS,
@@ -284,6 +302,12 @@ void vtkWaterSurface::Begin(vtkWaterActor* water, const Frame& frame)
   if (frame.Plan && (this->BuiltStages & RAY_TRACED))
   {
     this->Active.emplace_back("waterReflectionDepth", frame.ReflectionDepth);
+    if (frame.Layer)
+    {
+      this->Active.emplace_back("waterOpaque", frame.Layer->GetOpaque());
+      this->Active.emplace_back("waterLayer", frame.Layer->GetColor());
+      this->Active.emplace_back("waterLayerDepth", frame.Layer->GetDepth());
+    }
   }
   this->Time = water->GetTime();
   if (frame.Plan && (this->BuiltStages & NORMAL_MAPS))
@@ -310,6 +334,10 @@ void vtkWaterSurface::Begin(vtkWaterActor* water, const Frame& frame)
     frame.Reflection->SetMinificationFilter(isAligned ? vtkTextureObject::Nearest
         : this->BuiltStages & ROUGH                   ? vtkTextureObject::LinearMipmapLinear
                                                       : vtkTextureObject::Linear);
+    if (frame.Layer)
+    {
+      frame.Layer->SetHasLevels((this->BuiltStages & ROUGH) != 0);
+    }
   }
   for (const auto& [name, texture] : this->Active)
   {

@@ -21,6 +21,7 @@ class vtkShaderProgram;
 class vtkTexture;
 class vtkTextureObject;
 class vtkWaterActor;
+class vtkWaterLayer;
 class vtkWaterProperty;
 class vtkWaterSea;
 class vtkWindow;
@@ -36,7 +37,8 @@ public:
     const water_plan* Plan;       // nullptr: show the plain colour
     vtkTextureObject* Reflection; // any texture when nothing is reflected
     vtkTextureObject* ReflectionDepth;
-    int MostSteps = 0; // of the march
+    vtkWaterLayer* Layer = nullptr; // of the map; nullptr: nothing in it is translucent
+    int MostSteps = 0;              // of the march
     int MostProbes = 0;
     bool IsFlat;                 // the sheet lies in the plane exactly
     const water_grid_view* View; // waves move the vertices; nullptr: they do not
@@ -61,9 +63,13 @@ public:
     DISPLACED = 1 << 10,
     FOAM = 1 << 11,
     SHADOWS = 1 << 12,
-    OUTPUT = 1 << 13
+    OUTPUT = 1 << 13,
+    LAYER = 1 << 14 // of the map that it looks up, not of its look
   };
   static int GetStages(vtkWaterActor* water);
+
+  // The same of one that looks up a map with a layer.
+  static int GetLayeredStages(vtkWaterActor* water);
 
   // The same in the mirrored view of another water: the background, and the mean of all waves.
   static int GetSecondaryStages(vtkWaterActor* water);

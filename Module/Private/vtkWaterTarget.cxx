@@ -12,6 +12,17 @@
 namespace
 {
 constexpr int kAllLevels = 1000;
+
+void Blit(vtkOpenGLFramebufferObject* from, vtkOpenGLFramebufferObject* to, int width, int height,
+  GLbitfield buffers)
+{
+  from->Bind(vtkOpenGLFramebufferObject::GetReadMode());
+  from->ActivateReadBuffer(0);
+  to->Bind(vtkOpenGLFramebufferObject::GetDrawMode());
+  to->ActivateDrawBuffer(0);
+  to->GetContext()->GetState()->vtkglBlitFramebuffer(
+    0, 0, width, height, 0, 0, width, height, buffers, GL_NEAREST);
+}
 }
 
 //------------------------------------------------------------------------------
@@ -117,12 +128,14 @@ void vtkWaterTarget::Resolve()
   {
     return;
   }
-  this->SampledFramebuffer->Bind(vtkOpenGLFramebufferObject::GetReadMode());
-  this->SampledFramebuffer->ActivateReadBuffer(0);
-  this->Framebuffer->Bind(vtkOpenGLFramebufferObject::GetDrawMode());
-  this->Framebuffer->ActivateDrawBuffer(0);
-  this->Framebuffer->GetContext()->GetState()->vtkglBlitFramebuffer(0, 0, this->Width, this->Height,
-    0, 0, this->Width, this->Height, GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT, GL_NEAREST);
+  Blit(this->SampledFramebuffer, this->Framebuffer, this->Width, this->Height,
+    GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterTarget::CopyFrom(vtkWaterTarget& other, unsigned int buffers)
+{
+  Blit(other.GetFramebuffer(), this->GetFramebuffer(), this->Width, this->Height, buffers);
 }
 
 //------------------------------------------------------------------------------

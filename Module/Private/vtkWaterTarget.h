@@ -19,6 +19,19 @@ public:
   // Returns false, and leaves nothing half made, when the GPU refuses.
   bool Ensure(vtkOpenGLRenderWindow* window, int width, int height, int samples, bool isFloat);
 
+  // The same as another target, which has been made; with its samples, or without.
+  bool EnsureAs(vtkOpenGLRenderWindow* window, const vtkWaterTarget& other, bool isSampled)
+  {
+    return this->Ensure(
+      window, other.Width, other.Height, isSampled ? other.Samples : 0, other.IsFloat);
+  }
+
+  // Takes what is drawn in another target of the same size, which has no samples or as many; or its
+  // colours without samples. The scissor cuts, and both framebuffers' bindings are lost.
+  //
+  // buffers  GL_COLOR_BUFFER_BIT, GL_DEPTH_BUFFER_BIT
+  void CopyFrom(vtkWaterTarget& other, unsigned int buffers);
+
   // Binds the framebuffer to draw into; Resolve() brings its samples into the textures. The caller
   // has pushed the framebuffer bindings and pops them.
   bool Bind();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkWaterTranslucent: draws the translucent geometry and the volumes of a mirrored view, blended as
-// the renderer blends them in the picture.
+// vtkWaterTranslucent: draws the translucent geometry and the volumes of a mirrored view, blended
+// as the renderer blends them in the picture.
 #ifndef vtkWaterTranslucent_h
 #define vtkWaterTranslucent_h
 
@@ -19,11 +19,15 @@ class vtkWaterTranslucent
 public:
   static bool HasPolygons(const std::vector<vtkProp*>& props);
 
-  // Draws over what the bound framebuffer shows: first the polygons, then the volumes, which may have
-  // been peeled with them.
+  // Draws over what the bound framebuffer shows: first the polygons, then the volumes, which may
+  // have been peeled with them.
   void DrawPolygons(
     vtkRenderer* renderer, std::vector<vtkProp*>& props, vtkOpenGLFramebufferObject* framebuffer);
   void DrawVolumes(vtkRenderer* renderer, const std::vector<vtkProp*>& props);
+
+  // Are the polygons that were drawn last covering alpha as they cover colours? VTK's order
+  // independent blending leaves another number there.
+  bool LeavesAlpha() const { return this->Blending != ORDER_INDEPENDENT; }
 
   void ReleaseGraphicsResources(vtkWindow* window);
 
