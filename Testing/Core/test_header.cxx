@@ -6,6 +6,8 @@
 
 #include "water_grid.h"
 
+#include "water_layer.h"
+
 #include "water_lookup.h"
 
 #include "water_normals.h"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""ray_caster: the truth for waves: a ray caster in double precision, of spheres and boxes, unlit.
+"""ray_caster: the truth for waves: a ray caster in double precision, of spheres and boxes, unlit, opaque or not.
 
 It shares nothing with the code under test: waves, dispersion, reflection and intersections are
 written here again, from the definitions in vtkWaterProperty.h.
@@ -24,6 +24,13 @@ class Box:
         leaves = np.maximum(first, second).min(axis=-1)
         return np.where((enters <= leaves) & (leaves > 1e-9), np.maximum(enters, 0), np.inf)
 
+    def crossings(self, start, ray):
+        """Where rays enter and leave, before their start, too; inf: they do not."""
+        with np.errstate(divide="ignore", invalid="ignore"):
+            sides = np.stack([(self.low - start) / ray, (self.high - start) / ray])
+        enters, leaves = sides.min(axis=0).max(axis=-1), sides.max(axis=0).min(axis=-1)
+        return np.where(enters <= leaves, (enters, leaves), np.inf)
+
 
 class Sphere:
     def __init__(self, center, radius, color):
@@ -37,9 +44,35 @@ class Sphere:
         near = np.where(-b - root > 1e-9, -b - root, -b + root)
         return np.where((under >= 0) & (near > 1e-9), near, np.inf)
 
+    def crossings(self, start, ray):
+        arm = start - self.center
+        b = (arm * ray).sum(axis=-1)
+        under = b * b - (arm * arm).sum(axis=-1) + self.radius**2
+        root = np.sqrt(np.maximum(under, 0))
+        return np.where(under >= 0, (-b - root, -b + root), np.inf)
 
-def cast(things, background, start, ray):
-    """Colours (n x 3) that rays of unit length see, and the distances to them (inf: background)."""
+
+class Translucent:
+    """A thing whose surfaces are translucent, or a volume: opacity of each surface, or per unit of length."""
+
+    def __init__(self, thing, opacity, is_volume=False):
+        self.thing, self.opacity, self.is_volume = thing, opacity, is_volume
+
+    def kept(self, start, ray, farthest):
+        """Share of the light from behind it, and where rays first meet it (inf: before the farthest nowhere)."""
+        places = self.thing.crossings(start, ray)
+        is_there = (places > 1e-9) & (places < farthest)
+        if self.is_volume:
+            enters, leaves = np.clip(np.where(np.isfinite(places), places, 0), 0, farthest)
+            return (1 - self.opacity) ** (leaves - enters), np.where(leaves > enters, enters, np.inf)
+        return (1 - self.opacity) ** is_there.sum(axis=0), np.where(is_there, places, np.inf).min(axis=0)
+
+
+def cast(things, background, start, ray, clear=()):
+    """Colours (n x 3) that rays of unit length see, and the distances to them (inf: background).
+
+    clear: Translucent, none within another; their distances do not count.
+    """
     nearest = np.full(len(ray), np.inf)
     colors = np.tile(np.asarray(background, dtype=float), (len(ray), 1))
     for thing in things:
@@ -47,6 +80,12 @@ def cast(things, background, start, ray):
         closer = distance < nearest
         nearest[closer] = distance[closer]
         colors[closer] = thing.color
+    if clear:
+        kept, first = zip(*(one.kept(start, ray, nearest) for one in clear))
+        kept, tints = np.array(kept), np.array([one.thing.color for one in clear])
+        for each in np.argsort(first, axis=0)[::-1]:  # from behind
+            share = np.take_along_axis(kept, each[None], axis=0)[0][:, None]
+            colors = share * colors + (1 - share) * tints[each]
     return colors, nearest
 
 
@@ -127,14 +166,16 @@ def meet_waves(start, ray, waves, time, farthest):
     return np.where(goes & met, high, np.inf)
 
 
-def picture(camera, size, things, background, waves, time, samples=4):
+def picture(camera, size, things, background, waves, time, samples=4, clear=()):
     """The picture of level water at z = 0 that reflects everything (255 RGB), and which pixels are
-    water and nothing else. waves: as in heights_and_slopes, or a function (x, y) -> slopes."""
+    water and nothing else. waves: as in heights_and_slopes, or a function (x, y) -> slopes; clear: as in cast."""
     start, ray = eye_rays(camera, size, samples)
     colors, distance = cast(things, background, start, ray)
     with np.errstate(divide="ignore"):
         to_water = np.where(ray[:, 2] < 0, -start[:, 2] / ray[:, 2], np.inf)
     is_water = to_water < distance
+    for one in clear:
+        is_water &= one.kept(start, ray, to_water)[1] == np.inf
     point = start[is_water] + to_water[is_water][:, None] * ray[is_water]
     point[:, 2] = 0
     if callable(waves):
@@ -146,7 +187,7 @@ def picture(camera, size, things, background, waves, time, samples=4):
     seen = ray[is_water]
     away = seen - 2 * (seen * normal).sum(axis=1, keepdims=True) * normal
     away[:, 2] = np.abs(away[:, 2])  # a ray that would meet the water again is bounced off once more
-    colors[is_water] = cast(things, background, point, away)[0]
+    colors[is_water] = cast(things, background, point, away, clear)[0]
     width, height = size
     shape = (height, samples, width, samples)
     return (255 * colors.reshape(*shape, 3).mean(axis=(1, 3)),

@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """volumes: what tests of ray-cast volumes share."""
 
+import numpy as np
 import vtkmodules.vtkRenderingVolumeOpenGL2  # noqa: F401  factories
-from vtkmodules.vtkCommonDataModel import vtkPiecewiseFunction, vtkSphere
+from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPiecewiseFunction, vtkSphere
 from vtkmodules.vtkImagingCore import vtkImageShiftScale
 from vtkmodules.vtkImagingHybrid import vtkSampleFunction
 from vtkmodules.vtkRenderingCore import vtkColorTransferFunction, vtkVolume
@@ -30,6 +32,16 @@ def ball(center, radius, samples, shift, scale):
     to_bytes.ClampOverflowOn()
     to_bytes.Update()
     return to_bytes.GetOutput()
+
+
+def block(low, high, samples=8):
+    """A box of bytes that are all 100."""
+    image = vtkImageData()
+    image.SetDimensions(samples, samples, samples)
+    image.SetOrigin(low)
+    image.SetSpacing((np.asarray(high) - low) / (samples - 1))
+    image.GetPointData().SetScalars(numpy_to_vtk(np.full(samples**3, 100, np.uint8), deep=True))
+    return image
 
 
 def ray_cast(data, sample_distance, colors, opacities, mapper_class=vtkGPUVolumeRayCastMapper):
