@@ -97,6 +97,16 @@ void vtkWaterTranslucent::DrawPolygons(
 }
 
 //------------------------------------------------------------------------------
+bool vtkWaterTranslucent::LeavesAlpha() const
+{
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 6, 0)
+  return true;
+#else
+  return this->Blending != ORDER_INDEPENDENT; // which blends alpha with its square
+#endif
+}
+
+//------------------------------------------------------------------------------
 void vtkWaterTranslucent::DrawVolumes(vtkRenderer* renderer, const std::vector<vtkProp*>& props)
 {
   if (this->HasPeeled)

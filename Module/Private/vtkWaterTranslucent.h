@@ -25,9 +25,8 @@ public:
     vtkRenderer* renderer, std::vector<vtkProp*>& props, vtkOpenGLFramebufferObject* framebuffer);
   void DrawVolumes(vtkRenderer* renderer, const std::vector<vtkProp*>& props);
 
-  // Are the polygons that were drawn last covering alpha as they cover colours? VTK's order
-  // independent blending leaves another number there.
-  bool LeavesAlpha() const { return this->Blending != ORDER_INDEPENDENT; }
+  // Did the polygons that were drawn last cover alpha as they cover colours?
+  bool LeavesAlpha() const;
 
   void ReleaseGraphicsResources(vtkWindow* window);
 
