@@ -2,7 +2,7 @@
 // vtkWaterPointFS.glsl: what all stages of a surface's shader know about their pixel, and the sky.
 //
 // The stages, each one file of several: place (waterPlaceOf), waves (waterRipple), reflection
-// (waterReflected), caustics (waterCaustic), body (waterBeneath), facets (waterFacets), shadows
+// (waterReflected), layer (waterCross), caustics (waterCaustic), body (waterBeneath), facets (waterFacets), shadows
 // (waterSunArrives), glitter (waterGlint), foam (waterFoam), sun (waterSunlit), output (waterShow);
 // vtkWaterSurfaceFS.glsl puts them together. They are files and not branches because software renderers
 // execute both sides of a branch.
