@@ -67,6 +67,11 @@ struct PolyDataMapper : public vtkOpenGLPolyDataMapper
   {
     return (mapper->*(&PolyDataMapper::VBOs))->GetVBO("vertexMC");
   }
+  // What its shaders are being built for; nullptr between two draws.
+  static vtkOpenGLHelper* BuiltOf(vtkOpenGLPolyDataMapper* mapper)
+  {
+    return mapper->*(&PolyDataMapper::LastBoundBO);
+  }
 };
 
 struct Actor : public vtkActor

@@ -10,7 +10,9 @@
 #include "vtkPropCollection.h"
 #include "vtkProperty.h"
 #include "vtkShader.h"
+#include "vtkShaderProgram.h"
 #include "vtkShaderProperty.h"
+#include "vtkVersionMacros.h"
 #include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
 #include "vtkWaterAccess.h"
@@ -108,6 +110,23 @@ int vtkWaterRefusals::GetCount(vtkProp* prop) const
   const auto found = std::find_if(this->Refused.begin(), this->Refused.end(),
     [prop](const Refusal& refusal) { return HasKeys(prop, refusal.Keys); });
   return found != this->Refused.end() ? found->Count : 0;
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterRefusals::Prepare(vtkAbstractMapper* mapper)
+{
+#if VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 3, 0)
+  auto* surface = vtkOpenGLPolyDataMapper::SafeDownCast(mapper);
+  vtkOpenGLHelper* built = surface ? vtkWaterAccess::PolyDataMapper::BuiltOf(surface) : nullptr;
+  if (built && !built->Program)
+  {
+    // not for long: what is built, or nothing, takes its place at once
+    static thread_local vtkNew<vtkShaderProgram> unbuilt;
+    built->Program = unbuilt;
+  }
+#else
+  (void)mapper; // it keeps the last one
+#endif
 }
 
 //------------------------------------------------------------------------------

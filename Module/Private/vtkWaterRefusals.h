@@ -29,6 +29,11 @@ public:
   // refused once never again: the next attempt needs another text.
   int GetCount(vtkProp* prop) const;
 
+  // A mapper's shaders are being built, perhaps again in vain. VTK before 9.3 then reads the
+  // program that it had before (vtkOpenGLPolyDataMapper::UpdateShaders), and crashes where there
+  // was none.
+  static void Prepare(vtkAbstractMapper* mapper);
+
   // Shaders with the lines were written for a part of a prop, or for all of it.
   //
   // isMirrored  for the mirrored view

@@ -205,6 +205,7 @@ bool vtkWaterShading::PostReplaceShaderValues(std::string& vertexShader,
   std::string& geometryShader, std::string& fragmentShader, vtkAbstractMapper* mapper,
   vtkProp* prop)
 {
+  vtkWaterRefusals::Prepare(mapper);
   if (prop->IsA("vtkWaterActor"))
   {
     if (Declares(fragmentShader, "waterShade"))
