@@ -97,6 +97,9 @@ function(water_add_test)
   if(NOT arg_TIMEOUT)
     set(arg_TIMEOUT 120)
   endif()
+  if(WATER_SANITIZE)
+    math(EXPR arg_TIMEOUT "10 * ${arg_TIMEOUT}") # what is looked for is reports, not hurry
+  endif()
 
   list(GET WATER_TEST_WINDOWS 0 first_window)
   foreach(window IN LISTS WATER_TEST_WINDOWS)
