@@ -3,7 +3,6 @@
 
 #include "vtkAbstractMapper.h"
 #include "vtkActor.h"
-#include "vtkInformation.h"
 #include "vtkNew.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"
@@ -62,6 +61,27 @@ bool HasKeys(vtkProp* prop, vtkInformation* keys)
   }
   return prop->GetPropertyKeys() == keys;
 }
+
+// Is a part a prop, or in it? Keys do not tell: a prop hands its own on to its parts, but other
+// props may share them.
+bool IsIn(vtkProp* part, vtkProp* prop)
+{
+  if (part == prop)
+  {
+    return true;
+  }
+  const int consumers = part->GetNumberOfConsumers();
+  for (int i = 0; i < consumers; ++i)
+  {
+    vtkProp* whole = vtkProp::SafeDownCast(part->GetConsumer(i));
+    if (whole && IsIn(whole, prop))
+    {
+      return true;
+    }
+  }
+  // an actor inside of a prop has no consumer, only its keys
+  return consumers == 0 && part->GetPropertyKeys() && HasKeys(prop, part->GetPropertyKeys());
+}
 }
 
 //------------------------------------------------------------------------------
@@ -87,9 +107,6 @@ bool vtkWaterRefusals::Has(vtkProp* prop)
   {
     return false;
   }
-  const auto end = std::remove_if(this->Refused.begin(), this->Refused.end(),
-    [](const Refusal& refusal) { return !refusal.Keys; });
-  this->Refused.erase(end, this->Refused.end());
   for (Refusal& refusal : this->Refused)
   {
     if (!refusal.IsOver &&
@@ -100,15 +117,18 @@ bool vtkWaterRefusals::Has(vtkProp* prop)
       this->Changed.Modified();
     }
   }
+  const auto end = std::remove_if(this->Refused.begin(), this->Refused.end(),
+    [](const Refusal& refusal) { return !refusal.Part; });
+  this->Refused.erase(end, this->Refused.end());
   return std::any_of(this->Refused.begin(), this->Refused.end(),
-    [prop](const Refusal& refusal) { return !refusal.IsOver && HasKeys(prop, refusal.Keys); });
+    [prop](const Refusal& refusal) { return !refusal.IsOver && IsIn(refusal.Part, prop); });
 }
 
 //------------------------------------------------------------------------------
 int vtkWaterRefusals::GetCount(vtkProp* prop) const
 {
   const auto found = std::find_if(this->Refused.begin(), this->Refused.end(),
-    [prop](const Refusal& refusal) { return HasKeys(prop, refusal.Keys); });
+    [prop](const Refusal& refusal) { return refusal.Part && IsIn(refusal.Part, prop); });
   return found != this->Refused.end() ? found->Count : 0;
 }
 
@@ -156,18 +176,16 @@ void vtkWaterRefusals::Settle()
     return;
   }
   const Written written = std::exchange(this->Awaited, Written());
-  vtkInformation* keys = written.Part->GetPropertyKeys();
-  if (!keys || !written.Mapper || !written.Window || this->Has(written.Part))
+  if (!written.Mapper || !written.Window || this->Has(written.Part))
   {
     return;
   }
   auto found = std::find_if(this->Refused.begin(), this->Refused.end(),
-    [keys](const Refusal& refusal) { return refusal.Keys == keys; });
+    [&written](const Refusal& refusal) { return refusal.Part == written.Part; });
   if (found == this->Refused.end())
   {
     found = this->Refused.insert(found, Refusal());
   }
-  found->Keys = keys;
   found->Part = written.Part;
   found->Mapper = written.Mapper;
   found->ActorMapper = GetMapperOf(written.Part);
@@ -221,7 +239,7 @@ bool vtkWaterRefusals::TakeLost(vtkProp* prop)
   bool isLost = false;
   for (Refusal& refusal : this->Refused)
   {
-    if (refusal.IsLost && HasKeys(prop, refusal.Keys))
+    if (refusal.IsLost && refusal.Part && IsIn(refusal.Part, prop))
     {
       refusal.IsLost = false;
       isLost = true;

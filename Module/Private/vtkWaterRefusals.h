@@ -16,7 +16,6 @@
 #include <vector>
 
 class vtkAbstractMapper;
-class vtkInformation;
 class vtkOpenGLRenderWindow;
 class vtkProp;
 
@@ -69,8 +68,6 @@ private:
   };
   struct Refusal
   {
-    // a prop's parts share its keys, by which they have got the lines
-    vtkWeakPointer<vtkInformation> Keys;
     vtkWeakPointer<vtkProp> Part;
     vtkWeakPointer<vtkAbstractMapper> Mapper;
     vtkWeakPointer<vtkAbstractMapper> ActorMapper; // another one where a helper draws for it

@@ -14,6 +14,7 @@
 #include "vtkInformationIntegerKey.h"
 #include "vtkLogger.h"
 #include "vtkOutputWindow.h"
+#include "vtkProp3DFollower.h"
 #include "vtkShaderProperty.h"
 #include "vtkWaterReflectionPass.h"
 
@@ -36,20 +37,52 @@ void ShaderSource(GLuint shader, GLsizei count, const GLchar* const* text, const
   shaderSource(shader, count, text, lengths);
 }
 
+enum Kind
+{
+  ALONE,
+  PART,       // of an assembly
+  INSIDE,     // of a prop that does not say so
+  SHARED_KEYS // with all other columns
+};
+
 struct RefusedScene : public FaultyScene
 {
-  explicit RefusedScene(bool isPart = false)
+  explicit RefusedScene(Kind kind = ALONE)
   {
     // the second column, in view and in the reflection
     this->Actor = vtkActor::SafeDownCast(this->Renderer->GetViewProps()->GetItemAsObject(1));
     this->Prop = this->Actor;
-    if (isPart)
+    if (kind == SHARED_KEYS)
+    {
+      vtkNew<vtkInformation> keys;
+      vtkPropCollection* props = this->Renderer->GetViewProps();
+      for (int i = 0; i < props->GetNumberOfItems(); ++i)
+      {
+        auto* prop = vtkProp::SafeDownCast(props->GetItemAsObject(i));
+        if (prop != this->Water)
+        {
+          prop->SetPropertyKeys(keys);
+        }
+      }
+    }
+    if (kind == PART)
     {
       vtkNew<vtkAssembly> assembly;
       assembly->AddPart(this->Actor);
-      this->Renderer->RemoveActor(this->Actor);
-      this->Renderer->AddActor(assembly);
       this->Prop = assembly;
+    }
+    if (kind == INSIDE)
+    {
+      vtkNew<vtkProp3DFollower> follower;
+      follower->SetProp3D(this->Actor);
+      follower->SetOrigin(this->Actor->GetCenter()); // turns where it stands
+      follower->SetCamera(this->Renderer->GetActiveCamera());
+      this->Prop = follower;
+    }
+    if (this->Prop != this->Actor)
+    {
+      this->Renderer->RemoveViewProp(this->Actor);
+      this->Renderer->AddViewProp(this->Prop);
     }
   }
 
@@ -80,12 +113,12 @@ void SetShader(RefusedScene& scene, const std::string& declarations)
 // unmake   and not any more
 bool Check(const std::string& name, const std::string& says,
   const std::function<void(RefusedScene&)>& make, const std::function<void(RefusedScene&)>& unmake,
-  bool isPart = false)
+  Kind kind = ALONE)
 {
-  RefusedScene expected(isPart);
+  RefusedScene expected(kind == SHARED_KEYS ? ALONE : kind); // this alone is left out
   expected.LeaveOut(true);
   const auto plain = expected.Picture();
-  RefusedScene scene(isPart);
+  RefusedScene scene(kind);
   const auto right = scene.Picture();
   make(scene);
   const auto faulty = scene.Picture();
@@ -97,6 +130,7 @@ bool Check(const std::string& name, const std::string& says,
     scene.Renderer->GetActiveCamera()->Azimuth(i == 1 ? -10 : 5);
     scene.Picture();
   }
+  scene.Prop->SetPropertyKeys(vtkNew<vtkInformation>());
   ok &= WaterCheck(name + ": and so it stays", scene.Picture() == plain, true);
   ok &= WaterCheck<size_t>(name + ": errors", scene.Errors.size(), 1);
   const bool isSaid = !scene.Errors.empty() &&
@@ -128,16 +162,16 @@ void RefuseNothing(RefusedScene& scene)
 }
 
 // Only the eye's view draws the prop: it is lost there before anybody knows.
-bool CheckUnreflected()
+bool CheckUnreflected(const std::string& name, Kind kind)
 {
-  RefusedScene scene;
+  RefusedScene scene(kind);
   scene.LeaveOut(true);
   const auto right = scene.Picture();
   RefuseMarked(scene);
-  bool ok = WaterCheck("not reflected anyway: the picture", scene.Picture() == right, true);
-  ok &= WaterCheck<size_t>("not reflected anyway: errors", scene.Errors.size(), 1);
+  bool ok = WaterCheck(name + ": the picture", scene.Picture() == right, true);
+  ok &= WaterCheck<size_t>(name + ": errors", scene.Errors.size(), 1);
   RefuseNothing(scene);
-  ok &= WaterCheck("not reflected anyway: right afterwards", scene.Picture() == right, true);
+  ok &= WaterCheck(name + ": right afterwards", scene.Picture() == right, true);
   return ok;
 }
 
@@ -175,14 +209,17 @@ int TestWaterRefusedProps(int, char*[])
   vtkOutputWindow::GetInstance()->SetDisplayModeToNever();
   vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
   bool ok = Check("refused", "the mark", RefuseMarked, RefuseNothing);
-  ok &= Check("part of an assembly", "the mark", RefuseMarked, RefuseNothing, true);
+  ok &= Check("part of an assembly", "the mark", RefuseMarked, RefuseNothing, PART);
+  ok &= Check("inside of a follower", "the mark", RefuseMarked, RefuseNothing, INSIDE);
+  ok &= Check("shared keys", "the mark", RefuseMarked, RefuseNothing, SHARED_KEYS);
   ok &= Check(
     "clash of names", "waterClipWindow",
     [](RefusedScene& scene) { SetShader(scene, "uniform float waterClipWindow;"); },
     [](RefusedScene& scene) {
       scene.Actor->GetShaderProperty()->ClearAllFragmentShaderReplacements();
     });
-  ok &= CheckUnreflected();
+  ok &= CheckUnreflected("not reflected anyway", ALONE);
+  ok &= CheckUnreflected("not reflected anyway, shared keys", SHARED_KEYS);
   ok &= CheckBroken("wrong anyway", false);
   ok &= CheckBroken("wrong from the start", true);
   return ok ? EXIT_SUCCESS : EXIT_FAILURE;
