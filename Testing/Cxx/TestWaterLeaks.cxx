@@ -10,6 +10,7 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkWaterReflectionPass.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <cstring>
 #include <dirent.h>
@@ -19,7 +20,7 @@
 
 namespace
 {
-constexpr GLuint kNames = 20000; // drivers hand out small ones
+constexpr GLuint kNames = 20000; // at least these are asked for
 constexpr int kWarmUp = 48;      // rounds, until caches are full
 constexpr int kPeriod = 12;      // rounds after which a water's dress comes again
 constexpr int kQueries = 20;     // VTK's mappers time themselves now and then: two for each thing
@@ -55,9 +56,31 @@ double ReadMegabytes()
   return pages * static_cast<double>(sysconf(_SC_PAGESIZE)) / (1024.0 * 1024.0);
 }
 
+// Drivers hand out small names again, or count on: then none is above the next one of its kind.
+GLuint FindLastName()
+{
+  GLuint next[7] = {};
+  glGenTextures(1, &next[0]);
+  glGenBuffers(1, &next[1]);
+  glGenFramebuffers(1, &next[2]);
+  glGenRenderbuffers(1, &next[3]);
+  glGenVertexArrays(1, &next[4]);
+  glGenQueries(1, &next[5]);
+  next[6] = glCreateProgram();
+  glDeleteTextures(1, &next[0]);
+  glDeleteBuffers(1, &next[1]);
+  glDeleteFramebuffers(1, &next[2]);
+  glDeleteRenderbuffers(1, &next[3]);
+  glDeleteVertexArrays(1, &next[4]);
+  glDeleteQueries(1, &next[5]);
+  glDeleteProgram(next[6]);
+  return std::max(kNames, *std::max_element(next, next + 7));
+}
+
 void CountObjects(Count& count)
 {
-  for (GLuint name = 1; name < kNames; ++name)
+  const GLuint last = FindLastName();
+  for (GLuint name = 1; name <= last; ++name)
   {
     count.Queries += glIsQuery(name);
     count.Objects += glIsTexture(name) + glIsBuffer(name) + glIsFramebuffer(name) +
