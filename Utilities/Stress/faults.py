@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""faults: a window that is closed, released or loses its context in the middle of a frame, and forks: what a
-scene with water makes of them, beside the same scene without. VTK alone does not survive all of them; water
-must never make it worse.
+"""faults: a window that is closed, released or loses its context in the middle of a frame, shaders that never
+build, and forks: what a scene with water makes of them, beside the same scene without. VTK alone does not
+survive all of them; water must never make it worse.
 
     faults.py [FAULT...]
 
@@ -71,13 +71,14 @@ ACTIONS = {
     "SetOffScreenRendering() off": lambda view: view.window.SetOffScreenRendering(False),
     "SetSize() to half": lambda view: view.window.SetSize(SIZE[0] // 2, SIZE[1] // 2),
 }
+SHADERS = ("a prop's shader never builds", "a prop's shader never builds, nor did one before")
 FORKS = ("child leaves by os._exit()", "child leaves by sys.exit()", "child renders into its own window",
          "child renders into the parent's window", "parent renders on")
 
 
 def faults():
     made = [f"{action}, {moment}" for action in ACTIONS for moment in MOMENTS]
-    return made + [f"fork: {fork}" for fork in FORKS]
+    return [*made, *SHADERS, *(f"fork: {fork}" for fork in FORKS)]
 
 
 def say(text):
@@ -110,10 +111,25 @@ def forked(scene, fork, is_wet, right):
     compare(scene.view.picture(), right)
 
 
+def broken(is_wet, is_new, right):
+    """Three frames with a prop whose own shader is wrong, then one without the error."""
+    scene = Scene(is_wet)
+    if not is_new:
+        scene.view.picture()
+    shaders = scene.actors[1].GetShaderProperty()
+    shaders.AddFragmentShaderReplacement("//VTK::Normal::Dec", True, "#error of the user\n", False)
+    for _ in range(3):
+        scene.view.picture()
+    shaders.ClearAllFragmentShaderReplacements()
+    compare(scene.view.picture(), right)
+
+
 def as_child(fault, is_wet):
     scene = Scene(is_wet)
     right = scene.view.picture()
-    if fault.startswith("fork: "):
+    if fault in SHADERS:
+        broken(is_wet, fault == SHADERS[1], right)
+    elif fault.startswith("fork: "):
         forked(scene, fault[len("fork: "):], is_wet, right)
     else:
         action, moment = fault.split(", ", 1) if not fault.startswith("SetOffScreenRendering() off, on") else (
