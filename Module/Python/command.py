@@ -11,6 +11,7 @@ import sys
 import warnings
 
 from . import __version__, backend, movies, readers, vtkWaterProperty
+from .errors import text_of
 from .pictures import check_png
 
 __all__ = ["main"]
@@ -215,10 +216,8 @@ def main(arguments=None):
     warnings.simplefilter("ignore")  # of the packages beneath
     try:
         return {"render": render, "animate": animate, "info": info}[arguments.command](arguments)
-    except (Failure, ValueError, ImportError) as error:
-        print(f"vtkwater: {error}", file=sys.stderr)
-    except OSError as error:
-        print(f"vtkwater: {error.filename or ''}: {error.strerror or error}", file=sys.stderr)
+    except (Failure, OSError, ValueError, ImportError) as error:
+        print(f"vtkwater: {text_of(error)}", file=sys.stderr)
     except MemoryError:
         print(f"vtkwater: {arguments.file}: does not fit into memory", file=sys.stderr)
     except KeyboardInterrupt:

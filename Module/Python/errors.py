@@ -6,7 +6,7 @@ The classes themselves report a bad value by an ErrorEvent, as VTK's do, and kee
 import contextlib
 import re
 
-__all__ = ["ending", "raising"]
+__all__ = ["ending", "raising", "text_of"]
 
 
 @contextlib.contextmanager
@@ -14,10 +14,15 @@ def ending(program):
     """End the program with one line, and exit status 1, when a file or a value in the block is refused."""
     try:
         yield
-    except OSError as error:
-        raise SystemExit(f"{program}: {error.filename}: {error.strerror}" if error.strerror else f"{program}: {error}") from None
-    except ValueError as error:
-        raise SystemExit(f"{program}: {error}") from None
+    except (OSError, ValueError) as error:
+        raise SystemExit(f"{program}: {text_of(error)}") from None
+
+
+def text_of(error):
+    """What an exception says; of an OSError the reason without its number, after the file if it knows one."""
+    if not getattr(error, "strerror", None):
+        return str(error)
+    return f"{error.filename}: {error.strerror}" if error.filename else error.strerror
 
 
 @contextlib.contextmanager

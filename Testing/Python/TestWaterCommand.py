@@ -16,6 +16,7 @@ from vtkmodules.vtkFiltersSources import vtkConeSource
 from vtkmodules.vtkIOGeometry import vtkSTLWriter
 from vtkmodules.vtkIOXML import vtkXMLImageDataWriter, vtkXMLPolyDataWriter
 from vtkwater import readers
+from vtkwater.errors import ending
 from vtkwater.scenes import Scene
 
 FOLDER = wt.output_folder() / "Command"
@@ -201,6 +202,18 @@ def check_errors():
                        (status, True, False))
         if status == 1:
             wt.check_equal("  in one line", len(said.strip().splitlines()), 1)
+    # a disk that fills up: an OSError that knows no file
+    (FOLDER / "full.gif").unlink(missing_ok=True)
+    (FOLDER / "full.gif").symlink_to("/dev/full")
+    status, said = run("animate", "cone.stl", "--level", 0, "--frames", 2, "--size", "64x48", "--out", "full.gif")
+    wt.check_equal("a full disk", (status, said.splitlines()[-1]), (1, "vtkwater: No space left on device"))
+    for error, text in ((OSError(28, "No space left"), "here: No space left"), (OSError(2, "Not there", "x.png"), "here: x.png: Not there"),
+                        (OSError("x.png: half"), "here: x.png: half"), (ValueError("3 is odd"), "here: 3 is odd")):
+        try:
+            with ending("here"):
+                raise error
+        except SystemExit as end:
+            wt.check_equal(f"a program that ends with {error!r}", end.code, text)
 
 
 def check_animation():
