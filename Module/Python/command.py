@@ -55,7 +55,7 @@ def wind(text):
 
 def level_range(text):
     first, colon, last = text.partition(":")
-    one = number(-1e9, 1e9)
+    one = number(-readers.HIGHEST, readers.HIGHEST)
     return one(first), one(last) if colon else one(first)
 
 
@@ -110,7 +110,7 @@ def make_parser():
     render = commands.add_parser("render", help="a picture of a file in water", epilog=EXAMPLES,
                                  formatter_class=argparse.RawDescriptionHelpFormatter)
     render.add_argument("file", help=kinds)
-    render.add_argument("--level", type=number(-1e9, 1e9), required=True, help="of the water, in the file's unit")
+    render.add_argument("--level", type=number(-readers.HIGHEST, readers.HIGHEST), required=True, help="of the water, in the file's unit")
     render.add_argument("--out", default="water.png", metavar="FILE", help="the picture, a PNG; default %(default)s")
     render.add_argument("--time", type=number(-1e15, 1e15), default=0.0, metavar="S", help="of the waves; default 0")
     add_scene_arguments(render)
@@ -146,7 +146,7 @@ def make_scene(arguments, level):
 
     ground = readers.read(arguments.file, arguments.no_data)
     if ground.note:
-        print(f"vtkwater: {arguments.file}: {ground.note} are taken", file=sys.stderr)
+        print(f"vtkwater: {arguments.file}: {ground.note}", file=sys.stderr)
     found = backend.find()
     if found.error:
         raise Failure(found.error)

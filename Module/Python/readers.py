@@ -22,7 +22,7 @@ __all__ = ["ELEVATION", "FileError", "KINDS", "Surface", "read", "surface_of_hei
 
 ELEVATION = "Elevation"  # the point array of a terrain: heights in the file's unit
 MOST_POINTS = 4_000_000  # of an elevation model; of a larger one every n-th row and column is taken
-HOLE_BELOW = -1e30       # heights that common formats write where they know none
+HIGHEST = 1e9            # over and under 0, of levels, too: what formats write where they know no height lies far beyond
 METRES_PER_DEGREE = 6371008.8 * math.pi / 180  # of a great circle, mean radius of the Earth (IUGG 1980)
 # Tags of TIFF: "OGC GeoTIFF Standard 1.1" (2019), and GDAL's for holes
 TIFF_PIXEL_SCALE, TIFF_TIEPOINT, TIFF_GEO_KEYS, TIFF_NO_DATA = 33550, 33922, 34735, 42113
@@ -74,20 +74,26 @@ def read(file, no_data=None):
 def surface_of_heights(heights, spacing=(1.0, 1.0), origin=(0.0, 0.0), no_data=None):
     """The surface over a grid of heights: rows x columns, from south to north and west to east.
 
-    Heights that are not finite, or equal no_data, are holes and stay holes. Raises a FileError when nothing is left.
+    Heights that are not finite, or equal no_data, are holes and stay holes; so are those beyond HIGHEST, of which
+    the note tells. Raises a FileError when nothing is left.
     """
     heights = np.array(heights, dtype=float)
     if heights.ndim != 2 or min(heights.shape) < 2:
         raise FileError(f"{' x '.join(map(str, heights.shape))} heights are no grid: at least 2 x 2 are wanted")
     step = math.ceil(math.sqrt(heights.size / MOST_POINTS))
-    note = f"every {step}th row and column of {heights.shape[1]} x {heights.shape[0]} heights" if step > 1 else ""
+    notes = [f"every {step}th row and column of {heights.shape[1]} x {heights.shape[0]} heights are taken"] if step > 1 else []
     heights = heights[::step, ::step]
-    known = np.isfinite(heights) & (heights > HOLE_BELOW)
+    known = np.isfinite(heights)
     if no_data is not None and math.isfinite(no_data):
         known &= heights != no_data
+    beyond = known & (np.abs(heights) > HIGHEST)
+    if beyond.any():
+        notes.append(f"{beyond.sum()} of its heights, {heights[beyond][0]:g} is the first, are taken for holes; "
+                     f"known heights lie in [{-HIGHEST:g}, {HIGHEST:g}]")
+    known &= ~beyond
     is_cell = known[:-1, :-1] & known[:-1, 1:] & known[1:, 1:] & known[1:, :-1]
     if not is_cell.any():
-        raise FileError("holds no elevations, only holes")
+        raise FileError("; ".join(["holds no elevations, only holes", *notes]))
 
     rows, columns = np.nonzero(is_cell)
     first = rows * heights.shape[1] + columns
@@ -108,7 +114,7 @@ def surface_of_heights(heights, spacing=(1.0, 1.0), origin=(0.0, 0.0), no_data=N
     elevation = numpy_to_vtk(z, deep=True)
     elevation.SetName(ELEVATION)
     data.GetPointData().SetScalars(elevation)
-    return Surface(data, is_terrain=True, note=note)
+    return Surface(data, is_terrain=True, note="; ".join(notes))
 
 
 def run(reader, path, what):
@@ -150,6 +156,11 @@ def read_mesh(module, name, what):
         normals.Update()
         if normals.GetOutput().GetNumberOfCells() == 0:
             raise FileError(f"{path}: is empty, it has no cells")
+        places = vtk_to_numpy(normals.GetOutput().GetPoints().GetData())
+        beyond = ~(np.abs(places) <= HIGHEST).all(axis=1)  # also NaN
+        if beyond.any():
+            raise FileError(f"{path}: has a point at ({', '.join(f'{part:g}' for part in places[beyond][0])}); "
+                            f"coordinates must lie in [{-HIGHEST:g}, {HIGHEST:g}]")
         return Surface(normals.GetOutput())
     return read_it
 

@@ -92,6 +92,7 @@ def write_files():
     triangle = "v 0 0 0\nv {0} 0 0\nv 0 {0} 0\nf 1 2 {1}\n"
     (FOLDER / "index.obj").write_text(triangle.format(1, 9))
     (FOLDER / "dot.obj").write_text(triangle.format(0, 3))
+    (FOLDER / "far.obj").write_text(triangle.format(1e30, 3))
     (FOLDER / "half.vti").write_bytes((FOLDER / "valley.vti").read_bytes()[:900])
 
 
@@ -124,6 +125,15 @@ def check_pictures():
         picture = np.asarray(Image.open(out))
         wt.check_equal(f"{name}: shape", picture.shape, (SIZE[1], SIZE[0], 3))
         wt.check_at_least(f"{name}: colours", len(np.unique(picture.reshape(-1, 3), axis=0)), 100)
+    spikes = valley()
+    spikes[30, 30], spikes[30, 31] = 1e30, -3.4e38
+    write_vti(FOLDER / "spikes.vti", spikes)
+    status, said = run("render", "spikes.vti", "--level", 40, "--no-data", NO_DATA, "--size", "240x160")
+    warned = "spikes.vti: 2 of its heights, 1e+30 is the first, are taken for holes; known heights lie in [-1e+09, 1e+09]"
+    wt.check_equal("heights no eye can see: status, warned", (status, warned in said), (0, True))
+    picture, without = (np.asarray(Image.open(FOLDER / name)).astype(int) for name in ("water.png", "valley.vti.png"))
+    wt.check_at_most("heights no eye can see: of the pixels, as of two holes",
+                     float((np.abs(picture - without).max(axis=2) > 2).mean()), 0.02)
     for level, words in ((-50.0, "nothing is flooded"), (500.0, "all of it is flooded")):
         status, said = run("render", "valley.tif", "--level", level, "--size", "240x160")
         wt.check_equal(f"level {level}: status, warned", (status, words in said), (0, True))
@@ -182,6 +192,7 @@ def check_errors():
         (1, "nowhere.tif: its tie point (0.0, 0.0, 0.0, nan", ["render", "nowhere.tif", "--level", 1]),
         (1, "pole.tif: its middle is at latitude", ["render", "pole.tif", "--level", 1]),
         (1, "index.obj: a cell names point 8; there are 3", ["render", "index.obj", "--level", 1]),
+        (1, "far.obj: has a point at (1e+30, 0, 0); coordinates must lie in [-1e+09, 1e+09]", ["render", "far.obj", "--level", 1]),
         (1, "SheetBounds are (0, 0, 0, 0)", ["render", "dot.obj", "--level", 0]),
         (1, "no such folder: no/such", ["render", "valley.tif", "--level", 50, "--out", "no/such/folder.png"]),
         (1, "ends with .png", ["render", "valley.tif", "--level", 50, "--out", "x.jpg"]),
