@@ -141,7 +141,8 @@ def progress(steps):
     return tqdm(steps, unit="frame", disable=not sys.stderr.isatty() or None)
 
 
-def make_scene(arguments, level):
+def make_scene(arguments, levels):
+    """The ground's shore is at the first of the levels; its walls, the water and the view suffice for all of them."""
     from .scenes import Scene
 
     ground = readers.read(arguments.file, arguments.no_data)
@@ -156,10 +157,10 @@ def make_scene(arguments, level):
     sun = arguments.azimuth - 70.0 if arguments.sun is None else arguments.sun
     scene.set_sun(sun, 35.0)
     exaggeration = arguments.exaggeration if ground.is_terrain else 1.0
-    scene.add_ground(ground, level, exaggeration)
-    scene.add_water(level, arguments.preset, arguments.wind, exaggeration)
+    scene.add_ground(ground, levels[0], exaggeration)
+    scene.add_water(min(levels), arguments.preset, arguments.wind, exaggeration)
     scene.make_island()
-    scene.look(arguments.azimuth, arguments.elevation, arguments.zoom)
+    scene.look(arguments.azimuth, arguments.elevation, arguments.zoom, max(levels))
     return scene, ground, exaggeration
 
 
@@ -172,7 +173,7 @@ def warn_of_level(ground, level):
 
 def render(arguments):
     check_png(arguments.out)
-    scene, ground, _ = make_scene(arguments, arguments.level)
+    scene, ground, _ = make_scene(arguments, [arguments.level])
     warn_of_level(ground, arguments.level)
     scene.water.SetTime(arguments.time)
     scene.write(arguments.out)
@@ -183,7 +184,7 @@ def render(arguments):
 
 def animate(arguments):
     first, last = arguments.level
-    scene, ground, exaggeration = make_scene(arguments, first)
+    scene, ground, exaggeration = make_scene(arguments, arguments.level)
     for level in sorted({first, last}):
         warn_of_level(ground, level)
     done = 0

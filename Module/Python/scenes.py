@@ -172,21 +172,25 @@ class Scene:
         walls.CappingOff()
         self.add_mesh(walls, WALL_COLOR, smooth=False).SetScale(1.0, 1.0, self._exaggeration)
 
-    def look(self, azimuth=200.0, height=15.0, zoom=1.0):
+    def look(self, azimuth=200.0, height=15.0, zoom=1.0, highest=-math.inf):
         """From where the eye looks at the ground: degrees from north, and over the horizon.
 
-        zoom 1 shows all that stands out of the water, and its reflection; 2 half of its width.
+        zoom 1 shows all that stands out of the water, and its reflection; 2 half of its width. highest is the level that
+        the water will rise to, in the data's unit: where something stands out of it now, the eye is over that, too.
         """
         points = vtk_to_numpy(self._ground.data.GetPoints().GetData()) * (1.0, 1.0, self._exaggeration)
+        lowest = -math.inf
         if self.water:
             level = self.water.GetLevel()
             dry = points[points[:, 2] > level]
             if len(dry):  # and their mirror image
                 points = np.concatenate([dry, dry * (1.0, 1.0, -1.0) + (0.0, 0.0, 2.0 * level)])
+                lowest = highest * self._exaggeration
         back = np.array(direction(azimuth, height))
         up = np.array((0.0, 0.0, 1.0) if height < STEEP_DEG else (0.0, 1.0, 0.0))
         right = np.cross(up, back) / np.linalg.norm(np.cross(up, back))
         target = 0.5 * (points.min(axis=0) + points.max(axis=0))
+        target[2] = max(target[2], lowest)
         points = points - target
         # how far the eye must be for a point to be in the picture, along both of its sides
         tangent = FILLED * math.tan(math.radians(0.5 * VIEW_ANGLE_DEG))

@@ -15,7 +15,7 @@ from vtkmodules.vtkCommonDataModel import vtkDataSetAttributes, vtkImageData, vt
 from vtkmodules.vtkFiltersSources import vtkConeSource
 from vtkmodules.vtkIOGeometry import vtkSTLWriter
 from vtkmodules.vtkIOXML import vtkXMLImageDataWriter, vtkXMLPolyDataWriter
-from vtkwater import readers
+from vtkwater import command, readers
 from vtkwater.errors import ending
 from vtkwater.scenes import Scene
 
@@ -232,6 +232,20 @@ def check_animation():
     wt.check_equal(f"a movie: {said.strip()}", (status, "3 of 3 frames" in said), (0, True))
     with Image.open(FOLDER / "rise.gif") as movie:
         wt.check_equal("frames in it", movie.n_frames, 3)
+
+    # walls, and the view, reach what a falling level bares: as where it rises
+    write_vti(FOLDER / "plateau.vti", np.full((5, 5), 70.0, dtype=np.float32))
+    movies = {}
+    for name, levels in (("fall", (60, 20)), ("rise", (20, 60))):
+        arguments = ["animate", "plateau.vti", "--level", "{}:{}".format(*levels), "--frames", 2, "--size", "240x160", "--out", name]
+        wt.check_equal(f"{name}: status", run(*arguments)[0], 0)
+        movies[name] = [np.asarray(Image.open(FOLDER / name / f"000{i}.png")).astype(int) for i in range(2)]
+        arguments[1] = FOLDER / arguments[1]
+        scene = command.make_scene(command.make_parser().parse_args([*map(str, arguments)]), levels)[0]
+        wt.check_at_least(f"{name}: the eye's height over the highest level", scene.renderer.GetActiveCamera().GetPosition()[2] - 60, 1)
+    for i in range(2):
+        wt.check_equal(f"a level that falls, less one that rises, picture {i}",
+                       int(np.abs(movies["fall"][i] - movies["rise"][1 - i]).max()), 0)
 
     frames = FOLDER / "frames"
     for old in frames.glob("*.png"):
