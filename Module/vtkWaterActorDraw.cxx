@@ -12,10 +12,8 @@
 #include "vtkWaterInstruments.h"
 #include "vtkWaterOcclusion.h"
 #include "vtkWaterReflectionPass.h"
-#include "vtkWaterSea.h"
 #include "vtkWaterSecondary.h"
 #include "vtkWaterShading.h"
-#include "vtkWaterSheet.h"
 #include "vtkWaterSurface.h"
 #include "water_plan.h"
 #include "water_secondary.h"
@@ -145,6 +143,8 @@ void vtkWaterActor::Render(vtkRenderer* renderer, vtkMapper* mapper)
   {
     this->GetProperty()->Modified(); // the mapper builds the other shader
   }
+  frame.AddsFog = frame.Plan && vtkWaterSurface::IsClear(this) &&
+    (frame.Plan->is_submerged || frame.Plan->is_awash) && shading->BeginFog(renderer, *frame.Plan);
   vtkWaterInstruments* instruments = this->OwnPass->GetInstruments(renderer);
   instruments->Begin(vtkWaterInstruments::SURFACE, renderer->GetRenderWindow());
   this->Surface->Begin(this, frame);

@@ -21,7 +21,6 @@
 #include "vtkWaterFlatFS.h"
 #include "vtkWaterFoamFS.h"
 #include "vtkWaterGL.h"
-#include "vtkWaterGather.h"
 #include "vtkWaterGlitterFS.h"
 #include "vtkWaterLayer.h"
 #include "vtkWaterLayerFS.h"
@@ -46,7 +45,6 @@
 #include "vtkWaterRippleFS.h"
 #include "vtkWaterSea.h"
 #include "vtkWaterSeaFS.h"
-#include "vtkWaterShading.h"
 #include "vtkWaterShadowsFS.h"
 #include "vtkWaterSunFS.h"
 #include "vtkWaterSurfaceFS.h"
@@ -286,8 +284,7 @@ void vtkWaterSurface::Begin(vtkWaterActor* water, const Frame& frame)
     }
     this->Active.emplace_back("waterSceneColor", this->Backdrop.GetColor());
     this->Active.emplace_back("waterSceneDepth", this->Backdrop.GetDepth());
-    if (this->HasBackdrop && (frame.Plan->is_submerged || frame.Plan->is_awash) &&
-      vtkWaterShading::GetOfThread()->BeginFog(frame.Renderer, *frame.Plan))
+    if (this->HasBackdrop && frame.AddsFog)
     {
       frame.Screen->DrawFog(frame.Renderer, *frame.Plan, this->Backdrop,
         this->Property->GetDeepColor(), this->Property->GetExtinction());

@@ -44,6 +44,7 @@ public:
     const water_grid_view* View; // waves move the vertices; nullptr: they do not
     const double* RowDir;        // of the grid under them
     bool IsSecondary = false;    // in the mirrored view of another water
+    bool AddsFog = false;        // to all that the eye sees, which is in the water
   };
 
   // The stages of a water's shader, as bits: they are files of their own, because software

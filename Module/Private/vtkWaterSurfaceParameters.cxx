@@ -8,7 +8,6 @@
 #include "vtkShaderProgram.h"
 #include "vtkTexture.h"
 #include "vtkTextureObject.h"
-#include "vtkWaterActor.h"
 #include "vtkWaterGL.h"
 #include "vtkWaterGather.h"
 #include "vtkWaterProperty.h"
