@@ -63,6 +63,15 @@ struct vtkWaterGather
   // Height of the waves that move a water's surface, over the plane where the eye is.
   static double ReadSurfaceHeight(vtkRenderer* renderer, vtkWaterActor* water);
 
+  // What is drawn for a prop in the mirrored view: the prop, or what stands in for it.
+  static vtkProp* FindStandIn(vtkProp* prop);
+
+  // What the plan must know of a prop.
+  //
+  // drawn     the prop or its stand-in, which has the place
+  // mirrored  the water that is mirrored at
+  static water_prop ReadProp(vtkProp* prop, vtkProp* drawn, vtkWaterActor* mirrored);
+
   // vtkProp::GetBounds, which asks the pipeline whether it is up to date: ten times as long as all
   // else that is read of a prop. Of an actor that shows data as it is given, the data's time tells.
   static const double* GetBounds(vtkProp* prop);
