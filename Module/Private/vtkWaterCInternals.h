@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkWaterCInternals.h: what the files of the C interface share: handles, and how what the objects
+// report by an ErrorEvent, and every exception, becomes a status.
+#ifndef vtkWaterCInternals_h
+#define vtkWaterCInternals_h
+
+#include "vtkCallbackCommand.h"
+#include "vtkNew.h"
+#include "vtkObject.h"
+#include "vtkWaterActor.h"
+#include "vtkWaterC.h"
+
+#include <cmath>
+#include <cstring>
+#include <exception>
+#include <new>
+#include <string>
+
+struct vtk_water_pass
+{
+  vtkWaterReflectionPass* Object = nullptr;
+};
+
+struct vtk_water_actor
+{
+  vtkNew<vtkWaterActor> Object;
+  vtk_water_pass Pass;
+};
+
+namespace vtkWaterC
+{
+// What vtk_water_last_error returns.
+extern thread_local std::string lastError;
+
+// Adds what an object reports to lastError, and keeps it from being printed.
+class ErrorWatch
+{
+public:
+  explicit ErrorWatch(vtkObject* object)
+    : Object(object)
+  {
+    this->Command->SetCallback([](vtkObject*, unsigned long, void*, void* text) {
+      // "ERROR: In file, line\nclass (address): what"
+      const char* what = static_cast<const char*>(text);
+      const char* start = std::strstr(what, "): ");
+      std::string message = start ? start + 3 : what;
+      message.erase(message.find_last_not_of('\n') + 1);
+      lastError += (lastError.empty() ? "" : " ") + message;
+    });
+    this->Tag = object->AddObserver("ErrorEvent", this->Command);
+  }
+  ~ErrorWatch() { this->Object->RemoveObserver(this->Tag); }
+  ErrorWatch(const ErrorWatch&) = delete;
+  void operator=(const ErrorWatch&) = delete;
+
+private:
+  vtkObject* Object;
+  vtkNew<vtkCallbackCommand> Command;
+  unsigned long Tag;
+};
+
+inline vtk_water_status Fail(vtk_water_status status, const std::string& message)
+{
+  lastError = message;
+  return status;
+}
+
+// Runs what may throw. It returns a status, or nothing and reports by lastError.
+template <typename Function>
+vtk_water_status Guarded(Function function) noexcept
+{
+  try
+  {
+    lastError.clear();
+    const vtk_water_status status = function();
+    return status == VTK_WATER_OK && !lastError.empty() ? VTK_WATER_BAD_VALUE : status;
+  }
+  catch (const std::bad_alloc&)
+  {
+    return VTK_WATER_NO_MEMORY;
+  }
+  catch (const std::exception& exception)
+  {
+    return Fail(VTK_WATER_FAILED, exception.what());
+  }
+  catch (...)
+  {
+    return VTK_WATER_FAILED;
+  }
+}
+
+inline bool AreFinite(const double* values, size_t count)
+{
+  for (size_t i = 0; i < count; ++i)
+  {
+    if (!std::isfinite(values[i]))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+}
+#endif

@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkWaterCScene.cxx: the part of the C interface, vtkWaterC.h, that makes scenes and renders them,
+// for programs without VTK. Copies and calls.
+#include "vtkActor.h"
+#include "vtkActorCollection.h"
+#include "vtkAutoInit.h"
+#include "vtkCamera.h"
+#include "vtkCellArray.h"
+#include "vtkMath.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkSmartPointer.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkWaterCInternals.h"
+#include "vtkWaterOffScreen.h"
+#include "vtkWaterReflectionPass.h"
+
+#include <cstring>
+#include <list>
+
+// A C program includes nothing that would register VTK's OpenGL classes.
+VTK_MODULE_INIT(vtkRenderingOpenGL2);
+
+using namespace vtkWaterC;
+
+struct vtk_water_scene
+{
+  vtkNew<vtkRenderer> Renderer;
+  vtkNew<vtkRenderWindow> Window;
+};
+
+namespace
+{
+constexpr double kSmallestAngleToUp = 1e-6; // radians
+
+bool IsColor(const double color[3])
+{
+  for (int i = 0; i < 3; ++i)
+  {
+    if (!(color[i] >= 0.0 && color[i] <= 1.0))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+vtkSmartPointer<vtkPolyData> MakeMesh(
+  const double* points, size_t pointCount, const int64_t* triangles, size_t triangleCount)
+{
+  vtkNew<vtkPoints> places;
+  places->SetDataTypeToDouble();
+  places->SetNumberOfPoints(static_cast<vtkIdType>(pointCount));
+  for (size_t i = 0; i < pointCount; ++i)
+  {
+    places->SetPoint(static_cast<vtkIdType>(i), points + 3 * i);
+  }
+  vtkNew<vtkCellArray> cells;
+  for (size_t i = 0; i < triangleCount; ++i)
+  {
+    cells->InsertNextCell({ static_cast<vtkIdType>(triangles[3 * i]),
+      static_cast<vtkIdType>(triangles[3 * i + 1]), static_cast<vtkIdType>(triangles[3 * i + 2]) });
+  }
+  auto data = vtkSmartPointer<vtkPolyData>::New();
+  data->SetPoints(places);
+  data->SetPolys(cells);
+  return data;
+}
+}
+
+//------------------------------------------------------------------------------
+vtk_water_status vtk_water_scene_new(int width, int height, vtk_water_scene** scene)
+{
+  return Guarded([&] {
+    if (!scene)
+    {
+      return Fail(VTK_WATER_NULL_ARGUMENT, "the output is NULL");
+    }
+    if (width < 1 || width > 16384 || height < 1 || height > 16384)
+    {
+      return Fail(VTK_WATER_BAD_VALUE,
+        "size is " + std::to_string(width) + " x " + std::to_string(height) +
+          " pixels; both must lie in [1, 16384]");
+    }
+    if (!vtkWaterOffScreen::EnableIfNeeded())
+    {
+      return Fail(VTK_WATER_NO_OPENGL, vtkWaterOffScreen::GetReason());
+    }
+    vtk_water_scene* made = new vtk_water_scene;
+    made->Window->SetOffScreenRendering(true);
+    made->Window->SetSize(width, height);
+    made->Window->AddRenderer(made->Renderer);
+    *scene = made;
+    return VTK_WATER_OK;
+  });
+}
+
+void vtk_water_scene_delete(vtk_water_scene* scene)
+{
+  delete scene;
+}
+
+vtk_water_status vtk_water_scene_set_sky(
+  vtk_water_scene* scene, const double bottom[3], const double top[3])
+{
+  return Guarded([&] {
+    if (!scene || !bottom || !top)
+    {
+      return Fail(VTK_WATER_NULL_ARGUMENT, "scene, bottom or top is NULL");
+    }
+    if (!IsColor(bottom) || !IsColor(top))
+    {
+      return Fail(VTK_WATER_BAD_VALUE, "red, green and blue must lie in [0, 1]");
+    }
+    scene->Renderer->GradientBackgroundOn();
+    scene->Renderer->SetBackground(bottom[0], bottom[1], bottom[2]);
+    scene->Renderer->SetBackground2(top[0], top[1], top[2]);
+    return VTK_WATER_OK;
+  });
+}
+
+vtk_water_status vtk_water_scene_add_mesh(vtk_water_scene* scene, const double* points,
+  size_t point_count, const int64_t* triangles, size_t triangle_count, const double color[3])
+{
+  return Guarded([&] {
+    if (!scene || !points || !triangles || !color)
+    {
+      return Fail(VTK_WATER_NULL_ARGUMENT, "scene, points, triangles or color is NULL");
+    }
+    if (!AreFinite(points, 3 * point_count) || !IsColor(color))
+    {
+      return Fail(
+        VTK_WATER_BAD_VALUE, "points must be finite; red, green and blue must lie in [0, 1]");
+    }
+    for (size_t i = 0; i < 3 * triangle_count; ++i)
+    {
+      if (triangles[i] < 0 || static_cast<uint64_t>(triangles[i]) >= point_count)
+      {
+        return Fail(VTK_WATER_BAD_VALUE,
+          "triangle " + std::to_string(i / 3) + " names point " + std::to_string(triangles[i]) +
+            "; there are " + std::to_string(point_count));
+      }
+    }
+    vtkNew<vtkPolyDataMapper> mapper;
+    mapper->SetInputData(MakeMesh(points, point_count, triangles, triangle_count));
+    vtkNew<vtkActor> actor;
+    actor->SetMapper(mapper);
+    actor->GetProperty()->SetColor(color[0], color[1], color[2]);
+    scene->Renderer->AddActor(actor);
+    return VTK_WATER_OK;
+  });
+}
+
+vtk_water_status vtk_water_scene_add_water(vtk_water_scene* scene, vtk_water_actor* actor)
+{
+  return Guarded([&] {
+    if (!scene || !actor)
+    {
+      return Fail(VTK_WATER_NULL_ARGUMENT, "scene or actor is NULL");
+    }
+    scene->Renderer->AddActor(actor->Object);
+    return VTK_WATER_OK;
+  });
+}
+
+vtk_water_status vtk_water_scene_set_camera(vtk_water_scene* scene, const double eye[3],
+  const double target[3], const double up[3], double angle_deg)
+{
+  return Guarded([&] {
+    if (!scene || !eye || !target || !up)
+    {
+      return Fail(VTK_WATER_NULL_ARGUMENT, "scene, eye, target or up is NULL");
+    }
+    const bool isPoint = eye[0] == target[0] && eye[1] == target[1] && eye[2] == target[2];
+    double view[3];
+    vtkMath::Subtract(target, eye, view);
+    // VTK draws nothing with an up along the view; 0 for one of no length
+    const double angleToUp = vtkMath::AngleBetweenVectors(view, up);
+    const bool isTurned =
+      angleToUp > kSmallestAngleToUp && angleToUp < vtkMath::Pi() - kSmallestAngleToUp;
+    if (!AreFinite(eye, 3) || !AreFinite(target, 3) || !AreFinite(up, 3) || isPoint || !isTurned ||
+      !(angle_deg >= 1.0 && angle_deg <= 170.0))
+    {
+      return Fail(VTK_WATER_BAD_VALUE,
+        "eye, target and up must be finite, eye and target apart, up not zero nor along the view, "
+        "the angle (" +
+          std::to_string(angle_deg) + ") in [1, 170] degrees");
+    }
+    vtkCamera* camera = scene->Renderer->GetActiveCamera();
+    camera->SetPosition(eye);
+    camera->SetFocalPoint(target);
+    camera->SetViewUp(up);
+    camera->SetViewAngle(angle_deg);
+    return VTK_WATER_OK;
+  });
+}
+
+vtk_water_status vtk_water_scene_render(
+  vtk_water_scene* scene, unsigned char* pixels, size_t byte_count)
+{
+  return Guarded([&] {
+    if (!scene)
+    {
+      return Fail(VTK_WATER_NULL_ARGUMENT, "scene is NULL");
+    }
+    const int* size = scene->Window->GetSize();
+    const size_t width = static_cast<size_t>(size[0]), height = static_cast<size_t>(size[1]);
+    if (pixels && byte_count < 3 * width * height)
+    {
+      return Fail(VTK_WATER_BAD_VALUE,
+        std::to_string(byte_count) + " bytes are too few for " + std::to_string(width) + " x " +
+          std::to_string(height) + " x 3");
+    }
+    // what waters report meanwhile is said with the picture that shows the rest
+    std::list<ErrorWatch> watches;
+    vtkActorCollection* actors = scene->Renderer->GetActors();
+    vtkCollectionSimpleIterator next;
+    actors->InitTraversal(next);
+    while (vtkActor* actor = actors->GetNextActor(next))
+    {
+      if (auto* water = vtkWaterActor::SafeDownCast(actor))
+      {
+        watches.emplace_back(water);
+        watches.emplace_back(water->GetReflectionPass());
+      }
+    }
+    scene->Renderer->ResetCameraClippingRange();
+    scene->Window->Render();
+    if (!pixels)
+    {
+      return VTK_WATER_OK;
+    }
+    vtkNew<vtkUnsignedCharArray> picture;
+    scene->Window->GetPixelData(0, 0, size[0] - 1, size[1] - 1, 0, picture);
+    for (size_t row = 0; row < height; ++row)
+    {
+      std::memcpy(pixels + 3 * width * row,
+        picture->GetPointer(static_cast<vtkIdType>(3 * width * (height - 1 - row))), 3 * width);
+    }
+    return VTK_WATER_OK;
+  });
+}
