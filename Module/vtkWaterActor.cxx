@@ -22,7 +22,6 @@
 #include "vtkWaterSheet.h"
 #include "vtkWaterSurface.h"
 #include "water_plan.h"
-#include "water_waves.h"
 
 #include <algorithm>
 
@@ -31,8 +30,6 @@ vtkStandardNewMacro(vtkWaterActor);
 
 namespace
 {
-constexpr double kLargestTime = 1e15; // s; beyond, a double has no phases left
-
 // The renderers that show a prop, itself or as a part of assemblies.
 void FindRenderers(vtkProp* prop, std::vector<vtkRenderer*>& renderers)
 {
@@ -161,80 +158,6 @@ vtkWaterProperty* vtkWaterActor::GetWaterProperty()
 }
 
 //------------------------------------------------------------------------------
-void vtkWaterActor::SetTime(double seconds)
-{
-  if (!(seconds >= -kLargestTime && seconds <= kLargestTime))
-  {
-    vtkErrorMacro("Time is " << seconds << "; it must be finite and lie in [" << -kLargestTime
-                             << ", " << kLargestTime << "]. It stays " << this->Time << ".");
-  }
-  else if (this->Time != seconds)
-  {
-    this->Time = seconds;
-    this->Modified();
-  }
-}
-
-//------------------------------------------------------------------------------
-std::vector<water_wave_term> vtkWaterActor::GetWaveTerms()
-{
-  const auto count = static_cast<size_t>(this->WaterProperty->GetNumberOfWaves());
-  std::vector<water_wave_term> terms(count);
-  size_t culprit = 0;
-  // all are checked by their setters
-  water_waves_at(this->WaterProperty->GetWaves(), count, this->WaterProperty->GetDepth(),
-    this->Time, terms.data(), &culprit);
-  return terms;
-}
-
-//------------------------------------------------------------------------------
-vtkWaterSea* vtkWaterActor::GetSeaAtTime()
-{
-  if (!this->WaterProperty->GetSea())
-  {
-    return nullptr;
-  }
-  water_sea sea;
-  water_tile tile;
-  this->WaterProperty->ReadSea(&sea, &tile);
-  this->Sea->Update(tile, sea, this->Time);
-  return this->Sea.get();
-}
-
-//------------------------------------------------------------------------------
-double vtkWaterActor::GetWaveHeight(double x, double y)
-{
-  const std::vector<water_wave_term> terms = this->GetWaveTerms();
-  double rest[2];
-  water_wave_point point;
-  if (water_waves_find(terms.data(), terms.size(), x, y, rest, &point) != WATER_OK)
-  {
-    return vtkMath::Nan();
-  }
-  const vtkWaterSea* sea = this->GetSeaAtTime();
-  return sea ? point.displacement[2] + sea->GetHeight(x, y) : point.displacement[2];
-}
-
-//------------------------------------------------------------------------------
-void vtkWaterActor::GetWaveNormal(double x, double y, double normal[3])
-{
-  const std::vector<water_wave_term> terms = this->GetWaveTerms();
-  double rest[2];
-  water_wave_point point;
-  std::fill(normal, normal + 3, vtkMath::Nan());
-  if (water_waves_find(terms.data(), terms.size(), x, y, rest, &point) == WATER_OK)
-  {
-    std::copy(point.normal, point.normal + 3, normal);
-    if (const vtkWaterSea* sea = this->GetSeaAtTime())
-    {
-      double slope[2];
-      sea->GetSlope(x, y, slope);
-      water_waves_tilt(slope, normal);
-    }
-  }
-}
-
-//------------------------------------------------------------------------------
 vtkWaterReflectionPass* vtkWaterActor::GetReflectionPass()
 {
   return this->ComposedPass ? this->ComposedPass.Get() : this->OwnPass.Get();
@@ -344,29 +267,6 @@ double* vtkWaterActor::GetBounds()
   water_plane_displaced_bounds(&unit, bounds, this->WaterProperty->GetWaveHeightMax(),
     this->WaterProperty->GetWaveReach(), this->DisplacedBounds);
   return this->DisplacedBounds;
-}
-
-//------------------------------------------------------------------------------
-bool vtkWaterActor::IsDisplaced() const
-{
-  return this->WaterProperty->GetWaveGeometry() && this->WaterProperty->GetNumberOfWaves() > 0;
-}
-
-//------------------------------------------------------------------------------
-vtkMapper* vtkWaterActor::LayGrid(const water_grid_view& view, vtkMapper* mapper)
-{
-  if (mapper != this->Sheet->GetMapper())
-  {
-    return mapper;
-  }
-  vtkWaterGrid::Place place;
-  place.View = view;
-  std::copy(this->Sheet->GetRectangle(), this->Sheet->GetRectangle() + 4, place.Sheet);
-  place.Height = this->WaterProperty->GetWaveHeightMax();
-  place.Reach = this->WaterProperty->GetWaveReach();
-  place.Size = this->WaterProperty->GetWaveGridSize();
-  this->Grid->Lay(place);
-  return this->Grid->GetMapper();
 }
 
 //------------------------------------------------------------------------------
