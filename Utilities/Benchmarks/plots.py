@@ -6,9 +6,10 @@ import numpy as np
 from report import plt
 
 PARETO_TEXT = """*Full line: the Pareto front, what nothing beats in both time and error. Small
-marks: the formulas of other programs; those that the module lacks are put at
-the time of its fixed offset, whose shader does no less, and their pictures are
-the tracer's, without the loss of a texture.*"""
+marks: the formulas of other programs, dark with their best constant, light with
+published ones; those that the module lacks are put at the time of its fixed
+offset, whose shader does no less, and their pictures are the tracer's, without
+the loss of a texture.*"""
 MARKERS = {1.0: "o", 0.5: "s", 0.25: "^"}
 
 
@@ -72,7 +73,7 @@ def pictures(reference):
     step.apply(reference.scene.water, 1.0, reference.constants)
     shown = reference.scene.view.picture()
     apart = truth.flip_map(shown)
-    figure, axes = plt.subplots(1, 3, figsize=(12, 3.3))
+    figure, axes = plt.subplots(1, 3, figsize=(12, 3.4))
     for axis, name, picture in zip(
         axes, ("reference", step.name, "FLIP (black: none)"), (truth.truth, shown, apart)
     ):
