@@ -96,7 +96,8 @@ def add_scene_arguments(parser):
     ground.add_argument("--exaggeration", type=number(1e-6, 1e6), default=1.0, metavar="X",
                         help="draw heights so many times higher; terrains only")
     ground.add_argument("--no-data", type=number(), metavar="HEIGHT",
-                        help="a height that means a hole, beside NaN and what the file says; holes stay holes")
+                        help="a height that means a hole, beside NaN, what lies beyond 1e9 and what the file says; "
+                             "holes stay holes")
 
 
 def make_parser():
