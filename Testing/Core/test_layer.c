@@ -61,6 +61,22 @@ TEST(sides_hold_what_is_in_the_box_and_over_the_water)
   assert_sides_tell(&plan);
 }
 
+// A plan that keeps both sides has no plane between them: every point is on its kept side.
+TEST(a_plane_that_is_none_has_no_side)
+{
+  UNUSED;
+  const water_scene scene = lake();
+  water_plan plan;
+  double sides[WATER_LAYER_SIDES][4];
+  assert_int_equal(water_plan_make(&scene, &plan, NULL), WATER_OK);
+  memset(plan.clip_plane_clip, 0, sizeof plan.clip_plane_clip);
+  assert_int_equal(water_layer_sides(&plan, box, sides), WATER_OK);
+  for (int i = 0; i < 4; ++i)
+  {
+    assert_true(sides[WATER_LAYER_SIDES - 1][i] == 0.0);
+  }
+}
+
 TEST(sides_fit_single_precision)
 {
   UNUSED;
@@ -96,6 +112,7 @@ int main(void)
 {
   const struct CMUnitTest tests[] = {
     RUN(sides_hold_what_is_in_the_box_and_over_the_water),
+    RUN(a_plane_that_is_none_has_no_side),
     RUN(sides_fit_single_precision),
     RUN(camera_without_an_inverse_is_refused),
   };

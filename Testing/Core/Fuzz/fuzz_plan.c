@@ -2,6 +2,7 @@
 // fuzz_plan.c: any scene: the plan, and what is done with one.
 #include "fuzz_scene.h"
 
+#include "water_layer.h"
 #include "water_math.h"
 #include "water_mirror.h"
 #include "water_pieces.h"
@@ -73,6 +74,14 @@ int LLVMFuzzerTestOneInput(const uint8_t* bytes, size_t size)
     for (size_t i = 0; i < scene.prop_count; ++i)
     {
       (void)water_frustum_divides(&view.frustum, 6, props[i].bounds, 1e-6);
+    }
+    double sides[WATER_LAYER_SIDES][4];
+    for (size_t i = 0; i < scene.prop_count; ++i)
+    {
+      if (water_layer_sides(&plan, props[i].bounds, sides) == WATER_OK)
+      {
+        fuzz_use(sides, sizeof sides);
+      }
     }
     double oblique[16];
     if (water_mirror_oblique(plan.mirrored.view_to_clip, plan.clip_plane_view, oblique) == WATER_OK)
