@@ -81,7 +81,9 @@ void water_pieces_look(const water_plan* plan, const water_pieces_map* map, int 
   double box[4];
   water_frustum world;
   const int* rect_px = plan->texture_rect_px;
-  const int columns[2] = { rect_px[2] * band / band_count, rect_px[2] * (band + 1) / band_count };
+  const int64_t width = rect_px[2];
+  const int columns[2] = { (int)(width * band / band_count),
+    (int)(width * (band + 1) / band_count) };
   const int band_px[4] = { rect_px[0] + columns[0], rect_px[1], columns[1] - columns[0],
     rect_px[3] };
   water_target_box_of_rect(band_px, plan->texture_px, box);
