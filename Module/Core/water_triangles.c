@@ -161,6 +161,10 @@ static bool find_edges(const picture* of, edge edges[3])
     const double length = fabs(rise != 0.0 ? rise : run);
     made->outer = in_box / length;
     made->inner = at_inside / length;
+    if (!(fabs(made->at_zero) < DBL_MAX))
+    {
+      return false;
+    }
   }
   return true;
 }
@@ -188,6 +192,8 @@ static void find_row(const picture* of, const edge edges[3], bool is_inner, int 
       high = -1.0;
     }
   }
+  // an edge along the row may leave it as far off as no integer goes
+  low = lesser(low, of->last[0] + 1.0);
   row[0] = (int)(low + 0.5); // the first middle from low on
   row[1] = high < 0.5 ? -1 : (int)(high - 0.5);
 }
