@@ -21,6 +21,10 @@ static void normalise(const double side[4], double normalised[4])
 water_status water_layer_sides(
   const water_plan* plan, const double bounds[6], double sides[WATER_LAYER_SIDES][4])
 {
+  if (!water_bounds_are_finite(bounds) || water_bounds_is_empty(bounds))
+  {
+    return WATER_BAD_PROP_BOUNDS;
+  }
   double world_to_clip[16];
   double clip_to_world[16];
   water_mat4_multiply(plan->mirrored.view_to_clip, plan->mirrored.world_to_view, world_to_clip);

@@ -19,10 +19,11 @@ enum
 // The half-spaces that have all that the map shows of a box in common: its six sides, and the side
 // of the water that is kept. A point of NDC (x, y, z, 1) lies in one when its dot product is >= 0.
 //
-// bounds  in world, finite, not empty
+// bounds  in world
 // sides   largest coefficient 1
 //
-// Returns WATER_OK, or WATER_BAD_CAMERA when the mirrored camera has no inverse.
+// Returns WATER_OK, WATER_BAD_PROP_BOUNDS when bounds are not finite or are empty, or
+// WATER_BAD_CAMERA when the mirrored camera has no inverse.
 water_status water_layer_sides(
   const water_plan* plan, const double bounds[6], double sides[WATER_LAYER_SIDES][4]);
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkWaterLayer.h"
 
-#include "vtkMath.h"
 #include "vtkOpenGLQuadHelper.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
@@ -126,8 +125,7 @@ void vtkWaterLayer::DrawVolumeDepth(
 {
   const double* bounds = prop->GetBounds();
   double sides[WATER_LAYER_SIDES][4];
-  if (!bounds || !vtkMath::AreBoundsInitialized(bounds) ||
-    water_layer_sides(&plan, bounds, sides) != WATER_OK ||
+  if (!bounds || water_layer_sides(&plan, bounds, sides) != WATER_OK ||
     !vtkWaterScreen::Ready(this->VolumeDepth, window, vtkWaterVolumeDepthFS))
   {
     return;

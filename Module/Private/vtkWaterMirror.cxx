@@ -154,6 +154,7 @@ const char* vtkWaterMirror::Draw(vtkRenderer* renderer, vtkWaterShading* shading
   }
   this->Pieces.BeginMap(plan, this->Seen, settings.Samples);
   this->IsDrawing = true;
+  this->HasLayer = false;
   this->Instruments.Begin(vtkWaterInstruments::REFLECTION, window);
   const char* failure = nullptr;
   {
@@ -198,9 +199,9 @@ const char* vtkWaterMirror::Draw(vtkRenderer* renderer, vtkWaterShading* shading
       this->Translucent.DrawVolumes(renderer, props);
       state->vtkglDisable(GL_SCISSOR_TEST);
       this->Target.Resolve();
+      this->HasLayer = this->HasLayer && this->Layer.Bind();
       if (this->HasLayer)
       {
-        this->Layer.Bind();
         SetViewportAndScissor(state, plan);
         this->Layer.Draw(renderer, shading, plan, props, this->Translucent);
       }

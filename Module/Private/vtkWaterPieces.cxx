@@ -22,7 +22,7 @@
 
 #include <algorithm>
 #include <cstring>
-#include <system_error>
+#include <exception>
 #include <thread>
 
 namespace
@@ -111,13 +111,14 @@ template <typename Function>
 void ForEach(int count, const Function& function)
 {
   std::vector<std::thread> others;
+  others.reserve(static_cast<size_t>(count)); // nothing throws between here and their ends
   for (int i = 1; i < count; ++i)
   {
     try
     {
       others.emplace_back(function, i);
     }
-    catch (const std::system_error&) // no more threads
+    catch (const std::exception&) // no more threads, or no memory for one
     {
       function(i);
     }

@@ -97,6 +97,23 @@ TEST(sides_fit_single_precision)
   }
 }
 
+TEST(bounds_that_are_none_are_refused)
+{
+  UNUSED;
+  const water_scene scene = lake();
+  water_plan plan;
+  double sides[WATER_LAYER_SIDES][4];
+  assert_int_equal(water_plan_make(&scene, &plan, NULL), WATER_OK);
+  const double wrong[4] = { NAN, INFINITY, -INFINITY, 3.0 }; // and one over its maximum
+  for (int i = 0; i < 4; ++i)
+  {
+    double bounds[6];
+    memcpy(bounds, box, sizeof bounds);
+    bounds[0] = wrong[i];
+    assert_int_equal(water_layer_sides(&plan, bounds, sides), WATER_BAD_PROP_BOUNDS);
+  }
+}
+
 TEST(camera_without_an_inverse_is_refused)
 {
   UNUSED;
@@ -114,6 +131,7 @@ int main(void)
     RUN(sides_hold_what_is_in_the_box_and_over_the_water),
     RUN(a_plane_that_is_none_has_no_side),
     RUN(sides_fit_single_precision),
+    RUN(bounds_that_are_none_are_refused),
     RUN(camera_without_an_inverse_is_refused),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
