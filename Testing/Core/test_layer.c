@@ -51,13 +51,12 @@ TEST(sides_hold_what_is_in_the_box_and_over_the_water)
 {
   UNUSED;
   water_scene scene = lake();
-  water_plan plan;
-  assert_int_equal(water_plan_make(&scene, &plan, NULL), WATER_OK);
+  water_plan plan = plan_of(&scene, NULL);
   assert_sides_tell(&plan);
   const double window[4] = { -12.0, 12.0, -9.0, 9.0 };
   ortho_matrix(window, 1.0, 1000.0, scene.eye.view_to_clip);
   scene.eye.parallel = true;
-  assert_int_equal(water_plan_make(&scene, &plan, NULL), WATER_OK);
+  plan = plan_of(&scene, NULL);
   assert_sides_tell(&plan);
 }
 
@@ -66,9 +65,8 @@ TEST(a_plane_that_is_none_has_no_side)
 {
   UNUSED;
   const water_scene scene = lake();
-  water_plan plan;
+  water_plan plan = plan_of(&scene, NULL);
   double sides[WATER_LAYER_SIDES][4];
-  assert_int_equal(water_plan_make(&scene, &plan, NULL), WATER_OK);
   memset(plan.clip_plane_clip, 0, sizeof plan.clip_plane_clip);
   assert_int_equal(water_layer_sides(&plan, box, sides), WATER_OK);
   for (int i = 0; i < 4; ++i)
@@ -82,9 +80,8 @@ TEST(sides_fit_single_precision)
   UNUSED;
   const water_scene scene = lake();
   const double bounds[6] = { -3e7, 2e7, -1e7, 7e7, -2e7, 4e7 };
-  water_plan plan;
+  water_plan plan = plan_of(&scene, NULL);
   double sides[WATER_LAYER_SIDES][4];
-  assert_int_equal(water_plan_make(&scene, &plan, NULL), WATER_OK);
   assert_int_equal(water_layer_sides(&plan, bounds, sides), WATER_OK);
   for (int i = 0; i < WATER_LAYER_SIDES; ++i)
   {
@@ -101,9 +98,8 @@ TEST(bounds_that_are_none_are_refused)
 {
   UNUSED;
   const water_scene scene = lake();
-  water_plan plan;
+  water_plan plan = plan_of(&scene, NULL);
   double sides[WATER_LAYER_SIDES][4];
-  assert_int_equal(water_plan_make(&scene, &plan, NULL), WATER_OK);
   const double wrong[4] = { NAN, INFINITY, -INFINITY, 3.0 }; // and one over its maximum
   for (int i = 0; i < 4; ++i)
   {
@@ -118,9 +114,8 @@ TEST(camera_without_an_inverse_is_refused)
 {
   UNUSED;
   const water_scene scene = lake();
-  water_plan plan;
+  water_plan plan = plan_of(&scene, NULL);
   double sides[WATER_LAYER_SIDES][4];
-  assert_int_equal(water_plan_make(&scene, &plan, NULL), WATER_OK);
   memset(plan.mirrored.view_to_clip, 0, sizeof plan.mirrored.view_to_clip);
   assert_int_equal(water_layer_sides(&plan, box, sides), WATER_BAD_CAMERA);
 }

@@ -65,4 +65,22 @@ static inline size_t selected(const water_pieces_view* view, const water_mesh* d
   return water_pieces_copy(described, is_reversed, work, 1, drawn);
 }
 
+// Is what was copied some of the mesh's triangles, in their order? is_drawn: room for one per
+// triangle, or NULL.
+static inline bool is_in_order(const mesh* of, size_t count, bool* is_drawn)
+{
+  size_t at = 0;
+  for (size_t i = 0; i < TRIANGLES; ++i)
+  {
+    const uint32_t* triangle = of->indices + 3 * i;
+    const bool is_next = at < count && memcmp(of->drawn + at, triangle, 3 * sizeof *triangle) == 0;
+    at += is_next ? 3 : 0;
+    if (is_drawn)
+    {
+      is_drawn[i] = is_next;
+    }
+  }
+  return at == count;
+}
+
 #endif

@@ -4,6 +4,7 @@
 #include "test_mesh.h"
 
 #include "water_math.h"
+#include "water_pieces.h"
 
 TEST(only_large_meshes_have_pieces)
 {
@@ -35,6 +36,7 @@ TEST(what_is_seen_is_kept_in_its_order)
   mesh* const terrain = mesh_made(&from);
   assert_true(water_pieces_bound(&terrain->described));
   double model_to_world[16] = { 0, -1, 0, 1, 1, 0, 0, 2, 0, 0, 2, 0.5, 0, 0, 0, 1 };
+  bool is_drawn[TRIANGLES];
   size_t drawn_sum = 0;
   size_t seen_sum = 0;
   for (int round = 0; round < 60; ++round)
@@ -49,13 +51,10 @@ TEST(what_is_seen_is_kept_in_its_order)
       selected(&view, &terrain->described, false, &trend, terrain->work, terrain->drawn);
     assert_int_equal(count % 3, 0);
     drawn_sum += count / 3;
-    size_t at = 0;
+    assert_true(is_in_order(terrain, count, is_drawn)); // all that was drawn was found
     for (size_t i = 0; i < TRIANGLES; ++i)
     {
       const uint32_t* triangle = terrain->indices + 3 * i;
-      const bool is_drawn =
-        at < count && memcmp(terrain->drawn + at, triangle, 3 * sizeof *triangle) == 0;
-      at += is_drawn ? 3 : 0;
       bool is_seen = false;
       for (int j = 0; j < 3 && !is_seen; ++j)
       {
@@ -70,10 +69,9 @@ TEST(what_is_seen_is_kept_in_its_order)
         is_seen = clip[2] >= -clip[3] && clip[3] > 0.0 && px[0] >= 0.0 && px[0] <= rect[2] &&
           px[1] >= 0.0 && px[1] <= rect[3] && height_of(&random, world) >= 0.0;
       }
-      assert_true(is_drawn || !is_seen);
+      assert_true(is_drawn[i] || !is_seen);
       seen_sum += is_seen;
     }
-    assert_int_equal(at, count); // all that was drawn was found, in its order
   }
   print_message(
     "seen %zu, drawn %zu of %zu triangles\n", seen_sum, drawn_sum, (size_t)60 * TRIANGLES);
@@ -313,135 +311,6 @@ TEST(the_map_is_handed_on)
   }
 }
 
-// Triangles one by one: some of those of the pieces, in their order; the same from either end,
-// because it is the near pieces that hide the far ones; and fewer than half of the pieces'.
-TEST(triangles_are_looked_at_one_by_one)
-{
-  UNUSED;
-  const double center[3] = { 0.0, 0.0, 0.0 };
-  const double model_to_world[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 };
-  dice from = dice_seeded(64);
-  mesh* const terrain = mesh_made(&from);
-  uint32_t* const fine[2] = { malloc(sizeof terrain->drawn), malloc(sizeof terrain->drawn) };
-  assert_non_null(fine[0]);
-  assert_non_null(fine[1]);
-  assert_true(water_pieces_bound(&terrain->described));
-  size_t sums[2] = { 0, 0 };
-  for (int round = 0; round < 60; ++round)
-  {
-    random_scene random = scene_rolled(&from, round, center);
-    random.scene.is_software = true;
-    const water_plan plan = plan_of(&random.scene, NULL);
-    const int* rect = plan.texture_rect_px;
-    float* depths = malloc((size_t)rect[2] * (size_t)rect[3] * sizeof *depths);
-    assert_non_null(depths);
-    const water_pieces_map map = { NULL, depths, 0, 8 };
-    water_pieces_view view;
-    water_trend trend;
-    size_t counts[2];
-    water_pieces_look(&plan, &map, 0, 1, true, model_to_world, at_zero, &view);
-    for (int i = 0; i < 2; ++i)
-    {
-      memset(&trend, 0, sizeof trend);
-      water_triangles_begin(rect, NULL, depths);
-      counts[i] = selected(&view, &terrain->described, i, &trend, terrain->work, fine[i]);
-    }
-    view.is_fine = false;
-    const size_t count =
-      selected(&view, &terrain->described, false, &trend, terrain->work, terrain->drawn);
-    size_t at = 0;
-    for (size_t i = 0; i < count && at < counts[0]; i += 3)
-    {
-      at += memcmp(terrain->drawn + i, fine[0] + at, 3 * sizeof *fine[0]) == 0 ? 3 : 0;
-    }
-    assert_int_equal(at, counts[0]);
-    assert_int_equal(counts[0], counts[1]);
-    for (size_t i = 0; i < counts[0]; i += 3)
-    {
-      assert_memory_equal(fine[0] + i, fine[1] + counts[0] - 3 - i, 3 * sizeof *fine[0]);
-    }
-    sums[0] += counts[0];
-    sums[1] += count;
-    free(depths);
-  }
-  print_message("%zu of %zu triangles\n", sums[0] / 3, sums[1] / 3);
-  assert_int_in_range(sums[0], 1000, 8 * sums[1] / 25);
-  free(fine[0]);
-  free(fine[1]);
-  free(terrain);
-}
-
-// Two corners of a triangle may take each other's place among those that were projected last: it
-// stays, and the others go, here under the water.
-TEST(corners_that_take_each_others_place_keep_their_triangle)
-{
-  UNUSED;
-  enum
-  {
-    MANY = 600,
-    COUNT = 4
-  };
-  const uint32_t indices[3 * COUNT] = { 0, 256, 1, 3, 1, 257, 512, 2, 0, 0, 1, 2 };
-  float places[3 * MANY];
-  for (int i = 0; i < 3 * MANY; ++i)
-  {
-    places[i] = (float)(i % 7);
-  }
-  double boxes[1][6];
-  uint32_t drawn[3 * COUNT];
-  water_piece_work work;
-  water_trend trend;
-  water_pieces_view view;
-  memset(&view, 0, sizeof view);
-  memset(&trend, 0, sizeof trend);
-  water_frustum_prepare(&view.frustum);
-  view.is_fine = true;
-  view.triangles.to_clip[15] = 1.0;
-  view.triangles.kept[3] = -1.0;
-  const water_mesh single = { { places, NULL }, MANY, indices, COUNT, boxes };
-  assert_true(water_pieces_bound(&single));
-  assert_int_equal(selected(&view, &single, false, &trend, &work, drawn), 9);
-  assert_memory_equal(drawn, indices, 9 * sizeof *drawn);
-}
-
-// Pieces in cells that nothing looks up are left out: none is drawn if all are closed, and with all
-// of them open as many as without cells.
-TEST(pieces_in_closed_cells_are_left_out)
-{
-  UNUSED;
-  const double model_to_world[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 };
-  dice from = dice_seeded(65);
-  mesh* const terrain = mesh_made(&from);
-  uint8_t* const cells = calloc(WATER_SEEN_CELLS_MAX, 1);
-  uint32_t* const sums = malloc(2 * WATER_SEEN_CELLS_MAX * sizeof *sums);
-  assert_non_null(cells);
-  assert_non_null(sums);
-  assert_true(water_pieces_bound(&terrain->described));
-  const water_scene scene = lake();
-  const water_plan plan = plan_of(&scene, NULL);
-  size_t counts[3];
-  for (int i = 0; i < 3; ++i)
-  {
-    water_seen seen;
-    water_seen_begin(plan.texture_px, plan.texture_rect_px, &seen);
-    memset(cells, i, WATER_SEEN_CELLS_MAX);
-    seen.counts = sums;
-    water_seen_sum(&seen, cells, 1);
-    const water_pieces_map map = { i < 2 ? &seen : NULL, NULL, 0, 8 };
-    water_pieces_view view;
-    water_trend trend;
-    memset(&trend, 0, sizeof trend);
-    water_pieces_look(&plan, &map, 0, 1, false, model_to_world, at_zero, &view);
-    counts[i] = selected(&view, &terrain->described, false, &trend, terrain->work, terrain->drawn);
-  }
-  assert_int_in_range(counts[2], 1000, 3 * TRIANGLES);
-  assert_int_in_range(counts[0], 0, counts[2] / 2); // those about the eye stay
-  assert_int_in_range(counts[1], counts[2] / 2, counts[2]);
-  free(sums);
-  free(cells);
-  free(terrain);
-}
-
 int main(void)
 {
   const struct CMUnitTest tests[] = {
@@ -454,9 +323,6 @@ int main(void)
     RUN(the_trend_says_which_end_is_near),
     RUN(points_of_both_kinds_and_without_an_end),
     RUN(the_map_is_handed_on),
-    RUN(triangles_are_looked_at_one_by_one),
-    RUN(corners_that_take_each_others_place_keep_their_triangle),
-    RUN(pieces_in_closed_cells_are_left_out),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -3,6 +3,8 @@
 // coordinates, or are looked at in bands of the map.
 #include "test_mesh.h"
 
+#include "water_pieces.h"
+
 // What cancels in single precision, its rounding must know: how far the eye is from the origin of
 // what the GPU has, in the mesh's own units, wherever in the world both are.
 TEST(rounding_knows_how_far_the_origin_is)
@@ -170,15 +172,7 @@ TEST(bands_mark_what_is_in_them)
       water_pieces_copy(&terrain->described, false, works, BANDS, terrain->drawn);
     all += count;
     fine += round % 2 ? count : 0;
-    size_t at = 0;
-    for (size_t i = 0; i < TRIANGLES; ++i)
-    {
-      const uint32_t* triangle = terrain->indices + 3 * i;
-      const bool is_drawn =
-        at < count && memcmp(terrain->drawn + at, triangle, 3 * sizeof *triangle) == 0;
-      at += is_drawn ? 3 : 0;
-    }
-    assert_int_equal(at, count); // in their order
+    assert_true(is_in_order(terrain, count, NULL));
     free(depths);
   }
   print_message("%zu triangles, in bands %zu; one by one %zu, %zu with those in several\n",
