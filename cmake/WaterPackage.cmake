@@ -12,8 +12,9 @@ set_target_properties(water_core_archive PROPERTIES
   OUTPUT_NAME water_core
   EXPORT_NAME Core
   LINKER_LANGUAGE C)
+get_target_property(water_core_rooms water_core INTERFACE_INCLUDE_DIRECTORIES)
 target_include_directories(water_core_archive INTERFACE
-  "$<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/Module/Core>"
+  ${water_core_rooms}
   "$<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/vtk-water>")
 if(UNIX)
   target_link_libraries(water_core_archive INTERFACE m)

@@ -13,6 +13,7 @@
 #include "water_optics.h"
 #include "water_plan.h"
 #include "water_plane.h"
+#include "water_prop.h"
 #include "water_select.h"
 #include "water_target.h"
 #include "water_tile.h"
@@ -333,7 +334,7 @@ TEST(bounds_may_be_as_large_as_doubles)
   water_fate fate = WATER_SKIP_EMPTY;
   scene.props = &hall;
   scene.prop_count = 1;
-  assert_false(water_select_is_unbounded(&hall));
+  assert_false(water_prop_is_unbounded(&hall));
   plan_of(&scene, &fate);
   assert_int_equal(fate, WATER_DRAW);
 }

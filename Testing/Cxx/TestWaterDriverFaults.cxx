@@ -4,7 +4,7 @@
 // The driver's functions are replaced in the loader that VTK calls them through.
 #include "WaterFaultyScene.h"
 
-#include "../../Module/Private/vtkWaterGL.h"
+#include "../../Module/Private/host/vtkWaterGL.h"
 
 #include "vtkLogger.h"
 #include "vtkOutputWindow.h"

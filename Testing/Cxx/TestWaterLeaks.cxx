@@ -5,7 +5,7 @@
 //   vtkRenderingWaterCxxTests TestWaterLeaks --rounds 1000
 #include "WaterTestScene.h"
 
-#include "../../Module/Private/vtkWaterGL.h"
+#include "../../Module/Private/host/vtkWaterGL.h"
 
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkWaterReflectionPass.h"

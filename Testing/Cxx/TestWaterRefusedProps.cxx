@@ -7,7 +7,7 @@
 // that clash with those lines need no such thing.
 #include "WaterFaultyScene.h"
 
-#include "../../Module/Private/vtkWaterGL.h"
+#include "../../Module/Private/host/vtkWaterGL.h"
 
 #include "vtkAssembly.h"
 #include "vtkInformation.h"

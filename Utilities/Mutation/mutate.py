@@ -76,7 +76,9 @@ class Build:
         self.bin = folder / "tests"
         self.texts = folder / "texts"  # of the tests, which may be edited while this runs
         shutil.rmtree(folder, ignore_errors=True)
-        shutil.copytree(CORE, self.core)
+        self.core.mkdir(parents=True)
+        for path in CORE.glob("*/*.[ch]"):  # base names are unique
+            shutil.copy(path, self.core)
         self.texts.mkdir()
         for path in TESTS.glob("*.[ch]"):
             shutil.copy(path, self.texts)
@@ -104,7 +106,7 @@ class Build:
         return ["cc", *self.flags, "-shared", *objects, "-lm", "-o", core / "libwater_core.so"]
 
     def build_test(self, core, noun, folder):
-        return [*COMMON, *self.flags, "-I", core, "-I", PROJECT / "Module/GLSL",
+        return [*COMMON, *self.flags, "-I", core, "-I", PROJECT / "Module/GLSL/reflection",
                 self.texts / f"test_{noun}.c", "-o", folder / noun, "-L", core, "-lwater_core",
                 "-lcmocka", "-lm"]
 
@@ -254,7 +256,8 @@ def main():
                         help="only see whether the list of equivalent mutants names mutants; takes a second")
     arguments = parser.parse_args()
 
-    paths = [CORE / name for name in arguments.files] or sorted(CORE.glob("*.[ch]"))
+    paths = sorted(path for path in CORE.glob("*/*.[ch]")
+                   if not arguments.files or path.name in arguments.files)
     mutants = [mutant for path in paths for mutant in mutants_of(path.name, path.read_text())]
     equivalents = read_equivalents()
     # before an hour's work

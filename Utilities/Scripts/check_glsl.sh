@@ -14,7 +14,7 @@ trap 'rm -rf "$work"' EXIT
 # says so in its head: "Needs vtkWaterOptics.glsl and vtkWaterPointFS.glsl before it".
 needed() {
   local piece
-  for piece in $(sed '/^\/\//!{/./q}' "Module/GLSL/$1.glsl" | tr -d '\n/' |
+  for piece in $(sed '/^\/\//!{/./q}' Module/GLSL/*/"$1.glsl" | tr -d '\n/' |
     sed 's/^.*Needs //; t; d' | sed 's/ before.*//' | grep -oE 'vtkWater[A-Za-z]+\.glsl'); do
     needed "${piece%.glsl}"
     echo "$piece"
@@ -29,7 +29,7 @@ prelude() {
     echo "out vec4 fragOutput0;" # VTK makes such an output of gl_FragData[0]
   fi
   for piece in $(needed "$1"); do
-    cat "Module/GLSL/$piece"
+    cat Module/GLSL/*/"$piece"
   done
   if [ "$1" = vtkWaterVolumeFS ]; then # the globals of VTK's ray caster
     cat <<'GLSL'
@@ -44,7 +44,7 @@ GLSL
 
 failures=0
 count=0
-for file in Module/GLSL/*.glsl; do
+for file in Module/GLSL/*/*.glsl; do
   name=$(basename "$file" .glsl)
   stage=frag
   [[ $name == *VS ]] && stage=vert

@@ -22,9 +22,9 @@ forbid() {
 }
 
 shopt -s nullglob
-core=(Module/Core/*.[ch])
-shims=(Module/*.cxx Module/*.h Module/Private/*.cxx Module/Private/*.h)
-shaders=(Module/GLSL/*.glsl)
+core=(Module/Core/*/*.[ch])
+shims=(Module/*.cxx Module/*.h Module/Private/*/*.cxx Module/Private/*/*.h)
+shaders=(Module/GLSL/*/*.glsl)
 
 forbid text "The core includes neither VTK nor GL" \
   '#include *[<"](vtk|GL/|EGL/)' "${core[@]}"

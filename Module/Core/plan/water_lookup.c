@@ -5,7 +5,7 @@
 #include "water_math.h"
 #include "water_mirror.h"
 #include "water_plane.h"
-#include "water_select.h"
+#include "water_prop.h"
 
 // Rows x, y and w of the clip coordinates of a world vector (w 0: a direction).
 static void picture_of(
@@ -196,7 +196,7 @@ double water_lookup_top(
   double top = 0.0;
   for (size_t i = 0; i < prop_count; ++i)
   {
-    if (fates[i] == WATER_DRAW && water_select_is_unbounded(props + i))
+    if (fates[i] == WATER_DRAW && water_prop_is_unbounded(props + i))
     {
       return (double)INFINITY;
     }

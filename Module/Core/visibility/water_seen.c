@@ -3,7 +3,7 @@
 #include "water_seen.h"
 
 #include "water_math.h"
-#include "water_select.h"
+#include "water_prop.h"
 
 // The GPU places a vertex, and the surface its lookup, to a fraction of a pixel.
 static const double rounding_px = 0.25;
@@ -206,7 +206,7 @@ void water_seen_select(const water_seen* seen, const water_camera* mirrored,
   water_mat4_multiply(mirrored->view_to_clip, mirrored->world_to_view, world_to_clip);
   for (size_t i = 0; i < prop_count && (skips & WATER_MAY_SKIP_PROPS); ++i)
   {
-    if (fates[i] == WATER_DRAW && !water_select_is_unbounded(props + i) &&
+    if (fates[i] == WATER_DRAW && !water_prop_is_unbounded(props + i) &&
       !water_seen_meets(seen, world_to_clip, props[i].bounds, 0.5 * (double)props[i].width_px))
     {
       fates[i] = WATER_SKIP_OUT_OF_WATER;

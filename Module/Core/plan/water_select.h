@@ -8,7 +8,6 @@
 #define water_select_h
 
 #include "water_camera.h"
-#include "water_math.h"
 #include "water_status.h"
 #include "water_types.h"
 
@@ -28,12 +27,6 @@ water_status water_select_side(const water_eye* eye, const water_plane* plane, w
 // Whether any point of a box may lie in the camera's frustum. Empty boxes must be sorted out
 // before.
 bool water_select_is_in_view(const water_camera* camera, const double bounds[6]);
-
-// Is a prop drawn wherever it may be: it fills the view, or its bounds are not finite?
-static inline bool water_select_is_unbounded(const water_prop* prop)
-{
-  return (prop->flags & WATER_PROP_NO_BOUNDS) || !water_bounds_are_finite(prop->bounds);
-}
 
 typedef struct water_selection
 {

@@ -4,7 +4,7 @@
 
 #include "water_math.h"
 #include "water_plane.h"
-#include "water_select.h"
+#include "water_prop.h"
 
 // Fx m Fx, Fx = diag(-1, 1, 1, 1): entries with one index of x change sign.
 static void flip_x_both(const double matrix[16], double flipped[16])
@@ -93,7 +93,7 @@ void water_mirror_reach_add(
     // Most props are before the far plane by more than rounding (water_select.c): none of their
     // corners would change the scale. Fates are less foreseeable, to a processor, too.
     if (farthest < -32.0 * DBL_EPSILON * size || fates[i] != WATER_DRAW ||
-      water_select_is_unbounded(props + i))
+      water_prop_is_unbounded(props + i))
     {
       continue;
     }
