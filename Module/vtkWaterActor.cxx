@@ -17,10 +17,10 @@
 #include "vtkWaterProperty.h"
 #include "vtkWaterReflectionPass.h"
 #include "vtkWaterSea.h"
-#include "vtkWaterSecondary.h"
-#include "vtkWaterShading.h"
+#include "vtkWaterSecondarySurface.h"
+#include "vtkWaterShaderHook.h"
 #include "vtkWaterSheet.h"
-#include "vtkWaterSurface.h"
+#include "vtkWaterSurfaceShader.h"
 #include "water_plan.h"
 
 #include <algorithm>
@@ -55,8 +55,8 @@ vtkWaterActor::vtkWaterActor()
   , OwnPass(vtkSmartPointer<vtkWaterReflectionPass>::New())
   , Sheet(std::make_unique<vtkWaterSheet>())
   , Grid(std::make_unique<vtkWaterGrid>())
-  , Surface(std::make_unique<vtkWaterSurface>())
-  , Secondary(std::make_unique<vtkWaterSecondary>())
+  , Surface(std::make_unique<vtkWaterSurfaceShader>())
+  , Secondary(std::make_unique<vtkWaterSecondarySurface>())
   , Sea(std::make_unique<vtkWaterSea>())
 {
   this->Superclass::SetMapper(this->Sheet->GetMapper());
@@ -233,7 +233,7 @@ void vtkWaterActor::UpdateSheet()
     return; // not in a scene yet
   }
   const vtkMTimeType frame =
-    scene.empty() ? 0 : vtkWaterShading::GetOfThread()->Keys.GetFrame(scene.front());
+    scene.empty() ? 0 : vtkWaterShaderHook::GetOfThread()->Keys.GetFrame(scene.front());
   if (frame != 0 && this->FittedFrame == frame)
   {
     return; // asking all props for their bounds costs time

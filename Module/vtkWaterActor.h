@@ -39,9 +39,9 @@
 
 class vtkWaterGrid;
 class vtkWaterSea;
-class vtkWaterSecondary;
+class vtkWaterSecondarySurface;
 class vtkWaterSheet;
-class vtkWaterSurface;
+class vtkWaterSurfaceShader;
 struct vtkWaterError;
 struct vtkWaterGather;
 struct water_grid_view;
@@ -169,7 +169,7 @@ private:
   void operator=(const vtkWaterActor&) = delete;
 
   friend class vtkWaterReflectionPass;
-  friend class vtkWaterSurface;
+  friend class vtkWaterSurfaceShader;
   friend struct vtkWaterGather;
 
   struct SourcedError
@@ -218,7 +218,7 @@ private:
   // Is all of them hidden by what has been drawn so far?
   bool AreSheetsHidden(vtkOpenGLRenderer* renderer, const std::vector<vtkWaterActor*>& sheets);
   // Draws the surface with its shader, or with the plain one when the driver refuses that.
-  void DrawSurface(vtkWaterSurface* surface, vtkRenderer* renderer, vtkMapper* mapper);
+  void DrawSurface(vtkWaterSurfaceShader* surface, vtkRenderer* renderer, vtkMapper* mapper);
   // Draws the surface in the mirrored view of another water.
   void RenderSecondary(vtkRenderer* renderer, vtkMapper* mapper);
   // Draws the props again that this frame has lost because their shaders were refused with the
@@ -233,8 +233,8 @@ private:
   vtkWeakPointer<vtkWaterReflectionPass> ComposedPass;
   std::unique_ptr<vtkWaterSheet> Sheet;
   std::unique_ptr<vtkWaterGrid> Grid; // the sheet when it is displaced
-  std::unique_ptr<vtkWaterSurface> Surface;
-  std::unique_ptr<vtkWaterSecondary> Secondary;
+  std::unique_ptr<vtkWaterSurfaceShader> Surface;
+  std::unique_ptr<vtkWaterSecondarySurface> Secondary;
   std::unique_ptr<vtkWaterSea> Sea;
   double SheetBounds[4] = { 0.0, 0.0, 0.0, 0.0 };
   bool UseSheetBounds = false;

@@ -8,13 +8,13 @@
 #include "vtkWaterActor.h"
 #include "vtkWaterCompat.h"
 #include "vtkWaterGather.h"
+#include "vtkWaterGpuQueries.h"
 #include "vtkWaterGrid.h"
-#include "vtkWaterInstruments.h"
 #include "vtkWaterOcclusion.h"
 #include "vtkWaterReflectionPass.h"
-#include "vtkWaterSecondary.h"
-#include "vtkWaterShading.h"
-#include "vtkWaterSurface.h"
+#include "vtkWaterSecondarySurface.h"
+#include "vtkWaterShaderHook.h"
+#include "vtkWaterSurfaceShader.h"
 #include "water_plan.h"
 #include "water_secondary.h"
 
@@ -31,7 +31,7 @@ int vtkWaterActor::RenderOpaqueGeometry(vtkViewport* viewport)
     this->RenderReflectionIfStale(viewport);
     auto* renderer = vtkOpenGLRenderer::SafeDownCast(viewport);
     if (renderer && !renderer->GetSelector() &&
-      !vtkWaterShading::GetOfThread()->IsInMirroredView() &&
+      !vtkWaterShaderHook::GetOfThread()->IsInMirroredView() &&
       this->GetPassInCharge(renderer)->IsUnseen(renderer, this))
     {
       return 0;
@@ -63,9 +63,10 @@ int vtkWaterActor::RenderOverlay(vtkViewport* viewport)
 }
 
 //------------------------------------------------------------------------------
-void vtkWaterActor::DrawSurface(vtkWaterSurface* surface, vtkRenderer* renderer, vtkMapper* mapper)
+void vtkWaterActor::DrawSurface(
+  vtkWaterSurfaceShader* surface, vtkRenderer* renderer, vtkMapper* mapper)
 {
-  vtkWaterShading* shading = vtkWaterShading::GetOfThread();
+  vtkWaterShaderHook* shading = vtkWaterShaderHook::GetOfThread();
   vtkOpenGLState* probed =
     this->IsProbing ? static_cast<vtkOpenGLRenderer*>(renderer)->GetState() : nullptr;
   shading->BeginSurface(surface, probed);
@@ -83,23 +84,23 @@ void vtkWaterActor::DrawSurface(vtkWaterSurface* surface, vtkRenderer* renderer,
 //------------------------------------------------------------------------------
 void vtkWaterActor::RenderSecondary(vtkRenderer* renderer, vtkMapper* mapper)
 {
-  vtkWaterShading* shading = vtkWaterShading::GetOfThread();
-  const vtkWaterShading::View& view = shading->GetMirroredView();
+  vtkWaterShaderHook* shading = vtkWaterShaderHook::GetOfThread();
+  const vtkWaterShaderHook::View& view = shading->GetMirroredView();
   if (std::find(view.Props->begin(), view.Props->end(), this) == view.Props->end())
   {
     return; // no endless mirror, whatever drew this water
   }
   shading->Keys.Add(this);
-  vtkWaterSurface* surface = &this->Secondary->Surface;
+  vtkWaterSurfaceShader* surface = &this->Secondary->Surface;
   water_plan plan;
   const water_scene scene = vtkWaterGather::ReadSecondary(renderer, this, view.Eye);
   water_secondary_plan(&scene, view.Plan, &plan);
-  vtkWaterSurface::Frame frame = vtkWaterSurface::Frame();
+  vtkWaterSurfaceShader::Frame frame = vtkWaterSurfaceShader::Frame();
   frame.Renderer = static_cast<vtkOpenGLRenderer*>(renderer);
   frame.Plan = plan.has_view ? &plan : nullptr;
   frame.IsFlat = this->UsesOwnSheet() && this->GetIsIdentity();
   frame.IsSecondary = true;
-  if (surface->UpdateStages(vtkWaterSurface::GetSecondaryStages(this)))
+  if (surface->UpdateStages(vtkWaterSurfaceShader::GetSecondaryStages(this)))
   {
     this->GetProperty()->Modified(); // the mapper builds the other shader
   }
@@ -111,20 +112,20 @@ void vtkWaterActor::RenderSecondary(vtkRenderer* renderer, vtkMapper* mapper)
 //------------------------------------------------------------------------------
 void vtkWaterActor::Render(vtkRenderer* renderer, vtkMapper* mapper)
 {
-  vtkWaterShading* shading = vtkWaterShading::GetOfThread();
+  vtkWaterShaderHook* shading = vtkWaterShaderHook::GetOfThread();
   if (shading->IsInMirroredView())
   {
     this->RenderSecondary(renderer, mapper);
     return;
   }
-  if (vtkWaterKeys::IsBakingShadows(this) && vtkWaterSurface::IsClear(this))
+  if (vtkWaterRenderPassKeys::IsBakingShadows(this) && vtkWaterSurfaceShader::IsClear(this))
   {
     return; // clear water lets the light through
   }
   shading->Keys.Add(this);
   vtkWaterReflectionPass* pass = this->GetPassInCharge(renderer);
   const bool isPlain = renderer->GetSelector() || this->HasSheetError() || this->IsProbing;
-  vtkWaterSurface::Frame frame;
+  vtkWaterSurfaceShader::Frame frame;
   frame.Renderer = static_cast<vtkOpenGLRenderer*>(renderer);
   frame.Plan = isPlain ? nullptr : pass->GetFreshPlan(renderer, this);
   frame.Screen = pass->GetScreen(renderer);
@@ -138,21 +139,21 @@ void vtkWaterActor::Render(vtkRenderer* renderer, vtkMapper* mapper)
   frame.RowDir = this->Grid->GetRowDir();
   frame.IsFlat = this->UsesOwnSheet() && this->GetIsIdentity() && !isDisplaced;
   vtkMapper* drawn = isDisplaced ? this->LayGrid(view, mapper) : mapper;
-  if (this->Surface->UpdateStages(
-        frame.Layer ? vtkWaterSurface::GetLayeredStages(this) : vtkWaterSurface::GetStages(this)))
+  if (this->Surface->UpdateStages(frame.Layer ? vtkWaterSurfaceShader::GetLayeredStages(this)
+                                              : vtkWaterSurfaceShader::GetStages(this)))
   {
     this->GetProperty()->Modified(); // the mapper builds the other shader
   }
-  frame.AddsFog = frame.Plan && vtkWaterSurface::IsClear(this) &&
+  frame.AddsFog = frame.Plan && vtkWaterSurfaceShader::IsClear(this) &&
     (frame.Plan->is_submerged || frame.Plan->is_awash) && shading->BeginFog(renderer, *frame.Plan);
-  vtkWaterInstruments* instruments = this->OwnPass->GetInstruments(renderer);
-  instruments->Begin(vtkWaterInstruments::SURFACE, renderer->GetRenderWindow());
+  vtkWaterGpuQueries* instruments = this->OwnPass->GetInstruments(renderer);
+  instruments->Begin(vtkWaterGpuQueries::SURFACE, renderer->GetRenderWindow());
   this->Surface->Begin(this, frame);
   vtkWaterOcclusion* occlusion = this->OwnPass->GetOcclusion(renderer);
   occlusion->Begin(renderer->GetRenderWindow());
   this->DrawSurface(this->Surface.get(), renderer, drawn);
   occlusion->End();
   this->Surface->End();
-  instruments->End(vtkWaterInstruments::SURFACE);
+  instruments->End(vtkWaterGpuQueries::SURFACE);
 }
 VTK_ABI_NAMESPACE_END

@@ -18,8 +18,8 @@
 #include "vtkWaterOcclusion.h"
 #include "vtkWaterProperty.h"
 #include "vtkWaterReflectionPass.h"
-#include "vtkWaterShading.h"
-#include "vtkWaterSurface.h"
+#include "vtkWaterShaderHook.h"
+#include "vtkWaterSurfaceShader.h"
 #include "water_plan.h"
 #include "water_quality.h"
 
@@ -60,15 +60,15 @@ void vtkWaterActor::DrawLast(vtkRenderer* renderer)
 {
   const Props props(renderer);
   vtkProp** self = props.Find(this);
-  const bool isClear = vtkWaterSurface::IsClear(this);
+  const bool isClear = vtkWaterSurfaceShader::IsClear(this);
   // opaque waters before clear ones, through which they are seen
   vtkProp** last = props.End;
-  while (!isClear && last > self && vtkWaterSurface::IsClear(last[-1]))
+  while (!isClear && last > self && vtkWaterSurfaceShader::IsClear(last[-1]))
   {
     --last;
   }
   auto mayFollow = [isClear](vtkProp* prop) {
-    return isClear ? vtkWaterSurface::IsClear(prop) : prop->IsA("vtkWaterActor") != 0;
+    return isClear ? vtkWaterSurfaceShader::IsClear(prop) : prop->IsA("vtkWaterActor") != 0;
   };
   if (self == props.End || std::all_of(self, last, mayFollow))
   {
@@ -96,7 +96,7 @@ bool vtkWaterActor::CanBeLate(vtkOpenGLRenderer* renderer)
 bool vtkWaterActor::CanShareWith(vtkOpenGLRenderer* renderer, vtkWaterActor* other)
 {
   vtkCamera* camera = renderer->GetActiveCamera();
-  if ((vtkWaterSurface::IsClear(this) || vtkWaterSurface::IsClear(other)) &&
+  if ((vtkWaterSurfaceShader::IsClear(this) || vtkWaterSurfaceShader::IsClear(other)) &&
     !camera->GetParallelProjection() &&
     (this->IsDisplaced() || this->Plane->FunctionValue(camera->GetPosition()) < 0.0))
   {
@@ -116,7 +116,7 @@ bool vtkWaterActor::CanShareWith(vtkOpenGLRenderer* renderer, vtkWaterActor* oth
 //------------------------------------------------------------------------------
 void vtkWaterActor::FindSheets(vtkOpenGLRenderer* renderer)
 {
-  const vtkMTimeType frame = vtkWaterShading::GetOfThread()->Keys.GetFrame(renderer);
+  const vtkMTimeType frame = vtkWaterShaderHook::GetOfThread()->Keys.GetFrame(renderer);
   if (frame != 0 && this->SheetsFrame == frame && this->Leader)
   {
     return; // another sheet of this frame was first
@@ -163,7 +163,7 @@ void vtkWaterActor::FindSheets(vtkOpenGLRenderer* renderer)
 //------------------------------------------------------------------------------
 vtkWaterReflectionPass* vtkWaterActor::GetPassInCharge(vtkRenderer* renderer)
 {
-  const vtkMTimeType frame = vtkWaterShading::GetOfThread()->Keys.GetFrame(renderer);
+  const vtkMTimeType frame = vtkWaterShaderHook::GetOfThread()->Keys.GetFrame(renderer);
   const bool isLed = this->Leader && this->Leader != this && frame != 0 &&
     this->SheetsFrame == frame && !this->ComposedPass;
   return isLed ? this->Leader->OwnPass.Get() : this->GetReflectionPass();
@@ -293,7 +293,7 @@ void vtkWaterActor::SetAllocatedRenderTime(double seconds, vtkViewport* viewport
   // draws anything: the moment to draw the mirrored view, or to put it off until the scene before
   // the water is there.
   auto* renderer = vtkOpenGLRenderer::SafeDownCast(viewport);
-  vtkWaterShading* shading = vtkWaterShading::GetOfThread();
+  vtkWaterShaderHook* shading = vtkWaterShaderHook::GetOfThread();
   if (!renderer || !vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow()) ||
     shading->IsInMirroredView())
   {
@@ -347,9 +347,9 @@ void vtkWaterActor::RenderReflectionIfStale(vtkViewport* viewport)
 {
   auto* renderer = vtkOpenGLRenderer::SafeDownCast(viewport);
   vtkInformation* keys = this->GetPropertyKeys();
-  vtkWaterShading* shading = vtkWaterShading::GetOfThread();
+  vtkWaterShaderHook* shading = vtkWaterShaderHook::GetOfThread();
   if (!renderer || renderer->GetSelector() || shading->IsInMirroredView() || this->IsProbing ||
-    vtkWaterKeys::IsBakingShadows(this) || this->HasSheetError() ||
+    vtkWaterRenderPassKeys::IsBakingShadows(this) || this->HasSheetError() ||
     this->GetPassInCharge(renderer)->IsFresh(renderer, this))
   {
     return;
@@ -379,9 +379,9 @@ void vtkWaterActor::RenderReflectionIfStale(vtkViewport* viewport)
 //------------------------------------------------------------------------------
 void vtkWaterActor::MendRefusals(vtkOpenGLRenderer* renderer)
 {
-  vtkWaterShading* shading = vtkWaterShading::GetOfThread();
+  vtkWaterShaderHook* shading = vtkWaterShaderHook::GetOfThread();
   if (!renderer || renderer->GetSelector() || shading->IsInMirroredView() || this->IsProbing ||
-    vtkWaterKeys::IsBakingShadows(this))
+    vtkWaterRenderPassKeys::IsBakingShadows(this))
   {
     return;
   }

@@ -40,10 +40,10 @@ std::vector<water_wave_term> vtkWaterActor::GetWaveTerms()
 {
   const auto count = static_cast<size_t>(this->WaterProperty->GetNumberOfWaves());
   std::vector<water_wave_term> terms(count);
-  size_t culprit = 0;
+  size_t bad_index = 0;
   // all are checked by their setters
   water_waves_at(this->WaterProperty->GetWaves(), count, this->WaterProperty->GetDepth(),
-    this->Time, terms.data(), &culprit);
+    this->Time, terms.data(), &bad_index);
   return terms;
 }
 

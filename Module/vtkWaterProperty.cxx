@@ -6,7 +6,7 @@
 #include "vtkTexture.h"
 #include "vtkWaterCompat.h"
 #include "vtkWaterPropertyInternals.h"
-#include "water_body.h"
+#include "water_medium.h"
 #include "water_preset.h"
 
 #include <algorithm>
@@ -167,7 +167,7 @@ void vtkWaterProperty::SetMedium(
   std::copy(this->Scattering, this->Scattering + 3, medium.scattering);
   std::copy(value, value + 3,
     member == &vtkWaterProperty::Absorption ? medium.absorption : medium.scattering);
-  const water_status status = water_body_check(&medium);
+  const water_status status = water_medium_check(&medium);
   if (status != WATER_OK)
   {
     vtkErrorMacro(<< name << " is (" << value[0] << ", " << value[1] << ", " << value[2]
@@ -186,7 +186,7 @@ void vtkWaterProperty::UseMedium(const water_medium& medium)
 {
   std::copy(medium.absorption, medium.absorption + 3, this->Absorption);
   std::copy(medium.scattering, medium.scattering + 3, this->Scattering);
-  water_body_extinction(&medium, this->Internal->Extinction);
+  water_medium_extinction(&medium, this->Internal->Extinction);
 }
 
 //------------------------------------------------------------------------------
@@ -219,7 +219,7 @@ bool vtkWaterProperty::SetWaterType(const char* name)
       water_type_medium(static_cast<water_type>(type), &medium) == WATER_OK)
     {
       this->UseMedium(medium);
-      water_body_deep_color(&medium, this->DeepColor);
+      water_medium_deep_color(&medium, this->DeepColor);
       this->Modified();
       return true;
     }
@@ -249,7 +249,7 @@ bool vtkWaterProperty::SetPreset(const char* name)
   this->IndexOfRefraction = preset.look.index_of_refraction;
   this->Refraction = !preset.look.constant_reflectance;
   this->UseMedium(preset.medium);
-  water_body_deep_color(&preset.medium, this->DeepColor);
+  water_medium_deep_color(&preset.medium, this->DeepColor);
   this->Internal->Waves.assign(preset.waves, preset.waves + preset.wave_count);
   this->Depth = preset.has_sea ? preset.sea.depth : std::numeric_limits<double>::infinity();
   this->Sea = preset.has_sea;

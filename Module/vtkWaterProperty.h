@@ -330,7 +330,8 @@ public:
   void RemoveAllNormalMaps();
   int GetNumberOfNormalMaps() const;
   bool GetNormalMap(int number, double map[4]) const;
-  vtkTexture* GetNormalMapTexture(int number) const; // also the built-in one; nullptr: no such map
+  vtkTexture* GetNormalMapTexture(
+    int number) const; // also the built-in one; nullptr: no such reflection texture
   ///@}
 
   ///@{
@@ -586,12 +587,13 @@ private:
   friend class vtkWaterActor;
   friend struct vtkWaterGather;
   friend class vtkWaterSignature;
-  friend class vtkWaterSurface;
+  friend class vtkWaterSurfaceShader;
   const vtkWaterNormalMaps& GetNormalMaps() const;
   const water_wave* GetWaves() const;
   bool HasWaves() const; // of any kind
   bool IsRough() const;  // has slopes, one by one or as a variance
-  // Is the map looked up along rays? A calm look has no reasons, and sees no shadows.
+  // Is the reflection texture looked up along rays? A calm look has no reasons, and sees no
+  // shadows.
   bool NeedsRays() const;
   // No slope that a reflection is looked up with is steeper; infinity: none is known, or the
   // mirrored view is read elsewhere, too.
@@ -599,9 +601,9 @@ private:
   // Variances xx, yy, xy of all slopes, at all times; normal maps are not counted.
   void GetMeanSlopes(double covariance[3]) const;
   void UpdateSeaSlopes() const;
-  double GetWaveNumber() const;        // typical of the sines, rad/m; 0: not known
-  bool LooksUpShadows() const;         // in the map, of what keeps light off the surface
-  bool HasGlitter() const;             // calm water has none
+  double GetWaveNumber() const; // typical of the sines, rad/m; 0: not known
+  bool LooksUpShadows() const;  // in the reflection texture, of what keeps light off the surface
+  bool HasGlitter() const;      // calm water has none
   const double* GetExtinction() const; // absorption + scattering
   // Refuses a colour with a channel outside [0, 1].
   void SetColor(const char* name, double (&member)[3], double red, double green, double blue);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkWaterPropertyWaves.cxx: the part of vtkWaterProperty that describes waves one by one, normal
-// maps and slopes; the wind sea is in vtkWaterPropertySea.cxx.
+// reflection textures and slopes; the wind sea is in vtkWaterPropertySea.cxx.
 #include "vtkMath.h"
 #include "vtkWaterCompat.h"
 #include "vtkWaterPropertyInternals.h"
@@ -70,8 +70,8 @@ int vtkWaterProperty::AddWave(
   std::vector<water_wave> waves = this->Internal->Waves;
   waves.push_back(water_wave{ amplitude, wavelength, vtkMath::RadiansFromDegrees(direction),
     vtkMath::RadiansFromDegrees(phase), steepness });
-  size_t culprit = 0;
-  const water_status status = water_waves_check(waves.data(), waves.size(), &culprit);
+  size_t bad_index = 0;
+  const water_status status = water_waves_check(waves.data(), waves.size(), &bad_index);
   if (status != WATER_OK)
   {
     vtkErrorMacro("Wave of Amplitude "

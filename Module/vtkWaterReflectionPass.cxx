@@ -15,7 +15,7 @@
 #include "vtkWaterErrors.h"
 #include "vtkWaterGL.h"
 #include "vtkWaterReflectionPassInternals.h"
-#include "vtkWaterShading.h"
+#include "vtkWaterShaderHook.h"
 #include "vtkWaterShadows.h"
 #include "water_plan.h"
 
@@ -28,8 +28,8 @@ vtkStandardNewMacro(vtkWaterReflectionPass);
 vtkInformationKeyMacro(vtkWaterReflectionPass, NOT_REFLECTED, Integer);
 vtkInformationKeyRestrictedMacro(vtkWaterReflectionPass, STAND_IN, ObjectBase, "vtkProp");
 
-static_assert(static_cast<int>(vtkWaterReflectionPass::REFUSED) == WATER_SKIP_REFUSED &&
-    static_cast<int>(vtkWaterReflectionPass::NUMBER_OF_FATES) == WATER_FATE_COUNT,
+static_assert(static_cast<int>(vtkWaterReflectionPass::REFUSED) == WATER_CULL_REFUSED &&
+    static_cast<int>(vtkWaterReflectionPass::NUMBER_OF_FATES) == WATER_CULL_REASON_COUNT,
   "the public fates mirror the core's");
 static_assert(static_cast<int>(vtkWaterReflectionPass::SHARED) == WATER_NO_REFLECT_SHARED &&
     static_cast<int>(vtkWaterReflectionPass::NUMBER_OF_DECISIONS) == WATER_DECISION_COUNT,
@@ -70,9 +70,9 @@ vtkWaterReflectionPass::vtkWaterReflectionPass()
 vtkWaterReflectionPass::~vtkWaterReflectionPass() = default;
 
 //------------------------------------------------------------------------------
-vtkWaterInstruments* vtkWaterReflectionPass::GetInstruments(vtkRenderer* renderer)
+vtkWaterGpuQueries* vtkWaterReflectionPass::GetInstruments(vtkRenderer* renderer)
 {
-  vtkWaterInstruments* instruments = &this->Internal->GetView(renderer)->Mirror.GetInstruments();
+  vtkWaterGpuQueries* instruments = &this->Internal->GetView(renderer)->Mirror.GetInstruments();
   instruments->SetOn(
     this->Instrumentation || this->Quality == TIME_BUDGET || this->Quality == UPDATE_RATE);
   return instruments;
@@ -102,7 +102,7 @@ void vtkWaterReflectionPass::GetRayLimits(int* steps, int* probes) const
 bool vtkWaterReflectionPass::ShouldWait(vtkRenderer* renderer, double visible_px)
 {
   return water_plan_should_wait(
-    &this->Internal->GetView(renderer)->MapPlan, visible_px, static_cast<unsigned>(this->Skips));
+    &this->Internal->GetView(renderer)->DrawnPlan, visible_px, static_cast<unsigned>(this->Skips));
 }
 
 //------------------------------------------------------------------------------
@@ -115,7 +115,7 @@ void vtkWaterReflectionPass::ChooseQuality(vtkRenderer* renderer, double budget_
   if (this->Quality == TARGET_ERROR)
   {
     water_roughness roughness;
-    water_quality_look(&scene, &view->MapPlan, internal.Gather.WaveNumber, &roughness);
+    water_quality_roughness(&scene, &view->DrawnPlan, internal.Gather.WaveNumber, &roughness);
     water_quality_for_error(this->TargetError, &roughness, &view->ErrorStep);
     step = view->ErrorStep;
   }
@@ -124,9 +124,9 @@ void vtkWaterReflectionPass::ChooseQuality(vtkRenderer* renderer, double budget_
   {
     // a view that was used again took no time
     const bool isRendered = internal.Plan.decision == WATER_REFLECT;
-    vtkWaterInstruments& instruments = view->Mirror.GetInstruments();
-    const double measured = instruments.GetTime(vtkWaterInstruments::SURFACE) +
-      (isRendered ? instruments.GetTime(vtkWaterInstruments::REFLECTION) : 0.0);
+    vtkWaterGpuQueries& instruments = view->Mirror.GetInstruments();
+    const double measured = instruments.GetTime(vtkWaterGpuQueries::SURFACE) +
+      (isRendered ? instruments.GetTime(vtkWaterGpuQueries::REFLECTION) : 0.0);
     water_quality_for_budget(&view->Quality, 0, budget_ms, measured);
     step = view->Quality.step;
   }
@@ -144,11 +144,11 @@ std::vector<vtkProp*> vtkWaterReflectionPass::FindDrawn(vtkRenderer* renderer, v
 {
   Internals& internal = *this->Internal;
   std::vector<vtkProp*> drawn;
-  std::fill(internal.FateCounts, internal.FateCounts + WATER_FATE_COUNT, 0);
-  for (size_t i = 0; i < internal.Fates.size(); ++i)
+  std::fill(internal.ReasonCounts, internal.ReasonCounts + WATER_CULL_REASON_COUNT, 0);
+  for (size_t i = 0; i < internal.Reasons.size(); ++i)
   {
-    ++internal.FateCounts[internal.Fates[i]];
-    if (internal.Fates[i] == WATER_DRAW)
+    ++internal.ReasonCounts[internal.Reasons[i]];
+    if (internal.Reasons[i] == WATER_CULL_NONE)
     {
       drawn.push_back(internal.Gather.vtkProps[i]);
       if (drawn.back()->IsA("vtkLODProp3D"))
@@ -170,7 +170,7 @@ void vtkWaterReflectionPass::RenderReflection(vtkRenderer* renderer,
   const vtkSmartPointer<vtkWaterReflectionPass> self = this;
   const std::vector<vtkSmartPointer<vtkWaterActor>> held(waters.begin(), waters.end());
   Internals& internal = *this->Internal;
-  vtkWaterShading* shading = vtkWaterShading::GetOfThread();
+  vtkWaterShaderHook* shading = vtkWaterShaderHook::GetOfThread();
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   shading->Keys.HoldUntilEndOfFrame(renderer);
   shading->Refusals.TakeMirrored(); // of another view
@@ -198,8 +198,9 @@ void vtkWaterReflectionPass::RenderReflection(vtkRenderer* renderer,
 
   // plan
   const double gathered = this->Instrumentation ? vtkTimerLog::GetUniversalTime() : 0.0;
-  internal.Fates.assign(gather.props.size(), WATER_DRAW);
-  const water_status status = water_plan_make(&gather.scene, &internal.Plan, internal.Fates.data());
+  internal.Reasons.assign(gather.props.size(), WATER_CULL_NONE);
+  const water_status status =
+    water_plan_make(&gather.scene, &internal.Plan, internal.Reasons.data());
   if (this->Instrumentation)
   {
     this->LastGatherTime = 1000.0 * (gathered - begun);
@@ -215,7 +216,7 @@ void vtkWaterReflectionPass::RenderReflection(vtkRenderer* renderer,
   {
     error = vtkWaterDescribe(status, waters.front(), &gather, &internal.Plan);
   }
-  std::fill(internal.FateCounts, internal.FateCounts + WATER_FATE_COUNT, 0);
+  std::fill(internal.ReasonCounts, internal.ReasonCounts + WATER_CULL_REASON_COUNT, 0);
 
   // draw
   if (internal.Plan.decision == WATER_REFLECT)
@@ -234,34 +235,34 @@ void vtkWaterReflectionPass::RenderReflection(vtkRenderer* renderer,
     signature.Read(renderer, drawn);
     signature.Add(static_cast<vtkMTimeType>(samples));
     signature.Add(isFloat ? 1 : 0);
-    signature.Add(gather.HasFollowed ? 1 : 0);
+    signature.Add(gather.HasMarchedRays ? 1 : 0);
     vtkShadowMapPass* shadows = vtkWaterShadows::Find(renderer);
     if (shadows)
     {
       signature.AddShadows(renderer, shadows);
     }
-    water_plan_reuse(&view->MapPlan, signature.IsSameAs(view->MapSignature),
+    water_plan_reuse(&view->DrawnPlan, signature.IsSameAs(view->DrawnSignature),
       static_cast<unsigned>(this->Skips), &internal.Plan);
     const char* failure = nullptr;
     if (internal.Plan.decision == WATER_REFLECT)
     {
-      view->Mirror.FindSeen(renderer, internal.Plan);
-      if (const water_seen* seen = view->Mirror.GetSeen())
+      view->Mirror.FindVisibility(renderer, internal.Plan);
+      if (const water_visibility* seen = view->Mirror.GetVisibility())
       {
-        water_seen_select(seen, &internal.Plan.mirrored, gather.props.data(), gather.props.size(),
-          static_cast<unsigned>(this->Skips), internal.Fates.data());
+        water_visibility_cull(seen, &internal.Plan.mirrored, gather.props.data(),
+          gather.props.size(), static_cast<unsigned>(this->Skips), internal.Reasons.data());
         drawn = this->FindDrawn(renderer, waters.front());
       }
-      view->MapPlan = water_plan();
-      view->MapHasLevels = false;
+      view->DrawnPlan = water_plan();
+      view->HasLevels = false;
       if (shadows)
       {
         vtkWaterShadows::Bake(renderer, shadows);
       }
-      vtkWaterMirror::Settings settings;
+      vtkWaterMirroredView::Settings settings;
       settings.Samples = samples > 1 ? samples : 0;
       settings.IsFloat = isFloat;
-      settings.HasFollowed = gather.HasFollowed;
+      settings.HasMarchedRays = gather.HasMarchedRays;
       settings.CanCut = (this->Skips & PIECES) != 0;
       settings.Shadows = shadows;
       failure = view->Mirror.Draw(renderer, shading, internal.Plan, drawn, settings);
@@ -293,13 +294,13 @@ void vtkWaterReflectionPass::RenderReflection(vtkRenderer* renderer,
       if (internal.Plan.decision == WATER_REFLECT)
       {
         ++this->NumberOfReflectionRenders;
-        view->MapPlan = internal.Plan;
-        view->MapSignature = signature;
+        view->DrawnPlan = internal.Plan;
+        view->DrawnSignature = signature;
       }
-      if (gather.IsRough && !view->MapHasLevels)
+      if (gather.IsRough && !view->HasLevels)
       {
         view->Mirror.MakeLevels();
-        view->MapHasLevels = true;
+        view->HasLevels = true;
       }
     }
   }
@@ -315,7 +316,7 @@ bool vtkWaterReflectionPass::IsFresh(vtkRenderer* renderer, vtkWaterActor* water
   const Internals& internal = *this->Internal;
   const auto& waters = internal.PlannedWaters;
   if (internal.PlannedFor != renderer || internal.PlannedFrame == 0 ||
-    internal.PlannedFrame != vtkWaterShading::GetOfThread()->Keys.GetFrame(renderer) ||
+    internal.PlannedFrame != vtkWaterShaderHook::GetOfThread()->Keys.GetFrame(renderer) ||
     std::find(waters.begin(), waters.end(), water) == waters.end())
   {
     return false;
@@ -348,21 +349,21 @@ const water_plan* vtkWaterReflectionPass::GetFreshPlan(
 //------------------------------------------------------------------------------
 vtkTextureObject* vtkWaterReflectionPass::GetTexture(vtkRenderer* renderer, vtkWaterActor* water)
 {
-  vtkWaterMirror& mirror = this->Internal->GetView(renderer)->Mirror;
+  vtkWaterMirroredView& mirror = this->Internal->GetView(renderer)->Mirror;
   const water_plan* plan = this->GetFreshPlan(renderer, water);
-  return plan && water_plan_has_map(plan)
+  return plan && water_plan_has_reflection(plan)
     ? mirror.GetColor()
     : mirror.GetBlank(static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow()));
 }
 
 //------------------------------------------------------------------------------
-vtkWaterLayer* vtkWaterReflectionPass::GetLayer(vtkRenderer* renderer)
+vtkWaterTranslucentLayer* vtkWaterReflectionPass::GetLayer(vtkRenderer* renderer)
 {
   return this->Internal->GetView(renderer)->Mirror.GetLayer();
 }
 
 //------------------------------------------------------------------------------
-vtkWaterScreen* vtkWaterReflectionPass::GetScreen(vtkRenderer* renderer)
+vtkWaterFullScreen* vtkWaterReflectionPass::GetScreen(vtkRenderer* renderer)
 {
   return &this->Internal->GetView(renderer)->Mirror.GetScreen();
 }
@@ -371,9 +372,9 @@ vtkWaterScreen* vtkWaterReflectionPass::GetScreen(vtkRenderer* renderer)
 void vtkWaterReflectionPass::RenderCorner(vtkRenderer* renderer, vtkWaterActor* water)
 {
   const water_plan* plan = this->GetFreshPlan(renderer, water);
-  if (plan && water_plan_has_map(plan))
+  if (plan && water_plan_has_reflection(plan))
   {
-    vtkWaterMirror& mirror = this->Internal->GetView(renderer)->Mirror;
+    vtkWaterMirroredView& mirror = this->Internal->GetView(renderer)->Mirror;
     mirror.GetScreen().DrawCorner(renderer, mirror.GetColor());
   }
 }

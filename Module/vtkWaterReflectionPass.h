@@ -34,10 +34,10 @@
 #include <memory> // for std::unique_ptr
 #include <vector> // for std::vector
 
-class vtkWaterInstruments;
-class vtkWaterLayer;
+class vtkWaterGpuQueries;
+class vtkWaterTranslucentLayer;
 class vtkWaterOcclusion;
-class vtkWaterScreen;
+class vtkWaterFullScreen;
 struct water_plan;
 
 #ifdef VTK_ABI_NAMESPACE_BEGIN
@@ -392,7 +392,7 @@ private:
   bool DrawsAs(vtkWaterReflectionPass* other) const;
   // How much is seen of the water that owns the pass.
   vtkWaterOcclusion* GetOcclusion(vtkRenderer* renderer);
-  vtkWaterInstruments* GetInstruments(vtkRenderer* renderer);
+  vtkWaterGpuQueries* GetInstruments(vtkRenderer* renderer);
   // The most steps and probes of a ray in this frame.
   void GetRayLimits(int* steps, int* probes) const;
   // Should the next mirrored view wait for the main one? By how much of the water was seen.
@@ -403,10 +403,11 @@ private:
   bool IsUnseen(vtkRenderer* renderer, vtkWaterActor* water) const;
   // The plan of this frame, nullptr when it has no view.
   const water_plan* GetFreshPlan(vtkRenderer* renderer, vtkWaterActor* water) const;
-  // The map, or a blank texture when there is none.
+  // The reflection texture, or a blank texture when there is none.
   vtkTextureObject* GetTexture(vtkRenderer* renderer, vtkWaterActor* water);
-  vtkWaterScreen* GetScreen(vtkRenderer* renderer);
-  vtkWaterLayer* GetLayer(vtkRenderer* renderer); // of what is translucent; nullptr: none
+  vtkWaterFullScreen* GetScreen(vtkRenderer* renderer);
+  vtkWaterTranslucentLayer* GetLayer(
+    vtkRenderer* renderer); // of what is translucent; nullptr: none
   void RenderCorner(vtkRenderer* renderer, vtkWaterActor* water);
   void RenderReflectionAndDelegate(const vtkRenderState* s);
   void SetDecision(int decision); // one without a view

@@ -115,13 +115,13 @@ void vtkWaterReflectionPass::SetTimeBudget(double milliseconds)
 //------------------------------------------------------------------------------
 int vtkWaterReflectionPass::GetFateCount(int fate) const
 {
-  return fate >= 0 && fate < WATER_FATE_COUNT ? this->Internal->FateCounts[fate] : 0;
+  return fate >= 0 && fate < WATER_CULL_REASON_COUNT ? this->Internal->ReasonCounts[fate] : 0;
 }
 
 //------------------------------------------------------------------------------
 const char* vtkWaterReflectionPass::GetFateAsString(int fate)
 {
-  return water_fate_text(static_cast<water_fate>(fate));
+  return water_cull_reason_text(static_cast<water_cull_reason>(fate));
 }
 
 //------------------------------------------------------------------------------
@@ -141,8 +141,8 @@ double vtkWaterReflectionPass::GetLastReflectionTime()
 {
   return !this->Instrumentation
     ? vtkMath::Nan()
-    : this->Internal->Ask(vtkMath::Nan(), [](vtkWaterInstruments& instruments) {
-        return instruments.GetTime(vtkWaterInstruments::REFLECTION);
+    : this->Internal->Ask(vtkMath::Nan(), [](vtkWaterGpuQueries& instruments) {
+        return instruments.GetTime(vtkWaterGpuQueries::REFLECTION);
       });
 }
 
@@ -151,8 +151,8 @@ double vtkWaterReflectionPass::GetLastSurfaceTime()
 {
   return !this->Instrumentation
     ? vtkMath::Nan()
-    : this->Internal->Ask(vtkMath::Nan(), [](vtkWaterInstruments& instruments) {
-        return instruments.GetTime(vtkWaterInstruments::SURFACE);
+    : this->Internal->Ask(vtkMath::Nan(), [](vtkWaterGpuQueries& instruments) {
+        return instruments.GetTime(vtkWaterGpuQueries::SURFACE);
       });
 }
 
@@ -162,7 +162,7 @@ vtkIdType vtkWaterReflectionPass::GetNumberOfTrianglesReflected()
   return !this->Instrumentation
     ? vtkIdType(-1)
     : this->Internal->Ask(
-        vtkIdType(-1), [](vtkWaterInstruments& instruments) { return instruments.GetTriangles(); });
+        vtkIdType(-1), [](vtkWaterGpuQueries& instruments) { return instruments.GetTriangles(); });
 }
 
 //------------------------------------------------------------------------------
@@ -171,7 +171,7 @@ vtkIdType vtkWaterReflectionPass::GetNumberOfFragmentsReflected()
   return !this->Instrumentation
     ? vtkIdType(-1)
     : this->Internal->Ask(
-        vtkIdType(-1), [](vtkWaterInstruments& instruments) { return instruments.GetFragments(); });
+        vtkIdType(-1), [](vtkWaterGpuQueries& instruments) { return instruments.GetFragments(); });
 }
 
 //------------------------------------------------------------------------------
@@ -233,14 +233,14 @@ void vtkWaterReflectionPass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NumberOfReflectionRenders: " << this->NumberOfReflectionRenders << "\n";
   os << indent << "Last plan: " << this->GetDecisionAsString() << "\n";
   const water_plan& plan = this->Internal->Plan;
-  if (water_plan_has_map(&plan))
+  if (water_plan_has_reflection(&plan))
   {
     const vtkIndent next = indent.GetNextIndent();
     os << next << "Texture: " << plan.texture_px[0] << " x " << plan.texture_px[1]
        << " pixels, drawn in " << plan.texture_rect_px[2] << " x " << plan.texture_rect_px[3]
        << " at (" << plan.texture_rect_px[0] << ", " << plan.texture_rect_px[1] << ")\n";
     os << next << "Seen from " << (plan.side == WATER_BELOW ? "below" : "above") << "\n";
-    for (int fate = 0; fate < WATER_FATE_COUNT; ++fate)
+    for (int fate = 0; fate < WATER_CULL_REASON_COUNT; ++fate)
     {
       os << next << "Props " << GetFateAsString(fate) << ": " << this->GetFateCount(fate) << "\n";
     }

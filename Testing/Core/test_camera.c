@@ -11,7 +11,7 @@ static void assert_refused(const water_camera* camera)
   water_eye eye;
   memset(&eye, 0, sizeof eye);
   eye.center_view[0] = 7.0;
-  assert_int_equal(water_camera_take_apart(camera, &eye), WATER_BAD_CAMERA);
+  assert_int_equal(water_camera_decompose(camera, &eye), WATER_BAD_CAMERA);
   assert_true(eye.center_view[0] == 7.0);
 }
 
@@ -81,12 +81,12 @@ TEST(rounded_and_distant_views_pass)
     const double center[3] = { 1e7, -1e7, 1e7 };
     random_scene random = scene_rolled(&from, round, center);
     water_eye eye;
-    assert_int_equal(water_camera_take_apart(&random.scene.eye, &eye), WATER_OK);
+    assert_int_equal(water_camera_decompose(&random.scene.eye, &eye), WATER_OK);
     for (int i = 0; i < 11; ++i)
     {
       random.scene.eye.world_to_view[i] = (double)(float)random.scene.eye.world_to_view[i];
     }
-    assert_int_equal(water_camera_take_apart(&random.scene.eye, &eye), WATER_OK);
+    assert_int_equal(water_camera_decompose(&random.scene.eye, &eye), WATER_OK);
   }
 }
 
@@ -98,7 +98,7 @@ TEST(eye_point_of_a_sheared_projection_is_found)
   water_scene scene = lake();
   double* to_clip = scene.eye.view_to_clip;
   water_eye eye;
-  assert_int_equal(water_camera_take_apart(&scene.eye, &eye), WATER_OK);
+  assert_int_equal(water_camera_decompose(&scene.eye, &eye), WATER_OK);
   assert_true(eye.has_center);
   ASSERT_CLOSE(eye.center_view[0], 0.0, 1e-15);
   for (int i = 0; i < 4; ++i) // view_to_clip * translate(-0.3, 0.2, 0.5)
@@ -106,7 +106,7 @@ TEST(eye_point_of_a_sheared_projection_is_found)
     const double* row = to_clip + 4 * i;
     to_clip[4 * i + 3] += -0.3 * row[0] + 0.2 * row[1] + 0.5 * row[2];
   }
-  assert_int_equal(water_camera_take_apart(&scene.eye, &eye), WATER_OK);
+  assert_int_equal(water_camera_decompose(&scene.eye, &eye), WATER_OK);
   ASSERT_CLOSE(eye.center_view[0], 0.3, 1e-14);
   ASSERT_CLOSE(eye.center_view[1], -0.2, 1e-14);
   ASSERT_CLOSE(eye.center_view[2], -0.5, 1e-14);
@@ -136,7 +136,7 @@ TEST(parallel_ray_does_not_depend_on_the_sign_of_depth)
     to_clip[10] *= -1.0;
     to_clip[11] *= -1.0;
     memcpy(scene.eye.view_to_clip, to_clip, sizeof to_clip);
-    assert_int_equal(water_camera_take_apart(&scene.eye, &eye), WATER_OK);
+    assert_int_equal(water_camera_decompose(&scene.eye, &eye), WATER_OK);
     ASSERT_CLOSE(eye.ndc_to_dir[8], -1.0, 1e-15);
     ASSERT_CLOSE(eye.ndc_to_dir[2], 0.0, 1e-15);
   }
@@ -161,7 +161,7 @@ TEST(ray_of_a_pixel_leads_to_what_it_shows)
     double clip[4];
     double ray[3];
     double truth[3];
-    assert_int_equal(water_camera_take_apart(&random.scene.eye, &eye), WATER_OK);
+    assert_int_equal(water_camera_decompose(&random.scene.eye, &eye), WATER_OK);
     assert_int_equal(eye.has_center, !random.is_parallel);
     water_camera_rays(&eye, &level, x_dir, y_dir, rays);
     point_near(&from, &random, 3.0, point);

@@ -26,8 +26,8 @@ static double wavenumber_of(double omega, double depth)
 static void terms_of(
   const water_wave* waves, size_t count, double depth, double time, water_wave_term* terms)
 {
-  size_t culprit = 0;
-  assert_int_equal(water_waves_at(waves, count, depth, time, terms, &culprit), WATER_OK);
+  size_t bad_index = 0;
+  assert_int_equal(water_waves_at(waves, count, depth, time, terms, &bad_index), WATER_OK);
 }
 
 // Waves of 100 m in deep water and over 10 m, from 40 digits; a long wave over a shallow bed goes

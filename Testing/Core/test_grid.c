@@ -23,7 +23,8 @@ static water_grid_view view_of(const random_scene* random)
 {
   water_grid_view view;
   assert_int_equal(
-    water_grid_look(&random->scene.eye, &random->scene.plane, random->target, &view), WATER_OK);
+    water_grid_view_make(&random->scene.eye, &random->scene.plane, random->target, &view),
+    WATER_OK);
   return view;
 }
 
@@ -260,13 +261,13 @@ TEST(grid_knows_the_height_of_a_moved_eye)
   water_scene scene = pool(10.0);
   const double origin[3] = { 0.0, 0.0, 0.0 };
   water_grid_view view;
-  assert_int_equal(water_grid_look(&scene.eye, &scene.plane, origin, &view), WATER_OK);
+  assert_int_equal(water_grid_view_make(&scene.eye, &scene.plane, origin, &view), WATER_OK);
   ASSERT_CLOSE(view.eye_height, 10.0, 1e-12);
   for (int i = 0; i < 4; ++i) // view_to_clip * translate(0, 0, -3): the eye 3 higher
   {
     scene.eye.view_to_clip[4 * i + 3] -= 3.0 * scene.eye.view_to_clip[4 * i + 2];
   }
-  assert_int_equal(water_grid_look(&scene.eye, &scene.plane, origin, &view), WATER_OK);
+  assert_int_equal(water_grid_view_make(&scene.eye, &scene.plane, origin, &view), WATER_OK);
   ASSERT_CLOSE(view.eye_height, 13.0, 1e-12);
 }
 
@@ -345,11 +346,13 @@ TEST(odd_views_are_safe)
   const double inside[3] = { 0.0, -10.0, 0.0 };
   const double high[3] = { 0.0, 0.0, 1.0 };
   look_at(inside, random.target, high, random.scene.eye.world_to_view);
-  assert_int_equal(water_grid_look(&random.scene.eye, &random.scene.plane, random.target, &view),
+  assert_int_equal(
+    water_grid_view_make(&random.scene.eye, &random.scene.plane, random.target, &view),
     WATER_CAMERA_ON_PLANE);
   random.scene.plane.normal[2] = 0.0;
   assert_int_equal(
-    water_grid_look(&random.scene.eye, &random.scene.plane, random.target, &view), WATER_BAD_PLANE);
+    water_grid_view_make(&random.scene.eye, &random.scene.plane, random.target, &view),
+    WATER_BAD_PLANE);
   assert_true(view.eye_height == 5.0);
 }
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // test_header.c: the core's headers compile as plain C, on their own, in any order, twice.
-#include "water_body.h"
+#include "water_medium.h"
 
 #include "water_glitter.h"
 
 #include "water_grid.h"
 
-#include "water_layer.h"
+#include "water_volume_planes.h"
 
 #include "water_lookup.h"
 
@@ -14,7 +14,7 @@
 
 #include "water_phase.h"
 
-#include "water_pieces.h"
+#include "water_clusters.h"
 
 #include "water_preset.h"
 
@@ -25,7 +25,7 @@
 #include "water_spectrum.h"
 
 #include "water_tile.h"
-#include "water_triangles.h"
+#include "water_triangle_cull.h"
 
 #include "water_waves.h"
 

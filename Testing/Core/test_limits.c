@@ -3,11 +3,11 @@
 // an answer.
 #include "test_scene.h"
 
-#include "water_body.h"
 #include "water_camera.h"
 #include "water_glitter.h"
 #include "water_grid.h"
 #include "water_lookup.h"
+#include "water_medium.h"
 #include "water_mirror.h"
 #include "water_normals.h"
 #include "water_optics.h"
@@ -28,7 +28,7 @@ TEST(ray_along_a_surface_that_is_none_goes_on)
   const double along[3] = { 1.0, 0.0, 0.0 };
   const double up[3] = { 0.0, 0.0, 1.0 };
   double refracted[3] = { 7.0, 7.0, 7.0 };
-  assert_int_equal(water_body_refract(along, up, 1.0, refracted), WATER_OK);
+  assert_int_equal(water_medium_refract(along, up, 1.0, refracted), WATER_OK);
   assert_true(refracted[0] == 1.0 && refracted[1] == 0.0 && refracted[2] == 0.0);
 }
 
@@ -45,16 +45,16 @@ TEST(view_at_its_tolerance_is_rigid)
   }
   water_camera slanted = scene.eye;
   slanted.world_to_view[4] = 1e-6; // the dot product of the first two rows
-  assert_int_equal(water_camera_take_apart(&slanted, &eye), WATER_OK);
+  assert_int_equal(water_camera_decompose(&slanted, &eye), WATER_OK);
   slanted.world_to_view[4] = 1.0001e-6;
-  assert_int_equal(water_camera_take_apart(&slanted, &eye), WATER_BAD_CAMERA);
+  assert_int_equal(water_camera_decompose(&slanted, &eye), WATER_BAD_CAMERA);
   for (int i = 0; i < 3; ++i)
   {
     water_camera last = scene.eye;
     last.world_to_view[12 + i] = 1e-12;
-    assert_int_equal(water_camera_take_apart(&last, &eye), WATER_OK);
+    assert_int_equal(water_camera_decompose(&last, &eye), WATER_OK);
     last.world_to_view[12 + i] = 1.0001e-12;
-    assert_int_equal(water_camera_take_apart(&last, &eye), WATER_BAD_CAMERA);
+    assert_int_equal(water_camera_decompose(&last, &eye), WATER_BAD_CAMERA);
   }
 }
 
@@ -122,9 +122,9 @@ TEST(waves_at_both_ends_are_accepted)
   UNUSED;
   const double two_pi = 6.283185307179586;
   const water_wave waves[2] = { { 1.0, two_pi, 0.0, 0.0, 1.0 }, { 0.0, 1.0, 0.0, 0.0, 0.0 } };
-  size_t culprit = 7;
-  assert_int_equal(water_waves_check(waves, 2, &culprit), WATER_OK);
-  assert_true(culprit == 7);
+  size_t bad_index = 7;
+  assert_int_equal(water_waves_check(waves, 2, &bad_index), WATER_OK);
+  assert_true(bad_index == 7);
   double number = 0.0;
   assert_int_equal(water_waves_omega(0.0, 1.0, &number), WATER_OK);
   assert_int_equal(water_waves_wavenumber(0.0, 1.0, &number), WATER_OK);
@@ -139,8 +139,8 @@ TEST(waves_fold_beyond_a_rounding)
   {
     const double steepness = 1.0 + (16 + i) * DBL_EPSILON;
     const water_wave wave = { steepness, 6.283185307179586, 0.0, 0.0, 1.0 };
-    size_t culprit = 7;
-    assert_int_equal(water_waves_check(&wave, 1, &culprit), i == 0 ? WATER_OK : WATER_WAVES_FOLD);
+    size_t bad_index = 7;
+    assert_int_equal(water_waves_check(&wave, 1, &bad_index), i == 0 ? WATER_OK : WATER_WAVES_FOLD);
   }
 }
 
@@ -200,7 +200,7 @@ TEST(eye_at_the_border_is_at_the_surface)
   look_at(eye_at, target, up, scene.eye.world_to_view);
   const water_plane towards = { { 0.0, 0.0, -1.0 }, 0.0 };
   water_eye eye;
-  assert_int_equal(water_camera_take_apart(&scene.eye, &eye), WATER_OK);
+  assert_int_equal(water_camera_decompose(&scene.eye, &eye), WATER_OK);
   assert_true(water_lookup_is_at_surface(&scene.eye, &eye, &towards, scene.surface_bounds));
   scene.eye.parallel = true;
   assert_false(water_lookup_is_at_surface(&scene.eye, &eye, &towards, scene.surface_bounds));
@@ -224,19 +224,21 @@ TEST(edge_on_and_endless_views_have_no_places)
   look_at(eye_at, target, up, level.world_to_view);
   ortho_matrix(box, 1.0, 100.0, level.view_to_clip);
   level.parallel = true;
-  assert_int_equal(water_camera_take_apart(&level, &eye), WATER_OK);
+  assert_int_equal(water_camera_decompose(&level, &eye), WATER_OK);
   assert_int_equal(
     water_lookup_places(&level, &eye, &scene.plane, &axes, origin, places), WATER_BAD_CAMERA);
   water_grid_view view;
-  assert_int_equal(water_grid_look(&level, &scene.plane, axes.origin, &view), WATER_BAD_CAMERA);
-  assert_int_equal(water_camera_take_apart(&scene.eye, &eye), WATER_OK);
+  assert_int_equal(
+    water_grid_view_make(&level, &scene.plane, axes.origin, &view), WATER_BAD_CAMERA);
+  assert_int_equal(water_camera_decompose(&scene.eye, &eye), WATER_OK);
   for (int i = 0; i < 16; ++i)
   {
     scene.eye.view_to_clip[i] *= 1e160; // the same picture; its products overflow
   }
   assert_int_equal(
     water_lookup_places(&scene.eye, &eye, &scene.plane, &axes, origin, places), WATER_BAD_CAMERA);
-  assert_int_equal(water_grid_look(&scene.eye, &scene.plane, axes.origin, &view), WATER_BAD_CAMERA);
+  assert_int_equal(
+    water_grid_view_make(&scene.eye, &scene.plane, axes.origin, &view), WATER_BAD_CAMERA);
   assert_true(origin[0] == 7.0 && places[0] == 7.0);
   water_plan plan;
   assert_int_equal(water_plan_make(&scene, &plan, NULL), WATER_BAD_CAMERA);
@@ -271,7 +273,7 @@ TEST(numbers_too_large_to_multiply_are_refused)
     scene = lake();
     scene.eye.view_to_clip[0] = large[i];
     assert_int_equal(
-      water_camera_take_apart(&scene.eye, &eye), i == 0 ? WATER_OK : WATER_BAD_CAMERA);
+      water_camera_decompose(&scene.eye, &eye), i == 0 ? WATER_OK : WATER_BAD_CAMERA);
   }
   water_scene scene = lake();
   water_plan plan;
@@ -286,8 +288,8 @@ TEST(numbers_too_large_to_multiply_are_refused)
   water_eye eye;
   water_grid_view view;
   const double origin[3] = { 0.0, 0.0, 0.0 };
-  assert_int_equal(water_camera_take_apart(&scene.eye, &eye), WATER_OK);
-  assert_int_equal(water_grid_look(&scene.eye, &scene.plane, origin, &view), WATER_BAD_CAMERA);
+  assert_int_equal(water_camera_decompose(&scene.eye, &eye), WATER_OK);
+  assert_int_equal(water_grid_view_make(&scene.eye, &scene.plane, origin, &view), WATER_BAD_CAMERA);
   assert_int_equal(water_plan_make(&scene, &plan, NULL), WATER_BAD_CAMERA);
   assert_int_equal(plan.decision, WATER_NO_REFLECT_FAILED);
   assert_false(plan.has_view);
@@ -303,12 +305,12 @@ TEST(ray_along_the_normal_is_not_refracted)
   for (int i = 0; i < 4; ++i)
   {
     double refracted[3];
-    assert_int_equal(water_body_refract(down, up, ratios[i], refracted), WATER_OK);
+    assert_int_equal(water_medium_refract(down, up, ratios[i], refracted), WATER_OK);
     assert_true(refracted[0] == 0.0 && refracted[1] == 0.0 && refracted[2] == -1.0);
   }
   const double nearly[3] = { 0.0, DBL_MIN, -1.0 }; // as far off as the ratio: along the surface
   double refracted[3];
-  assert_int_equal(water_body_refract(nearly, up, DBL_MIN, refracted), WATER_OK);
+  assert_int_equal(water_medium_refract(nearly, up, DBL_MIN, refracted), WATER_OK);
   assert_true(refracted[0] == 0.0 && refracted[1] == 1.0 && refracted[2] == 0.0);
 }
 
@@ -331,12 +333,12 @@ TEST(bounds_may_be_as_large_as_doubles)
   UNUSED;
   water_scene scene = lake();
   const water_prop hall = { { 1.0, DBL_MAX, 1.0, DBL_MAX, 1.0, DBL_MAX }, WATER_PROP_VISIBLE };
-  water_fate fate = WATER_SKIP_EMPTY;
+  water_cull_reason reason = WATER_CULL_EMPTY;
   scene.props = &hall;
   scene.prop_count = 1;
   assert_false(water_prop_is_unbounded(&hall));
-  plan_of(&scene, &fate);
-  assert_int_equal(fate, WATER_DRAW);
+  plan_of(&scene, &reason);
+  assert_int_equal(reason, WATER_CULL_NONE);
 }
 
 int main(void)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// test_lookup.c: places on the plane behind a pixel, rays in the map's window, depths at infinity.
+// test_lookup.c: places on the plane behind a pixel, rays in
+// the reflection texture's window, depths at infinity.
 #include "test_scene.h"
 
 #include "water_plane.h"
@@ -61,7 +62,8 @@ TEST(pixel_of_a_place_leads_back_to_it)
 }
 
 // A point t along a direction from a place on the water is seen where the place's clip coordinates
-// plus t times the direction's are; the place's own depth in the map is that of the eye, scaled.
+// plus t times the direction's are; the place's own depth in the reflection texture is that of the
+// eye, scaled.
 TEST(directions_lead_to_the_pictures_of_points_along_them)
 {
   UNUSED;
@@ -70,15 +72,15 @@ TEST(directions_lead_to_the_pictures_of_points_along_them)
   {
     random_scene random = wavy(&from, round);
     water_prop tall = { { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 }, WATER_PROP_VISIBLE };
-    water_fate fate = WATER_DRAW;
-    for (int i = 0; i < 3; ++i) // far away, so that the map's far plane moves
+    water_cull_reason reason = WATER_CULL_NONE;
+    for (int i = 0; i < 3; ++i) // far away, so that the reflection texture's far plane moves
     {
       tall.bounds[2 * i] = random.target[i] - 300.0;
       tall.bounds[2 * i + 1] = random.target[i] + 300.0;
     }
     random.scene.props = &tall;
     random.scene.prop_count = 1;
-    const water_plan plan = plan_of(&random.scene, &fate);
+    const water_plan plan = plan_of(&random.scene, &reason);
     double x_dir[3];
     double y_dir[3];
     axes_of(&random, x_dir, y_dir);
@@ -103,13 +105,14 @@ TEST(directions_lead_to_the_pictures_of_points_along_them)
       0.5 + 0.5 * start[2] / start[3], plan.depth_scale * (0.5 + 0.5 * eye[2] / eye[3]), 1e-10);
     for (int i = 0; i < 4; ++i)
     {
-      ASSERT_CLOSE(start[i] + t * dot(plan.dir_to_map + 3 * i, dir), end[i], 1e-9);
+      ASSERT_CLOSE(start[i] + t * dot(plan.dir_to_reflection + 3 * i, dir), end[i], 1e-9);
       ASSERT_CLOSE(eye[i] + t * dot(plan.dir_to_eye + 3 * i, dir), seen[i], 1e-9);
     }
   }
 }
 
-// A ray of a perspective map ends at the depth of infinity; that of a parallel map never does.
+// A ray of a perspective reflection texture ends at the depth of infinity; that of a parallel
+// reflection texture never does.
 TEST(depth_at_infinity_is_where_rays_end)
 {
   UNUSED;
@@ -120,7 +123,7 @@ TEST(depth_at_infinity_is_where_rays_end)
     const water_plan plan = plan_of(&random.scene, NULL);
     if (random.is_parallel)
     {
-      ASSERT_CLOSE(plan.map_z_infinity, 2.0, 0.0);
+      ASSERT_CLOSE(plan.reflection_z_infinity, 2.0, 0.0);
       continue;
     }
     double point[3];
@@ -131,12 +134,13 @@ TEST(depth_at_infinity_is_where_rays_end)
         2e9 * dot(random.view_dir, random.normal) * random.normal[i]; // away from the mirrored eye
     }
     project(&plan.mirrored, point, 1.0, clip);
-    ASSERT_CLOSE(0.5 + 0.5 * clip[2] / clip[3], plan.map_z_infinity, 1e-6);
-    assert_true(plan.map_z_infinity > 1.0);
+    ASSERT_CLOSE(0.5 + 0.5 * clip[2] / clip[3], plan.reflection_z_infinity, 1e-6);
+    assert_true(plan.reflection_z_infinity > 1.0);
   }
 }
 
-// Waves of any slope may look a pixel's ray up anywhere in the map, so all of it is drawn.
+// Waves of any slope may look a pixel's ray up anywhere in the reflection texture, so all of it is
+// drawn.
 TEST(waves_use_the_whole_map)
 {
   UNUSED;
@@ -151,7 +155,8 @@ TEST(waves_use_the_whole_map)
   assert_int_equal(plan.texture_rect_px[3], 600);
 }
 
-// A guard band shows more of the same: what the map saw at a place it sees at map_scale times it.
+// A guard band shows more of the same: what the reflection texture saw at a place it sees at
+// reflection_scale times it.
 TEST(guard_band_widens_the_map_about_its_middle)
 {
   UNUSED;
@@ -176,15 +181,16 @@ TEST(guard_band_widens_the_map_about_its_middle)
       assert_true(wide.texture_px[i] >= random.scene.guard_band * plain.texture_px[i]);
       assert_int_equal((wide.texture_px[i] - plain.texture_px[i]) % 2, 0);
       ASSERT_CLOSE(after[i] * wide.texture_px[i], before[i] * plain.texture_px[i], 1e-8);
-      ASSERT_CLOSE(wide.map_scale[i] * wide.texture_px[i], plain.texture_px[i], 1e-9);
+      ASSERT_CLOSE(wide.reflection_scale[i] * wide.texture_px[i], plain.texture_px[i], 1e-9);
     }
     // the sky of a direction does not depend on the band
     const double ndc[3] = { dice_roll(&from, -1.0, 1.0), dice_roll(&from, -1.0, 1.0), 1.0 };
-    const double in_wide[3] = { wide.map_scale[0] * ndc[0], wide.map_scale[1] * ndc[1], 1.0 };
+    const double in_wide[3] = { wide.reflection_scale[0] * ndc[0],
+      wide.reflection_scale[1] * ndc[1], 1.0 };
     for (int i = 0; i < 3; ++i)
     {
-      ASSERT_CLOSE(
-        dot(wide.map_ndc_to_eye + 3 * i, in_wide), dot(plain.map_ndc_to_eye + 3 * i, ndc), 1e-9);
+      ASSERT_CLOSE(dot(wide.reflection_ndc_to_eye + 3 * i, in_wide),
+        dot(plain.reflection_ndc_to_eye + 3 * i, ndc), 1e-9);
     }
   }
 }
@@ -217,16 +223,16 @@ TEST(top_is_the_highest_drawn_corner)
   water_prop props[3] = { { { -1.0, 1.0, -1.0, 1.0, -2.0, 3.0 }, WATER_PROP_VISIBLE },
     { { -2.0, 2.0, -2.0, 2.0, 0.0, 4.0 }, WATER_PROP_VISIBLE },
     { { -1.0, 1.0, -1.0, 1.0, 0.0, 9.0 }, 0u } };
-  water_fate fates[3];
+  water_cull_reason reasons[3];
   scene.props = props;
   scene.prop_count = 3;
-  ASSERT_CLOSE(plan_of(&scene, fates).map_top, 4.0, 1e-12);
+  ASSERT_CLOSE(plan_of(&scene, reasons).reflection_top, 4.0, 1e-12);
   scene.plane.offset = -1.0; // the water rises by 1
-  ASSERT_CLOSE(plan_of(&scene, fates).map_top, 3.0, 1e-12);
+  ASSERT_CLOSE(plan_of(&scene, reasons).reflection_top, 3.0, 1e-12);
   props[0].flags |= WATER_PROP_NO_BOUNDS;
-  assert_true(isinf(plan_of(&scene, fates).map_top));
+  assert_true(isinf(plan_of(&scene, reasons).reflection_top));
   scene.prop_count = 0;
-  ASSERT_CLOSE(plan_of(&scene, NULL).map_top, 0.0, 0.0);
+  ASSERT_CLOSE(plan_of(&scene, NULL).reflection_top, 0.0, 0.0);
 }
 
 // VTK's default environment has the world's axes; with +z up and +x right, back is -y.
@@ -270,7 +276,7 @@ TEST(sun_is_seen_in_the_axes_of_the_plane)
   assert_false(plan_of(&scene, NULL).has_sun);
 }
 
-// The map's depth says how high what it shows is over the plane, on the eye's side.
+// The reflection texture's depth says how high what it shows is over the plane, on the eye's side.
 TEST(depth_of_the_map_tells_heights)
 {
   UNUSED;
@@ -291,8 +297,8 @@ TEST(depth_of_the_map_tells_heights)
     double w = 0.0;
     for (int i = 0; i < 4; ++i)
     {
-      height += plan.map_height[i] * clip[i] / clip[3];
-      w += plan.map_w[i] * clip[i] / clip[3];
+      height += plan.reflection_height[i] * clip[i] / clip[3];
+      w += plan.reflection_w[i] * clip[i] / clip[3];
     }
     ASSERT_CLOSE(height / w, height_of(&random, point), 1e-8);
   }
@@ -310,22 +316,22 @@ TEST(mirrored_view_reaches_down_into_troughs)
   scene.wave_height_max = 0.75;
   const water_plan plan = plan_of(&scene, NULL);
   ASSERT_CLOSE(plan.clip_plane_view[3] - flat, 0.65, 1e-12);
-  ASSERT_CLOSE(plan.map_top, 0.75, 1e-12);
+  ASSERT_CLOSE(plan.reflection_top, 0.75, 1e-12);
   scene.clip_margin = 1.0; // the user's, if that is more
   ASSERT_CLOSE(plan_of(&scene, NULL).clip_plane_view[3] - flat, 0.9, 1e-12);
   water_prop low = { { -1.0, 1.0, -1.0, 1.0, -2.0, -0.5 }, WATER_PROP_VISIBLE };
-  water_fate fate = WATER_DRAW;
+  water_cull_reason reason = WATER_CULL_NONE;
   scene.props = &low;
   scene.prop_count = 1;
   scene.clip_margin = 0.0;
-  plan_of(&scene, &fate);
-  assert_int_equal(fate, WATER_DRAW);
+  plan_of(&scene, &reason);
+  assert_int_equal(reason, WATER_CULL_NONE);
   scene.wave_height_max = 0.25;
-  plan_of(&scene, &fate);
-  assert_int_equal(fate, WATER_SKIP_BEHIND_PLANE);
+  plan_of(&scene, &reason);
+  assert_int_equal(reason, WATER_CULL_BEHIND_PLANE);
   water_plan bad;
   scene.wave_height_max = (double)NAN;
-  assert_int_equal(water_plan_make(&scene, &bad, &fate), WATER_BAD_CLIP_MARGIN);
+  assert_int_equal(water_plan_make(&scene, &bad, &reason), WATER_BAD_CLIP_MARGIN);
 }
 
 int main(void)

@@ -10,7 +10,7 @@
 static const double nearby[3] = { 1.0, 2.0, 3.0 };
 
 // A point on the water looks up its own pixel, x flipped; the middle of the picture, here where the
-// lake's eye looks, is the middle of the map.
+// lake's eye looks, is the middle of the reflection texture.
 TEST(texture_of_a_point_on_water_is_its_own_pixel)
 {
   UNUSED;
@@ -218,7 +218,7 @@ TEST(sky_of_the_map_is_found_on_the_eyes_screen)
     const double y = random.is_parallel ? -0.4 : map[1] / map[3];
     for (int i = 0; i < 3; ++i)
     {
-      const double* row = plan.map_ndc_to_eye + 3 * i;
+      const double* row = plan.reflection_ndc_to_eye + 3 * i;
       found[i] = row[0] * x + row[1] * y + row[2];
     }
     const double factor = random.is_parallel ? 1.0 : map[3]; // the matrix takes directions of w 1

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// test_mesh.h: a mesh for the tests of pieces.
+// test_mesh.h: a mesh for the tests of clusters.
 #ifndef test_mesh_h
 #define test_mesh_h
 
@@ -7,14 +7,14 @@
 
 #include <stdlib.h>
 
-#include "water_pieces.h"
+#include "water_clusters.h"
 
 enum
 {
   SIDE = 120, // quads of the mesh
   POINTS = (SIDE + 1) * (SIDE + 1),
   TRIANGLES = 2 * SIDE * SIDE,
-  PIECES = (TRIANGLES + WATER_PIECE_TRIANGLES - 1) / WATER_PIECE_TRIANGLES
+  PIECES = (TRIANGLES + WATER_CLUSTER_TRIANGLES - 1) / WATER_CLUSTER_TRIANGLES
 };
 
 typedef struct mesh
@@ -23,12 +23,12 @@ typedef struct mesh
   uint32_t indices[3 * TRIANGLES];
   double boxes[PIECES][6];
   water_mesh described;
-  water_piece_work work[PIECES];
+  water_cluster_work work[PIECES];
   uint32_t drawn[3 * TRIANGLES];
 } mesh;
 
 static const double at_zero[3] = { 0.0, 0.0, 0.0 };
-static const water_pieces_map plain_map = { NULL, NULL, 0, 8 };
+static const water_clusters_target plain_map = { NULL, NULL, 0, 8 };
 
 // A hilly square of 100 x 100 about a place.
 static inline mesh* mesh_made(dice* from)
@@ -58,11 +58,11 @@ static inline mesh* mesh_made(dice* from)
 }
 
 // Marks what may be seen in one band, and copies it.
-static inline size_t selected(const water_pieces_view* view, const water_mesh* described,
-  bool is_reversed, water_trend* trend, water_piece_work* work, uint32_t* drawn)
+static inline size_t selected(const water_clusters_view* view, const water_mesh* described,
+  bool is_reversed, water_trend* trend, water_cluster_work* work, uint32_t* drawn)
 {
-  water_pieces_mark(view, described, is_reversed, trend, work);
-  return water_pieces_copy(described, is_reversed, work, 1, drawn);
+  water_clusters_mark(view, described, is_reversed, trend, work);
+  return water_clusters_copy(described, is_reversed, work, 1, drawn);
 }
 
 // Is what was copied some of the mesh's triangles, in their order? is_drawn: room for one per

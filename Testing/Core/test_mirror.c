@@ -245,10 +245,10 @@ TEST(far_plane_keeps_its_margin)
   for (int i = 0; i < 2; ++i)
   {
     const water_prop prop = { { -0.1, 0.1, -0.1, 0.1, 1.0, tops[i] }, WATER_PROP_VISIBLE };
-    water_fate fate;
+    water_cull_reason reason;
     scene.props = &prop;
     scene.prop_count = 1;
-    const water_plan plan = plan_of(&scene, &fate);
+    const water_plan plan = plan_of(&scene, &reason);
     const double top[3] = { 0.0, 0.0, tops[i] };
     double clip[4];
     project(&plan.mirrored, top, 1.0, clip);
@@ -270,7 +270,7 @@ TEST(far_plane_moves_behind_the_drawn_props)
     const water_plan before = plan_of(&random.scene, NULL);
     const double far_out = round % 4 ? 90.0 : 1e6;
     water_prop props[3];
-    water_fate fates[3];
+    water_cull_reason reasons[3];
     for (int number = 0; number < 3; ++number)
     {
       double center[3];
@@ -284,7 +284,7 @@ TEST(far_plane_moves_behind_the_drawn_props)
     }
     random.scene.props = props;
     random.scene.prop_count = 3;
-    const water_plan plan = plan_of(&random.scene, fates);
+    const water_plan plan = plan_of(&random.scene, reasons);
     int reaches_out = 0;
     for (int number = 0; number < 24; ++number)
     {
@@ -300,7 +300,7 @@ TEST(far_plane_moves_behind_the_drawn_props)
       {
         assert_true((clip[2] > -clip[3]) == (old_clip[2] > -old_clip[3]));
       }
-      if (fates[number / 8] == WATER_DRAW && clip[3] > 0.0)
+      if (reasons[number / 8] == WATER_CULL_NONE && clip[3] > 0.0)
       {
         assert_true(clip[2] <= clip[3]);
         reaches_out |= old_clip[2] > old_clip[3];
@@ -315,7 +315,7 @@ TEST(far_plane_moves_behind_the_drawn_props)
     {
       props[number].flags |= WATER_PROP_NO_BOUNDS;
     }
-    const water_plan endless = plan_of(&random.scene, fates);
+    const water_plan endless = plan_of(&random.scene, reasons);
     assert_memory_equal(endless.mirrored.view_to_clip, before.mirrored.view_to_clip, size);
   }
   assert_int_in_range(moved, 500, 2900);

@@ -141,7 +141,8 @@ TEST(plan_carries_the_index_beyond)
   ASSERT_CLOSE(plan_of(&scene, NULL).eta, 0.7501875469, 1e-10);
 }
 
-// Waters that share a map are as one that reflects no less than each: from any angle.
+// Waters that share a reflection texture are as one that reflects no less than each: from any
+// angle.
 TEST(joined_waters_reflect_no_less_than_each)
 {
   UNUSED;

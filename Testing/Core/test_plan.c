@@ -6,34 +6,34 @@
 static void assert_status(const water_scene* scene, water_status expected)
 {
   water_plan plan;
-  water_fate fate = WATER_FATE_COUNT;
+  water_cull_reason reason = WATER_CULL_REASON_COUNT;
   memset(&plan, 0xff, sizeof plan);
-  const water_status status = water_plan_make(scene, &plan, &fate);
+  const water_status status = water_plan_make(scene, &plan, &reason);
   assert_string_equal(water_status_text(status), water_status_text(expected));
   assert_int_equal(plan.decision, WATER_NO_REFLECT_FAILED);
-  assert_int_equal(fate, WATER_FATE_COUNT);
+  assert_int_equal(reason, WATER_CULL_REASON_COUNT);
 }
 
 // A prop that may be anywhere is named, and drawn.
 static void assert_unbounded(const water_scene* scene)
 {
   water_plan plan;
-  water_fate fate = WATER_FATE_COUNT;
-  assert_int_equal(water_plan_make(scene, &plan, &fate), WATER_BAD_PROP_BOUNDS);
+  water_cull_reason reason = WATER_CULL_REASON_COUNT;
+  assert_int_equal(water_plan_make(scene, &plan, &reason), WATER_BAD_PROP_BOUNDS);
   assert_int_equal(plan.decision, WATER_REFLECT);
-  assert_int_equal(fate, WATER_DRAW);
+  assert_int_equal(reason, WATER_CULL_NONE);
 }
 
 static water_decision decision_of(const water_scene* scene)
 {
   water_plan plan;
-  water_fate fate = WATER_FATE_COUNT;
-  assert_int_equal(water_plan_make(scene, &plan, &fate), WATER_OK);
-  assert_int_equal(fate == WATER_FATE_COUNT, plan.decision != WATER_REFLECT);
+  water_cull_reason reason = WATER_CULL_REASON_COUNT;
+  assert_int_equal(water_plan_make(scene, &plan, &reason), WATER_OK);
+  assert_int_equal(reason == WATER_CULL_REASON_COUNT, plan.decision != WATER_REFLECT);
   return plan.decision;
 }
 
-// A lake with one prop over it, on which the fates can be seen.
+// A lake with one prop over it, on which the reasons can be seen.
 static water_scene lake_with_prop(void)
 {
   static const water_prop tree = { { -1.0, 1.0, 2.0, 4.0, 0.0, 3.0 }, WATER_PROP_VISIBLE };
@@ -146,7 +146,7 @@ TEST(numbers_that_are_not_finite_are_named)
 }
 
 // Water in view reflects; looked away from, or with a reflectance of 0, it does not, which is no
-// error, and the fates stay as they were.
+// error, and the reasons stay as they were.
 TEST(decision_says_why_nothing_is_drawn)
 {
   UNUSED;
@@ -256,7 +256,7 @@ TEST(turning_the_plane_over_only_changes_the_side)
   }
 }
 
-// Of many props each has the fate that it has alone; they reach as far, and as high, as the
+// Of many props each has the reason that it has alone; they reach as far, and as high, as the
 // farthest and the highest of them, and the first without an end is named. They are looked at some
 // hundreds at a time.
 TEST(many_props_are_each_decided_as_alone)
@@ -267,7 +267,7 @@ TEST(many_props_are_each_decided_as_alone)
     COUNT = 700
   };
   static water_prop props[COUNT];
-  static water_fate fates[COUNT];
+  static water_cull_reason reasons[COUNT];
   dice from = dice_seeded(90);
   for (int i = 0; i < COUNT; ++i)
   {
@@ -289,24 +289,24 @@ TEST(many_props_are_each_decided_as_alone)
       way == 0 ? WATER_MAY_SKIP_ALL : WATER_MAY_SKIP_ALL & ~(unsigned)WATER_MAY_SKIP_PROPS;
     scene.props = props;
     scene.prop_count = COUNT;
-    const water_plan all = plan_of(&scene, fates);
+    const water_plan all = plan_of(&scene, reasons);
     double top = 0.0;
     double scale = 1.0;
     int skipped = 0;
     scene.prop_count = 1;
     for (int i = 0; i < COUNT; ++i)
     {
-      water_fate fate = WATER_FATE_COUNT;
+      water_cull_reason reason = WATER_CULL_REASON_COUNT;
       scene.props = props + i;
-      const water_plan one = plan_of(&scene, &fate);
-      assert_int_equal(fate, fates[i]);
-      top = fmax(top, one.map_top);
+      const water_plan one = plan_of(&scene, &reason);
+      assert_int_equal(reason, reasons[i]);
+      top = fmax(top, one.reflection_top);
       scale = fmin(scale, one.depth_scale);
-      skipped += fate != WATER_DRAW;
+      skipped += reason != WATER_CULL_NONE;
     }
     assert_int_in_range(skipped, way == 0 ? 100 : 0, way == 0 ? COUNT - 100 : 0);
     assert_true(top == 4000.0 && scale < 1.0);
-    ASSERT_CLOSE(all.map_top, top, 0.0);
+    ASSERT_CLOSE(all.reflection_top, top, 0.0);
     ASSERT_CLOSE(all.depth_scale, scale, 0.0);
   }
   const int bad[2] = { 600, 301 };
@@ -317,9 +317,9 @@ TEST(many_props_are_each_decided_as_alone)
     props[bad[i]].bounds[0] = (double)NAN;
     scene.props = props;
     scene.prop_count = COUNT;
-    assert_int_equal(water_plan_make(&scene, &plan, fates), WATER_BAD_PROP_BOUNDS);
-    assert_int_equal(plan.culprit, bad[i]);
-    assert_int_equal(fates[bad[i]], WATER_DRAW);
+    assert_int_equal(water_plan_make(&scene, &plan, reasons), WATER_BAD_PROP_BOUNDS);
+    assert_int_equal(plan.bad_index, bad[i]);
+    assert_int_equal(reasons[bad[i]], WATER_CULL_NONE);
   }
 }
 

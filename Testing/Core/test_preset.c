@@ -33,11 +33,11 @@ TEST(presets_are_good_input)
   {
     assert_string_equal(water_preset_name(i), names[i]);
     const water_preset preset = preset_of(names[i]);
-    size_t culprit = 0;
+    size_t bad_index = 0;
     assert_int_equal(water_optics_check(&preset.look), WATER_OK);
-    assert_int_equal(water_body_check(&preset.medium), WATER_OK);
+    assert_int_equal(water_medium_check(&preset.medium), WATER_OK);
     assert_int_equal(water_sea_check(&preset.sea), WATER_OK);
-    assert_int_equal(water_waves_check(preset.waves, WATER_PRESET_WAVES, &culprit), WATER_OK);
+    assert_int_equal(water_waves_check(preset.waves, WATER_PRESET_WAVES, &bad_index), WATER_OK);
     assert_true(preset.wave_count <= WATER_PRESET_WAVES);
     assert_true(strlen(preset.source) > 10);
   }
@@ -91,20 +91,20 @@ TEST(water_has_the_clarity_of_its_name)
   UNUSED;
   double left[3];
   const water_preset pool = preset_of("pool");
-  water_body_transmittance(&pool.medium, 2.0, left);
+  water_medium_transmittance(&pool.medium, 2.0, left);
   assert_true(left[0] > 0.4 && left[0] < 0.6 && left[1] > 0.85 && left[2] > 0.95);
   const water_preset lagoon = preset_of("clear tropical");
-  water_body_transmittance(&lagoon.medium, 5.0, left);
+  water_medium_transmittance(&lagoon.medium, 5.0, left);
   assert_true(left[0] < 0.2 && left[1] > 0.6 && left[2] > 0.8);
   const water_preset river = preset_of("turbid river");
-  water_body_transmittance(&river.medium, 3.0, left);
+  water_medium_transmittance(&river.medium, 3.0, left);
   assert_true(left[0] < 0.2 && left[1] < 0.2 && left[2] < 0.02);
   // the particles scatter what the type was said to absorb: a metre still takes Jerlov's Kd
   // / 1.0395
-  water_body_transmittance(&river.medium, 1.0, left);
+  water_medium_transmittance(&river.medium, 1.0, left);
   ASSERT_CLOSE(left[0], exp(-0.76 / 1.0395), 1e-15);
   double colour[3];
-  water_body_inscatter(&river.medium, (double)INFINITY, 0.9, 0.9, 0.16, colour);
+  water_medium_inscatter(&river.medium, (double)INFINITY, 0.9, 0.9, 0.16, colour);
   assert_true(colour[0] > 1.5 * colour[2] && colour[1] > colour[0]);
   const water_preset mirror = preset_of("mirror floor");
   assert_true(mirror.look.constant_reflectance && mirror.look.reflectance == 1.0);

@@ -1,24 +1,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// test_reuse.c: when a map serves again, when the next one waits, and when it is found out what of
-// it is seen.
+// test_reuse.c: when a reflection texture serves again, when
+// the next one waits, and when it is found out what of it is seen.
 #include "test_scene.h"
 
 #include "water_plan.h"
 
-// A map serves again for the same view of an unchanged scene, and for no other.
+// A reflection texture serves again for the same view of an unchanged scene, and for no other.
 TEST(map_is_used_again_only_for_the_same)
 {
   UNUSED;
   const water_prop tree = { { -1.0, 1.0, 2.0, 4.0, 0.0, 3.0 }, WATER_PROP_VISIBLE };
-  water_fate fate;
+  water_cull_reason reason;
   water_scene scene = lake();
   scene.props = &tree;
   scene.prop_count = 1;
-  const water_plan last = plan_of(&scene, &fate);
+  const water_plan last = plan_of(&scene, &reason);
   water_plan plan = last;
   water_plan_reuse(&last, true, WATER_MAY_SKIP_ALL, &plan);
   assert_int_equal(plan.decision, WATER_REUSE);
-  assert_true(water_plan_has_map(&plan));
+  assert_true(water_plan_has_reflection(&plan));
   const water_plan again = plan;
   plan = last;
   water_plan_reuse(&again, true, WATER_MAY_SKIP_ALL, &plan); // and again
@@ -29,14 +29,14 @@ TEST(map_is_used_again_only_for_the_same)
   water_plan_reuse(&last, true, WATER_MAY_SKIP_ALL & ~(unsigned)WATER_MAY_SKIP_UNCHANGED, &plan);
   assert_int_equal(plan.decision, WATER_REFLECT);
 
-  // a smaller surface needs less of the map, a larger one may need more
+  // a smaller surface needs less of the reflection texture, a larger one may need more
   water_scene other = scene;
   other.surface_bounds[1] = 1.0;
-  plan = plan_of(&other, &fate);
+  plan = plan_of(&other, &reason);
   water_plan_reuse(&last, true, WATER_MAY_SKIP_ALL, &plan);
   assert_int_equal(plan.decision, WATER_REUSE);
-  const water_plan smaller = plan_of(&other, &fate);
-  plan = plan_of(&scene, &fate);
+  const water_plan smaller = plan_of(&other, &reason);
+  plan = plan_of(&scene, &reason);
   water_plan_reuse(&smaller, true, WATER_MAY_SKIP_ALL, &plan);
   assert_int_equal(plan.decision, WATER_REFLECT);
 
@@ -51,16 +51,16 @@ TEST(map_is_used_again_only_for_the_same)
     other.viewport_px[0] += i == 5;
     other.has_waves = i == 6;
     other.slope_rms = 0.05;
-    plan = plan_of(&other, &fate);
+    plan = plan_of(&other, &reason);
     water_plan_reuse(&last, true, WATER_MAY_SKIP_ALL, &plan);
     assert_int_equal(plan.decision, WATER_REFLECT);
   }
 
-  // what did not reflect left no map
+  // what did not reflect left no reflection texture
   other = scene;
   other.is_hidden = true;
-  const water_plan none = plan_of(&other, &fate);
-  plan = plan_of(&scene, &fate);
+  const water_plan none = plan_of(&other, &reason);
+  plan = plan_of(&scene, &reason);
   water_plan_reuse(&none, true, WATER_MAY_SKIP_ALL, &plan);
   assert_int_equal(plan.decision, WATER_REFLECT);
   plan = none;
@@ -68,7 +68,7 @@ TEST(map_is_used_again_only_for_the_same)
   assert_int_equal(plan.decision, WATER_NO_REFLECT_HIDDEN);
 }
 
-// A map is used again only if it covers what is wanted, on each side.
+// A reflection texture is used again only if it covers what is wanted, on each side.
 TEST(map_that_lacks_a_column_is_not_used_again)
 {
   UNUSED;
@@ -106,14 +106,14 @@ static void crowd(water_prop props[100])
   }
 }
 
-// The next map waits when the water was hidden, or when it pays to know what of it is seen: when
-// less is than nine tenths of its rectangle.
+// The next reflection texture waits when the water was hidden, or when it pays to know what of it
+// is seen: when less is than nine tenths of its rectangle.
 TEST(map_waits_when_it_pays)
 {
   UNUSED;
   water_scene scene = pool(5.0); // 400 x 300 pixels of 800 x 600, 2 texels more on each side
   water_prop props[100];
-  water_fate fates[100];
+  water_cull_reason reasons[100];
   crowd(props);
   scene.is_flat = true;
   scene.props = props;
@@ -132,16 +132,16 @@ TEST(map_waits_when_it_pays)
     scene.is_software = cases[i].is_software;
     scene.prop_count = cases[i].prop_count;
     scene.texture_scale = cases[i].texture_scale;
-    const water_plan last = plan_of(&scene, fates);
+    const water_plan last = plan_of(&scene, reasons);
     assert_int_equal(
       water_plan_should_wait(&last, 0.85 * whole, WATER_MAY_SKIP_ALL), cases[i].can_wait);
     assert_false(water_plan_should_wait(&last, 0.95 * whole, WATER_MAY_SKIP_ALL));
     assert_false(
-      cases[i].can_wait && water_plan_should_wait(&last, last.seen_px_max, WATER_MAY_SKIP_ALL));
+      cases[i].can_wait && water_plan_should_wait(&last, last.visible_px_max, WATER_MAY_SKIP_ALL));
     assert_false(water_plan_should_wait(
       &last, 0.85 * whole, WATER_MAY_SKIP_ALL & ~(unsigned)WATER_MAY_SKIP_PIXELS));
   }
-  // hidden: whatever the map was, unless that may not be skipped
+  // hidden: whatever the reflection texture was, unless that may not be skipped
   water_plan none;
   memset(&none, 0, sizeof none);
   assert_true(water_plan_should_wait(&none, 0.0, WATER_MAY_SKIP_ALL));
@@ -152,24 +152,24 @@ TEST(map_waits_when_it_pays)
   scene.has_waves = true;
   scene.is_software = false;
   scene.texture_scale = 1.0;
-  const water_plan waves = plan_of(&scene, fates);
+  const water_plan waves = plan_of(&scene, reasons);
   assert_false(water_plan_should_wait(&waves, 1.0, WATER_MAY_SKIP_ALL));
 }
 
-// What is seen of the map is found out for flat, calm water whose picture is at hand, in a view
-// that has changed: as a mask for a map with the picture's pixels on a GPU, as cells in software or
-// for many draws.
+// What is seen of the reflection texture is found out for flat, calm water whose picture is at
+// hand, in a view that has changed: as a mask for a reflection texture with the picture's pixels on
+// a GPU, as cells in software or for many draws.
 TEST(what_is_seen_is_found_out_where_it_can_be)
 {
   UNUSED;
   water_scene scene = pool(5.0);
   water_prop props[100];
-  water_fate fates[100];
+  water_cull_reason reasons[100];
   crowd(props);
   scene.props = props;
   scene.is_flat = true;
   scene.has_scene_depth = true;
-  const unsigned no_draws = WATER_MAY_SKIP_PROPS | WATER_MAY_SKIP_PIECES;
+  const unsigned no_draws = WATER_MAY_SKIP_PROPS | WATER_MAY_SKIP_CLUSTERS;
   const struct
   {
     bool is_software;
@@ -177,7 +177,7 @@ TEST(what_is_seen_is_found_out_where_it_can_be)
     double texture_scale;
     unsigned off; // skips
     bool has_mask;
-    bool has_seen;
+    bool has_visibility;
   } cases[] = { { false, 63, 1.0, 0, true, false }, { false, 64, 1.0, 0, true, true },
     { false, 64, 0.5, 0, false, true }, { false, 63, 0.5, 0, false, false },
     { true, 0, 1.0, 0, false, true }, { true, 0, 0.5, 0, false, true },
@@ -190,13 +190,14 @@ TEST(what_is_seen_is_found_out_where_it_can_be)
     scene.prop_count = cases[i].prop_count;
     scene.texture_scale = cases[i].texture_scale;
     scene.skips = WATER_MAY_SKIP_ALL & ~cases[i].off;
-    const water_plan plan = plan_of(&scene, fates);
+    const water_plan plan = plan_of(&scene, reasons);
     assert_int_equal(plan.has_mask, cases[i].has_mask);
-    assert_int_equal(plan.has_seen, cases[i].has_seen);
-    // of the picture's pixels that the map's rectangle covers nine tenths may be seen
-    const bool is_asked = cases[i].has_mask || cases[i].has_seen;
+    assert_int_equal(plan.has_visibility, cases[i].has_visibility);
+    // of the picture's pixels that the reflection texture's rectangle covers nine tenths may be
+    // seen
+    const bool is_asked = cases[i].has_mask || cases[i].has_visibility;
     const int* rect = plan.texture_rect_px;
-    ASSERT_CLOSE(plan.seen_px_max,
+    ASSERT_CLOSE(plan.visible_px_max,
       is_asked
         ? 0.9 * rect[2] * rect[3] * (800.0 / plan.texture_px[0]) * (600.0 / plan.texture_px[1])
         : 0.0,
@@ -207,16 +208,17 @@ TEST(what_is_seen_is_found_out_where_it_can_be)
       other.is_flat = j != 0;
       other.has_scene_depth = j != 1;
       other.has_waves = j == 2;
-      const water_plan none = plan_of(&other, fates);
-      assert_false(none.has_mask || none.has_seen);
+      const water_plan none = plan_of(&other, reasons);
+      assert_false(none.has_mask || none.has_visibility);
     }
-    // such a map serves once; the next of the same view is whole, and can be used again
-    if (cases[i].has_mask || cases[i].has_seen)
+    // such a reflection texture serves once; the next of the same view is whole, and can be used
+    // again
+    if (cases[i].has_mask || cases[i].has_visibility)
     {
       water_plan again = plan;
       water_plan_reuse(&plan, true, WATER_MAY_SKIP_ALL, &again);
       assert_int_equal(again.decision, WATER_REFLECT);
-      assert_false(again.has_mask || again.has_seen);
+      assert_false(again.has_mask || again.has_visibility);
       water_plan next = plan;
       water_plan_reuse(&again, true, WATER_MAY_SKIP_ALL, &next);
       assert_int_equal(next.decision, WATER_REUSE);

@@ -16,20 +16,20 @@ TEST(roughness_is_of_a_pixel_on_the_water)
   scene.slope_max = (double)INFINITY;
   const water_plan plan = plan_of(&scene, NULL);
   water_roughness roughness;
-  water_quality_look(&scene, &plan, 0.5, &roughness);
+  water_quality_roughness(&scene, &plan, 0.5, &roughness);
   ASSERT_CLOSE(roughness.slope_rms, 0.05, 0.0);
   ASSERT_CLOSE(roughness.turn_rad, 0.1, 1e-9);
   ASSERT_CLOSE(roughness.pixels_per_radian, 50.0, 1e-9);
   // nothing is known of the first frame, nor of water that is not seen
   water_plan none;
   memset(&none, 0, sizeof none);
-  water_quality_look(&scene, &none, 0.5, &roughness);
+  water_quality_roughness(&scene, &none, 0.5, &roughness);
   ASSERT_CLOSE(roughness.turn_rad, 0.0, 0.0);
 }
 
 // In a view that is tilted and rolled the pixel that counts is the smallest in a corner of what the
-// map is drawn for: view rays through it, the pixel to its right and the one above meet the water
-// at places that far apart. The map is flipped.
+// reflection texture is drawn for: view rays through it, the pixel to its right and the one above
+// meet the water at places that far apart. The reflection texture is flipped.
 TEST(roughness_is_of_the_smallest_pixel_in_a_corner)
 {
   UNUSED;
@@ -72,7 +72,7 @@ TEST(roughness_is_of_the_smallest_pixel_in_a_corner)
       least = fmin(least, hypot(across, along));
     }
     water_roughness roughness;
-    water_quality_look(&scene, &plan, 3.0, &roughness);
+    water_quality_roughness(&scene, &plan, 3.0, &roughness);
     ASSERT_CLOSE(roughness.turn_rad, 3.0 * least / sqrt(2.0), 1e-9);
   }
 }
@@ -94,8 +94,8 @@ static void place_of_pixel(
   }
 }
 
-// The turn of a wave over a pixel where it is seen best: the corner of the map's drawn part whose
-// pixel is the smallest on the water. For a pond to one side of the picture.
+// The turn of a wave over a pixel where it is seen best: the corner of the reflection texture's
+// drawn part whose pixel is the smallest on the water. For a pond to one side of the picture.
 TEST(roughness_is_that_of_the_nearest_corner)
 {
   UNUSED;
@@ -129,15 +129,15 @@ TEST(roughness_is_that_of_the_nearest_corner)
           hypot(down[0] - here[0], down[1] - here[1])));
     }
     water_roughness roughness;
-    water_quality_look(&scene, &plan, 3.0, &roughness);
+    water_quality_roughness(&scene, &plan, 3.0, &roughness);
     ASSERT_CLOSE(roughness.turn_rad, 3.0 * least / sqrt(2.0), 1e-9);
     ASSERT_CLOSE(roughness.pixels_per_radian, 300.0, 1e-9);
     assert_true(roughness.slope_rms == 0.1);
   }
-  scene.look.constant_reflectance = true; // a view, but no map
+  scene.look.constant_reflectance = true; // a view, but no reflection texture
   const water_plan dull = plan_of(&scene, NULL);
   water_roughness roughness;
-  water_quality_look(&scene, &dull, 3.0, &roughness);
+  water_quality_roughness(&scene, &dull, 3.0, &roughness);
   assert_true(roughness.turn_rad == 0.0);
 }
 

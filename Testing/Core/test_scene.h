@@ -310,7 +310,8 @@ static inline void box_point(const double bounds[6], int number, double point[3]
   }
 }
 
-// Where the map shows a point, in pixels from the corner of the rectangle that is drawn.
+// Where the reflection texture shows a point, in pixels from the corner of the rectangle that is
+// drawn.
 static inline void map_place(
   const water_plan* plan, const double point[3], double clip[4], double px[2])
 {
@@ -321,10 +322,10 @@ static inline void map_place(
   }
 }
 
-static inline water_plan plan_of(const water_scene* scene, water_fate* fates)
+static inline water_plan plan_of(const water_scene* scene, water_cull_reason* reasons)
 {
   water_plan plan;
-  assert_string_equal(water_status_text(water_plan_make(scene, &plan, fates)), "no error");
+  assert_string_equal(water_status_text(water_plan_make(scene, &plan, reasons)), "no error");
   return plan;
 }
 

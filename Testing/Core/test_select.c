@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// test_select.c: step 3: side of the eye, is the water seen, fate of each prop.
+// test_select.c: step 3: side of the eye, is the water seen, reason of each prop.
 #include "test_scene.h"
 
 #include "water_camera.h"
@@ -176,7 +176,7 @@ TEST(eye_is_on_the_plane_up_to_the_stated_rounding)
   }
 }
 
-// Each flag has its fate, and of several flags the first of the list counts.
+// Each flag has its reason, and of several flags the first of the list counts.
 TEST(flags_decide_in_their_order)
 {
   UNUSED;
@@ -194,19 +194,19 @@ TEST(flags_decide_in_their_order)
     visible | label, visible | endless, water | marked, visible | water | marked | endless,
     visible | marked | overlay, visible | overlay | label, visible | label | endless,
     visible | refused, visible | label | refused, visible | refused | endless };
-  const water_fate expected[] = { WATER_DRAW, WATER_SKIP_INVISIBLE, WATER_SKIP_WATER,
-    WATER_SKIP_NOT_REFLECTED, WATER_SKIP_OVERLAY, WATER_SKIP_LABEL, WATER_DRAW,
-    WATER_SKIP_INVISIBLE, WATER_SKIP_WATER, WATER_SKIP_NOT_REFLECTED, WATER_SKIP_OVERLAY,
-    WATER_SKIP_LABEL, WATER_SKIP_REFUSED, WATER_SKIP_LABEL, WATER_SKIP_REFUSED };
+  const water_cull_reason expected[] = { WATER_CULL_NONE, WATER_CULL_INVISIBLE, WATER_CULL_WATER,
+    WATER_CULL_NOT_REFLECTED, WATER_CULL_OVERLAY, WATER_CULL_LABEL, WATER_CULL_NONE,
+    WATER_CULL_INVISIBLE, WATER_CULL_WATER, WATER_CULL_NOT_REFLECTED, WATER_CULL_OVERLAY,
+    WATER_CULL_LABEL, WATER_CULL_REFUSED, WATER_CULL_LABEL, WATER_CULL_REFUSED };
   for (size_t i = 0; i < sizeof flags / sizeof flags[0]; ++i)
   {
     const water_prop prop = { { -1, 1, -1, 1, 1, 2 }, flags[i] };
     water_scene with = scene;
-    water_fate fate = WATER_FATE_COUNT;
+    water_cull_reason reason = WATER_CULL_REASON_COUNT;
     with.props = &prop;
     with.prop_count = 1;
-    (void)plan_of(&with, &fate);
-    assert_string_equal(water_fate_text(fate), water_fate_text(expected[i]));
+    (void)plan_of(&with, &reason);
+    assert_string_equal(water_cull_reason_text(reason), water_cull_reason_text(expected[i]));
   }
 }
 
@@ -232,16 +232,17 @@ TEST(boxes_decide_in_their_order)
     { { 900, 910, 0, 1, 1, 2 }, visible | WATER_PROP_NO_BOUNDS },
     { { (double)NAN, 1, 0, 1, -9, -8 }, visible | WATER_PROP_NO_BOUNDS },
   };
-  const water_fate expected[] = { WATER_DRAW, WATER_DRAW, WATER_SKIP_BEHIND_PLANE, WATER_DRAW,
-    WATER_SKIP_EMPTY, WATER_SKIP_EMPTY, WATER_SKIP_OUT_OF_VIEW, WATER_SKIP_OUT_OF_VIEW, WATER_DRAW,
-    WATER_SKIP_OUT_OF_VIEW, WATER_DRAW, WATER_DRAW };
-  water_fate fates[12];
+  const water_cull_reason expected[] = { WATER_CULL_NONE, WATER_CULL_NONE, WATER_CULL_BEHIND_PLANE,
+    WATER_CULL_NONE, WATER_CULL_EMPTY, WATER_CULL_EMPTY, WATER_CULL_OUT_OF_VIEW,
+    WATER_CULL_OUT_OF_VIEW, WATER_CULL_NONE, WATER_CULL_OUT_OF_VIEW, WATER_CULL_NONE,
+    WATER_CULL_NONE };
+  water_cull_reason reasons[12];
   scene.props = props;
   scene.prop_count = 12;
-  (void)plan_of(&scene, fates);
+  (void)plan_of(&scene, reasons);
   for (int i = 0; i < 12; ++i)
   {
-    assert_string_equal(water_fate_text(fates[i]), water_fate_text(expected[i]));
+    assert_string_equal(water_cull_reason_text(reasons[i]), water_cull_reason_text(expected[i]));
   }
   // between the mirrored camera, 0.2 under the water, and its near plane, 1 ahead: not in view, and
   // before that beside what the water reflects
@@ -251,15 +252,15 @@ TEST(boxes_decide_in_their_order)
   low.props = &near_by;
   low.prop_count = 1;
   stand_at(&low, 0.0, -10.0, 0.2, 0.0);
-  (void)plan_of(&low, fates);
-  assert_int_equal(fates[0], WATER_SKIP_OUT_OF_WATER);
+  (void)plan_of(&low, reasons);
+  assert_int_equal(reasons[0], WATER_CULL_OUT_OF_WATER);
   // seen from below it is the other side that is kept
   stand_at(&scene, 0.0, -10.0, -5.0, 0.5);
   const water_prop above = { { -1, 1, -1, 1, 0.6, 3 }, visible };
   scene.props = &above;
   scene.prop_count = 1;
-  (void)plan_of(&scene, fates);
-  assert_int_equal(fates[0], WATER_SKIP_BEHIND_PLANE);
+  (void)plan_of(&scene, reasons);
+  assert_int_equal(reasons[0], WATER_CULL_BEHIND_PLANE);
 }
 
 // Bounds that are not finite are an error of the first prop that has them, but only if it would be
@@ -272,24 +273,25 @@ TEST(bounds_that_are_not_finite_name_their_prop)
   const double huge = (double)INFINITY;
   water_prop props[4] = { { { 0, 1, 0, 1, -2, -1 }, visible }, { { bad, 1, 0, 1, 0, 1 }, 0 },
     { { 0, 1, 0, huge, 0, 1 }, visible }, { { 0, 1, 0, 1, bad, 1 }, visible } };
-  water_fate fates[4] = { WATER_FATE_COUNT, WATER_FATE_COUNT, WATER_FATE_COUNT, WATER_FATE_COUNT };
+  water_cull_reason reasons[4] = { WATER_CULL_REASON_COUNT, WATER_CULL_REASON_COUNT,
+    WATER_CULL_REASON_COUNT, WATER_CULL_REASON_COUNT };
   water_plan plan;
   scene.props = props;
   scene.prop_count = 4;
-  assert_int_equal(water_plan_make(&scene, &plan, fates), WATER_BAD_PROP_BOUNDS);
-  assert_int_equal(plan.culprit, 2);
+  assert_int_equal(water_plan_make(&scene, &plan, reasons), WATER_BAD_PROP_BOUNDS);
+  assert_int_equal(plan.bad_index, 2);
   assert_int_equal(plan.decision, WATER_REFLECT);
-  assert_true(isinf(plan.map_top));
+  assert_true(isinf(plan.reflection_top));
   assert_true(plan.depth_scale == 1.0);
-  assert_int_equal(fates[0], WATER_SKIP_BEHIND_PLANE);
-  assert_int_equal(fates[1], WATER_SKIP_INVISIBLE);
-  assert_int_equal(fates[2], WATER_DRAW);
-  assert_int_equal(fates[3], WATER_DRAW);
+  assert_int_equal(reasons[0], WATER_CULL_BEHIND_PLANE);
+  assert_int_equal(reasons[1], WATER_CULL_INVISIBLE);
+  assert_int_equal(reasons[2], WATER_CULL_NONE);
+  assert_int_equal(reasons[3], WATER_CULL_NONE);
   props[2].flags |= WATER_PROP_NOT_REFLECTED;
-  assert_int_equal(water_plan_make(&scene, &plan, fates), WATER_BAD_PROP_BOUNDS);
-  assert_int_equal(plan.culprit, 3);
+  assert_int_equal(water_plan_make(&scene, &plan, reasons), WATER_BAD_PROP_BOUNDS);
+  assert_int_equal(plan.bad_index, 3);
   props[3].flags = WATER_PROP_VISIBLE | WATER_PROP_IS_WATER;
-  assert_int_equal(water_plan_make(&scene, &plan, fates), WATER_OK);
+  assert_int_equal(water_plan_make(&scene, &plan, reasons), WATER_OK);
 }
 
 // A prop with any point that the mirrored camera sees on the kept side, where the water looks
@@ -305,7 +307,7 @@ TEST(culling_never_drops_what_is_seen)
   {
     random_scene random = scene_rolled(&from, round, nearby);
     water_prop prop = { { 0.0 }, visible };
-    water_fate fate;
+    water_cull_reason reason;
     double center[3];
     random.scene.clip_margin = round % 2 ? 0.1 : 0.0;
     point_near(&from, &random, 30.0, center);
@@ -317,10 +319,11 @@ TEST(culling_never_drops_what_is_seen)
     }
     random.scene.props = &prop;
     random.scene.prop_count = 1;
-    const water_plan plan = plan_of(&random.scene, &fate);
-    for (int corner = 0; corner < 8 && fate == WATER_DRAW; ++corner)
+    const water_plan plan = plan_of(&random.scene, &reason);
+    for (int corner = 0; corner < 8 && reason == WATER_CULL_NONE; ++corner)
     {
-      // before the far plane, and by more than single precision rounds: the map is cleared with it
+      // before the far plane, and by more than single precision rounds: the reflection texture is
+      // cleared with it
       double point[3];
       double clip[4];
       water_bounds_corner(prop.bounds, corner, point);
@@ -339,9 +342,9 @@ TEST(culling_never_drops_what_is_seen)
       is_seen = is_inside(clip) && px[0] >= 0.0 && px[0] <= rect[2] && px[1] >= 0.0 &&
         px[1] <= rect[3] && height_of(&random, point) >= -random.scene.clip_margin;
     }
-    assert_true(!is_seen || fate == WATER_DRAW);
+    assert_true(!is_seen || reason == WATER_CULL_NONE);
     seen += is_seen;
-    dropped += fate != WATER_DRAW;
+    dropped += reason != WATER_CULL_NONE;
   }
   assert_int_in_range(seen, 1000, 20000);
   assert_int_in_range(dropped, 8 * (20000 - seen) / 10, 20000);

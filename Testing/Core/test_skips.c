@@ -43,7 +43,7 @@ TEST(all_skips_are_all_of_them)
   UNUSED;
   const unsigned all = WATER_MAY_SKIP_UNSEEN | WATER_MAY_SKIP_HIDDEN | WATER_MAY_SKIP_FAINT |
     WATER_MAY_SKIP_UNCHANGED | WATER_MAY_SKIP_SHARED | WATER_MAY_SKIP_PROPS |
-    WATER_MAY_SKIP_PIECES | WATER_MAY_SKIP_PIXELS;
+    WATER_MAY_SKIP_CLUSTERS | WATER_MAY_SKIP_PIXELS;
   assert_int_equal(WATER_MAY_SKIP_ALL, all);
 }
 
@@ -105,25 +105,25 @@ TEST(props_outside_the_pyramid_are_left_out)
   const water_prop props[3] = { { { -0.1, 0.1, -0.1, 0.1, 1.0, 2.0 }, visible },
     { { 4.0, 4.2, 0.0, 0.2, 1.0, 2.0 }, visible },
     { { 40.0, 41.0, 0.0, 1.0, 1.0, 2.0 }, visible } };
-  water_fate fates[3];
+  water_cull_reason reasons[3];
   water_scene scene = pool(1.0);
   scene.props = props;
   scene.prop_count = 3;
-  (void)plan_of(&scene, fates);
-  assert_int_equal(fates[0], WATER_DRAW);
-  assert_int_equal(fates[1], WATER_SKIP_OUT_OF_WATER);
-  assert_int_equal(fates[2], WATER_SKIP_OUT_OF_VIEW);
-  // pixels drawn or not, the props' fates are theirs
+  (void)plan_of(&scene, reasons);
+  assert_int_equal(reasons[0], WATER_CULL_NONE);
+  assert_int_equal(reasons[1], WATER_CULL_OUT_OF_WATER);
+  assert_int_equal(reasons[2], WATER_CULL_OUT_OF_VIEW);
+  // pixels drawn or not, the props' reasons are theirs
   scene.skips = WATER_MAY_SKIP_ALL & ~(unsigned)WATER_MAY_SKIP_PIXELS;
-  const water_plan plan = plan_of(&scene, fates);
-  assert_int_equal(fates[1], WATER_SKIP_OUT_OF_WATER);
+  const water_plan plan = plan_of(&scene, reasons);
+  assert_int_equal(reasons[1], WATER_CULL_OUT_OF_WATER);
   assert_int_equal(plan.texture_rect_px[2], 800);
   assert_int_equal(plan.texture_rect_px[3], 600);
   scene.skips = WATER_MAY_SKIP_ALL & ~(unsigned)WATER_MAY_SKIP_PROPS;
-  (void)plan_of(&scene, fates);
+  (void)plan_of(&scene, reasons);
   for (int i = 0; i < 3; ++i)
   {
-    assert_int_equal(fates[i], WATER_DRAW);
+    assert_int_equal(reasons[i], WATER_CULL_NONE);
   }
 }
 
@@ -135,15 +135,15 @@ TEST(rays_take_the_same_steps_with_all_props)
   const water_prop props[3] = { { { -0.1, 0.1, -0.1, 0.1, 1.0, 2.0 }, visible },
     { { 4.0, 4.2, 0.0, 0.2, 1.0, 9.0 }, visible },
     { { 4000.0, 4001.0, 0.0, 1.0, 1.0, 9000.0 }, visible } };
-  water_fate fates[3];
+  water_cull_reason reasons[3];
   water_scene scene = pool(1.0);
   scene.props = props;
   scene.prop_count = 3;
-  const water_plan some = plan_of(&scene, fates);
-  assert_int_equal(fates[1], WATER_SKIP_OUT_OF_WATER);
+  const water_plan some = plan_of(&scene, reasons);
+  assert_int_equal(reasons[1], WATER_CULL_OUT_OF_WATER);
   scene.skips = WATER_MAY_SKIP_ALL & ~(unsigned)WATER_MAY_SKIP_PROPS;
-  const water_plan all = plan_of(&scene, fates);
-  assert_int_equal(fates[2], WATER_DRAW);
+  const water_plan all = plan_of(&scene, reasons);
+  assert_int_equal(reasons[2], WATER_CULL_NONE);
   assert_memory_equal(&some, &all, sizeof some);
 }
 
@@ -153,18 +153,18 @@ TEST(wide_points_are_drawn_beside_the_pyramid)
   UNUSED;
   // 12 from the mirrored eye 0.05 of half the picture is 0.6: the pool reaches to 0.1, or 1.2
   water_prop props[1] = { { { 1.8, 1.8, 0.0, 0.0, 2.0, 2.0 }, visible, 1.0f } };
-  water_fate fates[1];
+  water_cull_reason reasons[1];
   water_scene scene = pool(1.0);
   scene.props = props;
   scene.prop_count = 1;
-  (void)plan_of(&scene, fates);
-  assert_int_equal(fates[0], WATER_SKIP_OUT_OF_WATER);
+  (void)plan_of(&scene, reasons);
+  assert_int_equal(reasons[0], WATER_CULL_OUT_OF_WATER);
   props[0].width_px = 50.0f;
-  (void)plan_of(&scene, fates);
-  assert_int_equal(fates[0], WATER_DRAW);
+  (void)plan_of(&scene, reasons);
+  assert_int_equal(reasons[0], WATER_CULL_NONE);
   props[0].width_px = 20.0f;
-  (void)plan_of(&scene, fates);
-  assert_int_equal(fates[0], WATER_SKIP_OUT_OF_WATER);
+  (void)plan_of(&scene, reasons);
+  assert_int_equal(reasons[0], WATER_CULL_OUT_OF_WATER);
 }
 
 // On each side of what is looked up, 10 pixels off: 18 pixels wide, and one for antialiasing,
@@ -180,7 +180,7 @@ TEST(half_a_width_and_a_pixel_reach_on_each_side)
   for (int round = 0; round < 3; ++round)
   {
     water_prop props[9];
-    water_fate fates[5];
+    water_cull_reason reasons[5];
     for (int i = 0; i < 9; ++i)
     {
       double place[2] = { rect[0] + 0.5 * rect[2], rect[1] + 0.5 * rect[3] };
@@ -198,11 +198,11 @@ TEST(half_a_width_and_a_pixel_reach_on_each_side)
     }
     scene.props = props + 4; // what is before it is in the middle of what is looked up
     scene.prop_count = 5;
-    (void)plan_of(&scene, fates);
-    assert_int_equal(fates[0], WATER_DRAW);
+    (void)plan_of(&scene, reasons);
+    assert_int_equal(reasons[0], WATER_CULL_NONE);
     for (int i = 1; i < 5; ++i)
     {
-      assert_int_equal(fates[i], round == 0 ? WATER_DRAW : WATER_SKIP_OUT_OF_WATER);
+      assert_int_equal(reasons[i], round == 0 ? WATER_CULL_NONE : WATER_CULL_OUT_OF_WATER);
     }
   }
 }
@@ -213,19 +213,19 @@ TEST(small_props_are_left_out_below_the_stated_size)
   UNUSED;
   const water_prop props[2] = { { { -0.5, 0.5, -0.5, 0.5, 2.0, 2.0 }, visible },
     { { -0.5, 0.5, -0.5, 0.5, 2.0, 2.0 }, visible | WATER_PROP_NO_BOUNDS } };
-  water_fate fates[2];
+  water_cull_reason reasons[2];
   water_scene scene = pool(5.0);
   scene.props = props;
   scene.prop_count = 2;
-  (void)plan_of(&scene, fates);
-  assert_int_equal(fates[0], WATER_DRAW); // 0: none is left out
+  (void)plan_of(&scene, reasons);
+  assert_int_equal(reasons[0], WATER_CULL_NONE); // 0: none is left out
   scene.prop_px_min = 32.0;
-  (void)plan_of(&scene, fates);
-  assert_int_equal(fates[0], WATER_DRAW);
+  (void)plan_of(&scene, reasons);
+  assert_int_equal(reasons[0], WATER_CULL_NONE);
   scene.prop_px_min = 34.0;
-  (void)plan_of(&scene, fates);
-  assert_int_equal(fates[0], WATER_SKIP_TOO_SMALL);
-  assert_int_equal(fates[1], WATER_DRAW);
+  (void)plan_of(&scene, reasons);
+  assert_int_equal(reasons[0], WATER_CULL_TOO_SMALL);
+  assert_int_equal(reasons[1], WATER_CULL_NONE);
 }
 
 // Small is what is below the stated size both ways: a box of 2 at a distance of 16 is an eighth of
@@ -240,26 +240,26 @@ TEST(either_side_of_a_box_may_be_its_size)
   {
     const double* box = boxes[i];
     const water_prop prop = { { box[0], box[1], box[2], box[3], 6.0, 6.0 }, visible };
-    water_fate fate;
+    water_cull_reason reason;
     water_scene scene = pool(5.0);
     scene.props = &prop;
     scene.prop_count = 1;
     scene.prop_px_min = size_px[i];
-    (void)plan_of(&scene, &fate);
-    assert_int_equal(fate, WATER_DRAW);
+    (void)plan_of(&scene, &reason);
+    assert_int_equal(reason, WATER_CULL_NONE);
     scene.prop_px_min = nextafter(size_px[i], 100.0);
-    (void)plan_of(&scene, &fate);
-    assert_int_equal(fate, WATER_SKIP_TOO_SMALL);
+    (void)plan_of(&scene, &reason);
+    assert_int_equal(reason, WATER_CULL_TOO_SMALL);
   }
   // a pole up from the mirrored eye itself has no size
   const water_prop pole = { { 0.0, 0.0, 0.0, 0.0, -10.0, 2.0 }, visible };
-  water_fate fate;
+  water_cull_reason reason;
   water_scene scene = pool(5.0);
   scene.props = &pole;
   scene.prop_count = 1;
   scene.prop_px_min = 1.0;
-  (void)plan_of(&scene, &fate);
-  assert_int_equal(fate, WATER_DRAW);
+  (void)plan_of(&scene, &reason);
+  assert_int_equal(reason, WATER_CULL_NONE);
 }
 
 // A prop that reaches behind the eye has no size in the picture: it is never too small.
@@ -269,19 +269,19 @@ TEST(prop_around_the_eye_is_never_too_small)
   water_scene scene = lake();
   water_prop hall = { { -1000.0, 1000.0, -1000.0, 1000.0, -1000.0, 1000.0 }, WATER_PROP_VISIBLE };
   water_prop ball = { { -0.1, 0.1, -0.1, 0.1, 1.0, 1.2 }, WATER_PROP_VISIBLE };
-  water_fate fate = WATER_SKIP_EMPTY;
+  water_cull_reason reason = WATER_CULL_EMPTY;
   scene.prop_px_min = 1e9;
   scene.prop_count = 1;
   scene.props = &hall;
-  plan_of(&scene, &fate);
-  assert_int_equal(fate, WATER_DRAW);
+  plan_of(&scene, &reason);
+  assert_int_equal(reason, WATER_CULL_NONE);
   scene.props = &ball;
-  plan_of(&scene, &fate);
-  assert_int_equal(fate, WATER_SKIP_TOO_SMALL);
+  plan_of(&scene, &reason);
+  assert_int_equal(reason, WATER_CULL_TOO_SMALL);
 }
 
 // No ray that waves of a slope turn leaves the part that it is said to reach: rays of the eye,
-// mirrored at normals tilted at random, against the map's own projection.
+// mirrored at normals tilted at random, against the reflection texture's own projection.
 TEST(waves_look_nothing_up_beyond_their_reach)
 {
   UNUSED;

@@ -241,7 +241,7 @@ TEST(spreading_is_a_share)
   sea.spreading = WATER_SPREAD_DONELAN_BANNER;
   const double top = water_sea_spread(&sea, 0.9501 * peak, 0.0);
   ASSERT_CLOSE(water_sea_spread(&sea, 0.9501 * peak, 0.8814 / 2.437), 0.5 * top, 0.01 * top);
-  // the pieces of beta meet, as far as their authors' digits go
+  // the clusters of beta meet, as far as their authors' digits go
   const double ends[3] = { 0.56, 0.95, 1.6 };
   for (int i = 0; i < 3; ++i)
   {

@@ -2,7 +2,7 @@
 // test_status.c: every code has a text of its own, and no number is without one.
 #include "test_scene.h"
 
-#include "water_body.h"
+#include "water_medium.h"
 
 typedef const char* (*text_function)(int);
 
@@ -13,7 +13,7 @@ static const char* status_text(int number)
 
 static const char* fate_text(int number)
 {
-  return water_fate_text((water_fate)number);
+  return water_cull_reason_text((water_cull_reason)number);
 }
 
 static const char* decision_text(int number)
@@ -47,7 +47,7 @@ TEST(texts_are_distinct_and_never_null)
 {
   UNUSED;
   assert_texts(status_text, WATER_STATUS_COUNT);
-  assert_texts(fate_text, WATER_FATE_COUNT);
+  assert_texts(fate_text, WATER_CULL_REASON_COUNT);
   assert_texts(decision_text, WATER_DECISION_COUNT);
   assert_texts(type_text, WATER_TYPE_COUNT);
 }
@@ -62,9 +62,9 @@ TEST(texts_belong_to_their_codes)
   assert_non_null(strstr(water_status_text(WATER_WAVES_FOLD), "fold"));
   assert_non_null(strstr(water_status_text(WATER_BAD_FETCH), "Fetch"));
   assert_non_null(strstr(water_status_text(WATER_BAD_PRESET), "preset"));
-  assert_string_equal(water_fate_text(WATER_DRAW), "drawn");
-  assert_string_equal(water_fate_text(WATER_SKIP_WATER), "water itself");
-  assert_non_null(strstr(water_fate_text(WATER_SKIP_OUT_OF_VIEW), "out of"));
+  assert_string_equal(water_cull_reason_text(WATER_CULL_NONE), "drawn");
+  assert_string_equal(water_cull_reason_text(WATER_CULL_WATER), "water itself");
+  assert_non_null(strstr(water_cull_reason_text(WATER_CULL_OUT_OF_VIEW), "out of"));
   assert_string_equal(water_decision_text(WATER_REFLECT), "rendered");
   assert_non_null(strstr(water_decision_text(WATER_NO_REFLECT_EDGE_ON), "edge-on"));
   assert_non_null(strstr(water_decision_text(WATER_NO_REFLECT_NO_REFLECTANCE), "nothing"));

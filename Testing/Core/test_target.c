@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// test_target.c: step 4: size of the map and the rectangle of it that the water can look up.
+// test_target.c: step 4: size of the reflection texture and
+// the rectangle of it that the water can look up.
 #include "test_scene.h"
 
 #include "water_target.h"
@@ -71,7 +72,8 @@ TEST(size_over_the_limit_is_refused)
 }
 
 // Seen straight down, a pond from x = 2 to 6 and y = 0 to 5 covers pixels 240 to 320 of the
-// picture, so 80 to 160 of the map (flipped), and rows 200 to 300; two texels are added all around.
+// picture, so 80 to 160 of the reflection texture (flipped), and rows 200 to 300; two texels are
+// added all around.
 TEST(rect_of_a_known_pond_is_tight_and_flipped)
 {
   UNUSED;
@@ -95,7 +97,8 @@ TEST(rect_of_a_rough_pond_covers_the_mirror_images)
   assert_rect(&pond, 64, 198, 102, 116);
 }
 
-// Water beside the picture, which a plan does not ask for, still has a rectangle within the map.
+// Water beside the picture, which a plan does not ask for, still has a rectangle within the
+// reflection texture.
 TEST(rect_is_never_empty)
 {
   UNUSED;
@@ -137,7 +140,8 @@ TEST(rect_is_clamped_to_the_map)
   assert_rect(&around, 0, 0, 400, 198);
 }
 
-// Waves higher than the eye mirror points behind it: all of the map, as they have no picture.
+// Waves higher than the eye mirror points behind it: all of the reflection texture, as they have no
+// picture.
 TEST(rect_is_all_of_the_map_where_there_is_no_picture)
 {
   UNUSED;
@@ -148,7 +152,7 @@ TEST(rect_is_all_of_the_map_where_there_is_no_picture)
 
 // Whatever the eye sees of the water looks up a pixel of the rectangle: points of the box that are
 // in the picture, their own pixel and that of their mirror image. The rectangle lies within the
-// map.
+// reflection texture.
 TEST(rect_covers_every_lookup)
 {
   UNUSED;
@@ -206,8 +210,8 @@ TEST(rect_covers_every_lookup)
   assert_int_in_range(saved, 1000, 5000);
 }
 
-// A guard band is none below 1, whatever the numbers it is made of: the map is never smaller than
-// the picture.
+// A guard band is none below 1, whatever the numbers it is made of: the reflection texture is never
+// smaller than the picture.
 TEST(guard_band_never_shrinks_the_map)
 {
   UNUSED;
@@ -262,7 +266,7 @@ TEST(reach_is_the_turn_of_the_steepest_ray)
   assert_true(still[0] == 0.1 && still[1] == 0.2 && still[2] == 0.3 && still[3] == 0.4);
 }
 
-// Beyond the map a part of the picture is the texel at its border.
+// Beyond the reflection texture a part of the picture is the texel at its border.
 TEST(rect_beyond_the_map_is_its_border)
 {
   UNUSED;

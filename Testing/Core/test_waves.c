@@ -10,8 +10,8 @@ static const double deep = (double)INFINITY;
 static void terms_of(
   const water_wave* waves, size_t count, double depth, double time, water_wave_term* terms)
 {
-  size_t culprit = 0;
-  assert_int_equal(water_waves_at(waves, count, depth, time, terms, &culprit), WATER_OK);
+  size_t bad_index = 0;
+  assert_int_equal(water_waves_at(waves, count, depth, time, terms, &bad_index), WATER_OK);
 }
 
 // The height is A sin(k . x + phase - omega t): a quarter turn on, the crest is at the origin; it
@@ -273,18 +273,18 @@ TEST(bad_waves_are_refused)
   {
     const water_wave waves[2] = { crossing[0], cases[i].wave };
     water_wave_term terms[2] = { { { 0.0, 0.0 }, { 0.0, 0.0 }, 7.0, 0.0, 0.0, 0.0 } };
-    size_t culprit = 9;
-    assert_int_equal(water_waves_check(waves, 2, &culprit), cases[i].status);
-    assert_int_equal(culprit, 1);
-    assert_int_equal(water_waves_at(waves, 2, deep, 0.0, terms, &culprit), cases[i].status);
+    size_t bad_index = 9;
+    assert_int_equal(water_waves_check(waves, 2, &bad_index), cases[i].status);
+    assert_int_equal(bad_index, 1);
+    assert_int_equal(water_waves_at(waves, 2, deep, 0.0, terms, &bad_index), cases[i].status);
     assert_true(terms[0].k == 7.0);
   }
   // two that do not fold alone, together do
   const water_wave both[2] = { { 1, 10, 0, 0, 1 }, { 1, 10, 1, 0, 1 } };
-  size_t culprit = 9;
-  assert_int_equal(water_waves_check(both, 1, &culprit), WATER_OK);
-  assert_int_equal(water_waves_check(both, 2, &culprit), WATER_WAVES_FOLD);
-  assert_int_equal(culprit, 1);
+  size_t bad_index = 9;
+  assert_int_equal(water_waves_check(both, 1, &bad_index), WATER_OK);
+  assert_int_equal(water_waves_check(both, 2, &bad_index), WATER_WAVES_FOLD);
+  assert_int_equal(bad_index, 1);
 }
 
 TEST(bad_numbers_are_refused)
@@ -292,11 +292,11 @@ TEST(bad_numbers_are_refused)
   UNUSED;
   const double nan = (double)NAN;
   water_wave_term term;
-  size_t culprit = 9;
-  assert_int_equal(water_waves_at(crossing, 1, -2.0, 0.0, &term, &culprit), WATER_BAD_DEPTH);
-  assert_int_equal(water_waves_at(crossing, 1, 2.0, nan, &term, &culprit), WATER_BAD_TIME);
-  assert_int_equal(water_waves_at(crossing, 1, 2.0, deep, &term, &culprit), WATER_BAD_TIME);
-  assert_int_equal(culprit, 9);
+  size_t bad_index = 9;
+  assert_int_equal(water_waves_at(crossing, 1, -2.0, 0.0, &term, &bad_index), WATER_BAD_DEPTH);
+  assert_int_equal(water_waves_at(crossing, 1, 2.0, nan, &term, &bad_index), WATER_BAD_TIME);
+  assert_int_equal(water_waves_at(crossing, 1, 2.0, deep, &term, &bad_index), WATER_BAD_TIME);
+  assert_int_equal(bad_index, 9);
   terms_of(crossing, 1, 2.0, 0.0, &term);
   double rest[2] = { 7.0, 7.0 };
   water_wave_point point;

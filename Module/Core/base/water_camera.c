@@ -35,7 +35,7 @@ static bool is_rigid(const double world_to_view[16])
     water_vec3_dot(right_handed, world_to_view + 8) > 0.0;
 }
 
-water_status water_camera_take_apart(const water_camera* camera, water_eye* eye)
+water_status water_camera_decompose(const water_camera* camera, water_eye* eye)
 {
   water_eye parts = { { 0.0 }, { 0.0 }, false, { 0.0 }, { 0.0 } };
   if (!water_all_usable(camera->world_to_view, 16) || !water_all_usable(camera->view_to_clip, 16) ||

@@ -51,38 +51,38 @@ typedef struct water_prop
 } water_prop;
 
 // What happens to a prop in the mirrored view, and why. One list, so enum and text cannot drift.
-#define WATER_FATE_LIST(X)                                                                         \
-  X(WATER_DRAW, "drawn")                                                                           \
-  X(WATER_SKIP_INVISIBLE, "invisible")                                                             \
-  X(WATER_SKIP_WATER, "water itself")                                                              \
-  X(WATER_SKIP_NOT_REFLECTED, "marked as not reflected")                                           \
-  X(WATER_SKIP_OVERLAY, "overlay")                                                                 \
-  X(WATER_SKIP_LABEL, "label facing the camera")                                                   \
-  X(WATER_SKIP_EMPTY, "empty")                                                                     \
-  X(WATER_SKIP_BEHIND_PLANE, "behind the water plane")                                             \
-  X(WATER_SKIP_OUT_OF_VIEW, "out of the mirrored view")                                            \
-  X(WATER_SKIP_OUT_OF_WATER, "out of what the visible water reflects")                             \
-  X(WATER_SKIP_TOO_SMALL, "too small in the mirrored view")                                        \
-  X(WATER_SKIP_REFUSED, "refused by the driver with what reflections need")
+#define WATER_CULL_REASON_LIST(X)                                                                  \
+  X(WATER_CULL_NONE, "drawn")                                                                      \
+  X(WATER_CULL_INVISIBLE, "invisible")                                                             \
+  X(WATER_CULL_WATER, "water itself")                                                              \
+  X(WATER_CULL_NOT_REFLECTED, "marked as not reflected")                                           \
+  X(WATER_CULL_OVERLAY, "overlay")                                                                 \
+  X(WATER_CULL_LABEL, "label facing the camera")                                                   \
+  X(WATER_CULL_EMPTY, "empty")                                                                     \
+  X(WATER_CULL_BEHIND_PLANE, "behind the water plane")                                             \
+  X(WATER_CULL_OUT_OF_VIEW, "out of the mirrored view")                                            \
+  X(WATER_CULL_OUT_OF_WATER, "out of what the visible water reflects")                             \
+  X(WATER_CULL_TOO_SMALL, "too small in the mirrored view")                                        \
+  X(WATER_CULL_REFUSED, "refused by the driver with what reflections need")
 
-typedef enum water_fate
+typedef enum water_cull_reason
 {
-#define WATER_FATE_VALUE(name, text) name,
-  WATER_FATE_LIST(WATER_FATE_VALUE)
-#undef WATER_FATE_VALUE
-    WATER_FATE_COUNT
-} water_fate;
+#define WATER_CULL_REASON_VALUE(name, text) name,
+  WATER_CULL_REASON_LIST(WATER_CULL_REASON_VALUE)
+#undef WATER_CULL_REASON_VALUE
+    WATER_CULL_REASON_COUNT
+} water_cull_reason;
 
 enum // water_scene.skips, a bit each: what may be left undone where that is not seen
 {
-  WATER_MAY_SKIP_UNSEEN = 1 << 0,    // the map of water out of view or facing away
-  WATER_MAY_SKIP_HIDDEN = 1 << 1,    // the map of water behind the scene
-  WATER_MAY_SKIP_FAINT = 1 << 2,     // the map of water that reflects next to nothing
-  WATER_MAY_SKIP_UNCHANGED = 1 << 3, // a map that would be the last one again
-  WATER_MAY_SKIP_SHARED = 1 << 4,    // a map that another sheet of the same plane has
-  WATER_MAY_SKIP_PROPS = 1 << 5,     // props that no visible water reflects
-  WATER_MAY_SKIP_PIECES = 1 << 6,    // parts of large meshes, likewise
-  WATER_MAY_SKIP_PIXELS = 1 << 7,    // pixels of the map, likewise
+  WATER_MAY_SKIP_UNSEEN = 1 << 0, // the reflection texture of water out of view or facing away
+  WATER_MAY_SKIP_HIDDEN = 1 << 1, // the reflection texture of water behind the scene
+  WATER_MAY_SKIP_FAINT = 1 << 2,  // the reflection texture of water that reflects next to nothing
+  WATER_MAY_SKIP_UNCHANGED = 1 << 3, // a reflection texture that would be the last one again
+  WATER_MAY_SKIP_SHARED = 1 << 4,   // a reflection texture that another sheet of the same plane has
+  WATER_MAY_SKIP_PROPS = 1 << 5,    // props that no visible water reflects
+  WATER_MAY_SKIP_CLUSTERS = 1 << 6, // parts of large meshes, likewise
+  WATER_MAY_SKIP_PIXELS = 1 << 7,   // pixels of the reflection texture, likewise
   WATER_MAY_SKIP_ALL = (1 << 8) - 1
 };
 
@@ -132,15 +132,17 @@ typedef struct water_scene
   water_plane plane;
   double plane_origin[3]; // of the plane's own axes, in world
   bool has_waves;         // the surface is not calm: its reflection is looked up along rays
-  bool has_shadows;       // what the map shows keeps light off it, however little is reflected
+  bool has_shadows;       // what the reflection texture shows keeps light off it, however little is
+                          // reflected
   double slope_rms;       // of the waves, >= 0
   double slope_max;       // no slope that a reflection is looked up with is steeper; infinity: none
-                          // is known, or the map is read elsewhere, too
+                          // is known, or the reflection texture is read elsewhere, too
   double wave_height_max; // how far waves move the surface itself up or down; 0: a flat sheet
   double surface_height; // of a surface that waves move, over the plane where the eye is, along the
                          // plane's normal; 0: a flat sheet
-  double guard_band;    // map with waves: size of its frustum over the eye's, >= 1; 0: by slope_rms
-  bool has_environment; // what is reflected is a static picture of the surroundings
+  double guard_band; // reflection texture with waves: size of its frustum over the eye's, >= 1; 0:
+                     // by slope_rms
+  bool has_environment;     // what is reflected is a static picture of the surroundings
   double environment_up[3]; // of that picture, in world; water_lookup.h
   double environment_right[3];
   bool has_sun;
@@ -156,19 +158,20 @@ typedef struct water_scene
   const water_prop* props; // prop_count of them: all props, not only those the eye sees
   size_t prop_count;
   water_look look;
-  double texture_scale;     // texture pixels per viewport pixel, > 0
-  int max_texture_px;       // the GPU's limit for a side of a texture, >= 1
-  double clip_margin;       // how far behind the plane geometry is kept, >= 0
-  double prop_px_min;       // props that are smaller in the map, both ways, are left out, >= 0
+  double texture_scale; // texture pixels per viewport pixel, > 0
+  int max_texture_px;   // the GPU's limit for a side of a texture, >= 1
+  double clip_margin;   // how far behind the plane geometry is kept, >= 0
+  double
+    prop_px_min; // props that are smaller in the reflection texture, both ways, are left out, >= 0
   double reflectance_error; // share of the light that may be neglected, in [0, 1]
 } water_scene;
 
 typedef struct water_plan
 {
-  water_decision decision; // unless WATER_REFLECT, the fates and the mirrored view are not set
+  water_decision decision; // unless WATER_REFLECT, the reasons and the mirrored view are not set
   bool has_view;           // the fields of the view are set; false: show the plain colour
   water_side side;
-  size_t culprit; // index of the first prop a WATER_BAD_PROP_BOUNDS is about
+  size_t bad_index; // index of the first prop a WATER_BAD_PROP_BOUNDS is about
 
   // view: where the eye is and what its pixels look at
   double normal_clip[4];  // view_to_clip * world_to_view * (n, 0) of the eye; n towards the eye
@@ -197,31 +200,39 @@ typedef struct water_plan
   double mirrored_view_up[3];
   double clip_plane_view[4];    // plane in mirrored view space; kept side >= 0 (margin included)
   double clip_plane_clip[4];    // same in clip space of the mirrored view, clip not divided by w
-  double clip_plane_window[4];  // same in the map's window space (x_px, y_px, depth in [0,1], 1)
+  double clip_plane_window[4];  // same in the reflection texture's window space (x_px, y_px, depth
+                                // in [0,1], 1)
   double headlight_dir[3];      // the eye's view direction in mirrored view space, unit length
   double headlight_position[3]; // the eye in mirrored view space
   int texture_px[2];
   int texture_rect_px[4]; // x, y, width, height of the part the water can look up
   double mask_rounding;   // of dot(plane_clip, NDC) in single precision
-  double seen_px_max;     // if the eye's picture shows less of the water, it pays to wait for it
+  double visible_px_max;  // if the eye's picture shows less of the water, it pays to wait for it
   bool has_mask;          // it is at hand: pixels that no water in it looks up are closed
-  bool has_seen;    // so it is: props and pieces that such pixels alone would show are left out
+  bool
+    has_visibility; // so it is: props and clusters that such pixels alone would show are left out
   bool is_software; // the scene's
 
-  // shade: where the map shows what
+  // shade: where the reflection texture shows what
   double world_to_texture[16]; // divide by w: u, v, depth in [0, 1]; of a point on the water: its
                                // own pixel, x flipped
-  double map_ndc_to_eye[9];    // (x, y, 1) in NDC of the map -> (x, y, w) in clip of the eye, of
-                               // the direction that the map sees there: where the sky is found
-  double depth_scale;          // map depth of a point on the water / its depth in the eye's picture
-  double map_scale[2];   // part of the map that the eye's own frustum takes, per axis, in (0, 1]
-  double map_top;        // height over the plane of all that is drawn in the map; may be infinite
-  double map_z_infinity; // water_lookup.h
-  double map_tolerance[2];
-  double map_height[4];  // point in NDC of the map -> height over the plane, times 1 / w
-  double map_w[4];       // the same -> 1 / w
-  double map_texel;      // height that a texel of the map spans, over its w
-  double dir_to_map[12]; // direction in the plane's axes -> clip of the map; 4 rows of 3
+  double reflection_ndc_to_eye[9]; // (x, y, 1) in NDC of the reflection texture -> (x, y, w) in
+                                   // clip of the eye, of the direction that the reflection texture
+                                   // sees there: where the sky is found
+  double depth_scale; // reflection texture depth of a point on the water / its depth in the eye's
+                      // picture
+  double reflection_scale[2]; // part of the reflection texture that the eye's own frustum takes,
+                              // per axis, in (0, 1]
+  double reflection_top; // height over the plane of all that is drawn in the reflection texture;
+                         // may be infinite
+  double reflection_z_infinity; // water_lookup.h
+  double reflection_tolerance[2];
+  double reflection_height[4];  // point in NDC of the reflection texture -> height over the plane,
+                                // times 1 / w
+  double reflection_w[4];       // the same -> 1 / w
+  double reflection_texel;      // height that a texel of the reflection texture spans, over its w
+  double dir_to_reflection[12]; // direction in the plane's axes -> clip of the reflection texture;
+                                // 4 rows of 3
 } water_plan;
 
 #ifdef __cplusplus

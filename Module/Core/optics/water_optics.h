@@ -19,8 +19,8 @@ extern "C"
 // in use, so that switching the mode brings no new error.
 water_status water_optics_check(const water_look* look);
 
-// Takes a water into the look of all that share a map: one that reflects no less than each of them
-// from anywhere.
+// Takes a water into the look of all that share a reflection texture: one that reflects no less
+// than each of them from anywhere.
 void water_optics_join(const water_look* look, water_look* all);
 
 // The index ratio for an eye on that side.

@@ -6,7 +6,7 @@
 #ifndef water_preset_h
 #define water_preset_h
 
-#include "water_body.h"
+#include "water_medium.h"
 #include "water_spectrum.h"
 #include "water_types.h"
 #include "water_waves.h"

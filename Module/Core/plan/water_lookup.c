@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// water_lookup.c: places on the plane and rays in the map's window, for the shader.
+// water_lookup.c: places on the plane and rays in the reflection texture's window, for the shader.
 #include "water_lookup.h"
 
 #include "water_math.h"
@@ -171,32 +171,32 @@ void water_lookup_depths(const water_camera* mirrored, double* z_infinity, doubl
   tolerance[1] = is_perspective ? 0.10 : 0.004;
 }
 
-water_status water_lookup_heights(
-  const water_camera* mirrored, const double plane_view[4], double map_height[4], double map_w[4])
+water_status water_lookup_heights(const water_camera* mirrored, const double plane_view[4],
+  double reflection_height[4], double reflection_w[4])
 {
   double mirrored_view[4];
   water_mirror_clip_view(plane_view, 0.0, mirrored_view);
   const double w_view[4] = { 0.0, 0.0, 0.0, 1.0 };
   const water_status status =
-    water_mirror_clip_clip(mirrored->view_to_clip, mirrored_view, map_height);
-  return status == WATER_OK ? water_mirror_clip_clip(mirrored->view_to_clip, w_view, map_w)
+    water_mirror_clip_clip(mirrored->view_to_clip, mirrored_view, reflection_height);
+  return status == WATER_OK ? water_mirror_clip_clip(mirrored->view_to_clip, w_view, reflection_w)
                             : status;
 }
 
-double water_lookup_texel(const double dir_to_map[12], const int texture_px[2])
+double water_lookup_texel(const double dir_to_reflection[12], const int texture_px[2])
 {
-  const double x_px = 0.5 * dir_to_map[2] * texture_px[0];
-  const double y_px = 0.5 * dir_to_map[5] * texture_px[1];
+  const double x_px = 0.5 * dir_to_reflection[2] * texture_px[0];
+  const double y_px = 0.5 * dir_to_reflection[5] * texture_px[1];
   return 1.0 / hypot(x_px, y_px);
 }
 
-double water_lookup_top(
-  const water_plane* plane, const water_prop* props, size_t prop_count, const water_fate* fates)
+double water_lookup_top(const water_plane* plane, const water_prop* props, size_t prop_count,
+  const water_cull_reason* reasons)
 {
   double top = 0.0;
   for (size_t i = 0; i < prop_count; ++i)
   {
-    if (fates[i] == WATER_DRAW && water_prop_is_unbounded(props + i))
+    if (reasons[i] == WATER_CULL_NONE && water_prop_is_unbounded(props + i))
     {
       return (double)INFINITY;
     }
@@ -207,7 +207,8 @@ double water_lookup_top(
       point[j] = props[i].bounds[2 * j + (plane->normal[j] > 0.0)];
     }
     const double height = water_plane_height(plane, point);
-    if (height > top && fates[i] == WATER_DRAW) // the rarer first: half of the time is in the fates
+    // the rarer first: half of the time is in the reasons
+    if (height > top && reasons[i] == WATER_CULL_NONE)
     {
       top = height;
     }

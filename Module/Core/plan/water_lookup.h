@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// water_lookup.h: what a shader needs to look waves up in the map: places on the plane, and rays
-// in the map's window.
+// water_lookup.h: what a shader needs to look waves up in the
+// reflection texture: places on the plane, and rays in the reflection texture's window.
 //
-// Waves turn the surface's normal, so that a pixel's reflected ray no longer meets the map where
-// the pixel is. A ray is a straight line in the map's window, depth included; the shader walks it
-// and compares with the map's depth. Everything here is small near the eye: places count from a
-// point under it.
+// Waves turn the surface's normal, so that a pixel's reflected ray no longer meets the reflection
+// texture where the pixel is. A ray is a straight line in the reflection texture's window, depth
+// included; the shader walks it and compares with the reflection texture's depth. Everything here
+// is small near the eye: places count from a point under it.
 #ifndef water_lookup_h
 #define water_lookup_h
 
@@ -74,32 +74,34 @@ bool water_lookup_is_at_surface(const water_camera* camera, const water_eye* eye
 // plane_view  normal towards the eye
 bool water_lookup_cuts_surface(const water_eye* eye, const double plane_view[4]);
 
-// The map's window depth at infinity, beyond 1 for a perspective map, and how far a ray may be from
-// the map's depth to have met it, in shares of (z_infinity - depth).
+// The reflection texture's window depth at infinity, beyond 1 for a perspective reflection texture,
+// and how far a ray may be from the reflection texture's depth to have met it, in shares of
+// (z_infinity - depth).
 //
 // tolerance  of a ray that settled on a surface, and of the depths on both sides of a crossing that
 //            is a surface and not a silhouette
 // Source: measured, Documentation/decisions/006-lookup.md.
 void water_lookup_depths(const water_camera* mirrored, double* z_infinity, double tolerance[2]);
 
-// What the map's depth says about heights over the plane, for NDC (x, y, z, 1) of the map: the
-// height over w, and 1 over w.
+// What the reflection texture's depth says about heights over the plane, for NDC (x, y, z, 1) of
+// the reflection texture: the height over w, and 1 over w.
 //
 // plane_view  in the eye's view space, normal towards the eye
 //
 // Returns WATER_OK or WATER_BAD_CAMERA; then the outputs are not set.
-water_status water_lookup_heights(
-  const water_camera* mirrored, const double plane_view[4], double map_height[4], double map_w[4]);
+water_status water_lookup_heights(const water_camera* mirrored, const double plane_view[4],
+  double reflection_height[4], double reflection_w[4]);
 
-// Height that a texel of the map spans, over w of what it shows; infinite straight down.
-double water_lookup_texel(const double dir_to_map[12], const int texture_px[2]);
+// Height that a texel of the reflection texture spans, over w of what it shows; infinite straight
+// down.
+double water_lookup_texel(const double dir_to_reflection[12], const int texture_px[2]);
 
 // Height over a plane under which all drawn props lie, >= 0: a ray that got so far sees the sky.
 // Infinite when a drawn prop has no bounds.
 //
 // plane  normalised, normal towards the eye
-double water_lookup_top(
-  const water_plane* plane, const water_prop* props, size_t prop_count, const water_fate* fates);
+double water_lookup_top(const water_plane* plane, const water_prop* props, size_t prop_count,
+  const water_cull_reason* reasons);
 
 #ifdef __cplusplus
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// water_mirror.c: step 2: the mirrored camera, the clip at the plane, the maps into its picture.
+// water_mirror.c: step 2: the mirrored camera, the clip at
+// the plane, the reflection textures into its picture.
 #include "water_mirror.h"
 
 #include "water_math.h"
@@ -36,17 +37,17 @@ void water_mirror_camera(const water_camera* eye, const water_plane* plane, wate
   mirrored->parallel = eye->parallel;
 }
 
-void water_mirror_widen(const double map_scale[2], water_camera* mirrored)
+void water_mirror_widen(const double reflection_scale[2], water_camera* mirrored)
 {
   for (int j = 0; j < 4; ++j)
   {
-    mirrored->view_to_clip[j] *= map_scale[0];
-    mirrored->view_to_clip[4 + j] *= map_scale[1];
+    mirrored->view_to_clip[j] *= reflection_scale[0];
+    mirrored->view_to_clip[4 + j] *= reflection_scale[1];
   }
 }
 
 // How far before the far plane props end, in NDC: rounding must not put them behind it, nor give
-// them the depth that the map is cleared with.
+// them the depth that the reflection texture is cleared with.
 static const double far_margin = 2e-6;
 
 // The far plane for depths that are scaled, z' - (1 - margin) w of water_mirror_reach: positive
@@ -76,7 +77,7 @@ void water_mirror_reach_begin(const water_camera* mirrored, water_reach* reach)
 }
 
 void water_mirror_reach_add(
-  const water_prop* props, size_t prop_count, const water_fate* fates, water_reach* reach)
+  const water_prop* props, size_t prop_count, const water_cull_reason* reasons, water_reach* reach)
 {
   for (size_t i = 0; i < prop_count; ++i)
   {
@@ -91,8 +92,8 @@ void water_mirror_reach_add(
       size += reach->sizes[j] * (low > high ? low : high);
     }
     // Most props are before the far plane by more than rounding (water_select.c): none of their
-    // corners would change the scale. Fates are less foreseeable, to a processor, too.
-    if (farthest < -32.0 * DBL_EPSILON * size || fates[i] != WATER_DRAW ||
+    // corners would change the scale. Reasons are less foreseeable, to a processor, too.
+    if (farthest < -32.0 * DBL_EPSILON * size || reasons[i] != WATER_CULL_NONE ||
       water_prop_is_unbounded(props + i))
     {
       continue;
@@ -216,11 +217,11 @@ void water_mirror_texture_matrix(const water_camera* mirrored, double world_to_t
   }
 }
 
-void water_mirror_ray(const double world_to_map[16], const double point[3], const double dir[3],
-  double start[4], double step[4])
+void water_mirror_ray(const double world_to_reflection[16], const double point[3],
+  const double dir[3], double start[4], double step[4])
 {
-  water_mat4_apply_point(world_to_map, point, start);
-  water_mat4_apply_dir(world_to_map, dir, step);
+  water_mat4_apply_point(world_to_reflection, point, start);
+  water_mat4_apply_dir(world_to_reflection, dir, step);
 }
 
 void water_mirror_headlight(
@@ -239,19 +240,20 @@ void water_mirror_headlight(
   }
 }
 
-void water_mirror_map_to_eye(const water_camera* camera, const water_eye* eye,
-  const double plane_view[4], const double map_scale[2], double map_ndc_to_eye[9])
+void water_mirror_reflection_to_eye(const water_camera* camera, const water_eye* eye,
+  const double plane_view[4], const double reflection_scale[2], double reflection_ndc_to_eye[9])
 {
   const double* to_clip = camera->view_to_clip;
   const int rows[3] = { 0, 1, 3 };
   for (int j = 0; j < 3; ++j)
   {
-    // what the map sees at (x, y) is what the eye sees at (-x, y), reflected at the plane
+    // what the reflection texture sees at (x, y) is what the eye sees at (-x, y), reflected at the
+    // plane
     double dir[3];
     for (int k = 0; k < 3; ++k)
     {
       dir[k] = j == 0 ? -eye->ndc_to_dir[3 * k] : eye->ndc_to_dir[3 * k + j];
-      dir[k] /= j < 2 ? map_scale[j] : 1.0;
+      dir[k] /= j < 2 ? reflection_scale[j] : 1.0;
     }
     const double twice = 2.0 * water_vec3_dot(plane_view, dir);
     for (int k = 0; k < 3; ++k)
@@ -260,7 +262,7 @@ void water_mirror_map_to_eye(const water_camera* camera, const water_eye* eye,
     }
     for (int i = 0; i < 3; ++i)
     {
-      map_ndc_to_eye[3 * i + j] = water_vec3_dot(to_clip + 4 * rows[i], dir);
+      reflection_ndc_to_eye[3 * i + j] = water_vec3_dot(to_clip + 4 * rows[i], dir);
     }
   }
 }

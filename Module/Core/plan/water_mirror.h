@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// water_mirror.h: step 2: the camera mirrored at the plane, the clip at the plane, and the maps
-// that lead from the scene into the mirrored picture.
+// water_mirror.h: step 2: the camera mirrored at the plane,
+// the clip at the plane, and the reflection textures that lead from the scene into the mirrored
+// picture.
 //
 // R is the mirror matrix of the plane (determinant -1), Fx = diag(-1, 1, 1, 1). The mirrored camera
 // is V' = Fx V R, P' = Fx P Fx: V' is a proper rigid view, so triangles keep their winding, and P'
@@ -44,16 +45,16 @@ void water_mirror_reach_begin(const water_camera* mirrored, water_reach* reach);
 
 // Adds props, some at a time.
 //
-// fates  of water_select_props; only WATER_DRAW counts
+// reasons  of water_select_props; only WATER_CULL_NONE counts
 void water_mirror_reach_add(
-  const water_prop* props, size_t prop_count, const water_fate* fates, water_reach* reach);
+  const water_prop* props, size_t prop_count, const water_cull_reason* reasons, water_reach* reach);
 
 // Moves the far plane.
 void water_mirror_reach_apply(const water_reach* reach, water_camera* mirrored);
 
-// Widens the frustum of a mirrored camera: its present picture becomes the part map_scale of the
-// new one, per axis, about the middle.
-void water_mirror_widen(const double map_scale[2], water_camera* mirrored);
+// Widens the frustum of a mirrored camera: its present picture becomes the part reflection_scale of
+// the new one, per axis, about the middle.
+void water_mirror_widen(const double reflection_scale[2], water_camera* mirrored);
 
 // A rigid camera in vtkCamera's terms, in world.
 //
@@ -74,14 +75,14 @@ void water_mirror_clip_view(const double plane_view[4], double margin, double cl
 water_status water_mirror_clip_clip(
   const double view_to_clip[16], const double clip_plane_view[4], double clip_plane_clip[4]);
 
-// The same clip in the map's window space: dot(clip_plane_window, (x_px, y_px, depth, 1)) has the
-// sign of the clip for every point in front of the camera; depth in [0, 1]. The largest entry is 1
-// or -1.
+// The same clip in the reflection texture's window space: dot(clip_plane_window, (x_px, y_px,
+// depth, 1)) has the sign of the clip for every point in front of the camera; depth in [0, 1]. The
+// largest entry is 1 or -1.
 void water_mirror_clip_window(
   const double clip_plane_clip[4], const int texture_px[2], double clip_plane_window[4]);
 
 // A projection whose near plane is the clip plane, for what cannot discard in window space (volume
-// rays). It bends the depths, so it is not for the map whose depth is searched.
+// rays). It bends the depths, so it is not for the reflection texture whose depth is searched.
 //
 // Returns WATER_OK or WATER_BAD_CAMERA (no inverse, or no far corner of the frustum is on the kept
 // side: nothing is seen of it); then oblique is unchanged.
@@ -90,28 +91,29 @@ void water_mirror_clip_window(
 water_status water_mirror_oblique(
   const double view_to_clip[16], const double clip_plane_view[4], double oblique[16]);
 
-// World to the map: divide by w: u, v, depth in [0, 1].
+// World to the reflection texture: divide by w: u, v, depth in [0, 1].
 void water_mirror_texture_matrix(const water_camera* mirrored, double world_to_texture[16]);
 
-// The picture of a ray in the map: a point at distance t of it lies at start + t * step, to be
-// divided by w; a straight line in the picture, depth included.
+// The picture of a ray in the reflection texture: a point at distance t of it lies at start + t *
+// step, to be divided by w; a straight line in the picture, depth included.
 //
-// world_to_map  world_to_texture, or any other matrix of the mirrored camera
+// world_to_reflection  world_to_texture, or any other matrix of the mirrored camera
 // point, dir    of the reflected ray in world; dir of any length
-void water_mirror_ray(const double world_to_map[16], const double point[3], const double dir[3],
-  double start[4], double step[4]);
+void water_mirror_ray(const double world_to_reflection[16], const double point[3],
+  const double dir[3], double start[4], double step[4]);
 
 // The eye's view direction, unit length, and its place in mirrored view space: lights that sit on
 // the camera must keep to the user's one.
 void water_mirror_headlight(
   const double plane_view[4], double headlight_dir[3], double headlight_position[3]);
 
-// (x, y, 1) in NDC of the map -> (x, y, w) in clip of the eye, of the direction that the map sees
-// there. For a parallel eye that is one and the same direction, and w is 0.
+// (x, y, 1) in NDC of the reflection texture -> (x, y, w) in clip of the eye, of the direction that
+// the reflection texture sees there. For a parallel eye that is one and the same direction, and w
+// is 0.
 //
-// map_scale  part of the map that is the eye's own picture, per axis
-void water_mirror_map_to_eye(const water_camera* camera, const water_eye* eye,
-  const double plane_view[4], const double map_scale[2], double map_ndc_to_eye[9]);
+// reflection_scale  part of the reflection texture that is the eye's own picture, per axis
+void water_mirror_reflection_to_eye(const water_camera* camera, const water_eye* eye,
+  const double plane_view[4], const double reflection_scale[2], double reflection_ndc_to_eye[9]);
 
 #ifdef __cplusplus
 }

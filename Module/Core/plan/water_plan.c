@@ -12,20 +12,20 @@
 #include "water_select.h"
 #include "water_target.h"
 
-// To find out what of the map is seen costs a look at every pixel of the rectangle, and the
-// mirrored view must wait for the main one: worth it if a part of it is left out. To leave out
-// draws the answer must come back from the GPU, which then has nothing to do meanwhile: worth it
-// for many of them, and where the processor does the GPU's work. There a mask costs more than the
-// pixels that it saves. Measured (decision 009).
-static const double seen_share = 0.9;
+// To find out what of the reflection texture is seen costs a look at every pixel of the rectangle,
+// and the mirrored view must wait for the main one: worth it if a part of it is left out. To leave
+// out draws the answer must come back from the GPU, which then has nothing to do meanwhile: worth
+// it for many of them, and where the processor does the GPU's work. There a mask costs more than
+// the pixels that it saves. Measured (decision 009).
+static const double visible_share = 0.9;
 static const size_t many_draws = 64;
 
 // The props go through all steps some at a time, while they are in the processor's nearest cache.
 static const size_t props_at_once = 256;
 
-// What is looked up is not asked for maps that are coarser than this: a cell of theirs is too large
-// a part of the picture to go through.
-static const double seen_texture_scale = 0.25;
+// What is looked up is not asked for reflection textures that are coarser than this: a cell of
+// theirs is too large a part of the picture to go through.
+static const double visibility_texture_scale = 0.25;
 
 // What the checks compute on their way, for the steps to use.
 typedef struct checked
@@ -93,7 +93,7 @@ static water_status check(const water_scene* scene, checked* result)
   {
     return status;
   }
-  status = water_camera_take_apart(&scene->eye, &result->eye);
+  status = water_camera_decompose(&scene->eye, &result->eye);
   if (status != WATER_OK)
   {
     return status;
@@ -157,39 +157,40 @@ static bool is_faint(
 }
 
 // Calm and flat water looks up its own pixels.
-static void fill_seen(const water_scene* scene, const water_fate* fates, water_plan* plan)
+static void fill_visibility(
+  const water_scene* scene, const water_cull_reason* reasons, water_plan* plan)
 {
   const bool is_same_size =
     memcmp(plan->texture_px, scene->viewport_px, sizeof plan->texture_px) == 0;
-  const bool saves_draws = (scene->skips & (WATER_MAY_SKIP_PROPS | WATER_MAY_SKIP_PIECES)) != 0;
+  const bool saves_draws = (scene->skips & (WATER_MAY_SKIP_PROPS | WATER_MAY_SKIP_CLUSTERS)) != 0;
   size_t draw_count = 0;
   for (size_t i = 0; i < scene->prop_count; ++i)
   {
-    draw_count += fates[i] == WATER_DRAW;
+    draw_count += reasons[i] == WATER_CULL_NONE;
   }
   const bool is_asked_back = scene->is_software || draw_count >= many_draws;
   const bool can_see = (scene->skips & WATER_MAY_SKIP_PIXELS) && scene->is_flat &&
-    !scene->has_waves && scene->texture_scale >= seen_texture_scale;
+    !scene->has_waves && scene->texture_scale >= visibility_texture_scale;
   const bool can_mask = can_see && is_same_size && !scene->is_software;
   const bool can_leave_out = can_see && saves_draws && is_asked_back;
   plan->has_mask = can_mask && scene->has_scene_depth;
-  plan->has_seen = can_leave_out && scene->has_scene_depth;
+  plan->has_visibility = can_leave_out && scene->has_scene_depth;
   plan->is_software = scene->is_software;
   if (can_mask || can_leave_out)
   {
-    double area = seen_share;
+    double area = visible_share;
     for (int i = 0; i < 2; ++i)
     {
       area *= (double)plan->texture_rect_px[2 + i] * scene->viewport_px[i] / plan->texture_px[i];
     }
-    plan->seen_px_max = area;
+    plan->visible_px_max = area;
   }
 }
 
-// Chooses the props that the map shows, and what depends on them all: their reach and their top.
-// margin: of the clip
+// Chooses the props that the reflection texture shows, and what depends on them all: their reach
+// and their top. margin: of the clip
 static void fill_props(const water_scene* scene, const water_plane* plane, double margin,
-  water_plan* plan, water_fate* fates, size_t* culprit)
+  water_plan* plan, water_cull_reason* reasons, size_t* bad_index)
 {
   water_selection selection;
   selection.is_off = false;
@@ -199,52 +200,53 @@ static void fill_props(const water_scene* scene, const water_plane* plane, doubl
   water_target_box_of_rect(plan->texture_rect_px, plan->texture_px, selection.box);
   water_reach reach;
   water_mirror_reach_begin(&plan->mirrored, &reach);
-  *culprit = scene->prop_count;
+  *bad_index = scene->prop_count;
   for (size_t first = 0; first < scene->prop_count; first += props_at_once)
   {
     const size_t rest = scene->prop_count - first;
     const size_t count = rest < props_at_once ? rest : props_at_once;
     const water_prop* props = scene->props + first;
     const size_t found =
-      water_select_props(&plan->mirrored, plane, &selection, props, count, fates + first);
-    if (found < count && *culprit == scene->prop_count)
+      water_select_props(&plan->mirrored, plane, &selection, props, count, reasons + first);
+    if (found < count && *bad_index == scene->prop_count)
     {
-      *culprit = first + found;
+      *bad_index = first + found;
     }
-    water_mirror_reach_add(props, count, fates + first, &reach);
-    plan->map_top = fmax(plan->map_top, water_lookup_top(plane, props, count, fates + first));
+    water_mirror_reach_add(props, count, reasons + first, &reach);
+    plan->reflection_top =
+      fmax(plan->reflection_top, water_lookup_top(plane, props, count, reasons + first));
     if (!(scene->skips & WATER_MAY_SKIP_PROPS))
     {
       // after the reach and the top: rays are to take the same steps with all props and without
       // some
       selection.is_off = true;
-      (void)water_select_props(&plan->mirrored, plane, &selection, props, count, fates + first);
+      (void)water_select_props(&plan->mirrored, plane, &selection, props, count, reasons + first);
       selection.is_off = false;
     }
   }
   water_mirror_reach_apply(&reach, &plan->mirrored);
   plan->depth_scale = reach.scale;
-  plan->map_top += scene->wave_height_max; // a ray may start in a trough
+  plan->reflection_top += scene->wave_height_max; // a ray may start in a trough
 }
 
 // plane: normal towards the eye; plane_view of the plan is set.
 // box: of the picture that the water covers
 static water_status fill_draw(const water_scene* scene, const checked* input,
-  const water_plane* plane, const double box[4], water_plan* plan, water_fate* fates,
-  size_t* culprit)
+  const water_plane* plane, const double box[4], water_plan* plan, water_cull_reason* reasons,
+  size_t* bad_index)
 {
   // what stands in a trough must be seen in it
   const double margin = fmax(scene->clip_margin, scene->wave_height_max);
   water_mirror_camera(&scene->eye, plane, &plan->mirrored);
   memcpy(plan->texture_px, input->texture_px, sizeof plan->texture_px);
-  plan->map_scale[0] = plan->map_scale[1] = 1.0;
+  plan->reflection_scale[0] = plan->reflection_scale[1] = 1.0;
   if (scene->has_waves)
   {
     const double band = scene->guard_band > 0.0
       ? scene->guard_band
       : water_target_guard_band(&scene->eye, scene->slope_rms);
-    water_target_widen(band, scene->max_texture_px, plan->texture_px, plan->map_scale);
-    water_mirror_widen(plan->map_scale, &plan->mirrored);
+    water_target_widen(band, scene->max_texture_px, plan->texture_px, plan->reflection_scale);
+    water_mirror_widen(plan->reflection_scale, &plan->mirrored);
   }
   double looked_up[4];
   memcpy(looked_up, box, sizeof looked_up);
@@ -252,8 +254,8 @@ static water_status fill_draw(const water_scene* scene, const checked* input,
   {
     water_target_reach(&scene->eye, scene->slope_max, looked_up);
   }
-  water_target_rect(looked_up, plan->map_scale, plan->texture_px, plan->texture_rect_px);
-  fill_props(scene, plane, margin, plan, fates, culprit);
+  water_target_rect(looked_up, plan->reflection_scale, plan->texture_px, plan->texture_rect_px);
+  fill_props(scene, plane, margin, plan, reasons, bad_index);
   if (!(scene->skips & WATER_MAY_SKIP_PIXELS))
   {
     const int whole[4] = { 0, 0, plan->texture_px[0], plan->texture_px[1] };
@@ -263,7 +265,7 @@ static water_status fill_draw(const water_scene* scene, const checked* input,
   {
     plan->mask_rounding += 16.0 * (double)FLT_EPSILON * fabs(plan->plane_clip[i]);
   }
-  fill_seen(scene, fates, plan);
+  fill_visibility(scene, reasons, plan);
   water_mirror_pose(
     &plan->mirrored, plan->mirrored_position, plan->mirrored_focal_point, plan->mirrored_view_up);
   water_mirror_headlight(plan->plane_view, plan->headlight_dir, plan->headlight_position);
@@ -308,15 +310,16 @@ static water_status fill_shade(
   const water_scene* scene, const checked* input, const water_axes* axes, water_plan* plan)
 {
   water_mirror_texture_matrix(&plan->mirrored, plan->world_to_texture);
-  water_mirror_map_to_eye(
-    &scene->eye, &input->eye, plan->plane_view, plan->map_scale, plan->map_ndc_to_eye);
-  water_lookup_depths(&plan->mirrored, &plan->map_z_infinity, plan->map_tolerance);
-  water_lookup_dirs(&plan->mirrored, axes, plan->dir_to_map);
-  plan->map_texel = water_lookup_texel(plan->dir_to_map, plan->texture_px);
-  return water_lookup_heights(&plan->mirrored, plan->plane_view, plan->map_height, plan->map_w);
+  water_mirror_reflection_to_eye(&scene->eye, &input->eye, plan->plane_view, plan->reflection_scale,
+    plan->reflection_ndc_to_eye);
+  water_lookup_depths(&plan->mirrored, &plan->reflection_z_infinity, plan->reflection_tolerance);
+  water_lookup_dirs(&plan->mirrored, axes, plan->dir_to_reflection);
+  plan->reflection_texel = water_lookup_texel(plan->dir_to_reflection, plan->texture_px);
+  return water_lookup_heights(
+    &plan->mirrored, plan->plane_view, plan->reflection_height, plan->reflection_w);
 }
 
-water_status water_plan_make(const water_scene* scene, water_plan* plan, water_fate* fates)
+water_status water_plan_make(const water_scene* scene, water_plan* plan, water_cull_reason* reasons)
 {
   water_plan made;
   checked input;
@@ -348,11 +351,11 @@ water_status water_plan_make(const water_scene* scene, water_plan* plan, water_f
     }
     if (status == WATER_OK && made.decision == WATER_REFLECT)
     {
-      size_t culprit = 0;
-      status = fill_draw(scene, &input, &plane, box, &made, fates, &culprit);
-      if (culprit < scene->prop_count)
+      size_t bad_index = 0;
+      status = fill_draw(scene, &input, &plane, box, &made, reasons, &bad_index);
+      if (bad_index < scene->prop_count)
       {
-        made.culprit = culprit;
+        made.bad_index = bad_index;
         props_status = WATER_BAD_PROP_BOUNDS;
       }
       if (status == WATER_OK)
@@ -387,12 +390,13 @@ void water_plan_reuse(const water_plan* last, bool is_unchanged, unsigned skips,
       sizeof last->mirrored.view_to_clip) == 0 &&
     memcmp(last->clip_plane_view, plan->clip_plane_view, sizeof last->clip_plane_view) == 0 &&
     memcmp(last->texture_px, plan->texture_px, sizeof last->texture_px) == 0;
-  // What hides the water is no part of what the map shows. So a map with a mask serves once, and in
-  // a view that stays as it is none gets a mask.
+  // What hides the water is no part of what the reflection texture shows. So a reflection texture
+  // with a mask serves once, and in a view that stays as it is none gets a mask.
   plan->has_mask = plan->has_mask && !is_same_view;
-  plan->has_seen = plan->has_seen && !is_same_view;
+  plan->has_visibility = plan->has_visibility && !is_same_view;
   if (plan->decision == WATER_REFLECT && (skips & WATER_MAY_SKIP_UNCHANGED) && is_unchanged &&
-    water_plan_has_map(last) && is_covered && is_same_view && !last->has_mask && !last->has_seen)
+    water_plan_has_reflection(last) && is_covered && is_same_view && !last->has_mask &&
+    !last->has_visibility)
   {
     plan->decision = WATER_REUSE;
   }
@@ -401,23 +405,24 @@ void water_plan_reuse(const water_plan* last, bool is_unchanged, unsigned skips,
 bool water_plan_should_wait(const water_plan* last, double visible_px, unsigned skips)
 {
   return ((skips & WATER_MAY_SKIP_HIDDEN) && visible_px <= 0.0) ||
-    ((skips & WATER_MAY_SKIP_PIXELS) && water_plan_has_map(last) && visible_px < last->seen_px_max);
+    ((skips & WATER_MAY_SKIP_PIXELS) && water_plan_has_reflection(last) &&
+      visible_px < last->visible_px_max);
 }
 
-bool water_plan_has_map(const water_plan* plan)
+bool water_plan_has_reflection(const water_plan* plan)
 {
   return plan->decision == WATER_REFLECT || plan->decision == WATER_REUSE;
 }
 
-const char* water_fate_text(water_fate fate)
+const char* water_cull_reason_text(water_cull_reason reason)
 {
   static const char* const texts[] = {
-#define WATER_FATE_TEXT(name, text) text,
-    WATER_FATE_LIST(WATER_FATE_TEXT)
-#undef WATER_FATE_TEXT
+#define WATER_CULL_REASON_TEXT(name, text) text,
+    WATER_CULL_REASON_LIST(WATER_CULL_REASON_TEXT)
+#undef WATER_CULL_REASON_TEXT
   };
-  const size_t number = (size_t)fate; // a negative value becomes a large one
-  return number < WATER_FATE_COUNT ? texts[number] : "unknown fate";
+  const size_t number = (size_t)reason; // a negative value becomes a large one
+  return number < WATER_CULL_REASON_COUNT ? texts[number] : "unknown reason";
 }
 
 const char* water_decision_text(water_decision decision)

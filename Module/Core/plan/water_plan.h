@@ -13,36 +13,38 @@ extern "C"
 
 // Plans one frame. Pure: same scene, same plan.
 //
-// fates  prop_count entries, written only when the plan reflects; NULL if prop_count is 0
+// reasons  prop_count entries, written only when the plan reflects; NULL if prop_count is 0
 //
 // Returns WATER_OK, or the first of the statuses in water_status.h that applies, in their order;
-// then plan->decision is WATER_NO_REFLECT_FAILED and the fates are untouched. But for
+// then plan->decision is WATER_NO_REFLECT_FAILED and the reasons are untouched. But for
 // WATER_BAD_PROP_BOUNDS, with which the plan is made: such a prop is drawn wherever it may be.
-water_status water_plan_make(const water_scene* scene, water_plan* plan, water_fate* fates);
+water_status water_plan_make(
+  const water_scene* scene, water_plan* plan, water_cull_reason* reasons);
 
-// A plan that reflects is to use the last map again (WATER_REUSE) if that shows the same. In a view
-// that has not changed it goes without a mask, so that its map can be used again.
+// A plan that reflects is to use the last reflection texture again (WATER_REUSE) if that shows the
+// same. In a view that has not changed it goes without a mask, so that its reflection texture can
+// be used again.
 //
-// last          the plan that the map was drawn by; all 0: there is none
+// last          the plan that the reflection texture was drawn by; all 0: there is none
 // is_unchanged  so is all that a plan does not know: what the drawn props look like, the lights,
 // the
 //               background
 // skips         of the scene
 void water_plan_reuse(const water_plan* last, bool is_unchanged, unsigned skips, water_plan* plan);
 
-// Is it worth to draw the next map only when the eye's picture is there, which tells whether the
-// water is hidden, and what a mask may close?
+// Is it worth to draw the next reflection texture only when the eye's picture is there, which tells
+// whether the water is hidden, and what a mask may close?
 //
-// last        the plan of the last map
+// last        the plan of the last reflection texture
 // visible_px  pixels of the water that were seen in the frame before
 // skips       of the scene
 bool water_plan_should_wait(const water_plan* last, double visible_px, unsigned skips);
 
 // Is there a map to look up, drawn or used again?
-bool water_plan_has_map(const water_plan* plan);
+bool water_plan_has_reflection(const water_plan* plan);
 
-// Short English text of a fate or a decision, never NULL; static storage.
-const char* water_fate_text(water_fate fate);
+// Short English text of a reason or a decision, never NULL; static storage.
+const char* water_cull_reason_text(water_cull_reason reason);
 const char* water_decision_text(water_decision decision);
 
 #ifdef __cplusplus

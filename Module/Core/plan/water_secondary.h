@@ -2,8 +2,9 @@
 // water_secondary.h: other water as the mirrored view of a water shows it.
 //
 // It is a surface with its own colour and the background's reflection by its own Fresnel, and so
-// needs no map: mirrors do not mirror each other for ever. Its waves are seen as the mean of all
-// times, which is a roughness, so that a map does not depend on the time of other water's waves.
+// needs no reflection texture: mirrors do not mirror each other for ever. Its waves are seen as the
+// mean of all times, which is a roughness, so that a reflection texture does not depend on the time
+// of other water's waves.
 #ifndef water_secondary_h
 #define water_secondary_h
 

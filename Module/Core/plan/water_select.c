@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// water_select.c: step 3: side of the eye, is the water seen, fate of each prop.
+// water_select.c: step 3: side of the eye, is the water seen, reason of each prop.
 #include "water_select.h"
 
 #include "water_frustum.h"
@@ -17,34 +17,34 @@ static const double whole_picture[4] = { -1.0, -1.0, 1.0, 1.0 };
 // that.
 static const double box_rounding = 32.0 * DBL_EPSILON;
 
-// The fate as far as the flags decide it; WATER_DRAW: they do not mind.
-static water_fate fate_of_flags(uint32_t flags)
+// The reason as far as the flags decide it; WATER_CULL_NONE: they do not mind.
+static water_cull_reason reason_of_flags(uint32_t flags)
 {
   if (flags == WATER_PROP_VISIBLE)
   {
-    return WATER_DRAW; // most of them
+    return WATER_CULL_NONE; // most of them
   }
   if (!(flags & WATER_PROP_VISIBLE))
   {
-    return WATER_SKIP_INVISIBLE;
+    return WATER_CULL_INVISIBLE;
   }
   if (flags & WATER_PROP_IS_WATER)
   {
-    return WATER_SKIP_WATER;
+    return WATER_CULL_WATER;
   }
   if (flags & WATER_PROP_NOT_REFLECTED)
   {
-    return WATER_SKIP_NOT_REFLECTED;
+    return WATER_CULL_NOT_REFLECTED;
   }
   if (flags & WATER_PROP_OVERLAY)
   {
-    return WATER_SKIP_OVERLAY;
+    return WATER_CULL_OVERLAY;
   }
   if (flags & WATER_PROP_LABEL)
   {
-    return WATER_SKIP_LABEL;
+    return WATER_CULL_LABEL;
   }
-  return flags & WATER_PROP_REFUSED ? WATER_SKIP_REFUSED : WATER_DRAW;
+  return flags & WATER_PROP_REFUSED ? WATER_CULL_REFUSED : WATER_CULL_NONE;
 }
 
 water_status water_select_side(const water_eye* eye, const water_plane* plane, water_side* side)
@@ -96,7 +96,7 @@ static bool is_smaller(
 // pyramid. What is 2 pixels wide stays within the texels that are added for filtering.
 static const float width_px_thin = 2.0f;
 
-static water_fate fate_of_wide_box(
+static water_cull_reason fate_of_wide_box(
   const water_camera* mirrored, const water_selection* selection, const water_prop* prop)
 {
   const double* box = selection->box;
@@ -106,8 +106,8 @@ static water_fate fate_of_wide_box(
   const double widened[4] = { box[0] - x, box[1] - y, box[2] + x, box[3] + y };
   water_frustum pyramid;
   water_frustum_make(mirrored, widened, &pyramid);
-  return water_frustum_meets(&pyramid, 5, prop->bounds, box_rounding) ? WATER_DRAW
-                                                                      : WATER_SKIP_OUT_OF_WATER;
+  return water_frustum_meets(&pyramid, 5, prop->bounds, box_rounding) ? WATER_CULL_NONE
+                                                                      : WATER_CULL_OUT_OF_WATER;
 }
 
 // The mirrored view and the part of it that the water looks up.
@@ -129,22 +129,23 @@ static void make_frusta(const water_camera* mirrored, const double box[4], frust
   }
 }
 
-static water_fate fate_of_box(const frusta* both, const double bounds[6])
+static water_cull_reason fate_of_box(const frusta* both, const double bounds[6])
 {
   const int side = water_frustum_divides(&both->pyramid, 5, bounds, box_rounding);
   if (side < 0)
   {
-    return WATER_DRAW;
+    return WATER_CULL_NONE;
   }
   // the pyramid is a part of the view: what is behind the same side of both is out of both
   return both->is_side_of_view[side] ||
       water_frustum_is_behind(both->view.planes[side], bounds, both->view.reach, box_rounding)
-    ? WATER_SKIP_OUT_OF_VIEW
-    : WATER_SKIP_OUT_OF_WATER;
+    ? WATER_CULL_OUT_OF_VIEW
+    : WATER_CULL_OUT_OF_WATER;
 }
 
 size_t water_select_props(const water_camera* mirrored, const water_plane* plane,
-  const water_selection* selection, const water_prop* props, size_t prop_count, water_fate* fates)
+  const water_selection* selection, const water_prop* props, size_t prop_count,
+  water_cull_reason* reasons)
 {
   frusta both;
   make_frusta(mirrored, selection->box, &both);
@@ -152,46 +153,47 @@ size_t water_select_props(const water_camera* mirrored, const water_plane* plane
   water_mat4_multiply(mirrored->view_to_clip, mirrored->world_to_view, world_to_clip);
   const double kept[4] = { plane->normal[0], plane->normal[1], plane->normal[2],
     plane->offset + selection->margin };
-  size_t culprit = prop_count;
+  size_t bad_index = prop_count;
   for (size_t i = 0; i < prop_count; ++i)
   {
     const double* bounds = props[i].bounds;
-    water_fate fate = fate_of_flags(props[i].flags);
-    if (fate != WATER_DRAW || (props[i].flags & WATER_PROP_NO_BOUNDS))
+    water_cull_reason reason = reason_of_flags(props[i].flags);
+    if (reason != WATER_CULL_NONE || (props[i].flags & WATER_PROP_NO_BOUNDS))
     {
-      fates[i] = fate;
+      reasons[i] = reason;
       continue;
     }
     if (!water_bounds_are_finite(bounds))
     {
-      culprit = culprit < i ? culprit : i;
+      bad_index = bad_index < i ? bad_index : i;
     }
     else
     {
       if (water_bounds_is_empty(bounds))
       {
-        fate = WATER_SKIP_EMPTY;
+        reason = WATER_CULL_EMPTY;
       }
       else if (selection->is_off)
       {
-        fate = WATER_DRAW;
+        reason = WATER_CULL_NONE;
       }
       else if (water_frustum_is_behind(kept, bounds, 0.0, box_rounding))
       {
-        fate = WATER_SKIP_BEHIND_PLANE;
+        reason = WATER_CULL_BEHIND_PLANE;
       }
       else
       {
-        fate = props[i].width_px > width_px_thin ? fate_of_wide_box(mirrored, selection, props + i)
-                                                 : fate_of_box(&both, bounds);
-        if (fate == WATER_DRAW && selection->prop_px_min > 0.0 &&
+        reason = props[i].width_px > width_px_thin
+          ? fate_of_wide_box(mirrored, selection, props + i)
+          : fate_of_box(&both, bounds);
+        if (reason == WATER_CULL_NONE && selection->prop_px_min > 0.0 &&
           is_smaller(world_to_clip, selection->texture_px, bounds, selection->prop_px_min))
         {
-          fate = WATER_SKIP_TOO_SMALL;
+          reason = WATER_CULL_TOO_SMALL;
         }
       }
     }
-    fates[i] = fate;
+    reasons[i] = reason;
   }
-  return culprit;
+  return bad_index;
 }

@@ -30,14 +30,15 @@ bool water_select_is_in_view(const water_camera* camera, const double bounds[6])
 
 typedef struct water_selection
 {
-  bool is_off;        // draw all that the flags and the bounds allow
-  double box[4];      // part of the map that the water looks up, NDC: low x, low y, high x, high y
-  double margin;      // how far behind the plane geometry is kept, >= 0
+  bool is_off;   // draw all that the flags and the bounds allow
+  double box[4]; // part of the reflection texture that the water looks up, NDC: low x, low y, high
+                 // x, high y
+  double margin; // how far behind the plane geometry is kept, >= 0
   double prop_px_min; // smaller props are left out, >= 0
   int texture_px[2];
 } water_selection;
 
-// Decides the fate of every prop. The far plane of the eye was set for the scene, not for its
+// Decides the reason of every prop. The far plane of the eye was set for the scene, not for its
 // mirror image, which may reach further: it hides nothing here (water_mirror_reach moves it).
 //
 // plane  normalised, normal towards the eye
@@ -45,7 +46,8 @@ typedef struct water_selection
 // Returns the index of the first prop that is drawn although its bounds are not finite; prop_count:
 // there is none.
 size_t water_select_props(const water_camera* mirrored, const water_plane* plane,
-  const water_selection* selection, const water_prop* props, size_t prop_count, water_fate* fates);
+  const water_selection* selection, const water_prop* props, size_t prop_count,
+  water_cull_reason* reasons);
 
 #ifdef __cplusplus
 }

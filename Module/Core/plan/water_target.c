@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// water_target.c: step 4: size of the map, and the part of it the water can look up.
+// water_target.c: step 4: size of the reflection texture, and the part of it the water can look up.
 #include "water_target.h"
 
 #include "water_math.h"
@@ -154,14 +154,14 @@ static int clamp_px(double value, int size)
 }
 
 void water_target_rect(
-  const double box[4], const double map_scale[2], const int texture_px[2], int rect_px[4])
+  const double box[4], const double reflection_scale[2], const int texture_px[2], int rect_px[4])
 {
   for (int i = 0; i < 2; ++i)
   {
     const int size = texture_px[i];
-    // the map is flipped in x
-    const double low = map_scale[i] * (i == 0 ? -box[2] : box[1]);
-    const double high = map_scale[i] * (i == 0 ? -box[0] : box[3]);
+    // the reflection texture is flipped in x
+    const double low = reflection_scale[i] * (i == 0 ? -box[2] : box[1]);
+    const double high = reflection_scale[i] * (i == 0 ? -box[0] : box[3]);
     int first = clamp_px(floor((0.5 + 0.5 * low) * size) - pad_px, size);
     int end = clamp_px(ceil((0.5 + 0.5 * high) * size) + pad_px, size);
     first = first < size ? first : size - 1;
@@ -193,7 +193,7 @@ double water_target_guard_band(const water_camera* camera, double slope_rms)
 }
 
 void water_target_widen(
-  double guard_band, int max_texture_px, int texture_px[2], double map_scale[2])
+  double guard_band, int max_texture_px, int texture_px[2], double reflection_scale[2])
 {
   for (int i = 0; i < 2; ++i)
   {
@@ -202,6 +202,6 @@ void water_target_widen(
     const int most = (max_texture_px - inner) / 2;
     const int margin = wanted < (double)most ? (int)wanted : most;
     texture_px[i] = inner + 2 * margin;
-    map_scale[i] = (double)inner / texture_px[i];
+    reflection_scale[i] = (double)inner / texture_px[i];
   }
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// water_target.h: step 4: how large the map is, and which part of it the water can look up.
+// water_target.h: step 4: how large the reflection texture
+// is, and which part of it the water can look up.
 #ifndef water_target_h
 #define water_target_h
 
@@ -11,7 +12,8 @@ extern "C"
 {
 #endif
 
-// Size of the map: the picture's size times the scale, rounded, at least 1 pixel each.
+// Size of the reflection texture: the picture's size times the scale, rounded, at least 1 pixel
+// each.
 //
 // Returns WATER_OK, WATER_BAD_VIEWPORT, WATER_BAD_TEXTURE_SCALE or WATER_TEXTURE_TOO_LARGE; then
 // texture_px is unchanged.
@@ -30,37 +32,39 @@ water_status water_target_size(
 void water_target_box(
   const water_camera* eye, const water_plane* plane, const double surface_bounds[6], double box[4]);
 
-// Widens such a part by what waves look up beyond it. The map shows in every pixel a direction; a
-// reflected ray is a straight line in it, from the pixel of its calm reflection to that of its own
-// direction, so it stays as close as the two directions are. Infinite for a parallel eye.
+// Widens such a part by what waves look up beyond it. The reflection texture shows in every pixel a
+// direction; a reflected ray is a straight line in it, from the pixel of its calm reflection to
+// that of its own direction, so it stays as close as the two directions are. Infinite for a
+// parallel eye.
 //
 // slope_max  of the waves, >= 0, may be infinite
 // box        may leave [-1, 1]
 void water_target_reach(const water_camera* eye, double slope_max, double box[4]);
 
-// The rectangle of the map for a part of the picture. Two texels are added all around for
-// filtering.
+// The rectangle of the reflection texture for a part of the picture. Two texels are added all
+// around for filtering.
 //
-// map_scale  part of the map per axis that is the picture
-// rect_px    x, y, width, height; within the map, never empty
+// reflection_scale  part of the reflection texture per axis that is the picture
+// rect_px    x, y, width, height; within the reflection texture, never empty
 void water_target_rect(
-  const double box[4], const double map_scale[2], const int texture_px[2], int rect_px[4]);
+  const double box[4], const double reflection_scale[2], const int texture_px[2], int rect_px[4]);
 
-// A rectangle of the map in its NDC: low x, low y, high x, high y.
+// A rectangle of the reflection texture in its NDC: low x, low y, high x, high y.
 void water_target_box_of_rect(const int rect_px[4], const int texture_px[2], double box[4]);
 
 // Size of the eye's frustum's surroundings that waves may look up, over the eye's: waves of slope s
 // turn reflected rays by up to 2 s. In [1, 1.25]: more costs more than it gives. 1 for a parallel
-// eye, whose rays cross so much of the map that a march over more of it is coarser than it gains.
+// eye, whose rays cross so much of the reflection texture that a march over more of it is coarser
+// than it gains.
 double water_target_guard_band(const water_camera* camera, double slope_rms);
 
-// Widens a map by a guard band without a change of the size of its texels.
+// Widens a reflection texture by a guard band without a change of the size of its texels.
 //
 // guard_band  >= 1; less counts as 1
 // texture_px  changed; even margins, and no more than max_texture_px
-// map_scale   part of the map per axis that is the picture without the band
+// reflection_scale   part of the reflection texture per axis that is the picture without the band
 void water_target_widen(
-  double guard_band, int max_texture_px, int texture_px[2], double map_scale[2]);
+  double guard_band, int max_texture_px, int texture_px[2], double reflection_scale[2]);
 
 #ifdef __cplusplus
 }

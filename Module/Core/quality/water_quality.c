@@ -60,7 +60,7 @@ static void place_of(const water_plan* plan, double x, double y, double place[2]
   place[1] = (rows[3] * x + rows[4] * y + rows[5]) / w;
 }
 
-void water_quality_look(
+void water_quality_roughness(
   const water_scene* scene, const water_plan* plan, double wave_number, water_roughness* roughness)
 {
   const double* clip = scene->eye.view_to_clip;
@@ -68,7 +68,7 @@ void water_quality_look(
   roughness->turn_rad = 0.0;
   roughness->pixels_per_radian =
     clip[14] != 0.0 ? 0.5 * scene->viewport_px[1] * fabs(clip[5]) : 0.0;
-  if (!plan->has_view || !water_plan_has_map(plan))
+  if (!plan->has_view || !water_plan_has_reflection(plan))
   {
     return;
   }
@@ -78,9 +78,9 @@ void water_quality_look(
   double turn = DBL_MAX;
   for (int corner = 0; corner < 4; ++corner)
   {
-    // the map is flipped in x
-    const double x = -box[corner & 1 ? 2 : 0] / plan->map_scale[0];
-    const double y = box[corner & 2 ? 3 : 1] / plan->map_scale[1];
+    // the reflection texture is flipped in x
+    const double x = -box[corner & 1 ? 2 : 0] / plan->reflection_scale[0];
+    const double y = box[corner & 2 ? 3 : 1] / plan->reflection_scale[1];
     double here[2];
     double across[2];
     double down[2];

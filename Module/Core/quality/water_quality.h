@@ -5,8 +5,8 @@
 // texels. A target error picks a step by a model of the lookup's error; a time budget moves along
 // the ladder by the times that were measured. Both have hysteresis: a value that lies on a limit
 // does not make the picture pump. Equal inputs give equal outputs; all memory is the caller's.
-// Errors are pixels of the picture (not of the map), times are milliseconds, of one water's
-// reflection: its mirrored view and its lookups.
+// Errors are pixels of the picture (not of the reflection texture), times are milliseconds, of one
+// water's reflection: its mirrored view and its lookups.
 // Source of all constants: measured, Documentation/decisions/010-quality.md.
 #ifndef water_quality_h
 #define water_quality_h
@@ -25,7 +25,8 @@ extern "C"
 #define WATER_QUALITY_STEPS 8      // of the ladder, 0 to 7
 #define WATER_QUALITY_NO_STEP (-1) // nothing was chosen yet
 
-// What a step of the ladder sets. Multisampling is not in it: a coarse map needs it most.
+// What a step of the ladder sets. Multisampling is not in it: a coarse reflection texture needs it
+// most.
 typedef struct water_quality
 {
   double texture_scale; // texels per pixel along each axis, 1 to 0.25; about 2^(-1/4) a step
@@ -51,7 +52,7 @@ typedef struct water_roughness
 //
 // plan         of the scene, or of the one before it; with a view
 // wave_number  typical of the waves, rad/m; 0: not known, all of them are resolved
-void water_quality_look(
+void water_quality_roughness(
   const water_scene* scene, const water_plan* plan, double wave_number, water_roughness* roughness);
 
 // Median distance, in pixels, of what a reflected ray reads from its right place.

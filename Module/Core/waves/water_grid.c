@@ -18,7 +18,7 @@ typedef struct polygon // convex; from the point under the eye on
   int count;
 } polygon;
 
-water_status water_grid_look(const water_camera* camera, const water_plane* plane,
+water_status water_grid_view_make(const water_camera* camera, const water_plane* plane,
   const double origin[3], water_grid_view* view)
 {
   water_grid_view made;
@@ -27,7 +27,7 @@ water_status water_grid_look(const water_camera* camera, const water_plane* plan
   water_status status = water_plane_normalise(plane, &unit);
   if (status == WATER_OK)
   {
-    status = water_camera_take_apart(camera, &eye);
+    status = water_camera_decompose(camera, &eye);
   }
   water_side side = WATER_EDGE_ON;
   if (status == WATER_OK)

@@ -36,7 +36,7 @@ typedef struct water_grid_view
 //
 // Returns WATER_OK, WATER_BAD_PLANE, WATER_CAMERA_ON_PLANE or WATER_BAD_CAMERA (also: the plane is
 // seen edge-on); then *view is unchanged.
-water_status water_grid_look(const water_camera* camera, const water_plane* plane,
+water_status water_grid_view_make(const water_camera* camera, const water_plane* plane,
   const double origin[3], water_grid_view* view);
 
 // Lays size x size cells over the sheet, (size + 1)^2 points, row by row.

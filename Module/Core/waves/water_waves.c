@@ -98,7 +98,7 @@ static water_status check_wave(const water_wave* wave)
 // Rounding of a sum that means 1; also what keeps Newton's matrix invertible on a cusp.
 static const double rounding = 16.0 * DBL_EPSILON;
 
-water_status water_waves_check(const water_wave* waves, size_t count, size_t* culprit)
+water_status water_waves_check(const water_wave* waves, size_t count, size_t* bad_index)
 {
   double steepness = 0.0;
   for (size_t i = 0; i < count; ++i)
@@ -112,7 +112,7 @@ water_status water_waves_check(const water_wave* waves, size_t count, size_t* cu
     }
     if (status != WATER_OK)
     {
-      *culprit = i;
+      *bad_index = i;
       return status;
     }
   }
@@ -120,7 +120,7 @@ water_status water_waves_check(const water_wave* waves, size_t count, size_t* cu
 }
 
 water_status water_waves_at(const water_wave* waves, size_t count, double depth, double time,
-  water_wave_term* terms, size_t* culprit)
+  water_wave_term* terms, size_t* bad_index)
 {
   if (!is_depth(depth))
   {
@@ -130,7 +130,7 @@ water_status water_waves_at(const water_wave* waves, size_t count, double depth,
   {
     return WATER_BAD_TIME;
   }
-  const water_status status = water_waves_check(waves, count, culprit);
+  const water_status status = water_waves_check(waves, count, bad_index);
   if (status != WATER_OK)
   {
     return status;

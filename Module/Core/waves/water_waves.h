@@ -79,23 +79,23 @@ water_status water_waves_omega(double k, double depth, double* omega);
 // Source: Guo 2002, "Simple and Explicit Solution of Wave Dispersion Equation".
 water_status water_waves_wavenumber(double omega, double depth, double* k);
 
-// Checks waves; the first wrong one is the culprit, for WATER_WAVES_FOLD the one that reached 1.
+// Checks waves; the first wrong one is the bad_index, for WATER_WAVES_FOLD the one that reached 1.
 // The sum of k A Q <= 1 is exact for one wave and on the safe side for several.
 //
 // Returns WATER_OK, or WATER_BAD_WAVE_AMPLITUDE, WATER_BAD_WAVELENGTH, WATER_BAD_WAVE_DIRECTION,
-// WATER_BAD_WAVE_PHASE, WATER_BAD_STEEPNESS or WATER_WAVES_FOLD; culprit is set only then.
-water_status water_waves_check(const water_wave* waves, size_t count, size_t* culprit);
+// WATER_BAD_WAVE_PHASE, WATER_BAD_STEEPNESS or WATER_WAVES_FOLD; bad_index is set only then.
+water_status water_waves_check(const water_wave* waves, size_t count, size_t* bad_index);
 
 // The waves at one time.
 //
 // depth    m, > 0; infinity is deep water
 // terms    count of them, written
-// culprit  as above, unless the waves are good
+// bad_index  as above, unless the waves are good
 //
 // Returns WATER_OK, WATER_BAD_DEPTH, WATER_BAD_TIME, or as water_waves_check; then terms are
 // unchanged.
 water_status water_waves_at(const water_wave* waves, size_t count, double depth, double time,
-  water_wave_term* terms, size_t* culprit);
+  water_wave_term* terms, size_t* bad_index);
 
 // The surface's point that is at (x, y) when the water is at rest. x and y are finite.
 void water_waves_point(

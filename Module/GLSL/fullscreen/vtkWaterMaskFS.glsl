@@ -1,22 +1,22 @@
 //VTK::System::Dec
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkWaterMaskFS.glsl: covers the pixels of the map that no visible water looks up, for calm water,
+// vtkWaterMaskFS.glsl: covers the pixels of the reflection texture that no visible water looks up, for calm water,
 // which looks up its own pixel; or, drawn with a pixel for each cell of them, the cells. Into the
-// map the draw's depth range gives the nearest depth, so that nothing that is drawn later passes the
+// reflection texture the draw's depth range gives the nearest depth, so that nothing that is drawn later passes the
 // test.
 //VTK::Output::Dec
 
 in vec2 texCoord;
 uniform sampler2D waterSceneDepth; // of the eye's picture, without the water
-uniform ivec2 waterSceneCorner;    // the picture's lower right pixel in it: the map is flipped in x
+uniform ivec2 waterSceneCorner;    // the picture's lower right pixel in it: the reflection texture is flipped in x
 uniform vec2 waterPixel;           // size of a pixel of it in NDC
 uniform ivec2 waterLastPixel;      // of it
 uniform vec2 waterCellCount;       // of the viewport
-uniform vec2 waterWalkFirst;       // water_seen_walk: which of its pixels, flipped, a cell asks
+uniform vec2 waterWalkFirst;       // water_visibility_walk: which of its pixels, flipped, a cell asks
 uniform vec2 waterWalkStep;
 uniform ivec2 waterWalkSize;
-uniform vec4 waterHeightClip;      // NDC of the eye -> height over the plane, times a positive number
-uniform float waterRounding;       // of that
+uniform vec4 waterHeightClip; // NDC of the eye -> height over the plane, times a positive number
+uniform float waterRounding;  // of that
 
 void main()
 {

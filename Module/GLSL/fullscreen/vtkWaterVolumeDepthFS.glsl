@@ -1,12 +1,12 @@
 //VTK::System::Dec
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkWaterVolumeDepthFS.glsl: gives a volume a depth in the map, where rays meet it: halfway, in the
-// scene, through all that the map shows of its box (water_layer.h).
+// vtkWaterVolumeDepthFS.glsl: gives a volume a depth in the reflection texture, where rays meet it: halfway, in the
+// scene, through all that the reflection texture shows of its box (water_volume_planes.h).
 //VTK::Output::Dec
 
 in vec2 texCoord;
-uniform vec4 waterSides[7]; // NDC of the map -> >= 0 inside
-uniform vec4 waterMapW;     // the same -> 1 / w
+uniform vec4 waterSides[7];    // NDC of the reflection texture -> >= 0 inside
+uniform vec4 waterReflectionW; // the same -> 1 / w
 
 void main()
 {
@@ -26,8 +26,8 @@ void main()
     discard;
   }
   // 1 / w goes evenly with depth, and the middle is where w is the mean of both
-  float rest = dot(waterMapW.xyw, place);
-  vec2 perW = rest + waterMapW.z * vec2(first, last);
+  float rest = dot(waterReflectionW.xyw, place);
+  vec2 perW = rest + waterReflectionW.z * vec2(first, last);
   float middle = (first * perW.y + last * perW.x) / (perW.x + perW.y);
   gl_FragDepth = 0.5 + 0.5 * middle;
   gl_FragData[0] = vec4(0.0);

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkWaterCausticsFS.glsl: stage caustics: how waves gather the sun's light on what lies under them.
+// vtkWaterCausticsFS.glsl: slot caustics: how waves gather the sun's light on what lies under them.
 // Needs vtkWaterPointFS.glsl, vtkWaterWavesFS.glsl, vtkWaterNoSeaFS.glsl, vtkWaterNoNormalMapsFS.glsl
 // and vtkWaterRippleFS.glsl before it.
 //
 // A slope g turns a steep ray by (1 - 1/n) g, so that a point x of the surface sends its light to
-// x + depth (1 - 1/n) g(x): where that map shrinks an area, the bed is as much brighter. Of several
+// x + depth (1 - 1/n) g(x): where that reflection texture shrinks an area, the bed is as much brighter. Of several
 // points that light the same place the one found first counts.
 
 uniform float waterCaustics; // strength, 0 to 1
@@ -14,9 +14,9 @@ const float WATER_CAUSTIC_BLUR = 0.15; // the sun is a disc: no place is infinit
 vec2 waterCausticSlope(vec2 place, float width)
 {
   vec4 variance = vec4(0.0);
-  float stretch;
+  float jacobian;
   return waterAllSlopes(
-    place, vec2(width, 0.0), vec2(0.0, width), vec3(0.0), variance, stretch);
+    place, vec2(width, 0.0), vec2(0.0, width), vec3(0.0), variance, jacobian);
 }
 
 // Light on a place under water, over that of calm water.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkWaterNoCausticsFS.glsl: stage caustics of water without them.
+// vtkWaterNoCausticsFS.glsl: slot caustics of water without them.
 
 float waterCaustic(vec2 place, float depth)
 {

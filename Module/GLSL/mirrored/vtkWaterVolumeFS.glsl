@@ -3,7 +3,7 @@
 // Uses the globals of VTK's ray caster: g_rayOrigin, g_rayTermination, g_rayJitter (all in texture
 // coordinates), g_dataPos, g_terminatePos, g_terminatePointMax, g_dirStep.
 
-uniform vec4 waterClipView; // water plane in view space, kept side >= 0; (0,0,0,1): keep all
+uniform vec4 waterClipView;         // water plane in view space, kept side >= 0; (0,0,0,1): keep all
 uniform vec4 waterHeadlightPlaceVC; // xyz: the user's eye in view space; w: 1 in the mirror
 
 // Where the headlight of a volume's shading is, which VTK takes for a lamp at the eye: in the mirrored

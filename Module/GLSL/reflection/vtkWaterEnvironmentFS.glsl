@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkWaterEnvironmentFS.glsl: stage reflection: a static picture of the surroundings, in latitude and
+// vtkWaterEnvironmentFS.glsl: slot reflection: a static picture of the surroundings, in latitude and
 // longitude as vtkSkybox has it, or the background. Needs vtkWaterPointFS.glsl before it.
 
 uniform sampler2D waterEnvironment;
@@ -22,35 +22,35 @@ vec3 waterReflected(WaterPoint point, out int reason, out vec2 uv)
   return waterAround(point, point.normal, uv);
 }
 
-// How much of the light from a direction something keeps off, as far as the map shows it.
+// How much of the light from a direction something keeps off, as far as the reflection texture shows it.
 float waterShaded(WaterPoint point, vec3 dir)
 {
   return 0.0;
 }
 
-// What a facet sees: a place of the map, or a colour.
-struct WaterLook
+// What a facet sees: a place of the reflection texture, or a colour.
+struct WaterRayHit
 {
   vec2 uv;
   bool isPlace;
   vec3 color;
 };
 
-WaterLook waterGlance(WaterPoint point, vec3 normal)
+WaterRayHit waterEstimateHit(WaterPoint point, vec3 normal)
 {
-  WaterLook look;
-  look.color = waterAround(point, normal, look.uv);
-  look.isPlace = false;
-  return look;
+  WaterRayHit hit;
+  hit.color = waterAround(point, normal, hit.uv);
+  hit.isPlace = false;
+  return hit;
 }
 
 void waterReadOnce() {}
 
-void waterSettle(vec3 start, bool isFollowed, inout WaterLook look) {}
+void waterRefineHit(vec3 start, bool isFollowed, inout WaterRayHit hit) {}
 
-void waterFollow(vec3 start, bool isWanted, inout WaterLook look) {}
+void waterMarchRay(vec3 start, bool isWanted, inout WaterRayHit hit) {}
 
-int waterReason(WaterLook look)
+int waterReason(WaterRayHit hit)
 {
   return 2;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkWaterFacetsFS.glsl: the facets that stand for all slopes within a pixel.
-// Needs vtkWaterOptics.glsl, vtkWaterPointFS.glsl, vtkWaterColorFS.glsl, vtkWaterLookupFS.glsl and
-// vtkWaterNoLayerFS.glsl and vtkWaterBlurFS.glsl before it, or others of the last four's stages.
+// Needs vtkWaterOptics.glsl, vtkWaterPointFS.glsl, vtkWaterNoOutputFS.glsl, vtkWaterRayTracedFS.glsl and
+// vtkWaterNoTranslucentLayerFS.glsl and vtkWaterBlurFS.glsl before it, or others of the last four's slots.
 //
 // The slopes are Gaussian about the pixel's mean one, along the azimuth of the view only: at a low
 // view a slope across it turns the reflection little. A facet counts by the part of the pixel that
@@ -51,7 +51,7 @@ vec2 waterFacetSlopes(WaterPoint point, float spread)
 // The reflection of a pixel's facets, each weighted by its own reflectance.
 //
 // One facet goes the way of the first of several: software renderers execute a branch for either, and
-// a loop's body once at least. It alone is followed where a glance and some probes do not settle: of
+// a loop's body once at least. It alone is followed where a estimate and some probes do not settle: of
 // several, which are blurred, they find each of them well enough.
 //
 // reflectance  of all
@@ -65,7 +65,7 @@ vec3 waterFacets(WaterPoint point, out float reflectance, inout int reason, inou
   bool isOne = count == 1;
   vec2 slopes = isOne ? vec2(0.0) : waterFacetSlopes(point, sqrt(variance));
   WaterPlaces places = WaterPlaces(vec4(0.0), vec4(0.0), vec4(0.0));
-  WaterLook look;
+  WaterRayHit hit;
   vec3 reflected = vec3(0.0);
   float share = 0.0;
   reflectance = 0.0;
@@ -86,28 +86,28 @@ vec3 waterFacets(WaterPoint point, out float reflectance, inout int reason, inou
     share = (isOne ? 1.0 : (count == 4 ? 0.25 : 0.5)) *
       (isFresnel ? waterFresnel(cosine, eta) : given);
     reflectance += share;
-    look = waterGlance(point, normal);
-    waterSettle(point.start, isOne, look);
+    hit = waterEstimateHit(point, normal);
+    waterRefineHit(point.start, isOne, hit);
     if (!isOne)
     {
-      waterCrossFacet(point, normal, i, look);
+      waterCrossFacet(point, normal, i, hit);
     }
-    float atPlace = look.isPlace ? share : 0.0;
-    places.inner = vec4(i == 0 ? look.uv : places.inner.xy, i == 1 ? look.uv : places.inner.zw);
-    places.outer = vec4(i == 2 ? look.uv : places.outer.xy, i == 3 ? look.uv : places.outer.zw);
+    float atPlace = hit.isPlace ? share : 0.0;
+    places.inner = vec4(i == 0 ? hit.uv : places.inner.xy, i == 1 ? hit.uv : places.inner.zw);
+    places.outer = vec4(i == 2 ? hit.uv : places.outer.xy, i == 3 ? hit.uv : places.outer.zw);
     places.shares = mix(places.shares, vec4(atPlace), equal(ivec4(i), ivec4(0, 1, 2, 3)));
-    reflected += look.isPlace ? vec3(0.0) : share * look.color;
+    reflected += hit.isPlace ? vec3(0.0) : share * hit.color;
     ++i;
   } while (i < count);
-  waterFollow(point.start, isOne, look);
+  waterMarchRay(point.start, isOne, hit);
   if (isOne)
   {
-    waterCross(point, look);
-    places.inner = look.uv.xyxy;
-    places.shares.x = look.isPlace ? share : 0.0;
-    reflected = look.isPlace ? vec3(0.0) : share * look.color;
-    reason = waterReason(look);
-    uv = look.uv;
+    waterCross(point, hit);
+    places.inner = hit.uv.xyxy;
+    places.shares.x = hit.isPlace ? share : 0.0;
+    reflected = hit.isPlace ? vec3(0.0) : share * hit.color;
+    reason = waterReason(hit);
+    uv = hit.uv;
   }
   reflected += waterBlurred(places, count);
   return waterIsReflecting != 0 ? reflected : vec3(0.0);

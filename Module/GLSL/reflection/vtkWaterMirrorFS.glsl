@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkWaterMirrorFS.glsl: stage reflection of calm water: one exact look at the map.
+// vtkWaterMirrorFS.glsl: slot reflection of calm water: one exact look at the reflection texture.
 // Needs vtkWaterPointFS.glsl before it.
 
 uniform sampler2D waterReflection; // mirrored view, flipped in x
@@ -11,7 +11,7 @@ vec3 waterReflected(WaterPoint point, out int reason, out vec2 uv)
   return textureLod(waterReflection, uv, 0.0).rgb;
 }
 
-// How much of the light from a direction something keeps off, as far as the map shows it.
+// How much of the light from a direction something keeps off, as far as the reflection texture shows it.
 float waterShaded(WaterPoint point, vec3 dir)
 {
   return 0.0;

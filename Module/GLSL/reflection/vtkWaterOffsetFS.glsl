@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkWaterOffsetFS.glsl: stage reflection: the calm one, shifted by the normal: what most programs do
+// vtkWaterOffsetFS.glsl: slot reflection: the calm one, shifted by the normal: what most programs do
 // for waves. Needs vtkWaterPointFS.glsl before it.
 
 uniform sampler2D waterReflection; // mirrored view, flipped in x; linear
 uniform int waterLookup;           // vtkWaterProperty::Lookups
 uniform float waterOffsetScale;
-uniform mat4 waterDirToMap; // direction in the plane's axes -> clip of the map
+uniform mat4 waterDirToReflection; // direction in the plane's axes -> clip of the reflection texture
 
 vec2 waterOffsetPlace(WaterPoint point, vec3 normal)
 {
   float scale = waterOffsetScale * (waterLookup == 2 ? gl_FragCoord.w : 1.0);
-  vec2 offset = scale * waterMapScale * normal.xy;
+  vec2 offset = scale * waterReflectionScale * normal.xy;
   vec2 uv = point.start.xy + vec2(-offset.x, offset.y);
   if (waterLookup == 3) // the point itself is moved
   {
-    vec4 moved = waterDirToMap * vec4(waterOffsetScale * normal.xy, 0.0, 0.0);
+    vec4 moved = waterDirToReflection * vec4(waterOffsetScale * normal.xy, 0.0, 0.0);
     uv = 0.5 + 0.5 * ((2.0 * point.start.xy - 1.0) * point.startW + moved.xy) /
         (point.startW + moved.w);
   }
@@ -28,32 +28,32 @@ vec3 waterReflected(WaterPoint point, out int reason, out vec2 uv)
   return textureLod(waterReflection, uv, 0.0).rgb;
 }
 
-// How much of the light from a direction something keeps off, as far as the map shows it.
+// How much of the light from a direction something keeps off, as far as the reflection texture shows it.
 float waterShaded(WaterPoint point, vec3 dir)
 {
   return 0.0;
 }
 
-// What a facet sees: a place of the map, or a colour.
-struct WaterLook
+// What a facet sees: a place of the reflection texture, or a colour.
+struct WaterRayHit
 {
   vec2 uv;
   bool isPlace;
   vec3 color;
 };
 
-WaterLook waterGlance(WaterPoint point, vec3 normal)
+WaterRayHit waterEstimateHit(WaterPoint point, vec3 normal)
 {
-  return WaterLook(waterOffsetPlace(point, normal), true, vec3(0.0));
+  return WaterRayHit(waterOffsetPlace(point, normal), true, vec3(0.0));
 }
 
 void waterReadOnce() {}
 
-void waterSettle(vec3 start, bool isFollowed, inout WaterLook look) {}
+void waterRefineHit(vec3 start, bool isFollowed, inout WaterRayHit hit) {}
 
-void waterFollow(vec3 start, bool isWanted, inout WaterLook look) {}
+void waterMarchRay(vec3 start, bool isWanted, inout WaterRayHit hit) {}
 
-int waterReason(WaterLook look)
+int waterReason(WaterRayHit hit)
 {
   return 1;
 }

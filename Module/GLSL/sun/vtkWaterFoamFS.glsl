@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkWaterFoamFS.glsl: stage foam: at the shore and on crests.
-// Needs vtkWaterPointFS.glsl and vtkWaterDeepFS.glsl before it, or another of the latter's stage.
+// vtkWaterFoamFS.glsl: slot foam: at the shore and on crests.
+// Needs vtkWaterPointFS.glsl and vtkWaterNoMediumFS.glsl before it, or another of the latter's slot.
 
 uniform vec3 waterFoamColor;
-uniform float waterFoamDepth;     // m of water over which the shore's foam ends; 0: none
-uniform float waterFoamStretch;   // crests are foam where their points stand closer than that; 0: none
-uniform vec2 waterPatternOrigin;  // of the foam's pattern, m, from the point under the eye
+uniform float waterFoamDepth;    // m of water over which the shore's foam ends; 0: none
+uniform float waterFoamJacobian; // crests are foam where their points stand closer than that; 0: none
+uniform vec2 waterPatternOrigin; // of the foam's pattern, m, from the point under the eye
 
 // A number in [0, 1] for a cell of a grid.
 float waterHash(vec2 cell)
@@ -32,12 +32,12 @@ float waterFoamShare(WaterPoint point)
   float share = 0.0;
   if (waterFoamDepth > 0.0)
   {
-    float depth = waterBeneathDepth(point);
+    float depth = waterTransmittedDepth(point);
     share = 1.0 - clamp(depth / waterFoamDepth, 0.0, 1.0);
   }
-  if (waterFoamStretch > 0.0)
+  if (waterFoamJacobian > 0.0)
   {
-    share = max(share, clamp(2.0 - 2.0 * point.stretch / waterFoamStretch, 0.0, 1.0));
+    share = max(share, clamp(2.0 - 2.0 * point.jacobian / waterFoamJacobian, 0.0, 1.0));
   }
   // bubbles: what is shorter than two pixels is their mean
   vec2 place = point.place + waterPatternOrigin;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkWaterGlitterFS.glsl: stage glitter: the sun in the slopes that a pixel does not resolve;
+// vtkWaterGlitterFS.glsl: slot glitter: the sun in the slopes that a pixel does not resolve;
 // water_glitter.c for the shader. Needs vtkWaterOptics.glsl and vtkWaterPointFS.glsl before it.
 
 // The smallest variance of slopes: the sun is a disc of half a degree, and a pixel is not a point.

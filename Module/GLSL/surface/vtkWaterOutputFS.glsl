@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkWaterOutputFS.glsl: stage output of water that shows how it got its colour.
+// vtkWaterOutputFS.glsl: slot output of water that shows how it got its colour.
 
 uniform int waterOutput; // vtkWaterProperty::Outputs
 
-// A place in the map as a colour: 12 bits of u, then 12 bits of v.
+// A place in the reflection texture as a colour: 12 bits of u, then 12 bits of v.
 vec3 waterPack(vec2 uv)
 {
   vec2 parts = floor(clamp(uv, 0.0, 1.0) * 4095.0 + 0.5);

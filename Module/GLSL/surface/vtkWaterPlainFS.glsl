@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkWaterPlainFS.glsl: in place of all stages: the plain colour, when the driver refuses the rest.
+// vtkWaterPlainFS.glsl: in place of all slots: the plain colour, when the driver refuses the rest.
 
 uniform vec3 waterDeepColor;
 uniform float waterOpacity;

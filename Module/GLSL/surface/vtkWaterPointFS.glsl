@@ -1,56 +1,55 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkWaterPointFS.glsl: what all stages of a surface's shader know about their pixel, and the sky.
+// vtkWaterPointFS.glsl: what all slots of a surface's shader know about their pixel, and the sky.
 //
-// The stages, each one file of several: place (waterPlaceOf), waves (waterRipple), reflection
-// (waterReflected), layer (waterCross), caustics (waterCaustic), body (waterBeneath), facets (waterFacets), shadows
-// (waterSunArrives), glitter (waterGlint), foam (waterFoam), sun (waterSunlit), output (waterShow);
-// vtkWaterSurfaceFS.glsl puts them together. They are files and not branches because software renderers
-// execute both sides of a branch.
+// The slots, each one file of several: place (waterPlaceOf), waves (waterRipple), reflection (waterReflected), layer
+// (waterCross), caustics (waterCaustic), body (waterTransmitted), facets (waterFacets), shadows (waterSunArrives),
+// glitter (waterGlint), foam (waterFoam), sun (waterSunlit), output (waterShow); vtkWaterSurfaceFS.glsl puts them
+// together. They are files and not branches because software renderers execute both sides of a branch.
 //
-// Needs vtkWaterFlatFS.glsl before it, or another of the stage place.
+// Needs vtkWaterNoDisplacementFS.glsl before it, or another of the slot place.
 //
 // NDC come from gl_FragCoord and the viewport of the draw itself (read from the GL state), which is
 // exact for a sheet of any size.
 
-uniform vec4 waterViewport;    // x, y, 1 / width, 1 / height of the draw, in pixels
-uniform mat3 waterNdcToRay;    // (NDC x, NDC y, 1) -> view ray in the plane's axes
-uniform mat4 waterDirToEye;    // direction in the plane's axes -> clip of the eye
-uniform vec4 waterNormalClip;  // plane normal (towards the eye) in clip space, w included
-uniform vec4 waterPlaneClip;   // clip space point -> height over the plane; 0 for a flat sheet
-uniform vec2 waterMapScale;    // part of the map that is the picture itself, without its band
-uniform float waterDepthScale; // depth in the map / depth in the picture, of the surface
-uniform float waterSide;       // 1: seen from above, -1: from below
-uniform float waterEta;        // index beyond the surface / index on the eye's side
-uniform int waterIsReflecting; // 0: there is no mirrored view
-uniform float waterReflectance; // 0 to 1, or below 0: Fresnel
-uniform vec3 waterDeepColor;   // of water without an end
-uniform vec3 waterSunDir;      // towards it, in the plane's axes
-uniform vec3 waterSlopeVariance; // xx, yy, xy of the slopes too small for waves
-uniform vec4 waterSkyBottom;   // a: 1 when the sky is known in all directions
+uniform vec4 waterViewport;        // x, y, 1 / width, 1 / height of the draw, in pixels
+uniform mat3 waterNdcToRay;        // (NDC x, NDC y, 1) -> view ray in the plane's axes
+uniform mat4 waterDirToEye;        // direction in the plane's axes -> clip of the eye
+uniform vec4 waterNormalClip;      // plane normal (towards the eye) in clip space, w included
+uniform vec4 waterPlaneClip;       // clip space point -> height over the plane; 0 for a flat sheet
+uniform vec2 waterReflectionScale; // part of the reflection texture that is the picture itself, without its band
+uniform float waterDepthScale;     // depth in the reflection texture / depth in the picture, of the surface
+uniform float waterSide;           // 1: seen from above, -1: from below
+uniform float waterEta;            // index beyond the surface / index on the eye's side
+uniform int waterIsReflecting;     // 0: there is no mirrored view
+uniform float waterReflectance;    // 0 to 1, or below 0: Fresnel
+uniform vec3 waterDeepColor;       // of water without an end
+uniform vec3 waterSunDir;          // towards it, in the plane's axes
+uniform vec3 waterSlopeVariance;   // xx, yy, xy of the slopes too small for waves
+uniform vec4 waterSkyBottom;       // a: 1 when the sky is known in all directions
 uniform vec4 waterSkyTop;
 
 struct WaterPoint
 {
-  vec2 ndc;      // of the picture
-  vec3 ray;      // view ray of unit length; directions are in the plane's axes, the third to the eye
-  vec2 place;    // at rest on the plane, from the point under the eye
-  float height;  // over the plane, towards the eye
-  vec2 across;   // change of the place from pixel to pixel
+  vec2 ndc;     // of the picture
+  vec3 ray;     // view ray of unit length; directions are in the plane's axes, the third to the eye
+  vec2 place;   // at rest on the plane, from the point under the eye
+  float height; // over the plane, towards the eye
+  vec2 across;  // change of the place from pixel to pixel
   vec2 down;
-  vec3 normal;   // of the surface, of unit length
-  vec4 variance; // of the slopes along the two axes: within the pixel; taken by filters, not seen
-  float stretch; // how close the surface's points stand, over at rest: 0 on a breaking crest
-  vec3 start;    // where the map shows its calm reflection: u, v, depth
-  float startW;  // w of that in clip space of the map
+  vec3 normal;    // of the surface, of unit length
+  vec4 variance;  // of the slopes along the two axes: within the pixel; taken by filters, not seen
+  float jacobian; // how close the surface's points stand, over at rest: 0 on a breaking crest
+  vec3 start;     // where the reflection texture shows its calm reflection: u, v, depth
+  float startW;   // w of that in clip space of the reflection texture
 };
 
-// What up to four facets see in the map, and the share of each. Not an array: software renderers are slow
-// with a place in one that is known late.
+// What up to four facets see in the reflection texture, and the share of each. Not an array: software renderers are
+// slow with a place in one that is known late.
 struct WaterPlaces
 {
   vec4 inner; // two places
   vec4 outer;
-  vec4 shares; // 0: not a place of the map
+  vec4 shares; // 0: not a place of the reflection texture
 };
 
 WaterPoint waterPoint()
@@ -63,14 +62,14 @@ WaterPoint waterPoint()
   point.down = dFdy(point.place);
   point.normal = vec3(0.0, 0.0, 1.0);
   point.variance = vec4(waterSlopeVariance.xy, 0.0, 0.0);
-  point.stretch = 1.0;
+  point.jacobian = 1.0;
   vec4 clip = vec4(point.ndc, 2.0 * gl_FragCoord.z - 1.0, 1.0); // w cancels below
   float height = dot(waterPlaneClip, clip);
   vec4 mirrored = clip - 2.0 * height * waterNormalClip;
   point.height = height / gl_FragCoord.w;
   point.startW = mirrored.w / gl_FragCoord.w;
   vec3 window = 0.5 / mirrored.w * mirrored.xyz;
-  point.start = vec3(0.5 + waterMapScale * vec2(-window.x, window.y),
+  point.start = vec3(0.5 + waterReflectionScale * vec2(-window.x, window.y),
     waterDepthScale * (0.5 + window.z));
   return point;
 }

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkWaterSurfaceFS.glsl: the colour of a water pixel, from the stages.
-// Needs vtkWaterOptics.glsl, vtkWaterPointFS.glsl, vtkWaterNoFacetsFS.glsl, vtkWaterCalmFS.glsl,
-// vtkWaterMirrorFS.glsl, vtkWaterDeepFS.glsl, vtkWaterNoSunFS.glsl and vtkWaterColorFS.glsl before it,
-// or others of their stages.
+// vtkWaterSurfaceFS.glsl: the colour of a water pixel, from the slots.
+// Needs vtkWaterOptics.glsl, vtkWaterPointFS.glsl, vtkWaterNoFacetsFS.glsl, vtkWaterNoWavesFS.glsl,
+// vtkWaterMirrorFS.glsl, vtkWaterNoMediumFS.glsl, vtkWaterNoSunFS.glsl and vtkWaterNoOutputFS.glsl before it,
+// or others of their slots.
 
-uniform int waterHasView;       // 0: nothing is known of the view, show the plain colour
+uniform int waterHasView;         // 0: nothing is known of the view, show the plain colour
 uniform float waterShoreSoftness; // m of depth
 uniform float waterOpacity;
 
@@ -19,9 +19,9 @@ void waterShade(inout vec4 color)
     WaterPoint point = waterPoint();
     waterRipple(point);
     vec3 reflected = waterFacets(point, reflectance, reason, uv);
-    rgb = waterBeneath(point);
+    rgb = waterTransmitted(point);
     // where the water is thinner than that it begins
-    float begun = clamp(waterBeneathDepth(point) / max(waterShoreSoftness, 1e-9), 0.0, 1.0);
+    float begun = clamp(waterTransmittedDepth(point) / max(waterShoreSoftness, 1e-9), 0.0, 1.0);
     reflectance *= begun;
     if (waterIsReflecting != 0)
     {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkWaterNoNormalMapsFS.glsl: stage waves of water without normal maps.
+// vtkWaterNoNormalMapsFS.glsl: slot waves of water without normal maps.
 
 vec2 waterMapSlope(vec2 place, vec2 across, vec2 down, inout vec4 variance)
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkWaterNoSeaFS.glsl: stage waves of water without a wind sea.
+// vtkWaterNoSeaFS.glsl: slot waves of water without a wind sea.
 
 vec2 waterSeaSlope(vec2 place, vec2 across, vec2 down, inout vec4 variance)
 {

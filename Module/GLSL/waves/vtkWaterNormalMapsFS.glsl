@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkWaterNormalMapsFS.glsl: stage waves: one or two normal maps that move over the water.
+// vtkWaterNormalMapsFS.glsl: slot waves: one or two normal maps that move over the water.
 // Needs vtkWaterTileFS.glsl before it.
 
 uniform sampler2D waterNormalMap0; // vtkWaterSlopeTexture

@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkWaterRippleFS.glsl: stage waves: the surface's normal from sines, wind sea and normal maps
+// vtkWaterRippleFS.glsl: slot waves: the surface's normal from sines, wind sea and normal maps
 // together. Needs vtkWaterPointFS.glsl, vtkWaterWavesFS.glsl, vtkWaterNoSeaFS.glsl and
 // vtkWaterNoNormalMapsFS.glsl before it, or others of the last two.
 
 // dz/dx and dz/dy over a place in the plane's axes; see waterSlope.
 vec2 waterAllSlopes(
-  vec2 place, vec2 across, vec2 down, vec3 ray, inout vec4 variance, out float stretch)
+  vec2 place, vec2 across, vec2 down, vec3 ray, inout vec4 variance, out float jacobian)
 {
-  return waterSlope(place, across, down, ray, variance, stretch) +
+  return waterSlope(place, across, down, ray, variance, jacobian) +
     waterSeaSlope(place, across, down, variance) + waterMapSlope(place, across, down, variance);
 }
 
 void waterRipple(inout WaterPoint point)
 {
   vec2 slope = waterAllSlopes(point.place, point.across, point.down,
-    vec3(point.ray.xy, waterSide * point.ray.z), point.variance, point.stretch);
+    vec3(point.ray.xy, waterSide * point.ray.z), point.variance, point.jacobian);
   point.normal = normalize(vec3(-waterSide * slope, 1.0));
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkWaterSeaFS.glsl: stage waves: the slopes of a wind sea from its tile; water_tile.c for the shader.
+// vtkWaterSeaFS.glsl: slot waves: the slopes of a wind sea from its tile; water_tile.c for the shader.
 // Needs vtkWaterTileFS.glsl before it.
 
 uniform sampler2D waterSea;   // vtkWaterSlopeTexture

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkWaterWavesFS.glsl: stage waves: sine and Gerstner waves; water_waves.c for the shader.
+// vtkWaterWavesFS.glsl: slot waves: sine and Gerstner waves; water_waves.c for the shader.
 // Needs vtkWaterPointFS.glsl before it.
 
 uniform sampler2D waterWaves; // a row per wave: (kx, ky, amplitude, phase), (steepness, 0, 0, 0)
@@ -29,14 +29,14 @@ vec2 waterSineSlope(vec2 place, vec2 across, vec2 down, inout vec4 variance)
 // across, down  change of the place from pixel to pixel: of a wave that is short against them the
 //               pixel sees the mean slope. A Gaussian that falls as the mean over a box does.
 // variance      the rest of the wave's variance is added to the first two, as in WaterPoint
-// stretch       area over that at rest
+// jacobian       area over that at rest
 // ray           the view ray, the third along the plane's own normal; 0: not a place of the pixel
 vec2 waterSlope(
-  vec2 place, vec2 across, vec2 down, vec3 ray, inout vec4 variance, out float stretch)
+  vec2 place, vec2 across, vec2 down, vec3 ray, inout vec4 variance, out float jacobian)
 {
   if (waterRestSteps == 0)
   {
-    stretch = 1.0;
+    jacobian = 1.0;
     return waterSineSlope(place, across, down, variance);
   }
   vec2 rest = place;
@@ -82,7 +82,7 @@ vec2 waterSlope(
   }
   variance.xy += unseen;
   // from slopes per point at rest to slopes per place
-  stretch = max(bent.x * bent.z - bent.y * bent.y, 1e-6);
+  jacobian = max(bent.x * bent.z - bent.y * bent.y, 1e-6);
   return vec2(bent.z * gradient.x - bent.y * gradient.y,
-           bent.x * gradient.y - bent.y * gradient.x) / stretch;
+           bent.x * gradient.y - bent.y * gradient.x) / jacobian;
 }

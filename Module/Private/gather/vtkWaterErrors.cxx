@@ -61,9 +61,9 @@ void DescribeValue(
       break;
     case WATER_BAD_PROP_BOUNDS:
     {
-      const double* bounds = scene.props[plan.culprit].bounds;
-      text << "; those of prop " << plan.culprit << " ("
-           << gather.vtkProps[plan.culprit]->GetClassName() << ") are (" << bounds[0] << ", "
+      const double* bounds = scene.props[plan.bad_index].bounds;
+      text << "; those of prop " << plan.bad_index << " ("
+           << gather.vtkProps[plan.bad_index]->GetClassName() << ") are (" << bounds[0] << ", "
            << bounds[1] << ", " << bounds[2] << ", " << bounds[3] << ", " << bounds[4] << ", "
            << bounds[5] << ")";
       break;
@@ -84,7 +84,7 @@ vtkWaterError vtkWaterDescribe(
   error.Kind = text.str();
   if (status == WATER_BAD_PROP_BOUNDS && plan)
   {
-    error.Kind += std::to_string(plan->culprit);
+    error.Kind += std::to_string(plan->bad_index);
   }
   if (status == WATER_BAD_PLANE)
   {

@@ -171,7 +171,7 @@ bool vtkWaterGather::ReadView(vtkRenderer* renderer, vtkWaterActor* water, water
   const water_plane plane = ReadPlane(water);
   double origin[3];
   ReadPlaneOrigin(water, origin);
-  return water_grid_look(&eye, &plane, origin, view) == WATER_OK;
+  return water_grid_view_make(&eye, &plane, origin, view) == WATER_OK;
 }
 
 //------------------------------------------------------------------------------
@@ -214,7 +214,7 @@ void vtkWaterGather::Read(
   this->scene.slope_max = 0.0;
   this->scene.is_flat = true;
   this->WaveNumber = 0.0;
-  this->HasFollowed = false;
+  this->HasMarchedRays = false;
   this->scene.hides_above = this->scene.hides_below = true;
   this->IsRough = std::any_of(waters.begin(), waters.end(),
     [](vtkWaterActor* water) { return water->GetWaterProperty()->IsRough(); });
@@ -227,7 +227,7 @@ void vtkWaterGather::Read(
     this->scene.has_shadows = this->scene.has_shadows || property->LooksUpShadows();
     this->scene.slope_rms = std::max(this->scene.slope_rms, property->GetSlopeRMS());
     this->scene.slope_max = std::max(this->scene.slope_max, property->GetSlopeLookedUp());
-    this->HasFollowed = this->HasFollowed ||
+    this->HasMarchedRays = this->HasMarchedRays ||
       (property->NeedsRays() && property->GetLookup() == vtkWaterProperty::RAY_TRACED);
     this->WaveNumber = std::max(this->WaveNumber, property->GetWaveNumber());
     // of a mesh of the user's nobody knows where its faces look; the sheet's look along the normal
@@ -273,7 +273,8 @@ void vtkWaterGather::Read(
     {
       this->scene.look = look;
     }
-    // each is shaded by its own; the map is left undrawn only if none of them reflects
+    // each is shaded by its own; the reflection texture is left undrawn only if none of them
+    // reflects
     water_optics_join(&look, &this->scene.look);
   }
   if (surface.IsValid())

@@ -25,7 +25,7 @@ struct vtkWaterGather
   vtkCamera* camera = nullptr;    // the one read last
   double WaveNumber = 0.0;        // typical of the waves, rad per unit; 0: not known
   bool IsRough = false;           // one of the waters blurs its reflection
-  bool HasFollowed = false;       // one of the waters follows rays through the map
+  bool HasMarchedRays = false;    // one of the waters follows rays through the reflection texture
 
   // Reads everything but the settings of the pass (texture_scale, max_texture_px, clip_margin).
   //

@@ -21,7 +21,7 @@
 #include "vtkWaterActor.h"
 #include "vtkWaterGather.h"
 #include "vtkWaterReflectionPass.h"
-#include "vtkWaterShading.h"
+#include "vtkWaterShaderHook.h"
 
 #include <algorithm>
 #include <cstring>
@@ -130,7 +130,7 @@ water_prop vtkWaterGather::ReadProp(vtkProp* prop, vtkProp* drawn, vtkWaterActor
 {
   water_prop read;
   read.flags = ReadFlags(prop, mirrored);
-  if (vtkWaterShading::GetOfThread()->Refusals.Has(drawn))
+  if (vtkWaterShaderHook::GetOfThread()->Refusals.Has(drawn))
   {
     read.flags |= WATER_PROP_REFUSED;
   }

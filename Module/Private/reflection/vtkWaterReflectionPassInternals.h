@@ -7,7 +7,7 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkWaterGather.h"
-#include "vtkWaterMirror.h"
+#include "vtkWaterMirroredView.h"
 #include "vtkWaterOcclusion.h"
 #include "vtkWaterReflectionPass.h"
 #include "vtkWaterSignature.h"
@@ -25,10 +25,10 @@ struct vtkWaterReflectionPass::Internals
   struct View // what belongs to one eye of a renderer
   {
     vtkWeakPointer<vtkRenderer> Renderer;
-    vtkWaterMirror Mirror;
-    water_plan MapPlan = water_plan(); // what the mirror shows was drawn by it
-    vtkWaterSignature MapSignature;
-    bool MapHasLevels = false;
+    vtkWaterMirroredView Mirror;
+    water_plan DrawnPlan = water_plan(); // what the mirror shows was drawn by it
+    vtkWaterSignature DrawnSignature;
+    bool HasLevels = false;
     vtkWaterOcclusion Occlusion;
     water_quality_state Quality = water_quality_state(); // of the time budget
     int ErrorStep = WATER_QUALITY_NO_STEP;               // of the target error
@@ -37,8 +37,8 @@ struct vtkWaterReflectionPass::Internals
 
   std::map<Eye, std::shared_ptr<View>> Views; // shared: a view in use outlives its release
   vtkWaterGather Gather;
-  std::vector<water_fate> Fates;
-  int FateCounts[WATER_FATE_COUNT] = {};
+  std::vector<water_cull_reason> Reasons;
+  int ReasonCounts[WATER_CULL_REASON_COUNT] = {};
   water_plan Plan = water_plan();
   int MostSteps = VTK_INT_MAX; // of the march, in this frame
   int MostProbes = VTK_INT_MAX;

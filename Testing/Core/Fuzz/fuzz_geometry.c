@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// fuzz_geometry.c: the steps of a plan one by one, with any numbers; grids and pieces of meshes.
+// fuzz_geometry.c: the steps of a plan one by one, with any numbers; grids and clusters of meshes.
 #include "fuzz_scene.h"
 
 #include "water_camera.h"
+#include "water_clusters.h"
 #include "water_frustum.h"
 #include "water_grid.h"
 #include "water_lookup.h"
 #include "water_math.h"
 #include "water_mirror.h"
 #include "water_optics.h"
-#include "water_pieces.h"
 #include "water_plane.h"
-#include "water_seen.h"
 #include "water_select.h"
 #include "water_target.h"
+#include "water_visibility.h"
 
 enum
 {
@@ -22,13 +22,13 @@ enum
   GRID = 16
 };
 
-static void fuzz_pieces(fuzz_input* from)
+static void fuzz_clusters(fuzz_input* from)
 {
   float floats[3 * POINTS];
   double doubles[3 * POINTS];
   uint32_t indices[3 * TRIANGLES];
   uint32_t drawn[3 * TRIANGLES];
-  double boxes[(TRIANGLES + WATER_PIECE_TRIANGLES - 1) / WATER_PIECE_TRIANGLES][6];
+  double boxes[(TRIANGLES + WATER_CLUSTER_TRIANGLES - 1) / WATER_CLUSTER_TRIANGLES][6];
   const size_t triangle_count = fuzz_below(from, TRIANGLES + 1);
   for (int i = 0; i < 3 * POINTS; ++i)
   {
@@ -39,15 +39,15 @@ static void fuzz_pieces(fuzz_input* from)
   {
     indices[i] = fuzz_byte(from) % (POINTS + 1); // one beyond
   }
-  water_piece_work work[sizeof boxes / sizeof boxes[0]];
+  water_cluster_work work[sizeof boxes / sizeof boxes[0]];
   const water_mesh mesh = { { fuzz_bool(from) ? floats : NULL, doubles }, POINTS, indices,
     triangle_count, boxes };
-  (void)water_pieces_count(triangle_count);
-  if (!water_pieces_bound(&mesh))
+  (void)water_clusters_count(triangle_count);
+  if (!water_clusters_bound(&mesh))
   {
     return;
   }
-  water_pieces_view view;
+  water_clusters_view view;
   water_trend trend;
   memset(&trend, 0, sizeof trend);
   fuzz_doubles(from, &view.frustum.planes[0][0], 24);
@@ -58,7 +58,7 @@ static void fuzz_pieces(fuzz_input* from)
     DEPTHS = 16
   };
   float depths[DEPTHS * DEPTHS];
-  water_triangles_view* fine = &view.triangles;
+  water_triangle_cull_view* fine = &view.triangles;
   view.is_fine = fuzz_bool(from);
   fuzz_doubles(from, fine->origin, 3);
   fuzz_doubles(from, fine->to_clip, 16);
@@ -75,15 +75,15 @@ static void fuzz_pieces(fuzz_input* from)
   fine->is_solid = fuzz_bool(from);
   fine->seen = NULL;
   fine->depths = fuzz_bool(from) ? depths : NULL;
-  water_triangles_begin(fine->rect_px, NULL, depths);
+  water_triangle_cull_begin(fine->rect_px, NULL, depths);
   fine->columns[0] = (int)fuzz_below(from, (size_t)fine->rect_px[2]);
   fine->columns[1] = fine->rect_px[2];
   const bool is_reversed = fuzz_bool(from);
-  water_pieces_mark(&view, &mesh, is_reversed, &trend, work);
-  PROMISED(water_pieces_copy(&mesh, is_reversed, work, 1, drawn) <= 3 * triangle_count);
+  water_clusters_mark(&view, &mesh, is_reversed, &trend, work);
+  PROMISED(water_clusters_copy(&mesh, is_reversed, work, 1, drawn) <= 3 * triangle_count);
 }
 
-// Cells of a map of any size, and boxes anywhere.
+// Cells of a reflection texture of any size, and boxes anywhere.
 static void fuzz_seen(fuzz_input* from)
 {
   enum
@@ -93,10 +93,10 @@ static void fuzz_seen(fuzz_input* from)
   uint8_t cells[SIDE * SIDE / 4];
   uint32_t counts[(SIDE / 2 + 1) * (SIDE / 2 + 1)];
   float boxes[SIDE * SIDE / 8 + SIDE][4];
-  water_seen seen;
-  water_seen_walk walk;
+  water_visibility seen;
+  water_visibility_walk walk;
   water_prop prop = { { 0.0 }, WATER_PROP_VISIBLE, 0.0f };
-  water_fate fate = WATER_DRAW;
+  water_cull_reason reason = WATER_CULL_NONE;
   water_camera camera;
   int texture_px[2];
   int rect_px[4];
@@ -108,21 +108,22 @@ static void fuzz_seen(fuzz_input* from)
     rect_px[i] = (int)fuzz_below(from, (size_t)texture_px[i]);
     rect_px[2 + i] = 1 + (int)fuzz_below(from, (size_t)(texture_px[i] - rect_px[i]));
   }
-  water_seen_begin(texture_px, rect_px, &seen);
+  water_visibility_begin(texture_px, rect_px, &seen);
   seen.counts = counts;
   for (size_t i = 0; i < sizeof cells; ++i)
   {
     cells[i] = fuzz_byte(from);
   }
-  water_seen_sum(&seen, cells, 1);
+  water_visibility_sum(&seen, cells, 1);
   const size_t room = (size_t)(seen.size[1] * (seen.size[0] + 1) / 2);
-  PROMISED(water_seen_closed(&seen, boxes) <= room);
-  water_seen_walk_of(texture_px, rect_px, viewport_px, 1 + (int)fuzz_below(from, SIDE), &walk);
+  PROMISED(water_visibility_closed(&seen, boxes) <= room);
+  water_visibility_walk_of(
+    texture_px, rect_px, viewport_px, 1 + (int)fuzz_below(from, SIDE), &walk);
   PROMISED(walk.size[0] > 0 && walk.size[1] > 0);
   fuzz_camera(from, &camera);
   fuzz_doubles(from, prop.bounds, 6);
   prop.width_px = (float)fuzz_double(from);
-  water_seen_select(&seen, &camera, &prop, 1, WATER_MAY_SKIP_ALL, &fate);
+  water_visibility_cull(&seen, &camera, &prop, 1, WATER_MAY_SKIP_ALL, &reason);
 }
 
 static void fuzz_grid(fuzz_input* from)
@@ -143,7 +144,7 @@ static void fuzz_grid(fuzz_input* from)
   {
     sheet[i] = fuzz_near(from, i % 2 ? 10.0 : -10.0);
   }
-  if (water_grid_look(&camera, &plane, origin, &view) == WATER_OK)
+  if (water_grid_view_make(&camera, &plane, origin, &view) == WATER_OK)
   {
     double points[3 * (GRID + 1) * (GRID + 1)];
     float cells[2 * (GRID + 1) * (GRID + 1)];
@@ -254,7 +255,7 @@ int LLVMFuzzerTestOneInput(const uint8_t* bytes, size_t size)
 {
   fuzz_input from = { bytes, size };
   static void (*const parts[])(
-    fuzz_input*) = { fuzz_pieces, fuzz_grid, fuzz_plane, fuzz_steps, fuzz_seen };
+    fuzz_input*) = { fuzz_clusters, fuzz_grid, fuzz_plane, fuzz_steps, fuzz_seen };
   parts[fuzz_byte(&from) % 5](&from);
   return 0;
 }

@@ -2,13 +2,14 @@
 // fuzz_plan.c: any scene: the plan, and what is done with one.
 #include "fuzz_scene.h"
 
-#include "water_layer.h"
+#include "water_clusters.h"
 #include "water_math.h"
 #include "water_mirror.h"
-#include "water_pieces.h"
 #include "water_quality.h"
+#include "water_volume_planes.h"
 
-static void check_plan(const water_scene* scene, const water_plan* plan, const water_fate* fates)
+static void check_plan(
+  const water_scene* scene, const water_plan* plan, const water_cull_reason* reasons)
 {
   PROMISED((unsigned)plan->decision < WATER_DECISION_COUNT);
   PROMISED(water_decision_text(plan->decision) != NULL);
@@ -18,14 +19,14 @@ static void check_plan(const water_scene* scene, const water_plan* plan, const w
   }
   for (size_t i = 0; i < scene->prop_count; ++i)
   {
-    PROMISED((unsigned)fates[i] < WATER_FATE_COUNT);
+    PROMISED((unsigned)reasons[i] < WATER_CULL_REASON_COUNT);
   }
   for (int i = 0; i < 2; ++i)
   {
     PROMISED(plan->texture_px[i] >= 1 && plan->texture_px[i] <= scene->max_texture_px);
     PROMISED(plan->texture_rect_px[i] >= 0 && plan->texture_rect_px[2 + i] >= 1);
     PROMISED(plan->texture_rect_px[i] + plan->texture_rect_px[2 + i] <= plan->texture_px[i]);
-    PROMISED(plan->map_scale[i] > 0.0 && plan->map_scale[i] <= 1.0);
+    PROMISED(plan->reflection_scale[i] > 0.0 && plan->reflection_scale[i] <= 1.0);
   }
   PROMISED(plan->depth_scale > 0.0 && plan->depth_scale <= 1.0);
   PROMISED(water_all_finite(plan->mirrored.world_to_view, 16));
@@ -42,19 +43,19 @@ int LLVMFuzzerTestOneInput(const uint8_t* bytes, size_t size)
   fuzz_scene(&from, props, &scene);
   water_plan plan;
   water_plan again;
-  water_fate fates[FUZZ_PROPS];
+  water_cull_reason reasons[FUZZ_PROPS];
   memset(&plan, 0x55, sizeof plan);
   memset(&again, 0xaa, sizeof again);
-  const water_status status = water_plan_make(&scene, &plan, fates);
-  PROMISED(status == water_plan_make(&scene, &again, fates));
+  const water_status status = water_plan_make(&scene, &plan, reasons);
+  PROMISED(status == water_plan_make(&scene, &again, reasons));
   PROMISED(memcmp(&plan, &again, sizeof plan) == 0);
   PROMISED((unsigned)status <= WATER_BAD_PROP_BOUNDS);
   PROMISED(status == WATER_OK || status == WATER_BAD_PROP_BOUNDS ||
     plan.decision == WATER_NO_REFLECT_FAILED);
-  check_plan(&scene, &plan, fates);
+  check_plan(&scene, &plan, reasons);
 
   water_roughness roughness;
-  water_quality_look(&scene, &plan, fuzz_double(&from), &roughness);
+  water_quality_roughness(&scene, &plan, fuzz_double(&from), &roughness);
   int step = (int)fuzz_byte(&from) - 128;
   if (water_quality_for_error(fuzz_double(&from), &roughness, &step) == WATER_OK)
   {
@@ -64,21 +65,21 @@ int LLVMFuzzerTestOneInput(const uint8_t* bytes, size_t size)
   if (plan.decision == WATER_REFLECT)
   {
     double model[16];
-    water_pieces_view view;
+    water_clusters_view view;
     fuzz_doubles(&from, model, 16);
-    const water_pieces_map map = { NULL, NULL, fuzz_byte(&from), fuzz_byte(&from) };
+    const water_clusters_target map = { NULL, NULL, fuzz_byte(&from), fuzz_byte(&from) };
     double origin[3];
     fuzz_doubles(&from, origin, 3);
     const int band = (int)fuzz_byte(&from) % 4;
-    water_pieces_look(&plan, &map, band, 4, true, model, origin, &view);
+    water_clusters_view_make(&plan, &map, band, 4, true, model, origin, &view);
     for (size_t i = 0; i < scene.prop_count; ++i)
     {
       (void)water_frustum_divides(&view.frustum, 6, props[i].bounds, 1e-6);
     }
-    double sides[WATER_LAYER_SIDES][4];
+    double sides[WATER_VOLUME_PLANES_COUNT][4];
     for (size_t i = 0; i < scene.prop_count; ++i)
     {
-      if (water_layer_sides(&plan, props[i].bounds, sides) == WATER_OK)
+      if (water_volume_planes_make(&plan, props[i].bounds, sides) == WATER_OK)
       {
         fuzz_use(sides, sizeof sides);
       }
@@ -90,7 +91,7 @@ int LLVMFuzzerTestOneInput(const uint8_t* bytes, size_t size)
     }
   }
   scene.skips = fuzz_byte(&from);
-  const water_status next_status = water_plan_make(&scene, &again, fates);
+  const water_status next_status = water_plan_make(&scene, &again, reasons);
   water_plan_reuse(&plan, fuzz_bool(&from), scene.skips, &again);
   PROMISED((unsigned)next_status < WATER_STATUS_COUNT);
   PROMISED((unsigned)again.decision < WATER_DECISION_COUNT);

@@ -66,12 +66,12 @@ int LLVMFuzzerTestOneInput(const uint8_t* bytes, size_t size)
     waves[i].phase_rad = fuzz_near(&from, 0.0);
     waves[i].steepness = fuzz_near(&from, 0.5);
   }
-  size_t culprit = 0;
+  size_t bad_index = 0;
   const double depth = fuzz_near(&from, 1.0);
   const double time = fuzz_near(&from, 0.0);
-  if (water_waves_at(waves, count, depth, time, terms, &culprit) != WATER_OK)
+  if (water_waves_at(waves, count, depth, time, terms, &bad_index) != WATER_OK)
   {
-    PROMISED(count == 0 || culprit < count);
+    PROMISED(count == 0 || bad_index < count);
     return 0;
   }
   double height = 0.0;

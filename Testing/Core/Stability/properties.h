@@ -24,6 +24,6 @@ void stress_decision(
 void stress_picture(stress_case* of, const water_plan* plan, stress_record* record);
 void stress_clip(stress_case* of, const water_plan* plan, stress_record* record);
 void stress_props(
-  stress_case* of, const water_plan* plan, const water_fate* fates, stress_record* record);
+  stress_case* of, const water_plan* plan, const water_cull_reason* reasons, stress_record* record);
 
 #endif

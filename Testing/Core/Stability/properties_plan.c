@@ -154,7 +154,7 @@ void stress_picture(stress_case* of, const water_plan* plan, stress_record* reco
   bool is_in_rect = at.clip[2] >= -at.clip[3];
   for (int i = 0; i < 2; ++i)
   {
-    const quad ndc = (i == 0 ? -1 : 1) * at.clip[i] / at.clip[3] * (quad)plan->map_scale[i];
+    const quad ndc = (i == 0 ? -1 : 1) * at.clip[i] / at.clip[3] * (quad)plan->reflection_scale[i];
     const double* row = to_clip + 4 * i;
     // how many halves of the picture, there where the point is, the reach is long
     const double pictures = at.reach *
@@ -315,7 +315,7 @@ static void check_far(
 }
 
 void stress_props(
-  stress_case* of, const water_plan* plan, const water_fate* fates, stress_record* record)
+  stress_case* of, const water_plan* plan, const water_cull_reason* reasons, stress_record* record)
 {
   for (int number = 0; number < CASE_PROPS; ++number)
   {
@@ -323,9 +323,9 @@ void stress_props(
     if (number < CASE_SHOWN && of->is_shown[number])
     {
       stress_keep(record, CULLING, reach_of(of, of->shown[number]) / of->size,
-        fates[number] == WATER_DRAW ? 0.0 : 1.0, 0.0);
+        reasons[number] == WATER_CULL_NONE ? 0.0 : 1.0, 0.0);
     }
-    if (fates[number] == WATER_DRAW)
+    if (reasons[number] == WATER_CULL_NONE)
     {
       check_far(of, plan, prop, record);
     }

@@ -20,17 +20,17 @@ static void run_case(stress_record* record)
 
   water_plan plan;
   water_plan again;
-  water_fate fates[CASE_PROPS];
-  water_fate fates_again[CASE_PROPS];
+  water_cull_reason reasons[CASE_PROPS];
+  water_cull_reason fates_again[CASE_PROPS];
   memset(&plan, 0x55, sizeof plan);
   memset(&again, 0xaa, sizeof again);
-  memset(fates, 0, sizeof fates);
+  memset(reasons, 0, sizeof reasons);
   memset(fates_again, 0, sizeof fates_again);
-  const water_status status = water_plan_make(&of.scene, &plan, fates);
+  const water_status status = water_plan_make(&of.scene, &plan, reasons);
   const water_scene copy = of.scene;
   const water_status status_again = water_plan_make(&copy, &again, fates_again);
   const bool is_same = status == status_again && memcmp(&plan, &again, sizeof plan) == 0 &&
-    memcmp(fates, fates_again, sizeof fates) == 0;
+    memcmp(reasons, fates_again, sizeof reasons) == 0;
   stress_keep(record, SAME_PLAN, 1.0, is_same ? 0.0 : 1.0, 0.0);
 
   stress_decision(&of, &plan, status, record);
@@ -38,7 +38,7 @@ static void run_case(stress_record* record)
   {
     stress_picture(&of, &plan, record);
     stress_clip(&of, &plan, record);
-    stress_props(&of, &plan, fates, record);
+    stress_props(&of, &plan, reasons, record);
   }
 }
 

@@ -21,7 +21,7 @@ int main(void)
     .max_texture_px = 4096,
   };
   water_plan plan;
-  water_fate fate = WATER_FATE_COUNT;
+  water_cull_reason fate = WATER_CULL_REASON_COUNT;
   const water_status status = water_plan_make(&scene, &plan, &fate);
   if (status != WATER_OK)
   {
@@ -29,6 +29,6 @@ int main(void)
     return 1;
   }
   printf("plan: %s, box %s, texture %d x %d\n", water_decision_text(plan.decision),
-    water_fate_text(fate), plan.texture_px[0], plan.texture_px[1]);
+    water_cull_reason_text(fate), plan.texture_px[0], plan.texture_px[1]);
   return 0;
 }

@@ -84,7 +84,7 @@ struct Scene
   }
 
   std::vector<water_prop> Props;
-  std::vector<water_fate> Fates;
+  std::vector<water_cull_reason> Fates;
   water_scene Made = {};
 };
 
@@ -104,9 +104,9 @@ void Plan(benchmark::State& state, bool hasWaves)
     benchmark::ClobberMemory();
   }
   std::size_t drawn = 0;
-  for (const water_fate fate : scene.Fates)
+  for (const water_cull_reason fate : scene.Fates)
   {
-    drawn += fate == WATER_DRAW;
+    drawn += fate == WATER_CULL_NONE;
   }
   state.counters["drawn"] = static_cast<double>(drawn);
   state.SetComplexityN(state.range(0));

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// water_volume_planes.h: beside the plan: where the
+// reflection texture shows a volume, for rays that are followed.
+#ifndef water_volume_planes_h
+#define water_volume_planes_h
+
+#include "water_status.h"
+#include "water_types.h"
+
+#ifdef __cplusplus
+extern "C"
+{
+#endif
+
+enum
+{
+  WATER_VOLUME_PLANES_COUNT = 7
+};
+
+// The half-spaces that have all that the reflection texture shows of a box in common: its six
+// sides, and the side of the water that is kept. A point of NDC (x, y, z, 1) lies in one when its
+// dot product is >= 0.
+//
+// bounds  in world
+// sides   largest coefficient 1
+//
+// Returns WATER_OK, WATER_BAD_PROP_BOUNDS when bounds are not finite or are empty, or
+// WATER_BAD_CAMERA when the mirrored camera has no inverse.
+water_status water_volume_planes_make(
+  const water_plan* plan, const double bounds[6], double sides[WATER_VOLUME_PLANES_COUNT][4]);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkWaterNoTranslucentLayerFS.glsl: slot layer of a reflection texture in which nothing is translucent.
+// Needs vtkWaterPointFS.glsl and vtkWaterRayTracedFS.glsl before it, or another of the latter's slot.
+
+uniform sampler2D waterReflectionDepth; // window depth of the mirrored view, 1: nothing drawn; nearest
+
+float waterDepthAt(vec2 uv)
+{
+  return textureLod(waterReflectionDepth, uv, 0.0).r;
+}
+
+void waterCross(WaterPoint point, inout WaterRayHit hit) {}
+
+void waterCrossFacet(WaterPoint point, vec3 normal, int i, inout WaterRayHit hit) {}

@@ -1,5 +1,0 @@
-// SPDX-License-Identifier: BSD-3-Clause
-// vtkWaterCalmFS.glsl: stage waves of water that has none. Needs vtkWaterPointFS.glsl
-// before it.
-
-void waterRipple(inout WaterPoint point) {}

@@ -1,0 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkWaterNoWavesFS.glsl: slot waves of water that has none. Needs vtkWaterPointFS.glsl
+// before it.
+
+void waterRipple(inout WaterPoint point) {}

@@ -1,0 +1,342 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkWaterMirroredView.h"
+
+#include "vtkCamera.h"
+#include "vtkMatrix4x4.h"
+#include "vtkOpenGLRenderUtilities.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLRenderer.h"
+#include "vtkOpenGLState.h"
+#include "vtkProp.h"
+#include "vtkTextureObject.h"
+#include "vtkWaterAccess.h"
+#include "vtkWaterGL.h"
+#include "vtkWaterGather.h"
+#include "vtkWaterShaderHook.h"
+#include "vtkWaterShadows.h"
+
+#include <algorithm>
+#include <iterator>
+
+namespace
+{
+// Everything that the mirrored view sets, as it was, when it goes out of scope.
+struct ScopedState
+{
+  explicit ScopedState(vtkOpenGLState* state)
+    : State(state)
+    , Viewport(state)
+    , Scissor(state)
+    , ClearColor(state)
+    , ColorMask(state)
+    , DepthMask(state)
+    , DepthFunc(state)
+    , BlendFunc(state)
+    , DepthTest(state, GL_DEPTH_TEST)
+    , Blend(state, GL_BLEND)
+    , CullFace(state, GL_CULL_FACE)
+    , ScissorTest(state, GL_SCISSOR_TEST)
+  {
+    state->PushFramebufferBindings();
+  }
+  ~ScopedState() { this->State->PopFramebufferBindings(); }
+
+  vtkOpenGLState* State;
+  vtkOpenGLState::ScopedglViewport Viewport;
+  vtkOpenGLState::ScopedglScissor Scissor;
+  vtkOpenGLState::ScopedglClearColor ClearColor;
+  vtkOpenGLState::ScopedglColorMask ColorMask;
+  vtkOpenGLState::ScopedglDepthMask DepthMask;
+  vtkOpenGLState::ScopedglDepthFunc DepthFunc;
+  vtkOpenGLState::ScopedglBlendFuncSeparate BlendFunc;
+  vtkOpenGLState::ScopedglEnableDisable DepthTest;
+  vtkOpenGLState::ScopedglEnableDisable Blend;
+  vtkOpenGLState::ScopedglEnableDisable CullFace;
+  vtkOpenGLState::ScopedglEnableDisable ScissorTest;
+};
+
+// The renderer looks through another camera while an object of this class lives; nobody is told.
+// The renderer holds a reference on the camera in its slot, whoever puts it there: a user who sets
+// another one from an observer meanwhile gets that.
+struct ScopedCamera
+{
+  ScopedCamera(vtkRenderer* renderer, vtkCamera* camera)
+    : Renderer(renderer)
+    , Slot(vtkWaterAccess::Renderer::ActiveCameraOf(renderer))
+    , User(this->Slot)
+    , Mirrored(camera)
+  {
+    camera->Register(renderer);
+    this->Slot = camera;
+  }
+  ~ScopedCamera()
+  {
+    if (this->Slot == this->Mirrored)
+    {
+      this->Slot = this->User;
+      this->Mirrored->UnRegister(this->Renderer);
+    }
+    else
+    {
+      this->User->UnRegister(this->Renderer);
+    }
+  }
+
+  vtkRenderer* Renderer;
+  vtkCamera*& Slot;
+  vtkCamera* User;
+  vtkSmartPointer<vtkCamera> Mirrored;
+};
+
+struct ScopedMirroredView
+{
+  ScopedMirroredView(vtkWaterShaderHook* shading, const vtkWaterShaderHook::View& view)
+    : Shading(shading)
+  {
+    shading->BeginMirroredView(view);
+  }
+  ~ScopedMirroredView() { this->Shading->EndMirroredView(); }
+
+  vtkWaterShaderHook* Shading;
+};
+
+// Drawing adds to a prop's estimated render time, from which VTK chooses levels of detail and
+// allots time; the mirrored view must not make props look slower than they are.
+struct ScopedRenderTimes
+{
+  ScopedRenderTimes(vtkRenderer* renderer, const std::vector<vtkProp*>& props)
+    : Renderer(renderer)
+    , Props(props)
+  {
+    for (vtkProp* prop : props)
+    {
+      this->Before.push_back(prop->GetEstimatedRenderTime(renderer));
+    }
+  }
+  ~ScopedRenderTimes()
+  {
+    for (size_t i = 0; i < this->Props.size(); ++i)
+    {
+      const double added = this->Props[i]->GetEstimatedRenderTime(this->Renderer) - this->Before[i];
+      this->Props[i]->AddEstimatedRenderTime(-added, this->Renderer);
+    }
+  }
+
+  vtkRenderer* Renderer;
+  const std::vector<vtkProp*>& Props;
+  std::vector<double> Before;
+};
+
+void SetViewportAndScissor(vtkOpenGLState* state, const water_plan& plan)
+{
+  const int* rect = plan.texture_rect_px;
+  state->vtkglViewport(0, 0, plan.texture_px[0], plan.texture_px[1]);
+  state->vtkglEnable(GL_SCISSOR_TEST);
+  state->vtkglScissor(rect[0], rect[1], rect[2], rect[3]);
+}
+}
+
+//------------------------------------------------------------------------------
+const char* vtkWaterMirroredView::Draw(vtkRenderer* renderer, vtkWaterShaderHook* shading,
+  const water_plan& plan, std::vector<vtkProp*>& props, const Settings& settings)
+{
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  vtkOpenGLState* state = window->GetState();
+  if (!this->Target.Ensure(
+        window, plan.texture_px[0], plan.texture_px[1], settings.Samples, settings.IsFloat))
+  {
+    return "the GPU gave no framebuffer for the reflection texture";
+  }
+  vtkOpenGLRenderUtilities::MarkDebugEvent("water: mirrored view begins");
+  if (plan.has_mask)
+  {
+    this->SceneDepth.Find(state);
+  }
+  this->Clusters.BeginView(plan, this->Seen, settings.Samples);
+  this->IsDrawing = true;
+  this->HasLayer = false;
+  this->Instruments.Begin(vtkWaterGpuQueries::REFLECTION, window);
+  const char* failure = nullptr;
+  {
+    ScopedState scopedState(state);
+    if (this->Target.Bind())
+    {
+      SetViewportAndScissor(state, plan);
+      state->vtkglDepthFunc(GL_LEQUAL);
+      state->vtkglEnable(GL_DEPTH_TEST);
+      state->vtkglEnable(GL_BLEND);
+      state->vtkglBlendFuncSeparate(
+        GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+      this->Screen.DrawSky(renderer, plan);
+      if (plan.has_mask && this->SceneDepth.IsThere())
+      {
+        this->Screen.DrawMask(renderer, plan, this->SceneDepth);
+      }
+      else if (this->Seen)
+      {
+        this->Screen.DrawClosedCells(renderer, *this->Seen);
+      }
+
+      vtkWaterShaderHook::View view;
+      view.Plan = &plan;
+      view.Eye = vtkWaterGather::ReadCamera(renderer); // before it is the mirrored one
+      view.Props = &props;
+      view.Clusters = settings.CanCut ? &this->Clusters : nullptr;
+      this->SetCamera(renderer, plan);
+      ScopedCamera scopedCamera(renderer, this->Camera);
+      ScopedMirroredView scopedView(shading, view);
+      ScopedRenderTimes scopedTimes(renderer, props);
+      vtkWaterShadows::Draw(renderer, settings.Shadows, props,
+        [&]() { this->DrawOpaque(renderer, plan, props, settings.CanCut); });
+      this->HasLayer = settings.HasMarchedRays && vtkWaterTranslucentLayer::IsNeeded(props) &&
+        this->Layer.Keep(window, this->Target);
+      if (this->HasLayer)
+      {
+        this->Target.Bind();
+        SetViewportAndScissor(state, plan);
+      }
+      this->Translucent.DrawPolygons(renderer, props, this->Target.GetFramebuffer());
+      this->Translucent.DrawVolumes(renderer, props);
+      state->vtkglDisable(GL_SCISSOR_TEST);
+      this->Target.Resolve();
+      this->HasLayer = this->HasLayer && this->Layer.Bind();
+      if (this->HasLayer)
+      {
+        SetViewportAndScissor(state, plan);
+        this->Layer.Draw(renderer, shading, plan, props, this->Translucent);
+      }
+    }
+    else
+    {
+      failure = "the framebuffer of the reflection texture is not complete";
+    }
+  }
+  this->Instruments.End(vtkWaterGpuQueries::REFLECTION);
+  this->IsDrawing = false;
+  vtkOpenGLRenderUtilities::MarkDebugEvent("water: mirrored view ends");
+  return failure;
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterMirroredView::FindVisibility(vtkRenderer* renderer, const water_plan& plan)
+{
+  this->Seen = nullptr;
+  if (plan.has_visibility)
+  {
+    auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+    this->SceneDepth.Find(window->GetState());
+    this->Seen = this->SceneDepth.IsThere()
+      ? this->SeenCells.Find(renderer, plan, this->Screen, this->SceneDepth)
+      : nullptr;
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterMirroredView::SetCamera(vtkRenderer* renderer, const water_plan& plan)
+{
+  if (!this->Camera)
+  {
+    this->Camera.TakeReference(renderer->MakeCamera());
+    vtkNew<vtkMatrix4x4> projection;
+    this->Camera->SetExplicitProjectionTransformMatrix(projection);
+    this->Camera->SetUseExplicitProjectionTransformMatrix(true);
+  }
+  vtkCamera* user = renderer->GetActiveCamera();
+  this->Camera->SetPosition(plan.mirrored_position);
+  this->Camera->SetFocalPoint(plan.mirrored_focal_point);
+  this->Camera->SetViewUp(plan.mirrored_view_up);
+  // shaders and volume rays still read these two, although the projection is explicit
+  this->Camera->SetParallelProjection(user->GetParallelProjection());
+  this->Camera->SetClippingRange(user->GetClippingRange());
+  double* projection = &this->Camera->GetExplicitProjectionTransformMatrix()->Element[0][0];
+  std::copy(plan.mirrored.view_to_clip, plan.mirrored.view_to_clip + 16, projection);
+  // mappers that shift and scale coordinates by the camera ask it for how much
+  this->Camera->UpdateIdealShiftScale(renderer->GetTiledAspectRatio());
+  // lights and key matrices are refreshed by the camera's time; a matrix changed in place does not
+  // count, and the main view may have been set up since
+  this->Camera->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterMirroredView::DrawOpaque(
+  vtkRenderer* renderer, const water_plan& plan, const std::vector<vtkProp*>& props, bool canCut)
+{
+  auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
+  const auto draw = [this, renderer](vtkProp* prop) {
+    prop->RenderOpaqueGeometry(renderer);
+    // on for shaders that write the distance; undefined for those that do not
+    glDisable(GL_CLIP_DISTANCE0);
+    this->Clusters.TakeBack();
+  };
+  this->Instruments.BeginCounting(window);
+  auto next = props.begin();
+  if (canCut)
+  {
+    const auto leading = next + this->Clusters.BeginLeading(props);
+    if (this->Clusters.IsReversed())
+    {
+      vtkOpenGLState::ScopedglDepthFunc depthFunc(window->GetState());
+      window->GetState()->vtkglDepthFunc(GL_LESS);
+      std::for_each(std::make_reverse_iterator(leading), std::make_reverse_iterator(next), draw);
+    }
+    else
+    {
+      std::for_each(next, leading, draw);
+    }
+    this->Clusters.EndLeading();
+    if (plan.is_software && next != leading)
+    {
+      glFlush(); // they are drawn while the others are handed over
+    }
+    next = leading;
+  }
+  std::for_each(next, props.end(), draw);
+  this->Instruments.EndCounting();
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterMirroredView::MakeLevels()
+{
+  this->Target.MakeLevels();
+  if (this->HasLayer)
+  {
+    this->Layer.MakeLevels();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkTextureObject* vtkWaterMirroredView::GetBlank(vtkOpenGLRenderWindow* window)
+{
+  if (!this->Blank || this->Blank->GetContext() != window)
+  {
+    this->Blank = vtkSmartPointer<vtkTextureObject>::New();
+    this->Blank->SetContext(window);
+    this->Blank->Allocate2D(1, 1, 4, VTK_UNSIGNED_CHAR);
+  }
+  return this->Blank;
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterMirroredView::ReleaseGraphicsResources(vtkWindow* window)
+{
+  if (auto* rendered = vtkRenderWindow::SafeDownCast(window))
+  {
+    rendered->MakeCurrent(); // shared props that went before may have left another's context
+  }
+  this->Target.ReleaseGraphicsResources(window);
+  this->Clusters.ReleaseGraphicsResources();
+  this->SeenCells.ReleaseGraphicsResources(window);
+  if (window)
+  {
+    this->Instruments.ReleaseGraphicsResources();
+  }
+  this->Screen.ReleaseGraphicsResources();
+  if (this->Blank && window)
+  {
+    this->Blank->ReleaseGraphicsResources(window);
+  }
+  this->Blank = nullptr;
+  this->Translucent.ReleaseGraphicsResources(window);
+  this->Layer.ReleaseGraphicsResources(window);
+  this->HasLayer = false;
+}

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkWaterTranslucentLayer.h"
+
+#include "vtkOpenGLQuadHelper.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkProp.h"
+#include "vtkRenderer.h"
+#include "vtkShaderProgram.h"
+#include "vtkTextureObject.h"
+#include "vtkWaterFullScreen.h"
+#include "vtkWaterGL.h"
+#include "vtkWaterGather.h"
+#include "vtkWaterShaderHook.h"
+#include "vtkWaterTranslucent.h"
+#include "vtkWaterUniforms.h"
+#include "vtkWaterVolumeDepthFS.h"
+#include "water_volume_planes.h"
+
+#include <algorithm>
+
+namespace
+{
+void DrawPolygons(vtkRenderer* renderer, const std::vector<vtkProp*>& props)
+{
+  for (vtkProp* prop : props)
+  {
+    prop->RenderTranslucentPolygonalGeometry(renderer);
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+vtkWaterTranslucentLayer::vtkWaterTranslucentLayer() = default;
+
+//------------------------------------------------------------------------------
+vtkWaterTranslucentLayer::~vtkWaterTranslucentLayer() = default;
+
+//------------------------------------------------------------------------------
+bool vtkWaterTranslucentLayer::IsNeeded(const std::vector<vtkProp*>& props)
+{
+  return vtkWaterTranslucent::HasPolygons(props) ||
+    std::any_of(props.begin(), props.end(), vtkWaterGather::HoldsVolume);
+}
+
+//------------------------------------------------------------------------------
+bool vtkWaterTranslucentLayer::Keep(vtkOpenGLRenderWindow* window, vtkWaterTarget& map)
+{
+  if (!this->Opaque.EnsureAs(window, map, false) || !this->Layer.EnsureAs(window, map, true))
+  {
+    return false;
+  }
+  window->GetState()->vtkglDisable(GL_SCISSOR_TEST); // which cuts copies
+  this->Opaque.CopyFrom(map, GL_COLOR_BUFFER_BIT);
+  this->Layer.CopyFrom(map, GL_DEPTH_BUFFER_BIT);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterTranslucentLayer::Draw(vtkRenderer* renderer, vtkWaterShaderHook* shading,
+  const water_plan& plan, std::vector<vtkProp*>& props, vtkWaterTranslucent& translucent)
+{
+  vtkOpenGLState* state =
+    static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow())->GetState();
+  state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  state->vtkglClearColor(0.0f, 0.0f, 0.0f, 0.0f);
+  state->vtkglClear(GL_COLOR_BUFFER_BIT);
+  state->vtkglEnable(GL_DEPTH_TEST);
+  state->vtkglEnable(GL_BLEND);
+  state->vtkglDepthFunc(GL_LEQUAL);
+  state->vtkglBlendFuncSeparate(
+    GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  translucent.DrawPolygons(renderer, props, this->Layer.GetFramebuffer());
+  if (!translucent.LeavesAlpha())
+  {
+    this->DrawAlpha(renderer, props);
+  }
+  translucent.DrawVolumes(renderer, props);
+  this->DrawDepths(renderer, shading, plan, props);
+  state->vtkglDisable(GL_SCISSOR_TEST);
+  this->Layer.Resolve();
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterTranslucentLayer::DrawAlpha(vtkRenderer* renderer, const std::vector<vtkProp*>& props)
+{
+  vtkOpenGLState* state =
+    static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow())->GetState();
+  const vtkOpenGLState::ScopedglColorMask colorMask(state);
+  state->vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_TRUE);
+  state->vtkglClearColor(0.0f, 0.0f, 0.0f, 0.0f);
+  state->vtkglClear(GL_COLOR_BUFFER_BIT);
+  DrawPolygons(renderer, props); // whatever their order
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterTranslucentLayer::DrawDepths(vtkRenderer* renderer, vtkWaterShaderHook* shading,
+  const water_plan& plan, const std::vector<vtkProp*>& props)
+{
+  auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
+  vtkOpenGLState* state = window->GetState();
+  const vtkOpenGLState::ScopedglColorMask colorMask(state);
+  const vtkOpenGLState::ScopedglDepthMask depthMask(state);
+  const vtkOpenGLState::ScopedglDepthFunc depthFunc(state);
+  const vtkOpenGLState::ScopedglEnableDisable depthTest(state, GL_DEPTH_TEST);
+  state->vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+  state->vtkglDepthMask(GL_TRUE);
+  state->vtkglDepthFunc(GL_LEQUAL);
+  state->vtkglEnable(GL_DEPTH_TEST);
+  shading->SetDepthWriter(state);
+  DrawPolygons(renderer, props);
+  shading->SetDepthWriter(nullptr);
+  for (vtkProp* prop : props)
+  {
+    if (vtkWaterGather::HoldsVolume(prop))
+    {
+      this->DrawVolumeDepth(window, plan, prop);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterTranslucentLayer::DrawVolumeDepth(
+  vtkOpenGLRenderWindow* window, const water_plan& plan, vtkProp* prop)
+{
+  const double* bounds = prop->GetBounds();
+  double sides[WATER_VOLUME_PLANES_COUNT][4];
+  if (!bounds || water_volume_planes_make(&plan, bounds, sides) != WATER_OK ||
+    !vtkWaterFullScreen::Ready(this->VolumeDepth, window, vtkWaterVolumeDepthFS))
+  {
+    return;
+  }
+  float values[WATER_VOLUME_PLANES_COUNT][4];
+  std::copy(&sides[0][0], &sides[0][0] + 4 * WATER_VOLUME_PLANES_COUNT, &values[0][0]);
+  vtkShaderProgram* program = this->VolumeDepth->Program;
+  program->SetUniform4fv("waterSides", WATER_VOLUME_PLANES_COUNT, values);
+  vtkWaterUniforms::Set4(program, "waterReflectionW", plan.reflection_w);
+  window->GetState()->vtkglDepthMask(GL_TRUE); // actors may have left another
+  this->VolumeDepth->Render();
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterTranslucentLayer::MakeLevels()
+{
+  this->Opaque.MakeLevels();
+  this->Layer.MakeLevels();
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterTranslucentLayer::SetHasLevels(bool hasLevels)
+{
+  for (vtkTextureObject* texture : { this->GetOpaque(), this->GetColor() })
+  {
+    texture->SetMinificationFilter(
+      hasLevels ? vtkTextureObject::LinearMipmapLinear : vtkTextureObject::Linear);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterTranslucentLayer::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Opaque.ReleaseGraphicsResources(window);
+  this->Layer.ReleaseGraphicsResources(window);
+  this->VolumeDepth.reset();
+}

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkWaterTranslucentLayer: what is translucent in a mirrored
+// view, volumes included, apart from the rest: for waves that follow rays. See
+// Documentation/decisions/006-lookup.md.
+#ifndef vtkWaterTranslucentLayer_h
+#define vtkWaterTranslucentLayer_h
+
+#include "vtkWaterTarget.h"
+
+#include <memory>
+#include <vector>
+
+class vtkOpenGLQuadHelper;
+class vtkOpenGLRenderWindow;
+class vtkProp;
+class vtkRenderer;
+class vtkTextureObject;
+class vtkWaterShaderHook;
+class vtkWaterTranslucent;
+class vtkWindow;
+struct water_plan;
+
+class vtkWaterTranslucentLayer
+{
+public:
+  vtkWaterTranslucentLayer();
+  ~vtkWaterTranslucentLayer();
+
+  // Is any of the props translucent, or a volume?
+  static bool IsNeeded(const std::vector<vtkProp*>& props);
+
+  // Keeps what the reflection texture shows before anything translucent is drawn into it. The bound
+  // framebuffer and the scissor test are others afterwards.
+  //
+  // Returns false when the GPU gives no textures for it.
+  bool Keep(vtkOpenGLRenderWindow* window, vtkWaterTarget& map);
+
+  // Draws the layer: Bind, then viewport and scissor of the reflection texture, then Draw.
+  bool Bind() { return this->Layer.Bind(); }
+  void Draw(vtkRenderer* renderer, vtkWaterShaderHook* shading, const water_plan& plan,
+    std::vector<vtkProp*>& props, vtkWaterTranslucent& translucent);
+
+  // Fills the mip levels; whether they are read.
+  void MakeLevels();
+  void SetHasLevels(bool hasLevels);
+
+  vtkTextureObject* GetOpaque() { return this->Opaque.GetColor(); } // all else
+  vtkTextureObject* GetColor() { return this->Layer.GetColor(); }   // times alpha, and alpha
+  vtkTextureObject* GetDepth() { return this->Layer.GetDepth(); }   // of all
+
+  void ReleaseGraphicsResources(vtkWindow* window);
+
+private:
+  void DrawAlpha(vtkRenderer* renderer, const std::vector<vtkProp*>& props);
+  void DrawDepths(vtkRenderer* renderer, vtkWaterShaderHook* shading, const water_plan& plan,
+    const std::vector<vtkProp*>& props);
+  void DrawVolumeDepth(vtkOpenGLRenderWindow* window, const water_plan& plan, vtkProp* prop);
+
+  vtkWaterTarget Opaque;
+  vtkWaterTarget Layer;
+  std::unique_ptr<vtkOpenGLQuadHelper> VolumeDepth;
+};
+
+#endif

@@ -1,0 +1,342 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkWaterShaderHook.h"
+
+#include "vtkActor.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLShaderCache.h"
+#include "vtkOpenGLState.h"
+#include "vtkProp.h"
+#include "vtkProperty.h"
+#include "vtkShaderProgram.h"
+#include "vtkWaterActor.h"
+#include "vtkWaterClusters.h"
+#include "vtkWaterCompat.h"
+#include "vtkWaterGL.h"
+#include "vtkWaterMirroredFS.h"
+#include "vtkWaterMirroredVS.h"
+#include "vtkWaterPlainFS.h"
+#include "vtkWaterSurfaceShader.h"
+#include "vtkWaterUniforms.h"
+#include "vtkWaterVolumeFS.h"
+#include "water_types.h"
+
+#include <algorithm>
+
+VTK_ABI_NAMESPACE_BEGIN
+vtkStandardNewMacro(vtkWaterShaderHook);
+
+namespace
+{
+// Puts text before a tag and keeps the tag for whoever comes next.
+void InsertBefore(std::string& source, const std::string& tag, const std::string& text)
+{
+  vtkShaderProgram::Substitute(source, tag, text + "\n" + tag, false);
+}
+
+// Puts declarations before the tag that all of VTK's shaders have, or, where the user's own
+// replacement took that, before main. Returns whether they are in.
+bool InsertDeclarations(std::string& source, const std::string& text)
+{
+  const std::string tag = "//VTK::Clip::Dec";
+  const std::string place = source.find(tag) != std::string::npos ? tag : "void main(";
+  return vtkShaderProgram::Substitute(source, place, text + "\n" + place, false);
+}
+
+bool Declares(const std::string& source, const std::string& function)
+{
+  return source.find(function + "(") != std::string::npos;
+}
+
+void InsertAfter(std::string& source, const std::string& tag, const std::string& text)
+{
+  vtkShaderProgram::Substitute(source, tag, tag + "\n" + text, false);
+}
+
+// VTK's physically based shader of a single headlight has L = V = H written out; this gives it the
+// terms of a directional light, which it declares anyway.
+void MoveHeadlight(std::string& source)
+{
+  const std::string isotropic = "SpecularIsotropic(NdV, NdV, NdV, 1.0,";
+  const std::string anisotropic =
+    "SpecularAnisotropic(at, ab, V, tangentVC, bitangentVC, V, TdV, BdV, NdV, NdV, NdV,\n1.0,";
+  if (source.find(isotropic) == std::string::npos && source.find(anisotropic) == std::string::npos)
+  {
+    return; // unlit, or of other lights
+  }
+  InsertAfter(source, "float NdL, NdH, HdL, distanceVC, attenuation, D, Vis;",
+    "  waterHeadlightPhysical(N, V, L, H, NdL, NdH, HdL);");
+  InsertAfter(
+    source, "float coatNdL, coatNdH;", "  waterHeadlightTerms(coatN, L, H, coatNdL, coatNdH);");
+  const char* const terms[][2] = {
+    { isotropic.c_str(), "SpecularIsotropic(NdH, NdV, NdL, HdL," },
+    { anisotropic.c_str(),
+      "SpecularAnisotropic(at, ab, L, tangentVC, bitangentVC, H, TdV, BdV, NdH, NdV, NdL, HdL," },
+    { "SpecularIsotropic(coatNdV, coatNdV, coatNdV, 1.0,",
+      "SpecularIsotropic(coatNdH, coatNdV, coatNdL, HdL," },
+    { "radiance * coatNdV * coatStrength", "radiance * coatNdL * coatStrength" },
+    { "(diffuse + specular) * NdV", "(diffuse + specular) * NdL" },
+  };
+  for (const auto& term : terms)
+  {
+    vtkShaderProgram::Substitute(source, term[0], term[1], false);
+  }
+}
+
+// VTK's volumes have their headlight in a global for each volume; those after the first matrix,
+// which is of all of them, when there are several.
+void MoveHeadlightOfVolumes(std::string& source)
+{
+  const bool areSeveral = source.find("g_ldir[1] =") != std::string::npos;
+  for (int i = 0;; ++i)
+  {
+    const std::string index = "[" + std::to_string(i) + "]";
+    const std::string matrix = "[" + std::to_string(areSeveral ? i + 1 : i) + "]";
+    const std::string line = "g_ldir" + index + " =";
+    if (source.find(line) == std::string::npos)
+    {
+      return;
+    }
+    InsertBefore(source, line,
+      "g_lightPosObj" + index + " = waterHeadlightPlace(g_lightPosObj" + index +
+        ", in_inverseVolumeMatrix" + matrix + ");");
+  }
+}
+
+// Does the prop have no highlights? A change of its property makes the mapper ask again.
+bool IsMatte(vtkProp* prop)
+{
+  auto* actor = vtkActor::SafeDownCast(prop);
+  return actor && !actor->GetBackfaceProperty() && actor->GetProperty()->GetSpecular() <= 0.0;
+}
+}
+
+//------------------------------------------------------------------------------
+vtkWaterShaderHook::vtkWaterShaderHook()
+  : Keys(this)
+{
+  this->SetActiveDrawBuffers(1); // volume mappers ask the last pass of the list
+}
+
+//------------------------------------------------------------------------------
+vtkWaterShaderHook::~vtkWaterShaderHook() = default;
+
+//------------------------------------------------------------------------------
+vtkWaterShaderHook* vtkWaterShaderHook::GetOfThread()
+{
+  static thread_local vtkNew<vtkWaterShaderHook> shading;
+  return shading;
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterShaderHook::BeginMirroredView(const View& view)
+{
+  this->Mirrored = view;
+  this->SetUp.clear();
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterShaderHook::EndMirroredView()
+{
+  this->Mirrored = View();
+  this->DepthWriter = nullptr;
+  this->SetUp.clear();
+}
+
+//------------------------------------------------------------------------------
+bool vtkWaterShaderHook::PreReplaceShaderValues(std::string& vertexShader,
+  std::string& geometryShader, std::string& fragmentShader, vtkAbstractMapper*, vtkProp* prop)
+{
+  this->Refusals.Settle();
+  if (prop->IsA("vtkWaterActor"))
+  {
+    auto* water = static_cast<vtkWaterActor*>(prop);
+    const bool isRefused = this->Surface && this->Surface->GetIsRefused();
+    const int stages =
+      this->Surface ? this->Surface->GetBuiltStages() : vtkWaterSurfaceShader::GetStages(water);
+    // a geometry shader would have to pass the place at rest on
+    const bool canDisplace = !isRefused && geometryShader.empty() &&
+      vertexShader.find("//VTK::CustomEnd::Impl") != std::string::npos;
+    if (canDisplace && (stages & vtkWaterSurfaceShader::DISPLACED) &&
+      InsertDeclarations(vertexShader, vtkWaterSurfaceShader::GetVertexShader()))
+    {
+      InsertBefore(vertexShader, "//VTK::CustomEnd::Impl", "  waterDisplace(gl_Position);");
+    }
+    InsertDeclarations(fragmentShader,
+      isRefused ? vtkWaterPlainFS : vtkWaterSurfaceShader::GetShader(stages, canDisplace));
+    if (!this->Surface || !this->Surface->GetIsSecondary())
+    {
+      return true;
+    }
+  }
+  if (this->Refusals.Has(prop))
+  {
+    return true;
+  }
+  const int refusals = this->Refusals.GetCount(prop);
+  const std::string attempt = refusals > 0 ? "// after refusal " + std::to_string(refusals) : "";
+  if (!InsertDeclarations(fragmentShader, vtkWaterMirroredFS + attempt))
+  {
+    return true; // not a shader that can be helped
+  }
+  // Opaque geometry is cut by a clip distance. It needs a vertex shader that ends the chain (a
+  // geometry shader would have to pass the distance on), and must not be on for the full-screen
+  // quads that blend translucent geometry: those two discard.
+  const bool canClipVertices = geometryShader.empty() &&
+    vertexShader.find("//VTK::CustomEnd::Impl") != std::string::npos &&
+    !prop->HasTranslucentPolygonalGeometry();
+  if (canClipVertices && InsertDeclarations(vertexShader, vtkWaterMirroredVS))
+  {
+    InsertBefore(vertexShader, "//VTK::CustomEnd::Impl", "  waterClipVertex(gl_Position);");
+  }
+  else
+  {
+    InsertBefore(fragmentShader, "//VTK::Clip::Impl", "  waterClip();");
+  }
+  // the tags of VTK's ray caster; no other shader has them
+  InsertAfter(fragmentShader, "//VTK::Clipping::Dec", vtkWaterVolumeFS);
+  InsertAfter(fragmentShader, "//VTK::Clipping::Init", "  waterClipRay();");
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkWaterShaderHook::PostReplaceShaderValues(std::string& vertexShader,
+  std::string& geometryShader, std::string& fragmentShader, vtkAbstractMapper* mapper,
+  vtkProp* prop)
+{
+  vtkWaterShaderFailures::Prepare(mapper);
+  if (prop->IsA("vtkWaterActor"))
+  {
+    if (Declares(fragmentShader, "waterShade"))
+    {
+      InsertBefore(fragmentShader, "//VTK::Light::Impl", "\n  waterShade(gl_FragData[0]);");
+    }
+    if (this->Surface)
+    {
+      this->IsAwaited = true;
+      this->Surface->ReleaseShader();
+    }
+    return true;
+  }
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(this->Keys.GetWindow());
+  if (window)
+  {
+    // a mapper whose shader is refused draws with the program that is in use, whosever that is
+    window->GetShaderCache()->ReleaseCurrentShader();
+  }
+  if (!Declares(fragmentShader, "waterHeadlight"))
+  {
+    return true;
+  }
+  MoveHeadlight(fragmentShader);
+  if (Declares(fragmentShader, "waterHeadlightPlace"))
+  {
+    MoveHeadlightOfVolumes(fragmentShader);
+  }
+  // VTK's code for a single headlight takes the light for the view; a mapper that has no such line
+  // (unlit, other lights) needs nothing
+  vtkShaderProgram::Substitute(fragmentShader, "float sf = pow(df, specularPower);",
+    IsMatte(prop)
+      ? "df = waterHeadlightDiffuse(normalVCVSOutput); float sf = 0.0;"
+      : "float sf = pow(waterHeadlight(normalVCVSOutput, vertexVC.xyz, df), specularPower);",
+    false);
+  if (window)
+  {
+    this->Refusals.Await(
+      prop, mapper, window, this->IsInMirroredView(), vertexShader, geometryShader, fragmentShader);
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkWaterShaderHook::SetShaderParameters(
+  vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp* prop, vtkOpenGLVertexArrayObject*)
+{
+  if (prop->IsA("vtkWaterActor"))
+  {
+    // a mapper whose new program was refused still has its last one, which is not in use
+    if (this->Surface && program->isBound())
+    {
+      this->IsAwaited = false;
+      this->Surface->SetParameters(program);
+      if (this->Surface->GetIsSecondary())
+      {
+        this->SetMirroredParameters(program, prop); // which cut it
+      }
+      if (this->Probed)
+      {
+        this->Probed->vtkglDepthMask(GL_FALSE); // the actor has just set it, and resets it
+      }
+    }
+  }
+  else if (program->isBound())
+  {
+    this->Refusals.Arrive(prop, mapper);
+    this->SetMirroredParameters(program, prop);
+    if (this->Mirrored.Clusters)
+    {
+      this->Mirrored.Clusters->Give(*this->Mirrored.Plan, program, mapper, prop);
+    }
+  }
+  if (this->DepthWriter)
+  {
+    this->DepthWriter->vtkglDepthMask(GL_TRUE); // the actor has just set it, and resets it
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterShaderHook::SetMirroredParameters(vtkShaderProgram* program, vtkProp* prop)
+{
+  static const double keepAll[4] = { 0.0, 0.0, 0.0, 1.0 };
+  const water_plan* plan = this->Mirrored.Plan;
+  if (plan && !prop->IsRenderingTranslucentPolygonalGeometry() &&
+    program->IsUniformUsed("waterClipPosition"))
+  {
+    glEnable(GL_CLIP_DISTANCE0); // vtkWaterMirroredView turns it off again
+  }
+  // props share programs, and a program keeps its uniforms
+  if (!this->SetUp.insert(program).second)
+  {
+    return;
+  }
+  vtkWaterUniforms::Set4(program, "waterClipWindow", plan ? plan->clip_plane_window : keepAll);
+  vtkWaterUniforms::Set4(program, "waterClipPosition", plan ? plan->clip_plane_clip : keepAll);
+  vtkWaterUniforms::Set4(program, "waterClipView", plan ? plan->clip_plane_view : keepAll);
+  double headlight[4] = { 0.0, 0.0, -1.0, 0.0 };
+  double place[4] = { 0.0, 0.0, 0.0, 0.0 };
+  if (plan)
+  {
+    std::copy(plan->headlight_dir, plan->headlight_dir + 3, headlight);
+    std::copy(plan->headlight_position, plan->headlight_position + 3, place);
+    headlight[3] = place[3] = 1.0;
+  }
+  vtkWaterUniforms::Set4(program, "waterHeadlightVC", headlight);
+  vtkWaterUniforms::Set4(program, "waterHeadlightPlaceVC", place);
+  // VTK sets the lights of a program, which are in view space, once per camera or light change by
+  // their modification times; main and mirrored camera share the program.
+  program->SetUniformGroupUpdateTime(vtkShaderProgram::LightingGroup, 0);
+}
+
+//------------------------------------------------------------------------------
+bool vtkWaterShaderHook::BeginFog(vtkRenderer* renderer, const water_plan& plan)
+{
+  const vtkMTimeType frame = this->Keys.GetFrame(renderer);
+  if (frame == this->FogFrame && std::equal(plan.dir_to_eye, plan.dir_to_eye + 12, this->FogEye))
+  {
+    return false;
+  }
+  this->FogFrame = frame;
+  std::copy(plan.dir_to_eye, plan.dir_to_eye + 12, this->FogEye);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterShaderHook::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "In a mirrored view: " << (this->IsInMirroredView() ? "yes" : "no") << "\n";
+}
+
+VTK_ABI_NAMESPACE_END

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkWaterShaderHook: plan -> shader replacements and
+// uniforms, with vtkWaterSurfaceShader for the water's own.
+//
+// It is a key in the RenderPasses list of the props: mappers ask the passes of that list to change
+// their shaders. One object serves all waters that a thread renders, because a mapper rebuilds its
+// shaders whenever the list changes: with one key per water, two waters would rebuild everything,
+// twice a frame. See Documentation/decisions.
+#ifndef vtkWaterShaderHook_h
+#define vtkWaterShaderHook_h
+
+#include "vtkOpenGLRenderPass.h"
+#include "vtkSmartPointer.h"
+#include "vtkWaterRenderPassKeys.h"
+#include "vtkWaterShaderFailures.h"
+#include "water_types.h"
+
+#include <unordered_set>
+#include <vector>
+
+class vtkOpenGLState;
+class vtkProp;
+class vtkRenderer;
+class vtkWaterClusters;
+class vtkWaterSurfaceShader;
+
+class vtkWaterShaderHook : public vtkOpenGLRenderPass
+{
+public:
+  static vtkWaterShaderHook* New();
+  vtkTypeMacro(vtkWaterShaderHook, vtkOpenGLRenderPass);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  // The object of the thread that renders, whichever thread made the water. It lives as long as
+  // the thread.
+  static vtkWaterShaderHook* GetOfThread();
+
+  // Which props carry this object in their lists.
+  vtkWaterRenderPassKeys Keys;
+
+  // Which of them go without the lines that this object adds.
+  vtkWaterShaderFailures Refusals;
+
+  // What is drawn into a reflection texture.
+  struct View
+  {
+    const water_plan* Plan = nullptr;
+    water_camera Eye = water_camera(); // of the picture that it is drawn for
+    const std::vector<vtkProp*>* Props = nullptr;
+    vtkWaterClusters* Clusters = nullptr; // of large meshes, if they may be drawn in clusters
+  };
+
+  // A mirrored view is drawn between the two.
+  void BeginMirroredView(const View& view);
+  void EndMirroredView();
+
+  // Translucent geometry writes its depth until then; nullptr: no more.
+  void SetDepthWriter(vtkOpenGLState* state) { this->DepthWriter = state; }
+  bool IsInMirroredView() const { return this->Mirrored.Plan != nullptr; }
+  const View& GetMirroredView() const { return this->Mirrored; }
+
+  // Is this the first water that an eye is in, in the renderer's frame? The others add no fog.
+  bool BeginFog(vtkRenderer* renderer, const water_plan& plan);
+
+  // This surface is drawn between the two.
+  //
+  // probed  a state in which it leaves no trace in the depth, or none
+  void BeginSurface(vtkWaterSurfaceShader* surface, vtkOpenGLState* probed)
+  {
+    this->Surface = surface;
+    this->Probed = probed;
+    this->IsAwaited = false;
+  }
+  // Returns false when the driver has refused the shader that was built for it.
+  bool EndSurface()
+  {
+    this->Surface = nullptr;
+    return !this->IsAwaited;
+  }
+
+  void Render(const vtkRenderState*) override {} // a key only, it draws nothing
+  vtkMTimeType GetShaderStageMTime() override { return this->Refusals.GetTime(); }
+  bool PreReplaceShaderValues(std::string& vertexShader, std::string& geometryShader,
+    std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp* prop) override;
+  bool PostReplaceShaderValues(std::string& vertexShader, std::string& geometryShader,
+    std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp* prop) override;
+  bool SetShaderParameters(vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp* prop,
+    vtkOpenGLVertexArrayObject* vao) override;
+
+protected:
+  vtkWaterShaderHook();
+  ~vtkWaterShaderHook() override;
+
+private:
+  vtkWaterShaderHook(const vtkWaterShaderHook&) = delete;
+  void operator=(const vtkWaterShaderHook&) = delete;
+
+  void SetMirroredParameters(vtkShaderProgram* program, vtkProp* prop);
+
+  View Mirrored;
+  std::unordered_set<vtkShaderProgram*> SetUp; // programs that know the present view
+  vtkMTimeType FogFrame = 0;
+  double FogEye[12] = {}; // its directions
+  vtkWaterSurfaceShader* Surface = nullptr;
+  vtkOpenGLState* Probed = nullptr;
+  vtkOpenGLState* DepthWriter = nullptr; // in it, of translucent geometry
+  bool IsAwaited = false; // the surface's shader was built, and nobody has asked for its parameters
+};
+
+#endif

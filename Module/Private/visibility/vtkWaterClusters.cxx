@@ -1,0 +1,370 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkWaterClusters.h"
+
+#include "vtkActor.h"
+#include "vtkCommand.h"
+#include "vtkDoubleArray.h"
+#include "vtkFloatArray.h"
+#include "vtkImageData.h"
+#include "vtkMatrix4x4.h"
+#include "vtkOpenGLIndexBufferObject.h"
+#include "vtkOpenGLPolyDataMapper.h"
+#include "vtkOpenGLVertexBufferObject.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkProperty.h"
+#include "vtkShaderProgram.h"
+#include "vtkShaderProperty.h"
+#include "vtkTexture.h"
+#include "vtkWaterAccess.h"
+#include "vtkWaterGL.h"
+#include "vtkWaterGather.h"
+
+#include <algorithm>
+#include <cstring>
+#include <exception>
+#include <thread>
+
+namespace
+{
+// May the vertices be elsewhere than the data says?
+bool HasOwnShaders(vtkAbstractMapper* mapper, vtkActor* actor)
+{
+  vtkShaderProperty* shaders = actor->GetShaderProperty();
+  return shaders->GetNumberOfShaderReplacements() > 0 || shaders->HasVertexShaderCode() ||
+    shaders->HasGeometryShaderCode() || mapper->HasObserver(vtkCommand::UpdateShaderEvent);
+}
+
+// Can the triangles of a mesh be drawn without some of them? Not when the shader counts them to
+// find the data of their cells.
+bool CanBeCut(vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkActor* actor)
+{
+  return actor && std::strcmp(mapper->GetClassName(), "vtkOpenGLPolyDataMapper") == 0 &&
+    vtkWaterGather::IsInWorld(actor) && actor->GetProperty()->GetRepresentation() == VTK_SURFACE &&
+    !actor->IsRenderingTranslucentPolygonalGeometry() &&
+    !program->IsUniformUsed("PrimitiveIDOffset") && !HasOwnShaders(mapper, actor);
+}
+
+// May a pixel have another depth than its triangle, or none? Fragment shaders write depths where an
+// offset tells coincident surfaces apart, and the user's may write or discard anything.
+bool HasOwnDepths(vtkMapper* mapper, vtkActor* actor)
+{
+  const int resolution = vtkMapper::GetResolveCoincidentTopology();
+  double factor = 0.0;
+  double units = 0.0;
+  if (resolution == VTK_RESOLVE_POLYGON_OFFSET || actor->GetProperty()->GetEdgeVisibility())
+  {
+    mapper->GetCoincidentTopologyPolygonOffsetParameters(factor, units);
+  }
+  else if (resolution == VTK_RESOLVE_SHIFT_ZBUFFER)
+  {
+    units = vtkMapper::GetResolveCoincidentTopologyZShift();
+  }
+  return factor != 0.0 || units != 0.0 || actor->GetShaderProperty()->HasFragmentShaderCode();
+}
+
+bool HasAlpha(vtkTexture* texture)
+{
+  vtkImageData* image = texture->GetInput();
+  return !image || image->GetScalarType() != VTK_UNSIGNED_CHAR ||
+    image->GetNumberOfScalarComponents() != 3 ||
+    texture->GetColorMode() == VTK_COLOR_MODE_MAP_SCALARS; // its table may have holes
+}
+
+// Is every pixel of what an actor draws in the opaque pass opaque? VTK blends there, too.
+bool IsOpaqueEverywhere(vtkActor* actor)
+{
+  if (actor->GetForceOpaque() || actor->GetBackfaceProperty() ||
+    actor->HasTranslucentPolygonalGeometry() ||
+    (actor->GetTexture() && HasAlpha(actor->GetTexture())))
+  {
+    return false;
+  }
+  const auto& textures = actor->GetProperty()->GetAllTextures();
+  return std::none_of(textures.begin(), textures.end(),
+    [](const std::pair<const std::string, vtkTexture*>& named) { return HasAlpha(named.second); });
+}
+
+// Does every triangle, whichever way it faces, cover all of its pixels for good?
+bool IsSolid(vtkPolyDataMapper* mapper, vtkActor* actor)
+{
+  vtkProperty* property = actor->GetProperty();
+  return IsOpaqueEverywhere(actor) && !property->GetBackfaceCulling() &&
+    !property->GetFrontfaceCulling() && mapper->GetNumberOfClippingPlanes() == 0;
+}
+
+// What the vertices that the GPU has are relative to: VTK shifts those of meshes that are large, or
+// far off.
+std::array<double, 3> OriginOf(vtkOpenGLPolyDataMapper* mapper)
+{
+  vtkOpenGLVertexBufferObject* vertices = vtkWaterAccess::PolyDataMapper::VerticesOf(mapper);
+  std::array<double, 3> origin{};
+  if (vertices && vertices->GetCoordShiftAndScaleEnabled() && vertices->GetShift().size() == 3)
+  {
+    std::copy_n(vertices->GetShift().begin(), 3, origin.begin());
+  }
+  return origin;
+}
+
+// Calls back for every number below a count, at the same time if the machine lets us.
+template <typename Function>
+void ForEach(int count, const Function& function)
+{
+  std::vector<std::thread> others;
+  others.reserve(static_cast<size_t>(count)); // nothing throws between here and their ends
+  for (int i = 1; i < count; ++i)
+  {
+    try
+    {
+      others.emplace_back(function, i);
+    }
+    catch (const std::exception&) // no more threads, or no memory for one
+    {
+      function(i);
+    }
+  }
+  function(0);
+  for (std::thread& other : others)
+  {
+    other.join();
+  }
+}
+
+bool HasTrianglesOnly(vtkPolyDataMapper* mapper, vtkProperty* property)
+{
+  vtkPolyData* mesh = mapper->GetInput();
+  return mesh && mesh->GetNumberOfVerts() == 0 && mesh->GetNumberOfLines() == 0 &&
+    mesh->GetNumberOfStrips() == 0 && !mapper->GetSelection() && !property->GetVertexVisibility() &&
+    !property->GetEdgeVisibility();
+}
+}
+
+//------------------------------------------------------------------------------
+vtkWaterClusters::vtkWaterClusters() = default;
+
+//------------------------------------------------------------------------------
+vtkWaterClusters::~vtkWaterClusters()
+{
+  this->TakeBack();
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterClusters::Read(vtkOpenGLPolyDataMapper* mapper, bool isFine, Mesh& mesh)
+{
+  mesh.Boxes.clear();
+  mesh.Indices.clear();
+  mesh.Points = nullptr;
+  vtkOpenGLIndexBufferObject* buffer = vtkWaterAccess::PolyDataMapper::TrianglesOf(mapper);
+  const size_t count = water_clusters_count(buffer->IndexCount / 3);
+  if (count == 0 || buffer->IndexCount % 3 != 0)
+  {
+    return;
+  }
+  mesh.Indices.resize(buffer->IndexCount);
+  GLint bound = 0;
+  glGetIntegerv(GL_COPY_READ_BUFFER, &bound); // the binding's name is also that of its query
+  glBindBuffer(GL_COPY_READ_BUFFER, static_cast<GLuint>(buffer->GetHandle()));
+  glGetBufferSubData(GL_COPY_READ_BUFFER, 0,
+    static_cast<GLsizeiptr>(mesh.Indices.size() * sizeof(uint32_t)), mesh.Indices.data());
+  glBindBuffer(GL_COPY_READ_BUFFER, static_cast<GLuint>(bound));
+  mesh.Boxes.resize(count);
+  vtkPoints* points = mapper->GetInput() ? mapper->GetInput()->GetPoints() : nullptr;
+  water_mesh described;
+  if (!points || !Describe(points->GetData(), mesh, described) || !water_clusters_bound(&described))
+  {
+    mesh.Boxes.clear(); // not the indices of these points
+  }
+  else if (isFine)
+  {
+    // a copy: who writes into the points and does not say so yet is still shown the old ones
+    mesh.Points.TakeReference(points->GetData()->NewInstance());
+    mesh.Points->DeepCopy(points->GetData());
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkWaterClusters::Describe(vtkDataArray* points, Mesh& mesh, water_mesh& described)
+{
+  auto* floats = vtkFloatArray::FastDownCast(points);
+  auto* doubles = vtkDoubleArray::FastDownCast(points);
+  if (points && !floats && !doubles)
+  {
+    return false;
+  }
+  described.points = { floats ? floats->GetPointer(0) : nullptr,
+    doubles ? doubles->GetPointer(0) : nullptr };
+  described.point_count = points ? static_cast<size_t>(points->GetNumberOfTuples()) : 0;
+  described.indices = mesh.Indices.data();
+  described.triangle_count = mesh.Indices.size() / 3;
+  described.boxes = reinterpret_cast<double(*)[6]>(mesh.Boxes.data()); // of std::array<double, 6>
+  return true;
+}
+
+//------------------------------------------------------------------------------
+vtkWaterClusters::MeshState vtkWaterClusters::StateOf(
+  vtkOpenGLPolyDataMapper* mapper, vtkActor* actor)
+{
+  vtkOpenGLIndexBufferObject* buffer = vtkWaterAccess::PolyDataMapper::TrianglesOf(mapper);
+  vtkProperty* property = actor->GetProperty();
+  return { mapper->GetInput() ? mapper->GetInput()->GetMTime() : 0, mapper->GetMTime(),
+    reinterpret_cast<vtkMTimeType>(property), property->GetMTime(), buffer->IndexCount,
+    static_cast<vtkMTimeType>(buffer->GetHandle()) };
+}
+
+//------------------------------------------------------------------------------
+bool vtkWaterClusters::CanLead(vtkProp* prop)
+{
+  auto* actor = vtkActor::SafeDownCast(prop);
+  auto* mapper = actor ? vtkOpenGLPolyDataMapper::SafeDownCast(actor->GetMapper()) : nullptr;
+  const auto it = this->Meshes.find(mapper);
+  return mapper && it != this->Meshes.end() && it->second.Mapper && !it->second.Boxes.empty() &&
+    it->second.State == StateOf(mapper, actor) && !HasOwnShaders(mapper, actor) &&
+    !HasOwnDepths(mapper, actor) && vtkWaterGather::IsInWorld(actor) && IsOpaqueEverywhere(actor) &&
+    HasTrianglesOnly(mapper, actor->GetProperty());
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterClusters::BeginView(const water_plan& plan, const water_visibility* seen, int samples)
+{
+  this->Map = { seen, nullptr, samples, 0 };
+  glGetIntegerv(GL_SUBPIXEL_BITS, &this->Map.subpixel_bits);
+  if (plan.is_software)
+  {
+    const int* rect = plan.texture_rect_px;
+    this->Depths.resize(static_cast<size_t>(rect[2]) * static_cast<size_t>(rect[3]));
+    water_triangle_cull_begin(rect, seen, this->Depths.data());
+    this->Map.depths = this->Depths.data();
+  }
+}
+
+//------------------------------------------------------------------------------
+size_t vtkWaterClusters::BeginLeading(const std::vector<vtkProp*>& props)
+{
+  this->HasLeading = true;
+  this->Trends = {};
+  const auto other = std::find_if_not(
+    props.begin(), props.end(), [this](vtkProp* prop) { return this->CanLead(prop); });
+  return static_cast<size_t>(other - props.begin());
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterClusters::EndLeading()
+{
+  // what they were like in this view tells how to draw them in the next
+  int nearerSteps = 0;
+  int fartherSteps = 0;
+  for (const water_trend& trend : this->Trends)
+  {
+    nearerSteps += trend.nearer_steps;
+    fartherSteps += trend.farther_steps;
+  }
+  this->FarFirst = this->FarFirst != (nearerSteps > fartherSteps);
+  this->HasLeading = false;
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterClusters::Give(
+  const water_plan& plan, vtkShaderProgram* program, vtkAbstractMapper* anyMapper, vtkProp* prop)
+{
+  auto* actor = vtkActor::SafeDownCast(prop);
+  this->TakeBack(); // of another part of an assembly
+  if (!anyMapper || !CanBeCut(program, anyMapper, actor))
+  {
+    return;
+  }
+  auto* mapper = static_cast<vtkOpenGLPolyDataMapper*>(anyMapper);
+  vtkOpenGLIndexBufferObject*& slot = vtkWaterAccess::PolyDataMapper::TrianglesOf(mapper);
+  if (water_clusters_count(slot->IndexCount / 3) == 0)
+  {
+    return;
+  }
+  for (auto it = this->Meshes.begin(); it != this->Meshes.end();)
+  {
+    it = it->second.Mapper ? std::next(it) : this->Meshes.erase(it);
+  }
+  Mesh& mesh = this->Meshes[mapper];
+  const MeshState state = StateOf(mapper, actor);
+  if (!mesh.Mapper || mesh.State != state ||
+    (plan.is_software && !mesh.Boxes.empty() && !mesh.Points))
+  {
+    mesh.Mapper = mapper;
+    mesh.State = state;
+    Read(mapper, plan.is_software, mesh);
+  }
+  water_mesh described;
+  if (mesh.Boxes.empty() || !Describe(mesh.Points, mesh, described))
+  {
+    return;
+  }
+  water_clusters_target map = this->Map;
+  if (HasOwnDepths(mapper, actor))
+  {
+    map.depths = nullptr;
+  }
+  const bool isSolid = IsSolid(mapper, actor);
+  const double* modelToWorld = &actor->GetMatrix()->Element[0][0];
+  const std::array<double, 3> origin = OriginOf(mapper);
+  const int bandCount = water_clusters_bands(
+    plan.is_software, described.triangle_count, std::thread::hardware_concurrency());
+  this->Work.resize(static_cast<size_t>(bandCount) * mesh.Boxes.size());
+  ForEach(bandCount, [&](int band) {
+    water_clusters_view view;
+    water_clusters_view_make(
+      &plan, &map, band, bandCount, isSolid, modelToWorld, origin.data(), &view);
+    water_clusters_mark(&view, &described, this->IsReversed(), &this->Trends[band],
+      this->Work.data() + static_cast<size_t>(band) * mesh.Boxes.size());
+  });
+  this->Selected.resize(mesh.Indices.size());
+  const size_t count = water_clusters_copy(
+    &described, this->IsReversed(), this->Work.data(), bandCount, this->Selected.data());
+  if (count == mesh.Indices.size() && !this->IsReversed())
+  {
+    return;
+  }
+  if (!mesh.Drawn)
+  {
+    mesh.Drawn = vtkSmartPointer<vtkOpenGLIndexBufferObject>::New();
+  }
+  if (count > 0)
+  {
+    mesh.Drawn->Upload(this->Selected.data(), count, vtkOpenGLBufferObject::ElementArrayBuffer);
+  }
+  else if (!mesh.Drawn->IsReady())
+  {
+    mesh.Drawn->GenerateBuffer(vtkOpenGLBufferObject::ElementArrayBuffer);
+  }
+  mesh.Drawn->IndexCount = count;
+  this->Given = mapper;
+  this->Own.TakeReference(slot); // the mapper's reference, until it has it back
+  slot = mesh.Drawn;
+  mesh.Drawn->Register(mapper);
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterClusters::TakeBack()
+{
+  if (!this->Given)
+  {
+    return;
+  }
+  vtkOpenGLIndexBufferObject*& slot = vtkWaterAccess::PolyDataMapper::TrianglesOf(this->Given);
+  slot->UnRegister(this->Given);
+  slot = this->Own;
+  this->Own->Register(this->Given);
+  this->Own = nullptr;
+  this->Given = nullptr;
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterClusters::ReleaseGraphicsResources()
+{
+  this->TakeBack();
+  for (auto& mesh : this->Meshes)
+  {
+    if (mesh.second.Drawn)
+    {
+      mesh.second.Drawn->ReleaseGraphicsResources();
+    }
+  }
+  this->Meshes.clear();
+}

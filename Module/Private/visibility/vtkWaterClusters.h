@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkWaterClusters: draws of large meshes only the clusters that the mirrored view can show.
+//
+// A mapper draws the triangles that its index buffer lists. For the time of a draw in the mirrored
+// view it gets another list, in which clusters are left out (water_clusters.h): the same vertices,
+// the same order, so every pixel is the same as before. Large meshes that are drawn before all else
+// may be drawn backwards, the last triangle of the last of them first, with a depth test that keeps
+// the first of equally far ones: this, too, gives the same pixels. See
+// Documentation/decisions/009-skips.md.
+#ifndef vtkWaterClusters_h
+#define vtkWaterClusters_h
+
+#include "vtkSmartPointer.h"
+#include "vtkType.h"
+#include "vtkWeakPointer.h"
+#include "water_clusters.h"
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <vector>
+
+class vtkAbstractMapper;
+class vtkActor;
+class vtkDataArray;
+class vtkOpenGLIndexBufferObject;
+class vtkOpenGLPolyDataMapper;
+class vtkProp;
+class vtkShaderProgram;
+
+class vtkWaterClusters
+{
+public:
+  vtkWaterClusters();
+  ~vtkWaterClusters();
+
+  // Another reflection texture is about to be drawn.
+  //
+  // seen     what of it is looked up; nullptr: all of it
+  // samples  of its pixels
+  void BeginView(const water_plan& plan, const water_visibility* seen, int samples);
+
+  // How many of the props, from the first on, are nothing but large opaque meshes, as far as is
+  // known from the last frame. They are about to be drawn: in their order, or, if IsReversed, from
+  // the last of them to the first, with the depth test GL_LESS.
+  size_t BeginLeading(const std::vector<vtkProp*>& props);
+  bool IsReversed() const { return this->HasLeading && this->FarFirst; }
+
+  // All of them are drawn.
+  void EndLeading();
+
+  // A mapper is about to draw a prop with a program: gives it its clusters, if the mesh is large,
+  // in a form that can be cut, and parts of it cannot be seen.
+  void Give(
+    const water_plan& plan, vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp* prop);
+
+  // The prop is drawn: the mapper gets its own index buffer back.
+  void TakeBack();
+
+  void ReleaseGraphicsResources();
+
+private:
+  vtkWaterClusters(const vtkWaterClusters&) = delete;
+  void operator=(const vtkWaterClusters&) = delete;
+
+  using MeshState = std::array<vtkMTimeType, 6>;
+
+  struct Mesh
+  {
+    vtkWeakPointer<vtkOpenGLPolyDataMapper> Mapper;
+    MeshState State{};                    // of what the index buffer was made from
+    vtkSmartPointer<vtkDataArray> Points; // as they were then; nullptr: only boxes are looked at
+    std::vector<uint32_t> Indices;
+    std::vector<std::array<double, 6>> Boxes; // empty: it cannot be cut
+    vtkSmartPointer<vtkOpenGLIndexBufferObject> Drawn;
+  };
+
+  static MeshState StateOf(vtkOpenGLPolyDataMapper* mapper, vtkActor* actor);
+  static void Read(vtkOpenGLPolyDataMapper* mapper, bool isFine, Mesh& mesh);
+  static bool Describe(vtkDataArray* points, Mesh& mesh, water_mesh& described);
+  bool CanLead(vtkProp* prop);
+
+  std::map<vtkOpenGLPolyDataMapper*, Mesh> Meshes;
+  std::vector<uint32_t> Selected;
+  std::vector<water_cluster_work> Work;
+  water_clusters_target Map{};
+  std::vector<float> Depths;
+  std::array<water_trend, WATER_CLUSTERS_BANDS_MAX> Trends{};
+  bool HasLeading = false;                        // are being drawn
+  bool FarFirst = false;                          // is the leading meshes' own order
+  vtkSmartPointer<vtkOpenGLPolyDataMapper> Given; // has a buffer of ours
+  vtkSmartPointer<vtkOpenGLIndexBufferObject> Own;
+};
+
+#endif

@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// test_clusters_place.c: large meshes that are far from the origin of the world, or of their own
+// coordinates, or are looked at in bands of the reflection texture.
+#include "test_mesh.h"
+
+#include "water_clusters.h"
+
+// What cancels in single precision, its rounding must know: how far the eye is from the origin of
+// what the GPU has, in the mesh's own units, wherever in the world both are.
+TEST(rounding_knows_how_far_the_origin_is)
+{
+  UNUSED;
+  const double units[4] = { 1.0, 1.0, 1000.0, 0.01 };
+  const double offset[3] = { 5e5, 4.5e6, 100.0 };
+  for (int i = 0; i < 4; ++i)
+  {
+    double origin[3];
+    double shift[3];
+    const double unit = units[i];
+    double model_to_world[16] = { 0, -1 / unit, 0, 3, 1 / unit, 0, 0, -4, 0, 0, 1 / unit, 12, 0, 0,
+      0, 1 };
+    for (int j = 0; j < 3; ++j)
+    {
+      shift[j] = i == 1 ? offset[j] : 0.0;
+      model_to_world[4 * j + 3] += shift[j];
+      origin[j] = (i == 3 ? 1e5 : 10.0) * (j + 1);
+    }
+    water_scene scene = lake();
+    const double eye[3] = { shift[0], shift[1] - 10.0, shift[2] + 5.0 };
+    const double up[3] = { 0.0, 0.0, 1.0 };
+    look_at(eye, shift, up, scene.eye.world_to_view);
+    scene.plane.offset = -shift[2];
+    for (int j = 0; j < 6; ++j)
+    {
+      scene.surface_bounds[j] += shift[j / 2];
+    }
+    const water_plan plan = plan_of(&scene, NULL);
+    water_clusters_view view;
+    water_clusters_view_make(&plan, &plain_map, 0, 1, false, model_to_world, origin, &view);
+    double world[4];
+    apply(model_to_world, origin, 1.0, world);
+    const double mirrored_eye[3] = { eye[0], eye[1], 2.0 * shift[2] - eye[2] };
+    const double apart[3] = { world[0] - mirrored_eye[0], world[1] - mirrored_eye[1],
+      world[2] - mirrored_eye[2] };
+    const double distance = unit * sqrt(dot(apart, apart));
+    assert_true(view.frustum.reach >= distance && view.frustum.reach <= 1.001 * distance);
+  }
+}
+
+// As much of a mesh is left out far from the world's origin as at it.
+TEST(far_meshes_are_cut_as_near_ones)
+{
+  UNUSED;
+  const double far[3] = { 500000.0, 4500000.0, 128.0 };
+  const double up[3] = { 0.0, 0.0, 1.0 };
+  dice from = dice_seeded(66);
+  mesh* const terrain = mesh_made(&from);
+  double* const doubles = malloc(sizeof *doubles * 3 * POINTS);
+  assert_non_null(doubles);
+  const float* const floats = terrain->described.points.floats;
+  size_t counts[3];
+  for (int i = 0; i < 3; ++i)
+  {
+    double origin[3] = { 0.0, 0.0, 0.0 };
+    const double model_to_world[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 };
+    water_scene scene = lake();
+    double eye[3] = { 0.0, -60.0, 1.0 };
+    const double wide[6] = { -60.0, 60.0, -60.0, 60.0, 0.0, 0.0 };
+    memcpy(scene.surface_bounds, wide, sizeof wide);
+    for (int j = 0; j < 3 && i > 0; ++j)
+    {
+      origin[j] = far[j];
+      eye[j] += far[j];
+      scene.surface_bounds[2 * j] += far[j];
+      scene.surface_bounds[2 * j + 1] += far[j];
+    }
+    look_at(eye, origin, up, scene.eye.world_to_view);
+    scene.plane.offset = -origin[2];
+    scene.is_software = true;
+    const water_plan plan = plan_of(&scene, NULL);
+    const int* rect = plan.texture_rect_px;
+    float* depths = malloc((size_t)rect[2] * (size_t)rect[3] * sizeof *depths);
+    assert_non_null(depths);
+    for (int j = 0; j < 3 * POINTS; ++j)
+    {
+      doubles[j] = (double)floats[j] + origin[j % 3];
+    }
+    terrain->described.points = (water_points){ NULL, doubles };
+    assert_true(water_clusters_bound(&terrain->described));
+    const water_clusters_target map = { NULL, depths, 0, 8 };
+    water_clusters_view view;
+    water_trend trend;
+    memset(&trend, 0, sizeof trend);
+    water_clusters_view_make(
+      &plan, &map, 0, 1, true, model_to_world, i == 2 ? at_zero : origin, &view);
+    water_triangle_cull_begin(rect, NULL, depths);
+    counts[i] = selected(&view, &terrain->described, false, &trend, terrain->work, terrain->drawn);
+    free(depths);
+  }
+  print_message("near %zu, far %zu, as single precision has it there %zu of %d triangles\n",
+    counts[0] / 3, counts[1] / 3, counts[2] / 3, TRIANGLES);
+  assert_true(counts[0] > 0 && (double)counts[0] < 0.8 * (double)counts[2]);
+  // they differ where a millionth of a pixel decides
+  assert_true(fabs((double)counts[1] / (double)counts[0] - 1.0) < 0.01);
+  free(doubles);
+  free(terrain);
+}
+
+TEST(bands_are_for_cores_and_large_meshes)
+{
+  UNUSED;
+  const size_t enough = (size_t)WATER_CLUSTER_TRIANGLES * WATER_BAND_CLUSTERS;
+  assert_int_equal(water_clusters_bands(true, 3 * enough, 8), 3);
+  assert_int_equal(water_clusters_bands(true, 3 * enough - WATER_CLUSTER_TRIANGLES, 8), 2);
+  assert_int_equal(water_clusters_bands(true, 3 * enough, 2), 2);
+  assert_int_equal(water_clusters_bands(true, 100 * enough, 64), WATER_CLUSTERS_BANDS_MAX);
+  assert_int_equal(water_clusters_bands(true, 100 * enough, 0), 1);
+  assert_int_equal(water_clusters_bands(true, 100 * enough, 1), 1);
+  assert_int_equal(water_clusters_bands(true, 10, 64), 1);
+  assert_int_equal(water_clusters_bands(false, 100 * enough, 64), 1);
+}
+
+// Bands share the work: what is drawn into the reflection texture is marked in the bands that it is
+// in, and hardly anything else.
+TEST(bands_mark_what_is_in_them)
+{
+  UNUSED;
+  enum
+  {
+    BANDS = 3
+  };
+  const double center[3] = { 0.0, 0.0, 0.0 };
+  const double model_to_world[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 };
+  dice from = dice_seeded(67);
+  mesh* const terrain = mesh_made(&from);
+  water_cluster_work* const works = malloc(BANDS * PIECES * sizeof *works);
+  assert_non_null(works);
+  assert_true(water_clusters_bound(&terrain->described));
+  size_t whole = 0;
+  size_t all = 0;
+  size_t fine = 0;
+  size_t each = 0;
+  for (int round = 0; round < 60; ++round)
+  {
+    random_scene random = scene_rolled(&from, round, center);
+    random.scene.is_software = round % 2;
+    const water_plan plan = plan_of(&random.scene, NULL);
+    const int* rect = plan.texture_rect_px;
+    float* depths = malloc((size_t)rect[2] * (size_t)rect[3] * sizeof *depths);
+    assert_non_null(depths);
+    const water_clusters_target map = { NULL, depths, 0, 8 };
+    water_clusters_view view;
+    water_trend trend;
+    memset(&trend, 0, sizeof trend);
+    water_triangle_cull_begin(rect, NULL, depths);
+    water_clusters_view_make(&plan, &map, 0, 1, true, model_to_world, at_zero, &view);
+    whole += selected(&view, &terrain->described, false, &trend, terrain->work, terrain->drawn);
+    water_triangle_cull_begin(rect, NULL, depths);
+    int end = 0;
+    for (int band = 0; band < BANDS; ++band)
+    {
+      water_cluster_work* work = works + (size_t)band * PIECES;
+      memset(&trend, 0, sizeof trend);
+      water_clusters_view_make(&plan, &map, band, BANDS, true, model_to_world, at_zero, &view);
+      assert_int_equal(view.triangles.columns[0], end); // one after the other
+      end = view.triangles.columns[1];
+      water_clusters_mark(&view, &terrain->described, false, &trend, work);
+      const size_t count = water_clusters_copy(&terrain->described, false, work, 1, terrain->drawn);
+      each += round % 2 ? count : 0;
+    }
+    assert_int_equal(end, rect[2]);
+    const size_t count =
+      water_clusters_copy(&terrain->described, false, works, BANDS, terrain->drawn);
+    all += count;
+    fine += round % 2 ? count : 0;
+    assert_true(is_in_order(terrain, count, NULL));
+    free(depths);
+  }
+  print_message("%zu triangles, in bands %zu; one by one %zu, %zu with those in several\n",
+    whole / 3, all / 3, fine / 3, each / 3);
+  assert_true(fabs((double)all / (double)whole - 1.0) < 0.02);
+  assert_true((double)each < 1.15 * (double)fine);
+  free(works);
+  free(terrain);
+}
+
+int main(void)
+{
+  const struct CMUnitTest tests[] = {
+    RUN(rounding_knows_how_far_the_origin_is),
+    RUN(far_meshes_are_cut_as_near_ones),
+    RUN(bands_are_for_cores_and_large_meshes),
+    RUN(bands_mark_what_is_in_them),
+  };
+  return cmocka_run_group_tests(tests, NULL, NULL);
+}

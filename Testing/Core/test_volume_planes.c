@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// test_volume_planes.c: which points of the reflection
+// texture are in the box of a volume, and over the water.
+#include "test_scene.h"
+
+#include "water_plan.h"
+#include "water_volume_planes.h"
+
+enum
+{
+  POINTS = 20000
+};
+
+static const double box[6] = { -3.0, 2.0, -1.0, 7.0, -2.0, 4.0 };
+
+static void assert_sides_tell(const water_plan* plan)
+{
+  double sides[WATER_VOLUME_PLANES_COUNT][4];
+  assert_int_equal(water_volume_planes_make(plan, box, sides), WATER_OK);
+  dice from = dice_seeded(1);
+  int inside = 0;
+  for (int i = 0; i < POINTS; ++i)
+  {
+    const double point[3] = { dice_roll(&from, -6.0, 6.0), dice_roll(&from, -4.0, 10.0),
+      dice_roll(&from, -4.0, 8.0) };
+    double ndc[4];
+    project(&plan->mirrored, point, 1.0, ndc);
+    if (!is_inside(ndc))
+    {
+      continue;
+    }
+    for (int j = 0; j < 4; ++j)
+    {
+      ndc[j] /= ndc[3];
+    }
+    const double over[WATER_VOLUME_PLANES_COUNT] = { point[0] - box[0], box[1] - point[0],
+      point[1] - box[2], box[3] - point[1], point[2] - box[4], box[5] - point[2], point[2] };
+    int held = 0;
+    for (int side = 0; side < WATER_VOLUME_PLANES_COUNT; ++side)
+    {
+      const double* own = sides[side];
+      const double value = own[0] * ndc[0] + own[1] * ndc[1] + own[2] * ndc[2] + own[3];
+      assert_true(fabs(over[side]) < 1e-6 || (value > 0.0) == (over[side] > 0.0));
+      held += value > 0.0;
+    }
+    inside += held == WATER_VOLUME_PLANES_COUNT;
+  }
+  assert_true(inside > POINTS / 100);
+}
+
+TEST(sides_hold_what_is_in_the_box_and_over_the_water)
+{
+  UNUSED;
+  water_scene scene = lake();
+  water_plan plan = plan_of(&scene, NULL);
+  assert_sides_tell(&plan);
+  const double window[4] = { -12.0, 12.0, -9.0, 9.0 };
+  ortho_matrix(window, 1.0, 1000.0, scene.eye.view_to_clip);
+  scene.eye.parallel = true;
+  plan = plan_of(&scene, NULL);
+  assert_sides_tell(&plan);
+}
+
+// A plan that keeps both sides has no plane between them: every point is on its kept side.
+TEST(a_plane_that_is_none_has_no_side)
+{
+  UNUSED;
+  const water_scene scene = lake();
+  water_plan plan = plan_of(&scene, NULL);
+  double sides[WATER_VOLUME_PLANES_COUNT][4];
+  memset(plan.clip_plane_clip, 0, sizeof plan.clip_plane_clip);
+  assert_int_equal(water_volume_planes_make(&plan, box, sides), WATER_OK);
+  for (int i = 0; i < 4; ++i)
+  {
+    assert_true(sides[WATER_VOLUME_PLANES_COUNT - 1][i] == 0.0);
+  }
+}
+
+TEST(sides_fit_single_precision)
+{
+  UNUSED;
+  const water_scene scene = lake();
+  const double bounds[6] = { -3e7, 2e7, -1e7, 7e7, -2e7, 4e7 };
+  water_plan plan = plan_of(&scene, NULL);
+  double sides[WATER_VOLUME_PLANES_COUNT][4];
+  assert_int_equal(water_volume_planes_make(&plan, bounds, sides), WATER_OK);
+  for (int i = 0; i < WATER_VOLUME_PLANES_COUNT; ++i)
+  {
+    double largest = 0.0;
+    for (int j = 0; j < 4; ++j)
+    {
+      largest = fmax(largest, fabs(sides[i][j]));
+    }
+    assert_true(largest == 1.0);
+  }
+}
+
+TEST(bounds_that_are_none_are_refused)
+{
+  UNUSED;
+  const water_scene scene = lake();
+  water_plan plan = plan_of(&scene, NULL);
+  double sides[WATER_VOLUME_PLANES_COUNT][4];
+  const double wrong[4] = { NAN, INFINITY, -INFINITY, 3.0 }; // and one over its maximum
+  for (int i = 0; i < 4; ++i)
+  {
+    double bounds[6];
+    memcpy(bounds, box, sizeof bounds);
+    bounds[0] = wrong[i];
+    assert_int_equal(water_volume_planes_make(&plan, bounds, sides), WATER_BAD_PROP_BOUNDS);
+  }
+}
+
+TEST(camera_without_an_inverse_is_refused)
+{
+  UNUSED;
+  const water_scene scene = lake();
+  water_plan plan = plan_of(&scene, NULL);
+  double sides[WATER_VOLUME_PLANES_COUNT][4];
+  memset(plan.mirrored.view_to_clip, 0, sizeof plan.mirrored.view_to_clip);
+  assert_int_equal(water_volume_planes_make(&plan, box, sides), WATER_BAD_CAMERA);
+}
+
+int main(void)
+{
+  const struct CMUnitTest tests[] = {
+    RUN(sides_hold_what_is_in_the_box_and_over_the_water),
+    RUN(a_plane_that_is_none_has_no_side),
+    RUN(sides_fit_single_precision),
+    RUN(bounds_that_are_none_are_refused),
+    RUN(camera_without_an_inverse_is_refused),
+  };
+  return cmocka_run_group_tests(tests, NULL, NULL);
+}
