@@ -10,18 +10,14 @@
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
 #include "vtkTexture.h"
+#include "vtkWaterActorInternals.h"
 #include "vtkWaterCompat.h"
 #include "vtkWaterErrors.h"
-#include "vtkWaterGather.h"
-#include "vtkWaterGrid.h"
+#include "vtkWaterFrame.h"
 #include "vtkWaterProperty.h"
+#include "vtkWaterReflection.h"
 #include "vtkWaterReflectionPass.h"
-#include "vtkWaterSea.h"
-#include "vtkWaterSecondarySurface.h"
-#include "vtkWaterShaderHook.h"
-#include "vtkWaterSheet.h"
-#include "vtkWaterSurfaceShader.h"
-#include "water_plan.h"
+#include "water_plane.h"
 
 #include <algorithm>
 
@@ -50,16 +46,12 @@ void FindRenderers(vtkProp* prop, std::vector<vtkRenderer*>& renderers)
 
 //------------------------------------------------------------------------------
 vtkWaterActor::vtkWaterActor()
-  : Plane(vtkSmartPointer<vtkPlane>::New()) // z = 0, +z up
+  : Internal(std::make_unique<Internals>(this))
+  , Plane(vtkSmartPointer<vtkPlane>::New()) // z = 0, +z up
   , WaterProperty(vtkSmartPointer<vtkWaterProperty>::New())
   , OwnPass(vtkSmartPointer<vtkWaterReflectionPass>::New())
-  , Sheet(std::make_unique<vtkWaterSheet>())
-  , Grid(std::make_unique<vtkWaterGrid>())
-  , Surface(std::make_unique<vtkWaterSurfaceShader>())
-  , Secondary(std::make_unique<vtkWaterSecondarySurface>())
-  , Sea(std::make_unique<vtkWaterSea>())
 {
-  this->Superclass::SetMapper(this->Sheet->GetMapper());
+  this->Superclass::SetMapper(this->Internal->Sheet.GetMapper());
 }
 
 //------------------------------------------------------------------------------
@@ -166,11 +158,31 @@ vtkWaterReflectionPass* vtkWaterActor::GetReflectionPass()
 //------------------------------------------------------------------------------
 const char* vtkWaterActor::GetLastError() const
 {
-  return this->Errors.empty() ? "" : this->Errors.front().Text.c_str();
+  const auto& errors = this->Internal->Errors;
+  return errors.empty() ? "" : errors.front().Text.c_str();
 }
 
 //------------------------------------------------------------------------------
-void vtkWaterActor::ReportError(vtkRenderer* renderer, const vtkWaterError& error)
+vtkWaterSource* vtkWaterActor::GetSource()
+{
+  return this->Internal.get();
+}
+
+//------------------------------------------------------------------------------
+vtkWaterSource* vtkWaterSource::Of(vtkProp* prop)
+{
+  vtkWaterActor* water = vtkWaterActor::SafeDownCast(prop);
+  return water ? water->GetSource() : nullptr;
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterActor::SetComposedPass(vtkWaterReflectionPass* pass)
+{
+  this->ComposedPass = pass;
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterActor::Internals::Report(vtkRenderer* renderer, const vtkWaterError& error)
 {
   // The plane is looked at twice, for the sheet and for the plan, and by every renderer.
   const bool isKnown = std::any_of(this->Errors.begin(), this->Errors.end(),
@@ -193,26 +205,93 @@ void vtkWaterActor::ReportError(vtkRenderer* renderer, const vtkWaterError& erro
   this->Errors.insert(renderer ? this->Errors.end() : this->Errors.begin(), sourced);
   if (!isKnown)
   {
-    vtkErrorMacro(<< error.Text);
+    vtkErrorWithObjectMacro(this->Self, << error.Text);
   }
 }
 
 //------------------------------------------------------------------------------
-bool vtkWaterActor::HasSheetError() const
+bool vtkWaterActor::Internals::HasSheetError() const
 {
   return !this->Errors.empty() && this->Errors.front().IsOfSheet;
 }
 
 //------------------------------------------------------------------------------
+void vtkWaterActor::Internals::ReadPlane(water_plane* plane, double origin[3])
+{
+  // by value and gradient, as planes may have an offset or a transform besides
+  double worldOrigin[3] = { 0.0, 0.0, 0.0 };
+  vtkPlane* given = this->Self->Plane;
+  given->FunctionGradient(worldOrigin, plane->normal);
+  plane->offset = given->FunctionValue(worldOrigin);
+  water_plane unit;
+  given->GetOrigin(origin);
+  if (given->FunctionValue(origin) != 0.0 && water_plane_normalise(plane, &unit) == WATER_OK)
+  {
+    water_plane_project(&unit, origin, origin);
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkWaterActor::Internals::IsClear()
+{
+  return this->Self->WaterProperty->GetRefraction() && this->Self->HasOpaqueGeometry();
+}
+
+//------------------------------------------------------------------------------
+vtkWaterReflection& vtkWaterActor::Internals::GetOwnReflection()
+{
+  return this->Self->OwnPass->GetReflection();
+}
+
+//------------------------------------------------------------------------------
+vtkWaterReflection* vtkWaterActor::Internals::GetComposedReflection()
+{
+  return this->Self->ComposedPass ? &this->Self->ComposedPass->GetReflection() : nullptr;
+}
+
+//------------------------------------------------------------------------------
+vtkWaterSnapshotPointer vtkWaterActor::Internals::Take(vtkRenderer* renderer)
+{
+  const vtkMTimeType frame = renderer ? vtkWaterFrame::NumberOf(renderer) : 0;
+  const vtkMTimeType time = this->Self->GetMTime();
+  if (this->Snapshot && frame != 0 && frame == this->SnapshotFrame && time == this->SnapshotTime)
+  {
+    return this->Snapshot;
+  }
+  auto made = std::make_shared<vtkWaterSnapshot>();
+  made->Actor = this->Self;
+  if (const double* bounds = this->Self->GetBounds()) // lays the sheet where it is now
+  {
+    std::copy_n(bounds, 6, made->Bounds);
+  }
+  this->ReadPlane(&made->Plane, made->Origin);
+  std::copy_n(this->Self->Plane->GetOrigin(), 3, made->GivenOrigin);
+  std::copy_n(this->Self->Plane->GetNormal(), 3, made->GivenNormal);
+  made->IsSheet = this->Self->UsesOwnSheet() && this->Self->GetIsIdentity();
+  made->Time = this->Self->Time;
+  this->Self->WaterProperty->Describe(made->Look);
+  made->Look.Has.is_opaque = this->Self->HasOpaqueGeometry() != 0;
+  made->Features = water_features_of(&made->Look.Has);
+  made->Waves = this->GetWaveTerms();
+  made->Sea = &this->Sea;
+  made->Settings = this->GetOwnReflection().Settings;
+  this->Snapshot = made;
+  this->SnapshotFrame = frame;
+  this->SnapshotTime = time;
+  return made;
+}
+
+//------------------------------------------------------------------------------
 bool vtkWaterActor::UsesOwnSheet()
 {
-  return this->Mapper == this->Sheet->GetMapper();
+  return this->Mapper == this->Internal->Sheet.GetMapper();
 }
 
 //------------------------------------------------------------------------------
 void vtkWaterActor::UpdateSheet()
 {
-  if (this->IsUpdatingSheet)
+  Internals& internal = *this->Internal;
+  if (internal.IsUpdatingSheet)
   {
     return; // the scene was asked for its bounds, and asks all that it holds
   }
@@ -220,7 +299,7 @@ void vtkWaterActor::UpdateSheet()
   {
     const bool hasInput = this->Mapper->GetNumberOfInputPorts() == 0 ||
       this->Mapper->GetNumberOfInputConnections(0) > 0;
-    this->ReportError(nullptr,
+    internal.Report(nullptr,
       hasInput
         ? vtkWaterError()
         : vtkWaterError{ "no input", "the water's mapper has no input. There is no water." });
@@ -232,24 +311,25 @@ void vtkWaterActor::UpdateSheet()
   {
     return; // not in a scene yet
   }
-  const vtkMTimeType frame =
-    scene.empty() ? 0 : vtkWaterShaderHook::GetOfThread()->Keys.GetFrame(scene.front());
-  if (frame != 0 && this->FittedFrame == frame)
+  const vtkMTimeType frame = scene.empty() ? 0 : vtkWaterFrame::NumberOf(scene.front());
+  if (frame != 0 && internal.FittedFrame == frame)
   {
     return; // asking all props for their bounds costs time
   }
-  this->FittedFrame = frame;
-  double origin[3];
-  vtkWaterGather::ReadPlaneOrigin(this, origin);
-  this->IsUpdatingSheet = true;
-  const water_status status = this->Sheet->Fit(vtkWaterGather::ReadPlane(this), origin,
-    this->UseSheetBounds ? this->SheetBounds : nullptr, scene);
-  this->IsUpdatingSheet = false;
+  internal.FittedFrame = frame;
+  vtkWaterSnapshot fitted; // what errors name
+  internal.ReadPlane(&fitted.Plane, fitted.Origin);
+  std::copy_n(this->Plane->GetOrigin(), 3, fitted.GivenOrigin);
+  std::copy_n(this->Plane->GetNormal(), 3, fitted.GivenNormal);
+  internal.IsUpdatingSheet = true;
+  const water_status status = internal.Sheet.Fit(
+    fitted.Plane, fitted.Origin, this->UseSheetBounds ? this->SheetBounds : nullptr, scene);
+  internal.IsUpdatingSheet = false;
   if (status != WATER_OK)
   {
-    this->OwnPass->SetDecision(WATER_NO_REFLECT_FAILED);
+    internal.GetOwnReflection().Decline(WATER_NO_REFLECT_FAILED);
   }
-  this->ReportError(nullptr, status == WATER_OK ? vtkWaterError() : vtkWaterDescribe(status, this));
+  internal.Report(nullptr, status == WATER_OK ? vtkWaterError() : vtkWaterDescribe(status, fitted));
 }
 
 //------------------------------------------------------------------------------
@@ -257,23 +337,30 @@ double* vtkWaterActor::GetBounds()
 {
   this->UpdateSheet();
   double* bounds = this->Superclass::GetBounds();
-  water_plane unit;
-  const water_plane plane = vtkWaterGather::ReadPlane(this);
-  if (!this->IsDisplaced() || !bounds || !vtkMath::AreBoundsInitialized(bounds) ||
-    water_plane_normalise(&plane, &unit) != WATER_OK)
+  if (!this->Internal->IsDisplaced() || !bounds || !vtkMath::AreBoundsInitialized(bounds))
   {
     return bounds;
   }
-  water_plane_displaced_bounds(&unit, bounds, this->WaterProperty->GetWaveHeightMax(),
-    this->WaterProperty->GetWaveReach(), this->DisplacedBounds);
+  water_plane plane;
+  water_plane unit;
+  double origin[3];
+  this->Internal->ReadPlane(&plane, origin);
+  if (water_plane_normalise(&plane, &unit) != WATER_OK)
+  {
+    return bounds;
+  }
+  vtkWaterLook look;
+  this->WaterProperty->Describe(look);
+  water_plane_displaced_bounds(
+    &unit, bounds, look.WaveHeightMax, look.WaveReach, this->DisplacedBounds);
   return this->DisplacedBounds;
 }
 
 //------------------------------------------------------------------------------
 void vtkWaterActor::SetMapper(vtkMapper* mapper)
 {
-  this->Superclass::SetMapper(mapper ? mapper : this->Sheet->GetMapper());
-  this->ReportError(nullptr, vtkWaterError());
+  this->Superclass::SetMapper(mapper ? mapper : this->Internal->Sheet.GetMapper());
+  this->Internal->Report(nullptr, vtkWaterError());
 }
 
 //------------------------------------------------------------------------------
@@ -296,14 +383,14 @@ vtkTypeBool vtkWaterActor::HasTranslucentPolygonalGeometry()
 void vtkWaterActor::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->OwnPass->ReleaseGraphicsResources(window);
-  this->Surface->ReleaseGraphicsResources(window);
-  this->Secondary->ReleaseGraphicsResources(window);
+  this->Internal->Surface.ReleaseGraphicsResources(window);
+  this->Internal->Secondary.ReleaseGraphicsResources(window);
   if (vtkTexture* environment = this->WaterProperty->GetEnvironmentTexture())
   {
     environment->ReleaseGraphicsResources(window);
   }
-  this->Sea->ReleaseGraphicsResources(window);
-  this->Grid->GetMapper()->ReleaseGraphicsResources(window);
+  this->Internal->Sea.ReleaseGraphicsResources(window);
+  this->Internal->Grid.GetMapper()->ReleaseGraphicsResources(window);
   this->Superclass::ReleaseGraphicsResources(window);
 }
 
@@ -329,17 +416,7 @@ void vtkWaterActor::ShallowCopy(vtkProp* prop)
     {
       this->ResetSheetBounds();
     }
-    this->OwnPass->SetTextureScale(other->OwnPass->GetTextureScale());
-    this->OwnPass->SetMultiSamples(other->OwnPass->GetMultiSamples());
-    this->OwnPass->SetColorPrecision(other->OwnPass->GetColorPrecision());
-    this->OwnPass->SetClipMargin(other->OwnPass->GetClipMargin());
-    this->OwnPass->SetGuardBand(other->OwnPass->GetGuardBand());
-    this->OwnPass->SetSkips(other->OwnPass->GetSkips());
-    this->OwnPass->SetMinimumPropSize(other->OwnPass->GetMinimumPropSize());
-    this->OwnPass->SetReflectanceError(other->OwnPass->GetReflectanceError());
-    this->OwnPass->SetQuality(other->OwnPass->GetQuality());
-    this->OwnPass->SetTargetError(other->OwnPass->GetTargetError());
-    this->OwnPass->SetTimeBudget(other->OwnPass->GetTimeBudget());
+    this->OwnPass->CopySettings(other->OwnPass);
     this->OwnPass->SetShowReflection(other->OwnPass->GetShowReflection());
   }
 }

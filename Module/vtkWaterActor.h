@@ -27,25 +27,15 @@
 #ifndef vtkWaterActor_h
 #define vtkWaterActor_h
 
-#include "vtkNew.h" // for members
 #include "vtkOpenGLActor.h"
 #include "vtkRenderingWaterModule.h" // for the export macro
 #include "vtkSmartPointer.h"         // for members
 #include "vtkWeakPointer.h"          // for members
+#include "vtkWrappingHints.h"        // for VTK_WRAPEXCLUDE
 
 #include <memory> // for std::unique_ptr
-#include <string> // for std::string
-#include <vector> // for std::vector
 
-class vtkWaterGrid;
-class vtkWaterSea;
-class vtkWaterSecondarySurface;
-class vtkWaterSheet;
-class vtkWaterSurfaceShader;
-struct vtkWaterError;
-struct vtkWaterGather;
-struct water_grid_view;
-struct water_wave_term;
+class vtkWaterSource;
 
 #ifdef VTK_ABI_NAMESPACE_BEGIN
 VTK_ABI_NAMESPACE_BEGIN
@@ -160,6 +150,16 @@ public:
   vtkMTimeType GetMTime() override;
   ///@}
 
+  /**
+   * What the module itself knows the water by; not for use.
+   */
+  VTK_WRAPEXCLUDE vtkWaterSource* GetSource();
+
+  /**
+   * A pass composed by hand takes charge of the water; not for use.
+   */
+  VTK_WRAPEXCLUDE void SetComposedPass(vtkWaterReflectionPass* pass);
+
 protected:
   vtkWaterActor();
   ~vtkWaterActor() override;
@@ -168,87 +168,27 @@ private:
   vtkWaterActor(const vtkWaterActor&) = delete;
   void operator=(const vtkWaterActor&) = delete;
 
-  friend class vtkWaterReflectionPass;
-  friend class vtkWaterSurfaceShader;
-  friend struct vtkWaterGather;
-
-  struct SourcedError
-  {
-    std::string Kind; // the same for the same error with another value
-    std::string Text;
-    vtkWeakPointer<vtkRenderer> Renderer;
-    bool IsOfSheet = false; // and of no renderer
-  };
+  struct Internals; // the source
 
   bool UsesOwnSheet();
   // Fits the own sheet to the scene and the plane; does nothing with a mapper of the user's.
   void UpdateSheet();
-  // Says an error once until it changes or goes away (empty).
-  //
-  // renderer  of the plan that failed; nullptr: it is the sheet
-  void ReportError(vtkRenderer* renderer, const vtkWaterError& error);
-  bool HasSheetError() const;
-  // Do waves move the surface itself?
-  bool IsDisplaced() const;
-  // The own sheet as this eye sees it; a user's mapper is drawn as it is.
-  vtkMapper* LayGrid(const water_grid_view& view, vtkMapper* mapper);
-  // The waves at the actor's time.
-  std::vector<water_wave_term> GetWaveTerms();
-  // The wind sea at the actor's time; nullptr when it is off.
-  vtkWaterSea* GetSeaAtTime();
-  // Puts the water behind all other props in the order of this frame: what hides it, and what is
-  // seen through it, is there before it.
-  void DrawLast(vtkRenderer* renderer);
-  // Milliseconds that the sheets may take in this frame; 0: theirs is no budget.
-  double FindBudget(vtkOpenGLRenderer* renderer, const std::vector<vtkWaterActor*>& sheets);
-  // Is it likely that the picture before the water says what need not be drawn in its mirrored
-  // view?
-  bool IsWorthWaiting(vtkOpenGLRenderer* renderer, const std::vector<vtkWaterActor*>& sheets);
-  // May the mirrored view be drawn in the middle of the main one, just before the water?
-  bool CanBeLate(vtkOpenGLRenderer* renderer);
-  // Could one mirrored view serve both, and look the same?
-  bool CanShareWith(vtkOpenGLRenderer* renderer, vtkWaterActor* other);
-  // Finds the sheets that share a mirrored view in this frame, and when it is drawn; for all of
-  // them when the first is asked.
-  void FindSheets(vtkOpenGLRenderer* renderer);
-  // The pass that has the mirrored view of this frame.
-  vtkWaterReflectionPass* GetPassInCharge(vtkRenderer* renderer);
-  // isLate  drawn just before the water, else before the frame
-  void RenderSharedReflection(vtkOpenGLRenderer* renderer, const int viewport_px[2], bool isLate);
-  // Is all of them hidden by what has been drawn so far?
-  bool AreSheetsHidden(vtkOpenGLRenderer* renderer, const std::vector<vtkWaterActor*>& sheets);
-  // Draws the surface with its shader, or with the plain one when the driver refuses that.
-  void DrawSurface(vtkWaterSurfaceShader* surface, vtkRenderer* renderer, vtkMapper* mapper);
   // Draws the surface in the mirrored view of another water.
   void RenderSecondary(vtkRenderer* renderer, vtkMapper* mapper);
-  // Draws the props again that this frame has lost because their shaders were refused with the
-  // mirror's lines, and says so.
-  void MendRefusals(vtkOpenGLRenderer* renderer);
-  // A nested mirror for a draw whose camera was not the one mirrored before the frame.
-  void RenderReflectionIfStale(vtkViewport* viewport);
+  // What a water does in a frame before its geometry is drawn.
+  //
+  // Returns whether nothing of it is seen.
+  bool Prepare(vtkViewport* viewport, bool isDrawn);
 
+  std::unique_ptr<Internals> Internal;
   vtkSmartPointer<vtkPlane> Plane;
   vtkSmartPointer<vtkWaterProperty> WaterProperty;
   vtkSmartPointer<vtkWaterReflectionPass> OwnPass;
   vtkWeakPointer<vtkWaterReflectionPass> ComposedPass;
-  std::unique_ptr<vtkWaterSheet> Sheet;
-  std::unique_ptr<vtkWaterGrid> Grid; // the sheet when it is displaced
-  std::unique_ptr<vtkWaterSurfaceShader> Surface;
-  std::unique_ptr<vtkWaterSecondarySurface> Secondary;
-  std::unique_ptr<vtkWaterSea> Sea;
   double SheetBounds[4] = { 0.0, 0.0, 0.0, 0.0 };
   bool UseSheetBounds = false;
   double DisplacedBounds[6] = {};
-  bool IsUpdatingSheet = false;
-  vtkMTimeType FittedFrame = 0; // of which the sheet is
   double Time = 0.0;
-  std::vector<SourcedError> Errors;
-  vtkWeakPointer<vtkWaterActor>
-    Leader; // of the sheets that share a view; all of this for one frame
-  std::vector<vtkWeakPointer<vtkWaterActor>> Sheets; // the leader's
-  vtkMTimeType SheetsFrame = 0;
-  bool IsLate = false;
-  bool IsProbing = false; // is drawn only to be counted
 };
 
 #ifdef VTK_ABI_NAMESPACE_END

@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkWaterActorDraw.cxx: the part of vtkWaterActor that draws the surface: in the picture, and in
-// the mirrored views of other waters. See Documentation/decisions/008-stages.md and
-// 011-water-in-water.md.
+// vtkWaterActorDraw.cxx: the part of vtkWaterActor that takes part in a frame and draws the
+// surface: in the picture, and in the mirrored views of other waters. See
+// Documentation/decisions/008-stages.md and 011-water-in-water.md.
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLRenderer.h"
 #include "vtkProperty.h"
-#include "vtkWaterActor.h"
+#include "vtkWaterActorInternals.h"
 #include "vtkWaterCompat.h"
+#include "vtkWaterFrame.h"
 #include "vtkWaterGather.h"
 #include "vtkWaterGpuQueries.h"
-#include "vtkWaterGrid.h"
 #include "vtkWaterOcclusion.h"
+#include "vtkWaterReflection.h"
 #include "vtkWaterReflectionPass.h"
-#include "vtkWaterSecondarySurface.h"
+#include "vtkWaterRenderPassKeys.h"
 #include "vtkWaterShaderHook.h"
-#include "vtkWaterSurfaceShader.h"
 #include "water_plan.h"
 #include "water_secondary.h"
 
@@ -23,31 +23,56 @@
 VTK_ABI_NAMESPACE_BEGIN
 
 //------------------------------------------------------------------------------
-int vtkWaterActor::RenderOpaqueGeometry(vtkViewport* viewport)
+void vtkWaterActor::SetAllocatedRenderTime(double seconds, vtkViewport* viewport)
 {
-  this->MendRefusals(vtkOpenGLRenderer::SafeDownCast(viewport));
-  if (this->HasOpaqueGeometry())
+  this->Superclass::SetAllocatedRenderTime(seconds, viewport);
+
+  // The renderer calls this once per frame and eye for a prop that survived culling, before it
+  // draws anything.
+  auto* renderer = vtkOpenGLRenderer::SafeDownCast(viewport);
+  if (renderer && vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow()) &&
+    !vtkWaterFrame::GetHook()->IsInMirroredView())
   {
-    this->RenderReflectionIfStale(viewport);
-    auto* renderer = vtkOpenGLRenderer::SafeDownCast(viewport);
-    if (renderer && !renderer->GetSelector() &&
-      !vtkWaterShaderHook::GetOfThread()->IsInMirroredView() &&
-      this->GetPassInCharge(renderer)->IsUnseen(renderer, this))
+    vtkWaterFrame::Of(renderer).Allot(*this->Internal);
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkWaterActor::Prepare(vtkViewport* viewport, bool isDrawn)
+{
+  vtkOpenGLRenderer* renderer = vtkWaterFrame::FindMainView(viewport);
+  if (!renderer || this->Internal->IsProbing)
+  {
+    return false;
+  }
+  vtkWaterFrame& frame = vtkWaterFrame::Of(renderer);
+  if (!vtkWaterRenderPassKeys::IsBakingShadows(this))
+  {
+    const std::string text = frame.MendFailures(*this->Internal);
+    if (!text.empty())
     {
-      return 0;
+      vtkErrorMacro(<< text);
     }
   }
-  return this->Superclass::RenderOpaqueGeometry(viewport);
+  if (isDrawn)
+  {
+    frame.Prepare(*this->Internal);
+  }
+  return isDrawn && frame.IsUnseen(*this->Internal);
+}
+
+//------------------------------------------------------------------------------
+int vtkWaterActor::RenderOpaqueGeometry(vtkViewport* viewport)
+{
+  return this->Prepare(viewport, this->HasOpaqueGeometry() != 0)
+    ? 0
+    : this->Superclass::RenderOpaqueGeometry(viewport);
 }
 
 //------------------------------------------------------------------------------
 int vtkWaterActor::RenderTranslucentPolygonalGeometry(vtkViewport* viewport)
 {
-  this->MendRefusals(vtkOpenGLRenderer::SafeDownCast(viewport));
-  if (this->HasTranslucentPolygonalGeometry())
-  {
-    this->RenderReflectionIfStale(viewport);
-  }
+  this->Prepare(viewport, this->HasTranslucentPolygonalGeometry() != 0);
   return this->Superclass::RenderTranslucentPolygonalGeometry(viewport);
 }
 
@@ -57,103 +82,116 @@ int vtkWaterActor::RenderOverlay(vtkViewport* viewport)
   auto* renderer = vtkOpenGLRenderer::SafeDownCast(viewport);
   if (renderer && !renderer->GetSelector() && this->GetReflectionPass()->GetShowReflection())
   {
-    this->GetPassInCharge(renderer)->RenderCorner(renderer, this);
+    vtkWaterFrame& frame = vtkWaterFrame::Of(renderer);
+    frame.GetReflection(*this->Internal).DrawCorner(renderer, frame.GetNumber(), this);
   }
   return this->Superclass::RenderOverlay(viewport);
 }
 
 //------------------------------------------------------------------------------
-void vtkWaterActor::DrawSurface(
-  vtkWaterSurfaceShader* surface, vtkRenderer* renderer, vtkMapper* mapper)
+void vtkWaterActor::Internals::Probe(vtkRenderer* renderer)
 {
-  vtkWaterShaderHook* shading = vtkWaterShaderHook::GetOfThread();
+  this->Self->GetBounds(); // lays the sheet where it is now; without cullers nobody has asked yet
+  this->IsProbing = true;
+  this->Self->Superclass::RenderOpaqueGeometry(renderer);
+  this->IsProbing = false;
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterActor::Internals::DrawSurface(
+  vtkWaterSurfaceShader& surface, vtkRenderer* renderer, vtkMapper* mapper)
+{
+  vtkWaterShaderHook* hook = vtkWaterFrame::GetHook();
   vtkOpenGLState* probed =
     this->IsProbing ? static_cast<vtkOpenGLRenderer*>(renderer)->GetState() : nullptr;
-  shading->BeginSurface(surface, probed);
-  this->Superclass::Render(renderer, mapper);
-  if (!shading->EndSurface() && !surface->GetIsRefused())
+  hook->BeginSurface(&surface, probed);
+  this->Self->Superclass::Render(renderer, mapper);
+  if (!hook->EndSurface() && !surface.GetIsRefused())
   {
-    surface->SetIsRefused();
-    vtkErrorMacro("The driver refuses the water's shader. The water shows its plain colour.");
-    shading->BeginSurface(surface, probed);
-    this->Superclass::Render(renderer, mapper);
-    shading->EndSurface();
+    surface.SetIsRefused();
+    vtkErrorWithObjectMacro(
+      this->Self, "The driver refuses the water's shader. The water shows its plain colour.");
+    hook->BeginSurface(&surface, probed);
+    this->Self->Superclass::Render(renderer, mapper);
+    hook->EndSurface();
   }
 }
 
 //------------------------------------------------------------------------------
 void vtkWaterActor::RenderSecondary(vtkRenderer* renderer, vtkMapper* mapper)
 {
-  vtkWaterShaderHook* shading = vtkWaterShaderHook::GetOfThread();
-  const vtkWaterShaderHook::View& view = shading->GetMirroredView();
+  vtkWaterShaderHook* hook = vtkWaterFrame::GetHook();
+  const vtkWaterShaderHook::View& view = hook->GetMirroredView();
   if (std::find(view.Props->begin(), view.Props->end(), this) == view.Props->end())
   {
     return; // no endless mirror, whatever drew this water
   }
-  shading->Keys.Add(this);
-  vtkWaterSurfaceShader* surface = &this->Secondary->Surface;
+  vtkWaterRenderPassKeys::Add(this, hook);
+  const vtkWaterSnapshotPointer water = this->Internal->Take(renderer);
+  vtkWaterSurfaceShader& surface = this->Internal->Secondary.Surface;
   water_plan plan;
-  const water_scene scene = vtkWaterGather::ReadSecondary(renderer, this, view.Eye);
+  const water_scene scene = vtkWaterGather::ReadSecondary(renderer, *water, view.Eye);
   water_secondary_plan(&scene, view.Plan, &plan);
-  vtkWaterSurfaceShader::Frame frame = vtkWaterSurfaceShader::Frame();
-  frame.Renderer = static_cast<vtkOpenGLRenderer*>(renderer);
-  frame.Plan = plan.has_view ? &plan : nullptr;
-  frame.IsFlat = this->UsesOwnSheet() && this->GetIsIdentity();
-  frame.IsSecondary = true;
-  if (surface->UpdateStages(vtkWaterSurfaceShader::GetSecondaryStages(this)))
+  vtkWaterSurfaceShader::Inputs inputs;
+  inputs.Renderer = static_cast<vtkOpenGLRenderer*>(renderer);
+  inputs.Plan = plan.has_view ? &plan : nullptr;
+  inputs.IsFlat = water->IsSheet;
+  inputs.IsSecondary = true;
+  if (surface.UpdateFeatures(water_features_secondary(&water->Look.Has)))
   {
     this->GetProperty()->Modified(); // the mapper builds the other shader
   }
-  surface->Begin(this, frame);
-  this->DrawSurface(surface, renderer, this->Secondary->Follow(mapper));
-  surface->End();
+  surface.Begin(water, inputs);
+  this->Internal->DrawSurface(surface, renderer, this->Internal->Secondary.Follow(mapper));
+  surface.End();
 }
 
 //------------------------------------------------------------------------------
 void vtkWaterActor::Render(vtkRenderer* renderer, vtkMapper* mapper)
 {
-  vtkWaterShaderHook* shading = vtkWaterShaderHook::GetOfThread();
-  if (shading->IsInMirroredView())
+  Internals& internal = *this->Internal;
+  vtkWaterShaderHook* hook = vtkWaterFrame::GetHook();
+  if (hook->IsInMirroredView())
   {
     this->RenderSecondary(renderer, mapper);
     return;
   }
-  if (vtkWaterRenderPassKeys::IsBakingShadows(this) && vtkWaterSurfaceShader::IsClear(this))
+  if (vtkWaterRenderPassKeys::IsBakingShadows(this) && internal.IsClear())
   {
     return; // clear water lets the light through
   }
-  shading->Keys.Add(this);
-  vtkWaterReflectionPass* pass = this->GetPassInCharge(renderer);
-  const bool isPlain = renderer->GetSelector() || this->HasSheetError() || this->IsProbing;
-  vtkWaterSurfaceShader::Frame frame;
-  frame.Renderer = static_cast<vtkOpenGLRenderer*>(renderer);
-  frame.Plan = isPlain ? nullptr : pass->GetFreshPlan(renderer, this);
-  frame.Screen = pass->GetScreen(renderer);
-  frame.Reflection = pass->GetTexture(renderer, this);
-  frame.ReflectionDepth = frame.Plan ? pass->GetReflectionDepthTexture() : nullptr;
-  frame.Layer = pass->GetLayer(renderer);
-  pass->GetRayLimits(&frame.MostSteps, &frame.MostProbes);
+  vtkWaterRenderPassKeys::Add(this, hook);
+  vtkWaterFrame& frame = vtkWaterFrame::Of(renderer);
+  const vtkWaterSnapshotPointer water = internal.Take(renderer);
+  vtkWaterSurfaceShader::Inputs inputs = frame.GetInputs(internal);
+  if (renderer->GetSelector() || internal.HasSheetError() || internal.IsProbing)
+  {
+    inputs.Plan = nullptr; // plain
+  }
   water_grid_view view;
-  const bool isDisplaced = this->IsDisplaced() && vtkWaterGather::ReadView(renderer, this, &view);
-  frame.View = isDisplaced ? &view : nullptr;
-  frame.RowDir = this->Grid->GetRowDir();
-  frame.IsFlat = this->UsesOwnSheet() && this->GetIsIdentity() && !isDisplaced;
-  vtkMapper* drawn = isDisplaced ? this->LayGrid(view, mapper) : mapper;
-  if (this->Surface->UpdateStages(frame.Layer ? vtkWaterSurfaceShader::GetLayeredStages(this)
-                                              : vtkWaterSurfaceShader::GetStages(this)))
+  const bool isDisplaced =
+    water->IsDisplaced() && vtkWaterGather::ReadView(renderer, *water, &view);
+  inputs.View = isDisplaced ? &view : nullptr;
+  inputs.RowDir = internal.Grid.GetRowDir();
+  inputs.IsFlat = water->IsSheet && !isDisplaced;
+  vtkMapper* drawn = isDisplaced ? internal.LayGrid(*water, view, mapper) : mapper;
+  const bool hasLayer = inputs.Translucent.Color != nullptr;
+  if (internal.Surface.UpdateFeatures(
+        hasLayer ? water_features_with_layer(water->Features) : water->Features))
   {
     this->GetProperty()->Modified(); // the mapper builds the other shader
   }
-  frame.AddsFog = frame.Plan && vtkWaterSurfaceShader::IsClear(this) &&
-    (frame.Plan->is_submerged || frame.Plan->is_awash) && shading->BeginFog(renderer, *frame.Plan);
-  vtkWaterGpuQueries* instruments = this->OwnPass->GetInstruments(renderer);
-  instruments->Begin(vtkWaterGpuQueries::SURFACE, renderer->GetRenderWindow());
-  this->Surface->Begin(this, frame);
-  vtkWaterOcclusion* occlusion = this->OwnPass->GetOcclusion(renderer);
+  inputs.AddsFog = inputs.Plan && water->IsClear() &&
+    (inputs.Plan->is_submerged || inputs.Plan->is_awash) && frame.BeginFog(*inputs.Plan);
+  vtkWaterReflection& own = internal.GetOwnReflection();
+  vtkWaterGpuQueries* queries = own.GetGpuQueries(renderer);
+  vtkWaterOcclusion* occlusion = own.GetOcclusion(renderer);
+  queries->Begin(vtkWaterGpuQueries::SURFACE, renderer->GetRenderWindow());
+  internal.Surface.Begin(water, inputs);
   occlusion->Begin(renderer->GetRenderWindow());
-  this->DrawSurface(this->Surface.get(), renderer, drawn);
+  internal.DrawSurface(internal.Surface, renderer, drawn);
   occlusion->End();
-  this->Surface->End();
-  instruments->End(vtkWaterGpuQueries::SURFACE);
+  internal.Surface.End();
+  queries->End(vtkWaterGpuQueries::SURFACE);
 }
 VTK_ABI_NAMESPACE_END

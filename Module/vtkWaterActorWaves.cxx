@@ -3,12 +3,9 @@
 // their heights and normals, and the grid that they displace.
 #include "vtkMath.h"
 #include "vtkPolyDataMapper.h"
-#include "vtkWaterActor.h"
+#include "vtkWaterActorInternals.h"
 #include "vtkWaterCompat.h"
-#include "vtkWaterGrid.h"
 #include "vtkWaterProperty.h"
-#include "vtkWaterSea.h"
-#include "vtkWaterSheet.h"
 #include "water_waves.h"
 
 #include <algorithm>
@@ -36,56 +33,58 @@ void vtkWaterActor::SetTime(double seconds)
 }
 
 //------------------------------------------------------------------------------
-std::vector<water_wave_term> vtkWaterActor::GetWaveTerms()
+std::vector<water_wave_term> vtkWaterActor::Internals::GetWaveTerms() const
 {
-  const auto count = static_cast<size_t>(this->WaterProperty->GetNumberOfWaves());
+  const vtkWaterProperty* property = this->Self->WaterProperty;
+  const auto count = static_cast<size_t>(property->GetNumberOfWaves());
   std::vector<water_wave_term> terms(count);
   size_t bad_index = 0;
   // all are checked by their setters
-  water_waves_at(this->WaterProperty->GetWaves(), count, this->WaterProperty->GetDepth(),
-    this->Time, terms.data(), &bad_index);
+  water_waves_at(property->GetWaves(), count, this->Self->WaterProperty->GetDepth(),
+    this->Self->Time, terms.data(), &bad_index);
   return terms;
 }
 
 //------------------------------------------------------------------------------
-vtkWaterSea* vtkWaterActor::GetSeaAtTime()
+vtkWaterSea* vtkWaterActor::Internals::GetSeaAtTime()
 {
-  if (!this->WaterProperty->GetSea())
+  vtkWaterProperty* property = this->Self->WaterProperty;
+  if (!property->GetSea())
   {
     return nullptr;
   }
   water_sea sea;
   water_tile tile;
-  this->WaterProperty->ReadSea(&sea, &tile);
-  this->Sea->Update(tile, sea, this->Time);
-  return this->Sea.get();
+  property->ReadSea(&sea, &tile);
+  this->Sea.Update(tile, sea, this->Self->Time);
+  return &this->Sea;
 }
 
 //------------------------------------------------------------------------------
 double vtkWaterActor::GetWaveHeight(double x, double y)
 {
-  const std::vector<water_wave_term> terms = this->GetWaveTerms();
+  const std::vector<water_wave_term> terms = this->Internal->GetWaveTerms();
   double rest[2];
   water_wave_point point;
   if (water_waves_find(terms.data(), terms.size(), x, y, rest, &point) != WATER_OK)
   {
     return vtkMath::Nan();
   }
-  const vtkWaterSea* sea = this->GetSeaAtTime();
+  const vtkWaterSea* sea = this->Internal->GetSeaAtTime();
   return sea ? point.displacement[2] + sea->GetHeight(x, y) : point.displacement[2];
 }
 
 //------------------------------------------------------------------------------
 void vtkWaterActor::GetWaveNormal(double x, double y, double normal[3])
 {
-  const std::vector<water_wave_term> terms = this->GetWaveTerms();
+  const std::vector<water_wave_term> terms = this->Internal->GetWaveTerms();
   double rest[2];
   water_wave_point point;
   std::fill(normal, normal + 3, vtkMath::Nan());
   if (water_waves_find(terms.data(), terms.size(), x, y, rest, &point) == WATER_OK)
   {
     std::copy(point.normal, point.normal + 3, normal);
-    if (const vtkWaterSea* sea = this->GetSeaAtTime())
+    if (const vtkWaterSea* sea = this->Internal->GetSeaAtTime())
     {
       double slope[2];
       sea->GetSlope(x, y, slope);
@@ -95,26 +94,28 @@ void vtkWaterActor::GetWaveNormal(double x, double y, double normal[3])
 }
 
 //------------------------------------------------------------------------------
-bool vtkWaterActor::IsDisplaced() const
+bool vtkWaterActor::Internals::IsDisplaced() const
 {
-  return this->WaterProperty->GetWaveGeometry() && this->WaterProperty->GetNumberOfWaves() > 0;
+  vtkWaterProperty* property = this->Self->WaterProperty;
+  return property->GetWaveGeometry() && property->GetNumberOfWaves() > 0;
 }
 
 //------------------------------------------------------------------------------
-vtkMapper* vtkWaterActor::LayGrid(const water_grid_view& view, vtkMapper* mapper)
+vtkMapper* vtkWaterActor::Internals::LayGrid(
+  const vtkWaterSnapshot& water, const water_grid_view& view, vtkMapper* mapper)
 {
-  if (mapper != this->Sheet->GetMapper())
+  if (mapper != this->Sheet.GetMapper())
   {
     return mapper;
   }
   vtkWaterGrid::Place place;
   place.View = view;
-  std::copy(this->Sheet->GetRectangle(), this->Sheet->GetRectangle() + 4, place.Sheet);
-  place.Height = this->WaterProperty->GetWaveHeightMax();
-  place.Reach = this->WaterProperty->GetWaveReach();
-  place.Size = this->WaterProperty->GetWaveGridSize();
-  this->Grid->Lay(place);
-  return this->Grid->GetMapper();
+  std::copy_n(this->Sheet.GetRectangle(), 4, place.Sheet);
+  place.Height = water.Look.WaveHeightMax;
+  place.Reach = water.Look.WaveReach;
+  place.Size = water.Look.WaveGridSize;
+  this->Grid.Lay(place);
+  return this->Grid.GetMapper();
 }
 
 VTK_ABI_NAMESPACE_END

@@ -190,12 +190,6 @@ void vtkWaterProperty::UseMedium(const water_medium& medium)
 }
 
 //------------------------------------------------------------------------------
-const double* vtkWaterProperty::GetExtinction() const
-{
-  return this->Internal->Extinction;
-}
-
-//------------------------------------------------------------------------------
 void vtkWaterProperty::SetAbsorption(double red, double green, double blue)
 {
   const double perMetre[3] = { red, green, blue };
@@ -301,24 +295,6 @@ vtkMTimeType vtkWaterProperty::GetMTime()
     time = texture ? std::max(time, texture->GetMTime()) : time;
   }
   return time;
-}
-
-//------------------------------------------------------------------------------
-bool vtkWaterProperty::NeedsRays() const
-{
-  return this->IsRough() || this->Output != COLOR || this->Shadows;
-}
-
-//------------------------------------------------------------------------------
-bool vtkWaterProperty::LooksUpShadows() const
-{
-  return this->Shadows && (this->HasGlitter() || this->FoamDepth > 0.0 || this->FoamStretch > 0.0);
-}
-
-//------------------------------------------------------------------------------
-bool vtkWaterProperty::HasGlitter() const
-{
-  return this->Glitter && this->IsRough();
 }
 
 //------------------------------------------------------------------------------

@@ -15,9 +15,11 @@
 
 #include "vtkObject.h"
 #include "vtkRenderingWaterModule.h" // for the export macro
+#include "vtkWrappingHints.h"        // for VTK_WRAPEXCLUDE
 
 #include <memory> // for std::unique_ptr
 
+struct vtkWaterLook;
 struct water_medium;
 struct water_sea;
 struct water_tile;
@@ -28,7 +30,6 @@ VTK_ABI_NAMESPACE_BEGIN
 #endif
 
 class vtkTexture;
-class vtkWaterNormalMaps;
 
 class VTKRENDERINGWATER_EXPORT vtkWaterProperty : public vtkObject
 {
@@ -576,6 +577,16 @@ public:
 
   vtkMTimeType GetMTime() override; // of its textures, too
 
+  ///@{
+  /**
+   * What the module itself reads of the look: all of it at once, the waves of AddWave, and the sea
+   * with its tile, whether it is on or not. Not for use.
+   */
+  VTK_WRAPEXCLUDE void Describe(vtkWaterLook& look);
+  VTK_WRAPEXCLUDE const water_wave* GetWaves() const;
+  VTK_WRAPEXCLUDE void ReadSea(water_sea* sea, water_tile* tile) const;
+  ///@}
+
 protected:
   vtkWaterProperty();
   ~vtkWaterProperty() override;
@@ -584,36 +595,16 @@ private:
   vtkWaterProperty(const vtkWaterProperty&) = delete;
   void operator=(const vtkWaterProperty&) = delete;
 
-  friend class vtkWaterActor;
-  friend struct vtkWaterGather;
-  friend class vtkWaterSignature;
-  friend class vtkWaterSurfaceShader;
-  const vtkWaterNormalMaps& GetNormalMaps() const;
-  const water_wave* GetWaves() const;
-  bool HasWaves() const; // of any kind
-  bool IsRough() const;  // has slopes, one by one or as a variance
-  // Is the reflection texture looked up along rays? A calm look has no reasons, and sees no
-  // shadows.
-  bool NeedsRays() const;
-  // No slope that a reflection is looked up with is steeper; infinity: none is known, or the
-  // mirrored view is read elsewhere, too.
-  double GetSlopeLookedUp() const;
+  void DescribeWaves(vtkWaterLook& look);
   // Variances xx, yy, xy of all slopes, at all times; normal maps are not counted.
   void GetMeanSlopes(double covariance[3]) const;
   void UpdateSeaSlopes() const;
-  double GetWaveNumber() const; // typical of the sines, rad/m; 0: not known
-  bool LooksUpShadows() const;  // in the reflection texture, of what keeps light off the surface
-  bool HasGlitter() const;      // calm water has none
-  const double* GetExtinction() const; // absorption + scattering
   // Refuses a colour with a channel outside [0, 1].
   void SetColor(const char* name, double (&member)[3], double red, double green, double blue);
-  // The sea and its tile, whether it is on or not.
-  void ReadSea(water_sea* sea, water_tile* tile) const;
   void PrintSea(ostream& os, vtkIndent indent) const;
   // Sets one of the sea's numbers when the core finds it good.
   template <typename T>
   void SetOfSea(const char* name, T& member, T value);
-  double GetWaveReach() const; // how far steep waves move a point in the plane
   // Sets one of the two when the water has good numbers then.
   void SetMedium(const char* name, double (vtkWaterProperty::*member)[3], const double value[3]);
   void UseMedium(const water_medium& medium);

@@ -168,36 +168,6 @@ double vtkWaterProperty::GetWaveHeightMax() const
 }
 
 //------------------------------------------------------------------------------
-double vtkWaterProperty::GetWaveNumber() const
-{
-  return this->Sea ? 0.0
-                   : water_waves_number(this->Internal->Waves.data(), this->Internal->Waves.size());
-}
-
-//------------------------------------------------------------------------------
-double vtkWaterProperty::GetSlopeLookedUp() const
-{
-  if (!this->NeedsRays())
-  {
-    return 0.0;
-  }
-  const bool isOfSines = this->Lookup == RAY_TRACED && !this->Sea && !this->WaveGeometry &&
-    this->GetNumberOfNormalMaps() == 0 && this->SlopeVariance[0] + this->SlopeVariance[1] == 0.0;
-  return isOfSines && !this->LooksUpShadows()
-    ? water_waves_looked_up(this->Internal->Waves.data(), this->Internal->Waves.size())
-    : std::numeric_limits<double>::infinity();
-}
-
-//------------------------------------------------------------------------------
-double vtkWaterProperty::GetWaveReach() const
-{
-  double height = 0.0;
-  double across = 0.0;
-  water_waves_reach(this->Internal->Waves.data(), this->Internal->Waves.size(), &height, &across);
-  return across;
-}
-
-//------------------------------------------------------------------------------
 void vtkWaterProperty::SetWaveGeometry(bool geometry)
 {
   if (this->WaveGeometry != geometry)
@@ -274,24 +244,6 @@ vtkTexture* vtkWaterProperty::GetNormalMapTexture(int number) const
   return number < 0 || number >= this->GetNumberOfNormalMaps()
     ? nullptr
     : this->Internal->NormalMaps.Layers[static_cast<size_t>(number)].Texture;
-}
-
-//------------------------------------------------------------------------------
-const vtkWaterNormalMaps& vtkWaterProperty::GetNormalMaps() const
-{
-  return this->Internal->NormalMaps;
-}
-
-//------------------------------------------------------------------------------
-bool vtkWaterProperty::HasWaves() const
-{
-  return this->GetNumberOfWaves() > 0 || this->Sea || this->GetNumberOfNormalMaps() > 0;
-}
-
-//------------------------------------------------------------------------------
-bool vtkWaterProperty::IsRough() const
-{
-  return this->HasWaves() || this->SlopeVariance[0] + this->SlopeVariance[1] > 0.0;
 }
 
 //------------------------------------------------------------------------------

@@ -29,16 +29,12 @@
 #include "vtkOpenGLRenderPass.h"
 #include "vtkRenderingWaterModule.h" // for the export macro
 #include "vtkSmartPointer.h"         // for members
+#include "vtkWrappingHints.h"        // for VTK_WRAPEXCLUDE
 
-#include <limits> // for std::numeric_limits
-#include <memory> // for std::unique_ptr
-#include <vector> // for std::vector
+#include <memory> // for std::shared_ptr
+#include <set>    // for std::set
 
-class vtkWaterGpuQueries;
-class vtkWaterTranslucentLayer;
-class vtkWaterOcclusion;
-class vtkWaterFullScreen;
-struct water_plan;
+class vtkWaterReflection;
 
 #ifdef VTK_ABI_NAMESPACE_BEGIN
 VTK_ABI_NAMESPACE_BEGIN
@@ -48,7 +44,6 @@ class vtkInformationIntegerKey;
 class vtkInformationObjectBaseKey;
 class vtkRenderer;
 class vtkTextureObject;
-class vtkWaterActor;
 
 class VTKRENDERINGWATER_EXPORT vtkWaterReflectionPass : public vtkOpenGLRenderPass
 {
@@ -131,7 +126,7 @@ public:
    * is refused with an error and the last good one stays. Default is 1.
    */
   void SetTextureScale(double scale);
-  vtkGetMacro(TextureScale, double);
+  double GetTextureScale() const;
   ///@}
 
   ///@{
@@ -140,7 +135,7 @@ public:
    * none. -1: as many as the window's MultiSamples, at most 8. Default is -1.
    */
   void SetMultiSamples(int samples);
-  vtkGetMacro(MultiSamples, int);
+  int GetMultiSamples() const;
   ///@}
 
   enum ColorPrecisions
@@ -158,7 +153,7 @@ public:
    * may tone map; else 8 bits, as the picture. Default is AUTOMATIC.
    */
   void SetColorPrecision(int precision);
-  vtkGetMacro(ColorPrecision, int);
+  int GetColorPrecision() const;
   ///@}
 
   ///@{
@@ -167,7 +162,7 @@ public:
    * and not negative. Default is 0.
    */
   void SetClipMargin(double margin);
-  vtkGetMacro(ClipMargin, double);
+  double GetClipMargin() const;
   ///@}
 
   ///@{
@@ -177,7 +172,7 @@ public:
    * everything in every frame, to compare with. Default is SKIP_ALL.
    */
   void SetSkips(int skips);
-  vtkGetMacro(Skips, int);
+  int GetSkips() const;
   ///@}
 
   ///@{
@@ -186,7 +181,7 @@ public:
    * of the texture, not negative. Default is 0: none is.
    */
   void SetMinimumPropSize(double pixels);
-  vtkGetMacro(MinimumPropSize, double);
+  double GetMinimumPropSize() const;
   ///@}
 
   ///@{
@@ -196,7 +191,7 @@ public:
    * 0.5 / 255, which no picture of 8 bits shows.
    */
   void SetReflectanceError(double share);
-  vtkGetMacro(ReflectanceError, double);
+  double GetReflectanceError() const;
   ///@}
 
   ///@{
@@ -206,7 +201,7 @@ public:
    * the texture grows. Default is 0.
    */
   void SetGuardBand(double band);
-  vtkGetMacro(GuardBand, double);
+  double GetGuardBand() const;
   ///@}
 
   ///@{
@@ -231,7 +226,7 @@ public:
   /**
    * Number of mirrored views rendered since the pass was made.
    */
-  vtkGetMacro(NumberOfReflectionRenders, vtkIdType);
+  vtkIdType GetNumberOfReflectionRenders() const;
 
   /**
    * Number of props in the last mirrored view.
@@ -268,7 +263,7 @@ public:
    * that was put off until then. Source: Documentation/decisions/010-quality.md. Default is FIXED.
    */
   void SetQuality(int quality);
-  vtkGetMacro(Quality, int);
+  int GetQuality() const;
   void SetQualityToFixed() { this->SetQuality(FIXED); }
   void SetQualityToTargetError() { this->SetQuality(TARGET_ERROR); }
   void SetQualityToTimeBudget() { this->SetQuality(TIME_BUDGET); }
@@ -281,7 +276,7 @@ public:
    * [1e-3, 1e3]; texels that are as large as pixels are off by 0.4. Default is 1.
    */
   void SetTargetError(double pixels);
-  vtkGetMacro(TargetError, double);
+  double GetTargetError() const;
   ///@}
 
   ///@{
@@ -290,25 +285,25 @@ public:
    * [1e-3, 1e6]; they share it by the area that is seen of them. Default is 10.
    */
   void SetTimeBudget(double milliseconds);
-  vtkGetMacro(TimeBudget, double);
+  double GetTimeBudget() const;
   ///@}
 
   /**
    * Step of the ladder in the last frame, 0 (finest) to 7; -1: the quality is fixed.
    */
-  vtkGetMacro(QualityStep, int);
+  int GetQualityStep() const;
 
   /**
    * Texture scale of the last frame: TextureScale, or what the quality chose.
    */
-  vtkGetMacro(TextureScaleInUse, double);
+  double GetTextureScaleInUse() const;
 
   ///@{
   /**
    * Let times and numbers be taken. Default is off, which asks nothing of the GPU.
    */
   void SetInstrumentation(bool instrumentation);
-  vtkGetMacro(Instrumentation, bool);
+  bool GetInstrumentation() const;
   vtkBooleanMacro(Instrumentation, bool);
   ///@}
 
@@ -319,8 +314,8 @@ public:
    * it has finished. The surface's time includes that of copying what is seen through it. NaN: not
    * known.
    */
-  vtkGetMacro(LastGatherTime, double);
-  vtkGetMacro(LastPlanTime, double);
+  double GetLastGatherTime() const;
+  double GetLastPlanTime() const;
   double GetLastReflectionTime();
   double GetLastSurfaceTime();
   ///@}
@@ -360,6 +355,16 @@ public:
   void Render(const vtkRenderState* s) override;
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
+  /**
+   * Sets all that says how the mirrored view is rendered to what another pass has.
+   */
+  void CopySettings(vtkWaterReflectionPass* other);
+
+  /**
+   * What renders the mirrored views; not for use.
+   */
+  VTK_WRAPEXCLUDE vtkWaterReflection& GetReflection();
+
 protected:
   vtkWaterReflectionPass();
   ~vtkWaterReflectionPass() override;
@@ -368,71 +373,19 @@ private:
   vtkWaterReflectionPass(const vtkWaterReflectionPass&) = delete;
   void operator=(const vtkWaterReflectionPass&) = delete;
 
-  friend class vtkWaterActor;
-
-  struct Internals;
-
-  struct Moment // of drawing a mirrored view
-  {
-    bool IsHidden = false;      // the waters are behind what the bound framebuffer shows
-    bool HasSceneDepth = false; // it shows all that can hide them
-    double Budget = 0.0;        // ms of this frame, for a quality that goes by a budget
-    bool IsAgain = false;       // the last one had props whose shaders were refused
-  };
-
-  // Gathers, plans and draws the reflection of waters in one plane for the renderer's active
-  // camera.
-  void RenderReflection(vtkRenderer* renderer, const std::vector<vtkWaterActor*>& waters,
-    const int viewport_px[2], const Moment& moment);
-  // What the fates say is drawn; counts them.
-  std::vector<vtkProp*> FindDrawn(vtkRenderer* renderer, vtkWaterActor* water);
-  // Chooses the texture's scale and the steps for the scene that was gathered.
-  void ChooseQuality(vtkRenderer* renderer, double budget_ms);
-  // Would the other draw the same mirrored view?
-  bool DrawsAs(vtkWaterReflectionPass* other) const;
-  // How much is seen of the water that owns the pass.
-  vtkWaterOcclusion* GetOcclusion(vtkRenderer* renderer);
-  vtkWaterGpuQueries* GetInstruments(vtkRenderer* renderer);
-  // The most steps and probes of a ray in this frame.
-  void GetRayLimits(int* steps, int* probes) const;
-  // Should the next mirrored view wait for the main one? By how much of the water was seen.
-  bool ShouldWait(vtkRenderer* renderer, double visible_px);
-  // Was the frame that is being rendered planned for this water and the renderer's active camera?
-  bool IsFresh(vtkRenderer* renderer, vtkWaterActor* water) const;
-  // Is it known of this frame that no pixel of the water is seen?
-  bool IsUnseen(vtkRenderer* renderer, vtkWaterActor* water) const;
-  // The plan of this frame, nullptr when it has no view.
-  const water_plan* GetFreshPlan(vtkRenderer* renderer, vtkWaterActor* water) const;
-  // The reflection texture, or a blank texture when there is none.
-  vtkTextureObject* GetTexture(vtkRenderer* renderer, vtkWaterActor* water);
-  vtkWaterFullScreen* GetScreen(vtkRenderer* renderer);
-  vtkWaterTranslucentLayer* GetLayer(
-    vtkRenderer* renderer); // of what is translucent; nullptr: none
-  void RenderCorner(vtkRenderer* renderer, vtkWaterActor* water);
   void RenderReflectionAndDelegate(const vtkRenderState* s);
-  void SetDecision(int decision); // one without a view
+  void RenderReflection(const vtkRenderState* s);
+  vtkRenderPass* FindDelegate();
+  template <typename T, typename V>
+  void Set(const char* name, T& setting, V value, V low, V high);
 
-  std::unique_ptr<Internals> Internal;
+  std::shared_ptr<vtkWaterReflection> Reflection; // shared: one in use outlives the pass
   vtkSmartPointer<vtkRenderPass> DelegatePass;
   vtkSmartPointer<vtkRenderPass> DefaultDelegate; // when there is no other
-  double TextureScale = 1.0;
-  int MultiSamples = -1;
-  int ColorPrecision = AUTOMATIC;
-  int Skips = SKIP_ALL;
-  double MinimumPropSize = 0.0;
-  double ReflectanceError = 0.5 / 255.0;
-  double ClipMargin = 0.0;
-  double GuardBand = 0.0;
+  std::set<vtkRenderer*> Rendering;               // in the middle of Render
+  bool HasCycle = false;                          // the chain of delegates leads back
+  bool IsVisiting = false;                        // the chain
   bool ShowReflection = false;
-  int Quality = FIXED;
-  double TargetError = 1.0;
-  double TimeBudget = 10.0;
-  int QualityStep = -1;
-  double TextureScaleInUse = 1.0;
-  bool Instrumentation = false;
-  double LastGatherTime = std::numeric_limits<double>::quiet_NaN();
-  double LastPlanTime = std::numeric_limits<double>::quiet_NaN();
-  vtkIdType NumberOfReflectionRenders = 0;
 };
 
 #ifdef VTK_ABI_NAMESPACE_END

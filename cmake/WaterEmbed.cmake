@@ -2,6 +2,7 @@
 # water_embed_glsl(<headers> <file.glsl>...): makes vtkWaterX.h out of each vtkWaterX.glsl, anew
 # whenever that changes, in the current binary folder. The header declares the text as
 #   static const char* const vtkWaterX
+# and vtkWaterGLSL.h, which includes all of them.
 # <headers> receives the names of the headers, to be listed as sources.
 #
 # The same file is run by the build (cmake -P) with INPUT and OUTPUT, and then does the work.
@@ -22,6 +23,7 @@ set(water_embed_script "${CMAKE_CURRENT_LIST_FILE}")
 
 function(water_embed_glsl headers)
   set(made)
+  set(all)
   foreach(file IN LISTS ARGN)
     get_filename_component(name "${file}" NAME_WE)
     set(input "${CMAKE_CURRENT_SOURCE_DIR}/${file}")
@@ -32,6 +34,11 @@ function(water_embed_glsl headers)
       COMMENT "Embedding ${file}"
       VERBATIM)
     list(APPEND made "${output}")
+    string(APPEND all "#include \"${name}.h\"\n")
   endforeach()
+  set(output "${CMAKE_CURRENT_BINARY_DIR}/vtkWaterGLSL.h")
+  file(GENERATE OUTPUT "${output}" CONTENT
+    "// Made from the list of shaders; do not edit.\n#ifndef vtkWaterGLSL_h\n#define vtkWaterGLSL_h\n${all}#endif\n")
+  list(APPEND made "${output}")
   set(${headers} "${made}" PARENT_SCOPE)
 endfunction()

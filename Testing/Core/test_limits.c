@@ -177,11 +177,11 @@ TEST(scene_at_the_ends_of_its_ranges_is_planned)
   water_scene scene = lake();
   scene.viewport_px[0] = scene.viewport_px[1] = 1;
   scene.max_texture_px = 1;
-  scene.reflectance_error = 1.0;
+  scene.settings.reflectance_error = 1.0;
   scene.look.constant_reflectance = true;
   scene.look.reflectance = 1.0;
   assert_int_equal(plan_of(&scene, NULL).decision, WATER_NO_REFLECT_FAINT); // all may be neglected
-  scene.reflectance_error = 0.0;
+  scene.settings.reflectance_error = 0.0;
   assert_int_equal(plan_of(&scene, NULL).decision, WATER_REFLECT);
   scene.viewport_px[0] = 2;
   water_plan plan;
@@ -263,7 +263,7 @@ TEST(numbers_too_large_to_multiply_are_refused)
     scene.surface_bounds[1] = large[i];
     assert_int_equal(water_plan_make(&scene, &plan, NULL), i == 0 ? WATER_OK : WATER_BAD_SURFACE);
     scene = lake();
-    scene.clip_margin = large[i];
+    scene.settings.clip_margin = large[i];
     assert_int_equal(
       water_plan_make(&scene, &plan, NULL), i == 0 ? WATER_OK : WATER_BAD_CLIP_MARGIN);
     scene = lake();
@@ -314,19 +314,6 @@ TEST(ray_along_the_normal_is_not_refracted)
   assert_true(refracted[0] == 0.0 && refracted[1] == 1.0 && refracted[2] == 0.0);
 }
 
-// A clip plane in which the far plane lies keeps nothing.
-TEST(clip_in_the_far_plane_keeps_nothing)
-{
-  UNUSED;
-  const double box[4] = { -1.0, 1.0, -1.0, 1.0 };
-  const double far_plane[4] = { 0.0, 0.0, 1.0, 3.0 };
-  double to_clip[16];
-  double oblique[16] = { 7.0 };
-  ortho_matrix(box, 1.0, 3.0, to_clip);
-  assert_int_equal(water_mirror_oblique(to_clip, far_plane, oblique), WATER_BAD_CAMERA);
-  assert_true(oblique[0] == 7.0);
-}
-
 // Bounds whose sum overflows are bounds.
 TEST(bounds_may_be_as_large_as_doubles)
 {
@@ -361,7 +348,6 @@ int main(void)
     RUN(numbers_too_large_to_multiply_are_refused),
     RUN(ray_along_the_normal_is_not_refracted),
     RUN(bounds_may_be_as_large_as_doubles),
-    RUN(clip_in_the_far_plane_keeps_nothing),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -165,7 +165,7 @@ TEST(guard_band_widens_the_map_about_its_middle)
   {
     random_scene random = wavy(&from, round);
     const water_plan plain = plan_of(&random.scene, NULL);
-    random.scene.guard_band = dice_roll(&from, 1.0, 2.0);
+    random.scene.settings.guard_band = dice_roll(&from, 1.0, 2.0);
     const water_plan wide = plan_of(&random.scene, NULL);
     double point[3];
     double before[4];
@@ -178,7 +178,7 @@ TEST(guard_band_widens_the_map_about_its_middle)
     for (int i = 0; i < 2; ++i)
     {
       // texels keep their size, and the margins are whole texels
-      assert_true(wide.texture_px[i] >= random.scene.guard_band * plain.texture_px[i]);
+      assert_true(wide.texture_px[i] >= random.scene.settings.guard_band * plain.texture_px[i]);
       assert_int_equal((wide.texture_px[i] - plain.texture_px[i]) % 2, 0);
       ASSERT_CLOSE(after[i] * wide.texture_px[i], before[i] * plain.texture_px[i], 1e-8);
       ASSERT_CLOSE(wide.reflection_scale[i] * wide.texture_px[i], plain.texture_px[i], 1e-9);
@@ -311,19 +311,19 @@ TEST(mirrored_view_reaches_down_into_troughs)
   UNUSED;
   water_scene scene = lake();
   scene.has_waves = true;
-  scene.clip_margin = 0.1;
+  scene.settings.clip_margin = 0.1;
   const double flat = plan_of(&scene, NULL).clip_plane_view[3];
   scene.wave_height_max = 0.75;
   const water_plan plan = plan_of(&scene, NULL);
   ASSERT_CLOSE(plan.clip_plane_view[3] - flat, 0.65, 1e-12);
   ASSERT_CLOSE(plan.reflection_top, 0.75, 1e-12);
-  scene.clip_margin = 1.0; // the user's, if that is more
+  scene.settings.clip_margin = 1.0; // the user's, if that is more
   ASSERT_CLOSE(plan_of(&scene, NULL).clip_plane_view[3] - flat, 0.9, 1e-12);
   water_prop low = { { -1.0, 1.0, -1.0, 1.0, -2.0, -0.5 }, WATER_PROP_VISIBLE };
   water_cull_reason reason = WATER_CULL_NONE;
   scene.props = &low;
   scene.prop_count = 1;
-  scene.clip_margin = 0.0;
+  scene.settings.clip_margin = 0.0;
   plan_of(&scene, &reason);
   assert_int_equal(reason, WATER_CULL_NONE);
   scene.wave_height_max = 0.25;

@@ -137,13 +137,13 @@ TEST(clip_has_the_sign_of_the_height)
   for (int round = 0; round < 6000; ++round)
   {
     random_scene random = scene_rolled(&from, round, nearby);
-    random.scene.clip_margin = round % 2 ? 0.25 : 0.0;
+    random.scene.settings.clip_margin = round % 2 ? 0.25 : 0.0;
     const water_plan plan = plan_of(&random.scene, NULL);
     double point[3];
     double view[4];
     double clip[4];
     point_near(&from, &random, 2.0, point);
-    const double height = height_of(&random, point) + random.scene.clip_margin;
+    const double height = height_of(&random, point) + random.scene.settings.clip_margin;
     apply(plan.mirrored.world_to_view, point, 1.0, view);
     const double* plane = plan.clip_plane_view;
     ASSERT_CLOSE(dot(plane, view) + plane[3], height, 1e-12);
@@ -170,50 +170,6 @@ TEST(clip_has_the_sign_of_the_height)
   }
   assert_int_in_range(kept, 2000, 6000);
   assert_int_in_range(cut, 1500, 6000);
-}
-
-// The near plane of the oblique projection is the clip plane: within the frustum's sides a point is
-// in front of it exactly if it is kept, and none that is kept is lost behind the far plane; x, y
-// and w stay.
-TEST(oblique_near_plane_is_the_clip_plane)
-{
-  UNUSED;
-  dice from = dice_seeded(12);
-  int kept = 0;
-  int cut = 0;
-  for (int round = 0; round < 6000; ++round)
-  {
-    const random_scene random = scene_rolled(&from, round, nearby);
-    water_plan plan = plan_of(&random.scene, NULL);
-    for (int j = 0; j < 4 && round % 2; ++j)
-    {
-      plan.mirrored.view_to_clip[j] *= -1.0; // a picture turned over in x: corners change places
-    }
-    water_camera oblique = plan.mirrored;
-    double point[3];
-    double clip[4];
-    double bent[4];
-    if (water_mirror_oblique(
-          plan.mirrored.view_to_clip, plan.clip_plane_view, oblique.view_to_clip) != WATER_OK)
-    {
-      continue;
-    }
-    point_near(&from, &random, 3.0, point);
-    project(&plan.mirrored, point, 1.0, clip);
-    project(&oblique, point, 1.0, bent);
-    const double height = height_of(&random, point);
-    if (!is_inside(clip) || fabs(height) < 1e-9)
-    {
-      continue;
-    }
-    assert_true((bent[2] > -bent[3]) == (height > 0.0));
-    assert_true(height < 0.0 || bent[2] <= bent[3] * (1.0 + 1e-12));
-    assert_true(bent[0] == clip[0] && bent[1] == clip[1] && bent[3] == clip[3]);
-    kept += height > 0.0;
-    cut += height < 0.0;
-  }
-  assert_int_in_range(kept, 1000, 6000);
-  assert_int_in_range(cut, 1000, 6000);
 }
 
 // Where nothing reaches out the mirrored projection keeps its depths to the last bit.
@@ -321,24 +277,15 @@ TEST(far_plane_moves_behind_the_drawn_props)
   assert_int_in_range(moved, 500, 2900);
 }
 
-// Looking down from above with the plane's kept side behind the eye, no far corner is kept:
-// refused, output untouched; the same for a projection without inverse.
-TEST(oblique_refuses_what_keeps_nothing)
+// A projection without inverse has no clip plane: refused, output untouched.
+TEST(clip_needs_a_projection_with_an_inverse)
 {
   UNUSED;
-  const water_scene scene = lake();
-  const double behind[4] = { 0.0, 0.0, 1.0, -1.0 }; // view z >= 1
   const double ahead[4] = { 0.0, 0.0, -1.0, -5.0 }; // view z <= -5
-  double oblique[16] = { 7.0 };
-  assert_int_equal(water_mirror_oblique(scene.eye.view_to_clip, behind, oblique), WATER_BAD_CAMERA);
-  assert_true(oblique[0] == 7.0);
   const double zeros[16] = { 0.0 };
-  assert_int_equal(water_mirror_oblique(zeros, ahead, oblique), WATER_BAD_CAMERA);
-  assert_true(oblique[0] == 7.0);
   double clip[4] = { 7.0 };
   assert_int_equal(water_mirror_clip_clip(zeros, ahead, clip), WATER_BAD_CAMERA);
   assert_true(clip[0] == 7.0);
-  assert_int_equal(water_mirror_oblique(scene.eye.view_to_clip, ahead, oblique), WATER_OK);
 }
 
 int main(void)
@@ -353,8 +300,7 @@ int main(void)
     RUN(far_plane_stays_without_a_reason),
     RUN(far_plane_keeps_its_margin),
     RUN(far_plane_moves_behind_the_drawn_props),
-    RUN(oblique_near_plane_is_the_clip_plane),
-    RUN(oblique_refuses_what_keeps_nothing),
+    RUN(clip_needs_a_projection_with_an_inverse),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

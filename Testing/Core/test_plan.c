@@ -54,10 +54,10 @@ TEST(faults_are_reported_in_the_order_of_the_list)
   scene.plane.normal[2] = 0.0;
   scene.surface_bounds[0] = 20.0;
   scene.viewport_px[1] = 0;
-  scene.texture_scale = 0.0;
-  scene.clip_margin = -1.0;
-  scene.prop_px_min = nan_value;
-  scene.reflectance_error = 2.0;
+  scene.settings.texture_scale = 0.0;
+  scene.settings.clip_margin = -1.0;
+  scene.settings.prop_px_min = nan_value;
+  scene.settings.reflectance_error = 2.0;
   scene.look.index_of_refraction = 0.9;
   scene.look.reflectance = 1.5;
   scene.eye.world_to_view[0] = nan_value;
@@ -70,15 +70,15 @@ TEST(faults_are_reported_in_the_order_of_the_list)
   assert_status(&scene, WATER_BAD_VIEWPORT);
   scene.viewport_px[1] = 600;
   assert_status(&scene, WATER_BAD_TEXTURE_SCALE);
-  scene.texture_scale = 100.0;
+  scene.settings.texture_scale = 100.0;
   assert_status(&scene, WATER_TEXTURE_TOO_LARGE);
-  scene.texture_scale = 1.0;
+  scene.settings.texture_scale = 1.0;
   assert_status(&scene, WATER_BAD_CLIP_MARGIN);
-  scene.clip_margin = 0.0;
+  scene.settings.clip_margin = 0.0;
   assert_status(&scene, WATER_BAD_PROP_SIZE);
-  scene.prop_px_min = 0.0;
+  scene.settings.prop_px_min = 0.0;
   assert_status(&scene, WATER_BAD_REFLECTANCE_ERROR);
-  scene.reflectance_error = 0.0;
+  scene.settings.reflectance_error = 0.0;
   assert_status(&scene, WATER_BAD_INDEX);
   scene.look.index_of_refraction = 1.0;
   assert_status(&scene, WATER_BAD_REFLECTANCE);
@@ -131,10 +131,10 @@ TEST(numbers_that_are_not_finite_are_named)
     scene.plane.normal[0] = bad[i];
     assert_status(&scene, WATER_BAD_PLANE);
     scene = lake_with_prop();
-    scene.texture_scale = bad[i];
+    scene.settings.texture_scale = bad[i];
     assert_status(&scene, WATER_BAD_TEXTURE_SCALE);
     scene = lake_with_prop();
-    scene.clip_margin = bad[i];
+    scene.settings.clip_margin = bad[i];
     assert_status(&scene, WATER_BAD_CLIP_MARGIN);
     scene = lake_with_prop();
     scene.look.index_of_refraction = bad[i];
@@ -245,7 +245,8 @@ TEST(turning_the_plane_over_only_changes_the_side)
     assert_int_equal(turned.side, plan.side == WATER_ABOVE ? WATER_BELOW : WATER_ABOVE);
     for (int i = 0; i < 16; ++i)
     {
-      ASSERT_CLOSE(turned.world_to_texture[i], plan.world_to_texture[i], 0.0);
+      ASSERT_CLOSE(turned.mirrored.world_to_view[i], plan.mirrored.world_to_view[i], 0.0);
+      ASSERT_CLOSE(turned.mirrored.view_to_clip[i], plan.mirrored.view_to_clip[i], 0.0);
     }
     for (int i = 0; i < 4; ++i)
     {
@@ -285,7 +286,7 @@ TEST(many_props_are_each_decided_as_alone)
   for (int way = 0; way < 2; ++way)
   {
     water_scene scene = lake();
-    scene.skips =
+    scene.settings.skips =
       way == 0 ? WATER_MAY_SKIP_ALL : WATER_MAY_SKIP_ALL & ~(unsigned)WATER_MAY_SKIP_PROPS;
     scene.props = props;
     scene.prop_count = COUNT;

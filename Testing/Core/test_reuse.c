@@ -5,6 +5,14 @@
 
 #include "water_plan.h"
 
+// Revises a plan by the last one alone: nothing is known of what is seen.
+static void revise(const water_plan* last, bool is_unchanged, unsigned skips, water_plan* plan)
+{
+  water_scene scene = lake();
+  scene.settings.skips = skips;
+  water_plan_revise(&scene, last, is_unchanged, NULL, plan, NULL);
+}
+
 // A reflection texture serves again for the same view of an unchanged scene, and for no other.
 TEST(map_is_used_again_only_for_the_same)
 {
@@ -16,28 +24,28 @@ TEST(map_is_used_again_only_for_the_same)
   scene.prop_count = 1;
   const water_plan last = plan_of(&scene, &reason);
   water_plan plan = last;
-  water_plan_reuse(&last, true, WATER_MAY_SKIP_ALL, &plan);
+  revise(&last, true, WATER_MAY_SKIP_ALL, &plan);
   assert_int_equal(plan.decision, WATER_REUSE);
   assert_true(water_plan_has_reflection(&plan));
   const water_plan again = plan;
   plan = last;
-  water_plan_reuse(&again, true, WATER_MAY_SKIP_ALL, &plan); // and again
+  revise(&again, true, WATER_MAY_SKIP_ALL, &plan); // and again
   assert_int_equal(plan.decision, WATER_REUSE);
   plan = last;
-  water_plan_reuse(&last, false, WATER_MAY_SKIP_ALL, &plan);
+  revise(&last, false, WATER_MAY_SKIP_ALL, &plan);
   assert_int_equal(plan.decision, WATER_REFLECT);
-  water_plan_reuse(&last, true, WATER_MAY_SKIP_ALL & ~(unsigned)WATER_MAY_SKIP_UNCHANGED, &plan);
+  revise(&last, true, WATER_MAY_SKIP_ALL & ~(unsigned)WATER_MAY_SKIP_UNCHANGED, &plan);
   assert_int_equal(plan.decision, WATER_REFLECT);
 
   // a smaller surface needs less of the reflection texture, a larger one may need more
   water_scene other = scene;
   other.surface_bounds[1] = 1.0;
   plan = plan_of(&other, &reason);
-  water_plan_reuse(&last, true, WATER_MAY_SKIP_ALL, &plan);
+  revise(&last, true, WATER_MAY_SKIP_ALL, &plan);
   assert_int_equal(plan.decision, WATER_REUSE);
   const water_plan smaller = plan_of(&other, &reason);
   plan = plan_of(&scene, &reason);
-  water_plan_reuse(&smaller, true, WATER_MAY_SKIP_ALL, &plan);
+  revise(&smaller, true, WATER_MAY_SKIP_ALL, &plan);
   assert_int_equal(plan.decision, WATER_REFLECT);
 
   for (int i = 0; i < 7; ++i)
@@ -46,13 +54,13 @@ TEST(map_is_used_again_only_for_the_same)
     other.eye.world_to_view[3] += i == 0 ? 1e-9 : 0.0;
     other.eye.view_to_clip[0] *= i == 1 ? 1.0001 : 1.0;
     other.plane.offset += i == 2 ? 1e-6 : 0.0;
-    other.texture_scale = i == 3 ? 0.5 : 1.0;
-    other.clip_margin = i == 4 ? 0.1 : 0.0;
+    other.settings.texture_scale = i == 3 ? 0.5 : 1.0;
+    other.settings.clip_margin = i == 4 ? 0.1 : 0.0;
     other.viewport_px[0] += i == 5;
     other.has_waves = i == 6;
     other.slope_rms = 0.05;
     plan = plan_of(&other, &reason);
-    water_plan_reuse(&last, true, WATER_MAY_SKIP_ALL, &plan);
+    revise(&last, true, WATER_MAY_SKIP_ALL, &plan);
     assert_int_equal(plan.decision, WATER_REFLECT);
   }
 
@@ -61,10 +69,10 @@ TEST(map_is_used_again_only_for_the_same)
   other.is_hidden = true;
   const water_plan none = plan_of(&other, &reason);
   plan = plan_of(&scene, &reason);
-  water_plan_reuse(&none, true, WATER_MAY_SKIP_ALL, &plan);
+  revise(&none, true, WATER_MAY_SKIP_ALL, &plan);
   assert_int_equal(plan.decision, WATER_REFLECT);
   plan = none;
-  water_plan_reuse(&last, true, WATER_MAY_SKIP_ALL, &plan);
+  revise(&last, true, WATER_MAY_SKIP_ALL, &plan);
   assert_int_equal(plan.decision, WATER_NO_REFLECT_HIDDEN);
 }
 
@@ -91,7 +99,7 @@ TEST(map_that_lacks_a_column_is_not_used_again)
     {
       last.texture_rect_px[side] -= 1; // an earlier end
     }
-    water_plan_reuse(&last, true, scene.skips, &next);
+    revise(&last, true, scene.settings.skips, &next);
     assert_int_equal(next.decision, side == 4 ? WATER_REUSE : WATER_REFLECT);
   }
 }
@@ -131,7 +139,7 @@ TEST(map_waits_when_it_pays)
   {
     scene.is_software = cases[i].is_software;
     scene.prop_count = cases[i].prop_count;
-    scene.texture_scale = cases[i].texture_scale;
+    scene.settings.texture_scale = cases[i].texture_scale;
     const water_plan last = plan_of(&scene, reasons);
     assert_int_equal(
       water_plan_should_wait(&last, 0.85 * whole, WATER_MAY_SKIP_ALL), cases[i].can_wait);
@@ -151,7 +159,7 @@ TEST(map_waits_when_it_pays)
   // waves look up other pixels than their own
   scene.has_waves = true;
   scene.is_software = false;
-  scene.texture_scale = 1.0;
+  scene.settings.texture_scale = 1.0;
   const water_plan waves = plan_of(&scene, reasons);
   assert_false(water_plan_should_wait(&waves, 1.0, WATER_MAY_SKIP_ALL));
 }
@@ -188,8 +196,8 @@ TEST(what_is_seen_is_found_out_where_it_can_be)
   {
     scene.is_software = cases[i].is_software;
     scene.prop_count = cases[i].prop_count;
-    scene.texture_scale = cases[i].texture_scale;
-    scene.skips = WATER_MAY_SKIP_ALL & ~cases[i].off;
+    scene.settings.texture_scale = cases[i].texture_scale;
+    scene.settings.skips = WATER_MAY_SKIP_ALL & ~cases[i].off;
     const water_plan plan = plan_of(&scene, reasons);
     assert_int_equal(plan.has_mask, cases[i].has_mask);
     assert_int_equal(plan.has_visibility, cases[i].has_visibility);
@@ -216,11 +224,11 @@ TEST(what_is_seen_is_found_out_where_it_can_be)
     if (cases[i].has_mask || cases[i].has_visibility)
     {
       water_plan again = plan;
-      water_plan_reuse(&plan, true, WATER_MAY_SKIP_ALL, &again);
+      revise(&plan, true, WATER_MAY_SKIP_ALL, &again);
       assert_int_equal(again.decision, WATER_REFLECT);
       assert_false(again.has_mask || again.has_visibility);
       water_plan next = plan;
-      water_plan_reuse(&again, true, WATER_MAY_SKIP_ALL, &next);
+      revise(&again, true, WATER_MAY_SKIP_ALL, &next);
       assert_int_equal(next.decision, WATER_REUSE);
     }
   }

@@ -192,9 +192,9 @@ static inline water_scene lake(void)
   scene.plane.normal[2] = 1.0;
   memcpy(scene.surface_bounds, bounds, sizeof bounds);
   scene.look.index_of_refraction = 1.333;
-  scene.texture_scale = 1.0;
+  scene.settings.texture_scale = 1.0;
   scene.max_texture_px = 16384;
-  scene.skips = WATER_MAY_SKIP_ALL;
+  scene.settings.skips = WATER_MAY_SKIP_ALL;
   return scene;
 }
 

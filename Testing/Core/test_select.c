@@ -216,7 +216,7 @@ TEST(boxes_decide_in_their_order)
 {
   UNUSED;
   water_scene scene = lake();
-  scene.clip_margin = 0.5;
+  scene.settings.clip_margin = 0.5;
   scene.surface_bounds[3] = 1e6; // to the horizon
   const water_prop props[] = {
     { { -1, 1, -1, 1, -1, 2 }, visible },            // across the water
@@ -248,7 +248,7 @@ TEST(boxes_decide_in_their_order)
   // before that beside what the water reflects
   const water_prop near_by = { { -0.1, 0.1, -9.6, -9.5, 0.0, 0.1 }, visible };
   water_scene low = scene;
-  low.clip_margin = 0.0;
+  low.settings.clip_margin = 0.0;
   low.props = &near_by;
   low.prop_count = 1;
   stand_at(&low, 0.0, -10.0, 0.2, 0.0);
@@ -309,7 +309,7 @@ TEST(culling_never_drops_what_is_seen)
     water_prop prop = { { 0.0 }, visible };
     water_cull_reason reason;
     double center[3];
-    random.scene.clip_margin = round % 2 ? 0.1 : 0.0;
+    random.scene.settings.clip_margin = round % 2 ? 0.1 : 0.0;
     point_near(&from, &random, 30.0, center);
     for (int i = 0; i < 3; ++i)
     {
@@ -340,7 +340,7 @@ TEST(culling_never_drops_what_is_seen)
       box_point(prop.bounds, number, point);
       map_place(&plan, point, clip, px);
       is_seen = is_inside(clip) && px[0] >= 0.0 && px[0] <= rect[2] && px[1] >= 0.0 &&
-        px[1] <= rect[3] && height_of(&random, point) >= -random.scene.clip_margin;
+        px[1] <= rect[3] && height_of(&random, point) >= -random.scene.settings.clip_margin;
     }
     assert_true(!is_seen || reason == WATER_CULL_NONE);
     seen += is_seen;

@@ -22,7 +22,7 @@ TEST(every_reason_has_its_switch)
   look_at(eye, away, up, scenes[0].eye.world_to_view);
   scenes[1].hides_above = true;
   scenes[2].is_hidden = true;
-  scenes[3].reflectance_error = 0.03;
+  scenes[3].settings.reflectance_error = 0.03;
   const water_decision reasons[4] = { WATER_NO_REFLECT_OUT_OF_VIEW, WATER_NO_REFLECT_FACING_AWAY,
     WATER_NO_REFLECT_HIDDEN, WATER_NO_REFLECT_FAINT };
   const unsigned switches[4] = { WATER_MAY_SKIP_UNSEEN, WATER_MAY_SKIP_UNSEEN,
@@ -31,9 +31,9 @@ TEST(every_reason_has_its_switch)
   {
     assert_int_equal(decision_of(&scenes[i]), reasons[i]);
     assert_int_equal(plan_of(&scenes[i], NULL).has_view, i == 3);
-    scenes[i].skips = WATER_MAY_SKIP_ALL & ~switches[i];
+    scenes[i].settings.skips = WATER_MAY_SKIP_ALL & ~switches[i];
     assert_int_equal(decision_of(&scenes[i]), WATER_REFLECT);
-    scenes[i].skips = 0;
+    scenes[i].settings.skips = 0;
     assert_int_equal(decision_of(&scenes[i]), WATER_REFLECT);
   }
 }
@@ -64,17 +64,17 @@ TEST(faint_is_what_the_steepest_and_the_flattest_ray_reflect)
 {
   UNUSED;
   water_scene small = pool(1e-3);
-  small.reflectance_error = 0.0205;
+  small.settings.reflectance_error = 0.0205;
   assert_int_equal(decision_of(&small), WATER_NO_REFLECT_FAINT);
-  small.reflectance_error = 0.0200;
+  small.settings.reflectance_error = 0.0200;
   assert_int_equal(decision_of(&small), WATER_REFLECT);
   water_scene large = pool(10.0 / sqrt(2.0)); // its corners lie at 45 degrees
-  large.reflectance_error = 0.0285;
+  large.settings.reflectance_error = 0.0285;
   assert_int_equal(decision_of(&large), WATER_NO_REFLECT_FAINT);
-  large.reflectance_error = 0.0270;
+  large.settings.reflectance_error = 0.0270;
   assert_int_equal(decision_of(&large), WATER_REFLECT);
   // waves turn the surface; of unknown slope, as far as may be
-  small.reflectance_error = 0.0285;
+  small.settings.reflectance_error = 0.0285;
   assert_int_equal(decision_of(&small), WATER_NO_REFLECT_FAINT);
   small.has_waves = true;
   small.slope_max = 1.1; // more than 45 degrees
@@ -87,7 +87,7 @@ TEST(faint_is_what_the_steepest_and_the_flattest_ray_reflect)
   water_scene mirror = pool(1e-3);
   mirror.look.constant_reflectance = true;
   mirror.look.reflectance = 0.001;
-  mirror.reflectance_error = 0.5 / 255.0;
+  mirror.settings.reflectance_error = 0.5 / 255.0;
   assert_int_equal(decision_of(&mirror), WATER_NO_REFLECT_FAINT);
   // shadows are looked up however little is reflected
   mirror.has_shadows = true;
@@ -114,12 +114,12 @@ TEST(props_outside_the_pyramid_are_left_out)
   assert_int_equal(reasons[1], WATER_CULL_OUT_OF_WATER);
   assert_int_equal(reasons[2], WATER_CULL_OUT_OF_VIEW);
   // pixels drawn or not, the props' reasons are theirs
-  scene.skips = WATER_MAY_SKIP_ALL & ~(unsigned)WATER_MAY_SKIP_PIXELS;
+  scene.settings.skips = WATER_MAY_SKIP_ALL & ~(unsigned)WATER_MAY_SKIP_PIXELS;
   const water_plan plan = plan_of(&scene, reasons);
   assert_int_equal(reasons[1], WATER_CULL_OUT_OF_WATER);
   assert_int_equal(plan.texture_rect_px[2], 800);
   assert_int_equal(plan.texture_rect_px[3], 600);
-  scene.skips = WATER_MAY_SKIP_ALL & ~(unsigned)WATER_MAY_SKIP_PROPS;
+  scene.settings.skips = WATER_MAY_SKIP_ALL & ~(unsigned)WATER_MAY_SKIP_PROPS;
   (void)plan_of(&scene, reasons);
   for (int i = 0; i < 3; ++i)
   {
@@ -141,7 +141,7 @@ TEST(rays_take_the_same_steps_with_all_props)
   scene.prop_count = 3;
   const water_plan some = plan_of(&scene, reasons);
   assert_int_equal(reasons[1], WATER_CULL_OUT_OF_WATER);
-  scene.skips = WATER_MAY_SKIP_ALL & ~(unsigned)WATER_MAY_SKIP_PROPS;
+  scene.settings.skips = WATER_MAY_SKIP_ALL & ~(unsigned)WATER_MAY_SKIP_PROPS;
   const water_plan all = plan_of(&scene, reasons);
   assert_int_equal(reasons[2], WATER_CULL_NONE);
   assert_memory_equal(&some, &all, sizeof some);
@@ -219,10 +219,10 @@ TEST(small_props_are_left_out_below_the_stated_size)
   scene.prop_count = 2;
   (void)plan_of(&scene, reasons);
   assert_int_equal(reasons[0], WATER_CULL_NONE); // 0: none is left out
-  scene.prop_px_min = 32.0;
+  scene.settings.prop_px_min = 32.0;
   (void)plan_of(&scene, reasons);
   assert_int_equal(reasons[0], WATER_CULL_NONE);
-  scene.prop_px_min = 34.0;
+  scene.settings.prop_px_min = 34.0;
   (void)plan_of(&scene, reasons);
   assert_int_equal(reasons[0], WATER_CULL_TOO_SMALL);
   assert_int_equal(reasons[1], WATER_CULL_NONE);
@@ -244,10 +244,10 @@ TEST(either_side_of_a_box_may_be_its_size)
     water_scene scene = pool(5.0);
     scene.props = &prop;
     scene.prop_count = 1;
-    scene.prop_px_min = size_px[i];
+    scene.settings.prop_px_min = size_px[i];
     (void)plan_of(&scene, &reason);
     assert_int_equal(reason, WATER_CULL_NONE);
-    scene.prop_px_min = nextafter(size_px[i], 100.0);
+    scene.settings.prop_px_min = nextafter(size_px[i], 100.0);
     (void)plan_of(&scene, &reason);
     assert_int_equal(reason, WATER_CULL_TOO_SMALL);
   }
@@ -257,7 +257,7 @@ TEST(either_side_of_a_box_may_be_its_size)
   water_scene scene = pool(5.0);
   scene.props = &pole;
   scene.prop_count = 1;
-  scene.prop_px_min = 1.0;
+  scene.settings.prop_px_min = 1.0;
   (void)plan_of(&scene, &reason);
   assert_int_equal(reason, WATER_CULL_NONE);
 }
@@ -270,7 +270,7 @@ TEST(prop_around_the_eye_is_never_too_small)
   water_prop hall = { { -1000.0, 1000.0, -1000.0, 1000.0, -1000.0, 1000.0 }, WATER_PROP_VISIBLE };
   water_prop ball = { { -0.1, 0.1, -0.1, 0.1, 1.0, 1.2 }, WATER_PROP_VISIBLE };
   water_cull_reason reason = WATER_CULL_EMPTY;
-  scene.prop_px_min = 1e9;
+  scene.settings.prop_px_min = 1e9;
   scene.prop_count = 1;
   scene.props = &hall;
   plan_of(&scene, &reason);
@@ -297,7 +297,7 @@ TEST(waves_look_nothing_up_beyond_their_reach)
     }
     random.scene.has_waves = true;
     random.scene.slope_max = dice_roll(&from, 0.0, 0.1);
-    random.scene.guard_band = 1.0;
+    random.scene.settings.guard_band = 1.0;
     for (int i = 0; i < 6; ++i)
     {
       random.scene.surface_bounds[i] = random.target[i / 2];

@@ -80,7 +80,7 @@ TEST(rect_of_a_known_pond_is_tight_and_flipped)
   const water_scene pond = from_above(2.0, 6.0, 0.0, 5.0, 0.0);
   assert_rect(&pond, 78, 198, 84, 104);
   water_scene half = pond;
-  half.texture_scale = 0.5;
+  half.settings.texture_scale = 0.5;
   assert_rect(&half, 38, 98, 44, 54);
 }
 
@@ -168,7 +168,7 @@ TEST(rect_covers_every_lookup)
       random.scene.surface_bounds[i] =
         random.target[i / 2] + (i % 2 ? 1.0 : -1.0) * dice_roll(&from, 0.0, 3.0);
     }
-    random.scene.texture_scale = dice_roll(&from, 0.3, 2.0);
+    random.scene.settings.texture_scale = dice_roll(&from, 0.3, 2.0);
     const water_plan plan = plan_of(&random.scene, NULL);
     const int* rect = plan.texture_rect_px;
     assert_true(rect[0] >= 0 && rect[1] >= 0 && rect[2] >= 1 && rect[3] >= 1);

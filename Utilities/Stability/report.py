@@ -25,7 +25,7 @@ FIRST_DECADE = -20  # STRESS_FIRST_DECADE of record.h
 # of the condition where it is one.
 PICTURES = (
     ("stability-pixel", "How far a point of the water is off its own pixel",
-     ("a point of the water on its own pixel", "the same by world_to_texture")),
+     ("a point of the water on its own pixel", "the same by the texture matrix")),
     ("stability-mirror", "The mirrored camera",
      ("mirrored twice, matrix", "mirrored twice, camera",
       "determinant of the mirrored view - 1", "a point of the water in mirrored view space")),

@@ -40,6 +40,27 @@ bool water_plane_is_same(const water_plane* a, const water_plane* b, double reac
   return turned <= same_rounding && fabs(a->offset - sign * b->offset) <= same_rounding * reach;
 }
 
+bool water_plane_is_identical(const water_plane* a, const water_plane* b)
+{
+  water_plane unit_a;
+  water_plane unit_b;
+  return water_plane_normalise(a, &unit_a) == WATER_OK &&
+    water_plane_normalise(b, &unit_b) == WATER_OK && unit_a.normal[0] == unit_b.normal[0] &&
+    unit_a.normal[1] == unit_b.normal[1] && unit_a.normal[2] == unit_b.normal[2] &&
+    unit_a.offset == unit_b.offset;
+}
+
+bool water_plane_is_shared(
+  const water_plane* a, const double origin_a[3], const water_plane* b, const double origin_b[3])
+{
+  water_plane unit_a;
+  water_plane unit_b;
+  return water_plane_normalise(a, &unit_a) == WATER_OK &&
+    water_plane_normalise(b, &unit_b) == WATER_OK &&
+    water_plane_is_same(
+      &unit_a, &unit_b, water_vec3_length(origin_a) + water_vec3_length(origin_b));
+}
+
 void water_plane_project(const water_plane* unit, const double point[3], double projected[3])
 {
   const double height = water_plane_height(unit, point);

@@ -32,6 +32,17 @@ static inline double water_plane_height(const water_plane* unit, const double po
 // through points that are no farther than reach from the world's origin?
 bool water_plane_is_same(const water_plane* a, const water_plane* b, double reach);
 
+// Are two planes of any scale the same, bit by bit once they are normalised? Never one that cannot
+// be.
+bool water_plane_is_identical(const water_plane* a, const water_plane* b);
+
+// Are two planes of any scale the same, either way round, as far as rounding can tell? Never one
+// that cannot be normalised.
+//
+// origin_a, origin_b  of their own axes: how far from the world's origin they are looked at
+bool water_plane_is_shared(
+  const water_plane* a, const double origin_a[3], const water_plane* b, const double origin_b[3]);
+
 // The point of a normalised plane that is nearest to a point. projected may be point.
 void water_plane_project(const water_plane* unit, const double point[3], double projected[3]);
 

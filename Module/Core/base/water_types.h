@@ -73,7 +73,7 @@ typedef enum water_cull_reason
     WATER_CULL_REASON_COUNT
 } water_cull_reason;
 
-enum // water_scene.skips, a bit each: what may be left undone where that is not seen
+enum // water_settings.skips, a bit each: what may be left undone where that is not seen
 {
   WATER_MAY_SKIP_UNSEEN = 1 << 0, // the reflection texture of water out of view or facing away
   WATER_MAY_SKIP_HIDDEN = 1 << 1, // the reflection texture of water behind the scene
@@ -100,7 +100,7 @@ enum // water_scene.skips, a bit each: what may be left undone where that is not
   X(WATER_NO_REFLECT_FACING_AWAY, "not rendered: the water faces away")                            \
   X(WATER_NO_REFLECT_HIDDEN, "not rendered: the water is hidden behind the scene")                 \
   X(WATER_NO_REFLECT_FAINT, "not rendered: the water reflects too little to be seen")              \
-  X(WATER_NO_REFLECT_SHARED, "not rendered: another sheet of the same plane has the map")
+  X(WATER_NO_REFLECT_SHARED, "not rendered: another sheet of the same plane has the reflection")
 
 typedef enum water_decision
 {
@@ -124,6 +124,48 @@ typedef struct water_look
   bool constant_reflectance;  // false: exact Fresnel
 } water_look;
 
+typedef enum water_quality_mode // what chooses the texture's scale and the steps of rays
+{
+  WATER_QUALITY_FIXED,
+  WATER_QUALITY_TARGET_ERROR,
+  WATER_QUALITY_TIME_BUDGET,
+  WATER_QUALITY_UPDATE_RATE
+} water_quality_mode;
+
+typedef enum water_color_precision // of the reflection texture
+{
+  WATER_COLOR_AUTOMATIC, // half floats where the picture may be tone mapped
+  WATER_COLOR_EIGHT_BIT,
+  WATER_COLOR_HALF_FLOAT
+} water_color_precision;
+
+// What the user sets of a mirrored view.
+typedef struct water_settings
+{
+  double texture_scale;     // texture pixels per viewport pixel, > 0
+  double guard_band;        // size of a wavy water's mirrored frustum over the eye's, >= 1; 0: by
+                            // slope_rms
+  double clip_margin;       // how far behind the plane geometry is kept, >= 0
+  double prop_px_min;       // props that are smaller in the mirrored view, both ways, are left out,
+                            // >= 0
+  double reflectance_error; // share of the light that may be neglected, in [0, 1]
+  unsigned skips;           // WATER_MAY_SKIP_*
+  int multi_samples;        // per pixel; -1: as many as the window has
+  water_color_precision color_precision;
+  water_quality_mode quality;
+  double target_error_px;
+  double time_budget_ms;
+} water_settings;
+
+// The renderer's background. A textured one counts as its colour.
+typedef struct water_sky
+{
+  double bottom[3]; // red, green, blue
+  double top[3];    // the same as bottom without a gradient
+  double alpha;
+  bool has_gradient; // vertical, on the screen of the main view
+} water_sky;
+
 // Everything the plan depends on; filled by the caller.
 typedef struct water_scene
 {
@@ -140,13 +182,14 @@ typedef struct water_scene
   double wave_height_max; // how far waves move the surface itself up or down; 0: a flat sheet
   double surface_height; // of a surface that waves move, over the plane where the eye is, along the
                          // plane's normal; 0: a flat sheet
-  double guard_band; // reflection texture with waves: size of its frustum over the eye's, >= 1; 0:
-                     // by slope_rms
-  bool has_environment;     // what is reflected is a static picture of the surroundings
+  bool has_environment;  // what is reflected is a static picture of the surroundings
   double environment_up[3]; // of that picture, in world; water_lookup.h
   double environment_right[3];
   bool has_sun;
-  double sun_dir[3];        // towards the sun, in world, any length but 0
+  double sun_dir[3];     // towards the sun, in world, any length but 0
+  double sun_diffuse[3]; // colour of its light
+  double sun_intensity;
+  water_sky sky;
   double surface_bounds[6]; // of the water surface in world; min > max: there is no surface
   bool hides_above;         // the surface is not drawn for an eye above it, or below
   bool hides_below;
@@ -154,16 +197,13 @@ typedef struct water_scene
   bool is_flat;         // all of it lies in the plane, and is drawn no nearer than that
   bool has_scene_depth; // the eye's picture of what hides the surface is at hand, a depth per pixel
   bool is_software;     // there is no GPU: pixels and triangles cost the time that draws cost
-  unsigned skips;       // WATER_MAY_SKIP_*
   const water_prop* props; // prop_count of them: all props, not only those the eye sees
   size_t prop_count;
   water_look look;
-  double texture_scale; // texture pixels per viewport pixel, > 0
-  int max_texture_px;   // the GPU's limit for a side of a texture, >= 1
-  double clip_margin;   // how far behind the plane geometry is kept, >= 0
-  double
-    prop_px_min; // props that are smaller in the reflection texture, both ways, are left out, >= 0
-  double reflectance_error; // share of the light that may be neglected, in [0, 1]
+  water_settings settings;
+  int window_samples; // per pixel of the window
+  bool may_tone_map;  // a pass follows that may do it
+  int max_texture_px; // the GPU's limit for a side of a texture, >= 1
 } water_scene;
 
 typedef struct water_plan
@@ -191,7 +231,12 @@ typedef struct water_plan
   bool is_awash;                // it is over it, and the near plane cuts through the surface
   bool has_sun;                 // it shines on the surface from the normal's side
   double sun_dir[3];            // towards the sun, in the plane's axes, unit length
-  double eta;                   // index beyond the surface / index on the eye's side
+  double sun_color[3];          // of its light: a white card facing it shows this; 0 without a sun
+  double pattern_xy[2];         // origin_xy within the pattern that foam repeats
+  water_sky sky;
+  bool
+    is_sky_known; // in every direction; a skybox hides it, and is known in the mirrored view alone
+  double eta;     // index beyond the surface / index on the eye's side
 
   // draw: the mirrored camera, twice: as matrices and in vtkCamera's terms
   water_camera mirrored;
@@ -205,6 +250,8 @@ typedef struct water_plan
   double headlight_dir[3];      // the eye's view direction in mirrored view space, unit length
   double headlight_position[3]; // the eye in mirrored view space
   int texture_px[2];
+  int samples;            // per pixel of the mirrored view; 0: none
+  bool is_half_float;     // colours are half floats, or bytes
   int texture_rect_px[4]; // x, y, width, height of the part the water can look up
   double mask_rounding;   // of dot(plane_clip, NDC) in single precision
   double visible_px_max;  // if the eye's picture shows less of the water, it pays to wait for it
@@ -214,8 +261,6 @@ typedef struct water_plan
   bool is_software; // the scene's
 
   // shade: where the reflection texture shows what
-  double world_to_texture[16]; // divide by w: u, v, depth in [0, 1]; of a point on the water: its
-                               // own pixel, x flipped
   double reflection_ndc_to_eye[9]; // (x, y, 1) in NDC of the reflection texture -> (x, y, w) in
                                    // clip of the eye, of the direction that the reflection texture
                                    // sees there: where the sky is found

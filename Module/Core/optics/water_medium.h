@@ -62,6 +62,7 @@ water_status water_medium_check(const water_medium* medium);
 //
 // Returns WATER_OK, WATER_BAD_DIRECTION (off unit length by more than 1e-6), WATER_BAD_INDEX_RATIO
 // or WATER_TOTAL_REFLECTION; then refracted is unchanged.
+// Reference of tests: nothing in the module calls it.
 water_status water_medium_refract(
   const double dir[3], const double normal[3], double eta, double refracted[3]);
 
@@ -73,9 +74,11 @@ double water_medium_cosine(double cosine, double eta);
 // depth   m, >= 0
 // cosine  of the ray in the air; clamped to [0, 1]
 // eta     > 1
+// Reference of tests: nothing in the module calls it.
 double water_medium_path(double depth, double cosine, double eta);
 
 // Depth at which a bed appears, m: straight over its true place. At nadir depth / eta.
+// Reference of tests: nothing in the module calls it.
 double water_medium_apparent_depth(double depth, double cosine, double eta);
 
 // What a beam loses per metre, 1/m: absorption + scattering.
@@ -89,6 +92,7 @@ void water_medium_deep_color(const water_medium* medium, double color[3]);
 
 // The part of the light left after a way through the water, exp(-(a + b) path), per channel.
 // Source: Bouguer 1729; Lambert 1760; Beer 1852.
+// Reference of tests: nothing in the module calls it.
 void water_medium_transmittance(const water_medium* medium, double path, double transmittance[3]);
 
 // Radiance scattered once towards an eye above, per unit of irradiance that the sun brings through
@@ -100,6 +104,7 @@ void water_medium_transmittance(const water_medium* medium, double path, double 
 // cosine_eye  mu_v of the refracted line of sight, (0, 1]
 // phase       1/sr at the angle between them; 1 / (4 pi) when all directions are alike
 // Source: Chandrasekhar 1950, "Radiative Transfer", section 47 (single scattering, finite slab).
+// Reference of tests: nothing in the module calls it.
 void water_medium_inscatter(const water_medium* medium, double depth, double cosine_sun,
   double cosine_eye, double phase, double inscatter[3]);
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// water_mirror.c: step 2: the mirrored camera, the clip at
-// the plane, the reflection textures into its picture.
+// water_mirror.c: step 2: the mirrored camera, the clip at the plane, the way into its picture.
 #include "water_mirror.h"
 
 #include "water_math.h"
@@ -179,35 +178,6 @@ void water_mirror_clip_window(
   }
 }
 
-water_status water_mirror_oblique(
-  const double view_to_clip[16], const double clip_plane_view[4], double oblique[16])
-{
-  double clip_to_view[16];
-  if (!water_mat4_invert(view_to_clip, clip_to_view))
-  {
-    return WATER_BAD_CAMERA;
-  }
-  double plane_clip[4]; // k in the paper
-  water_mat4_apply_row(clip_plane_view, clip_to_view, plane_clip);
-  const double corner_clip[4] = { copysign(1.0, plane_clip[0]), copysign(1.0, plane_clip[1]), 1.0,
-    1.0 };
-  double corner_view[4]; // q: the far corner that lies deepest on the kept side
-  water_mat4_apply(clip_to_view, corner_clip, corner_view);
-  const double depth = water_vec4_dot(clip_plane_view, corner_view);
-  if (!(depth > 0.0))
-  {
-    return WATER_BAD_CAMERA;
-  }
-  double result[16];
-  memcpy(result, view_to_clip, sizeof result);
-  for (int j = 0; j < 4; ++j)
-  {
-    result[8 + j] = clip_plane_view[j] * (2.0 / depth) - view_to_clip[12 + j];
-  }
-  memcpy(oblique, result, sizeof result);
-  return WATER_OK;
-}
-
 void water_mirror_texture_matrix(const water_camera* mirrored, double world_to_texture[16])
 {
   water_mat4_multiply(mirrored->view_to_clip, mirrored->world_to_view, world_to_texture);
@@ -215,13 +185,6 @@ void water_mirror_texture_matrix(const water_camera* mirrored, double world_to_t
   {
     world_to_texture[j] = 0.5 * (world_to_texture[j] + world_to_texture[12 + j % 4]);
   }
-}
-
-void water_mirror_ray(const double world_to_reflection[16], const double point[3],
-  const double dir[3], double start[4], double step[4])
-{
-  water_mat4_apply_point(world_to_reflection, point, start);
-  water_mat4_apply_dir(world_to_reflection, dir, step);
 }
 
 void water_mirror_headlight(

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// water_mirror.h: step 2: the camera mirrored at the plane,
-// the clip at the plane, and the reflection textures that lead from the scene into the mirrored
-// picture.
+// water_mirror.h: step 2: the camera mirrored at the plane, the clip at the plane, and what leads
+// from the scene into the mirrored picture.
 //
 // R is the mirror matrix of the plane (determinant -1), Fx = diag(-1, 1, 1, 1). The mirrored camera
 // is V' = Fx V R, P' = Fx P Fx: V' is a proper rigid view, so triangles keep their winding, and P'
@@ -81,26 +80,9 @@ water_status water_mirror_clip_clip(
 void water_mirror_clip_window(
   const double clip_plane_clip[4], const int texture_px[2], double clip_plane_window[4]);
 
-// A projection whose near plane is the clip plane, for what cannot discard in window space (volume
-// rays). It bends the depths, so it is not for the reflection texture whose depth is searched.
-//
-// Returns WATER_OK or WATER_BAD_CAMERA (no inverse, or no far corner of the frustum is on the kept
-// side: nothing is seen of it); then oblique is unchanged.
-// Source: Lengyel 2005, "Oblique View Frustum Depth Projection and Clipping", with the general
-// inverse in place of the entries of a symmetric perspective matrix.
-water_status water_mirror_oblique(
-  const double view_to_clip[16], const double clip_plane_view[4], double oblique[16]);
-
-// World to the reflection texture: divide by w: u, v, depth in [0, 1].
+// World to the reflection texture: divide by w: u, v, depth in [0, 1]. Reference of tests for where
+// a point is looked up, and for programs that use the core alone: nothing in the module calls it.
 void water_mirror_texture_matrix(const water_camera* mirrored, double world_to_texture[16]);
-
-// The picture of a ray in the reflection texture: a point at distance t of it lies at start + t *
-// step, to be divided by w; a straight line in the picture, depth included.
-//
-// world_to_reflection  world_to_texture, or any other matrix of the mirrored camera
-// point, dir    of the reflected ray in world; dir of any length
-void water_mirror_ray(const double world_to_reflection[16], const double point[3],
-  const double dir[3], double start[4], double step[4]);
 
 // The eye's view direction, unit length, and its place in mirrored view space: lights that sit on
 // the camera must keep to the user's one.

@@ -11,6 +11,7 @@
 #include "water_plane.h"
 #include "water_select.h"
 #include "water_target.h"
+#include "water_visibility.h"
 
 // To find out what of the reflection texture is seen costs a look at every pixel of the rectangle,
 // and the mirrored view must wait for the main one: worth it if a part of it is left out. To leave
@@ -26,6 +27,10 @@ static const size_t props_at_once = 256;
 // What is looked up is not asked for reflection textures that are coarser than this: a cell of
 // theirs is too large a part of the picture to go through.
 static const double visibility_texture_scale = 0.25;
+
+static const double foam_pattern = 256.0; // after which it repeats, in the scene's unit
+
+static const int default_samples_max = 8; // more is slow and not seen in a reflection
 
 // What the checks compute on their way, for the steps to use.
 typedef struct checked
@@ -69,22 +74,22 @@ static water_status check(const water_scene* scene, checked* result)
     return WATER_BAD_SURFACE;
   }
   status = water_target_size(
-    scene->viewport_px, scene->texture_scale, scene->max_texture_px, result->texture_px);
+    scene->viewport_px, scene->settings.texture_scale, scene->max_texture_px, result->texture_px);
   if (status != WATER_OK)
   {
     return status;
   }
-  if (!(scene->clip_margin >= 0.0 && scene->clip_margin <= water_largest &&
+  if (!(scene->settings.clip_margin >= 0.0 && scene->settings.clip_margin <= water_largest &&
         scene->wave_height_max >= 0.0 && scene->wave_height_max <= water_largest &&
         fabs(scene->surface_height) <= water_largest))
   {
     return WATER_BAD_CLIP_MARGIN;
   }
-  if (!(scene->prop_px_min >= 0.0))
+  if (!(scene->settings.prop_px_min >= 0.0))
   {
     return WATER_BAD_PROP_SIZE;
   }
-  if (!(scene->reflectance_error >= 0.0 && scene->reflectance_error <= 1.0))
+  if (!(scene->settings.reflectance_error >= 0.0 && scene->settings.reflectance_error <= 1.0))
   {
     return WATER_BAD_REFLECTANCE_ERROR;
   }
@@ -111,7 +116,7 @@ static water_decision decide(const water_scene* scene, water_side side)
   {
     return WATER_NO_REFLECT_NO_REFLECTANCE;
   }
-  if (scene->skips & WATER_MAY_SKIP_UNSEEN)
+  if (scene->settings.skips & WATER_MAY_SKIP_UNSEEN)
   {
     if (side == WATER_BELOW ? scene->hides_below : scene->hides_above)
     {
@@ -122,18 +127,11 @@ static water_decision decide(const water_scene* scene, water_side side)
       return WATER_NO_REFLECT_OUT_OF_VIEW;
     }
   }
-  if (scene->is_hidden && (scene->skips & WATER_MAY_SKIP_HIDDEN))
+  if (scene->is_hidden && (scene->settings.skips & WATER_MAY_SKIP_HIDDEN))
   {
     return WATER_NO_REFLECT_HIDDEN;
   }
   return scene->has_environment ? WATER_NO_REFLECT_ENVIRONMENT : WATER_REFLECT;
-}
-
-// Is nothing of the water seen, unless the eye is in it?
-static bool is_unseen(water_decision decision)
-{
-  return decision == WATER_NO_REFLECT_OUT_OF_VIEW || decision == WATER_NO_REFLECT_HIDDEN ||
-    decision == WATER_NO_REFLECT_FACING_AWAY;
 }
 
 static water_plane turn_to_eye(const water_plane* plane, water_side side)
@@ -149,10 +147,10 @@ static water_plane turn_to_eye(const water_plane* plane, water_side side)
 static bool is_faint(
   const water_scene* scene, const checked* input, const water_plan* plan, const double box[4])
 {
-  return (scene->skips & WATER_MAY_SKIP_FAINT) && scene->reflectance_error > 0.0 &&
-    !scene->has_shadows &&
+  return (scene->settings.skips & WATER_MAY_SKIP_FAINT) &&
+    scene->settings.reflectance_error > 0.0 && !scene->has_shadows &&
     water_optics_reflectance_max(&scene->look, plan->eta, plan->ndc_to_ray, box,
-      scene->has_waves ? scene->slope_max : 0.0) <= scene->reflectance_error &&
+      scene->has_waves ? scene->slope_max : 0.0) <= scene->settings.reflectance_error &&
     input->side == WATER_ABOVE;
 }
 
@@ -162,15 +160,16 @@ static void fill_visibility(
 {
   const bool is_same_size =
     memcmp(plan->texture_px, scene->viewport_px, sizeof plan->texture_px) == 0;
-  const bool saves_draws = (scene->skips & (WATER_MAY_SKIP_PROPS | WATER_MAY_SKIP_CLUSTERS)) != 0;
+  const bool saves_draws =
+    (scene->settings.skips & (WATER_MAY_SKIP_PROPS | WATER_MAY_SKIP_CLUSTERS)) != 0;
   size_t draw_count = 0;
   for (size_t i = 0; i < scene->prop_count; ++i)
   {
     draw_count += reasons[i] == WATER_CULL_NONE;
   }
   const bool is_asked_back = scene->is_software || draw_count >= many_draws;
-  const bool can_see = (scene->skips & WATER_MAY_SKIP_PIXELS) && scene->is_flat &&
-    !scene->has_waves && scene->texture_scale >= visibility_texture_scale;
+  const bool can_see = (scene->settings.skips & WATER_MAY_SKIP_PIXELS) && scene->is_flat &&
+    !scene->has_waves && scene->settings.texture_scale >= visibility_texture_scale;
   const bool can_mask = can_see && is_same_size && !scene->is_software;
   const bool can_leave_out = can_see && saves_draws && is_asked_back;
   plan->has_mask = can_mask && scene->has_scene_depth;
@@ -195,7 +194,7 @@ static void fill_props(const water_scene* scene, const water_plane* plane, doubl
   water_selection selection;
   selection.is_off = false;
   selection.margin = margin;
-  selection.prop_px_min = scene->prop_px_min;
+  selection.prop_px_min = scene->settings.prop_px_min;
   memcpy(selection.texture_px, plan->texture_px, sizeof selection.texture_px);
   water_target_box_of_rect(plan->texture_rect_px, plan->texture_px, selection.box);
   water_reach reach;
@@ -215,7 +214,7 @@ static void fill_props(const water_scene* scene, const water_plane* plane, doubl
     water_mirror_reach_add(props, count, reasons + first, &reach);
     plan->reflection_top =
       fmax(plan->reflection_top, water_lookup_top(plane, props, count, reasons + first));
-    if (!(scene->skips & WATER_MAY_SKIP_PROPS))
+    if (!(scene->settings.skips & WATER_MAY_SKIP_PROPS))
     {
       // after the reach and the top: rays are to take the same steps with all props and without
       // some
@@ -229,6 +228,14 @@ static void fill_props(const water_scene* scene, const water_plane* plane, doubl
   plan->reflection_top += scene->wave_height_max; // a ray may start in a trough
 }
 
+static int samples_of(const water_scene* scene)
+{
+  const int window =
+    scene->window_samples < default_samples_max ? scene->window_samples : default_samples_max;
+  const int wanted = scene->settings.multi_samples >= 0 ? scene->settings.multi_samples : window;
+  return wanted > 1 ? wanted : 0;
+}
+
 // plane: normal towards the eye; plane_view of the plan is set.
 // box: of the picture that the water covers
 static water_status fill_draw(const water_scene* scene, const checked* input,
@@ -236,14 +243,17 @@ static water_status fill_draw(const water_scene* scene, const checked* input,
   size_t* bad_index)
 {
   // what stands in a trough must be seen in it
-  const double margin = fmax(scene->clip_margin, scene->wave_height_max);
+  const double margin = fmax(scene->settings.clip_margin, scene->wave_height_max);
   water_mirror_camera(&scene->eye, plane, &plan->mirrored);
   memcpy(plan->texture_px, input->texture_px, sizeof plan->texture_px);
+  plan->samples = samples_of(scene);
+  plan->is_half_float = scene->settings.color_precision == WATER_COLOR_HALF_FLOAT ||
+    (scene->settings.color_precision == WATER_COLOR_AUTOMATIC && scene->may_tone_map);
   plan->reflection_scale[0] = plan->reflection_scale[1] = 1.0;
   if (scene->has_waves)
   {
-    const double band = scene->guard_band > 0.0
-      ? scene->guard_band
+    const double band = scene->settings.guard_band > 0.0
+      ? scene->settings.guard_band
       : water_target_guard_band(&scene->eye, scene->slope_rms);
     water_target_widen(band, scene->max_texture_px, plan->texture_px, plan->reflection_scale);
     water_mirror_widen(plan->reflection_scale, &plan->mirrored);
@@ -256,7 +266,7 @@ static water_status fill_draw(const water_scene* scene, const checked* input,
   }
   water_target_rect(looked_up, plan->reflection_scale, plan->texture_px, plan->texture_rect_px);
   fill_props(scene, plane, margin, plan, reasons, bad_index);
-  if (!(scene->skips & WATER_MAY_SKIP_PIXELS))
+  if (!(scene->settings.skips & WATER_MAY_SKIP_PIXELS))
   {
     const int whole[4] = { 0, 0, plan->texture_px[0], plan->texture_px[1] };
     memcpy(plan->texture_rect_px, whole, sizeof whole);
@@ -300,16 +310,25 @@ static water_status fill_view(const water_scene* scene, const checked* input,
   plan->is_awash = input->side == WATER_ABOVE && input->is_at_surface &&
     water_lookup_cuts_surface(&input->eye, level_view);
   plan->has_sun = scene->has_sun && water_lookup_local(axes, scene->sun_dir, plan->sun_dir);
+  for (int i = 0; i < 3 && plan->has_sun; ++i)
+  {
+    plan->sun_color[i] = scene->sun_diffuse[i] * scene->sun_intensity;
+  }
+  plan->sky = scene->sky;
   plan->eta = water_optics_eta(&scene->look, input->side);
-  return water_lookup_places(
-    &scene->eye, &input->eye, plane, axes, plan->origin_xy, plan->ndc_to_plane);
+  const water_status status =
+    water_lookup_places(&scene->eye, &input->eye, plane, axes, plan->origin_xy, plan->ndc_to_plane);
+  for (int i = 0; i < 2; ++i)
+  {
+    plan->pattern_xy[i] = fmod(plan->origin_xy[i], foam_pattern);
+  }
+  return status;
 }
 
 // The view and the mirrored camera of the plan are set.
 static water_status fill_shade(
   const water_scene* scene, const checked* input, const water_axes* axes, water_plan* plan)
 {
-  water_mirror_texture_matrix(&plan->mirrored, plan->world_to_texture);
   water_mirror_reflection_to_eye(&scene->eye, &input->eye, plan->plane_view, plan->reflection_scale,
     plan->reflection_ndc_to_eye);
   water_lookup_depths(&plan->mirrored, &plan->reflection_z_infinity, plan->reflection_tolerance);
@@ -336,7 +355,7 @@ water_status water_plan_make(const water_scene* scene, water_plan* plan, water_c
   }
   made.has_view = made.decision == WATER_REFLECT ||
     made.decision == WATER_NO_REFLECT_NO_REFLECTANCE ||
-    made.decision == WATER_NO_REFLECT_ENVIRONMENT || is_unseen(made.decision);
+    made.decision == WATER_NO_REFLECT_ENVIRONMENT || water_decision_is_unseen(made.decision);
   if (made.has_view)
   {
     const water_plane plane = turn_to_eye(&input.plane, input.side);
@@ -363,7 +382,7 @@ water_status water_plan_make(const water_scene* scene, water_plan* plan, water_c
         status = fill_shade(scene, &input, &axes, &made);
       }
     }
-    if (is_unseen(made.decision))
+    if (water_decision_is_unseen(made.decision))
     {
       // an eye in it sees the water wherever it looks
       made.has_view = made.is_submerged || made.is_awash;
@@ -374,31 +393,52 @@ water_status water_plan_make(const water_scene* scene, water_plan* plan, water_c
       made.has_view = false;
     }
   }
+  made.is_sky_known = isfinite(made.reflection_top);
   *plan = made;
   return status != WATER_OK ? status : props_status;
 }
 
-void water_plan_reuse(const water_plan* last, bool is_unchanged, unsigned skips, water_plan* plan)
+// Would the mirrored view of a plan show the same things from the same place as the last one?
+static bool is_same_view(const water_plan* last, const water_plan* plan)
 {
-  const int* had = last->texture_rect_px;
-  const int* wanted = plan->texture_rect_px;
-  const bool is_covered = had[0] <= wanted[0] && had[1] <= wanted[1] &&
-    had[0] + had[2] >= wanted[0] + wanted[2] && had[1] + had[3] >= wanted[1] + wanted[3];
-  const bool is_same_view = memcmp(last->mirrored.world_to_view, plan->mirrored.world_to_view,
-                              sizeof last->mirrored.world_to_view) == 0 &&
+  return memcmp(last->mirrored.world_to_view, plan->mirrored.world_to_view,
+           sizeof last->mirrored.world_to_view) == 0 &&
     memcmp(last->mirrored.view_to_clip, plan->mirrored.view_to_clip,
       sizeof last->mirrored.view_to_clip) == 0 &&
     memcmp(last->clip_plane_view, plan->clip_plane_view, sizeof last->clip_plane_view) == 0 &&
     memcmp(last->texture_px, plan->texture_px, sizeof last->texture_px) == 0;
+}
+
+static bool is_covered(const int had[4], const int wanted[4])
+{
+  return had[0] <= wanted[0] && had[1] <= wanted[1] && had[0] + had[2] >= wanted[0] + wanted[2] &&
+    had[1] + had[3] >= wanted[1] + wanted[3];
+}
+
+bool water_plan_wants_visibility(const water_plan* last, const water_plan* plan)
+{
+  return plan->decision == WATER_REFLECT && plan->has_visibility && !is_same_view(last, plan);
+}
+
+void water_plan_revise(const water_scene* scene, const water_plan* last, bool is_unchanged,
+  const water_visibility* visible, water_plan* plan, water_cull_reason* reasons)
+{
+  const bool is_same = is_same_view(last, plan);
   // What hides the water is no part of what the reflection texture shows. So a reflection texture
   // with a mask serves once, and in a view that stays as it is none gets a mask.
-  plan->has_mask = plan->has_mask && !is_same_view;
-  plan->has_visibility = plan->has_visibility && !is_same_view;
-  if (plan->decision == WATER_REFLECT && (skips & WATER_MAY_SKIP_UNCHANGED) && is_unchanged &&
-    water_plan_has_reflection(last) && is_covered && is_same_view && !last->has_mask &&
+  plan->has_mask = plan->has_mask && !is_same;
+  plan->has_visibility = plan->has_visibility && !is_same;
+  if (plan->decision == WATER_REFLECT && (scene->settings.skips & WATER_MAY_SKIP_UNCHANGED) &&
+    is_unchanged && is_same && water_plan_has_reflection(last) &&
+    is_covered(last->texture_rect_px, plan->texture_rect_px) && !last->has_mask &&
     !last->has_visibility)
   {
     plan->decision = WATER_REUSE;
+  }
+  if (plan->decision == WATER_REFLECT && visible)
+  {
+    water_visibility_cull(
+      visible, &plan->mirrored, scene->props, scene->prop_count, scene->settings.skips, reasons);
   }
 }
 
@@ -407,6 +447,12 @@ bool water_plan_should_wait(const water_plan* last, double visible_px, unsigned 
   return ((skips & WATER_MAY_SKIP_HIDDEN) && visible_px <= 0.0) ||
     ((skips & WATER_MAY_SKIP_PIXELS) && water_plan_has_reflection(last) &&
       visible_px < last->visible_px_max);
+}
+
+bool water_decision_is_unseen(water_decision decision)
+{
+  return decision == WATER_NO_REFLECT_OUT_OF_VIEW || decision == WATER_NO_REFLECT_HIDDEN ||
+    decision == WATER_NO_REFLECT_FACING_AWAY;
 }
 
 bool water_plan_has_reflection(const water_plan* plan)

@@ -11,6 +11,8 @@ extern "C"
 {
 #endif
 
+struct water_visibility;
+
 // Plans one frame. Pure: same scene, same plan.
 //
 // reasons  prop_count entries, written only when the plan reflects; NULL if prop_count is 0
@@ -21,16 +23,25 @@ extern "C"
 water_status water_plan_make(
   const water_scene* scene, water_plan* plan, water_cull_reason* reasons);
 
-// A plan that reflects is to use the last reflection texture again (WATER_REUSE) if that shows the
-// same. In a view that has not changed it goes without a mask, so that its reflection texture can
-// be used again.
+// Is it worth to find out which parts of the reflection texture visible water looks up, before the
+// plan is revised?
 //
-// last          the plan that the reflection texture was drawn by; all 0: there is none
-// is_unchanged  so is all that a plan does not know: what the drawn props look like, the lights,
-// the
-//               background
-// skips         of the scene
-void water_plan_reuse(const water_plan* last, bool is_unchanged, unsigned skips, water_plan* plan);
+// last  the plan that the reflection texture was drawn by; all 0: there is none
+bool water_plan_wants_visibility(const water_plan* last, const water_plan* plan);
+
+// Revises a plan by what is known once it is made; nothing changes it afterwards. A plan that
+// reflects uses the last reflection texture again (WATER_REUSE) if that shows the same. In a view
+// that has not changed it goes without a mask, so that its reflection texture can be used again.
+// Props that no visible water shows are culled.
+//
+// scene         of the plan
+// last          as above
+// is_unchanged  nor has all that a plan does not know: what the drawn props look like, the lights,
+//               the background
+// visible       NULL: any part may be looked up
+// reasons       of the plan
+void water_plan_revise(const water_scene* scene, const water_plan* last, bool is_unchanged,
+  const struct water_visibility* visible, water_plan* plan, water_cull_reason* reasons);
 
 // Is it worth to draw the next reflection texture only when the eye's picture is there, which tells
 // whether the water is hidden, and what a mask may close?
@@ -40,7 +51,10 @@ void water_plan_reuse(const water_plan* last, bool is_unchanged, unsigned skips,
 // skips       of the scene
 bool water_plan_should_wait(const water_plan* last, double visible_px, unsigned skips);
 
-// Is there a map to look up, drawn or used again?
+// Is nothing of the water seen? An eye in it may still see it.
+bool water_decision_is_unseen(water_decision decision);
+
+// Is there a reflection texture to look up, drawn or used again?
 bool water_plan_has_reflection(const water_plan* plan);
 
 // Short English text of a reason or a decision, never NULL; static storage.

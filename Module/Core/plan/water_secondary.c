@@ -26,7 +26,8 @@ water_status water_secondary_plan(
   seen.has_environment = true;
   memcpy(seen.environment_up, scene->environment_up, sizeof seen.environment_up);
   memcpy(seen.environment_right, scene->environment_right, sizeof seen.environment_right);
-  seen.texture_scale = 1.0;
+  seen.sky = scene->sky;
+  seen.settings.texture_scale = 1.0;
   seen.max_texture_px = INT_MAX;
   const water_status status = water_plan_make(&seen, plan, NULL);
   if (plan->has_view)

@@ -20,7 +20,7 @@ extern "C"
 // Plans another water for the mirrored view of a plan.
 //
 // scene     of the other water: its plane, plane_origin, surface_bounds and look, the environment,
-//           and the eye of the picture; nothing else counts
+//           the sky and the eye of the picture; nothing else counts
 // mirrored  the plan in whose view it is drawn
 // plan      has the view of the mirrored camera, but for dir_to_eye: the background is painted on
 //           the screen of the picture, so that one is of scene->eye

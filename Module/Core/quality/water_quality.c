@@ -6,6 +6,8 @@
 #include "water_plan.h"
 #include "water_target.h"
 
+#include <limits.h>
+
 static const water_quality ladder[WATER_QUALITY_STEPS] = {
   { 1.00, 24, 12 },
   { 0.84, 16, 6 },
@@ -348,4 +350,53 @@ water_status water_quality_share(
                                         : 0.0;
   }
   return WATER_OK;
+}
+
+double water_quality_share_of(
+  const double* areas_px, const unsigned char* is_own, size_t count, double budget_ms, double* work)
+{
+  memset(work, 0, count * sizeof *work);
+  (void)water_quality_share(areas_px, count, budget_ms, work); // none of a bad budget
+  double sum = 0.0;
+  for (size_t i = 0; i < count; ++i)
+  {
+    sum += is_own[i] ? work[i] : 0.0;
+  }
+  return sum > 0.0 ? sum : budget_ms;
+}
+
+void water_quality_begin(water_quality_memory* memory)
+{
+  memset(memory, 0, sizeof *memory);
+  memory->error_step = WATER_QUALITY_NO_STEP;
+}
+
+void water_quality_choose(
+  const water_quality_request* request, water_quality_memory* memory, water_quality_choice* choice)
+{
+  if (request->mode == WATER_QUALITY_FIXED)
+  {
+    const water_quality_choice fixed = { WATER_QUALITY_NO_STEP, request->texture_scale, INT_MAX,
+      INT_MAX };
+    *choice = fixed;
+    return;
+  }
+  choice->step = 0;
+  if (request->mode == WATER_QUALITY_TARGET_ERROR)
+  {
+    (void)water_quality_for_error(
+      request->target_error_px, &request->roughness, &memory->error_step);
+    choice->step = memory->error_step;
+  }
+  else if (request->mode != WATER_QUALITY_UPDATE_RATE ||
+    !water_quality_is_still(request->budget_ms))
+  {
+    (void)water_quality_for_budget(&memory->budget, 0, request->budget_ms, request->measured_ms);
+    choice->step = memory->budget.step;
+  }
+  water_quality quality;
+  water_quality_of_step(choice->step, &quality);
+  choice->texture_scale = quality.texture_scale;
+  choice->ray_steps = quality.ray_steps;
+  choice->ray_probes = quality.ray_probes;
 }

@@ -142,6 +142,39 @@ double water_quality_budget(double frames_per_s);
 // hours then. The finest step is the one for it, at once: there may be no other frame.
 bool water_quality_is_still(double budget_ms);
 
+// What a frame is asked for.
+typedef struct water_quality_request
+{
+  water_quality_mode mode;
+  double texture_scale;   // of WATER_QUALITY_FIXED
+  double target_error_px; // of WATER_QUALITY_TARGET_ERROR
+  double budget_ms;       // of the other two
+  water_roughness roughness;
+  double measured_ms; // of the last frame; not finite or <= 0: not known
+} water_quality_request;
+
+// What is remembered from frame to frame; water_quality_begin makes the first.
+typedef struct water_quality_memory
+{
+  water_quality_state budget;
+  int error_step;
+} water_quality_memory;
+
+typedef struct water_quality_choice
+{
+  int step; // of the ladder; WATER_QUALITY_NO_STEP: the quality is fixed
+  double texture_scale;
+  int ray_steps; // at most; INT_MAX when the quality is fixed
+  int ray_probes;
+} water_quality_choice;
+
+void water_quality_begin(water_quality_memory* memory);
+
+// Chooses the texture's scale and the most steps of rays for a frame. A target, a budget or a
+// roughness that is not accepted leaves the step as it was.
+void water_quality_choose(
+  const water_quality_request* request, water_quality_memory* memory, water_quality_choice* choice);
+
 // Shares a budget over many waters: a tenth of it evenly among those that are seen, so that none
 // starves, and the rest by the areas that are seen of them.
 //
@@ -152,6 +185,14 @@ bool water_quality_is_still(double budget_ms);
 // Returns WATER_OK or WATER_BAD_TIME_BUDGET; then the shares are unchanged.
 water_status water_quality_share(
   const double* areas_px, size_t count, double budget_ms, double* shares_ms);
+
+// What some of those waters get together, ms; all of the budget while none of them is known to be
+// seen.
+//
+// is_own  count of them: which
+// work    room for count
+double water_quality_share_of(
+  const double* areas_px, const unsigned char* is_own, size_t count, double budget_ms, double* work);
 
 #ifdef __cplusplus
 }

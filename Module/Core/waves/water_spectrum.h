@@ -93,6 +93,7 @@ double water_sea_density(const water_sea* sea, double kx, double ky);
 //
 // Returns WATER_OK or WATER_BAD_WAVENUMBER; then the outputs are unchanged. Error below 1e-5 of the
 // value, by Gauss's rule of 4 points on 512 panels of ln k.
+// Reference of tests: nothing in the module calls it.
 water_status water_sea_moments(
   const water_sea* sea, double k_low, double k_high, double* height, double* slope);
 

@@ -355,3 +355,14 @@ double water_waves_number(const water_wave* waves, size_t count)
   water_waves_rms(waves, count, &height, &slope);
   return height > 0.0 ? slope / height : 0.0;
 }
+
+int water_waves_rest_steps(bool is_displaced, bool is_steep)
+{
+  const int from_place = 3;
+  return is_displaced ? 1 : is_steep ? from_place : 0;
+}
+
+double water_waves_slack(double height_max)
+{
+  return 0.25 * height_max;
+}

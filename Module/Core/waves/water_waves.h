@@ -17,6 +17,7 @@
 
 #include "water_status.h"
 
+#include <stdbool.h>
 #include <stddef.h>
 
 #ifdef __cplusplus
@@ -68,6 +69,7 @@ typedef struct water_wave_row // a wave for the shader
 //
 // Returns WATER_OK, WATER_BAD_WAVENUMBER or WATER_BAD_DEPTH; then omega is unchanged.
 // Source: Airy 1845, "Tides and Waves".
+// Reference of tests: nothing in the module calls it.
 water_status water_waves_omega(double k, double depth, double* omega);
 
 // The inverse: the wave number of an angular frequency, within 1e-14 of itself. Newton's method on
@@ -98,6 +100,7 @@ water_status water_waves_at(const water_wave* waves, size_t count, double depth,
   water_wave_term* terms, size_t* bad_index);
 
 // The surface's point that is at (x, y) when the water is at rest. x and y are finite.
+// Reference of tests: nothing in the module calls it.
 void water_waves_point(
   const water_wave_term* terms, size_t count, double x, double y, water_wave_point* point);
 
@@ -135,6 +138,16 @@ void water_waves_tilt(const double slope[2], double normal[3]);
 
 // How far waves can move a point at most: up or down (the sum of the amplitudes), and in the plane.
 void water_waves_reach(const water_wave* waves, size_t count, double* height, double* across);
+
+// Newton steps that a shader takes from a place to the point at rest: one from the chord that a
+// displaced triangle is to the waves, none where no wave moves its points.
+int water_waves_rest_steps(bool is_displaced, bool is_steep);
+
+// How far the reflection texture's heights may be off before a displaced surface takes a thing for
+// one under it, m.
+//
+// height_max  of water_waves_reach
+double water_waves_slack(double height_max);
 
 // The rows for the shader, in float. Their phases belong to the origin (x, y), which a shader takes
 // off its coordinates first: near the eye a float is then exact enough.

@@ -137,13 +137,69 @@ void SetViewportAndScissor(vtkOpenGLState* state, const water_plan& plan)
 }
 
 //------------------------------------------------------------------------------
-const char* vtkWaterMirroredView::Draw(vtkRenderer* renderer, vtkWaterShaderHook* shading,
-  const water_plan& plan, std::vector<vtkProp*>& props, const Settings& settings)
+void vtkWaterMirroredView::DrawBackground(vtkRenderer* renderer, const water_plan& plan)
+{
+  this->Background.DrawSky(renderer, plan);
+  if (plan.has_mask && this->SceneDepth.IsThere())
+  {
+    this->Mask.DrawMask(renderer, plan, this->SceneDepth);
+  }
+  else if (this->Visible)
+  {
+    this->Mask.DrawClosedCells(renderer, *this->Visible);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterMirroredView::DrawTranslucent(
+  vtkRenderer* renderer, const water_plan& plan, Draft& draft)
+{
+  auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
+  vtkOpenGLState* state = window->GetState();
+  this->HasLayer = draft.HasMarchedRays && vtkWaterTranslucentLayer::IsNeeded(draft.Props) &&
+    this->Layer.Keep(window, this->Target);
+  if (this->HasLayer)
+  {
+    this->Target.Bind();
+    SetViewportAndScissor(state, plan);
+  }
+  this->Translucent.DrawPolygons(renderer, draft.Props, this->Target.GetFramebuffer());
+  this->Translucent.DrawVolumes(renderer, draft.Props);
+  state->vtkglDisable(GL_SCISSOR_TEST);
+  this->Target.Resolve();
+  this->HasLayer = this->HasLayer && this->Layer.Bind();
+  if (this->HasLayer)
+  {
+    SetViewportAndScissor(state, plan);
+    this->Layer.Draw(renderer, draft.Hook, plan, draft.Props, this->Translucent);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterMirroredView::DrawProps(vtkRenderer* renderer, const water_plan& plan, Draft& draft)
+{
+  vtkWaterShaderHook::View view;
+  view.Plan = &plan;
+  view.Eye = vtkWaterGather::ReadCamera(renderer); // before it is the mirrored one
+  view.Props = &draft.Props;
+  view.Clusters = draft.CanCut ? &this->Clusters : nullptr;
+  view.ClipDistance = &this->ClipDistance;
+  this->SetCamera(renderer, plan);
+  ScopedCamera scopedCamera(renderer, this->Camera);
+  ScopedMirroredView scopedView(draft.Hook, view);
+  ScopedRenderTimes scopedTimes(renderer, draft.Props);
+  vtkWaterShadows::Draw(
+    renderer, draft.Shadows, draft.Props, [&]() { this->DrawOpaque(renderer, plan, draft); });
+  this->DrawTranslucent(renderer, plan, draft);
+}
+
+//------------------------------------------------------------------------------
+const char* vtkWaterMirroredView::Draw(vtkRenderer* renderer, const water_plan& plan, Draft& draft)
 {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   vtkOpenGLState* state = window->GetState();
   if (!this->Target.Ensure(
-        window, plan.texture_px[0], plan.texture_px[1], settings.Samples, settings.IsFloat))
+        window, plan.texture_px[0], plan.texture_px[1], plan.samples, plan.is_half_float))
   {
     return "the GPU gave no framebuffer for the reflection texture";
   }
@@ -152,10 +208,10 @@ const char* vtkWaterMirroredView::Draw(vtkRenderer* renderer, vtkWaterShaderHook
   {
     this->SceneDepth.Find(state);
   }
-  this->Clusters.BeginView(plan, this->Seen, settings.Samples);
+  this->Clusters.BeginView(plan, this->Visible, plan.samples);
   this->IsDrawing = true;
   this->HasLayer = false;
-  this->Instruments.Begin(vtkWaterGpuQueries::REFLECTION, window);
+  this->GpuQueries.Begin(vtkWaterGpuQueries::REFLECTION, window);
   const char* failure = nullptr;
   {
     ScopedState scopedState(state);
@@ -167,68 +223,34 @@ const char* vtkWaterMirroredView::Draw(vtkRenderer* renderer, vtkWaterShaderHook
       state->vtkglEnable(GL_BLEND);
       state->vtkglBlendFuncSeparate(
         GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-      this->Screen.DrawSky(renderer, plan);
-      if (plan.has_mask && this->SceneDepth.IsThere())
-      {
-        this->Screen.DrawMask(renderer, plan, this->SceneDepth);
-      }
-      else if (this->Seen)
-      {
-        this->Screen.DrawClosedCells(renderer, *this->Seen);
-      }
-
-      vtkWaterShaderHook::View view;
-      view.Plan = &plan;
-      view.Eye = vtkWaterGather::ReadCamera(renderer); // before it is the mirrored one
-      view.Props = &props;
-      view.Clusters = settings.CanCut ? &this->Clusters : nullptr;
-      this->SetCamera(renderer, plan);
-      ScopedCamera scopedCamera(renderer, this->Camera);
-      ScopedMirroredView scopedView(shading, view);
-      ScopedRenderTimes scopedTimes(renderer, props);
-      vtkWaterShadows::Draw(renderer, settings.Shadows, props,
-        [&]() { this->DrawOpaque(renderer, plan, props, settings.CanCut); });
-      this->HasLayer = settings.HasMarchedRays && vtkWaterTranslucentLayer::IsNeeded(props) &&
-        this->Layer.Keep(window, this->Target);
-      if (this->HasLayer)
-      {
-        this->Target.Bind();
-        SetViewportAndScissor(state, plan);
-      }
-      this->Translucent.DrawPolygons(renderer, props, this->Target.GetFramebuffer());
-      this->Translucent.DrawVolumes(renderer, props);
-      state->vtkglDisable(GL_SCISSOR_TEST);
-      this->Target.Resolve();
-      this->HasLayer = this->HasLayer && this->Layer.Bind();
-      if (this->HasLayer)
-      {
-        SetViewportAndScissor(state, plan);
-        this->Layer.Draw(renderer, shading, plan, props, this->Translucent);
-      }
+      this->DrawBackground(renderer, plan);
+      this->DrawProps(renderer, plan, draft);
     }
     else
     {
       failure = "the framebuffer of the reflection texture is not complete";
     }
   }
-  this->Instruments.End(vtkWaterGpuQueries::REFLECTION);
+  this->GpuQueries.End(vtkWaterGpuQueries::REFLECTION);
   this->IsDrawing = false;
   vtkOpenGLRenderUtilities::MarkDebugEvent("water: mirrored view ends");
   return failure;
 }
 
 //------------------------------------------------------------------------------
-void vtkWaterMirroredView::FindVisibility(vtkRenderer* renderer, const water_plan& plan)
+const water_visibility* vtkWaterMirroredView::FindVisible(
+  vtkRenderer* renderer, const water_plan& plan, bool isWanted)
 {
-  this->Seen = nullptr;
-  if (plan.has_visibility)
+  this->Visible = nullptr;
+  if (isWanted)
   {
     auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
     this->SceneDepth.Find(window->GetState());
-    this->Seen = this->SceneDepth.IsThere()
-      ? this->SeenCells.Find(renderer, plan, this->Screen, this->SceneDepth)
+    this->Visible = this->SceneDepth.IsThere()
+      ? this->Visibility.Find(renderer, plan, this->Mask, this->SceneDepth)
       : nullptr;
   }
+  return this->Visible;
 }
 
 //------------------------------------------------------------------------------
@@ -259,18 +281,18 @@ void vtkWaterMirroredView::SetCamera(vtkRenderer* renderer, const water_plan& pl
 
 //------------------------------------------------------------------------------
 void vtkWaterMirroredView::DrawOpaque(
-  vtkRenderer* renderer, const water_plan& plan, const std::vector<vtkProp*>& props, bool canCut)
+  vtkRenderer* renderer, const water_plan& plan, const Draft& draft)
 {
   auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
   const auto draw = [this, renderer](vtkProp* prop) {
     prop->RenderOpaqueGeometry(renderer);
-    // on for shaders that write the distance; undefined for those that do not
-    glDisable(GL_CLIP_DISTANCE0);
+    this->ClipDistance.Off();
     this->Clusters.TakeBack();
   };
-  this->Instruments.BeginCounting(window);
+  this->GpuQueries.BeginCounting(window);
+  const std::vector<vtkProp*>& props = draft.Props;
   auto next = props.begin();
-  if (canCut)
+  if (draft.CanCut)
   {
     const auto leading = next + this->Clusters.BeginLeading(props);
     if (this->Clusters.IsReversed())
@@ -291,7 +313,7 @@ void vtkWaterMirroredView::DrawOpaque(
     next = leading;
   }
   std::for_each(next, props.end(), draw);
-  this->Instruments.EndCounting();
+  this->GpuQueries.EndCounting();
 }
 
 //------------------------------------------------------------------------------
@@ -325,12 +347,14 @@ void vtkWaterMirroredView::ReleaseGraphicsResources(vtkWindow* window)
   }
   this->Target.ReleaseGraphicsResources(window);
   this->Clusters.ReleaseGraphicsResources();
-  this->SeenCells.ReleaseGraphicsResources(window);
+  this->Visibility.ReleaseGraphicsResources(window);
   if (window)
   {
-    this->Instruments.ReleaseGraphicsResources();
+    this->GpuQueries.ReleaseGraphicsResources();
   }
-  this->Screen.ReleaseGraphicsResources();
+  this->Background.ReleaseGraphicsResources();
+  this->Fog.ReleaseGraphicsResources();
+  this->Mask.ReleaseGraphicsResources();
   if (this->Blank && window)
   {
     this->Blank->ReleaseGraphicsResources(window);

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkWaterMirroredView: carries a plan out: draws the mirrored view of a renderer into its target.
+// vtkWaterMirroredView: carries a plan out: draws the mirrored view of a renderer into its target,
+// the reflection texture.
 #ifndef vtkWaterMirroredView_h
 #define vtkWaterMirroredView_h
 
 #include "vtkSmartPointer.h"
+#include "vtkWaterBackground.h"
+#include "vtkWaterClipDistance.h"
 #include "vtkWaterClusters.h"
-#include "vtkWaterFullScreen.h"
+#include "vtkWaterFog.h"
 #include "vtkWaterGpuQueries.h"
+#include "vtkWaterMask.h"
 #include "vtkWaterSceneDepth.h"
 #include "vtkWaterTarget.h"
 #include "vtkWaterTranslucent.h"
@@ -18,6 +22,7 @@
 
 class vtkCamera;
 class vtkOpenGLRenderWindow;
+class vtkOpenGLState;
 class vtkProp;
 class vtkRenderer;
 class vtkShadowMapPass;
@@ -26,43 +31,42 @@ class vtkWaterShaderHook;
 class vtkWaterMirroredView
 {
 public:
-  struct Settings
+  // What a plan is carried out with.
+  struct Draft
   {
-    int Samples = 0;                     // per pixel, 0: none
-    bool IsFloat = false;                // colours are half floats, or bytes
-    bool HasMarchedRays = false;         // rays are followed through the reflection texture
-    bool CanCut = false;                 // parts of large meshes may be left out
+    vtkWaterShaderHook* Hook = nullptr;
+    std::vector<vtkProp*> Props;         // that are drawn
+    bool HasMarchedRays = false;         // rays are traced in it
+    bool CanCut = false;                 // clusters of large meshes may be left out
     vtkShadowMapPass* Shadows = nullptr; // which is up to date; nullptr: there are none
   };
 
   // Draws the props into the target.
   //
   // Returns nullptr, or what went wrong in a few words; the target is then not to be used.
-  const char* Draw(vtkRenderer* renderer, vtkWaterShaderHook* shading, const water_plan& plan,
-    std::vector<vtkProp*>& props, const Settings& settings);
+  const char* Draw(vtkRenderer* renderer, const water_plan& plan, Draft& draft);
 
   // Which cells of the reflection texture visible water looks up, by the picture that is bound for
-  // drawing; all of it may be where that cannot be told.
-  void FindVisibility(vtkRenderer* renderer, const water_plan& plan);
-
-  // Of the last reflection texture that was drawn, or is about to be; nullptr: all may be.
-  const water_visibility* GetVisibility() const { return this->Seen; }
+  // drawing; nullptr: all of it may be, or that is not to be asked.
+  //
+  // isWanted  water_plan_wants_visibility
+  const water_visibility* FindVisible(vtkRenderer* renderer, const water_plan& plan, bool isWanted);
 
   // In the middle of Draw, which runs the user's observers: nothing may be released then.
   bool GetIsDrawing() const { return this->IsDrawing; }
 
-  // Fills the colour's mip levels with what was drawn last.
+  // Fills the mip levels with what was drawn last.
   void MakeLevels();
 
   vtkTextureObject* GetColor() { return this->Target.GetColor(); }
   vtkTextureObject* GetDepth() { return this->Target.GetDepth(); }
 
-  // What is translucent in the reflection texture; nullptr: nothing, or no rays are followed.
+  // What is translucent in it; nullptr: nothing, or no rays are traced.
   vtkWaterTranslucentLayer* GetLayer() { return this->HasLayer ? &this->Layer : nullptr; }
 
-  vtkWaterFullScreen& GetScreen() { return this->Screen; }
-
-  vtkWaterGpuQueries& GetInstruments() { return this->Instruments; }
+  vtkWaterBackground& GetBackground() { return this->Background; }
+  vtkWaterFog& GetFog() { return this->Fog; }
+  vtkWaterGpuQueries& GetGpuQueries() { return this->GpuQueries; }
 
   // A texture of one pixel, for surfaces that have no reflection to look up.
   vtkTextureObject* GetBlank(vtkOpenGLRenderWindow* window);
@@ -71,16 +75,21 @@ public:
 
 private:
   void SetCamera(vtkRenderer* renderer, const water_plan& plan);
-  void DrawOpaque(
-    vtkRenderer* renderer, const water_plan& plan, const std::vector<vtkProp*>& props, bool canCut);
+  void DrawBackground(vtkRenderer* renderer, const water_plan& plan);
+  void DrawProps(vtkRenderer* renderer, const water_plan& plan, Draft& draft);
+  void DrawOpaque(vtkRenderer* renderer, const water_plan& plan, const Draft& draft);
+  void DrawTranslucent(vtkRenderer* renderer, const water_plan& plan, Draft& draft);
 
   vtkWaterTarget Target;
-  vtkWaterFullScreen Screen;
+  vtkWaterBackground Background;
+  vtkWaterFog Fog;
+  vtkWaterMask Mask;
   vtkWaterSceneDepth SceneDepth;
-  vtkWaterVisibility SeenCells;
-  const water_visibility* Seen = nullptr;
+  vtkWaterVisibility Visibility;
+  const water_visibility* Visible = nullptr; // of the last one that was drawn, or is about to be
   vtkWaterClusters Clusters;
-  vtkWaterGpuQueries Instruments;
+  vtkWaterClipDistance ClipDistance;
+  vtkWaterGpuQueries GpuQueries;
   vtkSmartPointer<vtkTextureObject> Blank;
   vtkSmartPointer<vtkCamera> Camera;
   vtkWaterTranslucent Translucent;

@@ -14,7 +14,6 @@
 #include "vtkShadowMapPass.h"
 #include "vtkTextureObject.h"
 #include "vtkWaterAccess.h"
-#include "vtkWaterReflectionPass.h"
 
 #include <algorithm>
 #include <iterator>
@@ -68,9 +67,9 @@ vtkShadowMapPass* FindIn(vtkRenderPass* pass, std::set<vtkRenderPass*>& visited)
   {
     return FindIn(image->GetDelegatePass(), visited);
   }
-  if (auto* water = vtkWaterReflectionPass::SafeDownCast(pass))
+  if (pass->IsA("vtkWaterReflectionPass"))
   {
-    return FindIn(water->GetDelegatePass(), visited);
+    return FindIn(vtkWaterShadows::DelegateOf(pass), visited);
   }
   auto* steps = vtkRenderStepsPass::SafeDownCast(pass);
   return steps ? FindIn(steps->GetOpaquePass(), visited) : nullptr;

@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkWaterTranslucentLayer.h"
 
-#include "vtkOpenGLQuadHelper.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 #include "vtkProp.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
-#include "vtkWaterFullScreen.h"
 #include "vtkWaterGL.h"
-#include "vtkWaterGather.h"
+#include "vtkWaterProps.h"
 #include "vtkWaterShaderHook.h"
 #include "vtkWaterTranslucent.h"
 #include "vtkWaterUniforms.h"
@@ -31,16 +29,10 @@ void DrawPolygons(vtkRenderer* renderer, const std::vector<vtkProp*>& props)
 }
 
 //------------------------------------------------------------------------------
-vtkWaterTranslucentLayer::vtkWaterTranslucentLayer() = default;
-
-//------------------------------------------------------------------------------
-vtkWaterTranslucentLayer::~vtkWaterTranslucentLayer() = default;
-
-//------------------------------------------------------------------------------
 bool vtkWaterTranslucentLayer::IsNeeded(const std::vector<vtkProp*>& props)
 {
   return vtkWaterTranslucent::HasPolygons(props) ||
-    std::any_of(props.begin(), props.end(), vtkWaterGather::HoldsVolume);
+    std::any_of(props.begin(), props.end(), vtkWaterProps::HoldsVolume);
 }
 
 //------------------------------------------------------------------------------
@@ -112,7 +104,7 @@ void vtkWaterTranslucentLayer::DrawDepths(vtkRenderer* renderer, vtkWaterShaderH
   shading->SetDepthWriter(nullptr);
   for (vtkProp* prop : props)
   {
-    if (vtkWaterGather::HoldsVolume(prop))
+    if (vtkWaterProps::HoldsVolume(prop))
     {
       this->DrawVolumeDepth(window, plan, prop);
     }
@@ -125,18 +117,21 @@ void vtkWaterTranslucentLayer::DrawVolumeDepth(
 {
   const double* bounds = prop->GetBounds();
   double sides[WATER_VOLUME_PLANES_COUNT][4];
-  if (!bounds || water_volume_planes_make(&plan, bounds, sides) != WATER_OK ||
-    !vtkWaterFullScreen::Ready(this->VolumeDepth, window, vtkWaterVolumeDepthFS))
+  if (!bounds || water_volume_planes_make(&plan, bounds, sides) != WATER_OK)
+  {
+    return;
+  }
+  vtkShaderProgram* program = this->VolumeDepth.Ready(window, vtkWaterVolumeDepthFS);
+  if (!program)
   {
     return;
   }
   float values[WATER_VOLUME_PLANES_COUNT][4];
   std::copy(&sides[0][0], &sides[0][0] + 4 * WATER_VOLUME_PLANES_COUNT, &values[0][0]);
-  vtkShaderProgram* program = this->VolumeDepth->Program;
   program->SetUniform4fv("waterSides", WATER_VOLUME_PLANES_COUNT, values);
   vtkWaterUniforms::Set4(program, "waterReflectionW", plan.reflection_w);
   window->GetState()->vtkglDepthMask(GL_TRUE); // actors may have left another
-  this->VolumeDepth->Render();
+  this->VolumeDepth.Draw();
 }
 
 //------------------------------------------------------------------------------
@@ -147,19 +142,9 @@ void vtkWaterTranslucentLayer::MakeLevels()
 }
 
 //------------------------------------------------------------------------------
-void vtkWaterTranslucentLayer::SetHasLevels(bool hasLevels)
-{
-  for (vtkTextureObject* texture : { this->GetOpaque(), this->GetColor() })
-  {
-    texture->SetMinificationFilter(
-      hasLevels ? vtkTextureObject::LinearMipmapLinear : vtkTextureObject::Linear);
-  }
-}
-
-//------------------------------------------------------------------------------
 void vtkWaterTranslucentLayer::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Opaque.ReleaseGraphicsResources(window);
   this->Layer.ReleaseGraphicsResources(window);
-  this->VolumeDepth.reset();
+  this->VolumeDepth.ReleaseGraphicsResources();
 }

@@ -5,12 +5,11 @@
 #ifndef vtkWaterTranslucentLayer_h
 #define vtkWaterTranslucentLayer_h
 
+#include "vtkWaterQuad.h"
 #include "vtkWaterTarget.h"
 
-#include <memory>
 #include <vector>
 
-class vtkOpenGLQuadHelper;
 class vtkOpenGLRenderWindow;
 class vtkProp;
 class vtkRenderer;
@@ -23,9 +22,6 @@ struct water_plan;
 class vtkWaterTranslucentLayer
 {
 public:
-  vtkWaterTranslucentLayer();
-  ~vtkWaterTranslucentLayer();
-
   // Is any of the props translucent, or a volume?
   static bool IsNeeded(const std::vector<vtkProp*>& props);
 
@@ -40,9 +36,8 @@ public:
   void Draw(vtkRenderer* renderer, vtkWaterShaderHook* shading, const water_plan& plan,
     std::vector<vtkProp*>& props, vtkWaterTranslucent& translucent);
 
-  // Fills the mip levels; whether they are read.
+  // Fills the mip levels.
   void MakeLevels();
-  void SetHasLevels(bool hasLevels);
 
   vtkTextureObject* GetOpaque() { return this->Opaque.GetColor(); } // all else
   vtkTextureObject* GetColor() { return this->Layer.GetColor(); }   // times alpha, and alpha
@@ -58,7 +53,7 @@ private:
 
   vtkWaterTarget Opaque;
   vtkWaterTarget Layer;
-  std::unique_ptr<vtkOpenGLQuadHelper> VolumeDepth;
+  vtkWaterQuad VolumeDepth;
 };
 
 #endif

@@ -2,19 +2,17 @@
 #include "vtkWaterErrors.h"
 
 #include "vtkCamera.h"
-#include "vtkPlane.h"
 #include "vtkProp.h"
-#include "vtkWaterActor.h"
 #include "vtkWaterGather.h"
 
 #include <sstream>
 
 namespace
 {
-void DescribePlane(std::ostream& text, vtkWaterActor* water)
+void DescribePlane(std::ostream& text, const vtkWaterSnapshot& water)
 {
-  const double* origin = water->GetPlane()->GetOrigin();
-  const double* normal = water->GetPlane()->GetNormal();
+  const double* origin = water.GivenOrigin;
+  const double* normal = water.GivenNormal;
   text << "; its origin is (" << origin[0] << ", " << origin[1] << ", " << origin[2]
        << "), its normal (" << normal[0] << ", " << normal[1] << ", " << normal[2] << ")";
 }
@@ -32,22 +30,22 @@ void DescribeCamera(std::ostream& text, vtkCamera* camera)
 void DescribeValue(
   std::ostream& text, water_status status, const vtkWaterGather& gather, const water_plan& plan)
 {
-  const water_scene& scene = gather.scene;
+  const water_scene& scene = gather.Scene;
   switch (status)
   {
     case WATER_BAD_VIEWPORT:
       text << "; it is " << scene.viewport_px[0] << " x " << scene.viewport_px[1];
       break;
     case WATER_BAD_TEXTURE_SCALE:
-      text << "; it is " << scene.texture_scale;
+      text << "; it is " << scene.settings.texture_scale;
       break;
     case WATER_TEXTURE_TOO_LARGE:
       text << ": a picture of " << scene.viewport_px[0] << " x " << scene.viewport_px[1]
-           << " pixels times TextureScale " << scene.texture_scale << " exceeds "
+           << " pixels times TextureScale " << scene.settings.texture_scale << " exceeds "
            << scene.max_texture_px << " pixels";
       break;
     case WATER_BAD_CLIP_MARGIN:
-      text << "; it is " << scene.clip_margin;
+      text << "; it is " << scene.settings.clip_margin;
       break;
     case WATER_BAD_INDEX:
       text << "; it is " << scene.look.index_of_refraction;
@@ -57,13 +55,13 @@ void DescribeValue(
       break;
     case WATER_BAD_CAMERA:
     case WATER_CAMERA_ON_PLANE:
-      DescribeCamera(text, gather.camera);
+      DescribeCamera(text, gather.Camera);
       break;
     case WATER_BAD_PROP_BOUNDS:
     {
       const double* bounds = scene.props[plan.bad_index].bounds;
       text << "; those of prop " << plan.bad_index << " ("
-           << gather.vtkProps[plan.bad_index]->GetClassName() << ") are (" << bounds[0] << ", "
+           << gather.DrawnProps[plan.bad_index]->GetClassName() << ") are (" << bounds[0] << ", "
            << bounds[1] << ", " << bounds[2] << ", " << bounds[3] << ", " << bounds[4] << ", "
            << bounds[5] << ")";
       break;
@@ -75,8 +73,8 @@ void DescribeValue(
 }
 
 //------------------------------------------------------------------------------
-vtkWaterError vtkWaterDescribe(
-  water_status status, vtkWaterActor* water, const vtkWaterGather* gather, const water_plan* plan)
+vtkWaterError vtkWaterDescribe(water_status status, const vtkWaterSnapshot& water,
+  const vtkWaterGather* gather, const water_plan* plan)
 {
   std::ostringstream text;
   text << water_status_text(status);

@@ -3,22 +3,15 @@
 #ifndef vtkWaterErrors_h
 #define vtkWaterErrors_h
 
+#include "vtkWaterSource.h"
 #include "water_status.h"
-
-#include <string>
 
 struct water_plan;
 struct vtkWaterGather;
-class vtkWaterActor;
-
-struct vtkWaterError
-{
-  std::string Kind; // the same for the same error with another value; empty: no error
-  std::string Text; // with the value
-};
+struct vtkWaterSnapshot;
 
 // gather, plan  where the value is read from; nullptr: from the water alone
-vtkWaterError vtkWaterDescribe(water_status status, vtkWaterActor* water,
+vtkWaterError vtkWaterDescribe(water_status status, const vtkWaterSnapshot& water,
   const vtkWaterGather* gather = nullptr, const water_plan* plan = nullptr);
 
 #endif

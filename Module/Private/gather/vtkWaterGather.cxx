@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkWaterGather.h"
 
+#include "vtkActor.h"
 #include "vtkBoundingBox.h"
 #include "vtkCamera.h"
 #include "vtkLight.h"
@@ -8,27 +9,24 @@
 #include "vtkMapper.h"
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
-#include "vtkPlane.h"
-#include "vtkProp.h"
+#include "vtkOpenGLRenderWindow.h"
 #include "vtkPropCollection.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProperty.h"
-#include "vtkWaterActor.h"
-#include "vtkWaterProperty.h"
+#include "vtkTextureObject.h"
+#include "vtkWaterPropReader.h"
 #include "water_optics.h"
-#include "water_plane.h"
 #include "water_waves.h"
 
 #include <algorithm>
-#include <functional>
 
 namespace
 {
 // May VTK draw a water nearer to the eye than it is, before things that are in front of it? It does
 // with what resolves coincident topology by offsets of less than 0, as those of its lines and
 // points are by default; and nobody knows where the user's own shaders put it.
-bool MayBePulled(vtkWaterActor* water)
+bool MayBePulled(vtkActor* water)
 {
   vtkShaderProperty* shaders = water->GetShaderProperty();
   const bool hasOwnShaders = shaders->GetNumberOfShaderReplacements() > 0 ||
@@ -47,66 +45,74 @@ bool MayBePulled(vtkWaterActor* water)
     (resolution == VTK_RESOLVE_SHIFT_ZBUFFER &&
       vtkMapper::GetResolveCoincidentTopologyZShift() < 0.0);
 }
+
+// Height of the waves that move a water's surface, over the plane where the eye is.
+double ReadSurfaceHeight(vtkRenderer* renderer, const vtkWaterSnapshot& water)
+{
+  water_grid_view view;
+  water_wave_point point;
+  double rest[2];
+  return vtkWaterGather::ReadView(renderer, water, &view) &&
+      water_waves_find(water.Waves.data(), water.Waves.size(), view.origin_xy[0], view.origin_xy[1],
+        rest, &point) == WATER_OK
+    ? point.displacement[2]
+    : 0.0;
 }
 
-//------------------------------------------------------------------------------
-bool vtkWaterGather::AreCoplanar(vtkWaterActor* a, vtkWaterActor* b)
+// The brightest scene light that is on; nullptr: there is none.
+vtkLight* FindSun(vtkRenderer* renderer)
 {
-  const water_plane planes[2] = { ReadPlane(a), ReadPlane(b) };
-  water_plane units[2];
-  return water_plane_normalise(&planes[0], &units[0]) == WATER_OK &&
-    water_plane_normalise(&planes[1], &units[1]) == WATER_OK &&
-    std::equal(units[0].normal, units[0].normal + 3, units[1].normal) &&
-    units[0].offset == units[1].offset;
+  vtkLight* sun = nullptr;
+  vtkCollectionSimpleIterator it;
+  renderer->GetLights()->InitTraversal(it);
+  while (vtkLight* light = renderer->GetLights()->GetNextLight(it))
+  {
+    if (light->GetSwitch() && light->LightTypeIsSceneLight() && light->GetIntensity() > 0.0 &&
+      (!sun || light->GetIntensity() > sun->GetIntensity()))
+    {
+      sun = light;
+    }
+  }
+  return sun;
 }
 
-//------------------------------------------------------------------------------
-bool vtkWaterGather::AreInOnePlane(vtkWaterActor* a, vtkWaterActor* b)
+void ReadSun(vtkRenderer* renderer, water_scene& scene)
 {
-  const water_plane planes[2] = { ReadPlane(a), ReadPlane(b) };
-  water_plane units[2];
-  double origins[2][3];
-  ReadPlaneOrigin(a, origins[0]);
-  ReadPlaneOrigin(b, origins[1]);
-  return a == b ||
-    (water_plane_normalise(&planes[0], &units[0]) == WATER_OK &&
-      water_plane_normalise(&planes[1], &units[1]) == WATER_OK &&
-      water_plane_is_same(
-        &units[0], &units[1], vtkMath::Norm(origins[0]) + vtkMath::Norm(origins[1])));
+  if (vtkLight* sun = FindSun(renderer))
+  {
+    scene.has_sun = true;
+    std::transform(sun->GetTransformedPosition(), sun->GetTransformedPosition() + 3,
+      sun->GetTransformedFocalPoint(), scene.sun_dir, std::minus<double>());
+    std::copy_n(sun->GetDiffuseColor(), 3, scene.sun_diffuse);
+    scene.sun_intensity = sun->GetIntensity();
+  }
+}
+
+void ReadSky(vtkRenderer* renderer, water_scene& scene)
+{
+  water_sky& sky = scene.sky;
+  sky.has_gradient = renderer->GetGradientBackground() && !renderer->GetTexturedBackground();
+  std::copy_n(renderer->GetBackground(), 3, sky.bottom);
+  std::copy_n(
+    sky.has_gradient ? renderer->GetBackground2() : renderer->GetBackground(), 3, sky.top);
+  sky.alpha = renderer->GetBackgroundAlpha();
+  renderer->GetEnvironmentUp(scene.environment_up);
+  renderer->GetEnvironmentRight(scene.environment_right);
+}
 }
 
 //------------------------------------------------------------------------------
 water_scene vtkWaterGather::ReadSecondary(
-  vtkRenderer* renderer, vtkWaterActor* water, const water_camera& eye)
+  vtkRenderer* renderer, const vtkWaterSnapshot& water, const water_camera& eye)
 {
   water_scene scene = water_scene();
   scene.eye = eye;
-  scene.plane = ReadPlane(water);
-  ReadPlaneOrigin(water, scene.plane_origin);
-  scene.look = ReadLook(water->GetWaterProperty());
-  vtkMath::UninitializeBounds(scene.surface_bounds);
-  if (const double* bounds = water->GetBounds())
-  {
-    std::copy(bounds, bounds + 6, scene.surface_bounds);
-  }
-  renderer->GetEnvironmentUp(scene.environment_up);
-  renderer->GetEnvironmentRight(scene.environment_right);
+  scene.plane = water.Plane;
+  std::copy_n(water.Origin, 3, scene.plane_origin);
+  scene.look = water.Look.Optics;
+  std::copy_n(water.Bounds, 6, scene.surface_bounds);
+  ReadSky(renderer, scene);
   return scene;
-}
-
-//------------------------------------------------------------------------------
-std::vector<vtkWaterActor*> vtkWaterGather::FindWaters(vtkProp** props, int count)
-{
-  std::vector<vtkWaterActor*> waters;
-  for (int i = 0; i < count; ++i)
-  {
-    vtkWaterActor* water = vtkWaterActor::SafeDownCast(props[i]);
-    if (water && (waters.empty() || AreCoplanar(waters.front(), water)))
-    {
-      waters.push_back(water);
-    }
-  }
-  return waters;
 }
 
 //------------------------------------------------------------------------------
@@ -124,175 +130,113 @@ water_camera vtkWaterGather::ReadCamera(vtkRenderer* renderer)
 }
 
 //------------------------------------------------------------------------------
-water_plane vtkWaterGather::ReadPlane(vtkWaterActor* water)
-{
-  // by value and gradient, as planes may have an offset or a transform besides
-  const double worldOrigin[3] = { 0.0, 0.0, 0.0 };
-  water_plane plane;
-  water->GetPlane()->FunctionGradient(worldOrigin, plane.normal);
-  plane.offset = water->GetPlane()->FunctionValue(worldOrigin);
-  return plane;
-}
-
-//------------------------------------------------------------------------------
-void vtkWaterGather::ReadPlaneOrigin(vtkWaterActor* water, double origin[3])
-{
-  const water_plane plane = ReadPlane(water);
-  water_plane unit;
-  water->GetPlane()->GetOrigin(origin);
-  if (water->GetPlane()->FunctionValue(origin) != 0.0 &&
-    water_plane_normalise(&plane, &unit) == WATER_OK)
-  {
-    water_plane_project(&unit, origin, origin);
-  }
-}
-
-//------------------------------------------------------------------------------
-vtkLight* vtkWaterGather::FindSun(vtkRenderer* renderer)
-{
-  vtkLight* sun = nullptr;
-  vtkCollectionSimpleIterator it;
-  renderer->GetLights()->InitTraversal(it);
-  while (vtkLight* light = renderer->GetLights()->GetNextLight(it))
-  {
-    if (light->GetSwitch() && light->LightTypeIsSceneLight() && light->GetIntensity() > 0.0 &&
-      (!sun || light->GetIntensity() > sun->GetIntensity()))
-    {
-      sun = light;
-    }
-  }
-  return sun;
-}
-
-//------------------------------------------------------------------------------
-bool vtkWaterGather::ReadView(vtkRenderer* renderer, vtkWaterActor* water, water_grid_view* view)
+bool vtkWaterGather::ReadView(
+  vtkRenderer* renderer, const vtkWaterSnapshot& water, water_grid_view* view)
 {
   const water_camera eye = ReadCamera(renderer);
-  const water_plane plane = ReadPlane(water);
-  double origin[3];
-  ReadPlaneOrigin(water, origin);
-  return water_grid_view_make(&eye, &plane, origin, view) == WATER_OK;
+  return water_grid_view_make(&eye, &water.Plane, water.Origin, view) == WATER_OK;
 }
 
 //------------------------------------------------------------------------------
-double vtkWaterGather::ReadSurfaceHeight(vtkRenderer* renderer, vtkWaterActor* water)
+void vtkWaterGather::ReadWaters(
+  vtkRenderer* renderer, const std::vector<vtkWaterSnapshotPointer>& waters)
 {
-  const std::vector<water_wave_term> terms = water->GetWaveTerms();
-  water_grid_view view;
-  water_wave_point point;
-  double rest[2];
-  return ReadView(renderer, water, &view) &&
-      water_waves_find(
-        terms.data(), terms.size(), view.origin_xy[0], view.origin_xy[1], rest, &point) == WATER_OK
-    ? point.displacement[2]
-    : 0.0;
-}
-
-//------------------------------------------------------------------------------
-water_look vtkWaterGather::ReadLook(vtkWaterProperty* property)
-{
-  water_look look;
-  look.index_of_refraction = property->GetIndexOfRefraction();
-  look.reflectance = property->GetReflectance();
-  look.constant_reflectance = property->GetReflectanceMode() == vtkWaterProperty::CONSTANT;
-  return look;
-}
-
-//------------------------------------------------------------------------------
-void vtkWaterGather::Read(
-  vtkRenderer* renderer, const std::vector<vtkWaterActor*>& waters, const int viewport_px[2])
-{
-  this->scene = water_scene();
-  this->scene.eye = ReadCamera(renderer);
-  this->camera = renderer->GetActiveCamera();
-  std::copy(viewport_px, viewport_px + 2, this->scene.viewport_px);
-  this->scene.plane = ReadPlane(waters.front());
-  ReadPlaneOrigin(waters.front(), this->scene.plane_origin);
-  this->scene.has_waves = false;
-  this->scene.has_shadows = false;
-  this->scene.slope_rms = 0.0;
-  this->scene.slope_max = 0.0;
-  this->scene.is_flat = true;
+  water_scene& scene = this->Scene;
+  scene.is_flat = true;
+  scene.hides_above = scene.hides_below = true;
+  scene.has_environment = true; // what a mirrored view is drawn for by one of them, all use
+  scene.look = waters.front()->Look.Optics;
   this->WaveNumber = 0.0;
   this->HasMarchedRays = false;
-  this->scene.hides_above = this->scene.hides_below = true;
-  this->IsRough = std::any_of(waters.begin(), waters.end(),
-    [](vtkWaterActor* water) { return water->GetWaterProperty()->IsRough(); });
-  this->scene.wave_height_max = 0.0;
-  this->scene.surface_height = 0.0;
-  for (vtkWaterActor* water : waters)
+  this->IsRough = false;
+  for (const vtkWaterSnapshotPointer& water : waters)
   {
-    vtkWaterProperty* property = water->GetWaterProperty();
-    this->scene.has_waves = this->scene.has_waves || property->NeedsRays();
-    this->scene.has_shadows = this->scene.has_shadows || property->LooksUpShadows();
-    this->scene.slope_rms = std::max(this->scene.slope_rms, property->GetSlopeRMS());
-    this->scene.slope_max = std::max(this->scene.slope_max, property->GetSlopeLookedUp());
-    this->HasMarchedRays = this->HasMarchedRays ||
-      (property->NeedsRays() && property->GetLookup() == vtkWaterProperty::RAY_TRACED);
-    this->WaveNumber = std::max(this->WaveNumber, property->GetWaveNumber());
+    const vtkWaterLook& look = water->Look;
+    const bool needsRays = water->NeedsRays();
+    scene.has_waves = scene.has_waves || needsRays;
+    scene.has_shadows = scene.has_shadows || look.CastsShadows;
+    scene.slope_rms = std::max(scene.slope_rms, look.SlopeRMS);
+    scene.slope_max = std::max(scene.slope_max, look.SlopeLookedUp);
+    scene.has_environment = scene.has_environment && look.Has.has_environment;
+    this->IsRough = this->IsRough || water->IsRough();
+    this->HasMarchedRays =
+      this->HasMarchedRays || (needsRays && look.Has.lookup == WATER_LOOKUP_RAY_TRACED);
+    this->WaveNumber = std::max(this->WaveNumber, look.WaveNumber);
     // of a mesh of the user's nobody knows where its faces look; the sheet's look along the normal
-    const bool isSheet = water->UsesOwnSheet() && water->GetIsIdentity();
-    this->scene.is_flat =
-      this->scene.is_flat && isSheet && !water->IsDisplaced() && !MayBePulled(water);
-    this->scene.hides_above = this->scene.hides_above && isSheet &&
-      water->GetProperty()->GetFrontfaceCulling() &&
-      !water->GetProperty()->GetBackfaceCulling(); // with both, VTK culls back faces
-    this->scene.hides_below =
-      this->scene.hides_below && isSheet && water->GetProperty()->GetBackfaceCulling();
+    vtkProperty* property = water->Actor->GetProperty();
+    scene.is_flat =
+      scene.is_flat && water->IsSheet && !water->IsDisplaced() && !MayBePulled(water->Actor);
+    scene.hides_above = scene.hides_above && water->IsSheet && property->GetFrontfaceCulling() &&
+      !property->GetBackfaceCulling(); // with both, VTK culls back faces
+    scene.hides_below = scene.hides_below && water->IsSheet && property->GetBackfaceCulling();
     if (water->IsDisplaced())
     {
-      this->scene.wave_height_max =
-        std::max(this->scene.wave_height_max, property->GetWaveHeightMax());
-      this->scene.surface_height = ReadSurfaceHeight(renderer, water); // all have the same waves
+      scene.wave_height_max = std::max(scene.wave_height_max, look.WaveHeightMax);
+      scene.surface_height = ReadSurfaceHeight(renderer, *water); // all have the same waves
     }
+    // each is shaded by its own; the mirrored view is left out only if none of them reflects
+    water_optics_join(&look.Optics, &scene.look);
   }
+}
 
-  // what a mirrored view is drawn for by one of them, all use
-  this->scene.has_environment = std::all_of(waters.begin(), waters.end(), [](vtkWaterActor* water) {
-    return water->GetWaterProperty()->GetReflectionSource() == vtkWaterProperty::ENVIRONMENT;
-  });
-  renderer->GetEnvironmentUp(this->scene.environment_up);
-  renderer->GetEnvironmentRight(this->scene.environment_right);
-  if (vtkLight* sun = FindSun(renderer))
-  {
-    this->scene.has_sun = true;
-    std::transform(sun->GetTransformedPosition(), sun->GetTransformedPosition() + 3,
-      sun->GetTransformedFocalPoint(), this->scene.sun_dir, std::minus<double>());
-  }
-
+//------------------------------------------------------------------------------
+void vtkWaterGather::ReadSurface(const std::vector<vtkWaterSnapshotPointer>& waters)
+{
   vtkBoundingBox surface;
-  vtkMath::UninitializeBounds(this->scene.surface_bounds);
-  for (vtkWaterActor* water : waters)
+  vtkMath::UninitializeBounds(this->Scene.surface_bounds);
+  for (const vtkWaterSnapshotPointer& water : waters)
   {
-    if (const double* bounds = water->GetBounds())
-    {
-      surface.AddBounds(bounds);
-    }
-    const water_look look = ReadLook(water->GetWaterProperty());
-    if (water == waters.front())
-    {
-      this->scene.look = look;
-    }
-    // each is shaded by its own; the reflection texture is left undrawn only if none of them
-    // reflects
-    water_optics_join(&look, &this->scene.look);
+    surface.AddBounds(water->Bounds);
   }
   if (surface.IsValid())
   {
-    surface.GetBounds(this->scene.surface_bounds);
+    surface.GetBounds(this->Scene.surface_bounds);
   }
+}
 
-  this->props.clear();
-  this->vtkProps.clear();
+//------------------------------------------------------------------------------
+void vtkWaterGather::ReadProps(vtkRenderer* renderer, const vtkWaterSnapshot& mirrored,
+  const std::function<bool(vtkProp*)>& isRefused)
+{
+  this->Props.clear();
+  this->DrawnProps.clear();
   vtkPropCollection* all = renderer->GetViewProps();
   vtkCollectionSimpleIterator it;
   all->InitTraversal(it);
   while (vtkProp* prop = all->GetNextProp(it))
   {
-    vtkProp* drawn = FindStandIn(prop);
-    this->vtkProps.push_back(drawn);
-    this->props.push_back(ReadProp(prop, drawn, waters.front()));
+    vtkProp* drawn = vtkWaterPropReader::FindDrawn(prop);
+    this->DrawnProps.push_back(drawn);
+    this->Props.push_back(vtkWaterPropReader::Read(prop, drawn, mirrored, isRefused(drawn)));
   }
-  this->scene.props = this->props.data();
-  this->scene.prop_count = this->props.size();
+  this->Scene.props = this->Props.data();
+  this->Scene.prop_count = this->Props.size();
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterGather::Read(vtkRenderer* renderer, const std::vector<vtkWaterSnapshotPointer>& waters,
+  const int viewport_px[2], const water_settings& settings, const vtkWaterFrameHints& hints,
+  const std::function<bool(vtkProp*)>& isRefused)
+{
+  auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
+  const vtkWaterSnapshot& first = *waters.front();
+  this->Scene = water_scene();
+  this->Scene.eye = ReadCamera(renderer);
+  this->Camera = renderer->GetActiveCamera();
+  std::copy_n(viewport_px, 2, this->Scene.viewport_px);
+  this->Scene.plane = first.Plane;
+  std::copy_n(first.Origin, 3, this->Scene.plane_origin);
+  this->Scene.settings = settings;
+  this->Scene.is_hidden = hints.IsHidden;
+  this->Scene.has_scene_depth = hints.HasSceneDepth;
+  this->Scene.is_software = hints.IsSoftware;
+  this->Scene.may_tone_map = hints.MayToneMap;
+  this->Scene.window_samples = window->GetMultiSamples();
+  this->ReadWaters(renderer, waters);
+  ReadSky(renderer, this->Scene);
+  ReadSun(renderer, this->Scene);
+  this->ReadSurface(waters);
+  this->ReadProps(renderer, first, isRefused);
+  window->MakeCurrent(); // bringing pipelines up to date may have rendered another window
+  this->Scene.max_texture_px = vtkTextureObject::GetMaximumTextureSize(window);
 }

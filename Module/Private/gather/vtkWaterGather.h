@@ -1,96 +1,66 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkWaterGather: VTK renderer, camera, props -> water_scene. The only reader of VTK state.
+// vtkWaterGather: VTK renderer, camera, lights, props and the waters' snapshots -> water_scene.
+// What the plan knows of VTK, it knows from here.
 #ifndef vtkWaterGather_h
 #define vtkWaterGather_h
 
+#include "vtkWaterSnapshot.h"
 #include "water_grid.h"
 #include "water_plan.h"
 
+#include <functional>
 #include <vector>
 
 class vtkCamera;
-class vtkLight;
 class vtkProp;
-class vtkProp3D;
-class vtkPropCollection;
 class vtkRenderer;
-class vtkWaterActor;
-class vtkWaterProperty;
+
+// What a frame knows besides what is read.
+struct vtkWaterFrameHints
+{
+  bool IsHidden = false;      // the waters are behind what the bound framebuffer shows
+  bool HasSceneDepth = false; // it shows all that can hide them
+  bool IsSoftware = false;    // GL is executed by the processor
+  bool MayToneMap = false;    // a pass follows that may do it
+  double BudgetMs = 0.0;      // of this frame, for a quality that goes by a budget
+};
 
 struct vtkWaterGather
 {
-  water_scene scene;              // points into props
-  std::vector<water_prop> props;  // of all view props, in the renderer's order
-  std::vector<vtkProp*> vtkProps; // or what stands in for them
-  vtkCamera* camera = nullptr;    // the one read last
-  double WaveNumber = 0.0;        // typical of the waves, rad per unit; 0: not known
-  bool IsRough = false;           // one of the waters blurs its reflection
-  bool HasMarchedRays = false;    // one of the waters follows rays through the reflection texture
+  water_scene Scene = water_scene(); // points into Props
+  std::vector<water_prop> Props;     // of all view props, in the renderer's order
+  std::vector<vtkProp*> DrawnProps;  // or what stands in for them
+  vtkCamera* Camera = nullptr;       // the one read last
+  double WaveNumber = 0.0;           // typical of the waves, rad per unit; 0: not known
+  bool IsRough = false;              // one of the waters blurs its reflection
+  bool HasMarchedRays = false;       // one of them traces rays in the reflection texture
 
-  // Reads everything but the settings of the pass (texture_scale, max_texture_px, clip_margin).
+  // Reads all that the plan depends on.
   //
-  // waters  the surfaces that share the plane of the first; at least one
-  void Read(
-    vtkRenderer* renderer, const std::vector<vtkWaterActor*>& waters, const int viewport_px[2]);
-
-  // The first water of a list of props, and all that share its plane.
-  static std::vector<vtkWaterActor*> FindWaters(vtkProp** props, int count);
-
-  static bool AreCoplanar(vtkWaterActor* a, vtkWaterActor* b);
-
-  // Do they lie in one plane, as far as rounding can tell, whichever way their normals point?
-  static bool AreInOnePlane(vtkWaterActor* a, vtkWaterActor* b);
+  // waters    the surfaces that share the plane of the first; at least one
+  // settings  of the pass in charge
+  // isRefused whether the driver refuses a prop's shader with the lines that reflections need
+  void Read(vtkRenderer* renderer, const std::vector<vtkWaterSnapshotPointer>& waters,
+    const int viewport_px[2], const water_settings& settings, const vtkWaterFrameHints& hints,
+    const std::function<bool(vtkProp*)>& isRefused);
 
   // Another water for the mirrored view of one, water_secondary.h.
   //
-  // eye  of the picture; the renderer's camera is the mirrored one
+  // eye  of the main view; the renderer's camera is the mirrored one
   static water_scene ReadSecondary(
-    vtkRenderer* renderer, vtkWaterActor* water, const water_camera& eye);
+    vtkRenderer* renderer, const vtkWaterSnapshot& water, const water_camera& eye);
 
   // The camera alone: matrices of the renderer's active camera for its viewport.
   static water_camera ReadCamera(vtkRenderer* renderer);
 
-  // The plane of a water, and a point of it: the origin, unless the vtkPlane has an offset or a
-  // transform.
-  static water_plane ReadPlane(vtkWaterActor* water);
-  static void ReadPlaneOrigin(vtkWaterActor* water, double origin[3]);
-
-  // The brightest scene light that is on; nullptr: there is none.
-  static vtkLight* FindSun(vtkRenderer* renderer);
-
   // The eye over a water's plane, for what displaces its points. false: there is nothing to see.
-  static bool ReadView(vtkRenderer* renderer, vtkWaterActor* water, water_grid_view* view);
-  // Height of the waves that move a water's surface, over the plane where the eye is.
-  static double ReadSurfaceHeight(vtkRenderer* renderer, vtkWaterActor* water);
+  static bool ReadView(vtkRenderer* renderer, const vtkWaterSnapshot& water, water_grid_view* view);
 
-  // What is drawn for a prop in the mirrored view: the prop, or what stands in for it.
-  static vtkProp* FindStandIn(vtkProp* prop);
-
-  // What the plan must know of a prop.
-  //
-  // drawn     the prop or its stand-in, which has the place
-  // mirrored  the water that is mirrored at
-  static water_prop ReadProp(vtkProp* prop, vtkProp* drawn, vtkWaterActor* mirrored);
-
-  // vtkProp::GetBounds, which asks the pipeline whether it is up to date: ten times as long as all
-  // else that is read of a prop. Of an actor that shows data as it is given, the data's time tells.
-  static const double* GetBounds(vtkProp* prop);
-
-  // Does the prop's place count in the world, and not on the device or in a room?
-  static bool IsInWorld(vtkProp3D* prop);
-
-  // The parts of a prop that is an assembly of any kind; nullptr: it is none.
-  static vtkPropCollection* GetParts(vtkProp* prop);
-
-  // Is the prop a water, or is one among its parts? Such an assembly must not be asked for its
-  // bounds, nor drawn again, while it is being drawn: it would rebuild the list that it walks.
-  static bool HoldsWater(vtkProp* prop);
-
-  // Is it a volume, or is one among its parts or levels of detail?
-  static bool HoldsVolume(vtkProp* prop);
-
-  // The water's optics; constant 0 only if nothing is reflected.
-  static water_look ReadLook(vtkWaterProperty* property);
+private:
+  void ReadWaters(vtkRenderer* renderer, const std::vector<vtkWaterSnapshotPointer>& waters);
+  void ReadSurface(const std::vector<vtkWaterSnapshotPointer>& waters);
+  void ReadProps(vtkRenderer* renderer, const vtkWaterSnapshot& mirrored,
+    const std::function<bool(vtkProp*)>& isRefused);
 };
 
 #endif

@@ -40,9 +40,8 @@
 #include "vtkVersionMacros.h"
 #include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
-#include "vtkWaterActor.h"
-#include "vtkWaterGather.h"
-#include "vtkWaterProperty.h"
+#include "vtkWaterProps.h"
+#include "vtkWaterSource.h"
 
 #include <algorithm>
 #include <cstring>
@@ -128,7 +127,7 @@ void vtkWaterSignature::Read(vtkRenderer* renderer, const std::vector<vtkProp*>&
   this->AddTexture(renderer->GetBackgroundTexture());
   for (vtkProp* prop : props)
   {
-    this->AddProp(prop);
+    this->AddProp(renderer, prop);
   }
 }
 
@@ -152,7 +151,7 @@ void vtkWaterSignature::AddShadows(vtkRenderer* renderer, vtkShadowMapPass* pass
   {
     if (prop->GetVisibility() && !prop->IsA("vtkActor2D"))
     {
-      this->AddProp(prop);
+      this->AddProp(renderer, prop);
     }
   }
 }
@@ -191,21 +190,21 @@ void vtkWaterSignature::AddRenderer(vtkRenderer* renderer)
 }
 
 //------------------------------------------------------------------------------
-void vtkWaterSignature::AddProp(vtkProp* prop)
+void vtkWaterSignature::AddProp(vtkRenderer* renderer, vtkProp* prop)
 {
-  if (auto* water = vtkWaterActor::SafeDownCast(prop))
+  if (vtkWaterSource* source = vtkWaterSource::Of(prop))
   {
-    this->AddWater(water);
+    this->AddWater(*source->Take(renderer));
     return;
   }
   this->Values.emplace_back(prop, prop->GetMTime());
-  if (vtkPropCollection* parts = vtkWaterGather::GetParts(prop))
+  if (vtkPropCollection* parts = vtkWaterProps::GetParts(prop))
   {
     vtkCollectionSimpleIterator it;
     parts->InitTraversal(it);
     while (vtkProp* part = parts->GetNextProp(it))
     {
-      this->AddProp(part);
+      this->AddProp(renderer, part);
     }
     return;
   }
@@ -265,39 +264,35 @@ void vtkWaterSignature::AddShaders(vtkProp* prop, vtkAbstractMapper* mapper)
 }
 
 //------------------------------------------------------------------------------
-void vtkWaterSignature::AddWater(vtkWaterActor* water)
+void vtkWaterSignature::AddWater(const vtkWaterSnapshot& water)
 {
   // One by one, and not by its time of change, which the time of its waves counts for: they are
   // seen as the mean of all times.
-  this->Values.emplace_back(water, 0);
-  const water_plane plane = vtkWaterGather::ReadPlane(water);
-  vtkWaterProperty* property = water->GetWaterProperty();
-  const water_look look = vtkWaterGather::ReadLook(property);
-  double slopes[3];
-  property->GetMeanSlopes(slopes);
+  const vtkWaterLook& look = water.Look;
+  this->Values.emplace_back(water.Actor, 0);
   for (int i = 0; i < 3; ++i)
   {
-    this->AddNumber(plane.normal[i]);
-    this->AddNumber(property->GetDeepColor()[i]);
-    this->AddNumber(slopes[i]);
+    this->AddNumber(water.Plane.normal[i]);
+    this->AddNumber(look.DeepColor[i]);
+    this->AddNumber(look.MeanSlopes[i]);
   }
-  for (const double value : { plane.offset, property->GetOpacity(), look.index_of_refraction,
-         look.constant_reflectance ? look.reflectance : -1.0 })
+  for (const double value : { water.Plane.offset, look.Opacity, look.Optics.index_of_refraction,
+         look.Optics.constant_reflectance ? look.Optics.reflectance : -1.0 })
   {
     this->AddNumber(value);
   }
-  const double* matrix = &water->GetMatrix()->Element[0][0];
+  const double* matrix = &water.Actor->GetMatrix()->Element[0][0];
   std::for_each(matrix, matrix + 16, [this](double element) { this->AddNumber(element); });
-  this->Add(water->GetForceOpaque() ? 1 : 0);
-  this->Add(water->GetForceTranslucent() ? 1 : 0);
-  this->Add(property->IsRough() ? 1 : 0);
-  this->AddProperty(water->GetProperty());
-  this->AddProperty(water->GetBackfaceProperty());
-  if (property->GetEnvironmentTexture())
+  this->Add(water.Actor->GetForceOpaque() ? 1 : 0);
+  this->Add(water.Actor->GetForceTranslucent() ? 1 : 0);
+  this->Add(water.IsRough() ? 1 : 0);
+  this->AddProperty(water.Actor->GetProperty());
+  this->AddProperty(water.Actor->GetBackfaceProperty());
+  if (look.Environment)
   {
-    this->AddTexture(property->GetEnvironmentTexture());
+    this->AddTexture(look.Environment);
   }
-  this->AddShaders(water, water->GetMapper());
+  this->AddShaders(water.Actor, water.Actor->GetMapper());
 }
 
 //------------------------------------------------------------------------------

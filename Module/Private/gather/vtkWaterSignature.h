@@ -20,7 +20,7 @@ class vtkProperty;
 class vtkRenderer;
 class vtkShadowMapPass;
 class vtkTexture;
-class vtkWaterActor;
+struct vtkWaterSnapshot;
 
 class vtkWaterSignature
 {
@@ -40,8 +40,8 @@ public:
 private:
   void AddNumber(double value);
   void AddRenderer(vtkRenderer* renderer);
-  void AddProp(vtkProp* prop);
-  void AddWater(vtkWaterActor* water);
+  void AddProp(vtkRenderer* renderer, vtkProp* prop);
+  void AddWater(const vtkWaterSnapshot& water);
   void AddShaders(vtkProp* prop, vtkAbstractMapper* mapper);
   void AddMapper(vtkAbstractMapper* mapper);
   void AddAlgorithm(vtkAlgorithm* algorithm);

@@ -13,7 +13,7 @@
 #include "vtkProp3D.h"
 #include "vtkPropCollection.h"
 #include "vtkRenderer.h"
-#include "vtkWaterGather.h"
+#include "vtkWaterProps.h"
 
 #include <algorithm>
 
@@ -30,7 +30,7 @@ void AddBounds(vtkProp* prop, vtkMatrix4x4* parent, vtkBoundingBox& box)
   {
     return;
   }
-  if (vtkWaterGather::HoldsWater(prop))
+  if (vtkWaterProps::HoldsWater(prop))
   {
     vtkNew<vtkMatrix4x4> matrix;
     if (auto* placed = vtkProp3D::SafeDownCast(prop))
@@ -42,7 +42,7 @@ void AddBounds(vtkProp* prop, vtkMatrix4x4* parent, vtkBoundingBox& box)
     {
       vtkMatrix4x4::Multiply4x4(parent, matrix, matrix);
     }
-    vtkPropCollection* parts = vtkWaterGather::GetParts(prop);
+    vtkPropCollection* parts = vtkWaterProps::GetParts(prop);
     vtkCollectionSimpleIterator it;
     parts->InitTraversal(it);
     while (vtkProp* part = parts->GetNextProp(it))
@@ -51,7 +51,7 @@ void AddBounds(vtkProp* prop, vtkMatrix4x4* parent, vtkBoundingBox& box)
     }
     return;
   }
-  const double* bounds = vtkWaterGather::GetBounds(prop);
+  const double* bounds = vtkWaterProps::GetBounds(prop);
   if (!bounds || !vtkMath::AreBoundsInitialized(bounds) ||
     !std::all_of(bounds, bounds + 6, [](double bound) { return vtkMath::IsFinite(bound); }))
   {

@@ -10,13 +10,13 @@
 #include "vtkProp.h"
 #include "vtkProperty.h"
 #include "vtkShaderProgram.h"
-#include "vtkWaterActor.h"
+#include "vtkWaterClipDistance.h"
 #include "vtkWaterClusters.h"
 #include "vtkWaterCompat.h"
-#include "vtkWaterGL.h"
 #include "vtkWaterMirroredFS.h"
 #include "vtkWaterMirroredVS.h"
 #include "vtkWaterPlainFS.h"
+#include "vtkWaterSource.h"
 #include "vtkWaterSurfaceShader.h"
 #include "vtkWaterUniforms.h"
 #include "vtkWaterVolumeFS.h"
@@ -114,20 +114,12 @@ bool IsMatte(vtkProp* prop)
 
 //------------------------------------------------------------------------------
 vtkWaterShaderHook::vtkWaterShaderHook()
-  : Keys(this)
 {
   this->SetActiveDrawBuffers(1); // volume mappers ask the last pass of the list
 }
 
 //------------------------------------------------------------------------------
 vtkWaterShaderHook::~vtkWaterShaderHook() = default;
-
-//------------------------------------------------------------------------------
-vtkWaterShaderHook* vtkWaterShaderHook::GetOfThread()
-{
-  static thread_local vtkNew<vtkWaterShaderHook> shading;
-  return shading;
-}
 
 //------------------------------------------------------------------------------
 void vtkWaterShaderHook::BeginMirroredView(const View& view)
@@ -145,36 +137,48 @@ void vtkWaterShaderHook::EndMirroredView()
 }
 
 //------------------------------------------------------------------------------
+void vtkWaterShaderHook::ReplaceForWater(vtkWaterSource& water, std::string& vertexShader,
+  const std::string& geometryShader, std::string& fragmentShader) const
+{
+  if (this->Surface && this->Surface->GetIsRefused())
+  {
+    InsertDeclarations(fragmentShader, vtkWaterPlainFS);
+    return;
+  }
+  unsigned features = this->Surface ? this->Surface->GetFeatures() : water.Take(nullptr)->Features;
+  // a geometry shader would have to pass the place at rest on
+  const bool canDisplace =
+    geometryShader.empty() && vertexShader.find("//VTK::CustomEnd::Impl") != std::string::npos;
+  if (!canDisplace)
+  {
+    features &= ~static_cast<unsigned>(WATER_FEATURE_DISPLACED);
+  }
+  else if ((features & WATER_FEATURE_DISPLACED) &&
+    InsertDeclarations(vertexShader, vtkWaterSurfaceShader::GetVertexShader()))
+  {
+    InsertBefore(vertexShader, "//VTK::CustomEnd::Impl", "  waterDisplace(gl_Position);");
+  }
+  InsertDeclarations(fragmentShader, vtkWaterSurfaceShader::GetShader(features));
+}
+
+//------------------------------------------------------------------------------
 bool vtkWaterShaderHook::PreReplaceShaderValues(std::string& vertexShader,
   std::string& geometryShader, std::string& fragmentShader, vtkAbstractMapper*, vtkProp* prop)
 {
-  this->Refusals.Settle();
-  if (prop->IsA("vtkWaterActor"))
+  this->Failures.Settle();
+  if (vtkWaterSource* water = vtkWaterSource::Of(prop))
   {
-    auto* water = static_cast<vtkWaterActor*>(prop);
-    const bool isRefused = this->Surface && this->Surface->GetIsRefused();
-    const int stages =
-      this->Surface ? this->Surface->GetBuiltStages() : vtkWaterSurfaceShader::GetStages(water);
-    // a geometry shader would have to pass the place at rest on
-    const bool canDisplace = !isRefused && geometryShader.empty() &&
-      vertexShader.find("//VTK::CustomEnd::Impl") != std::string::npos;
-    if (canDisplace && (stages & vtkWaterSurfaceShader::DISPLACED) &&
-      InsertDeclarations(vertexShader, vtkWaterSurfaceShader::GetVertexShader()))
-    {
-      InsertBefore(vertexShader, "//VTK::CustomEnd::Impl", "  waterDisplace(gl_Position);");
-    }
-    InsertDeclarations(fragmentShader,
-      isRefused ? vtkWaterPlainFS : vtkWaterSurfaceShader::GetShader(stages, canDisplace));
+    this->ReplaceForWater(*water, vertexShader, geometryShader, fragmentShader);
     if (!this->Surface || !this->Surface->GetIsSecondary())
     {
       return true;
     }
   }
-  if (this->Refusals.Has(prop))
+  if (this->Failures.Has(prop))
   {
     return true;
   }
-  const int refusals = this->Refusals.GetCount(prop);
+  const int refusals = this->Failures.GetCount(prop);
   const std::string attempt = refusals > 0 ? "// after refusal " + std::to_string(refusals) : "";
   if (!InsertDeclarations(fragmentShader, vtkWaterMirroredFS + attempt))
   {
@@ -219,7 +223,7 @@ bool vtkWaterShaderHook::PostReplaceShaderValues(std::string& vertexShader,
     }
     return true;
   }
-  auto* window = vtkOpenGLRenderWindow::SafeDownCast(this->Keys.GetWindow());
+  vtkOpenGLRenderWindow* window = this->Window;
   if (window)
   {
     // a mapper whose shader is refused draws with the program that is in use, whosever that is
@@ -243,7 +247,7 @@ bool vtkWaterShaderHook::PostReplaceShaderValues(std::string& vertexShader,
     false);
   if (window)
   {
-    this->Refusals.Await(
+    this->Failures.Await(
       prop, mapper, window, this->IsInMirroredView(), vertexShader, geometryShader, fragmentShader);
   }
   return true;
@@ -272,7 +276,7 @@ bool vtkWaterShaderHook::SetShaderParameters(
   }
   else if (program->isBound())
   {
-    this->Refusals.Arrive(prop, mapper);
+    this->Failures.Arrive(prop, mapper);
     this->SetMirroredParameters(program, prop);
     if (this->Mirrored.Clusters)
     {
@@ -294,7 +298,7 @@ void vtkWaterShaderHook::SetMirroredParameters(vtkShaderProgram* program, vtkPro
   if (plan && !prop->IsRenderingTranslucentPolygonalGeometry() &&
     program->IsUniformUsed("waterClipPosition"))
   {
-    glEnable(GL_CLIP_DISTANCE0); // vtkWaterMirroredView turns it off again
+    this->Mirrored.ClipDistance->On();
   }
   // props share programs, and a program keeps its uniforms
   if (!this->SetUp.insert(program).second)
@@ -317,19 +321,6 @@ void vtkWaterShaderHook::SetMirroredParameters(vtkShaderProgram* program, vtkPro
   // VTK sets the lights of a program, which are in view space, once per camera or light change by
   // their modification times; main and mirrored camera share the program.
   program->SetUniformGroupUpdateTime(vtkShaderProgram::LightingGroup, 0);
-}
-
-//------------------------------------------------------------------------------
-bool vtkWaterShaderHook::BeginFog(vtkRenderer* renderer, const water_plan& plan)
-{
-  const vtkMTimeType frame = this->Keys.GetFrame(renderer);
-  if (frame == this->FogFrame && std::equal(plan.dir_to_eye, plan.dir_to_eye + 12, this->FogEye))
-  {
-    return false;
-  }
-  this->FogFrame = frame;
-  std::copy(plan.dir_to_eye, plan.dir_to_eye + 12, this->FogEye);
-  return true;
 }
 
 //------------------------------------------------------------------------------

@@ -11,17 +11,19 @@
 
 #include "vtkOpenGLRenderPass.h"
 #include "vtkSmartPointer.h"
-#include "vtkWaterRenderPassKeys.h"
 #include "vtkWaterShaderFailures.h"
+#include "vtkWeakPointer.h"
 #include "water_types.h"
 
 #include <unordered_set>
 #include <vector>
 
+class vtkOpenGLRenderWindow;
 class vtkOpenGLState;
 class vtkProp;
-class vtkRenderer;
+class vtkWaterClipDistance;
 class vtkWaterClusters;
+class vtkWaterSource;
 class vtkWaterSurfaceShader;
 
 class vtkWaterShaderHook : public vtkOpenGLRenderPass
@@ -31,15 +33,11 @@ public:
   vtkTypeMacro(vtkWaterShaderHook, vtkOpenGLRenderPass);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  // The object of the thread that renders, whichever thread made the water. It lives as long as
-  // the thread.
-  static vtkWaterShaderHook* GetOfThread();
+  // Which props go without the lines that this object adds.
+  vtkWaterShaderFailures Failures;
 
-  // Which props carry this object in their lists.
-  vtkWaterRenderPassKeys Keys;
-
-  // Which of them go without the lines that this object adds.
-  vtkWaterShaderFailures Refusals;
+  // Of the frame that began last; nullptr: none has, or it is gone.
+  vtkWeakPointer<vtkOpenGLRenderWindow> Window;
 
   // What is drawn into a reflection texture.
   struct View
@@ -48,6 +46,7 @@ public:
     water_camera Eye = water_camera(); // of the picture that it is drawn for
     const std::vector<vtkProp*>* Props = nullptr;
     vtkWaterClusters* Clusters = nullptr; // of large meshes, if they may be drawn in clusters
+    vtkWaterClipDistance* ClipDistance = nullptr;
   };
 
   // A mirrored view is drawn between the two.
@@ -58,9 +57,6 @@ public:
   void SetDepthWriter(vtkOpenGLState* state) { this->DepthWriter = state; }
   bool IsInMirroredView() const { return this->Mirrored.Plan != nullptr; }
   const View& GetMirroredView() const { return this->Mirrored; }
-
-  // Is this the first water that an eye is in, in the renderer's frame? The others add no fog.
-  bool BeginFog(vtkRenderer* renderer, const water_plan& plan);
 
   // This surface is drawn between the two.
   //
@@ -79,7 +75,7 @@ public:
   }
 
   void Render(const vtkRenderState*) override {} // a key only, it draws nothing
-  vtkMTimeType GetShaderStageMTime() override { return this->Refusals.GetTime(); }
+  vtkMTimeType GetShaderStageMTime() override { return this->Failures.GetTime(); }
   bool PreReplaceShaderValues(std::string& vertexShader, std::string& geometryShader,
     std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp* prop) override;
   bool PostReplaceShaderValues(std::string& vertexShader, std::string& geometryShader,
@@ -95,12 +91,12 @@ private:
   vtkWaterShaderHook(const vtkWaterShaderHook&) = delete;
   void operator=(const vtkWaterShaderHook&) = delete;
 
+  void ReplaceForWater(vtkWaterSource& water, std::string& vertexShader,
+    const std::string& geometryShader, std::string& fragmentShader) const;
   void SetMirroredParameters(vtkShaderProgram* program, vtkProp* prop);
 
   View Mirrored;
   std::unordered_set<vtkShaderProgram*> SetUp; // programs that know the present view
-  vtkMTimeType FogFrame = 0;
-  double FogEye[12] = {}; // its directions
   vtkWaterSurfaceShader* Surface = nullptr;
   vtkOpenGLState* Probed = nullptr;
   vtkOpenGLState* DepthWriter = nullptr; // in it, of translucent geometry

@@ -1,202 +1,89 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkWaterSurfaceShader.h"
 
+#include "vtkActor.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLRenderer.h"
 #include "vtkOpenGLShaderCache.h"
 #include "vtkOpenGLState.h"
 #include "vtkTexture.h"
 #include "vtkTextureObject.h"
-#include "vtkWaterActor.h"
-#include "vtkWaterBlurFS.h"
-#include "vtkWaterCausticsFS.h"
-#include "vtkWaterCell.h"
-#include "vtkWaterDisplacementFS.h"
-#include "vtkWaterDisplacementVS.h"
-#include "vtkWaterEnvironmentFS.h"
-#include "vtkWaterFacetsFS.h"
-#include "vtkWaterFoamFS.h"
+#include "vtkWaterFog.h"
 #include "vtkWaterGL.h"
-#include "vtkWaterGlitterFS.h"
-#include "vtkWaterMediumFS.h"
-#include "vtkWaterMirrorFS.h"
-#include "vtkWaterNoBlurFS.h"
-#include "vtkWaterNoCausticsFS.h"
-#include "vtkWaterNoDisplacementFS.h"
-#include "vtkWaterNoFacetsFS.h"
-#include "vtkWaterNoFoamFS.h"
-#include "vtkWaterNoGlitterFS.h"
-#include "vtkWaterNoMediumFS.h"
-#include "vtkWaterNoNormalMapsFS.h"
-#include "vtkWaterNoOutputFS.h"
-#include "vtkWaterNoSeaFS.h"
-#include "vtkWaterNoShadowsFS.h"
-#include "vtkWaterNoSunFS.h"
-#include "vtkWaterNoTranslucentLayerFS.h"
-#include "vtkWaterNoWavesFS.h"
-#include "vtkWaterNormalMapsFS.h"
-#include "vtkWaterOffsetFS.h"
-#include "vtkWaterOptics.h"
-#include "vtkWaterOutputFS.h"
-#include "vtkWaterPointFS.h"
-#include "vtkWaterProperty.h"
-#include "vtkWaterRayTracedFS.h"
-#include "vtkWaterRippleFS.h"
+#include "vtkWaterGLSL.h" // all files of the list
 #include "vtkWaterSea.h"
-#include "vtkWaterSeaFS.h"
-#include "vtkWaterShadowsFS.h"
-#include "vtkWaterSunFS.h"
-#include "vtkWaterSurfaceFS.h"
-#include "vtkWaterTileFS.h"
-#include "vtkWaterTranslucentLayer.h"
-#include "vtkWaterTranslucentLayerFS.h"
-#include "vtkWaterWavesFS.h"
 #include "water_plan.h"
 #include "water_waves.h"
 
 #include <algorithm>
-#include <vector>
 
-//------------------------------------------------------------------------------
-int vtkWaterSurfaceShader::GetStages(vtkWaterActor* water)
+namespace
 {
-  vtkWaterProperty* property = water->GetWaterProperty();
-  int stages = 0;
-  const bool hasWaves = property->HasWaves();
-  if (hasWaves)
-  {
-    stages |= WAVES;
-    stages |= property->GetSea() ? SEA : 0;
-    stages |= property->GetNumberOfNormalMaps() > 0 ? NORMAL_MAPS : 0;
-  }
-  stages |= property->IsRough() ? ROUGH : 0;
-  if (property->GetReflectionSource() == vtkWaterProperty::ENVIRONMENT)
-  {
-    stages |= ENVIRONMENT;
-  }
-  else if (property->NeedsRays())
-  {
-    stages |= property->GetLookup() == vtkWaterProperty::RAY_TRACED ? RAY_TRACED : OFFSET;
-  }
-  if (property->GetWaveGeometry() && property->GetNumberOfWaves() > 0)
-  {
-    stages |= DISPLACED;
-  }
-  if (property->GetRefraction() && water->HasOpaqueGeometry())
-  {
-    stages |= BODY;
-    stages |= hasWaves && property->GetCaustics() > 0.0 ? CAUSTICS : 0;
-  }
-  stages |= property->HasGlitter() ? GLITTER : 0;
-  stages |= property->GetFoamDepth() > 0.0 || property->GetFoamStretch() > 0.0 ? FOAM : 0;
-  if (stages & (GLITTER | FOAM))
-  {
-    stages |= property->GetShadows() ? SHADOWS : 0;
-  }
-  stages |= property->GetOutput() != vtkWaterProperty::COLOR ? OUTPUT : 0;
-  return stages;
-}
+// A file of water_features.h.
+struct ShaderFile
+{
+  unsigned AnyOf;
+  unsigned NoneOf;
+  const char* Source;
+};
+#define WATER_SHADER_FILE(slot, file, any_of, none_of, what) { any_of, none_of, file },
+constexpr unsigned kAllFeatures = ~0u;
 
-//------------------------------------------------------------------------------
-int vtkWaterSurfaceShader::GetLayeredStages(vtkWaterActor* water)
+template <size_t Count>
+std::string Join(const ShaderFile (&files)[Count], unsigned features)
 {
-  const int stages = GetStages(water);
-  return stages & RAY_TRACED ? stages | LAYER : stages;
-}
-
-//------------------------------------------------------------------------------
-int vtkWaterSurfaceShader::GetSecondaryStages(vtkWaterActor* water)
-{
-  return water->GetWaterProperty()->IsRough() ? ENVIRONMENT | ROUGH : ENVIRONMENT;
-}
-
-//------------------------------------------------------------------------------
-bool vtkWaterSurfaceShader::IsClear(vtkProp* prop)
-{
-  auto* water = vtkWaterActor::SafeDownCast(prop);
-  return water && (GetStages(water) & BODY);
-}
-
-//------------------------------------------------------------------------------
-std::string vtkWaterSurfaceShader::GetShader(int stages, bool canDisplace)
-{
-  const char* reflection = stages & ENVIRONMENT ? vtkWaterEnvironmentFS
-    : stages & RAY_TRACED                       ? vtkWaterRayTracedFS
-    : stages & OFFSET                           ? vtkWaterOffsetFS
-                                                : vtkWaterMirrorFS;
-  const bool isDisplaced = canDisplace && (stages & DISPLACED);
-  std::vector<const char*> files{ vtkWaterOptics };
-  if (isDisplaced)
-  {
-    files.push_back(vtkWaterCell);
-  }
-  files.push_back(isDisplaced ? vtkWaterDisplacementFS : vtkWaterNoDisplacementFS);
-  files.push_back(vtkWaterPointFS);
-  if (stages & WAVES)
-  {
-    files.insert(files.end(),
-      { vtkWaterTileFS, vtkWaterWavesFS, stages & SEA ? vtkWaterSeaFS : vtkWaterNoSeaFS,
-        stages & NORMAL_MAPS ? vtkWaterNormalMapsFS : vtkWaterNoNormalMapsFS, vtkWaterRippleFS });
-  }
-  else
-  {
-    files.push_back(vtkWaterNoWavesFS);
-  }
-  files.insert(
-    files.end(), { stages & OUTPUT ? vtkWaterOutputFS : vtkWaterNoOutputFS, reflection });
-  if (stages & LAYER)
-  {
-    files.push_back(vtkWaterTranslucentLayerFS);
-  }
-  else if (reflection != vtkWaterMirrorFS)
-  {
-    files.insert(files.end(),
-      { vtkWaterNoTranslucentLayerFS,
-        stages & (RAY_TRACED | OFFSET) ? vtkWaterBlurFS : vtkWaterNoBlurFS });
-  }
-  files.insert(files.end(),
-    { stages & CAUSTICS ? vtkWaterCausticsFS : vtkWaterNoCausticsFS,
-      stages & BODY ? vtkWaterMediumFS : vtkWaterNoMediumFS,
-      stages & ROUGH ? vtkWaterFacetsFS : vtkWaterNoFacetsFS,
-      stages & SHADOWS ? vtkWaterShadowsFS : vtkWaterNoShadowsFS,
-      stages & GLITTER ? vtkWaterGlitterFS : vtkWaterNoGlitterFS,
-      stages & FOAM ? vtkWaterFoamFS : vtkWaterNoFoamFS,
-      stages & (GLITTER | FOAM) ? vtkWaterSunFS : vtkWaterNoSunFS, vtkWaterSurfaceFS });
   std::string source;
-  for (const char* file : files)
+  for (const ShaderFile& file : files)
   {
-    source += file;
-    source += "\n";
+    if (water_features_want(features, file.AnyOf, file.NoneOf))
+    {
+      source += file.Source;
+      source += "\n";
+    }
   }
   return source;
+}
+}
+
+//------------------------------------------------------------------------------
+std::string vtkWaterSurfaceShader::GetShader(unsigned features)
+{
+  static const ShaderFile files[] = { WATER_SURFACE_FILE_LIST(WATER_SHADER_FILE) };
+  return Join(files, features);
 }
 
 //------------------------------------------------------------------------------
 std::string vtkWaterSurfaceShader::GetVertexShader()
 {
-  return std::string(vtkWaterCell) + "\n" + vtkWaterDisplacementVS;
+  static const ShaderFile files[] = { WATER_DISPLACEMENT_FILE_LIST(WATER_SHADER_FILE) };
+  return Join(files, kAllFeatures);
 }
 
 //------------------------------------------------------------------------------
-bool vtkWaterSurfaceShader::UpdateStages(int stages)
+bool vtkWaterSurfaceShader::UpdateFeatures(unsigned features)
 {
-  const bool isOther = stages != this->BuiltStages;
-  this->BuiltStages = stages;
+  const bool isOther = features != this->Features;
+  this->Features = features;
   this->IsRefused = this->IsRefused && !isOther;
   return isOther;
 }
 
 //------------------------------------------------------------------------------
-void vtkWaterSurfaceShader::ReleaseShader()
+vtkOpenGLRenderWindow* vtkWaterSurfaceShader::GetWindow() const
 {
-  auto* window = static_cast<vtkOpenGLRenderWindow*>(this->Drawn.Renderer->GetRenderWindow());
-  window->GetShaderCache()->ReleaseCurrentShader();
+  return static_cast<vtkOpenGLRenderWindow*>(this->Drawn.Renderer->GetRenderWindow());
 }
 
 //------------------------------------------------------------------------------
-void vtkWaterSurfaceShader::UploadWaves(vtkWaterActor* water, const double origin[2])
+void vtkWaterSurfaceShader::ReleaseShader()
 {
-  const std::vector<water_wave_term> terms = water->GetWaveTerms();
+  this->GetWindow()->GetShaderCache()->ReleaseCurrentShader();
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterSurfaceShader::UploadWaves(const double origin[2])
+{
+  const std::vector<water_wave_term>& terms = this->Water->Waves;
   // a table is never empty
   std::vector<water_wave_row> rows(std::max<size_t>(terms.size(), 1), water_wave_row());
   water_waves_rows(terms.data(), terms.size(), origin[0], origin[1], rows.data());
@@ -209,7 +96,7 @@ void vtkWaterSurfaceShader::UploadWaves(vtkWaterActor* water, const double origi
     this->IsSteep = this->IsSteep || row.steepness > 0.0f;
   }
   this->WaveCount = static_cast<int>(terms.size());
-  auto* window = static_cast<vtkOpenGLRenderWindow*>(this->Drawn.Renderer->GetRenderWindow());
+  vtkOpenGLRenderWindow* window = this->GetWindow();
   if (!this->Waves || this->Waves->GetContext() != window)
   {
     this->Waves = vtkSmartPointer<vtkTextureObject>::New();
@@ -225,9 +112,9 @@ void vtkWaterSurfaceShader::UploadWaves(vtkWaterActor* water, const double origi
 void vtkWaterSurfaceShader::UploadNormalMap(size_t number)
 {
   // with one reflection texture the second is the same, with strength 0
-  const auto& layers = this->Property->GetNormalMaps().Layers;
+  const auto& layers = this->Water->Look.NormalMaps;
   const vtkWaterNormalMaps::Layer& layer = layers[std::min(number, layers.size() - 1)];
-  auto* window = static_cast<vtkOpenGLRenderWindow*>(this->Drawn.Renderer->GetRenderWindow());
+  vtkOpenGLRenderWindow* window = this->GetWindow();
   const std::string wrong = vtkWaterNormalMaps::Check(layer);
   if (!wrong.empty())
   {
@@ -239,7 +126,7 @@ void vtkWaterSurfaceShader::UploadNormalMap(size_t number)
       this->NormalMapTimes[number] = broken;
       if (number < layers.size()) // said once
       {
-        vtkErrorWithObjectMacro(this->Property,
+        vtkErrorWithObjectMacro(this->Water->Look.Property,
           "The texture of a normal map has changed: " << wrong << ". The map is left out.");
       }
     }
@@ -259,84 +146,124 @@ void vtkWaterSurfaceShader::UploadNormalMap(size_t number)
 }
 
 //------------------------------------------------------------------------------
-void vtkWaterSurfaceShader::Begin(vtkWaterActor* water, const Frame& frame)
+void vtkWaterSurfaceShader::BeginMedium(const int viewport_px[4])
 {
-  this->Drawn = frame;
-  if (frame.Plan)
+  const bool hadFailed = this->Backdrop.GetHasFailed();
+  this->HasBackdrop = this->Backdrop.Copy(this->GetWindow(), viewport_px);
+  if (this->Backdrop.GetHasFailed() && !hadFailed) // said once
   {
-    this->Plan = *frame.Plan;
-    this->Drawn.Plan = &this->Plan;
+    vtkErrorWithObjectMacro(this->Water->Actor,
+      "the GPU gave no textures for what is seen through the water. The water shows its plain "
+      "colour.");
   }
-  this->Property = water->GetWaterProperty();
-  this->HasBackdrop = false;
-  this->Active.clear();
-  auto* window = static_cast<vtkOpenGLRenderWindow*>(frame.Renderer->GetRenderWindow());
-  int drawn[4];
-  window->GetState()->vtkglGetIntegerv(GL_VIEWPORT, drawn);
-  this->Active.emplace_back("waterReflection", frame.Reflection);
-  if (frame.Plan && (this->BuiltStages & BODY))
+  this->Use("waterSceneColor", this->Backdrop.GetColor());
+  this->Use("waterSceneDepth", this->Backdrop.GetDepth());
+  if (this->HasBackdrop && this->Drawn.AddsFog)
   {
-    const bool hadFailed = this->Backdrop.GetHasFailed();
-    this->HasBackdrop = this->Backdrop.Copy(window, drawn);
-    if (this->Backdrop.GetHasFailed() && !hadFailed) // said once
-    {
-      vtkErrorWithObjectMacro(water,
-        "the GPU gave no textures for what is seen through the water. The water shows its plain "
-        "colour.");
-    }
-    this->Active.emplace_back("waterSceneColor", this->Backdrop.GetColor());
-    this->Active.emplace_back("waterSceneDepth", this->Backdrop.GetDepth());
-    if (this->HasBackdrop && frame.AddsFog)
-    {
-      frame.Screen->DrawFog(frame.Renderer, *frame.Plan, this->Backdrop,
-        this->Property->GetDeepColor(), this->Property->GetExtinction());
-    }
+    this->Drawn.Fog->Draw(this->Drawn.Renderer, this->Plan, this->Backdrop,
+      this->Water->Look.DeepColor, this->Water->Look.Extinction);
   }
-  if ((frame.Plan || frame.View) && (this->BuiltStages & WAVES))
-  {
-    // both count from the point under the eye
-    this->UploadWaves(water, frame.View ? frame.View->origin_xy : frame.Plan->origin_xy);
-    this->Active.emplace_back("waterWaves", this->Waves);
-  }
-  if (frame.Plan && (this->BuiltStages & RAY_TRACED))
-  {
-    this->Active.emplace_back("waterReflectionDepth", frame.ReflectionDepth);
-    if (frame.Layer)
-    {
-      this->Active.emplace_back("waterOpaque", frame.Layer->GetOpaque());
-      this->Active.emplace_back("waterLayer", frame.Layer->GetColor());
-      this->Active.emplace_back("waterLayerDepth", frame.Layer->GetDepth());
-    }
-  }
-  this->Time = water->GetTime();
-  if (frame.Plan && (this->BuiltStages & NORMAL_MAPS))
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterSurfaceShader::BeginWaves()
+{
+  vtkOpenGLRenderWindow* window = this->GetWindow();
+  if (this->Drawn.Plan && this->Has(WATER_FEATURE_NORMAL_MAPS))
   {
     this->UploadNormalMap(0);
     this->UploadNormalMap(1);
-    this->Active.emplace_back("waterNormalMap0", this->NormalMaps[0].Get(window));
-    this->Active.emplace_back("waterNormalMap1", this->NormalMaps[1].Get(window));
+    this->Use("waterNormalMap0", this->NormalMaps[0].Get(window));
+    this->Use("waterNormalMap1", this->NormalMaps[1].Get(window));
   }
-  this->Sea = nullptr;
-  if (frame.Plan && (this->BuiltStages & SEA))
+  if (this->Drawn.Plan && this->Has(WATER_FEATURE_SEA))
   {
-    vtkWaterSea* sea = water->GetSeaAtTime();
-    this->Active.emplace_back("waterSea", sea->Upload(window));
-    this->Sea = sea;
+    vtkWaterSea* sea = this->Water->Sea;
+    sea->Update(this->Water->Look.SeaTile, this->Water->Look.Sea, this->Water->Time);
+    this->Use("waterSea", sea->Upload(window));
+    this->HasSea = true;
   }
-  if (frame.Plan && water_plan_has_reflection(frame.Plan))
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterSurfaceShader::BeginReflection(const int viewport_px[4])
+{
+  const Inputs& drawn = this->Drawn;
+  // where pixel meets texel, one texel is the same as four
+  const bool isAligned = drawn.IsFlat &&
+    !this->Has(WATER_FEATURE_WAVES | WATER_FEATURE_RAY_TRACED | WATER_FEATURE_OFFSET) &&
+    std::equal(viewport_px + 2, viewport_px + 4, this->Plan.texture_px);
+  const int blurred = this->Has(WATER_FEATURE_ROUGH) ? vtkTextureObject::LinearMipmapLinear
+                                                     : vtkTextureObject::Linear;
+  drawn.Reflection->SetMagnificationFilter(
+    isAligned ? vtkTextureObject::Nearest : vtkTextureObject::Linear);
+  drawn.Reflection->SetMinificationFilter(isAligned ? vtkTextureObject::Nearest : blurred);
+  for (vtkTextureObject* texture : { drawn.Translucent.Opaque, drawn.Translucent.Color })
   {
-    // where pixel meets texel, one texel is the same as four
-    const bool isAligned = !(this->BuiltStages & (WAVES | RAY_TRACED | OFFSET)) && frame.IsFlat &&
-      std::equal(drawn + 2, drawn + 4, frame.Plan->texture_px);
-    frame.Reflection->SetMagnificationFilter(
-      isAligned ? vtkTextureObject::Nearest : vtkTextureObject::Linear);
-    frame.Reflection->SetMinificationFilter(isAligned ? vtkTextureObject::Nearest
-        : this->BuiltStages & ROUGH                   ? vtkTextureObject::LinearMipmapLinear
-                                                      : vtkTextureObject::Linear);
-    if (frame.Layer)
+    if (texture)
     {
-      frame.Layer->SetHasLevels((this->BuiltStages & ROUGH) != 0);
+      texture->SetMinificationFilter(blurred);
     }
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterSurfaceShader::BeginEnvironment()
+{
+  vtkTexture* environment =
+    this->Has(WATER_FEATURE_ENVIRONMENT) ? this->Water->Look.Environment.Get() : nullptr;
+  if (environment &&
+    (environment->GetCubeMap() || environment->GetNumberOfInputConnections(0) == 0))
+  {
+    environment = nullptr; // it has changed since it was set; the background is at hand
+  }
+  this->Environment = environment;
+  if (environment)
+  {
+    environment->Render(this->Drawn.Renderer);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterSurfaceShader::Begin(const vtkWaterSnapshotPointer& water, const Inputs& inputs)
+{
+  this->Water = water;
+  this->Drawn = inputs;
+  if (inputs.Plan)
+  {
+    this->Plan = *inputs.Plan;
+    this->Drawn.Plan = &this->Plan;
+  }
+  this->HasBackdrop = false;
+  this->HasSea = false;
+  this->Active.clear();
+  int viewport_px[4];
+  this->GetWindow()->GetState()->vtkglGetIntegerv(GL_VIEWPORT, viewport_px);
+  this->Use("waterReflection", inputs.Reflection);
+  if (inputs.Plan && this->Has(WATER_FEATURE_MEDIUM))
+  {
+    this->BeginMedium(viewport_px);
+  }
+  if ((inputs.Plan || inputs.View) && this->Has(WATER_FEATURE_WAVES))
+  {
+    // both count from the point under the eye
+    this->UploadWaves(inputs.View ? inputs.View->origin_xy : inputs.Plan->origin_xy);
+    this->Use("waterWaves", this->Waves);
+  }
+  if (inputs.Plan && this->Has(WATER_FEATURE_RAY_TRACED))
+  {
+    this->Use("waterReflectionDepth", inputs.ReflectionDepth);
+    if (inputs.Translucent.Color)
+    {
+      this->Use("waterOpaque", inputs.Translucent.Opaque);
+      this->Use("waterLayer", inputs.Translucent.Color);
+      this->Use("waterLayerDepth", inputs.Translucent.Depth);
+    }
+  }
+  this->BeginWaves();
+  if (inputs.Plan && water_plan_has_reflection(inputs.Plan))
+  {
+    this->BeginReflection(viewport_px);
   }
   for (const auto& [name, texture] : this->Active)
   {
@@ -345,17 +272,7 @@ void vtkWaterSurfaceShader::Begin(vtkWaterActor* water, const Frame& frame)
       texture->Activate();
     }
   }
-  this->Environment =
-    this->BuiltStages & ENVIRONMENT ? this->Property->GetEnvironmentTexture() : nullptr;
-  if (this->Environment &&
-    (this->Environment->GetCubeMap() || this->Environment->GetNumberOfInputConnections(0) == 0))
-  {
-    this->Environment = nullptr; // it has changed since it was set; the background is at hand
-  }
-  if (this->Environment)
-  {
-    this->Environment->Render(frame.Renderer);
-  }
+  this->BeginEnvironment();
 }
 
 //------------------------------------------------------------------------------
@@ -374,7 +291,7 @@ void vtkWaterSurfaceShader::End()
   }
   this->Active.clear();
   this->Environment = nullptr;
-  this->Property = nullptr;
+  this->Water = nullptr;
 }
 
 //------------------------------------------------------------------------------

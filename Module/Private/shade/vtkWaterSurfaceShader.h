@@ -1,101 +1,69 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkWaterSurfaceShader: a water's own draw: which stages its
-// shader has, its textures and its uniforms.
+// vtkWaterSurfaceShader: a water's own draw: the shader of its features, its textures and uniforms.
 #ifndef vtkWaterSurfaceShader_h
 #define vtkWaterSurfaceShader_h
 
 #include "vtkSmartPointer.h"
 #include "vtkWaterBackdrop.h"
-#include "vtkWaterFullScreen.h"
-#include "vtkWaterNormalMaps.h"
 #include "vtkWaterSlopeTexture.h"
+#include "vtkWaterSnapshot.h"
 #include "water_grid.h"
-#include "water_types.h"
 
 #include <string>
 #include <utility>
 #include <vector>
 
+class vtkOpenGLRenderWindow;
 class vtkOpenGLRenderer;
-class vtkProp;
 class vtkShaderProgram;
 class vtkTexture;
 class vtkTextureObject;
-class vtkWaterActor;
-class vtkWaterTranslucentLayer;
-class vtkWaterProperty;
-class vtkWaterSea;
+class vtkWaterFog;
 class vtkWindow;
 
 class vtkWaterSurfaceShader
 {
 public:
-  // What is drawn.
-  struct Frame
+  // What the reflection texture has of translucent things; all nullptr: nothing in it is.
+  struct Layer
   {
-    vtkOpenGLRenderer* Renderer;
-    vtkWaterFullScreen* Screen;   // of the renderer
-    const water_plan* Plan;       // nullptr: show the plain colour
-    vtkTextureObject* Reflection; // any texture when nothing is reflected
-    vtkTextureObject* ReflectionDepth;
-    vtkWaterTranslucentLayer* Layer =
-      nullptr;         // of the reflection texture; nullptr: nothing in it is translucent
+    vtkTextureObject* Opaque = nullptr; // all else
+    vtkTextureObject* Color = nullptr;  // times alpha, and alpha
+    vtkTextureObject* Depth = nullptr;  // of all
+  };
+
+  // What is drawn.
+  struct Inputs
+  {
+    vtkOpenGLRenderer* Renderer = nullptr;
+    vtkWaterFog* Fog = nullptr;             // of the renderer
+    const water_plan* Plan = nullptr;       // nullptr: show the plain colour
+    vtkTextureObject* Reflection = nullptr; // any texture when nothing is reflected
+    vtkTextureObject* ReflectionDepth = nullptr;
+    Layer Translucent;
     int MostSteps = 0; // of the march
     int MostProbes = 0;
-    bool IsFlat;                 // the sheet lies in the plane exactly
-    const water_grid_view* View; // waves move the vertices; nullptr: they do not
-    const double* RowDir;        // of the grid under them
-    bool IsSecondary = false;    // in the mirrored view of another water
-    bool AddsFog = false;        // to all that the eye sees, which is in the water
+    bool IsFlat = false;                   // the sheet lies in the plane exactly
+    const water_grid_view* View = nullptr; // waves move the vertices; nullptr: they do not
+    const double* RowDir = nullptr;        // of the grid under them
+    bool IsSecondary = false;              // in the mirrored view of another water
+    bool AddsFog = false;                  // to all that the eye sees, which is in the water
   };
 
-  // The stages of a water's shader, as bits: they are files of their own, because software
-  // renderers execute both sides of a branch.
-  enum Stages
-  {
-    WAVES = 1 << 0,
-    RAY_TRACED = 1 << 1,
-    OFFSET = 1 << 2,
-    ENVIRONMENT = 1 << 3,
-    BODY = 1 << 4,
-    CAUSTICS = 1 << 5,
-    GLITTER = 1 << 6,
-    SEA = 1 << 7,
-    NORMAL_MAPS = 1 << 8,
-    ROUGH = 1 << 9,
-    DISPLACED = 1 << 10,
-    FOAM = 1 << 11,
-    SHADOWS = 1 << 12,
-    OUTPUT = 1 << 13,
-    LAYER = 1 << 14 // of the reflection texture that it looks up, not of its look
-  };
-  static int GetStages(vtkWaterActor* water);
-
-  // The same of one that looks up a reflection texture with a layer.
-  static int GetLayeredStages(vtkWaterActor* water);
-
-  // The same in the mirrored view of another water: the background, and the mean of all waves.
-  static int GetSecondaryStages(vtkWaterActor* water);
-
-  // Is it a water through which the scene is seen?
-  static bool IsClear(vtkProp* prop);
-
-  // The stages of the last draw.
-  int GetBuiltStages() const { return this->BuiltStages; }
+  // Of the last draw.
+  unsigned GetFeatures() const { return this->Features; }
   bool GetIsSecondary() const { return this->Drawn.IsSecondary; }
 
   // The source that defines waterShade.
-  //
-  // canDisplace  the vertex shader can move its vertices
-  static std::string GetShader(int stages, bool canDisplace);
+  static std::string GetShader(unsigned features);
 
   // The source that defines waterDisplace, for vertices.
   static std::string GetVertexShader();
 
   // Is another shader needed than for the last draw?
-  bool UpdateStages(int stages);
+  bool UpdateFeatures(unsigned features);
 
-  // The driver has refused the shader of these stages: the plain colour is shown until there are
+  // The driver has refused the shader of these features: the plain colour is shown until there are
   // others, or another context.
   void SetIsRefused() { this->IsRefused = true; }
   bool GetIsRefused() const { return this->IsRefused; }
@@ -104,7 +72,7 @@ public:
   void ReleaseShader();
 
   // The surface is drawn between the two.
-  void Begin(vtkWaterActor* water, const Frame& frame);
+  void Begin(const vtkWaterSnapshotPointer& water, const Inputs& inputs);
   void End();
 
   void SetParameters(vtkShaderProgram* program);
@@ -112,9 +80,19 @@ public:
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
-  void UploadWaves(vtkWaterActor* water, const double origin[2]);
-  void SetDisplacement(vtkShaderProgram* program);
+  vtkOpenGLRenderWindow* GetWindow() const;
+  bool Has(unsigned features) const { return (this->Features & features) != 0; }
+  void Use(const char* name, vtkTextureObject* texture)
+  {
+    this->Active.emplace_back(name, texture);
+  }
+  void BeginMedium(const int viewport_px[4]);
+  void BeginWaves();
+  void BeginReflection(const int viewport_px[4]);
+  void BeginEnvironment();
+  void UploadWaves(const double origin[2]);
   void UploadNormalMap(size_t number);
+  void SetDisplacement(vtkShaderProgram* program);
   void SetViewParameters(vtkShaderProgram* program);
   void SetReflectionParameters(vtkShaderProgram* program);
   void SetSkyParameters(vtkShaderProgram* program);
@@ -122,20 +100,18 @@ private:
   void SetSeaParameters(vtkShaderProgram* program);
   void SetNormalMapParameters(vtkShaderProgram* program);
 
-  int BuiltStages = 0;
+  unsigned Features = 0;
   bool IsRefused = false;
-  Frame Drawn = Frame();
   // Drawing runs the user's observers, who may drop any of these.
-  vtkSmartPointer<vtkWaterProperty> Property; // of what is drawn
+  vtkWaterSnapshotPointer Water; // that is drawn
+  Inputs Drawn;
   water_plan Plan = water_plan();
-  std::vector<std::pair<const char*, vtkSmartPointer<vtkTextureObject>>>
-    Active;                                // names in the shader
-  vtkSmartPointer<vtkTexture> Environment; // in use
-  double Time = 0.0;
-  vtkSmartPointer<vtkTextureObject> Waves; // a row per wave
+  std::vector<std::pair<const char*, vtkSmartPointer<vtkTextureObject>>> Active; // by name
+  vtkSmartPointer<vtkTexture> Environment;                                       // in use
+  vtkSmartPointer<vtkTextureObject> Waves;                                       // a row per wave
   int WaveCount = 0;
-  bool IsSteep = false;             // waves that move their points
-  const vtkWaterSea* Sea = nullptr; // of what is drawn; nullptr: it has none
+  bool IsSteep = false; // some of them move their points
+  bool HasSea = false;  // brought to the time of the draw
   vtkWaterSlopeTexture NormalMaps[vtkWaterNormalMaps::Limit];
   std::pair<vtkTexture*, vtkMTimeType> NormalMapTimes[vtkWaterNormalMaps::Limit] = {}; // of those
   double NormalMapTexels[vtkWaterNormalMaps::Limit] = {};                              // their size

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkWaterSurfaceUniforms.cxx: the part of vtkWaterSurfaceShader that writes the uniforms.
-#include "vtkLight.h"
 #include "vtkMath.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLRenderer.h"
@@ -9,8 +8,6 @@
 #include "vtkTexture.h"
 #include "vtkTextureObject.h"
 #include "vtkWaterGL.h"
-#include "vtkWaterGather.h"
-#include "vtkWaterProperty.h"
 #include "vtkWaterSea.h"
 #include "vtkWaterSurfaceShader.h"
 #include "vtkWaterUniforms.h"
@@ -20,16 +17,11 @@
 #include "water_waves.h"
 
 #include <algorithm>
-#include <cmath>
 #include <vector>
 
 namespace
 {
-constexpr double kFarUp = 1e30;    // for a float
-constexpr int kRestSteps = 3;      // of Newton's method, to the point at rest of steep waves
-constexpr int kChordSteps = 1;     // from the chord that a triangle is to the waves
-constexpr double kSlack = 0.25;    // in heights of the waves
-constexpr double kPattern = 256.0; // m after which the foam's pattern repeats
+constexpr double kFarUp = 1e30; // for a float
 constexpr double kFlat[4] = { 0.0, 0.0, 0.0, 0.0 };
 }
 
@@ -37,12 +29,13 @@ constexpr double kFlat[4] = { 0.0, 0.0, 0.0, 0.0 };
 void vtkWaterSurfaceShader::SetParameters(vtkShaderProgram* program)
 {
   namespace uniforms = vtkWaterUniforms;
-  if (!this->Property)
+  if (!this->Water)
   {
     return; // drawn by somebody else than vtkWaterActor::Render: nothing to say
   }
   const water_plan* plan = this->Drawn.Plan;
-  const bool hasView = plan && (this->HasBackdrop || !(this->BuiltStages & BODY));
+  const vtkWaterLook& look = this->Water->Look;
+  const bool hasView = plan && (this->HasBackdrop || !this->Has(WATER_FEATURE_MEDIUM));
   for (const auto& [name, texture] : this->Active)
   {
     uniforms::Set(program, name, texture);
@@ -53,11 +46,11 @@ void vtkWaterSurfaceShader::SetParameters(vtkShaderProgram* program)
   }
   uniforms::Set(program, "waterHasView", hasView ? 1 : 0);
   const bool isReflecting =
-    plan && (water_plan_has_reflection(plan) || (this->BuiltStages & ENVIRONMENT));
+    plan && (water_plan_has_reflection(plan) || this->Has(WATER_FEATURE_ENVIRONMENT));
   uniforms::Set(program, "waterIsReflecting", isReflecting ? 1 : 0);
-  uniforms::Set(program, "waterOpacity", this->Property->GetOpacity());
-  uniforms::Set(program, "waterOutput", this->Property->GetOutput());
-  uniforms::Set3(program, "waterDeepColor", this->Property->GetDeepColor());
+  uniforms::Set(program, "waterOpacity", look.Opacity);
+  uniforms::Set(program, "waterOutput", look.Output);
+  uniforms::Set3(program, "waterDeepColor", look.DeepColor);
   uniforms::Set(program, "waterWaveCount", this->WaveCount);
   this->SetDisplacement(program);
   if (plan)
@@ -67,11 +60,11 @@ void vtkWaterSurfaceShader::SetParameters(vtkShaderProgram* program)
     this->SetSkyParameters(program);
     this->SetSunParameters(program);
   }
-  if (plan && (this->BuiltStages & NORMAL_MAPS))
+  if (plan && this->Has(WATER_FEATURE_NORMAL_MAPS))
   {
     this->SetNormalMapParameters(program);
   }
-  if (plan && this->Sea)
+  if (plan && this->HasSea)
   {
     this->SetSeaParameters(program);
   }
@@ -94,17 +87,17 @@ void vtkWaterSurfaceShader::SetViewParameters(vtkShaderProgram* program)
   uniforms::SetMatrix4x3(program, "waterDirToEye", plan.dir_to_eye);
   uniforms::Set(program, "waterSide", plan.side == WATER_BELOW ? -1.0 : 1.0);
   // its own: the plan may have been made for several waters
-  const water_look look = vtkWaterGather::ReadLook(this->Property);
-  uniforms::Set(program, "waterEta", water_optics_eta(&look, plan.side));
-  uniforms::Set(program, "waterReflectance", look.constant_reflectance ? look.reflectance : -1.0);
+  const vtkWaterLook& look = this->Water->Look;
+  uniforms::Set(program, "waterEta", water_optics_eta(&look.Optics, plan.side));
+  uniforms::Set(
+    program, "waterReflectance", look.Optics.constant_reflectance ? look.Optics.reflectance : -1.0);
   uniforms::Set4(program, "waterHeightClip", plan.plane_clip);
   uniforms::Set4(program, "waterClipW", plan.clip_w);
-  const int flatSteps = this->IsSteep ? kRestSteps : 0;
-  uniforms::Set(
-    program, "waterRestSteps", program->IsUniformUsed("waterAxesToClip") ? kChordSteps : flatSteps);
-  uniforms::Set3(program, "waterExtinction", this->Property->GetExtinction());
+  uniforms::Set(program, "waterRestSteps",
+    water_waves_rest_steps(program->IsUniformUsed("waterAxesToClip"), this->IsSteep));
+  uniforms::Set3(program, "waterExtinction", look.Extinction);
   uniforms::Set(program, "waterIsSubmerged", plan.is_submerged ? 1 : 0);
-  uniforms::Set(program, "waterShoreSoftness", this->Property->GetShoreSoftness());
+  uniforms::Set(program, "waterShoreSoftness", look.ShoreSoftness);
 }
 
 //------------------------------------------------------------------------------
@@ -124,6 +117,7 @@ void vtkWaterSurfaceShader::SetReflectionParameters(vtkShaderProgram* program)
 {
   namespace uniforms = vtkWaterUniforms;
   const water_plan& plan = *this->Drawn.Plan;
+  const vtkWaterLook& look = this->Water->Look;
   if (!water_plan_has_reflection(&plan))
   {
     return;
@@ -134,28 +128,23 @@ void vtkWaterSurfaceShader::SetReflectionParameters(vtkShaderProgram* program)
   uniforms::Set4(program, "waterReflectionHeight", plan.reflection_height);
   uniforms::Set4(program, "waterReflectionW", plan.reflection_w);
   uniforms::Set(program, "waterTexel", std::min(plan.reflection_texel, kFarUp));
-  uniforms::Set(program, "waterSlack", kSlack * this->Property->GetWaveHeightMax());
+  uniforms::Set(program, "waterSlack", water_waves_slack(look.WaveHeightMax));
   uniforms::Set(program, "waterReflectionTop", std::min(plan.reflection_top, kFarUp));
   uniforms::Set(program, "waterReflectionZInfinity", plan.reflection_z_infinity);
   uniforms::Set2(program, "waterReflectionTolerance", plan.reflection_tolerance);
-  uniforms::Set(
-    program, "waterSteps", std::min(this->Property->GetRayTraceSteps(), this->Drawn.MostSteps));
-  uniforms::Set(
-    program, "waterProbes", std::min(this->Property->GetRayTraceProbes(), this->Drawn.MostProbes));
-  uniforms::Set(program, "waterLookup", this->Property->GetLookup());
-  uniforms::Set(program, "waterOffsetScale", this->Property->GetOffsetScale());
+  uniforms::Set(program, "waterSteps", std::min(look.RayTraceSteps, this->Drawn.MostSteps));
+  uniforms::Set(program, "waterProbes", std::min(look.RayTraceProbes, this->Drawn.MostProbes));
+  uniforms::Set(program, "waterLookup", look.Lookup);
+  uniforms::Set(program, "waterOffsetScale", look.OffsetScale);
 }
 
 //------------------------------------------------------------------------------
 void vtkWaterSurfaceShader::SetSkyParameters(vtkShaderProgram* program)
 {
-  vtkOpenGLRenderer* renderer = this->Drawn.Renderer;
   const water_plan& plan = *this->Drawn.Plan;
-  const bool hasGradient = renderer->GetGradientBackground() && !renderer->GetTexturedBackground();
-  const double* bottom = renderer->GetBackground();
-  const double* top = hasGradient ? renderer->GetBackground2() : bottom;
-  // a skybox hides the background; what it shows is in the reflection texture only
-  const double isKnown = std::isfinite(plan.reflection_top) ? 1.0 : 0.0;
+  const double isKnown = plan.is_sky_known ? 1.0 : 0.0;
+  const double* bottom = plan.sky.bottom;
+  const double* top = plan.sky.top;
   const double bottomKnown[4] = { bottom[0], bottom[1], bottom[2], isKnown };
   const double topKnown[4] = { top[0], top[1], top[2], isKnown };
   vtkWaterUniforms::Set4(program, "waterSkyBottom", bottomKnown);
@@ -169,37 +158,25 @@ void vtkWaterSurfaceShader::SetSunParameters(vtkShaderProgram* program)
 {
   namespace uniforms = vtkWaterUniforms;
   const water_plan& plan = *this->Drawn.Plan;
-  double color[3] = { 0.0, 0.0, 0.0 };
-  vtkLight* sun = vtkWaterGather::FindSun(this->Drawn.Renderer);
-  if (sun && plan.has_sun)
-  {
-    std::transform(sun->GetDiffuseColor(), sun->GetDiffuseColor() + 3, color,
-      [sun](double channel) { return channel * sun->GetIntensity(); });
-  }
-  double given[3]; // along, across, degrees
-  this->Property->GetSlopeVariance(given);
+  const vtkWaterLook& look = this->Water->Look;
   double variance[3];
-  water_glitter_covariance(given, vtkMath::RadiansFromDegrees(given[2]), variance);
-  if (this->Drawn.IsSecondary)
-  {
-    this->Property->GetMeanSlopes(variance);
-  }
-  const double pattern[2] = { std::fmod(plan.origin_xy[0], kPattern),
-    std::fmod(plan.origin_xy[1], kPattern) };
+  water_glitter_covariance(
+    look.SlopeVariance, vtkMath::RadiansFromDegrees(look.SlopeVariance[2]), variance);
   uniforms::Set3(program, "waterSunDir", plan.sun_dir);
-  uniforms::Set3(program, "waterSunColor", color);
-  uniforms::Set3(program, "waterSlopeVariance", variance);
-  uniforms::Set(program, "waterCaustics", this->Property->GetCaustics());
-  uniforms::Set(program, "waterFoamDepth", this->Property->GetFoamDepth());
-  uniforms::Set(program, "waterFoamJacobian", this->Property->GetFoamStretch());
-  uniforms::Set3(program, "waterFoamColor", this->Property->GetFoamColor());
-  uniforms::Set2(program, "waterPatternOrigin", pattern);
+  uniforms::Set3(program, "waterSunColor", plan.sun_color);
+  uniforms::Set3(
+    program, "waterSlopeVariance", this->Drawn.IsSecondary ? look.MeanSlopes : variance);
+  uniforms::Set(program, "waterCaustics", look.Caustics);
+  uniforms::Set(program, "waterFoamDepth", look.FoamDepth);
+  uniforms::Set(program, "waterFoamJacobian", look.FoamJacobian);
+  uniforms::Set3(program, "waterFoamColor", look.FoamColor);
+  uniforms::Set2(program, "waterPatternOrigin", plan.pattern_xy);
 }
 
 //------------------------------------------------------------------------------
 void vtkWaterSurfaceShader::SetNormalMapParameters(vtkShaderProgram* program)
 {
-  const auto& layers = this->Property->GetNormalMaps().Layers;
+  const auto& layers = this->Water->Look.NormalMaps;
   const char* const names[vtkWaterNormalMaps::Limit] = { "waterNormalMapPlace0",
     "waterNormalMapPlace1" };
   for (size_t i = 0; i < vtkWaterNormalMaps::Limit; ++i)
@@ -209,7 +186,7 @@ void vtkWaterSurfaceShader::SetNormalMapParameters(vtkShaderProgram* program)
     {
       const water_normal_map& map = layers[i].Map;
       const double* origin = this->Drawn.Plan->origin_xy;
-      water_normals_place(&map, origin[0], origin[1], this->Time, values);
+      water_normals_place(&map, origin[0], origin[1], this->Water->Time, values);
       values[2] = 1.0 / map.size;
       values[3] = map.strength;
     }
@@ -221,11 +198,11 @@ void vtkWaterSurfaceShader::SetNormalMapParameters(vtkShaderProgram* program)
 //------------------------------------------------------------------------------
 void vtkWaterSurfaceShader::SetSeaParameters(vtkShaderProgram* program)
 {
-  const water_tile& tile = this->Sea->GetTile();
+  const water_tile& tile = this->Water->Sea->GetTile();
   double place[2] = { 0.0, 0.0 };
   water_tile_place(&tile, this->Drawn.Plan->origin_xy[0], this->Drawn.Plan->origin_xy[1], place);
   const double placeAndScale[4] = { place[0], place[1], 1.0 / tile.length,
     0.5 / static_cast<double>(tile.size) };
   vtkWaterUniforms::Set4(program, "waterSeaTile", placeAndScale);
-  vtkWaterUniforms::Set2(program, "waterSeaLeftOut", this->Sea->GetLeftOut());
+  vtkWaterUniforms::Set2(program, "waterSeaLeftOut", this->Water->Sea->GetLeftOut());
 }

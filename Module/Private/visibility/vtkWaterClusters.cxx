@@ -18,7 +18,7 @@
 #include "vtkTexture.h"
 #include "vtkWaterAccess.h"
 #include "vtkWaterGL.h"
-#include "vtkWaterGather.h"
+#include "vtkWaterProps.h"
 
 #include <algorithm>
 #include <cstring>
@@ -40,7 +40,7 @@ bool HasOwnShaders(vtkAbstractMapper* mapper, vtkActor* actor)
 bool CanBeCut(vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkActor* actor)
 {
   return actor && std::strcmp(mapper->GetClassName(), "vtkOpenGLPolyDataMapper") == 0 &&
-    vtkWaterGather::IsInWorld(actor) && actor->GetProperty()->GetRepresentation() == VTK_SURFACE &&
+    vtkWaterProps::IsInWorld(actor) && actor->GetProperty()->GetRepresentation() == VTK_SURFACE &&
     !actor->IsRenderingTranslucentPolygonalGeometry() &&
     !program->IsUniformUsed("PrimitiveIDOffset") && !HasOwnShaders(mapper, actor);
 }
@@ -219,7 +219,7 @@ bool vtkWaterClusters::CanLead(vtkProp* prop)
   const auto it = this->Meshes.find(mapper);
   return mapper && it != this->Meshes.end() && it->second.Mapper && !it->second.Boxes.empty() &&
     it->second.State == StateOf(mapper, actor) && !HasOwnShaders(mapper, actor) &&
-    !HasOwnDepths(mapper, actor) && vtkWaterGather::IsInWorld(actor) && IsOpaqueEverywhere(actor) &&
+    !HasOwnDepths(mapper, actor) && vtkWaterProps::IsInWorld(actor) && IsOpaqueEverywhere(actor) &&
     HasTrianglesOnly(mapper, actor->GetProperty());
 }
 

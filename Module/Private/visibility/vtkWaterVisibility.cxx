@@ -6,8 +6,8 @@
 #include "vtkOpenGLState.h"
 #include "vtkRenderer.h"
 #include "vtkTextureObject.h"
-#include "vtkWaterFullScreen.h"
 #include "vtkWaterGL.h"
+#include "vtkWaterMask.h"
 #include "vtkWaterSceneDepth.h"
 
 namespace
@@ -44,8 +44,8 @@ bool vtkWaterVisibility::Ensure(vtkRenderer* renderer)
 }
 
 //------------------------------------------------------------------------------
-const water_visibility* vtkWaterVisibility::Find(vtkRenderer* renderer, const water_plan& plan,
-  vtkWaterFullScreen& screen, vtkWaterSceneDepth& sceneDepth)
+const water_visibility* vtkWaterVisibility::Find(
+  vtkRenderer* renderer, const water_plan& plan, vtkWaterMask& mask, vtkWaterSceneDepth& sceneDepth)
 {
   water_visibility_begin(plan.texture_px, plan.texture_rect_px, &this->Seen);
   const auto width = static_cast<size_t>(this->Seen.size[0]);
@@ -60,7 +60,7 @@ const water_visibility* vtkWaterVisibility::Find(vtkRenderer* renderer, const wa
   {
     stride = kRGBA;
     this->Pixels.resize(kRGBA * width * height);
-    if (!this->ReadCells(renderer, plan, screen, sceneDepth))
+    if (!this->ReadCells(renderer, plan, mask, sceneDepth))
     {
       return nullptr;
     }
@@ -72,8 +72,8 @@ const water_visibility* vtkWaterVisibility::Find(vtkRenderer* renderer, const wa
 }
 
 //------------------------------------------------------------------------------
-bool vtkWaterVisibility::ReadCells(vtkRenderer* renderer, const water_plan& plan,
-  vtkWaterFullScreen& screen, vtkWaterSceneDepth& sceneDepth)
+bool vtkWaterVisibility::ReadCells(
+  vtkRenderer* renderer, const water_plan& plan, vtkWaterMask& mask, vtkWaterSceneDepth& sceneDepth)
 {
   const int width = this->Seen.size[0];
   const int height = this->Seen.size[1];
@@ -90,7 +90,7 @@ bool vtkWaterVisibility::ReadCells(vtkRenderer* renderer, const water_plan& plan
     this->Framebuffer->ActivateBuffer(0);
     state->vtkglDisable(GL_SCISSOR_TEST);
     state->vtkglViewport(0, 0, width, height);
-    isFound = screen.DrawCells(renderer, plan, this->Seen.cell_px, sceneDepth);
+    isFound = mask.DrawCells(renderer, plan, this->Seen.cell_px, sceneDepth);
     if (isFound)
     {
       GLint alignment = 0;

@@ -16,21 +16,21 @@ class vtkOpenGLFramebufferObject;
 class vtkRenderer;
 class vtkTextureObject;
 class vtkWaterSceneDepth;
-class vtkWaterFullScreen;
+class vtkWaterMask;
 class vtkWindow;
 
 class vtkWaterVisibility
 {
 public:
   // Returns nullptr when it cannot be found out: anything may be looked up.
-  const water_visibility* Find(vtkRenderer* renderer, const water_plan& plan,
-    vtkWaterFullScreen& screen, vtkWaterSceneDepth& sceneDepth);
+  const water_visibility* Find(vtkRenderer* renderer, const water_plan& plan, vtkWaterMask& mask,
+    vtkWaterSceneDepth& sceneDepth);
 
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
   bool Ensure(vtkRenderer* renderer);
-  bool ReadCells(vtkRenderer* renderer, const water_plan& plan, vtkWaterFullScreen& screen,
+  bool ReadCells(vtkRenderer* renderer, const water_plan& plan, vtkWaterMask& mask,
     vtkWaterSceneDepth& sceneDepth);
   void ReadDepths(
     vtkRenderer* renderer, const water_plan& plan, const vtkWaterSceneDepth& sceneDepth);

@@ -217,7 +217,6 @@ static void fuzz_steps(fuzz_input* from)
   (void)water_mat4_invert(matrix, inverse);
   (void)water_mat4_invert_affine(matrix, inverse);
   fuzz_doubles(from, four, 4);
-  (void)water_mirror_oblique(camera.view_to_clip, four, matrix);
   water_mirror_clip_window(four, px, matrix);
   water_target_reach(&camera, fuzz_double(from), four);
   scale[0] = fuzz_double(from);

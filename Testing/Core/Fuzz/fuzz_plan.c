@@ -31,7 +31,9 @@ static void check_plan(
   PROMISED(plan->depth_scale > 0.0 && plan->depth_scale <= 1.0);
   PROMISED(water_all_finite(plan->mirrored.world_to_view, 16));
   PROMISED(water_all_finite(plan->mirrored.view_to_clip, 16));
-  PROMISED(water_all_finite(plan->world_to_texture, 16));
+  double world_to_texture[16];
+  water_mirror_texture_matrix(&plan->mirrored, world_to_texture);
+  PROMISED(water_all_finite(world_to_texture, 16));
   PROMISED(water_all_finite(plan->clip_plane_window, 4));
 }
 
@@ -61,7 +63,7 @@ int LLVMFuzzerTestOneInput(const uint8_t* bytes, size_t size)
   {
     PROMISED(step >= 0 && step < WATER_QUALITY_STEPS);
   }
-  (void)water_plan_should_wait(&plan, fuzz_double(&from), scene.skips);
+  (void)water_plan_should_wait(&plan, fuzz_double(&from), scene.settings.skips);
   if (plan.decision == WATER_REFLECT)
   {
     double model[16];
@@ -84,15 +86,11 @@ int LLVMFuzzerTestOneInput(const uint8_t* bytes, size_t size)
         fuzz_use(sides, sizeof sides);
       }
     }
-    double oblique[16];
-    if (water_mirror_oblique(plan.mirrored.view_to_clip, plan.clip_plane_view, oblique) == WATER_OK)
-    {
-      fuzz_use(oblique, sizeof oblique);
-    }
   }
-  scene.skips = fuzz_byte(&from);
+  scene.settings.skips = fuzz_byte(&from);
   const water_status next_status = water_plan_make(&scene, &again, reasons);
-  water_plan_reuse(&plan, fuzz_bool(&from), scene.skips, &again);
+  (void)water_plan_wants_visibility(&plan, &again);
+  water_plan_revise(&scene, &plan, fuzz_bool(&from), NULL, &again, reasons);
   PROMISED((unsigned)next_status < WATER_STATUS_COUNT);
   PROMISED((unsigned)again.decision < WATER_DECISION_COUNT);
   return 0;

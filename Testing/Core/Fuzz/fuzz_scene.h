@@ -70,7 +70,7 @@ static inline void fuzz_scene(fuzz_input* from, water_prop* props, water_scene* 
   scene->hides_below = flags & 32;
   scene->is_hidden = flags & 64;
   scene->is_flat = flags & 128;
-  scene->skips = fuzz_byte(from);
+  scene->settings.skips = fuzz_byte(from);
   scene->prop_count = fuzz_below(from, FUZZ_PROPS + 1);
   for (size_t i = 0; i < scene->prop_count; ++i)
   {
@@ -100,15 +100,15 @@ static inline void fuzz_scene(fuzz_input* from, water_prop* props, water_scene* 
   scene->slope_rms = fuzz_near(from, 0.1);
   scene->slope_max = fuzz_near(from, 0.5);
   scene->wave_height_max = fuzz_near(from, 0.0);
-  scene->guard_band = fuzz_near(from, 0.0);
+  scene->settings.guard_band = fuzz_near(from, 0.0);
   scene->look.constant_reflectance = fuzz_bool(from);
   scene->look.index_of_refraction = fuzz_near(from, 1.333);
   scene->look.reflectance = fuzz_near(from, 1.0);
-  scene->texture_scale = fuzz_near(from, 1.0);
+  scene->settings.texture_scale = fuzz_near(from, 1.0);
   scene->max_texture_px = fuzz_bool(from) ? fuzz_int(from) : 16384;
-  scene->clip_margin = fuzz_near(from, 0.0);
-  scene->prop_px_min = fuzz_near(from, 0.0);
-  scene->reflectance_error = fuzz_near(from, 0.0);
+  scene->settings.clip_margin = fuzz_near(from, 0.0);
+  scene->settings.prop_px_min = fuzz_near(from, 0.0);
+  scene->settings.reflectance_error = fuzz_near(from, 0.0);
   scene->surface_height = fuzz_near(from, 0.0);
 }
 

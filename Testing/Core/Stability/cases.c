@@ -399,7 +399,7 @@ void case_make(uint64_t seed, uint64_t number, stress_case* made)
   memcpy(scene->plane_origin, made->center, sizeof made->center);
   scene->viewport_px[0] = 1 + one_of(made, 4096);
   scene->viewport_px[1] = 1 + one_of(made, 4096);
-  scene->texture_scale = case_roll(made, 0.25, 2.0);
+  scene->settings.texture_scale = case_roll(made, 0.25, 2.0);
   scene->max_texture_px = 16384;
   scene->look.index_of_refraction = 1.333;
   scene->has_waves = one_of(made, 4) == 0;
@@ -407,8 +407,8 @@ void case_make(uint64_t seed, uint64_t number, stress_case* made)
   scene->slope_max = case_roll_decades(made, -3.0, 0.0);
   scene->is_flat = one_of(made, 2);
   scene->has_scene_depth = one_of(made, 2);
-  scene->clip_margin = one_of(made, 2) ? 0.0 : made->size * 1e-3;
-  scene->skips = WATER_MAY_SKIP_ALL;
+  scene->settings.clip_margin = one_of(made, 2) ? 0.0 : made->size * 1e-3;
+  scene->settings.skips = WATER_MAY_SKIP_ALL;
   roll_props(made);
   scene->props = made->props;
   scene->prop_count = CASE_PROPS;

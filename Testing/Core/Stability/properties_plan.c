@@ -2,6 +2,8 @@
 // properties_plan.c: what must hold of a plan: side, picture, clip, props.
 #include "properties.h"
 
+#include "water_mirror.h"
+
 #include <math.h>
 
 typedef struct place // a point on the water, in the eye's picture
@@ -141,7 +143,9 @@ void stress_picture(stress_case* of, const water_plan* plan, stress_record* reco
   quad texture[4];
   quad_apply(plan->mirrored.world_to_view, 3, at.world, 1, view);
   quad_apply(plan->mirrored.view_to_clip, 4, view, 1, clip);
-  quad_apply(plan->world_to_texture, 4, at.world, 1, texture);
+  double world_to_texture[16];
+  water_mirror_texture_matrix(&plan->mirrored, world_to_texture);
+  quad_apply(world_to_texture, 4, at.world, 1, texture);
   const double* to_clip = of->scene.eye.view_to_clip;
   // a place that is off by so much, seen by the rows of the projection
   const double off = 32.0 * stress_u * at.reach;
@@ -249,8 +253,8 @@ void stress_clip(stress_case* of, const water_plan* plan, stress_record* record)
 {
   quad point[3];
   roll_point(of, point);
-  const quad height = case_height(of, point) * of->side + (quad)of->scene.clip_margin;
-  const double reach = reach_of(of, point) + of->scene.clip_margin;
+  const quad height = case_height(of, point) * of->side + (quad)of->scene.settings.clip_margin;
+  const double reach = reach_of(of, point) + of->scene.settings.clip_margin;
   const double condition = reach / absolute(height);
   quad view[3];
   quad clip[4];

@@ -16,7 +16,7 @@
   X(DETERMINANT, "determinant of the mirrored view - 1", "reach", "absolute")                      \
   X(OWN_PLACE, "a point of the water in mirrored view space", "reach / depth", "per reach")        \
   X(OWN_PIXEL, "a point of the water on its own pixel", "reach / half a picture", "NDC")           \
-  X(MAP_PIXEL, "the same by world_to_texture", "reach / half a picture", "shares of the map")      \
+  X(MAP_PIXEL, "the same by the texture matrix", "reach / half a picture", "shares of the map")    \
   X(CLIP_HEIGHT, "height over the clip in mirrored view space", "reach / height", "per reach")     \
   X(CLIP_SIDE, "height over the clip in clip space", "bound / height", "per bound")                \
   X(EYE_SIDE, "side of the eye", "reach / height", "wrong sides")                                  \

@@ -17,7 +17,7 @@ int main(void)
     .props = &box,
     .prop_count = 1,
     .look = { .index_of_refraction = 1.333 },
-    .texture_scale = 1.0,
+    .settings = { .texture_scale = 1.0 },
     .max_texture_px = 4096,
   };
   water_plan plan;

@@ -72,9 +72,9 @@ struct Scene
     const double sheet[6] = { -1000.0, 1000.0, -1000.0, 1000.0, 0.0, 0.0 };
     std::memcpy(this->Made.surface_bounds, sheet, sizeof sheet);
     this->Made.look.index_of_refraction = 1.333;
-    this->Made.texture_scale = 1.0;
+    this->Made.settings.texture_scale = 1.0;
     this->Made.max_texture_px = 16384;
-    this->Made.skips = WATER_MAY_SKIP_ALL;
+    this->Made.settings.skips = WATER_MAY_SKIP_ALL;
     this->Made.props = this->Props.data();
     this->Made.prop_count = this->Props.size();
     this->Made.has_waves = hasWaves;

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// water_features.c: what a water's shader must do.
+#include "water_features.h"
+
+static bool has_waves(const water_feature_look* look)
+{
+  return look->has_sines || look->has_sea || look->has_normal_maps;
+}
+
+bool water_features_is_rough(const water_feature_look* look)
+{
+  return has_waves(look) || look->has_slope_variance;
+}
+
+bool water_features_needs_rays(const water_feature_look* look)
+{
+  return water_features_is_rough(look) || look->has_output || look->has_shadows;
+}
+
+bool water_features_is_displaced(const water_feature_look* look)
+{
+  return look->has_wave_geometry && look->has_sines;
+}
+
+static unsigned reflection_of(const water_feature_look* look)
+{
+  if (look->has_environment)
+  {
+    return WATER_FEATURE_ENVIRONMENT;
+  }
+  if (!water_features_needs_rays(look))
+  {
+    return 0;
+  }
+  return look->lookup == WATER_LOOKUP_RAY_TRACED ? WATER_FEATURE_RAY_TRACED : WATER_FEATURE_OFFSET;
+}
+
+static unsigned if_has(bool has, unsigned feature)
+{
+  return has ? feature : 0;
+}
+
+unsigned water_features_of(const water_feature_look* look)
+{
+  const bool is_rough = water_features_is_rough(look);
+  const bool is_clear = look->has_refraction && look->is_opaque;
+  const bool is_sunlit = (look->has_glitter && is_rough) || look->has_foam;
+  return reflection_of(look) | if_has(has_waves(look), WATER_FEATURE_WAVES) |
+    if_has(look->has_sea, WATER_FEATURE_SEA) |
+    if_has(look->has_normal_maps, WATER_FEATURE_NORMAL_MAPS) |
+    if_has(is_rough, WATER_FEATURE_ROUGH) |
+    if_has(water_features_is_displaced(look), WATER_FEATURE_DISPLACED) |
+    if_has(is_clear, WATER_FEATURE_MEDIUM) |
+    if_has(is_clear && has_waves(look) && look->has_caustics, WATER_FEATURE_CAUSTICS) |
+    if_has(look->has_glitter && is_rough, WATER_FEATURE_GLITTER) |
+    if_has(look->has_foam, WATER_FEATURE_FOAM) |
+    if_has(is_sunlit && look->has_shadows, WATER_FEATURE_SHADOWS) |
+    if_has(look->has_output, WATER_FEATURE_OUTPUT);
+}
+
+unsigned water_features_with_layer(unsigned features)
+{
+  return features | if_has((features & WATER_FEATURE_RAY_TRACED) != 0, WATER_FEATURE_TRANSLUCENT);
+}
+
+unsigned water_features_secondary(const water_feature_look* look)
+{
+  return WATER_FEATURE_ENVIRONMENT | if_has(water_features_is_rough(look), WATER_FEATURE_ROUGH);
+}

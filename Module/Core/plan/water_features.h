@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// water_features.h: beside the plan: what a water's shader must do, and which files that takes.
+//
+// A feature is a bit. The shader is a sequence of slots, each filled by one file of Module/GLSL or
+// by none: files and not branches, because software renderers execute both sides of a branch. The
+// list below is the only place that names files, their order and what each stands for; the shader
+// is put together from it, Documentation/architecture.md has its table, and a test compiles every
+// combination of water_features_of.
+#ifndef water_features_h
+#define water_features_h
+
+#include "water_types.h"
+
+#ifdef __cplusplus
+extern "C"
+{
+#endif
+
+enum // a bit each
+{
+  WATER_FEATURE_WAVES = 1 << 0,        // the normal is not the plane's
+  WATER_FEATURE_RAY_TRACED = 1 << 1,   // reflected rays are traced in the reflection texture
+  WATER_FEATURE_OFFSET = 1 << 2,       // it is looked up beside the calm place
+  WATER_FEATURE_ENVIRONMENT = 1 << 3,  // a static picture is reflected, or the background
+  WATER_FEATURE_MEDIUM = 1 << 4,       // the scene is seen through the surface
+  WATER_FEATURE_CAUSTICS = 1 << 5,     // waves gather light on it
+  WATER_FEATURE_GLITTER = 1 << 6,      // the sun in slopes that a pixel does not resolve
+  WATER_FEATURE_SEA = 1 << 7,          // a wind sea on a tile
+  WATER_FEATURE_NORMAL_MAPS = 1 << 8,  // one or two that move
+  WATER_FEATURE_ROUGH = 1 << 9,        // several facets a pixel
+  WATER_FEATURE_DISPLACED = 1 << 10,   // waves move the surface itself
+  WATER_FEATURE_FOAM = 1 << 11,        // at the shore and on crests
+  WATER_FEATURE_SHADOWS = 1 << 12,     // of things on glitter and foam
+  WATER_FEATURE_OUTPUT = 1 << 13,      // the pixel shows how it got its colour
+  WATER_FEATURE_TRANSLUCENT = 1 << 14, // the reflection texture has a layer of translucent things
+  WATER_FEATURE_COUNT = 15
+};
+
+// Files of the surface's fragment shader, in order: X(slot, file, any_of, none_of, what). A file is
+// there when the features have any of any_of (0: whatever they have) and none of none_of. In one
+// slot the conditions exclude each other.
+#define WATER_F(name) WATER_FEATURE_##name
+#define WATER_SURFACE_FILE_LIST(X)                                                                 \
+  X(optics, vtkWaterOptics, 0, 0, "Fresnel's law")                                                 \
+  X(cell, vtkWaterCell, WATER_F(DISPLACED), 0, "what a grid can hold of a wave")                   \
+  X(place, vtkWaterDisplacementFS, WATER_F(DISPLACED), 0, "place at rest, from the vertices")      \
+  X(place, vtkWaterNoDisplacementFS, 0, WATER_F(DISPLACED), "place at rest, from the pixel")       \
+  X(point, vtkWaterPointFS, 0, 0, "what all slots know of their pixel, and the background")        \
+  X(tile, vtkWaterTileFS, WATER_F(WAVES), 0, "slopes from a texture that repeats")                 \
+  X(sines, vtkWaterWavesFS, WATER_F(WAVES), 0, "sine and Gerstner waves")                          \
+  X(sea, vtkWaterSeaFS, WATER_F(SEA), 0, "wind sea")                                               \
+  X(sea, vtkWaterNoSeaFS, WATER_F(WAVES), WATER_F(SEA), "none")                                    \
+  X(normal_maps, vtkWaterNormalMapsFS, WATER_F(NORMAL_MAPS), 0, "normal maps that move")           \
+  X(normal_maps, vtkWaterNoNormalMapsFS, WATER_F(WAVES), WATER_F(NORMAL_MAPS), "none")             \
+  X(waves, vtkWaterRippleFS, WATER_F(WAVES), 0, "the normal, from the last three")                 \
+  X(waves, vtkWaterNoWavesFS, 0, WATER_F(WAVES), "calm: the plane's normal")                       \
+  X(output, vtkWaterOutputFS, WATER_F(OUTPUT), 0, "confidence, lookup or reflectance")             \
+  X(output, vtkWaterNoOutputFS, 0, WATER_F(OUTPUT), "colour")                                      \
+  X(reflection, vtkWaterEnvironmentFS, WATER_F(ENVIRONMENT), 0, "static environment")              \
+  X(reflection, vtkWaterRayTracedFS, WATER_F(RAY_TRACED), 0, "ray traced in the texture")          \
+  X(reflection, vtkWaterOffsetFS, WATER_F(OFFSET), 0, "offset lookup")                             \
+  X(reflection, vtkWaterMirrorFS, 0, WATER_F(ENVIRONMENT) | WATER_F(RAY_TRACED) | WATER_F(OFFSET), \
+    "calm: the pixel's own place")                                                                 \
+  X(layer, vtkWaterTranslucentLayerFS, WATER_F(TRANSLUCENT), 0, "translucent things, and blur")    \
+  X(layer, vtkWaterNoTranslucentLayerFS,                                                           \
+    WATER_F(ENVIRONMENT) | WATER_F(RAY_TRACED) | WATER_F(OFFSET), WATER_F(TRANSLUCENT), "none")    \
+  X(blur, vtkWaterBlurFS, WATER_F(RAY_TRACED) | WATER_F(OFFSET), WATER_F(TRANSLUCENT),             \
+    "facets blurred over their distance")                                                          \
+  X(blur, vtkWaterNoBlurFS, WATER_F(ENVIRONMENT), 0, "none")                                       \
+  X(caustics, vtkWaterCausticsFS, WATER_F(CAUSTICS), 0, "light that waves gather")                 \
+  X(caustics, vtkWaterNoCausticsFS, 0, WATER_F(CAUSTICS), "none")                                  \
+  X(medium, vtkWaterMediumFS, WATER_F(MEDIUM), 0, "the scene, refracted and dimmed")               \
+  X(medium, vtkWaterNoMediumFS, 0, WATER_F(MEDIUM), "the water's own colour")                      \
+  X(facets, vtkWaterFacetsFS, WATER_F(ROUGH), 0, "several facets a pixel")                         \
+  X(facets, vtkWaterNoFacetsFS, 0, WATER_F(ROUGH), "one")                                          \
+  X(shadows, vtkWaterShadowsFS, WATER_F(SHADOWS), 0, "of things on glitter and foam")              \
+  X(shadows, vtkWaterNoShadowsFS, 0, WATER_F(SHADOWS), "none")                                     \
+  X(glitter, vtkWaterGlitterFS, WATER_F(GLITTER), 0, "the sun's glitter")                          \
+  X(glitter, vtkWaterNoGlitterFS, 0, WATER_F(GLITTER), "none")                                     \
+  X(foam, vtkWaterFoamFS, WATER_F(FOAM), 0, "at the shore and on crests")                          \
+  X(foam, vtkWaterNoFoamFS, 0, WATER_F(FOAM), "none")                                              \
+  X(sun, vtkWaterSunFS, WATER_F(GLITTER) | WATER_F(FOAM), 0, "the sun on glitter and foam")        \
+  X(sun, vtkWaterNoSunFS, 0, WATER_F(GLITTER) | WATER_F(FOAM), "none")                             \
+  X(surface, vtkWaterSurfaceFS, 0, 0, "the pixel's colour, from all slots")
+
+// Files of its vertex shader, which moves the vertices, in order: the same, with
+// WATER_FEATURE_DISPLACED.
+#define WATER_DISPLACEMENT_FILE_LIST(X)                                                            \
+  X(cell, vtkWaterCell, WATER_F(DISPLACED), 0, "what a grid can hold of a wave")                   \
+  X(displacement, vtkWaterDisplacementVS, WATER_F(DISPLACED), 0, "moves vertices by the waves")
+
+// Is a file of the lists part of the shader of some features?
+static inline bool water_features_want(unsigned features, unsigned any_of, unsigned none_of)
+{
+  return (any_of == 0 || (features & any_of) != 0) && (features & none_of) == 0;
+}
+
+typedef enum water_lookup_kind
+{
+  WATER_LOOKUP_RAY_TRACED,
+  WATER_LOOKUP_OFFSET
+} water_lookup_kind;
+
+// What the features of a look depend on.
+typedef struct water_feature_look
+{
+  bool has_sines; // waves given one by one
+  bool has_sea;
+  bool has_normal_maps;
+  bool has_slope_variance;  // slopes that are given as a distribution
+  bool has_wave_geometry;   // sines move the surface
+  bool has_environment;     // a static picture is reflected
+  water_lookup_kind lookup; // of waves
+  bool has_refraction;
+  bool is_opaque; // drawn with the opaque geometry
+  bool has_caustics;
+  bool has_glitter;
+  bool has_foam;
+  bool has_shadows;
+  bool has_output; // other than the colour
+} water_feature_look;
+
+// Is the surface not smooth: has it waves of any kind, or slopes?
+bool water_features_is_rough(const water_feature_look* look);
+
+// Is the reflection looked up along rays? A calm look has no reasons, and sees no shadows.
+bool water_features_needs_rays(const water_feature_look* look);
+
+// Do waves move the surface itself?
+bool water_features_is_displaced(const water_feature_look* look);
+
+// The features of a water in the main view.
+unsigned water_features_of(const water_feature_look* look);
+
+// The same when the reflection texture that it looks up has a layer of translucent things.
+unsigned water_features_with_layer(unsigned features);
+
+// The same in the mirrored view of another water: the background, and the mean of all waves.
+unsigned water_features_secondary(const water_feature_look* look);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

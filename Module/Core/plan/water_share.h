@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// water_share.h: beside the plan: may two sheets of water share one mirrored view?
+#ifndef water_share_h
+#define water_share_h
+
+#include "water_types.h"
+
+#ifdef __cplusplus
+extern "C"
+{
+#endif
+
+typedef struct water_share
+{
+  water_plane plane;
+  double origin[3];     // of the plane's own axes, where waves count from
+  const void* look;     // tells whether two sheets have the same look
+  bool is_clear;        // the scene is seen through it
+  bool is_displaced;    // waves move the surface itself
+  bool is_opaque;       // drawn with the opaque geometry
+  bool needs_rays;      // not calm
+  bool has_environment; // reflects a static picture of the surroundings
+  water_settings settings;
+} water_share;
+
+// Would both have the same mirrored view, and look the same by it? Never two of which the eye may
+// be in one, when they are clear: which of them would it be in?
+//
+// eye_position  in world
+bool water_share_can(
+  const water_share* a, const water_share* b, const double eye_position[3], bool is_parallel);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

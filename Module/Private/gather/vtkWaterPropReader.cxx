@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkWaterPropReader.h"
+
+#include "vtkActor.h"
+#include "vtkInformation.h"
+#include "vtkInformationIntegerKey.h"
+#include "vtkMapper.h"
+#include "vtkMath.h"
+#include "vtkPropCollection.h"
+#include "vtkProperty.h"
+#include "vtkWaterPropKeys.h"
+#include "vtkWaterProps.h"
+#include "vtkWaterSource.h"
+#include "water_plane.h"
+
+#include <algorithm>
+
+namespace
+{
+// Is the prop the water that is mirrored at, another sheet of its plane, or an assembly with any
+// water?
+bool IsOfWater(vtkProp* prop, const vtkWaterSnapshot& mirrored)
+{
+  vtkWaterSource* source = vtkWaterSource::Of(prop);
+  if (!source)
+  {
+    return vtkWaterProps::HoldsWater(prop);
+  }
+  water_plane plane;
+  double origin[3];
+  source->ReadPlane(&plane, origin);
+  return prop == mirrored.Actor ||
+    water_plane_is_shared(&plane, origin, &mirrored.Plane, mirrored.Origin);
+}
+
+uint32_t ReadFlags(vtkProp* prop, const vtkWaterSnapshot& mirrored)
+{
+  uint32_t flags = prop->GetVisibility() ? static_cast<uint32_t>(WATER_PROP_VISIBLE) : 0u;
+  if (IsOfWater(prop, mirrored))
+  {
+    flags |= WATER_PROP_IS_WATER;
+  }
+  vtkInformation* keys = prop->GetPropertyKeys();
+  if (keys && keys->Has(vtkWaterPropKeys::NotReflected()) &&
+    keys->Get(vtkWaterPropKeys::NotReflected()) != 0)
+  {
+    flags |= WATER_PROP_NOT_REFLECTED;
+  }
+  if (prop->IsA("vtkActor2D"))
+  {
+    flags |= WATER_PROP_OVERLAY;
+  }
+  if (prop->IsA("vtkBillboardTextActor3D") || prop->IsA("vtkFlagpoleLabel"))
+  {
+    flags |= WATER_PROP_LABEL;
+  }
+  if (prop->IsA("vtkSkybox"))
+  {
+    flags |= WATER_PROP_NO_BOUNDS;
+  }
+  return flags;
+}
+
+// Are points of it drawn larger than its bounds know?
+bool HasSplats(vtkProp* prop)
+{
+  auto* actor = vtkActor::SafeDownCast(prop);
+  vtkMapper* mapper = actor ? actor->GetMapper() : nullptr;
+  return mapper &&
+    (mapper->IsA("vtkPointGaussianMapper") || mapper->IsA("vtkOpenGLSphereMapper") ||
+      mapper->IsA("vtkOpenGLStickMapper"));
+}
+
+// How wide points and lines are drawn, in pixels.
+float ReadWidth(vtkProp* prop)
+{
+  float width = 0.0f;
+  if (vtkPropCollection* parts = vtkWaterProps::GetParts(prop))
+  {
+    vtkCollectionSimpleIterator it;
+    parts->InitTraversal(it);
+    while (vtkProp* part = parts->GetNextProp(it))
+    {
+      width = std::max(width, ReadWidth(part));
+    }
+  }
+  else if (auto* actor = vtkActor::SafeDownCast(prop))
+  {
+    width = std::max(actor->GetProperty()->GetPointSize(), actor->GetProperty()->GetLineWidth());
+  }
+  return width;
+}
+}
+
+//------------------------------------------------------------------------------
+vtkProp* vtkWaterPropReader::FindDrawn(vtkProp* prop)
+{
+  vtkProp* other = vtkWaterProps::GetStandIn(prop);
+  return other && !vtkWaterProps::HoldsWater(other) ? other : prop;
+}
+
+//------------------------------------------------------------------------------
+water_prop vtkWaterPropReader::Read(
+  vtkProp* prop, vtkProp* drawn, const vtkWaterSnapshot& mirrored, bool isRefused)
+{
+  water_prop read;
+  read.flags = ReadFlags(prop, mirrored);
+  if (isRefused)
+  {
+    read.flags |= WATER_PROP_REFUSED;
+  }
+  read.width_px = ReadWidth(drawn);
+  vtkMath::UninitializeBounds(read.bounds);
+  const uint32_t noneNeeded = WATER_PROP_IS_WATER | WATER_PROP_NOT_REFLECTED | WATER_PROP_OVERLAY |
+    WATER_PROP_LABEL | WATER_PROP_REFUSED;
+  if ((read.flags & WATER_PROP_VISIBLE) && !(read.flags & noneNeeded))
+  {
+    const double* bounds = vtkWaterProps::GetBounds(drawn); // may bring a pipeline up to date
+    if (bounds && !vtkWaterProps::HasAny(drawn, HasSplats))
+    {
+      std::copy(bounds, bounds + 6, read.bounds);
+    }
+    else
+    {
+      read.flags |= WATER_PROP_NO_BOUNDS;
+    }
+  }
+  return read;
+}

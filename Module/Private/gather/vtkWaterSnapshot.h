@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkWaterSnapshot: all that a frame knows of a water, as plain data: the actor and its property
+// fill it once a frame, and nobody below them asks these classes for anything.
+#ifndef vtkWaterSnapshot_h
+#define vtkWaterSnapshot_h
+
+#include "vtkSmartPointer.h"
+#include "vtkTexture.h" // for members
+#include "vtkWaterNormalMaps.h"
+#include "water_features.h"
+#include "water_tile.h"
+#include "water_types.h"
+#include "water_waves.h"
+
+#include <memory>
+#include <vector>
+
+class vtkActor;
+class vtkObject;
+class vtkWaterSea;
+
+// Numbers as vtkWaterProperty has them.
+struct vtkWaterLook
+{
+  water_look Optics = water_look(); // constant 0 only if nothing is reflected
+  water_feature_look Has = water_feature_look();
+  double Opacity = 1.0;
+  double DeepColor[3] = {};
+  double Extinction[3] = {}; // absorption + scattering, 1/m
+  double ShoreSoftness = 0.0;
+  double SlopeVariance[3] = {}; // along, across a direction, degrees
+  double MeanSlopes[3] = {};    // variances xx, yy, xy of all slopes, at all times
+  double SlopeRMS = 0.0;
+  double SlopeLookedUp = 0.0; // water_scene.slope_max
+  double WaveNumber = 0.0;    // typical of the sines, rad/m; 0: not known
+  double WaveHeightMax = 0.0;
+  double WaveReach = 0.0; // how far steep waves move a point in the plane
+  int WaveGridSize = 0;
+  double Caustics = 0.0;
+  double FoamDepth = 0.0;
+  double FoamJacobian = 0.0; // crests are foam below it
+  double FoamColor[3] = {};
+  int Lookup = 0;
+  double OffsetScale = 0.0;
+  int RayTraceSteps = 0;
+  int RayTraceProbes = 0;
+  int Output = 0;
+  bool CastsShadows = false;   // what the reflection texture shows keeps light off glitter and foam
+  water_sea Sea = water_sea(); // in use if Has.has_sea
+  water_tile SeaTile = water_tile();
+  std::vector<vtkWaterNormalMaps::Layer> NormalMaps;
+  vtkSmartPointer<vtkTexture> Environment;
+  vtkSmartPointer<vtkObject> Property; // says what is wrong with them; compared
+};
+
+struct vtkWaterSnapshot
+{
+  vtkActor* Actor = nullptr;         // of the water: its mapper, VTK's property, its matrix
+  water_plane Plane = water_plane(); // of any scale
+  double Origin[3] = {};             // a point of it: the plane's own, unless that has an offset
+  double GivenOrigin[3] = {};        // as the user gave them, for errors
+  double GivenNormal[3] = {};
+  double Bounds[6] = { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 }; // min > max: it has no surface
+  bool IsSheet = false;                                   // the own one, and not moved
+  double Time = 0.0;                                      // s
+  vtkWaterLook Look;
+  unsigned Features = 0;                      // WATER_FEATURE_*
+  std::vector<water_wave_term> Waves;         // at the time
+  vtkWaterSea* Sea = nullptr;                 // the actor's; brought to the time by who needs it
+  water_settings Settings = water_settings(); // of its own pass
+
+  bool IsClear() const { return (this->Features & WATER_FEATURE_MEDIUM) != 0; }
+  bool IsDisplaced() const { return (this->Features & WATER_FEATURE_DISPLACED) != 0; }
+  bool IsRough() const { return (this->Features & WATER_FEATURE_ROUGH) != 0; }
+  bool NeedsRays() const { return water_features_needs_rays(&this->Look.Has); }
+};
+
+using vtkWaterSnapshotPointer = std::shared_ptr<const vtkWaterSnapshot>;
+
+#endif

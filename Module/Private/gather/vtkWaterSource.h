@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkWaterSource: what a water is to those below it: where its snapshot comes from, and who is told
+// what is wrong. vtkWaterActor implements it.
+#ifndef vtkWaterSource_h
+#define vtkWaterSource_h
+
+#include "vtkWaterSnapshot.h"
+
+#include <string>
+
+class vtkProp;
+class vtkRenderer;
+class vtkWaterReflection;
+
+struct vtkWaterError
+{
+  std::string Kind; // the same for the same error with another value; empty: no error
+  std::string Text; // with the value
+};
+
+class vtkWaterSource
+{
+public:
+  virtual ~vtkWaterSource() = default;
+
+  // The source of a prop that is a water; nullptr: it is none. Defined by vtkWaterActor, the only
+  // one who knows.
+  static vtkWaterSource* Of(vtkProp* prop);
+
+  virtual vtkActor* GetProp() = 0;
+
+  // The water in the frame that is being rendered; the same all through it, unless it is changed.
+  virtual vtkWaterSnapshotPointer Take(vtkRenderer* renderer) = 0;
+
+  // Two questions that need no snapshot: they are asked of waters that are not drawn, too.
+  virtual void ReadPlane(water_plane* plane, double origin[3]) = 0;
+  virtual bool IsClear() = 0; // is the scene seen through it?
+
+  // Says an error once until it changes or goes away (empty).
+  //
+  // renderer  of the plan that failed; nullptr: it is the sheet
+  virtual void Report(vtkRenderer* renderer, const vtkWaterError& error) = 0;
+  virtual bool HasSheetError() const = 0;
+
+  // Draws the surface to be counted, without a trace.
+  virtual void Probe(vtkRenderer* renderer) = 0;
+
+  // The mirrored view of its own pass, and of one composed by hand that has taken charge; nullptr:
+  // none has.
+  virtual vtkWaterReflection& GetOwnReflection() = 0;
+  virtual vtkWaterReflection* GetComposedReflection() = 0;
+  virtual void ForgetComposedPass() = 0;
+};
+
+#endif

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkWaterProps.h"
+
+#include "vtkActor.h"
+#include "vtkAssembly.h"
+#include "vtkDataObject.h"
+#include "vtkInformation.h"
+#include "vtkInformationObjectBaseKey.h"
+#include "vtkMapper.h"
+#include "vtkNew.h"
+#include "vtkProp3DCollection.h"
+#include "vtkPropAssembly.h"
+#include "vtkPropCollection.h"
+#include "vtkRenderer.h"
+#include "vtkTrivialProducer.h"
+#include "vtkVersionMacros.h"
+#include "vtkWaterAccess.h"
+#include "vtkWaterPropKeys.h"
+
+#include <algorithm>
+#include <cstring>
+
+//------------------------------------------------------------------------------
+vtkProp* vtkWaterProps::GetStandIn(vtkProp* prop)
+{
+  vtkInformation* keys = prop->GetPropertyKeys();
+  return keys && keys->Has(vtkWaterPropKeys::StandIn())
+    ? vtkProp::SafeDownCast(keys->Get(vtkWaterPropKeys::StandIn()))
+    : nullptr;
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterProps::DropOwnStandIns(vtkPropCollection* props)
+{
+  vtkCollectionSimpleIterator it;
+  props->InitTraversal(it);
+  while (vtkProp* prop = props->GetNextProp(it))
+  {
+    if (GetStandIn(prop) == prop)
+    {
+      prop->GetPropertyKeys()->Remove(vtkWaterPropKeys::StandIn());
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterProps::ForEach(vtkPropCollection* props, const std::function<void(vtkProp*)>& function)
+{
+  vtkCollectionSimpleIterator it;
+  props->InitTraversal(it);
+  while (vtkProp* prop = props->GetNextProp(it))
+  {
+    function(prop);
+    if (vtkProp* drawn = GetStandIn(prop))
+    {
+      function(drawn);
+    }
+    if (prop->IsA("vtkAxesActor"))
+    {
+      // the one prop with parts that does not hand its keys on to them
+      vtkNew<vtkPropCollection> parts;
+      prop->GetActors(parts);
+      ForEach(parts, function);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkWaterProps::HasAny(vtkProp* prop, bool (*has)(vtkProp*))
+{
+  vtkPropCollection* parts = GetParts(prop);
+  if (!parts)
+  {
+    return has(prop);
+  }
+  vtkCollectionSimpleIterator it;
+  parts->InitTraversal(it);
+  while (vtkProp* part = parts->GetNextProp(it))
+  {
+    if (HasAny(part, has))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+//------------------------------------------------------------------------------
+const double* vtkWaterProps::GetBounds(vtkProp* prop)
+{
+  // what is derived from it may have bounds of its own
+  if (std::strcmp(prop->GetClassName(), "vtkOpenGLActor") == 0)
+  {
+    auto* actor = static_cast<vtkActor*>(prop);
+    vtkMapper* mapper = actor->GetMapper();
+    const bool hasData = mapper && IsInWorld(actor) &&
+      std::strcmp(mapper->GetClassName(), "vtkOpenGLPolyDataMapper") == 0 &&
+      mapper->GetNumberOfInputConnections(0) == 1 &&
+      vtkTrivialProducer::SafeDownCast(mapper->GetInputAlgorithm(0, 0));
+    vtkDataObject* data = hasData ? mapper->GetInputDataObject(0, 0) : nullptr;
+    if (data &&
+      std::max({ actor->GetMTime(), mapper->GetMTime(), data->GetMTime() }) <
+        vtkWaterAccess::Actor::BoundsTimeOf(actor))
+    {
+      return vtkWaterAccess::Actor::BoundsOf(actor);
+    }
+  }
+  return prop->GetBounds();
+}
+
+//------------------------------------------------------------------------------
+bool vtkWaterProps::IsInWorld(vtkProp3D* prop)
+{
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
+  return prop->GetCoordinateSystem() == vtkProp3D::WORLD;
+#else
+  return prop != nullptr; // there is nothing else
+#endif
+}
+
+//------------------------------------------------------------------------------
+vtkPropCollection* vtkWaterProps::GetParts(vtkProp* prop)
+{
+  if (auto* assembly = vtkAssembly::SafeDownCast(prop))
+  {
+    return assembly->GetParts();
+  }
+  auto* assembly = vtkPropAssembly::SafeDownCast(prop);
+  return assembly ? assembly->GetParts() : nullptr;
+}
+
+//------------------------------------------------------------------------------
+bool vtkWaterProps::HoldsWater(vtkProp* prop)
+{
+  return HasAny(prop, [](vtkProp* part) { return part->IsA("vtkWaterActor") != 0; });
+}
+
+//------------------------------------------------------------------------------
+bool vtkWaterProps::HoldsVolume(vtkProp* prop)
+{
+  return HasAny(prop, [](vtkProp* part) {
+    const vtkNew<vtkPropCollection> volumes;
+    part->GetVolumes(volumes);
+    return volumes->GetNumberOfItems() > 0;
+  });
+}
+
+//------------------------------------------------------------------------------
+vtkWaterDrawnProps::vtkWaterDrawnProps(vtkRenderer* renderer)
+  : Begin(vtkWaterAccess::Renderer::PropsOf(renderer))
+  , End(this->Begin ? this->Begin + vtkWaterAccess::Renderer::PropCountOf(renderer) : nullptr)
+{
+}
+
+//------------------------------------------------------------------------------
+vtkProp** vtkWaterDrawnProps::Find(vtkProp* prop) const
+{
+  return std::find(this->Begin, this->End, prop);
+}

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkWaterProps: props and their parts, and what a renderer draws of them.
+#ifndef vtkWaterProps_h
+#define vtkWaterProps_h
+
+#include <functional>
+
+class vtkProp;
+class vtkProp3D;
+class vtkPropCollection;
+class vtkRenderer;
+
+namespace vtkWaterProps
+{
+// What is drawn for a prop in the mirrored view, as its keys say
+// (vtkWaterReflectionPass::STAND_IN); nullptr: the prop itself.
+vtkProp* GetStandIn(vtkProp* prop);
+
+// A prop that stands in for itself would never die: it holds its keys, and they hold it.
+void DropOwnStandIns(vtkPropCollection* props);
+
+// Calls back for all props, what stands in for them, and the parts that do not get their keys from
+// the prop.
+void ForEach(vtkPropCollection* props, const std::function<void(vtkProp*)>& function);
+
+// The parts of a prop that is an assembly of any kind; nullptr: it is none.
+vtkPropCollection* GetParts(vtkProp* prop);
+
+// Does a prop, or a part of it, have a property?
+bool HasAny(vtkProp* prop, bool (*has)(vtkProp*));
+
+// Is the prop a water, or is one among its parts? Such an assembly must not be asked for its
+// bounds, nor drawn again, while it is being drawn: it would rebuild the list that it walks.
+bool HoldsWater(vtkProp* prop);
+
+// Is it a volume, or is one among its parts or levels of detail?
+bool HoldsVolume(vtkProp* prop);
+
+// Does the prop's place count in the world, and not on the device or in a room?
+bool IsInWorld(vtkProp3D* prop);
+
+// vtkProp::GetBounds, which asks the pipeline whether it is up to date: ten times as long as all
+// else that is read of a prop. Of an actor that shows data as it is given, the data's time tells.
+const double* GetBounds(vtkProp* prop);
+}
+
+// What a renderer draws in this frame, in its order, which may be changed.
+struct vtkWaterDrawnProps
+{
+  explicit vtkWaterDrawnProps(vtkRenderer* renderer);
+
+  vtkProp** Find(vtkProp* prop) const;
+  bool Has(vtkProp* prop) const { return this->Find(prop) != this->End; }
+
+  vtkProp** Begin;
+  vtkProp** End;
+};
+
+#endif

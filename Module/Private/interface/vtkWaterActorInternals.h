@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkWaterActorInternals.h: what vtkWaterActor keeps besides what is set, for its source files: the
+// source of its snapshots, its surface, and what is wrong with it.
+#ifndef vtkWaterActorInternals_h
+#define vtkWaterActorInternals_h
+
+#include "vtkRenderer.h"
+#include "vtkWaterActor.h"
+#include "vtkWaterGrid.h"
+#include "vtkWaterReflectionPass.h"
+#include "vtkWaterSea.h"
+#include "vtkWaterSecondarySurface.h"
+#include "vtkWaterSheet.h"
+#include "vtkWaterSource.h"
+#include "vtkWaterSurfaceShader.h"
+#include "vtkWeakPointer.h"
+
+#include <string>
+#include <vector>
+
+struct vtkWaterActor::Internals : public vtkWaterSource
+{
+  struct SourcedError
+  {
+    std::string Kind; // the same for the same error with another value
+    std::string Text;
+    vtkWeakPointer<vtkRenderer> Renderer;
+    bool IsOfSheet = false; // and of no renderer
+  };
+
+  explicit Internals(vtkWaterActor* self)
+    : Self(self)
+  {
+  }
+
+  vtkActor* GetProp() override { return this->Self; }
+  vtkWaterSnapshotPointer Take(vtkRenderer* renderer) override;
+  void ReadPlane(water_plane* plane, double origin[3]) override;
+  bool IsClear() override;
+  void Report(vtkRenderer* renderer, const vtkWaterError& error) override;
+  bool HasSheetError() const override;
+  void Probe(vtkRenderer* renderer) override;
+  vtkWaterReflection& GetOwnReflection() override;
+  vtkWaterReflection* GetComposedReflection() override;
+  void ForgetComposedPass() override { this->Self->ComposedPass = nullptr; }
+
+  // Do waves move the surface itself?
+  bool IsDisplaced() const;
+  // The waves at the actor's time.
+  std::vector<water_wave_term> GetWaveTerms() const;
+  // The wind sea at the actor's time; nullptr when it is off.
+  vtkWaterSea* GetSeaAtTime();
+  // The own sheet as this eye sees it; a user's mapper is drawn as it is.
+  vtkMapper* LayGrid(const vtkWaterSnapshot& water, const water_grid_view& view, vtkMapper* mapper);
+  // Draws the surface with its shader, or with the plain one when the driver refuses that.
+  void DrawSurface(vtkWaterSurfaceShader& surface, vtkRenderer* renderer, vtkMapper* mapper);
+
+  vtkWaterActor* Self;
+  vtkWaterSheet Sheet;
+  vtkWaterGrid Grid; // the sheet when it is displaced
+  vtkWaterSurfaceShader Surface;
+  vtkWaterSecondarySurface Secondary;
+  vtkWaterSea Sea;
+  std::vector<SourcedError> Errors;
+  bool IsUpdatingSheet = false;
+  vtkMTimeType FittedFrame = 0; // of which the sheet is
+  bool IsProbing = false;       // is drawn only to be counted
+  vtkWaterSnapshotPointer Snapshot;
+  vtkMTimeType SnapshotFrame = 0;
+  vtkMTimeType SnapshotTime = 0; // of the last change
+};
+
+#endif

@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkWaterReflection.cxx: what is kept from frame to frame, and what others ask of it; the five
+// steps are in vtkWaterReflectionSteps.cxx.
+#include "vtkWaterReflection.h"
+
+#include "vtkCamera.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLRenderer.h"
+#include "vtkTextureObject.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace
+{
+bool IsSecondEye(vtkRenderer* renderer)
+{
+  vtkCamera* camera = renderer->GetActiveCamera();
+  return camera->GetStereo() && !camera->GetLeftEye();
+}
+}
+
+//------------------------------------------------------------------------------
+vtkWaterReflection::UserSettings::UserSettings()
+  : water_settings()
+{
+  this->texture_scale = 1.0;
+  this->reflectance_error = 0.5 / 255.0; // which no picture of 8 bits shows
+  this->skips = WATER_MAY_SKIP_ALL;
+  this->multi_samples = -1;
+  this->target_error_px = 1.0;
+  this->time_budget_ms = 10.0;
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterReflection::ForgetTimes()
+{
+  const FrameReport none;
+  this->Report.GatherTime = none.GatherTime;
+  this->Report.PlanTime = none.PlanTime;
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterReflection::Decline(water_decision decision)
+{
+  this->Report.Decision = decision;
+  this->HasView = false;
+}
+
+//------------------------------------------------------------------------------
+vtkWaterReflection::ViewPointer vtkWaterReflection::GetView(vtkRenderer* renderer)
+{
+  const Eye eye(renderer, IsSecondEye(renderer));
+  for (auto it = this->Views.begin(); it != this->Views.end();)
+  {
+    it = it->second->Renderer || it->first == eye ? std::next(it) : this->Views.erase(it);
+  }
+  ViewPointer& view = this->Views[eye];
+  if (!view)
+  {
+    view = std::make_shared<View>();
+  }
+  view->Renderer = renderer;
+  return view;
+}
+
+//------------------------------------------------------------------------------
+vtkWaterReflection::View* vtkWaterReflection::GetPlannedView()
+{
+  auto found = this->Views.find(Eye(this->PlannedFor, this->PlannedForSecondEye));
+  return found == this->Views.end() ? nullptr : found->second.get();
+}
+
+//------------------------------------------------------------------------------
+vtkOpenGLRenderWindow* vtkWaterReflection::GetWindowOf(View* view) const
+{
+  vtkRenderer* renderer = view ? view->Renderer.Get() : nullptr;
+  return vtkOpenGLRenderWindow::SafeDownCast(renderer ? renderer->GetRenderWindow() : nullptr);
+}
+
+//------------------------------------------------------------------------------
+bool vtkWaterReflection::IsFresh(
+  vtkRenderer* renderer, vtkMTimeType frame, const vtkProp* water) const
+{
+  const auto& waters = this->PlannedWaters;
+  if (this->PlannedFor != renderer || this->PlannedFrame == 0 || this->PlannedFrame != frame ||
+    std::find(waters.begin(), waters.end(), water) == waters.end())
+  {
+    return false;
+  }
+  const water_camera eye = vtkWaterGather::ReadCamera(renderer);
+  const water_camera& planned = this->Gathered.Scene.eye;
+  // bit by bit: a camera with NaN is the same camera, not a new one for every draw
+  return std::memcmp(eye.world_to_view, planned.world_to_view, sizeof eye.world_to_view) == 0 &&
+    std::memcmp(eye.view_to_clip, planned.view_to_clip, sizeof eye.view_to_clip) == 0;
+}
+
+//------------------------------------------------------------------------------
+bool vtkWaterReflection::IsUnseen(
+  vtkRenderer* renderer, vtkMTimeType frame, const vtkProp* water) const
+{
+  return water_decision_is_unseen(this->Report.Decision) && !this->HasView &&
+    this->IsFresh(renderer, frame, water);
+}
+
+//------------------------------------------------------------------------------
+const water_plan* vtkWaterReflection::GetFreshPlan(
+  vtkRenderer* renderer, vtkMTimeType frame, const vtkProp* water) const
+{
+  return this->HasView && this->IsFresh(renderer, frame, water) ? &this->Plan : nullptr;
+}
+
+//------------------------------------------------------------------------------
+vtkWaterSurfaceShader::Inputs vtkWaterReflection::GetInputs(
+  vtkRenderer* renderer, vtkMTimeType frame, const vtkProp* water)
+{
+  auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
+  vtkWaterMirroredView& mirrored = this->GetView(renderer)->Mirrored;
+  vtkWaterSurfaceShader::Inputs inputs;
+  inputs.Renderer = static_cast<vtkOpenGLRenderer*>(renderer);
+  inputs.Fog = &mirrored.GetFog();
+  inputs.Plan = this->GetFreshPlan(renderer, frame, water);
+  const bool hasTexture = inputs.Plan && water_plan_has_reflection(inputs.Plan);
+  inputs.Reflection = hasTexture ? mirrored.GetColor() : mirrored.GetBlank(window);
+  inputs.ReflectionDepth = mirrored.GetDepth();
+  if (vtkWaterTranslucentLayer* layer = mirrored.GetLayer())
+  {
+    inputs.Translucent = { layer->GetOpaque(), layer->GetColor(), layer->GetDepth() };
+  }
+  inputs.MostSteps = this->Quality.ray_steps;
+  inputs.MostProbes = this->Quality.ray_probes;
+  return inputs;
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterReflection::DrawCorner(vtkRenderer* renderer, vtkMTimeType frame, const vtkProp* water)
+{
+  const water_plan* plan = this->GetFreshPlan(renderer, frame, water);
+  if (plan && water_plan_has_reflection(plan))
+  {
+    vtkWaterMirroredView& mirrored = this->GetView(renderer)->Mirrored;
+    mirrored.GetBackground().DrawCorner(renderer, mirrored.GetColor());
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkWaterOcclusion* vtkWaterReflection::GetOcclusion(vtkRenderer* renderer)
+{
+  return &this->GetView(renderer)->Occlusion;
+}
+
+//------------------------------------------------------------------------------
+vtkWaterGpuQueries* vtkWaterReflection::GetGpuQueries(vtkRenderer* renderer)
+{
+  vtkWaterGpuQueries* queries = &this->GetView(renderer)->Mirrored.GetGpuQueries();
+  queries->SetOn(this->Settings.IsInstrumented ||
+    this->Settings.quality == WATER_QUALITY_TIME_BUDGET ||
+    this->Settings.quality == WATER_QUALITY_UPDATE_RATE);
+  return queries;
+}
+
+//------------------------------------------------------------------------------
+bool vtkWaterReflection::ShouldWait(vtkRenderer* renderer, double visible_px)
+{
+  return water_plan_should_wait(
+    &this->GetView(renderer)->DrawnPlan, visible_px, this->Settings.skips);
+}
+
+//------------------------------------------------------------------------------
+vtkTextureObject* vtkWaterReflection::GetColor()
+{
+  View* view = this->GetPlannedView();
+  return view ? view->Mirrored.GetColor() : nullptr;
+}
+
+//------------------------------------------------------------------------------
+vtkTextureObject* vtkWaterReflection::GetDepth()
+{
+  View* view = this->GetPlannedView();
+  return view ? view->Mirrored.GetDepth() : nullptr;
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterReflection::ReleaseGraphicsResources(vtkWindow* window)
+{
+  for (auto it = this->Views.begin(); it != this->Views.end();)
+  {
+    vtkRenderer* renderer = it->second->Renderer;
+    if (renderer && window && renderer->GetRenderWindow() && renderer->GetRenderWindow() != window)
+    {
+      ++it;
+      continue;
+    }
+    const ViewPointer view = it->second;
+    it = this->Views.erase(it);
+    this->PlannedFrame = renderer == this->PlannedFor ? 0 : this->PlannedFrame;
+    if (!view->Mirrored.GetIsDrawing()) // else Commit does it
+    {
+      view->Mirrored.ReleaseGraphicsResources(window);
+    }
+    if (window)
+    {
+      view->Occlusion.ReleaseGraphicsResources();
+    }
+  }
+}

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkWaterReflection: the mirrored views of one pass, each in five steps: gather, plan, revise,
+// draw, commit. What is decided is decided by the core, before the third step ends.
+#ifndef vtkWaterReflection_h
+#define vtkWaterReflection_h
+
+#include "vtkOpenGLRenderWindow.h" // for templates
+#include "vtkSmartPointer.h"
+#include "vtkWaterGather.h"
+#include "vtkWaterMirroredView.h"
+#include "vtkWaterOcclusion.h"
+#include "vtkWaterSignature.h"
+#include "vtkWaterSource.h"
+#include "vtkWaterSurfaceShader.h"
+#include "vtkWeakPointer.h"
+#include "water_quality.h"
+
+#include <limits>
+#include <map>
+#include <memory>
+#include <utility>
+#include <vector>
+
+class vtkRenderer;
+
+class vtkWaterReflection : public std::enable_shared_from_this<vtkWaterReflection>
+{
+public:
+  // What the pass has set.
+  struct UserSettings : public water_settings
+  {
+    UserSettings();
+    bool IsInstrumented = false; // times and numbers are taken
+  };
+  UserSettings Settings;
+
+  // Of the last frame, for whoever asks the pass.
+  struct FrameReport
+  {
+    water_decision Decision = WATER_NOT_PLANNED;
+    int QualityStep = WATER_QUALITY_NO_STEP;
+    double TextureScale = 1.0;
+    double GatherTime = std::numeric_limits<double>::quiet_NaN(); // ms
+    double PlanTime = std::numeric_limits<double>::quiet_NaN();
+    int ReasonCounts[WATER_CULL_REASON_COUNT] = {};
+    vtkIdType RenderCount = 0; // ever
+  };
+  const FrameReport& GetReport() const { return this->Report; }
+  void ForgetTimes();
+  const water_plan& GetPlan() const { return this->Plan; }
+
+  // A frame in which a mirrored view is wanted.
+  struct Frame
+  {
+    vtkRenderer* Renderer = nullptr;
+    vtkMTimeType Number = 0; // 0: none was begun
+    int Viewport_px[2] = {};
+    vtkWaterShaderHook* Hook = nullptr;
+    vtkWaterFrameHints Hints;
+  };
+
+  // Renders the mirrored view of waters in one plane for the renderer's active camera, unless the
+  // plan says that it is not needed, and tells each of them what was wrong.
+  void Render(const Frame& frame, const std::vector<vtkWaterSource*>& waters);
+
+  // There is no view, for a reason that is known without a plan.
+  void Decline(water_decision decision);
+
+  // Was the frame planned for this water and the renderer's active camera?
+  //
+  // frame  its number
+  bool IsFresh(vtkRenderer* renderer, vtkMTimeType frame, const vtkProp* water) const;
+
+  // Is it known of the frame that no pixel of the water is seen?
+  bool IsUnseen(vtkRenderer* renderer, vtkMTimeType frame, const vtkProp* water) const;
+
+  // What a water of the frame is shaded with. Plan: nullptr when it has no view.
+  vtkWaterSurfaceShader::Inputs GetInputs(
+    vtkRenderer* renderer, vtkMTimeType frame, const vtkProp* water);
+
+  // Shows the reflection texture in a corner of the renderer's viewport.
+  void DrawCorner(vtkRenderer* renderer, vtkMTimeType frame, const vtkProp* water);
+
+  // How much is seen of the water that owns the pass, and what its draws take.
+  vtkWaterOcclusion* GetOcclusion(vtkRenderer* renderer);
+  vtkWaterGpuQueries* GetGpuQueries(vtkRenderer* renderer);
+
+  // Should the next mirrored view wait for the main one? By how much of the water was seen.
+  bool ShouldWait(vtkRenderer* renderer, double visible_px);
+
+  // Of the last mirrored view; nullptr before the first.
+  vtkTextureObject* GetColor();
+  vtkTextureObject* GetDepth();
+
+  // What the GPU queries of the last planned view say, if times and numbers are taken, with the
+  // context that they measured in: another window's may be current.
+  template <typename Value, typename Question>
+  Value Ask(Value none, Question question);
+
+  void ReleaseGraphicsResources(vtkWindow* window);
+
+private:
+  struct View // what belongs to one eye of a renderer
+  {
+    View() { water_quality_begin(&this->Quality); }
+
+    vtkWeakPointer<vtkRenderer> Renderer;
+    vtkWaterMirroredView Mirrored;
+    water_plan DrawnPlan = water_plan(); // what the reflection texture shows was drawn by it
+    vtkWaterSignature DrawnSignature;
+    bool HasLevels = false;
+    vtkWaterOcclusion Occlusion;
+    water_quality_memory Quality;
+  };
+  using ViewPointer = std::shared_ptr<View>; // shared: a view in use outlives its release
+  using Eye = std::pair<vtkRenderer*, bool>; // is it the second of two?
+
+  struct Attempt // at a mirrored view
+  {
+    std::vector<vtkWaterSnapshotPointer> Waters;
+    ViewPointer Drawn;
+    vtkWaterError Error; // of the plan
+    vtkWaterSignature Signature;
+    vtkWaterMirroredView::Draft Draft;
+    const char* Failure = nullptr;
+  };
+
+  void Gather(const Frame& frame, const std::vector<vtkWaterSource*>& waters, Attempt& attempt);
+  void ChooseQuality(const Frame& frame, View& view);
+  void MakePlan(const Frame& frame, Attempt& attempt);
+  void Revise(const Frame& frame, Attempt& attempt);
+  void Draw(const Frame& frame, Attempt& attempt);
+  vtkWaterError Commit(const Frame& frame, Attempt& attempt);
+  void FindDrawn(vtkRenderer* renderer, Attempt& attempt);
+  ViewPointer GetView(vtkRenderer* renderer);
+  View* GetPlannedView();
+  const water_plan* GetFreshPlan(
+    vtkRenderer* renderer, vtkMTimeType frame, const vtkProp* water) const;
+  vtkOpenGLRenderWindow* GetWindowOf(View* view) const;
+
+  std::map<Eye, ViewPointer> Views;
+  vtkWaterGather Gathered;
+  std::vector<water_cull_reason> Reasons;
+  water_plan Plan = water_plan(); // of the last frame; const from the third step on
+  bool HasView = false;           // the plan's, unless it could not be carried out
+  water_quality_choice Quality = water_quality_choice();
+  FrameReport Report;
+  vtkWeakPointer<vtkRenderer> PlannedFor;
+  bool PlannedForSecondEye = false;
+  std::vector<const vtkProp*> PlannedWaters; // compared only
+  vtkMTimeType PlannedFrame = 0;
+};
+
+//------------------------------------------------------------------------------
+template <typename Value, typename Question>
+Value vtkWaterReflection::Ask(Value none, Question question)
+{
+  View* view = this->Settings.IsInstrumented ? this->GetPlannedView() : nullptr;
+  vtkOpenGLRenderWindow* window = this->GetWindowOf(view);
+  if (!window)
+  {
+    return none;
+  }
+  window->PushContext();
+  const Value value = question(view->Mirrored.GetGpuQueries());
+  window->PopContext();
+  return value;
+}
+
+#endif

@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkWaterReflectionSteps.cxx: the part of vtkWaterReflection that renders a mirrored view, in five
+// steps: gather, plan, revise, draw, commit.
+#include "vtkCamera.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLRenderer.h"
+#include "vtkProp.h"
+#include "vtkTimerLog.h"
+#include "vtkWaterErrors.h"
+#include "vtkWaterGL.h"
+#include "vtkWaterReflection.h"
+#include "vtkWaterShaderHook.h"
+#include "vtkWaterShadows.h"
+
+#include <algorithm>
+
+//------------------------------------------------------------------------------
+void vtkWaterReflection::Render(const Frame& frame, const std::vector<vtkWaterSource*>& waters)
+{
+  // drawing runs the user's observers, who may drop any of these
+  const std::shared_ptr<vtkWaterReflection> self = this->shared_from_this();
+  std::vector<vtkSmartPointer<vtkProp>> held;
+  for (vtkWaterSource* water : waters)
+  {
+    held.emplace_back(water->GetProp());
+  }
+  frame.Hook->Failures.TakeMirrored(); // of another view
+  vtkWaterError error;
+  bool isAgain = false;
+  do
+  {
+    Attempt attempt;
+    this->Gather(frame, waters, attempt);
+    this->MakePlan(frame, attempt);
+    const bool isReflecting = this->Plan.decision == WATER_REFLECT;
+    if (isReflecting)
+    {
+      this->Revise(frame, attempt);
+      this->Draw(frame, attempt);
+    }
+    // what was refused in this view is left out of a second one
+    isAgain = isReflecting && frame.Hook->Failures.TakeMirrored() && !isAgain &&
+      !frame.Renderer->GetRenderWindow()->GetAbortRender();
+    if (!isAgain)
+    {
+      error = this->Commit(frame, attempt);
+    }
+  } while (isAgain);
+  for (vtkWaterSource* water : waters)
+  {
+    water->Report(frame.Renderer, error);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterReflection::Gather(
+  const Frame& frame, const std::vector<vtkWaterSource*>& waters, Attempt& attempt)
+{
+  if (frame.Hints.HasSceneDepth)
+  {
+    glFlush(); // the picture is drawn while the reflection is planned
+  }
+  const double begun = this->Settings.IsInstrumented ? vtkTimerLog::GetUniversalTime() : 0.0;
+  for (vtkWaterSource* water : waters)
+  {
+    attempt.Waters.push_back(water->Take(frame.Renderer));
+  }
+  this->Gathered.Read(frame.Renderer, attempt.Waters, frame.Viewport_px, this->Settings,
+    frame.Hints, [&frame](vtkProp* prop) { return frame.Hook->Failures.Has(prop); });
+  attempt.Drawn = this->GetView(frame.Renderer);
+  this->ChooseQuality(frame, *attempt.Drawn);
+  if (this->Settings.IsInstrumented)
+  {
+    this->Report.GatherTime = 1000.0 * (vtkTimerLog::GetUniversalTime() - begun);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterReflection::ChooseQuality(const Frame& frame, View& view)
+{
+  // a view that was used again took no time
+  const bool wasRendered = this->Report.Decision == WATER_REFLECT;
+  vtkWaterGpuQueries& queries = view.Mirrored.GetGpuQueries();
+  water_scene& scene = this->Gathered.Scene;
+  water_quality_request request = water_quality_request();
+  request.mode = this->Settings.quality;
+  request.texture_scale = this->Settings.texture_scale;
+  request.target_error_px = this->Settings.target_error_px;
+  request.budget_ms = frame.Hints.BudgetMs;
+  if (request.mode == WATER_QUALITY_TARGET_ERROR)
+  {
+    water_quality_roughness(&scene, &view.DrawnPlan, this->Gathered.WaveNumber, &request.roughness);
+  }
+  else if (request.mode != WATER_QUALITY_FIXED)
+  {
+    request.measured_ms = queries.GetTime(vtkWaterGpuQueries::SURFACE) +
+      (wasRendered ? queries.GetTime(vtkWaterGpuQueries::REFLECTION) : 0.0);
+  }
+  water_quality_choose(&request, &view.Quality, &this->Quality);
+  scene.settings.texture_scale = this->Quality.texture_scale;
+  this->Report.QualityStep = this->Quality.step;
+  this->Report.TextureScale = this->Quality.texture_scale;
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterReflection::MakePlan(const Frame& frame, Attempt& attempt)
+{
+  const double begun = this->Settings.IsInstrumented ? vtkTimerLog::GetUniversalTime() : 0.0;
+  this->Reasons.assign(this->Gathered.Props.size(), WATER_CULL_NONE);
+  const water_status status =
+    water_plan_make(&this->Gathered.Scene, &this->Plan, this->Reasons.data());
+  if (status != WATER_OK)
+  {
+    attempt.Error = vtkWaterDescribe(status, *attempt.Waters.front(), &this->Gathered, &this->Plan);
+  }
+  if (this->Settings.IsInstrumented)
+  {
+    this->Report.PlanTime = 1000.0 * (vtkTimerLog::GetUniversalTime() - begun);
+  }
+  this->Report.Decision = this->Plan.decision;
+  this->HasView = this->Plan.has_view;
+  this->GetGpuQueries(frame.Renderer); // turns them on or off
+  vtkCamera* camera = frame.Renderer->GetActiveCamera();
+  this->PlannedFor = frame.Renderer;
+  this->PlannedForSecondEye = camera->GetStereo() && !camera->GetLeftEye();
+  this->PlannedFrame = frame.Number;
+  this->PlannedWaters.clear();
+  for (const vtkWaterSnapshotPointer& water : attempt.Waters)
+  {
+    this->PlannedWaters.push_back(water->Actor);
+  }
+  std::fill_n(this->Report.ReasonCounts, static_cast<int>(WATER_CULL_REASON_COUNT), 0);
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterReflection::FindDrawn(vtkRenderer* renderer, Attempt& attempt)
+{
+  std::vector<vtkProp*>& drawn = attempt.Draft.Props;
+  drawn.clear();
+  int* counts = this->Report.ReasonCounts;
+  std::fill_n(counts, static_cast<int>(WATER_CULL_REASON_COUNT), 0);
+  for (size_t i = 0; i < this->Reasons.size(); ++i)
+  {
+    ++counts[this->Reasons[i]];
+    if (this->Reasons[i] == WATER_CULL_NONE)
+    {
+      drawn.push_back(this->Gathered.DrawnProps[i]);
+      if (drawn.back()->IsA("vtkLODProp3D"))
+      {
+        // It chooses its level here, which the renderer has not come to yet, and never does for a
+        // prop that only the mirrored view shows.
+        drawn.back()->SetAllocatedRenderTime(
+          attempt.Waters.front()->Actor->GetAllocatedRenderTime(), renderer);
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterReflection::Revise(const Frame& frame, Attempt& attempt)
+{
+  vtkRenderer* renderer = frame.Renderer;
+  View& view = *attempt.Drawn;
+  attempt.Draft.Hook = frame.Hook;
+  attempt.Draft.HasMarchedRays = this->Gathered.HasMarchedRays;
+  attempt.Draft.CanCut = (this->Settings.skips & WATER_MAY_SKIP_CLUSTERS) != 0;
+  attempt.Draft.Shadows = vtkWaterShadows::Find(renderer);
+  this->FindDrawn(renderer, attempt);
+  attempt.Signature.Read(renderer, attempt.Draft.Props);
+  attempt.Signature.Add(static_cast<vtkMTimeType>(this->Plan.samples));
+  attempt.Signature.Add(this->Plan.is_half_float ? 1 : 0);
+  attempt.Signature.Add(this->Gathered.HasMarchedRays ? 1 : 0);
+  if (attempt.Draft.Shadows)
+  {
+    attempt.Signature.AddShadows(renderer, attempt.Draft.Shadows);
+  }
+  const bool isUnchanged = attempt.Signature.IsSameAs(view.DrawnSignature);
+  const water_visibility* visible = view.Mirrored.FindVisible(
+    renderer, this->Plan, water_plan_wants_visibility(&view.DrawnPlan, &this->Plan));
+  water_plan_revise(&this->Gathered.Scene, &view.DrawnPlan, isUnchanged, visible, &this->Plan,
+    this->Reasons.data());
+  this->Report.Decision = this->Plan.decision;
+  if (visible)
+  {
+    this->FindDrawn(renderer, attempt);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterReflection::Draw(const Frame& frame, Attempt& attempt)
+{
+  if (this->Plan.decision != WATER_REFLECT)
+  {
+    return; // the last one shows the same
+  }
+  attempt.Drawn->DrawnPlan = water_plan();
+  attempt.Drawn->HasLevels = false;
+  if (attempt.Draft.Shadows)
+  {
+    vtkWaterShadows::Bake(frame.Renderer, attempt.Draft.Shadows);
+  }
+  attempt.Failure = attempt.Drawn->Mirrored.Draw(frame.Renderer, this->Plan, attempt.Draft);
+}
+
+//------------------------------------------------------------------------------
+vtkWaterError vtkWaterReflection::Commit(const Frame& frame, Attempt& attempt)
+{
+  vtkWaterError error = attempt.Error;
+  if (!water_plan_has_reflection(&this->Plan))
+  {
+    return error;
+  }
+  auto* window = static_cast<vtkOpenGLRenderWindow*>(frame.Renderer->GetRenderWindow());
+  View& view = *attempt.Drawn;
+  const bool isDrawn = this->Plan.decision == WATER_REFLECT;
+  if (this->GetPlannedView() != &view)
+  {
+    view.Mirrored.ReleaseGraphicsResources(window); // was wanted in the middle of it
+    this->Decline(WATER_NOT_PLANNED);
+  }
+  else if (isDrawn && window->GetAbortRender())
+  {
+    this->Decline(WATER_NOT_PLANNED); // mappers draw nothing from then on
+  }
+  else if (attempt.Failure)
+  {
+    this->Decline(WATER_NO_REFLECT_FAILED);
+    error.Kind = attempt.Failure;
+    error.Text = error.Kind + ". The water shows its plain colour.";
+  }
+  else
+  {
+    if (isDrawn)
+    {
+      ++this->Report.RenderCount;
+      view.DrawnPlan = this->Plan;
+      view.DrawnSignature = attempt.Signature;
+    }
+    if (this->Gathered.IsRough && !view.HasLevels)
+    {
+      view.Mirrored.MakeLevels();
+      view.HasLevels = true;
+    }
+  }
+  return error;
+}

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkWaterFog.h"
+
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkRenderer.h"
+#include "vtkShaderProgram.h"
+#include "vtkTextureObject.h"
+#include "vtkWaterBackdrop.h"
+#include "vtkWaterFogFS.h"
+#include "vtkWaterGL.h"
+#include "vtkWaterUniforms.h"
+#include "water_types.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace
+{
+// Draws go into the first of the bound draw buffers alone while an object of this class lives: the
+// others have what full-screen draws know nothing of.
+struct ScopedFirstBuffer
+{
+  ScopedFirstBuffer()
+  {
+    GLint count = 1;
+    glGetIntegerv(GL_MAX_DRAW_BUFFERS, &count);
+    for (GLint i = 0; i < count; ++i)
+    {
+      GLint buffer = GL_NONE;
+      glGetIntegerv(static_cast<GLenum>(GL_DRAW_BUFFER0 + i), &buffer);
+      this->Buffers.push_back(static_cast<GLenum>(buffer));
+    }
+    this->HasMore = std::any_of(this->Buffers.begin() + 1, this->Buffers.end(),
+      [](GLenum buffer) { return buffer != GL_NONE; });
+    if (this->HasMore)
+    {
+      glDrawBuffers(1, this->Buffers.data());
+    }
+  }
+  ~ScopedFirstBuffer()
+  {
+    if (this->HasMore)
+    {
+      glDrawBuffers(static_cast<GLsizei>(this->Buffers.size()), this->Buffers.data());
+    }
+  }
+
+  std::vector<GLenum> Buffers;
+  bool HasMore;
+};
+
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterFog::Draw(vtkRenderer* renderer, const water_plan& plan, vtkWaterBackdrop& backdrop,
+  const double deepColor[3], const double extinction[3])
+{
+  auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
+  vtkShaderProgram* program = this->Quad.Ready(window, vtkWaterFogFS);
+  if (!program)
+  {
+    return;
+  }
+  vtkOpenGLState* state = window->GetState();
+  vtkOpenGLState::ScopedglEnableDisable depthTest(state, GL_DEPTH_TEST);
+  vtkOpenGLState::ScopedglEnableDisable blend(state, GL_BLEND);
+  vtkOpenGLState::ScopedglDepthMask depthMask(state);
+  state->vtkglDisable(GL_DEPTH_TEST);
+  state->vtkglDisable(GL_BLEND);
+  state->vtkglDepthMask(GL_FALSE);
+  backdrop.GetColor()->Activate();
+  backdrop.GetDepth()->Activate();
+  vtkWaterUniforms::Set(program, "waterSceneColor", backdrop.GetColor());
+  vtkWaterUniforms::Set(program, "waterSceneDepth", backdrop.GetDepth());
+  vtkWaterUniforms::SetMatrix3(program, "waterNdcToRay", plan.ndc_to_ray);
+  vtkWaterUniforms::SetMatrix4x3(program, "waterDirToEye", plan.dir_to_eye);
+  vtkWaterUniforms::Set4(program, "waterHeightClip", plan.surface_clip);
+  vtkWaterUniforms::Set(program, "waterSide", plan.side == WATER_BELOW ? -1.0 : 1.0);
+  vtkWaterUniforms::Set4(program, "waterClipW", plan.clip_w);
+  vtkWaterUniforms::Set3(program, "waterDeepColor", deepColor);
+  vtkWaterUniforms::Set3(program, "waterExtinction", extinction);
+  {
+    vtkOpenGLState::ScopedglColorMask colorMask(state);
+    state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_FALSE);
+    const ScopedFirstBuffer first;
+    this->Quad.Draw();
+  }
+  backdrop.GetDepth()->Deactivate();
+  backdrop.GetColor()->Deactivate();
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterFog::ReleaseGraphicsResources()
+{
+  this->Quad.ReleaseGraphicsResources();
+}

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkWaterPropertyLook.cxx: the part of vtkWaterProperty that hands the look out as plain data.
+#include "vtkWaterCompat.h"
+#include "vtkWaterPropertyInternals.h"
+#include "vtkWaterSnapshot.h"
+
+#include <algorithm>
+#include <limits>
+
+VTK_ABI_NAMESPACE_BEGIN
+
+//------------------------------------------------------------------------------
+void vtkWaterProperty::Describe(vtkWaterLook& look)
+{
+  look.Optics.index_of_refraction = this->IndexOfRefraction;
+  look.Optics.reflectance = this->Reflectance;
+  look.Optics.constant_reflectance = this->ReflectanceMode == CONSTANT;
+  look.Has.has_environment = this->ReflectionSource == ENVIRONMENT;
+  look.Has.lookup = this->Lookup == RAY_TRACED ? WATER_LOOKUP_RAY_TRACED : WATER_LOOKUP_OFFSET;
+  look.Has.has_refraction = this->Refraction;
+  look.Has.has_caustics = this->Caustics > 0.0;
+  look.Has.has_glitter = this->Glitter;
+  look.Has.has_foam = this->FoamDepth > 0.0 || this->FoamStretch > 0.0;
+  look.Has.has_shadows = this->Shadows;
+  look.Has.has_output = this->Output != COLOR;
+  look.Opacity = this->Opacity;
+  std::copy_n(this->DeepColor, 3, look.DeepColor);
+  std::copy_n(this->Internal->Extinction, 3, look.Extinction);
+  look.ShoreSoftness = this->ShoreSoftness;
+  look.Caustics = this->Caustics;
+  look.FoamDepth = this->FoamDepth;
+  look.FoamJacobian = this->FoamStretch;
+  std::copy_n(this->FoamColor, 3, look.FoamColor);
+  look.Lookup = this->Lookup;
+  look.OffsetScale = this->OffsetScale;
+  look.RayTraceSteps = this->RayTraceSteps;
+  look.RayTraceProbes = this->RayTraceProbes;
+  look.Output = this->Output;
+  look.Environment = this->Internal->Environment;
+  look.Property = this;
+  this->DescribeWaves(look);
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterProperty::DescribeWaves(vtkWaterLook& look)
+{
+  const std::vector<water_wave>& waves = this->Internal->Waves;
+  look.Has.has_sines = !waves.empty();
+  look.Has.has_sea = this->Sea;
+  look.Has.has_normal_maps = this->GetNumberOfNormalMaps() > 0;
+  look.Has.has_slope_variance = this->SlopeVariance[0] + this->SlopeVariance[1] > 0.0;
+  look.Has.has_wave_geometry = this->WaveGeometry;
+  std::copy_n(this->SlopeVariance, 3, look.SlopeVariance);
+  this->GetMeanSlopes(look.MeanSlopes);
+  look.SlopeRMS = this->GetSlopeRMS();
+  look.WaveNumber = this->Sea ? 0.0 : water_waves_number(waves.data(), waves.size());
+  water_waves_reach(waves.data(), waves.size(), &look.WaveHeightMax, &look.WaveReach);
+  look.WaveGridSize = this->WaveGridSize;
+  look.CastsShadows = this->Shadows &&
+    ((look.Has.has_glitter && water_features_is_rough(&look.Has)) || look.Has.has_foam);
+  // only slopes that are given one by one have a steepest
+  const bool isOfSines = this->Lookup == RAY_TRACED && !this->Sea && !this->WaveGeometry &&
+    !look.Has.has_normal_maps && !look.Has.has_slope_variance && !look.CastsShadows;
+  const double steepest = isOfSines ? water_waves_looked_up(waves.data(), waves.size())
+                                    : std::numeric_limits<double>::infinity();
+  look.SlopeLookedUp = water_features_needs_rays(&look.Has) ? steepest : 0.0;
+  this->ReadSea(&look.Sea, &look.SeaTile);
+  look.NormalMaps = this->Internal->NormalMaps.Layers;
+}
+VTK_ABI_NAMESPACE_END
