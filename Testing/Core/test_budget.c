@@ -32,7 +32,6 @@ static int frames_until_change(int step, double measured_ms)
 // The waits that the header names; between 0.8 and 1 of the budget nothing happens.
 TEST(waits_are_as_promised)
 {
-  UNUSED;
   const double to_finer = 0.71 / 0.84 * 0.71 / 0.84; // of time, without a fixed share
   assert_int_equal(frames_until_change(2, 1000.0), 3);
   assert_int_equal(frames_until_change(2, 20.0), 3);
@@ -59,7 +58,6 @@ TEST(waits_are_as_promised)
 // long ones are answered as if they were the first.
 TEST(frames_of_just_the_budget_count_for_nothing)
 {
-  UNUSED;
   const double long_ms[3] = { 14.0, 20.0, 40.0 };
   for (int i = 0; i < 3; ++i)
   {
@@ -85,7 +83,6 @@ TEST(frames_of_just_the_budget_count_for_nothing)
 // A frame without a time keeps all as it is: the first one, one that drew nothing, a timer's error.
 TEST(no_measurement_no_change)
 {
-  UNUSED;
   const double none[5] = { (double)NAN, 0.0, -1.0, (double)INFINITY, -(double)INFINITY };
   water_quality_state control = { 0 };
   control.step = 3;
@@ -100,7 +97,6 @@ TEST(no_measurement_no_change)
 // Never finer than asked; a step that a caller set wrongly is brought onto the ladder.
 TEST(finest_step_is_kept)
 {
-  UNUSED;
   water_quality_state control = { 0 };
   for (int i = 0; i < 1000; ++i)
   {
@@ -120,7 +116,6 @@ TEST(finest_step_is_kept)
 // A step from beyond the ladder is put on it, and that is no try of a finer one.
 TEST(step_from_beyond_is_no_failure)
 {
-  UNUSED;
   water_quality_state course;
   memset(&course, 0, sizeof course);
   course.step = -5;
@@ -137,7 +132,6 @@ TEST(step_from_beyond_is_no_failure)
 // share that stays, and half of it is believed.
 TEST(fixed_share_is_learned_from_a_change)
 {
-  UNUSED;
   water_quality_state course;
   memset(&course, 0, sizeof course);
   draw_frames(&course, 15, 9.5); // 3/16 of a budget too long, each
@@ -159,7 +153,6 @@ TEST(fixed_share_is_learned_from_a_change)
 // that falls where the scale rises teaches nothing.
 TEST(fixed_share_has_its_limits)
 {
-  UNUSED;
   water_quality_state course;
   memset(&course, 0, sizeof course);
   draw_frames(&course, 16, 9.5);
@@ -185,7 +178,6 @@ TEST(fixed_share_has_its_limits)
 // measured on too few frames teaches nothing about that share.
 TEST(fixed_share_is_believed)
 {
-  UNUSED;
   const double times_ms[2] = { 6.6, 7.2 };
   for (int i = 0; i < 2; ++i)
   {
@@ -203,7 +195,6 @@ TEST(fixed_share_is_believed)
 // quiet frames forget one failure.
 TEST(patience_grows_with_failures_and_is_forgotten)
 {
-  UNUSED;
   water_quality_state course;
   memset(&course, 0, sizeof course);
   course.step = 1;
@@ -235,7 +226,6 @@ TEST(patience_grows_with_failures_and_is_forgotten)
 // what is hardly seen.
 TEST(budget_is_shared_by_area)
 {
-  UNUSED;
   const double areas[6] = { 3e5, 1e5, 0.0, 1.0, -5.0, (double)NAN };
   double shares[6];
   assert_int_equal(water_quality_share(areas, 6, 12.0, shares), WATER_OK);
@@ -284,7 +274,6 @@ TEST(budget_is_shared_by_area)
 // budget.
 TEST(update_rates_have_their_budgets)
 {
-  UNUSED;
   ASSERT_CLOSE(water_quality_budget(50.0), 10.0, 1e-12);
   assert_false(water_quality_is_still(water_quality_budget(15.0)));
   assert_true(water_quality_is_still(water_quality_budget(0.0001)));
@@ -294,26 +283,12 @@ TEST(update_rates_have_their_budgets)
 
 TEST(a_second_is_a_still_picture)
 {
-  UNUSED;
   assert_true(water_quality_is_still(1000.0));
   assert_false(water_quality_is_still(999.0));
 }
 
-int main(void)
-{
-  const struct CMUnitTest tests[] = {
-    RUN(waits_are_as_promised),
-    RUN(frames_of_just_the_budget_count_for_nothing),
-    RUN(no_measurement_no_change),
-    RUN(finest_step_is_kept),
-    RUN(step_from_beyond_is_no_failure),
-    RUN(fixed_share_is_learned_from_a_change),
-    RUN(fixed_share_has_its_limits),
-    RUN(fixed_share_is_believed),
-    RUN(patience_grows_with_failures_and_is_forgotten),
-    RUN(budget_is_shared_by_area),
-    RUN(update_rates_have_their_budgets),
-    RUN(a_second_is_a_still_picture),
-  };
-  return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TESTS(waits_are_as_promised, frames_of_just_the_budget_count_for_nothing, no_measurement_no_change,
+  finest_step_is_kept, step_from_beyond_is_no_failure, fixed_share_is_learned_from_a_change,
+  fixed_share_has_its_limits, fixed_share_is_believed,
+  patience_grows_with_failures_and_is_forgotten, budget_is_shared_by_area,
+  update_rates_have_their_budgets, a_second_is_a_still_picture)

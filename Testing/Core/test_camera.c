@@ -18,7 +18,6 @@ static void assert_refused(const water_camera* camera)
 // NaN in any of the 32 entries is no camera.
 TEST(nan_anywhere_is_refused)
 {
-  UNUSED;
   for (int i = 0; i < 16; ++i)
   {
     water_scene scene = lake();
@@ -34,7 +33,6 @@ TEST(nan_anywhere_is_refused)
 // inverse.
 TEST(views_that_are_not_rigid_are_refused)
 {
-  UNUSED;
   water_scene scene = lake();
   for (int j = 0; j < 4; ++j)
   {
@@ -74,7 +72,6 @@ TEST(views_that_are_not_rigid_are_refused)
 // A view made of float directions, and one at 1e7, still are cameras.
 TEST(rounded_and_distant_views_pass)
 {
-  UNUSED;
   dice from = dice_seeded(5);
   for (int round = 0; round < 300; ++round)
   {
@@ -94,7 +91,6 @@ TEST(rounded_and_distant_views_pass)
 // moved 0.3 to the right belong to an eye at x = 0.3.
 TEST(eye_point_of_a_sheared_projection_is_found)
 {
-  UNUSED;
   water_scene scene = lake();
   double* to_clip = scene.eye.view_to_clip;
   water_eye eye;
@@ -125,7 +121,6 @@ TEST(eye_point_of_a_sheared_projection_is_found)
 // A parallel eye looks along -z of view space also where the depth runs backwards.
 TEST(parallel_ray_does_not_depend_on_the_sign_of_depth)
 {
-  UNUSED;
   const double box[4] = { -1.0, 3.0, -1.0, 1.0 };
   double to_clip[16];
   ortho_matrix(box, 1.0, 10.0, to_clip);
@@ -146,7 +141,6 @@ TEST(parallel_ray_does_not_depend_on_the_sign_of_depth)
 // point, and away from the eye; here for axes that are the world's, 5000 km out.
 TEST(ray_of_a_pixel_leads_to_what_it_shows)
 {
-  UNUSED;
   dice from = dice_seeded(6);
   const double x_dir[3] = { 1.0, 0.0, 0.0 };
   const double y_dir[3] = { 0.0, 1.0, 0.0 };
@@ -186,15 +180,6 @@ TEST(ray_of_a_pixel_leads_to_what_it_shows)
   assert_int_in_range(inside, 1500, 3000);
 }
 
-int main(void)
-{
-  const struct CMUnitTest tests[] = {
-    RUN(nan_anywhere_is_refused),
-    RUN(views_that_are_not_rigid_are_refused),
-    RUN(rounded_and_distant_views_pass),
-    RUN(eye_point_of_a_sheared_projection_is_found),
-    RUN(parallel_ray_does_not_depend_on_the_sign_of_depth),
-    RUN(ray_of_a_pixel_leads_to_what_it_shows),
-  };
-  return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TESTS(nan_anywhere_is_refused, views_that_are_not_rigid_are_refused, rounded_and_distant_views_pass,
+  eye_point_of_a_sheared_projection_is_found, parallel_ray_does_not_depend_on_the_sign_of_depth,
+  ray_of_a_pixel_leads_to_what_it_shows)

@@ -8,7 +8,6 @@
 
 TEST(only_large_meshes_have_clusters)
 {
-  UNUSED;
   assert_int_equal(water_clusters_count(0), 0);
   assert_int_equal(water_clusters_count(WATER_CLUSTER_TRIANGLES * (WATER_CLUSTERS_MIN - 1)), 0);
   assert_int_equal(water_clusters_count(WATER_CLUSTER_TRIANGLES * (WATER_CLUSTERS_MIN - 1) + 1),
@@ -17,7 +16,6 @@ TEST(only_large_meshes_have_clusters)
 
 TEST(indices_out_of_the_points_are_refused)
 {
-  UNUSED;
   dice from = dice_seeded(60);
   mesh* const terrain = mesh_made(&from);
   assert_true(water_clusters_bound(&terrain->described));
@@ -31,7 +29,6 @@ TEST(indices_out_of_the_points_are_refused)
 // use.
 TEST(what_is_seen_is_kept_in_its_order)
 {
-  UNUSED;
   const double center[3] = { 0.0, 0.0, 0.0 };
   dice from = dice_seeded(61);
   mesh* const terrain = mesh_made(&from);
@@ -84,7 +81,6 @@ TEST(what_is_seen_is_kept_in_its_order)
 // A place at infinity keeps its cluster; doubles give the boxes that floats give.
 TEST(points_of_both_kinds_and_without_an_end)
 {
-  UNUSED;
   const double huge = (double)INFINITY;
   const double doubles[9] = { 0, 0, 0, 1, 0, 0, huge, 1, 2 };
   const float floats[9] = { 0, 0, 0, 1, 0, 0, (float)huge, 1, 2 };
@@ -114,7 +110,6 @@ TEST(points_of_both_kinds_and_without_an_end)
 // The other way around every triangle is where it was from the end, and what came nearer goes away.
 TEST(backwards_is_the_order_backwards)
 {
-  UNUSED;
   const double center[3] = { 0.0, 0.0, 0.0 };
   const double model_to_world[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 };
   dice from = dice_seeded(62);
@@ -152,7 +147,6 @@ TEST(backwards_is_the_order_backwards)
 // The last cluster has what is left, from none to one less than a cluster, both ways around.
 TEST(last_piece_has_what_is_left)
 {
-  UNUSED;
   enum
   {
     MOST = 3 * WATER_CLUSTER_TRIANGLES
@@ -197,7 +191,6 @@ TEST(last_piece_has_what_is_left)
 // they are not as far as each other. The view is a cube with the eye in its side z = 0.
 TEST(steps_are_counted_by_cell_and_distance)
 {
-  UNUSED;
   const double planes[6][4] = { { 1, 0, 0, 1 }, { -1, 0, 0, 1 }, { 0, 1, 0, 1 }, { 0, -1, 0, 1 },
     { 0, 0, 1, 0 }, { 0, 0, -1, 9 } };
   const struct
@@ -241,7 +234,6 @@ TEST(steps_are_counted_by_cell_and_distance)
 // nearer to one at its last; so do its columns, within every row.
 TEST(the_trend_says_which_end_is_near)
 {
-  UNUSED;
   const double model_to_world[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 };
   const double up[3] = { 0.0, 0.0, 1.0 };
   dice from = dice_seeded(63);
@@ -273,7 +265,6 @@ TEST(the_trend_says_which_end_is_near)
 // What a view tells the triangles.
 TEST(the_map_is_handed_on)
 {
-  UNUSED;
   const double moved[16] = { 0, -1, 0, 1, 1, 0, 0, 2, 0, 0, 2, 0.5, 0, 0, 0, 1 };
   const double place[3] = { 3.0, -2.0, 1.5 };
   water_scene scene = lake();
@@ -312,18 +303,7 @@ TEST(the_map_is_handed_on)
   }
 }
 
-int main(void)
-{
-  const struct CMUnitTest tests[] = {
-    RUN(only_large_meshes_have_clusters),
-    RUN(indices_out_of_the_points_are_refused),
-    RUN(what_is_seen_is_kept_in_its_order),
-    RUN(backwards_is_the_order_backwards),
-    RUN(last_piece_has_what_is_left),
-    RUN(steps_are_counted_by_cell_and_distance),
-    RUN(the_trend_says_which_end_is_near),
-    RUN(points_of_both_kinds_and_without_an_end),
-    RUN(the_map_is_handed_on),
-  };
-  return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TESTS(only_large_meshes_have_clusters, indices_out_of_the_points_are_refused,
+  what_is_seen_is_kept_in_its_order, points_of_both_kinds_and_without_an_end,
+  backwards_is_the_order_backwards, last_piece_has_what_is_left,
+  steps_are_counted_by_cell_and_distance, the_trend_says_which_end_is_near, the_map_is_handed_on)

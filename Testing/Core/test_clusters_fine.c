@@ -10,7 +10,6 @@
 // because it is the near clusters that hide the far ones; and fewer than half of the clusters'.
 TEST(triangles_are_looked_at_one_by_one)
 {
-  UNUSED;
   const double center[3] = { 0.0, 0.0, 0.0 };
   const double model_to_world[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 };
   dice from = dice_seeded(64);
@@ -68,7 +67,6 @@ TEST(triangles_are_looked_at_one_by_one)
 // stays, and the others go, here under the water.
 TEST(corners_that_take_each_others_place_keep_their_triangle)
 {
-  UNUSED;
   enum
   {
     MANY = 600,
@@ -101,7 +99,6 @@ TEST(corners_that_take_each_others_place_keep_their_triangle)
 // all of them open as many as without cells.
 TEST(clusters_in_closed_cells_are_left_out)
 {
-  UNUSED;
   const double model_to_world[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 };
   dice from = dice_seeded(65);
   mesh* const terrain = mesh_made(&from);
@@ -135,12 +132,5 @@ TEST(clusters_in_closed_cells_are_left_out)
   free(terrain);
 }
 
-int main(void)
-{
-  const struct CMUnitTest tests[] = {
-    RUN(triangles_are_looked_at_one_by_one),
-    RUN(corners_that_take_each_others_place_keep_their_triangle),
-    RUN(clusters_in_closed_cells_are_left_out),
-  };
-  return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TESTS(triangles_are_looked_at_one_by_one, corners_that_take_each_others_place_keep_their_triangle,
+  clusters_in_closed_cells_are_left_out)

@@ -9,7 +9,6 @@
 // what the GPU has, in the mesh's own units, wherever in the world both are.
 TEST(rounding_knows_how_far_the_origin_is)
 {
-  UNUSED;
   const double units[4] = { 1.0, 1.0, 1000.0, 0.01 };
   const double offset[3] = { 5e5, 4.5e6, 100.0 };
   for (int i = 0; i < 4; ++i)
@@ -50,7 +49,6 @@ TEST(rounding_knows_how_far_the_origin_is)
 // As much of a mesh is left out far from the world's origin as at it.
 TEST(far_meshes_are_cut_as_near_ones)
 {
-  UNUSED;
   const double far[3] = { 500000.0, 4500000.0, 128.0 };
   const double up[3] = { 0.0, 0.0, 1.0 };
   dice from = dice_seeded(66);
@@ -108,7 +106,6 @@ TEST(far_meshes_are_cut_as_near_ones)
 
 TEST(bands_are_for_cores_and_large_meshes)
 {
-  UNUSED;
   const size_t enough = (size_t)WATER_CLUSTER_TRIANGLES * WATER_BAND_CLUSTERS;
   assert_int_equal(water_clusters_bands(true, 3 * enough, 8), 3);
   assert_int_equal(water_clusters_bands(true, 3 * enough - WATER_CLUSTER_TRIANGLES, 8), 2);
@@ -124,7 +121,6 @@ TEST(bands_are_for_cores_and_large_meshes)
 // in, and hardly anything else.
 TEST(bands_mark_what_is_in_them)
 {
-  UNUSED;
   enum
   {
     BANDS = 3
@@ -184,13 +180,5 @@ TEST(bands_mark_what_is_in_them)
   free(terrain);
 }
 
-int main(void)
-{
-  const struct CMUnitTest tests[] = {
-    RUN(rounding_knows_how_far_the_origin_is),
-    RUN(far_meshes_are_cut_as_near_ones),
-    RUN(bands_are_for_cores_and_large_meshes),
-    RUN(bands_mark_what_is_in_them),
-  };
-  return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TESTS(rounding_knows_how_far_the_origin_is, far_meshes_are_cut_as_near_ones,
+  bands_are_for_cores_and_large_meshes, bands_mark_what_is_in_them)

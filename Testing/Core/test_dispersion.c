@@ -36,7 +36,6 @@ static void terms_of(
 // 0.1410.
 TEST(dispersion_has_the_known_values)
 {
-  UNUSED;
   ASSERT_CLOSE(omega_of(two_pi / 100.0, 10.0), 0.585782335357289202, 4e-16);
   ASSERT_CLOSE(omega_of(two_pi / 100.0, deep), 0.784964962228586937, 4e-16);
   ASSERT_CLOSE(omega_of(two_pi / 200.0, 5.0), 0.219088438305898734, 2e-16);
@@ -53,7 +52,6 @@ TEST(dispersion_has_the_known_values)
 // The wave number is where bisection finds it, within 1e-14 of itself, from tidal to ripple scale.
 TEST(wavenumber_is_the_one_bisection_finds)
 {
-  UNUSED;
   for (double power = -24.0; power <= 8.0; power += 0.0625)
   {
     const double depth = 3.0;
@@ -81,7 +79,6 @@ TEST(wavenumber_is_the_one_bisection_finds)
 // shallow.
 TEST(group_velocity_is_the_slope_of_dispersion)
 {
-  UNUSED;
   for (double k = 1e-3; k < 50.0; k *= 1.7)
   {
     const double step = 1e-5 * k;
@@ -96,7 +93,6 @@ TEST(group_velocity_is_the_slope_of_dispersion)
 // reduced product is theirs within 2^-54, however many turns there are.
 TEST(turns_are_exact_for_any_number_of_them)
 {
-  UNUSED;
   dice from = dice_seeded(2);
   for (int round = 0; round < 20000; ++round)
   {
@@ -115,7 +111,6 @@ TEST(turns_are_exact_for_any_number_of_them)
 // steps between doubles there. Time 0, the phase as given.
 TEST(phase_after_a_third_of_a_year_is_as_exact_as_time)
 {
-  UNUSED;
   const double step = ldexp(1.0, -29); // between doubles at 1e7
   for (double length = 0.05; length < 500.0; length *= 1.9)
   {
@@ -136,7 +131,6 @@ TEST(phase_after_a_third_of_a_year_is_as_exact_as_time)
 // What is no number, or out of range, has its own status; the output stays as it was.
 TEST(bad_numbers_are_refused)
 {
-  UNUSED;
   const double nan = (double)NAN;
   double out = 7.0;
   assert_int_equal(water_waves_omega(-1.0, 1.0, &out), WATER_BAD_WAVENUMBER);
@@ -150,15 +144,6 @@ TEST(bad_numbers_are_refused)
   assert_true(out == 7.0);
 }
 
-int main(void)
-{
-  const struct CMUnitTest tests[] = {
-    RUN(dispersion_has_the_known_values),
-    RUN(wavenumber_is_the_one_bisection_finds),
-    RUN(group_velocity_is_the_slope_of_dispersion),
-    RUN(turns_are_exact_for_any_number_of_them),
-    RUN(phase_after_a_third_of_a_year_is_as_exact_as_time),
-    RUN(bad_numbers_are_refused),
-  };
-  return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TESTS(dispersion_has_the_known_values, wavenumber_is_the_one_bisection_finds,
+  group_velocity_is_the_slope_of_dispersion, turns_are_exact_for_any_number_of_them,
+  phase_after_a_third_of_a_year_is_as_exact_as_time, bad_numbers_are_refused)

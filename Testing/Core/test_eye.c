@@ -8,7 +8,6 @@
 // Under the sheet is under water; beside it, above it, or with a parallel eye, is not.
 TEST(eye_under_the_sheet_is_submerged)
 {
-  UNUSED;
   water_scene scene = lake();
   const double up[3] = { 0.0, 0.0, 1.0 };
   const double north[3] = { 0.0, 1.0, 0.0 };
@@ -49,7 +48,6 @@ TEST(eye_under_the_sheet_is_submerged)
 // 0.5 sqrt(2) m.
 TEST(near_plane_in_the_water_is_awash)
 {
-  UNUSED;
   water_scene scene = lake();
   const double up[3] = { 0.0, 0.0, 1.0 };
   const double box[4] = { -0.5, 0.5, -0.5, 0.5 };
@@ -76,7 +74,6 @@ TEST(near_plane_in_the_water_is_awash)
 // by 2 and 4 to the others, lifted; what touches is not cut.
 TEST(each_corner_of_the_near_plane_is_asked)
 {
-  UNUSED;
   const double lifts[4] = { 1.0, 1.999, 2.0, 2.5 };
   for (int corner = 0; corner < 4; ++corner)
   {
@@ -92,7 +89,6 @@ TEST(each_corner_of_the_near_plane_is_asked)
 // A flat sheet has a rim of a millionth: the eye is over it up to its very end, at either side.
 TEST(eye_is_over_the_rim_of_the_sheet)
 {
-  UNUSED;
   const water_camera camera = { .parallel = false };
   const water_plane plane = { { 0.0, 0.0, 1.0 }, 0.0 };
   const double rims[2] = { 1e-6, nextafter(1e-6, 1.0) };
@@ -113,7 +109,6 @@ TEST(eye_is_over_the_rim_of_the_sheet)
 // there is no sheet the plane decides.
 TEST(waves_decide_where_the_eye_is)
 {
-  UNUSED;
   const double up[3] = { 0.0, 0.0, 1.0 };
   // y, z of the eye, height of the surface there
   const double cases[][3] = { { -9.0, 0.3, 0.5 }, { -9.0, 0.7, 0.5 }, { -9.0, -0.3, -0.5 },
@@ -169,14 +164,6 @@ TEST(waves_decide_where_the_eye_is)
   assert_int_not_equal(water_plan_make(&scene, &bad, NULL), WATER_BAD_CLIP_MARGIN);
 }
 
-int main(void)
-{
-  const struct CMUnitTest tests[] = {
-    RUN(eye_under_the_sheet_is_submerged),
-    RUN(near_plane_in_the_water_is_awash),
-    RUN(each_corner_of_the_near_plane_is_asked),
-    RUN(eye_is_over_the_rim_of_the_sheet),
-    RUN(waves_decide_where_the_eye_is),
-  };
-  return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TESTS(eye_under_the_sheet_is_submerged, near_plane_in_the_water_is_awash,
+  each_corner_of_the_near_plane_is_asked, eye_is_over_the_rim_of_the_sheet,
+  waves_decide_where_the_eye_is)

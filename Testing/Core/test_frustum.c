@@ -8,7 +8,6 @@
 // summed: of each axis the larger end counts, and the reach as often as the plane has entries.
 TEST(behind_by_more_than_rounding)
 {
-  UNUSED;
   const double plane[4] = { 1.0, -2.0, 0.5, 0.0 };
   // furthest corner: x 3, y 7, z 2: 3 - 14 + 1 = -10; sizes: 4 + 2 * 9 + 0.5 * 8 = 26
   const double bounds[6] = { -4.0, 3.0, 7.0, 9.0, -8.0, 2.0 };
@@ -26,7 +25,6 @@ TEST(behind_by_more_than_rounding)
 // A box that touches a plane is not behind it, nor is one whose sum overflows.
 TEST(touching_is_not_behind)
 {
-  UNUSED;
   const double plane[4] = { 1.0, 0.0, 0.0, -3.0 };
   const double touching[6] = { -4.0, 3.0, 0.0, 1.0, 0.0, 1.0 };
   const double endless[6] = { -DBL_MAX, -DBL_MAX, -DBL_MAX, DBL_MAX, 0.0, 1.0 };
@@ -39,7 +37,6 @@ TEST(touching_is_not_behind)
 // leave the far one out.
 TEST(every_plane_divides)
 {
-  UNUSED;
   const water_scene scene =
     pool(1.0); // 45 degrees to each side, near 1, far 1000, looking down from 10
   const double box[4] = { -1.0, -1.0, 1.0, 1.0 };
@@ -66,7 +63,6 @@ TEST(every_plane_divides)
 // Of a view in NDC the sides are those of the part of the picture, before and behind it -1 and 1.
 TEST(sides_are_those_of_the_part)
 {
-  UNUSED;
   const water_camera camera = { .world_to_view = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 },
     .view_to_clip = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 } };
   const double box[4] = { -0.5, -0.25, 0.125, 0.75 };
@@ -80,13 +76,5 @@ TEST(sides_are_those_of_the_part)
   }
 }
 
-int main(void)
-{
-  const struct CMUnitTest tests[] = {
-    RUN(sides_are_those_of_the_part),
-    RUN(behind_by_more_than_rounding),
-    RUN(touching_is_not_behind),
-    RUN(every_plane_divides),
-  };
-  return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TESTS(behind_by_more_than_rounding, touching_is_not_behind, every_plane_divides,
+  sides_are_those_of_the_part)

@@ -10,7 +10,6 @@ static const double pi = 3.141592653589793;
 // along the wind than across; the parts add up to the sum within the error they state.
 TEST(slopes_are_cox_and_munks)
 {
-  UNUSED;
   double sum = 0.0;
   double parts[2];
   assert_int_equal(water_glitter_mean_square(10.0, &sum), WATER_OK);
@@ -28,7 +27,6 @@ TEST(slopes_are_cox_and_munks)
 // The density is one of probability: it integrates to 1, and its moments are the variances.
 TEST(density_has_its_moments)
 {
-  UNUSED;
   const double variance[2] = { 0.03, 0.02 };
   double sum[3] = { 0.0, 0.0, 0.0 };
   const double step = 0.01;
@@ -53,7 +51,6 @@ TEST(density_has_its_moments)
 // facet turns the light down.
 TEST(glitter_keeps_the_light)
 {
-  UNUSED;
   const double variance[2] = { 0.004, 0.002 };
   const double sun[3] = { sin(0.6), 0.0, cos(0.6) };
   double sum = 0.0;
@@ -75,7 +72,6 @@ TEST(glitter_keeps_the_light)
 // sun or the eye is under the horizon. The wind's axis is where the glitter is longer.
 TEST(glitter_is_where_the_mirror_is)
 {
-  UNUSED;
   const double variance[2] = { 0.03, 0.01 };
   const double sun[3] = { sin(0.6), 0.0, cos(0.6) };
   const double eye[3] = { -sin(0.6), 0.0, cos(0.6) };
@@ -100,7 +96,6 @@ TEST(glitter_is_where_the_mirror_is)
 
 TEST(bad_winds_are_refused)
 {
-  UNUSED;
   const double bad[4] = { 0.0, -1.0, (double)NAN, (double)INFINITY };
   double out[2] = { 7.0, 7.0 };
   for (int i = 0; i < 4; ++i)
@@ -114,7 +109,6 @@ TEST(bad_winds_are_refused)
 // Turned variances keep their sum; along the first direction the variance is the first.
 TEST(covariance_turns_the_variances)
 {
-  UNUSED;
   const double variance[2] = { 0.03, 0.02 };
   for (int degrees = -180; degrees <= 180; degrees += 15)
   {
@@ -129,15 +123,5 @@ TEST(covariance_turns_the_variances)
   }
 }
 
-int main(void)
-{
-  const struct CMUnitTest tests[] = {
-    RUN(slopes_are_cox_and_munks),
-    RUN(density_has_its_moments),
-    RUN(glitter_keeps_the_light),
-    RUN(glitter_is_where_the_mirror_is),
-    RUN(bad_winds_are_refused),
-    RUN(covariance_turns_the_variances),
-  };
-  return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TESTS(slopes_are_cox_and_munks, density_has_its_moments, glitter_keeps_the_light,
+  glitter_is_where_the_mirror_is, bad_winds_are_refused, covariance_turns_the_variances)

@@ -85,7 +85,6 @@ static const double far_off[3] = { 4e5, -3e6, 2e5 };
 // Whatever waves can bring into view lies on the grid when it is at rest.
 TEST(grid_covers_what_can_come_into_view)
 {
-  UNUSED;
   dice from = dice_seeded(171);
   static laid grid;
   int seen = 0;
@@ -127,7 +126,6 @@ TEST(grid_covers_what_can_come_into_view)
 // Rows follow each other, and points their row; all lie on the sheet, near the origin and far away.
 TEST(grid_is_ordered_and_on_the_sheet)
 {
-  UNUSED;
   dice from = dice_seeded(172);
   static laid grid;
   for (int round = 0; round < 600; ++round)
@@ -173,7 +171,6 @@ TEST(grid_is_ordered_and_on_the_sheet)
 // No two rows lie further apart than the cells say, but for how that changes from row to row.
 TEST(cells_are_as_large_as_they_say)
 {
-  UNUSED;
   dice from = dice_seeded(173);
   static laid grid;
   for (int round = 0; round < 300; ++round)
@@ -199,7 +196,6 @@ TEST(cells_are_as_large_as_they_say)
 // Rows follow each other away from the eye: as its view goes, along the sheet.
 TEST(rows_lead_where_the_view_goes)
 {
-  UNUSED;
   dice from = dice_seeded(175);
   static laid grid;
   for (int round = 0; round < 300; ++round)
@@ -219,7 +215,6 @@ TEST(rows_lead_where_the_view_goes)
 // What the shader has leads from clip back to the place and the height, and on to a moved point.
 TEST(view_leads_from_clip_to_places_and_back)
 {
-  UNUSED;
   dice from = dice_seeded(174);
   for (int round = 0; round < 2000; ++round)
   {
@@ -257,7 +252,6 @@ TEST(view_leads_from_clip_to_places_and_back)
 // An eye whose projection moves it stands over the plane where it is, not where its view begins.
 TEST(grid_knows_the_height_of_a_moved_eye)
 {
-  UNUSED;
   water_scene scene = pool(10.0);
   const double origin[3] = { 0.0, 0.0, 0.0 };
   water_grid_view view;
@@ -277,7 +271,6 @@ TEST(grid_knows_the_height_of_a_moved_eye)
 // line.
 TEST(rows_seen_straight_down_are_where_they_should_be)
 {
-  UNUSED;
   enum
   {
     EVEN = SIDE - 4
@@ -319,7 +312,6 @@ TEST(rows_seen_straight_down_are_where_they_should_be)
 // Straight down, a sheet out of view, an eye in the plane, a plane that is none.
 TEST(odd_views_are_safe)
 {
-  UNUSED;
   static laid grid;
   random_scene random;
   memset(&random, 0, sizeof random);
@@ -356,17 +348,7 @@ TEST(odd_views_are_safe)
   assert_true(view.eye_height == 5.0);
 }
 
-int main(void)
-{
-  const struct CMUnitTest tests[] = {
-    RUN(grid_covers_what_can_come_into_view),
-    RUN(grid_is_ordered_and_on_the_sheet),
-    RUN(cells_are_as_large_as_they_say),
-    RUN(rows_lead_where_the_view_goes),
-    RUN(view_leads_from_clip_to_places_and_back),
-    RUN(grid_knows_the_height_of_a_moved_eye),
-    RUN(rows_seen_straight_down_are_where_they_should_be),
-    RUN(odd_views_are_safe),
-  };
-  return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TESTS(grid_covers_what_can_come_into_view, grid_is_ordered_and_on_the_sheet,
+  cells_are_as_large_as_they_say, rows_lead_where_the_view_goes,
+  view_leads_from_clip_to_places_and_back, grid_knows_the_height_of_a_moved_eye,
+  rows_seen_straight_down_are_where_they_should_be, odd_views_are_safe)

@@ -24,7 +24,6 @@ static const double inf = (double)INFINITY;
 // A ray along the surface between equal media goes on along it: no total reflection yet.
 TEST(ray_along_a_surface_that_is_none_goes_on)
 {
-  UNUSED;
   const double along[3] = { 1.0, 0.0, 0.0 };
   const double up[3] = { 0.0, 0.0, 1.0 };
   double refracted[3] = { 7.0, 7.0, 7.0 };
@@ -35,7 +34,6 @@ TEST(ray_along_a_surface_that_is_none_goes_on)
 // A view may be off from rigid by its tolerance, and no more.
 TEST(view_at_its_tolerance_is_rigid)
 {
-  UNUSED;
   water_eye eye;
   water_scene scene = lake();
   memset(scene.eye.world_to_view, 0, sizeof scene.eye.world_to_view);
@@ -60,7 +58,6 @@ TEST(view_at_its_tolerance_is_rigid)
 
 TEST(winds_at_both_ends_are_accepted)
 {
-  UNUSED;
   double two[2];
   assert_int_equal(water_glitter_variance(0.1, two), WATER_OK);
   assert_int_equal(water_glitter_variance(100.0, two), WATER_OK);
@@ -71,7 +68,6 @@ TEST(winds_at_both_ends_are_accepted)
 // The sun on the horizon lights no glitter, and an eye in the surface sees none.
 TEST(glitter_ends_at_the_horizon)
 {
-  UNUSED;
   const double variance[2] = { 0.03, 0.02 };
   const double level[3] = { 1.0, 0.0, 0.0 };
   const double up[3] = { 0.0, 0.0, 1.0 };
@@ -83,7 +79,6 @@ TEST(glitter_ends_at_the_horizon)
 
 TEST(seas_at_both_ends_are_accepted)
 {
-  UNUSED;
   const water_sea low = { WATER_SEA_JONSWAP, WATER_SPREAD_COS_2S, 0.1, -1e9, 1.0, 1e-9, 1.0, 0.0 };
   const water_sea high = { WATER_SEA_PHILLIPS, WATER_SPREAD_DONELAN_BANNER, 100.0, 1e9, inf, inf,
     20.0, 1000.0 };
@@ -100,7 +95,6 @@ TEST(seas_at_both_ends_are_accepted)
 
 TEST(normal_maps_at_both_ends_are_accepted)
 {
-  UNUSED;
   const water_normal_map low = { 1e-6, 0.0, 0.0, -1000.0 };
   const water_normal_map high = { 1e9, 0.0, 0.0, 1000.0 };
   assert_int_equal(water_normals_check(&low), WATER_OK);
@@ -109,7 +103,6 @@ TEST(normal_maps_at_both_ends_are_accepted)
 
 TEST(looks_at_both_ends_are_accepted)
 {
-  UNUSED;
   const water_look low = { 1.0, 0.0, true };
   const water_look high = { 1e300, 1.0, true };
   assert_int_equal(water_optics_check(&low), WATER_OK);
@@ -119,7 +112,6 @@ TEST(looks_at_both_ends_are_accepted)
 // Waves of steepness 1 whose crests are cusps do not fold; flat waves are waves.
 TEST(waves_at_both_ends_are_accepted)
 {
-  UNUSED;
   const double two_pi = 6.283185307179586;
   const water_wave waves[2] = { { 1.0, two_pi, 0.0, 0.0, 1.0 }, { 0.0, 1.0, 0.0, 0.0, 0.0 } };
   size_t bad_index = 7;
@@ -134,7 +126,6 @@ TEST(waves_at_both_ends_are_accepted)
 // What is a rounding over the steepest waves is not yet folded, and 16 of them are.
 TEST(waves_fold_beyond_a_rounding)
 {
-  UNUSED;
   for (int i = 0; i < 2; ++i)
   {
     const double steepness = 1.0 + (16 + i) * DBL_EPSILON;
@@ -147,7 +138,6 @@ TEST(waves_fold_beyond_a_rounding)
 // Rays turned to a right angle, which is as good as endless, look up everything.
 TEST(rays_turned_by_a_right_angle_reach_everything)
 {
-  UNUSED;
   water_camera camera = { .view_to_clip = {
                             1e-300, 0, 0, 0, 0, 1e-300, 0, 0, 0, 0, -1, -1, 0, 0, -1, 0 } };
   double box[4] = { -0.5, -0.5, 0.5, 0.5 };
@@ -161,7 +151,6 @@ TEST(rays_turned_by_a_right_angle_reach_everything)
 // Either side of a picture without pixels is refused.
 TEST(both_sides_of_the_picture_are_asked)
 {
-  UNUSED;
   const int sizes[3][2] = { { 0, 5 }, { 5, 0 }, { 1, 1 } };
   for (int i = 0; i < 3; ++i)
   {
@@ -173,7 +162,6 @@ TEST(both_sides_of_the_picture_are_asked)
 
 TEST(scene_at_the_ends_of_its_ranges_is_planned)
 {
-  UNUSED;
   water_scene scene = lake();
   scene.viewport_px[0] = scene.viewport_px[1] = 1;
   scene.max_texture_px = 1;
@@ -192,7 +180,6 @@ TEST(scene_at_the_ends_of_its_ranges_is_planned)
 // called parallel never is.
 TEST(eye_at_the_border_is_at_the_surface)
 {
-  UNUSED;
   water_scene scene = lake();
   const double eye_at[3] = { 10.0, -10.0, -1.0 };
   const double target[3] = { 0.0, 0.0, 0.0 };
@@ -209,7 +196,6 @@ TEST(eye_at_the_border_is_at_the_surface)
 // No place on a plane that is seen edge-on, nor where the numbers overflow: the outputs are kept.
 TEST(edge_on_and_endless_views_have_no_places)
 {
-  UNUSED;
   water_scene scene = lake();
   const double eye_at[3] = { 0.0, -10.0, 1.0 };
   const double target[3] = { 0.0, 0.0, 1.0 };
@@ -250,7 +236,6 @@ TEST(edge_on_and_endless_views_have_no_places)
 // inverse of 1e307, a plane, a surface, a margin out there.
 TEST(numbers_too_large_to_multiply_are_refused)
 {
-  UNUSED;
   const double large[2] = { 1e100, 1.0001e100 };
   for (int i = 0; i < 2; ++i)
   {
@@ -298,7 +283,6 @@ TEST(numbers_too_large_to_multiply_are_refused)
 // However small the ratio of the indices, a ray along the normal goes straight on.
 TEST(ray_along_the_normal_is_not_refracted)
 {
-  UNUSED;
   const double up[3] = { 0.0, 0.0, 1.0 };
   const double down[3] = { 0.0, 0.0, -1.0 };
   const double ratios[4] = { 3e-319, 1e-200, 1.0, 1e300 };
@@ -317,7 +301,6 @@ TEST(ray_along_the_normal_is_not_refracted)
 // Bounds whose sum overflows are bounds.
 TEST(bounds_may_be_as_large_as_doubles)
 {
-  UNUSED;
   water_scene scene = lake();
   const water_prop hall = { { 1.0, DBL_MAX, 1.0, DBL_MAX, 1.0, DBL_MAX }, WATER_PROP_VISIBLE };
   water_cull_reason reason = WATER_CULL_EMPTY;
@@ -328,26 +311,11 @@ TEST(bounds_may_be_as_large_as_doubles)
   assert_int_equal(reason, WATER_CULL_NONE);
 }
 
-int main(void)
-{
-  const struct CMUnitTest tests[] = {
-    RUN(ray_along_a_surface_that_is_none_goes_on),
-    RUN(view_at_its_tolerance_is_rigid),
-    RUN(winds_at_both_ends_are_accepted),
-    RUN(glitter_ends_at_the_horizon),
-    RUN(seas_at_both_ends_are_accepted),
-    RUN(normal_maps_at_both_ends_are_accepted),
-    RUN(looks_at_both_ends_are_accepted),
-    RUN(waves_at_both_ends_are_accepted),
-    RUN(waves_fold_beyond_a_rounding),
-    RUN(rays_turned_by_a_right_angle_reach_everything),
-    RUN(both_sides_of_the_picture_are_asked),
-    RUN(scene_at_the_ends_of_its_ranges_is_planned),
-    RUN(eye_at_the_border_is_at_the_surface),
-    RUN(edge_on_and_endless_views_have_no_places),
-    RUN(numbers_too_large_to_multiply_are_refused),
-    RUN(ray_along_the_normal_is_not_refracted),
-    RUN(bounds_may_be_as_large_as_doubles),
-  };
-  return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TESTS(ray_along_a_surface_that_is_none_goes_on, view_at_its_tolerance_is_rigid,
+  winds_at_both_ends_are_accepted, glitter_ends_at_the_horizon, seas_at_both_ends_are_accepted,
+  normal_maps_at_both_ends_are_accepted, looks_at_both_ends_are_accepted,
+  waves_at_both_ends_are_accepted, waves_fold_beyond_a_rounding,
+  rays_turned_by_a_right_angle_reach_everything, both_sides_of_the_picture_are_asked,
+  scene_at_the_ends_of_its_ranges_is_planned, eye_at_the_border_is_at_the_surface,
+  edge_on_and_endless_views_have_no_places, numbers_too_large_to_multiply_are_refused,
+  ray_along_the_normal_is_not_refracted, bounds_may_be_as_large_as_doubles)

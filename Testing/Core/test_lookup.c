@@ -33,7 +33,6 @@ static void axes_of(const random_scene* random, double x_dir[3], double y_dir[3]
 // The pixel that shows a place on the plane leads back to that place.
 TEST(pixel_of_a_place_leads_back_to_it)
 {
-  UNUSED;
   dice from = dice_seeded(61);
   for (int round = 0; round < 3000; ++round)
   {
@@ -66,7 +65,6 @@ TEST(pixel_of_a_place_leads_back_to_it)
 // eye, scaled.
 TEST(directions_lead_to_the_pictures_of_points_along_them)
 {
-  UNUSED;
   dice from = dice_seeded(62);
   for (int round = 0; round < 2000; ++round)
   {
@@ -115,7 +113,6 @@ TEST(directions_lead_to_the_pictures_of_points_along_them)
 // reflection texture never does.
 TEST(depth_at_infinity_is_where_rays_end)
 {
-  UNUSED;
   dice from = dice_seeded(63);
   for (int round = 0; round < 300; ++round)
   {
@@ -143,7 +140,6 @@ TEST(depth_at_infinity_is_where_rays_end)
 // drawn.
 TEST(waves_use_the_whole_map)
 {
-  UNUSED;
   water_scene scene = lake();
   scene.surface_bounds[0] = scene.surface_bounds[2] = -1.0;
   scene.surface_bounds[1] = scene.surface_bounds[3] = 1.0;
@@ -159,7 +155,6 @@ TEST(waves_use_the_whole_map)
 // reflection_scale times it.
 TEST(guard_band_widens_the_map_about_its_middle)
 {
-  UNUSED;
   dice from = dice_seeded(64);
   for (int round = 0; round < 1000; ++round)
   {
@@ -198,7 +193,6 @@ TEST(guard_band_widens_the_map_about_its_middle)
 // By itself the band grows with the waves up to a quarter, and stops at the GPU's limit.
 TEST(guard_band_follows_the_waves)
 {
-  UNUSED;
   water_scene scene = lake();
   scene.has_waves = true;
   assert_int_equal(plan_of(&scene, NULL).texture_px[0], 800);
@@ -217,7 +211,6 @@ TEST(guard_band_follows_the_waves)
 // a prop without bounds may reach anywhere.
 TEST(top_is_the_highest_drawn_corner)
 {
-  UNUSED;
   water_scene scene = lake();
   scene.has_waves = true;
   water_prop props[3] = { { { -1.0, 1.0, -1.0, 1.0, -2.0, 3.0 }, WATER_PROP_VISIBLE },
@@ -238,7 +231,6 @@ TEST(top_is_the_highest_drawn_corner)
 // VTK's default environment has the world's axes; with +z up and +x right, back is -y.
 TEST(environment_has_its_own_axes)
 {
-  UNUSED;
   water_scene scene = lake();
   scene.has_environment = true;
   water_plan plan = plan_of(&scene, NULL); // no directions: the world's
@@ -261,7 +253,6 @@ TEST(environment_has_its_own_axes)
 // The sun in the plane's axes; a light without a direction is none.
 TEST(sun_is_seen_in_the_axes_of_the_plane)
 {
-  UNUSED;
   water_scene scene = lake();
   const double sun[3] = { 3.0, 0.0, 4.0 };
   memcpy(scene.sun_dir, sun, sizeof sun);
@@ -279,7 +270,6 @@ TEST(sun_is_seen_in_the_axes_of_the_plane)
 // The reflection texture's depth says how high what it shows is over the plane, on the eye's side.
 TEST(depth_of_the_map_tells_heights)
 {
-  UNUSED;
   dice from = dice_seeded(66);
   for (int round = 0; round < 1000; ++round)
   {
@@ -308,7 +298,6 @@ TEST(depth_of_the_map_tells_heights)
 // further.
 TEST(mirrored_view_reaches_down_into_troughs)
 {
-  UNUSED;
   water_scene scene = lake();
   scene.has_waves = true;
   scene.settings.clip_margin = 0.1;
@@ -334,20 +323,9 @@ TEST(mirrored_view_reaches_down_into_troughs)
   assert_int_equal(water_plan_make(&scene, &bad, &reason), WATER_BAD_CLIP_MARGIN);
 }
 
-int main(void)
-{
-  const struct CMUnitTest tests[] = {
-    RUN(pixel_of_a_place_leads_back_to_it),
-    RUN(directions_lead_to_the_pictures_of_points_along_them),
-    RUN(depth_at_infinity_is_where_rays_end),
-    RUN(waves_use_the_whole_map),
-    RUN(guard_band_widens_the_map_about_its_middle),
-    RUN(guard_band_follows_the_waves),
-    RUN(environment_has_its_own_axes),
-    RUN(sun_is_seen_in_the_axes_of_the_plane),
-    RUN(top_is_the_highest_drawn_corner),
-    RUN(depth_of_the_map_tells_heights),
-    RUN(mirrored_view_reaches_down_into_troughs),
-  };
-  return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TESTS(pixel_of_a_place_leads_back_to_it, directions_lead_to_the_pictures_of_points_along_them,
+  depth_at_infinity_is_where_rays_end, waves_use_the_whole_map,
+  guard_band_widens_the_map_about_its_middle, guard_band_follows_the_waves,
+  top_is_the_highest_drawn_corner, environment_has_its_own_axes,
+  sun_is_seen_in_the_axes_of_the_plane, depth_of_the_map_tells_heights,
+  mirrored_view_reaches_down_into_troughs)

@@ -60,7 +60,6 @@ static history draw(
 // hardly ever turns back; it ends within its budget, or nearly, or at the coarsest.
 TEST(noise_does_not_make_it_oscillate)
 {
-  UNUSED;
   dice rolled = dice_seeded(20261202);
   history most = { 0, 0 };
   int turned = 0;
@@ -96,7 +95,6 @@ TEST(noise_does_not_make_it_oscillate)
 // Four times the budget: the first change after 3 frames, within the budget after 40.
 TEST(a_step_of_the_cost_is_answered_at_once)
 {
-  UNUSED;
   dice rolled = dice_seeded(20261203);
   const machine light = { 0.5, 7.0, 0.1 };
   const machine heavy = { 2.0, 38.0, 0.1 };
@@ -116,7 +114,6 @@ TEST(a_step_of_the_cost_is_answered_at_once)
 // finest back within 150 frames.
 TEST(ends_of_the_ladder_are_reached)
 {
-  UNUSED;
   dice rolled = dice_seeded(20261204);
   const machine slow = { 100.0, 10.0, 0.2 };
   const machine gone = { 1e-6, 1e-6, 0.2 };
@@ -133,7 +130,6 @@ TEST(ends_of_the_ladder_are_reached)
 // tried again more and more seldom.
 TEST(failed_attempts_become_rare)
 {
-  UNUSED;
   water_quality_state control = { 0 };
   int changes = 0;
   for (int i = 0; i < 100000; ++i)
@@ -151,7 +147,6 @@ TEST(failed_attempts_become_rare)
 // finer steps are taken that a share of 0 would not allow.
 TEST(fixed_share_is_learned)
 {
-  UNUSED;
   dice rolled = dice_seeded(20261205);
   const machine heavy = { 12.0, 4.0, 0.05 };
   const machine light = { 6.0, 0.3, 0.05 };
@@ -172,7 +167,6 @@ TEST(fixed_share_is_learned)
 // Equal inputs give equal outputs, to the last bit.
 TEST(same_times_same_steps)
 {
-  UNUSED;
   const machine cost = { 5.0, 20.0, 0.2 };
   water_quality_state states[2];
   memset(states, 0, sizeof states);
@@ -184,15 +178,6 @@ TEST(same_times_same_steps)
   assert_memory_equal(&states[0], &states[1], sizeof states[0]);
 }
 
-int main(void)
-{
-  const struct CMUnitTest tests[] = {
-    RUN(noise_does_not_make_it_oscillate),
-    RUN(a_step_of_the_cost_is_answered_at_once),
-    RUN(ends_of_the_ladder_are_reached),
-    RUN(failed_attempts_become_rare),
-    RUN(fixed_share_is_learned),
-    RUN(same_times_same_steps),
-  };
-  return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TESTS(noise_does_not_make_it_oscillate, a_step_of_the_cost_is_answered_at_once,
+  ends_of_the_ladder_are_reached, failed_attempts_become_rare, fixed_share_is_learned,
+  same_times_same_steps)

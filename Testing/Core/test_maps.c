@@ -13,7 +13,6 @@ static const double nearby[3] = { 1.0, 2.0, 3.0 };
 // lake's eye looks, is the middle of the reflection texture.
 TEST(texture_of_a_point_on_water_is_its_own_pixel)
 {
-  UNUSED;
   const water_scene known = lake();
   const water_plan plan_known = plan_of(&known, NULL);
   const double origin[3] = { 0.0, 0.0, 0.0 };
@@ -54,7 +53,6 @@ TEST(texture_of_a_point_on_water_is_its_own_pixel)
 // the eye; subtracting twice the height times the normal gives the point's mirror image.
 TEST(plane_and_normal_of_the_eye_mirror_a_point)
 {
-  UNUSED;
   dice from = dice_seeded(15);
   for (int round = 0; round < 3000; ++round)
   {
@@ -85,7 +83,6 @@ TEST(plane_and_normal_of_the_eye_mirror_a_point)
 // from any eye it leads to the point the pixel shows, falling towards the water.
 TEST(ray_in_the_planes_axes)
 {
-  UNUSED;
   dice from = dice_seeded(16);
   int below = 0;
   for (int round = 0; round < 3000; ++round)
@@ -132,7 +129,6 @@ TEST(ray_in_the_planes_axes)
 // light come from behind the mirrored camera's back: it looks up, the light goes down, along +z.
 TEST(headlight_stays_with_the_eye)
 {
-  UNUSED;
   water_scene down = lake();
   const double eye[3] = { 0.0, 0.0, 5.0 };
   const double target[3] = { 0.0, 0.0, 0.0 };
@@ -165,7 +161,6 @@ TEST(headlight_stays_with_the_eye)
 // factor.
 TEST(sky_of_the_map_is_found_on_the_eyes_screen)
 {
-  UNUSED;
   dice from = dice_seeded(18);
   int inside = 0;
   int behind = 0;
@@ -211,7 +206,6 @@ TEST(sky_of_the_map_is_found_on_the_eyes_screen)
 // What the masks and the shader are told of a point: its w, and how far its height may be off.
 TEST(view_tells_w_and_rounding)
 {
-  UNUSED;
   const water_scene scene = lake();
   const water_plan plan = plan_of(&scene, NULL);
   const double point[3] = { 1.0, 2.0, 3.0 };
@@ -228,15 +222,6 @@ TEST(view_tells_w_and_rounding)
   ASSERT_CLOSE(plan.mask_rounding, 16.0 * (double)FLT_EPSILON * size, 1e-15 * size);
 }
 
-int main(void)
-{
-  const struct CMUnitTest tests[] = {
-    RUN(texture_of_a_point_on_water_is_its_own_pixel),
-    RUN(plane_and_normal_of_the_eye_mirror_a_point),
-    RUN(ray_in_the_planes_axes),
-    RUN(headlight_stays_with_the_eye),
-    RUN(sky_of_the_map_is_found_on_the_eyes_screen),
-    RUN(view_tells_w_and_rounding),
-  };
-  return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TESTS(texture_of_a_point_on_water_is_its_own_pixel, plane_and_normal_of_the_eye_mirror_a_point,
+  ray_in_the_planes_axes, headlight_stays_with_the_eye, sky_of_the_map_is_found_on_the_eyes_screen,
+  view_tells_w_and_rounding)

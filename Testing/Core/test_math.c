@@ -25,7 +25,6 @@ static void assert_inverse(const double m[16], const double inverse[16], double 
 // Numbers are asked up to the count and no further.
 TEST(numbers_are_finite_or_usable_up_to_their_count)
 {
-  UNUSED;
   const double bad[3] = { (double)NAN, (double)INFINITY, 1.0001e100 };
   for (int i = 0; i < 3; ++i)
   {
@@ -44,7 +43,6 @@ TEST(numbers_are_finite_or_usable_up_to_their_count)
 // which a flat one is not.
 TEST(boxes_are_finite_and_empty_by_axis)
 {
-  UNUSED;
   const double huge[6] = { -1.0, DBL_MAX, -1.0, DBL_MAX, -1.0, DBL_MAX };
   const double flat[6] = { 1.0, 1.0, 2.0, 2.0, -3.0, -3.0 };
   assert_true(water_bounds_are_finite(huge));
@@ -70,7 +68,6 @@ TEST(boxes_are_finite_and_empty_by_axis)
 // Bit 0, 1 and 2 of a corner's number pick the upper end on x, y and z.
 TEST(corners_are_numbered_in_binary)
 {
-  UNUSED;
   const double box[6] = { 1.0, 2.0, 10.0, 20.0, 100.0, 200.0 };
   const double sums[8] = { 111.0, 112.0, 121.0, 122.0, 211.0, 212.0, 221.0, 222.0 };
   for (int number = 0; number < 8; ++number)
@@ -85,7 +82,6 @@ TEST(corners_are_numbered_in_binary)
 // Small whole numbers have exact products, worked out by hand.
 TEST(products_of_whole_numbers_are_exact)
 {
-  UNUSED;
   const double a[4] = { 1.0, 2.0, 3.0, 4.0 };
   const double b[4] = { 5.0, 7.0, 11.0, 13.0 };
   const double sides[3] = { 2.0, 3.0, 6.0 };
@@ -121,7 +117,6 @@ TEST(products_of_whole_numbers_are_exact)
 // The power of two is that of the largest of four, their signs aside; others are passed by.
 TEST(exponent_is_that_of_the_largest_of_four)
 {
-  UNUSED;
   double values[17] = { 0.0 };
   bool is_zero = false;
   for (int stride = 1; stride <= 4; stride += 3)
@@ -141,7 +136,6 @@ TEST(exponent_is_that_of_the_largest_of_four)
 // A matrix times its inverse is the identity.
 TEST(inverse_undoes_random_matrices)
 {
-  UNUSED;
   dice from = dice_seeded(1);
   for (int round = 0; round < 2000; ++round)
   {
@@ -159,7 +153,6 @@ TEST(inverse_undoes_random_matrices)
 // Near and far planes 1e18 apart, and scenes in any unit, have an inverse.
 TEST(inverse_survives_any_scale)
 {
-  UNUSED;
   const double box[4] = { -1e-6, 2e-6, -1e-6, 1e-6 };
   double m[16];
   double inverse[16];
@@ -186,7 +179,6 @@ TEST(inverse_survives_any_scale)
 // Rows that differ in the eighth digit only still have an inverse.
 TEST(inverse_exists_close_to_singular)
 {
-  UNUSED;
   const double m[16] = { 1, 1, 0, 0, 1, 1 + 1e-8, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 };
   double inverse[16];
   assert_true(water_mat4_invert(m, inverse));
@@ -197,7 +189,6 @@ TEST(inverse_exists_close_to_singular)
 // its scale; nor has one that is not finite. The output is left alone.
 TEST(inverse_refuses_singular_matrices)
 {
-  UNUSED;
   double cases[5][16] = {
     { 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 17 },
     { 1e9, 2e9, 3e9, 4e9, 1e-9, 2e-9, 3e-9, 4e-9, 0, 0, 1, 0, 0, 0, 0, 1 },
@@ -218,7 +209,6 @@ TEST(inverse_refuses_singular_matrices)
 // whose inverse overflows is none.
 TEST(inverse_ends_where_it_is_said_to)
 {
-  UNUSED;
   for (int i = 0; i < 2; ++i)
   {
     const double close = 1.0 + (i == 0 ? 32.0 : 31.0) * DBL_EPSILON;
@@ -236,7 +226,6 @@ TEST(inverse_ends_where_it_is_said_to)
 // is its third column, and a rounding of its frustum's width would turn it.
 TEST(inverse_of_a_projection_keeps_its_zeros)
 {
-  UNUSED;
   dice from = dice_seeded(61);
   for (int round = 0; round < 1000; ++round)
   {
@@ -268,7 +257,6 @@ TEST(inverse_of_a_projection_keeps_its_zeros)
 // The inverse of a view takes the origin of view space to the eye, however far out the eye is.
 TEST(affine_inverse_finds_the_eye)
 {
-  UNUSED;
   const double eye[3] = { 5e6, -4e6, 12.5 };
   const double target[3] = { 5e6 + 3.0, -4e6 + 4.0, 11.0 };
   const double up[3] = { 0.0, 0.0, 1.0 };
@@ -285,21 +273,9 @@ TEST(affine_inverse_finds_the_eye)
   assert_false(water_mat4_invert_affine(flat, inverse));
 }
 
-int main(void)
-{
-  const struct CMUnitTest tests[] = {
-    RUN(numbers_are_finite_or_usable_up_to_their_count),
-    RUN(boxes_are_finite_and_empty_by_axis),
-    RUN(corners_are_numbered_in_binary),
-    RUN(products_of_whole_numbers_are_exact),
-    RUN(exponent_is_that_of_the_largest_of_four),
-    RUN(inverse_undoes_random_matrices),
-    RUN(inverse_survives_any_scale),
-    RUN(inverse_exists_close_to_singular),
-    RUN(inverse_refuses_singular_matrices),
-    RUN(inverse_ends_where_it_is_said_to),
-    RUN(inverse_of_a_projection_keeps_its_zeros),
-    RUN(affine_inverse_finds_the_eye),
-  };
-  return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TESTS(numbers_are_finite_or_usable_up_to_their_count, boxes_are_finite_and_empty_by_axis,
+  corners_are_numbered_in_binary, products_of_whole_numbers_are_exact,
+  exponent_is_that_of_the_largest_of_four, inverse_undoes_random_matrices,
+  inverse_survives_any_scale, inverse_exists_close_to_singular, inverse_refuses_singular_matrices,
+  inverse_ends_where_it_is_said_to, inverse_of_a_projection_keeps_its_zeros,
+  affine_inverse_finds_the_eye)

@@ -12,7 +12,6 @@ static const double pi = 3.141592653589793;
 // Found by golden section, with no sine in it.
 TEST(refracted_ray_is_the_fastest_way)
 {
-  UNUSED;
   const double up[3] = { 0.0, 0.0, 1.0 };
   for (double reach = 0.1; reach < 20.0; reach *= 1.5)
   {
@@ -47,7 +46,6 @@ TEST(refracted_ray_is_the_fastest_way)
 // The way back is the way there; either side of the normal will do; unit length; in one plane.
 TEST(refraction_is_reversible)
 {
-  UNUSED;
   dice from = dice_seeded(8);
   for (int round = 0; round < 5000; ++round)
   {
@@ -82,7 +80,6 @@ TEST(refraction_is_reversible)
 // Seen from below the sky ends at 48.607 degrees; beyond it there is no refracted ray.
 TEST(window_has_its_half_angle)
 {
-  UNUSED;
   const double up[3] = { 0.0, 0.0, 1.0 };
   const double critical = water_optics_critical_rad(1.0 / water);
   ASSERT_CLOSE(critical * 180.0 / pi, 48.607, 1e-3);
@@ -101,7 +98,6 @@ TEST(window_has_its_half_angle)
 // no difference of index nothing is moved.
 TEST(apparent_depth_has_known_ends)
 {
-  UNUSED;
   ASSERT_CLOSE(water_medium_apparent_depth(2.0, 1.0, water), 1.5003750937734434, 1e-15);
   ASSERT_CLOSE(water_medium_apparent_depth(2.0, 0.0, water), 0.0, 0.0);
   ASSERT_CLOSE(water_medium_apparent_depth(2.0, 0.4, 1.0), 2.0, 1e-15);
@@ -111,7 +107,6 @@ TEST(apparent_depth_has_known_ends)
 // Pure water loses 1 - 1/e of its red in 1 / 0.34 m; two ways one after the other multiply.
 TEST(transmittance_is_bouguers)
 {
-  UNUSED;
   const water_medium medium = { { 0.34, 0.0565, 0.00922 }, { 0.0, 0.01, 0.002 } };
   double once[3];
   double twice[3];
@@ -129,7 +124,6 @@ TEST(transmittance_is_bouguers)
 // b phase ds, the way up. In many thin ones.
 TEST(inscatter_is_the_sum_of_its_layers)
 {
-  UNUSED;
   const water_medium medium = { { 0.4, 0.05, 0.0 }, { 0.01, 0.03, 0.0 } };
   const double sun = 0.8;
   const double eye = 0.95;
@@ -168,7 +162,6 @@ TEST(inscatter_is_the_sum_of_its_layers)
 // of the size of 0.33 b_b / a (Morel and Prieur 1977), within a factor of 2.
 TEST(deep_clear_water_is_blue)
 {
-  UNUSED;
   water_medium medium;
   assert_int_equal(water_type_medium(WATER_TYPE_I, &medium), WATER_OK);
   double inscatter[3];
@@ -184,7 +177,6 @@ TEST(deep_clear_water_is_blue)
 // negative.
 TEST(jerlov_types_are_in_order)
 {
-  UNUSED;
   double before[3] = { 0.0, 0.0, 0.0 };
   double kd[3];
   for (int type = 0; type < WATER_TYPE_COUNT; ++type)
@@ -215,7 +207,6 @@ TEST(jerlov_types_are_in_order)
 
 TEST(bad_numbers_are_refused)
 {
-  UNUSED;
   const double bad[3] = { -0.1, (double)NAN, (double)INFINITY };
   for (int i = 0; i < 3; ++i)
   {
@@ -246,7 +237,6 @@ TEST(bad_numbers_are_refused)
 // and pure water is blue.
 TEST(deep_color_is_the_share_that_comes_back)
 {
-  UNUSED;
   const water_medium black = { { 0.3, 0.1, 0.05 }, { 0.0, 0.0, 0.0 } };
   const water_medium milk = { { 0.0, 0.0, 0.0 }, { 2.0, 1.0, 0.5 } };
   const water_medium nothing = { { 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0 } };
@@ -269,19 +259,7 @@ TEST(deep_color_is_the_share_that_comes_back)
   assert_true(color[2] > 5.0 * color[1] && color[1] > color[0]);
 }
 
-int main(void)
-{
-  const struct CMUnitTest tests[] = {
-    RUN(refracted_ray_is_the_fastest_way),
-    RUN(refraction_is_reversible),
-    RUN(window_has_its_half_angle),
-    RUN(apparent_depth_has_known_ends),
-    RUN(transmittance_is_bouguers),
-    RUN(inscatter_is_the_sum_of_its_layers),
-    RUN(deep_clear_water_is_blue),
-    RUN(jerlov_types_are_in_order),
-    RUN(bad_numbers_are_refused),
-    RUN(deep_color_is_the_share_that_comes_back),
-  };
-  return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TESTS(refracted_ray_is_the_fastest_way, refraction_is_reversible, window_has_its_half_angle,
+  apparent_depth_has_known_ends, transmittance_is_bouguers, inscatter_is_the_sum_of_its_layers,
+  deep_clear_water_is_blue, jerlov_types_are_in_order, bad_numbers_are_refused,
+  deep_color_is_the_share_that_comes_back)

@@ -12,7 +12,6 @@ static const double nearby[3] = { 1.0, 2.0, 3.0 };
 // vector mirrored and turned over with it: what the eye's picture has above, its picture has above.
 TEST(mirrored_camera_of_a_known_eye)
 {
-  UNUSED;
   const water_scene scene = lake();
   const water_plan plan = plan_of(&scene, NULL);
   const double position[3] = { 0.0, -10.0, -5.0 };
@@ -30,7 +29,6 @@ TEST(mirrored_camera_of_a_known_eye)
 // own terms is what the matrices say.
 TEST(pose_and_matrix_are_the_same_camera)
 {
-  UNUSED;
   dice from = dice_seeded(7);
   for (int round = 0; round < 600; ++round)
   {
@@ -50,7 +48,6 @@ TEST(pose_and_matrix_are_the_same_camera)
 // A point on the water is seen at the same place by both cameras, x flipped, at the same depth.
 TEST(point_on_water_keeps_its_pixel)
 {
-  UNUSED;
   dice from = dice_seeded(8);
   for (int round = 0; round < 3000; ++round)
   {
@@ -80,7 +77,6 @@ TEST(point_on_water_keeps_its_pixel)
 // with coordinates of 5e6 still to a thousandth of a pixel.
 TEST(point_above_water_is_seen_as_its_mirror_image)
 {
-  UNUSED;
   dice from = dice_seeded(9);
   const double far_away[3] = { 5e6, -4e6, 300.0 };
   for (int round = 0; round < 3000; ++round)
@@ -106,7 +102,6 @@ TEST(point_above_water_is_seen_as_its_mirror_image)
 // Mirrored twice, a camera is itself again.
 TEST(mirrored_twice_is_the_eye)
 {
-  UNUSED;
   dice from = dice_seeded(10);
   for (int round = 0; round < 300; ++round)
   {
@@ -130,7 +125,6 @@ TEST(mirrored_twice_is_the_eye)
 // front.
 TEST(clip_has_the_sign_of_the_height)
 {
-  UNUSED;
   dice from = dice_seeded(11);
   int kept = 0;
   int cut = 0;
@@ -175,7 +169,6 @@ TEST(clip_has_the_sign_of_the_height)
 // Where nothing reaches out the mirrored projection keeps its depths to the last bit.
 TEST(far_plane_stays_without_a_reason)
 {
-  UNUSED;
   dice from = dice_seeded(91);
   const double box[4] = { -1.0, 1.0, -1.0, 1.0 };
   for (int round = 0; round < 100; ++round)
@@ -195,7 +188,6 @@ TEST(far_plane_stays_without_a_reason)
 // 999.5 of 1000 it is 1 - 1e-6 deep. One at 998.5, 3e-6 off, does not.
 TEST(far_plane_keeps_its_margin)
 {
-  UNUSED;
   water_scene scene = pool(5.0); // its mirrored eye is 10 under the water, and looks up
   const double tops[2] = { 989.5, 988.5 };
   for (int i = 0; i < 2; ++i)
@@ -217,7 +209,6 @@ TEST(far_plane_keeps_its_margin)
 // beyond its far plane; picture and near plane stay, and so does everything if nothing reaches out.
 TEST(far_plane_moves_behind_the_drawn_props)
 {
-  UNUSED;
   dice from = dice_seeded(26);
   int moved = 0;
   for (int round = 0; round < 3000; ++round)
@@ -280,7 +271,6 @@ TEST(far_plane_moves_behind_the_drawn_props)
 // A projection without inverse has no clip plane: refused, output untouched.
 TEST(clip_needs_a_projection_with_an_inverse)
 {
-  UNUSED;
   const double ahead[4] = { 0.0, 0.0, -1.0, -5.0 }; // view z <= -5
   const double zeros[16] = { 0.0 };
   double clip[4] = { 7.0 };
@@ -288,19 +278,8 @@ TEST(clip_needs_a_projection_with_an_inverse)
   assert_true(clip[0] == 7.0);
 }
 
-int main(void)
-{
-  const struct CMUnitTest tests[] = {
-    RUN(mirrored_camera_of_a_known_eye),
-    RUN(pose_and_matrix_are_the_same_camera),
-    RUN(point_on_water_keeps_its_pixel),
-    RUN(point_above_water_is_seen_as_its_mirror_image),
-    RUN(mirrored_twice_is_the_eye),
-    RUN(clip_has_the_sign_of_the_height),
-    RUN(far_plane_stays_without_a_reason),
-    RUN(far_plane_keeps_its_margin),
-    RUN(far_plane_moves_behind_the_drawn_props),
-    RUN(clip_needs_a_projection_with_an_inverse),
-  };
-  return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TESTS(mirrored_camera_of_a_known_eye, pose_and_matrix_are_the_same_camera,
+  point_on_water_keeps_its_pixel, point_above_water_is_seen_as_its_mirror_image,
+  mirrored_twice_is_the_eye, clip_has_the_sign_of_the_height, far_plane_stays_without_a_reason,
+  far_plane_keeps_its_margin, far_plane_moves_behind_the_drawn_props,
+  clip_needs_a_projection_with_an_inverse)

@@ -20,7 +20,6 @@ static double part(const unsigned char* map, size_t x, size_t y, size_t channel)
 // Unit normals that point up, level on average, with the promised rms slope.
 TEST(map_holds_unit_normals)
 {
-  UNUSED;
   water_normals_fill(SIZE, 1, pixels);
   double mean[2] = { 0.0, 0.0 };
   double square = 0.0;
@@ -42,7 +41,6 @@ TEST(map_holds_unit_normals)
 // The step over the edge is no larger than those inside: the map repeats without a seam.
 TEST(map_repeats_without_a_seam)
 {
-  UNUSED;
   water_normals_fill(SIZE, 1, pixels);
   double inside = 0.0;
   double seam = 0.0;
@@ -62,7 +60,6 @@ TEST(map_repeats_without_a_seam)
 
 TEST(seed_makes_the_map)
 {
-  UNUSED;
   water_normals_fill(SIZE, 1, pixels);
   water_normals_fill(SIZE, 1, others);
   assert_memory_equal(pixels, others, sizeof pixels);
@@ -73,7 +70,6 @@ TEST(seed_makes_the_map)
 // A seed is a promise: pictures of today are compared with those of other days.
 TEST(map_of_a_seed_stays_as_it_was)
 {
-  UNUSED;
   const int size = 64;
   const struct
   {
@@ -97,7 +93,6 @@ TEST(map_of_a_seed_stays_as_it_was)
 // A map of 4 m that moves along the second axis with 0.5 m/s.
 TEST(map_moves_with_time)
 {
-  UNUSED;
   const water_normal_map map = { 4.0, 0.5, 1.5707963267948966, 1.0 };
   double place[2];
   water_normals_place(&map, 1.0, 3.0, 0.0, place);
@@ -116,7 +111,6 @@ TEST(map_moves_with_time)
 // A map that moves along the first axis is met by a place later, and so along the second.
 TEST(normal_map_moves_to_where_it_points)
 {
-  UNUSED;
   const water_normal_map map = { 4.0, 1.0, 0.0, 1.0 };
   double place[2];
   water_normals_place(&map, 3.0, 1.0, 1.0, place);
@@ -127,7 +121,6 @@ TEST(normal_map_moves_to_where_it_points)
 // A place just before a whole map is in [0, 1), too, where its share rounds up to 1.
 TEST(place_is_under_one)
 {
-  UNUSED;
   const water_normal_map map = { 1.0, 0.0, 0.0, 1.0 };
   double place[2];
   water_normals_place(&map, -1e-20, -1e-300, 0.0, place);
@@ -137,7 +130,6 @@ TEST(place_is_under_one)
 // The normal of a slope of 1 along x; one that faces down is taken for a steep one.
 TEST(texels_are_slopes_and_their_squares)
 {
-  UNUSED;
   const unsigned char map[8] = { 37, 128, 218, 255, 255, 128, 0, 0 };
   float texels[8];
   water_normals_texels(map, 4, 2, texels);
@@ -152,7 +144,6 @@ TEST(texels_are_slopes_and_their_squares)
 // All four numbers of all texels: slopes and squares.
 TEST(texels_hold_both_slopes_and_squares)
 {
-  UNUSED;
   const unsigned char colors[6] = { 255, 51, 255, 0, 204, 255 };
   const float truth[8] = { -1.0f, 0.6f, 1.0f, 0.36f, 1.0f, -0.6f, 1.0f, 0.36f };
   float texels[8];
@@ -165,7 +156,6 @@ TEST(texels_hold_both_slopes_and_squares)
 
 TEST(bad_numbers_are_named)
 {
-  UNUSED;
   const double bad[2] = { (double)NAN, (double)INFINITY };
   const water_normal_map good = { 4.0, 0.5, 1.0, 1.0 };
   assert_int_equal(water_normals_check(&good), WATER_OK);
@@ -189,19 +179,7 @@ TEST(bad_numbers_are_named)
   assert_int_equal(water_normals_check(&map), WATER_BAD_NORMAL_MAP_SIZE);
 }
 
-int main(void)
-{
-  const struct CMUnitTest tests[] = {
-    RUN(map_holds_unit_normals),
-    RUN(map_repeats_without_a_seam),
-    RUN(seed_makes_the_map),
-    RUN(map_of_a_seed_stays_as_it_was),
-    RUN(map_moves_with_time),
-    RUN(normal_map_moves_to_where_it_points),
-    RUN(place_is_under_one),
-    RUN(texels_are_slopes_and_their_squares),
-    RUN(texels_hold_both_slopes_and_squares),
-    RUN(bad_numbers_are_named),
-  };
-  return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TESTS(map_holds_unit_normals, map_repeats_without_a_seam, seed_makes_the_map,
+  map_of_a_seed_stays_as_it_was, map_moves_with_time, normal_map_moves_to_where_it_points,
+  place_is_under_one, texels_are_slopes_and_their_squares, texels_hold_both_slopes_and_squares,
+  bad_numbers_are_named)

@@ -24,7 +24,6 @@ static double cos_deg(double angle_deg)
 // the core's), from above, from below, and for glass.
 TEST(fresnel_has_the_known_values)
 {
-  UNUSED;
   const double known[][3] = { // eta, degrees, reflectance
     { 1.333, 0, 0.0203731878 }, { 1.333, 10, 0.0203836676 }, { 1.333, 20, 0.0205554062 },
     { 1.333, 30, 0.0214364659 }, { 1.333, 40, 0.0245023610 }, { 1.333, 50, 0.0336678738 },
@@ -47,7 +46,6 @@ TEST(fresnel_has_the_known_values)
 // cos^2(2b).
 TEST(brewster_angle_reflects_one_polarisation)
 {
-  UNUSED;
   for (double eta = 1.1; eta < 2.5; eta += 0.1)
   {
     const double brewster = atan(eta);
@@ -60,7 +58,6 @@ TEST(brewster_angle_reflects_one_polarisation)
 // above there is no such angle.
 TEST(critical_angle_of_water)
 {
-  UNUSED;
   const double critical = water_optics_critical_rad(1.0 / water);
   ASSERT_CLOSE(critical * 180.0 / acos(-1.0), 48.6066263917, 1e-9);
   assert_true(water_optics_fresnel(cos(critical + 1e-9), 1.0 / water) == 1.0);
@@ -73,7 +70,6 @@ TEST(critical_angle_of_water)
 // Light takes the same path both ways: a ray and its refracted one have the same reflectance.
 TEST(reflectance_is_the_same_both_ways)
 {
-  UNUSED;
   for (double angle_deg = 0.0; angle_deg < 89.5; angle_deg += 1.0)
   {
     const double sine = sin(angle_deg * acos(-1.0) / 180.0) / water; // Snell
@@ -88,7 +84,6 @@ TEST(reflectance_is_the_same_both_ways)
 // Schlick's curve has the exact ends, and stays near the exact one for water, but is not the same.
 TEST(schlick_is_close_to_fresnel)
 {
-  UNUSED;
   double largest = 0.0;
   for (double angle_deg = 0.0; angle_deg <= 90.0; angle_deg += 0.25)
   {
@@ -105,7 +100,6 @@ TEST(schlick_is_close_to_fresnel)
 // out of [0, 1] count as the nearest end.
 TEST(ends_of_the_range_are_safe)
 {
-  UNUSED;
   for (int i = 0; i <= 10; ++i)
   {
     ASSERT_CLOSE(water_optics_fresnel(0.1 * i, 1.0), 0.0, 1e-15);
@@ -118,7 +112,6 @@ TEST(ends_of_the_range_are_safe)
 // The shader's functions are the core's.
 TEST(shader_computes_the_same)
 {
-  UNUSED;
   for (double eta = 0.4; eta < 2.5; eta += 0.05)
   {
     for (double cosine = -0.1; cosine < 1.1; cosine += 0.01)
@@ -134,7 +127,6 @@ TEST(shader_computes_the_same)
 // From above the other side is the water, from below the air.
 TEST(plan_carries_the_index_beyond)
 {
-  UNUSED;
   water_scene scene = lake();
   ASSERT_CLOSE(plan_of(&scene, NULL).eta, 1.333, 1e-15);
   scene.plane.normal[2] = -1.0; // now the eye is below
@@ -145,7 +137,6 @@ TEST(plan_carries_the_index_beyond)
 // angle.
 TEST(joined_waters_reflect_no_less_than_each)
 {
-  UNUSED;
   const water_look looks[4] = { { 1.333, 0.3, true }, { 1.333, 0.5, true }, { 1.333, 0.1, false },
     { 1.5, 0.1, false } };
   for (int i = 0; i < 4; ++i)
@@ -178,7 +169,6 @@ TEST(joined_waters_reflect_no_less_than_each)
 // The most that is reflected, of the corners of a part of the picture; rows that mix x and y.
 TEST(most_is_reflected_in_a_corner)
 {
-  UNUSED;
   const double rows[9] = { 1.0, 0.5, 0.1, -0.25, 1.0, 0.2, 0.1, 0.3, -1.0 };
   const double box[4] = { -0.2, 0.1, 0.6, 0.9 };
   const water_look look = { 1.333, 0.0, false };
@@ -197,19 +187,7 @@ TEST(most_is_reflected_in_a_corner)
   ASSERT_CLOSE(water_optics_reflectance_max(&look, 1.333, rows, box, 0.0), most, 1e-14);
 }
 
-int main(void)
-{
-  const struct CMUnitTest tests[] = {
-    RUN(fresnel_has_the_known_values),
-    RUN(brewster_angle_reflects_one_polarisation),
-    RUN(critical_angle_of_water),
-    RUN(reflectance_is_the_same_both_ways),
-    RUN(schlick_is_close_to_fresnel),
-    RUN(ends_of_the_range_are_safe),
-    RUN(shader_computes_the_same),
-    RUN(plan_carries_the_index_beyond),
-    RUN(joined_waters_reflect_no_less_than_each),
-    RUN(most_is_reflected_in_a_corner),
-  };
-  return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TESTS(fresnel_has_the_known_values, brewster_angle_reflects_one_polarisation,
+  critical_angle_of_water, reflectance_is_the_same_both_ways, schlick_is_close_to_fresnel,
+  ends_of_the_range_are_safe, shader_computes_the_same, plan_carries_the_index_beyond,
+  joined_waters_reflect_no_less_than_each, most_is_reflected_in_a_corner)

@@ -46,7 +46,6 @@ static water_scene lake_with_prop(void)
 // A scene with everything wrong reports the first fault of the list; repaired one by one, the next.
 TEST(faults_are_reported_in_the_order_of_the_list)
 {
-  UNUSED;
   const double nan_value = (double)NAN;
   const water_prop bad = { { nan_value, 1.0, 0.0, 1.0, 0.0, 1.0 }, WATER_PROP_VISIBLE };
   const water_scene good = lake();
@@ -97,7 +96,6 @@ TEST(faults_are_reported_in_the_order_of_the_list)
 // NaN or infinity in any number of the scene has the status of the part it stands in.
 TEST(numbers_that_are_not_finite_are_named)
 {
-  UNUSED;
   const double bad[3] = { (double)NAN, (double)INFINITY, -(double)INFINITY };
   for (int i = 0; i < 3; ++i)
   {
@@ -149,7 +147,6 @@ TEST(numbers_that_are_not_finite_are_named)
 // error, and the reasons stay as they were.
 TEST(decision_says_why_nothing_is_drawn)
 {
-  UNUSED;
   water_scene scene = lake_with_prop();
   assert_int_equal(decision_of(&scene), WATER_REFLECT);
   scene.look.reflectance = 0.0; // Fresnel is in use: of no importance
@@ -170,7 +167,6 @@ TEST(decision_says_why_nothing_is_drawn)
 // A prop with bad bounds does not matter while nothing is drawn.
 TEST(props_are_not_looked_at_when_nothing_is_drawn)
 {
-  UNUSED;
   const water_prop bad = { { (double)NAN, 1.0, 0.0, 1.0, 0.0, 1.0 }, WATER_PROP_VISIBLE };
   water_scene scene = lake();
   scene.props = &bad;
@@ -183,7 +179,6 @@ TEST(props_are_not_looked_at_when_nothing_is_drawn)
 // the same view.
 TEST(view_is_planned_without_a_mirror)
 {
-  UNUSED;
   water_scene scene = lake();
   const water_plan mirror = plan_of(&scene, NULL);
   assert_true(mirror.has_view);
@@ -204,7 +199,6 @@ TEST(view_is_planned_without_a_mirror)
 // Same scene, same plan, bit by bit; and the scene is not written to.
 TEST(plan_is_a_pure_function)
 {
-  UNUSED;
   dice from = dice_seeded(24);
   const double center[3] = { 0.0, 0.0, 0.0 };
   for (int round = 0; round < 100; ++round)
@@ -229,7 +223,6 @@ TEST(plan_is_a_pure_function)
 // the scene is mirrored where the eye is, whichever side the normal calls up.
 TEST(turning_the_plane_over_only_changes_the_side)
 {
-  UNUSED;
   dice from = dice_seeded(25);
   const double center[3] = { 1.0, 2.0, 3.0 };
   for (int round = 0; round < 300; ++round)
@@ -262,7 +255,6 @@ TEST(turning_the_plane_over_only_changes_the_side)
 // hundreds at a time.
 TEST(many_props_are_each_decided_as_alone)
 {
-  UNUSED;
   enum
   {
     COUNT = 700
@@ -324,17 +316,7 @@ TEST(many_props_are_each_decided_as_alone)
   }
 }
 
-int main(void)
-{
-  const struct CMUnitTest tests[] = {
-    RUN(faults_are_reported_in_the_order_of_the_list),
-    RUN(numbers_that_are_not_finite_are_named),
-    RUN(decision_says_why_nothing_is_drawn),
-    RUN(props_are_not_looked_at_when_nothing_is_drawn),
-    RUN(view_is_planned_without_a_mirror),
-    RUN(plan_is_a_pure_function),
-    RUN(many_props_are_each_decided_as_alone),
-    RUN(turning_the_plane_over_only_changes_the_side),
-  };
-  return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TESTS(faults_are_reported_in_the_order_of_the_list, numbers_that_are_not_finite_are_named,
+  decision_says_why_nothing_is_drawn, props_are_not_looked_at_when_nothing_is_drawn,
+  view_is_planned_without_a_mirror, plan_is_a_pure_function,
+  turning_the_plane_over_only_changes_the_side, many_props_are_each_decided_as_alone)

@@ -9,7 +9,6 @@ static const double far_away[3] = { 5e6, -4e6, 300.0 };
 // z = 3 written with a normal of any length: a point at z = 5 is 2 above it.
 TEST(heights_are_distances_for_normals_of_any_length)
 {
-  UNUSED;
   const double lengths[4] = { 1.0, 2.0, 1e-200, 1e200 };
   const double point[3] = { 7.0, -8.0, 5.0 };
   for (int i = 0; i < 4; ++i)
@@ -25,7 +24,6 @@ TEST(heights_are_distances_for_normals_of_any_length)
 // No direction or no finite number: no plane, and the output is left alone.
 TEST(planes_without_direction_are_refused)
 {
-  UNUSED;
   const double bad = (double)NAN;
   const double huge = (double)INFINITY;
   const water_plane cases[] = { { { 0.0, 0.0, 0.0 }, 1.0 }, { { bad, 0.0, 1.0 }, 0.0 },
@@ -42,7 +40,6 @@ TEST(planes_without_direction_are_refused)
 // Mirrored at z = 3, the point (1, 2, 5) is (1, 2, 1).
 TEST(mirror_sends_a_known_point_where_it_belongs)
 {
-  UNUSED;
   const water_plane unit = { { 0.0, 0.0, 1.0 }, -3.0 };
   const double point[3] = { 1.0, 2.0, 5.0 };
   double mirror[16];
@@ -56,7 +53,6 @@ TEST(mirror_sends_a_known_point_where_it_belongs)
 // mirroring twice is nothing; a mirror turns right hands into left ones (determinant -1).
 TEST(mirror_is_a_reflection_at_any_plane)
 {
-  UNUSED;
   dice from = dice_seeded(2);
   for (int round = 0; round < 1000; ++round)
   {
@@ -91,7 +87,6 @@ TEST(mirror_is_a_reflection_at_any_plane)
 // x.
 TEST(axes_of_known_planes)
 {
-  UNUSED;
   const double normals[4][3] = { { 0, 0, 1 }, { 1, 0, 0 }, { 0, 1, 0 }, { -0.6, 0, 0.8 } };
   const double xs[4][3] = { { 1, 0, 0 }, { 0, 1, 0 }, { 1, 0, 0 }, { 0.8, 0, 0.6 } };
   const double ys[4][3] = { { 0, 1, 0 }, { 0, 0, 1 }, { 0, 0, -1 }, { 0, 1, 0 } };
@@ -112,7 +107,6 @@ TEST(axes_of_known_planes)
 // degenerate choice: x_dir stays within 45 degrees of the axis it was made from.
 TEST(axes_are_a_right_handed_frame)
 {
-  UNUSED;
   dice from = dice_seeded(3);
   for (int round = 0; round < 1000; ++round)
   {
@@ -131,7 +125,6 @@ TEST(axes_are_a_right_handed_frame)
 // Over a level plane the sheet of a box is the box's own floor, counted from the origin.
 TEST(sheet_of_a_level_plane_is_the_floor_of_the_box)
 {
-  UNUSED;
   const double origin[3] = { 100.0, 200.0, 7.0 };
   const double x_dir[3] = { 1.0, 0.0, 0.0 };
   const double y_dir[3] = { 0.0, 1.0, 0.0 };
@@ -151,7 +144,6 @@ TEST(sheet_of_a_level_plane_is_the_floor_of_the_box)
 // sides, lies in the plane, and turns counter-clockwise about the normal.
 TEST(sheet_of_any_plane_covers_the_box_tightly)
 {
-  UNUSED;
   dice from = dice_seeded(4);
   for (int round = 0; round < 500; ++round)
   {
@@ -197,7 +189,6 @@ TEST(sheet_of_any_plane_covers_the_box_tightly)
 // Bounds that are empty or not finite make no sheet, nor do such whose sheet is not finite.
 TEST(sheet_needs_bounds)
 {
-  UNUSED;
   const double origin[3] = { 0.0, 0.0, 0.0 };
   const double x_dir[3] = { 0.8, 0.6, 0.0 };
   const double y_dir[3] = { -0.6, 0.8, 0.0 };
@@ -215,7 +206,6 @@ TEST(sheet_needs_bounds)
 // The nearest point of a plane lies on it, straight below the point; a point of the plane stays.
 TEST(projection_is_the_nearest_point)
 {
-  UNUSED;
   const water_plane tilted = { { 2.0 / 3.0, 1.0 / 3.0, 2.0 / 3.0 }, -9.0 };
   const double point[3] = { 12.0, 6.0, 12.0 }; // 9 above the foot (6, 3, 6)
   double foot[3];
@@ -230,7 +220,6 @@ TEST(projection_is_the_nearest_point)
 // Whatever moves within its reach stays within the bounds, and some of it touches them.
 TEST(displaced_bounds_hold_what_moves)
 {
-  UNUSED;
   dice from = dice_seeded(29);
   const double bounds[6] = { -1.0, 2.0, -3.0, 4.0, 5.0, 5.5 };
   for (int round = 0; round < 1000; ++round)
@@ -253,20 +242,8 @@ TEST(displaced_bounds_hold_what_moves)
   }
 }
 
-int main(void)
-{
-  const struct CMUnitTest tests[] = {
-    RUN(heights_are_distances_for_normals_of_any_length),
-    RUN(planes_without_direction_are_refused),
-    RUN(mirror_sends_a_known_point_where_it_belongs),
-    RUN(mirror_is_a_reflection_at_any_plane),
-    RUN(axes_of_known_planes),
-    RUN(axes_are_a_right_handed_frame),
-    RUN(sheet_of_a_level_plane_is_the_floor_of_the_box),
-    RUN(sheet_of_any_plane_covers_the_box_tightly),
-    RUN(sheet_needs_bounds),
-    RUN(projection_is_the_nearest_point),
-    RUN(displaced_bounds_hold_what_moves),
-  };
-  return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TESTS(heights_are_distances_for_normals_of_any_length, planes_without_direction_are_refused,
+  mirror_sends_a_known_point_where_it_belongs, mirror_is_a_reflection_at_any_plane,
+  axes_of_known_planes, axes_are_a_right_handed_frame,
+  sheet_of_a_level_plane_is_the_floor_of_the_box, sheet_of_any_plane_covers_the_box_tightly,
+  sheet_needs_bounds, projection_is_the_nearest_point, displaced_bounds_hold_what_moves)

@@ -24,7 +24,6 @@ static double wave_height(const water_preset* preset)
 // The names of the list are all there, each passes every check of the core and states its source.
 TEST(presets_are_good_input)
 {
-  UNUSED;
   const char* names[] = { "pool", "lake", "clear tropical", "ocean wind 5", "ocean wind 10",
     "ocean wind 15", "turbid river", "mirror floor" };
   assert_int_equal(water_preset_count(), sizeof names / sizeof names[0]);
@@ -47,7 +46,6 @@ TEST(presets_are_good_input)
 // pool's ripples are some millimetres; a lake's waves a few decimetres, a river's less.
 TEST(waves_have_the_size_of_their_name)
 {
-  UNUSED;
   const char* oceans[3] = { "ocean wind 5", "ocean wind 10", "ocean wind 15" };
   const double heights[3] = { 0.62, 2.48, 5.57 };
   for (int i = 0; i < 3; ++i)
@@ -71,7 +69,6 @@ TEST(waves_have_the_size_of_their_name)
 // The ripples of a pool cross: to both sides of the longest one.
 TEST(ripples_of_a_pool_cross)
 {
-  UNUSED;
   const water_preset pool = preset_of("pool");
   int left = 0;
   int right = 0;
@@ -88,7 +85,6 @@ TEST(ripples_of_a_pool_cross)
 // mirror.
 TEST(water_has_the_clarity_of_its_name)
 {
-  UNUSED;
   double left[3];
   const water_preset pool = preset_of("pool");
   water_medium_transmittance(&pool.medium, 2.0, left);
@@ -115,7 +111,6 @@ TEST(water_has_the_clarity_of_its_name)
 // A name that is none, or no name, is refused.
 TEST(unknown_names_are_refused)
 {
-  UNUSED;
   water_preset preset = preset_of("pool");
   assert_int_equal(water_preset_find("puddle", &preset), WATER_BAD_PRESET);
   assert_int_equal(water_preset_find("", &preset), WATER_BAD_PRESET);
@@ -123,14 +118,5 @@ TEST(unknown_names_are_refused)
   assert_string_equal(preset.name, "pool");
 }
 
-int main(void)
-{
-  const struct CMUnitTest tests[] = {
-    RUN(presets_are_good_input),
-    RUN(waves_have_the_size_of_their_name),
-    RUN(ripples_of_a_pool_cross),
-    RUN(water_has_the_clarity_of_its_name),
-    RUN(unknown_names_are_refused),
-  };
-  return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TESTS(presets_are_good_input, waves_have_the_size_of_their_name, ripples_of_a_pool_cross,
+  water_has_the_clarity_of_its_name, unknown_names_are_refused)

@@ -26,7 +26,6 @@ static double error_of(int step, double slope, double turn, double pixels_per_ra
 // is nothing else.
 TEST(ladder_leads_down_evenly)
 {
-  UNUSED;
   water_quality finer;
   water_quality_of_step(0, &finer);
   assert_true(finer.texture_scale == 1.0);
@@ -60,7 +59,6 @@ static const double measured_px[3][5][3] = { // height, slope; scales 1, 0.5, 0.
 // and size of the picture; of calm water it is never under it by more than 1 %.
 TEST(predicted_error_is_the_measured_one)
 {
-  UNUSED;
   const int steps[3] = { 0, 4, 7 }; // scales 1, 0.5, 0.25
   for (int height = 0; height < 3; ++height)
   {
@@ -87,7 +85,6 @@ TEST(predicted_error_is_the_measured_one)
 // end.
 TEST(error_is_monotone)
 {
-  UNUSED;
   dice rolled = dice_seeded(20261201);
   for (int i = 0; i < 20000; ++i)
   {
@@ -112,7 +109,6 @@ TEST(error_is_monotone)
 // The error is the formula of the header, for a step of scale 1 and 24 steps of the march.
 TEST(error_is_the_formula)
 {
-  UNUSED;
   for (int i = 0; i < 5; ++i)
   {
     const double slope = 0.02 * (i + 1);
@@ -139,7 +135,6 @@ static int step_for(double target_px, double slope, double turn, int step)
 // finest, a generous one the coarsest.
 TEST(coarsest_step_within_the_target)
 {
-  UNUSED;
   for (double target = 0.41; target < 1.6; target += 0.01)
   {
     const int step = step_for(target, 0.0, 0.0, WATER_QUALITY_NO_STEP);
@@ -157,7 +152,6 @@ TEST(coarsest_step_within_the_target)
 // A step whose error is the very target is within it.
 TEST(error_at_the_target_is_within)
 {
-  UNUSED;
   const water_roughness roughness = { 0.05, 0.3, 800.0 };
   for (int i = 0; i < WATER_QUALITY_STEPS; ++i)
   {
@@ -172,7 +166,6 @@ TEST(error_at_the_target_is_within)
 // A coarser step must have an error of nine tenths of the target, and that is enough.
 TEST(margin_of_a_coarser_step_is_a_tenth)
 {
-  UNUSED;
   const water_roughness calm = { 0.0, 0.0, 0.0 };
   int found = 0;
   for (int step = 1; step < WATER_QUALITY_STEPS; ++step)
@@ -195,7 +188,6 @@ TEST(margin_of_a_coarser_step_is_a_tenth)
 // slope there and back comes back.
 TEST(step_for_an_error_does_not_pump)
 {
-  UNUSED;
   int step = WATER_QUALITY_NO_STEP;
   int changes = -1; // the first choice is none
   for (int frame = 0; frame < 1000; ++frame)
@@ -214,7 +206,6 @@ TEST(step_for_an_error_does_not_pump)
 // What makes no sense is named and changes nothing.
 TEST(bad_input_is_refused)
 {
-  UNUSED;
   const double bad[5] = { 0.0, -1.0, (double)NAN, (double)INFINITY, -(double)INFINITY };
   const water_roughness calm = { 0.0, 0.0, 1000.0 };
   water_quality_state control = { 0 };
@@ -251,18 +242,6 @@ TEST(bad_input_is_refused)
   assert_non_null(strstr(water_status_text(WATER_BAD_TARGET_ERROR), "TargetError"));
 }
 
-int main(void)
-{
-  const struct CMUnitTest tests[] = {
-    RUN(ladder_leads_down_evenly),
-    RUN(predicted_error_is_the_measured_one),
-    RUN(error_is_monotone),
-    RUN(error_is_the_formula),
-    RUN(coarsest_step_within_the_target),
-    RUN(error_at_the_target_is_within),
-    RUN(margin_of_a_coarser_step_is_a_tenth),
-    RUN(step_for_an_error_does_not_pump),
-    RUN(bad_input_is_refused),
-  };
-  return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TESTS(ladder_leads_down_evenly, predicted_error_is_the_measured_one, error_is_monotone,
+  error_is_the_formula, coarsest_step_within_the_target, error_at_the_target_is_within,
+  margin_of_a_coarser_step_is_a_tenth, step_for_an_error_does_not_pump, bad_input_is_refused)

@@ -10,7 +10,6 @@ static const double pi = 3.141592653589793;
 // program prints them.
 TEST(bits_are_splitmix64s)
 {
-  UNUSED;
   const uint64_t known[5] = { 6457827717110365317u, 3203168211198807973u, 9817491932198370423u,
     4593380528125082431u, 16408922859458223821u };
   for (uint64_t i = 0; i < 5; ++i)
@@ -23,7 +22,6 @@ TEST(bits_are_splitmix64s)
 // Box and Muller's formula, from 40 digits; then on many pairs against the C library's functions.
 TEST(normal_numbers_are_box_and_mullers)
 {
-  UNUSED;
   const struct
   {
     uint64_t seed;
@@ -56,7 +54,6 @@ TEST(normal_numbers_are_box_and_mullers)
 // from Python.
 TEST(normal_numbers_have_the_same_bits_everywhere)
 {
-  UNUSED;
   uint64_t sum = 0;
   for (uint64_t i = 0; i < 1000; ++i)
   {
@@ -73,7 +70,6 @@ TEST(normal_numbers_have_the_same_bits_everywhere)
 // Mean 0, variance 1, kurtosis 3, the two of a pair independent, the right share beyond 2.
 TEST(normal_numbers_are_normal)
 {
-  UNUSED;
   const int count = 200000;
   double sum[4] = { 0.0, 0.0, 0.0, 0.0 };
   int beyond = 0;
@@ -95,13 +91,5 @@ TEST(normal_numbers_are_normal)
   ASSERT_CLOSE((double)beyond / count, 0.0455, 5.0 * sqrt(0.0455 / count));
 }
 
-int main(void)
-{
-  const struct CMUnitTest tests[] = {
-    RUN(bits_are_splitmix64s),
-    RUN(normal_numbers_are_box_and_mullers),
-    RUN(normal_numbers_have_the_same_bits_everywhere),
-    RUN(normal_numbers_are_normal),
-  };
-  return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TESTS(bits_are_splitmix64s, normal_numbers_are_box_and_mullers,
+  normal_numbers_have_the_same_bits_everywhere, normal_numbers_are_normal)

@@ -16,7 +16,6 @@ static void revise(const water_plan* last, bool is_unchanged, unsigned skips, wa
 // A reflection texture serves again for the same view of an unchanged scene, and for no other.
 TEST(map_is_used_again_only_for_the_same)
 {
-  UNUSED;
   const water_prop tree = { { -1.0, 1.0, 2.0, 4.0, 0.0, 3.0 }, WATER_PROP_VISIBLE };
   water_cull_reason reason;
   water_scene scene = lake();
@@ -79,7 +78,6 @@ TEST(map_is_used_again_only_for_the_same)
 // A reflection texture is used again only if it covers what is wanted, on each side.
 TEST(map_that_lacks_a_column_is_not_used_again)
 {
-  UNUSED;
   const water_scene scene = lake();
   const water_plan plan = plan_of(&scene, NULL);
   for (int side = 0; side < 5; ++side)
@@ -118,7 +116,6 @@ static void crowd(water_prop props[100])
 // is seen: when less is than nine tenths of its rectangle.
 TEST(map_waits_when_it_pays)
 {
-  UNUSED;
   water_scene scene = pool(5.0); // 400 x 300 pixels of 800 x 600, 2 texels more on each side
   water_prop props[100];
   water_cull_reason reasons[100];
@@ -169,7 +166,6 @@ TEST(map_waits_when_it_pays)
 // a GPU, as cells in software or for many draws.
 TEST(what_is_seen_is_found_out_where_it_can_be)
 {
-  UNUSED;
   water_scene scene = pool(5.0);
   water_prop props[100];
   water_cull_reason reasons[100];
@@ -234,13 +230,5 @@ TEST(what_is_seen_is_found_out_where_it_can_be)
   }
 }
 
-int main(void)
-{
-  const struct CMUnitTest tests[] = {
-    RUN(map_is_used_again_only_for_the_same),
-    RUN(map_that_lacks_a_column_is_not_used_again),
-    RUN(map_waits_when_it_pays),
-    RUN(what_is_seen_is_found_out_where_it_can_be),
-  };
-  return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TESTS(map_is_used_again_only_for_the_same, map_that_lacks_a_column_is_not_used_again,
+  map_waits_when_it_pays, what_is_seen_is_found_out_where_it_can_be)

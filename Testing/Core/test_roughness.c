@@ -8,7 +8,6 @@
 // each side, and turns a wave of 0.5 rad per unit by 0.1 on the mean of its directions.
 TEST(roughness_is_of_a_pixel_on_the_water)
 {
-  UNUSED;
   water_scene scene = pool(10.0);
   scene.viewport_px[0] = scene.viewport_px[1] = 100;
   scene.has_waves = true;
@@ -32,7 +31,6 @@ TEST(roughness_is_of_a_pixel_on_the_water)
 // meet the water at places that far apart. The reflection texture is flipped.
 TEST(roughness_is_of_the_smallest_pixel_in_a_corner)
 {
-  UNUSED;
   const double eye[3] = { 0.0, -10.0, 5.0 };
   const double target[3] = { 0.0, 0.0, 0.0 };
   const double up[3] = { 0.3, 0.0, 1.0 };
@@ -98,7 +96,6 @@ static void place_of_pixel(
 // drawn part whose pixel is the smallest on the water. For a pond to one side of the picture.
 TEST(roughness_is_that_of_the_nearest_corner)
 {
-  UNUSED;
   water_scene scene = lake();
   scene.slope_rms = 0.1;
   for (int round = 0; round < 2; ++round)
@@ -141,12 +138,5 @@ TEST(roughness_is_that_of_the_nearest_corner)
   assert_true(roughness.turn_rad == 0.0);
 }
 
-int main(void)
-{
-  const struct CMUnitTest tests[] = {
-    RUN(roughness_is_of_a_pixel_on_the_water),
-    RUN(roughness_is_of_the_smallest_pixel_in_a_corner),
-    RUN(roughness_is_that_of_the_nearest_corner),
-  };
-  return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TESTS(roughness_is_of_a_pixel_on_the_water, roughness_is_of_the_smallest_pixel_in_a_corner,
+  roughness_is_that_of_the_nearest_corner)

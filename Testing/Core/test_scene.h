@@ -4,40 +4,12 @@
 #ifndef test_scene_h
 #define test_scene_h
 
-// cmocka.h wants these before it
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-
-#include <cmocka.h>
+#include "test_main.h"
 
 #include <float.h>
-#include <math.h>
-#include <stdio.h>
 #include <string.h>
 
 #include "water_plan.h"
-
-#ifndef assert_int_in_range // cmocka before 2.0 has one for all integers, which 2.0 deprecates
-#define assert_int_in_range assert_in_range
-#endif
-#define TEST(name) static void name(void** state)
-#define RUN(name) cmocka_unit_test(name)
-#define UNUSED (void)state
-
-// Fails with both numbers; NaN never passes.
-#define ASSERT_CLOSE(actual, expected, tolerance)                                                  \
-  do                                                                                               \
-  {                                                                                                \
-    const double actual_ = (actual);                                                               \
-    const double expected_ = (expected);                                                           \
-    if (!(fabs(actual_ - expected_) <= (tolerance)))                                               \
-    {                                                                                              \
-      print_error("%s is %.17g, not %.17g\n", #actual, actual_, expected_);                        \
-      fail();                                                                                      \
-    }                                                                                              \
-  } while (0)
 
 // Knuth's MMIX generator; the seed is part of the test, so a failure repeats.
 typedef struct dice

@@ -83,7 +83,6 @@ static void along_axes(const other_water* other, const double dir[3], double loc
 // mirrored eye; and a direction's sky is where the picture's own eye sees that direction.
 TEST(rays_are_of_the_mirrored_eye_and_the_sky_is_of_the_pictures)
 {
-  UNUSED;
   dice from = dice_seeded(20);
   const double center[3] = { 3.0, -2.0, 1.0 };
   for (int number = 0; number < SCENES; ++number)
@@ -150,7 +149,6 @@ TEST(rays_are_of_the_mirrored_eye_and_the_sky_is_of_the_pictures)
 // What is wrong with the other water is said, and there is no view.
 TEST(faults_leave_no_view)
 {
-  UNUSED;
   water_scene scene = lake();
   const water_plan mirrored = plan_of(&scene, NULL);
   water_plan plan;
@@ -166,7 +164,6 @@ TEST(faults_leave_no_view)
 // The variances are the means of the products of slopes over all phases.
 TEST(slopes_are_those_of_the_waves)
 {
-  UNUSED;
   const water_wave waves[3] = { { 0.1, 3.0, 0.3, 0.0, 0.0 }, { 0.05, 1.3, -1.1, 0.0, 0.0 },
     { 0.02, 0.4, 2.0, 0.0, 0.0 } };
   const double held[2] = { 0.004, 0.007 };
@@ -200,7 +197,6 @@ TEST(slopes_are_those_of_the_waves)
 // A plane given through other points of it, or turned round, is the same; one beside it is not.
 TEST(the_same_plane_is_known)
 {
-  UNUSED;
   dice from = dice_seeded(22);
   for (int number = 0; number < SCENES; ++number)
   {
@@ -240,13 +236,5 @@ TEST(the_same_plane_is_known)
   }
 }
 
-int main(void)
-{
-  const struct CMUnitTest tests[] = {
-    RUN(rays_are_of_the_mirrored_eye_and_the_sky_is_of_the_pictures),
-    RUN(faults_leave_no_view),
-    RUN(slopes_are_those_of_the_waves),
-    RUN(the_same_plane_is_known),
-  };
-  return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TESTS(rays_are_of_the_mirrored_eye_and_the_sky_is_of_the_pictures, faults_leave_no_view,
+  slopes_are_those_of_the_waves, the_same_plane_is_known)

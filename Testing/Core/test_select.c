@@ -32,7 +32,6 @@ static void make_parallel(water_scene* scene)
 // (then the other way round).
 TEST(perspective_side_is_where_the_eye_is)
 {
-  UNUSED;
   water_scene scene = lake();
   assert_int_equal(plan_of(&scene, NULL).side, WATER_ABOVE);
   stand_at(&scene, 0.0, -10.0, -5.0, 0.5);
@@ -45,7 +44,6 @@ TEST(perspective_side_is_where_the_eye_is)
 // looks down shows the water from above.
 TEST(parallel_side_is_where_the_view_comes_from)
 {
-  UNUSED;
   water_scene scene = lake();
   make_parallel(&scene);
   for (int height = -5; height <= 5; height += 5)
@@ -60,7 +58,6 @@ TEST(parallel_side_is_where_the_view_comes_from)
 // So it is however wide the view is against its depth, and however far it is shifted.
 TEST(parallel_side_of_a_wide_and_shifted_view)
 {
-  UNUSED;
   dice from = dice_seeded(62);
   for (int round = 0; round < 1000; ++round)
   {
@@ -86,7 +83,6 @@ TEST(parallel_side_of_a_wide_and_shifted_view)
 // degree does.
 TEST(parallel_view_along_the_water_is_edge_on)
 {
-  UNUSED;
   water_scene scene = lake();
   make_parallel(&scene);
   stand_at(&scene, 0.0, -100.0, 0.0, 0.0);
@@ -112,7 +108,6 @@ TEST(parallel_view_along_the_water_is_edge_on)
 // it, a thousand roundings, it is not, and is on the right side.
 TEST(eye_on_the_plane_is_told_from_rounding)
 {
-  UNUSED;
   dice from = dice_seeded(19);
   const double far_away[3] = { 5e6, -4e6, 300.0 };
   for (int round = 0; round < 600; ++round)
@@ -137,7 +132,6 @@ TEST(eye_on_the_plane_is_told_from_rounding)
 // A sine of exactly 1e-9 is still edge-on, from either side, and the next double is not.
 TEST(parallel_view_is_edge_on_up_to_the_stated_sine)
 {
-  UNUSED;
   const water_plane plane = { { 0.0, 0.0, 1.0 }, 0.0 };
   const double sines[4] = { -1e-9, 1e-9, nextafter(-1e-9, -1.0), nextafter(1e-9, 1.0) };
   const water_side expected[4] = { WATER_EDGE_ON, WATER_EDGE_ON, WATER_ABOVE, WATER_BELOW };
@@ -157,7 +151,6 @@ TEST(parallel_view_is_edge_on_up_to_the_stated_sine)
 // together, of which 24 roundings are allowed.
 TEST(eye_is_on_the_plane_up_to_the_stated_rounding)
 {
-  UNUSED;
   const double bound = 24.0 * DBL_EPSILON;
   for (int side = -1; side <= 1; side += 2)
   {
@@ -179,7 +172,6 @@ TEST(eye_is_on_the_plane_up_to_the_stated_rounding)
 // Each flag has its reason, and of several flags the first of the list counts.
 TEST(flags_decide_in_their_order)
 {
-  UNUSED;
   const water_scene scene = lake();
   enum
   {
@@ -214,7 +206,6 @@ TEST(flags_decide_in_their_order)
 // is.
 TEST(boxes_decide_in_their_order)
 {
-  UNUSED;
   water_scene scene = lake();
   scene.settings.clip_margin = 0.5;
   scene.surface_bounds[3] = 1e6; // to the horizon
@@ -267,7 +258,6 @@ TEST(boxes_decide_in_their_order)
 // drawn; it is drawn all the same, as it may be anywhere, and so are the others.
 TEST(bounds_that_are_not_finite_name_their_prop)
 {
-  UNUSED;
   water_scene scene = lake();
   const double bad = (double)NAN;
   const double huge = (double)INFINITY;
@@ -299,7 +289,6 @@ TEST(bounds_that_are_not_finite_name_their_prop)
 // that it could drop are dropped.
 TEST(culling_never_drops_what_is_seen)
 {
-  UNUSED;
   dice from = dice_seeded(20);
   int seen = 0;
   int dropped = 0;
@@ -354,7 +343,6 @@ TEST(culling_never_drops_what_is_seen)
 // water behind the eye's back, beside its picture or beyond its far plane is not.
 TEST(water_in_view_is_never_out_of_view)
 {
-  UNUSED;
   dice from = dice_seeded(21);
   int seen = 0;
   int out = 0;
@@ -396,7 +384,6 @@ TEST(water_in_view_is_never_out_of_view)
 // distance from the edge is smaller than the rounding of its own coordinates.
 TEST(rounding_never_drops)
 {
-  UNUSED;
   dice from = dice_seeded(22);
   const double far_away[3] = { 5e6, -4e6, 300.0 };
   for (int round = 0; round < 3000; ++round)
@@ -432,22 +419,9 @@ TEST(rounding_never_drops)
   }
 }
 
-int main(void)
-{
-  const struct CMUnitTest tests[] = {
-    RUN(perspective_side_is_where_the_eye_is),
-    RUN(parallel_side_is_where_the_view_comes_from),
-    RUN(parallel_side_of_a_wide_and_shifted_view),
-    RUN(parallel_view_along_the_water_is_edge_on),
-    RUN(eye_on_the_plane_is_told_from_rounding),
-    RUN(parallel_view_is_edge_on_up_to_the_stated_sine),
-    RUN(eye_is_on_the_plane_up_to_the_stated_rounding),
-    RUN(flags_decide_in_their_order),
-    RUN(boxes_decide_in_their_order),
-    RUN(bounds_that_are_not_finite_name_their_prop),
-    RUN(culling_never_drops_what_is_seen),
-    RUN(water_in_view_is_never_out_of_view),
-    RUN(rounding_never_drops),
-  };
-  return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TESTS(perspective_side_is_where_the_eye_is, parallel_side_is_where_the_view_comes_from,
+  parallel_side_of_a_wide_and_shifted_view, parallel_view_along_the_water_is_edge_on,
+  eye_on_the_plane_is_told_from_rounding, parallel_view_is_edge_on_up_to_the_stated_sine,
+  eye_is_on_the_plane_up_to_the_stated_rounding, flags_decide_in_their_order,
+  boxes_decide_in_their_order, bounds_that_are_not_finite_name_their_prop,
+  culling_never_drops_what_is_seen, water_in_view_is_never_out_of_view, rounding_never_drops)

@@ -14,7 +14,6 @@ static water_decision decision_of(const water_scene* scene)
 // Each reason not to draw has its switch; with the switch off the mirrored view is drawn.
 TEST(every_reason_has_its_switch)
 {
-  UNUSED;
   const double eye[3] = { 0.0, -10.0, 5.0 };
   const double away[3] = { 0.0, -20.0, 10.0 };
   const double up[3] = { 0.0, 0.0, 1.0 };
@@ -40,7 +39,6 @@ TEST(every_reason_has_its_switch)
 
 TEST(all_skips_are_all_of_them)
 {
-  UNUSED;
   const unsigned all = WATER_MAY_SKIP_UNSEEN | WATER_MAY_SKIP_HIDDEN | WATER_MAY_SKIP_FAINT |
     WATER_MAY_SKIP_UNCHANGED | WATER_MAY_SKIP_SHARED | WATER_MAY_SKIP_PROPS |
     WATER_MAY_SKIP_CLUSTERS | WATER_MAY_SKIP_PIXELS;
@@ -50,7 +48,6 @@ TEST(all_skips_are_all_of_them)
 // A surface that is not drawn from above is drawn from below, and the other way round.
 TEST(facing_away_depends_on_the_side)
 {
-  UNUSED;
   water_scene scene = lake();
   scene.hides_below = true;
   assert_int_equal(decision_of(&scene), WATER_REFLECT);
@@ -62,7 +59,6 @@ TEST(facing_away_depends_on_the_side)
 // equations by hand, cos 45 = 0.70711, refracted 32.04 degrees, s 0.0530, p 0.0028.
 TEST(faint_is_what_the_steepest_and_the_flattest_ray_reflect)
 {
-  UNUSED;
   water_scene small = pool(1e-3);
   small.settings.reflectance_error = 0.0205;
   assert_int_equal(decision_of(&small), WATER_NO_REFLECT_FAINT);
@@ -101,7 +97,6 @@ TEST(faint_is_what_the_steepest_and_the_flattest_ray_reflect)
 // mirrored eye sees it through the pond; what only the rest of the picture would mirror is not.
 TEST(props_outside_the_pyramid_are_left_out)
 {
-  UNUSED;
   const water_prop props[3] = { { { -0.1, 0.1, -0.1, 0.1, 1.0, 2.0 }, visible },
     { { 4.0, 4.2, 0.0, 0.2, 1.0, 2.0 }, visible },
     { { 40.0, 41.0, 0.0, 1.0, 1.0, 2.0 }, visible } };
@@ -131,7 +126,6 @@ TEST(props_outside_the_pyramid_are_left_out)
 // beside it, and far ones beyond the eye's far plane.
 TEST(rays_take_the_same_steps_with_all_props)
 {
-  UNUSED;
   const water_prop props[3] = { { { -0.1, 0.1, -0.1, 0.1, 1.0, 2.0 }, visible },
     { { 4.0, 4.2, 0.0, 0.2, 1.0, 9.0 }, visible },
     { { 4000.0, 4001.0, 0.0, 1.0, 1.0, 9000.0 }, visible } };
@@ -150,7 +144,6 @@ TEST(rays_take_the_same_steps_with_all_props)
 // What is wide on the screen is drawn as far as it may reach: a point 20 pixels beside the pyramid.
 TEST(wide_points_are_drawn_beside_the_pyramid)
 {
-  UNUSED;
   // 12 from the mirrored eye 0.05 of half the picture is 0.6: the pool reaches to 0.1, or 1.2
   water_prop props[1] = { { { 1.8, 1.8, 0.0, 0.0, 2.0, 2.0 }, visible, 1.0f } };
   water_cull_reason reasons[1];
@@ -171,7 +164,6 @@ TEST(wide_points_are_drawn_beside_the_pyramid)
 // reaches it; 2 pixels wide is thin, and none of it is asked.
 TEST(half_a_width_and_a_pixel_reach_on_each_side)
 {
-  UNUSED;
   water_scene scene = pool(1.0);
   const water_plan plan = plan_of(&scene, NULL);
   const int* rect = plan.texture_rect_px;
@@ -210,7 +202,6 @@ TEST(half_a_width_and_a_pixel_reach_on_each_side)
 // A box of 1 at a distance of 12 is 1 / 12 of half the picture: 33 pixels wide, 25 high.
 TEST(small_props_are_left_out_below_the_stated_size)
 {
-  UNUSED;
   const water_prop props[2] = { { { -0.5, 0.5, -0.5, 0.5, 2.0, 2.0 }, visible },
     { { -0.5, 0.5, -0.5, 0.5, 2.0, 2.0 }, visible | WATER_PROP_NO_BOUNDS } };
   water_cull_reason reasons[2];
@@ -232,7 +223,6 @@ TEST(small_props_are_left_out_below_the_stated_size)
 // half the picture, 50 pixels wide and 37.5 high, wherever it is; none is smaller than it is.
 TEST(either_side_of_a_box_may_be_its_size)
 {
-  UNUSED;
   const double boxes[3][4] = { { -1.0, 1.0, -0.25, 0.25 }, { -0.25, 0.25, -1.0, 1.0 },
     { 2.0, 4.0, -4.0, -3.5 } };
   const double size_px[3] = { 50.0, 37.5, 50.0 };
@@ -265,7 +255,6 @@ TEST(either_side_of_a_box_may_be_its_size)
 // A prop that reaches behind the eye has no size in the picture: it is never too small.
 TEST(prop_around_the_eye_is_never_too_small)
 {
-  UNUSED;
   water_scene scene = lake();
   water_prop hall = { { -1000.0, 1000.0, -1000.0, 1000.0, -1000.0, 1000.0 }, WATER_PROP_VISIBLE };
   water_prop ball = { { -0.1, 0.1, -0.1, 0.1, 1.0, 1.2 }, WATER_PROP_VISIBLE };
@@ -284,7 +273,6 @@ TEST(prop_around_the_eye_is_never_too_small)
 // mirrored at normals tilted at random, against the reflection texture's own projection.
 TEST(waves_look_nothing_up_beyond_their_reach)
 {
-  UNUSED;
   const double center[3] = { 0.0, 0.0, 0.0 };
   dice from = dice_seeded(51);
   int looked_up = 0;
@@ -343,21 +331,9 @@ TEST(waves_look_nothing_up_beyond_their_reach)
   assert_int_in_range(looked_up, 10000, 60000);
 }
 
-int main(void)
-{
-  const struct CMUnitTest tests[] = {
-    RUN(every_reason_has_its_switch),
-    RUN(all_skips_are_all_of_them),
-    RUN(facing_away_depends_on_the_side),
-    RUN(faint_is_what_the_steepest_and_the_flattest_ray_reflect),
-    RUN(props_outside_the_pyramid_are_left_out),
-    RUN(rays_take_the_same_steps_with_all_props),
-    RUN(half_a_width_and_a_pixel_reach_on_each_side),
-    RUN(small_props_are_left_out_below_the_stated_size),
-    RUN(either_side_of_a_box_may_be_its_size),
-    RUN(prop_around_the_eye_is_never_too_small),
-    RUN(wide_points_are_drawn_beside_the_pyramid),
-    RUN(waves_look_nothing_up_beyond_their_reach),
-  };
-  return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TESTS(every_reason_has_its_switch, all_skips_are_all_of_them, facing_away_depends_on_the_side,
+  faint_is_what_the_steepest_and_the_flattest_ray_reflect, props_outside_the_pyramid_are_left_out,
+  rays_take_the_same_steps_with_all_props, wide_points_are_drawn_beside_the_pyramid,
+  half_a_width_and_a_pixel_reach_on_each_side, small_props_are_left_out_below_the_stated_size,
+  either_side_of_a_box_may_be_its_size, prop_around_the_eye_is_never_too_small,
+  waves_look_nothing_up_beyond_their_reach)

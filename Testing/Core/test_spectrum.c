@@ -44,7 +44,6 @@ static double height_variance(const water_sea* sea)
 // (DNV-RP-C205, 3.5.5: the first within 2 %, the second within 1 %).
 TEST(shape_has_the_known_area_and_period)
 {
-  UNUSED;
   const water_sea plain = sea_of(10.0, 1e5, 1.0);
   const water_sea peaked = sea_of(10.0, 1e5, 3.3);
   const double peak = water_sea_peak(&plain);
@@ -70,7 +69,6 @@ TEST(shape_has_the_known_area_and_period)
 // peak period, 0.729 U / g * 10 (within 5 %); a longer fetch changes nothing.
 TEST(developed_sea_has_the_height_of_pierson_and_moskowitz)
 {
-  UNUSED;
   for (double wind = 5.0; wind < 25.0; wind += 5.0)
   {
     const water_sea sea = sea_of(wind, deep, 1.0);
@@ -88,7 +86,6 @@ TEST(developed_sea_has_the_height_of_pierson_and_moskowitz)
 // % in period.
 TEST(growing_sea_follows_the_charts)
 {
-  UNUSED;
   for (double km = 10.0; km <= 120.0; km *= 1.5)
   {
     for (double wind = 10.0; wind <= 20.0; wind += 5.0)
@@ -106,7 +103,6 @@ TEST(growing_sea_follows_the_charts)
 // the wind the share is beta / (2 tanh(pi beta)).
 TEST(spreading_changes_its_formula_where_it_should)
 {
-  UNUSED;
   const water_sea sea = sea_of(10.0, 1e5, 3.3);
   const double peak = water_sea_peak(&sea);
   const double limits[3] = { 0.56, 0.95, 1.6 };
@@ -124,7 +120,6 @@ TEST(spreading_changes_its_formula_where_it_should)
 // A range of wave numbers has an end beyond its begin.
 TEST(empty_ranges_of_waves_are_refused)
 {
-  UNUSED;
   const water_sea sea = sea_of(10.0, 1e5, 3.3);
   double height = -1.0;
   double slope = -1.0;
@@ -138,7 +133,6 @@ TEST(empty_ranges_of_waves_are_refused)
 // The peak is the peak: nothing to its left or right is higher.
 TEST(peak_is_the_highest)
 {
-  UNUSED;
   water_sea sea = sea_of(12.0, 3e4, 3.3);
   for (int model = 0; model < 2; ++model)
   {
@@ -157,7 +151,6 @@ TEST(peak_is_the_highest)
 // 1 - (2 - omega_h)^2 / 2 (Thompson and Vincent 1983); omega_h = omega sqrt(h / g).
 TEST(depth_factor_has_its_limits)
 {
-  UNUSED;
   for (double h = 0.01; h < 0.99; h += 0.01)
   {
     ASSERT_CLOSE(water_sea_depth_factor(h * sqrt(g), 1.0), 0.5 * h * h, 0.04);
@@ -173,7 +166,6 @@ TEST(depth_factor_has_its_limits)
 // By definition: k^-3 dk/domega, over the same in deep water.
 TEST(depth_factor_is_kitaigorodskiis)
 {
-  UNUSED;
   for (double omega = 0.2; omega < 6.0; omega *= 1.3)
   {
     double k = 0.0;
@@ -190,7 +182,6 @@ TEST(depth_factor_is_kitaigorodskiis)
 // 0.18 U^2 / g. It blows from both sides.
 TEST(phillips_has_tessendorfs_form)
 {
-  UNUSED;
   water_sea sea = sea_of(10.0, 1e5, 3.3);
   sea.model = WATER_SEA_PHILLIPS;
   sea.depth = 2.0; // not used
@@ -212,7 +203,6 @@ TEST(phillips_has_tessendorfs_form)
 // where the half width at half height is acosh(sqrt 2) / beta = 0.8814 / 2.44 = 21 degrees.
 TEST(spreading_is_a_share)
 {
-  UNUSED;
   water_sea sea = sea_of(10.0, 1e5, 3.3);
   const double peak = water_sea_peak(&sea);
   for (int kind = 0; kind < 3; ++kind)
@@ -257,7 +247,6 @@ TEST(spreading_is_a_share)
 // direction turns it.
 TEST(variance_is_the_same_in_every_variable)
 {
-  UNUSED;
   water_sea sea = sea_of(10.0, 5e4, 3.3);
   for (int i = 0; i < 2; ++i)
   {
@@ -286,7 +275,6 @@ TEST(variance_is_the_same_in_every_variable)
 // within a factor of 2 (their slopes hold capillary waves, which are not in the spectrum).
 TEST(slopes_are_of_cox_and_munks_size)
 {
-  UNUSED;
   for (double wind = 4.0; wind < 15.0; wind += 2.0)
   {
     const water_sea sea = sea_of(wind, deep, 1.0);
@@ -301,7 +289,6 @@ TEST(slopes_are_of_cox_and_munks_size)
 // Bands add up; a band under all waves is empty.
 TEST(bands_add_up)
 {
-  UNUSED;
   const water_sea sea = sea_of(8.0, 2e4, 3.3);
   double part[2][2];
   double whole[2];
@@ -326,7 +313,6 @@ TEST(bands_add_up)
 // Each number of a sea has its range, and its status.
 TEST(bad_seas_are_refused)
 {
-  UNUSED;
   const double nan = (double)NAN;
   const water_sea good = sea_of(10.0, 1e5, 3.3);
   water_sea sea = good;
@@ -364,7 +350,6 @@ TEST(bad_seas_are_refused)
 // along it.
 TEST(slopes_know_the_wind)
 {
-  UNUSED;
   water_sea windy = { WATER_SEA_JONSWAP, WATER_SPREAD_DONELAN_BANNER, 8.0, 0.6, 2e4,
     (double)INFINITY, 3.3, 8.0 };
   const double c = cos(1.2);
@@ -392,24 +377,9 @@ TEST(slopes_know_the_wind)
   assert_true(variance[0] == 7.0);
 }
 
-int main(void)
-{
-  const struct CMUnitTest tests[] = {
-    RUN(shape_has_the_known_area_and_period),
-    RUN(developed_sea_has_the_height_of_pierson_and_moskowitz),
-    RUN(growing_sea_follows_the_charts),
-    RUN(spreading_changes_its_formula_where_it_should),
-    RUN(empty_ranges_of_waves_are_refused),
-    RUN(peak_is_the_highest),
-    RUN(depth_factor_has_its_limits),
-    RUN(depth_factor_is_kitaigorodskiis),
-    RUN(phillips_has_tessendorfs_form),
-    RUN(spreading_is_a_share),
-    RUN(variance_is_the_same_in_every_variable),
-    RUN(slopes_are_of_cox_and_munks_size),
-    RUN(bands_add_up),
-    RUN(bad_seas_are_refused),
-    RUN(slopes_know_the_wind),
-  };
-  return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TESTS(shape_has_the_known_area_and_period, developed_sea_has_the_height_of_pierson_and_moskowitz,
+  growing_sea_follows_the_charts, spreading_changes_its_formula_where_it_should,
+  empty_ranges_of_waves_are_refused, peak_is_the_highest, depth_factor_has_its_limits,
+  depth_factor_is_kitaigorodskiis, phillips_has_tessendorfs_form, spreading_is_a_share,
+  variance_is_the_same_in_every_variable, slopes_are_of_cox_and_munks_size, bands_add_up,
+  bad_seas_are_refused, slopes_know_the_wind)

@@ -45,7 +45,6 @@ static void assert_texts(text_function text, int count)
 // No two codes share a text; a number that is no code is "unknown", never NULL.
 TEST(texts_are_distinct_and_never_null)
 {
-  UNUSED;
   assert_texts(status_text, WATER_STATUS_COUNT);
   assert_texts(fate_text, WATER_CULL_REASON_COUNT);
   assert_texts(decision_text, WATER_DECISION_COUNT);
@@ -55,7 +54,6 @@ TEST(texts_are_distinct_and_never_null)
 // A text belongs to its code: three known ones of each list, the last included.
 TEST(texts_belong_to_their_codes)
 {
-  UNUSED;
   assert_string_equal(water_status_text(WATER_OK), "no error");
   assert_non_null(strstr(water_status_text(WATER_BAD_INDEX), "IndexOfRefraction"));
   assert_non_null(strstr(water_status_text(WATER_BAD_PROP_BOUNDS), "every prop"));
@@ -70,11 +68,4 @@ TEST(texts_belong_to_their_codes)
   assert_non_null(strstr(water_decision_text(WATER_NO_REFLECT_NO_REFLECTANCE), "nothing"));
 }
 
-int main(void)
-{
-  const struct CMUnitTest tests[] = {
-    RUN(texts_are_distinct_and_never_null),
-    RUN(texts_belong_to_their_codes),
-  };
-  return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TESTS(texts_are_distinct_and_never_null, texts_belong_to_their_codes)

@@ -39,7 +39,6 @@ static void assert_rect(const water_scene* scene, int x, int y, int width, int h
 // Size is picture times scale, rounded to the nearest, never under 1 pixel.
 TEST(size_is_picture_times_scale)
 {
-  UNUSED;
   const int viewport[2] = { 801, 3 };
   const double scales[5] = { 1.0, 0.5, 0.25, 2.0, 0.01 };
   const int expected[5][2] = { { 801, 3 }, { 401, 2 }, { 200, 1 }, { 1602, 6 }, { 8, 1 } };
@@ -59,7 +58,6 @@ TEST(size_is_picture_times_scale)
 // The GPU's limit itself fits, one pixel more does not, nor does a scale that no int can hold.
 TEST(size_over_the_limit_is_refused)
 {
-  UNUSED;
   const int viewport[2] = { 100, 4096 };
   const int wide[2] = { 4097, 100 };
   int size[2] = { 7, 8 };
@@ -76,7 +74,6 @@ TEST(size_over_the_limit_is_refused)
 // added all around.
 TEST(rect_of_a_known_pond_is_tight_and_flipped)
 {
-  UNUSED;
   const water_scene pond = from_above(2.0, 6.0, 0.0, 5.0, 0.0);
   assert_rect(&pond, 78, 198, 84, 104);
   water_scene half = pond;
@@ -88,7 +85,6 @@ TEST(rect_of_a_known_pond_is_tight_and_flipped)
 // so the far corner reaches 6 / 9 of the half picture and the near one begins at 2 / 11.
 TEST(rect_of_a_rough_pond_covers_the_mirror_images)
 {
-  UNUSED;
   water_scene pond = from_above(2.0, 6.0, 0.0, 5.0, 1.0);
   // x: 200 - 200 * 6/9 = 66.7, 200 - 200 * 2/11 = 163.6; y: 200, 200 + 200 * 5/9 = 311.1
   assert_rect(&pond, 64, 198, 102, 116);
@@ -101,7 +97,6 @@ TEST(rect_of_a_rough_pond_covers_the_mirror_images)
 // reflection texture.
 TEST(rect_is_never_empty)
 {
-  UNUSED;
   for (int side = 0; side < 4; ++side)
   {
     const double far_out = side % 2 ? 40.0 : -40.0;
@@ -127,7 +122,6 @@ TEST(rect_is_never_empty)
 // it, or for a lake with its horizon in the middle of the picture the half below.
 TEST(rect_is_clamped_to_the_map)
 {
-  UNUSED;
   const water_scene all = from_above(-500.0, 500.0, -500.0, 500.0, 0.0);
   assert_rect(&all, 0, 0, 400, 400);
   water_scene around = all;
@@ -144,7 +138,6 @@ TEST(rect_is_clamped_to_the_map)
 // picture.
 TEST(rect_is_all_of_the_map_where_there_is_no_picture)
 {
-  UNUSED;
   water_scene scene = from_above(2.0, 6.0, 0.0, 5.0, 0.0);
   scene.surface_bounds[4] = -12.0; // its mirror image is 2 over the eye
   assert_rect(&scene, 0, 0, 400, 400);
@@ -155,7 +148,6 @@ TEST(rect_is_all_of_the_map_where_there_is_no_picture)
 // reflection texture.
 TEST(rect_covers_every_lookup)
 {
-  UNUSED;
   dice from = dice_seeded(23);
   int looked_up = 0;
   int saved = 0;
@@ -214,7 +206,6 @@ TEST(rect_covers_every_lookup)
 // smaller than the picture.
 TEST(guard_band_never_shrinks_the_map)
 {
-  UNUSED;
   const water_scene scene = lake();
   const double slopes[4] = { -1.0, -1e300, (double)-INFINITY, 0.0 };
   const double bands[4] = { 0.5, -1e300, (double)NAN, (double)-INFINITY };
@@ -233,7 +224,6 @@ TEST(guard_band_never_shrinks_the_map)
 // that is not symmetric leads to one certain corner.
 TEST(reach_is_the_turn_of_the_steepest_ray)
 {
-  UNUSED;
   const double boxes[4][4] = { { -0.2, 0.9, -0.5, 0.3 }, { -0.9, 0.2, -0.5, 0.3 },
     { -0.2, 0.9, -0.3, 0.5 }, { -0.9, 0.2, -0.3, 0.5 } };
   water_scene scene = lake();
@@ -269,7 +259,6 @@ TEST(reach_is_the_turn_of_the_steepest_ray)
 // Beyond the reflection texture a part of the picture is the texel at its border.
 TEST(rect_beyond_the_map_is_its_border)
 {
-  UNUSED;
   const double beyond[4] = { 2.0, 2.0, 3.0, 3.0 };
   const double before[4] = { -3.0, -3.0, -2.0, -2.0 };
   const double scale[2] = { 1.0, 1.0 };
@@ -290,7 +279,6 @@ TEST(rect_beyond_the_map_is_its_border)
 // A guard band ends at the limit of textures, with even margins.
 TEST(guard_band_ends_at_the_limit)
 {
-  UNUSED;
   int px[2] = { 1000, 995 };
   double scale[2];
   water_target_widen(1e300, 1100, px, scale);
@@ -300,21 +288,8 @@ TEST(guard_band_ends_at_the_limit)
   assert_int_equal(water_target_size(px, 0.0, 16384, px), WATER_BAD_TEXTURE_SCALE);
 }
 
-int main(void)
-{
-  const struct CMUnitTest tests[] = {
-    RUN(size_is_picture_times_scale),
-    RUN(size_over_the_limit_is_refused),
-    RUN(rect_of_a_known_pond_is_tight_and_flipped),
-    RUN(rect_of_a_rough_pond_covers_the_mirror_images),
-    RUN(rect_is_never_empty),
-    RUN(rect_is_clamped_to_the_map),
-    RUN(rect_is_all_of_the_map_where_there_is_no_picture),
-    RUN(rect_covers_every_lookup),
-    RUN(guard_band_never_shrinks_the_map),
-    RUN(reach_is_the_turn_of_the_steepest_ray),
-    RUN(rect_beyond_the_map_is_its_border),
-    RUN(guard_band_ends_at_the_limit),
-  };
-  return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TESTS(size_is_picture_times_scale, size_over_the_limit_is_refused,
+  rect_of_a_known_pond_is_tight_and_flipped, rect_of_a_rough_pond_covers_the_mirror_images,
+  rect_is_never_empty, rect_is_clamped_to_the_map, rect_is_all_of_the_map_where_there_is_no_picture,
+  rect_covers_every_lookup, guard_band_never_shrinks_the_map, reach_is_the_turn_of_the_steepest_ray,
+  rect_beyond_the_map_is_its_border, guard_band_ends_at_the_limit)

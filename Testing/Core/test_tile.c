@@ -35,7 +35,6 @@ static size_t place(const water_tile* of, int column, int row)
 // The surface is real: h(-k) is the conjugate of h(k); the mean is 0, the highest frequency empty.
 TEST(spectrum_is_hermitian)
 {
-  UNUSED;
   static double amplitudes[NUMBERS];
   static double height[NUMBERS];
   amplitudes_of(&tile, amplitudes);
@@ -78,7 +77,6 @@ static double tile_sum(int side)
 // the tile is the integral over all wave vectors, within 1 %.
 TEST(tile_holds_the_variance_of_the_spectrum)
 {
-  UNUSED;
   double height = 0.0;
   double slope = 0.0;
   const double end = 127.5 * 2.0 * pi / tile.length;
@@ -91,7 +89,6 @@ TEST(tile_holds_the_variance_of_the_spectrum)
 // Averaged over seeds the surface's variance is the sum of S dk^2.
 TEST(variance_is_that_of_the_spectrum)
 {
-  UNUSED;
   static double amplitudes[NUMBERS];
   static double height[NUMBERS];
   const double known = tile_sum(SIDE);
@@ -115,7 +112,6 @@ TEST(variance_is_that_of_the_spectrum)
 // at (x, t) it is what it was at the origin at time 0.
 TEST(waves_travel_along_their_wave_vector)
 {
-  UNUSED;
   static double amplitudes[NUMBERS];
   static double height[NUMBERS];
   memset(amplitudes, 0, sizeof amplitudes);
@@ -143,7 +139,6 @@ TEST(waves_travel_along_their_wave_vector)
 // the water towards the crests.
 TEST(fields_follow_from_the_height)
 {
-  UNUSED;
   static double height[NUMBERS];
   static double out[NUMBERS];
   memset(height, 0, sizeof height);
@@ -178,7 +173,6 @@ TEST(fields_follow_from_the_height)
 // first.
 TEST(period_repeats_exactly)
 {
-  UNUSED;
   static double amplitudes[NUMBERS];
   static double first[NUMBERS];
   static double later[NUMBERS];
@@ -199,7 +193,6 @@ TEST(period_repeats_exactly)
 // same long waves.
 TEST(seed_makes_the_sea)
 {
-  UNUSED;
   static double one[NUMBERS];
   static double other[NUMBERS];
   amplitudes_of(&tile, one);
@@ -225,7 +218,6 @@ TEST(seed_makes_the_sea)
 // One forward FFT of a packed pair gives both fields: the sums over wave vectors that define them.
 TEST(packed_pair_is_two_fields)
 {
-  UNUSED;
   enum
   {
     SMALL = 8
@@ -266,7 +258,6 @@ TEST(packed_pair_is_two_fields)
 // Bilinear between the points, the same in every repetition of the tile, and exact far away.
 TEST(samples_are_bilinear_and_repeat)
 {
-  UNUSED;
   const water_tile small = { 4, 8.0, 0.0, 0 };
   double values[16];
   for (int i = 0; i < 16; ++i)
@@ -305,7 +296,6 @@ TEST(samples_are_bilinear_and_repeat)
 // The natural length is 10 wavelengths: of the deep water's peak, less over a shallow bed.
 TEST(natural_length_is_ten_peak_waves)
 {
-  UNUSED;
   const double peak = water_sea_peak(&sea);
   ASSERT_CLOSE(water_tile_natural_length(&sea), 20.0 * pi * 9.80665 / (peak * peak), 1e-9);
   water_sea other = sea;
@@ -323,7 +313,6 @@ TEST(natural_length_is_ten_peak_waves)
 // What the tile holds and what it leaves out are together the slope of all waves that count.
 TEST(held_and_left_out_slopes_are_all)
 {
-  UNUSED;
   double held[2];
   double left_out[2];
   double height = 0.0;
@@ -340,7 +329,6 @@ TEST(held_and_left_out_slopes_are_all)
 
 TEST(texels_hold_slopes_and_squares)
 {
-  UNUSED;
   const water_tile small = { 4, 8.0, 0.0, 0 };
   double slopes[2][16];
   float texels[64];
@@ -357,7 +345,6 @@ TEST(texels_hold_slopes_and_squares)
 // Numbers out of range are refused by every function, and nothing is written.
 TEST(bad_tiles_are_refused)
 {
-  UNUSED;
   const double nan = (double)NAN;
   const struct
   {
@@ -390,7 +377,6 @@ TEST(bad_tiles_are_refused)
 // in time as h0(k) exp(-i w t) + conj(h0(-k)) exp(i w t), with w in whole turns of the period.
 TEST(spectrum_turns_as_its_formula)
 {
-  UNUSED;
   enum
   {
     N = 8
@@ -429,23 +415,9 @@ TEST(spectrum_turns_as_its_formula)
   }
 }
 
-int main(void)
-{
-  const struct CMUnitTest tests[] = {
-    RUN(spectrum_turns_as_its_formula),
-    RUN(spectrum_is_hermitian),
-    RUN(tile_holds_the_variance_of_the_spectrum),
-    RUN(variance_is_that_of_the_spectrum),
-    RUN(waves_travel_along_their_wave_vector),
-    RUN(fields_follow_from_the_height),
-    RUN(period_repeats_exactly),
-    RUN(seed_makes_the_sea),
-    RUN(packed_pair_is_two_fields),
-    RUN(samples_are_bilinear_and_repeat),
-    RUN(natural_length_is_ten_peak_waves),
-    RUN(held_and_left_out_slopes_are_all),
-    RUN(texels_hold_slopes_and_squares),
-    RUN(bad_tiles_are_refused),
-  };
-  return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TESTS(spectrum_is_hermitian, tile_holds_the_variance_of_the_spectrum,
+  variance_is_that_of_the_spectrum, waves_travel_along_their_wave_vector,
+  fields_follow_from_the_height, period_repeats_exactly, seed_makes_the_sea,
+  packed_pair_is_two_fields, samples_are_bilinear_and_repeat, natural_length_is_ten_peak_waves,
+  held_and_left_out_slopes_are_all, texels_hold_slopes_and_squares, bad_tiles_are_refused,
+  spectrum_turns_as_its_formula)

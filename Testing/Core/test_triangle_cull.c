@@ -124,7 +124,6 @@ static water_visibility stripes(const water_triangle_cull_view* view, uint32_t* 
 // only these count, and others are left alone.
 TEST(what_is_dropped_changes_no_pixel)
 {
-  UNUSED;
   dice from = dice_seeded(90);
   int kept_sum = 0;
   int seen_sum = 0;
@@ -193,7 +192,6 @@ TEST(what_is_dropped_changes_no_pixel)
 // Of samples none is passed over; of places beside and behind the eye none that is in the picture.
 TEST(a_place_in_the_picture_keeps_its_triangle)
 {
-  UNUSED;
   dice from = dice_seeded(91);
   int dropped[2] = { 0, 0 };
   for (int round = 0; round < 20000; ++round)
@@ -237,7 +235,6 @@ TEST(a_place_in_the_picture_keeps_its_triangle)
 // Before anything is drawn all that is looked up is open, and no place beyond is written.
 TEST(depths_begin_with_what_is_looked_up)
 {
-  UNUSED;
   for (int width = 1; width < 9; ++width)
   {
     for (int height = 1; height < 9; ++height)
@@ -271,12 +268,5 @@ TEST(depths_begin_with_what_is_looked_up)
   }
 }
 
-int main(void)
-{
-  const struct CMUnitTest tests[] = {
-    RUN(what_is_dropped_changes_no_pixel),
-    RUN(a_place_in_the_picture_keeps_its_triangle),
-    RUN(depths_begin_with_what_is_looked_up),
-  };
-  return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TESTS(what_is_dropped_changes_no_pixel, a_place_in_the_picture_keeps_its_triangle,
+  depths_begin_with_what_is_looked_up)

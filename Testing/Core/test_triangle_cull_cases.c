@@ -24,7 +24,6 @@ static void triangle_at(
 // Between the middles of pixels there is nothing but samples, and the grid may move a corner there.
 TEST(a_pixel_is_its_middle_within_the_grid)
 {
-  UNUSED;
   const double sliver[3][2] = { { 10.62, 10.0 }, { 11.38, 20.0 }, { 10.62, 30.0 } };
   float place[3][3];
   water_triangle_cull_view view = view_made(NULL);
@@ -41,7 +40,6 @@ TEST(a_pixel_is_its_middle_within_the_grid)
 // by nothing.
 TEST(what_is_sure_to_be_drawn_hides)
 {
-  UNUSED;
   const double large[3][2] = { { 5.0, 5.0 }, { 45.0, 5.0 }, { 5.0, 35.0 } };
   const double small[3][2] = { { 10.0, 20.0 }, { 14.0, 20.0 }, { 10.0, 24.0 } };
   const double at_edge[3][2] = { { 10.0, 4.0 }, { 14.0, 4.0 }, { 10.0, 8.0 } };
@@ -78,7 +76,6 @@ TEST(what_is_sure_to_be_drawn_hides)
 // Ends of the view cut what reaches over them: it hides nothing.
 TEST(what_the_view_cuts_hides_nothing)
 {
-  UNUSED;
   const double large[3][2] = { { 5.0, 5.0 }, { 45.0, 5.0 }, { 5.0, 35.0 } };
   const double small[3][2] = { { 10.0, 10.0 }, { 14.0, 10.0 }, { 10.0, 14.0 } };
   const double distances[4] = { 0.9, 1.1, 99.0, 101.0 };
@@ -99,7 +96,6 @@ TEST(what_the_view_cuts_hides_nothing)
 // A number that is none keeps its triangle.
 TEST(no_number_is_kept)
 {
-  UNUSED;
   const double large[3][2] = { { 5.0, 5.0 }, { 45.0, 5.0 }, { 5.0, 35.0 } };
   float place[3][3];
   const water_triangle_cull_view view = view_made(NULL);
@@ -111,7 +107,6 @@ TEST(no_number_is_kept)
 // The slack is 16 units in the last place of the sizes summed, by hand.
 TEST(slack_grows_with_the_numbers)
 {
-  UNUSED;
   const double box[6] = { -8.0, 4.0, 1.0, 2.0, -100.0, -50.0 };
   const double unit = 16.0 * 1.1920928955078125e-07;
   water_triangle_cull_view view = view_made(NULL);
@@ -146,7 +141,6 @@ static bool is_kept_at(const water_triangle_cull_view* view, const water_triangl
 // do, meet it further off than integers go; and so far off that no number says where.
 TEST(edges_along_a_row_end_where_the_picture_ends)
 {
-  UNUSED;
   const water_triangle_cull_slack none = { { 0.0, 0.0, 0.0 }, 0.0 };
   const double rises[6] = { 0.0, 1e-9, 1e-13, 1e-15, 1e-300, DBL_TRUE_MIN };
   const double inside[3][2] = { { 20.0, 12.0 }, { 22.0, 12.0 }, { 20.0, 14.0 } };
@@ -175,7 +169,6 @@ TEST(edges_along_a_row_end_where_the_picture_ends)
 // The slack counts on the side of caution, of what hides and of what is hidden.
 TEST(slack_is_on_the_side_of_caution)
 {
-  UNUSED;
   const double large[3][2] = { { 5.0, 5.0 }, { 45.0, 5.0 }, { 5.0, 35.0 } };
   const double upright[3][2] = { { 5.0, 5.0 }, { 5.0, 35.0 }, { 45.0, 35.0 } };
   const double inside[3][2] = { { 12.0, 12.0 }, { 14.0, 12.0 }, { 12.0, 14.0 } };
@@ -247,7 +240,6 @@ TEST(slack_is_on_the_side_of_caution)
 // What is under the water goes if it is so by more than the slack.
 TEST(under_the_water_by_more_than_the_slack)
 {
-  UNUSED;
   const double large[3][2] = { { 5.0, 5.0 }, { 45.0, 5.0 }, { 5.0, 35.0 } };
   const water_triangle_cull_view view = view_made(NULL);
   const water_triangle_cull_slack slack = { { 0.0, 0.0, 0.0 }, 0.9 };
@@ -259,7 +251,6 @@ TEST(under_the_water_by_more_than_the_slack)
 // the picture, by more than the slack.
 TEST(corners_behind_the_eye_are_beyond_a_side_or_not)
 {
-  UNUSED;
   const water_triangle_cull_view view = view_made(NULL);
   const double ws[3] = { 4.0, 2.0, -1.0 };
   const water_triangle_cull_slack slack = { { 0.01, 0.02, 0.0 }, 0.0 };
@@ -293,18 +284,7 @@ TEST(corners_behind_the_eye_are_beyond_a_side_or_not)
   assert_true(water_triangle_cull_add(&view, &slack, all)); // a number that is none
 }
 
-int main(void)
-{
-  const struct CMUnitTest tests[] = {
-    RUN(a_pixel_is_its_middle_within_the_grid),
-    RUN(what_is_sure_to_be_drawn_hides),
-    RUN(what_the_view_cuts_hides_nothing),
-    RUN(no_number_is_kept),
-    RUN(slack_grows_with_the_numbers),
-    RUN(edges_along_a_row_end_where_the_picture_ends),
-    RUN(slack_is_on_the_side_of_caution),
-    RUN(under_the_water_by_more_than_the_slack),
-    RUN(corners_behind_the_eye_are_beyond_a_side_or_not),
-  };
-  return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TESTS(a_pixel_is_its_middle_within_the_grid, what_is_sure_to_be_drawn_hides,
+  what_the_view_cuts_hides_nothing, no_number_is_kept, slack_grows_with_the_numbers,
+  edges_along_a_row_end_where_the_picture_ends, slack_is_on_the_side_of_caution,
+  under_the_water_by_more_than_the_slack, corners_behind_the_eye_are_beyond_a_side_or_not)

@@ -28,7 +28,6 @@ static void seen_rolled(
 
 TEST(cells_cover_their_rectangle)
 {
-  UNUSED;
   const int texture_px[2] = { 16384, 16384 };
   const int rects[5][4] = { { 3, 4, 1, 16 }, { 0, 0, 17, 32 }, { 5, 5, 512, 512 },
     { 5, 5, 513, 512 }, { 0, 0, 16384, 16384 } };
@@ -48,7 +47,6 @@ TEST(cells_cover_their_rectangle)
 // Every count is that of the cells below and to the left, one by one; a stride passes others by.
 TEST(counts_are_sums)
 {
-  UNUSED;
   const uint8_t cells[2 * 3 * 4] = { 0, 9, 9, 9, 7, 9, 9, 9, 0, 9, 9, 9, 1, 0, 0, 0, 0, 0, 0, 0,
     255, 0, 0, 0 };
   const uint32_t expected[12] = { 0, 0, 0, 0, 0, 0, 1, 1, 0, 1, 2, 3 };
@@ -63,7 +61,6 @@ TEST(counts_are_sums)
 // the reflection texture's rectangle.
 TEST(closed_cells_are_rectangles)
 {
-  UNUSED;
   const uint8_t cells[3 * 3] = { 0, 0, 0, 1, 0, 1, 0, 1, 0 };
   uint32_t counts[16];
   water_visibility seen = { { 80, 40 }, { 40, 4, 20, 24 }, 8, { 3, 3 }, counts };
@@ -85,7 +82,6 @@ TEST(closed_cells_are_rectangles)
 // Whatever lies to the left of a box, below it, or both, is not in it.
 TEST(what_lies_beside_a_box_is_not_in_it)
 {
-  UNUSED;
   const double to_clip[16] = { 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0,
     0.0, 1.0 };
   const double box[6] = { -0.2, 0.2, -0.2, 0.2, 0.0, 0.0 }; // in the middle cell of 3 x 3
@@ -107,7 +103,6 @@ TEST(what_lies_beside_a_box_is_not_in_it)
 // others are not.
 TEST(what_is_seen_is_kept)
 {
-  UNUSED;
   const double center[3] = { 0.0, 0.0, 0.0 };
   dice from = dice_seeded(70);
   static uint8_t cells[CELLS];
@@ -160,7 +155,6 @@ TEST(what_is_seen_is_kept)
 // Without the skip, without bounds, about the eye: drawn. Wide points reach into the next cell.
 TEST(what_cannot_be_told_is_drawn)
 {
-  UNUSED;
   water_scene scene = lake();
   const water_plan plan = plan_of(&scene, NULL);
   static uint8_t cells[CELLS];
@@ -196,7 +190,6 @@ TEST(what_cannot_be_told_is_drawn)
 // texture.
 TEST(reach_is_the_same_on_each_side)
 {
-  UNUSED;
   const double to_clip[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 };
   const int steps[4][2] = { { -2, 0 }, { 2, 0 }, { 0, -2 }, { 0, 2 } };
   uint32_t counts[21 * 11];
@@ -223,7 +216,6 @@ TEST(reach_is_the_same_on_each_side)
 // texels and others.
 TEST(pixels_of_a_cell_are_counted)
 {
-  UNUSED;
   const int texture_px[2] = { 100, 60 };
   const int rect_px[4] = { 10, 20, 40, 30 };
   for (int ratio = 1; ratio <= 2; ++ratio)
@@ -246,7 +238,6 @@ TEST(pixels_of_a_cell_are_counted)
 // cells of all of them must go through it.
 TEST(cells_go_through_all_that_look_them_up)
 {
-  UNUSED;
   dice from = dice_seeded(71);
   for (int round = 0; round < 2000; ++round)
   {
@@ -279,7 +270,6 @@ TEST(cells_go_through_all_that_look_them_up)
 // one.
 TEST(depths_tell_which_cells_are_open)
 {
-  UNUSED;
   enum
   {
     WIDTH = 46,
@@ -361,7 +351,6 @@ TEST(depths_tell_which_cells_are_open)
 // A rectangle of pixels has what one of its cells has.
 TEST(pixels_have_what_their_cells_have)
 {
-  UNUSED;
   const int texture_px[2] = { 100, 80 };
   const int rect_px[4] = { 7, 5, 61, 43 };
   dice from = dice_seeded(59);
@@ -399,20 +388,8 @@ TEST(pixels_have_what_their_cells_have)
   }
 }
 
-int main(void)
-{
-  const struct CMUnitTest tests[] = {
-    RUN(cells_cover_their_rectangle),
-    RUN(counts_are_sums),
-    RUN(closed_cells_are_rectangles),
-    RUN(what_lies_beside_a_box_is_not_in_it),
-    RUN(what_is_seen_is_kept),
-    RUN(what_cannot_be_told_is_drawn),
-    RUN(reach_is_the_same_on_each_side),
-    RUN(pixels_of_a_cell_are_counted),
-    RUN(cells_go_through_all_that_look_them_up),
-    RUN(depths_tell_which_cells_are_open),
-    RUN(pixels_have_what_their_cells_have),
-  };
-  return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TESTS(cells_cover_their_rectangle, counts_are_sums, closed_cells_are_rectangles,
+  what_lies_beside_a_box_is_not_in_it, what_is_seen_is_kept, what_cannot_be_told_is_drawn,
+  reach_is_the_same_on_each_side, pixels_of_a_cell_are_counted,
+  cells_go_through_all_that_look_them_up, depths_tell_which_cells_are_open,
+  pixels_have_what_their_cells_have)

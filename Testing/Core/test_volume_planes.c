@@ -50,7 +50,6 @@ static void assert_sides_tell(const water_plan* plan)
 
 TEST(sides_hold_what_is_in_the_box_and_over_the_water)
 {
-  UNUSED;
   water_scene scene = lake();
   water_plan plan = plan_of(&scene, NULL);
   assert_sides_tell(&plan);
@@ -64,7 +63,6 @@ TEST(sides_hold_what_is_in_the_box_and_over_the_water)
 // A plan that keeps both sides has no plane between them: every point is on its kept side.
 TEST(a_plane_that_is_none_has_no_side)
 {
-  UNUSED;
   const water_scene scene = lake();
   water_plan plan = plan_of(&scene, NULL);
   double sides[WATER_VOLUME_PLANES_COUNT][4];
@@ -78,7 +76,6 @@ TEST(a_plane_that_is_none_has_no_side)
 
 TEST(sides_fit_single_precision)
 {
-  UNUSED;
   const water_scene scene = lake();
   const double bounds[6] = { -3e7, 2e7, -1e7, 7e7, -2e7, 4e7 };
   water_plan plan = plan_of(&scene, NULL);
@@ -97,7 +94,6 @@ TEST(sides_fit_single_precision)
 
 TEST(bounds_that_are_none_are_refused)
 {
-  UNUSED;
   const water_scene scene = lake();
   water_plan plan = plan_of(&scene, NULL);
   double sides[WATER_VOLUME_PLANES_COUNT][4];
@@ -113,7 +109,6 @@ TEST(bounds_that_are_none_are_refused)
 
 TEST(camera_without_an_inverse_is_refused)
 {
-  UNUSED;
   const water_scene scene = lake();
   water_plan plan = plan_of(&scene, NULL);
   double sides[WATER_VOLUME_PLANES_COUNT][4];
@@ -121,14 +116,6 @@ TEST(camera_without_an_inverse_is_refused)
   assert_int_equal(water_volume_planes_make(&plan, box, sides), WATER_BAD_CAMERA);
 }
 
-int main(void)
-{
-  const struct CMUnitTest tests[] = {
-    RUN(sides_hold_what_is_in_the_box_and_over_the_water),
-    RUN(a_plane_that_is_none_has_no_side),
-    RUN(sides_fit_single_precision),
-    RUN(bounds_that_are_none_are_refused),
-    RUN(camera_without_an_inverse_is_refused),
-  };
-  return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TESTS(sides_hold_what_is_in_the_box_and_over_the_water, a_plane_that_is_none_has_no_side,
+  sides_fit_single_precision, bounds_that_are_none_are_refused,
+  camera_without_an_inverse_is_refused)

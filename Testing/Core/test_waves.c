@@ -18,7 +18,6 @@ static void terms_of(
 // travels along its direction with omega / k.
 TEST(sine_wave_is_where_it_should_be)
 {
-  UNUSED;
   const water_wave wave = { 0.5, 8.0, two_pi / 8.0, two_pi / 4.0, 0.0 };
   water_wave_term term;
   water_wave_point point;
@@ -46,7 +45,6 @@ static const water_wave crossing[3] = { { 0.4, 12.0, 0.3, 0.1, 0.9 }, { 0.2, 5.0
 // Slope, normal and area belong to the surface itself: differences of nearby points say the same.
 TEST(normal_slope_and_area_are_those_of_the_surface)
 {
-  UNUSED;
   dice from = dice_seeded(3);
   water_wave_term terms[3];
   for (int round = 0; round < 500; ++round)
@@ -91,7 +89,6 @@ TEST(normal_slope_and_area_are_those_of_the_surface)
 // mean level over the ground is k A^2 / 2 under the level of rest.
 TEST(trochoid_has_its_known_slope_and_mean_level)
 {
-  UNUSED;
   const double steep = 0.6;
   const water_wave wave = { steep * 10.0 / two_pi, 10.0, 0.0, 0.0, 1.0 };
   water_wave_term term;
@@ -115,7 +112,6 @@ TEST(trochoid_has_its_known_slope_and_mean_level)
 // rest says.
 TEST(find_undoes_the_displacement)
 {
-  UNUSED;
   dice from = dice_seeded(4);
   water_wave waves[3];
   memcpy(waves, crossing, sizeof waves);
@@ -153,7 +149,6 @@ TEST(find_undoes_the_displacement)
 // the height over the cusp and beside it is still found.
 TEST(cusp_is_safe)
 {
-  UNUSED;
   const water_wave wave = { 1.0, two_pi, 0.0, two_pi / 4.0, 1.0 };
   water_wave_term term;
   water_wave_point point;
@@ -177,7 +172,6 @@ TEST(cusp_is_safe)
 // No wave, no surface but the plane.
 TEST(no_waves_are_a_flat_surface)
 {
-  UNUSED;
   double rest[2] = { 0.0, 0.0 };
   water_wave_point point;
   assert_int_equal(water_waves_find(NULL, 0, 3.0, -4.0, rest, &point), WATER_OK);
@@ -190,7 +184,6 @@ TEST(no_waves_are_a_flat_surface)
 // rms height and slope are those of many points of the surface.
 TEST(rms_is_that_of_the_surface)
 {
-  UNUSED;
   water_wave waves[3];
   memcpy(waves, crossing, sizeof waves);
   water_wave_term terms[3];
@@ -220,7 +213,6 @@ TEST(rms_is_that_of_the_surface)
 // the amplitude, at 1e7 s and a million metres out.
 TEST(rows_give_the_same_height_in_float)
 {
-  UNUSED;
   water_wave_term terms[3];
   water_wave_row rows[3];
   const double origin[2] = { 1e6, -2e6 };
@@ -247,7 +239,6 @@ TEST(rows_give_the_same_height_in_float)
 // Each value out of its range has its own status and names the wave; the outputs stay as they were.
 TEST(bad_waves_are_refused)
 {
-  UNUSED;
   const double nan = (double)NAN;
   const double infinity = (double)INFINITY;
   const struct
@@ -289,7 +280,6 @@ TEST(bad_waves_are_refused)
 
 TEST(bad_numbers_are_refused)
 {
-  UNUSED;
   const double nan = (double)NAN;
   water_wave_term term;
   size_t bad_index = 9;
@@ -308,7 +298,6 @@ TEST(bad_numbers_are_refused)
 // A tilted normal has the sum of both slopes; on a cusp, where the normal lies flat, it stays.
 TEST(tilt_adds_slopes)
 {
-  UNUSED;
   const double slope[2] = { 0.3, -0.2 };
   const double length = sqrt(1.0 + 0.25 + 0.01);
   double normal[3] = { -0.5 / length, 0.1 / length, 1.0 / length };
@@ -324,7 +313,6 @@ TEST(tilt_adds_slopes)
 // No point of the surface leaves its reach, and crests that meet come near it.
 TEST(reach_holds_the_surface)
 {
-  UNUSED;
   const water_wave waves[2] = { { 0.5, 6.0, 0.3, 0.0, 0.6 }, { 0.25, 4.0, 1.1, 0.0, 0.2 } };
   double height = 0.0;
   double across = 0.0;
@@ -352,7 +340,6 @@ TEST(reach_holds_the_surface)
 // fold have no steepest slope.
 TEST(slope_looked_up_bounds_the_slope)
 {
-  UNUSED;
   water_wave wave = { 0 };
   wave.amplitude = 0.1;
   wave.wavelength = 2.0;
@@ -370,7 +357,6 @@ TEST(slope_looked_up_bounds_the_slope)
 // A place that is no number has no surface, whichever of its two parts it is, waves or none.
 TEST(no_place_has_no_surface)
 {
-  UNUSED;
   const double bad[3] = { (double)NAN, (double)INFINITY, (double)-INFINITY };
   for (int i = 0; i < 3; ++i)
   {
@@ -384,23 +370,8 @@ TEST(no_place_has_no_surface)
   }
 }
 
-int main(void)
-{
-  const struct CMUnitTest tests[] = {
-    RUN(no_place_has_no_surface),
-    RUN(slope_looked_up_bounds_the_slope),
-    RUN(sine_wave_is_where_it_should_be),
-    RUN(normal_slope_and_area_are_those_of_the_surface),
-    RUN(trochoid_has_its_known_slope_and_mean_level),
-    RUN(find_undoes_the_displacement),
-    RUN(cusp_is_safe),
-    RUN(no_waves_are_a_flat_surface),
-    RUN(rms_is_that_of_the_surface),
-    RUN(reach_holds_the_surface),
-    RUN(rows_give_the_same_height_in_float),
-    RUN(bad_waves_are_refused),
-    RUN(bad_numbers_are_refused),
-    RUN(tilt_adds_slopes),
-  };
-  return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TESTS(sine_wave_is_where_it_should_be, normal_slope_and_area_are_those_of_the_surface,
+  trochoid_has_its_known_slope_and_mean_level, find_undoes_the_displacement, cusp_is_safe,
+  no_waves_are_a_flat_surface, rms_is_that_of_the_surface, rows_give_the_same_height_in_float,
+  bad_waves_are_refused, bad_numbers_are_refused, tilt_adds_slopes, reach_holds_the_surface,
+  slope_looked_up_bounds_the_slope, no_place_has_no_surface)
