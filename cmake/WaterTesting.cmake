@@ -48,7 +48,8 @@ function(water_test_environment result window output)
     "WATER_TEST_OUTPUT=${output}"
     "LD_LIBRARY_PATH=${CMAKE_BINARY_DIR}/lib:$ENV{LD_LIBRARY_PATH}"
     "PYTHONPATH=${CMAKE_BINARY_DIR}/${WATER_PYTHON_DESTINATION}"
-    "PYTHONDONTWRITEBYTECODE=1")
+    "PYTHONDONTWRITEBYTECODE=1"
+    "PYTEST_DISABLE_PLUGIN_AUTOLOAD=1") # nobody else's fixtures
   if(window STREQUAL "Own")
     list(APPEND environment "VTK_AUTOLOAD_PATH=${CMAKE_BINARY_DIR}/lib/vtkwater-plugins")
   elseif(window STREQUAL "OSMesa")
@@ -125,7 +126,7 @@ function(water_add_test)
       FAIL_REGULAR_EXPRESSION "${water_fail_regex}"
       LABELS "${arg_LABELS}"
       SKIP_RETURN_CODE 125
-      SKIP_REGULAR_EXPRESSION "No module named '(numpy|PIL)'" # the reason, in Python's words
+      SKIP_REGULAR_EXPRESSION "No module named '?(numpy|PIL|pytest)" # the reason, in Python's words
       TIMEOUT ${arg_TIMEOUT}
       ${arg_PROPERTIES})
     if(arg_NO_WINDOW)
@@ -163,14 +164,15 @@ function(water_add_cxx_tests)
   endforeach()
 endfunction()
 
-# Each file is a script for the Python that VTK is wrapped for; its exit status counts.
+# Each file is a pytest file for the Python that VTK is wrapped for (Testing/Python/conftest.py). Output
+# is not captured: what VTK writes into it counts, too.
 function(water_add_python_tests)
   cmake_parse_arguments(PARSE_ARGV 0 arg "" "TIMEOUT" "LABELS")
   foreach(source IN LISTS arg_UNPARSED_ARGUMENTS)
     get_filename_component(test "${source}" NAME_WE)
     water_add_test(NAME ${test}
-      COMMAND "${Python3_EXECUTABLE}" "${CMAKE_CURRENT_SOURCE_DIR}/${source}"
-        -D "${water_test_dir}/Data" -T "{output}" -V "${water_test_dir}/Data/Baseline/${test}.png"
+      COMMAND "${Python3_EXECUTABLE}" -m pytest -s -q -p no:cacheprovider
+        "${CMAKE_CURRENT_SOURCE_DIR}/${source}"
       LABELS python ${arg_LABELS}
       TIMEOUT "${arg_TIMEOUT}")
   endforeach()
