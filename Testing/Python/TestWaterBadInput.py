@@ -1,15 +1,18 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What is wrong is said once, by an ErrorEvent that names it; the water turns plain, the rest stays.
 
-Each case is rendered three times: one error, however many frames. Then the cause is removed and the
+Each fault is rendered three times: one error, however many frames. Then its cause is removed and the
 next frame is right again. Props with NaN bounds: TestWaterBadBounds.cxx.
 """
 
 import math
 
 import numpy as np
+import pytest
 import water_test as wt
 from vtkmodules.vtkCommonDataModel import vtkPlane
+from vtkmodules.vtkRenderingCore import vtkPolyDataMapper
+from vtkwater import vtkWaterActor
 
 NAN, INFINITY = float("nan"), float("inf")
 DEEP = (0.0, 0.2, 0.6)
@@ -38,7 +41,7 @@ class Scene:
         return [self.view.picture() for _ in range(3)][-1]
 
 
-def case(name, words, spoil, mend, plain_water=True):
+def judge(name, words, spoil, mend, plain_water=True):
     """spoil(scene) makes the scene wrong, mend(scene) right again; words must be in the error."""
     scene = Scene()
     good = scene.frames()
@@ -60,114 +63,122 @@ def case(name, words, spoil, mend, plain_water=True):
     wt.check_equal(f"{name}: next picture, largest error", int(np.abs(picture - good).max()), 0)
 
 
-def set_normal(*normal):
+@pytest.mark.parametrize("name, normal, words", (
+    ("zero normal", (0, 0, 0), ("(0, 0, 0)", "not zero")),
+    ("normal with NaN", (0, NAN, 1), ("nan", "finite")),
+    ("infinite normal", (0, 0, INFINITY), ("inf", "finite")),
+), ids=("zero", "nan", "infinite"))
+def test_a_bad_normal_is_one_error_and_plain_water(name, normal, words):
+    """A plane without a direction is said once; the water has its plain colour, all else its picture."""
     def spoil(scene):
         plane = vtkPlane()
         plane.SetOrigin(0, 0, 0)
         plane.SetNormal(normal)
         scene.water.SetPlane(plane)
 
-    return spoil
+    judge(name, words, spoil, lambda scene: scene.water.SetLevel(0))
 
 
-def level_0(scene):
-    scene.water.SetLevel(0)
+def test_a_camera_on_the_plane_is_one_error():
+    """A camera that is exactly on the water plane is said once."""
+    judge("camera exactly on the plane", ["exactly on the water plane"],
+          lambda scene: scene.place_camera(0), lambda scene: scene.place_camera(), plain_water=False)
 
 
-case("zero normal", ["(0, 0, 0)", "not zero"], set_normal(0, 0, 0), level_0)
-case("normal with NaN", ["nan", "finite"], set_normal(0, NAN, 1), level_0)
-case("infinite normal", ["inf", "finite"], set_normal(0, 0, INFINITY), level_0)
-case("camera exactly on the plane", ["exactly on the water plane"],
-     lambda scene: scene.place_camera(0), lambda scene: scene.place_camera(), plain_water=False)
+def test_a_camera_on_the_plane_in_one_of_two_renderers_is_one_error():
+    """Water in two renderers, one of which cannot show it, says so once and names that one's camera."""
+    scene = Scene()
+    below = scene.view.add_renderer((0, 0, 0), (0, 0, 0.3, 0.3))
+    below.GetActiveCamera().SetPosition(0, -5, 0)
+    below.GetActiveCamera().SetClippingRange(0.1, 100)
+    below.AddActor(scene.water)
+    for _ in range(5):
+        scene.view.picture()
+    wt.check_equal("camera on the plane in one of two renderers: errors in five frames", len(scene.errors), 1)
+    wt.check_equal("camera on the plane: position named", "(0, -5, 0)" in scene.water.GetLastError(), True)
 
 
-def too_large(scene):
-    scene.view.window.SetSize(1100, 900)
-    scene.water.GetReflectionPass().SetTextureScale(16)
+def test_a_texture_that_the_gpu_cannot_hold_is_one_error():
+    """A mirrored view larger than the GPU's textures is said once, with both factors of its size."""
+    def spoil(scene):
+        scene.view.window.SetSize(1100, 900)
+        scene.water.GetReflectionPass().SetTextureScale(16)
+
+    def mend(scene):
+        scene.view.window.SetSize(320, 240)
+        scene.water.GetReflectionPass().SetTextureScale(1)
+
+    judge("texture larger than the GPU's limit", ["1100 x 900", "16", "exceeds"], spoil, mend, plain_water=False)
 
 
-def not_too_large(scene):
+def test_an_empty_scene_is_one_error():
+    """Water that has nothing to take its sheet from is said once."""
+    def spoil(scene):
+        props = scene.view.renderer.GetViewProps()
+        scene.props = [props.GetItemAsObject(i) for i in range(props.GetNumberOfItems())]
+        scene.view.renderer.RemoveAllViewProps()
+        scene.view.renderer.AddActor(scene.water)
+        scene.water.ResetSheetBounds()
+
+    def mend(scene):
+        scene.view.renderer.RemoveAllViewProps()
+        scene.water.SetSheetBounds(-9, 9, -6, 9)
+        for prop in scene.props:
+            scene.view.renderer.AddActor(prop)
+
+    judge("empty scene", ["no surface", "empty"], spoil, mend, plain_water=False)
+
+
+def test_a_mapper_without_input_is_one_error():
+    """A mapper of the user's without input is said once, by name."""
+    scene = Scene()
+    scene.water.SetMapper(vtkPolyDataMapper())
+    for _ in range(3):
+        scene.view.picture()
+    wt.check_equal("mapper without input: errors", len(scene.errors), 1)
+    wt.check_equal("mapper without input: named", "has no input" in scene.water.GetLastError(), True)
+
+
+def test_a_window_of_no_size_does_no_harm():
+    """A window of no size does not crash, and the next frame is right."""
+    scene = Scene()
+    good = scene.frames()
+    scene.view.window.SetSize(0, 0)
+    scene.view.window.Render()
     scene.view.window.SetSize(320, 240)
-    scene.water.GetReflectionPass().SetTextureScale(1)
+    wt.check_equal("zero-size window: next picture, largest error", int(np.abs(scene.frames() - good).max()), 0)
 
 
-case("texture larger than the GPU's limit", ["1100 x 900", "16", "exceeds"], too_large, not_too_large,
-     plain_water=False)
+WATER, LOOK, MIRROR = range(3)  # whose setter it is
+REFUSALS = (
+    *((LOOK, "Reflectance", value, "[0, 1]") for value in (-0.1, 1.5, NAN)),
+    *((LOOK, "Opacity", value, "[0, 1]") for value in (-0.1, 1.5, NAN)),
+    *((LOOK, "IndexOfRefraction", value, "[1, 10]") for value in (0.9, NAN, INFINITY)),
+    (LOOK, "ReflectanceMode", 7, "[0, 1]"),
+    (LOOK, "DeepColor", (0.5, NAN, 0.5), "[0, 1]"),
+    (LOOK, "DeepColor", (0.5, 2.0, 0.5), "[0, 1]"),
+    *((MIRROR, "TextureScale", value, "16]") for value in (0.0, -1.0, 17.0, NAN)),
+    *((MIRROR, "ClipMargin", value, "[0, ") for value in (-1.0, NAN, INFINITY)),
+    *((MIRROR, "GuardBand", value, "[1, 2]") for value in (0.5, 2.5, NAN)),
+    (MIRROR, "MultiSamples", -2, "[-1, 32]"),
+    *((WATER, "Level", value, "finite") for value in (NAN, INFINITY)),
+    *((WATER, "SheetBounds", value, "finite") for value in ((1.0, -1.0, 0.0, 2.0), (0.0, NAN, 0.0, 1.0))),
+)
 
 
-def empty(scene):
-    props = scene.view.renderer.GetViewProps()
-    scene.props = [props.GetItemAsObject(i) for i in range(props.GetNumberOfItems())]
-    scene.view.renderer.RemoveAllViewProps()
-    scene.view.renderer.AddActor(scene.water)
-    scene.water.ResetSheetBounds()
-
-
-def refill(scene):
-    scene.view.renderer.RemoveAllViewProps()
-    scene.water.SetSheetBounds(-9, 9, -6, 9)
-    for prop in scene.props:
-        scene.view.renderer.AddActor(prop)
-
-
-case("empty scene", ["no surface", "empty"], empty, refill, plain_water=False)
-
-# A window of no size: no crash, and the next frame is right.
-scene = Scene()
-good = scene.frames()
-scene.view.window.SetSize(0, 0)
-scene.view.window.Render()
-scene.view.window.SetSize(320, 240)
-wt.check_equal("zero-size window: next picture, largest error", int(np.abs(scene.frames() - good).max()), 0)
-
-# Setters refuse what is out of range; the last good value stays.
-def refuses(thing, setter, getter, value, range_text):
-    errors = []
-    tag = thing.AddObserver("ErrorEvent", _Text(errors))
-    before = getattr(thing, getter)()
+@pytest.mark.parametrize("whose, what, value, words", REFUSALS,
+                         ids=[f"{what}_{value}".replace(" ", "") for _, what, value, _ in REFUSALS])
+def test_a_setter_refuses_what_is_out_of_range(whose, what, value, words):
+    """A value out of range is one error that names it and the range; the last good value stays."""
+    water = vtkWaterActor()
+    owner = (water, water.GetWaterProperty(), water.GetReflectionPass())[whose]
+    errors = wt.errors_of(owner)
+    before = getattr(owner, f"Get{what}")()
     arguments = value if isinstance(value, tuple) else (value,)
-    getattr(thing, setter)(*arguments)
-    thing.RemoveObserver(tag)
-    name = f"{thing.GetClassName()}.{setter}{arguments}"
+    getattr(owner, f"Set{what}")(*arguments)
+    name = f"{owner.GetClassName()}.Set{what}{arguments}"
     wt.check_equal(f"{name}: errors", len(errors), 1)
     named = all(f"{v:g}" in errors[0] for v in arguments if isinstance(v, float) and not math.isinf(v))
     wt.check_equal(f"{name}: names the value", bool(errors) and named, True)
-    wt.check_equal(f"{name}: names '{range_text}'", bool(errors) and range_text in errors[0], True)
-    wt.check_equal(f"{name}: the last good value stays", getattr(thing, getter)() == before, True)
-
-
-class _Text:
-    """An observer that keeps the text of the error."""
-
-    CallDataType = "string0"
-
-    def __init__(self, errors):
-        self.errors = errors
-
-    def __call__(self, caller, event, text):
-        self.errors.append(text)
-
-
-water = wt.vtkWaterActor()
-look = water.GetWaterProperty()
-mirror = water.GetReflectionPass()
-for value in (-0.1, 1.5, NAN):
-    refuses(look, "SetReflectance", "GetReflectance", value, "[0, 1]")
-    refuses(look, "SetOpacity", "GetOpacity", value, "[0, 1]")
-for value in (0.9, NAN, INFINITY):
-    refuses(look, "SetIndexOfRefraction", "GetIndexOfRefraction", value, "[1, 10]")
-refuses(look, "SetReflectanceMode", "GetReflectanceMode", 7, "[0, 1]")
-refuses(look, "SetDeepColor", "GetDeepColor", (0.5, NAN, 0.5), "[0, 1]")
-refuses(look, "SetDeepColor", "GetDeepColor", (0.5, 2.0, 0.5), "[0, 1]")
-for value in (0.0, -1.0, 17.0, NAN):
-    refuses(mirror, "SetTextureScale", "GetTextureScale", value, "16]")
-for value in (-1.0, NAN, INFINITY):
-    refuses(mirror, "SetClipMargin", "GetClipMargin", value, "[0, ")
-for value in (0.5, 2.5, NAN):
-    refuses(mirror, "SetGuardBand", "GetGuardBand", value, "[1, 2]")
-refuses(mirror, "SetMultiSamples", "GetMultiSamples", -2, "[-1, 32]")
-for value in (NAN, INFINITY):
-    refuses(water, "SetLevel", "GetLevel", value, "finite")
-for value in ((1.0, -1.0, 0.0, 2.0), (0.0, NAN, 0.0, 1.0)):
-    refuses(water, "SetSheetBounds", "GetSheetBounds", value, "finite")
-wt.finish()
+    wt.check_equal(f"{name}: names '{words}'", bool(errors) and words in errors[0], True)
+    wt.check_equal(f"{name}: the last good value stays", getattr(owner, f"Get{what}")() == before, True)
