@@ -208,7 +208,8 @@ REFUSALS = (
     ("no_actor", NULL_ARGUMENT, b"actor is NULL", "vtk_water_actor_set_level", lambda it: (it.none, number(1.0))),
     ("level_nan", BAD_VALUE, b"Level is nan; it must be finite", "vtk_water_actor_set_level",
      lambda it: (it.water, number(float("nan")))),
-    ("normal_zero", BAD_VALUE, b"the normal not zero", "vtk_water_actor_set_plane", lambda it: (it.water, ORIGIN, ORIGIN)),
+    ("normal_zero", BAD_VALUE, b"the normal not zero", "vtk_water_actor_set_plane",
+     lambda it: (it.water, ORIGIN, ORIGIN)),
     ("bounds_reversed", BAD_VALUE, b"xmin < xmax", "vtk_water_actor_set_sheet_bounds",
      lambda it: (it.water, doubles(1, 0, 0, 1))),
     ("preset_unknown", BAD_VALUE, b"'swamp'; it must be one of pool", "vtk_water_actor_set_preset",
@@ -216,14 +217,17 @@ REFUSALS = (
     ("preset_null", BAD_VALUE, b"Preset is '(null)'", "vtk_water_actor_set_preset", lambda it: (it.water, None)),
     ("wavelength_zero", BAD_VALUE, b"Wavelength", "vtk_water_actor_add_wave",
      lambda it: (it.water, *map(number, (1.0, 0.0, 0.0, 0.0, 0.0)))),
-    ("wind_too_strong", BAD_VALUE, b"WindSpeed is 200", "vtk_water_actor_set_wind", lambda it: (it.water, number(200.0))),
+    ("wind_too_strong", BAD_VALUE, b"WindSpeed is 200", "vtk_water_actor_set_wind",
+     lambda it: (it.water, number(200.0))),
     ("time_infinite", BAD_VALUE, b"Time is", "vtk_water_actor_set_time", lambda it: (it.water, number(float("inf")))),
     ("texture_too_fine", BAD_VALUE, b"TextureScale is 99", "vtk_water_pass_set_texture_scale",
      lambda it: (it.mirror, number(99.0))),
     ("size_zero", BAD_VALUE, b"size is 0 x 5", "vtk_water_scene_new", lambda it: (0, 5, ctypes.byref(it.none))),
-    ("colour_over_one", BAD_VALUE, b"[0, 1]", "vtk_water_scene_set_sky", lambda it: (it.scene, doubles(2, 0, 0), ORIGIN)),
+    ("colour_over_one", BAD_VALUE, b"[0, 1]", "vtk_water_scene_set_sky",
+     lambda it: (it.scene, doubles(2, 0, 0), ORIGIN)),
     ("point_unknown", BAD_VALUE, b"triangle 0 names point 7; there are 5", "vtk_water_scene_add_mesh",
-     lambda it: (it.scene, POINTS.ctypes, ctypes.c_size_t(5), BAD_TRIANGLE.ctypes, ctypes.c_size_t(1), doubles(1, 1, 1))),
+     lambda it: (it.scene, POINTS.ctypes, ctypes.c_size_t(5), BAD_TRIANGLE.ctypes, ctypes.c_size_t(1),
+                 doubles(1, 1, 1))),
     ("angle_180", BAD_VALUE, b"in [1, 170]", "vtk_water_scene_set_camera",
      lambda it: (it.scene, HIGH, ORIGIN, doubles(0, 1, 0), number(180.0))),
     ("up_along_the_view", BAD_VALUE, b"up not zero nor along the view", "vtk_water_scene_set_camera",
@@ -245,9 +249,9 @@ def test_a_bad_call_is_a_status_and_changes_nothing(small, status, words, functi
     """A bad call is a status with a text that names what is wrong, and the water is as it was."""
     small.judge(function, status, words, *arguments(small))
     native = small.native_water()
+    look = native.GetWaterProperty()
     wt.check_equal("after it: level, waves, sea, time",
-                   (native.GetLevel(), native.GetWaterProperty().GetNumberOfWaves(), native.GetWaterProperty().GetSea(),
-                    native.GetTime()), (0.0, 0, False, 0.0))
+                   (native.GetLevel(), look.GetNumberOfWaves(), look.GetSea(), native.GetTime()), (0.0, 0, False, 0.0))
 
 
 def test_water_without_a_surface_leaves_the_picture_of_the_rest(small):

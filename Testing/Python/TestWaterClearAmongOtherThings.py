@@ -67,7 +67,8 @@ def test_water_over_an_eye_is_there_once(name, sheets):
 
 @pytest.mark.parametrize("name, prepare", (("plain", lambda renderer: None),
                                            ("SSAO", lambda renderer: renderer.UseSSAOOn()),
-                                           ("FXAA", lambda renderer: renderer.UseFXAAOn())), ids=("plain", "ssao", "fxaa"))
+                                           ("FXAA", lambda renderer: renderer.UseFXAAOn())),
+                         ids=("plain", "ssao", "fxaa"))
 def test_fog_of_perfectly_clear_water_changes_nothing(name, prepare):
     """Fog through perfectly clear water changes nothing, whatever else is being drawn into."""
     pictures = []

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The command vtkwater: pictures of every kind of file, holes that stay holes, and one clear line for what is wrong."""
+"""The command vtkwater makes pictures of every kind of file, keeps holes, and says what is wrong in one line."""
 
 import signal
 import subprocess
@@ -114,7 +114,8 @@ SIZE_OPTION = ("--size", f"{SIZE[0]}x{SIZE[1]}")
 DEGREES = (1, 1, 0, 1, 1024, 0, 1, 2)  # a TIFF's key: geographic
 
 
-@pytest.mark.parametrize("name, low", (("valley.vti", [0.0, 0.0]), ("valley.tif", [500.0, 8610.0])), ids=("vti", "tif"))
+@pytest.mark.parametrize("name, low", (("valley.vti", [0.0, 0.0]), ("valley.tif", [500.0, 8610.0])),
+                         ids=("vti", "tif"))
 def test_elevations_are_read_where_they_lie(folder, name, low):
     """Elevations of either kind of file lie where the file says, with holes where it has no data."""
     ground = readers.read(folder / name, NO_DATA)
@@ -132,19 +133,22 @@ def test_a_tiff_knows_its_own_holes(folder):
 def test_a_blanked_point_is_a_hole(folder):
     """The cells at a blanked point of a VTK image are left out."""
     write_vti(folder / "blanked.vti", np.ones((10, 10), dtype=np.float32), blanked=(33,))
-    wt.check_equal("cells, less those at a blanked point", readers.read(folder / "blanked.vti").data.GetNumberOfCells(),
-                   81 - 4)
+    ground = readers.read(folder / "blanked.vti")
+    wt.check_equal("cells, less those at a blanked point", ground.data.GetNumberOfCells(), 81 - 4)
 
 
 def test_a_map_in_degrees_is_read_in_metres(folder):
     """At 60 north a degree of longitude is half of one of latitude, which is 111.2 km."""
-    write_tiff(folder / "degrees.tif", valley(), keys=DEGREES, scale=(0.1, 0.1, 0.0), tie=(0.0, 0.0, 0.0, 10.0, 61.95, 0.0))
+    write_tiff(folder / "degrees.tif", valley(), keys=DEGREES, scale=(0.1, 0.1, 0.0),
+               tie=(0.0, 0.0, 0.0, 10.0, 61.95, 0.0))
     bounds = readers.read(folder / "degrees.tif").data.GetBounds()
-    wt.check_at_most("a map in degrees: width over half of its height, less 1", abs(2 * bounds[1] / bounds[3] - 1), 1e-6)
+    wt.check_at_most("a map in degrees: width over half of its height, less 1",
+                     abs(2 * bounds[1] / bounds[3] - 1), 1e-6)
     wt.check_at_most("a map in degrees: km of 3.9 degrees, error", abs(bounds[3] / 1000.0 - 3.9 * 111.195), 0.1)
 
 
-@pytest.mark.parametrize("name, level", (("valley.vti", 40.0), ("valley.tif", 40.0), ("cone.stl", 0.0), ("cone.vtp", 0.0)))
+@pytest.mark.parametrize("name, level",
+                         (("valley.vti", 40.0), ("valley.tif", 40.0), ("cone.stl", 0.0), ("cone.vtp", 0.0)))
 def test_every_kind_of_file_makes_a_picture(folder, name, level):
     """A file of every kind is rendered with its reflection, in the size that is asked for."""
     out = folder / f"{name}.png"
@@ -207,7 +211,8 @@ def test_the_view_holds_all_that_stands_out_of_the_water(size, relief, wide):
     rows, columns = np.nonzero(changed)
     wt.check_at_least(f"{name}: of the picture's width, or height, filled",
                       max(np.ptp(columns) / 240, np.ptp(rows) / 150), 0.8)
-    wt.check_equal(f"{name}: at the picture's border", bool(changed[[0, -1]].any() or changed[:, [0, -1]].any()), False)
+    at_border = changed[[0, -1]].any() or changed[:, [0, -1]].any()
+    wt.check_equal(f"{name}: at the picture's border", bool(at_border), False)
     # all but as bright from left to right in every row (the angle is not quite the same): no edge of the water, no
     # slanted horizon
     wt.check_at_most(f"{name}: brightness along a row, without the ground",
@@ -294,12 +299,14 @@ def test_a_full_disk_is_one_line(folder):
     """A disk that fills up, an error that knows no file, ends the command with one line."""
     (folder / "full.gif").unlink(missing_ok=True)
     (folder / "full.gif").symlink_to("/dev/full")
-    status, said = run(folder, "animate", "cone.stl", "--level", 0, "--frames", 2, "--size", "64x48", "--out", "full.gif")
+    status, said = run(folder, "animate", "cone.stl", "--level", 0, "--frames", 2, "--size", "64x48",
+                       "--out", "full.gif")
     wt.check_equal("a full disk", (status, said.splitlines()[-1]), (1, "vtkwater: No space left on device"))
 
 
 @pytest.mark.parametrize("error, text", (
-    (OSError(28, "No space left"), "here: No space left"), (OSError(2, "Not there", "x.png"), "here: x.png: Not there"),
+    (OSError(28, "No space left"), "here: No space left"),
+    (OSError(2, "Not there", "x.png"), "here: x.png: Not there"),
     (OSError("x.png: half"), "here: x.png: half"), (ValueError("3 is odd"), "here: 3 is odd"),
 ), ids=("no_file", "file", "text", "value"))
 def test_a_program_ends_with_the_errors_text(error, text):
@@ -312,7 +319,8 @@ def test_a_program_ends_with_the_errors_text(error, text):
 
 def test_a_movie_has_its_frames(folder):
     """A movie of a rising level has as many frames as are asked for, and says so."""
-    status, said = run(folder, "animate", "valley.tif", "--level", "20:60", "--frames", 3, *SIZE_OPTION, "--out", "rise.gif")
+    status, said = run(folder, "animate", "valley.tif", "--level", "20:60", "--frames", 3, *SIZE_OPTION,
+                       "--out", "rise.gif")
     wt.check_equal(f"a movie: {said.strip()}", (status, "3 of 3 frames" in said), (0, True))
     with Image.open(folder / "rise.gif") as movie:
         wt.check_equal("frames in it", movie.n_frames, 3)
@@ -323,7 +331,8 @@ def test_a_falling_level_bares_what_a_rising_one_floods(folder):
     write_vti(folder / "plateau.vti", np.full((5, 5), 70.0, dtype=np.float32))
     movies = {}
     for name, levels in (("fall", (60, 20)), ("rise", (20, 60))):
-        arguments = ["animate", "plateau.vti", "--level", "{}:{}".format(*levels), "--frames", 2, *SIZE_OPTION, "--out", name]
+        arguments = ["animate", "plateau.vti", "--level", "{}:{}".format(*levels), "--frames", 2, *SIZE_OPTION,
+                     "--out", name]
         wt.check_equal(f"{name}: status", run(folder, *arguments)[0], 0)
         movies[name] = [pixels_of(folder / name / f"000{i}.png") for i in range(2)]
         arguments[1] = folder / arguments[1]
@@ -340,8 +349,9 @@ def test_an_animation_that_is_stopped_keeps_whole_pictures(folder):
     frames = folder / "frames"
     for old in frames.glob("*.png"):
         old.unlink()
-    process = subprocess.Popen([sys.executable, "-m", "vtkwater", "animate", "valley.tif", "--level", "20:60", "--frames",
-                                "5000", *SIZE_OPTION, "--out", "frames"], cwd=folder, stdout=subprocess.PIPE, text=True)
+    process = subprocess.Popen([sys.executable, "-m", "vtkwater", "animate", "valley.tif", "--level", "20:60",
+                                "--frames", "5000", *SIZE_OPTION, "--out", "frames"],
+                               cwd=folder, stdout=subprocess.PIPE, text=True)
     end = time.monotonic() + 60.0
     while len(list(frames.glob("*.png"))) < 3 and time.monotonic() < end:
         time.sleep(0.05)
@@ -357,7 +367,8 @@ def test_an_animation_that_is_stopped_keeps_whole_pictures(folder):
 def test_info_tells_what_is_used(folder):
     """info tells the versions, the window and the renderer."""
     status, said = run(folder, "info")
-    wt.check_equal("info", (status, all(word in said for word in ("vtkwater ", "VTK ", "window vtk", "renderer "))), (0, True))
+    tells = all(word in said for word in ("vtkwater ", "VTK ", "window vtk", "renderer "))
+    wt.check_equal("info", (status, tells), (0, True))
 
 
 @pytest.mark.parametrize("arguments", (["--help"], ["render", "--help"], ["animate", "--help"]), ids=" ".join)

@@ -109,7 +109,8 @@ def test_two_waters_do_not_mirror_each_other_without_end():
     ceiling.GetWaterProperty().SetDeepColor(0, 0, 1)
     renders = scene.mirror.GetNumberOfReflectionRenders()
     scene.view.picture()
-    wt.check_equal("two waters: renders of the first a frame", scene.mirror.GetNumberOfReflectionRenders() - renders, 1)
+    wt.check_equal("two waters: renders of the first a frame",
+                   scene.mirror.GetNumberOfReflectionRenders() - renders, 1)
     wt.check_equal("two waters: left out of the mirror", scene.mirror.GetFateCount(Pass.WATER_ITSELF), 1)
 
 

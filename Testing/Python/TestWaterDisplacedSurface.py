@@ -6,6 +6,7 @@ chords of the grid (an error of amplitude (k step)^2 / 8) stay under what is tes
 """
 
 import numpy as np
+import pytest
 import ray_caster
 import water_test as wt
 from vtkmodules.util.numpy_support import vtk_to_numpy
@@ -58,28 +59,56 @@ def height_errors(waves, time, center, scale, below=False, offset=(0, 0, 0)):
     return np.abs(found - right).max(), right
 
 
-for name, waves in (("sines", SINES), ("steep waves", STEEP)):
-    amplitude = sum(wave[0] for wave in waves)
-    for time in (0.0, 3.7, 1e4, 1e6):
-        worst = max(height_errors(waves, time, center, 0.6)[0] for center in ((0, 0), (-17.3, 9.1), (31.0, -44.0)))
-        wt.check_at_most(f"{name} at {time:g} s: largest error of a height, of the amplitude", float(worst / amplitude), 1e-4)
+ALL_WAVES = pytest.mark.parametrize("name, waves", (("sines", SINES), ("steep waves", STEEP)), ids=("sines", "steep"))
+
+
+def amplitude_of(waves):
+    return sum(wave[0] for wave in waves)
+
+
+@pytest.mark.parametrize("time", (0.0, 3.7, 1e4, 1e6))
+@ALL_WAVES
+def test_the_surface_is_where_the_height_says(name, waves, time):
+    """Early and late, a pixel's depth is the height that GetWaveHeight says of its place."""
+    worst = max(height_errors(waves, time, center, 0.6)[0] for center in ((0, 0), (-17.3, 9.1), (31.0, -44.0)))
+    wt.check_at_most(f"{name} at {time:g} s: largest error of a height, of the amplitude",
+                     float(worst / amplitude_of(waves)), 1e-4)
+
+
+@ALL_WAVES
+def test_from_below_the_surface_is_where_it_is_from_above(name, waves):
+    """Seen from below, the surface is where GetWaveHeight says."""
     worst = height_errors(waves, 2.5, (3.0, -7.0), 0.6, below=True)[0]
-    wt.check_at_most(f"{name} from below: largest error, of the amplitude", float(worst / amplitude), 1e-4)
+    wt.check_at_most(f"{name} from below: largest error, of the amplitude", float(worst / amplitude_of(waves)), 1e-4)
+
+
+@ALL_WAVES
+def test_far_from_the_origin_the_surface_is_where_the_height_says(name, waves):
+    """Three thousand kilometres from the origin, the surface is where GetWaveHeight says."""
     worst = height_errors(waves, 2.5, (3.0, -7.0), 0.6, offset=(4e5, -3e6, 250.0))[0]
-    wt.check_at_most(f"{name} far from the origin: largest error, of the amplitude", float(worst / amplitude), 1e-4)
-
-# Steep waves have sharp crests and flat troughs: over them most of the water is low.
-shares = {}
-for steepness in (0.0, 0.95):
-    _, heights = height_errors(((0.5, 4.0, 0.0, 0.0, steepness),), 0.0, (0, 0), 4.0)
-    shares[steepness] = float((heights > 0).mean())
-    error = height_errors(((0.5, 4.0, 0.0, 0.0, steepness),), 0.0, (0, 0), 4.0)[0]
-    wt.check_at_most(f"steepness {steepness}: height over two waves, largest error, m", float(error), 0.02)
-wt.check_at_most("steepness 0.95: share of the water over the level", shares[0.95], shares[0.0] - 0.1)
+    wt.check_at_most(f"{name} far from the origin: largest error, of the amplitude",
+                     float(worst / amplitude_of(waves)), 1e-4)
 
 
-# The outline against the sky is that of the highest points.
+def two_waves(steepness):
+    """The largest error of a height over two waves, and the share of the water over the level."""
+    error, heights = height_errors(((0.5, 4.0, 0.0, 0.0, steepness),), 0.0, (0, 0), 4.0)
+    return float(error), float((heights > 0).mean())
+
+
+@pytest.mark.parametrize("steepness", (0.0, 0.95))
+def test_every_steepness_has_its_height(steepness):
+    """Over two whole waves of any steepness the surface is where GetWaveHeight says."""
+    wt.check_at_most(f"steepness {steepness}: height over two waves, largest error, m", two_waves(steepness)[0], 0.02)
+
+
+def test_steep_waves_have_flat_troughs():
+    """Steep waves have sharp crests and flat troughs: over them most of the water is low."""
+    wt.check_at_most("steepness 0.95: share of the water over the level", two_waves(0.95)[1], two_waves(0.0)[1] - 0.1)
+
+
 def outline_error(waves):
+    """How far, in px, the outline against the sky is from the highest points before it."""
     made, water = scene(waves, (120, 60), sheet=(-3, 3, -4, 4))
     camera = look(made, (0, -10, 0.5), (0, 0, 0), (0, 0, 1), (4.0, 16.0))
     up, away = 10 / np.hypot(10, 0.5), 0.5 / np.hypot(10, 0.5)
@@ -94,12 +123,15 @@ def outline_error(waves):
     return max(errors)
 
 
-for name, waves in (("sines", SINES), ("a steep wave", ((0.5, 4.0, 0.0, 30.0, 0.95),))):
+@pytest.mark.parametrize("name, waves", (("sines", SINES), ("a steep wave", ((0.5, 4.0, 0.0, 30.0, 0.95),))),
+                         ids=("sines", "a_steep_wave"))
+def test_the_outline_is_that_of_the_highest_points(name, waves):
+    """The outline against the sky is that of the highest points."""
     wt.check_at_most(f"{name}: outline, largest error, px", float(outline_error(waves)), 1.0)
 
 
-# Picks meet the waves and not the level.
 def picks(geometry):
+    """On a grid of places in the window: where a pick meets the water, and where the picture shows it."""
     made, water = scene(((0.5, 4.0, 90.0, 0.0),), sheet=(-3, 3, -3, 3))
     water.GetWaterProperty().SetWaveGeometry(geometry)
     water.GetWaterProperty().SetWaveGridSize(64)
@@ -118,14 +150,14 @@ def picks(geometry):
     return picked[grid], is_water[grid]
 
 
-picked, seen = picks(True)
-wt.check_equal("picks: places where picture and pick differ", int((picked != seen).sum()), 0)
-flat, _ = picks(False)
-wt.check_at_least("picks: places that only the waves cover", int((picked & ~flat).sum()), 20)
+def test_picks_meet_the_waves_and_not_the_level():
+    """A pick meets the water where the picture shows its waves, also where the level water is not."""
+    picked, seen = picks(True)
+    wt.check_equal("picks: places where picture and pick differ", int((picked != seen).sum()), 0)
+    flat, _ = picks(False)
+    wt.check_at_least("picks: places that only the waves cover", int((picked & ~flat).sum()), 20)
 
 
-# What stands in waves touches its reflection, from every heading: unless it is hidden by a crest
-# before it, whose reflection may be another.
 POLE = ray_caster.Box((0.3, 0.2, 1), (0.6, 0.6, 8), (0, 0.4, 0))
 POLE_WAVES = ((0.3, 12.0, 20.0, 0.0), (0.12, 7.0, 75.0, 0.0), (0.05, 4.0, 130.0, 0.0))
 
@@ -142,6 +174,8 @@ def reflects_pole(camera, time, size, x, y):
 
 
 def count_gaps(headings):
+    """Of the columns in which the pole ends on the water: their number, how many show the background under it and
+    should not, how many have no water under it, how many show the background and should."""
     made, water = scene(POLE_WAVES, sheet=(-90, 90, -90, 90))
     wt.add_actor(made.renderer, wt.box((0.3, 0.2, 1), (0.6, 0.6, 8)), (0, 0.4, 0), lit=False)
     columns = gaps = holes = elsewhere = 0
@@ -168,22 +202,27 @@ def count_gaps(headings):
     return columns, gaps, holes, elsewhere
 
 
-columns, gaps, holes, elsewhere = count_gaps(range(0, 360, 3))
-wt.check_at_least("pole: columns in which it ends on the water, 120 headings", columns, 1000)
-print(f"pole: {elsewhere} columns under which the ray caster sees the background, too")
-wt.check_equal("pole: columns with no water under it", int(holes), 0)
-wt.check_equal("pole: columns with the background between it and its reflection", int(gaps), 0)
+def test_what_stands_in_waves_touches_its_reflection():
+    """What stands in waves touches its reflection from every heading, unless it is hidden by a crest before it,
+    whose reflection may be another."""
+    columns, gaps, holes, elsewhere = count_gaps(range(0, 360, 3))
+    wt.check_at_least("pole: columns in which it ends on the water, 120 headings", columns, 1000)
+    print(f"pole: {elsewhere} columns under which the ray caster sees the background, too")
+    wt.check_equal("pole: columns with no water under it", int(holes), 0)
+    wt.check_equal("pole: columns with the background between it and its reflection", int(gaps), 0)
 
-# What lies under the surface, but over the deepest trough, is no reflection: a sand bank.
-made, water = scene(((0.4, 9.0, 20.0), (0.2, 6.0, 75.0)), sheet=(-90, 90, -90, 90))
-wt.add_actor(made.renderer, wt.box((0, 0, -0.7), (30, 30, 0.2)), (1, 1, 0), lit=False)
-wt.add_actor(made.renderer, wt.box((0, 8, 0), (20, 0.5, 8)), (0, 0.4, 0), lit=False)
-look(made, (1, -12, 4), (0, 0, 0))
-picture = made.picture()
-shown = (np.abs(picture - (255, 255, 0)).max(axis=2) < 90) & wt.water_mask(made, water)
-wt.check_equal("sand bank under the waves: pixels that reflect it", int(shown.sum()), 0)
 
-# Waves without height are calm water; without waves nothing is displaced.
+def test_a_sand_bank_under_the_surface_is_no_reflection():
+    """What lies under the surface, but over the deepest trough, is not reflected: a sand bank."""
+    made, water = scene(((0.4, 9.0, 20.0), (0.2, 6.0, 75.0)), sheet=(-90, 90, -90, 90))
+    wt.add_actor(made.renderer, wt.box((0, 0, -0.7), (30, 30, 0.2)), (1, 1, 0), lit=False)
+    wt.add_actor(made.renderer, wt.box((0, 8, 0), (20, 0.5, 8)), (0, 0.4, 0), lit=False)
+    look(made, (1, -12, 4), (0, 0, 0))
+    picture = made.picture()
+    shown = (np.abs(picture - (255, 255, 0)).max(axis=2) < 90) & wt.water_mask(made, water)
+    wt.check_equal("sand bank under the waves: pixels that reflect it", int(shown.sum()), 0)
+
+
 def water_picture(waves, geometry):
     made, water = scene(waves)
     water.GetWaterProperty().SetWaveGeometry(geometry)
@@ -193,14 +232,20 @@ def water_picture(waves, geometry):
     return made.picture()
 
 
-calm = water_picture((), False)
-off = 100 * (np.abs(water_picture(((0.0, 3.0),), True) - calm).max(axis=2) > 1).mean()
-wt.check_at_most("amplitude 0: % of pixels that are not calm", float(off), 0.02)
-wt.check_equal("no waves: largest change", int(np.abs(water_picture((), True) - calm).max()), 0)
+def test_waves_without_height_are_calm_water():
+    """Waves of amplitude 0 show calm water."""
+    off = 100 * (np.abs(water_picture(((0.0, 3.0),), True) - water_picture((), False)).max(axis=2) > 1).mean()
+    wt.check_at_most("amplitude 0: % of pixels that are not calm", float(off), 0.02)
 
 
-# A tilted world looks like the level one; a fine mesh of the user's like the own sheet.
+def test_without_waves_nothing_is_displaced():
+    """Without waves, wave geometry changes nothing."""
+    change = np.abs(water_picture((), True) - water_picture((), False)).max()
+    wt.check_equal("no waves: largest change", int(change), 0)
+
+
 def tilted_picture(degrees, mesh=False, side=1):
+    """The reflectance in a world that is tilted about x, and which pixels are water."""
     angle = np.radians(degrees)
     rotation = np.array([[1, 0, 0], [0, np.cos(angle), -np.sin(angle)], [0, np.sin(angle), np.cos(angle)]])
     made, water = scene(SINES[:2], sheet=(-20, 20, -20, 20), plane=wt.plane((0, 0, 0), rotation @ (0, 0, 1)))
@@ -227,32 +272,53 @@ def differing(a, b, mask):
     return float(100 * (np.abs(a - b) > 0.005)[mask].mean())
 
 
-for side, name in ((1, "above"), (-1, "below")):
+@pytest.mark.parametrize("side, name", ((1, "above"), (-1, "below")), ids=("above", "below"))
+@pytest.mark.parametrize("what, degrees, mesh", (("tilted by 40 degrees", 40, False),
+                                                  ("a mesh of 500 x 500", 0, True)),
+                         ids=("tilted", "a_mesh"))
+def test_a_tilted_world_and_a_fine_mesh_look_alike(what, degrees, mesh, side, name):
+    """A tilted world looks like the level one, and a fine mesh of the user's like the water's own sheet."""
     level, is_water = tilted_picture(0, side=side)
-    for what, (picture, mask) in (("tilted by 40 degrees", tilted_picture(40, side=side)),
-                                  ("a mesh of 500 x 500", tilted_picture(0, True, side))):
-        wt.check_at_most(f"{what}, from {name}: % of pixels on one of the two waters only",
-                         float(100 * (mask != is_water).mean()), 0.05)
-        wt.check_at_most(f"{what}, from {name}: % of its pixels whose reflectance differs",
-                         differing(picture, level, mask & is_water), 1.0)
+    picture, mask = tilted_picture(degrees, mesh, side)
+    wt.check_at_most(f"{what}, from {name}: % of pixels on one of the two waters only",
+                     float(100 * (mask != is_water).mean()), 0.05)
+    wt.check_at_most(f"{what}, from {name}: % of its pixels whose reflectance differs",
+                     differing(picture, level, mask & is_water), 1.0)
 
-# Bounds hold what is displaced.
-made, water = scene(STEEP, sheet=(-3, 3, -4, 4))
-wt.check_equal("bounds", [round(bound, 9) for bound in water.GetBounds()], [-3.63, 3.63, -4.63, 4.63, -0.7, 0.7])
-wt.check_equal("bounds, asked again", [round(bound, 9) for bound in water.GetBounds()], [-3.63, 3.63, -4.63, 4.63, -0.7, 0.7])
-water.GetWaterProperty().WaveGeometryOff()
-wt.check_equal("bounds of the flat sheet", list(water.GetBounds()), [-3, 3, -4, 4, 0, 0])
 
-# Values out of range are refused.
-look_of = vtkWaterProperty()
-wt.check_equal("default: geometry, grid", (look_of.GetWaveGeometry(), look_of.GetWaveGridSize()), (False, 256))
-errors = wt.errors_of(look_of)
-for size in (15, 0, -3, 2049):
-    look_of.SetWaveGridSize(size)
-wt.check_equal("bad grid sizes: errors", len(errors), 4)
-wt.check_equal("bad grid sizes: the size stays", look_of.GetWaveGridSize(), 256)
-wt.check_equal("bad grid sizes: the error names the range", "[16, 2048]" in errors[0] and "15" in errors[0], True)
-modified = look_of.GetMTime()
-look_of.WaveGeometryOff()
-wt.check_equal("the same value again modifies nothing", look_of.GetMTime(), modified)
-wt.finish()
+def rounded(bounds):
+    return [round(bound, 9) for bound in bounds]
+
+
+def test_bounds_hold_what_is_displaced():
+    """Bounds hold what is displaced, to the side and in height; those of the flat sheet are the sheet's."""
+    _, water = scene(STEEP, sheet=(-3, 3, -4, 4))
+    wt.check_equal("bounds", rounded(water.GetBounds()), [-3.63, 3.63, -4.63, 4.63, -0.7, 0.7])
+    wt.check_equal("bounds, asked again", rounded(water.GetBounds()), [-3.63, 3.63, -4.63, 4.63, -0.7, 0.7])
+    water.GetWaterProperty().WaveGeometryOff()
+    wt.check_equal("bounds of the flat sheet", list(water.GetBounds()), [-3, 3, -4, 4, 0, 0])
+
+
+def test_waves_are_flat_unless_they_are_asked_for():
+    """By default waves do not displace the surface; the grid has 256 cells on a side."""
+    look = vtkWaterProperty()
+    wt.check_equal("default: geometry, grid", (look.GetWaveGeometry(), look.GetWaveGridSize()), (False, 256))
+
+
+def test_a_bad_grid_size_is_refused():
+    """A grid size out of range is an error that names it and the range, and the size stays."""
+    look = vtkWaterProperty()
+    errors = wt.errors_of(look)
+    for size in (15, 0, -3, 2049):
+        look.SetWaveGridSize(size)
+    wt.check_equal("bad grid sizes: errors", len(errors), 4)
+    wt.check_equal("bad grid sizes: the size stays", look.GetWaveGridSize(), 256)
+    wt.check_equal("bad grid sizes: the error names the range", "[16, 2048]" in errors[0] and "15" in errors[0], True)
+
+
+def test_the_same_value_again_modifies_nothing():
+    """Setting what is set is no change."""
+    look = vtkWaterProperty()
+    modified = look.GetMTime()
+    look.WaveGeometryOff()
+    wt.check_equal("the same value again modifies nothing", look.GetMTime(), modified)

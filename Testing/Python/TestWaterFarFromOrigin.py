@@ -2,6 +2,7 @@
 """A scene at (5e6, 4e6, 100) metres gives the picture it gives at the origin."""
 
 import numpy as np
+import pytest
 import water_test as wt
 
 OFFSET = (5e6, 4e6, 100.0)
@@ -22,10 +23,11 @@ def picture(offset, tilt):
     return seen
 
 
-for tilt in ((0, 0, 1), (0.1, 0.05, 1)):
+@pytest.mark.parametrize("tilt", ((0, 0, 1), (0.1, 0.05, 1)), ids=("level", "tilted"))
+def test_the_picture_far_away_is_that_at_the_origin(tilt):
+    """A scene five thousand kilometres away gives the picture that it gives at the origin."""
     here = picture((0.0, 0.0, 0.0), tilt)
     there = picture(OFFSET, tilt)
     off = (np.abs(here - there).max(axis=2) > 1).mean() * 100
     wt.check_at_most(f"normal {tilt}: % of all pixels off by more than 1/255", off, LIMIT_PERCENT)
     wt.check_at_least(f"normal {tilt}: colours in the picture", len(np.unique(here)), 50)
-wt.finish()

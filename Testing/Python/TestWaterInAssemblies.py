@@ -45,7 +45,8 @@ def test_a_level_of_detail_is_reflected_in_the_first_frame():
     levels = vtkLODProp3D()
     levels.AddLOD(actor.GetMapper(), actor.GetProperty(), 0.0)
     scene.renderer.AddViewProp(levels)
-    wt.check_equal("vtkLODProp3D after the water: first picture, error", wt.difference(scene.picture(), plain_picture()), 0)
+    wt.check_equal("vtkLODProp3D after the water: first picture, error",
+                   wt.difference(scene.picture(), plain_picture()), 0)
 
 
 def axes_picture(in_parts):

@@ -74,7 +74,8 @@ def test_a_pool_absorbs_along_the_refracted_ray(name, position, parallel):
         error = abs(float(found[:, i].mean() / expected[:, i].mean()) - 1)
         step = 0.5 / 255 / expected[:, i].mean() if parallel else 0
         wt.check_at_most(f"pool, {name}, {channel}: error of the mean transmittance", error, max(0.005, step))
-    wt.check_at_most(f"pool, {name}: largest error of a pixel", float(np.abs(found - expected).max()), 0.6 / 255 + 0.005)
+    wt.check_at_most(f"pool, {name}: largest error of a pixel", float(np.abs(found - expected).max()),
+                     0.6 / 255 + 0.005)
 
 
 def test_scattering_dims_and_turns_into_the_deep_colour():
@@ -286,7 +287,8 @@ REFUSALS = (
 )
 
 
-@pytest.mark.parametrize("setter, value, words", REFUSALS, ids=[f"{setter}_{words[0]}" for setter, _, words in REFUSALS])
+@pytest.mark.parametrize("setter, value, words", REFUSALS,
+                         ids=[f"{setter}_{words[0]}" for setter, _, words in REFUSALS])
 def test_a_bad_value_is_refused(setter, value, words):
     """Bad input is one error that names value and range; the last good value stays."""
     look = vtkWaterProperty()

@@ -6,6 +6,7 @@ waves, by the definition of their height; from there on it is TestWaterLookupErr
 """
 
 import numpy as np
+import pytest
 import ray_caster
 import water_test as wt
 from wave_scenes import looked_up, map_shows, reflected_at
@@ -78,15 +79,19 @@ def off_silhouettes(camera, waves, size):
     return smooth.ravel()
 
 
-# Long waves at the default quality. Of the steep ones many rays are long and end on thin slivers of an
-# island: what the march loses there is 006's subject, so it is a fine one.
-for lengths in ((24, 15, 9), (12, 7, 4)):
+LONG_WAVES, STEEP_WAVES = (24, 15, 9), (12, 7, 4)  # wavelengths, m
+
+
+def lookup_errors(lengths):
+    """How far, in px of the map, reflections of three views are looked up from their places; and which of these
+    pixels are off silhouettes."""
     waves = waves_of(lengths)
     errors, smooth = [], []
     for view, position in VIEWS.items():
         made, water = scene(position, waves)
         look = water.GetWaterProperty()
-        if lengths[0] == 12:
+        if lengths == STEEP_WAVES:
+            # many rays are long and end on thin slivers of an island: what the march loses there is 006's subject
             look.SetRayTraceSteps(256)
             look.SetRayTraceProbes(64)
         made.picture()
@@ -97,14 +102,20 @@ for lengths in ((24, 15, 9), (12, 7, 4)):
         errors.append(found)
         smooth.append(off_silhouettes(made.renderer.GetActiveCamera(), waves, SIZE)[counts])
         print(f"waves {lengths} m, slope {look.GetSlopeRMS():.2f}, {view}: {describe(found)}")
-    errors, smooth = np.concatenate(errors), np.concatenate(smooth)
+    return np.concatenate(errors), np.concatenate(smooth)
+
+
+@pytest.mark.parametrize("lengths", (LONG_WAVES, STEEP_WAVES), ids=("long_waves", "steep_waves"))
+def test_a_reflection_is_looked_up_at_the_ray_casters_place(lengths):
+    """Long waves at the default quality, and steep ones at a fine one, look up what the ray caster says."""
+    errors, smooth = lookup_errors(lengths)
     name = f"waves {lengths} m"
     print(f"{name}: {describe(errors)}")
     print(f"{name}, off silhouettes: {describe(errors[smooth])}")
     wt.check_at_least(f"{name}: pixels", len(errors), 5000)
     wt.check_at_most(f"{name}: median error, px", float(np.median(errors)), 0.2)
     wt.check_at_least(f"{name}, off silhouettes: % under 1 px", 100 * float((errors[smooth] < 1).mean()), 94)
-    if lengths[0] == 24:
+    if lengths == LONG_WAVES:
         wt.check_at_least(f"{name}, default quality: % under 1 px", 100 * float((errors < 1).mean()), 95)
 
 
@@ -141,13 +152,16 @@ def shown_wrongly(waves, size=(200, 120), reach=3):
     return float((shown[free] > 0.5).mean()), float(shown[counts].mean()), float(right[counts].mean())
 
 
-# A raft on a wave hides water beyond it from the mirrored eye, and its bottom is in the mirrored view. The sky
-# belongs on that water, where pixels resolve the waves (one ray each) and where they do not (several).
 LONG = ((0.42, 19.0, 75.0, 180.0), (0.16, 9.0, 110.0, 0.0), (0.07, 4.7, 50.0, 0.0))
 SHORT = ((0.025, 2.1, 95.0, 0.0), (0.010, 1.1, 20.0, 0.0), (0.005, 0.6, 130.0, 0.0))
-for name, waves in (("long waves", LONG), ("and short ones", LONG + SHORT)):
+
+
+@pytest.mark.parametrize("name, waves", (("long waves", LONG), ("and short ones", LONG + SHORT)),
+                         ids=("long_waves", "and_short_ones"))
+def test_water_that_a_raft_hides_from_the_mirror_shows_the_sky(name, waves):
+    """A raft on a wave hides water beyond it from the mirrored eye, and its bottom is in the mirrored view: that
+    water still shows the sky, where pixels resolve the waves (one ray each) and where they do not (several)."""
     wrong, shown, right = shown_wrongly(waves)
     wt.check_at_most(f"a raft on {name}: % of the water that shows it wrongly", 100 * wrong, 0.1)
     wt.check_at_most(f"a raft on {name}: its share of the water ({shown:.4f}), % off the ray caster's",
                      100 * abs(shown / right - 1), 30)
-wt.finish()

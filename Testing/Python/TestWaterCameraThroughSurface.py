@@ -2,12 +2,13 @@
 """A camera comes down to the water and goes through it: no frame is black, has a pixel that is no number,
 or jumps out of the row of its neighbours. Where waves move the surface, they decide on which side the camera is.
 
-TestWaterDive.py --frames 1000 takes smaller steps.
+WATER_DIVE_FRAMES=1000 in the environment takes smaller steps.
 """
 
-import argparse
+import os
 
 import numpy as np
+import pytest
 import water_test as wt
 from wave_scenes import POSTS_WAVES, posts, SKY
 from ray_caster import Box
@@ -19,9 +20,13 @@ LARGEST_STEP_SWELL = 25.0  # in one frame all of the surface is drawn from its o
 SWELL = ((0.15, 5.0, 20.0, 10.0), (0.06, 2.3, 80.0, 200.0))
 EYE = (2, -13)
 CREST, TROUGH = 2.2, 3.0  # s: 0.20 m over and 0.18 m under the plane at rest, where the eye is
-parser = argparse.ArgumentParser()
-parser.add_argument("--frames", type=int, default=90)
-frames = parser.parse_known_args()[0].frames
+FRAMES = int(os.environ.get("WATER_DIVE_FRAMES", "90"))
+DIVES = pytest.mark.parametrize("name, waves, clear", (
+    ("calm", (), False), ("wavy", POSTS_WAVES, False),
+    ("calm and clear", (), True), ("wavy and clear", POSTS_WAVES, True),
+), ids=("calm", "wavy", "calm_and_clear", "wavy_and_clear"))
+SWELLS = pytest.mark.parametrize("name, begins", (("under a crest", CREST), ("over a trough", TROUGH)),
+                                 ids=("under_a_crest", "over_a_trough"))
 
 
 class Scene:
@@ -45,34 +50,47 @@ class Scene:
         return self.view.picture()
 
 
-def check(name, waves, clear):
-    scene = Scene(waves, clear)
-    heights = np.concatenate([
-        np.geomspace(100, 1e-3, frames // 2), np.linspace(1e-3, -1e-3, frames // 5),
-        -np.geomspace(1e-3, 5, frames - frames // 2 - frames // 5)])
-    pictures = [scene.at(height) for height in heights]
+def largest_steps(pictures):
+    """Of every picture but the first, the mean difference to the one before it; of every one but the first and the
+    last, how far it is from both neighbours, less how far these are from each other: a flash."""
     steps = np.array([np.abs(b - a).mean() for a, b in zip(pictures, pictures[1:])])
-    # a flash: far from both neighbours, which are like each other
     across = np.array([np.abs(b - a).mean() for a, b in zip(pictures, pictures[2:])])
-    flash = (np.minimum(steps[:-1], steps[1:]) - across)[heights[1:-1] < 10]
+    return steps, np.minimum(steps[:-1], steps[1:]) - across
+
+
+def check_no_jumps(name, pictures, heights, flash_judged, largest_step):
+    steps, flash = largest_steps(pictures)
     through = np.abs(heights[1:]) <= 1.01e-3
     wt.check_equal(f"{name}: pixels of 0, 0, 0", sum(int((picture.max(axis=2) == 0).sum()) for picture in pictures), 0)
     wt.check_at_most(f"{name}: largest step, within 1 mm of the surface", round(float(steps[through].max()), 2),
-                     LARGEST_STEP)
-    wt.check_at_most(f"{name}: largest flash", round(float(flash.max()), 2), 2.0)
+                     largest_step)
+    wt.check_at_most(f"{name}: largest flash", round(float(flash[flash_judged].max()), 2), 2.0)
+
+
+@DIVES
+def test_a_dive_has_no_black_frame_and_no_jump(name, waves, clear):
+    """From 100 m over the water to 5 m under it, frame follows frame, and nothing is black."""
+    scene = Scene(waves, clear)
+    heights = np.concatenate([
+        np.geomspace(100, 1e-3, FRAMES // 2), np.linspace(1e-3, -1e-3, FRAMES // 5),
+        -np.geomspace(1e-3, 5, FRAMES - FRAMES // 2 - FRAMES // 5)])
+    pictures = [scene.at(height) for height in heights]
+    check_no_jumps(name, pictures, heights, heights[1:-1] < 10, LARGEST_STEP)
     wt.check_equal(f"{name}: errors", scene.errors, [])
-    straight_down(name, scene, clear)
 
 
-def straight_down(name, scene, clear):
-    """All of the sheet is cut off before the eye is in the water."""
+@pytest.mark.parametrize("name, waves", (("calm and clear", ()), ("wavy and clear", POSTS_WAVES)),
+                         ids=("calm", "wavy"))
+def test_straight_down_the_surface_is_not_seen_to_pass(name, waves):
+    """Straight down, where all of the sheet is cut off before the eye is in the water, both sides of it look alike."""
+    scene = Scene(waves, True)
+
     def at(height):
-        wt.place_camera(scene.view.renderer, (2, -13, height), (2, -13, -5), (0.1, 400), view_up=(0, 1, 0))
+        wt.place_camera(scene.view.renderer, (*EYE, height), (*EYE, -5), (0.1, 400), view_up=(0, 1, 0))
         return scene.view.picture()
 
-    if clear:
-        difference = np.abs(at(1e-4) - at(-1e-4)).max()
-        wt.check_at_most(f"{name}: straight down, eye over and under the surface, difference", int(difference), 1)
+    wt.check_at_most(f"{name}: straight down, eye over and under the surface, difference",
+                     int(np.abs(at(1e-4) - at(-1e-4)).max()), 1)
 
 
 def heights_through(count):
@@ -103,29 +121,20 @@ def swell(name, begins, count, absorption):
     return pictures, over, np.array(at_rest)
 
 
-def check_swell(name, begins):
-    pictures, over, at_rest = swell(name, begins, frames, (0.3, 0.1, 0.05))
+@SWELLS
+def test_a_dive_through_a_swell_has_no_black_frame_and_no_jump(name, begins):
+    """Through a surface that waves move, frame follows frame, and nothing is black."""
+    pictures, over, at_rest = swell(name, begins, FRAMES, (0.3, 0.1, 0.05))
     between = (over > 0) != (at_rest > 0)
     wt.check_at_least(f"{name}: frames between the plane at rest and the surface", int(between.sum()), 10)
-    steps = np.array([np.abs(b - a).mean() for a, b in zip(pictures, pictures[1:])])
-    across = np.array([np.abs(b - a).mean() for a, b in zip(pictures, pictures[2:])])
-    through = np.abs(over[1:]) <= 1.01e-3
-    wt.check_equal(f"{name}: pixels of 0, 0, 0", sum(int((picture.max(axis=2) == 0).sum()) for picture in pictures), 0)
-    wt.check_at_most(f"{name}: largest step, within 1 mm of the surface", round(float(steps[through].max()), 2),
-                     LARGEST_STEP_SWELL)
-    wt.check_at_most(f"{name}: largest flash", round(float((np.minimum(steps[:-1], steps[1:]) - across).max()), 2), 2.0)
-    # water that nobody sees through: an eye in it sees nothing else, and one over it sees the sky
-    pictures, over, at_rest = swell(name, begins, min(frames, 200), (300, 300, 300))
+    check_no_jumps(name, pictures, over, slice(None), LARGEST_STEP_SWELL)
+
+
+@SWELLS
+def test_waves_decide_on_which_side_the_camera_is(name, begins):
+    """In water that nobody sees through, an eye under the moved surface sees nothing else, and one over it the sky."""
+    pictures, over, _ = swell(name, begins, min(FRAMES, 200), (300, 300, 300))
     deep = np.array([0, 0.3, 0.3]) * 255
     judged = np.abs(over) > NEAR
-    wrong = [is_under(picture, deep) != (height < 0) for picture, height in zip(pictures, over)]
-    wt.check_equal(f"{name}: frames from the wrong side, of {int(judged.sum())}", int((np.array(wrong) & judged).sum()), 0)
-
-
-check("calm", (), False)
-check("wavy", POSTS_WAVES, False)
-check("calm and clear", (), True)
-check("wavy and clear", POSTS_WAVES, True)
-check_swell("under a crest", CREST)
-check_swell("over a trough", TROUGH)
-wt.finish()
+    wrong = judged & [is_under(picture, deep) != (height < 0) for picture, height in zip(pictures, over)]
+    wt.check_equal(f"{name}: frames from the wrong side, of {int(judged.sum())}", int(wrong.sum()), 0)
