@@ -152,7 +152,8 @@ def shared_with_a_dry_window(is_wet):
 def test_actors_may_be_in_a_window_without_water(right):
     """Actors in a window with water and in one without give each its own picture."""
     # nothing but the props' own state tells that a window without water has drawn them; the truth shares them, too:
-    # VTK 9.6 shows nothing of actors that another window draws, with water or without it (VTK 9.1 shows them)
+    # VTK's OSMesa and EGL windows show nothing of actors that another window draws, with water or without it; our own
+    # EGL window, with VTK 9.1, does (Documentation/stress.md, "Actors in two windows")
     truth = shared_with_a_dry_window(is_wet=False)
     for frame, ((dry, wet), (alone, _)) in enumerate(zip(shared_with_a_dry_window(is_wet=True), truth)):
         wt.check_equal(f"actors in a dry window, frame {frame}: error there", wt.difference(dry, alone), 0)
