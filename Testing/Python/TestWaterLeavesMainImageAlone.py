@@ -7,6 +7,7 @@ the difference of two frames without any mirror.
 """
 
 import numpy as np
+import pytest
 import water_test as wt
 from vtkmodules.vtkRenderingOpenGL2 import vtkOpenGLRenderPass, vtkRenderStepsPass, vtkSSAAPass
 from vtkwater import vtkWaterReflectionPass as Pass
@@ -15,6 +16,12 @@ ALWAYS_RENDERED = Pass.SKIP_ALL & ~Pass.UNCHANGED_VIEWS
 
 # How many pixels away a filter over the finished picture takes colour from.
 FILTER_REACH = {"FXAA": 8, "supersampling pass": 2}
+
+MODES = (
+    "plain", "headlight", "multisampling", "FXAA", "SSAO", "translucent", "depth peeling", "parallel",
+    "sub-viewport", "two viewports", "pass chain", "supersampling pass", "stereo left", "stereo right",
+    "stereo anaglyph",
+)
 
 
 def build(mode):
@@ -89,7 +96,9 @@ def flags(view):
     }
 
 
-def main_image(mode):
+@pytest.mark.parametrize("mode", MODES, ids=[mode.replace(" ", "_") for mode in MODES])
+def test_not_a_pixel_outside_the_water_changes(mode):
+    """Rendering the mirror changes no pixel outside the water and no flag, nor does using its view again."""
     view, waters = build(mode)
     set_reflectance(waters, 0)
     view.picture()
@@ -140,7 +149,7 @@ def main_image(mode):
             wt.check_equal(f"{mode}: {name}, largest error", int(error.max()), 0)
 
 
-def time_stamps():
+def test_no_time_stamp_event_or_key_is_left():
     """Camera, props, lights and observers are as a frame without a mirror leaves them."""
     view, waters = build("plain")
     events = []
@@ -175,13 +184,3 @@ def time_stamps():
     left = [actor.GetPropertyKeys() is not None and actor.GetPropertyKeys().Has(passes)
             for actor in actors if actor not in waters]
     wt.check_equal("keys left on props", sum(bool(one) for one in left), 0)
-
-
-for case in (
-    "plain", "headlight", "multisampling", "FXAA", "SSAO", "translucent", "depth peeling", "parallel",
-    "sub-viewport", "two viewports", "pass chain", "supersampling pass", "stereo left", "stereo right",
-    "stereo anaglyph",
-):
-    main_image(case)
-time_stamps()
-wt.finish()
