@@ -6,6 +6,7 @@ way round when the mirrored view waits for the scene before the water. What an o
 must have happened afterwards, and the picture after the frame must be right.
 """
 
+import pytest
 import water_test as wt
 from vtkmodules.vtkRenderingCore import vtkCamera
 from vtkwater import vtkWaterReflectionPass as Pass
@@ -64,50 +65,85 @@ def in_view(view, order, do):
     return scene, scene.picture()
 
 
-for order in (FIRST, LATE):
+def dry_picture(order=FIRST):
+    """The scene without its water."""
+    scene = Scene(order)
+    scene.view.renderer.RemoveActor(scene.water)
+    return scene.picture()
+
+
+ORDERS = pytest.mark.parametrize("order", [FIRST, LATE])
+VIEWS = pytest.mark.parametrize("view", [MIRRORED, MAIN])
+
+
+@ORDERS
+def test_the_views_are_drawn_in_this_order(order):
+    """The mirrored view is drawn before the main one, or after it when it waits for the scene before the water."""
     scene = Scene(order)
     right = scene.picture()
     wt.check_equal(f"drawn {order}: order of the views", order_of_views(scene),
                    [MIRRORED, MAIN] if order == FIRST else [MAIN, MIRRORED])
-    dry = Scene(order)
-    dry.view.renderer.RemoveActor(dry.water)
-    dry = dry.picture()
-    wt.check_at_least(f"drawn {order}: the water is seen", wt.difference(right, dry), 50)
-    for view in (MIRRORED, MAIN):
-        name = f"in the {view} view, drawn {order}: next picture, error"
-        scene, picture = in_view(view, order, lambda scene: scene.view.renderer.RemoveActor(scene.water))
-        wt.check_equal(f"water removed {name}", wt.difference(picture, dry), 0)
-        scene, picture = in_view(
-            view, order, lambda scene: scene.water.ReleaseGraphicsResources(scene.view.window))
-        wt.check_equal(f"resources released {name}", wt.difference(picture, right), 0)
-
-        other = vtkCamera()
-        other.DeepCopy(Scene().view.renderer.GetActiveCamera())
-        scene, picture = in_view(view, order, lambda scene: scene.view.renderer.SetActiveCamera(other))
-        wt.check_equal(f"camera set in the {view} view, drawn {order}: it is the active one",
-                       scene.view.renderer.GetActiveCamera() is other, True)
-right = Scene().picture()
-dry = Scene()
-dry.view.renderer.RemoveActor(dry.water)
-dry = dry.picture()
-
-# The last reference to the only water is dropped as the frame ends.
-scene = Scene()
+    wt.check_at_least(f"drawn {order}: the water is seen", wt.difference(right, dry_picture(order)), 50)
 
 
-def drop(caller, event):
-    if scene.water:
-        scene.view.renderer.RemoveActor(scene.water)
-        scene.water = None
+@VIEWS
+@ORDERS
+def test_the_water_may_be_removed(order, view):
+    """When an observer removes the water in the middle of a frame, the next picture has none."""
+    _, picture = in_view(view, order, lambda scene: scene.view.renderer.RemoveActor(scene.water))
+    wt.check_equal(f"water removed in the {view} view, drawn {order}: next picture, error",
+                   wt.difference(picture, dry_picture(order)), 0)
 
 
-scene.view.renderer.AddObserver("EndEvent", drop, 1.0)
-scene.picture()
-wt.check_equal("water dropped at the frame's end: next picture, error", wt.difference(scene.picture(), dry), 0)
+@VIEWS
+@ORDERS
+def test_resources_may_be_released(order, view):
+    """When an observer releases the water's graphics resources in the middle of a frame, the next picture is right."""
+    _, picture = in_view(view, order, lambda scene: scene.water.ReleaseGraphicsResources(scene.view.window))
+    wt.check_equal(f"resources released in the {view} view, drawn {order}: next picture, error",
+                   wt.difference(picture, Scene(order).picture()), 0)
 
 
-# An observer that takes all observers of the frame's end away, or keeps others from hearing of it.
-def end_of_frame(name, do):
+@VIEWS
+@ORDERS
+def test_the_camera_may_be_replaced(order, view):
+    """When an observer sets another camera in the middle of a frame, it is the active one afterwards."""
+    other = vtkCamera()
+    other.DeepCopy(Scene().view.renderer.GetActiveCamera())
+    scene, _ = in_view(view, order, lambda scene: scene.view.renderer.SetActiveCamera(other))
+    wt.check_equal(f"camera set in the {view} view, drawn {order}: it is the active one",
+                   scene.view.renderer.GetActiveCamera() is other, True)
+
+
+def test_the_last_reference_to_the_water_may_be_dropped():
+    """When the last reference to the only water is dropped as the frame ends, the next picture has none."""
+    scene = Scene()
+
+    def drop(caller, event):
+        if scene.water:
+            scene.view.renderer.RemoveActor(scene.water)
+            scene.water = None
+
+    scene.view.renderer.AddObserver("EndEvent", drop, 1.0)
+    scene.picture()
+    wt.check_equal("water dropped at the frame's end: next picture, error",
+                   wt.difference(scene.picture(), dry_picture()), 0)
+
+
+def remove_all(renderer, tag):
+    renderer.RemoveObservers("EndEvent")
+
+
+def abort(renderer, tag):
+    command = renderer.GetCommand(tag)
+    if command:
+        command.SetAbortFlag(1)
+
+
+@pytest.mark.parametrize("name, do", [("observers of EndEvent removed", remove_all), ("EndEvent aborted", abort)],
+                         ids=["removed", "aborted"])
+def test_observers_of_the_frames_end_may_be_silenced(name, do):
+    """An observer may remove all observers of the frame's end, or keep others from hearing of it."""
     scene = Scene()
     tag = [0]
     tag[0] = scene.view.renderer.AddObserver("EndEvent", lambda caller, event: do(caller, tag[0]), 1.0)
@@ -119,14 +155,3 @@ def end_of_frame(name, do):
     fresh.actor.SetPosition(0.5, 0, 0)
     wt.check_equal(f"{name}: reflections in the next frame", scene.reflections() - before, 1)
     wt.check_equal(f"{name}: next picture, error", wt.difference(moved, fresh.picture()), 0)
-
-
-def abort(renderer, tag):
-    command = renderer.GetCommand(tag)
-    if command:
-        command.SetAbortFlag(1)
-
-
-end_of_frame("observers of EndEvent removed", lambda renderer, tag: renderer.RemoveObservers("EndEvent"))
-end_of_frame("EndEvent aborted", abort)
-wt.finish()

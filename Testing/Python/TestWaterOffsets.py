@@ -8,6 +8,7 @@ a texel of the mirrored view that closely, and the rays of up to five pixels end
 from decimal import Decimal, getcontext
 
 import numpy as np
+import pytest
 import water_test as wt
 from ray_caster import Box
 from vtkmodules.vtkCommonMath import vtkMatrix4x4
@@ -19,6 +20,9 @@ EDGES = 0.02  # % of the pixels
 # of vtkOpenGLVertexBufferObject; the two left out shift nothing, and VTK's own picture falls apart
 MODES = {1: "AUTO_SHIFT_SCALE", 2: "ALWAYS_AUTO_SHIFT_SCALE", 4: "AUTO_SHIFT", 5: "NEAR_PLANE_SHIFT_SCALE",
          6: "FOCAL_POINT_SHIFT_SCALE"}
+WAVES = {"calm": (), "wavy": POSTS_WAVES}
+LATE = 10**9  # s
+PI = Decimal("3.14159265358979323846264338327950288419716939937510")
 getcontext().prec = 50
 
 
@@ -73,40 +77,62 @@ def compare(name, scene, right, mask):
                      round(float((np.abs(picture - right[0]).max(axis=2) > 1).mean() * 100), 3), EDGES)
 
 
-for name, waves in (("calm", ()), ("wavy", POSTS_WAVES)):
-    scene = Scene(waves=waves)
-    steps = []
-    for step in range(3):
-        scene.look(step)
-        steps.append(scene.seen())
-    mask = wt.water_mask(scene.view, scene.water).ravel()
-    wt.check_at_least(f"{name}: pixels of water", int(mask.sum()), 50000)
-    for distance in (1e5, 5e6, 1e7):
-        far = Scene((distance, 0.8 * distance, 1e-5 * distance), waves=waves)
-        for step, right in enumerate(steps):
-            far.look(step)
-            compare(f"{name} at {distance:g} m, step {step}", far, right, mask)
-    scene.look(0)
-    right = scene.seen()
-    for scale in (1e-6, 1e6):
-        compare(f"{name}, scale {scale:g}", Scene(scale=scale, waves=waves), right, mask)
-    for mode, mode_name in MODES.items():
-        compare(f"{name} at 1e7 m, {mode_name}", Scene((1e7, 8e6, 0), waves=waves, mode=mode), right, mask)
+class AtOrigin:
+    """The scene at the origin, in three places of the camera: what the others must look like."""
 
-# A wave after 1e9 s is one that has the phase which 50 digits give.
-LATE = 10**9
-PI = Decimal("3.14159265358979323846264338327950288419716939937510")
+    def __init__(self, name):
+        self.name, self.waves = name, WAVES[name]
+        scene = Scene(waves=self.waves)
+        self.steps = []
+        for step in range(3):
+            scene.look(step)
+            self.steps.append(scene.seen())
+        self.mask = wt.water_mask(scene.view, scene.water).ravel()
+
+
+@pytest.fixture(scope="module", params=WAVES)
+def origin(request):
+    return AtOrigin(request.param)
+
+
+def test_most_of_the_picture_is_water(origin):
+    """Most of the compared picture is water."""
+    wt.check_at_least(f"{origin.name}: pixels of water", int(origin.mask.sum()), 50000)
+
+
+@pytest.mark.parametrize("distance", [1e5, 5e6, 1e7], ids="{:g}_m".format)
+def test_far_from_the_origin_nothing_shifts(origin, distance):
+    """Far from the origin water looks as it does there, also while the camera moves."""
+    far = Scene((distance, 0.8 * distance, 1e-5 * distance), waves=origin.waves)
+    for step, right in enumerate(origin.steps):
+        far.look(step)
+        compare(f"{origin.name} at {distance:g} m, step {step}", far, right, origin.mask)
+
+
+@pytest.mark.parametrize("scale", [1e-6, 1e6], ids="{:g}".format)
+def test_a_scaled_scene_looks_the_same(origin, scale):
+    """A scene a million times smaller or larger looks the same."""
+    compare(f"{origin.name}, scale {scale:g}", Scene(scale=scale, waves=origin.waves), origin.steps[0], origin.mask)
+
+
+@pytest.mark.parametrize("mode", MODES, ids=MODES.get)
+def test_shifted_buffers_look_the_same(origin, mode):
+    """Far from the origin water looks as it does there with each way of VTK's to shift and scale its buffers."""
+    scene = Scene((1e7, 8e6, 0), waves=origin.waves, mode=mode)
+    compare(f"{origin.name} at 1e7 m, {MODES[mode]}", scene, origin.steps[0], origin.mask)
 
 
 def phase_late(length, phase):
+    """The phase of a wave at the late time, in degrees."""
     omega = (Decimal("9.80665") * 2 * PI / Decimal(length)).sqrt()
     turns = Decimal(phase) / 360 - omega * LATE / (2 * PI)
     return float((turns - turns.to_integral_value()) * 360)
 
 
-late = Scene(waves=POSTS_WAVES)
-late.water.SetTime(LATE)
-right = Scene(waves=[(a, length, d, phase_late(length, phase)) for a, length, d, phase in POSTS_WAVES])
-mask = wt.water_mask(right.view, right.water).ravel()
-compare("after 1e9 s", late, right.seen(), mask)
-wt.finish()
+def test_late_waves_have_the_phase_of_50_digits():
+    """A wave after 1e9 s is one that has the phase which 50 digits give."""
+    late = Scene(waves=POSTS_WAVES)
+    late.water.SetTime(LATE)
+    right = Scene(waves=[(a, length, d, phase_late(length, phase)) for a, length, d, phase in POSTS_WAVES])
+    mask = wt.water_mask(right.view, right.water).ravel()
+    compare("after 1e9 s", late, right.seen(), mask)
