@@ -2,6 +2,7 @@
 """Hardware selection and stereo work with water in the scene, added alone or with its pass composed."""
 
 import numpy as np
+import pytest
 import water_test as wt
 from vtkmodules.vtkRenderingCore import vtkHardwareSelector
 from vtkwater import vtkWaterReflectionPass
@@ -9,9 +10,8 @@ from vtkwater import vtkWaterReflectionPass
 
 def build(composed):
     view = wt.View((200, 150))
-    actors = [
-        wt.add_actor(view.renderer, data, color) for data, color in wt.columns_and_pyramids()
-    ]
+    for data, color in wt.columns_and_pyramids():
+        wt.add_actor(view.renderer, data, color)
     water = wt.add_water(view.renderer, wt.plane((0, 0, 0), (0, 0, 1)), (-9, 9, -6, 9))
     camera = view.renderer.GetActiveCamera()
     camera.SetPosition(2, -13, 4)
@@ -19,7 +19,7 @@ def build(composed):
     camera.SetClippingRange(1, 60)
     if composed:
         view.renderer.SetPass(vtkWaterReflectionPass())
-    return view, actors, water
+    return view, water
 
 
 def selected(view):
@@ -36,9 +36,31 @@ def selected(view):
     return result
 
 
-for composed in (False, True):
-    name = "pass composed by hand" if composed else "actor alone"
-    view, actors, water = build(composed)
+def mono_picture(view, eye, composed):
+    """What a camera in the place of an eye of a view's camera sees, with the same frustum, without stereo."""
+    mono, _ = build(composed)
+    camera = view.renderer.GetActiveCamera()
+    mono_camera = mono.renderer.GetActiveCamera()
+    aspect = view.renderer.GetTiledAspectRatio()
+    camera.SetLeftEye(eye == "Left")
+    mono_camera.SetExplicitProjectionTransformMatrix(camera.GetProjectionTransformMatrix(aspect, -1, 1))
+    mono_camera.SetUseExplicitProjectionTransformMatrix(True)
+    view_matrix = camera.GetModelViewTransformMatrix()
+    inverse = np.linalg.inv([[view_matrix.GetElement(i, j) for j in range(4)] for i in range(4)])
+    mono_camera.SetPosition(inverse[:3, 3])
+    mono_camera.SetFocalPoint(inverse[:3, 3] - inverse[:3, 2])
+    mono_camera.SetViewUp(inverse[:3, 1])
+    return mono.picture()
+
+
+COMPOSED = pytest.mark.parametrize("composed, name", [(False, "actor alone"), (True, "pass composed by hand")],
+                                   ids=["actor_alone", "composed"])
+
+
+@COMPOSED
+def test_hardware_selection_finds_the_same_props_and_the_water(composed, name):
+    """A selection finds what it finds without a mirror, and the water; it mirrors nothing and changes no picture."""
+    view, water = build(composed)
     water.GetWaterProperty().SetReflectance(0)
     view.renderer.SetPass(None)
     view.picture()
@@ -60,32 +82,19 @@ for composed in (False, True):
     wt.check_equal(f"{name}: not when it is not pickable", water in selected(view), False)
     wt.check_equal(f"{name}: next picture, largest change", int(np.abs(view.picture() - picture).max()), 0)
 
-# Stereo: each eye's picture has its own reflection, equal to that of a camera in that eye's place.
-for composed in (False, True):
-    name = "pass composed by hand" if composed else "actor alone"
+
+@COMPOSED
+def test_each_eye_has_its_own_reflection(composed, name):
+    """Each eye's picture in stereo has its own reflection, equal to that of a camera in that eye's place."""
     eyes = {}
     for eye in ("Left", "Right"):
-        view, actors, water = build(composed)
+        view, _ = build(composed)
         view.window.StereoRenderOn()
         getattr(view.window, f"SetStereoTypeTo{eye}")()
         first = view.picture()
         eyes[eye] = view.picture()
         wt.check_equal(f"{name}: {eye} eye, first frame equals later ones, largest error",
                        int(np.abs(first - eyes[eye]).max()), 0)
-        # the same frustum as an explicit matrix, without stereo
-        mono, _, _ = build(composed)
-        camera = view.renderer.GetActiveCamera()
-        mono_camera = mono.renderer.GetActiveCamera()
-        aspect = view.renderer.GetTiledAspectRatio()
-        camera.SetLeftEye(eye == "Left")
-        mono_camera.SetExplicitProjectionTransformMatrix(camera.GetProjectionTransformMatrix(aspect, -1, 1))
-        mono_camera.SetUseExplicitProjectionTransformMatrix(True)
-        view_matrix = camera.GetModelViewTransformMatrix()
-        inverse = np.linalg.inv([[view_matrix.GetElement(i, j) for j in range(4)] for i in range(4)])
-        mono_camera.SetPosition(inverse[:3, 3])
-        mono_camera.SetFocalPoint(inverse[:3, 3] - inverse[:3, 2])
-        mono_camera.SetViewUp(inverse[:3, 1])
-        off = (np.abs(mono.picture() - eyes[eye]).max(axis=2) > 1).mean() * 100
+        off = (np.abs(mono_picture(view, eye, composed) - eyes[eye]).max(axis=2) > 1).mean() * 100
         wt.check_at_most(f"{name}: {eye} eye against a mono camera there, % of pixels off", float(off), 0.02)
     wt.check_at_least(f"{name}: mean difference of the eyes", float(np.abs(eyes["Left"] - eyes["Right"]).mean()), 1.0)
-wt.finish()

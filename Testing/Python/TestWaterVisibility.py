@@ -2,10 +2,8 @@
 """What only hidden water would reflect is left out: props and pieces of large meshes behind a wall
 and beside it, at several texture scales; no picture changes, and no map of that kind is used again."""
 
-import itertools
-import os
-
 import numpy as np
+import pytest
 import skip_scenes
 import water_test as wt
 from vtkmodules.vtkRenderingCore import VTK_RESOLVE_OFF, VTK_RESOLVE_POLYGON_OFFSET, vtkMapper
@@ -14,6 +12,8 @@ from vtkwater import vtkWaterReflectionPass as Pass
 SIZE = (400, 300)
 LAKE = (-14, 14, -14, 14)
 BOXES = 150
+CASES = {"all": Pass.SKIP_ALL, "no PIXELS": Pass.SKIP_ALL & ~Pass.PIXELS, "no PROPS": Pass.SKIP_ALL & ~Pass.PROPS}
+PULL = "//VTK::PositionVC::Impl\n  gl_Position.z -= 0.02 * gl_Position.w;\n"  # of a vertex shader
 
 
 class Scene:
@@ -44,28 +44,24 @@ class Scene:
                 self.reflection.GetNumberOfFragmentsReflected())
 
 
-for is_software, scale in itertools.product((1, 0), (1.0, 0.5, 0.3, 2.0)):
-    os.environ["VTK_WATER_SOFTWARE"] = str(is_software)
+@pytest.mark.parametrize("scale", [1.0, 0.5, 0.3, 2.0], ids="scale_{:g}".format)
+@pytest.mark.parametrize("is_software", [1, 0], ids=["software", "GPU"])
+def test_what_only_hidden_water_would_reflect_is_left_out(is_software, scale, monkeypatch):
+    """Props, triangles and fragments that only hidden water would reflect are left out, and no picture changes."""
+    monkeypatch.setenv("VTK_WATER_SOFTWARE", str(is_software))
     title = f"{'software' if is_software else 'GPU'}, scale {scale:g}"
     full = list(Scene(scale, Pass.SKIP_NONE).pictures())
-    cases = {"all": Pass.SKIP_ALL, "no PIXELS": Pass.SKIP_ALL & ~Pass.PIXELS, "no PROPS": Pass.SKIP_ALL & ~Pass.PROPS}
     drawn = {}
-    for name, skips in cases.items():
+    for name, skips in CASES.items():
         scene = Scene(scale, skips)
         errors = [int(np.abs(one - other).max()) for one, other in zip(scene.pictures(), full)]
         drawn[name] = scene.drawn()
         wt.check_equal(f"{title}, {name}: decision", wt.decision_of(scene.water), "RENDERED")
         wt.check_at_most(f"{title}, {name}: largest error", max(errors), 1)
-    wt.check_at_most(f"{title}: props, of those drawn without PIXELS", drawn["all"][0] / drawn["no PIXELS"][0], 0.8)
-    wt.check_at_most(f"{title}: triangles, of those drawn without PIXELS", drawn["all"][1] / drawn["no PIXELS"][1], 0.8)
-    wt.check_at_most(f"{title}: fragments, of those drawn without PIXELS", drawn["all"][2] / drawn["no PIXELS"][2], 0.45)
+    for number, (what, share) in enumerate((("props", 0.8), ("triangles", 0.8), ("fragments", 0.45))):
+        wt.check_at_most(f"{title}: {what}, of those drawn without PIXELS",
+                         drawn["all"][number] / drawn["no PIXELS"][number], share)
     wt.check_equal(f"{title}: props drawn without PROPS", drawn["no PROPS"][0], BOXES + 2)
-
-os.environ.pop("VTK_WATER_SOFTWARE")
-
-# Water that is drawn nearer than it is, by an offset against coincident surfaces or by the user's own
-# shader, is seen before things that are in front of it.
-PULL = "//VTK::PositionVC::Impl\n  gl_Position.z -= 0.02 * gl_Position.w;\n"
 
 
 def add_offset(water):
@@ -78,26 +74,37 @@ def add_shader(water):
 
 def pulled_pictures(skips, pull):
     scene = Scene(1.0, skips)
-    wt.add_actor(scene.view.renderer, skip_scenes.terrain((-14, -14), (14, 14), lambda x, y: 0.05 * np.sin(x) * np.cos(y)),
-                 (0.4, 0.7, 0.2))
+    wt.add_actor(scene.view.renderer,
+                 skip_scenes.terrain((-14, -14), (14, 14), lambda x, y: 0.05 * np.sin(x) * np.cos(y)), (0.4, 0.7, 0.2))
     pull(scene.water)
     return list(scene.pictures())
 
 
-for pull, resolution in ((add_offset, VTK_RESOLVE_POLYGON_OFFSET), (add_shader, VTK_RESOLVE_OFF)):
-    vtkMapper.SetResolveCoincidentTopology(resolution)
+@pytest.fixture
+def coincident_topology():
+    """Sets how VTK resolves coincident topology, and sets it back after the test."""
+    yield vtkMapper.SetResolveCoincidentTopology
+    vtkMapper.SetResolveCoincidentTopologyToDefault()
+
+
+@pytest.mark.parametrize("pull, resolution", [(add_offset, VTK_RESOLVE_POLYGON_OFFSET), (add_shader, VTK_RESOLVE_OFF)],
+                         ids=["add_offset", "add_shader"])
+def test_water_that_is_drawn_nearer_is_not_taken_for_hidden(pull, resolution, coincident_topology):
+    """Water that is drawn nearer than it is, and so before things in front of it, looks the same with skips."""
+    # By an offset against coincident surfaces, or by the user's own shader.
+    coincident_topology(resolution)
     pairs = zip(pulled_pictures(Pass.SKIP_ALL, pull), pulled_pictures(Pass.SKIP_NONE, pull))
     error = max(int(np.abs(one - other).max()) for one, other in pairs)
     wt.check_at_most(f"{pull.__name__} to the water: largest error", error, 1)
-vtkMapper.SetResolveCoincidentTopologyToDefault()
 
-# A view that stands still has a whole map in its second frame, and uses it from then on, also when
-# what hid a part of the water is gone.
-scene = Scene(1.0, Pass.SKIP_ALL)
-list(scene.pictures())
-decisions = []
-for _ in range(3):
-    scene.view.picture()
-    decisions.append(wt.decision_of(scene.water))
-wt.check_equal("standing still: decisions", decisions, ["RENDERED", "REUSED", "REUSED"])
-wt.finish()
+
+def test_a_view_that_stands_still_uses_a_whole_map():
+    """A view that stands still has a whole map in its second frame, and uses it from then on."""
+    # That is right also when what hid a part of the water is gone.
+    scene = Scene(1.0, Pass.SKIP_ALL)
+    list(scene.pictures())
+    decisions = []
+    for _ in range(3):
+        scene.view.picture()
+        decisions.append(wt.decision_of(scene.water))
+    wt.check_equal("standing still: decisions", decisions, ["RENDERED", "REUSED", "REUSED"])
