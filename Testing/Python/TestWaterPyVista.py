@@ -6,17 +6,19 @@ water the background is there. What is wrong raises, names its argument, and add
 """
 
 import logging
-import sys
+import re
 import warnings
 
 import numpy as np
+import pytest
 import water_test as wt
 
 try:
     import pyvista as pv
 except ImportError as error:
-    print(f"skipped: {error}; Testing/Python/requirements.txt says what to install")
-    sys.exit(125)
+    reason = f"{error}; Testing/Python/requirements.txt says what to install"
+    print(f"skipped: {reason}")
+    pytest.skip(reason, allow_module_level=True)
 import vtkwater.pyvista  # noqa: F401
 from vtkmodules.vtkRenderingCore import vtkActor
 from vtkwater import vtkWaterActor
@@ -24,7 +26,17 @@ from vtkwater import vtkWaterActor
 SIZE = (320, 240)
 LEVEL = -0.1
 RED, CENTER = (1.0, 0.0, 0.0), (0.0, 0.0, 0.6)
-FOLDER = wt.output_folder()
+
+
+@pytest.fixture
+def plotter():
+    made = pv.Plotter(off_screen=True, window_size=SIZE)
+    yield made
+    made.close()
+
+
+def picture_of(plotter):
+    return plotter.screenshot(None, return_img=True)
 
 
 def fill(plotter, **water):
@@ -54,33 +66,33 @@ def scene_light(plotter):
     plotter.enable_shadows()
 
 
-def features():
-    yield "plain", lambda plotter: None
-    for kind in ("ssaa", "fxaa", "msaa"):
-        yield kind, lambda plotter, kind=kind: plotter.enable_anti_aliasing(kind)
-    yield "ssao", lambda plotter: plotter.enable_ssao(radius=0.5)
-    yield "shadows", scene_light
-    yield "depth peeling", lambda plotter: plotter.enable_depth_peeling(4)
-    yield "parallel projection", lambda plotter: plotter.enable_parallel_projection()
-    yield "eye dome lighting", lambda plotter: plotter.enable_eye_dome_lighting()
+FEATURES = {
+    "plain": lambda plotter: None,
+    "ssaa": lambda plotter: plotter.enable_anti_aliasing("ssaa"),
+    "fxaa": lambda plotter: plotter.enable_anti_aliasing("fxaa"),
+    "msaa": lambda plotter: plotter.enable_anti_aliasing("msaa"),
+    "ssao": lambda plotter: plotter.enable_ssao(radius=0.5),
+    "shadows": scene_light,
+    "depth peeling": lambda plotter: plotter.enable_depth_peeling(4),
+    "parallel projection": lambda plotter: plotter.enable_parallel_projection(),
+    "eye dome lighting": lambda plotter: plotter.enable_eye_dome_lighting(),
+}
 
 
-def check_features():
-    for name, enable in features():
-        plotter = pv.Plotter(off_screen=True, window_size=SIZE)
-        water = fill(plotter)
-        enable(plotter)
-        picture = plotter.screenshot(None, return_img=True)
-        wt.save(picture[::-1, :, :3], FOLDER / f"PyVista-{name.replace(' ', '-')}.png")
-        check_mirrored(name, picture, plotter.renderer)
-        wt.check_equal(f"{name}: error", water.GetLastError(), "")
-        plotter.remove_actor(water)
-        picture = plotter.screenshot(None, return_img=True)
-        wt.check_at_most(f"{name}, without water: redness there", redness(picture, plotter.renderer), 0)
-        plotter.close()
+@pytest.mark.parametrize("name", FEATURES, ids=lambda name: name.replace(" ", "_"))
+def test_the_box_is_mirrored_with_every_feature(name, plotter):
+    """With each of PyVista's features the box is mirrored in the water, and no longer when the water is removed."""
+    water = fill(plotter)
+    FEATURES[name](plotter)
+    picture = picture_of(plotter)
+    wt.save(picture[::-1, :, :3], wt.output_folder() / f"PyVista-{name.replace(' ', '-')}.png")
+    check_mirrored(name, picture, plotter.renderer)
+    wt.check_equal(f"{name}: error", water.GetLastError(), "")
+    plotter.remove_actor(water)
+    wt.check_at_most(f"{name}, without water: redness there", redness(picture_of(plotter), plotter.renderer), 0)
 
 
-def check_show():
+def test_show_returns_the_picture_with_water():
     """show() returns the picture it has shown, with water that was added before there was a camera."""
     plotter = pv.Plotter(off_screen=True, window_size=SIZE)
     plotter.add_mesh(pv.Cube(center=CENTER), color=RED)
@@ -90,138 +102,156 @@ def check_show():
     wt.check_equal("show: mirrored views", water.GetReflectionPass().GetNumberOfReflectionRenders() > 0, True)
 
 
-def check_subplots():
+def test_every_subplot_has_its_own_water():
+    """Each subplot has its own water, and removing one leaves the other's."""
     plotter = pv.Plotter(off_screen=True, shape=(1, 2), window_size=(2 * SIZE[0], SIZE[1]))
     waters = []
     for column in range(2):
         plotter.subplot(0, column)
         waters.append(fill(plotter))
-    picture = plotter.screenshot(None, return_img=True)
+    picture = picture_of(plotter)
     for column in range(2):
         check_mirrored(f"subplot {column}", picture, plotter.renderers[column])
     plotter.subplot(0, 0)
     plotter.remove_actor(waters[0])
-    picture = plotter.screenshot(None, return_img=True)
+    picture = picture_of(plotter)
     wt.check_at_most("subplot 0, its water removed: redness", redness(picture, plotter.renderers[0]), 0)
     check_mirrored("subplot 1, the other's water removed", picture, plotter.renderers[1])
     plotter.close()
 
 
-def check_movies():
+@pytest.mark.parametrize("name, opened", [("waves.gif", pv.Plotter.open_gif), ("waves.mp4", pv.Plotter.open_movie)],
+                         ids=["gif", "mp4"])
+def test_a_movies_frames_differ_by_the_waves_time(name, opened, plotter):
     """Frames of a movie differ by the waves' time, and the same time gives the same frame."""
-    for name, opened in (("waves.gif", pv.Plotter.open_gif), ("waves.mp4", pv.Plotter.open_movie)):
-        plotter = pv.Plotter(off_screen=True, window_size=SIZE)
-        water = fill(plotter, waves=[(0.02, 0.7, 20)])
-        opened(plotter, str(FOLDER / name))
-        frames = []
-        for time in (0.0, 0.4, 0.0):
-            water.SetTime(time)
-            plotter.write_frame()
-            frames.append(plotter.image.astype(int))
-        plotter.close()
-        wt.check_at_least(f"{name}: bytes", (FOLDER / name).stat().st_size, 1000)
-        wt.check_at_least(f"{name}: largest change between frames", int(np.abs(frames[1] - frames[0]).max()), 50)
-        wt.check_equal(f"{name}: largest change of the same time", int(np.abs(frames[2] - frames[0]).max()), 0)
+    path = wt.output_folder() / name
+    water = fill(plotter, waves=[(0.02, 0.7, 20)])
+    opened(plotter, str(path))
+    frames = []
+    for time in (0.0, 0.4, 0.0):
+        water.SetTime(time)
+        plotter.write_frame()
+        frames.append(plotter.image.astype(int))
+    plotter.close()  # writes the rest
+    wt.check_at_least(f"{name}: bytes", path.stat().st_size, 1000)
+    wt.check_at_least(f"{name}: largest change between frames", int(np.abs(frames[1] - frames[0]).max()), 50)
+    wt.check_equal(f"{name}: largest change of the same time", int(np.abs(frames[2] - frames[0]).max()), 0)
 
 
-def check_arguments():
-    plotter = pv.Plotter(off_screen=True, window_size=SIZE)
-    water = fill(plotter, color="navy", opacity=0.5, time=3.0, name="lake", waves=[(0.1, 3.0), (0.05, 2.0, 30, 10, 0.5)])
-    look = water.GetWaterProperty()
+def test_water_is_an_actor_that_the_plotter_knows(plotter):
+    """Water is an actor of VTK's, and the plotter knows it by its name, which another water takes over."""
+    water = fill(plotter, name="lake")
     wt.check_equal("an actor of VTK's", isinstance(water, vtkWaterActor) and isinstance(water, vtkActor), True)
     wt.check_equal("known to the plotter by its name", plotter.actors["lake"] is water, True)
+    again = plotter.add_water(1.0, name="lake", preset="lake")
+    wt.check_equal("the same name takes its place", [a for a in plotter.actors.values() if isinstance(a, vtkWaterActor)],
+                   [again])
+
+
+def test_color_opacity_time_and_waves_arrive(plotter):
+    """Colour, opacity, time and waves arrive where they belong."""
+    water = fill(plotter, color="navy", opacity=0.5, time=3.0, waves=[(0.1, 3.0), (0.05, 2.0, 30, 10, 0.5)])
+    look = water.GetWaterProperty()
     wt.check_equal("color", np.round(np.multiply(255, look.GetDeepColor())).tolist(), [0, 0, 128])
     wt.check_equal("opacity, time, waves", (look.GetOpacity(), water.GetTime(), look.GetNumberOfWaves()), (0.5, 3.0, 2))
     wave = [0.0] * 5
     look.GetWave(1, wave)
     wt.check_equal("the second wave", np.round(wave, 9).tolist(), [0.05, 2.0, 30.0, 10.0, 0.5])
-    again = plotter.add_water(1.0, name="lake", preset="lake")
-    wt.check_equal("the same name takes its place", [a for a in plotter.actors.values() if isinstance(a, vtkWaterActor)],
-                   [again])
-    wt.check_equal("a preset's sea", again.GetWaterProperty().GetSea(), True)
+
+
+def test_waves_may_be_a_preset_or_a_wind(plotter):
+    """A preset brings its sea, unless waves are 0; a number is the speed of the wind of a sea."""
+    fill(plotter)
+    wt.check_equal("a preset's sea", plotter.add_water(1.0, preset="lake").GetWaterProperty().GetSea(), True)
     wt.check_equal("waves=0 calms a preset", plotter.add_water(preset="lake", waves=0).GetWaterProperty().GetSea(), False)
     windy = plotter.add_water(waves=7.5).GetWaterProperty()
     wt.check_equal("a wind", (windy.GetSea(), windy.GetWindSpeed()), (True, 7.5))
+
+
+def test_a_plane_or_a_surface_may_be_given(plotter):
+    """The water lies in the plane of a normal, an origin and a level, or has the shape of a surface."""
+    fill(plotter)
     up = plotter.add_water(2.0, normal="y", origin=(1, 1, 1)).GetPlane()
     wt.check_equal("a plane", (up.GetOrigin(), up.GetNormal()), ((1.0, 3.0, 1.0), (0.0, 1.0, 0.0)))
     mesh = plotter.add_water(surface=pv.Disc(outer=3.0))
     wt.check_equal("bounds of a surface", np.round(mesh.GetBounds()[:2], 6).tolist(), [-3.0, 3.0])
-    plotter.close()
 
 
-def check_scale():
-    """A scaled scene: the level is one of the data, drawn where the data's height is."""
-    plotter = pv.Plotter(off_screen=True, window_size=SIZE)
+def test_in_a_scaled_scene_the_level_is_one_of_the_data(plotter):
+    """In a scaled scene the level is one of the data, drawn where the data's height is."""
     plotter.set_scale(zscale=2.0)
     wt.check_equal("height in a scene scaled by 2", fill(plotter).GetBounds()[4:], (2 * LEVEL, 2 * LEVEL))
-    plotter.close()
 
 
-def check_bad_input():
-    cases = [
-        (TypeError, "level must be a number, not str", {"level": "high"}),
-        (TypeError, "level must be a number, not bool", {"level": True}),
-        (ValueError, "level nan", {"level": float("nan")}),
-        (TypeError, "preset must be str, not int", {"preset": 3}),
-        (ValueError, "'swamp'; it must be one of pool, lake", {"preset": "swamp"}),
-        (TypeError, "waves must be a number or a sequence", {"waves": "high"}),
-        (TypeError, r"waves[1] must be a sequence of numbers, not float", {"waves": [(0.1, 1.0), 2.0]}),
-        (ValueError, "waves[0] must have 2 to 5 numbers, not 1", {"waves": [(0.1,)]}),
-        (TypeError, "waves[0][1] must be a number, not str", {"waves": [(0.1, "long")]}),
-        (ValueError, "Amplitude of a wave must be finite", {"waves": [(-0.1, 1.0)]}),
-        (ValueError, "WindSpeed is -3", {"waves": -3}),
-        (ValueError, "bounds must have 4 numbers, not 6", {"bounds": (0, 1, 0, 1, 0, 1)}),
-        (ValueError, "xmin < xmax", {"bounds": (1, 0, 0, 1)}),
-        (ValueError, "normal is 'up'", {"normal": "up"}),
-        (ValueError, "normal is (0.0, 0.0, 0.0)", {"normal": (0, 0, 0)}),
-        (ValueError, "origin must have 3 numbers, not 2", {"origin": (0, 0)}),
-        (ValueError, "Opacity is 1.5; it must lie in [0, 1]", {"opacity": 1.5}),
-        (ValueError, "Time is", {"time": float("inf")}),
-        (TypeError, "surface must be a pyvista.DataSet, not list", {"surface": [1], "bounds": None}),
-        (ValueError, "surface has no cells", {"surface": pv.PolyData(), "bounds": None}),
-        (ValueError, "there is none with a surface", {"surface": pv.Plane()}),
-    ]
-    plotter = pv.Plotter(off_screen=True, window_size=SIZE)
-    for kind, text, argument in cases:
-        try:
-            fill(plotter, **argument)
-            raised = None
-        except (TypeError, ValueError) as error:
-            raised = error
-        wt.check_equal(f"{list(argument)}: {raised}", type(raised) is kind and text in str(raised), True)
+WRONG = [  # the exception, a part of its text, the argument
+    (TypeError, "level must be a number, not str", {"level": "high"}),
+    (TypeError, "level must be a number, not bool", {"level": True}),
+    (ValueError, "level nan", {"level": float("nan")}),
+    (TypeError, "preset must be str, not int", {"preset": 3}),
+    (ValueError, "'swamp'; it must be one of pool, lake", {"preset": "swamp"}),
+    (TypeError, "waves must be a number or a sequence", {"waves": "high"}),
+    (TypeError, r"waves[1] must be a sequence of numbers, not float", {"waves": [(0.1, 1.0), 2.0]}),
+    (ValueError, "waves[0] must have 2 to 5 numbers, not 1", {"waves": [(0.1,)]}),
+    (TypeError, "waves[0][1] must be a number, not str", {"waves": [(0.1, "long")]}),
+    (ValueError, "Amplitude of a wave must be finite", {"waves": [(-0.1, 1.0)]}),
+    (ValueError, "WindSpeed is -3", {"waves": -3}),
+    (ValueError, "bounds must have 4 numbers, not 6", {"bounds": (0, 1, 0, 1, 0, 1)}),
+    (ValueError, "xmin < xmax", {"bounds": (1, 0, 0, 1)}),
+    (ValueError, "normal is 'up'", {"normal": "up"}),
+    (ValueError, "normal is (0.0, 0.0, 0.0)", {"normal": (0, 0, 0)}),
+    (ValueError, "origin must have 3 numbers, not 2", {"origin": (0, 0)}),
+    (ValueError, "Opacity is 1.5; it must lie in [0, 1]", {"opacity": 1.5}),
+    (ValueError, "Time is", {"time": float("inf")}),
+    (TypeError, "surface must be a pyvista.DataSet, not list", {"surface": [1], "bounds": None}),
+    (ValueError, "surface has no cells", {"surface": pv.PolyData(), "bounds": None}),
+    (ValueError, "there is none with a surface", {"surface": pv.Plane()}),
+]
+
+
+def raised_by(plotter, argument):
+    try:
+        fill(plotter, **argument)
+    except (TypeError, ValueError) as error:
+        return error
+    return None
+
+
+@pytest.mark.parametrize("kind, text, argument", WRONG, ids=[re.sub(r"\W+", "_", text) for _, text, _ in WRONG])
+def test_a_wrong_argument_raises(kind, text, argument, plotter):
+    """A wrong argument raises an error that names it."""
+    raised = raised_by(plotter, argument)
+    wt.check_equal(f"{list(argument)}: {raised}", type(raised) is kind and text in str(raised), True)
+
+
+def test_a_wrong_argument_adds_no_water(plotter):
+    """No wrong argument leaves water in the plotter."""
+    for _, _, argument in WRONG:
+        raised_by(plotter, argument)
     wt.check_equal("waters added by them", sum(isinstance(a, vtkWaterActor) for a in plotter.actors.values()), 0)
-    plotter.close()
 
 
-def check_backends():
-    """vtk.js gets no water, and add_water says so; it says nothing where VTK itself draws."""
+@pytest.mark.parametrize("backend", [None, "static", "server", "client", "html"])
+def test_add_water_warns_where_vtk_js_draws(backend, plotter, monkeypatch):
+    """add_water says that vtk.js gets no water, and says nothing where VTK itself draws."""
+    monkeypatch.setattr(pv.global_theme, "_jupyter_backend", backend)
+    with warnings.catch_warnings(record=True) as said:
+        warnings.simplefilter("always")
+        fill(plotter)
+    texts = [str(warning.message) for warning in said if "vtk.js" in str(warning.message)]
+    wt.check_equal(f"backend {backend}: warnings", len(texts), int(backend in ("client", "html")))
+
+
+def test_vtk_js_is_sent_no_water(plotter):
+    """What is sent to vtk.js has the actors, but no water."""
     from vtkmodules.web import render_window_serializer as serializer
 
-    plotter = pv.Plotter(off_screen=True, window_size=SIZE)
-    theme, before = pv.global_theme, pv.global_theme._jupyter_backend
-    for backend in (None, "static", "server", "client", "html"):
-        theme._jupyter_backend = backend
-        with warnings.catch_warnings(record=True) as said:
-            warnings.simplefilter("always")
-            fill(plotter)
-        texts = [str(warning.message) for warning in said if "vtk.js" in str(warning.message)]
-        wt.check_equal(f"backend {backend}: warnings", len(texts), int(backend in ("client", "html")))
-    theme._jupyter_backend = before
+    fill(plotter)
     plotter.render()
     logging.disable(logging.ERROR)  # it says that it cannot
-    serializer.initializeSerializers()
-    sent = str(serializer.serializeInstance(None, plotter.render_window, "1", serializer.SynchronizationContext(), 0))
-    logging.disable(logging.NOTSET)
+    try:
+        serializer.initializeSerializers()
+        sent = str(serializer.serializeInstance(
+            None, plotter.render_window, "1", serializer.SynchronizationContext(), 0))
+    finally:
+        logging.disable(logging.NOTSET)
     wt.check_equal("sent to vtk.js: actors, waters", ("vtkOpenGLActor" in sent, "vtkWaterActor" in sent), (True, False))
-    plotter.close()
-
-
-check_features()
-check_backends()
-check_show()
-check_subplots()
-check_movies()
-check_arguments()
-check_scale()
-check_bad_input()
-wt.finish()

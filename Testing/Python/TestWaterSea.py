@@ -4,12 +4,16 @@
 import math
 
 import numpy as np
+import pytest
 import ray_caster
 import water_test as wt
 from vtkwater import vtkWaterActor, vtkWaterProperty
 
 G = 9.80665
 INF = math.inf
+SIZE = (300, 200)
+WIND_SEA = {"WindSpeed": 7.0, "Fetch": 20000.0, "WindDirection": 30.0}
+PLACES = [(1.5, 2.0), (-40.0, 13.0), (3.25, -7.5)]
 
 
 def sea_water(**settings):
@@ -51,116 +55,171 @@ def jonswap_moments(wind, fetch, gamma, k_end):
     return density.sum() * step, ((omega**2 / G) ** 2 * density).sum() * step, peak
 
 
-# Height and slope against the spectrum's integrals, over seeds.
-water = sea_water(WindSpeed=7.0, Fetch=20000.0, WindDirection=30.0, SeaTileSize=64)
-look = water.GetWaterProperty()
-nyquist = math.pi * 64 / look.GetUsedSeaTileLength()
-variance, _, peak = jonswap_moments(7.0, 20000.0, 3.3, nyquist)
-wt.check_at_most("automatic tile: 10 wavelengths of the peak, relative error",
-                 abs(look.GetUsedSeaTileLength() / (20 * math.pi * G / peak**2) - 1), 1e-9)
-measured = []
-for seed in range(40):
-    look.SetSeed(seed)
-    measured.append(float((heights(water) ** 2).mean()))
-wt.check_at_most(f"Hs of 40 seas ({4 * math.sqrt(np.mean(measured)):.3f} m) against the formula "
-                 f"({4 * math.sqrt(variance):.3f} m), relative", abs(math.sqrt(np.mean(measured) / variance) - 1), 0.03)
-look.SetSeaTileSize(256)
-length = look.GetUsedSeaTileLength()
-_, slopes, _ = jonswap_moments(7.0, 20000.0, 3.3, math.pi * 256 / length)
-random = np.random.default_rng(5)
-squares = []
-for seed in range(6):
-    look.SetSeed(seed)
-    places = random.integers(0, 256, (3000, 2)) * (length / 256)
-    squares += [sum(s * s for s in slope_at(water, x, y)) for x, y in places]
-wt.check_at_most(f"mean square slope of 6 seas ({np.mean(squares):.5f}) against the formula ({slopes:.5f}), relative",
-                 abs(np.mean(squares) / slopes - 1), 0.08)
-wt.check_at_most("GetSlopeRMS against the formula, relative", abs(look.GetSlopeRMS() / math.sqrt(slopes) - 1), 0.002)
+def test_the_automatic_tile_is_ten_wavelengths_of_the_peak():
+    """The automatic tile is as long as ten wavelengths of the spectrum's peak."""
+    water = sea_water(**WIND_SEA, SeaTileSize=64)
+    look = water.GetWaterProperty()
+    _, _, peak = jonswap_moments(7.0, 20000.0, 3.3, math.pi * 64 / look.GetUsedSeaTileLength())
+    wt.check_at_most("automatic tile: 10 wavelengths of the peak, relative error",
+                     abs(look.GetUsedSeaTileLength() / (20 * math.pi * G / peak**2) - 1), 1e-9)
 
-# A finite depth, and Phillips's spectrum: every wave vector swings with its own frequency, its slopes are
-# its height's, and between the tile's points the surface is bilinear.
-for model, depth in ((vtkWaterProperty.JONSWAP, 4.0), (vtkWaterProperty.JONSWAP, INF), (vtkWaterProperty.PHILLIPS, INF)):
-    water = sea_water(WindSpeed=6.0, SeaTileSize=64, SeaModel=model, Depth=depth)
-    length = water.GetWaterProperty().GetUsedSeaTileLength()
+
+def test_the_height_is_the_spectrums():
+    """The significant wave height over many seeds is that of the spectrum's integral."""
+    water = sea_water(**WIND_SEA, SeaTileSize=64)
+    look = water.GetWaterProperty()
+    variance, _, _ = jonswap_moments(7.0, 20000.0, 3.3, math.pi * 64 / look.GetUsedSeaTileLength())
+    measured = []
+    for seed in range(40):
+        look.SetSeed(seed)
+        measured.append(float((heights(water) ** 2).mean()))
+    wt.check_at_most(f"Hs of 40 seas ({4 * math.sqrt(np.mean(measured)):.3f} m) against the formula "
+                     f"({4 * math.sqrt(variance):.3f} m), relative", abs(math.sqrt(np.mean(measured) / variance) - 1), 0.03)
+
+
+def test_the_slope_is_the_spectrums():
+    """The mean square slope over seeds, and the rms slope that the look says, are that of the spectrum's integral."""
+    water = sea_water(**WIND_SEA, SeaTileSize=256)
+    look = water.GetWaterProperty()
+    length = look.GetUsedSeaTileLength()
+    _, slopes, _ = jonswap_moments(7.0, 20000.0, 3.3, math.pi * 256 / length)
+    random = np.random.default_rng(5)
+    squares = []
+    for seed in range(6):
+        look.SetSeed(seed)
+        places = random.integers(0, 256, (3000, 2)) * (length / 256)
+        squares += [sum(s * s for s in slope_at(water, x, y)) for x, y in places]
+    wt.check_at_most(f"mean square slope of 6 seas ({np.mean(squares):.5f}) against the formula ({slopes:.5f}), relative",
+                     abs(np.mean(squares) / slopes - 1), 0.08)
+    wt.check_at_most("GetSlopeRMS against the formula, relative", abs(look.GetSlopeRMS() / math.sqrt(slopes) - 1), 0.002)
+
+
+def model_sea(model, depth):
+    return sea_water(WindSpeed=6.0, SeaTileSize=64, SeaModel=model, Depth=depth)
+
+
+MODELS = pytest.mark.parametrize("model, depth", [
+    (vtkWaterProperty.JONSWAP, 4.0), (vtkWaterProperty.JONSWAP, INF), (vtkWaterProperty.PHILLIPS, INF),
+], ids=["JONSWAP_4_m_deep", "JONSWAP", "PHILLIPS"])
+
+
+@MODELS
+def test_every_wave_vector_swings_with_its_frequency(model, depth):
+    """Every wave vector of the sea swings with its own frequency, which is the dispersion's of the depth."""
+    water = model_sea(model, depth)
     spectra = []
     for time in (99.0, 99.4, 99.8):
         water.SetTime(time)
         spectra.append(np.fft.fft2(heights(water)))
-    kx, ky = wave_numbers(water)
-    k = np.hypot(kx, ky)
+    k = np.hypot(*wave_numbers(water))
     omega = np.sqrt(G * k * np.tanh(np.where(k > 0, k, 1) * depth))
     miss = spectra[0] + spectra[2] - 2 * np.cos(0.4 * omega) * spectra[1]
     wt.check_at_most(f"model {model}, depth {depth}: swing of each wave vector, relative miss",
                      float(np.abs(miss).max() / np.abs(spectra[1]).max()), 1e-11)
-    water.SetTime(0.0)
-    one = np.fft.fft2(heights(water))
-    slope = [np.fft.ifft2(1j * axis * one).real for axis in (kx, ky)]
-    step = length / 64
+
+
+@MODELS
+def test_slopes_are_those_of_the_heights(model, depth):
+    """The slopes at the tile's points are the derivatives of its heights."""
+    water = model_sea(model, depth)
+    spectrum = np.fft.fft2(heights(water))
+    slope = [np.fft.ifft2(1j * axis * spectrum).real for axis in wave_numbers(water)]
+    step = water.GetWaterProperty().GetUsedSeaTileLength() / 64
     worst = 0.0
-    for i, j in random.integers(0, 64, (300, 2)):
+    for i, j in np.random.default_rng(5).integers(0, 64, (300, 2)):
         found = slope_at(water, i * step, j * step)
         worst = max(worst, abs(found[0] - slope[0][j, i]), abs(found[1] - slope[1][j, i]))
     wt.check_at_most(f"model {model}, depth {depth}: slopes against those of the heights", worst, 1e-12)
+
+
+@MODELS
+def test_between_the_tiles_points_the_surface_is_bilinear(model, depth):
+    """Between the tile's points the surface is bilinear, and it repeats with the tile."""
+    water = model_sea(model, depth)
+    length = water.GetWaterProperty().GetUsedSeaTileLength()
+    step = length / 64
     field = heights(water)
     x, y = 17.3 * step - 5 * length, 63.6 * step + 2e4 * length
     bilinear = (0.4 * (0.7 * field[63, 17] + 0.3 * field[63, 18]) + 0.6 * (0.7 * field[0, 17] + 0.3 * field[0, 18]))
     wt.check_at_most(f"model {model}, depth {depth}: bilinear between points, and repeating",
                      abs(water.GetWaveHeight(x, y) - bilinear), 1e-8)
 
-# The wind: the waves travel with it. A wave vector's phase falls with time.
-water = sea_water(WindSpeed=6.0, SeaTileSize=64, WindDirection=90.0)
-first = np.fft.fft2(heights(water))
-water.SetTime(0.05)
-turn = np.angle(np.fft.fft2(heights(water)) / np.where(first == 0, 1, first))
-kx, ky = wave_numbers(water)
-omega = np.sqrt(G * np.hypot(kx, ky))
-power = np.abs(first) ** 2 * (ky > 2 * np.abs(kx))
-wt.check_at_most("waves along the wind: mean turn against -omega t, rad",
-                 abs(float((power * (turn + 0.05 * omega)).sum() / power.sum())), 0.01)
 
-# The seed and the period; sines add.
-places = [(1.5, 2.0), (-40.0, 13.0), (3.25, -7.5)]
-
-
-def at_places(**settings):
-    time = settings.pop("Time", 0.0)
-    made = sea_water(**settings)
-    made.SetTime(time)
-    return [made.GetWaveHeight(*place) for place in places]
+def test_the_waves_travel_with_the_wind():
+    """The waves travel with the wind: the phase of a wave vector along it falls with time."""
+    water = sea_water(WindSpeed=6.0, SeaTileSize=64, WindDirection=90.0)
+    first = np.fft.fft2(heights(water))
+    water.SetTime(0.05)
+    turn = np.angle(np.fft.fft2(heights(water)) / np.where(first == 0, 1, first))
+    kx, ky = wave_numbers(water)
+    omega = np.sqrt(G * np.hypot(kx, ky))
+    power = np.abs(first) ** 2 * (ky > 2 * np.abs(kx))
+    wt.check_at_most("waves along the wind: mean turn against -omega t, rad",
+                     abs(float((power * (turn + 0.05 * omega)).sum() / power.sum())), 0.01)
 
 
-wt.check_equal("same seed, same sea", at_places(Seed=7) == at_places(Seed=7), True)
-wt.check_equal("other seed, other sea", at_places(Seed=7) != at_places(Seed=8), True)
-wt.check_equal("negative seeds are seeds", at_places(Seed=-7) != at_places(Seed=7), True)
-wt.check_equal("the sea repeats after its period", at_places(SeaPeriod=20.0, Time=3.0), at_places(SeaPeriod=20.0, Time=20003.0))
-water = sea_water()
-alone = water.GetWaveHeight(1.5, 2.0), slope_at(water, 1.5, 2.0), water.GetWaterProperty().GetSlopeRMS()
-water.GetWaterProperty().AddWave(0.3, 5.0, 0.0, 0.0)
-angle = 2 * math.pi * 1.5 / 5
-wt.check_at_most("a sine adds to the sea's height", abs(water.GetWaveHeight(1.5, 2.0) - alone[0] - 0.3 * math.sin(angle)), 1e-12)
-steep = 0.3 * 2 * math.pi / 5
-wt.check_at_most("a sine adds to the sea's slope", abs(slope_at(water, 1.5, 2.0)[0] - alone[1][0] - steep * math.cos(angle)), 1e-12)
-wt.check_at_most("a sine adds to the rms slope", abs(water.GetWaterProperty().GetSlopeRMS() - math.hypot(alone[2], steep / math.sqrt(2))), 1e-12)
-wt.check_equal("height at a place that is not finite", math.isnan(water.GetWaveHeight(INF, 0)), True)
+def at_places(time=0.0, **settings):
+    water = sea_water(**settings)
+    water.SetTime(time)
+    return [water.GetWaveHeight(*place) for place in PLACES]
 
-# Presets bring their sea, or none.
-look = vtkWaterProperty()
-look.SetPreset("ocean wind 10")
-wt.check_equal("ocean: sea, wind, fetch, gamma", (look.GetSea(), look.GetWindSpeed(), look.GetFetch(), look.GetPeakEnhancement()), (True, 10.0, INF, 1.0))
-look.SetPreset("pool")
-wt.check_equal("pool: sea", look.GetSea(), False)
 
-# Bad input: an error that names value and range; the last good value stays.
-look = vtkWaterProperty()
-errors = wt.errors_of(look)
-for name, bad, part in (
+def test_the_seed_makes_the_sea():
+    """The same seed makes the same sea and another seed another one; negative seeds are seeds, too."""
+    wt.check_equal("same seed, same sea", at_places(Seed=7) == at_places(Seed=7), True)
+    wt.check_equal("other seed, other sea", at_places(Seed=7) != at_places(Seed=8), True)
+    wt.check_equal("negative seeds are seeds", at_places(Seed=-7) != at_places(Seed=7), True)
+
+
+def test_the_sea_repeats_after_its_period():
+    """A sea with a period is the same after any number of them."""
+    wt.check_equal("the sea repeats after its period",
+                   at_places(3.0, SeaPeriod=20.0), at_places(20003.0, SeaPeriod=20.0))
+
+
+def test_a_sine_adds_to_the_sea():
+    """A sine wave adds to the sea's height and slope, and its square to the mean square slope."""
+    water = sea_water()
+    height, slope = water.GetWaveHeight(1.5, 2.0), slope_at(water, 1.5, 2.0)
+    slope_rms = water.GetWaterProperty().GetSlopeRMS()
+    water.GetWaterProperty().AddWave(0.3, 5.0, 0.0, 0.0)
+    angle, steep = 2 * math.pi * 1.5 / 5, 0.3 * 2 * math.pi / 5
+    wt.check_at_most("a sine adds to the sea's height",
+                     abs(water.GetWaveHeight(1.5, 2.0) - height - 0.3 * math.sin(angle)), 1e-12)
+    wt.check_at_most("a sine adds to the sea's slope",
+                     abs(slope_at(water, 1.5, 2.0)[0] - slope[0] - steep * math.cos(angle)), 1e-12)
+    wt.check_at_most("a sine adds to the rms slope",
+                     abs(water.GetWaterProperty().GetSlopeRMS() - math.hypot(slope_rms, steep / math.sqrt(2))), 1e-12)
+
+
+def test_a_place_that_is_not_finite_has_no_height():
+    """At a place that is not finite the height is no number."""
+    wt.check_equal("height at a place that is not finite", math.isnan(sea_water().GetWaveHeight(INF, 0)), True)
+
+
+def test_presets_bring_their_sea_or_none():
+    """The ocean's preset brings its sea, and the pool's none, also after the ocean's."""
+    look = vtkWaterProperty()
+    look.SetPreset("ocean wind 10")
+    wt.check_equal("ocean: sea, wind, fetch, gamma",
+                   (look.GetSea(), look.GetWindSpeed(), look.GetFetch(), look.GetPeakEnhancement()),
+                   (True, 10.0, INF, 1.0))
+    look.SetPreset("pool")
+    wt.check_equal("pool: sea", look.GetSea(), False)
+
+
+@pytest.mark.parametrize("name, bad, part", [
     ("WindSpeed", 0.0, "WindSpeed must lie in [0.1, 100] m/s"), ("WindSpeed", math.nan, "[0.1, 100]"),
     ("WindDirection", INF, "must be finite"), ("Fetch", 0.5, "at least 1 m"), ("PeakEnhancement", 0.9, "[1, 20]"),
-    ("SeaTileSize", 100, "a power of two in [32, 1024]"), ("SeaTileSize", 16, "[32, 1024]"), ("SeaTileSize", 2048, "[32, 1024]"),
-    ("SeaTileLength", -1.0, "[0.001, 1e9] m"), ("SeaPeriod", -1.0, "not negative"), ("SeaModel", 2, "[0, 1]"),
-):
+    ("SeaTileSize", 100, "a power of two in [32, 1024]"), ("SeaTileSize", 16, "[32, 1024]"),
+    ("SeaTileSize", 2048, "[32, 1024]"), ("SeaTileLength", -1.0, "[0.001, 1e9] m"), ("SeaPeriod", -1.0, "not negative"),
+    ("SeaModel", 2, "[0, 1]"),
+])
+def test_bad_input_is_refused(name, bad, part):
+    """Bad input gives an error that names value and range, and the last good value stays."""
+    look = vtkWaterProperty()
+    errors = wt.errors_of(look)
     good = getattr(look, f"Get{name}")()
-    del errors[:]
     getattr(look, f"Set{name}")(bad)
     wt.check_equal(f"{name} {bad}: errors", len(errors), 1)
     text = errors[0] if errors else ""
@@ -168,7 +227,6 @@ for name, bad, part in (
     wt.check_equal(f"{name} {bad}: it stays", getattr(look, f"Get{name}")(), good)
 
 
-# The picture. The reflectance of each pixel is Fresnel's with the twin's normal there, near the origin and far.
 def view_of(water, position, focus, size, angle=30, clipping=(0.01, 50), sheet=30):
     made = wt.View(size, (0.5, 0.6, 0.7))
     made.renderer.GradientBackgroundOn()
@@ -185,8 +243,10 @@ def view_of(water, position, focus, size, angle=30, clipping=(0.01, 50), sheet=3
     return made
 
 
-SIZE = (300, 200)
-for name, x0, y0 in (("near the origin", 0.0, 0.0), ("2000 km away", 1e6 + 0.1, -2e6)):
+@pytest.mark.parametrize("name, x0, y0", [("near the origin", 0.0, 0.0), ("2000 km away", 1e6 + 0.1, -2e6)],
+                         ids=["near_the_origin", "2000_km_away"])
+def test_a_pixel_is_drawn_with_the_normal_there(name, x0, y0):
+    """The reflectance of each pixel is Fresnel's with the normal that GetWaveNormal says."""
     # a tile so fine that it leaves no waves out, and pixels so near that they average nothing
     water = sea_water(WindSpeed=2.0, SeaTileLength=1.0)
     water.GetWaterProperty().SetOutputToReflectance()
@@ -199,6 +259,7 @@ for name, x0, y0 in (("near the origin", 0.0, 0.0), ("2000 km away", 1e6 + 0.1, 
     right = wt.unit(np.cross(forward, (0, 0, 1)))
     up = np.cross(right, forward)
     tangent = math.tan(math.radians(4))
+    random = np.random.default_rng(5)
     worst = []
     for i, j in zip(random.integers(0, SIZE[0], 2000), random.integers(0, SIZE[1], 2000)):
         u = (2 * (i + 0.5) / SIZE[0] - 1) * tangent * SIZE[0] / SIZE[1]
@@ -211,9 +272,9 @@ for name, x0, y0 in (("near the origin", 0.0, 0.0), ("2000 km away", 1e6 + 0.1, 
     wt.check_at_most(f"{name}: reflectance against the twin's normal, worst of 2000 pixels", max(worst), 2e-3)
     wt.check_at_least(f"{name}: and it varies, standard deviation", float(shown.std()), 0.005)
 
-# The picture depends on the time alone.
-def frames(times, **settings):
-    water = sea_water(**settings)
+
+def frames(times):
+    water = sea_water()
     made = view_of(water, (0, -10, 2), (0, 0, 1), SIZE, clipping=(0.5, 3000), sheet=2000)
     wt.add_actor(made.renderer, wt.box((0, 6, 1), (2, 2, 4)), (0.9, 0.3, 0.1))
     pictures = []
@@ -223,17 +284,13 @@ def frames(times, **settings):
     return pictures
 
 
-several = frames((0.0, 0.5, 1e6, 0.5))
-direct = frames((1e6,))[0]
-wt.check_equal("time 1e6 after other frames and at once: difference", int(np.abs(several[2] - direct).max()), 0)
-wt.check_equal("time 0.5 again: difference", int(np.abs(several[1] - several[3]).max()), 0)
-wt.check_at_least("the sea moves", float(np.abs(several[0] - several[1]).mean()), 1.0)
-
-# A distant sea neither shimmers nor turns into a mirror: one sample a pixel is near the mean of 64.
-def distant(factor, shift=0.0):
-    water = sea_water(WindSpeed=8.0, Fetch=3000.0, WindDirection=110.0)
-    made = view_of(water, (3, -14, 12), (shift, 200, -20), (200 * factor, 150 * factor), clipping=(1, 9000), sheet=8000)
-    return made.picture().astype(float), wt.water_mask(made, water)
+def test_the_picture_depends_on_the_time_alone():
+    """The picture of a moving sea depends on its time alone, not on the frames before."""
+    several = frames((0.0, 0.5, 1e6, 0.5))
+    direct = frames((1e6,))[0]
+    wt.check_equal("time 1e6 after other frames and at once: difference", int(np.abs(several[2] - direct).max()), 0)
+    wt.check_equal("time 0.5 again: difference", int(np.abs(several[1] - several[3]).max()), 0)
+    wt.check_at_least("the sea moves", float(np.abs(several[0] - several[1]).mean()), 1.0)
 
 
 def mean_of(picture, factor):
@@ -241,26 +298,51 @@ def mean_of(picture, factor):
     return picture.reshape(rows, factor, columns, factor, 3).mean(axis=(1, 3))
 
 
-rmse = lambda difference, mask: float(np.sqrt((difference[mask] ** 2).mean()))
-once, mask = distant(1)
-often, _ = distant(8)
-truth = mean_of(often, 8)
-point = often[4::8, 4::8]
-wt.save(once, wt.output_folder() / "TestWaterSea-distant.png")
-wt.save(truth, wt.output_folder() / "TestWaterSea-distant-truth.png")
-error = rmse(once - truth, mask)
-wt.check_at_least(f"distant sea: RMSE of a point sample ({rmse(point - truth, mask):.2f}) / of the picture ({error:.2f})",
-                  rmse(point - truth, mask) / error, 1.5)
-half = 0.5 * 214 * 2 * math.tan(math.radians(15)) / 150  # half a pixel at the focus
-moved, _ = distant(1, half)
-moved_often, _ = distant(8, half)
-shimmer = rmse((moved - once) - (mean_of(moved_often, 8) - truth), mask)
-worse = rmse((moved_often[4::8, 4::8] - point) - (mean_of(moved_often, 8) - truth), mask)
-wt.check_at_least(f"half a pixel on: RMSE of the change, point sample ({worse:.2f}) / picture ({shimmer:.2f})", worse / shimmer, 1.5)
+class Distant:
+    """A distant sea: the picture, the mean of 64 samples of each pixel, one of them, and the water's pixels."""
 
-# A glittering sea is as bright from 10 m as from 100 km, seen along the same direction under the same sun:
-# slopes that a pixel does not resolve shine as those that it does.
-def glitter_from(distance):
+    def __init__(self, shift=0.0):
+        self.once, self.mask = self.draw(1, shift)
+        often, _ = self.draw(8, shift)
+        self.truth, self.point = mean_of(often, 8), often[4::8, 4::8]
+
+    @staticmethod
+    def draw(factor, shift):
+        water = sea_water(WindSpeed=8.0, Fetch=3000.0, WindDirection=110.0)
+        made = view_of(water, (3, -14, 12), (shift, 200, -20), (200 * factor, 150 * factor),
+                       clipping=(1, 9000), sheet=8000)
+        return made.picture().astype(float), wt.water_mask(made, water)
+
+    def rmse(self, difference):
+        return float(np.sqrt((difference[self.mask] ** 2).mean()))
+
+
+@pytest.fixture(scope="module")
+def distant():
+    return Distant()
+
+
+def test_a_distant_sea_is_near_its_mean(distant):
+    """A distant sea does not turn into a mirror: a pixel is nearer to the mean of 64 samples than one of them is."""
+    wt.save(distant.once, wt.output_folder() / "TestWaterSea-distant.png")
+    wt.save(distant.truth, wt.output_folder() / "TestWaterSea-distant-truth.png")
+    error, worse = distant.rmse(distant.once - distant.truth), distant.rmse(distant.point - distant.truth)
+    wt.check_at_least(f"distant sea: RMSE of a point sample ({worse:.2f}) / of the picture ({error:.2f})",
+                      worse / error, 1.5)
+
+
+def test_a_distant_sea_does_not_shimmer(distant):
+    """A distant sea does not shimmer: half a pixel on it changes more like the mean of 64 samples than one does."""
+    half = 0.5 * 214 * 2 * math.tan(math.radians(15)) / 150  # half a pixel at the focus
+    moved = Distant(half)
+    truth = moved.truth - distant.truth
+    shimmer = distant.rmse((moved.once - distant.once) - truth)
+    worse = distant.rmse((moved.point - distant.point) - truth)
+    wt.check_at_least(f"half a pixel on: RMSE of the change, point sample ({worse:.2f}) / picture ({shimmer:.2f})",
+                      worse / shimmer, 1.5)
+
+
+def glitter_from(distance, random):
     """Mean of 255 over pictures that are as high as 30 degrees of view, at random places and times."""
     made = wt.View((160, 120), (0, 0, 0))
     wt.add_scene_light(made.renderer, (0.1, 0.8, 0.55))
@@ -289,7 +371,10 @@ def glitter_from(distance):
     return float(np.mean(means))
 
 
-shine = [glitter_from(distance) for distance in (10, 100, 1e3, 1e4, 1e5)]
-wt.check_at_most("glitter from 10 m to 100 km: largest deviation from the mean, %",
-                 100 * float(np.abs(np.array(shine) / np.mean(shine) - 1).max()), 2.0)
-wt.finish()
+def test_a_glittering_sea_is_as_bright_from_near_and_far():
+    """A glittering sea is as bright from 10 m as from 100 km, seen along the same direction under the same sun."""
+    # Slopes that a pixel does not resolve shine as those that it does.
+    random = np.random.default_rng(5)
+    shine = [glitter_from(distance, random) for distance in (10, 100, 1e3, 1e4, 1e5)]
+    wt.check_at_most("glitter from 10 m to 100 km: largest deviation from the mean, %",
+                     100 * float(np.abs(np.array(shine) / np.mean(shine) - 1).max()), 2.0)
