@@ -78,8 +78,9 @@ def test_a_mesh_shows_what_the_own_sheet_shows(reference):
     wt.check_equal("own sheet again: largest error", wt.difference(view.picture(), reference), 0)
 
 
-@pytest.mark.parametrize("name, make_delegate", [("default delegate", lambda: None), ("render steps", vtkRenderStepsPass)],
-                         ids=["default_delegate", "render_steps"])
+@pytest.mark.parametrize("name, make_delegate", [
+    ("default delegate", lambda: None), ("render steps", vtkRenderStepsPass),
+], ids=["default_delegate", "render_steps"])
 def test_a_pass_composed_by_hand_gives_the_same_picture(name, make_delegate, reference):
     """Composed by hand, the pass is in charge and gives the same picture; taken out again, the own one does."""
     view, water = build()

@@ -39,6 +39,10 @@ def picture_of(plotter):
     return plotter.screenshot(None, return_img=True)
 
 
+def waters_of(plotter):
+    return [actor for actor in plotter.actors.values() if isinstance(actor, vtkWaterActor)]
+
+
 def fill(plotter, **water):
     """A red box over a mirror; the box's front is lit from the camera."""
     plotter.set_background("lightblue")
@@ -144,8 +148,7 @@ def test_water_is_an_actor_that_the_plotter_knows(plotter):
     wt.check_equal("an actor of VTK's", isinstance(water, vtkWaterActor) and isinstance(water, vtkActor), True)
     wt.check_equal("known to the plotter by its name", plotter.actors["lake"] is water, True)
     again = plotter.add_water(1.0, name="lake", preset="lake")
-    wt.check_equal("the same name takes its place", [a for a in plotter.actors.values() if isinstance(a, vtkWaterActor)],
-                   [again])
+    wt.check_equal("the same name takes its place", waters_of(plotter), [again])
 
 
 def test_color_opacity_time_and_waves_arrive(plotter):
@@ -153,7 +156,8 @@ def test_color_opacity_time_and_waves_arrive(plotter):
     water = fill(plotter, color="navy", opacity=0.5, time=3.0, waves=[(0.1, 3.0), (0.05, 2.0, 30, 10, 0.5)])
     look = water.GetWaterProperty()
     wt.check_equal("color", np.round(np.multiply(255, look.GetDeepColor())).tolist(), [0, 0, 128])
-    wt.check_equal("opacity, time, waves", (look.GetOpacity(), water.GetTime(), look.GetNumberOfWaves()), (0.5, 3.0, 2))
+    wt.check_equal("opacity, time, waves", (look.GetOpacity(), water.GetTime(), look.GetNumberOfWaves()),
+                   (0.5, 3.0, 2))
     wave = [0.0] * 5
     look.GetWave(1, wave)
     wt.check_equal("the second wave", np.round(wave, 9).tolist(), [0.05, 2.0, 30.0, 10.0, 0.5])
@@ -163,7 +167,8 @@ def test_waves_may_be_a_preset_or_a_wind(plotter):
     """A preset brings its sea, unless waves are 0; a number is the speed of the wind of a sea."""
     fill(plotter)
     wt.check_equal("a preset's sea", plotter.add_water(1.0, preset="lake").GetWaterProperty().GetSea(), True)
-    wt.check_equal("waves=0 calms a preset", plotter.add_water(preset="lake", waves=0).GetWaterProperty().GetSea(), False)
+    calm = plotter.add_water(preset="lake", waves=0).GetWaterProperty()
+    wt.check_equal("waves=0 calms a preset", calm.GetSea(), False)
     windy = plotter.add_water(waves=7.5).GetWaterProperty()
     wt.check_equal("a wind", (windy.GetSea(), windy.GetWindSpeed()), (True, 7.5))
 
@@ -227,7 +232,7 @@ def test_a_wrong_argument_adds_no_water(plotter):
     """No wrong argument leaves water in the plotter."""
     for _, _, argument in WRONG:
         raised_by(plotter, argument)
-    wt.check_equal("waters added by them", sum(isinstance(a, vtkWaterActor) for a in plotter.actors.values()), 0)
+    wt.check_equal("waters added by them", len(waters_of(plotter)), 0)
 
 
 @pytest.mark.parametrize("backend", [None, "static", "server", "client", "html"])
@@ -254,4 +259,5 @@ def test_vtk_js_is_sent_no_water(plotter):
             None, plotter.render_window, "1", serializer.SynchronizationContext(), 0))
     finally:
         logging.disable(logging.NOTSET)
-    wt.check_equal("sent to vtk.js: actors, waters", ("vtkOpenGLActor" in sent, "vtkWaterActor" in sent), (True, False))
+    wt.check_equal("sent to vtk.js: actors, waters", ("vtkOpenGLActor" in sent, "vtkWaterActor" in sent),
+                   (True, False))

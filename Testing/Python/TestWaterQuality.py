@@ -34,7 +34,8 @@ def test_the_scale_is_fixed_by_default():
     view, _, (reflection,) = make()
     frames(view, 1)
     wt.check_equal("fixed: step, scale, texels",
-                   (reflection.GetQualityStep(), reflection.GetTextureScaleInUse(), width(reflection)), (-1, 1.0, SIZE[0]))
+                   (reflection.GetQualityStep(), reflection.GetTextureScaleInUse(), width(reflection)),
+                   (-1, 1.0, SIZE[0]))
 
 
 def test_a_target_error_decides_the_scale():

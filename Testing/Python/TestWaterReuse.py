@@ -251,7 +251,8 @@ def check_every_frame(name, change):
 UNTOLD = {
     "custom uniform": uniform,
     "assembly, which moves its parts to draw them": assembly,
-    "observer of UpdateShaderEvent": lambda s: s.poster.GetMapper().AddObserver("UpdateShaderEvent", lambda *all: None),
+    "observer of UpdateShaderEvent": lambda s: s.poster.GetMapper().AddObserver(
+        "UpdateShaderEvent", lambda caller, event: None),
     "prop of an unknown kind": unknown,
 }
 

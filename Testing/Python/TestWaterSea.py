@@ -74,7 +74,8 @@ def test_the_height_is_the_spectrums():
         look.SetSeed(seed)
         measured.append(float((heights(water) ** 2).mean()))
     wt.check_at_most(f"Hs of 40 seas ({4 * math.sqrt(np.mean(measured)):.3f} m) against the formula "
-                     f"({4 * math.sqrt(variance):.3f} m), relative", abs(math.sqrt(np.mean(measured) / variance) - 1), 0.03)
+                     f"({4 * math.sqrt(variance):.3f} m), relative",
+                     abs(math.sqrt(np.mean(measured) / variance) - 1), 0.03)
 
 
 def test_the_slope_is_the_spectrums():
@@ -89,9 +90,10 @@ def test_the_slope_is_the_spectrums():
         look.SetSeed(seed)
         places = random.integers(0, 256, (3000, 2)) * (length / 256)
         squares += [sum(s * s for s in slope_at(water, x, y)) for x, y in places]
-    wt.check_at_most(f"mean square slope of 6 seas ({np.mean(squares):.5f}) against the formula ({slopes:.5f}), relative",
-                     abs(np.mean(squares) / slopes - 1), 0.08)
-    wt.check_at_most("GetSlopeRMS against the formula, relative", abs(look.GetSlopeRMS() / math.sqrt(slopes) - 1), 0.002)
+    wt.check_at_most(f"mean square slope of 6 seas ({np.mean(squares):.5f}) against the formula "
+                     f"({slopes:.5f}), relative", abs(np.mean(squares) / slopes - 1), 0.08)
+    wt.check_at_most("GetSlopeRMS against the formula, relative",
+                     abs(look.GetSlopeRMS() / math.sqrt(slopes) - 1), 0.002)
 
 
 def model_sea(model, depth):
@@ -212,8 +214,8 @@ def test_presets_bring_their_sea_or_none():
     ("WindSpeed", 0.0, "WindSpeed must lie in [0.1, 100] m/s"), ("WindSpeed", math.nan, "[0.1, 100]"),
     ("WindDirection", INF, "must be finite"), ("Fetch", 0.5, "at least 1 m"), ("PeakEnhancement", 0.9, "[1, 20]"),
     ("SeaTileSize", 100, "a power of two in [32, 1024]"), ("SeaTileSize", 16, "[32, 1024]"),
-    ("SeaTileSize", 2048, "[32, 1024]"), ("SeaTileLength", -1.0, "[0.001, 1e9] m"), ("SeaPeriod", -1.0, "not negative"),
-    ("SeaModel", 2, "[0, 1]"),
+    ("SeaTileSize", 2048, "[32, 1024]"), ("SeaTileLength", -1.0, "[0.001, 1e9] m"),
+    ("SeaPeriod", -1.0, "not negative"), ("SeaModel", 2, "[0, 1]"),
 ])
 def test_bad_input_is_refused(name, bad, part):
     """Bad input gives an error that names value and range, and the last good value stays."""
@@ -223,7 +225,8 @@ def test_bad_input_is_refused(name, bad, part):
     getattr(look, f"Set{name}")(bad)
     wt.check_equal(f"{name} {bad}: errors", len(errors), 1)
     text = errors[0] if errors else ""
-    wt.check_equal(f"{name} {bad}: '{text.strip()}' names value and range", part in text and f"{name} is" in text, True)
+    wt.check_equal(f"{name} {bad}: '{text.strip()}' names value and range",
+                   part in text and f"{name} is" in text, True)
     wt.check_equal(f"{name} {bad}: it stays", getattr(look, f"Get{name}")(), good)
 
 
