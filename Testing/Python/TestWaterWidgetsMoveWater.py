@@ -2,6 +2,7 @@
 """A mouse that drags the slider floods the scene to where it lets go; one that drags the plane takes the water along."""
 
 import numpy as np
+import pytest
 import water_test as wt
 from vtkmodules.vtkInteractionStyle import vtkInteractorStyleTrackballCamera
 from vtkmodules.vtkRenderingCore import vtkRenderWindow
@@ -41,34 +42,69 @@ def drag(interactor, start, stop, steps=4):
     interactor.LeftButtonReleaseEvent()
 
 
-def check_slider():
+def error_of(make_widget):
+    """What a ValueError says; nothing: there was none."""
+    try:
+        make_widget()
+    except ValueError as error:
+        return str(error)
+    return ""
+
+
+# Before any other: what crashed is OpenGL that was never loaded.
+def test_slider_made_before_the_first_frame():
+    """A slider can be made before anything is rendered and the interactor is initialised.
+
+    A picture taken by vtkWindowToImageFilter crashed in VTK then.
+    """
+    scene = Scene(SIZE)
+    scene.add_box((-1, 1, -1, 1, -1, 1), (1, 0, 0))
+    water = scene.add_water(0.0)
+    water.SetSheetBounds(-6, 6, -5, 7)
+    scene.set_camera((2, -14, 5), (0, 0, 0))
+    interactor = vtkGenericRenderWindowInteractor()
+    interactor.SetRenderWindow(scene.window)
+    slider = LevelSlider(interactor, water, -1.0, 1.0)
+    picture = wt.output_folder() / "FirstFrame.png"
+    scene.write(picture)
+    wt.check_equal("enabled", slider.widget.GetEnabled(), 1)
+    wt.check_at_least("bytes of the first frame", picture.stat().st_size, 1000)
+
+
+# the tube reaches from 6 to 44 per cent of the width: level 0 is in its middle
+MIDDLE, QUARTER = (0.25 * SIZE[0], 0.1 * SIZE[1]), (0.345 * SIZE[0], 0.1 * SIZE[1])
+
+
+def test_slider_that_is_dragged_floods_the_scene():
+    """A drag over a quarter of the slider raises the level by a quarter of its range, tells it, and moves no camera."""
     view, water, interactor = make()
     levels = []
     slider = LevelSlider(interactor, water, -1.0, 1.0, changed=levels.append)
     before = view.picture()
     wt.save(before, wt.output_folder() / "LevelSlider.png")
     position = view.renderer.GetActiveCamera().GetPosition()
-    # the tube reaches from 6 to 44 per cent of the width: level 0 is in its middle
-    middle, quarter = (0.25 * SIZE[0], 0.1 * SIZE[1]), (0.345 * SIZE[0], 0.1 * SIZE[1])
-    drag(interactor, middle, quarter)
+    drag(interactor, MIDDLE, QUARTER)
     wt.check_at_most("level after a drag over a quarter of it, less 0.5", abs(water.GetLevel() - 0.5), 0.06)
     wt.check_equal("the last level told", levels[-1], water.GetLevel())
     wt.check_equal("the camera stays", view.renderer.GetActiveCamera().GetPosition(), position)
     wt.check_at_least("pixels that change", int((np.abs(view.picture() - before).max(axis=2) > 20).sum()), 2000)
-    drag(interactor, quarter, (SIZE[0] - 1, quarter[1]))
+    drag(interactor, QUARTER, (SIZE[0] - 1, QUARTER[1]))
     wt.check_equal("dragged beyond its end", water.GetLevel(), 1.0)
     slider.set_level(-0.25)
     wt.check_equal("set by the program", (water.GetLevel(), slider.widget.GetRepresentation().GetValue()), (-0.25, -0.25))
-    for low, high in ((1.0, 0.0), (2.0, 3.0), (float("nan"), 1.0), (-float("inf"), 1.0)):
-        try:
-            LevelSlider(interactor, water, low, high)
-            said = ""
-        except ValueError as error:
-            said = str(error)
-        wt.check_equal(f"ends {low}, {high}: {said}", f"low {low}" in said, True)
 
 
-def check_plane():
+@pytest.mark.parametrize("low, high", ((1.0, 0.0), (2.0, 3.0), (float("nan"), 1.0), (-float("inf"), 1.0)))
+def test_slider_refuses_bad_ends(low, high):
+    """A slider whose ends are in the wrong order, without the level between them, or not finite is refused."""
+    _, water, interactor = make()
+    water.SetLevel(-0.25)
+    said = error_of(lambda: LevelSlider(interactor, water, low, high))
+    wt.check_equal(f"ends {low}, {high}: {said}", f"low {low}" in said, True)
+
+
+def test_plane_that_is_dragged_takes_the_water_along():
+    """A plane widget takes the water's plane, and a drag of its arrow turns the water."""
     view, water, interactor = make()
     planes = []
     widget = PlaneWidget(interactor, water, (-5, 5, -4, 6, -3, 4), planes.append)
@@ -87,48 +123,24 @@ def check_plane():
     wt.check_equal("the plane told is the water's", planes[-1] is water.GetPlane(), True)
     wt.check_at_least("pixels that change", int((np.abs(view.picture() - before).max(axis=2) > 20).sum()), 2000)
     wt.check_equal("the water is right", water.GetLastError(), "")
-    for bounds in ((0, 0, 0, 1, 0, 1), (-np.inf, np.inf, 0, 1, 0, 1)):  # VTK crashes at infinite ones
-        try:
-            PlaneWidget(interactor, water, bounds)
-            said = ""
-        except ValueError as error:
-            said = str(error)
-        wt.check_equal(f"a box: {said}", "xmin < xmax" in said, True)
 
 
-def check_before_the_first_frame():
-    """Made before anything was rendered, and the interactor not initialised: a picture
-    taken by vtkWindowToImageFilter crashes in VTK then."""
-    scene = Scene(SIZE)
-    scene.add_box((-1, 1, -1, 1, -1, 1), (1, 0, 0))
-    water = scene.add_water(0.0)
-    water.SetSheetBounds(-6, 6, -5, 7)
-    scene.set_camera((2, -14, 5), (0, 0, 0))
-    interactor = vtkGenericRenderWindowInteractor()
-    interactor.SetRenderWindow(scene.window)
-    slider = LevelSlider(interactor, water, -1.0, 1.0)
-    picture = wt.output_folder() / "FirstFrame.png"
-    scene.write(picture)
-    wt.check_equal("enabled", slider.widget.GetEnabled(), 1)
-    wt.check_at_least("bytes of the first frame", picture.stat().st_size, 1000)
+@pytest.mark.parametrize("bounds", ((0, 0, 0, 1, 0, 1), (-np.inf, np.inf, 0, 1, 0, 1)), ids=("empty", "infinite"))
+def test_plane_refuses_bad_boxes(bounds):
+    """A plane widget refuses a box that is empty, and an infinite one, at which VTK crashes."""
+    _, water, interactor = make()
+    said = error_of(lambda: PlaneWidget(interactor, water, bounds))
+    wt.check_equal(f"a box: {said}", "xmin < xmax" in said, True)
 
 
-def check_no_window():
-    bare, water = vtkGenericRenderWindowInteractor(), make()[1]
-    blind = vtkGenericRenderWindowInteractor()
-    blind.SetRenderWindow(vtkRenderWindow())
-    for interactor, words in ((bare, "has no window"), (blind, "has no renderer")):
-        for make_widget in (lambda: LevelSlider(interactor, water, -1.0, 1.0), lambda: PlaneWidget(interactor, water)):
-            try:
-                make_widget()
-                said = ""
-            except ValueError as error:
-                said = str(error)
-            wt.check_equal(f"cannot be: {said}", words in said, True)
-
-
-check_before_the_first_frame()  # before any other: what crashed is OpenGL that was never loaded
-check_slider()
-check_plane()
-check_no_window()
-wt.finish()
+@pytest.mark.parametrize("make_widget", (lambda interactor, water: LevelSlider(interactor, water, -1.0, 1.0), PlaneWidget),
+                         ids=("slider", "plane"))
+@pytest.mark.parametrize("has_window, words", ((False, "has no window"), (True, "has no renderer")),
+                         ids=("without a window", "without a renderer"))
+def test_widget_needs_a_renderer(has_window, words, make_widget):
+    """An interactor without a window, or whose window has no renderer, is refused."""
+    interactor, water = vtkGenericRenderWindowInteractor(), make()[1]
+    if has_window:
+        interactor.SetRenderWindow(vtkRenderWindow())
+    said = error_of(lambda: make_widget(interactor, water))
+    wt.check_equal(f"cannot be: {said}", words in said, True)

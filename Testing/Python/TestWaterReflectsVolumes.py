@@ -6,6 +6,7 @@ mapper's own clipping plane; flipped in x it is what the water must show.
 """
 
 import numpy as np
+import pytest
 import volumes
 import water_test as wt
 
@@ -35,7 +36,17 @@ def fill(view, kind, cut):
         view.window.SetAlphaBitPlanes(True)
 
 
-def compare(kind):
+def view_without_water(kind):
+    view = wt.View(SIZE)
+    fill(view, kind, cut=False)
+    wt.place_camera(view.renderer, (1, -9, 3), (0.5, 0, 0), (1, 40))
+    return view.picture()
+
+
+@pytest.mark.parametrize("kind", ("volume above", "volume across the surface", "translucent",
+                                  "translucent with depth peeling"))
+def test_water_shows_the_mirrored_picture_of(kind):
+    """The water shows what the mirrored camera sees, and of a volume across the surface no more than is above it."""
     view = wt.View(SIZE)
     fill(view, kind, cut=False)
     water = wt.add_water(view.renderer, wt.plane((0, 0, 0), (0, 0, 1)), (-6, 6, -4, 8))
@@ -57,15 +68,3 @@ def compare(kind):
     rmse = float(np.sqrt(((seen - expected)[shown] ** 2).mean()))
     wt.check_at_most(f"{kind}: RMSE of 255", rmse, 1.0)
     wt.check_at_most(f"{kind}: % of water pixels off by more than 8/255", float(100 * (error > 8)[shown].mean()), 0.5)
-
-
-def view_without_water(kind):
-    view = wt.View(SIZE)
-    fill(view, kind, cut=False)
-    wt.place_camera(view.renderer, (1, -9, 3), (0.5, 0, 0), (1, 40))
-    return view.picture()
-
-
-for case in ("volume above", "volume across the surface", "translucent", "translucent with depth peeling"):
-    compare(case)
-wt.finish()

@@ -1,0 +1,77 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Foam lies where the water is shallow, and on the crests of steep waves; nowhere else."""
+
+import numpy as np
+import pytest
+import water_test as wt
+from dark_water import SIZE, add_dark_water, check_refused, look_at
+
+
+def places_across(height):
+    """x of each column of pixels on the water, for a camera at a height that looks straight down."""
+    return (np.arange(SIZE[0]) + 0.5 - SIZE[0] / 2) * 2 * height * np.tan(np.radians(15)) / SIZE[1]
+
+
+def test_foam_lies_where_the_water_is_shallow():
+    """On a bed that slopes, foam is bright at the shore, and there is none in deep water."""
+    view = wt.View(SIZE, (0, 0, 0))
+    bed = wt.box((0, 0, -0.5), (40, 40, 1))
+    points = bed.GetPoints()
+    for i in range(points.GetNumberOfPoints()):  # a slope: 1 m deep at x = 5, dry from x = -5 on
+        px, py, pz = points.GetPoint(i)
+        points.SetPoint(i, px, py, pz - 0.1 * (px + 5))
+    wt.add_actor(view.renderer, bed, (0.2, 0.1, 0.1), lit=False)
+    wt.add_scene_light(view.renderer, (0, 0, 1))
+    look = add_dark_water(view).GetWaterProperty()
+    look.RefractionOn()
+    look.SetFoamDepth(0.4)
+    look_at(view, (0, 0, 25), up=(0, 1, 0))
+    row = view.picture()[100:120, :, 2].mean(axis=0)
+    depth = 0.1 * (places_across(25) + 5)
+    wt.check_at_least("foam: mean of 255 where the water is under 8 cm",
+                      float(row[(depth > 0) & (depth < 0.08)].mean()), 180)
+    wt.check_at_most("foam: mean of 255 where it is over 40 cm", float(row[depth > 0.42].mean()), 45)
+
+
+def test_deep_water_round_a_thing_in_the_air_has_no_foam():
+    """Deep water has no foam, even where its pixels share their samples with a thing that hangs in the air."""
+    view = wt.View(SIZE, (0, 0, 0), samples=8)
+    wt.add_actor(view.renderer, wt.box((0, 0, -4), (400, 400, 1)), (0, 0, 0), lit=False)
+    wt.add_actor(view.renderer, wt.box((0, 0, 1.5), (3, 3, 1)), (0, 0, 0), lit=False)
+    wt.add_scene_light(view.renderer, (0, 0, 1))
+    look = add_dark_water(view).GetWaterProperty()
+    look.GlitterOff()
+    look.RefractionOn()
+    look.SetFoamDepth(0.4)
+    look_at(view, (9, -14, 7))
+    wt.check_equal("foam round a thing in the air: brightest pixel", int(view.picture().max()), 0)
+
+
+def test_foam_lies_on_crests_when_it_is_asked_for():
+    """By default crests have no foam; with a stretch they have, and troughs have none."""
+    view = wt.View(SIZE, (0, 0, 0))
+    wt.add_scene_light(view.renderer, (0, 0, 1))
+    look = add_dark_water(view).GetWaterProperty()
+    look.GlitterOff()
+    look.AddWave(0.3, 2 * np.pi, 0.0, 0.0, 1.0)  # k A Q = 0.3: crests stand at 0.7 of the rest
+    look_at(view, (0, 0, 40), up=(0, 1, 0))
+    wt.check_equal("foam on crests: none by default", int(view.picture().max()), 0)
+    look.SetFoamStretch(1.0)
+    row = view.picture()[:, :, 0].mean(axis=0)
+    at = places_across(40)
+    is_crest = np.abs((at - np.pi / 2 + np.pi) % (2 * np.pi) - np.pi) < 0.4
+    is_trough = np.abs((at + np.pi / 2 + np.pi) % (2 * np.pi) - np.pi) < 1.0
+    wt.check_at_least("foam on crests: mean of 255 there over that of the troughs",
+                      float(row[is_crest].mean()) - float(row[is_trough].mean()), 20)
+    wt.check_equal("foam on crests: brightest trough", int(row[is_trough].max()), 0)
+
+
+@pytest.mark.parametrize("setter, value, words", (
+    ("SetFoamDepth", (-1.0,), ("-1", "[0,")),
+    ("SetFoamStretch", (1.5,), ("1.5", "[0, 1]")),
+    ("SetFoamColor", (0.0, 2.0, 0.0), ("2", "[0, 1]")),
+    ("SetShoreSoftness", (float("nan"),), ("nan", "[0,")),
+), ids=("a negative depth", "a stretch over 1", "a colour over 1", "a softness that is no number"))
+def test_bad_values_are_refused(setter, value, words):
+    """A bad value gives one clear error and changes nothing."""
+    check_refused(setter, value, words)

@@ -1,0 +1,142 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The sun glitters on waves that are too small to be drawn as the formula says, and its shadows and caustics lie
+where rays, cast and counted, have them."""
+
+import numpy as np
+import pytest
+import ray_caster
+import water_test as wt
+from dark_water import SIZE, add_dark_water, check_refused, look_at, pixel_rays
+
+INDEX = 1.333
+SUN = np.array((0.3, 0.6, 0.55))
+TO_SUN = SUN / np.linalg.norm(SUN)
+# slope variances along and across the wind, direction of the wind in degrees
+WINDS = ((0.02, 0.02, 0.0), (0.03, 0.012, 0.0), (0.03, 0.012, 40.0))
+WAVE, DEPTH = (0.03, 1.5, 0.0, 0.0), 1.5  # amplitude, wavelength, direction, phase; of the bed
+
+
+def glittering(along, across, wind):
+    """Dark water under the sun, its look, and the camera."""
+    view = wt.View(SIZE, (0, 0, 0))
+    wt.add_scene_light(view.renderer, SUN)
+    view.renderer.GetLights().GetItemAsObject(0).SetIntensity(0.5)
+    look = add_dark_water(view).GetWaterProperty()
+    look.SetSlopeVariance(along, across, wind)
+    return view, look, look_at(view, (1, -10, 6), angle=60)
+
+
+@pytest.mark.parametrize("along, across, wind", WINDS)
+def test_glitter_is_that_of_the_formula(along, across, wind):
+    """Glitter of small slopes is Cox and Munk's Gaussian along and across the wind.
+
+    It is written here again; the radiance is pi I F p / (4 cos(eye) cos^4(facet)).
+    """
+    view, _, camera = glittering(along, across, wind)
+    _, ray = pixel_rays(camera)
+    facet = TO_SUN - ray
+    facet /= np.linalg.norm(facet, axis=1, keepdims=True)
+    slope = -facet[:, :2] / facet[:, 2:]
+    turn = np.radians(wind)
+    first = slope @ (np.cos(turn), np.sin(turn))
+    second = slope @ (-np.sin(turn), np.cos(turn))
+    density = np.exp(-0.5 * (first**2 / along + second**2 / across)) / (2 * np.pi * np.sqrt(along * across))
+    expected = np.pi * 0.5 * ray_caster.fresnel(facet @ TO_SUN) * density / (4 * -ray[:, 2] * facet[:, 2] ** 4)
+    shown = view.picture()[:, :, 0].ravel() / 255
+    good = (ray[:, 2] < -0.05) & (expected < 0.99)
+    name = f"glitter, variances {along}, {across}, wind {wind:g} degrees"
+    wt.check_at_most(f"{name}: largest error", float(np.abs(shown - expected)[good].max()), 0.01)
+    wt.check_at_least(f"{name}: brightest pixel that is compared", float(shown[good].max()), 0.25)
+
+
+def test_glitter_can_be_switched_off():
+    """Without glitter the dark water is black."""
+    view, look, _ = glittering(*WINDS[-1])
+    view.picture()
+    look.GlitterOff()
+    wt.check_equal("glitter off: brightest pixel", int(view.picture().max()), 0)
+
+
+def test_headlight_is_no_sun():
+    """A headlight makes no glitter."""
+    view, _, _ = glittering(*WINDS[-1])
+    view.picture()
+    view.renderer.RemoveAllLights()
+    view.renderer.CreateLight()
+    wt.check_equal("a headlight is no sun: brightest pixel", int(view.picture().max()), 0)
+
+
+def test_wind_gives_cox_and_munks_variances():
+    """A wind of 10 m/s gives the slope variances that Cox and Munk measured."""
+    _, look, _ = glittering(*WINDS[-1])
+    look.SetSlopeVarianceToWind(10.0, 30.0)
+    given = [0.0, 0.0, 0.0]
+    look.GetSlopeVariance(given)
+    wt.check_at_most("wind of 10 m/s: error of Cox and Munk's variances",
+                     float(np.abs(np.array(given) - (0.0316, 0.0222, 30)).max()), 1e-12)
+
+
+def test_shadow_on_glitter_is_where_rays_to_the_sun_are_stopped():
+    """A post's shadow lies on the glitter where the ray from the water to the sun meets the post."""
+    view = wt.View(SIZE, (0, 0, 0))
+    post = ray_caster.Box((0.4, 1.0, 1), (0.8, 0.8, 3), (0, 0, 0))
+    wt.add_actor(view.renderer, wt.box(0.5 * (post.low + post.high), post.high - post.low), (0, 0, 0), lit=False)
+    wt.add_scene_light(view.renderer, SUN)
+    view.renderer.GetLights().GetItemAsObject(0).SetIntensity(6)
+    look = add_dark_water(view).GetWaterProperty()
+    look.SetReflectanceModeToFresnel()
+    look.SetSlopeVariance(0.08, 0.08)
+    camera = look_at(view, (1, -10, 6))
+    bright = view.picture()[:, :, 0]
+    look.ShadowsOn()
+    shadowed = view.picture()[:, :, 0]
+    place, ray = pixel_rays(camera)
+    _, way = ray_caster.cast([post], (0, 0, 0), place + 1e-6 * TO_SUN, np.tile(TO_SUN, (len(place), 1)))
+    _, seen = ray_caster.cast([post], (0, 0, 0), np.tile(camera.GetPosition(), (len(place), 1)), ray)
+    is_shaded = (np.isfinite(way) & ~np.isfinite(seen)).reshape(SIZE[1], SIZE[0]) & (bright > 30)
+    is_lit = (~np.isfinite(way) & ~np.isfinite(seen)).reshape(SIZE[1], SIZE[0]) & (bright > 30)
+    wt.check_at_least("shadow: pixels of glitter in it", int(is_shaded.sum()), 300)
+    wt.check_at_least("shadow: % of them that are dark", 100 * float((shadowed < 10)[is_shaded].mean()), 90)
+    # what passes behind the post, as the mirrored view has it, counts as shaded
+    wt.check_at_least("shadow: % of the lit glitter that stays", 100 * float((shadowed == bright)[is_lit].mean()), 94)
+
+
+def test_caustics_are_where_rays_gather():
+    """Of one wave over a level bed, light gathers where the rays from the surface do, counted."""
+    view = wt.View(SIZE, (0, 0, 0))
+    wt.add_actor(view.renderer, wt.box((0, 0, -DEPTH - 0.5), (300, 300, 1)), (0.4, 0.4, 0.4), lit=False)
+    wt.add_scene_light(view.renderer, (0, 0, 1))
+    look = add_dark_water(view).GetWaterProperty()
+    look.RefractionOn()
+    look.SetAbsorption(0, 0, 0)
+    look.SetScattering(0, 0, 0)
+    look.GlitterOff()
+    look.AddWave(*WAVE)
+    look_at(view, (0, 0, 12), angle=20, up=(0, 1, 0))
+    plain = view.picture()[110, :, 0].astype(float)
+    look.SetCaustics(1.0)
+    row = view.picture()[110, :, 0] / plain
+    x = np.linspace(-6, 6, 400001)
+    _, slope, _ = ray_caster.heights_and_slopes((WAVE,), x, np.zeros_like(x), 0.0)
+    tilt = np.arctan(slope)
+    lands = x + DEPTH * np.tan(tilt - np.arcsin(np.sin(tilt) / INDEX))
+    edges = np.linspace(-2.2, 2.2, 111)
+    light = np.histogram(lands, edges)[0] / (len(x) / 12 * (edges[1] - edges[0]))
+    apparent = DEPTH / INDEX  # straight down: the bed seems nearer
+    pixel = 2 * (12 + apparent) * np.tan(np.radians(10)) / SIZE[1]
+    at = (np.arange(SIZE[0]) + 0.5 - SIZE[0] / 2) * pixel
+    shown = np.interp(0.5 * (edges[1:] + edges[:-1]), at, row)
+    wt.check_at_least("caustics: correlation with counted rays", float(np.corrcoef(shown, light)[0, 1]), 0.9)
+    wt.check_at_most("caustics: error of the mean light", abs(float(shown.mean()) - float(light.mean())), 0.05)
+    wt.check_at_least("caustics: brightest over darkest", float(shown.max() / shown.min()), 1.4)
+
+
+@pytest.mark.parametrize("setter, value, words", (
+    ("SetSlopeVariance", (-0.1, 0.1), ("-0.1", "not negative")),
+    ("SetSlopeVariance", (0.1, float("nan")), ("nan", "finite")),
+    ("SetSlopeVarianceToWind", (0.0,), ("0 m/s", "[0.1, 100]")),
+    ("SetCaustics", (2.0,), ("2", "[0, 1]")),
+), ids=("a negative variance", "a variance that is no number", "no wind", "caustics over 1"))
+def test_bad_values_are_refused(setter, value, words):
+    """A bad value gives one clear error and changes nothing."""
+    check_refused(setter, value, words)
