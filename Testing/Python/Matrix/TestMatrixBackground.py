@@ -8,7 +8,7 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkUnsignedCharArray
 from vtkmodules.vtkRenderingCore import vtkSkybox, vtkTexture
 
-row = mm.Results("Background")
+row = mm.Results("Background", __file__)
 MARK = (255, 0, 255)  # no colour of the scene's
 
 
@@ -65,7 +65,7 @@ def rays_of(scene):
     return rays / np.linalg.norm(rays, axis=2)[:, :, None]
 
 
-def gradient(look=lambda camera: None):
+def gradient(look):
     """A gradient is painted on the screen. A reflected ray has the colour at which the user's camera sees
     its direction, and beyond the screen's edge the last colour."""
     bottom, top = np.array((0.1, 0.2, 0.6)), np.array((0.9, 0.7, 0.3))
@@ -97,11 +97,15 @@ def gradient(look=lambda camera: None):
     return fill, np.where(is_sky, sky, picture)
 
 
-for name, look in (("gradient", lambda camera: None),
-                   ("gradient, wide angle", lambda camera: camera.SetViewAngle(75)),
-                   ("gradient, rolled camera", lambda camera: camera.SetRoll(35)),
-                   ("gradient, straight down", lambda camera: (camera.SetPosition(0.1, 0, 9), camera.SetViewUp(0, 1, 0)))):
-    row.cell_of_picture(name, *gradient(look))
+def show_gradient(name, look):
+    row.show_picture(name, *gradient(look))
+
+
+row.register("gradient", show_gradient, lambda camera: None)
+row.register("gradient, wide angle", show_gradient, lambda camera: camera.SetViewAngle(75))
+row.register("gradient, rolled camera", show_gradient, lambda camera: camera.SetRoll(35))
+row.register("gradient, straight down", show_gradient,
+             lambda camera: (camera.SetPosition(0.1, 0, 9), camera.SetViewUp(0, 1, 0)))
 
 
 def skybox(projection, cut=False):
@@ -142,6 +146,7 @@ def from_below(fill):
 row.cell("skybox, cube, seen from under water", from_below(skybox("cube")))
 
 
+@row.makes("environment texture in place of the scene")
 def environment():
     """The water looks a panorama up in the reflected direction, with no mirrored view: u is the longitude
     from EnvironmentRight to the front, v the latitude."""
@@ -169,13 +174,11 @@ def environment():
 
     lower = texel(left, low) * (1 - right_share) + texel(left + 1, low) * right_share
     upper = texel(left, low + 1) * (1 - right_share) + texel(left + 1, low + 1) * right_share
-    row.cell_of_picture("environment texture in place of the scene", fill,
-                        np.round(lower * (1 - high_share) + upper * high_share).astype(int), prepare=look_around)
+    row.show_picture("environment texture in place of the scene", fill,
+                     np.round(lower * (1 - high_share) + upper * high_share).astype(int), prepare=look_around)
 
 
-environment()
-
-
+@row.makes("transparent")
 def transparent():
     """Where the water is, the picture is opaque; elsewhere it is as without the water."""
     scene = mm.Scene(mm.SEEN)
@@ -199,5 +202,4 @@ def transparent():
             (without == 0).any() and (seen == without)[~is_water].all())
 
 
-transparent()
-row.finish()
+test_cell = row.test()

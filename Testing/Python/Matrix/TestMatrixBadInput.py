@@ -16,7 +16,7 @@ from vtkmodules.vtkRenderingOpenGL2 import vtkRenderStepsPass
 from vtkmodules.vtkRenderingVolume import vtkGPUVolumeRayCastMapper
 from vtkwater import vtkWaterReflectionPass
 
-row = mm.Results("Bad input")
+row = mm.Results("Bad input", __file__)
 FRAMES = 3
 
 
@@ -125,14 +125,15 @@ def volume_without_functions():
 
 
 if mm.VTK_VERSION >= (9, 6):
-    bad_prop("a prop whose shader does not compile", does_not_compile, "this is no GLSL")
+    row.register("a prop whose shader does not compile", bad_prop, does_not_compile, "this is no GLSL")
 else:
-    row.note("a prop whose shader does not compile", "VTK 9.1 ends the program with a segmentation fault, without water "
-             "as well: vtkOpenGLPolyDataMapper::UpdateShaders goes on without a program.")
-bad_prop("a prop without a mapper", vtkActor, None)
-bad_prop("a mapper without input", without_input, None)
-bad_prop("a volume without transfer functions", volume_without_functions, None, is_drawn=True)
-bad_prop("a volume without input", empty_volume, "has 0 connections")
+    row.register("a prop whose shader does not compile", row.note,
+                 "VTK 9.1 ends the program with a segmentation fault, without water as well: "
+                 "vtkOpenGLPolyDataMapper::UpdateShaders goes on without a program.")
+row.register("a prop without a mapper", bad_prop, vtkActor, None)
+row.register("a mapper without input", bad_prop, without_input, None)
+row.register("a volume without transfer functions", bad_prop, volume_without_functions, None, is_drawn=True)
+row.register("a volume without input", bad_prop, empty_volume, "has 0 connections")
 
 
 def passes(name, set_up, words=None):
@@ -176,11 +177,12 @@ def cycle(scene, first):
     return lambda: second.SetDelegatePass(None)
 
 
-passes("a pass without a delegate", no_delegate)
-passes("a pass that is its own delegate", own_delegate, "DelegatePass is the pass itself")
-passes("two passes that are each other's delegates", cycle, "leads back")
+row.register("a pass without a delegate", passes, no_delegate)
+row.register("a pass that is its own delegate", passes, own_delegate, "DelegatePass is the pass itself")
+row.register("two passes that are each other's delegates", passes, cycle, "leads back")
 
 
+@row.makes("a pass shared by two renderers")
 def shared_pass():
     """One pass, in turn in charge of two renderers of one window."""
     scene = mm.Scene(mm.SEEN)
@@ -211,5 +213,4 @@ def shared_pass():
             np.abs(pictures[-1][:, :half] - own.pixels()).max() <= 1)
 
 
-shared_pass()
-row.finish()
+test_cell = row.test()

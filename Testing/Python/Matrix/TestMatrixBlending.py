@@ -7,7 +7,7 @@ import water_test as wt
 from vtkmodules.vtkRenderingVolume import vtkGPUVolumeRayCastMapper
 from vtkmodules.vtkRenderingVolumeOpenGL2 import vtkSmartVolumeMapper
 
-row = mm.Results("Props and composition: translucent props and volumes")
+row = mm.Results("Props and composition: translucent props and volumes", __file__)
 
 PLAIN, ORDERED, PEELED, PEELED_VOLUMES = "plain", "order-independent", "with depth peeling", "with depth peeling of volumes"
 
@@ -153,4 +153,4 @@ row.cell("volume, cropped", cloud(1.6, cropped))
 row.cell("volume of vtkSmartVolumeMapper", cloud(1.6, mapper_class=vtkSmartVolumeMapper))
 row.cell("two volumes and a translucent prop behind each other", all_of(
     post, cloud(1.6, at=(-0.8, 1.2)), glass(0.4, 2), cloud(1.5, at=(0.8, -1.2))))
-row.finish()
+test_cell = row.test()

@@ -30,7 +30,7 @@ from vtkmodules.vtkRenderingCore import (
 from vtkmodules.vtkRenderingFreeType import vtkVectorText
 from vtkwater import vtkWaterReflectionPass
 
-row = mm.Results("Props: labels, cuts and keys")
+row = mm.Results("Props: labels, cuts and keys", __file__)
 
 
 def ball(scene, color=(1, 0.6, 0.2)):
@@ -296,4 +296,4 @@ def cube_axes(scene):
 
 
 row.cell("vtkCubeAxesActor over the water", cube_axes)
-row.finish()
+test_cell = row.test()

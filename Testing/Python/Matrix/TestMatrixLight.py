@@ -14,7 +14,7 @@ from vtkmodules.vtkRenderingOpenGL2 import (
 )
 from vtkwater import vtkWaterReflectionPass as Pass
 
-row = mm.Results("Light")
+row = mm.Results("Light", __file__)
 
 
 def things(scene, specular=0.6):
@@ -171,6 +171,7 @@ shadows("shadow maps, something moved", SPOT, moves=True)
 shadows("shadow maps beside image-based light", SPOT, image_based=True)
 
 
+@row.makes("shadow maps, a mirrored view in the middle of the picture")
 def in_the_middle():
     """A mirrored view that is drawn in the middle of the shadowed picture leaves the shadows of the rest alone."""
 
@@ -196,9 +197,7 @@ def in_the_middle():
             (seen == without)[~pixels].all())
 
 
-in_the_middle()
-
-
+@row.makes("shadow maps, when they are kept")
 def kept():
     """Shadows are drawn anew when what throws them moves, seen or not, and not for the time of waves."""
     scene = mm.Scene(mm.SEEN)
@@ -225,10 +224,8 @@ def kept():
     row.say("shadow maps, the time of waves: the map is used again", reflection.GetDecision() == Pass.REUSED)
 
 
-kept()
-
-
 # The formula: a Lambert sphere's radiance is max(0, N . L) with L against the user's view direction.
+@row.makes("a Lambert sphere under the headlight")
 def lambert():
     scene = mm.Scene(mm.SEEN, background=(0, 0, 0))
     center, radius = np.array((0.0, 0.0, 2.6)), 1.4
@@ -265,5 +262,4 @@ def lambert():
             float(error.max()) <= 0.01)
 
 
-lambert()
-row.finish()
+test_cell = row.test()

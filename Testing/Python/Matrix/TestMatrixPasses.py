@@ -25,7 +25,7 @@ from vtkmodules.vtkRenderingOpenGL2 import (
 )
 from vtkwater import vtkWaterReflectionPass
 
-row = mm.Results("Passes and flags")
+row = mm.Results("Passes and flags", __file__)
 
 
 def things(scene, has_glass=True):
@@ -49,7 +49,7 @@ def flags_of(scene):
     return values
 
 
-def cell(name, apply, in_mirror=None, others=mm.FILTERED, **options):
+def show(name, apply, in_mirror=None, others=mm.FILTERED, **options):
     """apply(scene) turns on what the cell is about, in_mirror(scene) what of it is right in the mirrored picture."""
     remembered = {}
 
@@ -64,8 +64,13 @@ def cell(name, apply, in_mirror=None, others=mm.FILTERED, **options):
         elif in_mirror:
             in_mirror(scene)
 
-    row.cell(name, fill, others=others, **options)
+    row.show(name, fill, others=others, **options)
     row.say(f"{name}: what was on still is", flags_of(remembered["scene"]) == remembered["flags"])
+
+
+def cell(name, *arguments, **options):
+    """Registers a cell; arguments as those of show."""
+    row.register(name, show, *arguments, **options)
 
 
 def filtered(name, apply, reach, scale=1, reason=None, exact=True):
@@ -147,13 +152,15 @@ cell("a chain of the user's own", by_hand, steps, mm.ALONE)
 cell("the water's pass as the user's", composed_pass, steps, mm.ALONE)
 cell("eye dome lighting", pass_of(vtkEDLShading), steps)
 for number, kind in enumerate(("clamped", "Reinhard", "exponential")):
-    cell(f"tone mapping, {kind}", pass_of(vtkToneMappingPass, lambda made: made.SetToneMappingType(number)), steps)
-filtered("Gaussian blur", pass_of(vtkGaussianBlurPass), 4)
-filtered("Sobel filter", pass_of(vtkSobelGradientMagnitudePass), 4, exact=False,
-         reason="The filter rounds halved differences of neighbours to 8 bits before it doubles and squares them "
-                "(vtkSobelGradientMagnitudePass1FS.glsl and 2FS.glsl).")
-filtered("SSAA, with TextureScale sqrt(5)", pass_of(vtkSSAAPass), 3, int(mm.SIZE[0] * 5**0.5) / mm.SIZE[0],
-         reason="The mirrored view has the size of the picture, and not that of the pass, which is sqrt(5) times as "
-                "large (vtkSSAAPass::Render); TextureScale makes it as fine.")
+    cell(f"tone mapping, {kind}",
+         pass_of(vtkToneMappingPass, lambda made, number=number: made.SetToneMappingType(number)), steps)
+row.register("Gaussian blur", filtered, pass_of(vtkGaussianBlurPass), 4)
+row.register("Sobel filter", filtered, pass_of(vtkSobelGradientMagnitudePass), 4, exact=False,
+             reason="The filter rounds halved differences of neighbours to 8 bits before it doubles and squares them "
+                    "(vtkSobelGradientMagnitudePass1FS.glsl and 2FS.glsl).")
+row.register("SSAA, with TextureScale sqrt(5)", filtered, pass_of(vtkSSAAPass), 3,
+             int(mm.SIZE[0] * 5**0.5) / mm.SIZE[0],
+             reason="The mirrored view has the size of the picture, and not that of the pass, which is sqrt(5) times as "
+                    "large (vtkSSAAPass::Render); TextureScale makes it as fine.")
 cell("SSAO", lambda scene: scene.renderer.UseSSAOOn())
-row.finish()
+test_cell = row.test()

@@ -28,7 +28,7 @@ from vtkmodules.vtkRenderingCore import (
 from vtkmodules.vtkRenderingImage import vtkImageResliceMapper
 from vtkmodules.vtkRenderingLOD import vtkLODActor, vtkQuadricLODActor
 
-row = mm.Results("Props: kinds")
+row = mm.Results("Props: kinds", __file__)
 
 
 def cloud(count=120, low=-0.5, high=2.0, seed=3):
@@ -80,7 +80,7 @@ row.cell("lines of 4 pixels", dots(4, sticks))
 
 def balls(data):
     def fill(scene):
-        look = scene.add_data(data).GetProperty()
+        look = scene.add_data(data()).GetProperty()
         look.RenderPointsAsSpheresOn()
         look.SetPointSize(14)
         look.SetSpecular(0.5)
@@ -88,25 +88,25 @@ def balls(data):
     return fill
 
 
-row.cell("points as spheres", balls(cloud()))
+row.cell("points as spheres", balls(cloud))
 
 
 def tubes(data):
     def fill(scene):
-        look = scene.add_data(data).GetProperty()
+        look = scene.add_data(data()).GetProperty()
         look.RenderLinesAsTubesOn()
         look.SetLineWidth(8)
 
     return fill
 
 
-row.cell("lines as tubes", tubes(sticks()))
+row.cell("lines as tubes", tubes(sticks))
 
 
 def splats(data, opacity=1.0, shader=None):
     def fill(scene):
         mapper = vtkPointGaussianMapper()
-        mapper.SetInputData(data)
+        mapper.SetInputData(data())
         mapper.SetScaleFactor(0.12)
         mapper.ScalarVisibilityOff()
         mapper.SetEmissive(False)
@@ -125,10 +125,10 @@ def splats(data, opacity=1.0, shader=None):
 DISK = """//VTK::Color::Impl
   if (dot(offsetVCVSOutput.xy, offsetVCVSOutput.xy) > 1.0) discard;
 """
-row.cell("point gaussians", splats(cloud()))
-row.cell("point gaussians, translucent", splats(cloud(), 0.6))
-row.cell("point gaussians as disks", splats(cloud(), shader=DISK))
-row.cell("point gaussians whose points are under the water", splats(cloud(low=-0.3, high=-0.1)))
+row.cell("point gaussians", splats(cloud))
+row.cell("point gaussians, translucent", splats(cloud, 0.6))
+row.cell("point gaussians as disks", splats(cloud, shader=DISK))
+row.cell("point gaussians whose points are under the water", splats(lambda: cloud(low=-0.3, high=-0.1)))
 
 
 # Glyphs and blocks.
@@ -317,4 +317,4 @@ def axes(scene):
 
 
 row.cell("vtkAxesActor over the water", axes)
-row.finish()
+test_cell = row.test()

@@ -12,7 +12,7 @@ from vtkmodules.vtkFiltersSources import vtkSphereSource
 from vtkmodules.vtkRenderingCore import vtkProperty, vtkTexture
 from vtkmodules.vtkRenderingOpenGL2 import vtkOpenGLTexture  # noqa: F401  factory
 
-row = mm.Results("Props: surfaces")
+row = mm.Results("Props: surfaces", __file__)
 
 
 def coarse_sphere(center=(0, 0, 0.4), radius=1.8, resolution=14):
@@ -228,4 +228,4 @@ cell("vertex colours", coloured("colours"))
 cell("scalars mapped, then interpolated", coloured("after"))
 cell("scalars interpolated, then mapped", coloured("before"))
 cell("scalars of cells", coloured("of cells"))
-row.finish()
+test_cell = row.test()

@@ -9,7 +9,7 @@ import water_test as wt
 from vtkmodules.vtkCommonMath import vtkMatrix4x4
 from vtkmodules.vtkCommonTransforms import vtkTransform
 
-row = mm.Results("View")
+row = mm.Results("View", __file__)
 
 
 def things(scene):
@@ -96,6 +96,7 @@ cell("upright plane", placed((3, -9, 4)), origin=(-1.5, 0, 0), normal=(1, -0.2, 
 cell("plane whose normal points down", lambda scene, camera: None, normal=(0, 0, -1))
 
 
+@row.makes("user view transform that scales")
 def scaled():
     """A view that is not rigid has no mirror image that is a camera's: said, and plain water."""
     scene = mm.Scene(mm.SEEN)
@@ -116,5 +117,4 @@ def scaled():
             reason="A view that scales or shears is refused with an error: its mirror image is no vtkCamera's.")
 
 
-scaled()
-row.finish()
+test_cell = row.test()

@@ -9,7 +9,7 @@ from vtkmodules.vtkFiltersCore import vtkTriangleFilter
 from vtkmodules.vtkFiltersSources import vtkDiskSource
 from vtkwater import vtkWaterReflectionPass as Pass
 
-row = mm.Results("Water in water")
+row = mm.Results("Water in water", __file__)
 LEVEL = (0, 0, 1)
 FIRST = Sheet((0, 0, 0), LEVEL, mm.SHEET, reflectance=1.0)
 
@@ -55,7 +55,7 @@ def pixels_of(scene, waters, number):
     return np.abs(pictures[0] - pictures[1]).max(axis=2) > 0
 
 
-def cell(name, fill, others, prepare=None, reason=None, wrong=(), exact=True):
+def show(name, fill, others, prepare=None, reason=None, wrong=(), exact=True):
     """The first water's pixels: the mirrored picture with the others in it; the control has the wrong ones, or none."""
     scene = mm.Scene(mm.SEEN)
     fill(scene)
@@ -81,6 +81,11 @@ def cell(name, fill, others, prepare=None, reason=None, wrong=(), exact=True):
 
     row.compare(name, seen, composed(others), without, pixels, composed(wrong), reason, exact)
     return renders
+
+
+def cell(name, *arguments, **options):
+    """Registers a cell; arguments as those of show."""
+    row.register(name, show, *arguments, **options)
 
 
 HIGHER = Sheet((0, 0, 1.4), LEVEL, (-6, -1, -3, 5))
@@ -111,13 +116,21 @@ def ring():
     return wt.transformed(triangles.GetOutput(), matrix)
 
 
-cell("a mesh of the user's", gradient, [Sheet(RAMP.origin, RAMP.normal, RAMP.bounds, data=ring())])
+@row.makes("a mesh of the user's")
+def mesh():
+    show("a mesh of the user's", gradient, [Sheet(RAMP.origin, RAMP.normal, RAMP.bounds, data=ring())])
+
+
 cell("three waters", gradient, [HIGHER, Sheet((2, 4, 1.0), (-0.3, -0.9, 0.5), (-2, 2, -2, 2))])
 cell("sheets of one plane given through other points, and turned round, are no other waters", gradient,
      [RAMP, Sheet((5, 5, 0), (0, 0, -3), (3, 4, 3, 4), reflectance=1.0)])
-renders = cell("water that the other reflects: no recursion", gradient,
-               [Sheet((0, 5, 0), (0, -1, 0.2), (-6, 6, -3, 3))])
-row.say("water that the other reflects: each is rendered once", renders == [1, 1])
+
+
+@row.makes("water that the other reflects")
+def each_other():
+    renders = show("water that the other reflects: no recursion", gradient,
+                   [Sheet((0, 5, 0), (0, -1, 0.2), (-6, 6, -3, 3))])
+    row.say("water that the other reflects: each is rendered once", renders == [1, 1])
 
 
 # Waves of other water count as the mean of all times: a roughness without one.
@@ -141,32 +154,34 @@ cell("water with waves that displace it", gradient, [rough], prepare=lambda wate
      exact=False, reason="It is drawn at rest, with its waves as the mean of all times, by four facets; the truth sums 80.")
 
 
-def kept():
-    """What of other water makes the map a new one."""
+# What of other water makes the map a new one.
+def decides(name, expected, change):
     scene = mm.Scene(mm.SEEN)
     gradient(scene)
     first, other = (sheet.add_to(scene) for sheet in (FIRST, RAMP))
     add_waves((first, other))
-    reflection = first.GetReflectionPass()
-
-    def decides(expected, change, name):
-        for _ in range(2):  # shaders of another kind count as a change once
-            scene.pixels()
-        change()
+    for _ in range(2):  # shaders of another kind count as a change once
         scene.pixels()
-        row.say(name, reflection.GetDecision() == expected)
-
-    look = other.GetWaterProperty()
-    decides(Pass.REUSED, lambda: other.SetTime(3.0), "the time of its waves: the map is used again")
-    decides(Pass.REUSED, lambda: None, "no change: the map is used again")
-    decides(Pass.RENDERED, lambda: look.SetDeepColor(0.5, 0.1, 0.1), "another colour: the map is drawn again")
-    decides(Pass.RENDERED, lambda: look.AddWave(0.01, 0.2), "another wave: the map is drawn again")
-    decides(Pass.RENDERED, lambda: look.SetIndexOfRefraction(1.4), "another index: the map is drawn again")
-    decides(Pass.RENDERED, lambda: look.SetOpacity(0.7), "another opacity: the map is drawn again")
-    decides(Pass.RENDERED, lambda: other.GetPlane().SetOrigin(-2.5, 3.1, 0.8), "another place: the map is drawn again")
-    decides(Pass.RENDERED, lambda: other.SetSheetBounds(-2, 2, -2, 2), "another size: the map is drawn again")
-    decides(Pass.RENDERED, other.VisibilityOff, "no other water: the map is drawn again")
+    change(other)
+    scene.pixels()
+    row.say(name, first.GetReflectionPass().GetDecision() == expected)
 
 
-kept()
-row.finish()
+def look_changes(change):
+    return lambda other: change(other.GetWaterProperty())
+
+
+for name, expected, change in (
+    ("the time of its waves: the map is used again", Pass.REUSED, lambda other: other.SetTime(3.0)),
+    ("no change: the map is used again", Pass.REUSED, lambda other: None),
+    ("another colour: the map is drawn again", Pass.RENDERED, look_changes(lambda look: look.SetDeepColor(0.5, 0.1, 0.1))),
+    ("another wave: the map is drawn again", Pass.RENDERED, look_changes(lambda look: look.AddWave(0.01, 0.2))),
+    ("another index: the map is drawn again", Pass.RENDERED, look_changes(lambda look: look.SetIndexOfRefraction(1.4))),
+    ("another opacity: the map is drawn again", Pass.RENDERED, look_changes(lambda look: look.SetOpacity(0.7))),
+    ("another place: the map is drawn again", Pass.RENDERED, lambda other: other.GetPlane().SetOrigin(-2.5, 3.1, 0.8)),
+    ("another size: the map is drawn again", Pass.RENDERED, lambda other: other.SetSheetBounds(-2, 2, -2, 2)),
+    ("no other water: the map is drawn again", Pass.RENDERED, lambda other: other.VisibilityOff()),
+):
+    row.register(name, decides, expected, change)
+
+test_cell = row.test()

@@ -7,7 +7,7 @@ import water_test as wt
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkRenderingCore import vtkProperty, vtkTextActor, vtkWindowToImageFilter
 
-row = mm.Results("Window")
+row = mm.Results("Window", __file__)
 PLANE = wt.plane((0, 0, 0), (0, 0, 1))
 
 
@@ -77,6 +77,7 @@ def turned(picture):
     return result
 
 
+@row.makes("two viewports with different scenes")
 def several_viewports():
     waters = []
     scene = viewports(mm.SEEN, lambda part, index: waters.append(wt.add_water(part.renderer, PLANE, mm.SHEET)))
@@ -91,10 +92,7 @@ def several_viewports():
     row.compare("two viewports with different scenes", seen, expected, scene.pixels(), pixels, control)
 
 
-several_viewports()
-
-
-def layers(name, water_volume_planes):
+def layers(name, water_layer):
     """A scene in one layer, a ball in the other."""
 
     def make(kind, mirrored=None):
@@ -127,11 +125,12 @@ def layers(name, water_volume_planes):
             "A transparent layer has no background of its own in the picture; its colour is reflected all the same.")
 
 
-layers("two renderers in layers, water in the lower", 0)
-layers("two renderers in layers, water in the upper", 1)
+row.register("two renderers in layers, water in the lower", layers, 0)
+row.register("two renderers in layers, water in the upper", layers, 1)
 
 
 # Sizes, windows, resources.
+@row.makes("resize while running")
 def resized():
     scene, water = seen_scene()
     scene.pixels()
@@ -141,9 +140,7 @@ def resized():
                 expected_of(size=size), control_of(size=size))
 
 
-resized()
-
-
+@row.makes("re-parenting to another window")
 def moved_to_another_window():
     scene, water = seen_scene()
     scene.pixels()
@@ -155,15 +152,12 @@ def moved_to_another_window():
     compare("re-parenting to another window", scene, water, scene.pixels(), expected_of(), control_of())
 
 
-moved_to_another_window()
-
-
 def from_the_left(scene):
     scene.camera.SetPosition(-4, -8, 3)
     things(scene)
 
 
-def two_windows(shares_props):
+def two_windows(name, shares_props):
     """What two windows show that look from elsewhere at the same props, or the same data, plane and look."""
     first, water = seen_scene()
     second = mm.Scene(mm.SEEN)
@@ -181,16 +175,15 @@ def two_windows(shares_props):
         second.renderer.AddViewProp(prop)
     waters = (water, prop)
     frames = [[scene.pixels() for scene in (first, second)] for _ in range(3)]
-    kind = "props" if shares_props else "data"
     for number, (scene, seen, fill) in enumerate(((first, frames[-1][0], things), (second, frames[-1][1], from_the_left))):
-        compare(f"two windows that share {kind}, the {'second' if number else 'first'}", scene, waters[number], seen,
+        compare(f"{name}, the {'second' if number else 'first'}", scene, waters[number], seen,
                 expected_of(fill), control_of(fill))
-    row.say(f"two windows that share {kind}: the first frame of each is the same",
+    row.say(f"{name}: the first frame of each is the same",
             all((one == other).all() for one, other in zip(frames[0], frames[-1])))
 
 
-two_windows(False)
-two_windows(True)
+row.register("two windows that share data", two_windows, False)
+row.register("two windows that share props", two_windows, True)
 
 
 def two_windows_of_vtk():
@@ -208,36 +201,35 @@ def two_windows_of_vtk():
 
 
 if mm.VTK_VERSION >= (9, 6):
-    two_windows_of_vtk()
+    row.makes("two windows that share props, without water")(two_windows_of_vtk)
 
 
+@row.makes("graphics resources released and made again")
 def released():
     scene, water = seen_scene()
     scene.pixels()
     scene.renderer.ReleaseGraphicsResources(scene.window)
     compare("graphics resources released and made again", scene, water, scene.pixels(), expected_of(), control_of())
+
+
+@row.makes("window finalized and made again")
+def finalized():
     scene, water = seen_scene()
     scene.pixels()
     scene.window.Finalize()
     compare("window finalized and made again", scene, water, scene.pixels(), expected_of(), control_of())
 
 
-released()
+def high_resolution(scene):
+    things(scene)
+    scene.window.SetDPI(192)
+    if scene.kind != mm.MIRRORED:
+        text = vtkTextActor()
+        text.SetInput("high DPI")
+        scene.renderer.AddViewProp(text)
 
 
-def high_resolution():
-    def fill(scene):
-        things(scene)
-        scene.window.SetDPI(192)
-        if scene.kind != mm.MIRRORED:
-            text = vtkTextActor()
-            text.SetInput("high DPI")
-            scene.renderer.AddViewProp(text)
-
-    row.cell("192 DPI", fill)
-
-
-high_resolution()
+row.cell("192 DPI", high_resolution)
 
 
 # Samples. VTK's clipping planes drop whole pixels of the mirrored picture, not samples: its data is cut.
@@ -256,6 +248,7 @@ def samples(scene):
 row.cell("8 samples", samples, samples=8)
 
 
+@row.makes("8 samples, the inside of what is cut")
 def insides():
     """The inside of closed things that the water cuts must not be seen, but a look at the middle of a pixel does not
     know which of the samples are water's.
@@ -294,9 +287,6 @@ def insides():
             near[changed > 1].all(), reason=reason)
     row.say("8 samples, the inside of what is cut: by no more than the hidden samples' share and one of its contrast",
             (changed <= 255 * water * (1 - water + one_sample) + 2).all(), reason=reason)
-
-
-insides()
 
 
 # Stereo: the mirror image of the left eye's view is a right eye's.
@@ -351,16 +341,17 @@ def stereo(name, set_type, crystal_eye=None):
             composed({"Left": mirrored["Right"], "Right": mirrored["Left"]}))
 
 
-stereo("stereo, left eye", lambda window: window.SetStereoTypeToLeft())
-stereo("stereo, right eye", lambda window: window.SetStereoTypeToRight())
-stereo("stereo, anaglyph", lambda window: window.SetStereoTypeToAnaglyph())
-stereo("stereo, interlaced", lambda window: window.SetStereoTypeToInterlaced())
-stereo("stereo, side by side", lambda window: window.SetStereoTypeToSplitViewportHorizontal())
-stereo("stereo, crystal eyes, the left buffer", lambda window: window.SetStereoTypeToCrystalEyes(), 0)
-stereo("stereo, crystal eyes, the right buffer", lambda window: window.SetStereoTypeToCrystalEyes(), 1)
+row.register("stereo, left eye", stereo, lambda window: window.SetStereoTypeToLeft())
+row.register("stereo, right eye", stereo, lambda window: window.SetStereoTypeToRight())
+row.register("stereo, anaglyph", stereo, lambda window: window.SetStereoTypeToAnaglyph())
+row.register("stereo, interlaced", stereo, lambda window: window.SetStereoTypeToInterlaced())
+row.register("stereo, side by side", stereo, lambda window: window.SetStereoTypeToSplitViewportHorizontal())
+row.register("stereo, crystal eyes, the left buffer", stereo, lambda window: window.SetStereoTypeToCrystalEyes(), 0)
+row.register("stereo, crystal eyes, the right buffer", stereo, lambda window: window.SetStereoTypeToCrystalEyes(), 1)
 
 
 # Tiles: the picture in four by four pieces is the picture rendered large.
+@row.makes("tiles, scale 4")
 def tiled():
     large = (4 * mm.SIZE[0], 4 * mm.SIZE[1])
     scene, water = seen_scene()
@@ -380,5 +371,4 @@ def tiled():
     row.compare("tiles, scale 4", seen, expected_of(size=large), None, pixels, control_of(size=large))
 
 
-tiled()
-row.finish()
+test_cell = row.test()

@@ -13,16 +13,29 @@ without any of our code, in two steps:
 The water's pixels of the two must be the same, and all others those of the scene without water. The same
 two steps with what a cell is about taken out (its base) must give another picture: a cell that cannot
 fail proves nothing.
+
+A file of cells registers them in its Results, and has one test for all, which has a case for each of them:
+
+    row = mm.Results("View", __file__)
+    row.cell("parallel projection", fill)     a scene
+    row.register("two levels", several, ...)  a function that renders by itself, and makes cells by compare and say
+    @row.makes("picking")                     the same, where it is written for this name alone
+    test_cell = row.test()
+
+A case is named by its cell, in small letters and underscores: -k parallel_projection runs one. The row is written
+for the table when all of its cells have run.
 """
 
+import functools
 import inspect
 import json
 import os
 import pathlib
 import re
-import sys
 
 import numpy as np
+import pytest
+import water_test as wt
 from mirror_scene import (  # noqa: F401  for the tests, too
     COMPOSED,
     MIRRORED,
@@ -40,8 +53,6 @@ from mirror_scene import (  # noqa: F401  for the tests, too
     mirrored_picture,
     water_pixels,
 )
-
-import water_test as wt  # isort: skip  mirror_scene knows its folder
 from vtkmodules.vtkCommonCore import vtkVersion
 
 EXACT_PERCENT = 0.05  # of the water's pixels may be off by more than 1/255
@@ -52,15 +63,67 @@ ALONE, BESIDE, FILTERED = "alone", "beside", "filtered"
 
 
 class Results:
-    """The cells of one row of the table: checked, printed, and written for the table."""
+    """The cells of one row of the table: registered, then rendered, checked, printed, and written for the table."""
 
-    def __init__(self, row):
+    def __init__(self, row, file):
+        """file: that of the test, for which the results are named."""
         self.row = row
         self.window = os.environ.get("VTK_DEFAULT_OPENGL_WINDOW", "vtkWaterEGLRenderWindow")
-        self.test = pathlib.Path(sys.argv[0]).stem
-        self.folder = wt.output_folder() / "mirror-matrix" / self.window / self.test
-        self.folder.mkdir(parents=True, exist_ok=True)
+        self.name = pathlib.Path(file).stem
+        self.makers = {}  # name: function that makes the cells of this name
+        self.made = {}  # name: what it made
+        self.cells = []  # of the name that is being made
+
+    def register(self, name, make, *arguments, **options):
+        """Registers a function that is called as make(name, ...) and makes cells with show, compare, say and note.
+
+        The name is that of its cell, or what the names of its cells have in common.
+        """
+        assert file_name(name) not in map(file_name, self.makers), f"two cells are named {name}"
+        self.makers[name] = functools.partial(make, name, *arguments, **options)
+
+    def makes(self, name):
+        """Registers the function after it, which takes no arguments, in the same way."""
+
+        def remember(make):
+            self.register(name, lambda _: make())
+            return make
+
+        return remember
+
+    def cell(self, name, *arguments, **options):
+        """Registers one cell; arguments as those of show."""
+        self.register(name, self.show, *arguments, **options)
+
+    def test(self):
+        """The test of all cells registered so far, with a case for each name."""
+
+        @pytest.mark.parametrize("name", list(self.makers), ids=file_name)
+        def test_cell(name):
+            """What the water shows is what the mirrored scene is, or the cell says why not."""
+            self.make(name)
+
+        return test_cell
+
+    def make(self, name):
+        """Makes the cells of a name; with the last of all names, writes the row."""
         self.cells = []
+        self.makers[name]()
+        self.made[name] = self.cells
+        if len(self.made) == len(self.makers):
+            self.write()
+
+    def folder(self):
+        """Where the row and its pictures go."""
+        folder = wt.output_folder() / "mirror-matrix" / self.window / self.name
+        folder.mkdir(parents=True, exist_ok=True)
+        return folder
+
+    def write(self):
+        """Writes the row for the table, in the order in which the cells were registered."""
+        cells = [cell for name in self.makers for cell in self.made[name]]
+        result = dict(row=self.row, vtk=vtkVersion.GetVTKVersion(), window=self.window, cells=cells)
+        (self.folder() / "cells.json").write_text(json.dumps(result, indent=1))
 
     def add(self, name, pixels, percent, rmse, outside, control=None, reason=None, exact=True):
         """Remembers a cell and checks its figures; those of inexact cells only against LARGEST_RMSE."""
@@ -94,13 +157,12 @@ class Results:
         rmse = float(np.sqrt((error.astype(float) ** 2).mean())) if len(error) else 255.0
         outside = 0 if without is None else int((np.abs(seen - without).max(axis=2) > 1)[~water].sum())
         self.add(name, int(water.sum()), percent, rmse, outside, changed, reason, exact)
-        stem = re.sub(r"[^a-z0-9]+", "_", name.lower()).strip("_")
-        wt.save(seen, self.folder / f"{stem}_water.png")
-        wt.save(expected, self.folder / f"{stem}_truth.png")
+        wt.save(seen, self.folder() / f"{file_name(name)}_water.png")
+        wt.save(expected, self.folder() / f"{file_name(name)}_truth.png")
 
-    def cell(self, name, fill, truth=None, reason=None, exact=True, bounds=SHEET, prepare=None,
+    def show(self, name, fill, truth=None, reason=None, exact=True, bounds=SHEET, prepare=None,
              control=REFLECTED, opacity=1.0, others=ALONE, **options):
-        """One cell.
+        """Makes one cell of a scene.
 
         fill     fills a Scene; called as fill(scene), or as fill(scene, True) and, for the control, as
                  fill(scene, False) without what the cell is about. Without the second argument the
@@ -141,8 +203,8 @@ class Results:
             without = expected
         self.compare(name, seen, expected, without, pixels, wrong, reason, exact)
 
-    def cell_of_picture(self, name, fill, mirrored, reason=None, exact=True, bounds=SHEET, prepare=None, **options):
-        """A cell whose mirrored picture is known; its control is that of the scene's plain background."""
+    def show_picture(self, name, fill, mirrored, reason=None, exact=True, bounds=SHEET, prepare=None, **options):
+        """Makes a cell whose mirrored picture is known; its control is that of the scene's plain background."""
 
         def plain(scene):
             fill(scene)
@@ -161,11 +223,10 @@ class Results:
         expected = composed_picture(fill, mirrored, bounds, **options)
         self.compare(name, seen, expected, without, pixels, wrong, reason, exact)
 
-    def finish(self):
-        """Writes the row for the table and ends the test."""
-        result = dict(row=self.row, vtk=vtkVersion.GetVTKVersion(), window=self.window, cells=self.cells)
-        (self.folder / "cells.json").write_text(json.dumps(result, indent=1))
-        wt.finish()
+
+def file_name(name):
+    """A cell's name in small letters and underscores."""
+    return re.sub(r"[^a-z0-9]+", "_", name.lower()).strip("_")
 
 
 def takes_two(fill):

@@ -1,19 +1,14 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """mirror_scene: one scene as the water shows it, and as VTK draws it mirrored, without any of our code."""
 
-import pathlib
-import sys
-
 import numpy as np
-
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
-import water_test as wt  # noqa: E402
-from vtkmodules.util.numpy_support import numpy_to_vtk  # noqa: E402
-from vtkmodules.vtkCommonDataModel import vtkImageData  # noqa: E402
-from vtkmodules.vtkCommonMath import vtkMatrix4x4  # noqa: E402
-from vtkmodules.vtkCommonTransforms import vtkMatrixToLinearTransform  # noqa: E402
-from vtkmodules.vtkFiltersSources import vtkPlaneSource  # noqa: E402
-from vtkmodules.vtkRenderingCore import vtkActor, vtkLight, vtkPolyDataMapper, vtkTexture  # noqa: E402
+import water_test as wt
+from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkCommonMath import vtkMatrix4x4
+from vtkmodules.vtkCommonTransforms import vtkMatrixToLinearTransform
+from vtkmodules.vtkFiltersSources import vtkPlaneSource
+from vtkmodules.vtkRenderingCore import vtkActor, vtkLight, vtkPolyDataMapper, vtkTexture
 
 SIZE = (240, 180)
 SHEET = (-7, 7, -5, 7)
