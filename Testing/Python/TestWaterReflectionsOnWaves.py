@@ -1,0 +1,246 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Reflections on waves are those of a ray caster, touch the things that they are of, and are the same on planes that
+are turned, seen from below or share their map with others."""
+
+import numpy as np
+import pytest
+import ray_caster
+import water_test as wt
+from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkCommonTransforms import vtkTransform
+from vtkmodules.vtkRenderingCore import vtkSkybox, vtkTexture
+from vtkwater import vtkWaterProperty, vtkWaterReflectionPass
+from wave_scenes import POSTS_SIZE, POSTS_VIEWS, POSTS_WAVES, SKY, post_scene, posts, rmse
+
+
+def truth_of(made, water, samples=4):
+    """The ray caster's picture, and the pixels that are water and nothing else there and here."""
+    camera = made.renderer.GetActiveCamera()
+    truth, mask = ray_caster.picture(camera, POSTS_SIZE, posts(), SKY, POSTS_WAVES, 0.0, samples)
+    return truth, mask & wt.water_mask(made, water)
+
+
+def errors_of_view(view):
+    """RMSE of the ray traced lookup and of the best constant offset that a search finds; prints those of all lookups."""
+    folder = wt.output_folder()
+    made, water = post_scene(view)
+    truth, mask = truth_of(made, water)
+    once, _ = truth_of(made, water, samples=1)
+    look = water.GetWaterProperty()
+    errors = []
+    for quality in ("Fast", "High", "Default"):
+        getattr(look, f"SetRayTraceQualityTo{quality}")()
+        errors.append(f"{quality.lower()} {rmse(made.picture(), truth, mask):.2f}")
+    traced = rmse(made.picture(), truth, mask)
+    wt.save(made.picture(), folder / f"TestWaterReflectionsOnWaves-{view}.png")
+    wt.save(np.clip(truth, 0, 255), folder / f"TestWaterReflectionsOnWaves-{view}-truth.png")
+    for lookup, scales in (("ViewScaledOffset", np.linspace(0, 10, 21)), ("FixedOffset", np.linspace(0, 1, 21))):
+        getattr(look, f"SetLookupTo{lookup}")()
+        found = []
+        for scale in scales:
+            look.SetOffsetScale(scale)
+            found.append(rmse(made.picture(), truth, mask))
+        best = int(np.argmin(found))
+        errors.append(f"{lookup} {found[best]:.2f} at {scales[best]:.2f} (0: {found[0]:.2f})")
+    print(f"{view}: RMSE of 255 over {mask.mean():.0%} of the picture: ray traced {', '.join(errors)}; "
+          f"a perfect tracer at one sample a pixel {rmse(once, truth, mask):.2f}", flush=True)
+    return traced, min(found)
+
+
+def test_ray_traced_lookup_is_far_closer_than_the_best_offset():
+    """The ray traced lookup is closer to the ray caster than the best constant offset of each view, by far."""
+    traced, offset = np.transpose([errors_of_view(view) for view in POSTS_VIEWS])
+    wt.check_at_least("RMSE of the best fixed offset of each view / ray traced, all views together",
+                      np.linalg.norm(offset) / np.linalg.norm(traced), 3.0)
+
+
+def test_ray_traced_lookup_is_closer_in_parallel_projection():
+    """In parallel projection the ray traced lookup is closer to the ray caster than the lookup of calm water."""
+    made, water = post_scene("middle", parallel=True)
+    truth, mask = truth_of(made, water)
+    error = rmse(made.picture(), truth, mask)
+    water.GetWaterProperty().SetLookupToFixedOffset()
+    water.GetWaterProperty().SetOffsetScale(0)
+    wt.check_at_least(f"parallel: RMSE of the calm lookup / ray traced ({error:.2f})",
+                      rmse(made.picture(), truth, mask) / error, 2.5)
+
+
+# height of the camera, normal of the plane, whether the projection is parallel
+CALM_VIEWS = {
+    "above": (4, (0, 0, 1), False),
+    "below": (-4, (0, 0, 1), False),
+    "tilted": (4, (0.1, 0.05, 1), False),
+    "parallel": (4, (0, 0, 1), True),
+}
+
+
+@pytest.mark.parametrize("name", CALM_VIEWS)
+def test_waves_of_no_height_are_calm_water(name):
+    """Waves of no height, and waves that are removed again, leave water that looks calm."""
+    camera_z, normal, parallel = CALM_VIEWS[name]
+    made, water = post_scene("middle", waves=(), parallel=parallel)
+    water.SetPlane(wt.plane((0, 0, 0.1), normal))
+    camera = made.renderer.GetActiveCamera()
+    camera.SetPosition(2, -13, camera_z)
+    calm = made.picture()
+    water.GetWaterProperty().AddWave(0.0, 1.0)
+    flat = made.picture()
+    wt.check_at_most(f"no waves, {name}: % of pixels off by more than 1/255 from calm water",
+                     100 * float((np.abs(flat - calm).max(axis=2) > 1).mean()), 0.02)
+    water.GetWaterProperty().RemoveAllWaves()
+    wt.check_equal(f"waves removed, {name}: error", wt.difference(made.picture(), calm), 0)
+
+
+def count_gaps(lookup, headings):
+    """Columns in which a thing ends on the water, and those of them whose next pixel is not the
+    thing's reflection. A column counts when the thing is there beside it, too."""
+    made = wt.View((200, 150), SKY)
+    wt.add_actor(made.renderer, wt.box((0.3, 0.2, 1), (0.5, 0.9, 3)), (1, 0, 0), lit=False)
+    wt.add_actor(made.renderer, wt.pyramid((-1.2, 0.4, 0.5), 2, 24, 0.6), (1, 0, 0), lit=False)
+    water = wt.add_water(made.renderer, None, (-60, 60, -60, 60))
+    for wave in POSTS_WAVES:
+        water.GetWaterProperty().AddWave(*wave)
+    getattr(water.GetWaterProperty(), f"SetLookupTo{lookup}")()
+    camera = made.renderer.GetActiveCamera()
+    camera.SetFocalPoint(0, 0, 0.3)
+    camera.SetViewUp(0, 0, 1)
+    camera.SetClippingRange(0.5, 150)
+    columns = gaps = 0
+    for heading in headings:
+        angle = np.radians(heading)
+        camera.SetPosition(9 * np.sin(angle), -9 * np.cos(angle), 2.2)
+        picture = made.picture()
+        is_red = (picture[:, :, 0] > 200) & (picture[:, :, 1] < 60)
+        is_water = wt.water_mask(made, water)
+        is_thing = is_red & ~is_water
+        for x in range(2, 198):
+            rows = np.nonzero(is_thing[:, x])[0]
+            if len(rows) < 3 or not is_water[rows[0] - 1, x]:
+                continue
+            y = rows[0]
+            if is_thing[y:y + 2, x - 2].any() and is_thing[y:y + 2, x + 2].any():
+                columns += 1
+                gaps += not is_red[y - 1, x]
+    return columns, gaps
+
+
+def test_things_in_the_water_touch_their_reflections():
+    """From every heading, the reflection of a thing that stands in the water begins where the thing ends."""
+    columns, gaps = count_gaps("RayTraced", range(360))
+    wt.check_at_least("contact: columns in which a thing ends on the water, 360 headings", columns, 10000)
+    wt.check_equal("contact: columns with a gap under the thing", gaps, 0)
+    columns, gaps = count_gaps("FixedOffset", range(0, 360, 12))
+    print(f"contact: with a fixed offset {gaps} of {columns} columns have a gap")
+
+
+def test_confidence_says_why_and_where():
+    """Each pixel of the water has a reason: sky where the sky is seen, a hit where a thing is."""
+    made, water = post_scene("middle")
+    _, mask = truth_of(made, water)
+    color = made.picture()
+    water.GetWaterProperty().SetOutputToConfidence()
+    reasons = made.picture()
+    shares = [float((reasons[:, :, 0][mask] == reason).mean()) for reason in range(6)]
+    print("confidence: shares of none, hit, sky, off the map, hidden, downward:", np.round(shares, 4).tolist())
+    wt.check_equal("confidence: all pixels have a reason", round(sum(shares[1:]), 12), 1.0)
+    is_sky = mask & (np.abs(color - 255 * np.asarray(SKY)).max(axis=2) < 1)
+    seen_as_sky = np.isin(reasons[:, :, 0], (vtkWaterProperty.SKY, vtkWaterProperty.OFF_MAP, vtkWaterProperty.HIDDEN))
+    wt.check_at_least("confidence: sky-coloured pixels that are sky, off the map or hidden",
+                      float(seen_as_sky[is_sky].mean()), 0.98)
+    is_thing = mask & (np.abs(color - 255 * np.asarray(SKY)).max(axis=2) > 60)
+    wt.check_at_least("confidence: pixels that show things and are hits",
+                      float((reasons[:, :, 0] == vtkWaterProperty.HIT)[is_thing].mean()), 0.75)
+
+
+def test_scene_turned_as_a_whole_looks_the_same():
+    """On a tilted plane whose axes begin elsewhere, the same scene, turned as a whole, gives the same picture."""
+    made, water = post_scene("middle")
+    level = made.picture()
+    turn = vtkTransform()
+    turn.Translate(3, -2, 5)
+    turn.RotateX(25)
+    turn.RotateY(-10)
+    rows = np.array([[turn.GetMatrix().GetElement(i, j) for j in range(4)] for i in range(4)])
+    tilted = wt.View(POSTS_SIZE, SKY)
+    for actor in made.renderer.GetActors():
+        if not actor.IsA("vtkWaterActor"):
+            wt.add_actor(tilted.renderer, wt.transformed(actor.GetMapper().GetInput(), turn.GetMatrix()),
+                         actor.GetProperty().GetColor(), lit=False)
+    other = wt.add_water(tilted.renderer, wt.plane(rows[:3, 3], rows[:3, 2]))
+    # the plane's first axis is the world's x projected onto it: turn the waves from the old axis to that
+    first = np.array((1.0, 0, 0)) - rows[0, 2] * rows[:3, 2]
+    first /= np.linalg.norm(first)
+    angle = np.degrees(np.arctan2(rows[:3, 1] @ first, rows[:3, 0] @ first))
+    other.SetSheetBounds(-90, 90, -90, 90)
+    for amplitude, wavelength, direction, phase in POSTS_WAVES:
+        other.GetWaterProperty().AddWave(amplitude, wavelength, direction - angle, phase)
+    camera = tilted.renderer.GetActiveCamera()
+    camera.DeepCopy(made.renderer.GetActiveCamera())
+    for name in ("Position", "FocalPoint"):
+        getattr(camera, f"Set{name}")(rows[:3, :3] @ getattr(camera, f"Get{name}")() + rows[:3, 3])
+    camera.SetViewUp(rows[:3, :3] @ camera.GetViewUp())
+    both = wt.water_mask(made, water) & wt.water_mask(tilted, other)
+    wt.check_at_most("tilted, elsewhere: % of the water off by more than 4 of 255 from the level scene",
+                     100 * float((np.abs(tilted.picture() - level).max(axis=2) > 4)[both].mean()), 0.5)
+
+
+def test_waves_seen_from_below_reflect_the_things_under_water():
+    """The scene with its water turned over, and the waves with it, gives the same picture."""
+    made, water = post_scene("middle")
+    below = wt.View(POSTS_SIZE, SKY)
+    for actor in made.renderer.GetActors():
+        if not actor.IsA("vtkWaterActor"):
+            wt.add_actor(below.renderer, actor.GetMapper().GetInput(), actor.GetProperty().GetColor(), lit=False)
+    other = wt.add_water(below.renderer, wt.plane((0, 0, 0), (0, 0, -1)), (-60, 60, -60, 60))
+    for amplitude, wavelength, direction, phase in POSTS_WAVES:  # its second axis is -y; up is down
+        other.GetWaterProperty().AddWave(amplitude, wavelength, -direction, phase + 180)
+    below.renderer.GetActiveCamera().DeepCopy(made.renderer.GetActiveCamera())
+    both = wt.water_mask(made, water) & wt.water_mask(below, other)
+    wt.check_at_most("from below: % of the water off by more than 4 of 255 from the same waves from above",
+                     100 * float((np.abs(below.picture() - made.picture()).max(axis=2) > 4)[both].mean()), 0.5)
+
+
+def test_guard_band_keeps_rays_on_the_map():
+    """Of the rays that waves turn out of the picture, far fewer leave the map with a guard band."""
+    made, water = post_scene("low")
+    water.GetWaterProperty().SetOutputToConfidence()
+    water.GetReflectionPass().SetGuardBand(1.0)
+    without = int((made.picture()[:, :, 0] == vtkWaterProperty.OFF_MAP).sum())
+    water.GetReflectionPass().SetGuardBand(0.0)
+    automatic = int((made.picture()[:, :, 0] == vtkWaterProperty.OFF_MAP).sum())
+    wt.check_at_least(f"guard band: pixels off the map without / with it ({automatic})", without / max(automatic, 1), 3)
+
+
+def test_calm_water_beside_waves_is_as_calm_as_alone():
+    """Calm water that shares its map with wavy water in the same plane looks as it does alone."""
+    made, wavy = post_scene("middle")
+    wavy.SetSheetBounds(-60, 0, -60, 60)
+    calm = wt.add_water(made.renderer, None, (0, 60, -60, 60))
+    alone = made.picture()
+    is_calm = wt.water_mask(made, calm)
+    shared = vtkWaterReflectionPass()
+    made.renderer.SetPass(shared)
+    together = made.picture()
+    wt.check_equal("one map: both waters are in the pass's charge", calm.GetReflectionPass() == shared, True)
+    wt.check_at_most("one map: % of the calm water off by more than 1 of 255",
+                     100 * float((np.abs(together - alone).max(axis=2) > 1)[is_calm].mean()), 0.1)
+
+
+def test_rays_off_the_map_meet_the_skybox():
+    """Under a skybox, what rays off the map meet is not the renderer's background."""
+    made, water = post_scene("middle")
+    image = vtkImageData()
+    image.SetDimensions(2, 2, 1)
+    image.AllocateScalars(3, 3)  # unsigned char
+    image.GetPointData().GetScalars().Fill(255)
+    texture = vtkTexture()
+    texture.CubeMapOn()
+    for face in range(6):
+        texture.SetInputDataObject(face, image)
+    sky = vtkSkybox()
+    sky.SetTexture(texture)
+    made.renderer.AddActor(sky)
+    made.renderer.SetBackground(0, 0, 0)
+    picture = made.picture()
+    is_sky = wt.water_mask(made, water) & (picture.max(axis=2) == picture.min(axis=2))
+    wt.check_at_most("skybox: water that shows the background under it, pixels", int((picture[is_sky] < 128).sum()), 0)
