@@ -21,7 +21,7 @@ def truth_of(made, water, samples=4):
 
 
 def errors_of_view(view):
-    """RMSE of the ray traced lookup and of the best constant offset that a search finds; prints those of all lookups."""
+    """RMSE of the ray traced lookup and of the best constant offset of a search; prints those of all lookups."""
     folder = wt.output_folder()
     made, water = post_scene(view)
     truth, mask = truth_of(made, water)
@@ -208,7 +208,8 @@ def test_guard_band_keeps_rays_on_the_map():
     without = int((made.picture()[:, :, 0] == vtkWaterProperty.OFF_MAP).sum())
     water.GetReflectionPass().SetGuardBand(0.0)
     automatic = int((made.picture()[:, :, 0] == vtkWaterProperty.OFF_MAP).sum())
-    wt.check_at_least(f"guard band: pixels off the map without / with it ({automatic})", without / max(automatic, 1), 3)
+    wt.check_at_least(f"guard band: pixels off the map without / with it ({automatic})",
+                      without / max(automatic, 1), 3)
 
 
 def test_calm_water_beside_waves_is_as_calm_as_alone():

@@ -189,7 +189,8 @@ def test_the_next_sheet_takes_over_from_one_that_is_removed():
     shared, alone = without_the_first()
     wt.check_equal("the first is removed: decisions", [wt.decision_of(water) for water in shared.waters[1:]],
                    ["RENDERED", "SHARED"])
-    wt.check_equal("the first is removed: largest error", wt.difference(shared.view.picture(), alone.view.picture()), 0)
+    wt.check_equal("the first is removed: largest error",
+                   wt.difference(shared.view.picture(), alone.view.picture()), 0)
 
 
 def test_the_next_sheet_takes_over_from_one_that_is_invisible():

@@ -58,7 +58,8 @@ def changes_of(kind, samples):
     names = [name for name in skip_changes.CHANGES for _ in range(OFTEN.get(name, 1))]
     random = np.random.default_rng(SEED)
     for walk, steps in WALKS.items():
-        changes = [(names[random.integers(len(names))], skip_changes.numbers(random)) for _ in range(int(steps * LENGTH))]
+        changes = [(names[random.integers(len(names))], skip_changes.numbers(random))
+                   for _ in range(int(steps * LENGTH))]
         if walk == (kind, samples):
             return changes
 

@@ -35,8 +35,8 @@ def add(renderer, mapper, data):
 def blending(renderer):
     """VTK blends in the opaque pass what is forced into it: the order shows."""
     for i in range(8):
-        box = wt.add_actor(renderer, wt.box((0, 8 - 2 * i, 2), (6 - 0.3 * i, 0.5, 3)), (i / 8, 0.5, 1 - i / 8), opacity=0.4)
-        box.ForceOpaqueOn()
+        box = wt.box((0, 8 - 2 * i, 2), (6 - 0.3 * i, 0.5, 3))
+        wt.add_actor(renderer, box, (i / 8, 0.5, 1 - i / 8), opacity=0.4).ForceOpaqueOn()
 
 
 def layers(renderer, *rows):

@@ -132,7 +132,8 @@ def test_visibility_and_mark_of_the_prop_win(name, truth):
     scene.fine.VisibilityOn()
     scene.fine.GetPropertyKeys().Set(Pass.NOT_REFLECTED(), 1)
     wt.check_equal(f"{name}: NOT_REFLECTED, pixels", scene.colors(), [truth.red_seen, 0])
-    wt.check_equal(f"{name}: fate of the one not reflected", scene.reflection.GetFateCount(Pass.MARKED_NOT_REFLECTED), 1)
+    wt.check_equal(f"{name}: fate of the one not reflected",
+                   scene.reflection.GetFateCount(Pass.MARKED_NOT_REFLECTED), 1)
     scene.fine.GetPropertyKeys().Set(Pass.NOT_REFLECTED(), 0)
     wt.check_equal(f"{name}: reflected again, pixels", scene.colors(), truth.right)
 

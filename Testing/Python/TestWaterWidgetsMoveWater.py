@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A mouse that drags the slider floods the scene to where it lets go; one that drags the plane takes the water along."""
+"""A mouse that drags the slider floods the scene to where it lets go; one that drags the plane takes the water
+along."""
 
 import numpy as np
 import pytest
@@ -51,6 +52,10 @@ def error_of(make_widget):
     return ""
 
 
+def make_slider(interactor, water):
+    return LevelSlider(interactor, water, -1.0, 1.0)
+
+
 # Before any other: what crashed is OpenGL that was never loaded.
 def test_slider_made_before_the_first_frame():
     """A slider can be made before anything is rendered and the interactor is initialised.
@@ -76,7 +81,7 @@ MIDDLE, QUARTER = (0.25 * SIZE[0], 0.1 * SIZE[1]), (0.345 * SIZE[0], 0.1 * SIZE[
 
 
 def test_slider_that_is_dragged_floods_the_scene():
-    """A drag over a quarter of the slider raises the level by a quarter of its range, tells it, and moves no camera."""
+    """A drag over a quarter of the slider raises the level by a quarter of its range, and leaves the camera alone."""
     view, water, interactor = make()
     levels = []
     slider = LevelSlider(interactor, water, -1.0, 1.0, changed=levels.append)
@@ -91,7 +96,8 @@ def test_slider_that_is_dragged_floods_the_scene():
     drag(interactor, QUARTER, (SIZE[0] - 1, QUARTER[1]))
     wt.check_equal("dragged beyond its end", water.GetLevel(), 1.0)
     slider.set_level(-0.25)
-    wt.check_equal("set by the program", (water.GetLevel(), slider.widget.GetRepresentation().GetValue()), (-0.25, -0.25))
+    wt.check_equal("set by the program", (water.GetLevel(), slider.widget.GetRepresentation().GetValue()),
+                   (-0.25, -0.25))
 
 
 @pytest.mark.parametrize("low, high", ((1.0, 0.0), (2.0, 3.0), (float("nan"), 1.0), (-float("inf"), 1.0)))
@@ -133,8 +139,7 @@ def test_plane_refuses_bad_boxes(bounds):
     wt.check_equal(f"a box: {said}", "xmin < xmax" in said, True)
 
 
-@pytest.mark.parametrize("make_widget", (lambda interactor, water: LevelSlider(interactor, water, -1.0, 1.0), PlaneWidget),
-                         ids=("slider", "plane"))
+@pytest.mark.parametrize("make_widget", (make_slider, PlaneWidget), ids=("slider", "plane"))
 @pytest.mark.parametrize("has_window, words", ((False, "has no window"), (True, "has no renderer")),
                          ids=("without a window", "without a renderer"))
 def test_widget_needs_a_renderer(has_window, words, make_widget):

@@ -84,7 +84,8 @@ def bad_prop(name, make, words, is_drawn=False):
             words in said if words else said == said_without)
     row.say(f"{name}: without it, the next picture is right and silent",
             np.abs(after_picture - plain).max() <= 1 and after_said == "")
-    row.say(f"{name}: texture units and references are as before", (units_in_use(scene), references(scene, water)) == before)
+    row.say(f"{name}: texture units and references are as before",
+            (units_in_use(scene), references(scene, water)) == before)
 
 
 def does_not_compile():

@@ -9,7 +9,8 @@ from vtkmodules.vtkRenderingVolumeOpenGL2 import vtkSmartVolumeMapper
 
 row = mm.Results("Props and composition: translucent props and volumes", __file__)
 
-PLAIN, ORDERED, PEELED, PEELED_VOLUMES = "plain", "order-independent", "with depth peeling", "with depth peeling of volumes"
+PLAIN, ORDERED = "plain", "order-independent"
+PEELED, PEELED_VOLUMES = "with depth peeling", "with depth peeling of volumes"
 
 
 def order(scene, kind):

@@ -118,7 +118,8 @@ def flagpole(scene):
     scene.renderer.AddViewProp(label)
 
 
-TURNS = "Labels that turn to the camera are not reflected: in the mirrored view they would turn to an eye under the water."
+TURNS = ("Labels that turn to the camera are not reflected: in the mirrored view they would turn to an eye under the "
+         "water.")
 rule("vtkBillboardTextActor3D", billboard, TURNS)
 rule("vtkFlagpoleLabel", flagpole, TURNS)
 
@@ -230,7 +231,9 @@ def shader(tag, code, vertex=False):
 
 
 row.cell("shader replacement that colours", shader(
-    "//VTK::Color::Impl", "//VTK::Color::Impl\n  diffuseColor = 0.5 + 0.5 * sin(0.2 * gl_FragCoord.zzz * vec3(90.0, 300.0, 700.0));\n"))
+    "//VTK::Color::Impl",
+    "//VTK::Color::Impl\n"
+    "  diffuseColor = 0.5 + 0.5 * sin(0.2 * gl_FragCoord.zzz * vec3(90.0, 300.0, 700.0));\n"))
 row.cell("shader replacement after lighting", shader(
     "//VTK::Light::Impl", "//VTK::Light::Impl\n  gl_FragData[0].rgb = gl_FragData[0].brg;\n"))
 row.cell("shader replacement that discards", shader(

@@ -56,7 +56,7 @@ def pixels_of(scene, waters, number):
 
 
 def show(name, fill, others, prepare=None, reason=None, wrong=(), exact=True):
-    """The first water's pixels: the mirrored picture with the others in it; the control has the wrong ones, or none."""
+    """The first water's pixels: the mirrored picture with the others in it; the control has wrong ones, or none."""
     scene = mm.Scene(mm.SEEN)
     fill(scene)
     waters = [sheet.add_to(scene) for sheet in (FIRST, *others)]
@@ -150,8 +150,9 @@ LOW = Sheet((-1.5, 3, 0.8), (0, -0.5, 0.866), (-3, 3, -2.2, 3))
 rough = Sheet(LOW.origin, LOW.normal, LOW.bounds, variance=VARIANCE / 2)
 cell("water with waves", gradient, [rough], prepare=add_waves, wrong=[LOW], exact=False,
      reason="Its waves are seen as the mean of all times, by four facets; the truth sums 80.")
-cell("water with waves that displace it", gradient, [rough], prepare=lambda waters: add_waves(waters, True), wrong=[LOW],
-     exact=False, reason="It is drawn at rest, with its waves as the mean of all times, by four facets; the truth sums 80.")
+cell("water with waves that displace it", gradient, [rough], prepare=lambda waters: add_waves(waters, True),
+     wrong=[LOW], exact=False,
+     reason="It is drawn at rest, with its waves as the mean of all times, by four facets; the truth sums 80.")
 
 
 # What of other water makes the map a new one.
@@ -167,17 +168,17 @@ def decides(name, expected, change):
     row.say(name, first.GetReflectionPass().GetDecision() == expected)
 
 
-def look_changes(change):
-    return lambda other: change(other.GetWaterProperty())
+def look(other):
+    return other.GetWaterProperty()
 
 
 for name, expected, change in (
     ("the time of its waves: the map is used again", Pass.REUSED, lambda other: other.SetTime(3.0)),
     ("no change: the map is used again", Pass.REUSED, lambda other: None),
-    ("another colour: the map is drawn again", Pass.RENDERED, look_changes(lambda look: look.SetDeepColor(0.5, 0.1, 0.1))),
-    ("another wave: the map is drawn again", Pass.RENDERED, look_changes(lambda look: look.AddWave(0.01, 0.2))),
-    ("another index: the map is drawn again", Pass.RENDERED, look_changes(lambda look: look.SetIndexOfRefraction(1.4))),
-    ("another opacity: the map is drawn again", Pass.RENDERED, look_changes(lambda look: look.SetOpacity(0.7))),
+    ("another colour: the map is drawn again", Pass.RENDERED, lambda other: look(other).SetDeepColor(0.5, 0.1, 0.1)),
+    ("another wave: the map is drawn again", Pass.RENDERED, lambda other: look(other).AddWave(0.01, 0.2)),
+    ("another index: the map is drawn again", Pass.RENDERED, lambda other: look(other).SetIndexOfRefraction(1.4)),
+    ("another opacity: the map is drawn again", Pass.RENDERED, lambda other: look(other).SetOpacity(0.7)),
     ("another place: the map is drawn again", Pass.RENDERED, lambda other: other.GetPlane().SetOrigin(-2.5, 3.1, 0.8)),
     ("another size: the map is drawn again", Pass.RENDERED, lambda other: other.SetSheetBounds(-2, 2, -2, 2)),
     ("no other water: the map is drawn again", Pass.RENDERED, lambda other: other.VisibilityOff()),

@@ -206,7 +206,8 @@ def world_point_picker():
     things(ordinary)
     mm.add_sheet(ordinary, None)
     ordinary.pixels()
-    row.say("world point picker: where an ordinary sheet is hit", np.abs(on_it - place(ordinary.renderer)).max() < 1e-4)
+    row.say("world point picker: where an ordinary sheet is hit",
+            np.abs(on_it - place(ordinary.renderer)).max() < 1e-4)
 
 
 @row.makes("the picture after picking is that before it")

@@ -175,7 +175,8 @@ def two_windows(name, shares_props):
         second.renderer.AddViewProp(prop)
     waters = (water, prop)
     frames = [[scene.pixels() for scene in (first, second)] for _ in range(3)]
-    for number, (scene, seen, fill) in enumerate(((first, frames[-1][0], things), (second, frames[-1][1], from_the_left))):
+    both = (first, frames[-1][0], things), (second, frames[-1][1], from_the_left)
+    for number, (scene, seen, fill) in enumerate(both):
         compare(f"{name}, the {'second' if number else 'first'}", scene, waters[number], seen,
                 expected_of(fill), control_of(fill))
     row.say(f"{name}: the first frame of each is the same",
@@ -196,8 +197,8 @@ def two_windows_of_vtk():
     is_blank = [(picture == picture[0, 0]).all() for picture in pictures]
     row.say("two windows that share props, without water: a prop is left out",
             any(is_blank) or (pictures[0] != pictures[1]).any(),
-            reason="VTK 9.6 itself: its EGL and OSMesa windows free each other's buffers in the middle of a draw, and go on "
-                   "in the other's context, as their PopContext does nothing. With water they are freed before.")
+            reason="VTK 9.6 itself: its EGL and OSMesa windows free each other's buffers in the middle of a draw, and "
+                   "go on in the other's context, as their PopContext does nothing. With water they are freed before.")
 
 
 if mm.VTK_VERSION >= (9, 6):
@@ -274,16 +275,17 @@ def insides():
 
     changed = np.abs(picture((0, 0, 0)) - picture((1, 1, 1))).max(axis=2)
     water = np.abs(picture((0, 0, 0), (1, 1, 1)) - picture((0, 0, 0), (0, 0, 0))).max(axis=2) / 255
-    print(f"inside: {100 * (changed > 1).sum() / (water > 0).sum():.3f} % of the water's pixels depend on it, by at most "
-          f"{changed.max()} of 255")
+    print(f"inside: {100 * (changed > 1).sum() / (water > 0).sum():.3f} % of the water's pixels depend on it, by at "
+          f"most {changed.max()} of 255")
     wt.check_at_least("inside: pixels that depend on it", int((changed > 1).sum()), 20)
-    reason = ("The water looks its reflection up at a pixel's middle, once for all samples; the map's pixel has the samples "
-              "that the thing hides, too.")
+    reason = ("The water looks its reflection up at a pixel's middle, once for all samples; the map's pixel has the "
+              "samples that the thing hides, too.")
     shared = (water > 0) & (water < 1)
     beside = np.pad(shared, 1)
     near = np.any([beside[1 + i:beside.shape[0] - 1 + i, 1 + j:beside.shape[1] - 1 + j]
                    for i in (-1, 0, 1) for j in (-1, 0, 1)], axis=0)
-    row.say("8 samples, the inside of what is cut: only pixels depend on it that a thing and the water share, or beside one",
+    row.say("8 samples, the inside of what is cut: only pixels depend on it that a thing and the water share, "
+            "or beside one",
             near[changed > 1].all(), reason=reason)
     row.say("8 samples, the inside of what is cut: by no more than the hidden samples' share and one of its contrast",
             (changed <= 255 * water * (1 - water + one_sample) + 2).all(), reason=reason)

@@ -152,7 +152,9 @@ class Results:
     def compare(self, name, seen, expected, without, water, control=None, reason=None, exact=True):
         """Adds a cell by its pictures; water: which pixels show some of it."""
         error = np.abs(seen - expected)[water]
-        changed = None if control is None else 100.0 * float((np.abs(control - expected)[water].max(axis=1) > 1).mean())
+        changed = None
+        if control is not None:
+            changed = 100.0 * float((np.abs(control - expected)[water].max(axis=1) > 1).mean())
         percent = 100.0 * float((error.max(axis=1) > 1).mean()) if len(error) else 100.0
         rmse = float(np.sqrt((error.astype(float) ** 2).mean())) if len(error) else 255.0
         outside = 0 if without is None else int((np.abs(seen - without).max(axis=2) > 1)[~water].sum())
