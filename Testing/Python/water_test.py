@@ -10,6 +10,7 @@ import contextlib
 import gc
 import os
 import pathlib
+import sys
 
 import numpy as np
 
@@ -61,6 +62,13 @@ def check_at_most(name, value, limit):
 
 def check_at_least(name, value, limit):
     check(name, value, f">= {limit}", value >= limit)
+
+
+def finish():
+    """Ends a command that is no test file: exit status 1 when a figure did not hold."""
+    if failures:
+        print("failed:", ", ".join(failures))
+    sys.exit(1 if failures else 0)
 
 
 def output_folder():
