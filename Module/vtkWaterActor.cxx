@@ -176,12 +176,6 @@ vtkWaterSource* vtkWaterSource::Of(vtkProp* prop)
 }
 
 //------------------------------------------------------------------------------
-void vtkWaterActor::SetComposedPass(vtkWaterReflectionPass* pass)
-{
-  this->ComposedPass = pass;
-}
-
-//------------------------------------------------------------------------------
 void vtkWaterActor::Internals::Report(vtkRenderer* renderer, const vtkWaterError& error)
 {
   // The plane is looked at twice, for the sheet and for the plan, and by every renderer.

@@ -155,11 +155,6 @@ public:
    */
   VTK_WRAPEXCLUDE vtkWaterSource* GetSource();
 
-  /**
-   * A pass composed by hand takes charge of the water; not for use.
-   */
-  VTK_WRAPEXCLUDE void SetComposedPass(vtkWaterReflectionPass* pass);
-
 protected:
   vtkWaterActor();
   ~vtkWaterActor() override;

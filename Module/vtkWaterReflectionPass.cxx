@@ -12,12 +12,12 @@
 #include "vtkRenderState.h"
 #include "vtkRenderStepsPass.h"
 #include "vtkRenderWindow.h"
-#include "vtkWaterActor.h"
 #include "vtkWaterCompat.h"
 #include "vtkWaterFrame.h"
 #include "vtkWaterPropKeys.h"
 #include "vtkWaterReflection.h"
 #include "vtkWaterShadows.h"
+#include "vtkWaterSource.h"
 #include "water_plane.h"
 
 #include <cstdlib>
@@ -31,20 +31,20 @@ vtkInformationKeyRestrictedMacro(vtkWaterReflectionPass, STAND_IN, ObjectBase, "
 namespace
 {
 // The first water of a list of props, and all that share its plane.
-std::vector<vtkWaterActor*> FindWaters(vtkProp** props, int count)
+std::vector<vtkWaterSource*> FindWaters(vtkProp** props, int count)
 {
-  std::vector<vtkWaterActor*> waters;
+  std::vector<vtkWaterSource*> waters;
   water_plane first = water_plane();
   double origin[3];
   for (int i = 0; i < count; ++i)
   {
-    vtkWaterActor* water = vtkWaterActor::SafeDownCast(props[i]);
+    vtkWaterSource* water = vtkWaterSource::Of(props[i]);
     if (!water)
     {
       continue;
     }
     water_plane plane;
-    water->GetSource()->ReadPlane(&plane, origin);
+    water->ReadPlane(&plane, origin);
     if (waters.empty())
     {
       first = plane;
@@ -175,16 +175,14 @@ void vtkWaterReflectionPass::RenderReflectionAndDelegate(const vtkRenderState* s
 //------------------------------------------------------------------------------
 void vtkWaterReflectionPass::RenderReflection(const vtkRenderState* s)
 {
-  const std::vector<vtkWaterActor*> waters = FindWaters(s->GetPropArray(), s->GetPropArrayCount());
+  const std::vector<vtkWaterSource*> waters = FindWaters(s->GetPropArray(), s->GetPropArrayCount());
   if (waters.empty())
   {
     return;
   }
-  std::vector<vtkWaterSource*> sources;
-  for (vtkWaterActor* water : waters)
+  for (vtkWaterSource* water : waters)
   {
     water->SetComposedPass(this);
-    sources.push_back(water->GetSource());
   }
   vtkRenderer* renderer = s->GetRenderer();
   int size[2];
@@ -205,7 +203,7 @@ void vtkWaterReflectionPass::RenderReflection(const vtkRenderState* s)
   const bool mayToneMap = renderer->GetPass() &&
     (renderer->GetPass() != this ||
       (this->DelegatePass && !this->DelegatePass->IsA("vtkRenderStepsPass")));
-  vtkWaterFrame::Of(renderer).RenderComposed(*this->Reflection, sources, size, mayToneMap);
+  vtkWaterFrame::Of(renderer).RenderComposed(*this->Reflection, waters, size, mayToneMap);
 }
 
 //------------------------------------------------------------------------------

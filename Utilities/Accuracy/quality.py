@@ -34,7 +34,7 @@ from tracer import Tracer  # noqa: E402
 SLOPES = (0.0, 0.02, 0.05, 0.10, 0.20)
 SCALES = (1.0, 0.71, 0.5, 0.35, 0.25)
 STEPS = ((1.0, 24, 12), (0.84, 16, 6), (0.71, 16, 6), (0.59, 16, 6), (0.5, 16, 6), (0.42, 16, 6), (0.35, 12, 4),
-         (0.25, 8, 3))  # the ladder of Core/water_quality.c: scale, steps, probes
+         (0.25, 8, 3))  # the ladder of Core/quality/water_quality.c: scale, steps, probes
 QUALITIES = {"fast": (8, 3), "default": (16, 6), "high": (24, 12)}  # steps, probes
 
 

@@ -189,6 +189,109 @@ static inline int water_mat4_exponent(const double* values, int stride, bool* is
   return -exponent;
 }
 
+// A matrix on its way to its inverse (water_mat4_invert).
+typedef struct water_mat4_elimination
+{
+  double left[4][4];
+  double right[4][4];
+  int row_exponent[4];
+  int column_exponent[4];
+  int row_of[4]; // column -> the row that holds its pivot; -1: none yet
+  bool used[4];
+} water_mat4_elimination;
+
+// Scales rows, then columns, by powers of two; false: a column is 0.
+static inline bool water_mat4_equilibrate(const double matrix[16], water_mat4_elimination* e)
+{
+  memset(e, 0, sizeof *e);
+  memcpy(e->left, matrix, sizeof e->left);
+  for (int i = 0; i < 4; ++i)
+  {
+    bool is_zero = false;
+    e->row_exponent[i] = water_mat4_exponent(e->left[i], 1, &is_zero);
+    for (int j = 0; j < 4; ++j)
+    {
+      e->left[i][j] = ldexp(e->left[i][j], e->row_exponent[i]);
+    }
+    e->right[i][i] = 1.0;
+    e->row_of[i] = -1;
+  }
+  for (int j = 0; j < 4; ++j)
+  {
+    bool is_zero = false;
+    e->column_exponent[j] = water_mat4_exponent(&e->left[0][j], 4, &is_zero);
+    if (is_zero)
+    {
+      return false;
+    }
+    for (int i = 0; i < 4; ++i)
+    {
+      e->left[i][j] = ldexp(e->left[i][j], e->column_exponent[j]);
+    }
+  }
+  return true;
+}
+
+// Chooses the next pivot; false: there is none.
+static inline bool water_mat4_pivot(const water_mat4_elimination* e, int* row, int* column)
+{
+  double largest = 0.0;
+  for (int i = 0; i < 16; ++i)
+  {
+    if (!e->used[i / 4] && e->row_of[i % 4] < 0)
+    {
+      largest = fmax(largest, fabs(e->left[i / 4][i % 4]));
+    }
+  }
+  if (largest < 16.0 * DBL_EPSILON)
+  {
+    return false;
+  }
+  *row = 0;
+  *column = 0;
+  int fewest = 5;
+  for (int i = 0; i < 4; ++i)
+  {
+    int count = 0; // of what the row would spread to others
+    for (int j = 0; j < 4; ++j)
+    {
+      count += e->row_of[j] < 0 && e->left[i][j] != 0.0 ? 1 : 0;
+    }
+    for (int j = 0; j < 4 && !e->used[i]; ++j)
+    {
+      if (e->row_of[j] < 0 && fabs(e->left[i][j]) >= 0.125 * largest && count < fewest)
+      {
+        fewest = count;
+        *row = i;
+        *column = j;
+      }
+    }
+  }
+  return true;
+}
+
+// Takes a pivot's column out of all other rows.
+static inline void water_mat4_eliminate(water_mat4_elimination* e, int row, int column)
+{
+  e->used[row] = true;
+  e->row_of[column] = row;
+  const double pivot = e->left[row][column];
+  for (int j = 0; j < 4; ++j)
+  {
+    e->left[row][j] /= pivot;
+    e->right[row][j] /= pivot;
+  }
+  for (int i = 0; i < 4; ++i)
+  {
+    const double factor = e->left[i][column];
+    for (int j = 0; j < 4 && i != row; ++j)
+    {
+      e->left[i][j] -= factor * e->left[row][j];
+      e->right[i][j] -= factor * e->right[row][j];
+    }
+  }
+}
+
 // Inverse of any matrix: Gauss-Jordan elimination with pivoting on the equilibrated matrix (Golub
 // and Van Loan, "Matrix Computations", 3.4 and 3.5). Rows, then columns, are scaled by powers of
 // two first, which is exact: near and far planes of any ratio, and units of any size, then give
@@ -200,98 +303,26 @@ static inline int water_mat4_exponent(const double* values, int stride, bool* is
 // Returns false if singular or not finite; then inverse is unchanged.
 static inline bool water_mat4_invert(const double matrix[16], double inverse[16])
 {
-  if (!water_all_finite(matrix, 16))
+  water_mat4_elimination e;
+  if (!water_all_finite(matrix, 16) || !water_mat4_equilibrate(matrix, &e))
   {
     return false;
   }
-  double left[4][4];
-  double right[4][4] = { { 0.0 } };
-  int row_exponent[4];
-  int column_exponent[4];
-  memcpy(left, matrix, sizeof left);
-  for (int i = 0; i < 4; ++i)
-  {
-    bool is_zero = false;
-    row_exponent[i] = water_mat4_exponent(left[i], 1, &is_zero);
-    for (int j = 0; j < 4; ++j)
-    {
-      left[i][j] = ldexp(left[i][j], row_exponent[i]);
-    }
-    right[i][i] = 1.0;
-  }
-  for (int j = 0; j < 4; ++j)
-  {
-    bool is_zero = false;
-    column_exponent[j] = water_mat4_exponent(&left[0][j], 4, &is_zero);
-    if (is_zero)
-    {
-      return false;
-    }
-    for (int i = 0; i < 4; ++i)
-    {
-      left[i][j] = ldexp(left[i][j], column_exponent[j]);
-    }
-  }
-
-  int row_of[4] = { -1, -1, -1, -1 }; // column -> the row that holds its pivot
-  bool used[4] = { false, false, false, false };
   for (int step = 0; step < 4; ++step)
   {
-    double largest = 0.0;
-    for (int i = 0; i < 16; ++i)
-    {
-      if (!used[i / 4] && row_of[i % 4] < 0)
-      {
-        largest = fmax(largest, fabs(left[i / 4][i % 4]));
-      }
-    }
-    if (largest < 16.0 * DBL_EPSILON)
+    int row = 0;
+    int column = 0;
+    if (!water_mat4_pivot(&e, &row, &column))
     {
       return false;
     }
-    int row = 0;
-    int column = 0;
-    int fewest = 5;
-    for (int i = 0; i < 4; ++i)
-    {
-      int count = 0; // of what the row would spread to others
-      for (int j = 0; j < 4; ++j)
-      {
-        count += row_of[j] < 0 && left[i][j] != 0.0 ? 1 : 0;
-      }
-      for (int j = 0; j < 4 && !used[i]; ++j)
-      {
-        if (row_of[j] < 0 && fabs(left[i][j]) >= 0.125 * largest && count < fewest)
-        {
-          fewest = count;
-          row = i;
-          column = j;
-        }
-      }
-    }
-    used[row] = true;
-    row_of[column] = row;
-    const double pivot = left[row][column];
-    for (int j = 0; j < 4; ++j)
-    {
-      left[row][j] /= pivot;
-      right[row][j] /= pivot;
-    }
-    for (int i = 0; i < 4; ++i)
-    {
-      const double factor = left[i][column];
-      for (int j = 0; j < 4 && i != row; ++j)
-      {
-        left[i][j] -= factor * left[row][j];
-        right[i][j] -= factor * right[row][j];
-      }
-    }
+    water_mat4_eliminate(&e, row, column);
   }
   for (int i = 0; i < 4; ++i)
   {
     for (int j = 0; j < 4; ++j)
     {
-      inverse[4 * i + j] = ldexp(right[row_of[i]][j], column_exponent[i] + row_exponent[j]);
+      inverse[4 * i + j] = ldexp(e.right[e.row_of[i]][j], e.column_exponent[i] + e.row_exponent[j]);
     }
   }
   return true;

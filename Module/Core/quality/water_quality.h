@@ -191,8 +191,8 @@ water_status water_quality_share(
 //
 // is_own  count of them: which
 // work    room for count
-double water_quality_share_of(
-  const double* areas_px, const unsigned char* is_own, size_t count, double budget_ms, double* work);
+double water_quality_share_of(const double* areas_px, const unsigned char* is_own, size_t count,
+  double budget_ms, double* work);
 
 #ifdef __cplusplus
 }

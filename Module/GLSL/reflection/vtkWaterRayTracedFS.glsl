@@ -209,6 +209,8 @@ void waterProbe(vec3 start, int most, inout WaterRayHit hit)
 // Follows a ray that has not settled, and settles others closer.
 //
 // isWanted  or else nothing that comes of it is used
+//
+// Long because it is one loop: its state would be a dozen inout arguments, which software renderers copy.
 void waterMarchRay(vec3 start, bool isWanted, inout WaterRayHit hit)
 {
   vec3 way = hit.line;

@@ -26,6 +26,56 @@ void Blit(vtkOpenGLFramebufferObject* from, vtkOpenGLFramebufferObject* to, int 
 }
 
 //------------------------------------------------------------------------------
+bool vtkWaterTarget::MakeTextures(
+  vtkOpenGLRenderWindow* window, int width, int height, bool isFloat)
+{
+  this->Color = vtkSmartPointer<vtkTextureObject>::New();
+  this->Color->SetContext(window);
+  this->Color->SetMinificationFilter(vtkTextureObject::Linear);
+  this->Color->SetMagnificationFilter(vtkTextureObject::Linear);
+  this->Color->SetMaxLevel(kAllLevels);
+  this->Depth = vtkSmartPointer<vtkTextureObject>::New();
+  this->Depth->SetContext(window);
+  this->Depth->SetMinificationFilter(vtkTextureObject::Nearest);
+  this->Depth->SetMagnificationFilter(vtkTextureObject::Nearest);
+  for (vtkTextureObject* texture : { this->Color.Get(), this->Depth.Get() })
+  {
+    texture->SetWrapS(vtkTextureObject::ClampToEdge);
+    texture->SetWrapT(vtkTextureObject::ClampToEdge);
+  }
+  if (isFloat)
+  {
+    this->Color->SetInternalFormat(GL_RGBA16F);
+  }
+  // Fixed32, as the window's own depth: volume mappers blit it, which wants equal formats.
+  return this->Color->Allocate2D(width, height, 4, isFloat ? VTK_FLOAT : VTK_UNSIGNED_CHAR) &&
+    this->Depth->AllocateDepth(width, height, vtkTextureObject::Fixed32);
+}
+
+//------------------------------------------------------------------------------
+bool vtkWaterTarget::MakeFramebuffers(
+  vtkOpenGLRenderWindow* window, int width, int height, int samples, bool isFloat)
+{
+  this->Framebuffer = vtkSmartPointer<vtkOpenGLFramebufferObject>::New();
+  this->Framebuffer->SetContext(window);
+  this->Framebuffer->Bind();
+  this->Framebuffer->AddColorAttachment(0, this->Color);
+  this->Framebuffer->AddDepthAttachment(this->Depth);
+  this->Framebuffer->ActivateBuffer(0);
+  const char* reason = nullptr;
+  const bool isComplete = vtkOpenGLFramebufferObject::GetFrameBufferStatus(
+    vtkOpenGLFramebufferObject::GetBothMode(), reason);
+  if (!isComplete || samples == 0)
+  {
+    return isComplete;
+  }
+  this->SampledFramebuffer = vtkSmartPointer<vtkOpenGLFramebufferObject>::New();
+  this->SampledFramebuffer->SetContext(window);
+  return this->SampledFramebuffer->PopulateFramebuffer(
+    width, height, true, 1, isFloat ? VTK_FLOAT : VTK_UNSIGNED_CHAR, true, 32, samples);
+}
+
+//------------------------------------------------------------------------------
 bool vtkWaterTarget::Ensure(
   vtkOpenGLRenderWindow* window, int width, int height, int wanted, bool isFloat)
 {
@@ -41,53 +91,12 @@ bool vtkWaterTarget::Ensure(
     return true;
   }
   this->ReleaseGraphicsResources(nullptr);
-
-  this->Color = vtkSmartPointer<vtkTextureObject>::New();
-  this->Color->SetContext(window);
-  this->Color->SetMinificationFilter(vtkTextureObject::Linear);
-  this->Color->SetMagnificationFilter(vtkTextureObject::Linear);
-  this->Color->SetMaxLevel(kAllLevels);
-  this->Depth = vtkSmartPointer<vtkTextureObject>::New();
-  this->Depth->SetContext(window);
-  this->Depth->SetMinificationFilter(vtkTextureObject::Nearest);
-  this->Depth->SetMagnificationFilter(vtkTextureObject::Nearest);
-  for (vtkTextureObject* texture : { this->Color.Get(), this->Depth.Get() })
-  {
-    texture->SetWrapS(vtkTextureObject::ClampToEdge);
-    texture->SetWrapT(vtkTextureObject::ClampToEdge);
-  }
-
   vtkOpenGLState* state = window->GetState();
   state->PushFramebufferBindings();
-  // Fixed32, as the window's own depth: volume mappers blit it, which wants equal formats.
-  const int colorType = isFloat ? VTK_FLOAT : VTK_UNSIGNED_CHAR;
-  if (isFloat)
-  {
-    this->Color->SetInternalFormat(GL_RGBA16F);
-  }
-  bool ok = this->Color->Allocate2D(width, height, 4, colorType) &&
-    this->Depth->AllocateDepth(width, height, vtkTextureObject::Fixed32);
-  if (ok)
-  {
-    this->Framebuffer = vtkSmartPointer<vtkOpenGLFramebufferObject>::New();
-    this->Framebuffer->SetContext(window);
-    this->Framebuffer->Bind();
-    this->Framebuffer->AddColorAttachment(0, this->Color);
-    this->Framebuffer->AddDepthAttachment(this->Depth);
-    this->Framebuffer->ActivateBuffer(0);
-    const char* reason = nullptr;
-    ok = vtkOpenGLFramebufferObject::GetFrameBufferStatus(
-      vtkOpenGLFramebufferObject::GetBothMode(), reason);
-  }
-  if (ok && samples > 0)
-  {
-    this->SampledFramebuffer = vtkSmartPointer<vtkOpenGLFramebufferObject>::New();
-    this->SampledFramebuffer->SetContext(window);
-    ok = this->SampledFramebuffer->PopulateFramebuffer(
-      width, height, true, 1, colorType, true, 32, samples);
-  }
+  const bool isMade = this->MakeTextures(window, width, height, isFloat) &&
+    this->MakeFramebuffers(window, width, height, samples, isFloat);
   state->PopFramebufferBindings();
-  if (!ok)
+  if (!isMade)
   {
     this->ReleaseGraphicsResources(nullptr);
     return false;

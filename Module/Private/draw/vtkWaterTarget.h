@@ -49,6 +49,10 @@ public:
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
+  bool MakeTextures(vtkOpenGLRenderWindow* window, int width, int height, bool isFloat);
+  bool MakeFramebuffers(
+    vtkOpenGLRenderWindow* window, int width, int height, int samples, bool isFloat);
+
   vtkSmartPointer<vtkTextureObject> Color;
   vtkSmartPointer<vtkTextureObject> Depth;
   vtkSmartPointer<vtkOpenGLFramebufferObject> Framebuffer;        // holds the two textures

@@ -185,7 +185,7 @@ void vtkWaterFrame::Allot(vtkWaterSource& water)
   bool isLate = false;
   if (!isComposed)
   {
-    water.ForgetComposedPass();
+    water.SetComposedPass(nullptr);
     // the key is on all props from the beginning of the frame, or they build their shaders twice
     this->Begin();
     isLate = this->EnsureGroup(water).IsLate;
@@ -226,7 +226,7 @@ void vtkWaterFrame::Prepare(vtkWaterSource& water)
   {
     return;
   }
-  water.ForgetComposedPass(); // it was taken out of the chain
+  water.SetComposedPass(nullptr); // it was taken out of the chain
   this->Begin();
   const bool isLate = this->EnsureGroup(water).IsLate;
   if (this->IsFresh(water))

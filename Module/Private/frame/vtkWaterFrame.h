@@ -49,6 +49,9 @@ public:
   void Begin();
   vtkMTimeType GetNumber() const;
 
+  // Is its renderer still there?
+  bool IsAlive() const { return this->Renderer != nullptr; }
+
   // What a water does when the renderer allots it time, before anything is drawn: the moment to
   // draw the mirrored view, or to put it off until the scene before the water is there.
   void Allot(vtkWaterSource& water);
@@ -80,7 +83,6 @@ public:
 private:
   vtkWaterFrame(const vtkWaterFrame&) = delete;
   void operator=(const vtkWaterFrame&) = delete;
-  friend struct vtkWaterFrameThread;
 
   struct Group // of sheets that share a mirrored view
   {

@@ -84,7 +84,7 @@ void vtkWaterFrameThread::Prune()
 {
   for (auto it = this->Frames.begin(); it != this->Frames.end();)
   {
-    if (it->second->Renderer)
+    if (it->second->IsAlive())
     {
       ++it;
       continue;

@@ -11,6 +11,7 @@
 class vtkProp;
 class vtkRenderer;
 class vtkWaterReflection;
+class vtkWaterReflectionPass;
 
 struct vtkWaterError
 {
@@ -49,7 +50,7 @@ public:
   // none has.
   virtual vtkWaterReflection& GetOwnReflection() = 0;
   virtual vtkWaterReflection* GetComposedReflection() = 0;
-  virtual void ForgetComposedPass() = 0;
+  virtual void SetComposedPass(vtkWaterReflectionPass* pass) = 0;
 };
 
 #endif

@@ -92,6 +92,55 @@ vtkPolyDataMapper* vtkWaterSheet::GetMapper()
 }
 
 //------------------------------------------------------------------------------
+void vtkWaterSheet::FindSceneBounds(const std::vector<vtkRenderer*>& scene, double bounds[6])
+{
+  vtkBoundingBox box;
+  for (vtkRenderer* renderer : scene)
+  {
+    vtkPropCollection* props = renderer->GetViewProps();
+    vtkCollectionSimpleIterator it;
+    props->InitTraversal(it);
+    while (vtkProp* prop = props->GetNextProp(it))
+    {
+      AddBounds(prop, nullptr, box);
+    }
+  }
+  vtkMath::UninitializeBounds(bounds);
+  if (box.IsValid())
+  {
+    box.GetBounds(bounds);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterSheet::SetRectangle(const double corners[12], const double normal[3])
+{
+  if (std::equal(corners, corners + 12, this->Corners) &&
+    std::equal(normal, normal + 3, this->Normal))
+  {
+    return;
+  }
+  std::copy_n(corners, 12, this->Corners);
+  std::copy_n(normal, 3, this->Normal);
+  this->Points->SetNumberOfPoints(4);
+  vtkNew<vtkDoubleArray> normals;
+  normals->SetNumberOfComponents(3);
+  normals->SetName("Normals");
+  for (int corner = 0; corner < 4; ++corner)
+  {
+    this->Points->SetPoint(corner, corners + 3 * corner);
+    normals->InsertNextTuple(normal);
+  }
+  this->Points->Modified();
+  const vtkIdType quad[4] = { 0, 1, 2, 3 };
+  vtkNew<vtkCellArray> cells;
+  cells->InsertNextCell(4, quad);
+  this->Rectangle->SetPolys(cells);
+  this->Rectangle->GetPointData()->SetNormals(normals);
+  this->Rectangle->Modified();
+}
+
+//------------------------------------------------------------------------------
 water_status vtkWaterSheet::Fit(const water_plane& plane, const double origin[3],
   const double bounds[4], const std::vector<vtkRenderer*>& scene)
 {
@@ -107,59 +156,21 @@ water_status vtkWaterSheet::Fit(const water_plane& plane, const double origin[3]
   double sheet[4];
   if (bounds)
   {
-    std::copy(bounds, bounds + 4, sheet);
+    std::copy_n(bounds, 4, sheet);
   }
   else
   {
-    vtkBoundingBox box;
-    for (vtkRenderer* renderer : scene)
-    {
-      vtkPropCollection* props = renderer->GetViewProps();
-      vtkCollectionSimpleIterator it;
-      props->InitTraversal(it);
-      while (vtkProp* prop = props->GetNextProp(it))
-      {
-        AddBounds(prop, nullptr, box);
-      }
-    }
-    double sceneBounds[6] = { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 };
-    if (box.IsValid())
-    {
-      box.GetBounds(sceneBounds);
-    }
+    double sceneBounds[6];
+    FindSceneBounds(scene, sceneBounds);
     status = water_sheet_bounds(origin, x_dir, y_dir, sceneBounds, sheet);
     if (status != WATER_OK)
     {
       return status;
     }
   }
-
   double corners[12];
   water_sheet_corners(origin, x_dir, y_dir, sheet, corners);
-  std::copy(sheet, sheet + 4, this->Bounds);
-  if (std::equal(corners, corners + 12, this->Corners) &&
-    std::equal(unit.normal, unit.normal + 3, this->Normal))
-  {
-    return WATER_OK;
-  }
-  std::copy(corners, corners + 12, this->Corners);
-  std::copy(unit.normal, unit.normal + 3, this->Normal);
-
-  this->Points->SetNumberOfPoints(4);
-  vtkNew<vtkDoubleArray> normals;
-  normals->SetNumberOfComponents(3);
-  normals->SetName("Normals");
-  for (int corner = 0; corner < 4; ++corner)
-  {
-    this->Points->SetPoint(corner, corners + 3 * corner);
-    normals->InsertNextTuple(unit.normal);
-  }
-  this->Points->Modified();
-  const vtkIdType quad[4] = { 0, 1, 2, 3 };
-  vtkNew<vtkCellArray> cells;
-  cells->InsertNextCell(4, quad);
-  this->Rectangle->SetPolys(cells);
-  this->Rectangle->GetPointData()->SetNormals(normals);
-  this->Rectangle->Modified();
+  std::copy_n(sheet, 4, this->Bounds);
+  this->SetRectangle(corners, unit.normal);
   return WATER_OK;
 }

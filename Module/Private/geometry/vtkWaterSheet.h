@@ -36,6 +36,10 @@ private:
   vtkWaterSheet(const vtkWaterSheet&) = delete;
   void operator=(const vtkWaterSheet&) = delete;
 
+  // min > max: the scene is empty.
+  static void FindSceneBounds(const std::vector<vtkRenderer*>& scene, double bounds[6]);
+  void SetRectangle(const double corners[12], const double normal[3]);
+
   vtkNew<vtkPoints> Points; // 4, in double precision: scenes may lie far from the origin
   vtkNew<vtkPolyData> Rectangle;
   vtkNew<vtkPolyDataMapper> Mapper;

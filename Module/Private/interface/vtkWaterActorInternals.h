@@ -42,7 +42,7 @@ struct vtkWaterActor::Internals : public vtkWaterSource
   void Probe(vtkRenderer* renderer) override;
   vtkWaterReflection& GetOwnReflection() override;
   vtkWaterReflection* GetComposedReflection() override;
-  void ForgetComposedPass() override { this->Self->ComposedPass = nullptr; }
+  void SetComposedPass(vtkWaterReflectionPass* pass) override { this->Self->ComposedPass = pass; }
 
   // Do waves move the surface itself?
   bool IsDisplaced() const;

@@ -226,14 +226,14 @@ bool vtkWaterClusters::CanLead(vtkProp* prop)
 //------------------------------------------------------------------------------
 void vtkWaterClusters::BeginView(const water_plan& plan, const water_visibility* seen, int samples)
 {
-  this->Map = { seen, nullptr, samples, 0 };
-  glGetIntegerv(GL_SUBPIXEL_BITS, &this->Map.subpixel_bits);
+  this->Target = { seen, nullptr, samples, 0 };
+  glGetIntegerv(GL_SUBPIXEL_BITS, &this->Target.subpixel_bits);
   if (plan.is_software)
   {
     const int* rect = plan.texture_rect_px;
     this->Depths.resize(static_cast<size_t>(rect[2]) * static_cast<size_t>(rect[3]));
     water_triangle_cull_begin(rect, seen, this->Depths.data());
-    this->Map.depths = this->Depths.data();
+    this->Target.depths = this->Depths.data();
   }
 }
 
@@ -263,43 +263,32 @@ void vtkWaterClusters::EndLeading()
 }
 
 //------------------------------------------------------------------------------
-void vtkWaterClusters::Give(
-  const water_plan& plan, vtkShaderProgram* program, vtkAbstractMapper* anyMapper, vtkProp* prop)
+vtkWaterClusters::Mesh* vtkWaterClusters::UpdateMesh(
+  vtkOpenGLPolyDataMapper* mapper, vtkActor* actor, bool isFine)
 {
-  auto* actor = vtkActor::SafeDownCast(prop);
-  this->TakeBack(); // of another part of an assembly
-  if (!anyMapper || !CanBeCut(program, anyMapper, actor))
-  {
-    return;
-  }
-  auto* mapper = static_cast<vtkOpenGLPolyDataMapper*>(anyMapper);
-  vtkOpenGLIndexBufferObject*& slot = vtkWaterAccess::PolyDataMapper::TrianglesOf(mapper);
-  if (water_clusters_count(slot->IndexCount / 3) == 0)
-  {
-    return;
-  }
   for (auto it = this->Meshes.begin(); it != this->Meshes.end();)
   {
     it = it->second.Mapper ? std::next(it) : this->Meshes.erase(it);
   }
   Mesh& mesh = this->Meshes[mapper];
   const MeshState state = StateOf(mapper, actor);
-  if (!mesh.Mapper || mesh.State != state ||
-    (plan.is_software && !mesh.Boxes.empty() && !mesh.Points))
+  if (!mesh.Mapper || mesh.State != state || (isFine && !mesh.Boxes.empty() && !mesh.Points))
   {
     mesh.Mapper = mapper;
     mesh.State = state;
-    Read(mapper, plan.is_software, mesh);
+    Read(mapper, isFine, mesh);
   }
-  water_mesh described;
-  if (mesh.Boxes.empty() || !Describe(mesh.Points, mesh, described))
-  {
-    return;
-  }
-  water_clusters_target map = this->Map;
+  return mesh.Boxes.empty() ? nullptr : &mesh;
+}
+
+//------------------------------------------------------------------------------
+size_t vtkWaterClusters::Select(const water_plan& plan, vtkOpenGLPolyDataMapper* mapper,
+  vtkActor* actor, const Mesh& mesh, const water_mesh& described)
+{
+  water_clusters_target target = this->Target;
   if (HasOwnDepths(mapper, actor))
   {
-    map.depths = nullptr;
+    target.depths = nullptr;
   }
   const bool isSolid = IsSolid(mapper, actor);
   const double* modelToWorld = &actor->GetMatrix()->Element[0][0];
@@ -310,17 +299,18 @@ void vtkWaterClusters::Give(
   ForEach(bandCount, [&](int band) {
     water_clusters_view view;
     water_clusters_view_make(
-      &plan, &map, band, bandCount, isSolid, modelToWorld, origin.data(), &view);
+      &plan, &target, band, bandCount, isSolid, modelToWorld, origin.data(), &view);
     water_clusters_mark(&view, &described, this->IsReversed(), &this->Trends[band],
       this->Work.data() + static_cast<size_t>(band) * mesh.Boxes.size());
   });
   this->Selected.resize(mesh.Indices.size());
-  const size_t count = water_clusters_copy(
+  return water_clusters_copy(
     &described, this->IsReversed(), this->Work.data(), bandCount, this->Selected.data());
-  if (count == mesh.Indices.size() && !this->IsReversed())
-  {
-    return;
-  }
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterClusters::Swap(vtkOpenGLPolyDataMapper* mapper, Mesh& mesh, size_t count)
+{
   if (!mesh.Drawn)
   {
     mesh.Drawn = vtkSmartPointer<vtkOpenGLIndexBufferObject>::New();
@@ -334,10 +324,40 @@ void vtkWaterClusters::Give(
     mesh.Drawn->GenerateBuffer(vtkOpenGLBufferObject::ElementArrayBuffer);
   }
   mesh.Drawn->IndexCount = count;
+  vtkOpenGLIndexBufferObject*& slot = vtkWaterAccess::PolyDataMapper::TrianglesOf(mapper);
   this->Given = mapper;
   this->Own.TakeReference(slot); // the mapper's reference, until it has it back
   slot = mesh.Drawn;
   mesh.Drawn->Register(mapper);
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterClusters::Give(
+  const water_plan& plan, vtkShaderProgram* program, vtkAbstractMapper* anyMapper, vtkProp* prop)
+{
+  auto* actor = vtkActor::SafeDownCast(prop);
+  this->TakeBack(); // of another part of an assembly
+  if (!anyMapper || !CanBeCut(program, anyMapper, actor))
+  {
+    return;
+  }
+  auto* mapper = static_cast<vtkOpenGLPolyDataMapper*>(anyMapper);
+  if (water_clusters_count(vtkWaterAccess::PolyDataMapper::TrianglesOf(mapper)->IndexCount / 3) ==
+    0)
+  {
+    return;
+  }
+  Mesh* mesh = this->UpdateMesh(mapper, actor, plan.is_software);
+  water_mesh described;
+  if (!mesh || !Describe(mesh->Points, *mesh, described))
+  {
+    return;
+  }
+  const size_t count = this->Select(plan, mapper, actor, *mesh, described);
+  if (count != mesh->Indices.size() || this->IsReversed())
+  {
+    this->Swap(mapper, *mesh, count);
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -78,12 +78,19 @@ private:
   static MeshState StateOf(vtkOpenGLPolyDataMapper* mapper, vtkActor* actor);
   static void Read(vtkOpenGLPolyDataMapper* mapper, bool isFine, Mesh& mesh);
   static bool Describe(vtkDataArray* points, Mesh& mesh, water_mesh& described);
+  // What is known of a mapper's mesh; nullptr: it cannot be cut.
+  Mesh* UpdateMesh(vtkOpenGLPolyDataMapper* mapper, vtkActor* actor, bool isFine);
+  // Selects the indices that are drawn; how many there are.
+  size_t Select(const water_plan& plan, vtkOpenGLPolyDataMapper* mapper, vtkActor* actor,
+    const Mesh& mesh, const water_mesh& described);
+  // Gives the mapper the selected indices in place of its own.
+  void Swap(vtkOpenGLPolyDataMapper* mapper, Mesh& mesh, size_t count);
   bool CanLead(vtkProp* prop);
 
   std::map<vtkOpenGLPolyDataMapper*, Mesh> Meshes;
   std::vector<uint32_t> Selected;
   std::vector<water_cluster_work> Work;
-  water_clusters_target Map{};
+  water_clusters_target Target{};
   std::vector<float> Depths;
   std::array<water_trend, WATER_CLUSTERS_BANDS_MAX> Trends{};
   bool HasLeading = false;                        // are being drawn
