@@ -3,6 +3,7 @@
 // the rectangle of it that the water can look up.
 #include "test_scene.h"
 
+#include "water_math.h"
 #include "water_target.h"
 
 static const double nearby[3] = { 1.0, 2.0, 3.0 };
@@ -269,7 +270,7 @@ TEST(rect_beyond_the_map_is_its_border)
   water_target_rect(before, scale, px, rect);
   assert_true(rect[0] == 799 && rect[2] == 1 && rect[1] == 0 && rect[3] == 1);
   double box[4];
-  water_target_box_of_rect(rect, px, box);
+  water_rect_to_ndc(rect, px, box);
   ASSERT_CLOSE(box[0], 2.0 * 799.0 / 800.0 - 1.0, 1e-15);
   ASSERT_CLOSE(box[1], -1.0, 1e-15);
   ASSERT_CLOSE(box[2], 1.0, 1e-15);

@@ -43,19 +43,7 @@ INTERFACE = "Private/interface"
 # headers are in no ring as all others.
 TOGETHER = {
     "vtkWaterFrameThread": "vtkWaterFrame",  # keeps a thread's frames, and a frame is found there
-    "vtkWaterReflectionPass": "vtkWaterActor",  # an actor has a pass; one composed by hand looks for its actors
 }
-
-# Offences that are known, as they are printed. They are said at each run and fail nothing; one that is
-# mended has to leave this list, and no other may come in.
-OWED = [
-    "upwards: Core/detail/water_frustum.h includes Core/base/water_types.h",
-    "upwards: Core/detail/water_prop.h includes Core/base/water_types.h",
-    "upwards: Core/visibility/water_clusters.c includes Core/plan/water_target.h",
-    "upwards: Core/waves/water_grid.c includes Core/plan/water_select.h",
-    "upwards: Core/waves/water_grid.h includes Core/plan/water_lookup.h",
-]
-
 
 def room_of(path):
     if path == PLUGIN:
@@ -214,19 +202,14 @@ def main():
     if sys.argv[1:]:
         sys.exit(1 if self_test() else 0)
     offences, files, units, includes = check(Path(__file__).resolve().parents[2] / "Module")
-    new = [offence for offence in offences if offence not in OWED]
-    mended = [offence for offence in OWED if offence not in offences]
-    for offence in OWED:
-        print(f"known, to be mended: {offence}")
-    for offence in new + [f"is mended, take it from the list OWED: {offence}" for offence in mended]:
+    for offence in offences:
         print(offence)
-    if new or mended:
-        sys.exit(f"check_includes: {len(new)} new offence(s), {len(mended)} mended")
+    if offences:
+        sys.exit(f"check_includes: {len(offences)} offence(s)")
     if not includes:
         sys.exit("check_includes: no include was found: is the tree another?")
     print("bottom to top: " + ", ".join(ROOMS))
-    print(f"check_includes: {files} files, {units} units, {includes} includes: no ring, "
-          + (f"{len(OWED)} upwards that are known" if OWED else "no room includes one above it"))
+    print(f"check_includes: {files} files, {units} units, {includes} includes: no ring, no room includes one above it")
 
 
 if __name__ == "__main__":

@@ -58,28 +58,9 @@ for file in "${core[@]}" "${shims[@]}" "${shaders[@]}"; do
   fi
 done
 
-# Functions that are long today and say no reason, as "file function". They are said at each run and fail nothing;
-# one that is mended has to leave this list, and no other may come in.
-known_long=(
-  "Module/Core/detail/water_math.h water_mat4_invert"
-  "Module/Private/draw/vtkWaterTarget.cxx vtkWaterTarget::Ensure"
-  "Module/Private/geometry/vtkWaterSheet.cxx vtkWaterSheet::Fit"
-  "Module/Private/visibility/vtkWaterClusters.cxx vtkWaterClusters::Give"
-  "Module/GLSL/reflection/vtkWaterRayTracedFS.glsl waterMarchRay"
-)
 lengths=$(awk -f Utilities/Scripts/function_lengths.awk "${core[@]}" "${shims[@]}" "${shaders[@]}")
 summary=${lengths##*$'\n'} # functions N longest M
 long=$(sed '$d' <<<"$lengths")
-for known in "${known_long[@]}"; do
-  pattern="^  ${known% *}:.*[ *&]${known#* }[(]"
-  if grep -qE "$pattern" <<<"$long"; then
-    echo "known, to be mended:$(grep -E "$pattern" <<<"$long")"
-    long=$(grep -vE "$pattern" <<<"$long" || true)
-  else
-    echo "Is no more too long, take it from the list known_long: $known"
-    failures=$((failures + 1))
-  fi
-done
 if [ -n "$long" ]; then
   printf 'A function over 60 lines says why, above it or in its first lines (// Long because ...):\n%s\n' "$long"
   failures=$((failures + 1))

@@ -328,6 +328,16 @@ static inline bool water_mat4_invert(const double matrix[16], double inverse[16]
   return true;
 }
 
+// A rectangle of a texture (x, y, width, height) in its NDC: low x, low y, high x, high y.
+static inline void water_rect_to_ndc(const int rect_px[4], const int texture_px[2], double box[4])
+{
+  for (int i = 0; i < 2; ++i)
+  {
+    box[i] = 2.0 * rect_px[i] / texture_px[i] - 1.0;
+    box[2 + i] = 2.0 * (rect_px[i] + rect_px[2 + i]) / texture_px[i] - 1.0;
+  }
+}
+
 // The part of the picture around a box: low x, low y, high x, high y in NDC.
 //
 // to_clip  from the box's space

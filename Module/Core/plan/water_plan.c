@@ -196,7 +196,7 @@ static void fill_props(const water_scene* scene, const water_plane* plane, doubl
   selection.margin = margin;
   selection.prop_px_min = scene->settings.prop_px_min;
   memcpy(selection.texture_px, plan->texture_px, sizeof selection.texture_px);
-  water_target_box_of_rect(plan->texture_rect_px, plan->texture_px, selection.box);
+  water_rect_to_ndc(plan->texture_rect_px, plan->texture_px, selection.box);
   water_reach reach;
   water_mirror_reach_begin(&plan->mirrored, &reach);
   *bad_index = scene->prop_count;

@@ -171,15 +171,6 @@ void water_target_rect(
   }
 }
 
-void water_target_box_of_rect(const int rect_px[4], const int texture_px[2], double box[4])
-{
-  for (int i = 0; i < 2; ++i)
-  {
-    box[i] = 2.0 * rect_px[i] / texture_px[i] - 1.0;
-    box[2 + i] = 2.0 * (rect_px[i] + rect_px[2 + i]) / texture_px[i] - 1.0;
-  }
-}
-
 double water_target_guard_band(const water_camera* camera, double slope_rms)
 {
   const double* clip = camera->view_to_clip;

@@ -49,9 +49,6 @@ void water_target_reach(const water_camera* eye, double slope_max, double box[4]
 void water_target_rect(
   const double box[4], const double reflection_scale[2], const int texture_px[2], int rect_px[4]);
 
-// A rectangle of the reflection texture in its NDC: low x, low y, high x, high y.
-void water_target_box_of_rect(const int rect_px[4], const int texture_px[2], double box[4]);
-
 // Size of the eye's frustum's surroundings that waves may look up, over the eye's: waves of slope s
 // turn reflected rays by up to 2 s. In [1, 1.25]: more costs more than it gives. 1 for a parallel
 // eye, whose rays cross so much of the reflection texture that a march over more of it is coarser

@@ -75,7 +75,7 @@ void water_quality_roughness(
     return;
   }
   double box[4];
-  water_target_box_of_rect(plan->texture_rect_px, plan->texture_px, box);
+  water_rect_to_ndc(plan->texture_rect_px, plan->texture_px, box);
   // where the waves are seen best: in one of the corners
   double turn = DBL_MAX;
   for (int corner = 0; corner < 4; ++corner)

@@ -3,7 +3,6 @@
 #include "water_clusters.h"
 
 #include "water_math.h"
-#include "water_target.h"
 
 // The GPU transforms in single precision: a cluster that is outside by less may have a pixel
 // inside.
@@ -87,7 +86,7 @@ void water_clusters_view_make(const water_plan* plan, const water_clusters_targe
     (int)(width * (band + 1) / band_count) };
   const int band_px[4] = { rect_px[0] + columns[0], rect_px[1], columns[1] - columns[0],
     rect_px[3] };
-  water_target_box_of_rect(band_px, plan->texture_px, box);
+  water_rect_to_ndc(band_px, plan->texture_px, box);
   water_frustum_make(&plan->mirrored, box, &world);
   // the far plane gives way to the clip at the water
   double clip_world[4];

@@ -226,7 +226,7 @@ static void fuzz_steps(fuzz_input* from)
   {
     PROMISED(rect[i] >= 0 && rect[2 + i] >= 1 && rect[i] + rect[2 + i] <= px[i]);
   }
-  water_target_box_of_rect(rect, px, four);
+  water_rect_to_ndc(rect, px, four);
   const double band = water_target_guard_band(&camera, fuzz_double(from));
   water_target_widen(fmax(band, fuzz_double(from)), 16384, px, scale);
   PROMISED(px[0] <= 16384 && px[1] <= 16384);
