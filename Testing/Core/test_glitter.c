@@ -46,6 +46,16 @@ TEST(density_has_its_moments)
   ASSERT_CLOSE(sum[2], 0.02, 1e-9);
 }
 
+// Neither the smallest spread nor the steepest slope makes it something that is no number.
+TEST(density_is_a_number_everywhere)
+{
+  const double calm[2] = { 1e-300, 1e-300 };
+  const double level[2] = { 0.0, 0.0 };
+  const double wall[2] = { (double)INFINITY, 1e300 };
+  ASSERT_CLOSE(water_glitter_density(calm, level) * 1e-300, 0.5 / pi, 1e-15);
+  assert_true(water_glitter_density(calm, wall) == 0.0);
+}
+
 // A surface that reflects everything sends on what it takes in: over all directions the radiance
 // adds up to the sun's irradiance on the level surface, its cosine; for slopes so small that no
 // facet turns the light down.
@@ -123,5 +133,6 @@ TEST(covariance_turns_the_variances)
   }
 }
 
-TESTS(slopes_are_cox_and_munks, density_has_its_moments, glitter_keeps_the_light,
+TESTS(slopes_are_cox_and_munks, density_has_its_moments, density_is_a_number_everywhere,
+  glitter_keeps_the_light,
   glitter_is_where_the_mirror_is, bad_winds_are_refused, covariance_turns_the_variances)

@@ -1,17 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// test_optics.c: step 5: the reflectance, against numbers of Fresnel's own form, and the shader's.
+// test_optics.c: step 5: the reflectance, against numbers of Fresnel's own form.
 #include "test_scene.h"
 
 #include "water_optics.h"
-
-// vtkWaterOptics.glsl read as C: its scalar GLSL means the same with these words.
-#define float double
-#define min fmin
-#define max fmax
-#include "vtkWaterOptics.glsl"
-#undef float
-#undef min
-#undef max
 
 static const double water = 1.333;
 
@@ -109,21 +100,6 @@ TEST(ends_of_the_range_are_safe)
   ASSERT_CLOSE(water_optics_schlick(-1e-9, water), 1.0, 1e-15);
 }
 
-// The shader's functions are the core's.
-TEST(shader_computes_the_same)
-{
-  for (double eta = 0.4; eta < 2.5; eta += 0.05)
-  {
-    for (double cosine = -0.1; cosine < 1.1; cosine += 0.01)
-    {
-      ASSERT_CLOSE(waterFresnel(cosine, eta), water_optics_fresnel(cosine, eta), 1e-14);
-      ASSERT_CLOSE(waterSchlick(cosine, eta), water_optics_schlick(cosine, eta), 1e-14);
-    }
-  }
-  ASSERT_CLOSE(waterFresnel(cos_deg(60.0), water), 0.0596909192, 1e-9);
-  ASSERT_CLOSE(waterFresnel(0.0, 1.0), 0.0, 1e-15);
-}
-
 // From above the other side is the water, from below the air.
 TEST(plan_carries_the_index_beyond)
 {
@@ -189,5 +165,5 @@ TEST(most_is_reflected_in_a_corner)
 
 TESTS(fresnel_has_the_known_values, brewster_angle_reflects_one_polarisation,
   critical_angle_of_water, reflectance_is_the_same_both_ways, schlick_is_close_to_fresnel,
-  ends_of_the_range_are_safe, shader_computes_the_same, plan_carries_the_index_beyond,
+  ends_of_the_range_are_safe, plan_carries_the_index_beyond,
   joined_waters_reflect_no_less_than_each, most_is_reflected_in_a_corner)

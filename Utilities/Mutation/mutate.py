@@ -77,7 +77,7 @@ class Build:
         self.texts = folder / "texts"  # of the tests, which may be edited while this runs
         shutil.rmtree(folder, ignore_errors=True)
         self.core.mkdir(parents=True)
-        for path in CORE.glob("*/*.[ch]"):  # base names are unique
+        for path in [*CORE.glob("*/*.[ch]"), *CORE.glob("*/*.glsl")]:  # base names are unique
             shutil.copy(path, self.core)
         self.texts.mkdir()
         for path in TESTS.glob("*.[ch]"):
@@ -106,7 +106,7 @@ class Build:
         return ["cc", *self.flags, "-shared", *objects, "-lm", "-o", core / "libwater_core.so"]
 
     def build_test(self, core, noun, folder):
-        return [*COMMON, *self.flags, "-I", core, "-I", PROJECT / "Module/GLSL/reflection",
+        return [*COMMON, *self.flags, "-I", core,
                 self.texts / f"test_{noun}.c", "-o", folder / noun, "-L", core, "-lwater_core",
                 "-lcmocka", "-lm"]
 

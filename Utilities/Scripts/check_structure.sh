@@ -24,10 +24,10 @@ forbid() {
 shopt -s nullglob
 core=(Module/Core/*/*.[ch])
 shims=(Module/*.cxx Module/*.h Module/Private/*/*.cxx Module/Private/*/*.h Module/OffScreen/*.cxx Module/OffScreen/*.h)
-shaders=(Module/GLSL/*/*.glsl)
+shaders=(Module/GLSL/*/*.glsl Module/Core/shared/*.glsl)
 
 forbid text "The core includes neither VTK nor GL" \
-  '#include *[<"](vtk|GL/|EGL/)' "${core[@]}"
+  '#include *[<"](vtk[^">]*[.]h|GL/|EGL/)' "${core[@]}"
 forbid code "The core allocates nothing and prints nothing" \
   '(^|[^a-z_])(malloc|calloc|realloc|free|printf|fprintf|puts)[(]' "${core[@]}"
 # All that <cmath> computes, for double, float and long double. Asking (std::isfinite) and choosing (std::min) are

@@ -3,7 +3,7 @@
 #include "water_glitter.h"
 
 #include "water_math.h"
-#include "water_phase.h"
+#include "water_shared.h"
 
 static bool is_wind(double wind_speed)
 {
@@ -42,8 +42,15 @@ void water_glitter_covariance(const double variance[2], double dir_rad, double c
 
 double water_glitter_density(const double variance[2], const double slope[2])
 {
-  const double square = slope[0] * slope[0] / variance[0] + slope[1] * slope[1] / variance[1];
-  return exp(-0.5 * square) / (water_two_pi * sqrt(variance[0] * variance[1]));
+  // in units of the spreads, whose squares may vanish
+  const double spread[2] = { sqrt(variance[0]), sqrt(variance[1]) };
+  const double x = slope[0] / spread[0];
+  const double y = slope[1] / spread[1];
+  if (isinf(x) || isinf(y))
+  {
+    return 0.0; // times a covariance of 0 it would be no number
+  }
+  return water_shared_slope_density(1.0, 1.0, 0.0, 1.0, x, y) / (spread[0] * spread[1]);
 }
 
 double water_glitter_radiance(const double sun_dir[3], const double eye_dir[3], double wind_dir_rad,
@@ -65,5 +72,6 @@ double water_glitter_radiance(const double sun_dir[3], const double eye_dir[3], 
   const double s = sin(wind_dir_rad);
   const double turned[2] = { c * slope[0] + s * slope[1], c * slope[1] - s * slope[0] };
   const double tilt = facet[2] / length;
-  return water_glitter_density(variance, turned) / (4.0 * eye_dir[2] * tilt * tilt * tilt * tilt);
+  return water_shared_glitter_radiance(
+    water_glitter_density(variance, turned), eye_dir[2], tilt * tilt * tilt * tilt);
 }

@@ -4,6 +4,7 @@
 #include "water_medium.h"
 
 #include "water_math.h"
+#include "water_shared.h"
 
 static double clamp_unit(double value)
 {
@@ -118,7 +119,8 @@ void water_medium_transmittance(const water_medium* medium, double path, double 
 {
   for (int i = 0; i < 3; ++i)
   {
-    transmittance[i] = exp(-(medium->absorption[i] + medium->scattering[i]) * path);
+    transmittance[i] =
+      water_shared_transmittance(medium->absorption[i] + medium->scattering[i], path);
   }
 }
 

@@ -3,6 +3,7 @@
 #include "water_optics.h"
 
 #include "water_math.h"
+#include "water_shared.h"
 
 static double clamp_unit(double value)
 {
@@ -44,40 +45,12 @@ double water_optics_eta(const water_look* look, water_side side)
 
 double water_optics_fresnel(double cosine, double eta)
 {
-  const double c = clamp_unit(cosine);
-  // eta^2 times the squared cosine of the refracted ray (Snell); (eta - 1)(eta + 1) keeps its
-  // digits for an eta near 1
-  const double g_squared = (eta - 1.0) * (eta + 1.0) + c * c;
-  if (g_squared < 0.0)
-  {
-    return 1.0;
-  }
-  const double g = sqrt(g_squared);
-  if (c + g == 0.0)
-  {
-    return 0.0; // no surface at all, eta = 1, along itself
-  }
-  const double s = (c - g) / (c + g);
-  const double p = (eta * eta * c - g) / (eta * eta * c + g);
-  return 0.5 * (s * s + p * p);
+  return water_shared_fresnel(cosine, eta);
 }
 
 double water_optics_schlick(double cosine, double eta)
 {
-  double c = clamp_unit(cosine);
-  if (eta < 1.0)
-  {
-    const double refracted_squared = 1.0 - (1.0 - c * c) / (eta * eta); // Snell
-    if (refracted_squared < 0.0)
-    {
-      return 1.0;
-    }
-    c = sqrt(refracted_squared);
-  }
-  const double root = (eta - 1.0) / (eta + 1.0);
-  const double at_normal = root * root;
-  const double rest = 1.0 - c;
-  return at_normal + (1.0 - at_normal) * rest * rest * rest * rest * rest;
+  return water_shared_schlick(cosine, eta);
 }
 
 double water_optics_reflectance_max(const water_look* look, double eta, const double ndc_to_ray[9],

@@ -3,7 +3,7 @@
 //
 // eta is the index of refraction beyond the surface over the one on the eye's side: 1.333 seen from
 // above, 1 / 1.333 seen from below. cosine is that of the angle between ray and normal, in [0, 1];
-// values outside are clamped. vtkWaterOptics.glsl holds the same functions for the shader.
+// values outside are clamped. Both reflectances are vtkWaterOptics.glsl, the shader's.
 #ifndef water_optics_h
 #define water_optics_h
 

@@ -42,6 +42,9 @@ enum // a bit each
 #define WATER_F(name) WATER_FEATURE_##name
 #define WATER_SURFACE_FILE_LIST(X)                                                                 \
   X(optics, vtkWaterOptics, 0, 0, "Fresnel's law")                                                 \
+  X(gradient, vtkWaterGradient, 0, 0, "where a direction finds the background's colour")           \
+  X(attenuation, vtkWaterAttenuation, WATER_F(MEDIUM), 0, "what the water takes from light")       \
+  X(slopes, vtkWaterSlopes, WATER_F(GLITTER), 0, "slopes as a distribution")                       \
   X(cell, vtkWaterCell, WATER_F(DISPLACED), 0, "what a grid can hold of a wave")                   \
   X(place, vtkWaterDisplacementFS, WATER_F(DISPLACED), 0, "place at rest, from the vertices")      \
   X(place, vtkWaterNoDisplacementFS, 0, WATER_F(DISPLACED), "place at rest, from the pixel")       \

@@ -16,6 +16,8 @@ uniform vec4 waterClipW;
 uniform vec3 waterDeepColor;
 uniform vec3 waterExtinction;
 
+#include "vtkWaterAttenuation.glsl"
+
 void main()
 {
   float depth = textureLod(waterSceneDepth, texCoord, 0.0).r;
@@ -44,5 +46,7 @@ void main()
     way = 1e9; // the background under water is without an end
   }
   vec3 color = textureLod(waterSceneColor, texCoord, 0.0).rgb;
-  gl_FragData[0] = vec4(mix(waterDeepColor, color, exp(-waterExtinction * way)), 1.0);
+  vec3 left = vec3(waterTransmittance(waterExtinction.r, way),
+    waterTransmittance(waterExtinction.g, way), waterTransmittance(waterExtinction.b, way));
+  gl_FragData[0] = vec4(mix(waterDeepColor, color, left), 1.0);
 }

@@ -30,7 +30,9 @@ float waterMediumHeight(vec2 uv, float depth)
 // What is left of a color after a way of so many metres through the water.
 vec3 waterAfter(vec3 color, float way)
 {
-  return mix(waterDeepColor, color, exp(-waterExtinction * way));
+  vec3 left = vec3(waterTransmittance(waterExtinction.r, way),
+    waterTransmittance(waterExtinction.g, way), waterTransmittance(waterExtinction.b, way));
+  return mix(waterDeepColor, color, left);
 }
 
 // Where a ray into the scene meets what the picture shows.

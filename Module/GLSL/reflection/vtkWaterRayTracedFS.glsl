@@ -60,8 +60,7 @@ void waterReadOnce()
 vec3 waterSkyOfRay(vec3 dir)
 {
   vec2 eye = dir * waterHalfToSky;
-  float height = eye.y > 0.0 ? 0.5 + 0.5 * eye.x / eye.y : step(0.0, eye.x);
-  return waterSkyLow.rgb + clamp(height, 0.0, 1.0) * waterSkyRise;
+  return waterSkyLow.rgb + waterGradientHeight(eye.x, eye.y) * waterSkyRise;
 }
 
 float waterDepthAt(vec2 uv); // of the reflection texture; of the slot layer

@@ -74,10 +74,9 @@ WaterPoint waterPoint()
   return point;
 }
 
-// The background in a direction: painted on the user's screen, as in vtkWaterSkyFS.glsl.
+// The background in a direction.
 vec3 waterSky(vec3 dir)
 {
   vec4 eye = waterDirToEye * vec4(dir, 0.0);
-  float height = eye.w > 0.0 ? 0.5 + 0.5 * eye.y / eye.w : step(0.0, eye.y);
-  return mix(waterSkyBottom.rgb, waterSkyTop.rgb, clamp(height, 0.0, 1.0));
+  return mix(waterSkyBottom.rgb, waterSkyTop.rgb, waterGradientHeight(eye.y, eye.w));
 }

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkWaterOptics.glsl: how much the surface reflects; water_optics.c for the shader.
+// vtkWaterOptics.glsl: how much the surface reflects; for shaders and, by water_shared.c, for C.
 //
 // eta is the index of refraction beyond the surface over the one on the eye's side; cosine is that
-// of the angle between ray and normal, in [0, 1]. Scalar on purpose: this file also compiles as C,
-// and test_optics.c compares it with the core.
+// of the angle between ray and normal, in [0, 1]; values outside are clamped.
 
 // Reflectance of unpolarised light, exact; 1 under total internal reflection.
 // Source: Cook and Torrance 1982, "A Reflectance Model for Computer Graphics".
 float waterFresnel(float cosine, float eta)
 {
   float c = min(max(cosine, 0.0), 1.0);
+  // eta^2 times the squared cosine of the refracted ray (Snell); (eta - 1)(eta + 1) keeps its digits
+  // for an eta near 1
   float g2 = (eta - 1.0) * (eta + 1.0) + c * c;
   if (g2 < 0.0)
   {
@@ -18,21 +19,22 @@ float waterFresnel(float cosine, float eta)
   float g = sqrt(g2);
   if (c + g <= 0.0)
   {
-    return 0.0;
+    return 0.0; // no surface at all, eta = 1, along itself
   }
   float s = (c - g) / (c + g);
   float p = (eta * eta * c - g) / (eta * eta * c + g);
   return 0.5 * (s * s + p * p);
 }
 
-// The same by Schlick's approximation.
+// The same by Schlick's approximation. From the denser side the angle is that of the refracted ray,
+// which keeps total internal reflection where it is.
 // Source: Schlick 1994, "An Inexpensive BRDF Model for Physically-based Rendering".
 float waterSchlick(float cosine, float eta)
 {
   float c = min(max(cosine, 0.0), 1.0);
   if (eta < 1.0)
   {
-    float refracted2 = 1.0 - (1.0 - c * c) / (eta * eta);
+    float refracted2 = 1.0 - (1.0 - c * c) / (eta * eta); // Snell
     if (refracted2 < 0.0)
     {
       return 1.0;

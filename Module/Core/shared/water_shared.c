@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// water_shared.c: the shaders' scalar formulas read as C, in doubles.
+#include "water_shared.h"
+
+#include <math.h>
+
+// Scalar GLSL means the same with these words.
+#define float double
+#define min fmin
+#define max fmax
+#define waterFresnel water_shared_fresnel
+#define waterSchlick water_shared_schlick
+#define waterTransmittance water_shared_transmittance
+#define waterSlopeDensity water_shared_slope_density
+#define waterGlitterRadiance water_shared_glitter_radiance
+#define waterGradientHeight water_shared_gradient_height
+
+#include "vtkWaterAttenuation.glsl"
+#include "vtkWaterGradient.glsl"
+#include "vtkWaterOptics.glsl"
+#include "vtkWaterSlopes.glsl"
