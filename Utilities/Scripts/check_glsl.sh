@@ -1,65 +1,89 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# Compiles every shader of Module/GLSL as GLSL 1.50 with glslangValidator (Debian: glslang-tools).
+# Compiles as GLSL 1.50, with glslangValidator (Debian: glslang-tools): the surface's shader in every
+# combination of files that a look can ask for (list_shaders.sh), and all other shaders.
 #
-# They are pieces that VTK's shaders take in. What VTK provides around them is written down here, so
-# that a piece compiles alone: the version, the names it uses, and an empty main where it has none.
+# They are pieces that VTK's shaders take in. What VTK provides around them is written down here: the
+# version, the names they use, and a main where they have none.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 command -v glslangValidator >/dev/null || { echo "check_glsl: no glslangValidator (Debian: glslang-tools)" >&2; exit 2; }
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
-# needed NAME: the pieces that NAME builds on, and those that they do, each once and in order. A piece
-# says so in its head: "Needs vtkWaterOptics.glsl and vtkWaterPointFS.glsl before it".
-needed() {
-  local piece
-  for piece in $(sed '/^\/\//!{/./q}' Module/GLSL/*/"$1.glsl" | tr -d '\n/' |
-    sed 's/^.*Needs //; t; d' | sed 's/ before.*//' | grep -oE 'vtkWater[A-Za-z]+\.glsl'); do
-    needed "${piece%.glsl}"
-    echo "$piece"
-  done | awk '!seen[$0]++'
-}
+files=(Module/Core/shared/*.glsl Module/GLSL/*/*.glsl)
+printf '%s\n' "${files[@]}" >"$work/files"
+Utilities/Scripts/list_shaders.sh files >"$work/list"
 
-# prelude NAME: what VTK and other pieces have declared before the piece NAME.
-prelude() {
-  local piece
-  echo "#version 150"
-  if [[ $1 != *VS ]]; then
-    echo "out vec4 fragOutput0;" # VTK makes such an output of gl_FragData[0]
-  fi
-  for piece in $(needed "$1"); do
-    cat Module/GLSL/*/"$piece"
-  done
-  if [ "$1" = vtkWaterVolumeFS ]; then # the globals of VTK's ray caster
-    cat <<'GLSL'
-uniform mat4 in_modelViewMatrix, in_inverseModelViewMatrix;
-uniform mat4 in_volumeMatrix[1];
-uniform mat4 in_textureDatasetMatrix[1], in_cellToPoint[1];
-vec3 g_rayOrigin, g_rayTermination, g_rayJitter, g_dataPos, g_terminatePos, g_dirStep;
-float g_terminatePointMax;
-GLSL
-  fi
-}
-
-failures=0
-count=0
-for file in Module/GLSL/*/*.glsl; do
-  name=$(basename "$file" .glsl)
-  stage=frag
-  [[ $name == *VS ]] && stage=vert
+# Each line of the list becomes a file, STAGE and features in its name. A piece that no line has, and
+# that nobody includes, stands alone.
+awk -v work="$work" '
+  FILENAME ~ /files$/ { # its number stands in front of the line in messages
+    name = $0
+    sub(/.*\//, "", name)
+    sub(/[.]glsl$/, "", name)
+    number[name] = FNR
+    path[name] = $0
+    text = "#line 0 " FNR "\n"
+    while ((getline line < $0) > 0)
+    {
+      if (line ~ /^#include "/)
+      {
+        split(line, part, "\"")
+        sub(/[.]glsl$/, "", part[2])
+        is_part[part[2]] = 1
+        line = "//" line "\n" content[part[2]] # those that are included stand first in the list
+      }
+      gsub(/gl_FragData\[0\]/, "fragOutput0", line) # VTK makes such an output of it
+      text = text line "\n"
+    }
+    content[name] = text
+    next
+  }
+  function compile(stage, features, text,   to) {
+    to = work "/" features "." stage
+    print "#version 150" > to
+    if (stage == "frag") print "out vec4 fragOutput0;" > to
+    print text > to
+    close(to)
+  }
   {
-    prelude "$name"
-    echo "#line 1"
-    sed 's/gl_FragData\[0\]/fragOutput0/' "$file"
-    grep -q 'void main()' "$file" || echo "void main() {}"
-  } >"$work/$name.$stage"
-  count=$((count + 1))
-  if ! glslangValidator "$work/$name.$stage" >"$work/log" 2>&1; then
-    echo "$file does not compile (line numbers are the file's):"
-    sed "s|$work/||" "$work/log"
-    failures=$((failures + 1))
-  fi
-done
-[ "$failures" -eq 0 ] || { echo "check_glsl: $failures of $count shaders fail"; exit 1; }
-echo "check_glsl: $count shaders compile as GLSL 1.50"
+    text = ""
+    for (i = 3; i <= NF; ++i)
+    {
+      if (!($i in content)) { print "water_features.h names " $i ", and there is no such file"; failed = 1 }
+      text = text content[$i]
+      is_part[$i] = 1
+    }
+    compile($1, "combination-" $2, text "void main()\n{\n" ($1 == "frag" ? \
+      "  vec4 color = vec4(0.0);\n  waterShade(color);\n  fragOutput0 = color;\n}" : \
+      "  vec4 position = vec4(1.0);\n  waterDisplace(position);\n  gl_Position = position;\n}"))
+  }
+  END {
+    volume = "uniform mat4 in_modelViewMatrix, in_inverseModelViewMatrix;\n" \
+      "uniform mat4 in_volumeMatrix[1];\n" \
+      "uniform mat4 in_textureDatasetMatrix[1], in_cellToPoint[1];\n" \
+      "vec3 g_rayOrigin, g_rayTermination, g_rayJitter, g_dataPos, g_terminatePos, g_dirStep;\n" \
+      "float g_terminatePointMax;\n" # the globals of its ray caster
+    for (name in content)
+      if (!(name in is_part))
+        compile(name ~ /VS$/ ? "vert" : "frag", name, (name == "vtkWaterVolumeFS" ? volume : "") content[name] \
+          (content[name] ~ /void main\(\)/ ? "" : "void main() {}"))
+    exit failed
+  }' "$work/files" "$work/list"
+
+shaders=("$work"/*.frag "$work"/*.vert)
+if ! glslangValidator "${shaders[@]}" >"$work/log"; then
+  # the same line fails in many combinations
+  awk -v names="$(tr '\n' ' ' <"$work/files")" '
+    BEGIN { split(names, path, " ") }
+    /^ERROR: [0-9]+:[0-9]+: / {
+      split($2, at, ":")
+      sub(/^ERROR: [0-9:]+/, path[at[1]] ":" at[2] ":")
+      if (!seen[$0]++) print
+    }' "$work/log" | sort | head -40
+  grep -c '^ERROR: .*compilation errors' "$work/log" |
+    sed "s/\$/ of ${#shaders[@]} shaders do not compile/; s/^/check_glsl: /"
+  exit 1
+fi
+echo "check_glsl: ${#shaders[@]} shaders of ${#files[@]} files compile as GLSL 1.50"

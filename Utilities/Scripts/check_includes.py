@@ -18,6 +18,7 @@ from pathlib import Path
 # Bottom to top: a file includes only what lies in its own room or in one before it.
 CORE = [
     "detail",  # numbers alone: below the types, which the files of base compute with it
+    "shared",  # formulas of shaders, read as C
     "base",
     "waves",
     "optics",  # above the waves: a preset is a water's colour and its sea

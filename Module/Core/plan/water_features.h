@@ -3,9 +3,9 @@
 //
 // A feature is a bit. The shader is a sequence of slots, each filled by one file of Module/GLSL or
 // by none: files and not branches, because software renderers execute both sides of a branch. The
-// list below is the only place that names files, their order and what each stands for; the shader
-// is put together from it, Documentation/architecture.md has its table, and a test compiles every
-// combination of water_features_of.
+// lists below are the only place that names files, their order and what each stands for; the shader
+// is put together from them, Documentation/architecture.md has their table, and tests compile every
+// combination of files that a look can ask for.
 #ifndef water_features_h
 #define water_features_h
 
@@ -16,24 +16,37 @@ extern "C"
 {
 #endif
 
-enum // a bit each
+// X(name, what), in the order of their bits.
+#define WATER_FEATURE_LIST(X)                                                                      \
+  X(WAVES, "the normal is not the plane's")                                                        \
+  X(RAY_TRACED, "reflected rays are traced in the reflection texture")                             \
+  X(OFFSET, "it is looked up beside the calm place")                                               \
+  X(ENVIRONMENT, "a static picture is reflected, or the background")                               \
+  X(MEDIUM, "the scene is seen through the surface")                                               \
+  X(CAUSTICS, "waves gather light on it")                                                          \
+  X(GLITTER, "the sun in slopes that a pixel does not resolve")                                    \
+  X(SEA, "a wind sea on a tile")                                                                   \
+  X(NORMAL_MAPS, "one or two that move")                                                           \
+  X(ROUGH, "several facets a pixel")                                                               \
+  X(DISPLACED, "waves move the surface itself")                                                    \
+  X(FOAM, "at the shore and on crests")                                                            \
+  X(SHADOWS, "of things on glitter and foam")                                                      \
+  X(OUTPUT, "the pixel shows how it got its colour")                                               \
+  X(TRANSLUCENT, "the reflection texture has a layer of translucent things")
+
+typedef enum water_feature_bit
 {
-  WATER_FEATURE_WAVES = 1 << 0,        // the normal is not the plane's
-  WATER_FEATURE_RAY_TRACED = 1 << 1,   // reflected rays are traced in the reflection texture
-  WATER_FEATURE_OFFSET = 1 << 2,       // it is looked up beside the calm place
-  WATER_FEATURE_ENVIRONMENT = 1 << 3,  // a static picture is reflected, or the background
-  WATER_FEATURE_MEDIUM = 1 << 4,       // the scene is seen through the surface
-  WATER_FEATURE_CAUSTICS = 1 << 5,     // waves gather light on it
-  WATER_FEATURE_GLITTER = 1 << 6,      // the sun in slopes that a pixel does not resolve
-  WATER_FEATURE_SEA = 1 << 7,          // a wind sea on a tile
-  WATER_FEATURE_NORMAL_MAPS = 1 << 8,  // one or two that move
-  WATER_FEATURE_ROUGH = 1 << 9,        // several facets a pixel
-  WATER_FEATURE_DISPLACED = 1 << 10,   // waves move the surface itself
-  WATER_FEATURE_FOAM = 1 << 11,        // at the shore and on crests
-  WATER_FEATURE_SHADOWS = 1 << 12,     // of things on glitter and foam
-  WATER_FEATURE_OUTPUT = 1 << 13,      // the pixel shows how it got its colour
-  WATER_FEATURE_TRANSLUCENT = 1 << 14, // the reflection texture has a layer of translucent things
-  WATER_FEATURE_COUNT = 15
+#define WATER_FEATURE_BIT(name, what) WATER_FEATURE_BIT_##name,
+  WATER_FEATURE_LIST(WATER_FEATURE_BIT)
+#undef WATER_FEATURE_BIT
+    WATER_FEATURE_COUNT
+} water_feature_bit;
+
+enum // WATER_FEATURE_WAVES and so on
+{
+#define WATER_FEATURE_VALUE(name, what) WATER_FEATURE_##name = 1 << WATER_FEATURE_BIT_##name,
+  WATER_FEATURE_LIST(WATER_FEATURE_VALUE)
+#undef WATER_FEATURE_VALUE
 };
 
 // Files of the surface's fragment shader, in order: X(slot, file, any_of, none_of, what). A file is

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkWaterDisplacementFS.glsl: slot place of a surface that waves displace: its place at rest comes
-// from the vertices (vtkWaterDisplacementVS.glsl). Needs vtkWaterCell.glsl before it.
+// from the vertices (vtkWaterDisplacementVS.glsl).
 
 in vec2 waterRestVSOutput;
 in vec3 waterMovedVSOutput; // from there to the triangle

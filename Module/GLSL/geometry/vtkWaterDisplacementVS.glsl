@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkWaterDisplacementVS.glsl: moves the vertices of a surface by its waves; water_waves.c for the shader.
 // Everything happens in clip space: whatever the vertices' own coordinates are, and wherever the
-// world's origin is, numbers are small near the eye. Needs vtkWaterCell.glsl before it.
+// world's origin is, numbers are small near the eye.
 
 in vec2 waterCell;            // distances of the grid's rows and of a row's points; 0 on a user's mesh
 uniform sampler2D waterWaves; // as in vtkWaterWavesFS.glsl

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkWaterCausticsFS.glsl: slot caustics: how waves gather the sun's light on what lies under them.
-// Needs vtkWaterPointFS.glsl, vtkWaterWavesFS.glsl, vtkWaterNoSeaFS.glsl, vtkWaterNoNormalMapsFS.glsl
-// and vtkWaterRippleFS.glsl before it.
 //
 // A slope g turns a steep ray by (1 - 1/n) g, so that a point x of the surface sends its light to
 // x + depth (1 - 1/n) g(x): where that reflection texture shrinks an area, the bed is as much brighter. Of several

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkWaterMediumFS.glsl: slot body: what is seen through the surface, refracted, and what the way
 // through the water leaves of it; water_medium.c for the shader.
-// Needs vtkWaterPointFS.glsl and vtkWaterNoCausticsFS.glsl before it.
 //
 // Seen from above the refracted ray runs through the water, from below the view ray does.
 

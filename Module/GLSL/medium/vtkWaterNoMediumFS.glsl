@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkWaterNoMediumFS.glsl: slot body of water that nothing is seen in.
-// Needs vtkWaterPointFS.glsl before it.
 
 vec3 waterTransmitted(WaterPoint point)
 {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkWaterBlurFS.glsl: slot blur of a reflection that is looked up in the reflection texture.
-// Needs vtkWaterPointFS.glsl and vtkWaterRayTracedFS.glsl before it, or another of the last one's slot.
 
 // The places that some facets see, blurred over their distance: several sharp images would be seen as
 // several.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkWaterEnvironmentFS.glsl: slot reflection: a static picture of the surroundings, in latitude and
-// longitude as vtkSkybox has it, or the background. Needs vtkWaterPointFS.glsl before it.
+// longitude as vtkSkybox has it, or the background.
 
 uniform sampler2D waterEnvironment;
 uniform int waterHasEnvironment; // 0: the background

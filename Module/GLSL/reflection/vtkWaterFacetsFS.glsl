@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkWaterFacetsFS.glsl: the facets that stand for all slopes within a pixel.
-// Needs vtkWaterOptics.glsl, vtkWaterPointFS.glsl, vtkWaterNoOutputFS.glsl, vtkWaterRayTracedFS.glsl and
-// vtkWaterNoTranslucentLayerFS.glsl and vtkWaterBlurFS.glsl before it, or others of the last four's slots.
 //
 // The slopes are Gaussian about the pixel's mean one, along the azimuth of the view only: at a low
 // view a slope across it turns the reflection little. A facet counts by the part of the pixel that

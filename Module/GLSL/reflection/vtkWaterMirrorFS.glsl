@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkWaterMirrorFS.glsl: slot reflection of calm water: one exact look at the reflection texture.
-// Needs vtkWaterPointFS.glsl before it.
 
 uniform sampler2D waterReflection; // mirrored view, flipped in x
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkWaterNoBlurFS.glsl: slot blur of a reflection that has no reflection texture: its facets add up.
-// Needs vtkWaterPointFS.glsl before it.
 
 vec3 waterBlurred(WaterPlaces places, int count)
 {

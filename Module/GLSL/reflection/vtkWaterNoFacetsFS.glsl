@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkWaterNoFacetsFS.glsl: slot facets of smooth water: the one that the normal is of.
-// Needs vtkWaterOptics.glsl, vtkWaterPointFS.glsl and vtkWaterMirrorFS.glsl before it, or another of
-// the last one's slot.
 
 // The reflection, times the reflectance.
 //

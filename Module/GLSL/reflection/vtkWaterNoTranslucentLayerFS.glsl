@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkWaterNoTranslucentLayerFS.glsl: slot layer of a reflection texture in which nothing is translucent.
-// Needs vtkWaterPointFS.glsl and vtkWaterRayTracedFS.glsl before it, or another of the latter's slot.
 
 uniform sampler2D waterReflectionDepth; // window depth of the mirrored view, 1: nothing drawn; nearest
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkWaterOffsetFS.glsl: slot reflection: the calm one, shifted by the normal: what most programs do
-// for waves. Needs vtkWaterPointFS.glsl before it.
+// for waves.
 
 uniform sampler2D waterReflection; // mirrored view, flipped in x; linear
 uniform int waterLookup;           // vtkWaterProperty::Lookups

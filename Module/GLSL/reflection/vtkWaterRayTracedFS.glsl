@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkWaterRayTracedFS.glsl: slot reflection: where the reflection texture shows
 // what a reflected ray meets. The formulas of the rays are in water_lookup.h, the rules and what each is worth in
-// Documentation/decisions/006-lookup.md. Needs vtkWaterPointFS.glsl before it, and vtkWaterNoTranslucentLayerFS.glsl
-// or another of its slot after it.
+// Documentation/decisions/006-lookup.md.
 
 uniform sampler2D waterReflection; // mirrored view, flipped in x; linear
 uniform mat4 waterDirToReflection; // direction in the plane's axes -> clip of the reflection texture

@@ -3,7 +3,6 @@
 // with translucent things or volumes, which are kept apart from the rest. A ray goes to what is opaque, as without
 // them, and once more to the first thing of all: so things are found at their own distance, and what is seen through
 // them at its own.
-// Needs vtkWaterPointFS.glsl and vtkWaterRayTracedFS.glsl before it.
 
 uniform sampler2D waterReflectionDepth; // of the mirrored view without the layer, 1: nothing; nearest
 uniform sampler2D waterOpaque;          // its colours; linear

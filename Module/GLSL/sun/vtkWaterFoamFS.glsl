@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkWaterFoamFS.glsl: slot foam: at the shore and on crests.
-// Needs vtkWaterPointFS.glsl and vtkWaterNoMediumFS.glsl before it, or another of the latter's slot.
 
 uniform vec3 waterFoamColor;
 uniform float waterFoamDepth;    // m of water over which the shore's foam ends; 0: none

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkWaterGlitterFS.glsl: slot glitter: the sun in the slopes that a pixel does not resolve;
-// water_glitter.c for the shader. Needs vtkWaterOptics.glsl and vtkWaterPointFS.glsl before it.
+// water_glitter.c for the shader.
 
 // The smallest variance of slopes: the sun is a disc of half a degree, and a pixel is not a point.
 const float WATER_SUN_VARIANCE = 2e-5;

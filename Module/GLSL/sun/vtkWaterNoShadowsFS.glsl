@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkWaterNoShadowsFS.glsl: slot shadows of water that nothing casts shadows on: a second ray costs
 // software renderers as much where a uniform says that it has no use.
-// Needs vtkWaterPointFS.glsl before it.
 
 float waterSunArrives(WaterPoint point)
 {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkWaterShadowsFS.glsl: slot shadows: of things on the water's glitter and foam.
-// Needs vtkWaterPointFS.glsl and vtkWaterRayTracedFS.glsl before it, or another of the latter's slot.
 
 // How much of the sun's light arrives.
 float waterSunArrives(WaterPoint point)

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkWaterSunFS.glsl: slot sun: its light, on glitter and foam.
-// Needs vtkWaterPointFS.glsl, vtkWaterNoShadowsFS.glsl, vtkWaterNoGlitterFS.glsl and
-// vtkWaterNoFoamFS.glsl before it, or others of their slots.
 
 uniform vec3 waterSunColor; // of the light; a white card facing it shows this
 

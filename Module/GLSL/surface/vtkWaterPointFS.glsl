@@ -6,7 +6,6 @@
 // glitter (waterGlint), foam (waterFoam), sun (waterSunlit), output (waterShow); vtkWaterSurfaceFS.glsl puts them
 // together. They are files and not branches because software renderers execute both sides of a branch.
 //
-// Needs vtkWaterNoDisplacementFS.glsl before it, or another of the slot place.
 //
 // NDC come from gl_FragCoord and the viewport of the draw itself (read from the GL state), which is
 // exact for a sheet of any size.

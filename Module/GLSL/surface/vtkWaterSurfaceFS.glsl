@@ -1,8 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkWaterSurfaceFS.glsl: the colour of a water pixel, from the slots.
-// Needs vtkWaterOptics.glsl, vtkWaterPointFS.glsl, vtkWaterNoFacetsFS.glsl, vtkWaterNoWavesFS.glsl,
-// vtkWaterMirrorFS.glsl, vtkWaterNoMediumFS.glsl, vtkWaterNoSunFS.glsl and vtkWaterNoOutputFS.glsl before it,
-// or others of their slots.
 
 uniform int waterHasView;         // 0: nothing is known of the view, show the plain colour
 uniform float waterShoreSoftness; // m of depth

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkWaterNoWavesFS.glsl: slot waves of water that has none. Needs vtkWaterPointFS.glsl
-// before it.
+// vtkWaterNoWavesFS.glsl: slot waves of water that has none.
 
 void waterRipple(inout WaterPoint point) {}

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkWaterNormalMapsFS.glsl: slot waves: one or two normal maps that move over the water.
-// Needs vtkWaterTileFS.glsl before it.
 
 uniform sampler2D waterNormalMap0; // vtkWaterSlopeTexture
 uniform sampler2D waterNormalMap1;

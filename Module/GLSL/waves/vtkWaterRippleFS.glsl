@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkWaterRippleFS.glsl: slot waves: the surface's normal from sines, wind sea and normal maps
-// together. Needs vtkWaterPointFS.glsl, vtkWaterWavesFS.glsl, vtkWaterNoSeaFS.glsl and
-// vtkWaterNoNormalMapsFS.glsl before it, or others of the last two.
+// together.
 
 // dz/dx and dz/dy over a place in the plane's axes; see waterSlope.
 vec2 waterAllSlopes(

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkWaterSeaFS.glsl: slot waves: the slopes of a wind sea from its tile; water_tile.c for the shader.
-// Needs vtkWaterTileFS.glsl before it.
 
 uniform sampler2D waterSea;   // vtkWaterSlopeTexture
 uniform vec4 waterSeaTile;    // where under the eye, in tiles: x, y; tiles per m; half a texel

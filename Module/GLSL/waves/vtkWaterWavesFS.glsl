@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkWaterWavesFS.glsl: slot waves: sine and Gerstner waves; water_waves.c for the shader.
-// Needs vtkWaterPointFS.glsl before it.
 
 uniform sampler2D waterWaves; // a row per wave: (kx, ky, amplitude, phase), (steepness, 0, 0, 0)
 uniform int waterWaveCount;

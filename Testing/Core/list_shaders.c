@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// list_shaders.c: what the lists of water_features.h amount to, for scripts.
+//
+//   list_shaders files  a line for each shader of a surface: its stage, its features in
+//   hexadecimal,
+//                       its files in order
+//   list_shaders table  features, slots and files as Markdown, for Documentation/architecture.md
+#include "shader_combinations.h"
+
+#include <stdio.h>
+#include <string.h>
+
+typedef struct shader_file
+{
+  const char* slot;
+  const char* name;
+  unsigned any_of;
+  unsigned none_of;
+  const char* what;
+} shader_file;
+
+#define SHADER_FILE(slot, file, any_of, none_of, what) { #slot, #file, any_of, none_of, what },
+static const shader_file surface_files[] = { WATER_SURFACE_FILE_LIST(SHADER_FILE) };
+static const shader_file vertex_files[] = { WATER_DISPLACEMENT_FILE_LIST(SHADER_FILE) };
+
+enum
+{
+  SURFACE_FILE_COUNT = sizeof surface_files / sizeof surface_files[0],
+  VERTEX_FILE_COUNT = sizeof vertex_files / sizeof vertex_files[0]
+};
+
+#define FEATURE_NAME(name, what) #name,
+#define FEATURE_WHAT(name, what) what,
+static const char* const names[] = { WATER_FEATURE_LIST(FEATURE_NAME) };
+static const char* const meanings[] = { WATER_FEATURE_LIST(FEATURE_WHAT) };
+
+static void print_files(
+  const char* stage, unsigned features, const shader_file* files, size_t file_count)
+{
+  printf("%s %04x", stage, features);
+  for (size_t i = 0; i < file_count; ++i)
+  {
+    if (water_features_want(features, files[i].any_of, files[i].none_of))
+    {
+      printf(" %s", files[i].name);
+    }
+  }
+  printf("\n");
+}
+
+static void print_names(unsigned features, const char* between)
+{
+  const char* before = "";
+  for (size_t i = 0; i < WATER_FEATURE_COUNT; ++i)
+  {
+    if (features >> i & 1u)
+    {
+      printf("%s`%s`", before, names[i]);
+      before = between;
+    }
+  }
+}
+
+static void print_condition(const shader_file* file)
+{
+  print_names(file->any_of, " or ");
+  if (file->none_of)
+  {
+    printf(file->any_of ? ", not " : "not ");
+    print_names(file->none_of, " nor ");
+  }
+  if (!file->any_of && !file->none_of)
+  {
+    printf("always");
+  }
+}
+
+static void print_table(const shader_file* files, size_t file_count)
+{
+  printf("| slot | file | when | what |\n|---|---|---|---|\n");
+  for (size_t i = 0; i < file_count; ++i)
+  {
+    const bool is_next = i > 0 && strcmp(files[i].slot, files[i - 1].slot) == 0;
+    printf("| %s | `%s` | ", is_next ? "" : files[i].slot, files[i].name);
+    print_condition(files + i);
+    printf(" | %s |\n", files[i].what);
+  }
+}
+
+int main(int argc, char** argv)
+{
+  if (argc == 2 && strcmp(argv[1], "files") == 0)
+  {
+    static unsigned sets[SHADER_SET_COUNT];
+    const size_t count = shader_combinations(sets);
+    for (size_t i = 0; i < count; ++i)
+    {
+      print_files("frag", sets[i], surface_files, SURFACE_FILE_COUNT);
+    }
+    print_files("vert", WATER_FEATURE_DISPLACED, vertex_files, VERTEX_FILE_COUNT);
+    return 0;
+  }
+  if (argc == 2 && strcmp(argv[1], "table") == 0)
+  {
+    printf("| feature | what |\n|---|---|\n");
+    for (size_t i = 0; i < WATER_FEATURE_COUNT; ++i)
+    {
+      printf("| `%s` | %s |\n", names[i], meanings[i]);
+    }
+    printf("\nFragment shader:\n\n");
+    print_table(surface_files, SURFACE_FILE_COUNT);
+    printf("\nVertex shader of a surface that waves displace:\n\n");
+    print_table(vertex_files, VERTEX_FILE_COUNT);
+    return 0;
+  }
+  fprintf(stderr, "usage: list_shaders files|table\n");
+  return 2;
+}
