@@ -14,7 +14,7 @@ set_target_properties(water_core_archive PROPERTIES
   LINKER_LANGUAGE C)
 get_target_property(water_core_rooms water_core INTERFACE_INCLUDE_DIRECTORIES)
 target_include_directories(water_core_archive INTERFACE
-  ${water_core_rooms}
+  "${water_core_rooms}" # quoted: one expression, for the build tree alone, with a list in it
   "$<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/vtk-water>")
 if(UNIX)
   target_link_libraries(water_core_archive INTERFACE m)
