@@ -13,6 +13,31 @@ run("${CMAKE_COMMAND}" -S "${CMAKE_CURRENT_LIST_DIR}/Consumer" -B "${WORK_DIR}/c
   "-DCMAKE_PREFIX_PATH=${prefix}" "-DVTK_DIR=${VTK_DIR}" "-DPython3_EXECUTABLE=${PYTHON}")
 run("${CMAKE_COMMAND}" --build "${WORK_DIR}/consumer" --config "${BUILD_TYPE}")
 
+# Each header alone, as it comes.
+run("${CMAKE_COMMAND}" -S "${CMAKE_CURRENT_LIST_DIR}/Headers" -B "${WORK_DIR}/headers"
+  -G "${GENERATOR}" "-DCMAKE_BUILD_TYPE=${BUILD_TYPE}" "-DHEADERS_PREFIX=${prefix}"
+  "-DCMAKE_PREFIX_PATH=${prefix}" "-DVTK_DIR=${VTK_DIR}" "-DPython3_EXECUTABLE=${PYTHON}")
+expect("headers: [1-9][0-9], [1-9][0-9] of them C's")
+string(REGEX MATCH "headers: [^\n]*" headers "${run_output}")
+run("${CMAKE_COMMAND}" --build "${WORK_DIR}/headers" --config "${BUILD_TYPE}")
+message("${headers}: each compiles alone")
+
+# The CMake files know the prefix and VTK, and nothing of where we were built.
+get_filename_component(source_dir "${CMAKE_CURRENT_LIST_DIR}/../.." ABSOLUTE)
+file(GLOB_RECURSE cmake_files "${prefix}/*.cmake" "${prefix}/*.pc")
+if(NOT cmake_files)
+  message(FATAL_ERROR "no CMake files were installed")
+endif()
+foreach(file IN LISTS cmake_files)
+  file(READ "${file}" text)
+  foreach(ours IN ITEMS "${source_dir}/Module" "${source_dir}/;" "${source_dir};" "${source_dir}\"" "${BINARY_DIR}/")
+    string(FIND "${text}" "${ours}" at) # all of the tree would be too much: VTK may lie in it, in build/sdk
+    if(NOT at EQUAL -1)
+      message(FATAL_ERROR "${file} names a folder of ours: ${ours}")
+    endif()
+  endforeach()
+endforeach()
+
 # From here on nothing of the build tree may help.
 set(ENV{LD_LIBRARY_PATH} "")
 set(ENV{PYTHONPATH} "${prefix}/${PYTHON_DESTINATION}")
