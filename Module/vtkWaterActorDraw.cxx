@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkWaterActorDraw.cxx: the part of vtkWaterActor that takes part in a frame and draws the
 // surface: in the picture, and in the mirrored views of other waters. See
-// Documentation/decisions/008-stages.md and 011-water-in-water.md.
+// Documentation/decisions/008-shader-slots.md and 011-water-in-water.md.
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLRenderer.h"
 #include "vtkProperty.h"

@@ -45,7 +45,7 @@ def scene(position, waves, size=SIZE):
 
 
 def truth(camera, water, waves, size):
-    """For every pixel: the right place in the map, and whether it counts."""
+    """For every pixel: the right place in the reflection texture, and whether it counts."""
     start, ray = ray_caster.eye_rays(camera, size, 1)
     _, distance = ray_caster.cast(ISLANDS, (0, 0, 0), start, ray)
     to_water = ray_caster.meet_waves(start, ray, waves, 0.0, 150)
@@ -83,8 +83,8 @@ LONG_WAVES, STEEP_WAVES = (24, 15, 9), (12, 7, 4)  # wavelengths, m
 
 
 def lookup_errors(lengths):
-    """How far, in px of the map, reflections of three views are looked up from their places; and which of these
-    pixels are off silhouettes."""
+    """How far, in px of the reflection texture, reflections of three views are looked up from their places; and which
+    of these pixels are off silhouettes."""
     waves = waves_of(lengths)
     errors, smooth = [], []
     for view, position in VIEWS.items():

@@ -164,14 +164,14 @@ def test_two_windows_may_share_look_and_plane(reference):
 
 
 def test_the_debug_corner_shows_the_map(reference):
-    """The debug corner shows the map, turned back, in the lower left quarter and nowhere else."""
+    """The debug corner shows the reflection texture, turned back, in the lower left quarter and nowhere else."""
     view, water = build()
     mask = wt.water_mask(view, water)
     water.GetReflectionPass().ShowReflectionOn()
     corner = view.picture()
     wt.check_equal("debug corner: the rest, largest error", wt.difference(corner[120:], reference[120:]), 0)
     wt.check_equal("debug corner: right half, largest error", wt.difference(corner[:, 160:], reference[:, 160:]), 0)
-    # each pixel of the corner is the map at twice its place, where the water looks it up
+    # each pixel of the corner is the reflection texture at twice its place, where the water looks it up
     shown = corner[:120, :160][2:-2, 2:-2]
     expected = reference[::2, ::2][2:-2, 2:-2]
     inside = mask[::2, ::2][2:-2, 2:-2]

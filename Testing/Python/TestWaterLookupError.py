@@ -26,7 +26,7 @@ from wave_scenes import (
 
 
 def truth(camera, water, waves):
-    """For every pixel of the picture: the right place in the map, and whether it counts."""
+    """For every pixel of the picture: the right place in the reflection texture, and whether it counts."""
     start, ray = ray_caster.eye_rays(camera, ISLANDS_SIZE, 1)
     _, distance = ray_caster.cast(ISLANDS, (0, 0, 0), start, ray)
     with np.errstate(divide="ignore"):

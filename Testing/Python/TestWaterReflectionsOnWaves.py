@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Reflections on waves are those of a ray caster, touch the things that they are of, and are the same on planes that
-are turned, seen from below or share their map with others."""
+are turned, seen from below or share their reflection texture with others."""
 
 import numpy as np
 import pytest
@@ -141,11 +141,11 @@ def test_confidence_says_why_and_where():
     water.GetWaterProperty().SetOutputToConfidence()
     reasons = made.picture()
     shares = [float((reasons[:, :, 0][mask] == reason).mean()) for reason in range(6)]
-    print("confidence: shares of none, hit, sky, off the map, hidden, downward:", np.round(shares, 4).tolist())
+    print("confidence: shares of none, hit, sky, off the texture, hidden, downward:", np.round(shares, 4).tolist())
     wt.check_equal("confidence: all pixels have a reason", round(sum(shares[1:]), 12), 1.0)
     is_sky = mask & (np.abs(color - 255 * np.asarray(SKY)).max(axis=2) < 1)
     seen_as_sky = np.isin(reasons[:, :, 0], (vtkWaterProperty.SKY, vtkWaterProperty.OFF_MAP, vtkWaterProperty.HIDDEN))
-    wt.check_at_least("confidence: sky-coloured pixels that are sky, off the map or hidden",
+    wt.check_at_least("confidence: sky-coloured pixels that are sky, off the texture or hidden",
                       float(seen_as_sky[is_sky].mean()), 0.98)
     is_thing = mask & (np.abs(color - 255 * np.asarray(SKY)).max(axis=2) > 60)
     wt.check_at_least("confidence: pixels that show things and are hits",
@@ -201,19 +201,19 @@ def test_waves_seen_from_below_reflect_the_things_under_water():
 
 
 def test_guard_band_keeps_rays_on_the_map():
-    """Of the rays that waves turn out of the picture, far fewer leave the map with a guard band."""
+    """Of the rays that waves turn out of the picture, far fewer leave the reflection texture with a guard band."""
     made, water = post_scene("low")
     water.GetWaterProperty().SetOutputToConfidence()
     water.GetReflectionPass().SetGuardBand(1.0)
     without = int((made.picture()[:, :, 0] == vtkWaterProperty.OFF_MAP).sum())
     water.GetReflectionPass().SetGuardBand(0.0)
     automatic = int((made.picture()[:, :, 0] == vtkWaterProperty.OFF_MAP).sum())
-    wt.check_at_least(f"guard band: pixels off the map without / with it ({automatic})",
+    wt.check_at_least(f"guard band: pixels off the texture without / with it ({automatic})",
                       without / max(automatic, 1), 3)
 
 
 def test_calm_water_beside_waves_is_as_calm_as_alone():
-    """Calm water that shares its map with wavy water in the same plane looks as it does alone."""
+    """Calm water that shares its reflection texture with wavy water in the same plane looks as it does alone."""
     made, wavy = post_scene("middle")
     wavy.SetSheetBounds(-60, 0, -60, 60)
     calm = wt.add_water(made.renderer, None, (0, 60, -60, 60))
@@ -222,13 +222,14 @@ def test_calm_water_beside_waves_is_as_calm_as_alone():
     shared = vtkWaterReflectionPass()
     made.renderer.SetPass(shared)
     together = made.picture()
-    wt.check_equal("one map: both waters are in the pass's charge", calm.GetReflectionPass() == shared, True)
-    wt.check_at_most("one map: % of the calm water off by more than 1 of 255",
+    wt.check_equal("one reflection texture: both waters are in the pass's charge",
+                   calm.GetReflectionPass() == shared, True)
+    wt.check_at_most("one reflection texture: % of the calm water off by more than 1 of 255",
                      100 * float((np.abs(together - alone).max(axis=2) > 1)[is_calm].mean()), 0.1)
 
 
 def test_rays_off_the_map_meet_the_skybox():
-    """Under a skybox, what rays off the map meet is not the renderer's background."""
+    """Under a skybox, what rays off the reflection texture meet is not the renderer's background."""
     made, water = post_scene("middle")
     image = vtkImageData()
     image.SetDimensions(2, 2, 1)

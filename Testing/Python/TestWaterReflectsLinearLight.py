@@ -39,7 +39,7 @@ def read(made):
 @pytest.mark.parametrize("gray", (0.18, 0.5, 0.9))
 @pytest.mark.parametrize("precision", (EIGHT_BIT, HALF_FLOAT), ids=("eight_bits", "half_floats"))
 def test_a_card_is_reflected_at_its_share(precision, gray, reflectance):
-    """A gray card is reflected as the reflectance's share of it, in maps of either precision."""
+    """A gray card is reflected as the reflectance's share of it, in reflection textures of either precision."""
     made, water = card_and_water(gray, reflectance)
     water.GetReflectionPass().SetColorPrecision(precision)
     wt.check_at_most(f"gray {gray}, precision {precision}, F = {reflectance}: |reflection - F card|",

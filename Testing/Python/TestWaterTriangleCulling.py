@@ -67,7 +67,8 @@ def check(title, change, before=lambda scene: None, **settings):
 
 
 # Where coincident surfaces are told apart, each pixel is further or nearer than its triangle, the
-# more the steeper this is; and what would be further than all is as far as what the map is cleared with.
+# more the steeper this is; and what would be further than all is as far as what the reflection texture is cleared
+# with.
 @pytest.fixture
 def resolve_by_offset():
     """A function that moves all polygons by a factor and by units; afterwards they are as VTK has them."""
@@ -100,7 +101,7 @@ def test_offsets_of_one_mesh_hide_no_triangle(offsets, resolve_by_offset, platfo
 
 
 def test_offset_to_the_largest_depth_hides_no_triangle(resolve_by_offset, platform):
-    """Polygons as far as what the map is cleared with are drawn in the right order."""
+    """Polygons as far as what the reflection texture is cleared with are drawn in the right order."""
     resolve_by_offset(0, 3000)
     check(f"offset to the largest depth, {platform}", lambda scene: None, runs_nearer=True)
 

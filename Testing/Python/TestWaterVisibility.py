@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What only hidden water would reflect is left out: props and pieces of large meshes behind a wall
-and beside it, at several texture scales; no picture changes, and no map of that kind is used again."""
+and beside it, at several texture scales; no picture changes, and no reflection texture of that kind is used again."""
 
 import numpy as np
 import pytest
@@ -99,7 +99,7 @@ def test_water_that_is_drawn_nearer_is_not_taken_for_hidden(pull, resolution, co
 
 
 def test_a_view_that_stands_still_uses_a_whole_map():
-    """A view that stands still has a whole map in its second frame, and uses it from then on."""
+    """A view that stands still has a whole reflection texture in its second frame, and uses it from then on."""
     # That is right also when what hid a part of the water is gone.
     scene = Scene(1.0, Pass.SKIP_ALL)
     list(scene.pictures())

@@ -9,7 +9,7 @@ from report import table
 from tracer import Tracer
 from vtkwater import vtkWaterProperty
 
-KINDS = {"hit": vtkWaterProperty.HIT, "sky": vtkWaterProperty.SKY, "off the map": vtkWaterProperty.OFF_MAP,
+KINDS = {"hit": vtkWaterProperty.HIT, "sky": vtkWaterProperty.SKY, "off the texture": vtkWaterProperty.OFF_MAP,
          "hidden": vtkWaterProperty.HIDDEN, "downward": vtkWaterProperty.DOWNWARD}
 BEHIND = 100  # a kind of the tracer alone: sky, but behind something on its way
 LIMIT = 1.0  # % of the pixels
@@ -35,7 +35,7 @@ $matrices
 def _classify(pixels, tracer):
     sky = np.where(pixels.is_passing_behind(tracer), BEHIND, KINDS["sky"])
     kind = np.where(pixels.is_hit, np.where(pixels.is_seen, KINDS["hit"], KINDS["hidden"]), sky)
-    kind = np.where(pixels.is_on_map, kind, KINDS["off the map"])
+    kind = np.where(pixels.is_on_map, kind, KINDS["off the texture"])
     return np.where(pixels.is_downward, KINDS["downward"], kind)
 
 

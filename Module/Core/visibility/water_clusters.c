@@ -61,7 +61,7 @@ static double size_of_normal(const double plane[4])
   return fabs(plane[0]) + fabs(plane[1]) + fabs(plane[2]);
 }
 
-void water_clusters_view_make(const water_plan* plan, const water_clusters_target* map, int band,
+void water_clusters_view_make(const water_plan* plan, const water_clusters_target* target, int band,
   int band_count, bool is_solid, const double model_to_world[16], const double origin[3],
   water_clusters_view* view)
 {
@@ -114,10 +114,10 @@ void water_clusters_view_make(const water_plan* plan, const water_clusters_targe
   memcpy(triangles->texture_px, plan->texture_px, sizeof triangles->texture_px);
   memcpy(triangles->rect_px, rect_px, sizeof triangles->rect_px);
   memcpy(triangles->columns, columns, sizeof triangles->columns);
-  triangles->has_samples = map->samples > 1;
-  triangles->grid_px = ldexp(1.0, -map->subpixel_bits);
-  triangles->seen = map->seen;
-  triangles->depths = map->depths;
+  triangles->has_samples = target->samples > 1;
+  triangles->grid_px = ldexp(1.0, -target->subpixel_bits);
+  triangles->seen = target->seen;
+  triangles->depths = target->depths;
   triangles->is_solid = is_solid;
   view->is_fine = plan->is_software;
 }

@@ -77,7 +77,7 @@ typedef struct water_clusters_target
 // model_to_world  affine
 // origin          what the GPU's coordinates of the mesh are relative to: they are in single
 //                 precision
-void water_clusters_view_make(const water_plan* plan, const water_clusters_target* map, int band,
+void water_clusters_view_make(const water_plan* plan, const water_clusters_target* target, int band,
   int band_count, bool is_solid, const double model_to_world[16], const double origin[3],
   water_clusters_view* view);
 

@@ -22,36 +22,36 @@ void vtkWaterGpuQueries::Use(vtkWindow* window)
 }
 
 //------------------------------------------------------------------------------
-void vtkWaterGpuQueries::Begin(int stage, vtkWindow* window)
+void vtkWaterGpuQueries::Begin(int part, vtkWindow* window)
 {
   this->Use(window);
   if (!this->IsOn || !vtkOpenGLRenderTimer::IsSupported())
   {
     return;
   }
-  this->GetTime(stage); // keeps what is there
-  this->Timers[stage] = std::make_unique<vtkOpenGLRenderTimer>();
-  this->Timers[stage]->Start();
+  this->GetTime(part); // keeps what is there
+  this->Timers[part] = std::make_unique<vtkOpenGLRenderTimer>();
+  this->Timers[part]->Start();
 }
 
 //------------------------------------------------------------------------------
-void vtkWaterGpuQueries::End(int stage)
+void vtkWaterGpuQueries::End(int part)
 {
-  if (this->Timers[stage] && this->Timers[stage]->Started() && !this->Timers[stage]->Stopped())
+  if (this->Timers[part] && this->Timers[part]->Started() && !this->Timers[part]->Stopped())
   {
-    this->Timers[stage]->Stop();
+    this->Timers[part]->Stop();
   }
 }
 
 //------------------------------------------------------------------------------
-double vtkWaterGpuQueries::GetTime(int stage)
+double vtkWaterGpuQueries::GetTime(int part)
 {
-  vtkOpenGLRenderTimer* timer = this->Timers[stage].get();
+  vtkOpenGLRenderTimer* timer = this->Timers[part].get();
   if (timer && timer->Stopped() && timer->Ready())
   {
-    this->Times[stage] = timer->GetElapsedMilliseconds();
+    this->Times[part] = timer->GetElapsedMilliseconds();
   }
-  return this->Times[stage];
+  return this->Times[part];
 }
 
 //------------------------------------------------------------------------------

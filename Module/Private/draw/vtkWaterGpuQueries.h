@@ -28,14 +28,14 @@ public:
   void SetOn(bool isOn) { this->IsOn = isOn; }
 
   // Times what is drawn between the two.
-  void Begin(int stage, vtkWindow* window);
-  void End(int stage);
+  void Begin(int part, vtkWindow* window);
+  void End(int part);
   // Counts the opaque geometry that is drawn between the two.
   void BeginCounting(vtkWindow* window);
   void EndCounting();
 
   // ms of the last one that the GPU has finished; NaN: there is none.
-  double GetTime(int stage);
+  double GetTime(int part);
 
   // Of the last count; -1: there is none. They wait for the GPU.
   vtkIdType GetTriangles();

@@ -36,15 +36,15 @@ bool vtkWaterTranslucentLayer::IsNeeded(const std::vector<vtkProp*>& props)
 }
 
 //------------------------------------------------------------------------------
-bool vtkWaterTranslucentLayer::Keep(vtkOpenGLRenderWindow* window, vtkWaterTarget& map)
+bool vtkWaterTranslucentLayer::Keep(vtkOpenGLRenderWindow* window, vtkWaterTarget& reflection)
 {
-  if (!this->Opaque.EnsureAs(window, map, false) || !this->Layer.EnsureAs(window, map, true))
+  if (!this->Opaque.EnsureAs(window, reflection, false) || !this->Layer.EnsureAs(window, reflection, true))
   {
     return false;
   }
   window->GetState()->vtkglDisable(GL_SCISSOR_TEST); // which cuts copies
-  this->Opaque.CopyFrom(map, GL_COLOR_BUFFER_BIT);
-  this->Layer.CopyFrom(map, GL_DEPTH_BUFFER_BIT);
+  this->Opaque.CopyFrom(reflection, GL_COLOR_BUFFER_BIT);
+  this->Layer.CopyFrom(reflection, GL_DEPTH_BUFFER_BIT);
   return true;
 }
 

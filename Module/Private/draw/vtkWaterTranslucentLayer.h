@@ -29,7 +29,7 @@ public:
   // framebuffer and the scissor test are others afterwards.
   //
   // Returns false when the GPU gives no textures for it.
-  bool Keep(vtkOpenGLRenderWindow* window, vtkWaterTarget& map);
+  bool Keep(vtkOpenGLRenderWindow* window, vtkWaterTarget& reflection);
 
   // Draws the layer: Bind, then viewport and scissor of the reflection texture, then Draw.
   bool Bind() { return this->Layer.Bind(); }

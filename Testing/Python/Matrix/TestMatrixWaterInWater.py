@@ -155,7 +155,7 @@ cell("water with waves that displace it", gradient, [rough], prepare=lambda wate
      reason="It is drawn at rest, with its waves as the mean of all times, by four facets; the truth sums 80.")
 
 
-# What of other water makes the map a new one.
+# What of other water makes the reflection texture a new one.
 def decides(name, expected, change):
     scene = mm.Scene(mm.SEEN)
     gradient(scene)
@@ -173,15 +173,21 @@ def look(other):
 
 
 for name, expected, change in (
-    ("the time of its waves: the map is used again", Pass.REUSED, lambda other: other.SetTime(3.0)),
-    ("no change: the map is used again", Pass.REUSED, lambda other: None),
-    ("another colour: the map is drawn again", Pass.RENDERED, lambda other: look(other).SetDeepColor(0.5, 0.1, 0.1)),
-    ("another wave: the map is drawn again", Pass.RENDERED, lambda other: look(other).AddWave(0.01, 0.2)),
-    ("another index: the map is drawn again", Pass.RENDERED, lambda other: look(other).SetIndexOfRefraction(1.4)),
-    ("another opacity: the map is drawn again", Pass.RENDERED, lambda other: look(other).SetOpacity(0.7)),
-    ("another place: the map is drawn again", Pass.RENDERED, lambda other: other.GetPlane().SetOrigin(-2.5, 3.1, 0.8)),
-    ("another size: the map is drawn again", Pass.RENDERED, lambda other: other.SetSheetBounds(-2, 2, -2, 2)),
-    ("no other water: the map is drawn again", Pass.RENDERED, lambda other: other.VisibilityOff()),
+    ("the time of its waves: the reflection texture is used again", Pass.REUSED, lambda other: other.SetTime(3.0)),
+    ("no change: the reflection texture is used again", Pass.REUSED, lambda other: None),
+    ("another colour: the reflection texture is drawn again", Pass.RENDERED,
+     lambda other: look(other).SetDeepColor(0.5, 0.1, 0.1)),
+    ("another wave: the reflection texture is drawn again", Pass.RENDERED,
+     lambda other: look(other).AddWave(0.01, 0.2)),
+    ("another index: the reflection texture is drawn again", Pass.RENDERED,
+     lambda other: look(other).SetIndexOfRefraction(1.4)),
+    ("another opacity: the reflection texture is drawn again", Pass.RENDERED,
+     lambda other: look(other).SetOpacity(0.7)),
+    ("another place: the reflection texture is drawn again", Pass.RENDERED,
+     lambda other: other.GetPlane().SetOrigin(-2.5, 3.1, 0.8)),
+    ("another size: the reflection texture is drawn again", Pass.RENDERED,
+     lambda other: other.SetSheetBounds(-2, 2, -2, 2)),
+    ("no other water: the reflection texture is drawn again", Pass.RENDERED, lambda other: other.VisibilityOff()),
 ):
     row.register(name, decides, expected, change)
 

@@ -53,7 +53,7 @@ def several(name, sheets, decisions):
 
 LEVEL = (0, 0, 1)
 LEFT = Sheet((0, 0, 0), LEVEL, (-7, 0, -5, 7), reflectance=1.0)
-row.register("several sheets at one level share one map", several,
+row.register("several sheets at one level share one reflection texture", several,
              [LEFT, Sheet((0, 0, 0), LEVEL, (0, 7, -5, 2), reflectance=1.0),
               Sheet((0, 0, 0), LEVEL, (0, 7, 2, 7), reflectance=1.0)], 1)
 row.register("two levels", several, [LEFT, Sheet((0, 0, -0.4), LEVEL, (0, 7, -5, 7), reflectance=1.0)], 2)

@@ -255,8 +255,8 @@ def insides():
     know which of the samples are water's.
 
     Of a pixel that the water has a share c of, the mirrored view shows the inside in as many samples as the thing
-    hides, 1 - c, and one more at most: the map's pattern of samples is turned left to right. The water shows that in
-    c of the picture's pixel.
+    hides, 1 - c, and one more at most: the reflection texture's pattern of samples is turned left to right. The water
+    shows that in c of the picture's pixel.
     """
     one_sample = 0.25  # Mesa's software renderer has four
 
@@ -278,8 +278,8 @@ def insides():
     print(f"inside: {100 * (changed > 1).sum() / (water > 0).sum():.3f} % of the water's pixels depend on it, by at "
           f"most {changed.max()} of 255")
     wt.check_at_least("inside: pixels that depend on it", int((changed > 1).sum()), 20)
-    reason = ("The water looks its reflection up at a pixel's middle, once for all samples; the map's pixel has the "
-              "samples that the thing hides, too.")
+    reason = ("The water looks its reflection up at a pixel's middle, once for all samples; the "
+              "reflection texture's pixel has the samples that the thing hides, too.")
     shared = (water > 0) & (water < 1)
     beside = np.pad(shared, 1)
     near = np.any([beside[1 + i:beside.shape[0] - 1 + i, 1 + j:beside.shape[1] - 1 + j]
