@@ -386,7 +386,7 @@ void water_quality_choose(
   {
     (void)water_quality_for_error(
       request->target_error_px, &request->roughness, &memory->error_step);
-    choice->step = memory->error_step;
+    choice->step = clamp_step(memory->error_step); // the finest while no target was accepted
   }
   else if (request->mode != WATER_QUALITY_UPDATE_RATE ||
     !water_quality_is_still(request->budget_ms))

@@ -171,7 +171,7 @@ typedef struct water_quality_choice
 void water_quality_begin(water_quality_memory* memory);
 
 // Chooses the texture's scale and the most steps of rays for a frame. A target, a budget or a
-// roughness that is not accepted leaves the step as it was.
+// roughness that is not accepted leaves the step as it was: the finest, if it is the first.
 void water_quality_choose(
   const water_quality_request* request, water_quality_memory* memory, water_quality_choice* choice);
 
