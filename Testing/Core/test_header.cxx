@@ -18,7 +18,9 @@
 
 #include "water_preset.h"
 
+#include "water_features.h"
 #include "water_quality.h"
+#include "water_share.h"
 
 #include "water_random.h"
 

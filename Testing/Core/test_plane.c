@@ -242,8 +242,86 @@ TEST(displaced_bounds_hold_what_moves)
   }
 }
 
+// Planes are identical if they are bit by bit the same at unit length; a plane that is none is not
+// even identical to itself.
+TEST(identical_planes_are_the_same_to_the_last_bit)
+{
+  const water_plane one = { { 1.0, 2.0, 2.0 }, -6.0 };
+  const water_plane longer = { { 4.0, 8.0, 8.0 }, -24.0 };
+  assert_true(water_plane_is_identical(&one, &one));
+  assert_true(water_plane_is_identical(&one, &longer));
+  for (int i = 0; i < 8; ++i)
+  {
+    water_plane other = longer;
+    double* entry = i % 4 < 3 ? &other.normal[i % 4] : &other.offset;
+    *entry = i < 4 ? *entry * (1.0 + 4.0 * DBL_EPSILON) : (double)NAN;
+    assert_false(water_plane_is_identical(&one, &other));
+    assert_false(water_plane_is_identical(&other, &one));
+    assert_int_equal(water_plane_is_identical(&other, &other), i < 4);
+  }
+  for (int i = 0; i < 4; ++i)
+  {
+    water_plane other = one;
+    *(i < 3 ? &other.normal[i] : &other.offset) *= -1.0;
+    assert_false(water_plane_is_identical(&one, &other));
+  }
+  const water_plane turned = { { -1.0, -2.0, -2.0 }, 6.0 };
+  assert_false(water_plane_is_identical(&one, &turned));
+  const water_plane none = { { 0.0, 0.0, 0.0 }, 0.0 };
+  assert_false(water_plane_is_identical(&none, &none));
+}
+
+// Planes are shared, either way round, if they pass each other by no more than rounding where their
+// origins are; a plane that is none is not even shared with itself.
+TEST(shared_planes_are_the_same_to_rounding)
+{
+  const double reach = 1e6;
+  dice from = dice_seeded(31);
+  for (int round = 0; round < 1000; ++round)
+  {
+    double normal[3];
+    double origin[3];
+    water_plane planes[4];
+    dice_dir(&from, normal);
+    for (int i = 0; i < 3; ++i)
+    {
+      origin[i] = dice_roll(&from, -reach, reach);
+    }
+    for (int i = 0; i < 4; ++i)
+    {
+      const double scale = (i == 1 ? -1.0 : 1.0) * dice_roll(&from, 0.1, 10.0);
+      for (int j = 0; j < 3; ++j)
+      {
+        planes[i].normal[j] = scale * (normal[j] + (i == 2 && j == round % 3 ? 1e-13 : 0.0));
+      }
+      planes[i].offset = -dot(planes[i].normal, origin) + (i == 3 ? scale * 1e-7 : 0.0);
+    }
+    assert_true(water_plane_is_shared(&planes[0], origin, &planes[1], origin));
+    assert_false(water_plane_is_shared(&planes[0], origin, &planes[3], origin));
+    assert_false(water_plane_is_shared(&planes[3], origin, &planes[0], origin));
+    double side[3]; // as long as the sine of the angle that it was turned by
+    cross(normal, planes[2].normal, side);
+    if (sqrt(dot(side, side)) > 5e-14 * sqrt(dot(planes[2].normal, planes[2].normal)))
+    {
+      assert_false(water_plane_is_shared(&planes[0], origin, &planes[2], origin));
+    }
+  }
+  // the farther of the two origins, too, says how far the planes are looked at
+  const water_plane level = { { 0.0, 0.0, 1.0 }, -1.0 };
+  const water_plane above = { { 0.0, 0.0, 1.0 }, -1.0 - 1e-12 };
+  const double near_by[3] = { 0.0, 0.0, 1.0 };
+  const double far_off[3] = { 1e6, 0.0, 1.0 };
+  assert_false(water_plane_is_shared(&level, near_by, &above, near_by));
+  assert_true(water_plane_is_shared(&level, far_off, &above, near_by));
+  assert_true(water_plane_is_shared(&level, near_by, &above, far_off));
+  const water_plane none = { { 0.0, 0.0, 0.0 }, 0.0 };
+  assert_false(water_plane_is_shared(&none, near_by, &none, near_by));
+  assert_false(water_plane_is_shared(&level, near_by, &none, near_by));
+}
+
 TESTS(heights_are_distances_for_normals_of_any_length, planes_without_direction_are_refused,
   mirror_sends_a_known_point_where_it_belongs, mirror_is_a_reflection_at_any_plane,
   axes_of_known_planes, axes_are_a_right_handed_frame,
   sheet_of_a_level_plane_is_the_floor_of_the_box, sheet_of_any_plane_covers_the_box_tightly,
-  sheet_needs_bounds, projection_is_the_nearest_point, displaced_bounds_hold_what_moves)
+  sheet_needs_bounds, projection_is_the_nearest_point, displaced_bounds_hold_what_moves,
+  identical_planes_are_the_same_to_the_last_bit, shared_planes_are_the_same_to_rounding)

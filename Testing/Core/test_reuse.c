@@ -4,6 +4,7 @@
 #include "test_scene.h"
 
 #include "water_plan.h"
+#include "water_visibility.h"
 
 // Revises a plan by the last one alone: nothing is known of what is seen.
 static void revise(const water_plan* last, bool is_unchanged, unsigned skips, water_plan* plan)
@@ -230,5 +231,96 @@ TEST(what_is_seen_is_found_out_where_it_can_be)
   }
 }
 
+// To look for what is seen is worth it for a plan that reflects, can leave out what is not, and
+// shows another view than the last one.
+TEST(visibility_is_wanted_for_a_new_view)
+{
+  water_scene scene = pool(5.0);
+  scene.is_flat = true;
+  scene.has_scene_depth = true;
+  scene.is_software = true;
+  water_plan none;
+  memset(&none, 0, sizeof none);
+  const water_plan plan = plan_of(&scene, NULL);
+  assert_true(plan.has_visibility);
+  assert_true(water_plan_wants_visibility(&none, &plan));
+  assert_false(water_plan_wants_visibility(&plan, &plan));
+
+  water_scene moved = scene;
+  moved.eye.world_to_view[3] += 1e-6;
+  const water_plan next = plan_of(&moved, NULL);
+  assert_true(water_plan_wants_visibility(&plan, &next));
+
+  moved.has_scene_depth = false;
+  const water_plan blind = plan_of(&moved, NULL);
+  assert_false(water_plan_wants_visibility(&plan, &blind));
+  moved.has_scene_depth = true;
+  moved.is_hidden = true;
+  water_plan hidden = plan_of(&moved, NULL);
+  assert_false(water_plan_wants_visibility(&plan, &hidden));
+  hidden.has_visibility = true; // whatever else it says
+  assert_false(water_plan_wants_visibility(&plan, &hidden));
+}
+
+// Once it is known what is seen, props that only unseen pixels show are left out: of a plan that
+// draws, where props may be skipped, and no prop that has another reason.
+TEST(what_is_seen_decides_about_props)
+{
+  const water_prop props[2] = { { { -1.0, 1.0, -1.0, 1.0, 1.0, 2.0 }, WATER_PROP_VISIBLE },
+    { { -1.0, 1.0, -1.0, 1.0, 1.0, 2.0 }, 0 } };
+  water_scene scene = pool(5.0);
+  scene.props = props;
+  scene.prop_count = 2;
+  scene.is_flat = true;
+  scene.has_scene_depth = true;
+  scene.is_software = true;
+  water_plan last;
+  memset(&last, 0, sizeof last);
+  enum
+  {
+    OPEN,      // all cells are looked up
+    CLOSED,    // none is
+    NOT_ASKED, // nothing is known
+    SAME,      // none is, and the last reflection texture serves again
+    ALL_PROPS, // none is, and props may not be skipped
+    HIDDEN,    // none is, and the plan does not draw
+    CASES
+  };
+  for (int i = 0; i < CASES; ++i)
+  {
+    water_cull_reason reasons[2] = { WATER_CULL_NONE, WATER_CULL_NONE };
+    scene.is_hidden = i == HIDDEN;
+    scene.settings.skips = WATER_MAY_SKIP_ALL & ~(i == ALL_PROPS ? WATER_MAY_SKIP_PROPS : 0u);
+    water_plan plan = plan_of(&scene, reasons);
+    static uint8_t cells[WATER_VISIBILITY_CELLS_MAX];
+    static uint32_t counts[2 * WATER_VISIBILITY_CELLS_MAX];
+    water_visibility visible;
+    const int whole[4] = { 0, 0, 800, 600 };
+    const int size_px[2] = { 800, 600 };
+    water_visibility_begin(size_px, whole, &visible);
+    memset(cells, i == OPEN, sizeof cells);
+    visible.counts = counts;
+    water_visibility_sum(&visible, cells, 1);
+    water_plan before = plan;
+    before.has_visibility = false; // it showed everything
+    water_plan_revise(&scene, i == SAME ? &before : &last, i == SAME,
+      i == NOT_ASKED ? NULL : &visible, &plan, reasons);
+    assert_int_equal(plan.decision,
+      i == SAME       ? WATER_REUSE
+        : i == HIDDEN ? WATER_NO_REFLECT_HIDDEN
+                      : WATER_REFLECT);
+    if (i != HIDDEN)
+    {
+      assert_int_equal(reasons[0], i == CLOSED ? WATER_CULL_OUT_OF_WATER : WATER_CULL_NONE);
+      assert_int_equal(reasons[1], WATER_CULL_INVISIBLE);
+    }
+    else
+    {
+      assert_int_equal(reasons[0], WATER_CULL_NONE);
+    }
+  }
+}
+
 TESTS(map_is_used_again_only_for_the_same, map_that_lacks_a_column_is_not_used_again,
-  map_waits_when_it_pays, what_is_seen_is_found_out_where_it_can_be)
+  map_waits_when_it_pays, what_is_seen_is_found_out_where_it_can_be,
+  visibility_is_wanted_for_a_new_view, what_is_seen_decides_about_props)

@@ -139,8 +139,9 @@ void water_waves_tilt(const double slope[2], double normal[3]);
 // How far waves can move a point at most: up or down (the sum of the amplitudes), and in the plane.
 void water_waves_reach(const water_wave* waves, size_t count, double* height, double* across);
 
-// Newton steps that a shader takes from a place to the point at rest: one from the chord that a
-// displaced triangle is to the waves, none where no wave moves its points.
+// Newton steps that a shader takes to the point at rest: one from the chord that a displaced
+// triangle is to the waves, three from a place on a flat sheet, none where no wave moves its
+// points.
 int water_waves_rest_steps(bool is_displaced, bool is_steep);
 
 // How far the reflection texture's heights may be off before a displaced surface takes a thing for

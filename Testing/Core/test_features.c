@@ -1,0 +1,287 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// test_features.c: what every look needs of a shader, by rules that are written out here once more,
+// and that the files for it fit together.
+#include "test_scene.h"
+
+#include "water_features.h"
+
+// What a look may have, a bit each.
+enum
+{
+  SINES = 1 << 0,
+  SEA = 1 << 1,
+  NORMAL_MAPS = 1 << 2,
+  SLOPES = 1 << 3,
+  GEOMETRY = 1 << 4,
+  ENVIRONMENT = 1 << 5,
+  REFRACTION = 1 << 6,
+  OPAQUE = 1 << 7,
+  CAUSTICS = 1 << 8,
+  GLITTER = 1 << 9,
+  FOAM = 1 << 10,
+  SHADOWS = 1 << 11,
+  OUTPUT = 1 << 12,
+  OFFSET = 1 << 13, // how it looks up, not ray traced
+  LOOKS = 1 << 14,
+  WAVES = SINES | SEA | NORMAL_MAPS,
+  ROUGH = WAVES | SLOPES,
+  RAYS = ROUGH | SHADOWS | OUTPUT
+};
+
+static water_feature_look look_of(unsigned has)
+{
+  water_feature_look look;
+  memset(&look, 0, sizeof look);
+  look.has_sines = (has & SINES) != 0;
+  look.has_sea = (has & SEA) != 0;
+  look.has_normal_maps = (has & NORMAL_MAPS) != 0;
+  look.has_slope_variance = (has & SLOPES) != 0;
+  look.has_wave_geometry = (has & GEOMETRY) != 0;
+  look.has_environment = (has & ENVIRONMENT) != 0;
+  look.lookup = (has & OFFSET) ? WATER_LOOKUP_OFFSET : WATER_LOOKUP_RAY_TRACED;
+  look.has_refraction = (has & REFRACTION) != 0;
+  look.is_opaque = (has & OPAQUE) != 0;
+  look.has_caustics = (has & CAUSTICS) != 0;
+  look.has_glitter = (has & GLITTER) != 0;
+  look.has_foam = (has & FOAM) != 0;
+  look.has_shadows = (has & SHADOWS) != 0;
+  look.has_output = (has & OUTPUT) != 0;
+  return look;
+}
+
+// A feature is there when the look has any of each of these, and none of those.
+static const struct
+{
+  unsigned feature;
+  unsigned any_of[4]; // 0: no condition
+  unsigned none_of;
+} rules[] = {
+  { WATER_FEATURE_WAVES, { WAVES }, 0 },
+  { WATER_FEATURE_RAY_TRACED, { RAYS }, ENVIRONMENT | OFFSET },
+  { WATER_FEATURE_OFFSET, { RAYS, OFFSET }, ENVIRONMENT },
+  { WATER_FEATURE_ENVIRONMENT, { ENVIRONMENT }, 0 },
+  { WATER_FEATURE_MEDIUM, { REFRACTION, OPAQUE }, 0 },
+  { WATER_FEATURE_CAUSTICS, { CAUSTICS, REFRACTION, OPAQUE, WAVES }, 0 },
+  { WATER_FEATURE_GLITTER, { GLITTER, ROUGH }, 0 },
+  { WATER_FEATURE_SEA, { SEA }, 0 },
+  { WATER_FEATURE_NORMAL_MAPS, { NORMAL_MAPS }, 0 },
+  { WATER_FEATURE_ROUGH, { ROUGH }, 0 },
+  { WATER_FEATURE_DISPLACED, { GEOMETRY, SINES }, 0 },
+  { WATER_FEATURE_FOAM, { FOAM }, 0 },
+  { WATER_FEATURE_SHADOWS, { SHADOWS, GLITTER | FOAM, ROUGH | FOAM }, 0 },
+  { WATER_FEATURE_OUTPUT, { OUTPUT }, 0 },
+};
+
+static unsigned expected_of(unsigned has)
+{
+  unsigned features = 0;
+  for (size_t i = 0; i < sizeof rules / sizeof rules[0]; ++i)
+  {
+    bool is_there = (has & rules[i].none_of) == 0;
+    for (int j = 0; j < 4; ++j)
+    {
+      is_there = is_there && (rules[i].any_of[j] == 0 || (has & rules[i].any_of[j]) != 0);
+    }
+    features |= is_there ? rules[i].feature : 0;
+  }
+  return features;
+}
+
+// Every look has the features that the rules give it, and no others.
+TEST(features_of_every_look_follow_the_rules)
+{
+  for (unsigned has = 0; has < LOOKS; ++has)
+  {
+    const water_feature_look look = look_of(has);
+    assert_int_equal(water_features_of(&look), expected_of(has));
+    assert_int_equal(water_features_is_rough(&look), (has & ROUGH) != 0);
+    assert_int_equal(water_features_needs_rays(&look), (has & RAYS) != 0);
+    assert_int_equal(water_features_is_displaced(&look), (has & GEOMETRY) && (has & SINES));
+  }
+}
+
+// A layer of translucent things is found by traced rays only, and changes nothing else.
+TEST(layer_is_for_traced_rays_alone)
+{
+  for (unsigned has = 0; has < LOOKS; ++has)
+  {
+    const unsigned features = expected_of(has);
+    const bool is_traced = (has & RAYS) && !(has & (ENVIRONMENT | OFFSET));
+    assert_int_equal(
+      water_features_with_layer(features), features + (is_traced ? WATER_FEATURE_TRANSLUCENT : 0));
+  }
+}
+
+// In the mirrored view of another water a water reflects the background, smooth or rough.
+TEST(water_in_a_mirrored_view_is_smooth_or_rough)
+{
+  for (unsigned has = 0; has < LOOKS; ++has)
+  {
+    const water_feature_look look = look_of(has);
+    assert_int_equal(water_features_secondary(&look),
+      (has & ROUGH) ? WATER_FEATURE_ENVIRONMENT | WATER_FEATURE_ROUGH : WATER_FEATURE_ENVIRONMENT);
+  }
+}
+
+typedef struct file
+{
+  const char* slot;
+  const char* name;
+  unsigned any_of;
+  unsigned none_of;
+} file;
+
+#define FILE_ENTRY(slot, name, any_of, none_of, what) { #slot, #name, any_of, none_of },
+static const file surface_files[] = { WATER_SURFACE_FILE_LIST(FILE_ENTRY) };
+static const file displacement_files[] = { WATER_DISPLACEMENT_FILE_LIST(FILE_ENTRY) };
+enum
+{
+  SURFACE_FILES = sizeof surface_files / sizeof surface_files[0],
+  DISPLACEMENT_FILES = sizeof displacement_files / sizeof displacement_files[0],
+  REACHABLE_MAX = 3 * LOOKS
+};
+
+// All sets of features that a shader may be asked for, some more than once.
+static size_t reach_all(unsigned features[REACHABLE_MAX])
+{
+  size_t count = 0;
+  for (unsigned has = 0; has < LOOKS; ++has)
+  {
+    const water_feature_look look = look_of(has);
+    features[count] = water_features_of(&look);
+    features[count + 1] = water_features_with_layer(features[count]);
+    features[count + 2] = water_features_secondary(&look);
+    count += 3;
+  }
+  return count;
+}
+
+// A slot that stays empty, and when.
+static bool is_empty(const char* slot, unsigned features)
+{
+  static const char* const of_waves[4] = { "tile", "sines", "sea", "normal_maps" };
+  const unsigned lookups =
+    WATER_FEATURE_ENVIRONMENT | WATER_FEATURE_RAY_TRACED | WATER_FEATURE_OFFSET;
+  for (int i = 0; i < 4; ++i)
+  {
+    if (strcmp(slot, of_waves[i]) == 0)
+    {
+      return !(features & WATER_FEATURE_WAVES);
+    }
+  }
+  if (strcmp(slot, "cell") == 0)
+  {
+    return !(features & WATER_FEATURE_DISPLACED);
+  }
+  if (strcmp(slot, "layer") == 0)
+  {
+    return !(features & lookups);
+  }
+  // the layer's file blurs, too
+  return strcmp(slot, "blur") == 0 &&
+    (!(features & lookups) || (features & WATER_FEATURE_TRANSLUCENT));
+}
+
+// One file fills each slot of every shader, or none where nothing asks for the slot.
+TEST(each_slot_has_one_file)
+{
+  static unsigned reachable[REACHABLE_MAX];
+  const size_t count = reach_all(reachable);
+  for (size_t i = 0; i < count; ++i)
+  {
+    for (int first = 0; first < SURFACE_FILES;)
+    {
+      const char* slot = surface_files[first].slot;
+      int filled = 0;
+      int next = first;
+      for (; next < SURFACE_FILES && strcmp(surface_files[next].slot, slot) == 0; ++next)
+      {
+        filled += water_features_want(
+          reachable[i], surface_files[next].any_of, surface_files[next].none_of);
+      }
+      if (filled != !is_empty(slot, reachable[i]))
+      {
+        print_error("%d files for %s with features 0x%x\n", filled, slot, reachable[i]);
+        fail();
+      }
+      first = next;
+    }
+  }
+}
+
+static void assert_order(
+  const file* files, int file_count, const char* const* slots, int slot_count)
+{
+  int slot = 0;
+  for (int i = 0; i < file_count; ++i)
+  {
+    slot += i > 0 && strcmp(files[i].slot, files[i - 1].slot) != 0;
+    assert_true(slot < slot_count);
+    assert_string_equal(files[i].slot, slots[slot]);
+    for (int j = 0; j < i; ++j)
+    {
+      assert_string_not_equal(files[i].name, files[j].name);
+    }
+  }
+  assert_int_equal(slot, slot_count - 1);
+}
+
+// GLSL knows only what stands before: no slot is missing, each stands after those it calls, its
+// files stand together, and no file stands twice.
+TEST(slots_stand_in_their_order)
+{
+  static const char* const surface[] = { "optics", "cell", "place", "point", "tile", "sines", "sea",
+    "normal_maps", "waves", "output", "reflection", "layer", "blur", "caustics", "medium", "facets",
+    "shadows", "glitter", "foam", "sun", "surface" };
+  static const char* const displacement[] = { "cell", "displacement" };
+  assert_order(surface_files, SURFACE_FILES, surface, sizeof surface / sizeof surface[0]);
+  assert_order(displacement_files, DISPLACEMENT_FILES, displacement, 2);
+}
+
+// No file and no feature is there for nothing: some shader has it, and all but the files of every
+// shader are missing in another.
+TEST(every_file_and_feature_is_used)
+{
+  static unsigned reachable[REACHABLE_MAX];
+  const size_t count = reach_all(reachable);
+  unsigned used = 0;
+  for (size_t i = 0; i < count; ++i)
+  {
+    used |= reachable[i];
+  }
+  assert_int_equal(used, (1u << WATER_FEATURE_COUNT) - 1u);
+  for (int i = 0; i < SURFACE_FILES; ++i)
+  {
+    const file* at = &surface_files[i];
+    bool is_wanted = false;
+    bool is_missing = false;
+    for (size_t j = 0; j < count; ++j)
+    {
+      const bool is_in = water_features_want(reachable[j], at->any_of, at->none_of);
+      is_wanted = is_wanted || is_in;
+      is_missing = is_missing || !is_in;
+    }
+    assert_true(is_wanted);
+    assert_int_equal(is_missing, at->any_of != 0 || at->none_of != 0);
+  }
+}
+
+// Vertices are moved by a shader exactly where the surface is displaced, and by all of its files.
+TEST(vertices_move_where_the_surface_is_displaced)
+{
+  static unsigned reachable[REACHABLE_MAX];
+  const size_t count = reach_all(reachable);
+  for (size_t i = 0; i < count; ++i)
+  {
+    for (int j = 0; j < DISPLACEMENT_FILES; ++j)
+    {
+      const file* at = &displacement_files[j];
+      assert_int_equal(water_features_want(reachable[i], at->any_of, at->none_of),
+        (reachable[i] & WATER_FEATURE_DISPLACED) != 0);
+    }
+  }
+}
+
+TESTS(features_of_every_look_follow_the_rules, layer_is_for_traced_rays_alone,
+  water_in_a_mirrored_view_is_smooth_or_rough, each_slot_has_one_file, slots_stand_in_their_order,
+  every_file_and_feature_is_used, vertices_move_where_the_surface_is_displaced)

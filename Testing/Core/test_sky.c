@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// test_sky.c: what the plan hands the shaders of the sky, the sun's light and the pattern of foam.
+#include "test_scene.h"
+
+#include "water_secondary.h"
+
+static const water_sky evening = { { 0.9, 0.5, 0.2 }, { 0.1, 0.2, 0.4 }, 0.75, true };
+
+static void assert_evening(const water_sky* sky)
+{
+  for (int i = 0; i < 3; ++i)
+  {
+    ASSERT_CLOSE(sky->bottom[i], evening.bottom[i], 0.0);
+    ASSERT_CLOSE(sky->top[i], evening.top[i], 0.0);
+  }
+  ASSERT_CLOSE(sky->alpha, evening.alpha, 0.0);
+  assert_true(sky->has_gradient);
+}
+
+// The sky of the scene is that of the plan, of a reflection or an environment, and of other water
+// in a mirrored view.
+TEST(sky_of_the_scene_reaches_every_plan)
+{
+  water_scene scene = lake();
+  scene.sky = evening;
+  const water_plan plan = plan_of(&scene, NULL);
+  assert_evening(&plan.sky);
+  water_scene other = scene;
+  other.plane.offset = -1.0;
+  other.surface_bounds[4] = other.surface_bounds[5] = 1.0;
+  water_plan secondary;
+  assert_int_equal(water_secondary_plan(&other, &plan, &secondary), WATER_OK);
+  assert_evening(&secondary.sky);
+  scene.has_environment = true;
+  const water_plan without = plan_of(&scene, NULL);
+  assert_evening(&without.sky);
+}
+
+// The sky is known where it ends what is reflected: not behind a skybox, or whatever else has no
+// bounds and is drawn.
+TEST(sky_is_known_unless_something_endless_is_drawn)
+{
+  water_prop props[2] = { { { -1.0, 1.0, 2.0, 4.0, 0.0, 3.0 }, WATER_PROP_VISIBLE },
+    { { -1.0, 1.0, -1.0, 1.0, -1.0, 1.0 }, WATER_PROP_VISIBLE | WATER_PROP_NO_BOUNDS } };
+  water_cull_reason reasons[2];
+  water_scene scene = lake();
+  assert_true(plan_of(&scene, NULL).is_sky_known);
+  scene.props = props;
+  scene.prop_count = 1;
+  assert_true(plan_of(&scene, reasons).is_sky_known);
+  scene.prop_count = 2;
+  assert_false(plan_of(&scene, reasons).is_sky_known);
+  props[1].flags |= WATER_PROP_NOT_REFLECTED;
+  assert_true(plan_of(&scene, reasons).is_sky_known);
+}
+
+// A white card that faces the sun shows the light's colour times its intensity; without a sun, or
+// with one of no direction, it shows nothing.
+TEST(light_of_the_sun_is_its_color_times_its_intensity)
+{
+  const double diffuse[3] = { 1.0, 0.5, 0.25 };
+  const double sun[3] = { 0.0, 3.0, 4.0 };
+  water_scene scene = lake();
+  memcpy(scene.sun_diffuse, diffuse, sizeof diffuse);
+  memcpy(scene.sun_dir, sun, sizeof sun);
+  scene.sun_intensity = 3.0;
+  scene.has_sun = true;
+  const water_plan plan = plan_of(&scene, NULL);
+  water_scene dark[2] = { scene, scene };
+  dark[0].has_sun = false;
+  memset(dark[1].sun_dir, 0, sizeof dark[1].sun_dir);
+  const water_plan none[2] = { plan_of(&dark[0], NULL), plan_of(&dark[1], NULL) };
+  for (int i = 0; i < 3; ++i)
+  {
+    ASSERT_CLOSE(plan.sun_color[i], 3.0 * diffuse[i], 1e-15);
+    ASSERT_CLOSE(none[0].sun_color[i], 0.0, 0.0);
+    ASSERT_CLOSE(none[1].sun_color[i], 0.0, 0.0);
+  }
+}
+
+// The place in the pattern is that under the eye, but for whole patterns of 256: far from the
+// origin it stays small, and a float holds it.
+TEST(pattern_repeats_under_the_eye)
+{
+  const double places[6] = { 0.0, 12.5, 256.0, 700.0, -300.0, 2560001.25 };
+  const double expected[6] = { 0.0, 12.5, 0.0, 188.0, -44.0, 1.25 };
+  for (int i = 0; i < 6; ++i)
+  {
+    for (int axis = 0; axis < 2; ++axis)
+    {
+      water_scene scene = pool(5.0); // the eye is over (0, 0)
+      scene.plane_origin[axis] = -places[i];
+      const water_plan plan = plan_of(&scene, NULL);
+      ASSERT_CLOSE(plan.origin_xy[axis], places[i], 1e-9);
+      ASSERT_CLOSE(plan.pattern_xy[axis], expected[i], 1e-9);
+      ASSERT_CLOSE(plan.pattern_xy[1 - axis], 0.0, 1e-9);
+    }
+  }
+}
+
+TESTS(sky_of_the_scene_reaches_every_plan, sky_is_known_unless_something_endless_is_drawn,
+  light_of_the_sun_is_its_color_times_its_intensity, pattern_repeats_under_the_eye)
