@@ -274,14 +274,15 @@ TEST(the_map_is_handed_on)
   {
     scene.is_software = i;
     const water_plan plan = plan_of(&scene, NULL);
-    const water_clusters_target map = { i ? &seen : NULL, i ? depths : NULL, i ? 2 : 1, 4 + 4 * i };
+    const water_clusters_target target = { i ? &seen : NULL, i ? depths : NULL, i ? 2 : 1,
+      4 + 4 * i };
     water_clusters_view view;
-    water_clusters_view_make(&plan, &map, 0, 1, i, moved, at_zero, &view);
+    water_clusters_view_make(&plan, &target, 0, 1, i, moved, at_zero, &view);
     assert_int_equal(view.is_fine, i);
     assert_int_equal(view.triangles.has_samples, i);
     assert_int_equal(view.triangles.is_solid, i);
-    assert_ptr_equal(view.triangles.seen, map.seen);
-    assert_ptr_equal(view.triangles.depths, map.depths);
+    assert_ptr_equal(view.triangles.seen, target.seen);
+    assert_ptr_equal(view.triangles.depths, target.depths);
     assert_true(view.triangles.grid_px == (i ? 1.0 / 256.0 : 1.0 / 16.0));
     assert_memory_equal(view.triangles.rect_px, plan.texture_rect_px, sizeof plan.texture_rect_px);
     assert_memory_equal(view.triangles.texture_px, plan.texture_px, sizeof plan.texture_px);

@@ -27,11 +27,11 @@ TEST(triangles_are_looked_at_one_by_one)
     const int* rect = plan.texture_rect_px;
     float* depths = malloc((size_t)rect[2] * (size_t)rect[3] * sizeof *depths);
     assert_non_null(depths);
-    const water_clusters_target map = { NULL, depths, 0, 8 };
+    const water_clusters_target target = { NULL, depths, 0, 8 };
     water_clusters_view view;
     water_trend trend;
     size_t counts[2];
-    water_clusters_view_make(&plan, &map, 0, 1, true, model_to_world, at_zero, &view);
+    water_clusters_view_make(&plan, &target, 0, 1, true, model_to_world, at_zero, &view);
     for (int i = 0; i < 2; ++i)
     {
       memset(&trend, 0, sizeof trend);
@@ -117,11 +117,11 @@ TEST(clusters_in_closed_cells_are_left_out)
     memset(cells, i, WATER_VISIBILITY_CELLS_MAX);
     seen.counts = sums;
     water_visibility_sum(&seen, cells, 1);
-    const water_clusters_target map = { i < 2 ? &seen : NULL, NULL, 0, 8 };
+    const water_clusters_target target = { i < 2 ? &seen : NULL, NULL, 0, 8 };
     water_clusters_view view;
     water_trend trend;
     memset(&trend, 0, sizeof trend);
-    water_clusters_view_make(&plan, &map, 0, 1, false, model_to_world, at_zero, &view);
+    water_clusters_view_make(&plan, &target, 0, 1, false, model_to_world, at_zero, &view);
     counts[i] = selected(&view, &terrain->described, false, &trend, terrain->work, terrain->drawn);
   }
   assert_int_in_range(counts[2], 1000, 3 * TRIANGLES);

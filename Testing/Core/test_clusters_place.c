@@ -85,12 +85,12 @@ TEST(far_meshes_are_cut_as_near_ones)
     }
     terrain->described.points = (water_points){ NULL, doubles };
     assert_true(water_clusters_bound(&terrain->described));
-    const water_clusters_target map = { NULL, depths, 0, 8 };
+    const water_clusters_target target = { NULL, depths, 0, 8 };
     water_clusters_view view;
     water_trend trend;
     memset(&trend, 0, sizeof trend);
     water_clusters_view_make(
-      &plan, &map, 0, 1, true, model_to_world, i == 2 ? at_zero : origin, &view);
+      &plan, &target, 0, 1, true, model_to_world, i == 2 ? at_zero : origin, &view);
     water_triangle_cull_begin(rect, NULL, depths);
     counts[i] = selected(&view, &terrain->described, false, &trend, terrain->work, terrain->drawn);
     free(depths);
@@ -144,12 +144,12 @@ TEST(bands_mark_what_is_in_them)
     const int* rect = plan.texture_rect_px;
     float* depths = malloc((size_t)rect[2] * (size_t)rect[3] * sizeof *depths);
     assert_non_null(depths);
-    const water_clusters_target map = { NULL, depths, 0, 8 };
+    const water_clusters_target target = { NULL, depths, 0, 8 };
     water_clusters_view view;
     water_trend trend;
     memset(&trend, 0, sizeof trend);
     water_triangle_cull_begin(rect, NULL, depths);
-    water_clusters_view_make(&plan, &map, 0, 1, true, model_to_world, at_zero, &view);
+    water_clusters_view_make(&plan, &target, 0, 1, true, model_to_world, at_zero, &view);
     whole += selected(&view, &terrain->described, false, &trend, terrain->work, terrain->drawn);
     water_triangle_cull_begin(rect, NULL, depths);
     int end = 0;
@@ -157,7 +157,7 @@ TEST(bands_mark_what_is_in_them)
     {
       water_cluster_work* work = works + (size_t)band * PIECES;
       memset(&trend, 0, sizeof trend);
-      water_clusters_view_make(&plan, &map, band, BANDS, true, model_to_world, at_zero, &view);
+      water_clusters_view_make(&plan, &target, band, BANDS, true, model_to_world, at_zero, &view);
       assert_int_equal(view.triangles.columns[0], end); // one after the other
       end = view.triangles.columns[1];
       water_clusters_mark(&view, &terrain->described, false, &trend, work);

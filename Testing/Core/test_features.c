@@ -169,6 +169,14 @@ static bool is_empty(const char* slot, unsigned features)
       return !(features & WATER_FEATURE_WAVES);
     }
   }
+  if (strcmp(slot, "attenuation") == 0)
+  {
+    return !(features & WATER_FEATURE_MEDIUM);
+  }
+  if (strcmp(slot, "slopes") == 0)
+  {
+    return !(features & WATER_FEATURE_GLITTER);
+  }
   if (strcmp(slot, "cell") == 0)
   {
     return !(features & WATER_FEATURE_DISPLACED);
@@ -230,9 +238,10 @@ static void assert_order(
 // files stand together, and no file stands twice.
 TEST(slots_stand_in_their_order)
 {
-  static const char* const surface[] = { "optics", "cell", "place", "point", "tile", "sines", "sea",
-    "normal_maps", "waves", "output", "reflection", "layer", "blur", "caustics", "medium", "facets",
-    "shadows", "glitter", "foam", "sun", "surface" };
+  static const char* const surface[] = { "optics", "gradient", "attenuation", "slopes", "cell",
+    "place", "point", "tile", "sines", "sea", "normal_maps", "waves", "output", "reflection",
+    "layer", "blur", "caustics", "medium", "facets", "shadows", "glitter", "foam", "sun",
+    "surface" };
   static const char* const displacement[] = { "cell", "displacement" };
   assert_order(surface_files, SURFACE_FILES, surface, sizeof surface / sizeof surface[0]);
   assert_order(displacement_files, DISPLACEMENT_FILES, displacement, 2);

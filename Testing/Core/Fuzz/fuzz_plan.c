@@ -69,11 +69,11 @@ int LLVMFuzzerTestOneInput(const uint8_t* bytes, size_t size)
     double model[16];
     water_clusters_view view;
     fuzz_doubles(&from, model, 16);
-    const water_clusters_target map = { NULL, NULL, fuzz_byte(&from), fuzz_byte(&from) };
+    const water_clusters_target target = { NULL, NULL, fuzz_byte(&from), fuzz_byte(&from) };
     double origin[3];
     fuzz_doubles(&from, origin, 3);
     const int band = (int)fuzz_byte(&from) % 4;
-    water_clusters_view_make(&plan, &map, band, 4, true, model, origin, &view);
+    water_clusters_view_make(&plan, &target, band, 4, true, model, origin, &view);
     for (size_t i = 0; i < scene.prop_count; ++i)
     {
       (void)water_frustum_divides(&view.frustum, 6, props[i].bounds, 1e-6);

@@ -16,11 +16,12 @@
   X(DETERMINANT, "determinant of the mirrored view - 1", "reach", "absolute")                      \
   X(OWN_PLACE, "a point of the water in mirrored view space", "reach / depth", "per reach")        \
   X(OWN_PIXEL, "a point of the water on its own pixel", "reach / half a picture", "NDC")           \
-  X(MAP_PIXEL, "the same by the texture matrix", "reach / half a picture", "shares of the reflection texture")    \
+  X(MAP_PIXEL, "the same by the texture matrix", "reach / half a picture",                         \
+    "shares of the texture")                                                                       \
   X(CLIP_HEIGHT, "height over the clip in mirrored view space", "reach / height", "per reach")     \
   X(CLIP_SIDE, "height over the clip in clip space", "bound / height", "per bound")                \
   X(EYE_SIDE, "side of the eye", "reach / height", "wrong sides")                                  \
-  X(IN_RECT, "a seen point's texel within the drawn part of the reflection texture", "reach / depth", "lost")     \
+  X(IN_RECT, "a seen point's texel within the texture's drawn part", "reach / depth", "lost")      \
   X(CULLING, "a prop that the water shows is drawn", "reach / depth", "lost")                      \
   X(FAR_PLANE, "a drawn prop's corner before the far plane", "far / near", "beyond, per depth")    \
   X(FRESNEL, "reflectance", "1 / distance from the critical cosine", "absolute")                   \

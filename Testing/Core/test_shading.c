@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// test_maps.c: what the shaders are given: texture matrix, plane and normal in clip
+// test_shading.c: what the shaders are given: texture matrix, plane and normal in clip
 // space, view rays in the plane's axes, headlight, where the sky is found, and how the masks round.
 #include "test_scene.h"
 
@@ -16,12 +16,12 @@ TEST(texture_of_a_point_on_water_is_its_own_pixel)
   const water_scene known = lake();
   const water_plan plan_known = plan_of(&known, NULL);
   const double origin[3] = { 0.0, 0.0, 0.0 };
-  double map[4];
+  double place[4];
   double world_to_texture[16];
   water_mirror_texture_matrix(&plan_known.mirrored, world_to_texture);
-  apply(world_to_texture, origin, 1.0, map);
-  ASSERT_CLOSE(map[0] / map[3], 0.5, 1e-14);
-  ASSERT_CLOSE(map[1] / map[3], 0.5, 1e-14);
+  apply(world_to_texture, origin, 1.0, place);
+  ASSERT_CLOSE(place[0] / place[3], 0.5, 1e-14);
+  ASSERT_CLOSE(place[1] / place[3], 0.5, 1e-14);
 
   dice from = dice_seeded(13);
   for (int round = 0; round < 3000; ++round)
@@ -39,12 +39,12 @@ TEST(texture_of_a_point_on_water_is_its_own_pixel)
     }
     project(&random.scene.eye, point, 1.0, clip);
     water_mirror_texture_matrix(&plan.mirrored, world_to_texture);
-    apply(world_to_texture, point, 1.0, map);
+    apply(world_to_texture, point, 1.0, place);
     if (is_inside(clip))
     {
-      ASSERT_CLOSE(map[0] / map[3], 0.5 - 0.5 * clip[0] / clip[3], 1e-11);
-      ASSERT_CLOSE(map[1] / map[3], 0.5 + 0.5 * clip[1] / clip[3], 1e-11);
-      ASSERT_CLOSE(map[2] / map[3], 0.5 + 0.5 * clip[2] / clip[3], 1e-11);
+      ASSERT_CLOSE(place[0] / place[3], 0.5 - 0.5 * clip[0] / clip[3], 1e-11);
+      ASSERT_CLOSE(place[1] / place[3], 0.5 + 0.5 * clip[1] / clip[3], 1e-11);
+      ASSERT_CLOSE(place[2] / place[3], 0.5 + 0.5 * clip[2] / clip[3], 1e-11);
     }
   }
 }
@@ -156,7 +156,7 @@ TEST(headlight_stays_with_the_eye)
   }
 }
 
-// A direction from the mirrored camera has its vanishing point in the map at (x, y); the eye's clip
+// A direction from the mirrored camera has its vanishing point in the reflection texture at (x, y); the eye's clip
 // coordinates of the same direction are what the matrix makes of (x, y, 1), up to a positive
 // factor.
 TEST(sky_of_the_map_is_found_on_the_eyes_screen)
@@ -170,7 +170,7 @@ TEST(sky_of_the_map_is_found_on_the_eyes_screen)
     const water_plan plan = plan_of(&random.scene, NULL);
     const double twice = 2.0 * dot(random.view_dir, random.normal);
     double dir[3]; // of the mirrored view, and for perspective anything around it
-    double map[4];
+    double place[4];
     double truth[4];
     double found[3];
     dice_dir(&from, dir);
@@ -179,20 +179,20 @@ TEST(sky_of_the_map_is_found_on_the_eyes_screen)
       dir[i] =
         (random.is_parallel ? 0.0 : 0.8 * dir[i]) + random.view_dir[i] - twice * random.normal[i];
     }
-    project(&plan.mirrored, dir, 0.0, map);
+    project(&plan.mirrored, dir, 0.0, place);
     project(&random.scene.eye, dir, 0.0, truth);
-    if (!random.is_parallel && fmax(fabs(map[0]), fabs(map[1])) > map[3])
+    if (!random.is_parallel && fmax(fabs(place[0]), fabs(place[1])) > place[3])
     {
       continue;
     }
-    const double x = random.is_parallel ? 0.7 : map[0] / map[3];
-    const double y = random.is_parallel ? -0.4 : map[1] / map[3];
+    const double x = random.is_parallel ? 0.7 : place[0] / place[3];
+    const double y = random.is_parallel ? -0.4 : place[1] / place[3];
     for (int i = 0; i < 3; ++i)
     {
       const double* row = plan.reflection_ndc_to_eye + 3 * i;
       found[i] = row[0] * x + row[1] * y + row[2];
     }
-    const double factor = random.is_parallel ? 1.0 : map[3]; // the matrix takes directions of w 1
+    const double factor = random.is_parallel ? 1.0 : place[3]; // the matrix takes directions of w 1
     ASSERT_CLOSE(found[0] * factor, truth[0], 1e-11);
     ASSERT_CLOSE(found[1] * factor, truth[1], 1e-11);
     ASSERT_CLOSE(found[2] * factor, truth[3], 1e-11);
