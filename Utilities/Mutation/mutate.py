@@ -134,7 +134,7 @@ class Bench:
 
     def _compile(self, name):
         sources = {name}
-        if name.endswith(".h"):
+        if not name.endswith(".c"):
             sources = including(name, self.core) & set(self.build.sources)
         return all(run(self.build.compile(self.core, source)) == 0 for source in sources)
 
@@ -188,7 +188,7 @@ class Judge:
             self.local.bench = Bench(self.folder / threading.current_thread().name, self.build)
         own = mutant.file.split(".")[0].replace("water_", "")
         nouns = self.build.tests
-        if not self.is_whole:
+        if not self.is_whole and mutant.file.endswith((".c", ".h")):  # a shader's text is asked for by several
             header = f'#include "water_{own}.h"'
             nouns = [noun for noun in nouns if noun == own or
                      header in (self.build.texts / f"test_{noun}.c").read_text()]
@@ -256,7 +256,7 @@ def main():
                         help="only see whether the list of equivalent mutants names mutants; takes a second")
     arguments = parser.parse_args()
 
-    paths = sorted(path for path in CORE.glob("*/*.[ch]")
+    paths = sorted(path for path in [*CORE.glob("*/*.[ch]"), *CORE.glob("*/*.glsl")]
                    if not arguments.files or path.name in arguments.files)
     mutants = [mutant for path in paths for mutant in mutants_of(path.name, path.read_text())]
     equivalents = read_equivalents()

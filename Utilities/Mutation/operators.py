@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Which mutants a C source has: signs and comparisons, one changed at a time."""
+"""Which mutants a source in C, or in GLSL that is C, too, has: signs and comparisons, one changed at a time."""
 import dataclasses
 import re
 
@@ -14,6 +14,8 @@ COMPARISONS = {
     "||": ("&&",),
     "fmin": ("fmax",),
     "fmax": ("fmin",),
+    "min": ("max",),
+    "max": ("min",),
 }
 SIGNS = {"+": ("-",), "-": ("+",), "+=": ("-=",), "-=": ("+=",), "++": ("--",), "--": ("++",)}
 
