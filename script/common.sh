@@ -37,9 +37,9 @@ system_vtk_dir() {
   [ -n "$config" ] && dirname "$config"
 }
 
-# configure_and_build FOLDER CMAKE-ARGUMENT...: configures only when the arguments are new; later
-# changes of CMake files are the build's business.
-configure_and_build() {
+# configure FOLDER CMAKE-ARGUMENT...: configures only when the arguments are new; later changes of CMake
+# files are the build's business.
+configure() {
   local folder=$1 stamp=$1/.configured-with
   shift
   if [ ! -e "$folder/build.ninja" ] || [ "$(cat "$stamp" 2>/dev/null)" != "$*" ]; then
@@ -47,19 +47,34 @@ configure_and_build() {
     cmake -S . -B "$folder" -G Ninja "$@" || return
     echo "$*" >"$stamp"
   fi
-  cmake --build "$folder" -j "$jobs"
 }
 
-build_system_leg() { # FOLDER CMAKE-ARGUMENT...
+build() { # FOLDER
+  cmake --build "$1" -j "$jobs"
+}
+
+configure_and_build() { # FOLDER CMAKE-ARGUMENT...
+  configure "$@" && build "$1"
+}
+
+configure_system_leg() { # FOLDER CMAKE-ARGUMENT...
   local folder=$1 vtk_dir
   shift
   vtk_dir=$(system_vtk_dir) || { echo "no VTK below /usr/lib (Debian: libvtk9-dev)"; return 1; }
-  configure_and_build "$folder" "-DVTK_DIR=$vtk_dir" -DPython3_EXECUTABLE=/usr/bin/python3 "$@"
+  configure "$folder" "-DVTK_DIR=$vtk_dir" -DPython3_EXECUTABLE=/usr/bin/python3 "$@"
+}
+
+configure_wheel_leg() { # FOLDER CMAKE-ARGUMENT...
+  local folder=$1
+  shift
+  configure "$folder" "-DVTK_DIR=$(cat build/sdk/vtk-dir)" \
+    "-DPython3_EXECUTABLE=$project/build/sdk/venv/bin/python" "$@"
+}
+
+build_system_leg() { # FOLDER CMAKE-ARGUMENT...
+  configure_system_leg "$@" && build "$1"
 }
 
 build_wheel_leg() { # FOLDER CMAKE-ARGUMENT...
-  local folder=$1
-  shift
-  configure_and_build "$folder" "-DVTK_DIR=$(cat build/sdk/vtk-dir)" \
-    "-DPython3_EXECUTABLE=$project/build/sdk/venv/bin/python" "$@"
+  configure_wheel_leg "$@" && build "$1"
 }
