@@ -3,11 +3,13 @@
 #
 #   water_add_test(NAME <name> COMMAND <command>... [LABELS <label>...] [TIMEOUT <seconds>]
 #     [PROPERTIES <property> <value>...] [NO_WINDOW])
-#   water_add_cxx_tests(TestA.cxx ... [LABELS <label>...])
-#   water_add_python_tests(TestA.py ... [LABELS <label>...])
+#   water_add_cxx_tests(TestA.cxx ... [LABELS <label>...] [QUICK TestA ...])
+#   water_add_python_tests(TestA.py ... [LABELS <label>...] [QUICK TestA ...])
 #
 # A test that renders is run once per off-screen window that this VTK has: first under its own name,
 # then as <name>-EGL with the label egl. NO_WINDOW: it does not render, once is enough.
+#
+# QUICK names those that `script/test --quick` runs, in the first window: they get the label quick.
 #
 # Every test finds in its environment: our library and Python package, VTK_DATA_ROOT (Testing/Data),
 # VTK_BASELINE_ROOT and WATER_TEST_OUTPUT, a folder for what it writes. In COMMAND, the word
@@ -109,6 +111,7 @@ function(water_add_test)
       set(suffix "-${window}")
       string(TOLOWER ${window} window_label)
       list(APPEND arg_LABELS ${window_label})
+      list(REMOVE_ITEM arg_LABELS quick)
     endif()
     set(name "${WATER_TEST_PREFIX}${arg_NAME}${suffix}")
     set(output "${water_test_output}${suffix}")
@@ -135,10 +138,28 @@ function(water_add_test)
   endforeach()
 endfunction()
 
+# The labels of one of the tests that QUICK is given for.
+function(water_labels result test labels quick)
+  if(test IN_LIST quick)
+    list(APPEND labels quick)
+  endif()
+  set(${result} "${labels}" PARENT_SCOPE)
+endfunction()
+
+# A name in QUICK that is no test (any more) would be left out without a word.
+function(water_check_quick quick sources)
+  foreach(test IN LISTS quick)
+    if(NOT "${test}.cxx" IN_LIST sources AND NOT "${test}.py" IN_LIST sources)
+      message(FATAL_ERROR "QUICK names ${test}, which is none of these tests")
+    endif()
+  endforeach()
+endfunction()
+
 # One executable for all files, in VTK's manner: TestA.cxx holds int TestA(int argc, char* argv[]).
 # -V is always given: a picture without a baseline fails and is not passed over.
 function(water_add_cxx_tests)
-  cmake_parse_arguments(PARSE_ARGV 0 arg "" "TIMEOUT" "LABELS")
+  cmake_parse_arguments(PARSE_ARGV 0 arg "" "TIMEOUT" "LABELS;QUICK")
+  water_check_quick("${arg_QUICK}" "${arg_UNPARSED_ARGUMENTS}")
   set(driver vtkRenderingWaterCxxTests)
   list(APPEND CMAKE_MODULE_PATH "${VTK_DIR}") # VTK's own build has its CMake files there already
   include(vtkTestingDriver) # what main does before a test
@@ -156,10 +177,11 @@ function(water_add_cxx_tests)
 
   foreach(source IN LISTS arg_UNPARSED_ARGUMENTS)
     get_filename_component(test "${source}" NAME_WE)
+    water_labels(labels ${test} "cxx;${arg_LABELS}" "${arg_QUICK}")
     water_add_test(NAME ${test}
       COMMAND ${driver} ${test}
         -D "${water_test_dir}/Data" -T "{output}" -V "${water_test_dir}/Data/Baseline/${test}.png"
-      LABELS cxx ${arg_LABELS}
+      LABELS ${labels}
       TIMEOUT "${arg_TIMEOUT}")
   endforeach()
 endfunction()
@@ -167,13 +189,15 @@ endfunction()
 # Each file is a pytest file for the Python that VTK is wrapped for (Testing/Python/conftest.py). Output
 # is not captured: what VTK writes into it counts, too.
 function(water_add_python_tests)
-  cmake_parse_arguments(PARSE_ARGV 0 arg "" "TIMEOUT" "LABELS")
+  cmake_parse_arguments(PARSE_ARGV 0 arg "" "TIMEOUT" "LABELS;QUICK")
+  water_check_quick("${arg_QUICK}" "${arg_UNPARSED_ARGUMENTS}")
   foreach(source IN LISTS arg_UNPARSED_ARGUMENTS)
     get_filename_component(test "${source}" NAME_WE)
+    water_labels(labels ${test} "python;${arg_LABELS}" "${arg_QUICK}")
     water_add_test(NAME ${test}
       COMMAND "${Python3_EXECUTABLE}" -m pytest -s -q -p no:cacheprovider
         "${CMAKE_CURRENT_SOURCE_DIR}/${source}"
-      LABELS python ${arg_LABELS}
+      LABELS ${labels}
       TIMEOUT "${arg_TIMEOUT}")
   endforeach()
 endfunction()
