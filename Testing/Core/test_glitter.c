@@ -134,5 +134,5 @@ TEST(covariance_turns_the_variances)
 }
 
 TESTS(slopes_are_cox_and_munks, density_has_its_moments, density_is_a_number_everywhere,
-  glitter_keeps_the_light,
-  glitter_is_where_the_mirror_is, bad_winds_are_refused, covariance_turns_the_variances)
+  glitter_keeps_the_light, glitter_is_where_the_mirror_is, bad_winds_are_refused,
+  covariance_turns_the_variances)

@@ -156,9 +156,9 @@ TEST(headlight_stays_with_the_eye)
   }
 }
 
-// A direction from the mirrored camera has its vanishing point in the reflection texture at (x, y); the eye's clip
-// coordinates of the same direction are what the matrix makes of (x, y, 1), up to a positive
-// factor.
+// A direction from the mirrored camera has its vanishing point in the reflection texture at (x, y);
+// the eye's clip coordinates of the same direction are what the matrix makes of (x, y, 1), up to a
+// positive factor.
 TEST(sky_of_the_map_is_found_on_the_eyes_screen)
 {
   dice from = dice_seeded(18);

@@ -72,6 +72,6 @@ double water_glitter_radiance(const double sun_dir[3], const double eye_dir[3], 
   const double s = sin(wind_dir_rad);
   const double turned[2] = { c * slope[0] + s * slope[1], c * slope[1] - s * slope[0] };
   const double tilt = facet[2] / length;
-  return water_shared_glitter_radiance(
-    water_glitter_density(variance, turned), eye_dir[2], tilt * tilt * tilt * tilt);
+  return water_glitter_density(variance, turned) /
+    water_shared_glitter_spread(eye_dir[2], tilt * tilt * tilt * tilt);
 }

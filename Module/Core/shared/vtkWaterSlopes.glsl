@@ -13,14 +13,14 @@ float waterSlopeDensity(float xx, float yy, float xy, float area, float x, float
     (6.283185307179586 * sqrt(area));
 }
 
-// Radiance towards the eye of light that facets reflect like mirrors.
+// What the radiance of glitter towards the eye is less by than the irradiance that it is made of: light
+// on a plane facing it, times reflectance and density of the slopes.
 //
-// light      irradiance on a plane facing the light, times reflectance and density of the slopes
 // eyeCosine  of the eye's direction with the plane's normal, > 0
 // facet4     fourth power of the facet's cosine with the plane's normal, > 0
 // Source: Cox and Munk 1954, "Measurement of the Roughness of the Sea Surface from Photographs of the
 // Sun's Glitter".
-float waterGlitterRadiance(float light, float eyeCosine, float facet4)
+float waterGlitterSpread(float eyeCosine, float facet4)
 {
-  return light / (4.0 * eyeCosine * facet4);
+  return 4.0 * eyeCosine * facet4;
 }

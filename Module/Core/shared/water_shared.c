@@ -12,7 +12,7 @@
 #define waterSchlick water_shared_schlick
 #define waterTransmittance water_shared_transmittance
 #define waterSlopeDensity water_shared_slope_density
-#define waterGlitterRadiance water_shared_glitter_radiance
+#define waterGlitterSpread water_shared_glitter_spread
 #define waterGradientHeight water_shared_gradient_height
 
 #include "vtkWaterAttenuation.glsl"

@@ -18,12 +18,9 @@ void waterGlint(WaterPoint point, vec3 sun, inout vec3 rgb)
   float xy = waterSlopeVariance.z;
   float area = max(xx * yy - xy * xy, 1e-12);
   float density = waterSlopeDensity(xx, yy, xy, area, off.x, off.y);
+  float facet4 = facet.z * facet.z * facet.z * facet.z;
   // a light of 1 is an irradiance of pi
-  vec3 light = 3.1415927 * sun * waterFresnel(dot(facet, waterSunDir), waterEta) * density;
-  float eyeCosine = max(-point.ray.z, 1e-3);
-  float facet4 = max(facet.z * facet.z * facet.z * facet.z, 1e-6);
-  vec3 glint = vec3(waterGlitterRadiance(light.r, eyeCosine, facet4),
-    waterGlitterRadiance(light.g, eyeCosine, facet4),
-    waterGlitterRadiance(light.b, eyeCosine, facet4));
+  vec3 glint = 3.1415927 * sun * waterFresnel(dot(facet, waterSunDir), waterEta) * density
+    / waterGlitterSpread(max(-point.ray.z, 1e-3), max(facet4, 1e-6));
   rgb += waterSide > 0.0 ? glint : vec3(0.0); // from below there is none
 }

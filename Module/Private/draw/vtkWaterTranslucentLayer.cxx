@@ -38,7 +38,8 @@ bool vtkWaterTranslucentLayer::IsNeeded(const std::vector<vtkProp*>& props)
 //------------------------------------------------------------------------------
 bool vtkWaterTranslucentLayer::Keep(vtkOpenGLRenderWindow* window, vtkWaterTarget& reflection)
 {
-  if (!this->Opaque.EnsureAs(window, reflection, false) || !this->Layer.EnsureAs(window, reflection, true))
+  if (!this->Opaque.EnsureAs(window, reflection, false) ||
+    !this->Layer.EnsureAs(window, reflection, true))
   {
     return false;
   }

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The driver takes the surface's shader in every combination of files that a look can ask for, and
+// all other shaders.
+#include "../Core/shader_combinations.h"
+
+#include "WaterShaderRun.h"
+#include "WaterTestScene.h"
+
+#include "vtkWaterGLSL.h"
+
+namespace
+{
+struct File
+{
+  const char* Name;
+  unsigned AnyOf;
+  unsigned NoneOf;
+  const char* Source;
+};
+#define WATER_TEST_FILE(slot, file, any_of, none_of, what) { #file, any_of, none_of, file },
+const File surfaceFiles[] = { WATER_SURFACE_FILE_LIST(WATER_TEST_FILE) };
+const File vertexFiles[] = { WATER_DISPLACEMENT_FILE_LIST(WATER_TEST_FILE) };
+
+const char* const fragmentHead = "#version 150\nout vec4 fragOutput0;\n";
+
+template <size_t Count>
+std::string Join(const File (&files)[Count], unsigned features)
+{
+  std::string source;
+  for (const File& file : files)
+  {
+    if (water_features_want(features, file.AnyOf, file.NoneOf))
+    {
+      source += std::string(file.Source) + "\n";
+    }
+  }
+  return source;
+}
+
+bool Compiles(const std::string& name, GLenum stage, const std::string& source)
+{
+  const GLuint shader = WaterShaderRun::Compile(stage, source);
+  if (!shader)
+  {
+    std::cout << name << ": FAILED" << std::endl;
+  }
+  glDeleteShader(shader);
+  return shader != 0;
+}
+
+// A shader that VTK's shader cache would complete.
+bool CompilesAlone(const std::string& name, GLenum stage, std::string source)
+{
+  const std::string output = "gl_FragData[0]";
+  for (size_t at = source.find(output); at != std::string::npos; at = source.find(output))
+  {
+    source.replace(at, output.size(), "fragOutput0");
+  }
+  const bool hasMain = source.find("void main()") != std::string::npos;
+  return Compiles(name, stage,
+    (stage == GL_VERTEX_SHADER ? "#version 150\n" : fragmentHead) + source +
+      (hasMain ? "" : "void main() {}\n"));
+}
+}
+
+int TestWaterShaderCombinations(int, char*[])
+{
+  WaterShaderRun run;
+  static unsigned sets[SHADER_SET_COUNT];
+  const size_t count = shader_combinations(sets);
+  size_t compiled = 0;
+  for (size_t i = 0; i < count && i < compiled + 5; ++i) // the first refusals say enough
+  {
+    compiled += Compiles("features " + std::to_string(sets[i]), GL_FRAGMENT_SHADER,
+      fragmentHead + Join(surfaceFiles, sets[i]) +
+        "void main()\n{\n  vec4 color = vec4(0.0);\n  waterShade(color);\n"
+        "  fragOutput0 = color;\n}\n");
+  }
+  bool ok = WaterCheck("combinations", compiled, count);
+  ok &= CompilesAlone("displacement", GL_VERTEX_SHADER,
+    Join(vertexFiles, WATER_FEATURE_DISPLACED) +
+      "void main()\n{\n  vec4 position = vec4(1.0);\n  waterDisplace(position);\n"
+      "  gl_Position = position;\n}\n");
+  ok &= CompilesAlone("mirrored, vertices", GL_VERTEX_SHADER, vtkWaterMirroredVS);
+  ok &= CompilesAlone("cover, vertices", GL_VERTEX_SHADER, vtkWaterCoverVS);
+  const std::pair<const char*, const char*> alone[] = { { "mirrored", vtkWaterMirroredFS },
+    { "plain", vtkWaterPlainFS }, { "cover", vtkWaterCoverFS }, { "fog", vtkWaterFogFS },
+    { "mask", vtkWaterMaskFS }, { "sky", vtkWaterSkyFS }, { "view", vtkWaterViewFS },
+    { "volume's depth", vtkWaterVolumeDepthFS } };
+  for (const auto& [name, source] : alone)
+  {
+    ok &= CompilesAlone(name, GL_FRAGMENT_SHADER, source);
+  }
+  return ok ? EXIT_SUCCESS : EXIT_FAILURE;
+}
