@@ -355,7 +355,10 @@ water_status water_quality_share(
 double water_quality_share_of(
   const double* areas_px, const unsigned char* is_own, size_t count, double budget_ms, double* work)
 {
-  memset(work, 0, count * sizeof *work);
+  for (size_t i = 0; i < count; ++i)
+  {
+    work[i] = 0.0;
+  }
   (void)water_quality_share(areas_px, count, budget_ms, work); // none of a bad budget
   double sum = 0.0;
   for (size_t i = 0; i < count; ++i)
