@@ -42,6 +42,7 @@ def main():
     parser.add_argument(
         "--quick", action="store_true", help="under two minutes, into build/benchmark"
     )
+    parser.add_argument("--folder", type=pathlib.Path, help="what is written goes here")
     arguments = parser.parse_args()
 
     from results import (
@@ -49,7 +50,8 @@ def main():
     )  # VTK and the plots take seconds to load; a wrong argument should not
 
     is_all = not arguments.only and not arguments.quick
-    results = Results(PROJECT / ("Documentation" if is_all else "build/benchmark"), arguments.quick)
+    folder = arguments.folder or PROJECT / ("Documentation" if is_all else "build/benchmark")
+    results = Results(folder, arguments.quick)
     print(*(f"{name}: {value}" for name, value in results.machine.items()), sep="\n", flush=True)
     for section in arguments.only or SECTIONS:
         begin = time.perf_counter()

@@ -19,6 +19,9 @@ WAKE_S = float(os.environ.get("WATER_BENCHMARK_WAKE", 0))
 LEAST = 3  # rounds, whatever the budget
 TURN_OF_SETTLING = 17  # another place on the path than that of the frame that counts
 SEED = 20261121
+# Two pipes' ends, "read,write", if another process with another build renders the same frames in turn
+# with this one (against.py).
+TURNS = [int(end) for end in os.environ.get("WATER_BENCHMARK_TURNS", "").split(",") if end]
 
 
 @dataclass
@@ -63,6 +66,7 @@ class Frame:
             "q1_ms": low,
             "q3_ms": high,
             "fastest_ms": 1000 * min(self.times),
+            "work_ms": self.work,
             "frames": len(self.times),
         }
 
@@ -81,19 +85,34 @@ def measure(frames, rounds, budget_s, warm_up=WARM_UP):
     _wake(frames)
     begin = time.perf_counter()
     for turn in range(-warm_up, rounds):
-        if turn >= LEAST and time.perf_counter() - begin > budget_s:
+        if turn >= LEAST and not TURNS and time.perf_counter() - begin > budget_s:
             break
         random.shuffle(order)
         for frame in order:
+            _wait_for_turn()
             if frame.choose:
                 frame.choose()
                 frame.render(turn + TURN_OF_SETTLING)
             took, work = frame.render(turn + warm_up)
+            _pass_turn()
             if turn >= 0:
                 frame.times.append(took)
                 frame.works.append(work)
     gc.enable()
     return frames
+
+
+def _wait_for_turn():
+    if TURNS:
+        os.read(TURNS[0], 1)  # at once, and nothing, when the other process has ended
+
+
+def _pass_turn():
+    if TURNS:
+        try:
+            os.write(TURNS[1], b".")
+        except BrokenPipeError:
+            pass
 
 
 def _wake(frames):
