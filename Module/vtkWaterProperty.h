@@ -512,8 +512,8 @@ public:
 
   ///@{
   /**
-   * Work of the ray-traced lookup: steps of the march, taken where the ray does not settle at once,
-   * in [1, 256]. Default is 16.
+   * Work of the ray-traced lookup: steps of the march, taken where the ray does not converge at
+   * once, in [1, 256]. Default is 16.
    */
   void SetRayTraceSteps(int steps);
   vtkGetMacro(RayTraceSteps, int);
@@ -521,8 +521,8 @@ public:
 
   ///@{
   /**
-   * Work of the ray-traced lookup: probes between the water and where the ray settled, in [0, 64].
-   * Default is 6.
+   * Work of the ray-traced lookup: probes between the water and where the ray converged,
+   * in [0, 64]. Default is 6.
    */
   void SetRayTraceProbes(int probes);
   vtkGetMacro(RayTraceProbes, int);

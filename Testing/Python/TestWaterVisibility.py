@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What only hidden water would reflect is left out: props and pieces of large meshes behind a wall
+"""What only hidden water would reflect is left out: props and clusters of large meshes behind a wall
 and beside it, at several texture scales; no picture changes, and no reflection texture of that kind is used again."""
 
 import numpy as np

@@ -78,7 +78,8 @@ bool water_lookup_cuts_surface(const water_eye* eye, const double plane_view[4])
 // and how far a ray may be from the reflection texture's depth to have met it, in shares of
 // (z_infinity - depth).
 //
-// tolerance  of a ray that settled on a surface, and of the depths on both sides of a crossing that
+// tolerance  of a ray that converged on a surface, and of the depths on both sides of a crossing
+// that
 //            is a surface and not a silhouette
 // Source: measured, Documentation/decisions/006-lookup.md.
 void water_lookup_depths(const water_camera* mirrored, double* z_infinity, double tolerance[2]);

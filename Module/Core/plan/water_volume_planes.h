@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // water_volume_planes.h: beside the plan: where the
-// reflection texture shows a volume, for rays that are followed.
+// reflection texture shows a volume, for rays that are traced.
 #ifndef water_volume_planes_h
 #define water_volume_planes_h
 

@@ -49,7 +49,7 @@ vec2 waterFacetSlopes(WaterPoint point, float spread)
 // The reflection of a pixel's facets, each weighted by its own reflectance.
 //
 // One facet goes the way of the first of several: software renderers execute a branch for either, and
-// a loop's body once at least. It alone is followed where a estimate and some probes do not settle: of
+// a loop's body once at least. It alone is marched where an estimate and some probes do not converge: of
 // several, which are blurred, they find each of them well enough.
 //
 // reflectance  of all

@@ -7,9 +7,9 @@ uniform sampler2D waterReflection; // mirrored view, flipped in x; linear
 uniform mat4 waterDirToReflection; // direction in the plane's axes -> clip of the reflection texture
 uniform float waterReflectionTop;  // height over the plane of all that the reflection texture shows
 uniform float waterReflectionZInfinity;
-uniform vec2 waterReflectionTolerance; // settled on a surface; a surface on both sides of a crossing
+uniform vec2 waterReflectionTolerance; // converged on a surface; a surface on both sides of a crossing
 uniform int waterSteps;                // of the march
-uniform int waterProbes;               // between the water and where the ray settled
+uniform int waterProbes;               // between the water and where the ray converged
 
 // Why a pixel has its colour (vtkWaterProperty::Confidences).
 const int WATER_HIT = 1;
@@ -32,7 +32,7 @@ float waterNearest = -1e30; // depth that the ray meets nothing before
 // What rays need of the uniforms, read once for all of a pixel: software renderers take some 30
 // instructions to read each number, and would for every ray. A plain copy would be undone by compilers.
 mat4 waterHalfToReflection; // half of waterDirToReflection
-vec2 waterToSlack;          // how far a ray may be off a depth and has settled: x depth + y
+vec2 waterToSlack;          // how far a ray may be off a depth and has converged: x depth + y
 mat2x3 waterHalfToSky;      // direction -> half of its y and w on the user's screen
 vec4 waterSkyLow;           // waterSkyBottom
 vec3 waterSkyRise;          // from its bottom to its top
@@ -166,7 +166,7 @@ WaterRayHit waterEstimateHit(WaterPoint point, vec3 normal)
   return hit;
 }
 
-// Looks whether a estimate has settled on what the ray meets.
+// Tests whether an estimate has converged on what the ray meets.
 //
 // Loops are tested at their end: software renderers execute their bodies once more than needed otherwise.
 //
@@ -204,7 +204,7 @@ void waterProbe(vec3 start, int most, inout WaterRayHit hit)
   hit.near = depthNear;
 }
 
-// Follows a ray that has not settled, and settles others closer.
+// Marches a ray that has not converged, and refines others.
 //
 // isWanted  or else nothing that comes of it is used
 //
@@ -286,7 +286,7 @@ void waterMarchRay(vec3 start, bool isWanted, inout WaterRayHit hit)
   hit.isPlace = !isSky || waterSkyLow.a <= 0.5;
 }
 
-// Probes. A ray that is not followed meets what they find, about where that is.
+// Probes. A ray that is not marched meets what they find, about where that is.
 void waterRefineHit(vec3 start, bool isFollowed, inout WaterRayHit hit)
 {
   waterProbe(start, isFollowed ? waterProbesOfOne : waterProbesOfSeveral, hit);
@@ -300,7 +300,7 @@ void waterRefineHit(vec3 start, bool isFollowed, inout WaterRayHit hit)
 // Why the point has its reflection.
 int waterReason(WaterRayHit hit)
 {
-  // settled on the far plane, where nothing is?
+  // converged on the far plane, where nothing is?
   bool isNothing = hit.reason == WATER_HIT && waterDepthToMeet(hit.uv) >= 1.0;
   return hit.isDown ? WATER_DOWNWARD : (isNothing ? WATER_SKY : hit.reason);
 }

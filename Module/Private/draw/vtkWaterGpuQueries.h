@@ -18,7 +18,7 @@ public:
   vtkWaterGpuQueries();
   ~vtkWaterGpuQueries();
 
-  enum Stages
+  enum Parts
   {
     REFLECTION, // the mirrored view
     SURFACE,

@@ -90,14 +90,14 @@ struct ScopedCamera
 
 struct ScopedMirroredView
 {
-  ScopedMirroredView(vtkWaterShaderHook* shading, const vtkWaterShaderHook::View& view)
-    : Shading(shading)
+  ScopedMirroredView(vtkWaterShaderHook* hook, const vtkWaterShaderHook::View& view)
+    : Hook(hook)
   {
-    shading->BeginMirroredView(view);
+    hook->BeginMirroredView(view);
   }
-  ~ScopedMirroredView() { this->Shading->EndMirroredView(); }
+  ~ScopedMirroredView() { this->Hook->EndMirroredView(); }
 
-  vtkWaterShaderHook* Shading;
+  vtkWaterShaderHook* Hook;
 };
 
 // Drawing adds to a prop's estimated render time, from which VTK chooses levels of detail and

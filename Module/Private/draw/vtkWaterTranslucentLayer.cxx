@@ -50,7 +50,7 @@ bool vtkWaterTranslucentLayer::Keep(vtkOpenGLRenderWindow* window, vtkWaterTarge
 }
 
 //------------------------------------------------------------------------------
-void vtkWaterTranslucentLayer::Draw(vtkRenderer* renderer, vtkWaterShaderHook* shading,
+void vtkWaterTranslucentLayer::Draw(vtkRenderer* renderer, vtkWaterShaderHook* hook,
   const water_plan& plan, std::vector<vtkProp*>& props, vtkWaterTranslucent& translucent)
 {
   vtkOpenGLState* state =
@@ -69,7 +69,7 @@ void vtkWaterTranslucentLayer::Draw(vtkRenderer* renderer, vtkWaterShaderHook* s
     this->DrawAlpha(renderer, props);
   }
   translucent.DrawVolumes(renderer, props);
-  this->DrawDepths(renderer, shading, plan, props);
+  this->DrawDepths(renderer, hook, plan, props);
   state->vtkglDisable(GL_SCISSOR_TEST);
   this->Layer.Resolve();
 }
@@ -87,7 +87,7 @@ void vtkWaterTranslucentLayer::DrawAlpha(vtkRenderer* renderer, const std::vecto
 }
 
 //------------------------------------------------------------------------------
-void vtkWaterTranslucentLayer::DrawDepths(vtkRenderer* renderer, vtkWaterShaderHook* shading,
+void vtkWaterTranslucentLayer::DrawDepths(vtkRenderer* renderer, vtkWaterShaderHook* hook,
   const water_plan& plan, const std::vector<vtkProp*>& props)
 {
   auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
@@ -100,9 +100,9 @@ void vtkWaterTranslucentLayer::DrawDepths(vtkRenderer* renderer, vtkWaterShaderH
   state->vtkglDepthMask(GL_TRUE);
   state->vtkglDepthFunc(GL_LEQUAL);
   state->vtkglEnable(GL_DEPTH_TEST);
-  shading->SetDepthWriter(state);
+  hook->SetDepthWriter(state);
   DrawPolygons(renderer, props);
-  shading->SetDepthWriter(nullptr);
+  hook->SetDepthWriter(nullptr);
   for (vtkProp* prop : props)
   {
     if (vtkWaterProps::HoldsVolume(prop))

@@ -33,7 +33,7 @@ public:
 
   // Draws the layer: Bind, then viewport and scissor of the reflection texture, then Draw.
   bool Bind() { return this->Layer.Bind(); }
-  void Draw(vtkRenderer* renderer, vtkWaterShaderHook* shading, const water_plan& plan,
+  void Draw(vtkRenderer* renderer, vtkWaterShaderHook* hook, const water_plan& plan,
     std::vector<vtkProp*>& props, vtkWaterTranslucent& translucent);
 
   // Fills the mip levels.
@@ -47,7 +47,7 @@ public:
 
 private:
   void DrawAlpha(vtkRenderer* renderer, const std::vector<vtkProp*>& props);
-  void DrawDepths(vtkRenderer* renderer, vtkWaterShaderHook* shading, const water_plan& plan,
+  void DrawDepths(vtkRenderer* renderer, vtkWaterShaderHook* hook, const water_plan& plan,
     const std::vector<vtkProp*>& props);
   void DrawVolumeDepth(vtkOpenGLRenderWindow* window, const water_plan& plan, vtkProp* prop);
 

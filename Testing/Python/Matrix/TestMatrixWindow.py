@@ -100,19 +100,19 @@ def layers(name, water_layer):
         whole.window.SetNumberOfLayers(2)
         over = Part(whole, (0, 0, 1, 1), layer=1)
         scenes = (whole, over)
-        things(scenes[water_volume_planes])
-        other = scenes[1 - water_volume_planes]
+        things(scenes[water_layer])
+        other = scenes[1 - water_layer]
         other.add_data(wt.sphere((-2.2, -1, 1.4), 0.7), (0.4, 0.5, 1), cut=False)
         whole.keep.append(over)
         added = None
         if kind == mm.SEEN:
-            added = wt.add_water(scenes[water_volume_planes].renderer, PLANE, mm.SHEET)
+            added = wt.add_water(scenes[water_layer].renderer, PLANE, mm.SHEET)
         elif kind == mm.COMPOSED:
-            mm.add_sheet(scenes[water_volume_planes], mirrored)
+            mm.add_sheet(scenes[water_layer], mirrored)
         else:
             other.renderer.RemoveAllViewProps()
-            mm.mirror(scenes[water_volume_planes])
-            if water_volume_planes == 1:  # the rule: what a layer's water reflects is the layer's own background
+            mm.mirror(scenes[water_layer])
+            if water_layer == 1:  # the rule: what a layer's water reflects is the layer's own background
                 whole.renderer.SetBackground(over.renderer.GetBackground())
         return whole, added
 
@@ -121,7 +121,7 @@ def layers(name, water_layer):
     mirrored = make(mm.MIRRORED)[0].pixels()[:, ::-1]
     expected = make(mm.COMPOSED, mirrored)[0].pixels()
     control = make(mm.COMPOSED, np.full_like(mirrored, 60))[0].pixels()
-    compare(name, scene, water, seen, expected, control, reason=None if water_volume_planes == 0 else
+    compare(name, scene, water, seen, expected, control, reason=None if water_layer == 0 else
             "A transparent layer has no background of its own in the picture; its colour is reflected all the same.")
 
 
