@@ -56,13 +56,10 @@ void vtkWaterProperty::DescribeWaves(vtkWaterLook& look)
   look.WaveNumber = this->Sea ? 0.0 : water_waves_number(waves.data(), waves.size());
   water_waves_reach(waves.data(), waves.size(), &look.WaveHeightMax, &look.WaveReach);
   look.WaveGridSize = this->WaveGridSize;
-  look.CastsShadows = this->Shadows &&
-    ((look.Has.has_glitter && water_features_is_rough(&look.Has)) || look.Has.has_foam);
-  // only slopes that are given one by one have a steepest
-  const bool isOfSines = this->Lookup == RAY_TRACED && !this->Sea && !this->WaveGeometry &&
-    !look.Has.has_normal_maps && !look.Has.has_slope_variance && !look.CastsShadows;
-  const double steepest = isOfSines ? water_waves_looked_up(waves.data(), waves.size())
-                                    : std::numeric_limits<double>::infinity();
+  look.CastsShadows = water_features_has_shadows(&look.Has);
+  const double steepest = water_features_is_of_sines(&look.Has)
+    ? water_waves_looked_up(waves.data(), waves.size())
+    : std::numeric_limits<double>::infinity();
   look.SlopeLookedUp = water_features_needs_rays(&look.Has) ? steepest : 0.0;
   this->ReadSea(&look.Sea, &look.SeaTile);
   look.NormalMaps = this->Internal->NormalMaps.Layers;

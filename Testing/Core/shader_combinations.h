@@ -8,31 +8,22 @@
 
 #include <stddef.h>
 
+#define SHADER_ONE_MORE(member, what) +1
 enum
 {
-  SHADER_LOOK_COUNT = 1 << 14, // looks: a bit for each of their members
+  SHADER_LOOK_BITS = 1 WATER_FEATURE_LOOK_LIST(SHADER_ONE_MORE), // and the kind of lookup
+  SHADER_LOOK_COUNT = 1 << SHADER_LOOK_BITS,
   SHADER_SET_COUNT = 1 << WATER_FEATURE_COUNT
 };
+#undef SHADER_ONE_MORE
 
 static inline water_feature_look shader_look(unsigned number)
 {
   unsigned bit = 0;
   water_feature_look look;
-#define SHADER_NEXT_BIT ((number >> bit++ & 1u) != 0)
-  look.has_sines = SHADER_NEXT_BIT;
-  look.has_sea = SHADER_NEXT_BIT;
-  look.has_normal_maps = SHADER_NEXT_BIT;
-  look.has_slope_variance = SHADER_NEXT_BIT;
-  look.has_wave_geometry = SHADER_NEXT_BIT;
-  look.has_environment = SHADER_NEXT_BIT;
-  look.lookup = SHADER_NEXT_BIT ? WATER_LOOKUP_OFFSET : WATER_LOOKUP_RAY_TRACED;
-  look.has_refraction = SHADER_NEXT_BIT;
-  look.is_opaque = SHADER_NEXT_BIT;
-  look.has_caustics = SHADER_NEXT_BIT;
-  look.has_glitter = SHADER_NEXT_BIT;
-  look.has_foam = SHADER_NEXT_BIT;
-  look.has_shadows = SHADER_NEXT_BIT;
-  look.has_output = SHADER_NEXT_BIT;
+  look.lookup = (number >> bit++ & 1u) != 0 ? WATER_LOOKUP_OFFSET : WATER_LOOKUP_RAY_TRACED;
+#define SHADER_NEXT_BIT(member, what) look.member = (number >> bit++ & 1u) != 0;
+  WATER_FEATURE_LOOK_LIST(SHADER_NEXT_BIT)
 #undef SHADER_NEXT_BIT
   return look;
 }

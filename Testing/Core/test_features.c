@@ -28,6 +28,9 @@ enum
   RAYS = ROUGH | SHADOWS | OUTPUT
 };
 
+#define ONE_MORE(member, what) +1
+_Static_assert(LOOKS == 1 << (1 WATER_FEATURE_LOOK_LIST(ONE_MORE)), "a bit for all of a look");
+
 static water_feature_look look_of(unsigned has)
 {
   water_feature_look look;
@@ -97,6 +100,11 @@ TEST(features_of_every_look_follow_the_rules)
     assert_int_equal(water_features_is_rough(&look), (has & ROUGH) != 0);
     assert_int_equal(water_features_needs_rays(&look), (has & RAYS) != 0);
     assert_int_equal(water_features_is_displaced(&look), (has & GEOMETRY) && (has & SINES));
+    assert_int_equal(
+      water_features_has_shadows(&look), (expected_of(has) & WATER_FEATURE_SHADOWS) != 0);
+    assert_int_equal(water_features_is_of_sines(&look),
+      !(has & (OFFSET | SEA | GEOMETRY | NORMAL_MAPS | SLOPES)) &&
+        !(expected_of(has) & WATER_FEATURE_SHADOWS));
   }
 }
 

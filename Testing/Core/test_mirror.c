@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// test_mirror.c: step 2: the mirrored camera and the clip at the water.
+// test_mirror.c: the mirrored camera and the clip at the water.
 #include "test_scene.h"
 
 #include "water_math.h"

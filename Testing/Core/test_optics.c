@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// test_optics.c: step 5: the reflectance, against numbers of Fresnel's own form.
+// test_optics.c: the reflectance, against numbers of Fresnel's own form.
 #include "test_scene.h"
 
 #include "water_optics.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// test_plane.c: step 1: the plane, its mirror, its axes and its sheet.
+// test_plane.c: the plane, its mirror, its axes and its sheet.
 #include "test_scene.h"
 
 #include "water_plane.h"

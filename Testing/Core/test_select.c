@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// test_select.c: step 3: side of the eye, is the water seen, reason of each prop.
+// test_select.c: side of the eye, is the water seen, reason of each prop.
 #include "test_scene.h"
 
 #include "water_camera.h"

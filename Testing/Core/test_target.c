@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// test_target.c: step 4: size of the reflection texture and
+// test_target.c: size of the reflection texture and
 // the rectangle of it that the water can look up.
 #include "test_scene.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// water_plane.c: step 1: the plane: normalise, height of a point, mirror matrix, own axes, sheet.
+// water_plane.c: the plane: normalise, height of a point, mirror matrix, own axes, sheet.
 #include "water_plane.h"
 
 #include "water_math.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// water_plane.h: step 1: the plane: normalise, height of a point, mirror matrix, own axes, sheet.
+// water_plane.h: the plane: normalise, height of a point, mirror matrix, own axes, sheet.
 //
 // Errors, in roundings u = 2^-53: a unit normal and its offset are within 6 u of themselves.
 // Mirrored twice is the identity within 48 u, and 64 u of the offset for the translation. Derived

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// water_optics.c: step 5: how much the surface reflects.
+// water_optics.c: how much the surface reflects.
 #include "water_optics.h"
 
 #include "water_math.h"

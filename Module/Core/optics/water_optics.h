@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// water_optics.h: step 5: how much the surface reflects.
+// water_optics.h: how much the surface reflects.
 //
 // eta is the index of refraction beyond the surface over the one on the eye's side: 1.333 seen from
 // above, 1 / 1.333 seen from below. cosine is that of the angle between ray and normal, in [0, 1];

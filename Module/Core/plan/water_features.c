@@ -22,6 +22,23 @@ bool water_features_is_displaced(const water_feature_look* look)
   return look->has_wave_geometry && look->has_sines;
 }
 
+static bool is_sunlit(const water_feature_look* look)
+{
+  return (look->has_glitter && water_features_is_rough(look)) || look->has_foam;
+}
+
+bool water_features_has_shadows(const water_feature_look* look)
+{
+  return look->has_shadows && is_sunlit(look);
+}
+
+bool water_features_is_of_sines(const water_feature_look* look)
+{
+  // shadows are looked up along rays of their own
+  return look->lookup == WATER_LOOKUP_RAY_TRACED && !look->has_sea && !look->has_wave_geometry &&
+    !look->has_normal_maps && !look->has_slope_variance && !water_features_has_shadows(look);
+}
+
 static unsigned reflection_of(const water_feature_look* look)
 {
   if (look->has_environment)
@@ -44,7 +61,6 @@ unsigned water_features_of(const water_feature_look* look)
 {
   const bool is_rough = water_features_is_rough(look);
   const bool is_clear = look->has_refraction && look->is_opaque;
-  const bool is_sunlit = (look->has_glitter && is_rough) || look->has_foam;
   return reflection_of(look) | if_has(has_waves(look), WATER_FEATURE_WAVES) |
     if_has(look->has_sea, WATER_FEATURE_SEA) |
     if_has(look->has_normal_maps, WATER_FEATURE_NORMAL_MAPS) |
@@ -54,7 +70,7 @@ unsigned water_features_of(const water_feature_look* look)
     if_has(is_clear && has_waves(look) && look->has_caustics, WATER_FEATURE_CAUSTICS) |
     if_has(look->has_glitter && is_rough, WATER_FEATURE_GLITTER) |
     if_has(look->has_foam, WATER_FEATURE_FOAM) |
-    if_has(is_sunlit && look->has_shadows, WATER_FEATURE_SHADOWS) |
+    if_has(water_features_has_shadows(look), WATER_FEATURE_SHADOWS) |
     if_has(look->has_output, WATER_FEATURE_OUTPUT);
 }
 

@@ -20,17 +20,17 @@ extern "C"
 #define WATER_FEATURE_LIST(X)                                                                      \
   X(WAVES, "the normal is not the plane's")                                                        \
   X(RAY_TRACED, "reflected rays are traced in the reflection texture")                             \
-  X(OFFSET, "it is looked up beside the calm place")                                               \
+  X(OFFSET, "the texture is looked up at an offset")                                               \
   X(ENVIRONMENT, "a static picture is reflected, or the background")                               \
   X(MEDIUM, "the scene is seen through the surface")                                               \
   X(CAUSTICS, "waves gather light on it")                                                          \
   X(GLITTER, "the sun in slopes that a pixel does not resolve")                                    \
   X(SEA, "a wind sea on a tile")                                                                   \
-  X(NORMAL_MAPS, "one or two that move")                                                           \
+  X(NORMAL_MAPS, "one or two normal maps move over it")                                            \
   X(ROUGH, "several facets a pixel")                                                               \
   X(DISPLACED, "waves move the surface itself")                                                    \
   X(FOAM, "at the shore and on crests")                                                            \
-  X(SHADOWS, "of things on glitter and foam")                                                      \
+  X(SHADOWS, "shadows on glitter and foam")                                                        \
   X(OUTPUT, "the pixel shows how it got its colour")                                               \
   X(TRANSLUCENT, "the reflection texture has a layer of translucent things")
 
@@ -117,23 +117,28 @@ typedef enum water_lookup_kind
   WATER_LOOKUP_OFFSET
 } water_lookup_kind;
 
-// What the features of a look depend on.
+// What the features of a look depend on, and how waves are looked up: X(member, what).
+#define WATER_FEATURE_LOOK_LIST(X)                                                                 \
+  X(has_sines, "waves given one by one")                                                           \
+  X(has_sea, "a wind sea")                                                                         \
+  X(has_normal_maps, "normal maps that move")                                                      \
+  X(has_slope_variance, "slopes that are given as a distribution")                                 \
+  X(has_wave_geometry, "sines move the surface")                                                   \
+  X(has_environment, "a static picture is reflected")                                              \
+  X(has_refraction, "the scene is seen through the surface")                                       \
+  X(is_opaque, "drawn with the opaque geometry")                                                   \
+  X(has_caustics, "waves gather light under water")                                                \
+  X(has_glitter, "the sun in slopes that a pixel does not resolve")                                \
+  X(has_foam, "at the shore or on crests")                                                         \
+  X(has_shadows, "on glitter and foam")                                                            \
+  X(has_output, "other than the colour")
+
 typedef struct water_feature_look
 {
-  bool has_sines; // waves given one by one
-  bool has_sea;
-  bool has_normal_maps;
-  bool has_slope_variance;  // slopes that are given as a distribution
-  bool has_wave_geometry;   // sines move the surface
-  bool has_environment;     // a static picture is reflected
+#define WATER_FEATURE_LOOK_MEMBER(member, what) bool member;
+  WATER_FEATURE_LOOK_LIST(WATER_FEATURE_LOOK_MEMBER)
+#undef WATER_FEATURE_LOOK_MEMBER
   water_lookup_kind lookup; // of waves
-  bool has_refraction;
-  bool is_opaque; // drawn with the opaque geometry
-  bool has_caustics;
-  bool has_glitter;
-  bool has_foam;
-  bool has_shadows;
-  bool has_output; // other than the colour
 } water_feature_look;
 
 // Is the surface not smooth: has it waves of any kind, or slopes?
@@ -144,6 +149,13 @@ bool water_features_needs_rays(const water_feature_look* look);
 
 // Do waves move the surface itself?
 bool water_features_is_displaced(const water_feature_look* look);
+
+// Do things of the reflection texture keep the sun off glitter or foam?
+bool water_features_has_shadows(const water_feature_look* look);
+
+// Are sines all that turns a reflected ray? Only they have a steepest slope, which bounds how far a
+// ray is turned; a new kind of waves makes this false.
+bool water_features_is_of_sines(const water_feature_look* look);
 
 // The features of a water in the main view.
 unsigned water_features_of(const water_feature_look* look);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// water_mirror.c: step 2: the mirrored camera, the clip at the plane, the way into its picture.
+// water_mirror.c: the mirrored camera, the clip at the plane, the way into its picture.
 #include "water_mirror.h"
 
 #include "water_math.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// water_mirror.h: step 2: the camera mirrored at the plane, the clip at the plane, and what leads
+// water_mirror.h: the camera mirrored at the plane, the clip at the plane, and what leads
 // from the scene into the mirrored picture.
 //
 // R is the mirror matrix of the plane (determinant -1), Fx = diag(-1, 1, 1, 1). The mirrored camera

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// water_plan.c: the order of the steps, and nothing else: check, side, view, target, mirror,
-// select, reuse.
+// water_plan.c: the order of the steps, and nothing else: check, decide, view, mirror, target,
+// select, clip, shade; then revise.
 #include "water_plan.h"
 
 #include "water_camera.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// water_select.c: step 3: side of the eye, is the water seen, reason of each prop.
+// water_select.c: side of the eye, is the water seen, reason of each prop.
 #include "water_select.h"
 
 #include "water_frustum.h"
@@ -96,7 +96,7 @@ static bool is_smaller(
 // pyramid. What is 2 pixels wide stays within the texels that are added for filtering.
 static const float width_px_thin = 2.0f;
 
-static water_cull_reason fate_of_wide_box(
+static water_cull_reason reason_of_wide_box(
   const water_camera* mirrored, const water_selection* selection, const water_prop* prop)
 {
   const double* box = selection->box;
@@ -129,7 +129,7 @@ static void make_frusta(const water_camera* mirrored, const double box[4], frust
   }
 }
 
-static water_cull_reason fate_of_box(const frusta* both, const double bounds[6])
+static water_cull_reason reason_of_box(const frusta* both, const double bounds[6])
 {
   const int side = water_frustum_divides(&both->pyramid, 5, bounds, box_rounding);
   if (side < 0)
@@ -184,8 +184,8 @@ size_t water_select_props(const water_camera* mirrored, const water_plane* plane
       else
       {
         reason = props[i].width_px > width_px_thin
-          ? fate_of_wide_box(mirrored, selection, props + i)
-          : fate_of_box(&both, bounds);
+          ? reason_of_wide_box(mirrored, selection, props + i)
+          : reason_of_box(&both, bounds);
         if (reason == WATER_CULL_NONE && selection->prop_px_min > 0.0 &&
           is_smaller(world_to_clip, selection->texture_px, bounds, selection->prop_px_min))
         {

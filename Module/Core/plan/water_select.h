@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// water_select.h: step 3: on which side the eye is, whether the water is seen, and what becomes of
+// water_select.h: on which side the eye is, whether the water is seen, and what becomes of
 // each prop in the mirrored view.
 //
 // Conservative throughout: rounding, and the slack of a box around its prop, may keep what nobody

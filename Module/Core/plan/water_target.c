@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// water_target.c: step 4: size of the reflection texture, and the part of it the water can look up.
+// water_target.c: size of the reflection texture, and the part of it the water can look up.
 #include "water_target.h"
 
 #include "water_math.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// water_target.h: step 4: how large the reflection texture
+// water_target.h: how large the reflection texture
 // is, and which part of it the water can look up.
 #ifndef water_target_h
 #define water_target_h

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// water_clusters.c: step 4: the clusters of large meshes.
+// water_clusters.c: the clusters of large meshes.
 #include "water_clusters.h"
 
 #include "water_math.h"

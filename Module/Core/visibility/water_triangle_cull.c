@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// water_triangle_cull.c: step 4: triangles that change no
+// water_triangle_cull.c: triangles that change no
 // pixel of the reflection texture that is looked up.
 #include "water_triangle_cull.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// water_triangle_cull.h: step 4: triangles that change no
+// water_triangle_cull.h: triangles that change no
 // pixel of the reflection texture that is looked up. Of a large mesh most are such: they lie
 // between the middles of pixels, under the water, where hidden water would show them, or behind
 // what is drawn before them. In software each costs as much as several pixels.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// water_visibility.c: step 4: which cells of the reflection texture visible water looks up.
+// water_visibility.c: which cells of the reflection texture visible water looks up.
 #include "water_visibility.h"
 
 #include "water_math.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// water_visibility.h: step 4: which parts of the reflection
+// water_visibility.h: which parts of the reflection
 // texture visible water looks up, in square cells of pixels. That is known once the eye's picture
 // is there, and leaves out what only hidden water would reflect.
 #ifndef water_visibility_h
