@@ -248,9 +248,12 @@ vtkWaterSnapshotPointer vtkWaterActor::Internals::Take(vtkRenderer* renderer)
 {
   const vtkMTimeType frame = renderer ? vtkWaterFrame::NumberOf(renderer) : 0;
   const vtkMTimeType time = this->Self->GetMTime();
-  if (this->Snapshot && frame != 0 && frame == this->SnapshotFrame && time == this->SnapshotTime)
+  if (frame != 0 && frame == this->SnapshotFrame && time == this->SnapshotTime)
   {
-    return this->Snapshot;
+    if (vtkWaterSnapshotPointer taken = this->Snapshot.lock())
+    {
+      return taken;
+    }
   }
   auto made = std::make_shared<vtkWaterSnapshot>();
   made->Actor = this->Self;
@@ -269,9 +272,13 @@ vtkWaterSnapshotPointer vtkWaterActor::Internals::Take(vtkRenderer* renderer)
   made->Waves = this->GetWaveTerms();
   made->Sea = &this->Sea;
   made->Settings = this->GetOwnReflection().Settings;
-  this->Snapshot = made;
-  this->SnapshotFrame = frame;
-  this->SnapshotTime = time;
+  if (frame != 0)
+  {
+    this->Snapshot = made;
+    this->SnapshotFrame = frame;
+    this->SnapshotTime = time;
+    vtkWaterFrame::Of(renderer).Keep(made);
+  }
   return made;
 }
 

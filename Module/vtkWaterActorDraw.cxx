@@ -19,6 +19,7 @@
 #include "water_secondary.h"
 
 #include <algorithm>
+#include <memory>
 
 VTK_ABI_NAMESPACE_BEGIN
 
@@ -163,6 +164,9 @@ void vtkWaterActor::Render(vtkRenderer* renderer, vtkMapper* mapper)
   vtkWaterRenderPassKeys::Add(this, hook);
   vtkWaterFrame& frame = vtkWaterFrame::Of(renderer);
   const vtkWaterSnapshotPointer water = internal.Take(renderer);
+  vtkWaterReflection& own = internal.GetOwnReflection();
+  const std::shared_ptr<void> held[2] = { own.Hold(renderer),
+    frame.GetReflection(internal).Hold(renderer) };
   vtkWaterSurfaceShader::Inputs inputs = frame.GetInputs(internal);
   if (renderer->GetSelector() || internal.HasSheetError() || internal.IsProbing)
   {
@@ -183,7 +187,6 @@ void vtkWaterActor::Render(vtkRenderer* renderer, vtkMapper* mapper)
   }
   inputs.AddsFog = inputs.Plan && water->IsClear() &&
     (inputs.Plan->is_submerged || inputs.Plan->is_awash) && frame.BeginFog(*inputs.Plan);
-  vtkWaterReflection& own = internal.GetOwnReflection();
   vtkWaterGpuQueries* queries = own.GetGpuQueries(renderer);
   vtkWaterOcclusion* occlusion = own.GetOcclusion(renderer);
   queries->Begin(vtkWaterGpuQueries::SURFACE, renderer->GetRenderWindow());

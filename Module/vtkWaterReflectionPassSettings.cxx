@@ -306,7 +306,9 @@ int vtkWaterReflectionPass::GetFateCount(int fate) const
 //------------------------------------------------------------------------------
 const char* vtkWaterReflectionPass::GetFateAsString(int fate)
 {
-  return water_cull_reason_text(static_cast<water_cull_reason>(fate));
+  return fate >= 0 && fate < WATER_CULL_REASON_COUNT
+    ? water_cull_reason_text(static_cast<water_cull_reason>(fate))
+    : "unknown fate";
 }
 
 //------------------------------------------------------------------------------

@@ -6,6 +6,10 @@ way round when the mirrored view waits for the scene before the water. What an o
 must have happened afterwards, and the picture after the frame must be right.
 """
 
+import os
+import subprocess
+import sys
+
 import pytest
 import water_test as wt
 from vtkmodules.vtkRenderingCore import vtkCamera
@@ -155,3 +159,30 @@ def test_observers_of_the_frames_end_may_be_silenced(name, do):
     fresh.actor.SetPosition(0.5, 0, 0)
     wt.check_equal(f"{name}: reflections in the next frame", scene.reflections() - before, 1)
     wt.check_equal(f"{name}: next picture, error", wt.difference(moved, fresh.picture()), 0)
+
+
+DROP_WATER = """
+import water_test as wt
+view = wt.View((64, 48))
+wt.add_actor(view.renderer, wt.pyramid((0, 0, 0.4), 1.2), (1, 0.6, 0.2))
+water = wt.add_water(view.renderer, None, (-9, 9, -9, 9))
+wt.place_camera(view.renderer, (4, -5, 2), (0, 0, 0), (0.1, 100))
+view.picture()
+water.GetMapper().AddObserver({event!r}, lambda caller, event: {drop})
+for _ in range(3):
+    view.picture()
+print("done")
+"""
+
+
+@pytest.mark.parametrize("event", ("StartEvent", "UpdateShaderEvent", "EndEvent"))
+@pytest.mark.parametrize("drop", ("water.ReleaseGraphicsResources(view.window)",
+                                  "water.GetReflectionPass().ReleaseGraphicsResources(view.window)",
+                                  "view.renderer.RemoveActor(water)"), ids=("released", "pass_released", "removed"))
+def test_water_may_be_dropped_while_it_is_drawn(drop, event):
+    """A water's own draw may release or remove it: what it has freed is not used. Freed memory is overwritten here."""
+    environment = {**os.environ, "MALLOC_PERTURB_": "165", "PYTHONPATH": os.pathsep.join(sys.path)}
+    done = subprocess.run([sys.executable, "-c", DROP_WATER.format(event=event, drop=drop)], capture_output=True,
+                          text=True, env=environment, check=False)
+    wt.check_equal(f"{drop} in its {event}: exit status", done.returncode, 0)
+    wt.check_equal(f"{drop} in its {event}: it goes on", done.stdout.split()[-1:], ["done"])

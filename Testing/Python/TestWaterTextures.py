@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Textures of water may come, change and go at any time, even while the water is drawn."""
 
+import gc
+
 import pytest
 import water_test as wt
-from vtkmodules.vtkRenderingCore import vtkTexture
+from vtkmodules.vtkRenderingCore import vtkRendererSource, vtkTexture
 from vtkwater import vtkWaterActor
 
 
@@ -76,3 +78,49 @@ def test_a_change_of_a_texture_is_a_change_of_the_water():
     before = water.GetMTime()
     texture.Modified()
     wt.check_equal("a texture's change is the water's", water.GetMTime() > before, True)
+
+
+def test_what_is_taken_away_is_let_go():
+    """Between frames a water keeps nothing that the user has taken away from it."""
+    made, water = scene()
+    look = water.GetWaterProperty()
+    gone = []
+    for name, give in (("environment", look.SetEnvironmentTexture),
+                       ("normal map", lambda given: look.AddNormalMap(given, 2.0))):
+        texture = checker_texture()
+        texture.AddObserver("DeleteEvent", lambda caller, event, name=name: gone.append(name))
+        give(texture)
+    del texture
+    made.picture()
+    look.SetEnvironmentTexture(None)
+    look.RemoveAllNormalMaps()
+    gc.collect()
+    wt.check_equal("taken away: textures that are gone", gone, ["environment", "normal map"])
+    look.AddObserver("DeleteEvent", lambda caller, event: gone.append("property"))
+    water.SetWaterProperty(None)
+    del look
+    gc.collect()
+    wt.check_equal("taken away: and the property", gone[2:], ["property"])
+
+
+def test_a_water_that_reflected_its_own_renderer_can_go():
+    """An environment that is the renderer's own picture is a ring of references; once it is taken away, all can go."""
+    made, water = scene()
+    source = vtkRendererSource()
+    source.SetInput(made.renderer)
+    source.WholeWindowOff()
+    made.picture()
+    texture = vtkTexture()
+    texture.SetInputConnection(source.GetOutputPort())
+    source.Update()
+    water.GetWaterProperty().SetEnvironmentTexture(texture)
+    made.picture()
+    water.GetWaterProperty().SetEnvironmentTexture(None)
+    gone = []
+    for name, thing in (("water", water), ("renderer", made.renderer), ("texture", texture)):
+        thing.AddObserver("DeleteEvent", lambda caller, event, name=name: gone.append(name))
+    made.window.RemoveRenderer(made.renderer)
+    made.window.Finalize()
+    del water, source, texture, thing, made
+    gc.collect()
+    wt.check_equal("ring of references: what is gone", sorted(gone), ["renderer", "texture", "water"])

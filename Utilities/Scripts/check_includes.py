@@ -67,7 +67,7 @@ def read(root):
     for path in paths:
         graph[path] = {}
         for number, line in enumerate((root / path).read_text().splitlines(), 1):
-            match = re.match(r'\s*#\s*include\s*"([^"]+)"', line)
+            match = re.match(r'\s*#\s*include\s*["<]([^">]+)[">]', line)
             included = match and by_name.get(match.group(1).rpartition("/")[2])
             if included:
                 graph[path].setdefault(included, number)

@@ -29,14 +29,14 @@ shaders=(Module/GLSL/*/*.glsl Module/Core/shared/*.glsl)
 forbid text "The core includes neither VTK nor GL" \
   '#include *[<"](vtk[^">]*[.]h|GL/|EGL/)' "${core[@]}"
 forbid code "The core allocates nothing and prints nothing" \
-  '(^|[^a-z_])(malloc|calloc|realloc|free|printf|fprintf|puts)[(]' "${core[@]}"
+  '(^|[^a-z_])(malloc|calloc|realloc|aligned_alloc|strn?dup|free|v?f?printf|f?puts|f?putc|putchar)[(]' "${core[@]}"
 # All that <cmath> computes, for double, float and long double. Asking (std::isfinite) and choosing (std::min) are
 # no formulas. A member of such a name is no function of <cmath>.
 computing='(a?(sin|cos|tan)h?|atan2|l?l?abs|fabs|sqrt|cbrt|hypot|pow|exp|exp2|expm1|log|log2|log10|log1p|logb|ilogb'
 computing+='|fmod|remainder|remquo|modf|fma|fdim|floor|ceil|trunc|l?l?round|l?l?rint|nearbyint'
 computing+='|ldexp|frexp|scalbl?n|nextafter|nexttoward|copysign|lerp|erfc?|[tl]gamma)[fl]?'
 forbid code "Formulas belong into the core, shims copy and call" \
-  "(^|[^A-Za-z0-9_.>])${computing}[(]|::(Dot|Cross|Norm|Normalize|Floor|Ceil|Round)[(]" "${shims[@]}"
+  "(^|[^A-Za-z0-9_.>])${computing}[(]|::(Dot|Cross|Norm|Normalize|Floor|Ceil|Round|Distance2?BetweenPoints|Determinant[23]x[23])[(]" "${shims[@]}"
 for file in "${shims[@]}"; do
   if grep -qE '#include *<(cmath|math[.]h)>' "$file" && ! grep -qE 'std::is(finite|nan|inf)[(]' "$file"; then
     echo "Formulas belong into the core: $file includes <cmath> and does not need it for std::isfinite"

@@ -9,18 +9,23 @@ shims=(Module/*.cxx Module/*.h Module/Private/*/*.cxx Module/Private/*/*.h)
 shaders=(Module/GLSL/*/*.glsl Module/Core/shared/*.glsl)
 
 awk '
-  { sub(/\/\/.*/, "") } # comments, but no string of ours has two slashes
+  { sub(/\/\/.*/, ""); gsub(/\/\*[^*]*\*\//, "") } # comments, but no string of ours has two slashes
   FILENAME ~ /[.]glsl$/ {
-    if ($0 ~ /^(uniform|in) .*;/)
+    line = $0
+    sub(/^layout *\([^)]*\) */, "", line)
+    gsub(/(highp|mediump|lowp|flat|smooth) /, "", line)
+    if (line ~ /^(uniform|in|out) .*;/)
     {
-      kind = $1
-      line = $0
+      kind = line
+      sub(/ .*/, "", kind)
       sub(/;.*/, "", line)
       sub(/^[a-z]+ +[A-Za-z0-9]+ +/, "", line)
       gsub(/\[[^\]]*\]|,/, " ", line)
       count = split(line, names, " ")
       for (i = 1; i <= count; ++i)
       {
+        if (kind == "in" && names[i] ~ /VSOutput$/) received[names[i]] = FILENAME ":" FNR
+        if (kind == "out") { sent[names[i]] = 1; continue }
         declared[names[i]] = 1
         if (kind == "uniform" && !(names[i] in uniform)) uniform[names[i]] = FILENAME ":" FNR
       }
@@ -52,6 +57,8 @@ awk '
     }
     for (name in named)
       if (!(name in declared)) { print named[name] ": no shader declares " name; ++failures }
+    for (name in received)
+      if (!(name in sent)) { print received[name] ": no vertex shader has the output " name; ++failures }
     if (failures) { print "check_uniforms: " failures " name(s) without a partner"; exit 1 }
     print "check_uniforms: " uniforms " uniforms, each declared and set"
   }' "${shaders[@]}" "${shims[@]}"

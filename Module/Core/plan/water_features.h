@@ -50,60 +50,71 @@ enum // WATER_FEATURE_WAVES and so on
 };
 
 // Files of the surface's fragment shader, in order: X(slot, file, any_of, none_of, what). A file is
-// there when the features have any of any_of (0: whatever they have) and none of none_of. In one
-// slot the conditions exclude each other.
-#define WATER_F(name) WATER_FEATURE_##name
+// there when the features have any of any_of (0: whatever they have) and none of none_of. For the
+// features that a look can have, the conditions of one slot exclude each other.
+#define WATER_FEATURE_FLAG(name) WATER_FEATURE_##name
 #define WATER_SURFACE_FILE_LIST(X)                                                                 \
   X(optics, vtkWaterOptics, 0, 0, "Fresnel's law")                                                 \
   X(gradient, vtkWaterGradient, 0, 0, "where a direction finds the background's colour")           \
-  X(attenuation, vtkWaterAttenuation, WATER_F(MEDIUM), 0, "what the water takes from light")       \
-  X(slopes, vtkWaterSlopes, WATER_F(GLITTER), 0, "slopes as a distribution")                       \
-  X(cell, vtkWaterCell, WATER_F(DISPLACED), 0, "what a grid can hold of a wave")                   \
-  X(place, vtkWaterDisplacementFS, WATER_F(DISPLACED), 0, "place at rest, from the vertices")      \
-  X(place, vtkWaterNoDisplacementFS, 0, WATER_F(DISPLACED), "place at rest, from the pixel")       \
+  X(attenuation, vtkWaterAttenuation, WATER_FEATURE_FLAG(MEDIUM), 0,                               \
+    "what the water takes from light")                                                             \
+  X(slopes, vtkWaterSlopes, WATER_FEATURE_FLAG(GLITTER), 0, "slopes as a distribution")            \
+  X(cell, vtkWaterCell, WATER_FEATURE_FLAG(DISPLACED), 0, "what a grid can hold of a wave")        \
+  X(place, vtkWaterDisplacementFS, WATER_FEATURE_FLAG(DISPLACED), 0,                               \
+    "place at rest, from the vertices")                                                            \
+  X(place, vtkWaterNoDisplacementFS, 0, WATER_FEATURE_FLAG(DISPLACED),                             \
+    "place at rest, from the pixel")                                                               \
   X(point, vtkWaterPointFS, 0, 0, "what all slots know of their pixel, and the background")        \
-  X(tile, vtkWaterTileFS, WATER_F(WAVES), 0, "slopes from a texture that repeats")                 \
-  X(sines, vtkWaterWavesFS, WATER_F(WAVES), 0, "sine and Gerstner waves")                          \
-  X(sea, vtkWaterSeaFS, WATER_F(SEA), 0, "wind sea")                                               \
-  X(sea, vtkWaterNoSeaFS, WATER_F(WAVES), WATER_F(SEA), "none")                                    \
-  X(normal_maps, vtkWaterNormalMapsFS, WATER_F(NORMAL_MAPS), 0, "normal maps that move")           \
-  X(normal_maps, vtkWaterNoNormalMapsFS, WATER_F(WAVES), WATER_F(NORMAL_MAPS), "none")             \
-  X(waves, vtkWaterRippleFS, WATER_F(WAVES), 0, "the normal, from the last three")                 \
-  X(waves, vtkWaterNoWavesFS, 0, WATER_F(WAVES), "calm: the plane's normal")                       \
-  X(output, vtkWaterOutputFS, WATER_F(OUTPUT), 0, "confidence, lookup or reflectance")             \
-  X(output, vtkWaterNoOutputFS, 0, WATER_F(OUTPUT), "colour")                                      \
-  X(reflection, vtkWaterEnvironmentFS, WATER_F(ENVIRONMENT), 0, "static environment")              \
-  X(reflection, vtkWaterRayTracedFS, WATER_F(RAY_TRACED), 0, "ray traced in the texture")          \
-  X(reflection, vtkWaterOffsetFS, WATER_F(OFFSET), 0, "offset lookup")                             \
-  X(reflection, vtkWaterMirrorFS, 0, WATER_F(ENVIRONMENT) | WATER_F(RAY_TRACED) | WATER_F(OFFSET), \
+  X(tile, vtkWaterTileFS, WATER_FEATURE_FLAG(WAVES), 0, "slopes from a texture that repeats")      \
+  X(sines, vtkWaterWavesFS, WATER_FEATURE_FLAG(WAVES), 0, "sine and Gerstner waves")               \
+  X(sea, vtkWaterSeaFS, WATER_FEATURE_FLAG(SEA), 0, "wind sea")                                    \
+  X(sea, vtkWaterNoSeaFS, WATER_FEATURE_FLAG(WAVES), WATER_FEATURE_FLAG(SEA), "none")              \
+  X(normal_maps, vtkWaterNormalMapsFS, WATER_FEATURE_FLAG(NORMAL_MAPS), 0,                         \
+    "normal maps that move")                                                                       \
+  X(normal_maps, vtkWaterNoNormalMapsFS, WATER_FEATURE_FLAG(WAVES),                                \
+    WATER_FEATURE_FLAG(NORMAL_MAPS), "none")                                                       \
+  X(waves, vtkWaterRippleFS, WATER_FEATURE_FLAG(WAVES), 0, "the normal, from the last three")      \
+  X(waves, vtkWaterNoWavesFS, 0, WATER_FEATURE_FLAG(WAVES), "calm: the plane's normal")            \
+  X(output, vtkWaterOutputFS, WATER_FEATURE_FLAG(OUTPUT), 0, "confidence, lookup or reflectance")  \
+  X(output, vtkWaterNoOutputFS, 0, WATER_FEATURE_FLAG(OUTPUT), "colour")                           \
+  X(reflection, vtkWaterEnvironmentFS, WATER_FEATURE_FLAG(ENVIRONMENT), 0, "static environment")   \
+  X(reflection, vtkWaterRayTracedFS, WATER_FEATURE_FLAG(RAY_TRACED), 0,                            \
+    "ray traced in the texture")                                                                   \
+  X(reflection, vtkWaterOffsetFS, WATER_FEATURE_FLAG(OFFSET), 0, "offset lookup")                  \
+  X(reflection, vtkWaterMirrorFS, 0,                                                               \
+    WATER_FEATURE_FLAG(ENVIRONMENT) | WATER_FEATURE_FLAG(RAY_TRACED) | WATER_FEATURE_FLAG(OFFSET), \
     "calm: the pixel's own place")                                                                 \
-  X(layer, vtkWaterTranslucentLayerFS, WATER_F(TRANSLUCENT), 0, "translucent things, and blur")    \
+  X(layer, vtkWaterTranslucentLayerFS, WATER_FEATURE_FLAG(TRANSLUCENT), 0,                         \
+    "translucent things, and blur")                                                                \
   X(layer, vtkWaterNoTranslucentLayerFS,                                                           \
-    WATER_F(ENVIRONMENT) | WATER_F(RAY_TRACED) | WATER_F(OFFSET), WATER_F(TRANSLUCENT), "none")    \
-  X(blur, vtkWaterBlurFS, WATER_F(RAY_TRACED) | WATER_F(OFFSET), WATER_F(TRANSLUCENT),             \
-    "facets blurred over their distance")                                                          \
-  X(blur, vtkWaterNoBlurFS, WATER_F(ENVIRONMENT), 0, "none")                                       \
-  X(caustics, vtkWaterCausticsFS, WATER_F(CAUSTICS), 0, "light that waves gather")                 \
-  X(caustics, vtkWaterNoCausticsFS, 0, WATER_F(CAUSTICS), "none")                                  \
-  X(medium, vtkWaterMediumFS, WATER_F(MEDIUM), 0, "the scene, refracted and dimmed")               \
-  X(medium, vtkWaterNoMediumFS, 0, WATER_F(MEDIUM), "the water's own colour")                      \
-  X(facets, vtkWaterFacetsFS, WATER_F(ROUGH), 0, "several facets a pixel")                         \
-  X(facets, vtkWaterNoFacetsFS, 0, WATER_F(ROUGH), "one")                                          \
-  X(shadows, vtkWaterShadowsFS, WATER_F(SHADOWS), 0, "of things on glitter and foam")              \
-  X(shadows, vtkWaterNoShadowsFS, 0, WATER_F(SHADOWS), "none")                                     \
-  X(glitter, vtkWaterGlitterFS, WATER_F(GLITTER), 0, "the sun's glitter")                          \
-  X(glitter, vtkWaterNoGlitterFS, 0, WATER_F(GLITTER), "none")                                     \
-  X(foam, vtkWaterFoamFS, WATER_F(FOAM), 0, "at the shore and on crests")                          \
-  X(foam, vtkWaterNoFoamFS, 0, WATER_F(FOAM), "none")                                              \
-  X(sun, vtkWaterSunFS, WATER_F(GLITTER) | WATER_F(FOAM), 0, "the sun on glitter and foam")        \
-  X(sun, vtkWaterNoSunFS, 0, WATER_F(GLITTER) | WATER_F(FOAM), "none")                             \
+    WATER_FEATURE_FLAG(ENVIRONMENT) | WATER_FEATURE_FLAG(RAY_TRACED) | WATER_FEATURE_FLAG(OFFSET), \
+    WATER_FEATURE_FLAG(TRANSLUCENT), "none")                                                       \
+  X(blur, vtkWaterBlurFS, WATER_FEATURE_FLAG(RAY_TRACED) | WATER_FEATURE_FLAG(OFFSET),             \
+    WATER_FEATURE_FLAG(TRANSLUCENT), "facets blurred over their distance")                         \
+  X(blur, vtkWaterNoBlurFS, WATER_FEATURE_FLAG(ENVIRONMENT), 0, "none")                            \
+  X(caustics, vtkWaterCausticsFS, WATER_FEATURE_FLAG(CAUSTICS), 0, "light that waves gather")      \
+  X(caustics, vtkWaterNoCausticsFS, 0, WATER_FEATURE_FLAG(CAUSTICS), "none")                       \
+  X(medium, vtkWaterMediumFS, WATER_FEATURE_FLAG(MEDIUM), 0, "the scene, refracted and dimmed")    \
+  X(medium, vtkWaterNoMediumFS, 0, WATER_FEATURE_FLAG(MEDIUM), "the water's own colour")           \
+  X(facets, vtkWaterFacetsFS, WATER_FEATURE_FLAG(ROUGH), 0, "several facets a pixel")              \
+  X(facets, vtkWaterNoFacetsFS, 0, WATER_FEATURE_FLAG(ROUGH), "one")                               \
+  X(shadows, vtkWaterShadowsFS, WATER_FEATURE_FLAG(SHADOWS), 0, "of things on glitter and foam")   \
+  X(shadows, vtkWaterNoShadowsFS, 0, WATER_FEATURE_FLAG(SHADOWS), "none")                          \
+  X(glitter, vtkWaterGlitterFS, WATER_FEATURE_FLAG(GLITTER), 0, "the sun's glitter")               \
+  X(glitter, vtkWaterNoGlitterFS, 0, WATER_FEATURE_FLAG(GLITTER), "none")                          \
+  X(foam, vtkWaterFoamFS, WATER_FEATURE_FLAG(FOAM), 0, "at the shore and on crests")               \
+  X(foam, vtkWaterNoFoamFS, 0, WATER_FEATURE_FLAG(FOAM), "none")                                   \
+  X(sun, vtkWaterSunFS, WATER_FEATURE_FLAG(GLITTER) | WATER_FEATURE_FLAG(FOAM), 0,                 \
+    "the sun on glitter and foam")                                                                 \
+  X(sun, vtkWaterNoSunFS, 0, WATER_FEATURE_FLAG(GLITTER) | WATER_FEATURE_FLAG(FOAM), "none")       \
   X(surface, vtkWaterSurfaceFS, 0, 0, "the pixel's colour, from all slots")
 
 // Files of its vertex shader, which moves the vertices, in order: the same, with
 // WATER_FEATURE_DISPLACED.
 #define WATER_DISPLACEMENT_FILE_LIST(X)                                                            \
-  X(cell, vtkWaterCell, WATER_F(DISPLACED), 0, "what a grid can hold of a wave")                   \
-  X(displacement, vtkWaterDisplacementVS, WATER_F(DISPLACED), 0, "moves vertices by the waves")
+  X(cell, vtkWaterCell, WATER_FEATURE_FLAG(DISPLACED), 0, "what a grid can hold of a wave")        \
+  X(displacement, vtkWaterDisplacementVS, WATER_FEATURE_FLAG(DISPLACED), 0,                        \
+    "moves vertices by the waves")
 
 // Is a file of the lists part of the shader of some features?
 static inline bool water_features_want(unsigned features, unsigned any_of, unsigned none_of)

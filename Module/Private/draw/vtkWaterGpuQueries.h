@@ -22,7 +22,7 @@ public:
   {
     REFLECTION, // the mirrored view
     SURFACE,
-    NUMBER_OF_STAGES
+    NUMBER_OF_PARTS
   };
 
   void SetOn(bool isOn) { this->IsOn = isOn; }
@@ -51,8 +51,8 @@ private:
 
   bool IsOn = false;
   vtkWindow* Window = nullptr; // compared only
-  std::unique_ptr<vtkOpenGLRenderTimer> Timers[NUMBER_OF_STAGES];
-  double Times[NUMBER_OF_STAGES] = { std::numeric_limits<double>::quiet_NaN(),
+  std::unique_ptr<vtkOpenGLRenderTimer> Timers[NUMBER_OF_PARTS];
+  double Times[NUMBER_OF_PARTS] = { std::numeric_limits<double>::quiet_NaN(),
     std::numeric_limits<double>::quiet_NaN() };
   vtkWaterOcclusion Fragments;
   unsigned int Triangles = 0; // a query

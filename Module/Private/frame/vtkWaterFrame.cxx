@@ -130,6 +130,8 @@ void vtkWaterFrame::Begin()
 void vtkWaterFrame::End()
 {
   // what dies with its last reference may run the user's code, so all else comes first
+  const auto snapshots = std::move(this->Snapshots);
+  this->Snapshots.clear();
   const auto props = std::move(this->Keyed);
   this->Keyed.clear();
   for (vtkProp* prop : props)
@@ -294,7 +296,7 @@ bool vtkWaterFrame::BeginFog(const water_plan& plan)
 std::string vtkWaterFrame::MendFailures(vtkWaterSource& water)
 {
   vtkWaterShaderFailures& failures = GetHook()->Failures;
-  failures.Settle();
+  failures.Judge();
   if (water.GetProp()->HasOpaqueGeometry() && failures.HaveLost())
   {
     vtkRenderer* renderer = this->Renderer;

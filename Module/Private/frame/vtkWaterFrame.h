@@ -49,6 +49,9 @@ public:
   void Begin();
   vtkMTimeType GetNumber() const;
 
+  // Holds a snapshot until the frame ends.
+  void Keep(const vtkWaterSnapshotPointer& snapshot) { this->Snapshots.push_back(snapshot); }
+
   // Is its renderer still there?
   bool IsAlive() const { return this->Renderer != nullptr; }
 
@@ -91,7 +94,6 @@ private:
   };
 
   void End();
-  void ReleaseOtherWindows();
   const Group* FindGroup(vtkWaterSource& water) const;
   // Finds the sheets that share a mirrored view with a water, and when it is drawn.
   const Group& EnsureGroup(vtkWaterSource& water);
@@ -116,6 +118,7 @@ private:
   vtkIdType GetSamples(vtkWaterSource& water);
 
   vtkWeakPointer<vtkOpenGLRenderer> Renderer;
+  std::vector<vtkWaterSnapshotPointer> Snapshots;
   std::vector<vtkSmartPointer<vtkProp>> Keyed;  // props that carry the key in this frame
   vtkSmartPointer<vtkCallbackCommand> Observer; // nullptr: the key is not held
   vtkTimeStamp Number;

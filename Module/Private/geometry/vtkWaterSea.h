@@ -25,7 +25,6 @@ public:
 
   // For displaced surfaces: size * size heights, the column fastest, at (column, row) length /
   // size.
-  const std::vector<double>& GetHeights() const { return this->Heights; }
   const water_tile& GetTile() const { return this->Tile; }
 
   // Slope variance along the plane's axes of the waves that are too short for the tile.

@@ -48,7 +48,7 @@ struct ShadowMapPass : public vtkShadowMapPass
   {
     return pass->*(&ShadowMapPass::OpaqueSequence);
   }
-  // From view coordinates to those of the reflection textures, 16 numbers for each.
+  // From view coordinates to those of the shadow maps, 16 numbers for each.
   static std::vector<double>& TransformsOf(vtkShadowMapPass* pass)
   {
     return pass->*(&ShadowMapPass::ShadowTransforms);

@@ -15,6 +15,7 @@
 #include "vtkWaterSurfaceShader.h"
 #include "vtkWeakPointer.h"
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -63,9 +64,9 @@ struct vtkWaterActor::Internals : public vtkWaterSource
   vtkWaterSea Sea;
   std::vector<SourcedError> Errors;
   bool IsUpdatingSheet = false;
-  vtkMTimeType FittedFrame = 0; // of which the sheet is
-  bool IsProbing = false;       // is drawn only to be counted
-  vtkWaterSnapshotPointer Snapshot;
+  vtkMTimeType FittedFrame = 0;                   // of which the sheet is
+  bool IsProbing = false;                         // is drawn only to be counted
+  std::weak_ptr<const vtkWaterSnapshot> Snapshot; // held by the frame: the user's objects may go
   vtkMTimeType SnapshotFrame = 0;
   vtkMTimeType SnapshotTime = 0; // of the last change
 };

@@ -11,15 +11,6 @@
 #include <algorithm>
 #include <cstring>
 
-namespace
-{
-bool IsSecondEye(vtkRenderer* renderer)
-{
-  vtkCamera* camera = renderer->GetActiveCamera();
-  return camera->GetStereo() && !camera->GetLeftEye();
-}
-}
-
 //------------------------------------------------------------------------------
 vtkWaterReflection::UserSettings::UserSettings()
   : water_settings()
@@ -45,6 +36,13 @@ void vtkWaterReflection::Decline(water_decision decision)
 {
   this->Report.Decision = decision;
   this->HasView = false;
+}
+
+//------------------------------------------------------------------------------
+bool vtkWaterReflection::IsSecondEye(vtkRenderer* renderer)
+{
+  vtkCamera* camera = renderer->GetActiveCamera();
+  return camera->GetStereo() && !camera->GetLeftEye();
 }
 
 //------------------------------------------------------------------------------

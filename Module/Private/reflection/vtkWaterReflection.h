@@ -81,6 +81,9 @@ public:
   // Shows the reflection texture in a corner of the renderer's viewport.
   void DrawCorner(vtkRenderer* renderer, vtkMTimeType frame, const vtkProp* water);
 
+  // What of a renderer's view must outlive a draw in whose middle the user may release it.
+  std::shared_ptr<void> Hold(vtkRenderer* renderer) { return this->GetView(renderer); }
+
   // How much is seen of the water that owns the pass, and what its draws take.
   vtkWaterOcclusion* GetOcclusion(vtkRenderer* renderer);
   vtkWaterGpuQueries* GetGpuQueries(vtkRenderer* renderer);
@@ -132,6 +135,7 @@ private:
   void Draw(const Frame& frame, Attempt& attempt);
   vtkWaterError Commit(const Frame& frame, Attempt& attempt);
   void FindDrawn(vtkRenderer* renderer, Attempt& attempt);
+  static bool IsSecondEye(vtkRenderer* renderer); // of a stereo pair, by the active camera
   ViewPointer GetView(vtkRenderer* renderer);
   View* GetPlannedView();
   const water_plan* GetFreshPlan(

@@ -120,9 +120,8 @@ void vtkWaterReflection::MakePlan(const Frame& frame, Attempt& attempt)
   this->Report.Decision = this->Plan.decision;
   this->HasView = this->Plan.has_view;
   this->GetGpuQueries(frame.Renderer); // turns them on or off
-  vtkCamera* camera = frame.Renderer->GetActiveCamera();
   this->PlannedFor = frame.Renderer;
-  this->PlannedForSecondEye = camera->GetStereo() && !camera->GetLeftEye();
+  this->PlannedForSecondEye = IsSecondEye(frame.Renderer);
   this->PlannedFrame = frame.Number;
   this->PlannedWaters.clear();
   for (const vtkWaterSnapshotPointer& water : attempt.Waters)

@@ -154,7 +154,7 @@ void vtkWaterShaderFailures::Await(vtkProp* part, vtkAbstractMapper* mapper,
   vtkOpenGLRenderWindow* window, bool isMirrored, const std::string& vertexShader,
   const std::string& geometryShader, const std::string& fragmentShader)
 {
-  this->Settle();
+  this->Judge();
   this->Awaited =
     Written{ part, mapper, window, vertexShader, geometryShader, fragmentShader, isMirrored };
 }
@@ -169,7 +169,7 @@ void vtkWaterShaderFailures::Arrive(vtkProp* part, vtkAbstractMapper* mapper)
 }
 
 //------------------------------------------------------------------------------
-void vtkWaterShaderFailures::Settle()
+void vtkWaterShaderFailures::Judge()
 {
   if (!this->Awaited.Part)
   {
@@ -222,7 +222,7 @@ std::string vtkWaterShaderFailures::Describe(const Written& written)
 //------------------------------------------------------------------------------
 bool vtkWaterShaderFailures::TakeMirrored()
 {
-  this->Settle();
+  this->Judge();
   return std::exchange(this->IsMirroredNew, false);
 }
 

@@ -42,7 +42,7 @@ public:
   // They are in use.
   void Arrive(vtkProp* part, vtkAbstractMapper* mapper);
   // What is still awaited was refused.
-  void Settle();
+  void Judge();
 
   // Was anything refused in the mirrored view since this was asked last?
   bool TakeMirrored();

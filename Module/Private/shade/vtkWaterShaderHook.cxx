@@ -165,7 +165,7 @@ void vtkWaterShaderHook::ReplaceForWater(vtkWaterSource& water, std::string& ver
 bool vtkWaterShaderHook::PreReplaceShaderValues(std::string& vertexShader,
   std::string& geometryShader, std::string& fragmentShader, vtkAbstractMapper*, vtkProp* prop)
 {
-  this->Failures.Settle();
+  this->Failures.Judge();
   if (vtkWaterSource* water = vtkWaterSource::Of(prop))
   {
     this->ReplaceForWater(*water, vertexShader, geometryShader, fragmentShader);

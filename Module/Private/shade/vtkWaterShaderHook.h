@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkWaterShaderHook: plan -> shader replacements and
-// uniforms, with vtkWaterSurfaceShader for the water's own.
+// vtkWaterShaderHook: plan -> shader replacements and uniforms, with vtkWaterSurfaceShader for the
+// water's own.
 //
 // It is a key in the RenderPasses list of the props: mappers ask the passes of that list to change
 // their shaders. One object serves all waters that a thread renders, because a mapper rebuilds its

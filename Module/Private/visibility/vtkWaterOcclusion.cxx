@@ -64,6 +64,7 @@ vtkIdType vtkWaterOcclusion::WaitForSamples()
 //------------------------------------------------------------------------------
 void vtkWaterOcclusion::ReleaseGraphicsResources()
 {
+  this->End(); // in the middle of a draw a deleted query would count on
   if (this->Query != 0)
   {
     glDeleteQueries(1, &this->Query);
