@@ -15,7 +15,6 @@
 #include "water_share.h"
 
 #include <algorithm>
-#include <memory>
 
 namespace
 {

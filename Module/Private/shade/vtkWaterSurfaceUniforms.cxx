@@ -17,7 +17,6 @@
 #include "water_waves.h"
 
 #include <algorithm>
-#include <vector>
 
 namespace
 {
