@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // water_plan.c: the order of the steps, and nothing else: check, decide, view, mirror, target,
-// select, clip, shade; then revise.
+// select, clip, shade. Revised in water_plan_revise.c.
 #include "water_plan.h"
 
 #include "water_camera.h"
@@ -398,57 +398,6 @@ water_status water_plan_make(const water_scene* scene, water_plan* plan, water_c
   return status != WATER_OK ? status : props_status;
 }
 
-// Would the mirrored view of a plan show the same things from the same place as the last one?
-static bool is_same_view(const water_plan* last, const water_plan* plan)
-{
-  return memcmp(last->mirrored.world_to_view, plan->mirrored.world_to_view,
-           sizeof last->mirrored.world_to_view) == 0 &&
-    memcmp(last->mirrored.view_to_clip, plan->mirrored.view_to_clip,
-      sizeof last->mirrored.view_to_clip) == 0 &&
-    memcmp(last->clip_plane_view, plan->clip_plane_view, sizeof last->clip_plane_view) == 0 &&
-    memcmp(last->texture_px, plan->texture_px, sizeof last->texture_px) == 0;
-}
-
-static bool is_covered(const int had[4], const int wanted[4])
-{
-  return had[0] <= wanted[0] && had[1] <= wanted[1] && had[0] + had[2] >= wanted[0] + wanted[2] &&
-    had[1] + had[3] >= wanted[1] + wanted[3];
-}
-
-bool water_plan_wants_visibility(const water_plan* last, const water_plan* plan)
-{
-  return plan->decision == WATER_REFLECT && plan->has_visibility && !is_same_view(last, plan);
-}
-
-void water_plan_revise(const water_scene* scene, const water_plan* last, bool is_unchanged,
-  const water_visibility* visible, water_plan* plan, water_cull_reason* reasons)
-{
-  const bool is_same = is_same_view(last, plan);
-  // What hides the water is no part of what the reflection texture shows. So a reflection texture
-  // with a mask serves once, and in a view that stays as it is none gets a mask.
-  plan->has_mask = plan->has_mask && !is_same;
-  plan->has_visibility = plan->has_visibility && !is_same;
-  if (plan->decision == WATER_REFLECT && (scene->settings.skips & WATER_MAY_SKIP_UNCHANGED) &&
-    is_unchanged && is_same && water_plan_has_reflection(last) &&
-    is_covered(last->texture_rect_px, plan->texture_rect_px) && !last->has_mask &&
-    !last->has_visibility)
-  {
-    plan->decision = WATER_REUSE;
-  }
-  if (plan->decision == WATER_REFLECT && visible)
-  {
-    water_visibility_cull(
-      visible, &plan->mirrored, scene->props, scene->prop_count, scene->settings.skips, reasons);
-  }
-}
-
-bool water_plan_should_wait(const water_plan* last, double visible_px, unsigned skips)
-{
-  return ((skips & WATER_MAY_SKIP_HIDDEN) && visible_px <= 0.0) ||
-    ((skips & WATER_MAY_SKIP_PIXELS) && water_plan_has_reflection(last) &&
-      visible_px < last->visible_px_max);
-}
-
 bool water_decision_is_unseen(water_decision decision)
 {
   return decision == WATER_NO_REFLECT_OUT_OF_VIEW || decision == WATER_NO_REFLECT_HIDDEN ||
@@ -458,26 +407,4 @@ bool water_decision_is_unseen(water_decision decision)
 bool water_plan_has_reflection(const water_plan* plan)
 {
   return plan->decision == WATER_REFLECT || plan->decision == WATER_REUSE;
-}
-
-const char* water_cull_reason_text(water_cull_reason reason)
-{
-  static const char* const texts[] = {
-#define WATER_CULL_REASON_TEXT(name, text) text,
-    WATER_CULL_REASON_LIST(WATER_CULL_REASON_TEXT)
-#undef WATER_CULL_REASON_TEXT
-  };
-  const size_t number = (size_t)reason; // a negative value becomes a large one
-  return number < WATER_CULL_REASON_COUNT ? texts[number] : "unknown reason";
-}
-
-const char* water_decision_text(water_decision decision)
-{
-  static const char* const texts[] = {
-#define WATER_DECISION_TEXT(name, text) text,
-    WATER_DECISION_LIST(WATER_DECISION_TEXT)
-#undef WATER_DECISION_TEXT
-  };
-  const size_t number = (size_t)decision;
-  return number < WATER_DECISION_COUNT ? texts[number] : "unknown decision";
 }

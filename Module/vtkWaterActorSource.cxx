@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkWaterActorSource.cxx: the part of vtkWaterActor that the rooms below ask: its snapshot, its
+// plane, its passes, and where they say what is wrong.
+#include "vtkPlane.h"
+#include "vtkRenderer.h"
+#include "vtkWaterActorInternals.h"
+#include "vtkWaterCompat.h"
+#include "vtkWaterErrors.h"
+#include "vtkWaterFrame.h"
+#include "vtkWaterProperty.h"
+#include "vtkWaterReflection.h"
+#include "vtkWaterReflectionPass.h"
+#include "water_plane.h"
+
+#include <algorithm>
+
+VTK_ABI_NAMESPACE_BEGIN
+
+//------------------------------------------------------------------------------
+vtkWaterSource* vtkWaterSource::Of(vtkProp* prop)
+{
+  vtkWaterActor* water = vtkWaterActor::SafeDownCast(prop);
+  return water ? water->GetSource() : nullptr;
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterActor::Internals::Report(vtkRenderer* renderer, const vtkWaterError& error)
+{
+  // The plane is looked at twice, for the sheet and for the plan, and by every renderer.
+  const bool isKnown = std::any_of(this->Errors.begin(), this->Errors.end(),
+    [&error](const SourcedError& other) { return other.Kind == error.Kind; });
+  this->Errors.erase(std::remove_if(this->Errors.begin(), this->Errors.end(),
+                       [renderer](const SourcedError& other) {
+                         return other.Renderer == renderer || (!other.IsOfSheet && !other.Renderer);
+                       }),
+    this->Errors.end());
+  if (error.Text.empty())
+  {
+    return;
+  }
+  SourcedError sourced;
+  sourced.Kind = error.Kind;
+  sourced.Text = error.Text;
+  sourced.Renderer = renderer;
+  sourced.IsOfSheet = !renderer;
+  // what is wrong with the sheet is said first
+  this->Errors.insert(renderer ? this->Errors.end() : this->Errors.begin(), sourced);
+  if (!isKnown)
+  {
+    vtkErrorWithObjectMacro(this->Self, << error.Text);
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkWaterActor::Internals::HasSheetError() const
+{
+  return !this->Errors.empty() && this->Errors.front().IsOfSheet;
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterActor::Internals::ReadPlane(water_plane* plane, double origin[3])
+{
+  // by value and gradient, as planes may have an offset or a transform besides
+  double worldOrigin[3] = { 0.0, 0.0, 0.0 };
+  vtkPlane* given = this->Self->Plane;
+  given->FunctionGradient(worldOrigin, plane->normal);
+  plane->offset = given->FunctionValue(worldOrigin);
+  water_plane unit;
+  given->GetOrigin(origin);
+  if (given->FunctionValue(origin) != 0.0 && water_plane_normalise(plane, &unit) == WATER_OK)
+  {
+    water_plane_project(&unit, origin, origin);
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkWaterActor::Internals::IsClear()
+{
+  return this->Self->WaterProperty->GetRefraction() && this->Self->HasOpaqueGeometry();
+}
+
+//------------------------------------------------------------------------------
+vtkWaterReflection& vtkWaterActor::Internals::GetOwnReflection()
+{
+  return this->Self->OwnPass->GetReflection();
+}
+
+//------------------------------------------------------------------------------
+vtkWaterReflection* vtkWaterActor::Internals::GetComposedReflection()
+{
+  return this->Self->ComposedPass ? &this->Self->ComposedPass->GetReflection() : nullptr;
+}
+
+//------------------------------------------------------------------------------
+vtkWaterSnapshotPointer vtkWaterActor::Internals::Take(vtkRenderer* renderer)
+{
+  const vtkMTimeType frame = renderer ? vtkWaterFrame::NumberOf(renderer) : 0;
+  const vtkMTimeType time = this->Self->GetMTime();
+  if (frame != 0 && frame == this->SnapshotFrame && time == this->SnapshotTime)
+  {
+    if (vtkWaterSnapshotPointer taken = this->Snapshot.lock())
+    {
+      return taken;
+    }
+  }
+  auto made = std::make_shared<vtkWaterSnapshot>();
+  made->Actor = this->Self;
+  if (const double* bounds = this->Self->GetBounds()) // lays the sheet where it is now
+  {
+    std::copy_n(bounds, 6, made->Bounds);
+  }
+  this->ReadPlane(&made->Plane, made->Origin);
+  std::copy_n(this->Self->Plane->GetOrigin(), 3, made->GivenOrigin);
+  std::copy_n(this->Self->Plane->GetNormal(), 3, made->GivenNormal);
+  made->IsSheet = this->Self->UsesOwnSheet() && this->Self->GetIsIdentity();
+  made->Time = this->Self->Time;
+  this->Self->WaterProperty->Describe(made->Look);
+  made->Look.Has.is_opaque = this->Self->HasOpaqueGeometry() != 0;
+  made->Features = water_features_of(&made->Look.Has);
+  made->Waves = this->GetWaveTerms();
+  made->Sea = &this->Sea;
+  made->Settings = this->GetOwnReflection().Settings;
+  if (frame != 0)
+  {
+    this->Snapshot = made;
+    this->SnapshotFrame = frame;
+    this->SnapshotTime = time;
+    vtkWaterFrame::Of(renderer).Keep(made);
+  }
+  return made;
+}
+VTK_ABI_NAMESPACE_END
