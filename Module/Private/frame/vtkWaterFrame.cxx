@@ -18,31 +18,16 @@
 #include "vtkWaterProps.h"
 #include "vtkWaterReflection.h"
 #include "vtkWaterRenderPassKeys.h"
+#include "vtkWaterRendererClass.h"
 #include "vtkWaterShaderHook.h"
 #include "vtkWaterSource.h"
 #include "water_plan.h"
 
 #include <algorithm>
-#include <cstdlib>
 #include <limits>
 
 namespace
 {
-// Is GL executed by the processor? As Mesa's and Google's renderers of that kind call themselves;
-// unless the environment says what to take it for.
-bool IsSoftwareGL()
-{
-  if (const char* said = std::getenv("VTK_WATER_SOFTWARE"))
-  {
-    return std::string(said) == "1";
-  }
-  const char* name = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
-  const std::string renderer = name ? name : "";
-  return renderer.find("llvmpipe") != std::string::npos ||
-    renderer.find("softpipe") != std::string::npos ||
-    renderer.find("SwiftShader") != std::string::npos;
-}
-
 bool IsPeeling(vtkProp* prop)
 {
   vtkInformation* keys = prop->GetPropertyKeys();
@@ -163,7 +148,7 @@ bool vtkWaterFrame::IsSoftware()
   if (window != this->SoftwareWindow)
   {
     this->SoftwareWindow = window;
-    this->IsSoftwareWindow = IsSoftwareGL();
+    this->IsSoftwareWindow = vtkWaterRendererClass::IsSoftware();
   }
   return this->IsSoftwareWindow;
 }
