@@ -116,7 +116,7 @@ TEST(clusters_in_closed_cells_are_left_out)
     water_visibility_begin(plan.texture_px, plan.texture_rect_px, &seen);
     memset(cells, i, WATER_VISIBILITY_CELLS_MAX);
     seen.counts = sums;
-    water_visibility_sum(&seen, cells, 1);
+    water_visibility_sum(&seen, cells);
     const water_clusters_target target = { i < 2 ? &seen : NULL, NULL, 0, 8 };
     water_clusters_view view;
     water_trend trend;

@@ -85,7 +85,6 @@ TEST(map_that_lacks_a_column_is_not_used_again)
   {
     water_plan last = plan;
     water_plan next = plan;
-    last.has_mask = false;
     last.texture_rect_px[0] = last.texture_rect_px[1] = 10;
     last.texture_rect_px[2] = last.texture_rect_px[3] = 20;
     memcpy(next.texture_rect_px, last.texture_rect_px, sizeof next.texture_rect_px);
@@ -181,14 +180,11 @@ TEST(what_is_seen_is_found_out_where_it_can_be)
     size_t prop_count;
     double texture_scale;
     unsigned off; // skips
-    bool has_mask;
     bool has_visibility;
-  } cases[] = { { false, 63, 1.0, 0, true, false }, { false, 64, 1.0, 0, true, true },
-    { false, 64, 0.5, 0, false, true }, { false, 63, 0.5, 0, false, false },
-    { true, 0, 1.0, 0, false, true }, { true, 0, 0.5, 0, false, true },
-    { true, 0, 0.25, 0, false, true }, { true, 64, 0.2, 0, false, false },
-    { false, 64, 1.0, WATER_MAY_SKIP_PIXELS, false, false },
-    { false, 64, 1.0, no_draws, true, false }, { true, 64, 1.0, no_draws, false, false } };
+  } cases[] = { { false, 64, 1.0, 0, false }, { false, 0, 0.5, 0, false },
+    { true, 0, 1.0, 0, true }, { true, 0, 0.5, 0, true }, { true, 0, 0.25, 0, true },
+    { true, 64, 0.2, 0, false }, { true, 64, 1.0, WATER_MAY_SKIP_PIXELS, false },
+    { true, 64, 1.0, WATER_MAY_SKIP_PROPS, true }, { true, 64, 1.0, no_draws, false } };
   for (size_t i = 0; i < sizeof cases / sizeof cases[0]; ++i)
   {
     scene.is_software = cases[i].is_software;
@@ -196,11 +192,10 @@ TEST(what_is_seen_is_found_out_where_it_can_be)
     scene.settings.texture_scale = cases[i].texture_scale;
     scene.settings.skips = WATER_MAY_SKIP_ALL & ~cases[i].off;
     const water_plan plan = plan_of(&scene, reasons);
-    assert_int_equal(plan.has_mask, cases[i].has_mask);
     assert_int_equal(plan.has_visibility, cases[i].has_visibility);
     // of the picture's pixels that the reflection texture's rectangle covers nine tenths may be
     // seen
-    const bool is_asked = cases[i].has_mask || cases[i].has_visibility;
+    const bool is_asked = cases[i].has_visibility;
     const int* rect = plan.texture_rect_px;
     ASSERT_CLOSE(plan.visible_px_max,
       is_asked
@@ -214,16 +209,16 @@ TEST(what_is_seen_is_found_out_where_it_can_be)
       other.has_scene_depth = j != 1;
       other.has_waves = j == 2;
       const water_plan none = plan_of(&other, reasons);
-      assert_false(none.has_mask || none.has_visibility);
+      assert_false(none.has_visibility);
     }
     // such a reflection texture serves once; the next of the same view is whole, and can be used
     // again
-    if (cases[i].has_mask || cases[i].has_visibility)
+    if (cases[i].has_visibility)
     {
       water_plan again = plan;
       revise(&plan, true, WATER_MAY_SKIP_ALL, &again);
       assert_int_equal(again.decision, WATER_REFLECT);
-      assert_false(again.has_mask || again.has_visibility);
+      assert_false(again.has_visibility);
       water_plan next = plan;
       revise(&again, true, WATER_MAY_SKIP_ALL, &next);
       assert_int_equal(next.decision, WATER_REUSE);
@@ -300,7 +295,7 @@ TEST(what_is_seen_decides_about_props)
     water_visibility_begin(size_px, whole, &visible);
     memset(cells, i == OPEN, sizeof cells);
     visible.counts = counts;
-    water_visibility_sum(&visible, cells, 1);
+    water_visibility_sum(&visible, cells);
     water_plan before = plan;
     before.has_visibility = false; // it showed everything
     water_plan_revise(&scene, i == SAME ? &before : &last, i == SAME,

@@ -203,7 +203,7 @@ TEST(sky_of_the_map_is_found_on_the_eyes_screen)
   assert_int_in_range(behind, 300, 6000);
 }
 
-// What the masks and the shader are told of a point: its w, and how far its height may be off.
+// What the cells and the shader are told of a point: its w, and how far its height may be off.
 TEST(view_tells_w_and_rounding)
 {
   const water_scene scene = lake();
@@ -219,7 +219,7 @@ TEST(view_tells_w_and_rounding)
     size += fabs(plan.plane_clip[i]);
   }
   ASSERT_CLOSE(w, 1.0, 1e-12);
-  ASSERT_CLOSE(plan.mask_rounding, 16.0 * (double)FLT_EPSILON * size, 1e-15 * size);
+  ASSERT_CLOSE(plan.height_rounding, 16.0 * (double)FLT_EPSILON * size, 1e-15 * size);
 }
 
 TESTS(texture_of_a_point_on_water_is_its_own_pixel, plane_and_normal_of_the_eye_mirror_a_point,

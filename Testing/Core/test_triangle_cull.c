@@ -115,7 +115,7 @@ static water_visibility stripes(const water_triangle_cull_view* view, uint32_t* 
     cells[i] = (i % made.size[0]) / 6 % 2 == 0;
   }
   made.counts = counts;
-  water_visibility_sum(&made, cells, 1);
+  water_visibility_sum(&made, cells);
   return made;
 }
 
@@ -253,7 +253,7 @@ TEST(depths_begin_with_what_is_looked_up)
         cells[i] = (uint8_t)(i % 3 == 1);
       }
       seen.counts = counts;
-      water_visibility_sum(&seen, cells, 1);
+      water_visibility_sum(&seen, cells);
       for (int is_known = 0; is_known < 2; ++is_known)
       {
         water_triangle_cull_begin(rect_px, is_known ? &seen : NULL, depths);

@@ -23,7 +23,7 @@ static void seen_rolled(
     cells[i] = dice_roll(from, 0.0, 1.0) < 0.2 ? 255 : 0;
   }
   seen->counts = counts;
-  water_visibility_sum(seen, cells, 1);
+  water_visibility_sum(seen, cells);
 }
 
 TEST(cells_cover_their_rectangle)
@@ -44,16 +44,15 @@ TEST(cells_cover_their_rectangle)
   }
 }
 
-// Every count is that of the cells below and to the left, one by one; a stride passes others by.
+// Every count is that of the cells below and to the left, one by one.
 TEST(counts_are_sums)
 {
-  const uint8_t cells[2 * 3 * 4] = { 0, 9, 9, 9, 7, 9, 9, 9, 0, 9, 9, 9, 1, 0, 0, 0, 0, 0, 0, 0,
-    255, 0, 0, 0 };
+  const uint8_t cells[2 * 3] = { 0, 7, 0, 1, 0, 255 };
   const uint32_t expected[12] = { 0, 0, 0, 0, 0, 0, 1, 1, 0, 1, 2, 3 };
   uint32_t counts[12];
   memset(counts, 0xff, sizeof counts);
   water_visibility seen = { { 24, 16 }, { 0, 0, 24, 16 }, 8, { 3, 2 }, counts };
-  water_visibility_sum(&seen, cells, 4);
+  water_visibility_sum(&seen, cells);
   assert_memory_equal(counts, expected, sizeof expected);
 }
 
@@ -67,7 +66,7 @@ TEST(closed_cells_are_rectangles)
   float boxes[6][4];
   const float expected[4][4] = { { 40, 4, 60, 12 }, { 48, 12, 56, 20 }, { 40, 20, 48, 28 },
     { 56, 20, 60, 28 } };
-  water_visibility_sum(&seen, cells, 1);
+  water_visibility_sum(&seen, cells);
   assert_int_equal(water_visibility_closed(&seen, boxes), 4);
   for (int i = 0; i < 4; ++i)
   {
@@ -94,7 +93,7 @@ TEST(what_lies_beside_a_box_is_not_in_it)
     }
     uint32_t counts[16];
     water_visibility seen = { { 24, 24 }, { 0, 0, 24, 24 }, 8, { 3, 3 }, counts };
-    water_visibility_sum(&seen, cells, 1);
+    water_visibility_sum(&seen, cells);
     assert_int_equal(water_visibility_meets(&seen, to_clip, box, 0.0), cells[4]);
   }
 }
@@ -160,7 +159,7 @@ TEST(what_cannot_be_told_is_drawn)
   static uint8_t cells[CELLS];
   static uint32_t counts[CORNERS];
   water_visibility seen = { { 800, 600 }, { 0, 0, 800, 600 }, 8, { 100, 75 }, counts };
-  water_visibility_sum(&seen, cells, 1);
+  water_visibility_sum(&seen, cells);
   water_prop props[3] = { { { -1, 1, 4, 5, 1, 2 }, WATER_PROP_VISIBLE, 0.0f },
     { { 0, 0, 0, 0, 0, (double)NAN }, WATER_PROP_VISIBLE, 0.0f },
     { { -20, 20, -20, 20, -20, 20 }, WATER_PROP_VISIBLE, 0.0f } };
@@ -177,7 +176,7 @@ TEST(what_cannot_be_told_is_drawn)
   const double to_clip[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 };
   const double dot[6] = { 0, 0, 0, 0, 0, 0 };
   cells[36 * 100 + 54] = 1; // from (432, 288)
-  water_visibility_sum(&seen, cells, 1);
+  water_visibility_sum(&seen, cells);
   assert_false(water_visibility_meets(&seen, to_clip, dot, 30.0));
   assert_true(water_visibility_meets(&seen, to_clip, dot, 32.0));
   // beside the picture
@@ -203,7 +202,7 @@ TEST(reach_is_the_same_on_each_side)
   {
     uint8_t cells[20 * 10] = { 0 };
     cells[(5 + steps[i][1]) * 20 + 7 + steps[i][0]] = 1;
-    water_visibility_sum(&seen, cells, 1);
+    water_visibility_sum(&seen, cells);
     assert_false(water_visibility_meets(&seen, to_clip, dot, 0.0));
     assert_false(water_visibility_meets(&seen, to_clip, dot, 11.7));
     assert_true(water_visibility_meets(&seen, to_clip, dot, 11.8));
@@ -365,7 +364,7 @@ TEST(pixels_have_what_their_cells_have)
     {
       cells[i] = dice_roll(&from, 0.0, 1.0) < 0.02;
     }
-    water_visibility_sum(&seen, cells, 1);
+    water_visibility_sum(&seen, cells);
     int first[2];
     int last[2];
     for (int i = 0; i < 2; ++i)

@@ -86,7 +86,7 @@ int TestWaterShaderCombinations(int, char*[])
   ok &= CompilesAlone("cover, vertices", GL_VERTEX_SHADER, vtkWaterCoverVS);
   const std::pair<const char*, const char*> alone[] = { { "mirrored", vtkWaterMirroredFS },
     { "plain", vtkWaterPlainFS }, { "cover", vtkWaterCoverFS }, { "fog", vtkWaterFogFS },
-    { "mask", vtkWaterMaskFS }, { "sky", vtkWaterSkyFS }, { "view", vtkWaterViewFS },
+    { "sky", vtkWaterSkyFS }, { "view", vtkWaterViewFS },
     { "volume's depth", vtkWaterVolumeDepthFS } };
   for (const auto& [name, source] : alone)
   {

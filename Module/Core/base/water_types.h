@@ -253,12 +253,11 @@ typedef struct water_plan
   int samples;            // per pixel of the mirrored view; 0: none
   bool is_half_float;     // colours are half floats, or bytes
   int texture_rect_px[4]; // x, y, width, height of the part the water can look up
-  double mask_rounding;   // of dot(plane_clip, NDC) in single precision
+  double height_rounding; // of dot(plane_clip, NDC) in single precision
   double visible_px_max;  // if the eye's picture shows less of the water, it pays to wait for it
-  bool has_mask;          // it is at hand: pixels that no water in it looks up are closed
-  bool
-    has_visibility; // so it is: props and clusters that such pixels alone would show are left out
-  bool is_software; // the scene's
+  bool has_visibility;    // it is at hand: what only pixels would show that no water in it looks up
+                          // is left out
+  bool is_software;       // the scene's
 
   // shade: where the reflection texture shows what
   double reflection_ndc_to_eye[9]; // (x, y, 1) in NDC of the reflection texture -> (x, y, w) in

@@ -58,6 +58,34 @@ static inline bool water_bounds_is_empty(const double bounds[6])
   return bounds[0] > bounds[1] || bounds[2] > bounds[3] || bounds[4] > bounds[5];
 }
 
+// NaN is passed by.
+static inline void water_bounds_add_point(double bounds[6], const double point[3])
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    bounds[2 * axis] = point[axis] < bounds[2 * axis] ? point[axis] : bounds[2 * axis];
+    bounds[2 * axis + 1] = point[axis] > bounds[2 * axis + 1] ? point[axis] : bounds[2 * axis + 1];
+  }
+}
+
+static inline void water_bounds_add(double bounds[6], const double other[6])
+{
+  for (int i = 0; i < 6; i += 2)
+  {
+    bounds[i] = other[i] < bounds[i] ? other[i] : bounds[i];
+    bounds[i + 1] = other[i + 1] > bounds[i + 1] ? other[i + 1] : bounds[i + 1];
+  }
+}
+
+// Nothing is in it yet.
+static inline void water_bounds_begin(double bounds[6])
+{
+  for (int i = 0; i < 6; ++i)
+  {
+    bounds[i] = i % 2 ? -DBL_MAX : DBL_MAX;
+  }
+}
+
 // Corner 0 to 7 of a box; bit 0, 1, 2 of the number picks the upper end on x, y, z.
 static inline void water_bounds_corner(const double bounds[6], int number, double corner[3])
 {

@@ -14,12 +14,10 @@
 #include "water_visibility.h"
 
 // To find out what of the reflection texture is seen costs a look at every pixel of the rectangle,
-// and the mirrored view must wait for the main one: worth it if a part of it is left out. To leave
-// out draws the answer must come back from the GPU, which then has nothing to do meanwhile: worth
-// it for many of them, and where the processor does the GPU's work. There a mask costs more than
-// the pixels that it saves. Measured (decision 009).
+// and the mirrored view must wait for the main one: worth it if a part of it is left out, and if
+// the processor draws. A GPU would have nothing to do while its answer is waited for, and takes
+// longer to find out than to draw. Measured (decision 009).
 static const double visible_share = 0.9;
-static const size_t many_draws = 64;
 
 // The props go through all steps some at a time, while they are in the processor's nearest cache.
 static const size_t props_at_once = 256;
@@ -155,27 +153,16 @@ static bool is_faint(
 }
 
 // Calm and flat water looks up its own pixels.
-static void fill_visibility(
-  const water_scene* scene, const water_cull_reason* reasons, water_plan* plan)
+static void fill_visibility(const water_scene* scene, water_plan* plan)
 {
-  const bool is_same_size =
-    memcmp(plan->texture_px, scene->viewport_px, sizeof plan->texture_px) == 0;
   const bool saves_draws =
     (scene->settings.skips & (WATER_MAY_SKIP_PROPS | WATER_MAY_SKIP_CLUSTERS)) != 0;
-  size_t draw_count = 0;
-  for (size_t i = 0; i < scene->prop_count; ++i)
-  {
-    draw_count += reasons[i] == WATER_CULL_NONE;
-  }
-  const bool is_asked_back = scene->is_software || draw_count >= many_draws;
-  const bool can_see = (scene->settings.skips & WATER_MAY_SKIP_PIXELS) && scene->is_flat &&
-    !scene->has_waves && scene->settings.texture_scale >= visibility_texture_scale;
-  const bool can_mask = can_see && is_same_size && !scene->is_software;
-  const bool can_leave_out = can_see && saves_draws && is_asked_back;
-  plan->has_mask = can_mask && scene->has_scene_depth;
-  plan->has_visibility = can_leave_out && scene->has_scene_depth;
+  const bool can_see = (scene->settings.skips & WATER_MAY_SKIP_PIXELS) && scene->is_software &&
+    scene->is_flat && !scene->has_waves &&
+    scene->settings.texture_scale >= visibility_texture_scale && saves_draws;
+  plan->has_visibility = can_see && scene->has_scene_depth;
   plan->is_software = scene->is_software;
-  if (can_mask || can_leave_out)
+  if (can_see)
   {
     double area = visible_share;
     for (int i = 0; i < 2; ++i)
@@ -273,9 +260,9 @@ static water_status fill_draw(const water_scene* scene, const checked* input,
   }
   for (int i = 0; i < 4; ++i)
   {
-    plan->mask_rounding += 16.0 * (double)FLT_EPSILON * fabs(plan->plane_clip[i]);
+    plan->height_rounding += 16.0 * (double)FLT_EPSILON * fabs(plan->plane_clip[i]);
   }
-  fill_visibility(scene, reasons, plan);
+  fill_visibility(scene, plan);
   water_mirror_pose(
     &plan->mirrored, plan->mirrored_position, plan->mirrored_focal_point, plan->mirrored_view_up);
   water_mirror_headlight(plan->plane_view, plan->headlight_dir, plan->headlight_position);

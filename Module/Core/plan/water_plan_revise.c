@@ -33,13 +33,11 @@ void water_plan_revise(const water_scene* scene, const water_plan* last, bool is
 {
   const bool is_same = is_same_view(last, plan);
   // What hides the water is no part of what the reflection texture shows. So a reflection texture
-  // with a mask serves once, and in a view that stays as it is none gets a mask.
-  plan->has_mask = plan->has_mask && !is_same;
+  // without what it hides serves once, and one of a view that stays as it is has all.
   plan->has_visibility = plan->has_visibility && !is_same;
   if (plan->decision == WATER_REFLECT && (scene->settings.skips & WATER_MAY_SKIP_UNCHANGED) &&
     is_unchanged && is_same && water_plan_has_reflection(last) &&
-    is_covered(last->texture_rect_px, plan->texture_rect_px) && !last->has_mask &&
-    !last->has_visibility)
+    is_covered(last->texture_rect_px, plan->texture_rect_px) && !last->has_visibility)
   {
     plan->decision = WATER_REUSE;
   }

@@ -23,18 +23,6 @@ int water_clusters_bands(bool is_software, size_t triangle_count, unsigned core_
   return count > 1 ? (int)count : 1;
 }
 
-static void take_in(const water_points* points, size_t number, double box[6])
-{
-  double place[3];
-  water_points_get(points, number, place);
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    // NaN is passed by: such a triangle has no picture
-    box[2 * axis] = fmin(box[2 * axis], place[axis]);
-    box[2 * axis + 1] = fmax(box[2 * axis + 1], place[axis]);
-  }
-}
-
 bool water_clusters_bound(const water_mesh* mesh)
 {
   for (size_t i = 0; i < 3 * mesh->triangle_count; ++i)
@@ -46,12 +34,11 @@ bool water_clusters_bound(const water_mesh* mesh)
     }
     if (i % (3 * (size_t)WATER_CLUSTER_TRIANGLES) == 0)
     {
-      for (int j = 0; j < 6; ++j)
-      {
-        box[j] = j % 2 ? -DBL_MAX : DBL_MAX;
-      }
+      water_bounds_begin(box);
     }
-    take_in(&mesh->points, mesh->indices[i], box);
+    double place[3];
+    water_points_get(&mesh->points, mesh->indices[i], place);
+    water_bounds_add_point(box, place);
   }
   return true;
 }
@@ -122,15 +109,21 @@ void water_clusters_view_make(const water_plan* plan, const water_clusters_targe
   view->is_fine = plan->is_software;
 }
 
-// Of a cluster, relative to the view's origin. Returns false where it is infinite.
-static bool box_of(
-  const water_clusters_view* view, const water_mesh* mesh, size_t cluster, double box[6])
+// A box relative to the view's origin. Returns false where it is infinite.
+static bool bring_near(const water_clusters_view* view, const double given[6], double box[6])
 {
   for (int i = 0; i < 6; ++i)
   {
-    box[i] = mesh->boxes[cluster][i] - view->triangles.origin[i / 2];
+    box[i] = given[i] - view->triangles.origin[i / 2];
   }
   return water_all_finite(box, 6);
+}
+
+// The same of a cluster.
+static bool box_of(
+  const water_clusters_view* view, const water_mesh* mesh, size_t cluster, double box[6])
+{
+  return bring_near(view, mesh->boxes[cluster], box);
 }
 
 static double height_over(const double plane[4], const double point[3])
@@ -169,6 +162,25 @@ static bool is_seen(const water_clusters_view* view, const double box[6])
   const water_visibility* seen = view->triangles.seen;
   return water_frustum_meets(&view->frustum, 6, box, cluster_rounding) &&
     (!seen || water_visibility_meets(seen, view->triangles.to_clip, box, 0.0));
+}
+
+water_box_place water_clusters_place(const water_clusters_view* view, const double given[6])
+{
+  double box[6];
+  if (water_bounds_is_empty(given))
+  {
+    return WATER_BOX_OUTSIDE; // NaN alone: it has no picture
+  }
+  if (!bring_near(view, given, box))
+  {
+    return WATER_BOX_ACROSS;
+  }
+  if (!is_seen(view, box))
+  {
+    return WATER_BOX_OUTSIDE;
+  }
+  return !view->triangles.seen && water_frustum_holds(&view->frustum, box) ? WATER_BOX_INSIDE
+                                                                           : WATER_BOX_ACROSS;
 }
 
 // Corners that were projected last; neighbours share them.

@@ -81,6 +81,16 @@ void water_clusters_view_make(const water_plan* plan, const water_clusters_targe
   int band_count, bool is_solid, const double model_to_world[16], const double origin[3],
   water_clusters_view* view);
 
+typedef enum water_box_place
+{
+  WATER_BOX_OUTSIDE, // no pixel of it changes
+  WATER_BOX_ACROSS,  // some may, others not; or nothing is known
+  WATER_BOX_INSIDE   // all of it lies in the view: so do all boxes in it
+} water_box_place;
+
+// Where a box of the mesh's own coordinates lies in a view. min > max: it is empty, outside.
+water_box_place water_clusters_place(const water_clusters_view* view, const double box[6]);
+
 // Whether clusters come nearer in the order they are drawn in, where one lies behind the other; all
 // 0: none is drawn yet.
 typedef struct water_trend

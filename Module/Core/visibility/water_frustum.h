@@ -82,6 +82,23 @@ static inline bool water_frustum_meets(
   return water_frustum_divides(frustum, plane_count, bounds, rounding) < 0;
 }
 
+// Whether all of a box lies in front of all planes, but for rounding.
+static inline bool water_frustum_holds(const water_frustum* frustum, const double bounds[6])
+{
+  for (int i = 0; i < 6; ++i)
+  {
+    const double* plane = frustum->planes[i];
+    const int* corner = frustum->corners[i]; // of the opposite one: xmin is 0, xmax 1, ymin 2...
+    const double lowest = plane[3] + plane[0] * bounds[corner[0] ^ 1] +
+      plane[1] * bounds[corner[1] ^ 1] + plane[2] * bounds[corner[2] ^ 1];
+    if (!(lowest >= 0.0))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
 #ifdef __cplusplus
 }
 #endif

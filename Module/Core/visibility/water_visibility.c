@@ -92,7 +92,7 @@ void water_visibility_mark(const water_visibility* seen, const int viewport_px[2
   }
 }
 
-void water_visibility_sum(water_visibility* seen, const uint8_t* cells, size_t stride)
+void water_visibility_sum(water_visibility* seen, const uint8_t* cells)
 {
   const size_t width = (size_t)seen->size[0];
   const size_t height = (size_t)seen->size[1];
@@ -105,7 +105,7 @@ void water_visibility_sum(water_visibility* seen, const uint8_t* cells, size_t s
     row[0] = 0;
     for (size_t x = 0; x < width; ++x)
     {
-      count += cells[stride * (y * width + x)] != 0;
+      count += cells[y * width + x] != 0;
       row[x + 1] = below[x + 1] + count;
     }
   }

@@ -14,7 +14,7 @@ extern "C"
 
 enum
 {
-  WATER_VISIBILITY_CELLS_MAX = 1 << 16 // they come back from the GPU in every frame
+  WATER_VISIBILITY_CELLS_MAX = 1 << 16 // they are found out in every frame
 };
 
 typedef struct water_visibility
@@ -48,7 +48,7 @@ void water_visibility_walk_of(const int texture_px[2], const int rect_px[4],
 void water_visibility_begin(const int texture_px[2], const int rect_px[4], water_visibility* seen);
 
 // Which cells are looked up, by the depths of the eye's picture without the water: what lies under
-// the plane is seen through the water, if there is any. vtkWaterMaskFS.glsl says the same.
+// the plane is seen through the water, if there is any.
 //
 // viewport_px  size of the eye's picture
 // plane_clip   NDC of the eye -> height over the plane, times a positive number
@@ -67,9 +67,8 @@ void water_visibility_rows(const water_visibility* seen, const int viewport_px[2
 
 // Fills the counts.
 //
-// cells   rows of size[0]; 0: no pixel of the cell is looked up
-// stride  from cell to cell, >= 1
-void water_visibility_sum(water_visibility* seen, const uint8_t* cells, size_t stride);
+// cells  rows of size[0]; 0: no pixel of the cell is looked up
+void water_visibility_sum(water_visibility* seen, const uint8_t* cells);
 
 // The cells that are not looked up, as rectangles in NDC of the reflection texture: low x, low y,
 // high x, high y.

@@ -12,6 +12,7 @@
 #include "vtkWaterAccess.h"
 #include "vtkWaterGL.h"
 #include "vtkWaterGather.h"
+#include "vtkWaterSceneDepth.h"
 #include "vtkWaterShaderHook.h"
 #include "vtkWaterShadows.h"
 
@@ -140,13 +141,9 @@ void SetViewportAndScissor(vtkOpenGLState* state, const water_plan& plan)
 void vtkWaterMirroredView::DrawBackground(vtkRenderer* renderer, const water_plan& plan)
 {
   this->Background.DrawSky(renderer, plan);
-  if (plan.has_mask && this->SceneDepth.IsThere())
+  if (this->Visible)
   {
-    this->Mask.DrawMask(renderer, plan, this->SceneDepth);
-  }
-  else if (this->Visible)
-  {
-    this->Mask.DrawClosedCells(renderer, *this->Visible);
+    this->ClosedCells.Draw(renderer, *this->Visible);
   }
 }
 
@@ -204,10 +201,6 @@ const char* vtkWaterMirroredView::Draw(vtkRenderer* renderer, const water_plan& 
     return "the GPU gave no framebuffer for the reflection texture";
   }
   vtkOpenGLRenderUtilities::MarkDebugEvent("water: mirrored view begins");
-  if (plan.has_mask)
-  {
-    this->SceneDepth.Find(state);
-  }
   this->Clusters.BeginView(plan, this->Visible, plan.samples);
   this->IsDrawing = true;
   this->HasLayer = false;
@@ -245,10 +238,10 @@ const water_visibility* vtkWaterMirroredView::FindVisible(
   if (isWanted)
   {
     auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
-    this->SceneDepth.Find(window->GetState());
-    this->Visible = this->SceneDepth.IsThere()
-      ? this->Visibility.Find(renderer, plan, this->Mask, this->SceneDepth)
-      : nullptr;
+    vtkWaterSceneDepth sceneDepth;
+    sceneDepth.Find(window->GetState());
+    this->Visible =
+      sceneDepth.IsThere() ? this->Visibility.Find(renderer, plan, sceneDepth) : nullptr;
   }
   return this->Visible;
 }
@@ -292,7 +285,7 @@ void vtkWaterMirroredView::DrawOpaque(
   this->GpuQueries.BeginCounting(window);
   const std::vector<vtkProp*>& props = draft.Props;
   auto next = props.begin();
-  if (draft.CanCut)
+  if (draft.CanCut && plan.is_software)
   {
     const auto leading = next + this->Clusters.BeginLeading(props);
     if (this->Clusters.IsReversed())
@@ -306,7 +299,7 @@ void vtkWaterMirroredView::DrawOpaque(
       std::for_each(next, leading, draw);
     }
     this->Clusters.EndLeading();
-    if (plan.is_software && next != leading)
+    if (next != leading)
     {
       glFlush(); // they are drawn while the others are handed over
     }
@@ -347,14 +340,13 @@ void vtkWaterMirroredView::ReleaseGraphicsResources(vtkWindow* window)
   }
   this->Target.ReleaseGraphicsResources(window);
   this->Clusters.ReleaseGraphicsResources();
-  this->Visibility.ReleaseGraphicsResources(window);
   if (window)
   {
     this->GpuQueries.ReleaseGraphicsResources();
   }
   this->Background.ReleaseGraphicsResources();
   this->Fog.ReleaseGraphicsResources();
-  this->Mask.ReleaseGraphicsResources();
+  this->ClosedCells.ReleaseGraphicsResources();
   if (this->Blank && window)
   {
     this->Blank->ReleaseGraphicsResources(window);

@@ -7,11 +7,10 @@
 #include "vtkSmartPointer.h"
 #include "vtkWaterBackground.h"
 #include "vtkWaterClipDistance.h"
+#include "vtkWaterClosedCells.h"
 #include "vtkWaterClusters.h"
 #include "vtkWaterFog.h"
 #include "vtkWaterGpuQueries.h"
-#include "vtkWaterMask.h"
-#include "vtkWaterSceneDepth.h"
 #include "vtkWaterTarget.h"
 #include "vtkWaterTranslucent.h"
 #include "vtkWaterTranslucentLayer.h"
@@ -83,8 +82,7 @@ private:
   vtkWaterTarget Target;
   vtkWaterBackground Background;
   vtkWaterFog Fog;
-  vtkWaterMask Mask;
-  vtkWaterSceneDepth SceneDepth;
+  vtkWaterClosedCells ClosedCells;
   vtkWaterVisibility Visibility;
   const water_visibility* Visible = nullptr; // of the last one that was drawn, or is about to be
   vtkWaterClusters Clusters;

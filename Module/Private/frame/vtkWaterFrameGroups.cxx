@@ -199,7 +199,10 @@ void vtkWaterFrame::RenderShared(vtkWaterSource& water, const int viewport_px[2]
   std::copy_n(viewport_px, 2, frame.Viewport_px);
   frame.Hints.IsSoftware = this->IsSoftware();
   frame.Hints.MayToneMap = renderer->GetPass() != nullptr;
-  frame.Hints.IsHidden = isLate && this->AreHidden(sheets);
+  if (isLate)
+  {
+    frame.AreHidden = [this, &sheets]() { return this->AreHidden(sheets); };
+  }
   // other waters hide, too, and need not say when they move
   frame.Hints.HasSceneDepth = isLate &&
     std::count_if(props.Begin, props.End, IsWater) == static_cast<std::ptrdiff_t>(sheets.size());

@@ -227,7 +227,6 @@ void vtkWaterGather::Read(vtkRenderer* renderer, const std::vector<vtkWaterSnaps
   this->Scene.plane = first.Plane;
   std::copy_n(first.Origin, 3, this->Scene.plane_origin);
   this->Scene.settings = settings;
-  this->Scene.is_hidden = hints.IsHidden;
   this->Scene.has_scene_depth = hints.HasSceneDepth;
   this->Scene.is_software = hints.IsSoftware;
   this->Scene.may_tone_map = hints.MayToneMap;

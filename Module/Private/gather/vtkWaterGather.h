@@ -18,7 +18,6 @@ class vtkRenderer;
 // What a frame knows besides what is read.
 struct vtkWaterFrameHints
 {
-  bool IsHidden = false;      // the waters are behind what the bound framebuffer shows
   bool HasSceneDepth = false; // it shows all that can hide them
   bool IsSoftware = false;    // GL is executed by the processor
   bool MayToneMap = false;    // a pass follows that may do it

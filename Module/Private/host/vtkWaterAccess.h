@@ -62,6 +62,11 @@ struct PolyDataMapper : public vtkOpenGLPolyDataMapper
   {
     return (mapper->*(&PolyDataMapper::Primitives))[PrimitiveTris].IBO;
   }
+  // Are those what it draws next? Between two draws nothing is.
+  static bool AreTrianglesNext(vtkOpenGLPolyDataMapper* mapper)
+  {
+    return BuiltOf(mapper) == &(mapper->*(&PolyDataMapper::Primitives))[PrimitiveTris];
+  }
   // Of the points of all primitives.
   static vtkOpenGLVertexBufferObject* VerticesOf(vtkOpenGLPolyDataMapper* mapper)
   {

@@ -15,6 +15,7 @@
 #include "vtkWeakPointer.h"
 #include "water_quality.h"
 
+#include <functional>
 #include <limits>
 #include <map>
 #include <memory>
@@ -57,6 +58,9 @@ public:
     int Viewport_px[2] = {};
     vtkWaterShaderHook* Hook = nullptr;
     vtkWaterFrameHints Hints;
+    // Are the waters behind what the bound framebuffer shows? Asked only if they would reflect: the
+    // answer waits for what was drawn. Empty: not known.
+    std::function<bool()> AreHidden;
   };
 
   // Renders the mirrored view of waters in one plane for the renderer's active camera, unless the

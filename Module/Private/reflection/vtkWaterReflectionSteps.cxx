@@ -32,6 +32,11 @@ void vtkWaterReflection::Render(const Frame& frame, const std::vector<vtkWaterSo
     Attempt attempt;
     this->Gather(frame, waters, attempt);
     this->MakePlan(frame, attempt);
+    if (this->Plan.decision == WATER_REFLECT && frame.AreHidden && frame.AreHidden())
+    {
+      this->Gathered.Scene.is_hidden = true;
+      this->MakePlan(frame, attempt);
+    }
     const bool isReflecting = this->Plan.decision == WATER_REFLECT;
     if (isReflecting)
     {

@@ -2,6 +2,7 @@
 #include "vtkWaterClusters.h"
 
 #include "vtkActor.h"
+#include "vtkCallbackCommand.h"
 #include "vtkCommand.h"
 #include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"
@@ -18,6 +19,7 @@
 #include "vtkTexture.h"
 #include "vtkWaterAccess.h"
 #include "vtkWaterGL.h"
+#include "vtkWaterMeshTraits.h"
 #include "vtkWaterProps.h"
 
 #include <algorithm>
@@ -27,72 +29,6 @@
 
 namespace
 {
-// May the vertices be elsewhere than the data says?
-bool HasOwnShaders(vtkAbstractMapper* mapper, vtkActor* actor)
-{
-  vtkShaderProperty* shaders = actor->GetShaderProperty();
-  return shaders->GetNumberOfShaderReplacements() > 0 || shaders->HasVertexShaderCode() ||
-    shaders->HasGeometryShaderCode() || mapper->HasObserver(vtkCommand::UpdateShaderEvent);
-}
-
-// Can the triangles of a mesh be drawn without some of them? Not when the shader counts them to
-// find the data of their cells.
-bool CanBeCut(vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkActor* actor)
-{
-  return actor && std::strcmp(mapper->GetClassName(), "vtkOpenGLPolyDataMapper") == 0 &&
-    vtkWaterProps::IsInWorld(actor) && actor->GetProperty()->GetRepresentation() == VTK_SURFACE &&
-    !actor->IsRenderingTranslucentPolygonalGeometry() &&
-    !program->IsUniformUsed("PrimitiveIDOffset") && !HasOwnShaders(mapper, actor);
-}
-
-// May a pixel have another depth than its triangle, or none? Fragment shaders write depths where an
-// offset tells coincident surfaces apart, and the user's may write or discard anything.
-bool HasOwnDepths(vtkMapper* mapper, vtkActor* actor)
-{
-  const int resolution = vtkMapper::GetResolveCoincidentTopology();
-  double factor = 0.0;
-  double units = 0.0;
-  if (resolution == VTK_RESOLVE_POLYGON_OFFSET || actor->GetProperty()->GetEdgeVisibility())
-  {
-    mapper->GetCoincidentTopologyPolygonOffsetParameters(factor, units);
-  }
-  else if (resolution == VTK_RESOLVE_SHIFT_ZBUFFER)
-  {
-    units = vtkMapper::GetResolveCoincidentTopologyZShift();
-  }
-  return factor != 0.0 || units != 0.0 || actor->GetShaderProperty()->HasFragmentShaderCode();
-}
-
-bool HasAlpha(vtkTexture* texture)
-{
-  vtkImageData* image = texture->GetInput();
-  return !image || image->GetScalarType() != VTK_UNSIGNED_CHAR ||
-    image->GetNumberOfScalarComponents() != 3 ||
-    texture->GetColorMode() == VTK_COLOR_MODE_MAP_SCALARS; // its table may have holes
-}
-
-// Is every pixel of what an actor draws in the opaque pass opaque? VTK blends there, too.
-bool IsOpaqueEverywhere(vtkActor* actor)
-{
-  if (actor->GetForceOpaque() || actor->GetBackfaceProperty() ||
-    actor->HasTranslucentPolygonalGeometry() ||
-    (actor->GetTexture() && HasAlpha(actor->GetTexture())))
-  {
-    return false;
-  }
-  const auto& textures = actor->GetProperty()->GetAllTextures();
-  return std::none_of(textures.begin(), textures.end(),
-    [](const std::pair<const std::string, vtkTexture*>& named) { return HasAlpha(named.second); });
-}
-
-// Does every triangle, whichever way it faces, cover all of its pixels for good?
-bool IsSolid(vtkPolyDataMapper* mapper, vtkActor* actor)
-{
-  vtkProperty* property = actor->GetProperty();
-  return IsOpaqueEverywhere(actor) && !property->GetBackfaceCulling() &&
-    !property->GetFrontfaceCulling() && mapper->GetNumberOfClippingPlanes() == 0;
-}
-
 // What the vertices that the GPU has are relative to: VTK shifts those of meshes that are large, or
 // far off.
 std::array<double, 3> OriginOf(vtkOpenGLPolyDataMapper* mapper)
@@ -130,17 +66,35 @@ void ForEach(int count, const Function& function)
   }
 }
 
-bool HasTrianglesOnly(vtkPolyDataMapper* mapper, vtkProperty* property)
+vtkDataArray* PointsOf(vtkPolyDataMapper* mapper)
 {
-  vtkPolyData* mesh = mapper->GetInput();
-  return mesh && mesh->GetNumberOfVerts() == 0 && mesh->GetNumberOfLines() == 0 &&
-    mesh->GetNumberOfStrips() == 0 && !mapper->GetSelection() && !property->GetVertexVisibility() &&
-    !property->GetEdgeVisibility();
+  vtkPoints* points = mapper->GetInput() ? mapper->GetInput()->GetPoints() : nullptr;
+  return points ? points->GetData() : nullptr;
+}
+
+// Both null: they are of another type.
+water_points NumbersOf(vtkDataArray* points)
+{
+  auto* floats = vtkFloatArray::FastDownCast(points);
+  auto* doubles = vtkDoubleArray::FastDownCast(points);
+  return { floats ? floats->GetPointer(0) : nullptr, doubles ? doubles->GetPointer(0) : nullptr };
 }
 }
 
 //------------------------------------------------------------------------------
-vtkWaterClusters::vtkWaterClusters() = default;
+vtkWaterClusters::vtkWaterClusters()
+  : Drawer(vtkSmartPointer<vtkCallbackCommand>::New())
+{
+  this->Drawer->SetClientData(this);
+  this->Drawer->SetCallback([](vtkObject* mapper, unsigned long, void* clusters, void*) {
+    auto* self = static_cast<vtkWaterClusters*>(clusters);
+    if (vtkWaterAccess::PolyDataMapper::AreTrianglesNext(
+          static_cast<vtkOpenGLPolyDataMapper*>(mapper)))
+    {
+      self->DrawnRuns->Draw(self->Own);
+    }
+  });
+}
 
 //------------------------------------------------------------------------------
 vtkWaterClusters::~vtkWaterClusters()
@@ -149,7 +103,7 @@ vtkWaterClusters::~vtkWaterClusters()
 }
 
 //------------------------------------------------------------------------------
-void vtkWaterClusters::Read(vtkOpenGLPolyDataMapper* mapper, bool isFine, Mesh& mesh)
+void vtkWaterClusters::Read(vtkOpenGLPolyDataMapper* mapper, Mesh& mesh)
 {
   mesh.Boxes.clear();
   mesh.Indices.clear();
@@ -168,36 +122,27 @@ void vtkWaterClusters::Read(vtkOpenGLPolyDataMapper* mapper, bool isFine, Mesh& 
     static_cast<GLsizeiptr>(mesh.Indices.size() * sizeof(uint32_t)), mesh.Indices.data());
   glBindBuffer(GL_COPY_READ_BUFFER, static_cast<GLuint>(bound));
   mesh.Boxes.resize(count);
-  vtkPoints* points = mapper->GetInput() ? mapper->GetInput()->GetPoints() : nullptr;
+  vtkDataArray* points = PointsOf(mapper);
   water_mesh described;
-  if (!points || !Describe(points->GetData(), mesh, described) || !water_clusters_bound(&described))
+  if (!points || !Describe(points, mesh, described) || !water_clusters_bound(&described))
   {
     mesh.Boxes.clear(); // not the indices of these points
+    return;
   }
-  else if (isFine)
-  {
-    // a copy: who writes into the points and does not say so yet is still shown the old ones
-    mesh.Points.TakeReference(points->GetData()->NewInstance());
-    mesh.Points->DeepCopy(points->GetData());
-  }
+  // a copy: who writes into the points and does not say so yet is still shown the old ones
+  mesh.Points.TakeReference(points->NewInstance());
+  mesh.Points->DeepCopy(points);
 }
 
 //------------------------------------------------------------------------------
 bool vtkWaterClusters::Describe(vtkDataArray* points, Mesh& mesh, water_mesh& described)
 {
-  auto* floats = vtkFloatArray::FastDownCast(points);
-  auto* doubles = vtkDoubleArray::FastDownCast(points);
-  if (points && !floats && !doubles)
-  {
-    return false;
-  }
-  described.points = { floats ? floats->GetPointer(0) : nullptr,
-    doubles ? doubles->GetPointer(0) : nullptr };
+  described.points = NumbersOf(points);
   described.point_count = points ? static_cast<size_t>(points->GetNumberOfTuples()) : 0;
   described.indices = mesh.Indices.data();
   described.triangle_count = mesh.Indices.size() / 3;
   described.boxes = reinterpret_cast<double(*)[6]>(mesh.Boxes.data()); // of std::array<double, 6>
-  return true;
+  return described.points.floats || described.points.doubles;
 }
 
 //------------------------------------------------------------------------------
@@ -218,9 +163,11 @@ bool vtkWaterClusters::CanLead(vtkProp* prop)
   auto* mapper = actor ? vtkOpenGLPolyDataMapper::SafeDownCast(actor->GetMapper()) : nullptr;
   const auto it = this->Meshes.find(mapper);
   return mapper && it != this->Meshes.end() && it->second.Mapper && !it->second.Boxes.empty() &&
-    it->second.State == StateOf(mapper, actor) && !HasOwnShaders(mapper, actor) &&
-    !HasOwnDepths(mapper, actor) && vtkWaterProps::IsInWorld(actor) && IsOpaqueEverywhere(actor) &&
-    HasTrianglesOnly(mapper, actor->GetProperty());
+    it->second.State == StateOf(mapper, actor) &&
+    !vtkWaterMeshTraits::HasOwnShaders(mapper, actor) &&
+    !vtkWaterMeshTraits::HasOwnDepths(mapper, actor) && vtkWaterProps::IsInWorld(actor) &&
+    vtkWaterMeshTraits::IsOpaqueEverywhere(actor) &&
+    vtkWaterMeshTraits::HasTrianglesOnly(mapper, actor->GetProperty());
 }
 
 //------------------------------------------------------------------------------
@@ -264,7 +211,7 @@ void vtkWaterClusters::EndLeading()
 
 //------------------------------------------------------------------------------
 vtkWaterClusters::Mesh* vtkWaterClusters::UpdateMesh(
-  vtkOpenGLPolyDataMapper* mapper, vtkActor* actor, bool isFine)
+  vtkOpenGLPolyDataMapper* mapper, vtkActor* actor, bool isSoftware)
 {
   for (auto it = this->Meshes.begin(); it != this->Meshes.end();)
   {
@@ -272,13 +219,24 @@ vtkWaterClusters::Mesh* vtkWaterClusters::UpdateMesh(
   }
   Mesh& mesh = this->Meshes[mapper];
   const MeshState state = StateOf(mapper, actor);
-  if (!mesh.Mapper || mesh.State != state || (isFine && !mesh.Boxes.empty() && !mesh.Points))
+  if (!mesh.Mapper || mesh.State != state)
   {
     mesh.Mapper = mapper;
     mesh.State = state;
-    Read(mapper, isFine, mesh);
+    vtkDataArray* points = PointsOf(mapper);
+    if (isSoftware)
+    {
+      Read(mapper, mesh);
+    }
+    else
+    {
+      const water_points numbers = NumbersOf(points);
+      const bool isKnown = numbers.floats || numbers.doubles;
+      mesh.Runs.Read(vtkWaterAccess::PolyDataMapper::TrianglesOf(mapper), numbers,
+        isKnown ? static_cast<size_t>(points->GetNumberOfTuples()) : 0);
+    }
   }
-  return mesh.Boxes.empty() ? nullptr : &mesh;
+  return mesh.Boxes.empty() && !mesh.Runs.IsKnown() ? nullptr : &mesh;
 }
 
 //------------------------------------------------------------------------------
@@ -286,11 +244,11 @@ size_t vtkWaterClusters::Select(const water_plan& plan, vtkOpenGLPolyDataMapper*
   vtkActor* actor, const Mesh& mesh, const water_mesh& described)
 {
   water_clusters_target target = this->Target;
-  if (HasOwnDepths(mapper, actor))
+  if (vtkWaterMeshTraits::HasOwnDepths(mapper, actor))
   {
     target.depths = nullptr;
   }
-  const bool isSolid = IsSolid(mapper, actor);
+  const bool isSolid = vtkWaterMeshTraits::IsSolid(mapper, actor);
   const double* modelToWorld = &actor->GetMatrix()->Element[0][0];
   const std::array<double, 3> origin = OriginOf(mapper);
   const int bandCount = water_clusters_bands(
@@ -337,7 +295,7 @@ void vtkWaterClusters::Give(
 {
   auto* actor = vtkActor::SafeDownCast(prop);
   this->TakeBack(); // of another part of an assembly
-  if (!anyMapper || !CanBeCut(program, anyMapper, actor))
+  if (!anyMapper || !vtkWaterMeshTraits::CanBeCut(program, anyMapper, actor))
   {
     return;
   }
@@ -348,6 +306,11 @@ void vtkWaterClusters::Give(
     return;
   }
   Mesh* mesh = this->UpdateMesh(mapper, actor, plan.is_software);
+  if (mesh && !plan.is_software)
+  {
+    this->GiveRuns(plan, mapper, actor, *mesh);
+    return;
+  }
   water_mesh described;
   if (!mesh || !Describe(mesh->Points, *mesh, described))
   {
@@ -361,11 +324,35 @@ void vtkWaterClusters::Give(
 }
 
 //------------------------------------------------------------------------------
+void vtkWaterClusters::GiveRuns(
+  const water_plan& plan, vtkOpenGLPolyDataMapper* mapper, vtkActor* actor, Mesh& mesh)
+{
+  if (!vtkWaterAccess::PolyDataMapper::AreTrianglesNext(mapper))
+  {
+    return;
+  }
+  water_clusters_view view;
+  water_clusters_view_make(&plan, &this->Target, 0, 1, vtkWaterMeshTraits::IsSolid(mapper, actor),
+    &actor->GetMatrix()->Element[0][0], OriginOf(mapper).data(), &view);
+  if (mesh.Runs.Select(view))
+  {
+    this->Swap(mapper, mesh, 0);
+    this->DrawnRuns = &mesh.Runs;
+    mapper->AddObserver(vtkCommand::UpdateShaderEvent, this->Drawer); // after all uniforms are set
+  }
+}
+
+//------------------------------------------------------------------------------
 void vtkWaterClusters::TakeBack()
 {
   if (!this->Given)
   {
     return;
+  }
+  if (this->DrawnRuns)
+  {
+    this->Given->RemoveObserver(this->Drawer);
+    this->DrawnRuns = nullptr;
   }
   vtkOpenGLIndexBufferObject*& slot = vtkWaterAccess::PolyDataMapper::TrianglesOf(this->Given);
   slot->UnRegister(this->Given);

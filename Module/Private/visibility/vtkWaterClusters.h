@@ -5,13 +5,15 @@
 // view it gets another list, in which clusters are left out (water_clusters.h): the same vertices,
 // the same order, so every pixel is the same as before. Large meshes that are drawn before all else
 // may be drawn backwards, the last triangle of the last of them first, with a depth test that keeps
-// the first of equally far ones: this, too, gives the same pixels. See
+// the first of equally far ones: this, too, gives the same pixels. On a GPU the mapper draws
+// nothing itself, and runs of its own list are drawn in the moment before (vtkWaterRuns). See
 // Documentation/decisions/009-skips.md.
 #ifndef vtkWaterClusters_h
 #define vtkWaterClusters_h
 
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
+#include "vtkWaterRuns.h"
 #include "vtkWeakPointer.h"
 #include "water_clusters.h"
 
@@ -22,6 +24,7 @@
 
 class vtkAbstractMapper;
 class vtkActor;
+class vtkCallbackCommand;
 class vtkDataArray;
 class vtkOpenGLIndexBufferObject;
 class vtkOpenGLPolyDataMapper;
@@ -69,20 +72,24 @@ private:
   {
     vtkWeakPointer<vtkOpenGLPolyDataMapper> Mapper;
     MeshState State{};                    // of what the index buffer was made from
-    vtkSmartPointer<vtkDataArray> Points; // as they were then; nullptr: only boxes are looked at
+    vtkSmartPointer<vtkDataArray> Points; // as they were then
     std::vector<uint32_t> Indices;
     std::vector<std::array<double, 6>> Boxes; // empty: it cannot be cut
     vtkSmartPointer<vtkOpenGLIndexBufferObject> Drawn;
+    vtkWaterRuns Runs; // in place of the four above on a GPU
   };
 
   static MeshState StateOf(vtkOpenGLPolyDataMapper* mapper, vtkActor* actor);
-  static void Read(vtkOpenGLPolyDataMapper* mapper, bool isFine, Mesh& mesh);
+  static void Read(vtkOpenGLPolyDataMapper* mapper, Mesh& mesh);
   static bool Describe(vtkDataArray* points, Mesh& mesh, water_mesh& described);
   // What is known of a mapper's mesh; nullptr: it cannot be cut.
-  Mesh* UpdateMesh(vtkOpenGLPolyDataMapper* mapper, vtkActor* actor, bool isFine);
+  Mesh* UpdateMesh(vtkOpenGLPolyDataMapper* mapper, vtkActor* actor, bool isSoftware);
   // Selects the indices that are drawn; how many there are.
   size_t Select(const water_plan& plan, vtkOpenGLPolyDataMapper* mapper, vtkActor* actor,
     const Mesh& mesh, const water_mesh& described);
+  // Draws runs of a mesh when the mapper is about to draw all of it.
+  void GiveRuns(
+    const water_plan& plan, vtkOpenGLPolyDataMapper* mapper, vtkActor* actor, Mesh& mesh);
   // Gives the mapper the selected indices in place of its own.
   void Swap(vtkOpenGLPolyDataMapper* mapper, Mesh& mesh, size_t count);
   bool CanLead(vtkProp* prop);
@@ -97,6 +104,8 @@ private:
   bool FarFirst = false;                          // is the leading meshes' own order
   vtkSmartPointer<vtkOpenGLPolyDataMapper> Given; // has a buffer of ours
   vtkSmartPointer<vtkOpenGLIndexBufferObject> Own;
+  vtkSmartPointer<vtkCallbackCommand> Drawer; // of runs, while a mapper has it
+  const vtkWaterRuns* DrawnRuns = nullptr;    // by it; nullptr: none
 };
 
 #endif

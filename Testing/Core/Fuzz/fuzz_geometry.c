@@ -114,7 +114,7 @@ static void fuzz_seen(fuzz_input* from)
   {
     cells[i] = fuzz_byte(from);
   }
-  water_visibility_sum(&seen, cells, 1);
+  water_visibility_sum(&seen, cells);
   const size_t room = (size_t)(seen.size[1] * (seen.size[0] + 1) / 2);
   PROMISED(water_visibility_closed(&seen, boxes) <= room);
   water_visibility_walk_of(

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// water_runs.h: large meshes on a GPU: runs of their triangles, so that the mirrored view draws
+// only those that the water can show. A GPU draws a triangle sooner than the processor looks at it.
+// So the clusters are large, lie in groups, and what is left of them is a few long runs, drawn in
+// the mesh's order from the index buffer that is there: nothing is copied, and every pixel is as
+// before. Where the processor draws, water_clusters.h is used in its place.
+#ifndef water_runs_h
+#define water_runs_h
+
+#include "water_clusters.h"
+
+#ifdef __cplusplus
+extern "C"
+{
+#endif
+
+enum
+{
+  WATER_RUNS_MESH_MIN = 32768, // triangles; a smaller mesh is drawn sooner than looked at
+  WATER_RUNS_LEAF_MIN = 128,   // triangles of a leaf, at least
+  WATER_RUNS_LEAVES_MAX = 8192,
+  WATER_RUNS_GROUP = 16, // leaves of a group; the last has what is left
+  WATER_RUNS_GAP = 512   // triangles that are drawn sooner than another run begins
+};
+
+typedef struct water_runs_mesh
+{
+  size_t triangle_count;
+  size_t leaf_triangles; // of a leaf; the last has what is left
+  size_t leaf_count;
+  size_t group_count;
+  double (*boxes)[6]; // of the leaves, then of the groups; min > max: nothing is in it
+} water_runs_mesh;
+
+typedef struct water_run
+{
+  size_t first; // triangle
+  size_t count; // > 0
+} water_run;
+
+// Chooses the leaves of a mesh, and sets all but its boxes.
+//
+// Returns how many boxes it needs; 0: it is drawn as a whole.
+size_t water_runs_shape(size_t triangle_count, water_runs_mesh* mesh);
+
+// Empties the boxes.
+void water_runs_begin(const water_runs_mesh* mesh);
+
+// Takes triangles into the boxes of the leaves. A mesh may be taken in in parts, in any order.
+//
+// first    triangle
+// indices  3 for each of count triangles
+//
+// Returns false when an index is not below point_count.
+bool water_runs_add(const water_runs_mesh* mesh, size_t first, const uint32_t* indices,
+  size_t count, const water_points* points, size_t point_count);
+
+// Fills the boxes of the groups from those of the leaves.
+void water_runs_end(const water_runs_mesh* mesh);
+
+// The runs that may change a pixel, in the mesh's order; gaps of up to WATER_RUNS_GAP are drawn.
+//
+// view  of the whole drawn part of the reflection texture (water_clusters_view_make)
+// runs  room for leaf_count / 2 + 1
+//
+// Returns how many there are.
+size_t water_runs_select(
+  const water_clusters_view* view, const water_runs_mesh* mesh, water_run* runs);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

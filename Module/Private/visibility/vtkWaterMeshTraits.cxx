@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkWaterMeshTraits.h"
+
+#include "vtkActor.h"
+#include "vtkCommand.h"
+#include "vtkImageData.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
+#include "vtkShaderProgram.h"
+#include "vtkShaderProperty.h"
+#include "vtkTexture.h"
+#include "vtkWaterProps.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace
+{
+bool HasAlpha(vtkTexture* texture)
+{
+  vtkImageData* image = texture->GetInput();
+  return !image || image->GetScalarType() != VTK_UNSIGNED_CHAR ||
+    image->GetNumberOfScalarComponents() != 3 ||
+    texture->GetColorMode() == VTK_COLOR_MODE_MAP_SCALARS; // its table may have holes
+}
+}
+
+//------------------------------------------------------------------------------
+bool vtkWaterMeshTraits::HasOwnShaders(vtkAbstractMapper* mapper, vtkActor* actor)
+{
+  vtkShaderProperty* shaders = actor->GetShaderProperty();
+  return shaders->GetNumberOfShaderReplacements() > 0 || shaders->HasVertexShaderCode() ||
+    shaders->HasGeometryShaderCode() || mapper->HasObserver(vtkCommand::UpdateShaderEvent);
+}
+
+//------------------------------------------------------------------------------
+bool vtkWaterMeshTraits::CanBeCut(
+  vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkActor* actor)
+{
+  return actor && std::strcmp(mapper->GetClassName(), "vtkOpenGLPolyDataMapper") == 0 &&
+    vtkWaterProps::IsInWorld(actor) && actor->GetProperty()->GetRepresentation() == VTK_SURFACE &&
+    !actor->IsRenderingTranslucentPolygonalGeometry() &&
+    !program->IsUniformUsed("PrimitiveIDOffset") && !HasOwnShaders(mapper, actor);
+}
+
+//------------------------------------------------------------------------------
+bool vtkWaterMeshTraits::HasOwnDepths(vtkMapper* mapper, vtkActor* actor)
+{
+  const int resolution = vtkMapper::GetResolveCoincidentTopology();
+  double factor = 0.0;
+  double units = 0.0;
+  if (resolution == VTK_RESOLVE_POLYGON_OFFSET || actor->GetProperty()->GetEdgeVisibility())
+  {
+    mapper->GetCoincidentTopologyPolygonOffsetParameters(factor, units);
+  }
+  else if (resolution == VTK_RESOLVE_SHIFT_ZBUFFER)
+  {
+    units = vtkMapper::GetResolveCoincidentTopologyZShift();
+  }
+  return factor != 0.0 || units != 0.0 || actor->GetShaderProperty()->HasFragmentShaderCode();
+}
+
+//------------------------------------------------------------------------------
+bool vtkWaterMeshTraits::IsOpaqueEverywhere(vtkActor* actor)
+{
+  if (actor->GetForceOpaque() || actor->GetBackfaceProperty() ||
+    actor->HasTranslucentPolygonalGeometry() ||
+    (actor->GetTexture() && HasAlpha(actor->GetTexture())))
+  {
+    return false;
+  }
+  const auto& textures = actor->GetProperty()->GetAllTextures();
+  return std::none_of(textures.begin(), textures.end(),
+    [](const std::pair<const std::string, vtkTexture*>& named) { return HasAlpha(named.second); });
+}
+
+//------------------------------------------------------------------------------
+bool vtkWaterMeshTraits::IsSolid(vtkPolyDataMapper* mapper, vtkActor* actor)
+{
+  vtkProperty* property = actor->GetProperty();
+  return IsOpaqueEverywhere(actor) && !property->GetBackfaceCulling() &&
+    !property->GetFrontfaceCulling() && mapper->GetNumberOfClippingPlanes() == 0;
+}
+
+//------------------------------------------------------------------------------
+bool vtkWaterMeshTraits::HasTrianglesOnly(vtkPolyDataMapper* mapper, vtkProperty* property)
+{
+  vtkPolyData* mesh = mapper->GetInput();
+  return mesh && mesh->GetNumberOfVerts() == 0 && mesh->GetNumberOfLines() == 0 &&
+    mesh->GetNumberOfStrips() == 0 && !mapper->GetSelection() && !property->GetVertexVisibility() &&
+    !property->GetEdgeVisibility();
+}

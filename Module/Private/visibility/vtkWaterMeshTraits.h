@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkWaterMeshTraits: what an actor and its mapper say of how a mesh is drawn, and with it whether
+// parts of the mesh may be left out.
+#ifndef vtkWaterMeshTraits_h
+#define vtkWaterMeshTraits_h
+
+class vtkAbstractMapper;
+class vtkActor;
+class vtkMapper;
+class vtkPolyDataMapper;
+class vtkProperty;
+class vtkShaderProgram;
+
+namespace vtkWaterMeshTraits
+{
+// May the vertices be elsewhere than the data says?
+bool HasOwnShaders(vtkAbstractMapper* mapper, vtkActor* actor);
+
+// Can the triangles of a mesh be drawn without some of them? Not when the shader counts them to
+// find the data of their cells.
+bool CanBeCut(vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkActor* actor);
+
+// May a pixel have another depth than its triangle, or none? Fragment shaders write depths where an
+// offset tells coincident surfaces apart, and the user's may write or discard anything.
+bool HasOwnDepths(vtkMapper* mapper, vtkActor* actor);
+
+// Is every pixel of what an actor draws in the opaque pass opaque? VTK blends there, too.
+bool IsOpaqueEverywhere(vtkActor* actor);
+
+// Does every triangle, whichever way it faces, cover all of its pixels for good?
+bool IsSolid(vtkPolyDataMapper* mapper, vtkActor* actor);
+
+// Does the mapper draw neither points nor lines besides?
+bool HasTrianglesOnly(vtkPolyDataMapper* mapper, vtkProperty* property);
+}
+
+#endif

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkWaterRuns.h"
+
+#include "vtkOpenGLIndexBufferObject.h"
+#include "vtkWaterGL.h"
+
+#include <algorithm>
+#include <cstdint>
+
+namespace
+{
+constexpr size_t kTrianglesAtOnce = 1u << 18; // that are read back: 3 MB
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterRuns::Read(
+  vtkOpenGLIndexBufferObject* buffer, const water_points& points, size_t pointCount)
+{
+  const size_t count = buffer->IndexCount / 3;
+  this->Boxes.clear();
+  this->Boxes.resize(buffer->IndexCount % 3 == 0 ? water_runs_shape(count, &this->Mesh) : 0);
+  if (this->Boxes.empty())
+  {
+    return;
+  }
+  this->Mesh.boxes = reinterpret_cast<double(*)[6]>(this->Boxes.data()); // of std::array<double, 6>
+  this->Runs.resize(this->Mesh.leaf_count / 2 + 1);
+  water_runs_begin(&this->Mesh);
+  std::vector<uint32_t> indices;
+  GLint bound = 0;
+  glGetIntegerv(GL_COPY_READ_BUFFER, &bound); // the binding's name is also that of its query
+  glBindBuffer(GL_COPY_READ_BUFFER, static_cast<GLuint>(buffer->GetHandle()));
+  bool isOfPoints = true;
+  for (size_t first = 0; first < count && isOfPoints; first += kTrianglesAtOnce)
+  {
+    const size_t part = std::min(count - first, kTrianglesAtOnce);
+    indices.resize(3 * part);
+    glGetBufferSubData(GL_COPY_READ_BUFFER, static_cast<GLintptr>(3 * first * sizeof(uint32_t)),
+      static_cast<GLsizeiptr>(indices.size() * sizeof(uint32_t)), indices.data());
+    isOfPoints = water_runs_add(&this->Mesh, first, indices.data(), part, &points, pointCount);
+  }
+  glBindBuffer(GL_COPY_READ_BUFFER, static_cast<GLuint>(bound));
+  water_runs_end(&this->Mesh);
+  if (!isOfPoints)
+  {
+    this->Boxes.clear();
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkWaterRuns::Select(const water_clusters_view& view)
+{
+  const size_t count = water_runs_select(&view, &this->Mesh, this->Runs.data());
+  if (count == 1 && this->Runs[0].count == this->Mesh.triangle_count)
+  {
+    return false;
+  }
+  this->Counts.clear();
+  this->Offsets.clear();
+  for (size_t i = 0; i < count; ++i)
+  {
+    this->Counts.push_back(static_cast<int>(3 * this->Runs[i].count));
+    this->Offsets.push_back(
+      reinterpret_cast<const void*>(3 * this->Runs[i].first * sizeof(uint32_t)));
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterRuns::Draw(vtkOpenGLIndexBufferObject* buffer) const
+{
+  buffer->Bind();
+  glMultiDrawElements(GL_TRIANGLES, this->Counts.data(), GL_UNSIGNED_INT, this->Offsets.data(),
+    static_cast<GLsizei>(this->Counts.size()));
+}
