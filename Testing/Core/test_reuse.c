@@ -129,36 +129,41 @@ TEST(map_waits_when_it_pays)
     size_t prop_count;
     double texture_scale;
     bool can_wait;
-  } cases[] = { { false, 0, 1.0, true }, { false, 0, 0.5, false }, { false, 100, 0.5, true },
-    { true, 0, 1.0, true }, { true, 0, 0.5, true }, { true, 0, 0.2, false },
-    { false, 100, 0.2, false } };
+  } cases[] = { { false, 0, 1.0, true }, { false, 100, 0.2, true }, { true, 0, 1.0, true },
+    { true, 100, 0.5, true }, { true, 0, 0.2, false } };
   for (size_t i = 0; i < sizeof cases / sizeof cases[0]; ++i)
   {
     scene.is_software = cases[i].is_software;
     scene.prop_count = cases[i].prop_count;
     scene.settings.texture_scale = cases[i].texture_scale;
     const water_plan last = plan_of(&scene, reasons);
+    const bool is_software = cases[i].is_software;
+    assert_int_equal(water_plan_should_wait(&last, 0.85 * whole, is_software, WATER_MAY_SKIP_ALL),
+      cases[i].can_wait);
+    // a GPU draws the picture meanwhile, whatever it shows
     assert_int_equal(
-      water_plan_should_wait(&last, 0.85 * whole, WATER_MAY_SKIP_ALL), cases[i].can_wait);
-    assert_false(water_plan_should_wait(&last, 0.95 * whole, WATER_MAY_SKIP_ALL));
-    assert_false(
-      cases[i].can_wait && water_plan_should_wait(&last, last.visible_px_max, WATER_MAY_SKIP_ALL));
-    assert_false(water_plan_should_wait(
-      &last, 0.85 * whole, WATER_MAY_SKIP_ALL & ~(unsigned)WATER_MAY_SKIP_PIXELS));
+      water_plan_should_wait(&last, 0.95 * whole, is_software, WATER_MAY_SKIP_ALL), !is_software);
+    assert_int_equal(
+      water_plan_should_wait(&last, -1.0, is_software, WATER_MAY_SKIP_ALL), !is_software);
+    assert_false(is_software && cases[i].can_wait &&
+      water_plan_should_wait(&last, last.visible_px_max, is_software, WATER_MAY_SKIP_ALL));
+    assert_int_equal(water_plan_should_wait(&last, 0.85 * whole, is_software,
+                       WATER_MAY_SKIP_ALL & ~(unsigned)WATER_MAY_SKIP_PIXELS),
+      !is_software);
   }
   // hidden: whatever the reflection texture was, unless that may not be skipped
   water_plan none;
   memset(&none, 0, sizeof none);
-  assert_true(water_plan_should_wait(&none, 0.0, WATER_MAY_SKIP_ALL));
-  assert_false(water_plan_should_wait(&none, 1.0, WATER_MAY_SKIP_ALL));
-  assert_false(
-    water_plan_should_wait(&none, 0.0, WATER_MAY_SKIP_ALL & ~(unsigned)WATER_MAY_SKIP_HIDDEN));
+  assert_true(water_plan_should_wait(&none, 0.0, true, WATER_MAY_SKIP_ALL));
+  assert_false(water_plan_should_wait(&none, 1.0, true, WATER_MAY_SKIP_ALL));
+  assert_false(water_plan_should_wait(
+    &none, 0.0, true, WATER_MAY_SKIP_ALL & ~(unsigned)WATER_MAY_SKIP_HIDDEN));
   // waves look up other pixels than their own
   scene.has_waves = true;
-  scene.is_software = false;
+  scene.is_software = true;
   scene.settings.texture_scale = 1.0;
   const water_plan waves = plan_of(&scene, reasons);
-  assert_false(water_plan_should_wait(&waves, 1.0, WATER_MAY_SKIP_ALL));
+  assert_false(water_plan_should_wait(&waves, 1.0, true, WATER_MAY_SKIP_ALL));
 }
 
 // What is seen of the reflection texture is found out for flat, calm water whose picture is at

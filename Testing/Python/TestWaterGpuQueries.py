@@ -119,6 +119,7 @@ def test_another_windows_context_may_be_current():
     wt.check_equal("after another window's frames: counts", read(scene.reflection, COUNTS), known)
 
 
+@pytest.mark.usefixtures("in_software")
 @pytest.mark.parametrize("samples", [0, 4], ids=["0_samples", "4_samples"])
 def test_triangles_are_counted(samples):
     """Without skips all triangles are counted; with PIECES those that the sheet can show, and no more fragments."""
@@ -136,6 +137,7 @@ def test_triangles_are_counted(samples):
     wt.check_equal(f"{samples} samples, PROPS: triangles", with_props, all_triangles - 12)
 
 
+@pytest.mark.usefixtures("in_software")
 def test_fragments_behind_a_wall_are_not_drawn():
     """With PIXELS, what a wall hides of the water is not drawn in the mirrored view; without, it is."""
     _, (_, seen) = counts(Pass.SKIP_ALL, sheet=WIDE)
@@ -145,6 +147,7 @@ def test_fragments_behind_a_wall_are_not_drawn():
     wt.check_at_most("beside a wall: fragments", behind, 0.6 * seen)
 
 
+@pytest.mark.usefixtures("in_software")
 def test_a_mesh_that_comes_nearer_is_drawn_from_its_end():
     """A mesh that comes nearer triangle by triangle is drawn from its end: what is near hides what is far."""
     away, nearer = hills(-14, 14), hills(14, -14)

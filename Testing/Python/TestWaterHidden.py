@@ -110,6 +110,7 @@ def test_a_slit_of_water_is_mirrored():
         frame(f"a slit beside the wall, frame {number + 1}", scenes, "RENDERED")
 
 
+@pytest.mark.usefixtures("in_software")
 @pytest.mark.parametrize("name, leave", [
     ("moves", lambda scene: scene.wall.AddPosition(0.5, 0, 0)),
     ("leaves", lambda scene: scene.wall.VisibilityOff()),

@@ -12,6 +12,18 @@ import pytest
 import water_test
 
 
+@pytest.fixture
+def in_software(monkeypatch):
+    """The module skips what pays where the processor draws, whatever draws."""
+    monkeypatch.setenv("VTK_WATER_SOFTWARE", "1")
+
+
+@pytest.fixture
+def on_a_gpu(monkeypatch):
+    """The module skips what pays where a GPU draws, whatever draws."""
+    monkeypatch.setenv("VTK_WATER_SOFTWARE", "0")
+
+
 @pytest.hookimpl(tryfirst=True)
 def pytest_runtest_setup(item):
     water_test.failures.clear()

@@ -44,12 +44,15 @@ void water_plan_revise(const water_scene* scene, const water_plan* last, bool is
   const struct water_visibility* visible, water_plan* plan, water_cull_reason* reasons);
 
 // Is it worth to draw the next reflection texture only when the eye's picture is there, which tells
-// whether the water is hidden, and what a mask may close?
+// whether the water is hidden, and in software which cells of the reflection texture it looks up? A
+// GPU draws that picture meanwhile: there it always is.
 //
-// last        the plan of the last reflection texture
-// visible_px  pixels of the water that were seen in the frame before
-// skips       of the scene
-bool water_plan_should_wait(const water_plan* last, double visible_px, unsigned skips);
+// last         the plan of the last reflection texture
+// visible_px   pixels of the water that were seen in the frame before; < 0: not known
+// is_software  of the scene
+// skips        of the scene
+bool water_plan_should_wait(
+  const water_plan* last, double visible_px, bool is_software, unsigned skips);
 
 // Is nothing of the water seen? An eye in it may still see it.
 bool water_decision_is_unseen(water_decision decision);

@@ -48,8 +48,13 @@ void water_plan_revise(const water_scene* scene, const water_plan* last, bool is
   }
 }
 
-bool water_plan_should_wait(const water_plan* last, double visible_px, unsigned skips)
+bool water_plan_should_wait(
+  const water_plan* last, double visible_px, bool is_software, unsigned skips)
 {
+  if (!is_software || visible_px < 0.0)
+  {
+    return !is_software;
+  }
   return ((skips & WATER_MAY_SKIP_HIDDEN) && visible_px <= 0.0) ||
     ((skips & WATER_MAY_SKIP_PIXELS) && water_plan_has_reflection(last) &&
       visible_px < last->visible_px_max);

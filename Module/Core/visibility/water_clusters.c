@@ -183,6 +183,15 @@ water_box_place water_clusters_place(const water_clusters_view* view, const doub
                                                                            : WATER_BOX_ACROSS;
 }
 
+bool water_clusters_is_kept(const water_clusters_view* view, const double given[6])
+{
+  const double* kept = view->frustum.planes[5];
+  const double turned[4] = { -kept[0], -kept[1], -kept[2], -kept[3] };
+  double box[6];
+  return bring_near(view, given, box) &&
+    water_frustum_is_behind(turned, box, view->frustum.reach, cluster_rounding);
+}
+
 // Corners that were projected last; neighbours share them.
 enum
 {

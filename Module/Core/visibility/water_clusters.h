@@ -91,6 +91,10 @@ typedef enum water_box_place
 // Where a box of the mesh's own coordinates lies in a view. min > max: it is empty, outside.
 water_box_place water_clusters_place(const water_clusters_view* view, const double box[6]);
 
+// Does a box of the mesh's own coordinates lie wholly on the kept side of the clip, by more than
+// rounding?
+bool water_clusters_is_kept(const water_clusters_view* view, const double box[6]);
+
 // Whether clusters come nearer in the order they are drawn in, where one lies behind the other; all
 // 0: none is drawn yet.
 typedef struct water_trend

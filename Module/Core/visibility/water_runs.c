@@ -62,52 +62,95 @@ void water_runs_end(const water_runs_mesh* mesh)
   }
 }
 
-// What is collected while leaves are looked at in their order.
-typedef struct collection
+// Where a leaf lies.
+enum
 {
-  const water_runs_mesh* mesh;
-  water_run* runs;
-  size_t count;
-} collection;
+  IN_AIR,  // outside of the view, on the kept side of the clip
+  OUTSIDE, // of the view
+  KEPT,    // may change a pixel, wholly on the kept side
+  CUT      // may change a pixel, and the clip may cut it
+};
 
-static void collect(collection* found, size_t leaf, size_t leaf_count)
+static uint8_t place_of(const water_clusters_view* view, const double box[6])
 {
-  const size_t size = found->mesh->leaf_triangles;
-  const size_t first = leaf * size;
-  const size_t rest = found->mesh->triangle_count - first;
-  const size_t count = leaf_count * size < rest ? leaf_count * size : rest;
-  water_run* last = found->count > 0 ? &found->runs[found->count - 1] : NULL;
-  if (last && first - (last->first + last->count) <= WATER_RUNS_GAP)
+  const water_box_place place = water_clusters_place(view, box);
+  const bool is_kept = water_clusters_is_kept(view, box);
+  if (place == WATER_BOX_OUTSIDE)
   {
-    last->count = first + count - last->first;
-    return;
+    return is_kept ? IN_AIR : OUTSIDE;
   }
-  found->runs[found->count].first = first;
-  found->runs[found->count].count = count;
-  ++found->count;
+  return is_kept ? KEPT : CUT;
 }
 
-size_t water_runs_select(
-  const water_clusters_view* view, const water_runs_mesh* mesh, water_run* runs)
+static void find_places(
+  const water_clusters_view* view, const water_runs_mesh* mesh, uint8_t* places)
 {
-  collection found = { mesh, runs, 0 };
   for (size_t group = 0; group < mesh->group_count; ++group)
   {
-    const water_box_place place = water_clusters_place(view, mesh->boxes[mesh->leaf_count + group]);
+    const double* box = mesh->boxes[mesh->leaf_count + group];
+    const water_box_place place = water_clusters_place(view, box);
+    const uint8_t whole = place_of(view, box);
     const size_t first = group * WATER_RUNS_GROUP;
     const size_t rest = mesh->leaf_count - first;
     const size_t count = rest < WATER_RUNS_GROUP ? rest : WATER_RUNS_GROUP;
-    if (place == WATER_BOX_INSIDE)
+    const bool is_decided =
+      place == WATER_BOX_OUTSIDE || (place == WATER_BOX_INSIDE && whole == KEPT);
+    for (size_t i = first; i < first + count; ++i)
     {
-      collect(&found, first, count);
-    }
-    for (size_t i = 0; i < count && place == WATER_BOX_ACROSS; ++i)
-    {
-      if (water_clusters_place(view, mesh->boxes[first + i]) != WATER_BOX_OUTSIDE)
-      {
-        collect(&found, first + i, 1);
-      }
+      places[i] = is_decided ? whole : place_of(view, mesh->boxes[i]);
     }
   }
-  return found.count;
+}
+
+// Adds the leaves of one kind in [begin, end) as runs to those that there are. Returns how many
+// there are then.
+static size_t collect(const water_runs_mesh* mesh, const uint8_t* places, uint8_t kind,
+  size_t begin, size_t end, water_run* runs, size_t run_count)
+{
+  const size_t size = mesh->leaf_triangles;
+  // what may be drawn besides: what lies in the air, where the clip is off; anything that no other
+  // run draws, where it is on
+  const size_t first_run = run_count;
+  bool is_gap_free = false;
+  for (size_t leaf = begin; leaf < end; ++leaf)
+  {
+    if (places[leaf] != kind)
+    {
+      is_gap_free =
+        is_gap_free && (places[leaf] == IN_AIR || (kind == CUT && places[leaf] == OUTSIDE));
+      continue;
+    }
+    const size_t first = leaf * size;
+    const size_t rest = mesh->triangle_count - first;
+    const size_t count = size < rest ? size : rest;
+    water_run* last = run_count > first_run ? &runs[run_count - 1] : NULL;
+    if (last && is_gap_free && first - (last->first + last->count) <= WATER_RUNS_GAP)
+    {
+      last->count = first + count - last->first;
+    }
+    else
+    {
+      runs[run_count].first = first;
+      runs[run_count].count = count;
+      runs[run_count].is_cut = kind == CUT;
+      ++run_count;
+    }
+    is_gap_free = true;
+  }
+  return run_count;
+}
+
+size_t water_runs_select(
+  const water_clusters_view* view, const water_runs_mesh* mesh, uint8_t* places, water_run* runs)
+{
+  find_places(view, mesh, places);
+  const size_t segment = parts_of(mesh->leaf_count, WATER_RUNS_SEGMENTS);
+  size_t count = 0;
+  for (size_t begin = 0; begin < mesh->leaf_count; begin += segment)
+  {
+    const size_t end = begin + segment < mesh->leaf_count ? begin + segment : mesh->leaf_count;
+    count = collect(mesh, places, KEPT, begin, end, runs, count);
+    count = collect(mesh, places, CUT, begin, end, runs, count);
+  }
+  return count;
 }

@@ -255,18 +255,13 @@ bool vtkWaterFrame::IsWorthWaiting(const std::vector<vtkWaterSource*>& sheets)
 {
   // What was seen in the last frame is the best guess at what is seen in this one. A wrong guess
   // costs time and shows nothing.
-  vtkIdType visible = 0;
+  double visible = 0.0;
   for (vtkWaterSource* water : sheets)
   {
     const vtkIdType samples = this->GetSamples(*water);
-    if (samples < 0)
-    {
-      return false;
-    }
-    visible += samples;
+    visible = samples < 0 || visible < 0.0 ? -1.0 : visible + static_cast<double>(samples);
   }
-  return sheets.front()->GetOwnReflection().ShouldWait(
-    this->Renderer, static_cast<double>(visible));
+  return sheets.front()->GetOwnReflection().ShouldWait(this->Renderer, visible, this->IsSoftware());
 }
 
 //------------------------------------------------------------------------------

@@ -158,10 +158,10 @@ vtkWaterGpuQueries* vtkWaterReflection::GetGpuQueries(vtkRenderer* renderer)
 }
 
 //------------------------------------------------------------------------------
-bool vtkWaterReflection::ShouldWait(vtkRenderer* renderer, double visible_px)
+bool vtkWaterReflection::ShouldWait(vtkRenderer* renderer, double visible_px, bool isSoftware)
 {
   return water_plan_should_wait(
-    &this->GetView(renderer)->DrawnPlan, visible_px, this->Settings.skips);
+    &this->GetView(renderer)->DrawnPlan, visible_px, isSoftware, this->Settings.skips);
 }
 
 //------------------------------------------------------------------------------

@@ -93,7 +93,7 @@ public:
   vtkWaterGpuQueries* GetGpuQueries(vtkRenderer* renderer);
 
   // Should the next mirrored view wait for the main one? By how much of the water was seen.
-  bool ShouldWait(vtkRenderer* renderer, double visible_px);
+  bool ShouldWait(vtkRenderer* renderer, double visible_px, bool isSoftware);
 
   // Of the last mirrored view; nullptr before the first.
   vtkTextureObject* GetColor();

@@ -91,7 +91,7 @@ vtkWaterClusters::vtkWaterClusters()
     if (vtkWaterAccess::PolyDataMapper::AreTrianglesNext(
           static_cast<vtkOpenGLPolyDataMapper*>(mapper)))
     {
-      self->DrawnRuns->Draw(self->Own);
+      self->DrawnRuns->Draw(self->Own, self->HasClipDistance);
     }
   });
 }
@@ -308,6 +308,7 @@ void vtkWaterClusters::Give(
   Mesh* mesh = this->UpdateMesh(mapper, actor, plan.is_software);
   if (mesh && !plan.is_software)
   {
+    this->HasClipDistance = program->IsUniformUsed("waterClipPosition");
     this->GiveRuns(plan, mapper, actor, *mesh);
     return;
   }

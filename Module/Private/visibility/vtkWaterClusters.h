@@ -106,6 +106,7 @@ private:
   vtkSmartPointer<vtkOpenGLIndexBufferObject> Own;
   vtkSmartPointer<vtkCallbackCommand> Drawer; // of runs, while a mapper has it
   const vtkWaterRuns* DrawnRuns = nullptr;    // by it; nullptr: none
+  bool HasClipDistance = false;               // the program that draws them
 };
 
 #endif

@@ -2,6 +2,7 @@
 #include "vtkWaterRuns.h"
 
 #include "vtkOpenGLIndexBufferObject.h"
+#include "vtkWaterClipDistance.h"
 #include "vtkWaterGL.h"
 
 #include <algorithm>
@@ -24,7 +25,8 @@ void vtkWaterRuns::Read(
     return;
   }
   this->Mesh.boxes = reinterpret_cast<double(*)[6]>(this->Boxes.data()); // of std::array<double, 6>
-  this->Runs.resize(this->Mesh.leaf_count / 2 + 1);
+  this->Places.resize(this->Mesh.leaf_count);
+  this->Runs.resize(this->Mesh.leaf_count);
   water_runs_begin(&this->Mesh);
   std::vector<uint32_t> indices;
   GLint bound = 0;
@@ -50,14 +52,14 @@ void vtkWaterRuns::Read(
 //------------------------------------------------------------------------------
 bool vtkWaterRuns::Select(const water_clusters_view& view)
 {
-  const size_t count = water_runs_select(&view, &this->Mesh, this->Runs.data());
-  if (count == 1 && this->Runs[0].count == this->Mesh.triangle_count)
+  this->RunCount = water_runs_select(&view, &this->Mesh, this->Places.data(), this->Runs.data());
+  if (this->RunCount == 1 && this->Runs[0].count == this->Mesh.triangle_count)
   {
     return false;
   }
   this->Counts.clear();
   this->Offsets.clear();
-  for (size_t i = 0; i < count; ++i)
+  for (size_t i = 0; i < this->RunCount; ++i)
   {
     this->Counts.push_back(static_cast<int>(3 * this->Runs[i].count));
     this->Offsets.push_back(
@@ -67,9 +69,30 @@ bool vtkWaterRuns::Select(const water_clusters_view& view)
 }
 
 //------------------------------------------------------------------------------
-void vtkWaterRuns::Draw(vtkOpenGLIndexBufferObject* buffer) const
+void vtkWaterRuns::Draw(vtkOpenGLIndexBufferObject* buffer, bool hasClipDistance) const
 {
+  vtkWaterClipDistance clipDistance;
   buffer->Bind();
-  glMultiDrawElements(GL_TRIANGLES, this->Counts.data(), GL_UNSIGNED_INT, this->Offsets.data(),
-    static_cast<GLsizei>(this->Counts.size()));
+  bool isOn = hasClipDistance;
+  for (size_t first = 0; first < this->RunCount;)
+  {
+    const bool isCut = this->Runs[first].is_cut;
+    size_t end = first + 1;
+    while (end < this->RunCount && this->Runs[end].is_cut == isCut)
+    {
+      ++end;
+    }
+    if (hasClipDistance && isOn != isCut)
+    {
+      isCut ? clipDistance.On() : clipDistance.Off();
+      isOn = isCut;
+    }
+    glMultiDrawElements(GL_TRIANGLES, this->Counts.data() + first, GL_UNSIGNED_INT,
+      this->Offsets.data() + first, static_cast<GLsizei>(end - first));
+    first = end;
+  }
+  if (hasClipDistance && !isOn)
+  {
+    clipDistance.On();
+  }
 }

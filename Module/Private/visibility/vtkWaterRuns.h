@@ -7,6 +7,7 @@
 #include "water_runs.h"
 
 #include <array>
+#include <cstdint>
 #include <vector>
 
 class vtkDataArray;
@@ -23,13 +24,16 @@ public:
   // Chooses what is drawn in a view. false: all of it.
   bool Select(const water_clusters_view& view);
 
-  // Draws what was chosen. All else that a draw needs is bound.
-  void Draw(vtkOpenGLIndexBufferObject* buffer) const;
+  // Draws what was chosen. All else that a draw needs is bound, and the clip distance is on if the
+  // program has one; so it is afterwards.
+  void Draw(vtkOpenGLIndexBufferObject* buffer, bool hasClipDistance) const;
 
 private:
   water_runs_mesh Mesh = water_runs_mesh(); // points into Boxes
   std::vector<std::array<double, 6>> Boxes;
+  std::vector<uint8_t> Places;
   std::vector<water_run> Runs;
+  size_t RunCount = 0;
   std::vector<int> Counts; // of indices, for GL
   std::vector<const void*> Offsets;
 };
