@@ -51,7 +51,7 @@ def height_field(x, y, z, base):
         np.stack([corner, corner + a, corner + b], axis=1)
         for a, b in ((1, columns + 1), (columns + 1, columns))
     )
-    return _mesh(
+    return mesh(
         np.stack([*np.meshgrid(x, y), z], axis=-1).reshape(-1, 3),
         np.concatenate([first, second]),
         normal.reshape(-1, 3),
@@ -59,7 +59,7 @@ def height_field(x, y, z, base):
     )
 
 
-def _mesh(points, triangles, normals, rgb):
+def mesh(points, triangles, normals, rgb):
     data = vtkPolyData()
     data.SetPoints(vtkPoints())
     data.GetPoints().SetData(
@@ -180,9 +180,9 @@ def things(count, low, high, size):
     return made
 
 
-def plume(is_mirrored=False):
-    """A volume that rises and bends; or its mirror image under z = 0."""
-    z, y, x = np.meshgrid(*[np.linspace(-1, 1, PLUME_SIZE)] * 3, indexing="ij")
+def plume(is_mirrored=False, size=PLUME_SIZE):
+    """A volume of size^3 voxels that rises and bends; or its mirror image under z = 0."""
+    z, y, x = np.meshgrid(*[np.linspace(-1, 1, size)] * 3, indexing="ij")
     height = 0.5 * (z + 1)
     width = 0.12 + 0.45 * height
     away = ((x - 0.6 * height**2 + 0.2) ** 2 + (y - 0.1 * np.sin(6 * height)) ** 2) / width**2
@@ -195,8 +195,8 @@ def plume(is_mirrored=False):
     if is_mirrored:
         smoke = smoke[::-1]
     image = vtkImageData()
-    image.SetDimensions(PLUME_SIZE, PLUME_SIZE, PLUME_SIZE)
-    step = 6.0 / (PLUME_SIZE - 1)
+    image.SetDimensions(size, size, size)
+    step = 6.0 / (size - 1)
     image.SetSpacing(step, step, step)
     image.SetOrigin(-3, 0, -6.1 if is_mirrored else 0.1)
     image.GetPointData().SetScalars(numpy_to_vtk(smoke.astype(np.uint8).ravel(), deep=True))

@@ -1,0 +1,214 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""gpu_frames: what water costs where a GPU is busy: large meshes, many props, large pictures.
+
+    script/gpu benchmark                          all frames: some minutes
+    script/gpu benchmark --skips                  and each skip against the same frame without it
+    script/gpu benchmark --only-skips             the latter alone
+    script/gpu benchmark --scenes '2 M' --kinds calm sines
+    script/gpu benchmark --quick                  small everything: does it run?
+
+Writes benchmarks-gpu.json into $OUT or --folder; kept as Documentation/benchmarks-gpu.json, `gpu` puts
+it into the report. Exit status 1: a limit was exceeded.
+
+    gpu_scenes    what is drawn
+    gpu_kinds     without water, with each water, and what a user could do in its place
+    gpu_rounds    frames that take turns
+    gpu_clock     the GPU's own time
+    gpu_limits    what is allowed
+"""
+
+import argparse
+import json
+import os
+import pathlib
+import sys
+import time
+
+PROJECT = pathlib.Path(__file__).resolve().parents[2]
+sys.path.append(str(PROJECT / "Utilities" / "Accuracy"))  # report
+sys.path.append(str(PROJECT / "Testing" / "Python"))  # water_test
+
+import gpu_kinds  # noqa: E402  after their paths
+import gpu_limits  # noqa: E402
+import gpu_rounds  # noqa: E402
+import gpu_scenes  # noqa: E402
+import machine  # noqa: E402
+import numpy as np  # noqa: E402
+import water_test as wt  # noqa: E402
+from gpu_clock import Clock  # noqa: E402
+from gpu_kinds import CALM, COPIES, HALF, LAKE, MOVING, OCEAN, PLAIN, SECOND_PASS, SINES, TIME  # noqa: E402
+from gpu_rounds import Shot  # noqa: E402
+from vtkwater import vtkWaterReflectionPass  # noqa: E402
+
+WATERS = (CALM, HALF, SINES, LAKE, OCEAN)
+ALL = {MOVING: (PLAIN, SECOND_PASS, *WATERS), TIME: (PLAIN, *WATERS)}
+FEW = {MOVING: (PLAIN, SECOND_PASS, CALM, HALF, SINES)}
+SHOTS = {
+    "2 M": {MOVING: (*ALL[MOVING], COPIES, *gpu_kinds.UNSEEN), TIME: ALL[TIME]},
+    "18 M": {MOVING: ALL[MOVING]},
+    "1,000 props": ALL,
+}
+SKIPPED = {MOVING: (CALM, SINES), TIME: (CALM,)}
+SKIP_SCENES = ("2 M", "18 M", "1,000 props")
+SKIPS = ("UNSEEN_WATER", "HIDDEN_WATER", "FAINT_WATER", "UNCHANGED_VIEWS", "SHARED_VIEWS", "PROPS",
+         "PIECES", "PIXELS")
+ROUNDS, QUICK_ROUNDS = 60, 4
+BUDGET_S, QUICK_BUDGET_S = 22.0, 3.0  # a scene's frames, and its skips'
+WAKE_S = 2.0  # of frames before a scene's first round: an idle GPU raises its clock only then
+
+
+def arguments_of():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    names = list(gpu_scenes.scenes(False))
+    parser.add_argument("--scenes", nargs="+", choices=names, default=names)
+    parser.add_argument("--kinds", nargs="+", choices=[*gpu_kinds.TEXTS], help="beside no water")
+    parser.add_argument("--rounds", type=int, help=f"at most; {ROUNDS}, or what {BUDGET_S:g} s allow")
+    parser.add_argument("--budget", type=float, help="s of measuring a scene; it sets up longer")
+    parser.add_argument("--skips", action="store_true", help="measure each skip, too")
+    parser.add_argument("--only-skips", action="store_true", help="and nothing else")
+    parser.add_argument("--quick", action="store_true", help="small scenes, few rounds: does it run?")
+    parser.add_argument("--pictures", action="store_true", help="write a picture of each kind, too")
+    parser.add_argument("--folder", type=pathlib.Path, default=os.environ.get("OUT") or
+                        PROJECT / "build" / "benchmark")
+    arguments = parser.parse_args()
+    arguments.rounds = arguments.rounds or (QUICK_ROUNDS if arguments.quick else ROUNDS)
+    arguments.budget = arguments.budget or (QUICK_BUDGET_S if arguments.quick else BUDGET_S)
+    arguments.wake = 0.0 if arguments.quick else WAKE_S
+    return arguments
+
+
+def shots_of(scene, wanted):
+    return [
+        Shot(kind, motion)
+        for motion, kinds in SHOTS.get(scene, FEW).items()
+        for kind in kinds
+        if kind == PLAIN or not wanted or kind in wanted
+    ]
+
+
+def skip_shots(wanted):
+    """(skip's name, shot) for calm water and sines; of no name: with all skips."""
+    every = vtkWaterReflectionPass.SKIP_ALL
+    return [
+        (skip, Shot(kind, motion, every & ~int(getattr(vtkWaterReflectionPass, skip)) if skip else every))
+        for motion, kinds in SKIPPED.items()
+        for kind in kinds
+        if not wanted or kind in wanted
+        for skip in ("", *SKIPS)
+    ]
+
+
+def row_of(section, scene, shot, base):
+    low, median, high = np.percentile(shot.times, (25, 50, 75))
+    ratio_low, ratio, ratio_high = gpu_rounds.ratios(shot, base)
+    return {
+        "section": section,
+        "scene": scene.name,
+        "motion": shot.motion,
+        "kind": shot.kind,
+        "width": scene.size[0],
+        "height": scene.size[1],
+        "rounds": len(shot.times),
+        "median_ms": median,
+        "q1_ms": low,
+        "q3_ms": high,
+        "work_ms": float(np.median(shot.works)),
+        "ratio": ratio,
+        "ratio_q1": ratio_low,
+        "ratio_q3": ratio_high,
+        **{name: None if value != value else value for name, value in shot.said.items()},
+    }
+
+
+def say(row):
+    name = f"{row['motion']}, {row['kind']}" + (f", {row['skip'] or 'all skips'}" if "skip" in row else "")
+    extra = "".join(
+        f"  {key[:-3]} {row[key]:.2f}"
+        for key in ("work_ms", "gpu_ms", "gather_ms", "plan_ms", "reflection_ms", "surface_ms")
+        if row.get(key) is not None
+    )
+    print(f"  {name:34} {row['median_ms']:8.2f} ms  {row['ratio']:.3f} ({row['ratio_q1']:.3f} to "
+          f"{row['ratio_q3']:.3f}){extra}  {row.get('decision', '')}", flush=True)
+
+
+def measure_frames(stage, arguments, clock):
+    shots = shots_of(stage.scene.name, arguments.kinds)
+    gpu_rounds.measure(stage, shots, arguments.rounds, arguments.budget, arguments.wake)
+    gpu_rounds.ask(stage, shots, clock)
+    by_name = {(shot.motion, shot.kind): shot for shot in shots}
+    for shot in shots:
+        row = row_of("frames", stage.scene, shot, by_name[shot.motion, PLAIN])
+        for name, other in (("over_calm", CALM), ("over_second_pass", SECOND_PASS)):
+            if (shot.motion, other) in by_name and other != shot.kind:
+                row[name] = gpu_rounds.ratios(shot, by_name[shot.motion, other])[1]
+        if shot.kind in gpu_kinds.UNSEEN:
+            row["pixels"] = int((picture(stage, shot.kind) != picture(stage, PLAIN)).any(axis=2).sum())
+        say(row)
+        yield row
+
+
+def measure_skips(stage, arguments):
+    named = skip_shots(arguments.kinds)
+    gpu_rounds.measure(stage, [shot for _, shot in named], arguments.rounds, arguments.budget,
+                       arguments.wake)
+    for skip, shot in named:
+        whole = next(other for name, other in named
+                     if not name and (other.kind, other.motion) == (shot.kind, shot.motion))
+        row = row_of("skips", stage.scene, shot, shot)
+        row["skip"] = skip
+        row["ratio_q1"], row["ratio"], row["ratio_q3"] = gpu_rounds.ratios(whole, shot)
+        say(row)
+        yield row
+
+
+def picture(stage, name):
+    kind = stage.choose(name)
+    for turn in range(gpu_rounds.SETTLING, -1, -1):
+        kind.step(MOVING, turn)
+        stage.window.Render()
+    return stage.view.shown()
+
+
+def save_pictures(stage, folder):
+    for name in gpu_kinds.TEXTS:
+        if name != COPIES or stage.scene.name == "2 M":
+            wt.save(picture(stage, name), folder / f"{stage.scene.name}, {name}.png".replace(" ", "_"))
+
+
+def main():
+    arguments = arguments_of()
+    arguments.folder = pathlib.Path(arguments.folder)
+    arguments.folder.mkdir(parents=True, exist_ok=True)
+    found = machine.describe()
+    print(*(f"{name}: {value}" for name, value in found.items()), sep="\n", flush=True)
+    scenes, rows = gpu_scenes.scenes(arguments.quick), []
+    for name in arguments.scenes:
+        begin = time.perf_counter()
+        print(f"{name}: {scenes[name].text}", flush=True)
+        view = wt.View(scenes[name].size)
+        view.renderer.DrawOff()
+        stage = gpu_kinds.Stage(view, scenes[name])
+        stage.choose(PLAIN)
+        view.window.Render()
+        if not arguments.only_skips:
+            rows += measure_frames(stage, arguments, Clock(view.window))
+        if (arguments.skips or arguments.only_skips) and name in SKIP_SCENES:
+            rows += measure_skips(stage, arguments)
+        if arguments.pictures:
+            save_pictures(stage, arguments.folder)
+        stage.close()
+        print(f"  {time.perf_counter() - begin:.0f} s", flush=True)
+
+    limits = gpu_limits.check(rows)
+    for limit in limits:
+        print("{figure}: {value} (limit {limit}) {verdict}".format(**limit))
+    path = arguments.folder / "benchmarks-gpu.json"
+    texts = {"scenes": {name: scene.text for name, scene in scenes.items()}, "kinds": gpu_kinds.TEXTS}
+    path.write_text(json.dumps({"machine": found, "quick": arguments.quick, **texts, "limits": limits,
+                                "rows": rows}, indent=1, default=float) + "\n")
+    print(path)
+    return 1 if any(limit["verdict"] == "over" for limit in limits) else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,147 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""gpu_kinds: the kinds of frames of a scene: without water, with each water, and what a user could do.
+
+Each kind has a renderer of its own over the scene's props, all in one window; but the one whose turn
+it is, none draws. A renderer that left the window instead would take its props' buffers with it.
+"""
+
+from dataclasses import dataclass
+
+import gpu_scenes
+import kinds
+import water_test as wt
+import wave_scenes
+from vtkmodules.vtkFiltersSources import vtkPlaneSource
+from vtkmodules.vtkRenderingCore import vtkCamera, vtkRenderer, vtkVolume
+from vtkwater import vtkWaterActor
+
+PLAIN, SECOND_PASS, COPIES = "no water", "second pass", "mirrored copies"
+CALM, HALF, SINES, LAKE, OCEAN = "calm", "calm, half", "sines", "lake", "ocean"
+OUT_OF_VIEW, HIDDEN, FACING_AWAY = "out of view", "hidden", "facing away"
+UNSEEN = (OUT_OF_VIEW, HIDDEN, FACING_AWAY)
+MOVING, TIME = "moving", "time"
+STEP_S = 0.04  # s of the water's time from frame to frame
+
+TEXTS = {
+    PLAIN: "the scene",
+    SECOND_PASS: "the scene, and before it the scene from a mirrored camera, by a renderer of its own: "
+                 "what any user could write, and nothing looks it up",
+    COPIES: "the scene, its mirror image as an actor, and a translucent plane between them",
+    CALM: "calm water",
+    HALF: "calm water, TextureScale 0.5",
+    SINES: "three sines, ray traced",
+    LAKE: 'the preset "lake"',
+    OCEAN: 'the preset "ocean wind 5"',
+    OUT_OF_VIEW: "water behind the eye",
+    HIDDEN: "water inside a hill",
+    FACING_AWAY: "water seen from its culled side",
+}
+
+
+@dataclass
+class Kind:
+    """A kind of frame: the renderers that draw it, and the water in them."""
+
+    name: str
+    renderers: list
+    water: object = None
+
+    def stand(self, turn):
+        """A place on the camera's path: the same for the same turn, whoever goes there."""
+        for i, renderer in enumerate(self.renderers):
+            side = -1 if i + 1 < len(self.renderers) else 1  # all but the last one are mirrored
+            camera = renderer.GetActiveCamera()
+            camera.SetViewUp(0, 0, side)
+            x, y, z = gpu_scenes.TARGET
+            camera.SetFocalPoint(x, y, side * z)
+            x, y, z = gpu_scenes.EYE
+            camera.SetPosition(x, y, side * z)
+            camera.Azimuth(side * gpu_scenes.TURN * (turn % gpu_scenes.TURNS))
+            camera.SetClippingRange(0.25, gpu_scenes.FAR)
+
+    def step(self, motion, turn):
+        self.stand(turn if motion == MOVING else 0)
+        if self.water:
+            self.water.SetTime(STEP_S * turn)
+
+
+class Stage:
+    """A scene in the window, and its kinds of frames as they are asked for."""
+
+    def __init__(self, view, scene):
+        self.view, self.window, self.scene = view, view.window, scene
+        self.props = scene.make()
+        self._kinds = {}
+
+    def close(self):
+        for kind in self._kinds.values():
+            for renderer in kind.renderers:
+                self.window.RemoveRenderer(renderer)
+        self._kinds.clear()
+
+    def kind(self, name):
+        if name not in self._kinds:
+            self._kinds[name] = self._make(name)
+        return self._kinds[name]
+
+    def choose(self, name):
+        """The next frames are of this kind."""
+        chosen = self.kind(name)
+        for kind in self._kinds.values():
+            for renderer in kind.renderers:
+                renderer.SetDraw(kind is chosen)
+        return chosen
+
+    def _renderer(self):
+        renderer = vtkRenderer()
+        renderer.SetBackground(wave_scenes.SKY)
+        for prop in self.props:
+            renderer.AddVolume(prop) if isinstance(prop, vtkVolume) else renderer.AddActor(prop)
+        camera = vtkCamera()
+        camera.SetViewAngle(gpu_scenes.ANGLE)
+        renderer.SetActiveCamera(camera)
+        self.scene.prepare(renderer)
+        self.window.AddRenderer(renderer)
+        return renderer
+
+    def _make(self, name):
+        renderers = [self._renderer() for _ in range(2 if name == SECOND_PASS else 1)]
+        if name == COPIES:
+            self._add_copies(renderers[0])
+        if name in (PLAIN, SECOND_PASS, COPIES):
+            return Kind(name, renderers)
+        water = vtkWaterActor()
+        water.SetSheetBounds(*gpu_scenes.SHEET)
+        renderers[0].AddActor(water)
+        _LOOKS[name](water)
+        return Kind(name, renderers, water)
+
+    def _add_copies(self, renderer):
+        for prop in self.props:
+            renderer.AddActor(gpu_scenes.mirrored(prop))
+        low_x, high_x, low_y, high_y = gpu_scenes.SHEET
+        source = vtkPlaneSource()
+        source.SetOrigin(low_x, low_y, 0)
+        source.SetPoint1(high_x, low_y, 0)
+        source.SetPoint2(low_x, high_y, 0)
+        source.Update()
+        sheet = gpu_scenes.actor_of(source.GetOutput(), (0.1, 0.3, 0.5))
+        sheet.GetProperty().SetOpacity(0.5)
+        renderer.AddActor(sheet)
+
+
+def _face_away(water):
+    water.SetPlane(wt.plane((0, 0, 0), (0, 0, -1)))
+    water.GetProperty().BackfaceCullingOn()
+
+
+_LOOKS = {
+    CALM: lambda water: None,
+    HALF: lambda water: water.GetReflectionPass().SetTextureScale(0.5),
+    SINES: lambda water: kinds.set_waves(water, kinds.WAVES),
+    LAKE: lambda water: water.GetWaterProperty().SetPreset("lake"),
+    OCEAN: lambda water: water.GetWaterProperty().SetPreset("ocean wind 5"),
+    OUT_OF_VIEW: lambda water: water.SetSheetBounds(*gpu_scenes.behind_the_eye()),
+    HIDDEN: lambda water: water.SetSheetBounds(*gpu_scenes.inside_a_hill()),
+    FACING_AWAY: _face_away,
+}

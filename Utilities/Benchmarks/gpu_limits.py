@@ -1,0 +1,46 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""gpu_limits: what water may cost on a GPU, as ratios, and whether the rows of gpu_frames keep to it."""
+
+from gpu_kinds import CALM, FACING_AWAY, HALF, HIDDEN, LAKE, MOVING, OCEAN, OUT_OF_VIEW, SINES, TIME
+
+# Frame with water / frame without.
+FRAMES = {
+    ("2 M", MOVING): {CALM: 1.5, SINES: 1.8, LAKE: 2.2, OCEAN: 2.2, OUT_OF_VIEW: 1.02, HIDDEN: 1.02,
+                      FACING_AWAY: 1.02},
+    ("2 M", TIME): {CALM: 1.03, HALF: 1.03, SINES: 1.3, LAKE: 1.6, OCEAN: 1.6},
+    ("18 M", MOVING): {CALM: 1.4, SINES: 1.6, LAKE: 1.9, OCEAN: 1.9},
+    ("1,000 props", MOVING): {CALM: 1.6, SINES: 1.8, LAKE: 2.1, OCEAN: 2.1},
+    ("1,000 props", TIME): {CALM: 1.06, HALF: 1.06, SINES: 1.2, LAKE: 1.4, OCEAN: 1.4},
+}
+# A kind / another one of the same scene and motion.
+HALF_OVER_CALM = 1.0
+CALM_OVER_SECOND_PASS = 1.0
+SKIP = 1.03  # all skips / all but one
+PIXELS = 0  # that unseen water changes
+
+
+def check(rows):
+    """Figures with their limits, as the report shows them."""
+    found = []
+
+    def add(figure, value, limit, digits=3):
+        if value is not None:
+            found.append({"figure": figure, "value": f"{value:.{digits}f}", "limit": f"<= {limit:g}",
+                          "verdict": "ok" if value <= limit else "over"})
+
+    for row in rows:
+        scene, motion, kind = row["scene"], row["motion"], row["kind"]
+        title = f"{scene}, {motion}: {kind}"
+        if row["section"] == "skips":
+            if row["skip"]:
+                add(f"{title}, with {row['skip']} / without", row["ratio"], SKIP)
+            continue
+        limit = FRAMES.get((scene, motion), {}).get(kind)
+        if limit:
+            add(f"{title} / no water", row["ratio"], limit)
+        if motion == MOVING and kind == HALF:
+            add(f"{title} / calm", row.get("over_calm"), HALF_OVER_CALM)
+        if motion == MOVING and kind == CALM:
+            add(f"{title} / second pass", row.get("over_second_pass"), CALM_OVER_SECOND_PASS)
+        add(f"{title}: pixels that it changes", row.get("pixels"), PIXELS, 0)
+    return found
