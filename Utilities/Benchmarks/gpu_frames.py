@@ -54,6 +54,7 @@ SKIPS = ("UNSEEN_WATER", "HIDDEN_WATER", "FAINT_WATER", "UNCHANGED_VIEWS", "SHAR
          "PIECES", "PIXELS")
 ROUNDS, QUICK_ROUNDS = 60, 4
 BUDGET_S, QUICK_BUDGET_S = 22.0, 3.0  # a scene's frames, and its skips'
+SHEET_WIDTH, SHEET_COLUMNS = 480, 3  # of a sheet of pictures: px of one, how many in a row
 WAKE_S = 2.0  # of frames before a scene's first round: an idle GPU raises its clock only then
 
 
@@ -67,7 +68,7 @@ def arguments_of():
     parser.add_argument("--skips", action="store_true", help="measure each skip, too")
     parser.add_argument("--only-skips", action="store_true", help="and nothing else")
     parser.add_argument("--quick", action="store_true", help="small scenes, few rounds: does it run?")
-    parser.add_argument("--pictures", action="store_true", help="write a picture of each kind, too")
+    parser.add_argument("--pictures", action="store_true", help="write a sheet of pictures a scene, too")
     parser.add_argument("--folder", type=pathlib.Path, default=os.environ.get("OUT") or
                         PROJECT / "build" / "benchmark")
     arguments = parser.parse_args()
@@ -170,9 +171,13 @@ def picture(stage, name):
 
 
 def save_pictures(stage, folder):
-    for name in gpu_kinds.TEXTS:
-        if name != COPIES or stage.scene.name == "2 M":
-            wt.save(picture(stage, name), folder / f"{stage.scene.name}, {name}.png".replace(" ", "_"))
+    """One sheet of small pictures, in the order of the kinds' names."""
+    names = [name for name in gpu_kinds.TEXTS if name != COPIES or stage.scene.name == "2 M"]
+    coarse = max(1, stage.scene.size[0] // SHEET_WIDTH)
+    small = [picture(stage, name)[::coarse, ::coarse] for name in names]
+    small += [np.zeros_like(small[0])] * (-len(small) % SHEET_COLUMNS)
+    rows = [np.hstack(small[i:i + SHEET_COLUMNS]) for i in range(0, len(small), SHEET_COLUMNS)]
+    wt.save(np.vstack(rows[::-1]), folder / f"{stage.scene.name.replace(' ', '-').replace(',', '')}.png")
 
 
 def main():

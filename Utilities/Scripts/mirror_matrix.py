@@ -2,15 +2,18 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Writes Documentation/mirror-matrix.md out of what the tests with the label matrix left in build trees.
 
-usage: mirror_matrix.py BUILD...     e.g. mirror_matrix.py build/system build/wheel
+usage: mirror_matrix.py [--out FILE] FOLDER...     e.g. mirror_matrix.py build/system build/wheel
 """
 
+import argparse
 import json
 import pathlib
 import sys
 
 ROWS = ("Surfaces", "Props", "Labels", "Blending", "Light", "View", "Window", "Passes", "Background", "Waters",
         "WaterInWater", "BadInput")
+PLACES = ("Testing/Temporary*/", "")  # in a build tree, or a folder that is a test's own
+PAGE = pathlib.Path(__file__).resolve().parents[2] / "Documentation" / "mirror-matrix.md"
 HEAD = """# What stands right in the water
 
 *Written by `script/matrix`; every number in it is measured. To change the words, change `Testing/Python/Matrix`.*
@@ -32,7 +35,8 @@ def read(folders):
     """{test: (row, {cell: {version: [results]}})} and the versions, in their order."""
     tests, versions = {}, []
     for folder in folders:
-        for path in sorted(pathlib.Path(folder).glob("Testing/Temporary*/mirror-matrix/*/*/cells.json")):
+        found = [path for pattern in PLACES for path in pathlib.Path(folder).glob(f"{pattern}mirror-matrix/*/*/cells.json")]
+        for path in sorted(found):
             result = json.loads(path.read_text())
             version = result["vtk"]
             if version not in versions:
@@ -65,7 +69,7 @@ def why(by_version, versions):
     return " ".join(sorted(texts))
 
 
-def main(folders):
+def main(folders, page):
     tests, versions = read(folders)
     missing = [name for name in ROWS if f"TestMatrix{name}" not in tests]
     if missing or not versions:
@@ -86,12 +90,13 @@ def main(folders):
             exact += all(result.get("percent", 0) <= 0.05 and result.get("holds", True) for result in results)
         lines.append("")
     lines.insert(1, f"**{total} cells, {exact} of them within 0.05 % or true on every VTK.**\n")
-    path = pathlib.Path(__file__).resolve().parents[2] / "Documentation" / "mirror-matrix.md"
-    path.write_text("\n".join(lines).rstrip() + "\n")
-    print(f"mirror_matrix: {path.name}: {total} cells, {exact} exact or true on every VTK")
+    page.write_text("\n".join(lines).rstrip() + "\n")
+    print(f"mirror_matrix: {page.name}: {total} cells, {exact} exact or true on every VTK")
 
 
 if __name__ == "__main__":
-    if len(sys.argv) < 2:
-        sys.exit(__doc__.strip())
-    main(sys.argv[1:])
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("folders", nargs="+", help="build trees, or folders that tests wrote into")
+    parser.add_argument("--out", type=pathlib.Path, default=PAGE, help="the page to write")
+    arguments = parser.parse_args()
+    main(arguments.folders, arguments.out)
