@@ -8,17 +8,12 @@ import matplotlib
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402  after the choice of its backend
-import water_test as wt  # noqa: E402
+from driver import driver  # noqa: E402
+from tables import table  # noqa: E402
 from vtkmodules.vtkCommonCore import vtkVersion  # noqa: E402
 
 plt.rcParams.update({"font.size": 9, "axes.grid": True, "grid.alpha": 0.3, "axes.spines.top": False,
                      "axes.spines.right": False, "legend.frameon": False, "figure.constrained_layout.use": True})
-
-
-def table(header, rows):
-    """A table in Markdown; numbers are to be formatted already."""
-    lines = ["| " + " | ".join(cells) + " |" for cells in (header, *rows)]
-    return "\n".join([lines[0], "|---" * len(header) + "|", *lines[1:]])
 
 
 class Report:
@@ -71,13 +66,3 @@ class Report:
         path = self._folder / f"{self._name}.md"
         path.write_text(text.rstrip() + "\n")
         print(f"the report: {path}")
-
-
-def driver():
-    """The renderer's name."""
-    view = wt.View((8, 8))
-    view.picture()
-    for line in view.window.ReportCapabilities().splitlines():
-        if line.startswith("OpenGL renderer string:"):
-            return line.split(":", 1)[1].strip()
-    return "an unnamed OpenGL renderer"

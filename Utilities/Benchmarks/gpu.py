@@ -1,98 +1,148 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""gpu: what an earlier run on a GPU found, kept in Documentation/benchmarks-gpu.json.
+"""gpu: what gpu_frames found on a GPU, kept in Documentation/benchmarks-gpu.json, as a section of the report.
 
-The machine that writes the report need not have a GPU. On one that has:
+The machine that writes the report need not have a GPU. On one that has, with a network or without:
 
-    export WATER_BENCHMARK_WAKE=2 VTK_DEFAULT_OPENGL_WINDOW=vtkEGLRenderWindow
-    script/benchmark --only ratios draws bound matrix scaling
-    cp build/benchmark/benchmarks.json Documentation/benchmarks-gpu.json
+    script/gpu pack                     where there is a network; carry build/gpu/pack.tar.xz along
+    script/gpu benchmark --skips        there; copy its benchmarks-gpu.json to Documentation
+    python3 Utilities/Benchmarks/gpu.py puts it into Documentation/benchmarks.md, whose other sections stay
 """
 
 import json
 import pathlib
+import string
+import sys
 
-from instruments import text
-from report import table
+DOCUMENTATION = pathlib.Path(__file__).resolve().parents[2] / "Documentation"
+sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / "Accuracy"))  # tables
 
-KEPT = pathlib.Path(__file__).resolve().parents[2] / "Documentation" / "benchmarks-gpu.json"
-SCALES = (1.0, 0.5)
-STEPS = ("no water", "calm water", "FIXED_OFFSET", "RAY_TRACED default")
-PHASES = ("gather_ms", "plan_ms", "reflection_ms", "surface_ms")
+from instruments import text  # noqa: E402  after its path
+from tables import table  # noqa: E402
+
+KEPT = DOCUMENTATION / "benchmarks-gpu.json"
+TITLE = "On a GPU"
+PLAIN, MOVING = "no water", "moving"
+MOTIONS = {MOVING: "The camera moves, and time", "time": "Nothing moves but time"}
+PHASES = ("work_ms", "gpu_ms", "gather_ms", "plan_ms", "reflection_ms", "surface_ms")
 
 TEXT = """
-The same frames, measured earlier on a $renderer ($window, VTK $vtk, $cpu, $cores cores).
+$note Measured on a $renderer ($window, VTK $vtk, $cpu, $cores cores) by `script/gpu benchmark --skips`
+(`Utilities/Benchmarks/gpu_frames.py`), in one window whose kinds of frames take turns in another random order
+in every round: three frames that settle the change, then four that count. Ratios are those of medians within a
+round to the same scene without water; in brackets the quartiles of all rounds.
 
-$groups
+$scenes
 
-The limits above are on ratios whatever draws the frames; here they came out like this:
+$kinds
+
+$frames
+
+Where the time goes, the camera moving: what all threads of the processor worked; on the GPU from the first
+command of a frame to the last, its waiting for the next command included; of these, reading the scene, planning
+(processor), the mirrored view and the surface (GPU). ms, of frames that were not timed.
+
+$phases
+
+$skips
+Limits:
 
 $limits
+"""
 
-The matrix, the camera moving. Gather and plan are times of the processor; reflection and surface
-pass on the GPU between the first command and the last, its waiting for the next command included.
-These four are of one frame, all others are medians.
+SKIPS = """A frame with all skips / the same frame without one of them, in the same round: under 1 it pays.
 
-$matrix
+$table
 """
 
 
-def _ms(row, name="median_ms"):
-    value = row.get(name)
-    return "" if value is None else text(value, "{:.2f}")
+def _spread(row):
+    return f"{row['ratio']:.2f} ({row['ratio_q1']:.2f} to {row['ratio_q3']:.2f})"
 
 
-def _time(row):
-    return f"{_ms(row)} ({_ms(row, 'q1_ms')} to {_ms(row, 'q3_ms')})"
+def _unique(values):
+    return list(dict.fromkeys(values))
 
 
-def _groups(rows):
-    return table(
-        ("group", "frame", "ms", "/ the group's first"),
-        [
-            (row["scene"], row["step"], _time(row), f"{row['ratio']:.2f}")
-            for row in rows
-            if row["section"] == "ratios"
-        ],
-    )
+def _frames(rows, motion):
+    """Kinds by scenes: ms without water, then ratios."""
+    rows = {(row["scene"], row["kind"]): row for row in rows if row["motion"] == motion}
+    scenes, kinds = _unique(scene for scene, _ in rows), _unique(kind for _, kind in rows)
+    lines = [
+        (
+            kind + (", ms" if kind == PLAIN else ""),
+            *(
+                "" if not row else text(row["median_ms"], "{:.2f}") if kind == PLAIN else _spread(row)
+                for row in (rows.get((scene, kind)) for scene in scenes)
+            ),
+        )
+        for kind in kinds
+    ]
+    return table(("kind", *scenes), lines)
 
 
-def _matrix(rows):
-    return table(
-        ("scene", "step", "scale", "ms", "/ no water", *(name[:-3] for name in PHASES)),
-        [
-            (
-                row["scene"],
-                row["step"],
-                f"{row['scale']:g}" if "scale" in row else "",
-                _time(row),
-                text(row.get("ratio", 1.0), "{:.2f}"),
-                *(_ms(row, name) for name in PHASES),
-            )
-            for row in rows
-            if row["section"] == "matrix"
-            and "median_ms" in row
-            and row["step"] in STEPS
-            and row.get("scale", 1.0) in SCALES
-        ],
-    )
+def _phases(rows):
+    lines = [
+        (row["scene"], row["kind"], *(
+            "" if row.get(name) is None else text(row[name], "{:.2f}") for name in ("median_ms", *PHASES)))
+        for row in rows if row["motion"] == MOVING
+    ]
+    return table(("scene", "kind", "frame", "work", "GPU", "gather", "plan", "reflection", "surface"), lines)
+
+
+def _skips(rows):
+    if not rows:
+        return ""
+    names = _unique(row["skip"] for row in rows if row["skip"])
+    cells = {}
+    for row in rows:
+        cells.setdefault((row["scene"], row["motion"], row["kind"]), {})[row["skip"]] = row
+    lines = [
+        (*key, *(_spread(of[name]) if name in of else "" for name in names)) for key, of in cells.items()
+    ]
+    return string.Template(SKIPS).substitute(table=table(("scene", "moves", "kind", *names), lines))
+
+
+def section():
+    """The section's text; None: nothing is kept."""
+    kept = json.loads(KEPT.read_text()) if KEPT.is_file() else {}
+    if "kinds" not in kept:
+        print(f"no {KEPT.name} of gpu_frames: the report is without a GPU")
+        return None
+    frames = [row for row in kept["rows"] if row["section"] == "frames"]
+    motions = [motion for motion in MOTIONS if any(row["motion"] == motion for row in frames)]
+    sizes = {row["scene"]: f"{row['width']} x {row['height']}" for row in kept["rows"]}
+    return string.Template(TEXT).substitute(
+        kept["machine"],
+        note="A quick run, of small scenes." if kept["quick"] else "",
+        scenes=table(("scene", "pixels", ""), [(name, size, kept["scenes"][name]) for name, size in sizes.items()]),
+        kinds=table(("kind", ""), kept["kinds"].items()),
+        frames="\n\n".join(f"**{MOTIONS[motion]}**\n\n{_frames(frames, motion)}" for motion in motions),
+        phases=_phases(frames),
+        skips=_skips([row for row in kept["rows"] if row["section"] == "skips"]),
+        limits=table(("figure", "value", "limit", ""), [
+            tuple(each[name] for name in ("figure", "value", "limit", "verdict")) for each in kept["limits"]]),
+    ).strip()
 
 
 def run(results):
-    if not KEPT.is_file():
-        print(f"no {KEPT.name}: the report is without a GPU")
-        return
-    kept = json.loads(KEPT.read_text())
-    results.add(
-        "On a GPU",
-        TEXT,
-        **kept["machine"],
-        groups=_groups(kept["rows"]),
-        limits=table(
-            ("figure", "value", "limit", ""),
-            [
-                tuple(each[name] for name in ("figure", "value", "limit", "verdict"))
-                for each in kept["limits"]
-            ],
-        ),
-        matrix=_matrix(kept["rows"]),
-    )
+    found = section()
+    if found:
+        results.add(TITLE, found.replace("$", "$$"))
+
+
+def main():
+    """Puts the section into the page that is there, in place of the one that it had."""
+    found, page = section(), DOCUMENTATION / "benchmarks.md"
+    if found is None:
+        return 1
+    before, heading, rest = page.read_text().partition(f"## {TITLE}\n")
+    _, next_heading, after = rest.partition("\n## ")
+    if not heading:
+        before = before.rstrip() + "\n\n"
+    page.write_text((f"{before}## {TITLE}\n{found}\n" + (f"{next_heading}{after}" if next_heading else "")).rstrip() + "\n")
+    print(page)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

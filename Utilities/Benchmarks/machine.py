@@ -5,7 +5,7 @@ import os
 import pathlib
 import platform
 
-from report import driver
+from driver import driver
 from vtkmodules.vtkCommonCore import vtkVersion
 
 
