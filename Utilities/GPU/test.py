@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """test: runs the Python tests in the pack's environment, several at a time, and says what failed.
 
-    script/gpu test                     all but those of NOT_HERE, and the commands of COMMANDS
+    script/gpu test                     all but those of NOT_HERE, the faults, and COMMANDS
     script/gpu test Matrix Skips        those with one of these in their names
     script/gpu test --jobs 4 --list
 
@@ -23,8 +23,9 @@ from concurrent.futures import ThreadPoolExecutor
 PROJECT = pathlib.Path(__file__).resolve().parents[2]
 TESTS = PROJECT / "Testing" / "Python"
 NOT_HERE = {"TestWaterPyVista": "PyVista is not in the pack"}
-COMMANDS = {  # the slowest first
-    "Faults": ["Utilities/Stress/faults.py"],
+FAULTS = "Utilities/Stress/faults.py"  # starts two processes for each fault: several share them
+FAULTS_A_TEST = 8
+COMMANDS = {
     "LongRun": ["Utilities/Stress/long_run.py", "--frames", "150", "--size", "64", "48"],
 }
 # As in cmake/WaterTesting.cmake.
@@ -84,6 +85,10 @@ class Test:
 
 def tests_of(output):
     found = [Test(name, arguments, output) for name, arguments in COMMANDS.items()]
+    faults = subprocess.run([sys.executable, FAULTS, "--list"], cwd=PROJECT, stdout=subprocess.PIPE, text=True,
+                            check=True).stdout.splitlines()
+    found += [Test(f"Faults{i + 1}", [FAULTS, *faults[first:first + FAULTS_A_TEST]], output)
+              for i, first in enumerate(range(0, len(faults), FAULTS_A_TEST))]
     for path in sorted(TESTS.rglob("Test*.py")):
         if path.stem not in NOT_HERE:
             arguments = ["-m", "pytest", "-s", "-q", "--tb=short", "-p", "no:cacheprovider", str(path)]

@@ -4,6 +4,7 @@ build, and forks: what a scene with water makes of them, beside the same scene w
 survive all of them; water must never make it worse.
 
     faults.py [FAULT...]
+    faults.py --list      their names
 
 Each fault is done in a process of its own, twice: dry and wet. Prints a row of Markdown for each: how the
 process ended, and whether the next picture was right (byte for byte the one before the fault). Ends with 1 when
@@ -173,6 +174,9 @@ def run(fault, is_wet):
 def main():
     if "--child" in sys.argv:
         as_child(sys.argv[-2], sys.argv[-1] == "wet")
+        return
+    if sys.argv[1:] == ["--list"]:
+        print(*faults(), sep="\n")
         return
     window = wt.View().window.GetClassName()
     print(f"VTK {vtkVersion.GetVTKVersion()}, {window}\n\n| fault | dry | wet |\n|---|---|---|")
