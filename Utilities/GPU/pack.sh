@@ -5,6 +5,7 @@
 #   pack.sh OUT      OUT/pack.tar.xz   site/vtkmodules  what our Python code imports of PyPI's vtk, and
 #                                                       whatever that needs
 #                                      site/vtkwater    this module, built for that vtk
+#                                      bin              the C++ tests of it
 #                                      gl               the loaders of OpenGL (libglvnd), no driver
 #                    OUT/sdk           a Python with vtk and numpy, and the SDK (Utilities/WheelSDK)
 #                    OUT/wheel312      the build of the module
@@ -43,7 +44,9 @@ wanted = os.environ.get('WATER_GPU_PYTHON') or '%d.%d' % sys.version_info[:2] ==
 sys.exit(not (wanted and os.path.exists(sysconfig.get_paths()['include'] + '/Python.h')))" 2>/dev/null
 }
 python=
-for candidate in ${WATER_GPU_PYTHON:-"python$version" "$HOME"/.pyenv/versions/"$version".*/bin/"python$version" python3}; do
+usual=("python$version" "${HOME:-}"/.pyenv/versions/"$version".*/bin/"python$version" python3)
+[ -z "${WATER_GPU_PYTHON:-}" ] || usual=("$WATER_GPU_PYTHON")
+for candidate in "${usual[@]}"; do
   if is_good "$candidate"; then
     python=$(command -v "$candidate")
     break
@@ -67,15 +70,16 @@ log=$out/build.log
 {
   cmake -S "$project" -B "$out/wheel312" -G Ninja -DCMAKE_BUILD_TYPE=Release \
     "-DVTK_DIR=$(cat "$out/sdk/vtk-dir")" "-DPython3_EXECUTABLE=$out/sdk/venv/bin/python" \
-    -DBUILD_TESTING=OFF -DWATER_BUILD_EXAMPLES=OFF -DCMAKE_INSTALL_LIBDIR=vtkwater \
+    -DBUILD_TESTING=ON -DWATER_CORE_TESTS=OFF -DWATER_BUILD_EXAMPLES=OFF -DCMAKE_INSTALL_LIBDIR=vtkwater \
     -DWATER_PYTHON_DESTINATION=. '-DWATER_INSTALL_RPATH=$ORIGIN;$ORIGIN/../vtkmodules' &&
     cmake --build "$out/wheel312" -j "$(nproc)" &&
     rm -rf "$out/own" &&
     for component in python runtime; do
       cmake --install "$out/wheel312" --prefix "$out/own/site" --component "$component" --strip || exit
-    done
+    done &&
+    install -D -s -t "$out/own/bin" "$out/wheel312/bin/vtkRenderingWaterCxxTests"
 } >"$log" 2>&1 || { tail -n 30 "$log"; die "the module cannot be built; all of it: $log"; }
-rm -rf "$out/own/site/bin"
+rm -rf "$out/own/site/bin" # the command vtkwater: python3 -m vtkwater is as good
 echo "$version" >"$out/own/python-version"
 
 # The part of VTK. What our code imports is asked of the code; what that needs, of the libraries.
@@ -83,7 +87,7 @@ source=$("$out/sdk/venv/bin/python" -c "import pathlib, vtkmodules; print(pathli
 needed_by() { readelf -d "$1" | sed -nE 's/.*NEEDED.*\[(.*)\]/\1/p'; }
 imported=$(cd "$project" && grep -rhoE --include='*.py' --include='*.py.in' 'vtkmodules\.vtk[A-Za-z0-9]+' \
   Testing Utilities Module/Python Examples | sed 's/.*\.//' | sort -u)
-own_needs=$(for library in "$out"/own/site/vtkwater/*.so*; do needed_by "$library"; done | sort -u)
+own_needs=$(for library in "$out"/own/site/vtkwater/*.so* "$out"/own/bin/*; do needed_by "$library"; done | sort -u)
 
 declare -A taken
 add() { # a library of the wheel, and all that it needs
@@ -101,8 +105,9 @@ for library in "${!taken[@]}"; do # its Python side, which imports those of the 
   done
 done
 
-stamp=$(printf '%s\n' "$source" "$("$out/sdk/venv/bin/python" -m pip list 2>/dev/null | grep '^vtk ')" \
-  "${!taken[@]}" "$(sha256sum "$0")" | sort | sha256sum)
+how=$(sed -n '/^# The part of VTK/,/^tar /p' "$0") # the archive is another one when this text is
+stamp=$("$out/sdk/venv/bin/python" -m pip list 2>/dev/null | grep '^vtk ' |
+  cat - <(printf '%s\n' "${!taken[@]}" | sort) <(echo "$how") | sha256sum)
 if [ "$(cat "$out/vtk.stamp" 2>/dev/null)" != "$stamp" ]; then
   say "VTK: ${#taken[@]} libraries"
   rm -rf "$out/vtk"
@@ -134,7 +139,7 @@ if [ "$(cat "$out/vtk.stamp" 2>/dev/null)" != "$stamp" ]; then
   echo "$stamp" >"$out/vtk.stamp"
 fi
 
-tar -C "$out/own" -cf - site python-version | xz -T0 -6 | cat "$out/vtk.tar.xz" - >"$out/pack.tar.xz.part"
+tar -C "$out/own" -cf - site bin python-version | xz -T0 -6 | cat "$out/vtk.tar.xz" - >"$out/pack.tar.xz.part"
 mv "$out/pack.tar.xz.part" "$out/pack.tar.xz"
 size_mb=$(($(stat -c %s "$out/pack.tar.xz") / 1000000))
 say "$out/pack.tar.xz: $size_mb MB, for Python $version"
@@ -156,3 +161,7 @@ with open("/proc/self/maps") as maps:
 strange = sorted(file for file in files if not file.startswith(sys.argv[1]))
 sys.exit("from elsewhere: %s" % strange if strange else 0)
 ' "$there" $imported || die "the pack is not complete (above)"
+libraries=$(LD_LIBRARY_PATH=$there/site/vtkwater:$there/site/vtkmodules ldd "$there"/bin/*)
+strange=$(grep -i vtk <<<"$libraries" | grep -vF "=> $there/" || true)
+[ -z "$strange" ] || die "the C++ tests want libraries that are not in the pack:
+$strange"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""test: runs the Python tests in the pack's environment, several at a time, and says what failed.
+"""test: runs the Python and C++ tests in the pack's environment, several at a time, and says what failed.
 
     script/gpu test                     all but those of NOT_HERE, the faults, and COMMANDS
     script/gpu test Matrix Skips        those with one of these in their names
@@ -21,7 +21,8 @@ import time
 from concurrent.futures import ThreadPoolExecutor
 
 PROJECT = pathlib.Path(__file__).resolve().parents[2]
-TESTS = PROJECT / "Testing" / "Python"
+TESTING = PROJECT / "Testing"
+PACK = pathlib.Path(os.environ["WATER_GPU_PACK"])
 NOT_HERE = {"TestWaterPyVista": "PyVista is not in the pack"}
 FAULTS = "Utilities/Stress/faults.py"  # starts two processes for each fault: several share them
 FAULTS_A_TEST = 8
@@ -41,8 +42,8 @@ PICTURES_MB = 15  # of pictures.tar.gz
 class Test:
     """A command, and what came of it."""
 
-    def __init__(self, name, arguments, output):
-        self.name, self.arguments, self.folder = name, arguments, output / name
+    def __init__(self, name, command, output, libraries=()):
+        self.name, self.command, self.folder, self._libraries = name, command, output / name, libraries
         self.text, self.verdict, self.seconds = "", "not run", 0.0
 
     def run(self):
@@ -50,15 +51,16 @@ class Test:
         environment = {
             **os.environ,
             "VTK_TESTING": "1",
-            "VTK_DATA_ROOT": str(PROJECT / "Testing" / "Data"),
-            "VTK_BASELINE_ROOT": str(PROJECT / "Testing" / "Data" / "Baseline"),
+            "VTK_DATA_ROOT": str(TESTING / "Data"),
+            "VTK_BASELINE_ROOT": str(TESTING / "Data" / "Baseline"),
             "WATER_TEST_OUTPUT": str(self.folder),
             "PYTEST_DISABLE_PLUGIN_AUTOLOAD": "1",
+            "LD_LIBRARY_PATH": ":".join([*map(str, self._libraries), os.environ.get("LD_LIBRARY_PATH", "")]),
         }
         begin = time.monotonic()
         try:
             done = subprocess.run(
-                [sys.executable, *self.arguments], cwd=PROJECT, env=environment, timeout=TIMEOUT_S,
+                self.command, cwd=PROJECT, env=environment, timeout=TIMEOUT_S,
                 stdout=subprocess.PIPE, stderr=subprocess.STDOUT, check=False, errors="replace", text=True
             )
             self.text, code = done.stdout, done.returncode
@@ -84,15 +86,21 @@ class Test:
 
 
 def tests_of(output):
-    found = [Test(name, arguments, output) for name, arguments in COMMANDS.items()]
-    faults = subprocess.run([sys.executable, FAULTS, "--list"], cwd=PROJECT, stdout=subprocess.PIPE, text=True,
+    python = sys.executable
+    found = [Test(name, [python, *arguments], output) for name, arguments in COMMANDS.items()]
+    faults = subprocess.run([python, FAULTS, "--list"], cwd=PROJECT, stdout=subprocess.PIPE, text=True,
                             check=True).stdout.splitlines()
-    found += [Test(f"Faults{i + 1}", [FAULTS, *faults[first:first + FAULTS_A_TEST]], output)
+    found += [Test(f"Faults{i + 1}", [python, FAULTS, *faults[first:first + FAULTS_A_TEST]], output)
               for i, first in enumerate(range(0, len(faults), FAULTS_A_TEST))]
-    for path in sorted(TESTS.rglob("Test*.py")):
+    for path in sorted((TESTING / "Cxx").glob("Test*.cxx")):
+        found.append(Test(path.stem, [
+            PACK / "bin" / "vtkRenderingWaterCxxTests", path.stem, "-D", TESTING / "Data", "-T", output / path.stem,
+            "-V", TESTING / "Data" / "Baseline" / f"{path.stem}.png"
+        ], output, (PACK / "site" / "vtkwater", PACK / "site" / "vtkmodules")))
+    for path in sorted((TESTING / "Python").rglob("Test*.py")):
         if path.stem not in NOT_HERE:
-            arguments = ["-m", "pytest", "-s", "-q", "--tb=short", "-p", "no:cacheprovider", str(path)]
-            found.append(Test(path.stem, arguments, output))
+            pytest = ["-m", "pytest", "-s", "-q", "--tb=short", "-p", "no:cacheprovider"]
+            found.append(Test(path.stem, [python, *pytest, path], output))
     return found
 
 
