@@ -185,13 +185,19 @@ def save_pictures(stage, folder):
     wt.save(np.vstack(rows[::-1]), folder / f"{stage.scene.name.replace(' ', '-').replace(',', '')}.png")
 
 
+def write(arguments, results):
+    """After each scene: a run that is stopped has measured something, too."""
+    path = arguments.folder / "benchmarks-gpu.json"
+    path.write_text(json.dumps(results, indent=1, default=float) + "\n")
+
+
 def main():
     arguments = arguments_of()
     arguments.folder = pathlib.Path(arguments.folder)
     arguments.folder.mkdir(parents=True, exist_ok=True)
     found = machine.describe()
     print(*(f"{name}: {value}" for name, value in found.items()), sep="\n", flush=True)
-    scenes, rows = gpu_scenes.scenes(arguments.quick), []
+    scenes, rows, limits = gpu_scenes.scenes(arguments.quick), [], []
     for name in arguments.scenes:
         begin = time.perf_counter()
         print(f"{name}: {scenes[name].text}", flush=True)
@@ -207,16 +213,14 @@ def main():
         if arguments.pictures:
             save_pictures(stage, arguments.folder)
         stage.close()
+        limits = gpu_limits.check(rows, arguments.quick)
+        write(arguments, {"machine": found, "quick": arguments.quick,
+                          "scenes": {name: scene.text for name, scene in scenes.items()},
+                          "kinds": gpu_kinds.TEXTS, "limits": limits, "rows": rows})
         print(f"  {time.perf_counter() - begin:.0f} s", flush=True)
 
-    limits = gpu_limits.check(rows, arguments.quick)
     for limit in limits:
         print("{figure}: {value} (limit {limit}) {verdict}".format(**limit))
-    path = arguments.folder / "benchmarks-gpu.json"
-    texts = {"scenes": {name: scene.text for name, scene in scenes.items()}, "kinds": gpu_kinds.TEXTS}
-    path.write_text(json.dumps({"machine": found, "quick": arguments.quick, **texts, "limits": limits,
-                                "rows": rows}, indent=1, default=float) + "\n")
-    print(path)
     return 1 if any(limit["verdict"] == "over" for limit in limits) else 0
 
 
