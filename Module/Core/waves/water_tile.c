@@ -7,6 +7,8 @@
 #include "water_random.h"
 #include "water_waves.h"
 
+#include <stdlib.h>
+
 static const double shortest = 370.0; // rad/m, of the waves that count (water_spectrum.h)
 static const double natural_waves = 10.0;
 
@@ -85,15 +87,17 @@ water_status water_tile_amplitudes(const water_tile* tile, const water_sea* sea,
   return WATER_OK;
 }
 
-static double turns_of(const water_tile* tile, double k, double depth, double time)
+double water_tile_frequency(const water_tile* tile, const water_sea* sea, size_t i, size_t j)
 {
-  const double frequency = water_dispersion(k, depth) / water_two_pi;
-  if (tile->period > 0.0)
-  {
-    const double whole = fmax(1.0, rint(frequency * tile->period));
-    return water_turns(whole, fmod(time, tile->period) / tile->period); // fmod is exact
-  }
-  return water_turns(frequency, time);
+  const double k =
+    hypot(water_two_pi * (double)i / tile->length, water_two_pi * (double)j / tile->length);
+  const double frequency = water_dispersion(k, sea->depth) / water_two_pi;
+  return tile->period > 0.0 ? fmax(1.0, rint(frequency * tile->period)) : frequency;
+}
+
+double water_tile_clock(const water_tile* tile, double time)
+{
+  return tile->period > 0.0 ? fmod(time, tile->period) / tile->period : time; // fmod is exact
 }
 
 water_status water_tile_at(const water_tile* tile, const water_sea* sea, const double* amplitudes,
@@ -108,6 +112,7 @@ water_status water_tile_at(const water_tile* tile, const water_sea* sea, const d
   {
     return WATER_BAD_TIME;
   }
+  const double clock = water_tile_clock(tile, time);
   for (size_t row = 0; row < tile->size; ++row)
   {
     for (size_t column = 0; column < tile->size; ++column)
@@ -115,7 +120,9 @@ water_status water_tile_at(const water_tile* tile, const water_sea* sea, const d
       const mode m = mode_of(tile, column, row);
       const double* own = amplitudes + m.at;
       const double* other = amplitudes + m.partner;
-      const double angle = water_two_pi * turns_of(tile, hypot(m.k[0], m.k[1]), sea->depth, time);
+      const double frequency =
+        water_tile_frequency(tile, sea, (size_t)abs(m.number[0]), (size_t)abs(m.number[1]));
+      const double angle = water_two_pi * water_turns(frequency, clock);
       const double c = cos(angle);
       const double s = sin(angle);
       height[m.at] = m.is_used ? (own[0] + other[0]) * c + (own[1] + other[1]) * s : 0.0;

@@ -7,8 +7,9 @@
 // the highest frequency (index size / 2), which has no partner, are left 0.
 // Source: Tessendorf 2001, "Simulating Ocean Water".
 // Flow: water_tile_amplitudes once -> water_tile_at for each time -> water_tile_derive ->
-// water_tile_pack -> FFT. What comes out are values at the places (column, row) length / size; the
-// surface between them is bilinear by definition, for buoys and shaders alike.
+// water_tile_pack -> FFT; water_tile_time.h has the same in less time. What comes out are values at
+// the places (column, row) length / size; the surface between them is bilinear by definition, for
+// buoys and shaders alike.
 #ifndef water_tile_h
 #define water_tile_h
 
@@ -56,9 +57,15 @@ water_status water_tile_check(const water_tile* tile, const water_sea* sea);
 water_status water_tile_amplitudes(
   const water_tile* tile, const water_sea* sea, double* amplitudes);
 
+// How fast a wave turns that the tile holds i and j times along its sides, in turns a second; with
+// a period in turns a period, the nearest whole number from 1. Of a checked tile and sea.
+double water_tile_frequency(const water_tile* tile, const water_sea* sea, size_t i, size_t j);
+
+// The time that such frequencies multiply: s, or periods since the last whole one, in (-1, 1).
+double water_tile_clock(const water_tile* tile, double time);
+
 // The spectrum of the height at a time: h0(k) exp(-i w t) + conj(h0(-k)) exp(i w t), which travels
-// along k and has a real surface: h(-k) = conj(h(k)). Phases are reduced as in water_waves.h. With
-// a period each frequency is the nearest whole number (from 1) of turns a period.
+// along k and has a real surface: h(-k) = conj(h(k)). Phases are reduced as in water_waves.h.
 //
 // height  2 * size * size numbers, written; not amplitudes
 //

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// water_tile_time.h: a tile's spectra at one time after another: what does not depend on the time
+// is made once, and half of the wave vectors tell the other half, as the fields are real.
+//
+// A quadrant has (size / 2)^2 places, for waves that the tile holds i and j times along its sides,
+// i fastest: (i, j), (-i, j), (i, -j) and (-i, -j) turn alike.
+// Flow: water_tile_frequencies once -> water_tile_phasors for each time -> water_tile_slope_row,
+// water_tile_height_row. They give to the bit what water_tile_at, water_tile_derive and
+// water_tile_pack give. Rows are independent of each other: several threads can share them.
+#ifndef water_tile_time_h
+#define water_tile_time_h
+
+#include "water_tile.h"
+
+#ifdef __cplusplus
+extern "C"
+{
+#endif
+
+// The frequencies of a quadrant (water_tile_frequency).
+//
+// frequencies  (size / 2)^2 numbers, written
+//
+// Returns as water_tile_check; then frequencies are unchanged.
+water_status water_tile_frequencies(
+  const water_tile* tile, const water_sea* sea, double* frequencies);
+
+// Cosine and sine of a quadrant's phases. The frequency of (i, j) is that of (j, i), too: row j
+// computes those with i >= j, and writes them at both places. The tile is a checked one, the time
+// finite.
+//
+// first, end  rows, up to size / 2; the quadrant is whole when all have been asked for
+// phasors     2 (size / 2)^2 numbers
+void water_tile_phasors(const water_tile* tile, const double* frequencies, double time,
+  size_t first, size_t end, double* phasors);
+
+// Two rows of the spectrum whose forward FFT is the slope along x, and i times that along y
+// (water_tile_pack). Row size / 2 is not asked for: all of it is 0.
+//
+// phasors  whole
+// row      below size / 2
+// own      row `row`, 2 * size numbers, written
+// mirror   row size - row, 2 * size numbers, written but for row 0, which has none
+void water_tile_slope_row(const water_tile* tile, const double* amplitudes, const double* phasors,
+  size_t row, double* own, double* mirror);
+
+// The same of the spectrum whose forward FFT is the height, and 0 times i.
+void water_tile_height_row(const water_tile* tile, const double* amplitudes, const double* phasors,
+  size_t row, double* own, double* mirror);
+
+// The spectrum of water_tile_slope_row, all rows, for any time: cos E + sin F, of the wave's phase.
+//
+// waves  4 * size * size numbers, written: E (real, imaginary), F
+void water_tile_slope_waves(const water_tile* tile, const double* amplitudes, float* waves);
+
+#ifdef __cplusplus
+}
+#endif
+#endif
