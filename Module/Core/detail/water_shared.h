@@ -4,6 +4,8 @@
 #ifndef water_shared_h
 #define water_shared_h
 
+#include <stdint.h>
+
 #ifdef __cplusplus
 extern "C"
 {
@@ -16,6 +18,11 @@ double water_shared_slope_density(double xx, double yy, double xy, double area, 
 double water_shared_glitter_spread(double eye_cosine, double facet4);
 // Reference of tests: nothing in the module calls it; two shaders have its text.
 double water_shared_gradient_height(double y, double w);
+// References of tests, too: the core has doubles.
+uint32_t water_shared_upper_half(uint32_t a, uint32_t b);
+uint32_t water_shared_phase(uint32_t f0, uint32_t f1, uint32_t f2, uint32_t t0, uint32_t t1);
+double water_shared_cosine(uint32_t phase);
+double water_shared_sine(uint32_t phase);
 
 #ifdef __cplusplus
 }

@@ -6,6 +6,7 @@
 
 // Scalar GLSL means the same with these words.
 #define float double
+#define uint uint32_t
 #define min fmin
 #define max fmax
 #define waterFresnel water_shared_fresnel
@@ -14,8 +15,13 @@
 #define waterSlopeDensity water_shared_slope_density
 #define waterGlitterSpread water_shared_glitter_spread
 #define waterGradientHeight water_shared_gradient_height
+#define waterPhase water_shared_phase
+#define waterCosine water_shared_cosine
+#define waterSine water_shared_sine
+#define waterUpperHalf water_shared_upper_half
 
 #include "vtkWaterAttenuation.glsl"
 #include "vtkWaterGradient.glsl"
 #include "vtkWaterOptics.glsl"
 #include "vtkWaterSlopes.glsl"
+#include "vtkWaterTurns.glsl"
