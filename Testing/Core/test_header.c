@@ -26,8 +26,11 @@
 
 #include "water_spectrum.h"
 
+#include "water_fft.h"
 #include "water_tile.h"
+#include "water_tile_time.h"
 #include "water_triangle_cull.h"
+#include "water_turns.h"
 
 #include "water_waves.h"
 
