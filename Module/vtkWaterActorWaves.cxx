@@ -70,7 +70,7 @@ double vtkWaterActor::GetWaveHeight(double x, double y)
   {
     return vtkMath::Nan();
   }
-  const vtkWaterSea* sea = this->Internal->GetSeaAtTime();
+  vtkWaterSea* sea = this->Internal->GetSeaAtTime();
   return sea ? point.displacement[2] + sea->GetHeight(x, y) : point.displacement[2];
 }
 
@@ -84,7 +84,7 @@ void vtkWaterActor::GetWaveNormal(double x, double y, double normal[3])
   if (water_waves_find(terms.data(), terms.size(), x, y, rest, &point) == WATER_OK)
   {
     std::copy(point.normal, point.normal + 3, normal);
-    if (const vtkWaterSea* sea = this->Internal->GetSeaAtTime())
+    if (vtkWaterSea* sea = this->Internal->GetSeaAtTime())
     {
       double slope[2];
       sea->GetSlope(x, y, slope);

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkWaterSea.h"
 
-#include "vtkFFT.h"
 #include "vtkMath.h"
 #include "vtkOpenGLRenderWindow.h"
+#include "vtkSMPTools.h"
 #include "vtkTextureObject.h"
-#include "vtkWaterGL.h"
+#include "vtkWaterRendererClass.h"
+#include "water_tile_time.h"
 
 namespace
 {
@@ -21,51 +22,11 @@ bool AreEqual(const water_sea& a, const water_sea& b)
     a.wind_dir_rad == b.wind_dir_rad && a.fetch == b.fetch && a.depth == b.depth &&
     a.peak_enhancement == b.peak_enhancement && a.spreading_power == b.spreading_power;
 }
-
-// Transforms lines of a square in place: rows with stride 1, columns with stride size.
-void TransformLines(std::vector<double>& square, size_t size, size_t stride, size_t next)
-{
-  std::vector<vtkFFT::ComplexNumber> line(size);
-  for (size_t i = 0; i < size; ++i)
-  {
-    double* start = square.data() + 2 * i * next;
-    for (size_t j = 0; j < size; ++j)
-    {
-      line[j].r = start[2 * j * stride];
-      line[j].i = start[2 * j * stride + 1];
-    }
-    const std::vector<vtkFFT::ComplexNumber> out = vtkFFT::Fft(line);
-    for (size_t j = 0; j < size; ++j)
-    {
-      start[2 * j * stride] = out[j].r;
-      start[2 * j * stride + 1] = out[j].i;
-    }
-  }
-}
-
-// One or two fields from their spectra; second may be null.
-void Transform(const water_tile& tile, std::vector<double>& first,
-  const std::vector<double>* second, std::vector<double>& firstField,
-  std::vector<double>* secondField)
-{
-  water_tile_pack(&tile, first.data(), second ? second->data() : nullptr, first.data());
-  TransformLines(first, tile.size, 1, tile.size);
-  TransformLines(first, tile.size, tile.size, 1);
-  for (size_t i = 0; i < firstField.size(); ++i)
-  {
-    firstField[i] = first[2 * i];
-    if (secondField)
-    {
-      (*secondField)[i] = first[2 * i + 1];
-    }
-  }
-}
 }
 
 //------------------------------------------------------------------------------
 void vtkWaterSea::Update(const water_tile& tile, const water_sea& sea, double time)
 {
-  const size_t count = tile.size * tile.size;
   const bool isOther =
     this->Amplitudes.empty() || !AreEqual(tile, this->Tile) || !AreEqual(sea, this->Sea);
   if (!isOther && time == this->Time)
@@ -76,24 +37,74 @@ void vtkWaterSea::Update(const water_tile& tile, const water_sea& sea, double ti
   {
     this->Tile = tile;
     this->Sea = sea;
-    this->Amplitudes.resize(2 * count);
+    this->Amplitudes.resize(2 * tile.size * tile.size);
     water_tile_amplitudes(&tile, &sea, this->Amplitudes.data());
+    this->Frequencies.resize(tile.size / 2 * (tile.size / 2));
+    water_tile_frequencies(&tile, &sea, this->Frequencies.data());
     double held[2];
     water_tile_slopes(&tile, &sea, held, this->LeftOut);
-    this->Heights.resize(count);
-    this->SlopesX.resize(count);
-    this->SlopesY.resize(count);
+    this->Passes.Forget();
   }
   this->Time = time;
-  std::vector<double> height(2 * count);
-  std::vector<double> slopeX(2 * count);
-  std::vector<double> slopeY(2 * count);
-  water_tile_at(&tile, &sea, this->Amplitudes.data(), time, height.data());
-  water_tile_derive(&tile, height.data(), WATER_TILE_SLOPE_X, slopeX.data());
-  water_tile_derive(&tile, height.data(), WATER_TILE_SLOPE_Y, slopeY.data());
-  Transform(tile, slopeX, &slopeY, this->SlopesX, &this->SlopesY);
-  Transform(tile, height, nullptr, this->Heights, nullptr);
+  this->HasPhasors = false;
+  this->HasHeights = false;
+  this->HasSlopes = false;
   this->IsUploaded = false;
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterSea::UpdatePhasors()
+{
+  if (this->HasPhasors)
+  {
+    return;
+  }
+  this->HasPhasors = true;
+  this->Phasors.resize(2 * this->Frequencies.size());
+  vtkSMPTools::For(
+    0, static_cast<vtkIdType>(this->Tile.size / 2), [this](vtkIdType first, vtkIdType end) {
+      water_tile_phasors(&this->Tile, this->Frequencies.data(), this->Time,
+        static_cast<size_t>(first), static_cast<size_t>(end), this->Phasors.data());
+    });
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterSea::UpdateHeights()
+{
+  if (this->HasHeights)
+  {
+    return;
+  }
+  this->HasHeights = true;
+  this->UpdatePhasors();
+  this->Heights.resize(this->Tile.size * this->Tile.size);
+  this->Transform.Run(
+    this->Tile.size,
+    [this](size_t row, double* own, double* mirror) {
+      water_tile_height_row(
+        &this->Tile, this->Amplitudes.data(), this->Phasors.data(), row, own, mirror);
+    },
+    this->Heights.data(), nullptr);
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterSea::UpdateSlopes()
+{
+  if (this->HasSlopes)
+  {
+    return;
+  }
+  this->HasSlopes = true;
+  this->UpdatePhasors();
+  this->SlopesX.resize(this->Tile.size * this->Tile.size);
+  this->SlopesY.resize(this->Tile.size * this->Tile.size);
+  this->Transform.Run(
+    this->Tile.size,
+    [this](size_t row, double* own, double* mirror) {
+      water_tile_slope_row(
+        &this->Tile, this->Amplitudes.data(), this->Phasors.data(), row, own, mirror);
+    },
+    this->SlopesX.data(), this->SlopesY.data());
 }
 
 //------------------------------------------------------------------------------
@@ -105,14 +116,16 @@ double vtkWaterSea::Sample(const std::vector<double>& field, double x, double y)
 }
 
 //------------------------------------------------------------------------------
-double vtkWaterSea::GetHeight(double x, double y) const
+double vtkWaterSea::GetHeight(double x, double y)
 {
+  this->UpdateHeights();
   return this->Sample(this->Heights, x, y);
 }
 
 //------------------------------------------------------------------------------
-void vtkWaterSea::GetSlope(double x, double y, double slope[2]) const
+void vtkWaterSea::GetSlope(double x, double y, double slope[2])
 {
+  this->UpdateSlopes();
   slope[0] = this->Sample(this->SlopesX, x, y);
   slope[1] = this->Sample(this->SlopesY, x, y);
 }
@@ -120,19 +133,32 @@ void vtkWaterSea::GetSlope(double x, double y, double slope[2]) const
 //------------------------------------------------------------------------------
 vtkTextureObject* vtkWaterSea::Upload(vtkOpenGLRenderWindow* window)
 {
-  if (!this->IsUploaded || !this->Texture.Get(window))
+  if (this->IsUploaded && this->Texture.Get(window))
   {
-    std::vector<float> texels(4 * this->Heights.size());
-    water_tile_texels(&this->Tile, this->SlopesX.data(), this->SlopesY.data(), texels.data());
-    const auto size = static_cast<unsigned int>(this->Tile.size);
-    this->Texture.Upload(window, size, size, texels);
-    this->IsUploaded = true;
+    return this->Texture.Get(window);
   }
+  this->IsUploaded = true;
+  this->Detour = nullptr;
+  if (!vtkWaterRendererClass::IsSoftware())
+  {
+    this->Detour = this->Passes.Draw(
+      window, { this->Tile, this->Amplitudes, this->Frequencies, this->Time }, this->Texture);
+    if (!this->Detour)
+    {
+      return this->Texture.Get(window);
+    }
+  }
+  this->UpdateSlopes();
+  std::vector<float> texels(4 * this->SlopesX.size());
+  water_tile_texels(&this->Tile, this->SlopesX.data(), this->SlopesY.data(), texels.data());
+  const auto size = static_cast<unsigned int>(this->Tile.size);
+  this->Texture.Upload(window, size, size, texels);
   return this->Texture.Get(window);
 }
 
 //------------------------------------------------------------------------------
 void vtkWaterSea::ReleaseGraphicsResources(vtkWindow* window)
 {
+  this->Passes.ReleaseGraphicsResources(window);
   this->Texture.ReleaseGraphicsResources(window);
 }

@@ -10,8 +10,7 @@ constexpr int kAllLevels = 1000;
 }
 
 //------------------------------------------------------------------------------
-void vtkWaterSlopeTexture::Upload(vtkOpenGLRenderWindow* window, unsigned int width,
-  unsigned int height, std::vector<float>& texels)
+void vtkWaterSlopeTexture::Ensure(vtkOpenGLRenderWindow* window)
 {
   if (!this->Get(window))
   {
@@ -23,7 +22,28 @@ void vtkWaterSlopeTexture::Upload(vtkOpenGLRenderWindow* window, unsigned int wi
     this->Texture->SetMagnificationFilter(vtkTextureObject::Linear);
     this->Texture->SetMaxLevel(kAllLevels);
   }
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterSlopeTexture::Upload(vtkOpenGLRenderWindow* window, unsigned int width,
+  unsigned int height, std::vector<float>& texels)
+{
+  this->Ensure(window);
   this->Texture->Create2DFromRaw(width, height, 4, VTK_FLOAT, texels.data());
+  this->MakeMipLevels();
+}
+
+//------------------------------------------------------------------------------
+vtkTextureObject* vtkWaterSlopeTexture::Allocate(
+  vtkOpenGLRenderWindow* window, unsigned int width, unsigned int height)
+{
+  this->Ensure(window);
+  return this->Texture->Allocate2D(width, height, 4, VTK_FLOAT) ? this->Texture.Get() : nullptr;
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterSlopeTexture::MakeMipLevels()
+{
   this->Texture->Activate();
   glGenerateMipmap(GL_TEXTURE_2D);
   this->Texture->Deactivate();

@@ -19,12 +19,20 @@ public:
   void Upload(vtkOpenGLRenderWindow* window, unsigned int width, unsigned int height,
     std::vector<float>& texels);
 
+  // For what draws the texels itself: the texture without them; nullptr when there is no memory.
+  vtkTextureObject* Allocate(
+    vtkOpenGLRenderWindow* window, unsigned int width, unsigned int height);
+  // After that, from its texels.
+  void MakeMipLevels();
+
   // nullptr: nothing was uploaded for this window.
   vtkTextureObject* Get(vtkOpenGLRenderWindow* window);
 
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
+  void Ensure(vtkOpenGLRenderWindow* window);
+
   vtkSmartPointer<vtkTextureObject> Texture;
 };
 

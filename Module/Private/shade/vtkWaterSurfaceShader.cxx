@@ -182,6 +182,12 @@ void vtkWaterSurfaceShader::BeginWaves()
     sea->Update(this->Water->Look.SeaTile, this->Water->Look.Sea, this->Water->Time);
     this->Use("waterSea", sea->Upload(window));
     this->HasSea = true;
+    if (sea->GetDetour() && sea->GetDetour() != this->SeaDetour) // said once
+    {
+      vtkDebugWithObjectMacro(this->Water->Look.Property,
+        "The processor makes the wind sea: " << sea->GetDetour() << ".");
+    }
+    this->SeaDetour = sea->GetDetour();
   }
 }
 

@@ -110,8 +110,9 @@ private:
   vtkSmartPointer<vtkTexture> Environment;                                       // in use
   vtkSmartPointer<vtkTextureObject> Waves;                                       // a row per wave
   int WaveCount = 0;
-  bool IsSteep = false; // some of them move their points
-  bool HasSea = false;  // brought to the time of the draw
+  bool IsSteep = false;            // some of them move their points
+  bool HasSea = false;             // brought to the time of the draw
+  const char* SeaDetour = nullptr; // of which has been spoken
   vtkWaterSlopeTexture NormalMaps[vtkWaterNormalMaps::Limit];
   std::pair<vtkTexture*, vtkMTimeType> NormalMapTimes[vtkWaterNormalMaps::Limit] = {}; // of those
   double NormalMapTexels[vtkWaterNormalMaps::Limit] = {};                              // their size

@@ -1,0 +1,29 @@
+//VTK::System::Dec
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkWaterFftFS.glsl: a pass of a Fourier transform along the rows or columns of a square (water_fft.h), and
+// the squares of what comes out, which the last pass is asked for.
+//VTK::Output::Dec
+
+in vec2 texCoord;
+uniform sampler2D waterField;    // what the pass before left
+uniform sampler2D waterFftTable; // water_fft_table, a row for each pass
+uniform vec4 waterFftPass;       // radix; size / radix; its row of the table; 0: along x, 1: along y
+
+void main()
+{
+  ivec2 place = ivec2(texCoord * vec2(textureSize(waterField, 0)));
+  ivec2 along = waterFftPass.w < 0.5 ? ivec2(1, 0) : ivec2(0, 1);
+  ivec2 line = place * (1 - along);
+  vec4 entry = texelFetch(waterFftTable, ivec2(place.x * along.x + place.y * along.y, int(waterFftPass.z)), 0);
+  int radix = int(waterFftPass.x);
+  int next = int(waterFftPass.y);
+  int at = int(entry.z) + radix * next;
+  vec2 sum = vec2(0.0);
+  for (int i = 0; i < radix; ++i) // Horner
+  {
+    at -= next;
+    vec2 turned = vec2(sum.x * entry.x - sum.y * entry.y, sum.x * entry.y + sum.y * entry.x);
+    sum = turned + texelFetch(waterField, line + at * along, 0).rg;
+  }
+  gl_FragData[0] = vec4(sum, sum * sum);
+}

@@ -1,0 +1,315 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkWaterSlopePasses.h"
+
+#include "vtkOpenGLFramebufferObject.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkShaderProgram.h"
+#include "vtkTextureObject.h"
+#include "vtkWaterFftFS.h"
+#include "vtkWaterGL.h"
+#include "vtkWaterSlopeSpectrumFS.h"
+#include "vtkWaterSlopeTexture.h"
+#include "vtkWaterUniforms.h"
+#include "water_tile_time.h"
+#include "water_turns.h"
+
+#include <algorithm>
+
+namespace
+{
+constexpr int kSlopes = 2; // the last of the targets
+constexpr size_t kWordsPerTexel = 4;
+const char* const kRefused = "the GPU refuses its passes";
+
+// Draws of ours would be counted with what a query that is under way counts.
+bool IsCounted()
+{
+  const GLenum queries[] = { GL_SAMPLES_PASSED, GL_PRIMITIVES_GENERATED };
+  return std::any_of(std::begin(queries), std::end(queries), [](GLenum query) {
+    GLint current = 0;
+    glGetQueryiv(query, GL_CURRENT_QUERY, &current);
+    return current != 0;
+  });
+}
+
+// Draws write colours, all of them, in a viewport of their own, while an object of this class
+// lives.
+struct ScopedPlainDraws
+{
+  ScopedPlainDraws(vtkOpenGLState* state, int size)
+    : Viewport(state)
+    , ScissorTest(state, GL_SCISSOR_TEST)
+    , DepthTest(state, GL_DEPTH_TEST)
+    , StencilTest(state, GL_STENCIL_TEST)
+    , Blend(state, GL_BLEND)
+    , CullFace(state, GL_CULL_FACE)
+    , ColorMask(state)
+  {
+    for (GLenum test : { GL_SCISSOR_TEST, GL_DEPTH_TEST, GL_STENCIL_TEST, GL_BLEND, GL_CULL_FACE })
+    {
+      state->vtkglDisable(test);
+    }
+    state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    state->vtkglViewport(0, 0, size, size);
+  }
+
+  vtkOpenGLState::ScopedglViewport Viewport;
+  vtkOpenGLState::ScopedglEnableDisable ScissorTest;
+  vtkOpenGLState::ScopedglEnableDisable DepthTest;
+  vtkOpenGLState::ScopedglEnableDisable StencilTest;
+  vtkOpenGLState::ScopedglEnableDisable Blend;
+  vtkOpenGLState::ScopedglEnableDisable CullFace;
+  vtkOpenGLState::ScopedglColorMask ColorMask;
+};
+
+// Textures are read by shaders while an object of this class lives.
+struct ScopedTextures
+{
+  explicit ScopedTextures(std::initializer_list<vtkTextureObject*> textures)
+    : Textures(textures)
+  {
+    for (vtkTextureObject* texture : this->Textures)
+    {
+      texture->Activate();
+    }
+  }
+  ~ScopedTextures()
+  {
+    for (vtkTextureObject* texture : this->Textures)
+    {
+      texture->Deactivate();
+    }
+  }
+
+  std::vector<vtkTextureObject*> Textures;
+};
+
+vtkSmartPointer<vtkTextureObject> MakeTexture(vtkOpenGLRenderWindow* window)
+{
+  auto texture = vtkSmartPointer<vtkTextureObject>::New(); // each texel as it is
+  texture->SetContext(window);
+  return texture;
+}
+}
+
+//------------------------------------------------------------------------------
+vtkWaterSlopePasses::vtkWaterSlopePasses() = default;
+
+//------------------------------------------------------------------------------
+vtkWaterSlopePasses::~vtkWaterSlopePasses() = default;
+
+//------------------------------------------------------------------------------
+const char* vtkWaterSlopePasses::Draw(
+  vtkOpenGLRenderWindow* window, const Inputs& sea, vtkWaterSlopeTexture& slopes)
+{
+  if (window == this->RefusedBy)
+  {
+    return kRefused;
+  }
+  if (IsCounted())
+  {
+    return "a query counts what is drawn";
+  }
+  water_fft plan;
+  if (!water_fft_plan(sea.Tile.size, &plan))
+  {
+    return "the tile's size has a prime factor that is too large for a pass";
+  }
+  const double largest = *std::max_element(sea.Frequencies.begin(), sea.Frequencies.end());
+  this->Exponent = water_turns_exponent(largest);
+  uint32_t units[2];
+  if (!water_turns_time(water_tile_clock(&sea.Tile, sea.Time), this->Exponent, units))
+  {
+    return "the time is too large for the phases of a GPU";
+  }
+  if (plan.size != this->Plan.size)
+  {
+    this->ReleaseGraphicsResources(nullptr);
+    this->Plan = plan;
+  }
+  vtkOpenGLState* state = window->GetState();
+  const vtkOpenGLState::ScopedglActiveTexture activeTexture(state);
+  state->PushFramebufferBindings();
+  bool isDrawn = this->Prepare(window, sea, slopes);
+  if (isDrawn)
+  {
+    const ScopedPlainDraws plain(state, static_cast<int>(plan.size));
+    isDrawn = this->DrawSpectrum(window, units, sea.Time) && this->Transform(window);
+  }
+  state->PopFramebufferBindings();
+  if (!isDrawn)
+  {
+    this->ReleaseGraphicsResources(nullptr);
+    this->RefusedBy = window;
+    return kRefused;
+  }
+  slopes.MakeMipLevels();
+  return nullptr;
+}
+
+//------------------------------------------------------------------------------
+bool vtkWaterSlopePasses::Prepare(
+  vtkOpenGLRenderWindow* window, const Inputs& sea, vtkWaterSlopeTexture& slopes)
+{
+  const bool isReady = this->Table && this->Table->GetContext() == window && slopes.Get(window) &&
+    this->Targets[kSlopes].Texture == slopes.Get(window);
+  if (!isReady)
+  {
+    this->ReleaseGraphicsResources(nullptr);
+    if (!this->MakeTargets(window, slopes))
+    {
+      return false;
+    }
+    this->UploadTable(window);
+  }
+  if (!isReady || !this->HasSea)
+  {
+    this->UploadSea(window, sea);
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkWaterSlopePasses::MakeTargets(vtkOpenGLRenderWindow* window, vtkWaterSlopeTexture& slopes)
+{
+  const auto size = static_cast<unsigned int>(this->Plan.size);
+  for (int i = 0; i < kSlopes; ++i)
+  {
+    this->Targets[i].Texture = MakeTexture(window);
+    if (!this->Targets[i].Texture->Allocate2D(size, size, 2, VTK_FLOAT))
+    {
+      return false;
+    }
+  }
+  this->Targets[kSlopes].Texture = slopes.Allocate(window, size, size);
+  for (Target& target : this->Targets)
+  {
+    if (!target.Texture)
+    {
+      return false;
+    }
+    target.Framebuffer = vtkSmartPointer<vtkOpenGLFramebufferObject>::New();
+    target.Framebuffer->SetContext(window);
+    target.Framebuffer->Bind();
+    target.Framebuffer->AddColorAttachment(0, target.Texture);
+    target.Framebuffer->ActivateBuffer(0);
+    const char* reason = nullptr;
+    if (!vtkOpenGLFramebufferObject::GetFrameBufferStatus(
+          vtkOpenGLFramebufferObject::GetBothMode(), reason))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterSlopePasses::UploadTable(vtkOpenGLRenderWindow* window)
+{
+  const size_t line = 4 * this->Plan.size;
+  std::vector<float> table(line * static_cast<size_t>(this->Plan.count));
+  for (int pass = 0; pass < this->Plan.count; ++pass)
+  {
+    water_fft_table(&this->Plan, pass, table.data() + line * static_cast<size_t>(pass));
+  }
+  this->Table = MakeTexture(window);
+  this->Table->Create2DFromRaw(static_cast<unsigned int>(this->Plan.size),
+    static_cast<unsigned int>(this->Plan.count), 4, VTK_FLOAT, table.data());
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterSlopePasses::UploadSea(vtkOpenGLRenderWindow* window, const Inputs& sea)
+{
+  const auto size = static_cast<unsigned int>(this->Plan.size);
+  std::vector<float> waves(4 * this->Plan.size * this->Plan.size);
+  water_tile_slope_waves(&sea.Tile, sea.Amplitudes.data(), waves.data());
+  this->Waves = MakeTexture(window);
+  this->Waves->Create2DFromRaw(size, size, 4, VTK_FLOAT, waves.data());
+
+  std::vector<uint32_t> words(kWordsPerTexel * sea.Frequencies.size(), 0);
+  for (size_t i = 0; i < sea.Frequencies.size(); ++i)
+  {
+    water_turns_frequency(sea.Frequencies[i], this->Exponent, words.data() + kWordsPerTexel * i);
+  }
+  this->Frequencies = MakeTexture(window);
+  this->Frequencies->SetInternalFormat(GL_RGBA32UI);
+  this->Frequencies->SetFormat(GL_RGBA_INTEGER);
+  this->Frequencies->SetDataType(GL_UNSIGNED_INT);
+  this->Frequencies->Create2DFromRaw(
+    size / 2, size / 2, static_cast<int>(kWordsPerTexel), VTK_UNSIGNED_INT, words.data());
+  this->HasSea = true;
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterSlopePasses::DrawInto(int target, vtkWaterQuad& quad)
+{
+  this->Targets[target].Framebuffer->Bind();
+  quad.Draw();
+}
+
+//------------------------------------------------------------------------------
+bool vtkWaterSlopePasses::DrawSpectrum(
+  vtkOpenGLRenderWindow* window, const uint32_t units[2], double time)
+{
+  vtkShaderProgram* program = this->Spectrum.Ready(window, vtkWaterSlopeSpectrumFS);
+  if (!program)
+  {
+    return false;
+  }
+  const ScopedTextures textures({ this->Waves, this->Frequencies });
+  vtkWaterUniforms::Set(program, "waterSlopeWaves", this->Waves);
+  vtkWaterUniforms::Set(program, "waterFrequencies", this->Frequencies);
+  vtkWaterUniforms::Set(program, "waterTimeSign", time < 0.0 ? -1.0 : 1.0);
+  const int bits[2] = { static_cast<int>(units[0]), static_cast<int>(units[1]) };
+  program->SetUniform2i("waterUnits", bits);
+  this->DrawInto(0, this->Spectrum);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkWaterSlopePasses::Transform(vtkOpenGLRenderWindow* window)
+{
+  vtkShaderProgram* program = this->Fft.Ready(window, vtkWaterFftFS);
+  if (!program)
+  {
+    return false;
+  }
+  const ScopedTextures textures(
+    { this->Targets[0].Texture, this->Targets[1].Texture, this->Table });
+  vtkWaterUniforms::Set(program, "waterFftTable", this->Table);
+  const int last = 2 * this->Plan.count - 1;
+  for (int i = 0; i <= last; ++i)
+  {
+    const int pass = i % this->Plan.count;
+    const size_t radix = this->Plan.radix[pass];
+    const double numbers[4] = { static_cast<double>(radix),
+      static_cast<double>(this->Plan.size / radix), static_cast<double>(pass),
+      i < this->Plan.count ? 0.0 : 1.0 };
+    vtkWaterUniforms::Set(program, "waterField", this->Targets[i % 2].Texture);
+    vtkWaterUniforms::Set4(program, "waterFftPass", numbers);
+    this->DrawInto(i < last ? (i + 1) % 2 : kSlopes, this->Fft);
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterSlopePasses::ReleaseGraphicsResources(vtkWindow* window)
+{
+  for (Target& target : this->Targets)
+  {
+    if (target.Framebuffer && window)
+    {
+      target.Framebuffer->ReleaseGraphicsResources(window);
+    }
+    // without a window the destructors free what is left, through VTK's resource callbacks
+    target = Target();
+  }
+  this->Waves = nullptr;
+  this->Frequencies = nullptr;
+  this->Table = nullptr;
+  this->Spectrum.ReleaseGraphicsResources();
+  this->Fft.ReleaseGraphicsResources();
+  this->RefusedBy = nullptr;
+  this->HasSea = false;
+}
