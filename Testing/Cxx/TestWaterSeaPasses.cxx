@@ -110,6 +110,7 @@ bool CheckSlopes(vtkOpenGLRenderWindow* window, size_t size, double period)
     "size " + std::to_string(size) + ", period " + std::to_string(static_cast<int>(period));
   ok &= WaterCheck(name + ": each has its own way", ok, true);
   ok &= CheckClose(name + ": worst slope, of the rms slope", worst, kLimit);
+  ok &= WaterCheck(name + ": the roundings are not the processor's", worst > 0.0, true);
   // a square has twice the error, and slopes are up to five times their rms
   ok &= CheckClose(name + ": worst square", worstSquare, 10.0 * kLimit);
   gpu.ReleaseGraphicsResources(window);

@@ -246,10 +246,16 @@ def view_of(water, position, focus, size, angle=30, clipping=(0.01, 50), sheet=3
     return made
 
 
+# who makes the picture's slopes: values of VTK_WATER_SOFTWARE
+WAYS = pytest.mark.parametrize("software", ["1", "0"], ids=["processor", "GPU"])
+
+
+@WAYS
 @pytest.mark.parametrize("name, x0, y0", [("near the origin", 0.0, 0.0), ("2000 km away", 1e6 + 0.1, -2e6)],
                          ids=["near_the_origin", "2000_km_away"])
-def test_a_pixel_is_drawn_with_the_normal_there(name, x0, y0):
+def test_a_pixel_is_drawn_with_the_normal_there(name, x0, y0, software, monkeypatch):
     """The reflectance of each pixel is Fresnel's with the normal that GetWaveNormal says."""
+    monkeypatch.setenv("VTK_WATER_SOFTWARE", software)
     # a tile so fine that it leaves no waves out, and pixels so near that they average nothing
     water = sea_water(WindSpeed=2.0, SeaTileLength=1.0)
     water.GetWaterProperty().SetOutputToReflectance()
@@ -287,8 +293,10 @@ def frames(times):
     return pictures
 
 
-def test_the_picture_depends_on_the_time_alone():
+@WAYS
+def test_the_picture_depends_on_the_time_alone(software, monkeypatch):
     """The picture of a moving sea depends on its time alone, not on the frames before."""
+    monkeypatch.setenv("VTK_WATER_SOFTWARE", software)
     several = frames((0.0, 0.5, 1e6, 0.5))
     direct = frames((1e6,))[0]
     wt.check_equal("time 1e6 after other frames and at once: difference", int(np.abs(several[2] - direct).max()), 0)

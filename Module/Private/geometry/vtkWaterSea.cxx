@@ -149,10 +149,10 @@ vtkTextureObject* vtkWaterSea::Upload(vtkOpenGLRenderWindow* window)
     }
   }
   this->UpdateSlopes();
-  std::vector<float> texels(4 * this->SlopesX.size());
-  water_tile_texels(&this->Tile, this->SlopesX.data(), this->SlopesY.data(), texels.data());
+  this->Texels.resize(4 * this->SlopesX.size());
+  water_tile_texels(&this->Tile, this->SlopesX.data(), this->SlopesY.data(), this->Texels.data());
   const auto size = static_cast<unsigned int>(this->Tile.size);
-  this->Texture.Upload(window, size, size, texels);
+  this->Texture.Upload(window, size, size, this->Texels);
   return this->Texture.Get(window);
 }
 

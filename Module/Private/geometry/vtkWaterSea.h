@@ -58,6 +58,7 @@ private:
   std::vector<double> Heights;
   std::vector<double> SlopesX;
   std::vector<double> SlopesY;
+  std::vector<float> Texels;
   bool HasPhasors = false;
   bool HasHeights = false;
   bool HasSlopes = false;

@@ -2,6 +2,7 @@
 #include "vtkWaterSurfaceShader.h"
 
 #include "vtkActor.h"
+#include "vtkLogger.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLRenderer.h"
 #include "vtkOpenGLShaderCache.h"
@@ -184,8 +185,8 @@ void vtkWaterSurfaceShader::BeginWaves()
     this->HasSea = true;
     if (sea->GetDetour() && sea->GetDetour() != this->SeaDetour) // said once
     {
-      vtkDebugWithObjectMacro(this->Water->Look.Property,
-        "The processor makes the wind sea: " << sea->GetDetour() << ".");
+      vtkVLog(vtkLogger::VERBOSITY_TRACE,
+        << "The processor makes the slopes of the wind sea: " << sea->GetDetour() << ".");
     }
     this->SeaDetour = sea->GetDetour();
   }
