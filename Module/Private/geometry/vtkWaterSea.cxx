@@ -131,6 +131,17 @@ void vtkWaterSea::GetSlope(double x, double y, double slope[2])
 }
 
 //------------------------------------------------------------------------------
+bool vtkWaterSea::IsSoftware(vtkOpenGLRenderWindow* window)
+{
+  if (window != this->AskedWindow)
+  {
+    this->AskedWindow = window;
+    this->IsSoftwareWindow = vtkWaterRendererClass::IsSoftware();
+  }
+  return this->IsSoftwareWindow;
+}
+
+//------------------------------------------------------------------------------
 vtkTextureObject* vtkWaterSea::Upload(vtkOpenGLRenderWindow* window)
 {
   if (this->IsUploaded && this->Texture.Get(window))
@@ -139,7 +150,7 @@ vtkTextureObject* vtkWaterSea::Upload(vtkOpenGLRenderWindow* window)
   }
   this->IsUploaded = true;
   this->Detour = nullptr;
-  if (!vtkWaterRendererClass::IsSoftware())
+  if (!this->IsSoftware(window))
   {
     this->Detour = this->Passes.Draw(
       window, { this->Tile, this->Amplitudes, this->Frequencies, this->Time }, this->Texture);
@@ -159,6 +170,7 @@ vtkTextureObject* vtkWaterSea::Upload(vtkOpenGLRenderWindow* window)
 //------------------------------------------------------------------------------
 void vtkWaterSea::ReleaseGraphicsResources(vtkWindow* window)
 {
+  this->AskedWindow = nullptr;
   this->Passes.ReleaseGraphicsResources(window);
   this->Texture.ReleaseGraphicsResources(window);
 }

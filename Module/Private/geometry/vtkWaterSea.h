@@ -10,6 +10,7 @@
 #include "vtkWaterSlopePasses.h"
 #include "vtkWaterSlopeTexture.h"
 #include "vtkWaterTransform.h"
+#include "vtkWeakPointer.h"
 #include "water_tile.h"
 
 #include <vector>
@@ -43,6 +44,7 @@ public:
 
 private:
   double Sample(const std::vector<double>& field, double x, double y) const;
+  bool IsSoftware(vtkOpenGLRenderWindow* window);
   void UpdatePhasors();
   void UpdateHeights();
   void UpdateSlopes();
@@ -67,6 +69,8 @@ private:
   vtkWaterSlopePasses Passes;
   vtkWaterSlopeTexture Texture;
   const char* Detour = nullptr;
+  vtkWeakPointer<vtkOpenGLRenderWindow> AskedWindow; // what executes GL
+  bool IsSoftwareWindow = false;
 };
 
 #endif

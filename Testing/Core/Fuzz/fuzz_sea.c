@@ -2,8 +2,11 @@
 // fuzz_sea.c: any wind sea, on any tile.
 #include "fuzz_input.h"
 
+#include "water_fft.h"
 #include "water_glitter.h"
-#include "water_tile.h"
+#include "water_shared.h"
+#include "water_tile_time.h"
+#include "water_turns.h"
 
 enum
 {
@@ -34,6 +37,38 @@ static void fuzz_spectrum(fuzz_input* from, const water_sea* sea)
   {
     (void)water_sea_slopes(sea, low, high, variance);
   }
+}
+
+// The same row by row, of threads and shaders.
+static void fuzz_rows(fuzz_input* from, const water_tile* tile, const water_sea* sea,
+  const double* amplitudes, double time)
+{
+  static double frequencies[SIDE * SIDE / 4];
+  static double phasors[SIDE * SIDE / 2];
+  static double rows[2][2 * SIDE];
+  static float numbers[4 * SIDE * SIDE];
+  const size_t half = tile->size / 2;
+  PROMISED(water_tile_frequencies(tile, sea, frequencies) == WATER_OK);
+  if (isfinite(time))
+  {
+    water_tile_phasors(tile, frequencies, time, 0, half, phasors);
+    const size_t row = fuzz_below(from, half);
+    water_tile_slope_row(tile, amplitudes, phasors, row, rows[0], rows[1]);
+    water_tile_height_row(tile, amplitudes, phasors, row, rows[0], rows[1]);
+  }
+  water_tile_slope_waves(tile, amplitudes, numbers);
+  const int exponent = water_turns_exponent(frequencies[half * half - 1]);
+  uint32_t units[2];
+  uint32_t words[3];
+  water_turns_frequency(frequencies[half], exponent, words);
+  if (water_turns_time(water_tile_clock(tile, time), exponent, units))
+  {
+    const uint32_t phase = water_shared_phase(words[0], words[1], words[2], units[0], units[1]);
+    PROMISED(fabs(water_shared_cosine(phase)) < 1.0001);
+  }
+  water_fft plan;
+  PROMISED(water_fft_plan(tile->size, &plan)); // all of so few points
+  water_fft_table(&plan, (int)fuzz_below(from, (size_t)plan.count), numbers);
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t* bytes, size_t size)
@@ -67,6 +102,7 @@ int LLVMFuzzerTestOneInput(const uint8_t* bytes, size_t size)
   const double y = fuzz_near(&from, 1.0);
   if (tile.size <= SIDE && water_tile_amplitudes(&tile, &sea, amplitudes) == WATER_OK)
   {
+    fuzz_rows(&from, &tile, &sea, amplitudes, time);
     if (water_tile_at(&tile, &sea, amplitudes, time, height) == WATER_OK)
     {
       water_tile_derive(&tile, height, (water_tile_field)(fuzz_byte(&from) % 4), field);
