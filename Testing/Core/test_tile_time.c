@@ -84,6 +84,27 @@ TEST(rows_are_those_of_the_whole_tile)
   }
 }
 
+// A range writes its own rows and columns alone: other threads may write the others.
+TEST(ranges_of_phasors_keep_to_themselves)
+{
+  const water_tile* tile = &tiles[1];
+  const size_t half = tile->size / 2;
+  static double frequencies[PLACES / 4];
+  double phasors[PLACES / 2];
+  assert_int_equal(water_tile_frequencies(tile, &sea, frequencies), WATER_OK);
+  for (size_t i = 0; i < 2 * half * half; ++i)
+  {
+    phasors[i] = unset;
+  }
+  water_tile_phasors(tile, frequencies, 2.5, 2, 4, phasors);
+  for (size_t i = 0; i < half * half; ++i)
+  {
+    const size_t low = i / half < i % half ? i / half : i % half;
+    assert_int_equal(phasors[2 * i] != unset, low == 2 || low == 3);
+    assert_int_equal(phasors[2 * i + 1] != unset, low == 2 || low == 3);
+  }
+}
+
 // What a shader multiplies by cosine and sine of each wave's phase is the same spectrum.
 TEST(waves_times_phasors_are_the_slopes)
 {
@@ -152,5 +173,6 @@ TEST(frequencies_are_the_dispersions)
   ASSERT_CLOSE(water_tile_clock(&tiles[2], -1701.7), -0.1, 1e-14);
 }
 
-TESTS(rows_are_those_of_the_whole_tile, waves_times_phasors_are_the_slopes,
-  bad_tiles_have_no_frequencies, frequencies_are_the_dispersions)
+TESTS(rows_are_those_of_the_whole_tile, ranges_of_phasors_keep_to_themselves,
+  waves_times_phasors_are_the_slopes, bad_tiles_have_no_frequencies,
+  frequencies_are_the_dispersions)

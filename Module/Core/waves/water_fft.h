@@ -19,7 +19,7 @@ extern "C"
 enum
 {
   WATER_FFT_LARGEST_RADIX = 16,
-  WATER_FFT_MOST_PASSES = 8 // for sizes up to 16384
+  WATER_FFT_MOST_PASSES = 6 // of sizes up to 16384: 5^6 has so many
 };
 
 typedef struct water_fft

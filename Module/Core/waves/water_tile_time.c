@@ -91,10 +91,9 @@ static inline void fill_row(const water_tile* tile, const double* amplitudes, co
 {
   const size_t n = tile->size;
   const size_t half = n / 2;
-  double* opposite = row > 0 ? mirror : own;
-  own[0] = own[1] = 0.0; // the mean
+  double* opposite = row > 0 ? mirror : own; // to which the same is written twice
   own[n] = own[n + 1] = opposite[n] = opposite[n + 1] = 0.0;
-  for (size_t column = row > 0 ? 0 : 1; column < (row > 0 ? n : half); ++column)
+  for (size_t column = 0; column < n; ++column)
   {
     if (column != half)
     {

@@ -23,7 +23,7 @@ void water_turns_frequency(double frequency, int exponent, uint32_t words[3])
   double rest = ldexp(frequency, -exponent);
   for (int i = 0; i < 3; ++i)
   {
-    const double shifted = rest < 1.0 ? ldexp(rest, 32) : 0.0;
+    const double shifted = isfinite(rest) ? ldexp(rest, 32) : 0.0;
     words[i] = (uint32_t)shifted;
     rest = shifted - floor(shifted); // exact
   }
