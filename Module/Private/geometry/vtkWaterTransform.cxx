@@ -4,7 +4,7 @@
 #include "vtkSMPTools.h"
 #include "vtk_kissfft.h"
 
-#include VTK_KISSFFT_HEADER(vtkkissfft_fft.h)
+#include VTK_KISSFFT_HEADER(kiss_fft.h)
 
 #include <algorithm>
 
