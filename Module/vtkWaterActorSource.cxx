@@ -13,13 +13,25 @@
 #include "water_plane.h"
 
 #include <algorithm>
+#include <atomic>
 
 VTK_ABI_NAMESPACE_BEGIN
 
 //------------------------------------------------------------------------------
 vtkWaterSource* vtkWaterSource::Of(vtkProp* prop)
 {
+  // Asked of every prop, most of which are of one class: its name's address tells that class.
+  static std::atomic<const char*> other(nullptr);
+  const char* name = prop ? prop->GetClassName() : nullptr;
+  if (!prop || name == other.load(std::memory_order_relaxed))
+  {
+    return nullptr;
+  }
   vtkWaterActor* water = vtkWaterActor::SafeDownCast(prop);
+  if (!water)
+  {
+    other.store(name, std::memory_order_relaxed);
+  }
   return water ? water->GetSource() : nullptr;
 }
 

@@ -85,24 +85,32 @@ void vtkWaterFrame::Begin()
     return; // another water of this frame was first
   }
   vtkRenderer* renderer = this->Renderer;
-  vtkWaterProps::DropOwnStandIns(renderer->GetViewProps());
-  thread.SwitchTo(renderer);
   this->End(); // somebody removed the observer
+  this->Records.Begin(renderer, thread.Hook);
+  const std::vector<vtkProp*>& others = this->Records.GetOthers();
+  std::for_each(others.begin(), others.end(), vtkWaterProps::DropOwnStandIn);
+  thread.SwitchTo(renderer, others);
   this->Number.Modified();
-  vtkWaterProps::ForEach(renderer->GetViewProps(), [&](vtkProp* prop) {
+  const auto addKey = [&](vtkProp* prop) {
     if (prop->GetVisibility() && !vtkWaterRenderPassKeys::Has(prop, thread.Hook))
     {
       vtkWaterRenderPassKeys::Add(prop, thread.Hook);
       this->Keyed.emplace_back(prop);
     }
-  });
+  };
+  for (vtkProp* prop : others)
+  {
+    vtkWaterProps::ForEachOf(prop, addKey);
+  }
   this->Observer = vtkSmartPointer<vtkCallbackCommand>::New();
   this->Observer->SetClientData(this);
   this->Observer->SetCallback([](vtkObject* caller, unsigned long event, void* frame, void*) {
-    static_cast<vtkWaterFrame*>(frame)->End();
+    auto* self = static_cast<vtkWaterFrame*>(frame);
+    self->End();
     if (event == vtkCommand::EndEvent)
     {
-      vtkWaterFrameThread::PrepareForNewWindows(static_cast<vtkRenderer*>(caller));
+      auto* ended = static_cast<vtkRenderer*>(caller);
+      vtkWaterFrameThread::PrepareForNewWindows(ended, self->Records.FindOthers(ended));
     }
   });
   // before the user's observers, which may abort the event; a frame that begins has ended the last
@@ -117,6 +125,7 @@ void vtkWaterFrame::End()
   // what dies with its last reference may run the user's code, so all else comes first
   const auto snapshots = std::move(this->Snapshots);
   this->Snapshots.clear();
+  const auto held = this->Records.End();
   const auto props = std::move(this->Keyed);
   this->Keyed.clear();
   for (vtkProp* prop : props)
@@ -240,6 +249,7 @@ void vtkWaterFrame::RenderComposed(vtkWaterReflection& reflection,
   frame.Renderer = this->Renderer;
   frame.Number = this->GetNumber();
   frame.Hook = GetHook();
+  frame.Records = &this->Records;
   std::copy_n(viewport_px, 2, frame.Viewport_px);
   frame.Hints.IsSoftware = this->IsSoftware();
   frame.Hints.MayToneMap = mayToneMap;

@@ -9,6 +9,7 @@
 #include "vtkOpenGLRenderer.h" // for members
 #include "vtkSmartPointer.h"
 #include "vtkTimeStamp.h"
+#include "vtkWaterPropRecords.h"
 #include "vtkWaterSurfaceShader.h"
 #include "vtkWeakPointer.h"
 
@@ -119,7 +120,8 @@ private:
 
   vtkWeakPointer<vtkOpenGLRenderer> Renderer;
   std::vector<vtkWaterSnapshotPointer> Snapshots;
-  std::vector<vtkSmartPointer<vtkProp>> Keyed;  // props that carry the key in this frame
+  vtkWaterPropRecords Records; // the plain actors among them carry the key in this frame
+  std::vector<vtkSmartPointer<vtkProp>> Keyed;  // and so do these
   vtkSmartPointer<vtkCallbackCommand> Observer; // nullptr: the key is not held
   vtkTimeStamp Number;
   std::vector<Group> Groups;

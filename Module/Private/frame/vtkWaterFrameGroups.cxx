@@ -196,6 +196,7 @@ void vtkWaterFrame::RenderShared(vtkWaterSource& water, const int viewport_px[2]
   frame.Renderer = renderer;
   frame.Number = this->GetNumber();
   frame.Hook = GetHook();
+  frame.Records = &this->Records;
   std::copy_n(viewport_px, 2, frame.Viewport_px);
   frame.Hints.IsSoftware = this->IsSoftware();
   frame.Hints.MayToneMap = renderer->GetPass() != nullptr;

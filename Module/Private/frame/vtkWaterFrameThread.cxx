@@ -4,9 +4,10 @@
 #include "vtkCallbackCommand.h"
 #include "vtkCommand.h"
 #include "vtkOpenGLRenderWindow.h"
-#include "vtkPropCollection.h"
 #include "vtkRenderer.h"
 #include "vtkWaterProps.h"
+
+#include <functional>
 
 namespace
 {
@@ -41,6 +42,15 @@ void ReleaseForNewWindows(vtkProp* prop, vtkRenderWindow* window)
     {
       prop->ReleaseGraphicsResources(window);
     }
+  }
+}
+
+void ForEachOf(
+  const std::vector<vtkProp*>& props, const std::function<void(vtkProp*)>& function)
+{
+  for (vtkProp* prop : props)
+  {
+    vtkWaterProps::ForEachOf(prop, function);
   }
 }
 }
@@ -111,25 +121,22 @@ void vtkWaterFrameThread::WatchOtherWindows(vtkProp* prop, vtkRenderWindow* wind
 }
 
 //------------------------------------------------------------------------------
-void vtkWaterFrameThread::SwitchTo(vtkRenderer* renderer)
+void vtkWaterFrameThread::SwitchTo(vtkRenderer* renderer, const std::vector<vtkProp*>& props)
 {
   vtkRenderWindow* window = renderer->GetRenderWindow();
-  vtkPropCollection* props = renderer->GetViewProps();
-  vtkWaterProps::ForEach(
-    props, [this, window](vtkProp* prop) { this->WatchOtherWindows(prop, window); });
+  ForEachOf(props, [this, window](vtkProp* prop) { this->WatchOtherWindows(prop, window); });
   if (this->LastWindow != window)
   {
-    vtkWaterProps::ForEach(
-      props, [window](vtkProp* prop) { ReleaseFromOtherWindows(prop, window); });
+    ForEachOf(props, [window](vtkProp* prop) { ReleaseFromOtherWindows(prop, window); });
     window->MakeCurrent();
     this->SetLastWindow(window);
   }
 }
 
 //------------------------------------------------------------------------------
-void vtkWaterFrameThread::PrepareForNewWindows(vtkRenderer* renderer)
+void vtkWaterFrameThread::PrepareForNewWindows(
+  vtkRenderer* renderer, const std::vector<vtkProp*>& props)
 {
   vtkRenderWindow* window = renderer->GetRenderWindow();
-  vtkWaterProps::ForEach(
-    renderer->GetViewProps(), [window](vtkProp* prop) { ReleaseForNewWindows(prop, window); });
+  ForEachOf(props, [window](vtkProp* prop) { ReleaseForNewWindows(prop, window); });
 }

@@ -12,6 +12,7 @@
 
 #include <map>
 #include <memory>
+#include <vector>
 
 class vtkCallbackCommand;
 class vtkRenderWindow;
@@ -29,10 +30,14 @@ struct vtkWaterFrameThread
   void Prune();
 
   // A frame for a window begins: whatever its props hold for other windows is freed.
-  void SwitchTo(vtkRenderer* renderer);
+  //
+  // props  of the renderer: at least those that another one has, too
+  void SwitchTo(vtkRenderer* renderer, const std::vector<vtkProp*>& props);
 
   // A frame has ended: what a new window would free in the middle of its own is freed.
-  static void PrepareForNewWindows(vtkRenderer* renderer);
+  //
+  // props  as above
+  static void PrepareForNewWindows(vtkRenderer* renderer, const std::vector<vtkProp*>& props);
 
   vtkNew<vtkWaterShaderHook> Hook;
   std::map<vtkRenderer*, std::unique_ptr<vtkWaterFrame>> Frames;

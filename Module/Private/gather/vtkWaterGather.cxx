@@ -10,12 +10,11 @@
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
 #include "vtkOpenGLRenderWindow.h"
-#include "vtkPropCollection.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProperty.h"
 #include "vtkTextureObject.h"
-#include "vtkWaterPropReader.h"
+#include "vtkWaterPropRecords.h"
 #include "water_optics.h"
 #include "water_waves.h"
 
@@ -196,27 +195,27 @@ void vtkWaterGather::ReadSurface(const std::vector<vtkWaterSnapshotPointer>& wat
 
 //------------------------------------------------------------------------------
 void vtkWaterGather::ReadProps(vtkRenderer* renderer, const vtkWaterSnapshot& mirrored,
-  const std::function<bool(vtkProp*)>& isRefused)
+  const std::function<bool(vtkProp*)>& isRefused, vtkWaterPropRecords& records)
 {
-  this->Props.clear();
-  this->DrawnProps.clear();
-  vtkPropCollection* all = renderer->GetViewProps();
-  vtkCollectionSimpleIterator it;
-  all->InitTraversal(it);
-  while (vtkProp* prop = all->GetNextProp(it))
+  records.Read(renderer, mirrored, isRefused);
+  const size_t count = records.GetCount();
+  this->Props.resize(count);
+  this->DrawnProps.resize(count);
+  for (size_t i = 0; i < count; ++i)
   {
-    vtkProp* drawn = vtkWaterPropReader::FindDrawn(prop);
-    this->DrawnProps.push_back(drawn);
-    this->Props.push_back(vtkWaterPropReader::Read(prop, drawn, mirrored, isRefused(drawn)));
+    this->Props[i] = records.GetRead(i);
+    this->DrawnProps[i] = records.GetDrawn(i);
   }
   this->Scene.props = this->Props.data();
-  this->Scene.prop_count = this->Props.size();
+  this->Scene.prop_count = count;
+  auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
+  window->MakeCurrent(); // bringing pipelines up to date may have rendered another window
+  this->Scene.max_texture_px = vtkTextureObject::GetMaximumTextureSize(window);
 }
 
 //------------------------------------------------------------------------------
 void vtkWaterGather::Read(vtkRenderer* renderer, const std::vector<vtkWaterSnapshotPointer>& waters,
-  const int viewport_px[2], const water_settings& settings, const vtkWaterFrameHints& hints,
-  const std::function<bool(vtkProp*)>& isRefused)
+  const int viewport_px[2], const water_settings& settings, const vtkWaterFrameHints& hints)
 {
   auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
   const vtkWaterSnapshot& first = *waters.front();
@@ -235,7 +234,4 @@ void vtkWaterGather::Read(vtkRenderer* renderer, const std::vector<vtkWaterSnaps
   ReadSky(renderer, this->Scene);
   ReadSun(renderer, this->Scene);
   this->ReadSurface(waters);
-  this->ReadProps(renderer, first, isRefused);
-  window->MakeCurrent(); // bringing pipelines up to date may have rendered another window
-  this->Scene.max_texture_px = vtkTextureObject::GetMaximumTextureSize(window);
 }

@@ -14,6 +14,7 @@
 class vtkCamera;
 class vtkProp;
 class vtkRenderer;
+class vtkWaterPropRecords;
 
 // What a frame knows besides what is read.
 struct vtkWaterFrameHints
@@ -34,14 +35,19 @@ struct vtkWaterGather
   bool IsRough = false;              // one of the waters blurs its reflection
   bool HasMarchedRays = false;       // one of them traces rays in the reflection texture
 
-  // Reads all that the plan depends on.
+  // Reads all that the plan depends on, but for the props.
   //
   // waters    the surfaces that share the plane of the first; at least one
   // settings  of the pass in charge
-  // isRefused whether the driver refuses a prop's shader with the lines that reflections need
   void Read(vtkRenderer* renderer, const std::vector<vtkWaterSnapshotPointer>& waters,
-    const int viewport_px[2], const water_settings& settings, const vtkWaterFrameHints& hints,
-    const std::function<bool(vtkProp*)>& isRefused);
+    const int viewport_px[2], const water_settings& settings, const vtkWaterFrameHints& hints);
+  // The last part of it.
+  //
+  // mirrored   the first of the waters
+  // isRefused  whether the driver refuses a prop's shader with the lines that reflections need;
+  //            empty: of none
+  void ReadProps(vtkRenderer* renderer, const vtkWaterSnapshot& mirrored,
+    const std::function<bool(vtkProp*)>& isRefused, vtkWaterPropRecords& records);
 
   // Another water for the mirrored view of one, water_secondary.h.
   //
@@ -58,8 +64,6 @@ struct vtkWaterGather
 private:
   void ReadWaters(vtkRenderer* renderer, const std::vector<vtkWaterSnapshotPointer>& waters);
   void ReadSurface(const std::vector<vtkWaterSnapshotPointer>& waters);
-  void ReadProps(vtkRenderer* renderer, const vtkWaterSnapshot& mirrored,
-    const std::function<bool(vtkProp*)>& isRefused);
 };
 
 #endif

@@ -30,16 +30,28 @@ vtkProp* vtkWaterProps::GetStandIn(vtkProp* prop)
 }
 
 //------------------------------------------------------------------------------
-void vtkWaterProps::DropOwnStandIns(vtkPropCollection* props)
+void vtkWaterProps::DropOwnStandIn(vtkProp* prop)
 {
-  vtkCollectionSimpleIterator it;
-  props->InitTraversal(it);
-  while (vtkProp* prop = props->GetNextProp(it))
+  if (GetStandIn(prop) == prop)
   {
-    if (GetStandIn(prop) == prop)
-    {
-      prop->GetPropertyKeys()->Remove(vtkWaterPropKeys::StandIn());
-    }
+    prop->GetPropertyKeys()->Remove(vtkWaterPropKeys::StandIn());
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterProps::ForEachOf(vtkProp* prop, const std::function<void(vtkProp*)>& function)
+{
+  function(prop);
+  if (vtkProp* drawn = GetStandIn(prop))
+  {
+    function(drawn);
+  }
+  if (prop->IsA("vtkAxesActor"))
+  {
+    // the one prop with parts that does not hand its keys on to them
+    vtkNew<vtkPropCollection> parts;
+    prop->GetActors(parts);
+    ForEach(parts, function);
   }
 }
 
@@ -50,18 +62,7 @@ void vtkWaterProps::ForEach(vtkPropCollection* props, const std::function<void(v
   props->InitTraversal(it);
   while (vtkProp* prop = props->GetNextProp(it))
   {
-    function(prop);
-    if (vtkProp* drawn = GetStandIn(prop))
-    {
-      function(drawn);
-    }
-    if (prop->IsA("vtkAxesActor"))
-    {
-      // the one prop with parts that does not hand its keys on to them
-      vtkNew<vtkPropCollection> parts;
-      prop->GetActors(parts);
-      ForEach(parts, function);
-    }
+    ForEachOf(prop, function);
   }
 }
 

@@ -17,10 +17,13 @@ namespace vtkWaterProps
 vtkProp* GetStandIn(vtkProp* prop);
 
 // A prop that stands in for itself would never die: it holds its keys, and they hold it.
-void DropOwnStandIns(vtkPropCollection* props);
+void DropOwnStandIn(vtkProp* prop);
 
-// Calls back for all props, what stands in for them, and the parts that do not get their keys from
-// the prop.
+// Calls back for a prop, what stands in for it, and the parts that do not get their keys from the
+// prop.
+void ForEachOf(vtkProp* prop, const std::function<void(vtkProp*)>& function);
+
+// The same for all props.
 void ForEach(vtkPropCollection* props, const std::function<void(vtkProp*)>& function);
 
 // The parts of a prop that is an assembly of any kind; nullptr: it is none.

@@ -72,7 +72,12 @@ void vtkWaterRenderPassKeys::Add(vtkProp* prop, vtkOpenGLRenderPass* key)
 //------------------------------------------------------------------------------
 void vtkWaterRenderPassKeys::Remove(vtkProp* prop, vtkOpenGLRenderPass* key)
 {
-  vtkInformation* keys = prop->GetPropertyKeys();
+  Remove(prop->GetPropertyKeys(), key);
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterRenderPassKeys::Remove(vtkInformation* keys, vtkOpenGLRenderPass* key)
+{
   if (keys && keys->Has(vtkOpenGLRenderPass::RenderPasses()))
   {
     keys->Remove(vtkOpenGLRenderPass::RenderPasses(), key);

@@ -10,6 +10,7 @@
 
 #include <vector>
 
+class vtkInformation;
 class vtkObjectBase;
 class vtkOpenGLRenderPass;
 class vtkProp;
@@ -22,6 +23,7 @@ bool Has(vtkProp* prop, vtkOpenGLRenderPass* key);
 // Puts the key on a prop, once.
 void Add(vtkProp* prop, vtkOpenGLRenderPass* key);
 void Remove(vtkProp* prop, vtkOpenGLRenderPass* key);
+void Remove(vtkInformation* keys, vtkOpenGLRenderPass* key);
 
 // Is a prop being drawn for a shadow map, by a light's camera?
 bool IsBakingShadows(vtkProp* prop);

@@ -57,6 +57,7 @@ public:
     vtkMTimeType Number = 0; // 0: none was begun
     int Viewport_px[2] = {};
     vtkWaterShaderHook* Hook = nullptr;
+    vtkWaterPropRecords* Records = nullptr; // of the renderer
     vtkWaterFrameHints Hints;
     // Are the waters behind what the bound framebuffer shows? Asked only if they would reflect: the
     // answer waits for what was drawn. Empty: not known.
@@ -138,7 +139,8 @@ private:
   void Revise(const Frame& frame, Attempt& attempt);
   void Draw(const Frame& frame, Attempt& attempt);
   vtkWaterError Commit(const Frame& frame, Attempt& attempt);
-  void FindDrawn(vtkRenderer* renderer, Attempt& attempt);
+  void FindDrawn(const Frame& frame, Attempt& attempt);
+  void Sign(const Frame& frame, Attempt& attempt);
   static bool IsSecondEye(vtkRenderer* renderer); // of a stereo pair, by the active camera
   ViewPointer GetView(vtkRenderer* renderer);
   View* GetPlannedView();

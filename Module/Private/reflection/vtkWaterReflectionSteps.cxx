@@ -8,11 +8,13 @@
 #include "vtkTimerLog.h"
 #include "vtkWaterErrors.h"
 #include "vtkWaterGL.h"
+#include "vtkWaterPropRecords.h"
 #include "vtkWaterReflection.h"
 #include "vtkWaterShaderHook.h"
 #include "vtkWaterShadows.h"
 
 #include <algorithm>
+#include <functional>
 
 //------------------------------------------------------------------------------
 void vtkWaterReflection::Render(const Frame& frame, const std::vector<vtkWaterSource*>& waters)
@@ -70,8 +72,15 @@ void vtkWaterReflection::Gather(
   {
     attempt.Waters.push_back(water->Take(frame.Renderer));
   }
-  this->Gathered.Read(frame.Renderer, attempt.Waters, frame.Viewport_px, this->Settings,
-    frame.Hints, [&frame](vtkProp* prop) { return frame.Hook->Failures.Has(prop); });
+  this->Gathered.Read(
+    frame.Renderer, attempt.Waters, frame.Viewport_px, this->Settings, frame.Hints);
+  vtkWaterShaderFailures& failures = frame.Hook->Failures;
+  std::function<bool(vtkProp*)> isRefused; // none is, as a rule
+  if (!failures.AreNone())
+  {
+    isRefused = [&failures](vtkProp* prop) { return failures.Has(prop); };
+  }
+  this->Gathered.ReadProps(frame.Renderer, *attempt.Waters.front(), isRefused, *frame.Records);
   attempt.Drawn = this->GetView(frame.Renderer);
   this->ChooseQuality(frame, *attempt.Drawn);
   if (this->Settings.IsInstrumented)
@@ -137,7 +146,7 @@ void vtkWaterReflection::MakePlan(const Frame& frame, Attempt& attempt)
 }
 
 //------------------------------------------------------------------------------
-void vtkWaterReflection::FindDrawn(vtkRenderer* renderer, Attempt& attempt)
+void vtkWaterReflection::FindDrawn(const Frame& frame, Attempt& attempt)
 {
   std::vector<vtkProp*>& drawn = attempt.Draft.Props;
   drawn.clear();
@@ -149,14 +158,36 @@ void vtkWaterReflection::FindDrawn(vtkRenderer* renderer, Attempt& attempt)
     if (this->Reasons[i] == WATER_CULL_NONE)
     {
       drawn.push_back(this->Gathered.DrawnProps[i]);
-      if (drawn.back()->IsA("vtkLODProp3D"))
+      if (frame.Records->MayHaveLevels(i) && drawn.back()->IsA("vtkLODProp3D"))
       {
         // It chooses its level here, which the renderer has not come to yet, and never does for a
         // prop that only the mirrored view shows.
         drawn.back()->SetAllocatedRenderTime(
-          attempt.Waters.front()->Actor->GetAllocatedRenderTime(), renderer);
+          attempt.Waters.front()->Actor->GetAllocatedRenderTime(), frame.Renderer);
       }
     }
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterReflection::Sign(const Frame& frame, Attempt& attempt)
+{
+  vtkWaterSignature& signature = attempt.Signature;
+  signature.Read(frame.Renderer);
+  for (size_t i = 0; i < this->Reasons.size(); ++i)
+  {
+    if (this->Reasons[i] == WATER_CULL_NONE)
+    {
+      signature.AddProp(
+        this->Gathered.DrawnProps[i], frame.Records->GetStamp(frame.Renderer, i));
+    }
+  }
+  signature.Add(static_cast<vtkMTimeType>(this->Plan.samples));
+  signature.Add(this->Plan.is_half_float ? 1 : 0);
+  signature.Add(this->Gathered.HasMarchedRays ? 1 : 0);
+  if (attempt.Draft.Shadows)
+  {
+    signature.AddShadows(frame.Renderer, attempt.Draft.Shadows, *frame.Records);
   }
 }
 
@@ -169,15 +200,8 @@ void vtkWaterReflection::Revise(const Frame& frame, Attempt& attempt)
   attempt.Draft.HasMarchedRays = this->Gathered.HasMarchedRays;
   attempt.Draft.CanCut = (this->Settings.skips & WATER_MAY_SKIP_CLUSTERS) != 0;
   attempt.Draft.Shadows = vtkWaterShadows::Find(renderer);
-  this->FindDrawn(renderer, attempt);
-  attempt.Signature.Read(renderer, attempt.Draft.Props);
-  attempt.Signature.Add(static_cast<vtkMTimeType>(this->Plan.samples));
-  attempt.Signature.Add(this->Plan.is_half_float ? 1 : 0);
-  attempt.Signature.Add(this->Gathered.HasMarchedRays ? 1 : 0);
-  if (attempt.Draft.Shadows)
-  {
-    attempt.Signature.AddShadows(renderer, attempt.Draft.Shadows);
-  }
+  this->FindDrawn(frame, attempt);
+  this->Sign(frame, attempt);
   const bool isUnchanged = attempt.Signature.IsSameAs(view.DrawnSignature);
   const water_visibility* visible = view.Mirrored.FindVisible(
     renderer, this->Plan, water_plan_wants_visibility(&view.DrawnPlan, &this->Plan));
@@ -186,7 +210,7 @@ void vtkWaterReflection::Revise(const Frame& frame, Attempt& attempt)
   this->Report.Decision = this->Plan.decision;
   if (visible)
   {
-    this->FindDrawn(renderer, attempt);
+    this->FindDrawn(frame, attempt);
   }
 }
 

@@ -22,6 +22,8 @@ class vtkProp;
 class vtkWaterShaderFailures
 {
 public:
+  // Is it certain that no prop is one of them?
+  bool AreNone() const { return this->Refused.empty(); }
   // Do the shaders of a prop go without the lines?
   bool Has(vtkProp* prop);
   // How often they were refused. VTK keeps programs by their text, and compiles one that was

@@ -23,6 +23,7 @@
 #include "water_types.h"
 
 #include <algorithm>
+#include <utility>
 
 VTK_ABI_NAMESPACE_BEGIN
 vtkStandardNewMacro(vtkWaterShaderHook);
@@ -126,6 +127,7 @@ void vtkWaterShaderHook::BeginMirroredView(const View& view)
 {
   this->Mirrored = view;
   this->SetUp.clear();
+  this->LastSetUp = nullptr;
 }
 
 //------------------------------------------------------------------------------
@@ -134,6 +136,7 @@ void vtkWaterShaderHook::EndMirroredView()
   this->Mirrored = View();
   this->DepthWriter = nullptr;
   this->SetUp.clear();
+  this->LastSetUp = nullptr;
 }
 
 //------------------------------------------------------------------------------
@@ -257,7 +260,7 @@ bool vtkWaterShaderHook::PostReplaceShaderValues(std::string& vertexShader,
 bool vtkWaterShaderHook::SetShaderParameters(
   vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp* prop, vtkOpenGLVertexArrayObject*)
 {
-  if (prop->IsA("vtkWaterActor"))
+  if (vtkWaterSource::Of(prop))
   {
     // a mapper whose new program was refused still has its last one, which is not in use
     if (this->Surface && program->isBound())
@@ -301,7 +304,7 @@ void vtkWaterShaderHook::SetMirroredParameters(vtkShaderProgram* program, vtkPro
     this->Mirrored.ClipDistance->On();
   }
   // props share programs, and a program keeps its uniforms
-  if (!this->SetUp.insert(program).second)
+  if (program == std::exchange(this->LastSetUp, program) || !this->SetUp.insert(program).second)
   {
     return;
   }

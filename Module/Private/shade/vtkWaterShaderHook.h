@@ -97,6 +97,7 @@ private:
 
   View Mirrored;
   std::unordered_set<vtkShaderProgram*> SetUp; // programs that know the present view
+  vtkShaderProgram* LastSetUp = nullptr;       // one of them
   vtkWaterSurfaceShader* Surface = nullptr;
   vtkOpenGLState* Probed = nullptr;
   vtkOpenGLState* DepthWriter = nullptr; // in it, of translucent geometry

@@ -1,0 +1,274 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkWaterPropRecords.h"
+
+#include "vtkActor.h"
+#include "vtkInformationObjectBaseVectorKey.h"
+#include "vtkMapper.h"
+#include "vtkOpenGLRenderPass.h"
+#include "vtkPropCollection.h"
+#include "vtkRenderer.h"
+#include "vtkTimeStamp.h"
+#include "vtkWaterAccess.h"
+#include "vtkWaterPropReader.h"
+#include "vtkWaterProps.h"
+#include "vtkWaterRenderPassKeys.h"
+
+#include <cstring>
+#include <iterator>
+#include <utility>
+
+namespace
+{
+// VTK's time, which every change of anything moves on.
+vtkMTimeType Now()
+{
+  vtkTimeStamp now;
+  now.Modified();
+  return now.GetMTime();
+}
+
+// Do the times tell whether what is read of an actor for the plan holds? Bounds on the device
+// depend on the camera, and other mappers have bounds of their own.
+bool IsKnownByTimes(vtkActor* actor)
+{
+  vtkMapper* mapper = actor->GetMapper();
+  return vtkWaterProps::IsInWorld(actor) &&
+    (!mapper || std::strcmp(mapper->GetClassName(), "vtkOpenGLPolyDataMapper") == 0);
+}
+}
+
+//------------------------------------------------------------------------------
+vtkWaterPropRecords::Record& vtkWaterPropRecords::Match(size_t i, vtkProp* prop)
+{
+  const char* name = prop->GetClassName();
+  if (i < this->Records.size())
+  {
+    Record& record = *this->Records[i];
+    if (record.Prop == prop && record.ClassName == name)
+    {
+      return record;
+    }
+    for (size_t k = i; k < this->Records.size(); ++k)
+    {
+      vtkProp* other = this->Records[k]->Prop;
+      this->Loose.emplace(other, std::move(this->Records[k]));
+    }
+    this->Records.resize(i);
+  }
+  const auto found = this->Loose.find(prop);
+  if (found != this->Loose.end() && found->second->ClassName == name)
+  {
+    this->Records.push_back(std::move(found->second));
+    this->Loose.erase(found);
+    return *this->Records.back();
+  }
+  RecordPointer record = std::make_unique<Record>();
+  record->Prop = prop;
+  record->ClassName = name;
+  record->IsPlain = std::strcmp(name, "vtkOpenGLActor") == 0;
+  this->Records.push_back(std::move(record));
+  return *this->Records.back();
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterPropRecords::EndMatching(size_t count)
+{
+  for (auto& loose : this->Loose)
+  {
+    this->Dropped.push_back(std::move(loose.second));
+  }
+  this->Loose.clear();
+  std::move(this->Records.begin() + static_cast<std::ptrdiff_t>(count), this->Records.end(),
+    std::back_inserter(this->Dropped));
+  this->Records.resize(count);
+  if (this->Keyed.empty())
+  {
+    this->Dropped.clear();
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkWaterPropRecords::IsAlone(vtkProp* prop, vtkRenderer* renderer)
+{
+  return prop->GetNumberOfConsumers() == 1 && prop->GetConsumer(0) == renderer;
+}
+
+//------------------------------------------------------------------------------
+bool vtkWaterPropRecords::HasOwnKeysOnly(const Record& record)
+{
+  vtkInformation* keys = vtkWaterAccess::Prop::PropertyKeysOf(record.Prop);
+  return !keys || (keys == record.GivenKeys && keys->GetMTime() == record.KeysTime);
+}
+
+//------------------------------------------------------------------------------
+const std::vector<vtkProp*>& vtkWaterPropRecords::FindOthers(vtkRenderer* renderer)
+{
+  this->Others.clear();
+  vtkPropCollection* props = renderer->GetViewProps();
+  vtkCollectionSimpleIterator it;
+  size_t i = 0;
+  props->InitTraversal(it);
+  while (vtkProp* prop = props->GetNextProp(it))
+  {
+    Record& record = this->Match(i++, prop);
+    if (!record.IsPlain || vtkWaterAccess::Prop::PropertyKeysOf(prop) || !IsAlone(prop, renderer))
+    {
+      this->Others.push_back(prop);
+    }
+  }
+  this->EndMatching(i);
+  return this->Others;
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterPropRecords::PutKey(Record& record)
+{
+  if (!record.Keys)
+  {
+    record.Keys.reset(vtkInformation::New());
+    record.Keys->Append(vtkOpenGLRenderPass::RenderPasses(), this->Key);
+    record.KeysTime = record.Keys->GetMTime();
+  }
+  // silently: a key for a frame is no change of the prop
+  record.GivenKeys = record.Keys.release();
+  vtkWaterAccess::Prop::PropertyKeysOf(record.Prop) = record.GivenKeys;
+  this->Keyed.push_back(&record);
+  this->Held.emplace_back(record.Prop);
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterPropRecords::Begin(vtkRenderer* renderer, vtkOpenGLRenderPass* key)
+{
+  this->Key = key;
+  this->Others.clear();
+  this->Held.reserve(this->Records.size());
+  vtkPropCollection* props = renderer->GetViewProps();
+  vtkCollectionSimpleIterator it;
+  size_t i = 0;
+  props->InitTraversal(it);
+  while (vtkProp* prop = props->GetNextProp(it))
+  {
+    Record& record = this->Match(i++, prop);
+    const bool isBare = record.IsPlain && !vtkWaterAccess::Prop::PropertyKeysOf(prop);
+    if (!isBare || !IsAlone(prop, renderer))
+    {
+      this->Others.push_back(prop);
+    }
+    if (isBare && prop->GetVisibility())
+    {
+      this->PutKey(record);
+    }
+  }
+  this->EndMatching(i);
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterPropRecords::TakeKeyOff(Record& record, vtkProp* prop)
+{
+  vtkInformation*& slot = vtkWaterAccess::Prop::PropertyKeysOf(prop);
+  const bool isOurs = slot && slot == std::exchange(record.GivenKeys, nullptr) &&
+    slot->GetReferenceCount() == 1 && slot->GetMTime() == record.KeysTime &&
+    slot->Length(vtkOpenGLRenderPass::RenderPasses()) == 1;
+  if (isOurs)
+  {
+    record.Keys.reset(std::exchange(slot, nullptr));
+    return;
+  }
+  // somebody has put others beside it, or has them, too: they stay, without ours
+  vtkWaterRenderPassKeys::Remove(prop, this->Key);
+}
+
+//------------------------------------------------------------------------------
+std::vector<vtkSmartPointer<vtkProp>> vtkWaterPropRecords::End()
+{
+  for (size_t i = 0; i < this->Keyed.size(); ++i)
+  {
+    this->TakeKeyOff(*this->Keyed[i], this->Held[i]);
+  }
+  this->Keyed.clear();
+  this->Dropped.clear();
+  return std::exchange(this->Held, {});
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterPropRecords::Picture::Update(vtkRenderer* renderer, vtkProp* prop)
+{
+  vtkWaterPropTimes times;
+  times.Read(renderer, prop);
+  if (!times.AreSameAs(this->Times))
+  {
+    this->Stamp = Now();
+  }
+  this->Times = std::move(times);
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterPropRecords::ReadAnew(vtkRenderer* renderer, Record& record,
+  const vtkWaterSnapshot& mirrored, const std::function<bool(vtkProp*)>& isRefused)
+{
+  const bool isBare = record.IsPlain && HasOwnKeysOnly(record);
+  record.IsKnown = false;
+  record.Drawn = isBare ? record.Prop : vtkWaterPropReader::FindDrawn(record.Prop);
+  const bool isRefusedNow = isRefused && isRefused(record.Drawn);
+  record.Read = vtkWaterPropReader::Read(record.Prop, record.Drawn, mirrored, isRefusedNow);
+  if (isBare && !isRefusedNow && IsKnownByTimes(static_cast<vtkActor*>(record.Prop)))
+  {
+    record.Mirrored.Update(renderer, record.Prop);
+    record.IsKnown = record.Mirrored.Times.CanBeAsked();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterPropRecords::Read(vtkRenderer* renderer, const vtkWaterSnapshot& mirrored,
+  const std::function<bool(vtkProp*)>& isRefused)
+{
+  const vtkMTimeType begun = Now();
+  vtkPropCollection* props = renderer->GetViewProps();
+  vtkCollectionSimpleIterator it;
+  size_t i = 0;
+  props->InitTraversal(it);
+  while (vtkProp* prop = props->GetNextProp(it))
+  {
+    Record& record = this->Match(i++, prop);
+    if (!record.IsKnown || isRefused || !HasOwnKeysOnly(record) ||
+      !record.Mirrored.Times.AreUnchanged())
+    {
+      this->ReadAnew(renderer, record, mirrored, isRefused);
+    }
+  }
+  this->EndMatching(i);
+  this->IsSettled = Now() == begun + 1;
+}
+
+//------------------------------------------------------------------------------
+vtkMTimeType vtkWaterPropRecords::GetStamp(vtkRenderer* renderer, size_t i)
+{
+  Record& record = *this->Records[i];
+  if (record.IsKnown && this->IsSettled)
+  {
+    return record.Mirrored.Stamp;
+  }
+  if (!record.Mirrored.Times.AreUnchanged())
+  {
+    // bringing another prop's pipeline up to date may have run the user's code, and changed it
+    record.IsKnown = false;
+    record.Mirrored.Update(renderer, record.Drawn);
+  }
+  return record.Mirrored.Stamp;
+}
+
+//------------------------------------------------------------------------------
+vtkMTimeType vtkWaterPropRecords::GetOwnStamp(vtkRenderer* renderer, size_t i)
+{
+  Record& record = *this->Records[i];
+  if (record.Drawn == record.Prop)
+  {
+    return this->GetStamp(renderer, i);
+  }
+  if (!record.Own)
+  {
+    record.Own = std::make_unique<Picture>();
+  }
+  record.Own->Update(renderer, record.Prop);
+  return record.Own->Stamp;
+}

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkWaterPropRecords: what a renderer's frames remember of its props, in its order: what was read
+// of each for the plan, the modification times that this depends on, and a stamp for its picture.
+//
+// Most props are the same in most frames. Of a plain actor the times tell that all is as it was, in
+// a tenth of the time that it takes to read it anew; of all others the plan's part is read in every
+// frame. See Documentation/decisions/015-prop-records.md.
+#ifndef vtkWaterPropRecords_h
+#define vtkWaterPropRecords_h
+
+#include "vtkInformation.h" // for members
+#include "vtkProp.h"
+#include "vtkSmartPointer.h"
+#include "vtkWaterPropTimes.h"
+#include "water_types.h"
+
+#include <functional>
+#include <memory>
+#include <unordered_map>
+#include <vector>
+
+class vtkOpenGLRenderPass;
+class vtkRenderer;
+struct vtkWaterSnapshot;
+
+class vtkWaterPropRecords
+{
+public:
+  // A frame begins: puts the shader key on visible actors that have no keys of their own.
+  void Begin(vtkRenderer* renderer, vtkOpenGLRenderPass* key);
+  // It has ended: the key is taken off.
+  //
+  // Returns what held the props; to be dropped last, as that may run the user's code.
+  std::vector<vtkSmartPointer<vtkProp>> End();
+
+  // Props of the renderer that are not plain actors without keys which it alone has: they may be in
+  // other windows, too, and have parts, a stand-in and other keys. True as long as no prop comes or
+  // goes.
+  const std::vector<vtkProp*>& FindOthers(vtkRenderer* renderer);
+  const std::vector<vtkProp*>& GetOthers() const { return this->Others; }
+
+  // Brings up to date what the plan must know of all props.
+  //
+  // mirrored   the water that is mirrored at
+  // isRefused  whether the driver refuses a prop's shader with the lines that reflections need;
+  //            empty: of none
+  void Read(vtkRenderer* renderer, const vtkWaterSnapshot& mirrored,
+    const std::function<bool(vtkProp*)>& isRefused);
+
+  // All of these by the place among the renderer's props, as they were read last.
+  size_t GetCount() const { return this->Records.size(); }
+  vtkProp* GetProp(size_t i) const { return this->Records[i]->Prop; }
+  const water_prop& GetRead(size_t i) const { return this->Records[i]->Read; }
+  // The prop, or what stands in for it.
+  vtkProp* GetDrawn(size_t i) const { return this->Records[i]->Drawn; }
+  // May it be a prop with levels of detail?
+  bool MayHaveLevels(size_t i) const { return !this->Records[i]->IsKnown; }
+
+  // A number that is another one whenever the picture of the drawn prop may be, in all frames of
+  // all renderers.
+  vtkMTimeType GetStamp(vtkRenderer* renderer, size_t i);
+  // The same of the prop itself.
+  vtkMTimeType GetOwnStamp(vtkRenderer* renderer, size_t i);
+
+private:
+  struct Picture
+  {
+    void Update(vtkRenderer* renderer, vtkProp* prop);
+
+    vtkWaterPropTimes Times;
+    vtkMTimeType Stamp = 0;
+  };
+  struct Dereference
+  {
+    void operator()(vtkInformation* keys) const { keys->Delete(); }
+  };
+  using KeysPointer = std::unique_ptr<vtkInformation, Dereference>;
+  struct Record
+  {
+    vtkProp* Prop = nullptr; // there, while it is in the renderer's list
+    const char* ClassName = nullptr; // its class's own text, so that its address tells the class
+    bool IsPlain = false;            // of exactly the class that VTK makes for vtkActor
+    bool IsKnown = false;            // what was read holds as long as the times do
+    vtkProp* Drawn = nullptr;
+    water_prop Read = water_prop();
+    Picture Mirrored;
+    std::unique_ptr<Picture> Own;        // of the prop itself, if another one is drawn for it
+    // With the key alone; nullptr: the prop has them, or none were needed. They change hands with
+    // their one reference: VTK looks for garbage whenever a second one to such an object goes.
+    KeysPointer Keys;
+    vtkInformation* GivenKeys = nullptr; // compared: the prop may have dropped them
+    vtkMTimeType KeysTime = 0;
+  };
+  using RecordPointer = std::unique_ptr<Record>;
+
+  Record& Match(size_t i, vtkProp* prop);
+  void EndMatching(size_t count);
+  static bool IsAlone(vtkProp* prop, vtkRenderer* renderer);
+  static bool HasOwnKeysOnly(const Record& record);
+  void PutKey(Record& record);
+  void TakeKeyOff(Record& record, vtkProp* prop);
+  void ReadAnew(vtkRenderer* renderer, Record& record, const vtkWaterSnapshot& mirrored,
+    const std::function<bool(vtkProp*)>& isRefused);
+
+  std::vector<RecordPointer> Records;
+  std::unordered_multimap<vtkProp*, RecordPointer> Loose; // while props are matched
+  std::vector<RecordPointer> Dropped;                     // in this frame
+  std::vector<Record*> Keyed;
+  std::vector<vtkSmartPointer<vtkProp>> Held; // their props
+  vtkOpenGLRenderPass* Key = nullptr;         // the thread's, which outlives frames
+  std::vector<vtkProp*> Others;
+  bool IsSettled = false; // nothing at all has changed while they were read
+};
+
+#endif

@@ -1,0 +1,146 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What is remembered of props from frame to frame is never out of date: random changes of props of every kind, picture
+by picture equal to those of a renderer that remembers nothing and skips nothing.
+
+The environment may ask for other walks: WATER_PROPS_SEED, a number; and for longer ones: WATER_PROPS_STEPS.
+"""
+
+import os
+
+import numpy as np
+import prop_scene
+import pytest
+import water_test as wt
+from vtkmodules.vtkCommonCore import vtkInformation
+from vtkwater import vtkWaterReflectionPass as Pass
+
+LARGEST_ERROR = 1  # of 255
+SEED = int(os.environ.get("WATER_PROPS_SEED", 1))
+STEPS = int(os.environ.get("WATER_PROPS_STEPS", 60))
+OFTEN = {"nothing": 4, "time": 3, "camera": 3, "replaced": 2}
+
+
+def changes(random, count):
+    names = [name for name in prop_scene.CHANGES for _ in range(OFTEN.get(name, 1))]
+    return [(names[random.integers(len(names))], random.random(8)) for _ in range(count)]
+
+
+def in_the_frame(scene, name, numbers, when):
+    """Renders a frame in whose middle a change comes."""
+    teller = scene.renderer if when == "StartEvent" else scene.actors[0].GetMapper() or scene.renderer
+    event = when if teller is scene.renderer or when != "a draw" else "StartEvent"
+    done = []
+
+    def change(caller, event):
+        if not done:
+            done.append(True)
+            prop_scene.CHANGES[name](scene, numbers)
+
+    tag = teller.AddObserver(event if event != "a draw" else "EndEvent", change)
+    scene.view.window.Render()
+    teller.RemoveObserver(tag)
+    if not done:
+        prop_scene.CHANGES[name](scene, numbers)
+
+
+def compare(kept, fresh, step, name):
+    fresh.renew()
+    pictures = [scene.view.picture() for scene in (kept, fresh)]
+    error = int(np.abs(pictures[0] - pictures[1]).max())
+    if error > LARGEST_ERROR:
+        print(f"  step {step}, {name}: {error}; {kept.water.GetReflectionPass().GetDecisionAsString()}")
+        for picture, which in zip(pictures, ("kept", "fresh")):
+            wt.save(picture, wt.output_folder() / f"props_{step}_{which}.png")
+    return error
+
+
+def walk(seed, are_in_frames):
+    print("seed", seed)
+    random = np.random.default_rng(seed)
+    kept, fresh = prop_scene.Scene(Pass.SKIP_ALL), prop_scene.Scene(Pass.SKIP_NONE)
+    largest = compare(kept, fresh, -1, "the first picture")
+    for step, (name, numbers) in enumerate(changes(random, STEPS)):
+        when = ("StartEvent", "EndEvent", "a draw")[random.integers(3)]
+        for scene in (kept, fresh):
+            if are_in_frames and name not in ("order", "removed", "replaced"):
+                in_the_frame(scene, name, numbers, when)
+            else:
+                prop_scene.CHANGES[name](scene, numbers)
+        largest = max(largest, compare(kept, fresh, step, name))
+    return largest
+
+
+@pytest.mark.parametrize("seed", range(SEED, SEED + 3))
+def test_changes_between_frames_show(seed):
+    """A change of a prop shows in the next picture, whatever it is."""
+    wt.check_at_most(f"seed {seed}: largest error of {STEPS} pictures", walk(seed, False), LARGEST_ERROR)
+
+
+def test_changes_in_frames_show():
+    """So does one in the middle of a frame, in the next one."""
+    wt.check_at_most(f"largest error of {STEPS} pictures", walk(SEED + 3, True), LARGEST_ERROR)
+
+
+@pytest.mark.parametrize("name", prop_scene.CHANGES)
+def test_every_change_shows_at_once(name):
+    """Each kind of change, several times, after frames in which nothing changed."""
+    random = np.random.default_rng(SEED)
+    kept, fresh = prop_scene.Scene(Pass.SKIP_ALL), prop_scene.Scene(Pass.SKIP_NONE)
+    largest = 0
+    for step in range(4):
+        kept.view.window.Render()
+        kept.view.window.Render()
+        numbers = random.random(8)
+        for scene in (kept, fresh):
+            prop_scene.CHANGES[name](scene, numbers)
+        largest = max(largest, compare(kept, fresh, step, name))
+    wt.check_at_most(f"{name}: largest error", largest, LARGEST_ERROR)
+
+
+def test_nothing_is_left_on_props():
+    """After a frame plain actors have no keys, and keys of the user's that were added in it stay, alone."""
+    scene = prop_scene.Scene(Pass.SKIP_ALL)
+    scene.view.window.Render()
+    wt.check_equal("plain actors with keys after a frame",
+                   sum(actor.GetPropertyKeys() is not None for actor in scene.actors[:8]), 0)
+    actor = scene.actors[0]
+
+    def add(caller, event):
+        actor.GetPropertyKeys().Set(Pass.NOT_REFLECTED(), 1)
+
+    tag = actor.GetMapper().AddObserver("StartEvent", add)
+    scene.view.window.Render()
+    actor.GetMapper().RemoveObserver(tag)
+    wt.check_equal("the user's key after the frame", actor.GetPropertyKeys().Get(Pass.NOT_REFLECTED()), 1)
+    text = str(actor.GetPropertyKeys())
+    wt.check_equal("keys of ours beside it", "RenderPasses" in text or "RENDER_PASSES" in text, False)
+
+
+def test_keys_that_are_kept_lose_ours():
+    """Whoever takes a prop's keys in the middle of a frame keeps them without ours."""
+    scene = prop_scene.Scene(Pass.SKIP_ALL)
+    actor, kept = scene.actors[0], []
+    other = vtkInformation()
+
+    def take(caller, event):
+        if not kept:
+            kept.append(actor.GetPropertyKeys())
+            actor.SetPropertyKeys(other)
+
+    actor.GetMapper().AddObserver("StartEvent", take)
+    scene.view.window.Render()
+    scene.view.window.Render()
+    wt.check_equal("the prop's keys are those that the user gave", actor.GetPropertyKeys() is other, True)
+
+
+def test_props_die_with_their_last_reference():
+    """Nothing is held between frames."""
+    scene = prop_scene.Scene(Pass.SKIP_ALL)
+    scene.view.window.Render()
+    gone = []
+    actor = scene.actors.pop(3)
+    actor.AddObserver("DeleteEvent", lambda caller, event: gone.append(True))
+    scene.renderer.RemoveViewProp(actor)
+    del actor
+    wt.check_equal("a removed prop is gone", gone, [True])
+    wt.check_at_least("and the next frame is rendered", scene.view.picture().max(), 1)
