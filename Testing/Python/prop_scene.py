@@ -9,7 +9,7 @@ import skip_scenes
 import water_test as wt
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkInformation, vtkLookupTable
-from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet, vtkPiecewiseFunction, vtkPlane
+from vtkmodules.vtkCommonDataModel import vtkPiecewiseFunction, vtkPlane
 from vtkmodules.vtkCommonMath import vtkMatrix4x4
 from vtkmodules.vtkCommonTransforms import vtkTransform
 from vtkmodules.vtkFiltersCore import vtkElevationFilter
@@ -62,8 +62,9 @@ class Pipeline:
 
 
 class Scene:
-    def __init__(self, skips):
-        self.skips = skips
+    """With an assembly, whose parts VTK changes as it draws them, no reflection is used again."""
+
+    def __init__(self, skips, has_assembly=False):
         self.view = wt.View(SIZE, SKY)
         self.renderer = self.view.renderer
         wt.add_scene_light(self.renderer, (3, -8, 9))
@@ -76,7 +77,7 @@ class Scene:
         for i, pipeline in enumerate(self.pipelines):
             self.add(None, (4 * i - 2, -2, 0.6)).GetMapper().SetInputConnection(pipeline.port)
         self.add_poster()
-        self.add_odd_things()
+        self.add_odd_things(has_assembly)
         self.water = wt.add_water(self.renderer, wt.plane((0, 0, 0), (0, 0, 1)), (-9, 9, -9, 6), 0.9)
         self.water.GetReflectionPass().SetSkips(skips)
         self.camera = wt.place_camera(self.renderer, (1, -15, 4), (0, 0, 0.3), (1, 60))
@@ -102,7 +103,7 @@ class Scene:
         self.poster.SetScale(2)
         self.poster.SetTexture(self.texture)
 
-    def add_odd_things(self):
+    def add_odd_things(self, has_assembly):
         self.parts = [vtkActor(), vtkActor()]
         self.assembly = vtkAssembly()
         for i, part in enumerate(self.parts):
@@ -117,8 +118,6 @@ class Scene:
         self.follower.SetCamera(self.renderer.GetActiveCamera())
         self.volume = skip_scenes.blob()
         self.volume.SetPosition(0, -1, 1.8)
-        self.blocks = vtkMultiBlockDataSet()
-        self.blocks.SetBlock(0, wt.box((0, 0, 0), (0.6, 0.6, 0.6)))
         self.glyphs = vtkActor()
         self.glyphs.SetMapper(vtkGlyph3DMapper())
         self.shape = vtkSphereSource()
@@ -130,8 +129,10 @@ class Scene:
         self.stand_in.SetMapper(self.actors[0].GetMapper())
         self.stand_in.GetProperty().SetColor(1, 0, 0)
         self.stand_in.SetPosition(-6, -3, 0.8)
-        for prop in (self.assembly, self.follower, self.volume, self.glyphs):
+        for prop in (self.follower, self.volume, self.glyphs):
             self.renderer.AddViewProp(prop)
+        if has_assembly:
+            self.renderer.AddViewProp(self.assembly)
 
     def props(self):
         found = self.renderer.GetViewProps()
@@ -231,8 +232,9 @@ def no_mapper(scene, n):
 
 @change
 def shared_mapper(scene, n):
-    """Not with a textured actor: VTK itself then shows what the mapper was built for last."""
-    plain = [actor for actor in scene.actors if not actor.GetTexture()]
+    """Not with a textured actor, or one with shader lines: VTK itself then shows what the mapper was built for last."""
+    plain = [actor for actor in scene.actors
+             if not actor.GetTexture() and not actor.GetShaderProperty().GetNumberOfShaderReplacements()]
     pick(plain, n[0]).SetMapper(pick(plain, n[1]).GetMapper())
 
 
@@ -314,11 +316,12 @@ def texture_pixels(scene, n):
 
 
 @change
-def texture_moves_on(scene, n):
-    mappers = [actor.GetMapper() for actor in scene.actors]
-    actor = pick(scene.actors, n[0])
-    if mappers.count(actor.GetMapper()) == 1:
-        actor.SetTexture(scene.texture if n[1] > 0.5 else None)
+def other_texture(scene, n):
+    """Only of what has one: VTK itself shows none on an actor that was drawn without."""
+    scene.texture = vtkTexture()
+    scene.image = wt.checker(4 if n[0] > 0.5 else 8)
+    scene.texture.SetInputData(scene.image)
+    scene.poster.SetTexture(scene.texture)
 
 
 @change
@@ -465,7 +468,11 @@ def glyph_shape(scene, n):
 
 @change
 def shader_lines(scene, n):
-    shaders = pick(scene.actors, n[0]).GetShaderProperty()
+    actor = pick(scene.actors, n[0])
+    others = [*scene.actors, *scene.parts, scene.follower, scene.stand_in]
+    if [other.GetMapper() for other in others].count(actor.GetMapper()) > 1:
+        return  # as above
+    shaders = actor.GetShaderProperty()
     shaders.ClearAllFragmentShaderReplacements()
     if n[1] > 0.3:
         shaders.AddFragmentShaderReplacement("//VTK::Light::Impl", True,
