@@ -45,8 +45,7 @@ void ReleaseForNewWindows(vtkProp* prop, vtkRenderWindow* window)
   }
 }
 
-void ForEachOf(
-  const std::vector<vtkProp*>& props, const std::function<void(vtkProp*)>& function)
+void ForEachOf(const std::vector<vtkProp*>& props, const std::function<void(vtkProp*)>& function)
 {
   for (vtkProp* prop : props)
   {

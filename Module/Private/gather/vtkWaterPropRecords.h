@@ -77,14 +77,14 @@ private:
   using KeysPointer = std::unique_ptr<vtkInformation, Dereference>;
   struct Record
   {
-    vtkProp* Prop = nullptr; // there, while it is in the renderer's list
+    vtkProp* Prop = nullptr;         // there, while it is in the renderer's list
     const char* ClassName = nullptr; // its class's own text, so that its address tells the class
     bool IsPlain = false;            // of exactly the class that VTK makes for vtkActor
     bool IsKnown = false;            // what was read holds as long as the times do
     vtkProp* Drawn = nullptr;
     water_prop Read = water_prop();
     Picture Mirrored;
-    std::unique_ptr<Picture> Own;        // of the prop itself, if another one is drawn for it
+    std::unique_ptr<Picture> Own; // of the prop itself, if another one is drawn for it
     // With the key alone; nullptr: the prop has them, or none were needed. They change hands with
     // their one reference: VTK looks for garbage whenever a second one to such an object goes.
     KeysPointer Keys;

@@ -129,8 +129,7 @@ bool vtkWaterPropTimes::AreSameAs(const vtkWaterPropTimes& other) const
     std::equal(this->Entries.begin(), this->Entries.end(), other.Entries.begin(),
       other.Entries.end(), [](const Entry& one, const Entry& two) {
         const bool isHolder = one.Asked == HOLDER || one.Asked == EXECUTIVE;
-        return one.Asked == two.Asked &&
-          (isHolder || (one.Of == two.Of && one.Last == two.Last));
+        return one.Asked == two.Asked && (isHolder || (one.Of == two.Of && one.Last == two.Last));
       });
 }
 

@@ -7,8 +7,8 @@
 // cannot be seen that way count as changed.
 //
 // A list that was read can be asked again without finding everything anew. It is in an order in
-// which an object is touched only after the one that holds it is known to be unchanged: whatever was
-// replaced, and is gone, is never touched. The prop itself must be there.
+// which an object is touched only after the one that holds it is known to be unchanged: whatever
+// was replaced, and is gone, is never touched. The prop itself must be there.
 #ifndef vtkWaterPropTimes_h
 #define vtkWaterPropTimes_h
 

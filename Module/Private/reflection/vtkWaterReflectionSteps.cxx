@@ -178,8 +178,7 @@ void vtkWaterReflection::Sign(const Frame& frame, Attempt& attempt)
   {
     if (this->Reasons[i] == WATER_CULL_NONE)
     {
-      signature.AddProp(
-        this->Gathered.DrawnProps[i], frame.Records->GetStamp(frame.Renderer, i));
+      signature.AddProp(this->Gathered.DrawnProps[i], frame.Records->GetStamp(frame.Renderer, i));
     }
   }
   signature.Add(static_cast<vtkMTimeType>(this->Plan.samples));

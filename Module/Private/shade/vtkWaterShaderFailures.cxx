@@ -157,6 +157,7 @@ void vtkWaterShaderFailures::Await(vtkProp* part, vtkAbstractMapper* mapper,
   this->Judge();
   this->Awaited =
     Written{ part, mapper, window, vertexShader, geometryShader, fragmentShader, isMirrored };
+  this->IsAwaiting = true;
 }
 
 //------------------------------------------------------------------------------
@@ -165,6 +166,7 @@ void vtkWaterShaderFailures::Arrive(vtkProp* part, vtkAbstractMapper* mapper)
   if (this->Awaited.Part == part && this->Awaited.Mapper == mapper)
   {
     this->Awaited = Written();
+    this->IsAwaiting = false;
   }
 }
 
@@ -176,6 +178,7 @@ void vtkWaterShaderFailures::Judge()
     return;
   }
   const Written written = std::exchange(this->Awaited, Written());
+  this->IsAwaiting = false;
   if (!written.Mapper || !written.Window || this->Has(written.Part))
   {
     return;

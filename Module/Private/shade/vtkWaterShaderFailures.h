@@ -24,6 +24,8 @@ class vtkWaterShaderFailures
 public:
   // Is it certain that no prop is one of them?
   bool AreNone() const { return this->Refused.empty(); }
+  // Are shaders awaited whose parameters nobody has set yet?
+  bool AreAwaited() const { return this->IsAwaiting; }
   // Do the shaders of a prop go without the lines?
   bool Has(vtkProp* prop);
   // How often they were refused. VTK keeps programs by their text, and compiles one that was
@@ -83,6 +85,7 @@ private:
   static std::string Describe(const Written& written);
 
   Written Awaited; // no part: nothing is
+  bool IsAwaiting = false;
   std::vector<Refusal> Refused;
   bool IsMirroredNew = false;
   std::vector<std::string> Texts; // that are still to be said

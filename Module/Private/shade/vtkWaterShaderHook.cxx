@@ -279,7 +279,10 @@ bool vtkWaterShaderHook::SetShaderParameters(
   }
   else if (program->isBound())
   {
-    this->Failures.Arrive(prop, mapper);
+    if (this->Failures.AreAwaited()) // asked of every prop, and rarely so
+    {
+      this->Failures.Arrive(prop, mapper);
+    }
     this->SetMirroredParameters(program, prop);
     if (this->Mirrored.Clusters)
     {
