@@ -38,6 +38,18 @@ bool IsKnownByTimes(vtkActor* actor)
 }
 
 //------------------------------------------------------------------------------
+void vtkWaterPropRecords::Dereference::operator()(vtkInformation* keys) const
+{
+  // what is appended counts a reference twice, and only its removal takes back both
+  while (keys->Length(vtkOpenGLRenderPass::RenderPasses()) > 0)
+  {
+    vtkInformationObjectBaseVectorKey* passes = vtkOpenGLRenderPass::RenderPasses();
+    keys->Remove(passes, keys->Get(passes, 0));
+  }
+  keys->Delete();
+}
+
+//------------------------------------------------------------------------------
 vtkWaterPropRecords::Record& vtkWaterPropRecords::Match(size_t i, vtkProp* prop)
 {
   const char* name = prop->GetClassName();

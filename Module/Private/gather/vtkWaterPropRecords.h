@@ -72,7 +72,7 @@ private:
   };
   struct Dereference
   {
-    void operator()(vtkInformation* keys) const { keys->Delete(); }
+    void operator()(vtkInformation* keys) const;
   };
   using KeysPointer = std::unique_ptr<vtkInformation, Dereference>;
   struct Record
