@@ -8,6 +8,7 @@ The environment may ask for other walks: WATER_PROPS_SEED, a number; and for lon
 import os
 
 import numpy as np
+import prop_changes
 import prop_scene
 import pytest
 import water_test as wt
@@ -23,7 +24,7 @@ OFTEN = {"nothing": 4, "time": 3, "camera": 3, "replaced": 2}
 
 
 def changes(random, count):
-    names = [name for name in prop_scene.CHANGES for _ in range(OFTEN.get(name, 1))]
+    names = [name for name in prop_changes.CHANGES for _ in range(OFTEN.get(name, 1))]
     return [(names[random.integers(len(names))], random.random(8)) for _ in range(count)]
 
 
@@ -35,13 +36,13 @@ def in_the_frame(scene, name, numbers, when):
     def change(caller, event):
         if not done:
             done.append(True)
-            prop_scene.CHANGES[name](scene, numbers)
+            prop_changes.CHANGES[name](scene, numbers)
 
     tag = teller.AddObserver("VolumeMapperRenderEndEvent" if when == "a draw" else when, change)
     scene.view.window.Render()
     teller.RemoveObserver(tag)
     if not done:
-        prop_scene.CHANGES[name](scene, numbers)
+        prop_changes.CHANGES[name](scene, numbers)
 
 
 def compare(kept, fresh, step, name):
@@ -70,7 +71,7 @@ def walk(seed, are_in_frames):
             if are_in_frames and name not in NOT_IN_FRAMES:
                 in_the_frame(scene, name, numbers, when)
             else:
-                prop_scene.CHANGES[name](scene, numbers)
+                prop_changes.CHANGES[name](scene, numbers)
         largest = max(largest, compare(kept, fresh, step, name))
     return largest
 
@@ -86,7 +87,7 @@ def test_changes_in_frames_show():
     wt.check_at_most(f"largest error of {STEPS} pictures", walk(SEED + 3, True), LARGEST_ERROR)
 
 
-@pytest.mark.parametrize("name", prop_scene.CHANGES)
+@pytest.mark.parametrize("name", prop_changes.CHANGES)
 def test_every_change_shows_at_once(name):
     """Each kind of change, several times, after frames in which nothing changed."""
     random = np.random.default_rng(SEED)
@@ -99,7 +100,7 @@ def test_every_change_shows_at_once(name):
             wt.check_equal("nothing has changed", kept.water.GetReflectionPass().GetDecision(), Pass.REUSED)
         numbers = random.random(8)
         for scene in (kept, fresh):
-            prop_scene.CHANGES[name](scene, numbers)
+            prop_changes.CHANGES[name](scene, numbers)
         largest = max(largest, compare(kept, fresh, step, name))
     wt.check_at_most(f"{name}: largest error", largest, LARGEST_ERROR)
 
