@@ -331,9 +331,58 @@ TEST(waves_look_nothing_up_beyond_their_reach)
   assert_int_in_range(looked_up, 10000, 60000);
 }
 
+// What may be cut has a corner on the other side of the plane, but for rounding; what is not known
+// may be cut.
+TEST(only_what_crosses_the_plane_is_cut)
+{
+  const double center[3] = { 0.0, 0.0, 0.0 };
+  dice from = dice_seeded(83);
+  int cut = 0;
+  int whole = 0;
+  for (int round = 0; round < 4000; ++round)
+  {
+    random_scene random = scene_rolled(&from, round, center);
+    const water_plan plan = plan_of(&random.scene, NULL);
+    if (plan.decision != WATER_REFLECT)
+    {
+      continue;
+    }
+    double bounds[6];
+    double point[3];
+    point_near(&from, &random, 5.0, point);
+    for (int i = 0; i < 3; ++i)
+    {
+      bounds[2 * i] = point[i] - dice_roll(&from, 0.0, 3.0);
+      bounds[2 * i + 1] = point[i] + dice_roll(&from, 0.0, 3.0);
+    }
+    double lowest = (double)INFINITY;
+    for (int i = 0; i < 64; ++i)
+    {
+      double corner[3];
+      box_point(bounds, i, corner);
+      lowest = fmin(lowest, height_of(&random, corner));
+    }
+    const bool is_cut = water_plan_cuts(&plan, bounds);
+    assert_true(is_cut || lowest > 0.0);
+    assert_true(!is_cut || lowest < 1e-3 * (1.0 + water_vec3_length(point)));
+    cut += is_cut;
+    whole += !is_cut;
+  }
+  assert_int_in_range(cut, 500, 3500);
+  assert_int_in_range(whole, 200, 3500);
+  random_scene random = scene_rolled(&from, 0, center);
+  const water_plan plan = plan_of(&random.scene, NULL);
+  const double unknown[3][6] = { { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 },
+    { (double)NAN, 1.0, 0.0, 1.0, 0.0, 1.0 }, { 0.0, (double)INFINITY, 0.0, 1.0, 0.0, 1.0 } };
+  for (int i = 0; i < 3; ++i)
+  {
+    assert_true(water_plan_cuts(&plan, unknown[i]));
+  }
+}
+
 TESTS(every_reason_has_its_switch, all_skips_are_all_of_them, facing_away_depends_on_the_side,
   faint_is_what_the_steepest_and_the_flattest_ray_reflect, props_outside_the_pyramid_are_left_out,
   rays_take_the_same_steps_with_all_props, wide_points_are_drawn_beside_the_pyramid,
   half_a_width_and_a_pixel_reach_on_each_side, small_props_are_left_out_below_the_stated_size,
   either_side_of_a_box_may_be_its_size, prop_around_the_eye_is_never_too_small,
-  waves_look_nothing_up_beyond_their_reach)
+  waves_look_nothing_up_beyond_their_reach, only_what_crosses_the_plane_is_cut)

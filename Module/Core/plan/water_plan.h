@@ -43,6 +43,11 @@ bool water_plan_wants_visibility(const water_plan* last, const water_plan* plan)
 void water_plan_revise(const water_scene* scene, const water_plan* last, bool is_unchanged,
   const struct water_visibility* visible, water_plan* plan, water_cull_reason* reasons);
 
+// May the clip at the water cut what lies in a box? Not what is on the kept side by more than
+// single precision errs. Numbers that are not finite, and an empty box (min > max), say nothing:
+// true.
+bool water_plan_cuts(const water_plan* plan, const double bounds[6]);
+
 // Is it worth to draw the next reflection texture only when the eye's picture is there, which tells
 // whether the water is hidden, and in software which cells of the reflection texture it looks up? A
 // GPU draws that picture meanwhile: there it always is.

@@ -2,9 +2,14 @@
 // water_plan_revise.c: what only the last frame, or the picture so far, can decide of a plan.
 #include "water_plan.h"
 
+#include "water_frustum.h"
+#include "water_math.h"
 #include "water_visibility.h"
 
 #include <string.h>
+
+// The GPU's arithmetic, relative to the numbers that it sums.
+static const double clip_rounding = 16.0 * (double)FLT_EPSILON;
 
 // Would the mirrored view of a plan show the same things from the same place as the last one?
 static bool is_same_view(const water_plan* last, const water_plan* plan)
@@ -46,6 +51,23 @@ void water_plan_revise(const water_scene* scene, const water_plan* last, bool is
     water_visibility_cull(
       visible, &plan->mirrored, scene->props, scene->prop_count, scene->settings.skips, reasons);
   }
+}
+
+bool water_plan_cuts(const water_plan* plan, const double bounds[6])
+{
+  if (water_bounds_is_empty(bounds) || !water_bounds_are_finite(bounds))
+  {
+    return true;
+  }
+  double behind[4]; // the plane the other way around
+  water_mat4_apply_row(plan->clip_plane_view, plan->mirrored.world_to_view, behind);
+  for (int i = 0; i < 4; ++i)
+  {
+    behind[i] = -behind[i];
+  }
+  const double* view = plan->mirrored.world_to_view;
+  const double eye[3] = { view[3], view[7], view[11] };
+  return !water_frustum_is_behind(behind, bounds, water_vec3_length(eye), clip_rounding);
 }
 
 bool water_plan_should_wait(

@@ -17,7 +17,6 @@
 #include "vtkWaterShadows.h"
 
 #include <algorithm>
-#include <iterator>
 
 namespace
 {
@@ -153,7 +152,8 @@ void vtkWaterMirroredView::DrawTranslucent(
 {
   auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
   vtkOpenGLState* state = window->GetState();
-  this->HasLayer = draft.HasMarchedRays && vtkWaterTranslucentLayer::IsNeeded(draft.Props) &&
+  this->HasLayer = draft.HasMarchedRays &&
+    vtkWaterTranslucentLayer::IsNeeded(draft.Props, draft.Others) &&
     this->Layer.Keep(window, this->Target);
   if (this->HasLayer)
   {
@@ -161,7 +161,7 @@ void vtkWaterMirroredView::DrawTranslucent(
     SetViewportAndScissor(state, plan);
   }
   this->Translucent.DrawPolygons(renderer, draft.Props, this->Target.GetFramebuffer());
-  this->Translucent.DrawVolumes(renderer, draft.Props);
+  this->Translucent.DrawVolumes(renderer, draft.Others);
   state->vtkglDisable(GL_SCISSOR_TEST);
   this->Target.Resolve();
   this->HasLayer = this->HasLayer && this->Layer.Bind();
@@ -201,7 +201,7 @@ const char* vtkWaterMirroredView::Draw(vtkRenderer* renderer, const water_plan& 
     return "the GPU gave no framebuffer for the reflection texture";
   }
   vtkOpenGLRenderUtilities::MarkDebugEvent("water: mirrored view begins");
-  this->Clusters.BeginView(plan, this->Visible, plan.samples);
+  this->Clusters.BeginView(plan, this->Visible, plan.samples, &this->ClipDistance);
   this->IsDrawing = true;
   this->HasLayer = false;
   this->GpuQueries.Begin(vtkWaterGpuQueries::REFLECTION, window);
@@ -277,35 +277,46 @@ void vtkWaterMirroredView::DrawOpaque(
   vtkRenderer* renderer, const water_plan& plan, const Draft& draft)
 {
   auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
-  const auto draw = [this, renderer](vtkProp* prop) {
-    prop->RenderOpaqueGeometry(renderer);
+  const auto draw = [this, renderer, &draft](size_t i) {
+    draft.Hook->SetMayBeCut(draft.MayBeCut[i] != 0);
+    draft.Props[i]->RenderOpaqueGeometry(renderer);
     this->ClipDistance.Off();
     this->Clusters.TakeBack();
   };
   this->GpuQueries.BeginCounting(window);
-  const std::vector<vtkProp*>& props = draft.Props;
-  auto next = props.begin();
+  const size_t count = draft.Props.size();
+  size_t next = 0;
   if (draft.CanCut && plan.is_software)
   {
-    const auto leading = next + this->Clusters.BeginLeading(props);
+    const size_t leading = this->Clusters.BeginLeading(draft.Props);
     if (this->Clusters.IsReversed())
     {
       vtkOpenGLState::ScopedglDepthFunc depthFunc(window->GetState());
       window->GetState()->vtkglDepthFunc(GL_LESS);
-      std::for_each(std::make_reverse_iterator(leading), std::make_reverse_iterator(next), draw);
+      for (size_t i = leading; i-- > 0;)
+      {
+        draw(i);
+      }
     }
     else
     {
-      std::for_each(next, leading, draw);
+      for (size_t i = 0; i < leading; ++i)
+      {
+        draw(i);
+      }
     }
     this->Clusters.EndLeading();
-    if (next != leading)
+    if (leading > 0)
     {
       glFlush(); // they are drawn while the others are handed over
     }
     next = leading;
   }
-  std::for_each(next, props.end(), draw);
+  for (; next < count; ++next)
+  {
+    draw(next);
+  }
+  draft.Hook->SetMayBeCut(true);
   this->GpuQueries.EndCounting();
 }
 

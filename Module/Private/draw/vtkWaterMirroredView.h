@@ -35,6 +35,8 @@ public:
   {
     vtkWaterShaderHook* Hook = nullptr;
     std::vector<vtkProp*> Props;         // that are drawn
+    std::vector<unsigned char> MayBeCut; // by the clip at the water, each of them (bool)
+    std::vector<vtkProp*> Others;        // of them, what is not a plain actor
     bool HasMarchedRays = false;         // rays are traced in it
     bool CanCut = false;                 // clusters of large meshes may be left out
     vtkShadowMapPass* Shadows = nullptr; // which is up to date; nullptr: there are none

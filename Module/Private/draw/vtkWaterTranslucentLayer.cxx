@@ -29,10 +29,11 @@ void DrawPolygons(vtkRenderer* renderer, const std::vector<vtkProp*>& props)
 }
 
 //------------------------------------------------------------------------------
-bool vtkWaterTranslucentLayer::IsNeeded(const std::vector<vtkProp*>& props)
+bool vtkWaterTranslucentLayer::IsNeeded(
+  const std::vector<vtkProp*>& props, const std::vector<vtkProp*>& others)
 {
   return vtkWaterTranslucent::HasPolygons(props) ||
-    std::any_of(props.begin(), props.end(), vtkWaterProps::HoldsVolume);
+    std::any_of(others.begin(), others.end(), vtkWaterProps::HoldsVolume);
 }
 
 //------------------------------------------------------------------------------

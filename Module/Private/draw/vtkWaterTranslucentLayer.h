@@ -23,7 +23,7 @@ class vtkWaterTranslucentLayer
 {
 public:
   // Is any of the props translucent, or a volume?
-  static bool IsNeeded(const std::vector<vtkProp*>& props);
+  static bool IsNeeded(const std::vector<vtkProp*>& props, const std::vector<vtkProp*>& others);
 
   // Keeps what the reflection texture shows before anything translucent is drawn into it. The bound
   // framebuffer and the scissor test are others afterwards.

@@ -53,8 +53,9 @@ public:
   const water_prop& GetRead(size_t i) const { return this->Records[i]->Read; }
   // The prop, or what stands in for it.
   vtkProp* GetDrawn(size_t i) const { return this->Records[i]->Drawn; }
-  // May it be a prop with levels of detail?
-  bool MayHaveLevels(size_t i) const { return !this->Records[i]->IsKnown; }
+  // Is it a plain actor of polygons, where its bounds were read last? Then it is no volume, and has
+  // no levels of detail.
+  bool IsPlain(size_t i) const { return this->Records[i]->IsKnown; }
 
   // A number that is another one whenever the picture of the drawn prop may be, in all frames of
   // all renderers.

@@ -10,8 +10,22 @@
 class vtkWaterClipDistance
 {
 public:
-  void On() { glEnable(GL_CLIP_DISTANCE0); }
-  void Off() { glDisable(GL_CLIP_DISTANCE0); }
+  void On() { this->Set(true); }
+  void Off() { this->Set(false); }
+  bool GetIsOn() const { return this->IsOn; }
+
+private:
+  // A state that changes from draw to draw costs more than what it is for.
+  void Set(bool isOn)
+  {
+    if (this->IsOn != isOn)
+    {
+      isOn ? glEnable(GL_CLIP_DISTANCE0) : glDisable(GL_CLIP_DISTANCE0);
+      this->IsOn = isOn;
+    }
+  }
+
+  bool IsOn = false;
 };
 
 #endif

@@ -141,7 +141,8 @@ private:
   vtkWaterError Commit(const Frame& frame, Attempt& attempt);
   void FindDrawn(const Frame& frame, Attempt& attempt);
   void Sign(const Frame& frame, Attempt& attempt);
-  static bool IsSecondEye(vtkRenderer* renderer); // of a stereo pair, by the active camera
+  void SortDrawn(const Frame& frame, Attempt& attempt); // by how they are drawn
+  static bool IsSecondEye(vtkRenderer* renderer);       // of a stereo pair, by the active camera
   ViewPointer GetView(vtkRenderer* renderer);
   View* GetPlannedView();
   const water_plan* GetFreshPlan(

@@ -158,7 +158,7 @@ void vtkWaterReflection::FindDrawn(const Frame& frame, Attempt& attempt)
     if (this->Reasons[i] == WATER_CULL_NONE)
     {
       drawn.push_back(this->Gathered.DrawnProps[i]);
-      if (frame.Records->MayHaveLevels(i) && drawn.back()->IsA("vtkLODProp3D"))
+      if (!frame.Records->IsPlain(i) && drawn.back()->IsA("vtkLODProp3D"))
       {
         // It chooses its level here, which the renderer has not come to yet, and never does for a
         // prop that only the mirrored view shows.
@@ -214,12 +214,32 @@ void vtkWaterReflection::Revise(const Frame& frame, Attempt& attempt)
 }
 
 //------------------------------------------------------------------------------
+void vtkWaterReflection::SortDrawn(const Frame& frame, Attempt& attempt)
+{
+  vtkWaterMirroredView::Draft& draft = attempt.Draft;
+  for (size_t i = 0; i < this->Reasons.size(); ++i)
+  {
+    if (this->Reasons[i] == WATER_CULL_NONE)
+    {
+      const bool isPlain = frame.Records->IsPlain(i);
+      draft.MayBeCut.push_back(
+        !isPlain || water_plan_cuts(&this->Plan, this->Gathered.Props[i].bounds) ? 1 : 0);
+      if (!isPlain)
+      {
+        draft.Others.push_back(this->Gathered.DrawnProps[i]);
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
 void vtkWaterReflection::Draw(const Frame& frame, Attempt& attempt)
 {
   if (this->Plan.decision != WATER_REFLECT)
   {
     return; // the last one shows the same
   }
+  this->SortDrawn(frame, attempt);
   attempt.Drawn->DrawnPlan = water_plan();
   attempt.Drawn->HasLevels = false;
   if (attempt.Draft.Shadows)

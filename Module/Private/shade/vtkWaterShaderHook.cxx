@@ -13,6 +13,7 @@
 #include "vtkWaterClipDistance.h"
 #include "vtkWaterClusters.h"
 #include "vtkWaterCompat.h"
+#include "vtkWaterMeshTraits.h"
 #include "vtkWaterMirroredFS.h"
 #include "vtkWaterMirroredVS.h"
 #include "vtkWaterPlainFS.h"
@@ -269,7 +270,7 @@ bool vtkWaterShaderHook::SetShaderParameters(
       this->Surface->SetParameters(program);
       if (this->Surface->GetIsSecondary())
       {
-        this->SetMirroredParameters(program, prop); // which cut it
+        this->SetMirroredParameters(program, mapper, prop); // which cut it
       }
       if (this->Probed)
       {
@@ -283,7 +284,7 @@ bool vtkWaterShaderHook::SetShaderParameters(
     {
       this->Failures.Arrive(prop, mapper);
     }
-    this->SetMirroredParameters(program, prop);
+    this->SetMirroredParameters(program, mapper, prop);
     if (this->Mirrored.Clusters)
     {
       this->Mirrored.Clusters->Give(*this->Mirrored.Plan, program, mapper, prop);
@@ -297,14 +298,28 @@ bool vtkWaterShaderHook::SetShaderParameters(
 }
 
 //------------------------------------------------------------------------------
-void vtkWaterShaderHook::SetMirroredParameters(vtkShaderProgram* program, vtkProp* prop)
+void vtkWaterShaderHook::SetClipDistance(
+  vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp* prop)
 {
-  static const double keepAll[4] = { 0.0, 0.0, 0.0, 1.0 };
-  const water_plan* plan = this->Mirrored.Plan;
-  if (plan && !prop->IsRenderingTranslucentPolygonalGeometry() &&
+  auto* actor = vtkActor::SafeDownCast(prop);
+  const bool mayBeCut =
+    this->MayBeCut || !actor || vtkWaterMeshTraits::HasOwnShaders(mapper, actor);
+  if (mayBeCut && !prop->IsRenderingTranslucentPolygonalGeometry() &&
     program->IsUniformUsed("waterClipPosition"))
   {
     this->Mirrored.ClipDistance->On();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterShaderHook::SetMirroredParameters(
+  vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp* prop)
+{
+  static const double keepAll[4] = { 0.0, 0.0, 0.0, 1.0 };
+  const water_plan* plan = this->Mirrored.Plan;
+  if (plan)
+  {
+    this->SetClipDistance(program, mapper, prop);
   }
   // props share programs, and a program keeps its uniforms
   if (program == std::exchange(this->LastSetUp, program) || !this->SetUp.insert(program).second)

@@ -49,6 +49,10 @@ public:
     vtkWaterClipDistance* ClipDistance = nullptr;
   };
 
+  // May what is drawn next be cut by the clip at the water, by where it is? It is if its vertices
+  // may be elsewhere.
+  void SetMayBeCut(bool mayBe) { this->MayBeCut = mayBe; }
+
   // A mirrored view is drawn between the two.
   void BeginMirroredView(const View& view);
   void EndMirroredView();
@@ -93,9 +97,11 @@ private:
 
   void ReplaceForWater(vtkWaterSource& water, std::string& vertexShader,
     const std::string& geometryShader, std::string& fragmentShader) const;
-  void SetMirroredParameters(vtkShaderProgram* program, vtkProp* prop);
+  void SetMirroredParameters(vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp* prop);
+  void SetClipDistance(vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp* prop);
 
   View Mirrored;
+  bool MayBeCut = true;
   std::unordered_set<vtkShaderProgram*> SetUp; // programs that know the present view
   vtkShaderProgram* LastSetUp = nullptr;       // one of them
   vtkWaterSurfaceShader* Surface = nullptr;

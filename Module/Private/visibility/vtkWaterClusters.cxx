@@ -91,7 +91,7 @@ vtkWaterClusters::vtkWaterClusters()
     if (vtkWaterAccess::PolyDataMapper::AreTrianglesNext(
           static_cast<vtkOpenGLPolyDataMapper*>(mapper)))
     {
-      self->DrawnRuns->Draw(self->Own, self->HasClipDistance);
+      self->DrawnRuns->Draw(self->Own, *self->ClipDistance);
     }
   });
 }
@@ -171,8 +171,10 @@ bool vtkWaterClusters::CanLead(vtkProp* prop)
 }
 
 //------------------------------------------------------------------------------
-void vtkWaterClusters::BeginView(const water_plan& plan, const water_visibility* seen, int samples)
+void vtkWaterClusters::BeginView(const water_plan& plan, const water_visibility* seen, int samples,
+  vtkWaterClipDistance* clipDistance)
 {
+  this->ClipDistance = clipDistance;
   this->Target = { seen, nullptr, samples, 0 };
   glGetIntegerv(GL_SUBPIXEL_BITS, &this->Target.subpixel_bits);
   if (plan.is_software)
@@ -308,7 +310,6 @@ void vtkWaterClusters::Give(
   Mesh* mesh = this->UpdateMesh(mapper, actor, plan.is_software);
   if (mesh && !plan.is_software)
   {
-    this->HasClipDistance = program->IsUniformUsed("waterClipPosition");
     this->GiveRuns(plan, mapper, actor, *mesh);
     return;
   }

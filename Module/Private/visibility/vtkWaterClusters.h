@@ -30,6 +30,7 @@ class vtkOpenGLIndexBufferObject;
 class vtkOpenGLPolyDataMapper;
 class vtkProp;
 class vtkShaderProgram;
+class vtkWaterClipDistance;
 
 class vtkWaterClusters
 {
@@ -39,9 +40,11 @@ public:
 
   // Another reflection texture is about to be drawn.
   //
-  // seen     what of it is looked up; nullptr: all of it
-  // samples  of its pixels
-  void BeginView(const water_plan& plan, const water_visibility* seen, int samples);
+  // seen          what of it is looked up; nullptr: all of it
+  // samples       of its pixels
+  // clipDistance  that is on where a draw is cut
+  void BeginView(const water_plan& plan, const water_visibility* seen, int samples,
+    vtkWaterClipDistance* clipDistance);
 
   // How many of the props, from the first on, are nothing but large opaque meshes, as far as is
   // known from the last frame. They are about to be drawn: in their order, or, if IsReversed, from
@@ -104,9 +107,9 @@ private:
   bool FarFirst = false;                          // is the leading meshes' own order
   vtkSmartPointer<vtkOpenGLPolyDataMapper> Given; // has a buffer of ours
   vtkSmartPointer<vtkOpenGLIndexBufferObject> Own;
-  vtkSmartPointer<vtkCallbackCommand> Drawer; // of runs, while a mapper has it
-  const vtkWaterRuns* DrawnRuns = nullptr;    // by it; nullptr: none
-  bool HasClipDistance = false;               // the program that draws them
+  vtkSmartPointer<vtkCallbackCommand> Drawer;   // of runs, while a mapper has it
+  const vtkWaterRuns* DrawnRuns = nullptr;      // by it; nullptr: none
+  vtkWaterClipDistance* ClipDistance = nullptr; // of the view
 };
 
 #endif

@@ -69,11 +69,11 @@ bool vtkWaterRuns::Select(const water_clusters_view& view)
 }
 
 //------------------------------------------------------------------------------
-void vtkWaterRuns::Draw(vtkOpenGLIndexBufferObject* buffer, bool hasClipDistance) const
+void vtkWaterRuns::Draw(
+  vtkOpenGLIndexBufferObject* buffer, vtkWaterClipDistance& clipDistance) const
 {
-  vtkWaterClipDistance clipDistance;
+  const bool isOn = clipDistance.GetIsOn();
   buffer->Bind();
-  bool isOn = hasClipDistance;
   for (size_t first = 0; first < this->RunCount;)
   {
     const bool isCut = this->Runs[first].is_cut;
@@ -82,17 +82,10 @@ void vtkWaterRuns::Draw(vtkOpenGLIndexBufferObject* buffer, bool hasClipDistance
     {
       ++end;
     }
-    if (hasClipDistance && isOn != isCut)
-    {
-      isCut ? clipDistance.On() : clipDistance.Off();
-      isOn = isCut;
-    }
+    isOn&& isCut ? clipDistance.On() : clipDistance.Off();
     glMultiDrawElements(GL_TRIANGLES, this->Counts.data() + first, GL_UNSIGNED_INT,
       this->Offsets.data() + first, static_cast<GLsizei>(end - first));
     first = end;
   }
-  if (hasClipDistance && !isOn)
-  {
-    clipDistance.On();
-  }
+  isOn ? clipDistance.On() : clipDistance.Off();
 }

@@ -12,6 +12,7 @@
 
 class vtkDataArray;
 class vtkOpenGLIndexBufferObject;
+class vtkWaterClipDistance;
 
 class vtkWaterRuns
 {
@@ -24,9 +25,9 @@ public:
   // Chooses what is drawn in a view. false: all of it.
   bool Select(const water_clusters_view& view);
 
-  // Draws what was chosen. All else that a draw needs is bound, and the clip distance is on if the
-  // program has one; so it is afterwards.
-  void Draw(vtkOpenGLIndexBufferObject* buffer, bool hasClipDistance) const;
+  // Draws what was chosen. All else that a draw needs is bound; a clip distance that is on is
+  // turned off meanwhile for what it cannot cut.
+  void Draw(vtkOpenGLIndexBufferObject* buffer, vtkWaterClipDistance& clipDistance) const;
 
 private:
   water_runs_mesh Mesh = water_runs_mesh(); // points into Boxes
