@@ -180,8 +180,9 @@ void vtkWaterActor::Render(vtkRenderer* renderer, vtkMapper* mapper)
   inputs.IsFlat = water->IsSheet && !isDisplaced;
   vtkMapper* drawn = isDisplaced ? internal.LayGrid(*water, view, mapper) : mapper;
   const bool hasLayer = inputs.Translucent.Color != nullptr;
-  if (internal.Surface.UpdateFeatures(
-        hasLayer ? water_features_with_layer(water->Features) : water->Features))
+  unsigned features = hasLayer ? water_features_with_layer(water->Features) : water->Features;
+  features = frame.IsSoftware() ? features : water_features_on_hardware(features);
+  if (internal.Surface.UpdateFeatures(features))
   {
     this->GetProperty()->Modified(); // the mapper builds the other shader
   }

@@ -44,9 +44,12 @@ static inline size_t shader_combinations(unsigned* sets)
       water_features_with_layer(water_features_of(&look)), water_features_secondary(&look) };
     for (int i = 0; i < 3; ++i)
     {
+      const unsigned hardware = i < 2 ? water_features_on_hardware(asked[i]) : asked[i];
       sets[asked[i]] = 1;
+      sets[hardware] = 1;
       // a mesh whose vertices VTK does not let us move
       sets[asked[i] & ~(unsigned)WATER_FEATURE_DISPLACED] = 1;
+      sets[hardware & ~(unsigned)WATER_FEATURE_DISPLACED] = 1;
     }
   }
   size_t count = 0;

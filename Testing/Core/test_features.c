@@ -120,6 +120,20 @@ TEST(layer_is_for_traced_rays_alone)
   }
 }
 
+// On hardware reads go out together, for what reads: nothing else changes.
+TEST(hardware_reads_in_batches)
+{
+  for (unsigned has = 0; has < LOOKS; ++has)
+  {
+    const unsigned features = expected_of(has);
+    const bool is_traced = (has & RAYS) && !(has & (ENVIRONMENT | OFFSET));
+    const unsigned batched = (is_traced ? WATER_FEATURE_BATCHED_RAYS : 0u) |
+      (is_traced && (has & ROUGH) ? WATER_FEATURE_BATCHED_FACETS : 0u) |
+      ((has & REFRACTION) && (has & OPAQUE) ? WATER_FEATURE_BATCHED_MEDIUM : 0u);
+    assert_int_equal(water_features_on_hardware(features), features | batched);
+  }
+}
+
 // In the mirrored view of another water a water reflects the background, smooth or rough.
 TEST(water_in_a_mirrored_view_is_smooth_or_rough)
 {
@@ -146,7 +160,7 @@ enum
 {
   SURFACE_FILES = sizeof surface_files / sizeof surface_files[0],
   DISPLACEMENT_FILES = sizeof displacement_files / sizeof displacement_files[0],
-  REACHABLE_MAX = 3 * LOOKS
+  REACHABLE_MAX = 5 * LOOKS
 };
 
 // All sets of features that a shader may be asked for, some more than once.
@@ -159,7 +173,9 @@ static size_t reach_all(unsigned features[REACHABLE_MAX])
     features[count] = water_features_of(&look);
     features[count + 1] = water_features_with_layer(features[count]);
     features[count + 2] = water_features_secondary(&look);
-    count += 3;
+    features[count + 3] = water_features_on_hardware(features[count]);
+    features[count + 4] = water_features_on_hardware(features[count + 1]);
+    count += 5;
   }
   return count;
 }
@@ -177,7 +193,15 @@ static bool is_empty(const char* slot, unsigned features)
       return !(features & WATER_FEATURE_WAVES);
     }
   }
-  if (strcmp(slot, "attenuation") == 0)
+  if (strcmp(slot, "walk") == 0)
+  {
+    return !(features & WATER_FEATURE_RAY_TRACED);
+  }
+  if (strcmp(slot, "facet_slopes") == 0)
+  {
+    return !(features & WATER_FEATURE_ROUGH);
+  }
+  if (strcmp(slot, "attenuation") == 0 || strcmp(slot, "refraction") == 0)
   {
     return !(features & WATER_FEATURE_MEDIUM);
   }
@@ -248,8 +272,8 @@ TEST(slots_stand_in_their_order)
 {
   static const char* const surface[] = { "optics", "gradient", "attenuation", "slopes", "cell",
     "place", "point", "tile", "sines", "sea", "normal_maps", "waves", "output", "reflection",
-    "layer", "blur", "caustics", "medium", "facets", "shadows", "glitter", "foam", "sun",
-    "surface" };
+    "walk", "layer", "blur", "caustics", "medium", "refraction", "facet_slopes", "facets",
+    "shadows", "glitter", "foam", "sun", "surface" };
   static const char* const displacement[] = { "cell", "displacement" };
   assert_order(surface_files, SURFACE_FILES, surface, sizeof surface / sizeof surface[0]);
   assert_order(displacement_files, DISPLACEMENT_FILES, displacement, 2);
@@ -300,5 +324,6 @@ TEST(vertices_move_where_the_surface_is_displaced)
 }
 
 TESTS(features_of_every_look_follow_the_rules, layer_is_for_traced_rays_alone,
-  water_in_a_mirrored_view_is_smooth_or_rough, each_slot_has_one_file, slots_stand_in_their_order,
-  every_file_and_feature_is_used, vertices_move_where_the_surface_is_displaced)
+  hardware_reads_in_batches, water_in_a_mirrored_view_is_smooth_or_rough, each_slot_has_one_file,
+  slots_stand_in_their_order, every_file_and_feature_is_used,
+  vertices_move_where_the_surface_is_displaced)

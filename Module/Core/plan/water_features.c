@@ -79,6 +79,14 @@ unsigned water_features_with_layer(unsigned features)
   return features | if_has((features & WATER_FEATURE_RAY_TRACED) != 0, WATER_FEATURE_TRANSLUCENT);
 }
 
+unsigned water_features_on_hardware(unsigned features)
+{
+  const bool is_traced = (features & WATER_FEATURE_RAY_TRACED) != 0;
+  return features | if_has(is_traced, WATER_FEATURE_BATCHED_RAYS) |
+    if_has(is_traced && (features & WATER_FEATURE_ROUGH) != 0, WATER_FEATURE_BATCHED_FACETS) |
+    if_has((features & WATER_FEATURE_MEDIUM) != 0, WATER_FEATURE_BATCHED_MEDIUM);
+}
+
 unsigned water_features_secondary(const water_feature_look* look)
 {
   return WATER_FEATURE_ENVIRONMENT | if_has(water_features_is_rough(look), WATER_FEATURE_ROUGH);

@@ -32,7 +32,10 @@ extern "C"
   X(FOAM, "at the shore and on crests")                                                            \
   X(SHADOWS, "shadows on glitter and foam")                                                        \
   X(OUTPUT, "the pixel shows how it got its colour")                                               \
-  X(TRANSLUCENT, "the reflection texture has a layer of translucent things")
+  X(TRANSLUCENT, "the reflection texture has a layer of translucent things")                       \
+  X(BATCHED_RAYS, "hardware: a ray's reads go out together")                                       \
+  X(BATCHED_FACETS, "hardware: facets go side by side")                                            \
+  X(BATCHED_MEDIUM, "hardware: a refracted ray's reads go out together")
 
 typedef enum water_feature_bit
 {
@@ -84,19 +87,33 @@ enum // WATER_FEATURE_WAVES and so on
   X(reflection, vtkWaterMirrorFS, 0,                                                               \
     WATER_FEATURE_FLAG(ENVIRONMENT) | WATER_FEATURE_FLAG(RAY_TRACED) | WATER_FEATURE_FLAG(OFFSET), \
     "calm: the pixel's own place")                                                                 \
+  X(walk, vtkWaterRayWalkFS, WATER_FEATURE_FLAG(RAY_TRACED), WATER_FEATURE_FLAG(BATCHED_RAYS),     \
+    "its looks one after another")                                                                 \
+  X(walk, vtkWaterRayBatchesFS, WATER_FEATURE_FLAG(BATCHED_RAYS), 0, "some of its looks at once")  \
   X(layer, vtkWaterTranslucentLayerFS, WATER_FEATURE_FLAG(TRANSLUCENT), 0,                         \
     "translucent things, and blur")                                                                \
   X(layer, vtkWaterNoTranslucentLayerFS,                                                           \
     WATER_FEATURE_FLAG(ENVIRONMENT) | WATER_FEATURE_FLAG(RAY_TRACED) | WATER_FEATURE_FLAG(OFFSET), \
     WATER_FEATURE_FLAG(TRANSLUCENT), "none")                                                       \
   X(blur, vtkWaterBlurFS, WATER_FEATURE_FLAG(RAY_TRACED) | WATER_FEATURE_FLAG(OFFSET),             \
-    WATER_FEATURE_FLAG(TRANSLUCENT), "facets blurred over their distance")                         \
+    WATER_FEATURE_FLAG(TRANSLUCENT) | WATER_FEATURE_FLAG(BATCHED_FACETS),                          \
+    "facets blurred over their distance")                                                          \
+  X(blur, vtkWaterBlurPairsFS, WATER_FEATURE_FLAG(BATCHED_FACETS),                                 \
+    WATER_FEATURE_FLAG(TRANSLUCENT), "the same, all of them at once")                              \
   X(blur, vtkWaterNoBlurFS, WATER_FEATURE_FLAG(ENVIRONMENT), 0, "none")                            \
   X(caustics, vtkWaterCausticsFS, WATER_FEATURE_FLAG(CAUSTICS), 0, "light that waves gather")      \
   X(caustics, vtkWaterNoCausticsFS, 0, WATER_FEATURE_FLAG(CAUSTICS), "none")                       \
   X(medium, vtkWaterMediumFS, WATER_FEATURE_FLAG(MEDIUM), 0, "the scene, refracted and dimmed")    \
   X(medium, vtkWaterNoMediumFS, 0, WATER_FEATURE_FLAG(MEDIUM), "the water's own colour")           \
-  X(facets, vtkWaterFacetsFS, WATER_FEATURE_FLAG(ROUGH), 0, "several facets a pixel")              \
+  X(refraction, vtkWaterMediumWalkFS, WATER_FEATURE_FLAG(MEDIUM),                                  \
+    WATER_FEATURE_FLAG(BATCHED_MEDIUM), "the refracted ray's looks one after another")             \
+  X(refraction, vtkWaterMediumBatchesFS, WATER_FEATURE_FLAG(BATCHED_MEDIUM), 0,                    \
+    "eight of its looks at once")                                                                  \
+  X(facet_slopes, vtkWaterFacetSlopesFS, WATER_FEATURE_FLAG(ROUGH), 0,                             \
+    "the slopes that facets stand for")                                                            \
+  X(facets, vtkWaterFacetsFS, WATER_FEATURE_FLAG(ROUGH), WATER_FEATURE_FLAG(BATCHED_FACETS),       \
+    "several facets a pixel")                                                                      \
+  X(facets, vtkWaterFacetPairsFS, WATER_FEATURE_FLAG(BATCHED_FACETS), 0, "two of them at once")    \
   X(facets, vtkWaterNoFacetsFS, 0, WATER_FEATURE_FLAG(ROUGH), "one")                               \
   X(shadows, vtkWaterShadowsFS, WATER_FEATURE_FLAG(SHADOWS), 0, "of things on glitter and foam")   \
   X(shadows, vtkWaterNoShadowsFS, 0, WATER_FEATURE_FLAG(SHADOWS), "none")                          \
@@ -173,6 +190,9 @@ unsigned water_features_of(const water_feature_look* look);
 
 // The same when the reflection texture that it looks up has a layer of translucent things.
 unsigned water_features_with_layer(unsigned features);
+
+// The same where hardware executes the shader.
+unsigned water_features_on_hardware(unsigned features);
 
 // The same in the mirrored view of another water: the background, and the mean of all waves.
 unsigned water_features_secondary(const water_feature_look* look);

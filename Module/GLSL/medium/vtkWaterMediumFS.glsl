@@ -34,6 +34,20 @@ vec3 waterAfter(vec3 color, float way)
   return mix(waterDeepColor, color, left);
 }
 
+// The first place of a ray that is behind what the picture shows, between low and high, which are close.
+struct WaterMediumHit
+{
+  float low;
+  float high;
+  float depthLow; // of the picture
+  float depthHigh;
+  bool isHit; // or else there is none up to high
+};
+
+// depth  of the picture at the ray's start
+// reach  how far the ray is followed
+WaterMediumHit waterMediumWalk(vec3 start, vec3 way, float depth, float reach); // of the slot refraction
+
 // Where a ray into the scene meets what the picture shows.
 //
 // start  of the ray in the picture's window: u, v, depth
@@ -59,47 +73,21 @@ bool waterMediumMeets(vec3 start, vec3 way, out float s, out vec2 uv)
   bool isInside = reach <= leaves;
   reach = min(reach, leaves);
 
-  // the first place behind the reflection texture, between low and high
-  float low = 0.0;
-  float high = reach;
-  float depthLow = depth;
-  float depthHigh = waterMediumDepth(start.xy + reach * way.xy);
-  bool isHit = false;
-  for (int i = 1, halvings = 0; i <= WATER_MEDIUM_STEPS + 5 && halvings < 5; ++i)
-  {
-    float middle = isHit ? 0.5 * (low + high) : reach * float(i) / float(WATER_MEDIUM_STEPS);
-    depth = waterMediumDepth(start.xy + middle * way.xy);
-    if (start.z + middle * way.z > depth)
-    {
-      high = middle;
-      depthHigh = depth;
-      isHit = true;
-    }
-    else
-    {
-      low = middle;
-      depthLow = depth;
-      if (middle >= reach)
-      {
-        break;
-      }
-    }
-    halvings += isHit ? 1 : 0;
-  }
+  WaterMediumHit found = waterMediumWalk(start, way, depth, reach);
   vec2 size = vec2(textureSize(waterSceneColor, 0));
   float texel = 1.0 / max(length(way.xy * size), 1e-6);
-  if (isHit && depthLow - depthHigh > WATER_MEDIUM_JUMP * way.z * max(high - low, texel))
+  if (found.isHit && found.depthLow - found.depthHigh > WATER_MEDIUM_JUMP * way.z * max(found.high - found.low, texel))
   {
     // behind something: what is beside it, not filtered
-    uv = (floor((start.xy + low * way.xy) * size) + 0.5) / size;
+    uv = (floor((start.xy + found.low * way.xy) * size) + 0.5) / size;
     return false;
   }
   // the false position between the two, which are close
-  float missLow = start.z + low * way.z - depthLow;
-  float missHigh = start.z + high * way.z - depthHigh;
-  s = isHit ? low - missLow * (high - low) / max(missHigh - missLow, 1e-20) : reach;
+  float missLow = start.z + found.low * way.z - found.depthLow;
+  float missHigh = start.z + found.high * way.z - found.depthHigh;
+  s = found.isHit ? found.low - missLow * (found.high - found.low) / max(missHigh - missLow, 1e-20) : reach;
   uv = start.xy + s * way.xy;
-  return isHit || isInside;
+  return found.isHit || isInside;
 }
 
 // Color of what lies beyond a point of the surface, and the light that the water adds.

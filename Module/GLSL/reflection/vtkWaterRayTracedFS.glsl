@@ -29,38 +29,13 @@ const float WATER_UNMET = 2.0; // depth of what a ray cannot meet: beyond the ba
 float waterFloor = -1e30;   // height that no ray of this pixel meets anything below
 float waterNearest = -1e30; // depth that the ray meets nothing before
 
-// What rays need of the uniforms, read once for all of a pixel: software renderers take some 30
-// instructions to read each number, and would for every ray. A plain copy would be undone by compilers.
-mat4 waterHalfToReflection; // half of waterDirToReflection
-vec2 waterToSlack;          // how far a ray may be off a depth and has converged: x depth + y
-mat2x3 waterHalfToSky;      // direction -> half of its y and w on the user's screen
-vec4 waterSkyLow;           // waterSkyBottom
-vec3 waterSkyRise;          // from its bottom to its top
-vec2 waterReflectionSize;   // texels
-float waterTop;             // waterReflectionTop
-int waterProbesOfOne;
-int waterProbesOfSeveral; // each
-
-void waterReadOnce()
-{
-  waterHalfToReflection = 0.5 * waterDirToReflection;
-  waterToSlack = waterReflectionTolerance.x * vec2(-1.0, waterReflectionZInfinity);
-  mat4 rows = transpose(waterDirToEye);
-  waterHalfToSky = 0.5 * mat2x3(rows[1].xyz, rows[3].xyz);
-  waterSkyLow = max(waterSkyBottom, vec4(0.0));
-  waterSkyRise = waterSkyTop.rgb - waterSkyBottom.rgb;
-  waterReflectionSize = vec2(textureSize(waterReflection, 0));
-  waterTop = max(waterReflectionTop, 0.0);
-  waterProbesOfOne = max(waterProbes, 0);
-  waterProbesOfSeveral = min(waterProbes, WATER_FACET_PROBES);
-}
-
-// waterSky, from these.
-vec3 waterSkyOfRay(vec3 dir)
-{
-  vec2 eye = dir * waterHalfToSky;
-  return waterSkyLow.rgb + waterGradientHeight(eye.x, eye.y) * waterSkyRise;
-}
+// What rays need of the uniforms; of the slot walk.
+void waterReadOnce();
+vec4 waterHalfEnd(vec3 dir);     // a direction in clip space of the reflection texture, half of it
+float waterSlackAt(float depth); // how far a ray may be off a depth and has converged
+vec3 waterSkyOfRay(vec3 dir);    // waterSky
+bool waterIsSkyKnown();          // in all directions
+float waterTop();                // height over the plane of all that there is to meet
 
 float waterDepthAt(vec2 uv); // of the reflection texture; of the slot layer
 
@@ -80,7 +55,7 @@ float waterDepthToMeet(vec2 uv)
 // rayDepth     after it
 bool waterMayPassBehind(float depthBefore, float depth, float rayDepth)
 {
-  float slack = waterToSlack.x * depthBefore + waterToSlack.y;
+  float slack = waterSlackAt(depthBefore);
   return depth > depthBefore + slack && rayDepth > depthBefore - slack;
 }
 
@@ -104,20 +79,20 @@ struct WaterRayHit
   float behind;   // how far behind the edge of a thing it went, over the thing's distance
 };
 
-// Two steps along a ray, to the depth that the reflection texture has where the ray is.
+// Where a ray goes, and how far: up to the ray's first look at the reflection texture.
 //
 // start   of the ray in the reflection texture's window: u, v, depth
 // startW  w of the start in clip space of the reflection texture
 // dir     in the plane's axes, upwards, of unit length
-WaterRayHit waterEstimateHitAlong(vec3 start, float startW, vec3 dir)
+WaterRayHit waterAim(vec3 start, float startW, vec3 dir)
 {
   WaterRayHit hit;
-  vec4 halfEnd = waterHalfToReflection * vec4(dir, 0.0);
+  vec4 halfEnd = waterHalfEnd(dir);
   vec3 line = halfEnd.xyz - (2.0 * start - 1.0) * halfEnd.w;
   float endW = 2.0 * halfEnd.w;
   float last = endW > 1e-6 ? 1.0 / endW : (line.z > 0.0 ? (1.0 - start.z) / line.z : 1e20);
   // over the highest thing there is nothing but sky
-  float climb = waterTop / max(dir.z, 1e-6);
+  float climb = waterTop() / max(dir.z, 1e-6);
   float climbW = startW + climb * endW;
   float overAll = climbW > 0.0 ? climb / climbW : 1e20;
   vec2 border =
@@ -129,10 +104,34 @@ WaterRayHit waterEstimateHitAlong(vec3 start, float startW, vec3 dir)
   hit.line = line * min(last, leaves);
   // only where the sky in its place is known
   float nearest = min(start.z, start.z + hit.line.z);
-  waterNearest =
-    waterSkyLow.a > 0.5 ? nearest - (waterToSlack.x * nearest + waterToSlack.y) : -1e30;
+  waterNearest = waterIsSkyKnown() ? nearest - waterSlackAt(nearest) : -1e30;
+  return hit;
+}
 
-  float perDepth = 1.0 / (abs(hit.line.z) > 1e-20 ? hit.line.z : 1e-20);
+// What an estimate says before it is tested.
+void waterEstimated(vec3 dir, inout WaterRayHit hit)
+{
+  hit.color = waterSkyOfRay(dir);
+  bool isSky = hit.s > 0.9999 &&
+    (hit.isInside ? hit.isOver && hit.depth >= WATER_UNMET : hit.depth >= 1.0);
+  hit.isPlace = !isSky || !waterIsSkyKnown();
+  hit.reason = WATER_HIT;
+  hit.isDown = false;
+  hit.isSettled = false;
+  hit.near = hit.depth;
+  hit.behind = 0.0;
+}
+
+float waterPerDepth(vec3 line)
+{
+  return 1.0 / (abs(line.z) > 1e-20 ? line.z : 1e-20);
+}
+
+// Two steps along a ray, to the depth that the reflection texture has where the ray is; as waterAim.
+WaterRayHit waterEstimateHitAlong(vec3 start, float startW, vec3 dir)
+{
+  WaterRayHit hit = waterAim(start, startW, dir);
+  float perDepth = waterPerDepth(hit.line);
   hit.depthStart = waterDepthToMeet(start.xy);
   hit.depth = hit.depthStart;
   hit.s = 0.0;
@@ -142,15 +141,7 @@ WaterRayHit waterEstimateHitAlong(vec3 start, float startW, vec3 dir)
     hit.uv = start.xy + hit.s * hit.line.xy;
     hit.depth = waterDepthToMeet(hit.uv);
   }
-  hit.color = waterSkyOfRay(dir);
-  bool isSky = hit.s > 0.9999 &&
-    (hit.isInside ? hit.isOver && hit.depth >= WATER_UNMET : hit.depth >= 1.0);
-  hit.isPlace = !isSky || waterSkyLow.a <= 0.5;
-  hit.reason = WATER_HIT;
-  hit.isDown = false;
-  hit.isSettled = false;
-  hit.near = hit.depth;
-  hit.behind = 0.0;
+  waterEstimated(dir, hit);
   return hit;
 }
 
@@ -166,136 +157,9 @@ WaterRayHit waterEstimateHit(WaterPoint point, vec3 normal)
   return hit;
 }
 
-// Tests whether an estimate has converged on what the ray meets.
-//
-// Loops are tested at their end: software renderers execute their bodies once more than needed otherwise.
-//
-// most  probes
-void waterProbe(vec3 start, int most, inout WaterRayHit hit)
-{
-  vec3 way = hit.line;
-  float s = hit.s;
-  float depth = hit.depth;
-  float rayDepth = min(start.z + s * way.z, 1.0);
-  bool isSettled = s > 0.9999
-    ? rayDepth <= depth
-    : abs(start.z + s * way.z - depth) <= waterToSlack.x * depth + waterToSlack.y;
-  // nothing nearer on the way; of a short one fewer probes miss no more
-  float lengthPx = s * length(way.xy * waterReflectionSize);
-  int probes = isSettled ? min(most, int(lengthPx / WATER_PROBE_PX)) : 0;
-  float part = s / float(probes + 1);
-  float depthBefore = hit.depthStart;
-  int probe = 1;
-  float depthNear = depth;
-  do
-  {
-    vec3 at = start + part * float(probe) * way;
-    float depthProbe = waterDepthToMeet(at.xy);
-    float atDepth = min(at.z, 1.0);
-    bool isFree =
-      atDepth <= depthProbe && !waterMayPassBehind(depthBefore, depthProbe, atDepth);
-    bool isProbe = probe <= probes;
-    isSettled = isSettled && (isFree || !isProbe);
-    depthBefore = isProbe ? depthProbe : depthBefore;
-    depthNear = isProbe && !isFree ? depthProbe : depthNear;
-    ++probe;
-  } while (probe <= probes && isSettled);
-  hit.isSettled = isSettled && !waterMayPassBehind(depthBefore, depth, rayDepth);
-  hit.near = depthNear;
-}
-
-// Marches a ray that has not converged, and refines others.
-//
-// isWanted  or else nothing that comes of it is used
-//
-// Long because it is one loop: its state would be a dozen inout arguments, which software renderers copy.
-void waterMarchRay(vec3 start, bool isWanted, inout WaterRayHit hit)
-{
-  vec3 way = hit.line;
-  float s = hit.s;
-  float depth = hit.depth;
-  bool isSettled = hit.isSettled || !isWanted;
-  // the depth there leads closer still
-  float perDepth = 1.0 / (abs(way.z) > 1e-20 ? way.z : 1e-20);
-  vec2 uv = hit.uv;
-  for (int i = 0; i < 2; ++i)
-  {
-    s = s > 0.9999 ? s : clamp((depth - start.z) * perDepth, 0.0, 1.0);
-    uv = start.xy + s * way.xy;
-    depth = waterDepthToMeet(uv);
-  }
-  bool isEnd = s > 0.9999; // nothing was met
-  bool isSky = isEnd && (hit.isOver || (depth >= 1.0 && !hit.isInside));
-  int reason = isEnd ? (hit.isInside ? WATER_SKY : WATER_OFF_MAP) : WATER_HIT;
-  if (!isSettled)
-  {
-    // steps; one that ends behind the reflection texture, or may have been there on its way, is halved
-    float low = 0.0;
-    float high = 0.0;
-    float next = 0.0; // where the steps go on when the halvings met nothing
-    float depthLow = hit.depthStart;
-    float depthHigh = 1.0;
-    float depthNext = 1.0;
-    float rayHigh = 1.0; // depth of the ray
-    float depthEnd = waterDepthToMeet(start.xy + way.xy);
-    bool isHit = false;
-    float stride = 1.0 / float(waterSteps);
-    int rest = waterSteps + 20; // the hit and four edges
-    int halvings = 0;
-    do
-    {
-      bool isHalving = halvings > 0;
-      float middle = isHalving ? 0.5 * (low + high) : min(low + stride, 1.0);
-      depth = waterDepthToMeet(start.xy + middle * way.xy);
-      float rayDepth = min(start.z + middle * way.z, 1.0);
-      bool isBehind = rayDepth > depth;
-      bool isJump = !isHalving && !isBehind && waterMayPassBehind(depthLow, depth, rayDepth);
-      bool isBeyond = isHalving && !isHit && depth >= rayHigh; // of the edge
-      isHit = isHit || isBehind;
-      next = isJump ? middle : next;
-      depthNext = isJump ? depth : depthNext;
-      bool isHigh = isBehind || isJump || isBeyond;
-      high = isHigh ? middle : high;
-      depthHigh = isHigh ? depth : depthHigh;
-      rayHigh = isHigh ? rayDepth : rayHigh;
-      low = isHigh ? low : middle;
-      depthLow = isHigh ? depthLow : depth;
-      halvings += (isHalving || isBehind || isJump) ? 1 : 0;
-      bool isMissed = halvings >= 5 && !isHit;
-      low = isMissed ? next : low;
-      depthLow = isMissed ? depthNext : depthLow;
-      halvings = isMissed ? 0 : halvings;
-      --rest;
-    } while (rest > 0 && halvings < 5 && (halvings > 0 || low < 1.0));
-    hit.behind = (rayHigh - depthHigh) / (waterReflectionZInfinity - depthHigh);
-    bool isSurface = depthLow - depthHigh <= waterReflectionTolerance.y * (waterReflectionZInfinity - depthHigh);
-    bool isOpen = hit.isInside && depthEnd >= 1.0;
-    // the front side, not filtered
-    vec2 size = vec2(textureSize(waterReflection, 0));
-    vec2 front = (floor((start.xy + low * way.xy) * size) + 0.5) / size;
-    // met nothing; a surface: filtered; goes behind something, and where it ends there is sky; front
-    uv = start.xy + (isHit && isSurface ? high : 1.0) * way.xy;
-    uv = isHit && !isSurface && !isOpen ? front : uv;
-    isSky = isHit ? !isSurface && (isOpen ? depthEnd >= WATER_UNMET : depthLow >= 1.0)
-                  : hit.isOver || (!hit.isInside && depthEnd >= 1.0);
-    reason = isHit ? (isSurface ? WATER_HIT : WATER_HIDDEN)
-                   : (hit.isInside ? WATER_SKY : WATER_OFF_MAP);
-  }
-  hit.uv = uv;
-  hit.reason = reason;
-  hit.isPlace = !isSky || waterSkyLow.a <= 0.5;
-}
-
-// Probes. A ray that is not marched meets what they find, about where that is.
-void waterRefineHit(vec3 start, bool isFollowed, inout WaterRayHit hit)
-{
-  waterProbe(start, isFollowed ? waterProbesOfOne : waterProbesOfSeveral, hit);
-  float perDepth = 1.0 / (abs(hit.line.z) > 1e-20 ? hit.line.z : 1e-20);
-  bool isNear = hit.near < hit.depth && !isFollowed;
-  float s = clamp((hit.near - start.z) * perDepth, 0.0, 1.0);
-  hit.uv = isNear ? start.xy + s * hit.line.xy : hit.uv;
-  hit.isPlace = hit.isPlace || isNear;
-}
+// Finds out where the ray of an estimate ends: one that has not converged is marched, others are refined; of the
+// slot walk.
+void waterFollowRay(vec3 start, inout WaterRayHit hit);
 
 // Why the point has its reflection.
 int waterReason(WaterRayHit hit)
@@ -316,8 +180,7 @@ vec3 waterReflected(WaterPoint point, out int reason, out vec2 uv)
 {
   waterReadOnce();
   WaterRayHit hit = waterEstimateHit(point, point.normal);
-  waterProbe(point.start, waterProbes, hit);
-  waterMarchRay(point.start, true, hit);
+  waterFollowRay(point.start, hit);
   reason = waterReason(hit);
   uv = hit.uv;
   waterCross(point, hit);
@@ -330,8 +193,7 @@ float waterShaded(WaterPoint point, vec3 dir)
   waterReadOnce();
   WaterRayHit hit =
     waterEstimateHitAlong(point.start, point.startW, vec3(dir.xy, max(dir.z, 1e-6)));
-  waterProbe(point.start, waterProbes, hit);
-  waterMarchRay(point.start, true, hit);
+  waterFollowRay(point.start, hit);
   int reason = waterReason(hit);
   // a ray that goes close behind an edge meets a side that the reflection texture does not show
   bool isSide = reason == WATER_HIDDEN && hit.behind < WATER_THICKNESS;

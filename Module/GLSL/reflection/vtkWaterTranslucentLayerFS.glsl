@@ -34,8 +34,7 @@ void waterCross(WaterPoint point, inout WaterRayHit hit)
 {
   waterMeetsLayer = true;
   WaterRayHit crossed = waterEstimateHit(point, point.normal);
-  waterProbe(point.start, waterProbesOfOne, crossed);
-  waterMarchRay(point.start, true, crossed);
+  waterFollowRay(point.start, crossed);
   waterMeetsLayer = false;
   vec4 layer = crossed.isPlace ? textureLod(waterLayer, crossed.uv, 0.0) : vec4(0.0);
   vec3 behind = hit.isPlace ? textureLod(waterOpaque, hit.uv, 0.0).rgb : hit.color;

@@ -75,6 +75,9 @@ public:
   // What the water is shaded with.
   vtkWaterSurfaceShader::Inputs GetInputs(vtkWaterSource& water);
 
+  // Does the processor execute GL, and no GPU?
+  bool IsSoftware();
+
   // Is this the first water that an eye is in, in this frame? The others add no fog.
   bool BeginFog(const water_plan& plan);
 
@@ -115,7 +118,6 @@ private:
   bool IsFresh(vtkWaterSource& water);
   void RenderShared(vtkWaterSource& water, const int viewport_px[2], bool isLate);
   void RenderBeforeFrame(vtkWaterSource& water);
-  bool IsSoftware();
   vtkIdType GetSamples(vtkWaterSource& water);
 
   vtkWeakPointer<vtkOpenGLRenderer> Renderer;

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkWaterBlurPairsFS.glsl: slot blur for hardware: as vtkWaterBlurFS.glsl, with all reads together.
+
+vec3 waterBlurred(WaterPlaces places, int count)
+{
+  // from one to the next
+  vec2 apart = count == 4 ? (places.outer.zw - places.outer.xy) / 3.0 : places.inner.zw - places.inner.xy;
+  float level = log2(max(0.3 * length(apart * vec2(textureSize(waterReflection, 0))), 1.0));
+  vec3 first = textureLod(waterReflection, places.inner.xy, level).rgb;
+  vec3 second = textureLod(waterReflection, places.inner.zw, level).rgb;
+  vec3 third = vec3(0.0);
+  vec3 fourth = vec3(0.0);
+  if (count == 4)
+  {
+    third = textureLod(waterReflection, places.outer.xy, level).rgb;
+    fourth = textureLod(waterReflection, places.outer.zw, level).rgb;
+  }
+  return places.shares.x * first + places.shares.y * second + places.shares.z * third + places.shares.w * fourth;
+}

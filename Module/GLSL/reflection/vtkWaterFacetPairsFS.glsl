@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkWaterFacetPairsFS.glsl: slot facets for hardware: as vtkWaterFacetsFS.glsl, but one facet goes a way of its own, and
+// of several two go side by side: while the one's read is waited for, the other's is on its way.
+
+// The depth that a ray may meet where the reflection texture has another; as waterDepthToMeet.
+float waterToMeet(vec2 uv, float depth, float nearest)
+{
+  return depth < nearest || waterIsUnder(uv, depth, waterFloor) ? WATER_UNMET : depth;
+}
+
+// A facet on its way.
+struct WaterFacet
+{
+  vec3 normal;
+  vec3 dir; // of the reflected ray
+  WaterRayHit hit;
+  float nearest; // waterNearest of its ray
+  float perDepth;
+};
+
+// depth  that the reflection texture has at the point
+WaterFacet waterAimFacet(WaterPoint point, vec3 normal, float depth)
+{
+  WaterFacet facet;
+  facet.normal = normal;
+  facet.dir = reflect(point.ray, normal);
+  facet.dir.z = max(abs(facet.dir.z), 1e-6);
+  facet.hit = waterAim(point.start, point.startW, facet.dir);
+  facet.nearest = waterNearest;
+  facet.perDepth = waterPerDepth(facet.hit.line);
+  facet.hit.depthStart = waterToMeet(point.start.xy, depth, facet.nearest);
+  facet.hit.depth = facet.hit.depthStart;
+  return facet;
+}
+
+void waterStepFacet(vec3 start, inout WaterFacet facet)
+{
+  facet.hit.s = clamp((facet.hit.depth - start.z) * facet.perDepth, 0.0, 1.0);
+  facet.hit.uv = start.xy + facet.hit.s * facet.hit.line.xy;
+}
+
+// How many probes a facet takes, none where two steps have not converged.
+int waterFacetProbes(vec3 start, inout WaterFacet facet)
+{
+  waterEstimated(facet.dir, facet.hit);
+  return waterHasConverged(start, facet.hit)
+    ? waterProbesOf(facet.hit, min(waterProbes, WATER_FACET_PROBES)) : 0;
+}
+
+vec3 waterReadFacetProbes(vec3 start, int probes, WaterFacet facet)
+{
+  waterNearest = facet.nearest;
+  return waterReadProbes(
+    start, facet.hit.line, facet.hit.s / float(probes + 1), min(ivec3(1, 2, 3), probes));
+}
+
+void waterTestFacet(vec3 start, vec3 depths, int probes, inout WaterFacet facet)
+{
+  WaterProbed probed = WaterProbed(true, facet.hit.depthStart, facet.hit.depth);
+  waterTestProbes(depths, start, facet.hit.line, facet.hit.s / float(probes + 1), 1, probes, probed);
+  facet.hit.near = probed.near;
+  waterTakeNear(start, facet.hit);
+}
+
+// Two facets, from their first steps to their places.
+void waterTracePair(vec3 start, inout WaterFacet first, inout WaterFacet second)
+{
+  for (int i = 0; i < 2; ++i)
+  {
+    waterStepFacet(start, first);
+    waterStepFacet(start, second);
+    float depthFirst = waterDepthAt(first.hit.uv);
+    float depthSecond = waterDepthAt(second.hit.uv);
+    first.hit.depth = waterToMeet(first.hit.uv, depthFirst, first.nearest);
+    second.hit.depth = waterToMeet(second.hit.uv, depthSecond, second.nearest);
+  }
+  int probesFirst = waterFacetProbes(start, first);
+  int probesSecond = waterFacetProbes(start, second);
+  if (max(probesFirst, probesSecond) > 0)
+  {
+    vec3 depthsFirst = waterReadFacetProbes(start, probesFirst, first);
+    vec3 depthsSecond = waterReadFacetProbes(start, probesSecond, second);
+    waterTestFacet(start, depthsFirst, probesFirst, first);
+    waterTestFacet(start, depthsSecond, probesSecond, second);
+  }
+}
+
+// The share of the light that a facet reflects.
+float waterFacetReflectance(WaterPoint point, vec3 normal)
+{
+  float cosine = clamp(-dot(point.ray, normal), 0.0, 1.0);
+  return waterReflectance < 0.0 ? waterFresnel(cosine, max(waterEta, 0.0)) : waterReflectance;
+}
+
+vec3 waterOneFacet(WaterPoint point, out float reflectance, out int reason, out vec2 uv)
+{
+  vec3 normal = normalize(point.normal);
+  reflectance = waterFacetReflectance(point, normal);
+  WaterRayHit hit = waterEstimateHit(point, normal);
+  waterFollowRay(point.start, hit);
+  waterCross(point, hit);
+  reason = waterReason(hit);
+  uv = hit.uv;
+  vec3 color = hit.color;
+  if (hit.isPlace)
+  {
+    color = textureLod(waterReflection, uv, 0.0).rgb;
+  }
+  return reflectance * color;
+}
+
+vec3 waterSeveralFacets(WaterPoint point, vec2 azimuth, float variance, int count, out float reflectance)
+{
+  vec2 slopes = waterFacetSlopes(point, sqrt(variance));
+  waterFloor = point.height;
+  float depth = waterDepthAt(point.start.xy);
+  WaterPlaces places = WaterPlaces(vec4(0.0), vec4(0.0), vec4(0.0));
+  vec3 reflected = vec3(0.0);
+  reflectance = 0.0;
+  for (int i = 0; i < count; i += 2)
+  {
+    vec3 normal = waterFacetNormal(point, azimuth, slopes.x + waterFacetNode(i, count) * slopes.y);
+    WaterFacet first = waterAimFacet(point, normal, depth);
+    normal = waterFacetNormal(point, azimuth, slopes.x + waterFacetNode(i + 1, count) * slopes.y);
+    WaterFacet second = waterAimFacet(point, normal, depth);
+    waterTracePair(point.start, first, second);
+    waterCrossFacet(point, first.normal, i, first.hit);
+    waterCrossFacet(point, second.normal, i + 1, second.hit);
+    vec2 shares = (count == 4 ? 0.25 : 0.5) *
+      vec2(waterFacetReflectance(point, first.normal), waterFacetReflectance(point, second.normal));
+    reflectance += shares.x;
+    reflectance += shares.y;
+    reflected += first.hit.isPlace ? vec3(0.0) : shares.x * first.hit.color;
+    reflected += second.hit.isPlace ? vec3(0.0) : shares.y * second.hit.color;
+    shares *= vec2(first.hit.isPlace ? 1.0 : 0.0, second.hit.isPlace ? 1.0 : 0.0);
+    vec4 pair = vec4(first.hit.uv, second.hit.uv);
+    places.inner = i == 0 ? pair : places.inner;
+    places.outer = i == 0 ? places.outer : pair;
+    places.shares = i == 0 ? vec4(shares, 0.0, 0.0) : vec4(places.shares.xy, shares);
+  }
+  return reflected + waterBlurred(places, count);
+}
+
+// As in vtkWaterFacetsFS.glsl.
+vec3 waterFacets(WaterPoint point, out float reflectance, inout int reason, inout vec2 uv)
+{
+  vec2 azimuth = waterAzimuth(point);
+  float variance = dot(point.variance.xy, azimuth * azimuth);
+  int count = waterFacetCount(variance);
+  vec3 reflected = vec3(0.0);
+  if (count == 1)
+  {
+    reflected = waterOneFacet(point, reflectance, reason, uv);
+  }
+  else
+  {
+    reflected = waterSeveralFacets(point, azimuth, variance, count, reflectance);
+  }
+  return waterIsReflecting != 0 ? reflected : vec3(0.0);
+}

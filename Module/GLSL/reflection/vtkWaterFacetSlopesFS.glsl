@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkWaterFacetSlopesFS.glsl: slot facet_slopes: the facets that stand for all slopes within a pixel.
+//
+// The slopes are Gaussian about the pixel's mean one, along the azimuth of the view only: at a low
+// view a slope across it turns the reflection little. A facet counts by the part of the pixel that
+// it covers, nothing when it faces away from the eye. Of the slopes so weighted the mean and the
+// variance are exact, and two nodes (Gauss and Hermite's) stand for them, or four for rough water.
+// Source: Abramowitz and Stegun 1964, "Handbook of Mathematical Functions", table 25.10.
+
+const float WATER_SMOOTH = 2e-5; // slope variance whose reflection blurs by half a degree
+const float WATER_ROUGH = 1e-3;  // and by four
+
+// Cumulative normal distribution, within 2e-4.
+// Source: Page 1977, "Approximations to the Cumulative Normal Function and its Inverse for Use on a
+// Pocket Calculator".
+float waterNormalShare(float x)
+{
+  return 1.0 / (1.0 + exp(-x * (1.5957691 + 0.0713548 * x * x)));
+}
+
+// Any direction will do for a view straight down.
+vec2 waterAzimuth(WaterPoint point)
+{
+  float across2 = dot(point.ray.xy, point.ray.xy);
+  return across2 > 1e-12 ? inversesqrt(across2) * point.ray.xy : vec2(1.0, 0.0);
+}
+
+// Mean and spread of the slopes that face the eye, against the pixel's own normal: x, y.
+//
+// spread  of all slopes
+vec2 waterFacetSlopes(WaterPoint point, float spread)
+{
+  // in units of the spread: how far the mean facet is from facing away
+  float edge = -dot(point.ray, point.normal) /
+    (spread * point.normal.z * max(length(point.ray.xy), 1e-6));
+  float from = max(edge, -1.0);
+  float share = waterNormalShare(from);
+  float density = 0.39894228 * exp(-0.5 * from * from);
+  float perArea = 1.0 / (from * share + density);
+  float mean = share * perArea;
+  float variance = (from * share + 2.0 * density) * perArea - mean * mean;
+  // Steep views see all facets, and on a flat sheet all alike.
+  float low = 1.0 - smoothstep(3.0, 6.0, edge);
+  float shift = low * (mean + from - edge);
+  variance = mix(1.0, variance, low);
+  return spread * vec2(shift, sqrt(max(variance, 0.0)));
+}
+
+// How many facets stand for slopes of such a variance.
+int waterFacetCount(float variance)
+{
+  int count = variance > WATER_ROUGH ? 4 : (variance > WATER_SMOOTH ? 2 : 1);
+  return waterShowsMean() ? 1 : count;
+}
+
+// The place of one of several facets among its slopes: two nodes, or four: the means of the slopes' quarters.
+float waterFacetNode(int i, int count)
+{
+  float node = (i & 1) == 0 ? -1.0 : 1.0;
+  return node * (count == 4 ? (i < 2 ? 0.378 : 1.363) : 1.0);
+}
+
+// slope  against the pixel's own, along the azimuth
+vec3 waterFacetNormal(WaterPoint point, vec2 azimuth, float slope)
+{
+  return normalize(vec3(point.normal.xy - point.normal.z * slope * azimuth, point.normal.z));
+}

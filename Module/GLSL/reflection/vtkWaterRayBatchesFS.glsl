@@ -1,0 +1,292 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkWaterRayBatchesFS.glsl: slot walk for hardware: reads of the reflection texture whose places are known go out
+// together, and are tested afterwards in the order of vtkWaterRayWalkFS.glsl, which says what the rules are: results
+// are the same. Hardware waits hundreds of cycles for a read; branches and uniforms cost it little, and registers that
+// are held over a read cost much.
+
+void waterReadOnce() {} // uniforms are cheap
+
+vec4 waterHalfEnd(vec3 dir)
+{
+  return 0.5 * (waterDirToReflection * vec4(dir, 0.0));
+}
+
+float waterSlackAt(float depth)
+{
+  return -waterReflectionTolerance.x * depth + waterReflectionTolerance.x * waterReflectionZInfinity;
+}
+
+vec3 waterSkyOfRay(vec3 dir)
+{
+  vec4 eye = 0.5 * (waterDirToEye * vec4(dir, 0.0));
+  vec3 low = max(waterSkyBottom.rgb, vec3(0.0));
+  return low + waterGradientHeight(eye.y, eye.w) * (waterSkyTop.rgb - waterSkyBottom.rgb);
+}
+
+bool waterIsSkyKnown()
+{
+  return waterSkyBottom.a > 0.5;
+}
+
+float waterTop()
+{
+  return max(waterReflectionTop, 0.0);
+}
+
+// Has an estimate converged, as far as its own place tells?
+bool waterHasConverged(vec3 start, WaterRayHit hit)
+{
+  float rayDepth = start.z + hit.s * hit.line.z;
+  return hit.s > 0.9999 ? min(rayDepth, 1.0) <= hit.depth
+                        : abs(rayDepth - hit.depth) <= waterSlackAt(hit.depth);
+}
+
+// How many probes an estimate that has converged takes: of a short way fewer miss no more.
+int waterProbesOf(WaterRayHit hit, int most)
+{
+  float lengthPx = hit.s * length(hit.line.xy * vec2(textureSize(waterReflection, 0)));
+  return min(most, int(lengthPx / WATER_PROBE_PX));
+}
+
+// Depths at three probes, those beyond the last one at the last.
+vec3 waterReadProbes(vec3 start, vec3 way, float part, ivec3 probe)
+{
+  vec3 far = part * vec3(probe);
+  return vec3(waterDepthToMeet(start.xy + far.x * way.xy), waterDepthToMeet(start.xy + far.y * way.xy),
+    waterDepthToMeet(start.xy + far.z * way.xy));
+}
+
+// What a ray's probes have found so far.
+struct WaterProbed
+{
+  bool isFree;       // nothing
+  float depthBefore; // at the last one
+  float near;        // depth of what they found
+};
+
+// Tests three of so many probes in their order.
+void waterTestProbes(vec3 depths, vec3 start, vec3 way, float part, int first, int probes, inout WaterProbed probed)
+{
+  for (int i = 0; i < 3; ++i)
+  {
+    if (probed.isFree && first + i <= probes)
+    {
+      float rayDepth = min(start.z + part * float(first + i) * way.z, 1.0);
+      probed.isFree = rayDepth <= depths[i] && !waterMayPassBehind(probed.depthBefore, depths[i], rayDepth);
+      probed.near = probed.isFree ? probed.near : depths[i];
+      probed.depthBefore = depths[i];
+    }
+  }
+}
+
+// Ends the probes of an estimate.
+void waterSettle(vec3 start, bool isConverged, WaterProbed probed, inout WaterRayHit hit)
+{
+  float rayDepth = min(start.z + hit.s * hit.line.z, 1.0);
+  hit.isSettled = isConverged && probed.isFree && !waterMayPassBehind(probed.depthBefore, hit.depth, rayDepth);
+  hit.near = probed.near;
+}
+
+void waterProbe(vec3 start, int most, inout WaterRayHit hit)
+{
+  bool isConverged = waterHasConverged(start, hit);
+  WaterProbed probed = WaterProbed(true, hit.depthStart, hit.depth);
+  if (isConverged)
+  {
+    int probes = waterProbesOf(hit, most);
+    float part = hit.s / float(probes + 1);
+    for (int first = 1; first <= probes && probed.isFree; first += 6)
+    {
+      ivec3 probe = min(first + ivec3(0, 1, 2), probes);
+      vec3 depths = waterReadProbes(start, hit.line, part, probe);
+      vec3 more = depths;
+      bool areMore = first + 3 <= probes;
+      if (areMore)
+      {
+        more = waterReadProbes(start, hit.line, part, min(probe + 3, probes));
+      }
+      waterTestProbes(depths, start, hit.line, part, first, probes, probed);
+      if (areMore)
+      {
+        waterTestProbes(more, start, hit.line, part, first + 3, probes, probed);
+      }
+    }
+  }
+  waterSettle(start, isConverged, probed, hit);
+}
+
+// Where an estimate that has converged meets something: two more steps.
+void waterRefineSettled(vec3 start, inout WaterRayHit hit)
+{
+  float s = hit.s;
+  float depth = hit.depth;
+  vec2 uv = hit.uv;
+  if (s <= 0.9999)
+  {
+    float perDepth = waterPerDepth(hit.line);
+    s = clamp((depth - start.z) * perDepth, 0.0, 1.0);
+    depth = waterDepthToMeet(start.xy + s * hit.line.xy);
+    bool isFound = s > 0.9999;
+    s = isFound ? s : clamp((depth - start.z) * perDepth, 0.0, 1.0);
+    uv = start.xy + s * hit.line.xy;
+    if (!isFound && s > 0.9999)
+    {
+      depth = waterDepthToMeet(uv);
+    }
+  }
+  bool isEnd = s > 0.9999; // nothing was met
+  bool isSky = isEnd && (hit.isOver || (depth >= 1.0 && !hit.isInside));
+  hit.uv = uv;
+  hit.reason = isEnd ? (hit.isInside ? WATER_SKY : WATER_OFF_MAP) : WATER_HIT;
+  hit.isPlace = !isSky || !waterIsSkyKnown();
+}
+
+// Where a march is: in front of the reflection texture at low; behind it, or beyond an edge, at high.
+struct WaterMarch
+{
+  float low;
+  float high;
+  float depthLow; // of the reflection texture
+  float depthHigh;
+  float rayHigh; // depth of the ray
+  bool isHit;    // behind at high
+  int rest;      // looks that are left
+};
+
+// Steps until one ends behind the reflection texture, or may have been there on its way. Returns whether one did.
+bool waterMarchSteps(vec3 start, vec3 way, inout WaterMarch march)
+{
+  float stride = 1.0 / float(waterSteps);
+  bool isFound = false;
+  do
+  {
+    vec4 at; // summed up as where one step follows another
+    at.x = min(march.low + stride, 1.0);
+    at.y = min(at.x + stride, 1.0);
+    at.z = min(at.y + stride, 1.0);
+    at.w = min(at.z + stride, 1.0);
+    vec4 depths = vec4(waterDepthToMeet(start.xy + at.x * way.xy), waterDepthToMeet(start.xy + at.y * way.xy),
+      waterDepthToMeet(start.xy + at.z * way.xy), waterDepthToMeet(start.xy + at.w * way.xy));
+    for (int i = 0; i < 4; ++i)
+    {
+      if (!isFound && march.rest > 0 && march.low < 1.0)
+      {
+        float rayDepth = min(start.z + at[i] * way.z, 1.0);
+        march.isHit = rayDepth > depths[i];
+        isFound = march.isHit || waterMayPassBehind(march.depthLow, depths[i], rayDepth);
+        march.high = isFound ? at[i] : march.high;
+        march.depthHigh = isFound ? depths[i] : march.depthHigh;
+        march.rayHigh = isFound ? rayDepth : march.rayHigh;
+        march.low = isFound ? march.low : at[i];
+        march.depthLow = isFound ? march.depthLow : depths[i];
+        --march.rest;
+      }
+    }
+  } while (!isFound && march.rest > 0 && march.low < 1.0);
+  return isFound;
+}
+
+// Takes one half of a step. Returns whether that is the lower one.
+bool waterHalve(vec3 start, vec3 way, float middle, float depth, inout WaterMarch march)
+{
+  float rayDepth = min(start.z + middle * way.z, 1.0);
+  bool isBehind = rayDepth > depth;
+  bool isHigh = isBehind || (!march.isHit && depth >= march.rayHigh); // beyond the edge
+  march.isHit = march.isHit || isBehind;
+  march.high = isHigh ? middle : march.high;
+  march.depthHigh = isHigh ? depth : march.depthHigh;
+  march.rayHigh = isHigh ? rayDepth : march.rayHigh;
+  march.low = isHigh ? march.low : middle;
+  march.depthLow = isHigh ? march.depthLow : depth;
+  --march.rest;
+  return isHigh;
+}
+
+// Halves a step four times, each time with both of the next middles. Returns whether all of it was done.
+bool waterMarchHalvings(vec3 start, vec3 way, inout WaterMarch march)
+{
+  int halvings = 0;
+  while (halvings < 4 && march.rest > 0)
+  {
+    float middle = 0.5 * (march.low + march.high);
+    float lower = 0.5 * (march.low + middle);
+    float upper = 0.5 * (middle + march.high);
+    float depth = waterDepthToMeet(start.xy + middle * way.xy);
+    float depthLower = waterDepthToMeet(start.xy + lower * way.xy);
+    float depthUpper = waterDepthToMeet(start.xy + upper * way.xy);
+    bool isLower = waterHalve(start, way, middle, depth, march);
+    ++halvings;
+    if (march.rest > 0)
+    {
+      waterHalve(start, way, isLower ? lower : upper, isLower ? depthLower : depthUpper, march);
+      ++halvings;
+    }
+  }
+  return halvings == 4;
+}
+
+// Marches a ray that has not converged.
+void waterMarchRay(vec3 start, inout WaterRayHit hit)
+{
+  vec3 way = hit.line;
+  float depthEnd = waterDepthToMeet(start.xy + way.xy);
+  WaterMarch march = WaterMarch(0.0, 0.0, hit.depthStart, 1.0, 1.0, false, waterSteps + 20);
+  bool isMissed = true;
+  while (isMissed && march.rest > 0 && march.low < 1.0)
+  {
+    isMissed = false;
+    if (waterMarchSteps(start, way, march))
+    {
+      float next = march.high; // where the steps go on when the halvings meet nothing
+      float depthNext = march.depthHigh;
+      isMissed = waterMarchHalvings(start, way, march) && !march.isHit;
+      march.low = isMissed ? next : march.low;
+      march.depthLow = isMissed ? depthNext : march.depthLow;
+    }
+  }
+  float toInfinity = waterReflectionZInfinity - march.depthHigh;
+  hit.behind = (march.rayHigh - march.depthHigh) / toInfinity;
+  bool isSurface = march.depthLow - march.depthHigh <= waterReflectionTolerance.y * toInfinity;
+  bool isOpen = hit.isInside && depthEnd >= 1.0;
+  // the front side, not filtered
+  vec2 size = vec2(textureSize(waterReflection, 0));
+  vec2 front = (floor((start.xy + march.low * way.xy) * size) + 0.5) / size;
+  // met nothing; a surface: filtered; goes behind something, and where it ends there is sky; front
+  vec2 uv = start.xy + (march.isHit && isSurface ? march.high : 1.0) * way.xy;
+  hit.uv = march.isHit && !isSurface && !isOpen ? front : uv;
+  bool isSky = march.isHit ? !isSurface && (isOpen ? depthEnd >= WATER_UNMET : march.depthLow >= 1.0)
+                           : hit.isOver || (!hit.isInside && depthEnd >= 1.0);
+  hit.reason = march.isHit ? (isSurface ? WATER_HIT : WATER_HIDDEN)
+                           : (hit.isInside ? WATER_SKY : WATER_OFF_MAP);
+  hit.isPlace = !isSky || !waterIsSkyKnown();
+}
+
+void waterFollowRay(vec3 start, inout WaterRayHit hit)
+{
+  waterProbe(start, max(waterProbes, 0), hit);
+  if (hit.isSettled)
+  {
+    waterRefineSettled(start, hit);
+  }
+  else
+  {
+    waterMarchRay(start, hit);
+  }
+}
+
+// The place of one of several facets: what its probes found, about where that is.
+void waterTakeNear(vec3 start, inout WaterRayHit hit)
+{
+  if (hit.near < hit.depth)
+  {
+    hit.uv = start.xy + clamp((hit.near - start.z) * waterPerDepth(hit.line), 0.0, 1.0) * hit.line.xy;
+    hit.isPlace = true;
+  }
+}
+
+// The same as in vtkWaterRayWalkFS.glsl, of one of several facets.
+void waterRefineHit(vec3 start, bool isFollowed, inout WaterRayHit hit)
+{
+  waterProbe(start, min(waterProbes, WATER_FACET_PROBES), hit);
+  waterTakeNear(start, hit);
+}

@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkWaterRayWalkFS.glsl: slot walk for software renderers: a ray's reads of the reflection texture one after another,
+// each only if the last one asks for it; vtkWaterRayBatchesFS.glsl is the same for hardware. Software renderers execute
+// both sides of a branch, and loops until the last of 8 pixels is done: there is one loop of each kind, and
+// conditions choose values.
+
+// What rays need of the uniforms, read once for all of a pixel: software renderers take some 30
+// instructions to read each number, and would for every ray. A plain copy would be undone by compilers.
+mat4 waterHalfToReflection; // half of waterDirToReflection
+vec2 waterToSlack;          // how far a ray may be off a depth and has converged: x depth + y
+mat2x3 waterHalfToSky;      // direction -> half of its y and w on the user's screen
+vec4 waterSkyLow;           // waterSkyBottom
+vec3 waterSkyRise;          // from its bottom to its top
+vec2 waterReflectionSize;   // texels
+float waterHighest;         // waterReflectionTop
+int waterProbesOfOne;
+int waterProbesOfSeveral; // each
+
+void waterReadOnce()
+{
+  waterHalfToReflection = 0.5 * waterDirToReflection;
+  waterToSlack = waterReflectionTolerance.x * vec2(-1.0, waterReflectionZInfinity);
+  mat4 rows = transpose(waterDirToEye);
+  waterHalfToSky = 0.5 * mat2x3(rows[1].xyz, rows[3].xyz);
+  waterSkyLow = max(waterSkyBottom, vec4(0.0));
+  waterSkyRise = waterSkyTop.rgb - waterSkyBottom.rgb;
+  waterReflectionSize = vec2(textureSize(waterReflection, 0));
+  waterHighest = max(waterReflectionTop, 0.0);
+  waterProbesOfOne = max(waterProbes, 0);
+  waterProbesOfSeveral = min(waterProbes, WATER_FACET_PROBES);
+}
+
+// waterSky, from these.
+vec3 waterSkyOfRay(vec3 dir)
+{
+  vec2 eye = dir * waterHalfToSky;
+  return waterSkyLow.rgb + waterGradientHeight(eye.x, eye.y) * waterSkyRise;
+}
+
+vec4 waterHalfEnd(vec3 dir)
+{
+  return waterHalfToReflection * vec4(dir, 0.0);
+}
+
+float waterSlackAt(float depth)
+{
+  return waterToSlack.x * depth + waterToSlack.y;
+}
+
+bool waterIsSkyKnown()
+{
+  return waterSkyLow.a > 0.5;
+}
+
+float waterTop()
+{
+  return waterHighest;
+}
+
+// Tests whether an estimate has converged on what the ray meets.
+//
+// Loops are tested at their end: software renderers execute their bodies once more than needed otherwise.
+//
+// most  probes
+void waterProbe(vec3 start, int most, inout WaterRayHit hit)
+{
+  vec3 way = hit.line;
+  float s = hit.s;
+  float depth = hit.depth;
+  float rayDepth = min(start.z + s * way.z, 1.0);
+  bool isSettled = s > 0.9999
+    ? rayDepth <= depth
+    : abs(start.z + s * way.z - depth) <= waterSlackAt(depth);
+  // nothing nearer on the way; of a short one fewer probes miss no more
+  float lengthPx = s * length(way.xy * waterReflectionSize);
+  int probes = isSettled ? min(most, int(lengthPx / WATER_PROBE_PX)) : 0;
+  float part = s / float(probes + 1);
+  float depthBefore = hit.depthStart;
+  int probe = 1;
+  float depthNear = depth;
+  do
+  {
+    vec3 at = start + part * float(probe) * way;
+    float depthProbe = waterDepthToMeet(at.xy);
+    float atDepth = min(at.z, 1.0);
+    bool isFree =
+      atDepth <= depthProbe && !waterMayPassBehind(depthBefore, depthProbe, atDepth);
+    bool isProbe = probe <= probes;
+    isSettled = isSettled && (isFree || !isProbe);
+    depthBefore = isProbe ? depthProbe : depthBefore;
+    depthNear = isProbe && !isFree ? depthProbe : depthNear;
+    ++probe;
+  } while (probe <= probes && isSettled);
+  hit.isSettled = isSettled && !waterMayPassBehind(depthBefore, depth, rayDepth);
+  hit.near = depthNear;
+}
+
+// Marches a ray that has not converged, and refines others.
+//
+// isWanted  or else nothing that comes of it is used
+//
+// Long because it is one loop: its state would be a dozen inout arguments, which software renderers copy.
+void waterMarchRay(vec3 start, bool isWanted, inout WaterRayHit hit)
+{
+  vec3 way = hit.line;
+  float s = hit.s;
+  float depth = hit.depth;
+  bool isSettled = hit.isSettled || !isWanted;
+  // the depth there leads closer still
+  float perDepth = waterPerDepth(way);
+  vec2 uv = hit.uv;
+  for (int i = 0; i < 2; ++i)
+  {
+    s = s > 0.9999 ? s : clamp((depth - start.z) * perDepth, 0.0, 1.0);
+    uv = start.xy + s * way.xy;
+    depth = waterDepthToMeet(uv);
+  }
+  bool isEnd = s > 0.9999; // nothing was met
+  bool isSky = isEnd && (hit.isOver || (depth >= 1.0 && !hit.isInside));
+  int reason = isEnd ? (hit.isInside ? WATER_SKY : WATER_OFF_MAP) : WATER_HIT;
+  if (!isSettled)
+  {
+    // steps; one that ends behind the reflection texture, or may have been there on its way, is halved
+    float low = 0.0;
+    float high = 0.0;
+    float next = 0.0; // where the steps go on when the halvings met nothing
+    float depthLow = hit.depthStart;
+    float depthHigh = 1.0;
+    float depthNext = 1.0;
+    float rayHigh = 1.0; // depth of the ray
+    float depthEnd = waterDepthToMeet(start.xy + way.xy);
+    bool isHit = false;
+    float stride = 1.0 / float(waterSteps);
+    int rest = waterSteps + 20; // the hit and four edges
+    int halvings = 0;
+    do
+    {
+      bool isHalving = halvings > 0;
+      float middle = isHalving ? 0.5 * (low + high) : min(low + stride, 1.0);
+      depth = waterDepthToMeet(start.xy + middle * way.xy);
+      float rayDepth = min(start.z + middle * way.z, 1.0);
+      bool isBehind = rayDepth > depth;
+      bool isJump = !isHalving && !isBehind && waterMayPassBehind(depthLow, depth, rayDepth);
+      bool isBeyond = isHalving && !isHit && depth >= rayHigh; // of the edge
+      isHit = isHit || isBehind;
+      next = isJump ? middle : next;
+      depthNext = isJump ? depth : depthNext;
+      bool isHigh = isBehind || isJump || isBeyond;
+      high = isHigh ? middle : high;
+      depthHigh = isHigh ? depth : depthHigh;
+      rayHigh = isHigh ? rayDepth : rayHigh;
+      low = isHigh ? low : middle;
+      depthLow = isHigh ? depthLow : depth;
+      halvings += (isHalving || isBehind || isJump) ? 1 : 0;
+      bool isMissed = halvings >= 5 && !isHit;
+      low = isMissed ? next : low;
+      depthLow = isMissed ? depthNext : depthLow;
+      halvings = isMissed ? 0 : halvings;
+      --rest;
+    } while (rest > 0 && halvings < 5 && (halvings > 0 || low < 1.0));
+    hit.behind = (rayHigh - depthHigh) / (waterReflectionZInfinity - depthHigh);
+    bool isSurface = depthLow - depthHigh <= waterReflectionTolerance.y * (waterReflectionZInfinity - depthHigh);
+    bool isOpen = hit.isInside && depthEnd >= 1.0;
+    // the front side, not filtered
+    vec2 size = vec2(textureSize(waterReflection, 0));
+    vec2 front = (floor((start.xy + low * way.xy) * size) + 0.5) / size;
+    // met nothing; a surface: filtered; goes behind something, and where it ends there is sky; front
+    uv = start.xy + (isHit && isSurface ? high : 1.0) * way.xy;
+    uv = isHit && !isSurface && !isOpen ? front : uv;
+    isSky = isHit ? !isSurface && (isOpen ? depthEnd >= WATER_UNMET : depthLow >= 1.0)
+                  : hit.isOver || (!hit.isInside && depthEnd >= 1.0);
+    reason = isHit ? (isSurface ? WATER_HIT : WATER_HIDDEN)
+                   : (hit.isInside ? WATER_SKY : WATER_OFF_MAP);
+  }
+  hit.uv = uv;
+  hit.reason = reason;
+  hit.isPlace = !isSky || !waterIsSkyKnown();
+}
+
+// Probes. A ray that is not marched meets what they find, about where that is.
+void waterRefineHit(vec3 start, bool isFollowed, inout WaterRayHit hit)
+{
+  waterProbe(start, isFollowed ? waterProbesOfOne : waterProbesOfSeveral, hit);
+  float perDepth = waterPerDepth(hit.line);
+  bool isNear = hit.near < hit.depth && !isFollowed;
+  float s = clamp((hit.near - start.z) * perDepth, 0.0, 1.0);
+  hit.uv = isNear ? start.xy + s * hit.line.xy : hit.uv;
+  hit.isPlace = hit.isPlace || isNear;
+}
+
+void waterFollowRay(vec3 start, inout WaterRayHit hit)
+{
+  waterProbe(start, waterProbesOfOne, hit);
+  waterMarchRay(start, true, hit);
+}

@@ -1,0 +1,146 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The shader for hardware, which reads in batches, shows what the one for software renderers shows, in all kinds of
+water, views and outputs."""
+
+import itertools
+
+import numpy as np
+import pytest
+import wave_scenes
+import water_test as wt
+
+SIZE = (240, 180)
+VIEWS = {"middle": (2, -13, 4), "low": (3, -12, 1.2), "high": (1, -9, 9), "near": (1, -4, 0.8), "far": (5, -45, 5),
+         "below": (1, -6, -1.0)}
+LONG = ((0.0127, 2.0, 20.0, 10.0), (0.0064, 1.2, 80.0, 200.0), (0.0032, 0.75, 140.0, 90.0))
+SHORT = ((0.0012, 0.12, 20, 10), (0.001, 0.1, 80, 10), (0.0011, 0.11, 130, 10))
+
+
+def add_waves(look, waves=LONG):
+    for wave in waves:
+        look.AddWave(*wave)
+
+
+def sines(look):
+    add_waves(look)
+
+
+def short_sines(look):
+    add_waves(look, SHORT)
+
+
+def steep(look):
+    add_waves(look)
+    look.SetSlopeVariance(0.01, 0.006, 30.0)
+
+
+def sea(look):
+    look.SetSea(True)
+    look.SetWindSpeed(5)
+    look.SetSeaTileSize(64)
+
+
+def normal_maps(look):
+    from TestWaterNormalMaps import LAYERS, normal_map, texture_of
+    for size, speed, direction, strength in LAYERS:
+        look.AddNormalMap(texture_of(normal_map()), size, speed, direction, strength)
+
+
+def displaced(look):
+    look.AddWave(0.15, 5.0, 20.0, 10.0)
+    look.AddWave(0.05, 2.2, 80.0, 60.0)
+    look.WaveGeometryOn()
+
+
+def clear(look):
+    add_waves(look)
+    look.RefractionOn()
+    look.SetAbsorption(0.5, 0.2, 0.1)
+    look.SetCaustics(1.0)
+
+
+def clear_and_calm(look):
+    look.RefractionOn()
+    look.SetAbsorption(0.5, 0.2, 0.1)
+    look.SetScattering(0.02, 0.03, 0.03)
+
+
+def shadows(look):
+    add_waves(look, SHORT)
+    look.SetSlopeVariance(0.01, 0.01)
+    look.ShadowsOn()
+    look.SetFoamDepth(1.0)
+
+
+def many_steps(look):
+    add_waves(look)
+    look.SetRayTraceSteps(37)
+    look.SetRayTraceProbes(13)
+
+
+def few_steps(look):
+    add_waves(look)
+    look.SetRayTraceSteps(3)
+    look.SetRayTraceProbes(1)
+
+
+def lake(look):
+    look.SetPreset("lake")
+    look.SetSeaTileSize(64)
+
+
+def ocean(look):
+    look.SetPreset("ocean wind 5")
+    look.SetSeaTileSize(64)
+
+
+def pool(look):
+    look.SetPreset("pool")
+
+
+WATERS = (sines, short_sines, steep, sea, normal_maps, displaced, clear, clear_and_calm, shadows, many_steps, few_steps,
+          lake, ocean, pool)
+
+
+def made_of(set_look, position, translucent=False, samples=0, parallel=False):
+    view = wt.View(SIZE, (0.55, 0.7, 0.9), samples)
+    for thing in wave_scenes.posts():
+        if isinstance(thing, wave_scenes.ray_caster.Box):
+            data = wt.box(0.5 * (thing.low + thing.high), thing.high - thing.low)
+        else:
+            data = wt.sphere(thing.center, thing.radius, 48)
+        wt.add_actor(view.renderer, data, thing.color)
+    wt.add_actor(view.renderer, wt.box((0, 0, -2.5), (60, 60, 1)), (0.8, 0.7, 0.5))  # the bed
+    if translucent:
+        wt.add_actor(view.renderer, wt.box((0, 3, 1.5), (7, 0.2, 2.5)), (0.8, 0.2, 0.2), opacity=0.4)
+    wt.add_scene_light(view.renderer, (0.3, 0.6, 0.55))
+    water = wt.add_water(view.renderer, None, (-60, 60, -60, 60), None)
+    set_look(water.GetWaterProperty())
+    camera = wt.place_camera(view.renderer, position, (0, 0, 0), (0.3, 200))
+    camera.SetParallelProjection(parallel)
+    camera.SetParallelScale(4)
+    return view, water
+
+
+def pictures(is_software, monkeypatch, set_look, position, output="Color", **more):
+    monkeypatch.setenv("VTK_WATER_SOFTWARE", str(is_software))
+    view, water = made_of(set_look, position, **more)
+    getattr(water.GetWaterProperty(), f"SetOutputTo{output}")()
+    view.picture()
+    water.SetTime(0.7)
+    return view.picture()
+
+
+def compare(monkeypatch, title, *scene, **more):
+    one = pictures(1, monkeypatch, *scene, **more)
+    other = pictures(0, monkeypatch, *scene, **more)
+    error = np.abs(one - other).max(axis=2)
+    wt.check_at_least(f"{title}: colours of the picture", len(np.unique(one.reshape(-1, 3), axis=0)), 20)
+    wt.check_at_most(f"{title}: share of pixels that differ by more than 1 of 255", float((error > 1).mean()), 0.0005)
+
+
+@pytest.mark.parametrize("view", VIEWS)
+@pytest.mark.parametrize("set_look", WATERS, ids=lambda look: look.__name__)
+def test_hardware_shows_the_same(set_look, view, monkeypatch):
+    """Each kind of water looks the same from above, near, far and below."""
+    compare(monkeypatch, f"{set_look.__name__}, {view}", set_look, VIEWS[view])
