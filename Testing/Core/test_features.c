@@ -129,7 +129,8 @@ TEST(hardware_reads_in_batches)
     const bool is_traced = (has & RAYS) && !(has & (ENVIRONMENT | OFFSET));
     const unsigned batched = (is_traced ? WATER_FEATURE_BATCHED_RAYS : 0u) |
       (is_traced && (has & ROUGH) ? WATER_FEATURE_BATCHED_FACETS : 0u) |
-      ((has & REFRACTION) && (has & OPAQUE) ? WATER_FEATURE_BATCHED_MEDIUM : 0u);
+      ((has & REFRACTION) && (has & OPAQUE) ? WATER_FEATURE_BATCHED_MEDIUM : 0u) |
+      ((has & WAVES) ? WATER_FEATURE_BATCHED_TILE : 0u);
     assert_int_equal(water_features_on_hardware(features), features | batched);
   }
 }

@@ -35,7 +35,8 @@ extern "C"
   X(TRANSLUCENT, "the reflection texture has a layer of translucent things")                       \
   X(BATCHED_RAYS, "hardware: a ray's reads go out together")                                       \
   X(BATCHED_FACETS, "hardware: facets go side by side")                                            \
-  X(BATCHED_MEDIUM, "hardware: a refracted ray's reads go out together")
+  X(BATCHED_MEDIUM, "hardware: a refracted ray's reads go out together")                           \
+  X(BATCHED_TILE, "hardware: as many looks at a tile as a pixel needs")
 
 typedef enum water_feature_bit
 {
@@ -68,7 +69,10 @@ enum // WATER_FEATURE_WAVES and so on
   X(place, vtkWaterNoDisplacementFS, 0, WATER_FEATURE_FLAG(DISPLACED),                             \
     "place at rest, from the pixel")                                                               \
   X(point, vtkWaterPointFS, 0, 0, "what all slots know of their pixel, and the background")        \
-  X(tile, vtkWaterTileFS, WATER_FEATURE_FLAG(WAVES), 0, "slopes from a texture that repeats")      \
+  X(tile, vtkWaterTileFS, WATER_FEATURE_FLAG(WAVES), WATER_FEATURE_FLAG(BATCHED_TILE),             \
+    "slopes from a texture that repeats")                                                          \
+  X(tile, vtkWaterTileAsNeededFS, WATER_FEATURE_FLAG(BATCHED_TILE), 0,                             \
+    "the same, from one, two or four looks")                                                       \
   X(sines, vtkWaterWavesFS, WATER_FEATURE_FLAG(WAVES), 0, "sine and Gerstner waves")               \
   X(sea, vtkWaterSeaFS, WATER_FEATURE_FLAG(SEA), 0, "wind sea")                                    \
   X(sea, vtkWaterNoSeaFS, WATER_FEATURE_FLAG(WAVES), WATER_FEATURE_FLAG(SEA), "none")              \

@@ -8,26 +8,32 @@ float waterToMeet(vec2 uv, float depth, float nearest)
   return depth < nearest || waterIsUnder(uv, depth, waterFloor) ? WATER_UNMET : depth;
 }
 
-// A facet on its way.
+// The share of the light that a facet reflects.
+float waterFacetReflectance(WaterPoint point, vec3 normal)
+{
+  float cosine = clamp(-dot(point.ray, normal), 0.0, 1.0);
+  return waterReflectance < 0.0 ? waterFresnel(cosine, max(waterEta, 0.0)) : waterReflectance;
+}
+
+// A facet on its way: little more than its ray, since registers that wait for reads keep others from being read for.
 struct WaterFacet
 {
-  vec3 normal;
-  vec3 dir; // of the reflected ray
   WaterRayHit hit;
   float nearest; // waterNearest of its ray
-  float perDepth;
+  float share;   // of the light
 };
 
 // depth  that the reflection texture has at the point
-WaterFacet waterAimFacet(WaterPoint point, vec3 normal, float depth)
+// share  of the pixel
+WaterFacet waterAimFacet(WaterPoint point, vec3 normal, float depth, float share)
 {
   WaterFacet facet;
-  facet.normal = normal;
-  facet.dir = reflect(point.ray, normal);
-  facet.dir.z = max(abs(facet.dir.z), 1e-6);
-  facet.hit = waterAim(point.start, point.startW, facet.dir);
+  facet.share = share * waterFacetReflectance(point, normal);
+  vec3 dir = reflect(point.ray, normal);
+  dir.z = max(abs(dir.z), 1e-6);
+  facet.hit = waterAim(point.start, point.startW, dir);
+  facet.hit.color = waterSkyOfRay(dir);
   facet.nearest = waterNearest;
-  facet.perDepth = waterPerDepth(facet.hit.line);
   facet.hit.depthStart = waterToMeet(point.start.xy, depth, facet.nearest);
   facet.hit.depth = facet.hit.depthStart;
   return facet;
@@ -35,14 +41,13 @@ WaterFacet waterAimFacet(WaterPoint point, vec3 normal, float depth)
 
 void waterStepFacet(vec3 start, inout WaterFacet facet)
 {
-  facet.hit.s = clamp((facet.hit.depth - start.z) * facet.perDepth, 0.0, 1.0);
+  facet.hit.s = clamp((facet.hit.depth - start.z) * waterPerDepth(facet.hit.line), 0.0, 1.0);
   facet.hit.uv = start.xy + facet.hit.s * facet.hit.line.xy;
 }
 
-// How many probes a facet takes, none where two steps have not converged.
-int waterFacetProbes(vec3 start, inout WaterFacet facet)
+// How many probes a facet takes: none where two steps have not converged.
+int waterFacetProbes(vec3 start, WaterFacet facet)
 {
-  waterEstimated(facet.dir, facet.hit);
   return waterHasConverged(start, facet.hit)
     ? waterProbesOf(facet.hit, min(waterProbes, WATER_FACET_PROBES)) : 0;
 }
@@ -74,6 +79,8 @@ void waterTracePair(vec3 start, inout WaterFacet first, inout WaterFacet second)
     first.hit.depth = waterToMeet(first.hit.uv, depthFirst, first.nearest);
     second.hit.depth = waterToMeet(second.hit.uv, depthSecond, second.nearest);
   }
+  waterJudge(first.hit);
+  waterJudge(second.hit);
   int probesFirst = waterFacetProbes(start, first);
   int probesSecond = waterFacetProbes(start, second);
   if (max(probesFirst, probesSecond) > 0)
@@ -83,13 +90,6 @@ void waterTracePair(vec3 start, inout WaterFacet first, inout WaterFacet second)
     waterTestFacet(start, depthsFirst, probesFirst, first);
     waterTestFacet(start, depthsSecond, probesSecond, second);
   }
-}
-
-// The share of the light that a facet reflects.
-float waterFacetReflectance(WaterPoint point, vec3 normal)
-{
-  float cosine = clamp(-dot(point.ray, normal), 0.0, 1.0);
-  return waterReflectance < 0.0 ? waterFresnel(cosine, max(waterEta, 0.0)) : waterReflectance;
 }
 
 vec3 waterOneFacet(WaterPoint point, out float reflectance, out int reason, out vec2 uv)
@@ -114,25 +114,24 @@ vec3 waterSeveralFacets(WaterPoint point, vec2 azimuth, float variance, int coun
   vec2 slopes = waterFacetSlopes(point, sqrt(variance));
   waterFloor = point.height;
   float depth = waterDepthAt(point.start.xy);
+  float share = count == 4 ? 0.25 : 0.5;
   WaterPlaces places = WaterPlaces(vec4(0.0), vec4(0.0), vec4(0.0));
   vec3 reflected = vec3(0.0);
   reflectance = 0.0;
   for (int i = 0; i < count; i += 2)
   {
-    vec3 normal = waterFacetNormal(point, azimuth, slopes.x + waterFacetNode(i, count) * slopes.y);
-    WaterFacet first = waterAimFacet(point, normal, depth);
-    normal = waterFacetNormal(point, azimuth, slopes.x + waterFacetNode(i + 1, count) * slopes.y);
-    WaterFacet second = waterAimFacet(point, normal, depth);
+    vec3 normalFirst = waterFacetNormal(point, azimuth, slopes.x + waterFacetNode(i, count) * slopes.y);
+    vec3 normalSecond = waterFacetNormal(point, azimuth, slopes.x + waterFacetNode(i + 1, count) * slopes.y);
+    WaterFacet first = waterAimFacet(point, normalFirst, depth, share);
+    WaterFacet second = waterAimFacet(point, normalSecond, depth, share);
+    reflectance += first.share;
+    reflectance += second.share;
     waterTracePair(point.start, first, second);
-    waterCrossFacet(point, first.normal, i, first.hit);
-    waterCrossFacet(point, second.normal, i + 1, second.hit);
-    vec2 shares = (count == 4 ? 0.25 : 0.5) *
-      vec2(waterFacetReflectance(point, first.normal), waterFacetReflectance(point, second.normal));
-    reflectance += shares.x;
-    reflectance += shares.y;
-    reflected += first.hit.isPlace ? vec3(0.0) : shares.x * first.hit.color;
-    reflected += second.hit.isPlace ? vec3(0.0) : shares.y * second.hit.color;
-    shares *= vec2(first.hit.isPlace ? 1.0 : 0.0, second.hit.isPlace ? 1.0 : 0.0);
+    waterCrossFacet(point, normalFirst, i, first.hit);
+    waterCrossFacet(point, normalSecond, i + 1, second.hit);
+    reflected += first.hit.isPlace ? vec3(0.0) : first.share * first.hit.color;
+    reflected += second.hit.isPlace ? vec3(0.0) : second.share * second.hit.color;
+    vec2 shares = vec2(first.hit.isPlace ? first.share : 0.0, second.hit.isPlace ? second.share : 0.0);
     vec4 pair = vec4(first.hit.uv, second.hit.uv);
     places.inner = i == 0 ? pair : places.inner;
     places.outer = i == 0 ? places.outer : pair;

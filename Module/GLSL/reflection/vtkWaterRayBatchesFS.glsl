@@ -79,64 +79,45 @@ void waterTestProbes(vec3 depths, vec3 start, vec3 way, float part, int first, i
   }
 }
 
-// Ends the probes of an estimate.
-void waterSettle(vec3 start, bool isConverged, WaterProbed probed, inout WaterRayHit hit)
+// Probes an estimate that has converged, three and three at once.
+void waterProbe(vec3 start, int most, inout WaterRayHit hit, inout WaterProbed probed)
 {
-  float rayDepth = min(start.z + hit.s * hit.line.z, 1.0);
-  hit.isSettled = isConverged && probed.isFree && !waterMayPassBehind(probed.depthBefore, hit.depth, rayDepth);
-  hit.near = probed.near;
-}
-
-void waterProbe(vec3 start, int most, inout WaterRayHit hit)
-{
-  bool isConverged = waterHasConverged(start, hit);
-  WaterProbed probed = WaterProbed(true, hit.depthStart, hit.depth);
-  if (isConverged)
+  int probes = waterProbesOf(hit, most);
+  float part = hit.s / float(probes + 1);
+  for (int first = 1; first <= probes && probed.isFree; first += 6)
   {
-    int probes = waterProbesOf(hit, most);
-    float part = hit.s / float(probes + 1);
-    for (int first = 1; first <= probes && probed.isFree; first += 6)
+    ivec3 probe = min(first + ivec3(0, 1, 2), probes);
+    vec3 depths = waterReadProbes(start, hit.line, part, probe);
+    vec3 more = depths;
+    bool areMore = first + 3 <= probes;
+    if (areMore)
     {
-      ivec3 probe = min(first + ivec3(0, 1, 2), probes);
-      vec3 depths = waterReadProbes(start, hit.line, part, probe);
-      vec3 more = depths;
-      bool areMore = first + 3 <= probes;
-      if (areMore)
-      {
-        more = waterReadProbes(start, hit.line, part, min(probe + 3, probes));
-      }
-      waterTestProbes(depths, start, hit.line, part, first, probes, probed);
-      if (areMore)
-      {
-        waterTestProbes(more, start, hit.line, part, first + 3, probes, probed);
-      }
+      more = waterReadProbes(start, hit.line, part, min(probe + 3, probes));
+    }
+    waterTestProbes(depths, start, hit.line, part, first, probes, probed);
+    if (areMore)
+    {
+      waterTestProbes(more, start, hit.line, part, first + 3, probes, probed);
     }
   }
-  waterSettle(start, isConverged, probed, hit);
 }
 
 // Where an estimate that has converged meets something: two more steps.
-void waterRefineSettled(vec3 start, inout WaterRayHit hit)
+//
+// s, depth  after the first of them
+void waterRefine(vec3 start, float s, float depth, inout WaterRayHit hit)
 {
-  float s = hit.s;
-  float depth = hit.depth;
-  vec2 uv = hit.uv;
   if (s <= 0.9999)
   {
-    float perDepth = waterPerDepth(hit.line);
-    s = clamp((depth - start.z) * perDepth, 0.0, 1.0);
-    depth = waterDepthToMeet(start.xy + s * hit.line.xy);
-    bool isFound = s > 0.9999;
-    s = isFound ? s : clamp((depth - start.z) * perDepth, 0.0, 1.0);
-    uv = start.xy + s * hit.line.xy;
-    if (!isFound && s > 0.9999)
+    s = clamp((depth - start.z) * waterPerDepth(hit.line), 0.0, 1.0);
+    if (s > 0.9999)
     {
-      depth = waterDepthToMeet(uv);
+      depth = waterDepthToMeet(start.xy + s * hit.line.xy);
     }
   }
   bool isEnd = s > 0.9999; // nothing was met
   bool isSky = isEnd && (hit.isOver || (depth >= 1.0 && !hit.isInside));
-  hit.uv = uv;
+  hit.uv = start.xy + s * hit.line.xy;
   hit.reason = isEnd ? (hit.isInside ? WATER_SKY : WATER_OFF_MAP) : WATER_HIT;
   hit.isPlace = !isSky || !waterIsSkyKnown();
 }
@@ -263,12 +244,26 @@ void waterMarchRay(vec3 start, inout WaterRayHit hit)
 
 void waterFollowRay(vec3 start, inout WaterRayHit hit)
 {
-  waterProbe(start, max(waterProbes, 0), hit);
-  if (hit.isSettled)
+  hit.isSettled = false;
+  if (waterHasConverged(start, hit))
   {
-    waterRefineSettled(start, hit);
+    float s = hit.s;
+    float depth = hit.depth;
+    if (s <= 0.9999) // read together with the probes, though it is of no use where these find something
+    {
+      s = clamp((depth - start.z) * waterPerDepth(hit.line), 0.0, 1.0);
+      depth = waterDepthToMeet(start.xy + s * hit.line.xy);
+    }
+    WaterProbed probed = WaterProbed(true, hit.depthStart, hit.depth);
+    waterProbe(start, max(waterProbes, 0), hit, probed);
+    float rayDepth = min(start.z + hit.s * hit.line.z, 1.0);
+    hit.isSettled = probed.isFree && !waterMayPassBehind(probed.depthBefore, hit.depth, rayDepth);
+    if (hit.isSettled)
+    {
+      waterRefine(start, s, depth, hit);
+    }
   }
-  else
+  if (!hit.isSettled)
   {
     waterMarchRay(start, hit);
   }
@@ -284,9 +279,14 @@ void waterTakeNear(vec3 start, inout WaterRayHit hit)
   }
 }
 
-// The same as in vtkWaterRayWalkFS.glsl, of one of several facets.
+// As in vtkWaterRayWalkFS.glsl, of one of several facets.
 void waterRefineHit(vec3 start, bool isFollowed, inout WaterRayHit hit)
 {
-  waterProbe(start, min(waterProbes, WATER_FACET_PROBES), hit);
-  waterTakeNear(start, hit);
+  if (waterHasConverged(start, hit))
+  {
+    WaterProbed probed = WaterProbed(true, hit.depthStart, hit.depth);
+    waterProbe(start, min(waterProbes, WATER_FACET_PROBES), hit, probed);
+    hit.near = probed.near;
+    waterTakeNear(start, hit);
+  }
 }

@@ -109,9 +109,8 @@ WaterRayHit waterAim(vec3 start, float startW, vec3 dir)
 }
 
 // What an estimate says before it is tested.
-void waterEstimated(vec3 dir, inout WaterRayHit hit)
+void waterJudge(inout WaterRayHit hit)
 {
-  hit.color = waterSkyOfRay(dir);
   bool isSky = hit.s > 0.9999 &&
     (hit.isInside ? hit.isOver && hit.depth >= WATER_UNMET : hit.depth >= 1.0);
   hit.isPlace = !isSky || !waterIsSkyKnown();
@@ -141,7 +140,8 @@ WaterRayHit waterEstimateHitAlong(vec3 start, float startW, vec3 dir)
     hit.uv = start.xy + hit.s * hit.line.xy;
     hit.depth = waterDepthToMeet(hit.uv);
   }
-  waterEstimated(dir, hit);
+  hit.color = waterSkyOfRay(dir);
+  waterJudge(hit);
   return hit;
 }
 
