@@ -44,9 +44,14 @@ struct WaterMediumHit
   bool isHit; // or else there is none up to high
 };
 
+// How far a ray can come: to the depth straight behind the surface, and on while still in front; and the first place.
+// Of the slot refraction.
+//
 // depth  of the picture at the ray's start
 // reach  how far the ray is followed
-WaterMediumHit waterMediumWalk(vec3 start, vec3 way, float depth, float reach); // of the slot refraction
+vec2 waterMediumSize(); // of the picture, pixels
+float waterMediumReach(vec3 start, vec3 way, float depth);
+WaterMediumHit waterMediumWalk(vec3 start, vec3 way, float depth, float reach);
 
 // Where a ray into the scene meets what the picture shows.
 //
@@ -58,15 +63,8 @@ WaterMediumHit waterMediumWalk(vec3 start, vec3 way, float depth, float reach); 
 // Returns false when the picture does not show it: uv is then beside it and s of no use.
 bool waterMediumMeets(vec3 start, vec3 way, out float s, out vec2 uv)
 {
-  // how far it can come: to the depth straight behind the surface, and on while still in front
-  float perDepth = 1.0 / max(way.z, 1e-20);
   float depth = waterMediumDepth(start.xy);
-  float reach = max(depth - start.z, 0.0) * perDepth;
-  for (int i = 0; i < 3; ++i)
-  {
-    vec3 at = start + reach * way;
-    reach += max(waterMediumDepth(at.xy) - at.z, 0.0) * perDepth;
-  }
+  float reach = waterMediumReach(start, way, depth);
   vec2 border =
     (step(0.0, way.xy) - start.xy) / mix(way.xy, vec2(1e-9), equal(way.xy, vec2(0.0)));
   float leaves = max(min(border.x, border.y), 0.0);
@@ -74,7 +72,7 @@ bool waterMediumMeets(vec3 start, vec3 way, out float s, out vec2 uv)
   reach = min(reach, leaves);
 
   WaterMediumHit found = waterMediumWalk(start, way, depth, reach);
-  vec2 size = vec2(textureSize(waterSceneColor, 0));
+  vec2 size = waterMediumSize();
   float texel = 1.0 / max(length(way.xy * size), 1e-6);
   if (found.isHit && found.depthLow - found.depthHigh > WATER_MEDIUM_JUMP * way.z * max(found.high - found.low, texel))
   {

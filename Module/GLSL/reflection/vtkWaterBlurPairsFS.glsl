@@ -5,7 +5,7 @@ vec3 waterBlurred(WaterPlaces places, int count)
 {
   // from one to the next
   vec2 apart = count == 4 ? (places.outer.zw - places.outer.xy) / 3.0 : places.inner.zw - places.inner.xy;
-  float level = log2(max(0.3 * length(apart * vec2(textureSize(waterReflection, 0))), 1.0));
+  float level = log2(max(0.3 * length(apart * waterReflectionTexels), 1.0));
   vec3 first = textureLod(waterReflection, places.inner.xy, level).rgb;
   vec3 second = textureLod(waterReflection, places.inner.zw, level).rgb;
   vec3 third = vec3(0.0);

@@ -4,6 +4,8 @@
 // are the same. Hardware waits hundreds of cycles for a read; branches and uniforms cost it little, and registers that
 // are held over a read cost much.
 
+uniform vec2 waterReflectionTexels; // its size: asking the texture takes as long as a read
+
 void waterReadOnce() {} // uniforms are cheap
 
 vec4 waterHalfEnd(vec3 dir)
@@ -44,7 +46,7 @@ bool waterHasConverged(vec3 start, WaterRayHit hit)
 // How many probes an estimate that has converged takes: of a short way fewer miss no more.
 int waterProbesOf(WaterRayHit hit, int most)
 {
-  float lengthPx = hit.s * length(hit.line.xy * vec2(textureSize(waterReflection, 0)));
+  float lengthPx = hit.s * length(hit.line.xy * waterReflectionTexels);
   return min(most, int(lengthPx / WATER_PROBE_PX));
 }
 
@@ -230,8 +232,7 @@ void waterMarchRay(vec3 start, inout WaterRayHit hit)
   bool isSurface = march.depthLow - march.depthHigh <= waterReflectionTolerance.y * toInfinity;
   bool isOpen = hit.isInside && depthEnd >= 1.0;
   // the front side, not filtered
-  vec2 size = vec2(textureSize(waterReflection, 0));
-  vec2 front = (floor((start.xy + march.low * way.xy) * size) + 0.5) / size;
+  vec2 front = (floor((start.xy + march.low * way.xy) * waterReflectionTexels) + 0.5) / waterReflectionTexels;
   // met nothing; a surface: filtered; goes behind something, and where it ends there is sky; front
   vec2 uv = start.xy + (march.isHit && isSurface ? march.high : 1.0) * way.xy;
   hit.uv = march.isHit && !isSurface && !isOpen ? front : uv;

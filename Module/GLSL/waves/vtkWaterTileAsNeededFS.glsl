@@ -3,8 +3,8 @@
 // small against a texel, and no gradients where these ask for the finest level: hardware filters four numbers of 32
 // bits several times as slowly as it reads a depth.
 
-const float WATER_TILE_ONE = 0.0625; // up to so many texels along the longer side one look is the mean of four,
-const float WATER_TILE_TWO = 0.35;   // and up to so many two: between texels the slope is linear
+const float WATER_TILE_ONE = 0.05; // up to so many texels along the longer side one look is the mean of four,
+const float WATER_TILE_TWO = 0.3;   // and up to so many two: between texels the slope is linear
 
 // The mean of four looks along the pixel's longer side.
 vec4 waterTileFour(sampler2D tile, vec2 middle, vec2 longer, vec2 shorter, bool isFine)

@@ -123,6 +123,9 @@ void vtkWaterSurfaceShader::SetReflectionParameters(vtkShaderProgram* program)
   }
   uniforms::Set(program, "waterDepthScale", plan.depth_scale);
   uniforms::Set2(program, "waterReflectionScale", plan.reflection_scale);
+  const double texels[2] = { static_cast<double>(this->Drawn.Reflection->GetWidth()),
+    static_cast<double>(this->Drawn.Reflection->GetHeight()) };
+  uniforms::Set2(program, "waterReflectionTexels", texels);
   uniforms::SetMatrix4x3(program, "waterDirToReflection", plan.dir_to_reflection);
   uniforms::Set4(program, "waterReflectionHeight", plan.reflection_height);
   uniforms::Set4(program, "waterReflectionW", plan.reflection_w);
