@@ -127,10 +127,10 @@ TEST(hardware_reads_in_batches)
   {
     const unsigned features = expected_of(has);
     const bool is_traced = (has & RAYS) && !(has & (ENVIRONMENT | OFFSET));
-    const unsigned batched = (is_traced ? WATER_FEATURE_BATCHED_RAYS : 0u) |
-      (is_traced && (has & ROUGH) ? WATER_FEATURE_BATCHED_FACETS : 0u) |
-      ((has & REFRACTION) && (has & OPAQUE) ? WATER_FEATURE_BATCHED_MEDIUM : 0u) |
-      ((has & WAVES) ? WATER_FEATURE_BATCHED_TILE : 0u);
+    const unsigned batched = (is_traced ? WATER_FEATURE_HARDWARE_RAYS : 0u) |
+      (is_traced && (has & ROUGH) ? WATER_FEATURE_HARDWARE_FACETS : 0u) |
+      ((has & REFRACTION) && (has & OPAQUE) ? WATER_FEATURE_HARDWARE_MEDIUM : 0u) |
+      ((has & WAVES) ? WATER_FEATURE_HARDWARE_TILE : 0u);
     assert_int_equal(water_features_on_hardware(features), features | batched);
   }
 }

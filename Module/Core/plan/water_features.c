@@ -82,10 +82,10 @@ unsigned water_features_with_layer(unsigned features)
 unsigned water_features_on_hardware(unsigned features)
 {
   const bool is_traced = (features & WATER_FEATURE_RAY_TRACED) != 0;
-  return features | if_has(is_traced, WATER_FEATURE_BATCHED_RAYS) |
-    if_has(is_traced && (features & WATER_FEATURE_ROUGH) != 0, WATER_FEATURE_BATCHED_FACETS) |
-    if_has((features & WATER_FEATURE_MEDIUM) != 0, WATER_FEATURE_BATCHED_MEDIUM) |
-    if_has((features & WATER_FEATURE_WAVES) != 0, WATER_FEATURE_BATCHED_TILE);
+  return features | if_has(is_traced, WATER_FEATURE_HARDWARE_RAYS) |
+    if_has(is_traced && (features & WATER_FEATURE_ROUGH) != 0, WATER_FEATURE_HARDWARE_FACETS) |
+    if_has((features & WATER_FEATURE_MEDIUM) != 0, WATER_FEATURE_HARDWARE_MEDIUM) |
+    if_has((features & WATER_FEATURE_WAVES) != 0, WATER_FEATURE_HARDWARE_TILE);
 }
 
 unsigned water_features_secondary(const water_feature_look* look)

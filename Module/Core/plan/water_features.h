@@ -33,10 +33,10 @@ extern "C"
   X(SHADOWS, "shadows on glitter and foam")                                                        \
   X(OUTPUT, "the pixel shows how it got its colour")                                               \
   X(TRANSLUCENT, "the reflection texture has a layer of translucent things")                       \
-  X(BATCHED_RAYS, "hardware: a ray's reads go out together")                                       \
-  X(BATCHED_FACETS, "hardware: facets go side by side")                                            \
-  X(BATCHED_MEDIUM, "hardware: a refracted ray's reads go out together")                           \
-  X(BATCHED_TILE, "hardware: as many looks at a tile as a pixel needs")
+  X(HARDWARE_RAYS, "hardware: a ray's reads go out together")                                      \
+  X(HARDWARE_FACETS, "hardware: facets with branches of their own")                                \
+  X(HARDWARE_MEDIUM, "hardware: a refracted ray is marched where it must")                         \
+  X(HARDWARE_TILE, "hardware: as many looks at a tile as a pixel needs")
 
 typedef enum water_feature_bit
 {
@@ -69,9 +69,9 @@ enum // WATER_FEATURE_WAVES and so on
   X(place, vtkWaterNoDisplacementFS, 0, WATER_FEATURE_FLAG(DISPLACED),                             \
     "place at rest, from the pixel")                                                               \
   X(point, vtkWaterPointFS, 0, 0, "what all slots know of their pixel, and the background")        \
-  X(tile, vtkWaterTileFS, WATER_FEATURE_FLAG(WAVES), WATER_FEATURE_FLAG(BATCHED_TILE),             \
+  X(tile, vtkWaterTileFS, WATER_FEATURE_FLAG(WAVES), WATER_FEATURE_FLAG(HARDWARE_TILE),            \
     "slopes from a texture that repeats")                                                          \
-  X(tile, vtkWaterTileAsNeededFS, WATER_FEATURE_FLAG(BATCHED_TILE), 0,                             \
+  X(tile, vtkWaterHardwareTileFS, WATER_FEATURE_FLAG(HARDWARE_TILE), 0,                            \
     "the same, from one, two or four looks")                                                       \
   X(sines, vtkWaterWavesFS, WATER_FEATURE_FLAG(WAVES), 0, "sine and Gerstner waves")               \
   X(sea, vtkWaterSeaFS, WATER_FEATURE_FLAG(SEA), 0, "wind sea")                                    \
@@ -91,18 +91,19 @@ enum // WATER_FEATURE_WAVES and so on
   X(reflection, vtkWaterMirrorFS, 0,                                                               \
     WATER_FEATURE_FLAG(ENVIRONMENT) | WATER_FEATURE_FLAG(RAY_TRACED) | WATER_FEATURE_FLAG(OFFSET), \
     "calm: the pixel's own place")                                                                 \
-  X(walk, vtkWaterRayWalkFS, WATER_FEATURE_FLAG(RAY_TRACED), WATER_FEATURE_FLAG(BATCHED_RAYS),     \
+  X(walk, vtkWaterRayWalkFS, WATER_FEATURE_FLAG(RAY_TRACED), WATER_FEATURE_FLAG(HARDWARE_RAYS),    \
     "its looks one after another")                                                                 \
-  X(walk, vtkWaterRayBatchesFS, WATER_FEATURE_FLAG(BATCHED_RAYS), 0, "some of its looks at once")  \
+  X(walk, vtkWaterHardwareRaysFS, WATER_FEATURE_FLAG(HARDWARE_RAYS), 0,                            \
+    "some of its looks at once")                                                                   \
   X(layer, vtkWaterTranslucentLayerFS, WATER_FEATURE_FLAG(TRANSLUCENT), 0,                         \
     "translucent things, and blur")                                                                \
   X(layer, vtkWaterNoTranslucentLayerFS,                                                           \
     WATER_FEATURE_FLAG(ENVIRONMENT) | WATER_FEATURE_FLAG(RAY_TRACED) | WATER_FEATURE_FLAG(OFFSET), \
     WATER_FEATURE_FLAG(TRANSLUCENT), "none")                                                       \
   X(blur, vtkWaterBlurFS, WATER_FEATURE_FLAG(RAY_TRACED) | WATER_FEATURE_FLAG(OFFSET),             \
-    WATER_FEATURE_FLAG(TRANSLUCENT) | WATER_FEATURE_FLAG(BATCHED_FACETS),                          \
+    WATER_FEATURE_FLAG(TRANSLUCENT) | WATER_FEATURE_FLAG(HARDWARE_FACETS),                         \
     "facets blurred over their distance")                                                          \
-  X(blur, vtkWaterBlurPairsFS, WATER_FEATURE_FLAG(BATCHED_FACETS),                                 \
+  X(blur, vtkWaterHardwareBlurFS, WATER_FEATURE_FLAG(HARDWARE_FACETS),                             \
     WATER_FEATURE_FLAG(TRANSLUCENT), "the same, all of them at once")                              \
   X(blur, vtkWaterNoBlurFS, WATER_FEATURE_FLAG(ENVIRONMENT), 0, "none")                            \
   X(caustics, vtkWaterCausticsFS, WATER_FEATURE_FLAG(CAUSTICS), 0, "light that waves gather")      \
@@ -110,14 +111,15 @@ enum // WATER_FEATURE_WAVES and so on
   X(medium, vtkWaterMediumFS, WATER_FEATURE_FLAG(MEDIUM), 0, "the scene, refracted and dimmed")    \
   X(medium, vtkWaterNoMediumFS, 0, WATER_FEATURE_FLAG(MEDIUM), "the water's own colour")           \
   X(refraction, vtkWaterMediumWalkFS, WATER_FEATURE_FLAG(MEDIUM),                                  \
-    WATER_FEATURE_FLAG(BATCHED_MEDIUM), "the refracted ray's looks one after another")             \
-  X(refraction, vtkWaterMediumBatchesFS, WATER_FEATURE_FLAG(BATCHED_MEDIUM), 0,                    \
-    "eight of its looks at once")                                                                  \
+    WATER_FEATURE_FLAG(HARDWARE_MEDIUM), "the refracted ray's looks one after another")            \
+  X(refraction, vtkWaterHardwareMediumFS, WATER_FEATURE_FLAG(HARDWARE_MEDIUM), 0,                  \
+    "a bed found by few looks")                                                                    \
   X(facet_slopes, vtkWaterFacetSlopesFS, WATER_FEATURE_FLAG(ROUGH), 0,                             \
     "the slopes that facets stand for")                                                            \
-  X(facets, vtkWaterFacetsFS, WATER_FEATURE_FLAG(ROUGH), WATER_FEATURE_FLAG(BATCHED_FACETS),       \
+  X(facets, vtkWaterFacetsFS, WATER_FEATURE_FLAG(ROUGH), WATER_FEATURE_FLAG(HARDWARE_FACETS),      \
     "several facets a pixel")                                                                      \
-  X(facets, vtkWaterFacetPairsFS, WATER_FEATURE_FLAG(BATCHED_FACETS), 0, "two of them at once")    \
+  X(facets, vtkWaterHardwareFacetsFS, WATER_FEATURE_FLAG(HARDWARE_FACETS), 0,                      \
+    "the same, with branches")                                                                     \
   X(facets, vtkWaterNoFacetsFS, 0, WATER_FEATURE_FLAG(ROUGH), "one")                               \
   X(shadows, vtkWaterShadowsFS, WATER_FEATURE_FLAG(SHADOWS), 0, "of things on glitter and foam")   \
   X(shadows, vtkWaterNoShadowsFS, 0, WATER_FEATURE_FLAG(SHADOWS), "none")                          \

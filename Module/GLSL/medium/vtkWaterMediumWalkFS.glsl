@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkWaterMediumWalkFS.glsl: slot refraction for software renderers: the refracted ray's looks at the picture one after
-// another; vtkWaterMediumBatchesFS.glsl is the same for hardware.
+// another; vtkWaterHardwareMediumFS.glsl is the same for hardware.
 
 vec2 waterMediumSize()
 {

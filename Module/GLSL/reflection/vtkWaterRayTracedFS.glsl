@@ -39,12 +39,16 @@ float waterTop();                // height over the plane of all that there is t
 
 float waterDepthAt(vec2 uv); // of the reflection texture; of the slot layer
 
-// Depth of what the ray may meet there. What lies under the surface, or before all of the ray, only hides
+// Depth of what the ray may meet where the reflection texture has another. What lies under the surface, or before all of the ray, only hides
 // what it meets.
+float waterToMeet(vec2 uv, float depth)
+{
+  return depth < waterNearest || waterIsUnder(uv, depth, waterFloor) ? WATER_UNMET : depth;
+}
+
 float waterDepthToMeet(vec2 uv)
 {
-  float depth = waterDepthAt(uv);
-  return depth < waterNearest || waterIsUnder(uv, depth, waterFloor) ? WATER_UNMET : depth;
+  return waterToMeet(uv, waterDepthAt(uv));
 }
 
 // Can a ray that is in front of the reflection texture before and after a step have been behind the edge of a thing
@@ -126,20 +130,26 @@ float waterPerDepth(vec3 line)
   return 1.0 / (abs(line.z) > 1e-20 ? line.z : 1e-20);
 }
 
-// Two steps along a ray, to the depth that the reflection texture has where the ray is; as waterAim.
-WaterRayHit waterEstimateHitAlong(vec3 start, float startW, vec3 dir)
+// Two steps along a ray, from its start, to the depth that the reflection texture has where the ray is.
+void waterTwoSteps(vec3 start, inout WaterRayHit hit)
 {
-  WaterRayHit hit = waterAim(start, startW, dir);
   float perDepth = waterPerDepth(hit.line);
-  hit.depthStart = waterDepthToMeet(start.xy);
-  hit.depth = hit.depthStart;
-  hit.s = 0.0;
   for (int i = 0; i < 2; ++i)
   {
     hit.s = clamp((hit.depth - start.z) * perDepth, 0.0, 1.0);
     hit.uv = start.xy + hit.s * hit.line.xy;
     hit.depth = waterDepthToMeet(hit.uv);
   }
+}
+
+// An estimate of what a ray meets; as waterAim.
+WaterRayHit waterEstimateHitAlong(vec3 start, float startW, vec3 dir)
+{
+  WaterRayHit hit = waterAim(start, startW, dir);
+  hit.depthStart = waterDepthToMeet(start.xy);
+  hit.depth = hit.depthStart;
+  hit.s = 0.0;
+  waterTwoSteps(start, hit);
   hit.color = waterSkyOfRay(dir);
   waterJudge(hit);
   return hit;

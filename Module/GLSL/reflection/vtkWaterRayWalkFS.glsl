@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkWaterRayWalkFS.glsl: slot walk for software renderers: a ray's reads of the reflection texture one after another,
-// each only if the last one asks for it; vtkWaterRayBatchesFS.glsl is the same for hardware. Software renderers execute
+// each only if the last one asks for it; vtkWaterHardwareRaysFS.glsl is the same for hardware. Software renderers execute
 // both sides of a branch, and loops until the last of 8 pixels is done: there is one loop of each kind, and
 // conditions choose values.
 

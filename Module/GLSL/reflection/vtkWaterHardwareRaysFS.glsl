@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkWaterRayBatchesFS.glsl: slot walk for hardware: reads of the reflection texture whose places are known go out
+// vtkWaterHardwareRaysFS.glsl: slot walk for hardware: reads of the reflection texture whose places are known go out
 // together, and are tested afterwards in the order of vtkWaterRayWalkFS.glsl, which says what the rules are: results
 // are the same. Hardware waits hundreds of cycles for a read; branches and uniforms cost it little, and registers that
 // are held over a read cost much.
@@ -10,7 +10,8 @@ void waterReadOnce() {} // uniforms are cheap
 
 vec4 waterHalfEnd(vec3 dir)
 {
-  return 0.5 * (waterDirToReflection * vec4(dir, 0.0));
+  return 0.5 *
+    (waterDirToReflection[0] * dir.x + waterDirToReflection[1] * dir.y + waterDirToReflection[2] * dir.z);
 }
 
 float waterSlackAt(float depth)
@@ -66,19 +67,22 @@ struct WaterProbed
   float near;        // depth of what they found
 };
 
-// Tests three of so many probes in their order.
+// Tests a probe, in their order.
+void waterTestProbe(float depth, vec3 start, vec3 way, float part, int probe, int probes, inout WaterProbed probed)
+{
+  float rayDepth = min(start.z + part * float(probe) * way.z, 1.0);
+  bool isWanted = probed.isFree && probe <= probes;
+  bool isFree = rayDepth <= depth && !waterMayPassBehind(probed.depthBefore, depth, rayDepth);
+  probed.isFree = probed.isFree && (isFree || !isWanted);
+  probed.near = isWanted && !isFree ? depth : probed.near;
+  probed.depthBefore = isWanted ? depth : probed.depthBefore;
+}
+
 void waterTestProbes(vec3 depths, vec3 start, vec3 way, float part, int first, int probes, inout WaterProbed probed)
 {
-  for (int i = 0; i < 3; ++i)
-  {
-    if (probed.isFree && first + i <= probes)
-    {
-      float rayDepth = min(start.z + part * float(first + i) * way.z, 1.0);
-      probed.isFree = rayDepth <= depths[i] && !waterMayPassBehind(probed.depthBefore, depths[i], rayDepth);
-      probed.near = probed.isFree ? probed.near : depths[i];
-      probed.depthBefore = depths[i];
-    }
-  }
+  waterTestProbe(depths.x, start, way, part, first, probes, probed);
+  waterTestProbe(depths.y, start, way, part, first + 1, probes, probed);
+  waterTestProbe(depths.z, start, way, part, first + 2, probes, probed);
 }
 
 // Probes an estimate that has converged, three and three at once.
@@ -243,31 +247,42 @@ void waterMarchRay(vec3 start, inout WaterRayHit hit)
   hit.isPlace = !isSky || !waterIsSkyKnown();
 }
 
-void waterFollowRay(vec3 start, inout WaterRayHit hit)
+// Ends a ray that has been probed.
+void waterEndRay(vec3 start, inout WaterRayHit hit)
+{
+  if (!hit.isSettled)
+  {
+    waterMarchRay(start, hit);
+    return;
+  }
+  float s = hit.s;
+  float depth = hit.depth;
+  if (s <= 0.9999)
+  {
+    s = clamp((depth - start.z) * waterPerDepth(hit.line), 0.0, 1.0);
+    depth = waterDepthToMeet(start.xy + s * hit.line.xy);
+  }
+  waterRefine(start, s, depth, hit);
+}
+
+// Tests whether an estimate has converged on what the ray meets.
+void waterSettle(vec3 start, int most, inout WaterRayHit hit)
 {
   hit.isSettled = false;
   if (waterHasConverged(start, hit))
   {
-    float s = hit.s;
-    float depth = hit.depth;
-    if (s <= 0.9999) // read together with the probes, though it is of no use where these find something
-    {
-      s = clamp((depth - start.z) * waterPerDepth(hit.line), 0.0, 1.0);
-      depth = waterDepthToMeet(start.xy + s * hit.line.xy);
-    }
     WaterProbed probed = WaterProbed(true, hit.depthStart, hit.depth);
-    waterProbe(start, max(waterProbes, 0), hit, probed);
+    waterProbe(start, most, hit, probed);
     float rayDepth = min(start.z + hit.s * hit.line.z, 1.0);
     hit.isSettled = probed.isFree && !waterMayPassBehind(probed.depthBefore, hit.depth, rayDepth);
-    if (hit.isSettled)
-    {
-      waterRefine(start, s, depth, hit);
-    }
+    hit.near = probed.near;
   }
-  if (!hit.isSettled)
-  {
-    waterMarchRay(start, hit);
-  }
+}
+
+void waterFollowRay(vec3 start, inout WaterRayHit hit)
+{
+  waterSettle(start, max(waterProbes, 0), hit);
+  waterEndRay(start, hit);
 }
 
 // The place of one of several facets: what its probes found, about where that is.
@@ -283,11 +298,6 @@ void waterTakeNear(vec3 start, inout WaterRayHit hit)
 // As in vtkWaterRayWalkFS.glsl, of one of several facets.
 void waterRefineHit(vec3 start, bool isFollowed, inout WaterRayHit hit)
 {
-  if (waterHasConverged(start, hit))
-  {
-    WaterProbed probed = WaterProbed(true, hit.depthStart, hit.depth);
-    waterProbe(start, min(waterProbes, WATER_FACET_PROBES), hit, probed);
-    hit.near = probed.near;
-    waterTakeNear(start, hit);
-  }
+  waterSettle(start, min(waterProbes, WATER_FACET_PROBES), hit);
+  waterTakeNear(start, hit);
 }

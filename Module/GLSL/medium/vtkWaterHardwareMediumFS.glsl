@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkWaterMediumBatchesFS.glsl: slot refraction for hardware, where a branch that a pixel does not take costs nothing: a
+// vtkWaterHardwareMediumFS.glsl: slot refraction for hardware, where a branch that a pixel does not take costs nothing: a
 // ray that comes to a smooth bed, with nothing on the way, is not marched as in vtkWaterMediumWalkFS.glsl, and needs
 // half of its reads or less. What it meets is the same to a part of a pixel.
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkWaterTileAsNeededFS.glsl: slot tile for hardware: as vtkWaterTileFS.glsl, with fewer looks where a pixel is
+// vtkWaterHardwareTileFS.glsl: slot tile for hardware: as vtkWaterTileFS.glsl, with fewer looks where a pixel is
 // small against a texel, and no gradients where these ask for the finest level: hardware filters four numbers of 32
 // bits several times as slowly as it reads a depth.
 

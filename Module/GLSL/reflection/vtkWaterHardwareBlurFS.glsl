@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkWaterBlurPairsFS.glsl: slot blur for hardware: as vtkWaterBlurFS.glsl, with all reads together.
+// vtkWaterHardwareBlurFS.glsl: slot blur for hardware: as vtkWaterBlurFS.glsl, with all reads together.
 
 vec3 waterBlurred(WaterPlaces places, int count)
 {
