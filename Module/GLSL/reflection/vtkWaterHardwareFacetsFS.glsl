@@ -1,28 +1,132 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkWaterHardwareFacetsFS.glsl: slot facets for hardware: as vtkWaterFacetsFS.glsl, with branches in place of conditions.
-//
-// One loop for one facet and for several: two facets side by side, and a way of its own for one, were 40 % more code
-// on sines. Depth reads were 0.9 of 6.2 ms of an ocean: there is little to hide.
+// vtkWaterHardwareFacetsFS.glsl: slot facets for hardware: as vtkWaterFacetsFS.glsl, but one facet goes a way of its
+// own, and several go one after the other in a small loop. Two side by side, and one loop for one and several, were
+// slower on an H200: what counts there is how few registers a pixel needs.
 
-// Traces a facet's ray up to what its probes find, and gives the share of the light that it reflects.
-//
-// depth  that the reflection texture has at the point
-WaterRayHit waterTraceFacet(WaterPoint point, vec3 normal, float depth, int most, out float reflectance)
+// The depth that a ray may meet where the reflection texture has another; as waterDepthToMeet.
+float waterFacetDepth(vec2 uv, float depth, float nearest)
+{
+  return depth < nearest || waterIsUnder(uv, depth, waterFloor) ? WATER_UNMET : depth;
+}
+
+// The share of the light that a facet reflects.
+float waterFacetReflectance(WaterPoint point, vec3 normal)
 {
   float cosine = clamp(-dot(point.ray, normal), 0.0, 1.0);
-  reflectance = waterReflectance < 0.0 ? waterFresnel(cosine, max(waterEta, 0.0)) : waterReflectance;
+  return waterReflectance < 0.0 ? waterFresnel(cosine, max(waterEta, 0.0)) : waterReflectance;
+}
+
+// A facet on its way: little more than its ray, since registers that wait for reads keep others from being read for.
+struct WaterFacet
+{
+  WaterRayHit hit;
+  float nearest; // waterNearest of its ray
+  float share;   // of the light
+};
+
+// depth  that the reflection texture has at the point
+// share  of the pixel
+WaterFacet waterAimFacet(WaterPoint point, vec3 normal, float depth, float share)
+{
+  WaterFacet facet;
+  facet.share = share * waterFacetReflectance(point, normal);
   vec3 dir = reflect(point.ray, normal);
-  bool isDown = dir.z < 0.0;
   dir.z = max(abs(dir.z), 1e-6);
-  WaterRayHit hit = waterAim(point.start, point.startW, dir);
-  hit.color = waterSkyOfRay(dir);
-  hit.depthStart = waterToMeet(point.start.xy, depth);
-  hit.depth = hit.depthStart;
-  waterTwoSteps(point.start, hit);
-  waterJudge(hit);
-  hit.isDown = isDown;
-  waterSettle(point.start, most, hit);
-  return hit;
+  facet.hit = waterAim(point.start, point.startW, dir);
+  facet.hit.color = waterSkyOfRay(dir);
+  facet.nearest = waterNearest;
+  facet.hit.depthStart = waterFacetDepth(point.start.xy, depth, facet.nearest);
+  facet.hit.depth = facet.hit.depthStart;
+  return facet;
+}
+
+void waterStepFacet(vec3 start, inout WaterFacet facet)
+{
+  facet.hit.s = clamp((facet.hit.depth - start.z) * waterPerDepth(facet.hit.line), 0.0, 1.0);
+  facet.hit.uv = start.xy + facet.hit.s * facet.hit.line.xy;
+}
+
+// How many probes a facet takes: none where two steps have not converged.
+int waterFacetProbes(vec3 start, WaterFacet facet)
+{
+  return waterHasConverged(start, facet.hit)
+    ? waterProbesOf(facet.hit, min(waterProbes, WATER_FACET_PROBES)) : 0;
+}
+
+vec3 waterReadFacetProbes(vec3 start, int probes, WaterFacet facet)
+{
+  waterNearest = facet.nearest;
+  return waterReadProbes(
+    start, facet.hit.line, facet.hit.s / float(probes + 1), min(ivec3(1, 2, 3), probes));
+}
+
+void waterTestFacet(vec3 start, vec3 depths, int probes, inout WaterFacet facet)
+{
+  WaterProbed probed = WaterProbed(true, facet.hit.depthStart, facet.hit.depth);
+  waterTestProbes(depths, start, facet.hit.line, facet.hit.s / float(probes + 1), 1, probes, probed);
+  facet.hit.near = probed.near;
+  waterTakeNear(start, facet.hit);
+}
+
+// A facet, from its first steps to its place.
+void waterTraceFacet(vec3 start, inout WaterFacet facet)
+{
+  waterStepFacet(start, facet);
+  facet.hit.depth = waterFacetDepth(facet.hit.uv, waterDepthAt(facet.hit.uv), facet.nearest);
+  waterStepFacet(start, facet);
+  facet.hit.depth = waterFacetDepth(facet.hit.uv, waterDepthAt(facet.hit.uv), facet.nearest);
+  waterJudge(facet.hit);
+  int probes = waterFacetProbes(start, facet);
+  if (probes > 0)
+  {
+    waterTestFacet(start, waterReadFacetProbes(start, probes, facet), probes, facet);
+  }
+}
+
+vec3 waterOneFacet(WaterPoint point, out float reflectance, out int reason, out vec2 uv)
+{
+  vec3 normal = normalize(point.normal);
+  reflectance = waterFacetReflectance(point, normal);
+  WaterRayHit hit = waterEstimateHit(point, normal);
+  waterFollowRay(point.start, hit);
+  waterCross(point, hit);
+  reason = waterReason(hit);
+  uv = hit.uv;
+  vec3 color = hit.color;
+  if (hit.isPlace)
+  {
+    color = textureLod(waterReflection, uv, 0.0).rgb;
+  }
+  return reflectance * color;
+}
+
+vec3 waterSeveralFacets(WaterPoint point, vec2 azimuth, float variance, int count, out float reflectance)
+{
+  vec2 slopes = waterFacetSlopes(point, sqrt(variance));
+  waterFloor = point.height;
+  float depth = waterDepthAt(point.start.xy);
+  float share = count == 4 ? 0.25 : 0.5;
+  WaterPlaces places = WaterPlaces(vec4(0.0), vec4(0.0), vec4(0.0));
+  vec3 reflected = vec3(0.0);
+  reflectance = 0.0;
+  for (int i = 0; i < count; ++i)
+  {
+    vec3 normal = waterFacetNormal(point, azimuth, slopes.x + waterFacetNode(i, count) * slopes.y);
+    WaterFacet facet = waterAimFacet(point, normal, depth, share);
+    reflectance += facet.share;
+    waterTraceFacet(point.start, facet);
+    waterCrossFacet(point, normal, i, facet.hit);
+    reflected += facet.hit.isPlace ? vec3(0.0) : facet.share * facet.hit.color;
+    // the last four move along
+    places.inner = vec4(places.inner.zw, places.outer.xy);
+    places.outer = vec4(places.outer.zw, facet.hit.uv);
+    places.shares = vec4(places.shares.yzw, facet.hit.isPlace ? facet.share : 0.0);
+  }
+  if (count == 2)
+  {
+    places = WaterPlaces(places.outer, vec4(0.0), vec4(places.shares.zw, 0.0, 0.0));
+  }
+  return reflected + waterBlurred(places, count);
 }
 
 // As in vtkWaterFacetsFS.glsl.
@@ -31,44 +135,14 @@ vec3 waterFacets(WaterPoint point, out float reflectance, inout int reason, inou
   vec2 azimuth = waterAzimuth(point);
   float variance = dot(point.variance.xy, azimuth * azimuth);
   int count = waterFacetCount(variance);
-  bool isOne = count == 1;
-  vec2 slopes = isOne ? vec2(0.0) : waterFacetSlopes(point, sqrt(variance));
-  int most = isOne ? max(waterProbes, 0) : min(waterProbes, WATER_FACET_PROBES);
-  waterFloor = point.height;
-  float depth = waterDepthAt(point.start.xy);
-  WaterPlaces places = WaterPlaces(vec4(0.0), vec4(0.0), vec4(0.0));
   vec3 reflected = vec3(0.0);
-  reflectance = 0.0;
-  for (int i = 0; i < count; ++i)
+  if (count == 1)
   {
-    vec3 normal = waterFacetNormal(point, azimuth, slopes.x + waterFacetNode(i, count) * slopes.y);
-    float share;
-    WaterRayHit hit = waterTraceFacet(point, normal, depth, most, share);
-    share /= float(count);
-    reflectance += share;
-    if (isOne)
-    {
-      waterEndRay(point.start, hit);
-      waterCross(point, hit);
-      reason = waterReason(hit);
-      uv = hit.uv;
-    }
-    else
-    {
-      waterTakeNear(point.start, hit);
-      waterCrossFacet(point, normal, i, hit);
-    }
-    reflected += hit.isPlace ? vec3(0.0) : share * hit.color;
-    // the last four, which move along
-    places.inner = vec4(places.inner.zw, places.outer.xy);
-    places.outer = vec4(places.outer.zw, hit.uv);
-    places.shares = vec4(places.shares.yzw, hit.isPlace ? share : 0.0);
+    reflected = waterOneFacet(point, reflectance, reason, uv);
   }
-  if (count < 4)
+  else
   {
-    places.inner = isOne ? places.outer.zwzw : places.outer;
-    places.shares = isOne ? vec4(places.shares.w, 0.0, 0.0, 0.0) : vec4(places.shares.zw, 0.0, 0.0);
+    reflected = waterSeveralFacets(point, azimuth, variance, count, reflectance);
   }
-  reflected += waterBlurred(places, count);
   return waterIsReflecting != 0 ? reflected : vec3(0.0);
 }

@@ -10,8 +10,7 @@ void waterReadOnce() {} // uniforms are cheap
 
 vec4 waterHalfEnd(vec3 dir)
 {
-  return 0.5 *
-    (waterDirToReflection[0] * dir.x + waterDirToReflection[1] * dir.y + waterDirToReflection[2] * dir.z);
+  return 0.5 * (waterDirToReflection[0] * dir.x + waterDirToReflection[1] * dir.y + waterDirToReflection[2] * dir.z);
 }
 
 float waterSlackAt(float depth)
@@ -247,42 +246,31 @@ void waterMarchRay(vec3 start, inout WaterRayHit hit)
   hit.isPlace = !isSky || !waterIsSkyKnown();
 }
 
-// Ends a ray that has been probed.
-void waterEndRay(vec3 start, inout WaterRayHit hit)
-{
-  if (!hit.isSettled)
-  {
-    waterMarchRay(start, hit);
-    return;
-  }
-  float s = hit.s;
-  float depth = hit.depth;
-  if (s <= 0.9999)
-  {
-    s = clamp((depth - start.z) * waterPerDepth(hit.line), 0.0, 1.0);
-    depth = waterDepthToMeet(start.xy + s * hit.line.xy);
-  }
-  waterRefine(start, s, depth, hit);
-}
-
-// Tests whether an estimate has converged on what the ray meets.
-void waterSettle(vec3 start, int most, inout WaterRayHit hit)
+void waterFollowRay(vec3 start, inout WaterRayHit hit)
 {
   hit.isSettled = false;
   if (waterHasConverged(start, hit))
   {
+    float s = hit.s;
+    float depth = hit.depth;
+    if (s <= 0.9999) // read together with the probes, though it is of no use where these find something
+    {
+      s = clamp((depth - start.z) * waterPerDepth(hit.line), 0.0, 1.0);
+      depth = waterDepthToMeet(start.xy + s * hit.line.xy);
+    }
     WaterProbed probed = WaterProbed(true, hit.depthStart, hit.depth);
-    waterProbe(start, most, hit, probed);
+    waterProbe(start, max(waterProbes, 0), hit, probed);
     float rayDepth = min(start.z + hit.s * hit.line.z, 1.0);
     hit.isSettled = probed.isFree && !waterMayPassBehind(probed.depthBefore, hit.depth, rayDepth);
-    hit.near = probed.near;
+    if (hit.isSettled)
+    {
+      waterRefine(start, s, depth, hit);
+    }
   }
-}
-
-void waterFollowRay(vec3 start, inout WaterRayHit hit)
-{
-  waterSettle(start, max(waterProbes, 0), hit);
-  waterEndRay(start, hit);
+  if (!hit.isSettled)
+  {
+    waterMarchRay(start, hit);
+  }
 }
 
 // The place of one of several facets: what its probes found, about where that is.
@@ -298,6 +286,11 @@ void waterTakeNear(vec3 start, inout WaterRayHit hit)
 // As in vtkWaterRayWalkFS.glsl, of one of several facets.
 void waterRefineHit(vec3 start, bool isFollowed, inout WaterRayHit hit)
 {
-  waterSettle(start, min(waterProbes, WATER_FACET_PROBES), hit);
-  waterTakeNear(start, hit);
+  if (waterHasConverged(start, hit))
+  {
+    WaterProbed probed = WaterProbed(true, hit.depthStart, hit.depth);
+    waterProbe(start, min(waterProbes, WATER_FACET_PROBES), hit, probed);
+    hit.near = probed.near;
+    waterTakeNear(start, hit);
+  }
 }
