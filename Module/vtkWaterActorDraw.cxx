@@ -197,5 +197,6 @@ void vtkWaterActor::Render(vtkRenderer* renderer, vtkMapper* mapper)
   occlusion->End();
   internal.Surface.End();
   queries->End(vtkWaterGpuQueries::SURFACE);
+  queries->SayMissing(this);
 }
 VTK_ABI_NAMESPACE_END

@@ -324,7 +324,7 @@ public:
   /**
    * Triangles (or other primitives) and fragments of opaque geometry that were drawn in the last
    * mirrored view with Instrumentation on; fragments that the depth test rejected do not count.
-   * They wait for the GPU. -1: not known.
+   * They wait for the GPU, a second at most. -1: not known.
    */
   vtkIdType GetNumberOfTrianglesReflected();
   vtkIdType GetNumberOfFragmentsReflected();

@@ -2,7 +2,25 @@
 #include "vtkWaterGpuQueries.h"
 
 #include "vtkOpenGLRenderTimer.h"
+#include "vtkWaterDebug.h"
 #include "vtkWaterGL.h"
+#include "vtkWaterQueryResult.h"
+
+namespace
+{
+// Drivers of OpenGL 3.2 need not have them, and VTK calls their functions all the same. Some have
+// the functions and a clock of no bits.
+bool HasTimers()
+{
+  if (!vtkOpenGLRenderTimer::IsSupported() || !glQueryCounter || !glGetQueryObjectui64v)
+  {
+    return false;
+  }
+  GLint bits = 0;
+  glGetQueryiv(GL_TIMESTAMP, GL_QUERY_COUNTER_BITS, &bits);
+  return bits > 0;
+}
+}
 
 //------------------------------------------------------------------------------
 vtkWaterGpuQueries::vtkWaterGpuQueries() = default;
@@ -25,7 +43,8 @@ void vtkWaterGpuQueries::Use(vtkWindow* window)
 void vtkWaterGpuQueries::Begin(int part, vtkWindow* window)
 {
   this->Use(window);
-  if (!this->IsOn || !vtkOpenGLRenderTimer::IsSupported())
+  this->IsMissing = this->IsOn && !HasTimers();
+  if (!this->IsOn || this->IsMissing)
   {
     return;
   }
@@ -52,6 +71,17 @@ double vtkWaterGpuQueries::GetTime(int part)
     this->Times[part] = timer->GetElapsedMilliseconds();
   }
   return this->Times[part];
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterGpuQueries::SayMissing(vtkObject* told)
+{
+  if (this->IsMissing && !this->IsSaid)
+  {
+    this->IsSaid = vtkWaterDebug::Say(told,
+      "this driver has no timer queries; times of the GPU stay NaN, and quality by a time budget "
+      "stays as it is.");
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -89,13 +119,7 @@ void vtkWaterGpuQueries::EndCounting()
 //------------------------------------------------------------------------------
 vtkIdType vtkWaterGpuQueries::GetTriangles()
 {
-  if (!this->HasCounted)
-  {
-    return -1;
-  }
-  GLuint count = 0;
-  glGetQueryObjectuiv(this->Triangles, GL_QUERY_RESULT, &count);
-  return static_cast<vtkIdType>(count);
+  return this->HasCounted ? vtkWaterQueryResult::Wait(this->Triangles) : -1;
 }
 
 //------------------------------------------------------------------------------

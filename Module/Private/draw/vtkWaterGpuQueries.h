@@ -10,6 +10,7 @@
 #include <limits>
 #include <memory>
 
+class vtkObject;
 class vtkOpenGLRenderTimer;
 
 class vtkWaterGpuQueries
@@ -30,6 +31,8 @@ public:
   // Times what is drawn between the two.
   void Begin(int part, vtkWindow* window);
   void End(int part);
+  // Without timer queries nothing is timed; that is said once, if debugging of `told` is on.
+  void SayMissing(vtkObject* told);
   // Counts the opaque geometry that is drawn between the two.
   void BeginCounting(vtkWindow* window);
   void EndCounting();
@@ -37,7 +40,8 @@ public:
   // ms of the last one that the GPU has finished; NaN: there is none.
   double GetTime(int part);
 
-  // Of the last count; -1: there is none. They wait for the GPU.
+  // Of the last count; -1: there is none, or the driver never says. They wait for the GPU, a second
+  // at most.
   vtkIdType GetTriangles();
   vtkIdType GetFragments();
 
@@ -50,6 +54,8 @@ private:
   void Use(vtkWindow* window);
 
   bool IsOn = false;
+  bool IsMissing = false; // timed, if the driver could
+  bool IsSaid = false;
   vtkWindow* Window = nullptr; // compared only
   std::unique_ptr<vtkOpenGLRenderTimer> Timers[NUMBER_OF_PARTS];
   double Times[NUMBER_OF_PARTS] = { std::numeric_limits<double>::quiet_NaN(),

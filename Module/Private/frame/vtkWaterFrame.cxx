@@ -76,7 +76,7 @@ vtkOpenGLRenderer* vtkWaterFrame::FindMainView(vtkViewport* viewport)
 }
 
 //------------------------------------------------------------------------------
-void vtkWaterFrame::Begin()
+void vtkWaterFrame::Begin(vtkWaterSource& water)
 {
   vtkWaterFrameThread& thread = vtkWaterFrameThread::Get();
   thread.Prune();
@@ -90,6 +90,9 @@ void vtkWaterFrame::Begin()
   const std::vector<vtkProp*>& others = this->Records.GetOthers();
   std::for_each(others.begin(), others.end(), vtkWaterProps::DropOwnStandIn);
   thread.SwitchTo(renderer, others);
+  // before any prop asks for its shader
+  thread.Hook->CanClip = thread.ClipProbe.Works(
+    static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow()), water.GetProp());
   this->Number.Modified();
   const auto addKey = [&](vtkProp* prop) {
     if (prop->GetVisibility() && !vtkWaterRenderPassKeys::Has(prop, thread.Hook))
@@ -183,7 +186,7 @@ void vtkWaterFrame::Allot(vtkWaterSource& water)
   {
     water.SetComposedPass(nullptr);
     // the key is on all props from the beginning of the frame, or they build their shaders twice
-    this->Begin();
+    this->Begin(water);
     isLate = this->EnsureGroup(water).IsLate;
   }
   if (water.GetProp()->HasOpaqueGeometry())
@@ -223,7 +226,7 @@ void vtkWaterFrame::Prepare(vtkWaterSource& water)
     return;
   }
   water.SetComposedPass(nullptr); // it was taken out of the chain
-  this->Begin();
+  this->Begin(water);
   const bool isLate = this->EnsureGroup(water).IsLate;
   if (this->IsFresh(water))
   {
@@ -244,7 +247,7 @@ void vtkWaterFrame::Prepare(vtkWaterSource& water)
 void vtkWaterFrame::RenderComposed(vtkWaterReflection& reflection,
   const std::vector<vtkWaterSource*>& waters, const int viewport_px[2], bool mayToneMap)
 {
-  this->Begin();
+  this->Begin(*waters.front());
   vtkWaterReflection::Frame frame;
   frame.Renderer = this->Renderer;
   frame.Number = this->GetNumber();

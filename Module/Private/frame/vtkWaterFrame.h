@@ -47,7 +47,7 @@ public:
 
   // Puts the key on every visible prop of the renderer until the frame ends (its EndEvent, or the
   // StartEvent of the next).
-  void Begin();
+  void Begin(vtkWaterSource& water);
   vtkMTimeType GetNumber() const;
 
   // Holds a snapshot until the frame ends.
@@ -132,6 +132,7 @@ private:
   double FogEye[12] = {};                    // its directions
   vtkRenderWindow* SoftwareWindow = nullptr; // compared only
   bool IsSoftwareWindow = false;
+  bool IsSilenceSaid = false; // of a driver
 };
 
 #endif

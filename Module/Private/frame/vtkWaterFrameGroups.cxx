@@ -6,6 +6,7 @@
 #include "vtkOpenGLRenderer.h"
 #include "vtkOpenGLState.h"
 #include "vtkPropCollection.h"
+#include "vtkWaterDebug.h"
 #include "vtkWaterFrame.h"
 #include "vtkWaterGL.h"
 #include "vtkWaterProps.h"
@@ -281,7 +282,14 @@ bool vtkWaterFrame::AreHidden(const std::vector<vtkWaterSource*>& sheets)
   state->vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
   auto isHidden = [this](vtkWaterSource* water) {
     water->Probe(this->Renderer);
-    return water->GetOwnReflection().GetOcclusion(this->Renderer)->WaitForSamples() == 0;
+    const vtkIdType samples =
+      water->GetOwnReflection().GetOcclusion(this->Renderer)->WaitForSamples();
+    if (samples < 0 && !this->IsSilenceSaid)
+    {
+      this->IsSilenceSaid = vtkWaterDebug::Say(water->GetProp(),
+        "this driver does not say whether the water is hidden; its reflection is rendered.");
+    }
+    return samples == 0;
   };
   return std::all_of(sheets.begin(), sheets.end(), isHidden);
 }

@@ -6,6 +6,7 @@
 
 #include "vtkNew.h"
 #include "vtkSmartPointer.h"
+#include "vtkWaterClipProbe.h"
 #include "vtkWaterFrame.h"
 #include "vtkWaterShaderHook.h"
 #include "vtkWeakPointer.h"
@@ -40,6 +41,7 @@ struct vtkWaterFrameThread
   static void PrepareForNewWindows(vtkRenderer* renderer, const std::vector<vtkProp*>& props);
 
   vtkNew<vtkWaterShaderHook> Hook;
+  vtkWaterClipProbe ClipProbe;
   std::map<vtkRenderer*, std::unique_ptr<vtkWaterFrame>> Frames;
 
 private:

@@ -191,7 +191,7 @@ bool vtkWaterShaderHook::PreReplaceShaderValues(std::string& vertexShader,
   // Opaque geometry is cut by a clip distance. It needs a vertex shader that ends the chain (a
   // geometry shader would have to pass the distance on), and must not be on for the full-screen
   // quads that blend translucent geometry: those two discard.
-  const bool canClipVertices = geometryShader.empty() &&
+  const bool canClipVertices = this->CanClip && geometryShader.empty() &&
     vertexShader.find("//VTK::CustomEnd::Impl") != std::string::npos &&
     !prop->HasTranslucentPolygonalGeometry();
   if (canClipVertices && InsertDeclarations(vertexShader, vtkWaterMirroredVS))

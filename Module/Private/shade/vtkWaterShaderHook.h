@@ -39,6 +39,9 @@ public:
   // Of the frame that began last; nullptr: none has, or it is gone.
   vtkWeakPointer<vtkOpenGLRenderWindow> Window;
 
+  // Its driver cuts by clip distances: else every prop discards, which shows the same.
+  bool CanClip = true;
+
   // What is drawn into a reflection texture.
   struct View
   {

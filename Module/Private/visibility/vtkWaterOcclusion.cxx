@@ -2,6 +2,7 @@
 #include "vtkWaterOcclusion.h"
 
 #include "vtkWaterGL.h"
+#include "vtkWaterQueryResult.h"
 
 //------------------------------------------------------------------------------
 void vtkWaterOcclusion::Begin(vtkWindow* window)
@@ -41,24 +42,13 @@ void vtkWaterOcclusion::End()
 //------------------------------------------------------------------------------
 vtkIdType vtkWaterOcclusion::GetSamples(vtkWindow* window)
 {
-  GLuint isReady = 0;
-  if (this->HasCounted && window == this->Window)
-  {
-    glGetQueryObjectuiv(this->Query, GL_QUERY_RESULT_AVAILABLE, &isReady);
-  }
-  return isReady != 0 ? this->WaitForSamples() : -1;
+  return this->HasCounted && window == this->Window ? vtkWaterQueryResult::Get(this->Query) : -1;
 }
 
 //------------------------------------------------------------------------------
 vtkIdType vtkWaterOcclusion::WaitForSamples()
 {
-  if (!this->HasCounted)
-  {
-    return -1;
-  }
-  GLuint samples = 0;
-  glGetQueryObjectuiv(this->Query, GL_QUERY_RESULT, &samples);
-  return static_cast<vtkIdType>(samples);
+  return this->HasCounted ? vtkWaterQueryResult::Wait(this->Query) : -1;
 }
 
 //------------------------------------------------------------------------------

@@ -20,7 +20,8 @@ public:
   // finished yet.
   vtkIdType GetSamples(vtkWindow* window);
 
-  // Samples of the last draw that was counted; waits for it. -1: none was.
+  // Samples of the last draw that was counted; waits for it, a second at most.
+  // -1: none was, or the driver never says.
   vtkIdType WaitForSamples();
 
   // With the context that drew.

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkWaterClipProbe.h"
+
+#include "vtkNew.h"
+#include "vtkOpenGLFramebufferObject.h"
+#include "vtkOpenGLRenderUtilities.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLShaderCache.h"
+#include "vtkOpenGLState.h"
+#include "vtkOpenGLVertexArrayObject.h"
+#include "vtkShaderProgram.h"
+#include "vtkTextureObject.h"
+#include "vtkWaterClipDistance.h"
+#include "vtkWaterClipProbeVS.h"
+#include "vtkWaterCoverFS.h"
+#include "vtkWaterDebug.h"
+#include "vtkWaterGL.h"
+
+#include <algorithm>
+#include <array>
+
+namespace
+{
+constexpr int kWidth = 4;  // px, the left half of which is cut away
+constexpr int kHeight = 2; // rows: the clip is on, and off
+
+// All that the probe sets, as it was, when it goes out of scope.
+struct ScopedProbe
+{
+  explicit ScopedProbe(vtkOpenGLState* state)
+    : State(state)
+    , Viewport(state)
+    , ClearColor(state)
+    , ColorMask(state)
+    , Blend(state, GL_BLEND)
+    , CullFace(state, GL_CULL_FACE)
+    , ScissorTest(state, GL_SCISSOR_TEST)
+    , WasClipped(glIsEnabled(GL_CLIP_DISTANCE0) == GL_TRUE)
+  {
+    state->PushFramebufferBindings();
+    state->vtkglDisable(GL_BLEND);
+    state->vtkglDisable(GL_CULL_FACE);
+    state->vtkglDisable(GL_SCISSOR_TEST);
+    state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    state->vtkglClearColor(1.0, 1.0, 1.0, 1.0);
+  }
+  ~ScopedProbe()
+  {
+    this->WasClipped ? vtkWaterClipDistance().On() : vtkWaterClipDistance().Off();
+    this->State->PopFramebufferBindings();
+  }
+
+  vtkOpenGLState* State;
+  vtkOpenGLState::ScopedglViewport Viewport;
+  vtkOpenGLState::ScopedglClearColor ClearColor;
+  vtkOpenGLState::ScopedglColorMask ColorMask;
+  vtkOpenGLState::ScopedglEnableDisable Blend;
+  vtkOpenGLState::ScopedglEnableDisable CullFace;
+  vtkOpenGLState::ScopedglEnableDisable ScissorTest;
+  bool WasClipped;
+};
+
+bool IsAnybodyCounting()
+{
+  for (const GLenum query :
+    { GL_SAMPLES_PASSED, GL_PRIMITIVES_GENERATED, GL_TRANSFORM_FEEDBACK_PRIMITIVES_WRITTEN })
+  {
+    GLint current = 0;
+    glGetQueryiv(query, GL_CURRENT_QUERY, &current);
+    if (current != 0)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+// Draws black over white, into what is bound.
+void DrawRows(vtkOpenGLState* state, vtkShaderProgram* program)
+{
+  // x, y, and the distance: that of a plane in the middle, then that of the main view, of no plane
+  float corners[kHeight][12] = { { -1, -1, -1, 1, -1, 1, -1, 1, -1, 1, 1, 1 },
+    { -1, -1, 1, 1, -1, 1, -1, 1, 1, 1, 1, 1 } };
+  GLuint triangles[6] = { 0, 1, 2, 2, 1, 3 };
+  vtkNew<vtkOpenGLVertexArrayObject> array;
+  vtkWaterClipDistance clipDistance;
+  state->vtkglClear(GL_COLOR_BUFFER_BIT);
+  for (int row = 0; row < kHeight; ++row)
+  {
+    state->vtkglViewport(0, row, kWidth, 1);
+    row == 0 ? clipDistance.On() : clipDistance.Off();
+    vtkOpenGLRenderUtilities::RenderTriangles(
+      corners[row], 4, triangles, 6, nullptr, program, array);
+  }
+}
+
+bool IsCutRight(vtkOpenGLRenderWindow* window)
+{
+  vtkOpenGLState* state = window->GetState();
+  const ScopedProbe scoped(state);
+  vtkNew<vtkTextureObject> color;
+  vtkNew<vtkOpenGLFramebufferObject> framebuffer;
+  color->SetContext(window);
+  framebuffer->SetContext(window);
+  if (!color->Allocate2D(kWidth, kHeight, 4, VTK_UNSIGNED_CHAR))
+  {
+    return false;
+  }
+  framebuffer->Bind();
+  framebuffer->AddColorAttachment(0, color);
+  framebuffer->ActivateDrawBuffer(0);
+  framebuffer->ActivateReadBuffer(0);
+  const char* reason = nullptr;
+  vtkShaderProgram* program =
+    window->GetShaderCache()->ReadyShaderProgram(vtkWaterClipProbeVS, vtkWaterCoverFS, "");
+  if (!program ||
+    !vtkOpenGLFramebufferObject::GetFrameBufferStatus(
+      vtkOpenGLFramebufferObject::GetBothMode(), reason))
+  {
+    return false;
+  }
+  DrawRows(state, program);
+  std::array<unsigned int, kWidth * kHeight> pixels{}; // RGBA each
+  glReadPixels(0, 0, kWidth, kHeight, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
+  const unsigned int cut = 0xffffffff;
+  return pixels == std::array<unsigned int, kWidth * kHeight>{ cut, cut, 0, 0, 0, 0, 0, 0 };
+}
+}
+
+//------------------------------------------------------------------------------
+bool vtkWaterClipProbe::Works(vtkOpenGLRenderWindow* window, vtkObject* told)
+{
+  std::vector<Answer>& answers = this->Answers;
+  answers.erase(std::remove_if(answers.begin(), answers.end(),
+                  [](const Answer& answer) { return !answer.Window; }),
+    answers.end());
+  auto found = std::find_if(answers.begin(), answers.end(),
+    [window](const Answer& answer) { return answer.Window == window; });
+  if (found == answers.end())
+  {
+    if (IsAnybodyCounting())
+    {
+      return false; // and would count the probe
+    }
+    Answer answer;
+    answer.Window = window;
+    answer.IsRight = IsCutRight(window);
+    found = answers.insert(answers.end(), answer);
+  }
+  if (!found->IsRight && !found->IsSaid)
+  {
+    found->IsSaid = vtkWaterDebug::Say(told,
+      "this driver does not cut by clip distances as it should; the mirrored view of this window "
+      "is "
+      "cut by every fragment, which is slower.");
+  }
+  return found->IsRight;
+}
