@@ -15,6 +15,7 @@ How it is put together:
     results            CSV, JSON, and the report, which is that of Utilities/Accuracy
     plots              the pictures
     plan, props, matrix, scaling, sea, ratios, draws, bound, gpu
+    plan, matrix, scaling, ratios, draws, bound, first_frame, gpu
                        the sections. Each has run(results) and its own prose; a new one is a module
                        with the same, added to SECTIONS
 
@@ -32,6 +33,7 @@ sys.path.append(str(PROJECT / "Utilities" / "Accuracy"))  # tracer, reference, f
 sys.path.append(str(PROJECT / "Testing" / "Python"))  # scenes of the tests, ray_caster
 
 SECTIONS = ("plan", "props", "ratios", "draws", "bound", "matrix", "scaling", "sea", "gpu")
+SECTIONS = ("plan", "ratios", "draws", "bound", "matrix", "scaling", "first_frame", "gpu")
 
 
 def main():

@@ -25,7 +25,7 @@ class Clock:
 
     def __init__(self, window):
         self._window = window
-        self._functions = _find(window.GetClassName())
+        self._functions = find(window.GetClassName(), FUNCTIONS)
         self.is_there = len(self._functions) == len(FUNCTIONS)
         if self.is_there:
             self._queries = (ctypes.c_uint * 2)()
@@ -46,17 +46,18 @@ class Clock:
         return 1e-6 * (stamps[1] - stamps[0])
 
 
-def _find(window):
+def find(window, functions, result=None):
+    """Functions of OpenGL by name, of those that a class of windows has; functions: their arguments."""
     for name, libraries, finder in LIBRARIES:
         for library in libraries if name == window else ():
             try:
-                find = getattr(ctypes.CDLL(library), finder)
+                place_of = getattr(ctypes.CDLL(library), finder)
             except OSError:
                 continue
-            find.restype = ctypes.c_void_p
-            places = {name: find(name.encode()) for name in FUNCTIONS}
+            place_of.restype = ctypes.c_void_p
+            places = {name: place_of(name.encode()) for name in functions}
             return {
-                name: ctypes.CFUNCTYPE(None, *FUNCTIONS[name])(place)
+                name: ctypes.CFUNCTYPE(result, *functions[name])(place)
                 for name, place in places.items()
                 if place
             }
