@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What goes wrong in the middle of a frame costs that frame's reflection and no more: the next picture is
-right again. Faults of the driver are in ../Cxx/TestWaterDriverFaults.cxx.
+right again. Faults of the driver are in ../Cxx/TestWaterDriverFaults.cxx and TestWaterWrongDriver.cxx.
 """
 
 import gc
