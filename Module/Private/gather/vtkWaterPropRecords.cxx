@@ -162,16 +162,28 @@ void vtkWaterPropRecords::Begin(vtkRenderer* renderer, vtkOpenGLRenderPass* key)
   {
     Record& record = this->Match(i++, prop);
     const bool isBare = record.IsPlain && !vtkWaterAccess::Prop::PropertyKeysOf(prop);
-    if (!isBare || !IsAlone(prop, renderer))
+    const bool isOther = !isBare || !IsAlone(prop, renderer);
+    if (isOther)
     {
       this->Others.push_back(prop);
     }
-    if (isBare && prop->GetVisibility())
+    if (isBare && (record.IsReflected || isOther) && prop->GetVisibility())
     {
       this->PutKey(record);
     }
   }
   this->EndMatching(i);
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterPropRecords::Reflect(size_t i)
+{
+  Record& record = *this->Records[i];
+  record.IsReflected = true;
+  if (record.IsPlain && !vtkWaterAccess::Prop::PropertyKeysOf(record.Prop))
+  {
+    this->PutKey(record);
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -26,7 +26,8 @@ struct vtkWaterSnapshot;
 class vtkWaterPropRecords
 {
 public:
-  // A frame begins: puts the shader key on visible actors that have no keys of their own.
+  // A frame begins: puts the shader key on visible actors that have no keys of their own and have
+  // been reflected before. The others' shaders stay VTK's until they are.
   void Begin(vtkRenderer* renderer, vtkOpenGLRenderPass* key);
   // It has ended: the key is taken off.
   //
@@ -57,6 +58,9 @@ public:
   // no levels of detail.
   bool IsPlain(size_t i) const { return this->Records[i]->IsKnown; }
 
+  // The drawn prop is about to be drawn in a mirrored view: it has the key from now on.
+  void Reflect(size_t i);
+
   // A number that is another one whenever the picture of the drawn prop may be, in all frames of
   // all renderers.
   vtkMTimeType GetStamp(vtkRenderer* renderer, size_t i);
@@ -81,6 +85,7 @@ private:
     vtkProp* Prop = nullptr;         // there, while it is in the renderer's list
     const char* ClassName = nullptr; // its class's own text, so that its address tells the class
     bool IsPlain = false;            // of exactly the class that VTK makes for vtkActor
+    bool IsReflected = false;        // has been once
     bool IsKnown = false;            // what was read holds as long as the times do
     vtkProp* Drawn = nullptr;
     water_prop Read = water_prop();

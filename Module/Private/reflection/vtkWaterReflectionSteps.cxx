@@ -222,6 +222,7 @@ void vtkWaterReflection::SortDrawn(const Frame& frame, Attempt& attempt)
     if (this->Reasons[i] == WATER_CULL_NONE)
     {
       const bool isPlain = frame.Records->IsPlain(i);
+      frame.Records->Reflect(i);
       draft.MayBeCut.push_back(
         !isPlain || water_plan_cuts(&this->Plan, this->Gathered.Props[i].bounds) ? 1 : 0);
       if (!isPlain)
