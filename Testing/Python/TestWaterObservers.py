@@ -15,6 +15,8 @@ import water_test as wt
 from vtkmodules.vtkRenderingCore import vtkCamera
 from vtkwater import vtkWaterReflectionPass as Pass
 
+pytestmark = pytest.mark.usefixtures("in_software")  # on a GPU the mirrored view is never drawn first
+
 SHEET = (-9, 9, -9, 9)
 MIRRORED, MAIN = "mirrored", "main"  # which view of a frame
 FIRST, LATE = "first", "late"  # when the mirrored view is drawn

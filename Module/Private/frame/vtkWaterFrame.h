@@ -106,6 +106,7 @@ private:
   bool CanShare(vtkWaterSource& water, vtkWaterSource& other);
   // May the mirrored view be drawn in the middle of the main one, just before the water?
   bool CanBeLate(vtkWaterSource& water);
+  bool HasPropsOfTheirView() const;
   // Is it likely that the picture before the water says what need not be drawn in it?
   bool IsWorthWaiting(const std::vector<vtkWaterSource*>& sheets);
   // Is all of them hidden by what has been drawn so far?

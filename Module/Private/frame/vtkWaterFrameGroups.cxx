@@ -16,9 +16,14 @@
 #include "water_share.h"
 
 #include <algorithm>
+#include <cstring>
+#include <iterator>
 
 namespace
 {
+const char* const kOfNoView[] = { "vtkActor", "vtkOpenGLActor", "vtkFollower", "vtkVolume",
+  "vtkSkybox", "vtkOpenGLSkybox" };
+
 water_share ShareOf(const vtkWaterSnapshot& water)
 {
   water_share share = water_share();
@@ -37,6 +42,17 @@ water_share ShareOf(const vtkWaterSnapshot& water)
 bool IsWater(vtkProp* prop)
 {
   return vtkWaterSource::Of(prop) != nullptr;
+}
+
+// May a prop show something else in the main view when it has been drawn in a mirrored one in the
+// middle of it? Legends, slices and others make what they show for the view they were drawn in
+// last.
+bool IsOfItsView(vtkProp* prop)
+{
+  const char* name = prop->GetClassName();
+  return !prop->IsA("vtkActor2D") && !IsWater(prop) &&
+    std::none_of(std::begin(kOfNoView), std::end(kOfNoView),
+      [name](const char* known) { return std::strcmp(name, known) == 0; });
 }
 
 bool IsClearWater(vtkProp* prop)
@@ -80,7 +96,15 @@ bool vtkWaterFrame::CanBeLate(vtkWaterSource& water)
   return (water.GetOwnReflection().Settings.skips & wanted) && !water.GetComposedReflection() &&
     !renderer->GetPass() && !renderer->GetUseSSAO() && !renderer->GetUseShadows() &&
     !renderer->GetUseHiddenLineRemoval() && water.GetProp()->HasOpaqueGeometry() &&
-    vtkWaterDrawnProps(renderer).Has(water.GetProp());
+    vtkWaterDrawnProps(renderer).Has(water.GetProp()) && !this->HasPropsOfTheirView();
+}
+
+//------------------------------------------------------------------------------
+bool vtkWaterFrame::HasPropsOfTheirView() const
+{
+  const std::vector<vtkProp*>& others = this->Records.GetOthers();
+  return std::any_of(others.begin(), others.end(),
+    [](vtkProp* prop) { return vtkWaterProps::HasAny(prop, IsOfItsView); });
 }
 
 //------------------------------------------------------------------------------

@@ -63,7 +63,7 @@ int LLVMFuzzerTestOneInput(const uint8_t* bytes, size_t size)
   {
     PROMISED(step >= 0 && step < WATER_QUALITY_STEPS);
   }
-  (void)water_plan_should_wait(&plan, fuzz_double(&from), scene.settings.skips);
+  (void)water_plan_should_wait(&plan, fuzz_double(&from), scene.is_software, scene.settings.skips);
   if (plan.decision == WATER_REFLECT)
   {
     double model[16];
@@ -77,6 +77,10 @@ int LLVMFuzzerTestOneInput(const uint8_t* bytes, size_t size)
     for (size_t i = 0; i < scene.prop_count; ++i)
     {
       (void)water_frustum_divides(&view.frustum, 6, props[i].bounds, 1e-6);
+      const water_box_place place = water_clusters_place(&view, props[i].bounds);
+      PROMISED(place <= WATER_BOX_INSIDE);
+      (void)water_clusters_is_kept(&view, props[i].bounds);
+      (void)water_plan_cuts(&plan, props[i].bounds);
     }
     double sides[WATER_VOLUME_PLANES_COUNT][4];
     for (size_t i = 0; i < scene.prop_count; ++i)
