@@ -9,6 +9,7 @@ from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray,
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkCommonTransforms import vtkTransform
+from vtkmodules.vtkFiltersCore import vtkAppendPolyData
 from vtkwater import vtkWaterReflectionPass as Pass
 
 pytestmark = pytest.mark.usefixtures("on_a_gpu")
@@ -120,3 +121,28 @@ def test_runs_of_large_meshes_change_no_picture(has_waves, samples):
             whole += max(many, 0)
     wt.check_at_most("largest difference of a pixel", largest, 0)
     wt.check_at_most("triangles drawn, of all", drawn / whole, 0.95)
+
+
+def test_coincident_layers_keep_their_order():
+    """Two layers of one mesh at the same places show the second one, as the whole mesh does."""
+    largest = 0
+    for seed in SEEDS:
+        layers = vtkAppendPolyData()
+        random = np.random.default_rng(seed)
+        first = hilly(random)
+        second = vtkPolyData()
+        second.DeepCopy(first)
+        colours = vtk_to_numpy(second.GetPointData().GetScalars())
+        colours[:] = -colours
+        layers.AddInputData(first)
+        layers.AddInputData(second)
+        layers.Update()
+        pictures = []
+        for skips in (Pass.SKIP_ALL, Pass.SKIP_ALL & ~Pass.PIECES):
+            view = wt.View(SIZE)
+            wt.add_actor(view.renderer, layers.GetOutput(), (1, 1, 1)).GetMapper().ScalarVisibilityOn()
+            wt.add_water(view.renderer, None, (-14, 14, -14, 14), 1.0).GetReflectionPass().SetSkips(skips)
+            wt.place_camera(view.renderer, (3 * seed - 10, -15, 4), (0, 0, 0), (0.1, 80))
+            pictures.append(view.picture())
+        largest = max(largest, int(np.abs(pictures[0] - pictures[1]).max()))
+    wt.check_at_most("largest difference of a pixel", largest, 0)

@@ -171,3 +171,20 @@ def test_nothing_of_a_stand_in_is_left_in_a_window_that_is_gone(truth):
         del scene.view.window
         scene = None
         wt.check_equal(f"window {number + 1} gone: errors", len(errors), 0)
+
+
+def test_a_stand_in_that_was_replaced_is_forgotten(truth):
+    """What stood in for a prop before may be gone; changes of what does so now, and of the prop, are seen."""
+    scene = scene_with_stand_in()
+    for _ in range(3):
+        scene.colors()
+    scene.coarse = actor_of(wt.sphere((0, 0, 1.5), 1, 8), (0, 0, 1))
+    scene.give(scene.fine, scene.coarse)  # nobody holds the other one
+    scene.colors()
+    scene.coarse.GetProperty().SetColor(GREEN)
+    wt.check_equal("the new one's colour changed: pixels", scene.colors(), truth.right)
+    scene.fine.GetPropertyKeys().Remove(Pass.STAND_IN())
+    scene.coarse = None
+    wt.check_equal("removed: pixels", scene.colors(), [truth.red_both, 0])
+    scene.fine.GetProperty().SetColor(GREEN)
+    wt.check_equal("the prop's colour changed: pixels", scene.colors()[0], 0)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// water_clusters.h: large meshes in clusters, so that
-// the mirrored view draws only those that the water can show. A cluster is a run of a mesh's
+// water_clusters.h: large meshes in clusters, so that the mirrored view draws only those that the
+// water can show. A cluster is a run of a mesh's
 // triangles in the order they are drawn in: what is left is drawn in that order, too, and covers
 // every pixel as before. So it does from the last triangle to the first, if of equally far ones the
 // first drawn stays: a mesh that runs towards the eye is drawn that way, and what is near hides

@@ -102,55 +102,81 @@ static void find_places(
   }
 }
 
-// Adds the leaves of one kind in [begin, end) as runs to those that there are. Returns how many
-// there are then.
-static size_t collect(const water_runs_mesh* mesh, const uint8_t* places, uint8_t kind,
-  size_t begin, size_t end, water_run* runs, size_t run_count)
+// What is collected while leaves are looked at in their order.
+typedef struct collection
 {
-  const size_t size = mesh->leaf_triangles;
-  // what may be drawn besides: what lies in the air, where the clip is off; anything that no other
-  // run draws, where it is on
-  const size_t first_run = run_count;
-  bool is_gap_free = false;
-  for (size_t leaf = begin; leaf < end; ++leaf)
+  const water_runs_mesh* mesh;
+  water_run* runs;
+  size_t count;
+  bool may_join; // all leaves since the last run may be drawn with it
+} collection;
+
+// Leaves that no run draws may be drawn besides: those in the air where the clip is off, any where
+// it is on.
+static void pass_by(collection* found, uint8_t place)
+{
+  const bool is_cut = found->count > 0 && found->runs[found->count - 1].is_cut;
+  found->may_join = found->may_join && (is_cut || place == IN_AIR);
+}
+
+static void collect(collection* found, size_t leaf, bool is_cut)
+{
+  const size_t size = found->mesh->leaf_triangles;
+  const size_t first = leaf * size;
+  const size_t rest = found->mesh->triangle_count - first;
+  const size_t count = size < rest ? size : rest;
+  water_run* last = found->count > 0 ? &found->runs[found->count - 1] : NULL;
+  if (last && last->is_cut == is_cut && found->may_join &&
+    first - (last->first + last->count) <= WATER_RUNS_GAP)
   {
-    if (places[leaf] != kind)
-    {
-      is_gap_free =
-        is_gap_free && (places[leaf] == IN_AIR || (kind == CUT && places[leaf] == OUTSIDE));
-      continue;
-    }
-    const size_t first = leaf * size;
-    const size_t rest = mesh->triangle_count - first;
-    const size_t count = size < rest ? size : rest;
-    water_run* last = run_count > first_run ? &runs[run_count - 1] : NULL;
-    if (last && is_gap_free && first - (last->first + last->count) <= WATER_RUNS_GAP)
-    {
-      last->count = first + count - last->first;
-    }
-    else
-    {
-      runs[run_count].first = first;
-      runs[run_count].count = count;
-      runs[run_count].is_cut = kind == CUT;
-      ++run_count;
-    }
-    is_gap_free = true;
+    last->count = first + count - last->first;
   }
-  return run_count;
+  else
+  {
+    found->runs[found->count].first = first;
+    found->runs[found->count].count = count;
+    found->runs[found->count].is_cut = is_cut;
+    ++found->count;
+  }
+  found->may_join = true;
+}
+
+// To turn the clip off and on takes as long as to draw many triangles with it: short stretches
+// between runs that are cut are drawn with it.
+static void keep_long_stretches(const water_runs_mesh* mesh, water_run* runs, size_t count)
+{
+  for (size_t begin = 0; begin < count;)
+  {
+    size_t end = begin;
+    size_t triangles = 0;
+    while (end < count && !runs[end].is_cut)
+    {
+      triangles += runs[end++].count;
+    }
+    for (size_t i = begin; i < end && triangles < mesh->triangle_count / WATER_RUNS_STRETCHES; ++i)
+    {
+      runs[i].is_cut = true;
+    }
+    begin = end > begin ? end : begin + 1;
+  }
 }
 
 size_t water_runs_select(
   const water_clusters_view* view, const water_runs_mesh* mesh, uint8_t* places, water_run* runs)
 {
   find_places(view, mesh, places);
-  const size_t segment = parts_of(mesh->leaf_count, WATER_RUNS_SEGMENTS);
-  size_t count = 0;
-  for (size_t begin = 0; begin < mesh->leaf_count; begin += segment)
+  collection found = { mesh, runs, 0, false };
+  for (size_t leaf = 0; leaf < mesh->leaf_count; ++leaf)
   {
-    const size_t end = begin + segment < mesh->leaf_count ? begin + segment : mesh->leaf_count;
-    count = collect(mesh, places, KEPT, begin, end, runs, count);
-    count = collect(mesh, places, CUT, begin, end, runs, count);
+    if (places[leaf] == KEPT || places[leaf] == CUT)
+    {
+      collect(&found, leaf, places[leaf] == CUT);
+    }
+    else
+    {
+      pass_by(&found, places[leaf]);
+    }
   }
-  return count;
+  keep_long_stretches(mesh, runs, found.count);
+  return found.count;
 }

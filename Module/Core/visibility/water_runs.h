@@ -19,9 +19,9 @@ enum
   WATER_RUNS_MESH_MIN = 32768, // triangles; a smaller mesh is drawn sooner than looked at
   WATER_RUNS_LEAF_MIN = 64,    // triangles of a leaf, at least
   WATER_RUNS_LEAVES_MAX = 65536,
-  WATER_RUNS_GROUP = 16,   // leaves of a group; the last has what is left
-  WATER_RUNS_GAP = 256,    // triangles that are drawn sooner than another run begins
-  WATER_RUNS_SEGMENTS = 32 // of a mesh, at most; within one what the plane cuts is drawn last
+  WATER_RUNS_GROUP = 16,    // leaves of a group; the last has what is left
+  WATER_RUNS_GAP = 256,     // triangles that are drawn sooner than another run begins
+  WATER_RUNS_STRETCHES = 64 // of a mesh, at most, that are drawn without the clip
 };
 
 typedef struct water_runs_mesh
@@ -37,7 +37,7 @@ typedef struct water_run
 {
   size_t first; // triangle
   size_t count; // > 0
-  bool is_cut;  // the clip plane may cut it: else it need not be on, which is dear
+  bool is_cut;  // the clip plane may cut it, or it is short: else the clip may be off
 } water_run;
 
 // Chooses the leaves of a mesh, and sets all but its boxes.
@@ -60,11 +60,8 @@ bool water_runs_add(const water_runs_mesh* mesh, size_t first, const uint32_t* i
 // Fills the boxes of the groups from those of the leaves.
 void water_runs_end(const water_runs_mesh* mesh);
 
-// The runs that may change a pixel, in the mesh's order but for this: in each segment of the mesh
-// those that the clip plane may cut come after the others. Of triangles in one segment that are
-// exactly as far, one of those then wins over one that comes after it: the fold of a mesh at the
-// water, in one of some 100,000 pictures. Gaps of up to WATER_RUNS_GAP triangles are drawn where
-// that changes nothing.
+// The runs that may change a pixel, in the mesh's order. Gaps of up to WATER_RUNS_GAP triangles are
+// drawn where that changes nothing.
 //
 // view    of the whole drawn part of the reflection texture (water_clusters_view_make)
 // places  room for leaf_count

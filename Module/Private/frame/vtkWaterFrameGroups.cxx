@@ -21,8 +21,8 @@
 
 namespace
 {
-const char* const kOfNoView[] = { "vtkActor", "vtkOpenGLActor", "vtkFollower", "vtkVolume",
-  "vtkSkybox", "vtkOpenGLSkybox" };
+const char* const kOfNoView[] = { "vtkActor", "vtkOpenGLActor", "vtkFollower", "vtkProp3DFollower",
+  "vtkVolume", "vtkSkybox", "vtkOpenGLSkybox" };
 
 water_share ShareOf(const vtkWaterSnapshot& water)
 {
@@ -50,7 +50,8 @@ bool IsWater(vtkProp* prop)
 bool IsOfItsView(vtkProp* prop)
 {
   const char* name = prop->GetClassName();
-  return !prop->IsA("vtkActor2D") && !IsWater(prop) &&
+  const bool isLabel = prop->IsA("vtkBillboardTextActor3D") || prop->IsA("vtkFlagpoleLabel");
+  return !prop->IsA("vtkActor2D") && !isLabel && !IsWater(prop) &&
     std::none_of(std::begin(kOfNoView), std::end(kOfNoView),
       [name](const char* known) { return std::strcmp(name, known) == 0; });
 }

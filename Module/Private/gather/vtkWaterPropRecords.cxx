@@ -219,10 +219,11 @@ void vtkWaterPropRecords::Picture::Update(vtkRenderer* renderer, vtkProp* prop)
 {
   vtkWaterPropTimes times;
   times.Read(renderer, prop);
-  if (!times.AreSameAs(this->Times))
+  if (prop != this->Of || !times.AreSameAs(this->Times))
   {
     this->Stamp = Now();
   }
+  this->Of = prop;
   this->Times = std::move(times);
 }
 
@@ -255,7 +256,7 @@ void vtkWaterPropRecords::Read(vtkRenderer* renderer, const vtkWaterSnapshot& mi
   {
     Record& record = this->Match(i++, prop);
     if (!record.IsKnown || isRefused || !HasOwnKeysOnly(record) ||
-      !record.Mirrored.Times.AreUnchanged())
+      !record.Mirrored.IsUnchanged(record.Drawn))
     {
       this->ReadAnew(renderer, record, mirrored, isRefused);
     }
@@ -272,7 +273,7 @@ vtkMTimeType vtkWaterPropRecords::GetStamp(vtkRenderer* renderer, size_t i)
   {
     return record.Mirrored.Stamp;
   }
-  if (!record.Mirrored.Times.AreUnchanged())
+  if (!record.Mirrored.IsUnchanged(record.Drawn))
   {
     // bringing another prop's pipeline up to date may have run the user's code, and changed it
     record.IsKnown = false;

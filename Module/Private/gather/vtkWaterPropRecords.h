@@ -71,7 +71,13 @@ private:
   struct Picture
   {
     void Update(vtkRenderer* renderer, vtkProp* prop);
+    // A prop that another one stood in for may be gone, and its times must not be asked then.
+    bool IsUnchanged(const vtkProp* prop) const
+    {
+      return prop == this->Of && this->Times.AreUnchanged();
+    }
 
+    const vtkProp* Of = nullptr; // compared only: whose times these are
     vtkWaterPropTimes Times;
     vtkMTimeType Stamp = 0;
   };

@@ -14,7 +14,6 @@ public:
   void Off() { this->Set(false); }
   bool GetIsOn() const { return this->IsOn; }
 
-private:
   // A state that changes from draw to draw costs more than what it is for.
   void Set(bool isOn)
   {
@@ -25,6 +24,7 @@ private:
     }
   }
 
+private:
   bool IsOn = false;
 };
 

@@ -150,9 +150,9 @@ bool vtkWaterClipProbe::Works(vtkOpenGLRenderWindow* window, vtkObject* told)
   if (!found->IsRight && !found->IsSaid)
   {
     found->IsSaid = vtkWaterDebug::Say(told,
-      "this driver does not cut by clip distances as it should; the mirrored view of this window "
+      "this driver does not cut by clip distances as it should; in this window the mirrored view "
       "is "
-      "cut by every fragment, which is slower.");
+      "cut fragment by fragment, which is slower.");
   }
   return found->IsRight;
 }

@@ -220,7 +220,11 @@ vtkWaterClusters::Mesh* vtkWaterClusters::UpdateMesh(
     it = it->second.Mapper ? std::next(it) : this->Meshes.erase(it);
   }
   Mesh& mesh = this->Meshes[mapper];
-  const MeshState state = StateOf(mapper, actor);
+  MeshState state = StateOf(mapper, actor);
+  if (!isSoftware)
+  {
+    state[2] = state[3] = 0; // runs know no property: to read the buffer back waits for the GPU
+  }
   if (!mesh.Mapper || mesh.State != state)
   {
     mesh.Mapper = mapper;

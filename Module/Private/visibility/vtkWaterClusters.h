@@ -79,7 +79,7 @@ private:
     std::vector<uint32_t> Indices;
     std::vector<std::array<double, 6>> Boxes; // empty: it cannot be cut
     vtkSmartPointer<vtkOpenGLIndexBufferObject> Drawn;
-    vtkWaterRuns Runs; // in place of the four above on a GPU
+    vtkWaterRuns Runs; // on a GPU, in place of points, indices and boxes
   };
 
   static MeshState StateOf(vtkOpenGLPolyDataMapper* mapper, vtkActor* actor);

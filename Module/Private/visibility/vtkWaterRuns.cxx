@@ -82,10 +82,10 @@ void vtkWaterRuns::Draw(
     {
       ++end;
     }
-    isOn&& isCut ? clipDistance.On() : clipDistance.Off();
+    clipDistance.Set(isOn && isCut);
     glMultiDrawElements(GL_TRIANGLES, this->Counts.data() + first, GL_UNSIGNED_INT,
       this->Offsets.data() + first, static_cast<GLsizei>(end - first));
     first = end;
   }
-  isOn ? clipDistance.On() : clipDistance.Off();
+  clipDistance.Set(isOn);
 }
