@@ -100,6 +100,21 @@ void vtkWaterPropRecords::EndMatching(size_t count)
 }
 
 //------------------------------------------------------------------------------
+template <typename Function>
+void vtkWaterPropRecords::Walk(vtkRenderer* renderer, const Function& function)
+{
+  vtkPropCollection* props = renderer->GetViewProps();
+  vtkCollectionSimpleIterator it;
+  size_t i = 0;
+  props->InitTraversal(it);
+  while (vtkProp* prop = props->GetNextProp(it))
+  {
+    function(this->Match(i++, prop));
+  }
+  this->EndMatching(i);
+}
+
+//------------------------------------------------------------------------------
 bool vtkWaterPropRecords::IsAlone(vtkProp* prop, vtkRenderer* renderer)
 {
   return prop->GetNumberOfConsumers() == 1 && prop->GetConsumer(0) == renderer;
@@ -116,19 +131,13 @@ bool vtkWaterPropRecords::HasOwnKeysOnly(const Record& record)
 const std::vector<vtkProp*>& vtkWaterPropRecords::FindOthers(vtkRenderer* renderer)
 {
   this->Others.clear();
-  vtkPropCollection* props = renderer->GetViewProps();
-  vtkCollectionSimpleIterator it;
-  size_t i = 0;
-  props->InitTraversal(it);
-  while (vtkProp* prop = props->GetNextProp(it))
-  {
-    Record& record = this->Match(i++, prop);
-    if (!record.IsPlain || vtkWaterAccess::Prop::PropertyKeysOf(prop) || !IsAlone(prop, renderer))
+  this->Walk(renderer, [&](Record& record) {
+    if (!record.IsPlain || vtkWaterAccess::Prop::PropertyKeysOf(record.Prop) ||
+      !IsAlone(record.Prop, renderer))
     {
-      this->Others.push_back(prop);
+      this->Others.push_back(record.Prop);
     }
-  }
-  this->EndMatching(i);
+  });
   return this->Others;
 }
 
@@ -154,25 +163,18 @@ void vtkWaterPropRecords::Begin(vtkRenderer* renderer, vtkOpenGLRenderPass* key)
   this->Key = key;
   this->Others.clear();
   this->Held.reserve(this->Records.size());
-  vtkPropCollection* props = renderer->GetViewProps();
-  vtkCollectionSimpleIterator it;
-  size_t i = 0;
-  props->InitTraversal(it);
-  while (vtkProp* prop = props->GetNextProp(it))
-  {
-    Record& record = this->Match(i++, prop);
-    const bool isBare = record.IsPlain && !vtkWaterAccess::Prop::PropertyKeysOf(prop);
-    const bool isOther = !isBare || !IsAlone(prop, renderer);
+  this->Walk(renderer, [&](Record& record) {
+    const bool isBare = record.IsPlain && !vtkWaterAccess::Prop::PropertyKeysOf(record.Prop);
+    const bool isOther = !isBare || !IsAlone(record.Prop, renderer);
     if (isOther)
     {
-      this->Others.push_back(prop);
+      this->Others.push_back(record.Prop);
     }
-    if (isBare && (record.IsReflected || isOther) && prop->GetVisibility())
+    if (isBare && (record.IsReflected || isOther) && record.Prop->GetVisibility())
     {
       this->PutKey(record);
     }
-  }
-  this->EndMatching(i);
+  });
 }
 
 //------------------------------------------------------------------------------
@@ -248,20 +250,13 @@ void vtkWaterPropRecords::Read(vtkRenderer* renderer, const vtkWaterSnapshot& mi
   const std::function<bool(vtkProp*)>& isRefused)
 {
   const vtkMTimeType begun = Now();
-  vtkPropCollection* props = renderer->GetViewProps();
-  vtkCollectionSimpleIterator it;
-  size_t i = 0;
-  props->InitTraversal(it);
-  while (vtkProp* prop = props->GetNextProp(it))
-  {
-    Record& record = this->Match(i++, prop);
+  this->Walk(renderer, [&](Record& record) {
     if (!record.IsKnown || isRefused || !HasOwnKeysOnly(record) ||
       !record.Mirrored.IsUnchanged(record.Drawn))
     {
       this->ReadAnew(renderer, record, mirrored, isRefused);
     }
-  }
-  this->EndMatching(i);
+  });
   this->IsSettled = Now() == begun + 1;
 }
 

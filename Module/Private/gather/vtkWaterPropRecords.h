@@ -105,6 +105,9 @@ private:
   };
   using RecordPointer = std::unique_ptr<Record>;
 
+  // Calls back for each of the renderer's props, in its order, with its record.
+  template <typename Function>
+  void Walk(vtkRenderer* renderer, const Function& function);
   Record& Match(size_t i, vtkProp* prop);
   void EndMatching(size_t count);
   static bool IsAlone(vtkProp* prop, vtkRenderer* renderer);

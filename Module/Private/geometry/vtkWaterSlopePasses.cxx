@@ -8,6 +8,7 @@
 #include "vtkTextureObject.h"
 #include "vtkWaterFftFS.h"
 #include "vtkWaterGL.h"
+#include "vtkWaterQueryResult.h"
 #include "vtkWaterSlopeSpectrumFS.h"
 #include "vtkWaterSlopeTexture.h"
 #include "vtkWaterUniforms.h"
@@ -21,17 +22,6 @@ namespace
 constexpr int kSlopes = 2; // the last of the targets
 constexpr size_t kWordsPerTexel = 4;
 const char* const kRefused = "the GPU refuses its passes";
-
-// Draws of ours would be counted with what a query that is under way counts.
-bool IsCounted()
-{
-  const GLenum queries[] = { GL_SAMPLES_PASSED, GL_PRIMITIVES_GENERATED };
-  return std::any_of(std::begin(queries), std::end(queries), [](GLenum query) {
-    GLint current = 0;
-    glGetQueryiv(query, GL_CURRENT_QUERY, &current);
-    return current != 0;
-  });
-}
 
 // Draws write colours, all of them, in a viewport of their own, while an object of this class
 // lives.
@@ -107,7 +97,7 @@ const char* vtkWaterSlopePasses::Draw(
   {
     return kRefused;
   }
-  if (IsCounted())
+  if (vtkWaterQueryResult::IsAnyAwaited()) // it would count our draws, too
   {
     return "a query counts what is drawn";
   }

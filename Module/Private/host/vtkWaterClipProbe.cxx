@@ -15,6 +15,7 @@
 #include "vtkWaterCoverFS.h"
 #include "vtkWaterDebug.h"
 #include "vtkWaterGL.h"
+#include "vtkWaterQueryResult.h"
 
 #include <algorithm>
 #include <array>
@@ -46,7 +47,7 @@ struct ScopedProbe
   }
   ~ScopedProbe()
   {
-    this->WasClipped ? vtkWaterClipDistance().On() : vtkWaterClipDistance().Off();
+    vtkWaterClipDistance().Set(this->WasClipped); // DrawRows leaves it off
     this->State->PopFramebufferBindings();
   }
 
@@ -59,21 +60,6 @@ struct ScopedProbe
   vtkOpenGLState::ScopedglEnableDisable ScissorTest;
   bool WasClipped;
 };
-
-bool IsAnybodyCounting()
-{
-  for (const GLenum query :
-    { GL_SAMPLES_PASSED, GL_PRIMITIVES_GENERATED, GL_TRANSFORM_FEEDBACK_PRIMITIVES_WRITTEN })
-  {
-    GLint current = 0;
-    glGetQueryiv(query, GL_CURRENT_QUERY, &current);
-    if (current != 0)
-    {
-      return true;
-    }
-  }
-  return false;
-}
 
 // Draws black over white, into what is bound.
 void DrawRows(vtkOpenGLState* state, vtkShaderProgram* program)
@@ -88,7 +74,7 @@ void DrawRows(vtkOpenGLState* state, vtkShaderProgram* program)
   for (int row = 0; row < kHeight; ++row)
   {
     state->vtkglViewport(0, row, kWidth, 1);
-    row == 0 ? clipDistance.On() : clipDistance.Off();
+    clipDistance.Set(row == 0);
     vtkOpenGLRenderUtilities::RenderTriangles(
       corners[row], 4, triangles, 6, nullptr, program, array);
   }
@@ -138,7 +124,7 @@ bool vtkWaterClipProbe::Works(vtkOpenGLRenderWindow* window, vtkObject* told)
     [window](const Answer& answer) { return answer.Window == window; });
   if (found == answers.end())
   {
-    if (IsAnybodyCounting())
+    if (vtkWaterQueryResult::IsAnyAwaited())
     {
       return false; // and would count the probe
     }

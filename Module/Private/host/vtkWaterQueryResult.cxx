@@ -3,6 +3,9 @@
 
 #include "vtkWaterGL.h"
 
+#include <algorithm>
+#include <array>
+
 namespace
 {
 constexpr GLuint64 kPatience_ns = 1000000000;
@@ -20,6 +23,18 @@ vtkIdType vtkWaterQueryResult::Get(unsigned int query)
   GLuint count = 0;
   glGetQueryObjectuiv(query, GL_QUERY_RESULT, &count);
   return static_cast<vtkIdType>(count);
+}
+
+//------------------------------------------------------------------------------
+bool vtkWaterQueryResult::IsAnyAwaited()
+{
+  const std::array<GLenum, 3> targets = { GL_SAMPLES_PASSED, GL_PRIMITIVES_GENERATED,
+    GL_TRANSFORM_FEEDBACK_PRIMITIVES_WRITTEN };
+  return std::any_of(targets.begin(), targets.end(), [](GLenum target) {
+    GLint current = 0;
+    glGetQueryiv(target, GL_CURRENT_QUERY, &current);
+    return current != 0;
+  });
 }
 
 //------------------------------------------------------------------------------

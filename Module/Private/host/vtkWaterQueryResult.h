@@ -11,6 +11,9 @@ namespace vtkWaterQueryResult
 // -1: not known yet.
 vtkIdType Get(unsigned int query);
 
+// Does any query count what is drawn now, whosever it is?
+bool IsAnyAwaited();
+
 // Waits until all that came before is drawn, a second at most. -1: it is not known even then.
 vtkIdType Wait(unsigned int query);
 }

@@ -304,11 +304,9 @@ void vtkWaterShaderHook::SetClipDistance(
   auto* actor = vtkActor::SafeDownCast(prop);
   const bool mayBeCut =
     this->MayBeCut || !actor || vtkWaterMeshTraits::HasOwnShaders(mapper, actor);
-  if (mayBeCut && !prop->IsRenderingTranslucentPolygonalGeometry() &&
-    program->IsUniformUsed("waterClipPosition"))
-  {
-    this->Mirrored.ClipDistance->On();
-  }
+  // off for a part of an assembly whose program has none: what it would cut is undefined
+  this->Mirrored.ClipDistance->Set(mayBeCut && !prop->IsRenderingTranslucentPolygonalGeometry() &&
+    program->IsUniformUsed("waterClipPosition"));
 }
 
 //------------------------------------------------------------------------------
