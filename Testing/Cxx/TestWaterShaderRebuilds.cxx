@@ -3,6 +3,8 @@
 // view, with one water and with two of different levels. Counted in the mappers themselves.
 #include "WaterTestScene.h"
 
+#include "vtkActor.h"
+#include "vtkCubeSource.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLPolyDataMapper.h"
 #include "vtkWaterReflectionPass.h"
@@ -42,11 +44,20 @@ int TestWaterShaderRebuilds(int, char*[])
 {
   WaterTestScene scene;
   scene.AddThings<CountingMapper>();
+  const int things = scene.Renderer->GetViewProps()->GetNumberOfItems();
+  vtkNew<vtkCubeSource> sunk; // what is under water is not reflected
+  sunk->SetCenter(0, 0, -5);
+  vtkNew<CountingMapper> sunkMapper;
+  sunkMapper->SetInputConnection(sunk->GetOutputPort());
+  vtkNew<vtkActor> sunkActor;
+  sunkActor->SetMapper(sunkMapper);
+  scene.Renderer->AddActor(sunkActor);
   scene.Window->Render();
   bool ok = WaterCheck("builds in 5 frames without water", CountFrames(scene.Window, 5), 0);
 
   scene.AddWater();
-  scene.Window->Render();
+  ok &= WaterCheck("builds in the first frame with water, of what it reflects alone",
+    CountFrames(scene.Window, 1), things);
   const vtkIdType before = scene.Water->GetReflectionPass()->GetNumberOfReflectionRenders();
   ok &= WaterCheck("builds in 5 frames with water", CountFrames(scene.Window, 5), 0);
   ok &= WaterCheck<vtkIdType>("mirrors in these 5 frames",

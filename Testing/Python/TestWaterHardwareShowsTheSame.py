@@ -6,6 +6,8 @@ import numpy as np
 import pytest
 import wave_scenes
 import water_test as wt
+from vtkmodules.util.misc import calldata_type
+from vtkmodules.vtkCommonCore import VTK_OBJECT
 
 SIZE = (240, 180)
 VIEWS = {"middle": (2, -13, 4), "low": (3, -12, 1.2), "high": (1, -9, 9), "near": (1, -4, 0.8), "far": (5, -45, 5),
@@ -161,3 +163,22 @@ def test_hardware_finds_the_same(set_look, output, monkeypatch):
 def test_hardware_shows_the_same_among_other_things(set_look, more, monkeypatch):
     """With translucent things, with several samples a pixel and in parallel projection pictures are the same."""
     compare(monkeypatch, f"{set_look.__name__}, {next(iter(more))}", SAME, set_look, VIEWS["low"], **more)
+
+
+@pytest.mark.parametrize("hardware", [False, True])
+def test_each_has_its_own_shader(hardware, monkeypatch):
+    """The surface's fragments are those for hardware where a GPU draws, and those for software elsewhere."""
+    monkeypatch.setenv("VTK_WATER_SOFTWARE", "0" if hardware else "1")
+    view = wt.View(SIZE)
+    water = wt.add_water(view.renderer, None, (-9, 9, -9, 9))
+    add_waves(water.GetWaterProperty())
+    sources = []
+
+    @calldata_type(VTK_OBJECT)
+    def keep(caller, event, program):
+        sources.append(program.GetFragmentShader().GetSource())
+
+    water.GetMapper().AddObserver("UpdateShaderEvent", keep)
+    wt.place_camera(view.renderer, VIEWS["middle"], (0, 0, 0), (0.1, 100))
+    view.picture()
+    wt.check_equal("hardware's facets are in the shader", ["waterOneFacet" in text for text in sources[-1:]], [hardware])

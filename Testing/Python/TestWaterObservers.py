@@ -92,6 +92,12 @@ def test_the_views_are_drawn_in_this_order(order):
     wt.check_at_least(f"drawn {order}: the water is seen", wt.difference(right, dry_picture(order)), 50)
 
 
+def test_a_gpu_draws_the_main_view_first(monkeypatch):
+    """Where a GPU draws, the mirrored view is planned while it draws the main one."""
+    monkeypatch.setenv("VTK_WATER_SOFTWARE", "0")
+    wt.check_equal("on a GPU: order of the views", order_of_views(Scene()), [MAIN, MIRRORED])
+
+
 @VIEWS
 @ORDERS
 def test_the_water_may_be_removed(order, view):
