@@ -13,6 +13,7 @@ import prop_scene
 import pytest
 import water_test as wt
 from vtkmodules.vtkCommonCore import vtkInformation
+from vtkmodules.vtkRenderingCore import vtkPolyDataMapper, vtkRenderer
 from vtkwater import vtkWaterReflectionPass as Pass
 
 LARGEST_ERROR = 1  # of 255
@@ -76,13 +77,19 @@ def walk(seed, are_in_frames):
     return largest
 
 
+@pytest.fixture(params=["software", "hardware"])
+def ways(request, monkeypatch):
+    """What is skipped where the processor draws, and where a GPU does: there props are asked while they are drawn."""
+    monkeypatch.setenv("VTK_WATER_SOFTWARE", "0" if request.param == "hardware" else "1")
+
+
 @pytest.mark.parametrize("seed", range(SEED, SEED + 3))
-def test_changes_between_frames_show(seed):
+def test_changes_between_frames_show(seed, ways):
     """A change of a prop shows in the next picture, whatever it is."""
     wt.check_at_most(f"seed {seed}: largest error of {STEPS} pictures", walk(seed, False), LARGEST_ERROR)
 
 
-def test_changes_in_frames_show():
+def test_changes_in_frames_show(ways):
     """So does one in the middle of a frame, in the next one."""
     wt.check_at_most(f"largest error of {STEPS} pictures", walk(SEED + 3, True), LARGEST_ERROR)
 
@@ -103,6 +110,93 @@ def test_every_change_shows_at_once(name):
             prop_changes.CHANGES[name](scene, numbers)
         largest = max(largest, compare(kept, fresh, step, name))
     wt.check_at_most(f"{name}: largest error", largest, LARGEST_ERROR)
+
+
+def test_props_are_drawn_in_any_order(on_a_gpu):
+    """A culler that sorts, and props that are not drawn: changes show as ever."""
+    random = np.random.default_rng(SEED)
+    kept, fresh = scenes(has_assembly=False)
+    for scene in (kept, fresh):
+        culler = scene.renderer.GetCullers().GetLastItem()
+        culler.SetSortingStyleToBackToFront()
+        culler.SetMinimumCoverage(0.005)
+    largest = 0
+    for step, (name, numbers) in enumerate(changes(random, 40)):
+        for scene in (kept, fresh):
+            prop_changes.CHANGES[name](scene, numbers)
+        largest = max(largest, compare(kept, fresh, step, name))
+    wt.check_at_most("largest error of 40 pictures", largest, LARGEST_ERROR)
+
+
+def test_props_of_two_views_of_a_window(ways):
+    """Another renderer of the window has the same props: both show what they show alone."""
+    alone, shared = scenes(has_assembly=False)[0], scenes(has_assembly=False)[0]
+    other = vtkRenderer()
+    other.SetBackground(shared.renderer.GetBackground())
+    for actor in shared.actors:
+        other.AddActor(actor)
+    shared.renderer.SetViewport(0, 0, 0.5, 1)
+    alone.renderer.SetViewport(0, 0, 0.5, 1)
+    other.SetViewport(0.5, 0, 1, 1)
+    other.SetActiveCamera(shared.renderer.GetActiveCamera())
+    shared.view.window.AddRenderer(other)
+    largest = 0
+    random = np.random.default_rng(SEED + 1)
+    for name, numbers in changes(random, 30):
+        for scene in (alone, shared):
+            prop_changes.CHANGES[name](scene, numbers)
+        half = prop_scene.SIZE[0] // 2
+        error = np.abs(alone.view.picture()[:, :half] - shared.view.picture()[:, :half]).max()
+        largest = max(largest, int(error))
+    wt.check_at_most("largest error of 30 pictures", largest, LARGEST_ERROR)
+
+
+def test_data_in_pieces(ways):
+    """A mapper that draws its data piece by piece is reflected piece by piece."""
+    pictures = []
+    for pieces in (1, 3):
+        scene = prop_scene.Scene(Pass.SKIP_ALL)
+        scene.actors[6].GetMapper().SetNumberOfSubPieces(pieces)
+        for turn in range(3):
+            scene.renderer.GetActiveCamera().Azimuth(2)
+            picture = scene.view.picture()
+        pictures.append(picture)
+    wt.check_at_most("difference of a pixel", int(np.abs(pictures[0] - pictures[1]).max()), LARGEST_ERROR)
+
+
+def test_what_is_set_for_a_draw_is_taken_back(ways):
+    """Mappers are static and actors forced to be opaque as the user says, in frames that reflect them, too."""
+    scene = prop_scene.Scene(Pass.SKIP_ALL)
+    first, second = scene.actors[:2]
+    first.GetMapper().SetStatic(True)
+    second.SetForceOpaque(True)
+    for _ in range(3):
+        scene.renderer.GetActiveCamera().Azimuth(2)
+        scene.view.window.Render()
+    wt.check_equal("reflected in the last frame", scene.water.GetReflectionPass().GetDecision(), Pass.RENDERED)
+    wt.check_equal("static mappers", [bool(actor.GetMapper().GetStatic()) for actor in scene.actors[:6]],
+                   [True] + 5 * [False])
+    wt.check_equal("actors forced to be opaque", [bool(actor.GetForceOpaque()) for actor in scene.actors[:6]],
+                   [False, True] + 4 * [False])
+
+
+def test_a_mapper_that_goes_while_it_is_drawn(ways):
+    """The user's observer puts another mapper in the place of the one that is being drawn, which is gone then."""
+    scene = prop_scene.Scene(Pass.SKIP_ALL)
+    actor = scene.actors[0]
+    scene.view.window.Render()
+    draws = []
+
+    def replace(caller, event):
+        draws.append(True)
+        if len(draws) == 4:  # of the second frame, the mirrored or the main view
+            actor.SetMapper(vtkPolyDataMapper())
+
+    actor.GetMapper().AddObserver("EndEvent", replace)
+    for _ in range(4):
+        scene.renderer.GetActiveCamera().Azimuth(2)
+        scene.view.window.Render()
+    wt.check_equal("the actor's new mapper is not static", bool(actor.GetMapper().GetStatic()), False)
 
 
 def test_nothing_is_left_on_props():

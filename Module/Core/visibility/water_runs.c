@@ -9,6 +9,11 @@ static size_t parts_of(size_t whole, size_t part)
   return (whole + part - 1) / part;
 }
 
+bool water_runs_are_worth(size_t triangle_count)
+{
+  return triangle_count >= WATER_RUNS_MESH_MIN;
+}
+
 size_t water_runs_shape(size_t triangle_count, water_runs_mesh* mesh)
 {
   const size_t least = parts_of(triangle_count, WATER_RUNS_LEAVES_MAX);
@@ -16,7 +21,7 @@ size_t water_runs_shape(size_t triangle_count, water_runs_mesh* mesh)
   mesh->leaf_triangles = least > WATER_RUNS_LEAF_MIN ? least : WATER_RUNS_LEAF_MIN;
   mesh->leaf_count = parts_of(triangle_count, mesh->leaf_triangles);
   mesh->group_count = parts_of(mesh->leaf_count, WATER_RUNS_GROUP);
-  return triangle_count < WATER_RUNS_MESH_MIN ? 0 : mesh->leaf_count + mesh->group_count;
+  return water_runs_are_worth(triangle_count) ? mesh->leaf_count + mesh->group_count : 0;
 }
 
 void water_runs_begin(const water_runs_mesh* mesh)

@@ -16,7 +16,7 @@ extern "C"
 
 enum
 {
-  WATER_RUNS_MESH_MIN = 32768, // triangles; a smaller mesh is drawn sooner than looked at
+  WATER_RUNS_MESH_MIN = 32768, // triangles of a mesh, at least
   WATER_RUNS_LEAF_MIN = 64,    // triangles of a leaf, at least
   WATER_RUNS_LEAVES_MAX = 65536,
   WATER_RUNS_GROUP = 16,    // leaves of a group; the last has what is left
@@ -39,6 +39,9 @@ typedef struct water_run
   size_t count; // > 0
   bool is_cut;  // the clip plane may cut it, or it is short: else the clip may be off
 } water_run;
+
+// May a mesh be drawn as runs? Smaller ones are drawn sooner than looked at.
+bool water_runs_are_worth(size_t triangle_count);
 
 // Chooses the leaves of a mesh, and sets all but its boxes.
 //

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkWaterMirroredView.h"
 
+#include "vtkActor.h"
 #include "vtkCamera.h"
+#include "vtkMapper.h"
 #include "vtkMatrix4x4.h"
 #include "vtkOpenGLRenderUtilities.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -15,8 +17,10 @@
 #include "vtkWaterSceneDepth.h"
 #include "vtkWaterShaderHook.h"
 #include "vtkWaterShadows.h"
+#include "vtkWeakPointer.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace
 {
@@ -127,6 +131,41 @@ struct ScopedRenderTimes
   std::vector<double> Before;
 };
 
+// What is known of an actor is not asked again while an object of this class lives: whether its
+// data are up to date and whether it is opaque take a third of a small one's draw to find out.
+struct ScopedFacts
+{
+  ScopedFacts(vtkProp* prop, const vtkWaterMirroredView::Facts& facts)
+  {
+    if (facts.IsUpToDate)
+    {
+      this->Mapper = static_cast<vtkActor*>(prop)->GetMapper();
+      this->WasStatic = std::exchange(vtkWaterAccess::Mapper::StaticOf(this->Mapper), 1);
+    }
+    if (facts.IsOpaque)
+    {
+      this->Actor = static_cast<vtkActor*>(prop);
+      this->WasForced = std::exchange(vtkWaterAccess::Actor::ForceOpaqueOf(this->Actor), true);
+    }
+  }
+  ~ScopedFacts()
+  {
+    if (this->Mapper)
+    {
+      vtkWaterAccess::Mapper::StaticOf(this->Mapper) = this->WasStatic;
+    }
+    if (this->Actor)
+    {
+      vtkWaterAccess::Actor::ForceOpaqueOf(this->Actor) = this->WasForced;
+    }
+  }
+
+  vtkWeakPointer<vtkMapper> Mapper; // the user's observers may drop both
+  vtkWeakPointer<vtkActor> Actor;
+  vtkTypeBool WasStatic = 0;
+  bool WasForced = false;
+};
+
 void SetViewportAndScissor(vtkOpenGLState* state, const water_plan& plan)
 {
   const int* rect = plan.texture_rect_px;
@@ -153,14 +192,14 @@ void vtkWaterMirroredView::DrawTranslucent(
   auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
   vtkOpenGLState* state = window->GetState();
   this->HasLayer = draft.HasMarchedRays &&
-    vtkWaterTranslucentLayer::IsNeeded(draft.Props, draft.Others) &&
+    vtkWaterTranslucentLayer::IsNeeded(draft.Blended, draft.Others) &&
     this->Layer.Keep(window, this->Target);
   if (this->HasLayer)
   {
     this->Target.Bind();
     SetViewportAndScissor(state, plan);
   }
-  this->Translucent.DrawPolygons(renderer, draft.Props, this->Target.GetFramebuffer());
+  this->Translucent.DrawPolygons(renderer, draft.Blended, this->Target.GetFramebuffer());
   this->Translucent.DrawVolumes(renderer, draft.Others);
   state->vtkglDisable(GL_SCISSOR_TEST);
   this->Target.Resolve();
@@ -168,7 +207,7 @@ void vtkWaterMirroredView::DrawTranslucent(
   if (this->HasLayer)
   {
     SetViewportAndScissor(state, plan);
-    this->Layer.Draw(renderer, draft.Hook, plan, draft.Props, this->Translucent);
+    this->Layer.Draw(renderer, draft.Hook, plan, draft.Blended, this->Translucent);
   }
 }
 
@@ -278,8 +317,11 @@ void vtkWaterMirroredView::DrawOpaque(
 {
   auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
   const auto draw = [this, renderer, &draft](size_t i) {
-    draft.Hook->SetMayBeCut(draft.MayBeCut[i] != 0);
-    draft.Props[i]->RenderOpaqueGeometry(renderer);
+    draft.Hook->SetMayBeCut(draft.Known[i].MayBeCut);
+    {
+      const ScopedFacts scopedFacts(draft.Props[i], draft.Known[i]);
+      draft.Props[i]->RenderOpaqueGeometry(renderer);
+    }
     this->ClipDistance.Off();
     this->Clusters.TakeBack();
   };

@@ -30,13 +30,22 @@ class vtkWaterShaderHook;
 class vtkWaterMirroredView
 {
 public:
+  // What is known of a prop that is drawn.
+  struct Facts
+  {
+    bool MayBeCut = true;    // by the clip at the water
+    bool IsUpToDate = false; // an actor whose data are
+    bool IsOpaque = false;   // an actor, all of it
+  };
+
   // What a plan is carried out with.
   struct Draft
   {
     vtkWaterShaderHook* Hook = nullptr;
     std::vector<vtkProp*> Props;         // that are drawn
-    std::vector<unsigned char> MayBeCut; // by the clip at the water, each of them (bool)
+    std::vector<Facts> Known;            // of each of them
     std::vector<vtkProp*> Others;        // of them, what is not a plain actor
+    std::vector<vtkProp*> Blended;       // of them, those, and plain actors that are translucent
     bool HasMarchedRays = false;         // rays are traced in it
     bool CanCut = false;                 // clusters of large meshes may be left out
     vtkShadowMapPass* Shadows = nullptr; // which is up to date; nullptr: there are none

@@ -87,6 +87,7 @@ void vtkWaterFrame::Begin(vtkWaterSource& water)
   vtkRenderer* renderer = this->Renderer;
   this->End(); // somebody removed the observer
   this->Records.Begin(renderer, thread.Hook);
+  thread.Hook->Records = &this->Records;
   const std::vector<vtkProp*>& others = this->Records.GetOthers();
   std::for_each(others.begin(), others.end(), vtkWaterProps::DropOwnStandIn);
   thread.SwitchTo(renderer, others);
@@ -110,7 +111,7 @@ void vtkWaterFrame::Begin(vtkWaterSource& water)
   this->Observer->SetCallback([](vtkObject* caller, unsigned long event, void* frame, void*) {
     auto* self = static_cast<vtkWaterFrame*>(frame);
     self->End();
-    if (event == vtkCommand::EndEvent)
+    if (event == vtkCommand::EndEvent && self->Records.AreElsewhere())
     {
       auto* ended = static_cast<vtkRenderer*>(caller);
       vtkWaterFrameThread::PrepareForNewWindows(ended, self->Records.FindOthers(ended));
@@ -128,6 +129,10 @@ void vtkWaterFrame::End()
   // what dies with its last reference may run the user's code, so all else comes first
   const auto snapshots = std::move(this->Snapshots);
   this->Snapshots.clear();
+  if (GetHook()->Records == &this->Records)
+  {
+    GetHook()->Records = nullptr;
+  }
   const auto held = this->Records.End();
   const auto props = std::move(this->Keyed);
   this->Keyed.clear();

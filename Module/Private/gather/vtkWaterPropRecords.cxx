@@ -3,8 +3,8 @@
 
 #include "vtkActor.h"
 #include "vtkInformationObjectBaseVectorKey.h"
-#include "vtkMapper.h"
 #include "vtkOpenGLRenderPass.h"
+#include "vtkPolyDataMapper.h"
 #include "vtkPropCollection.h"
 #include "vtkRenderer.h"
 #include "vtkTimeStamp.h"
@@ -13,12 +13,16 @@
 #include "vtkWaterProps.h"
 #include "vtkWaterRenderPassKeys.h"
 
+#include <algorithm>
 #include <cstring>
 #include <iterator>
 #include <utility>
 
 namespace
 {
+constexpr size_t MAX_AHEAD = 256; // props that are not drawn between two that are
+constexpr int MAX_MISSES = 32;    // of a frame, in which props are drawn in an order of their own
+
 // VTK's time, which every change of anything moves on.
 vtkMTimeType Now()
 {
@@ -34,6 +38,13 @@ bool IsKnownByTimes(vtkActor* actor)
   vtkMapper* mapper = actor->GetMapper();
   return vtkWaterProps::IsInWorld(actor) &&
     (!mapper || std::strcmp(mapper->GetClassName(), "vtkOpenGLPolyDataMapper") == 0);
+}
+
+// Of an actor that is known by times: are all of its data at its mapper at once?
+bool IsInOnePiece(vtkActor* actor)
+{
+  auto* mapper = static_cast<vtkPolyDataMapper*>(actor->GetMapper());
+  return mapper && mapper->GetNumberOfSubPieces() <= 1;
 }
 }
 
@@ -115,9 +126,24 @@ void vtkWaterPropRecords::Walk(vtkRenderer* renderer, const Function& function)
 }
 
 //------------------------------------------------------------------------------
-bool vtkWaterPropRecords::IsAlone(vtkProp* prop, vtkRenderer* renderer)
+bool vtkWaterPropRecords::IsOfWindow(vtkProp* prop, vtkRenderer* renderer)
 {
-  return prop->GetNumberOfConsumers() == 1 && prop->GetConsumer(0) == renderer;
+  const int count = prop->GetNumberOfConsumers();
+  for (int i = 0; i < count; ++i)
+  {
+    vtkObject* consumer = prop->GetConsumer(i);
+    if (consumer != renderer &&
+      std::find(this->OfWindow.begin(), this->OfWindow.end(), consumer) == this->OfWindow.end())
+    {
+      auto* other = vtkRenderer::SafeDownCast(consumer);
+      if (!other || other->GetRenderWindow() != renderer->GetRenderWindow())
+      {
+        return false;
+      }
+      this->OfWindow.push_back(consumer);
+    }
+  }
+  return true;
 }
 
 //------------------------------------------------------------------------------
@@ -131,9 +157,10 @@ bool vtkWaterPropRecords::HasOwnKeysOnly(const Record& record)
 const std::vector<vtkProp*>& vtkWaterPropRecords::FindOthers(vtkRenderer* renderer)
 {
   this->Others.clear();
+  this->OfWindow.clear();
   this->Walk(renderer, [&](Record& record) {
     if (!record.IsPlain || vtkWaterAccess::Prop::PropertyKeysOf(record.Prop) ||
-      !IsAlone(record.Prop, renderer))
+      !this->IsOfWindow(record.Prop, renderer))
     {
       this->Others.push_back(record.Prop);
     }
@@ -162,15 +189,26 @@ void vtkWaterPropRecords::Begin(vtkRenderer* renderer, vtkOpenGLRenderPass* key)
 {
   this->Key = key;
   this->Others.clear();
+  this->OfWindow.clear();
   this->Held.reserve(this->Records.size());
+  ++this->FrameCount;
+  this->HasElsewhere = false;
+  this->NextAsked = 0;
+  this->MissCount = 0;
   this->Walk(renderer, [&](Record& record) {
-    const bool isBare = record.IsPlain && !vtkWaterAccess::Prop::PropertyKeysOf(record.Prop);
-    const bool isOther = !isBare || !IsAlone(record.Prop, renderer);
-    if (isOther)
+    vtkProp* prop = record.Prop;
+    const bool hasKeys = vtkWaterAccess::Prop::PropertyKeysOf(prop) != nullptr;
+    const bool isBare = record.IsPlain && !hasKeys;
+    const bool isElsewhere = !this->IsOfWindow(prop, renderer);
+    this->HasElsewhere = this->HasElsewhere || isElsewhere || hasKeys ||
+      (!record.IsPlain && prop->IsA("vtkAxesActor"));
+    if (!isBare || isElsewhere)
     {
-      this->Others.push_back(record.Prop);
+      this->Others.push_back(prop);
     }
-    if (isBare && (record.IsReflected || isOther) && record.Prop->GetVisibility())
+    // one that other renderers have may be reflected there, and its shader is not built by turns
+    const bool mayBeReflected = record.IsReflected || prop->GetNumberOfConsumers() > 1;
+    if (isBare && mayBeReflected && prop->GetVisibility())
     {
       this->PutKey(record);
     }
@@ -186,6 +224,42 @@ void vtkWaterPropRecords::Reflect(size_t i)
   {
     this->PutKey(record);
   }
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterPropRecords::Ask(vtkProp* prop)
+{
+  if (this->MissCount == MAX_MISSES)
+  {
+    return;
+  }
+  // most are drawn in the order of the renderer's list
+  const size_t end = std::min(this->Keyed.size(), this->NextAsked + MAX_AHEAD);
+  size_t i = this->NextAsked;
+  while (i < end && this->Held[i] != prop)
+  {
+    ++i;
+  }
+  if (i == end)
+  {
+    ++this->MissCount;
+    return;
+  }
+  this->NextAsked = i + 1;
+  Record& record = *this->Keyed[i];
+  if (record.IsKnown && record.AskedIn != this->FrameCount)
+  {
+    record.IsKnown = HasOwnKeysOnly(record) && record.Mirrored.IsUnchanged(record.Drawn);
+    record.AskedIn = this->FrameCount;
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkWaterPropRecords::IsUnchanged(const Record& record) const
+{
+  return record.IsKnown &&
+    (record.AskedIn == this->FrameCount ||
+      (HasOwnKeysOnly(record) && record.Mirrored.IsUnchanged(record.Drawn)));
 }
 
 //------------------------------------------------------------------------------
@@ -242,6 +316,10 @@ void vtkWaterPropRecords::ReadAnew(vtkRenderer* renderer, Record& record,
   {
     record.Mirrored.Update(renderer, record.Prop);
     record.IsKnown = record.Mirrored.Times.CanBeAsked();
+    auto* actor = static_cast<vtkActor*>(record.Prop);
+    record.IsTranslucent = record.IsKnown && actor->HasTranslucentPolygonalGeometry() != 0;
+    record.IsOpaque = record.IsKnown && !record.IsTranslucent && actor->HasOpaqueGeometry() != 0;
+    record.IsWhole = record.IsKnown && IsInOnePiece(actor);
   }
 }
 
@@ -251,8 +329,7 @@ void vtkWaterPropRecords::Read(vtkRenderer* renderer, const vtkWaterSnapshot& mi
 {
   const vtkMTimeType begun = Now();
   this->Walk(renderer, [&](Record& record) {
-    if (!record.IsKnown || isRefused || !HasOwnKeysOnly(record) ||
-      !record.Mirrored.IsUnchanged(record.Drawn))
+    if (isRefused || !this->IsUnchanged(record))
     {
       this->ReadAnew(renderer, record, mirrored, isRefused);
     }

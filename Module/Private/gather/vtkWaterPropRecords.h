@@ -14,11 +14,13 @@
 #include "vtkWaterPropTimes.h"
 #include "water_types.h"
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <unordered_map>
 #include <vector>
 
+class vtkObject;
 class vtkOpenGLRenderPass;
 class vtkRenderer;
 struct vtkWaterSnapshot;
@@ -34,11 +36,17 @@ public:
   // Returns what held the props; to be dropped last, as that may run the user's code.
   std::vector<vtkSmartPointer<vtkProp>> End();
 
-  // Props of the renderer that are not plain actors without keys which it alone has: they may be in
-  // other windows, too, and have parts, a stand-in and other keys. True as long as no prop comes or
-  // goes.
+  // The prop is being drawn with the key: its times are asked now, while what they are read from is
+  // near at hand, and not again in this frame.
+  void Ask(vtkProp* prop);
+
+  // Props of the renderer that are not plain actors without keys of this window alone: they may be
+  // in other windows, too, and have parts, a stand-in and other keys. True as long as no prop comes
+  // or goes.
   const std::vector<vtkProp*>& FindOthers(vtkRenderer* renderer);
   const std::vector<vtkProp*>& GetOthers() const { return this->Others; }
+  // May another window have had any of them when the frame began, or what is drawn for it?
+  bool AreElsewhere() const { return this->HasElsewhere; }
 
   // Brings up to date what the plan must know of all props.
   //
@@ -57,6 +65,12 @@ public:
   // Is it a plain actor of polygons, where its bounds were read last? Then it is no volume, and has
   // no levels of detail.
   bool IsPlain(size_t i) const { return this->Records[i]->IsKnown; }
+  // Is it certain that such an actor has data that need not be brought up to date for its draw?
+  bool IsUpToDate(size_t i) const { return this->IsPlain(i) && this->Records[i]->IsWhole; }
+  // Is it certain that all of it is opaque?
+  bool IsOpaque(size_t i) const { return this->IsPlain(i) && this->Records[i]->IsOpaque; }
+  // Has that actor translucent polygons?
+  bool IsTranslucent(size_t i) const { return this->Records[i]->IsTranslucent; }
 
   // The drawn prop is about to be drawn in a mirrored view: it has the key from now on.
   void Reflect(size_t i);
@@ -93,6 +107,10 @@ private:
     bool IsPlain = false;            // of exactly the class that VTK makes for vtkActor
     bool IsReflected = false;        // has been once
     bool IsKnown = false;            // what was read holds as long as the times do
+    bool IsWhole = false;            // of what is known: is it drawn in one piece?
+    bool IsOpaque = false;           // is all of it?
+    bool IsTranslucent = false;      // has it translucent polygons?
+    uint64_t AskedIn = 0;            // the frame in which the times were asked while it was drawn
     vtkProp* Drawn = nullptr;
     water_prop Read = water_prop();
     Picture Mirrored;
@@ -110,8 +128,9 @@ private:
   void Walk(vtkRenderer* renderer, const Function& function);
   Record& Match(size_t i, vtkProp* prop);
   void EndMatching(size_t count);
-  static bool IsAlone(vtkProp* prop, vtkRenderer* renderer);
+  bool IsOfWindow(vtkProp* prop, vtkRenderer* renderer);
   static bool HasOwnKeysOnly(const Record& record);
+  bool IsUnchanged(const Record& record) const;
   void PutKey(Record& record);
   void TakeKeyOff(Record& record, vtkProp* prop);
   void ReadAnew(vtkRenderer* renderer, Record& record, const vtkWaterSnapshot& mirrored,
@@ -124,6 +143,11 @@ private:
   std::vector<vtkSmartPointer<vtkProp>> Held; // their props
   vtkOpenGLRenderPass* Key = nullptr;         // the thread's, which outlives frames
   std::vector<vtkProp*> Others;
+  std::vector<vtkObject*> OfWindow; // renderers of the same window, while props are looked at
+  uint64_t FrameCount = 0;
+  bool HasElsewhere = false;
+  size_t NextAsked = 0;   // of those with the key: which is drawn next, as a rule
+  int MissCount = 0;      // how often it was another one in this frame
   bool IsSettled = false; // nothing at all has changed while they were read
 };
 

@@ -8,6 +8,7 @@
 #define vtkWaterAccess_h
 
 #include "vtkActor.h"
+#include "vtkMapper.h"
 #include "vtkOpenGLHelper.h"
 #include "vtkOpenGLPolyDataMapper.h"
 #include "vtkOpenGLRenderer.h"
@@ -55,6 +56,12 @@ struct ShadowMapPass : public vtkShadowMapPass
   }
 };
 
+struct Mapper : public vtkMapper
+{
+  // Is its input drawn as it is, without being brought up to date first?
+  static vtkTypeBool& StaticOf(vtkMapper* mapper) { return mapper->*(&Mapper::Static); }
+};
+
 struct PolyDataMapper : public vtkOpenGLPolyDataMapper
 {
   // The index buffer that lists the triangles of polygons; the mapper owns a reference.
@@ -81,6 +88,8 @@ struct PolyDataMapper : public vtkOpenGLPolyDataMapper
 
 struct Actor : public vtkActor
 {
+  // Is all of it drawn as opaque, whatever its parts say?
+  static bool& ForceOpaqueOf(vtkActor* actor) { return actor->*(&Actor::ForceOpaque); }
   // The bounds that GetBounds found last, and when it did.
   static const double* BoundsOf(vtkActor* actor) { return actor->*(&Actor::Bounds); }
   static vtkMTimeType BoundsTimeOf(vtkActor* actor)

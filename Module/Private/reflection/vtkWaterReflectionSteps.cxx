@@ -223,11 +223,18 @@ void vtkWaterReflection::SortDrawn(const Frame& frame, Attempt& attempt)
     {
       const bool isPlain = frame.Records->IsPlain(i);
       frame.Records->Reflect(i);
-      draft.MayBeCut.push_back(
-        !isPlain || water_plan_cuts(&this->Plan, this->Gathered.Props[i].bounds) ? 1 : 0);
+      draft.Known.emplace_back();
+      draft.Known.back().MayBeCut =
+        !isPlain || water_plan_cuts(&this->Plan, this->Gathered.Props[i].bounds);
+      draft.Known.back().IsUpToDate = frame.Records->IsUpToDate(i);
+      draft.Known.back().IsOpaque = frame.Records->IsOpaque(i);
       if (!isPlain)
       {
         draft.Others.push_back(this->Gathered.DrawnProps[i]);
+      }
+      if (!isPlain || frame.Records->IsTranslucent(i))
+      {
+        draft.Blended.push_back(this->Gathered.DrawnProps[i]);
       }
     }
   }

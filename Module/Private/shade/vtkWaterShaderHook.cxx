@@ -17,6 +17,7 @@
 #include "vtkWaterMirroredFS.h"
 #include "vtkWaterMirroredVS.h"
 #include "vtkWaterPlainFS.h"
+#include "vtkWaterPropRecords.h"
 #include "vtkWaterSource.h"
 #include "vtkWaterSurfaceShader.h"
 #include "vtkWaterUniforms.h"
@@ -285,6 +286,10 @@ bool vtkWaterShaderHook::SetShaderParameters(
       this->Failures.Arrive(prop, mapper);
     }
     this->SetMirroredParameters(program, mapper, prop);
+    if (this->Records && !this->IsInMirroredView())
+    {
+      this->Records->Ask(prop);
+    }
     if (this->Mirrored.Clusters)
     {
       this->Mirrored.Clusters->Give(*this->Mirrored.Plan, program, mapper, prop);

@@ -23,6 +23,7 @@ class vtkOpenGLState;
 class vtkProp;
 class vtkWaterClipDistance;
 class vtkWaterClusters;
+class vtkWaterPropRecords;
 class vtkWaterSource;
 class vtkWaterSurfaceShader;
 
@@ -38,6 +39,9 @@ public:
 
   // Of the frame that began last; nullptr: none has, or it is gone.
   vtkWeakPointer<vtkOpenGLRenderWindow> Window;
+
+  // Of that frame; nullptr: it has ended.
+  vtkWaterPropRecords* Records = nullptr;
 
   // Its driver cuts by clip distances: else every prop discards, which shows the same.
   bool CanClip = true;

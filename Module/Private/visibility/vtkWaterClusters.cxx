@@ -79,6 +79,12 @@ water_points NumbersOf(vtkDataArray* points)
   auto* doubles = vtkDoubleArray::FastDownCast(points);
   return { floats ? floats->GetPointer(0) : nullptr, doubles ? doubles->GetPointer(0) : nullptr };
 }
+
+bool AreWorth(const water_plan& plan, vtkOpenGLPolyDataMapper* mapper)
+{
+  const size_t count = vtkWaterAccess::PolyDataMapper::TrianglesOf(mapper)->IndexCount / 3;
+  return plan.is_software ? water_clusters_count(count) > 0 : water_runs_are_worth(count);
+}
 }
 
 //------------------------------------------------------------------------------
@@ -174,6 +180,10 @@ bool vtkWaterClusters::CanLead(vtkProp* prop)
 void vtkWaterClusters::BeginView(const water_plan& plan, const water_visibility* seen, int samples,
   vtkWaterClipDistance* clipDistance)
 {
+  for (auto it = this->Meshes.begin(); it != this->Meshes.end();)
+  {
+    it = it->second.Mapper ? std::next(it) : this->Meshes.erase(it);
+  }
   this->ClipDistance = clipDistance;
   this->Target = { seen, nullptr, samples, 0 };
   glGetIntegerv(GL_SUBPIXEL_BITS, &this->Target.subpixel_bits);
@@ -215,10 +225,6 @@ void vtkWaterClusters::EndLeading()
 vtkWaterClusters::Mesh* vtkWaterClusters::UpdateMesh(
   vtkOpenGLPolyDataMapper* mapper, vtkActor* actor, bool isSoftware)
 {
-  for (auto it = this->Meshes.begin(); it != this->Meshes.end();)
-  {
-    it = it->second.Mapper ? std::next(it) : this->Meshes.erase(it);
-  }
   Mesh& mesh = this->Meshes[mapper];
   MeshState state = StateOf(mapper, actor);
   if (!isSoftware)
@@ -299,15 +305,15 @@ void vtkWaterClusters::Swap(vtkOpenGLPolyDataMapper* mapper, Mesh& mesh, size_t 
 void vtkWaterClusters::Give(
   const water_plan& plan, vtkShaderProgram* program, vtkAbstractMapper* anyMapper, vtkProp* prop)
 {
-  auto* actor = vtkActor::SafeDownCast(prop);
   this->TakeBack(); // of another part of an assembly
-  if (!anyMapper || !vtkWaterMeshTraits::CanBeCut(program, anyMapper, actor))
+  // asked of every prop: what tells most is asked first
+  auto* mapper = vtkWaterMeshTraits::AsPolyDataMapper(anyMapper);
+  if (!mapper || !AreWorth(plan, mapper))
   {
     return;
   }
-  auto* mapper = static_cast<vtkOpenGLPolyDataMapper*>(anyMapper);
-  if (water_clusters_count(vtkWaterAccess::PolyDataMapper::TrianglesOf(mapper)->IndexCount / 3) ==
-    0)
+  auto* actor = vtkActor::SafeDownCast(prop);
+  if (!vtkWaterMeshTraits::CanBeCut(program, mapper, actor))
   {
     return;
   }

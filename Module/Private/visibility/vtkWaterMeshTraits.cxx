@@ -4,6 +4,7 @@
 #include "vtkActor.h"
 #include "vtkCommand.h"
 #include "vtkImageData.h"
+#include "vtkOpenGLPolyDataMapper.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
@@ -27,6 +28,14 @@ bool HasAlpha(vtkTexture* texture)
 }
 
 //------------------------------------------------------------------------------
+vtkOpenGLPolyDataMapper* vtkWaterMeshTraits::AsPolyDataMapper(vtkAbstractMapper* mapper)
+{
+  return mapper && std::strcmp(mapper->GetClassName(), "vtkOpenGLPolyDataMapper") == 0
+    ? static_cast<vtkOpenGLPolyDataMapper*>(mapper)
+    : nullptr;
+}
+
+//------------------------------------------------------------------------------
 bool vtkWaterMeshTraits::HasOwnShaders(vtkAbstractMapper* mapper, vtkActor* actor)
 {
   vtkShaderProperty* shaders = actor->GetShaderProperty();
@@ -38,8 +47,8 @@ bool vtkWaterMeshTraits::HasOwnShaders(vtkAbstractMapper* mapper, vtkActor* acto
 bool vtkWaterMeshTraits::CanBeCut(
   vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkActor* actor)
 {
-  return actor && std::strcmp(mapper->GetClassName(), "vtkOpenGLPolyDataMapper") == 0 &&
-    vtkWaterProps::IsInWorld(actor) && actor->GetProperty()->GetRepresentation() == VTK_SURFACE &&
+  return actor && AsPolyDataMapper(mapper) && vtkWaterProps::IsInWorld(actor) &&
+    actor->GetProperty()->GetRepresentation() == VTK_SURFACE &&
     !actor->IsRenderingTranslucentPolygonalGeometry() &&
     !program->IsUniformUsed("PrimitiveIDOffset") && !HasOwnShaders(mapper, actor);
 }

@@ -7,12 +7,16 @@
 class vtkAbstractMapper;
 class vtkActor;
 class vtkMapper;
+class vtkOpenGLPolyDataMapper;
 class vtkPolyDataMapper;
 class vtkProperty;
 class vtkShaderProgram;
 
 namespace vtkWaterMeshTraits
 {
+// The mapper, if it is of exactly that class; nullptr: it is not.
+vtkOpenGLPolyDataMapper* AsPolyDataMapper(vtkAbstractMapper* mapper);
+
 // May the vertices be elsewhere than the data says?
 bool HasOwnShaders(vtkAbstractMapper* mapper, vtkActor* actor);
 
