@@ -223,6 +223,10 @@ void vtkWaterActor::UpdateSheet()
 double* vtkWaterActor::GetBounds()
 {
   this->UpdateSheet();
+  if (!this->Internal->WarmUp.GetIsDone())
+  {
+    this->Internal->WarmUp.Expect(); // cullers ask for bounds, and may be all that do
+  }
   double* bounds = this->Superclass::GetBounds();
   if (!this->Internal->IsDisplaced() || !bounds || !vtkMath::AreBoundsInitialized(bounds))
   {

@@ -172,6 +172,7 @@ void vtkWaterActor::Render(vtkRenderer* renderer, vtkMapper* mapper)
   {
     inputs.Plan = nullptr; // plain
   }
+  inputs.IsWarmUp = internal.WarmUp.GetIsDrawing();
   water_grid_view view;
   const bool isDisplaced =
     water->IsDisplaced() && vtkWaterGather::ReadView(renderer, *water, &view);
@@ -196,6 +197,7 @@ void vtkWaterActor::Render(vtkRenderer* renderer, vtkMapper* mapper)
   internal.DrawSurface(internal.Surface, renderer, drawn);
   occlusion->End();
   internal.Surface.End();
+  internal.WarmUp.SetIsDone();
   queries->End(vtkWaterGpuQueries::SURFACE);
   queries->SayMissing(this);
 }

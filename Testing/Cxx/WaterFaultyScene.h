@@ -8,8 +8,33 @@
 #include "vtkCallbackCommand.h"
 #include "vtkUnsignedCharArray.h"
 
+#include <algorithm>
+#include <cstdlib>
 #include <string>
 #include <vector>
+
+// Are two pictures the same, byte for byte? Says how they differ.
+inline bool WaterSame(
+  const std::vector<unsigned char>& found, const std::vector<unsigned char>& expected)
+{
+  if (found.size() != expected.size())
+  {
+    return false;
+  }
+  size_t count = 0;
+  int largest = 0;
+  for (size_t i = 0; i < found.size(); ++i)
+  {
+    const int difference = std::abs(static_cast<int>(found[i]) - static_cast<int>(expected[i]));
+    count += difference > 0 ? 1 : 0;
+    largest = std::max(largest, difference);
+  }
+  if (count > 0)
+  {
+    std::cout << count << " bytes differ, by " << largest << " at most" << std::endl;
+  }
+  return count == 0;
+}
 
 struct FaultyScene : public WaterTestScene
 {

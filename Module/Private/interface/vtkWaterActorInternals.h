@@ -13,6 +13,7 @@
 #include "vtkWaterSheet.h"
 #include "vtkWaterSource.h"
 #include "vtkWaterSurfaceShader.h"
+#include "vtkWaterWarmUp.h"
 #include "vtkWeakPointer.h"
 
 #include <memory>
@@ -31,6 +32,7 @@ struct vtkWaterActor::Internals : public vtkWaterSource
 
   explicit Internals(vtkWaterActor* self)
     : Self(self)
+    , WarmUp(*this)
   {
   }
 
@@ -62,6 +64,7 @@ struct vtkWaterActor::Internals : public vtkWaterSource
   vtkWaterSurfaceShader Surface;
   vtkWaterSecondarySurface Secondary;
   vtkWaterSea Sea;
+  vtkWaterWarmUp WarmUp;
   std::vector<SourcedError> Errors;
   bool IsUpdatingSheet = false;
   vtkMTimeType FittedFrame = 0;                   // of which the sheet is

@@ -177,7 +177,7 @@ void vtkWaterSurfaceShader::BeginWaves()
     this->Use("waterNormalMap0", this->NormalMaps[0].Get(window));
     this->Use("waterNormalMap1", this->NormalMaps[1].Get(window));
   }
-  if (this->Drawn.Plan && this->Has(WATER_FEATURE_SEA))
+  if ((this->Drawn.Plan || this->Drawn.IsWarmUp) && this->Has(WATER_FEATURE_SEA))
   {
     vtkWaterSea* sea = this->Water->Sea;
     sea->Update(this->Water->Look.SeaTile, this->Water->Look.Sea, this->Water->Time);

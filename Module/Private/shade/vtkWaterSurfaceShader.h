@@ -47,6 +47,7 @@ public:
     const water_grid_view* View = nullptr; // waves move the vertices; nullptr: they do not
     const double* RowDir = nullptr;        // of the grid under them
     bool IsSecondary = false;              // in the mirrored view of another water
+    bool IsWarmUp = false;                 // no pixel is drawn: what takes long is made
     bool AddsFog = false;                  // to all that the eye sees, which is in the water
   };
 

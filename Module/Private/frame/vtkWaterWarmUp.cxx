@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkWaterWarmUp.h"
+
+#include "vtkActor.h"
+#include "vtkCallbackCommand.h"
+#include "vtkCommand.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLRenderer.h"
+#include "vtkOpenGLState.h"
+#include "vtkWaterFrame.h"
+#include "vtkWaterGL.h"
+#include "vtkWaterSource.h"
+
+//------------------------------------------------------------------------------
+vtkWaterWarmUp::vtkWaterWarmUp(vtkWaterSource& water)
+  : Water(water)
+  , Observer(vtkSmartPointer<vtkCallbackCommand>::New())
+{
+  this->Observer->SetClientData(this);
+  this->Observer->SetCallback([](vtkObject* renderer, unsigned long, void* self, void*) {
+    static_cast<vtkWaterWarmUp*>(self)->EndFrame(static_cast<vtkRenderer*>(renderer));
+  });
+}
+
+//------------------------------------------------------------------------------
+vtkWaterWarmUp::~vtkWaterWarmUp()
+{
+  this->SetIsDone();
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterWarmUp::Expect()
+{
+  vtkProp* prop = this->Water.GetProp();
+  for (int i = 0; !this->IsDone && i < prop->GetNumberOfConsumers(); ++i)
+  {
+    auto* renderer = vtkOpenGLRenderer::SafeDownCast(prop->GetConsumer(i));
+    if (renderer && !renderer->HasObserver(vtkCommand::EndEvent, this->Observer))
+    {
+      renderer->AddObserver(vtkCommand::EndEvent, this->Observer);
+      this->Renderers.emplace_back(renderer);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterWarmUp::SetIsDone()
+{
+  this->IsDone = true;
+  for (vtkRenderer* renderer : this->Renderers)
+  {
+    if (renderer)
+    {
+      renderer->RemoveObserver(this->Observer);
+    }
+  }
+  this->Renderers.clear();
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterWarmUp::EndFrame(vtkRenderer* anyRenderer)
+{
+  vtkActor* prop = this->Water.GetProp();
+  vtkOpenGLRenderer* renderer = vtkWaterFrame::FindMainView(anyRenderer);
+  if (!renderer || !renderer->HasViewProp(prop) || !prop->GetVisibility() ||
+    !prop->HasOpaqueGeometry() || this->Water.HasSheetError() ||
+    !vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow()))
+  {
+    return;
+  }
+  if (!vtkWaterFrame::Of(renderer).IsSoftware())
+  {
+    vtkOpenGLState* state = renderer->GetState();
+    const vtkOpenGLState::ScopedglEnableDisable scissorTest(state, GL_SCISSOR_TEST);
+    const vtkOpenGLState::ScopedglScissor scissor(state);
+    state->vtkglEnable(GL_SCISSOR_TEST);
+    state->vtkglScissor(0, 0, 0, 0); // no pixel is drawn
+    this->IsDrawing = true;
+    this->Water.Probe(renderer);
+    this->IsDrawing = false;
+  }
+  this->SetIsDone();
+}
