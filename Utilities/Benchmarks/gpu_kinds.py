@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """gpu_kinds: the kinds of frames of a scene: without water, with each water, and what a user could do.
 
-Each kind has a renderer of its own over the scene's props, all in one window; but the one whose turn
-it is, none draws. A renderer that left the window instead would take its props' buffers with it.
+All are drawn by one renderer, which has all waters: those whose turn it is not are invisible. The second
+pass has a renderer of its own beside it, over the same props.
 """
 
 from dataclasses import dataclass
@@ -40,11 +40,16 @@ TEXTS = {
 
 @dataclass
 class Kind:
-    """A kind of frame: the renderers that draw it, and the water in them."""
+    """A kind of frame: the renderers that draw it, the last one the picture; the water, and what only it shows."""
 
     name: str
     renderers: list
     water: object = None
+    props: tuple = ()
+
+    def show(self, is_shown):
+        for prop in (*self.props, *([self.water] if self.water else [])):
+            prop.SetVisibility(is_shown)
 
     def stand(self, turn):
         """A place on the camera's path: the same for the same turn, whoever goes there."""
@@ -71,12 +76,13 @@ class Stage:
     def __init__(self, view, scene):
         self.view, self.window, self.scene = view, view.window, scene
         self.props = scene.make()
+        self.renderer = self._renderer()
+        self.mirrored = None  # that of the second pass
         self._kinds = {}
 
     def close(self):
-        for kind in self._kinds.values():
-            for renderer in kind.renderers:
-                self.window.RemoveRenderer(renderer)
+        for renderer in filter(None, (self.renderer, self.mirrored)):
+            self.window.RemoveRenderer(renderer)
         self._kinds.clear()
 
     def kind(self, name):
@@ -88,8 +94,9 @@ class Stage:
         """The next frames are of this kind."""
         chosen = self.kind(name)
         for kind in self._kinds.values():
-            for renderer in kind.renderers:
-                renderer.SetDraw(kind is chosen)
+            kind.show(kind is chosen)
+        if self.mirrored:
+            self.mirrored.SetDraw(self.mirrored in chosen.renderers)
         return chosen
 
     def _renderer(self):
@@ -105,20 +112,23 @@ class Stage:
         return renderer
 
     def _make(self, name):
-        renderers = [self._renderer() for _ in range(2 if name == SECOND_PASS else 1)]
+        if name == PLAIN:
+            return Kind(name, [self.renderer])
+        if name == SECOND_PASS:
+            # first in the window: the picture is drawn last
+            self.window.RemoveRenderer(self.renderer)
+            self.mirrored = self._renderer()
+            self.window.AddRenderer(self.renderer)
+            return Kind(name, [self.mirrored, self.renderer])
         if name == COPIES:
-            self._add_copies(renderers[0])
-        if name in (PLAIN, SECOND_PASS, COPIES):
-            return Kind(name, renderers)
+            return Kind(name, [self.renderer], props=tuple(self._copies()))
         water = vtkWaterActor()
         water.SetSheetBounds(*gpu_scenes.SHEET)
-        renderers[0].AddActor(water)
+        self.renderer.AddActor(water)
         _LOOKS[name](water)
-        return Kind(name, renderers, water)
+        return Kind(name, [self.renderer], water)
 
-    def _add_copies(self, renderer):
-        for prop in self.props:
-            renderer.AddActor(gpu_scenes.mirrored(prop))
+    def _copies(self):
         low_x, high_x, low_y, high_y = gpu_scenes.SHEET
         source = vtkPlaneSource()
         source.SetOrigin(low_x, low_y, 0)
@@ -127,7 +137,10 @@ class Stage:
         source.Update()
         sheet = gpu_scenes.actor_of(source.GetOutput(), (0.1, 0.3, 0.5))
         sheet.GetProperty().SetOpacity(0.5)
-        renderer.AddActor(sheet)
+        copies = [*map(gpu_scenes.mirrored, self.props), sheet]
+        for prop in copies:
+            self.renderer.AddActor(prop)
+        return copies
 
 
 def _face_away(water):
