@@ -5,6 +5,7 @@ All are drawn by one renderer, which has all waters: those whose turn it is not 
 pass has a renderer of its own beside it, over the same props.
 """
 
+import functools
 from dataclasses import dataclass
 
 import gpu_scenes
@@ -19,6 +20,7 @@ PLAIN, SECOND_PASS, COPIES = "no water", "second pass", "mirrored copies"
 CALM, HALF, SINES, LAKE, OCEAN = "calm", "calm, half", "sines", "lake", "ocean"
 OUT_OF_VIEW, HIDDEN, FACING_AWAY = "out of view", "hidden", "facing away"
 UNSEEN = (OUT_OF_VIEW, HIDDEN, FACING_AWAY)
+OTHER_PRESETS = ("pool", "clear tropical", "ocean wind 10", "ocean wind 15", "turbid river", "mirror floor")
 MOVING, TIME = "moving", "time"
 STEP_S = 0.04  # s of the water's time from frame to frame
 
@@ -35,6 +37,7 @@ TEXTS = {
     OUT_OF_VIEW: "water behind the eye",
     HIDDEN: "water inside a hill",
     FACING_AWAY: "water seen from its culled side",
+    **{name: f'the preset "{name}"' for name in OTHER_PRESETS},
 }
 
 
@@ -143,6 +146,10 @@ class Stage:
         return copies
 
 
+def _set_preset(name, water):
+    water.GetWaterProperty().SetPreset(name)
+
+
 def _face_away(water):
     water.SetPlane(wt.plane((0, 0, 0), (0, 0, -1)))
     water.GetProperty().BackfaceCullingOn()
@@ -152,9 +159,10 @@ _LOOKS = {
     CALM: lambda water: None,
     HALF: lambda water: water.GetReflectionPass().SetTextureScale(0.5),
     SINES: lambda water: kinds.set_waves(water, kinds.WAVES),
-    LAKE: lambda water: water.GetWaterProperty().SetPreset("lake"),
-    OCEAN: lambda water: water.GetWaterProperty().SetPreset("ocean wind 5"),
+    LAKE: functools.partial(_set_preset, "lake"),
+    OCEAN: functools.partial(_set_preset, "ocean wind 5"),
     OUT_OF_VIEW: lambda water: water.SetSheetBounds(*gpu_scenes.behind_the_eye()),
     HIDDEN: lambda water: water.SetSheetBounds(*gpu_scenes.inside_a_hill()),
     FACING_AWAY: _face_away,
+    **{name: functools.partial(_set_preset, name) for name in OTHER_PRESETS},
 }

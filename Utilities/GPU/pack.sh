@@ -5,6 +5,7 @@
 #   pack.sh OUT      OUT/pack.tar.xz   site/vtkmodules  what our Python code imports of PyPI's vtk, and
 #                                                       whatever that needs
 #                                      site/vtkwater    this module, built for that vtk
+#                                      site/embreex     and flip_evaluator: what the accuracy suite needs
 #                                      bin              the C++ tests of it
 #                                      gl               the loaders of OpenGL (libglvnd), no driver
 #                    OUT/sdk           a Python with vtk and numpy, and the SDK (Utilities/WheelSDK)
@@ -23,7 +24,7 @@ set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 project=$(cd "$here/../.." && pwd)
 version=3.12
-limit_mb=50 # what may travel there is 67, the checkout included
+limit_mb=55 # what may travel there is 67, the checkout included
 
 say() { echo "gpu-pack: $*"; }
 die() { echo "gpu-pack: $*" >&2; exit 3; }
@@ -79,6 +80,11 @@ log=$out/build.log
     done &&
     install -D -s -t "$out/own/bin" "$out/wheel312/bin/vtkRenderingWaterCxxTests"
 } >"$log" 2>&1 || { tail -n 30 "$log"; die "the module cannot be built; all of it: $log"; }
+# The ray tracer and the measure of pictures of the accuracy suite; its plots are not made there.
+grep -v matplotlib "$project/Utilities/Accuracy/requirements.txt" >"$out/requirements.txt"
+"$out/sdk/venv/bin/python" -m pip --disable-pip-version-check install -q --no-deps --no-compile \
+  --target "$out/own/site" -r "$out/requirements.txt" || die "pip cannot install what the accuracy suite needs"
+find "$out/own/site" -name '*.so*' -path '*embree*' -exec strip --strip-unneeded {} +
 rm -rf "$out/own/site/bin" # the command vtkwater: python3 -m vtkwater is as good
 echo "$version" >"$out/own/python-version"
 
