@@ -3,6 +3,7 @@
 // the reflection texture's window, depths at infinity.
 #include "test_scene.h"
 
+#include "water_lookup.h"
 #include "water_plane.h"
 
 static const double nearby[3] = { 1.0, 2.0, 3.0 };
@@ -323,7 +324,79 @@ TEST(mirrored_view_reaches_down_into_troughs)
   assert_int_equal(water_plan_make(&scene, &bad, &reason), WATER_BAD_CLIP_MARGIN);
 }
 
-TESTS(pixel_of_a_place_leads_back_to_it, directions_lead_to_the_pictures_of_points_along_them,
+// What lies under the plane, and what a ray comes to that goes down from it, is in the part of the
+// picture under the horizon; straight over the middle of that the view goes up.
+TEST(what_is_under_water_is_under_the_horizon)
+{
+  dice from = dice_seeded(71);
+  int seen = 0;
+  int smaller = 0;
+  for (int round = 0; round < 3000; ++round)
+  {
+    const random_scene random = wavy(&from, round);
+    const water_plan plan = plan_of(&random.scene, NULL);
+    const int viewport_px[2] = { 400, 300 };
+    int rect[4];
+    water_lookup_under(plan.ndc_to_ray, viewport_px, rect);
+    assert_true(
+      rect[0] >= 0 && rect[1] >= 0 && rect[0] + rect[2] <= 400 && rect[1] + rect[3] <= 300);
+    smaller += rect[2] * rect[3] < 400 * 300 ? 1 : 0;
+    const double length = sqrt(dot(random.scene.plane.normal, random.scene.plane.normal));
+    // a point on the plane, and a way down from it, away from the eye's side
+    double x_dir[3];
+    double y_dir[3];
+    axes_of(&random, x_dir, y_dir);
+    const double side = plan.side == WATER_BELOW ? -1.0 : 1.0;
+    double point[3];
+    const double roll[3] = { dice_roll(&from, -3.0, 3.0), dice_roll(&from, -3.0, 3.0),
+      dice_roll(&from, 0.0, 4.0) };
+    for (int i = 0; i < 3; ++i)
+    {
+      point[i] = random.target[i] + roll[0] * x_dir[i] + roll[1] * y_dir[i] -
+        side * roll[2] * random.scene.plane.normal[i] / length;
+    }
+    double clip[4];
+    project(&random.scene.eye, point, 1.0, clip);
+    if (!is_inside(clip))
+    {
+      continue;
+    }
+    ++seen;
+    const double px[2] = { 200.0 * (clip[0] / clip[3] + 1.0), 150.0 * (clip[1] / clip[3] + 1.0) };
+    for (int i = 0; i < 2; ++i)
+    {
+      assert_true(px[i] >= rect[i] && px[i] <= rect[i] + rect[2 + i]);
+    }
+  }
+  assert_true(seen > 300 && smaller > 100);
+}
+
+// By hand: level, 90 degrees high and wide, turned down by atan(0.5): the horizon is at 3/4 of the
+// height.
+TEST(horizon_of_a_level_camera)
+{
+  const int viewport_px[2] = { 200, 100 };
+  int rect[4];
+  const double level[9] = { 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 1.0, -0.5 };
+  water_lookup_under(level, viewport_px, rect);
+  const int expected[4] = { 0, 0, 200, 77 };
+  assert_memory_equal(rect, expected, sizeof rect);
+  const double down[9] = { 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, -1.0 };
+  const int all[4] = { 0, 0, 200, 100 };
+  water_lookup_under(down, viewport_px, rect);
+  assert_memory_equal(rect, all, sizeof rect);
+  const double up[9] = { 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0 };
+  const int none[4] = { 0, 0, 0, 0 };
+  water_lookup_under(up, viewport_px, rect);
+  assert_memory_equal(rect, none, sizeof rect);
+  const double rolled[9] = { 0.0, 0.0, 1.0, 0.0, 1.0, 0.0, 1.0, 0.0, 0.0 };
+  const int left[4] = { 0, 0, 102, 100 };
+  water_lookup_under(rolled, viewport_px, rect);
+  assert_memory_equal(rect, left, sizeof rect);
+}
+
+TESTS(pixel_of_a_place_leads_back_to_it, what_is_under_water_is_under_the_horizon,
+  horizon_of_a_level_camera, directions_lead_to_the_pictures_of_points_along_them,
   depth_at_infinity_is_where_rays_end, waves_use_the_whole_map,
   guard_band_widens_the_map_about_its_middle, guard_band_follows_the_waves,
   top_is_the_highest_drawn_corner, environment_has_its_own_axes,

@@ -7,6 +7,9 @@
 #include "water_plane.h"
 #include "water_prop.h"
 
+// What a filter reads beside a place, and what is rounded.
+static const double horizon_margin_px = 2.0;
+
 // Rows x, y and w of the clip coordinates of a world vector (w 0: a direction).
 static void picture_of(
   const water_camera* camera, const double vector[3], double w, double picture[3])
@@ -83,6 +86,56 @@ void water_lookup_dirs(const water_camera* camera, const water_axes* axes, doubl
     {
       dir_to_clip[3 * i + j] = clip[i];
     }
+  }
+}
+
+// How steeply the view ray of a place in NDC goes up from the plane.
+static double rise_of(const double ndc_to_ray[9], const double ndc[2])
+{
+  return ndc_to_ray[6] * ndc[0] + ndc_to_ray[7] * ndc[1] + ndc_to_ray[8];
+}
+
+static void add_place(const double ndc[2], double low[2], double high[2])
+{
+  for (int i = 0; i < 2; ++i)
+  {
+    low[i] = fmin(low[i], ndc[i]);
+    high[i] = fmax(high[i], ndc[i]);
+  }
+}
+
+void water_lookup_under(const double ndc_to_ray[9], const int viewport_px[2], int rect_px[4])
+{
+  static const double corners[4][2] = { { -1.0, -1.0 }, { 1.0, -1.0 }, { 1.0, 1.0 },
+    { -1.0, 1.0 } };
+  double low[2] = { 1.0, 1.0 };
+  double high[2] = { -1.0, -1.0 };
+  bool is_any = false;
+  for (int i = 0; i < 4; ++i)
+  {
+    const double* next = corners[(i + 1) % 4];
+    const double rise = rise_of(ndc_to_ray, corners[i]);
+    const double rise_next = rise_of(ndc_to_ray, next);
+    if (!(rise >= 0.0))
+    {
+      is_any = true;
+      add_place(corners[i], low, high);
+    }
+    if ((rise < 0.0) != (rise_next < 0.0))
+    {
+      const double share = rise / (rise - rise_next);
+      const double crossing[2] = { corners[i][0] + share * (next[0] - corners[i][0]),
+        corners[i][1] + share * (next[1] - corners[i][1]) };
+      add_place(crossing, low, high);
+    }
+  }
+  for (int i = 0; i < 2; ++i)
+  {
+    const double size = (double)viewport_px[i];
+    const double first = fmax(floor(0.5 * (low[i] + 1.0) * size) - horizon_margin_px, 0.0);
+    const double last = fmin(ceil(0.5 * (high[i] + 1.0) * size) + horizon_margin_px, size);
+    rect_px[i] = is_any ? (int)first : 0;
+    rect_px[2 + i] = is_any ? (int)(last - first) : 0;
   }
 }
 

@@ -195,6 +195,7 @@ void vtkWaterPropRecords::Begin(vtkRenderer* renderer, vtkOpenGLRenderPass* key)
   this->HasElsewhere = false;
   this->NextAsked = 0;
   this->MissCount = 0;
+  this->IsRead = false;
   this->Walk(renderer, [&](Record& record) {
     vtkProp* prop = record.Prop;
     const bool hasKeys = vtkWaterAccess::Prop::PropertyKeysOf(prop) != nullptr;
@@ -229,7 +230,7 @@ void vtkWaterPropRecords::Reflect(size_t i)
 //------------------------------------------------------------------------------
 void vtkWaterPropRecords::Ask(vtkProp* prop)
 {
-  if (this->MissCount == MAX_MISSES)
+  if (this->IsRead || this->MissCount == MAX_MISSES)
   {
     return;
   }
@@ -327,6 +328,7 @@ void vtkWaterPropRecords::ReadAnew(vtkRenderer* renderer, Record& record,
 void vtkWaterPropRecords::Read(vtkRenderer* renderer, const vtkWaterSnapshot& mirrored,
   const std::function<bool(vtkProp*)>& isRefused)
 {
+  this->IsRead = true;
   const vtkMTimeType begun = Now();
   this->Walk(renderer, [&](Record& record) {
     if (isRefused || !this->IsUnchanged(record))

@@ -37,7 +37,7 @@ public:
   std::vector<vtkSmartPointer<vtkProp>> End();
 
   // The prop is being drawn with the key: its times are asked now, while what they are read from is
-  // near at hand, and not again in this frame.
+  // near at hand, and not again in this frame. Nothing is asked of those that were read before.
   void Ask(vtkProp* prop);
 
   // Props of the renderer that are not plain actors without keys of this window alone: they may be
@@ -148,6 +148,7 @@ private:
   bool HasElsewhere = false;
   size_t NextAsked = 0;   // of those with the key: which is drawn next, as a rule
   int MissCount = 0;      // how often it was another one in this frame
+  bool IsRead = false;    // in this frame, so that asking while they are drawn is of no use
   bool IsSettled = false; // nothing at all has changed while they were read
 };
 

@@ -68,10 +68,11 @@ bool HasSize(vtkTextureObject* texture, int width)
   return given == width;
 }
 
-void CopyTo(vtkTextureObject* texture, const int rect[4])
+void CopyTo(vtkTextureObject* texture, const int rect[4], const int part[4])
 {
   texture->Activate();
-  glCopyTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, rect[0], rect[1], rect[2], rect[3]);
+  glCopyTexSubImage2D(
+    GL_TEXTURE_2D, 0, part[0], part[1], rect[0] + part[0], rect[1] + part[1], part[2], part[3]);
   texture->Deactivate();
 }
 }
@@ -119,7 +120,7 @@ bool vtkWaterBackdrop::Ensure(vtkOpenGLRenderWindow* window, int width, int heig
 }
 
 //------------------------------------------------------------------------------
-bool vtkWaterBackdrop::Copy(vtkOpenGLRenderWindow* window, const int rect[4])
+bool vtkWaterBackdrop::Copy(vtkOpenGLRenderWindow* window, const int rect[4], const int part[4])
 {
   if (!Source().HasDepth() || !this->Ensure(window, rect[2], rect[3]))
   {
@@ -145,13 +146,15 @@ bool vtkWaterBackdrop::Copy(vtkOpenGLRenderWindow* window, const int rect[4])
     this->Framebuffer->AddColorAttachment(0, this->Color);
     this->Framebuffer->AddDepthAttachment(this->Depth);
     this->Framebuffer->ActivateDrawBuffer(0);
-    state->vtkglBlitFramebuffer(rect[0], rect[1], rect[0] + rect[2], rect[1] + rect[3], 0, 0,
-      rect[2], rect[3], GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT, GL_NEAREST);
+    const int end[2] = { part[0] + part[2], part[1] + part[3] };
+    state->vtkglBlitFramebuffer(rect[0] + part[0], rect[1] + part[1], rect[0] + end[0],
+      rect[1] + end[1], part[0], part[1], end[0], end[1], GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT,
+      GL_NEAREST);
   }
   else
   {
-    CopyTo(this->Color, rect);
-    CopyTo(this->Depth, rect);
+    CopyTo(this->Color, rect, part);
+    CopyTo(this->Depth, rect, part);
   }
   glReadBuffer(static_cast<GLenum>(readBuffer));
   state->PopFramebufferBindings();

@@ -18,7 +18,10 @@ public:
   // are averaged, as far as the GPU can.
   //
   // Returns false when the GPU refuses; there is then no backdrop.
-  bool Copy(vtkOpenGLRenderWindow* window, const int rect[4]);
+  //
+  // rect  of the picture
+  // part  of that, from its corner, that is looked at; the rest of the textures is what it was
+  bool Copy(vtkOpenGLRenderWindow* window, const int rect[4], const int part[4]);
 
   // Did the GPU give no memory for it, when last asked?
   bool GetHasFailed() const { return this->HasFailed; }

@@ -13,6 +13,7 @@
 #include "vtkWaterGL.h"
 #include "vtkWaterGLSL.h" // all files of the list
 #include "vtkWaterSea.h"
+#include "water_lookup.h"
 #include "water_plan.h"
 #include "water_waves.h"
 
@@ -150,7 +151,14 @@ void vtkWaterSurfaceShader::UploadNormalMap(size_t number)
 void vtkWaterSurfaceShader::BeginMedium(const int viewport_px[4])
 {
   const bool hadFailed = this->Backdrop.GetHasFailed();
-  this->HasBackdrop = this->Backdrop.Copy(this->GetWindow(), viewport_px);
+  // an eye over level water sees nothing through it but what lies under its horizon
+  int part_px[4] = { 0, 0, viewport_px[2], viewport_px[3] };
+  const water_plan& plan = this->Plan;
+  if (this->Drawn.IsFlat && !plan.is_submerged && !plan.is_awash && !this->Drawn.AddsFog)
+  {
+    water_lookup_under(plan.ndc_to_ray, viewport_px + 2, part_px);
+  }
+  this->HasBackdrop = this->Backdrop.Copy(this->GetWindow(), viewport_px, part_px);
   if (this->Backdrop.GetHasFailed() && !hadFailed) // said once
   {
     vtkErrorWithObjectMacro(this->Water->Actor,
