@@ -21,7 +21,10 @@ SECTIONS = ("lookup", "colour", "confidence")
 
 
 def subplots(rows=1, columns=1, **_):
-    return MagicMock(), np.array([MagicMock() for _ in range(rows * columns)]).reshape(rows, columns).squeeze()
+    axes = np.empty((rows, columns), dtype=object)
+    for place in np.ndindex(axes.shape):
+        axes[place] = MagicMock(**{"get_legend_handles_labels.return_value": ([], [])})
+    return MagicMock(), axes.squeeze()
 
 
 def main():
