@@ -13,6 +13,7 @@
 #include "vtkWaterClipDistance.h"
 #include "vtkWaterClusters.h"
 #include "vtkWaterCompat.h"
+#include "vtkWaterGL.h"
 #include "vtkWaterMeshTraits.h"
 #include "vtkWaterMirroredFS.h"
 #include "vtkWaterMirroredVS.h"
@@ -223,7 +224,7 @@ bool vtkWaterShaderHook::PostReplaceShaderValues(std::string& vertexShader,
     }
     if (this->Surface)
     {
-      this->IsAwaited = true;
+      this->SetIsAwaited(true);
       this->Surface->ReleaseShader();
     }
     return true;
@@ -259,6 +260,34 @@ bool vtkWaterShaderHook::PostReplaceShaderValues(std::string& vertexShader,
 }
 
 //------------------------------------------------------------------------------
+void vtkWaterShaderHook::BeginSurface(vtkWaterSurfaceShader* surface, vtkOpenGLState* probed)
+{
+  this->Surface = surface;
+  this->Probed = probed;
+  this->SetIsAwaited(false);
+}
+
+//------------------------------------------------------------------------------
+bool vtkWaterShaderHook::EndSurface()
+{
+  const bool isRefused = this->IsAwaited;
+  this->SetIsAwaited(false);
+  this->Surface = nullptr;
+  return !isRefused;
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterShaderHook::SetIsAwaited(bool isAwaited)
+{
+  if (this->IsAwaited != isAwaited)
+  {
+    // a mapper whose program was refused draws all the same, with none: some drivers show something
+    isAwaited ? glEnable(GL_RASTERIZER_DISCARD) : glDisable(GL_RASTERIZER_DISCARD);
+    this->IsAwaited = isAwaited;
+  }
+}
+
+//------------------------------------------------------------------------------
 bool vtkWaterShaderHook::SetShaderParameters(
   vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp* prop, vtkOpenGLVertexArrayObject*)
 {
@@ -267,7 +296,7 @@ bool vtkWaterShaderHook::SetShaderParameters(
     // a mapper whose new program was refused still has its last one, which is not in use
     if (this->Surface && program->isBound())
     {
-      this->IsAwaited = false;
+      this->SetIsAwaited(false);
       this->Surface->SetParameters(program);
       if (this->Surface->GetIsSecondary())
       {

@@ -72,18 +72,9 @@ public:
   // This surface is drawn between the two.
   //
   // probed  a state in which it leaves no trace in the depth, or none
-  void BeginSurface(vtkWaterSurfaceShader* surface, vtkOpenGLState* probed)
-  {
-    this->Surface = surface;
-    this->Probed = probed;
-    this->IsAwaited = false;
-  }
+  void BeginSurface(vtkWaterSurfaceShader* surface, vtkOpenGLState* probed);
   // Returns false when the driver has refused the shader that was built for it.
-  bool EndSurface()
-  {
-    this->Surface = nullptr;
-    return !this->IsAwaited;
-  }
+  bool EndSurface();
 
   void Render(const vtkRenderState*) override {} // a key only, it draws nothing
   vtkMTimeType GetShaderStageMTime() override { return this->Failures.GetTime(); }
@@ -105,6 +96,7 @@ private:
   void ReplaceForWater(vtkWaterSource& water, std::string& vertexShader,
     const std::string& geometryShader, std::string& fragmentShader) const;
   void SetMirroredParameters(vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp* prop);
+  void SetIsAwaited(bool isAwaited);
   void SetClipDistance(vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp* prop);
 
   View Mirrored;
