@@ -113,7 +113,7 @@ def section():
     sizes = {row["scene"]: f"{row['width']} x {row['height']}" for row in kept["rows"]}
     return string.Template(TEXT).substitute(
         kept["machine"],
-        note="A quick run, of small scenes." if kept["quick"] else "",
+        note="A quick run, of small scenes." if kept["quick"] else kept.get("note", ""),
         scenes=table(("scene", "pixels", ""), [(name, size, kept["scenes"][name]) for name, size in sizes.items()]),
         kinds=table(("kind", ""), kept["kinds"].items()),
         frames="\n\n".join(f"**{MOTIONS[motion]}**\n\n{_frames(frames, motion)}" for motion in motions),
