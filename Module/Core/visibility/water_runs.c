@@ -4,6 +4,8 @@
 
 #include "water_math.h"
 
+#include <string.h>
+
 static size_t parts_of(size_t whole, size_t part)
 {
   return (whole + part - 1) / part;
@@ -76,10 +78,8 @@ enum
   CUT      // may change a pixel, and the clip may cut it
 };
 
-static uint8_t place_of(const water_clusters_view* view, const double box[6])
+static uint8_t place_of(water_box_place place, bool is_kept)
 {
-  const water_box_place place = water_clusters_place(view, box);
-  const bool is_kept = water_clusters_is_kept(view, box);
   if (place == WATER_BOX_OUTSIDE)
   {
     return is_kept ? IN_AIR : OUTSIDE;
@@ -94,15 +94,21 @@ static void find_places(
   {
     const double* box = mesh->boxes[mesh->leaf_count + group];
     const water_box_place place = water_clusters_place(view, box);
-    const uint8_t whole = place_of(view, box);
+    const bool is_kept = water_clusters_is_kept(view, box);
     const size_t first = group * WATER_RUNS_GROUP;
     const size_t rest = mesh->leaf_count - first;
     const size_t count = rest < WATER_RUNS_GROUP ? rest : WATER_RUNS_GROUP;
-    const bool is_decided =
-      place == WATER_BOX_OUTSIDE || (place == WATER_BOX_INSIDE && whole == KEPT);
+    const bool is_placed = place == WATER_BOX_OUTSIDE || place == WATER_BOX_INSIDE;
+    if (place == WATER_BOX_OUTSIDE || (is_placed && is_kept))
+    {
+      memset(places + first, place_of(place, is_kept), count);
+      continue;
+    }
     for (size_t i = first; i < first + count; ++i)
     {
-      places[i] = is_decided ? whole : place_of(view, mesh->boxes[i]);
+      // what holds for the group holds for its leaves
+      places[i] = place_of(is_placed ? place : water_clusters_place(view, mesh->boxes[i]),
+        is_kept || water_clusters_is_kept(view, mesh->boxes[i]));
     }
   }
 }
