@@ -193,11 +193,17 @@ void vtkWaterActor::Render(vtkRenderer* renderer, vtkMapper* mapper)
   vtkWaterOcclusion* occlusion = own.GetOcclusion(renderer);
   queries->Begin(vtkWaterGpuQueries::SURFACE, renderer->GetRenderWindow());
   internal.Surface.Begin(water, inputs);
-  occlusion->Begin(renderer->GetRenderWindow());
+  if (!inputs.IsWarmUp)
+  {
+    occlusion->Begin(renderer->GetRenderWindow());
+  }
   internal.DrawSurface(internal.Surface, renderer, drawn);
   occlusion->End();
   internal.Surface.End();
-  internal.WarmUp.SetIsDone();
+  if (!renderer->GetSelector() && !vtkWaterRenderPassKeys::IsBakingShadows(this))
+  {
+    internal.WarmUp.SetIsDone();
+  }
   queries->End(vtkWaterGpuQueries::SURFACE);
   queries->SayMissing(this);
 }

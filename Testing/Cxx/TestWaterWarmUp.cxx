@@ -7,6 +7,9 @@
 #include "vtkWaterGL.h"
 
 #include "vtkCommand.h"
+#include "vtkInformation.h"
+#include "vtkInformationObjectBaseVectorKey.h"
+#include "vtkOpenGLRenderPass.h"
 
 #include <set>
 
@@ -64,6 +67,10 @@ bool Check(const std::string& name, bool isSoftware)
   ok &= WaterCheck(name + ": once", Programs(scene.Window) == outOfView, true);
   ok &= WaterCheck(name + ": the renderer is watched no more",
     scene.Renderer->HasObserver(vtkCommand::EndEvent) != 0, false);
+
+  vtkInformation* keys = scene.Water->GetPropertyKeys();
+  ok &= WaterCheck(
+    name + ": no key is left on it", keys && keys->Has(vtkOpenGLRenderPass::RenderPasses()), false);
 
   scene.Water->SetSheetBounds(-9, 9, -8, 14);
   ok &= WaterCheck(name + ": in view it is as ever", WaterSame(scene.Picture(), inView), true);

@@ -3,6 +3,7 @@
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
+#include "vtkCommand.h"
 #include "vtkMapper.h"
 #include "vtkMatrix4x4.h"
 #include "vtkOpenGLRenderUtilities.h"
@@ -137,9 +138,12 @@ struct ScopedFacts
 {
   ScopedFacts(vtkProp* prop, const vtkWaterMirroredView::Facts& facts)
   {
-    if (facts.IsUpToDate)
+    vtkMapper* mapper = facts.IsUpToDate ? static_cast<vtkActor*>(prop)->GetMapper() : nullptr;
+    // who observes a draw may change the data then
+    if (mapper && !mapper->HasObserver(vtkCommand::StartEvent) &&
+      !mapper->HasObserver(vtkCommand::EndEvent))
     {
-      this->Mapper = static_cast<vtkActor*>(prop)->GetMapper();
+      this->Mapper = mapper;
       this->WasStatic = std::exchange(vtkWaterAccess::Mapper::StaticOf(this->Mapper), 1);
     }
     if (facts.IsOpaque)

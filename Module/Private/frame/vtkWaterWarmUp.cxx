@@ -9,6 +9,8 @@
 #include "vtkOpenGLState.h"
 #include "vtkWaterFrame.h"
 #include "vtkWaterGL.h"
+#include "vtkWaterRenderPassKeys.h"
+#include "vtkWaterShaderHook.h"
 #include "vtkWaterSource.h"
 
 //------------------------------------------------------------------------------
@@ -75,9 +77,15 @@ void vtkWaterWarmUp::EndFrame(vtkRenderer* anyRenderer)
     const vtkOpenGLState::ScopedglScissor scissor(state);
     state->vtkglEnable(GL_SCISSOR_TEST);
     state->vtkglScissor(0, 0, 0, 0); // no pixel is drawn
+    vtkWaterShaderHook* hook = vtkWaterFrame::GetHook();
+    const bool hadKey = vtkWaterRenderPassKeys::Has(prop, hook);
     this->IsDrawing = true;
     this->Water.Probe(renderer);
     this->IsDrawing = false;
+    if (!hadKey)
+    {
+      vtkWaterRenderPassKeys::Remove(prop, hook); // no frame is there to do it
+    }
   }
   this->SetIsDone();
 }

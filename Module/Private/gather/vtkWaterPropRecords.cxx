@@ -44,7 +44,7 @@ bool IsKnownByTimes(vtkActor* actor)
 bool IsInOnePiece(vtkActor* actor)
 {
   auto* mapper = static_cast<vtkPolyDataMapper*>(actor->GetMapper());
-  return mapper && mapper->GetNumberOfSubPieces() <= 1;
+  return mapper && mapper->GetNumberOfPieces() <= 1 && mapper->GetNumberOfSubPieces() <= 1;
 }
 }
 
