@@ -337,7 +337,7 @@ TEST(what_is_under_water_is_under_the_horizon)
     const water_plan plan = plan_of(&random.scene, NULL);
     const int viewport_px[2] = { 400, 300 };
     int rect[4];
-    water_lookup_under(plan.ndc_to_ray, viewport_px, rect);
+    water_lookup_under(&plan, true, viewport_px, rect);
     assert_true(
       rect[0] >= 0 && rect[1] >= 0 && rect[0] + rect[2] <= 400 && rect[1] + rect[3] <= 300);
     smaller += rect[2] * rect[3] < 400 * 300 ? 1 : 0;
@@ -377,22 +377,33 @@ TEST(horizon_of_a_level_camera)
 {
   const int viewport_px[2] = { 200, 100 };
   int rect[4];
-  const double level[9] = { 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 1.0, -0.5 };
-  water_lookup_under(level, viewport_px, rect);
+  const water_plan level = { .ndc_to_ray = { 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 1.0, -0.5 } };
+  water_lookup_under(&level, true, viewport_px, rect);
   const int expected[4] = { 0, 0, 200, 77 };
   assert_memory_equal(rect, expected, sizeof rect);
-  const double down[9] = { 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, -1.0 };
+  const water_plan down = { .ndc_to_ray = { 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, -1.0 } };
   const int all[4] = { 0, 0, 200, 100 };
-  water_lookup_under(down, viewport_px, rect);
+  water_lookup_under(&down, true, viewport_px, rect);
   assert_memory_equal(rect, all, sizeof rect);
-  const double up[9] = { 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0 };
+  const water_plan up = { .ndc_to_ray = { 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0 } };
   const int none[4] = { 0, 0, 0, 0 };
-  water_lookup_under(up, viewport_px, rect);
+  water_lookup_under(&up, true, viewport_px, rect);
   assert_memory_equal(rect, none, sizeof rect);
-  const double rolled[9] = { 0.0, 0.0, 1.0, 0.0, 1.0, 0.0, 1.0, 0.0, 0.0 };
+  const water_plan rolled = { .ndc_to_ray = { 0.0, 0.0, 1.0, 0.0, 1.0, 0.0, 1.0, 0.0, 0.0 } };
   const int left[4] = { 0, 0, 102, 100 };
-  water_lookup_under(rolled, viewport_px, rect);
+  water_lookup_under(&rolled, true, viewport_px, rect);
   assert_memory_equal(rect, left, sizeof rect);
+  // waves that move the surface, and an eye in it, see all
+  water_lookup_under(&level, false, viewport_px, rect);
+  assert_memory_equal(rect, all, sizeof rect);
+  water_plan in_water = level;
+  in_water.is_submerged = true;
+  water_lookup_under(&in_water, true, viewport_px, rect);
+  assert_memory_equal(rect, all, sizeof rect);
+  in_water.is_submerged = false;
+  in_water.is_awash = true;
+  water_lookup_under(&in_water, true, viewport_px, rect);
+  assert_memory_equal(rect, all, sizeof rect);
 }
 
 TESTS(pixel_of_a_place_leads_back_to_it, what_is_under_water_is_under_the_horizon,

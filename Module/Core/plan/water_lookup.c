@@ -104,7 +104,7 @@ static void add_place(const double ndc[2], double low[2], double high[2])
   }
 }
 
-void water_lookup_under(const double ndc_to_ray[9], const int viewport_px[2], int rect_px[4])
+static void under_horizon(const double ndc_to_ray[9], const int viewport_px[2], int rect_px[4])
 {
   static const double corners[4][2] = { { -1.0, -1.0 }, { 1.0, -1.0 }, { 1.0, 1.0 },
     { -1.0, 1.0 } };
@@ -137,6 +137,19 @@ void water_lookup_under(const double ndc_to_ray[9], const int viewport_px[2], in
     rect_px[i] = is_any ? (int)first : 0;
     rect_px[2 + i] = is_any ? (int)(last - first) : 0;
   }
+}
+
+void water_lookup_under(
+  const water_plan* plan, bool is_flat, const int viewport_px[2], int rect_px[4])
+{
+  if (is_flat && !plan->is_submerged && !plan->is_awash)
+  {
+    under_horizon(plan->ndc_to_ray, viewport_px, rect_px);
+    return;
+  }
+  rect_px[0] = rect_px[1] = 0;
+  rect_px[2] = viewport_px[0];
+  rect_px[3] = viewport_px[1];
 }
 
 bool water_lookup_local(const water_axes* axes, const double dir[3], double local[3])

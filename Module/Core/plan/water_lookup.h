@@ -49,12 +49,14 @@ water_status water_lookup_places(const water_camera* camera, const water_eye* ey
 // where a ray ends. 4 rows of 3.
 void water_lookup_dirs(const water_camera* camera, const water_axes* axes, double dir_to_clip[12]);
 
-// The part of the picture that can show what is under the plane to an eye over it, and to which all
-// rays that go down from the plane lead: it is bounded by the plane's horizon.
+// The part of the picture that is seen through the surface: to an eye over a flat one it can show
+// what is under the plane, and all rays that go down from the plane lead there. It is bounded by
+// the plane's horizon. Any other eye or surface: all of the picture.
 //
-// ndc_to_ray  of water_plan
-// rect_px     left, bottom, width and height; all 0: there is none
-void water_lookup_under(const double ndc_to_ray[9], const int viewport_px[2], int rect_px[4]);
+// is_flat  the surface lies in the plane exactly
+// rect_px  left, bottom, width and height; all 0: there is none
+void water_lookup_under(
+  const water_plan* plan, bool is_flat, const int viewport_px[2], int rect_px[4]);
 
 // A direction of the world in the plane's axes (the third towards the eye), at unit length.
 //

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkWaterMirroredView.h"
 
-#include "vtkActor.h"
 #include "vtkCamera.h"
-#include "vtkCommand.h"
-#include "vtkMapper.h"
 #include "vtkMatrix4x4.h"
 #include "vtkOpenGLRenderUtilities.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -18,10 +15,8 @@
 #include "vtkWaterSceneDepth.h"
 #include "vtkWaterShaderHook.h"
 #include "vtkWaterShadows.h"
-#include "vtkWeakPointer.h"
 
 #include <algorithm>
-#include <utility>
 
 namespace
 {
@@ -130,44 +125,6 @@ struct ScopedRenderTimes
   vtkRenderer* Renderer;
   const std::vector<vtkProp*>& Props;
   std::vector<double> Before;
-};
-
-// What is known of an actor is not asked again while an object of this class lives: whether its
-// data are up to date and whether it is opaque take a third of a small one's draw to find out.
-struct ScopedFacts
-{
-  ScopedFacts(vtkProp* prop, const vtkWaterMirroredView::Facts& facts)
-  {
-    vtkMapper* mapper = facts.IsUpToDate ? static_cast<vtkActor*>(prop)->GetMapper() : nullptr;
-    // who observes a draw may change the data then
-    if (mapper && !mapper->HasObserver(vtkCommand::StartEvent) &&
-      !mapper->HasObserver(vtkCommand::EndEvent))
-    {
-      this->Mapper = mapper;
-      this->WasStatic = std::exchange(vtkWaterAccess::Mapper::StaticOf(this->Mapper), 1);
-    }
-    if (facts.IsOpaque)
-    {
-      this->Actor = static_cast<vtkActor*>(prop);
-      this->WasForced = std::exchange(vtkWaterAccess::Actor::ForceOpaqueOf(this->Actor), true);
-    }
-  }
-  ~ScopedFacts()
-  {
-    if (this->Mapper)
-    {
-      vtkWaterAccess::Mapper::StaticOf(this->Mapper) = this->WasStatic;
-    }
-    if (this->Actor)
-    {
-      vtkWaterAccess::Actor::ForceOpaqueOf(this->Actor) = this->WasForced;
-    }
-  }
-
-  vtkWeakPointer<vtkMapper> Mapper; // the user's observers may drop both
-  vtkWeakPointer<vtkActor> Actor;
-  vtkTypeBool WasStatic = 0;
-  bool WasForced = false;
 };
 
 void SetViewportAndScissor(vtkOpenGLState* state, const water_plan& plan)
@@ -323,7 +280,7 @@ void vtkWaterMirroredView::DrawOpaque(
   const auto draw = [this, renderer, &draft](size_t i) {
     draft.Hook->SetMayBeCut(draft.Known[i].MayBeCut);
     {
-      const ScopedFacts scopedFacts(draft.Props[i], draft.Known[i]);
+      const vtkWaterScopedFacts scopedFacts(draft.Props[i], draft.Known[i]);
       draft.Props[i]->RenderOpaqueGeometry(renderer);
     }
     this->ClipDistance.Off();

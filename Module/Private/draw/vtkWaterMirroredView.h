@@ -11,6 +11,7 @@
 #include "vtkWaterClusters.h"
 #include "vtkWaterFog.h"
 #include "vtkWaterGpuQueries.h"
+#include "vtkWaterPropFacts.h"
 #include "vtkWaterTarget.h"
 #include "vtkWaterTranslucent.h"
 #include "vtkWaterTranslucentLayer.h"
@@ -30,25 +31,17 @@ class vtkWaterShaderHook;
 class vtkWaterMirroredView
 {
 public:
-  // What is known of a prop that is drawn.
-  struct Facts
-  {
-    bool MayBeCut = true;    // by the clip at the water
-    bool IsUpToDate = false; // an actor whose data are
-    bool IsOpaque = false;   // an actor, all of it
-  };
-
   // What a plan is carried out with.
   struct Draft
   {
     vtkWaterShaderHook* Hook = nullptr;
-    std::vector<vtkProp*> Props;         // that are drawn
-    std::vector<Facts> Known;            // of each of them
-    std::vector<vtkProp*> Others;        // of them, what is not a plain actor
-    std::vector<vtkProp*> Blended;       // of them, those, and plain actors that are translucent
-    bool HasMarchedRays = false;         // rays are traced in it
-    bool CanCut = false;                 // clusters of large meshes may be left out
-    vtkShadowMapPass* Shadows = nullptr; // which is up to date; nullptr: there are none
+    std::vector<vtkProp*> Props;          // that are drawn
+    std::vector<vtkWaterPropFacts> Known; // of each of them
+    std::vector<vtkProp*> Others;         // of them, what is not a plain actor
+    std::vector<vtkProp*> Blended;        // of them, those, and plain actors that are translucent
+    bool HasMarchedRays = false;          // rays are traced in it
+    bool CanCut = false;                  // clusters of large meshes may be left out
+    vtkShadowMapPass* Shadows = nullptr;  // which is up to date; nullptr: there are none
   };
 
   // Draws the props into the target.

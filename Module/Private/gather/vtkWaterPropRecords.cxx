@@ -20,8 +20,8 @@
 
 namespace
 {
-constexpr size_t MAX_AHEAD = 256; // props that are not drawn between two that are
-constexpr int MAX_MISSES = 32;    // of a frame, in which props are drawn in an order of their own
+constexpr size_t kMostAhead = 256; // props that are not drawn between two that are
+constexpr int kMostMisses = 32;    // of a frame, in which props are drawn in an order of their own
 
 // VTK's time, which every change of anything moves on.
 vtkMTimeType Now()
@@ -230,12 +230,12 @@ void vtkWaterPropRecords::Reflect(size_t i)
 //------------------------------------------------------------------------------
 void vtkWaterPropRecords::Ask(vtkProp* prop)
 {
-  if (this->IsRead || this->MissCount == MAX_MISSES)
+  if (this->IsRead || this->MissCount == kMostMisses)
   {
     return;
   }
   // most are drawn in the order of the renderer's list
-  const size_t end = std::min(this->Keyed.size(), this->NextAsked + MAX_AHEAD);
+  const size_t end = std::min(this->Keyed.size(), this->NextAsked + kMostAhead);
   size_t i = this->NextAsked;
   while (i < end && this->Held[i] != prop)
   {

@@ -151,13 +151,8 @@ void vtkWaterSurfaceShader::UploadNormalMap(size_t number)
 void vtkWaterSurfaceShader::BeginMedium(const int viewport_px[4])
 {
   const bool hadFailed = this->Backdrop.GetHasFailed();
-  // an eye over level water sees nothing through it but what lies under its horizon
-  int part_px[4] = { 0, 0, viewport_px[2], viewport_px[3] };
-  const water_plan& plan = this->Plan;
-  if (this->Drawn.IsFlat && !plan.is_submerged && !plan.is_awash && !this->Drawn.AddsFog)
-  {
-    water_lookup_under(plan.ndc_to_ray, viewport_px + 2, part_px);
-  }
+  int part_px[4];
+  water_lookup_under(&this->Plan, this->Drawn.IsFlat, viewport_px + 2, part_px);
   this->HasBackdrop = this->Backdrop.Copy(this->GetWindow(), viewport_px, part_px);
   if (this->Backdrop.GetHasFailed() && !hadFailed) // said once
   {
