@@ -30,6 +30,19 @@ void ShaderSource(GLuint shader, GLsizei count, const GLchar* const* text, const
   shaderSource(shader, count, text, lengths);
 }
 
+// VTK draws a mesh whose shader was refused without a program, and what that shows is the driver's
+// choice.
+int drawnWithout = 0;
+PFNGLDRAWRANGEELEMENTSPROC drawElements = nullptr;
+void DrawElements(
+  GLenum mode, GLuint first, GLuint last, GLsizei count, GLenum type, const void* place)
+{
+  GLint program = 0;
+  glGetIntegerv(GL_CURRENT_PROGRAM, &program);
+  drawnWithout += program == 0 && !glIsEnabled(GL_RASTERIZER_DISCARD) ? 1 : 0;
+  drawElements(mode, first, last, count, type, place);
+}
+
 PFNGLCHECKFRAMEBUFFERSTATUSPROC checkStatus = nullptr;
 GLenum CheckStatus(GLenum)
 {
@@ -62,16 +75,21 @@ bool Check(const std::string& name, const std::string& says, Function& slot, Fun
   driver = slot;
   slot = own;
   refused = 0;
+  drawnWithout = 0;
+  drawElements = glDrawRangeElements;
+  glDrawRangeElements = DrawElements;
   prepare(scene);
   const auto faulty = scene.Picture();
   scene.Picture();
   slot = driver;
+  glDrawRangeElements = drawElements;
   bool ok = WaterCheck(name + ": it was refused", refused > 0, true);
   ok &= WaterCheck<size_t>(name + ": errors", scene.Errors.size(), 1);
   const bool isSaid = !scene.Errors.empty() && scene.Errors[0].find(says) != std::string::npos;
   ok &= WaterCheck(name + ": says \"" + says + "\"", isSaid, true);
   ok &= WaterCheck(name + ": the picture is the plain one", WaterSame(faulty, plain), true);
   ok &= WaterCheck(name + ": which is another", right == plain, false);
+  ok &= WaterCheck(name + ": draws without a program that are rasterised", drawnWithout, 0);
   prepare(scene);
   ok &= WaterCheck(name + ": and right afterwards", WaterSame(scene.Picture(), right), true);
   return ok;
