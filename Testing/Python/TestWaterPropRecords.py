@@ -128,6 +128,21 @@ def test_props_are_drawn_in_any_order(on_a_gpu):
     wt.check_at_most("largest error of 40 pictures", largest, LARGEST_ERROR)
 
 
+@pytest.mark.parametrize("seed", range(SEED, SEED + 3))
+def test_actors_that_are_asked_as_they_are_drawn(seed, on_a_gpu):
+    """Where nothing keeps the mirrored view from the middle of the main one, each change of an actor shows."""
+    random = np.random.default_rng(seed)
+    kept, fresh = [prop_scene.Scene(skips, has_actors_alone=True) for skips in (Pass.SKIP_ALL, Pass.SKIP_NONE)]
+    largest = compare(kept, fresh, -1, "the first picture")
+    for step, (name, numbers) in enumerate(changes(random, STEPS)):
+        if step % 3 == 0:
+            kept.view.window.Render()
+        for scene in (kept, fresh):
+            prop_changes.CHANGES[name](scene, numbers)
+        largest = max(largest, compare(kept, fresh, step, name))
+    wt.check_at_most(f"seed {seed}: largest error of {STEPS} pictures", largest, LARGEST_ERROR)
+
+
 def test_props_of_two_views_of_a_window(ways):
     """Another renderer of the window has the same props: both show what they show alone."""
     alone, shared = scenes(has_assembly=False)[0], scenes(has_assembly=False)[0]
@@ -173,6 +188,23 @@ def test_data_in_pieces(ways):
         pictures.append(picture)
     for picture in pictures[1:]:
         wt.check_at_most("difference of a pixel", int(np.abs(pictures[0] - picture).max()), LARGEST_ERROR)
+
+
+def test_data_that_an_observer_of_the_draw_makes(ways):
+    """What a mapper's observer changes as a draw begins is drawn by that draw, in the mirrored view, too."""
+    pictures = []
+    for is_late in (False, True):
+        scene = prop_scene.Scene(Pass.SKIP_ALL)
+        scene.water.SetTime(1.0)
+        ball, mapper = scene.pipelines[0].ball, scene.actors[6].GetMapper()
+        scene.view.window.Render()
+        if is_late:
+            mapper.AddObserver("StartEvent", lambda caller, event, ball=ball: ball.SetRadius(0.9))
+        else:
+            ball.SetRadius(0.9)
+        scene.renderer.GetActiveCamera().Azimuth(2)
+        pictures.append(scene.view.picture())
+    wt.check_at_most("difference of a pixel", int(np.abs(pictures[0] - pictures[1]).max()), LARGEST_ERROR)
 
 
 def test_what_is_set_for_a_draw_is_taken_back(ways):

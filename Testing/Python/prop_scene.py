@@ -45,9 +45,10 @@ class Pipeline:
 
 
 class Scene:
-    """With an assembly, whose parts VTK changes as it draws them, no reflection is used again."""
+    """With an assembly, whose parts VTK changes as it draws them, no reflection is used again. With actors alone
+    hardware draws the mirrored view in the middle of the main one."""
 
-    def __init__(self, skips, has_assembly=False):
+    def __init__(self, skips, has_assembly=False, has_actors_alone=False):
         self.view = wt.View(SIZE, SKY)
         self.renderer = self.view.renderer
         wt.add_scene_light(self.renderer, (3, -8, 9))
@@ -61,6 +62,9 @@ class Scene:
             self.add(None, (4 * i - 2, -2, 0.6)).GetMapper().SetInputConnection(pipeline.port)
         self.add_poster()
         self.add_odd_things(has_assembly)
+        if has_actors_alone:
+            for prop in (self.follower, self.volume, self.glyphs):
+                self.renderer.RemoveViewProp(prop)
         self.water = wt.add_water(self.renderer, wt.plane((0, 0, 0), (0, 0, 1)), (-9, 9, -9, 6), 0.9)
         self.water.GetReflectionPass().SetSkips(skips)
         self.camera = wt.place_camera(self.renderer, (1, -15, 4), (0, 0, 0.3), (1, 60))
