@@ -7,6 +7,8 @@
 #include "vtkWaterGL.h"
 
 #include "vtkCommand.h"
+#include "vtkCullerCollection.h"
+#include "vtkFrustumCoverageCuller.h"
 #include "vtkInformation.h"
 #include "vtkInformationObjectBaseVectorKey.h"
 #include "vtkOpenGLRenderPass.h"
@@ -85,6 +87,17 @@ bool Check(const std::string& name, bool isSoftware)
   ok &= WaterCheck(name + ": programs that the frame in view is spared",
     CountMore(Programs(other.Window), cold) - CountMore(then, outOfView), built);
   ok &= WaterCheck<size_t>(name + ": errors", scene.Errors.size(), 0);
+
+  FaultyScene small; // in view, and left out all the same
+  SetLook(small);
+  auto* culler =
+    vtkFrustumCoverageCuller::SafeDownCast(small.Renderer->GetCullers()->GetLastItem());
+  culler->SetMinimumCoverage(2.0);
+  small.Water->VisibilityOff();
+  const auto nothing = small.Picture();
+  small.Water->VisibilityOn();
+  ok &= WaterCheck(name + ": one that is too small leaves no trace",
+    WaterSame(small.Picture(), nothing) && WaterSame(small.Picture(), nothing), true);
   return ok;
 }
 }
