@@ -113,12 +113,19 @@ vtkWaterSurfaceShader::Inputs vtkWaterReflection::GetInputs(
   vtkRenderer* renderer, vtkMTimeType frame, const vtkProp* water)
 {
   auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
-  vtkWaterMirroredView& mirrored = this->GetView(renderer)->Mirrored;
+  const ViewPointer view = this->GetView(renderer);
+  vtkWaterMirroredView& mirrored = view->Mirrored;
   vtkWaterSurfaceShader::Inputs inputs;
   inputs.Renderer = static_cast<vtkOpenGLRenderer*>(renderer);
   inputs.Fog = &mirrored.GetFog();
   inputs.Plan = this->GetFreshPlan(renderer, frame, water);
   const bool hasTexture = inputs.Plan && water_plan_has_reflection(inputs.Plan);
+  if (hasTexture && this->Gathered.IsRough && !view->HasLevels)
+  {
+    // as late as that: software renderers wait for the mirrored view here, and would not begin with the picture
+    mirrored.MakeLevels();
+    view->HasLevels = true;
+  }
   inputs.Reflection = hasTexture ? mirrored.GetColor() : mirrored.GetBlank(window);
   inputs.ReflectionDepth = mirrored.GetDepth();
   if (vtkWaterTranslucentLayer* layer = mirrored.GetLayer())

@@ -291,11 +291,6 @@ vtkWaterError vtkWaterReflection::Commit(const Frame& frame, Attempt& attempt)
       view.DrawnPlan = this->Plan;
       view.DrawnSignature = attempt.Signature;
     }
-    if (this->Gathered.IsRough && !view.HasLevels)
-    {
-      view.Mirrored.MakeLevels();
-      view.HasLevels = true;
-    }
   }
   return error;
 }
