@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""ratios: what water costs on the terrain: unchanged, not seen, with waves, in many lakes."""
+"""ratios: what water costs on the terrain: unchanged, not seen, waves, presets, many lakes."""
 
 import geometry
 import kinds
@@ -15,6 +15,8 @@ ROUNDS, QUICK_ROUNDS = 60, 9
 BUDGET_S, QUICK_BUDGET_S = 40.0, 3.0  # a group
 TIER = 0.02  # units between the levels of the lakes
 SHEET_OPACITY = 0.5
+PRESETS = ("lake", "ocean wind 5")
+MOVING, STILL = "presets, everything moves", "presets, only time moves"
 HIDDEN = 6  # cells of the elevation model that the hidden water is wide to each side
 
 TEXT = """
@@ -153,6 +155,25 @@ def _lookups(results):
     )
 
 
+def _presets(results):
+    """The presets at their own units: one of the scene is a metre."""
+    scene_of = {"no water": terrain(False), **{name: terrain() for name in PRESETS}}
+    for name in PRESETS:
+        scene_of[name].water.GetWaterProperty().SetPreset(name)
+    return "\n\n".join(
+        compare(
+            results,
+            title,
+            [
+                Frame(name, scene.window, scene.step if title == MOVING else scene.pass_time)
+                for name, scene in scene_of.items()
+            ],
+            [(name, "no water", limit) for name in PRESETS],
+        )
+        for title, limit in ((MOVING, 1.9), (STILL, 1.5))
+    )
+
+
 def _lakes(results):
     def lakes(count):
         """The first two in view, the others behind the eye and far beside it."""
@@ -181,7 +202,7 @@ def _lakes(results):
 
 
 def run(results):
-    tables = [part(results) for part in (_static, _unseen, _lookups, _lakes)]
+    tables = [part(results) for part in (_static, _unseen, _lookups, _presets, _lakes)]
     results.add(
         "Ratios",
         TEXT,
