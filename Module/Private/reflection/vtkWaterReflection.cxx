@@ -122,7 +122,8 @@ vtkWaterSurfaceShader::Inputs vtkWaterReflection::GetInputs(
   const bool hasTexture = inputs.Plan && water_plan_has_reflection(inputs.Plan);
   if (hasTexture && this->Gathered.IsRough && !view->HasLevels)
   {
-    // as late as that: software renderers wait for the mirrored view here, and would not begin with the picture
+    // as late as that: software renderers wait for the mirrored view here, and would not begin
+    // with the picture
     mirrored.MakeLevels();
     view->HasLevels = true;
   }
