@@ -118,25 +118,33 @@ def fresnel(cosine, index=1.333):
 def eye_rays(camera, size, samples):
     """Start and unit direction of samples x samples rays in every pixel; rows from the bottom."""
     width, height = size
-    position, target = np.asarray(camera.GetPosition()), np.asarray(camera.GetFocalPoint())
-    ahead = target - position
-    ahead /= np.linalg.norm(ahead)
-    right = np.cross(ahead, camera.GetViewUp())
-    right /= np.linalg.norm(right)
-    up = np.cross(right, ahead)
     place = (np.arange(samples) + 0.5) / samples
     x = (np.arange(width)[:, None] + place).ravel() / width * 2 - 1
     y = (np.arange(height)[:, None] + place).ravel() / height * 2 - 1
     x, y = np.meshgrid(x, y)
+    return rays_at(camera, size, x.ravel(), y.ravel())
+
+
+def rays_at(camera, size, x, y):
+    """Start and unit direction of rays through places of the picture, x and y in [-1, 1], by the camera's matrices.
+
+    Any camera: off its axis, parallel, rolled. Rays start at the eye, parallel ones in the plane through it.
+    """
+    projection = _array(camera.GetProjectionTransformMatrix(size[0] / size[1], -1, 1))
+    to_world = np.linalg.inv(_array(camera.GetViewTransformMatrix()))
+    scale, center = projection[(0, 1), (0, 1)], projection[:2, 3 if camera.GetParallelProjection() else 2]
+    place = np.stack([x, y], axis=1)
     if camera.GetParallelProjection():
-        scale = camera.GetParallelScale()
-        start = (position + scale * (x[..., None] * width / height * right + y[..., None] * up)).reshape(-1, 3)
-        return start, np.tile(ahead, (len(start), 1))
-    tangent = np.tan(np.radians(camera.GetViewAngle()) / 2)
-    ray = ahead + tangent * (x[..., None] * width / height * right + y[..., None] * up)
-    ray = ray.reshape(-1, 3)
+        start = np.concatenate([(place - center) / scale, np.zeros((len(place), 1))], axis=1)
+        ray = np.tile(to_world[:3, :3] @ (0, 0, -1), (len(place), 1))
+        return start @ to_world[:3, :3].T + to_world[:3, 3], ray
+    ray = np.concatenate([(place + center) / scale, np.full((len(place), 1), -1.0)], axis=1) @ to_world[:3, :3].T
     ray /= np.linalg.norm(ray, axis=1, keepdims=True)
-    return np.tile(position, (len(ray), 1)), ray
+    return np.tile(np.asarray(camera.GetPosition()), (len(ray), 1)), ray
+
+
+def _array(matrix):
+    return np.array([[matrix.GetElement(i, j) for j in range(4)] for i in range(4)])
 
 
 def meet_waves(start, ray, waves, time, farthest):

@@ -53,6 +53,14 @@ $off of 255 where the perfect tracer's single ray is not; $both are off in both.
 """
 
 
+def flip_map(picture, truth, mask):
+    """FLIP's error map of two pictures of 255, where the mask is; all other pixels are the truth's in both."""
+    shown = np.where(mask[..., None], picture, truth)
+    first, second = (np.ascontiguousarray(each[::-1] / 255, dtype=np.float32) for each in (truth, shown))
+    found, _, _ = flip_evaluator.evaluate(first, second, "LDR", applyMagma=False, computeMeanError=False)
+    return found.reshape(mask.shape)[::-1]
+
+
 class View:
     """One view: the truth, and the errors of pictures against it."""
 
@@ -91,10 +99,7 @@ class View:
         return wave_scenes.rmse(picture, self.truth, self.mask)
 
     def flip_map(self, picture):
-        shown = np.where(self.mask[..., None], picture, self.truth)
-        first, second = (np.ascontiguousarray(each[::-1] / 255, dtype=np.float32) for each in (self.truth, shown))
-        found, _, _ = flip_evaluator.evaluate(first, second, "LDR", applyMagma=False, computeMeanError=False)
-        return found.reshape(self.mask.shape)[::-1]
+        return flip_map(picture, self.truth, self.mask)
 
     def flip(self, picture):
         return float(self.flip_map(picture)[self.mask].mean())

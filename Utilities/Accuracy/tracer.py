@@ -15,9 +15,12 @@ FLOAT_TOLERANCE = 1e-4  # relative; a hit that is farther from its triangle's pl
 
 
 class Tracer:
-    """The unlit actors of a renderer, without its water: of one colour, or of the points' RGB bytes."""
+    """The unlit actors of a renderer, without its water: of one colour, or of the points' RGB bytes.
 
-    def __init__(self, renderer):
+    origin: what rays count their places from; single precision wants one among the things.
+    """
+
+    def __init__(self, renderer, origin=(0.0, 0.0, 0.0)):
         self._scene = EmbreeScene(robust=True)
         self._corners, self._first, colors = [], [], []
         self._corner_colors = {}  # by actor, of those that have colours at their points
@@ -32,7 +35,7 @@ class Tracer:
             triangles.PassLinesOff()
             triangles.Update()
             data = triangles.GetOutput()
-            points = vtk_to_numpy(data.GetPoints().GetData()).astype(float)
+            points = vtk_to_numpy(data.GetPoints().GetData()).astype(float) - origin
             ids = vtk_to_numpy(data.GetPolys().GetConnectivityArray()).reshape(-1, 3)
             corners = points[ids]
             TriangleMesh(self._scene, np.ascontiguousarray(corners, dtype=np.float32))

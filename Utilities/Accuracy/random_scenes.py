@@ -1,0 +1,320 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""random_scenes: random scenes, drawn by the module and by the tracer; the section "scenes" of the report.
+
+    PYTHONPATH=<folder of vtkwater> python Utilities/Accuracy/random_scenes.py --seeds 0:200 --folder DIR
+        [--samples 64] [--qualities fast default high] [--worst 10] [--jobs 1]
+
+Writes DIR/scenes.json, a row for each scene, and the worst scenes as pictures: the truth, the module's
+default quality, their difference, and the reasons that the module gives (confidence.KINDS). Exit status 1: a limit
+was not met.
+
+The truth has so many rays a pixel; a perfect tracer has one, through the pixel's middle. A ratio is the
+module's error over the perfect tracer's: 1 is as good as one ray can be. Counted are pixels that are water alone.
+"""
+
+import argparse
+import json
+import multiprocessing
+import pathlib
+import sys
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "Testing" / "Python"))
+
+import numpy as np  # noqa: E402
+import ray_caster  # noqa: E402
+import scene_generator  # noqa: E402
+import water_test as wt  # noqa: E402
+from colour import flip_map  # noqa: E402
+from confidence import KINDS  # noqa: E402
+from reference import reflected  # noqa: E402
+from report import Report, plt, table  # noqa: E402
+from tracer import Tracer  # noqa: E402
+
+QUALITIES = ("fast", "default", "high")
+SEEDS = range(40)  # of the report
+SAMPLES = 64  # rays a pixel
+FLOORS = {"RMSE": 0.5, "FLIP": 0.002}  # smaller errors count as these: pictures are of whole 255ths
+LIMITS = {"fast": (1.5, 2.0), "default": (1.05, 1.4), "high": (0.7, 0.9)}  # of the RMSE's ratio: median, 95 %
+BLUER = 16  # of 255; a mixture with so much of the background is seen
+APART = 3  # of 255
+MOST_APART = 0.2  # % of a picture without water
+SHOWN = 3  # scenes in the report
+REASON_COLORS = {"hit": (60, 150, 60), "sky": (120, 180, 235), "off the texture": (235, 200, 60),
+                 "hidden": (215, 60, 50), "downward": (150, 80, 190)}
+
+TEXT = """
+$count scenes of random terrain and things ($seeds) under a plain sky or a coloured dome, seen by random cameras, in
+calm water and in up to four waves (`Utilities/Accuracy/scene_generator.py`); $width x $height pixels, $samples rays a
+pixel in the truth. A ratio is the module's error over that of a perfect tracer with one ray a pixel; errors below
+$rmse_floor (RMSE) and $flip_floor (FLIP) count as these. In $domes scenes a dome hides the background, so that no ray
+meets it: "background" are pixels in which the module shows it all the same.
+
+$summary
+
+Reasons that the module gives, all scenes together, default quality:
+
+$reasons
+
+The scenes with the largest ratios, default quality:
+
+$worst
+
+$pictures
+
+*The truth, the module's default quality, their difference, the reasons: $legend.*
+"""
+
+
+class Truth:
+    """What is right of a scene: its picture, the water's pixels, and what is seen without water."""
+
+    def __init__(self, scene, samples, size=scene_generator.SIZE):
+        self.size, self._scene = size, scene
+        self._camera = scene.made.renderer.GetActiveCamera()
+        self._tracer = Tracer(scene.made.renderer, scene.origin)
+        side = round(np.sqrt(samples))
+        total, self.mask = 0.0, True
+        self.low, self.high = 255.0, 0.0
+        for shift in np.stack(np.meshgrid(*[(np.arange(side) + 0.5) / side] * 2), axis=-1).reshape(-1, 2):
+            seen, first, is_water = self._picture(shift)
+            total = total + seen
+            self.mask = self.mask & is_water
+            self.low, self.high = np.minimum(self.low, first), np.maximum(self.high, first)
+        self.picture = np.rint(total / side**2)
+        self.once = np.rint(self._picture((0.5, 0.5))[0])
+        self.doubtful = 100 * self._tracer.doubtful_count / max(self._tracer.hit_count, 1)
+
+    def _picture(self, shift):
+        """With one ray a pixel: 255 RGB with and without water, and whether the ray meets water."""
+        width, height = self.size
+        start, ray = self._rays(shift)
+        colors, distance = self._tracer.cast(start, ray)
+        first = 255 * colors.reshape(height, width, 3)
+        is_water, place = self._meet_water(start, ray, distance)
+        place = place[is_water]
+        _, *slopes = ray_caster.heights_and_slopes(self._scene.waves, place[:, 0], place[:, 1], 0.0)
+        _, away = reflected(ray[is_water], *slopes)
+        away[:, 2] = np.abs(away[:, 2])  # one that would meet the water again is bounced off it once more
+        colors[is_water] = self._tracer.cast(place, away)[0]
+        return 255 * colors.reshape(height, width, 3), first, is_water.reshape(height, width)
+
+    def _rays(self, shift):
+        """From the near plane on: VTK draws nothing before it."""
+        width, height = self.size
+        x, y = np.meshgrid((np.arange(width) + shift[0]) / width * 2 - 1, (np.arange(height) + shift[1]) / height * 2 - 1)
+        start, ray = ray_caster.rays_at(self._camera, self.size, x.ravel(), y.ravel())
+        ahead = np.array(self._camera.GetDirectionOfProjection())
+        near = self._camera.GetClippingRange()[0]
+        return start - self._scene.origin + (near / (ray @ ahead))[:, None] * ray, ray
+
+    def _meet_water(self, start, ray, distance):
+        with np.errstate(divide="ignore", invalid="ignore"):
+            way = np.where((ray[:, 2] < 0) & (start[:, 2] > 0), -start[:, 2] / ray[:, 2], np.inf)
+        is_water = way < distance
+        place = start + np.where(is_water, way, 0)[:, None] * ray
+        place[:, 2] = 0
+        return is_water & (np.abs(place[:, :2]) < self._scene.sheet).all(axis=1), place
+
+
+class Result:
+    """One scene: pictures and figures."""
+
+    def __init__(self, seed, samples, qualities):
+        scene = scene_generator.make(seed)
+        look = scene.water.GetWaterProperty()
+        self.truth = Truth(scene, samples)
+        mask = self.mask = self.truth.mask & wt.water_mask(scene.made, scene.water)
+        pictures = {"perfect": self.truth.once}
+        for quality in qualities:
+            getattr(look, f"SetRayTraceQualityTo{quality.capitalize()}")()
+            pictures[quality] = scene.made.picture()
+        look.SetRayTraceQualityToDefault()
+        self.picture = scene.made.picture()
+        look.SetOutputToConfidence()
+        self.said = scene.made.picture()[..., 0]
+        look.SetOutputToColor()
+        scene.water.VisibilityOff()
+        bare = scene.made.picture()
+        self.row = {"seed": seed, **scene.facts, "water": float(mask.mean()),
+                    "apart": 100 * self._apart(bare), "doubtful": self.truth.doubtful}
+        self._measure(pictures)
+        if scene.has_dome:
+            self._find_background(pictures)
+
+    def _measure(self, pictures):
+        row, mask, truth = self.row, self.mask, self.truth.picture
+        for name, picture in pictures.items():
+            row[f"RMSE {name}"] = float(np.sqrt(((picture - truth)[mask] ** 2).mean()))
+            row[f"FLIP {name}"] = float(flip_map(picture, truth, mask)[mask].mean())
+        for measure, floor in FLOORS.items():
+            for name in pictures:
+                row[f"{measure} ratio {name}"] = max(row[f"{measure} {name}"], floor) / max(
+                    row[f"{measure} perfect"], floor)
+        squared = ((self.picture - truth) ** 2).sum(axis=2)[mask]
+        for kind, number in KINDS.items():
+            chosen = (self.said == number)[mask]
+            row[f"share {kind}"] = float(chosen.mean())
+            row[f"error {kind}"] = float(squared[chosen].sum() / max(squared.sum(), 1))
+
+    def _find_background(self, pictures):
+        """Nothing in front of the background is bluer than green, and so no mixture of what is in front is."""
+        for name, picture in {"truth": self.truth.picture, **pictures}.items():
+            bluer = (picture[..., 2] - picture[..., 1] > BLUER)[self.mask]
+            self.row[f"background {name}"] = int(bluer.sum())
+
+    def _apart(self, bare):
+        """Share of pixels that VTK draws otherwise, without water, than any ray of the pixel or its neighbours."""
+        low, high = self.truth.low, self.truth.high
+        for axis in (0, 1):
+            low = np.minimum.reduce([_shifted(low, step, axis) for step in (-1, 0, 1)])
+            high = np.maximum.reduce([_shifted(high, step, axis) for step in (-1, 0, 1)])
+        return float(((bare < low - APART) | (bare > high + APART)).any(axis=2).mean())
+
+    def panels(self):
+        """The truth, the module, their difference and the reasons, side by side."""
+        reasons = np.full((*self.mask.shape, 3), 30)
+        for kind, number in KINDS.items():
+            reasons[self.mask & (self.said == number)] = REASON_COLORS[kind]
+        apart = np.abs(self.picture - self.truth.picture) * self.mask[..., None]
+        return np.concatenate([self.truth.picture, self.picture, apart, reasons], axis=1).clip(0, 255)
+
+
+def _shifted(values, step, axis):
+    """By one pixel; the border stays."""
+    moved = np.roll(values, step, axis)
+    if step:
+        edge = [slice(None)] * values.ndim
+        edge[axis] = 0 if step > 0 else -1
+        moved[tuple(edge)] = values[tuple(edge)]
+    return moved
+
+
+def _measured(job):
+    """A row, and the pictures to show; in a process of its own."""
+    seed, samples, qualities = job
+    result = Result(seed, samples, qualities)
+    row = result.row
+    print(f"seed {seed}: RMSE of 255: perfect {row['RMSE perfect']:.2f}; " + ", ".join(
+        f"{name} {row[f'RMSE {name}']:.2f} ({row[f'RMSE ratio {name}']:.2f})" for name in qualities)
+        + f"; background {max((row.get(f'background {name}', 0) for name in qualities))}"
+        + f"; apart {row['apart']:.3f} %, water {row['water']:.0%}", flush=True)
+    return row, result.panels().astype(np.uint8)
+
+
+def measure(seeds, samples=SAMPLES, qualities=QUALITIES, jobs=1):
+    """Rows and pictures of all seeds, in their order."""
+    work = [(seed, samples, qualities) for seed in seeds]
+    if jobs == 1:
+        found = [_measured(job) for job in work]
+    else:
+        with multiprocessing.get_context("spawn").Pool(jobs) as pool:
+            found = pool.map(_measured, work, chunksize=1)
+    return [row for row, _ in found], [panels for _, panels in found]
+
+
+def _judge(report, rows, qualities):
+    """The figures with limits."""
+    name = f"{len(rows)} random scenes"
+    for quality in qualities:
+        ratios = [row[f"RMSE ratio {quality}"] for row in rows]
+        middle, most = LIMITS[quality]
+        report.check_at_most(f"{name}, {quality}: RMSE / a perfect tracer's, median", float(np.median(ratios)), middle)
+        report.check_at_most(f"{name}, {quality}: RMSE / a perfect tracer's, 95 % of scenes within",
+                             float(np.percentile(ratios, 95)), most)
+        report.check_at_most(f"{name}, {quality}: pixels that show the background behind a dome",
+                             sum(row.get(f"background {quality}", 0) for row in rows), 0, 0)
+    report.check_at_most(f"{name}: the same of the truth", sum(row.get("background truth", 0) for row in rows), 0, 0)
+    report.check_at_most(f"{name}: % of pixels in which VTK without water and the tracer are apart, most of a scene",
+                         max(row["apart"] for row in rows), MOST_APART)
+    report.check_at_most(f"{name}: % of the tracer's hits off their triangle's plane, mean",
+                         float(np.mean([row["doubtful"] for row in rows])), 0.1)
+
+
+def _summary(rows, qualities):
+    cells = []
+    for quality in (*qualities, "perfect"):
+        cell = [quality]
+        for measure in FLOORS:
+            ratios = [row[f"{measure} ratio {quality}"] for row in rows]
+            cell += [f"{np.median([row[f'{measure} {quality}'] for row in rows]):.4g}", f"{np.median(ratios):.3f}",
+                     f"{np.percentile(ratios, 95):.3f}", f"{max(ratios):.3f}"]
+        cells.append((*cell, str(sum(row.get(f"background {quality}", 0) for row in rows))))
+    header = [f"{measure}{name}" for measure in FLOORS for name in (": median", " ratio: median", "95 %", "most")]
+    return table(("", *header, "background"), cells)
+
+
+def _reasons(rows):
+    """Shares of all water pixels, and of their squared error."""
+    pixels = np.array([row["water"] for row in rows])
+    errors = pixels * np.square([row["RMSE default"] for row in rows])
+    return table(("reason", "share of the pixels", "share of the squared error"), [
+        (kind, *(f"{100 * np.average([row[f'{what} {kind}'] for row in rows], weights=weights):.1f} %"
+                 for what, weights in (("share", pixels), ("error", errors)))) for kind in KINDS])
+
+
+def _by_ratio(rows):
+    """Numbers of rows, the largest ratio of the default quality first."""
+    return sorted(range(len(rows)), key=lambda number: -rows[number]["RMSE ratio default"])
+
+
+def _worst(rows, count):
+    cells = []
+    for number in _by_ratio(rows)[:count]:
+        row = rows[number]
+        kind = max(KINDS, key=lambda kind: row[f"error {kind}"])
+        camera = ", ".join(name for name in ("parallel", "off axis") if row[name])
+        cells.append((str(row["seed"]), f"{row['RMSE perfect']:.2f}", f"{row['RMSE default']:.2f}",
+                      f"{row['RMSE ratio default']:.2f}", f"{kind}, {row[f'error {kind}']:.0%}",
+                      f"{row['reach']:.3g} m, {row['elevation']:.0f} degrees, near {row['near']:.2g} m"
+                      + (f", {camera}" if camera else ""),
+                      f"{row['waves']}, slope {row['slope']:.2f}",
+                      f"{row['dome']:.3g} m" if row["dome"] else "none"))
+    return table(("seed", "RMSE, perfect", "default", "ratio", "most of the squared error", "eye", "waves", "dome"),
+                 cells)
+
+
+def _show(rows, pictures):
+    chosen = _by_ratio(rows)[:SHOWN]
+    figure, axes = plt.subplots(len(chosen), 1, figsize=(12, 2.4 * len(chosen)), squeeze=False)
+    for axis, number in zip(axes[:, 0], chosen):
+        axis.imshow(pictures[number], origin="lower", interpolation="nearest")
+        axis.set_title(f"seed {rows[number]['seed']}")
+        axis.axis("off")
+    return figure
+
+
+def run(report):
+    rows, pictures = measure(SEEDS)
+    _judge(report, rows, QUALITIES)
+    report.add("Random scenes", TEXT, count=len(rows), seeds=f"seeds {SEEDS[0]} to {SEEDS[-1]}", samples=SAMPLES,
+               width=scene_generator.SIZE[0], height=scene_generator.SIZE[1], rmse_floor=FLOORS["RMSE"],
+               flip_floor=FLOORS["FLIP"], domes=sum(row["dome"] > 0 for row in rows), reasons=_reasons(rows),
+               summary=_summary(rows, QUALITIES), worst=_worst(rows, 2 * SHOWN),
+               legend=", ".join(f"{kind} {name}" for kind, name in zip(KINDS, ("green", "blue", "yellow", "red", "violet"))),
+               pictures=report.save(_show(rows, pictures), "scenes", "The worst random scenes"))
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--seeds", default="0:40", help="FIRST:END, the end not included, or one seed")
+    parser.add_argument("--folder", type=pathlib.Path, required=True)
+    parser.add_argument("--samples", type=int, default=SAMPLES, help="rays a pixel of the truth: a square number")
+    parser.add_argument("--qualities", nargs="+", choices=QUALITIES, default=QUALITIES)
+    parser.add_argument("--worst", type=int, default=10, help="scenes to save as pictures")
+    parser.add_argument("--jobs", type=int, default=1, help="processes")
+    arguments = parser.parse_args()
+    first, _, end = arguments.seeds.partition(":")
+    seeds = range(int(first), int(end) if end else int(first) + 1)
+    arguments.folder.mkdir(parents=True, exist_ok=True)
+    rows, pictures = measure(seeds, arguments.samples, arguments.qualities, arguments.jobs)
+    (arguments.folder / "scenes.json").write_text(json.dumps(rows, indent=1) + "\n")
+    for rank, number in enumerate(_by_ratio(rows)[:arguments.worst]):
+        wt.save(pictures[number], arguments.folder / f"worst-{rank:02}-seed-{rows[number]['seed']}.png")
+    report = Report(arguments.folder)
+    print(_summary(rows, arguments.qualities), _reasons(rows), _worst(rows, arguments.worst), sep="\n\n")
+    _judge(report, rows, arguments.qualities)
+    return 1 if report.has_failed() else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,435 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""scene_generator: makes a scene with water from a seed, and nothing else.
+
+    scene = make(7)
+    scene.made      the view (water_test.View): unlit actors, a camera, a water surface
+    scene.water     its vtkWaterActor, a perfect mirror: a level, flat sheet with the waves' normals
+    scene.waves     amplitude, wavelength, direction and phase of each wave
+    scene.origin    the origin of the water's plane: waves and sheet count from there
+    scene.sheet     half the width of the sheet
+    scene.facts     what was drawn, by name, for tables
+
+All numbers come from one generator of the seed: a scene is the same whatever other scenes are made.
+Lengths are shares of the reach, the distance from the eye to where it looks, so that scenes of
+every size are alike. Geometry is made of triangles, in double precision: who traces them sees what
+VTK draws.
+
+No colour of a scene has more blue than green, nor has any mixture of them. The background behind a dome
+is magenta: a pixel that is bluer than green has seen it (see BACKGROUND).
+"""
+
+import dataclasses
+
+import numpy as np
+import ray_caster
+import water_test as wt
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonComputationalGeometry import vtkParametricTorus
+from vtkmodules.vtkCommonCore import mutable, vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData, vtkStaticCellLocator
+from vtkmodules.vtkFiltersCore import vtkAppendPolyData, vtkTriangleFilter
+from vtkmodules.vtkFiltersSources import (
+    vtkConeSource,
+    vtkCubeSource,
+    vtkCylinderSource,
+    vtkParametricFunctionSource,
+    vtkPlatonicSolidSource,
+    vtkSphereSource,
+)
+from vtkmodules.vtkRenderingCore import vtkCamera
+
+SIZE = (400, 300)
+BACKGROUND = (1.0, 0.0, 1.0)  # behind a dome: no ray may see it
+PROBES = (24, 18)  # rays that look how much water there is
+LEAST_WATER = 0.05  # share of the picture
+TRIES = 200
+REACH = (0.5, 500.0)  # m
+ELEVATION = (1.0, 85.0)  # degrees
+LEAST_PARALLEL_ELEVATION = 5.0  # degrees; what a flatter beam sees is too long for one scene
+DOME = (50.0, 60e3)  # m
+NEAR = (1e-3, 10.0)  # m
+LEAST_NEAR = 3e-4  # of the reach: 24 bits of depth then part things that are 1/5000 of the reach apart
+SHAPES = ("box", "sphere", "cone", "torus", "pole", "half cylinder", "standing plane", "solid")
+
+
+@dataclasses.dataclass
+class Scene:
+    seed: int
+    made: wt.View
+    water: object
+    waves: tuple
+    origin: np.ndarray
+    sheet: float
+    facts: dict
+
+    @property
+    def has_dome(self):
+        return self.facts["dome"] > 0
+
+
+def make(seed, size=SIZE):
+    """The scene of a seed: the first of its stream in which enough water is seen."""
+    random = np.random.default_rng(seed)
+    for tries in range(1, TRIES + 1):
+        draft = _Draft(random, size)
+        if draft.is_good():
+            return draft.scene(seed, tries)
+    raise RuntimeError(f"seed {seed}: no water to see in {TRIES} tries")
+
+
+def _log_uniform(random, low, high):
+    return float(np.exp(random.uniform(np.log(low), np.log(high))))
+
+
+def _color(random):
+    """A colour in whole 255ths, not bluer than green."""
+    red, green, other = random.integers(15, 256, 3)
+    return tuple(float(each) / 255 for each in (red, max(green, other), min(green, other)))
+
+
+class _Draft:
+    """All that is drawn at random for one scene, before it is known whether water is seen in it."""
+
+    def __init__(self, random, size):
+        self.size = size
+        self.reach = _log_uniform(random, *REACH)
+        self.camera = self._camera(random)
+        self.terrain = self._terrain(random) if random.random() < 0.6 else None
+        self.things = [self._thing(random) for _ in range(random.integers(3, 15))]
+        self.is_dome = random.random() < 0.6
+        distance = np.linalg.norm(self.camera["position"])
+        farthest = min(DOME[1], 500 * self.reach) if self.camera["is_parallel"] else DOME[1]
+        self.radius = _log_uniform(random, max(DOME[0], 4 * distance), max(farthest, 4.1 * distance))
+        self.sky = _color(random), _color(random), _color(random)
+        self.sheet = self._sheet(random, distance)
+        self.waves = self._waves(random)
+        self.origin = self._origin(random)
+        self.near_share = random.random()
+
+    def _camera(self, random):
+        is_parallel = random.random() < 0.15
+        elevation = _log_uniform(random, LEAST_PARALLEL_ELEVATION if is_parallel else ELEVATION[0], ELEVATION[1])
+        angle = random.uniform(20, 75)
+        center = random.uniform(-0.5, 0.5, 2) if random.random() < 0.2 else np.zeros(2)
+        roll = random.uniform(-15, 15) if random.random() < 0.2 else 0.0
+        heading = random.uniform(0, 2 * np.pi)
+        height = random.uniform(0, 0.1) * self.reach
+        scale = self.reach * np.tan(np.radians(angle) / 2)
+        # a parallel beam begins behind all the water that it sees
+        distance = self.reach + (3 * scale / np.tan(np.radians(elevation)) if is_parallel else 0)
+        target = np.array((0, 0, height if not is_parallel else 0.0))
+        flat = np.cos(np.radians(elevation))
+        position = distance * np.array(
+            (flat * np.cos(heading), flat * np.sin(heading), np.sin(np.radians(elevation))))
+        return {"position": position, "target": target * np.sin(np.radians(elevation)), "angle": angle,
+                "scale": scale, "is_parallel": is_parallel, "center": center, "roll": roll, "elevation": elevation}
+
+    def _terrain(self, random):
+        """A height field: a sum of cosines, rougher or smoother, whose border is drawn down or not."""
+        count = int(random.integers(24, 97))
+        width = self.reach * random.uniform(0.8, 4)
+        height = self.reach * random.uniform(0.02, 0.25)
+        level = random.uniform(-1.2, 0.4) * height
+        center = self.reach * random.uniform(-1.0, 1.0, 2)
+        x, y = np.meshgrid(np.linspace(-0.5, 0.5, count), np.linspace(-0.5, 0.5, count), indexing="ij")
+        field = np.zeros_like(x)
+        for number in random.uniform(1, 9, 12):
+            turn, phase = random.uniform(0, 2 * np.pi, 2)
+            field += np.cos(2 * np.pi * number * (x * np.cos(turn) + y * np.sin(turn)) + phase) / number
+        field /= np.abs(field).max()
+        is_island = random.random() < 0.5
+        if is_island:
+            field = (1 + field) * np.maximum(1 - 4 * (x**2 + y**2), 0) - 0.5
+        points = np.stack([center[0] + width * x, center[1] + width * y, level + height * field], axis=-1)
+        low, high = np.array(_color(random)), np.array(_color(random))
+        share = ((field - field.min()) / np.ptp(field))[..., None]
+        return _surface(points), low + share * (high - low)
+
+    def _thing(self, random):
+        """Data and colour of a thing that stands in the water, floats or hangs over it."""
+        shape = SHAPES[random.integers(len(SHAPES))]
+        size = self.reach * _log_uniform(random, 0.02, 0.2)
+        data = _SHAPES[shape](random, size)
+        if shape not in ("pole", "half cylinder", "standing plane") or random.random() < 0.3:
+            data = _turned(data, random.uniform(-0.5, 0.5, 2), random.uniform(0, 2 * np.pi))
+        else:
+            data = _turned(data, (0, 0), random.uniform(0, 2 * np.pi))
+        low, high = data.GetBounds()[4:]
+        place = {"stands": random.uniform(-0.5, -0.05) * (high - low), "floats": random.uniform(-0.02, 0.02) * size,
+                 "hangs": random.uniform(0.05, 2) * size}
+        where = list(place)[random.integers(len(place))]
+        away = self.reach * 1.1 * np.sqrt(random.random())
+        turn = random.uniform(0, 2 * np.pi)
+        data = wt.moved(data, (away * np.cos(turn), away * np.sin(turn), place[where] - low))
+        return data, _color(random)
+
+    def _sheet(self, random, distance):
+        least = 2 * (distance + self.reach)
+        farthest = 0.65 * self.radius if self.is_dome else 100 * self.reach
+        return _log_uniform(random, min(least, 0.5 * farthest), farthest)
+
+    def _waves(self, random):
+        count = int(random.integers(0, 5))
+        slope = _log_uniform(random, 0.02, 0.2)  # rms, of all waves together
+        parts = random.uniform(0.3, 1, count)
+        parts *= slope / np.linalg.norm(parts) if count else 1
+        found = []
+        for part in parts:
+            wavelength = self.reach * _log_uniform(random, 0.02, 1)
+            direction, phase = random.uniform(0, 360, 2)
+            found.append((float(np.sqrt(2) * part * wavelength / (2 * np.pi)), wavelength, float(direction), float(phase)))
+        return tuple(found)
+
+    def _origin(self, random):
+        """Far away in one scene of three, but so that single precision still knows places to a pixel's part."""
+        farthest = min(1e3, 300 * self.reach)
+        offset = random.uniform(-1, 1, 3) * _log_uniform(random, 0.1 * self.reach, farthest)
+        return offset if random.random() < 0.35 else np.zeros(3)
+
+    def _all(self):
+        return [data for data, _ in self.things] + ([self.terrain[0]] if self.terrain else [])
+
+    def is_good(self):
+        """Whether the eye is over the water, sees enough of it, and can have a near plane before all things."""
+        locator, self._closest = self._locator()
+        if not np.isfinite(self._closest) or self._near_range()[1] < NEAR[0]:
+            return False
+        camera = vtkCamera()
+        self.place_camera(camera, np.zeros(3))
+        x, y = np.meshgrid(*((np.arange(count) + 0.5) / count * 2 - 1 for count in PROBES))
+        start, ray = ray_caster.rays_at(camera, self.size, x.ravel(), y.ravel())
+        goes_down = np.flatnonzero((ray[:, 2] < 0) & (start[:, 2] > 0))
+        ends = start[goes_down] - (start[goes_down, 2] / ray[goes_down, 2])[:, None] * ray[goes_down]
+        on_sheet = (np.abs(ends[:, :2]) < self.sheet).all(axis=1)
+        seen = sum(not _is_cut(locator, first, last)
+                   for first, last in zip(start[goes_down][on_sheet], ends[on_sheet]))
+        self.share = seen / len(ray)
+        return self.share >= LEAST_WATER
+
+    def _locator(self):
+        """Of all things; and the distance from the eye to the closest of them and the water."""
+        together = vtkAppendPolyData()
+        together.SetOutputPointsPrecision(1)
+        for data in self._all():
+            together.AddInputData(data)
+        together.Update()
+        locator = vtkStaticCellLocator()
+        locator.SetDataSet(together.GetOutput())
+        locator.BuildLocator()
+        place, cell, part, squared = np.zeros(3), mutable(0), mutable(0), mutable(0.0)
+        locator.FindClosestPoint(self.camera["position"], place, cell, part, squared)
+        closest = min(float(squared) ** 0.5, self.camera["position"][2])
+        return locator, closest
+
+    def _near_range(self):
+        if self.camera["is_parallel"]:
+            return NEAR[0], min(NEAR[1], 0.1 * self.reach)
+        high = min(NEAR[1], 0.6 * self._closest)
+        return min(max(NEAR[0], LEAST_NEAR * self.reach), high), high
+
+    def place_camera(self, camera, origin):
+        facts = self.camera
+        near = _between(*self._near_range(), self.near_share)
+        camera.SetPosition(facts["position"] + origin)
+        camera.SetFocalPoint(facts["target"] + origin)
+        camera.SetViewUp(0, 0, 1)
+        camera.SetViewAngle(facts["angle"])
+        camera.SetParallelProjection(facts["is_parallel"])
+        camera.SetParallelScale(facts["scale"])
+        camera.SetWindowCenter(*facts["center"])
+        camera.Roll(facts["roll"])
+        camera.SetClippingRange(near, self._far())
+
+    def _far(self):
+        """Behind everything, in any direction."""
+        farthest = max(np.sqrt(2) * self.sheet, self.radius if self.is_dome else 0,
+                       *(_radius(data) for data in self._all()))
+        return 1.1 * (np.linalg.norm(self.camera["position"]) + farthest)
+
+    def scene(self, seed, tries):
+        made = wt.View(self.size, BACKGROUND if self.is_dome else self.sky[0])
+        for data, color in self.things:
+            wt.add_actor(made.renderer, wt.moved(data, self.origin), color, lit=False)
+        if self.terrain:
+            _add_colored(made.renderer, wt.moved(self.terrain[0], self.origin), self.terrain[1].reshape(-1, 3))
+        if self.is_dome:
+            data, colors = self._dome()
+            _add_colored(made.renderer, wt.moved(data, self.origin), colors)
+        water = wt.add_water(made.renderer, wt.plane(self.origin, (0, 0, 1)), (-self.sheet, self.sheet) * 2,
+                             reflectance=1.0)
+        for wave in self.waves:
+            water.GetWaterProperty().AddWave(*wave)
+        self.place_camera(made.renderer.GetActiveCamera(), self.origin)
+        return Scene(seed, made, water, self.waves, self.origin, self.sheet, self._facts(made, tries))
+
+    def _dome(self):
+        """A sphere around everything: a gradient from the horizon to the zenith, and another one below."""
+        source = vtkSphereSource()
+        source.SetRadius(self.radius)
+        source.SetThetaResolution(64)
+        source.SetPhiResolution(48)
+        source.SetOutputPointsPrecision(1)
+        data = _triangles(source)
+        height = vtk_to_numpy(data.GetPoints().GetData())[:, 2:] / self.radius
+        horizon, zenith, ground = (np.array(color) for color in self.sky)
+        share = np.sqrt(np.abs(height))
+        return data, horizon + share * (np.where(height > 0, zenith, ground) - horizon)
+
+    def _facts(self, made, tries):
+        camera = made.renderer.GetActiveCamera()
+        slopes = [np.sqrt(0.5) * 2 * np.pi * amplitude / length for amplitude, length, _, _ in self.waves]
+        return {
+            "reach": self.reach, "elevation": self.camera["elevation"], "near": camera.GetClippingRange()[0],
+            "far": camera.GetClippingRange()[1], "parallel": self.camera["is_parallel"],
+            "off axis": bool(np.any(self.camera["center"])), "dome": self.radius if self.is_dome else 0.0,
+            "things": len(self.things), "terrain": self.terrain is not None, "waves": len(self.waves),
+            "slope": float(np.linalg.norm(slopes)) if slopes else 0.0, "offset": float(np.linalg.norm(self.origin)),
+            "sheet": self.sheet, "tries": tries}
+
+
+def _between(low, high, share):
+    return float(low * (high / low) ** share)
+
+
+def _radius(data):
+    bounds = np.array(data.GetBounds()).reshape(3, 2)
+    return float(np.linalg.norm(np.abs(bounds).max(axis=1)))
+
+
+def _is_cut(locator, first, last):
+    t, part, cell = mutable(0.0), mutable(0), mutable(0)
+    return bool(locator.IntersectWithLine(first, last, 0.0, t, np.zeros(3), np.zeros(3), part, cell))
+
+
+def _add_colored(renderer, data, colors):
+    """An actor with a colour at every point, in bytes."""
+    values = numpy_to_vtk(np.rint(255 * colors).astype(np.uint8), deep=True)
+    values.SetName("colors")
+    data.GetPointData().SetScalars(values)
+    wt.add_actor(renderer, data, (1, 1, 1), lit=False).GetMapper().ScalarVisibilityOn()
+
+
+def _triangles(source):
+    """A source's triangles alone: VTK and the tracer are not to cut polygons each in its own way."""
+    found = vtkTriangleFilter()
+    if isinstance(source, vtkPolyData):
+        found.SetInputData(source)
+    else:
+        found.SetInputConnection(source.GetOutputPort())
+    found.PassVertsOff()
+    found.PassLinesOff()
+    found.Update()
+    data = vtkPolyData()
+    data.SetPoints(found.GetOutput().GetPoints())
+    data.SetPolys(found.GetOutput().GetPolys())
+    return data
+
+
+def _surface(points):
+    """Triangles between points in rows and columns."""
+    rows, columns = points.shape[:2]
+    first = (np.arange(rows - 1)[:, None] * columns + np.arange(columns - 1)).ravel()
+    ids = np.concatenate([np.stack([first, first + columns, first + 1], axis=1),
+                          np.stack([first + 1, first + columns, first + columns + 1], axis=1)])
+    places = vtkPoints()
+    places.SetDataTypeToDouble()
+    places.SetData(numpy_to_vtk(np.ascontiguousarray(points.reshape(-1, 3)), deep=True))
+    cells = vtkCellArray()
+    cells.SetData(3, numpy_to_vtk(ids.astype(np.int64).ravel(), deep=True, array_type=16))
+    data = vtkPolyData()
+    data.SetPoints(places)
+    data.SetPolys(cells)
+    return data
+
+
+def _turned(data, tilts, heading):
+    """Tilted about x and y, then turned about z, in radians."""
+    matrix = wt.vtkMatrix4x4()
+    turn = np.eye(3)
+    for axis, angle in ((0, tilts[0]), (1, tilts[1]), (2, heading)):
+        cosine, sine = np.cos(angle), np.sin(angle)
+        one, other = (axis + 1) % 3, (axis + 2) % 3
+        step = np.eye(3)
+        step[one, one] = step[other, other] = cosine
+        step[one, other], step[other, one] = -sine, sine
+        turn = step @ turn
+    for i in range(3):
+        for j in range(3):
+            matrix.SetElement(i, j, turn[i, j])
+    return wt.transformed(data, matrix)
+
+
+def _box(random, size):
+    source = vtkCubeSource()
+    lengths = size * random.uniform(0.4, 1.6, 3)
+    source.SetXLength(lengths[0])
+    source.SetYLength(lengths[1])
+    source.SetZLength(lengths[2])
+    return _triangles(source)
+
+
+def _sphere(random, size):
+    source = vtkSphereSource()
+    source.SetRadius(0.6 * size)
+    source.SetThetaResolution(int(random.integers(8, 97)))
+    source.SetPhiResolution(int(random.integers(6, 97)))
+    return _triangles(source)
+
+
+def _cone(random, size):
+    source = vtkConeSource()
+    source.SetDirection(0, 0, 1 if random.random() < 0.7 else -1)
+    source.SetHeight(size * random.uniform(0.6, 2))
+    source.SetRadius(size * random.uniform(0.2, 0.7))
+    source.SetResolution(int(random.integers(4, 49)))
+    source.SetCapping(random.random() < 0.7)
+    return _triangles(source)
+
+
+def _torus(random, size):
+    shape = vtkParametricTorus()
+    shape.SetRingRadius(0.6 * size)
+    shape.SetCrossSectionRadius(size * random.uniform(0.05, 0.3))
+    source = vtkParametricFunctionSource()
+    source.SetParametricFunction(shape)
+    source.SetUResolution(40)
+    source.SetVResolution(24)
+    source.GenerateNormalsOff()
+    return _turned(_triangles(source), random.uniform(-1.5, 1.5, 2), 0)
+
+
+def _pole(random, size):
+    source = vtkCylinderSource()  # along y
+    source.SetRadius(size * random.uniform(0.02, 0.1))
+    source.SetHeight(size * random.uniform(2, 6))
+    source.SetResolution(int(random.integers(4, 25)))
+    return _turned(_triangles(source), (np.pi / 2, 0), 0)
+
+
+def _half_cylinder(random, size):
+    """Open at its ends and along its side."""
+    angle, height = np.meshgrid(np.linspace(0, np.pi, int(random.integers(6, 33))), (0, size * random.uniform(0.5, 2)),
+                                indexing="ij")
+    radius = size * random.uniform(0.3, 1)
+    lying = random.random() < 0.4
+    parts = (radius * np.cos(angle), height, radius * np.sin(angle))
+    return _surface(np.stack(parts if lying else (parts[0], parts[2], parts[1]), axis=-1))
+
+
+def _standing_plane(random, size):
+    x, z = np.meshgrid(size * random.uniform(0.5, 3) * np.linspace(-0.5, 0.5, 5),
+                       size * random.uniform(0.3, 2) * np.linspace(0, 1, 3), indexing="ij")
+    return _surface(np.stack([x, np.zeros_like(x), z], axis=-1))
+
+
+def _solid(random, size):
+    source = vtkPlatonicSolidSource()
+    source.SetSolidType(int(random.integers(5)))
+    data = _triangles(source)
+    matrix = wt.vtkMatrix4x4()
+    for i in range(3):
+        matrix.SetElement(i, i, 0.6 * size)
+    return wt.transformed(data, matrix)
+
+
+_SHAPES = dict(zip(SHAPES, (_box, _sphere, _cone, _torus, _pole, _half_cylinder, _standing_plane, _solid)))
