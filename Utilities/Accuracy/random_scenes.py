@@ -239,7 +239,7 @@ def _summary(rows, qualities):
             cell += [f"{np.median([row[f'{measure} {quality}'] for row in rows]):.4g}", f"{np.median(ratios):.3f}",
                      f"{np.percentile(ratios, 95):.3f}", f"{max(ratios):.3f}"]
         cells.append((*cell, str(sum(row.get(f"background {quality}", 0) for row in rows))))
-    header = [f"{measure}{name}" for measure in FLOORS for name in (": median", " ratio: median", "95 %", "most")]
+    header = [f"{measure}{name}" for measure in FLOORS for name in (": median", " ratio: median", " ratio: 95 %", " ratio: most")]
     return table(("", *header, "background"), cells)
 
 

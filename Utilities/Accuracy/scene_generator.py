@@ -42,6 +42,7 @@ SIZE = (400, 300)
 BACKGROUND = (1.0, 0.0, 1.0)  # behind a dome: no ray may see it
 PROBES = (24, 18)  # rays that look how much water there is
 LEAST_WATER = 0.05  # share of the picture
+LEAST_THINGS = 0.05  # share of the picture that is a thing, or calm water that reflects one
 TRIES = 200
 REACH = (0.5, 500.0)  # m
 ELEVATION = (1.0, 85.0)  # degrees
@@ -68,13 +69,13 @@ class Scene:
 
 
 def make(seed, size=SIZE):
-    """The scene of a seed: the first of its stream in which enough water is seen."""
+    """The scene of a seed: the first of its stream in which enough is seen."""
     random = np.random.default_rng(seed)
     for tries in range(1, TRIES + 1):
         draft = _Draft(random, size)
         if draft.is_good():
             return draft.scene(seed, tries)
-    raise RuntimeError(f"seed {seed}: no water to see in {TRIES} tries")
+    raise RuntimeError(f"seed {seed}: nothing to see in {TRIES} tries")
 
 
 def _log_uniform(random, low, high):
@@ -88,14 +89,14 @@ def _color(random):
 
 
 class _Draft:
-    """All that is drawn at random for one scene, before it is known whether water is seen in it."""
+    """All that is drawn at random for one scene, before it is known what is seen in it."""
 
     def __init__(self, random, size):
         self.size = size
         self.reach = _log_uniform(random, *REACH)
         self.camera = self._camera(random)
-        self.terrain = self._terrain(random) if random.random() < 0.6 else None
-        self.things = [self._thing(random) for _ in range(random.integers(3, 15))]
+        self.terrain = self._terrain(random) if random.random() < 0.7 else None
+        self.things = [self._thing(random) for _ in range(random.integers(5, 25))]
         self.is_dome = random.random() < 0.6
         distance = np.linalg.norm(self.camera["position"])
         farthest = min(DOME[1], 500 * self.reach) if self.camera["is_parallel"] else DOME[1]
@@ -127,9 +128,9 @@ class _Draft:
     def _terrain(self, random):
         """A height field: a sum of cosines, rougher or smoother, whose border is drawn down or not."""
         count = int(random.integers(24, 97))
-        width = self.reach * random.uniform(0.8, 4)
+        width = self.reach * random.uniform(1, 5)
         height = self.reach * random.uniform(0.02, 0.25)
-        level = random.uniform(-1.2, 0.4) * height
+        level = random.uniform(-0.9, 0.4) * height
         center = self.reach * random.uniform(-1.0, 1.0, 2)
         x, y = np.meshgrid(np.linspace(-0.5, 0.5, count), np.linspace(-0.5, 0.5, count), indexing="ij")
         field = np.zeros_like(x)
@@ -158,7 +159,7 @@ class _Draft:
         place = {"stands": random.uniform(-0.5, -0.05) * (high - low), "floats": random.uniform(-0.02, 0.02) * size,
                  "hangs": random.uniform(0.05, 2) * size}
         where = list(place)[random.integers(len(place))]
-        away = self.reach * 1.1 * np.sqrt(random.random())
+        away = self.reach * (0.9 * random.random() if random.random() < 0.7 else 1.5 * np.sqrt(random.random()))
         turn = random.uniform(0, 2 * np.pi)
         data = wt.moved(data, (away * np.cos(turn), away * np.sin(turn), place[where] - low))
         return data, _color(random)
@@ -190,7 +191,7 @@ class _Draft:
         return [data for data, _ in self.things] + ([self.terrain[0]] if self.terrain else [])
 
     def is_good(self):
-        """Whether the eye is over the water, sees enough of it, and can have a near plane before all things."""
+        """Whether the eye is over the water, can have a near plane before all things, and sees enough of both."""
         locator, self._closest = self._locator()
         if not np.isfinite(self._closest) or self._near_range()[1] < NEAR[0]:
             return False
@@ -198,13 +199,24 @@ class _Draft:
         self.place_camera(camera, np.zeros(3))
         x, y = np.meshgrid(*((np.arange(count) + 0.5) / count * 2 - 1 for count in PROBES))
         start, ray = ray_caster.rays_at(camera, self.size, x.ravel(), y.ravel())
-        goes_down = np.flatnonzero((ray[:, 2] < 0) & (start[:, 2] > 0))
-        ends = start[goes_down] - (start[goes_down, 2] / ray[goes_down, 2])[:, None] * ray[goes_down]
-        on_sheet = (np.abs(ends[:, :2]) < self.sheet).all(axis=1)
-        seen = sum(not _is_cut(locator, first, last)
-                   for first, last in zip(start[goes_down][on_sheet], ends[on_sheet]))
-        self.share = seen / len(ray)
-        return self.share >= LEAST_WATER
+        water = things = 0
+        for one in zip(start, ray):
+            sees_water, sees_thing = self._probe(locator, *one)
+            water += sees_water
+            things += sees_thing
+        return water >= LEAST_WATER * len(ray) and things >= LEAST_THINGS * len(ray)
+
+    def _probe(self, locator, start, ray):
+        """Whether a ray meets water, and whether it or what calm water makes of it meets a thing."""
+        far = self._far()
+        if ray[2] >= 0 or start[2] <= 0:
+            return False, _is_cut(locator, start, start + far * ray)
+        end = start - start[2] / ray[2] * ray
+        if _is_cut(locator, start, end):
+            return False, True
+        if np.abs(end[:2]).max() > self.sheet:
+            return False, False
+        return True, _is_cut(locator, end, end + far * ray * (1, 1, -1))
 
     def _locator(self):
         """Of all things; and the distance from the eye to the closest of them and the water."""
