@@ -10,12 +10,15 @@ How it is put together:
     reference   what is right: reflected rays, where they end, the picture they make
     formulas    the lookups that other programs use
     report      figures with limits, tables, plots, the text
-    lookup, colour, cost, confidence
+    lookup, colour, cost, confidence, random_scenes
                 the sections. Each has run(report) and its own prose; a new one is a module with the
                 same, added to SECTIONS
+    scene_generator
+                makes the random scenes, each from a seed. More of them than the report has:
+                random_scenes.py is a command of its own
 
 The truth shares no code with the module under test: waves, reflections and intersections are
-computed from their definitions in vtkWaterProperty.h. The scenes are those of the wave tests
+computed from their definitions in vtkWaterProperty.h. The other scenes are those of the wave tests
 (Testing/Python/wave_scenes.py). Exit status 1: a limit was not met. The report is written all the same.
 """
 
@@ -27,7 +30,9 @@ import sys
 PROJECT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(PROJECT / "Testing" / "Python"))  # scenes, ray_caster
 
-SECTIONS = ("lookup", "colour", "cost", "confidence")
+# name, module
+SECTIONS = {"lookup": "lookup", "colour": "colour", "cost": "cost", "confidence": "confidence",
+            "scenes": "random_scenes"}
 
 
 def main():
@@ -39,7 +44,7 @@ def main():
 
     report = Report(PROJECT / "build" / "accuracy" if only else PROJECT / "Documentation")
     for section in only or SECTIONS:
-        importlib.import_module(section).run(report)
+        importlib.import_module(SECTIONS[section]).run(report)
     report.write()
     return 1 if report.has_failed() else 0
 

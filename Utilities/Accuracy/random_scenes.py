@@ -15,6 +15,7 @@ module's error over the perfect tracer's: 1 is as good as one ray can be. Counte
 import argparse
 import json
 import multiprocessing
+import os
 import pathlib
 import sys
 
@@ -39,8 +40,9 @@ BLUER = 16  # of 255; a mixture with so much of the background is seen
 APART = 3  # of 255
 MOST_APART = 0.2  # % of a picture without water
 SHOWN = 3  # scenes in the report
-REASON_COLORS = {"hit": (60, 150, 60), "sky": (120, 180, 235), "off the texture": (235, 200, 60),
-                 "hidden": (215, 60, 50), "downward": (150, 80, 190)}
+REASON_COLORS = {"hit": ("green", (60, 150, 60)), "sky": ("blue", (120, 180, 235)),
+                 "off the texture": ("yellow", (235, 200, 60)), "hidden": ("red", (215, 60, 50)),
+                 "downward": ("violet", (150, 80, 190))}
 
 TEXT = """
 $count scenes of random terrain and things ($seeds) under a plain sky or a coloured dome, seen by random cameras, in
@@ -73,15 +75,14 @@ class Truth:
         self._camera = scene.made.renderer.GetActiveCamera()
         self._tracer = Tracer(scene.made.renderer, scene.origin)
         side = round(np.sqrt(samples))
-        total, self.mask = 0.0, True
-        self.low, self.high = 255.0, 0.0
+        self.once, first, self.mask = self._picture((0.5, 0.5))
+        self.low, self.high, total = first, first, 0.0
         for shift in np.stack(np.meshgrid(*[(np.arange(side) + 0.5) / side] * 2), axis=-1).reshape(-1, 2):
             seen, first, is_water = self._picture(shift)
             total = total + seen
             self.mask = self.mask & is_water
             self.low, self.high = np.minimum(self.low, first), np.maximum(self.high, first)
-        self.picture = np.rint(total / side**2)
-        self.once = np.rint(self._picture((0.5, 0.5))[0])
+        self.picture, self.once = np.rint(total / side**2), np.rint(self.once)
         self.doubtful = 100 * self._tracer.doubtful_count / max(self._tracer.hit_count, 1)
 
     def _picture(self, shift):
@@ -100,8 +101,7 @@ class Truth:
 
     def _rays(self, shift):
         """From the near plane on: VTK draws nothing before it."""
-        width, height = self.size
-        x, y = np.meshgrid((np.arange(width) + shift[0]) / width * 2 - 1, (np.arange(height) + shift[1]) / height * 2 - 1)
+        x, y = np.meshgrid(*((np.arange(count) + part) / count * 2 - 1 for count, part in zip(self.size, shift)))
         start, ray = ray_caster.rays_at(self._camera, self.size, x.ravel(), y.ravel())
         ahead = np.array(self._camera.GetDirectionOfProjection())
         near = self._camera.GetClippingRange()[0]
@@ -125,11 +125,9 @@ class Result:
         self.truth = Truth(scene, samples)
         mask = self.mask = self.truth.mask & wt.water_mask(scene.made, scene.water)
         pictures = {"perfect": self.truth.once}
-        for quality in qualities:
+        for quality in sorted({*qualities, "default"}, key="default".__eq__):  # the reasons are the last one's
             getattr(look, f"SetRayTraceQualityTo{quality.capitalize()}")()
-            pictures[quality] = scene.made.picture()
-        look.SetRayTraceQualityToDefault()
-        self.picture = scene.made.picture()
+            pictures[quality] = self.picture = scene.made.picture()
         look.SetOutputToConfidence()
         self.said = scene.made.picture()[..., 0]
         look.SetOutputToColor()
@@ -163,30 +161,17 @@ class Result:
             self.row[f"background {name}"] = int(bluer.sum())
 
     def _apart(self, bare):
-        """Share of pixels that VTK draws otherwise, without water, than any ray of the pixel or its neighbours."""
-        low, high = self.truth.low, self.truth.high
-        for axis in (0, 1):
-            low = np.minimum.reduce([_shifted(low, step, axis) for step in (-1, 0, 1)])
-            high = np.maximum.reduce([_shifted(high, step, axis) for step in (-1, 0, 1)])
-        return float(((bare < low - APART) | (bare > high + APART)).any(axis=2).mean())
+        """Share of pixels that VTK draws otherwise, without water, than any of the tracer's rays in them."""
+        low, high = self.truth.low - APART, self.truth.high + APART
+        return float(((bare < low) | (bare > high)).any(axis=2).mean())
 
     def panels(self):
         """The truth, the module, their difference and the reasons, side by side."""
         reasons = np.full((*self.mask.shape, 3), 30)
         for kind, number in KINDS.items():
-            reasons[self.mask & (self.said == number)] = REASON_COLORS[kind]
+            reasons[self.mask & (self.said == number)] = REASON_COLORS[kind][1]
         apart = np.abs(self.picture - self.truth.picture) * self.mask[..., None]
         return np.concatenate([self.truth.picture, self.picture, apart, reasons], axis=1).clip(0, 255)
-
-
-def _shifted(values, step, axis):
-    """By one pixel; the border stays."""
-    moved = np.roll(values, step, axis)
-    if step:
-        edge = [slice(None)] * values.ndim
-        edge[axis] = 0 if step > 0 else -1
-        moved[tuple(edge)] = values[tuple(edge)]
-    return moved
 
 
 def _measured(job):
@@ -239,7 +224,8 @@ def _summary(rows, qualities):
             cell += [f"{np.median([row[f'{measure} {quality}'] for row in rows]):.4g}", f"{np.median(ratios):.3f}",
                      f"{np.percentile(ratios, 95):.3f}", f"{max(ratios):.3f}"]
         cells.append((*cell, str(sum(row.get(f"background {quality}", 0) for row in rows))))
-    header = [f"{measure}{name}" for measure in FLOORS for name in (": median", " ratio: median", " ratio: 95 %", " ratio: most")]
+    titles = (": median", " ratio: median", " ratio: 95 %", " ratio: most")
+    header = [f"{measure}{title}" for measure in FLOORS for title in titles]
     return table(("", *header, "background"), cells)
 
 
@@ -284,13 +270,13 @@ def _show(rows, pictures):
 
 
 def run(report):
-    rows, pictures = measure(SEEDS)
+    rows, pictures = measure(SEEDS, jobs=min(4, os.cpu_count()))
     _judge(report, rows, QUALITIES)
     report.add("Random scenes", TEXT, count=len(rows), seeds=f"seeds {SEEDS[0]} to {SEEDS[-1]}", samples=SAMPLES,
                width=scene_generator.SIZE[0], height=scene_generator.SIZE[1], rmse_floor=FLOORS["RMSE"],
                flip_floor=FLOORS["FLIP"], domes=sum(row["dome"] > 0 for row in rows), reasons=_reasons(rows),
                summary=_summary(rows, QUALITIES), worst=_worst(rows, 2 * SHOWN),
-               legend=", ".join(f"{kind} {name}" for kind, name in zip(KINDS, ("green", "blue", "yellow", "red", "violet"))),
+               legend=", ".join(f"{kind} {name}" for kind, (name, _) in REASON_COLORS.items()),
                pictures=report.save(_show(rows, pictures), "scenes", "The worst random scenes"))
 
 
@@ -299,7 +285,7 @@ def main():
     parser.add_argument("--seeds", default="0:40", help="FIRST:END, the end not included, or one seed")
     parser.add_argument("--folder", type=pathlib.Path, required=True)
     parser.add_argument("--samples", type=int, default=SAMPLES, help="rays a pixel of the truth: a square number")
-    parser.add_argument("--qualities", nargs="+", choices=QUALITIES, default=QUALITIES)
+    parser.add_argument("--qualities", nargs="+", choices=QUALITIES, default=QUALITIES, help="some of them")
     parser.add_argument("--worst", type=int, default=10, help="scenes to save as pictures")
     parser.add_argument("--jobs", type=int, default=1, help="processes")
     arguments = parser.parse_args()

@@ -50,6 +50,7 @@ LEAST_PARALLEL_ELEVATION = 5.0  # degrees; what a flatter beam sees is too long 
 DOME = (50.0, 60e3)  # m
 NEAR = (1e-3, 10.0)  # m
 LEAST_NEAR = 3e-4  # of the reach: 24 bits of depth then part things that are 1/5000 of the reach apart
+MOST_DOME = 4e5  # of the near plane: VTK, in single precision, cuts off what is farther, before the far plane
 SHAPES = ("box", "sphere", "cone", "torus", "pole", "half cylinder", "standing plane", "solid")
 
 
@@ -98,14 +99,10 @@ class _Draft:
         self.terrain = self._terrain(random) if random.random() < 0.7 else None
         self.things = [self._thing(random) for _ in range(random.integers(5, 25))]
         self.is_dome = random.random() < 0.6
-        distance = np.linalg.norm(self.camera["position"])
-        farthest = min(DOME[1], 500 * self.reach) if self.camera["is_parallel"] else DOME[1]
-        self.radius = _log_uniform(random, max(DOME[0], 4 * distance), max(farthest, 4.1 * distance))
         self.sky = _color(random), _color(random), _color(random)
-        self.sheet = self._sheet(random, distance)
         self.waves = self._waves(random)
         self.origin = self._origin(random)
-        self.near_share = random.random()
+        self._shares = random.random(3)
 
     def _camera(self, random):
         is_parallel = random.random() < 0.15
@@ -164,10 +161,20 @@ class _Draft:
         data = wt.moved(data, (away * np.cos(turn), away * np.sin(turn), place[where] - low))
         return data, _color(random)
 
-    def _sheet(self, random, distance):
-        least = 2 * (distance + self.reach)
-        farthest = 0.65 * self.radius if self.is_dome else 100 * self.reach
-        return _log_uniform(random, min(least, 0.5 * farthest), farthest)
+    def _settle(self):
+        """What depends on the things: near plane, dome and sheet. False: the eye is too close to one."""
+        low, high = self._near_range()
+        if high < low:
+            return False
+        near, dome, sheet = self._shares
+        self.near = _between(low, high, near)
+        distance = np.linalg.norm(self.camera["position"])
+        farthest = 500 * self.reach if self.camera["is_parallel"] else MOST_DOME * self.near
+        least = max(DOME[0], 4 * distance)
+        self.radius = _between(least, max(min(DOME[1], farthest), least), dome)
+        widest = 0.65 * self.radius if self.is_dome else 100 * self.reach
+        self.sheet = _between(min(2 * (distance + self.reach), 0.5 * widest), widest, sheet)
+        return True
 
     def _waves(self, random):
         count = int(random.integers(0, 5))
@@ -178,7 +185,8 @@ class _Draft:
         for part in parts:
             wavelength = self.reach * _log_uniform(random, 0.02, 1)
             direction, phase = random.uniform(0, 360, 2)
-            found.append((float(np.sqrt(2) * part * wavelength / (2 * np.pi)), wavelength, float(direction), float(phase)))
+            amplitude = float(np.sqrt(2) * part * wavelength / (2 * np.pi))
+            found.append((amplitude, wavelength, float(direction), float(phase)))
         return tuple(found)
 
     def _origin(self, random):
@@ -193,7 +201,7 @@ class _Draft:
     def is_good(self):
         """Whether the eye is over the water, can have a near plane before all things, and sees enough of both."""
         locator, self._closest = self._locator()
-        if not np.isfinite(self._closest) or self._near_range()[1] < NEAR[0]:
+        if not self._settle():
             return False
         camera = vtkCamera()
         self.place_camera(camera, np.zeros(3))
@@ -236,12 +244,10 @@ class _Draft:
     def _near_range(self):
         if self.camera["is_parallel"]:
             return NEAR[0], min(NEAR[1], 0.1 * self.reach)
-        high = min(NEAR[1], 0.6 * self._closest)
-        return min(max(NEAR[0], LEAST_NEAR * self.reach), high), high
+        return max(NEAR[0], LEAST_NEAR * self.reach), min(NEAR[1], 0.6 * self._closest)
 
     def place_camera(self, camera, origin):
         facts = self.camera
-        near = _between(*self._near_range(), self.near_share)
         camera.SetPosition(facts["position"] + origin)
         camera.SetFocalPoint(facts["target"] + origin)
         camera.SetViewUp(0, 0, 1)
@@ -250,13 +256,13 @@ class _Draft:
         camera.SetParallelScale(facts["scale"])
         camera.SetWindowCenter(*facts["center"])
         camera.Roll(facts["roll"])
-        camera.SetClippingRange(near, self._far())
+        camera.SetClippingRange(self.near, self._far())
 
     def _far(self):
         """Behind everything, in any direction."""
         farthest = max(np.sqrt(2) * self.sheet, self.radius if self.is_dome else 0,
                        *(_radius(data) for data in self._all()))
-        return 1.1 * (np.linalg.norm(self.camera["position"]) + farthest)
+        return 2 * (np.linalg.norm(self.camera["position"]) + farthest)
 
     def scene(self, seed, tries):
         made = wt.View(self.size, BACKGROUND if self.is_dome else self.sky[0])
