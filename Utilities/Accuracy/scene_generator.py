@@ -7,6 +7,7 @@
     scene.waves     amplitude, wavelength, direction and phase of each wave
     scene.origin    the origin of the water's plane: waves and sheet count from there
     scene.sheet     half the width of the sheet
+    scene.has_dome  whether no ray may see the background
     scene.facts     what was drawn, by name, for tables
 
 All numbers come from one generator of the seed: a scene is the same whatever other scenes are made.
@@ -23,7 +24,7 @@ import dataclasses
 import numpy as np
 import ray_caster
 import water_test as wt
-from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy
 from vtkmodules.vtkCommonComputationalGeometry import vtkParametricTorus
 from vtkmodules.vtkCommonCore import mutable, vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData, vtkStaticCellLocator
@@ -49,7 +50,7 @@ ELEVATION = (1.0, 85.0)  # degrees
 LEAST_PARALLEL_ELEVATION = 5.0  # degrees; what a flatter beam sees is too long for one scene
 DOME = (50.0, 60e3)  # m
 NEAR = (1e-3, 10.0)  # m
-LEAST_NEAR = 3e-4  # of the reach: 24 bits of depth then part things that are 1/5000 of the reach apart
+LEAST_NEAR = 3e-4  # of the reach: 24 bits of depth then part what is 1/5000 of the reach apart
 MOST_DOME = 4e5  # of the near plane: VTK, in single precision, cuts off what is farther, before the far plane
 SHAPES = ("box", "sphere", "cone", "torus", "pole", "half cylinder", "standing plane", "solid")
 
@@ -115,11 +116,11 @@ class _Draft:
         scale = self.reach * np.tan(np.radians(angle) / 2)
         # a parallel beam begins behind all the water that it sees
         distance = self.reach + (3 * scale / np.tan(np.radians(elevation)) if is_parallel else 0)
-        target = np.array((0, 0, height if not is_parallel else 0.0))
+        target = np.array((0, 0, 0.0 if is_parallel else height * np.sin(np.radians(elevation))))
         flat = np.cos(np.radians(elevation))
         position = distance * np.array(
             (flat * np.cos(heading), flat * np.sin(heading), np.sin(np.radians(elevation))))
-        return {"position": position, "target": target * np.sin(np.radians(elevation)), "angle": angle,
+        return {"position": position, "target": target, "angle": angle,
                 "scale": scale, "is_parallel": is_parallel, "center": center, "roll": roll, "elevation": elevation}
 
     def _terrain(self, random):
@@ -330,10 +331,7 @@ def _add_colored(renderer, data, colors):
 def _triangles(source):
     """A source's triangles alone: VTK and the tracer are not to cut polygons each in its own way."""
     found = vtkTriangleFilter()
-    if isinstance(source, vtkPolyData):
-        found.SetInputData(source)
-    else:
-        found.SetInputConnection(source.GetOutputPort())
+    found.SetInputConnection(source.GetOutputPort())
     found.PassVertsOff()
     found.PassLinesOff()
     found.Update()
@@ -353,7 +351,7 @@ def _surface(points):
     places.SetDataTypeToDouble()
     places.SetData(numpy_to_vtk(np.ascontiguousarray(points.reshape(-1, 3)), deep=True))
     cells = vtkCellArray()
-    cells.SetData(3, numpy_to_vtk(ids.astype(np.int64).ravel(), deep=True, array_type=16))
+    cells.SetData(3, numpy_to_vtkIdTypeArray(ids.ravel(), deep=True))
     data = vtkPolyData()
     data.SetPoints(places)
     data.SetPolys(cells)
