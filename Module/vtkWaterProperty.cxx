@@ -322,10 +322,17 @@ void vtkWaterProperty::SetRayTraceProbes(int probes)
 }
 
 //------------------------------------------------------------------------------
+void vtkWaterProperty::SetRayTraceRays(int rays)
+{
+  vtkWaterSetInRange(RayTraceRays, rays, 1, 16);
+}
+
+//------------------------------------------------------------------------------
 void vtkWaterProperty::SetRayTraceQualityToFast()
 {
   this->SetRayTraceSteps(8);
   this->SetRayTraceProbes(3);
+  this->SetRayTraceRays(1);
 }
 
 //------------------------------------------------------------------------------
@@ -333,6 +340,7 @@ void vtkWaterProperty::SetRayTraceQualityToDefault()
 {
   this->SetRayTraceSteps(16);
   this->SetRayTraceProbes(6);
+  this->SetRayTraceRays(4);
 }
 
 //------------------------------------------------------------------------------
@@ -340,6 +348,7 @@ void vtkWaterProperty::SetRayTraceQualityToHigh()
 {
   this->SetRayTraceSteps(24);
   this->SetRayTraceProbes(12);
+  this->SetRayTraceRays(8);
 }
 
 //------------------------------------------------------------------------------
@@ -401,6 +410,7 @@ void vtkWaterProperty::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "OffsetScale: " << this->OffsetScale << "\n";
   os << indent << "RayTraceSteps: " << this->RayTraceSteps << "\n";
   os << indent << "RayTraceProbes: " << this->RayTraceProbes << "\n";
+  os << indent << "RayTraceRays: " << this->RayTraceRays << "\n";
   os << indent << "Output: " << this->Output << "\n";
 }
 VTK_ABI_NAMESPACE_END

@@ -530,7 +530,17 @@ public:
 
   ///@{
   /**
-   * Steps and probes at once: fast is 8 and 3, the default 16 and 6, high 24 and 12.
+   * Work of the ray-traced lookup: rays of a pixel whose neighbour shows another colour, in
+   * [1, 16]. All other pixels have one. Rough water, whose pixels have several facets, ignores it.
+   * Default is 4.
+   */
+  void SetRayTraceRays(int rays);
+  vtkGetMacro(RayTraceRays, int);
+  ///@}
+
+  ///@{
+  /**
+   * Steps, probes and rays at once: fast is 8, 3 and 1, the default 16, 6 and 4, high 24, 12 and 8.
    */
   void SetRayTraceQualityToFast();
   void SetRayTraceQualityToDefault();
@@ -645,6 +655,7 @@ private:
   double OffsetScale = 0.3;
   int RayTraceSteps = 16;
   int RayTraceProbes = 6;
+  int RayTraceRays = 4;
   int Output = COLOR;
 };
 

@@ -35,6 +35,7 @@ void vtkWaterProperty::Describe(vtkWaterLook& look)
   look.OffsetScale = this->OffsetScale;
   look.RayTraceSteps = this->RayTraceSteps;
   look.RayTraceProbes = this->RayTraceProbes;
+  look.RayTraceRays = this->RayTraceRays;
   look.Output = this->Output;
   look.Environment = this->Internal->Environment;
   look.Property = this;

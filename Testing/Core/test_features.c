@@ -273,7 +273,7 @@ TEST(slots_stand_in_their_order)
 {
   static const char* const surface[] = { "optics", "gradient", "attenuation", "slopes", "cell",
     "place", "point", "tile", "sines", "sea", "normal_maps", "waves", "output", "reflection",
-    "walk", "layer", "blur", "caustics", "medium", "refraction", "facet_slopes", "facets",
+    "walk", "layer", "blur", "caustics", "medium", "refraction", "facet_slopes", "facets", "rays",
     "shadows", "glitter", "foam", "sun", "surface" };
   static const char* const displacement[] = { "cell", "displacement" };
   assert_order(surface_files, SURFACE_FILES, surface, sizeof surface / sizeof surface[0]);

@@ -2,6 +2,7 @@
 // test_sky.c: what the plan hands the shaders of the sky, the sun's light and the pattern of foam.
 #include "test_scene.h"
 
+#include "water_lookup.h"
 #include "water_secondary.h"
 
 static const water_sky evening = { { 0.9, 0.5, 0.2 }, { 0.1, 0.2, 0.4 }, 0.75, true };
@@ -54,6 +55,47 @@ TEST(sky_is_known_unless_something_endless_is_drawn)
   assert_true(plan_of(&scene, reasons).is_sky_known);
 }
 
+// A drawn mesh about the eye that is as high as a dome may be the sky: it is not known then what
+// the background hides. Land about the eye is lower, and what is beside it, or not drawn, is no
+// dome.
+TEST(sky_is_not_known_in_a_dome)
+{
+  water_prop dome = { { -100.0, 100.0, -100.0, 100.0, -100.0, 100.0 }, WATER_PROP_VISIBLE };
+  water_cull_reason reason;
+  water_scene scene = lake();
+  scene.props = &dome;
+  scene.prop_count = 1;
+  assert_true(plan_of(&scene, &reason).is_enclosed);
+  assert_false(plan_of(&scene, &reason).is_sky_known);
+  dome.bounds[5] = 50.0; // half as high as wide to a side
+  assert_true(plan_of(&scene, &reason).is_enclosed);
+  dome.bounds[5] = 49.0;
+  assert_false(plan_of(&scene, &reason).is_enclosed);
+  assert_true(plan_of(&scene, &reason).is_sky_known);
+  dome.bounds[5] = 100.0;
+  for (int i = 0; i < 6; ++i)
+  {
+    water_prop beside = dome; // the eye is at (0, -10, 5)
+    beside.bounds[i] = (i < 2 ? 0.0 : (i < 4 ? -10.0 : 5.0)) + (i % 2 ? -1.0 : 1.0);
+    scene.props = &beside;
+    assert_false(plan_of(&scene, &reason).is_enclosed);
+  }
+  scene.props = &dome;
+  dome.flags |= WATER_PROP_NOT_REFLECTED;
+  assert_false(plan_of(&scene, &reason).is_enclosed);
+  dome.flags = WATER_PROP_VISIBLE | WATER_PROP_NO_BOUNDS;
+  assert_false(plan_of(&scene, &reason).is_enclosed);
+}
+
+// The contrast from which pixels have more rays falls with their number.
+TEST(contrast_of_rays)
+{
+  ASSERT_CLOSE(water_lookup_contrast(4), 0.0625, 0.0);
+  ASSERT_CLOSE(water_lookup_contrast(8), 0.03125, 0.0);
+  ASSERT_CLOSE(water_lookup_contrast(1), 0.25, 0.0);
+  ASSERT_CLOSE(water_lookup_contrast(0), 0.25, 0.0);
+}
+
 // A white card that faces the sun shows the light's colour times its intensity; without a sun, or
 // with one of no direction, it shows nothing.
 TEST(light_of_the_sun_is_its_color_times_its_intensity)
@@ -99,4 +141,5 @@ TEST(pattern_repeats_under_the_eye)
 }
 
 TESTS(sky_of_the_scene_reaches_every_plan, sky_is_known_unless_something_endless_is_drawn,
-  light_of_the_sun_is_its_color_times_its_intensity, pattern_repeats_under_the_eye)
+  sky_is_not_known_in_a_dome, contrast_of_rays, light_of_the_sun_is_its_color_times_its_intensity,
+  pattern_repeats_under_the_eye)

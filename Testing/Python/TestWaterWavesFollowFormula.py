@@ -154,6 +154,8 @@ def test_bad_time_is_refused(time):
     ("SetLookup", 4, ("[0, 3]",)),
     ("SetRayTraceSteps", 0, ("[1, 256]",)),
     ("SetRayTraceProbes", -1, ("[0, 64]",)),
+    ("SetRayTraceRays", 0, ("[1, 16]",)),
+    ("SetRayTraceRays", 17, ("[1, 16]",)),
     ("SetOffsetScale", NAN, ("nan",)),
     ("SetOutput", 4, ("[0, 3]",)),
 ))

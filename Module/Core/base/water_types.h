@@ -234,9 +234,11 @@ typedef struct water_plan
   double sun_color[3];          // of its light: a white card facing it shows this; 0 without a sun
   double pattern_xy[2];         // origin_xy within the pattern that foam repeats
   water_sky sky;
-  bool
-    is_sky_known; // in every direction; a skybox hides it, and is known in the mirrored view alone
-  double eta;     // index beyond the surface / index on the eye's side
+  // in every direction; a skybox or a dome hides it, and is known in the mirrored view alone
+  bool is_sky_known;
+  // a drawn mesh may be the sky: the reflection texture's alpha is 0 where nothing was drawn
+  bool is_enclosed;
+  double eta; // index beyond the surface / index on the eye's side
 
   // draw: the mirrored camera, twice: as matrices and in vtkCamera's terms
   water_camera mirrored;

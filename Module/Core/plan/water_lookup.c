@@ -256,6 +256,18 @@ double water_lookup_texel(const double dir_to_reflection[12], const int texture_
   return 1.0 / hypot(x_px, y_px);
 }
 
+// Height over a plane of the highest corner of a prop's bounds: every product is the largest there,
+// and so every rounded sum.
+static double top_of(const water_plane* plane, const double bounds[6])
+{
+  double point[3];
+  for (int j = 0; j < 3; ++j)
+  {
+    point[j] = bounds[2 * j + (plane->normal[j] > 0.0)];
+  }
+  return water_plane_height(plane, point);
+}
+
 double water_lookup_top(const water_plane* plane, const water_prop* props, size_t prop_count,
   const water_cull_reason* reasons)
 {
@@ -266,13 +278,7 @@ double water_lookup_top(const water_plane* plane, const water_prop* props, size_
     {
       return (double)INFINITY;
     }
-    // the highest corner: every product is the largest there, and so every rounded sum
-    double point[3];
-    for (int j = 0; j < 3; ++j)
-    {
-      point[j] = props[i].bounds[2 * j + (plane->normal[j] > 0.0)];
-    }
-    const double height = water_plane_height(plane, point);
+    const double height = top_of(plane, props[i].bounds);
     // the rarer first: half of the time is in the reasons
     if (height > top && reasons[i] == WATER_CULL_NONE)
     {
@@ -280,4 +286,36 @@ double water_lookup_top(const water_plane* plane, const water_prop* props, size_
     }
   }
   return top;
+}
+
+double water_lookup_contrast(int rays)
+{
+  return 0.25 / (rays > 1 ? rays : 1);
+}
+
+bool water_lookup_is_enclosed(const water_plane* plane, const water_eye* eye,
+  const water_prop* props, size_t prop_count, const water_cull_reason* reasons)
+{
+  const double* middle = eye->center_view;
+  const double center[4] = { eye->has_center ? middle[0] : 0.0, eye->has_center ? middle[1] : 0.0,
+    eye->has_center ? middle[2] : 0.0, 1.0 };
+  double at[4];
+  water_mat4_apply(eye->view_to_world, center, at);
+  for (size_t i = 0; i < prop_count; ++i)
+  {
+    const double* bounds = props[i].bounds;
+    // the rarest first
+    if (at[0] > bounds[0] && at[0] < bounds[1] && at[1] > bounds[2] && at[1] < bounds[3] &&
+      at[2] > bounds[4] && at[2] < bounds[5] && reasons[i] == WATER_CULL_NONE &&
+      !water_prop_is_unbounded(props + i))
+    {
+      const double widest =
+        fmax(bounds[1] - bounds[0], fmax(bounds[3] - bounds[2], bounds[5] - bounds[4]));
+      if (top_of(plane, bounds) >= 0.25 * widest)
+      {
+        return true;
+      }
+    }
+  }
+  return false;
 }

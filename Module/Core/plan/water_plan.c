@@ -173,10 +173,10 @@ static void fill_visibility(const water_scene* scene, water_plan* plan)
   }
 }
 
-// Chooses the props that the reflection texture shows, and what depends on them all: their reach
-// and their top. margin: of the clip
-static void fill_props(const water_scene* scene, const water_plane* plane, double margin,
-  water_plan* plan, water_cull_reason* reasons, size_t* bad_index)
+// Chooses the props that the reflection texture shows, and what depends on them all: their reach,
+// their top, and whether one may be the sky. margin: of the clip
+static void fill_props(const water_scene* scene, const water_eye* eye, const water_plane* plane,
+  double margin, water_plan* plan, water_cull_reason* reasons, size_t* bad_index)
 {
   water_selection selection;
   selection.is_off = false;
@@ -201,6 +201,8 @@ static void fill_props(const water_scene* scene, const water_plane* plane, doubl
     water_mirror_reach_add(props, count, reasons + first, &reach);
     plan->reflection_top =
       fmax(plan->reflection_top, water_lookup_top(plane, props, count, reasons + first));
+    plan->is_enclosed =
+      plan->is_enclosed || water_lookup_is_enclosed(plane, eye, props, count, reasons + first);
     if (!(scene->settings.skips & WATER_MAY_SKIP_PROPS))
     {
       // after the reach and the top: rays are to take the same steps with all props and without
@@ -252,7 +254,7 @@ static water_status fill_draw(const water_scene* scene, const checked* input,
     water_target_reach(&scene->eye, scene->slope_max, looked_up);
   }
   water_target_rect(looked_up, plan->reflection_scale, plan->texture_px, plan->texture_rect_px);
-  fill_props(scene, plane, margin, plan, reasons, bad_index);
+  fill_props(scene, &input->eye, plane, margin, plan, reasons, bad_index);
   if (!(scene->settings.skips & WATER_MAY_SKIP_PIXELS))
   {
     const int whole[4] = { 0, 0, plan->texture_px[0], plan->texture_px[1] };
@@ -380,7 +382,7 @@ water_status water_plan_make(const water_scene* scene, water_plan* plan, water_c
       made.has_view = false;
     }
   }
-  made.is_sky_known = isfinite(made.reflection_top);
+  made.is_sky_known = isfinite(made.reflection_top) && !made.is_enclosed;
   *plan = made;
   return status != WATER_OK ? status : props_status;
 }

@@ -19,7 +19,7 @@ vec3 waterBlurred(WaterPlaces places, int count)
     vec2 shares = i < 2 ? places.shares.xy : places.shares.zw;
     bool isFirst = (i & 1) == 0;
     blurred += (isFirst ? shares.x : shares.y) *
-      textureLod(waterReflection, isFirst ? pair.xy : pair.zw, level).rgb;
+      waterDrawn(textureLod(waterReflection, isFirst ? pair.xy : pair.zw, level), waterSkyBottom.rgb);
     ++i;
   } while (i < count);
   return blurred;

@@ -21,7 +21,6 @@ vec3 waterFacets(WaterPoint point, out float reflectance, inout int reason, inou
   vec3 reflected = vec3(0.0);
   float share = 0.0;
   reflectance = 0.0;
-  waterReadOnce();
   bool isFresnel = waterReflectance < 0.0;
   float given = max(waterReflectance, 0.0);
   float eta = max(waterEta, 0.0);

@@ -42,7 +42,7 @@ WaterFacet waterAimFacet(WaterPoint point, vec3 normal, float depth, float share
 
 void waterStepFacet(vec3 start, inout WaterFacet facet)
 {
-  facet.hit.s = clamp((facet.hit.depth - start.z) * waterPerDepth(facet.hit.line), 0.0, 1.0);
+  facet.hit.s = waterPlaceOnRay(start, waterPerDepth(facet.hit.line), facet.hit.depth);
   facet.hit.uv = start.xy + facet.hit.s * facet.hit.line.xy;
 }
 
@@ -95,7 +95,7 @@ vec3 waterOneFacet(WaterPoint point, out float reflectance, out int reason, out 
   vec3 color = hit.color;
   if (hit.isPlace)
   {
-    color = textureLod(waterReflection, uv, 0.0).rgb;
+    color = waterDrawn(textureLod(waterReflection, uv, 0.0), color);
   }
   return reflectance * color;
 }

@@ -39,8 +39,8 @@ float waterTop()
 bool waterHasConverged(vec3 start, WaterRayHit hit)
 {
   float rayDepth = start.z + hit.s * hit.line.z;
-  return hit.s > 0.9999 ? min(rayDepth, 1.0) <= hit.depth
-                        : abs(rayDepth - hit.depth) <= waterSlackAt(hit.depth);
+  return hit.s >= 1.0 ? min(rayDepth, 1.0) <= hit.depth
+                      : abs(rayDepth - hit.depth) <= waterSlackAt(hit.depth);
 }
 
 // How many probes an estimate that has converged takes: of a short way fewer miss no more.
@@ -112,15 +112,15 @@ void waterProbe(vec3 start, int most, inout WaterRayHit hit, inout WaterProbed p
 // s, depth  after the first of them
 void waterRefine(vec3 start, float s, float depth, inout WaterRayHit hit)
 {
-  if (s <= 0.9999)
+  if (s < 1.0)
   {
-    s = clamp((depth - start.z) * waterPerDepth(hit.line), 0.0, 1.0);
-    if (s > 0.9999)
+    s = waterPlaceOnRay(start, waterPerDepth(hit.line), depth);
+    if (s >= 1.0)
     {
       depth = waterDepthToMeet(start.xy + s * hit.line.xy);
     }
   }
-  bool isEnd = s > 0.9999; // nothing was met
+  bool isEnd = s >= 1.0; // nothing was met
   bool isSky = isEnd && (hit.isOver || (depth >= 1.0 && !hit.isInside));
   hit.uv = start.xy + s * hit.line.xy;
   hit.reason = isEnd ? (hit.isInside ? WATER_SKY : WATER_OFF_MAP) : WATER_HIT;
@@ -253,9 +253,9 @@ void waterFollowRay(vec3 start, inout WaterRayHit hit)
   {
     float s = hit.s;
     float depth = hit.depth;
-    if (s <= 0.9999) // read together with the probes, though it is of no use where these find something
+    if (s < 1.0) // read together with the probes, though it is of no use where these find something
     {
-      s = clamp((depth - start.z) * waterPerDepth(hit.line), 0.0, 1.0);
+      s = waterPlaceOnRay(start, waterPerDepth(hit.line), depth);
       depth = waterDepthToMeet(start.xy + s * hit.line.xy);
     }
     WaterProbed probed = WaterProbed(true, hit.depthStart, hit.depth);

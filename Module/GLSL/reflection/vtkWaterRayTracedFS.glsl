@@ -115,7 +115,7 @@ WaterRayHit waterAim(vec3 start, float startW, vec3 dir)
 // What an estimate says before it is tested.
 void waterJudge(inout WaterRayHit hit)
 {
-  bool isSky = hit.s > 0.9999 &&
+  bool isSky = hit.s >= 1.0 &&
     (hit.isInside ? hit.isOver && hit.depth >= WATER_UNMET : hit.depth >= 1.0);
   hit.isPlace = !isSky || !waterIsSkyKnown();
   hit.reason = WATER_HIT;
@@ -130,13 +130,20 @@ float waterPerDepth(vec3 line)
   return 1.0 / (abs(line.z) > 1e-20 ? line.z : 1e-20);
 }
 
+// Where on a ray it has a depth of the reflection texture: at its end if nothing was drawn there, which is farther than
+// any depth, if not much on the way of a long ray; a dome of the sky may be as far, and is met before.
+float waterPlaceOnRay(vec3 start, float perDepth, float depth)
+{
+  return depth >= 1.0 ? 1.0 : clamp((depth - start.z) * perDepth, 0.0, 1.0);
+}
+
 // Two steps along a ray, from its start, to the depth that the reflection texture has where the ray is.
 void waterTwoSteps(vec3 start, inout WaterRayHit hit)
 {
   float perDepth = waterPerDepth(hit.line);
   for (int i = 0; i < 2; ++i)
   {
-    hit.s = clamp((hit.depth - start.z) * perDepth, 0.0, 1.0);
+    hit.s = waterPlaceOnRay(start, perDepth, hit.depth);
     hit.uv = start.xy + hit.s * hit.line.xy;
     hit.depth = waterDepthToMeet(hit.uv);
   }
@@ -188,13 +195,12 @@ void waterCross(WaterPoint point, inout WaterRayHit hit);
 // uv      where in the reflection texture that is
 vec3 waterReflected(WaterPoint point, out int reason, out vec2 uv)
 {
-  waterReadOnce();
   WaterRayHit hit = waterEstimateHit(point, point.normal);
   waterFollowRay(point.start, hit);
   reason = waterReason(hit);
   uv = hit.uv;
   waterCross(point, hit);
-  return hit.isPlace ? textureLod(waterReflection, uv, 0.0).rgb : hit.color;
+  return hit.isPlace ? waterDrawn(textureLod(waterReflection, uv, 0.0), hit.color) : hit.color;
 }
 
 // How much of the light from a direction something keeps off, as far as the reflection texture shows it.

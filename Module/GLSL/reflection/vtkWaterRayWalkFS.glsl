@@ -68,7 +68,7 @@ void waterProbe(vec3 start, int most, inout WaterRayHit hit)
   float s = hit.s;
   float depth = hit.depth;
   float rayDepth = min(start.z + s * way.z, 1.0);
-  bool isSettled = s > 0.9999
+  bool isSettled = s >= 1.0
     ? rayDepth <= depth
     : abs(start.z + s * way.z - depth) <= waterSlackAt(depth);
   // nothing nearer on the way; of a short one fewer probes miss no more
@@ -111,11 +111,11 @@ void waterMarchRay(vec3 start, bool isWanted, inout WaterRayHit hit)
   vec2 uv = hit.uv;
   for (int i = 0; i < 2; ++i)
   {
-    s = s > 0.9999 ? s : clamp((depth - start.z) * perDepth, 0.0, 1.0);
+    s = s >= 1.0 ? s : waterPlaceOnRay(start, perDepth, depth);
     uv = start.xy + s * way.xy;
     depth = waterDepthToMeet(uv);
   }
-  bool isEnd = s > 0.9999; // nothing was met
+  bool isEnd = s >= 1.0; // nothing was met
   bool isSky = isEnd && (hit.isOver || (depth >= 1.0 && !hit.isInside));
   int reason = isEnd ? (hit.isInside ? WATER_SKY : WATER_OFF_MAP) : WATER_HIT;
   if (!isSettled)

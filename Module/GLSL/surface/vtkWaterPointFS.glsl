@@ -2,7 +2,7 @@
 // vtkWaterPointFS.glsl: what all slots of a surface's shader know about their pixel, and the sky.
 //
 // The slots, each one file of several: place (waterPlaceOf), waves (waterRipple), reflection (waterReflected), layer
-// (waterCross), caustics (waterCaustic), body (waterTransmitted), facets (waterFacets), shadows (waterSunArrives),
+// (waterCross), caustics (waterCaustic), body (waterTransmitted), facets (waterFacets), rays (waterMirrored), shadows (waterSunArrives),
 // glitter (waterGlint), foam (waterFoam), sun (waterSunlit), output (waterShow); vtkWaterSurfaceFS.glsl puts them
 // together. They are files and not branches because software renderers execute both sides of a branch.
 //
@@ -26,6 +26,7 @@ uniform vec3 waterSunDir;          // towards it, in the plane's axes
 uniform vec3 waterSlopeVariance;   // xx, yy, xy of the slopes too small for waves
 uniform vec4 waterSkyBottom;       // a: 1 when the sky is known in all directions
 uniform vec4 waterSkyTop;
+uniform int waterIsEnclosed; // 1: a mesh may be the sky: the reflection texture's alpha is 0 where nothing was drawn
 
 struct WaterPoint
 {
@@ -78,4 +79,18 @@ vec3 waterSky(vec3 dir)
 {
   vec4 eye = waterDirToEye * vec4(dir, 0.0);
   return mix(waterSkyBottom.rgb, waterSkyTop.rgb, waterGradientHeight(eye.y, eye.w));
+}
+
+const float WATER_DRAWN = 0.02; // share of a filtered texel, below which its colour is rounding
+
+vec4 waterCalm = vec4(0.0); // what calm water would show of the reflection texture; of the slot rays
+
+// What was drawn at a place of the reflection texture: without the part of the background that a filtered one has, which
+// no ray sees where a mesh is the sky.
+vec3 waterDrawn(vec4 texel, vec3 background)
+{
+  float share = waterIsEnclosed != 0 ? texel.a : 1.0;
+  vec3 drawn = max(texel.rgb - (1.0 - share) * background, vec3(0.0)) / max(share, WATER_DRAWN);
+  vec3 without = waterCalm.a > 0.5 ? waterCalm.rgb : background; // nothing: under a dome's rim, or the open sky
+  return share < WATER_DRAWN ? without : drawn;
 }

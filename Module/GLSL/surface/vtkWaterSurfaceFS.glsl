@@ -15,7 +15,7 @@ void waterShade(inout vec4 color)
   {
     WaterPoint point = waterPoint();
     waterRipple(point);
-    vec3 reflected = waterFacets(point, reflectance, reason, uv);
+    vec3 reflected = waterMirrored(point, reflectance, reason, uv);
     rgb = waterTransmitted(point);
     // where the water is thinner than that it begins
     float begun = clamp(waterTransmittedDepth(point) / max(waterShoreSoftness, 1e-9), 0.0, 1.0);

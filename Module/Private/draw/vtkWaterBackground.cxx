@@ -18,11 +18,12 @@ void vtkWaterBackground::DrawSky(vtkRenderer* renderer, const water_plan& plan)
   vtkOpenGLState* state = window->GetState();
   const double* bottom = plan.sky.bottom;
   const double* top = plan.sky.top;
+  const double alpha = plan.is_enclosed ? 0.0 : plan.sky.alpha;
   state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   state->vtkglDepthMask(GL_TRUE);
   state->vtkglClearDepth(1.0);
   state->vtkglClearColor(static_cast<float>(bottom[0]), static_cast<float>(bottom[1]),
-    static_cast<float>(bottom[2]), static_cast<float>(plan.sky.alpha));
+    static_cast<float>(bottom[2]), static_cast<float>(alpha));
   {
     // all of it: drivers have a way for that which is faster than for a part
     vtkOpenGLState::ScopedglEnableDisable scissor(state, GL_SCISSOR_TEST);
@@ -35,8 +36,8 @@ void vtkWaterBackground::DrawSky(vtkRenderer* renderer, const water_plan& plan)
   {
     return;
   }
-  const double bottomAlpha[4] = { bottom[0], bottom[1], bottom[2], plan.sky.alpha };
-  const double topAlpha[4] = { top[0], top[1], top[2], plan.sky.alpha };
+  const double bottomAlpha[4] = { bottom[0], bottom[1], bottom[2], alpha };
+  const double topAlpha[4] = { top[0], top[1], top[2], alpha };
   vtkWaterUniforms::Set4(program, "waterSkyBottom", bottomAlpha);
   vtkWaterUniforms::Set4(program, "waterSkyTop", topAlpha);
   vtkWaterUniforms::SetMatrix3(program, "waterReflectionNdcToEye", plan.reflection_ndc_to_eye);

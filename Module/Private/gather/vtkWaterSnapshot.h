@@ -44,6 +44,7 @@ struct vtkWaterLook
   double OffsetScale = 0.0;
   int RayTraceSteps = 0;
   int RayTraceProbes = 0;
+  int RayTraceRays = 1;
   int Output = 0;
   bool CastsShadows = false;   // what the reflection texture shows keeps light off glitter and foam
   water_sea Sea = water_sea(); // in use if Has.has_sea

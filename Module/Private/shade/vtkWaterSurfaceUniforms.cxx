@@ -136,6 +136,8 @@ void vtkWaterSurfaceShader::SetReflectionParameters(vtkShaderProgram* program)
   uniforms::Set2(program, "waterReflectionTolerance", plan.reflection_tolerance);
   uniforms::Set(program, "waterSteps", std::min(look.RayTraceSteps, this->Drawn.MostSteps));
   uniforms::Set(program, "waterProbes", std::min(look.RayTraceProbes, this->Drawn.MostProbes));
+  uniforms::Set(program, "waterRays", look.RayTraceRays);
+  uniforms::Set(program, "waterRayContrast", water_lookup_contrast(look.RayTraceRays));
   uniforms::Set(program, "waterLookup", look.Lookup);
   uniforms::Set(program, "waterOffsetScale", look.OffsetScale);
 }
@@ -151,6 +153,7 @@ void vtkWaterSurfaceShader::SetSkyParameters(vtkShaderProgram* program)
   const double topKnown[4] = { top[0], top[1], top[2], isKnown };
   vtkWaterUniforms::Set4(program, "waterSkyBottom", bottomKnown);
   vtkWaterUniforms::Set4(program, "waterSkyTop", topKnown);
+  vtkWaterUniforms::Set(program, "waterIsEnclosed", plan.is_enclosed ? 1 : 0);
   vtkWaterUniforms::Set(program, "waterHasEnvironment", this->Environment ? 1 : 0);
   vtkWaterUniforms::SetMatrix3(program, "waterDirToEnvironment", plan.dir_to_environment);
 }

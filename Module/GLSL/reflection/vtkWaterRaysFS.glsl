@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkWaterRaysFS.glsl: slot rays: a pixel has several rays where its neighbour within two by two pixels shows another
+// reflection: most of what one ray gets wrong is at edges.
+
+uniform int waterRays;          // of such a pixel
+uniform float waterRayContrast; // how much another
+
+const float WATER_BLURRED = 2e-4; // slope variance from which a pixel's facets are blurred so far that it has no edges
+
+// What changes of a point from pixel to pixel.
+struct WaterPointChange
+{
+  vec3 start;
+  float startW;
+  vec3 ray;
+  vec3 normal;
+};
+
+// A point elsewhere in its pixel, as far as it changes evenly: waves that are short against one are not in the slope.
+//
+// place  pixels from the middle
+WaterPoint waterMovedPoint(WaterPoint point, vec2 place, WaterPointChange across, WaterPointChange down)
+{
+  WaterPoint moved = point;
+  moved.start += place.x * across.start + place.y * down.start;
+  moved.startW += place.x * across.startW + place.y * down.startW;
+  moved.ray = normalize(point.ray + place.x * across.ray + place.y * down.ray);
+  moved.normal = normalize(point.normal + place.x * across.normal + place.y * down.normal);
+  return moved;
+}
+
+// Place of a ray in its pixel, from the middle: the first is there, of the others no two are in one row or column.
+vec2 waterRayPlace(int ray)
+{
+  float number = float(ray) - 0.5;
+  return ray == 0 ? vec2(0.0) : vec2(number / float(waterRays), fract(0.618034 * number)) - 0.5;
+}
+
+// What a pixel reflects, as waterFacets, which it is where neighbours are alike. Reason and place are the middle's.
+//
+// One loop for the first ray and the others: software renderers execute all that stands beside it. Derivatives are
+// taken of the first, while all pixels are in it.
+vec3 waterMirrored(WaterPoint point, out float reflectance, inout int reason, inout vec2 uv)
+{
+  waterReadOnce();
+  waterCalm = textureLod(waterReflection, point.start.xy, 0.0);
+  WaterPointChange across =
+    WaterPointChange(dFdx(point.start), dFdx(point.startW), dFdx(point.ray), dFdx(point.normal));
+  WaterPointChange down =
+    WaterPointChange(dFdy(point.start), dFdy(point.startW), dFdy(point.ray), dFdy(point.normal));
+  vec4 sum = vec4(0.0); // and the reflectance
+  bool mayBeEdge = waterRays > 1 && point.variance.x + point.variance.y <= WATER_BLURRED;
+  int last = 0;
+  int ray = 0;
+  do
+  {
+    WaterPoint at = waterMovedPoint(point, waterRayPlace(ray), across, down);
+    vec4 seen;
+    int why = reason;
+    vec2 where = uv;
+    seen.rgb = waterFacets(at, seen.a, why, where);
+    vec3 change = max(abs(dFdx(seen.rgb)), abs(dFdy(seen.rgb)));
+    bool isFirst = ray == 0;
+    bool isEdge = max(change.r, max(change.g, change.b)) > waterRayContrast;
+    last = isFirst ? (isEdge && mayBeEdge ? waterRays : 0) : last;
+    reason = isFirst ? why : reason;
+    uv = isFirst ? where : uv;
+    sum += ray == 0 && last > 0 ? vec4(0.0) : seen;
+    ++ray;
+  } while (ray <= last);
+  sum /= float(max(last, 1));
+  reflectance = sum.a;
+  return sum.rgb;
+}

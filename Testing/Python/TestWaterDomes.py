@@ -1,0 +1,82 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""A dome that is the sky hides the background from the water, whatever its radius: no ray of waves shows the background
+that no ray could see, which is magenta here."""
+
+import numpy as np
+import pytest
+import water_test as wt
+from vtkmodules.vtkFiltersSources import vtkSphereSource
+from wave_scenes import POSTS_WAVES
+
+MAGENTA = (1.0, 0.0, 1.0)
+DOME = (0.5, 0.7, 0.9)
+VIEWS = ((2, -13, 1.2), (2, -13, 4), (2, -13, 9))
+SEEDS = range(4)
+
+
+def scene(seed, radius, view):
+    """Floating, hovering and standing balls at random, of colours whose mixtures are never bluer than the dome."""
+    made = wt.View((240, 180), MAGENTA)
+    random = np.random.default_rng(seed)
+    wt.add_actor(made.renderer, wt.sphere((0, 0, 0), radius, 64), DOME, lit=False)
+    for _ in range(15):
+        center, size = random.uniform((-8, -8, -0.5), (8, 12, 4)), random.uniform(0.3, 1.2)
+        color = random.uniform(0, 0.6, 3) * (1, 1, 0) + (0, 0.1, 0)
+        wt.add_actor(made.renderer, wt.sphere(tuple(center), size), tuple(color), lit=False)
+    water = wt.add_water(made.renderer, None, (-40, 40, -40, 40))
+    for amplitude, *wave in POSTS_WAVES:
+        water.GetWaterProperty().AddWave(1.5 * amplitude, *wave)
+    camera = made.renderer.GetActiveCamera()
+    camera.SetPosition(view)
+    camera.SetFocalPoint(0, 0, 0)
+    camera.SetViewUp(0, 0, 1)
+    camera.SetClippingRange(0.1, 2.5 * radius)
+    return made, water
+
+
+def magenta(picture):
+    """Pixels with a sixteenth of the background in them, or more: more blue than 0.2 over their green."""
+    return int((picture[..., 2].astype(float) - picture[..., 1] > 51 + 16).sum())
+
+
+@pytest.mark.parametrize("radius", (100.0, 3e4, 6e4))
+def test_no_ray_shows_the_background_behind_a_dome(radius):
+    """Water in a dome of 100 m to 60 km never shows the background."""
+    found = [magenta(scene(seed, radius, view)[0].picture()) for seed in SEEDS for view in VIEWS]
+    pixels = 240 * 180 * len(found)
+    print(f"dome of {radius:g} m: {sum(found)} of {pixels} pixels, most in a picture {max(found)}")
+    wt.check_at_most("pixels that show the background behind a dome, %", 100 * sum(found) / pixels, 0)
+
+
+def test_a_far_dome_is_reflected_as_a_near_one():
+    """A dome of one colour is seen in the water alike from 300 m to 60 km, but for edges."""
+    near = scene(0, 300.0, VIEWS[0])[0].picture().astype(int)
+    far = scene(0, 6e4, VIEWS[0])[0].picture().astype(int)
+    wt.check_at_most("pixels that differ by more than 8 of 255, %",
+                     100 * (np.abs(near - far).max(axis=2) > 8).mean(), 3)
+
+
+def test_background_is_still_shown_where_nothing_is_drawn():
+    """Half a dome about the eye, open before it: the water shows the background there, and not the dome."""
+    made, _ = scene(0, 300.0, VIEWS[1])
+    open_sky, water = scene(0, 300.0, VIEWS[1])
+    dome = open_sky.renderer.GetActors().GetItemAsObject(0)
+    half = vtkSphereSource()
+    half.SetRadius(300.0)
+    half.SetThetaResolution(64)
+    half.SetPhiResolution(64)
+    half.SetStartTheta(180.0)  # the half behind the eye, which looks to +y
+    half.SetEndTheta(360.0)
+    half.Update()
+    dome.GetMapper().SetInputData(half.GetOutput())
+    is_water = wt.water_mask(open_sky, water)
+    shown = open_sky.picture()
+    enclosed = made.picture()
+    is_dome = (np.abs(enclosed.astype(int) - np.rint(255 * np.array(DOME))) <= 2).all(axis=2) & is_water
+    is_background = (shown == 255 * np.array(MAGENTA)).all(axis=2)
+    wt.check_at_least("of the water that reflects the dome, the share that shows the open sky, %",
+                      100 * (is_background & is_dome).sum() / is_dome.sum(), 85)
+
+
+if __name__ == "__main__":
+    raise SystemExit(wt.main(__file__))
