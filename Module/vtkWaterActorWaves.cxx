@@ -9,6 +9,7 @@
 #include "water_waves.h"
 
 #include <algorithm>
+#include <new>
 
 VTK_ABI_NAMESPACE_BEGIN
 
@@ -61,6 +62,32 @@ vtkWaterSea* vtkWaterActor::Internals::GetSeaAtTime()
 }
 
 //------------------------------------------------------------------------------
+bool vtkWaterActor::Internals::AskSea(const std::function<void(vtkWaterSea&)>& ask)
+{
+  try
+  {
+    if (vtkWaterSea* sea = this->GetSeaAtTime())
+    {
+      ask(*sea);
+    }
+    this->IsSeaUnknown = false;
+  }
+  catch (const std::bad_alloc&)
+  {
+    if (!this->IsSeaUnknown)
+    {
+      const size_t size = this->Sea.GetTile().size;
+      vtkErrorWithObjectMacro(this->Self,
+        "There is no memory for the wind sea's tile of "
+          << size << " x " << size
+          << " points (SetSeaTileSize). Heights and normals of the waves are NaN.");
+    }
+    this->IsSeaUnknown = true;
+  }
+  return !this->IsSeaUnknown;
+}
+
+//------------------------------------------------------------------------------
 double vtkWaterActor::GetWaveHeight(double x, double y)
 {
   const std::vector<water_wave_term> terms = this->Internal->GetWaveTerms();
@@ -70,8 +97,10 @@ double vtkWaterActor::GetWaveHeight(double x, double y)
   {
     return vtkMath::Nan();
   }
-  vtkWaterSea* sea = this->Internal->GetSeaAtTime();
-  return sea ? point.displacement[2] + sea->GetHeight(x, y) : point.displacement[2];
+  double height = 0.0; // of the sea
+  return this->Internal->AskSea([&](vtkWaterSea& sea) { height = sea.GetHeight(x, y); })
+    ? point.displacement[2] + height
+    : vtkMath::Nan();
 }
 
 //------------------------------------------------------------------------------
@@ -81,15 +110,14 @@ void vtkWaterActor::GetWaveNormal(double x, double y, double normal[3])
   double rest[2];
   water_wave_point point;
   std::fill(normal, normal + 3, vtkMath::Nan());
-  if (water_waves_find(terms.data(), terms.size(), x, y, rest, &point) == WATER_OK)
+  if (water_waves_find(terms.data(), terms.size(), x, y, rest, &point) == WATER_OK &&
+    this->Internal->AskSea([&](vtkWaterSea& sea) {
+      double slope[2];
+      sea.GetSlope(x, y, slope);
+      water_waves_tilt(slope, point.normal);
+    }))
   {
     std::copy(point.normal, point.normal + 3, normal);
-    if (vtkWaterSea* sea = this->Internal->GetSeaAtTime())
-    {
-      double slope[2];
-      sea->GetSlope(x, y, slope);
-      water_waves_tilt(slope, normal);
-    }
   }
 }
 

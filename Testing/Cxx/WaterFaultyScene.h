@@ -55,6 +55,12 @@ struct FaultyScene : public WaterTestScene
   std::vector<unsigned char> Picture()
   {
     this->Window->Render();
+    return this->Read();
+  }
+
+  // The picture that was rendered.
+  std::vector<unsigned char> Read()
+  {
     vtkNew<vtkUnsignedCharArray> pixels;
     const int* size = this->Window->GetSize();
     this->Window->GetRGBACharPixelData(0, 0, size[0] - 1, size[1] - 1, 0, pixels);

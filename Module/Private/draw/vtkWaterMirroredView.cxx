@@ -17,6 +17,7 @@
 #include "vtkWaterShadows.h"
 
 #include <algorithm>
+#include <new>
 
 namespace
 {
@@ -142,7 +143,14 @@ void vtkWaterMirroredView::DrawBackground(vtkRenderer* renderer, const water_pla
   this->Background.DrawSky(renderer, plan);
   if (this->Visible)
   {
-    this->ClosedCells.Draw(renderer, *this->Visible);
+    try
+    {
+      this->ClosedCells.Draw(renderer, *this->Visible);
+    }
+    catch (const std::bad_alloc&)
+    {
+      this->Shortage.What = "no memory for the pixels that no visible water reflects";
+    }
   }
 }
 
@@ -235,13 +243,21 @@ const water_visibility* vtkWaterMirroredView::FindVisible(
   vtkRenderer* renderer, const water_plan& plan, bool isWanted)
 {
   this->Visible = nullptr;
+  this->Shortage = vtkWaterShortage();
   if (isWanted)
   {
     auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
     vtkWaterSceneDepth sceneDepth;
     sceneDepth.Find(window->GetState());
-    this->Visible =
-      sceneDepth.IsThere() ? this->Visibility.Find(renderer, plan, sceneDepth) : nullptr;
+    try
+    {
+      this->Visible =
+        sceneDepth.IsThere() ? this->Visibility.Find(renderer, plan, sceneDepth) : nullptr;
+    }
+    catch (const std::bad_alloc&)
+    {
+      this->Shortage.What = "no memory for what of the water is hidden";
+    }
   }
   return this->Visible;
 }

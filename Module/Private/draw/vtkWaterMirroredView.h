@@ -49,6 +49,13 @@ public:
   // Returns nullptr, or what went wrong in a few words; the target is then not to be used.
   const char* Draw(vtkRenderer* renderer, const water_plan& plan, Draft& draft);
 
+  // What there was no memory for in the last call of FindVisible or Draw: more was drawn than is
+  // seen.
+  const vtkWaterShortage& GetShortage() const
+  {
+    return this->Shortage.What ? this->Shortage : this->Clusters.GetShortage();
+  }
+
   // Which cells of the reflection texture visible water looks up, by the picture that is bound for
   // drawing; nullptr: all of it may be, or that is not to be asked.
   //
@@ -96,6 +103,7 @@ private:
   vtkSmartPointer<vtkCamera> Camera;
   vtkWaterTranslucent Translucent;
   vtkWaterTranslucentLayer Layer;
+  vtkWaterShortage Shortage; // of what is visible
   bool HasLayer = false;
   bool IsDrawing = false;
 };

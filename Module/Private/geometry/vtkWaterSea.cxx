@@ -33,23 +33,24 @@ void vtkWaterSea::Update(const water_tile& tile, const water_sea& sea, double ti
   {
     return;
   }
-  if (isOther)
-  {
-    this->Tile = tile;
-    this->Sea = sea;
-    this->Amplitudes.resize(2 * tile.size * tile.size);
-    water_tile_amplitudes(&tile, &sea, this->Amplitudes.data());
-    this->Frequencies.resize(tile.size / 2 * (tile.size / 2));
-    water_tile_frequencies(&tile, &sea, this->Frequencies.data());
-    double held[2];
-    water_tile_slopes(&tile, &sea, held, this->LeftOut);
-    this->Passes.Forget();
-  }
   this->Time = time;
   this->HasPhasors = false;
   this->HasHeights = false;
   this->HasSlopes = false;
   this->IsUploaded = false;
+  if (isOther)
+  {
+    this->Tile = tile;
+    this->Sea = sea;
+    double held[2];
+    water_tile_slopes(&tile, &sea, held, this->LeftOut);
+    this->Passes.Forget();
+    this->Amplitudes.clear(); // and last: there are none unless there is memory for all
+    this->Frequencies.resize(tile.size / 2 * (tile.size / 2));
+    water_tile_frequencies(&tile, &sea, this->Frequencies.data());
+    this->Amplitudes.resize(2 * tile.size * tile.size);
+    water_tile_amplitudes(&tile, &sea, this->Amplitudes.data());
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -59,13 +60,13 @@ void vtkWaterSea::UpdatePhasors()
   {
     return;
   }
-  this->HasPhasors = true;
   this->Phasors.resize(2 * this->Frequencies.size());
   vtkSMPTools::For(
     0, static_cast<vtkIdType>(this->Tile.size / 2), [this](vtkIdType first, vtkIdType end) {
       water_tile_phasors(&this->Tile, this->Frequencies.data(), this->Time,
         static_cast<size_t>(first), static_cast<size_t>(end), this->Phasors.data());
     });
+  this->HasPhasors = true;
 }
 
 //------------------------------------------------------------------------------
@@ -75,7 +76,6 @@ void vtkWaterSea::UpdateHeights()
   {
     return;
   }
-  this->HasHeights = true;
   this->UpdatePhasors();
   this->Heights.resize(this->Tile.size * this->Tile.size);
   this->Transform.Run(
@@ -85,6 +85,7 @@ void vtkWaterSea::UpdateHeights()
         &this->Tile, this->Amplitudes.data(), this->Phasors.data(), row, own, mirror);
     },
     this->Heights.data(), nullptr);
+  this->HasHeights = true;
 }
 
 //------------------------------------------------------------------------------
@@ -94,7 +95,6 @@ void vtkWaterSea::UpdateSlopes()
   {
     return;
   }
-  this->HasSlopes = true;
   this->UpdatePhasors();
   this->SlopesX.resize(this->Tile.size * this->Tile.size);
   this->SlopesY.resize(this->Tile.size * this->Tile.size);
@@ -105,6 +105,7 @@ void vtkWaterSea::UpdateSlopes()
         &this->Tile, this->Amplitudes.data(), this->Phasors.data(), row, own, mirror);
     },
     this->SlopesX.data(), this->SlopesY.data());
+  this->HasSlopes = true;
 }
 
 //------------------------------------------------------------------------------
@@ -148,7 +149,6 @@ vtkTextureObject* vtkWaterSea::Upload(vtkOpenGLRenderWindow* window)
   {
     return this->Texture.Get(window);
   }
-  this->IsUploaded = true;
   this->Detour = nullptr;
   if (!this->IsSoftware(window))
   {
@@ -156,6 +156,7 @@ vtkTextureObject* vtkWaterSea::Upload(vtkOpenGLRenderWindow* window)
       window, { this->Tile, this->Amplitudes, this->Frequencies, this->Time }, this->Texture);
     if (!this->Detour)
     {
+      this->IsUploaded = true;
       return this->Texture.Get(window);
     }
   }
@@ -164,6 +165,17 @@ vtkTextureObject* vtkWaterSea::Upload(vtkOpenGLRenderWindow* window)
   water_tile_texels(&this->Tile, this->SlopesX.data(), this->SlopesY.data(), this->Texels.data());
   const auto size = static_cast<unsigned int>(this->Tile.size);
   this->Texture.Upload(window, size, size, this->Texels);
+  this->IsUploaded = true;
+  return this->Texture.Get(window);
+}
+
+//------------------------------------------------------------------------------
+vtkTextureObject* vtkWaterSea::UploadFlat(vtkOpenGLRenderWindow* window)
+{
+  std::vector<float> texel(4, 0.0f);
+  this->Texture.ReleaseGraphicsResources(window); // the passes' framebuffers have it at its size
+  this->Texture.Upload(window, 1, 1, texel);
+  this->IsUploaded = false;
   return this->Texture.Get(window);
 }
 

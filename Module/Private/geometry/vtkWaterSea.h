@@ -3,7 +3,8 @@
 //
 // What somebody asks for is computed then, once for a time. A GPU computes the texture by itself
 // (vtkWaterSlopePasses); heights and slopes for the processor, and the texture where GL is software
-// or where the GPU cannot, by vtkWaterTransform. See Documentation/decisions/014-wind-sea.md.
+// or where the GPU cannot, by vtkWaterTransform. What has no memory throws std::bad_alloc, and is
+// tried anew when it is asked for again. See Documentation/decisions/014-wind-sea.md.
 #ifndef vtkWaterSea_h
 #define vtkWaterSea_h
 
@@ -36,6 +37,9 @@ public:
 
   // Slopes and their squares with mip levels, as of the last update.
   vtkTextureObject* Upload(vtkOpenGLRenderWindow* window);
+
+  // In its place, where there is no memory for it: a flat sea.
+  vtkTextureObject* UploadFlat(vtkOpenGLRenderWindow* window);
 
   // Why the processor made the last texture though there is a GPU; nullptr: it did not.
   const char* GetDetour() const { return this->Detour; }

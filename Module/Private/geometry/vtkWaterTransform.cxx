@@ -7,6 +7,8 @@
 #include VTK_KISSFFT_HEADER(kiss_fft.h)
 
 #include <algorithm>
+#include <atomic>
+#include <new>
 
 namespace
 {
@@ -27,15 +29,28 @@ kiss_fft_cpx* AsComplex(double* numbers)
   return reinterpret_cast<kiss_fft_cpx*>(numbers);
 }
 
-// Calls work(first, end) for parts of [0, count), in threads when the square is worth it.
+// Calls work(first, end) for parts of [0, count), in threads when the square is worth it. What a
+// thread has no memory for is thrown here: from there it would end the program.
 template <typename Work>
 void ForBlocks(size_t size, size_t count, size_t block, const Work& work)
 {
   const auto blocks = static_cast<vtkIdType>((count + block - 1) / block);
-  const auto some = [count, block, &work](vtkIdType begin, vtkIdType end) {
-    work(static_cast<size_t>(begin) * block, std::min(static_cast<size_t>(end) * block, count));
+  std::atomic<bool> isShort(false);
+  const auto some = [count, block, &work, &isShort](vtkIdType begin, vtkIdType end) {
+    try
+    {
+      work(static_cast<size_t>(begin) * block, std::min(static_cast<size_t>(end) * block, count));
+    }
+    catch (const std::bad_alloc&)
+    {
+      isShort = true;
+    }
   };
   vtkSMPTools::For(0, blocks, size < kSmallest ? blocks : 0, some);
+  if (isShort)
+  {
+    throw std::bad_alloc();
+  }
 }
 }
 
@@ -46,12 +61,13 @@ void vtkWaterTransform::Plan(size_t size)
   {
     return;
   }
-  this->Size = size;
+  this->Size = 0; // until there is memory for all
   size_t bytes = 0;
   kiss_fft_alloc(static_cast<int>(size), 0, nullptr, &bytes); // only says how many
   this->State.resize(bytes);
   kiss_fft_alloc(static_cast<int>(size), 0, this->State.data(), &bytes);
   this->Middle.assign(2 * size * size, 0.0); // row size / 2 stays 0
+  this->Size = size;
 }
 
 //------------------------------------------------------------------------------

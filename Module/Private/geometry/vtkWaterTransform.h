@@ -15,7 +15,8 @@ public:
   // several threads at once, for rows from 0 to size / 2 - 1; row size / 2 is 0.
   using RowMaker = std::function<void(size_t row, double* own, double* mirror)>;
 
-  // Transforms a square, with exp(-i k . x) and without scale.
+  // Transforms a square, with exp(-i k . x) and without scale. std::bad_alloc when there is no
+  // memory for it, in any of the threads.
   //
   // real, imaginary  size * size numbers, written, the column fastest; imaginary may be nullptr
   void Run(size_t size, const RowMaker& makeRow, double* real, double* imaginary);

@@ -16,6 +16,7 @@
 #include "vtkWaterWarmUp.h"
 #include "vtkWeakPointer.h"
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -53,6 +54,8 @@ struct vtkWaterActor::Internals : public vtkWaterSource
   std::vector<water_wave_term> GetWaveTerms() const;
   // The wind sea at the actor's time; nullptr when it is off.
   vtkWaterSea* GetSeaAtTime();
+  // Asks the wind sea at the actor's time, if there is one. false: there is no memory for it.
+  bool AskSea(const std::function<void(vtkWaterSea&)>& ask);
   // The own sheet as this eye sees it; a user's mapper is drawn as it is.
   vtkMapper* LayGrid(const vtkWaterSnapshot& water, const water_grid_view& view, vtkMapper* mapper);
   // Draws the surface with its shader, or with the plain one when the driver refuses that.
@@ -67,6 +70,7 @@ struct vtkWaterActor::Internals : public vtkWaterSource
   vtkWaterWarmUp WarmUp;
   std::vector<SourcedError> Errors;
   bool IsUpdatingSheet = false;
+  bool IsSeaUnknown = false;                      // for want of memory, which has been said
   vtkMTimeType FittedFrame = 0;                   // of which the sheet is
   bool IsProbing = false;                         // is drawn only to be counted
   std::weak_ptr<const vtkWaterSnapshot> Snapshot; // held by the frame: the user's objects may go

@@ -139,6 +139,7 @@ private:
   void Revise(const Frame& frame, Attempt& attempt);
   void Draw(const Frame& frame, Attempt& attempt);
   vtkWaterError Commit(const Frame& frame, Attempt& attempt);
+  static vtkWaterError Describe(const vtkWaterShortage& shortage);
   void FindDrawn(const Frame& frame, Attempt& attempt);
   void Sign(const Frame& frame, Attempt& attempt);
   void SortDrawn(const Frame& frame, Attempt& attempt); // by how they are drawn

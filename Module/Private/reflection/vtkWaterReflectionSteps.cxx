@@ -258,6 +258,22 @@ void vtkWaterReflection::Draw(const Frame& frame, Attempt& attempt)
 }
 
 //------------------------------------------------------------------------------
+vtkWaterError vtkWaterReflection::Describe(const vtkWaterShortage& shortage)
+{
+  vtkWaterError error;
+  if (shortage.What)
+  {
+    error.Kind = shortage.What;
+    error.Text = error.Kind +
+      (shortage.TriangleCount > 0
+          ? ": one of " + std::to_string(shortage.TriangleCount) + " triangles"
+          : "") +
+      ". The reflection is drawn with all that it could leave out; the next one tries again.";
+  }
+  return error;
+}
+
+//------------------------------------------------------------------------------
 vtkWaterError vtkWaterReflection::Commit(const Frame& frame, Attempt& attempt)
 {
   vtkWaterError error = attempt.Error;
@@ -290,6 +306,10 @@ vtkWaterError vtkWaterReflection::Commit(const Frame& frame, Attempt& attempt)
       ++this->Report.RenderCount;
       view.DrawnPlan = this->Plan;
       view.DrawnSignature = attempt.Signature;
+    }
+    if (error.Text.empty())
+    {
+      error = Describe(view.Mirrored.GetShortage()); // also of a view that is used again
     }
   }
   return error;

@@ -18,6 +18,7 @@
 #include "water_waves.h"
 
 #include <algorithm>
+#include <new>
 
 namespace
 {
@@ -182,17 +183,42 @@ void vtkWaterSurfaceShader::BeginWaves()
   }
   if ((this->Drawn.Plan || this->Drawn.IsWarmUp) && this->Has(WATER_FEATURE_SEA))
   {
-    vtkWaterSea* sea = this->Water->Sea;
-    sea->Update(this->Water->Look.SeaTile, this->Water->Look.Sea, this->Water->Time);
-    this->Use("waterSea", sea->Upload(window));
-    this->HasSea = true;
-    if (sea->GetDetour() && sea->GetDetour() != this->SeaDetour) // said once
-    {
-      vtkVLog(vtkLogger::VERBOSITY_TRACE,
-        << "The processor makes the slopes of the wind sea: " << sea->GetDetour() << ".");
-    }
-    this->SeaDetour = sea->GetDetour();
+    this->BeginSea();
   }
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterSurfaceShader::BeginSea()
+{
+  vtkOpenGLRenderWindow* window = this->GetWindow();
+  vtkWaterSea* sea = this->Water->Sea;
+  vtkTextureObject* slopes = nullptr;
+  try
+  {
+    sea->Update(this->Water->Look.SeaTile, this->Water->Look.Sea, this->Water->Time);
+    slopes = sea->Upload(window);
+  }
+  catch (const std::bad_alloc&)
+  {
+    if (!this->IsSeaFlat) // said once
+    {
+      vtkErrorWithObjectMacro(this->Water->Actor,
+        "There is no memory for the wind sea's tile of "
+          << this->Water->Look.SeaTile.size << " x " << this->Water->Look.SeaTile.size
+          << " points (SetSeaTileSize). The water shows its sea without waves; the next frame "
+             "tries "
+             "again.");
+    }
+  }
+  this->IsSeaFlat = !slopes;
+  this->Use("waterSea", slopes ? slopes : sea->UploadFlat(window));
+  this->HasSea = true;
+  if (sea->GetDetour() && sea->GetDetour() != this->SeaDetour) // said once
+  {
+    vtkVLog(vtkLogger::VERBOSITY_TRACE,
+      << "The processor makes the slopes of the wind sea: " << sea->GetDetour() << ".");
+  }
+  this->SeaDetour = sea->GetDetour();
 }
 
 //------------------------------------------------------------------------------

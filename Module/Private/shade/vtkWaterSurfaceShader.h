@@ -89,6 +89,7 @@ private:
   }
   void BeginMedium(const int viewport_px[4]);
   void BeginWaves();
+  void BeginSea();
   void BeginReflection(const int viewport_px[4]);
   void BeginEnvironment();
   void UploadWaves(const double origin[2]);
@@ -114,6 +115,7 @@ private:
   bool IsSteep = false;            // some of them move their points
   bool HasSea = false;             // brought to the time of the draw
   const char* SeaDetour = nullptr; // of which has been spoken
+  bool IsSeaFlat = false;          // for want of memory, which has been said
   vtkWaterSlopeTexture NormalMaps[vtkWaterNormalMaps::Limit];
   std::pair<vtkTexture*, vtkMTimeType> NormalMapTimes[vtkWaterNormalMaps::Limit] = {}; // of those
   double NormalMapTexels[vtkWaterNormalMaps::Limit] = {};                              // their size

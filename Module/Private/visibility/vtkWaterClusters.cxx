@@ -4,27 +4,20 @@
 #include "vtkActor.h"
 #include "vtkCallbackCommand.h"
 #include "vtkCommand.h"
-#include "vtkDoubleArray.h"
-#include "vtkFloatArray.h"
-#include "vtkImageData.h"
 #include "vtkMatrix4x4.h"
 #include "vtkOpenGLIndexBufferObject.h"
 #include "vtkOpenGLPolyDataMapper.h"
 #include "vtkOpenGLVertexBufferObject.h"
-#include "vtkPoints.h"
-#include "vtkPolyData.h"
 #include "vtkProperty.h"
 #include "vtkShaderProgram.h"
-#include "vtkShaderProperty.h"
-#include "vtkTexture.h"
 #include "vtkWaterAccess.h"
 #include "vtkWaterGL.h"
 #include "vtkWaterMeshTraits.h"
 #include "vtkWaterProps.h"
 
 #include <algorithm>
-#include <cstring>
 #include <exception>
+#include <new>
 #include <thread>
 
 namespace
@@ -66,20 +59,6 @@ void ForEach(int count, const Function& function)
   }
 }
 
-vtkDataArray* PointsOf(vtkPolyDataMapper* mapper)
-{
-  vtkPoints* points = mapper->GetInput() ? mapper->GetInput()->GetPoints() : nullptr;
-  return points ? points->GetData() : nullptr;
-}
-
-// Both null: they are of another type.
-water_points NumbersOf(vtkDataArray* points)
-{
-  auto* floats = vtkFloatArray::FastDownCast(points);
-  auto* doubles = vtkDoubleArray::FastDownCast(points);
-  return { floats ? floats->GetPointer(0) : nullptr, doubles ? doubles->GetPointer(0) : nullptr };
-}
-
 bool AreWorth(const water_plan& plan, vtkOpenGLPolyDataMapper* mapper)
 {
   const size_t count = vtkWaterAccess::PolyDataMapper::TrianglesOf(mapper)->IndexCount / 3;
@@ -109,60 +88,6 @@ vtkWaterClusters::~vtkWaterClusters()
 }
 
 //------------------------------------------------------------------------------
-void vtkWaterClusters::Read(vtkOpenGLPolyDataMapper* mapper, Mesh& mesh)
-{
-  mesh.Boxes.clear();
-  mesh.Indices.clear();
-  mesh.Points = nullptr;
-  vtkOpenGLIndexBufferObject* buffer = vtkWaterAccess::PolyDataMapper::TrianglesOf(mapper);
-  const size_t count = water_clusters_count(buffer->IndexCount / 3);
-  if (count == 0 || buffer->IndexCount % 3 != 0)
-  {
-    return;
-  }
-  mesh.Indices.resize(buffer->IndexCount);
-  GLint bound = 0;
-  glGetIntegerv(GL_COPY_READ_BUFFER, &bound); // the binding's name is also that of its query
-  glBindBuffer(GL_COPY_READ_BUFFER, static_cast<GLuint>(buffer->GetHandle()));
-  glGetBufferSubData(GL_COPY_READ_BUFFER, 0,
-    static_cast<GLsizeiptr>(mesh.Indices.size() * sizeof(uint32_t)), mesh.Indices.data());
-  glBindBuffer(GL_COPY_READ_BUFFER, static_cast<GLuint>(bound));
-  mesh.Boxes.resize(count);
-  vtkDataArray* points = PointsOf(mapper);
-  water_mesh described;
-  if (!points || !Describe(points, mesh, described) || !water_clusters_bound(&described))
-  {
-    mesh.Boxes.clear(); // not the indices of these points
-    return;
-  }
-  // a copy: who writes into the points and does not say so yet is still shown the old ones
-  mesh.Points.TakeReference(points->NewInstance());
-  mesh.Points->DeepCopy(points);
-}
-
-//------------------------------------------------------------------------------
-bool vtkWaterClusters::Describe(vtkDataArray* points, Mesh& mesh, water_mesh& described)
-{
-  described.points = NumbersOf(points);
-  described.point_count = points ? static_cast<size_t>(points->GetNumberOfTuples()) : 0;
-  described.indices = mesh.Indices.data();
-  described.triangle_count = mesh.Indices.size() / 3;
-  described.boxes = reinterpret_cast<double(*)[6]>(mesh.Boxes.data()); // of std::array<double, 6>
-  return described.points.floats || described.points.doubles;
-}
-
-//------------------------------------------------------------------------------
-vtkWaterClusters::MeshState vtkWaterClusters::StateOf(
-  vtkOpenGLPolyDataMapper* mapper, vtkActor* actor)
-{
-  vtkOpenGLIndexBufferObject* buffer = vtkWaterAccess::PolyDataMapper::TrianglesOf(mapper);
-  vtkProperty* property = actor->GetProperty();
-  return { mapper->GetInput() ? mapper->GetInput()->GetMTime() : 0, mapper->GetMTime(),
-    reinterpret_cast<vtkMTimeType>(property), property->GetMTime(), buffer->IndexCount,
-    static_cast<vtkMTimeType>(buffer->GetHandle()) };
-}
-
-//------------------------------------------------------------------------------
 bool vtkWaterClusters::CanLead(vtkProp* prop)
 {
   auto* actor = vtkActor::SafeDownCast(prop);
@@ -186,11 +111,20 @@ void vtkWaterClusters::BeginView(const water_plan& plan, const water_visibility*
   }
   this->ClipDistance = clipDistance;
   this->Target = { seen, nullptr, samples, 0 };
+  this->Shortage = vtkWaterShortage();
   glGetIntegerv(GL_SUBPIXEL_BITS, &this->Target.subpixel_bits);
   if (plan.is_software)
   {
     const int* rect = plan.texture_rect_px;
-    this->Depths.resize(static_cast<size_t>(rect[2]) * static_cast<size_t>(rect[3]));
+    try
+    {
+      this->Depths.resize(static_cast<size_t>(rect[2]) * static_cast<size_t>(rect[3]));
+    }
+    catch (const std::bad_alloc&)
+    {
+      this->Shortage.What = "no memory for the depths that hide parts of large meshes";
+      return;
+    }
     water_triangle_cull_begin(rect, seen, this->Depths.data());
     this->Target.depths = this->Depths.data();
   }
@@ -222,33 +156,16 @@ void vtkWaterClusters::EndLeading()
 }
 
 //------------------------------------------------------------------------------
-vtkWaterClusters::Mesh* vtkWaterClusters::UpdateMesh(
-  vtkOpenGLPolyDataMapper* mapper, vtkActor* actor, bool isSoftware)
+int vtkWaterClusters::Reserve(const Mesh& mesh, bool isSoftware)
 {
-  Mesh& mesh = this->Meshes[mapper];
-  MeshState state = StateOf(mapper, actor);
-  if (!isSoftware)
-  {
-    state[2] = state[3] = 0; // runs know no property: to read the buffer back waits for the GPU
-  }
-  if (!mesh.Mapper || mesh.State != state)
-  {
-    mesh.Mapper = mapper;
-    mesh.State = state;
-    vtkDataArray* points = PointsOf(mapper);
-    if (isSoftware)
-    {
-      Read(mapper, mesh);
-    }
-    else
-    {
-      const water_points numbers = NumbersOf(points);
-      const bool isKnown = numbers.floats || numbers.doubles;
-      mesh.Runs.Read(vtkWaterAccess::PolyDataMapper::TrianglesOf(mapper), numbers,
-        isKnown ? static_cast<size_t>(points->GetNumberOfTuples()) : 0);
-    }
-  }
-  return mesh.Boxes.empty() && !mesh.Runs.IsKnown() ? nullptr : &mesh;
+  const int bandCount =
+    water_clusters_bands(isSoftware, mesh.Indices.size() / 3, std::thread::hardware_concurrency());
+  const size_t workCount = static_cast<size_t>(bandCount) * mesh.Boxes.size();
+  // never smaller again: a mesh that leads has had its memory, and is not drawn whole among others
+  // that are reversed
+  this->Work.resize(std::max(this->Work.size(), workCount));
+  this->Selected.resize(std::max(this->Selected.size(), mesh.Indices.size()));
+  return bandCount;
 }
 
 //------------------------------------------------------------------------------
@@ -263,9 +180,7 @@ size_t vtkWaterClusters::Select(const water_plan& plan, vtkOpenGLPolyDataMapper*
   const bool isSolid = vtkWaterMeshTraits::IsSolid(mapper, actor);
   const double* modelToWorld = &actor->GetMatrix()->Element[0][0];
   const std::array<double, 3> origin = OriginOf(mapper);
-  const int bandCount = water_clusters_bands(
-    plan.is_software, described.triangle_count, std::thread::hardware_concurrency());
-  this->Work.resize(static_cast<size_t>(bandCount) * mesh.Boxes.size());
+  const int bandCount = this->Reserve(mesh, plan.is_software);
   ForEach(bandCount, [&](int band) {
     water_clusters_view view;
     water_clusters_view_make(
@@ -273,7 +188,6 @@ size_t vtkWaterClusters::Select(const water_plan& plan, vtkOpenGLPolyDataMapper*
     water_clusters_mark(&view, &described, this->IsReversed(), &this->Trends[band],
       this->Work.data() + static_cast<size_t>(band) * mesh.Boxes.size());
   });
-  this->Selected.resize(mesh.Indices.size());
   return water_clusters_copy(
     &described, this->IsReversed(), this->Work.data(), bandCount, this->Selected.data());
 }
@@ -317,6 +231,24 @@ void vtkWaterClusters::Give(
   {
     return;
   }
+  try
+  {
+    this->GiveParts(plan, mapper, actor);
+  }
+  catch (const std::bad_alloc&)
+  {
+    this->TakeBack();
+    this->Meshes.erase(mapper); // it is read again in the next view
+    this->Shortage.What = "no memory for the parts of a large mesh";
+    this->Shortage.TriangleCount =
+      vtkWaterAccess::PolyDataMapper::TrianglesOf(mapper)->IndexCount / 3;
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterClusters::GiveParts(
+  const water_plan& plan, vtkOpenGLPolyDataMapper* mapper, vtkActor* actor)
+{
   Mesh* mesh = this->UpdateMesh(mapper, actor, plan.is_software);
   if (mesh && !plan.is_software)
   {

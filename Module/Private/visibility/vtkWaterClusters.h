@@ -14,6 +14,7 @@
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
 #include "vtkWaterRuns.h"
+#include "vtkWaterShortage.h"
 #include "vtkWeakPointer.h"
 #include "water_clusters.h"
 
@@ -56,9 +57,13 @@ public:
   void EndLeading();
 
   // A mapper is about to draw a prop with a program: gives it its clusters, if the mesh is large,
-  // in a form that can be cut, and parts of it cannot be seen.
+  // in a form that can be cut, and parts of it cannot be seen. Without memory for them it draws
+  // all.
   void Give(
     const water_plan& plan, vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp* prop);
+
+  // Of the last of the meshes that were drawn whole for want of memory since BeginView.
+  const vtkWaterShortage& GetShortage() const { return this->Shortage; }
 
   // The prop is drawn: the mapper gets its own index buffer back.
   void TakeBack();
@@ -87,6 +92,9 @@ private:
   static bool Describe(vtkDataArray* points, Mesh& mesh, water_mesh& described);
   // What is known of a mapper's mesh; nullptr: it cannot be cut.
   Mesh* UpdateMesh(vtkOpenGLPolyDataMapper* mapper, vtkActor* actor, bool isSoftware);
+  void GiveParts(const water_plan& plan, vtkOpenGLPolyDataMapper* mapper, vtkActor* actor);
+  // How many bands of the picture a mesh is looked at in, with the memory for them; bad_alloc.
+  int Reserve(const Mesh& mesh, bool isSoftware);
   // Selects the indices that are drawn; how many there are.
   size_t Select(const water_plan& plan, vtkOpenGLPolyDataMapper* mapper, vtkActor* actor,
     const Mesh& mesh, const water_mesh& described);
@@ -103,6 +111,7 @@ private:
   water_clusters_target Target{};
   std::vector<float> Depths;
   std::array<water_trend, WATER_CLUSTERS_BANDS_MAX> Trends{};
+  vtkWaterShortage Shortage;
   bool HasLeading = false;                        // are being drawn
   bool FarFirst = false;                          // is the leading meshes' own order
   vtkSmartPointer<vtkOpenGLPolyDataMapper> Given; // has a buffer of ours

@@ -28,7 +28,7 @@ void vtkWaterRuns::Read(
   this->Places.resize(this->Mesh.leaf_count);
   this->Runs.resize(this->Mesh.leaf_count);
   water_runs_begin(&this->Mesh);
-  std::vector<uint32_t> indices;
+  std::vector<uint32_t> indices(3 * std::min(count, kTrianglesAtOnce)); // before GL's state changes
   GLint bound = 0;
   glGetIntegerv(GL_COPY_READ_BUFFER, &bound); // the binding's name is also that of its query
   glBindBuffer(GL_COPY_READ_BUFFER, static_cast<GLuint>(buffer->GetHandle()));
@@ -36,9 +36,8 @@ void vtkWaterRuns::Read(
   for (size_t first = 0; first < count && isOfPoints; first += kTrianglesAtOnce)
   {
     const size_t part = std::min(count - first, kTrianglesAtOnce);
-    indices.resize(3 * part);
     glGetBufferSubData(GL_COPY_READ_BUFFER, static_cast<GLintptr>(3 * first * sizeof(uint32_t)),
-      static_cast<GLsizeiptr>(indices.size() * sizeof(uint32_t)), indices.data());
+      static_cast<GLsizeiptr>(3 * part * sizeof(uint32_t)), indices.data());
     isOfPoints = water_runs_add(&this->Mesh, first, indices.data(), part, &points, pointCount);
   }
   glBindBuffer(GL_COPY_READ_BUFFER, static_cast<GLuint>(bound));
