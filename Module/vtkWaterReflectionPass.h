@@ -187,8 +187,8 @@ public:
   ///@{
   /**
    * Share of the light that may be neglected, in [0, 1]: no mirrored view is rendered while no
-   * visible pixel reflects more, as with 0.03 for a pool that is seen straight down. Default is
-   * 0.5 / 255, which no picture of 8 bits shows.
+   * visible pixel reflects more, as with 0.03 for a pool that is seen straight down. Default is 0:
+   * none, as the least share can be what a pixel is rounded up by.
    */
   void SetReflectanceError(double share);
   double GetReflectanceError() const;

@@ -55,6 +55,18 @@ TEST(facing_away_depends_on_the_side)
   assert_int_equal(decision_of(&scene), WATER_NO_REFLECT_FACING_AWAY);
 }
 
+// A share of the light rounds a pixel up that lacks less than it.
+TEST(nothing_is_faint_that_reflects_unless_an_error_is_allowed)
+{
+  water_scene mirror = pool(1e-3);
+  mirror.look.constant_reflectance = true;
+  mirror.settings.reflectance_error = 0.0;
+  mirror.look.reflectance = 1e-12;
+  assert_int_equal(decision_of(&mirror), WATER_REFLECT);
+  mirror.look.reflectance = 0.0;
+  assert_int_equal(decision_of(&mirror), WATER_NO_REFLECT_NO_REFLECTANCE);
+}
+
 // Straight down water reflects 2.04 %; a pond that reaches 45 degrees from there 2.8 %: Fresnel's
 // equations by hand, cos 45 = 0.70711, refracted 32.04 degrees, s 0.0530, p 0.0028.
 TEST(faint_is_what_the_steepest_and_the_flattest_ray_reflect)
@@ -381,6 +393,7 @@ TEST(only_what_crosses_the_plane_is_cut)
 }
 
 TESTS(every_reason_has_its_switch, all_skips_are_all_of_them, facing_away_depends_on_the_side,
+  nothing_is_faint_that_reflects_unless_an_error_is_allowed,
   faint_is_what_the_steepest_and_the_flattest_ray_reflect, props_outside_the_pyramid_are_left_out,
   rays_take_the_same_steps_with_all_props, wide_points_are_drawn_beside_the_pyramid,
   half_a_width_and_a_pixel_reach_on_each_side, small_props_are_left_out_below_the_stated_size,

@@ -192,6 +192,18 @@ def test_from_above_water_whose_front_is_culled_is_not_mirrored():
     frame("from above, front faces culled", scenes, "FACING_AWAY")
 
 
+@pytest.mark.parametrize("reflectance", [0.0005, 0.001, 0.0015, 0.0019, 0.002])
+def test_no_reflection_is_too_faint_by_default(reflectance):
+    """However little water reflects: by default not a pixel of it differs from water that is mirrored in every frame."""
+    scenes = both(reflectance=reflectance)
+    for_both(scenes, lambda scene: scene.renderer.SetBackground(1, 1, 1))
+    for_both(scenes, lambda scene: scene.thing.GetProperty().SetAmbient(1))
+    for color in ((0.5, 0.5, 0.5), (0.1, 0.3, 0.501), (0.0, 0.0, 0.0)):  # one of them is at an edge of rounding
+        for_both(scenes, lambda scene, rgb=color: scene.water.GetWaterProperty().SetDeepColor(rgb))
+        frame(f"reflectance {reflectance} over {color}", scenes, None)
+        wt.check_equal(f"reflectance {reflectance}: is left out", wt.decision_of(scenes[0].water) == "FAINT", False)
+
+
 def test_a_faint_reflection_is_left_out_when_that_is_allowed():
     """A pool seen straight down, which reflects 2 %, is mirrored unless an error of 0.03 is allowed."""
     scenes = both(reflectance=None)

@@ -16,7 +16,6 @@ vtkWaterReflection::UserSettings::UserSettings()
   : water_settings()
 {
   this->texture_scale = 1.0;
-  this->reflectance_error = 0.5 / 255.0; // which no picture of 8 bits shows
   this->skips = WATER_MAY_SKIP_ALL;
   this->multi_samples = -1;
   this->target_error_px = 1.0;
