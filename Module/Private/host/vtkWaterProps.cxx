@@ -4,6 +4,7 @@
 #include "vtkActor.h"
 #include "vtkAssembly.h"
 #include "vtkDataObject.h"
+#include "vtkImageStack.h"
 #include "vtkInformation.h"
 #include "vtkInformationObjectBaseKey.h"
 #include "vtkMapper.h"
@@ -19,6 +20,26 @@
 
 #include <algorithm>
 #include <cstring>
+
+namespace
+{
+// Calls back for the images of a stack, which does not hand its keys on to them; an assembly does
+// so for the one that it draws.
+void ForEachStacked(vtkProp* prop, const std::function<void(vtkProp*)>& function)
+{
+  if (auto* stack = vtkImageStack::SafeDownCast(prop))
+  {
+    const vtkNew<vtkPropCollection> images; // not its own list, which the stack walks as it draws
+    stack->GetImages(images);
+    vtkCollectionSimpleIterator it;
+    images->InitTraversal(it);
+    while (vtkProp* image = images->GetNextProp(it))
+    {
+      function(image);
+    }
+  }
+}
+}
 
 //------------------------------------------------------------------------------
 vtkProp* vtkWaterProps::GetStandIn(vtkProp* prop)
@@ -42,13 +63,15 @@ void vtkWaterProps::DropOwnStandIn(vtkProp* prop)
 void vtkWaterProps::ForEachOf(vtkProp* prop, const std::function<void(vtkProp*)>& function)
 {
   function(prop);
+  ForEachStacked(prop, function);
   if (vtkProp* drawn = GetStandIn(prop))
   {
     function(drawn);
+    ForEachStacked(drawn, function);
   }
   if (prop->IsA("vtkAxesActor"))
   {
-    // the one prop with parts that does not hand its keys on to them
+    // nor does this prop
     vtkNew<vtkPropCollection> parts;
     prop->GetActors(parts);
     ForEach(parts, function);

@@ -25,7 +25,7 @@ from vtkmodules.vtkRenderingCore import (
     vtkPropAssembly,
     vtkRenderWindowInteractor,
 )
-from vtkmodules.vtkRenderingImage import vtkImageResliceMapper
+from vtkmodules.vtkRenderingImage import vtkImageResliceMapper, vtkImageStack
 from vtkmodules.vtkRenderingLOD import vtkLODActor, vtkQuadricLODActor
 
 row = mm.Results("Props: kinds", __file__)
@@ -239,7 +239,32 @@ def image_actor(scene):
     scene.add(stand(image))
 
 
+def image_stack():
+    """Two pictures, one on the other."""
+    stack = vtkImageStack()
+    for layer, size in enumerate((128, 64)):
+        mapper = vtkImageSliceMapper()
+        mapper.SetInputData(picture(size))
+        image = vtkImageSlice()
+        image.SetMapper(mapper)
+        image.GetProperty().SetLayerNumber(layer)
+        image.GetProperty().SetOpacity(1.0 - 0.4 * layer)
+        image.SetPosition(0.8 * layer, 0, 0)
+        stack.AddImage(image)
+    stack.SetPosition(-1.6, -1.5, -0.9)  # flatter: what is under water would be seen over it
+    stack.RotateX(35)
+    return stack
+
+
+def image_stack_in_assembly(scene):
+    group = vtkPropAssembly()
+    group.AddPart(image_stack())
+    scene.add(group)
+
+
 row.cell("vtkImageSlice", image_slice)
+row.cell("vtkImageStack", lambda scene: scene.add(image_stack()))
+row.cell("vtkImageStack in a vtkPropAssembly", image_stack_in_assembly)
 row.cell("vtkImageSlice of vtkImageResliceMapper", image_reslice)
 row.cell("vtkImageActor", image_actor)
 

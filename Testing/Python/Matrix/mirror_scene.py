@@ -8,7 +8,7 @@ from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkCommonMath import vtkMatrix4x4
 from vtkmodules.vtkCommonTransforms import vtkMatrixToLinearTransform
 from vtkmodules.vtkFiltersSources import vtkPlaneSource
-from vtkmodules.vtkRenderingCore import vtkActor, vtkLight, vtkPolyDataMapper, vtkTexture
+from vtkmodules.vtkRenderingCore import vtkActor, vtkLight, vtkPolyDataMapper, vtkPropCollection, vtkTexture
 
 SIZE = (240, 180)
 SHEET = (-7, 7, -5, 7)
@@ -54,6 +54,11 @@ class Scene(wt.View):
             parts = prop.GetParts()
             for i in range(parts.GetNumberOfItems()):
                 self.cut(parts.GetItemAsObject(i))
+        elif prop.IsA("vtkImageStack"):
+            images = vtkPropCollection()
+            prop.GetImages(images)
+            for i in range(images.GetNumberOfItems()):
+                self.cut(images.GetItemAsObject(i))
         elif hasattr(prop, "GetMapper"):
             normal = self.normal if self.is_above() else -self.normal
             prop.GetMapper().AddClippingPlane(wt.plane(self.origin, normal))
