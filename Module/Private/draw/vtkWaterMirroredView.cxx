@@ -12,6 +12,7 @@
 #include "vtkWaterAccess.h"
 #include "vtkWaterGL.h"
 #include "vtkWaterGather.h"
+#include "vtkWaterHiddenLines.h"
 #include "vtkWaterSceneDepth.h"
 #include "vtkWaterShaderHook.h"
 #include "vtkWaterShadows.h"
@@ -305,7 +306,12 @@ void vtkWaterMirroredView::DrawOpaque(
   this->GpuQueries.BeginCounting(window);
   const size_t count = draft.Props.size();
   size_t next = 0;
-  if (draft.CanCut && plan.is_software)
+  if (vtkWaterHiddenLines::AreRemoved(renderer))
+  {
+    vtkWaterHiddenLines::Draw(renderer, draft.Props, draw);
+    next = count;
+  }
+  else if (draft.CanCut && plan.is_software)
   {
     const size_t leading = this->Clusters.BeginLeading(draft.Props);
     if (this->Clusters.IsReversed())

@@ -96,7 +96,8 @@ void vtkWaterSignature::AddRenderer(vtkRenderer* renderer)
          static_cast<int>(renderer->GetUseDepthPeelingForVolumes()),
          static_cast<int>(renderer->GetMaximumNumberOfPeels()),
          static_cast<int>(renderer->GetUseImageBasedLighting()),
-         static_cast<int>(renderer->GetUseSSAO()), static_cast<int>(renderer->GetUseShadows()) })
+         static_cast<int>(renderer->GetUseSSAO()), static_cast<int>(renderer->GetUseShadows()),
+         static_cast<int>(renderer->GetUseHiddenLineRemoval()) })
   {
     this->Add(static_cast<vtkMTimeType>(flag));
   }

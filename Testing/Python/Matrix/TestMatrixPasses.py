@@ -162,5 +162,33 @@ row.register("SSAA, with TextureScale sqrt(5)", filtered, pass_of(vtkSSAAPass), 
              int(mm.SIZE[0] * 5**0.5) / mm.SIZE[0],
              reason="The mirrored view has the size of the picture, and not that of the pass, which is sqrt(5) times "
                     "as large (vtkSSAAPass::Render); TextureScale makes it as fine.")
+
+
+def hidden_lines(scene, on):
+    """Wireframes, one of them behind another one, and something solid between lines."""
+    for place, color in (((0, 0, 0.4), (1, 0.6, 0.2)), ((0.6, 2.2, 0.8), (0.9, 0.9, 0.3))):
+        scene.add_data(wt.sphere(place, 1.5, 14), color).GetProperty().SetRepresentationToWireframe()
+    scene.add_data(wt.box((2.4, 0.8, 0.4), (0.8, 0.8, 2.2)), (0.3, 0.8, 0.4))
+    scene.renderer.SetUseHiddenLineRemoval(on)
+
+
+def hidden_lines_remain(name):
+    """Every wireframe is one afterwards, and nothing of it is kept from frame to frame."""
+    scene = mm.Scene(mm.SEEN)
+    hidden_lines(scene, True)
+    water = wt.add_water(scene.renderer, wt.plane(scene.origin, scene.normal), mm.SHEET)
+    on = scene.pixels()
+    row.say(f"{name}: nothing changes in the next frame", (scene.pixels() == on).all())
+    scene.renderer.UseHiddenLineRemovalOff()
+    mask = mm.water_pixels(scene, water)
+    off = scene.pixels()
+    row.say(f"{name}: turned off, the reflection has them", (np.abs(off - on)[mask] > 1).sum() > 100)
+    actors = scene.renderer.GetActors()
+    kinds = [actors.GetItemAsObject(i).GetProperty().GetRepresentation() for i in range(actors.GetNumberOfItems())]
+    row.say(f"{name}: wireframes are wireframes", kinds.count(1) == 2)
+
+
+row.cell("hidden line removal", hidden_lines, others=mm.BESIDE)
+row.register("hidden line removal, from frame to frame", hidden_lines_remain)
 cell("SSAO", lambda scene: scene.renderer.UseSSAOOn())
 test_cell = row.test()
