@@ -104,6 +104,22 @@ vtkWaterReflection* vtkWaterActor::Internals::GetComposedReflection()
 }
 
 //------------------------------------------------------------------------------
+void vtkWaterActor::Internals::CheckMesh(const water_plane& plane)
+{
+  water_plane unit;
+  if (this->Self->UsesOwnSheet() || water_plane_normalise(&plane, &unit) != WATER_OK)
+  {
+    return; // what is wrong with the plane is said as an error
+  }
+  const std::string text =
+    this->Placement.Check(this->Self->GetMapper(), this->Self->GetMatrix(), unit);
+  if (!text.empty())
+  {
+    vtkWarningWithObjectMacro(this->Self, << text);
+  }
+}
+
+//------------------------------------------------------------------------------
 vtkWaterSnapshotPointer vtkWaterActor::Internals::Take(vtkRenderer* renderer)
 {
   const vtkMTimeType frame = renderer ? vtkWaterFrame::NumberOf(renderer) : 0;
@@ -124,6 +140,7 @@ vtkWaterSnapshotPointer vtkWaterActor::Internals::Take(vtkRenderer* renderer)
   this->ReadPlane(&made->Plane, made->Origin);
   std::copy_n(this->Self->Plane->GetOrigin(), 3, made->GivenOrigin);
   std::copy_n(this->Self->Plane->GetNormal(), 3, made->GivenNormal);
+  this->CheckMesh(made->Plane);
   made->IsSheet = this->Self->UsesOwnSheet() && this->Self->GetIsIdentity();
   made->Time = this->Self->Time;
   this->Self->WaterProperty->Describe(made->Look);

@@ -5,6 +5,7 @@
 #include "water_glitter.h"
 
 #include "water_grid.h"
+#include "water_placement.h"
 
 #include "water_volume_planes.h"
 

@@ -10,7 +10,11 @@ import math
 import numpy as np
 import pytest
 import water_test as wt
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.util.vtkConstants import VTK_STRING
 from vtkmodules.vtkCommonDataModel import vtkPlane
+from vtkmodules.vtkCommonTransforms import vtkTransform
+from vtkmodules.vtkFiltersSources import vtkPlaneSource
 from vtkmodules.vtkRenderingCore import vtkPolyDataMapper
 from vtkwater import vtkWaterActor
 
@@ -182,3 +186,55 @@ def test_a_setter_refuses_what_is_out_of_range(whose, what, value, words):
     wt.check_equal(f"{name}: names the value", bool(errors) and named, True)
     wt.check_equal(f"{name}: names '{words}'", bool(errors) and words in errors[0], True)
     wt.check_equal(f"{name}: the last good value stays", getattr(owner, f"Get{what}")() == before, True)
+
+
+def sheet(place, turn=0.0, amplitude=0.0):
+    """A mesh of 12 by 8 units, turned about x, with waves along x, raised."""
+    source = vtkPlaneSource()
+    source.SetOrigin(-6, -4, 0)
+    source.SetPoint1(6, -4, 0)
+    source.SetPoint2(-6, 4, 0)
+    source.SetResolution(96, 8)
+    source.Update()
+    mesh = source.GetOutput()
+    points = vtk_to_numpy(mesh.GetPoints().GetData())
+    points[:, 2] += amplitude * np.sin(np.pi * points[:, 0])
+    turned = vtkTransform()
+    turned.Translate(0, 0, place)
+    turned.RotateX(turn)
+    return wt.transformed(mesh, turned.GetMatrix())
+
+
+@pytest.mark.parametrize("mesh, words", (
+    (sheet(1.0), ("mean height over it is 1;", "[-0.1442", "0.1442", "SetLevel")),
+    (sheet(-1.0), ("mean height over it is -1;",)),
+    (sheet(0.0, turn=90.0), ("stands at 90 degrees", "[0, 30]")),
+    (sheet(0.1, turn=1.0, amplitude=0.1), ()),
+), ids=("over", "under", "upright", "waves"))
+def test_a_mesh_off_its_plane_is_told_once(mesh, words):
+    """A mesh of the user's that lies off the plane or stands upright is drawn, and one warning names by how much."""
+    scene = Scene()
+    without = Scene()
+    without.view.renderer.RemoveActor(without.water)
+    told = []
+    note = lambda caller, event, text: told.append(text)  # noqa: E731  it gets an attribute
+    note.CallDataType = VTK_STRING
+    scene.water.AddObserver("WarningEvent", note)
+    mapper = vtkPolyDataMapper()
+    mapper.SetInputData(mesh)
+    scene.water.SetMapper(mapper)
+    first = scene.frames()
+    picture = scene.frames()
+    wt.check_equal("warnings in six frames", len(told), 1 if words else 0)
+    for word in words:
+        wt.check_equal(f"the warning names '{word}'", word in "".join(told), True)
+    wt.check_equal("errors", scene.errors, [])
+    wt.check_equal("the picture stays", int(np.abs(picture - first).max()), 0)
+    mask = wt.water_mask(scene.view, scene.water)
+    wt.check_at_least("pixels of the mesh", int(mask.sum()), 500)
+    wt.check_equal("the rest, largest error", int(np.abs(picture - without.frames())[~mask].max()), 0)
+    mapper.SetInputData(sheet(0.0))
+    scene.frames()
+    mapper.SetInputData(sheet(2.0))
+    scene.frames()
+    wt.check_equal("warnings after it was right, and wrong again", len(told), 2 if words else 1)

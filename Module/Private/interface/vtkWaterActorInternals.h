@@ -7,6 +7,7 @@
 #include "vtkRenderer.h"
 #include "vtkWaterActor.h"
 #include "vtkWaterGrid.h"
+#include "vtkWaterMeshPlacement.h"
 #include "vtkWaterReflectionPass.h"
 #include "vtkWaterSea.h"
 #include "vtkWaterSecondarySurface.h"
@@ -48,6 +49,8 @@ struct vtkWaterActor::Internals : public vtkWaterSource
   vtkWaterReflection* GetComposedReflection() override;
   void SetComposedPass(vtkWaterReflectionPass* pass) override { this->Self->ComposedPass = pass; }
 
+  // Warns of a mesh of the user's that does not lie in the plane.
+  void CheckMesh(const water_plane& plane);
   // Do waves move the surface itself?
   bool IsDisplaced() const;
   // The waves at the actor's time.
@@ -63,7 +66,8 @@ struct vtkWaterActor::Internals : public vtkWaterSource
 
   vtkWaterActor* Self;
   vtkWaterSheet Sheet;
-  vtkWaterGrid Grid; // the sheet when it is displaced
+  vtkWaterMeshPlacement Placement; // of a mesh in the sheet's place
+  vtkWaterGrid Grid;               // the sheet when it is displaced
   vtkWaterSurfaceShader Surface;
   vtkWaterSecondarySurface Secondary;
   vtkWaterSea Sea;

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// water_placement.h: does a surface that a user gives lie in the water's plane? The mirror is the
+// plane: what lies off it, or stands upright, shows the reflection of another surface.
+//
+// Waves in the surface are right: their heights cancel, and their slopes are small. So the mean
+// height is judged, and the mean angle; which side of a triangle is its front is not known.
+#ifndef water_placement_h
+#define water_placement_h
+
+#include "water_types.h"
+
+#include <stdbool.h>
+
+#ifdef __cplusplus
+extern "C"
+{
+#endif
+
+// What of a surface has been looked at.
+typedef struct water_placement
+{
+  water_plane unit;
+  double area;        // twice
+  double level_area;  // twice, of its projection onto the plane
+  double area_height; // sum of areas times heights
+  double bounds[6];   // xmin, xmax, ymin, ymax, zmin, zmax in world
+} water_placement;
+
+typedef struct water_placement_verdict
+{
+  double height;     // mean, over the plane
+  double height_max; // that is accepted, over it and under it
+  double angle_rad;  // mean, to the plane
+  double angle_max_rad;
+  bool is_off; // the plane
+  bool is_upright;
+} water_placement_verdict;
+
+// unit  normalised plane of the water
+void water_placement_begin(const water_plane* unit, water_placement* placement);
+
+// Looks at a triangle: its corners in world. What is not finite is left out.
+void water_placement_add(
+  const double a[3], const double b[3], const double c[3], water_placement* placement);
+
+// Nothing is wrong with a surface without area.
+water_placement_verdict water_placement_judge(const water_placement* placement);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkWaterMeshPlacement: asks the core whether a mesh of the user's lies in the water's plane
+// (water_placement.h), once for each state of the three.
+#ifndef vtkWaterMeshPlacement_h
+#define vtkWaterMeshPlacement_h
+
+#include "vtkType.h"
+#include "water_placement.h"
+
+#include <array>
+#include <string>
+
+class vtkMapper;
+class vtkMatrix4x4;
+class vtkPolyData;
+
+class vtkWaterMeshPlacement
+{
+public:
+  // What is wrong with a surface, in words, the first time that it is; empty: nothing, or it has
+  // been said since all was well.
+  std::string Check(vtkMapper* mapper, vtkMatrix4x4* meshToWorld, const water_plane& unit);
+
+private:
+  static water_placement_verdict Judge(
+    vtkPolyData* mesh, vtkMatrix4x4* meshToWorld, const water_plane& unit);
+
+  vtkPolyData* Mesh = nullptr; // compared only
+  vtkMTimeType MeshTime = 0;
+  std::array<double, 20> Place{}; // matrix and plane
+  bool IsSaid = false;
+};
+
+#endif
