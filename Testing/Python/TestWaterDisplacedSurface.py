@@ -226,6 +226,7 @@ def test_a_sand_bank_under_the_surface_is_no_reflection():
 def water_picture(waves, geometry):
     made, water = scene(waves)
     water.GetWaterProperty().SetWaveGeometry(geometry)
+    water.GetWaterProperty().SetRayTraceRays(1)
     for data, color in wt.columns_and_pyramids():
         wt.add_actor(made.renderer, data, color)
     look(made, (2, -13, 4), (0, 0, 0))
@@ -233,7 +234,7 @@ def water_picture(waves, geometry):
 
 
 def test_waves_without_height_are_calm_water():
-    """Waves of amplitude 0 show calm water."""
+    """Waves of amplitude 0 show calm water, with one ray a pixel: of several the edges are smoother."""
     off = 100 * (np.abs(water_picture(((0.0, 3.0),), True) - water_picture((), False)).max(axis=2) > 1).mean()
     wt.check_at_most("amplitude 0: % of pixels that are not calm", float(off), 0.02)
 

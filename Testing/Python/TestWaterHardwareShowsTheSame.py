@@ -120,6 +120,7 @@ def made_of(set_look, position, translucent=False, samples=0, parallel=False):
     wt.add_scene_light(view.renderer, (0.3, 0.6, 0.55))
     water = wt.add_water(view.renderer, None, (-60, 60, -60, 60), None)
     set_look(water.GetWaterProperty())
+    water.GetWaterProperty().SetRayTraceRays(1)  # several are for software renderers alone
     camera = wt.place_camera(view.renderer, position, (0, 0, 0), (0.3, 200))
     camera.SetParallelProjection(parallel)
     camera.SetParallelScale(4)

@@ -121,8 +121,9 @@ enum // WATER_FEATURE_WAVES and so on
   X(facets, vtkWaterHardwareFacetsFS, WATER_FEATURE_FLAG(HARDWARE_FACETS), 0,                      \
     "the same, with branches")                                                                     \
   X(facets, vtkWaterNoFacetsFS, 0, WATER_FEATURE_FLAG(ROUGH), "one")                               \
-  X(rays, vtkWaterRaysFS, WATER_FEATURE_FLAG(RAY_TRACED), 0,                                       \
+  X(rays, vtkWaterRaysFS, WATER_FEATURE_FLAG(RAY_TRACED), WATER_FEATURE_FLAG(HARDWARE_RAYS),       \
     "several rays a pixel where neighbours differ")                                                \
+  X(rays, vtkWaterHardwareOneRayFS, WATER_FEATURE_FLAG(HARDWARE_RAYS), 0, "one, in domes, too")    \
   X(rays, vtkWaterOneRayFS, 0, WATER_FEATURE_FLAG(RAY_TRACED), "one")                              \
   X(shadows, vtkWaterShadowsFS, WATER_FEATURE_FLAG(SHADOWS), 0, "of things on glitter and foam")   \
   X(shadows, vtkWaterNoShadowsFS, 0, WATER_FEATURE_FLAG(SHADOWS), "none")                          \

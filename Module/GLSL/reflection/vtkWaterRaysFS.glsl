@@ -24,8 +24,10 @@ WaterPoint waterMovedPoint(WaterPoint point, vec2 place, WaterPointChange across
   WaterPoint moved = point;
   moved.start += place.x * across.start + place.y * down.start;
   moved.startW += place.x * across.startW + place.y * down.startW;
-  moved.ray = normalize(point.ray + place.x * across.ray + place.y * down.ray);
-  moved.normal = normalize(point.normal + place.x * across.normal + place.y * down.normal);
+  bool isMiddle = place == vec2(0.0); // not normalized again: that would be another rounding
+  moved.ray = isMiddle ? point.ray : normalize(point.ray + place.x * across.ray + place.y * down.ray);
+  moved.normal =
+    isMiddle ? point.normal : normalize(point.normal + place.x * across.normal + place.y * down.normal);
   return moved;
 }
 
