@@ -56,6 +56,19 @@ def test_a_far_dome_is_reflected_as_a_near_one():
                      100 * (np.abs(near - far).max(axis=2) > 8).mean(), 3)
 
 
+@pytest.mark.parametrize("is_software", (0, 1))
+def test_a_far_wall_is_met_before_the_end_of_its_rays(is_software, monkeypatch):
+    """A wall that does not surround the eye is reflected from 200 km as from 600 m, not taken for the background."""
+    monkeypatch.setenv("VTK_WATER_SOFTWARE", str(is_software))
+    shown = []
+    for distance in (600.0, 2e5):
+        made, _ = scene(0, 2 * distance, VIEWS[0])
+        wall = wt.box((0, distance, 0), (4 * distance, 0.02 * distance, 4 * distance))
+        made.renderer.GetActors().GetItemAsObject(0).GetMapper().SetInputData(wall)
+        shown.append((made.picture() == 255 * np.array(MAGENTA)).all(axis=2))
+    wt.check_at_most("pixels that show the background before the far wall alone, %", 100 * (shown[1] & ~shown[0]).mean(), 0.1)
+
+
 def test_background_is_still_shown_where_nothing_is_drawn():
     """Half a dome about the eye, open before it: the water shows the background there, and not the dome."""
     made, _ = scene(0, 300.0, VIEWS[1])

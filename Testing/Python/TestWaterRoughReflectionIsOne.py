@@ -14,4 +14,5 @@ def test_brightness_rises_step_by_step():
     wt.place_camera(made.renderer, (0, -20, 5), (0, 0, 1), (1, 200))
     column = made.picture()[:, 100, 0]
     steps = np.abs(np.diff(column))[:70]  # from the bottom up to the foot of the wall
+    wt.check_at_least("rough reflection: from the sky's black to the wall's white, of 255", int(np.ptp(column[:70])), 200)
     wt.check_at_most("rough reflection: largest step from pixel to pixel, of 255", int(steps.max()), 60)

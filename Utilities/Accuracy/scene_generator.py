@@ -23,20 +23,13 @@ import dataclasses
 
 import numpy as np
 import ray_caster
+import scene_shapes as shapes
 import water_test as wt
-from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy
-from vtkmodules.vtkCommonComputationalGeometry import vtkParametricTorus
-from vtkmodules.vtkCommonCore import mutable, vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData, vtkStaticCellLocator
-from vtkmodules.vtkFiltersCore import vtkAppendPolyData, vtkTriangleFilter
-from vtkmodules.vtkFiltersSources import (
-    vtkConeSource,
-    vtkCubeSource,
-    vtkCylinderSource,
-    vtkParametricFunctionSource,
-    vtkPlatonicSolidSource,
-    vtkSphereSource,
-)
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import mutable
+from vtkmodules.vtkCommonDataModel import vtkStaticCellLocator
+from vtkmodules.vtkFiltersCore import vtkAppendPolyData
+from vtkmodules.vtkFiltersSources import vtkSphereSource
 from vtkmodules.vtkRenderingCore import vtkCamera
 
 SIZE = (400, 300)
@@ -52,7 +45,6 @@ DOME = (50.0, 60e3)  # m
 NEAR = (1e-3, 10.0)  # m
 LEAST_NEAR = 3e-4  # of the reach: 24 bits of depth then part what is 1/5000 of the reach apart
 MOST_DOME = 4e5  # of the near plane: VTK, in single precision, cuts off what is farther, before the far plane
-SHAPES = ("box", "sphere", "cone", "torus", "pole", "half cylinder", "standing plane", "solid")
 
 
 @dataclasses.dataclass
@@ -142,17 +134,17 @@ class _Draft:
         points = np.stack([center[0] + width * x, center[1] + width * y, level + height * field], axis=-1)
         low, high = np.array(_color(random)), np.array(_color(random))
         share = ((field - field.min()) / np.ptp(field))[..., None]
-        return _surface(points), low + share * (high - low)
+        return shapes.surface(points), low + share * (high - low)
 
     def _thing(self, random):
         """Data and colour of a thing that stands in the water, floats or hangs over it."""
-        shape = SHAPES[random.integers(len(SHAPES))]
+        shape = shapes.NAMES[random.integers(len(shapes.NAMES))]
         size = self.reach * _log_uniform(random, 0.02, 0.2)
-        data = _SHAPES[shape](random, size)
+        data = shapes.SHAPES[shape](random, size)
         if shape not in ("pole", "half cylinder", "standing plane") or random.random() < 0.3:
-            data = _turned(data, random.uniform(-0.5, 0.5, 2), random.uniform(0, 2 * np.pi))
+            data = shapes.turned(data, random.uniform(-0.5, 0.5, 2), random.uniform(0, 2 * np.pi))
         else:
-            data = _turned(data, (0, 0), random.uniform(0, 2 * np.pi))
+            data = shapes.turned(data, (0, 0), random.uniform(0, 2 * np.pi))
         low, high = data.GetBounds()[4:]
         place = {"stands": random.uniform(-0.5, -0.05) * (high - low), "floats": random.uniform(-0.02, 0.02) * size,
                  "hangs": random.uniform(0.05, 2) * size}
@@ -288,7 +280,7 @@ class _Draft:
         source.SetThetaResolution(64)
         source.SetPhiResolution(48)
         source.SetOutputPointsPrecision(1)
-        data = _triangles(source)
+        data = shapes.triangles(source)
         height = vtk_to_numpy(data.GetPoints().GetData())[:, 2:] / self.radius
         horizon, zenith, ground = (np.array(color) for color in self.sky)
         share = np.sqrt(np.abs(height))
@@ -326,126 +318,3 @@ def _add_colored(renderer, data, colors):
     values.SetName("colors")
     data.GetPointData().SetScalars(values)
     wt.add_actor(renderer, data, (1, 1, 1), lit=False).GetMapper().ScalarVisibilityOn()
-
-
-def _triangles(source):
-    """A source's triangles alone: VTK and the tracer are not to cut polygons each in its own way."""
-    found = vtkTriangleFilter()
-    found.SetInputConnection(source.GetOutputPort())
-    found.PassVertsOff()
-    found.PassLinesOff()
-    found.Update()
-    data = vtkPolyData()
-    data.SetPoints(found.GetOutput().GetPoints())
-    data.SetPolys(found.GetOutput().GetPolys())
-    return data
-
-
-def _surface(points):
-    """Triangles between points in rows and columns."""
-    rows, columns = points.shape[:2]
-    first = (np.arange(rows - 1)[:, None] * columns + np.arange(columns - 1)).ravel()
-    ids = np.concatenate([np.stack([first, first + columns, first + 1], axis=1),
-                          np.stack([first + 1, first + columns, first + columns + 1], axis=1)])
-    places = vtkPoints()
-    places.SetDataTypeToDouble()
-    places.SetData(numpy_to_vtk(np.ascontiguousarray(points.reshape(-1, 3)), deep=True))
-    cells = vtkCellArray()
-    cells.SetData(3, numpy_to_vtkIdTypeArray(ids.ravel(), deep=True))
-    data = vtkPolyData()
-    data.SetPoints(places)
-    data.SetPolys(cells)
-    return data
-
-
-def _turned(data, tilts, heading):
-    """Tilted about x and y, then turned about z, in radians."""
-    matrix = wt.vtkMatrix4x4()
-    turn = np.eye(3)
-    for axis, angle in ((0, tilts[0]), (1, tilts[1]), (2, heading)):
-        cosine, sine = np.cos(angle), np.sin(angle)
-        one, other = (axis + 1) % 3, (axis + 2) % 3
-        step = np.eye(3)
-        step[one, one] = step[other, other] = cosine
-        step[one, other], step[other, one] = -sine, sine
-        turn = step @ turn
-    for i in range(3):
-        for j in range(3):
-            matrix.SetElement(i, j, turn[i, j])
-    return wt.transformed(data, matrix)
-
-
-def _box(random, size):
-    source = vtkCubeSource()
-    lengths = size * random.uniform(0.4, 1.6, 3)
-    source.SetXLength(lengths[0])
-    source.SetYLength(lengths[1])
-    source.SetZLength(lengths[2])
-    return _triangles(source)
-
-
-def _sphere(random, size):
-    source = vtkSphereSource()
-    source.SetRadius(0.6 * size)
-    source.SetThetaResolution(int(random.integers(8, 97)))
-    source.SetPhiResolution(int(random.integers(6, 97)))
-    return _triangles(source)
-
-
-def _cone(random, size):
-    source = vtkConeSource()
-    source.SetDirection(0, 0, 1 if random.random() < 0.7 else -1)
-    source.SetHeight(size * random.uniform(0.6, 2))
-    source.SetRadius(size * random.uniform(0.2, 0.7))
-    source.SetResolution(int(random.integers(4, 49)))
-    source.SetCapping(random.random() < 0.7)
-    return _triangles(source)
-
-
-def _torus(random, size):
-    shape = vtkParametricTorus()
-    shape.SetRingRadius(0.6 * size)
-    shape.SetCrossSectionRadius(size * random.uniform(0.05, 0.3))
-    source = vtkParametricFunctionSource()
-    source.SetParametricFunction(shape)
-    source.SetUResolution(40)
-    source.SetVResolution(24)
-    source.GenerateNormalsOff()
-    return _turned(_triangles(source), random.uniform(-1.5, 1.5, 2), 0)
-
-
-def _pole(random, size):
-    source = vtkCylinderSource()  # along y
-    source.SetRadius(size * random.uniform(0.02, 0.1))
-    source.SetHeight(size * random.uniform(2, 6))
-    source.SetResolution(int(random.integers(4, 25)))
-    return _turned(_triangles(source), (np.pi / 2, 0), 0)
-
-
-def _half_cylinder(random, size):
-    """Open at its ends and along its side."""
-    angle, height = np.meshgrid(np.linspace(0, np.pi, int(random.integers(6, 33))), (0, size * random.uniform(0.5, 2)),
-                                indexing="ij")
-    radius = size * random.uniform(0.3, 1)
-    lying = random.random() < 0.4
-    parts = (radius * np.cos(angle), height, radius * np.sin(angle))
-    return _surface(np.stack(parts if lying else (parts[0], parts[2], parts[1]), axis=-1))
-
-
-def _standing_plane(random, size):
-    x, z = np.meshgrid(size * random.uniform(0.5, 3) * np.linspace(-0.5, 0.5, 5),
-                       size * random.uniform(0.3, 2) * np.linspace(0, 1, 3), indexing="ij")
-    return _surface(np.stack([x, np.zeros_like(x), z], axis=-1))
-
-
-def _solid(random, size):
-    source = vtkPlatonicSolidSource()
-    source.SetSolidType(int(random.integers(5)))
-    data = _triangles(source)
-    matrix = wt.vtkMatrix4x4()
-    for i in range(3):
-        matrix.SetElement(i, i, 0.6 * size)
-    return wt.transformed(data, matrix)
-
-
-_SHAPES = dict(zip(SHAPES, (_box, _sphere, _cone, _torus, _pole, _half_cylinder, _standing_plane, _solid)))

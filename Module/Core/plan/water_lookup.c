@@ -10,6 +10,10 @@
 // What a filter reads beside a place, and what is rounded.
 static const double horizon_margin_px = 2.0;
 
+static const double dome_height = 0.25; // over the plane, of a dome's widest side; land is lower
+
+static const double ray_contrast = 0.25; // of white, over the number of rays
+
 // Rows x, y and w of the clip coordinates of a world vector (w 0: a direction).
 static void picture_of(
   const water_camera* camera, const double vector[3], double w, double picture[3])
@@ -290,7 +294,7 @@ double water_lookup_top(const water_plane* plane, const water_prop* props, size_
 
 double water_lookup_contrast(int rays)
 {
-  return 0.25 / (rays > 1 ? rays : 1);
+  return ray_contrast / (rays > 1 ? rays : 1);
 }
 
 bool water_lookup_is_enclosed(const water_plane* plane, const water_eye* eye,
@@ -311,7 +315,7 @@ bool water_lookup_is_enclosed(const water_plane* plane, const water_eye* eye,
     {
       const double widest =
         fmax(bounds[1] - bounds[0], fmax(bounds[3] - bounds[2], bounds[5] - bounds[4]));
-      if (top_of(plane, bounds) >= 0.25 * widest)
+      if (top_of(plane, bounds) >= dome_height * widest)
       {
         return true;
       }

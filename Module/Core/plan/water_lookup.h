@@ -113,17 +113,21 @@ double water_lookup_texel(const double dir_to_reflection[12], const int texture_
 double water_lookup_top(const water_plane* plane, const water_prop* props, size_t prop_count,
   const water_cull_reason* reasons);
 
-// How much of white two pixels' colours differ at least for either to have so many rays: the more
-// rays there are, the less an edge may have of them. 1/16 with 4 rays: of one ray at each pixel, a
-// difference below is within the error of a picture's edges. Source: measured,
-// Documentation/decisions/006-lookup.md.
+// How much the colours of two neighbouring pixels must differ for both to have so many rays: a
+// share of white, 1 / (4 rays). Smaller differences are not worth the rays.
+//
+// rays  of such a pixel; below 1 counts as 1
+//
+// Source: measured, Documentation/decisions/006-lookup.md.
 double water_lookup_contrast(int rays);
 
-// Is a drawn prop about the eye, as a dome that is the sky? Its bounds hold the eye, and are at
-// least half as high over the plane as from their middle to a side: land about the eye is lower.
-// The background cannot be told from a mesh then where something hides what is there.
+// Does a drawn prop surround the eye, as a dome that is the sky does? Its bounds hold the eye, and
+// reach at least a quarter of their widest side above the plane; land around the eye is lower. What
+// something hides may then be the dome, and not the background.
 //
-// Source: chosen: half a sphere is as high as its radius.
+// plane  normalised, normal towards the eye
+//
+// Source: chosen; half a sphere reaches half of its widest side.
 bool water_lookup_is_enclosed(const water_plane* plane, const water_eye* eye,
   const water_prop* props, size_t prop_count, const water_cull_reason* reasons);
 

@@ -130,8 +130,8 @@ float waterPerDepth(vec3 line)
   return 1.0 / (abs(line.z) > 1e-20 ? line.z : 1e-20);
 }
 
-// Where on a ray it has a depth of the reflection texture: at its end if nothing was drawn there, which is farther than
-// any depth, if not much on the way of a long ray; a dome of the sky may be as far, and is met before.
+// Where on a ray it has a depth of the reflection texture. Where nothing was drawn that is the ray's end: the far plane,
+// whose depth the background has, lies before it by as little as a dome of the sky may.
 float waterPlaceOnRay(vec3 start, float perDepth, float depth)
 {
   return depth >= 1.0 ? 1.0 : clamp((depth - start.z) * perDepth, 0.0, 1.0);

@@ -67,7 +67,7 @@ vec3 waterMirrored(WaterPoint point, out float reflectance, inout int reason, in
     last = isFirst ? (isEdge && mayBeEdge ? waterRays : 0) : last;
     reason = isFirst ? why : reason;
     uv = isFirst ? where : uv;
-    sum += ray == 0 && last > 0 ? vec4(0.0) : seen;
+    sum += isFirst && last > 0 ? vec4(0.0) : seen;
     ++ray;
   } while (ray <= last);
   sum /= float(max(last, 1));

@@ -2,9 +2,10 @@
 // vtkWaterPointFS.glsl: what all slots of a surface's shader know about their pixel, and the sky.
 //
 // The slots, each one file of several: place (waterPlaceOf), waves (waterRipple), reflection (waterReflected), layer
-// (waterCross), caustics (waterCaustic), body (waterTransmitted), facets (waterFacets), rays (waterMirrored), shadows (waterSunArrives),
-// glitter (waterGlint), foam (waterFoam), sun (waterSunlit), output (waterShow); vtkWaterSurfaceFS.glsl puts them
-// together. They are files and not branches because software renderers execute both sides of a branch.
+// (waterCross), caustics (waterCaustic), body (waterTransmitted), facets (waterFacets), rays (waterMirrored),
+// shadows (waterSunArrives), glitter (waterGlint), foam (waterFoam), sun (waterSunlit), output (waterShow);
+// vtkWaterSurfaceFS.glsl puts them together. They are files and not branches because software renderers execute both
+// sides of a branch.
 //
 //
 // NDC come from gl_FragCoord and the viewport of the draw itself (read from the GL state), which is
@@ -81,16 +82,20 @@ vec3 waterSky(vec3 dir)
   return mix(waterSkyBottom.rgb, waterSkyTop.rgb, waterGradientHeight(eye.y, eye.w));
 }
 
-const float WATER_DRAWN = 0.02; // share of a filtered texel, below which its colour is rounding
+const float WATER_DRAWN = 0.02; // share of a filtered texel below which its colour is rounding
 
-vec4 waterCalm = vec4(0.0); // what calm water would show of the reflection texture; of the slot rays
+vec4 waterCalm = vec4(0.0); // what the reflection texture has for calm water; set by the slot rays
 
-// What was drawn at a place of the reflection texture: without the part of the background that a filtered one has, which
-// no ray sees where a mesh is the sky.
+// The colour of what was drawn at a place of the reflection texture. A filtered texel at a dome's rim has a share of the
+// background, which no ray sees: it is taken out. Where nothing was drawn, the place is under the rim, and calm water
+// shows the dome; or the sky is open, and calm water shows nothing either.
 vec3 waterDrawn(vec4 texel, vec3 background)
 {
-  float share = waterIsEnclosed != 0 ? texel.a : 1.0;
-  vec3 drawn = max(texel.rgb - (1.0 - share) * background, vec3(0.0)) / max(share, WATER_DRAWN);
-  vec3 without = waterCalm.a > 0.5 ? waterCalm.rgb : background; // nothing: under a dome's rim, or the open sky
-  return share < WATER_DRAWN ? without : drawn;
+  if (waterIsEnclosed == 0)
+  {
+    return texel.rgb;
+  }
+  vec3 drawn = max(texel.rgb - (1.0 - texel.a) * background, vec3(0.0)) / max(texel.a, WATER_DRAWN);
+  vec3 without = waterCalm.a > 0.5 ? waterCalm.rgb : background;
+  return texel.a < WATER_DRAWN ? without : drawn;
 }

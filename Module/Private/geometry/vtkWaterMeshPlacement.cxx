@@ -14,8 +14,8 @@
 
 namespace
 {
-constexpr vtkIdType kCells =
-  4096; // of a mesh, at most, that are looked at: it may change every frame
+// Of a mesh, at most, that are looked at: it may change every frame.
+constexpr vtkIdType kCells = 4096;
 
 std::string Describe(const water_placement_verdict& verdict)
 {

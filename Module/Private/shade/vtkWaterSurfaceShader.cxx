@@ -205,9 +205,8 @@ void vtkWaterSurfaceShader::BeginSea()
       vtkErrorWithObjectMacro(this->Water->Actor,
         "There is no memory for the wind sea's tile of "
           << this->Water->Look.SeaTile.size << " x " << this->Water->Look.SeaTile.size
-          << " points (SetSeaTileSize). The water shows its sea without waves; the next frame "
-             "tries "
-             "again.");
+          << " points (SetSeaTileSize). The water shows its sea without waves; the next frame"
+             " tries again.");
     }
   }
   this->IsSeaFlat = !slopes;
