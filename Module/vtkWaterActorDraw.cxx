@@ -147,6 +147,19 @@ void vtkWaterActor::RenderSecondary(vtkRenderer* renderer, vtkMapper* mapper)
   surface.End();
 }
 
+namespace
+{
+// The features of a water with what its reflection texture has.
+unsigned FeaturesWith(const vtkWaterSurfaceShader::Inputs& inputs, const vtkWaterSnapshot& water)
+{
+  water_feature_texture texture = water_feature_texture();
+  texture.has_layer = inputs.Translucent.Color != nullptr;
+  texture.has_peel = inputs.PeelColor && water.WantsPeel();
+  texture.is_enclosed = inputs.Plan && inputs.Plan->is_enclosed;
+  return water_features_with_texture(water.Features, &texture);
+}
+}
+
 //------------------------------------------------------------------------------
 void vtkWaterActor::Render(vtkRenderer* renderer, vtkMapper* mapper)
 {
@@ -180,8 +193,7 @@ void vtkWaterActor::Render(vtkRenderer* renderer, vtkMapper* mapper)
   inputs.RowDir = internal.Grid.GetRowDir();
   inputs.IsFlat = water->IsSheet && !isDisplaced;
   vtkMapper* drawn = isDisplaced ? internal.LayGrid(*water, view, mapper) : mapper;
-  const bool hasLayer = inputs.Translucent.Color != nullptr;
-  unsigned features = hasLayer ? water_features_with_layer(water->Features) : water->Features;
+  unsigned features = FeaturesWith(inputs, *water);
   features = frame.IsSoftware() ? features : water_features_on_hardware(features);
   if (internal.Surface.UpdateFeatures(features))
   {

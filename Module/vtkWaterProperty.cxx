@@ -298,60 +298,6 @@ vtkMTimeType vtkWaterProperty::GetMTime()
 }
 
 //------------------------------------------------------------------------------
-void vtkWaterProperty::SetLookup(int lookup)
-{
-  vtkWaterSetInRange(Lookup, lookup, RAY_TRACED, MOVED_POINT);
-}
-
-//------------------------------------------------------------------------------
-void vtkWaterProperty::SetOffsetScale(double scale)
-{
-  vtkWaterSetInRange(OffsetScale, scale, -1000.0, 1000.0);
-}
-
-//------------------------------------------------------------------------------
-void vtkWaterProperty::SetRayTraceSteps(int steps)
-{
-  vtkWaterSetInRange(RayTraceSteps, steps, 1, 256);
-}
-
-//------------------------------------------------------------------------------
-void vtkWaterProperty::SetRayTraceProbes(int probes)
-{
-  vtkWaterSetInRange(RayTraceProbes, probes, 0, 64);
-}
-
-//------------------------------------------------------------------------------
-void vtkWaterProperty::SetRayTraceRays(int rays)
-{
-  vtkWaterSetInRange(RayTraceRays, rays, 1, 16);
-}
-
-//------------------------------------------------------------------------------
-void vtkWaterProperty::SetRayTraceQualityToFast()
-{
-  this->SetRayTraceSteps(8);
-  this->SetRayTraceProbes(3);
-  this->SetRayTraceRays(1);
-}
-
-//------------------------------------------------------------------------------
-void vtkWaterProperty::SetRayTraceQualityToDefault()
-{
-  this->SetRayTraceSteps(16);
-  this->SetRayTraceProbes(6);
-  this->SetRayTraceRays(4);
-}
-
-//------------------------------------------------------------------------------
-void vtkWaterProperty::SetRayTraceQualityToHigh()
-{
-  this->SetRayTraceSteps(24);
-  this->SetRayTraceProbes(12);
-  this->SetRayTraceRays(8);
-}
-
-//------------------------------------------------------------------------------
 void vtkWaterProperty::SetOutput(int output)
 {
   vtkWaterSetInRange(Output, output, COLOR, REFLECTANCE);
@@ -411,6 +357,8 @@ void vtkWaterProperty::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "RayTraceSteps: " << this->RayTraceSteps << "\n";
   os << indent << "RayTraceProbes: " << this->RayTraceProbes << "\n";
   os << indent << "RayTraceRays: " << this->RayTraceRays << "\n";
+  os << indent << "RayTraceLayers: " << this->RayTraceLayers << "\n";
+  os << indent << "RayTraceFootprint: " << this->RayTraceFootprint << "\n";
   os << indent << "Output: " << this->Output << "\n";
 }
 VTK_ABI_NAMESPACE_END

@@ -541,11 +541,41 @@ public:
 
   ///@{
   /**
-   * Steps, probes and rays at once: fast is 8, 3 and 1, the default 16, 6 and 4, high 24, 12 and 8.
+   * Work of the ray-traced lookup: layers of the mirrored view that rays see, in [1, 2]. With 2 a ray
+   * that goes behind the edge of a thing goes on among what is behind there, which is drawn once
+   * more for it, whenever the mirrored view is. Default is 1.
    */
-  void SetRayTraceQualityToFast();
-  void SetRayTraceQualityToDefault();
-  void SetRayTraceQualityToHigh();
+  void SetRayTraceLayers(int layers);
+  vtkGetMacro(RayTraceLayers, int);
+  ///@}
+
+  ///@{
+  /**
+   * Size of the pixel that the waves' slopes are means over, in pixels, in [0, 1]. 0: the slopes of
+   * the pixel's middle, for frames that are averaged (vtkWaterFrameAverage), which converge to what
+   * the waves reflect; alone they flicker where waves are smaller than a pixel. Default is 1.
+   */
+  void SetRayTraceFootprint(double footprint);
+  vtkGetMacro(RayTraceFootprint, double);
+  ///@}
+
+  ///@{
+  /**
+   * Steps, probes, rays, layers and footprint at once, by a name, which must be one of these:
+   *
+   *     fast        8   3  1  1  1
+   *     default    16   6  4  1  1
+   *     high       24  12  8  2  1
+   *     reference 256  64  1  2  0
+   *
+   * With more than 4 rays calm water's reflection is multisampled, too (see
+   * vtkWaterReflectionPass::SetMultiSamples). "reference" is for vtkWaterFrameAverage.
+   */
+  void SetRayTraceQuality(const char* name);
+  void SetRayTraceQualityToFast() { this->SetRayTraceQuality("fast"); }
+  void SetRayTraceQualityToDefault() { this->SetRayTraceQuality("default"); }
+  void SetRayTraceQualityToHigh() { this->SetRayTraceQuality("high"); }
+  void SetRayTraceQualityToReference() { this->SetRayTraceQuality("reference"); }
   ///@}
 
   enum Outputs
@@ -657,6 +687,8 @@ private:
   int RayTraceSteps = 16;
   int RayTraceProbes = 6;
   int RayTraceRays = 4;
+  int RayTraceLayers = 1;
+  double RayTraceFootprint = 1.0;
   int Output = COLOR;
 };
 

@@ -36,6 +36,8 @@ void vtkWaterProperty::Describe(vtkWaterLook& look)
   look.RayTraceSteps = this->RayTraceSteps;
   look.RayTraceProbes = this->RayTraceProbes;
   look.RayTraceRays = this->RayTraceRays;
+  look.RayTraceLayers = this->RayTraceLayers;
+  look.RayTraceFootprint = this->RayTraceFootprint;
   look.Output = this->Output;
   look.Environment = this->Internal->Environment;
   look.Property = this;

@@ -13,6 +13,7 @@ enum
 {
   SHADER_LOOK_BITS = 1 WATER_FEATURE_LOOK_LIST(SHADER_ONE_MORE), // and the kind of lookup
   SHADER_LOOK_COUNT = 1 << SHADER_LOOK_BITS,
+  SHADER_TEXTURE_COUNT = 1 << 3, // what a reflection texture may have
   SHADER_SET_COUNT = 1 << WATER_FEATURE_COUNT
 };
 #undef SHADER_ONE_MORE
@@ -28,6 +29,13 @@ static inline water_feature_look shader_look(unsigned number)
   return look;
 }
 
+static inline water_feature_texture shader_texture(unsigned number)
+{
+  const water_feature_texture texture = { (number & 1u) != 0, (number & 2u) != 0,
+    (number & 4u) != 0 };
+  return texture;
+}
+
 // The distinct ones in ascending order; returns how many.
 //
 // sets  room for SHADER_SET_COUNT
@@ -40,15 +48,16 @@ static inline size_t shader_combinations(unsigned* sets)
   for (unsigned number = 0; number < SHADER_LOOK_COUNT; ++number)
   {
     const water_feature_look look = shader_look(number);
-    const unsigned asked[3] = { water_features_of(&look),
-      water_features_with_layer(water_features_of(&look)), water_features_secondary(&look) };
-    for (int i = 0; i < 3; ++i)
+    sets[water_features_secondary(&look)] = 1;
+    for (unsigned has = 0; has < SHADER_TEXTURE_COUNT; ++has)
     {
-      const unsigned hardware = i < 2 ? water_features_on_hardware(asked[i]) : asked[i];
-      sets[asked[i]] = 1;
+      const water_feature_texture texture = shader_texture(has);
+      const unsigned asked = water_features_with_texture(water_features_of(&look), &texture);
+      const unsigned hardware = water_features_on_hardware(asked);
+      sets[asked] = 1;
       sets[hardware] = 1;
       // a mesh whose vertices VTK does not let us move
-      sets[asked[i] & ~(unsigned)WATER_FEATURE_DISPLACED] = 1;
+      sets[asked & ~(unsigned)WATER_FEATURE_DISPLACED] = 1;
       sets[hardware & ~(unsigned)WATER_FEATURE_DISPLACED] = 1;
     }
   }

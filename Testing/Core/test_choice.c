@@ -185,6 +185,47 @@ TEST(own_waters_get_their_shares)
   }
 }
 
-TESTS(first_memory_is_empty, fixed_quality_is_the_users, target_error_has_its_step_and_keeps_it,
+// Four names, each of more work than the last, and no other; a wrong one changes nothing.
+TEST(qualities_have_names)
+{
+  static const char* const names[4] = { "fast", "default", "high", "reference" };
+  water_ray_quality last = { 0, 0, 0, 0, 0.0 };
+  for (int i = 0; i < 4; ++i)
+  {
+    water_ray_quality quality;
+    assert_int_equal(water_quality_of_name(names[i], &quality), WATER_OK);
+    assert_true(quality.steps > last.steps && quality.probes > last.probes);
+    assert_true(quality.layers >= last.layers);
+    assert_true(quality.footprint_px == (i < 3 ? 1.0 : 0.0));
+    last = quality;
+  }
+  water_ray_quality kept = last;
+  assert_int_equal(water_quality_of_name("High", &kept), WATER_BAD_QUALITY_NAME);
+  assert_int_equal(water_quality_of_name("", &kept), WATER_BAD_QUALITY_NAME);
+  assert_memory_equal(&kept, &last, sizeof last);
+}
+
+// The first frame of an average looks through the pixels' middles, and 64 are spread so evenly that
+// each ninth of the pixel has 5 to 10.
+TEST(frames_of_an_average_are_spread_evenly)
+{
+  int counts[9] = { 0 };
+  double place[2];
+  water_quality_jitter(0, place);
+  assert_true(place[0] == 0.0 && place[1] == 0.0);
+  for (unsigned i = 0; i < 64; ++i)
+  {
+    water_quality_jitter(i, place);
+    assert_true(place[0] >= -0.5 && place[0] < 0.5 && place[1] >= -0.5 && place[1] < 0.5);
+    ++counts[(int)(3.0 * (place[0] + 0.5)) + 3 * (int)(3.0 * (place[1] + 0.5))];
+  }
+  for (int i = 0; i < 9; ++i)
+  {
+    assert_true(counts[i] >= 5 && counts[i] <= 10);
+  }
+}
+
+TESTS(qualities_have_names, frames_of_an_average_are_spread_evenly, first_memory_is_empty,
+  fixed_quality_is_the_users, target_error_has_its_step_and_keeps_it,
   bad_first_target_is_the_finest_step, budgets_follow_the_times, still_picture_has_the_finest_step,
   own_waters_get_their_shares)

@@ -61,6 +61,7 @@ static const struct
 } rules[] = {
   { WATER_FEATURE_WAVES, { WAVES }, 0 },
   { WATER_FEATURE_RAY_TRACED, { RAYS }, ENVIRONMENT | OFFSET },
+  { WATER_FEATURE_SEVERAL_RAYS, { RAYS }, ENVIRONMENT | OFFSET },
   { WATER_FEATURE_OFFSET, { RAYS, OFFSET }, ENVIRONMENT },
   { WATER_FEATURE_ENVIRONMENT, { ENVIRONMENT }, 0 },
   { WATER_FEATURE_MEDIUM, { REFRACTION, OPAQUE }, 0 },
@@ -108,19 +109,29 @@ TEST(features_of_every_look_follow_the_rules)
   }
 }
 
-// A layer of translucent things is found by traced rays only, and changes nothing else.
-TEST(layer_is_for_traced_rays_alone)
+// What a reflection texture has beside its colours is for who looks it up, and changes nothing
+// else.
+TEST(layer_and_peel_are_for_traced_rays_alone)
 {
   for (unsigned has = 0; has < LOOKS; ++has)
   {
     const unsigned features = expected_of(has);
     const bool is_traced = (has & RAYS) && !(has & (ENVIRONMENT | OFFSET));
-    assert_int_equal(
-      water_features_with_layer(features), features + (is_traced ? WATER_FEATURE_TRANSLUCENT : 0));
+    const bool is_offset = (has & RAYS) && (has & OFFSET) && !(has & ENVIRONMENT);
+    const water_feature_texture layer = { .has_layer = true };
+    const water_feature_texture peel = { .has_peel = true };
+    const water_feature_texture dome = { .is_enclosed = true };
+    assert_int_equal(water_features_with_texture(features, &layer),
+      features + (is_traced ? WATER_FEATURE_TRANSLUCENT : 0));
+    assert_int_equal(water_features_with_texture(features, &peel),
+      features + (is_traced ? WATER_FEATURE_PEELED : 0));
+    assert_int_equal(water_features_with_texture(features, &dome),
+      features + (is_traced || is_offset ? WATER_FEATURE_ENCLOSED : 0));
   }
 }
 
-// On hardware reads go out together, for what reads: nothing else changes.
+// On hardware reads go out together, for what reads, and a pixel has one ray unless there is a
+// peel: nothing else changes.
 TEST(hardware_reads_in_batches)
 {
   for (unsigned has = 0; has < LOOKS; ++has)
@@ -131,7 +142,11 @@ TEST(hardware_reads_in_batches)
       (is_traced && (has & ROUGH) ? WATER_FEATURE_HARDWARE_FACETS : 0u) |
       ((has & REFRACTION) && (has & OPAQUE) ? WATER_FEATURE_HARDWARE_MEDIUM : 0u) |
       ((has & WAVES) ? WATER_FEATURE_HARDWARE_TILE : 0u);
-    assert_int_equal(water_features_on_hardware(features), features | batched);
+    const unsigned peeled = is_traced ? features | WATER_FEATURE_PEELED : features;
+    assert_int_equal(water_features_on_hardware(features),
+      (features & ~(unsigned)WATER_FEATURE_SEVERAL_RAYS) | batched);
+    assert_int_equal(water_features_on_hardware(peeled),
+      is_traced ? peeled | batched : batched | (features & ~(unsigned)WATER_FEATURE_SEVERAL_RAYS));
   }
 }
 
@@ -161,7 +176,8 @@ enum
 {
   SURFACE_FILES = sizeof surface_files / sizeof surface_files[0],
   DISPLACEMENT_FILES = sizeof displacement_files / sizeof displacement_files[0],
-  REACHABLE_MAX = 5 * LOOKS
+  REACHABLE_MAX =
+    (1 + 2 * 8) * LOOKS // looked up in 8 kinds of reflection textures, on 2 of machines
 };
 
 // All sets of features that a shader may be asked for, some more than once.
@@ -171,12 +187,14 @@ static size_t reach_all(unsigned features[REACHABLE_MAX])
   for (unsigned has = 0; has < LOOKS; ++has)
   {
     const water_feature_look look = look_of(has);
-    features[count] = water_features_of(&look);
-    features[count + 1] = water_features_with_layer(features[count]);
-    features[count + 2] = water_features_secondary(&look);
-    features[count + 3] = water_features_on_hardware(features[count]);
-    features[count + 4] = water_features_on_hardware(features[count + 1]);
-    count += 5;
+    features[count++] = water_features_secondary(&look);
+    for (unsigned kind = 0; kind < 8; ++kind)
+    {
+      const water_feature_texture texture = { kind & 1, kind >> 1 & 1, kind >> 2 & 1 };
+      features[count] = water_features_with_texture(water_features_of(&look), &texture);
+      features[count + 1] = water_features_on_hardware(features[count]);
+      count += 2;
+    }
   }
   return count;
 }
@@ -214,7 +232,7 @@ static bool is_empty(const char* slot, unsigned features)
   {
     return !(features & WATER_FEATURE_DISPLACED);
   }
-  if (strcmp(slot, "layer") == 0)
+  if (strcmp(slot, "layer") == 0 || strcmp(slot, "behind") == 0)
   {
     return !(features & lookups);
   }
@@ -273,8 +291,8 @@ TEST(slots_stand_in_their_order)
 {
   static const char* const surface[] = { "optics", "gradient", "attenuation", "slopes", "cell",
     "place", "point", "tile", "sines", "sea", "normal_maps", "waves", "output", "reflection",
-    "walk", "layer", "blur", "caustics", "medium", "refraction", "facet_slopes", "facets", "rays",
-    "shadows", "glitter", "foam", "sun", "surface" };
+    "dome", "walk", "behind", "layer", "blur", "caustics", "medium", "refraction", "facet_slopes",
+    "facets", "rays", "shadows", "glitter", "foam", "sun", "surface" };
   static const char* const displacement[] = { "cell", "displacement" };
   assert_order(surface_files, SURFACE_FILES, surface, sizeof surface / sizeof surface[0]);
   assert_order(displacement_files, DISPLACEMENT_FILES, displacement, 2);
@@ -324,7 +342,7 @@ TEST(vertices_move_where_the_surface_is_displaced)
   }
 }
 
-TESTS(features_of_every_look_follow_the_rules, layer_is_for_traced_rays_alone,
+TESTS(features_of_every_look_follow_the_rules, layer_and_peel_are_for_traced_rays_alone,
   hardware_reads_in_batches, water_in_a_mirrored_view_is_smooth_or_rough, each_slot_has_one_file,
   slots_stand_in_their_order, every_file_and_feature_is_used,
   vertices_move_where_the_surface_is_displaced)

@@ -3,7 +3,8 @@
 #include "test_scene.h"
 
 // The window's samples are taken over, eight at most; a number of the user's own is taken as it is.
-// One sample a pixel is none.
+// One sample a pixel is none. Waves have none of the window's, calm water of a high quality at
+// least four.
 TEST(samples_are_the_windows_or_the_users)
 {
   const struct
@@ -19,6 +20,12 @@ TEST(samples_are_the_windows_or_the_users)
     scene.settings.multi_samples = cases[i].wanted;
     scene.window_samples = cases[i].window;
     assert_int_equal(plan_of(&scene, NULL).samples, cases[i].samples);
+    scene.has_waves = true; // rays sample edges themselves
+    assert_int_equal(plan_of(&scene, NULL).samples, cases[i].wanted < 0 ? 0 : cases[i].samples);
+    scene.has_waves = false;
+    scene.calm_samples_min = 4;
+    const int least = cases[i].wanted < 0 && cases[i].samples < 4 ? 4 : cases[i].samples;
+    assert_int_equal(plan_of(&scene, NULL).samples, least);
   }
 }
 

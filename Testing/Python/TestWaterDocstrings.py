@@ -15,7 +15,7 @@ import water_test as wt
 import vtkwater
 
 CLASSES = (vtkwater.vtkWaterActor, vtkwater.vtkWaterProperty, vtkwater.vtkWaterReflectionPass,
-           vtkwater.vtkWaterOffScreen)
+           vtkwater.vtkWaterOffScreen, vtkwater.vtkWaterFrameAverage)
 MODULES = ("backend", "command", "errors", "movies", "readers", "scenes", "widgets")
 OF_VTK = {"SafeDownCast", "NewInstance", "IsA", "IsTypeOf", "GetNumberOfGenerationsFromBase", "New",
           "GetNumberOfGenerationsFromBaseType"}
@@ -27,7 +27,7 @@ RANGE = re.compile(r"\[[^]]*\d[^]]*\]|finite|any integer|must |one of|nullptr|nu
 DEFAULT = re.compile(r"default", re.I)
 # what they set is no number with a default
 NO_DEFAULT = {"SetWaterType", "SetPreset", "SetSlopeVarianceToWind", "SetMapper", "SetAllocatedRenderTime",
-              "SetRayTraceQualityToFast"}
+              "SetRayTraceQuality"}
 
 
 def text_of(name, doc):

@@ -56,7 +56,7 @@ def test_ray_traced_lookup_is_far_closer_than_the_best_offset():
 
 def test_more_rays_where_neighbours_differ_are_closer(monkeypatch):
     """Four rays at edges are closer to the ray caster than one, by an eighth of the error at least; eight not farther.
-    Where no neighbour differs nothing changes, and one ray is what it was."""
+    Where no neighbour differs next to nothing changes: what turns evenly over a pixel is left to the rays."""
     monkeypatch.setenv("VTK_WATER_SOFTWARE", "1")  # a GPU has one ray
     errors = {}
     for view in POSTS_VIEWS:
@@ -75,8 +75,9 @@ def test_more_rays_where_neighbours_differ_are_closer(monkeypatch):
         is_even = (np.maximum(step, across).max(axis=2) < 15) & mask  # of 255: a sixteenth of it is an edge
         for axis in (0, 1):  # one for all of two by two pixels, of which some may lie behind a thing
             is_even = is_even & np.roll(is_even, 1, axis) & np.roll(is_even, -1, axis)
-        wt.check_at_most(f"{view}: pixels that more rays change though no neighbour differs",
-                         int((pictures[4] != one).any(axis=2)[is_even].sum()), 0)
+        changed = (np.abs(pictures[4] - one).max(axis=2) > 15)[is_even]
+        wt.check_at_most(f"{view}: % of the pixels without an edge that more rays change by more than 15 of 255",
+                         100 * float(changed.mean()), 0.5)
     print(errors)
     one, four, eight = (np.linalg.norm(errors[rays]) for rays in (1, 4, 8))
     wt.check_at_most("RMSE of four rays at edges / of one ray everywhere", four / one, 0.875)

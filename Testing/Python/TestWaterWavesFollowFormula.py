@@ -156,6 +156,8 @@ def test_bad_time_is_refused(time):
     ("SetRayTraceProbes", -1, ("[0, 64]",)),
     ("SetRayTraceRays", 0, ("[1, 16]",)),
     ("SetRayTraceRays", 17, ("[1, 16]",)),
+    ("SetRayTraceLayers", 3, ("[1, 2]",)),
+    ("SetRayTraceFootprint", NAN, ("nan", "[0, 1]")),
     ("SetOffsetScale", NAN, ("nan",)),
     ("SetOutput", 4, ("[0, 3]",)),
 ))

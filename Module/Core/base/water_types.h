@@ -201,9 +201,10 @@ typedef struct water_scene
   size_t prop_count;
   water_look look;
   water_settings settings;
-  int window_samples; // per pixel of the window
-  bool may_tone_map;  // a pass follows that may do it
-  int max_texture_px; // the GPU's limit for a side of a texture, >= 1
+  int window_samples;   // per pixel of the window
+  int calm_samples_min; // of a calm reflection, per pixel, where the user sets none
+  bool may_tone_map;    // a pass follows that may do it
+  int max_texture_px;   // the GPU's limit for a side of a texture, >= 1
 } water_scene;
 
 typedef struct water_plan

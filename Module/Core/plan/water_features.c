@@ -49,7 +49,9 @@ static unsigned reflection_of(const water_feature_look* look)
   {
     return 0;
   }
-  return look->lookup == WATER_LOOKUP_RAY_TRACED ? WATER_FEATURE_RAY_TRACED : WATER_FEATURE_OFFSET;
+  return look->lookup == WATER_LOOKUP_RAY_TRACED
+    ? WATER_FEATURE_RAY_TRACED | WATER_FEATURE_SEVERAL_RAYS
+    : WATER_FEATURE_OFFSET;
 }
 
 static unsigned if_has(bool has, unsigned feature)
@@ -74,15 +76,21 @@ unsigned water_features_of(const water_feature_look* look)
     if_has(look->has_output, WATER_FEATURE_OUTPUT);
 }
 
-unsigned water_features_with_layer(unsigned features)
+unsigned water_features_with_texture(unsigned features, const water_feature_texture* texture)
 {
-  return features | if_has((features & WATER_FEATURE_RAY_TRACED) != 0, WATER_FEATURE_TRANSLUCENT);
+  const bool is_traced = (features & WATER_FEATURE_RAY_TRACED) != 0;
+  const bool is_looked_up = (features & (WATER_FEATURE_RAY_TRACED | WATER_FEATURE_OFFSET)) != 0;
+  return features | if_has(is_traced && texture->has_layer, WATER_FEATURE_TRANSLUCENT) |
+    if_has(is_traced && texture->has_peel, WATER_FEATURE_PEELED) |
+    if_has(is_looked_up && texture->is_enclosed, WATER_FEATURE_ENCLOSED);
 }
 
 unsigned water_features_on_hardware(unsigned features)
 {
   const bool is_traced = (features & WATER_FEATURE_RAY_TRACED) != 0;
-  return features | if_has(is_traced, WATER_FEATURE_HARDWARE_RAYS) |
+  const bool is_peeled = (features & WATER_FEATURE_PEELED) != 0;
+  const unsigned kept = is_peeled ? features : features & ~(unsigned)WATER_FEATURE_SEVERAL_RAYS;
+  return kept | if_has(is_traced, WATER_FEATURE_HARDWARE_RAYS) |
     if_has(is_traced && (features & WATER_FEATURE_ROUGH) != 0, WATER_FEATURE_HARDWARE_FACETS) |
     if_has((features & WATER_FEATURE_MEDIUM) != 0, WATER_FEATURE_HARDWARE_MEDIUM) |
     if_has((features & WATER_FEATURE_WAVES) != 0, WATER_FEATURE_HARDWARE_TILE);

@@ -33,6 +33,9 @@ extern "C"
   X(SHADOWS, "shadows on glitter and foam")                                                        \
   X(OUTPUT, "the pixel shows how it got its colour")                                               \
   X(TRANSLUCENT, "the reflection texture has a layer of translucent things")                       \
+  X(SEVERAL_RAYS, "a pixel has several where its neighbour shows another colour")                  \
+  X(ENCLOSED, "a mesh in the reflection texture may be the sky")                                   \
+  X(PEELED, "the reflection texture has a peel: what is behind its first things")                  \
   X(HARDWARE_RAYS, "hardware: a ray's reads go out together")                                      \
   X(HARDWARE_FACETS, "hardware: facets with branches of their own")                                \
   X(HARDWARE_MEDIUM, "hardware: a refracted ray is marched where it must")                         \
@@ -91,10 +94,16 @@ enum // WATER_FEATURE_WAVES and so on
   X(reflection, vtkWaterMirrorFS, 0,                                                               \
     WATER_FEATURE_FLAG(ENVIRONMENT) | WATER_FEATURE_FLAG(RAY_TRACED) | WATER_FEATURE_FLAG(OFFSET), \
     "calm: the pixel's own place")                                                                 \
+  X(dome, vtkWaterDomeFS, WATER_FEATURE_FLAG(ENCLOSED), 0, "what was not drawn is no colour")      \
+  X(dome, vtkWaterNoDomeFS, 0, WATER_FEATURE_FLAG(ENCLOSED), "it is the background")               \
   X(walk, vtkWaterRayWalkFS, WATER_FEATURE_FLAG(RAY_TRACED), WATER_FEATURE_FLAG(HARDWARE_RAYS),    \
     "its looks one after another")                                                                 \
   X(walk, vtkWaterHardwareRaysFS, WATER_FEATURE_FLAG(HARDWARE_RAYS), 0,                            \
     "some of its looks at once")                                                                   \
+  X(behind, vtkWaterBehindFS, WATER_FEATURE_FLAG(PEELED), 0, "rays go on behind edges")            \
+  X(behind, vtkWaterNoBehindFS,                                                                    \
+    WATER_FEATURE_FLAG(ENVIRONMENT) | WATER_FEATURE_FLAG(RAY_TRACED) | WATER_FEATURE_FLAG(OFFSET), \
+    WATER_FEATURE_FLAG(PEELED), "they end there")                                                  \
   X(layer, vtkWaterTranslucentLayerFS, WATER_FEATURE_FLAG(TRANSLUCENT), 0,                         \
     "translucent things, and blur")                                                                \
   X(layer, vtkWaterNoTranslucentLayerFS,                                                           \
@@ -121,10 +130,9 @@ enum // WATER_FEATURE_WAVES and so on
   X(facets, vtkWaterHardwareFacetsFS, WATER_FEATURE_FLAG(HARDWARE_FACETS), 0,                      \
     "the same, with branches")                                                                     \
   X(facets, vtkWaterNoFacetsFS, 0, WATER_FEATURE_FLAG(ROUGH), "one")                               \
-  X(rays, vtkWaterRaysFS, WATER_FEATURE_FLAG(RAY_TRACED), WATER_FEATURE_FLAG(HARDWARE_RAYS),       \
+  X(rays, vtkWaterRaysFS, WATER_FEATURE_FLAG(SEVERAL_RAYS), 0,                                     \
     "several rays a pixel where neighbours differ")                                                \
-  X(rays, vtkWaterHardwareOneRayFS, WATER_FEATURE_FLAG(HARDWARE_RAYS), 0, "one, in domes, too")    \
-  X(rays, vtkWaterOneRayFS, 0, WATER_FEATURE_FLAG(RAY_TRACED), "one")                              \
+  X(rays, vtkWaterOneRayFS, 0, WATER_FEATURE_FLAG(SEVERAL_RAYS), "one")                            \
   X(shadows, vtkWaterShadowsFS, WATER_FEATURE_FLAG(SHADOWS), 0, "of things on glitter and foam")   \
   X(shadows, vtkWaterNoShadowsFS, 0, WATER_FEATURE_FLAG(SHADOWS), "none")                          \
   X(glitter, vtkWaterGlitterFS, WATER_FEATURE_FLAG(GLITTER), 0, "the sun's glitter")               \
@@ -198,10 +206,19 @@ bool water_features_is_of_sines(const water_feature_look* look);
 // The features of a water in the main view.
 unsigned water_features_of(const water_feature_look* look);
 
-// The same when the reflection texture that it looks up has a layer of translucent things.
-unsigned water_features_with_layer(unsigned features);
+// What a reflection texture has beside its colours and depths.
+typedef struct water_feature_texture
+{
+  bool has_layer;   // of translucent things
+  bool has_peel;    // of what is behind its first things
+  bool is_enclosed; // water_plan.is_enclosed
+} water_feature_texture;
 
-// The same where hardware executes the shader.
+// The same with the reflection texture that it looks up.
+unsigned water_features_with_texture(unsigned features, const water_feature_texture* texture);
+
+// The same where hardware executes the shader. Several rays a pixel are too slow there, unless
+// there is a peel, which is slower still.
 unsigned water_features_on_hardware(unsigned features);
 
 // The same in the mirrored view of another water: the background, and the mean of all waves.

@@ -12,6 +12,8 @@ static const double horizon_margin_px = 2.0;
 
 static const double dome_height = 0.25; // over the plane, of a dome's widest side; land is lower
 
+static const int few_rays = 4; // as WATER_FEW_RAYS of vtkWaterRaysFS.glsl
+
 static const double ray_contrast = 0.25; // of white, over the number of rays
 
 // Rows x, y and w of the clip coordinates of a world vector (w 0: a direction).
@@ -295,6 +297,11 @@ double water_lookup_top(const water_plane* plane, const water_prop* props, size_
 double water_lookup_contrast(int rays)
 {
   return ray_contrast / (rays > 1 ? rays : 1);
+}
+
+int water_lookup_calm_samples(int rays)
+{
+  return rays > few_rays ? 4 : 0;
 }
 
 bool water_lookup_is_enclosed(const water_plane* plane, const water_eye* eye,

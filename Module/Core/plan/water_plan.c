@@ -217,11 +217,16 @@ static void fill_props(const water_scene* scene, const water_eye* eye, const wat
   plan->reflection_top += scene->wave_height_max; // a ray may start in a trough
 }
 
+// Of how many samples a pixel the mirrored view is drawn. Rays need texels that show one thing: a
+// texel at an edge that is a mixture belongs to neither. They sample edges themselves.
+// Source: measured, Documentation/decisions/006-lookup.md.
 static int samples_of(const water_scene* scene)
 {
-  const int window =
-    scene->window_samples < default_samples_max ? scene->window_samples : default_samples_max;
-  const int wanted = scene->settings.multi_samples >= 0 ? scene->settings.multi_samples : window;
+  const int most = default_samples_max;
+  const int calm = scene->window_samples > scene->calm_samples_min ? scene->window_samples
+                                                                   : scene->calm_samples_min;
+  const int own = scene->has_waves ? 0 : calm < most ? calm : most;
+  const int wanted = scene->settings.multi_samples >= 0 ? scene->settings.multi_samples : own;
   return wanted > 1 ? wanted : 0;
 }
 

@@ -175,6 +175,27 @@ void water_quality_begin(water_quality_memory* memory);
 void water_quality_choose(
   const water_quality_request* request, water_quality_memory* memory, water_quality_choice* choice);
 
+// How much work goes into rays on waves.
+typedef struct water_ray_quality
+{
+  int steps;           // of the march
+  int probes;          // between the water and where a ray converged
+  int rays;            // of a pixel at an edge
+  int layers;          // of the mirrored view that rays see
+  double footprint_px; // of the pixel that slopes are means over
+} water_ray_quality;
+
+// That of a name: fast, default, high, reference.
+//
+// Returns WATER_OK or WATER_BAD_QUALITY_NAME; then the quality is unchanged.
+// Source: measured, Documentation/decisions/006-lookup.md.
+water_status water_quality_of_name(const char* name, water_ray_quality* quality);
+
+// Where in its pixels frame number i of an average looks, in pixels from their middles, each in
+// [-0.5, 0.5): any number of frames is spread evenly, and the first is at the middle.
+// Source: Roberts 2018, "The Unreasonable Effectiveness of Quasirandom Sequences" (R2).
+void water_quality_jitter(unsigned i, double place_px[2]);
+
 // Shares a budget over many waters: a tenth of it evenly among those that are seen, so that none
 // starves, and the rest by the areas that are seen of them.
 //

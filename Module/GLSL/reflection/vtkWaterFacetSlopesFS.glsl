@@ -7,8 +7,7 @@
 // variance are exact, and two nodes (Gauss and Hermite's) stand for them, or four for rough water.
 // Source: Abramowitz and Stegun 1964, "Handbook of Mathematical Functions", table 25.10.
 
-const float WATER_SMOOTH = 2e-5; // slope variance whose reflection blurs by half a degree
-const float WATER_ROUGH = 1e-3;  // and by four
+const float WATER_ROUGH = 1e-3; // slope variance whose reflection blurs by four degrees
 
 // Cumulative normal distribution, within 2e-4.
 // Source: Page 1977, "Approximations to the Cumulative Normal Function and its Inverse for Use on a
@@ -49,7 +48,7 @@ vec2 waterFacetSlopes(WaterPoint point, float spread)
 // How many facets stand for slopes of such a variance.
 int waterFacetCount(float variance)
 {
-  int count = variance > WATER_ROUGH ? 4 : (variance > WATER_SMOOTH ? 2 : 1);
+  int count = variance > WATER_ROUGH ? 4 : (variance > waterSmooth ? 2 : 1);
   return waterShowsMean() ? 1 : count;
 }
 

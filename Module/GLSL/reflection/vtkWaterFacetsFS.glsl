@@ -48,6 +48,7 @@ vec3 waterFacets(WaterPoint point, out float reflectance, inout int reason, inou
   waterMarchRay(point.start, isOne, hit);
   if (isOne)
   {
+    waterLookBehind(point.start, hit);
     waterCross(point, hit);
     places.inner = hit.uv.xyxy;
     places.shares.x = hit.isPlace ? share : 0.0;

@@ -232,6 +232,7 @@ void waterMarchRay(vec3 start, inout WaterRayHit hit)
   }
   float toInfinity = waterReflectionZInfinity - march.depthHigh;
   hit.behind = (march.rayHigh - march.depthHigh) / toInfinity;
+  hit.passed = march.high;
   bool isSurface = march.depthLow - march.depthHigh <= waterReflectionTolerance.y * toInfinity;
   bool isOpen = hit.isInside && depthEnd >= 1.0;
   // the front side, not filtered

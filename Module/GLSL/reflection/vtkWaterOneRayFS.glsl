@@ -3,5 +3,6 @@
 
 vec3 waterMirrored(WaterPoint point, out float reflectance, inout int reason, inout vec2 uv)
 {
+  waterLookCalm(point.start);
   return waterFacets(point, reflectance, reason, uv);
 }

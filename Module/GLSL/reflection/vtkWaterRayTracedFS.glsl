@@ -81,6 +81,7 @@ struct WaterRayHit
   bool isSettled; // the estimate is what it meets
   float near;     // depth of the nearest thing that a probe found before that
   float behind;   // how far behind the edge of a thing it went, over the thing's distance
+  float passed;   // s where that is
 };
 
 // Where a ray goes, and how far: up to the ray's first look at the reflection texture.
@@ -123,6 +124,7 @@ void waterJudge(inout WaterRayHit hit)
   hit.isSettled = false;
   hit.near = hit.depth;
   hit.behind = 0.0;
+  hit.passed = 0.0;
 }
 
 float waterPerDepth(vec3 line)
@@ -186,8 +188,14 @@ int waterReason(WaterRayHit hit)
   return hit.isDown ? WATER_DOWNWARD : (isNothing ? WATER_SKY : hit.reason);
 }
 
+// Goes on with a ray that went behind the edge of a thing; of the slot behind.
+void waterLookBehind(vec3 start, inout WaterRayHit hit);
+
 // Lets a point's ray go through what is translucent; of the slot layer.
 void waterCross(WaterPoint point, inout WaterRayHit hit);
+
+// The colour of what was drawn at a place of the reflection texture; of the slot dome.
+vec3 waterDrawn(vec4 texel, vec3 background);
 
 // Colour of the reflection.
 //
@@ -198,6 +206,7 @@ vec3 waterReflected(WaterPoint point, out int reason, out vec2 uv)
   WaterRayHit hit = waterEstimateHit(point, point.normal);
   waterFollowRay(point.start, hit);
   reason = waterReason(hit);
+  waterLookBehind(point.start, hit);
   uv = hit.uv;
   waterCross(point, hit);
   return hit.isPlace ? waterDrawn(textureLod(waterReflection, uv, 0.0), hit.color) : hit.color;

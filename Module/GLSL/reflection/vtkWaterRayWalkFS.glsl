@@ -159,6 +159,7 @@ void waterMarchRay(vec3 start, bool isWanted, inout WaterRayHit hit)
       --rest;
     } while (rest > 0 && halvings < 5 && (halvings > 0 || low < 1.0));
     hit.behind = (rayHigh - depthHigh) / (waterReflectionZInfinity - depthHigh);
+    hit.passed = high;
     bool isSurface = depthLow - depthHigh <= waterReflectionTolerance.y * (waterReflectionZInfinity - depthHigh);
     bool isOpen = hit.isInside && depthEnd >= 1.0;
     // the front side, not filtered

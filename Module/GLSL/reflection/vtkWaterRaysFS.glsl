@@ -5,7 +5,9 @@
 uniform int waterRays;          // of such a pixel
 uniform float waterRayContrast; // how much another
 
-const float WATER_BLURRED = 2e-4; // slope variance from which a pixel's facets are blurred so far that it has no edges
+const int WATER_FEW_RAYS = 4; // more than these look for edges within each pixel, too
+const float WATER_NEARLY_SMOOTH = 2e-4; // waterSmooth of several rays, which are marched; facets are not
+const float WATER_BLURRED = 1e-3; // slope variance from which a pixel's facets are blurred so far that it has no edges
 
 // What changes of a point from pixel to pixel.
 struct WaterPointChange
@@ -31,10 +33,12 @@ WaterPoint waterMovedPoint(WaterPoint point, vec2 place, WaterPointChange across
   return moved;
 }
 
-// Place of a ray in its pixel, from the middle: the first is there, of the others no two are in one row or column.
+// Place of a ray in its pixel, from the middle: the first is there, of the others no two are in one row or column, and
+// the first two of them are far apart.
 vec2 waterRayPlace(int ray)
 {
-  float number = float(ray) - 0.5;
+  int other = ray == waterRays ? 2 : ray;
+  float number = float(ray == 2 ? waterRays : other) - 0.5;
   return ray == 0 ? vec2(0.0) : vec2(number / float(waterRays), fract(0.618034 * number)) - 0.5;
 }
 
@@ -45,14 +49,20 @@ vec2 waterRayPlace(int ray)
 vec3 waterMirrored(WaterPoint point, out float reflectance, inout int reason, inout vec2 uv)
 {
   waterReadOnce();
-  waterCalm = textureLod(waterReflection, point.start.xy, 0.0);
+  waterLookCalm(point.start);
   WaterPointChange across =
     WaterPointChange(dFdx(point.start), dFdx(point.startW), dFdx(point.ray), dFdx(point.normal));
   WaterPointChange down =
     WaterPointChange(dFdy(point.start), dFdy(point.startW), dFdy(point.ray), dFdy(point.normal));
   vec4 sum = vec4(0.0); // and the reflectance
-  bool mayBeEdge = waterRays > 1 && point.variance.x + point.variance.y <= WATER_BLURRED;
-  int last = 0;
+  vec3 low = vec3(1e30); // of what the rays of this pixel have seen
+  vec3 high = vec3(-1e30);
+  bool areSeveral = waterRays > 1; // which see what changes evenly
+  point.variance.xy = max(point.variance.xy - (areSeveral ? point.even : vec2(0.0)), vec2(0.0));
+  waterSmooth = areSeveral ? WATER_NEARLY_SMOOTH : waterSmooth;
+  bool mayBeEdge = areSeveral && point.variance.x + point.variance.y <= WATER_BLURRED;
+  int sure = mayBeEdge && waterRays > WATER_FEW_RAYS ? 2 : 0; // rays beside the first that look for an edge in the pixel
+  int last = sure;
   int ray = 0;
   do
   {
@@ -61,10 +71,12 @@ vec3 waterMirrored(WaterPoint point, out float reflectance, inout int reason, in
     int why = reason;
     vec2 where = uv;
     seen.rgb = waterFacets(at, seen.a, why, where);
-    vec3 change = max(abs(dFdx(seen.rgb)), abs(dFdy(seen.rgb)));
+    low = min(low, seen.rgb);
+    high = max(high, seen.rgb);
     bool isFirst = ray == 0;
-    bool isEdge = max(change.r, max(change.g, change.b)) > waterRayContrast;
-    last = isFirst ? (isEdge && mayBeEdge ? waterRays : 0) : last;
+    vec3 change = max(isFirst ? max(abs(dFdx(seen.rgb)), abs(dFdy(seen.rgb))) : vec3(0.0), high - low);
+    bool isEdge = mayBeEdge && max(change.r, max(change.g, change.b)) > waterRayContrast;
+    last = isEdge && ray <= sure ? waterRays : last;
     reason = isFirst ? why : reason;
     uv = isFirst ? where : uv;
     sum += isFirst && last > 0 ? vec4(0.0) : seen;

@@ -27,7 +27,8 @@ uniform vec3 waterSunDir;          // towards it, in the plane's axes
 uniform vec3 waterSlopeVariance;   // xx, yy, xy of the slopes too small for waves
 uniform vec4 waterSkyBottom;       // a: 1 when the sky is known in all directions
 uniform vec4 waterSkyTop;
-uniform int waterIsEnclosed; // 1: a mesh may be the sky: the reflection texture's alpha is 0 where nothing was drawn
+
+float waterSmooth = 2e-5; // slope variance up to which a pixel has one facet: its reflection blurs by half a degree
 
 struct WaterPoint
 {
@@ -39,6 +40,7 @@ struct WaterPoint
   vec2 down;
   vec3 normal;    // of the surface, of unit length
   vec4 variance;  // of the slopes along the two axes: within the pixel; taken by filters, not seen
+  vec2 even;      // of that within the pixel, what changes evenly over it: several rays see it
   float jacobian; // how close the surface's points stand, over at rest: 0 on a breaking crest
   vec3 start;     // where the reflection texture shows its calm reflection: u, v, depth
   float startW;   // w of that in clip space of the reflection texture
@@ -63,6 +65,7 @@ WaterPoint waterPoint()
   point.down = dFdy(point.place);
   point.normal = vec3(0.0, 0.0, 1.0);
   point.variance = vec4(waterSlopeVariance.xy, 0.0, 0.0);
+  point.even = vec2(0.0);
   point.jacobian = 1.0;
   vec4 clip = vec4(point.ndc, 2.0 * gl_FragCoord.z - 1.0, 1.0); // w cancels below
   float height = dot(waterPlaneClip, clip);
@@ -80,22 +83,4 @@ vec3 waterSky(vec3 dir)
 {
   vec4 eye = waterDirToEye * vec4(dir, 0.0);
   return mix(waterSkyBottom.rgb, waterSkyTop.rgb, waterGradientHeight(eye.y, eye.w));
-}
-
-const float WATER_DRAWN = 0.02; // share of a filtered texel below which its colour is rounding
-
-vec4 waterCalm = vec4(0.0); // what the reflection texture has for calm water; set by the slot rays
-
-// The colour of what was drawn at a place of the reflection texture. A filtered texel at a dome's rim has a share of the
-// background, which no ray sees: it is taken out. Where nothing was drawn, the place is under the rim, and calm water
-// shows the dome; or the sky is open, and calm water shows nothing either.
-vec3 waterDrawn(vec4 texel, vec3 background)
-{
-  if (waterIsEnclosed == 0)
-  {
-    return texel.rgb;
-  }
-  vec3 drawn = max(texel.rgb - (1.0 - texel.a) * background, vec3(0.0)) / max(texel.a, WATER_DRAWN);
-  vec3 without = waterCalm.a > 0.5 ? waterCalm.rgb : background;
-  return texel.a < WATER_DRAWN ? without : drawn;
 }

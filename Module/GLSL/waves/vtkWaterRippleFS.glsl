@@ -2,6 +2,8 @@
 // vtkWaterRippleFS.glsl: slot waves: the surface's normal from sines, wind sea and normal maps
 // together.
 
+uniform float waterFootprint; // share of the pixel's sides that slopes are means over; 0: those of the pixel's middle
+
 // dz/dx and dz/dy over a place in the plane's axes; see waterSlope.
 vec2 waterAllSlopes(
   vec2 place, vec2 across, vec2 down, vec3 ray, inout vec4 variance, out float jacobian)
@@ -12,7 +14,8 @@ vec2 waterAllSlopes(
 
 void waterRipple(inout WaterPoint point)
 {
-  vec2 slope = waterAllSlopes(point.place, point.across, point.down,
+  vec2 slope = waterAllSlopes(point.place, waterFootprint * point.across, waterFootprint * point.down,
     vec3(point.ray.xy, waterSide * point.ray.z), point.variance, point.jacobian);
+  point.even = waterEven;
   point.normal = normalize(vec3(-waterSide * slope, 1.0));
 }

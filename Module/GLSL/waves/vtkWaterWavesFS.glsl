@@ -5,18 +5,33 @@ uniform sampler2D waterWaves; // a row per wave: (kx, ky, amplitude, phase), (st
 uniform int waterWaveCount;
 uniform int waterRestSteps; // steps to the point at rest; 0 for sines in the plane: not moved
 
+// How far a wave turns over a pixel, squared: it changes evenly over the pixel up to the first, in rad2, and
+// not at all evenly from the second on. Source: measured, Documentation/decisions/006-lookup.md.
+const vec2 WATER_EVEN = vec2(1.0, 6.0);
+
+vec2 waterEven = vec2(0.0); // of the slope variances within the pixel, those of such waves; of the last place
+
+// The part of a wave's variance within the pixel that is even.
+float waterEvenPart(vec2 turn)
+{
+  return 1.0 - smoothstep(WATER_EVEN.x, WATER_EVEN.y, dot(turn, turn));
+}
+
 // The slope of waterSlope where all waves are sines in the plane.
 vec2 waterSineSlope(vec2 place, vec2 across, vec2 down, inout vec4 variance)
 {
   vec2 gradient = vec2(0.0);
   vec2 unseen = vec2(0.0);
+  waterEven = vec2(0.0);
   for (int i = 0; i < waterWaveCount; ++i)
   {
     vec4 wave = texelFetch(waterWaves, ivec2(0, i), 0);
     vec2 turn = vec2(dot(wave.xy, across), dot(wave.xy, down));
     float part = exp(-dot(turn, turn) / 24.0);
     vec2 steep = wave.z * wave.xy;
-    unseen += 0.5 * (1.0 - part * part) * steep * steep;
+    vec2 within = 0.5 * (1.0 - part * part) * steep * steep;
+    unseen += within;
+    waterEven += waterEvenPart(turn) * within;
     gradient += part * cos(dot(wave.xy, place) + wave.w) * steep;
   }
   variance.xy += unseen;
@@ -49,6 +64,7 @@ vec2 waterSlope(
     height = 0.0;
     gradient = vec2(0.0);
     unseen = vec2(0.0);
+    waterEven = vec2(0.0);
     bent = vec3(1.0, 0.0, 1.0);
     for (int i = 0; i < waterWaveCount; ++i)
     {
@@ -58,7 +74,9 @@ vec2 waterSlope(
       vec2 turn = vec2(dot(k, across), dot(k, down));
       float part = exp(-dot(turn, turn) / 24.0);
       float seen = wave.z * part;
-      unseen += 0.5 * (1.0 - part * part) * wave.z * wave.z * k * k;
+      vec2 within = 0.5 * (1.0 - part * part) * wave.z * wave.z * k * k;
+      unseen += within;
+      waterEven += waterEvenPart(turn) * within;
       float angle = dot(k, rest) + wave.w;
       float moving = waterMoving(wave.z, seen, k);
       vec2 bend = seen * vec2(sin(angle), cos(angle));

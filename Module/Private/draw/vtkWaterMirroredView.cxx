@@ -136,6 +136,16 @@ void SetViewportAndScissor(vtkOpenGLState* state, const water_plan& plan)
   state->vtkglEnable(GL_SCISSOR_TEST);
   state->vtkglScissor(rect[0], rect[1], rect[2], rect[3]);
 }
+
+void SetUpOpaque(vtkOpenGLState* state, const water_plan& plan)
+{
+  SetViewportAndScissor(state, plan);
+  state->vtkglDepthFunc(GL_LEQUAL);
+  state->vtkglEnable(GL_DEPTH_TEST);
+  state->vtkglEnable(GL_BLEND);
+  state->vtkglBlendFuncSeparate(
+    GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+}
 }
 
 //------------------------------------------------------------------------------
@@ -197,6 +207,7 @@ void vtkWaterMirroredView::DrawProps(vtkRenderer* renderer, const water_plan& pl
   vtkWaterShadows::Draw(
     renderer, draft.Shadows, draft.Props, [&]() { this->DrawOpaque(renderer, plan, draft); });
   this->DrawTranslucent(renderer, plan, draft);
+  this->DrawPeel(renderer, plan, draft);
 }
 
 //------------------------------------------------------------------------------
@@ -213,18 +224,14 @@ const char* vtkWaterMirroredView::Draw(vtkRenderer* renderer, const water_plan& 
   this->Clusters.BeginView(plan, this->Visible, plan.samples, &this->ClipDistance);
   this->IsDrawing = true;
   this->HasLayer = false;
+  this->HasPeel = false;
   this->GpuQueries.Begin(vtkWaterGpuQueries::REFLECTION, window);
   const char* failure = nullptr;
   {
     ScopedState scopedState(state);
     if (this->Target.Bind())
     {
-      SetViewportAndScissor(state, plan);
-      state->vtkglDepthFunc(GL_LEQUAL);
-      state->vtkglEnable(GL_DEPTH_TEST);
-      state->vtkglEnable(GL_BLEND);
-      state->vtkglBlendFuncSeparate(
-        GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+      SetUpOpaque(state, plan);
       this->DrawBackground(renderer, plan);
       this->DrawProps(renderer, plan, draft);
     }
@@ -290,19 +297,47 @@ void vtkWaterMirroredView::SetCamera(vtkRenderer* renderer, const water_plan& pl
 }
 
 //------------------------------------------------------------------------------
+void vtkWaterMirroredView::DrawProp(vtkRenderer* renderer, const Draft& draft, size_t number)
+{
+  draft.Hook->SetMayBeCut(draft.Known[number].MayBeCut);
+  {
+    const vtkWaterScopedFacts scopedFacts(draft.Props[number], draft.Known[number]);
+    draft.Props[number]->RenderOpaqueGeometry(renderer);
+  }
+  this->ClipDistance.Off();
+  this->Clusters.TakeBack();
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterMirroredView::DrawPeel(vtkRenderer* renderer, const water_plan& plan, Draft& draft)
+{
+  auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
+  this->HasPeel = draft.WantsPeel && this->Peel.Begin(window, this->Target);
+  if (!this->HasPeel)
+  {
+    return;
+  }
+  SetUpOpaque(window->GetState(), plan);
+  this->Background.DrawSky(renderer, plan);
+  draft.Hook->BeginPeel();
+  vtkWaterShadows::Draw(renderer, draft.Shadows, draft.Props, [&]() {
+    for (size_t i = 0; i < draft.Props.size(); ++i)
+    {
+      this->DrawProp(renderer, draft, i);
+    }
+  });
+  draft.Hook->SetMayBeCut(true);
+  draft.Hook->EndPeel();
+  window->GetState()->vtkglDisable(GL_SCISSOR_TEST);
+  this->Peel.End(window);
+}
+
+//------------------------------------------------------------------------------
 void vtkWaterMirroredView::DrawOpaque(
   vtkRenderer* renderer, const water_plan& plan, const Draft& draft)
 {
   auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
-  const auto draw = [this, renderer, &draft](size_t i) {
-    draft.Hook->SetMayBeCut(draft.Known[i].MayBeCut);
-    {
-      const vtkWaterScopedFacts scopedFacts(draft.Props[i], draft.Known[i]);
-      draft.Props[i]->RenderOpaqueGeometry(renderer);
-    }
-    this->ClipDistance.Off();
-    this->Clusters.TakeBack();
-  };
+  const auto draw = [this, renderer, &draft](size_t i) { this->DrawProp(renderer, draft, i); };
   this->GpuQueries.BeginCounting(window);
   const size_t count = draft.Props.size();
   size_t next = 0;
@@ -390,5 +425,6 @@ void vtkWaterMirroredView::ReleaseGraphicsResources(vtkWindow* window)
   this->Blank = nullptr;
   this->Translucent.ReleaseGraphicsResources(window);
   this->Layer.ReleaseGraphicsResources(window);
-  this->HasLayer = false;
+  this->Peel.ReleaseGraphicsResources(window);
+  this->HasLayer = this->HasPeel = false;
 }

@@ -11,6 +11,7 @@
 #include "vtkWaterClusters.h"
 #include "vtkWaterFog.h"
 #include "vtkWaterGpuQueries.h"
+#include "vtkWaterPeel.h"
 #include "vtkWaterPropFacts.h"
 #include "vtkWaterTarget.h"
 #include "vtkWaterTranslucent.h"
@@ -40,6 +41,7 @@ public:
     std::vector<vtkProp*> Others;         // of them, what is not a plain actor
     std::vector<vtkProp*> Blended;        // of them, those, and plain actors that are translucent
     bool HasMarchedRays = false;          // rays are traced in it
+    bool WantsPeel = false;               // and go on behind edges
     bool CanCut = false;                  // clusters of large meshes may be left out
     vtkShadowMapPass* Shadows = nullptr;  // which is up to date; nullptr: there are none
   };
@@ -74,6 +76,9 @@ public:
   // What is translucent in it; nullptr: nothing, or no rays are traced.
   vtkWaterTranslucentLayer* GetLayer() { return this->HasLayer ? &this->Layer : nullptr; }
 
+  // What is behind its first things; nullptr: no rays go there.
+  vtkWaterPeel* GetPeel() { return this->HasPeel ? &this->Peel : nullptr; }
+
   vtkWaterBackground& GetBackground() { return this->Background; }
   vtkWaterFog& GetFog() { return this->Fog; }
   vtkWaterGpuQueries& GetGpuQueries() { return this->GpuQueries; }
@@ -89,6 +94,8 @@ private:
   void DrawProps(vtkRenderer* renderer, const water_plan& plan, Draft& draft);
   void DrawOpaque(vtkRenderer* renderer, const water_plan& plan, const Draft& draft);
   void DrawTranslucent(vtkRenderer* renderer, const water_plan& plan, Draft& draft);
+  void DrawPeel(vtkRenderer* renderer, const water_plan& plan, Draft& draft);
+  void DrawProp(vtkRenderer* renderer, const Draft& draft, size_t number);
 
   vtkWaterTarget Target;
   vtkWaterBackground Background;
@@ -104,7 +111,9 @@ private:
   vtkWaterTranslucent Translucent;
   vtkWaterTranslucentLayer Layer;
   vtkWaterShortage Shortage; // of what is visible
+  vtkWaterPeel Peel;
   bool HasLayer = false;
+  bool HasPeel = false;
   bool IsDrawing = false;
 };
 

@@ -15,6 +15,7 @@
 #include "vtkShaderProperty.h"
 #include "vtkTextureObject.h"
 #include "vtkWaterPropRecords.h"
+#include "water_lookup.h"
 #include "water_optics.h"
 #include "water_waves.h"
 
@@ -146,7 +147,9 @@ void vtkWaterGather::ReadWaters(
   scene.has_environment = true; // what a mirrored view is drawn for by one of them, all use
   scene.look = waters.front()->Look.Optics;
   this->WaveNumber = 0.0;
+  scene.calm_samples_min = 0;
   this->HasMarchedRays = false;
+  this->WantsPeel = false;
   this->IsRough = false;
   for (const vtkWaterSnapshotPointer& water : waters)
   {
@@ -160,6 +163,9 @@ void vtkWaterGather::ReadWaters(
     this->IsRough = this->IsRough || water->IsRough();
     this->HasMarchedRays =
       this->HasMarchedRays || (needsRays && look.Has.lookup == WATER_LOOKUP_RAY_TRACED);
+    this->WantsPeel = this->WantsPeel || water->WantsPeel();
+    scene.calm_samples_min =
+      std::max(scene.calm_samples_min, water_lookup_calm_samples(look.RayTraceRays));
     this->WaveNumber = std::max(this->WaveNumber, look.WaveNumber);
     // of a mesh of the user's nobody knows where its faces look; the sheet's look along the normal
     vtkProperty* property = water->Actor->GetProperty();

@@ -34,6 +34,7 @@ struct vtkWaterGather
   double WaveNumber = 0.0;           // typical of the waves, rad per unit; 0: not known
   bool IsRough = false;              // one of the waters blurs its reflection
   bool HasMarchedRays = false;       // one of them traces rays in the reflection texture
+  bool WantsPeel = false;            // and goes on behind edges
 
   // Reads all that the plan depends on, but for the props.
   //

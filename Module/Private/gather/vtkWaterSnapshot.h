@@ -45,6 +45,8 @@ struct vtkWaterLook
   int RayTraceSteps = 0;
   int RayTraceProbes = 0;
   int RayTraceRays = 1;
+  int RayTraceLayers = 1;
+  double RayTraceFootprint = 1.0;
   int Output = 0;
   bool CastsShadows = false;   // what the reflection texture shows keeps light off glitter and foam
   water_sea Sea = water_sea(); // in use if Has.has_sea
@@ -73,6 +75,11 @@ struct vtkWaterSnapshot
   bool IsClear() const { return (this->Features & WATER_FEATURE_MEDIUM) != 0; }
   bool IsDisplaced() const { return (this->Features & WATER_FEATURE_DISPLACED) != 0; }
   bool IsRough() const { return (this->Features & WATER_FEATURE_ROUGH) != 0; }
+  // Do rays go on behind edges?
+  bool WantsPeel() const
+  {
+    return (this->Features & WATER_FEATURE_RAY_TRACED) != 0 && this->Look.RayTraceLayers > 1;
+  }
   bool NeedsRays() const { return water_features_needs_rays(&this->Look.Has); }
 };
 

@@ -132,6 +132,11 @@ vtkWaterSurfaceShader::Inputs vtkWaterReflection::GetInputs(
   {
     inputs.Translucent = { layer->GetOpaque(), layer->GetColor(), layer->GetDepth() };
   }
+  if (vtkWaterPeel* peel = mirrored.GetPeel())
+  {
+    inputs.PeelColor = peel->GetColor();
+    inputs.PeelDepth = peel->GetDepth();
+  }
   inputs.MostSteps = this->Quality.ray_steps;
   inputs.MostProbes = this->Quality.ray_probes;
   return inputs;

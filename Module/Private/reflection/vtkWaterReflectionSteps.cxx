@@ -184,6 +184,7 @@ void vtkWaterReflection::Sign(const Frame& frame, Attempt& attempt)
   signature.Add(static_cast<vtkMTimeType>(this->Plan.samples));
   signature.Add(this->Plan.is_half_float ? 1 : 0);
   signature.Add(this->Gathered.HasMarchedRays ? 1 : 0);
+  signature.Add(this->Gathered.WantsPeel ? 1 : 0);
   if (attempt.Draft.Shadows)
   {
     signature.AddShadows(frame.Renderer, attempt.Draft.Shadows, *frame.Records);
@@ -197,6 +198,11 @@ void vtkWaterReflection::Revise(const Frame& frame, Attempt& attempt)
   View& view = *attempt.Drawn;
   attempt.Draft.Hook = frame.Hook;
   attempt.Draft.HasMarchedRays = this->Gathered.HasMarchedRays;
+  attempt.Draft.WantsPeel = this->Gathered.WantsPeel;
+  if (this->Gathered.WantsPeel)
+  {
+    frame.Hook->WantPeel();
+  }
   attempt.Draft.CanCut = (this->Settings.skips & WATER_MAY_SKIP_CLUSTERS) != 0;
   attempt.Draft.Shadows = vtkWaterShadows::Find(renderer);
   this->FindDrawn(frame, attempt);

@@ -10,6 +10,7 @@
 #include "vtkProp.h"
 #include "vtkProperty.h"
 #include "vtkShaderProgram.h"
+#include "vtkTextureUnitManager.h"
 #include "vtkWaterClipDistance.h"
 #include "vtkWaterClusters.h"
 #include "vtkWaterCompat.h"
@@ -17,6 +18,7 @@
 #include "vtkWaterMeshTraits.h"
 #include "vtkWaterMirroredFS.h"
 #include "vtkWaterMirroredVS.h"
+#include "vtkWaterPeelFS.h"
 #include "vtkWaterPlainFS.h"
 #include "vtkWaterPropRecords.h"
 #include "vtkWaterSource.h"
@@ -204,6 +206,10 @@ bool vtkWaterShaderHook::PreReplaceShaderValues(std::string& vertexShader,
   {
     InsertBefore(fragmentShader, "//VTK::Clip::Impl", "  waterClip();");
   }
+  if (this->PeelTime.GetMTime() > 0 && InsertDeclarations(fragmentShader, vtkWaterPeelFS))
+  {
+    InsertBefore(fragmentShader, "//VTK::Clip::Impl", "  waterPeelOff();");
+  }
   // the tags of VTK's ray caster; no other shader has them
   InsertAfter(fragmentShader, "//VTK::Clipping::Dec", vtkWaterVolumeFS);
   InsertAfter(fragmentShader, "//VTK::Clipping::Init", "  waterClipRay();");
@@ -332,6 +338,49 @@ bool vtkWaterShaderHook::SetShaderParameters(
 }
 
 //------------------------------------------------------------------------------
+vtkMTimeType vtkWaterShaderHook::GetShaderStageMTime()
+{
+  return std::max(this->Failures.GetTime(), this->PeelTime.GetMTime());
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterShaderHook::WantPeel()
+{
+  if (this->PeelTime.GetMTime() == 0)
+  {
+    this->PeelTime.Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+int vtkWaterShaderHook::GetPeelUnit(vtkOpenGLRenderWindow* window)
+{
+  return window->GetTextureUnitManager()->GetNumberOfTextureUnits() - 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterShaderHook::SetPeeling(bool isPeeling)
+{
+  this->IsPeeling = isPeeling;
+  this->SetUp.clear(); // they know the other draw
+  this->LastSetUp = nullptr;
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterShaderHook::SetPeelParameters(vtkShaderProgram* program)
+{
+  double peel[3] = { 0.0, 0.0, 0.0 };
+  if (this->IsPeeling)
+  {
+    peel[0] = this->Mirrored.Plan->reflection_tolerance[1];
+    peel[1] = this->Mirrored.Plan->reflection_z_infinity;
+    peel[2] = 1.0;
+  }
+  vtkWaterUniforms::Set3(program, "waterPeel", peel);
+  vtkWaterUniforms::Set(program, "waterPeelDepth", GetPeelUnit(this->Window));
+}
+
+//------------------------------------------------------------------------------
 void vtkWaterShaderHook::SetClipDistance(
   vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp* prop)
 {
@@ -371,6 +420,10 @@ void vtkWaterShaderHook::SetMirroredParameters(
   }
   vtkWaterUniforms::Set4(program, "waterHeadlightVC", headlight);
   vtkWaterUniforms::Set4(program, "waterHeadlightPlaceVC", place);
+  if (this->PeelTime.GetMTime() > 0 && this->Window)
+  {
+    this->SetPeelParameters(program);
+  }
   // VTK sets the lights of a program, which are in view space, once per camera or light change by
   // their modification times; main and mirrored camera share the program.
   program->SetUniformGroupUpdateTime(vtkShaderProgram::LightingGroup, 0);

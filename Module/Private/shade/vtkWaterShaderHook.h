@@ -11,6 +11,7 @@
 
 #include "vtkOpenGLRenderPass.h"
 #include "vtkSmartPointer.h"
+#include "vtkTimeStamp.h"
 #include "vtkWaterShaderFailures.h"
 #include "vtkWeakPointer.h"
 #include "water_types.h"
@@ -60,6 +61,18 @@ public:
   // may be elsewhere.
   void SetMayBeCut(bool mayBe) { this->MayBeCut = mayBe; }
 
+  // From now on programs can leave out what the reflection texture shows: they are built once more,
+  // when this is called for the first time.
+  void WantPeel();
+
+  // Where the reflection texture's depth is bound for that: the last texture unit, which textures
+  // come to last. Programs name it in every draw.
+  static int GetPeelUnit(vtkOpenGLRenderWindow* window);
+
+  // What is behind the first things of the mirrored view is drawn between the two.
+  void BeginPeel() { this->SetPeeling(true); }
+  void EndPeel() { this->SetPeeling(false); }
+
   // A mirrored view is drawn between the two.
   void BeginMirroredView(const View& view);
   void EndMirroredView();
@@ -77,7 +90,7 @@ public:
   bool EndSurface();
 
   void Render(const vtkRenderState*) override {} // a key only, it draws nothing
-  vtkMTimeType GetShaderStageMTime() override { return this->Failures.GetTime(); }
+  vtkMTimeType GetShaderStageMTime() override;
   bool PreReplaceShaderValues(std::string& vertexShader, std::string& geometryShader,
     std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp* prop) override;
   bool PostReplaceShaderValues(std::string& vertexShader, std::string& geometryShader,
@@ -97,10 +110,14 @@ private:
     const std::string& geometryShader, std::string& fragmentShader) const;
   void SetMirroredParameters(vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp* prop);
   void SetIsAwaited(bool isAwaited);
+  void SetPeeling(bool isPeeling);
+  void SetPeelParameters(vtkShaderProgram* program);
   void SetClipDistance(vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp* prop);
 
   View Mirrored;
   bool MayBeCut = true;
+  vtkTimeStamp PeelTime; // 0: none has been wanted
+  bool IsPeeling = false;
   std::unordered_set<vtkShaderProgram*> SetUp; // programs that know the present view
   vtkShaderProgram* LastSetUp = nullptr;       // one of them
   vtkWaterSurfaceShader* Surface = nullptr;

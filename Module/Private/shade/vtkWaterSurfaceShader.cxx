@@ -294,6 +294,11 @@ void vtkWaterSurfaceShader::Begin(const vtkWaterSnapshotPointer& water, const In
       this->Use("waterLayer", inputs.Translucent.Color);
       this->Use("waterLayerDepth", inputs.Translucent.Depth);
     }
+    if (this->Has(WATER_FEATURE_PEELED))
+    {
+      this->Use("waterPeelColor", inputs.PeelColor);
+      this->Use("waterPeelBehindDepth", inputs.PeelDepth);
+    }
   }
   this->BeginWaves();
   if (inputs.Plan && water_plan_has_reflection(inputs.Plan))

@@ -41,6 +41,8 @@ public:
     vtkTextureObject* Reflection = nullptr; // any texture when nothing is reflected
     vtkTextureObject* ReflectionDepth = nullptr;
     Layer Translucent;
+    vtkTextureObject* PeelColor = nullptr; // nullptr: there is no peel
+    vtkTextureObject* PeelDepth = nullptr;
     int MostSteps = 0; // of the march
     int MostProbes = 0;
     bool IsFlat = false;                   // the sheet lies in the plane exactly

@@ -95,6 +95,7 @@ void vtkWaterSurfaceShader::SetViewParameters(vtkShaderProgram* program)
   uniforms::Set(program, "waterRestSteps",
     water_waves_rest_steps(program->IsUniformUsed("waterAxesToClip"), this->IsSteep));
   uniforms::Set3(program, "waterExtinction", look.Extinction);
+  uniforms::Set(program, "waterFootprint", look.RayTraceFootprint);
   uniforms::Set(program, "waterIsSubmerged", plan.is_submerged ? 1 : 0);
   uniforms::Set(program, "waterShoreSoftness", look.ShoreSoftness);
 }
@@ -153,7 +154,6 @@ void vtkWaterSurfaceShader::SetSkyParameters(vtkShaderProgram* program)
   const double topKnown[4] = { top[0], top[1], top[2], isKnown };
   vtkWaterUniforms::Set4(program, "waterSkyBottom", bottomKnown);
   vtkWaterUniforms::Set4(program, "waterSkyTop", topKnown);
-  vtkWaterUniforms::Set(program, "waterIsEnclosed", plan.is_enclosed ? 1 : 0);
   vtkWaterUniforms::Set(program, "waterHasEnvironment", this->Environment ? 1 : 0);
   vtkWaterUniforms::SetMatrix3(program, "waterDirToEnvironment", plan.dir_to_environment);
 }

@@ -1,0 +1,125 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Each quality of rays is closer to the ray caster than the one before, by the parts that it is made of."""
+
+import numpy as np
+import pytest
+import water_test as wt
+from TestWaterReflectionsOnWaves import truth_of
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonTransforms import vtkTransform
+from vtkmodules.vtkFiltersSources import vtkPlaneSource
+from vtkwater import vtkWaterFrameAverage, vtkWaterProperty
+from wave_scenes import POSTS_VIEWS, post_scene, rmse
+
+FRAMES = 16
+
+
+def mean_of(window, frames=FRAMES):
+    average = vtkWaterFrameAverage()
+    average.SetRenderWindow(window)
+    average.SetNumberOfFrames(frames)
+    wt.check_equal("the frames are averaged", average.Update(), True)
+    image = average.GetOutput()
+    width, height, _ = image.GetDimensions()
+    return vtk_to_numpy(image.GetPointData().GetScalars()).reshape(height, width, 3).astype(float)
+
+
+@pytest.fixture(scope="module")
+def errors():
+    """RMSE to the ray caster of each quality in all views of the posts together."""
+    patch = pytest.MonkeyPatch()
+    patch.setenv("VTK_WATER_SOFTWARE", "1")  # GPUs have one ray by the default
+    found = {}
+    for view in POSTS_VIEWS:
+        made, water = post_scene(view)
+        truth, mask = truth_of(made, water)
+        look = water.GetWaterProperty()
+        for name in ("fast", "default", "high"):
+            look.SetRayTraceQuality(name)
+            found.setdefault(name, []).append(rmse(made.picture(), truth, mask))
+        look.SetRayTraceLayers(1)
+        found.setdefault("high, one layer", []).append(rmse(made.picture(), truth, mask))
+        look.SetRayTraceQuality("reference")
+        found.setdefault("reference", []).append(rmse(mean_of(made.window), truth, mask))
+    patch.undo()
+    print(found)
+    return {name: float(np.linalg.norm(each)) for name, each in found.items()}
+
+
+# the better one, the other, and the most that its error may be of the other's
+STEPS = (("default", "fast", 0.9), ("high", "default", 0.9), ("high", "high, one layer", 0.98),
+         ("reference", "high", 0.85))
+
+
+@pytest.mark.parametrize("better, other, most", STEPS)
+def test_a_better_quality_is_closer(errors, better, other, most):
+    """A better quality is closer to the ray caster; so are two layers than one."""
+    wt.check_at_most(f"RMSE of {better} / of {other}", errors[better] / errors[other], most)
+
+
+def test_calm_water_of_high_quality_has_smooth_edges():
+    """Calm water of high quality is multisampled in a window that is not: its edges are mixtures."""
+    colors = {}
+    for name in ("default", "high"):
+        made, water = post_scene("middle", waves=())
+        water.GetWaterProperty().SetRayTraceQuality(name)
+        picture = made.picture()
+        colors[name] = len(np.unique(picture[wt.water_mask(made, water)].reshape(-1, 3), axis=0))
+    wt.check_at_least("colours in the reflection, high / default", colors["high"] / colors["default"], 2.0)
+
+
+def test_an_average_is_the_mean_over_the_pixel():
+    """The average of a slanted edge's frames is the share of the pixel that lies behind it."""
+    view = wt.View((64, 48), background=(0, 0, 0))
+    sheet = vtkPlaneSource()
+    sheet.SetOrigin(0, -100, 0)
+    sheet.SetPoint1(200, -100, 0)
+    sheet.SetPoint2(20, 100, 0)
+    sheet.Update()
+    wt.add_actor(view.renderer, sheet.GetOutput(), (1, 1, 1), lit=False)
+    camera = wt.place_camera(view.renderer, (0, 0, 10), (0, 0, 0), (1, 20), view_up=(0, 1, 0))
+    camera.ParallelProjectionOn()
+    camera.SetParallelScale(24)  # a pixel is 1 wide
+    place = (np.arange(2048) + 0.5) / 32
+    x, y = np.meshgrid(place - 32, place[:1536] - 24)
+    covered = (x > 0.1 * (y + 100)).reshape(48, 32, 64, 32).mean(axis=(1, 3))
+    mean = mean_of(view.window, 64)[..., 0] / 255
+    wt.check_at_most("the most that a pixel is off, 64 frames", float(np.abs(mean - covered).max()), 2 / 64)
+
+
+def test_cameras_are_as_they_were():
+    """Afterwards cameras have the transform that they had, and the picture is what it was."""
+    made, _ = post_scene("middle")
+    camera = made.renderer.GetActiveCamera()
+    given = vtkTransform()
+    given.Translate(0.1, 0, 0)
+    camera.SetUserTransform(given)
+    before = made.picture()
+    mean_of(made.window, 3)
+    wt.check_equal("the transform is the user's", camera.GetUserTransform(), given)
+    wt.check_equal("pixels that differ", wt.difference(before, made.picture()), 0)
+
+
+@pytest.mark.parametrize("name", ("High", "best", "", None))
+def test_an_unknown_quality_is_refused(name):
+    """A quality by an unknown name gives one error with the names there are, and changes nothing."""
+    look = vtkWaterProperty()
+    look.SetRayTraceQuality("high")
+    said = wt.errors_of(look)
+    look.SetRayTraceQuality(name)
+    wt.check_equal("errors", len(said), 1)
+    wt.check_equal("it names the qualities", "fast, default, high or reference" in said[0], True)
+    wt.check_equal("steps, probes, rays, layers", (look.GetRayTraceSteps(), look.GetRayTraceProbes(),
+                                                   look.GetRayTraceRays(), look.GetRayTraceLayers()), (24, 12, 8, 2))
+
+
+def test_an_average_of_nothing_is_refused():
+    """No window, and a number of frames out of range, give one error each; the number stays."""
+    average = vtkWaterFrameAverage()
+    said = wt.errors_of(average)
+    wt.check_equal("there is a picture", average.Update(), False)
+    wt.check_equal("errors", len(said), 1)
+    wt.check_equal("it names the window", "RenderWindow" in said[0], True)
+    average.SetNumberOfFrames(0)
+    wt.check_equal("it names the range", "[1, 65536]" in said[-1], True)
+    wt.check_equal("frames", average.GetNumberOfFrames(), 64)
