@@ -541,9 +541,9 @@ public:
 
   ///@{
   /**
-   * Work of the ray-traced lookup: layers of the mirrored view that rays see, in [1, 2]. With 2 a ray
-   * that goes behind the edge of a thing goes on among what is behind there, which is drawn once
-   * more for it, whenever the mirrored view is. Default is 1.
+   * Work of the ray-traced lookup: layers of the mirrored view that rays see, in [1, 2]. With 2 a
+   * ray that goes behind the edge of a thing goes on among what is behind there, which is drawn
+   * once more for it, whenever the mirrored view is. Default is 1.
    */
   void SetRayTraceLayers(int layers);
   vtkGetMacro(RayTraceLayers, int);
