@@ -62,7 +62,9 @@ awk -v work="$work" '
   END {
     volume = "uniform mat4 in_modelViewMatrix, in_inverseModelViewMatrix;\n" \
       "uniform mat4 in_volumeMatrix[1];\n" \
-      "uniform mat4 in_textureDatasetMatrix[1], in_cellToPoint[1];\n" \
+      "uniform mat4 in_textureDatasetMatrix[1], in_inverseTextureDatasetMatrix[1];\n" \
+      "uniform mat4 in_inverseVolumeMatrix[1], in_cellToPoint[1];\n" \
+      "uniform vec3 in_texMin[1], in_texMax[1];\n" \
       "vec3 g_rayOrigin, g_rayTermination, g_rayJitter, g_dataPos, g_terminatePos, g_dirStep;\n" \
       "float g_terminatePointMax;\n" # the globals of its ray caster
     for (name in content)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkWaterVolumeFS.glsl: cuts the rays of a ray-cast volume at the water plane in the mirrored view.
 // Uses the globals of VTK's ray caster: g_rayOrigin, g_rayTermination, g_rayJitter (all in texture
-// coordinates), g_dataPos, g_terminatePos, g_terminatePointMax, g_dirStep.
+// coordinates), g_dataPos, g_terminatePos, g_terminatePointMax, g_dirStep, in_texMin, in_texMax.
 
 uniform vec4 waterClipView;         // water plane in view space, kept side >= 0; (0,0,0,1): keep all
 uniform vec4 waterHeadlightPlaceVC; // xyz: the user's eye in view space; w: 1 in the mirror
@@ -12,6 +12,21 @@ vec4 waterHeadlightPlace(vec4 given, mat4 worldToVolume)
 {
   vec4 world = in_inverseModelViewMatrix * vec4(waterHeadlightPlaceVC.xyz, 1.0);
   return waterHeadlightPlaceVC.w > 0.5 ? worldToVolume * world : given;
+}
+
+// For light that a volume scatters: the cosine of the angle by which the headlight's is turned to the eye
+// at a sample, in texture coordinates as VTK has it for other lights. VTK takes -1: lamp and eye are one.
+// light: given the place of the eye, set to that of the headlight.
+float waterHeadlightTurn(inout vec3 light)
+{
+  if (waterHeadlightPlaceVC.w < 0.5)
+  {
+    return -1.0;
+  }
+  vec3 eye = light;
+  light = (in_inverseTextureDatasetMatrix[0] *
+           waterHeadlightPlace(vec4(eye, 1.0), in_inverseVolumeMatrix[0])).xyz;
+  return dot(normalize(g_dataPos - light), normalize(eye - g_dataPos));
 }
 
 float waterRayHeight(vec3 texturePosition)
@@ -39,6 +54,11 @@ void waterClipRay()
     if (startHeight < 0.0)
     {
       g_rayOrigin = crossing + g_rayJitter;
+      // VTK takes one sample before it asks where the ray is
+      if (any(greaterThan(g_rayOrigin, in_texMax[0])) || any(lessThan(g_rayOrigin, in_texMin[0])))
+      {
+        discard;
+      }
     }
     else
     {

@@ -91,9 +91,12 @@ void MoveHeadlight(std::string& source)
 }
 
 // VTK's volumes have their headlight in a global for each volume; those after the first matrix,
-// which is of all of them, when there are several.
+// which is of all of them, when there are several. Light that they scatter has it in a line of its
+// own.
 void MoveHeadlightOfVolumes(std::string& source)
 {
+  vtkShaderProgram::Substitute(
+    source, "phase_function(-1)", "phase_function(waterHeadlightTurn(tex_light))", false);
   const bool areSeveral = source.find("g_ldir[1] =") != std::string::npos;
   for (int i = 0;; ++i)
   {

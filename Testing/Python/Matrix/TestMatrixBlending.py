@@ -115,13 +115,13 @@ def shaded(volume):
     look.SetSpecular(0.4)
 
 
-def shaded_by_headlight(scene):
+def shaded_by_headlight(scene, look=shaded):
     """VTK shades a volume by a lamp at the eye. In the mirrored picture a shader of the user's puts it
     where the user's eye is."""
     eye = "vec4({:.9f}, {:.9f}, {:.9f}, 1.0)".format(*scene.camera.GetPosition())
 
     def change(volume):
-        shaded(volume)
+        look(volume)
         if scene.kind == mm.MIRRORED:
             scene.freezes_lights = False
             volume.GetShaderProperty().AddFragmentShaderReplacement(
@@ -131,6 +131,28 @@ def shaded_by_headlight(scene):
                 "  g_h[0] = normalize(g_ldir[0] + g_vdir[0]);\n", False)
 
     cloud(1.6, change)(scene)
+
+
+def scattering(anisotropy):
+    """The same of the light that a volume scatters: its lamp stands where the user's eye is, and light is turned."""
+    def fill(scene):
+        place = "vec4({:.9f}, {:.9f}, {:.9f}, 1.0)".format(*scene.camera.GetPosition())
+
+        def change(volume):
+            shaded(volume)
+            volume.GetMapper().SetVolumetricScatteringBlending(1.5)
+            volume.GetMapper().SetGlobalIlluminationReach(1.0)
+            volume.GetProperty().SetScatteringAnisotropy(anisotropy)
+            if scene.kind == mm.MIRRORED:
+                volume.GetShaderProperty().AddFragmentShaderReplacement(
+                    "phase = phase_function(-1);", False,
+                    "vec3 eye = tex_light;\n"
+                    f"tex_light = (in_inverseTextureDatasetMatrix[0] * in_inverseVolumeMatrix[0] * {place}).xyz;\n"
+                    "phase = phase_function(dot(normalize(g_dataPos - tex_light), normalize(eye - g_dataPos)));", False)
+
+        shaded_by_headlight(scene, change)
+
+    return fill
 
 
 def shaded_by_sun(scene):
@@ -148,6 +170,9 @@ def cropped(volume):
 
 
 row.cell("volume, shaded by the headlight", shaded_by_headlight)
+if hasattr(vtkGPUVolumeRayCastMapper, "SetVolumetricScatteringBlending"):  # VTK 9.2 and later
+    row.cell("volume that scatters the headlight", scattering(0))
+    row.cell("volume that scatters the headlight forward", scattering(0.6))
 row.cell("volume, shaded by a scene light", shaded_by_sun)
 row.cell("volume of minimum intensity", cloud(1.6, minimum))
 row.cell("volume, cropped", cloud(1.6, cropped))
