@@ -13,6 +13,7 @@ import ray_caster
 import volumes
 import water_test as wt
 from ray_caster import Box, Sphere, Translucent
+from vtkmodules.vtkRenderingCore import vtkAssembly, vtkPropAssembly
 
 SIZE = (240, 160)
 SKY = (128 / 255, 153 / 255, 204 / 255)
@@ -47,7 +48,9 @@ def add_volume(renderer, box, opacity):
     """A volume as dense everywhere: the opacity is that of a unit of length, as VTK has it."""
     low, high = box.low, box.high
     colors = ((0, *box.color), (255, *box.color))
-    renderer.AddVolume(volumes.ray_cast(volumes.block(low, high), 0.05, colors, ((0, opacity), (255, opacity))))
+    volume = volumes.ray_cast(volumes.block(low, high), 0.05, colors, ((0, opacity), (255, opacity)))
+    renderer.AddVolume(volume)
+    return volume
 
 
 def made_of(opaque, clear, waves, blending="", samples=0):
@@ -162,6 +165,45 @@ def test_what_is_translucent_comes_and_goes():
                    wt.difference(scene.view.picture(), scene.bare), 0)
     scene.pane.VisibilityOn()
     wt.check_equal("with it again: difference", wt.difference(scene.view.picture(), first), 0)
+
+
+CLOUD = Box((1, 4, 2), (2, 2, 2), RED)
+
+
+def picture_of_parts(assembly_class=None):
+    """A cloud that stands a quarter turn from its data, and posts; as parts of one thing, or each on its own."""
+    view, _ = made_of((), (), LONG)
+    parts = [wt.add_actor(view.renderer, data_of(post), post.color, lit=False) for post in POSTS]
+    parts.append(add_volume(view.renderer, Box((4, -1, 3), (2, 2, 2), RED), 0.6))
+    parts[-1].SetPosition(0, 0, -1)
+    parts[-1].RotateZ(90)
+    if assembly_class:
+        assembly = assembly_class()
+        for part in parts:
+            view.renderer.RemoveViewProp(part)
+            assembly.AddPart(part)
+        view.renderer.AddViewProp(assembly)
+    return view.picture()
+
+
+@pytest.mark.parametrize("assembly_class", (vtkAssembly, vtkPropAssembly))
+def test_a_volume_is_found_in_its_own_box_in_an_assembly(assembly_class):
+    """A volume that is a part of something is reflected as on its own, where its own matrix has put it."""
+    name = assembly_class.__name__
+    alone = picture_of_parts()
+    wt.check_at_least(f"{name}: the cloud is reflected", wt.difference(alone, made_of(POSTS, (), LONG)[0].picture()), 50)
+    wt.check_equal(f"{name}: difference from its parts", wt.difference(picture_of_parts(assembly_class), alone), 0)
+    upright = made_of(POSTS, (Translucent(CLOUD, 0.6, is_volume=True),), LONG)[0].picture()
+    wt.check_at_most(f"{name}: difference from data that need no turn", wt.difference(alone, upright), 1)
+
+
+def test_a_volume_that_shows_nothing_hides_nothing():
+    """What is translucent behind a volume without any opacity is found where it is, as if that were not there."""
+    sphere = (Translucent(Sphere((1, 8, 2), 1.6, RED), 0.4),)
+    nothing = Translucent(Box((1, 3, 2), (3, 2, 3), DARK), 0, is_volume=True)
+    picture = made_of((), sphere + (nothing,), LONG)[0].picture()
+    wt.check_equal("a volume without opacity: difference",
+                   wt.difference(picture, made_of((), sphere, LONG)[0].picture()), 0)
 
 
 def test_water_that_turns_calm_reflects_as_calm_water():

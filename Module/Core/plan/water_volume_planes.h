@@ -21,13 +21,14 @@ enum
 // sides, and the side of the water that is kept. A point of NDC (x, y, z, 1) lies in one when its
 // dot product is >= 0.
 //
-// bounds  in world
-// sides   largest coefficient 1
+// bounds        of the box, in its own space
+// box_to_world  affine, any scale and shear
+// sides         largest coefficient 1
 //
 // Returns WATER_OK, WATER_BAD_PROP_BOUNDS when bounds are not finite or are empty, or
-// WATER_BAD_CAMERA when the mirrored camera has no inverse.
-water_status water_volume_planes_make(
-  const water_plan* plan, const double bounds[6], double sides[WATER_VOLUME_PLANES_COUNT][4]);
+// WATER_BAD_CAMERA when the way from the box to the mirrored camera's clip space has no inverse.
+water_status water_volume_planes_make(const water_plan* plan, const double bounds[6],
+  const double box_to_world[16], double sides[WATER_VOLUME_PLANES_COUNT][4]);
 
 #ifdef __cplusplus
 }

@@ -8,7 +8,6 @@
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
 #include "vtkWaterGL.h"
-#include "vtkWaterProps.h"
 #include "vtkWaterShaderHook.h"
 #include "vtkWaterTranslucent.h"
 #include "vtkWaterUniforms.h"
@@ -108,18 +107,20 @@ void vtkWaterTranslucentLayer::DrawDepths(vtkRenderer* renderer, vtkWaterShaderH
   {
     if (vtkWaterProps::HoldsVolume(prop))
     {
-      this->DrawVolumeDepth(window, plan, prop);
+      for (const vtkWaterProps::Box& box : vtkWaterProps::GetVolumeBoxes(prop))
+      {
+        this->DrawVolumeDepth(window, plan, box);
+      }
     }
   }
 }
 
 //------------------------------------------------------------------------------
 void vtkWaterTranslucentLayer::DrawVolumeDepth(
-  vtkOpenGLRenderWindow* window, const water_plan& plan, vtkProp* prop)
+  vtkOpenGLRenderWindow* window, const water_plan& plan, const vtkWaterProps::Box& box)
 {
-  const double* bounds = prop->GetBounds();
   double sides[WATER_VOLUME_PLANES_COUNT][4];
-  if (!bounds || water_volume_planes_make(&plan, bounds, sides) != WATER_OK)
+  if (water_volume_planes_make(&plan, box.Bounds.data(), box.BoxToWorld.data(), sides) != WATER_OK)
   {
     return;
   }

@@ -5,6 +5,7 @@
 #ifndef vtkWaterTranslucentLayer_h
 #define vtkWaterTranslucentLayer_h
 
+#include "vtkWaterProps.h"
 #include "vtkWaterQuad.h"
 #include "vtkWaterTarget.h"
 
@@ -49,7 +50,8 @@ private:
   void DrawAlpha(vtkRenderer* renderer, const std::vector<vtkProp*>& props);
   void DrawDepths(vtkRenderer* renderer, vtkWaterShaderHook* hook, const water_plan& plan,
     const std::vector<vtkProp*>& props);
-  void DrawVolumeDepth(vtkOpenGLRenderWindow* window, const water_plan& plan, vtkProp* prop);
+  void DrawVolumeDepth(
+    vtkOpenGLRenderWindow* window, const water_plan& plan, const vtkWaterProps::Box& box);
 
   vtkWaterTarget Opaque;
   vtkWaterTarget Layer;

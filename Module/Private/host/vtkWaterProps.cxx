@@ -3,18 +3,28 @@
 
 #include "vtkActor.h"
 #include "vtkAssembly.h"
+#include "vtkAssemblyNode.h"
+#include "vtkAssemblyPath.h"
+#include "vtkDataArray.h"
 #include "vtkDataObject.h"
+#include "vtkDataSet.h"
 #include "vtkImageStack.h"
 #include "vtkInformation.h"
 #include "vtkInformationObjectBaseKey.h"
 #include "vtkMapper.h"
+#include "vtkMatrix4x4.h"
 #include "vtkNew.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkPointData.h"
 #include "vtkProp3DCollection.h"
 #include "vtkPropAssembly.h"
 #include "vtkPropCollection.h"
 #include "vtkRenderer.h"
 #include "vtkTrivialProducer.h"
 #include "vtkVersionMacros.h"
+#include "vtkVolume.h"
+#include "vtkVolumeMapper.h"
+#include "vtkVolumeProperty.h"
 #include "vtkWaterAccess.h"
 #include "vtkWaterPropKeys.h"
 
@@ -38,6 +48,31 @@ void ForEachStacked(vtkProp* prop, const std::function<void(vtkProp*)>& function
       function(image);
     }
   }
+}
+
+// Is a volume's only transfer function 0 wherever it is given? Other ways of blending show
+// something even then, and labels and further components have functions of their own.
+bool HasNoOpacity(vtkVolume* volume, vtkVolumeMapper* mapper)
+{
+  vtkVolumeProperty* look = volume->GetProperty();
+  vtkDataSet* data = mapper->GetDataSetInput();
+  vtkDataArray* scalars = data ? data->GetPointData()->GetScalars() : nullptr;
+  if (mapper->GetBlendMode() != vtkVolumeMapper::COMPOSITE_BLEND || look->GetNumberOfLabels() > 0 ||
+    look->GetTransferFunctionMode() != vtkVolumeProperty::TF_1D || !scalars ||
+    scalars->GetNumberOfComponents() != 1)
+  {
+    return false;
+  }
+  vtkPiecewiseFunction* opacity = look->GetScalarOpacity();
+  double node[4] = { 0.0, 0.0, 0.0, 0.0 };
+  for (int i = 0; i < opacity->GetSize(); ++i)
+  {
+    if (opacity->GetNodeValue(i, node) == 1 && node[1] > 0.0)
+    {
+      return false;
+    }
+  }
+  return true;
 }
 }
 
@@ -167,6 +202,41 @@ bool vtkWaterProps::HoldsVolume(vtkProp* prop)
     part->GetVolumes(volumes);
     return volumes->GetNumberOfItems() > 0;
   });
+}
+
+//------------------------------------------------------------------------------
+std::vector<vtkWaterProps::Box> vtkWaterProps::GetVolumeBoxes(vtkProp* prop)
+{
+  std::vector<Box> boxes;
+  const auto add = [&boxes](const double* bounds, vtkMatrix4x4* matrix) {
+    if (bounds)
+    {
+      Box box;
+      std::copy(bounds, bounds + 6, box.Bounds.begin());
+      std::copy(matrix->GetData(), matrix->GetData() + 16, box.BoxToWorld.begin());
+      boxes.push_back(box);
+    }
+  };
+  bool isKnown = true;
+  prop->InitPathTraversal();
+  while (vtkAssemblyPath* path = prop->GetNextPath())
+  {
+    vtkAssemblyNode* node = path->GetLastNode();
+    auto* volume = vtkVolume::SafeDownCast(node->GetViewProp());
+    auto* mapper = volume ? vtkVolumeMapper::SafeDownCast(volume->GetMapper()) : nullptr;
+    const bool isPlain = mapper && !volume->IsA("vtkMultiVolume");
+    isKnown = isKnown && (isPlain || !HoldsVolume(node->GetViewProp()));
+    if (isPlain && volume->GetVisibility() && !HasNoOpacity(volume, mapper))
+    {
+      add(mapper->GetBounds(), node->GetMatrix());
+    }
+  }
+  if (!isKnown)
+  {
+    boxes.clear();
+    add(prop->GetBounds(), vtkNew<vtkMatrix4x4>());
+  }
+  return boxes;
 }
 
 //------------------------------------------------------------------------------

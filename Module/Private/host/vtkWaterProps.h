@@ -3,7 +3,9 @@
 #ifndef vtkWaterProps_h
 #define vtkWaterProps_h
 
+#include <array>
 #include <functional>
+#include <vector>
 
 class vtkProp;
 class vtkProp3D;
@@ -38,6 +40,17 @@ bool HoldsWater(vtkProp* prop);
 
 // Is it a volume, or is one among its parts or levels of detail?
 bool HoldsVolume(vtkProp* prop);
+
+// The box of a volume, in its own space, and where that is.
+struct Box
+{
+  std::array<double, 6> Bounds;
+  std::array<double, 16> BoxToWorld;
+};
+
+// The boxes of a prop's volumes that show something, those of an assembly's parts one by one. What
+// has volumes in another way, as levels of detail or several in one mapper, is one box.
+std::vector<Box> GetVolumeBoxes(vtkProp* prop);
 
 // Does the prop's place count in the world, and not on the device or in a room?
 bool IsInWorld(vtkProp3D* prop);

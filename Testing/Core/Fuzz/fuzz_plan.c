@@ -85,7 +85,7 @@ int LLVMFuzzerTestOneInput(const uint8_t* bytes, size_t size)
     double sides[WATER_VOLUME_PLANES_COUNT][4];
     for (size_t i = 0; i < scene.prop_count; ++i)
     {
-      if (water_volume_planes_make(&plan, props[i].bounds, sides) == WATER_OK)
+      if (water_volume_planes_make(&plan, props[i].bounds, model, sides) == WATER_OK)
       {
         fuzz_use(sides, sizeof sides);
       }
