@@ -141,6 +141,8 @@ TEST(clip_has_the_sign_of_the_height)
     apply(plan.mirrored.world_to_view, point, 1.0, view);
     const double* plane = plan.clip_plane_view;
     ASSERT_CLOSE(dot(plane, view) + plane[3], height, 1e-12);
+    plane = plan.clip_plane_world;
+    ASSERT_CLOSE(dot(plane, point) + plane[3], height, 1e-11);
     project(&plan.mirrored, point, 1.0, clip);
     plane = plan.clip_plane_clip;
     ASSERT_CLOSE(dot(plane, clip) + plane[3] * clip[3], height, 1e-11);

@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 import volumes
 import water_test as wt
+from vtkmodules.vtkRenderingVolume import vtkFixedPointVolumeRayCastMapper
 
 SIZE = (320, 240)
 
@@ -62,6 +63,27 @@ def test_water_shows_the_mirrored_picture_of(kind):
 def test_rays_that_meet_only_what_is_under_water_show_nothing(mode):
     """However a volume's samples are blended, there are none where only its submerged part is met."""
     compare(mode, fill_with_block, off_limit=0.05)
+
+
+def test_a_volume_that_the_processor_casts_stays_as_it_is():
+    """It is cut at the water, beside its own planes; these are its only ones after the frame, and it has not changed."""
+    view = wt.View(SIZE)
+    volume = volumes.ray_cast(volumes.block((-1, -1, -1), (1, 1, 1)), 0.05, ((0, 1, 1, 0), (255, 1, 1, 0)),
+                              ((0, 0.9), (255, 0.9)), vtkFixedPointVolumeRayCastMapper)
+    mapper = volume.GetMapper()
+    own = wt.plane((0, 0, 0), (1, 0, 0))
+    mapper.AddClippingPlane(own)
+    view.renderer.AddVolume(volume)
+    water = wt.add_water(view.renderer, None, (-6, 6, -4, 8))
+    wt.place_camera(view.renderer, (1, -9, 3), (0.5, 0, 0), (1, 40))
+    before = mapper.GetMTime()
+    first = view.picture()
+    planes = mapper.GetClippingPlanes()
+    wt.check_equal("its planes", [planes.GetItem(i) for i in range(planes.GetNumberOfItems())], [own])
+    wt.check_equal("has it changed", mapper.GetMTime() == before, True)
+    wt.check_equal("the same again: difference", wt.difference(view.picture(), first), 0)
+    view.picture()  # by then its data have the time that they were cast at
+    wt.check_equal("the same again: decision", wt.decision_of(water), "REUSED")
 
 
 def compare(kind, fill, off_limit):

@@ -250,6 +250,7 @@ typedef struct water_plan
   double clip_plane_clip[4];    // same in clip space of the mirrored view, clip not divided by w
   double clip_plane_window[4];  // same in the reflection texture's window space (x_px, y_px, depth
                                 // in [0,1], 1)
+  double clip_plane_world[4];   // same in the world, unit normal: for what OpenGL does not cut
   double headlight_dir[3];      // the eye's view direction in mirrored view space, unit length
   double headlight_position[3]; // the eye in mirrored view space
   int texture_px[2];

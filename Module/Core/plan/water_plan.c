@@ -274,6 +274,7 @@ static water_status fill_draw(const water_scene* scene, const checked* input,
     &plan->mirrored, plan->mirrored_position, plan->mirrored_focal_point, plan->mirrored_view_up);
   water_mirror_headlight(plan->plane_view, plan->headlight_dir, plan->headlight_position);
   water_mirror_clip_view(plan->plane_view, margin, plan->clip_plane_view);
+  water_mat4_apply_row(plan->clip_plane_view, plan->mirrored.world_to_view, plan->clip_plane_world);
   const water_status status = water_mirror_clip_clip(
     plan->mirrored.view_to_clip, plan->clip_plane_view, plan->clip_plane_clip);
   if (status == WATER_OK)

@@ -16,6 +16,7 @@
 #include "vtkWaterSceneDepth.h"
 #include "vtkWaterShaderHook.h"
 #include "vtkWaterShadows.h"
+#include "vtkWaterVolumeCuts.h"
 
 #include <algorithm>
 #include <new>
@@ -171,6 +172,7 @@ void vtkWaterMirroredView::DrawTranslucent(
 {
   auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
   vtkOpenGLState* state = window->GetState();
+  const vtkWaterVolumeCuts cuts(plan, draft.Others);
   this->HasLayer = draft.HasMarchedRays &&
     vtkWaterTranslucentLayer::IsNeeded(draft.Blended, draft.Others) &&
     this->Layer.Keep(window, this->Target);

@@ -56,6 +56,14 @@ struct ShadowMapPass : public vtkShadowMapPass
   }
 };
 
+struct AbstractMapper : public vtkAbstractMapper
+{
+  static vtkPlaneCollection*& ClippingPlanesOf(vtkAbstractMapper* mapper)
+  {
+    return mapper->*(&AbstractMapper::ClippingPlanes);
+  }
+};
+
 struct Mapper : public vtkMapper
 {
   // Is its input drawn as it is, without being brought up to date first?

@@ -195,13 +195,29 @@ bool vtkWaterProps::HoldsWater(vtkProp* prop)
 }
 
 //------------------------------------------------------------------------------
+void vtkWaterProps::ForEachVolume(vtkProp* prop, const std::function<void(vtkProp*)>& function)
+{
+  const vtkNew<vtkPropCollection> volumes;
+  vtkPropCollection* parts = GetParts(prop);
+  if (!parts)
+  {
+    prop->GetVolumes(volumes);
+  }
+  vtkPropCollection* found = parts ? parts : volumes.Get();
+  vtkCollectionSimpleIterator it;
+  found->InitTraversal(it);
+  while (vtkProp* next = found->GetNextProp(it))
+  {
+    parts ? ForEachVolume(next, function) : function(next);
+  }
+}
+
+//------------------------------------------------------------------------------
 bool vtkWaterProps::HoldsVolume(vtkProp* prop)
 {
-  return HasAny(prop, [](vtkProp* part) {
-    const vtkNew<vtkPropCollection> volumes;
-    part->GetVolumes(volumes);
-    return volumes->GetNumberOfItems() > 0;
-  });
+  bool holds = false;
+  ForEachVolume(prop, [&holds](vtkProp*) { holds = true; });
+  return holds;
 }
 
 //------------------------------------------------------------------------------

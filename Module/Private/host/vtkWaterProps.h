@@ -38,6 +38,9 @@ bool HasAny(vtkProp* prop, bool (*has)(vtkProp*));
 // bounds, nor drawn again, while it is being drawn: it would rebuild the list that it walks.
 bool HoldsWater(vtkProp* prop);
 
+// Calls back for a prop that is a volume, or for those among its parts or levels of detail.
+void ForEachVolume(vtkProp* prop, const std::function<void(vtkProp*)>& function);
+
 // Is it a volume, or is one among its parts or levels of detail?
 bool HoldsVolume(vtkProp* prop);
 

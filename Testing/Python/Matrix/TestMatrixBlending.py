@@ -4,7 +4,7 @@
 import mirror_matrix as mm
 import volumes
 import water_test as wt
-from vtkmodules.vtkRenderingVolume import vtkGPUVolumeRayCastMapper
+from vtkmodules.vtkRenderingVolume import vtkFixedPointVolumeRayCastMapper, vtkGPUVolumeRayCastMapper
 from vtkmodules.vtkRenderingVolumeOpenGL2 import vtkSmartVolumeMapper
 
 row = mm.Results("Props and composition: translucent props and volumes", __file__)
@@ -177,6 +177,10 @@ row.cell("volume, shaded by a scene light", shaded_by_sun)
 row.cell("volume of minimum intensity", cloud(1.6, minimum))
 row.cell("volume, cropped", cloud(1.6, cropped))
 row.cell("volume of vtkSmartVolumeMapper", cloud(1.6, mapper_class=vtkSmartVolumeMapper))
+row.cell("volume that the processor casts, over the water",
+         cloud(1.6, mapper_class=vtkFixedPointVolumeRayCastMapper))
+row.cell("volume that the processor casts, across the water",
+         cloud(0.3, mapper_class=vtkFixedPointVolumeRayCastMapper))
 row.cell("two volumes and a translucent prop behind each other", all_of(
     post, cloud(1.6, at=(-0.8, 1.2)), glass(0.4, 2), cloud(1.5, at=(0.8, -1.2))))
 test_cell = row.test()

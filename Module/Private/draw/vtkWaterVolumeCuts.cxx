@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkWaterVolumeCuts.h"
+
+#include "vtkAbstractVolumeMapper.h"
+#include "vtkFixedPointVolumeRayCastMapper.h"
+#include "vtkPlane.h"
+#include "vtkPlaneCollection.h"
+#include "vtkVolume.h"
+#include "vtkWaterAccess.h"
+#include "vtkWaterProps.h"
+#include "water_types.h"
+
+#include <utility>
+
+//------------------------------------------------------------------------------
+vtkWaterVolumeCuts::vtkWaterVolumeCuts(const water_plan& plan, const std::vector<vtkProp*>& props)
+{
+  this->Plane->SetNormal(plan.clip_plane_world);
+  this->Plane->Push(-plan.clip_plane_world[3]); // from the world's origin
+  for (vtkProp* prop : props)
+  {
+    vtkWaterProps::ForEachVolume(prop, [this](vtkProp* volume) { this->Add(volume); });
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterVolumeCuts::Add(vtkProp* prop)
+{
+  auto* volume = vtkVolume::SafeDownCast(prop);
+  auto* mapper =
+    volume ? vtkFixedPointVolumeRayCastMapper::SafeDownCast(volume->GetMapper()) : nullptr;
+  if (!mapper)
+  {
+    return;
+  }
+  // swapped silently: to set planes would say that the mapper has changed, in every frame
+  vtkPlaneCollection*& planes = vtkWaterAccess::AbstractMapper::ClippingPlanesOf(mapper);
+  Cut cut{ mapper, vtkSmartPointer<vtkPlaneCollection>::New(), planes };
+  for (int i = 0; planes && i < planes->GetNumberOfItems(); ++i)
+  {
+    cut.Planes->AddItem(planes->GetItem(i));
+  }
+  cut.Planes->AddItem(this->Plane);
+  planes = cut.Planes;
+  this->Cuts.push_back(std::move(cut));
+}
+
+//------------------------------------------------------------------------------
+vtkWaterVolumeCuts::~vtkWaterVolumeCuts()
+{
+  for (auto cut = this->Cuts.rbegin(); cut != this->Cuts.rend(); ++cut) // volumes may share one
+  {
+    vtkWaterAccess::AbstractMapper::ClippingPlanesOf(cut->Mapper) = cut->Own;
+  }
+}
