@@ -14,9 +14,9 @@
 #include "vtkRenderWindow.h"
 #include "vtkWaterCompat.h"
 #include "vtkWaterFrame.h"
+#include "vtkWaterPasses.h"
 #include "vtkWaterPropKeys.h"
 #include "vtkWaterReflection.h"
-#include "vtkWaterShadows.h"
 #include "vtkWaterSource.h"
 #include "water_plane.h"
 
@@ -72,7 +72,7 @@ vtkInformationObjectBaseKey* vtkWaterPropKeys::StandIn()
 }
 
 //------------------------------------------------------------------------------
-vtkRenderPass* vtkWaterShadows::DelegateOf(vtkRenderPass* waterPass)
+vtkRenderPass* vtkWaterPasses::DelegateOf(vtkRenderPass* waterPass)
 {
   return static_cast<vtkWaterReflectionPass*>(waterPass)->GetDelegatePass();
 }
@@ -200,10 +200,7 @@ void vtkWaterReflectionPass::RenderReflection(const vtkRenderState* s)
     renderer->UpdateLightsGeometryToFollowCamera();
   }
   static_cast<vtkOpenGLRenderer*>(renderer)->UpdateLights();
-  const bool mayToneMap = renderer->GetPass() &&
-    (renderer->GetPass() != this ||
-      (this->DelegatePass && !this->DelegatePass->IsA("vtkRenderStepsPass")));
-  vtkWaterFrame::Of(renderer).RenderComposed(*this->Reflection, waters, size, mayToneMap);
+  vtkWaterFrame::Of(renderer).RenderComposed(*this->Reflection, waters, size);
 }
 
 //------------------------------------------------------------------------------

@@ -151,8 +151,9 @@ public:
   /**
    * What the mirrored view's colours are stored in. They are linear, as the picture's, and not tone
    * mapped. EIGHT_BIT holds [0, 1]; HALF_FLOAT holds any light with 11 bits, at a tenth more time
-   * on software renderers. AUTOMATIC: half floats when the renderer has another pass, which
-   * may tone map; else 8 bits, as the picture. Default is AUTOMATIC.
+   * on software renderers. AUTOMATIC: half floats when the renderer has a pass that keeps
+   * more than 8 bits, as a tone mapping does, or one that is not VTK's; else 8 bits, as the
+   * picture. Default is AUTOMATIC.
    */
   void SetColorPrecision(int precision);
   int GetColorPrecision() const;

@@ -5,8 +5,14 @@ is brighter than white and a tone mapping follows."""
 import numpy as np
 import pytest
 import water_test as wt
+from vtkmodules import vtkRenderingOpenGL2
 from vtkmodules.vtkRenderingCore import vtkLight
-from vtkmodules.vtkRenderingOpenGL2 import vtkRenderStepsPass, vtkToneMappingPass
+from vtkmodules.vtkRenderingOpenGL2 import (
+    vtkRenderPassCollection,
+    vtkRenderStepsPass,
+    vtkSequencePass,
+    vtkToneMappingPass,
+)
 from vtkwater import vtkWaterReflectionPass
 
 SIZE = (200, 150)
@@ -76,6 +82,47 @@ def test_a_tone_mapping_maps_the_reflection_once():
     same_card, reflection = mapped(True)
     wt.check_at_most("tone mapped: change of the card itself", abs(card - same_card), 0)
     wt.check_at_most("tone mapped: |reflection - the curve of its light|", abs(reflection - expected), 1.0)
+
+
+def chain(*names):
+    """A pass of VTK by its name, over the next, over VTK's usual steps."""
+    inner = chain(*names[1:]) if names[1:] else vtkRenderStepsPass()
+    if names[0] == "steps":
+        return inner
+    if names[0] == "steps, then tone mapping":
+        inner.SetPostProcessPass(vtkToneMappingPass())
+        return inner
+    if names[0] == "sequence":
+        parts = vtkRenderPassCollection()
+        parts.AddItem(inner)
+        made = vtkSequencePass()
+        made.SetPasses(parts)
+        return made
+    made = getattr(vtkRenderingOpenGL2, names[0])() if names[0] != "water" else vtkWaterReflectionPass()
+    made.SetDelegatePass(inner)
+    return made
+
+
+@pytest.mark.parametrize("names, precision", (
+    (("steps",), EIGHT_BIT), (("sequence",), EIGHT_BIT), (("vtkCameraPass", "sequence"), EIGHT_BIT),
+    (("vtkGaussianBlurPass",), EIGHT_BIT), (("vtkOpenGLFXAAPass",), EIGHT_BIT), (("water",), EIGHT_BIT),
+    (("vtkToneMappingPass",), HALF_FLOAT), (("vtkGaussianBlurPass", "vtkToneMappingPass"), HALF_FLOAT),
+    (("sequence", "steps, then tone mapping"), HALF_FLOAT), (("water", "vtkToneMappingPass"), HALF_FLOAT),
+    (("vtkEDLShading",), HALF_FLOAT),
+), ids=lambda value: "-".join(value).replace(" ", "_") if isinstance(value, tuple) else str(value))
+def test_half_floats_are_for_passes_that_keep_more(names, precision):
+    """Left to itself, the reflection keeps more than 8 bits where a pass of the renderer's does, and only there."""
+    pictures = []
+    for one in (vtkWaterReflectionPass.AUTOMATIC, precision, EIGHT_BIT + HALF_FLOAT - precision):
+        made, water = card_and_water(0.5, 0.1, light=8.0)
+        water.GetReflectionPass().SetColorPrecision(one)
+        made.renderer.SetPass(chain(*names))
+        if names[0] == "water":
+            made.renderer.GetPass().SetColorPrecision(one)
+        pictures.append(made.picture())
+    label = ", ".join(names)
+    wt.check_equal(f"{label}: difference from precision {precision}", wt.difference(pictures[0], pictures[1]), 0)
+    wt.check_at_least(f"{label}: difference from the other", wt.difference(pictures[0], pictures[2]), 10)
 
 
 def test_another_precision_leaves_no_trace_of_the_last():

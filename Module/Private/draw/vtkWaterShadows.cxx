@@ -1,23 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkWaterShadows.h"
 
-#include "vtkCameraPass.h"
-#include "vtkImageProcessingPass.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderer.h"
-#include "vtkRenderPassCollection.h"
 #include "vtkRenderState.h"
-#include "vtkRenderStepsPass.h"
-#include "vtkSequencePass.h"
 #include "vtkShadowMapBakerPass.h"
 #include "vtkShadowMapPass.h"
 #include "vtkTextureObject.h"
 #include "vtkWaterAccess.h"
+#include "vtkWaterPasses.h"
 
 #include <algorithm>
 #include <iterator>
-#include <set>
 
 namespace
 {
@@ -32,48 +27,6 @@ public:
   std::function<void()> Function;
 };
 vtkStandardNewMacro(DrawPass);
-
-// The first pass of that kind in a chain, among the passes of VTK that have others.
-//
-// visited  chains may lead back to themselves
-vtkShadowMapPass* FindIn(vtkRenderPass* pass, std::set<vtkRenderPass*>& visited)
-{
-  if (!pass || !visited.insert(pass).second)
-  {
-    return nullptr;
-  }
-  if (auto* shadows = vtkShadowMapPass::SafeDownCast(pass))
-  {
-    return shadows;
-  }
-  if (auto* sequence = vtkSequencePass::SafeDownCast(pass))
-  {
-    vtkRenderPassCollection* parts = sequence->GetPasses();
-    for (int i = 0; parts && i < parts->GetNumberOfItems(); ++i)
-    {
-      auto* part = vtkRenderPass::SafeDownCast(parts->GetItemAsObject(i));
-      if (vtkShadowMapPass* found = FindIn(part, visited))
-      {
-        return found;
-      }
-    }
-    return nullptr;
-  }
-  if (auto* camera = vtkCameraPass::SafeDownCast(pass))
-  {
-    return FindIn(camera->GetDelegatePass(), visited);
-  }
-  if (auto* image = vtkImageProcessingPass::SafeDownCast(pass))
-  {
-    return FindIn(image->GetDelegatePass(), visited);
-  }
-  if (pass->IsA("vtkWaterReflectionPass"))
-  {
-    return FindIn(vtkWaterShadows::DelegateOf(pass), visited);
-  }
-  auto* steps = vtkRenderStepsPass::SafeDownCast(pass);
-  return steps ? FindIn(steps->GetOpaquePass(), visited) : nullptr;
-}
 
 // The maps that are in use: the picture is being drawn with them.
 std::vector<vtkTextureObject*> GetActiveMaps(vtkShadowMapPass* pass)
@@ -124,8 +77,10 @@ vtkShadowMapPass* vtkWaterShadows::Find(vtkRenderer* renderer)
   vtkShadowMapPass* pass = nullptr;
   if (renderer->GetPass())
   {
-    std::set<vtkRenderPass*> visited;
-    pass = FindIn(renderer->GetPass(), visited);
+    vtkWaterPasses::Visit(renderer->GetPass(), [&pass](vtkRenderPass* next) {
+      pass = vtkShadowMapPass::SafeDownCast(next);
+      return pass != nullptr;
+    });
   }
   else if (renderer->GetUseShadows())
   {

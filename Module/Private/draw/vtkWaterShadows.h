@@ -20,9 +20,6 @@ namespace vtkWaterShadows
 // What shadows the renderer's picture: its own pass, or one in the user's chain; nullptr: nothing.
 vtkShadowMapPass* Find(vtkRenderer* renderer);
 
-// What a vtkWaterReflectionPass renders after the reflections; defined by that class.
-vtkRenderPass* DelegateOf(vtkRenderPass* waterPass);
-
 // Bakes the maps unless they are up to date; the picture then finds them so. The renderer's camera
 // is the user's.
 void Bake(vtkRenderer* renderer, vtkShadowMapPass* pass);

@@ -15,6 +15,7 @@
 #include "vtkRenderPass.h"
 #include "vtkWaterFrameThread.h"
 #include "vtkWaterGL.h"
+#include "vtkWaterPasses.h"
 #include "vtkWaterProps.h"
 #include "vtkWaterReflection.h"
 #include "vtkWaterRenderPassKeys.h"
@@ -250,7 +251,7 @@ void vtkWaterFrame::Prepare(vtkWaterSource& water)
 
 //------------------------------------------------------------------------------
 void vtkWaterFrame::RenderComposed(vtkWaterReflection& reflection,
-  const std::vector<vtkWaterSource*>& waters, const int viewport_px[2], bool mayToneMap)
+  const std::vector<vtkWaterSource*>& waters, const int viewport_px[2])
 {
   this->Begin(*waters.front());
   vtkWaterReflection::Frame frame;
@@ -260,7 +261,7 @@ void vtkWaterFrame::RenderComposed(vtkWaterReflection& reflection,
   frame.Records = &this->Records;
   std::copy_n(viewport_px, 2, frame.Viewport_px);
   frame.Hints.IsSoftware = this->IsSoftware();
-  frame.Hints.MayToneMap = mayToneMap;
+  frame.Hints.MayToneMap = vtkWaterPasses::MayKeepFloats(this->Renderer->GetPass());
   reflection.Render(frame, waters);
 }
 

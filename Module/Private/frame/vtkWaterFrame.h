@@ -66,7 +66,7 @@ public:
 
   // Draws the mirrored view for a pass that was composed by hand.
   void RenderComposed(vtkWaterReflection& reflection, const std::vector<vtkWaterSource*>& waters,
-    const int viewport_px[2], bool mayToneMap);
+    const int viewport_px[2]);
 
   // Whose mirrored view the water looks up in this frame.
   vtkWaterReflection& GetReflection(vtkWaterSource& water);

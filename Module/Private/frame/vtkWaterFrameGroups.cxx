@@ -9,6 +9,7 @@
 #include "vtkWaterDebug.h"
 #include "vtkWaterFrame.h"
 #include "vtkWaterGL.h"
+#include "vtkWaterPasses.h"
 #include "vtkWaterProps.h"
 #include "vtkWaterReflection.h"
 #include "vtkWaterSource.h"
@@ -225,7 +226,7 @@ void vtkWaterFrame::RenderShared(vtkWaterSource& water, const int viewport_px[2]
   frame.Records = &this->Records;
   std::copy_n(viewport_px, 2, frame.Viewport_px);
   frame.Hints.IsSoftware = this->IsSoftware();
-  frame.Hints.MayToneMap = renderer->GetPass() != nullptr;
+  frame.Hints.MayToneMap = vtkWaterPasses::MayKeepFloats(renderer->GetPass());
   if (isLate)
   {
     frame.AreHidden = [this, &sheets]() { return this->AreHidden(sheets); };
