@@ -66,7 +66,7 @@ def test_rays_that_meet_only_what_is_under_water_show_nothing(mode):
 
 
 def test_a_volume_that_the_processor_casts_stays_as_it_is():
-    """It is cut at the water, beside its own planes; these are its only ones after the frame, and it has not changed."""
+    """It is cut at the water beside its own planes, which are its only ones after the frame; it has not changed."""
     view = wt.View(SIZE)
     volume = volumes.ray_cast(volumes.block((-1, -1, -1), (1, 1, 1)), 0.05, ((0, 1, 1, 0), (255, 1, 1, 0)),
                               ((0, 0.9), (255, 0.9)), vtkFixedPointVolumeRayCastMapper)

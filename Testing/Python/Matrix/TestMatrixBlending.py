@@ -148,7 +148,8 @@ def scattering(anisotropy):
                     "phase = phase_function(-1);", False,
                     "vec3 eye = tex_light;\n"
                     f"tex_light = (in_inverseTextureDatasetMatrix[0] * in_inverseVolumeMatrix[0] * {place}).xyz;\n"
-                    "phase = phase_function(dot(normalize(g_dataPos - tex_light), normalize(eye - g_dataPos)));", False)
+                    "phase = phase_function(dot(normalize(g_dataPos - tex_light), normalize(eye - g_dataPos)));",
+                    False)
 
         shaded_by_headlight(scene, change)
 
@@ -177,10 +178,14 @@ row.cell("volume, shaded by a scene light", shaded_by_sun)
 row.cell("volume of minimum intensity", cloud(1.6, minimum))
 row.cell("volume, cropped", cloud(1.6, cropped))
 row.cell("volume of vtkSmartVolumeMapper", cloud(1.6, mapper_class=vtkSmartVolumeMapper))
-row.cell("volume that the processor casts, over the water",
-         cloud(1.6, mapper_class=vtkFixedPointVolumeRayCastMapper))
-row.cell("volume that the processor casts, across the water",
-         cloud(0.3, mapper_class=vtkFixedPointVolumeRayCastMapper))
+SQUARE = ("VTK 9.1 itself: it casts some windows of 4 to 3, without water as well, as if they were square: 112 pixels "
+          "wide in place of 84.")
+for place, height in (("over", 1.6), ("across", 0.3)):
+    name = f"volume that the processor casts, {place} the water"
+    if mm.VTK_VERSION >= (9, 6):
+        row.cell(name, cloud(height, mapper_class=vtkFixedPointVolumeRayCastMapper))
+    else:
+        row.register(name, row.note, SQUARE)
 row.cell("two volumes and a translucent prop behind each other", all_of(
     post, cloud(1.6, at=(-0.8, 1.2)), glass(0.4, 2), cloud(1.5, at=(0.8, -1.2))))
 test_cell = row.test()
