@@ -21,6 +21,12 @@ vtkWaterVolumeCuts::vtkWaterVolumeCuts(const water_plan& plan, const std::vector
   {
     vtkWaterProps::ForEachVolume(prop, [this](vtkProp* volume) { this->Add(volume); });
   }
+  // once nothing can fail any more. Swapped silently: to set planes would say that the mapper has
+  // changed, in every frame
+  for (const Cut& cut : this->Cuts)
+  {
+    vtkWaterAccess::AbstractMapper::ClippingPlanesOf(cut.Mapper) = cut.Planes;
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -33,23 +39,21 @@ void vtkWaterVolumeCuts::Add(vtkProp* prop)
   {
     return;
   }
-  // swapped silently: to set planes would say that the mapper has changed, in every frame
-  vtkPlaneCollection*& planes = vtkWaterAccess::AbstractMapper::ClippingPlanesOf(mapper);
+  vtkPlaneCollection* planes = vtkWaterAccess::AbstractMapper::ClippingPlanesOf(mapper);
   Cut cut{ mapper, vtkSmartPointer<vtkPlaneCollection>::New(), planes };
   for (int i = 0; planes && i < planes->GetNumberOfItems(); ++i)
   {
     cut.Planes->AddItem(planes->GetItem(i));
   }
   cut.Planes->AddItem(this->Plane);
-  planes = cut.Planes;
   this->Cuts.push_back(std::move(cut));
 }
 
 //------------------------------------------------------------------------------
 vtkWaterVolumeCuts::~vtkWaterVolumeCuts()
 {
-  for (auto cut = this->Cuts.rbegin(); cut != this->Cuts.rend(); ++cut) // volumes may share one
+  for (const Cut& cut : this->Cuts)
   {
-    vtkWaterAccess::AbstractMapper::ClippingPlanesOf(cut->Mapper) = cut->Own;
+    vtkWaterAccess::AbstractMapper::ClippingPlanesOf(cut.Mapper) = cut.Own;
   }
 }
