@@ -14,6 +14,7 @@
 #include "vtkWaterGather.h"
 #include "vtkWaterHiddenLines.h"
 #include "vtkWaterSceneDepth.h"
+#include "vtkWaterScopedWidgets.h"
 #include "vtkWaterShaderHook.h"
 #include "vtkWaterShadows.h"
 #include "vtkWaterVolumeCuts.h"
@@ -173,6 +174,7 @@ void vtkWaterMirroredView::DrawTranslucent(
   auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
   vtkOpenGLState* state = window->GetState();
   const vtkWaterVolumeCuts cuts(plan, draft.Others);
+  const vtkWaterScopedWidgets scopedWidgets(renderer, draft.Others);
   this->HasLayer = draft.HasMarchedRays &&
     vtkWaterTranslucentLayer::IsNeeded(draft.Blended, draft.Others) &&
     this->Layer.Keep(window, this->Target);
@@ -304,6 +306,7 @@ void vtkWaterMirroredView::DrawProp(vtkRenderer* renderer, const Draft& draft, s
   draft.Hook->SetMayBeCut(draft.Known[number].MayBeCut);
   {
     const vtkWaterScopedFacts scopedFacts(draft.Props[number], draft.Known[number]);
+    const vtkWaterScopedWidgets scopedWidgets(renderer, draft.Props[number]);
     draft.Props[number]->RenderOpaqueGeometry(renderer);
   }
   this->ClipDistance.Off();

@@ -8,7 +8,10 @@
 #define vtkWaterAccess_h
 
 #include "vtkActor.h"
+#include "vtkCameraActor.h"
+#include "vtkLightActor.h"
 #include "vtkMapper.h"
+#include "vtkObject.h"
 #include "vtkOpenGLHelper.h"
 #include "vtkOpenGLPolyDataMapper.h"
 #include "vtkOpenGLRenderer.h"
@@ -106,6 +109,22 @@ struct Actor : public vtkActor
   }
 };
 
+struct CameraActor : public vtkCameraActor
+{
+  // What it draws; made when it is asked for its bounds, or drawn.
+  static vtkActor* FrustumOf(vtkCameraActor* actor) { return actor->*(&CameraActor::FrustumActor); }
+};
+
+struct LightActor : public vtkLightActor
+{
+  // What it draws, made as above.
+  static vtkActor* ConeOf(vtkLightActor* actor) { return actor->*(&LightActor::ConeActor); }
+  static vtkCameraActor* FrustumOf(vtkLightActor* actor)
+  {
+    return actor->*(&LightActor::FrustumActor);
+  }
+};
+
 struct ShaderCache : public vtkOpenGLShaderCache
 {
   // Makes sources of the templates that mappers hand over, as a driver gets them.
@@ -130,6 +149,12 @@ private:
     std::string none[2];
     (cache->*replace)(vertex, fragment, geometry, none[0], none[1]);
   }
+};
+
+struct Object : public vtkObject
+{
+  // Of its last modification.
+  static vtkTimeStamp& TimeOf(vtkObject* object) { return object->*(&Object::MTime); }
 };
 
 struct Prop : public vtkProp

@@ -5,12 +5,14 @@
 #include "vtkAssembly.h"
 #include "vtkAssemblyNode.h"
 #include "vtkAssemblyPath.h"
+#include "vtkCameraActor.h"
 #include "vtkDataArray.h"
 #include "vtkDataObject.h"
 #include "vtkDataSet.h"
 #include "vtkImageStack.h"
 #include "vtkInformation.h"
 #include "vtkInformationObjectBaseKey.h"
+#include "vtkLightActor.h"
 #include "vtkMapper.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
@@ -33,19 +35,58 @@
 
 namespace
 {
-// Calls back for the images of a stack, which does not hand its keys on to them; an assembly does
-// so for the one that it draws.
-void ForEachStacked(vtkProp* prop, const std::function<void(vtkProp*)>& function)
+void AddIfThere(vtkProp* part, vtkPropCollection* parts)
 {
+  if (part)
+  {
+    parts->AddItem(part);
+  }
+}
+
+// Adds what a prop draws without handing its keys on to it. Assemblies hand them on, and most
+// actors.
+void AddParts(vtkProp* prop, vtkPropCollection* parts)
+{
+  if (vtkActor::SafeDownCast(prop))
+  {
+    return;
+  }
   if (auto* stack = vtkImageStack::SafeDownCast(prop))
   {
-    const vtkNew<vtkPropCollection> images; // not its own list, which the stack walks as it draws
-    stack->GetImages(images);
-    vtkCollectionSimpleIterator it;
-    images->InitTraversal(it);
-    while (vtkProp* image = images->GetNextProp(it))
+    stack->GetImages(parts);
+  }
+  else if (auto* camera = vtkCameraActor::SafeDownCast(prop))
+  {
+    camera->GetBounds(); // makes it
+    AddIfThere(vtkWaterAccess::CameraActor::FrustumOf(camera), parts);
+  }
+  else if (auto* light = vtkLightActor::SafeDownCast(prop))
+  {
+    light->GetBounds(); // makes them
+    AddIfThere(vtkWaterAccess::LightActor::ConeOf(light), parts);
+    if (vtkCameraActor* frustum = vtkWaterAccess::LightActor::FrustumOf(light))
     {
-      function(image);
+      AddParts(frustum, parts);
+    }
+  }
+  else if (!vtkWaterProps::GetParts(prop))
+  {
+    prop->GetActors(parts); // of axes, and of representations of widgets
+  }
+}
+
+void ForEachPart(vtkProp* prop, const std::function<void(vtkProp*)>& function)
+{
+  const vtkNew<vtkPropCollection> parts; // not its own list, which it walks as it draws
+  AddParts(prop, parts);
+  vtkCollectionSimpleIterator it;
+  parts->InitTraversal(it);
+  while (vtkProp* part = parts->GetNextProp(it))
+  {
+    function(part);
+    if (part != prop)
+    {
+      ForEachPart(part, function); // a camera among what a widget draws
     }
   }
 }
@@ -98,18 +139,11 @@ void vtkWaterProps::DropOwnStandIn(vtkProp* prop)
 void vtkWaterProps::ForEachOf(vtkProp* prop, const std::function<void(vtkProp*)>& function)
 {
   function(prop);
-  ForEachStacked(prop, function);
+  ForEachPart(prop, function);
   if (vtkProp* drawn = GetStandIn(prop))
   {
     function(drawn);
-    ForEachStacked(drawn, function);
-  }
-  if (prop->IsA("vtkAxesActor"))
-  {
-    // nor does this prop
-    vtkNew<vtkPropCollection> parts;
-    prop->GetActors(parts);
-    ForEach(parts, function);
+    ForEachPart(drawn, function);
   }
 }
 
