@@ -11,9 +11,11 @@ import pathlib
 import sys
 
 ROWS = ("Surfaces", "Props", "Labels", "Blending", "Light", "View", "Window", "Passes", "Background", "Waters",
-        "WaterInWater", "BadInput")
+        "WaterInWater", "BadInput", "PropClasses", "MapperClasses", "WidgetClasses", "PassClasses")
 PLACES = ("Testing/Temporary*/", "")  # in a build tree, or a folder that is a test's own
-PAGE = pathlib.Path(__file__).resolve().parents[2] / "Documentation" / "mirror-matrix.md"
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+PAGE = ROOT / "Documentation" / "mirror-matrix.md"
+CLASSES = ROOT / "Testing" / "Python" / "Matrix" / "class_cells.tsv"
 HEAD = """# What stands right in the water
 
 *Written by `script/matrix`; every number in it is measured. To change the words, change `Testing/Python/Matrix`.*
@@ -24,7 +26,7 @@ camera has placed; an ordinary sheet in the water's place shows that picture, tu
 composes what lies before, over and behind it. Other truths are named in the cell's test (`Testing/Python/Matrix`).
 
 The figures are the share of the water's pixels that differ by more than 1/255, and the RMSE of 255 over them. At most 0.05 %
-may differ, or the last column says why, and then the RMSE is at most 1. In every cell no other pixel differs from the scene
+may differ, or the last column says why, and then the RMSE is at most 1; where it begins with *Wrong*, the reflection is known to be wrong. In every other cell no other pixel differs from the scene
 without the water by more than 1/255, or from the composed picture, where a filter mixes them with the water. *Without it* is the same share for a picture that lacks what the cell is about:
 a cell that could not fail would have 0 there. The worse one of two windows stands where there are two (OSMesa and EGL).
 Statements are true or false. Pairs of pictures stay in the build tree, under `Testing/Temporary*/mirror-matrix`.
@@ -69,6 +71,20 @@ def why(by_version, versions):
     return " ".join(sorted(texts))
 
 
+def classes_without():
+    """The section on classes of VTK that no cell draws."""
+    rows = [line.split("\t") for line in CLASSES.read_text().splitlines() if not line.startswith("#")]
+    kinds = [row[2] for row in rows]
+    names = {kind: [row[0] for row in rows if row[2] == kind] for kind in kinds}
+    lines = ["## Classes of VTK without a cell", "",
+             f"VTK has {len(rows)} props, mappers and passes that can be made; `Testing/Python/Matrix/{CLASSES.name}` names the "
+             f"cells of {kinds.count('cell')}. {kinds.count('made by')} more are what the `New()` of one of these makes, and "
+             f"{kinds.count('overlay')} are 2D by their class, which is drawn over the finished picture: "
+             f"{', '.join(names['overlay'])}. The others:", "", "| class | VTK | why it has no cell |", "|---|---|---|"]
+    return lines + [f"| {name} | {versions.replace(' ', ', ')} | {text} |" for name, versions, kind, text in rows
+                    if kind == "none"]
+
+
 def main(folders, page):
     tests, versions = read(folders)
     missing = [name for name in ROWS if f"TestMatrix{name}" not in tests]
@@ -89,6 +105,7 @@ def main(folders, page):
             total += 1
             exact += all(result.get("percent", 0) <= 0.05 and result.get("holds", True) for result in results)
         lines.append("")
+    lines += classes_without()
     lines.insert(1, f"**{total} cells, {exact} of them within 0.05 % or true on every VTK.**\n")
     page.write_text("\n".join(lines).rstrip() + "\n")
     print(f"mirror_matrix: {page.name}: {total} cells, {exact} exact or true on every VTK")

@@ -125,15 +125,24 @@ class Results:
         result = dict(row=self.row, vtk=vtkVersion.GetVTKVersion(), window=self.window, cells=cells)
         (self.folder() / "cells.json").write_text(json.dumps(result, indent=1))
 
-    def add(self, name, pixels, percent, rmse, outside, control=None, reason=None, exact=True):
-        """Remembers a cell and checks its figures; those of inexact cells only against LARGEST_RMSE."""
+    def add(self, name, pixels, percent, rmse, outside, control=None, reason=None, exact=True, wrong=False):
+        """Remembers a cell and checks its figures; those of inexact cells only against LARGEST_RMSE.
+
+        wrong: what is shown is known to be wrong, as the reason says; the cell fails once it is right.
+        """
         wt.check_at_least(f"{name}: water pixels", pixels, 300)
-        if exact:
+        if wrong:
+            assert reason
+            print(f"{name}: known to be wrong: {reason}")
+            wt.check_at_least(f"{name}: % of water pixels off by more than 1/255", round(percent, 4), EXACT_PERCENT)
+            reason = f"**Wrong:** {reason}"
+        elif exact:
             wt.check_at_most(f"{name}: % of water pixels off by more than 1/255", round(percent, 4), EXACT_PERCENT)
         else:
             print(f"{name}: {percent:.3f} % of water pixels off by more than 1/255, because: {reason}")
             wt.check_at_most(f"{name}: RMSE of 255", round(rmse, 4), LARGEST_RMSE)
-        wt.check_equal(f"{name}: other pixels off by more than 1/255", outside, 0)
+        if not wrong:
+            wt.check_equal(f"{name}: other pixels off by more than 1/255", outside, 0)
         if control is not None:
             wt.check_at_least(f"{name}: % of water pixels that it changes", round(control, 3), 0.5)
         self.cells.append(dict(cell=name, percent=percent, rmse=rmse, outside=outside, control=control,
@@ -149,7 +158,7 @@ class Results:
         print(f"{name}: left out: {reason}", flush=True)
         self.cells.append(dict(cell=name, holds=None, reason=reason, exact=True))
 
-    def compare(self, name, seen, expected, without, water, control=None, reason=None, exact=True):
+    def compare(self, name, seen, expected, without, water, control=None, reason=None, exact=True, wrong=False):
         """Adds a cell by its pictures; water: which pixels show some of it."""
         error = np.abs(seen - expected)[water]
         changed = None
@@ -158,12 +167,12 @@ class Results:
         percent = 100.0 * float((error.max(axis=1) > 1).mean()) if len(error) else 100.0
         rmse = float(np.sqrt((error.astype(float) ** 2).mean())) if len(error) else 255.0
         outside = 0 if without is None else int((np.abs(seen - without).max(axis=2) > 1)[~water].sum())
-        self.add(name, int(water.sum()), percent, rmse, outside, changed, reason, exact)
+        self.add(name, int(water.sum()), percent, rmse, outside, changed, reason, exact, wrong)
         wt.save(seen, self.folder() / f"{file_name(name)}_water.png")
         wt.save(expected, self.folder() / f"{file_name(name)}_truth.png")
 
     def show(self, name, fill, truth=None, reason=None, exact=True, bounds=SHEET, prepare=None,
-             control=REFLECTED, opacity=1.0, others=ALONE, **options):
+             control=REFLECTED, opacity=1.0, others=ALONE, wrong=False, **options):
         """Makes one cell of a scene.
 
         fill     fills a Scene; called as fill(scene), or as fill(scene, True) and, for the control, as
@@ -177,6 +186,7 @@ class Results:
         others   what pixels beside the water are compared with: ALONE, without water; BESIDE, with an
                  ordinary sheet, where any sheet changes them; FILTERED, with the composed picture, where a
                  filter mixes them with the water's
+        wrong    what is shown is known to be wrong, as the reason says
         options  of Scene: size, background, samples, origin, normal
         """
         base = (lambda scene: fill(scene, False)) if takes_two(fill) else without_props(fill)
@@ -198,12 +208,12 @@ class Results:
         composed = base if control is BEHIND else truth
         mirrored, other = (base, truth) if control is UNREFLECTED else (truth, base)
         expected = composed_picture(truth, mirrored_picture(mirrored, **options), bounds, opacity, **options)
-        wrong = composed_picture(composed, mirrored_picture(other, **options), bounds, opacity, **options)
+        control_picture = composed_picture(composed, mirrored_picture(other, **options), bounds, opacity, **options)
         if others is BESIDE:
             without = composed_picture(truth, None, bounds, opacity, **options)
         elif others is FILTERED:
             without = expected
-        self.compare(name, seen, expected, without, pixels, wrong, reason, exact)
+        self.compare(name, seen, expected, without, pixels, control_picture, reason, exact, wrong)
 
     def show_picture(self, name, fill, mirrored, reason=None, exact=True, bounds=SHEET, prepare=None, **options):
         """Makes a cell whose mirrored picture is known; its control is that of the scene's plain background."""

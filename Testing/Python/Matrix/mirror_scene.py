@@ -39,6 +39,7 @@ class Scene(wt.View):
         camera.SetClippingRange(1, 60)
         self.keep = []  # what VTK does not hold on to
         self.freezes_lights = True
+        self.is_cut_by_view = False
         self.when_mirrored = []  # to be called when the camera is
 
     def add(self, prop, cut=True):
@@ -76,7 +77,7 @@ class Scene(wt.View):
             normal = self.normal if above else -self.normal
             world_to_clip = self.camera.GetCompositeProjectionTransformMatrix(
                 self.renderer.GetTiledAspectRatio(), -1, 1)
-            clip_to_world = np.linalg.inv([[world_to_clip.GetElement(i, j) for j in range(4)] for i in range(4)])
+            clip_to_world = np.linalg.inv(array_of(world_to_clip))
             plane = np.append(normal, -np.dot(normal, self.origin)) @ clip_to_world
             width, height = self.window.GetSize()
             window_to_clip = np.array([(2 / width, 0, 0, -1), (0, 2 / height, 0, -1), (0, 0, 2, -1), (0, 0, 0, 1)])
@@ -87,6 +88,13 @@ class Scene(wt.View):
             "//VTK::Clip::Impl", True,
             "if (dot(cutPlane, vec4(gl_FragCoord.xyz, 1.0)) < 0.0) discard;\n//VTK::Clip::Impl", False)
         self.when_mirrored.append(set_plane)
+
+    def cut_by_view(self):
+        """In the mirrored picture, cuts everything at the water, whatever draws it: by the near plane of the view.
+
+        Not for what computes its own depth: spheres, tubes, skyboxes, volumes.
+        """
+        self.is_cut_by_view = True
 
     def add_data(self, data, color=(1, 0.6, 0.2), cut=True, **options):
         """Adds an actor of poly data; options as those of water_test.add_actor."""
@@ -107,6 +115,7 @@ def mirror(scene):
     """Turns a filled scene into its mirrored picture's, to be turned left to right."""
     camera, origin, normal = scene.camera, scene.origin, scene.normal
     scene.renderer.ComputeAspect()
+    kept_side = normal if scene.is_above() else -normal
     if scene.freezes_lights:
         freeze_lights(scene)
     up = np.asarray(camera.GetViewUp())
@@ -122,8 +131,29 @@ def mirror(scene):
     if camera.GetUseExplicitProjectionTransformMatrix():
         matrix = camera.GetExplicitProjectionTransformMatrix()
         camera.SetExplicitProjectionTransformMatrix(turned_left_to_right(matrix, scene).GetMatrix())
+    if scene.is_cut_by_view:
+        cut_by_near_plane(scene, kept_side)
     for act in scene.when_mirrored:
         act()
+
+
+def array_of(matrix):
+    return np.array([[matrix.GetElement(i, j) for j in range(4)] for i in range(4)])
+
+
+def cut_by_near_plane(scene, kept_side):
+    """Puts the near plane of the mirrored view into the water (Lengyel, Oblique View Frustum, 2005).
+
+    Only the row of the projection that makes depths changes: all pixels stay where they are.
+    """
+    camera = scene.camera
+    projection = array_of(camera.GetProjectionTransformMatrix(scene.renderer.GetTiledAspectRatio(), -1, 1))
+    view_to_world = np.linalg.inv(array_of(camera.GetViewTransformMatrix()))
+    plane = np.append(kept_side, -np.dot(kept_side, scene.origin)) @ view_to_world
+    corner = np.linalg.inv(projection) @ (np.sign(plane[0]), np.sign(plane[1]), 1, 1)
+    projection[2] = plane * (2 / np.dot(plane, corner)) - projection[3]
+    camera.SetExplicitProjectionTransformMatrix(matrix_of(*projection))
+    camera.UseExplicitProjectionTransformMatrixOn()
 
 
 def turned_left_to_right(matrix, scene):
