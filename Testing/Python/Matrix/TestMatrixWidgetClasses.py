@@ -23,6 +23,7 @@ FLAT = "2D is drawn over the finished picture and is no part of the scene that s
 PARTS = ("VTK does not tell of all of its parts (vtkProp::GetActors). Those are not cut at the water, and the "
          "headlight on them is not the user's.")
 OLD = mm.VTK_VERSION < (9, 3)
+CURVE = f"VTK 9.1: {PARTS}" if OLD else "VTK 9.6: its reflected handles differ in size by part of a pixel."
 LABEL = "In its first frame its label is placed for the mirrored view, in the picture as well."
 
 
@@ -169,7 +170,7 @@ cell("InteractionWidgets.vtk3DCursorRepresentation", near=True)
 cell("InteractionWidgets.vtkAngleRepresentation3D", angle, near=True, wrong=True, reason=PARTS)
 cell("InteractionWidgets.vtkBoxRepresentation")
 cell("InteractionWidgets.vtkCamera3DRepresentation", camera, wrong=True, reason=PARTS)
-cell("InteractionWidgets.vtkCameraPathRepresentation", wrong=True, reason=PARTS)
+cell("InteractionWidgets.vtkCameraPathRepresentation", wrong=True, reason=CURVE)
 cell("InteractionWidgets.vtkCoordinateFrameRepresentation")
 cell("InteractionWidgets.vtkDisplaySizedImplicitPlaneRepresentation")
 cell("InteractionWidgets.vtkDistanceRepresentation3D", distance, near=True, wrong=True, reason=PARTS)
@@ -188,13 +189,13 @@ cell("InteractionWidgets.vtkOrientedPolygonalHandleRepresentation3D", handle)
 cell("InteractionWidgets.vtkParallelopipedRepresentation")
 cell("InteractionWidgets.vtkPointCloudRepresentation", points, wrong=True, reason=PARTS)
 cell("InteractionWidgets.vtkPointHandleRepresentation3D", large, near=True)
-cell("InteractionWidgets.vtkPolyLineRepresentation", near=True, wrong=True, reason=PARTS)
+cell("InteractionWidgets.vtkPolyLineRepresentation", near=True, wrong=True, reason=CURVE)
 cell("InteractionWidgets.vtkPolygonalHandleRepresentation3D", handle)
 cell("InteractionWidgets.vtkProp3DButtonRepresentation", button)
 cell("InteractionWidgets.vtkSliderRepresentation3D")
 cell("InteractionWidgets.vtkSphereHandleRepresentation", large)
 cell("InteractionWidgets.vtkSphereRepresentation", textless, wrong=True, reason=PARTS)
-cell("InteractionWidgets.vtkSplineRepresentation", near=True, wrong=True, reason=PARTS)
+cell("InteractionWidgets.vtkSplineRepresentation", near=True, wrong=True, reason=CURVE)
 
 flat("InteractionWidgets.vtkAffineRepresentation2D")
 flat("InteractionWidgets.vtkAngleRepresentation2D", angle, size=(80, 60))
