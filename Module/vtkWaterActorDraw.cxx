@@ -136,9 +136,10 @@ void vtkWaterActor::RenderSecondary(vtkRenderer* renderer, vtkMapper* mapper)
   vtkWaterSurfaceShader::Inputs inputs;
   inputs.Renderer = static_cast<vtkOpenGLRenderer*>(renderer);
   inputs.Plan = plan.has_view ? &plan : nullptr;
-  inputs.IsFlat = water->IsSheet;
   inputs.IsSecondary = true;
-  if (surface.UpdateFeatures(water_features_secondary(&water->Look.Has)))
+  const unsigned features = water_features_secondary(&water->Look.Has);
+  if (surface.UpdateFeatures(
+        water->Mesh.HasVertexHeights ? water_features_with_mesh(features) : features))
   {
     this->GetProperty()->Modified(); // the mapper builds the other shader
   }
@@ -191,7 +192,7 @@ void vtkWaterActor::Render(vtkRenderer* renderer, vtkMapper* mapper)
     water->IsDisplaced() && vtkWaterGather::ReadView(renderer, *water, &view);
   inputs.View = isDisplaced ? &view : nullptr;
   inputs.RowDir = internal.Grid.GetRowDir();
-  inputs.IsFlat = water->IsSheet && !isDisplaced;
+  inputs.IsAtRest = !isDisplaced;
   vtkMapper* drawn = isDisplaced ? internal.LayGrid(*water, view, mapper) : mapper;
   unsigned features = FeaturesWith(inputs, *water);
   features = frame.IsSoftware() ? features : water_features_on_hardware(features);

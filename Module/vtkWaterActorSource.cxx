@@ -7,6 +7,7 @@
 #include "vtkWaterCompat.h"
 #include "vtkWaterErrors.h"
 #include "vtkWaterFrame.h"
+#include "vtkWaterMeshTraits.h"
 #include "vtkWaterProperty.h"
 #include "vtkWaterReflection.h"
 #include "vtkWaterReflectionPass.h"
@@ -14,6 +15,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <limits>
 
 VTK_ABI_NAMESPACE_BEGIN
 
@@ -104,15 +106,24 @@ vtkWaterReflection* vtkWaterActor::Internals::GetComposedReflection()
 }
 
 //------------------------------------------------------------------------------
-void vtkWaterActor::Internals::CheckMesh(const water_plane& plane)
+void vtkWaterActor::Internals::ReadMesh(const water_plane& plane, vtkWaterMesh* mesh)
 {
+  vtkMapper* mapper = this->Self->GetMapper();
   water_plane unit;
-  if (this->Self->UsesOwnSheet() || water_plane_normalise(&plane, &unit) != WATER_OK)
+  mesh->HeightMax = std::numeric_limits<double>::infinity();
+  if (water_plane_normalise(&plane, &unit) != WATER_OK)
   {
     return; // what is wrong with the plane is said as an error
   }
-  const std::string text =
-    this->Placement.Check(this->Self->GetMapper(), this->Self->GetMatrix(), unit);
+  if (vtkWaterMeshTraits::IsDrawnAsItIs(mapper, this->Self))
+  {
+    *mesh = this->Heights.Read(mapper, this->Self->GetMatrix(), unit);
+  }
+  if (this->Self->UsesOwnSheet())
+  {
+    return;
+  }
+  const std::string text = this->Placement.Check(mapper, this->Self->GetMatrix(), unit);
   if (!text.empty())
   {
     vtkWarningWithObjectMacro(this->Self, << text);
@@ -140,12 +151,19 @@ vtkWaterSnapshotPointer vtkWaterActor::Internals::Take(vtkRenderer* renderer)
   this->ReadPlane(&made->Plane, made->Origin);
   std::copy_n(this->Self->Plane->GetOrigin(), 3, made->GivenOrigin);
   std::copy_n(this->Self->Plane->GetNormal(), 3, made->GivenNormal);
-  this->CheckMesh(made->Plane);
   made->IsSheet = this->Self->UsesOwnSheet() && this->Self->GetIsIdentity();
+  if (!made->IsSheet)
+  {
+    this->ReadMesh(made->Plane, &made->Mesh);
+  }
   made->Time = this->Self->Time;
   this->Self->WaterProperty->Describe(made->Look);
   made->Look.Has.is_opaque = this->Self->HasOpaqueGeometry() != 0;
   made->Features = water_features_of(&made->Look.Has);
+  if (made->Mesh.HasVertexHeights)
+  {
+    made->Features = water_features_with_mesh(made->Features);
+  }
   made->Waves = this->GetWaveTerms();
   made->Sea = &this->Sea;
   made->Settings = this->GetOwnReflection().Settings;

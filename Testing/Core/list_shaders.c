@@ -21,7 +21,7 @@ typedef struct shader_file
 
 #define SHADER_FILE(slot, file, any_of, none_of, what) { #slot, #file, any_of, none_of, what },
 static const shader_file surface_files[] = { WATER_SURFACE_FILE_LIST(SHADER_FILE) };
-static const shader_file vertex_files[] = { WATER_DISPLACEMENT_FILE_LIST(SHADER_FILE) };
+static const shader_file vertex_files[] = { WATER_VERTEX_FILE_LIST(SHADER_FILE) };
 
 enum
 {
@@ -98,6 +98,7 @@ int main(int argc, char** argv)
       print_files("frag", sets[i], surface_files, SURFACE_FILE_COUNT);
     }
     print_files("vert", WATER_FEATURE_DISPLACED, vertex_files, VERTEX_FILE_COUNT);
+    print_files("vert", WATER_FEATURE_MESH, vertex_files, VERTEX_FILE_COUNT);
     return 0;
   }
   if (argc == 2 && strcmp(argv[1], "table") == 0)
@@ -109,7 +110,7 @@ int main(int argc, char** argv)
     }
     printf("\nFragment shader:\n\n");
     print_table(surface_files, SURFACE_FILE_COUNT);
-    printf("\nVertex shader of a surface that waves displace:\n\n");
+    printf("\nVertex shader of a surface that waves displace, or of a user's mesh:\n\n");
     print_table(vertex_files, VERTEX_FILE_COUNT);
     return 0;
   }

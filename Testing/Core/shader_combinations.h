@@ -56,6 +56,8 @@ static inline size_t shader_combinations(unsigned* sets)
       const unsigned hardware = water_features_on_hardware(asked);
       sets[asked] = 1;
       sets[hardware] = 1;
+      sets[water_features_with_mesh(asked)] = 1;
+      sets[water_features_with_mesh(hardware)] = 1;
       // a mesh whose vertices VTK does not let us move
       sets[asked & ~(unsigned)WATER_FEATURE_DISPLACED] = 1;
       sets[hardware & ~(unsigned)WATER_FEATURE_DISPLACED] = 1;

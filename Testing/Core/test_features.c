@@ -130,6 +130,18 @@ TEST(layer_and_peel_are_for_traced_rays_alone)
   }
 }
 
+// A mesh of the user's tells its heights unless waves displace it, and changes nothing else.
+TEST(mesh_is_drawn_as_it_is_or_displaced)
+{
+  for (unsigned has = 0; has < LOOKS; ++has)
+  {
+    const unsigned features = expected_of(has);
+    const bool is_displaced = (has & GEOMETRY) && (has & SINES);
+    assert_int_equal(
+      water_features_with_mesh(features), features + (is_displaced ? 0 : WATER_FEATURE_MESH));
+  }
+}
+
 // On hardware reads go out together, for what reads, and a pixel has one ray unless there is a
 // peel: nothing else changes.
 TEST(hardware_reads_in_batches)
@@ -171,13 +183,13 @@ typedef struct file
 
 #define FILE_ENTRY(slot, name, any_of, none_of, what) { #slot, #name, any_of, none_of },
 static const file surface_files[] = { WATER_SURFACE_FILE_LIST(FILE_ENTRY) };
-static const file displacement_files[] = { WATER_DISPLACEMENT_FILE_LIST(FILE_ENTRY) };
+static const file vertex_files[] = { WATER_VERTEX_FILE_LIST(FILE_ENTRY) };
 enum
 {
   SURFACE_FILES = sizeof surface_files / sizeof surface_files[0],
-  DISPLACEMENT_FILES = sizeof displacement_files / sizeof displacement_files[0],
-  REACHABLE_MAX =
-    (1 + 2 * 8) * LOOKS // looked up in 8 kinds of reflection textures, on 2 of machines
+  VERTEX_FILES = sizeof vertex_files / sizeof vertex_files[0],
+  // looked up in 8 kinds of reflection textures, on 2 of machines, with a mesh or without
+  REACHABLE_MAX = (2 + 4 * 8) * LOOKS
 };
 
 // All sets of features that a shader may be asked for, some more than once.
@@ -187,13 +199,17 @@ static size_t reach_all(unsigned features[REACHABLE_MAX])
   for (unsigned has = 0; has < LOOKS; ++has)
   {
     const water_feature_look look = look_of(has);
-    features[count++] = water_features_secondary(&look);
+    features[count] = water_features_secondary(&look);
+    features[count + 1] = water_features_with_mesh(features[count]);
+    count += 2;
     for (unsigned kind = 0; kind < 8; ++kind)
     {
       const water_feature_texture texture = { kind & 1, kind >> 1 & 1, kind >> 2 & 1 };
       features[count] = water_features_with_texture(water_features_of(&look), &texture);
       features[count + 1] = water_features_on_hardware(features[count]);
-      count += 2;
+      features[count + 2] = water_features_with_mesh(features[count]);
+      features[count + 3] = water_features_with_mesh(features[count + 1]);
+      count += 4;
     }
   }
   return count;
@@ -290,12 +306,12 @@ static void assert_order(
 TEST(slots_stand_in_their_order)
 {
   static const char* const surface[] = { "optics", "gradient", "attenuation", "slopes", "cell",
-    "place", "point", "tile", "sines", "sea", "normal_maps", "waves", "output", "reflection",
-    "dome", "walk", "behind", "layer", "blur", "caustics", "medium", "refraction", "facet_slopes",
-    "facets", "rays", "shadows", "glitter", "foam", "sun", "surface" };
-  static const char* const displacement[] = { "cell", "displacement" };
+    "place", "height", "point", "tile", "sines", "sea", "normal_maps", "waves", "output",
+    "reflection", "dome", "walk", "behind", "layer", "blur", "caustics", "medium", "refraction",
+    "facet_slopes", "facets", "rays", "shadows", "glitter", "foam", "sun", "surface" };
+  static const char* const vertex[] = { "cell", "displacement", "heights" };
   assert_order(surface_files, SURFACE_FILES, surface, sizeof surface / sizeof surface[0]);
-  assert_order(displacement_files, DISPLACEMENT_FILES, displacement, 2);
+  assert_order(vertex_files, VERTEX_FILES, vertex, 3);
 }
 
 // No file and no feature is there for nothing: some shader has it, and all but the files of every
@@ -326,23 +342,26 @@ TEST(every_file_and_feature_is_used)
   }
 }
 
-// Vertices are moved by a shader exactly where the surface is displaced, and by all of its files.
+// Vertices are moved by a shader exactly where the surface is displaced, and tell their heights
+// exactly where a mesh of the user's is drawn as it is.
 TEST(vertices_move_where_the_surface_is_displaced)
 {
   static unsigned reachable[REACHABLE_MAX];
   const size_t count = reach_all(reachable);
   for (size_t i = 0; i < count; ++i)
   {
-    for (int j = 0; j < DISPLACEMENT_FILES; ++j)
+    for (int j = 0; j < VERTEX_FILES; ++j)
     {
-      const file* at = &displacement_files[j];
-      assert_int_equal(water_features_want(reachable[i], at->any_of, at->none_of),
-        (reachable[i] & WATER_FEATURE_DISPLACED) != 0);
+      const file* at = &vertex_files[j];
+      const unsigned feature =
+        strcmp(at->slot, "heights") == 0 ? WATER_FEATURE_MESH : WATER_FEATURE_DISPLACED;
+      assert_int_equal(
+        water_features_want(reachable[i], at->any_of, at->none_of), (reachable[i] & feature) != 0);
     }
   }
 }
 
 TESTS(features_of_every_look_follow_the_rules, layer_and_peel_are_for_traced_rays_alone,
-  hardware_reads_in_batches, water_in_a_mirrored_view_is_smooth_or_rough, each_slot_has_one_file,
-  slots_stand_in_their_order, every_file_and_feature_is_used,
-  vertices_move_where_the_surface_is_displaced)
+  mesh_is_drawn_as_it_is_or_displaced, hardware_reads_in_batches,
+  water_in_a_mirrored_view_is_smooth_or_rough, each_slot_has_one_file, slots_stand_in_their_order,
+  every_file_and_feature_is_used, vertices_move_where_the_surface_is_displaced)

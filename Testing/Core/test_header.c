@@ -4,6 +4,7 @@
 
 #include "water_glitter.h"
 
+#include "water_flatness.h"
 #include "water_grid.h"
 #include "water_placement.h"
 

@@ -20,7 +20,7 @@ struct File
 };
 #define WATER_TEST_FILE(slot, file, any_of, none_of, what) { #file, any_of, none_of, file },
 const File surfaceFiles[] = { WATER_SURFACE_FILE_LIST(WATER_TEST_FILE) };
-const File vertexFiles[] = { WATER_DISPLACEMENT_FILE_LIST(WATER_TEST_FILE) };
+const File vertexFiles[] = { WATER_VERTEX_FILE_LIST(WATER_TEST_FILE) };
 
 const char* const fragmentHead = "#version 150\nout vec4 fragOutput0;\n";
 
@@ -81,6 +81,10 @@ int TestWaterShaderCombinations(int, char*[])
   ok &= CompilesAlone("displacement", GL_VERTEX_SHADER,
     Join(vertexFiles, WATER_FEATURE_DISPLACED) +
       "void main()\n{\n  vec4 position = vec4(1.0);\n  waterDisplace(position);\n"
+      "  gl_Position = position;\n}\n");
+  ok &= CompilesAlone("heights", GL_VERTEX_SHADER,
+    Join(vertexFiles, WATER_FEATURE_MESH) +
+      "void main()\n{\n  vec4 position = vec4(1.0);\n  waterMeasure(position);\n"
       "  gl_Position = position;\n}\n");
   ok &= CompilesAlone("mirrored, vertices", GL_VERTEX_SHADER, vtkWaterMirroredVS);
   ok &= CompilesAlone("cover, vertices", GL_VERTEX_SHADER, vtkWaterCoverVS);

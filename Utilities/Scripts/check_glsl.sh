@@ -57,7 +57,9 @@ awk -v work="$work" '
     }
     compile($1, "combination-" $2, text "void main()\n{\n" ($1 == "frag" ? \
       "  vec4 color = vec4(0.0);\n  waterShade(color);\n  fragOutput0 = color;\n}" : \
-      "  vec4 position = vec4(1.0);\n  waterDisplace(position);\n  gl_Position = position;\n}"))
+      "  vec4 position = vec4(1.0);\n" \
+      (text ~ /waterDisplace/ ? "  waterDisplace(position);\n" : "  waterMeasure(position);\n") \
+      "  gl_Position = position;\n}"))
   }
   END {
     volume = "uniform mat4 in_modelViewMatrix, in_inverseModelViewMatrix;\n" \

@@ -85,6 +85,11 @@ unsigned water_features_with_texture(unsigned features, const water_feature_text
     if_has(is_looked_up && texture->is_enclosed, WATER_FEATURE_ENCLOSED);
 }
 
+unsigned water_features_with_mesh(unsigned features)
+{
+  return features | if_has((features & WATER_FEATURE_DISPLACED) == 0, WATER_FEATURE_MESH);
+}
+
 unsigned water_features_on_hardware(unsigned features)
 {
   const bool is_traced = (features & WATER_FEATURE_RAY_TRACED) != 0;

@@ -39,7 +39,8 @@ extern "C"
   X(HARDWARE_RAYS, "hardware: a ray's reads go out together")                                      \
   X(HARDWARE_FACETS, "hardware: facets with branches of their own")                                \
   X(HARDWARE_MEDIUM, "hardware: a refracted ray is marched where it must")                         \
-  X(HARDWARE_TILE, "hardware: as many looks at a tile as a pixel needs")
+  X(HARDWARE_TILE, "hardware: as many looks at a tile as a pixel needs")                           \
+  X(MESH, "a mesh of the user's: its vertices know their heights")
 
 typedef enum water_feature_bit
 {
@@ -71,6 +72,10 @@ enum // WATER_FEATURE_WAVES and so on
     "place at rest, from the vertices")                                                            \
   X(place, vtkWaterNoDisplacementFS, 0, WATER_FEATURE_FLAG(DISPLACED),                             \
     "place at rest, from the pixel")                                                               \
+  X(height, vtkWaterMeshHeightFS, WATER_FEATURE_FLAG(MESH), 0,                                     \
+    "over the plane, from the vertices")                                                           \
+  X(height, vtkWaterPixelHeightFS, 0, WATER_FEATURE_FLAG(MESH),                                    \
+    "over the plane, from the pixel's depth; 0 of a flat sheet")                                   \
   X(point, vtkWaterPointFS, 0, 0, "what all slots know of their pixel, and the background")        \
   X(tile, vtkWaterTileFS, WATER_FEATURE_FLAG(WAVES), WATER_FEATURE_FLAG(HARDWARE_TILE),            \
     "slopes from a texture that repeats")                                                          \
@@ -144,12 +149,12 @@ enum // WATER_FEATURE_WAVES and so on
   X(sun, vtkWaterNoSunFS, 0, WATER_FEATURE_FLAG(GLITTER) | WATER_FEATURE_FLAG(FOAM), "none")       \
   X(surface, vtkWaterSurfaceFS, 0, 0, "the pixel's colour, from all slots")
 
-// Files of its vertex shader, which moves the vertices, in order: the same, with
-// WATER_FEATURE_DISPLACED.
-#define WATER_DISPLACEMENT_FILE_LIST(X)                                                            \
+// Files of its vertex shader, in order: the same, for features that have any.
+#define WATER_VERTEX_FILE_LIST(X)                                                                  \
   X(cell, vtkWaterCell, WATER_FEATURE_FLAG(DISPLACED), 0, "what a grid can hold of a wave")        \
   X(displacement, vtkWaterDisplacementVS, WATER_FEATURE_FLAG(DISPLACED), 0,                        \
-    "moves vertices by the waves")
+    "moves vertices by the waves")                                                                 \
+  X(heights, vtkWaterMeshVS, WATER_FEATURE_FLAG(MESH), 0, "of the vertices over the plane")
 
 // Is a file of the lists part of the shader of some features?
 static inline bool water_features_want(unsigned features, unsigned any_of, unsigned none_of)
@@ -216,6 +221,10 @@ typedef struct water_feature_texture
 
 // The same with the reflection texture that it looks up.
 unsigned water_features_with_texture(unsigned features, const water_feature_texture* texture);
+
+// The same for a mesh of the user's that is drawn as it is: not where waves displace it, which
+// start from the plane.
+unsigned water_features_with_mesh(unsigned features);
 
 // The same where hardware executes the shader. Several rays a pixel are too slow there, unless
 // there is a peel, which is slower still.

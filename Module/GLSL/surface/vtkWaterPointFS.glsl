@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkWaterPointFS.glsl: what all slots of a surface's shader know about their pixel, and the sky.
 //
-// The slots, each one file of several: place (waterPlaceOf), waves (waterRipple), reflection (waterReflected), layer
+// The slots, each one file of several: place (waterPlaceOf), height (waterHeightOf), waves (waterRipple), reflection (waterReflected), layer
 // (waterCross), caustics (waterCaustic), body (waterTransmitted), facets (waterFacets), rays (waterMirrored),
 // shadows (waterSunArrives), glitter (waterGlint), foam (waterFoam), sun (waterSunlit), output (waterShow);
 // vtkWaterSurfaceFS.glsl puts them together. They are files and not branches because software renderers execute both
@@ -15,7 +15,6 @@ uniform vec4 waterViewport;        // x, y, 1 / width, 1 / height of the draw, i
 uniform mat3 waterNdcToRay;        // (NDC x, NDC y, 1) -> view ray in the plane's axes
 uniform mat4 waterDirToEye;        // direction in the plane's axes -> clip of the eye
 uniform vec4 waterNormalClip;      // plane normal (towards the eye) in clip space, w included
-uniform vec4 waterPlaneClip;       // clip space point -> height over the plane; 0 for a flat sheet
 uniform vec2 waterReflectionScale; // part of the reflection texture that is the picture itself, without its band
 uniform float waterDepthScale;     // depth in the reflection texture / depth in the picture, of the surface
 uniform float waterSide;           // 1: seen from above, -1: from below
@@ -68,7 +67,7 @@ WaterPoint waterPoint()
   point.even = vec2(0.0);
   point.jacobian = 1.0;
   vec4 clip = vec4(point.ndc, 2.0 * gl_FragCoord.z - 1.0, 1.0); // w cancels below
-  float height = dot(waterPlaneClip, clip);
+  float height = waterHeightOf(clip);
   vec4 mirrored = clip - 2.0 * height * waterNormalClip;
   point.height = height / gl_FragCoord.w;
   point.startW = mirrored.w / gl_FragCoord.w;

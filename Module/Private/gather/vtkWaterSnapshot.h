@@ -6,6 +6,7 @@
 
 #include "vtkSmartPointer.h"
 #include "vtkTexture.h" // for members
+#include "vtkWaterMeshHeights.h"
 #include "vtkWaterNormalMaps.h"
 #include "water_features.h"
 #include "water_tile.h"
@@ -65,6 +66,7 @@ struct vtkWaterSnapshot
   double GivenNormal[3] = {};
   double Bounds[6] = { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 }; // min > max: it has no surface
   bool IsSheet = false;                                   // the own one, and not moved
+  vtkWaterMesh Mesh;                                      // that is drawn at rest
   double Time = 0.0;                                      // s
   vtkWaterLook Look;
   unsigned Features = 0;                      // WATER_FEATURE_*

@@ -7,6 +7,7 @@
 #include "vtkRenderer.h"
 #include "vtkWaterActor.h"
 #include "vtkWaterGrid.h"
+#include "vtkWaterMeshHeights.h"
 #include "vtkWaterMeshPlacement.h"
 #include "vtkWaterReflectionPass.h"
 #include "vtkWaterSea.h"
@@ -49,8 +50,9 @@ struct vtkWaterActor::Internals : public vtkWaterSource
   vtkWaterReflection* GetComposedReflection() override;
   void SetComposedPass(vtkWaterReflectionPass* pass) override { this->Self->ComposedPass = pass; }
 
-  // Warns of a mesh of the user's that does not lie in the plane.
-  void CheckMesh(const water_plane& plane);
+  // What a surface that is not the own sheet at rest is. Warns of a mesh of the user's that does
+  // not lie in the plane.
+  void ReadMesh(const water_plane& plane, vtkWaterMesh* mesh);
   // Do waves move the surface itself?
   bool IsDisplaced() const;
   // The waves at the actor's time.
@@ -67,6 +69,7 @@ struct vtkWaterActor::Internals : public vtkWaterSource
   vtkWaterActor* Self;
   vtkWaterSheet Sheet;
   vtkWaterMeshPlacement Placement; // of a mesh in the sheet's place
+  vtkWaterMeshHeights Heights;     // of the same
   vtkWaterGrid Grid;               // the sheet when it is displaced
   vtkWaterSurfaceShader Surface;
   vtkWaterSecondarySurface Secondary;

@@ -157,17 +157,25 @@ void vtkWaterShaderHook::ReplaceForWater(vtkWaterSource& water, std::string& ver
     return;
   }
   unsigned features = this->Surface ? this->Surface->GetFeatures() : water.Take(nullptr)->Features;
-  // a geometry shader would have to pass the place at rest on
-  const bool canDisplace =
+  constexpr unsigned ofVertices = WATER_FEATURE_DISPLACED | WATER_FEATURE_MESH;
+  // a geometry shader would have to pass the place at rest, or the height, on
+  const bool canAskVertices =
     geometryShader.empty() && vertexShader.find("//VTK::CustomEnd::Impl") != std::string::npos;
-  if (!canDisplace)
+  if (!canAskVertices)
   {
-    features &= ~static_cast<unsigned>(WATER_FEATURE_DISPLACED);
+    features &= ~ofVertices;
   }
-  else if ((features & WATER_FEATURE_DISPLACED) &&
-    InsertDeclarations(vertexShader, vtkWaterSurfaceShader::GetVertexShader()))
+  else if ((features & ofVertices) &&
+    InsertDeclarations(vertexShader, vtkWaterSurfaceShader::GetVertexShader(features)))
   {
-    InsertBefore(vertexShader, "//VTK::CustomEnd::Impl", "  waterDisplace(gl_Position);");
+    if (features & WATER_FEATURE_DISPLACED)
+    {
+      InsertBefore(vertexShader, "//VTK::CustomEnd::Impl", "  waterDisplace(gl_Position);");
+    }
+    else
+    {
+      InsertBefore(vertexShader, "//VTK::CustomEnd::Impl", "  waterMeasure(vertexMC);");
+    }
   }
   InsertDeclarations(fragmentShader, vtkWaterSurfaceShader::GetShader(features));
 }
@@ -306,7 +314,7 @@ bool vtkWaterShaderHook::SetShaderParameters(
     if (this->Surface && program->isBound())
     {
       this->SetIsAwaited(false);
-      this->Surface->SetParameters(program);
+      this->Surface->SetParameters(program, mapper);
       if (this->Surface->GetIsSecondary())
       {
         this->SetMirroredParameters(program, mapper, prop); // which cut it

@@ -13,6 +13,7 @@
 #include "vtkWaterGL.h"
 #include "vtkWaterGLSL.h" // all files of the list
 #include "vtkWaterSea.h"
+#include "water_flatness.h"
 #include "water_lookup.h"
 #include "water_plan.h"
 #include "water_waves.h"
@@ -30,7 +31,6 @@ struct ShaderFile
   const char* Source;
 };
 #define WATER_SHADER_FILE(slot, file, any_of, none_of, what) { any_of, none_of, file },
-constexpr unsigned kAllFeatures = ~0u;
 
 template <size_t Count>
 std::string Join(const ShaderFile (&files)[Count], unsigned features)
@@ -56,10 +56,10 @@ std::string vtkWaterSurfaceShader::GetShader(unsigned features)
 }
 
 //------------------------------------------------------------------------------
-std::string vtkWaterSurfaceShader::GetVertexShader()
+std::string vtkWaterSurfaceShader::GetVertexShader(unsigned features)
 {
-  static const ShaderFile files[] = { WATER_DISPLACEMENT_FILE_LIST(WATER_SHADER_FILE) };
-  return Join(files, kAllFeatures);
+  static const ShaderFile files[] = { WATER_VERTEX_FILE_LIST(WATER_SHADER_FILE) };
+  return Join(files, features);
 }
 
 //------------------------------------------------------------------------------
@@ -153,7 +153,7 @@ void vtkWaterSurfaceShader::BeginMedium(const int viewport_px[4])
 {
   const bool hadFailed = this->Backdrop.GetHasFailed();
   int part_px[4];
-  water_lookup_under(&this->Plan, this->Drawn.IsFlat, viewport_px + 2, part_px);
+  water_lookup_under(&this->Plan, this->IsFlat, viewport_px + 2, part_px);
   this->HasBackdrop = this->Backdrop.Copy(this->GetWindow(), viewport_px, part_px);
   if (this->Backdrop.GetHasFailed() && !hadFailed) // said once
   {
@@ -225,7 +225,7 @@ void vtkWaterSurfaceShader::BeginReflection(const int viewport_px[4])
 {
   const Inputs& drawn = this->Drawn;
   // where pixel meets texel, one texel is the same as four
-  const bool isAligned = drawn.IsFlat &&
+  const bool isAligned = this->IsFlat &&
     !this->Has(WATER_FEATURE_WAVES | WATER_FEATURE_RAY_TRACED | WATER_FEATURE_OFFSET) &&
     std::equal(viewport_px + 2, viewport_px + 4, this->Plan.texture_px);
   const int blurred = this->Has(WATER_FEATURE_ROUGH) ? vtkTextureObject::LinearMipmapLinear
@@ -274,6 +274,8 @@ void vtkWaterSurfaceShader::Begin(const vtkWaterSnapshotPointer& water, const In
   this->Active.clear();
   int viewport_px[4];
   this->GetWindow()->GetState()->vtkglGetIntegerv(GL_VIEWPORT, viewport_px);
+  this->IsFlat = inputs.Plan && inputs.IsAtRest &&
+    water_flatness_is_unseen(&this->Plan, water->Mesh.HeightMax, viewport_px + 2);
   this->Use("waterReflection", inputs.Reflection);
   if (inputs.Plan && this->Has(WATER_FEATURE_MEDIUM))
   {

@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+class vtkAbstractMapper;
 class vtkOpenGLRenderWindow;
 class vtkOpenGLRenderer;
 class vtkShaderProgram;
@@ -45,7 +46,7 @@ public:
     vtkTextureObject* PeelDepth = nullptr;
     int MostSteps = 0; // of the march
     int MostProbes = 0;
-    bool IsFlat = false;                   // the sheet lies in the plane exactly
+    bool IsAtRest = true; // the surface is the snapshot's mesh; false: waves move it
     const water_grid_view* View = nullptr; // waves move the vertices; nullptr: they do not
     const double* RowDir = nullptr;        // of the grid under them
     bool IsSecondary = false;              // in the mirrored view of another water
@@ -60,8 +61,8 @@ public:
   // The source that defines waterShade.
   static std::string GetShader(unsigned features);
 
-  // The source that defines waterDisplace, for vertices.
-  static std::string GetVertexShader();
+  // The source that defines waterDisplace or waterMeasure, for vertices.
+  static std::string GetVertexShader(unsigned features);
 
   // Is another shader needed than for the last draw?
   bool UpdateFeatures(unsigned features);
@@ -78,7 +79,7 @@ public:
   void Begin(const vtkWaterSnapshotPointer& water, const Inputs& inputs);
   void End();
 
-  void SetParameters(vtkShaderProgram* program);
+  void SetParameters(vtkShaderProgram* program, vtkAbstractMapper* mapper);
 
   void ReleaseGraphicsResources(vtkWindow* window);
 
@@ -97,6 +98,7 @@ private:
   void UploadWaves(const double origin[2]);
   void UploadNormalMap(size_t number);
   void SetDisplacement(vtkShaderProgram* program);
+  void SetVertexHeights(vtkShaderProgram* program, vtkAbstractMapper* mapper);
   void SetViewParameters(vtkShaderProgram* program);
   void SetReflectionParameters(vtkShaderProgram* program);
   void SetSkyParameters(vtkShaderProgram* program);
@@ -109,6 +111,7 @@ private:
   // Drawing runs the user's observers, who may drop any of these.
   vtkWaterSnapshotPointer Water; // that is drawn
   Inputs Drawn;
+  bool IsFlat = false; // it is seen as if it lay in the plane
   water_plan Plan = water_plan();
   std::vector<std::pair<const char*, vtkSmartPointer<vtkTextureObject>>> Active; // by name
   vtkSmartPointer<vtkTexture> Environment;                                       // in use

@@ -8,9 +8,11 @@
 #include "vtkTexture.h"
 #include "vtkTextureObject.h"
 #include "vtkWaterGL.h"
+#include "vtkWaterMeshTraits.h"
 #include "vtkWaterSea.h"
 #include "vtkWaterSurfaceShader.h"
 #include "vtkWaterUniforms.h"
+#include "water_flatness.h"
 #include "water_glitter.h"
 #include "water_optics.h"
 #include "water_plan.h"
@@ -25,7 +27,7 @@ constexpr double kFlat[4] = { 0.0, 0.0, 0.0, 0.0 };
 }
 
 //------------------------------------------------------------------------------
-void vtkWaterSurfaceShader::SetParameters(vtkShaderProgram* program)
+void vtkWaterSurfaceShader::SetParameters(vtkShaderProgram* program, vtkAbstractMapper* mapper)
 {
   namespace uniforms = vtkWaterUniforms;
   if (!this->Water)
@@ -54,6 +56,7 @@ void vtkWaterSurfaceShader::SetParameters(vtkShaderProgram* program)
   this->SetDisplacement(program);
   if (plan)
   {
+    this->SetVertexHeights(program, mapper);
     this->SetViewParameters(program);
     this->SetReflectionParameters(program);
     this->SetSkyParameters(program);
@@ -80,7 +83,7 @@ void vtkWaterSurfaceShader::SetViewParameters(vtkShaderProgram* program)
     1.0 / viewport[2], 1.0 / viewport[3] };
   uniforms::Set4(program, "waterViewport", inverse);
   uniforms::Set4(program, "waterNormalClip", plan.normal_clip);
-  uniforms::Set4(program, "waterPlaneClip", this->Drawn.IsFlat ? kFlat : plan.plane_clip);
+  uniforms::Set4(program, "waterPlaneClip", this->IsFlat ? kFlat : plan.plane_clip);
   uniforms::SetMatrix3(program, "waterNdcToRay", plan.ndc_to_ray);
   uniforms::SetMatrix3(program, "waterNdcToPlane", plan.ndc_to_plane);
   uniforms::SetMatrix4x3(program, "waterDirToEye", plan.dir_to_eye);
@@ -110,6 +113,25 @@ void vtkWaterSurfaceShader::SetDisplacement(vtkShaderProgram* program)
   uniforms::SetMatrix3(program, "waterClipToPlace", view.clip_to_place);
   uniforms::Set4(program, "waterHeightOfClip", view.height_clip);
   uniforms::Set2(program, "waterRowDir", this->Drawn.RowDir);
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterSurfaceShader::SetVertexHeights(vtkShaderProgram* program, vtkAbstractMapper* mapper)
+{
+  namespace uniforms = vtkWaterUniforms;
+  double origin[3] = { 0.0, 0.0, 0.0 };
+  double rise[4] = { 0.0, 0.0, 0.0, 0.0 };
+  const vtkWaterMesh& mesh = this->Water->Mesh;
+  if (!this->IsFlat && this->Has(WATER_FEATURE_MESH))
+  {
+    double shift[3];
+    double scale[3];
+    vtkWaterMeshTraits::ReadShiftAndScale(mapper, shift, scale);
+    water_flatness_vertices(
+      mesh.Height, this->Drawn.Plan->side, mesh.Bounds, shift, scale, origin, rise);
+  }
+  uniforms::Set3(program, "waterVertexOrigin", origin);
+  uniforms::Set4(program, "waterVertexRise", rise);
 }
 
 //------------------------------------------------------------------------------

@@ -8,7 +8,6 @@
 #include "vtkMatrix4x4.h"
 #include "vtkOpenGLIndexBufferObject.h"
 #include "vtkOpenGLPolyDataMapper.h"
-#include "vtkOpenGLVertexBufferObject.h"
 #include "vtkProperty.h"
 #include "vtkShaderProgram.h"
 #include "vtkWaterAccess.h"
@@ -27,12 +26,9 @@ namespace
 // far off.
 std::array<double, 3> OriginOf(vtkOpenGLPolyDataMapper* mapper)
 {
-  vtkOpenGLVertexBufferObject* vertices = vtkWaterAccess::PolyDataMapper::VerticesOf(mapper);
   std::array<double, 3> origin{};
-  if (vertices && vertices->GetCoordShiftAndScaleEnabled() && vertices->GetShift().size() == 3)
-  {
-    std::copy_n(vertices->GetShift().begin(), 3, origin.begin());
-  }
+  double scale[3];
+  vtkWaterMeshTraits::ReadShiftAndScale(mapper, origin.data(), scale);
   return origin;
 }
 

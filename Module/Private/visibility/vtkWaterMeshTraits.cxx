@@ -3,14 +3,17 @@
 
 #include "vtkActor.h"
 #include "vtkCommand.h"
+#include "vtkDataSetMapper.h"
 #include "vtkImageData.h"
 #include "vtkOpenGLPolyDataMapper.h"
+#include "vtkOpenGLVertexBufferObject.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
 #include "vtkShaderProgram.h"
 #include "vtkShaderProperty.h"
 #include "vtkTexture.h"
+#include "vtkWaterAccess.h"
 #include "vtkWaterProps.h"
 
 #include <algorithm>
@@ -41,6 +44,30 @@ bool vtkWaterMeshTraits::HasOwnShaders(vtkAbstractMapper* mapper, vtkActor* acto
   vtkShaderProperty* shaders = actor->GetShaderProperty();
   return shaders->GetNumberOfShaderReplacements() > 0 || shaders->HasVertexShaderCode() ||
     shaders->HasGeometryShaderCode() || mapper->HasObserver(vtkCommand::UpdateShaderEvent);
+}
+
+//------------------------------------------------------------------------------
+bool vtkWaterMeshTraits::IsDrawnAsItIs(vtkMapper* mapper, vtkActor* actor)
+{
+  return mapper && (AsPolyDataMapper(mapper) || vtkDataSetMapper::SafeDownCast(mapper)) &&
+    !HasOwnShaders(mapper, actor);
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterMeshTraits::ReadShiftAndScale(
+  vtkAbstractMapper* mapper, double shift[3], double scale[3])
+{
+  std::fill_n(shift, 3, 0.0);
+  std::fill_n(scale, 3, 1.0);
+  vtkOpenGLPolyDataMapper* ofMesh = AsPolyDataMapper(mapper);
+  vtkOpenGLVertexBufferObject* vertices =
+    ofMesh ? vtkWaterAccess::PolyDataMapper::VerticesOf(ofMesh) : nullptr;
+  if (vertices && vertices->GetCoordShiftAndScaleEnabled() && vertices->GetShift().size() == 3 &&
+    vertices->GetScale().size() == 3)
+  {
+    std::copy_n(vertices->GetShift().begin(), 3, shift);
+    std::copy_n(vertices->GetScale().begin(), 3, scale);
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -20,6 +20,13 @@ vtkOpenGLPolyDataMapper* AsPolyDataMapper(vtkAbstractMapper* mapper);
 // May the vertices be elsewhere than the data says?
 bool HasOwnShaders(vtkAbstractMapper* mapper, vtkActor* actor);
 
+// Is a mesh drawn where its data says, by one mapper for all of its points?
+bool IsDrawnAsItIs(vtkMapper* mapper, vtkActor* actor);
+
+// What VTK makes of coordinates for the GPU: (coordinate - shift) * scale. Nothing, unless the mesh
+// is large, or far off.
+void ReadShiftAndScale(vtkAbstractMapper* mapper, double shift[3], double scale[3]);
+
 // Can the triangles of a mesh be drawn without some of them? Not when the shader counts them to
 // find the data of their cells.
 bool CanBeCut(vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkActor* actor);

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// water_flatness.h: how high the points of a surface that a user gives lie over the water's plane,
+// and is that seen?
+//
+// A pixel of a flat surface looks the reflection up where it is. Any other one also needs its
+// height. A pixel's depth tells that badly: it is rounded, and so are the clip coordinates it comes
+// from, by more than the height itself where coordinates or the distances of the camera's near and
+// far plane are large. So vertices tell their height by their own coordinates.
+#ifndef water_flatness_h
+#define water_flatness_h
+
+#include "water_types.h"
+
+#include <stdbool.h>
+
+#ifdef __cplusplus
+extern "C"
+{
+#endif
+
+// What of a mesh has been looked at.
+typedef struct water_flatness
+{
+  double height[4];  // point in the mesh's own coordinates -> height over the plane
+  double height_max; // of all points, over the plane or under it; infinity: too high
+  double rounding;   // of heights: lower ones may be none
+  double limit;      // higher ones are too high
+} water_flatness;
+
+// Heights of points in a mesh's own coordinates.
+//
+// unit           normalised plane of the water
+// mesh_to_world  affine
+//
+// Returns false when the matrix is another one or not finite; then *flatness is unchanged.
+bool water_flatness_heights(
+  const water_plane* unit, const double mesh_to_world[16], double height[4]);
+
+// bounds     of the mesh in its own coordinates: xmin, xmax, ymin, ymax, zmin, zmax
+// is_single  its coordinates are floats
+//
+// Returns false when there are no heights, as above.
+bool water_flatness_begin(const water_plane* unit, const double mesh_to_world[16],
+  const double bounds[6], bool is_single, water_flatness* flatness);
+
+// Looks at a point, in the mesh's own coordinates. What is not finite is left out.
+//
+// Returns false when that is too high: no other point needs to be looked at.
+bool water_flatness_add(const double point[3], water_flatness* flatness);
+
+// The height of the highest point over the plane or under it; 0: the points lie in the plane, as
+// far as their coordinates can tell; infinity: they do not, whoever sees them.
+double water_flatness_judge(const water_flatness* flatness);
+
+// Is a surface seen as if it lay in the plane? Taken as flat, no reflection that it shows moves by
+// so much that a colour changes by 1 of 255.
+//
+// height_max  of water_flatness_judge
+bool water_flatness_is_unseen(const water_plan* plan, double height_max, const int viewport_px[2]);
+
+// Heights of vertices as a GPU has them, which is floats: (coordinate - shift) * scale.
+//
+// height  as water_flatness_heights has it
+// side    of the plane that the eye is on
+// bounds  of the mesh in its own coordinates
+// origin  a vertex near the middle, which floats hold exactly: differences from it are exact
+// rise    (vertex - origin, 1) -> height over the plane, towards the eye
+void water_flatness_vertices(const double height[4], water_side side, const double bounds[6],
+  const double shift[3], const double scale[3], double origin[3], double rise[4]);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkWaterMeshHeights: how high the points of a surface's mesh lie over the water's plane
+// (water_flatness.h), asked once for each state of the three.
+#ifndef vtkWaterMeshHeights_h
+#define vtkWaterMeshHeights_h
+
+#include "vtkType.h"
+#include "water_types.h"
+
+#include <array>
+
+class vtkMapper;
+class vtkMatrix4x4;
+class vtkPoints;
+
+// Of the mesh that a surface is.
+struct vtkWaterMesh
+{
+  double HeightMax = 0.0;        // of water_flatness_judge
+  bool HasVertexHeights = false; // the two below are set
+  double Height[4] = {};         // of water_flatness_heights
+  double Bounds[6] = {};         // in its own coordinates
+};
+
+class vtkWaterMeshHeights
+{
+public:
+  // Of a mesh that is drawn where its data says. Of mappers without points nothing is known:
+  // the height may be any.
+  const vtkWaterMesh& Read(vtkMapper* mapper, vtkMatrix4x4* meshToWorld, const water_plane& unit);
+
+private:
+  static vtkWaterMesh Measure(
+    vtkPoints* points, vtkMatrix4x4* meshToWorld, const water_plane& unit);
+
+  vtkPoints* Points = nullptr; // compared only
+  vtkMTimeType PointsTime = 0;
+  std::array<double, 20> Place{}; // matrix and plane
+  vtkWaterMesh Mesh;
+};
+
+#endif
