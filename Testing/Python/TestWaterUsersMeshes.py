@@ -130,10 +130,11 @@ def high_scene(generator, distance, heights, is_single, has_matrix, make_mapper=
     return scene, ms.WallTruth(eye, mesh, places)
 
 
-def errors_of_wall(scene, truth):
-    """Of 255, of all pixels of water whose truth is known; a picture's numbers are rounded."""
+def errors_of_wall(scene, truth, shift_px=0.0):
+    """Of 255, of all pixels of water whose truth is known, less a shift; a picture's numbers are rounded."""
     picture, mask = scene.seen()
-    return np.abs(picture[..., :2] - truth.colors).max(axis=-1)[mask & truth.is_known] - 0.5
+    errors = np.abs(picture[..., :2] - truth.colors).max(axis=-1) - 0.5 - shift_px * truth.change
+    return errors[mask & truth.is_known]
 
 
 @RENDERERS
@@ -215,9 +216,12 @@ def test_vertices_that_the_users_shader_moves_are_where_it_puts_them():
     check_wall(f"lifted by {height:.2f}", scene, truth)
 
 
-def test_a_mesh_with_visible_edges_shows_the_same():
-    """Where VTK's shader for visible edges has no room for heights, pixels tell theirs by their depth."""
+def test_a_mesh_with_visible_edges_is_looked_up_by_its_depths():
+    """Where VTK's shader for visible edges has no room for heights, depths tell them, and reflections are right to half
+    a pixel: VTK 9.1 offsets the depths of polygons that have visible edges."""
     scene, truth = rough_scene(17)
     scene.view.renderer.GetActiveCamera().SetClippingRange(NEAR_FAR)
     scene.water.GetProperty().EdgeVisibilityOn()
-    check_wall("with visible edges", scene, truth)
+    tally = Tally()
+    tally.add("edges", errors_of_wall(scene, truth, 0.5))
+    tally.check("with visible edges", 3000)
