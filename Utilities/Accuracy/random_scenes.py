@@ -72,7 +72,6 @@ class Truth:
 
     def __init__(self, scene, samples, size=scene_generator.SIZE):
         self.size, self._scene = size, scene
-        self._camera = scene.made.renderer.GetActiveCamera()
         self._tracer = Tracer(scene.made.renderer, scene.origin)
         side = round(np.sqrt(samples))
         self.once, first, self.mask = self._picture((0.5, 0.5))
@@ -88,32 +87,16 @@ class Truth:
     def _picture(self, shift):
         """With one ray a pixel: 255 RGB with and without water, and whether the ray meets water."""
         width, height = self.size
-        start, ray = self._rays(shift)
+        start, ray = self._scene.rays(self.size, shift)
         colors, distance = self._tracer.cast(start, ray)
         first = 255 * colors.reshape(height, width, 3)
-        is_water, place = self._meet_water(start, ray, distance)
+        is_water, place = self._scene.meet_water(start, ray, distance)
         place = place[is_water]
         _, *slopes = ray_caster.heights_and_slopes(self._scene.waves, place[:, 0], place[:, 1], 0.0)
         _, away = reflected(ray[is_water], *slopes)
         away[:, 2] = np.abs(away[:, 2])  # one that would meet the water again is bounced off it once more
         colors[is_water] = self._tracer.cast(place, away)[0]
         return 255 * colors.reshape(height, width, 3), first, is_water.reshape(height, width)
-
-    def _rays(self, shift):
-        """From the near plane on: VTK draws nothing before it."""
-        x, y = np.meshgrid(*((np.arange(count) + part) / count * 2 - 1 for count, part in zip(self.size, shift)))
-        start, ray = ray_caster.rays_at(self._camera, self.size, x.ravel(), y.ravel())
-        ahead = np.array(self._camera.GetDirectionOfProjection())
-        near = self._camera.GetClippingRange()[0]
-        return start - self._scene.origin + (near / (ray @ ahead))[:, None] * ray, ray
-
-    def _meet_water(self, start, ray, distance):
-        with np.errstate(divide="ignore", invalid="ignore"):
-            way = np.where((ray[:, 2] < 0) & (start[:, 2] > 0), -start[:, 2] / ray[:, 2], np.inf)
-        is_water = way < distance
-        place = start + np.where(is_water, way, 0)[:, None] * ray
-        place[:, 2] = 0
-        return is_water & (np.abs(place[:, :2]) < self._scene.sheet).all(axis=1), place
 
 
 class Result:

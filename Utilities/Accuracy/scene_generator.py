@@ -38,8 +38,6 @@ PROBES = (24, 18)  # rays that look how much water there is
 LEAST_WATER = 0.05  # share of the picture
 LEAST_THINGS = 0.05  # share of the picture that is a thing, or calm water that reflects one
 TRIES = 200
-REACH = (0.5, 500.0)  # m
-ELEVATION = (1.0, 85.0)  # degrees
 LEAST_PARALLEL_ELEVATION = 5.0  # degrees; what a flatter beam sees is too long for one scene
 DOME = (50.0, 60e3)  # m
 NEAR = (1e-3, 10.0)  # m
@@ -61,45 +59,68 @@ class Scene:
     def has_dome(self):
         return self.facts["dome"] > 0
 
+    def rays(self, size, shift):
+        """Rays through a place of each pixel (0 to 1), counted from the origin, from the near plane on: VTK draws
+        nothing before it."""
+        camera = self.made.renderer.GetActiveCamera()
+        x, y = np.meshgrid(*((np.arange(count) + part) / count * 2 - 1 for count, part in zip(size, shift)))
+        start, ray = ray_caster.rays_at(camera, size, x.ravel(), y.ravel())
+        ahead = np.array(camera.GetDirectionOfProjection())
+        near = camera.GetClippingRange()[0]
+        return start - self.origin + (near / (ray @ ahead))[:, None] * ray, ray
 
-def make(seed, size=SIZE):
-    """The scene of a seed: the first of its stream in which enough is seen."""
+    def meet_water(self, start, ray, distance):
+        """Whether rays meet the water before a distance, and where."""
+        with np.errstate(divide="ignore", invalid="ignore"):
+            way = np.where((ray[:, 2] < 0) & (start[:, 2] > 0), -start[:, 2] / ray[:, 2], np.inf)
+        is_water = way < distance
+        place = start + np.where(is_water, way, 0)[:, None] * ray
+        place[:, 2] = 0
+        return is_water & (np.abs(place[:, :2]) < self.sheet).all(axis=1), place
+
+
+def make(seed, size=SIZE, kind=None):
+    """The scene of a seed: the first of its stream in which enough is seen. kind: Draft, or one of its classes."""
     random = np.random.default_rng(seed)
     for tries in range(1, TRIES + 1):
-        draft = _Draft(random, size)
+        draft = (kind or Draft)(random, size)
         if draft.is_good():
             return draft.scene(seed, tries)
     raise RuntimeError(f"seed {seed}: nothing to see in {TRIES} tries")
 
 
-def _log_uniform(random, low, high):
+def log_uniform(random, low, high):
     return float(np.exp(random.uniform(np.log(low), np.log(high))))
 
 
-def _color(random):
+def any_color(random):
     """A colour in whole 255ths, not bluer than green."""
     red, green, other = random.integers(15, 256, 3)
     return tuple(float(each) / 255 for each in (red, max(green, other), min(green, other)))
 
 
-class _Draft:
+class Draft:
     """All that is drawn at random for one scene, before it is known what is seen in it."""
+
+    REACH = (0.5, 500.0)  # m
+    ELEVATION = (1.0, 85.0)  # degrees
+    TERRAINS, DOMES = 0.7, 0.6  # shares of the scenes that have one
 
     def __init__(self, random, size):
         self.size = size
-        self.reach = _log_uniform(random, *REACH)
+        self.reach = log_uniform(random, *self.REACH)
         self.camera = self._camera(random)
-        self.terrain = self._terrain(random) if random.random() < 0.7 else None
+        self.terrain = self._terrain(random) if random.random() < self.TERRAINS else None
         self.things = [self._thing(random) for _ in range(random.integers(5, 25))]
-        self.is_dome = random.random() < 0.6
-        self.sky = _color(random), _color(random), _color(random)
+        self.is_dome = random.random() < self.DOMES
+        self.sky = any_color(random), any_color(random), any_color(random)
         self.waves = self._waves(random)
         self.origin = self._origin(random)
         self._shares = random.random(3)
 
     def _camera(self, random):
         is_parallel = random.random() < 0.15
-        elevation = _log_uniform(random, LEAST_PARALLEL_ELEVATION if is_parallel else ELEVATION[0], ELEVATION[1])
+        elevation = log_uniform(random, LEAST_PARALLEL_ELEVATION if is_parallel else self.ELEVATION[0], self.ELEVATION[1])
         angle = random.uniform(20, 75)
         center = random.uniform(-0.5, 0.5, 2) if random.random() < 0.2 else np.zeros(2)
         roll = random.uniform(-15, 15) if random.random() < 0.2 else 0.0
@@ -132,14 +153,14 @@ class _Draft:
         if is_island:
             field = (1 + field) * np.maximum(1 - 4 * (x**2 + y**2), 0) - 0.5
         points = np.stack([center[0] + width * x, center[1] + width * y, level + height * field], axis=-1)
-        low, high = np.array(_color(random)), np.array(_color(random))
+        low, high = np.array(any_color(random)), np.array(any_color(random))
         share = ((field - field.min()) / np.ptp(field))[..., None]
         return shapes.surface(points), low + share * (high - low)
 
     def _thing(self, random):
         """Data and colour of a thing that stands in the water, floats or hangs over it."""
         shape = shapes.NAMES[random.integers(len(shapes.NAMES))]
-        size = self.reach * _log_uniform(random, 0.02, 0.2)
+        size = self.reach * log_uniform(random, 0.02, 0.2)
         data = shapes.SHAPES[shape](random, size)
         if shape not in ("pole", "half cylinder", "standing plane") or random.random() < 0.3:
             data = shapes.turned(data, random.uniform(-0.5, 0.5, 2), random.uniform(0, 2 * np.pi))
@@ -152,7 +173,7 @@ class _Draft:
         away = self.reach * (0.9 * random.random() if random.random() < 0.7 else 1.5 * np.sqrt(random.random()))
         turn = random.uniform(0, 2 * np.pi)
         data = wt.moved(data, (away * np.cos(turn), away * np.sin(turn), place[where] - low))
-        return data, _color(random)
+        return data, any_color(random)
 
     def _settle(self):
         """What depends on the things: near plane, dome and sheet. False: the eye is too close to one."""
@@ -171,12 +192,12 @@ class _Draft:
 
     def _waves(self, random):
         count = int(random.integers(0, 5))
-        slope = _log_uniform(random, 0.02, 0.2)  # rms, of all waves together
+        slope = log_uniform(random, 0.02, 0.2)  # rms, of all waves together
         parts = random.uniform(0.3, 1, count)
         parts *= slope / np.linalg.norm(parts) if count else 1
         found = []
         for part in parts:
-            wavelength = self.reach * _log_uniform(random, 0.02, 1)
+            wavelength = self.reach * log_uniform(random, 0.02, 1)
             direction, phase = random.uniform(0, 360, 2)
             amplitude = float(np.sqrt(2) * part * wavelength / (2 * np.pi))
             found.append((amplitude, wavelength, float(direction), float(phase)))
@@ -185,7 +206,7 @@ class _Draft:
     def _origin(self, random):
         """Far away in one scene of three, but so that single precision still knows places to a pixel's part."""
         farthest = min(1e3, 300 * self.reach)
-        offset = random.uniform(-1, 1, 3) * _log_uniform(random, 0.1 * self.reach, farthest)
+        offset = random.uniform(-1, 1, 3) * log_uniform(random, 0.1 * self.reach, farthest)
         return offset if random.random() < 0.35 else np.zeros(3)
 
     def _all(self):
@@ -217,7 +238,11 @@ class _Draft:
             return False, True
         if np.abs(end[:2]).max() > self.sheet:
             return False, False
-        return True, _is_cut(locator, end, end + far * ray * (1, 1, -1))
+        return True, _is_cut(locator, end, end + far * self._beyond(ray))
+
+    def _beyond(self, ray):
+        """Where a ray goes on from calm water."""
+        return ray * (1, 1, -1)
 
     def _locator(self):
         """Of all things; and the distance from the eye to the closest of them and the water."""

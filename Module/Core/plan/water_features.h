@@ -125,9 +125,9 @@ enum // WATER_FEATURE_WAVES and so on
   X(medium, vtkWaterMediumFS, WATER_FEATURE_FLAG(MEDIUM), 0, "the scene, refracted and dimmed")    \
   X(medium, vtkWaterNoMediumFS, 0, WATER_FEATURE_FLAG(MEDIUM), "the water's own colour")           \
   X(refraction, vtkWaterMediumWalkFS, WATER_FEATURE_FLAG(MEDIUM),                                  \
-    WATER_FEATURE_FLAG(HARDWARE_MEDIUM), "the refracted ray's looks one after another")            \
+    WATER_FEATURE_FLAG(HARDWARE_MEDIUM), "how far the refracted ray is followed")                  \
   X(refraction, vtkWaterHardwareMediumFS, WATER_FEATURE_FLAG(HARDWARE_MEDIUM), 0,                  \
-    "a bed found by few looks")                                                                    \
+    "the same, with branches")                                                                     \
   X(facet_slopes, vtkWaterFacetSlopesFS, WATER_FEATURE_FLAG(ROUGH), 0,                             \
     "the slopes that facets stand for")                                                            \
   X(facets, vtkWaterFacetsFS, WATER_FEATURE_FLAG(ROUGH), WATER_FEATURE_FLAG(HARDWARE_FACETS),      \

@@ -12,7 +12,15 @@ uniform vec4 waterHeightClip;      // point in clip space of the eye -> height o
 uniform vec4 waterClipW;           // the same -> w of the point in view space
 
 const int WATER_MEDIUM_STEPS = 16;
-const float WATER_MEDIUM_JUMP = 8.0; // a silhouette's, in depths that the ray goes meanwhile
+const int WATER_MEDIUM_HALVINGS = 5;
+const int WATER_MEDIUM_TRIES = 2;    // so many steps may be halved
+const float WATER_MEDIUM_JUMP = 1.2; // how much further than to where the ray was in front
+const float WATER_MEDIUM_FURTHER_PX = 3.0;
+const float WATER_MEDIUM_EDGE_PX = 3.0; // what comes closer at once than a bed does in as many pixels is an edge
+const float WATER_MEDIUM_SLACK_PX = 0.8; // depths are those of pixels' middles
+const float WATER_MEDIUM_CLOSE_PX = 0.2; // two places are as good as one
+const float WATER_MEDIUM_LONG_PX = 8.0;  // ways that need eight looks, and not four
+const float WATER_MEDIUM_GAP = 0.1;  // of a step: what is still as wide was not halved, as it is hidden
 
 float waterMediumDepth(vec2 uv)
 {
@@ -34,34 +42,230 @@ vec3 waterAfter(vec3 color, float way)
   return mix(waterDeepColor, color, left);
 }
 
-// The first place of a ray that is behind what the picture shows, between low and high, which are close.
+// Where a ray comes behind what the picture shows, between low and high. These are close, or else what lies between is
+// hidden.
 struct WaterMediumHit
 {
   float low;
   float high;
   float depthLow; // of the picture
   float depthHigh;
-  bool isHit; // or else there is none up to high
+  float share; // of the way from low to high, where the ray meets what is seen at high if that goes on
+  bool isHit;  // or else low is the last place where the ray is known to be in front
 };
 
-// How far a ray can come: to the depth straight behind the surface, and on while still in front; and the first place.
-// Of the slot refraction.
+// How far a ray can come: to the depth straight behind the surface, and on while still in front. Of the slot refraction.
 //
 // depth  of the picture at the ray's start
-// reach  how far the ray is followed
 vec2 waterMediumSize(); // of the picture, pixels
 float waterMediumReach(vec3 start, vec3 way, float depth);
-WaterMediumHit waterMediumWalk(vec3 start, vec3 way, float depth, float reach);
+
+// The walk in equal steps. What stands over the water hides what the ray could meet, and so does what it goes behind:
+// they are passed until what lies under the water is seen again. A place where the ray is behind is one where it came
+// in if what is seen there goes on, as it does a little further, to where the ray was in front.
+//
+// Long because all of its states change in one loop: software renderers go through a loop once at least.
+WaterMediumHit waterMediumMarch(vec3 start, vec3 way, float depth, float reach)
+{
+  // along the plane, of the depth
+  float overRate = -dot(waterHeightClip.xy, way.xy) / waterHeightClip.z;
+  float texel = 1.0 / max(length(way.xy * waterMediumSize()), 1e-6);
+  float step = reach / float(WATER_MEDIUM_STEPS);
+  WaterMediumHit found = WaterMediumHit(0.0, reach, depth, depth, 0.0, false);
+  float apart = WATER_MEDIUM_FURTHER_PX * texel;
+  float missFurther = 0.0;
+  float at = 0.0;
+  float veil = 1e9; // what the ray is further behind hides the bed
+  vec2 before = vec2(-1.0); // the place before the first of what hides it, and the depth there
+  vec2 gap = vec2(1.0, 0.0); // the first and the last hidden place between low and high; first > last: none
+  int halvings = 0;
+  int most = WATER_MEDIUM_HALVINGS;
+  int probes = 0;
+  for (int i = 0; i < WATER_MEDIUM_STEPS + WATER_MEDIUM_TRIES * (WATER_MEDIUM_HALVINGS + 4); ++i)
+  {
+    bool isDone = halvings >= most;
+    vec2 beside = (halvings & 1) == 0 ? vec2(found.low, gap.x) : vec2(gap.y, found.high);
+    vec2 ends = gap.x > gap.y ? vec2(found.low, found.high) : beside;
+    float inside = isDone ? found.high + float(probes + 1) * apart : 0.5 * (ends.x + ends.y);
+    float place = found.isHit ? inside : at + step;
+    float seen = waterMediumDepth(start.xy + place * way.xy);
+    float behind = start.z + place * way.z - seen;
+    if (isDone && probes == 0)
+    {
+      missFurther = behind;
+      probes = 1;
+    }
+    else if (isDone)
+    {
+      float missHigh = start.z + found.high * way.z - found.depthHigh;
+      float rate = max(min(missFurther - missHigh, behind - missFurther) / apart, way.z);
+      float wide = found.high - found.low;
+      found.share = clamp(1.0 - missHigh / max(rate * wide, 1e-20), 0.0, 1.0);
+      if (missHigh <= rate * (WATER_MEDIUM_JUMP * wide + WATER_MEDIUM_SLACK_PX * texel))
+      {
+        break;
+      }
+      veil = 0.5 * missHigh;
+      before = before.x < 0.0 ? vec2(found.low, found.depthLow) : before;
+      found.isHit = false;
+      halvings = 0;
+      probes = 0;
+    }
+    else
+    {
+      bool isKnown = seen >= start.z + place * overRate && behind < veil;
+      bool isLow = isKnown && behind <= 0.0;
+      bool isHigh = isKnown && behind > 0.0;
+      vec2 wider = gap.x > gap.y ? vec2(place) : vec2(min(gap.x, place), max(gap.y, place));
+      bool isOver = !found.isHit || (isLow && place > gap.y) || (isHigh && place < gap.x);
+      gap = isOver ? vec2(1.0, 0.0) : (isKnown ? gap : wider);
+      most = gap.x > gap.y ? WATER_MEDIUM_HALVINGS : WATER_MEDIUM_HALVINGS + 4;
+      at = found.isHit ? at : place;
+      halvings += found.isHit ? 1 : 0;
+      veil = isLow && !found.isHit ? 1e9 : veil;
+      found.low = isLow ? place : found.low;
+      found.depthLow = isLow ? seen : found.depthLow;
+      found.high = isHigh ? place : found.high;
+      found.depthHigh = isHigh ? seen : found.depthHigh;
+      found.isHit = found.isHit || isHigh;
+    }
+    if (!found.isHit && at >= reach - 0.5 * step)
+    {
+      break;
+    }
+  }
+  if (!found.isHit && found.depthLow >= 1.0 && before.x >= 0.0)
+  {
+    found.low = before.x; // what is hidden is likelier than nothing
+    found.depthLow = before.y;
+  }
+  return found;
+}
+
+// Depths of the picture at the steps from one on.
+vec4 waterMediumReadSteps(vec3 start, vec3 way, vec4 at)
+{
+  return vec4(waterMediumDepth(start.xy + at.x * way.xy), waterMediumDepth(start.xy + at.y * way.xy),
+    waterMediumDepth(start.xy + at.z * way.xy), waterMediumDepth(start.xy + at.w * way.xy));
+}
+
+void waterMediumTest(float at, float rayDepth, float depth, inout WaterMediumHit found)
+{
+  bool isBehind = rayDepth > depth;
+  found.high = isBehind ? at : found.high;
+  found.depthHigh = isBehind ? depth : found.depthHigh;
+  found.low = isBehind ? found.low : at;
+  found.depthLow = isBehind ? found.depthLow : depth;
+  found.isHit = found.isHit || isBehind;
+}
+
+// Is nothing before a place of the ray? So many looks on the way to it do not tell all, but see what the march does
+// within some pixels.
+bool waterMediumIsFree(vec3 start, vec3 way, float s, float lengthPx)
+{
+  vec4 parts = s * vec4(0.2, 0.4, 0.6, 0.8);
+  bool areMore = lengthPx > WATER_MEDIUM_LONG_PX;
+  vec4 more = parts - 0.1 * s;
+  vec4 depths = waterMediumReadSteps(start, way, parts);
+  vec4 depthsMore = vec4(1.0);
+  if (areMore)
+  {
+    depthsMore = waterMediumReadSteps(start, way, more);
+  }
+  return all(lessThanEqual(start.z + parts * way.z, depths)) &&
+    (!areMore || all(lessThanEqual(start.z + more * way.z, depthsMore)));
+}
+
+// Goes to where the line through two misses of a ray is none, up to three times, and from there to where the ray has
+// the depth that is found: on one texel that is the place.
+//
+// pixels  of all of the way
+//
+// Returns whether the place is found.
+bool waterMediumConverge(vec3 start, vec3 way, float pixels, inout WaterMediumHit found)
+{
+  float perDepth = 1.0 / max(way.z, 1e-20);
+  for (int i = 0; i < 3; ++i)
+  {
+    float missLow = start.z + found.low * way.z - found.depthLow;
+    float missHigh = start.z + found.high * way.z - found.depthHigh;
+    float at = found.low - missLow * (found.high - found.low) / max(missHigh - missLow, 1e-20);
+    float depth = waterMediumDepth(start.xy + at * way.xy);
+    float there = (depth - start.z) * perDepth;
+    waterMediumTest(at, start.z + at * way.z, depth, found);
+    if (there > found.low && there < found.high || abs(there - at) * pixels < WATER_MEDIUM_CLOSE_PX)
+    {
+      float depthThere = waterMediumDepth(start.xy + there * way.xy);
+      if (depthThere == depth)
+      {
+        found = WaterMediumHit(there, there, depth, depth, 0.0, true);
+        return true;
+      }
+      waterMediumTest(there, start.z + there * way.z, depthThere, found);
+    }
+    if ((found.high - found.low) * pixels < WATER_MEDIUM_CLOSE_PX)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+// The first place where a ray is behind what the picture shows. One that comes to a smooth bed, with nothing on the way, is
+// not marched: it needs half of the reads or less, and what it meets is the same to a part of a pixel.
+WaterMediumHit waterMediumWalk(vec3 start, vec3 way, float depth, float reach)
+{
+  float last = waterMediumDepth(start.xy + reach * way.xy);
+  float pixels = length(way.xy * waterMediumSize()); // for all of the way
+  WaterMediumHit found = WaterMediumHit(0.0, reach, depth, last, 0.0, false);
+  bool isFound = start.z <= depth;
+  if (isFound && start.z + reach * way.z > last)
+  {
+    isFound = waterMediumConverge(start, way, pixels, found);
+    // not behind a silhouette
+    float rate = max((depth - start.z) / max(found.high, 1e-20), way.z);
+    isFound = isFound && depth < 1.0 &&
+      found.depthLow - found.depthHigh <= WATER_MEDIUM_SLACK_PX * rate / max(pixels, 1e-6);
+  }
+  else
+  {
+    found = WaterMediumHit(reach, reach, last, last, 0.0, false);
+  }
+  if (!isFound || !waterMediumIsFree(start, way, found.high, found.high * pixels))
+  {
+    found = waterMediumMarch(start, way, depth, reach);
+  }
+  return found;
+}
+
+// What the picture shows of what a ray meets.
+struct WaterMediumView
+{
+  bool isMet; // or else it is guessed
+  float s;    // the ray is start + s way
+  vec2 from;  // u, v: the color is a mixture of two places
+  vec2 to;
+  float share; // of the second
+};
+
+// A place of the picture from which its color is read without that of what is nearer or further in the next pixel.
+//
+// depth  of the ray there
+// edge   a difference of depths that is one
+vec2 waterMediumBeside(vec2 uv, float depth, float edge)
+{
+  vec2 size = waterMediumSize();
+  vec2 middle = (floor(uv * size) + 0.5) / size;
+  vec2 next = middle + sign(uv - middle) / size;
+  vec2 seen = vec2(waterMediumDepth(vec2(next.x, middle.y)), waterMediumDepth(vec2(middle.x, next.y)));
+  return mix(uv, middle, greaterThan(abs(seen - depth), vec2(edge)));
+}
 
 // Where a ray into the scene meets what the picture shows.
 //
 // start  of the ray in the picture's window: u, v, depth
 // way    the ray is start + s way
-// s      of the hit
-// uv     where in the picture its color is; within it
-//
-// Returns false when the picture does not show it: uv is then beside it and s of no use.
-bool waterMediumMeets(vec3 start, vec3 way, out float s, out vec2 uv)
+WaterMediumView waterMediumMeets(vec3 start, vec3 way)
 {
   float depth = waterMediumDepth(start.xy);
   float reach = waterMediumReach(start, way, depth);
@@ -73,19 +277,23 @@ bool waterMediumMeets(vec3 start, vec3 way, out float s, out vec2 uv)
 
   WaterMediumHit found = waterMediumWalk(start, way, depth, reach);
   vec2 size = waterMediumSize();
-  float texel = 1.0 / max(length(way.xy * size), 1e-6);
-  if (found.isHit && found.depthLow - found.depthHigh > WATER_MEDIUM_JUMP * way.z * max(found.high - found.low, texel))
-  {
-    // behind something: what is beside it, not filtered
-    uv = (floor((start.xy + found.low * way.xy) * size) + 0.5) / size;
-    return false;
-  }
-  // the false position between the two, which are close
+  float wide = found.high - found.low;
+  bool isGap = wide > WATER_MEDIUM_GAP * reach / float(WATER_MEDIUM_STEPS) && wide * length(way.xy * size) > 2.0;
+  // the false position between the two
   float missLow = start.z + found.low * way.z - found.depthLow;
   float missHigh = start.z + found.high * way.z - found.depthHigh;
-  s = found.isHit ? found.low - missLow * (found.high - found.low) / max(missHigh - missLow, 1e-20) : reach;
-  uv = start.xy + s * way.xy;
-  return found.isHit || isInside;
+  float share = found.isHit ? clamp(-missLow / max(missHigh - missLow, 1e-20), 0.0, 1.0) : 0.0;
+  WaterMediumView view;
+  view.isMet = found.isHit ? !isGap : isInside && found.low >= reach * (1.0 - 1e-6);
+  view.s = found.low + share * wide;
+  view.share = view.isMet ? share : (found.isHit ? found.share : 0.0);
+  float texel = 1.0 / max(length(way.xy * size), 1e-6);
+  float rate = max((depth - start.z) / max(view.s, 1e-20), way.z);
+  float place = view.isMet ? view.s : found.low;
+  float there = view.isMet ? start.z + view.s * way.z : found.depthLow;
+  view.from = waterMediumBeside(start.xy + place * way.xy, there, WATER_MEDIUM_EDGE_PX * texel * rate);
+  view.to = view.isMet ? view.from : (floor((start.xy + found.high * way.xy) * size) + 0.5) / size;
+  return view;
 }
 
 // Color of what lies beyond a point of the surface, and the light that the water adds.
@@ -100,22 +308,26 @@ vec3 waterTransmitted(WaterPoint point)
   vec3 start = vec3(0.5 + 0.5 * point.ndc, gl_FragCoord.z);
   vec4 end = waterDirToEye * vec4(dir, 0.0);
   vec3 way = 0.5 * (end.xyz - (2.0 * start - 1.0) * end.w);
-  float s;
-  vec2 uv;
-  bool isMet = waterMediumMeets(start, way, s, uv);
-  float depth = waterMediumDepth(uv);
-  float length = s * w0 / max(1.0 - s * end.w, 1e-6);
-  if (!isMet)
+  WaterMediumView view = waterMediumMeets(start, way);
+  float length = view.s * w0 / max(1.0 - view.s * end.w, 1e-6);
+  vec2 depth = vec2(waterMediumDepth(view.from), waterMediumDepth(view.to));
+  vec2 lengths = vec2(length);
+  if (!view.isMet) // over level beds
   {
-    length = max(waterMediumHeight(uv, depth) / dir.z, 0.0); // over a level bed
+    lengths = max(vec2(waterMediumHeight(view.from, depth.x), waterMediumHeight(view.to, depth.y)) / dir.z, vec2(0.0));
+    length = mix(lengths.x, lengths.y, view.share);
   }
-  vec3 color = textureLod(waterSceneColor, uv, 0.0).rgb;
+  vec3 from = textureLod(waterSceneColor, view.from, 0.0).rgb;
+  vec3 to = textureLod(waterSceneColor, view.to, 0.0).rgb;
   if (waterSide < 0.0)
   {
-    return depth >= 1.0 && waterSkyBottom.a > 0.5 ? waterSky(dir) : color;
+    vec3 color = mix(from, to, view.share);
+    return depth.x >= 1.0 && waterSkyBottom.a > 0.5 ? waterSky(dir) : color;
   }
-  color *= waterCaustic(point.place + length * dir.xy, -length * dir.z);
-  return depth >= 1.0 ? waterDeepColor : waterAfter(color, length);
+  float caustic = waterCaustic(point.place + length * dir.xy, -length * dir.z);
+  from = depth.x >= 1.0 ? waterDeepColor : waterAfter(caustic * from, lengths.x);
+  to = depth.y >= 1.0 ? waterDeepColor : waterAfter(caustic * to, lengths.y);
+  return mix(from, to, view.share);
 }
 
 // Depth of the water where the pixel looks straight, m.

@@ -1,0 +1,37 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""In random scenes clear water shows nothing where the picture has what is right that is not near by in the truth."""
+
+import pathlib
+import sys
+
+import numpy as np
+import pytest
+import water_test as wt
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "Utilities" / "Accuracy"))
+
+import refraction_generator  # noqa: E402
+import refraction_truth  # noqa: E402
+
+SIZE = (120, 90)
+# seeds: the most % of strange pixels, and the RMSE of 255, where the picture has what is right
+LIMITS = {29: (1.0, 12.0), 31: (1.0, 6.0), 47: (1.0, 6.0)}
+
+
+@pytest.mark.parametrize("seed", LIMITS)
+def test_what_the_picture_has_is_shown_without_notches(seed):
+    """Where the picture has what a refracted ray meets, notches and blocks of other colours are next to none."""
+    scene = refraction_generator.make(seed, SIZE)
+    look = scene.water.GetWaterProperty()
+    look.RefractionOff()
+    mask = wt.water_mask(scene.made, scene.water)
+    look.RefractionOn()
+    picture = scene.made.picture()
+    tracer = refraction_truth.LocatorTracer(scene.made.renderer, scene.origin)
+    truth = refraction_truth.Truth(scene, tracer, SIZE, 1)
+    chosen = truth.mask & mask & (truth.reasons == 0)
+    strange = 100 * float(truth.is_strange(picture)[chosen].mean())
+    error = float(np.sqrt(((picture - truth.picture)[chosen] ** 2).mean()))
+    wt.check_at_least(f"seed {seed}: pixels", int(chosen.sum()), 1000)
+    wt.check_at_most(f"seed {seed}: % of strange pixels", strange, LIMITS[seed][0])
+    wt.check_at_most(f"seed {seed}: RMSE of 255", error, LIMITS[seed][1])

@@ -1,0 +1,167 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""random_refraction: random scenes seen through water, drawn by the module and by the tracer; the section "refraction".
+
+    PYTHONPATH=<folder of vtkwater> python Utilities/Accuracy/random_refraction.py --seeds 0:50 --folder DIR
+        [--samples 16] [--worst 10]
+
+Prints a line for each scene, writes DIR/refraction.json and the worst scenes as pictures: the truth, the module, their
+difference, and strange pixels in white over why the picture may lack what is right (refraction_truth.REASONS).
+Exit status 1: a limit was not met.
+
+A pixel is strange when its colour is none that the truth has within a few pixels: blocks, notches and hard edges are.
+"""
+
+import argparse
+import json
+import pathlib
+import sys
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "Testing" / "Python"))
+
+import numpy as np  # noqa: E402
+import refraction_generator  # noqa: E402
+import refraction_truth  # noqa: E402
+import water_test as wt  # noqa: E402
+from refraction_truth import REASONS  # noqa: E402
+from report import Report, plt, table  # noqa: E402
+from tracer import Tracer  # noqa: E402
+
+SIZE = (400, 300)
+SEEDS = range(50)  # of the report
+SAMPLES = 16  # rays a pixel
+MOST_RMSE = 4.0  # of 255
+SHOWN = 3  # scenes in the report
+SEEN = "what the picture has of refracted rays"
+MOST_STRANGE = 0.2  # % of the pixels for which the picture has what is right
+TEXT = """
+$count scenes of clear water over a bed, with things that stand in it, lie under it, float or hang over it, in waves and
+calm ($seeds); $width x $height pixels, $samples rays a pixel in the truth. A pixel is strange when its colour is none
+that the truth has within a few pixels of it. The picture without water may lack what a refracted ray meets:
+
+$summary
+
+$pictures
+
+*The truth and the module; below, their difference, and strange pixels (white) over where what is right is: seen
+(green), hidden by what is over the water (red), hidden under the water (yellow), out of the picture (blue).*
+"""
+REASON_COLORS = ((60, 110, 60), (150, 50, 40), (190, 150, 40), (60, 70, 150))
+STRANGE_COLOR = (255, 255, 255)
+
+
+class Result:
+    def __init__(self, seed, samples):
+        scene = refraction_generator.make(seed, SIZE)
+        look = scene.water.GetWaterProperty()
+        look.RefractionOff()
+        mask = wt.water_mask(scene.made, scene.water)
+        look.RefractionOn()
+        self.picture = scene.made.picture()
+        truth = self.truth = refraction_truth.Truth(scene, Tracer(scene.made.renderer, scene.origin), SIZE, samples)
+        mask = truth.mask = truth.mask & mask
+        self.strange = truth.is_strange(self.picture)
+        self.row = {"seed": seed, **scene.facts, "water": int(mask.sum()), "RMSE": self._rmse(self.picture),
+                    "RMSE perfect": self._rmse(truth.once), "strange": int(self.strange.sum()),
+                    "strange perfect": int(truth.is_strange(truth.once).sum())}
+        squared = ((self.picture - truth.picture) ** 2).mean(axis=2)
+        for number, reason in enumerate(REASONS):
+            chosen = mask & (truth.reasons == number)
+            self.row[f"pixels {reason}"] = int(chosen.sum())
+            self.row[f"strange {reason}"] = int((self.strange & chosen).sum())
+            self.row[f"RMSE {reason}"] = float(np.sqrt(squared[chosen].mean())) if chosen.any() else 0.0
+
+    def _rmse(self, picture):
+        return float(np.sqrt(((picture - self.truth.picture)[self.truth.mask] ** 2).mean()))
+
+    def line(self):
+        row = self.row
+        return (f"seed {row['seed']}: RMSE of 255 {row['RMSE']:.2f} (one ray {row['RMSE perfect']:.2f}), strange "
+                f"{row['strange']} of {row['water']} pixels; " + "; ".join(
+                    f"{reason}: {row[f'pixels {reason}']} pixels, {row[f'strange {reason}']} strange, "
+                    f"RMSE {row[f'RMSE {reason}']:.1f}" for reason in REASONS if row[f"pixels {reason}"]))
+
+    def panels(self):
+        truth, mask = self.truth, self.truth.mask
+        why = np.full((*mask.shape, 3), 30)
+        for number, color in enumerate(REASON_COLORS):
+            why[mask & (truth.reasons == number)] = color
+        why[self.strange] = STRANGE_COLOR
+        apart = np.abs(self.picture - truth.picture) * mask[..., None]
+        upper = np.concatenate([truth.picture, self.picture], axis=1)
+        return np.concatenate([np.concatenate([apart, why], axis=1), upper]).clip(0, 255)
+
+
+def measure(seeds, samples=SAMPLES):
+    rows, pictures = [], []
+    for seed in seeds:
+        result = Result(seed, samples)
+        print(result.line(), flush=True)
+        rows.append(result.row)
+        pictures.append(result.panels().astype(np.uint8))
+    return rows, pictures
+
+
+def _judge(report, rows):
+    pixels = sum(row["pixels seen"] for row in rows)
+    error = sum(row["pixels seen"] * row["RMSE seen"] ** 2 for row in rows)
+    report.check_at_most(f"{SEEN}: % of strange pixels", 100 * sum(row["strange seen"] for row in rows) / pixels,
+                         MOST_STRANGE)
+    report.check_at_most(f"{SEEN}: RMSE of 255", (error / pixels) ** 0.5, MOST_RMSE)
+
+
+def run(report):
+    rows, pictures = measure(SEEDS)
+    _judge(report, rows)
+    chosen = _by_strange(rows)[:SHOWN]
+    figure, axes = plt.subplots(len(chosen), 1, figsize=(8, 6 * len(chosen)), squeeze=False)
+    for axis, number in zip(axes[:, 0], chosen):
+        axis.imshow(pictures[number], origin="lower", interpolation="nearest")
+        axis.set_title(f"seed {rows[number]['seed']}")
+        axis.axis("off")
+    report.add("Refraction in random scenes", TEXT, count=len(rows), seeds=f"seeds {SEEDS[0]} to {SEEDS[-1]}",
+               width=SIZE[0], height=SIZE[1], samples=SAMPLES, summary=_summary(rows),
+               pictures=report.save(figure, "refraction", "The random scenes with the most strange pixels", True))
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--seeds", default="0:50", help="FIRST:END, the end not included, or one seed")
+    parser.add_argument("--folder", type=pathlib.Path, required=True)
+    parser.add_argument("--samples", type=int, default=SAMPLES, help="rays a pixel of the truth: a square number")
+    parser.add_argument("--worst", type=int, default=10, help="scenes to save as pictures")
+    arguments = parser.parse_args()
+    first, _, end = arguments.seeds.partition(":")
+    seeds = range(int(first), int(end) if end else int(first) + 1)
+    arguments.folder.mkdir(parents=True, exist_ok=True)
+    rows, pictures = measure(seeds, arguments.samples)
+    (arguments.folder / "refraction.json").write_text(json.dumps(rows, indent=1) + "\n")
+    for rank, number in enumerate(_by_strange(rows)[:arguments.worst]):
+        wt.save(pictures[number], arguments.folder / f"worst-{rank:02}-seed-{rows[number]['seed']}.png")
+    print(_summary(rows))
+    report = Report(arguments.folder)
+    _judge(report, rows)
+    return 1 if report.has_failed() else 0
+
+
+def _by_strange(rows):
+    return sorted(range(len(rows)), key=lambda number: -rows[number]["strange"])
+
+
+def _summary(rows):
+    cells = []
+    water = sum(row["water"] for row in rows)
+    for reason in REASONS:
+        pixels = sum(row[f"pixels {reason}"] for row in rows)
+        error = sum(row[f"pixels {reason}"] * row[f"RMSE {reason}"] ** 2 for row in rows)
+        cells.append((reason, f"{100 * pixels / water:.2f} %", str(sum(row[f"strange {reason}"] for row in rows)),
+                      f"{(error / max(pixels, 1)) ** 0.5:.2f}", str(sum(row[f"strange {reason}"] > 0 for row in rows))))
+    text = table(("what is right is", "share of the pixels", "strange pixels", "RMSE of 255", "scenes with strange"), cells)
+    return text + (f"\n\nall: {sum(row['strange'] for row in rows)} strange of {water} "
+                   f"(one ray: {sum(row['strange perfect'] for row in rows)}), scenes with RMSE <= {MOST_RMSE:g}: "
+                   f"{sum(row['RMSE'] <= MOST_RMSE for row in rows)} (one ray "
+                   f"{sum(row['RMSE perfect'] <= MOST_RMSE for row in rows)}) of {len(rows)}, without strange pixels: "
+                   f"{sum(row['strange'] == 0 for row in rows)}")
+
+
+if __name__ == "__main__":
+    sys.exit(main())
