@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // shader_combinations.h: all sets of features that a surface's shader can be asked for, from all
-// looks.
+// looks; with a mesh of the user's, a peel or a dome of some.
 #ifndef shader_combinations_h
 #define shader_combinations_h
 
 #include "water_features.h"
 
+#include <stdbool.h>
 #include <stddef.h>
 
 #define SHADER_ONE_MORE(member, what) +1
@@ -29,6 +30,18 @@ static inline water_feature_look shader_look(unsigned number)
   return look;
 }
 
+// Has a look next to nothing of what it may have, or next to all? Those are enough to see each file
+// beside those for a mesh, a peel and a dome, which the others know next to nothing of.
+static inline bool shader_has_little_or_much(unsigned number)
+{
+  unsigned has = 0;
+  for (unsigned bit = 0; bit < SHADER_LOOK_BITS; ++bit)
+  {
+    has += number >> bit & 1u;
+  }
+  return has <= 2 || has + 2 >= SHADER_LOOK_BITS;
+}
+
 static inline water_feature_texture shader_texture(unsigned number)
 {
   const water_feature_texture texture = { (number & 1u) != 0, (number & 2u) != 0,
@@ -49,15 +62,20 @@ static inline size_t shader_combinations(unsigned* sets)
   {
     const water_feature_look look = shader_look(number);
     sets[water_features_secondary(&look)] = 1;
-    for (unsigned has = 0; has < SHADER_TEXTURE_COUNT; ++has)
+    const bool is_any = shader_has_little_or_much(number);
+    const unsigned textures = is_any ? SHADER_TEXTURE_COUNT : 2; // without a layer, and with one
+    for (unsigned has = 0; has < textures; ++has)
     {
       const water_feature_texture texture = shader_texture(has);
       const unsigned asked = water_features_with_texture(water_features_of(&look), &texture);
       const unsigned hardware = water_features_on_hardware(asked);
       sets[asked] = 1;
       sets[hardware] = 1;
-      sets[water_features_with_mesh(asked)] = 1;
-      sets[water_features_with_mesh(hardware)] = 1;
+      if (is_any)
+      {
+        sets[water_features_with_mesh(asked)] = 1;
+        sets[water_features_with_mesh(hardware)] = 1;
+      }
       // a mesh whose vertices VTK does not let us move
       sets[asked & ~(unsigned)WATER_FEATURE_DISPLACED] = 1;
       sets[hardware & ~(unsigned)WATER_FEATURE_DISPLACED] = 1;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The driver takes the surface's shader in every combination of files that a look can ask for, and
-// all other shaders, but for the lines of vtkWaterVolumeFS.glsl, which only a volume's own shader
-// completes: glslang compiles them (check_glsl.sh), and the tests of volumes draw with them.
+// The driver takes the surface's shader in every combination of files that a look can ask for (with
+// the files of a user's mesh, a peel and a dome, in enough of them), and all other shaders, but for
+// the lines of vtkWaterVolumeFS.glsl, which only a volume's own shader completes: glslang compiles
+// them (check_glsl.sh), and the tests of volumes draw with them.
 #include "../Core/shader_combinations.h"
 
 #include "WaterShaderRun.h"

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
 # Compiles as GLSL 1.50, with glslangValidator (Debian: glslang-tools): the surface's shader in every
-# combination of files that a look can ask for (list_shaders.sh), and all other shaders.
+# combination of files that a look can ask for (list_shaders.sh; with the files of a user's mesh, a peel and
+# a dome, in enough of them), and all other shaders.
 #
 # They are pieces that VTK's shaders take in. What VTK provides around them is written down here: the
 # version, the names they use, and a main where they have none.
