@@ -310,24 +310,31 @@ vec3 waterTransmitted(WaterPoint point)
   vec3 way = 0.5 * (end.xyz - (2.0 * start - 1.0) * end.w);
   WaterMediumView view = waterMediumMeets(start, way);
   float length = view.s * w0 / max(1.0 - view.s * end.w, 1e-6);
-  vec2 depth = vec2(waterMediumDepth(view.from), waterMediumDepth(view.to));
-  vec2 lengths = vec2(length);
+  float depth = waterMediumDepth(view.from);
+  vec3 from = textureLod(waterSceneColor, view.from, 0.0).rgb;
+  vec3 to = from;
+  vec3 ways = vec3(length); // of what is seen at the first place, at the second, and of both
+  float depthTo = depth;
   if (!view.isMet) // over level beds
   {
-    lengths = max(vec2(waterMediumHeight(view.from, depth.x), waterMediumHeight(view.to, depth.y)) / dir.z, vec2(0.0));
-    length = mix(lengths.x, lengths.y, view.share);
+    depthTo = waterMediumDepth(view.to);
+    to = textureLod(waterSceneColor, view.to, 0.0).rgb;
+    ways.xy = max(vec2(waterMediumHeight(view.from, depth), waterMediumHeight(view.to, depthTo)) / dir.z, vec2(0.0));
+    ways.z = mix(ways.x, ways.y, view.share);
   }
-  vec3 from = textureLod(waterSceneColor, view.from, 0.0).rgb;
-  vec3 to = textureLod(waterSceneColor, view.to, 0.0).rgb;
   if (waterSide < 0.0)
   {
     vec3 color = mix(from, to, view.share);
-    return depth.x >= 1.0 && waterSkyBottom.a > 0.5 ? waterSky(dir) : color;
+    return depth >= 1.0 && waterSkyBottom.a > 0.5 ? waterSky(dir) : color;
   }
-  float caustic = waterCaustic(point.place + length * dir.xy, -length * dir.z);
-  from = depth.x >= 1.0 ? waterDeepColor : waterAfter(caustic * from, lengths.x);
-  to = depth.y >= 1.0 ? waterDeepColor : waterAfter(caustic * to, lengths.y);
-  return mix(from, to, view.share);
+  float caustic = waterCaustic(point.place + ways.z * dir.xy, -ways.z * dir.z);
+  from = depth >= 1.0 ? waterDeepColor : waterAfter(caustic * from, ways.x);
+  if (!view.isMet)
+  {
+    to = depthTo >= 1.0 ? waterDeepColor : waterAfter(caustic * to, ways.y);
+    from = mix(from, to, view.share);
+  }
+  return from;
 }
 
 // Depth of the water where the pixel looks straight, m.
