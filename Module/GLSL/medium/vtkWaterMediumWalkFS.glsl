@@ -2,11 +2,22 @@
 // vtkWaterMediumWalkFS.glsl: slot refraction for software renderers, where a branch costs as much untaken;
 // vtkWaterHardwareMediumFS.glsl is the same for hardware.
 
+const int WATER_MEDIUM_HALVINGS = 5;
+const int WATER_MEDIUM_TRIES = 2;    // so many steps may be halved
+const float WATER_MEDIUM_JUMP = 1.2; // how much further than to where the ray was in front
+const float WATER_MEDIUM_FURTHER_PX = 3.0;
+const float WATER_MEDIUM_EDGE_PX = 3.0; // what comes closer at once than a bed does in as many pixels is an edge
+const float WATER_MEDIUM_SLACK_PX = 0.8; // depths are those of pixels' middles
+const float WATER_MEDIUM_GAP = 0.1;  // of a step: what is still as wide was not halved, as it is hidden
+
 vec2 waterMediumSize()
 {
   return vec2(textureSize(waterSceneColor, 0));
 }
 
+// How far a ray can come: to the depth straight behind the surface, and on while still in front.
+//
+// depth  of the picture at the ray's start
 float waterMediumReach(vec3 start, vec3 way, float depth)
 {
   float perDepth = 1.0 / max(way.z, 1e-20);
@@ -17,4 +28,161 @@ float waterMediumReach(vec3 start, vec3 way, float depth)
     reach += max(waterMediumDepth(at.xy) - at.z, 0.0) * perDepth;
   }
   return reach;
+}
+
+// The walk in equal steps. What stands over the water hides what the ray could meet, and so does what it goes behind:
+// they are passed until what lies under the water is seen again. A place where the ray is behind is one where it came
+// in if what is seen there goes on, as it does a little further, to where the ray was in front.
+//
+// Long because all of its states change in one loop: software renderers go through a loop once at least.
+WaterMediumHit waterMediumMarch(vec3 start, vec3 way, float depth, float reach)
+{
+  // along the plane, of the depth
+  float overRate = -dot(waterHeightClip.xy, way.xy) / waterHeightClip.z;
+  float texel = 1.0 / max(length(way.xy * waterMediumSize()), 1e-6);
+  float step = reach / float(WATER_MEDIUM_STEPS);
+  WaterMediumHit found = WaterMediumHit(0.0, reach, depth, depth, 0.0, false);
+  float apart = WATER_MEDIUM_FURTHER_PX * texel;
+  float missFurther = 0.0;
+  float at = 0.0;
+  float veil = 1e9; // what the ray is further behind hides the bed
+  vec2 before = vec2(-1.0); // the place before the first of what hides it, and the depth there
+  vec2 gap = vec2(1.0, 0.0); // the first and the last hidden place between low and high; first > last: none
+  int halvings = 0;
+  int most = WATER_MEDIUM_HALVINGS;
+  int probes = 0;
+  for (int i = 0; i < WATER_MEDIUM_STEPS + WATER_MEDIUM_TRIES * (WATER_MEDIUM_HALVINGS + 4); ++i)
+  {
+    bool isDone = halvings >= most;
+    vec2 beside = (halvings & 1) == 0 ? vec2(found.low, gap.x) : vec2(gap.y, found.high);
+    vec2 ends = gap.x > gap.y ? vec2(found.low, found.high) : beside;
+    float inside = isDone ? found.high + float(probes + 1) * apart : 0.5 * (ends.x + ends.y);
+    float place = found.isHit ? inside : at + step;
+    float seen = waterMediumDepth(start.xy + place * way.xy);
+    float behind = start.z + place * way.z - seen;
+    if (isDone && probes == 0)
+    {
+      missFurther = behind;
+      probes = 1;
+    }
+    else if (isDone)
+    {
+      float missHigh = start.z + found.high * way.z - found.depthHigh;
+      float rate = max(min(missFurther - missHigh, behind - missFurther) / apart, way.z);
+      float wide = found.high - found.low;
+      found.share = clamp(1.0 - missHigh / max(rate * wide, 1e-20), 0.0, 1.0);
+      if (missHigh <= rate * (WATER_MEDIUM_JUMP * wide + WATER_MEDIUM_SLACK_PX * texel))
+      {
+        break;
+      }
+      veil = 0.5 * missHigh;
+      before = before.x < 0.0 ? vec2(found.low, found.depthLow) : before;
+      found.isHit = false;
+      halvings = 0;
+      probes = 0;
+    }
+    else
+    {
+      bool isKnown = seen >= start.z + place * overRate && behind < veil;
+      bool isLow = isKnown && behind <= 0.0;
+      bool isHigh = isKnown && behind > 0.0;
+      vec2 wider = gap.x > gap.y ? vec2(place) : vec2(min(gap.x, place), max(gap.y, place));
+      bool isOver = !found.isHit || (isLow && place > gap.y) || (isHigh && place < gap.x);
+      gap = isOver ? vec2(1.0, 0.0) : (isKnown ? gap : wider);
+      most = gap.x > gap.y ? WATER_MEDIUM_HALVINGS : WATER_MEDIUM_HALVINGS + 4;
+      at = found.isHit ? at : place;
+      halvings += found.isHit ? 1 : 0;
+      veil = isLow && !found.isHit ? 1e9 : veil;
+      found.low = isLow ? place : found.low;
+      found.depthLow = isLow ? seen : found.depthLow;
+      found.high = isHigh ? place : found.high;
+      found.depthHigh = isHigh ? seen : found.depthHigh;
+      found.isHit = found.isHit || isHigh;
+    }
+    if (!found.isHit && at >= reach - 0.5 * step)
+    {
+      break;
+    }
+  }
+  if (!found.isHit && found.depthLow >= 1.0 && before.x >= 0.0)
+  {
+    found.low = before.x; // what is hidden is likelier than nothing
+    found.depthLow = before.y;
+  }
+  return found;
+}
+
+// The first place where a ray is behind what the picture shows. One that comes to a smooth bed, with nothing on the way, is
+// not marched: it needs half of the reads or less, and what it meets is the same to a part of a pixel.
+WaterMediumHit waterMediumWalk(vec3 start, vec3 way, float depth, float reach)
+{
+  float last = waterMediumDepth(start.xy + reach * way.xy);
+  float pixels = length(way.xy * waterMediumSize()); // for all of the way
+  WaterMediumHit found = WaterMediumHit(0.0, reach, depth, last, 0.0, false);
+  bool isFound = start.z <= depth;
+  if (isFound && start.z + reach * way.z > last)
+  {
+    isFound = waterMediumConverge(start, way, pixels, found);
+    // not behind a silhouette
+    float rate = max((depth - start.z) / max(found.high, 1e-20), way.z);
+    isFound = isFound && depth < 1.0 &&
+      found.depthLow - found.depthHigh <= WATER_MEDIUM_SLACK_PX * rate / max(pixels, 1e-6);
+  }
+  else
+  {
+    found = WaterMediumHit(reach, reach, last, last, 0.0, false);
+  }
+  if (!isFound || !waterMediumIsFree(start, way, found.high, found.high * pixels))
+  {
+    found = waterMediumMarch(start, way, depth, reach);
+  }
+  return found;
+}
+
+// A place of the picture from which its color is read without that of what is nearer or further in the next pixel.
+//
+// depth  of the ray there
+// edge   a difference of depths that is one
+vec2 waterMediumBeside(vec2 uv, float depth, float edge)
+{
+  vec2 size = waterMediumSize();
+  vec2 middle = (floor(uv * size) + 0.5) / size;
+  vec2 next = middle + sign(uv - middle) / size;
+  vec2 seen = vec2(waterMediumDepth(vec2(next.x, middle.y)), waterMediumDepth(vec2(middle.x, next.y)));
+  return mix(uv, middle, greaterThan(abs(seen - depth), vec2(edge)));
+}
+
+// Where a ray into the scene meets what the picture shows.
+//
+// start  of the ray in the picture's window: u, v, depth
+// way    the ray is start + s way
+WaterMediumView waterMediumMeets(vec3 start, vec3 way)
+{
+  float depth = waterMediumDepth(start.xy);
+  float reach = waterMediumReach(start, way, depth);
+  vec2 border =
+    (step(0.0, way.xy) - start.xy) / mix(way.xy, vec2(1e-9), equal(way.xy, vec2(0.0)));
+  float leaves = max(min(border.x, border.y), 0.0);
+  bool isInside = reach <= leaves;
+  reach = min(reach, leaves);
+
+  WaterMediumHit found = waterMediumWalk(start, way, depth, reach);
+  vec2 size = waterMediumSize();
+  float wide = found.high - found.low;
+  bool isGap = wide > WATER_MEDIUM_GAP * reach / float(WATER_MEDIUM_STEPS) && wide * length(way.xy * size) > 2.0;
+  // the false position between the two
+  float missLow = start.z + found.low * way.z - found.depthLow;
+  float missHigh = start.z + found.high * way.z - found.depthHigh;
+  float share = found.isHit ? clamp(-missLow / max(missHigh - missLow, 1e-20), 0.0, 1.0) : 0.0;
+  WaterMediumView view;
+  view.isMet = found.isHit ? !isGap : isInside && found.low >= reach * (1.0 - 1e-6);
+  view.s = found.low + share * wide;
+  view.share = view.isMet ? share : (found.isHit ? found.share : 0.0);
+  float texel = 1.0 / max(length(way.xy * size), 1e-6);
+  float rate = max((depth - start.z) / max(view.s, 1e-20), way.z);
+  float place = view.isMet ? view.s : found.low;
+  float there = view.isMet ? start.z + view.s * way.z : found.depthLow;
+  view.from = waterMediumBeside(start.xy + place * way.xy, there, WATER_MEDIUM_EDGE_PX * texel * rate);
+  view.to = view.isMet ? view.from : (floor((start.xy + found.high * way.xy) * size) + 0.5) / size;
+  return view;
 }
