@@ -8,12 +8,14 @@
  * The mean has smooth edges, and shows what waves reflect that are smaller than a pixel, if the
  * water's quality is "reference":
  *
- *     water->GetWaterProperty()->SetRayTraceQualityToReference();
- *     average->SetRenderWindow(window);
- *     average->Update();
- *     writer->SetInputData(average->GetOutput());
+ *     water.GetWaterProperty().SetRayTraceQualityToReference()
+ *     average = vtkWaterFrameAverage()
+ *     average.SetRenderWindow(window)
+ *     average.Update()  # renders
+ *     writer.SetInputData(average.GetOutput())
  *
- * Afterwards the cameras are as they were. What is drawn over the scene, as 2D actors are, is not
+ * The window may be on the screen or off it, with multisampling or without. Afterwards the cameras
+ * are as they were. What is drawn over the scene, as 2D actors are, is not
  * shifted.
  */
 #ifndef vtkWaterFrameAverage_h

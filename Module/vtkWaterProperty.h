@@ -531,9 +531,8 @@ public:
   ///@{
   /**
    * Work of the ray-traced lookup: rays of a pixel whose neighbour shows another colour, in
-   * [1, 16]. All other pixels have one. Rough water, whose pixels have several facets, ignores it,
-   * and so do GPUs, where it costs a quarter of the frame: software renderers alone have more.
-   * Default is 4.
+   * [1, 16]. All other pixels have one. Rough water, whose pixels have several facets, ignores it.
+   * So do GPUs, where it costs a quarter of the frame, unless RayTraceLayers is 2. Default is 4.
    */
   void SetRayTraceRays(int rays);
   vtkGetMacro(RayTraceRays, int);
@@ -551,9 +550,10 @@ public:
 
   ///@{
   /**
-   * Size of the pixel that the waves' slopes are means over, in pixels, in [0, 1]. 0: the slopes of
-   * the pixel's middle, for frames that are averaged (vtkWaterFrameAverage), which converge to what
-   * the waves reflect; alone they flicker where waves are smaller than a pixel. Default is 1.
+   * The waves' slopes are averaged over a square of so many pixels, in [0, 1]. 1: the whole pixel.
+   * 0: slopes are those at the pixel's middle; a single frame then flickers where waves are smaller
+   * than a pixel, and the mean of many frames (vtkWaterFrameAverage) shows all of them. Default
+   * is 1.
    */
   void SetRayTraceFootprint(double footprint);
   vtkGetMacro(RayTraceFootprint, double);
@@ -563,13 +563,14 @@ public:
   /**
    * Steps, probes, rays, layers and footprint at once, by a name, which must be one of these:
    *
-   *     fast        8   3  1  1  1
-   *     default    16   6  4  1  1
-   *     high       24  12  8  2  1
-   *     reference 256  64  1  2  0
+   *               steps  probes  rays  layers  footprint
+   *     fast          8       3     1       1          1
+   *     default      16       6     4       1          1
+   *     high         24      12     8       2          1
+   *     reference   256      64     1       2          0
    *
-   * With more than 4 rays calm water's reflection is multisampled, too (see
-   * vtkWaterReflectionPass::SetMultiSamples). "reference" is for vtkWaterFrameAverage.
+   * "high" also multisamples calm water's reflection (vtkWaterReflectionPass::SetMultiSamples).
+   * "reference" is for vtkWaterFrameAverage, whose frames are its rays.
    */
   void SetRayTraceQuality(const char* name);
   void SetRayTraceQualityToFast() { this->SetRayTraceQuality("fast"); }

@@ -132,9 +132,9 @@ public:
   ///@{
   /**
    * Samples per pixel of the mirrored view, 0 to 32 and at most what the GPU has: 0 and 1 mean
-   * none. -1: none for waves, whose rays sample edges themselves and take a texel that mixes two
-   * things for either; for calm water as many as the window's MultiSamples, at most 8, and at least
-   * 4 by the quality "high". Default is -1.
+   * none. -1: none for waves, whose rays sample edges themselves; with samples, texels at edges mix
+   * two things, and show as webs around reflections. For calm water as many as the window's
+   * MultiSamples, at most 8, and at least 4 by the quality "high". Default is -1.
    */
   void SetMultiSamples(int samples);
   int GetMultiSamples() const;

@@ -28,7 +28,7 @@ vec3 waterFacets(WaterPoint point, out float reflectance, inout int reason, inou
   do
   {
     vec3 normal = waterFacetNormal(point, azimuth, slopes.x + waterFacetNode(i, count) * slopes.y);
-    float cosine = clamp(-dot(point.ray, normal), 0.0, 1.0);
+    float cosine = waterFacing(point.ray, normal);
     share = (isOne ? 1.0 : (count == 4 ? 0.25 : 0.5)) *
       (isFresnel ? waterFresnel(cosine, eta) : given);
     reflectance += share;

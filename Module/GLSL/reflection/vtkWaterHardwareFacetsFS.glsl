@@ -12,7 +12,7 @@ float waterFacetDepth(vec2 uv, float depth, float nearest)
 // The share of the light that a facet reflects.
 float waterFacetReflectance(WaterPoint point, vec3 normal)
 {
-  float cosine = clamp(-dot(point.ray, normal), 0.0, 1.0);
+  float cosine = waterFacing(point.ray, normal);
   return waterReflectance < 0.0 ? waterFresnel(cosine, max(waterEta, 0.0)) : waterReflectance;
 }
 

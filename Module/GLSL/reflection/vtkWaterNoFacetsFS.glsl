@@ -7,7 +7,7 @@
 vec3 waterFacets(WaterPoint point, out float reflectance, inout int reason, inout vec2 uv)
 {
   reflectance = waterReflectance < 0.0
-    ? waterFresnel(clamp(-dot(point.ray, point.normal), 0.0, 1.0), waterEta) : waterReflectance;
+    ? waterFresnel(waterFacing(point.ray, point.normal), waterEta) : waterReflectance;
   vec3 reflected = vec3(0.0);
   if (waterIsReflecting != 0)
   {

@@ -77,6 +77,13 @@ WaterPoint waterPoint()
   return point;
 }
 
+// Cosine of the angle at which the eye sees a surface. Slopes that face away are hidden behind others, which face it: seen
+// at the same angle they reflect as those do, and not all light.
+float waterFacing(vec3 ray, vec3 normal)
+{
+  return min(abs(dot(ray, normal)), 1.0);
+}
+
 // The background in a direction.
 vec3 waterSky(vec3 dir)
 {
