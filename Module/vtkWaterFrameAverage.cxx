@@ -2,19 +2,17 @@
 #include "vtkWaterFrameAverage.h"
 
 #include "vtkCamera.h"
-#include "vtkDataArray.h"
 #include "vtkHomogeneousTransform.h"
 #include "vtkImageData.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
-#include "vtkPointData.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkRendererCollection.h"
 #include "vtkTransform.h"
+#include "vtkUnsignedCharArray.h"
 #include "vtkWaterCompat.h"
-#include "vtkWindowToImageFilter.h"
 #include "water_quality.h"
 
 #include <algorithm>
@@ -37,12 +35,20 @@ public:
     while (vtkRenderer* renderer = renderers->GetNextRenderer(it))
     {
       vtkCamera* camera = renderer->GetActiveCamera();
+      const int* size = renderer->GetSize();
       const auto isIt = [camera](const Shifted& shifted) { return shifted.Camera == camera; };
-      if (std::none_of(this->Cameras.begin(), this->Cameras.end(), isIt))
+      const auto found = std::find_if(this->Cameras.begin(), this->Cameras.end(), isIt);
+      if (found != this->Cameras.end())
+      {
+        // of the largest renderer, whose pixels are the smallest
+        found->Size[0] = std::max(found->Size[0], size[0]);
+        found->Size[1] = std::max(found->Size[1], size[1]);
+      }
+      else
       {
         this->Cameras.emplace_back();
         this->Cameras.back().Camera = camera;
-        this->Cameras.back().Renderer = renderer;
+        std::copy_n(size, 2, this->Cameras.back().Size);
         this->Cameras.back().Given = camera->GetUserTransform();
         camera->SetUserTransform(this->Cameras.back().Shift);
       }
@@ -63,10 +69,9 @@ public:
   {
     for (const Shifted& shifted : this->Cameras)
     {
-      const int* size = shifted.Renderer->GetSize();
       shifted.Shift->Identity();
-      shifted.Shift->Translate(
-        -2.0 * place_px[0] / std::max(size[0], 1), -2.0 * place_px[1] / std::max(size[1], 1), 0.0);
+      shifted.Shift->Translate(-2.0 * place_px[0] / std::max(shifted.Size[0], 1),
+        -2.0 * place_px[1] / std::max(shifted.Size[1], 1), 0.0);
       if (shifted.Given)
       {
         shifted.Shift->Concatenate(shifted.Given->GetMatrix());
@@ -79,7 +84,7 @@ private:
   struct Shifted
   {
     vtkSmartPointer<vtkCamera> Camera;
-    vtkSmartPointer<vtkRenderer> Renderer;
+    int Size[2] = { 0, 0 }; // pixels
     vtkSmartPointer<vtkHomogeneousTransform> Given;
     vtkSmartPointer<vtkTransform> Shift = vtkSmartPointer<vtkTransform>::New();
   };
@@ -133,35 +138,45 @@ bool vtkWaterFrameAverage::Update()
     vtkErrorMacro("RenderWindow is not set: there is nothing to render.");
     return false;
   }
+  if (window->CheckInRenderStatus())
+  {
+    vtkErrorMacro("Update is called while the window renders: it cannot be rendered once more.");
+    return false;
+  }
   const auto frames = static_cast<unsigned>(this->NumberOfFrames); // an observer may set another
-  std::vector<unsigned> sum; // 65,536 frames at the most fit in
-  vtkNew<vtkWindowToImageFilter> capture;
-  capture->SetInput(window);
-  capture->ReadFrontBufferOff();
+  int size[2];
+  std::copy_n(window->GetSize(), 2, size);
+  // 65,536 frames at the most fit in
+  std::vector<unsigned> sum(3 * static_cast<size_t>(std::max(size[0], 0)) * std::max(size[1], 0));
+  vtkNew<vtkUnsignedCharArray> colors;
   ShiftedCameras cameras(window);
   for (unsigned frame = 0; frame < frames; ++frame)
   {
     double place_px[2];
     water_quality_jitter(frame, place_px);
     cameras.Shift(place_px);
-    capture->Modified();
-    capture->Update();
-    vtkDataArray* colors = capture->GetOutput()->GetPointData()->GetScalars();
-    const size_t count = colors ? static_cast<size_t>(colors->GetNumberOfValues()) : 0;
-    if (count == 0 || (frame > 0 && count != sum.size()) || window->GetAbortRender())
+    window->Render(); // runs the user's observers
+    const int* now = window->GetSize();
+    if (frame == 0 && sum.empty()) // the first picture of a window whose size nobody has set
+    {
+      std::copy_n(now, 2, size);
+      sum.resize(3 * static_cast<size_t>(std::max(size[0], 0)) * std::max(size[1], 0), 0u);
+    }
+    if (sum.empty() || !std::equal(size, size + 2, now) || window->GetAbortRender() ||
+      window->GetPixelData(0, 0, size[0] - 1, size[1] - 1, 0, colors, 0) != VTK_OK ||
+      static_cast<size_t>(colors->GetNumberOfValues()) != sum.size())
     {
       return false; // no picture, or none that can be added
     }
-    sum.resize(count, 0u);
-    const auto* seen = static_cast<const unsigned char*>(colors->GetVoidPointer(0));
-    std::transform(sum.begin(), sum.end(), seen, sum.begin(),
+    std::transform(sum.begin(), sum.end(), colors->GetPointer(0), sum.begin(),
       [](unsigned soFar, unsigned char color) { return soFar + color; });
   }
-  this->Output->DeepCopy(capture->GetOutput());
-  auto* mean =
-    static_cast<unsigned char*>(this->Output->GetPointData()->GetScalars()->GetVoidPointer(0));
+  this->Output->SetDimensions(size[0], size[1], 1);
+  this->Output->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+  auto* mean = static_cast<unsigned char*>(this->Output->GetScalarPointer());
   std::transform(sum.begin(), sum.end(), mean,
     [frames](unsigned all) { return static_cast<unsigned char>((all + frames / 2u) / frames); });
+  this->Output->Modified();
   return true;
 }
 

@@ -56,13 +56,14 @@ public:
   ///@}
 
   /**
-   * Renders them. Returns false, and leaves the output as it was, when there is no window, or when
-   * rendering was aborted or the window's size changed meanwhile.
+   * Renders them. Returns false, and leaves the output as it was, when there is no window, or it is
+   * rendering, and when rendering was aborted or the window's size changed meanwhile.
    */
   bool Update();
 
   /**
-   * The mean: RGB, unsigned char, of the window's size; empty before the first Update.
+   * The mean: RGB, unsigned char, of the window's size; empty before the first Update that
+   * succeeds.
    */
   vtkImageData* GetOutput() const;
 

@@ -8,6 +8,7 @@ from TestWaterReflectionsOnWaves import truth_of
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonTransforms import vtkTransform
 from vtkmodules.vtkFiltersSources import vtkPlaneSource
+from vtkmodules.vtkRenderingCore import vtkCamera, vtkRenderer
 from vtkwater import vtkWaterFrameAverage, vtkWaterProperty
 from wave_scenes import POSTS_VIEWS, post_scene, rmse
 
@@ -85,6 +86,48 @@ def test_an_average_is_the_mean_over_the_pixel():
     covered = (x > 0.1 * (y + 100)).reshape(48, 32, 64, 32).mean(axis=(1, 3))
     mean = mean_of(view.window, 64)[..., 0] / 255
     wt.check_at_most("the most that a pixel is off, 64 frames", float(np.abs(mean - covered).max()), 2 / 64)
+
+
+def test_a_window_of_another_size_is_no_average():
+    """A window whose size changes meanwhile gives no picture, even if the number of pixels stays; the output stays."""
+    made, _ = post_scene("middle", waves=())
+    average = vtkWaterFrameAverage()
+    average.SetRenderWindow(made.window)
+    average.SetNumberOfFrames(3)
+    width, height = made.window.GetSize()
+    tag = made.window.AddObserver("EndEvent", lambda *_: made.window.SetSize(height, width))
+    wt.check_equal("there is a picture", average.Update(), False)
+    made.window.RemoveObserver(tag)
+    wt.check_equal("size of the output", average.GetOutput().GetDimensions(), (0, 0, 0))
+
+
+def test_renderers_may_come_and_go_meanwhile():
+    """Observers may add and remove renderers and cameras in the middle of an average."""
+    made, _ = post_scene("middle", waves=())
+    other = vtkRenderer()
+    other.SetViewport(0.8, 0.8, 1, 1)
+    changes = [lambda: made.window.AddRenderer(other), lambda: made.window.RemoveRenderer(other),
+               lambda: made.renderer.SetActiveCamera(vtkCamera())]
+    made.window.AddObserver("EndEvent", lambda *_: changes.pop(0)() if changes else None)
+    mean_of(made.window, 5)
+
+
+def test_a_shared_camera_is_shifted_by_pixels_of_the_largest_renderer():
+    """A camera that renderers of two sizes share is shifted by less than a pixel of either."""
+    def rows(is_shared):
+        view = wt.View((200, 40), background=(0, 0, 0))
+        narrow = vtkRenderer()
+        narrow.SetViewport(0, 0, 0.1, 1)
+        view.window.AddRenderer(narrow)
+        view.renderer.SetViewport(0.1, 0, 1, 1)
+        wt.add_actor(view.renderer, wt.box((5, 0, 0), (10, 100, 1)), (1, 1, 1), lit=False)
+        camera = wt.place_camera(view.renderer, (0, 0, 10), (0, 0, 0), (1, 20), view_up=(0, 1, 0))
+        camera.ParallelProjectionOn()
+        narrow.SetActiveCamera(camera) if is_shared else None
+        view.window.GetRenderers().InitTraversal()
+        row = mean_of(view.window)[20, 20:, 0]
+        return int(((row > 5) & (row < 250)).sum())
+    wt.check_at_most("grey pixels of an edge", rows(True), rows(False) + 1)
 
 
 def test_cameras_are_as_they_were():

@@ -7,8 +7,8 @@
 #include <float.h>
 #include <math.h>
 
-// Of a mesh's diagonal. From where a height of so much is not seen, the mesh is 20 pixels wide: it
-// need not be known how high it is.
+// Of a mesh's diagonal. Heights are searched for up to here: an eye so far away that it does not
+// see a greater one sees the mesh some 20 pixels wide.
 static const double height_share = 1e-4;
 // Between two texels that are black and white, a colour changes by 1 of 255.
 static const double shift_px = 1.0 / 256.0;

@@ -324,11 +324,18 @@ void vtkWaterMirroredView::DrawPeel(vtkRenderer* renderer, const water_plan& pla
   }
   SetUpOpaque(window->GetState(), plan);
   this->Background.DrawSky(renderer, plan);
+  this->Clusters.ForgetDepths(); // what the first things hide is what is drawn now
   draft.Hook->BeginPeel();
   vtkWaterShadows::Draw(renderer, draft.Shadows, draft.Props, [&]() {
+    const auto draw = [this, renderer, &draft](size_t i) { this->DrawProp(renderer, draft, i); };
+    if (vtkWaterHiddenLines::AreRemoved(renderer))
+    {
+      vtkWaterHiddenLines::Draw(renderer, draft.Props, draw);
+      return;
+    }
     for (size_t i = 0; i < draft.Props.size(); ++i)
     {
-      this->DrawProp(renderer, draft, i);
+      draw(i);
     }
   });
   draft.Hook->SetMayBeCut(true);

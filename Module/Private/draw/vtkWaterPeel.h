@@ -14,7 +14,7 @@ public:
   // Binds what it is drawn into, and the reflection texture's depth for vtkWaterPeelFS.glsl, until
   // End. The caller has pushed the framebuffer bindings and pops them.
   //
-  // Returns false, and has bound nothing, when the GPU gives no textures.
+  // Returns false, and has bound no texture, when the GPU gives none.
   bool Begin(vtkOpenGLRenderWindow* window, vtkWaterTarget& reflection);
   void End(vtkOpenGLRenderWindow* window);
 

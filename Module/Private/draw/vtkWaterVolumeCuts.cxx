@@ -25,6 +25,7 @@ vtkWaterVolumeCuts::vtkWaterVolumeCuts(const water_plan& plan, const std::vector
   // changed, in every frame
   for (const Cut& cut : this->Cuts)
   {
+    cut.Planes->Register(cut.Mapper); // a reference of the mapper's own: it may drop it meanwhile
     vtkWaterAccess::AbstractMapper::ClippingPlanesOf(cut.Mapper) = cut.Planes;
   }
 }
@@ -54,6 +55,15 @@ vtkWaterVolumeCuts::~vtkWaterVolumeCuts()
 {
   for (const Cut& cut : this->Cuts)
   {
-    vtkWaterAccess::AbstractMapper::ClippingPlanesOf(cut.Mapper) = cut.Own;
+    vtkPlaneCollection*& planes = vtkWaterAccess::AbstractMapper::ClippingPlanesOf(cut.Mapper);
+    if (planes == cut.Planes)
+    {
+      planes = cut.Own;
+      cut.Planes->UnRegister(cut.Mapper);
+    }
+    else if (cut.Own) // an observer has set others, which stay
+    {
+      cut.Own->UnRegister(cut.Mapper);
+    }
   }
 }

@@ -163,7 +163,7 @@ void vtkWaterGather::ReadWaters(
     this->IsRough = this->IsRough || water->IsRough();
     this->HasMarchedRays =
       this->HasMarchedRays || (needsRays && look.Has.lookup == WATER_LOOKUP_RAY_TRACED);
-    this->WantsPeel = this->WantsPeel || water->WantsPeel();
+    this->WantsPeel = this->WantsPeel || (needsRays && water->WantsPeel());
     scene.calm_samples_min =
       std::max(scene.calm_samples_min, water_lookup_calm_samples(look.RayTraceRays));
     this->WaveNumber = std::max(this->WaveNumber, look.WaveNumber);

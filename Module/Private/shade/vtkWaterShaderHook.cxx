@@ -381,7 +381,7 @@ void vtkWaterShaderHook::SetPeeling(bool isPeeling)
 void vtkWaterShaderHook::SetPeelParameters(vtkShaderProgram* program)
 {
   double peel[3] = { 0.0, 0.0, 0.0 };
-  if (this->IsPeeling)
+  if (this->IsPeeling && this->Mirrored.Plan) // none: in a frame in the middle of it
   {
     peel[0] = this->Mirrored.Plan->reflection_tolerance[1];
     peel[1] = this->Mirrored.Plan->reflection_z_infinity;

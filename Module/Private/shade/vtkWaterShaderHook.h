@@ -61,8 +61,8 @@ public:
   // may be elsewhere.
   void SetMayBeCut(bool mayBe) { this->MayBeCut = mayBe; }
 
-  // From now on programs can leave out what the reflection texture shows: they are built once more,
-  // when this is called for the first time.
+  // From now on programs can leave out what the reflection texture shows: those of all windows of
+  // the thread are built once more when this is called for the first time, and stay so.
   void WantPeel();
 
   // Where the reflection texture's depth is bound for that: the last texture unit, which textures

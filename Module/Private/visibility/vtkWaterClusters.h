@@ -56,6 +56,9 @@ public:
   // All of them are drawn.
   void EndLeading();
 
+  // From now on nothing is left out because something before it hides it.
+  void ForgetDepths() { this->Target.depths = nullptr; }
+
   // A mapper is about to draw a prop with a program: gives it its clusters, if the mesh is large,
   // in a form that can be cut, and parts of it cannot be seen. Without memory for them it draws
   // all.
