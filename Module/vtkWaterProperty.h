@@ -542,7 +542,8 @@ public:
   /**
    * Work of the ray-traced lookup: layers of the mirrored view that rays see, in [1, 2]. With 2 a
    * ray that goes behind the edge of a thing goes on among what is behind there, which is drawn
-   * once more for it, whenever the mirrored view is. Default is 1.
+   * once more for it, whenever the mirrored view is. The
+   * reflection texture is twice as fine at 0. Default is 1.
    */
   void SetRayTraceLayers(int layers);
   vtkGetMacro(RayTraceLayers, int);
@@ -552,8 +553,8 @@ public:
   /**
    * The waves' slopes are averaged over a square of so many pixels, in [0, 1]. 1: the whole pixel.
    * 0: slopes are those at the pixel's middle; a single frame then flickers where waves are smaller
-   * than a pixel, and the mean of many frames (vtkWaterFrameAverage) shows all of them. Default
-   * is 1.
+   * than a pixel, and the mean of many frames (vtkWaterFrameAverage) shows all of them. The
+   * reflection texture is twice as fine at 0. Default is 1.
    */
   void SetRayTraceFootprint(double footprint);
   vtkGetMacro(RayTraceFootprint, double);

@@ -289,8 +289,19 @@ TEST(guard_band_ends_at_the_limit)
   assert_int_equal(water_target_size(px, 0.0, 16384, px), WATER_BAD_TEXTURE_SCALE);
 }
 
-TESTS(size_is_picture_times_scale, size_over_the_limit_is_refused,
-  rect_of_a_known_pond_is_tight_and_flipped, rect_of_a_rough_pond_covers_the_mirror_images,
-  rect_is_never_empty, rect_is_clamped_to_the_map, rect_is_all_of_the_map_where_there_is_no_picture,
-  rect_covers_every_lookup, guard_band_never_shrinks_the_map, reach_is_the_turn_of_the_steepest_ray,
+// Frames that are averaged have textures twice as fine, where these are to be had.
+TEST(averaged_frames_are_twice_as_fine)
+{
+  const int viewport_px[2] = { 640, 480 };
+  assert_true(water_target_fine_scale(viewport_px, 1.0, 4096) == 2.0);
+  assert_true(water_target_fine_scale(viewport_px, 0.5, 4096) == 1.0);
+  assert_true(water_target_fine_scale(viewport_px, 1.0, 1280) == 2.0);
+  assert_true(water_target_fine_scale(viewport_px, 1.0, 1279) == 1.0);
+}
+
+TESTS(averaged_frames_are_twice_as_fine, size_is_picture_times_scale,
+  size_over_the_limit_is_refused, rect_of_a_known_pond_is_tight_and_flipped,
+  rect_of_a_rough_pond_covers_the_mirror_images, rect_is_never_empty, rect_is_clamped_to_the_map,
+  rect_is_all_of_the_map_where_there_is_no_picture, rect_covers_every_lookup,
+  guard_band_never_shrinks_the_map, reach_is_the_turn_of_the_steepest_ray,
   rect_beyond_the_map_is_its_border, guard_band_ends_at_the_limit)

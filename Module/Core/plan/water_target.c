@@ -33,6 +33,15 @@ water_status water_target_size(
   return WATER_OK;
 }
 
+double water_target_fine_scale(const int viewport_px[2], double texture_scale, int max_texture_px)
+{
+  const double fine = 2.0 * texture_scale;
+  int texture_px[2];
+  return water_target_size(viewport_px, fine, max_texture_px, texture_px) == WATER_OK
+    ? fine
+    : texture_scale;
+}
+
 typedef struct rectangle // in NDC of the eye
 {
   double low[2];

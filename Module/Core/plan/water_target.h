@@ -20,6 +20,12 @@ extern "C"
 water_status water_target_size(
   const int viewport_px[2], double texture_scale, int max_texture_px, int texture_px[2]);
 
+// The texture scale of frames that are averaged: twice as fine, so that what is filtered between
+// two texels is not seen in the mean, or as it was where a texture so large is not to be had.
+//
+// Source: measured, Documentation/decisions/006-lookup.md.
+double water_target_fine_scale(const int viewport_px[2], double texture_scale, int max_texture_px);
+
 // The part of the picture that water within a box covers, or whose mirror image it is: a point at
 // height h over the plane looks at the picture of its own mirror image, which for h = 0 is its own
 // picture.

@@ -150,6 +150,7 @@ void vtkWaterGather::ReadWaters(
   scene.calm_samples_min = 0;
   this->HasMarchedRays = false;
   this->WantsPeel = false;
+  this->IsAveraged = false;
   this->IsRough = false;
   for (const vtkWaterSnapshotPointer& water : waters)
   {
@@ -163,6 +164,7 @@ void vtkWaterGather::ReadWaters(
     this->IsRough = this->IsRough || water->IsRough();
     this->HasMarchedRays =
       this->HasMarchedRays || (needsRays && look.Has.lookup == WATER_LOOKUP_RAY_TRACED);
+    this->IsAveraged = this->IsAveraged || (needsRays && look.RayTraceFootprint <= 0.0);
     this->WantsPeel = this->WantsPeel || (needsRays && water->WantsPeel());
     scene.calm_samples_min =
       std::max(scene.calm_samples_min, water_lookup_calm_samples(look.RayTraceRays));

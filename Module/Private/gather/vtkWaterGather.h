@@ -35,6 +35,7 @@ struct vtkWaterGather
   bool IsRough = false;              // one of the waters blurs its reflection
   bool HasMarchedRays = false;       // one of them traces rays in the reflection texture
   bool WantsPeel = false;            // and goes on behind edges
+  bool IsAveraged = false;           // one of them is drawn for frames that are averaged
 
   // Reads all that the plan depends on, but for the props.
   //

@@ -12,6 +12,7 @@
 #include "vtkWaterReflection.h"
 #include "vtkWaterShaderHook.h"
 #include "vtkWaterShadows.h"
+#include "water_target.h"
 
 #include <algorithm>
 #include <functional>
@@ -112,8 +113,13 @@ void vtkWaterReflection::ChooseQuality(const Frame& frame, View& view)
   }
   water_quality_choose(&request, &view.Quality, &this->Quality);
   scene.settings.texture_scale = this->Quality.texture_scale;
+  if (this->Gathered.IsAveraged && this->Quality.step == WATER_QUALITY_NO_STEP)
+  {
+    scene.settings.texture_scale = water_target_fine_scale(
+      scene.viewport_px, scene.settings.texture_scale, scene.max_texture_px);
+  }
   this->Report.QualityStep = this->Quality.step;
-  this->Report.TextureScale = this->Quality.texture_scale;
+  this->Report.TextureScale = scene.settings.texture_scale;
 }
 
 //------------------------------------------------------------------------------
