@@ -93,9 +93,7 @@ WaterMediumView waterMediumMeets(vec3 start, vec3 way)
 {
   float depth = waterMediumDepth(start.xy);
   float reach = waterMediumReach(start, way, depth);
-  vec2 border =
-    (step(0.0, way.xy) - start.xy) / mix(way.xy, vec2(1e-9), equal(way.xy, vec2(0.0)));
-  float leaves = max(min(border.x, border.y), 0.0);
+  float leaves = waterMediumLeaves(start, way);
   bool isInside = reach <= leaves;
   reach = min(reach, leaves);
 

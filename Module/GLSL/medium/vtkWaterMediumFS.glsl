@@ -128,6 +128,14 @@ struct WaterMediumView
   float share; // of the second
 };
 
+// Where a ray leaves the picture.
+float waterMediumLeaves(vec3 start, vec3 way)
+{
+  vec2 border =
+    (step(0.0, way.xy) - start.xy) / mix(way.xy, vec2(1e-9), equal(way.xy, vec2(0.0)));
+  return max(min(border.x, border.y), 0.0);
+}
+
 // Where a ray into the scene meets what the picture shows; of the slot refraction.
 //
 // start  of the ray in the picture's window: u, v, depth

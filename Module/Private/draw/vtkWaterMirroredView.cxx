@@ -14,6 +14,7 @@
 #include "vtkWaterGather.h"
 #include "vtkWaterHiddenLines.h"
 #include "vtkWaterSceneDepth.h"
+#include "vtkWaterScopedView.h"
 #include "vtkWaterScopedWidgets.h"
 #include "vtkWaterShaderHook.h"
 #include "vtkWaterShadows.h"
@@ -24,113 +25,6 @@
 
 namespace
 {
-// Everything that the mirrored view sets, as it was, when it goes out of scope.
-struct ScopedState
-{
-  explicit ScopedState(vtkOpenGLState* state)
-    : State(state)
-    , Viewport(state)
-    , Scissor(state)
-    , ClearColor(state)
-    , ColorMask(state)
-    , DepthMask(state)
-    , DepthFunc(state)
-    , BlendFunc(state)
-    , DepthTest(state, GL_DEPTH_TEST)
-    , Blend(state, GL_BLEND)
-    , CullFace(state, GL_CULL_FACE)
-    , ScissorTest(state, GL_SCISSOR_TEST)
-  {
-    state->PushFramebufferBindings();
-  }
-  ~ScopedState() { this->State->PopFramebufferBindings(); }
-
-  vtkOpenGLState* State;
-  vtkOpenGLState::ScopedglViewport Viewport;
-  vtkOpenGLState::ScopedglScissor Scissor;
-  vtkOpenGLState::ScopedglClearColor ClearColor;
-  vtkOpenGLState::ScopedglColorMask ColorMask;
-  vtkOpenGLState::ScopedglDepthMask DepthMask;
-  vtkOpenGLState::ScopedglDepthFunc DepthFunc;
-  vtkOpenGLState::ScopedglBlendFuncSeparate BlendFunc;
-  vtkOpenGLState::ScopedglEnableDisable DepthTest;
-  vtkOpenGLState::ScopedglEnableDisable Blend;
-  vtkOpenGLState::ScopedglEnableDisable CullFace;
-  vtkOpenGLState::ScopedglEnableDisable ScissorTest;
-};
-
-// The renderer looks through another camera while an object of this class lives; nobody is told.
-// The renderer holds a reference on the camera in its slot, whoever puts it there: a user who sets
-// another one from an observer meanwhile gets that.
-struct ScopedCamera
-{
-  ScopedCamera(vtkRenderer* renderer, vtkCamera* camera)
-    : Renderer(renderer)
-    , Slot(vtkWaterAccess::Renderer::ActiveCameraOf(renderer))
-    , User(this->Slot)
-    , Mirrored(camera)
-  {
-    camera->Register(renderer);
-    this->Slot = camera;
-  }
-  ~ScopedCamera()
-  {
-    if (this->Slot == this->Mirrored)
-    {
-      this->Slot = this->User;
-      this->Mirrored->UnRegister(this->Renderer);
-    }
-    else
-    {
-      this->User->UnRegister(this->Renderer);
-    }
-  }
-
-  vtkRenderer* Renderer;
-  vtkCamera*& Slot;
-  vtkCamera* User;
-  vtkSmartPointer<vtkCamera> Mirrored;
-};
-
-struct ScopedMirroredView
-{
-  ScopedMirroredView(vtkWaterShaderHook* hook, const vtkWaterShaderHook::View& view)
-    : Hook(hook)
-  {
-    hook->BeginMirroredView(view);
-  }
-  ~ScopedMirroredView() { this->Hook->EndMirroredView(); }
-
-  vtkWaterShaderHook* Hook;
-};
-
-// Drawing adds to a prop's estimated render time, from which VTK chooses levels of detail and
-// allots time; the mirrored view must not make props look slower than they are.
-struct ScopedRenderTimes
-{
-  ScopedRenderTimes(vtkRenderer* renderer, const std::vector<vtkProp*>& props)
-    : Renderer(renderer)
-    , Props(props)
-  {
-    for (vtkProp* prop : props)
-    {
-      this->Before.push_back(prop->GetEstimatedRenderTime(renderer));
-    }
-  }
-  ~ScopedRenderTimes()
-  {
-    for (size_t i = 0; i < this->Props.size(); ++i)
-    {
-      const double added = this->Props[i]->GetEstimatedRenderTime(this->Renderer) - this->Before[i];
-      this->Props[i]->AddEstimatedRenderTime(-added, this->Renderer);
-    }
-  }
-
-  vtkRenderer* Renderer;
-  const std::vector<vtkProp*>& Props;
-  std::vector<double> Before;
-};
-
 void SetViewportAndScissor(vtkOpenGLState* state, const water_plan& plan)
 {
   const int* rect = plan.texture_rect_px;
@@ -205,9 +99,9 @@ void vtkWaterMirroredView::DrawProps(vtkRenderer* renderer, const water_plan& pl
   view.Clusters = draft.CanCut ? &this->Clusters : nullptr;
   view.ClipDistance = &this->ClipDistance;
   this->SetCamera(renderer, plan);
-  ScopedCamera scopedCamera(renderer, this->Camera);
-  ScopedMirroredView scopedView(draft.Hook, view);
-  ScopedRenderTimes scopedTimes(renderer, draft.Props);
+  vtkWaterScopedCamera scopedCamera(renderer, this->Camera);
+  vtkWaterScopedMirroredView scopedView(draft.Hook, view);
+  vtkWaterScopedRenderTimes scopedTimes(renderer, draft.Props);
   vtkWaterShadows::Draw(
     renderer, draft.Shadows, draft.Props, [&]() { this->DrawOpaque(renderer, plan, draft); });
   this->DrawTranslucent(renderer, plan, draft);
@@ -232,7 +126,7 @@ const char* vtkWaterMirroredView::Draw(vtkRenderer* renderer, const water_plan& 
   this->GpuQueries.Begin(vtkWaterGpuQueries::REFLECTION, window);
   const char* failure = nullptr;
   {
-    ScopedState scopedState(state);
+    vtkWaterScopedState scopedState(state);
     if (this->Target.Bind())
     {
       SetUpOpaque(state, plan);

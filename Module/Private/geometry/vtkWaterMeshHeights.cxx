@@ -66,10 +66,7 @@ const vtkWaterMesh& vtkWaterMeshHeights::Read(
   vtkMapper* mapper, vtkMatrix4x4* meshToWorld, const water_plane& unit)
 {
   vtkPoints* points = FindPoints(mapper);
-  std::array<double, 20> place;
-  std::copy_n(&meshToWorld->Element[0][0], 16, place.begin());
-  std::copy_n(unit.normal, 3, place.begin() + 16);
-  place[19] = unit.offset;
+  const vtkWaterMeshPlace place = vtkWaterMeshPlaceOf(meshToWorld, unit);
   const vtkMTimeType time = points ? points->GetMTime() : 0;
   if (points != this->Points || time != this->PointsTime || place != this->Place || !points)
   {

@@ -5,9 +5,8 @@
 #define vtkWaterMeshHeights_h
 
 #include "vtkType.h"
+#include "vtkWaterMeshPlace.h"
 #include "water_types.h"
-
-#include <array>
 
 class vtkMapper;
 class vtkMatrix4x4;
@@ -35,7 +34,7 @@ private:
 
   vtkPoints* Points = nullptr; // compared only
   vtkMTimeType PointsTime = 0;
-  std::array<double, 20> Place{}; // matrix and plane
+  vtkWaterMeshPlace Place{};
   vtkWaterMesh Mesh;
 };
 

@@ -87,10 +87,7 @@ std::string vtkWaterMeshPlacement::Check(
   {
     return std::string();
   }
-  std::array<double, 20> place;
-  std::copy_n(&meshToWorld->Element[0][0], 16, place.begin());
-  std::copy_n(unit.normal, 3, place.begin() + 16);
-  place[19] = unit.offset;
+  const vtkWaterMeshPlace place = vtkWaterMeshPlaceOf(meshToWorld, unit);
   if (mesh == this->Mesh && mesh->GetMTime() == this->MeshTime && place == this->Place)
   {
     return std::string();

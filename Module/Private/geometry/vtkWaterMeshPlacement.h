@@ -5,9 +5,9 @@
 #define vtkWaterMeshPlacement_h
 
 #include "vtkType.h"
+#include "vtkWaterMeshPlace.h"
 #include "water_placement.h"
 
-#include <array>
 #include <string>
 
 class vtkMapper;
@@ -27,7 +27,7 @@ private:
 
   vtkPolyData* Mesh = nullptr; // compared only
   vtkMTimeType MeshTime = 0;
-  std::array<double, 20> Place{}; // matrix and plane
+  vtkWaterMeshPlace Place{};
   bool IsSaid = false;
 };
 

@@ -21,6 +21,7 @@
 #include "vtkWaterPeelFS.h"
 #include "vtkWaterPlainFS.h"
 #include "vtkWaterPropRecords.h"
+#include "vtkWaterShaderText.h"
 #include "vtkWaterSource.h"
 #include "vtkWaterSurfaceShader.h"
 #include "vtkWaterUniforms.h"
@@ -33,86 +34,10 @@
 VTK_ABI_NAMESPACE_BEGIN
 vtkStandardNewMacro(vtkWaterShaderHook);
 
+using namespace vtkWaterShaderText;
+
 namespace
 {
-// Puts text before a tag and keeps the tag for whoever comes next.
-void InsertBefore(std::string& source, const std::string& tag, const std::string& text)
-{
-  vtkShaderProgram::Substitute(source, tag, text + "\n" + tag, false);
-}
-
-// Puts declarations before the tag that all of VTK's shaders have, or, where the user's own
-// replacement took that, before main. Returns whether they are in.
-bool InsertDeclarations(std::string& source, const std::string& text)
-{
-  const std::string tag = "//VTK::Clip::Dec";
-  const std::string place = source.find(tag) != std::string::npos ? tag : "void main(";
-  return vtkShaderProgram::Substitute(source, place, text + "\n" + place, false);
-}
-
-bool Declares(const std::string& source, const std::string& function)
-{
-  return source.find(function + "(") != std::string::npos;
-}
-
-void InsertAfter(std::string& source, const std::string& tag, const std::string& text)
-{
-  vtkShaderProgram::Substitute(source, tag, tag + "\n" + text, false);
-}
-
-// VTK's physically based shader of a single headlight has L = V = H written out; this gives it the
-// terms of a directional light, which it declares anyway.
-void MoveHeadlight(std::string& source)
-{
-  const std::string isotropic = "SpecularIsotropic(NdV, NdV, NdV, 1.0,";
-  const std::string anisotropic =
-    "SpecularAnisotropic(at, ab, V, tangentVC, bitangentVC, V, TdV, BdV, NdV, NdV, NdV,\n1.0,";
-  if (source.find(isotropic) == std::string::npos && source.find(anisotropic) == std::string::npos)
-  {
-    return; // unlit, or of other lights
-  }
-  InsertAfter(source, "float NdL, NdH, HdL, distanceVC, attenuation, D, Vis;",
-    "  waterHeadlightPhysical(N, V, L, H, NdL, NdH, HdL);");
-  InsertAfter(
-    source, "float coatNdL, coatNdH;", "  waterHeadlightTerms(coatN, L, H, coatNdL, coatNdH);");
-  const char* const terms[][2] = {
-    { isotropic.c_str(), "SpecularIsotropic(NdH, NdV, NdL, HdL," },
-    { anisotropic.c_str(),
-      "SpecularAnisotropic(at, ab, L, tangentVC, bitangentVC, H, TdV, BdV, NdH, NdV, NdL, HdL," },
-    { "SpecularIsotropic(coatNdV, coatNdV, coatNdV, 1.0,",
-      "SpecularIsotropic(coatNdH, coatNdV, coatNdL, HdL," },
-    { "radiance * coatNdV * coatStrength", "radiance * coatNdL * coatStrength" },
-    { "(diffuse + specular) * NdV", "(diffuse + specular) * NdL" },
-  };
-  for (const auto& term : terms)
-  {
-    vtkShaderProgram::Substitute(source, term[0], term[1], false);
-  }
-}
-
-// VTK's volumes have their headlight in a global for each volume; those after the first matrix,
-// which is of all of them, when there are several. Light that they scatter has it in a line of its
-// own.
-void MoveHeadlightOfVolumes(std::string& source)
-{
-  vtkShaderProgram::Substitute(
-    source, "phase_function(-1)", "phase_function(waterHeadlightTurn(tex_light))", false);
-  const bool areSeveral = source.find("g_ldir[1] =") != std::string::npos;
-  for (int i = 0;; ++i)
-  {
-    const std::string index = "[" + std::to_string(i) + "]";
-    const std::string matrix = "[" + std::to_string(areSeveral ? i + 1 : i) + "]";
-    const std::string line = "g_ldir" + index + " =";
-    if (source.find(line) == std::string::npos)
-    {
-      return;
-    }
-    InsertBefore(source, line,
-      "g_lightPosObj" + index + " = waterHeadlightPlace(g_lightPosObj" + index +
-        ", in_inverseVolumeMatrix" + matrix + ");");
-  }
-}
-
 // Does the prop have no highlights? A change of its property makes the mapper ask again.
 bool IsMatte(vtkProp* prop)
 {
@@ -134,6 +59,7 @@ vtkWaterShaderHook::~vtkWaterShaderHook() = default;
 void vtkWaterShaderHook::BeginMirroredView(const View& view)
 {
   this->Mirrored = view;
+  this->IsPeeling = false;
   this->SetUp.clear();
   this->LastSetUp = nullptr;
 }
@@ -142,6 +68,7 @@ void vtkWaterShaderHook::BeginMirroredView(const View& view)
 void vtkWaterShaderHook::EndMirroredView()
 {
   this->Mirrored = View();
+  this->IsPeeling = false;
   this->DepthWriter = nullptr;
   this->SetUp.clear();
   this->LastSetUp = nullptr;
