@@ -10,7 +10,7 @@ from vtkmodules.vtkCommonTransforms import vtkTransform
 from vtkmodules.vtkFiltersSources import vtkPlaneSource
 from vtkmodules.vtkRenderingCore import vtkCamera, vtkRenderer
 from vtkwater import vtkWaterFrameAverage, vtkWaterProperty
-from wave_scenes import POSTS_VIEWS, post_scene, rmse
+from wave_scenes import POSTS_VIEWS, SKY, post_scene, rmse
 
 FRAMES = 16
 
@@ -86,6 +86,35 @@ def test_an_average_is_the_mean_over_the_pixel():
     covered = (x > 0.1 * (y + 100)).reshape(48, 32, 64, 32).mean(axis=(1, 3))
     mean = mean_of(view.window, 64)[..., 0] / 255
     wt.check_at_most("the most that a pixel is off, 64 frames", float(np.abs(mean - covered).max()), 2.5 / 64)
+
+
+def test_slopes_that_face_away_do_not_reflect_all_light():
+    """Slopes at the pixel's middle that face away from the eye reflect as those that hide them, and not all light."""
+    view = wt.View((120, 90), SKY)
+    water = wt.add_water(view.renderer, None, (-300, 300, -300, 300), None)
+    look = water.GetWaterProperty()
+    for wave in ((0.05, 2.0, 80, 10), (0.03, 1.2, 100, 200)):
+        look.AddWave(*wave)
+    wt.place_camera(view.renderer, (0, -10, 1.5), (0, 10, 1), (0.3, 800))
+    mask = wt.water_mask(view, water)
+    look.SetRayTraceQuality("reference")
+    look.SetOutputToReflectance()
+    picture = view.picture()
+    reflectance = (256 * picture[..., 0] + picture[..., 1]) / 65535
+    wt.check_at_least("% of the pixels are water", 100 * mask.mean(), 20)
+    wt.check_at_most("% of the water reflects all light", 100 * float((reflectance[mask] > 0.999).mean()), 1.0)
+
+
+def test_an_average_in_the_middle_of_a_frame_is_refused():
+    """Update in a render's own observer gives an error: the window cannot be rendered once more."""
+    made, _ = post_scene("middle", waves=())
+    average = vtkWaterFrameAverage()
+    average.SetRenderWindow(made.window)
+    said, results = wt.errors_of(average), []
+    made.renderer.AddObserver("EndEvent", lambda *_: results.append(average.Update()))
+    made.picture()
+    wt.check_equal("there is a picture", results, [False])
+    wt.check_equal("errors", len(said), 1)
 
 
 def test_a_window_of_another_size_is_no_average():

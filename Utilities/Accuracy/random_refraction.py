@@ -23,7 +23,7 @@ import refraction_generator  # noqa: E402
 import refraction_truth  # noqa: E402
 import water_test as wt  # noqa: E402
 from refraction_truth import REASONS  # noqa: E402
-from report import Report, plt, table  # noqa: E402
+from report import Report, table  # noqa: E402
 from tracer import Tracer  # noqa: E402
 
 SIZE = (400, 300)
@@ -113,11 +113,8 @@ def run(report):
     rows, pictures = measure(SEEDS)
     _judge(report, rows)
     chosen = _by_strange(rows)[:SHOWN]
-    figure, axes = plt.subplots(len(chosen), 1, figsize=(8, 6 * len(chosen)), squeeze=False)
-    for axis, number in zip(axes[:, 0], chosen):
-        axis.imshow(pictures[number], origin="lower", interpolation="nearest")
-        axis.set_title(f"seed {rows[number]['seed']}")
-        axis.axis("off")
+    figure = report.rows_of([pictures[number] for number in chosen],
+                            [f"seed {rows[number]['seed']}" for number in chosen], (8, 6))
     report.add("Refraction in random scenes", TEXT, count=len(rows), seeds=f"seeds {SEEDS[0]} to {SEEDS[-1]}",
                width=SIZE[0], height=SIZE[1], samples=SAMPLES, summary=_summary(rows),
                pictures=report.save(figure, "refraction", "The random scenes with the most strange pixels", True))

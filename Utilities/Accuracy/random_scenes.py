@@ -28,7 +28,7 @@ import water_test as wt  # noqa: E402
 from colour import flip_map  # noqa: E402
 from confidence import KINDS  # noqa: E402
 from reference import reflected  # noqa: E402
-from report import Report, plt, table  # noqa: E402
+from report import Report, table  # noqa: E402
 from tracer import Tracer  # noqa: E402
 
 QUALITIES = ("fast", "default", "high")
@@ -242,14 +242,10 @@ def _worst(rows, count):
                  cells)
 
 
-def _show(rows, pictures):
+def _show(report, rows, pictures):
     chosen = _by_ratio(rows)[:SHOWN]
-    figure, axes = plt.subplots(len(chosen), 1, figsize=(12, 2.4 * len(chosen)), squeeze=False)
-    for axis, number in zip(axes[:, 0], chosen):
-        axis.imshow(pictures[number], origin="lower", interpolation="nearest")
-        axis.set_title(f"seed {rows[number]['seed']}")
-        axis.axis("off")
-    return figure
+    return report.rows_of([pictures[number] for number in chosen],
+                          [f"seed {rows[number]['seed']}" for number in chosen], (12, 2.4))
 
 
 def run(report):
@@ -260,7 +256,7 @@ def run(report):
                flip_floor=FLOORS["FLIP"], domes=sum(row["dome"] > 0 for row in rows), reasons=_reasons(rows),
                summary=_summary(rows, QUALITIES), worst=_worst(rows, 2 * SHOWN),
                legend=", ".join(f"{kind} {name}" for kind, (name, _) in REASON_COLORS.items()),
-               pictures=report.save(_show(rows, pictures), "scenes", "The worst random scenes"))
+               pictures=report.save(_show(report, rows, pictures), "scenes", "The worst random scenes"))
 
 
 def main():

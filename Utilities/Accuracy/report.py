@@ -41,6 +41,16 @@ class Report:
     def has_failed(self):
         return any(verdict == self.FAILED for *_, verdict in self._checks)
 
+    @staticmethod
+    def rows_of(pictures, titles, size):
+        """A figure of pictures one below the other, bottom row first, each of so many inches."""
+        figure, axes = plt.subplots(len(pictures), 1, figsize=(size[0], size[1] * len(pictures)), squeeze=False)
+        for axis, picture, title in zip(axes[:, 0], pictures, titles):
+            axis.imshow(picture, origin="lower", interpolation="nearest")
+            axis.set_title(title)
+            axis.axis("off")
+        return figure
+
     def save(self, figure, name, alt, has_pictures=False):
         """Saves a plot, or one with pictures in it; returns the Markdown that shows it."""
         path = pathlib.Path("images") / f"{self._name}-{name}.{'jpg' if has_pictures else 'png'}"

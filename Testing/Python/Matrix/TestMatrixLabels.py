@@ -20,7 +20,6 @@ from vtkmodules.vtkRenderingAnnotation import (
 from vtkmodules.vtkRenderingCore import (
     vtkActor,
     vtkBillboardTextActor3D,
-    vtkCamera,
     vtkFlagpoleLabel,
     vtkFollower,
     vtkPolyDataMapper,
@@ -38,16 +37,6 @@ def ball(scene, color=(1, 0.6, 0.2)):
 
 
 # What faces a camera.
-def users_camera(scene):
-    """The user's camera, which stays where it is when the scene's is mirrored."""
-    if scene.kind != mm.MIRRORED:
-        return scene.camera
-    camera = vtkCamera()
-    camera.DeepCopy(scene.camera)
-    scene.keep.append(camera)
-    return camera
-
-
 def letters(actor):
     text = vtkVectorText()
     text.SetText("Ripple")
@@ -61,7 +50,7 @@ def letters(actor):
 
 def follower(scene):
     actor = letters(vtkFollower())
-    actor.SetCamera(users_camera(scene))
+    actor.SetCamera(scene.users_camera())
     scene.add(actor)
 
 
@@ -292,7 +281,7 @@ def cube_axes(scene):
     ball(scene)
     axes = vtkCubeAxesActor()
     axes.SetBounds(-2, 2, -1.5, 1.5, 1.6, 2.4)  # labels hang under it
-    axes.SetCamera(users_camera(scene))
+    axes.SetCamera(scene.users_camera())
     for name in "XYZ":
         getattr(axes, f"Get{name}AxesLinesProperty")().SetColor(1, 0.8, 0)
     scene.renderer.AddViewProp(axes)

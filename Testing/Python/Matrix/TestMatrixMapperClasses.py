@@ -8,15 +8,14 @@ import mirror_matrix as mm
 import numpy as np
 import volumes
 import water_test as wt
+from mirror_scene import as_vertices
 from vtk_classes import find
 from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import (
-    vtkCellArray,
     vtkMolecule,
     vtkMultiBlockDataSet,
     vtkMutableUndirectedGraph,
-    vtkPolyData,
 )
 from vtkmodules.vtkFiltersCore import vtkAppendFilter, vtkContourFilter, vtkElevationFilter
 from vtkmodules.vtkFiltersGeneral import vtkDataSetTriangleFilter
@@ -126,15 +125,7 @@ def hyper_tree_grid(mapper, scene):
 # Imposters, and what computes its depth.
 def places(count=40):
     generator = np.random.default_rng(5)
-    points = vtkPoints()
-    points.SetData(numpy_to_vtk(generator.uniform((-2, -1, -0.5), (2, 1.5, 1.6), (count, 3)), deep=True))
-    data = vtkPolyData()
-    data.SetPoints(points)
-    vertices = vtkCellArray()
-    for i in range(count):
-        vertices.InsertNextCell(1, [i])
-    data.SetVerts(vertices)
-    return data
+    return as_vertices(generator.uniform((-2, -1, -0.5), (2, 1.5, 1.6), (count, 3)))
 
 
 def spheres(mapper, scene):

@@ -39,16 +39,6 @@ def cell(path, make, name=None, cut=True, **options):
     row.cell(name or path.split(".")[1], fill, **options)
 
 
-def users_camera(scene):
-    """The user's camera, which stays where it is when the scene's is mirrored."""
-    if scene.kind != mm.MIRRORED:
-        return scene.camera
-    camera = vtkCamera()
-    camera.DeepCopy(scene.camera)
-    scene.keep.append(camera)
-    return camera
-
-
 def letters(actor=None):
     text = vtkVectorText()
     text.SetText("Ripple")
@@ -92,7 +82,7 @@ def axis(made_class, scene):
     actor.SetDeltaRangeMajor(2)
     actor.SetDeltaRangeMinor(1)
     actor.SetTickLocationToBoth()
-    actor.SetCamera(users_camera(scene))
+    actor.SetCamera(scene.users_camera())
     for look in (actor.GetProperty(), actor.GetAxisLinesProperty(), actor.GetAxisMajorTicksProperty(),
                  actor.GetAxisMinorTicksProperty()):
         look.SetColor(YELLOW)
@@ -111,14 +101,14 @@ def axis_follower(made_class, scene):
     line = axis(vtkAxisActor, scene)
     scene.keep.append(line)
     follower.SetAxis(line)
-    follower.SetCamera(users_camera(scene))
+    follower.SetCamera(scene.users_camera())
     follower.SetPosition(-2, 0, -0.3)
     return follower
 
 
 def follower(made_class, scene):
     actor = letters(made_class())
-    actor.SetCamera(users_camera(scene))
+    actor.SetCamera(scene.users_camera())
     actor.SetPosition(-2, 0, -0.3)
     return actor
 
@@ -126,7 +116,7 @@ def follower(made_class, scene):
 def prop_follower(made_class, scene):
     prop = made_class()
     prop.SetProp3D(letters())
-    prop.SetCamera(users_camera(scene))
+    prop.SetCamera(scene.users_camera())
     prop.SetPosition(-2, 0, -0.3)
     return prop
 
@@ -168,7 +158,7 @@ def light_actor(made_class, scene):
 def cube_axes(made_class, scene):
     actor = made_class()
     actor.SetBounds(BOUNDS)
-    actor.SetCamera(users_camera(scene))
+    actor.SetCamera(scene.users_camera())
     for name in "XYZ":
         getattr(actor, f"Get{name}AxesLinesProperty")().SetColor(YELLOW)
         getattr(actor, f"Draw{name}GridlinesOn")()
@@ -177,7 +167,7 @@ def cube_axes(made_class, scene):
 
 def polar_axes(made_class, scene):
     actor = made_class()
-    actor.SetCamera(users_camera(scene))
+    actor.SetCamera(scene.users_camera())
     actor.SetBounds(-2, 2, -2, 2, 0, 0)
     actor.SetPole(0, 0, 0.0)
     actor.SetMaximumRadius(2.2)

@@ -5,6 +5,7 @@ import mirror_matrix as mm
 import numpy as np
 import vtkmodules.vtkRenderingLOD  # noqa: F401  factories
 import water_test as wt
+from mirror_scene import as_vertices
 from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkMultiBlockDataSet, vtkPolyData
@@ -34,17 +35,7 @@ row = mm.Results("Props: kinds", __file__)
 def cloud(count=120, low=-0.5, high=2.0, seed=3):
     """Points at random, as vertices."""
     generator = np.random.default_rng(seed)
-    places = generator.uniform((-2, -1, low), (2, 1.5, high), (count, 3))
-    points = vtkPoints()
-    points.SetDataTypeToDouble()
-    points.SetData(numpy_to_vtk(places, deep=True))
-    data = vtkPolyData()
-    data.SetPoints(points)
-    vertices = vtkCellArray()
-    for i in range(count):
-        vertices.InsertNextCell(1, [i])
-    data.SetVerts(vertices)
-    return data
+    return as_vertices(generator.uniform((-2, -1, low), (2, 1.5, high), (count, 3)))
 
 
 def sticks(count=25, low=-0.8, high=2.0):

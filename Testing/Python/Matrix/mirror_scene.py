@@ -4,11 +4,12 @@
 import numpy as np
 import water_test as wt
 from vtkmodules.util.numpy_support import numpy_to_vtk
-from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkPolyData
 from vtkmodules.vtkCommonMath import vtkMatrix4x4
 from vtkmodules.vtkCommonTransforms import vtkMatrixToLinearTransform
 from vtkmodules.vtkFiltersSources import vtkPlaneSource
-from vtkmodules.vtkRenderingCore import vtkActor, vtkLight, vtkPolyDataMapper, vtkPropCollection, vtkTexture
+from vtkmodules.vtkRenderingCore import vtkActor, vtkCamera, vtkLight, vtkPolyDataMapper, vtkPropCollection, vtkTexture
 
 SIZE = (240, 180)
 SHEET = (-7, 7, -5, 7)
@@ -20,6 +21,19 @@ SEEN, MIRRORED, COMPOSED = "seen", "mirrored", "composed"
 BY_PLACE = """
   gl_FragData[0] = vec4(texelFetch(actortexture, ivec2(gl_FragCoord.xy), 0).rgb, opacity);
 """
+
+
+def as_vertices(places):
+    """Points as vertices of a mesh."""
+    points = vtkPoints()
+    points.SetData(numpy_to_vtk(places, deep=True))
+    data = vtkPolyData()
+    data.SetPoints(points)
+    vertices = vtkCellArray()
+    for i in range(len(places)):
+        vertices.InsertNextCell(1, [i])
+    data.SetVerts(vertices)
+    return data
 
 
 class Scene(wt.View):
@@ -41,6 +55,15 @@ class Scene(wt.View):
         self.freezes_lights = True
         self.is_cut_by_view = False
         self.when_mirrored = []  # to be called when the camera is
+
+    def users_camera(self):
+        """The user's camera, which stays where it is when the scene's is mirrored."""
+        if self.kind != MIRRORED:
+            return self.camera
+        camera = vtkCamera()
+        camera.DeepCopy(self.camera)
+        self.keep.append(camera)
+        return camera
 
     def add(self, prop, cut=True):
         """Adds a prop, in the mirrored picture cut at the water unless cut is False; returns it."""
