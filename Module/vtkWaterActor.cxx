@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkWaterActor.h"
 
+#include "vtkBoundingBox.h"
 #include "vtkMapper.h"
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"
@@ -220,6 +221,25 @@ void vtkWaterActor::UpdateSheet()
 }
 
 //------------------------------------------------------------------------------
+double vtkWaterActor::Internals::GetSceneDiagonal()
+{
+  std::vector<vtkRenderer*> scene;
+  FindRenderers(this->Self, scene);
+  const vtkMTimeType frame = scene.empty() ? 0 : vtkWaterFrame::NumberOf(scene.front());
+  if (!this->IsUpdatingSheet && (frame == 0 || frame != this->MeasuredFrame))
+  {
+    this->MeasuredFrame = frame;
+    double bounds[6];
+    this->IsUpdatingSheet = true; // a scene that is asked for its bounds asks this water, too
+    vtkWaterSheet::FindSceneBounds(scene, bounds);
+    this->IsUpdatingSheet = false;
+    this->SceneDiagonal =
+      vtkMath::AreBoundsInitialized(bounds) ? vtkBoundingBox(bounds).GetDiagonalLength() : 0.0;
+  }
+  return this->SceneDiagonal;
+}
+
+//------------------------------------------------------------------------------
 double* vtkWaterActor::GetBounds()
 {
   this->UpdateSheet();
@@ -241,7 +261,7 @@ double* vtkWaterActor::GetBounds()
     return bounds;
   }
   vtkWaterLook look;
-  this->WaterProperty->Describe(look);
+  this->Internal->Describe(look);
   water_plane_displaced_bounds(
     &unit, bounds, look.WaveHeightMax, look.WaveReach, this->DisplacedBounds);
   return this->DisplacedBounds;
@@ -339,6 +359,10 @@ void vtkWaterActor::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Surface: " << (this->UsesOwnSheet() ? "own sheet" : "mapper of the user")
      << "\n";
   os << indent << "Time: " << this->Time << "\n";
+  vtkWaterLook look;
+  this->Internal->Describe(look);
+  os << indent << "MetresPerUnit in use: " << look.MetresPerUnit
+     << (look.HidesWaves ? "; the waves are too short to be seen in this scene" : "") << "\n";
   os << indent << "WaterProperty:\n";
   this->WaterProperty->PrintSelf(os, next);
   os << indent << "ReflectionPass (" << (this->ComposedPass ? "composed by hand" : "own") << "):\n";

@@ -131,6 +131,13 @@ void vtkWaterActor::Internals::ReadMesh(const water_plane& plane, vtkWaterMesh* 
 }
 
 //------------------------------------------------------------------------------
+void vtkWaterActor::Internals::Describe(vtkWaterLook& look)
+{
+  vtkWaterProperty* property = this->Self->WaterProperty;
+  property->Describe(property->GetMetresPerUnit() == 0.0 ? this->GetSceneDiagonal() : 0.0, look);
+}
+
+//------------------------------------------------------------------------------
 vtkWaterSnapshotPointer vtkWaterActor::Internals::Take(vtkRenderer* renderer)
 {
   const vtkMTimeType frame = renderer ? vtkWaterFrame::NumberOf(renderer) : 0;
@@ -152,19 +159,20 @@ vtkWaterSnapshotPointer vtkWaterActor::Internals::Take(vtkRenderer* renderer)
   std::copy_n(this->Self->Plane->GetOrigin(), 3, made->GivenOrigin);
   std::copy_n(this->Self->Plane->GetNormal(), 3, made->GivenNormal);
   made->IsSheet = this->Self->UsesOwnSheet() && this->Self->GetIsIdentity();
+  std::copy_n(this->Sheet.GetRectangle(), 4, made->Sheet);
   if (!made->IsSheet)
   {
     this->ReadMesh(made->Plane, &made->Mesh);
   }
   made->Time = this->Self->Time;
-  this->Self->WaterProperty->Describe(made->Look);
+  this->Describe(made->Look);
   made->Look.Has.is_opaque = this->Self->HasOpaqueGeometry() != 0;
   made->Features = water_features_of(&made->Look.Has);
   if (made->Mesh.HasVertexHeights)
   {
     made->Features = water_features_with_mesh(made->Features);
   }
-  made->Waves = this->GetWaveTerms();
+  made->Waves = this->GetWaveTerms(made->Look);
   made->Sea = &this->Sea;
   made->Settings = this->GetOwnReflection().Settings;
   if (frame != 0)

@@ -34,15 +34,17 @@ void vtkWaterActor::SetTime(double seconds)
 }
 
 //------------------------------------------------------------------------------
-std::vector<water_wave_term> vtkWaterActor::Internals::GetWaveTerms() const
+std::vector<water_wave_term> vtkWaterActor::Internals::GetWaveTerms(const vtkWaterLook& look) const
 {
   const vtkWaterProperty* property = this->Self->WaterProperty;
-  const auto count = static_cast<size_t>(property->GetNumberOfWaves());
+  const auto count =
+    look.Has.has_sines ? static_cast<size_t>(property->GetNumberOfWaves()) : size_t(0);
   std::vector<water_wave_term> terms(count);
   size_t bad_index = 0;
   // all are checked by their setters
   water_waves_at(property->GetWaves(), count, this->Self->WaterProperty->GetDepth(),
     this->Self->Time, terms.data(), &bad_index);
+  water_waves_scale(1.0 / look.MetresPerUnit, terms.data(), count);
   return terms;
 }
 
@@ -90,7 +92,9 @@ bool vtkWaterActor::Internals::AskSea(const std::function<void(vtkWaterSea&)>& a
 //------------------------------------------------------------------------------
 double vtkWaterActor::GetWaveHeight(double x, double y)
 {
-  const std::vector<water_wave_term> terms = this->Internal->GetWaveTerms();
+  vtkWaterLook look;
+  this->Internal->Describe(look);
+  const std::vector<water_wave_term> terms = this->Internal->GetWaveTerms(look);
   double rest[2];
   water_wave_point point;
   if (water_waves_find(terms.data(), terms.size(), x, y, rest, &point) != WATER_OK)
@@ -98,24 +102,28 @@ double vtkWaterActor::GetWaveHeight(double x, double y)
     return vtkMath::Nan();
   }
   double height = 0.0; // of the sea
-  return this->Internal->AskSea([&](vtkWaterSea& sea) { height = sea.GetHeight(x, y); })
-    ? point.displacement[2] + height
-    : vtkMath::Nan();
+  const double metres = look.MetresPerUnit;
+  const auto ask = [&](
+                     vtkWaterSea& sea) { height = sea.GetHeight(x * metres, y * metres) / metres; };
+  return !look.Has.has_sea || this->Internal->AskSea(ask) ? point.displacement[2] + height
+                                                          : vtkMath::Nan();
 }
 
 //------------------------------------------------------------------------------
 void vtkWaterActor::GetWaveNormal(double x, double y, double normal[3])
 {
-  const std::vector<water_wave_term> terms = this->Internal->GetWaveTerms();
+  vtkWaterLook look;
+  this->Internal->Describe(look);
+  const std::vector<water_wave_term> terms = this->Internal->GetWaveTerms(look);
   double rest[2];
   water_wave_point point;
   std::fill(normal, normal + 3, vtkMath::Nan());
   if (water_waves_find(terms.data(), terms.size(), x, y, rest, &point) == WATER_OK &&
-    this->Internal->AskSea([&](vtkWaterSea& sea) {
+    (!look.Has.has_sea || this->Internal->AskSea([&](vtkWaterSea& sea) {
       double slope[2];
-      sea.GetSlope(x, y, slope);
+      sea.GetSlope(x * look.MetresPerUnit, y * look.MetresPerUnit, slope);
       water_waves_tilt(slope, point.normal);
-    }))
+    })))
   {
     std::copy(point.normal, point.normal + 3, normal);
   }

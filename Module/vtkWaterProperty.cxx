@@ -6,6 +6,7 @@
 #include "vtkTexture.h"
 #include "vtkWaterCompat.h"
 #include "vtkWaterPropertyInternals.h"
+#include "water_daylight.h"
 #include "water_medium.h"
 #include "water_preset.h"
 
@@ -22,9 +23,9 @@ vtkWaterProperty::vtkWaterProperty()
   : Internal(std::make_unique<Internals>())
   , Depth(std::numeric_limits<double>::infinity())
 {
-  water_preset lake;
-  water_preset_find("lake", &lake);
-  this->UseMedium(lake.medium);
+  water_medium medium;
+  water_preset_default(&medium, this->Internal->NaturalSize);
+  this->UseMedium(medium);
 }
 
 //------------------------------------------------------------------------------
@@ -55,7 +56,7 @@ void vtkWaterProperty::SetIndexOfRefraction(double index)
 }
 
 //------------------------------------------------------------------------------
-void vtkWaterProperty::SetColor(
+bool vtkWaterProperty::SetColor(
   const char* name, double (&member)[3], double red, double green, double blue)
 {
   const double rgb[3] = { red, green, blue };
@@ -66,7 +67,7 @@ void vtkWaterProperty::SetColor(
       vtkErrorMacro(<< name << " is (" << red << ", " << green << ", " << blue
                     << "); every channel must lie in [0, 1]. It stays (" << member[0] << ", "
                     << member[1] << ", " << member[2] << ").");
-      return;
+      return false;
     }
   }
   if (!std::equal(rgb, rgb + 3, member))
@@ -74,12 +75,42 @@ void vtkWaterProperty::SetColor(
     std::copy(rgb, rgb + 3, member);
     this->Modified();
   }
+  return true;
 }
 
 //------------------------------------------------------------------------------
 void vtkWaterProperty::SetDeepColor(double red, double green, double blue)
 {
-  this->SetColor("DeepColor", this->DeepColor, red, green, blue);
+  if (this->SetColor("DeepColor", this->DeepColor, red, green, blue))
+  {
+    this->SetDeepColorMode(GIVEN);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterProperty::SetDeepColorMode(int mode)
+{
+  vtkWaterSetInRange(DeepColorMode, mode, MEDIUM, GIVEN);
+  this->UpdateDeepColor();
+}
+
+//------------------------------------------------------------------------------
+const char* vtkWaterProperty::GetDeepColorModeAsString() const
+{
+  return this->DeepColorMode == GIVEN ? "GIVEN" : "MEDIUM";
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterProperty::UpdateDeepColor()
+{
+  if (this->DeepColorMode == MEDIUM)
+  {
+    const double white[3] = { 1.0, 1.0, 1.0 };
+    water_medium medium;
+    std::copy_n(this->Absorption, 3, medium.absorption);
+    std::copy_n(this->Scattering, 3, medium.scattering);
+    water_daylight_deep_color(&medium, white, this->DeepColor);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -187,6 +218,7 @@ void vtkWaterProperty::UseMedium(const water_medium& medium)
   std::copy(medium.absorption, medium.absorption + 3, this->Absorption);
   std::copy(medium.scattering, medium.scattering + 3, this->Scattering);
   water_medium_extinction(&medium, this->Internal->Extinction);
+  this->UpdateDeepColor();
 }
 
 //------------------------------------------------------------------------------
@@ -212,8 +244,8 @@ bool vtkWaterProperty::SetWaterType(const char* name)
     if (std::strcmp(name, water_type_text(static_cast<water_type>(type))) == 0 &&
       water_type_medium(static_cast<water_type>(type), &medium) == WATER_OK)
     {
+      this->DeepColorMode = MEDIUM;
       this->UseMedium(medium);
-      water_medium_deep_color(&medium, this->DeepColor);
       this->Modified();
       return true;
     }
@@ -242,8 +274,9 @@ bool vtkWaterProperty::SetPreset(const char* name)
   this->Reflectance = preset.look.constant_reflectance ? preset.look.reflectance : 1.0;
   this->IndexOfRefraction = preset.look.index_of_refraction;
   this->Refraction = !preset.look.constant_reflectance;
+  this->DeepColorMode = MEDIUM;
   this->UseMedium(preset.medium);
-  water_medium_deep_color(&preset.medium, this->DeepColor);
+  std::copy_n(preset.natural_m, 2, this->Internal->NaturalSize);
   this->Internal->Waves.assign(preset.waves, preset.waves + preset.wave_count);
   this->Depth = preset.has_sea ? preset.sea.depth : std::numeric_limits<double>::infinity();
   this->Sea = preset.has_sea;
@@ -310,6 +343,7 @@ void vtkWaterProperty::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ReflectanceMode: " << this->GetReflectanceModeAsString() << "\n";
   os << indent << "Reflectance: " << this->Reflectance << "\n";
   os << indent << "IndexOfRefraction: " << this->IndexOfRefraction << "\n";
+  os << indent << "DeepColorMode: " << this->GetDeepColorModeAsString() << "\n";
   os << indent << "DeepColor: (" << this->DeepColor[0] << ", " << this->DeepColor[1] << ", "
      << this->DeepColor[2] << ")\n";
   os << indent << "Refraction: " << (this->Refraction ? "on" : "off") << "\n";
@@ -317,6 +351,8 @@ void vtkWaterProperty::PrintSelf(ostream& os, vtkIndent indent)
      << this->Absorption[2] << ")\n";
   os << indent << "Scattering: (" << this->Scattering[0] << ", " << this->Scattering[1] << ", "
      << this->Scattering[2] << ")\n";
+  os << indent << "MetresPerUnit: " << this->MetresPerUnit
+     << (this->MetresPerUnit == 0.0 ? " (automatic)" : "") << "\n";
   os << indent << "ShoreSoftness: " << this->ShoreSoftness << "\n";
   os << indent
      << "ReflectionSource: " << (this->ReflectionSource == ENVIRONMENT ? "ENVIRONMENT" : "SCENE")

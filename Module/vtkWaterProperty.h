@@ -94,7 +94,8 @@ public:
   /**
    * Absorption of the water, 1/m at 650, 550 and 450 nm (red, green, blue): finite and not
    * negative; the scene's unit is taken for a metre. After a way of x metres the part
-   * exp(-(absorption + scattering) x) of the light is left. Default is that of the preset "lake".
+   * exp(-(absorption + scattering) x) of the light is left. Default is that of a clear lake
+   * (water_preset_default).
    */
   void SetAbsorption(double red, double green, double blue);
   void SetAbsorption(const double perMetre[3])
@@ -108,7 +109,7 @@ public:
   /**
    * Scattering of the water, 1/m at 650, 550 and 450 nm (red, green, blue): finite and not
    * negative. Only scattering out of the line of sight counts: of real water the part scattered
-   * backward. Default is that of the preset "lake".
+   * backward. Default is that of a clear lake (water_preset_default).
    */
   void SetScattering(double red, double green, double blue);
   void SetScattering(const double perMetre[3])
@@ -120,13 +121,12 @@ public:
 
   /**
    * Sets Absorption and Scattering to those of one of Jerlov's optical water types: "I", "IA",
-   * "IB", "II", "III" (ocean), "1C", "3C", "5C", "7C", "9C" (coast, clear to turbid), and DeepColor
-   * to the colour of such water without an end under white daylight, 0.33 b / (a + b).
+   * "IB", "II", "III" (ocean), "1C", "3C", "5C", "7C", "9C" (coast, clear to turbid), and
+   * DeepColorMode to MEDIUM.
    *
    * Returns false, with an error, for another name.
    *
-   * Sources: Jerlov 1976, "Marine Optics", table XXVII; Morel and Prieur 1977, "Analysis of
-   * Variations in Ocean Color" (the colour).
+   * Source: Jerlov 1976, "Marine Optics", table XXVII.
    */
   bool SetWaterType(const char* name);
 
@@ -143,16 +143,58 @@ public:
   static const char* GetPresetName(int number); // nullptr from the number on
   static const char* GetPresetSource(const char* name);
 
+  enum DeepColorModes
+  {
+    MEDIUM = 0,
+    GIVEN = 1
+  };
+
   ///@{
   /**
-   * Colour of the water itself, seen where it does not reflect: red, green, blue, each in [0, 1].
-   * It is not lit. With Refraction the colour of water without an end. Default is (0.02, 0.09,
-   * 0.13), a deep lake.
+   * Where the colour of infinitely deep water comes from. MEDIUM: the share of the light that
+   * Absorption and Scattering send back up, 0.33 b / (a + b), under the renderer's lights and
+   * background. GIVEN: DeepColor, which no light changes. Default is MEDIUM.
+   *
+   * Source: Morel and Prieur 1977, "Analysis of Variations in Ocean Color".
+   */
+  void SetDeepColorMode(int mode);
+  vtkGetMacro(DeepColorMode, int);
+  void SetDeepColorModeToMedium() { this->SetDeepColorMode(MEDIUM); }
+  void SetDeepColorModeToGiven() { this->SetDeepColorMode(GIVEN); }
+  const char* GetDeepColorModeAsString() const;
+  ///@}
+
+  ///@{
+  /**
+   * Colour of infinitely deep water: what is seen where the water does not reflect, and with
+   * Refraction where it is deep. Red, green, blue, each in [0, 1]. Setting it sets DeepColorMode to
+   * GIVEN. While that is MEDIUM, the default, GetDeepColor returns the colour under white daylight.
    */
   void SetDeepColor(double red, double green, double blue);
   void SetDeepColor(const double rgb[3]) { this->SetDeepColor(rgb[0], rgb[1], rgb[2]); }
   vtkGetVector3Macro(DeepColor, double);
   ///@}
+
+  ///@{
+  /**
+   * Metres per unit of the scene, in [1e-9, 1e9]: all lengths of this class are metres, and shown
+   * in the scene's unit. 0 is automatic: a scene of 100 to 1000 units across (a preset may
+   * have another range: a pool 8 to 40) is one in metres, a smaller one counts as 100 m, a larger
+   * one as 1000 m, and waves shorter than 1/400 of the scene are not shown. Then GetWaveHeight
+   * follows what is shown. Default is 1.
+   */
+  void SetMetresPerUnit(double metres);
+  vtkGetMacro(MetresPerUnit, double);
+  void SetMetresPerUnitToAutomatic() { this->SetMetresPerUnit(0.0); }
+  ///@}
+
+  /**
+   * Sets MetresPerUnit by the name of the scene's unit: one of "um", "mm", "cm", "m", "km", "in",
+   * "ft", "mi" and "automatic". Default is "m".
+   *
+   * Returns false, with an error, for another name.
+   */
+  bool SetUnits(const char* name);
 
   ///@{
   /**
@@ -625,7 +667,8 @@ public:
    * What the module itself reads of the look: all of it at once, the waves of AddWave, and the sea
    * with its tile, whether it is on or not. Not for use.
    */
-  VTK_WRAPEXCLUDE void Describe(vtkWaterLook& look);
+  // diagonal  of the scene, units; for automatic units
+  VTK_WRAPEXCLUDE void Describe(double diagonal, vtkWaterLook& look);
   VTK_WRAPEXCLUDE const water_wave* GetWaves() const;
   VTK_WRAPEXCLUDE void ReadSea(water_sea* sea, water_tile* tile) const;
   ///@}
@@ -639,11 +682,14 @@ private:
   void operator=(const vtkWaterProperty&) = delete;
 
   void DescribeWaves(vtkWaterLook& look);
+  void DescribeUnits(double diagonal, vtkWaterLook& look) const;
   // Variances xx, yy, xy of all slopes, at all times; normal maps are not counted.
-  void GetMeanSlopes(double covariance[3]) const;
+  void GetMeanSlopes(bool hidesWaves, double covariance[3]) const;
   void UpdateSeaSlopes() const;
   // Refuses a colour with a channel outside [0, 1].
-  void SetColor(const char* name, double (&member)[3], double red, double green, double blue);
+  // Returns whether the colour is one.
+  bool SetColor(const char* name, double (&member)[3], double red, double green, double blue);
+  void UpdateDeepColor();
   void PrintSea(ostream& os, vtkIndent indent) const;
   // Sets one of the sea's numbers when the core finds it good.
   template <typename T>
@@ -660,7 +706,9 @@ private:
   bool Refraction = false;
   double Absorption[3] = { 0.0, 0.0, 0.0 };
   double Scattering[3] = { 0.0, 0.0, 0.0 };
-  double DeepColor[3] = { 0.02, 0.09, 0.13 };
+  int DeepColorMode = MEDIUM;
+  double DeepColor[3] = {};
+  double MetresPerUnit = 1.0;
   double ShoreSoftness = 0.05;
   int ReflectionSource = SCENE;
   bool Glitter = true;

@@ -9,8 +9,33 @@
 
 VTK_ABI_NAMESPACE_BEGIN
 
+namespace
+{
+// Lengths in metres to the scene's unit; slopes have none.
+void ToUnits(vtkWaterLook& look)
+{
+  const double metres = look.MetresPerUnit;
+  for (int i = 0; i < 3; ++i)
+  {
+    look.Medium.absorption[i] *= metres;
+    look.Medium.scattering[i] *= metres;
+    look.Extinction[i] *= metres;
+  }
+  look.ShoreSoftness /= metres;
+  look.FoamDepth /= metres;
+  look.WaveNumber *= metres;
+  look.WaveHeightMax /= metres;
+  look.WaveReach /= metres;
+  for (vtkWaterNormalMaps::Layer& layer : look.NormalMaps)
+  {
+    layer.Map.size /= metres;
+    layer.Map.speed /= metres;
+  }
+}
+}
+
 //------------------------------------------------------------------------------
-void vtkWaterProperty::Describe(vtkWaterLook& look)
+void vtkWaterProperty::Describe(double diagonal, vtkWaterLook& look)
 {
   look.Optics.index_of_refraction = this->IndexOfRefraction;
   look.Optics.reflectance = this->Reflectance;
@@ -25,6 +50,9 @@ void vtkWaterProperty::Describe(vtkWaterLook& look)
   look.Has.has_output = this->Output != COLOR;
   look.Opacity = this->Opacity;
   std::copy_n(this->DeepColor, 3, look.DeepColor);
+  look.HasDeepColor = this->DeepColorMode == GIVEN;
+  std::copy_n(this->Absorption, 3, look.Medium.absorption);
+  std::copy_n(this->Scattering, 3, look.Medium.scattering);
   std::copy_n(this->Internal->Extinction, 3, look.Extinction);
   look.ShoreSoftness = this->ShoreSoftness;
   look.Caustics = this->Caustics;
@@ -41,22 +69,25 @@ void vtkWaterProperty::Describe(vtkWaterLook& look)
   look.Output = this->Output;
   look.Environment = this->Internal->Environment;
   look.Property = this;
+  this->DescribeUnits(diagonal, look);
   this->DescribeWaves(look);
+  ToUnits(look);
 }
 
 //------------------------------------------------------------------------------
 void vtkWaterProperty::DescribeWaves(vtkWaterLook& look)
 {
-  const std::vector<water_wave>& waves = this->Internal->Waves;
+  static const std::vector<water_wave> none;
+  const std::vector<water_wave>& waves = look.HidesWaves ? none : this->Internal->Waves;
   look.Has.has_sines = !waves.empty();
-  look.Has.has_sea = this->Sea;
+  look.Has.has_sea = this->Sea && !look.HidesWaves;
   look.Has.has_normal_maps = this->GetNumberOfNormalMaps() > 0;
   look.Has.has_slope_variance = this->SlopeVariance[0] + this->SlopeVariance[1] > 0.0;
   look.Has.has_wave_geometry = this->WaveGeometry;
   std::copy_n(this->SlopeVariance, 3, look.SlopeVariance);
-  this->GetMeanSlopes(look.MeanSlopes);
-  look.SlopeRMS = this->GetSlopeRMS();
-  look.WaveNumber = this->Sea ? 0.0 : water_waves_number(waves.data(), waves.size());
+  this->GetMeanSlopes(look.HidesWaves, look.MeanSlopes);
+  look.SlopeRMS = look.HidesWaves ? 0.0 : this->GetSlopeRMS();
+  look.WaveNumber = look.Has.has_sea ? 0.0 : water_waves_number(waves.data(), waves.size());
   water_waves_reach(waves.data(), waves.size(), &look.WaveHeightMax, &look.WaveReach);
   look.WaveGridSize = this->WaveGridSize;
   look.CastsShadows = water_features_has_shadows(&look.Has);

@@ -145,16 +145,18 @@ double vtkWaterProperty::GetSlopeRMS() const
 }
 
 //------------------------------------------------------------------------------
-void vtkWaterProperty::GetMeanSlopes(double covariance[3]) const
+void vtkWaterProperty::GetMeanSlopes(bool hidesWaves, double covariance[3]) const
 {
   const double none[2] = { 0.0, 0.0 };
-  if (this->Sea)
+  const bool hasSea = this->Sea && !hidesWaves;
+  if (hasSea)
   {
     this->UpdateSeaSlopes();
   }
-  water_secondary_slopes(this->Internal->Waves.data(), this->Internal->Waves.size(),
-    this->Sea ? this->Internal->SeaSlopes : none, this->Sea ? this->Internal->SeaLeftOut : none,
-    this->SlopeVariance, vtkMath::RadiansFromDegrees(this->SlopeVariance[2]), covariance);
+  water_secondary_slopes(this->Internal->Waves.data(),
+    hidesWaves ? 0 : this->Internal->Waves.size(), hasSea ? this->Internal->SeaSlopes : none,
+    hasSea ? this->Internal->SeaLeftOut : none, this->SlopeVariance,
+    vtkMath::RadiansFromDegrees(this->SlopeVariance[2]), covariance);
 }
 
 //------------------------------------------------------------------------------

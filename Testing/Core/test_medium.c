@@ -235,31 +235,31 @@ TEST(bad_numbers_are_refused)
 
 // Clear water without scattering is black, water that only scatters returns a third of the light,
 // and pure water is blue.
-TEST(deep_color_is_the_share_that_comes_back)
+TEST(reflectance_is_the_share_that_comes_back)
 {
   const water_medium black = { { 0.3, 0.1, 0.05 }, { 0.0, 0.0, 0.0 } };
   const water_medium milk = { { 0.0, 0.0, 0.0 }, { 2.0, 1.0, 0.5 } };
   const water_medium nothing = { { 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0 } };
-  double color[3];
+  double share[3];
   double extinction[3];
   water_medium_extinction(&milk, extinction);
-  water_medium_deep_color(&milk, color);
+  water_medium_reflectance(&milk, share);
   for (int i = 0; i < 3; ++i)
   {
-    ASSERT_CLOSE(color[i], 0.33, 1e-15);
+    ASSERT_CLOSE(share[i], 0.33, 1e-15);
     ASSERT_CLOSE(extinction[i], milk.scattering[i], 0.0);
   }
-  water_medium_deep_color(&black, color);
-  ASSERT_CLOSE(color[0] + color[1] + color[2], 0.0, 0.0);
-  water_medium_deep_color(&nothing, color);
-  ASSERT_CLOSE(color[0] + color[1] + color[2], 0.0, 0.0);
+  water_medium_reflectance(&black, share);
+  ASSERT_CLOSE(share[0] + share[1] + share[2], 0.0, 0.0);
+  water_medium_reflectance(&nothing, share);
+  ASSERT_CLOSE(share[0] + share[1] + share[2], 0.0, 0.0);
   water_medium ocean;
   assert_int_equal(water_type_medium(WATER_TYPE_I, &ocean), WATER_OK);
-  water_medium_deep_color(&ocean, color);
-  assert_true(color[2] > 5.0 * color[1] && color[1] > color[0]);
+  water_medium_reflectance(&ocean, share);
+  assert_true(share[2] > 5.0 * share[1] && share[1] > share[0]);
 }
 
 TESTS(refracted_ray_is_the_fastest_way, refraction_is_reversible, window_has_its_half_angle,
   apparent_depth_has_known_ends, transmittance_is_bouguers, inscatter_is_the_sum_of_its_layers,
   deep_clear_water_is_blue, jerlov_types_are_in_order, bad_numbers_are_refused,
-  deep_color_is_the_share_that_comes_back)
+  reflectance_is_the_share_that_comes_back)

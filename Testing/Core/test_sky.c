@@ -134,12 +134,39 @@ TEST(pattern_repeats_under_the_eye)
       scene.plane_origin[axis] = -places[i];
       const water_plan plan = plan_of(&scene, NULL);
       ASSERT_CLOSE(plan.origin_xy[axis], places[i], 1e-9);
-      ASSERT_CLOSE(plan.pattern_xy[axis], expected[i], 1e-9);
-      ASSERT_CLOSE(plan.pattern_xy[1 - axis], 0.0, 1e-9);
+      double pattern[2];
+      for (double unit = 0.5; unit < 4.0; unit *= 2.0)
+      {
+        const double origin[2] = { plan.origin_xy[0] / unit, plan.origin_xy[1] / unit };
+        water_lookup_pattern(origin, unit, pattern);
+        ASSERT_CLOSE(pattern[axis], expected[i], 1e-9);
+        ASSERT_CLOSE(pattern[1 - axis], 0.0, 1e-9);
+      }
     }
   }
 }
 
+// The deepest of what is shown: an invisible prop, the water, a skybox and an empty one do not
+// count, nor does what is over the plane. From below the plane the scene is on the other side.
+TEST(bed_is_as_deep_as_the_deepest_thing_that_is_shown)
+{
+  const uint32_t shown = WATER_PROP_VISIBLE;
+  const water_prop props[6] = {
+    { { -1.0, 1.0, -1.0, 1.0, -3.0, 1.0 }, shown, 0.0f },
+    { { -1.0, 1.0, -1.0, 1.0, -5.0, 1.0 }, 0, 0.0f },
+    { { -1.0, 1.0, -1.0, 1.0, -6.0, 1.0 }, shown | WATER_PROP_IS_WATER, 0.0f },
+    { { -1.0, 1.0, -1.0, 1.0, -7.0, 1.0 }, shown | WATER_PROP_NO_BOUNDS, 0.0f },
+    { { 1.0, -1.0, 1.0, -1.0, -8.0, -9.0 }, shown, 0.0f },
+    { { -1.0, 1.0, -1.0, 1.0, 2.0, 4.0 }, shown, 0.0f },
+  };
+  const water_plane level = { { 0.0, 0.0, 1.0 }, 0.0 };
+  const water_plane turned = { { 0.0, 0.0, -1.0 }, 0.0 };
+  ASSERT_CLOSE(water_lookup_bottom(&level, props, 6), 3.0, 1e-12);
+  ASSERT_CLOSE(water_lookup_bottom(&turned, props, 6), 4.0, 1e-12);
+  ASSERT_CLOSE(water_lookup_bottom(&level, props + 5, 1), 0.0, 0.0);
+  ASSERT_CLOSE(water_lookup_bottom(&level, props, 0), 0.0, 0.0);
+}
+
 TESTS(sky_of_the_scene_reaches_every_plan, sky_is_known_unless_something_endless_is_drawn,
   sky_is_not_known_in_a_dome, contrast_of_rays, light_of_the_sun_is_its_color_times_its_intensity,
-  pattern_repeats_under_the_eye)
+  pattern_repeats_under_the_eye, bed_is_as_deep_as_the_deepest_thing_that_is_shown)

@@ -74,6 +74,7 @@ struct FaultyScene : public WaterTestScene
     auto* look = this->Water->GetWaterProperty();
     look->SetReflectanceModeToConstant();
     look->SetReflectance(0.0);
+    look->SetDeepColorModeToGiven(); // without a view nothing is known of the light
     return this->Picture();
   }
 };

@@ -56,6 +56,7 @@ def clear(look):
     add_waves(look)
     look.RefractionOn()
     look.SetAbsorption(0.5, 0.2, 0.1)
+    look.SetScattering(0.02, 0.02, 0.02)
     look.SetCaustics(1.0)
 
 

@@ -63,6 +63,7 @@ extern "C"
   X(WATER_BAD_NORMAL_MAP_MOTION, "Speed and Direction of a normal map must be finite")             \
   X(WATER_BAD_NORMAL_MAP_STRENGTH, "Strength of a normal map must lie in [-1000, 1000]")           \
   X(WATER_BAD_PRESET, "the preset's name is not one of the list")                                  \
+  X(WATER_BAD_UNITS, "the unit's name is not one of the list")                                     \
   X(WATER_BAD_QUALITY_NAME, "the quality's name must be fast, default, high or reference")         \
   X(WATER_BAD_TIME_BUDGET, "TimeBudget must be finite and greater than 0 ms")                      \
   X(WATER_BAD_TARGET_ERROR, "TargetError must be finite and greater than 0 pixels")                \

@@ -190,6 +190,7 @@ typedef struct water_scene
   double sun_diffuse[3]; // colour of its light
   double sun_intensity;
   water_sky sky;
+  double light[3];          // what the lights bring to the plane; water_daylight.h
   double surface_bounds[6]; // of the water surface in world; min > max: there is no surface
   bool hides_above;         // the surface is not drawn for an eye above it, or below
   bool hides_below;
@@ -228,12 +229,13 @@ typedef struct water_plan
   double ndc_to_plane[9]; // (x, y, 1) in NDC of the eye -> (x, y, w) on the plane, from origin_xy
   double dir_to_environment[9]; // direction in the plane's axes -> (right, up, back) of the static
                                 // environment
+  double bed_depth;             // how far the scene reaches under the plane, >= 0
   bool is_submerged;            // the eye is under this water
   bool is_awash;                // it is over it, and the near plane cuts through the surface
   bool has_sun;                 // it shines on the surface from the normal's side
   double sun_dir[3];            // towards the sun, in the plane's axes, unit length
   double sun_color[3];          // of its light: a white card facing it shows this; 0 without a sun
-  double pattern_xy[2];         // origin_xy within the pattern that foam repeats
+  double daylight[3];           // that sky and lights bring to the plane; water_daylight.h
   water_sky sky;
   // in every direction; a skybox or a dome hides it, and is known in the mirrored view alone
   bool is_sky_known;

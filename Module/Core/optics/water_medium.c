@@ -104,13 +104,13 @@ void water_medium_extinction(const water_medium* medium, double extinction[3])
   }
 }
 
-void water_medium_deep_color(const water_medium* medium, double color[3])
+void water_medium_reflectance(const water_medium* medium, double reflectance[3])
 {
   double extinction[3];
   water_medium_extinction(medium, extinction);
   for (int channel = 0; channel < 3; ++channel)
   {
-    color[channel] =
+    reflectance[channel] =
       extinction[channel] > 0.0 ? 0.33 * (medium->scattering[channel] / extinction[channel]) : 0.0;
   }
 }

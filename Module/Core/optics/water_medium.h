@@ -84,11 +84,11 @@ double water_medium_apparent_depth(double depth, double cosine, double eta);
 // What a beam loses per metre, 1/m: absorption + scattering.
 void water_medium_extinction(const water_medium* medium, double extinction[3]);
 
-// Colour of water without an end under white daylight: the share of the irradiance that comes back
-// up, 0.33 b / (a + b) per channel, 0 where the water does nothing. In [0, 0.33].
+// Share of the irradiance that water without an end sends back up, 0.33 b / (a + b) per channel, 0
+// where the water does nothing. Linear, in [0, 0.33]; what the display shows: water_daylight.h.
 // Source: Morel and Prieur 1977, "Analysis of Variations in Ocean Color" (R = 0.33 b_b / a), with
 // the loss of the light that is scattered: a + b_b (Gordon 1973).
-void water_medium_deep_color(const water_medium* medium, double color[3]);
+void water_medium_reflectance(const water_medium* medium, double reflectance[3]);
 
 // The part of the light left after a way through the water, exp(-(a + b) path), per channel.
 // Source: Bouguer 1729; Lambert 1760; Beer 1852.

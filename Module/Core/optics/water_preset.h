@@ -31,7 +31,14 @@ typedef struct water_preset
   water_sea sea;
   water_wave waves[WATER_PRESET_WAVES];
   size_t wave_count;
+  double natural_m[2]; // how large a scene with such water is, at least and at most; water_units.h
 } water_preset;
+
+// Medium of a water that has none of its user's: a clear lake, Jerlov's IB with 0.006 / m scattered
+// backward by 0.6 g/m^3 of particles (0.01 m^2/g), a chosen amount.
+//
+// natural_m  as of a preset
+void water_preset_default(water_medium* medium, double natural_m[2]);
 
 // Number of presets, and the name of each; NULL from the number on.
 size_t water_preset_count(void);

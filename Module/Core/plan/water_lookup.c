@@ -14,6 +14,8 @@ static const double dome_height = 0.25; // over the plane, of a dome's widest si
 
 static const int few_rays = 4; // as WATER_FEW_RAYS of vtkWaterRaysFS.glsl
 
+static const double foam_pattern = 256.0; // m, after which it repeats
+
 static const double ray_contrast = 0.25; // of white, over the number of rays
 
 // Rows x, y and w of the clip coordinates of a world vector (w 0: a direction).
@@ -142,6 +144,14 @@ static void under_horizon(const double ndc_to_ray[9], const int viewport_px[2], 
     const double last = fmin(ceil(0.5 * (high[i] + 1.0) * size) + horizon_margin_px, size);
     rect_px[i] = is_any ? (int)first : 0;
     rect_px[2 + i] = is_any ? (int)(last - first) : 0;
+  }
+}
+
+void water_lookup_pattern(const double origin_xy[2], double metres_per_unit, double pattern_xy[2])
+{
+  for (int i = 0; i < 2; ++i)
+  {
+    pattern_xy[i] = fmod(origin_xy[i] * metres_per_unit, foam_pattern);
   }
 }
 
@@ -292,6 +302,23 @@ double water_lookup_top(const water_plane* plane, const water_prop* props, size_
     }
   }
   return top;
+}
+
+double water_lookup_bottom(const water_plane* plane, const water_prop* props, size_t prop_count)
+{
+  const water_plane down = { { -plane->normal[0], -plane->normal[1], -plane->normal[2] },
+    -plane->offset };
+  const uint32_t not_shown = WATER_PROP_IS_WATER | WATER_PROP_NO_BOUNDS | WATER_PROP_OVERLAY;
+  double bottom = 0.0;
+  for (size_t i = 0; i < prop_count; ++i)
+  {
+    const uint32_t flags = props[i].flags & (not_shown | WATER_PROP_VISIBLE);
+    if (flags == WATER_PROP_VISIBLE && props[i].bounds[0] <= props[i].bounds[1])
+    {
+      bottom = fmax(bottom, top_of(&down, props[i].bounds)); // NaN says nothing
+    }
+  }
+  return bottom;
 }
 
 double water_lookup_contrast(int rays)

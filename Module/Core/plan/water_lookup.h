@@ -49,6 +49,13 @@ water_status water_lookup_places(const water_camera* camera, const water_eye* ey
 // where a ray ends. 4 rows of 3.
 void water_lookup_dirs(const water_camera* camera, const water_axes* axes, double dir_to_clip[12]);
 
+// Where the point under the eye lies in the pattern that foam repeats, m: within 256 m, so that a
+// float holds it.
+//
+// origin_xy        of that point, in the plane's own axes
+// metres_per_unit  > 0
+void water_lookup_pattern(const double origin_xy[2], double metres_per_unit, double pattern_xy[2]);
+
 // The part of the picture that is seen through the surface: to an eye over a flat one it can show
 // what is under the plane, and all rays that go down from the plane lead there. It is bounded by
 // the plane's horizon. Any other eye or surface: all of the picture.
@@ -105,6 +112,12 @@ water_status water_lookup_heights(const water_camera* mirrored, const double pla
 // Height that a texel of the reflection texture spans, over w of what it shows; infinite straight
 // down.
 double water_lookup_texel(const double dir_to_reflection[12], const int texture_px[2]);
+
+// How far props reach under a plane, >= 0: a ray that got so deep meets none of them. Props that
+// are not shown, or have no bounds, do not count.
+//
+// plane  normalised, normal towards the eye
+double water_lookup_bottom(const water_plane* plane, const water_prop* props, size_t prop_count);
 
 // Height over a plane under which all drawn props lie, >= 0: a ray that got so far sees the sky.
 // Infinite when a drawn prop has no bounds.

@@ -4,6 +4,7 @@
 #include "water_plan.h"
 
 #include "water_camera.h"
+#include "water_daylight.h"
 #include "water_lookup.h"
 #include "water_math.h"
 #include "water_mirror.h"
@@ -25,8 +26,6 @@ static const size_t props_at_once = 256;
 // What is looked up is not asked for reflection textures that are coarser than this: a cell of
 // theirs is too large a part of the picture to go through.
 static const double visibility_texture_scale = 0.25;
-
-static const double foam_pattern = 256.0; // after which it repeats, in the scene's unit
 
 static const int default_samples_max = 8; // more is slow and not seen in a reflection
 
@@ -304,20 +303,18 @@ static water_status fill_view(const water_scene* scene, const checked* input,
   plan->is_submerged = input->side == WATER_BELOW && input->is_at_surface;
   plan->is_awash = input->side == WATER_ABOVE && input->is_at_surface &&
     water_lookup_cuts_surface(&input->eye, level_view);
+  plan->bed_depth = water_lookup_bottom(plane, scene->props, scene->prop_count);
   plan->has_sun = scene->has_sun && water_lookup_local(axes, scene->sun_dir, plan->sun_dir);
   for (int i = 0; i < 3 && plan->has_sun; ++i)
   {
     plan->sun_color[i] = scene->sun_diffuse[i] * scene->sun_intensity;
   }
   plan->sky = scene->sky;
+  memcpy(plan->daylight, scene->light, sizeof plan->daylight);
+  water_daylight_add_sky(&scene->sky, plan->daylight);
   plan->eta = water_optics_eta(&scene->look, input->side);
-  const water_status status =
-    water_lookup_places(&scene->eye, &input->eye, plane, axes, plan->origin_xy, plan->ndc_to_plane);
-  for (int i = 0; i < 2; ++i)
-  {
-    plan->pattern_xy[i] = fmod(plan->origin_xy[i], foam_pattern);
-  }
-  return status;
+  return water_lookup_places(
+    &scene->eye, &input->eye, plane, axes, plan->origin_xy, plan->ndc_to_plane);
 }
 
 // The view and the mirrored camera of the plan are set.

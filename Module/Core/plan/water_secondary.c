@@ -27,6 +27,7 @@ water_status water_secondary_plan(
   memcpy(seen.environment_up, scene->environment_up, sizeof seen.environment_up);
   memcpy(seen.environment_right, scene->environment_right, sizeof seen.environment_right);
   seen.sky = scene->sky;
+  memcpy(seen.light, scene->light, sizeof seen.light);
   seen.settings.texture_scale = 1.0;
   seen.max_texture_px = INT_MAX;
   const water_status status = water_plan_make(&seen, plan, NULL);

@@ -162,12 +162,17 @@ void water_tile_pack(const water_tile* tile, const double* first, const double* 
   }
 }
 
-double water_tile_natural_length(const water_sea* sea)
+double water_tile_peak_wavelength(const water_sea* sea)
 {
   const double depth = sea->model == WATER_SEA_PHILLIPS ? (double)INFINITY : sea->depth;
   double k = 0.0;
   const water_status status = water_waves_wavenumber(water_sea_peak(sea), depth, &k);
-  return status == WATER_OK ? fmax(natural_waves * water_two_pi / k, 1e-3) : 1e-3;
+  return status == WATER_OK ? water_two_pi / k : 0.0;
+}
+
+double water_tile_natural_length(const water_sea* sea)
+{
+  return fmax(natural_waves * water_tile_peak_wavelength(sea), 1e-3);
 }
 
 void water_tile_slopes(

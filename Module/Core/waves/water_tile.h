@@ -88,6 +88,9 @@ void water_tile_derive(
 void water_tile_pack(
   const water_tile* tile, const double* first, const double* second, double* out);
 
+// Wavelength of the spectrum's peak at the sea's depth, m; 0 if there is none.
+double water_tile_peak_wavelength(const water_sea* sea);
+
 // A length that shows a sea well: 10 wavelengths of its peak at its depth, at least 0.001 m.
 double water_tile_natural_length(const water_sea* sea);
 

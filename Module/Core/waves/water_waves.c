@@ -322,6 +322,17 @@ void water_waves_tilt(const double slope[2], double normal[3])
   normal[2] /= length;
 }
 
+void water_waves_scale(double units_per_m, water_wave_term* terms, size_t count)
+{
+  for (size_t i = 0; i < count; ++i)
+  {
+    terms[i].amplitude *= units_per_m;
+    terms[i].k /= units_per_m;
+    terms[i].turns_per_m[0] /= units_per_m;
+    terms[i].turns_per_m[1] /= units_per_m;
+  }
+}
+
 void water_waves_reach(const water_wave* waves, size_t count, double* height, double* across)
 {
   *height = 0.0;

@@ -136,6 +136,9 @@ double water_waves_looked_up(const water_wave* waves, size_t count);
 // Tilts a unit normal by the slope of other waves on top: it keeps its own slope and gets theirs.
 void water_waves_tilt(const double slope[2], double normal[3]);
 
+// Brings waves to a scene whose metre has so many units (> 0): lengths are then in units.
+void water_waves_scale(double units_per_m, water_wave_term* terms, size_t count);
+
 // How far waves can move a point at most: up or down (the sum of the amplitudes), and in the plane.
 void water_waves_reach(const water_wave* waves, size_t count, double* height, double* across);
 

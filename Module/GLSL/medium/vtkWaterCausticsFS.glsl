@@ -5,7 +5,8 @@
 // x + depth (1 - 1/n) g(x): where that reflection texture shrinks an area, the bed is as much brighter. Of several
 // points that light the same place the one found first counts.
 
-uniform float waterCaustics; // strength, 0 to 1
+uniform float waterCaustics;      // strength, 0 to 1
+uniform float waterCausticsWidth; // the least over which light is gathered, 1 mm
 
 const float WATER_CAUSTIC_BLUR = 0.15; // the sun is a disc: no place is infinitely bright
 
@@ -23,7 +24,7 @@ float waterCaustic(vec2 place, float depth)
   vec3 down = refract(-waterSunDir, vec3(0.0, 0.0, 1.0), 1.0 / waterEta);
   vec2 source = place + depth * down.xy / min(down.z, -1e-3);
   float turn = depth * (1.0 - 1.0 / waterEta);
-  float width = max(0.02 * depth, 1e-3);
+  float width = max(0.02 * depth, waterCausticsWidth);
   vec2 from = source;
   for (int i = 0; i < 2; ++i)
   {

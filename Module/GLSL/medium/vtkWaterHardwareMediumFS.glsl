@@ -89,10 +89,11 @@ WaterMediumHit waterMediumWalk(vec3 start, vec3 way, float depth, float reach)
   return found;
 }
 
-WaterMediumView waterMediumMeets(vec3 start, vec3 way)
+WaterMediumView waterMediumMeets(vec3 start, vec3 way, float most)
 {
   float depth = waterMediumDepth(start.xy);
   float reach = waterMediumReach(start, way, depth);
+  reach = depth < 1.0 ? reach : min(reach, most); // the background ends no ray
   float leaves = waterMediumLeaves(start, way);
   bool isInside = reach <= leaves;
   reach = min(reach, leaves);
@@ -110,7 +111,7 @@ WaterMediumView waterMediumMeets(vec3 start, vec3 way)
   view.isMet = !isEdge && (found.isHit || isInside);
   // behind something: what is beside it, not filtered
   view.from = isEdge ? (floor((start.xy + found.low * way.xy) * size) + 0.5) / size : start.xy + view.s * way.xy;
-  view.to = view.from;
+  view.to = isEdge ? (floor((start.xy + found.high * way.xy) * size) + 0.5) / size : view.from;
   view.share = 0.0;
   return view;
 }

@@ -8,10 +8,18 @@ uniform sampler2D waterSceneColor; // the picture without this water; linear
 uniform sampler2D waterSceneDepth; // its window depth, 1: background; nearest
 uniform vec3 waterExtinction;      // absorption + scattering, 1/m
 uniform int waterIsSubmerged;      // 1: the eye is in the water
+uniform int waterSceneIsMixed;     // 1: pixels of the picture are means of several samples
+uniform float waterBedDepth;       // how far the scene reaches under the plane, m
+uniform vec4 waterSheet;           // from x, to x, from y, to y: where the water ends, from the point under the eye
 uniform vec4 waterHeightClip;      // point in clip space of the eye -> height over the plane, times w
 uniform vec4 waterClipW;           // the same -> w of the point in view space
 
 const int WATER_MEDIUM_STEPS = 16;
+const float WATER_MEDIUM_BENT = 2.0;     // a depth that is so many steps from where a plane has it lies behind an edge
+const float WATER_MEDIUM_BELOW = 0.02;  // of all depths: as far a bed's edge may be from a plumb line, and a pixel's width
+const float WATER_MEDIUM_EDGE = 4.0;    // so many times
+const float WATER_MEDIUM_DEEPER = 1.01;  // than what is deepest: bounds are rounded
+const float WATER_MEDIUM_ENDLESS = 1e29; // m: the water has no border
 const float WATER_MEDIUM_CLOSE_PX = 0.2; // two places are as good as one
 const float WATER_MEDIUM_LONG_PX = 8.0;  // ways that need eight looks, and not four
 
@@ -25,6 +33,12 @@ float waterMediumHeight(vec2 uv, float depth)
 {
   vec4 clip = vec4(2.0 * vec3(uv, depth) - 1.0, 1.0);
   return dot(waterHeightClip, clip) / dot(waterClipW, clip);
+}
+
+// Of the same, w in clip space.
+float waterMediumW(vec2 uv, float depth)
+{
+  return 1.0 / dot(waterClipW, vec4(2.0 * vec3(uv, depth) - 1.0, 1.0));
 }
 
 // What is left of a color after a way of so many metres through the water.
@@ -140,7 +154,130 @@ float waterMediumLeaves(vec3 start, vec3 way)
 //
 // start  of the ray in the picture's window: u, v, depth
 // way    the ray is start + s way
-WaterMediumView waterMediumMeets(vec3 start, vec3 way);
+// most   of s: there the ray is deeper than anything
+WaterMediumView waterMediumMeets(vec3 start, vec3 way, float most);
+
+// A place of the picture whose color is that of one thing: a pixel's middle beside an edge, where filtering mixes what meets
+// there. Pixels of several samples are mixtures themselves: of those the next one away from the edge is taken. Along planes
+// window depths are linear.
+vec2 waterMediumUnmixed(vec2 uv, float depth)
+{
+  vec2 size = waterMediumSize();
+  vec2 middle = (floor(uv * size) + 0.5) / size;
+  vec4 near = vec4(waterMediumDepth(middle - vec2(1.0, 0.0) / size), waterMediumDepth(middle - vec2(0.0, 1.0) / size),
+    waterMediumDepth(middle + vec2(1.0, 0.0) / size), waterMediumDepth(middle + vec2(0.0, 1.0) / size));
+  vec2 before = depth - near.xy;
+  vec2 after = near.zw - depth;
+  vec2 slope = mix(before, after, lessThan(abs(after), abs(before)));
+  float edge = WATER_MEDIUM_BENT * (abs(slope.x) + abs(slope.y)) + 1e-7;
+  vec2 isBefore = step(edge, abs(before - slope));
+  vec2 isAfter = step(edge, abs(after - slope));
+  vec2 away = isBefore - isAfter;
+  vec2 first = mix(vec2(-1.0), vec2(1.0), greaterThan(uv, middle)); // the one that filtering reads
+  int diagonals = waterSceneIsMixed != 0 ? 4 : 1;
+  for (int i = 0; i < diagonals; ++i)
+  {
+    vec2 diagonal = first * (1.0 - 2.0 * vec2(float(i & 1), float(i / 2)));
+    float bend = waterMediumDepth(middle + diagonal / size) - depth - dot(slope, diagonal);
+    away -= abs(bend) > edge ? diagonal : vec2(0.0);
+  }
+  bool isEdge = any(notEqual(vec4(isBefore, isAfter), vec4(0.0))) || any(notEqual(away, vec2(0.0)));
+  if (waterSceneIsMixed != 0)
+  {
+    // filtering would read a mixed pixel that lies between
+    vec2 second = vec2(waterMediumDepth(middle + vec2(2.0 * first.x, 0.0) / size),
+      waterMediumDepth(middle + vec2(0.0, 2.0 * first.y) / size));
+    isEdge = isEdge || any(greaterThan(abs(second - depth - 2.0 * first * slope), vec2(2.0 * edge)));
+    middle += sign(away) / size;
+  }
+  return isEdge ? middle : uv;
+}
+
+vec3 waterMediumColor(vec2 uv, float depth)
+{
+  return textureLod(waterSceneColor, waterMediumUnmixed(uv, depth), 0.0).rgb;
+}
+
+// A ray through the water.
+struct WaterMediumRay
+{
+  vec3 start; // in the picture's window: u, v, depth
+  vec3 way;   // the ray is start + s way
+  float w;    // of the start in view space
+  float rate; // of w, per metre
+};
+
+// The ray into another direction from a point of one.
+//
+// dir     the direction, in the plane's axes
+// metres  to the point
+WaterMediumRay waterMediumTurn(WaterMediumRay ray, vec3 dir, float metres)
+{
+  float s = metres / (ray.w + metres * ray.rate);
+  vec4 end = waterDirToEye * vec4(dir, 0.0);
+  vec3 start = ray.start + s * ray.way;
+  vec3 way = 0.5 * (end.xyz - (2.0 * start - 1.0) * end.w);
+  return WaterMediumRay(start, way, ray.w + metres * ray.rate, end.w);
+}
+
+// How far a ray comes before it leaves what is under the water's surface, m.
+//
+// inside  how far inside the border that is, m: what is there is surely under the water
+float waterMediumBorder(vec2 place, vec2 dir, float inside)
+{
+  vec2 border = mix(waterSheet.xz + inside, waterSheet.yw - inside, greaterThan(dir, vec2(0.0)));
+  vec2 ways = (border - place) / mix(dir, vec2(1e-9), equal(dir, vec2(0.0)));
+  return max(min(ways.x, ways.y), 0.0);
+}
+
+// What a refracted ray meets.
+struct WaterMediumMet
+{
+  WaterMediumView view;
+  float depth;        // of the picture at the first of its places
+  float way;          // m of water
+  bool isUnderBorder; // the water ends before the ray meets anything: it is the bed under its border
+  bool isNothing;     // there is none
+};
+
+// A ray that leaves the water without having met its bed meets what lies under the water's border, as if that went on.
+//
+// dir  of the ray, in the plane's axes
+WaterMediumMet waterMediumMeet(WaterPoint point, vec3 dir)
+{
+  vec3 start = vec3(0.5 + 0.5 * point.ndc, gl_FragCoord.z);
+  WaterMediumRay ray =
+    waterMediumTurn(WaterMediumRay(start, vec3(0.0), 1.0 / gl_FragCoord.w, 0.0), dir, 0.0);
+  float pixel = max(length(point.across), length(point.down));
+  float border = waterMediumBorder(point.place, dir.xy, 2.0 * pixel);
+  bool isBounded = border * -dir.z < waterBedDepth && waterSide > 0.0;
+  float deepest = WATER_MEDIUM_DEEPER * (waterBedDepth + max(point.height, 0.0));
+  float most = waterSide > 0.0 ? deepest / -dir.z : WATER_MEDIUM_ENDLESS;
+  WaterMediumMet met;
+  met.isUnderBorder = false;
+  for (int i = 0; i < 2; ++i)
+  {
+    met.view = waterMediumMeets(ray.start, ray.way, most / max(ray.w + most * ray.rate, 1e-6));
+    met.depth = waterMediumDepth(met.view.from);
+    if (i > 0 && met.depth >= 1.0)
+    {
+      met.view.from = met.view.to;
+      met.depth = waterMediumDepth(met.view.from);
+    }
+    if (i > 0 || met.depth < 1.0 || !isBounded)
+    {
+      break;
+    }
+    ray = waterMediumTurn(ray, vec3(0.0, 0.0, -1.0), border);
+    most = deepest;
+    met.isUnderBorder = true;
+  }
+  met.way = met.view.s * ray.w / max(1.0 - met.view.s * ray.rate, 1e-6);
+  float apart = abs(waterMediumW(met.view.from, met.depth) - ray.w - met.way * ray.rate);
+  bool isThere = met.depth < 1.0 && apart < WATER_MEDIUM_BELOW * waterBedDepth + WATER_MEDIUM_EDGE * pixel;
+  met.isNothing = met.isUnderBorder && !isThere;
+  return met;
+}
 
 // Color of what lies beyond a point of the surface, and the light that the water adds.
 vec3 waterTransmitted(WaterPoint point)
@@ -150,32 +287,32 @@ vec3 waterTransmitted(WaterPoint point)
   {
     return waterDeepColor; // total reflection: it has no weight
   }
-  float w0 = 1.0 / gl_FragCoord.w;
-  vec3 start = vec3(0.5 + 0.5 * point.ndc, gl_FragCoord.z);
-  vec4 end = waterDirToEye * vec4(dir, 0.0);
-  vec3 way = 0.5 * (end.xyz - (2.0 * start - 1.0) * end.w);
-  WaterMediumView view = waterMediumMeets(start, way);
-  float length = view.s * w0 / max(1.0 - view.s * end.w, 1e-6);
-  float depth = waterMediumDepth(view.from);
-  vec3 from = textureLod(waterSceneColor, view.from, 0.0).rgb;
+  WaterMediumMet met = waterMediumMeet(point, dir);
+  if (met.isNothing)
+  {
+    return waterDeepColor;
+  }
+  WaterMediumView view = met.view;
+  vec3 from = waterMediumColor(view.from, met.depth);
   vec3 to = from;
-  vec3 ways = vec3(length); // of what is seen at the first place, at the second, and of both
-  float depthTo = depth;
-  if (!view.isMet) // over level beds
+  vec3 ways = vec3(met.way); // of what is seen at the first place, at the second, and of both
+  float depthTo = met.depth;
+  bool areTwo = !view.isMet && !met.isUnderBorder;
+  if (areTwo || met.isUnderBorder) // over level beds
   {
     depthTo = waterMediumDepth(view.to);
-    to = textureLod(waterSceneColor, view.to, 0.0).rgb;
-    ways.xy = max(vec2(waterMediumHeight(view.from, depth), waterMediumHeight(view.to, depthTo)) / dir.z, vec2(0.0));
-    ways.z = mix(ways.x, ways.y, view.share);
+    to = waterMediumColor(view.to, depthTo);
+    ways.xy = max(vec2(waterMediumHeight(view.from, met.depth), waterMediumHeight(view.to, depthTo)) / dir.z, vec2(0.0));
+    ways.z = areTwo ? mix(ways.x, ways.y, view.share) : ways.x;
   }
   if (waterSide < 0.0)
   {
     vec3 color = mix(from, to, view.share);
-    return depth >= 1.0 && waterSkyBottom.a > 0.5 ? waterSky(dir) : color;
+    return met.depth >= 1.0 && waterSkyBottom.a > 0.5 ? waterSky(dir) : color;
   }
   float caustic = waterCaustic(point.place + ways.z * dir.xy, -ways.z * dir.z);
-  from = depth >= 1.0 ? waterDeepColor : waterAfter(caustic * from, ways.x);
-  if (!view.isMet)
+  from = met.depth >= 1.0 ? waterDeepColor : waterAfter(caustic * from, ways.x);
+  if (areTwo)
   {
     to = depthTo >= 1.0 ? waterDeepColor : waterAfter(caustic * to, ways.y);
     from = mix(from, to, view.share);

@@ -6,7 +6,6 @@ const int WATER_MEDIUM_HALVINGS = 5;
 const int WATER_MEDIUM_TRIES = 2;    // so many steps may be halved
 const float WATER_MEDIUM_JUMP = 1.2; // how much further than to where the ray was in front
 const float WATER_MEDIUM_FURTHER_PX = 3.0;
-const float WATER_MEDIUM_EDGE_PX = 3.0; // what comes closer at once than a bed does in as many pixels is an edge
 const float WATER_MEDIUM_SLACK_PX = 0.8; // depths are those of pixels' middles
 const float WATER_MEDIUM_GAP = 0.1;  // of a step: what is still as wide was not halved, as it is hidden
 
@@ -139,27 +138,16 @@ WaterMediumHit waterMediumWalk(vec3 start, vec3 way, float depth, float reach)
   return found;
 }
 
-// A place of the picture from which its color is read without that of what is nearer or further in the next pixel.
-//
-// depth  of the ray there
-// edge   a difference of depths that is one
-vec2 waterMediumBeside(vec2 uv, float depth, float edge)
-{
-  vec2 size = waterMediumSize();
-  vec2 middle = (floor(uv * size) + 0.5) / size;
-  vec2 next = middle + sign(uv - middle) / size;
-  vec2 seen = vec2(waterMediumDepth(vec2(next.x, middle.y)), waterMediumDepth(vec2(middle.x, next.y)));
-  return mix(uv, middle, greaterThan(abs(seen - depth), vec2(edge)));
-}
-
 // Where a ray into the scene meets what the picture shows.
 //
 // start  of the ray in the picture's window: u, v, depth
 // way    the ray is start + s way
-WaterMediumView waterMediumMeets(vec3 start, vec3 way)
+// most   of s
+WaterMediumView waterMediumMeets(vec3 start, vec3 way, float most)
 {
   float depth = waterMediumDepth(start.xy);
   float reach = waterMediumReach(start, way, depth);
+  reach = depth < 1.0 ? reach : min(reach, most); // the background ends no ray
   float leaves = waterMediumLeaves(start, way);
   bool isInside = reach <= leaves;
   reach = min(reach, leaves);
@@ -176,11 +164,7 @@ WaterMediumView waterMediumMeets(vec3 start, vec3 way)
   view.isMet = found.isHit ? !isGap : isInside && found.low >= reach * (1.0 - 1e-6);
   view.s = found.low + share * wide;
   view.share = view.isMet ? share : (found.isHit ? found.share : 0.0);
-  float texel = 1.0 / max(length(way.xy * size), 1e-6);
-  float rate = max((depth - start.z) / max(view.s, 1e-20), way.z);
-  float place = view.isMet ? view.s : found.low;
-  float there = view.isMet ? start.z + view.s * way.z : found.depthLow;
-  view.from = waterMediumBeside(start.xy + place * way.xy, there, WATER_MEDIUM_EDGE_PX * texel * rate);
+  view.from = start.xy + (view.isMet ? view.s : found.low) * way.xy;
   view.to = view.isMet ? view.from : (floor((start.xy + found.high * way.xy) * size) + 0.5) / size;
   return view;
 }

@@ -2,9 +2,10 @@
 // vtkWaterFoamFS.glsl: slot foam: at the shore and on crests.
 
 uniform vec3 waterFoamColor;
-uniform float waterFoamDepth;    // m of water over which the shore's foam ends; 0: none
+uniform float waterFoamDepth;    // depth of water over which the shore's foam ends; 0: none
 uniform float waterFoamJacobian; // crests are foam where their points stand closer than that; 0: none
 uniform vec2 waterPatternOrigin; // of the foam's pattern, m, from the point under the eye
+uniform float waterFoamUnit;     // m per unit of the scene
 
 // A number in [0, 1] for a cell of a grid.
 float waterHash(vec2 cell)
@@ -39,8 +40,8 @@ float waterFoamShare(WaterPoint point)
     share = max(share, clamp(2.0 - 2.0 * point.jacobian / waterFoamJacobian, 0.0, 1.0));
   }
   // bubbles: what is shorter than two pixels is their mean
-  vec2 place = point.place + waterPatternOrigin;
-  float pixel = max(length(point.across), length(point.down));
+  vec2 place = waterFoamUnit * point.place + waterPatternOrigin;
+  float pixel = waterFoamUnit * max(length(point.across), length(point.down));
   float bubbles = 0.5;
   float weight = 0.5;
   for (float size = 1.0; size > 0.05; size *= 0.5, weight *= 0.6)

@@ -15,6 +15,7 @@
 #include "vtkShaderProperty.h"
 #include "vtkTextureObject.h"
 #include "vtkWaterPropRecords.h"
+#include "water_daylight.h"
 #include "water_lookup.h"
 #include "water_optics.h"
 #include "water_waves.h"
@@ -88,6 +89,23 @@ void ReadSun(vtkRenderer* renderer, water_scene& scene)
   }
 }
 
+void ReadLights(vtkRenderer* renderer, water_scene& scene)
+{
+  vtkCollectionSimpleIterator it;
+  renderer->GetLights()->InitTraversal(it);
+  while (vtkLight* light = renderer->GetLights()->GetNextLight(it))
+  {
+    if (light->GetSwitch())
+    {
+      double dir[3];
+      std::transform(light->GetTransformedPosition(), light->GetTransformedPosition() + 3,
+        light->GetTransformedFocalPoint(), dir, std::minus<double>());
+      water_daylight_add_light(
+        scene.plane.normal, dir, light->GetDiffuseColor(), light->GetIntensity(), scene.light);
+    }
+  }
+}
+
 void ReadSky(vtkRenderer* renderer, water_scene& scene)
 {
   water_sky& sky = scene.sky;
@@ -112,6 +130,7 @@ water_scene vtkWaterGather::ReadSecondary(
   scene.look = water.Look.Optics;
   std::copy_n(water.Bounds, 6, scene.surface_bounds);
   ReadSky(renderer, scene);
+  ReadLights(renderer, scene);
   return scene;
 }
 
@@ -241,5 +260,6 @@ void vtkWaterGather::Read(vtkRenderer* renderer, const std::vector<vtkWaterSnaps
   this->ReadWaters(renderer, waters);
   ReadSky(renderer, this->Scene);
   ReadSun(renderer, this->Scene);
+  ReadLights(renderer, this->Scene);
   this->ReadSurface(waters);
 }

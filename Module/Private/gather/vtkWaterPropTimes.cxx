@@ -241,6 +241,8 @@ void vtkWaterPropTimes::AddWater(const vtkWaterSnapshot& water)
   {
     this->AddNumber(water.Plane.normal[i]);
     this->AddNumber(look.DeepColor[i]);
+    this->AddNumber(look.Medium.absorption[i]);
+    this->AddNumber(look.Medium.scattering[i]);
     this->AddNumber(look.MeanSlopes[i]);
   }
   for (const double value : { water.Plane.offset, look.Opacity, look.Optics.index_of_refraction,
@@ -253,6 +255,7 @@ void vtkWaterPropTimes::AddWater(const vtkWaterSnapshot& water)
   this->Add(water.Actor->GetForceOpaque() ? 1 : 0);
   this->Add(water.Actor->GetForceTranslucent() ? 1 : 0);
   this->Add(water.IsRough() ? 1 : 0);
+  this->Add(look.HasDeepColor ? 1 : 0);
   for (vtkProperty* property : { water.Actor->GetProperty(), water.Actor->GetBackfaceProperty() })
   {
     this->Add(property);

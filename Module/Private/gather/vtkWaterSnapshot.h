@@ -9,6 +9,7 @@
 #include "vtkWaterMeshHeights.h"
 #include "vtkWaterNormalMaps.h"
 #include "water_features.h"
+#include "water_medium.h"
 #include "water_tile.h"
 #include "water_types.h"
 #include "water_waves.h"
@@ -20,13 +21,18 @@ class vtkActor;
 class vtkObject;
 class vtkWaterSea;
 
-// Numbers as vtkWaterProperty has them.
+// Numbers as vtkWaterProperty has them, but with the lengths of waves and of ways through water in
+// the scene's unit; the sea's stay in metres.
 struct vtkWaterLook
 {
+  double MetresPerUnit = 1.0;
+  bool HidesWaves = false;          // they are too short for the scene
   water_look Optics = water_look(); // constant 0 only if nothing is reflected
   water_feature_look Has = water_feature_look();
   double Opacity = 1.0;
-  double DeepColor[3] = {};
+  double DeepColor[3] = {};  // under white daylight, unless it is given
+  bool HasDeepColor = false; // it is given, whatever the light
+  water_medium Medium = water_medium();
   double Extinction[3] = {}; // absorption + scattering, 1/m
   double ShoreSoftness = 0.0;
   double SlopeVariance[3] = {}; // along, across a direction, degrees
@@ -66,6 +72,7 @@ struct vtkWaterSnapshot
   double GivenNormal[3] = {};
   double Bounds[6] = { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 }; // min > max: it has no surface
   bool IsSheet = false;                                   // the own one, and not moved
+  double Sheet[4] = {};                                   // where it ends, in the plane's axes
   vtkWaterMesh Mesh;                                      // that is drawn at rest
   double Time = 0.0;                                      // s
   vtkWaterLook Look;

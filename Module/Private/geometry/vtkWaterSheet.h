@@ -32,12 +32,13 @@ public:
   water_status Fit(const water_plane& plane, const double origin[3], const double bounds[4],
     const std::vector<vtkRenderer*>& scene);
 
+  // Bounds of what renderers show, waters left out; min > max: nothing.
+  static void FindSceneBounds(const std::vector<vtkRenderer*>& scene, double bounds[6]);
+
 private:
   vtkWaterSheet(const vtkWaterSheet&) = delete;
   void operator=(const vtkWaterSheet&) = delete;
 
-  // min > max: the scene is empty.
-  static void FindSceneBounds(const std::vector<vtkRenderer*>& scene, double bounds[6]);
   void SetRectangle(const double corners[12], const double normal[3]);
 
   vtkNew<vtkPoints> Points; // 4, in double precision: scenes may lie far from the origin

@@ -55,8 +55,12 @@ struct vtkWaterActor::Internals : public vtkWaterSource
   void ReadMesh(const water_plane& plane, vtkWaterMesh* mesh);
   // Do waves move the surface itself?
   bool IsDisplaced() const;
-  // The waves at the actor's time.
-  std::vector<water_wave_term> GetWaveTerms() const;
+  // The look in the scene's unit.
+  void Describe(vtkWaterLook& look);
+  // Of what the water's renderers show, units; 0: there is nothing.
+  double GetSceneDiagonal();
+  // The waves at the actor's time, in the scene's unit.
+  std::vector<water_wave_term> GetWaveTerms(const vtkWaterLook& look) const;
   // The wind sea at the actor's time; nullptr when it is off.
   vtkWaterSea* GetSeaAtTime();
   // Asks the wind sea at the actor's time, if there is one. false: there is no memory for it.
@@ -77,8 +81,10 @@ struct vtkWaterActor::Internals : public vtkWaterSource
   vtkWaterWarmUp WarmUp;
   std::vector<SourcedError> Errors;
   bool IsUpdatingSheet = false;
-  bool IsSeaUnknown = false;                      // for want of memory, which has been said
-  vtkMTimeType FittedFrame = 0;                   // of which the sheet is
+  bool IsSeaUnknown = false;      // for want of memory, which has been said
+  vtkMTimeType FittedFrame = 0;   // of which the sheet is
+  vtkMTimeType MeasuredFrame = 0; // of which the diagonal is
+  double SceneDiagonal = 0.0;
   bool IsProbing = false;                         // is drawn only to be counted
   std::weak_ptr<const vtkWaterSnapshot> Snapshot; // held by the frame: the user's objects may go
   vtkMTimeType SnapshotFrame = 0;

@@ -127,6 +127,7 @@ bool vtkWaterBackdrop::Copy(vtkOpenGLRenderWindow* window, const int rect[4], co
     return false;
   }
   const Source source;
+  this->IsMixed = source.Samples > 0;
   vtkOpenGLState* state = window->GetState();
   state->PushFramebufferBindings();
   state->vtkglBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<unsigned int>(source.Framebuffer));

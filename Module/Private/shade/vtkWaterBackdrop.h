@@ -26,6 +26,9 @@ public:
   // Did the GPU give no memory for it, when last asked?
   bool GetHasFailed() const { return this->HasFailed; }
 
+  // Are its colours means of several samples?
+  bool GetIsMixed() const { return this->IsMixed; }
+
   vtkTextureObject* GetColor() { return this->Color; }
   vtkTextureObject* GetDepth() { return this->Depth; }
 
@@ -41,6 +44,7 @@ private:
   int Height = 0;
   int ColorType = 0; // VTK's, as the picture's
   int DepthFormat = 0;
+  bool IsMixed = false;
   bool HasFailed = false;
 };
 

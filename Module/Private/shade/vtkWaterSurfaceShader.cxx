@@ -13,6 +13,7 @@
 #include "vtkWaterGL.h"
 #include "vtkWaterGLSL.h" // all files of the list
 #include "vtkWaterSea.h"
+#include "water_daylight.h"
 #include "water_flatness.h"
 #include "water_lookup.h"
 #include "water_plan.h"
@@ -149,6 +150,17 @@ void vtkWaterSurfaceShader::UploadNormalMap(size_t number)
 }
 
 //------------------------------------------------------------------------------
+void vtkWaterSurfaceShader::FindDeepColor(double color[3]) const
+{
+  const vtkWaterLook& look = this->Water->Look;
+  std::copy_n(look.DeepColor, 3, color);
+  if (this->Drawn.Plan && !look.HasDeepColor)
+  {
+    water_daylight_deep_color(&look.Medium, this->Drawn.Plan->daylight, color);
+  }
+}
+
+//------------------------------------------------------------------------------
 void vtkWaterSurfaceShader::BeginMedium(const int viewport_px[4])
 {
   const bool hadFailed = this->Backdrop.GetHasFailed();
@@ -165,8 +177,10 @@ void vtkWaterSurfaceShader::BeginMedium(const int viewport_px[4])
   this->Use("waterSceneDepth", this->Backdrop.GetDepth());
   if (this->HasBackdrop && this->Drawn.AddsFog)
   {
-    this->Drawn.Fog->Draw(this->Drawn.Renderer, this->Plan, this->Backdrop,
-      this->Water->Look.DeepColor, this->Water->Look.Extinction);
+    double deepColor[3];
+    this->FindDeepColor(deepColor);
+    this->Drawn.Fog->Draw(
+      this->Drawn.Renderer, this->Plan, this->Backdrop, deepColor, this->Water->Look.Extinction);
   }
 }
 

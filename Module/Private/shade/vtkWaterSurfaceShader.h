@@ -90,6 +90,8 @@ private:
   {
     this->Active.emplace_back(name, texture);
   }
+  // Colour of infinitely deep water in the light of what is drawn.
+  void FindDeepColor(double color[3]) const;
   void BeginMedium(const int viewport_px[4]);
   void BeginWaves();
   void BeginSea();

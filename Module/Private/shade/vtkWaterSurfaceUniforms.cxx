@@ -14,6 +14,7 @@
 #include "vtkWaterUniforms.h"
 #include "water_flatness.h"
 #include "water_glitter.h"
+#include "water_lookup.h"
 #include "water_optics.h"
 #include "water_plan.h"
 #include "water_waves.h"
@@ -22,7 +23,8 @@
 
 namespace
 {
-constexpr double kFarUp = 1e30; // for a float
+constexpr double kCausticsWidth = 1e-3; // m
+constexpr double kFarUp = 1e30;         // for a float
 constexpr double kFlat[4] = { 0.0, 0.0, 0.0, 0.0 };
 }
 
@@ -51,7 +53,9 @@ void vtkWaterSurfaceShader::SetParameters(vtkShaderProgram* program, vtkAbstract
   uniforms::Set(program, "waterIsReflecting", isReflecting ? 1 : 0);
   uniforms::Set(program, "waterOpacity", look.Opacity);
   uniforms::Set(program, "waterOutput", look.Output);
-  uniforms::Set3(program, "waterDeepColor", look.DeepColor);
+  double deepColor[3];
+  this->FindDeepColor(deepColor);
+  uniforms::Set3(program, "waterDeepColor", deepColor);
   uniforms::Set(program, "waterWaveCount", this->WaveCount);
   this->SetDisplacement(program);
   if (plan)
@@ -99,6 +103,14 @@ void vtkWaterSurfaceShader::SetViewParameters(vtkShaderProgram* program)
     water_waves_rest_steps(program->IsUniformUsed("waterAxesToClip"), this->IsSteep));
   uniforms::Set3(program, "waterExtinction", look.Extinction);
   uniforms::Set(program, "waterFootprint", look.RayTraceFootprint);
+  uniforms::Set(program, "waterSceneIsMixed", this->Backdrop.GetIsMixed() ? 1 : 0);
+  double sheet[4] = { -kFarUp, kFarUp, -kFarUp, kFarUp };
+  for (int i = 0; i < 4 && this->Water->IsSheet; ++i)
+  {
+    sheet[i] = this->Water->Sheet[i] - plan.origin_xy[i / 2];
+  }
+  uniforms::Set4(program, "waterSheet", sheet);
+  uniforms::Set(program, "waterBedDepth", std::min(plan.bed_depth, kFarUp));
   uniforms::Set(program, "waterIsSubmerged", plan.is_submerged ? 1 : 0);
   uniforms::Set(program, "waterShoreSoftness", look.ShoreSoftness);
 }
@@ -194,10 +206,14 @@ void vtkWaterSurfaceShader::SetSunParameters(vtkShaderProgram* program)
   uniforms::Set3(
     program, "waterSlopeVariance", this->Drawn.IsSecondary ? look.MeanSlopes : variance);
   uniforms::Set(program, "waterCaustics", look.Caustics);
+  uniforms::Set(program, "waterCausticsWidth", kCausticsWidth / look.MetresPerUnit);
   uniforms::Set(program, "waterFoamDepth", look.FoamDepth);
   uniforms::Set(program, "waterFoamJacobian", look.FoamJacobian);
   uniforms::Set3(program, "waterFoamColor", look.FoamColor);
-  uniforms::Set2(program, "waterPatternOrigin", plan.pattern_xy);
+  double pattern[2];
+  water_lookup_pattern(plan.origin_xy, look.MetresPerUnit, pattern);
+  uniforms::Set2(program, "waterPatternOrigin", pattern);
+  uniforms::Set(program, "waterFoamUnit", look.MetresPerUnit);
 }
 
 //------------------------------------------------------------------------------
@@ -225,7 +241,8 @@ void vtkWaterSurfaceShader::SetNormalMapParameters(vtkShaderProgram* program)
 //------------------------------------------------------------------------------
 void vtkWaterSurfaceShader::SetSeaParameters(vtkShaderProgram* program)
 {
-  const water_tile& tile = this->Water->Sea->GetTile();
+  water_tile tile = this->Water->Sea->GetTile();
+  tile.length /= this->Water->Look.MetresPerUnit;
   double place[2] = { 0.0, 0.0 };
   water_tile_place(&tile, this->Drawn.Plan->origin_xy[0], this->Drawn.Plan->origin_xy[1], place);
   const double placeAndScale[4] = { place[0], place[1], 1.0 / tile.length,

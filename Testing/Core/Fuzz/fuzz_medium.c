@@ -27,7 +27,7 @@ static void fuzz_light(fuzz_input* from)
   }
   if (water_medium_check(&medium) == WATER_OK)
   {
-    water_medium_deep_color(&medium, out);
+    water_medium_reflectance(&medium, out);
     for (int i = 0; i < 3; ++i)
     {
       PROMISED(out[i] >= 0.0 && out[i] <= 0.33);

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// water_units.c: what a metre is in a scene.
+#include "water_units.h"
+
+#include <math.h>
+#include <string.h>
+
+static const double waves_across = 400.0;
+
+typedef struct named_unit
+{
+  const char* name;
+  double metres;
+} named_unit;
+
+static const named_unit units[] = {
+#define WATER_UNIT_ENTRY(name, metres) { name, metres },
+  WATER_UNIT_LIST(WATER_UNIT_ENTRY)
+#undef WATER_UNIT_ENTRY
+};
+
+const char* water_units_name(size_t i)
+{
+  return i < sizeof units / sizeof units[0] ? units[i].name : NULL;
+}
+
+water_status water_units_find(const char* name, double* metres)
+{
+  for (size_t i = 0; name != NULL && i < sizeof units / sizeof units[0]; ++i)
+  {
+    if (strcmp(name, units[i].name) == 0)
+    {
+      *metres = units[i].metres;
+      return WATER_OK;
+    }
+  }
+  return WATER_BAD_UNITS;
+}
+
+double water_units_fit(double diagonal, const double natural_m[2])
+{
+  if (!(diagonal > 0.0) || !isfinite(diagonal))
+  {
+    return 1.0;
+  }
+  return fmin(fmax(diagonal, natural_m[0]), natural_m[1]) / diagonal;
+}
+
+bool water_units_show_waves(double wavelength, double diagonal)
+{
+  return !(wavelength * waves_across < diagonal);
+}

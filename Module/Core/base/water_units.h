@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// water_units.h: what a metre is in a scene. Lengths of waves, depths and ways through water are
+// metres; a scene has a unit of its own.
+#ifndef water_units_h
+#define water_units_h
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "water_status.h"
+
+#ifdef __cplusplus
+extern "C"
+{
+#endif
+
+// Units by name: X(name, metres). The foot is the international one (NIST SP 811, appendix B).
+#define WATER_UNIT_LIST(X)                                                                         \
+  X("um", 1e-6)                                                                                    \
+  X("mm", 1e-3)                                                                                    \
+  X("cm", 1e-2)                                                                                    \
+  X("m", 1.0)                                                                                      \
+  X("km", 1e3)                                                                                     \
+  X("in", 0.0254)                                                                                  \
+  X("ft", 0.3048)                                                                                  \
+  X("mi", 1609.344)
+
+// Metres of a unit of this name.
+//
+// Returns WATER_OK or WATER_BAD_UNITS (NULL as well); then metres is unchanged.
+water_status water_units_find(const char* name, double* metres);
+
+// Name of unit i; NULL from the number of units on.
+const char* water_units_name(size_t i);
+
+// Metres per unit of a scene whose unit nobody knows, so that its water looks like water. A scene
+// as large as what is natural for its water has metres; a smaller or a larger one, as models and
+// maps are, counts as the nearest natural size.
+//
+// diagonal   of the scene, units; the result is 1 if it is not finite or not positive
+// natural_m  the least and the largest natural size, m, > 0
+double water_units_fit(double diagonal, const double natural_m[2]);
+
+// Are waves of this length seen in a scene that is looked at as a whole? Not if they are shorter
+// than 1/400 of it, which is about two pixels of a picture.
+//
+// wavelength  of the longest, m
+// diagonal    of the scene, m
+bool water_units_show_waves(double wavelength, double diagonal);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

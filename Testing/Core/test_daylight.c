@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// test_daylight.c: the display's encoding, the light of sky and lights, and what water makes of it.
+#include "test_scene.h"
+
+#include "water_daylight.h"
+#include "water_preset.h"
+
+static const double white[3] = { 1.0, 1.0, 1.0 };
+static const double up[3] = { 0.0, 0.0, 2.0 };
+
+static water_sky water_sky_of(double bottom, double top)
+{
+  const water_sky sky = { { bottom, bottom, bottom }, { top, top, top }, 1.0, true };
+  return sky;
+}
+
+// Values of the standard: 18 % grey is 118 of 255, half of the light 188; there and back is no way.
+TEST(encoding_is_the_standards)
+{
+  ASSERT_CLOSE(255.0 * water_display_encode(0.18), 117.6, 0.1);
+  ASSERT_CLOSE(255.0 * water_display_encode(0.5), 187.5, 0.1);
+  ASSERT_CLOSE(water_display_encode(0.001), 0.01292, 1e-12);
+  ASSERT_CLOSE(water_display_encode(1.0), 1.0, 1e-12);
+  for (double value = 0.0; value <= 1.0; value += 1.0 / 64.0)
+  {
+    ASSERT_CLOSE(water_display_encode(water_display_decode(value)), value, 1e-7);
+  }
+}
+
+TEST(values_outside_are_clamped)
+{
+  ASSERT_CLOSE(water_display_encode(-1.0), 0.0, 0.0);
+  ASSERT_CLOSE(water_display_encode(7.0), 1.0, 1e-12);
+  ASSERT_CLOSE(water_display_encode((double)NAN), 0.0, 0.0);
+  ASSERT_CLOSE(water_display_decode(7.0), 1.0, 1e-12);
+  ASSERT_CLOSE(water_display_decode((double)NAN), 0.0, 0.0);
+}
+
+// A light at 60 degrees from the normal brings half of its light, at any length of the vectors; one
+// that is under the plane brings none.
+TEST(lights_add_by_lamberts_law)
+{
+  const double high[3] = { 0.0, 0.0, 5.0 };
+  const double low[3] = { 0.0, 10.0 * sqrt(3.0), 10.0 };
+  const double under[3] = { 0.0, 1.0, -1.0 };
+  const double red[3] = { 1.0, 0.5, 0.0 };
+  double daylight[3] = { 0.0, 0.0, 0.0 };
+  water_daylight_add_light(up, high, red, 2.0, daylight);
+  ASSERT_CLOSE(daylight[0], 2.0, 1e-12);
+  ASSERT_CLOSE(daylight[1], 1.0, 1e-12);
+  ASSERT_CLOSE(daylight[2], 0.0, 0.0);
+  water_daylight_add_light(up, low, white, 1.0, daylight);
+  ASSERT_CLOSE(daylight[0], 2.5, 1e-12);
+  ASSERT_CLOSE(daylight[2], 0.5, 1e-12);
+  water_daylight_add_light(up, under, white, 1.0, daylight);
+  ASSERT_CLOSE(daylight[2], 0.5, 1e-12);
+}
+
+TEST(lights_that_are_none_add_nothing)
+{
+  const double nowhere[3] = { 0.0, 0.0, 0.0 };
+  const double endless[3] = { 0.0, 0.0, (double)INFINITY };
+  const double high[3] = { 0.0, 0.0, 1.0 };
+  double daylight[3] = { 0.25, 0.5, 0.75 };
+  water_daylight_add_light(up, nowhere, white, 1.0, daylight);
+  water_daylight_add_light(nowhere, high, white, 1.0, daylight);
+  water_daylight_add_light(up, endless, white, 1.0, daylight);
+  water_daylight_add_light(up, high, white, -1.0, daylight);
+  water_daylight_add_light(up, high, white, (double)NAN, daylight);
+  ASSERT_CLOSE(daylight[0], 0.25, 0.0);
+  ASSERT_CLOSE(daylight[1], 0.5, 0.0);
+  ASSERT_CLOSE(daylight[2], 0.75, 0.0);
+}
+
+// The sky's part is its mean, not of what the display shows but of the light.
+TEST(sky_adds_the_mean_of_its_light)
+{
+  water_sky sky = water_sky_of(0.0, 1.0);
+  double daylight[3] = { 0.0, 0.0, 0.0 };
+  water_daylight_add_sky(&sky, daylight);
+  ASSERT_CLOSE(daylight[0], 0.5, 1e-12);
+  sky = water_sky_of(118.0 / 255.0, 118.0 / 255.0);
+  water_daylight_add_sky(&sky, daylight);
+  ASSERT_CLOSE(daylight[1], 0.5 + 0.181, 1e-3);
+}
+
+// Water that only scatters sends back a third: 0.33 is 155 of 255 on the display.
+TEST(deep_color_is_what_comes_back)
+{
+  const water_medium milk = { { 0.0, 0.0, 0.0 }, { 1.0, 1.0, 1.0 } };
+  const double dark[3] = { 0.0, 0.0, 0.0 };
+  const double bright[3] = { 100.0, 100.0, 100.0 };
+  double color[3];
+  water_daylight_deep_color(&milk, white, color);
+  ASSERT_CLOSE(255.0 * color[0], 155.5, 0.5);
+  water_daylight_deep_color(&milk, dark, color);
+  ASSERT_CLOSE(color[0] + color[1] + color[2], 0.0, 0.0);
+  water_daylight_deep_color(&milk, bright, color);
+  ASSERT_CLOSE(color[2], 1.0, 1e-12);
+}
+
+// Under a white sky and a sun no water of a preset is black, and the default is blue: above 60 of
+// 255 in blue, more green than red.
+TEST(waters_are_not_black_under_the_sky)
+{
+  const double noon[3] = { 1.6, 1.6, 1.6 };
+  double natural[2];
+  double color[3];
+  water_medium medium;
+  water_preset_default(&medium, natural);
+  water_daylight_deep_color(&medium, noon, color);
+  assert_true(255.0 * color[2] > 60.0 && color[2] > color[1] && color[1] > color[0]);
+  for (size_t i = 0; i < water_preset_count(); ++i)
+  {
+    water_preset preset;
+    assert_int_equal(water_preset_find(water_preset_name(i), &preset), WATER_OK);
+    water_daylight_deep_color(&preset.medium, noon, color);
+    assert_true(preset.look.constant_reflectance || 255.0 * fmax(color[1], color[2]) > 60.0);
+  }
+}
+
+// The plan's daylight is that of its lights and of its sky.
+TEST(plan_has_the_scenes_daylight)
+{
+  water_scene scene = pool(5.0);
+  scene.sky = water_sky_of(0.0, 1.0);
+  scene.light[0] = 1.0;
+  const water_plan plan = plan_of(&scene, NULL);
+  ASSERT_CLOSE(plan.daylight[0], 1.5, 1e-12);
+  ASSERT_CLOSE(plan.daylight[2], 0.5, 1e-12);
+}
+
+TESTS(encoding_is_the_standards, values_outside_are_clamped, lights_add_by_lamberts_law,
+  lights_that_are_none_add_nothing, sky_adds_the_mean_of_its_light, deep_color_is_what_comes_back,
+  waters_are_not_black_under_the_sky, plan_has_the_scenes_daylight)

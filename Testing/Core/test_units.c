@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// test_units.c: what a metre is in a scene, by name, by the scene's size, and for its waves.
+#include "test_scene.h"
+
+#include "water_units.h"
+#include "water_waves.h"
+
+static const double natural[2] = { 100.0, 1000.0 };
+
+TEST(units_have_their_metres)
+{
+  const char* const names[4] = { "mm", "km", "ft", "mi" };
+  const double expected[4] = { 0.001, 1000.0, 0.3048, 1609.344 };
+  for (int i = 0; i < 4; ++i)
+  {
+    double metres = 0.0;
+    assert_int_equal(water_units_find(names[i], &metres), WATER_OK);
+    ASSERT_CLOSE(metres, expected[i], 1e-15 * expected[i]);
+  }
+  for (size_t i = 0; water_units_name(i) != NULL; ++i)
+  {
+    double metres = 0.0;
+    assert_int_equal(water_units_find(water_units_name(i), &metres), WATER_OK);
+    assert_true(metres > 0.0);
+  }
+}
+
+TEST(other_names_are_refused)
+{
+  double metres = 7.0;
+  assert_int_equal(water_units_find("furlong", &metres), WATER_BAD_UNITS);
+  assert_int_equal(water_units_find("", &metres), WATER_BAD_UNITS);
+  assert_int_equal(water_units_find(NULL, &metres), WATER_BAD_UNITS);
+  ASSERT_CLOSE(metres, 7.0, 0.0);
+}
+
+// From a millimetre to a continent a scene counts as one of a natural size.
+TEST(scenes_of_all_sizes_count_as_natural)
+{
+  for (double diagonal = 1e-3; diagonal < 1e8; diagonal *= 10.0)
+  {
+    const double size = diagonal * water_units_fit(diagonal, natural);
+    assert_true(size >= 99.999 && size <= 1000.001);
+  }
+  ASSERT_CLOSE(water_units_fit(500.0, natural), 1.0, 0.0);
+  ASSERT_CLOSE(water_units_fit(1.0, natural), 100.0, 1e-12);
+  ASSERT_CLOSE(water_units_fit(1e6, natural), 1e-3, 1e-15);
+}
+
+TEST(scenes_without_a_size_have_metres)
+{
+  const double sizes[4] = { 0.0, -1.0, (double)NAN, (double)INFINITY };
+  for (int i = 0; i < 4; ++i)
+  {
+    ASSERT_CLOSE(water_units_fit(sizes[i], natural), 1.0, 0.0);
+  }
+}
+
+TEST(waves_too_short_for_the_scene_are_not_seen)
+{
+  assert_true(water_units_show_waves(2.6, 1000.0));
+  assert_false(water_units_show_waves(2.4, 1000.0));
+  assert_true(water_units_show_waves(0.1, 0.0));
+}
+
+// In millimetres waves are 1000 times as high and as long, and as steep; a place has their phase.
+TEST(scaled_waves_have_the_same_slopes)
+{
+  const water_wave wave = { 0.1, 3.0, 0.5, 0.25, 0.0 };
+  water_wave_term terms[2];
+  size_t bad = 0;
+  for (int i = 0; i < 2; ++i)
+  {
+    assert_int_equal(water_waves_at(&wave, 1, (double)INFINITY, 2.0, terms + i, &bad), WATER_OK);
+  }
+  water_waves_scale(1000.0, terms + 1, 1);
+  for (double x = -2.0; x < 2.0; x += 0.37)
+  {
+    double rest[2];
+    water_wave_point metres;
+    water_wave_point millimetres;
+    assert_int_equal(water_waves_find(terms, 1, x, 0.5 * x, rest, &metres), WATER_OK);
+    assert_int_equal(
+      water_waves_find(terms + 1, 1, 1000.0 * x, 500.0 * x, rest, &millimetres), WATER_OK);
+    ASSERT_CLOSE(millimetres.displacement[2], 1000.0 * metres.displacement[2], 1e-9);
+    ASSERT_CLOSE(millimetres.slope[0], metres.slope[0], 1e-12);
+    ASSERT_CLOSE(millimetres.slope[1], metres.slope[1], 1e-12);
+  }
+}
+
+TESTS(units_have_their_metres, other_names_are_refused, scenes_of_all_sizes_count_as_natural,
+  scenes_without_a_size_have_metres, waves_too_short_for_the_scene_are_not_seen,
+  scaled_waves_have_the_same_slopes)

@@ -1,0 +1,92 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Where the bed under clear water ends: with the water it goes on, in open water it does not; and multisampling mixes
+nothing into what is seen through the surface."""
+
+import numpy as np
+import pytest
+import water_test as wt
+
+SIZE = (240, 180)
+VIEWS = {"above": (3, -9, 9), "middle": (6, -9, 5), "low": (-4, -12, 1.5)}
+WHITE = (1.0, 1.0, 1.0)
+
+
+def clear_water(view, sheet):
+    water = wt.add_water(view.renderer, None, sheet, None)
+    look = water.GetWaterProperty()
+    look.RefractionOn()
+    look.SetAbsorption(0.4, 0.15, 0.1)
+    look.SetScattering(0.01, 0.02, 0.03)
+    look.SetShoreSoftness(0.0)
+    return water
+
+
+def over_a_bed(position, bed, samples=0, waves=()):
+    """Water of 8 m x 8 m over a level bed of another width, striped across."""
+    view = wt.View(SIZE, WHITE, samples)
+    for stripe in range(-20, 20):
+        low, high = max(stripe, -bed), min(stripe + 1, bed)
+        if low < high:
+            actor = wt.add_actor(view.renderer, wt.box((0.5 * (low + high), 0, -1.6), (high - low, 2 * bed, 0.2)),
+                                 (0.5, 0.3, 0.2) if stripe % 2 else (0.4, 0.25, 0.15))
+            actor.GetProperty().LightingOff()
+    water = clear_water(view, (-4, 4, -4, 4))
+    for wave in waves:
+        water.GetWaterProperty().AddWave(*wave)
+    wt.place_camera(view.renderer, position, (0, 0, 0), (0.5, 60))
+    return view, water
+
+
+@pytest.mark.parametrize("is_software", (1, 0))
+@pytest.mark.parametrize("name", VIEWS)
+def test_a_bed_that_ends_with_the_water_goes_on(name, is_software, monkeypatch):
+    """Nearly all of the water shows what it shows over a bed without an end: no rim of deep water at its borders."""
+    monkeypatch.setenv("VTK_WATER_SOFTWARE", str(is_software))
+    ended, water = over_a_bed(VIEWS[name], 4)
+    endless, _ = over_a_bed(VIEWS[name], 20)
+    mask = wt.water_mask(ended, water)
+    off = np.abs(ended.picture() - endless.picture()).max(axis=2)
+    wt.check_at_least("% of the pixels are water", 100 * mask.mean(), 3)
+    # stripes go on as the one at the border
+    wt.check_at_most("% of them that differ by more than 30 of 255", 100 * float((off[mask] > 30).mean()), 0.5)
+
+
+@pytest.mark.parametrize("is_software", (1, 0))
+def test_open_water_has_no_bed_that_goes_on(is_software, monkeypatch):
+    """Rocks under the border of open water are seen where they are, and nowhere else: as much of the picture is rock."""
+    monkeypatch.setenv("VTK_WATER_SOFTWARE", str(is_software))
+
+    def rocks(sheet):
+        view = wt.View(SIZE, WHITE)
+        for place in ((0, 0), (3, 2), (-3, 3), (2.5, -2.8)):
+            rock = wt.add_actor(view.renderer, wt.sphere((*place, -0.4), 0.8), (0.9, 0.2, 0.1))
+            rock.GetProperty().LightingOff()
+        clear_water(view, sheet)
+        wt.place_camera(view.renderer, VIEWS["above"], (0, 0, 0), (0.5, 60))
+        picture = view.picture()
+        return picture[..., 0] > picture[..., 2] + 20
+    bounded, wide = rocks((-4.2, 4.2, -4.2, 4.2)), rocks((-20, 20, -20, 20))
+    wt.check_at_least("pixels of rock", int(wide.sum()), 200)
+    wt.check_at_most("pixels of rock where there is none", int((bounded & ~wide).sum()), 0)
+
+
+@pytest.mark.parametrize("samples", (2, 4, 8))
+@pytest.mark.parametrize("is_software", (1, 0))
+def test_multisampling_brings_no_fringe(samples, is_software, monkeypatch):
+    """White behind a dark bed's edge does not shine into the water: no pixel within it is brighter than all near it
+    are without multisampling."""
+    monkeypatch.setenv("VTK_WATER_SOFTWARE", str(is_software))
+    once, water = over_a_bed(VIEWS["middle"], 4)
+    mask = wt.water_mask(once, water)
+    single = once.picture().max(axis=2)
+    several, _ = over_a_bed(VIEWS["middle"], 4, samples)
+    picture = several.picture().max(axis=2)
+    inside = mask.copy()
+    brightest = single.copy()
+    for dy in range(-2, 3):
+        for dx in range(-2, 3):
+            inside &= np.roll(mask, (dy, dx), (0, 1))
+            brightest = np.maximum(brightest, np.roll(single, (dy, dx), (0, 1)))
+    fringe = inside & (picture > brightest + 12)
+    wt.check_at_least("pixels within the water", int(inside.sum()), 2000)
+    wt.check_at_most("brighter than all near them", int(fringe.sum()), 0)

@@ -1,0 +1,171 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The same water in another unit is the same picture; a scene whose unit nobody knows counts as one of natural size."""
+
+import numpy as np
+import pytest
+import water_test as wt
+from vtkmodules.vtkCommonTransforms import vtkTransform
+from vtkwater import vtkWaterProperty
+
+UNITS = {"um": 1e-6, "mm": 1e-3, "cm": 1e-2, "m": 1.0, "km": 1e3, "in": 0.0254, "ft": 0.3048, "mi": 1609.344}
+SIZE = (160, 120)
+SAME = 0.005  # share of pixels that single precision may change by more than 1 of 255
+
+
+def sines(look):
+    look.AddWave(0.02, 1.5, 20, 10)
+    look.AddWave(0.01, 0.7, 80, 50)
+
+
+def everything(look):
+    """Clear water with waves, foam at the shore, caustics, glitter and a normal map's ripples."""
+    sines(look)
+    look.RefractionOn()
+    look.SetAbsorption(0.6, 0.3, 0.2)
+    look.SetScattering(0.02, 0.03, 0.05)
+    look.SetFoamDepth(0.5)
+    look.SetCaustics(0.8)
+    look.SetShoreSoftness(0.3)
+    look.AddNormalMap(None, 3.0, 0.5, 30)
+
+
+def sea(look):
+    look.SetPreset("lake")
+    look.SetSeaTileSize(64)
+
+
+def displaced(look):
+    look.AddWave(0.1, 3.0, 20, 10)
+    look.WaveGeometryOn()
+
+
+def scene(metres, set_look, units=None, time=1.5):
+    """A bed and two boxes, 12 m wide, in a unit of so many metres."""
+    view = wt.View(SIZE, (0.6, 0.75, 0.9))
+    for middle, sizes, color in (((0, 2, -1.6), (12, 14, 1), (0.8, 0.7, 0.5)), ((1, 2, 0.5), (1, 1, 3), (0.8, 0.2, 0.1)),
+                                 ((-2, 0, -0.5), (1.5, 1.5, 2), (0.2, 0.5, 0.2))):
+        actor = wt.add_actor(view.renderer, wt.box(middle, sizes), color)
+        place = vtkTransform()
+        place.Scale(*[1 / metres] * 3)
+        place.RotateX(5)
+        actor.SetUserTransform(place)
+    wt.add_scene_light(view.renderer, (0.3, 0.5, 0.8))
+    water = wt.add_water(view.renderer, None, [edge / metres for edge in (-6, 6, -5, 9)], None)
+    set_look(water.GetWaterProperty())
+    if units is None:
+        water.GetWaterProperty().SetMetresPerUnit(metres)
+    else:
+        water.GetWaterProperty().SetUnits(units)
+    water.SetTime(time)
+    wt.place_camera(view.renderer, [x / metres for x in (1, -9, 3)], [x / metres for x in (0, 1, 0)],
+                    (0.5 / metres, 60 / metres))
+    return view, water
+
+
+@pytest.mark.parametrize("set_look", (sines, everything, sea, displaced))
+@pytest.mark.parametrize("units", ("mm", "ft", "km"))
+def test_the_same_water_in_another_unit_is_the_same_picture(set_look, units):
+    metres, _ = scene(1.0, set_look)
+    others, _ = scene(UNITS[units], set_look, units)
+    off = np.abs(metres.picture() - others.picture()).max(axis=2) > 1
+    wt.check_at_most(f"{units}: share of the pixels that differ", float(off.mean()), SAME)
+    look = others.renderer.GetActors().GetLastActor().GetWaterProperty()
+    look.SetUnits("m")
+    off = np.abs(metres.picture() - others.picture()).max(axis=2) > 1
+    wt.check_at_least(f"{units} as metres: share of the pixels that differ", float(off.mean()), 2 * SAME)
+
+
+@pytest.mark.parametrize("set_look", (sines, sea))
+def test_heights_and_normals_are_in_the_scenes_unit(set_look):
+    _, metres = scene(1.0, set_look)
+    _, feet = scene(UNITS["ft"], set_look, "ft")
+    for x, y in ((0, 0), (1.2, 0.4), (-3, 5)):
+        height = metres.GetWaveHeight(x, y)
+        wt.check_at_most(f"height at {x}, {y}: off by, m", abs(
+            UNITS["ft"] * feet.GetWaveHeight(x / UNITS["ft"], y / UNITS["ft"]) - height), 1e-9)
+        normals = np.zeros((2, 3))
+        metres.GetWaveNormal(x, y, normals[0])
+        feet.GetWaveNormal(x / UNITS["ft"], y / UNITS["ft"], normals[1])
+        wt.check_at_most("normal off by", float(np.abs(normals[0] - normals[1]).max()), 1e-9)
+
+
+def test_units_by_name():
+    look = vtkWaterProperty()
+    wt.check_equal("default", look.GetMetresPerUnit(), 1.0)
+    for name, metres in UNITS.items():
+        wt.check_equal(f"{name} is one", look.SetUnits(name), True)
+        wt.check_equal(f"metres of {name}", look.GetMetresPerUnit(), metres)
+    wt.check_equal("automatic is one", look.SetUnits("automatic"), True)
+    wt.check_equal("metres", look.GetMetresPerUnit(), 0.0)
+
+
+@pytest.mark.parametrize("name", ("furlong", "", None))
+def test_other_names_are_refused(name):
+    look = vtkWaterProperty()
+    said = wt.errors_of(look)
+    look.SetUnits("ft")
+    wt.check_equal("it is none", look.SetUnits(name), False)
+    wt.check_equal("errors", len(said), 1)
+    wt.check_equal("they name the accepted ones", all(f"{unit}, " in said[0] for unit in UNITS), True)
+    wt.check_equal("it stays", look.GetMetresPerUnit(), UNITS["ft"])
+
+
+@pytest.mark.parametrize("metres", (-1.0, 1e-10, 1e10, float("nan"), float("inf")))
+def test_numbers_out_of_range_are_refused(metres):
+    look = vtkWaterProperty()
+    said = wt.errors_of(look)
+    look.SetMetresPerUnit(metres)
+    wt.check_equal("errors", len(said), 1)
+    wt.check_equal("names the range", "[1e-09, 1e+09]" in said[0], True)
+    wt.check_equal("it stays", look.GetMetresPerUnit(), 1.0)
+
+
+def printed(water):
+    return next(line for line in str(water).splitlines() if "MetresPerUnit in use" in line)
+
+
+@pytest.mark.parametrize("size", (1e-3, 1.0, 1e3, 1e7))
+def test_automatic_water_looks_the_same_at_any_size(size):
+    """From a millimetre to a continent: one picture, and what a unit counts as is printed."""
+    first, _ = scene(1.0, everything, "automatic")
+    other, water = scene(1.0 / size, everything, "automatic")
+    off = np.abs(first.picture() - other.picture()).max(axis=2) > 1
+    if size < 50:  # as large as the least natural size, as the first is
+        wt.check_at_most("share of the pixels that differ", float(off.mean()), SAME)
+    metres = float(printed(water).split(":")[1].split(";")[0])
+    diagonal = np.linalg.norm(np.diff(np.array(bounds_of(other.renderer)).reshape(3, 2)))
+    wt.check_at_least("m across", metres * diagonal, 99.9)
+    wt.check_at_most("m across", metres * diagonal, 1000.1)
+
+
+def bounds_of(renderer):
+    """Of all but the water."""
+    boxes = np.array([actor.GetBounds() for actor in renderer.GetActors() if not actor.IsA("vtkWaterActor")])
+    low, high = boxes[:, ::2].min(axis=0), boxes[:, 1::2].max(axis=0)
+    return np.stack([low, high], axis=1).ravel()
+
+
+def test_waves_that_are_too_short_for_the_scene_are_calm():
+    """Waves of 0.7 and 1.5 m in a scene that counts as 1000 m: it is calm, heights and the printout say so."""
+    view, water = scene(0.001, sines, "automatic")  # 12,000 units wide
+    wt.check_equal("height", water.GetWaveHeight(100.0, 200.0), 0.0)
+    wt.check_equal("printed", "too short" in printed(water), True)
+    calm, still = scene(0.001, lambda look: None, "automatic")
+    wt.check_equal("difference from calm water", wt.difference(view.picture(), calm.picture()), 0)
+    water.GetWaterProperty().AddWave(0.5, 10.0)
+    wt.check_equal("longer ones are seen", "too short" in printed(water), False)
+    wt.check_at_least("and differ", wt.difference(view.picture(), calm.picture()), 5)
+    wt.check_equal("no error", still.GetLastError(), "")
+
+
+def test_automatic_units_follow_the_scene_whenever_it_comes():
+    """Water before the meshes, or after: the same."""
+    first, _ = scene(1.0, everything, "automatic")
+    late, water = scene(1.0, everything, "automatic")
+    actors = [actor for actor in late.renderer.GetActors() if not actor.IsA("vtkWaterActor")]
+    for actor in actors:
+        late.renderer.RemoveActor(actor)
+    late.window.Render()
+    for actor in actors:
+        late.renderer.AddActor(actor)
+    wt.check_equal("difference", wt.difference(first.picture(), late.picture()), 0)
