@@ -38,12 +38,6 @@ void vtkWaterProperty::SetReflectanceMode(int mode)
 }
 
 //------------------------------------------------------------------------------
-const char* vtkWaterProperty::GetReflectanceModeAsString() const
-{
-  return this->ReflectanceMode == CONSTANT ? "CONSTANT" : "FRESNEL";
-}
-
-//------------------------------------------------------------------------------
 void vtkWaterProperty::SetReflectance(double reflectance)
 {
   vtkWaterSetInRange(Reflectance, reflectance, 0.0, 1.0);
@@ -92,12 +86,6 @@ void vtkWaterProperty::SetDeepColorMode(int mode)
 {
   vtkWaterSetInRange(DeepColorMode, mode, MEDIUM, GIVEN);
   this->UpdateDeepColor();
-}
-
-//------------------------------------------------------------------------------
-const char* vtkWaterProperty::GetDeepColorModeAsString() const
-{
-  return this->DeepColorMode == GIVEN ? "GIVEN" : "MEDIUM";
 }
 
 //------------------------------------------------------------------------------
@@ -354,9 +342,7 @@ void vtkWaterProperty::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MetresPerUnit: " << this->MetresPerUnit
      << (this->MetresPerUnit == 0.0 ? " (automatic)" : "") << "\n";
   os << indent << "ShoreSoftness: " << this->ShoreSoftness << "\n";
-  os << indent
-     << "ReflectionSource: " << (this->ReflectionSource == ENVIRONMENT ? "ENVIRONMENT" : "SCENE")
-     << "\n";
+  os << indent << "ReflectionSource: " << this->GetReflectionSourceAsString() << "\n";
   os << indent << "EnvironmentTexture: " << this->GetEnvironmentTexture() << "\n";
   os << indent << "Glitter: " << (this->Glitter ? "on" : "off") << "\n";
   os << indent << "SlopeVariance: " << this->SlopeVariance[0] << " along, "
@@ -388,13 +374,13 @@ void vtkWaterProperty::PrintSelf(ostream& os, vtkIndent indent)
   }
   os << indent << "WaveGeometry: " << (this->WaveGeometry ? "on" : "off") << "\n";
   os << indent << "WaveGridSize: " << this->WaveGridSize << "\n";
-  os << indent << "Lookup: " << this->Lookup << "\n";
+  os << indent << "Lookup: " << this->GetLookupAsString() << "\n";
   os << indent << "OffsetScale: " << this->OffsetScale << "\n";
   os << indent << "RayTraceSteps: " << this->RayTraceSteps << "\n";
   os << indent << "RayTraceProbes: " << this->RayTraceProbes << "\n";
   os << indent << "RayTraceRays: " << this->RayTraceRays << "\n";
   os << indent << "RayTraceLayers: " << this->RayTraceLayers << "\n";
   os << indent << "RayTraceFootprint: " << this->RayTraceFootprint << "\n";
-  os << indent << "Output: " << this->Output << "\n";
+  os << indent << "Output: " << this->GetOutputAsString() << "\n";
 }
 VTK_ABI_NAMESPACE_END

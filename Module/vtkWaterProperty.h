@@ -18,9 +18,11 @@
 #include "vtkWrappingHints.h"        // for VTK_WRAPEXCLUDE
 
 #include <memory> // for std::unique_ptr
+#include <vector> // for waves
 
 struct vtkWaterLook;
 struct water_medium;
+struct water_preset;
 struct water_sea;
 struct water_tile;
 struct water_wave;
@@ -119,26 +121,35 @@ public:
   vtkGetVector3Macro(Scattering, double);
   ///@}
 
+  ///@{
   /**
    * Sets Absorption and Scattering to those of one of Jerlov's optical water types: "I", "IA",
    * "IB", "II", "III" (ocean), "1C", "3C", "5C", "7C", "9C" (coast, clear to turbid), and
    * DeepColorMode to MEDIUM.
    *
-   * Returns false, with an error, for another name.
+   * Returns false, with an error, for another name. GetWaterType is the type that has this
+   * Absorption and Scattering, however they were set; nullptr: none has.
    *
    * Source: Jerlov 1976, "Marine Optics", table XXVII.
    */
   bool SetWaterType(const char* name);
+  const char* GetWaterType() const;
+  ///@}
 
+  ///@{
   /**
    * Sets everything to a water of this name: "pool", "lake", "clear tropical", "ocean wind 5",
    * "ocean wind 10", "ocean wind 15" (m/s), "turbid river" or "mirror floor". GetPresetSource says
    * where its numbers come from (nullptr for another name). Lookup, its numbers, Output, Opacity,
    * Seed, SeaTileSize and SeaPeriod stay.
    *
-   * Returns false, with an error, for another name; then nothing changes.
+   * Returns false, with an error, for another name; then nothing changes. GetPreset is the preset
+   * that would change nothing now: the last one, until something that it sets has another value;
+   * nullptr: each would change something.
    */
   bool SetPreset(const char* name);
+  const char* GetPreset() const;
+  ///@}
   static int GetNumberOfPresets();
   static const char* GetPresetName(int number); // nullptr from the number on
   static const char* GetPresetSource(const char* name);
@@ -168,7 +179,8 @@ public:
   /**
    * Colour of infinitely deep water: what is seen where the water does not reflect, and with
    * Refraction where it is deep. Red, green, blue, each in [0, 1]. Setting it sets DeepColorMode to
-   * GIVEN. While that is MEDIUM, the default, GetDeepColor returns the colour under white daylight.
+   * GIVEN. While that is MEDIUM, the default, GetDeepColor returns the colour under white daylight,
+   * and a colour of the actor's vtkProperty takes its place.
    */
   void SetDeepColor(double red, double green, double blue);
   void SetDeepColor(const double rgb[3]) { this->SetDeepColor(rgb[0], rgb[1], rgb[2]); }
@@ -221,6 +233,7 @@ public:
   vtkGetMacro(ReflectionSource, int);
   void SetReflectionSourceToScene() { this->SetReflectionSource(SCENE); }
   void SetReflectionSourceToEnvironment() { this->SetReflectionSource(ENVIRONMENT); }
+  const char* GetReflectionSourceAsString() const;
   ///@}
 
   ///@{
@@ -340,6 +353,17 @@ public:
   void RemoveAllWaves();
   int GetNumberOfWaves() const;
   bool GetWave(int number, double wave[5]) const;
+  ///@}
+
+  ///@{
+  /**
+   * Sets a wave to other numbers (those of AddWave), or removes it; the waves after it then count
+   * one less. The wave's number must lie in [0, GetNumberOfWaves() - 1]. Returns false, with an
+   * error, when it does not or when the new numbers are refused; then no wave changes.
+   */
+  bool SetWave(int number, double amplitude, double wavelength, double direction = 0.0,
+    double phase = 0.0, double steepness = 0.0);
+  bool RemoveWave(int number);
   ///@}
 
   /**
@@ -470,6 +494,7 @@ public:
   vtkGetMacro(SeaModel, int);
   void SetSeaModelToJONSWAP() { this->SetSeaModel(JONSWAP); }
   void SetSeaModelToPhillips() { this->SetSeaModel(PHILLIPS); }
+  const char* GetSeaModelAsString() const;
   ///@}
 
   ///@{
@@ -542,6 +567,7 @@ public:
   void SetLookupToFixedOffset() { this->SetLookup(FIXED_OFFSET); }
   void SetLookupToViewScaledOffset() { this->SetLookup(VIEW_SCALED_OFFSET); }
   void SetLookupToMovedPoint() { this->SetLookup(MOVED_POINT); }
+  const char* GetLookupAsString() const;
   ///@}
 
   ///@{
@@ -658,7 +684,14 @@ public:
   void SetOutputToConfidence() { this->SetOutput(CONFIDENCE); }
   void SetOutputToLookup() { this->SetOutput(LOOKUP); }
   void SetOutputToReflectance() { this->SetOutput(REFLECTANCE); }
+  const char* GetOutputAsString() const;
   ///@}
+
+  /**
+   * Makes this water look as another does: everything that can be set is copied, textures are
+   * shared. nullptr changes nothing.
+   */
+  void DeepCopy(vtkWaterProperty* other);
 
   vtkMTimeType GetMTime() override; // of its textures, too
 
@@ -686,6 +719,12 @@ private:
   // Variances xx, yy, xy of all slopes, at all times; normal maps are not counted.
   void GetMeanSlopes(bool hidesWaves, double covariance[3]) const;
   void UpdateSeaSlopes() const;
+  // Is this water what a preset sets?
+  bool IsPreset(const water_preset& preset) const;
+  // Is there a wave of this number? Says what there is when not.
+  bool HasWave(const char* what, int number);
+  // Waves in place of those there are, when they can be. Says what is wrong when not.
+  bool UseWaves(std::vector<water_wave>& waves, int number, const char* otherwise);
   // Refuses a colour with a channel outside [0, 1].
   // Returns whether the colour is one.
   bool SetColor(const char* name, double (&member)[3], double red, double green, double blue);

@@ -153,7 +153,7 @@ void vtkWaterProperty::PrintSea(ostream& os, vtkIndent indent) const
   os << indent << "WindSpeed: " << this->WindSpeed << "\n";
   os << indent << "WindDirection: " << this->WindDirection << "\n";
   os << indent << "Fetch: " << this->Fetch << "\n";
-  os << indent << "SeaModel: " << (this->SeaModel == PHILLIPS ? "PHILLIPS" : "JONSWAP") << "\n";
+  os << indent << "SeaModel: " << this->GetSeaModelAsString() << "\n";
   os << indent << "PeakEnhancement: " << this->PeakEnhancement << "\n";
   os << indent << "Seed: " << this->Seed << "\n";
   os << indent << "SeaTileSize: " << this->SeaTileSize << "\n";

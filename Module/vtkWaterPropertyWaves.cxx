@@ -20,6 +20,14 @@ VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
 constexpr double kLargestVariance = 1e6; // shaders have floats
+
+// A wave from its directions in degrees.
+water_wave MakeWave(
+  double amplitude, double wavelength, double direction, double phase, double steepness)
+{
+  return water_wave{ amplitude, wavelength, vtkMath::RadiansFromDegrees(direction),
+    vtkMath::RadiansFromDegrees(phase), steepness };
+}
 }
 
 //------------------------------------------------------------------------------
@@ -63,25 +71,78 @@ void vtkWaterProperty::GetSlopeVariance(double variance[3]) const
 }
 
 //------------------------------------------------------------------------------
-int vtkWaterProperty::AddWave(
-  double amplitude, double wavelength, double direction, double phase, double steepness)
+bool vtkWaterProperty::UseWaves(std::vector<water_wave>& waves, int number, const char* otherwise)
 {
-  std::vector<water_wave> waves = this->Internal->Waves;
-  waves.push_back(water_wave{ amplitude, wavelength, vtkMath::RadiansFromDegrees(direction),
-    vtkMath::RadiansFromDegrees(phase), steepness });
   size_t bad_index = 0;
   const water_status status = water_waves_check(waves.data(), waves.size(), &bad_index);
   if (status != WATER_OK)
   {
+    const water_wave& wave = waves[static_cast<size_t>(number)];
     vtkErrorMacro("Wave of Amplitude "
-      << amplitude << ", Wavelength " << wavelength << ", Direction " << direction << ", Phase "
-      << phase << ", Steepness " << steepness << ": " << water_status_text(status)
-      << ". It is not added.");
-    return -1;
+      << wave.amplitude << ", Wavelength " << wave.wavelength << ", Direction "
+      << vtkMath::DegreesFromRadians(wave.direction_rad) << ", Phase "
+      << vtkMath::DegreesFromRadians(wave.phase_rad) << ", Steepness " << wave.steepness << ": "
+      << water_status_text(status) << ". " << otherwise);
+    return false;
   }
-  this->Internal->Waves = std::move(waves);
+  this->Internal->Waves.swap(waves);
   this->Modified();
-  return this->GetNumberOfWaves() - 1;
+  return true;
+}
+
+//------------------------------------------------------------------------------
+int vtkWaterProperty::AddWave(
+  double amplitude, double wavelength, double direction, double phase, double steepness)
+{
+  std::vector<water_wave> waves = this->Internal->Waves;
+  const int number = this->GetNumberOfWaves();
+  waves.push_back(MakeWave(amplitude, wavelength, direction, phase, steepness));
+  return this->UseWaves(waves, number, "It is not added.") ? number : -1;
+}
+
+//------------------------------------------------------------------------------
+bool vtkWaterProperty::HasWave(const char* what, int number)
+{
+  const int count = this->GetNumberOfWaves();
+  if (number >= 0 && number < count)
+  {
+    return true;
+  }
+  if (count == 0)
+  {
+    vtkErrorMacro("Wave " << number << " cannot be " << what << "; there are no waves.");
+  }
+  else
+  {
+    vtkErrorMacro("Wave " << number << " cannot be " << what << "; the number must lie in [0, "
+                          << count - 1 << "]. The waves stay as they were.");
+  }
+  return false;
+}
+
+//------------------------------------------------------------------------------
+bool vtkWaterProperty::SetWave(
+  int number, double amplitude, double wavelength, double direction, double phase, double steepness)
+{
+  if (!this->HasWave("set", number))
+  {
+    return false;
+  }
+  std::vector<water_wave> waves = this->Internal->Waves;
+  waves[static_cast<size_t>(number)] = MakeWave(amplitude, wavelength, direction, phase, steepness);
+  return this->UseWaves(waves, number, "The wave stays as it was.");
+}
+
+//------------------------------------------------------------------------------
+bool vtkWaterProperty::RemoveWave(int number)
+{
+  if (!this->HasWave("removed", number))
+  {
+    return false;
+  }
+  this->Internal->Waves.erase(this->Internal->Waves.begin() + number);
+  this->Modified();
+  return true;
 }
 
 //------------------------------------------------------------------------------

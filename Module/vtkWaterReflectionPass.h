@@ -157,6 +157,10 @@ public:
    */
   void SetColorPrecision(int precision);
   int GetColorPrecision() const;
+  void SetColorPrecisionToAutomatic() { this->SetColorPrecision(AUTOMATIC); }
+  void SetColorPrecisionToEightBit() { this->SetColorPrecision(EIGHT_BIT); }
+  void SetColorPrecisionToHalfFloat() { this->SetColorPrecision(HALF_FLOAT); }
+  const char* GetColorPrecisionAsString() const;
   ///@}
 
   ///@{
@@ -271,6 +275,7 @@ public:
   void SetQualityToTargetError() { this->SetQuality(TARGET_ERROR); }
   void SetQualityToTimeBudget() { this->SetQuality(TIME_BUDGET); }
   void SetQualityToUpdateRate() { this->SetQuality(UPDATE_RATE); }
+  const char* GetQualityAsString() const;
   ///@}
 
   ///@{

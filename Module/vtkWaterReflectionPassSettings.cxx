@@ -119,6 +119,13 @@ int vtkWaterReflectionPass::GetColorPrecision() const
 }
 
 //------------------------------------------------------------------------------
+const char* vtkWaterReflectionPass::GetColorPrecisionAsString() const
+{
+  static const char* const names[] = { "AUTOMATIC", "EIGHT_BIT", "HALF_FLOAT" };
+  return names[this->GetColorPrecision()];
+}
+
+//------------------------------------------------------------------------------
 void vtkWaterReflectionPass::SetClipMargin(double margin)
 {
   this->Set("ClipMargin", this->Reflection->Settings.clip_margin, margin, 0.0, kLargest);
@@ -178,6 +185,13 @@ void vtkWaterReflectionPass::SetQuality(int quality)
 int vtkWaterReflectionPass::GetQuality() const
 {
   return static_cast<int>(this->Reflection->Settings.quality);
+}
+
+//------------------------------------------------------------------------------
+const char* vtkWaterReflectionPass::GetQualityAsString() const
+{
+  static const char* const names[] = { "FIXED", "TARGET_ERROR", "TIME_BUDGET", "UPDATE_RATE" };
+  return names[this->GetQuality()];
 }
 
 //------------------------------------------------------------------------------
@@ -373,7 +387,7 @@ void vtkWaterReflectionPass::PrintSelf(ostream& os, vtkIndent indent)
   }
   os << indent << "TextureScale: " << this->GetTextureScale() << "\n";
   os << indent << "MultiSamples: " << this->GetMultiSamples() << "\n";
-  os << indent << "ColorPrecision: " << this->GetColorPrecision() << "\n";
+  os << indent << "ColorPrecision: " << this->GetColorPrecisionAsString() << "\n";
   os << indent << "ClipMargin: " << this->GetClipMargin() << "\n";
   os << indent << "GuardBand: " << this->GetGuardBand() << "\n";
   os << indent << "Skips: " << this->GetSkips() << "\n";
@@ -390,7 +404,7 @@ void vtkWaterReflectionPass::PrintSelf(ostream& os, vtkIndent indent)
     os << next << "TrianglesReflected: " << this->GetNumberOfTrianglesReflected() << "\n";
     os << next << "FragmentsReflected: " << this->GetNumberOfFragmentsReflected() << "\n";
   }
-  os << indent << "Quality: " << this->GetQuality() << "\n";
+  os << indent << "Quality: " << this->GetQualityAsString() << "\n";
   os << indent << "TargetError: " << this->GetTargetError() << "\n";
   os << indent << "TimeBudget: " << this->GetTimeBudget() << "\n";
   os << indent << "QualityStep: " << this->GetQualityStep() << "\n";

@@ -27,7 +27,7 @@ RANGE = re.compile(r"\[[^]]*\d[^]]*\]|finite|any integer|must |one of|nullptr|nu
 DEFAULT = re.compile(r"default", re.I)
 # what they set is no number with a default
 NO_DEFAULT = {"SetWaterType", "SetPreset", "SetSlopeVarianceToWind", "SetMapper", "SetAllocatedRenderTime",
-              "SetRayTraceQuality"}
+              "SetRayTraceQuality", "SetWave"}
 
 
 def text_of(name, doc):
