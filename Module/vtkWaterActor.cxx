@@ -213,6 +213,10 @@ void vtkWaterActor::UpdateSheet()
   const water_status status = internal.Sheet.Fit(
     fitted.Plane, fitted.Origin, this->UseSheetBounds ? this->SheetBounds : nullptr, scene);
   internal.IsUpdatingSheet = false;
+  if (status == WATER_BAD_SURFACE && frame == 0)
+  {
+    return; // asked for its bounds while there is nothing yet to be as wide as: no frame, no fault
+  }
   if (status != WATER_OK)
   {
     internal.GetOwnReflection().Decline(WATER_NO_REFLECT_FAILED);

@@ -92,9 +92,11 @@ public:
 
   ///@{
   /**
-   * How the water looks. Never null: nullptr means a new default one. Not to be confused with
-   * vtkActor's own property: of that, representation and culling keep their meaning, its opacity
-   * multiplies the water's, and its colours, edges and lighting are not used.
+   * How the water looks. Never null: nullptr means a new default one. ShallowCopy shares it; for
+   * one of its own a copy wants vtkWaterProperty::DeepCopy. Not to be confused with vtkActor's own
+   * property: of that, representation and culling keep their meaning, its opacity multiplies the
+   * water's, its diffuse colour (SetColor) is the water's own unless it is white, VTK's default, or
+   * vtkWaterProperty::SetDeepColor was called; edges and lighting are not used.
    */
   void SetWaterProperty(vtkWaterProperty* property);
   vtkWaterProperty* GetWaterProperty();
@@ -119,6 +121,22 @@ public:
   double GetWaveHeight(double x, double y);
   void GetWaveNormal(double x, double y, double normal[3]) VTK_SIZEHINT(normal, 3);
   ///@}
+
+  /**
+   * Unit vector from the water to a place in its sky, such as the sun's: azimuth in degrees from
+   * the plane's second axis over the first (from north over east for a level plane), elevation in
+   * degrees over the plane, both finite. NaN when they are not, or when the plane has no normal.
+   */
+  void GetSkyDirection(double azimuth, double elevation, double direction[3])
+    VTK_SIZEHINT(direction, 3);
+
+  /**
+   * How the polygons of a mesh of the user's lie over the plane: their mean height, which is
+   * accepted as far as plus or minus the second number, and their mean angle to the plane, degrees,
+   * accepted up to the fourth. What is not accepted is drawn, with a warning. Returns false, and
+   * four NaN, for the own sheet and for a mapper whose polygons are not known.
+   */
+  bool GetMeshPlacement(double placement[4]) VTK_SIZEHINT(placement, 4);
 
   /**
    * The pass in charge of this water: one composed by hand into the renderer's chain once that has

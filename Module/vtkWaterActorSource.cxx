@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkWaterActorSource.cxx: the part of vtkWaterActor that the rooms below ask: its snapshot, its
 // plane, its passes, and where they say what is wrong.
+#include "vtkMath.h"
 #include "vtkPlane.h"
+#include "vtkPolyData.h"
+#include "vtkProperty.h"
 #include "vtkRenderer.h"
 #include "vtkWaterActorInternals.h"
 #include "vtkWaterCompat.h"
@@ -88,6 +91,46 @@ void vtkWaterActor::Internals::ReadPlane(water_plane* plane, double origin[3])
 }
 
 //------------------------------------------------------------------------------
+void vtkWaterActor::GetSkyDirection(double azimuth, double elevation, double direction[3])
+{
+  water_plane plane;
+  water_plane unit;
+  double origin[3];
+  this->Internal->ReadPlane(&plane, origin);
+  std::fill_n(direction, 3, vtkMath::Nan());
+  if (vtkMath::IsFinite(azimuth) && vtkMath::IsFinite(elevation) &&
+    water_plane_normalise(&plane, &unit) == WATER_OK)
+  {
+    water_plane_sky_direction(unit.normal, vtkMath::RadiansFromDegrees(azimuth),
+      vtkMath::RadiansFromDegrees(elevation), direction);
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkWaterActor::GetMeshPlacement(double placement[4])
+{
+  water_plane plane;
+  water_plane unit;
+  double origin[3];
+  this->Internal->ReadPlane(&plane, origin);
+  std::fill_n(placement, 4, vtkMath::Nan());
+  vtkMapper* mapper = this->GetMapper();
+  vtkPolyData* mesh = this->UsesOwnSheet() ? nullptr : vtkWaterMeshPlacement::FindMesh(mapper);
+  if (!mesh || water_plane_normalise(&plane, &unit) != WATER_OK)
+  {
+    return false;
+  }
+  this->ComputeMatrix();
+  const water_placement_verdict verdict =
+    vtkWaterMeshPlacement::Judge(mesh, this->GetMatrix(), unit);
+  placement[0] = verdict.height;
+  placement[1] = verdict.height_max;
+  placement[2] = vtkMath::DegreesFromRadians(verdict.angle_rad);
+  placement[3] = vtkMath::DegreesFromRadians(verdict.angle_max_rad);
+  return true;
+}
+
+//------------------------------------------------------------------------------
 bool vtkWaterActor::Internals::IsClear()
 {
   return this->Self->WaterProperty->GetRefraction() && this->Self->HasOpaqueGeometry();
@@ -131,10 +174,25 @@ void vtkWaterActor::Internals::ReadMesh(const water_plane& plane, vtkWaterMesh* 
 }
 
 //------------------------------------------------------------------------------
+void vtkWaterActor::Internals::ColorLook(vtkWaterLook* look)
+{
+  // VTK's own property does not tell a white that was set from the white that it begins with
+  double color[3];
+  this->Self->GetProperty()->GetDiffuseColor(color);
+  const bool isWhite = std::all_of(color, color + 3, [](double channel) { return channel == 1.0; });
+  if (!look->HasDeepColor && !isWhite)
+  {
+    std::copy_n(color, 3, look->DeepColor);
+    look->HasDeepColor = true;
+  }
+}
+
+//------------------------------------------------------------------------------
 void vtkWaterActor::Internals::Describe(vtkWaterLook& look)
 {
   vtkWaterProperty* property = this->Self->WaterProperty;
   property->Describe(property->GetMetresPerUnit() == 0.0 ? this->GetSceneDiagonal() : 0.0, look);
+  this->ColorLook(&look);
 }
 
 //------------------------------------------------------------------------------

@@ -319,9 +319,50 @@ TEST(shared_planes_are_the_same_to_rounding)
   assert_false(water_plane_is_shared(&level, near_by, &none, near_by));
 }
 
+// North is the plane's second axis and east its first: a compass, and the zenith along the normal.
+TEST(sky_directions_are_those_of_a_compass)
+{
+  const double level[3] = { 0.0, 0.0, 1.0 };
+  const double quarter = 0.5 * 3.14159265358979323846;
+  const double cases[4][5] = { { 0.0, 0.0, 0.0, 1.0, 0.0 }, { quarter, 0.0, 1.0, 0.0, 0.0 },
+    { 1.0, quarter, 0.0, 0.0, 1.0 }, { -quarter, 0.5 * quarter, -sqrt(0.5), 0.0, sqrt(0.5) } };
+  for (int i = 0; i < 4; ++i)
+  {
+    double direction[3];
+    water_plane_sky_direction(level, cases[i][0], cases[i][1], direction);
+    for (int j = 0; j < 3; ++j)
+    {
+      ASSERT_CLOSE(direction[j], cases[i][2 + j], 1e-15);
+    }
+  }
+}
+
+// In any plane's own axes a direction has its sines and cosines as parts, and unit length.
+TEST(sky_directions_stand_in_the_planes_own_axes)
+{
+  dice from = dice_seeded(32);
+  for (int round = 0; round < 1000; ++round)
+  {
+    double normal[3];
+    double x_dir[3];
+    double y_dir[3];
+    double direction[3];
+    dice_dir(&from, normal);
+    const double azimuth = dice_roll(&from, -7.0, 7.0);
+    const double elevation = dice_roll(&from, -1.5, 1.5);
+    water_plane_axes(normal, x_dir, y_dir);
+    water_plane_sky_direction(normal, azimuth, elevation, direction);
+    ASSERT_CLOSE(dot(direction, direction), 1.0, 1e-14);
+    ASSERT_CLOSE(dot(direction, normal), sin(elevation), 1e-14);
+    ASSERT_CLOSE(dot(direction, x_dir), sin(azimuth) * cos(elevation), 1e-14);
+    ASSERT_CLOSE(dot(direction, y_dir), cos(azimuth) * cos(elevation), 1e-14);
+  }
+}
+
 TESTS(heights_are_distances_for_normals_of_any_length, planes_without_direction_are_refused,
   mirror_sends_a_known_point_where_it_belongs, mirror_is_a_reflection_at_any_plane,
   axes_of_known_planes, axes_are_a_right_handed_frame,
   sheet_of_a_level_plane_is_the_floor_of_the_box, sheet_of_any_plane_covers_the_box_tightly,
   sheet_needs_bounds, projection_is_the_nearest_point, displaced_bounds_hold_what_moves,
-  identical_planes_are_the_same_to_the_last_bit, shared_planes_are_the_same_to_rounding)
+  identical_planes_are_the_same_to_the_last_bit, shared_planes_are_the_same_to_rounding,
+  sky_directions_are_those_of_a_compass, sky_directions_stand_in_the_planes_own_axes)

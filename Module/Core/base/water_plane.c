@@ -101,6 +101,20 @@ void water_plane_axes(const double unit_normal[3], double x_dir[3], double y_dir
   water_vec3_cross(unit_normal, x_dir, y_dir);
 }
 
+void water_plane_sky_direction(
+  const double unit_normal[3], double azimuth_rad, double elevation_rad, double direction[3])
+{
+  double x_dir[3];
+  double y_dir[3];
+  water_plane_axes(unit_normal, x_dir, y_dir);
+  const double x = sin(azimuth_rad) * cos(elevation_rad);
+  const double y = cos(azimuth_rad) * cos(elevation_rad);
+  for (int i = 0; i < 3; ++i)
+  {
+    direction[i] = x * x_dir[i] + y * y_dir[i] + sin(elevation_rad) * unit_normal[i];
+  }
+}
+
 water_status water_sheet_bounds(const double origin[3], const double x_dir[3],
   const double y_dir[3], const double bounds[6], double sheet[4])
 {

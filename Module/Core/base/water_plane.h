@@ -55,6 +55,11 @@ void water_plane_mirror_matrix(const water_plane* unit, double world_to_mirrored
 // they are the world's x and y.
 void water_plane_axes(const double unit_normal[3], double x_dir[3], double y_dir[3]);
 
+// Unit vector to where something stands in the sky: azimuth in radians from the plane's second axis
+// over the first (north over east for a level plane), elevation in radians over the plane.
+void water_plane_sky_direction(
+  const double unit_normal[3], double azimuth_rad, double elevation_rad, double direction[3]);
+
 // The rectangle over the plane that covers a box: xmin, xmax, ymin, ymax in the plane's own axes
 // about origin.
 //

@@ -2,6 +2,7 @@
 #include "vtkWaterMeshPlacement.h"
 
 #include "vtkCellArray.h"
+#include "vtkDataSetMapper.h"
 #include "vtkIdList.h"
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
@@ -44,6 +45,18 @@ std::string Describe(const water_placement_verdict& verdict)
 }
 
 //------------------------------------------------------------------------------
+vtkPolyData* vtkWaterMeshPlacement::FindMesh(vtkMapper* mapper)
+{
+  if (!(vtkPolyDataMapper::SafeDownCast(mapper) || vtkDataSetMapper::SafeDownCast(mapper)) ||
+    mapper->GetNumberOfInputConnections(0) == 0)
+  {
+    return nullptr;
+  }
+  auto* mesh = vtkPolyData::SafeDownCast(mapper->GetInputDataObject(0, 0));
+  return mesh && mesh->GetPoints() ? mesh : nullptr;
+}
+
+//------------------------------------------------------------------------------
 water_placement_verdict vtkWaterMeshPlacement::Judge(
   vtkPolyData* mesh, vtkMatrix4x4* meshToWorld, const water_plane& unit)
 {
@@ -80,10 +93,8 @@ water_placement_verdict vtkWaterMeshPlacement::Judge(
 std::string vtkWaterMeshPlacement::Check(
   vtkMapper* mapper, vtkMatrix4x4* meshToWorld, const water_plane& unit)
 {
-  auto* ofMesh = vtkPolyDataMapper::SafeDownCast(mapper);
-  vtkPolyData* mesh =
-    ofMesh && ofMesh->GetNumberOfInputConnections(0) > 0 ? ofMesh->GetInput() : nullptr;
-  if (!mesh || !mesh->GetPoints())
+  vtkPolyData* mesh = FindMesh(mapper);
+  if (!mesh)
   {
     return std::string();
   }

@@ -21,10 +21,13 @@ public:
   // been said since all was well.
   std::string Check(vtkMapper* mapper, vtkMatrix4x4* meshToWorld, const water_plane& unit);
 
-private:
+  // The polygons that a mapper shows as they are; nullptr: they are not known.
+  static vtkPolyData* FindMesh(vtkMapper* mapper);
+
   static water_placement_verdict Judge(
     vtkPolyData* mesh, vtkMatrix4x4* meshToWorld, const water_plane& unit);
 
+private:
   vtkPolyData* Mesh = nullptr; // compared only
   vtkMTimeType MeshTime = 0;
   vtkWaterMeshPlace Place{};

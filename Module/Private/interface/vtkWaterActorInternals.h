@@ -53,6 +53,8 @@ struct vtkWaterActor::Internals : public vtkWaterSource
   // What a surface that is not the own sheet at rest is. Warns of a mesh of the user's that does
   // not lie in the plane.
   void ReadMesh(const water_plane& plane, vtkWaterMesh* mesh);
+  // The colour of vtkActor's own property is the water's, unless the look has one that was set.
+  void ColorLook(vtkWaterLook* look);
   // Do waves move the surface itself?
   bool IsDisplaced() const;
   // The look in the scene's unit.
