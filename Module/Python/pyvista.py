@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Water in PyVista: importing this module gives every plotter a method add_water.
+"""Water in PyVista: importing this module gives every plotter add_water and add_water_level_slider.
 
     import pyvista as pv
     import vtkwater.pyvista
@@ -9,27 +9,36 @@
     water = plotter.add_water(level=355, preset="lake")
     plotter.show()
 """
+import math
 import warnings
-from collections.abc import Sequence
-from numbers import Real
 
 import pyvista as pv
+from vtkmodules.vtkFiltersGeometry import vtkDataSetSurfaceFilter
 
 from . import vtkWaterActor
 from .errors import raising
+from .scenes import SUN_COLOR, SUN_PLACE
+from .widgets import check_ends
+from .words import in_range, number, numbers, set_look
 
-__all__ = ["add_water"]
+__all__ = ["add_water", "add_water_level_slider"]
 
-MOST_NUMBERS_OF_A_WAVE = 5
+ROUNDING = 1e-12  # of a level that was set and is asked for
 DRAWN_BY_VTK_JS = ("client", "html")  # of PyVista's backends for notebooks
 
 
 def add_water(
     self,
-    level=0.0,
+    level=None,
     preset=None,
     waves=None,
     *,
+    wind=None,
+    refraction=None,
+    foam=None,
+    caustics=None,
+    sun=None,
+    quality=None,
     normal="z",
     origin=(0.0, 0.0, 0.0),
     surface=None,
@@ -46,8 +55,9 @@ def add_water(
 
     Parameters
     ----------
-    level : float, default: 0.0
-        Height of the water over ``origin`` along ``normal``, in the scene's unit: its z by default.
+    level : float, optional
+        Height of the water over ``origin`` along ``normal``, in the scene's unit: its z by default. Without it 0, or with
+        a ``surface`` the mean height of that.
 
     preset : str, optional
         A water with its optics and waves: ``'pool'``, ``'lake'``, ``'clear tropical'``, ``'ocean wind 5'``,
@@ -59,6 +69,33 @@ def add_water(
         calm water; or any number of waves, each of 2 to 5 numbers: amplitude (m), wavelength (m), direction it
         travels to (degrees from x towards y, default 0), phase (degrees, default 0) and steepness ([0, 1], default 0).
 
+    wind : float | sequence[float], optional
+        As the number of ``waves``, and not together with them: the speed of the wind whose sea it shall be, m/s in
+        [0.1, 100], 0 for calm water; or that and a direction: degrees from the plane's first axis (x) towards the second
+        (y), it blows to there.
+
+    refraction : bool, optional
+        Whether the scene is seen through the surface, refracted and dimmed. By default as the preset has it, and off
+        without one.
+
+    foam : float | bool, optional
+        Metres of depth over which the shore foams, finite and not negative; True is 0.25. It turns refraction on.
+
+    caustics : float | bool, optional
+        Strength of the light that waves gather on what lies under them, in [0, 1]; True is 0.8. It turns refraction on,
+        and wants waves and a scene light: ``sun``.
+
+    sun : bool | sequence[float], optional
+        Adds a scene light, the sun, for glitter, shadows and caustics: azimuth (degrees from north over east, in [-360,
+        360]) and elevation (degrees over the water, in [-90, 90]); True is (150, 35). North is y and east x, and for
+        water that is not level the second and the first of the plane's own axes. The light is in
+        ``plotter.renderer.lights``, of the class ``vtkwater.pyvista.Sun``, and stays when the water is removed; another
+        ``sun`` in the same subplot takes its place. PyVista's own lights stay and add up with it; with
+        ``pyvista.Plotter(lighting='none')`` all light is the sun's.
+
+    quality : str, optional
+        Of reflections on waves: ``'fast'``, ``'default'``, ``'high'`` or ``'reference'``.
+
     normal : str | sequence[float], default: 'z'
         Where up is, out of the water: ``'x'``, ``'-x'``, ``'y'``, ``'-y'``, ``'z'``, ``'-z'``, or three numbers.
 
@@ -66,8 +103,8 @@ def add_water(
         The point that ``level`` counts from.
 
     surface : pyvista.DataSet, optional
-        The water's surface, such as a lake's polygon or a free surface: its points should lie in the plane. By
-        default a sheet over the bounds of the scene.
+        The water's surface, such as a lake's polygon or a free surface: it must lie in the plane, but for its waves.
+        By default a sheet over the bounds of the scene, of what is added later, too.
 
     bounds : sequence[float], optional
         Of that sheet: ``(xmin, xmax, ymin, ymax)``, along x and y of level water, and otherwise along the
@@ -106,7 +143,8 @@ def add_water(
         When an argument is not of its type.
 
     ValueError
-        When a value is out of its range, or has another number of parts; the text names both.
+        When a value is out of its range, or has another number of parts; when two arguments contradict each other, or
+        when the surface's mean height is off the ``level`` by more than 1 % of its diagonal. The text names both.
 
     Warns
     -----
@@ -117,8 +155,8 @@ def add_water(
     -----
     The server must render: ``pyvista.set_jupyter_backend('server')`` or ``'static'``, trame's ``VtkRemoteView``.
 
-    Of ``Plotter.set_scale`` it takes what is set before. The brightest scene light glitters on waves;
-    PyVista's default lights move with the camera and are none: ``plotter.add_light(pyvista.Light(light_type='scene light'))``.
+    Of ``Plotter.set_scale`` it takes what is set before. The brightest scene light glitters on waves: ``sun``, or one of
+    yours. PyVista's default lights move with the camera and are none.
 
     Examples
     --------
@@ -131,37 +169,38 @@ def add_water(
     -0.2
     """
     scale = self.renderer.scale
-    plane_origin, plane_normal = plane_of(number("level", level), normal, origin, scale)
     if pv.global_theme.jupyter_backend in DRAWN_BY_VTK_JS:
         warnings.warn(f"the backend {pv.global_theme.jupyter_backend!r} draws with vtk.js, which does not know the water and "
                       "leaves it out; say pyvista.set_jupyter_backend('server')", stacklevel=2)
     if surface is not None and bounds is not None:
         raise ValueError("bounds are of the water's own sheet; there is none with a surface")
+    mapper = None if surface is None else mapper_of(surface)
+    base_level = 0.0 if level is None else number("level", level)
+    if mapper is not None:
+        base_level = level_of_surface(mapper, level, normal, origin)
+    plane_origin, plane_normal = plane_of(base_level, normal, origin, scale)
+    light = None if sun is None or sun is False else sun_of(sun)
 
     actor = vtkWaterActor()
     look = actor.GetWaterProperty()
-    with raising(actor, look):
-        plane = actor.GetPlane()
-        plane.SetOrigin(plane_origin)
-        plane.SetNormal(plane_normal)
-        if preset is not None:
-            look.SetPreset(of_type("preset", preset, str))
-        if waves is not None:
-            set_waves(look, waves)
+    plane = actor.GetPlane()
+    plane.SetOrigin(plane_origin)
+    plane.SetNormal(plane_normal)
+    set_look(look, preset=preset, waves=waves, wind=wind, color=None if color is None else pv.Color(color).float_rgb,
+             opacity=opacity, refraction=refraction, foam=foam, caustics=caustics, quality=quality)
+    with raising(actor):
         if bounds is not None:
             actor.SetSheetBounds(numbers("bounds", bounds, 4))
-        if color is not None:
-            look.SetDeepColor(pv.Color(color).float_rgb)
-        if opacity is not None:
-            look.SetOpacity(number("opacity", opacity))
         actor.SetTime(number("time", time))
-    if surface is not None:
-        actor.SetMapper(mapper_of(surface))
+    if mapper is not None:
+        actor.SetMapper(mapper)
 
     self.renderer.add_actor(
         actor, name=name, pickable=pickable, reset_camera=reset_camera, render=False)
     if surface is None:
         actor.SetScale(1.0, 1.0, 1.0)  # the plane has it
+    if light is not None:
+        shine(self.renderer, actor, *light)
     if self.renderer.camera_set:
         widen_clipping_range(self.renderer)
     if render:
@@ -177,27 +216,50 @@ def widen_clipping_range(renderer):
     renderer.camera.clipping_range = (min(near, new_near), max(far, new_far))
 
 
-def of_type(name, value, kind):
-    if not isinstance(value, kind):
-        raise TypeError(f"{name} must be {kind.__name__}, not {type(value).__name__}")
-    return value
+class Sun(pv.Light):
+    """The scene light that ``add_water(sun=...)`` adds; a renderer has one."""
 
 
-def number(name, value):
-    if isinstance(value, bool) or not isinstance(value, Real):
-        raise TypeError(f"{name} must be a number, not {type(value).__name__}")
-    return float(value)
+def sun_of(sun):
+    """Azimuth and elevation in degrees."""
+    if isinstance(sun, bool):
+        return SUN_PLACE
+    if isinstance(sun, str) or not hasattr(sun, "__len__"):
+        raise TypeError(f"sun must be a bool, or an azimuth and an elevation, not {type(sun).__name__}")
+    azimuth, elevation = numbers("sun", sun, 2)
+    return in_range("sun[0], the azimuth,", azimuth, -360.0, 360.0), in_range("sun[1], the elevation,", elevation, -90.0, 90.0)
 
 
-def numbers(name, values, least, most=None):
-    """A sequence of numbers (a list, a tuple, an array) as a list; its length in [least, most]."""
-    most = most or least
-    if isinstance(values, str) or not (isinstance(values, Sequence) or hasattr(values, "__array__")):
-        raise TypeError(f"{name} must be a sequence of numbers, not {type(values).__name__}")
-    if not least <= len(values) <= most:
-        wanted = f"{least}" if least == most else f"{least} to {most}"
-        raise ValueError(f"{name} must have {wanted} numbers, not {len(values)}")
-    return [number(f"{name}[{i}]", value) for i, value in enumerate(values)]
+def shine(renderer, water, azimuth, elevation):
+    """Puts the renderer's sun there."""
+    direction = [0.0, 0.0, 0.0]
+    water.GetSkyDirection(azimuth, elevation, direction)
+    light = next((light for light in renderer.lights if isinstance(light, Sun)), None)
+    if light is None:
+        light = Sun(light_type="scene light", color=SUN_COLOR)
+        light.positional = False
+        renderer.add_light(light)
+    light.focal_point = (0.0, 0.0, 0.0)
+    light.position = direction
+
+
+def level_of_surface(mapper, level, normal, origin):
+    """The mean height of a surface over the origin along the normal; or the level, which must be near that."""
+    water = vtkWaterActor()
+    place, up = plane_of(0.0 if level is None else level, normal, origin, (1.0, 1.0, 1.0))
+    water.GetPlane().SetOrigin(place)
+    water.GetPlane().SetNormal(up)
+    water.SetMapper(mapper)
+    placement = [0.0] * 4
+    if not water.GetMeshPlacement(placement):
+        return 0.0 if level is None else level
+    height, most = placement[:2]
+    if level is None:
+        return height
+    if abs(height) > most:
+        raise ValueError(f"level is {level:g}, but the mean height of the surface along the normal is {level + height:g}; "
+                         f"they may be {most:g} apart, 1 % of the surface's diagonal. Without level it is the surface's")
+    return level
 
 
 def plane_of(level, normal, origin, scale):
@@ -218,24 +280,15 @@ def plane_of(level, normal, origin, scale):
     return [at * factor for at, factor in zip(point, scale)], [part / factor for part, factor in zip(normal, scale)]
 
 
-def set_waves(look, waves):
-    look.RemoveAllWaves()
-    look.SeaOff()
-    if isinstance(waves, Real) and not isinstance(waves, bool):
-        if waves != 0:
-            look.SetWindSpeed(float(waves))
-            look.SeaOn()
-        return
-    if isinstance(waves, str) or not hasattr(waves, "__len__"):
-        raise TypeError(f"waves must be a number or a sequence of waves, not {type(waves).__name__}")
-    for i, wave in enumerate(waves):
-        look.AddWave(*numbers(f"waves[{i}]", wave, 2, MOST_NUMBERS_OF_A_WAVE))
-
-
 def mapper_of(surface):
     if not isinstance(surface, pv.DataSet):
         raise TypeError(f"surface must be a pyvista.DataSet, not {type(surface).__name__}")
-    mesh = surface if isinstance(surface, pv.PolyData) else surface.extract_surface()
+    mesh = surface
+    if not isinstance(surface, pv.PolyData):
+        outside = vtkDataSetSurfaceFilter()  # PyVista's extract_surface is about to do something else
+        outside.SetInputData(surface)
+        outside.Update()
+        mesh = pv.wrap(outside.GetOutput())
     if mesh.n_cells == 0:
         raise ValueError("surface has no cells")
     mapper = pv.DataSetMapper(dataset=mesh)
@@ -243,4 +296,101 @@ def mapper_of(surface):
     return mapper
 
 
+def add_water_level_slider(self, water, rng=None, *, origin=(0.0, 0.0, 0.0), title="water level", callback=None, **more):
+    """Add a slider to the active subplot that moves the level of a water.
+
+    Parameters
+    ----------
+    water : vtkwater.vtkWaterActor
+        What ``add_water`` returned. It keeps its level, which must lie between the slider's ends. Its plane moves along
+        the normal, and its surface, when it was given one, with it.
+
+    rng : sequence[float], optional
+        The lowest and the highest level, in the unit of the scene's data, over ``origin`` along the water's normal. By
+        default those of the bounds of the scene.
+
+    origin : sequence[float], default: (0.0, 0.0, 0.0)
+        The point that the level counts from, as for ``add_water``.
+
+    title : str, default: 'water level'
+
+    callback : callable, optional
+        Called with the new level after each change.
+
+    **more
+        All else that ``Plotter.add_slider_widget`` takes: ``pointa``, ``pointb``, ``color``, ``style``, ``fmt``, ...
+
+    Returns
+    -------
+    vtkmodules.vtkInteractionWidgets.vtkSliderWidget
+        The slider, which the plotter keeps; ``plotter.clear_slider_widgets()`` takes it away.
+
+    Raises
+    ------
+    TypeError
+        When the water is none, or an argument is not of its type.
+
+    ValueError
+        When the ends are not finite, in the wrong order, or the level is not between them; the text names them. Without
+        ``rng`` also when the scene is flat.
+
+    Examples
+    --------
+    >>> import pyvista as pv
+    >>> import vtkwater.pyvista
+    >>> plotter = pv.Plotter()
+    >>> _ = plotter.add_mesh(pv.Cone(direction=(0, 0, 1)))
+    >>> water = plotter.add_water(level=-0.2)
+    >>> slider = plotter.add_water_level_slider(water, (-0.5, 0.5))  # doctest: +SKIP
+    """
+    if not isinstance(water, vtkWaterActor):
+        raise TypeError(f"water must be a vtkWaterActor, not {type(water).__name__}")
+    level = Level(water, numbers("origin", origin, 3), self.renderer.scale)
+    at = level.get()
+    low, high = heights_of(self.renderer, level) if rng is None else numbers("rng", rng, 2)
+    check_ends(low, high, at)
+    more.setdefault("interaction_event", "always")
+
+    def moved(value, *widget):
+        if math.isclose(value, level.get(), rel_tol=ROUNDING, abs_tol=ROUNDING * (high - low)):
+            return
+        level.set(value)
+        if callback:
+            callback(value, *widget)
+
+    return self.add_slider_widget(moved, (low, high), value=at, title=title, **more)
+
+
+class Level:
+    """The level of a water in a renderer whose scene is scaled."""
+
+    def __init__(self, water, origin, scale):
+        self._water, self._origin, self._scale = water, origin, scale
+        normal = [part * factor for part, factor in zip(water.GetPlane().GetNormal(), scale)]
+        self.normal = [part / math.hypot(*normal) for part in normal]
+
+    def height(self, point):
+        """Of a point of the scaled scene."""
+        return sum((at / factor - start) * part
+                   for at, factor, start, part in zip(point, self._scale, self._origin, self.normal))
+
+    def get(self):
+        return self.height(self._water.GetPlane().GetOrigin())
+
+    def set(self, value):
+        way = [(value - self.get()) * part * factor for part, factor in zip(self.normal, self._scale)]
+        plane = self._water.GetPlane()
+        plane.SetOrigin([at + part for at, part in zip(plane.GetOrigin(), way)])
+        if self._water.GetMeshPlacement([0.0] * 4):
+            self._water.AddPosition(way)
+
+
+def heights_of(renderer, level):
+    """The lowest and the highest point of the bounds of all that is shown."""
+    bounds = renderer.ComputeVisiblePropBounds()
+    heights = [level.height((x, y, z)) for x in bounds[:2] for y in bounds[2:4] for z in bounds[4:]]
+    return min(heights), max(heights)
+
+
 pv.BasePlotter.add_water = add_water
+pv.BasePlotter.add_water_level_slider = add_water_level_slider

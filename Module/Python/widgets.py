@@ -32,6 +32,12 @@ def initialize(interactor):
         interactor.Initialize()
 
 
+def check_ends(low, high, level):
+    """Raise a ValueError for a slider that is none, or that does not have the level."""
+    if not -math.inf < low <= level <= high < math.inf or not low < high:
+        raise ValueError(f"low {low} and high {high}: low must be less, both finite, and the water's level {level} between them")
+
+
 class LevelSlider:
     """A slider for the level of a horizontal water, along the window's lower edge.
 
@@ -50,8 +56,7 @@ class LevelSlider:
     def __init__(self, interactor, water, low, high, title="water level", changed=None):
         initialize(interactor)
         level = water.GetLevel()
-        if not -math.inf < low <= level <= high < math.inf or not low < high:
-            raise ValueError(f"low {low} and high {high}: low must be less, both finite, and the water's level {level} between them")
+        check_ends(low, high, level)
         self._water, self._changed = water, changed
         representation = vtkSliderRepresentation2D()
         representation.SetMinimumValue(low)

@@ -1,0 +1,202 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The look of a water by a few words, which add_water and the command share: preset, wind, refraction, foam, ...
+
+    set_look(water.GetWaterProperty(), preset="lake", wind=(6.0, 30.0), foam=True, caustics=0.5)
+
+A wrong type is a TypeError and a wrong value a ValueError; both name the argument, the value and what is accepted.
+"""
+import math
+from collections.abc import Sequence
+from numbers import Real
+
+from .errors import raising
+
+__all__ = ["QUALITIES", "set_look"]
+
+QUALITIES = ("fast", "default", "high", "reference")
+FOAM_DEPTH = 0.25  # m, of foam=True
+CAUSTICS = 0.8  # strength, of caustics=True
+LEAST_WIND, MOST_WIND = 0.1, 100.0  # m/s
+MOST_NUMBERS_OF_A_WAVE = 5
+
+
+def set_look(look, *, preset=None, waves=None, wind=None, color=None, opacity=None, refraction=None, foam=None,
+             caustics=None, quality=None):
+    """Give a vtkWaterProperty the look that these words say; None leaves what is there.
+
+    Parameters
+    ----------
+    look : vtkwater.vtkWaterProperty
+    preset : str
+        One of the property's presets; what the other words say comes after it.
+    waves : float | sequence[sequence[float]]
+        In place of the preset's waves: a wind's speed, m/s in [0.1, 100], or 0 for calm water; or waves of 2 to 5
+        numbers as in ``AddWave``.
+    wind : float | sequence[float]
+        A wind sea in place of the preset's waves: its speed, m/s in [0.1, 100], 0 for calm water; or speed and
+        direction (degrees from the plane's first axis towards the second; it blows to there). Not together with waves.
+    color : sequence[float]
+        Of the water itself: red, green, blue in [0, 1].
+    opacity : float
+        In [0, 1].
+    refraction : bool
+        Whether the scene is seen through the surface.
+    foam : float | bool
+        Metres of depth over which the shore foams, finite and not negative; True is 0.25. It wants refraction and turns
+        it on.
+    caustics : float | bool
+        Strength of the light that waves gather under the surface, in [0, 1]; True is 0.8. It wants waves, and
+        refraction, which it turns on.
+    quality : str
+        Of reflections on waves: 'fast', 'default', 'high' or 'reference'.
+
+    Raises
+    ------
+    TypeError, ValueError
+        For a wrong argument, and for two that contradict each other. The look may have changed by then.
+    """
+    if waves is not None and wind is not None:
+        raise ValueError(f"waves and wind are both given (wind is {wind!r}); only one of them can say what the waves are")
+    speed, blows_to = (None, None) if wind is None else wind_of(wind)
+    foam_depth = None if foam is None else depth_of(foam)
+    strength = None if caustics is None else strength_of(caustics)
+    if refraction is not None:
+        of_type("refraction", refraction, bool)
+    if quality is not None and of_type("quality", quality, str) not in QUALITIES:
+        raise ValueError(f"quality is {quality!r}; it must be one of {', '.join(QUALITIES)}")
+    share = None if opacity is None else number("opacity", opacity)
+    with raising(look):
+        if preset is not None:
+            look.SetPreset(of_type("preset", preset, str))
+        if waves is not None:
+            set_waves(look, waves)
+        if speed is not None:
+            set_sea(look, speed, blows_to)
+        if color is not None:
+            look.SetDeepColor(numbers("color", color, 3))
+        if share is not None:
+            look.SetOpacity(share)
+    through = {"refraction": bool(refraction), "foam": bool(foam_depth), "caustics": bool(strength)}
+    check_through(look, preset, refraction, share, through, {"foam": foam, "caustics": caustics})
+    if strength and not has_waves(look):
+        raise ValueError(f"caustics is {caustics!r}, but the water is calm: it wants wind, waves or a preset that has them")
+    with raising(look):
+        if refraction is not None or through["foam"] or through["caustics"]:
+            look.SetRefraction(refraction is not False)
+        if foam_depth is not None:
+            look.SetFoamDepth(foam_depth)
+        if strength is not None:
+            look.SetCaustics(strength)
+        if quality is not None:
+            look.SetRayTraceQuality(quality)
+
+
+def check_through(look, preset, refraction, opacity, through, given):
+    """What is seen through the surface contradicts a surface that hides it, or that is blended."""
+    for word, value in given.items():
+        if through[word] and refraction is False:
+            raise ValueError(f"{word} is {value!r}, but refraction is False: {word} is seen through the surface")
+    asked = next((word for word in through if through[word]), None)
+    if asked is None:
+        return
+    value = given.get(asked, refraction)
+    if opacity is not None and opacity < 1.0:
+        raise ValueError(f"{asked} is {value!r}, but opacity is {opacity}: water with an opacity below 1 is blended and "
+                         "not refracted")
+    if preset is not None and look.GetReflectanceMode() == look.CONSTANT and look.GetReflectance() == 1.0:
+        raise ValueError(f"{asked} is {value!r}, but preset is {preset!r}: nothing is seen through a perfect mirror")
+
+
+def has_waves(look):
+    variance = [0.0, 0.0, 0.0]
+    look.GetSlopeVariance(variance)
+    return bool(look.GetSea() or look.GetNumberOfWaves() or look.GetNumberOfNormalMaps() or any(variance[:2]))
+
+
+def of_type(name, value, kind):
+    if not isinstance(value, kind):
+        raise TypeError(f"{name} must be {kind.__name__}, not {type(value).__name__}")
+    return value
+
+
+def number(name, value):
+    if isinstance(value, bool) or not isinstance(value, Real):
+        raise TypeError(f"{name} must be a number, not {type(value).__name__}")
+    return float(value)
+
+
+def in_range(name, value, least, most):
+    value = number(name, value)
+    if not least <= value <= most:  # also NaN
+        raise ValueError(f"{name} is {value:g}; it must lie in [{least:g}, {most:g}]")
+    return value
+
+
+def finite(name, value):
+    value = number(name, value)
+    if not math.isfinite(value):
+        raise ValueError(f"{name} is {value:g}; it must be finite")
+    return value
+
+
+def numbers(name, values, least, most=None):
+    """A sequence of numbers (a list, a tuple, an array) as a list; its length in [least, most]."""
+    most = most or least
+    if isinstance(values, str) or not (isinstance(values, Sequence) or hasattr(values, "__array__")):
+        raise TypeError(f"{name} must be a sequence of numbers, not {type(values).__name__}")
+    if not least <= len(values) <= most:
+        wanted = f"{least}" if least == most else f"{least} to {most}"
+        raise ValueError(f"{name} must have {wanted} numbers, not {len(values)}")
+    return [number(f"{name}[{i}]", value) for i, value in enumerate(values)]
+
+
+def wind_of(wind):
+    """Speed and direction; the direction is None when it is not given."""
+    if isinstance(wind, Real) and not isinstance(wind, bool):
+        speed, blows_to = float(wind), None
+    elif isinstance(wind, (str, bool)) or not hasattr(wind, "__len__"):
+        raise TypeError(f"wind must be a number, or a speed and a direction, not {type(wind).__name__}")
+    else:
+        speed, blows_to = numbers("wind", wind, 2)
+        finite("wind[1]", blows_to)
+    if speed != 0.0 and not LEAST_WIND <= speed <= MOST_WIND:
+        raise ValueError(f"wind is {speed:g}; it must lie in [{LEAST_WIND:g}, {MOST_WIND:g}] m/s, or be 0")
+    return speed, blows_to
+
+
+def depth_of(foam):
+    if isinstance(foam, bool):
+        return FOAM_DEPTH if foam else 0.0
+    depth = number("foam", foam)
+    if not 0.0 <= depth < math.inf:
+        raise ValueError(f"foam is {depth:g}; it must be finite and not negative (m of depth), or True for {FOAM_DEPTH}")
+    return depth
+
+
+def strength_of(caustics):
+    if isinstance(caustics, bool):
+        return CAUSTICS if caustics else 0.0
+    return in_range("caustics", caustics, 0.0, 1.0)
+
+
+def set_sea(look, speed, blows_to=None):
+    """The waves of a wind in place of all others; without a wind the water is calm."""
+    look.RemoveAllWaves()
+    look.SeaOff()
+    if speed != 0.0:
+        look.SetWindSpeed(speed)
+        if blows_to is not None:
+            look.SetWindDirection(blows_to)
+        look.SeaOn()
+
+
+def set_waves(look, waves):
+    if isinstance(waves, Real) and not isinstance(waves, bool):
+        set_sea(look, float(waves))
+        return
+    look.RemoveAllWaves()
+    look.SeaOff()
+    if isinstance(waves, str) or not hasattr(waves, "__len__"):
+        raise TypeError(f"waves must be a number or a sequence of waves, not {type(waves).__name__}")
+    for i, wave in enumerate(waves):
+        look.AddWave(*numbers(f"waves[{i}]", wave, 2, MOST_NUMBERS_OF_A_WAVE))

@@ -1,0 +1,327 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""add_water says in one call what the water looks like: each word arrives at the setting that it names, is checked, and
+contradicts no other. A surface says its level, water may be added before the scene, and a slider moves it.
+"""
+
+import re
+
+import numpy as np
+import pytest
+import water_test as wt
+
+try:
+    import pyvista as pv
+except ImportError as error:
+    reason = f"{error}; Testing/Python/requirements.txt says what to install"
+    print(f"skipped: {reason}")
+    pytest.skip(reason, allow_module_level=True)
+import vtkwater.pyvista
+from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkStringOutputWindow
+from vtkwater import vtkWaterActor, vtkWaterProperty
+from vtkwater.words import QUALITIES
+
+SIZE = (200, 150)
+BOUNDS = (-4, 4, -4, 4)
+
+
+@pytest.fixture
+def plotter():
+    made = pv.Plotter(off_screen=True, window_size=SIZE)
+    yield made
+    made.close()
+
+
+def sliders_of(plotter):
+    return getattr(plotter, "widgets", plotter).slider_widgets  # PyVista before 0.49: the plotter's own
+
+
+def picture_of(plotter):
+    plotter.render()
+    return plotter.screenshot(None, return_img=True).astype(int)
+
+
+def rays_of(look):
+    return (look.GetRayTraceSteps(), look.GetRayTraceProbes(), look.GetRayTraceRays(), look.GetRayTraceLayers(),
+            look.GetRayTraceFootprint())
+
+
+def rays_of_quality(name):
+    look = vtkWaterProperty()
+    look.SetRayTraceQuality(name)
+    return rays_of(look)
+
+
+def sea_of(look):
+    return look.GetSea(), look.GetWindSpeed(), look.GetWindDirection(), look.GetNumberOfWaves()
+
+
+ARRIVES = {  # the words, what is asked of the look, the answer
+    "wind": ({"wind": 7.5}, sea_of, (True, 7.5, 0.0, 0)),
+    "wind from somewhere": ({"wind": (7.5, 40)}, sea_of, (True, 7.5, 40.0, 0)),
+    "wind in place of a preset's ripples": ({"preset": "pool", "wind": 3}, sea_of, (True, 3.0, 0.0, 0)),
+    "no wind": ({"preset": "lake", "wind": 0}, sea_of, (False, 3.0, 0.0, 0)),
+    "an array's wind": ({"wind": np.array([6.0, 10.0])}, sea_of, (True, 6.0, 10.0, 0)),
+    "refraction": ({"refraction": True}, vtkWaterProperty.GetRefraction, True),
+    "no refraction": ({"preset": "lake", "refraction": False}, vtkWaterProperty.GetRefraction, False),
+    "refraction of a preset": ({"preset": "lake"}, vtkWaterProperty.GetRefraction, True),
+    "refraction by default": ({}, vtkWaterProperty.GetRefraction, False),
+    "foam": ({"foam": 0.5}, lambda look: (look.GetFoamDepth(), look.GetRefraction()), (0.5, True)),
+    "foam of the usual depth": ({"foam": True}, lambda look: (look.GetFoamDepth(), look.GetRefraction()), (0.25, True)),
+    "no foam": ({"foam": False}, lambda look: (look.GetFoamDepth(), look.GetRefraction()), (0.0, False)),
+    "caustics": ({"caustics": 0.3, "wind": 3}, lambda look: (look.GetCaustics(), look.GetRefraction()), (0.3, True)),
+    "caustics of the usual strength": ({"caustics": True, "preset": "pool"}, vtkWaterProperty.GetCaustics, 0.8),
+    "no caustics": ({"caustics": 0, "refraction": False}, lambda look: (look.GetCaustics(), look.GetRefraction()), (0.0, False)),
+    **{f"quality {name}": ({"quality": name}, rays_of, rays_of_quality(name)) for name in QUALITIES},
+    "all of them": ({"preset": "clear tropical", "wind": (5, 20), "foam": 0.4, "caustics": 0.6, "quality": "high"},
+                    lambda look: (sea_of(look), look.GetFoamDepth(), look.GetCaustics(), rays_of(look)),
+                    ((True, 5.0, 20.0, 0), 0.4, 0.6, rays_of_quality("high"))),
+}
+
+
+@pytest.mark.parametrize("name", ARRIVES, ids=lambda name: re.sub(r"\W+", "_", name))
+def test_a_word_arrives(name, plotter):
+    """A word of add_water sets what it names."""
+    words, ask, wanted = ARRIVES[name]
+    wt.check_equal(str(words), ask(plotter.add_water(**words).GetWaterProperty()), wanted)
+
+
+def test_a_color_wins_over_a_presets(plotter):
+    """A colour that is given is the look's own, whatever the actor's property has."""
+    water = plotter.add_water(preset="lake", color="navy")
+    wt.check_equal("color", np.round(np.multiply(255, water.GetWaterProperty().GetDeepColor())).tolist(), [0, 0, 128])
+
+
+WRONG = [  # the exception, parts of its text, the words
+    (TypeError, ("wind must be a number", "str"), {"wind": "strong"}),
+    (TypeError, ("wind must be a number", "bool"), {"wind": True}),
+    (TypeError, ("wind[1] must be a number", "str"), {"wind": (3.0, "east")}),
+    (ValueError, ("wind is 200", "[0.1, 100] m/s"), {"wind": 200}),
+    (ValueError, ("wind is nan", "[0.1, 100] m/s"), {"wind": float("nan")}),
+    (ValueError, ("wind is -3", "[0.1, 100] m/s"), {"wind": (-3, 0)}),
+    (ValueError, ("wind must have 2 numbers, not 3",), {"wind": (3, 0, 0)}),
+    (ValueError, ("wind[1] is inf", "finite"), {"wind": (3, float("inf"))}),
+    (ValueError, ("waves and wind", "wind is 3"), {"wind": 3, "waves": [(0.1, 2.0)]}),
+    (TypeError, ("refraction must be bool", "int"), {"refraction": 1}),
+    (TypeError, ("foam must be a number", "str"), {"foam": "much"}),
+    (ValueError, ("foam is -1", "not negative"), {"foam": -1}),
+    (ValueError, ("foam is inf", "finite"), {"foam": float("inf")}),
+    (TypeError, ("caustics must be a number", "str"), {"caustics": "bright"}),
+    (ValueError, ("caustics is 1.5", "[0, 1]"), {"caustics": 1.5, "wind": 3}),
+    (TypeError, ("sun must be a bool", "str"), {"sun": "noon"}),
+    (TypeError, ("sun must be a bool", "float"), {"sun": 0.5}),
+    (TypeError, ("sun[0] must be a number", "str"), {"sun": ("south", 30)}),
+    (ValueError, ("sun must have 2 numbers, not 3",), {"sun": (0, 0, 1)}),
+    (ValueError, ("sun[0], the azimuth, is 400", "[-360, 360]"), {"sun": (400, 30)}),
+    (ValueError, ("sun[1], the elevation, is 100", "[-90, 90]"), {"sun": (0, 100)}),
+    (TypeError, ("quality must be str", "int"), {"quality": 2}),
+    (ValueError, ("quality is 'ultra'", "fast, default, high, reference"), {"quality": "ultra"}),
+    (ValueError, ("foam is True", "refraction is False"), {"foam": True, "refraction": False}),
+    (ValueError, ("caustics is 0.5", "refraction is False"), {"caustics": 0.5, "wind": 3, "refraction": False}),
+    (ValueError, ("caustics is 0.5", "calm"), {"caustics": 0.5}),
+    (ValueError, ("caustics is 0.5", "calm"), {"caustics": 0.5, "preset": "lake", "wind": 0}),
+    (ValueError, ("refraction is True", "opacity is 0.5"), {"refraction": True, "opacity": 0.5}),
+    (ValueError, ("foam is 0.5", "opacity is 0.25"), {"foam": 0.5, "opacity": 0.25}),
+    (ValueError, ("foam is True", "'mirror floor'"), {"foam": True, "preset": "mirror floor"}),
+    (ValueError, ("refraction is True", "'mirror floor'"), {"refraction": True, "preset": "mirror floor"}),
+]
+
+
+@pytest.mark.parametrize("kind, texts, words", WRONG, ids=[re.sub(r"\W+", "_", texts[0] + str(list(words))) for _, texts, words in WRONG])
+def test_a_wrong_word_raises_and_adds_nothing(kind, texts, words, plotter):
+    """A wrong word, or two that contradict each other, raise an error that names word, value and what is accepted;
+    neither water nor a light is added."""
+    lights, raised = len(plotter.renderer.lights), None
+    try:
+        plotter.add_water(**words)
+    except (TypeError, ValueError) as error:
+        raised = error
+    wt.check_equal(f"{words}: {raised}", (type(raised), [text for text in texts if text not in str(raised)]), (kind, []))
+    wt.check_equal("waters, more lights", (len([actor for actor in plotter.actors.values() if isinstance(actor, vtkWaterActor)]),
+                                           len(plotter.renderer.lights) - lights), (0, 0))
+
+
+def suns_of(plotter):
+    return [light for light in plotter.renderer.lights if isinstance(light, vtkwater.pyvista.Sun)]
+
+
+@pytest.mark.parametrize("words, wanted", [
+    ({"sun": (0, 0)}, (0, 1, 0)), ({"sun": (90, 0)}, (1, 0, 0)), ({"sun": (0, 90)}, (0, 0, 1)),
+    ({"sun": True}, (np.sin(np.radians(150)) * np.cos(np.radians(35)), np.cos(np.radians(150)) * np.cos(np.radians(35)),
+                     np.sin(np.radians(35)))),
+    ({"sun": (0, 90), "normal": "y"}, (0, 1, 0)), ({"sun": (90, 0), "normal": "y"}, (1, 0, 0)),
+    ({"sun": (0, 0), "normal": "y"}, (0, 0, -1)), ({"sun": (45, 90), "normal": "-x"}, (-1, 0, 0))],
+    ids=lambda value: re.sub(r"\W+", "_", str(value))[:40])
+def test_the_sun_stands_where_it_is_said(words, wanted, plotter):
+    """The sun is a scene light in the direction of its azimuth and elevation, in the water's own axes."""
+    plotter.add_water(**words)
+    (sun,) = suns_of(plotter)
+    way = np.subtract(sun.position, sun.focal_point)
+    wt.check_at_most(f"{words}: error of its direction", float(np.abs(way - wanted).max()), 1e-12)
+    wt.check_equal("a scene light, far away", (sun.is_scene_light, sun.positional), (True, False))
+
+
+def test_a_subplot_has_one_sun(plotter):
+    """Another sun takes the place of the first; without the word there is none; it stays when the water goes."""
+    plotter.add_water(1.0)
+    plotter.add_water(1.0, sun=False)
+    wt.check_equal("suns without the word", len(suns_of(plotter)), 0)
+    plotter.add_water(1.0, sun=True, name="lake")
+    water = plotter.add_water(1.0, sun=(90, 0), name="lake")
+    wt.check_equal("suns", [np.round(sun.position, 9).tolist() for sun in suns_of(plotter)], [[1.0, 0.0, 0.0]])
+    plotter.remove_actor(water)
+    wt.check_equal("suns without water", len(suns_of(plotter)), 1)
+
+
+def test_the_sun_glitters():
+    """Before the sun waves glitter, and no longer with a sun behind the eye."""
+    bright = []
+    for sun in ((0, 20), (180, 20)):
+        plotter = pv.Plotter(off_screen=True, window_size=SIZE, lighting="none")
+        plotter.set_background("gray")
+        plotter.camera_position = [(0.0, -5.0, 1.5), (0.0, 0.0, 0.0), (0.0, 0.0, 1.0)]
+        plotter.add_water(wind=6, sun=sun, bounds=BOUNDS)
+        bright.append(int((picture_of(plotter).min(axis=2) > 240).sum()))
+        plotter.close()
+    wt.check_at_least("white pixels before the sun", bright[0], 1000)
+    wt.check_at_most("white pixels with the sun behind the eye", bright[1], 10)
+
+
+def tilted(height, amplitude=0.0):
+    """A surface of 40 x 40 with waves, whose mean height is given."""
+    x, y = np.meshgrid(np.linspace(-20, 20, 81), np.linspace(-20, 20, 81))
+    return pv.StructuredGrid(x, y, height + amplitude * np.sin(np.pi * x / 10))
+
+
+@pytest.mark.parametrize("words, level", [
+    ({"surface": tilted(3.0)}, 3.0), ({"surface": tilted(3.0, 0.5)}, 3.0), ({"surface": tilted(3.0), "level": 3.2}, 3.2),
+    ({"surface": tilted(-2.0, 0.2), "origin": (0, 0, 5)}, -2.0), ({}, 0.0), ({"origin": (0, 0, 5)}, 5.0),
+    ({"surface": pv.Disc(outer=3.0)}, 0.0)], ids=lambda value: None)
+def test_a_surface_says_its_level(words, level, plotter):
+    """Without a level it is the surface's mean height, 0 without a surface; one that is near the surface's is taken."""
+    water = plotter.add_water(**words)
+    wt.check_at_most("error of the level", abs(water.GetLevel() - level), 1e-6)
+
+
+def test_a_surface_of_a_tilted_plane_says_its_level(plotter):
+    """The mean height of a surface counts along the normal, in the data of a scaled scene, too."""
+    plotter.set_scale(zscale=2.0)
+    square = pv.Plane(center=(0, 3, 0), direction=(0, 1, 0), i_size=4, j_size=4)
+    water = plotter.add_water(surface=square, normal="y")
+    wt.check_at_most("y of the plane, less 3", abs(water.GetPlane().GetOrigin()[1] - 3.0), 1e-6)
+    placement = [0.0] * 4
+    water.GetMeshPlacement(placement)
+    wt.check_at_most("in the scaled scene: height, angle", max(abs(placement[0]), placement[2]), 1e-4)
+
+
+@pytest.mark.parametrize("level, accepted", ((3.5, True), (3.65, False), (2.35, False), (0.0, False)))
+def test_a_level_off_the_surface_is_refused(level, accepted, plotter):
+    """A level and a surface that are more than 1 % of its diagonal (0.57) apart are refused; both are named."""
+    try:
+        plotter.add_water(level, surface=tilted(3.0))
+        said = ""
+    except ValueError as error:
+        said = str(error)
+    wt.check_equal(f"said: {said}", (f"level is {level:g}" in said, "surface along the normal is 3;" in said),
+                   (not accepted, not accepted))
+
+
+def test_water_may_be_added_before_the_scene():
+    """Water in an empty plotter is silent, and the picture is that of water that was added last."""
+    shown, listener = vtkOutputWindow.GetInstance(), vtkStringOutputWindow()
+    vtkOutputWindow.SetInstance(listener)
+    pictures = []
+    try:
+        for is_first in (True, False):
+            plotter = pv.Plotter(off_screen=True, window_size=SIZE)
+            if is_first:
+                plotter.add_water(-0.2)
+            plotter.add_mesh(pv.Cone(direction=(0, 0, 1)))
+            plotter.add_mesh(pv.Cube(center=(3, 1, 0)), color="red")
+            if not is_first:
+                plotter.add_water(-0.2)
+            pictures.append(picture_of(plotter))
+            plotter.close()
+    finally:
+        vtkOutputWindow.SetInstance(shown)
+    wt.check_equal("said", listener.GetOutput(), "")
+    wt.check_equal("difference", wt.difference(*pictures), 0)
+
+
+def lake(plotter, **words):
+    plotter.add_mesh(pv.Cube(center=(0, 0, 0.6)), color="red")
+    return plotter.add_water(**{"level": -0.1, "bounds": BOUNDS, **words})
+
+
+def slide(slider, value):
+    """As a user does who drags the slider to a value."""
+    slider.GetRepresentation().SetValue(value)
+    slider.InvokeEvent("StartInteractionEvent")
+    slider.InvokeEvent("InteractionEvent")
+    slider.InvokeEvent("EndInteractionEvent")
+
+
+def test_a_slider_moves_the_level(plotter):
+    """The slider begins at the water's level, moves it, and tells each level once; the picture follows."""
+    water, told = lake(plotter), []
+    slider = plotter.add_water_level_slider(water, (-0.5, 0.5), callback=told.append)
+    representation = slider.GetRepresentation()
+    wt.check_equal("ends, value, title", (representation.GetMinimumValue(), representation.GetMaximumValue(),
+                                          round(representation.GetValue(), 9), representation.GetTitleText()),
+                   (-0.5, 0.5, -0.1, "water level"))
+    wt.check_equal("told before it is dragged, kept", (told, slider in sliders_of(plotter)), ([], True))
+    before = picture_of(plotter)
+    slide(slider, 0.3)
+    wt.check_at_most("level, less 0.3", abs(water.GetLevel() - 0.3), 1e-12)
+    wt.check_equal("told", told, [0.3])
+    wt.check_at_least("pixels that change", int((np.abs(picture_of(plotter) - before).max(axis=2) > 20).sum()), 500)
+
+
+def test_a_slider_has_the_range_of_the_scene(plotter):
+    """Without ends the slider has those of the scene along the water's normal."""
+    representation = plotter.add_water_level_slider(lake(plotter)).GetRepresentation()
+    wt.check_at_most("ends: error", max(abs(representation.GetMinimumValue() + 0.1),
+                                        abs(representation.GetMaximumValue() - 1.1)), 1e-6)
+
+
+def test_a_slider_moves_a_surface_along_the_normal(plotter):
+    """In a scaled scene with another up, the slider moves plane and surface along the normal, in the data's unit."""
+    plotter.set_scale(yscale=2.0)
+    square = pv.Plane(center=(0, 1, 0), direction=(0, 1, 0), i_size=4, j_size=4)
+    plotter.add_mesh(pv.Cube(center=(0, 1, 0)))
+    water = plotter.add_water(surface=square, normal="y")
+    slider = plotter.add_water_level_slider(water, (0.0, 5.0), title="sea", pointa=(0.1, 0.1), pointb=(0.4, 0.1))
+    wt.check_equal("value, title", (round(slider.GetRepresentation().GetValue(), 6), slider.GetRepresentation().GetTitleText()),
+                   (1.0, "sea"))
+    slide(slider, 2.5)
+    wt.check_at_most("y of the plane, less 5", abs(water.GetPlane().GetOrigin()[1] - 5.0), 1e-6)
+    wt.check_at_most("y of the surface, less 5", abs(water.GetBounds()[2] - 5.0), 1e-6)
+
+
+def test_a_slider_counts_from_an_origin(plotter):
+    """The level of a slider counts from the origin that the water's does."""
+    water = lake(plotter, level=1.0, origin=(0, 0, 10))
+    slider = plotter.add_water_level_slider(water, (0, 3), origin=(0, 0, 10))
+    slide(slider, 2.0)
+    wt.check_at_most("z, less 12", abs(water.GetLevel() - 12.0), 1e-12)
+
+
+WRONG_SLIDERS = [
+    (TypeError, "water must be a vtkWaterActor, not str", lambda plotter, water: plotter.add_water_level_slider("lake")),
+    (TypeError, "rng must be a sequence of numbers", lambda plotter, water: plotter.add_water_level_slider(water, 3)),
+    (ValueError, "rng must have 2 numbers, not 1", lambda plotter, water: plotter.add_water_level_slider(water, (3,))),
+    (ValueError, "low 1.0 and high 2.0", lambda plotter, water: plotter.add_water_level_slider(water, (1, 2))),
+    (ValueError, "low 1.0 and high -1.0", lambda plotter, water: plotter.add_water_level_slider(water, (1, -1))),
+    (ValueError, "high inf", lambda plotter, water: plotter.add_water_level_slider(water, (-1, float("inf")))),
+    (ValueError, "origin must have 3 numbers", lambda plotter, water: plotter.add_water_level_slider(water, origin=(1, 2))),
+]
+
+
+@pytest.mark.parametrize("kind, text, call", WRONG_SLIDERS, ids=[re.sub(r"\W+", "_", text) for _, text, _ in WRONG_SLIDERS])
+def test_a_wrong_slider_raises(kind, text, call, plotter):
+    """What is no water, and ends that are none or do not have the level, raise an error that names them."""
+    water, raised = lake(plotter), None
+    try:
+        call(plotter, water)
+    except (TypeError, ValueError) as error:
+        raised = error
+    wt.check_equal(f"{raised}", (type(raised), text in str(raised), len(sliders_of(plotter))), (kind, True, 0))
