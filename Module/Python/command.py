@@ -7,12 +7,14 @@ Exit status: 0, done; 1, it could not be done (a file, no OpenGL); 2, the comman
 import argparse
 import math
 import os
+import re
 import sys
 import warnings
 
 from . import __version__, backend, movies, readers, vtkWaterProperty
 from .errors import text_of
 from .pictures import check_png
+from .words import QUALITIES, set_look
 
 __all__ = ["main"]
 
@@ -53,6 +55,22 @@ def wind(text):
         raise argparse.ArgumentTypeError(f"{error} m/s, or be 0") from None
 
 
+def wave(text):
+    parts = text.split(",")
+    if not 2 <= len(parts) <= 5:
+        raise argparse.ArgumentTypeError(f"{text!r} must have 2 to 5 numbers, with commas between them")
+    return tuple(number()(part) for part in parts)
+
+
+def color(text):
+    from vtkmodules.vtkCommonColor import vtkNamedColors
+
+    colors = vtkNamedColors()
+    if not colors.ColorExists(text) and not re.fullmatch("#([0-9a-fA-F]{3}|[0-9a-fA-F]{6})", text):
+        raise argparse.ArgumentTypeError(f"{text!r} is no colour; wanted is a name such as navy, or #rrggbb")
+    return tuple(part / 255.0 for part in colors.HTMLColorToRGB(text))
+
+
 def level_range(text):
     first, colon, last = text.partition(":")
     one = number(-readers.HIGHEST, readers.HIGHEST)
@@ -82,6 +100,23 @@ def add_scene_arguments(parser):
     water.add_argument("--wind", type=wind, metavar="M/S",
                        help="waves that a wind of this speed makes, 0.1 to 100, in place of the preset's; "
                             "0 calms the water")
+    water.add_argument("--wind-direction", type=number(-360.0, 360.0), metavar="DEG",
+                       help="where that wind blows to, from x (east, 0) towards y (north, 90); default 0")
+    water.add_argument("--waves", type=wave, action="append", metavar="A,L[,D[,P[,S]]]",
+                       help="a wave in place of the preset's: amplitude and wavelength (m), direction it travels to and "
+                            "phase (degrees), steepness (0 to 1); say it again for more; not together with --wind")
+    water.add_argument("--color", type=color, metavar="COLOR",
+                       help="of the water itself, where it does not reflect: a name such as navy, or #rrggbb")
+    water.add_argument("--opacity", type=number(0.0, 1.0), metavar="SHARE",
+                       help="0 to 1; below 1 the water is blended with what lies behind it")
+    water.add_argument("--refraction", action=argparse.BooleanOptionalAction,
+                       help="whether what lies under the surface is seen through it; default: as the preset has it")
+    water.add_argument("--foam", type=number(0.0, 1e9), nargs="?", const=True, metavar="M",
+                       help="metres of depth over which the shore foams, 0.25 without a number; turns refraction on")
+    water.add_argument("--caustics", type=number(0.0, 1.0), nargs="?", const=True, metavar="SHARE",
+                       help="strength of the light that waves gather under the surface, 0 to 1, 0.8 without a number; turns "
+                            "refraction on")
+    water.add_argument("--quality", choices=QUALITIES, help="of reflections on waves; default: default")
     view = parser.add_argument_group("the view")
     view.add_argument("--azimuth", type=number(-360.0, 360.0), default=200.0, metavar="DEG",
                       help="where the eye is, from north (0) over east (90); default %(default)s")
@@ -133,6 +168,23 @@ def make_parser():
     return parser
 
 
+def words_of(arguments):
+    """What the command line says of the water's look, for set_look."""
+    blows = arguments.wind if arguments.wind_direction is None else (arguments.wind, arguments.wind_direction)
+    same = ("preset", "waves", "color", "opacity", "refraction", "foam", "caustics", "quality")
+    return {"wind": blows, **{word: getattr(arguments, word) for word in same}}
+
+
+def check_words(parser, arguments):
+    """Ends the program when two options contradict each other."""
+    if arguments.wind_direction is not None and arguments.wind is None:
+        parser.error(f"--wind-direction is {arguments.wind_direction:g}, but there is no --wind")
+    try:
+        set_look(vtkWaterProperty(), **words_of(arguments))
+    except ValueError as error:
+        parser.error(str(error))
+
+
 def progress(steps):
     """The steps, with a bar on a terminal's stderr."""
     try:
@@ -159,7 +211,7 @@ def make_scene(arguments, levels):
     scene.set_sun(sun, 35.0)
     exaggeration = arguments.exaggeration if ground.is_terrain else 1.0
     scene.add_ground(ground, levels[0], exaggeration)
-    scene.add_water(min(levels), arguments.preset, arguments.wind, exaggeration)
+    scene.add_water(min(levels), exaggeration=exaggeration, **words_of(arguments))
     scene.make_island()
     scene.look(arguments.azimuth, arguments.elevation, arguments.zoom, max(levels))
     return scene, ground, exaggeration
@@ -214,7 +266,10 @@ def info(_):
 
 def main(arguments=None):
     """Runs the command line; returns the exit status."""
-    arguments = make_parser().parse_args(arguments)
+    parser = make_parser()
+    arguments = parser.parse_args(arguments)
+    if arguments.command != "info":
+        check_words(parser, arguments)
     warnings.simplefilter("ignore")  # of the packages beneath
     try:
         return {"render": render, "animate": animate, "info": info}[arguments.command](arguments)

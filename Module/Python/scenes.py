@@ -29,6 +29,7 @@ from . import vtkWaterActor
 from .errors import raising
 from .pictures import write_png
 from .readers import ELEVATION
+from .words import set_look
 
 __all__ = ["Scene"]
 
@@ -126,20 +127,13 @@ class Scene:
         box.SetBounds(bounds)
         return self.add_mesh(box, color, smooth=False)
 
-    def add_water(self, level, preset=None, wind=None, exaggeration=1.0):
-        """Water at a level of the data; around a mesh it is wider than that. Raises ValueError."""
+    def add_water(self, level, preset=None, wind=None, exaggeration=1.0, **words):
+        """Water at a level of the data; around a mesh it is wider than that. The look is by the words of
+        ``words.set_look``: preset, wind, refraction, foam, ... Raises TypeError, ValueError."""
         self.water = vtkWaterActor()
-        look = self.water.GetWaterProperty()
-        with raising(self.water, look):
+        set_look(self.water.GetWaterProperty(), preset=preset, wind=wind, **words)
+        with raising(self.water):
             self.water.SetLevel(level * exaggeration)
-            if preset:
-                look.SetPreset(preset)
-            if wind == 0:
-                look.SeaOff()
-                look.RemoveAllWaves()
-            elif wind is not None:
-                look.SetWindSpeed(wind)
-                look.SeaOn()
         if self._ground and not self._ground.is_terrain:
             self._widen_water(WATER_AROUND_A_MESH)
         self.renderer.AddActor(self.water)

@@ -1,0 +1,188 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The command's options say the look by the same words as add_water; each arrives in the water, and is checked."""
+
+import re
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+import water_test as wt
+from PIL import Image
+from vtkmodules.vtkFiltersSources import vtkCubeSource
+from vtkmodules.vtkIOGeometry import vtkSTLWriter
+from vtkwater import command, vtkWaterProperty
+from vtkwater.scenes import Scene
+from vtkwater.words import QUALITIES, set_look
+
+SIZE = (120, 80)
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory):
+    made = tmp_path_factory.mktemp("words")
+    source, writer = vtkCubeSource(), vtkSTLWriter()
+    source.SetBounds(-1, 1, -1, 1, -0.6, 1)
+    writer.SetInputConnection(source.GetOutputPort())
+    writer.SetFileName(str(made / "box.stl"))
+    writer.Write()
+    return made
+
+
+def run(folder, *options):
+    """Exit status, all that was said, and the picture if there is one."""
+    out = folder / "box.png"
+    out.unlink(missing_ok=True)
+    done = subprocess.run(
+        [sys.executable, "-m", "vtkwater", "render", "box.stl", "--level", "0", "--size", f"{SIZE[0]}x{SIZE[1]}", "--out",
+         out.name, *map(str, options)], capture_output=True, text=True, cwd=folder, timeout=120)
+    picture = np.asarray(Image.open(out)).astype(int)[:, :, :3] if out.exists() else None
+    return done.returncode, done.stdout + done.stderr, picture
+
+
+def look_of(*options):
+    """The look that a command line says."""
+    arguments = command.make_parser().parse_args(["render", "box.stl", "--level", "0", *map(str, options)])
+    look = vtkWaterProperty()
+    set_look(look, **command.words_of(arguments))
+    return look
+
+
+def state_of(look):
+    """All that the words set."""
+    waves = []
+    for i in range(look.GetNumberOfWaves()):
+        wave = [0.0] * 5
+        look.GetWave(i, wave)
+        waves.append([round(part, 9) for part in wave])
+    return (look.GetSea(), look.GetWindSpeed(), look.GetWindDirection(), waves, look.GetRefraction(), look.GetFoamDepth(),
+            look.GetCaustics(), [round(part, 9) for part in look.GetDeepColor()], look.GetOpacity(), look.GetIndexOfRefraction(),
+            look.GetAbsorption(), look.GetRayTraceSteps(), look.GetRayTraceProbes(), look.GetRayTraceRays(),
+            look.GetRayTraceLayers(), look.GetRayTraceFootprint())
+
+
+OPTIONS = {  # the options, the same by words
+    "nothing": ((), {}),
+    "preset": (("--preset", "clear tropical"), {"preset": "clear tropical"}),
+    "wind": (("--wind", 7), {"wind": 7.0}),
+    "no wind": (("--preset", "lake", "--wind", 0), {"preset": "lake", "wind": 0.0}),
+    "direction": (("--wind", 7, "--wind-direction", 40), {"wind": (7.0, 40.0)}),
+    "waves": (("--waves", "0.1,2", "--waves", "0.05,1.5,30,10,0.5"), {"waves": [(0.1, 2.0), (0.05, 1.5, 30.0, 10.0, 0.5)]}),
+    "color name": (("--color", "navy"), {"color": (0.0, 0.0, 128 / 255)}),
+    "color number": (("--color", "#ff8000"), {"color": (1.0, 128 / 255, 0.0)}),
+    "opacity": (("--opacity", 0.5), {"opacity": 0.5}),
+    "refraction": (("--refraction",), {"refraction": True}),
+    "no refraction": (("--preset", "lake", "--no-refraction"), {"preset": "lake", "refraction": False}),
+    "foam": (("--foam",), {"foam": True}),
+    "foam depth": (("--foam", 0.4), {"foam": 0.4}),
+    "caustics": (("--wind", 3, "--caustics"), {"wind": 3.0, "caustics": True}),
+    "caustics strength": (("--wind", 3, "--caustics", 0.4), {"wind": 3.0, "caustics": 0.4}),
+    **{f"quality {name}": (("--quality", name), {"quality": name}) for name in QUALITIES},
+}
+
+
+@pytest.mark.parametrize("name", OPTIONS, ids=lambda name: name.replace(" ", "_"))
+def test_an_option_is_a_word(name):
+    """An option of the command does what the word of the same name does, and does something."""
+    options, words = OPTIONS[name]
+    look = vtkWaterProperty()
+    set_look(look, **words)
+    wt.check_equal(f"{options}", state_of(look_of(*options)), state_of(look))
+    if words and words != {"quality": "default"}:
+        wt.check_equal("as without it", state_of(look) == state_of(vtkWaterProperty()), False)
+
+
+def test_the_words_are_in_the_picture(folder):
+    """The command's picture is that of a scene with the same words, and differs from that without them."""
+    options = ("--preset", "clear tropical", "--wind", 3, "--wind-direction", 30, "--foam", "--caustics", 0.5, "--color",
+               "#204060", "--quality", "high", "--sun", 30)
+    status, said, picture = run(folder, *options)
+    wt.check_equal(f"status; said {said.strip()}", status, 0)
+    Image.fromarray(picture.astype(np.uint8)).save(wt.output_folder() / "CommandWords.png")
+    plain = run(folder, "--sun", 30)[2]
+    wt.check_at_least("pixels unlike those without", int((np.abs(picture - plain).max(axis=2) > 10).sum()), 2000)
+    from vtkwater import readers
+
+    scene = Scene(SIZE)
+    scene.set_sun(30.0, 35.0)
+    scene.add_ground(readers.read(folder / "box.stl"), 0.0)
+    scene.add_water(0.0, "clear tropical", (3.0, 30.0), foam=True, caustics=0.5, color=(32 / 255, 64 / 255, 96 / 255),
+                    quality="high")
+    scene.make_island()
+    scene.look(200.0, 8.0)
+    wt.check_equal("difference to the scene's", wt.difference(picture, scene.picture().astype(int)), 0)
+
+
+WRONG = [  # a part of the last line, the options
+    ("--wind-direction is 30, but there is no --wind", ("--wind-direction", 30)),
+    ("waves and wind are both given", ("--wind", 3, "--waves", "0.1,2")),
+    ("foam is True, but refraction is False", ("--foam", "--no-refraction")),
+    ("caustics is 0.5, but the water is calm", ("--caustics", 0.5)),
+    ("refraction is True, but opacity is 0.5", ("--refraction", "--opacity", 0.5)),
+    ("2 must lie in [0, 1]", ("--caustics", 2)),
+    ("-1 must lie in [0, 1e+09]", ("--foam", -1)),
+    ("1.5 must lie in [0, 1]", ("--opacity", 1.5)),
+    ("'ultra'", ("--quality", "ultra")),
+    ("'blurple' is no colour", ("--color", "blurple")),
+    ("'#12' is no colour", ("--color", "#12")),
+    ("must have 2 to 5 numbers", ("--waves", "0.1")),
+    ("'long' is no number", ("--waves", "0.1,long")),
+    ("Wavelength must be finite", ("--waves", "0.1,0")),
+    ("400 must lie in [-360, 360]", ("--wind", 3, "--wind-direction", 400)),
+]
+
+
+@pytest.mark.parametrize("words, options", WRONG, ids=[re.sub(r"\W+", "_", words) for words, _ in WRONG])
+def test_a_wrong_option_is_a_wrong_use(words, options, capsys):
+    """A wrong option, or two that contradict each other, are a wrong use that the last line tells of."""
+    try:
+        status = command.main(["render", "box.stl", "--level", "0", *map(str, options)])
+    except SystemExit as end:
+        status = end.code
+    said = capsys.readouterr().err.strip().splitlines()[-1]
+    wt.check_equal(f"{options}: '{said}'", (status, words in said), (2, True))
+
+
+def test_help_names_every_word(capsys):
+    """The help of render and of animate names every option of the look."""
+    for name in ("render", "animate"):
+        try:
+            command.main([name, "--help"])
+        except SystemExit:
+            pass
+        said = capsys.readouterr().out
+        words = ("--preset", "--wind", "--wind-direction", "--waves", "--color", "--opacity", "--refraction", "--foam",
+                 "--caustics", "--sun", "--quality")
+        wt.check_equal(f"{name}: not in its help", [word for word in words if word not in said], [])
+
+
+WRONG_WORDS = [  # the exception, parts of its text, the words
+    (ValueError, ("caustics is 1.5", "[0, 1]"), {"caustics": 1.5}),
+    (TypeError, ("color must be a sequence", "str"), {"color": "navy"}),
+    (ValueError, ("DeepColor is (2, 0, 0)", "[0, 1]"), {"color": (2, 0, 0)}),
+    (ValueError, ("waves and wind",), {"waves": 0, "wind": 0}),
+    (ValueError, ("Opacity is 7", "[0, 1]"), {"opacity": 7}),
+    (TypeError, ("preset must be str",), {"preset": 3}),
+    (ValueError, ("'swamp'", "pool, lake"), {"preset": "swamp"}),
+]
+
+
+@pytest.mark.parametrize("kind, texts, words", WRONG_WORDS, ids=[texts[0].replace(" ", "_") for _, texts, _ in WRONG_WORDS])
+def test_a_wrong_word_raises(kind, texts, words):
+    """A wrong word raises an error that names it and what is accepted."""
+    raised = None
+    try:
+        set_look(vtkWaterProperty(), **words)
+    except (TypeError, ValueError) as error:
+        raised = error
+    wt.check_equal(f"{words}: {raised}", (type(raised), [text for text in texts if text not in str(raised)]), (kind, []))
+
+
+def test_words_that_are_not_said_change_nothing():
+    """Without a word the look stays as it is."""
+    look = vtkWaterProperty()
+    look.SetPreset("pool")
+    look.SetCaustics(0.3)
+    before = look.GetMTime()
+    set_look(look)
+    wt.check_equal("modified", look.GetMTime() > before, False)
