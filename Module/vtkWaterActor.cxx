@@ -43,6 +43,12 @@ void FindRenderers(vtkProp* prop, std::vector<vtkRenderer*>& renderers)
     }
   }
 }
+
+bool IsRendering(vtkRenderer* renderer)
+{
+  vtkRenderWindow* window = renderer->GetRenderWindow();
+  return (window && window->CheckInRenderStatus()) || vtkWaterFrame::NumberOf(renderer) != 0;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -213,7 +219,7 @@ void vtkWaterActor::UpdateSheet()
   const water_status status = internal.Sheet.Fit(
     fitted.Plane, fitted.Origin, this->UseSheetBounds ? this->SheetBounds : nullptr, scene);
   internal.IsUpdatingSheet = false;
-  if (status == WATER_BAD_SURFACE && frame == 0)
+  if (status == WATER_BAD_SURFACE && std::none_of(scene.begin(), scene.end(), IsRendering))
   {
     return; // asked for its bounds while there is nothing yet to be as wide as: no frame, no fault
   }

@@ -4,7 +4,6 @@
 
 #include "vtkPlane.h"
 #include "vtkWaterCInternals.h"
-#include "vtkWaterProperty.h"
 #include "vtkWaterReflectionPass.h"
 
 using namespace vtkWaterC;
@@ -15,22 +14,6 @@ namespace
 {
 const char* const statusTexts[VTK_WATER_STATUS_COUNT] = { "done", "an argument is NULL",
   "a value is out of range", "nothing can render here", "out of memory", "failed" };
-
-// A change of the water or its look.
-template <typename Function>
-vtk_water_status Change(vtk_water_actor* actor, Function function) noexcept
-{
-  return Guarded([&] {
-    if (!actor)
-    {
-      return Fail(VTK_WATER_NULL_ARGUMENT, "actor is NULL");
-    }
-    const ErrorWatch ofActor(actor->Object);
-    const ErrorWatch ofLook(actor->Object->GetWaterProperty());
-    function(actor->Object.Get(), actor->Object->GetWaterProperty());
-    return VTK_WATER_OK;
-  });
-}
 
 // Asks for one value of a thing.
 template <typename Handle, typename Value, typename Function>
@@ -117,38 +100,6 @@ vtk_water_status vtk_water_actor_set_sheet_bounds(vtk_water_actor* actor, const 
     actor, [=](vtkWaterActor* water, vtkWaterProperty*) { water->SetSheetBounds(bounds); });
 }
 
-vtk_water_status vtk_water_actor_set_preset(vtk_water_actor* actor, const char* name)
-{
-  return Change(actor, [=](vtkWaterActor*, vtkWaterProperty* look) { look->SetPreset(name); });
-}
-
-vtk_water_status vtk_water_actor_add_wave(vtk_water_actor* actor, double amplitude,
-  double wavelength, double direction_deg, double phase_deg, double steepness)
-{
-  return Change(actor, [=](vtkWaterActor*, vtkWaterProperty* look) {
-    look->AddWave(amplitude, wavelength, direction_deg, phase_deg, steepness);
-  });
-}
-
-vtk_water_status vtk_water_actor_remove_all_waves(vtk_water_actor* actor)
-{
-  return Change(actor, [](vtkWaterActor*, vtkWaterProperty* look) { look->RemoveAllWaves(); });
-}
-
-vtk_water_status vtk_water_actor_set_wind(vtk_water_actor* actor, double speed)
-{
-  return Change(actor, [=](vtkWaterActor*, vtkWaterProperty* look) {
-    if (speed != 0.0)
-    {
-      look->SetWindSpeed(speed);
-    }
-    if (lastError.empty())
-    {
-      look->SetSea(speed != 0.0);
-    }
-  });
-}
-
 vtk_water_status vtk_water_actor_set_time(vtk_water_actor* actor, double seconds)
 {
   return Change(actor, [=](vtkWaterActor* water, vtkWaterProperty*) { water->SetTime(seconds); });
@@ -188,6 +139,27 @@ vtk_water_status vtk_water_pass_set_texture_scale(vtk_water_pass* pass, double s
     }
     const ErrorWatch watch(pass->Object);
     pass->Object->SetTextureScale(scale);
+    return VTK_WATER_OK;
+  });
+}
+
+vtk_water_status vtk_water_pass_set_time_budget(vtk_water_pass* pass, double milliseconds)
+{
+  return Guarded([&] {
+    if (!pass)
+    {
+      return Fail(VTK_WATER_NULL_ARGUMENT, "pass is NULL");
+    }
+    const ErrorWatch watch(pass->Object);
+    if (milliseconds != 0.0)
+    {
+      pass->Object->SetTimeBudget(milliseconds);
+    }
+    if (lastError.empty())
+    {
+      pass->Object->SetQuality(
+        milliseconds != 0.0 ? vtkWaterReflectionPass::TIME_BUDGET : vtkWaterReflectionPass::FIXED);
+    }
     return VTK_WATER_OK;
   });
 }

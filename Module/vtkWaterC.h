@@ -93,6 +93,49 @@ VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_actor_remove_all_waves(vtk_w
 VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_actor_set_wind(
   vtk_water_actor* actor, double speed);
 
+/* Where that wind blows to, degrees from the plane's first axis towards the second, finite. Default
+ * 0. */
+VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_actor_set_wind_direction(
+  vtk_water_actor* actor, double direction_deg);
+
+/* Colour of the water itself, where it does not reflect: red, green and blue in [0, 1]. */
+VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_actor_set_color(
+  vtk_water_actor* actor, const double color[3]);
+
+/* In [0, 1]; below 1 the water is blended with what lies behind it. Default 1. */
+VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_actor_set_opacity(
+  vtk_water_actor* actor, double opacity);
+
+/* 1: the scene is seen through the surface; 0: it is not. Default 0. */
+VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_actor_set_refraction(
+  vtk_water_actor* actor, int refraction);
+
+/* Jerlov's optical water type, which dims what is seen through the surface: "I", "IA", "IB", "II",
+ * "III", "1C", "3C", "5C", "7C" or "9C". */
+VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_actor_set_water_type(
+  vtk_water_actor* actor, const char* name);
+
+/* Depth over which the shore foams, m, finite and not negative; with refraction. Default 0: none.
+ */
+VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_actor_set_foam(
+  vtk_water_actor* actor, double depth);
+
+/* Strength of the light that waves gather under the surface, in [0, 1]; with refraction, waves and
+ * a sun. Default 0: none. */
+VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_actor_set_caustics(
+  vtk_water_actor* actor, double strength);
+
+/* Quality of reflections on waves: "fast", "default", "high" or "reference". */
+VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_actor_set_quality(
+  vtk_water_actor* actor, const char* name);
+
+/* A picture of the surroundings that is reflected in place of the scene, in latitude and longitude:
+ * width x height x 3 bytes, red, green and blue, top row first, which are copied; width and height
+ * in [1, 16384]. In a scene of vtk_water_scene_new up is +z, and +x in the middle of the picture.
+ * NULL: the scene is reflected, which is the default. */
+VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_actor_set_environment(
+  vtk_water_actor* actor, const unsigned char* pixels, int width, int height);
+
 /* Time of the waves, s in [-1e15, 1e15]. */
 VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_actor_set_time(
   vtk_water_actor* actor, double seconds);
@@ -114,6 +157,11 @@ VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_actor_get_pass(
 VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_pass_set_texture_scale(
   vtk_water_pass* pass, double scale);
 
+/* Milliseconds a frame that the water may take, in [1e-3, 1e6]: it becomes coarser as long as it
+ * takes more. 0: no budget, which is the default. */
+VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_pass_set_time_budget(
+  vtk_water_pass* pass, double milliseconds);
+
 /* Mirrored views rendered so far; props in the last one; what was decided last, in words. */
 VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_pass_get_render_count(
   vtk_water_pass* pass, int64_t* count);
@@ -132,6 +180,20 @@ VTKRENDERINGWATER_EXPORT void vtk_water_scene_delete(vtk_water_scene* scene);
 /* Sky colours at the bottom and at the top of the picture, red, green and blue in [0, 1]. */
 VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_scene_set_sky(
   vtk_water_scene* scene, const double bottom[3], const double top[3]);
+
+/* The sun, which glitters on waves: azimuth in degrees from +y over +x, finite, elevation in
+ * degrees over the horizon, in [-90, 90]; red, green and blue in [0, 1], NULL: (1, 0.95, 0.87). A
+ * scene has one; it begins with none. A scene without any light is lit from the eye. */
+VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_scene_set_sun(
+  vtk_water_scene* scene, double azimuth_deg, double elevation_deg, const double color[3]);
+
+/* One more light, which shines from a place to all sides: the place finite, red, green and blue in
+ * [0, 1], the intensity finite and not negative. */
+VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_scene_add_light(
+  vtk_water_scene* scene, const double position[3], const double color[3], double intensity);
+
+/* Removes all lights, and the sun. */
+VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_scene_remove_all_lights(vtk_water_scene* scene);
 
 /* A mesh of one colour: point_count times x, y, z; triangle_count times three numbers of points. It
    is copied. */

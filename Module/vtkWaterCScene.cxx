@@ -6,6 +6,8 @@
 #include "vtkAutoInit.h"
 #include "vtkCamera.h"
 #include "vtkCellArray.h"
+#include "vtkLight.h"
+#include "vtkLightCollection.h"
 #include "vtkMath.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
@@ -18,6 +20,7 @@
 #include "vtkWaterCInternals.h"
 #include "vtkWaterOffScreen.h"
 #include "vtkWaterReflectionPass.h"
+#include "water_plane.h"
 
 #include <cstring>
 #include <list>
@@ -31,23 +34,28 @@ struct vtk_water_scene
 {
   vtkNew<vtkRenderer> Renderer;
   vtkNew<vtkRenderWindow> Window;
+  vtkNew<vtkLight> Sun; // in the renderer when it was set
+  bool HasLights = false;
+
+  // Adds a light; the first takes the place of VTK's own, which a frame without lights has made.
+  void AddLight(vtkLight* light)
+  {
+    if (!this->HasLights)
+    {
+      this->Renderer->RemoveAllLights();
+      this->HasLights = true;
+    }
+    if (!this->Renderer->GetLights()->IsItemPresent(light))
+    {
+      this->Renderer->AddLight(light);
+    }
+  }
 };
 
 namespace
 {
 constexpr double kSmallestAngleToUp = 1e-6; // radians
-
-bool IsColor(const double color[3])
-{
-  for (int i = 0; i < 3; ++i)
-  {
-    if (!(color[i] >= 0.0 && color[i] <= 1.0))
-    {
-      return false;
-    }
-  }
-  return true;
-}
+constexpr double kSunColor[3] = { 1.0, 0.95, 0.87 };
 
 vtkSmartPointer<vtkPolyData> MakeMesh(
   const double* points, size_t pointCount, const int64_t* triangles, size_t triangleCount)
@@ -80,11 +88,10 @@ vtk_water_status vtk_water_scene_new(int width, int height, vtk_water_scene** sc
     {
       return Fail(VTK_WATER_NULL_ARGUMENT, "the output is NULL");
     }
-    if (width < 1 || width > 16384 || height < 1 || height > 16384)
+    const std::string wrong = DescribeBadSize(width, height);
+    if (!wrong.empty())
     {
-      return Fail(VTK_WATER_BAD_VALUE,
-        "size is " + std::to_string(width) + " x " + std::to_string(height) +
-          " pixels; both must lie in [1, 16384]");
+      return Fail(VTK_WATER_BAD_VALUE, wrong);
     }
     if (!vtkWaterOffScreen::EnableIfNeeded())
     {
@@ -94,6 +101,10 @@ vtk_water_status vtk_water_scene_new(int width, int height, vtk_water_scene** sc
     made->Window->SetOffScreenRendering(true);
     made->Window->SetSize(width, height);
     made->Window->AddRenderer(made->Renderer);
+    made->Renderer->SetEnvironmentUp(0.0, 0.0, 1.0);
+    made->Renderer->SetEnvironmentRight(1.0, 0.0, 0.0);
+    made->Sun->SetLightTypeToSceneLight();
+    made->Sun->SetFocalPoint(0.0, 0.0, 0.0);
     *scene = made;
     return VTK_WATER_OK;
   });
@@ -119,6 +130,75 @@ vtk_water_status vtk_water_scene_set_sky(
     scene->Renderer->GradientBackgroundOn();
     scene->Renderer->SetBackground(bottom[0], bottom[1], bottom[2]);
     scene->Renderer->SetBackground2(top[0], top[1], top[2]);
+    return VTK_WATER_OK;
+  });
+}
+
+vtk_water_status vtk_water_scene_set_sun(
+  vtk_water_scene* scene, double azimuth_deg, double elevation_deg, const double color[3])
+{
+  return Guarded([&] {
+    if (!scene)
+    {
+      return Fail(VTK_WATER_NULL_ARGUMENT, "scene is NULL");
+    }
+    const double* rgb = color ? color : kSunColor;
+    if (!std::isfinite(azimuth_deg) || !(elevation_deg >= -90.0 && elevation_deg <= 90.0) ||
+      !IsColor(rgb))
+    {
+      return Fail(VTK_WATER_BAD_VALUE,
+        "azimuth is " + std::to_string(azimuth_deg) + " and elevation " +
+          std::to_string(elevation_deg) +
+          " degrees; they must be finite and in [-90, 90]; red, green and blue in [0, 1]");
+    }
+    const double up[3] = { 0.0, 0.0, 1.0 };
+    double direction[3];
+    water_plane_sky_direction(up, vtkMath::RadiansFromDegrees(azimuth_deg),
+      vtkMath::RadiansFromDegrees(elevation_deg), direction);
+    scene->Sun->SetPosition(direction);
+    scene->Sun->SetColor(rgb[0], rgb[1], rgb[2]);
+    scene->AddLight(scene->Sun);
+    return VTK_WATER_OK;
+  });
+}
+
+vtk_water_status vtk_water_scene_add_light(
+  vtk_water_scene* scene, const double position[3], const double color[3], double intensity)
+{
+  return Guarded([&] {
+    if (!scene || !position || !color)
+    {
+      return Fail(VTK_WATER_NULL_ARGUMENT, "scene, position or color is NULL");
+    }
+    if (!AreFinite(position, 3) || !IsColor(color) || !(intensity >= 0.0) ||
+      !std::isfinite(intensity))
+    {
+      return Fail(VTK_WATER_BAD_VALUE,
+        "position must be finite, red, green and blue in [0, 1], the intensity (" +
+          std::to_string(intensity) + ") finite and not negative");
+    }
+    vtkNew<vtkLight> light;
+    light->SetLightTypeToSceneLight();
+    light->SetPositional(true);
+    light->SetConeAngle(180.0); // to all sides
+    light->SetPosition(position[0], position[1], position[2]);
+    light->SetFocalPoint(0.0, 0.0, 0.0);
+    light->SetColor(color[0], color[1], color[2]);
+    light->SetIntensity(intensity);
+    scene->AddLight(light);
+    return VTK_WATER_OK;
+  });
+}
+
+vtk_water_status vtk_water_scene_remove_all_lights(vtk_water_scene* scene)
+{
+  return Guarded([&] {
+    if (!scene)
+    {
+      return Fail(VTK_WATER_NULL_ARGUMENT, "scene is NULL");
+    }
+    scene->Renderer->RemoveAllLights();
+    scene->HasLights = false;
     return VTK_WATER_OK;
   });
 }

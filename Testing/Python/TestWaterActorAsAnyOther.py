@@ -134,3 +134,13 @@ def test_water_before_the_scene_is_silent_and_fits_itself_to_it():
     scene.renderer.RemoveActor(things[0])
     scene.picture()
     wt.check_equal("said of a frame of nothing else", len(said), 1)
+
+
+def test_a_first_frame_of_nothing_but_water_is_an_error():
+    """The first frame of a scene in which there is nothing to be as wide as tells so, once."""
+    scene, said = wt.View((40, 30)), []
+    water = wt.add_water(scene.renderer)
+    water.AddObserver("ErrorEvent", lambda *_: said.append(1))
+    scene.picture()
+    scene.picture()
+    wt.check_equal("said; has an error", (len(said), "no surface" in water.GetLastError()), (1, True))

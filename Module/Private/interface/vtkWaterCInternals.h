@@ -9,6 +9,7 @@
 #include "vtkObject.h"
 #include "vtkWaterActor.h"
 #include "vtkWaterC.h"
+#include "vtkWaterProperty.h"
 
 #include <cmath>
 #include <cstring>
@@ -89,6 +90,22 @@ vtk_water_status Guarded(Function function) noexcept
   }
 }
 
+// A change of the water or its look.
+template <typename Function>
+vtk_water_status Change(vtk_water_actor* actor, Function function) noexcept
+{
+  return Guarded([&] {
+    if (!actor)
+    {
+      return Fail(VTK_WATER_NULL_ARGUMENT, "actor is NULL");
+    }
+    const ErrorWatch ofActor(actor->Object);
+    const ErrorWatch ofLook(actor->Object->GetWaterProperty());
+    function(actor->Object.Get(), actor->Object->GetWaterProperty());
+    return VTK_WATER_OK;
+  });
+}
+
 inline bool AreFinite(const double* values, size_t count)
 {
   for (size_t i = 0; i < count; ++i)
@@ -100,5 +117,21 @@ inline bool AreFinite(const double* values, size_t count)
   }
   return true;
 }
+
+// Red, green and blue in [0, 1].
+inline bool IsColor(const double color[3])
+{
+  for (int i = 0; i < 3; ++i)
+  {
+    if (!(color[i] >= 0.0 && color[i] <= 1.0))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+// A picture's size in words when it is none that can be; empty: it can.
+std::string DescribeBadSize(int width, int height);
 }
 #endif

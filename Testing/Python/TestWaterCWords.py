@@ -1,0 +1,266 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The C interface says the look and the light by the words that add_water has; each call does what the classes' setters
+do, pixel for pixel, and a bad value is a status that names it."""
+
+import ctypes
+
+import numpy as np
+import pytest
+import water_test as wt
+from TestWaterCInterface import (  # noqa: F401  fixtures
+    BAD_VALUE,
+    BOTTOM,
+    NULL_ARGUMENT,
+    OK,
+    SmallScene,
+    by_c,
+    doubles,
+    lib,
+    made,
+    number,
+    small,
+    view_by_classes,
+)
+from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkPolyData
+from vtkmodules.vtkRenderingCore import vtkLight, vtkTexture
+from vtkwater import vtkWaterProperty, vtkWaterReflectionPass
+
+COLOR, SUN_COLOR = (0.2, 0.5, 0.3), (1.0, 0.95, 0.87)
+GRAY = (0.7, 0.7, 0.7)
+BED = np.array([(-4, -4, -0.9), (4, -4, -0.9), (4, 4, 0.4), (-4, 4, 0.4)], dtype=float)
+BED_TRIANGLES = np.array([(0, 1, 2), (0, 2, 3)], dtype=np.int64)
+SKY = np.add.outer(3 * np.arange(40), 2 * np.arange(60))[:, :, None] + np.array([0, 60, 100])
+SKY = np.ascontiguousarray(SKY % 256, dtype=np.uint8)
+
+
+def texture():
+    image = vtkImageData()
+    image.SetDimensions(SKY.shape[1], SKY.shape[0], 1)
+    image.GetPointData().SetScalars(numpy_to_vtk(np.ascontiguousarray(SKY[::-1]).reshape(-1, 3), deep=True))
+    made_of_it = vtkTexture()
+    made_of_it.SetInputData(image)
+    made_of_it.InterpolateOn()
+    made_of_it.MipmapOn()
+    return made_of_it
+
+
+def look_up(view, environment):
+    view.renderer.SetEnvironmentUp(0, 0, 1)
+    view.renderer.SetEnvironmentRight(1, 0, 0)
+    look = environment.GetWaterProperty()
+    look.SetEnvironmentTexture(texture())
+    look.SetReflectionSourceToEnvironment()
+
+
+def add_sun(view, _, direction=(0.5, 0.5 * 3**0.5, 0.0), color=SUN_COLOR):
+    light = vtkLight()
+    light.SetLightTypeToSceneLight()
+    light.SetPosition(direction)
+    light.SetFocalPoint(0, 0, 0)
+    light.SetColor(color)
+    view.renderer.AddLight(light)
+
+
+def add_lamp(view, _):
+    light = vtkLight()
+    light.SetLightTypeToSceneLight()
+    light.PositionalOn()
+    light.SetConeAngle(180)
+    light.SetPosition(2, -2, 3)
+    light.SetFocalPoint(0, 0, 0)
+    light.SetColor(1, 0.5, 0.5)
+    light.SetIntensity(0.75)
+    view.renderer.AddLight(light)
+
+
+def look_call(name, *arguments):
+    return lambda view, water: getattr(water.GetWaterProperty(), name)(*arguments)
+
+
+def bed():
+    """Ground that falls from over the water to 0.8 under it."""
+    data, points, cells = vtkPolyData(), vtkPoints(), vtkCellArray()
+    points.SetData(numpy_to_vtk(BED, deep=True))
+    cells.SetData(3, numpy_to_vtkIdTypeArray(BED_TRIANGLES.ravel(), deep=True))
+    data.SetPoints(points)
+    data.SetPolys(cells)
+    return data
+
+
+def clear(setter, value):
+    def change(view, water):
+        wt.add_actor(view.renderer, bed(), GRAY)
+        add_sun(view, water, (0.3, -0.5, 0.8), (1, 1, 1))
+        look = water.GetWaterProperty()
+        look.RefractionOn()
+        getattr(look, setter)(value)
+        view.renderer.ResetCameraClippingRange()
+    return change
+
+
+def c_clear(function, argument):
+    """A bed under clear water, a sun, and then one more call."""
+    x, y, z = 0.3, -0.5, 0.8
+    azimuth, elevation = np.degrees(np.arctan2(x, y)), np.degrees(np.arctan2(z, np.hypot(x, y)))
+    return lambda it: [("vtk_water_scene_add_mesh", it.scene, BED.ctypes, ctypes.c_size_t(4), BED_TRIANGLES.ctypes,
+                        ctypes.c_size_t(2), doubles(*GRAY)),
+                       ("vtk_water_scene_set_sun", it.scene, number(azimuth), number(elevation), doubles(1, 1, 1)),
+                       ("vtk_water_actor_set_refraction", it.water, 1), (function, it.water, argument)]
+
+
+# name, calls for a CScene, the same by the classes; how many levels the two may differ by
+CALLS = {
+    "color": (lambda it: [("vtk_water_actor_set_color", it.water, doubles(*COLOR))], look_call("SetDeepColor", COLOR), 0),
+    "opacity": (lambda it: [("vtk_water_actor_set_opacity", it.water, number(0.5))], look_call("SetOpacity", 0.5), 0),
+    "refraction": (lambda it: [("vtk_water_actor_set_refraction", it.water, 1)], look_call("RefractionOn"), 0),
+    "water type": (c_clear("vtk_water_actor_set_water_type", b"9C"), clear("SetWaterType", "9C"), 1),
+    "foam": (c_clear("vtk_water_actor_set_foam", number(0.3)), clear("SetFoamDepth", 0.3), 1),
+    "caustics": (c_clear("vtk_water_actor_set_caustics", number(0.9)), clear("SetCaustics", 0.9), 1),
+    "quality": (lambda it: [("vtk_water_actor_set_quality", it.water, b"reference")],
+                look_call("SetRayTraceQuality", "reference"), 0),
+    "environment": (lambda it: [("vtk_water_actor_set_environment", it.water, SKY.ctypes, SKY.shape[1], SKY.shape[0])],
+                    look_up, 0),
+    "sun": (lambda it: [("vtk_water_scene_set_sun", it.scene, number(30.0), number(0.0), None)], add_sun, 1),
+    "lamp": (lambda it: [("vtk_water_scene_add_light", it.scene, doubles(2, -2, 3), doubles(1, 0.5, 0.5), number(0.75))],
+             add_lamp, 0),
+}
+
+
+@pytest.mark.parametrize("name", CALLS, ids=lambda name: name.replace(" ", "_"))
+def test_a_call_does_what_the_classes_do(by_c, name):  # noqa: F811
+    """A call changes the picture as the classes' setters do."""
+    calls, change, most = CALLS[name]
+    for function, *arguments in calls(by_c):
+        plain = by_c.picture().astype(int)
+        by_c.call(getattr(by_c.lib, function), *arguments)
+    pixels = by_c.picture().astype(int)
+    wt.save(pixels[::-1], wt.output_folder() / f"CWords-{name.replace(' ', '-')}.png")
+    view, water = view_by_classes()
+    change(view, water)
+    wt.check_at_most("largest difference to the classes' picture", wt.difference(pixels, view.picture()[::-1]), most)
+    wt.check_at_least("largest difference to the picture before the last call", wt.difference(pixels, plain), 5)
+
+
+def test_an_environment_can_be_taken_back(by_c):  # noqa: F811
+    """Without a picture the scene is reflected again."""
+    plain = by_c.picture().astype(int)
+    by_c.call(by_c.lib.vtk_water_actor_set_environment, by_c.water, SKY.ctypes, SKY.shape[1], SKY.shape[0])
+    by_c.picture()
+    by_c.call(by_c.lib.vtk_water_actor_set_environment, by_c.water, None, 0, 0)
+    wt.check_equal("difference", wt.difference(by_c.picture().astype(int), plain), 0)
+
+
+def test_a_scene_has_one_sun_and_its_lights_can_be_removed(by_c):  # noqa: F811
+    """Another sun takes the first one's place, in a scene that was rendered without a light, too; without all lights
+    the scene is lit as at first."""
+    plain = by_c.picture().astype(int)
+    for azimuth in (200.0, 30.0):
+        by_c.call(by_c.lib.vtk_water_scene_set_sun, by_c.scene, number(azimuth), number(0.0), None)
+        lit = by_c.picture().astype(int)
+    view, water = view_by_classes()
+    add_sun(view, water)
+    wt.check_at_most("two suns, the last alone: difference", wt.difference(lit, view.picture()[::-1]), 1)
+    by_c.call(by_c.lib.vtk_water_scene_add_light, by_c.scene, doubles(2, -2, 3), doubles(1, 0, 0), number(1.0))
+    by_c.call(by_c.lib.vtk_water_scene_remove_all_lights, by_c.scene)
+    wt.check_equal("without lights: difference", wt.difference(by_c.picture().astype(int), plain), 0)
+
+
+def test_a_wind_has_a_direction(small):  # noqa: F811
+    """The wind's speed and direction arrive in the look."""
+    small.judge("vtk_water_actor_set_wind", OK, b"", small.water, number(7.0))
+    small.judge("vtk_water_actor_set_wind_direction", OK, b"", small.water, number(40.0))
+    look = small.native_water().GetWaterProperty()
+    wt.check_equal("sea, speed, direction", (look.GetSea(), look.GetWindSpeed(), look.GetWindDirection()), (True, 7.0, 40.0))
+
+
+def test_a_pass_has_a_time_budget(small):  # noqa: F811
+    """A time budget chooses the quality by it; 0 takes it away."""
+    small.judge("vtk_water_pass_set_time_budget", OK, b"", small.mirror, number(4.0))
+    mirror = small.native_water().GetReflectionPass()
+    wt.check_equal("budget, quality", (mirror.GetTimeBudget(), mirror.GetQuality()), (4.0, vtkWaterReflectionPass.TIME_BUDGET))
+    small.judge("vtk_water_pass_set_time_budget", BAD_VALUE, b"TimeBudget is -1", small.mirror, number(-1.0))
+    wt.check_equal("after a wrong one", (mirror.GetTimeBudget(), mirror.GetQuality()), (4.0, vtkWaterReflectionPass.TIME_BUDGET))
+    small.judge("vtk_water_pass_set_time_budget", OK, b"", small.mirror, number(0.0))
+    wt.check_equal("quality without", mirror.GetQuality(), vtkWaterReflectionPass.FIXED)
+
+
+NAN, INFINITY = float("nan"), float("inf")
+REFUSALS = (  # name, status, words of the error, function, its arguments for a SmallScene
+    ("direction", BAD_VALUE, b"WindDirection is inf", "vtk_water_actor_set_wind_direction", lambda it: (it.water, number(INFINITY))),
+    ("color", BAD_VALUE, b"DeepColor is (2, 0, 0)", "vtk_water_actor_set_color", lambda it: (it.water, doubles(2, 0, 0))),
+    ("color_null", NULL_ARGUMENT, b"color is NULL", "vtk_water_actor_set_color", lambda it: (it.water, None)),
+    ("opacity", BAD_VALUE, b"Opacity is 1.5; it must lie in [0, 1]", "vtk_water_actor_set_opacity",
+     lambda it: (it.water, number(1.5))),
+    ("refraction", BAD_VALUE, b"refraction is 2; it must be 0 or 1", "vtk_water_actor_set_refraction", lambda it: (it.water, 2)),
+    ("refraction_null", NULL_ARGUMENT, b"actor is NULL", "vtk_water_actor_set_refraction", lambda it: (None, 1)),
+    ("water_type", BAD_VALUE, b"WaterType is 'X'; it must be one of I, IA", "vtk_water_actor_set_water_type",
+     lambda it: (it.water, b"X")),
+    ("water_type_null", BAD_VALUE, b"WaterType is '(null)'", "vtk_water_actor_set_water_type", lambda it: (it.water, None)),
+    ("foam", BAD_VALUE, b"FoamDepth is -1", "vtk_water_actor_set_foam", lambda it: (it.water, number(-1.0))),
+    ("caustics", BAD_VALUE, b"Caustics is nan; it must lie in [0, 1]", "vtk_water_actor_set_caustics",
+     lambda it: (it.water, number(NAN))),
+    ("quality", BAD_VALUE, b'RayTraceQuality is "ultra"', "vtk_water_actor_set_quality", lambda it: (it.water, b"ultra")),
+    ("quality_null", BAD_VALUE, b"RayTraceQuality", "vtk_water_actor_set_quality", lambda it: (it.water, None)),
+    ("environment_size", BAD_VALUE, b"size is 0 x 5 pixels; both must lie in [1, 16384]", "vtk_water_actor_set_environment",
+     lambda it: (it.water, SKY.ctypes, 0, 5)),
+    ("budget_null", NULL_ARGUMENT, b"pass is NULL", "vtk_water_pass_set_time_budget", lambda it: (None, number(1.0))),
+    ("sun_elevation", BAD_VALUE, b"elevation 100", "vtk_water_scene_set_sun", lambda it: (it.scene, number(0), number(100), None)),
+    ("sun_azimuth", BAD_VALUE, b"azimuth is nan", "vtk_water_scene_set_sun", lambda it: (it.scene, number(NAN), number(0), None)),
+    ("sun_color", BAD_VALUE, b"[0, 1]", "vtk_water_scene_set_sun",
+     lambda it: (it.scene, number(0), number(0), doubles(0, 0, -1))),
+    ("sun_null", NULL_ARGUMENT, b"scene is NULL", "vtk_water_scene_set_sun", lambda it: (None, number(0), number(0), None)),
+    ("light_intensity", BAD_VALUE, b"intensity (-1", "vtk_water_scene_add_light",
+     lambda it: (it.scene, doubles(0, 0, 1), doubles(*BOTTOM), number(-1))),
+    ("light_place", BAD_VALUE, b"position must be finite", "vtk_water_scene_add_light",
+     lambda it: (it.scene, doubles(0, NAN, 1), doubles(*BOTTOM), number(1))),
+    ("light_color", BAD_VALUE, b"[0, 1]", "vtk_water_scene_add_light",
+     lambda it: (it.scene, doubles(0, 0, 1), doubles(0, 0, 3), number(1))),
+    ("light_null", NULL_ARGUMENT, b"color is NULL", "vtk_water_scene_add_light",
+     lambda it: (it.scene, doubles(0, 0, 1), None, number(1))),
+    ("lights_null", NULL_ARGUMENT, b"scene is NULL", "vtk_water_scene_remove_all_lights", lambda it: (None,)),
+)
+
+
+@pytest.mark.parametrize("status, words, function, arguments", [case[1:] for case in REFUSALS],
+                         ids=[case[0] for case in REFUSALS])
+def test_a_bad_call_is_a_status_and_changes_nothing(small, status, words, function, arguments):  # noqa: F811
+    """A bad call is a status with a text that names what is wrong, and the look is as it was."""
+    small.judge(function, status, words, *arguments(small))
+    look, default = small.native_water().GetWaterProperty(), vtkWaterProperty()
+    for name in ("WindDirection", "DeepColor", "Opacity", "Refraction", "Absorption", "FoamDepth", "Caustics", "RayTraceSteps",
+                 "ReflectionSource", "EnvironmentTexture"):
+        wt.check_equal(f"after it: {name}", getattr(look, f"Get{name}")(), getattr(default, f"Get{name}")())
+
+
+def compass_picture():
+    """Red in the middle, green at the top, blue elsewhere."""
+    picture = np.zeros((60, 120, 3), dtype=np.uint8)
+    picture[:, :, 2] = 255
+    picture[:, 50:70] = (255, 0, 0)
+    picture[:10] = (0, 255, 0)
+    return picture
+
+
+def test_a_picture_of_the_surroundings_lies_as_is_said(lib):  # noqa: F811
+    """The middle of a picture is towards +x and its top row overhead, as a mirror shows."""
+    picture = compass_picture()
+    scene, water = made(lib.vtk_water_scene_new, 40, 40), made(lib.vtk_water_actor_new)
+    pixels = np.zeros((40, 40, 3), dtype=np.uint8)
+    for function, *arguments in (
+        (lib.vtk_water_actor_set_sheet_bounds, water, doubles(-50, 50, -50, 50)),
+        (lib.vtk_water_actor_set_preset, water, b"mirror floor"),
+        (lib.vtk_water_actor_set_environment, water, picture.ctypes, 120, 60),
+        (lib.vtk_water_scene_add_water, scene, water),
+    ):
+        wt.check_equal(function.__name__, function(*arguments), OK)
+    for name, way, wanted in (("+x", (1, 0.01, -0.2), (255, 0, 0)), ("-x", (-1, 0.01, -0.2), (0, 0, 255)),
+                              ("+y", (0.01, 1, -0.2), (0, 0, 255)), ("down", (0.1, 0.1, -1), (0, 255, 0))):
+        target, up = doubles(way[0], way[1], 2.0 + way[2]), doubles(0.3, 0.8, 0.4)
+        wt.check_equal("camera", lib.vtk_water_scene_set_camera(scene, doubles(0, 0, 2), target, up, number(5.0)), OK)
+        wt.check_equal("render", lib.vtk_water_scene_render(scene, pixels.ctypes, ctypes.c_size_t(pixels.nbytes)), OK)
+        wt.check_at_most(f"mirrored, looking to {name}: difference to {wanted}",
+                         int(np.abs(pixels[20, 20].astype(int) - wanted).max()), 2)
+    lib.vtk_water_actor_delete(water)
+    lib.vtk_water_scene_delete(scene)
