@@ -102,9 +102,14 @@ def add_scene_arguments(parser):
                             "0 calms the water")
     water.add_argument("--wind-direction", type=number(-360.0, 360.0), metavar="DEG",
                        help="where that wind blows to, from x (east, 0) towards y (north, 90); default 0")
-    water.add_argument("--waves", type=wave, action="append", metavar="A,L[,D[,P[,S]]]",
-                       help="a wave in place of the preset's: amplitude and wavelength (m), direction it travels to and "
-                            "phase (degrees), steepness (0 to 1); say it again for more; not together with --wind")
+    water.add_argument(
+        "--waves",
+        type=wave,
+        action="append",
+        metavar="A,L[,D[,P[,S]]]",
+        help="a wave in place of the preset's: amplitude and wavelength (m), direction it travels to and "
+        "phase (degrees), steepness (0 to 1); say it again for more; not together with --wind",
+    )
     water.add_argument("--color", type=color, metavar="COLOR",
                        help="of the water itself, where it does not reflect: a name such as navy, or #rrggbb")
     water.add_argument("--opacity", type=number(0.0, 1.0), metavar="SHARE",
@@ -113,9 +118,15 @@ def add_scene_arguments(parser):
                        help="whether what lies under the surface is seen through it; default: as the preset has it")
     water.add_argument("--foam", type=number(0.0, 1e9), nargs="?", const=True, metavar="M",
                        help="metres of depth over which the shore foams, 0.25 without a number; turns refraction on")
-    water.add_argument("--caustics", type=number(0.0, 1.0), nargs="?", const=True, metavar="SHARE",
-                       help="strength of the light that waves gather under the surface, 0 to 1, 0.8 without a number; turns "
-                            "refraction on")
+    water.add_argument(
+        "--caustics",
+        type=number(0.0, 1.0),
+        nargs="?",
+        const=True,
+        metavar="SHARE",
+        help="strength of the light that waves gather under the surface, 0 to 1, 0.8 without a number; turns "
+        "refraction on",
+    )
     water.add_argument("--quality", choices=QUALITIES, help="of reflections on waves; default: default")
     view = parser.add_argument_group("the view")
     view.add_argument("--azimuth", type=number(-360.0, 360.0), default=200.0, metavar="DEG",
@@ -281,5 +292,3 @@ def main(arguments=None):
         print("vtkwater: stopped", file=sys.stderr)
         return STOPPED
     return FAILED
-
-

@@ -56,8 +56,8 @@ def add_water(
     Parameters
     ----------
     level : float, optional
-        Height of the water over ``origin`` along ``normal``, in the scene's unit: its z by default. Without it 0, or with
-        a ``surface`` the mean height of that.
+        Height of the water over ``origin`` along ``normal``, in the scene's unit: its z by default. Without it 0, or
+        with a ``surface`` the mean height of that.
 
     preset : str, optional
         A water with its optics and waves: ``'pool'``, ``'lake'``, ``'clear tropical'``, ``'ocean wind 5'``,
@@ -71,8 +71,8 @@ def add_water(
 
     wind : float | sequence[float], optional
         As the number of ``waves``, and not together with them: the speed of the wind whose sea it shall be, m/s in
-        [0.1, 100], 0 for calm water; or that and a direction: degrees from the plane's first axis (x) towards the second
-        (y), it blows to there.
+        [0.1, 100], 0 for calm water; or that and a direction: degrees from the plane's first axis (x) towards the
+        second (y), it blows to there.
 
     refraction : bool, optional
         Whether the scene is seen through the surface, refracted and dimmed. By default as the preset has it, and off
@@ -82,15 +82,15 @@ def add_water(
         Metres of depth over which the shore foams, finite and not negative; True is 0.25. It turns refraction on.
 
     caustics : float | bool, optional
-        Strength of the light that waves gather on what lies under them, in [0, 1]; True is 0.8. It turns refraction on,
-        and wants waves and a scene light: ``sun``.
+        Strength of the light that waves gather on what lies under them, in [0, 1]; True is 0.8. It turns refraction
+        on, and wants waves and a scene light: ``sun``.
 
     sun : bool | sequence[float], optional
-        Adds a scene light, the sun, for glitter, shadows and caustics: azimuth (degrees from north over east, in [-360,
-        360]) and elevation (degrees over the water, in [-90, 90]); True is (150, 35). North is y and east x, and for
-        water that is not level the second and the first of the plane's own axes. The light is in
-        ``plotter.renderer.lights``, of the class ``vtkwater.pyvista.Sun``, and stays when the water is removed; another
-        ``sun`` in the same subplot takes its place. PyVista's own lights stay and add up with it; with
+        Adds a scene light, the sun, for glitter, shadows and caustics: azimuth (degrees from north over east, in
+        [-360, 360]) and elevation (degrees over the water, in [-90, 90]); True is (150, 35). North is y and east x,
+        and for water that is not level the second and the first of the plane's own axes. The light is in
+        ``plotter.renderer.lights``, of the class ``vtkwater.pyvista.Sun``, and stays when the water is removed;
+        another ``sun`` in the same subplot takes its place. PyVista's own lights stay and add up with it; with
         ``pyvista.Plotter(lighting='none')`` all light is the sun's.
 
     quality : str, optional
@@ -155,8 +155,8 @@ def add_water(
     -----
     The server must render: ``pyvista.set_jupyter_backend('server')`` or ``'static'``, trame's ``VtkRemoteView``.
 
-    Of ``Plotter.set_scale`` it takes what is set before. The brightest scene light glitters on waves: ``sun``, or one of
-    yours. PyVista's default lights move with the camera and are none.
+    Of ``Plotter.set_scale`` it takes what is set before. The brightest scene light glitters on waves: ``sun``, or one
+    of yours. PyVista's default lights move with the camera and are none.
 
     Examples
     --------
@@ -170,8 +170,8 @@ def add_water(
     """
     scale = self.renderer.scale
     if pv.global_theme.jupyter_backend in DRAWN_BY_VTK_JS:
-        warnings.warn(f"the backend {pv.global_theme.jupyter_backend!r} draws with vtk.js, which does not know the water and "
-                      "leaves it out; say pyvista.set_jupyter_backend('server')", stacklevel=2)
+        warnings.warn(f"the backend {pv.global_theme.jupyter_backend!r} draws with vtk.js, which does not know the water "
+                      "and leaves it out; say pyvista.set_jupyter_backend('server')", stacklevel=2)
     if surface is not None and bounds is not None:
         raise ValueError("bounds are of the water's own sheet; there is none with a surface")
     mapper = None if surface is None else mapper_of(surface)
@@ -227,7 +227,9 @@ def sun_of(sun):
     if isinstance(sun, str) or not hasattr(sun, "__len__"):
         raise TypeError(f"sun must be a bool, or an azimuth and an elevation, not {type(sun).__name__}")
     azimuth, elevation = numbers("sun", sun, 2)
-    return in_range("sun[0], the azimuth,", azimuth, -360.0, 360.0), in_range("sun[1], the elevation,", elevation, -90.0, 90.0)
+    in_range("sun[0], the azimuth,", azimuth, -360.0, 360.0)
+    in_range("sun[1], the elevation,", elevation, -90.0, 90.0)
+    return azimuth, elevation
 
 
 def shine(renderer, water, azimuth, elevation):
@@ -257,8 +259,10 @@ def level_of_surface(mapper, level, normal, origin):
     if level is None:
         return height
     if abs(height) > most:
-        raise ValueError(f"level is {level:g}, but the mean height of the surface along the normal is {level + height:g}; "
-                         f"they may be {most:g} apart, 1 % of the surface's diagonal. Without level it is the surface's")
+        raise ValueError(
+            f"level is {level:g}, but the mean height of the surface along the normal is {level + height:g}; "
+            f"they may be {most:g} apart, 1 % of the surface's diagonal. Without level it is the surface's"
+        )
     return level
 
 
@@ -296,14 +300,16 @@ def mapper_of(surface):
     return mapper
 
 
-def add_water_level_slider(self, water, rng=None, *, origin=(0.0, 0.0, 0.0), title="water level", callback=None, **more):
+def add_water_level_slider(
+    self, water, rng=None, *, origin=(0.0, 0.0, 0.0), title="water level", callback=None, **more
+):
     """Add a slider to the active subplot that moves the level of a water.
 
     Parameters
     ----------
     water : vtkwater.vtkWaterActor
-        What ``add_water`` returned. It keeps its level, which must lie between the slider's ends. Its plane moves along
-        the normal, and its surface, when it was given one, with it.
+        What ``add_water`` returned. It keeps its level, which must lie between the slider's ends. Its plane moves
+        along the normal, and its surface, when it was given one, with it.
 
     rng : sequence[float], optional
         The lowest and the highest level, in the unit of the scene's data, over ``origin`` along the water's normal. By
@@ -331,8 +337,8 @@ def add_water_level_slider(self, water, rng=None, *, origin=(0.0, 0.0, 0.0), tit
         When the water is none, or an argument is not of its type.
 
     ValueError
-        When the ends are not finite, in the wrong order, or the level is not between them; the text names them. Without
-        ``rng`` also when the scene is flat.
+        When the ends are not finite, in the wrong order, or the level is not between them; the text names them.
+        Without ``rng`` also when the scene is flat.
 
     Examples
     --------

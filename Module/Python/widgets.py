@@ -35,7 +35,9 @@ def initialize(interactor):
 def check_ends(low, high, level):
     """Raise a ValueError for a slider that is none, or that does not have the level."""
     if not -math.inf < low <= level <= high < math.inf or not low < high:
-        raise ValueError(f"low {low} and high {high}: low must be less, both finite, and the water's level {level} between them")
+        raise ValueError(
+            f"low {low} and high {high}: low must be less, both finite, and the water's level {level} between them"
+        )
 
 
 class LevelSlider:

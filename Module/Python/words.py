@@ -42,8 +42,8 @@ def set_look(look, *, preset=None, waves=None, wind=None, color=None, opacity=No
     refraction : bool
         Whether the scene is seen through the surface.
     foam : float | bool
-        Metres of depth over which the shore foams, finite and not negative; True is 0.25. It wants refraction and turns
-        it on.
+        Metres of depth over which the shore foams, finite and not negative; True is 0.25. It wants refraction and
+        turns it on.
     caustics : float | bool
         Strength of the light that waves gather under the surface, in [0, 1]; True is 0.8. It wants waves, and
         refraction, which it turns on.
@@ -56,7 +56,9 @@ def set_look(look, *, preset=None, waves=None, wind=None, color=None, opacity=No
         For a wrong argument, and for two that contradict each other. The look may have changed by then.
     """
     if waves is not None and wind is not None:
-        raise ValueError(f"waves and wind are both given (wind is {wind!r}); only one of them can say what the waves are")
+        raise ValueError(
+            f"waves and wind are both given (wind is {wind!r}); only one of them can say what the waves are"
+        )
     speed, blows_to = (None, None) if wind is None else wind_of(wind)
     foam_depth = None if foam is None else depth_of(foam)
     strength = None if caustics is None else strength_of(caustics)
@@ -79,7 +81,9 @@ def set_look(look, *, preset=None, waves=None, wind=None, color=None, opacity=No
     through = {"refraction": bool(refraction), "foam": bool(foam_depth), "caustics": bool(strength)}
     check_through(look, preset, refraction, share, through, {"foam": foam, "caustics": caustics})
     if strength and not has_waves(look):
-        raise ValueError(f"caustics is {caustics!r}, but the water is calm: it wants wind, waves or a preset that has them")
+        raise ValueError(
+            f"caustics is {caustics!r}, but the water is calm: it wants wind, waves or a preset that has them"
+        )
     with raising(look):
         if refraction is not None or through["foam"] or through["caustics"]:
             look.SetRefraction(refraction is not False)
@@ -101,8 +105,10 @@ def check_through(look, preset, refraction, opacity, through, given):
         return
     value = given.get(asked, refraction)
     if opacity is not None and opacity < 1.0:
-        raise ValueError(f"{asked} is {value!r}, but opacity is {opacity}: water with an opacity below 1 is blended and "
-                         "not refracted")
+        raise ValueError(
+            f"{asked} is {value!r}, but opacity is {opacity}: water with an opacity below 1 is blended and "
+            "not refracted"
+        )
     if preset is not None and look.GetReflectanceMode() == look.CONSTANT and look.GetReflectance() == 1.0:
         raise ValueError(f"{asked} is {value!r}, but preset is {preset!r}: nothing is seen through a perfect mirror")
 
@@ -169,7 +175,9 @@ def depth_of(foam):
         return FOAM_DEPTH if foam else 0.0
     depth = number("foam", foam)
     if not 0.0 <= depth < math.inf:
-        raise ValueError(f"foam is {depth:g}; it must be finite and not negative (m of depth), or True for {FOAM_DEPTH}")
+        raise ValueError(
+            f"foam is {depth:g}; it must be finite and not negative (m of depth), or True for {FOAM_DEPTH}"
+        )
     return depth
 
 

@@ -87,8 +87,8 @@ def square(z):
 
 @pytest.mark.parametrize("mapper_class", (vtkPolyDataMapper, vtkDataSetMapper))
 def test_a_mesh_tells_how_it_lies(mapper_class):
-    """The height and angle of a user's mesh over the plane are told, with what is accepted; a mesh that is off is warned
-    of once, of either mapper."""
+    """The height and angle of a user's mesh over the plane are told, with what is accepted; a mesh that is off is
+    warned of once, of either mapper."""
     mapper = mapper_class()
     mapper.SetInputData(square(0.5))
     scene = view()
@@ -111,7 +111,9 @@ def test_a_mesh_tells_how_it_lies(mapper_class):
 def test_the_own_sheet_is_no_mesh():
     """The own sheet, and a mapper without polygons, tell no height."""
     water, placement = vtkWaterActor(), [0.0] * 4
-    wt.check_equal("own sheet: known", (water.GetMeshPlacement(placement), placement[0] != placement[0]), (False, True))
+    wt.check_equal(
+        "own sheet: known", (water.GetMeshPlacement(placement), placement[0] != placement[0]), (False, True)
+    )
     water.SetMapper(vtkPolyDataMapper())
     wt.check_equal("no input: known", water.GetMeshPlacement(placement), False)
 

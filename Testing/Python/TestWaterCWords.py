@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The C interface says the look and the light by the words that add_water has; each call does what the classes' setters
-do, pixel for pixel, and a bad value is a status that names it."""
+"""The C interface says the look and the light by the words that add_water has; each call does what the classes'
+setters do, pixel for pixel, and a bad value is a status that names it."""
 
 import ctypes
 
@@ -112,19 +112,32 @@ def c_clear(function, argument):
 
 # name, calls for a CScene, the same by the classes; how many levels the two may differ by
 CALLS = {
-    "color": (lambda it: [("vtk_water_actor_set_color", it.water, doubles(*COLOR))], look_call("SetDeepColor", COLOR), 0),
+    "color": (
+        lambda it: [("vtk_water_actor_set_color", it.water, doubles(*COLOR))],
+        look_call("SetDeepColor", COLOR),
+        0,
+    ),
     "opacity": (lambda it: [("vtk_water_actor_set_opacity", it.water, number(0.5))], look_call("SetOpacity", 0.5), 0),
     "refraction": (lambda it: [("vtk_water_actor_set_refraction", it.water, 1)], look_call("RefractionOn"), 0),
     "water type": (c_clear("vtk_water_actor_set_water_type", b"9C"), clear("SetWaterType", "9C"), 1),
     "foam": (c_clear("vtk_water_actor_set_foam", number(0.3)), clear("SetFoamDepth", 0.3), 1),
     "caustics": (c_clear("vtk_water_actor_set_caustics", number(0.9)), clear("SetCaustics", 0.9), 1),
-    "quality": (lambda it: [("vtk_water_actor_set_quality", it.water, b"reference")],
-                look_call("SetRayTraceQuality", "reference"), 0),
-    "environment": (lambda it: [("vtk_water_actor_set_environment", it.water, SKY.ctypes, SKY.shape[1], SKY.shape[0])],
-                    look_up, 0),
+    "quality": (
+        lambda it: [("vtk_water_actor_set_quality", it.water, b"reference")],
+        look_call("SetRayTraceQuality", "reference"),
+        0,
+    ),
+    "environment": (
+        lambda it: [("vtk_water_actor_set_environment", it.water, SKY.ctypes, SKY.shape[1], SKY.shape[0])],
+        look_up,
+        0,
+    ),
     "sun": (lambda it: [("vtk_water_scene_set_sun", it.scene, number(30.0), number(0.0), None)], add_sun, 1),
-    "lamp": (lambda it: [("vtk_water_scene_add_light", it.scene, doubles(2, -2, 3), doubles(1, 0.5, 0.5), number(0.75))],
-             add_lamp, 0),
+    "lamp": (
+        lambda it: [("vtk_water_scene_add_light", it.scene, doubles(2, -2, 3), doubles(1, 0.5, 0.5), number(0.75))],
+        add_lamp,
+        0,
+    ),
 }
 
 
@@ -172,53 +185,152 @@ def test_a_wind_has_a_direction(small):  # noqa: F811
     small.judge("vtk_water_actor_set_wind", OK, b"", small.water, number(7.0))
     small.judge("vtk_water_actor_set_wind_direction", OK, b"", small.water, number(40.0))
     look = small.native_water().GetWaterProperty()
-    wt.check_equal("sea, speed, direction", (look.GetSea(), look.GetWindSpeed(), look.GetWindDirection()), (True, 7.0, 40.0))
+    wt.check_equal(
+        "sea, speed, direction", (look.GetSea(), look.GetWindSpeed(), look.GetWindDirection()), (True, 7.0, 40.0)
+    )
 
 
 def test_a_pass_has_a_time_budget(small):  # noqa: F811
     """A time budget chooses the quality by it; 0 takes it away."""
     small.judge("vtk_water_pass_set_time_budget", OK, b"", small.mirror, number(4.0))
     mirror = small.native_water().GetReflectionPass()
-    wt.check_equal("budget, quality", (mirror.GetTimeBudget(), mirror.GetQuality()), (4.0, vtkWaterReflectionPass.TIME_BUDGET))
+    wt.check_equal(
+        "budget, quality", (mirror.GetTimeBudget(), mirror.GetQuality()), (4.0, vtkWaterReflectionPass.TIME_BUDGET)
+    )
     small.judge("vtk_water_pass_set_time_budget", BAD_VALUE, b"TimeBudget is -1", small.mirror, number(-1.0))
-    wt.check_equal("after a wrong one", (mirror.GetTimeBudget(), mirror.GetQuality()), (4.0, vtkWaterReflectionPass.TIME_BUDGET))
+    wt.check_equal(
+        "after a wrong one", (mirror.GetTimeBudget(), mirror.GetQuality()), (4.0, vtkWaterReflectionPass.TIME_BUDGET)
+    )
     small.judge("vtk_water_pass_set_time_budget", OK, b"", small.mirror, number(0.0))
     wt.check_equal("quality without", mirror.GetQuality(), vtkWaterReflectionPass.FIXED)
 
 
 NAN, INFINITY = float("nan"), float("inf")
 REFUSALS = (  # name, status, words of the error, function, its arguments for a SmallScene
-    ("direction", BAD_VALUE, b"WindDirection is inf", "vtk_water_actor_set_wind_direction", lambda it: (it.water, number(INFINITY))),
-    ("color", BAD_VALUE, b"DeepColor is (2, 0, 0)", "vtk_water_actor_set_color", lambda it: (it.water, doubles(2, 0, 0))),
+    (
+        "direction",
+        BAD_VALUE,
+        b"WindDirection is inf",
+        "vtk_water_actor_set_wind_direction",
+        lambda it: (it.water, number(INFINITY)),
+    ),
+    (
+        "color",
+        BAD_VALUE,
+        b"DeepColor is (2, 0, 0)",
+        "vtk_water_actor_set_color",
+        lambda it: (it.water, doubles(2, 0, 0)),
+    ),
     ("color_null", NULL_ARGUMENT, b"color is NULL", "vtk_water_actor_set_color", lambda it: (it.water, None)),
-    ("opacity", BAD_VALUE, b"Opacity is 1.5; it must lie in [0, 1]", "vtk_water_actor_set_opacity",
-     lambda it: (it.water, number(1.5))),
-    ("refraction", BAD_VALUE, b"refraction is 2; it must be 0 or 1", "vtk_water_actor_set_refraction", lambda it: (it.water, 2)),
+    (
+        "opacity",
+        BAD_VALUE,
+        b"Opacity is 1.5; it must lie in [0, 1]",
+        "vtk_water_actor_set_opacity",
+        lambda it: (it.water, number(1.5)),
+    ),
+    (
+        "refraction",
+        BAD_VALUE,
+        b"refraction is 2; it must be 0 or 1",
+        "vtk_water_actor_set_refraction",
+        lambda it: (it.water, 2),
+    ),
     ("refraction_null", NULL_ARGUMENT, b"actor is NULL", "vtk_water_actor_set_refraction", lambda it: (None, 1)),
-    ("water_type", BAD_VALUE, b"WaterType is 'X'; it must be one of I, IA", "vtk_water_actor_set_water_type",
-     lambda it: (it.water, b"X")),
-    ("water_type_null", BAD_VALUE, b"WaterType is '(null)'", "vtk_water_actor_set_water_type", lambda it: (it.water, None)),
+    (
+        "water_type",
+        BAD_VALUE,
+        b"WaterType is 'X'; it must be one of I, IA",
+        "vtk_water_actor_set_water_type",
+        lambda it: (it.water, b"X"),
+    ),
+    (
+        "water_type_null",
+        BAD_VALUE,
+        b"WaterType is '(null)'",
+        "vtk_water_actor_set_water_type",
+        lambda it: (it.water, None),
+    ),
     ("foam", BAD_VALUE, b"FoamDepth is -1", "vtk_water_actor_set_foam", lambda it: (it.water, number(-1.0))),
-    ("caustics", BAD_VALUE, b"Caustics is nan; it must lie in [0, 1]", "vtk_water_actor_set_caustics",
-     lambda it: (it.water, number(NAN))),
-    ("quality", BAD_VALUE, b'RayTraceQuality is "ultra"', "vtk_water_actor_set_quality", lambda it: (it.water, b"ultra")),
+    (
+        "caustics",
+        BAD_VALUE,
+        b"Caustics is nan; it must lie in [0, 1]",
+        "vtk_water_actor_set_caustics",
+        lambda it: (it.water, number(NAN)),
+    ),
+    (
+        "quality",
+        BAD_VALUE,
+        b'RayTraceQuality is "ultra"',
+        "vtk_water_actor_set_quality",
+        lambda it: (it.water, b"ultra"),
+    ),
     ("quality_null", BAD_VALUE, b"RayTraceQuality", "vtk_water_actor_set_quality", lambda it: (it.water, None)),
-    ("environment_size", BAD_VALUE, b"size is 0 x 5 pixels; both must lie in [1, 16384]", "vtk_water_actor_set_environment",
-     lambda it: (it.water, SKY.ctypes, 0, 5)),
+    (
+        "environment_size",
+        BAD_VALUE,
+        b"size is 0 x 5 pixels; both must lie in [1, 16384]",
+        "vtk_water_actor_set_environment",
+        lambda it: (it.water, SKY.ctypes, 0, 5),
+    ),
     ("budget_null", NULL_ARGUMENT, b"pass is NULL", "vtk_water_pass_set_time_budget", lambda it: (None, number(1.0))),
-    ("sun_elevation", BAD_VALUE, b"elevation 100", "vtk_water_scene_set_sun", lambda it: (it.scene, number(0), number(100), None)),
-    ("sun_azimuth", BAD_VALUE, b"azimuth is nan", "vtk_water_scene_set_sun", lambda it: (it.scene, number(NAN), number(0), None)),
-    ("sun_color", BAD_VALUE, b"[0, 1]", "vtk_water_scene_set_sun",
-     lambda it: (it.scene, number(0), number(0), doubles(0, 0, -1))),
-    ("sun_null", NULL_ARGUMENT, b"scene is NULL", "vtk_water_scene_set_sun", lambda it: (None, number(0), number(0), None)),
-    ("light_intensity", BAD_VALUE, b"intensity (-1", "vtk_water_scene_add_light",
-     lambda it: (it.scene, doubles(0, 0, 1), doubles(*BOTTOM), number(-1))),
-    ("light_place", BAD_VALUE, b"position must be finite", "vtk_water_scene_add_light",
-     lambda it: (it.scene, doubles(0, NAN, 1), doubles(*BOTTOM), number(1))),
-    ("light_color", BAD_VALUE, b"[0, 1]", "vtk_water_scene_add_light",
-     lambda it: (it.scene, doubles(0, 0, 1), doubles(0, 0, 3), number(1))),
-    ("light_null", NULL_ARGUMENT, b"color is NULL", "vtk_water_scene_add_light",
-     lambda it: (it.scene, doubles(0, 0, 1), None, number(1))),
+    (
+        "sun_elevation",
+        BAD_VALUE,
+        b"elevation 100",
+        "vtk_water_scene_set_sun",
+        lambda it: (it.scene, number(0), number(100), None),
+    ),
+    (
+        "sun_azimuth",
+        BAD_VALUE,
+        b"azimuth is nan",
+        "vtk_water_scene_set_sun",
+        lambda it: (it.scene, number(NAN), number(0), None),
+    ),
+    (
+        "sun_color",
+        BAD_VALUE,
+        b"[0, 1]",
+        "vtk_water_scene_set_sun",
+        lambda it: (it.scene, number(0), number(0), doubles(0, 0, -1)),
+    ),
+    (
+        "sun_null",
+        NULL_ARGUMENT,
+        b"scene is NULL",
+        "vtk_water_scene_set_sun",
+        lambda it: (None, number(0), number(0), None),
+    ),
+    (
+        "light_intensity",
+        BAD_VALUE,
+        b"intensity (-1",
+        "vtk_water_scene_add_light",
+        lambda it: (it.scene, doubles(0, 0, 1), doubles(*BOTTOM), number(-1)),
+    ),
+    (
+        "light_place",
+        BAD_VALUE,
+        b"position must be finite",
+        "vtk_water_scene_add_light",
+        lambda it: (it.scene, doubles(0, NAN, 1), doubles(*BOTTOM), number(1)),
+    ),
+    (
+        "light_color",
+        BAD_VALUE,
+        b"[0, 1]",
+        "vtk_water_scene_add_light",
+        lambda it: (it.scene, doubles(0, 0, 1), doubles(0, 0, 3), number(1)),
+    ),
+    (
+        "light_null",
+        NULL_ARGUMENT,
+        b"color is NULL",
+        "vtk_water_scene_add_light",
+        lambda it: (it.scene, doubles(0, 0, 1), None, number(1)),
+    ),
     ("lights_null", NULL_ARGUMENT, b"scene is NULL", "vtk_water_scene_remove_all_lights", lambda it: (None,)),
 )
 
@@ -229,8 +341,18 @@ def test_a_bad_call_is_a_status_and_changes_nothing(small, status, words, functi
     """A bad call is a status with a text that names what is wrong, and the look is as it was."""
     small.judge(function, status, words, *arguments(small))
     look, default = small.native_water().GetWaterProperty(), vtkWaterProperty()
-    for name in ("WindDirection", "DeepColor", "Opacity", "Refraction", "Absorption", "FoamDepth", "Caustics", "RayTraceSteps",
-                 "ReflectionSource", "EnvironmentTexture"):
+    for name in (
+        "WindDirection",
+        "DeepColor",
+        "Opacity",
+        "Refraction",
+        "Absorption",
+        "FoamDepth",
+        "Caustics",
+        "RayTraceSteps",
+        "ReflectionSource",
+        "EnvironmentTexture",
+    ):
         wt.check_equal(f"after it: {name}", getattr(look, f"Get{name}")(), getattr(default, f"Get{name}")())
 
 

@@ -34,8 +34,25 @@ def run(folder, *options):
     out = folder / "box.png"
     out.unlink(missing_ok=True)
     done = subprocess.run(
-        [sys.executable, "-m", "vtkwater", "render", "box.stl", "--level", "0", "--size", f"{SIZE[0]}x{SIZE[1]}", "--out",
-         out.name, *map(str, options)], capture_output=True, text=True, cwd=folder, timeout=120)
+        [
+            sys.executable,
+            "-m",
+            "vtkwater",
+            "render",
+            "box.stl",
+            "--level",
+            "0",
+            "--size",
+            f"{SIZE[0]}x{SIZE[1]}",
+            "--out",
+            out.name,
+            *map(str, options),
+        ],
+        capture_output=True,
+        text=True,
+        cwd=folder,
+        timeout=120,
+    )
     picture = np.asarray(Image.open(out)).astype(int)[:, :, :3] if out.exists() else None
     return done.returncode, done.stdout + done.stderr, picture
 
@@ -55,10 +72,24 @@ def state_of(look):
         wave = [0.0] * 5
         look.GetWave(i, wave)
         waves.append([round(part, 9) for part in wave])
-    return (look.GetSea(), look.GetWindSpeed(), look.GetWindDirection(), waves, look.GetRefraction(), look.GetFoamDepth(),
-            look.GetCaustics(), [round(part, 9) for part in look.GetDeepColor()], look.GetOpacity(), look.GetIndexOfRefraction(),
-            look.GetAbsorption(), look.GetRayTraceSteps(), look.GetRayTraceProbes(), look.GetRayTraceRays(),
-            look.GetRayTraceLayers(), look.GetRayTraceFootprint())
+    return (
+        look.GetSea(),
+        look.GetWindSpeed(),
+        look.GetWindDirection(),
+        waves,
+        look.GetRefraction(),
+        look.GetFoamDepth(),
+        look.GetCaustics(),
+        [round(part, 9) for part in look.GetDeepColor()],
+        look.GetOpacity(),
+        look.GetIndexOfRefraction(),
+        look.GetAbsorption(),
+        look.GetRayTraceSteps(),
+        look.GetRayTraceProbes(),
+        look.GetRayTraceRays(),
+        look.GetRayTraceLayers(),
+        look.GetRayTraceFootprint(),
+    )
 
 
 OPTIONS = {  # the options, the same by words
@@ -67,7 +98,10 @@ OPTIONS = {  # the options, the same by words
     "wind": (("--wind", 7), {"wind": 7.0}),
     "no wind": (("--preset", "lake", "--wind", 0), {"preset": "lake", "wind": 0.0}),
     "direction": (("--wind", 7, "--wind-direction", 40), {"wind": (7.0, 40.0)}),
-    "waves": (("--waves", "0.1,2", "--waves", "0.05,1.5,30,10,0.5"), {"waves": [(0.1, 2.0), (0.05, 1.5, 30.0, 10.0, 0.5)]}),
+    "waves": (
+        ("--waves", "0.1,2", "--waves", "0.05,1.5,30,10,0.5"),
+        {"waves": [(0.1, 2.0), (0.05, 1.5, 30.0, 10.0, 0.5)]},
+    ),
     "color name": (("--color", "navy"), {"color": (0.0, 0.0, 128 / 255)}),
     "color number": (("--color", "#ff8000"), {"color": (1.0, 128 / 255, 0.0)}),
     "opacity": (("--opacity", 0.5), {"opacity": 0.5}),
@@ -94,8 +128,23 @@ def test_an_option_is_a_word(name):
 
 def test_the_words_are_in_the_picture(folder):
     """The command's picture is that of a scene with the same words, and differs from that without them."""
-    options = ("--preset", "clear tropical", "--wind", 3, "--wind-direction", 30, "--foam", "--caustics", 0.5, "--color",
-               "#204060", "--quality", "high", "--sun", 30)
+    options = (
+        "--preset",
+        "clear tropical",
+        "--wind",
+        3,
+        "--wind-direction",
+        30,
+        "--foam",
+        "--caustics",
+        0.5,
+        "--color",
+        "#204060",
+        "--quality",
+        "high",
+        "--sun",
+        30,
+    )
     status, said, picture = run(folder, *options)
     wt.check_equal(f"status; said {said.strip()}", status, 0)
     Image.fromarray(picture.astype(np.uint8)).save(wt.output_folder() / "CommandWords.png")
@@ -167,7 +216,9 @@ WRONG_WORDS = [  # the exception, parts of its text, the words
 ]
 
 
-@pytest.mark.parametrize("kind, texts, words", WRONG_WORDS, ids=[texts[0].replace(" ", "_") for _, texts, _ in WRONG_WORDS])
+@pytest.mark.parametrize(
+    "kind, texts, words", WRONG_WORDS, ids=[texts[0].replace(" ", "_") for _, texts, _ in WRONG_WORDS]
+)
 def test_a_wrong_word_raises(kind, texts, words):
     """A wrong word raises an error that names it and what is accepted."""
     raised = None
@@ -175,7 +226,9 @@ def test_a_wrong_word_raises(kind, texts, words):
         set_look(vtkWaterProperty(), **words)
     except (TypeError, ValueError) as error:
         raised = error
-    wt.check_equal(f"{words}: {raised}", (type(raised), [text for text in texts if text not in str(raised)]), (kind, []))
+    wt.check_equal(
+        f"{words}: {raised}", (type(raised), [text for text in texts if text not in str(raised)]), (kind, [])
+    )
 
 
 def test_words_that_are_not_said_change_nothing():

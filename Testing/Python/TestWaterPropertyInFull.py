@@ -59,7 +59,11 @@ def others_of(value):
         return [tuple(0.5 * part + 0.25 for part in value)]
     if value is None:
         return [texture()]
-    return [2 * value, value + 1, value - 1, 0.5 * value, 0.5, 7.0] if isinstance(value, float) else [2 * value, value + 1, value - 1]
+    return (
+        [2 * value, value + 1, value - 1, 0.5 * value, 0.5, 7.0]
+        if isinstance(value, float)
+        else [2 * value, value + 1, value - 1]
+    )
 
 
 def change(look, name):
@@ -111,7 +115,9 @@ def test_everything_was_changed(look):
     """The look that is copied has another value than the default for every setting: none is left out."""
     default, changed = all_of(vtkWaterProperty()), all_of(look)
     wt.check_at_least("settings", len(settings()), 35)
-    wt.check_equal("settings that kept their default", [name for name in settings() if changed[name] == default[name]], [])
+    wt.check_equal(
+        "settings that kept their default", [name for name in settings() if changed[name] == default[name]], []
+    )
 
 
 def test_a_deep_copy_has_everything(look):
@@ -144,10 +150,15 @@ def test_a_deep_copy_of_nothing_or_itself_changes_nothing(look):
     wt.check_equal("afterwards", (all_of(look), look.GetMTime()), (wanted, before))
 
 
-CHOICES = [(vtkWaterProperty, "ReflectanceMode", "ReflectanceModes"), (vtkWaterProperty, "ReflectionSource", "ReflectionSources"),
-           (vtkWaterProperty, "SeaModel", "SeaModels"), (vtkWaterProperty, "Lookup", "Lookups"),
-           (vtkWaterProperty, "Output", "Outputs"), (vtkWaterReflectionPass, "ColorPrecision", "ColorPrecisions"),
-           (vtkWaterReflectionPass, "Quality", "Qualities")]
+CHOICES = [
+    (vtkWaterProperty, "ReflectanceMode", "ReflectanceModes"),
+    (vtkWaterProperty, "ReflectionSource", "ReflectionSources"),
+    (vtkWaterProperty, "SeaModel", "SeaModels"),
+    (vtkWaterProperty, "Lookup", "Lookups"),
+    (vtkWaterProperty, "Output", "Outputs"),
+    (vtkWaterReflectionPass, "ColorPrecision", "ColorPrecisions"),
+    (vtkWaterReflectionPass, "Quality", "Qualities"),
+]
 NOT_SET = {"Confidences", "Fates", "Decisions", "Skips"}  # they are told, or bits
 
 
@@ -173,7 +184,9 @@ def test_every_choice_has_a_setter_and_a_name(cls, name, enum):
     values = values_of(cls, enum)
     wt.check_at_least(f"{name}: values", len(values), 2)
     setters = own_methods(cls, f"Set{name}To[A-Z]\\w+")
-    wt.check_equal(f"{name}: setters", len([setter for setter in setters if setter != "SetSlopeVarianceToWind"]), len(values))
+    wt.check_equal(
+        f"{name}: setters", len([setter for setter in setters if setter != "SetSlopeVarianceToWind"]), len(values)
+    )
     for value_name, value in values.items():
         thing = cls()
         plain = value_name.replace("_", "").lower()
@@ -181,8 +194,11 @@ def test_every_choice_has_a_setter_and_a_name(cls, name, enum):
         thing_set = getattr(thing, f"Set{name}")
         thing_set(max(values.values()) if value == min(values.values()) else min(values.values()))
         getattr(thing, setter)()
-        wt.check_equal(f"{setter}: value, name", (getattr(thing, f"Get{name}")(), getattr(thing, f"Get{name}AsString")()),
-                       (value, value_name))
+        wt.check_equal(
+            f"{setter}: value, name",
+            (getattr(thing, f"Get{name}")(), getattr(thing, f"Get{name}AsString")()),
+            (value, value_name),
+        )
 
 
 def said_by(look, call):
@@ -252,15 +268,25 @@ def test_water_without_waves_has_none_to_remove():
 
 @pytest.mark.parametrize("name", PRESETS)
 def test_a_preset_is_told_until_something_of_it_is_changed(name):
-    """GetPreset tells the last preset, until something that it sets is changed by hand; what it leaves alone may change."""
+    """GetPreset tells the last preset, until something that it sets is changed by hand; what it leaves alone may
+    change."""
     look = vtkWaterProperty()
     wt.check_equal("of the default", look.GetPreset(), None)
     look.SetPreset(name)
     look.SetOpacity(0.5)
     look.SetFoamDepth(0.25)
     wt.check_equal("the preset", look.GetPreset(), name)
-    of_it = ["ReflectanceMode", "Reflectance", "IndexOfRefraction", "Refraction", "Absorption", "Scattering", "DeepColor",
-             "Depth", "Sea"]
+    of_it = [
+        "ReflectanceMode",
+        "Reflectance",
+        "IndexOfRefraction",
+        "Refraction",
+        "Absorption",
+        "Scattering",
+        "DeepColor",
+        "Depth",
+        "Sea",
+    ]
     if look.GetSea():
         of_it += ["SeaModel", "WindSpeed", "WindDirection", "Fetch", "PeakEnhancement", "SeaTileLength"]
     for setting in of_it:

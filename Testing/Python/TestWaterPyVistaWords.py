@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""add_water says in one call what the water looks like: each word arrives at the setting that it names, is checked, and
-contradicts no other. A surface says its level, water may be added before the scene, and a slider moves it.
+"""add_water says in one call what the water looks like: each word arrives at the setting that it names, is checked,
+and contradicts no other. A surface says its level, water may be added before the scene, and a slider moves it.
 """
 
 import re
@@ -66,15 +66,25 @@ ARRIVES = {  # the words, what is asked of the look, the answer
     "refraction of a preset": ({"preset": "lake"}, vtkWaterProperty.GetRefraction, True),
     "refraction by default": ({}, vtkWaterProperty.GetRefraction, False),
     "foam": ({"foam": 0.5}, lambda look: (look.GetFoamDepth(), look.GetRefraction()), (0.5, True)),
-    "foam of the usual depth": ({"foam": True}, lambda look: (look.GetFoamDepth(), look.GetRefraction()), (0.25, True)),
+    "foam of the usual depth": (
+        {"foam": True},
+        lambda look: (look.GetFoamDepth(), look.GetRefraction()),
+        (0.25, True),
+    ),
     "no foam": ({"foam": False}, lambda look: (look.GetFoamDepth(), look.GetRefraction()), (0.0, False)),
     "caustics": ({"caustics": 0.3, "wind": 3}, lambda look: (look.GetCaustics(), look.GetRefraction()), (0.3, True)),
     "caustics of the usual strength": ({"caustics": True, "preset": "pool"}, vtkWaterProperty.GetCaustics, 0.8),
-    "no caustics": ({"caustics": 0, "refraction": False}, lambda look: (look.GetCaustics(), look.GetRefraction()), (0.0, False)),
+    "no caustics": (
+        {"caustics": 0, "refraction": False},
+        lambda look: (look.GetCaustics(), look.GetRefraction()),
+        (0.0, False),
+    ),
     **{f"quality {name}": ({"quality": name}, rays_of, rays_of_quality(name)) for name in QUALITIES},
-    "all of them": ({"preset": "clear tropical", "wind": (5, 20), "foam": 0.4, "caustics": 0.6, "quality": "high"},
-                    lambda look: (sea_of(look), look.GetFoamDepth(), look.GetCaustics(), rays_of(look)),
-                    ((True, 5.0, 20.0, 0), 0.4, 0.6, rays_of_quality("high"))),
+    "all of them": (
+        {"preset": "clear tropical", "wind": (5, 20), "foam": 0.4, "caustics": 0.6, "quality": "high"},
+        lambda look: (sea_of(look), look.GetFoamDepth(), look.GetCaustics(), rays_of(look)),
+        ((True, 5.0, 20.0, 0), 0.4, 0.6, rays_of_quality("high")),
+    ),
 }
 
 
@@ -126,7 +136,9 @@ WRONG = [  # the exception, parts of its text, the words
 ]
 
 
-@pytest.mark.parametrize("kind, texts, words", WRONG, ids=[re.sub(r"\W+", "_", texts[0] + str(list(words))) for _, texts, words in WRONG])
+@pytest.mark.parametrize(
+    "kind, texts, words", WRONG, ids=[re.sub(r"\W+", "_", texts[0] + str(list(words))) for _, texts, words in WRONG]
+)
 def test_a_wrong_word_raises_and_adds_nothing(kind, texts, words, plotter):
     """A wrong word, or two that contradict each other, raise an error that names word, value and what is accepted;
     neither water nor a light is added."""
@@ -135,22 +147,44 @@ def test_a_wrong_word_raises_and_adds_nothing(kind, texts, words, plotter):
         plotter.add_water(**words)
     except (TypeError, ValueError) as error:
         raised = error
-    wt.check_equal(f"{words}: {raised}", (type(raised), [text for text in texts if text not in str(raised)]), (kind, []))
-    wt.check_equal("waters, more lights", (len([actor for actor in plotter.actors.values() if isinstance(actor, vtkWaterActor)]),
-                                           len(plotter.renderer.lights) - lights), (0, 0))
+    wt.check_equal(
+        f"{words}: {raised}", (type(raised), [text for text in texts if text not in str(raised)]), (kind, [])
+    )
+    wt.check_equal(
+        "waters, more lights",
+        (
+            len([actor for actor in plotter.actors.values() if isinstance(actor, vtkWaterActor)]),
+            len(plotter.renderer.lights) - lights,
+        ),
+        (0, 0),
+    )
 
 
 def suns_of(plotter):
     return [light for light in plotter.renderer.lights if isinstance(light, vtkwater.pyvista.Sun)]
 
 
-@pytest.mark.parametrize("words, wanted", [
-    ({"sun": (0, 0)}, (0, 1, 0)), ({"sun": (90, 0)}, (1, 0, 0)), ({"sun": (0, 90)}, (0, 0, 1)),
-    ({"sun": True}, (np.sin(np.radians(150)) * np.cos(np.radians(35)), np.cos(np.radians(150)) * np.cos(np.radians(35)),
-                     np.sin(np.radians(35)))),
-    ({"sun": (0, 90), "normal": "y"}, (0, 1, 0)), ({"sun": (90, 0), "normal": "y"}, (1, 0, 0)),
-    ({"sun": (0, 0), "normal": "y"}, (0, 0, -1)), ({"sun": (45, 90), "normal": "-x"}, (-1, 0, 0))],
-    ids=lambda value: re.sub(r"\W+", "_", str(value))[:40])
+@pytest.mark.parametrize(
+    "words, wanted",
+    [
+        ({"sun": (0, 0)}, (0, 1, 0)),
+        ({"sun": (90, 0)}, (1, 0, 0)),
+        ({"sun": (0, 90)}, (0, 0, 1)),
+        (
+            {"sun": True},
+            (
+                np.sin(np.radians(150)) * np.cos(np.radians(35)),
+                np.cos(np.radians(150)) * np.cos(np.radians(35)),
+                np.sin(np.radians(35)),
+            ),
+        ),
+        ({"sun": (0, 90), "normal": "y"}, (0, 1, 0)),
+        ({"sun": (90, 0), "normal": "y"}, (1, 0, 0)),
+        ({"sun": (0, 0), "normal": "y"}, (0, 0, -1)),
+        ({"sun": (45, 90), "normal": "-x"}, (-1, 0, 0)),
+    ],
+    ids=lambda value: re.sub(r"\W+", "_", str(value))[:40],
+)
 def test_the_sun_stands_where_it_is_said(words, wanted, plotter):
     """The sun is a scene light in the direction of its azimuth and elevation, in the water's own axes."""
     plotter.add_water(**words)
@@ -192,12 +226,22 @@ def tilted(height, amplitude=0.0):
     return pv.StructuredGrid(x, y, height + amplitude * np.sin(np.pi * x / 10))
 
 
-@pytest.mark.parametrize("words, level", [
-    ({"surface": tilted(3.0)}, 3.0), ({"surface": tilted(3.0, 0.5)}, 3.0), ({"surface": tilted(3.0), "level": 3.2}, 3.2),
-    ({"surface": tilted(-2.0, 0.2), "origin": (0, 0, 5)}, -2.0), ({}, 0.0), ({"origin": (0, 0, 5)}, 5.0),
-    ({"surface": pv.Disc(outer=3.0)}, 0.0)], ids=lambda value: None)
+@pytest.mark.parametrize(
+    "words, level",
+    [
+        ({"surface": tilted(3.0)}, 3.0),
+        ({"surface": tilted(3.0, 0.5)}, 3.0),
+        ({"surface": tilted(3.0), "level": 3.2}, 3.2),
+        ({"surface": tilted(-2.0, 0.2), "origin": (0, 0, 5)}, -2.0),
+        ({}, 0.0),
+        ({"origin": (0, 0, 5)}, 5.0),
+        ({"surface": pv.Disc(outer=3.0)}, 0.0),
+    ],
+    ids=lambda value: None,
+)
 def test_a_surface_says_its_level(words, level, plotter):
-    """Without a level it is the surface's mean height, 0 without a surface; one that is near the surface's is taken."""
+    """Without a level it is the surface's mean height, 0 without a surface; one that is near the surface's is
+    taken."""
     water = plotter.add_water(**words)
     wt.check_at_most("error of the level", abs(water.GetLevel() - level), 1e-6)
 
@@ -290,8 +334,11 @@ def test_a_slider_moves_a_surface_along_the_normal(plotter):
     plotter.add_mesh(pv.Cube(center=(0, 1, 0)))
     water = plotter.add_water(surface=square, normal="y")
     slider = plotter.add_water_level_slider(water, (0.0, 5.0), title="sea", pointa=(0.1, 0.1), pointb=(0.4, 0.1))
-    wt.check_equal("value, title", (round(slider.GetRepresentation().GetValue(), 6), slider.GetRepresentation().GetTitleText()),
-                   (1.0, "sea"))
+    wt.check_equal(
+        "value, title",
+        (round(slider.GetRepresentation().GetValue(), 6), slider.GetRepresentation().GetTitleText()),
+        (1.0, "sea"),
+    )
     slide(slider, 2.5)
     wt.check_at_most("y of the plane, less 5", abs(water.GetPlane().GetOrigin()[1] - 5.0), 1e-6)
     wt.check_at_most("y of the surface, less 5", abs(water.GetBounds()[2] - 5.0), 1e-6)
@@ -306,17 +353,27 @@ def test_a_slider_counts_from_an_origin(plotter):
 
 
 WRONG_SLIDERS = [
-    (TypeError, "water must be a vtkWaterActor, not str", lambda plotter, water: plotter.add_water_level_slider("lake")),
+    (
+        TypeError,
+        "water must be a vtkWaterActor, not str",
+        lambda plotter, water: plotter.add_water_level_slider("lake"),
+    ),
     (TypeError, "rng must be a sequence of numbers", lambda plotter, water: plotter.add_water_level_slider(water, 3)),
     (ValueError, "rng must have 2 numbers, not 1", lambda plotter, water: plotter.add_water_level_slider(water, (3,))),
     (ValueError, "low 1.0 and high 2.0", lambda plotter, water: plotter.add_water_level_slider(water, (1, 2))),
     (ValueError, "low 1.0 and high -1.0", lambda plotter, water: plotter.add_water_level_slider(water, (1, -1))),
     (ValueError, "high inf", lambda plotter, water: plotter.add_water_level_slider(water, (-1, float("inf")))),
-    (ValueError, "origin must have 3 numbers", lambda plotter, water: plotter.add_water_level_slider(water, origin=(1, 2))),
+    (
+        ValueError,
+        "origin must have 3 numbers",
+        lambda plotter, water: plotter.add_water_level_slider(water, origin=(1, 2)),
+    ),
 ]
 
 
-@pytest.mark.parametrize("kind, text, call", WRONG_SLIDERS, ids=[re.sub(r"\W+", "_", text) for _, text, _ in WRONG_SLIDERS])
+@pytest.mark.parametrize(
+    "kind, text, call", WRONG_SLIDERS, ids=[re.sub(r"\W+", "_", text) for _, text, _ in WRONG_SLIDERS]
+)
 def test_a_wrong_slider_raises(kind, text, call, plotter):
     """What is no water, and ends that are none or do not have the level, raise an error that names them."""
     water, raised = lake(plotter), None
