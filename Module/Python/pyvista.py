@@ -13,6 +13,7 @@ import math
 import warnings
 
 import pyvista as pv
+from vtkmodules.vtkCommonCore import vtkMath
 from vtkmodules.vtkFiltersGeometry import vtkDataSetSurfaceFilter
 
 from . import vtkWaterActor
@@ -203,8 +204,8 @@ def add_water(
         shine(self.renderer, actor, *light)
     if self.renderer.camera_set:
         widen_clipping_range(self.renderer)
-    if render:
-        self.render()
+    if render and vtkMath.AreBoundsInitialized(actor.GetBounds()):
+        self.render()  # without bounds there is nothing yet to see
     return actor
 
 

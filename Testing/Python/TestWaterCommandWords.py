@@ -126,6 +126,30 @@ def test_an_option_is_a_word(name):
         wt.check_equal("as without it", state_of(look) == state_of(vtkWaterProperty()), False)
 
 
+SETS = [  # the words, what the look then has
+    ({"wind": (7.0, 40.0)}, {"Sea": True, "WindSpeed": 7.0, "WindDirection": 40.0}),
+    ({"wind": 0, "preset": "pool"}, {"Sea": False, "NumberOfWaves": 0, "Refraction": True}),
+    ({"waves": [(0.1, 2.0)], "preset": "lake"}, {"Sea": False, "NumberOfWaves": 1}),
+    ({"color": (0.1, 0.2, 0.3), "preset": "lake"}, {"DeepColor": (0.1, 0.2, 0.3)}),
+    ({"opacity": 0.5}, {"Opacity": 0.5}),
+    ({"refraction": False, "preset": "lake"}, {"Refraction": False}),
+    ({"foam": True}, {"FoamDepth": 0.25, "Refraction": True}),
+    ({"foam": 0.5}, {"FoamDepth": 0.5, "Refraction": True}),
+    ({"foam": False}, {"FoamDepth": 0.0, "Refraction": False}),
+    ({"caustics": True, "wind": 3}, {"Caustics": 0.8, "Refraction": True}),
+    ({"caustics": 0.4, "wind": 3}, {"Caustics": 0.4, "Refraction": True}),
+    ({"quality": "fast"}, {"RayTraceSteps": 8, "RayTraceProbes": 3}),
+]
+
+
+@pytest.mark.parametrize("words, wanted", SETS, ids=lambda value: re.sub(r"\W+", "_", str(value)))
+def test_a_word_sets_what_it_names(words, wanted):
+    """A word sets what it names, and what that wants."""
+    look = vtkWaterProperty()
+    set_look(look, **words)
+    wt.check_equal(f"{words}", {name: getattr(look, f"Get{name}")() for name in wanted}, wanted)
+
+
 def test_the_words_are_in_the_picture(folder):
     """The command's picture is that of a scene with the same words, and differs from that without them."""
     options = (
@@ -159,7 +183,9 @@ def test_the_words_are_in_the_picture(folder):
                     quality="high")
     scene.make_island()
     scene.look(200.0, 8.0)
-    wt.check_equal("difference to the scene's", wt.difference(picture, scene.picture().astype(int)), 0)
+    scene.write(folder / "scene.png")
+    shown = np.asarray(Image.open(folder / "scene.png")).astype(int)[:, :, :3]
+    wt.check_equal("difference to the scene's", wt.difference(picture, shown), 0)
 
 
 WRONG = [  # a part of the last line, the options

@@ -291,6 +291,23 @@ def test_water_may_be_added_before_the_scene():
     wt.check_equal("difference", wt.difference(*pictures), 0)
 
 
+def test_water_may_be_added_to_an_empty_window():
+    """Water that is added to a window which is open and empty is silent, and is there when a mesh is."""
+    shown, listener = vtkOutputWindow.GetInstance(), vtkStringOutputWindow()
+    vtkOutputWindow.SetInstance(listener)
+    try:
+        plotter = pv.Plotter(off_screen=True, window_size=SIZE)
+        plotter.show(auto_close=False)
+        water = plotter.add_water(-0.2)
+        plotter.add_mesh(pv.Cone(direction=(0, 0, 1)))
+        plotter.render()
+        renders = water.GetReflectionPass().GetNumberOfReflectionRenders()
+        plotter.close()
+    finally:
+        vtkOutputWindow.SetInstance(shown)
+    wt.check_equal("said; is reflecting", (listener.GetOutput(), renders > 0), ("", True))
+
+
 def lake(plotter, **words):
     plotter.add_mesh(pv.Cube(center=(0, 0, 0.6)), color="red")
     return plotter.add_water(**{"level": -0.1, "bounds": BOUNDS, **words})
