@@ -118,7 +118,7 @@ CALLS = {
         0,
     ),
     "opacity": (lambda it: [("vtk_water_actor_set_opacity", it.water, number(0.5))], look_call("SetOpacity", 0.5), 0),
-    "refraction": (lambda it: [("vtk_water_actor_set_refraction", it.water, 1)], look_call("RefractionOn"), 0),
+    "refraction": (c_clear("vtk_water_actor_set_refraction", 0), clear("SetRefraction", False), 1),
     "water type": (c_clear("vtk_water_actor_set_water_type", b"9C"), clear("SetWaterType", "9C"), 1),
     "foam": (c_clear("vtk_water_actor_set_foam", number(0.3)), clear("SetFoamDepth", 0.3), 1),
     "caustics": (c_clear("vtk_water_actor_set_caustics", number(0.9)), clear("SetCaustics", 0.9), 1),
