@@ -18,9 +18,8 @@ from vtkmodules.vtkFiltersGeometry import vtkDataSetSurfaceFilter
 
 from . import vtkWaterActor
 from .errors import raising
-from .scenes import SUN_COLOR, SUN_PLACE
 from .widgets import check_ends
-from .words import in_range, number, numbers, set_look
+from .words import SUN_COLOR, SUN_PLACE, in_range, number, numbers, set_look
 
 __all__ = ["add_water", "add_water_level_slider"]
 

@@ -29,7 +29,7 @@ from . import vtkWaterActor
 from .errors import raising
 from .pictures import write_png
 from .readers import ELEVATION
-from .words import set_look
+from .words import SUN_COLOR, SUN_PLACE, set_look
 
 __all__ = ["Scene"]
 
@@ -37,8 +37,6 @@ SAMPLES = 8
 VIEW_ANGLE_DEG = 30.0
 STEEP_DEG = 89.0  # from here on north is up in the picture
 SKY_AT_BOTTOM, SKY_AT_TOP = (0.93, 0.94, 0.93), (0.30, 0.50, 0.76)
-SUN_COLOR = (1.0, 0.95, 0.87)
-SUN_PLACE = (150.0, 35.0)  # azimuth and elevation, degrees
 WALL_COLOR = (0.27, 0.24, 0.20)
 MESH_COLOR = (0.78, 0.76, 0.72)
 BED_COLOR = (0.36, 0.33, 0.26)

@@ -178,6 +178,8 @@ def test_a_scene_has_one_sun_and_its_lights_can_be_removed(by_c):  # noqa: F811
     by_c.call(by_c.lib.vtk_water_scene_add_light, by_c.scene, doubles(2, -2, 3), doubles(1, 0, 0), number(1.0))
     by_c.call(by_c.lib.vtk_water_scene_remove_all_lights, by_c.scene)
     wt.check_equal("without lights: difference", wt.difference(by_c.picture().astype(int), plain), 0)
+    by_c.call(by_c.lib.vtk_water_scene_set_sun, by_c.scene, number(30.0), number(0.0), None)
+    wt.check_equal("the sun again: difference", wt.difference(by_c.picture().astype(int), lit), 0)
 
 
 def test_a_wind_has_a_direction(small):  # noqa: F811

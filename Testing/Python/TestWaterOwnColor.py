@@ -149,3 +149,13 @@ def test_a_copy_of_the_actor_has_the_color():
     view.renderer.RemoveActor(water)
     view.renderer.AddActor(copy)
     wt.check_equal("difference", wt.difference(view.picture(), picture_of_color(RED)), 0)
+
+
+def test_the_default_that_is_set_is_a_change_once():
+    """A colour that is set to the value it has is a change the first time: it wins from then on."""
+    look = vtkWaterProperty()
+    times = [look.GetMTime()]
+    for _ in range(2):
+        look.SetDeepColor(DEFAULT)
+        times.append(look.GetMTime())
+    wt.check_equal("later the first time, and the second", (times[1] > times[0], times[2] > times[1]), (True, False))
