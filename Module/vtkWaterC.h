@@ -125,6 +125,11 @@ VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_actor_set_foam(
 VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_actor_set_caustics(
   vtk_water_actor* actor, double strength);
 
+/* What a unit of the scene is: "um", "mm", "cm", "m", "km", "in", "ft", "mi" or "automatic", which
+ * is by the scene's size. Default "m". */
+VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_actor_set_units(
+  vtk_water_actor* actor, const char* name);
+
 /* Quality of reflections on waves: "fast", "default", "high" or "reference". */
 VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_actor_set_quality(
   vtk_water_actor* actor, const char* name);

@@ -123,6 +123,11 @@ vtk_water_status vtk_water_actor_set_caustics(vtk_water_actor* actor, double str
     actor, [=](vtkWaterActor*, vtkWaterProperty* look) { look->SetCaustics(strength); });
 }
 
+vtk_water_status vtk_water_actor_set_units(vtk_water_actor* actor, const char* name)
+{
+  return Change(actor, [=](vtkWaterActor*, vtkWaterProperty* look) { look->SetUnits(name); });
+}
+
 vtk_water_status vtk_water_actor_set_quality(vtk_water_actor* actor, const char* name)
 {
   return Change(

@@ -36,8 +36,7 @@ bool vtkWaterProperty::IsPreset(const water_preset& preset) const
     this->Reflectance == (preset.look.constant_reflectance ? preset.look.reflectance : 1.0) &&
     this->IndexOfRefraction == preset.look.index_of_refraction &&
     this->Refraction == !preset.look.constant_reflectance &&
-    IsMedium(preset.medium, this->Absorption, this->Scattering) &&
-    this->DeepColorMode == MEDIUM;
+    IsMedium(preset.medium, this->Absorption, this->Scattering) && this->DeepColorMode == MEDIUM;
   const bool isWaves = this->Depth == (preset.has_sea ? preset.sea.depth : deep) &&
     this->Sea == preset.has_sea &&
     std::equal(waves.begin(), waves.end(), preset.waves, preset.waves + preset.wave_count, IsSame);

@@ -92,6 +92,13 @@ def preset(text):
     return text
 
 
+def units(text):
+    try:
+        return float(text)
+    except ValueError:
+        return text
+
+
 def add_scene_arguments(parser):
     water = parser.add_argument_group("the water")
     water.add_argument("--preset", type=preset, metavar="NAME",
@@ -115,7 +122,8 @@ def add_scene_arguments(parser):
     water.add_argument("--opacity", type=number(0.0, 1.0), metavar="SHARE",
                        help="0 to 1; below 1 the water is blended with what lies behind it")
     water.add_argument("--refraction", action=argparse.BooleanOptionalAction,
-                       help="whether what lies under the surface is seen through it; default: as the preset has it")
+                       help="whether what lies under the surface is seen through it; default: as the preset has it; "
+                            "without a preset it is, but for --color and --opacity")
     water.add_argument("--foam", type=number(0.0, 1e9), nargs="?", const=True, metavar="M",
                        help="metres of depth over which the shore foams, 0.25 without a number; turns refraction on")
     water.add_argument(
@@ -128,6 +136,9 @@ def add_scene_arguments(parser):
         "refraction on",
     )
     water.add_argument("--quality", choices=QUALITIES, help="of reflections on waves; default: default")
+    water.add_argument("--units", type=units, metavar="UNIT",
+                       help="of the file: um, mm, cm, m, km, in, ft, mi or a number of metres; default: automatic, by its "
+                            "size, or m with --waves")
     view = parser.add_argument_group("the view")
     view.add_argument("--azimuth", type=number(-360.0, 360.0), default=200.0, metavar="DEG",
                       help="where the eye is, from north (0) over east (90); default %(default)s")
@@ -182,7 +193,7 @@ def make_parser():
 def words_of(arguments):
     """What the command line says of the water's look, for set_look."""
     blows = arguments.wind if arguments.wind_direction is None else (arguments.wind, arguments.wind_direction)
-    same = ("preset", "waves", "color", "opacity", "refraction", "foam", "caustics", "quality")
+    same = ("preset", "waves", "color", "opacity", "refraction", "foam", "caustics", "quality", "units")
     return {"wind": blows, **{word: getattr(arguments, word) for word in same}}
 
 

@@ -39,6 +39,7 @@ def add_water(
     caustics=None,
     sun=None,
     quality=None,
+    units=None,
     normal="z",
     origin=(0.0, 0.0, 0.0),
     surface=None,
@@ -62,7 +63,7 @@ def add_water(
     preset : str, optional
         A water with its optics and waves: ``'pool'``, ``'lake'``, ``'clear tropical'``, ``'ocean wind 5'``,
         ``'ocean wind 10'``, ``'ocean wind 15'``, ``'turbid river'`` or ``'mirror floor'``. By default a calm,
-        deep lake. Metres count: the scene's unit is taken for one.
+        clear lake.
 
     waves : float | sequence[sequence[float]], optional
         In place of the preset's waves: the speed of the wind whose sea it shall be, m/s in [0.1, 100], 0 for
@@ -75,8 +76,8 @@ def add_water(
         second (y), it blows to there.
 
     refraction : bool, optional
-        Whether the scene is seen through the surface, refracted and dimmed. By default as the preset has it, and off
-        without one.
+        Whether the scene is seen through the surface, refracted and dimmed. By default as the preset has it, and
+        without one it is, unless ``color`` or ``opacity`` is given.
 
     foam : float | bool, optional
         Metres of depth over which the shore foams, finite and not negative; True is 0.25. It turns refraction on.
@@ -95,6 +96,12 @@ def add_water(
 
     quality : str, optional
         Of reflections on waves: ``'fast'``, ``'default'``, ``'high'`` or ``'reference'``.
+
+    units : str | float, optional
+        What a unit of the scene is: ``'um'``, ``'mm'``, ``'cm'``, ``'m'``, ``'km'``, ``'in'``, ``'ft'``, ``'mi'``, a number
+        of metres, or ``'automatic'``, which is the default unless ``waves`` are given one by one (these are metres): a
+        scene of natural size for its water (100 to 1000 units across; a pool 8 to 40) is one in metres, another counts
+        as the nearest natural size, and waves that are too short to be seen in it are left out. ``print(actor)`` tells.
 
     normal : str | sequence[float], default: 'z'
         Where up is, out of the water: ``'x'``, ``'-x'``, ``'y'``, ``'-y'``, ``'z'``, ``'-z'``, or three numbers.
@@ -187,7 +194,7 @@ def add_water(
     plane.SetOrigin(plane_origin)
     plane.SetNormal(plane_normal)
     set_look(look, preset=preset, waves=waves, wind=wind, color=None if color is None else pv.Color(color).float_rgb,
-             opacity=opacity, refraction=refraction, foam=foam, caustics=caustics, quality=quality)
+             opacity=opacity, refraction=refraction, foam=foam, caustics=caustics, quality=quality, units=units)
     with raising(actor):
         if bounds is not None:
             actor.SetSheetBounds(numbers("bounds", bounds, 4))

@@ -23,8 +23,8 @@ MOST_NUMBERS_OF_A_WAVE = 5
 
 
 def set_look(look, *, preset=None, waves=None, wind=None, color=None, opacity=None, refraction=None, foam=None,
-             caustics=None, quality=None):
-    """Give a vtkWaterProperty the look that these words say; None leaves what is there.
+             caustics=None, quality=None, units=None):
+    """Give a new vtkWaterProperty the look that these words say.
 
     Parameters
     ----------
@@ -42,7 +42,8 @@ def set_look(look, *, preset=None, waves=None, wind=None, color=None, opacity=No
     opacity : float
         In [0, 1].
     refraction : bool
-        Whether the scene is seen through the surface.
+        Whether the scene is seen through the surface. By default as the preset has it, and without a preset it is, unless
+        color or opacity is given.
     foam : float | bool
         Metres of depth over which the shore foams, finite and not negative; True is 0.25. It wants refraction and
         turns it on.
@@ -51,6 +52,9 @@ def set_look(look, *, preset=None, waves=None, wind=None, color=None, opacity=No
         refraction, which it turns on.
     quality : str
         Of reflections on waves: 'fast', 'default', 'high' or 'reference'.
+    units : str | float
+        Of the scene: a name such as 'mm', 'm', 'km' or 'ft', metres per unit in [1e-9, 1e9], or 'automatic', by the size of
+        the scene. That is the default, unless waves are given one by one, which are metres.
 
     Raises
     ------
@@ -86,7 +90,10 @@ def set_look(look, *, preset=None, waves=None, wind=None, color=None, opacity=No
         raise ValueError(
             f"caustics is {caustics!r}, but the water is calm: it wants wind, waves or a preset that has them"
         )
+    if refraction is None and preset is None and color is None and share is None:
+        refraction = True
     with raising(look):
+        set_units(look, units, isinstance(waves, (int, float)) or waves is None)
         if refraction is not None or through["foam"] or through["caustics"]:
             look.SetRefraction(refraction is not False)
         if foam_depth is not None:
@@ -95,6 +102,19 @@ def set_look(look, *, preset=None, waves=None, wind=None, color=None, opacity=No
             look.SetCaustics(strength)
         if quality is not None:
             look.SetRayTraceQuality(quality)
+
+
+def set_units(look, units, is_automatic):
+    """Units as set_look has them; is_automatic: by default."""
+    if units is None:
+        look.SetUnits("automatic" if is_automatic else "m")
+    elif isinstance(units, str):
+        look.SetUnits(units)
+    else:
+        metres = number("units", units)
+        if metres == 0.0:
+            raise ValueError("units is 0; metres per unit must lie in [1e-09, 1e+09]")
+        look.SetMetresPerUnit(metres)
 
 
 def check_through(look, preset, refraction, opacity, through, given):

@@ -79,6 +79,11 @@ def look_call(name, *arguments):
     return lambda view, water: getattr(water.GetWaterProperty(), name)(*arguments)
 
 
+def wave_in_cm(view, water):
+    water.GetWaterProperty().AddWave(*WAVE)
+    water.GetWaterProperty().SetUnits("cm")
+
+
 def bed():
     """Ground that falls from over the water to 0.8 under it."""
     data, points, cells = vtkPolyData(), vtkPoints(), vtkCellArray()
@@ -122,6 +127,14 @@ CALLS = {
     "water type": (c_clear("vtk_water_actor_set_water_type", b"9C"), clear("SetWaterType", "9C"), 1),
     "foam": (c_clear("vtk_water_actor_set_foam", number(0.3)), clear("SetFoamDepth", 0.3), 1),
     "caustics": (c_clear("vtk_water_actor_set_caustics", number(0.9)), clear("SetCaustics", 0.9), 1),
+    "units": (
+        lambda it: [
+            ("vtk_water_actor_add_wave", it.water, *[number(part) for part in WAVE]),
+            ("vtk_water_actor_set_units", it.water, b"cm"),
+        ],
+        wave_in_cm,
+        0,
+    ),
     "quality": (
         lambda it: [("vtk_water_actor_set_quality", it.water, b"reference")],
         look_call("SetRayTraceQuality", "reference"),
@@ -207,6 +220,7 @@ def test_a_pass_has_a_time_budget(small):  # noqa: F811
     wt.check_equal("quality without", mirror.GetQuality(), vtkWaterReflectionPass.FIXED)
 
 
+WAVE = (0.0005, 0.03, 20.0, 10.0, 0.0)  # m
 NAN, INFINITY = float("nan"), float("inf")
 REFUSALS = (  # name, status, words of the error, function, its arguments for a SmallScene
     (
@@ -268,6 +282,8 @@ REFUSALS = (  # name, status, words of the error, function, its arguments for a 
         "vtk_water_actor_set_quality",
         lambda it: (it.water, b"ultra"),
     ),
+    ("units", BAD_VALUE, b"Units are 'furlong'; they must be one of um, mm", "vtk_water_actor_set_units",
+     lambda it: (it.water, b"furlong")),
     ("quality_null", BAD_VALUE, b"RayTraceQuality", "vtk_water_actor_set_quality", lambda it: (it.water, None)),
     (
         "environment_size",

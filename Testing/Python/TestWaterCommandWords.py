@@ -82,6 +82,7 @@ def state_of(look):
         look.GetCaustics(),
         [round(part, 9) for part in look.GetDeepColor()],
         look.GetOpacity(),
+        look.GetMetresPerUnit(),
         look.GetIndexOfRefraction(),
         look.GetAbsorption(),
         look.GetRayTraceSteps(),
@@ -112,6 +113,9 @@ OPTIONS = {  # the options, the same by words
     "caustics": (("--wind", 3, "--caustics"), {"wind": 3.0, "caustics": True}),
     "caustics strength": (("--wind", 3, "--caustics", 0.4), {"wind": 3.0, "caustics": 0.4}),
     **{f"quality {name}": (("--quality", name), {"quality": name}) for name in QUALITIES},
+    "units": (("--units", "km"), {"units": "km"}),
+    "units of 3 m": (("--units", 3), {"units": 3.0}),
+    "automatic units": (("--units", "automatic"), {"units": "automatic"}),
 }
 
 
@@ -122,8 +126,10 @@ def test_an_option_is_a_word(name):
     look = vtkWaterProperty()
     set_look(look, **words)
     wt.check_equal(f"{options}", state_of(look_of(*options)), state_of(look))
-    if words and words != {"quality": "default"}:
-        wt.check_equal("as without it", state_of(look) == state_of(vtkWaterProperty()), False)
+    without = vtkWaterProperty()
+    set_look(without)
+    if words not in ({}, {"quality": "default"}, {"refraction": True}, {"units": "automatic"}):
+        wt.check_equal("as without it", state_of(look) == state_of(without), False)
 
 
 SETS = [  # the words, what the look then has
@@ -135,7 +141,17 @@ SETS = [  # the words, what the look then has
     ({"refraction": False, "preset": "lake"}, {"Refraction": False}),
     ({"foam": True}, {"FoamDepth": 0.25, "Refraction": True}),
     ({"foam": 0.5}, {"FoamDepth": 0.5, "Refraction": True}),
-    ({"foam": False}, {"FoamDepth": 0.0, "Refraction": False}),
+    ({"foam": False}, {"FoamDepth": 0.0, "Refraction": True}),
+    ({}, {"Refraction": True, "MetresPerUnit": 0.0}),
+    ({"preset": "mirror floor"}, {"Refraction": False}),
+    ({"color": (0.1, 0.2, 0.3)}, {"Refraction": False}),
+    ({"opacity": 0.5}, {"Refraction": False}),
+    ({"opacity": 0.5, "preset": "lake"}, {"Refraction": True}),
+    ({"waves": 5.0}, {"MetresPerUnit": 0.0}),
+    ({"waves": [(0.1, 2.0)]}, {"MetresPerUnit": 1.0}),
+    ({"waves": [(0.1, 2.0)], "units": "automatic"}, {"MetresPerUnit": 0.0}),
+    ({"units": "ft"}, {"MetresPerUnit": 0.3048}),
+    ({"units": 2}, {"MetresPerUnit": 2.0}),
     ({"caustics": True, "wind": 3}, {"Caustics": 0.8, "Refraction": True}),
     ({"caustics": 0.4, "wind": 3}, {"Caustics": 0.4, "Refraction": True}),
     ({"quality": "fast"}, {"RayTraceSteps": 8, "RayTraceProbes": 3}),
@@ -258,10 +274,12 @@ def test_a_wrong_word_raises(kind, texts, words):
 
 
 def test_words_that_are_not_said_change_nothing():
-    """Without a word the look stays as it is."""
+    """Without a word only what has a default of its own is set: refraction, and automatic units."""
     look = vtkWaterProperty()
     look.SetPreset("pool")
     look.SetCaustics(0.3)
+    look.SetUnits("automatic")
+    look.RefractionOn()
     before = look.GetMTime()
     set_look(look)
     wt.check_equal("modified", look.GetMTime() > before, False)
