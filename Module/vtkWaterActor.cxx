@@ -120,6 +120,7 @@ void vtkWaterActor::SetSheetBounds(double xmin, double xmax, double ymin, double
   {
     std::copy(bounds, bounds + 4, this->SheetBounds);
     this->UseSheetBounds = true;
+    this->SheetToHorizon = false;
     this->Modified();
   }
 }
@@ -127,10 +128,22 @@ void vtkWaterActor::SetSheetBounds(double xmin, double xmax, double ymin, double
 //------------------------------------------------------------------------------
 void vtkWaterActor::ResetSheetBounds()
 {
-  if (this->UseSheetBounds)
+  if (this->UseSheetBounds || this->SheetToHorizon)
   {
     std::fill(this->SheetBounds, this->SheetBounds + 4, 0.0);
     this->UseSheetBounds = false;
+    this->SheetToHorizon = false;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterActor::SetSheetToHorizon()
+{
+  if (!this->SheetToHorizon)
+  {
+    this->ResetSheetBounds();
+    this->SheetToHorizon = true;
     this->Modified();
   }
 }
@@ -201,7 +214,7 @@ void vtkWaterActor::UpdateSheet()
   }
   std::vector<vtkRenderer*> scene;
   FindRenderers(this, scene);
-  if (scene.empty() && !this->UseSheetBounds)
+  if (scene.empty() && !this->UseSheetBounds && !this->SheetToHorizon)
   {
     return; // not in a scene yet
   }
@@ -216,8 +229,10 @@ void vtkWaterActor::UpdateSheet()
   std::copy_n(this->Plane->GetOrigin(), 3, fitted.GivenOrigin);
   std::copy_n(this->Plane->GetNormal(), 3, fitted.GivenNormal);
   internal.IsUpdatingSheet = true;
-  const water_status status = internal.Sheet.Fit(
-    fitted.Plane, fitted.Origin, this->UseSheetBounds ? this->SheetBounds : nullptr, scene);
+  const water_status status = this->SheetToHorizon
+    ? internal.Sheet.Clear(fitted.Plane)
+    : internal.Sheet.Fit(
+        fitted.Plane, fitted.Origin, this->UseSheetBounds ? this->SheetBounds : nullptr, scene);
   internal.IsUpdatingSheet = false;
   if (status == WATER_BAD_SURFACE && std::none_of(scene.begin(), scene.end(), IsRendering))
   {
@@ -256,6 +271,11 @@ double* vtkWaterActor::GetBounds()
   if (!this->Internal->WarmUp.GetIsDone())
   {
     this->Internal->WarmUp.Expect(); // cullers ask for bounds, and may be all that do
+  }
+  if (this->IsEndless())
+  {
+    vtkMath::UninitializeBounds(this->Bounds); // of vtkProp3D, for its other questions
+    return nullptr;
   }
   double* bounds = this->Superclass::GetBounds();
   if (!this->Internal->IsDisplaced() || !bounds || !vtkMath::AreBoundsInitialized(bounds))
@@ -312,6 +332,7 @@ void vtkWaterActor::ReleaseGraphicsResources(vtkWindow* window)
   }
   this->Internal->Sea.ReleaseGraphicsResources(window);
   this->Internal->Grid.GetMapper()->ReleaseGraphicsResources(window);
+  this->Internal->Horizon.ReleaseGraphicsResources(window);
   this->Superclass::ReleaseGraphicsResources(window);
 }
 
@@ -332,6 +353,10 @@ void vtkWaterActor::ShallowCopy(vtkProp* prop)
     if (other->UseSheetBounds)
     {
       this->SetSheetBounds(other->SheetBounds);
+    }
+    else if (other->SheetToHorizon)
+    {
+      this->SetSheetToHorizon();
     }
     else
     {
@@ -364,7 +389,7 @@ void vtkWaterActor::PrintSelf(ostream& os, vtkIndent indent)
   }
   else
   {
-    os << "those of the scene\n";
+    os << (this->SheetToHorizon ? "to the horizon\n" : "those of the scene\n");
   }
   os << indent << "Surface: " << (this->UsesOwnSheet() ? "own sheet" : "mapper of the user")
      << "\n";

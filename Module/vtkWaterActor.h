@@ -14,13 +14,15 @@
  * renderer->AddActor(water);
  * @endcode
  *
- * Without a mapper the actor makes its own sheet over the bounds of the scene. With a mapper of the
- * user's (a lake polygon, a terrain-clipped sheet) that is the surface; SetMapper(nullptr) brings
- * the own sheet back. The mirror is always the plane: move that and not the actor, whose position
- * moves the surface alone; a user's mesh should lie in the plane.
+ * Without a mapper the actor makes its own sheet over the bounds of the scene, or to the horizon
+ * (SetSheetToHorizon). With a mapper of the user's (a lake polygon, a terrain-clipped sheet) that
+ * is the surface; SetMapper(nullptr) brings the own sheet back. The mirror is always the plane:
+ * move that and not the actor, whose position moves the surface alone; a user's mesh should lie in
+ * the plane.
  *
- * What is wrong with a scene (a zero normal, a camera exactly on the plane, ...) is reported once
- * per change by an ErrorEvent of this object; the surface then shows its plain colour.
+ * What is wrong with a scene (a zero normal, an empty scene, ...) is reported once per change by an
+ * ErrorEvent of this object; the surface then shows its plain colour. A camera exactly on the plane
+ * sees what it would from above it, at a ten thousandth of its near plane's distance.
  *
  * @sa vtkWaterProperty vtkWaterReflectionPass
  */
@@ -78,7 +80,8 @@ public:
    * The axes: origin at the plane's origin; the first is the world's x projected onto the plane
    * (y when the normal is within 45 degrees of x), the second is normal x first. For a level sheet
    * they are the world's x and y. Finite, with min < max; else they are refused with an error.
-   * Default: none, the sheet covers the bounds of the scene (ResetSheetBounds).
+   * Default: none, the sheet covers the bounds of the scene (ResetSheetBounds). They replace
+   * SetSheetToHorizon.
    */
   void SetSheetBounds(double xmin, double xmax, double ymin, double ymax);
   void SetSheetBounds(const double bounds[4])
@@ -88,6 +91,19 @@ public:
   void ResetSheetBounds();
   vtkGetVector4Macro(SheetBounds, double);
   vtkGetMacro(UseSheetBounds, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Let the own sheet fill whatever the camera sees of the plane, up to the horizon; any plane has
+   * one, and a parallel camera sees none. The sheet is no part of the scene's bounds (GetBounds
+   * returns nullptr), is never culled, and is not cut at the camera's near and far planes, which
+   * ResetCamera and ResetCameraClippingRange set for the rest of the scene. The actor's own
+   * position does not move it. SetSheetBounds and ResetSheetBounds replace it; a mapper of the
+   * user's takes its place as long as there is one. Default is off.
+   */
+  void SetSheetToHorizon();
+  vtkGetMacro(SheetToHorizon, bool);
   ///@}
 
   ///@{
@@ -184,6 +200,8 @@ private:
   struct Internals; // the source
 
   bool UsesOwnSheet();
+  // Does the own sheet reach to the horizon?
+  bool IsEndless() { return this->SheetToHorizon && this->UsesOwnSheet(); }
   // Fits the own sheet to the scene and the plane; does nothing with a mapper of the user's.
   void UpdateSheet();
   // Draws the surface in the mirrored view of another water.
@@ -200,6 +218,7 @@ private:
   vtkWeakPointer<vtkWaterReflectionPass> ComposedPass;
   double SheetBounds[4] = { 0.0, 0.0, 0.0, 0.0 };
   bool UseSheetBounds = false;
+  bool SheetToHorizon = false;
   double DisplacedBounds[6] = {};
   double Time = 0.0;
 };

@@ -15,6 +15,7 @@
 #include "vtkWaterReflectionPass.h"
 #include "vtkWaterRenderPassKeys.h"
 #include "vtkWaterShaderHook.h"
+#include "water_horizon.h"
 #include "water_plan.h"
 #include "water_secondary.h"
 
@@ -102,6 +103,10 @@ void vtkWaterActor::Internals::Probe(vtkRenderer* renderer)
 void vtkWaterActor::Internals::DrawSurface(
   vtkWaterSurfaceShader& surface, vtkRenderer* renderer, vtkMapper* mapper)
 {
+  if (!mapper)
+  {
+    return; // nothing of an endless sheet is seen
+  }
   vtkWaterShaderHook* hook = vtkWaterFrame::GetHook();
   vtkOpenGLState* probed =
     this->IsProbing ? static_cast<vtkOpenGLRenderer*>(renderer)->GetState() : nullptr;
@@ -137,27 +142,33 @@ void vtkWaterActor::RenderSecondary(vtkRenderer* renderer, vtkMapper* mapper)
   inputs.Renderer = static_cast<vtkOpenGLRenderer*>(renderer);
   inputs.Plan = plan.has_view ? &plan : nullptr;
   inputs.IsSecondary = true;
+  water_horizon_depths(view.Plan->mirrored.view_to_clip, false, inputs.HorizonDepths);
   const unsigned features = water_features_secondary(&water->Look.Has);
   if (surface.UpdateFeatures(
         water->Mesh.HasVertexHeights ? water_features_with_mesh(features) : features))
   {
     this->GetProperty()->Modified(); // the mapper builds the other shader
   }
+  vtkMapper* drawn = water->IsEndless ? this->Internal->LayHorizon(*water, renderer,
+                                          view.Plan->mirrored, view.Plan->clip_plane_world, mapper)
+                                      : this->Internal->Secondary.Follow(mapper);
   surface.Begin(water, inputs);
-  this->Internal->DrawSurface(surface, renderer, this->Internal->Secondary.Follow(mapper));
+  this->Internal->DrawSurface(surface, renderer, drawn);
   surface.End();
 }
 
 namespace
 {
-// The features of a water with what its reflection texture has.
-unsigned FeaturesWith(const vtkWaterSurfaceShader::Inputs& inputs, const vtkWaterSnapshot& water)
+// The features of a water with what its reflection texture has, and with what draws it.
+unsigned FeaturesWith(
+  const vtkWaterSurfaceShader::Inputs& inputs, const vtkWaterSnapshot& water, bool isSoftware)
 {
   water_feature_texture texture = water_feature_texture();
   texture.has_layer = inputs.Translucent.Color != nullptr;
   texture.has_peel = inputs.PeelColor && water.WantsPeel();
   texture.is_enclosed = inputs.Plan && inputs.Plan->is_enclosed;
-  return water_features_with_texture(water.Features, &texture);
+  const unsigned features = water_features_with_texture(water.Features, &texture);
+  return isSoftware ? features : water_features_on_hardware(features);
 }
 }
 
@@ -193,10 +204,11 @@ void vtkWaterActor::Render(vtkRenderer* renderer, vtkMapper* mapper)
   inputs.View = isDisplaced ? &view : nullptr;
   inputs.RowDir = internal.Grid.GetRowDir();
   inputs.IsAtRest = !isDisplaced;
-  vtkMapper* drawn = isDisplaced ? internal.LayGrid(*water, view, mapper) : mapper;
-  unsigned features = FeaturesWith(inputs, *water);
-  features = frame.IsSoftware() ? features : water_features_on_hardware(features);
-  if (internal.Surface.UpdateFeatures(features))
+  const water_camera eye = vtkWaterGather::ReadCamera(renderer);
+  water_horizon_depths(eye.view_to_clip, isDisplaced, inputs.HorizonDepths);
+  vtkMapper* drawn = isDisplaced ? internal.LayGrid(*water, view, mapper)
+                                 : internal.LayHorizon(*water, renderer, eye, nullptr, mapper);
+  if (internal.Surface.UpdateFeatures(FeaturesWith(inputs, *water, frame.IsSoftware())))
   {
     this->GetProperty()->Modified(); // the mapper builds the other shader
   }

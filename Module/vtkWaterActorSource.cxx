@@ -216,7 +216,8 @@ vtkWaterSnapshotPointer vtkWaterActor::Internals::Take(vtkRenderer* renderer)
   this->ReadPlane(&made->Plane, made->Origin);
   std::copy_n(this->Self->Plane->GetOrigin(), 3, made->GivenOrigin);
   std::copy_n(this->Self->Plane->GetNormal(), 3, made->GivenNormal);
-  made->IsSheet = this->Self->UsesOwnSheet() && this->Self->GetIsIdentity();
+  made->IsEndless = this->Self->IsEndless();
+  made->IsSheet = made->IsEndless || (this->Self->UsesOwnSheet() && this->Self->GetIsIdentity());
   std::copy_n(this->Sheet.GetRectangle(), 4, made->Sheet);
   if (!made->IsSheet)
   {

@@ -2,6 +2,7 @@
 // vtkWaterActorWaves.cxx: the part of vtkWaterActor that has a time: its waves and its sea then,
 // their heights and normals, and the grid that they displace.
 #include "vtkMath.h"
+#include "vtkMatrix4x4.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkWaterActorInternals.h"
 #include "vtkWaterCompat.h"
@@ -147,11 +148,32 @@ vtkMapper* vtkWaterActor::Internals::LayGrid(
   vtkWaterGrid::Place place;
   place.View = view;
   std::copy_n(this->Sheet.GetRectangle(), 4, place.Sheet);
+  place.IsEndless = water.IsEndless;
   place.Height = water.Look.WaveHeightMax;
   place.Reach = water.Look.WaveReach;
   place.Size = water.Look.WaveGridSize;
   this->Grid.Lay(place);
   return this->Grid.GetMapper();
+}
+
+//------------------------------------------------------------------------------
+vtkMapper* vtkWaterActor::Internals::LayHorizon(const vtkWaterSnapshot& water,
+  vtkRenderer* renderer, const water_camera& eye, const double* kept, vtkMapper* mapper)
+{
+  if (!water.IsEndless)
+  {
+    return mapper;
+  }
+  vtkWaterHorizon::Place place;
+  place.Eye = eye;
+  place.Plane = water.Plane;
+  place.HasKept = kept != nullptr;
+  if (kept)
+  {
+    std::copy_n(kept, 4, place.Kept);
+  }
+  vtkMatrix4x4::Invert(&this->Self->GetMatrix()->Element[0][0], place.ToLocal);
+  return this->Horizon.Lay(renderer, place);
 }
 
 VTK_ABI_NAMESPACE_END

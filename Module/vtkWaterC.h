@@ -78,6 +78,11 @@ VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_actor_set_plane(
 VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_actor_set_sheet_bounds(
   vtk_water_actor* actor, const double bounds[4]);
 
+/* Let the sheet fill whatever the camera sees of the plane, up to the horizon, and be no part of
+ * the scene's bounds; vtk_water_actor_set_sheet_bounds replaces it, and the other way round. */
+VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_actor_set_sheet_to_horizon(
+  vtk_water_actor* actor);
+
 /* "pool", "lake", "clear tropical", "ocean wind 5", "ocean wind 10", "ocean wind 15", "turbid
    river" or "mirror floor". */
 VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_actor_set_preset(

@@ -139,6 +139,8 @@ def add_scene_arguments(parser):
     water.add_argument("--units", type=units, metavar="UNIT",
                        help="of the file: um, mm, cm, m, km, in, ft, mi or a number of metres; default: automatic, by its "
                             "size, or m with --waves")
+    water.add_argument("--horizon", action="store_true",
+                       help="let the water reach to the true horizon; without it, 50 times as far as the ground is wide")
     view = parser.add_argument_group("the view")
     view.add_argument("--azimuth", type=number(-360.0, 360.0), default=200.0, metavar="DEG",
                       help="where the eye is, from north (0) over east (90); default %(default)s")
@@ -234,7 +236,7 @@ def make_scene(arguments, levels):
     exaggeration = arguments.exaggeration if ground.is_terrain else 1.0
     scene.add_ground(ground, levels[0], exaggeration)
     scene.add_water(min(levels), exaggeration=exaggeration, **words_of(arguments))
-    scene.make_island()
+    scene.make_island(arguments.horizon)
     scene.look(arguments.azimuth, arguments.elevation, arguments.zoom, max(levels))
     return scene, ground, exaggeration
 

@@ -113,9 +113,10 @@ def add_water(
         The water's surface, such as a lake's polygon or a free surface: it must lie in the plane, but for its waves.
         By default a sheet over the bounds of the scene, of what is added later, too.
 
-    bounds : sequence[float], optional
+    bounds : sequence[float] | str, optional
         Of that sheet: ``(xmin, xmax, ymin, ymax)``, along x and y of level water, and otherwise along the
-        plane's own axes (:vtk:`vtkWaterActor`'s ``SetSheetBounds``). Not together with ``surface``.
+        plane's own axes (:vtk:`vtkWaterActor`'s ``SetSheetBounds``); or ``'horizon'``: it fills what the camera sees
+        of the plane, and is no part of the plotter's bounds (``SetSheetToHorizon``). Not together with ``surface``.
 
     color : ColorLike, optional
         Colour of the water itself, where it does not reflect.
@@ -197,7 +198,7 @@ def add_water(
              opacity=opacity, refraction=refraction, foam=foam, caustics=caustics, quality=quality, units=units)
     with raising(actor):
         if bounds is not None:
-            actor.SetSheetBounds(numbers("bounds", bounds, 4))
+            set_bounds(actor, bounds)
         actor.SetTime(number("time", time))
     if mapper is not None:
         actor.SetMapper(mapper)
@@ -208,9 +209,9 @@ def add_water(
         actor.SetScale(1.0, 1.0, 1.0)  # the plane has it
     if light is not None:
         shine(self.renderer, actor, *light)
-    if self.renderer.camera_set:
+    if self.renderer.camera_set and not actor.GetSheetToHorizon():
         widen_clipping_range(self.renderer)
-    if render and vtkMath.AreBoundsInitialized(actor.GetBounds()):
+    if render and (actor.GetSheetToHorizon() or vtkMath.AreBoundsInitialized(actor.GetBounds())):
         self.render()  # without bounds there is nothing yet to see
     return actor
 
@@ -289,6 +290,15 @@ def plane_of(level, normal, origin, scale):
     if not all(abs(part) < float("inf") for part in point):
         raise ValueError(f"level {level} over {tuple(origin)}: both must be finite")
     return [at * factor for at, factor in zip(point, scale)], [part / factor for part, factor in zip(normal, scale)]
+
+
+def set_bounds(actor, bounds):
+    if not isinstance(bounds, str):
+        actor.SetSheetBounds(numbers("bounds", bounds, 4))
+    elif bounds == "horizon":
+        actor.SetSheetToHorizon()
+    else:
+        raise ValueError(f"bounds is {bounds!r}; it must be 'horizon' or four numbers (xmin, xmax, ymin, ymax)")
 
 
 def mapper_of(surface):

@@ -144,9 +144,12 @@ class Scene:
         with raising(self.water):
             self.water.SetSheetBounds(west - reach, east + reach, south - reach, north + reach)
 
-    def make_island(self):
-        """For ground that is seen from outside: water to the horizon, and walls where a terrain ends."""
-        self._widen_water(WATER_AROUND)
+    def make_island(self, to_horizon=False):
+        """For ground that is seen from outside: water far around it, or to the true horizon, and walls where a terrain ends."""
+        if to_horizon:
+            self.water.SetSheetToHorizon()
+        else:
+            self._widen_water(WATER_AROUND)
         if not self._ground.is_terrain:
             return
         edges = vtkFeatureEdges()

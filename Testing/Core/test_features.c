@@ -309,9 +309,9 @@ TEST(slots_stand_in_their_order)
     "place", "height", "point", "tile", "sines", "sea", "normal_maps", "waves", "output",
     "reflection", "dome", "walk", "behind", "layer", "blur", "caustics", "medium", "refraction",
     "facet_slopes", "facets", "rays", "shadows", "glitter", "foam", "sun", "surface" };
-  static const char* const vertex[] = { "cell", "displacement", "heights" };
+  static const char* const vertex[] = { "cell", "displacement", "heights", "depth" };
   assert_order(surface_files, SURFACE_FILES, surface, sizeof surface / sizeof surface[0]);
-  assert_order(vertex_files, VERTEX_FILES, vertex, 3);
+  assert_order(vertex_files, VERTEX_FILES, vertex, 4);
 }
 
 // No file and no feature is there for nothing: some shader has it, and all but the files of every
@@ -343,7 +343,7 @@ TEST(every_file_and_feature_is_used)
 }
 
 // Vertices are moved by a shader exactly where the surface is displaced, and tell their heights
-// exactly where a mesh of the user's is drawn as it is.
+// exactly where a mesh of the user's is drawn as it is. All can be kept from being cut.
 TEST(vertices_move_where_the_surface_is_displaced)
 {
   static unsigned reachable[REACHABLE_MAX];
@@ -355,8 +355,9 @@ TEST(vertices_move_where_the_surface_is_displaced)
       const file* at = &vertex_files[j];
       const unsigned feature =
         strcmp(at->slot, "heights") == 0 ? WATER_FEATURE_MESH : WATER_FEATURE_DISPLACED;
-      assert_int_equal(
-        water_features_want(reachable[i], at->any_of, at->none_of), (reachable[i] & feature) != 0);
+      const bool is_for_all = strcmp(at->slot, "depth") == 0;
+      assert_int_equal(water_features_want(reachable[i], at->any_of, at->none_of),
+        is_for_all || (reachable[i] & feature) != 0);
     }
   }
 }

@@ -4,6 +4,7 @@
 
 #include "water_camera.h"
 #include "water_math.h"
+#include "water_plane.h"
 #include "water_select.h"
 
 static const double nearby[3] = { 1.0, 2.0, 3.0 };
@@ -120,8 +121,20 @@ TEST(eye_on_the_plane_is_told_from_rounding)
     const double length = sqrt(dot(given, given));
     const double to_eye = dot(given, random.normal) > 0.0 ? 1.0 : -1.0;
     scene.plane.offset = -dot(given, random.eye);
-    assert_int_equal(water_plan_make(&scene, &plan, NULL), WATER_CAMERA_ON_PLANE);
-    assert_int_equal(plan.decision, WATER_NO_REFLECT_FAILED);
+    water_eye eye;
+    water_plane unit;
+    water_side side = WATER_EDGE_ON;
+    assert_int_equal(water_camera_decompose(&scene.eye, &eye), WATER_OK);
+    assert_int_equal(water_plane_normalise(&scene.plane, &unit), WATER_OK);
+    const bool is_told = water_select_side(&eye, &unit, &side) == WATER_CAMERA_ON_PLANE;
+    assert_int_equal(is_told, !random.is_parallel);
+    water_plane level;
+    water_select_level(&eye, &unit, &level, &side);
+    // the near plane is at 1
+    ASSERT_CLOSE(level.offset - unit.offset, is_told ? 1e-4 : 0.0, round % 2 ? 1e-4 : 1e-9);
+    assert_int_equal(side, is_told || to_eye > 0.0 ? WATER_ABOVE : WATER_BELOW);
+    assert_int_equal(water_plan_make(&scene, &plan, NULL), WATER_OK);
+    assert_int_equal(plan.side, side);
     scene.plane.offset += length * hair * to_eye;
     water_status status = water_plan_make(&scene, &plan, NULL);
     assert_int_equal(status, WATER_OK);

@@ -307,7 +307,7 @@ TEST(depths_tell_which_cells_are_open)
     assert_int_in_range(rows[0], 0, HEIGHT - 1);
     assert_int_in_range(rows[1], 1, HEIGHT - rows[0]);
     water_visibility_mark(
-      &seen, viewport_px, plane, rounding, rows, depths + WIDTH * rows[0], work, cells);
+      &seen, viewport_px, false, plane, rounding, rows, depths + WIDTH * rows[0], work, cells);
     int used[2] = { HEIGHT, -1 };
     for (int i = 0; i < seen.size[0] * seen.size[1]; ++i)
     {

@@ -200,6 +200,22 @@ def small(lib):
         lib.vtk_water_scene_delete(handle)
 
 
+def test_water_to_the_horizon_is_that_of_the_classes(by_c, lib):
+    """Water to the horizon by the C interface is rendered as by VTK's classes, and bounds replace it."""
+    wt.check_equal("status", lib.vtk_water_actor_set_sheet_to_horizon(by_c.water), OK)
+    view, water = view_by_classes()
+    bounded = view.picture()
+    water.SetSheetToHorizon()
+    view.renderer.ResetCameraClippingRange()
+    pixels = by_c.picture().astype(int)
+    wt.check_at_most("pixels that differ from the classes'",
+                     int((np.abs(pixels - view.picture()[::-1]).max(axis=2) > 2).sum()), 20)
+    wt.check_at_least("pixels that differ from those with bounds",
+                      int((np.abs(pixels - bounded[::-1]).max(axis=2) > 2).sum()), 100)
+    wt.check_equal("status of bounds", lib.vtk_water_actor_set_sheet_bounds(by_c.water, doubles(*BOUNDS)), OK)
+    wt.check_equal("bounds again: largest difference", int(np.abs(by_c.picture().astype(int) - bounded[::-1]).max()), 0)
+
+
 BAD_TRIANGLE = np.array([(0, 1, 7)], dtype=np.int64)
 SMALL_BUFFER = np.zeros(10, np.uint8)
 ORIGIN, HIGH = doubles(0, 0, 0), doubles(0, 0, 1)
@@ -210,6 +226,8 @@ REFUSALS = (
      lambda it: (it.water, number(float("nan")))),
     ("normal_zero", BAD_VALUE, b"the normal not zero", "vtk_water_actor_set_plane",
      lambda it: (it.water, ORIGIN, ORIGIN)),
+    ("no_actor_to_the_horizon", NULL_ARGUMENT, b"actor is NULL", "vtk_water_actor_set_sheet_to_horizon",
+     lambda it: (it.none,)),
     ("bounds_reversed", BAD_VALUE, b"xmin < xmax", "vtk_water_actor_set_sheet_bounds",
      lambda it: (it.water, doubles(1, 0, 0, 1))),
     ("preset_unknown", BAD_VALUE, b"'swamp'; it must be one of pool", "vtk_water_actor_set_preset",

@@ -160,6 +160,22 @@ def test_every_kind_of_file_makes_a_picture(folder, name, level):
     wt.check_at_least(f"{name}: colours", len(np.unique(picture.reshape(-1, 3), axis=0)), 100)
 
 
+@pytest.mark.parametrize("name, level", (("valley.vti", 40.0), ("cone.stl", 0.0)))
+def test_water_reaches_to_the_horizon(folder, name, level):
+    """With --horizon the water goes on, up to the true horizon, and is the same before."""
+    pictures = []
+    for options in ((), ("--horizon",)):
+        status, said = run(folder, "render", name, "--level", level, "--no-data", NO_DATA, *SIZE_OPTION, "--elevation", 14,
+                           "--out", "horizon.png", *options)
+        wt.check_equal(f"{name} {options}: status, rendered", (status, "reflection rendered" in said), (0, True))
+        pictures.append(pixels_of(folder / "horizon.png"))
+    rows = np.flatnonzero((np.abs(pictures[1] - pictures[0]).max(axis=2) > 2).mean(axis=1) > 0.5)
+    # of the picture's 30 degrees: the horizon lies 14 over its middle
+    horizon = 0.5 * SIZE[1] * (1 - np.tan(np.radians(14)) / np.tan(np.radians(15)))
+    wt.check_at_most(f"{name}: first row that differs, from the horizon's", float(abs(rows[0] - horizon)), 1.0)
+    wt.check_at_most(f"{name}: last row that differs, from the horizon's", float(rows[-1] - horizon), 12.0)
+
+
 def test_heights_that_no_eye_can_see_are_holes(folder):
     """Heights beyond all measure are taken for holes, with a warning, and the picture is that without them."""
     spikes = valley()

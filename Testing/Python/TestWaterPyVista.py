@@ -5,6 +5,7 @@ Where that is says the camera: a point of the box's mirror image is projected to
 water the background is there. What is wrong raises, names its argument, and adds nothing.
 """
 
+import itertools
 import logging
 import re
 import warnings
@@ -188,6 +189,49 @@ def test_in_a_scaled_scene_the_level_is_one_of_the_data(plotter):
     wt.check_equal("height in a scene scaled by 2", fill(plotter).GetBounds()[4:], (2 * LEVEL, 2 * LEVEL))
 
 
+CAMERA = [(-2, -4, 0.8), (0, 0, 0.1), (0, 0, 1)]
+
+
+@pytest.mark.parametrize("bounds", ["horizon", (-9, 9, -9, 9)], ids=["horizon", "bounds"])
+def test_every_order_of_calls_gives_the_same_picture(bounds):
+    """Camera, water and meshes may be set in any order: but for pixels on edges, as PyVista's clipping ranges differ."""
+    pictures = []
+    for order in itertools.permutations(("camera", "water", "mesh")):
+        made = pv.Plotter(off_screen=True, window_size=SIZE)
+        for step in order:
+            if step == "camera":
+                made.camera_position = CAMERA
+            elif step == "water":
+                made.add_water(LEVEL, bounds=bounds)
+            else:
+                made.add_mesh(pv.Cone(direction=(0, 0, 1)), color=RED)
+        pictures.append(picture_of(made).astype(int))
+        made.close()
+        differs = np.abs(pictures[-1] - pictures[0]).max(axis=2) > 0
+        wt.check_at_most(f"{bounds}, {', '.join(order)}: pixels that differ", int(differs.sum()), 8)
+
+
+def test_water_to_the_horizon_fills_the_picture_and_no_bounds(plotter):
+    """Without a camera the picture is taken from where PyVista's usual camera is, and bounds and rulers are the meshes'."""
+    other = pv.Plotter(off_screen=True, window_size=SIZE)
+    for one in (plotter, other):
+        one.add_mesh(pv.Cone(direction=(0, 0, 1)), color=RED)
+        one.set_background("lightblue")
+    water = plotter.add_water(LEVEL, bounds="horizon", color="lime")
+    water.GetWaterProperty().SetReflectanceModeToConstant()
+    water.GetWaterProperty().SetReflectance(0)
+    rulers = [one.show_bounds().bounds for one in (plotter, other)]
+    picture = picture_of(plotter)
+    picture_of(other)
+    wt.check_equal("camera", plotter.camera_position, other.camera_position)
+    wt.check_equal("clipping range", plotter.camera.clipping_range, other.camera.clipping_range)
+    wt.check_equal("bounds", tuple(plotter.bounds), tuple(other.bounds))
+    wt.check_equal("rulers", *rulers)
+    border = np.concatenate([picture[0], picture[-1], picture[:, 0], picture[:, -1]])[:, :3]
+    wt.check_equal("pixels at the border that show no water", int((border != (0, 255, 0)).any(axis=1).sum()), 0)
+    other.close()
+
+
 WRONG = [  # the exception, a part of its text, the argument
     (TypeError, "level must be a number, not str", {"level": "high"}),
     (TypeError, "level must be a number, not bool", {"level": True}),
@@ -202,6 +246,7 @@ WRONG = [  # the exception, a part of its text, the argument
     (ValueError, "WindSpeed is -3", {"waves": -3}),
     (ValueError, "bounds must have 4 numbers, not 6", {"bounds": (0, 1, 0, 1, 0, 1)}),
     (ValueError, "xmin < xmax", {"bounds": (1, 0, 0, 1)}),
+    (ValueError, "bounds is 'horizont'; it must be 'horizon' or four numbers", {"bounds": "horizont"}),
     (ValueError, "normal is 'up'", {"normal": "up"}),
     (ValueError, "normal is (0.0, 0.0, 0.0)", {"normal": (0, 0, 0)}),
     (ValueError, "origin must have 3 numbers, not 2", {"origin": (0, 0)}),

@@ -192,6 +192,7 @@ typedef struct water_scene
   water_sky sky;
   double light[3];          // what the lights bring to the plane; water_daylight.h
   double surface_bounds[6]; // of the water surface in world; min > max: there is no surface
+  bool is_endless;          // the surface reaches to the horizon, whatever these bounds
   bool hides_above;         // the surface is not drawn for an eye above it, or below
   bool hides_below;
   bool is_hidden;       // all of it is behind the scene
@@ -224,6 +225,9 @@ typedef struct water_plan
   double clip_w[4];       // the same -> w of the point in view space
   double ndc_to_ray[9];   // (x, y, 1) in NDC of the eye -> direction of the view ray in the
                           // plane's axes (third: n towards the eye), any length
+  double pixel_depth[4];  // (x, y, 1) in NDC of the eye, 1 / w -> z in NDC of the surface there,
+                          // which may lie before the near plane or beyond the far one
+  bool is_endless;        // the scene's
   double dir_to_eye[12];  // direction in the plane's axes -> clip of the eye; 4 rows of 3
   double origin_xy[2];    // of the point under the eye, in the plane's own axes
   double ndc_to_plane[9]; // (x, y, 1) in NDC of the eye -> (x, y, w) on the plane, from origin_xy
@@ -269,8 +273,9 @@ typedef struct water_plan
   double reflection_ndc_to_eye[9]; // (x, y, 1) in NDC of the reflection texture -> (x, y, w) in
                                    // clip of the eye, of the direction that the reflection texture
                                    // sees there: where the sky is found
-  double depth_scale; // reflection texture depth of a point on the water / its depth in the eye's
-                      // picture
+  double depth_scale;  // reflection texture depth of a point on the water: its depth in the eye's
+                       // picture times this,
+  double depth_offset; // and this more
   double reflection_scale[2]; // part of the reflection texture that the eye's own frustum takes,
                               // per axis, in (0, 1]
   double reflection_top; // height over the plane of all that is drawn in the reflection texture;

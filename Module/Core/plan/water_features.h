@@ -154,7 +154,8 @@ enum // WATER_FEATURE_WAVES and so on
   X(cell, vtkWaterCell, WATER_FEATURE_FLAG(DISPLACED), 0, "what a grid can hold of a wave")        \
   X(displacement, vtkWaterDisplacementVS, WATER_FEATURE_FLAG(DISPLACED), 0,                        \
     "moves vertices by the waves")                                                                 \
-  X(heights, vtkWaterMeshVS, WATER_FEATURE_FLAG(MESH), 0, "of the vertices over the plane")
+  X(heights, vtkWaterMeshVS, WATER_FEATURE_FLAG(MESH), 0, "of the vertices over the plane")        \
+  X(depth, vtkWaterDepthVS, 0, 0, "an endless surface is not cut at the near and far planes")
 
 // Is a file of the lists part of the shader of some features?
 static inline bool water_features_want(unsigned features, unsigned any_of, unsigned none_of)

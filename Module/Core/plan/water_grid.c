@@ -2,15 +2,23 @@
 // water_grid.c: points at rest over the part of a sheet that the eye sees.
 #include "water_grid.h"
 
+#include "water_horizon.h"
 #include "water_math.h"
 #include "water_plane.h"
 #include "water_select.h"
 
-// Corners of the part in view: four, and each of the six planes can add one.
+// Corners of the part in view: four, and each of the six planes can add one. Rows through them, and
+// of an endless sheet through three more places.
 enum
 {
-  WATER_GRID_CORNERS = 10
+  WATER_GRID_CORNERS = 10,
+  WATER_GRID_ROWS = WATER_GRID_CORNERS + 3
 };
+
+// How far an endless sheet reaches: times the eye's height, or the width of a parallel view.
+static const double endless_reach = 1e6;
+
+static const double lowest_wave = 1e-3; // that is seen, over half of the picture
 
 typedef struct polygon // convex; from the point under the eye on
 {
@@ -29,15 +37,13 @@ water_status water_grid_view_make(const water_camera* camera, const water_plane*
   {
     status = water_camera_decompose(camera, &eye);
   }
-  water_side side = WATER_EDGE_ON;
-  if (status == WATER_OK)
-  {
-    status = water_select_side(&eye, &unit, &side);
-  }
   if (status != WATER_OK)
   {
     return status;
   }
+  const water_plane given = unit;
+  water_side side;
+  water_select_level(&eye, &given, &unit, &side);
   water_plane_axes(unit.normal, made.axes.x_dir, made.axes.y_dir);
   memcpy(made.axes.normal, unit.normal, sizeof made.axes.normal);
   memcpy(made.axes.origin, origin, sizeof made.axes.origin);
@@ -62,6 +68,9 @@ water_status water_grid_view_make(const water_camera* camera, const water_plane*
   double plane_view[4];
   water_camera_plane_view(&eye, &unit, plane_view);
   water_mat4_apply_row(plane_view, eye.clip_to_view, made.height_clip);
+  double depths[3];
+  water_horizon_depths(camera->view_to_clip, true, depths);
+  made.far_depth = depths[1];
   made.eye_height = eye.has_center
     ? fabs(water_vec3_dot(plane_view, eye.center_view) + plane_view[3])
     : (double)INFINITY;
@@ -98,15 +107,37 @@ static void polygon_cut(polygon* shape, const double line[3])
   *shape = kept;
 }
 
+// Half of the side of a square about the point under the eye that stands for an endless sheet.
+static double endless_side(const water_grid_view* view, double height, double reach)
+{
+  double wide = fmax(view->eye_height, height);
+  if (isinf(view->eye_height))
+  {
+    wide = 0.0;
+    for (int corner = 0; corner < 4; ++corner)
+    {
+      const double* place = view->clip_to_place; // w is 1
+      const double x = corner % 2 ? 1.0 : -1.0;
+      const double y = corner / 2 ? 1.0 : -1.0;
+      const double w = place[6] * x + place[7] * y + place[8];
+      wide = fmax(wide,
+        hypot(place[0] * x + place[1] * y + place[2], place[3] * x + place[4] * y + place[5]) /
+          fabs(w));
+    }
+  }
+  return endless_reach * (wide + height + reach);
+}
+
 static polygon part_in_view(
   const water_grid_view* view, const double sheet[4], double height, double reach)
 {
   const double* origin = view->origin_xy;
-  const double x[2] = { sheet[0] - origin[0], sheet[1] - origin[0] };
-  const double y[2] = { sheet[2] - origin[1], sheet[3] - origin[1] };
+  const double side = sheet ? 0.0 : endless_side(view, height, reach);
+  const double x[2] = { sheet ? sheet[0] - origin[0] : -side, sheet ? sheet[1] - origin[0] : side };
+  const double y[2] = { sheet ? sheet[2] - origin[1] : -side, sheet ? sheet[3] - origin[1] : side };
   polygon shape = { { { x[0], y[0] }, { x[1], y[0] }, { x[1], y[1] }, { x[0], y[1] } }, 4 };
   const double* w = view->dir_to_clip + 9;
-  for (int axis = 0; axis < 3; ++axis)
+  for (int axis = 0; axis < (sheet ? 3 : 2); ++axis)
   {
     const double* row = view->dir_to_clip + 3 * axis;
     for (double sign = -1.0; sign <= 1.0; sign += 2.0)
@@ -193,31 +224,72 @@ typedef struct row_places // of even rows, and of those through the corners amon
   double step;
   double eye_height;
   int even_count;
-  double corners[WATER_GRID_CORNERS]; // ascending
+  double corners[WATER_GRID_ROWS]; // ascending
   int corner_count;
 } row_places;
 
-static row_places rows_of(
-  const polygon* shape, const double dir[2], double eye_height, int row_count)
+static void rows_add(row_places* rows, double way)
+{
+  int place = rows->corner_count++;
+  for (; place > 0 && rows->corners[place - 1] > way; --place)
+  {
+    rows->corners[place] = rows->corners[place - 1];
+  }
+  rows->corners[place] = way;
+}
+
+// Rows of an endless sheet beside those through the corners: where the near and the far plane meet
+// it, and where waves are too low to be seen, up to which rows are even.
+//
+// Returns the last.
+static double rows_add_endless(
+  const water_grid_view* view, const double dir[2], double height, row_places* rows)
+{
+  const double first = rows->corners[0];
+  const double last = rows->corners[rows->corner_count - 1];
+  const double* to_clip = view->dir_to_clip;
+  const double ends[2] = { -1.0, view->far_depth };
+  for (int i = 0; i < 2; ++i)
+  {
+    const double end = ends[i];
+    // z = end w on the way from under the eye, straight away from it
+    const double slope =
+      dir[0] * (to_clip[6] - end * to_clip[9]) + dir[1] * (to_clip[7] - end * to_clip[10]);
+    const double way = -(view->foot_clip[2] - end * view->foot_clip[3]) / slope;
+    if (way > first && way < last)
+    {
+      rows_add(rows, way);
+    }
+  }
+  const double tallest = height * hypot(to_clip[2], to_clip[5]) / lowest_wave;
+  const double grown = dir[0] * to_clip[9] + dir[1] * to_clip[10];
+  const double even_last = grown > 0.0 ? (tallest - view->foot_clip[3]) / grown : last;
+  if (isinf(view->eye_height) || !(even_last < last))
+  {
+    return last;
+  }
+  const double nearest = fmax(first, 0.0) + view->eye_height; // some of it is always even
+  rows_add(rows, fmin(fmax(even_last, nearest), last));
+  return fmin(fmax(even_last, nearest), last);
+}
+
+static row_places rows_of(const water_grid_view* view, const polygon* shape, const double dir[2],
+  double height, bool is_endless, int row_count)
 {
   row_places rows;
-  rows.eye_height = eye_height;
+  // an eye among the waves is near those that it sees, too
+  rows.eye_height = fmax(view->eye_height, height);
   rows.corner_count = 0;
   for (int i = 0; i < shape->count; ++i)
   {
-    const double way = dir[0] * shape->at[i][0] + dir[1] * shape->at[i][1];
-    int place = rows.corner_count++;
-    for (; place > 0 && rows.corners[place - 1] > way; --place)
-    {
-      rows.corners[place] = rows.corners[place - 1];
-    }
-    rows.corners[place] = way;
+    rows_add(&rows, dir[0] * shape->at[i][0] + dir[1] * shape->at[i][1]);
   }
+  const double even_last =
+    is_endless ? rows_add_endless(view, dir, height, &rows) : rows.corners[rows.corner_count - 1];
   // between the corners; the nearest and the farthest are the first row and the last
   rows.even_count = row_count - rows.corner_count;
-  rows.first = evened(rows.corners[0], eye_height);
-  const double last = evened(rows.corners[rows.corner_count - 1], eye_height);
-  rows.step = (last - rows.first) / (rows.even_count + 1);
+  rows.first = evened(rows.corners[0], rows.eye_height);
+  rows.step = (evened(even_last, rows.eye_height) - rows.first) / (rows.even_count + 1);
   return rows;
 }
 
@@ -247,8 +319,7 @@ bool water_grid_lay(const water_grid_view* view, const double sheet[4], double h
   const water_axes* axes = &view->axes;
   double dir[2];
   away(view, dir);
-  // an eye among the waves is near those that it sees, too
-  const row_places rows = rows_of(&shape, dir, fmax(view->eye_height, height), size + 1);
+  const row_places rows = rows_of(view, &shape, dir, height, !sheet, size + 1);
   int corner = 0;
   int even = 0;
   for (int i = 0; i <= size; ++i)
@@ -275,4 +346,21 @@ bool water_grid_lay(const water_grid_view* view, const double sheet[4], double h
   }
   memcpy(row_dir, dir, sizeof dir);
   return true;
+}
+
+void water_grid_balance(
+  const water_grid_view* view, const double* points, size_t count, double sign, double corner[3])
+{
+  const water_axes* axes = &view->axes;
+  for (int k = 0; k < 3; ++k)
+  {
+    const double foot =
+      axes->origin[k] + view->origin_xy[0] * axes->x_dir[k] + view->origin_xy[1] * axes->y_dir[k];
+    double reach = 0.0;
+    for (size_t i = 0; i < count; ++i)
+    {
+      reach = fmax(reach, fabs(points[3 * i + (size_t)k] - foot));
+    }
+    corner[k] = foot + sign * reach;
+  }
 }

@@ -29,19 +29,23 @@ typedef struct water_grid_view
   double clip_to_place[9]; // clip (x, y, w) of a point on the plane -> (x, y, w) from origin_xy on
   double height_clip[4];   // clip of any point -> height over the plane along the normal
   double eye_height;       // the eye's distance from the plane; infinite for a parallel view
+  double far_depth;        // NDC z from which on an endless surface is held before the far plane
 } water_grid_view;
 
 // plane   of any scale
 // origin  of the plane's own axes, in world
 //
-// Returns WATER_OK, WATER_BAD_PLANE, WATER_CAMERA_ON_PLANE or WATER_BAD_CAMERA (also: the plane is
-// seen edge-on); then *view is unchanged.
+// Returns WATER_OK, WATER_BAD_PLANE or WATER_BAD_CAMERA (also: the plane is seen edge-on); then
+// *view is unchanged. An eye on the plane: water_select_level.
 water_status water_grid_view_make(const water_camera* camera, const water_plane* plane,
   const double origin[3], water_grid_view* view);
 
 // Lays size x size cells over the sheet, (size + 1)^2 points, row by row.
 //
-// sheet    xmin, xmax, ymin, ymax in the plane's own axes
+// sheet    xmin, xmax, ymin, ymax in the plane's own axes; NULL: it has no end. Then near and far
+//          planes cut nothing: a row lies where each meets the plane. Beyond where waves are lower
+//          than a thousandth of the picture there is one row more, a million times the eye's height
+//          away
 // height   how far waves move a point along the normal at most, up or down
 // reach    and in the plane
 // size     >= 16
@@ -52,6 +56,13 @@ water_status water_grid_view_make(const water_camera* camera, const water_plane*
 // Returns whether any of the sheet is in view; if not, the outputs are unchanged.
 bool water_grid_lay(const water_grid_view* view, const double sheet[4], double height, double reach,
   int size, double* points, float* cells, double row_dir[2]);
+
+// A corner of the smallest box about points that has the point under the eye in its middle.
+//
+// points  count of them, 3 each, in world
+// sign    1: the corner of the greatest coordinates; -1: of the least
+void water_grid_balance(
+  const water_grid_view* view, const double* points, size_t count, double sign, double corner[3]);
 
 #ifdef __cplusplus
 }

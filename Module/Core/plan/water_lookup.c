@@ -82,6 +82,17 @@ water_status water_lookup_places(const water_camera* camera, const water_eye* ey
   return WATER_OK;
 }
 
+void water_lookup_pixel_depth(
+  const double plane_clip[4], const double clip_w[4], double pixel_depth[4])
+{
+  const bool is_perspective = clip_w[2] != 0.0;
+  const double* row = is_perspective ? clip_w : plane_clip; // row . (x, y, z, 1) = 1 / w, or 0
+  pixel_depth[0] = -row[0] / row[2];
+  pixel_depth[1] = -row[1] / row[2];
+  pixel_depth[2] = -row[3] / row[2];
+  pixel_depth[3] = is_perspective ? 1.0 / row[2] : 0.0;
+}
+
 void water_lookup_dirs(const water_camera* camera, const water_axes* axes, double dir_to_clip[12])
 {
   const double* directions[3] = { axes->x_dir, axes->y_dir, axes->normal };
@@ -211,6 +222,10 @@ bool water_lookup_is_at_surface(const water_camera* camera, const water_eye* eye
   if (camera->parallel || !eye->has_center)
   {
     return false;
+  }
+  if (!surface_bounds)
+  {
+    return true;
   }
   const double center[4] = { eye->center_view[0], eye->center_view[1], eye->center_view[2], 1.0 };
   double foot[4];

@@ -45,6 +45,14 @@ void water_lookup_axes(
 water_status water_lookup_places(const water_camera* camera, const water_eye* eye,
   const water_plane* plane, const water_axes* axes, double origin_xy[2], double ndc_to_plane[9]);
 
+// How deep the surface lies in a pixel: (x, y, 1) in NDC and 1 / w -> z in NDC, also where that is
+// not in [-1, 1]. In perspective w tells it, whatever the surface's height; in parallel w is 1, and
+// the surface is taken for the plane.
+//
+// plane_clip, clip_w  of water_plan
+void water_lookup_pixel_depth(
+  const double plane_clip[4], const double clip_w[4], double pixel_depth[4]);
+
 // Directions in the plane's axes (the third towards the eye) -> clip of a camera, not divided by w:
 // where a ray ends. 4 rows of 3.
 void water_lookup_dirs(const water_camera* camera, const water_axes* axes, double dir_to_clip[12]);
@@ -80,7 +88,7 @@ void water_lookup_environment(
 // below the plane is in the water then. Never for a parallel eye, which is nowhere.
 //
 // plane           normalised
-// surface_bounds  of the surface in world
+// surface_bounds  of the surface in world; NULL: it has no end
 bool water_lookup_is_at_surface(const water_camera* camera, const water_eye* eye,
   const water_plane* plane, const double surface_bounds[6]);
 

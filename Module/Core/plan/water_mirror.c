@@ -49,6 +49,10 @@ void water_mirror_widen(const double reflection_scale[2], water_camera* mirrored
 // them the depth that the reflection texture is cleared with.
 static const double far_margin = 2e-6;
 
+// Over the distance of the far plane: no nearer is the near plane moved (vtkRenderer's
+// NearClippingPlaneTolerance with 24 bits of depth).
+static const double nearest_of_far = 1e-3;
+
 // The far plane for depths that are scaled, z' - (1 - margin) w of water_mirror_reach: positive
 // beyond it.
 static void far_plane(const double world_to_clip[16], double scale, double beyond[4])
@@ -119,6 +123,67 @@ void water_mirror_reach_apply(const water_reach* reach, water_camera* mirrored)
   {
     clip[8 + j] = reach->scale * (clip[8 + j] + clip[12 + j]) - clip[12 + j];
   }
+}
+
+// The scale of depths that moves the near plane to a point before it: z' = s z + (1 - s) w keeps
+// the far plane z = w, and gives the point the depth -(1 - margin) w.
+static double near_scale(const double clip[4])
+{
+  return (2.0 - far_margin) * clip[3] / (clip[3] - clip[2]);
+}
+
+// The least scale: the near plane is a part of the far plane's distance away.
+static double near_scale_min(const double view_to_clip[16])
+{
+  const double slope = view_to_clip[10];
+  const double start = view_to_clip[11];
+  if (view_to_clip[14] == 0.0)
+  {
+    return nearest_of_far;
+  }
+  const double far_w = start / (1.0 + slope);
+  const double near_w = nearest_of_far * far_w;
+  const double clip[4] = { 0.0, 0.0, start - slope * near_w, near_w };
+  return far_w > 0.0 && isfinite(far_w) ? fmin(near_scale(clip), 1.0) : 1.0;
+}
+
+double water_mirror_near(
+  const water_plane* plane, const water_prop* props, size_t prop_count, water_camera* mirrored)
+{
+  double world_to_clip[16];
+  water_mat4_multiply(mirrored->view_to_clip, mirrored->world_to_view, world_to_clip);
+  const double least = near_scale_min(mirrored->view_to_clip);
+  double scale = 1.0;
+  for (size_t i = 0; i < prop_count && scale > least; ++i)
+  {
+    const double* bounds = props[i].bounds;
+    if (props[i].flags != WATER_PROP_VISIBLE || water_prop_is_unbounded(props + i) ||
+      water_bounds_is_empty(bounds))
+    {
+      continue;
+    }
+    bool is_over = false;
+    bool is_in_front = false;
+    double own = 1.0;
+    for (int corner = 0; corner < 8; ++corner)
+    {
+      double point[3];
+      double clip[4];
+      water_bounds_corner(bounds, corner, point);
+      water_mat4_apply_point(world_to_clip, point, clip);
+      is_over = is_over || water_plane_height(plane, point) > 0.0;
+      is_in_front = is_in_front || clip[3] > 0.0;
+      own = clip[3] <= 0.0 ? least : clip[2] < -clip[3] ? fmin(own, near_scale(clip)) : own;
+    }
+    scale = is_over && is_in_front ? fmin(scale, own) : scale;
+  }
+  scale = fmax(scale, least);
+  double* clip = mirrored->view_to_clip;
+  for (int j = 0; j < 4 && scale < 1.0; ++j)
+  {
+    clip[8 + j] = scale * clip[8 + j] + (1.0 - scale) * clip[12 + j];
+  }
+  return scale;
 }
 
 void water_mirror_pose(

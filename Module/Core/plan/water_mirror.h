@@ -51,6 +51,17 @@ void water_mirror_reach_add(
 // Moves the far plane.
 void water_mirror_reach_apply(const water_reach* reach, water_camera* mirrored);
 
+// Moves the near plane of a mirrored camera towards it, so that it cuts none of the props over the
+// water whose mirror images come nearer to the eye than they are; the far plane and the picture
+// stay where they are. As VTK's own, it stays beyond a thousandth of the far plane's distance,
+// unless it was nearer. Call it before the others choose and reach.
+//
+// plane  normalised, normal towards the eye
+//
+// Returns the scale s of the depths: a window depth z becomes s z + 1 - s.
+double water_mirror_near(
+  const water_plane* plane, const water_prop* props, size_t prop_count, water_camera* mirrored);
+
 // Widens the frustum of a mirrored camera: its present picture becomes the part reflection_scale of
 // the new one, per axis, about the middle.
 void water_mirror_widen(const double reflection_scale[2], water_camera* mirrored);

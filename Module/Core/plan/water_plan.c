@@ -5,6 +5,7 @@
 
 #include "water_camera.h"
 #include "water_daylight.h"
+#include "water_horizon.h"
 #include "water_lookup.h"
 #include "water_math.h"
 #include "water_mirror.h"
@@ -42,20 +43,20 @@ typedef struct checked
 
 // The eye's side of the surface itself, where there is one over or under the eye, and of the plane
 // elsewhere.
-static water_status select_side(const water_scene* scene, checked* result)
+static void select_side(const water_scene* scene, checked* result)
 {
+  const water_plane given = result->plane;
+  water_select_level(&result->eye, &given, &result->plane, &result->side);
   result->level = result->plane;
-  result->is_at_surface =
-    water_lookup_is_at_surface(&scene->eye, &result->eye, &result->plane, scene->surface_bounds);
-  const water_status status = water_select_side(&result->eye, &result->plane, &result->side);
-  if (status == WATER_OK && result->is_at_surface && scene->surface_height != 0.0)
+  result->is_at_surface = water_lookup_is_at_surface(
+    &scene->eye, &result->eye, &result->plane, scene->is_endless ? NULL : scene->surface_bounds);
+  if (result->is_at_surface && scene->surface_height != 0.0)
   {
     result->level.offset -= scene->surface_height;
     result->side = WATER_ABOVE;
     // an eye on the very surface is on both sides, and stays over it
     (void)water_select_side(&result->eye, &result->level, &result->side);
   }
-  return status;
 }
 
 // All checks but that of the props, in the order of water_status.h.
@@ -66,7 +67,8 @@ static water_status check(const water_scene* scene, checked* result)
   {
     return status;
   }
-  if (!water_all_usable(scene->surface_bounds, 6) || water_bounds_is_empty(scene->surface_bounds))
+  if (!scene->is_endless &&
+    (!water_all_usable(scene->surface_bounds, 6) || water_bounds_is_empty(scene->surface_bounds)))
   {
     return WATER_BAD_SURFACE;
   }
@@ -100,11 +102,22 @@ static water_status check(const water_scene* scene, checked* result)
   {
     return status;
   }
-  return select_side(scene, result);
+  select_side(scene, result);
+  return WATER_OK;
 }
 
-static water_decision decide(const water_scene* scene, water_side side)
+// May any of the surface be in the picture? Nothing of an endless one is over the eye.
+static bool is_in_view(const water_scene* scene, const checked* input)
 {
+  double box[4];
+  return scene->is_endless
+    ? water_horizon_box(&input->eye, &input->plane, input->side, scene->wave_height_max, box)
+    : water_select_is_in_view(&scene->eye, scene->surface_bounds);
+}
+
+static water_decision decide(const water_scene* scene, const checked* input)
+{
+  const water_side side = input->side;
   if (side == WATER_EDGE_ON)
   {
     return WATER_NO_REFLECT_EDGE_ON;
@@ -119,7 +132,7 @@ static water_decision decide(const water_scene* scene, water_side side)
     {
       return WATER_NO_REFLECT_FACING_AWAY;
     }
-    if (!water_select_is_in_view(&scene->eye, scene->surface_bounds))
+    if (!is_in_view(scene, input))
     {
       return WATER_NO_REFLECT_OUT_OF_VIEW;
     }
@@ -138,6 +151,21 @@ static water_plane turn_to_eye(const water_plane* plane, water_side side)
                                  sign * plane->normal[2] },
     sign * plane->offset };
   return turned;
+}
+
+// Which part of the picture the water covers.
+static void cover(
+  const water_scene* scene, const checked* input, const water_plane* plane, double box[4])
+{
+  static const double whole[4] = { -1.0, -1.0, 1.0, 1.0 };
+  if (!scene->is_endless)
+  {
+    water_target_box(&scene->eye, plane, scene->surface_bounds, box);
+  }
+  else if (!water_horizon_box(&input->eye, &input->plane, input->side, scene->wave_height_max, box))
+  {
+    memcpy(box, whole, sizeof whole); // it is drawn although nothing of it is seen
+  }
 }
 
 // box: of the picture that the water covers
@@ -183,6 +211,10 @@ static void fill_props(const water_scene* scene, const water_eye* eye, const wat
   selection.prop_px_min = scene->settings.prop_px_min;
   memcpy(selection.texture_px, plan->texture_px, sizeof selection.texture_px);
   water_rect_to_ndc(plan->texture_rect_px, plan->texture_px, selection.box);
+  // the near plane of an eye is set for what it sees, which need not be the endless surface
+  const double nearer = scene->is_endless
+    ? water_mirror_near(plane, scene->props, scene->prop_count, &plan->mirrored)
+    : 1.0;
   water_reach reach;
   water_mirror_reach_begin(&plan->mirrored, &reach);
   *bad_index = scene->prop_count;
@@ -212,7 +244,8 @@ static void fill_props(const water_scene* scene, const water_eye* eye, const wat
     }
   }
   water_mirror_reach_apply(&reach, &plan->mirrored);
-  plan->depth_scale = reach.scale;
+  plan->depth_scale = reach.scale * nearer;
+  plan->depth_offset = reach.scale * (1.0 - nearer);
   plan->reflection_top += scene->wave_height_max; // a ray may start in a trough
 }
 
@@ -292,6 +325,7 @@ static water_status fill_view(const water_scene* scene, const checked* input,
   water_mat4_apply(scene->eye.view_to_clip, plan->normal_clip, plan->normal_clip);
   water_mat4_apply_row(plan->plane_view, input->eye.clip_to_view, plan->plane_clip);
   memcpy(plan->clip_w, input->eye.clip_to_view + 12, sizeof plan->clip_w);
+  water_lookup_pixel_depth(plan->plane_clip, plan->clip_w, plan->pixel_depth);
   water_camera_rays(&input->eye, plane, axes->x_dir, axes->y_dir, plan->ndc_to_ray);
   water_lookup_dirs(&scene->eye, axes, plan->dir_to_eye);
   water_lookup_environment(
@@ -301,7 +335,9 @@ static water_status fill_view(const water_scene* scene, const checked* input,
   water_camera_plane_view(&input->eye, &level, level_view);
   water_mat4_apply_row(level_view, input->eye.clip_to_view, plan->surface_clip);
   plan->is_submerged = input->side == WATER_BELOW && input->is_at_surface;
-  plan->is_awash = input->side == WATER_ABOVE && input->is_at_surface &&
+  plan->is_endless = scene->is_endless;
+  // no near plane cuts an endless surface
+  plan->is_awash = input->side == WATER_ABOVE && input->is_at_surface && !scene->is_endless &&
     water_lookup_cuts_surface(&input->eye, level_view);
   plan->bed_depth = water_lookup_bottom(plane, scene->props, scene->prop_count);
   plan->has_sun = scene->has_sun && water_lookup_local(axes, scene->sun_dir, plan->sun_dir);
@@ -342,7 +378,7 @@ water_status water_plan_make(const water_scene* scene, water_plan* plan, water_c
   water_status props_status = WATER_OK;
   if (status == WATER_OK)
   {
-    made.decision = decide(scene, input.side);
+    made.decision = decide(scene, &input);
     made.side = input.side;
   }
   made.has_view = made.decision == WATER_REFLECT ||
@@ -355,7 +391,7 @@ water_status water_plan_make(const water_scene* scene, water_plan* plan, water_c
     water_lookup_axes(&input.plane, input.side, scene->plane_origin, &axes);
     status = fill_view(scene, &input, &plane, &axes, &made);
     double box[4];
-    water_target_box(&scene->eye, &plane, scene->surface_bounds, box);
+    cover(scene, &input, &plane, box);
     if (status == WATER_OK && made.decision == WATER_REFLECT && is_faint(scene, &input, &made, box))
     {
       made.decision = WATER_NO_REFLECT_FAINT;

@@ -22,6 +22,7 @@ water_status water_secondary_plan(
   seen.plane = scene->plane;
   memcpy(seen.plane_origin, scene->plane_origin, sizeof seen.plane_origin);
   memcpy(seen.surface_bounds, scene->surface_bounds, sizeof seen.surface_bounds);
+  seen.is_endless = scene->is_endless;
   seen.look = scene->look;
   seen.has_environment = true;
   memcpy(seen.environment_up, scene->environment_up, sizeof seen.environment_up);

@@ -10,6 +10,9 @@
 // than a tenth of a pixel: there is nothing to see.
 static const double edge_on_sine = 1e-9;
 
+// Over the distance of the near plane: how high over the plane an eye is taken to be that is on it.
+static const double on_plane_height = 1e-4;
+
 static const double whole_picture[4] = { -1.0, -1.0, 1.0, 1.0 };
 
 // Rounding of a box against a plane: an offset and the products of a corner are sums of at most 8
@@ -47,6 +50,20 @@ static water_cull_reason reason_of_flags(uint32_t flags)
   return flags & WATER_PROP_REFUSED ? WATER_CULL_REFUSED : WATER_CULL_NONE;
 }
 
+// How far an eye's height may be off.
+//
+// Rounding: the origin of the view went through two rotations (into the matrix and back), each
+// component off by 3 roundings of its length at most, so by sqrt(3) * 3 together, twice; the unit
+// normal and its rotation add 3 and 3 of the same, the sum of the height 4: less than 24
+// roundings of all lengths.
+static double height_rounding(const water_eye* eye, const water_plane* plane)
+{
+  const double* world = eye->view_to_world;
+  const double origin[3] = { world[3], world[7], world[11] };
+  return 24.0 * DBL_EPSILON *
+    (fabs(plane->offset) + water_vec3_length(origin) + water_vec3_length(eye->center_view));
+}
+
 water_status water_select_side(const water_eye* eye, const water_plane* plane, water_side* side)
 {
   double plane_view[4];
@@ -58,21 +75,38 @@ water_status water_select_side(const water_eye* eye, const water_plane* plane, w
     *side = sine < -edge_on_sine ? WATER_ABOVE : sine > edge_on_sine ? WATER_BELOW : WATER_EDGE_ON;
     return WATER_OK;
   }
-  const double* world = eye->view_to_world;
-  const double origin[3] = { world[3], world[7], world[11] };
   const double height = water_vec3_dot(plane_view, eye->center_view) + plane_view[3];
-  // Rounding: the origin of the view went through two rotations (into the matrix and back), each
-  // component off by 3 roundings of its length at most, so by sqrt(3) * 3 together, twice; the unit
-  // normal and its rotation add 3 and 3 of the same, the sum of the height 4: less than 24
-  // roundings of all lengths.
-  const double bound = 24.0 * DBL_EPSILON *
-    (fabs(plane->offset) + water_vec3_length(origin) + water_vec3_length(eye->center_view));
-  if (!(fabs(height) > bound))
+  if (!(fabs(height) > height_rounding(eye, plane)))
   {
     return WATER_CAMERA_ON_PLANE;
   }
   *side = height > 0.0 ? WATER_ABOVE : WATER_BELOW;
   return WATER_OK;
+}
+
+void water_select_level(
+  const water_eye* eye, const water_plane* plane, water_plane* level, water_side* side)
+{
+  *level = *plane;
+  if (water_select_side(eye, plane, side) == WATER_OK)
+  {
+    return;
+  }
+  static const double middle[4] = { 0.0, 0.0, -1.0, 1.0 }; // of the near plane's picture
+  double near_view[4];
+  water_mat4_apply(eye->clip_to_view, middle, near_view);
+  double arm[3];
+  for (int i = 0; i < 3; ++i)
+  {
+    arm[i] = near_view[i] / near_view[3] - eye->center_view[i];
+  }
+  double plane_view[4];
+  water_camera_plane_view(eye, plane, plane_view);
+  const double height = water_vec3_dot(plane_view, eye->center_view) + plane_view[3];
+  const double raised =
+    fmax(on_plane_height * water_vec3_length(arm), 1000.0 * height_rounding(eye, plane));
+  level->offset += raised - height;
+  *side = WATER_ABOVE;
 }
 
 bool water_select_is_in_view(const water_camera* camera, const double bounds[6])

@@ -24,6 +24,16 @@ extern "C"
 // of the lengths are refused, over 96 they are not.
 water_status water_select_side(const water_eye* eye, const water_plane* plane, water_side* side);
 
+// The plane as an eye that lies exactly on it sees it, where there is nothing to see: from a ten
+// thousandth of the way to its near plane above it, or a thousand of its roundings if that is more.
+// The plane itself for any other eye.
+//
+// plane  normalised
+// level  the same, or moved along its normal
+// side   of the eye, of that
+void water_select_level(
+  const water_eye* eye, const water_plane* plane, water_plane* level, water_side* side);
+
 // Whether any point of a box may lie in the camera's frustum. Empty boxes must be sorted out
 // before.
 bool water_select_is_in_view(const water_camera* camera, const double bounds[6]);

@@ -52,7 +52,7 @@ void water_visibility_rows(const water_visibility* seen, const int viewport_px[2
   rows[1] = clamped(last, viewport_px[1]) - rows[0] + 1;
 }
 
-void water_visibility_mark(const water_visibility* seen, const int viewport_px[2],
+void water_visibility_mark(const water_visibility* seen, const int viewport_px[2], bool is_endless,
   const double plane_clip[4], double rounding, const int rows[2], const float* depths,
   int32_t* work, uint8_t* cells)
 {
@@ -63,6 +63,7 @@ void water_visibility_mark(const water_visibility* seen, const int viewport_px[2
   const float by_depth = (float)(2.0 * plane_clip[2]);
   const float by_x = (float)(plane_clip[0] * walk.pixel[0]);
   const float limit = (float)rounding;
+  const float background = is_endless ? 1.0f : FLT_MAX;
   for (int y = 0; y < seen->size[1]; ++y)
   {
     const double bottom = floor(walk.first[1] + walk.step[1] * y);
@@ -75,7 +76,8 @@ void water_visibility_mark(const water_visibility* seen, const int viewport_px[2
         plane_clip[1] * ((row + 0.5) * walk.pixel[1] - 1.0) - plane_clip[2] + plane_clip[3]);
       for (int x = 0; x < width; ++x)
       {
-        work[x] |= start + by_x * (float)x + by_depth * depth[x] <= limit;
+        work[x] |=
+          (start + by_x * (float)x + by_depth * depth[x] <= limit) | (depth[x] >= background);
       }
     }
     for (int x = 0; x < seen->size[0]; ++x)

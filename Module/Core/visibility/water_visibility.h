@@ -51,6 +51,7 @@ void water_visibility_begin(const int texture_px[2], const int rect_px[4], water
 // the plane is seen through the water, if there is any.
 //
 // viewport_px  size of the eye's picture
+// is_endless   the water is drawn beyond the far plane, too: over the background
 // plane_clip   NDC of the eye -> height over the plane, times a positive number
 // rounding     of that
 // rows         first and count, of the picture: those of depths, which are at least the rows that
@@ -58,7 +59,7 @@ void water_visibility_begin(const int texture_px[2], const int rect_px[4], water
 // depths       in [0, 1], rows of x
 // work         room for viewport_px[0]
 // cells        rows of size[0]; 0: no pixel of the cell is looked up
-void water_visibility_mark(const water_visibility* seen, const int viewport_px[2],
+void water_visibility_mark(const water_visibility* seen, const int viewport_px[2], bool is_endless,
   const double plane_clip[4], double rounding, const int rows[2], const float* depths,
   int32_t* work, uint8_t* cells);
 

@@ -245,7 +245,7 @@ struct WaterMediumMet
 // dir  of the ray, in the plane's axes
 WaterMediumMet waterMediumMeet(WaterPoint point, vec3 dir)
 {
-  vec3 start = vec3(0.5 + 0.5 * point.ndc, gl_FragCoord.z);
+  vec3 start = vec3(0.5 + 0.5 * point.ndc, waterWindowDepth(point.ndc));
   WaterMediumRay ray =
     waterMediumTurn(WaterMediumRay(start, vec3(0.0), 1.0 / gl_FragCoord.w, 0.0), dir, 0.0);
   float pixel = max(length(point.across), length(point.down));

@@ -16,7 +16,9 @@ uniform mat3 waterNdcToRay;        // (NDC x, NDC y, 1) -> view ray in the plane
 uniform mat4 waterDirToEye;        // direction in the plane's axes -> clip of the eye
 uniform vec4 waterNormalClip;      // plane normal (towards the eye) in clip space, w included
 uniform vec2 waterReflectionScale; // part of the reflection texture that is the picture itself, without its band
-uniform float waterDepthScale;     // depth in the reflection texture / depth in the picture, of the surface
+uniform vec2 waterDepthScale;      // of the surface: its depth in the picture times x, plus y, in the reflection texture
+uniform int waterIsEndless;        // 1: gl_FragCoord's depth is held at the near and the far plane
+uniform vec4 waterPixelDepth;      // (NDC, 1, 1 / w) -> NDC depth
 uniform float waterSide;           // 1: seen from above, -1: from below
 uniform float waterEta;            // index beyond the surface / index on the eye's side
 uniform int waterIsReflecting;     // 0: there is no mirrored view
@@ -54,6 +56,13 @@ struct WaterPlaces
   vec4 shares; // 0: not a place of the reflection texture
 };
 
+// Window depth of the surface; of an endless one before the near plane and beyond the far plane, too.
+float waterWindowDepth(vec2 ndc)
+{
+  float endless = 0.5 + 0.5 * dot(waterPixelDepth, vec4(ndc, 1.0, gl_FragCoord.w));
+  return waterIsEndless != 0 ? endless : gl_FragCoord.z;
+}
+
 WaterPoint waterPoint()
 {
   WaterPoint point;
@@ -66,14 +75,14 @@ WaterPoint waterPoint()
   point.variance = vec4(waterSlopeVariance.xy, 0.0, 0.0);
   point.even = vec2(0.0);
   point.jacobian = 1.0;
-  vec4 clip = vec4(point.ndc, 2.0 * gl_FragCoord.z - 1.0, 1.0); // w cancels below
+  vec4 clip = vec4(point.ndc, 2.0 * waterWindowDepth(point.ndc) - 1.0, 1.0); // w cancels below
   float height = waterHeightOf(clip);
   vec4 mirrored = clip - 2.0 * height * waterNormalClip;
   point.height = height / gl_FragCoord.w;
   point.startW = mirrored.w / gl_FragCoord.w;
   vec3 window = 0.5 / mirrored.w * mirrored.xyz;
   point.start = vec3(0.5 + waterReflectionScale * vec2(-window.x, window.y),
-    waterDepthScale * (0.5 + window.z));
+    waterDepthScale.x * (0.5 + window.z) + waterDepthScale.y);
   return point;
 }
 

@@ -129,6 +129,7 @@ water_scene vtkWaterGather::ReadSecondary(
   std::copy_n(water.Origin, 3, scene.plane_origin);
   scene.look = water.Look.Optics;
   std::copy_n(water.Bounds, 6, scene.surface_bounds);
+  scene.is_endless = water.IsEndless;
   ReadSky(renderer, scene);
   ReadLights(renderer, scene);
   return scene;
@@ -213,6 +214,7 @@ void vtkWaterGather::ReadSurface(const std::vector<vtkWaterSnapshotPointer>& wat
   for (const vtkWaterSnapshotPointer& water : waters)
   {
     surface.AddBounds(water->Bounds);
+    this->Scene.is_endless = this->Scene.is_endless || water->IsEndless;
   }
   if (surface.IsValid())
   {

@@ -73,6 +73,7 @@ struct vtkWaterSnapshot
   double Bounds[6] = { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 }; // min > max: it has no surface
   bool IsSheet = false;                                   // the own one, and not moved
   double Sheet[4] = {};                                   // where it ends, in the plane's axes
+  bool IsEndless = false;                                 // that reaches to the horizon
   vtkWaterMesh Mesh;                                      // that is drawn at rest
   double Time = 0.0;                                      // s
   vtkWaterLook Look;

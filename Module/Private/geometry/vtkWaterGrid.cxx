@@ -25,8 +25,8 @@ bool AreEqual(const vtkWaterGrid::Place& a, const vtkWaterGrid::Place& b)
     std::equal(a.View.axes.y_dir, a.View.axes.y_dir + 3, b.View.axes.y_dir) &&
     std::equal(a.View.axes.origin, a.View.axes.origin + 3, b.View.axes.origin) &&
     std::equal(a.View.origin_xy, a.View.origin_xy + 2, b.View.origin_xy) &&
-    std::equal(a.Sheet, a.Sheet + 4, b.Sheet) && a.Height == b.Height && a.Reach == b.Reach &&
-    a.Size == b.Size;
+    std::equal(a.Sheet, a.Sheet + 4, b.Sheet) && a.IsEndless == b.IsEndless &&
+    a.Height == b.Height && a.Reach == b.Reach && a.Size == b.Size;
 }
 }
 
@@ -62,8 +62,6 @@ vtkPolyDataMapper* vtkWaterGrid::GetMapper()
 void vtkWaterGrid::Resize(int size)
 {
   const vtkIdType side = size + 1;
-  this->Points->SetNumberOfPoints(side * side);
-  this->Cells->SetNumberOfTuples(side * side);
   vtkNew<vtkCellArray> quads;
   quads->AllocateExact(
     static_cast<vtkIdType>(size) * size, 4 * static_cast<vtkIdType>(size) * size);
@@ -91,12 +89,24 @@ void vtkWaterGrid::Lay(const Place& place)
   {
     this->Resize(place.Size);
   }
+  // two points of no cell put the middle of all under the eye, from where floats count: an endless
+  // grid goes a million times as far as to what is near
+  const vtkIdType laid = static_cast<vtkIdType>(place.Size + 1) * (place.Size + 1);
+  const vtkIdType more = place.IsEndless ? 2 : 0;
+  this->Points->SetNumberOfPoints(laid + more);
+  this->Cells->SetNumberOfTuples(laid + more);
   this->Laid = place;
   auto* points = vtkDoubleArray::SafeDownCast(this->Points->GetData())->GetPointer(0);
-  if (!water_grid_lay(&place.View, place.Sheet, place.Height, place.Reach, place.Size, points,
-        this->Cells->GetPointer(0), this->RowDir))
+  if (!water_grid_lay(&place.View, place.IsEndless ? nullptr : place.Sheet, place.Height,
+        place.Reach, place.Size, points, this->Cells->GetPointer(0), this->RowDir))
   {
     std::fill(points, points + this->Points->GetData()->GetNumberOfValues(), 0.0); // shows nothing
+  }
+  for (vtkIdType i = 0; i < more; ++i)
+  {
+    this->Cells->SetTuple2(laid + i, 0.0, 0.0);
+    water_grid_balance(
+      &place.View, points, static_cast<size_t>(laid), i == 0 ? 1.0 : -1.0, points + 3 * (laid + i));
   }
   this->Points->GetData()->Modified();
   this->Points->Modified();

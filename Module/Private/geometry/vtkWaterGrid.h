@@ -21,7 +21,8 @@ public:
   {
     water_grid_view View;
     double Sheet[4];
-    double Height; // as in water_grid_lay
+    bool IsEndless; // whatever Sheet is
+    double Height;  // as in water_grid_lay
     double Reach;
     int Size;
   };

@@ -174,3 +174,19 @@ water_status vtkWaterSheet::Fit(const water_plane& plane, const double origin[3]
   this->SetRectangle(corners, unit.normal);
   return WATER_OK;
 }
+
+//------------------------------------------------------------------------------
+water_status vtkWaterSheet::Clear(const water_plane& plane)
+{
+  if (this->Points->GetNumberOfPoints() > 0)
+  {
+    this->Rectangle->SetPolys(nullptr);
+    this->Rectangle->GetPointData()->SetNormals(nullptr);
+    this->Points->Reset();
+    this->Points->Modified();
+    std::fill(this->Normal, this->Normal + 3, 0.0); // no sheet has that
+    this->Rectangle->Modified();
+  }
+  water_plane unit;
+  return water_plane_normalise(&plane, &unit);
+}

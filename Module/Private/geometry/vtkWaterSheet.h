@@ -34,6 +34,8 @@ public:
 
   // Bounds of what renderers show, waters left out; min > max: nothing.
   static void FindSceneBounds(const std::vector<vtkRenderer*>& scene, double bounds[6]);
+  // Leaves the sheet without a point, for one that has no end. WATER_BAD_PLANE: as Fit.
+  water_status Clear(const water_plane& plane);
 
 private:
   vtkWaterSheet(const vtkWaterSheet&) = delete;

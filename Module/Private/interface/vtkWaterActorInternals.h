@@ -7,6 +7,7 @@
 #include "vtkRenderer.h"
 #include "vtkWaterActor.h"
 #include "vtkWaterGrid.h"
+#include "vtkWaterHorizon.h"
 #include "vtkWaterMeshHeights.h"
 #include "vtkWaterMeshPlacement.h"
 #include "vtkWaterReflectionPass.h"
@@ -69,7 +70,15 @@ struct vtkWaterActor::Internals : public vtkWaterSource
   bool AskSea(const std::function<void(vtkWaterSea&)>& ask);
   // The own sheet as this eye sees it; a user's mapper is drawn as it is.
   vtkMapper* LayGrid(const vtkWaterSnapshot& water, const water_grid_view& view, vtkMapper* mapper);
-  // Draws the surface with its shader, or with the plain one when the driver refuses that.
+  // The endless sheet as the renderer's active camera sees it; a user's mapper, or a sheet with an
+  // end, is drawn as it is. nullptr: nothing of it is seen.
+  //
+  // eye   of that camera
+  // kept  where the sheet is wanted, as in water_horizon_make
+  vtkMapper* LayHorizon(const vtkWaterSnapshot& water, vtkRenderer* renderer,
+    const water_camera& eye, const double* kept, vtkMapper* mapper);
+  // Draws the surface with its shader, or with the plain one when the driver refuses that. Without
+  // a mapper there is nothing to draw.
   void DrawSurface(vtkWaterSurfaceShader& surface, vtkRenderer* renderer, vtkMapper* mapper);
 
   vtkWaterActor* Self;
@@ -77,6 +86,7 @@ struct vtkWaterActor::Internals : public vtkWaterSource
   vtkWaterMeshPlacement Placement; // of a mesh in the sheet's place
   vtkWaterMeshHeights Heights;     // of the same
   vtkWaterGrid Grid;               // the sheet when it is displaced
+  vtkWaterHorizon Horizon;         // the sheet when it has no end
   vtkWaterSurfaceShader Surface;
   vtkWaterSecondarySurface Secondary;
   vtkWaterSea Sea;

@@ -92,17 +92,17 @@ void vtkWaterShaderHook::ReplaceForWater(vtkWaterSource& water, std::string& ver
   {
     features &= ~ofVertices;
   }
-  else if ((features & ofVertices) &&
-    InsertDeclarations(vertexShader, vtkWaterSurfaceShader::GetVertexShader(features)))
+  if (InsertDeclarations(vertexShader, vtkWaterSurfaceShader::GetVertexShader(features)))
   {
     if (features & WATER_FEATURE_DISPLACED)
     {
       InsertBefore(vertexShader, "//VTK::CustomEnd::Impl", "  waterDisplace(gl_Position);");
     }
-    else
+    else if (features & WATER_FEATURE_MESH)
     {
       InsertBefore(vertexShader, "//VTK::CustomEnd::Impl", "  waterMeasure(vertexMC);");
     }
+    InsertBefore(vertexShader, "//VTK::CustomEnd::Impl", "  waterKeepDepth(gl_Position);");
   }
   InsertDeclarations(fragmentShader, vtkWaterSurfaceShader::GetShader(features));
 }
@@ -244,6 +244,8 @@ bool vtkWaterShaderHook::SetShaderParameters(
       this->Surface->SetParameters(program, mapper);
       if (this->Surface->GetIsSecondary())
       {
+        this->SetUp.erase(program); // two waters may share it, and one be cut already
+        this->LastSetUp = nullptr;
         this->SetMirroredParameters(program, mapper, prop); // which cut it
       }
       if (this->Probed)
@@ -320,13 +322,14 @@ void vtkWaterShaderHook::SetPeelParameters(vtkShaderProgram* program)
 
 //------------------------------------------------------------------------------
 void vtkWaterShaderHook::SetClipDistance(
-  vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp* prop)
+  vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp* prop, bool isCut)
 {
   auto* actor = vtkActor::SafeDownCast(prop);
   const bool mayBeCut =
     this->MayBeCut || !actor || vtkWaterMeshTraits::HasOwnShaders(mapper, actor);
   // off for a part of an assembly whose program has none: what it would cut is undefined
-  this->Mirrored.ClipDistance->Set(mayBeCut && !prop->IsRenderingTranslucentPolygonalGeometry() &&
+  this->Mirrored.ClipDistance->Set(isCut && mayBeCut &&
+    !prop->IsRenderingTranslucentPolygonalGeometry() &&
     program->IsUniformUsed("waterClipPosition"));
 }
 
@@ -336,18 +339,20 @@ void vtkWaterShaderHook::SetMirroredParameters(
 {
   static const double keepAll[4] = { 0.0, 0.0, 0.0, 1.0 };
   const water_plan* plan = this->Mirrored.Plan;
+  // an endless water is laid where it is not cut; its depths do not tell where it is
+  const bool isCut = plan && !(this->Surface && this->Surface->GetIsEndless());
   if (plan)
   {
-    this->SetClipDistance(program, mapper, prop);
+    this->SetClipDistance(program, mapper, prop, isCut);
   }
   // props share programs, and a program keeps its uniforms
   if (program == std::exchange(this->LastSetUp, program) || !this->SetUp.insert(program).second)
   {
     return;
   }
-  vtkWaterUniforms::Set4(program, "waterClipWindow", plan ? plan->clip_plane_window : keepAll);
-  vtkWaterUniforms::Set4(program, "waterClipPosition", plan ? plan->clip_plane_clip : keepAll);
-  vtkWaterUniforms::Set4(program, "waterClipView", plan ? plan->clip_plane_view : keepAll);
+  vtkWaterUniforms::Set4(program, "waterClipWindow", isCut ? plan->clip_plane_window : keepAll);
+  vtkWaterUniforms::Set4(program, "waterClipPosition", isCut ? plan->clip_plane_clip : keepAll);
+  vtkWaterUniforms::Set4(program, "waterClipView", isCut ? plan->clip_plane_view : keepAll);
   double headlight[4] = { 0.0, 0.0, -1.0, 0.0 };
   double place[4] = { 0.0, 0.0, 0.0, 0.0 };
   if (plan)

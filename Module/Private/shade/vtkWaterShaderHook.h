@@ -112,7 +112,8 @@ private:
   void SetIsAwaited(bool isAwaited);
   void SetPeeling(bool isPeeling);
   void SetPeelParameters(vtkShaderProgram* program);
-  void SetClipDistance(vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp* prop);
+  void SetClipDistance(
+    vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp* prop, bool isCut);
 
   View Mirrored;
   bool MayBeCut = true;

@@ -49,6 +49,7 @@ public:
     bool IsAtRest = true; // the surface is the snapshot's mesh; false: waves move it
     const water_grid_view* View = nullptr; // waves move the vertices; nullptr: they do not
     const double* RowDir = nullptr;        // of the grid under them
+    double HorizonDepths[3] = {};          // of an endless surface: water_horizon_depths
     bool IsSecondary = false;              // in the mirrored view of another water
     bool IsWarmUp = false;                 // no pixel is drawn: what takes long is made
     bool AddsFog = false;                  // to all that the eye sees, which is in the water
@@ -57,11 +58,12 @@ public:
   // Of the last draw.
   unsigned GetFeatures() const { return this->Features; }
   bool GetIsSecondary() const { return this->Drawn.IsSecondary; }
+  bool GetIsEndless() const { return this->Water && this->Water->IsEndless; }
 
   // The source that defines waterShade.
   static std::string GetShader(unsigned features);
 
-  // The source that defines waterDisplace or waterMeasure, for vertices.
+  // The source that defines waterKeepDepth, and waterDisplace or waterMeasure, for vertices.
   static std::string GetVertexShader(unsigned features);
 
   // Is another shader needed than for the last draw?

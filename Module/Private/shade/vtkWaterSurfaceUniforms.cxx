@@ -58,6 +58,9 @@ void vtkWaterSurfaceShader::SetParameters(vtkShaderProgram* program, vtkAbstract
   uniforms::Set3(program, "waterDeepColor", deepColor);
   uniforms::Set(program, "waterWaveCount", this->WaveCount);
   this->SetDisplacement(program);
+  static const double cut[3] = { 0.0, 0.0, 0.0 };
+  uniforms::Set3(
+    program, "waterHorizonDepths", this->Water->IsEndless ? this->Drawn.HorizonDepths : cut);
   if (plan)
   {
     this->SetVertexHeights(program, mapper);
@@ -91,6 +94,8 @@ void vtkWaterSurfaceShader::SetViewParameters(vtkShaderProgram* program)
   uniforms::SetMatrix3(program, "waterNdcToRay", plan.ndc_to_ray);
   uniforms::SetMatrix3(program, "waterNdcToPlane", plan.ndc_to_plane);
   uniforms::SetMatrix4x3(program, "waterDirToEye", plan.dir_to_eye);
+  uniforms::Set(program, "waterIsEndless", this->Water->IsEndless ? 1 : 0);
+  uniforms::Set4(program, "waterPixelDepth", plan.pixel_depth);
   uniforms::Set(program, "waterSide", plan.side == WATER_BELOW ? -1.0 : 1.0);
   // its own: the plan may have been made for several waters
   const vtkWaterLook& look = this->Water->Look;
@@ -105,7 +110,7 @@ void vtkWaterSurfaceShader::SetViewParameters(vtkShaderProgram* program)
   uniforms::Set(program, "waterFootprint", look.RayTraceFootprint);
   uniforms::Set(program, "waterSceneIsMixed", this->Backdrop.GetIsMixed() ? 1 : 0);
   double sheet[4] = { -kFarUp, kFarUp, -kFarUp, kFarUp };
-  for (int i = 0; i < 4 && this->Water->IsSheet; ++i)
+  for (int i = 0; i < 4 && this->Water->IsSheet && !this->Water->IsEndless; ++i)
   {
     sheet[i] = this->Water->Sheet[i] - plan.origin_xy[i / 2];
   }
@@ -156,7 +161,8 @@ void vtkWaterSurfaceShader::SetReflectionParameters(vtkShaderProgram* program)
   {
     return;
   }
-  uniforms::Set(program, "waterDepthScale", plan.depth_scale);
+  const double depths[2] = { plan.depth_scale, plan.depth_offset };
+  uniforms::Set2(program, "waterDepthScale", depths);
   uniforms::Set2(program, "waterReflectionScale", plan.reflection_scale);
   const double texels[2] = { static_cast<double>(this->Drawn.Reflection->GetWidth()),
     static_cast<double>(this->Drawn.Reflection->GetHeight()) };

@@ -41,6 +41,6 @@ void vtkWaterVisibility::ReadDepths(
   glReadPixels(origin[0], origin[1] + rows[0], size[0], rows[1], GL_DEPTH_COMPONENT, GL_FLOAT,
     this->Depths.data());
   state->PopReadFramebufferBinding();
-  water_visibility_mark(&this->Seen, size, plan.plane_clip, plan.height_rounding, rows,
-    this->Depths.data(), this->Row.data(), this->Cells.data());
+  water_visibility_mark(&this->Seen, size, plan.is_endless, plan.plane_clip, plan.height_rounding,
+    rows, this->Depths.data(), this->Row.data(), this->Cells.data());
 }

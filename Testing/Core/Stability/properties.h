@@ -16,6 +16,9 @@ static const double stress_u = 1.1102230246251565e-16; // 2^-53
 void stress_plane(const stress_case* of, stress_record* record);
 void stress_optics(stress_case* of, stress_record* record);
 
+// May the eye not be told from the plane? It is taken to be over it then (water_select_level).
+bool stress_is_on_plane(const stress_case* of);
+
 // The plan is made, or is refused as *status says.
 void stress_decision(
   const stress_case* of, const water_plan* plan, water_status status, stress_record* record);

@@ -3,6 +3,8 @@
 #include "properties.h"
 
 #include "water_mirror.h"
+#include "water_plane.h"
+#include "water_select.h"
 
 #include <math.h>
 
@@ -30,13 +32,22 @@ static double reach_of(const stress_case* of, const quad point[3])
   return (double)quad_length(point) + absolute(of->offset) + view_offset(of);
 }
 
+bool stress_is_on_plane(const stress_case* of)
+{
+  water_plane unit;
+  water_eye eye;
+  water_side side;
+  return water_plane_normalise(&of->scene.plane, &unit) == WATER_OK &&
+    water_camera_decompose(&of->scene.eye, &eye) == WATER_OK &&
+    water_select_side(&eye, &unit, &side) == WATER_CAMERA_ON_PLANE;
+}
+
 void stress_decision(
   const stress_case* of, const water_plan* plan, water_status status, stress_record* record)
 {
-  const bool is_on_plane = status == WATER_CAMERA_ON_PLANE;
-  stress_keep(
-    record, ACCEPTED, of->far_z / of->near_z, status == WATER_OK || is_on_plane ? 0.0 : 1.0, 0.0);
-  if (status != WATER_OK && !is_on_plane)
+  const bool is_on_plane = stress_is_on_plane(of);
+  stress_keep(record, ACCEPTED, of->far_z / of->near_z, status == WATER_OK ? 0.0 : 1.0, 0.0);
+  if (status != WATER_OK)
   {
     return;
   }
