@@ -8,7 +8,8 @@ from vtkmodules.vtkRenderingCore import vtkProperty
 from vtkwater import vtkWaterActor, vtkWaterProperty
 
 RED, BLUE = (1.0, 0.0, 0.0), (0.0, 0.0, 1.0)
-DEFAULT = vtkWaterProperty().GetDeepColor()
+DARK = (0.02, 0.09, 0.13)
+MEDIUM = None  # no colour is set: that of the water's medium, in the light there is
 
 
 def make():
@@ -22,7 +23,7 @@ def make():
 def picture_of_color(color):
     """With this colour of the look itself."""
     view, water = make()
-    if color != DEFAULT:
+    if color is not MEDIUM:
         water.GetWaterProperty().SetDeepColor(color)
     return view.picture()
 
@@ -45,9 +46,9 @@ def by_a_look_that_was_set(water):
     water.GetWaterProperty().SetDeepColor(BLUE)
 
 
-def by_a_look_that_was_set_to_the_default(water):
+def by_a_look_that_was_set_to_what_it_was(water):
     water.GetProperty().SetColor(RED)
-    water.GetWaterProperty().SetDeepColor(DEFAULT)
+    water.GetWaterProperty().SetDeepColor(water.GetWaterProperty().GetDeepColor())
 
 
 def by_a_preset_after_the_look(water):
@@ -73,7 +74,7 @@ def refused_by_the_look(water):
 def by_a_copy_of_the_look(water):
     water.GetProperty().SetColor(RED)
     other = vtkWaterProperty()
-    other.SetDeepColor(DEFAULT)
+    other.SetDeepColor(DARK)
     water.GetWaterProperty().DeepCopy(other)
 
 
@@ -81,14 +82,14 @@ CASES = {
     "of SetColor": (lambda water: water.GetProperty().SetColor(RED), RED),
     "of SetDiffuseColor": (lambda water: water.GetProperty().SetDiffuseColor(RED), RED),
     "of SetProperty": (given_in_a_property, RED),
-    "not of white, which VTK begins with": (lambda water: water.GetProperty().SetColor(1, 1, 1), DEFAULT),
-    "not of the colour of highlights": (lambda water: water.GetProperty().SetSpecularColor(RED), DEFAULT),
+    "not of white, which VTK begins with": (lambda water: water.GetProperty().SetColor(1, 1, 1), MEDIUM),
+    "not of the colour of highlights": (lambda water: water.GetProperty().SetSpecularColor(RED), MEDIUM),
     "of the look that was set": (by_a_look_that_was_set, BLUE),
-    "of the look that was set to the default": (by_a_look_that_was_set_to_the_default, DEFAULT),
+    "of the look that was set to what it was": (by_a_look_that_was_set_to_what_it_was, vtkWaterProperty().GetDeepColor()),
     "of the actor after a preset": (by_a_preset_after_the_look, RED),
     "of the actor after a water type": (by_a_type_after_the_look, RED),
     "of the actor when the look refuses one": (refused_by_the_look, RED),
-    "of the look whose copy was set": (by_a_copy_of_the_look, DEFAULT),
+    "of the look whose copy was set": (by_a_copy_of_the_look, DARK),
 }
 
 
@@ -100,7 +101,7 @@ def test_the_color_is(name):
 
 def test_the_colors_differ():
     """The colours that are compared here are told apart by the pictures."""
-    for one, other in ((RED, BLUE), (RED, DEFAULT), (BLUE, DEFAULT)):
+    for one, other in ((RED, BLUE), (RED, MEDIUM), (BLUE, MEDIUM), (RED, DARK)):
         wt.check_at_least(f"{one} and {other}", wt.difference(picture_of_color(one), picture_of_color(other)), 100)
 
 
@@ -110,8 +111,8 @@ def test_a_color_that_is_set_between_frames_is_seen():
     view.picture()
     water.GetProperty().SetColor(RED)
     wt.check_equal("difference", wt.difference(view.picture(), picture_of_color(RED)), 0)
-    water.GetWaterProperty().SetDeepColor(DEFAULT)
-    wt.check_equal("difference, the look's again", wt.difference(view.picture(), picture_of_color(DEFAULT)), 0)
+    water.GetWaterProperty().SetDeepColor(DARK)
+    wt.check_equal("difference, the look's again", wt.difference(view.picture(), picture_of_color(DARK)), 0)
 
 
 def test_opacity_multiplies():
@@ -151,11 +152,11 @@ def test_a_copy_of_the_actor_has_the_color():
     wt.check_equal("difference", wt.difference(view.picture(), picture_of_color(RED)), 0)
 
 
-def test_the_default_that_is_set_is_a_change_once():
+def test_a_color_that_is_set_to_what_it_was_is_a_change_once():
     """A colour that is set to the value it has is a change the first time: it wins from then on."""
     look = vtkWaterProperty()
     times = [look.GetMTime()]
     for _ in range(2):
-        look.SetDeepColor(DEFAULT)
+        look.SetDeepColor(look.GetDeepColor())
         times.append(look.GetMTime())
     wt.check_equal("later the first time, and the second", (times[1] > times[0], times[2] > times[1]), (True, False))
