@@ -25,32 +25,6 @@
 VTK_ABI_NAMESPACE_BEGIN
 vtkStandardNewMacro(vtkWaterActor);
 
-namespace
-{
-// The renderers that show a prop, itself or as a part of assemblies.
-void FindRenderers(vtkProp* prop, std::vector<vtkRenderer*>& renderers)
-{
-  for (int i = 0; i < prop->GetNumberOfConsumers(); ++i)
-  {
-    vtkObject* consumer = prop->GetConsumer(i);
-    if (auto* renderer = vtkRenderer::SafeDownCast(consumer))
-    {
-      renderers.push_back(renderer);
-    }
-    else if (auto* assembly = vtkProp::SafeDownCast(consumer))
-    {
-      FindRenderers(assembly, renderers);
-    }
-  }
-}
-
-bool IsRendering(vtkRenderer* renderer)
-{
-  vtkRenderWindow* window = renderer->GetRenderWindow();
-  return (window && window->CheckInRenderStatus()) || vtkWaterFrame::NumberOf(renderer) != 0;
-}
-}
-
 //------------------------------------------------------------------------------
 vtkWaterActor::vtkWaterActor()
   : Internal(std::make_unique<Internals>(this))
@@ -105,50 +79,6 @@ vtkPlane* vtkWaterActor::GetPlane()
 }
 
 //------------------------------------------------------------------------------
-void vtkWaterActor::SetSheetBounds(double xmin, double xmax, double ymin, double ymax)
-{
-  const double bounds[4] = { xmin, xmax, ymin, ymax };
-  if (!std::all_of(bounds, bounds + 4, [](double bound) { return vtkMath::IsFinite(bound); }) ||
-    !(xmin < xmax && ymin < ymax))
-  {
-    vtkErrorMacro("SheetBounds are (" << xmin << ", " << xmax << ", " << ymin << ", " << ymax
-                                      << "); they must be finite with xmin < xmax and ymin < ymax. "
-                                         "They stay as they were.");
-    return;
-  }
-  if (!this->UseSheetBounds || !std::equal(bounds, bounds + 4, this->SheetBounds))
-  {
-    std::copy(bounds, bounds + 4, this->SheetBounds);
-    this->UseSheetBounds = true;
-    this->SheetToHorizon = false;
-    this->Modified();
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkWaterActor::ResetSheetBounds()
-{
-  if (this->UseSheetBounds || this->SheetToHorizon)
-  {
-    std::fill(this->SheetBounds, this->SheetBounds + 4, 0.0);
-    this->UseSheetBounds = false;
-    this->SheetToHorizon = false;
-    this->Modified();
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkWaterActor::SetSheetToHorizon()
-{
-  if (!this->SheetToHorizon)
-  {
-    this->ResetSheetBounds();
-    this->SheetToHorizon = true;
-    this->Modified();
-  }
-}
-
-//------------------------------------------------------------------------------
 void vtkWaterActor::SetWaterProperty(vtkWaterProperty* property)
 {
   if (!property)
@@ -186,82 +116,6 @@ const char* vtkWaterActor::GetLastError() const
 vtkWaterSource* vtkWaterActor::GetSource()
 {
   return this->Internal.get();
-}
-
-//------------------------------------------------------------------------------
-bool vtkWaterActor::UsesOwnSheet()
-{
-  return this->Mapper == this->Internal->Sheet.GetMapper();
-}
-
-//------------------------------------------------------------------------------
-void vtkWaterActor::UpdateSheet()
-{
-  Internals& internal = *this->Internal;
-  if (internal.IsUpdatingSheet)
-  {
-    return; // the scene was asked for its bounds, and asks all that it holds
-  }
-  if (!this->UsesOwnSheet())
-  {
-    const bool hasInput = this->Mapper->GetNumberOfInputPorts() == 0 ||
-      this->Mapper->GetNumberOfInputConnections(0) > 0;
-    internal.Report(nullptr,
-      hasInput
-        ? vtkWaterError()
-        : vtkWaterError{ "no input", "the water's mapper has no input. There is no water." });
-    return;
-  }
-  std::vector<vtkRenderer*> scene;
-  FindRenderers(this, scene);
-  if (scene.empty() && !this->UseSheetBounds && !this->SheetToHorizon)
-  {
-    return; // not in a scene yet
-  }
-  const vtkMTimeType frame = scene.empty() ? 0 : vtkWaterFrame::NumberOf(scene.front());
-  if (frame != 0 && internal.FittedFrame == frame)
-  {
-    return; // asking all props for their bounds costs time
-  }
-  internal.FittedFrame = frame;
-  vtkWaterSnapshot fitted; // what errors name
-  internal.ReadPlane(&fitted.Plane, fitted.Origin);
-  std::copy_n(this->Plane->GetOrigin(), 3, fitted.GivenOrigin);
-  std::copy_n(this->Plane->GetNormal(), 3, fitted.GivenNormal);
-  internal.IsUpdatingSheet = true;
-  const water_status status = this->SheetToHorizon
-    ? internal.Sheet.Clear(fitted.Plane)
-    : internal.Sheet.Fit(
-        fitted.Plane, fitted.Origin, this->UseSheetBounds ? this->SheetBounds : nullptr, scene);
-  internal.IsUpdatingSheet = false;
-  if (status == WATER_BAD_SURFACE && std::none_of(scene.begin(), scene.end(), IsRendering))
-  {
-    return; // asked for its bounds while there is nothing yet to be as wide as: no frame, no fault
-  }
-  if (status != WATER_OK)
-  {
-    internal.GetOwnReflection().Decline(WATER_NO_REFLECT_FAILED);
-  }
-  internal.Report(nullptr, status == WATER_OK ? vtkWaterError() : vtkWaterDescribe(status, fitted));
-}
-
-//------------------------------------------------------------------------------
-double vtkWaterActor::Internals::GetSceneDiagonal()
-{
-  std::vector<vtkRenderer*> scene;
-  FindRenderers(this->Self, scene);
-  const vtkMTimeType frame = scene.empty() ? 0 : vtkWaterFrame::NumberOf(scene.front());
-  if (!this->IsUpdatingSheet && (frame == 0 || frame != this->MeasuredFrame))
-  {
-    this->MeasuredFrame = frame;
-    double bounds[6];
-    this->IsUpdatingSheet = true; // a scene that is asked for its bounds asks this water, too
-    vtkWaterSheet::FindSceneBounds(scene, bounds);
-    this->IsUpdatingSheet = false;
-    this->SceneDiagonal =
-      vtkMath::AreBoundsInitialized(bounds) ? vtkBoundingBox(bounds).GetDiagonalLength() : 0.0;
-  }
-  return this->SceneDiagonal;
 }
 
 //------------------------------------------------------------------------------
@@ -354,6 +208,10 @@ void vtkWaterActor::ShallowCopy(vtkProp* prop)
     {
       this->SetSheetBounds(other->SheetBounds);
     }
+    else if (other->SheetIsAutomatic)
+    {
+      this->SetSheetToAutomatic();
+    }
     else if (other->SheetToHorizon)
     {
       this->SetSheetToHorizon();
@@ -389,7 +247,8 @@ void vtkWaterActor::PrintSelf(ostream& os, vtkIndent indent)
   }
   else
   {
-    os << (this->SheetToHorizon ? "to the horizon\n" : "those of the scene\n");
+    os << (this->SheetToHorizon ? "to the horizon" : "those of the scene")
+       << (this->SheetIsAutomatic ? " (automatic)\n" : "\n");
   }
   os << indent << "Surface: " << (this->UsesOwnSheet() ? "own sheet" : "mapper of the user")
      << "\n";

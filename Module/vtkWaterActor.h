@@ -36,6 +36,7 @@
 #include "vtkWrappingHints.h"        // for VTK_WRAPEXCLUDE
 
 #include <memory> // for std::unique_ptr
+#include <vector>
 
 class vtkWaterSource;
 
@@ -45,6 +46,7 @@ VTK_ABI_NAMESPACE_BEGIN
 
 class vtkOpenGLRenderer;
 class vtkPlane;
+class vtkRenderer;
 class vtkWaterProperty;
 class vtkWaterReflectionPass;
 
@@ -104,6 +106,17 @@ public:
    */
   void SetSheetToHorizon();
   vtkGetMacro(SheetToHorizon, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Let the scene say how wide the own sheet is: as wide as the scene where that has ground under
+   * all of its water, as a terrain or a basin with a floor has; to the horizon where things stand
+   * or float in open water. Looked at again when the scene changes; GetSheetToHorizon tells what it
+   * came to. SetSheetBounds, ResetSheetBounds and SetSheetToHorizon replace it. Default is off.
+   */
+  void SetSheetToAutomatic();
+  vtkGetMacro(SheetIsAutomatic, bool);
   ///@}
 
   ///@{
@@ -202,6 +215,8 @@ private:
   bool UsesOwnSheet();
   // Does the own sheet reach to the horizon?
   bool IsEndless() { return this->SheetToHorizon && this->UsesOwnSheet(); }
+  // Of an automatic sheet: does it reach to the horizon?
+  void ChooseSheet(const std::vector<vtkRenderer*>& scene);
   // Fits the own sheet to the scene and the plane; does nothing with a mapper of the user's.
   void UpdateSheet();
   // Draws the surface in the mirrored view of another water.
@@ -219,6 +234,7 @@ private:
   double SheetBounds[4] = { 0.0, 0.0, 0.0, 0.0 };
   bool UseSheetBounds = false;
   bool SheetToHorizon = false;
+  bool SheetIsAutomatic = false;
   double DisplacedBounds[6] = {};
   double Time = 0.0;
 };

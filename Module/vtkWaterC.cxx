@@ -100,6 +100,12 @@ vtk_water_status vtk_water_actor_set_sheet_bounds(vtk_water_actor* actor, const 
     actor, [=](vtkWaterActor* water, vtkWaterProperty*) { water->SetSheetBounds(bounds); });
 }
 
+vtk_water_status vtk_water_actor_set_sheet_to_automatic(vtk_water_actor* actor)
+{
+  return Change(
+    actor, [](vtkWaterActor* water, vtkWaterProperty*) { water->SetSheetToAutomatic(); });
+}
+
 vtk_water_status vtk_water_actor_set_sheet_to_horizon(vtk_water_actor* actor)
 {
   return Change(actor, [](vtkWaterActor* water, vtkWaterProperty*) { water->SetSheetToHorizon(); });

@@ -80,6 +80,8 @@ VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_actor_set_sheet_bounds(
 
 /* Let the sheet fill whatever the camera sees of the plane, up to the horizon, and be no part of
  * the scene's bounds; vtk_water_actor_set_sheet_bounds replaces it, and the other way round. */
+VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_actor_set_sheet_to_automatic(
+  vtk_water_actor* actor); /* as wide as a scene with ground under all water, else to the horizon */
 VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_actor_set_sheet_to_horizon(
   vtk_water_actor* actor);
 

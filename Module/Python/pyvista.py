@@ -111,12 +111,14 @@ def add_water(
 
     surface : pyvista.DataSet, optional
         The water's surface, such as a lake's polygon or a free surface: it must lie in the plane, but for its waves.
-        By default a sheet over the bounds of the scene, of what is added later, too.
+        By default a sheet of its own.
 
     bounds : sequence[float] | str, optional
         Of that sheet: ``(xmin, xmax, ymin, ymax)``, along x and y of level water, and otherwise along the
-        plane's own axes (:vtk:`vtkWaterActor`'s ``SetSheetBounds``); or ``'horizon'``: it fills what the camera sees
-        of the plane, and is no part of the plotter's bounds (``SetSheetToHorizon``). Not together with ``surface``.
+        plane's own axes (:vtk:`vtkWaterActor`'s ``SetSheetBounds``); ``'horizon'``: it fills what the camera sees
+        of the plane, and is no part of the plotter's bounds (``SetSheetToHorizon``); or ``'scene'``: it is as wide as
+        the scene, with what is added later. By default as wide as a scene that has ground under all of its water, such
+        as a terrain, and else to the horizon (``SetSheetToAutomatic``). Not together with ``surface``.
 
     color : ColorLike, optional
         Colour of the water itself, where it does not reflect.
@@ -199,6 +201,8 @@ def add_water(
     with raising(actor):
         if bounds is not None:
             set_bounds(actor, bounds)
+        else:
+            actor.SetSheetToAutomatic()
         actor.SetTime(number("time", time))
     if mapper is not None:
         actor.SetMapper(mapper)
@@ -297,8 +301,10 @@ def set_bounds(actor, bounds):
         actor.SetSheetBounds(numbers("bounds", bounds, 4))
     elif bounds == "horizon":
         actor.SetSheetToHorizon()
+    elif bounds == "scene":
+        actor.ResetSheetBounds()
     else:
-        raise ValueError(f"bounds is {bounds!r}; it must be 'horizon' or four numbers (xmin, xmax, ymin, ymax)")
+        raise ValueError(f"bounds is {bounds!r}; it must be 'horizon', 'scene' or four numbers (xmin, xmax, ymin, ymax)")
 
 
 def mapper_of(surface):

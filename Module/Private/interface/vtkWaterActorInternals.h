@@ -7,6 +7,7 @@
 #include "vtkRenderer.h"
 #include "vtkWaterActor.h"
 #include "vtkWaterGrid.h"
+#include "vtkWaterGround.h"
 #include "vtkWaterHorizon.h"
 #include "vtkWaterMeshHeights.h"
 #include "vtkWaterMeshPlacement.h"
@@ -83,6 +84,7 @@ struct vtkWaterActor::Internals : public vtkWaterSource
 
   vtkWaterActor* Self;
   vtkWaterSheet Sheet;
+  vtkWaterGround Ground;
   vtkWaterMeshPlacement Placement; // of a mesh in the sheet's place
   vtkWaterMeshHeights Heights;     // of the same
   vtkWaterGrid Grid;               // the sheet when it is displaced

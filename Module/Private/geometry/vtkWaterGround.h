@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkWaterGround: has a scene ground under all of its water? Asked once for what the scene shows.
+#ifndef vtkWaterGround_h
+#define vtkWaterGround_h
+
+#include "vtkType.h"
+#include "water_ground.h"
+#include "water_types.h"
+
+#include <vector>
+
+class vtkDataSet;
+class vtkMatrix4x4;
+class vtkProp;
+class vtkRenderer;
+
+class vtkWaterGround
+{
+public:
+  // plane   of any scale; its origin is the origin of the axes
+  // bounds  of the scene, in world
+  // scene   renderers whose props are looked at, waters left out
+  bool IsUnder(const water_plane& plane, const double origin[3], const double bounds[6],
+    const std::vector<vtkRenderer*>& scene);
+
+private:
+  struct Axes
+  {
+    double Origin[3];
+    double X[3];
+    double Y[3];
+    double Up[3];
+  };
+
+  void Add(vtkProp* prop, const Axes& axes);
+  void AddPoints(vtkDataSet* data, vtkMatrix4x4* matrix, const Axes& axes);
+
+  std::vector<double> Key; // what the answer is of
+  water_ground Ground = water_ground();
+  bool IsKnownUnder = false;
+};
+
+#endif
