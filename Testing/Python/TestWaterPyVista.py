@@ -250,7 +250,7 @@ WRONG = [  # the exception, a part of its text, the argument
     (ValueError, "WindSpeed is -3", {"waves": -3}),
     (ValueError, "bounds must have 4 numbers, not 6", {"bounds": (0, 1, 0, 1, 0, 1)}),
     (ValueError, "xmin < xmax", {"bounds": (1, 0, 0, 1)}),
-    (ValueError, "bounds is 'horizont'; it must be 'horizon' or four numbers", {"bounds": "horizont"}),
+    (ValueError, "bounds is 'horizont'; it must be 'horizon', 'scene' or four numbers", {"bounds": "horizont"}),
     (ValueError, "normal is 'up'", {"normal": "up"}),
     (ValueError, "normal is (0.0, 0.0, 0.0)", {"normal": (0, 0, 0)}),
     (ValueError, "origin must have 3 numbers, not 2", {"origin": (0, 0)}),

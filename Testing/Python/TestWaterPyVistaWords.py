@@ -11,6 +11,7 @@ import water_test as wt
 
 try:
     import pyvista as pv
+    import pyvista.examples
 except ImportError as error:
     reason = f"{error}; Testing/Python/requirements.txt says what to install"
     print(f"skipped: {reason}")
@@ -406,3 +407,18 @@ def test_a_wrong_slider_raises(kind, text, call, plotter):
     except (TypeError, ValueError) as error:
         raised = error
     wt.check_equal(f"{raised}", (type(raised), text in str(raised), len(sliders_of(plotter))), (kind, True, 0))
+
+
+def test_bounds_by_default_follow_the_scene(plotter):
+    """Without bounds the sheet ends with a terrain, and reaches to the horizon around what stands in the water."""
+    plotter.add_mesh(pv.ParametricTorus())
+    water = plotter.add_water()
+    plotter.render()
+    wt.check_equal("around a torus: to the horizon", (water.GetSheetIsAutomatic(), water.GetSheetToHorizon()), (True, True))
+    plotter.clear()
+    plotter.add_mesh(pv.examples.load_random_hills())
+    water = plotter.add_water(level=2)
+    plotter.render()
+    wt.check_equal("on hills: to the horizon", water.GetSheetToHorizon(), False)
+    water = plotter.add_water(level=2, bounds="scene")
+    wt.check_equal("bounds='scene': automatic", water.GetSheetIsAutomatic(), False)

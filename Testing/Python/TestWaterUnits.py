@@ -134,7 +134,7 @@ def test_automatic_water_looks_the_same_at_any_size(size):
         wt.check_at_most("share of the pixels that differ", float(off.mean()), SAME)
     metres = float(printed(water).split(":")[1].split(";")[0])
     diagonal = np.linalg.norm(np.diff(np.array(bounds_of(other.renderer)).reshape(3, 2)))
-    wt.check_at_least("m across", metres * diagonal, 99.9)
+    wt.check_at_least("m across", metres * diagonal, 199.9)
     wt.check_at_most("m across", metres * diagonal, 1000.1)
 
 

@@ -94,7 +94,7 @@ static void add_particles(double backward, water_medium* medium)
 
 void water_preset_default(water_medium* medium, double natural_m[2])
 {
-  natural_m[0] = 100.0;
+  natural_m[0] = 200.0;
   natural_m[1] = 1000.0;
   water_type_medium(WATER_TYPE_IB, medium);
   add_particles(0.006, medium);

@@ -1,0 +1,171 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""An automatic sheet is as wide as a scene that has ground under all of its water, and else reaches to the horizon."""
+
+import numpy as np
+import pytest
+import water_test as wt
+from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet, vtkPlane, vtkStructuredGrid
+from vtkmodules.vtkFiltersGeometry import vtkStructuredGridGeometryFilter
+from vtkmodules.vtkRenderingCore import vtkActor, vtkAssembly, vtkCompositePolyDataMapper, vtkPolyDataMapper
+from vtkwater import vtkWaterActor
+
+
+def terrain(size=10.0, points=40, place=(0.0, 0.0, 0.0)):
+    x, y = np.meshgrid(*[np.linspace(-0.5, 0.5, points)] * 2)
+    heights = 0.08 * np.sin(9 * x) * np.cos(7 * y)
+    grid = vtkStructuredGrid()
+    grid.SetDimensions(points, points, 1)
+    vertices = vtkPoints()
+    vertices.SetData(numpy_to_vtk(size * np.stack([x, y, heights], axis=-1).reshape(-1, 3) + place, deep=True))
+    grid.SetPoints(vertices)
+    outside = vtkStructuredGridGeometryFilter()
+    outside.SetInputData(grid)
+    outside.Update()
+    return outside.GetOutput()
+
+
+def of_blocks(data):
+    blocks = vtkMultiBlockDataSet()
+    blocks.SetBlock(0, data)
+    mapper = vtkCompositePolyDataMapper()
+    mapper.SetInputDataObject(blocks)
+    actor = vtkActor()
+    actor.SetMapper(mapper)
+    return actor
+
+
+def actor_of(data):
+    mapper = vtkPolyDataMapper()
+    mapper.SetInputData(data)
+    actor = vtkActor()
+    actor.SetMapper(mapper)
+    return actor
+
+
+def in_assembly(data):
+    """Moved and turned by what it is a part of."""
+    assembly = vtkAssembly()
+    actor = actor_of(data)
+    actor.SetPosition(100, 50, 0)
+    assembly.AddPart(actor)
+    assembly.RotateZ(90)
+    return assembly
+
+
+def pool():
+    floor, wall = wt.box((0, 0, -2.1), (12, 6, 0.2)), wt.box((0, 3.1, -1), (12.4, 0.2, 2.5))
+    return [actor_of(floor), actor_of(wall)]
+
+
+LAND = {
+    "terrain": lambda: [actor_of(terrain())],
+    "terrain of a millimetre": lambda: [actor_of(terrain(1e-3))],
+    "terrain of 10,000 km": lambda: [actor_of(terrain(1e7))],
+    "terrain of 250,000 points": lambda: [actor_of(terrain(10.0, 500))],
+    "terrain far away": lambda: [actor_of(terrain(10.0, 40, (1e6, 2e6, 0)))],
+    "terrain in blocks": lambda: [of_blocks(terrain())],
+    "terrain in an assembly": lambda: [in_assembly(terrain())],
+    "terrain and a tower": lambda: [actor_of(terrain()), actor_of(wt.box((1, 1, 2), (0.5, 0.5, 4)))],
+    "two halves": lambda: [actor_of(terrain()), actor_of(terrain(10.0, 40, (10, 0, 0)))],
+    "pool": pool,
+}
+SEA = {
+    "sphere": lambda: [actor_of(wt.sphere((0, 0, 0), 1))],
+    "block": lambda: [actor_of(wt.box((0, 0, 0), (2, 3, 4)))],
+    "islands": lambda: [actor_of(wt.sphere((x, x * x, 0), 1)) for x in (0, 3, 7)],
+    "terrain and a ship far out": lambda: [actor_of(terrain()), actor_of(wt.box((40, 0, 0), (2, 1, 1)))],
+    "invisible terrain": lambda: [actor_of(wt.sphere((0, 0, 0), 1)), hidden(actor_of(terrain()))],
+}
+
+
+def hidden(actor):
+    actor.VisibilityOff()
+    return actor
+
+
+def scene_of(props, water_first=False):
+    view = wt.View((64, 48))
+    water = vtkWaterActor()
+    water.SetSheetToAutomatic()
+    for prop in [water, *props] if water_first else [*props, water]:
+        view.renderer.AddViewProp(prop)
+    view.renderer.ResetCamera()
+    view.picture()
+    return view, water
+
+
+@pytest.mark.parametrize("water_first", (False, True))
+@pytest.mark.parametrize("name", LAND, ids=lambda name: name.replace(" ", "_"))
+def test_ground_ends_the_water(name, water_first):
+    view, water = scene_of(LAND[name](), water_first)
+    wt.check_equal("it reaches to the horizon", water.GetSheetToHorizon(), False)
+    wt.check_equal("errors", water.GetLastError(), "")
+    bounds = np.array(water.GetBounds())
+    water.VisibilityOff()
+    scene = np.array(view.renderer.ComputeVisiblePropBounds())
+    wt.check_at_most("as wide as the scene, off by, of that",
+                     float(np.abs(bounds - scene)[:4].max() / np.ptp(scene[:2])), 1e-6)
+
+
+@pytest.mark.parametrize("water_first", (False, True))
+@pytest.mark.parametrize("name", SEA, ids=lambda name: name.replace(" ", "_"))
+def test_open_water_goes_to_the_horizon(name, water_first):
+    _, water = scene_of(SEA[name](), water_first)
+    wt.check_equal("it reaches to the horizon", water.GetSheetToHorizon(), True)
+    wt.check_equal("it has no bounds", water.GetBounds(), None)
+    wt.check_equal("errors", water.GetLastError(), "")
+
+
+def test_it_is_looked_at_again_when_the_scene_changes():
+    ship, land = actor_of(wt.box((0, 0, 0), (2, 1, 1))), actor_of(terrain())
+    view, water = scene_of([ship])
+    for what, change, is_endless in (
+            ("a ship", lambda: None, True), ("land comes", lambda: view.renderer.AddActor(land), False),
+            ("the ship leaves", lambda: ship.SetPosition(60, 0, 0), True), ("and returns", lambda: ship.SetPosition(0, 0, 0), False),
+            ("the land rises", lambda: land.SetPosition(0, 0, 3), False), ("it goes", lambda: view.renderer.RemoveActor(land), True)):
+        change()
+        view.picture()
+        wt.check_equal(what, water.GetSheetToHorizon(), is_endless)
+
+
+def test_an_empty_scene_is_silent():
+    view = wt.View((64, 48))
+    water = vtkWaterActor()
+    water.SetSheetToAutomatic()
+    said = wt.errors_of(water)
+    view.renderer.AddActor(water)
+    wt.check_equal("bounds asked before any mesh: to the horizon", (water.GetBounds(), water.GetSheetToHorizon())[1], False)
+    view.renderer.AddActor(actor_of(wt.sphere((0, 0, 0), 1)))
+    view.renderer.ResetCamera()
+    view.picture()
+    wt.check_equal("then", water.GetSheetToHorizon(), True)
+    wt.check_equal("errors", said, [])
+
+
+def test_other_planes_have_their_own_ground():
+    """A terrain that stands upright is ground for upright water, and none for level water."""
+    actor = actor_of(terrain())
+    actor.RotateX(90)
+    view, water = scene_of([actor])
+    wt.check_equal("level water", water.GetSheetToHorizon(), True)
+    plane = vtkPlane()
+    plane.SetNormal(0, -1, 0)
+    water.SetPlane(plane)
+    view.picture()
+    wt.check_equal("upright water", water.GetSheetToHorizon(), False)
+
+
+def test_the_last_word_counts():
+    _, water = scene_of(SEA["sphere"]())
+    other = vtkWaterActor()
+    other.ShallowCopy(water)
+    wt.check_equal("a copy is automatic", other.GetSheetIsAutomatic(), True)
+    wt.check_equal("printed", "to the horizon (automatic)" in str(water), True)
+    for name, change in (("SetSheetBounds", lambda: water.SetSheetBounds(-1, 1, -1, 1)), ("ResetSheetBounds", water.ResetSheetBounds),
+                         ("SetSheetToHorizon", water.SetSheetToHorizon)):
+        water.SetSheetToAutomatic()
+        change()
+        wt.check_equal(f"automatic after {name}", water.GetSheetIsAutomatic(), False)
+        wt.check_equal(f"to the horizon after {name}", water.GetSheetToHorizon(), name == "SetSheetToHorizon")
