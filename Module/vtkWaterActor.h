@@ -112,8 +112,9 @@ public:
   /**
    * Let the scene say how wide the own sheet is: as wide as the scene where that has ground under
    * all of its water, as a terrain or a basin with a floor has; to the horizon where things stand
-   * or float in open water. Looked at again when the scene changes; GetSheetToHorizon tells what it
-   * came to. SetSheetBounds, ResetSheetBounds and SetSheetToHorizon replace it. Default is off.
+   * or float in open water. Looked at again when the scene changes; whether it reaches to the
+   * horizon then, GetSheetToHorizon tells. SetSheetBounds, ResetSheetBounds and SetSheetToHorizon
+   * replace it, and it must be set again after them. Default is off.
    */
   void SetSheetToAutomatic();
   vtkGetMacro(SheetIsAutomatic, bool);

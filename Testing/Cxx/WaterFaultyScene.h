@@ -44,6 +44,8 @@ struct FaultyScene : public WaterTestScene
   {
     this->AddThings<vtkPolyDataMapper>();
     this->AddWater();
+    // the medium's own colour is not known where there is no view
+    this->Water->GetWaterProperty()->SetDeepColor(0.02, 0.09, 0.13);
     vtkNew<vtkCallbackCommand> note;
     note->SetClientData(&this->Errors);
     note->SetCallback([](vtkObject*, unsigned long, void* errors, void* text) {
@@ -74,7 +76,6 @@ struct FaultyScene : public WaterTestScene
     auto* look = this->Water->GetWaterProperty();
     look->SetReflectanceModeToConstant();
     look->SetReflectance(0.0);
-    look->SetDeepColorModeToGiven(); // without a view nothing is known of the light
     return this->Picture();
   }
 };

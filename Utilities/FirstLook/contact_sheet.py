@@ -15,6 +15,7 @@ import vtkwater.pyvista  # noqa: F401  add_water
 from first_scenes import SCENES
 from PIL import Image, ImageDraw
 
+NOTHING = "none"  # no water at all, for comparison
 WATERS = {"plane": None, "water": {}, "lake": {"preset": "lake"}, "ocean": {"preset": "ocean wind 5"},
           "pool": {"preset": "pool"}}
 CAMERAS = ("first", "low", "above")
@@ -46,7 +47,9 @@ def plane_of(plotter, level):
 def picture_of(scene, camera, water, size):
     plotter = pv.Plotter(off_screen=True, window_size=size)
     level = SCENES[scene](plotter)
-    if WATERS[water] is None:
+    if water == NOTHING:
+        pass
+    elif WATERS[water] is None:
         plane_of(plotter, level)
     else:
         plotter.add_water(level=level, **WATERS[water])

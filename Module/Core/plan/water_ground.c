@@ -2,37 +2,64 @@
 // water_ground.c: has a scene ground under all of its water?
 #include "water_ground.h"
 
-#include <math.h>
+#include "water_math.h"
 
 static const double wide = 0.75;  // share of the scene's area that a bed covers
 static const double near = 0.04;  // of the scene's diagonal
 static const double steep = 0.15; // of the same: so far apart the points of one surface may lie
 static const int enough = 13;     // places that have a surface
 
-void water_ground_begin(const double bounds[4], water_ground* ground)
+water_status water_ground_begin(
+  const water_plane* plane, const double origin[3], const double bounds[6], water_ground* ground)
 {
-  for (int i = 0; i < 4; ++i)
-  {
-    ground->bounds[i] = bounds[i];
-  }
-  ground->near = near * hypot(bounds[1] - bounds[0], bounds[3] - bounds[2]);
+  memset(ground, 0, sizeof *ground);
   for (int i = 0; i < WATER_GROUND_PLACES; ++i)
   {
     ground->low[i] = (double)INFINITY;
     ground->high[i] = -(double)INFINITY;
   }
-  ground->has_bed = false;
+  water_plane unit;
+  water_status status = water_plane_normalise(plane, &unit);
+  if (status == WATER_OK)
+  {
+    memcpy(ground->origin, origin, sizeof ground->origin);
+    memcpy(ground->up, unit.normal, sizeof ground->up);
+    water_plane_axes(unit.normal, ground->x_dir, ground->y_dir);
+    status = water_sheet_bounds(origin, ground->x_dir, ground->y_dir, bounds, ground->bounds);
+  }
+  const double* scene = ground->bounds;
+  ground->near = near * hypot(scene[1] - scene[0], scene[3] - scene[2]);
+  return status;
+}
+
+static void to_axes(const water_ground* ground, const double point[3], double place[3])
+{
+  const double* origin = ground->origin;
+  const double from[3] = { point[0] - origin[0], point[1] - origin[1], point[2] - origin[2] };
+  place[0] = water_vec3_dot(from, ground->x_dir);
+  place[1] = water_vec3_dot(from, ground->y_dir);
+  place[2] = water_vec3_dot(from, ground->up);
 }
 
 void water_ground_add_bounds(const double bounds[6], water_ground* ground)
 {
+  double box[4]; // along the plane's axes
+  if (water_sheet_bounds(ground->origin, ground->x_dir, ground->y_dir, bounds, box) != WATER_OK)
+  {
+    return;
+  }
+  double top[3]; // the highest corner
+  double place[3];
+  for (int i = 0; i < 3; ++i)
+  {
+    top[i] = bounds[2 * i + (ground->up[i] > 0.0)];
+  }
+  to_axes(ground, top, place);
   const double* scene = ground->bounds;
   const double area = (scene[1] - scene[0]) * (scene[3] - scene[2]);
-  const double covered = (fmin(bounds[1], scene[1]) - fmax(bounds[0], scene[0])) *
-    (fmin(bounds[3], scene[3]) - fmax(bounds[2], scene[2]));
-  ground->has_bed = ground->has_bed ||
-    (bounds[0] <= bounds[1] && bounds[2] <= bounds[3] && bounds[5] <= 0.0 && area > 0.0 &&
-      covered >= wide * area);
+  const double covered = (fmin(box[1], scene[1]) - fmax(box[0], scene[0])) *
+    (fmin(box[3], scene[3]) - fmax(box[2], scene[2]));
+  ground->has_bed = ground->has_bed || (place[2] <= 0.0 && area > 0.0 && covered >= wide * area);
 }
 
 // Place i of the border: four along each side, each beginning with a corner.
@@ -51,11 +78,14 @@ static void place_of(const water_ground* ground, int i, double place[2])
   }
 }
 
-void water_ground_add_point(double x, double y, double height, water_ground* ground)
+void water_ground_add_point(const double point[3], water_ground* ground)
 {
+  double at[3];
+  to_axes(ground, point, at);
   const double* scene = ground->bounds;
-  const double inside = fmin(fmin(x - scene[0], scene[1] - x), fmin(y - scene[2], scene[3] - y));
-  if (!(inside <= ground->near) || !isfinite(height))
+  const double inside =
+    fmin(fmin(at[0] - scene[0], scene[1] - at[0]), fmin(at[1] - scene[2], scene[3] - at[1]));
+  if (!(inside <= ground->near) || !isfinite(at[0] + at[1] + at[2]))
   {
     return; // most points are far from the border
   }
@@ -63,10 +93,10 @@ void water_ground_add_point(double x, double y, double height, water_ground* gro
   {
     double place[2];
     place_of(ground, i, place);
-    if (fabs(x - place[0]) <= ground->near && fabs(y - place[1]) <= ground->near)
+    if (fabs(at[0] - place[0]) <= ground->near && fabs(at[1] - place[1]) <= ground->near)
     {
-      ground->low[i] = fmin(ground->low[i], height);
-      ground->high[i] = fmax(ground->high[i], height);
+      ground->low[i] = fmin(ground->low[i], at[2]);
+      ground->high[i] = fmax(ground->high[i], at[2]);
     }
   }
 }

@@ -8,6 +8,8 @@
 #ifndef water_ground_h
 #define water_ground_h
 
+#include "water_plane.h"
+
 #include <stdbool.h>
 
 #ifdef __cplusplus
@@ -22,6 +24,10 @@ enum
 
 typedef struct water_ground
 {
+  double origin[3]; // of the plane's axes
+  double x_dir[3];
+  double y_dir[3];
+  double up[3];
   double bounds[4]; // of the scene in the plane's axes: xmin, xmax, ymin, ymax
   double near;      // how far from a place a point counts for it
   double low[WATER_GROUND_PLACES];
@@ -29,14 +35,20 @@ typedef struct water_ground
   bool has_bed;
 } water_ground;
 
-// bounds  finite, min <= max
-void water_ground_begin(const double bounds[4], water_ground* ground);
+// plane   of any scale
+// origin  of its axes, in world
+// bounds  of the scene, in world
+//
+// Returns WATER_OK, WATER_BAD_PLANE_NORMAL, WATER_BAD_PLANE_OFFSET or, for bounds that are not
+// finite or empty, WATER_BAD_SURFACE; then nothing may be added, and there is no ground.
+water_status water_ground_begin(
+  const water_plane* plane, const double origin[3], const double bounds[6], water_ground* ground);
 
-// Adds a thing's bounds: x and y in the plane's axes, then the heights over the plane.
+// Adds a thing's bounds, in world; empty ones count nothing.
 void water_ground_add_bounds(const double bounds[6], water_ground* ground);
 
-// Adds a point of a surface; height over the plane. Numbers that are not finite count nothing.
-void water_ground_add_point(double x, double y, double height, water_ground* ground);
+// Adds a point of a surface, in world. Numbers that are not finite count nothing.
+void water_ground_add_point(const double point[3], water_ground* ground);
 
 bool water_ground_is_under(const water_ground* ground);
 

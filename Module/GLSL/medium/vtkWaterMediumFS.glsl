@@ -157,6 +157,11 @@ float waterMediumLeaves(vec3 start, vec3 way)
 // most   of s: there the ray is deeper than anything
 WaterMediumView waterMediumMeets(vec3 start, vec3 way, float most);
 
+// May filtering a place read what a pixel's neighbours show beyond an edge? Of the slot refraction.
+//
+// next  of the middles of the pixels that are read, the one that differs in u and v
+bool waterMediumIsNearEdge(vec2 middle, vec2 next, float depth);
+
 // A place of the picture whose color is that of one thing: a pixel's middle beside an edge, where filtering mixes what meets
 // there. Pixels of several samples are mixtures themselves: of those the next one away from the edge is taken. Along planes
 // window depths are linear.
@@ -164,6 +169,11 @@ vec2 waterMediumUnmixed(vec2 uv, float depth)
 {
   vec2 size = waterMediumSize();
   vec2 middle = (floor(uv * size) + 0.5) / size;
+  vec2 first = mix(vec2(-1.0), vec2(1.0), greaterThan(uv, middle)); // where filtering reads
+  if (waterSceneIsMixed == 0 && !waterMediumIsNearEdge(middle, middle + first / size, depth))
+  {
+    return uv;
+  }
   vec4 near = vec4(waterMediumDepth(middle - vec2(1.0, 0.0) / size), waterMediumDepth(middle - vec2(0.0, 1.0) / size),
     waterMediumDepth(middle + vec2(1.0, 0.0) / size), waterMediumDepth(middle + vec2(0.0, 1.0) / size));
   vec2 before = depth - near.xy;
@@ -173,7 +183,6 @@ vec2 waterMediumUnmixed(vec2 uv, float depth)
   vec2 isBefore = step(edge, abs(before - slope));
   vec2 isAfter = step(edge, abs(after - slope));
   vec2 away = isBefore - isAfter;
-  vec2 first = mix(vec2(-1.0), vec2(1.0), greaterThan(uv, middle)); // the one that filtering reads
   int diagonals = waterSceneIsMixed != 0 ? 4 : 1;
   for (int i = 0; i < diagonals; ++i)
   {

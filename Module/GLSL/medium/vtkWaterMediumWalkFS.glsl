@@ -14,6 +14,12 @@ vec2 waterMediumSize()
   return vec2(textureSize(waterSceneColor, 0));
 }
 
+// Always looked at.
+bool waterMediumIsNearEdge(vec2 middle, vec2 next, float depth)
+{
+  return true;
+}
+
 // How far a ray can come: to the depth straight behind the surface, and on while still in front.
 //
 // depth  of the picture at the ray's start

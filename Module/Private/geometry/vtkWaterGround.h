@@ -24,16 +24,8 @@ public:
     const std::vector<vtkRenderer*>& scene);
 
 private:
-  struct Axes
-  {
-    double Origin[3];
-    double X[3];
-    double Y[3];
-    double Up[3];
-  };
-
-  void Add(vtkProp* prop, const Axes& axes);
-  void AddPoints(vtkDataSet* data, vtkMatrix4x4* matrix, const Axes& axes);
+  void Add(vtkProp* prop);
+  void AddPoints(vtkDataSet* data, vtkMatrix4x4* matrix);
 
   std::vector<double> Key; // what the answer is of
   water_ground Ground = water_ground();
