@@ -14,7 +14,8 @@ from TestWaterCInterface import lib  # noqa: F401  a fixture
 from vtkwater import command, vtkWaterActor, vtkWaterProperty, vtkWaterReflectionPass
 
 GUIDE = pathlib.Path(__file__).resolve().parents[2] / "Documentation" / "guide.md"
-OF_THE_ACTOR = {"SetLevel", "SetPlane", "SetMapper", "SetSheetBounds", "SetSheetToHorizon", "SetTime", "GetSkyDirection"}
+OF_THE_ACTOR = {"SetLevel", "SetPlane", "SetMapper", "SetSheetBounds", "SetSheetToHorizon", "SetSheetToAutomatic", "SetTime",
+                "GetSkyDirection"}
 OF_THE_PASS = {"SetTimeBudget", "SetQualityToTimeBudget"}
 # of the plotter and of the picture, not of the water
 NOT_OF_WATER = {"self", "name", "pickable", "reset_camera", "render"}
