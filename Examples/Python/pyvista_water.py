@@ -3,20 +3,22 @@
 
 import argparse
 
-import pyvista as pv
+import pyvista
 from vtkwater.pictures import png_name
 
 parser = argparse.ArgumentParser(description=__doc__)
 parser.add_argument("picture", nargs="?", default="pyvista_water.png", type=png_name, help="default: %(default)s")
 picture = parser.parse_args().picture
+pyvista.OFF_SCREEN = True  # a picture in place of a window
+pyvista.global_theme.window_size = (800, 500)
+pyvista.global_theme.before_close_callback = lambda plotter: plotter.screenshot(picture)
 
-plotter = pv.Plotter(off_screen=True, window_size=(640, 400))
-plotter.set_background("white", top="lightskyblue")
-plotter.add_mesh(pv.Cone(direction=(0.3, 0, 1), resolution=64), color="tomato")
-plotter.camera_position = [(0.0, -3.5, 0.6), (0.0, 0.0, 0.0), (0.0, 0.0, 1.0)]
 # README: from here
+import pyvista as pv
 import vtkwater.pyvista
 
-water = plotter.add_water(level=-0.2, waves=[(0.004, 0.6, 30), (0.0025, 0.35, 75)], bounds=(-9, 9, -9, 9))
-plotter.screenshot(picture)
+plotter = pv.Plotter()
+plotter.add_mesh(pv.examples.load_random_hills(), color="tan")
+plotter.add_water(level=2)
+plotter.show()
 # README: to here
