@@ -118,8 +118,8 @@ void vtkWaterActor::ChooseSheet(const std::vector<vtkRenderer*>& scene)
   water_plane plane;
   vtkWaterSheet::FindSceneBounds(scene, bounds);
   this->Internal->ReadPlane(&plane, origin);
-  this->SheetToHorizon = vtkMath::AreBoundsInitialized(bounds) &&
-    !this->Internal->Ground.IsUnder(plane, origin, bounds, scene);
+  this->SheetToHorizon =
+    vtkMath::AreBoundsInitialized(bounds) && !this->Internal->Ground.IsUnder(plane, bounds, scene);
 }
 
 //------------------------------------------------------------------------------
@@ -158,10 +158,12 @@ void vtkWaterActor::UpdateSheet()
   std::copy_n(this->Plane->GetNormal(), 3, fitted.GivenNormal);
   internal.IsUpdatingSheet = true;
   this->ChooseSheet(scene);
+  static const std::vector<double> all;
   const water_status status = this->SheetToHorizon
     ? internal.Sheet.Clear(fitted.Plane)
-    : internal.Sheet.Fit(
-        fitted.Plane, fitted.Origin, this->UseSheetBounds ? this->SheetBounds : nullptr, scene);
+    : internal.Sheet.Fit(fitted.Plane, fitted.Origin,
+        this->UseSheetBounds ? this->SheetBounds : nullptr, scene,
+        this->SheetIsAutomatic ? internal.Ground.GetWet() : all);
   internal.IsUpdatingSheet = false;
   if (status == WATER_BAD_SURFACE && std::none_of(scene.begin(), scene.end(), IsRendering))
   {

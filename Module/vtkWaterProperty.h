@@ -190,9 +190,9 @@ public:
   ///@{
   /**
    * Metres per unit of the scene, in [1e-9, 1e9]: all lengths of this class are metres, and shown
-   * in the scene's unit. 0 is automatic: a scene of 200 to 1000 units across (a preset may
-   * have another range: a pool 8 to 40) is one in metres, a smaller one counts as 200 m, a larger
-   * one as 1000 m, and waves shorter than 1/400 of the scene are not shown. Then GetWaveHeight
+   * in the scene's unit. 0 is automatic: a scene of 400 to 2000 units across (a preset may
+   * have another range: a pool 8 to 40) is one in metres, a smaller one counts as 400 m, a larger
+   * one as 2000 m, and waves shorter than 1/400 of the scene are not shown. Then GetWaveHeight
    * follows what is shown. Default is 1.
    */
   void SetMetresPerUnit(double metres);

@@ -100,7 +100,7 @@ def add_water(
     units : str | float, optional
         What a unit of the scene is: ``'um'``, ``'mm'``, ``'cm'``, ``'m'``, ``'km'``, ``'in'``, ``'ft'``, ``'mi'``, a number
         of metres, or ``'automatic'``, which is the default unless ``waves`` are given one by one (these are metres): a
-        scene of natural size for its water (200 to 1000 units across; a pool 8 to 40) is one in metres, another counts
+        scene of natural size for its water (400 to 2000 units across; a pool 8 to 40) is one in metres, another counts
         as the nearest natural size, and waves that are too short to be seen in it are left out. ``print(actor)`` tells.
 
     normal : str | sequence[float], default: 'z'

@@ -169,3 +169,54 @@ def test_the_last_word_counts():
         change()
         wt.check_equal(f"automatic after {name}", water.GetSheetIsAutomatic(), False)
         wt.check_equal(f"to the horizon after {name}", water.GetSheetToHorizon(), name == "SetSheetToHorizon")
+
+
+def basin(points=129):
+    """Land that stands out of the water along all of its border."""
+    x, y = np.meshgrid(*[np.linspace(-0.5, 0.5, points)] * 2)
+    grid = vtkStructuredGrid()
+    grid.SetDimensions(points, points, 1)
+    vertices = vtkPoints()
+    heights = 0.8 * np.hypot(x, y) - 0.2 + 0.03 * np.sin(20 * x) * np.cos(17 * y)
+    vertices.SetData(numpy_to_vtk(10 * np.stack([x, y, heights], axis=-1).reshape(-1, 3), deep=True))
+    grid.SetPoints(vertices)
+    outside = vtkStructuredGridGeometryFilter()
+    outside.SetInputData(grid)
+    outside.Update()
+    return actor_of(outside.GetOutput())
+
+
+def of_basin(is_automatic, position, level=0.0, clear=False):
+    view = wt.View((240, 180), (0.6, 0.7, 0.8))
+    view.renderer.AddActor(basin())
+    water = vtkWaterActor()
+    water.SetLevel(level)
+    water.GetWaterProperty().SetRefraction(clear)
+    if is_automatic:
+        water.SetSheetToAutomatic()
+    view.renderer.AddActor(water)
+    wt.place_camera(view.renderer, position, (0, 0, 0), (0.5, 60))
+    return view, water
+
+
+@pytest.mark.parametrize("clear", (False, True))
+@pytest.mark.parametrize("level", (0.0, -1.0, 0.8))
+def test_no_water_is_seen_under_the_land(level, clear):
+    """From above the picture is that of a whole sheet; from the side, under the land's border, next to nothing of it is seen."""
+    whole, _ = of_basin(False, (0.5, -1, 18), level, clear)
+    automatic, _ = of_basin(True, (0.5, -1, 18), level, clear)
+    off = np.abs(whole.picture() - automatic.picture()).max(axis=2) > 1
+    wt.check_at_most("from above: share of pixels that differ", float(off.mean()), 0.0005)
+    side = (3, -14, level - 0.5)
+    seen = [int(wt.water_mask(*of_basin(is_automatic, side, level)).sum()) for is_automatic in (False, True)]
+    wt.check_at_least("from the side: pixels of a whole sheet", seen[0], 300)
+    wt.check_at_most("of an automatic one, share of those", seen[1] / seen[0], 0.35)
+
+
+def test_water_that_rises_covers_more():
+    view, water = of_basin(True, (4, -9, 14))
+    seen = []
+    for level in (-1.5, 0.0, 1.5, 6.0):
+        water.SetLevel(level)
+        seen.append(int(wt.water_mask(view, water).sum()))
+    wt.check_equal("pixels of water grow with the level", seen == sorted(seen) and seen[0] > 0, True)

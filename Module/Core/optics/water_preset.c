@@ -52,13 +52,13 @@ static const recipe recipes[] = {
       "Jerlov 1976 (1C stands in for a lake), chosen backward scattering of 1.2 g/m^3 of particles "
       "at 0.01 m^2/g; JONSWAP, wind 3 m/s over 2 km, 20 m deep",
       FRESNEL, { { 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0 } }, true, GROWING(3.0, 2000.0, 20.0), NO_WAVES,
-      0, { 100.0, 1000.0 } } },
+      0, { 200.0, 2000.0 } } },
   { WATER_TYPE_IB, 0.004,
     { "clear tropical",
       "Jerlov 1976 (IB), chosen backward scattering of 0.4 g/m^3 of coral sand at 0.01 m^2/g; "
       "JONSWAP, wind 4 m/s over 10 km, 5 m deep",
       FRESNEL, { { 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0 } }, true, GROWING(4.0, 10000.0, 5.0), NO_WAVES,
-      0, { 60.0, 500.0 } } },
+      0, { 120.0, 1000.0 } } },
   { WATER_TYPE_IA, 0.0007,
     { "ocean wind 5", OCEAN "JONSWAP with gamma 1, fully developed (Pierson-Moskowitz)", FRESNEL,
       { { 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0 } }, true, DEVELOPED(5.0), NO_WAVES, 0,
@@ -94,10 +94,10 @@ static void add_particles(double backward, water_medium* medium)
 
 void water_preset_default(water_medium* medium, double natural_m[2])
 {
-  natural_m[0] = 200.0;
-  natural_m[1] = 1000.0;
+  natural_m[0] = 400.0;
+  natural_m[1] = 2000.0;
   water_type_medium(WATER_TYPE_IB, medium);
-  add_particles(0.006, medium);
+  add_particles(0.010, medium);
 }
 
 size_t water_preset_count(void)

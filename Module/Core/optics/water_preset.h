@@ -34,8 +34,8 @@ typedef struct water_preset
   double natural_m[2]; // how large a scene with such water is, at least and at most; water_units.h
 } water_preset;
 
-// Medium of a water that has none of its user's: a clear lake, Jerlov's IB with 0.006 / m scattered
-// backward by 0.6 g/m^3 of particles (0.01 m^2/g), a chosen amount.
+// Medium of a water that has none of its user's: a clear lake, Jerlov's IB with 0.010 / m scattered
+// backward by 1 g/m^3 of particles (0.01 m^2/g), a chosen amount.
 //
 // natural_m  as of a preset
 void water_preset_default(water_medium* medium, double natural_m[2]);

@@ -7,10 +7,11 @@
 static const double wide = 0.75;  // share of the scene's area that a bed covers
 static const double near = 0.04;  // of the scene's diagonal
 static const double steep = 0.15; // of the same: so far apart the points of one surface may lie
-static const int enough = 13;     // places that have a surface
+static const double world_origin[3] = { 0.0, 0.0, 0.0 };
+static const int enough = 13; // places that have a surface
 
 water_status water_ground_begin(
-  const water_plane* plane, const double origin[3], const double bounds[6], water_ground* ground)
+  const water_plane* plane, const double bounds[6], water_ground* ground)
 {
   memset(ground, 0, sizeof *ground);
   for (int i = 0; i < WATER_GROUND_PLACES; ++i)
@@ -18,14 +19,18 @@ water_status water_ground_begin(
     ground->low[i] = (double)INFINITY;
     ground->high[i] = -(double)INFINITY;
   }
+  for (int i = 0; i < WATER_GROUND_CELLS * WATER_GROUND_CELLS; ++i)
+  {
+    ground->cell_low[i / WATER_GROUND_CELLS][i % WATER_GROUND_CELLS] = (double)INFINITY;
+  }
+  ground->bed_top = (double)INFINITY;
   water_plane unit;
   water_status status = water_plane_normalise(plane, &unit);
   if (status == WATER_OK)
   {
-    memcpy(ground->origin, origin, sizeof ground->origin);
     memcpy(ground->up, unit.normal, sizeof ground->up);
     water_plane_axes(unit.normal, ground->x_dir, ground->y_dir);
-    status = water_sheet_bounds(origin, ground->x_dir, ground->y_dir, bounds, ground->bounds);
+    status = water_sheet_bounds(world_origin, ground->x_dir, ground->y_dir, bounds, ground->bounds);
   }
   const double* scene = ground->bounds;
   ground->near = near * hypot(scene[1] - scene[0], scene[3] - scene[2]);
@@ -34,17 +39,15 @@ water_status water_ground_begin(
 
 static void to_axes(const water_ground* ground, const double point[3], double place[3])
 {
-  const double* origin = ground->origin;
-  const double from[3] = { point[0] - origin[0], point[1] - origin[1], point[2] - origin[2] };
-  place[0] = water_vec3_dot(from, ground->x_dir);
-  place[1] = water_vec3_dot(from, ground->y_dir);
-  place[2] = water_vec3_dot(from, ground->up);
+  place[0] = water_vec3_dot(point, ground->x_dir);
+  place[1] = water_vec3_dot(point, ground->y_dir);
+  place[2] = water_vec3_dot(point, ground->up);
 }
 
 void water_ground_add_bounds(const double bounds[6], water_ground* ground)
 {
   double box[4]; // along the plane's axes
-  if (water_sheet_bounds(ground->origin, ground->x_dir, ground->y_dir, bounds, box) != WATER_OK)
+  if (water_sheet_bounds(world_origin, ground->x_dir, ground->y_dir, bounds, box) != WATER_OK)
   {
     return;
   }
@@ -59,7 +62,10 @@ void water_ground_add_bounds(const double bounds[6], water_ground* ground)
   const double area = (scene[1] - scene[0]) * (scene[3] - scene[2]);
   const double covered = (fmin(box[1], scene[1]) - fmax(box[0], scene[0])) *
     (fmin(box[3], scene[3]) - fmax(box[2], scene[2]));
-  ground->has_bed = ground->has_bed || (place[2] <= 0.0 && area > 0.0 && covered >= wide * area);
+  if (area > 0.0 && covered >= wide * area)
+  {
+    ground->bed_top = fmin(ground->bed_top, place[2]);
+  }
 }
 
 // Place i of the border: four along each side, each beginning with a corner.
@@ -78,17 +84,32 @@ static void place_of(const water_ground* ground, int i, double place[2])
   }
 }
 
-void water_ground_add_point(const double point[3], water_ground* ground)
+// The border between cells of an axis.
+static double border_of(const water_ground* ground, int axis, int i)
 {
-  double at[3];
-  to_axes(ground, point, at);
-  const double* scene = ground->bounds;
-  const double inside =
-    fmin(fmin(at[0] - scene[0], scene[1] - at[0]), fmin(at[1] - scene[2], scene[3] - at[1]));
-  if (!(inside <= ground->near) || !isfinite(at[0] + at[1] + at[2]))
-  {
-    return; // most points are far from the border
-  }
+  const double* scene = ground->bounds + 2 * axis;
+  return scene[0] + (scene[1] - scene[0]) * i / WATER_GROUND_CELLS;
+}
+
+void water_ground_corners(
+  const water_ground* ground, double level, int x, int y, double corners[12])
+{
+  const double rectangle[4] = { border_of(ground, 0, x), border_of(ground, 0, x + 1),
+    border_of(ground, 1, y), border_of(ground, 1, y + 1) };
+  const double at[3] = { level * ground->up[0], level * ground->up[1], level * ground->up[2] };
+  water_sheet_corners(at, ground->x_dir, ground->y_dir, rectangle, corners);
+}
+
+// The cell along an axis that has a place; those out of the scene are in its outermost.
+static int cell_of(const water_ground* ground, int axis, double place)
+{
+  const double* scene = ground->bounds + 2 * axis;
+  const double share = (place - scene[0]) / (scene[1] - scene[0]);
+  return (int)fmin(fmax(share * WATER_GROUND_CELLS, 0.0), WATER_GROUND_CELLS - 1.0);
+}
+
+static void add_to_border(const double at[3], water_ground* ground)
+{
   for (int i = 0; i < WATER_GROUND_PLACES; ++i)
   {
     double place[2];
@@ -101,7 +122,26 @@ void water_ground_add_point(const double point[3], water_ground* ground)
   }
 }
 
-bool water_ground_is_under(const water_ground* ground)
+void water_ground_add_point(const double point[3], water_ground* ground)
+{
+  double at[3];
+  to_axes(ground, point, at);
+  if (!isfinite(at[0] + at[1] + at[2]))
+  {
+    return;
+  }
+  double* low = &ground->cell_low[cell_of(ground, 1, at[1])][cell_of(ground, 0, at[0])];
+  *low = fmin(*low, at[2]);
+  const double* scene = ground->bounds;
+  const double inside =
+    fmin(fmin(at[0] - scene[0], scene[1] - at[0]), fmin(at[1] - scene[2], scene[3] - at[1]));
+  if (inside <= ground->near) // most points are far from the border
+  {
+    add_to_border(at, ground);
+  }
+}
+
+bool water_ground_is_under(const water_ground* ground, double level)
 {
   const double most = steep / near * ground->near;
   int count = 0;
@@ -110,5 +150,25 @@ bool water_ground_is_under(const water_ground* ground)
     const double spread = ground->high[i] - ground->low[i];
     count += spread >= 0.0 && spread <= most ? 1 : 0;
   }
-  return ground->has_bed || count >= enough;
+  return ground->bed_top <= level || count >= enough;
+}
+
+bool water_ground_is_dry(const water_ground* ground, double level, int x, int y)
+{
+  for (int i = -1; i <= 1; ++i)
+  {
+    for (int j = -1; j <= 1; ++j)
+    {
+      const int row = y + i;
+      const int column = x + j;
+      const bool is_in =
+        row >= 0 && row < WATER_GROUND_CELLS && column >= 0 && column < WATER_GROUND_CELLS;
+      const double low = is_in ? ground->cell_low[row][column] : (double)INFINITY;
+      if (is_in && (!isfinite(low) || !(low > level)))
+      {
+        return false;
+      }
+    }
+  }
+  return true;
 }

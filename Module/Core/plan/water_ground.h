@@ -5,6 +5,9 @@
 // It has if a thing that lies under the water is nearly as wide as the scene; or if there is one
 // surface along the border of the scene's bounds. Things that stand in open water touch these only
 // here and there, or are as high as their walls where they do.
+//
+// Of a ground it is known where it is dry: water under it is seen from the side alone, as a slab
+// under the land, and is left out. None of this depends on the level, so that this may change.
 #ifndef water_ground_h
 #define water_ground_h
 
@@ -19,30 +22,30 @@ extern "C"
 
 enum
 {
-  WATER_GROUND_PLACES = 16 // along the border, evenly
+  WATER_GROUND_PLACES = 16, // along the border, evenly
+  WATER_GROUND_CELLS = 64   // of the scene along each axis
 };
 
 typedef struct water_ground
 {
-  double origin[3]; // of the plane's axes
-  double x_dir[3];
+  double x_dir[3]; // the plane's axes, through the world's origin
   double y_dir[3];
   double up[3];
-  double bounds[4]; // of the scene in the plane's axes: xmin, xmax, ymin, ymax
-  double near;      // how far from a place a point counts for it
-  double low[WATER_GROUND_PLACES];
-  double high[WATER_GROUND_PLACES]; // of the points there, over the plane; low > high: none
-  bool has_bed;
+  double bounds[4];                 // of the scene in these axes: xmin, xmax, ymin, ymax
+  double near;                      // how far from a place a point counts for it
+  double low[WATER_GROUND_PLACES];  // heights are along the normal, from the world's origin
+  double high[WATER_GROUND_PLACES]; // of the points there; low > high: none
+  double bed_top;                   // of the lowest thing that is nearly as wide; infinite: none
+  double cell_low[WATER_GROUND_CELLS][WATER_GROUND_CELLS]; // [y][x], lowest point; infinite: none
 } water_ground;
 
-// plane   of any scale
-// origin  of its axes, in world
+// plane   of any scale; its offset does not count
 // bounds  of the scene, in world
 //
 // Returns WATER_OK, WATER_BAD_PLANE_NORMAL, WATER_BAD_PLANE_OFFSET or, for bounds that are not
 // finite or empty, WATER_BAD_SURFACE; then nothing may be added, and there is no ground.
 water_status water_ground_begin(
-  const water_plane* plane, const double origin[3], const double bounds[6], water_ground* ground);
+  const water_plane* plane, const double bounds[6], water_ground* ground);
 
 // Adds a thing's bounds, in world; empty ones count nothing.
 void water_ground_add_bounds(const double bounds[6], water_ground* ground);
@@ -50,7 +53,16 @@ void water_ground_add_bounds(const double bounds[6], water_ground* ground);
 // Adds a point of a surface, in world. Numbers that are not finite count nothing.
 void water_ground_add_point(const double point[3], water_ground* ground);
 
-bool water_ground_is_under(const water_ground* ground);
+// level  height of the water along the normal, from the world's origin
+bool water_ground_is_under(const water_ground* ground, double level);
+
+// Is a cell, and are all around it, known to be over the water? Without a point in one of them it
+// is not.
+bool water_ground_is_dry(const water_ground* ground, double level, int x, int y);
+
+// Corners of a cell at a level, in world: x, y, z of four.
+void water_ground_corners(
+  const water_ground* ground, double level, int x, int y, double corners[12]);
 
 #ifdef __cplusplus
 }

@@ -13,14 +13,13 @@
 #include "vtkRenderer.h"
 #include "vtkSmartPointer.h"
 #include "vtkWaterProps.h"
+#include "water_plane.h"
 
 #include <algorithm>
 #include <functional>
 
 namespace
 {
-constexpr vtkIdType kMostPoints = 100000; // of a mesh; more are gone through in steps
-
 // Props that are a part of the scene that water covers.
 void ForEachProp(const std::vector<vtkRenderer*>& scene, const std::function<void(vtkProp*)>& what)
 {
@@ -42,26 +41,59 @@ void ForEachProp(const std::vector<vtkRenderer*>& scene, const std::function<voi
 }
 
 //------------------------------------------------------------------------------
-bool vtkWaterGround::IsUnder(const water_plane& plane, const double origin[3],
-  const double bounds[6], const std::vector<vtkRenderer*>& scene)
+bool vtkWaterGround::IsUnder(
+  const water_plane& plane, const double bounds[6], const std::vector<vtkRenderer*>& scene)
 {
-  std::vector<double> key(origin, origin + 3);
-  key.insert(key.end(), plane.normal, plane.normal + 3);
+  water_plane unit;
+  if (water_plane_normalise(&plane, &unit) != WATER_OK)
+  {
+    return false;
+  }
+  // not the level: what is known of the ground holds for all
+  std::vector<double> key(unit.normal, unit.normal + 3);
   key.insert(key.end(), bounds, bounds + 6);
   ForEachProp(
     scene, [&key](vtkProp* prop) { key.push_back(static_cast<double>(prop->GetRedrawMTime())); });
-  if (key == this->Key)
+  const bool isNew = key != this->Key;
+  if (isNew)
   {
-    return this->IsKnownUnder;
+    this->Key = std::move(key);
+    if (water_ground_begin(&plane, bounds, &this->Ground) == WATER_OK)
+    {
+      ForEachProp(scene, [this](vtkProp* prop) { this->Add(prop); });
+    }
   }
-  this->Key = std::move(key);
-  const bool isGood = water_ground_begin(&plane, origin, bounds, &this->Ground) == WATER_OK;
-  if (isGood)
+  if (isNew || this->Level != -unit.offset)
   {
-    ForEachProp(scene, [this](vtkProp* prop) { this->Add(prop); });
+    this->Level = -unit.offset;
+    this->FindWet();
   }
-  this->IsKnownUnder = isGood && water_ground_is_under(&this->Ground);
-  return this->IsKnownUnder;
+  return water_ground_is_under(&this->Ground, this->Level);
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterGround::FindWet()
+{
+  this->Wet.clear();
+  bool isAllWet = true;
+  for (int y = 0; y < WATER_GROUND_CELLS; ++y)
+  {
+    for (int x = 0; x < WATER_GROUND_CELLS; ++x)
+    {
+      if (water_ground_is_dry(&this->Ground, this->Level, x, y))
+      {
+        isAllWet = false;
+        continue;
+      }
+      double corners[12];
+      water_ground_corners(&this->Ground, this->Level, x, y, corners);
+      this->Wet.insert(this->Wet.end(), corners, corners + 12);
+    }
+  }
+  if (isAllWet)
+  {
+    this->Wet.clear(); // one rectangle is drawn in less time
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -104,8 +136,7 @@ void vtkWaterGround::Add(vtkProp* prop)
 void vtkWaterGround::AddPoints(vtkDataSet* data, vtkMatrix4x4* matrix)
 {
   const vtkIdType count = data ? data->GetNumberOfPoints() : 0;
-  const vtkIdType step = std::max<vtkIdType>(1, count / kMostPoints);
-  for (vtkIdType i = 0; i < count; i += step)
+  for (vtkIdType i = 0; i < count; ++i)
   {
     double point[4];
     data->GetPoint(i, point);

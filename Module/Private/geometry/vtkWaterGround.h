@@ -17,19 +17,25 @@ class vtkRenderer;
 class vtkWaterGround
 {
 public:
-  // plane   of any scale; its origin is the origin of the axes
+  // plane   of any scale
   // bounds  of the scene, in world
   // scene   renderers whose props are looked at, waters left out
-  bool IsUnder(const water_plane& plane, const double origin[3], const double bounds[6],
-    const std::vector<vtkRenderer*>& scene);
+  bool IsUnder(
+    const water_plane& plane, const double bounds[6], const std::vector<vtkRenderer*>& scene);
+
+  // Corners of the parts of the scene that are not known to be dry, four of x, y, z each, as of
+  // IsUnder; empty: all of it is wet.
+  const std::vector<double>& GetWet() const { return this->Wet; }
 
 private:
   void Add(vtkProp* prop);
+  void FindWet();
   void AddPoints(vtkDataSet* data, vtkMatrix4x4* matrix);
 
   std::vector<double> Key; // what the answer is of
   water_ground Ground = water_ground();
-  bool IsKnownUnder = false;
+  double Level = 0.0; // height of the water along the normal
+  std::vector<double> Wet;
 };
 
 #endif

@@ -113,28 +113,31 @@ void vtkWaterSheet::FindSceneBounds(const std::vector<vtkRenderer*>& scene, doub
 }
 
 //------------------------------------------------------------------------------
-void vtkWaterSheet::SetRectangle(const double corners[12], const double normal[3])
+void vtkWaterSheet::SetParts(const std::vector<double>& corners, const double normal[3])
 {
-  if (std::equal(corners, corners + 12, this->Corners) &&
-    std::equal(normal, normal + 3, this->Normal))
+  if (corners == this->Corners && std::equal(normal, normal + 3, this->Normal))
   {
     return;
   }
-  std::copy_n(corners, 12, this->Corners);
+  this->Corners = corners;
   std::copy_n(normal, 3, this->Normal);
-  this->Points->SetNumberOfPoints(4);
+  const auto count = static_cast<vtkIdType>(corners.size() / 3);
+  this->Points->SetNumberOfPoints(count);
   vtkNew<vtkDoubleArray> normals;
   normals->SetNumberOfComponents(3);
   normals->SetName("Normals");
-  for (int corner = 0; corner < 4; ++corner)
+  vtkNew<vtkCellArray> cells;
+  for (vtkIdType corner = 0; corner < count; ++corner)
   {
-    this->Points->SetPoint(corner, corners + 3 * corner);
+    this->Points->SetPoint(corner, corners.data() + 3 * corner);
     normals->InsertNextTuple(normal);
+    if (corner % 4 == 0)
+    {
+      const vtkIdType quad[4] = { corner, corner + 1, corner + 2, corner + 3 };
+      cells->InsertNextCell(4, quad);
+    }
   }
   this->Points->Modified();
-  const vtkIdType quad[4] = { 0, 1, 2, 3 };
-  vtkNew<vtkCellArray> cells;
-  cells->InsertNextCell(4, quad);
   this->Rectangle->SetPolys(cells);
   this->Rectangle->GetPointData()->SetNormals(normals);
   this->Rectangle->Modified();
@@ -142,7 +145,7 @@ void vtkWaterSheet::SetRectangle(const double corners[12], const double normal[3
 
 //------------------------------------------------------------------------------
 water_status vtkWaterSheet::Fit(const water_plane& plane, const double origin[3],
-  const double bounds[4], const std::vector<vtkRenderer*>& scene)
+  const double bounds[4], const std::vector<vtkRenderer*>& scene, const std::vector<double>& wet)
 {
   water_plane unit;
   water_status status = water_plane_normalise(&plane, &unit);
@@ -168,10 +171,10 @@ water_status vtkWaterSheet::Fit(const water_plane& plane, const double origin[3]
       return status;
     }
   }
-  double corners[12];
-  water_sheet_corners(origin, x_dir, y_dir, sheet, corners);
+  std::vector<double> corners(12);
+  water_sheet_corners(origin, x_dir, y_dir, sheet, corners.data());
   std::copy_n(sheet, 4, this->Bounds);
-  this->SetRectangle(corners, unit.normal);
+  this->SetParts(wet.empty() ? corners : wet, unit.normal);
   return WATER_OK;
 }
 

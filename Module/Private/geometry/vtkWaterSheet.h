@@ -29,8 +29,9 @@ public:
   // plane     of any scale; its origin is the origin of the sheet's axes
   // bounds    xmin, xmax, ymin, ymax in the plane's axes; nullptr: over the scene
   // scene     renderers whose props are to be covered, when bounds is nullptr
+  // wet       corners of the parts of it that there are, four of x, y, z each; empty: all of it
   water_status Fit(const water_plane& plane, const double origin[3], const double bounds[4],
-    const std::vector<vtkRenderer*>& scene);
+    const std::vector<vtkRenderer*>& scene, const std::vector<double>& wet);
 
   // Bounds of what renderers show, waters left out; min > max: nothing.
   static void FindSceneBounds(const std::vector<vtkRenderer*>& scene, double bounds[6]);
@@ -41,13 +42,14 @@ private:
   vtkWaterSheet(const vtkWaterSheet&) = delete;
   void operator=(const vtkWaterSheet&) = delete;
 
-  void SetRectangle(const double corners[12], const double normal[3]);
+  // corners  of rectangles, four of x, y, z each
+  void SetParts(const std::vector<double>& corners, const double normal[3]);
 
-  vtkNew<vtkPoints> Points; // 4, in double precision: scenes may lie far from the origin
+  vtkNew<vtkPoints> Points; // in double precision: scenes may lie far from the origin
   vtkNew<vtkPolyData> Rectangle;
   vtkNew<vtkPolyDataMapper> Mapper;
   double Bounds[4] = {};
-  double Corners[12] = {};
+  std::vector<double> Corners;
   double Normal[3] = {};
 };
 
