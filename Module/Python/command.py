@@ -137,8 +137,8 @@ def add_scene_arguments(parser):
     )
     water.add_argument("--quality", choices=QUALITIES, help="of reflections on waves; default: default")
     water.add_argument("--units", type=units, metavar="UNIT",
-                       help="of the file: um, mm, cm, m, km, in, ft, mi or a number of metres; default: automatic, by its "
-                            "size, or m with --waves")
+                       help="of the file: um, mm, cm, m, km, in, ft, mi or a number of metres; default: m for terrains and with "
+                            "--waves, else automatic, by its size")
     water.add_argument("--horizon", action="store_true",
                        help="let the water reach to the true horizon; without it, 50 times as far as the ground is wide")
     view = parser.add_argument_group("the view")
