@@ -199,6 +199,16 @@ def words_of(arguments):
     return {"wind": blows, **{word: getattr(arguments, word) for word in same}}
 
 
+def words_for(ground, arguments):
+    """The same with the defaults that depend on the file: the unit of a mesh is unknown, and the bed is seen."""
+    words = words_of(arguments)
+    if words["units"] is None and not words["waves"] and not ground.is_terrain:
+        words["units"] = "automatic"
+    if all(words[word] is None for word in ("refraction", "preset", "color", "opacity")):
+        words["refraction"] = True
+    return words
+
+
 def check_words(parser, arguments):
     """Ends the program when two options contradict each other."""
     if arguments.wind_direction is not None and arguments.wind is None:
@@ -235,7 +245,7 @@ def make_scene(arguments, levels):
     scene.set_sun(sun, 35.0)
     exaggeration = arguments.exaggeration if ground.is_terrain else 1.0
     scene.add_ground(ground, levels[0], exaggeration)
-    scene.add_water(min(levels), exaggeration=exaggeration, **words_of(arguments))
+    scene.add_water(min(levels), exaggeration=exaggeration, **words_for(ground, arguments))
     scene.make_island(arguments.horizon)
     scene.look(arguments.azimuth, arguments.elevation, arguments.zoom, max(levels))
     return scene, ground, exaggeration

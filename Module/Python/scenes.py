@@ -127,11 +127,12 @@ class Scene:
 
     def add_water(self, level, preset=None, wind=None, exaggeration=1.0, **words):
         """Water at a level of the data; around a mesh it is wider than that. The look is by the words of
-        ``words.set_look``: preset, wind, refraction, foam, ...; units of a terrain are metres unless they are given.
-        Raises TypeError, ValueError."""
+        ``words.set_look``: preset, wind, refraction, foam, ...; units are metres, and without a preset nothing is seen
+        through the surface, unless the words say otherwise. Raises TypeError, ValueError."""
         self.water = vtkWaterActor()
-        if words.get("units") is None and self._ground and self._ground.is_terrain:
-            words["units"] = "m"
+        words["units"] = words.get("units") or "m"
+        if preset is None and not any(words.get(word) for word in ("refraction", "foam", "caustics")):
+            words["refraction"] = False
         set_look(self.water.GetWaterProperty(), preset=preset, wind=wind, **words)
         with raising(self.water):
             self.water.SetLevel(level * exaggeration)

@@ -196,7 +196,7 @@ def test_the_words_are_in_the_picture(folder):
     scene.set_sun(30.0, 35.0)
     scene.add_ground(readers.read(folder / "box.stl"), 0.0)
     scene.add_water(0.0, "clear tropical", (3.0, 30.0), foam=True, caustics=0.5, color=(32 / 255, 64 / 255, 96 / 255),
-                    quality="high")
+                    quality="high", units="automatic")
     scene.make_island()
     scene.look(200.0, 8.0)
     scene.write(folder / "scene.png")

@@ -116,7 +116,6 @@ WaterMediumView waterMediumMeets(vec3 start, vec3 way, float most)
   WaterMediumView view;
   view.s = found.isHit ? found.low - missLow * (found.high - found.low) / max(missHigh - missLow, 1e-20) : reach;
   view.isMet = !isEdge && (found.isHit || isInside);
-  view.isOut = !found.isHit && !isInside;
   // behind something: what is beside it, not filtered
   view.from = isEdge ? (floor((start.xy + found.low * way.xy) * size) + 0.5) / size : start.xy + view.s * way.xy;
   view.to = isEdge ? (floor((start.xy + found.high * way.xy) * size) + 0.5) / size : view.from;

@@ -136,7 +136,6 @@ bool waterMediumConverge(vec3 start, vec3 way, float pixels, inout WaterMediumHi
 struct WaterMediumView
 {
   bool isMet; // or else it is guessed
-  bool isOut; // it is not: the ray leaves the picture before it meets anything
   float s;    // the ray is start + s way
   vec2 from;  // u, v: the color is a mixture of two places
   vec2 to;
@@ -322,8 +321,6 @@ vec3 waterTransmitted(WaterPoint point)
   }
   float caustic = waterCaustic(point.place + ways.z * dir.xy, -ways.z * dir.z);
   from = met.depth >= 1.0 ? waterDeepColor : waterAfter(caustic * from, ways.x);
-  // the further from the picture's border, the less is known of the bed
-  from = mix(waterDeepColor, from, view.isOut ? clamp(met.way / max(ways.x, 1e-9), 0.0, 1.0) : 1.0);
   if (areTwo)
   {
     to = depthTo >= 1.0 ? waterDeepColor : waterAfter(caustic * to, ways.y);

@@ -168,7 +168,6 @@ WaterMediumView waterMediumMeets(vec3 start, vec3 way, float most)
   float share = found.isHit ? clamp(-missLow / max(missHigh - missLow, 1e-20), 0.0, 1.0) : 0.0;
   WaterMediumView view;
   view.isMet = found.isHit ? !isGap : isInside && found.low >= reach * (1.0 - 1e-6);
-  view.isOut = !found.isHit && !isInside;
   view.s = found.low + share * wide;
   view.share = view.isMet ? share : (found.isHit ? found.share : 0.0);
   view.from = start.xy + (view.isMet ? view.s : found.low) * way.xy;
