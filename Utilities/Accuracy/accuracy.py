@@ -10,13 +10,13 @@ How it is put together:
     reference   what is right: reflected rays, where they end, the picture they make
     formulas    the lookups that other programs use
     report      figures with limits, tables, plots, the text
-    lookup, colour, cost, confidence, random_scenes, random_refraction
+    lookup, colour, cost, confidence, random_scenes, random_refraction, edges
                 the sections. Each has run(report) and its own prose; a new one is a module with the
                 same, added to SECTIONS
     scene_generator
                 makes the random scenes, each from a seed. More of them than the report has:
                 random_scenes.py is a command of its own; refraction_generator and refraction_truth are
-                the same for what is seen through water
+                the same for what is seen through water, edge_generator and edges for edges
 
 The truth shares no code with the module under test: waves, reflections and intersections are
 computed from their definitions in vtkWaterProperty.h. The other scenes are those of the wave tests
@@ -33,7 +33,7 @@ sys.path.insert(0, str(PROJECT / "Testing" / "Python"))  # scenes, ray_caster
 
 # name, module
 SECTIONS = {"lookup": "lookup", "colour": "colour", "cost": "cost", "confidence": "confidence",
-            "scenes": "random_scenes", "refraction": "random_refraction"}
+            "scenes": "random_scenes", "refraction": "random_refraction", "edges": "edges"}
 
 
 def main():
