@@ -167,7 +167,9 @@ unsigned FeaturesWith(
   texture.has_layer = inputs.Translucent.Color != nullptr;
   texture.has_peel = inputs.PeelColor && water.WantsPeel();
   texture.is_enclosed = inputs.Plan && inputs.Plan->is_enclosed;
-  const unsigned features = water_features_with_texture(water.Features, &texture);
+  const bool hasSamples = inputs.Renderer->GetRenderWindow()->GetMultiSamples() > 1;
+  unsigned features = water_features_with_texture(water.Features, &texture);
+  features = hasSamples ? water_features_with_samples(features) : features;
   return isSoftware ? features : water_features_on_hardware(features);
 }
 }

@@ -75,6 +75,8 @@ static inline size_t shader_combinations(unsigned* sets)
       {
         sets[water_features_with_mesh(asked)] = 1;
         sets[water_features_with_mesh(hardware)] = 1;
+        sets[water_features_with_samples(asked)] = 1;
+        sets[water_features_with_samples(hardware)] = 1;
       }
       // a mesh whose vertices VTK does not let us move
       sets[asked & ~(unsigned)WATER_FEATURE_DISPLACED] = 1;

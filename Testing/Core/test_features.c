@@ -142,6 +142,18 @@ TEST(mesh_is_drawn_as_it_is_or_displaced)
   }
 }
 
+// Only what is seen through the surface has samples to look at.
+TEST(samples_are_of_what_is_seen_through)
+{
+  for (unsigned has = 0; has < LOOKS; ++has)
+  {
+    const unsigned features = expected_of(has);
+    const bool is_clear = (features & WATER_FEATURE_MEDIUM) != 0;
+    assert_int_equal(
+      water_features_with_samples(features), features + (is_clear ? WATER_FEATURE_SAMPLES : 0));
+  }
+}
+
 // On hardware reads go out together, for what reads, and a pixel has one ray unless there is a
 // peel: nothing else changes.
 TEST(hardware_reads_in_batches)
@@ -188,8 +200,9 @@ enum
 {
   SURFACE_FILES = sizeof surface_files / sizeof surface_files[0],
   VERTEX_FILES = sizeof vertex_files / sizeof vertex_files[0],
-  // looked up in 8 kinds of reflection textures, on 2 of machines, with a mesh or without
-  REACHABLE_MAX = (2 + 4 * 8) * LOOKS
+  // looked up in 8 kinds of reflection textures, on 2 of machines, with a mesh or without, and with
+  // samples
+  REACHABLE_MAX = (2 + 6 * 8) * LOOKS
 };
 
 // All sets of features that a shader may be asked for, some more than once.
@@ -209,7 +222,9 @@ static size_t reach_all(unsigned features[REACHABLE_MAX])
       features[count + 1] = water_features_on_hardware(features[count]);
       features[count + 2] = water_features_with_mesh(features[count]);
       features[count + 3] = water_features_with_mesh(features[count + 1]);
-      count += 4;
+      features[count + 4] = water_features_with_samples(features[count]);
+      features[count + 5] = water_features_with_samples(features[count + 1]);
+      count += 6;
     }
   }
   return count;
@@ -236,7 +251,8 @@ static bool is_empty(const char* slot, unsigned features)
   {
     return !(features & WATER_FEATURE_ROUGH);
   }
-  if (strcmp(slot, "attenuation") == 0 || strcmp(slot, "refraction") == 0)
+  if (strcmp(slot, "attenuation") == 0 || strcmp(slot, "refraction") == 0 ||
+    strcmp(slot, "others") == 0)
   {
     return !(features & WATER_FEATURE_MEDIUM);
   }
@@ -307,8 +323,9 @@ TEST(slots_stand_in_their_order)
 {
   static const char* const surface[] = { "optics", "gradient", "attenuation", "slopes", "cell",
     "place", "height", "point", "tile", "sines", "sea", "normal_maps", "waves", "output",
-    "reflection", "dome", "walk", "behind", "layer", "blur", "caustics", "medium", "refraction",
-    "facet_slopes", "facets", "rays", "shadows", "glitter", "foam", "sun", "surface" };
+    "reflection", "dome", "walk", "behind", "layer", "blur", "caustics", "medium", "others",
+    "refraction", "facet_slopes", "facets", "rays", "shadows", "glitter", "foam", "sun",
+    "surface" };
   static const char* const vertex[] = { "cell", "displacement", "heights", "depth" };
   assert_order(surface_files, SURFACE_FILES, surface, sizeof surface / sizeof surface[0]);
   assert_order(vertex_files, VERTEX_FILES, vertex, 4);
@@ -363,6 +380,7 @@ TEST(vertices_move_where_the_surface_is_displaced)
 }
 
 TESTS(features_of_every_look_follow_the_rules, layer_and_peel_are_for_traced_rays_alone,
-  mesh_is_drawn_as_it_is_or_displaced, hardware_reads_in_batches,
-  water_in_a_mirrored_view_is_smooth_or_rough, each_slot_has_one_file, slots_stand_in_their_order,
-  every_file_and_feature_is_used, vertices_move_where_the_surface_is_displaced)
+  mesh_is_drawn_as_it_is_or_displaced, samples_are_of_what_is_seen_through,
+  hardware_reads_in_batches, water_in_a_mirrored_view_is_smooth_or_rough, each_slot_has_one_file,
+  slots_stand_in_their_order, every_file_and_feature_is_used,
+  vertices_move_where_the_surface_is_displaced)

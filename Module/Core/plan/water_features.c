@@ -90,6 +90,11 @@ unsigned water_features_with_mesh(unsigned features)
   return features | if_has((features & WATER_FEATURE_DISPLACED) == 0, WATER_FEATURE_MESH);
 }
 
+unsigned water_features_with_samples(unsigned features)
+{
+  return features | if_has((features & WATER_FEATURE_MEDIUM) != 0, WATER_FEATURE_SAMPLES);
+}
+
 unsigned water_features_on_hardware(unsigned features)
 {
   const bool is_traced = (features & WATER_FEATURE_RAY_TRACED) != 0;

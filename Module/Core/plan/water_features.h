@@ -40,7 +40,8 @@ extern "C"
   X(HARDWARE_FACETS, "hardware: facets with branches of their own")                                \
   X(HARDWARE_MEDIUM, "hardware: a refracted ray is marched where it must")                         \
   X(HARDWARE_TILE, "hardware: as many looks at a tile as a pixel needs")                           \
-  X(MESH, "a mesh of the user's: its vertices know their heights")
+  X(MESH, "a mesh of the user's: its vertices know their heights")                                 \
+  X(SAMPLES, "the picture that is seen through the surface has several samples a pixel")
 
 typedef enum water_feature_bit
 {
@@ -124,6 +125,10 @@ enum // WATER_FEATURE_WAVES and so on
   X(caustics, vtkWaterNoCausticsFS, 0, WATER_FEATURE_FLAG(CAUSTICS), "none")                       \
   X(medium, vtkWaterMediumFS, WATER_FEATURE_FLAG(MEDIUM), 0, "the scene, refracted and dimmed")    \
   X(medium, vtkWaterNoMediumFS, 0, WATER_FEATURE_FLAG(MEDIUM), "the water's own colour")           \
+  X(others, vtkWaterOthersFS, WATER_FEATURE_FLAG(SAMPLES), 0,                                      \
+    "what else is in a pixel of several samples")                                                  \
+  X(others, vtkWaterNoOthersFS, WATER_FEATURE_FLAG(MEDIUM), WATER_FEATURE_FLAG(SAMPLES),           \
+    "nothing")                                                                                     \
   X(refraction, vtkWaterMediumWalkFS, WATER_FEATURE_FLAG(MEDIUM),                                  \
     WATER_FEATURE_FLAG(HARDWARE_MEDIUM), "how far the refracted ray is followed")                  \
   X(refraction, vtkWaterHardwareMediumFS, WATER_FEATURE_FLAG(HARDWARE_MEDIUM), 0,                  \
@@ -226,6 +231,9 @@ unsigned water_features_with_texture(unsigned features, const water_feature_text
 // The same for a mesh of the user's that is drawn as it is: not where waves displace it, which
 // start from the plane.
 unsigned water_features_with_mesh(unsigned features);
+
+// The same for a window of several samples a pixel.
+unsigned water_features_with_samples(unsigned features);
 
 // The same where hardware executes the shader. Several rays a pixel are too slow there, unless
 // there is a peel, which is slower still.

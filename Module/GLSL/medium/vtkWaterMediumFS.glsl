@@ -21,6 +21,7 @@ const float WATER_MEDIUM_EDGE = 4.0;    // so many times
 const float WATER_MEDIUM_DEEPER = 1.01;  // than what is deepest: bounds are rounded
 const float WATER_MEDIUM_ENDLESS = 1e29; // m: the water has no border
 const float WATER_MEDIUM_CLOSE_PX = 0.2; // two places are as good as one
+const float WATER_MEDIUM_GAP_PX = 4.0; // what is hidden over more is guessed from one thing
 const float WATER_MEDIUM_LONG_PX = 8.0;  // ways that need eight looks, and not four
 
 float waterMediumDepth(vec2 uv)
@@ -179,6 +180,8 @@ vec2 waterMediumUnmixed(vec2 uv, float depth)
   vec2 before = depth - near.xy;
   vec2 after = near.zw - depth;
   vec2 slope = mix(before, after, lessThan(abs(after), abs(before)));
+  // edges of sorted pixels go to and fro: between two others a pixel has no slope
+  slope *= mix(vec2(1.0), step(0.0, before * after), float(waterSceneIsSorted));
   float edge = WATER_MEDIUM_BENT * (abs(slope.x) + abs(slope.y)) + 1e-7;
   vec2 isBefore = step(edge, abs(before - slope));
   vec2 isAfter = step(edge, abs(after - slope));
@@ -206,6 +209,13 @@ vec3 waterMediumColor(vec2 uv, float depth)
 {
   return textureLod(waterSceneColor, waterMediumUnmixed(uv, depth), 0.0).rgb;
 }
+
+// Mixes what is seen at a place with what else is in its pixel, both through the water; of the slot others.
+//
+// others  1: there may be others
+// begun   how far the ray has come in the picture, pixels
+// dir     of the ray, in the plane's axes
+vec3 waterMediumWithOther(vec2 uv, float depth, int others, float begun, vec3 seen, vec3 dir, float caustic);
 
 // A ray through the water.
 struct WaterMediumRay
@@ -321,9 +331,14 @@ vec3 waterTransmitted(WaterPoint point)
   }
   float caustic = waterCaustic(point.place + ways.z * dir.xy, -ways.z * dir.z);
   from = met.depth >= 1.0 ? waterDeepColor : waterAfter(caustic * from, ways.x);
+  float gap = length((view.to - view.from) * waterMediumSize());
+  int others = view.isMet || (gap > 0.0 && gap < WATER_MEDIUM_GAP_PX) ? waterSceneIsSorted : 0;
+  float begun = length((view.from - 0.5 - 0.5 * point.ndc) * waterMediumSize());
+  from = waterMediumWithOther(view.from, met.depth, others, begun, from, dir, caustic);
   if (areTwo)
   {
     to = depthTo >= 1.0 ? waterDeepColor : waterAfter(caustic * to, ways.y);
+    to = waterMediumWithOther(view.to, depthTo, others, begun, to, dir, caustic);
     from = mix(from, to, view.share);
   }
   return from;

@@ -29,6 +29,9 @@ uniform vec3 waterSlopeVariance;   // xx, yy, xy of the slopes too small for wav
 uniform vec4 waterSkyBottom;       // a: 1 when the sky is known in all directions
 uniform vec4 waterSkyTop;
 
+uniform int waterSceneIsSorted;    // 1: a multisampled picture's samples are sorted, each pixel's into those of two things:
+uniform sampler2D waterSceneOtherPlace; // depth of the one with fewer; from the middle to where the surface is seen, pixels
+
 float waterSmooth = 2e-5; // slope variance up to which a pixel has one facet: its reflection blurs by half a degree
 
 struct WaterPoint
@@ -56,21 +59,39 @@ struct WaterPlaces
   vec4 shares; // 0: not a place of the reflection texture
 };
 
+// From the pixel's middle to that of those samples which are not of something over the water: what is looked up in
+// the middle may be the inside of that.
+vec2 waterSeenShift()
+{
+  vec2 shift = vec2(0.0);
+  for (int i = 0; i < waterSceneIsSorted; ++i)
+  {
+    shift = texelFetch(waterSceneOtherPlace, ivec2(gl_FragCoord.xy - waterViewport.xy), 0).gb;
+  }
+  return shift;
+}
+
+vec2 waterShift = vec2(0.0);      // that
+vec2 waterDepthChange = vec2(0.0); // of the window depth, from pixel to pixel
+
 // Window depth of the surface; of an endless one before the near plane and beyond the far plane, too.
 float waterWindowDepth(vec2 ndc)
 {
   float endless = 0.5 + 0.5 * dot(waterPixelDepth, vec4(ndc, 1.0, gl_FragCoord.w));
-  return waterIsEndless != 0 ? endless : gl_FragCoord.z;
+  return waterIsEndless != 0 ? endless : gl_FragCoord.z + dot(waterShift, waterDepthChange);
 }
 
 WaterPoint waterPoint()
 {
   WaterPoint point;
-  point.ndc = 2.0 * (gl_FragCoord.xy - waterViewport.xy) * waterViewport.zw - 1.0;
+  vec2 middle = waterPlaceOf(2.0 * (gl_FragCoord.xy - waterViewport.xy) * waterViewport.zw - 1.0);
+  waterShift = waterSeenShift();
+  waterDepthChange = vec2(dFdx(gl_FragCoord.z), dFdy(gl_FragCoord.z));
+  point.ndc = 2.0 * (gl_FragCoord.xy + waterShift - waterViewport.xy) * waterViewport.zw - 1.0;
   point.ray = normalize(waterNdcToRay * vec3(point.ndc, 1.0));
-  point.place = waterPlaceOf(point.ndc);
-  point.across = dFdx(point.place);
-  point.down = dFdy(point.place);
+  point.across = dFdx(middle);
+  point.down = dFdy(middle);
+  point.place = middle + waterShift.x * point.across + waterShift.y * point.down;
   point.normal = vec3(0.0, 0.0, 1.0);
   point.variance = vec4(waterSlopeVariance.xy, 0.0, 0.0);
   point.even = vec2(0.0);
@@ -81,6 +102,9 @@ WaterPoint waterPoint()
   point.height = height / gl_FragCoord.w;
   point.startW = mirrored.w / gl_FragCoord.w;
   vec3 window = 0.5 / mirrored.w * mirrored.xyz;
+  // on to the next texel: the pixel's own is a mean that has the inside of what stands there
+  vec2 beside = waterShift / max(max(abs(waterShift.x), abs(waterShift.y)), 1e-6) - waterShift;
+  window.xy += beside * waterViewport.zw;
   point.start = vec3(0.5 + waterReflectionScale * vec2(-window.x, window.y),
     waterDepthScale.x * (0.5 + window.z) + waterDepthScale.y);
   return point;

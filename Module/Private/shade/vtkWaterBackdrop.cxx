@@ -5,6 +5,8 @@
 #include "vtkOpenGLState.h"
 #include "vtkWaterGL.h"
 
+#include <algorithm>
+
 namespace
 {
 // What is bound for drawing.
@@ -53,10 +55,33 @@ struct Source
                       : (bits == 24 ? vtkTextureObject::Fixed24 : vtkTextureObject::Fixed32);
   }
 
+  // Are there several samples a pixel, in textures? Then these are in the picture.
+  bool HasSamples(vtkWaterSampleSort::Picture& picture) const
+  {
+    const GLenum type = GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE;
+    if (this->Samples == 0 || !this->Framebuffer || this->Get(this->Buffer, type) != GL_TEXTURE ||
+      this->Get(GL_DEPTH_ATTACHMENT, type) != GL_TEXTURE)
+    {
+      return false;
+    }
+    const GLenum name = GL_FRAMEBUFFER_ATTACHMENT_OBJECT_NAME;
+    picture.Samples = this->Samples;
+    picture.Color = static_cast<unsigned int>(this->Get(this->Buffer, name));
+    picture.Depth = static_cast<unsigned int>(this->Get(GL_DEPTH_ATTACHMENT, name));
+    return true;
+  }
+
   GLint Framebuffer = 0;
   GLint Buffer = 0;
   GLint Samples = 0;
 };
+
+bool SetPart(const int rect[4], const int part[4], vtkWaterSampleSort::Picture& picture)
+{
+  std::copy_n(rect, 4, picture.Rect);
+  std::copy_n(part, 4, picture.Part);
+  return part[2] > 0 && part[3] > 0;
+}
 
 // Did the GPU have the memory? VTK's textures do not say.
 bool HasSize(vtkTextureObject* texture, int width)
@@ -120,14 +145,31 @@ bool vtkWaterBackdrop::Ensure(vtkOpenGLRenderWindow* window, int width, int heig
 }
 
 //------------------------------------------------------------------------------
-bool vtkWaterBackdrop::Copy(vtkOpenGLRenderWindow* window, const int rect[4], const int part[4])
+bool vtkWaterBackdrop::Sort(
+  vtkOpenGLRenderWindow* window, const int rect[4], const int part[4], const double* heightClip)
 {
-  if (!Source().HasDepth() || !this->Ensure(window, rect[2], rect[3]))
+  const Source source;
+  vtkWaterSampleSort::Picture picture;
+  this->IsSorted = heightClip && source.HasSamples(picture) &&
+    this->Ensure(window, rect[2], rect[3]) && SetPart(rect, part, picture) &&
+    this->Sorted.Draw(window, picture, heightClip, this->Color, this->Depth);
+  this->IsMixed = source.Samples > 0 && !this->IsSorted;
+  return this->IsSorted;
+}
+
+//------------------------------------------------------------------------------
+bool vtkWaterBackdrop::Copy(
+  vtkOpenGLRenderWindow* window, const int rect[4], const int part[4], const double* heightClip)
+{
+  if (this->Sort(window, rect, part, heightClip))
+  {
+    return true;
+  }
+  const Source source;
+  if (!source.HasDepth() || !this->Ensure(window, rect[2], rect[3]))
   {
     return false;
   }
-  const Source source;
-  this->IsMixed = source.Samples > 0;
   vtkOpenGLState* state = window->GetState();
   state->PushFramebufferBindings();
   state->vtkglBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<unsigned int>(source.Framebuffer));
@@ -165,6 +207,7 @@ bool vtkWaterBackdrop::Copy(vtkOpenGLRenderWindow* window, const int rect[4], co
 //------------------------------------------------------------------------------
 void vtkWaterBackdrop::ReleaseGraphicsResources(vtkWindow* window)
 {
+  this->Sorted.ReleaseGraphicsResources(window);
   if (this->Framebuffer && window)
   {
     this->Framebuffer->ReleaseGraphicsResources(window);

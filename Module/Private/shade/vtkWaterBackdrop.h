@@ -7,6 +7,7 @@
 #include "vtkOpenGLFramebufferObject.h" // for members
 #include "vtkSmartPointer.h"
 #include "vtkTextureObject.h" // for members
+#include "vtkWaterSampleSort.h"
 
 class vtkOpenGLRenderWindow;
 class vtkWindow;
@@ -14,20 +15,32 @@ class vtkWindow;
 class vtkWaterBackdrop
 {
 public:
-  // Copies what the bound framebuffer has in a rectangle (x, y, width, height in pixels). Samples
-  // are averaged, as far as the GPU can.
+  // Copies what the bound framebuffer has in a rectangle (x, y, width, height in pixels). The
+  // samples of a pixel are sorted, or else averaged, as far as the GPU can.
   //
   // Returns false when the GPU refuses; there is then no backdrop.
   //
-  // rect  of the picture
-  // part  of that, from its corner, that is looked at; the rest of the textures is what it was
-  bool Copy(vtkOpenGLRenderWindow* window, const int rect[4], const int part[4]);
+  // rect        of the picture
+  // part        of that, from its corner, that is looked at; the rest is what it was
+  // heightClip  as in vtkWaterSampleSort.h; nullptr: samples are averaged
+  bool Copy(
+    vtkOpenGLRenderWindow* window, const int rect[4], const int part[4], const double* heightClip);
+
+  // The same, but nothing is done where the samples cannot be sorted: there is one a pixel.
+  bool Sort(
+    vtkOpenGLRenderWindow* window, const int rect[4], const int part[4], const double* heightClip);
+
+  // What was copied is of another frame.
+  void Forget() { this->IsSorted = this->IsMixed = false; }
 
   // Did the GPU give no memory for it, when last asked?
   bool GetHasFailed() const { return this->HasFailed; }
 
   // Are its colours means of several samples?
   bool GetIsMixed() const { return this->IsMixed; }
+
+  // The other things of pixels with samples of two; nullptr: there are none.
+  vtkWaterSampleSort* GetSorted() { return this->IsSorted ? &this->Sorted : nullptr; }
 
   vtkTextureObject* GetColor() { return this->Color; }
   vtkTextureObject* GetDepth() { return this->Depth; }
@@ -44,6 +57,8 @@ private:
   int Height = 0;
   int ColorType = 0; // VTK's, as the picture's
   int DepthFormat = 0;
+  vtkWaterSampleSort Sorted;
+  bool IsSorted = false;
   bool IsMixed = false;
   bool HasFailed = false;
 };

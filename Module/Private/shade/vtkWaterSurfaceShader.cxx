@@ -166,7 +166,9 @@ void vtkWaterSurfaceShader::BeginMedium(const int viewport_px[4])
   const bool hadFailed = this->Backdrop.GetHasFailed();
   int part_px[4];
   water_lookup_under(&this->Plan, this->IsFlat, viewport_px + 2, part_px);
-  this->HasBackdrop = this->Backdrop.Copy(this->GetWindow(), viewport_px, part_px);
+  // fog is drawn over all of the picture, and wants each pixel's mean
+  this->HasBackdrop = this->Backdrop.Copy(
+    this->GetWindow(), viewport_px, part_px, this->Drawn.AddsFog ? nullptr : this->Plan.plane_clip);
   if (this->Backdrop.GetHasFailed() && !hadFailed) // said once
   {
     vtkErrorWithObjectMacro(this->Water->Actor,
@@ -175,12 +177,28 @@ void vtkWaterSurfaceShader::BeginMedium(const int viewport_px[4])
   }
   this->Use("waterSceneColor", this->Backdrop.GetColor());
   this->Use("waterSceneDepth", this->Backdrop.GetDepth());
+  if (vtkWaterSampleSort* sorted = this->Backdrop.GetSorted())
+  {
+    this->Use("waterSceneOther", sorted->GetOther());
+    this->Use("waterSceneOtherPlace", sorted->GetOtherPlace());
+  }
   if (this->HasBackdrop && this->Drawn.AddsFog)
   {
     double deepColor[3];
     this->FindDeepColor(deepColor);
     this->Drawn.Fog->Draw(
       this->Drawn.Renderer, this->Plan, this->Backdrop, deepColor, this->Water->Look.Extinction);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterSurfaceShader::BeginSamples(const int viewport_px[4])
+{
+  int part_px[4];
+  water_lookup_under(&this->Plan, this->IsFlat, viewport_px + 2, part_px);
+  if (this->Backdrop.Sort(this->GetWindow(), viewport_px, part_px, this->Plan.plane_clip))
+  {
+    this->Use("waterSceneOtherPlace", this->Backdrop.GetSorted()->GetOtherPlace());
   }
 }
 
@@ -239,7 +257,7 @@ void vtkWaterSurfaceShader::BeginReflection(const int viewport_px[4])
 {
   const Inputs& drawn = this->Drawn;
   // where pixel meets texel, one texel is the same as four
-  const bool isAligned = this->IsFlat &&
+  const bool isAligned = this->IsFlat && !this->Backdrop.GetSorted() &&
     !this->Has(WATER_FEATURE_WAVES | WATER_FEATURE_RAY_TRACED | WATER_FEATURE_OFFSET) &&
     std::equal(viewport_px + 2, viewport_px + 4, this->Plan.texture_px);
   const int blurred = this->Has(WATER_FEATURE_ROUGH) ? vtkTextureObject::LinearMipmapLinear
@@ -284,6 +302,7 @@ void vtkWaterSurfaceShader::Begin(const vtkWaterSnapshotPointer& water, const In
     this->Drawn.Plan = &this->Plan;
   }
   this->HasBackdrop = false;
+  this->Backdrop.Forget();
   this->HasSea = false;
   this->Active.clear();
   int viewport_px[4];
@@ -294,6 +313,10 @@ void vtkWaterSurfaceShader::Begin(const vtkWaterSnapshotPointer& water, const In
   if (inputs.Plan && this->Has(WATER_FEATURE_MEDIUM))
   {
     this->BeginMedium(viewport_px);
+  }
+  else if (inputs.Plan && inputs.Reflection && water_plan_has_reflection(inputs.Plan))
+  {
+    this->BeginSamples(viewport_px);
   }
   if ((inputs.Plan || inputs.View) && this->Has(WATER_FEATURE_WAVES))
   {

@@ -109,6 +109,14 @@ void vtkWaterSurfaceShader::SetViewParameters(vtkShaderProgram* program)
   uniforms::Set3(program, "waterExtinction", look.Extinction);
   uniforms::Set(program, "waterFootprint", look.RayTraceFootprint);
   uniforms::Set(program, "waterSceneIsMixed", this->Backdrop.GetIsMixed() ? 1 : 0);
+  const bool isSorted = this->Backdrop.GetSorted() != nullptr;
+  uniforms::Set(program, "waterSceneIsSorted", isSorted ? 1 : 0);
+  if (!isSorted) // not looked at, but a sampler needs a texture
+  {
+    vtkTextureObject* any = this->HasBackdrop ? this->Backdrop.GetColor() : this->Drawn.Reflection;
+    uniforms::Set(program, "waterSceneOther", any);
+    uniforms::Set(program, "waterSceneOtherPlace", any);
+  }
   double sheet[4] = { -kFarUp, kFarUp, -kFarUp, kFarUp };
   for (int i = 0; i < 4 && this->Water->IsSheet && !this->Water->IsEndless; ++i)
   {

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkWaterOthersFS.glsl: slot others of a multisampled picture: what a pixel shows beside the thing with most of its
+// samples. A file of its own: software renderers execute what stands in a branch or a loop once at least.
+
+uniform sampler2D waterSceneOther; // of sorted samples: colour of the other thing, and its share of the pixel; nearest
+
+const float WATER_MEDIUM_BEGUN_PX = 1.5;
+
+// Mixes what is seen at a place with what else is in its pixel, both through the water. What stands before that hides what
+// the ray goes behind, and is not met, unless the ray has only begun.
+//
+// others  1: there may be others
+// begun   how far the ray has come in the picture, pixels
+// dir     of the ray, in the plane's axes
+vec3 waterMediumWithOther(vec2 uv, float depth, int others, float begun, vec3 seen, vec3 dir, float caustic)
+{
+  if (others != 0)
+  {
+    vec4 other = textureLod(waterSceneOther, uv, 0.0);
+    float depthOther = textureLod(waterSceneOtherPlace, uv, 0.0).r;
+    float way = max(waterMediumHeight(uv, depthOther) / dir.z, 0.0);
+    vec3 color = depthOther >= 1.0 ? waterDeepColor : waterAfter(caustic * other.rgb, way);
+    bool isMet = depthOther > depth || begun < WATER_MEDIUM_BEGUN_PX;
+    seen = mix(seen, color, isMet ? other.a : 0.0);
+  }
+  return seen;
+}

@@ -1,0 +1,69 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Under anti-aliasing edges of water are as smooth as others, and no dotted line is along the waterline."""
+
+import pathlib
+import sys
+
+import numpy as np
+import pytest
+import water_test as wt
+from vtkmodules.vtkRenderingCore import vtkProperty
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "Utilities" / "Accuracy"))
+
+import edge_generator  # noqa: E402
+import edges  # noqa: E402
+
+SIZE = (240, 180)
+
+
+def boxes_in_water(samples, is_clear):
+    """White boxes, black within, that stand in water; the sky is grey."""
+    view = wt.View(SIZE, (0.6, 0.6, 0.6), samples)
+    for number in range(4):
+        data = wt.box((0, 0, 0), (1.2, 1.2, 2))
+        turn = wt.vtkMatrix4x4()
+        angle = 0.3 + 0.4 * number
+        for i, row in enumerate(((np.cos(angle), -np.sin(angle)), (np.sin(angle), np.cos(angle)))):
+            for j, value in enumerate(row):
+                turn.SetElement(i, j, value)
+        actor = wt.add_actor(view.renderer, wt.moved(wt.transformed(data, turn), (2 * number - 3, 0, 0.1)), (1, 1, 1))
+        actor.GetProperty().LightingOff()
+        inside = vtkProperty()
+        inside.SetColor(0, 0, 0)
+        inside.LightingOff()
+        actor.SetBackfaceProperty(inside)
+    water = wt.add_water(view.renderer, None, (-20, 20, -20, 20), 0.9)
+    water.GetWaterProperty().SetRefraction(is_clear)
+    water.GetWaterProperty().SetDeepColor(0.6, 0.6, 0.6)
+    wt.place_camera(view.renderer, (1, -9, 4), (0, 0, 0), (0.5, 60))
+    return view
+
+
+@pytest.mark.parametrize("is_software", (1, 0))
+@pytest.mark.parametrize("is_clear", (False, True))
+def test_no_dotted_line_is_along_the_waterline(is_clear, is_software, monkeypatch):
+    """Where white boxes are cut by water that reflects them, next to no pixel shows their black inside."""
+    monkeypatch.setenv("VTK_WATER_SOFTWARE", str(is_software))
+    once, several = (boxes_in_water(samples, is_clear).picture().min(axis=2) for samples in (0, 4))
+    bright = once > 225
+    inside = bright.copy()  # white boxes and their reflections, waterlines between them
+    for dy in range(-3, 4):
+        for dx in range(-3, 4):
+            inside &= np.roll(bright, (dy, dx), (0, 1)) | (np.abs(dy) + np.abs(dx) < 3)
+    wt.check_at_least("pixels of white and its reflection", int(inside.sum()), 2000)
+    wt.check_at_most("dark dots among them", int((several[inside] < 225).sum()), 6)
+
+
+# seeds: the most that errors at the edges may be of those without water, with 4 samples
+RATIOS = {2: 1.25, 4: 1.4, 10: 1.6, 12: 1.2, 6: 1.1}
+
+
+@pytest.mark.parametrize("seed", RATIOS)
+def test_edges_in_random_scenes_are_smooth(seed):
+    """Near edges of the water, multisampled pictures are nearly as close to the truth as they are without water."""
+    result = edges.Result(edge_generator.make(seed, edges.SIZE), ("MSAA-4", "FXAA", "SSAA"))
+    wt.check_at_least(f"seed {seed}: pixels near edges", result.row["pixels"], 500)
+    wt.check_at_most(f"seed {seed}: MSAA, of the error without water", edges.ratio(result.row, "MSAA-4"), RATIOS[seed])
+    for mode in ("FXAA", "SSAA"):
+        wt.check_at_most(f"seed {seed}: {mode}, of the error without water", edges.ratio(result.row, mode), 1.2)
