@@ -193,6 +193,8 @@ public:
   void ReleaseGraphicsResources(vtkWindow* window) override;
   using Superclass::GetBounds;
   double* GetBounds() VTK_SIZEHINT(6) override;
+  // 0 for a sheet to the horizon, which has no bounds for pickers, but while pixels are selected
+  vtkTypeBool GetPickable() override;
   void SetMapper(vtkMapper* mapper) override;
   void ShallowCopy(vtkProp* prop) override;
   vtkMTimeType GetMTime() override;

@@ -182,7 +182,9 @@ double vtkWaterActor::Internals::GetSceneDiagonal()
   std::vector<vtkRenderer*> scene;
   FindRenderers(this->Self, scene);
   const vtkMTimeType frame = scene.empty() ? 0 : vtkWaterFrame::NumberOf(scene.front());
-  if (!this->IsUpdatingSheet && (frame == 0 || frame != this->MeasuredFrame))
+  // between frames it is as it was in the last one: buoys ask often
+  const bool isKnown = this->MeasuredFrame != 0 && (frame == 0 || frame == this->MeasuredFrame);
+  if (!this->IsUpdatingSheet && !isKnown)
   {
     this->MeasuredFrame = frame;
     double bounds[6];
@@ -195,4 +197,17 @@ double vtkWaterActor::Internals::GetSceneDiagonal()
   return this->SceneDiagonal;
 }
 
+//------------------------------------------------------------------------------
+vtkTypeBool vtkWaterActor::GetPickable()
+{
+  const vtkTypeBool isPickable = this->Superclass::GetPickable();
+  if (!isPickable || !this->IsEndless())
+  {
+    return isPickable;
+  }
+  std::vector<vtkRenderer*> scene;
+  FindRenderers(this, scene);
+  return std::any_of(scene.begin(), scene.end(),
+    [](vtkRenderer* renderer) { return renderer->GetSelector() != nullptr; });
+}
 VTK_ABI_NAMESPACE_END

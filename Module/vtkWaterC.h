@@ -78,10 +78,13 @@ VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_actor_set_plane(
 VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_actor_set_sheet_bounds(
   vtk_water_actor* actor, const double bounds[4]);
 
+/* Let the sheet be as wide as a scene that has ground under all of its water, such as a terrain,
+ * and else reach to the horizon. */
+VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_actor_set_sheet_to_automatic(
+  vtk_water_actor* actor);
+
 /* Let the sheet fill whatever the camera sees of the plane, up to the horizon, and be no part of
  * the scene's bounds; vtk_water_actor_set_sheet_bounds replaces it, and the other way round. */
-VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_actor_set_sheet_to_automatic(
-  vtk_water_actor* actor); /* as wide as a scene with ground under all water, else to the horizon */
 VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_actor_set_sheet_to_horizon(
   vtk_water_actor* actor);
 

@@ -163,8 +163,9 @@ public:
   ///@{
   /**
    * Where the colour of infinitely deep water comes from. MEDIUM: the share of the light that
-   * Absorption and Scattering send back up, 0.33 b / (a + b), under the renderer's lights and
-   * background. GIVEN: DeepColor, which no light changes. Default is MEDIUM.
+   * Absorption and Scattering send back up, 0.33 b / (a + b), under the renderer's distant
+   * lights (not positional ones; a headlight stands where the eye is) and background. GIVEN:
+   * DeepColor, which no light changes. Default is MEDIUM.
    *
    * Source: Morel and Prieur 1977, "Analysis of Variations in Ocean Color".
    */
@@ -191,9 +192,9 @@ public:
   /**
    * Metres per unit of the scene, in [1e-9, 1e9]: all lengths of this class are metres, and shown
    * in the scene's unit. 0 is automatic: a scene of 400 to 2000 units across (a preset may
-   * have another range: a pool 8 to 40) is one in metres, a smaller one counts as 400 m, a larger
-   * one as 2000 m, and waves shorter than 1/400 of the scene are not shown. Then GetWaveHeight
-   * follows what is shown. Default is 1.
+   * have another range: a pool 8 to 40) is one in metres, a smaller one counts as 200 to 400 m, a
+   * larger one as 2000 m, and waves shorter than 1/400 of the scene are not shown. Then
+   * GetWaveHeight follows what is shown. Default is 1.
    */
   void SetMetresPerUnit(double metres);
   vtkGetMacro(MetresPerUnit, double);

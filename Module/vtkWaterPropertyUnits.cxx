@@ -71,6 +71,7 @@ void vtkWaterProperty::DescribeUnits(double diagonal, vtkWaterLook& look) const
     this->ReadSea(&sea, &tile);
     longest = std::max(longest, water_tile_peak_wavelength(&sea));
   }
-  look.HidesWaves = isAutomatic && !water_units_show_waves(longest, diagonal * look.MetresPerUnit);
+  look.HidesWaves =
+    isAutomatic && longest > 0.0 && !water_units_show_waves(longest, diagonal * look.MetresPerUnit);
 }
 VTK_ABI_NAMESPACE_END

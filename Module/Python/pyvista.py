@@ -213,9 +213,10 @@ def add_water(
         actor.SetScale(1.0, 1.0, 1.0)  # the plane has it
     if light is not None:
         shine(self.renderer, actor, *light)
+    bounds_known = vtkMath.AreBoundsInitialized(actor.GetBounds() or (1, -1, 1, -1, 1, -1))  # also chooses the sheet
     if self.renderer.camera_set and not actor.GetSheetToHorizon():
         widen_clipping_range(self.renderer)
-    if render and (actor.GetSheetToHorizon() or vtkMath.AreBoundsInitialized(actor.GetBounds())):
+    if render and (actor.GetSheetToHorizon() or bounds_known):
         self.render()  # without bounds there is nothing yet to see
     return actor
 

@@ -69,7 +69,7 @@ def set_look(look, *, preset=None, waves=None, wind=None, color=None, opacity=No
     foam_depth = None if foam is None else depth_of(foam)
     strength = None if caustics is None else strength_of(caustics)
     if refraction is not None:
-        of_type("refraction", refraction, bool)
+        refraction = of_type("refraction", refraction.item() if hasattr(refraction, "item") else refraction, bool)
     if quality is not None and of_type("quality", quality, str) not in QUALITIES:
         raise ValueError(f"quality is {quality!r}; it must be one of {', '.join(QUALITIES)}")
     share = None if opacity is None else number("opacity", opacity)
@@ -93,7 +93,7 @@ def set_look(look, *, preset=None, waves=None, wind=None, color=None, opacity=No
     if refraction is None and preset is None and color is None and share is None:
         refraction = True
     with raising(look):
-        set_units(look, units, isinstance(waves, (int, float)) or waves is None)
+        set_units(look, units, waves is None or isinstance(waves, Real))
         if refraction is not None or through["foam"] or through["caustics"]:
             look.SetRefraction(refraction is not False)
         if foam_depth is not None:

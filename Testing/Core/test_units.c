@@ -40,11 +40,22 @@ TEST(scenes_of_all_sizes_count_as_natural)
   for (double diagonal = 1e-3; diagonal < 1e8; diagonal *= 10.0)
   {
     const double size = diagonal * water_units_fit(diagonal, natural);
-    assert_true(size >= 99.999 && size <= 1000.001);
+    assert_true(size >= 49.999 && size <= 1000.001);
   }
-  ASSERT_CLOSE(water_units_fit(500.0, natural), 1.0, 0.0);
-  ASSERT_CLOSE(water_units_fit(1.0, natural), 100.0, 1e-12);
-  ASSERT_CLOSE(water_units_fit(1e6, natural), 1e-3, 1e-15);
+  ASSERT_CLOSE(water_units_fit(300.0, natural), 1.0, 0.0);
+  ASSERT_CLOSE(water_units_fit(1.5, natural), 50.0, 1e-12);
+  ASSERT_CLOSE(water_units_fit(1e-30, natural), 1e9, 0.0);
+  ASSERT_CLOSE(water_units_fit(1e30, natural), 1e-9, 0.0);
+}
+
+// A thing that moves a little in its scene changes no unit.
+TEST(units_change_at_powers_of_two_alone)
+{
+  for (double diagonal = 4.0; diagonal < 7.99; diagonal += 0.1)
+  {
+    ASSERT_CLOSE(water_units_fit(diagonal, natural), water_units_fit(4.0, natural), 0.0);
+  }
+  assert_true(water_units_fit(8.1, natural) < water_units_fit(7.9, natural));
 }
 
 TEST(scenes_without_a_size_have_metres)
@@ -89,5 +100,5 @@ TEST(scaled_waves_have_the_same_slopes)
 }
 
 TESTS(units_have_their_metres, other_names_are_refused, scenes_of_all_sizes_count_as_natural,
-  scenes_without_a_size_have_metres, waves_too_short_for_the_scene_are_not_seen,
-  scaled_waves_have_the_same_slopes)
+  units_change_at_powers_of_two_alone, scenes_without_a_size_have_metres,
+  waves_too_short_for_the_scene_are_not_seen, scaled_waves_have_the_same_slopes)

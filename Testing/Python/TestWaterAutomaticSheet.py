@@ -8,7 +8,8 @@ from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet, vtkPlane, vtkStructuredGrid
 from vtkmodules.vtkFiltersGeometry import vtkStructuredGridGeometryFilter
-from vtkmodules.vtkRenderingCore import vtkActor, vtkAssembly, vtkCompositePolyDataMapper, vtkPolyDataMapper
+from vtkmodules.vtkFiltersSources import vtkPlaneSource
+from vtkmodules.vtkRenderingCore import vtkActor, vtkAreaPicker, vtkAssembly, vtkCompositePolyDataMapper, vtkPolyDataMapper
 from vtkwater import vtkWaterActor
 
 
@@ -59,7 +60,19 @@ def pool():
     return [actor_of(floor), actor_of(wall)]
 
 
+def beach(parts):
+    source = vtkPlaneSource()
+    source.SetOrigin(-5, -5, -1)
+    source.SetPoint1(5, -5, -1)
+    source.SetPoint2(-5, 5, 1)
+    source.SetResolution(parts, parts)
+    source.Update()
+    return actor_of(source.GetOutput())
+
+
 LAND = {
+    "beach of one face": lambda: [beach(1)],
+    "beach of nine faces": lambda: [beach(3)],
     "terrain": lambda: [actor_of(terrain())],
     "terrain of a millimetre": lambda: [actor_of(terrain(1e-3))],
     "terrain of 10,000 km": lambda: [actor_of(terrain(1e7))],
@@ -74,6 +87,7 @@ LAND = {
 SEA = {
     "sphere": lambda: [actor_of(wt.sphere((0, 0, 0), 1))],
     "block": lambda: [actor_of(wt.box((0, 0, 0), (2, 3, 4)))],
+    "low block": lambda: [actor_of(wt.box((0, 0, 0), (2, 2, 1)))],
     "islands": lambda: [actor_of(wt.sphere((x, x * x, 0), 1)) for x in (0, 3, 7)],
     "terrain and a ship far out": lambda: [actor_of(terrain()), actor_of(wt.box((40, 0, 0), (2, 1, 1)))],
     "invisible terrain": lambda: [actor_of(wt.sphere((0, 0, 0), 1)), hidden(actor_of(terrain()))],
@@ -105,8 +119,11 @@ def test_ground_ends_the_water(name, water_first):
     bounds = np.array(water.GetBounds())
     water.VisibilityOff()
     scene = np.array(view.renderer.ComputeVisiblePropBounds())
-    wt.check_at_most("as wide as the scene, off by, of that",
-                     float(np.abs(bounds - scene)[:4].max() / np.ptp(scene[:2])), 1e-6)
+    if name.startswith("beach"):
+        wt.check_equal("it is within the scene", bool(scene[2] <= bounds[2] < bounds[3] <= scene[3]), True)
+    else:
+        wt.check_at_most("as wide as the scene, off by, of that",
+                         float(np.abs(bounds - scene)[:4].max() / np.ptp(scene[:2])), 1e-6)
 
 
 @pytest.mark.parametrize("water_first", (False, True))
@@ -220,3 +237,14 @@ def test_water_that_rises_covers_more():
         water.SetLevel(level)
         seen.append(int(wt.water_mask(view, water).sum()))
     wt.check_equal("pixels of water grow with the level", seen == sorted(seen) and seen[0] > 0, True)
+
+
+def test_area_pickers_pass_endless_water():
+    """They ask each pickable prop for its bounds, which a sheet to the horizon has not."""
+    view, water = scene_of(SEA["sphere"]())
+    picker = vtkAreaPicker()
+    picker.AreaPick(0, 0, 63, 47, view.renderer)
+    wt.check_equal("props found", picker.GetProp3Ds().GetNumberOfItems(), 1)
+    wt.check_equal("pickable", (water.GetPickable(), water.GetSheetToHorizon()), (0, True))
+    water.ResetSheetBounds()
+    wt.check_equal("a sheet with bounds is pickable", water.GetPickable(), 1)

@@ -89,6 +89,12 @@ def test_lights_add_to_the_sky():
     check_color("or under water", view, shown_under(daylight))
 
 
+def test_lamps_are_no_daylight():
+    view, _ = pool()
+    add_light(view, 90).PositionalOn()
+    check_color("a positional light", view, np.zeros(3))
+
+
 @pytest.mark.parametrize("elevation", (20, 60))
 def test_a_headlight_stands_where_the_eye_is(elevation):
     view, _ = pool(elevation=elevation)

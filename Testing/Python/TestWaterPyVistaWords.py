@@ -65,6 +65,9 @@ ARRIVES = {  # the words, what is asked of the look, the answer
     "refraction": ({"refraction": True}, vtkWaterProperty.GetRefraction, True),
     "no refraction": ({"preset": "lake", "refraction": False}, vtkWaterProperty.GetRefraction, False),
     "refraction of a preset": ({"preset": "lake"}, vtkWaterProperty.GetRefraction, True),
+    "units of numpy's wind": ({"wind": np.float32(6)}, vtkWaterProperty.GetMetresPerUnit, 0.0),
+    "units of numpy's waves": ({"waves": np.int64(6)}, vtkWaterProperty.GetMetresPerUnit, 0.0),
+    "numpy's refraction": ({"refraction": np.True_, "preset": "lake"}, vtkWaterProperty.GetRefraction, True),
     "refraction by default": ({}, vtkWaterProperty.GetRefraction, False),
     "foam": ({"foam": 0.5}, lambda look: (look.GetFoamDepth(), look.GetRefraction()), (0.5, True)),
     "foam of the usual depth": (
@@ -422,3 +425,11 @@ def test_bounds_by_default_follow_the_scene(plotter):
     wt.check_equal("on hills: to the horizon", water.GetSheetToHorizon(), False)
     water = plotter.add_water(level=2, bounds="scene")
     wt.check_equal("bounds='scene': automatic", water.GetSheetIsAutomatic(), False)
+
+
+def test_open_water_keeps_the_clipping_range(plotter):
+    plotter.add_mesh(pv.Sphere())
+    plotter.camera.position = (0, -8, 1)
+    plotter.camera.clipping_range = (7, 9)
+    plotter.add_water()
+    wt.check_equal("clipping range", plotter.camera.clipping_range, (7.0, 9.0))

@@ -5,6 +5,8 @@
 #include <math.h>
 #include <string.h>
 
+static const double smallest = 1e-9; // metres of a unit
+static const double largest = 1e9;
 static const double waves_across = 400.0;
 
 typedef struct named_unit
@@ -43,7 +45,11 @@ double water_units_fit(double diagonal, const double natural_m[2])
   {
     return 1.0;
   }
-  return fmin(fmax(diagonal, natural_m[0]), natural_m[1]) / diagonal;
+  int exponent = 0;
+  (void)frexp(diagonal, &exponent);
+  const double size = ldexp(1.0, exponent);
+  const double metres = fmin(fmax(size, natural_m[0]), natural_m[1]) / size;
+  return fmin(fmax(metres, smallest), largest);
 }
 
 bool water_units_show_waves(double wavelength, double diagonal)

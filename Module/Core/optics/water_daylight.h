@@ -3,8 +3,8 @@
 // that the water sends back of it.
 //
 // Daylight is irradiance on the plane over pi, linear, red, green and blue: what a white card in
-// the plane would show. Colours of VTK's scenes are those of the display (sRGB): they are decoded
-// before they are added, and what comes back from the water is encoded.
+// the plane would show. A background is a colour of the display (sRGB) and is decoded before it is
+// added; a light's intensity is linear. What comes back from the water is encoded.
 // Source of the encoding: IEC 61966-2-1:1999 (sRGB), section 5.2.
 #ifndef water_daylight_h
 #define water_daylight_h

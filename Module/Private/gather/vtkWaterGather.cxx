@@ -95,7 +95,7 @@ void ReadLights(vtkRenderer* renderer, water_scene& scene)
   renderer->GetLights()->InitTraversal(it);
   while (vtkLight* light = renderer->GetLights()->GetNextLight(it))
   {
-    if (light->GetSwitch())
+    if (light->GetSwitch() && !light->GetPositional()) // lamps do not light all of the water
     {
       double dir[3];
       std::transform(light->GetTransformedPosition(), light->GetTransformedPosition() + 3,

@@ -6,9 +6,11 @@
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataSet.h"
+#include "vtkGenericCell.h"
 #include "vtkMapper.h"
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
+#include "vtkNew.h"
 #include "vtkPropCollection.h"
 #include "vtkRenderer.h"
 #include "vtkSmartPointer.h"
@@ -20,6 +22,9 @@
 
 namespace
 {
+constexpr vtkIdType kFewCells = 2000; // their faces are looked at, and not their points alone
+constexpr int kAcross = 32;           // so many places along each side of a face
+
 // Props that are a part of the scene that water covers.
 void ForEachProp(const std::vector<vtkRenderer*>& scene, const std::function<void(vtkProp*)>& what)
 {
@@ -140,11 +145,45 @@ void vtkWaterGround::AddPoints(vtkDataSet* data, vtkMatrix4x4* matrix)
   {
     double point[4];
     data->GetPoint(i, point);
-    point[3] = 1.0;
-    if (matrix)
+    this->AddPoint(point, matrix);
+  }
+  if (count > 0 && data->GetNumberOfCells() <= kFewCells)
+  {
+    this->AddFaces(data, matrix); // a beach may be one quadrilateral
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterGround::AddPoint(double point[4], vtkMatrix4x4* matrix)
+{
+  point[3] = 1.0;
+  if (matrix)
+  {
+    matrix->MultiplyPoint(point, point);
+  }
+  water_ground_add_point(point, &this->Ground);
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterGround::AddFaces(vtkDataSet* data, vtkMatrix4x4* matrix)
+{
+  vtkNew<vtkGenericCell> cell;
+  for (vtkIdType i = 0; i < data->GetNumberOfCells(); ++i)
+  {
+    data->GetCell(i, cell);
+    const vtkIdType corners = cell->GetCellDimension() == 2 ? cell->GetNumberOfPoints() : 0;
+    std::vector<double> weights(static_cast<size_t>(std::max<vtkIdType>(corners, 1)));
+    for (int j = 0; j < kAcross * kAcross && corners >= 3; ++j)
     {
-      matrix->MultiplyPoint(point, point);
+      double place[3] = { (j % kAcross + 0.5) / kAcross, (j / kAcross + 0.5) / kAcross, 0.0 };
+      int part = 0;
+      double point[4];
+      if (corners == 3 && place[0] + place[1] > 1.0)
+      {
+        continue; // out of the triangle
+      }
+      cell->EvaluateLocation(part, place, point, weights.data());
+      this->AddPoint(point, matrix);
     }
-    water_ground_add_point(point, &this->Ground);
   }
 }

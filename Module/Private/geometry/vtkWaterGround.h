@@ -30,6 +30,8 @@ public:
 private:
   void Add(vtkProp* prop);
   void FindWet();
+  void AddPoint(double point[4], vtkMatrix4x4* matrix);
+  void AddFaces(vtkDataSet* data, vtkMatrix4x4* matrix);
   void AddPoints(vtkDataSet* data, vtkMatrix4x4* matrix);
 
   std::vector<double> Key; // what the answer is of
