@@ -193,12 +193,16 @@ public:
   void ReleaseGraphicsResources(vtkWindow* window) override;
   using Superclass::GetBounds;
   double* GetBounds() VTK_SIZEHINT(6) override;
-  // 0 for a sheet to the horizon, which has no bounds for pickers, but while pixels are selected
-  vtkTypeBool GetPickable() override;
   void SetMapper(vtkMapper* mapper) override;
   void ShallowCopy(vtkProp* prop) override;
   vtkMTimeType GetMTime() override;
   ///@}
+
+  /**
+   * 0 while the sheet reaches to the horizon, as it has no bounds for pickers; but while pixels are
+   * selected, and else, as SetPickable says.
+   */
+  vtkTypeBool GetPickable() override;
 
   /**
    * What the module itself knows the water by; not for use.

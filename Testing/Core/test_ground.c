@@ -115,6 +115,17 @@ TEST(cells_cover_the_scene)
   ASSERT_CLOSE(last[7], 1.0, 1e-12);
 }
 
+TEST(coarse_meshes_are_looked_at_in_more_places)
+{
+  assert_int_equal(water_ground_across(1.0), WATER_GROUND_CELLS);
+  assert_int_equal(water_ground_across(0.0), WATER_GROUND_CELLS);
+  assert_int_equal(water_ground_across(1e9), 2);
+  for (double side = 1.0; side < 200.0; side += 1.0)
+  {
+    assert_true(side * water_ground_across(side * side) >= WATER_GROUND_CELLS);
+  }
+}
+
 // A plane without a normal and a scene without bounds have no ground.
 TEST(bad_scenes_have_no_ground)
 {
@@ -162,6 +173,7 @@ TEST(ground_is_dry_where_it_stands_out)
   assert_false(water_ground_is_dry(&ground, 0.0, WATER_GROUND_CELLS / 2, WATER_GROUND_CELLS / 2));
 }
 
-TESTS(cells_cover_the_scene, ground_is_dry_where_it_stands_out, bad_scenes_have_no_ground,
-  terrain_is_ground, round_and_thick_things_are_not, few_points_are_no_ground,
-  a_bed_under_the_water_is_ground, numbers_that_are_none_count_nothing)
+TESTS(coarse_meshes_are_looked_at_in_more_places, cells_cover_the_scene,
+  ground_is_dry_where_it_stands_out, bad_scenes_have_no_ground, terrain_is_ground,
+  round_and_thick_things_are_not, few_points_are_no_ground, a_bed_under_the_water_is_ground,
+  numbers_that_are_none_count_nothing)

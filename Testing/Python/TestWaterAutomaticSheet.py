@@ -248,3 +248,17 @@ def test_area_pickers_pass_endless_water():
     wt.check_equal("pickable", (water.GetPickable(), water.GetSheetToHorizon()), (0, True))
     water.ResetSheetBounds()
     wt.check_equal("a sheet with bounds is pickable", water.GetPickable(), 1)
+
+
+@pytest.mark.parametrize("points", (20, 46, 55, 60, 64, 90, 128))
+def test_no_grid_of_bars_hangs_under_coarse_land(points):
+    """Wherever a mesh's points lie in the cells, land that is dry has no water under it."""
+    view = wt.View((240, 180), (0.6, 0.7, 0.8))
+    view.renderer.AddActor(basin(points))
+    water = vtkWaterActor()
+    water.SetSheetToAutomatic()
+    view.renderer.AddActor(water)
+    wt.place_camera(view.renderer, (3, -14, -4), (0, 0, 0), (0.5, 60))
+    view.picture()
+    low, high = np.array(water.GetBounds())[:4].reshape(2, 2).T
+    wt.check_at_most("width of the water, of the land's 10", float((high - low).max()), 7.5)

@@ -141,6 +141,12 @@ void water_ground_add_point(const double point[3], water_ground* ground)
   }
 }
 
+int water_ground_across(double faces)
+{
+  const double across = 2.0 * WATER_GROUND_CELLS / sqrt(fmax(faces, 1.0));
+  return (int)fmin(fmax(ceil(across), 2.0), WATER_GROUND_CELLS);
+}
+
 bool water_ground_is_under(const water_ground* ground, double level)
 {
   const double most = steep / near * ground->near;

@@ -53,6 +53,10 @@ void water_ground_add_bounds(const double bounds[6], water_ground* ground);
 // Adds a point of a surface, in world. Numbers that are not finite count nothing.
 void water_ground_add_point(const double point[3], water_ground* ground);
 
+// At how many places along each of its sides a face is to be looked at, so that no cell of a mesh
+// of so many faces stays without a point.
+int water_ground_across(double faces);
+
 // level  height of the water along the normal, from the world's origin
 bool water_ground_is_under(const water_ground* ground, double level);
 

@@ -22,8 +22,7 @@
 
 namespace
 {
-constexpr vtkIdType kFewCells = 2000; // their faces are looked at, and not their points alone
-constexpr int kAcross = 32;           // so many places along each side of a face
+constexpr vtkIdType kFewCells = 20000; // their faces are looked at, and not their points alone
 
 // Props that are a part of the scene that water covers.
 void ForEachProp(const std::vector<vtkRenderer*>& scene, const std::function<void(vtkProp*)>& what)
@@ -168,14 +167,15 @@ void vtkWaterGround::AddPoint(double point[4], vtkMatrix4x4* matrix)
 void vtkWaterGround::AddFaces(vtkDataSet* data, vtkMatrix4x4* matrix)
 {
   vtkNew<vtkGenericCell> cell;
+  const int across = water_ground_across(static_cast<double>(data->GetNumberOfCells()));
   for (vtkIdType i = 0; i < data->GetNumberOfCells(); ++i)
   {
     data->GetCell(i, cell);
     const vtkIdType corners = cell->GetCellDimension() == 2 ? cell->GetNumberOfPoints() : 0;
     std::vector<double> weights(static_cast<size_t>(std::max<vtkIdType>(corners, 1)));
-    for (int j = 0; j < kAcross * kAcross && corners >= 3; ++j)
+    for (int j = 0; j < across * across && corners >= 3; ++j)
     {
-      double place[3] = { (j % kAcross + 0.5) / kAcross, (j / kAcross + 0.5) / kAcross, 0.0 };
+      double place[3] = { (j % across + 0.5) / across, (j / across + 0.5) / across, 0.0 };
       int part = 0;
       double point[4];
       if (corners == 3 && place[0] + place[1] > 1.0)

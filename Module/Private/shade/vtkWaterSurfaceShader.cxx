@@ -192,17 +192,6 @@ void vtkWaterSurfaceShader::BeginMedium(const int viewport_px[4])
 }
 
 //------------------------------------------------------------------------------
-void vtkWaterSurfaceShader::BeginSamples(const int viewport_px[4])
-{
-  int part_px[4];
-  water_lookup_under(&this->Plan, this->IsFlat, viewport_px + 2, part_px);
-  if (this->Backdrop.Sort(this->GetWindow(), viewport_px, part_px, this->Plan.plane_clip))
-  {
-    this->Use("waterSceneOtherPlace", this->Backdrop.GetSorted()->GetOtherPlace());
-  }
-}
-
-//------------------------------------------------------------------------------
 void vtkWaterSurfaceShader::BeginWaves()
 {
   vtkOpenGLRenderWindow* window = this->GetWindow();
@@ -313,10 +302,6 @@ void vtkWaterSurfaceShader::Begin(const vtkWaterSnapshotPointer& water, const In
   if (inputs.Plan && this->Has(WATER_FEATURE_MEDIUM))
   {
     this->BeginMedium(viewport_px);
-  }
-  else if (inputs.Plan && inputs.Reflection && water_plan_has_reflection(inputs.Plan))
-  {
-    this->BeginSamples(viewport_px);
   }
   if ((inputs.Plan || inputs.View) && this->Has(WATER_FEATURE_WAVES))
   {

@@ -95,7 +95,6 @@ private:
   // Colour of infinitely deep water in the light of what is drawn.
   void FindDeepColor(double color[3]) const;
   void BeginMedium(const int viewport_px[4]);
-  void BeginSamples(const int viewport_px[4]);
   void BeginWaves();
   void BeginSea();
   void BeginReflection(const int viewport_px[4]);
