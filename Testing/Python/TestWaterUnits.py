@@ -168,14 +168,28 @@ def test_automatic_units_follow_the_scene_whenever_it_comes():
 
 
 def test_units_stay_while_a_thing_moves():
+    """Also if the scene grows a little with it."""
     view, water = scene(1.0, everything, "automatic")
     ball = wt.add_actor(view.renderer, wt.sphere((0, 0, 0), 0.1), (1, 0, 0))
-    seen = set()
-    for x in np.linspace(-5, 5, 11):
-        ball.SetPosition(x, 0.3 * x, 0.1 * x)
+    seen, sizes = set(), set()
+    for x in np.linspace(6, 8, 5):
+        ball.SetPosition(x, 0, 0)
         view.picture()
         seen.add(printed(water))
+        sizes.add(bounds_of(view.renderer)[1])
+    wt.check_equal("sizes of the scene", len(sizes), 5)
     wt.check_equal("units", len(seen), 1)
+
+
+def test_bounds_of_displaced_water_are_in_the_scenes_unit():
+    """How far steep waves move points up, down and aside."""
+    def steep(look):
+        look.AddWave(0.1, 3.0, 20, 10, 1.0)
+        look.WaveGeometryOn()
+    _, metres = scene(1.0, steep)
+    _, feet = scene(UNITS["ft"], steep, "ft")
+    off = np.abs(np.array(metres.GetBounds()) - UNITS["ft"] * np.array(feet.GetBounds())).max()
+    wt.check_at_most("off by, m", float(off), 1e-6)
 
 
 def test_calm_water_has_no_waves_to_hide():

@@ -156,6 +156,15 @@ void water_plane_displaced_bounds(
   }
 }
 
+water_plane water_plane_turned(const water_plane* plane, water_side side)
+{
+  const double sign = side == WATER_BELOW ? -1.0 : 1.0;
+  const water_plane turned = { { sign * plane->normal[0], sign * plane->normal[1],
+                                 sign * plane->normal[2] },
+    sign * plane->offset };
+  return turned;
+}
+
 void water_sheet_corners(const double origin[3], const double x_dir[3], const double y_dir[3],
   const double sheet[4], double corners[12])
 {

@@ -78,6 +78,9 @@ water_status water_sheet_bounds(const double origin[3], const double x_dir[3],
 void water_plane_displaced_bounds(const water_plane* unit, const double bounds[6], double height,
   double reach, double displaced[6]);
 
+// The plane with its normal towards an eye on a side of it.
+water_plane water_plane_turned(const water_plane* plane, water_side side);
+
 // The sheet's corners in world, counter-clockwise about the normal: 4 points of 3.
 void water_sheet_corners(const double origin[3], const double x_dir[3], const double y_dir[3],
   const double sheet[4], double corners[12]);

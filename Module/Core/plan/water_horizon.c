@@ -92,15 +92,6 @@ static outline outline_make(
   return shape;
 }
 
-static water_plane turned(const water_plane* plane, water_side side)
-{
-  const double sign = side == WATER_BELOW ? -1.0 : 1.0;
-  const water_plane made = { { sign * plane->normal[0], sign * plane->normal[1],
-                               sign * plane->normal[2] },
-    sign * plane->offset };
-  return made;
-}
-
 void water_horizon_depths(const double view_to_clip[16], bool is_displaced, double depths[3])
 {
   depths[0] = is_displaced ? near_slice : 0.0;
@@ -120,7 +111,7 @@ bool water_horizon_box(
   const water_eye* eye, const water_plane* plane, water_side side, double height, double box[4])
 {
   static const double whole[4] = { -1.0, -1.0, 1.0, 1.0 };
-  const water_plane facing = turned(plane, side);
+  const water_plane facing = water_plane_turned(plane, side);
   double plane_view[4];
   water_camera_plane_view(eye, &facing, plane_view);
   // an eye that is over all waves sees none of them over the horizon
@@ -164,7 +155,7 @@ static bool way_back_make(const water_camera* camera, const water_plane* plane, 
     return false;
   }
   water_select_level(eye, &unit, &level, &side);
-  *facing = turned(&level, side);
+  *facing = water_plane_turned(&level, side);
   back->is_from_below = side == WATER_BELOW;
   const double center[4] = { eye->has_center ? eye->center_view[0] : 0.0,
     eye->has_center ? eye->center_view[1] : 0.0, eye->has_center ? eye->center_view[2] : 0.0, 1.0 };

@@ -144,15 +144,6 @@ static water_decision decide(const water_scene* scene, const checked* input)
   return scene->has_environment ? WATER_NO_REFLECT_ENVIRONMENT : WATER_REFLECT;
 }
 
-static water_plane turn_to_eye(const water_plane* plane, water_side side)
-{
-  const double sign = side == WATER_BELOW ? -1.0 : 1.0;
-  const water_plane turned = { { sign * plane->normal[0], sign * plane->normal[1],
-                                 sign * plane->normal[2] },
-    sign * plane->offset };
-  return turned;
-}
-
 // Which part of the picture the water covers.
 static void cover(
   const water_scene* scene, const checked* input, const water_plane* plane, double box[4])
@@ -330,7 +321,7 @@ static water_status fill_view(const water_scene* scene, const checked* input,
   water_lookup_dirs(&scene->eye, axes, plan->dir_to_eye);
   water_lookup_environment(
     axes, scene->environment_up, scene->environment_right, plan->dir_to_environment);
-  const water_plane level = turn_to_eye(&input->level, input->side);
+  const water_plane level = water_plane_turned(&input->level, input->side);
   double level_view[4];
   water_camera_plane_view(&input->eye, &level, level_view);
   water_mat4_apply_row(level_view, input->eye.clip_to_view, plan->surface_clip);
@@ -386,7 +377,7 @@ water_status water_plan_make(const water_scene* scene, water_plan* plan, water_c
     made.decision == WATER_NO_REFLECT_ENVIRONMENT || water_decision_is_unseen(made.decision);
   if (made.has_view)
   {
-    const water_plane plane = turn_to_eye(&input.plane, input.side);
+    const water_plane plane = water_plane_turned(&input.plane, input.side);
     water_axes axes;
     water_lookup_axes(&input.plane, input.side, scene->plane_origin, &axes);
     status = fill_view(scene, &input, &plane, &axes, &made);

@@ -6,20 +6,20 @@
 
 uniform sampler2D waterSceneColor; // the picture without this water; linear
 uniform sampler2D waterSceneDepth; // its window depth, 1: background; nearest
-uniform vec3 waterExtinction;      // absorption + scattering, 1/m
+uniform vec3 waterExtinction;      // absorption + scattering, per unit of the scene
 uniform int waterIsSubmerged;      // 1: the eye is in the water
 uniform int waterSceneIsMixed;     // 1: pixels of the picture are means of several samples
-uniform float waterBedDepth;       // how far the scene reaches under the plane, m
+uniform float waterBedDepth;       // how far the scene reaches under the plane
 uniform vec4 waterSheet;           // from x, to x, from y, to y: where the water ends, from the point under the eye
 uniform vec4 waterHeightClip;      // point in clip space of the eye -> height over the plane, times w
 uniform vec4 waterClipW;           // the same -> w of the point in view space
 
 const int WATER_MEDIUM_STEPS = 16;
 const float WATER_MEDIUM_BENT = 2.0;     // a depth that is so many steps from where a plane has it lies behind an edge
-const float WATER_MEDIUM_BELOW = 0.02;  // of all depths: as far a bed's edge may be from a plumb line, and a pixel's width
-const float WATER_MEDIUM_EDGE = 4.0;    // so many times
+const float WATER_MEDIUM_BELOW = 0.02;  // a bed's edge lies under the border if it is no further from a plumb line than that part of all depths
+const float WATER_MEDIUM_EDGE = 4.0;    // and so many widths of a pixel
 const float WATER_MEDIUM_DEEPER = 1.01;  // than what is deepest: bounds are rounded
-const float WATER_MEDIUM_ENDLESS = 1e29; // m: the water has no border
+const float WATER_MEDIUM_ENDLESS = 1e29; // length of a way that nothing limits
 const float WATER_MEDIUM_CLOSE_PX = 0.2; // two places are as good as one
 const float WATER_MEDIUM_GAP_PX = 4.0; // what is hidden over more is guessed from one thing
 const float WATER_MEDIUM_LONG_PX = 8.0;  // ways that need eight looks, and not four

@@ -33,7 +33,7 @@ struct vtkWaterLook
   double DeepColor[3] = {};  // under white daylight, unless it is given
   bool HasDeepColor = false; // it is given, whatever the light
   water_medium Medium = water_medium();
-  double Extinction[3] = {}; // absorption + scattering, 1/m
+  double Extinction[3] = {}; // absorption + scattering
   double ShoreSoftness = 0.0;
   double SlopeVariance[3] = {}; // along, across a direction, degrees
   double MeanSlopes[3] = {};    // variances xx, yy, xy of all slopes, at all times

@@ -26,10 +26,6 @@ public:
   bool Copy(
     vtkOpenGLRenderWindow* window, const int rect[4], const int part[4], const double* heightClip);
 
-  // The same, but nothing is done where the samples cannot be sorted: there is one a pixel.
-  bool Sort(
-    vtkOpenGLRenderWindow* window, const int rect[4], const int part[4], const double* heightClip);
-
   // What was copied is of another frame.
   void Forget() { this->IsSorted = this->IsMixed = false; }
 
@@ -48,6 +44,9 @@ public:
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
+  // Sorts the samples. false: nothing is done, as there is one a pixel, or the GPU cannot.
+  bool Sort(
+    vtkOpenGLRenderWindow* window, const int rect[4], const int part[4], const double* heightClip);
   bool Ensure(vtkOpenGLRenderWindow* window, int width, int height);
 
   vtkSmartPointer<vtkTextureObject> Color;
