@@ -118,8 +118,10 @@ void vtkWaterActor::ChooseSheet(const std::vector<vtkRenderer*>& scene)
   water_plane plane;
   vtkWaterSheet::FindSceneBounds(scene, bounds);
   this->Internal->ReadPlane(&plane, origin);
-  this->SheetToHorizon =
-    vtkMath::AreBoundsInitialized(bounds) && !this->Internal->Ground.IsUnder(plane, bounds, scene);
+  // water alone is open water, in a frame; before there is nothing yet to choose by
+  this->SheetToHorizon = vtkMath::AreBoundsInitialized(bounds)
+    ? !this->Internal->Ground.IsUnder(plane, bounds, scene)
+    : std::any_of(scene.begin(), scene.end(), IsRendering);
 }
 
 //------------------------------------------------------------------------------

@@ -29,7 +29,8 @@ window.SetSize(16, 16)
 window.AddRenderer(vtkRenderer())
 window.Render()
 report = dict(line.split(" string:  ", 1) for line in window.ReportCapabilities().splitlines() if " string:  " in line)
-print("FOUND" + json.dumps([window.GetClassName(), report.get("OpenGL renderer", ""), report.get("OpenGL version", "")]))
+found = [window.GetClassName(), report.get("OpenGL renderer", ""), report.get("OpenGL version", "")]
+print("FOUND" + json.dumps(found))
 """
 
 
@@ -63,5 +64,5 @@ def check_display(window, instead):
     if not any(window.IsA(name) for name in WINDOWS_ON_SCREENS):
         display = os.environ.get("DISPLAY")
         why = f"DISPLAY is {display}" if display else "DISPLAY is not set"
-        raise ValueError(f"there is no display to show a window on: {why}, and VTK has a {window.GetClassName()} only. "
-                         f"Set DISPLAY to an X server, or {instead}")
+        raise ValueError(f"there is no display to show a window on: {why}, and VTK has a {window.GetClassName()} "
+                         f"only. Set DISPLAY to an X server, or {instead}")

@@ -37,7 +37,8 @@ def number(least=-math.inf, most=math.inf, kind=float):
             value = kind(text)
         except ValueError:
             wanted = f"; it must lie in [{least:g}, {most:g}]" if math.isfinite(least) else ""
-            raise argparse.ArgumentTypeError(f"{text!r} is no {'whole ' if kind is int else ''}number{wanted}") from None
+            number_kind = "whole number" if kind is int else "number"
+            raise argparse.ArgumentTypeError(f"{text!r} is no {number_kind}{wanted}") from None
         if not least <= value <= most:  # also NaN
             raise argparse.ArgumentTypeError(f"{text} must lie in [{least:g}, {most:g}]")
         return value
@@ -137,10 +138,11 @@ def add_scene_arguments(parser):
     )
     water.add_argument("--quality", choices=QUALITIES, help="of reflections on waves; default: default")
     water.add_argument("--units", type=units, metavar="UNIT",
-                       help="of the file: um, mm, cm, m, km, in, ft, mi or a number of metres; default: m for terrains and with "
-                            "--waves, else automatic, by its size")
+                       help="of the file: um, mm, cm, m, km, in, ft, mi or a number of metres; default: m for terrains "
+                            "and with --waves, else automatic, by its size")
     water.add_argument("--horizon", action="store_true",
-                       help="let the water reach to the true horizon; without it, 50 times as far as the ground is wide")
+                       help="let the water reach to the true horizon; without it, 50 times as far as the ground is "
+                            "wide")
     view = parser.add_argument_group("the view")
     view.add_argument("--azimuth", type=number(-360.0, 360.0), default=200.0, metavar="DEG",
                       help="where the eye is, from north (0) over east (90); default %(default)s")
@@ -170,7 +172,8 @@ def make_parser():
     render = commands.add_parser("render", help="a picture of a file in water", epilog=EXAMPLES,
                                  formatter_class=argparse.RawDescriptionHelpFormatter)
     render.add_argument("file", help=kinds)
-    render.add_argument("--level", type=number(-readers.HIGHEST, readers.HIGHEST), required=True, help="of the water, in the file's unit")
+    render.add_argument("--level", type=number(-readers.HIGHEST, readers.HIGHEST), required=True,
+                        help="of the water, in the file's unit")
     render.add_argument("--out", default="water.png", metavar="FILE", help="the picture, a PNG; default %(default)s")
     render.add_argument("--time", type=number(-1e15, 1e15), default=0.0, metavar="S", help="of the waves; default 0")
     add_scene_arguments(render)

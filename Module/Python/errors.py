@@ -25,11 +25,24 @@ def text_of(error):
     return f"{error.filename}: {error.strerror}" if error.filename else error.strerror
 
 
+# What an error says of the object that keeps its value; the exception leaves it out.
+KEPT = re.compile(r" (It stays|They stay|The water stays|It is not added).*$", re.DOTALL)
+
+
 @contextlib.contextmanager
-def raising(*things):
+def raising(*things, **words):
     """Raise a ValueError after the block when one of the VTK objects has reported an error in it.
 
-    The exception's text is that of the first error, which names the value and the accepted range.
+    Parameters
+    ----------
+    *things : vtkObject
+    **words : str
+        What the caller calls a property, such as ``Opacity="opacity"``.
+
+    Raises
+    ------
+    ValueError
+        The text is that of the first error, in the caller's words: the value and the accepted range.
     """
     texts = []
 
@@ -44,4 +57,5 @@ def raising(*things):
         for thing, tag in tags:
             thing.RemoveObserver(tag)
     if texts:
-        raise ValueError(texts[0])
+        text = KEPT.sub("", texts[0])
+        raise ValueError(re.sub(r"\w+", lambda word: words.get(word.group(), word.group()), text))

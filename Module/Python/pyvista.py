@@ -83,13 +83,14 @@ def add_water(
         Metres of depth over which the shore foams, finite and not negative; True is 0.25. It turns refraction on.
 
     caustics : float | bool, optional
-        Strength of the light that waves gather on what lies under them, in [0, 1]; True is 0.8. It turns refraction
-        on, and wants waves and a scene light: ``sun``.
+        Strength of the light that waves gather on what lies under them, in [0, 1]; True is 0.8. It needs waves, turns
+        refraction on, and adds the default ``sun`` to a subplot that has no scene light.
 
     sun : bool | sequence[float], optional
         Adds a scene light, the sun, for glitter, shadows and caustics: azimuth (degrees from north over east, in
-        [-360, 360]) and elevation (degrees over the water, in [-90, 90]); True is (150, 35). North is y and east x,
-        and for water that is not level the second and the first of the plane's own axes. The light is in
+        [-360, 360]) and elevation (degrees over the water, in [-90, 90]); True is (150, 35), and so is the default
+        where ``caustics`` need a light. North is y and east x, and for water that is not level the second and the
+        first of the plane's own axes. The light is in
         ``plotter.renderer.lights``, of the class ``vtkwater.pyvista.Sun``, and stays when the water is removed;
         another ``sun`` in the same subplot takes its place. PyVista's own lights stay and add up with it; with
         ``pyvista.Plotter(lighting='none')`` all light is the sun's.
@@ -98,10 +99,11 @@ def add_water(
         Of reflections on waves: ``'fast'``, ``'default'``, ``'high'`` or ``'reference'``.
 
     units : str | float, optional
-        What a unit of the scene is: ``'um'``, ``'mm'``, ``'cm'``, ``'m'``, ``'km'``, ``'in'``, ``'ft'``, ``'mi'``, a number
-        of metres, or ``'automatic'``, which is the default unless ``waves`` are given one by one (these are metres): a
-        scene of natural size for its water (400 to 2000 units across; a pool 8 to 40) is one in metres, another counts
-        as the nearest natural size, and waves that are too short to be seen in it are left out. ``print(actor)`` tells.
+        What a unit of the scene is: ``'um'``, ``'mm'``, ``'cm'``, ``'m'``, ``'km'``, ``'in'``, ``'ft'``, ``'mi'``, a
+        number of metres, or ``'automatic'``. That is the default unless ``waves`` are given one by one, which are
+        metres. It takes a scene of natural size for its water (400 to 2000 units across; a pool 8 to 40) as one in
+        metres, and any other as one of the nearest natural size. Waves that are too short to be seen in it are left
+        out. ``print(actor)`` tells.
 
     normal : str | sequence[float], default: 'z'
         Where up is, out of the water: ``'x'``, ``'-x'``, ``'y'``, ``'-y'``, ``'z'``, ``'-z'``, or three numbers.
@@ -159,7 +161,8 @@ def add_water(
     Warns
     -----
     UserWarning
-        When PyVista's backend for notebooks is ``'client'`` or ``'html'``: vtk.js draws there, which has no water.
+        When PyVista's backend for notebooks is ``'client'`` or ``'html'``: vtk.js draws there, which has no water; or
+        when the water's level is below all of a terrain, which hides it.
 
     Notes
     -----
@@ -180,8 +183,8 @@ def add_water(
     """
     scale = self.renderer.scale
     if pv.global_theme.jupyter_backend in DRAWN_BY_VTK_JS:
-        warnings.warn(f"the backend {pv.global_theme.jupyter_backend!r} draws with vtk.js, which does not know the water "
-                      "and leaves it out; say pyvista.set_jupyter_backend('server')", stacklevel=2)
+        warnings.warn(f"the backend {pv.global_theme.jupyter_backend!r} draws with vtk.js, which does not know the "
+                      "water and leaves it out; say pyvista.set_jupyter_backend('server')", stacklevel=2)
     if surface is not None and bounds is not None:
         raise ValueError("bounds are of the water's own sheet; there is none with a surface")
     mapper = None if surface is None else mapper_of(surface)
@@ -189,7 +192,10 @@ def add_water(
     if mapper is not None:
         base_level = level_of_surface(mapper, level, normal, origin)
     plane_origin, plane_normal = plane_of(base_level, normal, origin, scale)
-    light = None if sun is None or sun is False else sun_of(sun)
+    if sun is None:
+        sun = bool(caustics) and not has_scene_light(self.renderer)
+    light = None if sun is False else sun_of(sun)
+    lowest = lowest_along(self.renderer, plane_normal)
 
     actor = vtkWaterActor()
     look = actor.GetWaterProperty()
@@ -198,7 +204,7 @@ def add_water(
     plane.SetNormal(plane_normal)
     set_look(look, preset=preset, waves=waves, wind=wind, color=None if color is None else pv.Color(color).float_rgb,
              opacity=opacity, refraction=refraction, foam=foam, caustics=caustics, quality=quality, units=units)
-    with raising(actor):
+    with raising(actor, SheetBounds="bounds", Time="time"):
         if bounds is not None:
             set_bounds(actor, bounds)
         else:
@@ -213,7 +219,11 @@ def add_water(
         actor.SetScale(1.0, 1.0, 1.0)  # the plane has it
     if light is not None:
         shine(self.renderer, actor, *light)
+    height = vtkMath.Dot(plane_origin, plane_normal)
     bounds_known = vtkMath.AreBoundsInitialized(actor.GetBounds() or (1, -1, 1, -1, 1, -1))  # also chooses the sheet
+    if surface is None and bounds is None and not actor.GetSheetToHorizon() and lowest > height:
+        warnings.warn(f"level is {base_level:g}, which is below all of the scene: the land hides the water; "
+                      "give a higher level", stacklevel=2)
     if self.renderer.camera_set and not actor.GetSheetToHorizon():
         widen_clipping_range(self.renderer)
     if render and (actor.GetSheetToHorizon() or bounds_known):
@@ -227,6 +237,18 @@ def widen_clipping_range(renderer):
     renderer.reset_camera_clipping_range()
     new_near, new_far = renderer.camera.clipping_range
     renderer.camera.clipping_range = (min(near, new_near), max(far, new_far))
+
+
+def lowest_along(renderer, normal):
+    """How far along a direction what the renderer shows begins; minus infinity where it shows nothing."""
+    bounds = renderer.ComputeVisiblePropBounds()
+    if not vtkMath.AreBoundsInitialized(bounds):
+        return -math.inf
+    return sum(min(part * bounds[2 * i], part * bounds[2 * i + 1]) for i, part in enumerate(normal))
+
+
+def has_scene_light(renderer):
+    return any(light.LightTypeIsSceneLight() and light.GetSwitch() for light in renderer.GetLights())
 
 
 class Sun(pv.Light):
@@ -305,7 +327,8 @@ def set_bounds(actor, bounds):
     elif bounds == "scene":
         actor.ResetSheetBounds()
     else:
-        raise ValueError(f"bounds is {bounds!r}; it must be 'horizon', 'scene' or four numbers (xmin, xmax, ymin, ymax)")
+        raise ValueError(f"bounds is {bounds!r}; it must be 'horizon', 'scene' or four numbers "
+                         "(xmin, xmax, ymin, ymax)")
 
 
 def mapper_of(surface):

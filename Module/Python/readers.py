@@ -22,7 +22,8 @@ __all__ = ["ELEVATION", "FileError", "KINDS", "Surface", "read", "surface_of_hei
 
 ELEVATION = "Elevation"  # the point array of a terrain: heights in the file's unit
 MOST_POINTS = 4_000_000  # of an elevation model; of a larger one every n-th row and column is taken
-HIGHEST = 1e9            # over and under 0, of levels, too: what formats write where they know no height lies far beyond
+# Over and under 0, of levels, too: what formats write where they know no height lies far beyond.
+HIGHEST = 1e9
 METRES_PER_DEGREE = 6371008.8 * math.pi / 180  # of a great circle, mean radius of the Earth (IUGG 1980)
 # Tags of TIFF: "OGC GeoTIFF Standard 1.1" (2019), and GDAL's for holes
 TIFF_PIXEL_SCALE, TIFF_TIEPOINT, TIFF_GEO_KEYS, TIFF_NO_DATA = 33550, 33922, 34735, 42113
@@ -81,7 +82,9 @@ def surface_of_heights(heights, spacing=(1.0, 1.0), origin=(0.0, 0.0), no_data=N
     if heights.ndim != 2 or min(heights.shape) < 2:
         raise FileError(f"{' x '.join(map(str, heights.shape))} heights are no grid: at least 2 x 2 are wanted")
     step = math.ceil(math.sqrt(heights.size / MOST_POINTS))
-    notes = [f"every {step}th row and column of {heights.shape[1]} x {heights.shape[0]} heights are taken"] if step > 1 else []
+    notes = []
+    if step > 1:
+        notes.append(f"every {step}th row and column of {heights.shape[1]} x {heights.shape[0]} heights are taken")
     heights = heights[::step, ::step]
     known = np.isfinite(heights)
     if no_data is not None and math.isfinite(no_data):
@@ -218,7 +221,8 @@ def read_tiff(path, no_data):
             raise FileError(f"{path}: its no-data value {no_data_tag!r} is no number") from None
     spacing = (spacing or (1.0, 1.0))[:2]
     if len(spacing) != 2 or not all(0.0 < part < math.inf for part in spacing):
-        raise FileError(f"{path}: its pixels are {' x '.join(map(str, spacing))} large; wanted are two numbers greater than 0")
+        raise FileError(f"{path}: its pixels are {' x '.join(map(str, spacing))} large; "
+                        "wanted are two numbers greater than 0")
     tie += (0.0,) * 6
     if not all(map(math.isfinite, tie)):
         raise FileError(f"{path}: its tie point {tie[:6]} is not finite")

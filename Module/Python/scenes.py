@@ -142,14 +142,22 @@ class Scene:
         return self.water
 
     def _widen_water(self, times):
-        """Lets the water reach over the ground on all sides, so many times as far as that and its image are wide, or high."""
+        """Lets the water reach over the ground on all sides.
+
+        times : float
+            As many times as far as the ground and its image are wide, or high.
+        """
         west, east, south, north, _, top = self._ground.data.GetBounds()
         reach = times * max(east - west, north - south, 2.0 * (top * self._exaggeration - self.water.GetLevel()))
         with raising(self.water):
             self.water.SetSheetBounds(west - reach, east + reach, south - reach, north + reach)
 
     def make_island(self, to_horizon=False):
-        """For ground that is seen from outside: water far around it, or to the true horizon, and walls where a terrain ends."""
+        """For ground that is seen from outside: water far around it, and walls where a terrain ends.
+
+        to_horizon : bool
+            The water reaches to the true horizon.
+        """
         if to_horizon:
             self.water.SetSheetToHorizon()
         else:
@@ -175,8 +183,9 @@ class Scene:
     def look(self, azimuth=200.0, height=15.0, zoom=1.0, highest=-math.inf):
         """From where the eye looks at the ground: degrees from north, and over the horizon.
 
-        zoom 1 shows all that stands out of the water, and its reflection; 2 half of its width. highest is the level that
-        the water will rise to, in the data's unit: where something stands out of it now, the eye is over that, too.
+        zoom 1 shows all that stands out of the water, and its reflection; 2 half of its width. highest is the level
+        that the water will rise to, in the data's unit: where something stands out of it now, the eye is over that,
+        too.
         """
         points = vtk_to_numpy(self._ground.data.GetPoints().GetData()) * (1.0, 1.0, self._exaggeration)
         lowest = -math.inf

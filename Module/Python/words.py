@@ -42,8 +42,8 @@ def set_look(look, *, preset=None, waves=None, wind=None, color=None, opacity=No
     opacity : float
         In [0, 1].
     refraction : bool
-        Whether the scene is seen through the surface. By default as the preset has it, and without a preset it is, unless
-        color or opacity is given.
+        Whether the scene is seen through the surface. By default as the preset has it, and without a preset it is,
+        unless color or opacity is given.
     foam : float | bool
         Metres of depth over which the shore foams, finite and not negative; True is 0.25. It wants refraction and
         turns it on.
@@ -53,8 +53,8 @@ def set_look(look, *, preset=None, waves=None, wind=None, color=None, opacity=No
     quality : str
         Of reflections on waves: 'fast', 'default', 'high' or 'reference'.
     units : str | float
-        Of the scene: a name such as 'mm', 'm', 'km' or 'ft', metres per unit in [1e-9, 1e9], or 'automatic', by the size of
-        the scene. That is the default, unless waves are given one by one, which are metres.
+        Of the scene: a name such as 'mm', 'm', 'km' or 'ft', metres per unit in [1e-9, 1e9], or 'automatic', by the
+        size of the scene. That is the default, unless waves are given one by one, which are metres.
 
     Raises
     ------
@@ -73,7 +73,7 @@ def set_look(look, *, preset=None, waves=None, wind=None, color=None, opacity=No
     if quality is not None and of_type("quality", quality, str) not in QUALITIES:
         raise ValueError(f"quality is {quality!r}; it must be one of {', '.join(QUALITIES)}")
     share = None if opacity is None else number("opacity", opacity)
-    with raising(look):
+    with raising(look, Preset="preset", WindSpeed="wind" if waves is None else "waves", Opacity="opacity"):
         if preset is not None:
             look.SetPreset(of_type("preset", preset, str))
         if waves is not None:
@@ -92,7 +92,7 @@ def set_look(look, *, preset=None, waves=None, wind=None, color=None, opacity=No
         )
     if refraction is None and preset is None and color is None and share is None:
         refraction = True
-    with raising(look):
+    with raising(look, Units="units", MetresPerUnit="units"):
         set_units(look, units, waves is None or isinstance(waves, Real))
         if refraction is not None or through["foam"] or through["caustics"]:
             look.SetRefraction(refraction is not False)
@@ -229,4 +229,5 @@ def set_waves(look, waves):
     if isinstance(waves, str) or not hasattr(waves, "__len__"):
         raise TypeError(f"waves must be a number or a sequence of waves, not {type(waves).__name__}")
     for i, wave in enumerate(waves):
-        look.AddWave(*numbers(f"waves[{i}]", wave, 2, MOST_NUMBERS_OF_A_WAVE))
+        with raising(look, Wave=f"waves[{i}]"):
+            look.AddWave(*numbers(f"waves[{i}]", wave, 2, MOST_NUMBERS_OF_A_WAVE))

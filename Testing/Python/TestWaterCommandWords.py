@@ -252,7 +252,7 @@ WRONG_WORDS = [  # the exception, parts of its text, the words
     (TypeError, ("color must be a sequence", "str"), {"color": "navy"}),
     (ValueError, ("DeepColor is (2, 0, 0)", "[0, 1]"), {"color": (2, 0, 0)}),
     (ValueError, ("waves and wind",), {"waves": 0, "wind": 0}),
-    (ValueError, ("Opacity is 7", "[0, 1]"), {"opacity": 7}),
+    (ValueError, ("opacity is 7", "[0, 1]"), {"opacity": 7}),
     (TypeError, ("preset must be str",), {"preset": 3}),
     (ValueError, ("'swamp'", "pool, lake"), {"preset": "swamp"}),
 ]

@@ -4,6 +4,7 @@ and contradicts no other. A surface says its level, water may be added before th
 """
 
 import re
+import warnings
 
 import numpy as np
 import pytest
@@ -132,9 +133,9 @@ WRONG = [  # the exception, parts of its text, the words
     (ValueError, ("sun[1], the elevation, is 100", "[-90, 90]"), {"sun": (0, 100)}),
     (TypeError, ("quality must be str", "int"), {"quality": 2}),
     (ValueError, ("quality is 'ultra'", "fast, default, high, reference"), {"quality": "ultra"}),
-    (ValueError, ("Units are 'furlong'", "um, mm, cm"), {"units": "furlong"}),
+    (ValueError, ("units are 'furlong'", "um, mm, cm"), {"units": "furlong"}),
     (ValueError, ("units is 0", "[1e-09, 1e+09]"), {"units": 0}),
-    (ValueError, ("MetresPerUnit is -1", "[1e-09, 1e+09]"), {"units": -1}),
+    (ValueError, ("units is -1", "[1e-09, 1e+09]"), {"units": -1}),
     (TypeError, ("units must be a number", "list"), {"units": [1]}),
     (ValueError, ("foam is True", "refraction is False"), {"foam": True, "refraction": False}),
     (ValueError, ("caustics is 0.5", "refraction is False"), {"caustics": 0.5, "wind": 3, "refraction": False}),
@@ -310,6 +311,8 @@ def test_water_may_be_added_to_an_empty_window():
         plotter = pv.Plotter(off_screen=True, window_size=SIZE)
         plotter.show(auto_close=False)
         water = plotter.add_water(-0.2)
+        plotter.render()
+        alone = water.GetSheetToHorizon()
         plotter.add_mesh(pv.Cone(direction=(0, 0, 1)))
         plotter.render()
         renders = water.GetReflectionPass().GetNumberOfReflectionRenders()
@@ -317,6 +320,28 @@ def test_water_may_be_added_to_an_empty_window():
     finally:
         vtkOutputWindow.SetInstance(shown)
     wt.check_equal("said; is reflecting", (listener.GetOutput(), renders > 0), ("", True))
+    wt.check_equal("alone it is open water", alone, True)
+
+
+@pytest.mark.parametrize("height, level, warns", [(5.0, 0.0, True), (5.0, 5.2, False), (-5.0, 0.0, False)])
+def test_a_level_under_all_of_the_land_is_told(height, level, warns, plotter):
+    plotter.add_mesh(pv.Plane(center=(0, 0, height)))
+    plotter.add_mesh(pv.Cone(center=(0, 0, height + 0.3), direction=(0, 0, 1), height=0.5))
+    with warnings.catch_warnings(record=True) as told:
+        warnings.simplefilter("always")
+        plotter.add_water(level)
+    texts = [str(warning.message) for warning in told if issubclass(warning.category, UserWarning)]
+    wt.check_equal("told", [f"level is {level:g}" in text for text in texts], [True] if warns else [])
+
+
+@pytest.mark.parametrize("has_light, sun, suns", [
+    (False, None, 1), (True, None, 0), (False, False, 0), (True, True, 1), (False, (90, 20), 1)])
+def test_caustics_have_a_sun(has_light, sun, suns, plotter):
+    """Where the subplot has no scene light, and none is refused."""
+    if has_light:
+        plotter.add_light(pv.Light(position=(1, 0, 1), light_type="scene light"))
+    plotter.add_water(-0.2, wind=3, caustics=True, sun=sun)
+    wt.check_equal("suns", sum(isinstance(light, vtkwater.pyvista.Sun) for light in plotter.renderer.lights), suns)
 
 
 def lake(plotter, **words):
