@@ -24,7 +24,7 @@ vtkWaterProperty::vtkWaterProperty()
   , Depth(std::numeric_limits<double>::infinity())
 {
   water_medium medium;
-  water_preset_default(&medium, this->Internal->NaturalSize);
+  water_preset_default(&medium, this->Internal->Natural);
   this->UseMedium(medium);
 }
 
@@ -159,6 +159,12 @@ void vtkWaterProperty::SetGlitter(bool glitter)
 }
 
 //------------------------------------------------------------------------------
+void vtkWaterProperty::SetHighlightRollOff(bool rolls)
+{
+  vtkWaterSetInRange(HighlightRollOff, rolls, false, true);
+}
+
+//------------------------------------------------------------------------------
 void vtkWaterProperty::SetShadows(bool shadows)
 {
   vtkWaterSetInRange(Shadows, shadows, false, true);
@@ -264,7 +270,7 @@ bool vtkWaterProperty::SetPreset(const char* name)
   this->Refraction = !preset.look.constant_reflectance;
   this->DeepColorMode = MEDIUM;
   this->UseMedium(preset.medium);
-  std::copy_n(preset.natural_m, 2, this->Internal->NaturalSize);
+  std::copy_n(preset.natural_m, 3, this->Internal->Natural);
   this->Internal->Waves.assign(preset.waves, preset.waves + preset.wave_count);
   this->Depth = preset.has_sea ? preset.sea.depth : std::numeric_limits<double>::infinity();
   this->Sea = preset.has_sea;
@@ -345,6 +351,7 @@ void vtkWaterProperty::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ReflectionSource: " << this->GetReflectionSourceAsString() << "\n";
   os << indent << "EnvironmentTexture: " << this->GetEnvironmentTexture() << "\n";
   os << indent << "Glitter: " << (this->Glitter ? "on" : "off") << "\n";
+  os << indent << "HighlightRollOff: " << (this->HighlightRollOff ? "on" : "off") << "\n";
   os << indent << "SlopeVariance: " << this->SlopeVariance[0] << " along, "
      << this->SlopeVariance[1] << " across " << this->SlopeVariance[2] << " degrees\n";
   os << indent << "FoamDepth: " << this->FoamDepth << "\n";

@@ -194,7 +194,8 @@ public:
    * in the scene's unit. 0 is automatic: a scene of 400 to 2000 units across (a preset may
    * have another range: a pool 8 to 40) is one in metres, a smaller one counts as 200 to 400 m, a
    * larger one as 2000 m, and waves shorter than 1/400 of the scene are not shown. Then
-   * GetWaveHeight follows what is shown. Default is 1.
+   * GetWaveHeight follows what is shown. Without a preset, light is taken as if the deepest bed
+   * were at least 60 m deep, as heights of a map are drawn to a scale of their own. Default is 1.
    */
   void SetMetresPerUnit(double metres);
   vtkGetMacro(MetresPerUnit, double);
@@ -264,6 +265,17 @@ public:
 
   ///@{
   /**
+   * Glitter that is brighter than white rolls off towards it, so that it keeps its shape and the
+   * sun's colour; what is up to 0.6 of the room left up to white is shown as it is. Off where a
+   * pass of the renderer may map tones, whatever is set here. Default is on.
+   */
+  void SetHighlightRollOff(bool rolls);
+  vtkGetMacro(HighlightRollOff, bool);
+  vtkBooleanMacro(HighlightRollOff, bool);
+  ///@}
+
+  ///@{
+  /**
    * Variance of the slopes of waves that are too small to be given one by one: along and across a
    * direction (degrees), in [0, 1e6]. SetSlopeVarianceToWind takes Cox and Munk's
    * measured ones for a wind speed in [0.1, 100] m/s that blows to a direction. Default is 0.
@@ -276,7 +288,8 @@ public:
   ///@{
   /**
    * Foam where the water is shallower than FoamDepth, m: finite and not negative; with Refraction.
-   * Default is 0: none.
+   * It covers the waterline, and bands of it travel towards the shore, the same every 12 s. Default
+   * is 0: none.
    */
   void SetFoamDepth(double depth);
   vtkGetMacro(FoamDepth, double);
@@ -752,6 +765,7 @@ private:
   double ShoreSoftness = 0.05;
   int ReflectionSource = SCENE;
   bool Glitter = true;
+  bool HighlightRollOff = true;
   double SlopeVariance[3] = { 0.0, 0.0, 0.0 };
   double FoamDepth = 0.0;
   double FoamStretch = 0.0;

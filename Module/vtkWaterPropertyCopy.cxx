@@ -27,6 +27,7 @@ void vtkWaterProperty::DeepCopy(vtkWaterProperty* other)
   this->ShoreSoftness = other->ShoreSoftness;
   this->ReflectionSource = other->ReflectionSource;
   this->Glitter = other->Glitter;
+  this->HighlightRollOff = other->HighlightRollOff;
   std::copy_n(other->SlopeVariance, 3, this->SlopeVariance);
   this->FoamDepth = other->FoamDepth;
   this->FoamStretch = other->FoamStretch;

@@ -48,6 +48,7 @@ void vtkWaterProperty::Describe(double diagonal, vtkWaterLook& look)
   look.Has.has_foam = this->FoamDepth > 0.0 || this->FoamStretch > 0.0;
   look.Has.has_shadows = this->Shadows;
   look.Has.has_output = this->Output != COLOR;
+  look.RollsOff = this->HighlightRollOff;
   look.Opacity = this->Opacity;
   std::copy_n(this->DeepColor, 3, look.DeepColor);
   look.HasDeepColor = this->DeepColorMode == GIVEN;

@@ -58,7 +58,8 @@ void vtkWaterProperty::DescribeUnits(double diagonal, vtkWaterLook& look) const
 {
   const bool isAutomatic = this->MetresPerUnit == 0.0;
   look.MetresPerUnit =
-    isAutomatic ? water_units_fit(diagonal, this->Internal->NaturalSize) : this->MetresPerUnit;
+    isAutomatic ? water_units_fit(diagonal, this->Internal->Natural) : this->MetresPerUnit;
+  look.NaturalDepth = isAutomatic ? this->Internal->Natural[2] / look.MetresPerUnit : 0.0;
   double longest = 0.0;
   for (const water_wave& wave : this->Internal->Waves)
   {

@@ -104,7 +104,7 @@ TEST(deep_color_is_what_comes_back)
 TEST(waters_are_not_black_under_the_sky)
 {
   const double noon[3] = { 1.6, 1.6, 1.6 };
-  double natural[2];
+  double natural[3];
   double color[3];
   water_medium medium;
   water_preset_default(&medium, natural);

@@ -256,7 +256,11 @@ static bool is_empty(const char* slot, unsigned features)
   {
     return !(features & WATER_FEATURE_MEDIUM);
   }
-  if (strcmp(slot, "slopes") == 0)
+  if (strcmp(slot, "cover") == 0)
+  {
+    return !(features & WATER_FEATURE_FOAM);
+  }
+  if (strcmp(slot, "slopes") == 0 || strcmp(slot, "highlights") == 0)
   {
     return !(features & WATER_FEATURE_GLITTER);
   }
@@ -321,11 +325,11 @@ static void assert_order(
 // files stand together, and no file stands twice.
 TEST(slots_stand_in_their_order)
 {
-  static const char* const surface[] = { "optics", "gradient", "attenuation", "slopes", "cell",
-    "place", "height", "point", "tile", "sines", "sea", "normal_maps", "waves", "output",
-    "reflection", "dome", "walk", "behind", "layer", "blur", "caustics", "medium", "others",
-    "refraction", "facet_slopes", "facets", "rays", "shadows", "glitter", "foam", "sun",
-    "surface" };
+  static const char* const surface[] = { "optics", "gradient", "attenuation", "slopes",
+    "highlights", "cover", "cell", "place", "height", "point", "tile", "sines", "sea",
+    "normal_maps", "waves", "output", "reflection", "dome", "walk", "behind", "layer", "blur",
+    "caustics", "medium", "others", "refraction", "facet_slopes", "facets", "rays", "shadows",
+    "glitter", "foam", "sun", "surface" };
   static const char* const vertex[] = { "cell", "displacement", "heights", "depth" };
   assert_order(surface_files, SURFACE_FILES, surface, sizeof surface / sizeof surface[0]);
   assert_order(vertex_files, VERTEX_FILES, vertex, 4);

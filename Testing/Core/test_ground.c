@@ -100,19 +100,63 @@ TEST(numbers_that_are_none_count_nothing)
   assert_false(water_ground_is_under(&ground, 0.0));
 }
 
-// The corners of all cells cover the scene, at the level.
+// Twice the area of a quadrilateral in the plane; positive if it is counter-clockwise.
+static double area_of(const double part[12])
+{
+  return (part[6] - part[0]) * (part[10] - part[4]) - (part[9] - part[3]) * (part[7] - part[1]);
+}
+
+static bool is_inside(const double part[12], double x, double y)
+{
+  for (int i = 0; i < 4; ++i)
+  {
+    const double* from = part + 3 * i;
+    const double* to = part + 3 * ((i + 1) % 4);
+    if ((to[0] - from[0]) * (y - from[1]) - (to[1] - from[1]) * (x - from[0]) < -1e-12)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+static double wet_area(const water_ground* ground, double water_level)
+{
+  double area = 0.0;
+  for (int i = 0; i < WATER_GROUND_CELLS * WATER_GROUND_CELLS; ++i)
+  {
+    double parts[24];
+    const int count =
+      water_ground_wet(ground, water_level, i % WATER_GROUND_CELLS, i / WATER_GROUND_CELLS, parts);
+    assert_in_range(count, 0, 2);
+    for (int j = 0; j < count; ++j)
+    {
+      assert_true(area_of(parts + 12 * j) > -1e-12);
+      area += 0.5 * area_of(parts + 12 * j);
+    }
+  }
+  return area;
+}
+
+static bool is_wet(const water_ground* ground, double water_level, double x, double y)
+{
+  const int column = (int)fmin((x + 2.0) / 4.0 * WATER_GROUND_CELLS, WATER_GROUND_CELLS - 1.0);
+  const int row = (int)fmin((y + 1.0) / 2.0 * WATER_GROUND_CELLS, WATER_GROUND_CELLS - 1.0);
+  double parts[24];
+  const int count = water_ground_wet(ground, water_level, column, row, parts);
+  return (count > 0 && is_inside(parts, x, y)) || (count > 1 && is_inside(parts + 12, x, y));
+}
+
+// Where nothing is known all of the scene is wet, at the level.
 TEST(cells_cover_the_scene)
 {
   const water_ground ground = begun();
-  double first[12];
-  double last[12];
-  water_ground_corners(&ground, 0.25, 0, 0, first);
-  water_ground_corners(&ground, 0.25, WATER_GROUND_CELLS - 1, WATER_GROUND_CELLS - 1, last);
-  ASSERT_CLOSE(first[0], -2.0, 1e-12);
-  ASSERT_CLOSE(first[1], -1.0, 1e-12);
-  ASSERT_CLOSE(first[2], 0.25, 1e-12);
-  ASSERT_CLOSE(last[6], 2.0, 1e-12);
-  ASSERT_CLOSE(last[7], 1.0, 1e-12);
+  double parts[24];
+  assert_int_equal(water_ground_wet(&ground, 0.25, 0, 0, parts), 1);
+  ASSERT_CLOSE(parts[0], -2.0, 1e-12);
+  ASSERT_CLOSE(parts[1], -1.0, 1e-12);
+  ASSERT_CLOSE(parts[2], 0.25, 1e-12);
+  ASSERT_CLOSE(wet_area(&ground, 0.25), 8.0, 1e-9);
 }
 
 TEST(coarse_meshes_are_looked_at_in_more_places)
@@ -138,42 +182,67 @@ TEST(bad_scenes_have_no_ground)
   assert_false(water_ground_is_under(&ground, 0.0));
 }
 
-// A ridge that stands out of the water along y: dry where it and all around it is, whatever the
-// level, and nowhere when all is flooded; unknown where there are no points.
+static double ridge(double x, double y)
+{
+  return 1.0 - fabs(x + 0.7 * y);
+}
+
+static double islands(double x, double y)
+{
+  return 0.4 * cos(5.0 * x) * cos(5.0 * y) - 0.1;
+}
+
+// All that is under the level is wet, and of what is over it all but a border of two to three
+// cells.
 TEST(ground_is_dry_where_it_stands_out)
 {
+  double (*const heights[2])(double, double) = { ridge, islands };
+  const double widest[2] = { 0.19, 0.3 }; // m of height that the border holds
+  for (int k = 0; k < 2; ++k)
+  {
+    water_ground ground = begun();
+    for (int i = 0; i <= 400; ++i)
+    {
+      for (int j = 0; j <= 400; ++j)
+      {
+        const double x = -2.0 + 0.01 * i;
+        const double y = -1.0 + 0.005 * j;
+        add(x, y, heights[k](x, y), &ground);
+      }
+    }
+    int wet_count = 0;
+    for (int i = 0; i < 40000; ++i)
+    {
+      const double x = -1.99 + 3.98 * (i % 200) / 199.0;
+      const double y = -0.99 + 1.98 * (i / 200) / 199.0;
+      const double height = heights[k](x, y);
+      const bool is = is_wet(&ground, 0.05, x, y);
+      assert_true(is || height > 0.05);
+      assert_true(!is || height < 0.05 + widest[k]);
+      wet_count += is ? 1 : 0;
+    }
+    ASSERT_CLOSE(wet_area(&ground, 0.05), 8.0 * wet_count / 40000.0, 0.08);
+    ASSERT_CLOSE(wet_area(&ground, 5.0), 8.0, 1e-9);
+  }
+}
+
+// What nobody knows is wet, up to what is known to be dry.
+TEST(ground_is_wet_where_nothing_is_known)
+{
   water_ground ground = begun();
-  for (int i = 0; i <= 400; ++i)
+  add(0.0, 0.0, 1.0, &ground);
+  ASSERT_CLOSE(wet_area(&ground, 0.0), 8.0, 1e-9);
+  for (int i = 0; i <= 200; ++i)
   {
     for (int j = 0; j <= 200; ++j)
     {
-      const double x = -2.0 + 0.01 * i;
-      add(x, -1.0 + 0.01 * j, 1.0 - fabs(x), &ground);
+      add(0.01 * i, -1.0 + 0.01 * j, 1.0, &ground); // the half of it
     }
   }
-  for (int step = -1; step <= 1; ++step)
-  {
-    for (int x = 0; x < WATER_GROUND_CELLS; ++x)
-    {
-      double first[12];
-      double last[12];
-      water_ground_corners(&ground, 0.0, x > 0 ? x - 1 : 0, 20, first);
-      water_ground_corners(
-        &ground, 0.0, x + 1 < WATER_GROUND_CELLS ? x + 1 : WATER_GROUND_CELLS - 1, 20, last);
-      const double low = first[0];
-      const double high = last[3];
-      const double lowest = 1.0 - fmax(fabs(low), fabs(high)); // around the cell
-      const bool is_dry = water_ground_is_dry(&ground, 0.7 * step, x, 20);
-      assert_true(!is_dry || lowest > 0.7 * step - 0.011);
-      assert_true(is_dry || lowest <= 0.7 * step + 0.011);
-    }
-  }
-  ground = begun();
-  add(0.0, 0.0, 1.0, &ground);
-  assert_false(water_ground_is_dry(&ground, 0.0, WATER_GROUND_CELLS / 2, WATER_GROUND_CELLS / 2));
+  ASSERT_CLOSE(wet_area(&ground, 0.0), 4.0 + 2.0 * 2.0 * 4.0 / WATER_GROUND_CELLS, 0.13);
 }
 
 TESTS(coarse_meshes_are_looked_at_in_more_places, cells_cover_the_scene,
-  ground_is_dry_where_it_stands_out, bad_scenes_have_no_ground, terrain_is_ground,
-  round_and_thick_things_are_not, few_points_are_no_ground, a_bed_under_the_water_is_ground,
-  numbers_that_are_none_count_nothing)
+  ground_is_dry_where_it_stands_out, ground_is_wet_where_nothing_is_known,
+  bad_scenes_have_no_ground, terrain_is_ground, round_and_thick_things_are_not,
+  few_points_are_no_ground, a_bed_under_the_water_is_ground, numbers_that_are_none_count_nothing)

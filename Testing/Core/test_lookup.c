@@ -406,7 +406,15 @@ TEST(horizon_of_a_level_camera)
   assert_memory_equal(rect, all, sizeof rect);
 }
 
-TESTS(pixel_of_a_place_leads_back_to_it, what_is_under_water_is_under_the_horizon,
+// Foam is after 12 s as it was, before the time 0, too.
+TEST(foam_comes_back)
+{
+  ASSERT_CLOSE(water_lookup_pattern_turn(3.0), 0.25, 1e-15);
+  ASSERT_CLOSE(water_lookup_pattern_turn(-3.0), 0.75, 1e-15);
+  ASSERT_CLOSE(water_lookup_pattern_turn(1200003.0), 0.25, 1e-9);
+}
+
+TESTS(foam_comes_back, pixel_of_a_place_leads_back_to_it, what_is_under_water_is_under_the_horizon,
   horizon_of_a_level_camera, directions_lead_to_the_pictures_of_points_along_them,
   depth_at_infinity_is_where_rays_end, waves_use_the_whole_map,
   guard_band_widens_the_map_about_its_middle, guard_band_follows_the_waves,

@@ -3,6 +3,7 @@
 // for all of their inputs.
 #include "test_main.h"
 
+#include "water_random.h"
 #include "water_shared.h"
 
 #include <float.h>
@@ -42,5 +43,111 @@ TEST(slope_density_knows_the_covariance)
     exp(-0.7) / (2.0 * pi * sqrt(5.0)), 1e-16);
 }
 
-TESTS(gradient_ends_at_the_screens_edge, gradient_behind_the_camera_is_its_top_or_bottom,
+// Light rolls off: it is as it was up to 0.6, has no step or kink, grows for ever and stays below
+// white.
+TEST(highlights_roll_off)
+{
+  double last = 0.0;
+  double last_slope = 1.0;
+  for (int i = 0; i <= 20000; ++i)
+  {
+    const double light = 0.001 * i;
+    const double shown = water_shared_roll_off(light);
+    assert_true(i == 0 || shown > last);
+    const double slope = (shown - last) / 0.001;
+    assert_true(i == 0 || (slope <= last_slope + 1e-9 && slope > last_slope - 0.01));
+    assert_true(light > 0.6 || fabs(shown - light) < 1e-15);
+    last_slope = i == 0 ? 1.0 : slope;
+    last = shown;
+  }
+  ASSERT_CLOSE(water_shared_roll_off(10.0), 0.93, 0.01);
+  assert_true(water_shared_roll_off(1e9) < 0.99);
+  assert_true(water_shared_roll_off(100.0) - water_shared_roll_off(10.0) > 8.0 / 255.0);
+}
+
+// A shore's foam covers the waterline, ends where it is said to, and its bands travel towards the
+// shore.
+TEST(shore_foam_has_bands)
+{
+  for (int i = 0; i < 12; ++i)
+  {
+    const double turn = i / 12.0;
+    ASSERT_CLOSE(water_shared_shore_foam(0.0, turn), 1.0, 1e-15);
+    ASSERT_CLOSE(water_shared_shore_foam(1.0, turn), 0.0, 1e-15);
+    ASSERT_CLOSE(water_shared_shore_foam(7.0, turn), 0.0, 1e-15);
+    ASSERT_CLOSE(
+      water_shared_shore_foam(0.7, turn), water_shared_shore_foam(0.7, turn + 1.0), 1e-12);
+  }
+  // a band is at the depth where it covers the most
+  double crest[2];
+  for (int i = 0; i < 2; ++i)
+  {
+    double most = 0.0;
+    for (double depth = 0.58; depth < 1.0; depth += 0.001)
+    {
+      const double cover = water_shared_shore_foam(depth, 0.02 + 0.02 * i) / (1.0 - depth);
+      crest[i] = cover > most ? depth : crest[i];
+      most = fmax(most, cover);
+    }
+  }
+  ASSERT_CLOSE(crest[1] - crest[0], -2.0 * 0.02 / 1.5, 0.0021);
+}
+
+// A point of the lace: one to a cell, within 0.38 of the cell's middle.
+static double off_in_cell(uint64_t number)
+{
+  return 0.5 + 0.38 * sin(6.283185307179586 * water_random_uniform(7, number));
+}
+
+// The lace is below the threshold of a share on that share of the water.
+TEST(foam_covers_its_share)
+{
+  enum
+  {
+    SIDE = 24,
+    PLACES = 20000
+  };
+  static double points[2][SIDE][SIDE][2];
+  static double lace[PLACES];
+  for (int i = 0; i < 2 * SIDE * SIDE; ++i)
+  {
+    double* point = points[i / (SIDE * SIDE)][i / SIDE % SIDE][i % SIDE];
+    point[0] = off_in_cell((uint64_t)(2 * i));
+    point[1] = off_in_cell((uint64_t)(2 * i + 1));
+  }
+  for (int i = 0; i < PLACES; ++i)
+  {
+    lace[i] = 0.0;
+    for (int size = 0; size < 2; ++size)
+    {
+      const uint64_t number = (uint64_t)(4 * i + 2 * size);
+      const double x = 1.0 + (SIDE - 2.0) * water_random_uniform(8, number);
+      const double y = 1.0 + (SIDE - 2.0) * water_random_uniform(8, number + 1);
+      double near[2] = { 9.0, 9.0 };
+      for (int j = 0; j < 9; ++j)
+      {
+        const int column = (int)x + j % 3 - 1;
+        const int row = (int)y + j / 3 - 1;
+        const double* point = points[size][row][column];
+        const double distance = hypot(column + point[0] - x, row + point[1] - y);
+        near[1] = fmin(near[1], fmax(distance, near[0]));
+        near[0] = fmin(near[0], distance);
+      }
+      lace[i] += (size == 0 ? 0.65 : 0.35) * (near[1] - near[0]);
+    }
+  }
+  for (int step = 0; step <= 20; ++step)
+  {
+    const double share = 0.05 * step;
+    int covered = 0;
+    for (int i = 0; i < PLACES; ++i)
+    {
+      covered += lace[i] < water_shared_foam_threshold(share) ? 1 : 0;
+    }
+    ASSERT_CLOSE((double)covered / PLACES, share, 0.03);
+  }
+}
+
+TESTS(highlights_roll_off, shore_foam_has_bands, foam_covers_its_share,
+  gradient_ends_at_the_screens_edge, gradient_behind_the_camera_is_its_top_or_bottom,
   slope_density_knows_the_covariance)

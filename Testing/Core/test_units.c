@@ -99,6 +99,24 @@ TEST(scaled_waves_have_the_same_slopes)
   }
 }
 
-TESTS(units_have_their_metres, other_names_are_refused, scenes_of_all_sizes_count_as_natural,
-  units_change_at_powers_of_two_alone, scenes_without_a_size_have_metres,
-  waves_too_short_for_the_scene_are_not_seen, scaled_waves_have_the_same_slopes)
+// A shallow bed counts as one of natural depth; a deep one, and one that there is not, as it is.
+TEST(shallow_beds_count_as_deep)
+{
+  const double extinction[3] = { 0.3, 0.1, 0.05 };
+  const double depths[5] = { 15.0, 60.0, 600.0, 0.0, 1e-9 };
+  const double times[5] = { 4.0, 1.0, 1.0, 1.0, 16.0 };
+  for (int i = 0; i < 5; ++i)
+  {
+    double dimmed[3];
+    water_units_dim(extinction, depths[i], 60.0, dimmed);
+    ASSERT_CLOSE(dimmed[0], 0.3 * times[i], 1e-12);
+    ASSERT_CLOSE(dimmed[2], 0.05 * times[i], 1e-12);
+    water_units_dim(extinction, depths[i], 0.0, dimmed);
+    ASSERT_CLOSE(dimmed[1], 0.1, 0.0);
+  }
+}
+
+TESTS(shallow_beds_count_as_deep, units_have_their_metres, other_names_are_refused,
+  scenes_of_all_sizes_count_as_natural, units_change_at_powers_of_two_alone,
+  scenes_without_a_size_have_metres, waves_too_short_for_the_scene_are_not_seen,
+  scaled_waves_have_the_same_slopes)

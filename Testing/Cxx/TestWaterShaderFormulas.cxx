@@ -248,6 +248,32 @@ std::vector<Formula> MakeScalars()
       return Outputs{ value, value, value, value };
     },
     LargestOf });
+  formulas.push_back({ "highlights", vtkWaterHighlights, "vec4(waterRollOff(testCase(0).x))", 1,
+    8.0, [](Inputs& in) { in[0] = Magnitude(1e-3, 1e4); },
+    [](const Inputs& in) {
+      const double value = water_shared_roll_off(in[0]);
+      return Outputs{ value, value, value, value };
+    },
+    OfUnit });
+  formulas.push_back({ "foam of a shore", vtkWaterFoamCover,
+    "vec4(waterShoreFoam(testCase(0).x, testCase(0).y))", 2, 64.0,
+    [](Inputs& in) {
+      in[0] = Between(0.0, 2.0);
+      in[1] = Between(0.0, 1.0);
+    },
+    [](const Inputs& in) {
+      const double value = water_shared_shore_foam(in[0], in[1]);
+      return Outputs{ value, value, value, value };
+    },
+    OfUnit });
+  formulas.push_back(
+    { "threshold of foam", vtkWaterFoamCover, "vec4(waterFoamThreshold(testCase(0).x))", 1, 64.0,
+      [](Inputs& in) { in[0] = generator() % 16 ? Between(0.0, 1.0) : 0.0; },
+      [](const Inputs& in) {
+        const double value = water_shared_foam_threshold(in[0]);
+        return Outputs{ value, value, value, value };
+      },
+      OfUnit });
   formulas.push_back({ "height of the gradient", vtkWaterGradient,
     "vec4(waterGradientHeight(testCase(0).x, testCase(0).y))", 2, 8.0,
     [](Inputs& in) {

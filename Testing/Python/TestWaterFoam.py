@@ -33,6 +33,53 @@ def test_foam_lies_where_the_water_is_shallow():
     wt.check_at_most("foam: mean of 255 where it is over 40 cm", float(row[depth > 0.42].mean()), 45)
 
 
+def foamy(height, depth):
+    """White foam on a bed of one depth, seen from straight above."""
+    view = wt.View(SIZE, (0, 0, 0))
+    wt.add_actor(view.renderer, wt.box((0, 0, -0.5 - depth), (400, 400, 1)), (0, 0, 0), lit=False)
+    wt.add_scene_light(view.renderer, (0, 0, 1))
+    water = add_dark_water(view)
+    look = water.GetWaterProperty()
+    look.GlitterOff()
+    look.RefractionOn()
+    look.SetFoamDepth(1.0)
+    look.SetFoamColor(1, 1, 1)
+    look_at(view, (0, 0, height), up=(0, 1, 0)).SetClippingRange(0.9 * height, 1.1 * height)
+    return view, water
+
+
+@pytest.mark.parametrize("depth", (0.3, 0.5, 0.8))
+def test_far_foam_is_the_mean_of_near_foam(depth):
+    """The lace covers as much of the water as it does where its pixels are too large to show it."""
+    means = []
+    for height in (25, 250):
+        view, water = foamy(height, depth)
+        frames = []
+        for time in (0, 2, 4, 6, 8, 10):
+            water.SetTime(time)
+            frames.append(view.picture()[:, :, 0].mean() / 255)
+        means.append(np.mean(frames))
+    wt.check_at_most("mean of near foam minus that of far foam", float(abs(means[0] - means[1])), 0.05)
+
+
+def test_near_foam_is_a_lace():
+    """Nearly all of its pixels are foam or water, and both there are."""
+    view, _ = foamy(8, 0.4)
+    shown = view.picture()[:, :, 0] / 255
+    wt.check_at_least("share that is foam", float((shown > 0.8).mean()), 0.2)
+    wt.check_at_least("share that is water", float((shown < 0.2).mean()), 0.1)
+
+
+def test_foam_moves_with_the_time_alone():
+    view, water = foamy(25, 0.5)
+    first = view.picture().astype(int)
+    water.SetTime(3)
+    later = view.picture().astype(int)
+    wt.check_at_least("3 s later: share of pixels that differ", float((np.abs(first - later)[:, :, 0] > 20).mean()), 0.1)
+    water.SetTime(12)
+    wt.check_at_most("12 s later: largest difference", int(np.abs(first - view.picture()).max()), 1)
+
+
 def test_deep_water_round_a_thing_in_the_air_has_no_foam():
     """Deep water has no foam, even where its pixels share their samples with a thing that hangs in the air."""
     view = wt.View(SIZE, (0, 0, 0), samples=8)

@@ -7,6 +7,7 @@ import pytest
 import ray_caster
 import water_test as wt
 from dark_water import SIZE, add_dark_water, check_refused, look_at, pixel_rays
+from vtkmodules.vtkRenderingOpenGL2 import vtkRenderStepsPass, vtkToneMappingPass
 
 INDEX = 1.333
 SUN = np.array((0.3, 0.6, 0.55))
@@ -23,6 +24,7 @@ def glittering(along, across, wind):
     view.renderer.GetLights().GetItemAsObject(0).SetIntensity(0.5)
     look = add_dark_water(view).GetWaterProperty()
     look.SetSlopeVariance(along, across, wind)
+    look.HighlightRollOffOff()
     return view, look, look_at(view, (1, -10, 6), angle=60)
 
 
@@ -47,6 +49,35 @@ def test_glitter_is_that_of_the_formula(along, across, wind):
     name = f"glitter, variances {along}, {across}, wind {wind:g} degrees"
     wt.check_at_most(f"{name}: largest error", float(np.abs(shown - expected)[good].max()), 0.01)
     wt.check_at_least(f"{name}: brightest pixel that is compared", float(shown[good].max()), 0.25)
+
+
+def test_highlights_roll_off():
+    """No pixel of the glitter is white; what is not bright stays as it is; what is clipped without it has shapes."""
+    view, look, _ = glittering(0.003, 0.003, 0.0)
+    view.renderer.GetLights().GetItemAsObject(0).SetIntensity(1.5)
+    clipped = view.picture()[:, :, 0].astype(int)
+    look.HighlightRollOffOn()
+    rolled = view.picture()[:, :, 0].astype(int)
+    is_clipped = clipped == 255
+    wt.check_at_least("share that is clipped without it", float(is_clipped.mean()), 0.01)
+    wt.check_at_most("brightest of 255", int(rolled.max()), 253)
+    wt.check_at_least("brightest against darkest where it was clipped", int(np.ptp(rolled[is_clipped])), 20)
+    wt.check_at_most("what is below 0.6 differs by", int(np.abs(rolled - clipped)[clipped < 153].max()), 1)
+    wt.check_at_most("radiance that is lost", float(1 - rolled.sum() / clipped.sum()), 0.15)
+
+
+def test_highlights_keep_their_range_before_a_tone_mapping():
+    """Where a pass maps tones nothing rolls off: the picture is the same with it and without."""
+    view, look, _ = glittering(0.003, 0.003, 0.0)
+    view.renderer.GetLights().GetItemAsObject(0).SetIntensity(1.5)
+    tones = vtkToneMappingPass()
+    tones.SetDelegatePass(vtkRenderStepsPass())
+    view.renderer.SetPass(tones)
+    pictures = []
+    for rolls in (False, True):
+        look.SetHighlightRollOff(rolls)
+        pictures.append(view.picture().astype(int))
+    wt.check_equal("pixels that differ", int((pictures[0] != pictures[1]).any(axis=2).sum()), 0)
 
 
 def test_glitter_can_be_switched_off():

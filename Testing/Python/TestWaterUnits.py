@@ -192,6 +192,24 @@ def test_bounds_of_displaced_water_are_in_the_scenes_unit():
     wt.check_at_most("off by, m", float(off), 1e-6)
 
 
+def bed_seen(depth, units):
+    """The colour of a red bed at a depth, in a scene 100 units wide, from above."""
+    view = wt.View((60, 40), (0.5, 0.6, 0.8))
+    wt.add_actor(view.renderer, wt.box((0, 0, -depth - 0.5), (100, 100, 1)), (0.8, 0.1, 0.1), lit=False)
+    water = wt.add_water(view.renderer, None, (-50, 50, -50, 50), None)
+    water.GetWaterProperty().RefractionOn()
+    water.GetWaterProperty().SetUnits(units)
+    wt.place_camera(view.renderer, (0, -1, 60), (0, 0, 0), (1, 200))
+    return view.picture()[20, 30].astype(int)
+
+
+def test_shallow_beds_of_unknown_units_count_as_deep():
+    """Half a unit of water hides a bed where the scene's unit is not known; as half a metre it does not."""
+    deep = bed_seen(20, "automatic")
+    wt.check_at_most("automatic: red over that of deep water", int((bed_seen(0.5, "automatic") - deep)[0]), 8)
+    wt.check_at_least("metres: red over that of deep water", int((bed_seen(0.5, "m") - deep)[0]), 80)
+
+
 def test_calm_water_has_no_waves_to_hide():
     view, water = scene(1.0, lambda look: None, "automatic")
     view.picture()

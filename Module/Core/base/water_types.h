@@ -262,6 +262,7 @@ typedef struct water_plan
   int texture_px[2];
   int samples;            // per pixel of the mirrored view; 0: none
   bool is_half_float;     // colours are half floats, or bytes
+  bool rolls_off;         // light over white does, as nothing maps tones afterwards
   int texture_rect_px[4]; // x, y, width, height of the part the water can look up
   double height_rounding; // of dot(plane_clip, NDC) in single precision
   double visible_px_max;  // if the eye's picture shows less of the water, it pays to wait for it

@@ -8,6 +8,7 @@
 static const double smallest = 1e-9; // metres of a unit
 static const double largest = 1e9;
 static const double waves_across = 400.0;
+static const double most_dim = 16.0;
 
 typedef struct named_unit
 {
@@ -50,6 +51,16 @@ double water_units_fit(double diagonal, const double natural_m[2])
   const double size = ldexp(1.0, exponent);
   const double metres = fmin(fmax(size, natural_m[0]), natural_m[1]) / size;
   return fmin(fmax(metres, smallest), largest);
+}
+
+void water_units_dim(
+  const double extinction[3], double bed_depth, double natural_depth, double dimmed[3])
+{
+  const double times = bed_depth > 0.0 ? fmin(fmax(natural_depth / bed_depth, 1.0), most_dim) : 1.0;
+  for (int i = 0; i < 3; ++i)
+  {
+    dimmed[i] = times * extinction[i];
+  }
 }
 
 bool water_units_show_waves(double wavelength, double diagonal)

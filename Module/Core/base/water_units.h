@@ -42,6 +42,18 @@ const char* water_units_name(size_t i);
 // natural_m  the least and the largest natural size, m, > 0
 double water_units_fit(double diagonal, const double natural_m[2]);
 
+// What the water takes from light where nobody knows the scene's unit: up to 16 times what its
+// medium says, so that the deepest bed counts as at least so deep as is natural. Heights of a
+// terrain have a scale of their own, and a lake that is shallow everywhere shows neither its shore
+// nor its colour.
+//
+// extinction     of the medium, per unit
+// bed_depth      of the deepest bed under the water, units; nothing changes unless it is > 0
+// natural_depth  units; 0: beds are as deep as they are
+// dimmed         extinction to use; may be extinction
+void water_units_dim(
+  const double extinction[3], double bed_depth, double natural_depth, double dimmed[3]);
+
 // Are waves of this length seen in a scene that is looked at as a whole? Not if they are shorter
 // than 1/400 of it, which is about two pixels of a picture.
 //

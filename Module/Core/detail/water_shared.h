@@ -16,7 +16,10 @@ double water_shared_schlick(double cosine, double eta);
 double water_shared_transmittance(double extinction, double way);
 double water_shared_slope_density(double xx, double yy, double xy, double area, double x, double y);
 double water_shared_glitter_spread(double eye_cosine, double facet4);
-// Reference of tests: nothing in the module calls it; two shaders have its text.
+// References of tests: nothing in the module calls them; shaders have their text.
+double water_shared_roll_off(double light);
+double water_shared_shore_foam(double depth, double turn);
+double water_shared_foam_threshold(double share);
 double water_shared_gradient_height(double y, double w);
 // References of tests, too: the core has doubles.
 uint32_t water_shared_upper_half(uint32_t a, uint32_t b);

@@ -46,41 +46,42 @@ static const recipe recipes[] = {
       FRESNEL, { { 0.340, 0.0565, 0.00922 }, { 0.00047, 0.00096, 0.00228 } }, false, NO_SEA,
       { { 0.0020, 0.60, 0.0, 0.0, 0.0 }, { 0.0012, 0.35, 1.1, 2.0, 0.0 },
         { 0.0008, 0.22, -0.9, 4.0, 0.0 } },
-      3, { 8.0, 40.0 } } },
+      3, { 8.0, 40.0, 0.0 } } },
   { WATER_TYPE_1C, 0.012,
     { "lake",
       "Jerlov 1976 (1C stands in for a lake), chosen backward scattering of 1.2 g/m^3 of particles "
       "at 0.01 m^2/g; JONSWAP, wind 3 m/s over 2 km, 20 m deep",
       FRESNEL, { { 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0 } }, true, GROWING(3.0, 2000.0, 20.0), NO_WAVES,
-      0, { 200.0, 2000.0 } } },
+      0, { 200.0, 2000.0, 0.0 } } },
   { WATER_TYPE_IB, 0.004,
     { "clear tropical",
       "Jerlov 1976 (IB), chosen backward scattering of 0.4 g/m^3 of coral sand at 0.01 m^2/g; "
       "JONSWAP, wind 4 m/s over 10 km, 5 m deep",
       FRESNEL, { { 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0 } }, true, GROWING(4.0, 10000.0, 5.0), NO_WAVES,
-      0, { 120.0, 1000.0 } } },
+      0, { 120.0, 1000.0, 0.0 } } },
   { WATER_TYPE_IA, 0.0007,
     { "ocean wind 5", OCEAN "JONSWAP with gamma 1, fully developed (Pierson-Moskowitz)", FRESNEL,
       { { 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0 } }, true, DEVELOPED(5.0), NO_WAVES, 0,
-      { 100.0, 1000.0 } } },
+      { 100.0, 1000.0, 0.0 } } },
   { WATER_TYPE_IA, 0.0007,
     { "ocean wind 10", OCEAN "JONSWAP with gamma 1, fully developed (Pierson-Moskowitz)", FRESNEL,
       { { 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0 } }, true, DEVELOPED(10.0), NO_WAVES, 0,
-      { 200.0, 2000.0 } } },
+      { 200.0, 2000.0, 0.0 } } },
   { WATER_TYPE_IA, 0.0007,
     { "ocean wind 15", OCEAN "JONSWAP with gamma 1, fully developed (Pierson-Moskowitz)", FRESNEL,
       { { 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0 } }, true, DEVELOPED(15.0), NO_WAVES, 0,
-      { 400.0, 4000.0 } } },
+      { 400.0, 4000.0, 0.0 } } },
   { WATER_TYPE_9C, 0.3,
     { "turbid river",
       "Jerlov 1976 (9C), chosen backward scattering of 30 g/m^3 of particles at 0.01 m^2/g; "
       "JONSWAP, "
       "wind 2 m/s over 300 m, 3 m deep",
       FRESNEL, { { 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0 } }, true, GROWING(2.0, 300.0, 3.0), NO_WAVES,
-      0, { 50.0, 500.0 } } },
+      0, { 50.0, 500.0, 0.0 } } },
   { WATER_TYPE_COUNT, 0.0,
     { "mirror floor", "chosen: a perfect mirror, no waves, nothing below", { 1.333, 1.0, true },
-      { { 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0 } }, false, NO_SEA, NO_WAVES, 0, { 10.0, 1000.0 } } }
+      { { 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0 } }, false, NO_SEA, NO_WAVES, 0,
+      { 10.0, 1000.0, 0.0 } } }
 };
 
 static void add_particles(double backward, water_medium* medium)
@@ -92,10 +93,11 @@ static void add_particles(double backward, water_medium* medium)
   }
 }
 
-void water_preset_default(water_medium* medium, double natural_m[2])
+void water_preset_default(water_medium* medium, double natural_m[3])
 {
   natural_m[0] = 400.0;
   natural_m[1] = 2000.0;
+  natural_m[2] = 60.0;
   water_type_medium(WATER_TYPE_IB, medium);
   add_particles(0.010, medium);
 }

@@ -31,14 +31,15 @@ typedef struct water_preset
   water_sea sea;
   water_wave waves[WATER_PRESET_WAVES];
   size_t wave_count;
-  double natural_m[2]; // how large a scene with such water is, at least and at most; water_units.h
+  double natural_m[3]; // how large a scene with such water is, at least and at most, and how deep
+                       // its deepest bed is at least, 0: as it is; water_units.h
 } water_preset;
 
 // Medium of a water that has none of its user's: a clear lake, Jerlov's IB with 0.010 / m scattered
 // backward by 1 g/m^3 of particles (0.01 m^2/g), a chosen amount.
 //
 // natural_m  as of a preset
-void water_preset_default(water_medium* medium, double natural_m[2]);
+void water_preset_default(water_medium* medium, double natural_m[3]);
 
 // Number of presets, and the name of each; NULL from the number on.
 size_t water_preset_count(void);

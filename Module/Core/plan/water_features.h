@@ -68,6 +68,8 @@ enum // WATER_FEATURE_WAVES and so on
   X(attenuation, vtkWaterAttenuation, WATER_FEATURE_FLAG(MEDIUM), 0,                               \
     "what the water takes from light")                                                             \
   X(slopes, vtkWaterSlopes, WATER_FEATURE_FLAG(GLITTER), 0, "slopes as a distribution")            \
+  X(highlights, vtkWaterHighlights, WATER_FEATURE_FLAG(GLITTER), 0, "light over white")            \
+  X(cover, vtkWaterFoamCover, WATER_FEATURE_FLAG(FOAM), 0, "how much foam there is")               \
   X(cell, vtkWaterCell, WATER_FEATURE_FLAG(DISPLACED), 0, "what a grid can hold of a wave")        \
   X(place, vtkWaterDisplacementFS, WATER_FEATURE_FLAG(DISPLACED), 0,                               \
     "place at rest, from the vertices")                                                            \

@@ -91,15 +91,6 @@ static double border_of(const water_ground* ground, int axis, int i)
   return scene[0] + (scene[1] - scene[0]) * i / WATER_GROUND_CELLS;
 }
 
-void water_ground_corners(
-  const water_ground* ground, double level, int x, int y, double corners[12])
-{
-  const double rectangle[4] = { border_of(ground, 0, x), border_of(ground, 0, x + 1),
-    border_of(ground, 1, y), border_of(ground, 1, y + 1) };
-  const double at[3] = { level * ground->up[0], level * ground->up[1], level * ground->up[2] };
-  water_sheet_corners(at, ground->x_dir, ground->y_dir, rectangle, corners);
-}
-
 // The cell along an axis that has a place; those out of the scene are in its outermost.
 static int cell_of(const water_ground* ground, int axis, double place)
 {
@@ -159,22 +150,78 @@ bool water_ground_is_under(const water_ground* ground, double level)
   return ground->bed_top <= level || count >= enough;
 }
 
-bool water_ground_is_dry(const water_ground* ground, double level, int x, int y)
+// How high the ground is known to be over a level at a corner of cells, at least; outside of the
+// scene there is nothing.
+static double height_at_corner(const water_ground* ground, double level, int x, int y)
 {
-  for (int i = -1; i <= 1; ++i)
+  double lowest = (double)INFINITY;
+  for (int i = y - 2; i < y + 2; ++i)
   {
-    for (int j = -1; j <= 1; ++j)
+    for (int j = x - 2; j < x + 2; ++j)
     {
-      const int row = y + i;
-      const int column = x + j;
-      const bool is_in =
-        row >= 0 && row < WATER_GROUND_CELLS && column >= 0 && column < WATER_GROUND_CELLS;
-      const double low = is_in ? ground->cell_low[row][column] : (double)INFINITY;
-      if (is_in && (!isfinite(low) || !(low > level)))
+      if (i >= 0 && i < WATER_GROUND_CELLS && j >= 0 && j < WATER_GROUND_CELLS)
       {
-        return false;
+        const double low = ground->cell_low[i][j];
+        lowest = fmin(lowest, isfinite(low) ? low - level : -(double)INFINITY);
       }
     }
   }
-  return true;
+  return lowest;
+}
+
+// Where on the way from a corner to the next the ground reaches the level, in [0, 1]. What lies
+// between a corner that is dry and one that nobody knows is wet.
+static double crossing(double from, double to)
+{
+  if (isinf(from) || isinf(to))
+  {
+    return isinf(from) ? 1.0 : 0.0;
+  }
+  return from / (from - to);
+}
+
+// A point on the way from corner k of a cell to the next, in world.
+static void put_point(const water_ground* ground, double level, const double cell[4], int k,
+  double way, double point[3])
+{
+  static const int at[5][2] = { { 0, 2 }, { 1, 2 }, { 1, 3 }, { 0, 3 }, { 0, 2 } };
+  const double x = cell[at[k][0]] + way * (cell[at[k + 1][0]] - cell[at[k][0]]);
+  const double y = cell[at[k][1]] + way * (cell[at[k + 1][1]] - cell[at[k][1]]);
+  for (int i = 0; i < 3; ++i)
+  {
+    point[i] = x * ground->x_dir[i] + y * ground->y_dir[i] + level * ground->up[i];
+  }
+}
+
+int water_ground_wet(const water_ground* ground, double level, int x, int y, double parts[24])
+{
+  const double cell[4] = { border_of(ground, 0, x), border_of(ground, 0, x + 1),
+    border_of(ground, 1, y), border_of(ground, 1, y + 1) };
+  const double heights[5] = { height_at_corner(ground, level, x, y),
+    height_at_corner(ground, level, x + 1, y), height_at_corner(ground, level, x + 1, y + 1),
+    height_at_corner(ground, level, x, y + 1), height_at_corner(ground, level, x, y) };
+  double outline[8][3]; // of what is wet; of two opposite corners together
+  int count = 0;
+  for (int k = 0; k < 4; ++k)
+  {
+    if (heights[k] <= 0.0)
+    {
+      put_point(ground, level, cell, k, 0.0, outline[count++]);
+    }
+    if ((heights[k] <= 0.0) != (heights[k + 1] <= 0.0))
+    {
+      put_point(ground, level, cell, k, crossing(heights[k], heights[k + 1]), outline[count++]);
+    }
+  }
+  if (count < 3)
+  {
+    return 0;
+  }
+  const int part_count = count > 4 ? 2 : 1;
+  for (int i = 0; i < 4 * part_count; ++i)
+  {
+    const int corner = i < 4 ? i : (i == 4 ? 0 : i - 2); // a fan
+    memcpy(parts + 3 * i, outline[corner < count ? corner : count - 1], sizeof outline[0]);
+  }
+  return part_count;
 }

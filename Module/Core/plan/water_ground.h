@@ -60,13 +60,18 @@ int water_ground_across(double faces);
 // level  height of the water along the normal, from the world's origin
 bool water_ground_is_under(const water_ground* ground, double level);
 
-// Is a cell, and are all around it, known to be over the water? Without a point in one of them it
-// is not.
-bool water_ground_is_dry(const water_ground* ground, double level, int x, int y);
-
-// Corners of a cell at a level, in world: x, y, z of four.
-void water_ground_corners(
-  const water_ground* ground, double level, int x, int y, double corners[12]);
+// What of a cell is not known to be over the water, at the level: up to two convex parts, whose
+// edges are those of the parts of the cells beside it. The edge against what is dry runs where a
+// height between corners of cells reaches the level; a corner is as high as the lowest point in the
+// two cells around it each way, for faces reach from cell to cell. Without a point in one of them
+// it is wet.
+//
+// parts  corners in world, x, y, z of four each, counter-clockwise about the normal; two of them
+// may
+//        be the same
+//
+// Returns the number of parts.
+int water_ground_wet(const water_ground* ground, double level, int x, int y, double parts[24]);
 
 #ifdef __cplusplus
 }

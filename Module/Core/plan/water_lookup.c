@@ -15,6 +15,7 @@ static const double dome_height = 0.25; // over the plane, of a dome's widest si
 static const int few_rays = 4; // as WATER_FEW_RAYS of vtkWaterRaysFS.glsl
 
 static const double foam_pattern = 256.0; // m, after which it repeats
+static const double foam_period = 12.0;   // s
 
 static const double ray_contrast = 0.25; // of white, over the number of rays
 
@@ -164,6 +165,12 @@ void water_lookup_pattern(const double origin_xy[2], double metres_per_unit, dou
   {
     pattern_xy[i] = fmod(origin_xy[i] * metres_per_unit, foam_pattern);
   }
+}
+
+double water_lookup_pattern_turn(double time)
+{
+  const double turns = time / foam_period;
+  return turns - floor(turns);
 }
 
 void water_lookup_under(

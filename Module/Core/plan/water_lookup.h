@@ -64,6 +64,11 @@ void water_lookup_dirs(const water_camera* camera, const water_axes* axes, doubl
 // metres_per_unit  > 0
 void water_lookup_pattern(const double origin_xy[2], double metres_per_unit, double pattern_xy[2]);
 
+// The share of the 12 s after which foam is as it was, in [0, 1).
+//
+// time  s, finite
+double water_lookup_pattern_turn(double time);
+
 // The part of the picture that is seen through the surface: to an eye over a flat one it can show
 // what is under the plane, and all rays that go down from the plane lead there. It is bounded by
 // the plane's horizon. Any other eye or surface: all of the picture.

@@ -412,6 +412,7 @@ water_status water_plan_make(const water_scene* scene, water_plan* plan, water_c
       made.has_view = false;
     }
   }
+  made.rolls_off = !scene->may_tone_map;
   made.is_sky_known = isfinite(made.reflection_top) && !made.is_enclosed;
   *plan = made;
   return status != WATER_OK ? status : props_status;

@@ -14,6 +14,9 @@
 #define waterTransmittance water_shared_transmittance
 #define waterSlopeDensity water_shared_slope_density
 #define waterGlitterSpread water_shared_glitter_spread
+#define waterRollOff water_shared_roll_off
+#define waterShoreFoam water_shared_shore_foam
+#define waterFoamThreshold water_shared_foam_threshold
 #define waterGradientHeight water_shared_gradient_height
 #define waterPhase water_shared_phase
 #define waterCosine water_shared_cosine
@@ -21,7 +24,9 @@
 #define waterUpperHalf water_shared_upper_half
 
 #include "vtkWaterAttenuation.glsl"
+#include "vtkWaterFoamCover.glsl"
 #include "vtkWaterGradient.glsl"
+#include "vtkWaterHighlights.glsl"
 #include "vtkWaterOptics.glsl"
 #include "vtkWaterSlopes.glsl"
 #include "vtkWaterTurns.glsl"

@@ -1,11 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkWaterFoamFS.glsl: slot foam: at the shore and on crests.
+// vtkWaterFoamFS.glsl: slot foam: at the shore and on crests, as a lace of bubbles.
 
 uniform vec3 waterFoamColor;
 uniform float waterFoamDepth;    // depth of water over which the shore's foam ends; 0: none
 uniform float waterFoamJacobian; // crests are foam where their points stand closer than that; 0: none
 uniform vec2 waterPatternOrigin; // of the foam's pattern, m, from the point under the eye
 uniform float waterFoamUnit;     // m per unit of the scene
+uniform float waterFoamTurn;     // share of the time after which the foam is as it was
+
+const float WATER_FOAM_CELL = 0.8;   // m, of the larger bubbles; the smaller have a quarter of it
+const float WATER_FOAM_PATCH = 4.0;  // m, of patches with more and with less of it
+const float WATER_FOAM_SOFT = 0.08;  // over so much of the lace's values a thread fades
+const float WATER_FOAM_PERIOD = 256.0; // cells, after which the pattern repeats
 
 // A number in [0, 1] for a cell of a grid.
 float waterHash(vec2 cell)
@@ -20,35 +26,68 @@ float waterNoise(vec2 place)
   vec2 cell = floor(place);
   vec2 t = place - cell;
   t = t * t * (3.0 - 2.0 * t);
-  cell = mod(cell, 256.0);
-  vec2 next = mod(cell + 1.0, 256.0);
+  cell = mod(cell, WATER_FOAM_PERIOD);
+  vec2 next = mod(cell + 1.0, WATER_FOAM_PERIOD);
   return mix(mix(waterHash(cell), waterHash(vec2(next.x, cell.y)), t.x),
     mix(waterHash(vec2(cell.x, next.y)), waterHash(next), t.x), t.y);
+}
+
+// How much farther the second nearest of points is than the nearest. The points are scattered one to a cell, and go round
+// in it.
+float waterBubbles(vec2 place)
+{
+  vec2 middle = floor(place);
+  vec2 nearest = vec2(8.0); // squares of the distances
+  for (int i = 0; i < 9; ++i)
+  {
+    vec2 cell = middle + vec2(float(i % 3 - 1), float(i / 3 - 1));
+    vec2 same = mod(cell, WATER_FOAM_PERIOD);
+    vec2 turn = vec2(waterHash(same), waterHash(same.yx + 57.0));
+    vec2 off = cell + 0.5 + 0.38 * sin(6.2831853 * (turn + waterFoamTurn * vec2(1.0, -1.0))) - place;
+    float square = dot(off, off);
+    nearest = square < nearest.x ? vec2(square, nearest.x) : vec2(nearest.x, min(nearest.y, square));
+  }
+  return sqrt(nearest.y) - sqrt(nearest.x);
+}
+
+// How much of the water foam covers there, its bubbles aside.
+float waterFoamCover(WaterPoint point, vec2 place)
+{
+  float cover = 0.0;
+  if (waterFoamDepth > 0.0)
+  {
+    float depth = waterTransmittedDepth(point) / waterFoamDepth;
+    if (depth < 1.0)
+    {
+      cover = waterShoreFoam(depth + 0.3 * (waterNoise(place / WATER_FOAM_PATCH) - 0.5) * depth, waterFoamTurn);
+    }
+  }
+  if (waterFoamJacobian > 0.0)
+  {
+    cover = max(cover, clamp(2.0 - 2.0 * point.jacobian / waterFoamJacobian, 0.0, 1.0));
+  }
+  return cover;
 }
 
 // How much of a pixel is foam, in [0, 1].
 float waterFoamShare(WaterPoint point)
 {
-  float share = 0.0;
-  if (waterFoamDepth > 0.0)
-  {
-    float depth = waterTransmittedDepth(point);
-    share = 1.0 - clamp(depth / waterFoamDepth, 0.0, 1.0);
-  }
-  if (waterFoamJacobian > 0.0)
-  {
-    share = max(share, clamp(2.0 - 2.0 * point.jacobian / waterFoamJacobian, 0.0, 1.0));
-  }
-  // bubbles: what is shorter than two pixels is their mean
   vec2 place = waterFoamUnit * point.place + waterPatternOrigin;
-  float pixel = waterFoamUnit * max(length(point.across), length(point.down));
-  float bubbles = 0.5;
-  float weight = 0.5;
-  for (float size = 1.0; size > 0.05; size *= 0.5, weight *= 0.6)
+  float cover = waterFoamCover(point, place);
+  if (cover <= 0.0)
   {
-    bubbles += weight * (waterNoise(place / size) - 0.5) * clamp(size / pixel - 1.0, 0.0, 1.0);
+    return 0.0;
   }
-  return clamp(smoothstep(0.0, 1.0, 2.0 * share - 1.0 + bubbles), 0.0, 1.0) * step(1e-4, share);
+  float pixel = waterFoamUnit * max(length(point.across), length(point.down));
+  float resolved = clamp(1.5 - 2.0 * pixel / WATER_FOAM_CELL, 0.0, 1.0); // else the pixel's mean, which is the cover
+  if (resolved <= 0.0)
+  {
+    return cover;
+  }
+  float lace = 0.65 * waterBubbles(place / WATER_FOAM_CELL) + 0.35 * waterBubbles(4.0 * place / WATER_FOAM_CELL);
+  float threshold = waterFoamThreshold(cover);
+  float soft = min(WATER_FOAM_SOFT + pixel / WATER_FOAM_CELL, threshold + 1e-3); // no thread is wider than its middle
+  return mix(cover, smoothstep(-soft, soft, threshold - lace), resolved);
 }
 
 // Lays foam over the surface's color.

@@ -5,6 +5,8 @@
 // The smallest variance of slopes: the sun is a disc of half a degree, and a pixel is not a point.
 const float WATER_SUN_VARIANCE = 2e-5;
 
+uniform int waterRollsOff; // 1: what is brighter than white rolls off, as nothing maps tones afterwards
+
 // Adds the glitter to the surface's color.
 //
 // sun  light of the sun that arrives
@@ -22,5 +24,11 @@ void waterGlint(WaterPoint point, vec3 sun, inout vec3 rgb)
   // a light of 1 is an irradiance of pi
   vec3 glint = 3.1415927 * sun * waterFresnel(dot(facet, waterSunDir), waterEta) * density
     / waterGlitterSpread(max(-point.ray.z, 1e-3), max(facet4, 1e-6));
+  if (waterRollsOff != 0)
+  {
+    vec3 room = max(1.0 - rgb, 0.001);
+    vec3 light = glint / room;
+    glint = room * vec3(waterRollOff(light.r), waterRollOff(light.g), waterRollOff(light.b));
+  }
   rgb += waterSide > 0.0 ? glint : vec3(0.0); // from below there is none
 }

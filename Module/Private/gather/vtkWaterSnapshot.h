@@ -26,6 +26,7 @@ class vtkWaterSea;
 struct vtkWaterLook
 {
   double MetresPerUnit = 1.0;
+  double NaturalDepth = 0.0;        // of the deepest bed, at least; water_units_dim
   bool HidesWaves = false;          // they are too short for the scene
   water_look Optics = water_look(); // constant 0 only if nothing is reflected
   water_feature_look Has = water_feature_look();
@@ -44,6 +45,7 @@ struct vtkWaterLook
   double WaveReach = 0.0; // how far steep waves move a point in the plane
   int WaveGridSize = 0;
   double Caustics = 0.0;
+  bool RollsOff = true; // light over white does, unless tones are mapped
   double FoamDepth = 0.0;
   double FoamJacobian = 0.0; // crests are foam below it
   double FoamColor[3] = {};

@@ -79,22 +79,18 @@ bool vtkWaterGround::IsUnder(
 void vtkWaterGround::FindWet()
 {
   this->Wet.clear();
-  bool isAllWet = true;
+  bool isDry = false; // in a part of it
   for (int y = 0; y < WATER_GROUND_CELLS; ++y)
   {
     for (int x = 0; x < WATER_GROUND_CELLS; ++x)
     {
-      if (water_ground_is_dry(&this->Ground, this->Level, x, y))
-      {
-        isAllWet = false;
-        continue;
-      }
-      double corners[12];
-      water_ground_corners(&this->Ground, this->Level, x, y, corners);
-      this->Wet.insert(this->Wet.end(), corners, corners + 12);
+      double parts[24];
+      const int count = water_ground_wet(&this->Ground, this->Level, x, y, parts);
+      this->Wet.insert(this->Wet.end(), parts, parts + 12 * count);
+      isDry = isDry || count == 0;
     }
   }
-  if (isAllWet)
+  if (!isDry)
   {
     this->Wet.clear(); // one rectangle is drawn in less time
   }

@@ -15,8 +15,8 @@
 struct vtkWaterProperty::Internals
 {
   std::vector<water_wave> Waves;
-  double Extinction[3];  // 1/m
-  double NaturalSize[2]; // of a scene with such water, least and largest, m
+  double Extinction[3]; // 1/m
+  double Natural[3];    // of a scene with such water, m: water_preset.natural_m
   vtkSmartPointer<vtkTexture> Environment;
   vtkWaterNormalMaps NormalMaps;
   double SeaSlopes[2] = { 0.0, 0.0 };  // variances of the sea that its tile holds, as of SeaTime

@@ -17,6 +17,7 @@
 #include "water_flatness.h"
 #include "water_lookup.h"
 #include "water_plan.h"
+#include "water_units.h"
 #include "water_waves.h"
 
 #include <algorithm>
@@ -161,6 +162,14 @@ void vtkWaterSurfaceShader::FindDeepColor(double color[3]) const
 }
 
 //------------------------------------------------------------------------------
+void vtkWaterSurfaceShader::FindExtinction(double extinction[3]) const
+{
+  const vtkWaterLook& look = this->Water->Look;
+  const double depth = this->Drawn.Plan ? this->Drawn.Plan->bed_depth : 0.0;
+  water_units_dim(look.Extinction, depth, look.NaturalDepth, extinction);
+}
+
+//------------------------------------------------------------------------------
 void vtkWaterSurfaceShader::BeginMedium(const int viewport_px[4])
 {
   const bool hadFailed = this->Backdrop.GetHasFailed();
@@ -185,9 +194,10 @@ void vtkWaterSurfaceShader::BeginMedium(const int viewport_px[4])
   if (this->HasBackdrop && this->Drawn.AddsFog)
   {
     double deepColor[3];
+    double extinction[3];
     this->FindDeepColor(deepColor);
-    this->Drawn.Fog->Draw(
-      this->Drawn.Renderer, this->Plan, this->Backdrop, deepColor, this->Water->Look.Extinction);
+    this->FindExtinction(extinction);
+    this->Drawn.Fog->Draw(this->Drawn.Renderer, this->Plan, this->Backdrop, deepColor, extinction);
   }
 }
 

@@ -94,6 +94,7 @@ private:
   }
   // Colour of infinitely deep water in the light of what is drawn.
   void FindDeepColor(double color[3]) const;
+  void FindExtinction(double extinction[3]) const;
   void BeginMedium(const int viewport_px[4]);
   void BeginWaves();
   void BeginSea();

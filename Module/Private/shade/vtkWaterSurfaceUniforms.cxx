@@ -106,7 +106,9 @@ void vtkWaterSurfaceShader::SetViewParameters(vtkShaderProgram* program)
   uniforms::Set4(program, "waterClipW", plan.clip_w);
   uniforms::Set(program, "waterRestSteps",
     water_waves_rest_steps(program->IsUniformUsed("waterAxesToClip"), this->IsSteep));
-  uniforms::Set3(program, "waterExtinction", look.Extinction);
+  double extinction[3];
+  this->FindExtinction(extinction);
+  uniforms::Set3(program, "waterExtinction", extinction);
   uniforms::Set(program, "waterFootprint", look.RayTraceFootprint);
   uniforms::Set(program, "waterSceneIsMixed", this->Backdrop.GetIsMixed() ? 1 : 0);
   const bool isSorted = this->Backdrop.GetSorted() != nullptr;
@@ -228,6 +230,8 @@ void vtkWaterSurfaceShader::SetSunParameters(vtkShaderProgram* program)
   water_lookup_pattern(plan.origin_xy, look.MetresPerUnit, pattern);
   uniforms::Set2(program, "waterPatternOrigin", pattern);
   uniforms::Set(program, "waterFoamUnit", look.MetresPerUnit);
+  uniforms::Set(program, "waterFoamTurn", water_lookup_pattern_turn(this->Water->Time));
+  uniforms::Set(program, "waterRollsOff", plan.rolls_off && look.RollsOff ? 1 : 0);
 }
 
 //------------------------------------------------------------------------------
