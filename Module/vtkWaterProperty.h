@@ -195,7 +195,7 @@ public:
    * have another range: a pool 8 to 40) is one in metres, a smaller one counts as 200 to 400 m, a
    * larger one as 2000 m, and waves shorter than 1/400 of the scene are not shown. Then
    * GetWaveHeight follows what is shown. Without a preset, light is taken as if the deepest bed
-   * were at least 60 m deep, as heights of a map are drawn to a scale of their own. Default is 1.
+   * were at least 150 m deep, as heights of a map are drawn to a scale of their own. Default is 1.
    */
   void SetMetresPerUnit(double metres);
   vtkGetMacro(MetresPerUnit, double);
