@@ -219,8 +219,11 @@ vtkWaterSnapshotPointer vtkWaterActor::Internals::Take(vtkRenderer* renderer)
   made->IsEndless = this->Self->IsEndless();
   made->IsSheet = made->IsEndless || (this->Self->UsesOwnSheet() && this->Self->GetIsIdentity());
   std::copy_n(this->Sheet.GetRectangle(), 4, made->Sheet);
+  made->HasBorder = made->IsSheet && !made->IsEndless;
   if (!made->IsSheet)
   {
+    made->HasBorder =
+      water_sheet_around(&made->Plane, made->Origin, made->Bounds, made->Sheet) == WATER_OK;
     this->ReadMesh(made->Plane, &made->Mesh);
   }
   made->Time = this->Self->Time;

@@ -307,6 +307,12 @@ const char* vtkWaterProperty::GetPresetSource(const char* name)
 }
 
 //------------------------------------------------------------------------------
+void vtkWaterProperty::SetDataOpacity(double opacity)
+{
+  vtkWaterSetInRange(DataOpacity, opacity, 0.0, 1.0);
+}
+
+//------------------------------------------------------------------------------
 void vtkWaterProperty::SetOpacity(double opacity)
 {
   vtkWaterSetInRange(Opacity, opacity, 0.0, 1.0);
@@ -360,6 +366,7 @@ void vtkWaterProperty::PrintSelf(ostream& os, vtkIndent indent)
      << this->FoamColor[2] << ")\n";
   os << indent << "Shadows: " << (this->Shadows ? "on" : "off") << "\n";
   os << indent << "Caustics: " << this->Caustics << "\n";
+  os << indent << "DataOpacity: " << this->DataOpacity << "\n";
   os << indent << "Opacity: " << this->Opacity << "\n";
   os << indent << "Depth: " << this->Depth << "\n";
   os << indent << "Waves: " << this->GetNumberOfWaves() << "\n";

@@ -195,7 +195,8 @@ public:
    * have another range: a pool 8 to 40) is one in metres, a smaller one counts as 200 to 400 m, a
    * larger one as 2000 m, and waves shorter than 1/400 of the scene are not shown. Then
    * GetWaveHeight follows what is shown. Without a preset, light is taken as if the deepest bed
-   * were at least 150 m deep, as heights of a map are drawn to a scale of their own. Default is 1.
+   * were 30 m deep, or 60 m in a scene ten times as wide as deep: heights of a map have a scale of
+   * their own. Default is 1.
    */
   void SetMetresPerUnit(double metres);
   vtkGetMacro(MetresPerUnit, double);
@@ -332,6 +333,18 @@ public:
    */
   void SetCaustics(double strength);
   vtkGetMacro(Caustics, double);
+  ///@}
+
+  ///@{
+  /**
+   * How much of what is seen in the water is the colour of the mesh's scalars, in [0, 1], where the
+   * actor's mapper shows scalars through its lookup table. At 1 they are the colour of the water
+   * itself, and hide what lies under it; below 1 they are blended with it. What is reflected,
+   * glitter and foam come on top: without these (SetReflectance(0), GlitterOff) the picture shows
+   * the lookup table's colours, unlit. Default is 1.
+   */
+  void SetDataOpacity(double opacity);
+  vtkGetMacro(DataOpacity, double);
   ///@}
 
   ///@{
@@ -772,6 +785,7 @@ private:
   double FoamColor[3] = { 0.95, 0.97, 1.0 };
   bool Shadows = false;
   double Caustics = 0.0;
+  double DataOpacity = 1.0;
   double Opacity = 1.0;
   double Depth;
   bool Sea = false;

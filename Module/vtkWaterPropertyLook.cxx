@@ -49,6 +49,7 @@ void vtkWaterProperty::Describe(double diagonal, vtkWaterLook& look)
   look.Has.has_shadows = this->Shadows;
   look.Has.has_output = this->Output != COLOR;
   look.RollsOff = this->HighlightRollOff;
+  look.DataOpacity = this->DataOpacity;
   look.Opacity = this->Opacity;
   std::copy_n(this->DeepColor, 3, look.DeepColor);
   look.HasDeepColor = this->DeepColorMode == GIVEN;

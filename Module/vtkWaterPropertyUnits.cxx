@@ -60,6 +60,7 @@ void vtkWaterProperty::DescribeUnits(double diagonal, vtkWaterLook& look) const
   look.MetresPerUnit =
     isAutomatic ? water_units_fit(diagonal, this->Internal->Natural) : this->MetresPerUnit;
   look.NaturalDepth = isAutomatic ? this->Internal->Natural[2] / look.MetresPerUnit : 0.0;
+  look.SceneDiagonal = diagonal;
   double longest = 0.0;
   for (const water_wave& wave : this->Internal->Waves)
   {

@@ -18,8 +18,9 @@ from vtkmodules.vtkFiltersGeometry import vtkDataSetSurfaceFilter
 
 from . import vtkWaterActor
 from .errors import raising
+from .surfaces import DataSurface, show_array
 from .widgets import check_ends
-from .words import SUN_COLOR, SUN_PLACE, in_range, number, numbers, set_look
+from .words import SUN_COLOR, SUN_PLACE, in_range, number, numbers, of_type, set_look
 
 __all__ = ["add_water", "add_water_level_slider"]
 
@@ -29,10 +30,19 @@ DRAWN_BY_VTK_JS = ("client", "html")  # of PyVista's backends for notebooks
 
 def add_water(
     self,
-    level=None,
+    water=None,
+    /,
     preset=None,
     waves=None,
     *,
+    level=None,
+    depth=None,
+    bed=None,
+    color_by=None,
+    cmap=None,
+    clim=None,
+    data_opacity=None,
+    scalar_bar=True,
     wind=None,
     refraction=None,
     foam=None,
@@ -56,9 +66,8 @@ def add_water(
 
     Parameters
     ----------
-    level : float, optional
-        Height of the water over ``origin`` along ``normal``, in the scene's unit: its z by default. Without it 0, or
-        with a ``surface`` the mean height of that.
+    water : float | pyvista.DataSet, optional
+        The ``level``, or the ``surface``: ``add_water(2.0)`` is ``add_water(level=2.0)``.
 
     preset : str, optional
         A water with its optics and waves: ``'pool'``, ``'lake'``, ``'clear tropical'``, ``'ocean wind 5'``,
@@ -69,6 +78,26 @@ def add_water(
         In place of the preset's waves: the speed of the wind whose sea it shall be, m/s in [0.1, 100], 0 for
         calm water; or any number of waves, each of 2 to 5 numbers: amplitude (m), wavelength (m), direction it
         travels to (degrees from x towards y, default 0), phase (degrees, default 0) and steepness ([0, 1], default 0).
+
+    level : float | str, optional
+        Height of the water over ``origin`` along ``normal``, in the scene's unit: its z by default. Without it 0, or
+        with a ``surface`` the mean height of that. A name is that of an array of the surface; see ``depth``.
+
+    depth, bed : str, optional
+        With a solver's mesh as the ``surface``: names of its arrays of the water's depth and of the bed's height, of
+        points or cells. Two of ``level``, ``depth`` and ``bed`` say where the water is; without a bed it is the mesh's
+        own z, and with the ``level`` alone all of the mesh is wet. The water ends where the bed reaches its level,
+        between the points, and follows the arrays when they change (:vtk:`vtkWaterSurfaceFilter`).
+
+    color_by : str, optional
+        An array of the surface's points or cells that colours the water, through ``cmap`` (by default that of the
+        theme) and ``clim`` (two values; by default the array's range), as in ``add_mesh``.
+
+    data_opacity : float, optional
+        How much of what is seen in the water that colour is, in [0, 1]; by default 1, and the bed is not seen.
+
+    scalar_bar : bool, default: True
+        Whether a scalar bar shows the colours of ``color_by``.
 
     wind : float | sequence[float], optional
         As the number of ``waves``, and not together with them: the speed of the wind whose sea it shall be, m/s in
@@ -181,16 +210,24 @@ def add_water(
     >>> water.GetLevel()
     -0.2
     """
+    level, surface = level_and_surface(water, level, surface)
     scale = self.renderer.scale
     if pv.global_theme.jupyter_backend in DRAWN_BY_VTK_JS:
         warnings.warn(f"the backend {pv.global_theme.jupyter_backend!r} draws with vtk.js, which does not know the "
                       "water and leaves it out; say pyvista.set_jupyter_backend('server')", stacklevel=2)
     if surface is not None and bounds is not None:
         raise ValueError("bounds are of the water's own sheet; there is none with a surface")
-    mapper = None if surface is None else mapper_of(surface)
-    base_level = 0.0 if level is None else number("level", level)
-    if mapper is not None:
+    mapper, data = surface_of(surface, level, depth, bed, normal)
+    if color_by is not None:
+        color_surface(mapper, surface, color_by, cmap, clim)
+        if refraction is None and not foam and not caustics and data_opacity in (None, 1):
+            refraction = False  # the data hide what it would show
+    if data is not None:
+        base_level = data.filter.GetMeanLevel()
+    elif mapper is not None:
         base_level = level_of_surface(mapper, level, normal, origin)
+    else:
+        base_level = 0.0 if level is None else number("level", level)
     plane_origin, plane_normal = plane_of(base_level, normal, origin, scale)
     if sun is None:
         sun = bool(caustics) and not has_scene_light(self.renderer)
@@ -210,8 +247,12 @@ def add_water(
         else:
             actor.SetSheetToAutomatic()
         actor.SetTime(number("time", time))
+    if data_opacity is not None:
+        look.SetDataOpacity(in_range("data_opacity", data_opacity, 0.0, 1.0))
     if mapper is not None:
         actor.SetMapper(mapper)
+    if data is not None:
+        data.follow(actor, self.renderer)
 
     self.renderer.add_actor(
         actor, name=name, pickable=pickable, reset_camera=reset_camera, render=False)
@@ -219,6 +260,8 @@ def add_water(
         actor.SetScale(1.0, 1.0, 1.0)  # the plane has it
     if light is not None:
         shine(self.renderer, actor, *light)
+    if color_by is not None and scalar_bar:
+        self.add_scalar_bar(color_by, mapper=mapper, render=False)
     height = vtkMath.Dot(plane_origin, plane_normal)
     bounds_known = vtkMath.AreBoundsInitialized(actor.GetBounds() or (1, -1, 1, -1, 1, -1))  # also chooses the sheet
     if surface is None and bounds is None and not actor.GetSheetToHorizon() and lowest > height:
@@ -237,6 +280,44 @@ def widen_clipping_range(renderer):
     renderer.reset_camera_clipping_range()
     new_near, new_far = renderer.camera.clipping_range
     renderer.camera.clipping_range = (min(near, new_near), max(far, new_far))
+
+
+def level_and_surface(water, level, surface):
+    """The two, one of which may be given without its name."""
+    if water is None:
+        return level, surface
+    if isinstance(water, pv.DataSet):
+        if surface is not None:
+            raise ValueError("surface is given twice: without its name, and by it")
+        return level, water
+    if level is not None:
+        raise ValueError(f"level is given twice: {water!r} without its name, and level={level!r}")
+    return number("level", water), surface
+
+
+def surface_of(surface, level, depth, bed, normal):
+    """The mapper of a surface, and what makes it of arrays; None for what there is not."""
+    names = {"level": level if isinstance(level, str) else None, "depth": depth, "bed": bed}
+    given = {word: of_type(word, name, str) for word, name in names.items() if name is not None}
+    if not given:
+        return (None if surface is None else mapper_of(surface)), None
+    word, name = next(iter(given.items()))
+    if surface is None:
+        raise ValueError(f"{word} is {name!r}, an array's name; a surface that has it is needed")
+    if not isinstance(surface, pv.DataSet):
+        raise TypeError(f"surface must be a pyvista.DataSet, not {type(surface).__name__}")
+    if level is not None and "level" not in given:
+        raise ValueError(f"level is {level!r}; together with {word}={name!r} it must be the name of an array")
+    if normal != "z":
+        raise ValueError(f"normal is {normal!r}; with arrays of heights it must be 'z'")
+    data = DataSurface(surface, **given)
+    return data.mapper, data
+
+
+def color_surface(mapper, surface, name, cmap, clim):
+    if mapper is None:
+        raise ValueError(f"color_by is {name!r}; a surface that has this array is needed")
+    show_array(mapper, surface, of_type("color_by", name, str), cmap, None if clim is None else numbers("clim", clim, 2))
 
 
 def lowest_along(renderer, normal):

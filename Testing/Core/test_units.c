@@ -99,24 +99,26 @@ TEST(scaled_waves_have_the_same_slopes)
   }
 }
 
-// A shallow bed counts as one of natural depth; a deep one, and one that there is not, as it is.
-TEST(shallow_beds_count_as_deep)
+// The deepest bed counts as natural, or twice as deep in a map; one that there is not changes
+// nothing.
+TEST(beds_count_as_deep_as_is_natural)
 {
   const double extinction[3] = { 0.3, 0.1, 0.05 };
-  const double depths[5] = { 15.0, 60.0, 600.0, 0.0, 1e-9 };
-  const double times[5] = { 4.0, 1.0, 1.0, 1.0, 16.0 };
-  for (int i = 0; i < 5; ++i)
+  const double depths[6] = { 10.0, 60.0, 90.0, 600.0, 0.0, 1e-9 };
+  const double diagonals[6] = { 1000.0, 300.0, 600.0, 1000.0, 1000.0, 1000.0 };
+  const double times[6] = { 6.0, 0.5, 0.5, 1.0 / 16.0, 1.0, 16.0 };
+  for (int i = 0; i < 6; ++i)
   {
     double dimmed[3];
-    water_units_dim(extinction, depths[i], 60.0, dimmed);
+    water_units_dim(extinction, depths[i], diagonals[i], 30.0, dimmed);
     ASSERT_CLOSE(dimmed[0], 0.3 * times[i], 1e-12);
     ASSERT_CLOSE(dimmed[2], 0.05 * times[i], 1e-12);
-    water_units_dim(extinction, depths[i], 0.0, dimmed);
+    water_units_dim(extinction, depths[i], diagonals[i], 0.0, dimmed);
     ASSERT_CLOSE(dimmed[1], 0.1, 0.0);
   }
 }
 
-TESTS(shallow_beds_count_as_deep, units_have_their_metres, other_names_are_refused,
+TESTS(beds_count_as_deep_as_is_natural, units_have_their_metres, other_names_are_refused,
   scenes_of_all_sizes_count_as_natural, units_change_at_powers_of_two_alone,
   scenes_without_a_size_have_metres, waves_too_short_for_the_scene_are_not_seen,
   scaled_waves_have_the_same_slopes)

@@ -15,7 +15,7 @@ import water_test as wt
 import vtkwater
 
 CLASSES = (vtkwater.vtkWaterActor, vtkwater.vtkWaterProperty, vtkwater.vtkWaterReflectionPass,
-           vtkwater.vtkWaterOffScreen, vtkwater.vtkWaterFrameAverage)
+           vtkwater.vtkWaterOffScreen, vtkwater.vtkWaterFrameAverage, vtkwater.vtkWaterSurfaceFilter)
 MODULES = ("backend", "command", "errors", "movies", "readers", "scenes", "widgets", "words")
 OF_VTK = {"SafeDownCast", "NewInstance", "IsA", "IsTypeOf", "GetNumberOfGenerationsFromBase", "New",
           "GetNumberOfGenerationsFromBaseType"}

@@ -237,7 +237,7 @@ def test_water_to_the_horizon_fills_the_picture_and_no_bounds(plotter):
 
 
 WRONG = [  # the exception, a part of its text, the argument
-    (TypeError, "level must be a number, not str", {"level": "high"}),
+    (ValueError, "level is 'high', an array's name; a surface that has it is needed", {"level": "high"}),
     (TypeError, "level must be a number, not bool", {"level": True}),
     (ValueError, "level nan", {"level": float("nan")}),
     (TypeError, "preset must be str, not int", {"preset": 3}),

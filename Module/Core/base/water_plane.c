@@ -156,6 +156,21 @@ void water_plane_displaced_bounds(
   }
 }
 
+water_status water_sheet_around(
+  const water_plane* plane, const double origin[3], const double bounds[6], double sheet[4])
+{
+  water_plane unit;
+  const water_status status = water_plane_normalise(plane, &unit);
+  if (status != WATER_OK)
+  {
+    return status;
+  }
+  double x_dir[3];
+  double y_dir[3];
+  water_plane_axes(unit.normal, x_dir, y_dir);
+  return water_sheet_bounds(origin, x_dir, y_dir, bounds, sheet);
+}
+
 water_plane water_plane_turned(const water_plane* plane, water_side side)
 {
   const double sign = side == WATER_BELOW ? -1.0 : 1.0;

@@ -78,6 +78,12 @@ water_status water_sheet_bounds(const double origin[3], const double x_dir[3],
 void water_plane_displaced_bounds(const water_plane* unit, const double bounds[6], double height,
   double reach, double displaced[6]);
 
+// The same for a plane of any scale, in its own axes about origin.
+//
+// Returns as water_plane_normalise, or WATER_BAD_SURFACE; then sheet is unchanged.
+water_status water_sheet_around(
+  const water_plane* plane, const double origin[3], const double bounds[6], double sheet[4]);
+
 // The plane with its normal towards an eye on a side of it.
 water_plane water_plane_turned(const water_plane* plane, water_side side);
 

@@ -53,10 +53,16 @@ double water_units_fit(double diagonal, const double natural_m[2])
   return fmin(fmax(metres, smallest), largest);
 }
 
-void water_units_dim(
-  const double extinction[3], double bed_depth, double natural_depth, double dimmed[3])
+void water_units_dim(const double extinction[3], double bed_depth, double diagonal,
+  double natural_depth, double dimmed[3])
 {
-  const double times = bed_depth > 0.0 ? fmin(fmax(natural_depth / bed_depth, 1.0), most_dim) : 1.0;
+  double times = 1.0;
+  if (bed_depth > 0.0 && natural_depth > 0.0)
+  {
+    const double flatness = fmin(fmax(2.0 - 10.0 * bed_depth / diagonal, 0.0), 1.0);
+    times = (1.0 + flatness) * natural_depth / bed_depth;
+    times = fmin(fmax(times, 1.0 / most_dim), most_dim);
+  }
   for (int i = 0; i < 3; ++i)
   {
     dimmed[i] = times * extinction[i];

@@ -42,17 +42,19 @@ const char* water_units_name(size_t i);
 // natural_m  the least and the largest natural size, m, > 0
 double water_units_fit(double diagonal, const double natural_m[2]);
 
-// What the water takes from light where nobody knows the scene's unit: up to 16 times what its
-// medium says, so that the deepest bed counts as at least so deep as is natural. Heights of a
-// terrain have a scale of their own, and a lake that is shallow everywhere shows neither its shore
-// nor its colour.
+// What the water takes from light where nobody knows the scene's unit: 1/16 to 16 times what its
+// medium says, so that the deepest bed counts as deep as is natural, or as twice as deep in a map:
+// there water hides what lies deep and shows its shore, while things that reach into it are to be
+// seen. A map is a scene that is at least ten times as wide as it is deep; one that is five times
+// as wide is none, and between them the depth changes evenly.
 //
 // extinction     of the medium, per unit
 // bed_depth      of the deepest bed under the water, units; nothing changes unless it is > 0
+// diagonal       of the scene, units
 // natural_depth  units; 0: beds are as deep as they are
 // dimmed         extinction to use; may be extinction
-void water_units_dim(
-  const double extinction[3], double bed_depth, double natural_depth, double dimmed[3]);
+void water_units_dim(const double extinction[3], double bed_depth, double diagonal,
+  double natural_depth, double dimmed[3]);
 
 // Are waves of this length seen in a scene that is looked at as a whole? Not if they are shorter
 // than 1/400 of it, which is about two pixels of a picture.

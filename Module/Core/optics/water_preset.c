@@ -97,7 +97,7 @@ void water_preset_default(water_medium* medium, double natural_m[3])
 {
   natural_m[0] = 400.0;
   natural_m[1] = 2000.0;
-  natural_m[2] = 150.0;
+  natural_m[2] = 30.0;
   water_type_medium(WATER_TYPE_IB, medium);
   add_particles(0.010, medium);
   for (int channel = 0; channel < 3; ++channel)

@@ -32,7 +32,7 @@ typedef struct water_preset
   water_wave waves[WATER_PRESET_WAVES];
   size_t wave_count;
   double natural_m[3]; // how large a scene with such water is, at least and at most, and how deep
-                       // its deepest bed is at least, 0: as it is; water_units.h
+                       // its deepest bed is, 0: as it is; water_units.h
 } water_preset;
 
 // Medium of a water that has none of its user's: a clear lake. Jerlov's IB, of whose attenuation

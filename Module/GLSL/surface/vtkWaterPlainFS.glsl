@@ -4,7 +4,16 @@
 uniform vec3 waterDeepColor;
 uniform float waterOpacity;
 
+uniform float waterDataOpacity;
+vec4 waterDataColor = vec4(0.0);
+
+// Where the mapper shows scalars: their colour.
+void waterTakeData(vec3 color)
+{
+  waterDataColor = vec4(color, waterDataOpacity);
+}
+
 void waterShade(inout vec4 color)
 {
-  color = vec4(waterDeepColor, color.a * waterOpacity);
+  color = vec4(mix(waterDeepColor, waterDataColor.rgb, waterDataColor.a), color.a * waterOpacity);
 }

@@ -7,7 +7,7 @@ uniform float waterOpacity;
 
 void waterShade(inout vec4 color)
 {
-  vec3 rgb = waterDeepColor;
+  vec3 rgb = mix(waterDeepColor, waterDataColor.rgb, waterDataColor.a);
   int reason = 0;
   vec2 uv = vec2(0.0);
   float reflectance = 0.0;
@@ -16,7 +16,7 @@ void waterShade(inout vec4 color)
     WaterPoint point = waterPoint();
     waterRipple(point);
     vec3 reflected = waterMirrored(point, reflectance, reason, uv);
-    rgb = waterTransmitted(point);
+    rgb = mix(waterTransmitted(point), waterDataColor.rgb, waterDataColor.a);
     // where the water is thinner than that it begins
     float begun = clamp(waterTransmittedDepth(point) / max(waterShoreSoftness, 1e-9), 0.0, 1.0);
     reflectance *= begun;

@@ -26,10 +26,12 @@ class vtkWaterSea;
 struct vtkWaterLook
 {
   double MetresPerUnit = 1.0;
-  double NaturalDepth = 0.0;        // of the deepest bed, at least; water_units_dim
+  double NaturalDepth = 0.0; // of the deepest bed; water_units_dim
+  double SceneDiagonal = 0.0;
   bool HidesWaves = false;          // they are too short for the scene
   water_look Optics = water_look(); // constant 0 only if nothing is reflected
   water_feature_look Has = water_feature_look();
+  double DataOpacity = 1.0;
   double Opacity = 1.0;
   double DeepColor[3] = {};  // under white daylight, unless it is given
   bool HasDeepColor = false; // it is given, whatever the light
@@ -73,6 +75,7 @@ struct vtkWaterSnapshot
   double GivenOrigin[3] = {};        // as the user gave them, for errors
   double GivenNormal[3] = {};
   double Bounds[6] = { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 }; // min > max: it has no surface
+  bool HasBorder = false;                                 // Sheet is where the water ends, at most
   bool IsSheet = false;                                   // the own one, and not moved
   double Sheet[4] = {};                                   // where it ends, in the plane's axes
   bool IsEndless = false;                                 // that reaches to the horizon

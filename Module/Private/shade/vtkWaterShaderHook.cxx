@@ -164,6 +164,12 @@ bool vtkWaterShaderHook::PostReplaceShaderValues(std::string& vertexShader,
   {
     if (Declares(fragmentShader, "waterShade"))
     {
+      if (vtkWaterMeshTraits::ShowsScalars(mapper))
+      {
+        // what the mapper's scalars show without light
+        InsertBefore(
+          fragmentShader, "//VTK::Light::Impl", "\n  waterTakeData(ambientColor + diffuseColor);");
+      }
       InsertBefore(fragmentShader, "//VTK::Light::Impl", "\n  waterShade(gl_FragData[0]);");
     }
     if (this->Surface)

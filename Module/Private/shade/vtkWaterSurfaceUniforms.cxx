@@ -52,6 +52,7 @@ void vtkWaterSurfaceShader::SetParameters(vtkShaderProgram* program, vtkAbstract
     plan && (water_plan_has_reflection(plan) || this->Has(WATER_FEATURE_ENVIRONMENT));
   uniforms::Set(program, "waterIsReflecting", isReflecting ? 1 : 0);
   uniforms::Set(program, "waterOpacity", look.Opacity);
+  uniforms::Set(program, "waterDataOpacity", look.DataOpacity);
   uniforms::Set(program, "waterOutput", look.Output);
   double deepColor[3];
   this->FindDeepColor(deepColor);
@@ -120,7 +121,7 @@ void vtkWaterSurfaceShader::SetViewParameters(vtkShaderProgram* program)
     uniforms::Set(program, "waterSceneOtherPlace", any);
   }
   double sheet[4] = { -kFarUp, kFarUp, -kFarUp, kFarUp };
-  for (int i = 0; i < 4 && this->Water->IsSheet && !this->Water->IsEndless; ++i)
+  for (int i = 0; i < 4 && this->Water->HasBorder; ++i)
   {
     sheet[i] = this->Water->Sheet[i] - plan.origin_xy[i / 2];
   }

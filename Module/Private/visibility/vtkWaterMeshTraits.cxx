@@ -120,6 +120,17 @@ bool vtkWaterMeshTraits::IsSolid(vtkPolyDataMapper* mapper, vtkActor* actor)
 }
 
 //------------------------------------------------------------------------------
+bool vtkWaterMeshTraits::ShowsScalars(vtkAbstractMapper* mapper)
+{
+  auto* shown = vtkMapper::SafeDownCast(mapper);
+  vtkDataSet* data = shown && shown->GetScalarVisibility() ? shown->GetInput() : nullptr;
+  int isOfCells = 0;
+  return data &&
+    vtkAbstractMapper::GetAbstractScalars(data, shown->GetScalarMode(), shown->GetArrayAccessMode(),
+      shown->GetArrayId(), shown->GetArrayName(), isOfCells) != nullptr;
+}
+
+//------------------------------------------------------------------------------
 bool vtkWaterMeshTraits::HasTrianglesOnly(vtkPolyDataMapper* mapper, vtkProperty* property)
 {
   vtkPolyData* mesh = mapper->GetInput();

@@ -41,6 +41,9 @@ bool IsOpaqueEverywhere(vtkActor* actor);
 // Does every triangle, whichever way it faces, cover all of its pixels for good?
 bool IsSolid(vtkPolyDataMapper* mapper, vtkActor* actor);
 
+// Is the mesh coloured by an array of its own, through a lookup table or directly?
+bool ShowsScalars(vtkAbstractMapper* mapper);
+
 // Does the mapper draw neither points nor lines besides?
 bool HasTrianglesOnly(vtkPolyDataMapper* mapper, vtkProperty* property);
 }

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// water_shore.h: where a solver's water is, and where it ends between the places that the solver
+// knows.
+//
+// Level, bed and depth are heights in one unit; level = bed + depth. A solver cuts depths off at 0,
+// so that they do not tell where between a wet and a dry place the water ends. The level does: it
+// goes on beyond the shore as it is, and the shore is where the bed reaches it.
+#ifndef water_shore_h
+#define water_shore_h
+
+#include <stdbool.h>
+
+#ifdef __cplusplus
+extern "C"
+{
+#endif
+
+typedef struct water_column
+{
+  double level; // of the surface; NaN: not known
+  double bed;   // minus infinity: not known, far below
+  double depth; // infinity: not known
+  bool is_wet;
+} water_column;
+
+// What follows from what a solver gives for a place; NaN for what it does not give. With all three
+// the depth says whether the place is wet. With the level alone it is, and so is one whose level
+// and depth are given without a bed.
+//
+// dry_depth  a place with no more water than that is dry, >= 0
+//
+// What is not finite, and a depth below 0, is a dry place.
+water_column water_shore_column(double level, double bed, double depth, double dry_depth);
+
+// Depth of the water, negative where the bed stands out of it, for a shore that is where it is 0
+// along a straight line between two places.
+//
+// is_wet  as the solver says; a dry place is never under water, even if its bed is below the level:
+//         a dyke may keep it dry
+// level   of a dry place: that of the wet ones beside it; NaN: there are none
+double water_shore_depth(bool is_wet, double level, double bed);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkWaterColumns: level of the water, and depth to the bed, at each point of a solver's mesh, also
+// at the dry ones beside the shore; by water_shore.h.
+#ifndef vtkWaterColumns_h
+#define vtkWaterColumns_h
+
+#include "vtkType.h"
+#include "water_shore.h"
+
+#include <vector>
+
+class vtkDataArray;
+class vtkPolyData;
+
+class vtkWaterColumns
+{
+public:
+  // nullptr: there is none. Level and depth are of cells, or of points, both.
+  struct Given
+  {
+    vtkDataArray* Level = nullptr;
+    vtkDataArray* Depth = nullptr;
+    vtkDataArray* Bed = nullptr;
+    bool AreOfCells = false; // level and depth
+    bool IsBedOfCells = false;
+    double DryDepth = 0.0;
+  };
+
+  // mesh  its cells have been built (vtkPolyData::BuildCells)
+  void Make(vtkPolyData* mesh, const Given& given);
+
+  // At each point; a point far from all water has its own bed as the level.
+  const std::vector<double>& GetLevels() const { return this->Levels; }
+  const std::vector<double>& GetDepths() const { return this->Depths; }
+
+  // Cells that the solver calls dry though their bed lies below the water beside them, or that no
+  // water is beside.
+  const std::vector<vtkIdType>& GetDykes() const { return this->Dykes; }
+
+private:
+  void ReadPoints(vtkPolyData* mesh, const Given& given);
+  void ReadCells(vtkPolyData* mesh, const Given& given);
+  void ReadBeds(vtkPolyData* mesh, const Given& given);
+  void Spread(vtkPolyData* mesh);
+  void FindDykes(vtkPolyData* mesh);
+
+  std::vector<double> Levels; // NaN: not known
+  std::vector<double> Beds;
+  std::vector<double> Depths;
+  std::vector<char> IsWet;     // points: the bed alone says where the water ends
+  std::vector<char> IsCellWet; // of data of cells; else empty
+  std::vector<vtkIdType> Dykes;
+};
+
+#endif

@@ -1,0 +1,273 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkWaterSurfaceFilter.h"
+
+#include "vtkCell.h"
+#include "vtkCellData.h"
+#include "vtkClipPolyData.h"
+#include "vtkDataArray.h"
+#include "vtkDataSetSurfaceFilter.h"
+#include "vtkDoubleArray.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkMath.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkWaterColumns.h"
+#include "vtkWaterCompat.h"
+#include "water_placement.h"
+
+#include <array>
+#include <limits>
+
+VTK_ABI_NAMESPACE_BEGIN
+vtkStandardNewMacro(vtkWaterSurfaceFilter);
+
+namespace
+{
+constexpr const char* kLevel = "WaterLevel";
+constexpr const char* kDepth = "WaterDepth";
+
+// Names of all arrays, for an error.
+std::string NamesOf(vtkDataSet* data)
+{
+  std::string names;
+  for (vtkDataSetAttributes* arrays :
+    std::array<vtkDataSetAttributes*, 2>{ data->GetPointData(), data->GetCellData() })
+  {
+    for (int i = 0; i < arrays->GetNumberOfArrays(); ++i)
+    {
+      const char* name = arrays->GetArrayName(i);
+      names += (names.empty() ? "" : ", ") + std::string(name ? name : "(no name)") +
+        (arrays == data->GetCellData() ? " (cells)" : " (points)");
+    }
+  }
+  return names.empty() ? "none" : names;
+}
+
+// Of points, or else of cells.
+//
+// Returns what is wrong with it; empty: nothing, also if the name is.
+std::string Find(vtkDataSet* data, const std::string& name, vtkDataArray*& array, bool& isOfCells)
+{
+  if (name.empty())
+  {
+    return std::string();
+  }
+  array = data->GetPointData()->GetArray(name.c_str());
+  isOfCells = !array;
+  array = array ? array : data->GetCellData()->GetArray(name.c_str());
+  if (!array)
+  {
+    return "there is no array '" + name + "' of numbers; there are: " + NamesOf(data);
+  }
+  return array->GetNumberOfComponents() == 1 ? std::string()
+                                             : "the array '" + name + "' has " +
+      std::to_string(array->GetNumberOfComponents()) + " components; it must have 1";
+}
+
+double MeanHeight(vtkPolyData* surface)
+{
+  const water_plane ground = { { 0.0, 0.0, 1.0 }, 0.0 };
+  water_placement placement;
+  water_placement_begin(&ground, &placement);
+  surface->BuildCells();
+  for (vtkIdType cell = 0; cell < surface->GetNumberOfCells(); ++cell)
+  {
+    const vtkIdType* points = nullptr;
+    vtkIdType count = 0;
+    surface->GetCellPoints(cell, count, points);
+    double corners[3][3];
+    for (vtkIdType i = 2; i < count; ++i)
+    {
+      surface->GetPoint(points[0], corners[0]);
+      surface->GetPoint(points[i - 1], corners[1]);
+      surface->GetPoint(points[i], corners[2]);
+      water_placement_add(corners[0], corners[1], corners[2], &placement);
+    }
+  }
+  return water_placement_judge(&placement).height;
+}
+
+// The mesh at its water's level, with level and depth as arrays; dykes are left out.
+void Raise(vtkPolyData* mesh, const vtkWaterColumns& columns, double scale, vtkPolyData* raised)
+{
+  raised->ShallowCopy(mesh);
+  const vtkIdType count = mesh->GetNumberOfPoints();
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkDoubleArray> levels;
+  vtkNew<vtkDoubleArray> depths;
+  points->SetDataTypeToDouble();
+  points->SetNumberOfPoints(count);
+  levels->SetName(kLevel);
+  depths->SetName(kDepth);
+  levels->SetNumberOfValues(count);
+  depths->SetNumberOfValues(count);
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    const double level = columns.GetLevels()[static_cast<size_t>(i)];
+    double point[3];
+    mesh->GetPoint(i, point);
+    points->SetPoint(i, point[0], point[1], scale * level);
+    levels->SetValue(i, level);
+    depths->SetValue(i, columns.GetDepths()[static_cast<size_t>(i)]);
+  }
+  raised->SetPoints(points);
+  raised->GetPointData()->AddArray(levels);
+  raised->GetPointData()->AddArray(depths);
+  if (!columns.GetDykes().empty())
+  {
+    raised->BuildCells();
+    for (vtkIdType cell : columns.GetDykes())
+    {
+      raised->DeleteCell(cell);
+    }
+    raised->RemoveDeletedCells();
+  }
+}
+
+// The part of a raised mesh that is under water.
+void CutAtShore(vtkPolyData* raised, vtkPolyData* output)
+{
+  vtkDataArray* shown = raised->GetPointData()->GetScalars();
+  const std::string name = shown && shown->GetName() ? shown->GetName() : "";
+  raised->GetPointData()->SetActiveScalars(kDepth);
+  vtkNew<vtkClipPolyData> clip;
+  clip->SetInputData(raised);
+  clip->SetValue(0.0);
+  clip->Update();
+  output->ShallowCopy(clip->GetOutput());
+  output->GetPointData()->SetActiveScalars(name.empty() ? nullptr : name.c_str());
+}
+}
+
+//------------------------------------------------------------------------------
+vtkWaterSurfaceFilter::vtkWaterSurfaceFilter() = default;
+
+//------------------------------------------------------------------------------
+vtkWaterSurfaceFilter::~vtkWaterSurfaceFilter() = default;
+
+//------------------------------------------------------------------------------
+void vtkWaterSurfaceFilter::SetName(std::string& member, const std::string& name)
+{
+  if (member != name)
+  {
+    member = name;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterSurfaceFilter::SetLevelArrayName(const std::string& name)
+{
+  this->SetName(this->LevelArrayName, name);
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterSurfaceFilter::SetDepthArrayName(const std::string& name)
+{
+  this->SetName(this->DepthArrayName, name);
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterSurfaceFilter::SetBedArrayName(const std::string& name)
+{
+  this->SetName(this->BedArrayName, name);
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterSurfaceFilter::SetDryDepth(double depth)
+{
+  vtkWaterSetInRange(DryDepth, depth, 0.0, std::numeric_limits<double>::max());
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterSurfaceFilter::SetVerticalScale(double scale)
+{
+  vtkWaterSetInRange(
+    VerticalScale, scale, std::numeric_limits<double>::min(), std::numeric_limits<double>::max());
+}
+
+//------------------------------------------------------------------------------
+int vtkWaterSurfaceFilter::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkWaterSurfaceFilter::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkDataSet* input = vtkDataSet::GetData(inputVector[0]);
+  vtkPolyData* output = vtkPolyData::GetData(outputVector);
+  this->MeanLevel = 0.0;
+  if (!input || input->GetNumberOfCells() == 0)
+  {
+    return 1;
+  }
+  if (input->GetCell(0)->GetCellDimension() == 3)
+  {
+    vtkErrorMacro("the mesh has cells of three dimensions; it must have two. Contour the free "
+                  "surface first, and give the water that as its mapper's input.");
+    return 1; // once: a failure would be told by the pipeline, too
+  }
+  vtkNew<vtkPolyData> mesh;
+  mesh->ShallowCopy(input);
+  if (!vtkPolyData::SafeDownCast(input))
+  {
+    vtkNew<vtkDataSetSurfaceFilter> outside;
+    outside->SetInputData(input);
+    outside->Update();
+    mesh->ShallowCopy(outside->GetOutput());
+  }
+  vtkWaterColumns::Given given;
+  bool isLevelOfCells = false;
+  bool isDepthOfCells = false;
+  std::string wrong = Find(mesh, this->LevelArrayName, given.Level, isLevelOfCells);
+  wrong = wrong.empty() ? Find(mesh, this->DepthArrayName, given.Depth, isDepthOfCells) : wrong;
+  wrong = wrong.empty() ? Find(mesh, this->BedArrayName, given.Bed, given.IsBedOfCells) : wrong;
+  if (wrong.empty() && !given.Level && !given.Depth)
+  {
+    wrong =
+      "neither LevelArrayName nor DepthArrayName is set; the arrays there are: " + NamesOf(mesh);
+  }
+  if (wrong.empty() && given.Level && given.Depth && isLevelOfCells != isDepthOfCells)
+  {
+    wrong = "the arrays '" + this->LevelArrayName + "' and '" + this->DepthArrayName +
+      "' must both be of points, or both of cells";
+  }
+  if (!wrong.empty())
+  {
+    vtkErrorMacro(<< wrong << ". There is no surface.");
+    return 1;
+  }
+  given.AreOfCells = isLevelOfCells || isDepthOfCells;
+  given.DryDepth = this->DryDepth;
+  mesh->BuildCells();
+  vtkWaterColumns columns;
+  columns.Make(mesh, given);
+  vtkNew<vtkPolyData> raised;
+  Raise(mesh, columns, this->VerticalScale, raised);
+  CutAtShore(raised, output);
+  if (!given.Depth && !given.Bed)
+  {
+    output->GetPointData()->RemoveArray(kDepth); // nobody knows it
+  }
+  this->MeanLevel = MeanHeight(output);
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterSurfaceFilter::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "LevelArrayName: " << this->LevelArrayName << "\n";
+  os << indent << "DepthArrayName: " << this->DepthArrayName << "\n";
+  os << indent << "BedArrayName: " << this->BedArrayName << "\n";
+  os << indent << "DryDepth: " << this->DryDepth << "\n";
+  os << indent << "VerticalScale: " << this->VerticalScale << "\n";
+  os << indent << "MeanLevel: " << this->MeanLevel << "\n";
+}
+VTK_ABI_NAMESPACE_END

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// test_shore.c: where a solver's water is, from two of its level, bed and depth, and where it ends.
+#include "test_main.h"
+
+#include "water_shore.h"
+
+TEST(two_heights_make_the_third)
+{
+  const double none = (double)NAN;
+  const double given[4][3] = { { 3.0, 1.0, none }, { 3.0, none, 2.0 }, { none, 1.0, 2.0 },
+    { 3.0, 1.0, 2.0 } };
+  for (int i = 0; i < 4; ++i)
+  {
+    const water_column column = water_shore_column(given[i][0], given[i][1], given[i][2], 0.01);
+    assert_true(column.is_wet);
+    ASSERT_CLOSE(column.level, 3.0, 0.0);
+    ASSERT_CLOSE(column.bed, 1.0, 0.0);
+    ASSERT_CLOSE(column.depth, 2.0, 0.0);
+  }
+}
+
+TEST(a_level_alone_is_wet)
+{
+  const water_column column = water_shore_column(3.0, (double)NAN, (double)NAN, 0.01);
+  assert_true(column.is_wet);
+  assert_true(isinf(column.depth) && column.depth > 0.0);
+}
+
+TEST(what_is_shallow_or_no_number_is_dry)
+{
+  const double none = (double)NAN;
+  assert_false(water_shore_column(none, 1.0, 0.01, 0.01).is_wet);
+  assert_true(water_shore_column(none, 1.0, 0.011, 0.01).is_wet);
+  assert_false(water_shore_column(none, 1.0, -2.0, 0.0).is_wet);
+  assert_false(water_shore_column(none, 1.0, 0.0, 0.0).is_wet);
+  assert_false(water_shore_column(none, none, none, 0.0).is_wet);
+  assert_false(water_shore_column(none, none, 2.0, 0.0).is_wet);
+  assert_false(water_shore_column((double)INFINITY, 1.0, none, 0.0).is_wet);
+  // the depth says it, not level - bed
+  assert_false(water_shore_column(3.0, 1.0, 0.0, 0.01).is_wet);
+}
+
+// The shore lies where the bed reaches the level, and dry land never comes under water.
+TEST(depths_cross_zero_at_the_shore)
+{
+  ASSERT_CLOSE(water_shore_depth(true, 3.0, 1.0), 2.0, 0.0);
+  ASSERT_CLOSE(water_shore_depth(false, 3.0, 4.0), -1.0, 0.0);
+  ASSERT_CLOSE(water_shore_depth(false, 3.0, 2.5), -0.5, 0.0); // behind a dyke
+  ASSERT_CLOSE(water_shore_depth(true, 3.0, 3.5), -0.5, 0.0);  // a corner of a wet cell
+  assert_true(water_shore_depth(true, 3.0, -(double)INFINITY) > 0.0);
+  assert_true(water_shore_depth(false, (double)NAN, 3.0) < 0.0);
+  assert_true(water_shore_depth(false, 3.0, -(double)INFINITY) < 0.0);
+}
+
+TESTS(two_heights_make_the_third, a_level_alone_is_wet, what_is_shallow_or_no_number_is_dry,
+  depths_cross_zero_at_the_shore)

@@ -1,0 +1,150 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""A solver's mesh in PyVista: one call makes its water, coloured by its data, and follows them."""
+
+import numpy as np
+import pytest
+import water_test as wt
+
+try:
+    import pyvista as pv
+except ImportError as error:
+    reason = f"{error}; Testing/Python/requirements.txt says what to install"
+    print(f"skipped: {reason}")
+    pytest.skip(reason, allow_module_level=True)
+import vtkwater.pyvista  # noqa: F401  add_water
+
+SIZE = (320, 240)
+
+
+@pytest.fixture
+def plotter():
+    made = pv.Plotter(off_screen=True, window_size=SIZE, lighting="none")
+    yield made
+    made.close()
+
+
+def solution(level=0.4):
+    """A slope that rises towards +x, and the water on it."""
+    x, y = np.meshgrid(np.linspace(-5, 5, 41), np.linspace(-5, 5, 41))
+    mesh = pv.StructuredGrid(x, y, np.zeros_like(x))
+    mesh["zb"] = 0.3 * mesh.points[:, 0]
+    mesh["h"] = np.maximum(level - mesh["zb"], 0.0)
+    mesh["zeta"] = mesh["zb"] + mesh["h"]
+    mesh["c"] = mesh.points[:, 1].astype(float)
+    return mesh
+
+
+def from_above(plotter):
+    plotter.camera_position = [(0, 0, 20), (0, 0, 0), (0, 1, 0)]
+    plotter.renderer.reset_camera_clipping_range()
+    plotter.render()
+    return plotter.screenshot(None, return_img=True)
+
+
+def share_of_water(plotter, water):
+    shown = from_above(plotter)
+    water.VisibilityOff()
+    without = from_above(plotter)
+    water.VisibilityOn()
+    return float((shown != without).any(axis=2).mean())
+
+
+@pytest.mark.parametrize("words", ({"level": "zeta", "bed": "zb"}, {"depth": "h", "bed": "zb"},
+                                   {"level": "zeta", "depth": "h"}), ids=lambda words: "_".join(words))
+def test_arrays_say_where_the_water_is(words, plotter):
+    water = plotter.add_water(solution(), **words)
+    wt.check_at_most("level off by", abs(water.GetLevel() - 0.4), 1e-6)
+    bounds = water.GetBounds()
+    wt.check_at_most("end off by", abs(bounds[1] - 0.4 / 0.3), 1e-4)
+    wt.check_at_most("begin off by", abs(bounds[0] + 5), 1e-6)
+
+
+def test_water_follows_its_arrays(plotter):
+    """Shore and level are those of the arrays in each frame."""
+    mesh = solution()
+    water = plotter.add_water(mesh, depth="h", bed="zb")
+    shares = []
+    for level in (-0.6, 0.0, 0.6):
+        mesh["h"] = np.maximum(level - mesh["zb"], 0.0)
+        shares.append(share_of_water(plotter, water))
+        wt.check_at_most(f"level at {level}: off by", abs(water.GetLevel() - level), 1e-6)
+        wt.check_at_most(f"end at {level}: off by", abs(water.GetBounds()[1] - level / 0.3), 1e-4)
+    wt.check_equal("shares of the picture grow", shares == sorted(set(shares)), True)
+
+
+def test_a_removed_water_is_followed_no_more(plotter):
+    mesh = solution()
+    water = plotter.add_water(mesh, depth="h", bed="zb")
+    from_above(plotter)
+    plotter.remove_actor(water)
+    mesh["h"] = np.maximum(0.1 - mesh["zb"], 0.0)
+    from_above(plotter)
+    wt.check_at_most("level off by", abs(water.GetLevel() - 0.4), 1e-6)
+
+
+@pytest.mark.parametrize("of_cells", (False, True))
+def test_an_array_colours_the_water(of_cells, plotter):
+    """As add_mesh colours a mesh, where nothing is reflected; with a scalar bar of the same range."""
+    mesh = solution(level=9.0)
+    name = "c"
+    if of_cells:
+        mesh = mesh.point_data_to_cell_data()
+    water = plotter.add_water(mesh, level="zeta", color_by=name, cmap="viridis", clim=(-4, 4))
+    water.GetWaterProperty().SetReflectanceModeToConstant()
+    water.GetWaterProperty().SetReflectance(0.0)
+    wt.check_equal("scalar bars", list(plotter.scalar_bars.keys()), [name])
+    wt.check_equal("its range", plotter.scalar_bars[name].GetLookupTable().GetRange(), (-4.0, 4.0))
+    plotter.remove_scalar_bar(name)
+    shown = from_above(plotter).astype(int)
+    plotter.remove_actor(water)
+    plotter.add_mesh(mesh.translate((0, 0, water.GetLevel())), scalars=name, cmap="viridis", clim=(-4, 4), lighting=False,
+                     show_scalar_bar=False, interpolate_before_map=True)
+    off = np.abs(shown - from_above(plotter)).max(axis=2)
+    wt.check_at_most("share of pixels that differ from the mesh's by more than 3", float((off > 3).mean()), 0.01)
+
+
+def test_words_that_colour_arrive(plotter):
+    water = plotter.add_water(solution(), depth="h", bed="zb", color_by="c", data_opacity=0.5, scalar_bar=False)
+    wt.check_equal("scalar bars", list(plotter.scalar_bars.keys()), [])
+    wt.check_equal("share of data", water.GetWaterProperty().GetDataOpacity(), 0.5)
+    wt.check_equal("the bed is seen", bool(water.GetWaterProperty().GetRefraction()), True)
+    other = plotter.add_water(solution(), depth="h", bed="zb", color_by="c")
+    wt.check_equal("data hide the bed", bool(other.GetWaterProperty().GetRefraction()), False)
+    wt.check_equal("their range", other.GetMapper().GetLookupTable().GetRange(), (-5.0, 5.0))
+
+
+@pytest.mark.parametrize("kind, texts, words", (
+    (ValueError, ("'eta'", "zb (points)"), {"level": "eta"}),
+    (ValueError, ("level", "depth", "zeta (points)"), {"bed": "zb"}),
+    (ValueError, ("color_by is 'speed'", "zb, h, zeta, c"), {"depth": "h", "color_by": "speed"}),
+    (ValueError, ("level is 2", "depth='h'"), {"level": 2, "depth": "h"}),
+    (ValueError, ("normal is 'x'",), {"depth": "h", "normal": "x"}),
+    (ValueError, ("clim is (3, 1)",), {"depth": "h", "color_by": "c", "clim": (3, 1)}),
+    (ValueError, ("clim must have 2 numbers",), {"depth": "h", "color_by": "c", "clim": (3, 1, 2)}),
+    (TypeError, ("depth must be str",), {"depth": 3}),
+    (TypeError, ("color_by must be str",), {"depth": "h", "color_by": 3}),
+    (ValueError, ("data_opacity is 2", "[0, 1]"), {"depth": "h", "color_by": "c", "data_opacity": 2}),
+), ids=lambda value: "_".join(value) if isinstance(value, dict) else "")
+def test_wrong_words_raise_and_add_nothing(kind, texts, words, plotter):
+    raised = None
+    try:
+        plotter.add_water(solution(), **words)
+    except (TypeError, ValueError) as error:
+        raised = error
+    wt.check_equal(f"{words}: {raised}", (type(raised), [text for text in texts if text not in str(raised)]), (kind, []))
+    wt.check_equal("actors", len(plotter.actors), 0)
+
+
+@pytest.mark.parametrize("texts, call", (
+    (("level is given twice",), lambda plotter: plotter.add_water(1.0, level=2.0)),
+    (("surface is given twice",), lambda plotter: plotter.add_water(solution(), surface=solution())),
+    (("depth is 'h'", "surface"), lambda plotter: plotter.add_water(depth="h")),
+    (("color_by is 'c'", "surface"), lambda plotter: plotter.add_water(color_by="c")),
+), ids=("level", "surface", "depth", "color_by"))
+def test_contradictions_are_told(texts, call, plotter):
+    raised = ""
+    try:
+        call(plotter)
+    except ValueError as error:
+        raised = str(error)
+    wt.check_equal(f"in: {raised}", [text for text in texts if text not in raised], [])

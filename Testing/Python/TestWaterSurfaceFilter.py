@@ -1,0 +1,279 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The surface of a solver's water ends where the bed reaches its level, and nowhere else."""
+
+import numpy as np
+import pytest
+import water_test as wt
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData, vtkUnstructuredGrid
+from vtkmodules.vtkFiltersCore import vtkAppendFilter, vtkDelaunay2D
+from vtkmodules.vtkFiltersSources import vtkCubeSource
+from vtkwater import vtkWaterSurfaceFilter
+
+HALF = 5.0  # the mesh covers [-5, 5] x [-5, 5]
+
+
+def mesh_of(seed=1, inside=400):
+    """A random triangulation of the square."""
+    random = np.random.default_rng(seed)
+    border = np.linspace(-HALF, HALF, 21)
+    places = np.vstack([random.uniform(-HALF, HALF, (inside, 2)), np.c_[border, np.full(21, -HALF)],
+                        np.c_[border, np.full(21, HALF)], np.c_[np.full(19, -HALF), border[1:-1]],
+                        np.c_[np.full(19, HALF), border[1:-1]]])
+    points = vtkPoints()
+    points.SetDataTypeToDouble()
+    points.SetData(numpy_to_vtk(np.c_[places, np.zeros(len(places))], deep=True))
+    cloud = vtkPolyData()
+    cloud.SetPoints(points)
+    triangles = vtkDelaunay2D()
+    triangles.SetInputData(cloud)
+    triangles.Update()
+    return triangles.GetOutput()
+
+
+def places_of(mesh, of_cells):
+    points = vtk_to_numpy(mesh.GetPoints().GetData())
+    if not of_cells:
+        return points
+    cells = vtk_to_numpy(mesh.GetPolys().GetConnectivityArray()).reshape(-1, 3)
+    return points[cells].mean(axis=1)
+
+
+def add_array(mesh, name, values, of_cells=False):
+    array = numpy_to_vtk(np.asarray(values, dtype=float), deep=True)
+    array.SetName(name)
+    (mesh.GetCellData() if of_cells else mesh.GetPointData()).AddArray(array)
+
+
+def surface_of(mesh, **names):
+    made = vtkWaterSurfaceFilter()
+    made.SetInputData(mesh)
+    for name, value in names.items():
+        getattr(made, f"Set{name}")(value)
+    said = wt.errors_of(made)
+    made.Update()
+    return made, made.GetOutput(), said
+
+
+def points_of(surface):
+    return vtk_to_numpy(surface.GetPoints().GetData())
+
+
+def area_of(surface):
+    points, area = points_of(surface), 0.0
+    for i in range(surface.GetNumberOfCells()):
+        cell = surface.GetCell(i)
+        ids = [cell.GetPointId(j) for j in range(cell.GetNumberOfPoints())]
+        x, y = points[ids, 0], points[ids, 1]
+        area += 0.5 * abs(np.dot(x, np.roll(y, -1)) - np.dot(y, np.roll(x, -1)))
+    return area
+
+
+def bed_at(places):
+    return 0.3 * places[:, 0] + 0.1 * places[:, 1]
+
+
+def flooded(level, of_cells=False, seed=1):
+    """A plane slope, and its water as a solver writes it: depths end at 0, and dry places have their bed as the level."""
+    mesh = mesh_of(seed)
+    bed = bed_at(places_of(mesh, of_cells))
+    depth = np.maximum(level - bed, 0.0)
+    add_array(mesh, "h", depth, of_cells)
+    add_array(mesh, "zeta", bed + depth, of_cells)
+    add_array(mesh, "zb", bed_at(places_of(mesh, False)))
+    return mesh
+
+
+def wet_area(level):
+    """Of the square: the part where 0.3 x + 0.1 y < level."""
+    y = np.linspace(-HALF, HALF, 200001)
+    width = np.clip((level - 0.1 * y) / 0.3 + HALF, 0.0, 2 * HALF)
+    return float((width[1:] + width[:-1]).mean() * HALF)
+
+
+ARRAYS = ({"LevelArrayName": "zeta", "DepthArrayName": "h"}, {"DepthArrayName": "h", "BedArrayName": "zb"},
+          {"LevelArrayName": "zeta", "BedArrayName": "zb"})
+
+
+@pytest.mark.parametrize("names", ARRAYS, ids=lambda names: "_".join(names))
+def test_the_shore_is_exact_between_the_points(names):
+    """At 100 levels: the area of the water is that of the slope under it, and all of it lies at the level."""
+    off, height = 0.0, 0.0
+    for level in np.linspace(-1.9, 1.9, 100):
+        made, surface, _ = surface_of(flooded(level), DryDepth=0.0, **names)
+        off = max(off, abs(area_of(surface) - wet_area(level)))
+        height = max(height, float(np.abs(points_of(surface)[:, 2] - level).max()), abs(made.GetMeanLevel() - level))
+    wt.check_at_most("area off by", off, 1e-6)
+    wt.check_at_most("height off by", height, 1e-12)
+
+
+@pytest.mark.parametrize("bed", ("zb", "zb_cells"))
+def test_data_of_cells_end_at_the_bed(bed):
+    """With the bed at the points the shore is exact, too; with that of the cells it is within a tenth of a cell."""
+    level, edge = 0.4, 2 * HALF / 20
+    mesh = flooded(level, of_cells=True)
+    add_array(mesh, "zb_cells", bed_at(places_of(mesh, True)), True)
+    _, surface, _ = surface_of(mesh, DepthArrayName="h", BedArrayName=bed)
+    places = points_of(surface)
+    wt.check_at_most("how far it goes up the slope, of a cell",
+                     float(((bed_at(places) - level).max()) / 0.316 / edge), 1e-6 if bed == "zb" else 0.5)
+    wt.check_at_most("area off by, of a cell along the shore",
+                     abs(area_of(surface) - wet_area(level)) / (2 * HALF) / edge, 0.02 if bed == "zb" else 0.05)
+    wt.check_at_most("height off by", float(np.abs(places[:, 2] - level).max()), 1e-9)
+
+
+def test_dry_land_behind_a_dyke_stays_dry():
+    """Cells that are dry, though they lie below the water beside them, are left out."""
+    mesh = mesh_of()
+    x = places_of(mesh, True)[:, 0]
+    add_array(mesh, "h", np.where(x < 0, 1.0, 0.0), True)
+    add_array(mesh, "zb", np.full(mesh.GetNumberOfPoints(), -1.0))
+    _, surface, _ = surface_of(mesh, DepthArrayName="h", BedArrayName="zb")
+    wet = sum(1 for at in x if at < 0)
+    wt.check_equal("cells", surface.GetNumberOfCells(), wet)
+
+
+def test_a_film_is_dry():
+    """What is shallower than DryDepth is left out; the water on a slope ends there where its bed reaches the level."""
+    mesh = mesh_of()
+    add_array(mesh, "h", np.full(mesh.GetNumberOfPoints(), 0.0009))
+    wt.check_equal("cells of a film", surface_of(mesh, DepthArrayName="h")[1].GetNumberOfCells(), 0)
+    _, surface, _ = surface_of(mesh, DepthArrayName="h", DryDepth=0.0005)
+    wt.check_equal("cells with a smaller threshold", surface.GetNumberOfCells(), mesh.GetNumberOfCells())
+
+
+@pytest.mark.parametrize("bad", (float("nan"), float("inf"), -1.0))
+def test_what_is_no_depth_is_dry(bad):
+    mesh = flooded(10.0)
+    depths = vtk_to_numpy(mesh.GetPointData().GetArray("h")).copy()
+    far = places_of(mesh, False)[:, 0] > 2
+    depths[far] = bad
+    add_array(mesh, "h", depths)
+    _, surface, said = surface_of(mesh, DepthArrayName="h", BedArrayName="zb")
+    wt.check_equal("errors", said, [])
+    wt.check_equal("numbers are finite", bool(np.isfinite(points_of(surface)).all()), True)
+    wt.check_at_most("water reaches to x", float(points_of(surface)[:, 0].max()), 3.5)
+    wt.check_at_least("and to x", float(points_of(surface)[:, 0].max()), 2.0)
+
+
+def test_the_level_alone_is_wet_everywhere():
+    mesh = flooded(0.4)
+    _, surface, _ = surface_of(mesh, LevelArrayName="zeta")
+    wt.check_equal("cells", surface.GetNumberOfCells(), mesh.GetNumberOfCells())
+    wt.check_equal("a depth", surface.GetPointData().HasArray("WaterDepth"), 0)
+
+
+def test_arrays_come_along():
+    """With their values between the points, the depths with 0 at the shore, and the scalars that were active."""
+    mesh = flooded(0.4)
+    add_array(mesh, "x", places_of(mesh, False)[:, 0])
+    mesh.GetPointData().SetActiveScalars("x")
+    _, surface, _ = surface_of(mesh, DepthArrayName="h", BedArrayName="zb")
+    data = surface.GetPointData()
+    x = vtk_to_numpy(data.GetArray("x"))
+    wt.check_at_most("x off by", float(np.abs(x - points_of(surface)[:, 0]).max()), 1e-6)
+    wt.check_at_least("least depth", float(vtk_to_numpy(data.GetArray("WaterDepth")).min()), -1e-7)
+    wt.check_at_most("depth off by", float(np.abs(
+        vtk_to_numpy(data.GetArray("WaterDepth")) - (0.4 - bed_at(points_of(surface)))).max()), 1e-6)
+    wt.check_equal("active scalars", data.GetScalars().GetName(), "x")
+
+
+def test_heights_may_be_exaggerated():
+    made, surface, _ = surface_of(flooded(0.4), DepthArrayName="h", BedArrayName="zb", VerticalScale=3.0)
+    wt.check_at_most("height off by", float(np.abs(points_of(surface)[:, 2] - 1.2).max()), 1e-9)
+    wt.check_at_most("mean off by", abs(made.GetMeanLevel() - 1.2), 1e-9)
+    level = vtk_to_numpy(surface.GetPointData().GetArray("WaterLevel"))
+    wt.check_at_most("array off by", float(np.abs(level - 0.4).max()), 1e-9)
+
+
+def image():
+    grid = vtkImageData()
+    grid.SetDimensions(41, 41, 1)
+    grid.SetSpacing(0.25, 0.25, 1.0)
+    grid.SetOrigin(-HALF, -HALF, 0.0)
+    return grid
+
+
+def unstructured():
+    append = vtkAppendFilter()
+    append.AddInputData(mesh_of())
+    append.Update()
+    return append.GetOutput()
+
+
+@pytest.mark.parametrize("make", (image, unstructured))
+def test_other_kinds_of_meshes(make):
+    mesh = make()
+    places = np.array([mesh.GetPoint(i) for i in range(mesh.GetNumberOfPoints())])
+    add_array(mesh, "h", np.maximum(0.4 - bed_at(places), 0.0))
+    add_array(mesh, "zb", bed_at(places))
+    _, surface, _ = surface_of(mesh, DepthArrayName="h", BedArrayName="zb")
+    wt.check_at_most("area off by", abs(area_of(surface) - wet_area(0.4)), 1e-5)
+
+
+def test_the_z_of_the_mesh_is_the_bed_where_none_is_given():
+    mesh = flooded(0.4)
+    places = places_of(mesh, False)
+    places[:, 2] = bed_at(places)
+    made, surface, _ = surface_of(mesh, DepthArrayName="h")
+    wt.check_at_most("area off by", abs(area_of(surface) - wet_area(0.4)), 1e-5)
+    wt.check_at_most("level off by", abs(made.GetMeanLevel() - 0.4), 1e-9)
+
+
+def cube():
+    append = vtkAppendFilter()
+    source = vtkCubeSource()
+    source.Update()
+    append.AddInputData(source.GetOutput())
+    grid = vtkUnstructuredGrid()
+    append.Update()
+    grid.SetPoints(append.GetOutput().GetPoints())
+    grid.InsertNextCell(10, 4, [0, 1, 2, 4])  # a tetrahedron
+    return grid
+
+
+def mixed():
+    mesh = flooded(0.4, of_cells=True)
+    add_array(mesh, "level_of_points", np.zeros(mesh.GetNumberOfPoints()))
+    return mesh
+
+
+def of_vectors():
+    mesh = mesh_of()
+    add_array(mesh, "v", np.zeros((mesh.GetNumberOfPoints(), 3)))
+    return mesh
+
+
+@pytest.mark.parametrize("make, names, words", (
+    (lambda: flooded(0.4), {"LevelArrayName": "eta"}, ("'eta'", "h (points), zeta (points), zb (points)")),
+    (lambda: flooded(0.4), {"BedArrayName": "zb"}, ("neither", "zeta (points)")),
+    (mixed, {"LevelArrayName": "level_of_points", "DepthArrayName": "h"}, ("both be of points, or both of cells",)),
+    (of_vectors, {"DepthArrayName": "v"}, ("'v' has 3 components; it must have 1",)),
+    (cube, {"DepthArrayName": "h"}, ("three dimensions",)),
+), ids=("misnamed", "none", "associations", "vectors", "volume"))
+def test_wrong_arrays_are_told_once(make, names, words):
+    mesh = make()
+    made, surface, said = surface_of(mesh, **names)
+    made.Update()
+    wt.check_equal("errors", len(said), 1)
+    wt.check_equal(f"words in: {said[0]}", [word for word in words if word not in said[0]], [])
+    wt.check_equal("cells", surface.GetNumberOfCells(), 0)
+
+
+@pytest.mark.parametrize("setter, value, words", (
+    ("SetDryDepth", -1.0, ("DryDepth is -1", "[0,")), ("SetVerticalScale", 0.0, ("VerticalScale is 0",)),
+    ("SetDryDepth", float("nan"), ("DryDepth is nan",))))
+def test_bad_values_are_refused(setter, value, words):
+    made = vtkWaterSurfaceFilter()
+    said = wt.errors_of(made)
+    before = (made.GetDryDepth(), made.GetVerticalScale())
+    getattr(made, setter)(value)
+    wt.check_equal("errors", len(said), 1)
+    wt.check_equal(f"words in: {said[0]}", [word for word in words if word not in said[0]], [])
+    wt.check_equal("it stays", (made.GetDryDepth(), made.GetVerticalScale()), before)
+
+
+def test_an_empty_mesh_is_silent():
+    made, surface, said = surface_of(vtkPolyData(), DepthArrayName="h")
+    wt.check_equal("errors, cells, level", (said, surface.GetNumberOfCells(), made.GetMeanLevel()), ([], 0, 0.0))
