@@ -17,6 +17,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 EXAMPLES = {
     "flood": ["--picture", "PICTURE"],
     "tide": ["FOLDER/tide.gif", "--frames", "30", "--picture", "PICTURE"],
+    "rain_flood": ["FOLDER/rain_flood.gif", "--frames", "4", "--picture", "PICTURE"],
     "hull": ["PICTURE"],
     "reservoir": ["PICTURE"],
     "harbour": ["PICTURE"],

@@ -1,0 +1,146 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""rain_flood: a flood as a solver computed it, coloured by the hour in which the water came.
+
+Six hours of a rain flood in the hills of Tennessee, by landlab's OverlandFlow (Examples/Data/solve_flood.py): the mesh
+of the solver with its depths is the water, and ends where the bed reaches its level.
+"""
+
+import argparse
+import pathlib
+import sys
+
+import numpy as np
+from tqdm import tqdm
+from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.vtkCommonCore import vtkLookupTable, vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkStructuredGrid
+from vtkmodules.vtkRenderingAnnotation import vtkScalarBarActor
+from vtkmodules.vtkRenderingCore import vtkPolyDataMapper
+from vtkwater import movies, vtkWaterActor, vtkWaterSurfaceFilter
+from vtkwater.errors import ending
+from vtkwater.pictures import png_name
+from vtkwater.readers import surface_of_heights
+from vtkwater.scenes import Scene
+
+FLOOD = pathlib.Path(__file__).resolve().parents[1] / "Data/flood.npz"
+EXAGGERATION = 2.0  # heights are drawn this many times higher than they are
+WET = 0.1  # m: shallower water is not shown
+FRAMES_PER_SECOND = 10.0
+
+
+def read_flood():
+    """Depths (m) at each hour, rows x columns from the south-west, the hours, the bed's heights and the spacing (m)."""
+    with np.load(FLOOD) as kept:
+        depths = kept["step"] * np.cumsum(kept["depth"], axis=0, dtype=np.int32)
+        return depths, kept["hours"], kept["bed"].astype(float), kept["spacing"]
+
+
+def solvers_mesh(bed, spacing):
+    """The mesh of the solver, with its bed."""
+    rows, columns = bed.shape
+    y, x = np.mgrid[0:rows, 0:columns]
+    points = vtkPoints()
+    points.SetData(numpy_to_vtk(
+        np.stack([spacing[0] * x, spacing[1] * y, 0.0 * x], axis=-1).reshape(-1, 3), deep=True))
+    mesh = vtkStructuredGrid()
+    mesh.SetDimensions(columns, rows, 1)
+    mesh.SetPoints(points)
+    set_array(mesh, "bed", bed)
+    return mesh
+
+
+def set_array(mesh, name, values):
+    array = numpy_to_vtk(np.ascontiguousarray(values, dtype=float).ravel(), deep=True)
+    array.SetName(name)
+    mesh.GetPointData().AddArray(array)
+
+
+def hours_table(last):
+    """From the colour of the first hour to that of the last."""
+    first, middle, end = np.array(((0.99, 0.88, 0.30), (0.87, 0.28, 0.38), (0.20, 0.06, 0.45)))
+    table = vtkLookupTable()
+    table.SetNumberOfTableValues(64)
+    for i, share in enumerate(np.linspace(0.0, 2.0, 64)):
+        color = first + share * (middle - first) if share < 1 else middle + (share - 1) * (end - middle)
+        table.SetTableValue(i, *color, 1.0)
+    table.SetRange(0.0, last)
+    return table
+
+
+def add_water(scene, mesh, table):
+    """The water of the mesh, coloured by the hour of its arrival."""
+    surface = vtkWaterSurfaceFilter()
+    surface.SetInputData(mesh)
+    surface.SetDepthArrayName("depth")
+    surface.SetBedArrayName("bed")
+    surface.SetDryDepth(WET)
+    surface.SetVerticalScale(EXAGGERATION)
+    mapper = vtkPolyDataMapper()
+    mapper.SetInputConnection(surface.GetOutputPort())
+    mapper.SetScalarModeToUsePointFieldData()
+    mapper.SelectColorArray("arrival")
+    mapper.SetLookupTable(table)
+    mapper.UseLookupTableScalarRangeOn()
+    water = vtkWaterActor()
+    water.SetMapper(mapper)
+    water.GetWaterProperty().SetReflectionSourceToEnvironment()  # of the sky: a river in hills has no single level
+    scene.renderer.AddActor(water)
+    bar = vtkScalarBarActor()
+    bar.SetLookupTable(table)
+    bar.SetTitle("hours until the water came")
+    bar.SetOrientationToHorizontal()
+    bar.SetPosition(0.30, 0.88)
+    bar.SetWidth(0.40)
+    bar.SetHeight(0.10)
+    bar.SetNumberOfLabels(4)
+    bar.SetLabelFormat("%.0f")
+    bar.UnconstrainedFontSizeOn()
+    for text in (bar.GetTitleTextProperty(), bar.GetLabelTextProperty()):
+        text.SetFontSize(14)
+        text.ItalicOff()
+        text.BoldOff()
+        text.ShadowOff()
+    scene.renderer.AddViewProp(bar)
+    return water, surface
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("movie", nargs="?", default="rain_flood.gif",
+                        help=f"{', '.join(movies.KINDS)}; default: %(default)s")
+    parser.add_argument("--frames", type=int, default=60, help="default: %(default)s")
+    parser.add_argument("--picture", type=png_name, metavar="FILE.png", help="the last frame, besides")
+    arguments = parser.parse_args()
+    depths, hours, bed, spacing = read_flood()
+    wet = depths > WET
+    arrival = np.where(wet.any(axis=0), hours[wet.argmax(axis=0)], hours[-1])
+
+    scene = Scene((960, 600))
+    scene.add_ground(surface_of_heights(bed, spacing), bed.min(), EXAGGERATION)
+    mesh = solvers_mesh(bed, spacing)
+    set_array(mesh, "arrival", arrival)
+    set_array(mesh, "depth", depths[0])
+    water, surface = add_water(scene, mesh, hours_table(hours[-1]))
+    scene.set_sun(170.0, 42.0)
+    scene.look(azimuth=110.0, height=42.0, zoom=1.0)
+    with movies.open_movie(arguments.movie, FRAMES_PER_SECOND) as movie, movies.interrupts() as is_stopped:
+        for i in tqdm(range(arguments.frames)):
+            if is_stopped():
+                break
+            # between two steps of the solver
+            step = (len(hours) - 1) * i / max(arguments.frames - 1, 1)
+            first = min(int(step), len(hours) - 2)
+            set_array(mesh, "depth", depths[first] + (step - first) * (depths[first + 1] - depths[first]))
+            surface.Update()
+            water.SetLevel(surface.GetMeanLevel())
+            movie.add(scene.picture())
+        if arguments.picture:
+            scene.write(arguments.picture)
+    print(f"{arguments.movie}: the deepest water at the end is {depths[-1].max():.1f} m, "
+          f"{surface.GetOutput().GetNumberOfCells()} of {mesh.GetNumberOfCells()} cells are flooded")
+    return 130 if is_stopped() else 0
+
+
+if __name__ == "__main__":
+    with ending("rain_flood"):
+        sys.exit(main())
