@@ -18,6 +18,7 @@
 #include "water_horizon.h"
 #include "water_plan.h"
 #include "water_secondary.h"
+#include "water_sky.h"
 
 #include <algorithm>
 #include <memory>
@@ -136,14 +137,17 @@ void vtkWaterActor::RenderSecondary(vtkRenderer* renderer, vtkMapper* mapper)
   const vtkWaterSnapshotPointer water = this->Internal->Take(renderer);
   vtkWaterSurfaceShader& surface = this->Internal->Secondary.Surface;
   water_plan plan;
-  const water_scene scene = vtkWaterGather::ReadSecondary(renderer, *water, view.Eye);
+  const water_scene scene =
+    vtkWaterGather::ReadSecondary(renderer, *water, view.Eye, view.Plan->sky);
   water_secondary_plan(&scene, view.Plan, &plan);
   vtkWaterSurfaceShader::Inputs inputs;
   inputs.Renderer = static_cast<vtkOpenGLRenderer*>(renderer);
   inputs.Plan = plan.has_view ? &plan : nullptr;
   inputs.IsSecondary = true;
+  inputs.Sky = *view.Sky;
   water_horizon_depths(view.Plan->mirrored.view_to_clip, false, inputs.HorizonDepths);
-  const unsigned features = water_features_secondary(&water->Look.Has);
+  const unsigned features = water_sky_features(water_features_secondary(&water->Look.Has),
+    vtkWaterSurfaceShader::HasOwnSky(*water), false, &scene.sky);
   if (surface.UpdateFeatures(
         water->Mesh.HasVertexHeights ? water_features_with_mesh(features) : features))
   {
@@ -170,6 +174,19 @@ unsigned FeaturesWith(
   const bool hasSamples = inputs.Renderer->GetRenderWindow()->GetMultiSamples() > 1;
   unsigned features = water_features_with_texture(water.Features, &texture);
   features = hasSamples ? water_features_with_samples(features) : features;
+  const bool hasOwnSky = vtkWaterSurfaceShader::HasOwnSky(water);
+  if (inputs.Plan)
+  {
+    features =
+      water_sky_features(features, hasOwnSky, inputs.Plan->side == WATER_BELOW, &inputs.Plan->sky);
+  }
+  else if (inputs.IsWarmUp) // built for when it is in view
+  {
+    water_sky sky;
+    vtkWaterSkyTextures textures;
+    vtkWaterSkyReader::Read(inputs.Renderer, sky, textures);
+    features = water_sky_features(features, hasOwnSky, false, &sky);
+  }
   return isSoftware ? features : water_features_on_hardware(features);
 }
 }

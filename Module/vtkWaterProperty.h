@@ -229,8 +229,8 @@ public:
   ///@{
   /**
    * What is reflected: the SCENE, rendered once more by a mirrored camera; or the static
-   * ENVIRONMENT, for which nothing is rendered: EnvironmentTexture, or the renderer's background
-   * without one. Default is SCENE.
+   * ENVIRONMENT, for which nothing is rendered: EnvironmentTexture, or without one the sky that VTK
+   * shows: a skybox, or the renderer's background. Default is SCENE.
    */
   void SetReflectionSource(int source);
   vtkGetMacro(ReflectionSource, int);
@@ -242,9 +242,10 @@ public:
   ///@{
   /**
    * The picture of the surroundings, in latitude and longitude, as vtkSkybox with the projection
-   * Sphere has it; it lies as the renderer's EnvironmentUp and EnvironmentRight say. Also what this
-   * water reflects where it stands in another water's reflection. A cube map is refused with an
-   * error. Default is nullptr.
+   * Sphere has it; it lies as the renderer's EnvironmentUp and EnvironmentRight say. It is also the
+   * sky of rays that leave the mirrored picture, of an eye under water, and of this water in
+   * another water's reflection. Without one these see what VTK shows: a skybox, or the renderer's
+   * background. A cube map is refused with an error. Default is nullptr.
    */
   void SetEnvironmentTexture(vtkTexture* texture);
   vtkTexture* GetEnvironmentTexture() const;

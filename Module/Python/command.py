@@ -14,7 +14,7 @@ import warnings
 from . import __version__, backend, movies, readers, vtkWaterProperty
 from .errors import text_of
 from .pictures import check_png
-from .words import QUALITIES, set_look
+from .words import QUALITIES, TURBIDITY, set_look
 
 __all__ = ["main"]
 
@@ -152,6 +152,9 @@ def add_scene_arguments(parser):
                       help="2 shows half of the width; default 1: all that is over the water, and its reflection")
     view.add_argument("--sun", type=number(-360.0, 360.0), default=None, metavar="DEG",
                       help="where the light comes from, from north over east; default: from the eye's right")
+    view.add_argument("--sky", type=number(2.0, 10.0), nargs="?", const=TURBIDITY, metavar="TURBIDITY",
+                      help="a clear sky in place of the gradient, by the turbidity of its air: 2 (very clear) to 10 (hazy), "
+                           "3 without a number")
     view.add_argument("--size", type=size, default=(960, 600), metavar="WxH", help="pixels; default 960x600")
     ground = parser.add_argument_group("the ground")
     ground.add_argument("--exaggeration", type=number(1e-6, 1e6), default=1.0, metavar="X",
@@ -245,7 +248,10 @@ def make_scene(arguments, levels):
         os.environ.setdefault("VTK_DEFAULT_OPENGL_WINDOW", found.window)  # VTK tries X first and says so
     scene = Scene(arguments.size)
     sun = arguments.azimuth - 70.0 if arguments.sun is None else arguments.sun
-    scene.set_sun(sun, 35.0)
+    if arguments.sky is None:
+        scene.set_sun(sun, 35.0)
+    else:
+        scene.set_clear_sky(sun, 35.0, arguments.sky)
     exaggeration = arguments.exaggeration if ground.is_terrain else 1.0
     scene.add_ground(ground, levels[0], exaggeration)
     scene.add_water(min(levels), exaggeration=exaggeration, **words_for(ground, arguments))

@@ -23,9 +23,10 @@ from vtkmodules.vtkRenderingCore import (
     vtkPolyDataMapper,
     vtkRenderer,
     vtkRenderWindow,
+    vtkSkybox,
 )
 
-from . import vtkWaterActor
+from . import vtkWaterActor, vtkWaterClearSkySource
 from .errors import raising
 from .pictures import write_png
 from .readers import ELEVATION
@@ -76,6 +77,22 @@ class Scene:
         light.SetFocalPoint(0.0, 0.0, 0.0)
         light.SetColor(SUN_COLOR)
         self.renderer.AddLight(light)
+
+    def set_clear_sky(self, azimuth, height, turbidity):
+        """A clear sky in place of the gradient, and its sun's light; angles as for set_sun, turbidity in [2, 10]."""
+        sky = vtkWaterClearSkySource()
+        with raising(sky):
+            sky.SetAzimuth(azimuth)
+            sky.SetElevation(height)
+            sky.SetTurbidity(turbidity)
+        skybox = vtkSkybox()
+        sky.ConfigureSkybox(skybox, self.renderer)
+        self.renderer.AddActor(skybox)
+        self.renderer.GradientBackgroundOff()
+        self.renderer.SetBackground(sky.GetMeanColor())
+        self.set_sun(azimuth, height)
+        self.renderer.GetLights().GetItemAsObject(0).SetColor(sky.GetSunColor())
+        return skybox
 
     def add_ground(self, surface, level, exaggeration=1.0):
         """A readers.Surface; a terrain is coloured by its height over the level, both times exaggeration."""

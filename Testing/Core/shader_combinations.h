@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // shader_combinations.h: all sets of features that a surface's shader can be asked for, from all
-// looks; with a mesh of the user's, a peel or a dome of some.
+// looks; with a mesh of the user's, a peel or a dome of some; with each sky of some of those that
+// see one.
 #ifndef shader_combinations_h
 #define shader_combinations_h
 
@@ -15,7 +16,10 @@ enum
   SHADER_LOOK_BITS = 1 WATER_FEATURE_LOOK_LIST(SHADER_ONE_MORE), // and the kind of lookup
   SHADER_LOOK_COUNT = 1 << SHADER_LOOK_BITS,
   SHADER_TEXTURE_COUNT = 1 << 3, // what a reflection texture may have
-  SHADER_SET_COUNT = 1 << WATER_FEATURE_COUNT
+  SHADER_SKY_COUNT = 7, // skies beside the one-coloured one: three, a floor, and they with a floor
+  // the features without those of the sky, which come last
+  SHADER_BARE_COUNT = 1 << WATER_FEATURE_BIT_SKY_SCREEN,
+  SHADER_SET_COUNT = SHADER_BARE_COUNT
 };
 #undef SHADER_ONE_MORE
 
@@ -49,7 +53,33 @@ static inline water_feature_texture shader_texture(unsigned number)
   return texture;
 }
 
-// The distinct ones in ascending order; returns how many.
+static inline unsigned shader_sky(unsigned number)
+{
+  const unsigned kinds[4] = { 0, WATER_FEATURE_SKY_SCREEN, WATER_FEATURE_SKY_MAP,
+    WATER_FEATURE_SKY_CUBE };
+  const unsigned one = number + 1; // 1 to 7
+  return kinds[one & 3u] | ((one & 4u) != 0 ? (unsigned)WATER_FEATURE_SKY_FLOOR : 0u);
+}
+
+// Looks that see a sky, each with all that the sky's files call or are called by.
+static inline size_t shader_add_skies(unsigned* sets, size_t count)
+{
+  const unsigned sees = WATER_FEATURE_RAY_TRACED | WATER_FEATURE_ENVIRONMENT | WATER_FEATURE_MEDIUM;
+  const unsigned other = WATER_FEATURE_OUTPUT | WATER_FEATURE_SHADOWS | WATER_FEATURE_FOAM |
+    WATER_FEATURE_CAUSTICS | WATER_FEATURE_NORMAL_MAPS | WATER_FEATURE_MESH |
+    WATER_FEATURE_SAMPLES | WATER_FEATURE_DISPLACED | WATER_FEATURE_GLITTER;
+  const size_t bare = count;
+  for (size_t i = 0; i < bare; ++i)
+  {
+    for (unsigned sky = 0; sky < SHADER_SKY_COUNT && (sets[i] & sees) && !(sets[i] & other); ++sky)
+    {
+      sets[count++] = sets[i] | shader_sky(sky);
+    }
+  }
+  return count;
+}
+
+// The distinct ones, those without a sky first; returns how many.
 //
 // sets  room for SHADER_SET_COUNT
 static inline size_t shader_combinations(unsigned* sets)
@@ -91,7 +121,7 @@ static inline size_t shader_combinations(unsigned* sets)
       sets[count++] = set;
     }
   }
-  return count;
+  return shader_add_skies(sets, count);
 }
 
 #endif

@@ -4,6 +4,7 @@
 #include "test_scene.h"
 
 #include "water_features.h"
+#include "water_sky.h"
 
 // What a look may have, a bit each.
 enum
@@ -200,10 +201,23 @@ enum
 {
   SURFACE_FILES = sizeof surface_files / sizeof surface_files[0],
   VERTEX_FILES = sizeof vertex_files / sizeof vertex_files[0],
-  // looked up in 8 kinds of reflection textures, on 2 of machines, with a mesh or without, and with
-  // samples
-  REACHABLE_MAX = (2 + 6 * 8) * LOOKS
+  // looked up in 8 kinds of reflection textures, on 2 of machines, with a mesh or without, with
+  // samples, and under one of 8 kinds of skies
+  REACHABLE_MAX = (2 + 7 * 8) * LOOKS
 };
+
+// Features with a sky: one colour, a screen, a map or a cube; from 4 on with a floor.
+static unsigned under_sky(unsigned features, unsigned kind)
+{
+  const water_sky_kind kinds[4] = { WATER_SKY_SCREEN, WATER_SKY_SCREEN, WATER_SKY_MAP,
+    WATER_SKY_CUBE };
+  water_sky sky;
+  memset(&sky, 0, sizeof sky);
+  sky.screen = kind % 4 == 1 ? WATER_SCREEN_VERTICAL : WATER_SCREEN_COLOR;
+  sky.map.kind = kinds[kind % 4];
+  sky.floor.is_there = kind >= 4;
+  return water_sky_features(features, false, true, &sky);
+}
 
 // All sets of features that a shader may be asked for, some more than once.
 static size_t reach_all(unsigned features[REACHABLE_MAX])
@@ -224,7 +238,8 @@ static size_t reach_all(unsigned features[REACHABLE_MAX])
       features[count + 3] = water_features_with_mesh(features[count + 1]);
       features[count + 4] = water_features_with_samples(features[count]);
       features[count + 5] = water_features_with_samples(features[count + 1]);
-      count += 6;
+      features[count + 6] = under_sky(features[count + has % 6], kind);
+      count += 7;
     }
   }
   return count;
@@ -326,10 +341,10 @@ static void assert_order(
 TEST(slots_stand_in_their_order)
 {
   static const char* const surface[] = { "optics", "gradient", "attenuation", "slopes",
-    "highlights", "cover", "cell", "place", "height", "point", "tile", "sines", "sea",
-    "normal_maps", "waves", "output", "reflection", "dome", "walk", "behind", "layer", "blur",
-    "caustics", "medium", "others", "refraction", "facet_slopes", "facets", "rays", "shadows",
-    "glitter", "foam", "sun", "surface" };
+    "highlights", "cover", "cell", "place", "height", "point", "sky", "floor", "tile", "sines",
+    "sea", "normal_maps", "waves", "output", "reflection", "dome", "walk", "behind", "layer",
+    "blur", "caustics", "medium", "others", "refraction", "facet_slopes", "facets", "rays",
+    "shadows", "glitter", "foam", "sun", "surface" };
   static const char* const vertex[] = { "cell", "displacement", "heights", "depth" };
   assert_order(surface_files, SURFACE_FILES, surface, sizeof surface / sizeof surface[0]);
   assert_order(vertex_files, VERTEX_FILES, vertex, 4);

@@ -237,7 +237,7 @@ TEST(environment_has_its_own_axes)
   water_plan plan = plan_of(&scene, NULL); // no directions: the world's
   for (int i = 0; i < 9; ++i)
   {
-    ASSERT_CLOSE(plan.dir_to_environment[i], i % 4 == 0 ? 1.0 : 0.0, 1e-15);
+    ASSERT_CLOSE(plan.environment_map.to_map[i], i % 4 == 0 ? 1.0 : 0.0, 1e-15);
   }
   const double up[3] = { 0.0, 0.0, 2.0 };
   const double right[3] = { 3.0, 0.0, 1.0 }; // not at right angles
@@ -247,7 +247,7 @@ TEST(environment_has_its_own_axes)
   const double expected[9] = { 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, -1.0, 0.0 };
   for (int i = 0; i < 9; ++i)
   {
-    ASSERT_CLOSE(plan.dir_to_environment[i], expected[i], 1e-15);
+    ASSERT_CLOSE(plan.environment_map.to_map[i], expected[i], 1e-15);
   }
 }
 

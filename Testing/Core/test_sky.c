@@ -5,7 +5,8 @@
 #include "water_lookup.h"
 #include "water_secondary.h"
 
-static const water_sky evening = { { 0.9, 0.5, 0.2 }, { 0.1, 0.2, 0.4 }, 0.75, true };
+static const water_sky evening = { { 0.9, 0.5, 0.2 }, { 0.1, 0.2, 0.4 }, 0.75,
+  WATER_SCREEN_VERTICAL };
 
 static void assert_evening(const water_sky* sky)
 {
@@ -15,7 +16,7 @@ static void assert_evening(const water_sky* sky)
     ASSERT_CLOSE(sky->top[i], evening.top[i], 0.0);
   }
   ASSERT_CLOSE(sky->alpha, evening.alpha, 0.0);
-  assert_true(sky->has_gradient);
+  assert_int_equal(sky->screen, WATER_SCREEN_VERTICAL);
 }
 
 // The sky of the scene is that of the plan, of a reflection or an environment, and of other water
@@ -53,6 +54,24 @@ TEST(sky_is_known_unless_something_endless_is_drawn)
   assert_false(plan_of(&scene, reasons).is_sky_known);
   props[1].flags |= WATER_PROP_NOT_REFLECTED;
   assert_true(plan_of(&scene, reasons).is_sky_known);
+}
+
+// A skybox shows the sky that the scene describes: it has no top, and hides none of it.
+TEST(sky_is_known_behind_a_skybox_that_shows_it)
+{
+  water_prop props[2] = { { { -1.0, 1.0, 2.0, 4.0, 0.0, 3.0 }, WATER_PROP_VISIBLE },
+    { { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 },
+      WATER_PROP_VISIBLE | WATER_PROP_NO_BOUNDS | WATER_PROP_IS_SKY } };
+  water_cull_reason reasons[2];
+  water_scene scene = lake();
+  scene.props = props;
+  scene.prop_count = 2;
+  const water_plan plan = plan_of(&scene, reasons);
+  assert_true(plan.is_sky_known);
+  assert_int_equal(reasons[1], WATER_CULL_NONE);
+  ASSERT_CLOSE(plan.reflection_top, 3.0, 1e-12);
+  props[1].flags &= ~(uint32_t)WATER_PROP_IS_SKY;
+  assert_false(plan_of(&scene, reasons).is_sky_known);
 }
 
 // A drawn mesh about the eye that is as high as a dome may be the sky: it is not known then what
@@ -168,5 +187,6 @@ TEST(bed_is_as_deep_as_the_deepest_thing_that_is_shown)
 }
 
 TESTS(sky_of_the_scene_reaches_every_plan, sky_is_known_unless_something_endless_is_drawn,
-  sky_is_not_known_in_a_dome, contrast_of_rays, light_of_the_sun_is_its_color_times_its_intensity,
-  pattern_repeats_under_the_eye, bed_is_as_deep_as_the_deepest_thing_that_is_shown)
+  sky_is_known_behind_a_skybox_that_shows_it, sky_is_not_known_in_a_dome, contrast_of_rays,
+  light_of_the_sun_is_its_color_times_its_intensity, pattern_repeats_under_the_eye,
+  bed_is_as_deep_as_the_deepest_thing_that_is_shown)

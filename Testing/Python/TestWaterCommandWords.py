@@ -283,3 +283,18 @@ def test_words_that_are_not_said_change_nothing():
     before = look.GetMTime()
     set_look(look)
     wt.check_equal("modified", look.GetMTime() > before, False)
+
+
+def test_the_sky_is_clear_or_a_gradient(folder):
+    """--sky shows a clear sky in place of the gradient, of its turbidity, and refuses air that is none."""
+    pictures = []
+    for options in ((), ("--sky",), ("--sky", "8")):
+        status, said, picture = run(folder, *options)
+        wt.check_equal(f"{options}: exit status", (status, said.count("error")), (0, 0))
+        pictures.append(picture[:20])
+    wt.check_at_least("clear sky against the gradient", wt.difference(pictures[0], pictures[1]), 10)
+    wt.check_at_least("haze against clear air", wt.difference(pictures[1], pictures[2]), 10)
+    status, said, picture = run(folder, "--sky", "1")
+    wt.check_equal("turbidity 1: exit status, picture", (status, picture), (2, None))
+    for word in ("--sky", "1", "2", "10"):
+        wt.check_equal(f"turbidity 1: the error says '{word}'", word in said, True)

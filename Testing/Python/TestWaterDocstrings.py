@@ -15,7 +15,8 @@ import water_test as wt
 import vtkwater
 
 CLASSES = (vtkwater.vtkWaterActor, vtkwater.vtkWaterProperty, vtkwater.vtkWaterReflectionPass,
-           vtkwater.vtkWaterOffScreen, vtkwater.vtkWaterFrameAverage, vtkwater.vtkWaterSurfaceFilter)
+           vtkwater.vtkWaterOffScreen, vtkwater.vtkWaterFrameAverage, vtkwater.vtkWaterSurfaceFilter,
+           vtkwater.vtkWaterClearSkySource)
 MODULES = ("backend", "command", "errors", "movies", "readers", "scenes", "widgets", "words")
 OF_VTK = {"SafeDownCast", "NewInstance", "IsA", "IsTypeOf", "GetNumberOfGenerationsFromBase", "New",
           "GetNumberOfGenerationsFromBaseType"}

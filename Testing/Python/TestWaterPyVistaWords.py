@@ -458,3 +458,40 @@ def test_open_water_keeps_the_clipping_range(plotter):
     plotter.camera.clipping_range = (7, 9)
     plotter.add_water()
     wt.check_equal("clipping range", plotter.camera.clipping_range, (7.0, 9.0))
+
+
+def test_a_clear_sky_is_seen_in_the_water_and_lights_it(plotter):
+    """add_clear_sky shows a skybox, which the water reflects, moves the one sun, and takes the place of the last sky."""
+    plotter.add_water(bounds=BOUNDS, sun=True)
+    dull = picture_of(plotter)
+    first = plotter.add_clear_sky(sun=(90, 30), turbidity=2.5)
+    plotter.camera_position = [(0, -9, 3), (0, 0, 12), (0, 0, 1)]
+    wt.check("a skybox is returned", type(first).__name__, "vtkSkybox", first.IsA("vtkSkybox"))
+    suns = [light for light in plotter.renderer.lights if isinstance(light, vtkwater.pyvista.Sun)]
+    wt.check_equal("suns", len(suns), 1)
+    wt.check_at_least("the sun is in the east", suns[0].position[0], 0.8)
+    blue = picture_of(plotter)[:30].mean(axis=(0, 1))
+    wt.check("the sky high over the horizon is blue", blue.round(1), "blue > red", blue[2] > blue[0])
+    second = plotter.add_clear_sky(sun=(90, 30), turbidity=9)
+    skies = [actor for actor in plotter.renderer.actors.values() if actor.IsA("vtkSkybox")]
+    wt.check_equal("skies", skies == [second], True)
+    wt.check("it is another picture", dull.shape, "differs", (picture_of(plotter) != dull).any())
+
+
+@pytest.mark.parametrize("words, error, parts", [
+    ({"sun": (90, -5)}, ValueError, ("sun", "-5", "[0, 90]", "elevation")),
+    ({"sun": (400, 5)}, ValueError, ("sun", "400", "[-360, 360]", "azimuth")),
+    ({"sun": False}, ValueError, ("sun", "False")),
+    ({"sun": "noon"}, TypeError, ("sun", "str")),
+    ({"turbidity": 1.0}, ValueError, ("turbidity", "1", "[2, 10]")),
+    ({"turbidity": "haze"}, TypeError, ("turbidity", "str")),
+    ({"resolution": 4}, ValueError, ("Width", "4", "[16, 8192]")),
+    ({"resolution": 4.5}, TypeError, ("resolution", "float")),
+])
+def test_a_sky_that_cannot_be_is_refused(plotter, words, error, parts):
+    """A wrong word of a clear sky raises, names it, its value and what is accepted, and nothing is added."""
+    with pytest.raises(error) as raised:
+        plotter.add_clear_sky(**words)
+    for part in parts:
+        wt.check_equal(f"{words}: the error says '{part}'", part in str(raised.value), True)
+    wt.check_equal(f"{words}: actors", len(plotter.renderer.actors), 0)

@@ -40,7 +40,8 @@ enum // water_prop.flags, a bit each
   WATER_PROP_NOT_REFLECTED = 1 << 3, // the user's key says so
   WATER_PROP_OVERLAY = 1 << 4,       // lives on the screen, not in the scene: 2D actors
   WATER_PROP_LABEL = 1 << 5,         // turned to the user's camera on every draw: billboards
-  WATER_PROP_REFUSED = 1 << 6        // its shader does not take what cuts it at the water
+  WATER_PROP_REFUSED = 1 << 6,       // its shader does not take what cuts it at the water
+  WATER_PROP_IS_SKY = 1 << 7         // it shows the sky that water_scene.sky describes
 };
 
 typedef struct water_prop
@@ -157,13 +158,54 @@ typedef struct water_settings
   double time_budget_ms;
 } water_settings;
 
-// The renderer's background. A textured one counts as its colour.
+// What is painted on the screen of the main view before all else: VTK's gradient modes, or a
+// picture.
+typedef enum water_screen
+{
+  WATER_SCREEN_COLOR,
+  WATER_SCREEN_VERTICAL,   // from bottom to top
+  WATER_SCREEN_HORIZONTAL, // from left to right
+  WATER_SCREEN_SIDE,       // from the middle to an ellipse that touches the screen's sides
+  WATER_SCREEN_CORNER,     // from the middle to an ellipse through its corners
+  WATER_SCREEN_PICTURE     // a texture over all of it
+} water_screen;
+
+typedef enum water_sky_kind // what the sky in a direction is looked up in
+{
+  WATER_SKY_SCREEN, // the screen of the main view
+  WATER_SKY_MAP,    // a picture in longitude and latitude
+  WATER_SKY_CUBE    // a cube map
+} water_sky_kind;
+
+// A picture that has a colour for every direction.
+typedef struct water_sky_map
+{
+  water_sky_kind kind;
+  double to_map[9];   // direction -> axes of the map: of a picture right, up, back; rows
+  double latitude[2]; // of a picture: v of its texture is latitude / pi * [0] + [1]
+  double exponent;    // of its colours, as they are shown
+  double level;       // of detail that it is shown with, >= 0
+} water_sky_map;
+
+// A plane that a texture is repeated over, with no end.
+typedef struct water_sky_floor
+{
+  bool is_there;
+  double height[4]; // point (x, y, z, 1) -> distance, on the side that it is seen from positive
+  double u[4];      // the same -> place in the texture
+  double v[4];
+  double exponent;
+} water_sky_floor;
+
+// What is behind all props: the renderer's background, and skyboxes over it.
 typedef struct water_sky
 {
-  double bottom[3]; // red, green, blue
-  double top[3];    // the same as bottom without a gradient
+  double bottom[3]; // red, green, blue of the background
+  double top[3];    // the same as bottom without a gradient; the second colour of any gradient
   double alpha;
-  bool has_gradient; // vertical, on the screen of the main view
+  water_screen screen;
+  water_sky_map map;     // of world directions
+  water_sky_floor floor; // of world points
 } water_sky;
 
 // Everything the plan depends on; filled by the caller.
@@ -231,17 +273,19 @@ typedef struct water_plan
   double dir_to_eye[12];  // direction in the plane's axes -> clip of the eye; 4 rows of 3
   double origin_xy[2];    // of the point under the eye, in the plane's own axes
   double ndc_to_plane[9]; // (x, y, 1) in NDC of the eye -> (x, y, w) on the plane, from origin_xy
-  double dir_to_environment[9]; // direction in the plane's axes -> (right, up, back) of the static
-                                // environment
-  double bed_depth;             // how far the scene reaches under the plane, >= 0
-  bool is_submerged;            // the eye is under this water
-  bool is_awash;                // it is over it, and the near plane cuts through the surface
-  bool has_sun;                 // it shines on the surface from the normal's side
-  double sun_dir[3];            // towards the sun, in the plane's axes, unit length
-  double sun_color[3];          // of its light: a white card facing it shows this; 0 without a sun
-  double daylight[3];           // that sky and lights bring to the plane; water_daylight.h
+  double bed_depth;       // how far the scene reaches under the plane, >= 0
+  bool is_submerged;      // the eye is under this water
+  bool is_awash;          // it is over it, and the near plane cuts through the surface
+  bool has_sun;           // it shines on the surface from the normal's side
+  double sun_dir[3];      // towards the sun, in the plane's axes, unit length
+  double sun_color[3];    // of its light: a white card facing it shows this; 0 without a sun
+  double daylight[3];     // that sky and lights bring to the plane; water_daylight.h
   water_sky sky;
-  // in every direction; a skybox or a dome hides it, and is known in the mirrored view alone
+  water_sky_map sky_map;         // the same for directions in the plane's axes
+  water_sky_map environment_map; // the water's own picture, likewise
+  water_sky_floor sky_floor;     // for points in the plane's axes, from origin_xy
+  // in every direction; a dome, or a thing without bounds, hides it, and is known in the mirrored
+  // view alone
   bool is_sky_known;
   // a drawn mesh may be the sky: the reflection texture's alpha is 0 where nothing was drawn
   bool is_enclosed;

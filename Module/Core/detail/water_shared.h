@@ -21,6 +21,7 @@ double water_shared_roll_off(double light);
 double water_shared_shore_foam(double depth, double turn);
 double water_shared_foam_threshold(double share);
 double water_shared_gradient_height(double y, double w);
+double water_shared_gradient_share(int screen, double s, double t);
 // References of tests, too: the core has doubles.
 uint32_t water_shared_upper_half(uint32_t a, uint32_t b);
 uint32_t water_shared_phase(uint32_t f0, uint32_t f1, uint32_t f2, uint32_t t0, uint32_t t1);

@@ -41,7 +41,11 @@ extern "C"
   X(HARDWARE_MEDIUM, "hardware: a refracted ray is marched where it must")                         \
   X(HARDWARE_TILE, "hardware: as many looks at a tile as a pixel needs")                           \
   X(MESH, "a mesh of the user's: its vertices know their heights")                                 \
-  X(SAMPLES, "the picture that is seen through the surface has several samples a pixel")
+  X(SAMPLES, "the picture that is seen through the surface has several samples a pixel")           \
+  X(SKY_SCREEN, "the background is a picture, or a gradient")                                      \
+  X(SKY_MAP, "the sky is a picture in longitude and latitude")                                     \
+  X(SKY_CUBE, "the sky is a cube map")                                                             \
+  X(SKY_FLOOR, "a skybox has a floor")
 
 typedef enum water_feature_bit
 {
@@ -62,6 +66,9 @@ enum // WATER_FEATURE_WAVES and so on
 // there when the features have any of any_of (0: whatever they have) and none of none_of. For the
 // features that a look can have, the conditions of one slot exclude each other.
 #define WATER_FEATURE_FLAG(name) WATER_FEATURE_##name
+// A sky that is looked up in a texture, or in more than a vertical gradient.
+#define WATER_FEATURES_SKY                                                                         \
+  (WATER_FEATURE_FLAG(SKY_SCREEN) | WATER_FEATURE_FLAG(SKY_MAP) | WATER_FEATURE_FLAG(SKY_CUBE))
 #define WATER_SURFACE_FILE_LIST(X)                                                                 \
   X(optics, vtkWaterOptics, 0, 0, "Fresnel's law")                                                 \
   X(gradient, vtkWaterGradient, 0, 0, "where a direction finds the background's colour")           \
@@ -79,7 +86,14 @@ enum // WATER_FEATURE_WAVES and so on
     "over the plane, from the vertices")                                                           \
   X(height, vtkWaterPixelHeightFS, 0, WATER_FEATURE_FLAG(MESH),                                    \
     "over the plane, from the pixel's depth; 0 of a flat sheet")                                   \
-  X(point, vtkWaterPointFS, 0, 0, "what all slots know of their pixel, and the background")        \
+  X(point, vtkWaterPointFS, 0, 0, "what all slots know of their pixel")                            \
+  X(sky, vtkWaterSkyColorFS, 0, WATER_FEATURES_SKY, "the background: one colour")                  \
+  X(sky, vtkWaterSkyScreenFS, WATER_FEATURE_FLAG(SKY_SCREEN), 0,                                   \
+    "the background: a picture, or a gradient")                                                    \
+  X(sky, vtkWaterSkyMapFS, WATER_FEATURE_FLAG(SKY_MAP), 0, "a picture in longitude and latitude")  \
+  X(sky, vtkWaterSkyCubeFS, WATER_FEATURE_FLAG(SKY_CUBE), 0, "a cube map")                         \
+  X(floor, vtkWaterSkyFloorFS, WATER_FEATURE_FLAG(SKY_FLOOR), 0, "that of a skybox")               \
+  X(floor, vtkWaterNoSkyFloorFS, 0, WATER_FEATURE_FLAG(SKY_FLOOR), "none")                         \
   X(tile, vtkWaterTileFS, WATER_FEATURE_FLAG(WAVES), WATER_FEATURE_FLAG(HARDWARE_TILE),            \
     "slopes from a texture that repeats")                                                          \
   X(tile, vtkWaterHardwareTileFS, WATER_FEATURE_FLAG(HARDWARE_TILE), 0,                            \

@@ -314,7 +314,11 @@ double water_lookup_top(const water_plane* plane, const water_prop* props, size_
   {
     if (reasons[i] == WATER_CULL_NONE && water_prop_is_unbounded(props + i))
     {
-      return (double)INFINITY;
+      if ((props[i].flags & WATER_PROP_IS_SKY) == 0)
+      {
+        return (double)INFINITY;
+      }
+      continue;
     }
     const double height = top_of(plane, props[i].bounds);
     // the rarer first: half of the time is in the reasons

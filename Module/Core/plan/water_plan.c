@@ -12,6 +12,7 @@
 #include "water_optics.h"
 #include "water_plane.h"
 #include "water_select.h"
+#include "water_sky.h"
 #include "water_target.h"
 #include "water_visibility.h"
 
@@ -264,8 +265,6 @@ static water_status fill_draw(const water_scene* scene, const checked* input,
   water_mirror_camera(&scene->eye, plane, &plan->mirrored);
   memcpy(plan->texture_px, input->texture_px, sizeof plan->texture_px);
   plan->samples = samples_of(scene);
-  plan->is_half_float = scene->settings.color_precision == WATER_COLOR_HALF_FLOAT ||
-    (scene->settings.color_precision == WATER_COLOR_AUTOMATIC && scene->may_tone_map);
   plan->reflection_scale[0] = plan->reflection_scale[1] = 1.0;
   if (scene->has_waves)
   {
@@ -319,8 +318,9 @@ static water_status fill_view(const water_scene* scene, const checked* input,
   water_lookup_pixel_depth(plan->plane_clip, plan->clip_w, plan->pixel_depth);
   water_camera_rays(&input->eye, plane, axes->x_dir, axes->y_dir, plan->ndc_to_ray);
   water_lookup_dirs(&scene->eye, axes, plan->dir_to_eye);
-  water_lookup_environment(
-    axes, scene->environment_up, scene->environment_right, plan->dir_to_environment);
+  water_sky_environment(
+    scene->environment_up, scene->environment_right, axes, &plan->environment_map);
+  water_sky_map_local(&scene->sky.map, axes, &plan->sky_map);
   const water_plane level = water_plane_turned(&input->level, input->side);
   double level_view[4];
   water_camera_plane_view(&input->eye, &level, level_view);
@@ -339,9 +339,13 @@ static water_status fill_view(const water_scene* scene, const checked* input,
   plan->sky = scene->sky;
   memcpy(plan->daylight, scene->light, sizeof plan->daylight);
   water_daylight_add_sky(&scene->sky, plan->daylight);
+  plan->is_half_float = scene->settings.color_precision == WATER_COLOR_HALF_FLOAT ||
+    (scene->settings.color_precision == WATER_COLOR_AUTOMATIC && scene->may_tone_map);
   plan->eta = water_optics_eta(&scene->look, input->side);
-  return water_lookup_places(
-    &scene->eye, &input->eye, plane, axes, plan->origin_xy, plan->ndc_to_plane);
+  const water_status status =
+    water_lookup_places(&scene->eye, &input->eye, plane, axes, plan->origin_xy, plan->ndc_to_plane);
+  water_sky_floor_local(&scene->sky.floor, axes, plan->origin_xy, &plan->sky_floor);
+  return status;
 }
 
 // The view and the mirrored camera of the plan are set.

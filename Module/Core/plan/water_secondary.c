@@ -27,9 +27,11 @@ water_status water_secondary_plan(
   seen.has_environment = true;
   memcpy(seen.environment_up, scene->environment_up, sizeof seen.environment_up);
   memcpy(seen.environment_right, scene->environment_right, sizeof seen.environment_right);
-  seen.sky = scene->sky;
+  seen.sky = mirrored->sky;
   memcpy(seen.light, scene->light, sizeof seen.light);
   seen.settings.texture_scale = 1.0;
+  seen.settings.color_precision =
+    mirrored->is_half_float ? WATER_COLOR_HALF_FLOAT : WATER_COLOR_EIGHT_BIT;
   seen.max_texture_px = INT_MAX;
   const water_status status = water_plan_make(&seen, plan, NULL);
   if (plan->has_view)

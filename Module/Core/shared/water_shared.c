@@ -17,6 +17,7 @@
 #define waterRollOff water_shared_roll_off
 #define waterShoreFoam water_shared_shore_foam
 #define waterFoamThreshold water_shared_foam_threshold
+#define waterGradientShare water_shared_gradient_share
 #define waterGradientHeight water_shared_gradient_height
 #define waterPhase water_shared_phase
 #define waterCosine water_shared_cosine

@@ -327,7 +327,8 @@ vec3 waterTransmitted(WaterPoint point)
   if (waterSide < 0.0)
   {
     vec3 color = mix(from, to, view.share);
-    return met.depth >= 1.0 && waterSkyBottom.a > 0.5 ? waterSky(dir) : color;
+    bool isSky = met.depth >= 1.0 || (!view.isMet && waterHasFloor());
+    return isSky && waterIsSkyKnown() ? waterSky(dir) : color;
   }
   float caustic = waterCaustic(point.place + ways.z * dir.xy, -ways.z * dir.z);
   from = met.depth >= 1.0 ? waterDeepColor : waterAfter(caustic * from, ways.x);

@@ -1,19 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkWaterEnvironmentFS.glsl: slot reflection: a static picture of the surroundings, in latitude and
-// longitude as vtkSkybox has it, or the background.
-
-uniform sampler2D waterEnvironment;
-uniform int waterHasEnvironment; // 0: the background
-uniform mat3 waterDirToEnvironment;
+// vtkWaterEnvironmentFS.glsl: slot reflection: the sky alone, and no scene.
 
 vec3 waterAround(WaterPoint point, vec3 normal, out vec2 uv)
 {
   vec3 dir = reflect(point.ray, normal);
   dir.z = abs(dir.z); // met the water again: bounced off it once more
-  vec3 around = waterDirToEnvironment * dir;
-  uv = vec2(0.5 + 0.15915494 * atan(around.z, around.x),
-    0.5 + 0.31830989 * atan(around.y, length(around.xz)));
-  return waterHasEnvironment != 0 ? textureLod(waterEnvironment, uv, 0.0).rgb : waterSky(dir);
+  uv = waterSkyPlace(dir);
+  return waterSky(dir);
 }
 
 vec3 waterReflected(WaterPoint point, out int reason, out vec2 uv)

@@ -59,6 +59,15 @@ float waterFacetNode(int i, int count)
   return node * (count == 4 ? (i < 2 ? 0.378 : 1.363) : 1.0);
 }
 
+// How wide a part of the sky each of several facets stands for, radians: a slope turns a ray by twice its angle. The share
+// of their distance is that of waterBlurred, of a way to both sides.
+//
+// spread  of the slopes
+float waterFacetSpread(float spread, int count)
+{
+  return 0.6 * (count == 4 ? 0.9 : 2.0) * spread * 2.0;
+}
+
 // slope  against the pixel's own, along the azimuth
 vec3 waterFacetNormal(WaterPoint point, vec2 azimuth, float slope)
 {

@@ -16,6 +16,7 @@ vec3 waterFacets(WaterPoint point, out float reflectance, inout int reason, inou
   int count = waterFacetCount(variance);
   bool isOne = count == 1;
   vec2 slopes = isOne ? vec2(0.0) : waterFacetSlopes(point, sqrt(variance));
+  waterSpread = isOne ? 0.0 : waterFacetSpread(slopes.y, count);
   WaterPlaces places = WaterPlaces(vec4(0.0), vec4(0.0), vec4(0.0));
   WaterRayHit hit;
   vec3 reflected = vec3(0.0);

@@ -33,7 +33,7 @@ WaterFacet waterAimFacet(WaterPoint point, vec3 normal, float depth, float share
   vec3 dir = reflect(point.ray, normal);
   dir.z = max(abs(dir.z), 1e-6);
   facet.hit = waterAim(point.start, point.startW, dir);
-  facet.hit.color = waterSkyOfRay(dir);
+  facet.hit.color = waterSky(dir);
   facet.nearest = waterNearest;
   facet.hit.depthStart = waterFacetDepth(point.start.xy, depth, facet.nearest);
   facet.hit.depth = facet.hit.depthStart;
@@ -107,6 +107,7 @@ vec3 waterSeveralFacets(WaterPoint point, vec2 azimuth, float variance, int coun
   waterFloor = point.height;
   float depth = waterDepthAt(point.start.xy);
   float share = count == 4 ? 0.25 : 0.5;
+  waterSpread = waterFacetSpread(slopes.y, count);
   WaterPlaces places = WaterPlaces(vec4(0.0), vec4(0.0), vec4(0.0));
   vec3 reflected = vec3(0.0);
   reflectance = 0.0;

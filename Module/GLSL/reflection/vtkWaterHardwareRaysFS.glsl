@@ -18,18 +18,6 @@ float waterSlackAt(float depth)
   return -waterReflectionTolerance.x * depth + waterReflectionTolerance.x * waterReflectionZInfinity;
 }
 
-vec3 waterSkyOfRay(vec3 dir)
-{
-  vec4 eye = 0.5 * (waterDirToEye * vec4(dir, 0.0));
-  vec3 low = max(waterSkyBottom.rgb, vec3(0.0));
-  return low + waterGradientHeight(eye.y, eye.w) * (waterSkyTop.rgb - waterSkyBottom.rgb);
-}
-
-bool waterIsSkyKnown()
-{
-  return waterSkyBottom.a > 0.5;
-}
-
 float waterTop()
 {
   return max(waterReflectionTop, 0.0);

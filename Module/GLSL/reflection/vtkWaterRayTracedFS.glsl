@@ -8,6 +8,7 @@ uniform mat4 waterDirToReflection; // direction in the plane's axes -> clip of t
 uniform float waterReflectionTop;  // height over the plane of all that the reflection texture shows
 uniform float waterReflectionZInfinity;
 uniform vec2 waterReflectionTolerance; // converged on a surface; a surface on both sides of a crossing
+uniform int waterSkyIsOneColor;        // in all directions
 uniform int waterSteps;                // of the march
 uniform int waterProbes;               // between the water and where the ray converged
 
@@ -33,8 +34,6 @@ float waterNearest = -1e30; // depth that the ray meets nothing before
 void waterReadOnce();
 vec4 waterHalfEnd(vec3 dir);     // a direction in clip space of the reflection texture, half of it
 float waterSlackAt(float depth); // how far a ray may be off a depth and has converged
-vec3 waterSkyOfRay(vec3 dir);    // waterSky
-bool waterIsSkyKnown();          // in all directions
 float waterTop();                // height over the plane of all that there is to meet
 
 float waterDepthAt(vec2 uv); // of the reflection texture; of the slot layer
@@ -119,6 +118,10 @@ void waterJudge(inout WaterRayHit hit)
   bool isSky = hit.s >= 1.0 &&
     (hit.isInside ? hit.isOver && hit.depth >= WATER_UNMET : hit.depth >= 1.0);
   hit.isPlace = !isSky || !waterIsSkyKnown();
+  // a ray ends where it is over all that there is: the texture shows there what lies beyond in another direction, which is
+  // the same if the sky has one colour, and mixes what is beside it into a blurred one
+  bool isFree = hit.s >= 1.0 && hit.isInside && hit.isOver && waterIsSkyKnown();
+  hit.isPlace = hit.isPlace && !(isFree && waterSkyIsOneColor == 0);
   hit.reason = WATER_HIT;
   hit.isDown = false;
   hit.isSettled = false;
@@ -159,7 +162,7 @@ WaterRayHit waterEstimateHitAlong(vec3 start, float startW, vec3 dir)
   hit.depth = hit.depthStart;
   hit.s = 0.0;
   waterTwoSteps(start, hit);
-  hit.color = waterSkyOfRay(dir);
+  hit.color = waterSky(dir);
   waterJudge(hit);
   return hit;
 }

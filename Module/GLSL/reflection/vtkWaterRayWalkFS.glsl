@@ -8,9 +8,6 @@
 // instructions to read each number, and would for every ray. A plain copy would be undone by compilers.
 mat4 waterHalfToReflection; // half of waterDirToReflection
 vec2 waterToSlack;          // how far a ray may be off a depth and has converged: x depth + y
-mat2x3 waterHalfToSky;      // direction -> half of its y and w on the user's screen
-vec4 waterSkyLow;           // waterSkyBottom
-vec3 waterSkyRise;          // from its bottom to its top
 vec2 waterReflectionSize;   // texels
 float waterHighest;         // waterReflectionTop
 int waterProbesOfOne;
@@ -20,21 +17,10 @@ void waterReadOnce()
 {
   waterHalfToReflection = 0.5 * waterDirToReflection;
   waterToSlack = waterReflectionTolerance.x * vec2(-1.0, waterReflectionZInfinity);
-  mat4 rows = transpose(waterDirToEye);
-  waterHalfToSky = 0.5 * mat2x3(rows[1].xyz, rows[3].xyz);
-  waterSkyLow = max(waterSkyBottom, vec4(0.0));
-  waterSkyRise = waterSkyTop.rgb - waterSkyBottom.rgb;
   waterReflectionSize = vec2(textureSize(waterReflection, 0));
   waterHighest = max(waterReflectionTop, 0.0);
   waterProbesOfOne = max(waterProbes, 0);
   waterProbesOfSeveral = min(waterProbes, WATER_FACET_PROBES);
-}
-
-// waterSky, from these.
-vec3 waterSkyOfRay(vec3 dir)
-{
-  vec2 eye = dir * waterHalfToSky;
-  return waterSkyLow.rgb + waterGradientHeight(eye.x, eye.y) * waterSkyRise;
 }
 
 vec4 waterHalfEnd(vec3 dir)
@@ -45,11 +31,6 @@ vec4 waterHalfEnd(vec3 dir)
 float waterSlackAt(float depth)
 {
   return waterToSlack.x * depth + waterToSlack.y;
-}
-
-bool waterIsSkyKnown()
-{
-  return waterSkyLow.a > 0.5;
 }
 
 float waterTop()

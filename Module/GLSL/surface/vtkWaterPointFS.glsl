@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkWaterPointFS.glsl: what all slots of a surface's shader know about their pixel, and the sky.
+// vtkWaterPointFS.glsl: what all slots of a surface's shader know about their pixel.
 //
-// The slots, each one file of several: place (waterPlaceOf), height (waterHeightOf), waves (waterRipple), reflection (waterReflected), layer
+// The slots, each one file of several: sky (waterSky), floor (waterOverFloor), place (waterPlaceOf), height (waterHeightOf), waves (waterRipple), reflection (waterReflected), layer
 // (waterCross), caustics (waterCaustic), body (waterTransmitted), facets (waterFacets), rays (waterMirrored),
 // shadows (waterSunArrives), glitter (waterGlint), foam (waterFoam), sun (waterSunlit), output (waterShow);
 // vtkWaterSurfaceFS.glsl puts them together. They are files and not branches because software renderers execute both
@@ -26,8 +26,7 @@ uniform float waterReflectance;    // 0 to 1, or below 0: Fresnel
 uniform vec3 waterDeepColor;       // of water without an end
 uniform vec3 waterSunDir;          // towards it, in the plane's axes
 uniform vec3 waterSlopeVariance;   // xx, yy, xy of the slopes too small for waves
-uniform vec4 waterSkyBottom;       // a: 1 when the sky is known in all directions
-uniform vec4 waterSkyTop;
+uniform vec4 waterSkyBottom;       // of the background; a: 1 when the sky is known in all directions
 
 uniform int waterSceneIsSorted;    // 1: a multisampled picture's samples are sorted, each pixel's into those of two things:
 uniform sampler2D waterSceneOtherPlace; // depth of the one with fewer; from the middle to where the surface is seen, pixels
@@ -80,6 +79,8 @@ vec2 waterSeenShift()
   return shift;
 }
 
+vec3 waterFrom = vec3(0.0);       // the pixel's point in the plane's axes, from the one under the eye
+float waterSpread = 0.0;          // radians about a direction that the sky's mean is taken over
 vec2 waterShift = vec2(0.0);      // that
 vec2 waterDepthChange = vec2(0.0); // of the window depth, from pixel to pixel
 
@@ -109,6 +110,7 @@ WaterPoint waterPoint()
   float height = waterHeightOf(clip);
   vec4 mirrored = clip - 2.0 * height * waterNormalClip;
   point.height = height / gl_FragCoord.w;
+  waterFrom = vec3(point.place, point.height);
   point.startW = mirrored.w / gl_FragCoord.w;
   vec3 window = 0.5 / mirrored.w * mirrored.xyz;
   // on to the next texel: the pixel's own is a mean that has the inside of what stands there
@@ -124,11 +126,4 @@ WaterPoint waterPoint()
 float waterFacing(vec3 ray, vec3 normal)
 {
   return min(abs(dot(ray, normal)), 1.0);
-}
-
-// The background in a direction.
-vec3 waterSky(vec3 dir)
-{
-  vec4 eye = waterDirToEye * vec4(dir, 0.0);
-  return mix(waterSkyBottom.rgb, waterSkyTop.rgb, waterGradientHeight(eye.y, eye.w));
 }

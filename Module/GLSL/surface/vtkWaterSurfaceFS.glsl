@@ -13,6 +13,7 @@ void waterShade(inout vec4 color)
   float reflectance = 0.0;
   if (waterHasView != 0)
   {
+    waterReadSky();
     WaterPoint point = waterPoint();
     waterRipple(point);
     vec3 reflected = waterMirrored(point, reflectance, reason, uv);

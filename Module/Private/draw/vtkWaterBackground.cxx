@@ -8,11 +8,13 @@
 #include "vtkTextureObject.h"
 #include "vtkWaterGL.h"
 #include "vtkWaterSkyFS.h"
+#include "vtkWaterSkyReader.h"
 #include "vtkWaterUniforms.h"
 #include "vtkWaterViewFS.h"
 
 //------------------------------------------------------------------------------
-void vtkWaterBackground::DrawSky(vtkRenderer* renderer, const water_plan& plan)
+void vtkWaterBackground::DrawSky(
+  vtkRenderer* renderer, const water_plan& plan, const vtkWaterSkyTextures& textures)
 {
   auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
   vtkOpenGLState* state = window->GetState();
@@ -31,7 +33,7 @@ void vtkWaterBackground::DrawSky(vtkRenderer* renderer, const water_plan& plan)
     state->vtkglClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
   }
   vtkShaderProgram* program =
-    plan.sky.has_gradient ? this->Sky.Ready(window, vtkWaterSkyFS) : nullptr;
+    plan.sky.screen != WATER_SCREEN_COLOR ? this->Sky.Ready(window, vtkWaterSkyFS) : nullptr;
   if (!program)
   {
     return;
@@ -41,6 +43,18 @@ void vtkWaterBackground::DrawSky(vtkRenderer* renderer, const water_plan& plan)
   vtkWaterUniforms::Set4(program, "waterSkyBottom", bottomAlpha);
   vtkWaterUniforms::Set4(program, "waterSkyTop", topAlpha);
   vtkWaterUniforms::SetMatrix3(program, "waterReflectionNdcToEye", plan.reflection_ndc_to_eye);
+  vtkWaterUniforms::Set(program, "waterScreen", static_cast<int>(plan.sky.screen));
+  int size[2];
+  int origin[2];
+  renderer->GetTiledSizeAndOrigin(&size[0], &size[1], &origin[0], &origin[1]);
+  const double border[2] = { 0.5 / size[0], 0.5 / size[1] };
+  vtkWaterUniforms::Set2(program, "waterScreenBorder", border);
+  vtkTexture* picture = textures.Screen;
+  if (picture)
+  {
+    picture->Render(renderer);
+    vtkWaterUniforms::Set(program, "waterScreenPicture", picture->GetTextureUnit());
+  }
   vtkOpenGLState::ScopedglEnableDisable depthTest(state, GL_DEPTH_TEST);
   vtkOpenGLState::ScopedglEnableDisable blend(state, GL_BLEND);
   vtkOpenGLState::ScopedglDepthMask depthMask(state);
@@ -48,6 +62,10 @@ void vtkWaterBackground::DrawSky(vtkRenderer* renderer, const water_plan& plan)
   state->vtkglDisable(GL_BLEND);
   state->vtkglDepthMask(GL_FALSE);
   this->Sky.Draw();
+  if (picture)
+  {
+    picture->PostRender(renderer);
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -45,9 +45,10 @@ void SetUpOpaque(vtkOpenGLState* state, const water_plan& plan)
 }
 
 //------------------------------------------------------------------------------
-void vtkWaterMirroredView::DrawBackground(vtkRenderer* renderer, const water_plan& plan)
+void vtkWaterMirroredView::DrawBackground(
+  vtkRenderer* renderer, const water_plan& plan, const Draft& draft)
 {
-  this->Background.DrawSky(renderer, plan);
+  this->Background.DrawSky(renderer, plan, draft.Sky);
   if (this->Visible)
   {
     try
@@ -96,6 +97,7 @@ void vtkWaterMirroredView::DrawProps(vtkRenderer* renderer, const water_plan& pl
   view.Plan = &plan;
   view.Eye = vtkWaterGather::ReadCamera(renderer); // before it is the mirrored one
   view.Props = &draft.Props;
+  view.Sky = &draft.Sky;
   view.Clusters = draft.CanCut ? &this->Clusters : nullptr;
   view.ClipDistance = &this->ClipDistance;
   this->SetCamera(renderer, plan);
@@ -130,7 +132,7 @@ const char* vtkWaterMirroredView::Draw(vtkRenderer* renderer, const water_plan& 
     if (this->Target.Bind())
     {
       SetUpOpaque(state, plan);
-      this->DrawBackground(renderer, plan);
+      this->DrawBackground(renderer, plan, draft);
       this->DrawProps(renderer, plan, draft);
     }
     else
@@ -217,7 +219,7 @@ void vtkWaterMirroredView::DrawPeel(vtkRenderer* renderer, const water_plan& pla
     return;
   }
   SetUpOpaque(window->GetState(), plan);
-  this->Background.DrawSky(renderer, plan);
+  this->Background.DrawSky(renderer, plan, draft.Sky);
   this->Clusters.ForgetDepths(); // what the first things hide is what is drawn now
   draft.Hook->BeginPeel();
   vtkWaterShadows::Draw(renderer, draft.Shadows, draft.Props, [&]() {

@@ -13,6 +13,7 @@
 #include "vtkWaterGpuQueries.h"
 #include "vtkWaterPeel.h"
 #include "vtkWaterPropFacts.h"
+#include "vtkWaterSkyReader.h"
 #include "vtkWaterTarget.h"
 #include "vtkWaterTranslucent.h"
 #include "vtkWaterTranslucentLayer.h"
@@ -43,6 +44,7 @@ public:
     bool HasMarchedRays = false;          // rays are traced in it
     bool WantsPeel = false;               // and go on behind edges
     bool CanCut = false;                  // clusters of large meshes may be left out
+    vtkWaterSkyTextures Sky;              // of the plan's sky
     vtkShadowMapPass* Shadows = nullptr;  // which is up to date; nullptr: there are none
   };
 
@@ -90,7 +92,7 @@ public:
 
 private:
   void SetCamera(vtkRenderer* renderer, const water_plan& plan);
-  void DrawBackground(vtkRenderer* renderer, const water_plan& plan);
+  void DrawBackground(vtkRenderer* renderer, const water_plan& plan, const Draft& draft);
   void DrawProps(vtkRenderer* renderer, const water_plan& plan, Draft& draft);
   void DrawOpaque(vtkRenderer* renderer, const water_plan& plan, const Draft& draft);
   void DrawTranslucent(vtkRenderer* renderer, const water_plan& plan, Draft& draft);

@@ -14,4 +14,7 @@ struct vtkWaterSnapshot;
 vtkWaterError vtkWaterDescribe(water_status status, const vtkWaterSnapshot& water,
   const vtkWaterGather* gather = nullptr, const water_plan* plan = nullptr);
 
+// A visible skybox whose texture has no data.
+vtkWaterError vtkWaterDescribeEmptySkybox();
+
 #endif

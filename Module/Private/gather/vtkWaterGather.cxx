@@ -13,6 +13,7 @@
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProperty.h"
+#include "vtkSkybox.h"
 #include "vtkTextureObject.h"
 #include "vtkWaterPropRecords.h"
 #include "water_daylight.h"
@@ -106,22 +107,16 @@ void ReadLights(vtkRenderer* renderer, water_scene& scene)
   }
 }
 
-void ReadSky(vtkRenderer* renderer, water_scene& scene)
+void ReadEnvironment(vtkRenderer* renderer, water_scene& scene)
 {
-  water_sky& sky = scene.sky;
-  sky.has_gradient = renderer->GetGradientBackground() && !renderer->GetTexturedBackground();
-  std::copy_n(renderer->GetBackground(), 3, sky.bottom);
-  std::copy_n(
-    sky.has_gradient ? renderer->GetBackground2() : renderer->GetBackground(), 3, sky.top);
-  sky.alpha = renderer->GetBackgroundAlpha();
   renderer->GetEnvironmentUp(scene.environment_up);
   renderer->GetEnvironmentRight(scene.environment_right);
 }
 }
 
 //------------------------------------------------------------------------------
-water_scene vtkWaterGather::ReadSecondary(
-  vtkRenderer* renderer, const vtkWaterSnapshot& water, const water_camera& eye)
+water_scene vtkWaterGather::ReadSecondary(vtkRenderer* renderer, const vtkWaterSnapshot& water,
+  const water_camera& eye, const water_sky& sky)
 {
   water_scene scene = water_scene();
   scene.eye = eye;
@@ -130,7 +125,8 @@ water_scene vtkWaterGather::ReadSecondary(
   scene.look = water.Look.Optics;
   std::copy_n(water.Bounds, 6, scene.surface_bounds);
   scene.is_endless = water.IsEndless;
-  ReadSky(renderer, scene);
+  scene.sky = sky;
+  ReadEnvironment(renderer, scene);
   ReadLights(renderer, scene);
   return scene;
 }
@@ -237,9 +233,27 @@ void vtkWaterGather::ReadProps(vtkRenderer* renderer, const vtkWaterSnapshot& mi
   }
   this->Scene.props = this->Props.data();
   this->Scene.prop_count = count;
+  this->ReadSkyboxes(renderer);
   auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
   window->MakeCurrent(); // bringing pipelines up to date may have rendered another window
   this->Scene.max_texture_px = vtkTextureObject::GetMaximumTextureSize(window);
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterGather::ReadSkyboxes(vtkRenderer* renderer)
+{
+  const uint32_t asked = WATER_PROP_IS_SKY | WATER_PROP_VISIBLE | WATER_PROP_NOT_REFLECTED;
+  this->HasEmptySkybox = false;
+  for (size_t i = 0; i < this->Props.size(); ++i)
+  {
+    if ((this->Props[i].flags & asked) == (WATER_PROP_IS_SKY | WATER_PROP_VISIBLE))
+    {
+      auto* skybox = vtkSkybox::SafeDownCast(this->DrawnProps[i]);
+      const bool isRead =
+        !skybox || vtkWaterSkyReader::ReadSkybox(renderer, skybox, this->Scene.sky, this->Sky);
+      this->HasEmptySkybox = this->HasEmptySkybox || !isRead;
+    }
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -260,7 +274,8 @@ void vtkWaterGather::Read(vtkRenderer* renderer, const std::vector<vtkWaterSnaps
   this->Scene.may_tone_map = hints.MayToneMap;
   this->Scene.window_samples = window->GetMultiSamples();
   this->ReadWaters(renderer, waters);
-  ReadSky(renderer, this->Scene);
+  vtkWaterSkyReader::ReadBackground(renderer, this->Scene.sky, this->Sky);
+  ReadEnvironment(renderer, this->Scene);
   ReadSun(renderer, this->Scene);
   ReadLights(renderer, this->Scene);
   this->ReadSurface(waters);

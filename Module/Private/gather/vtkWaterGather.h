@@ -4,6 +4,7 @@
 #ifndef vtkWaterGather_h
 #define vtkWaterGather_h
 
+#include "vtkWaterSkyReader.h"
 #include "vtkWaterSnapshot.h"
 #include "water_grid.h"
 #include "water_plan.h"
@@ -30,6 +31,8 @@ struct vtkWaterGather
   water_scene Scene = water_scene(); // points into Props
   std::vector<water_prop> Props;     // of all view props, in the renderer's order
   std::vector<vtkProp*> DrawnProps;  // or what stands in for them
+  vtkWaterSkyTextures Sky;           // of Scene.sky
+  bool HasEmptySkybox = false;       // a visible one without data in its texture
   vtkCamera* Camera = nullptr;       // the one read last
   double WaveNumber = 0.0;           // typical of the waves, rad per unit; 0: not known
   bool IsRough = false;              // one of the waters blurs its reflection
@@ -54,8 +57,9 @@ struct vtkWaterGather
   // Another water for the mirrored view of one, water_secondary.h.
   //
   // eye  of the main view; the renderer's camera is the mirrored one
-  static water_scene ReadSecondary(
-    vtkRenderer* renderer, const vtkWaterSnapshot& water, const water_camera& eye);
+  // sky  of that
+  static water_scene ReadSecondary(vtkRenderer* renderer, const vtkWaterSnapshot& water,
+    const water_camera& eye, const water_sky& sky);
 
   // The camera alone: matrices of the renderer's active camera for its viewport.
   static water_camera ReadCamera(vtkRenderer* renderer);
@@ -66,6 +70,7 @@ struct vtkWaterGather
 private:
   void ReadWaters(vtkRenderer* renderer, const std::vector<vtkWaterSnapshotPointer>& waters);
   void ReadSurface(const std::vector<vtkWaterSnapshotPointer>& waters);
+  void ReadSkyboxes(vtkRenderer* renderer);
 };
 
 #endif

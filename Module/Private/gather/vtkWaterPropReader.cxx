@@ -56,7 +56,7 @@ uint32_t ReadFlags(vtkProp* prop, const vtkWaterSnapshot& mirrored)
   }
   if (prop->IsA("vtkSkybox"))
   {
-    flags |= WATER_PROP_NO_BOUNDS;
+    flags |= WATER_PROP_NO_BOUNDS | WATER_PROP_IS_SKY;
   }
   return flags;
 }

@@ -184,7 +184,9 @@ void vtkWaterPropTimes::AddProp(vtkRenderer* renderer, vtkProp* prop)
     this->AddTexturesOf(actor->GetProperty());
     this->AddTexturesOf(actor->GetBackfaceProperty());
     this->AddTexture(actor->GetTexture());
-    mapper = actor->GetMapper();
+    // a skybox has a mapper of its own, and watches it: what it sets is its own and the camera's
+    const bool isSkybox = IsOneOf(prop, { "vtkOpenGLSkybox" });
+    mapper = isSkybox ? nullptr : actor->GetMapper();
     if (auto* follower = vtkFollower::SafeDownCast(prop))
     {
       this->Add(follower->GetCamera());

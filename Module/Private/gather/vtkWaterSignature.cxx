@@ -47,6 +47,7 @@ void vtkWaterSignature::Read(vtkRenderer* renderer)
   this->Textures.Clear();
   this->Textures.AddTexture(renderer->GetEnvironmentTexture());
   this->Textures.AddTexture(renderer->GetBackgroundTexture());
+  this->Textures.AddTexture(renderer->GetRightBackgroundTexture());
 }
 
 //------------------------------------------------------------------------------
@@ -55,6 +56,17 @@ void vtkWaterSignature::AddNumber(double value)
   vtkMTimeType bits = 0;
   std::memcpy(&bits, &value, std::min(sizeof bits, sizeof value));
   this->Add(bits);
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterSignature::AddSky(const water_sky& sky)
+{
+  this->Add(static_cast<vtkMTimeType>(sky.screen));
+  this->Add(static_cast<vtkMTimeType>(sky.map.kind));
+  for (const double value : sky.map.to_map)
+  {
+    this->AddNumber(value); // a renderer's rotation of its surroundings is not in its other numbers
+  }
 }
 
 //------------------------------------------------------------------------------

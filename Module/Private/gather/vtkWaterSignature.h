@@ -6,6 +6,7 @@
 
 #include "vtkType.h"
 #include "vtkWaterPropTimes.h"
+#include "water_types.h"
 
 #include <utility>
 #include <vector>
@@ -28,6 +29,9 @@ public:
 
   // Adds what shadows depend on: all that can throw one, in the mirrored view or not.
   void AddShadows(vtkRenderer* renderer, vtkShadowMapPass* pass, vtkWaterPropRecords& records);
+
+  // Adds what the sky of a plan is looked up by.
+  void AddSky(const water_sky& sky);
 
   // Adds a number to it.
   void Add(vtkMTimeType value) { this->Values.emplace_back(nullptr, value); }

@@ -137,6 +137,7 @@ vtkWaterSurfaceShader::Inputs vtkWaterReflection::GetInputs(
     inputs.PeelColor = peel->GetColor();
     inputs.PeelDepth = peel->GetDepth();
   }
+  inputs.Sky = this->Gathered.Sky;
   inputs.MostSteps = this->Quality.ray_steps;
   inputs.MostProbes = this->Quality.ray_probes;
   return inputs;

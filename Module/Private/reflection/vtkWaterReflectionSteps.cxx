@@ -133,6 +133,10 @@ void vtkWaterReflection::MakePlan(const Frame& frame, Attempt& attempt)
   {
     attempt.Error = vtkWaterDescribe(status, *attempt.Waters.front(), &this->Gathered, &this->Plan);
   }
+  else if (this->Gathered.HasEmptySkybox)
+  {
+    attempt.Error = vtkWaterDescribeEmptySkybox();
+  }
   if (this->Settings.IsInstrumented)
   {
     this->Report.PlanTime = 1000.0 * (vtkTimerLog::GetUniversalTime() - begun);
@@ -189,6 +193,7 @@ void vtkWaterReflection::Sign(const Frame& frame, Attempt& attempt)
   }
   signature.Add(static_cast<vtkMTimeType>(this->Plan.samples));
   signature.Add(this->Plan.is_half_float ? 1 : 0);
+  signature.AddSky(this->Plan.sky);
   signature.Add(this->Gathered.HasMarchedRays ? 1 : 0);
   signature.Add(this->Gathered.WantsPeel ? 1 : 0);
   if (attempt.Draft.Shadows)
@@ -203,6 +208,7 @@ void vtkWaterReflection::Revise(const Frame& frame, Attempt& attempt)
   vtkRenderer* renderer = frame.Renderer;
   View& view = *attempt.Drawn;
   attempt.Draft.Hook = frame.Hook;
+  attempt.Draft.Sky = this->Gathered.Sky;
   attempt.Draft.HasMarchedRays = this->Gathered.HasMarchedRays;
   attempt.Draft.WantsPeel = this->Gathered.WantsPeel;
   if (this->Gathered.WantsPeel)

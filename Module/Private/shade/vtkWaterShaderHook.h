@@ -25,6 +25,7 @@ class vtkProp;
 class vtkWaterClipDistance;
 class vtkWaterClusters;
 class vtkWaterPropRecords;
+struct vtkWaterSkyTextures;
 class vtkWaterSource;
 class vtkWaterSurfaceShader;
 
@@ -53,7 +54,8 @@ public:
     const water_plan* Plan = nullptr;
     water_camera Eye = water_camera(); // of the picture that it is drawn for
     const std::vector<vtkProp*>* Props = nullptr;
-    vtkWaterClusters* Clusters = nullptr; // of large meshes, if they may be drawn in clusters
+    const vtkWaterSkyTextures* Sky = nullptr; // of the plan's sky
+    vtkWaterClusters* Clusters = nullptr;     // of large meshes, if they may be drawn in clusters
     vtkWaterClipDistance* ClipDistance = nullptr;
   };
 

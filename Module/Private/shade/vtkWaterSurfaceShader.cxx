@@ -7,6 +7,7 @@
 #include "vtkOpenGLRenderer.h"
 #include "vtkOpenGLShaderCache.h"
 #include "vtkOpenGLState.h"
+#include "vtkOpenGLTexture.h"
 #include "vtkTexture.h"
 #include "vtkTextureObject.h"
 #include "vtkWaterFog.h"
@@ -33,6 +34,19 @@ struct ShaderFile
   const char* Source;
 };
 #define WATER_SHADER_FILE(slot, file, any_of, none_of, what) { any_of, none_of, file },
+
+// GL's anisotropic filter, which VTK has on for textures with mip levels, asks how places differ
+// from pixel to pixel, although the level is given. Facets' differ by chance: dashes of other
+// colours.
+void SetAnisotropy(vtkTexture* texture, float most)
+{
+  auto* openGL = vtkOpenGLTexture::SafeDownCast(texture);
+  if (vtkTextureObject* object = openGL ? openGL->GetTextureObject() : nullptr)
+  {
+    object->SetMaximumAnisotropicFiltering(most);
+    object->Activate(); // sends it
+  }
+}
 
 template <size_t Count>
 std::string Join(const ShaderFile (&files)[Count], unsigned features)
@@ -274,19 +288,44 @@ void vtkWaterSurfaceShader::BeginReflection(const int viewport_px[4])
 }
 
 //------------------------------------------------------------------------------
-void vtkWaterSurfaceShader::BeginEnvironment()
+bool vtkWaterSurfaceShader::HasOwnSky(const vtkWaterSnapshot& water)
 {
-  vtkTexture* environment =
-    this->Has(WATER_FEATURE_ENVIRONMENT) ? this->Water->Look.Environment.Get() : nullptr;
-  if (environment &&
-    (environment->GetCubeMap() || environment->GetNumberOfInputConnections(0) == 0))
+  // it may have changed since it was set; the scene's sky is at hand then
+  return vtkWaterSkyReader::HasData(water.Look.Environment, false);
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterSurfaceShader::BindSky(const char* name, vtkTexture* texture)
+{
+  if (texture)
   {
-    environment = nullptr; // it has changed since it was set; the background is at hand
+    texture->Render(this->Drawn.Renderer);
+    this->SkyTextures.emplace_back(name, texture);
+    SetAnisotropy(texture, 1.0f);
   }
-  this->Environment = environment;
-  if (environment)
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterSurfaceShader::BeginSky()
+{
+  this->SkyTextures.clear();
+  const vtkWaterSkyTextures& sky = this->Drawn.Sky;
+  const bool isOwn = HasOwnSky(*this->Water);
+  if (this->Has(WATER_FEATURE_SKY_MAP))
   {
-    environment->Render(this->Drawn.Renderer);
+    this->BindSky("waterSkyMap", isOwn ? this->Water->Look.Environment : sky.Map);
+  }
+  if (this->Has(WATER_FEATURE_SKY_CUBE))
+  {
+    this->BindSky("waterSkyCube", sky.Map);
+  }
+  if (this->Has(WATER_FEATURE_SKY_SCREEN))
+  {
+    this->BindSky("waterScreenPicture", sky.Screen);
+  }
+  if (this->Has(WATER_FEATURE_SKY_FLOOR))
+  {
+    this->BindSky("waterSkyFloor", sky.Floor);
   }
 }
 
@@ -346,15 +385,16 @@ void vtkWaterSurfaceShader::Begin(const vtkWaterSnapshotPointer& water, const In
       texture->Activate();
     }
   }
-  this->BeginEnvironment();
+  this->BeginSky();
 }
 
 //------------------------------------------------------------------------------
 void vtkWaterSurfaceShader::End()
 {
-  if (this->Environment)
+  for (const auto& [name, texture] : this->SkyTextures)
   {
-    this->Environment->PostRender(this->Drawn.Renderer);
+    SetAnisotropy(texture, texture->GetMaximumAnisotropicFiltering());
+    texture->PostRender(this->Drawn.Renderer);
   }
   for (const auto& [name, texture] : this->Active)
   {
@@ -364,7 +404,7 @@ void vtkWaterSurfaceShader::End()
     }
   }
   this->Active.clear();
-  this->Environment = nullptr;
+  this->SkyTextures.clear();
   this->Water = nullptr;
 }
 

@@ -5,6 +5,7 @@
 
 #include "vtkSmartPointer.h"
 #include "vtkWaterBackdrop.h"
+#include "vtkWaterSkyReader.h"
 #include "vtkWaterSlopeTexture.h"
 #include "vtkWaterSnapshot.h"
 #include "water_grid.h"
@@ -52,6 +53,7 @@ public:
     double HorizonDepths[3] = {};          // of an endless surface: water_horizon_depths
     bool IsSecondary = false;              // in the mirrored view of another water
     bool IsWarmUp = false;                 // no pixel is drawn: what takes long is made
+    vtkWaterSkyTextures Sky;               // of the plan's sky
     bool AddsFog = false;                  // to all that the eye sees, which is in the water
   };
 
@@ -65,6 +67,9 @@ public:
 
   // The source that defines waterKeepDepth, and waterDisplace or waterMeasure, for vertices.
   static std::string GetVertexShader(unsigned features);
+
+  // Has it a picture of its surroundings, which it reflects in place of the scene's sky?
+  static bool HasOwnSky(const vtkWaterSnapshot& water);
 
   // Is another shader needed than for the last draw?
   bool UpdateFeatures(unsigned features);
@@ -99,11 +104,14 @@ private:
   void BeginWaves();
   void BeginSea();
   void BeginReflection(const int viewport_px[4]);
-  void BeginEnvironment();
+  void BeginSky();
+  void BindSky(const char* name, vtkTexture* texture);
   void UploadWaves(const double origin[2]);
   void UploadNormalMap(size_t number);
   void SetDisplacement(vtkShaderProgram* program);
   void SetVertexHeights(vtkShaderProgram* program, vtkAbstractMapper* mapper);
+  // A sampler that is not looked at, but must have a texture.
+  void SetNoTexture(vtkShaderProgram* program, const char* name);
   void SetViewParameters(vtkShaderProgram* program);
   void SetReflectionParameters(vtkShaderProgram* program);
   void SetSkyParameters(vtkShaderProgram* program);
@@ -119,7 +127,7 @@ private:
   bool IsFlat = false; // it is seen as if it lay in the plane
   water_plan Plan = water_plan();
   std::vector<std::pair<const char*, vtkSmartPointer<vtkTextureObject>>> Active; // by name
-  vtkSmartPointer<vtkTexture> Environment;                                       // in use
+  std::vector<std::pair<const char*, vtkSmartPointer<vtkTexture>>> SkyTextures;  // bound, by name
   vtkSmartPointer<vtkTextureObject> Waves;                                       // a row per wave
   int WaveCount = 0;
   bool IsSteep = false;            // some of them move their points

@@ -10,6 +10,7 @@
 #include "vtkWaterGL.h"
 #include "vtkWaterMeshTraits.h"
 #include "vtkWaterSea.h"
+#include "vtkWaterShaderHook.h"
 #include "vtkWaterSurfaceShader.h"
 #include "vtkWaterUniforms.h"
 #include "water_flatness.h"
@@ -17,6 +18,7 @@
 #include "water_lookup.h"
 #include "water_optics.h"
 #include "water_plan.h"
+#include "water_sky.h"
 #include "water_waves.h"
 
 #include <algorithm>
@@ -43,9 +45,9 @@ void vtkWaterSurfaceShader::SetParameters(vtkShaderProgram* program, vtkAbstract
   {
     uniforms::Set(program, name, texture);
   }
-  if (this->Environment)
+  for (const auto& [name, texture] : this->SkyTextures)
   {
-    uniforms::Set(program, "waterEnvironment", this->Environment->GetTextureUnit());
+    uniforms::Set(program, name, texture->GetTextureUnit());
   }
   uniforms::Set(program, "waterHasView", hasView ? 1 : 0);
   const bool isReflecting =
@@ -78,6 +80,19 @@ void vtkWaterSurfaceShader::SetParameters(vtkShaderProgram* program, vtkAbstract
   {
     this->SetSeaParameters(program);
   }
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterSurfaceShader::SetNoTexture(vtkShaderProgram* program, const char* name)
+{
+  vtkTextureObject* any = this->HasBackdrop ? this->Backdrop.GetColor() : this->Drawn.Reflection;
+  if (any)
+  {
+    vtkWaterUniforms::Set(program, name, any);
+    return;
+  }
+  // GL refuses to draw where samplers of two kinds name one unit, and unit 0 may have a cube map
+  vtkWaterUniforms::Set(program, name, vtkWaterShaderHook::GetPeelUnit(this->GetWindow()));
 }
 
 //------------------------------------------------------------------------------
@@ -114,11 +129,10 @@ void vtkWaterSurfaceShader::SetViewParameters(vtkShaderProgram* program)
   uniforms::Set(program, "waterSceneIsMixed", this->Backdrop.GetIsMixed() ? 1 : 0);
   const bool isSorted = this->Backdrop.GetSorted() != nullptr;
   uniforms::Set(program, "waterSceneIsSorted", isSorted ? 1 : 0);
-  if (!isSorted) // not looked at, but a sampler needs a texture
+  if (!isSorted)
   {
-    vtkTextureObject* any = this->HasBackdrop ? this->Backdrop.GetColor() : this->Drawn.Reflection;
-    uniforms::Set(program, "waterSceneOther", any);
-    uniforms::Set(program, "waterSceneOtherPlace", any);
+    this->SetNoTexture(program, "waterSceneOther");
+    this->SetNoTexture(program, "waterSceneOtherPlace");
   }
   double sheet[4] = { -kFarUp, kFarUp, -kFarUp, kFarUp };
   for (int i = 0; i < 4 && this->Water->HasBorder; ++i)
@@ -205,8 +219,32 @@ void vtkWaterSurfaceShader::SetSkyParameters(vtkShaderProgram* program)
   const double topKnown[4] = { top[0], top[1], top[2], isKnown };
   vtkWaterUniforms::Set4(program, "waterSkyBottom", bottomKnown);
   vtkWaterUniforms::Set4(program, "waterSkyTop", topKnown);
-  vtkWaterUniforms::Set(program, "waterHasEnvironment", this->Environment ? 1 : 0);
-  vtkWaterUniforms::SetMatrix3(program, "waterDirToEnvironment", plan.dir_to_environment);
+  vtkWaterUniforms::Set(program, "waterScreen", static_cast<int>(plan.sky.screen));
+  int width;
+  int height;
+  int origin[2];
+  this->Drawn.Renderer->GetTiledSizeAndOrigin(&width, &height, &origin[0], &origin[1]);
+  const double border[2] = { 0.5 / width, 0.5 / height };
+  vtkWaterUniforms::Set2(program, "waterScreenBorder", border);
+  if (plan.sky.screen != WATER_SCREEN_PICTURE)
+  {
+    this->SetNoTexture(program, "waterScreenPicture");
+  }
+  const double brightest = plan.is_half_float ? kFarUp : 1.0; // as the picture that VTK draws
+  const bool isOwn = HasOwnSky(*this->Water);
+  const water_sky_map& map = *water_sky_of(&plan, isOwn);
+  vtkWaterUniforms::Set(
+    program, "waterSkyIsOneColor", water_sky_is_one_color(&plan, isOwn) ? 1 : 0);
+  const double shown[3] = { map.exponent, map.level, brightest };
+  vtkWaterUniforms::SetMatrix3(program, "waterDirToMap", map.to_map);
+  vtkWaterUniforms::Set2(program, "waterMapLatitude", map.latitude);
+  vtkWaterUniforms::Set3(program, "waterMapShown", shown);
+  const water_sky_floor& floor = plan.sky_floor;
+  const double floorShown[2] = { floor.exponent, brightest };
+  vtkWaterUniforms::Set4(program, "waterFloorHeight", floor.height);
+  vtkWaterUniforms::Set4(program, "waterFloorU", floor.u);
+  vtkWaterUniforms::Set4(program, "waterFloorV", floor.v);
+  vtkWaterUniforms::Set2(program, "waterFloorShown", floorShown);
 }
 
 //------------------------------------------------------------------------------

@@ -6,7 +6,7 @@ import numpy as np
 import water_test as wt
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkUnsignedCharArray
-from vtkmodules.vtkRenderingCore import vtkSkybox, vtkTexture
+from vtkmodules.vtkRenderingCore import vtkSkybox, vtkTexture, vtkViewport
 
 row = mm.Results("Background", __file__)
 MARK = (255, 0, 255)  # no colour of the scene's
@@ -39,18 +39,6 @@ def panorama(width=256, height=128):
     return np.stack([120 + 100 * np.sin(0.2 * u), 2 * v, 120 + 100 * np.cos(0.1 * v)], axis=2)
 
 
-def textured(scene, on):
-    """In the mirrored picture, its colour takes the texture's place: the rule."""
-    things(scene)
-    scene.renderer.SetBackground(0.7, 0.3, 0.5)
-    scene.renderer.SetBackgroundTexture(texture_of(panorama()))
-    scene.renderer.SetTexturedBackground(scene.kind != mm.MIRRORED or not on)
-
-
-row.cell("texture", textured, reason="A textured background is a picture of the screen that knows no directions; "
-                                     "its renderer's colour is reflected.")
-
-
 def rays_of(scene):
     """Directions of view of all pixels, of unit length, and where they meet the plane z = 0."""
     camera, (width, height) = scene.camera, scene.window.GetSize()
@@ -65,17 +53,17 @@ def rays_of(scene):
     return rays / np.linalg.norm(rays, axis=2)[:, :, None]
 
 
-def gradient(look):
-    """A gradient is painted on the screen. A reflected ray has the colour at which the user's camera sees
-    its direction, and beyond the screen's edge the last colour."""
-    bottom, top = np.array((0.1, 0.2, 0.6)), np.array((0.9, 0.7, 0.3))
+def on_screen(look, paint, colours):
+    """A gradient or a picture is painted on the screen. A reflected ray has the colour at which the user's camera sees its
+    direction, and beyond the screen's edge what is at the edge.
+
+    colours: of places on the screen, from 0 to 1, along and up
+    """
 
     def fill(scene):
         look(scene.camera)
         things(scene)
-        scene.renderer.GradientBackgroundOn()
-        scene.renderer.SetBackground(bottom)
-        scene.renderer.SetBackground2(top)
+        paint(scene)
 
     def marked(scene):
         look(scene.camera)
@@ -87,25 +75,85 @@ def gradient(look):
     rays = rays_of(scene) * (1, 1, -1)  # reflected
     matrix = scene.camera.GetCompositeProjectionTransformMatrix(mm.SIZE[0] / mm.SIZE[1], -1, 1)
     to_clip = np.array([[matrix.GetElement(i, j) for j in range(4)] for i in range(4)])
-    clip = rays @ to_clip[:, :3].T
+    x, y, _, w = np.moveaxis(rays @ to_clip[:, :3].T, 2, 0)
     with np.errstate(all="ignore"):
-        share = np.where(clip[:, :, 3] > 1e-9, 0.5 + 0.5 * clip[:, :, 1] / clip[:, :, 3], clip[:, :, 1] > 0)
-    share = np.clip(share, 0, 1)[:, :, None]
-    sky = np.round(255 * ((1 - share) * bottom + share * top)).astype(int)
+        across = np.where(np.abs(w) > 1e-9, 0.5 + 0.5 * x / np.abs(w), x > 0)  # behind the camera as before it
+        up = np.where(w > 1e-9, 0.5 + 0.5 * y / w, y > 0)
+    sky = np.round(colours(np.clip(across, 0, 1), np.clip(up, 0, 1))).astype(int)
     picture = mm.mirrored_picture(marked)
     is_sky = (picture == MARK).all(axis=2)[:, :, None]
     return fill, np.where(is_sky, sky, picture)
 
 
-def show_gradient(name, look):
-    row.show_picture(name, *gradient(look))
+FIRST, SECOND = np.array((0.1, 0.2, 0.6)), np.array((0.9, 0.7, 0.3))
 
 
-row.register("gradient", show_gradient, lambda camera: None)
-row.register("gradient, wide angle", show_gradient, lambda camera: camera.SetViewAngle(75))
-row.register("gradient, rolled camera", show_gradient, lambda camera: camera.SetRoll(35))
-row.register("gradient, straight down", show_gradient,
+def gradient(mode, share):
+    """A gradient of one of VTK's modes (None: the only one of VTK 9.1), and its colours by the share of the second one."""
+
+    def paint(scene):
+        scene.renderer.GradientBackgroundOn()
+        scene.renderer.SetBackground(FIRST)
+        scene.renderer.SetBackground2(SECOND)
+        if mode:
+            scene.renderer.SetGradientMode(mode)
+
+    def colours(across, up):
+        part = np.minimum(share(across, up), 1)[:, :, None]
+        return 255 * ((1 - part) * FIRST + part * SECOND)
+
+    return paint, colours
+
+
+UPWARDS = gradient(None, lambda across, up: up)
+PAINTING = np.stack([128 + 100 * np.sin(0.05 * np.mgrid[0:40, 0:60][1] + 0.1 * np.mgrid[0:40, 0:60][0]),
+                     5 * np.mgrid[0:40, 0:60][0], 128 + 100 * np.cos(0.1 * np.mgrid[0:40, 0:60][1])], axis=2)
+
+
+def paint_texture(scene):
+    scene.keep.append(texture_of(PAINTING))
+    scene.renderer.SetBackgroundTexture(scene.keep[-1])
+    scene.renderer.TexturedBackgroundOn()
+
+
+def texture_colours(across, up):
+    """As VTK paints it in the pixels of the screen's edge, and between texels in proportion."""
+    stored = PAINTING.astype(np.uint8).astype(float)
+    rows, columns = stored.shape[:2]
+    across = np.clip(across, 0.5 / mm.SIZE[0], 1 - 0.5 / mm.SIZE[0]) * columns - 0.5
+    up = np.clip(up, 0.5 / mm.SIZE[1], 1 - 0.5 / mm.SIZE[1]) * rows - 0.5
+    left, low = np.floor(across).astype(int), np.floor(up).astype(int)
+    right_share, high_share = (across - left)[:, :, None], (up - low)[:, :, None]
+    lower = stored[low % rows, left % columns] * (1 - right_share) + stored[low % rows, (left + 1) % columns] * right_share
+    upper = (stored[(low + 1) % rows, left % columns] * (1 - right_share) +
+             stored[(low + 1) % rows, (left + 1) % columns] * right_share)
+    return lower * (1 - high_share) + upper * high_share
+
+
+TEXTURE = paint_texture, texture_colours
+
+
+def show_screen(name, look, painted=UPWARDS):
+    row.show_picture(name, *on_screen(look, *painted))
+
+
+row.register("gradient", show_screen, lambda camera: None)
+row.register("gradient, wide angle", show_screen, lambda camera: camera.SetViewAngle(75))
+row.register("gradient, rolled camera", show_screen, lambda camera: camera.SetRoll(35))
+row.register("gradient, straight down", show_screen,
              lambda camera: (camera.SetPosition(0.1, 0, 9), camera.SetViewUp(0, 1, 0)))
+row.register("texture", show_screen, lambda camera: None, TEXTURE)
+row.register("texture, rolled camera", show_screen, lambda camera: camera.SetRoll(35), TEXTURE)
+if hasattr(vtkViewport, "SetGradientMode"):
+    modes = vtkViewport.GradientModes
+    row.register("gradient from left to right", show_screen, lambda camera: None,
+                 gradient(modes.VTK_GRADIENT_HORIZONTAL, lambda across, up: across))
+    row.register("gradient in an ellipse by the sides", show_screen, lambda camera: None,
+                 gradient(modes.VTK_GRADIENT_RADIAL_VIEWPORT_FARTHEST_SIDE,
+                          lambda across, up: 2 * np.hypot(across - 0.5, up - 0.5)))
+    row.register("gradient in an ellipse by the corners", show_screen, lambda camera: None,
+                 gradient(modes.VTK_GRADIENT_RADIAL_VIEWPORT_FARTHEST_CORNER,
+                          lambda across, up: 2**0.5 * np.hypot(across - 0.5, up - 0.5)))
 
 
 def skybox(projection, cut=False):

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// water_clear_sky.h: the clear sky by day, and the sun's light: what comes from each direction.
+//
+// Directions are x east, y north, z up. Colours are luminances, kcd/m^2, of the linear primaries of
+// sRGB: red = green = blue = Y is a white of the luminance Y. The sun's disc is not in the sky: its
+// reflection is the glitter of a light (water_glitter.h).
+//
+// Sources: Preetham, Shirley and Smits 1999, "A Practical Analytic Model for Daylight", appendix:
+// luminance and chromaticity at the zenith and over the sky (Perez, Seals and Michalsky 1993),
+// transmittance of the air for the sun's light. IEC 61966-2-1:1999: primaries of sRGB.
+#ifndef water_clear_sky_h
+#define water_clear_sky_h
+
+#include <stdbool.h>
+
+#ifdef __cplusplus
+extern "C"
+{
+#endif
+
+// What a sky is computed with; made by water_clear_sky_make.
+typedef struct water_clear_sky
+{
+  double sun_dir[3];
+  double zenith_angle_rad; // of the sun
+  double turbidity;
+  double perez[3][5]; // of Y, x and y
+  double zenith[3];   // Y in kcd/m^2, x and y there, each over Perez's function there
+  double mean[3];     // colour that level ground gets from the sky: irradiance over pi
+} water_clear_sky;
+
+// Limits of the model.
+extern const double water_clear_sky_turbidity_min; // 2: very clear air
+extern const double water_clear_sky_turbidity_max; // 10: hazy
+
+// azimuth_deg    of the sun, from north over east, finite
+// elevation_deg  over the horizon, in [0, 90]
+// turbidity      of the air, in [2, 10]
+//
+// Returns false, and leaves the output, for other values.
+bool water_clear_sky_make(
+  double azimuth_deg, double elevation_deg, double turbidity, water_clear_sky* sky);
+
+// What comes from a direction of unit length; no colour is negative. Under the horizon the haze
+// over it goes over, within 10 degrees, into grey ground that sends back a tenth of the sky's mean.
+void water_clear_sky_color(const water_clear_sky* sky, const double dir[3], double color[3]);
+
+// A white card that faces the sun, lit by the sun alone: what the air lets through at 650, 570 and
+// 475 nm, scattered by its molecules and its aerosols, of 128 klx. Ozone and water vapour, which
+// take a few per cent, are left out.
+void water_clear_sky_sun(const water_clear_sky* sky, double color[3]);
+
+// What a colour is multiplied by to be shown: the sky's mean luminance becomes 0.3 of white.
+double water_clear_sky_exposure(const water_clear_sky* sky);
+
+// A place of a picture in longitude and latitude, u, v in [0, 1]: u from west over south, east and
+// north to west again, v from the nadir to the zenith. As vtkSkybox has it with up z and right x.
+void water_clear_sky_place(double u, double v, double dir[3]);
+
+#ifdef __cplusplus
+}
+#endif
+#endif
