@@ -330,7 +330,11 @@ public:
   ///@{
   /**
    * Strength of the light that waves gather on what lies under them, in [0, 1]; with Refraction,
-   * waves and a sun. Default is 0: none.
+   * waves and a sun (a scene light). At 1 the light is that of the waves' slopes: it is followed
+   * from the surface to the bed, none is lost, and only the sun's disc, the picture's pixels and
+   * the water's smallest waves blur it. Waves that move the surface light the bed as if they lay in
+   * the plane. A GPU that gives no float textures is an ErrorEvent, once, and the light is that of
+   * calm water. Default is 0: none. Source: Shah et al. 2007, "Caustics Mapping".
    */
   void SetCaustics(double strength);
   vtkGetMacro(Caustics, double);

@@ -21,11 +21,13 @@ typedef struct shader_file
 
 #define SHADER_FILE(slot, file, any_of, none_of, what) { #slot, #file, any_of, none_of, what },
 static const shader_file surface_files[] = { WATER_SURFACE_FILE_LIST(SHADER_FILE) };
+static const shader_file photon_files[] = { WATER_PHOTON_FILE_LIST(SHADER_FILE) };
 static const shader_file vertex_files[] = { WATER_VERTEX_FILE_LIST(SHADER_FILE) };
 
 enum
 {
   SURFACE_FILE_COUNT = sizeof surface_files / sizeof surface_files[0],
+  PHOTON_FILE_COUNT = sizeof photon_files / sizeof photon_files[0],
   VERTEX_FILE_COUNT = sizeof vertex_files / sizeof vertex_files[0]
 };
 
@@ -97,6 +99,12 @@ int main(int argc, char** argv)
     {
       print_files("frag", sets[i], surface_files, SURFACE_FILE_COUNT);
     }
+    for (unsigned i = 0; i < 4; ++i)
+    {
+      const unsigned features = (i & 1u ? (unsigned)WATER_FEATURE_SEA : 0u) |
+        (i & 2u ? (unsigned)WATER_FEATURE_NORMAL_MAPS : 0u);
+      print_files("frag", features | WATER_FEATURE_CAUSTICS, photon_files, PHOTON_FILE_COUNT);
+    }
     print_files("vert", WATER_FEATURE_DISPLACED, vertex_files, VERTEX_FILE_COUNT);
     print_files("vert", WATER_FEATURE_MESH, vertex_files, VERTEX_FILE_COUNT);
     return 0;
@@ -110,6 +118,8 @@ int main(int argc, char** argv)
     }
     printf("\nFragment shader:\n\n");
     print_table(surface_files, SURFACE_FILE_COUNT);
+    printf("\nFragment shader that follows light from the surface to the bed, for caustics:\n\n");
+    print_table(photon_files, PHOTON_FILE_COUNT);
     printf("\nVertex shader of a surface that waves displace, or of a user's mesh:\n\n");
     print_table(vertex_files, VERTEX_FILE_COUNT);
     return 0;

@@ -196,10 +196,12 @@ typedef struct file
 
 #define FILE_ENTRY(slot, name, any_of, none_of, what) { #slot, #name, any_of, none_of },
 static const file surface_files[] = { WATER_SURFACE_FILE_LIST(FILE_ENTRY) };
+static const file photon_files[] = { WATER_PHOTON_FILE_LIST(FILE_ENTRY) };
 static const file vertex_files[] = { WATER_VERTEX_FILE_LIST(FILE_ENTRY) };
 enum
 {
   SURFACE_FILES = sizeof surface_files / sizeof surface_files[0],
+  PHOTON_FILES = sizeof photon_files / sizeof photon_files[0],
   VERTEX_FILES = sizeof vertex_files / sizeof vertex_files[0],
   // looked up in 8 kinds of reflection textures, on 2 of machines, with a mesh or without, with
   // samples, and under one of 8 kinds of skies
@@ -346,6 +348,9 @@ TEST(slots_stand_in_their_order)
     "blur", "caustics", "medium", "others", "refraction", "facet_slopes", "facets", "rays",
     "shadows", "glitter", "foam", "sun", "surface" };
   static const char* const vertex[] = { "cell", "displacement", "heights", "depth" };
+  static const char* const photon[] = { "gradient", "place", "height", "point", "tile", "sines",
+    "sea", "normal_maps", "waves", "photon" };
+  assert_order(photon_files, PHOTON_FILES, photon, sizeof photon / sizeof photon[0]);
   assert_order(surface_files, SURFACE_FILES, surface, sizeof surface / sizeof surface[0]);
   assert_order(vertex_files, VERTEX_FILES, vertex, 4);
 }

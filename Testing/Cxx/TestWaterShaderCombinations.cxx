@@ -21,9 +21,10 @@ struct File
 };
 #define WATER_TEST_FILE(slot, file, any_of, none_of, what) { #file, any_of, none_of, file },
 const File surfaceFiles[] = { WATER_SURFACE_FILE_LIST(WATER_TEST_FILE) };
+const File photonFiles[] = { WATER_PHOTON_FILE_LIST(WATER_TEST_FILE) };
 const File vertexFiles[] = { WATER_VERTEX_FILE_LIST(WATER_TEST_FILE) };
 
-const char* const fragmentHead = "#version 150\nout vec4 fragOutput0;\n";
+const char* const fragmentHead = "#version 150\nout vec4 fragOutput0, fragOutput1;\n";
 
 template <size_t Count>
 std::string Join(const File (&files)[Count], unsigned features)
@@ -53,10 +54,13 @@ bool Compiles(const std::string& name, GLenum stage, const std::string& source)
 // A shader that VTK's shader cache would complete.
 bool CompilesAlone(const std::string& name, GLenum stage, std::string source)
 {
-  const std::string output = "gl_FragData[0]";
-  for (size_t at = source.find(output); at != std::string::npos; at = source.find(output))
+  for (const char* number : { "0", "1" })
   {
-    source.replace(at, output.size(), "fragOutput0");
+    const std::string output = std::string("gl_FragData[") + number + "]";
+    for (size_t at = source.find(output); at != std::string::npos; at = source.find(output))
+    {
+      source.replace(at, output.size(), std::string("fragOutput") + number);
+    }
   }
   const bool hasMain = source.find("void main()") != std::string::npos;
   return Compiles(name, stage,
@@ -79,6 +83,13 @@ int TestWaterShaderCombinations(int, char*[])
         "  fragOutput0 = color;\n}\n");
   }
   bool ok = WaterCheck("combinations", compiled, count);
+  for (int i = 0; i < 4; ++i)
+  {
+    const int features = (i & 1 ? WATER_FEATURE_SEA : 0) | (i & 2 ? WATER_FEATURE_NORMAL_MAPS : 0);
+    ok &= CompilesAlone("photons, features " + std::to_string(features), GL_FRAGMENT_SHADER,
+      Join(photonFiles, static_cast<unsigned>(features)));
+  }
+  ok &= CompilesAlone("light, vertices", GL_VERTEX_SHADER, vtkWaterLightVS);
   ok &= CompilesAlone("displacement", GL_VERTEX_SHADER,
     Join(vertexFiles, WATER_FEATURE_DISPLACED) +
       "void main()\n{\n  vec4 position = vec4(1.0);\n  waterDisplace(position);\n"
@@ -91,8 +102,8 @@ int TestWaterShaderCombinations(int, char*[])
   ok &= CompilesAlone("cover, vertices", GL_VERTEX_SHADER, vtkWaterCoverVS);
   const std::pair<const char*, const char*> alone[] = { { "mirrored", vtkWaterMirroredFS },
     { "plain", vtkWaterPlainFS }, { "cover", vtkWaterCoverFS }, { "fog", vtkWaterFogFS },
-    { "sky", vtkWaterSkyFS }, { "view", vtkWaterViewFS },
-    { "volume's depth", vtkWaterVolumeDepthFS } };
+    { "bed", vtkWaterBedFS }, { "light", vtkWaterLightFS }, { "sky", vtkWaterSkyFS },
+    { "view", vtkWaterViewFS }, { "volume's depth", vtkWaterVolumeDepthFS } };
   for (const auto& [name, source] : alone)
   {
     ok &= CompilesAlone(name, GL_FRAGMENT_SHADER, source);

@@ -56,7 +56,7 @@ awk -v work="$work" '
       text = text content[$i]
       is_part[$i] = 1
     }
-    compile($1, "combination-" $2, text "void main()\n{\n" ($1 == "frag" ? \
+    compile($1, (text ~ /void main\(/ ? "photon-" : "combination-") $2, text ~ /void main\(/ ? text : text "void main()\n{\n" ($1 == "frag" ? \
       "  vec4 color = vec4(0.0);\n  waterShade(color);\n  fragOutput0 = color;\n}" : \
       "  vec4 position = vec4(1.0);\n" \
       (text ~ /waterDisplace/ ? "  waterDisplace(position);\n" : "  waterMeasure(position);\n") \

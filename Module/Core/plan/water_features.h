@@ -178,6 +178,23 @@ enum // WATER_FEATURE_WAVES and so on
   X(heights, vtkWaterMeshVS, WATER_FEATURE_FLAG(MESH), 0, "of the vertices over the plane")        \
   X(depth, vtkWaterDepthVS, 0, 0, "an endless surface is not cut at the near and far planes")
 
+// Files of the shader that follows light from the surface to the bed (water_caustics.h), in order:
+// the same, for features that have caustics. The surface counts as lying in its plane.
+#define WATER_PHOTON_FILE_LIST(X)                                                                  \
+  X(gradient, vtkWaterGradient, 0, 0, "where a direction finds the background's colour")           \
+  X(place, vtkWaterNoDisplacementFS, 0, 0, "place at rest, from the pixel")                        \
+  X(height, vtkWaterPixelHeightFS, 0, 0, "over the plane, from the pixel's depth")                 \
+  X(point, vtkWaterPointFS, 0, 0, "what all slots know, and the sun")                              \
+  X(tile, vtkWaterPhotonTileFS, 0, 0, "slopes from a texture that repeats, smooth between points") \
+  X(sines, vtkWaterWavesFS, 0, 0, "sine and Gerstner waves")                                       \
+  X(sea, vtkWaterSeaFS, WATER_FEATURE_FLAG(SEA), 0, "wind sea")                                    \
+  X(sea, vtkWaterNoSeaFS, 0, WATER_FEATURE_FLAG(SEA), "none")                                      \
+  X(normal_maps, vtkWaterNormalMapsFS, WATER_FEATURE_FLAG(NORMAL_MAPS), 0,                         \
+    "normal maps that move")                                                                       \
+  X(normal_maps, vtkWaterNoNormalMapsFS, 0, WATER_FEATURE_FLAG(NORMAL_MAPS), "none")               \
+  X(waves, vtkWaterRippleFS, 0, 0, "the normal, from the last three")                              \
+  X(photon, vtkWaterPhotonFS, 0, 0, "where a point's light comes to the bed")
+
 // Is a file of the lists part of the shader of some features?
 static inline bool water_features_want(unsigned features, unsigned any_of, unsigned none_of)
 {

@@ -1,39 +1,33 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkWaterCausticsFS.glsl: slot caustics: how waves gather the sun's light on what lies under them.
+// vtkWaterCausticsFS.glsl: slot caustics: the light that waves gather on what lies under them, from a texture over
+// the picture (vtkWaterCaustics).
 //
-// A slope g turns a steep ray by (1 - 1/n) g, so that a point x of the surface sends its light to
-// x + depth (1 - 1/n) g(x): where that reflection texture shrinks an area, the bed is as much brighter. Of several
-// points that light the same place the one found first counts.
+// A place under water is known by the place of the surface that would light it in calm water, whatever its depth. The
+// texture has the light for the depth of the bed. What stands on the bed is lit alike, less gathered the nearer it is to
+// the surface.
 
-uniform float waterCaustics;      // strength, 0 to 1
-uniform float waterCausticsWidth; // the least over which light is gathered, 1 mm
+uniform float waterCaustics;          // strength, 0 to 1
+uniform sampler2D waterCausticLight;  // over that of calm water
+uniform sampler2D waterBed;           // its depth under water, over the picture
+uniform vec4 waterCausticTexel;       // NDC at the middle depth -> a place in it, texels
+uniform float waterCausticMiddle;     // that depth
+uniform vec3 waterCausticNear;        // (NDC, 1) -> 1: the pixel is too wide for caustics, 2: it is not
+uniform vec2 waterCalmWay;            // how far light goes aside in calm water, per depth
 
-const float WATER_CAUSTIC_BLUR = 0.15; // the sun is a disc: no place is infinitely bright
-
-vec2 waterCausticSlope(vec2 place, float width)
-{
-  vec4 variance = vec4(0.0);
-  float jacobian;
-  return waterAllSlopes(
-    place, vec2(width, 0.0), vec2(0.0, width), vec3(0.0), variance, jacobian);
-}
+const float WATER_CAUSTIC_BED = 0.8; // what is that share as deep as the bed is of it: the bed is known roughly
 
 // Light on a place under water, over that of calm water.
-float waterCaustic(vec2 place, float depth)
+//
+// ndc    where it is, for the eye; may lie beyond the picture's border
+// w      of that in view space
+// depth  under water
+// pixel  that sees it, NDC
+float waterCaustic(vec2 ndc, float w, float depth, vec2 pixel)
 {
-  vec3 down = refract(-waterSunDir, vec3(0.0, 0.0, 1.0), 1.0 / waterEta);
-  vec2 source = place + depth * down.xy / min(down.z, -1e-3);
-  float turn = depth * (1.0 - 1.0 / waterEta);
-  float width = max(0.02 * depth, waterCausticsWidth);
-  vec2 from = source;
-  for (int i = 0; i < 2; ++i)
-  {
-    from = source - turn * waterCausticSlope(from, width);
-  }
-  vec2 slope = waterCausticSlope(from, width);
-  vec2 bendX = turn / width * (waterCausticSlope(from + vec2(width, 0.0), width) - slope);
-  vec2 bendY = turn / width * (waterCausticSlope(from + vec2(0.0, width), width) - slope);
-  float area = (1.0 + bendX.x) * (1.0 + bendY.y) - bendX.y * bendY.x;
-  float light = inversesqrt(area * area + WATER_CAUSTIC_BLUR * WATER_CAUSTIC_BLUR);
-  return waterSunDir.z > 0.0 ? 1.0 + waterCaustics * (light - 1.0) : 1.0;
+  float bed = textureLod(waterBed, 0.5 + 0.5 * ndc, 0.0).r;
+  vec4 down = (waterCausticMiddle - depth) * (waterDirToEye * vec4(waterCalmWay, -1.0, 0.0));
+  vec2 texel = (ndc * w + down.xy) / max(w + down.w, 1e-6) * waterCausticTexel.xy + waterCausticTexel.zw;
+  float gathered = clamp(depth / max(WATER_CAUSTIC_BED * bed, 1e-6), 0.0, 1.0);
+  float share = waterCaustics * gathered * smoothstep(1.0, 2.0, dot(waterCausticNear, vec3(pixel, 1.0)));
+  return 1.0 + share * (textureLod(waterCausticLight, texel / vec2(textureSize(waterCausticLight, 0)), 0.0).r - 1.0);
 }

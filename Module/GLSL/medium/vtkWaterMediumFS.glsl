@@ -298,6 +298,16 @@ WaterMediumMet waterMediumMeet(WaterPoint point, vec3 dir)
   return met;
 }
 
+// Light on what a ray through the water comes to, over that of calm water.
+float waterMediumLight(WaterPoint point, WaterMediumMet met, vec2 seen, vec3 dir, float way)
+{
+  vec4 end = way * (waterDirToEye * vec4(dir, 0.0));
+  float w = 1.0 / gl_FragCoord.w + end.w;
+  vec2 ndc = (point.ndc / gl_FragCoord.w + end.xy) / max(w, 1e-6); // beyond the picture's border, too
+  w = met.isUnderBorder ? waterMediumW(seen, met.depth) : w;
+  return waterCaustic(met.isUnderBorder ? 2.0 * seen - 1.0 : ndc, w, -way * dir.z, point.ndc);
+}
+
 // Color of what lies beyond a point of the surface, and the light that the water adds.
 vec3 waterTransmitted(WaterPoint point)
 {
@@ -330,7 +340,7 @@ vec3 waterTransmitted(WaterPoint point)
     bool isSky = met.depth >= 1.0 || (!view.isMet && waterHasFloor());
     return isSky && waterIsSkyKnown() ? waterSky(dir) : color;
   }
-  float caustic = waterCaustic(point.place + ways.z * dir.xy, -ways.z * dir.z);
+  float caustic = waterMediumLight(point, met, view.from, dir, ways.x);
   from = met.depth >= 1.0 ? waterDeepColor : waterAfter(caustic * from, ways.x);
   float gap = length((view.to - view.from) * waterMediumSize());
   int others = view.isMet || (gap > 0.0 && gap < WATER_MEDIUM_GAP_PX) ? waterSceneIsSorted : 0;
@@ -338,6 +348,7 @@ vec3 waterTransmitted(WaterPoint point)
   from = waterMediumWithOther(view.from, met.depth, others, begun, from, dir, caustic);
   if (areTwo)
   {
+    caustic = waterMediumLight(point, met, view.to, dir, ways.y);
     to = depthTo >= 1.0 ? waterDeepColor : waterAfter(caustic * to, ways.y);
     to = waterMediumWithOther(view.to, depthTo, others, begun, to, dir, caustic);
     from = mix(from, to, view.share);

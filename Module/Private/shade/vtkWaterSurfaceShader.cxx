@@ -79,6 +79,13 @@ std::string vtkWaterSurfaceShader::GetVertexShader(unsigned features)
 }
 
 //------------------------------------------------------------------------------
+std::string vtkWaterSurfaceShader::GetPhotonShader(unsigned features)
+{
+  static const ShaderFile files[] = { WATER_PHOTON_FILE_LIST(WATER_SHADER_FILE) };
+  return Join(files, features);
+}
+
+//------------------------------------------------------------------------------
 bool vtkWaterSurfaceShader::UpdateFeatures(unsigned features)
 {
   const bool isOther = features != this->Features;
@@ -330,6 +337,55 @@ void vtkWaterSurfaceShader::BeginSky()
 }
 
 //------------------------------------------------------------------------------
+void vtkWaterSurfaceShader::BeginCaustics(const int viewport_px[4])
+{
+  vtkOpenGLRenderWindow* window = this->GetWindow();
+  const vtkWaterLook& look = this->Water->Look;
+  water_caustics_input input = water_caustics_input();
+  input.index = look.Optics.index_of_refraction;
+  input.slope_rms = look.SlopeRMS;
+  input.extinction = *std::min_element(look.Extinction, look.Extinction + 3);
+  std::copy_n(viewport_px + 2, 2, input.viewport_px);
+  input.max_texture_px = vtkTextureObject::GetMaximumTextureSize(window);
+  input.is_software = !this->Has(WATER_FEATURE_HARDWARE_MEDIUM);
+  if (!this->HasBackdrop || !water_caustics_plan(&this->Plan, &input, &this->Light))
+  {
+    return; // nothing gathers light
+  }
+  const bool hadFailed = this->Caustics.GetHasFailed();
+  const std::string shader = GetPhotonShader(this->Features);
+  const vtkWaterCaustics::Picture picture{ this->Backdrop.GetDepth(), this->Plan.plane_clip,
+    this->Plan.clip_w };
+  this->HasLight = this->Caustics.Draw(window, this->Light, picture, shader,
+    [this](vtkShaderProgram* program) { this->SetPhotonParameters(program); });
+  if (this->HasLight)
+  {
+    this->Use("waterCausticLight", this->Caustics.GetLight());
+    this->Use("waterBed", this->Caustics.GetBed());
+    this->Caustics.GetLight()->Activate();
+    this->Caustics.GetBed()->Activate();
+  }
+  else if (this->Caustics.GetHasFailed() && !hadFailed) // said once
+  {
+    vtkErrorWithObjectMacro(this->Water->Actor,
+      "the GPU gave no textures for the light that waves gather, or refuses its shaders. The water "
+      "shows no caustics (SetCaustics).");
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterSurfaceShader::Activate()
+{
+  for (const auto& [name, texture] : this->Active)
+  {
+    if (texture)
+    {
+      texture->Activate();
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
 void vtkWaterSurfaceShader::Begin(const vtkWaterSnapshotPointer& water, const Inputs& inputs)
 {
   this->Water = water;
@@ -340,6 +396,7 @@ void vtkWaterSurfaceShader::Begin(const vtkWaterSnapshotPointer& water, const In
     this->Drawn.Plan = &this->Plan;
   }
   this->HasBackdrop = false;
+  this->HasLight = false;
   this->Backdrop.Forget();
   this->HasSea = false;
   this->Active.clear();
@@ -378,12 +435,10 @@ void vtkWaterSurfaceShader::Begin(const vtkWaterSnapshotPointer& water, const In
   {
     this->BeginReflection(viewport_px);
   }
-  for (const auto& [name, texture] : this->Active)
+  this->Activate();
+  if (inputs.Plan && this->Has(WATER_FEATURE_CAUSTICS))
   {
-    if (texture)
-    {
-      texture->Activate();
-    }
+    this->BeginCaustics(viewport_px);
   }
   this->BeginSky();
 }
@@ -421,5 +476,6 @@ void vtkWaterSurfaceShader::ReleaseGraphicsResources(vtkWindow* window)
     texture.ReleaseGraphicsResources(window);
   }
   this->Backdrop.ReleaseGraphicsResources(window);
+  this->Caustics.ReleaseGraphicsResources(window);
   this->IsRefused = false;
 }

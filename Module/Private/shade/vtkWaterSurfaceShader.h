@@ -5,9 +5,11 @@
 
 #include "vtkSmartPointer.h"
 #include "vtkWaterBackdrop.h"
+#include "vtkWaterCaustics.h"
 #include "vtkWaterSkyReader.h"
 #include "vtkWaterSlopeTexture.h"
 #include "vtkWaterSnapshot.h"
+#include "water_caustics_plan.h"
 #include "water_grid.h"
 
 #include <string>
@@ -65,6 +67,9 @@ public:
   // The source that defines waterShade.
   static std::string GetShader(unsigned features);
 
+  // The source of the fragments that follow light from the surface to the bed.
+  static std::string GetPhotonShader(unsigned features);
+
   // The source that defines waterKeepDepth, and waterDisplace or waterMeasure, for vertices.
   static std::string GetVertexShader(unsigned features);
 
@@ -97,6 +102,7 @@ private:
   {
     this->Active.emplace_back(name, texture);
   }
+  void Activate(); // what is in use
   // Colour of infinitely deep water in the light of what is drawn.
   void FindDeepColor(double color[3]) const;
   void FindExtinction(double extinction[3]) const;
@@ -106,6 +112,8 @@ private:
   void BeginReflection(const int viewport_px[4]);
   void BeginSky();
   void BindSky(const char* name, vtkTexture* texture);
+  // Draws the light on the bed, of textures that are active.
+  void BeginCaustics(const int viewport_px[4]);
   void UploadWaves(const double origin[2]);
   void UploadNormalMap(size_t number);
   void SetDisplacement(vtkShaderProgram* program);
@@ -116,6 +124,8 @@ private:
   void SetReflectionParameters(vtkShaderProgram* program);
   void SetSkyParameters(vtkShaderProgram* program);
   void SetSunParameters(vtkShaderProgram* program);
+  void SetCausticParameters(vtkShaderProgram* program);
+  void SetPhotonParameters(vtkShaderProgram* program);
   void SetSeaParameters(vtkShaderProgram* program);
   void SetNormalMapParameters(vtkShaderProgram* program);
 
@@ -137,6 +147,9 @@ private:
   vtkWaterSlopeTexture NormalMaps[vtkWaterNormalMaps::Limit];
   std::pair<vtkTexture*, vtkMTimeType> NormalMapTimes[vtkWaterNormalMaps::Limit] = {}; // of those
   double NormalMapTexels[vtkWaterNormalMaps::Limit] = {};                              // their size
+  vtkWaterCaustics Caustics;
+  water_caustics Light = water_caustics(); // of the draw
+  bool HasLight = false;
   vtkWaterBackdrop Backdrop;
   bool HasBackdrop = false;
 };

@@ -25,8 +25,7 @@
 
 namespace
 {
-constexpr double kCausticsWidth = 1e-3; // m
-constexpr double kFarUp = 1e30;         // for a float
+constexpr double kFarUp = 1e30; // for a float
 constexpr double kFlat[4] = { 0.0, 0.0, 0.0, 0.0 };
 }
 
@@ -71,6 +70,7 @@ void vtkWaterSurfaceShader::SetParameters(vtkShaderProgram* program, vtkAbstract
     this->SetReflectionParameters(program);
     this->SetSkyParameters(program);
     this->SetSunParameters(program);
+    this->SetCausticParameters(program);
   }
   if (plan && this->Has(WATER_FEATURE_NORMAL_MAPS))
   {
@@ -260,8 +260,6 @@ void vtkWaterSurfaceShader::SetSunParameters(vtkShaderProgram* program)
   uniforms::Set3(program, "waterSunColor", plan.sun_color);
   uniforms::Set3(
     program, "waterSlopeVariance", this->Drawn.IsSecondary ? look.MeanSlopes : variance);
-  uniforms::Set(program, "waterCaustics", look.Caustics);
-  uniforms::Set(program, "waterCausticsWidth", kCausticsWidth / look.MetresPerUnit);
   uniforms::Set(program, "waterFoamDepth", look.FoamDepth);
   uniforms::Set(program, "waterFoamJacobian", look.FoamJacobian);
   uniforms::Set3(program, "waterFoamColor", look.FoamColor);
@@ -271,6 +269,44 @@ void vtkWaterSurfaceShader::SetSunParameters(vtkShaderProgram* program)
   uniforms::Set(program, "waterFoamUnit", look.MetresPerUnit);
   uniforms::Set(program, "waterFoamTurn", water_lookup_pattern_turn(this->Water->Time));
   uniforms::Set(program, "waterRollsOff", plan.rolls_off && look.RollsOff ? 1 : 0);
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterSurfaceShader::SetCausticParameters(vtkShaderProgram* program)
+{
+  namespace uniforms = vtkWaterUniforms;
+  uniforms::Set(program, "waterCaustics", this->HasLight ? this->Water->Look.Caustics : 0.0);
+  uniforms::Set3(program, "waterCausticNear", this->Light.near);
+  uniforms::Set4(program, "waterCausticTexel", this->Light.texel_of_ndc);
+  uniforms::Set(program, "waterCausticMiddle", this->Light.middle);
+  uniforms::Set2(program, "waterCalmWay", this->Light.calm_way);
+  if (!this->HasLight && this->HasBackdrop) // not looked at, but a sampler needs a texture
+  {
+    uniforms::Set(program, "waterCausticLight", this->Backdrop.GetColor());
+    uniforms::Set(program, "waterBed", this->Backdrop.GetColor());
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterSurfaceShader::SetPhotonParameters(vtkShaderProgram* program)
+{
+  namespace uniforms = vtkWaterUniforms;
+  for (const auto& [name, texture] : this->Active)
+  {
+    uniforms::Set(program, name, texture);
+  }
+  uniforms::Set(program, "waterWaveCount", this->WaveCount);
+  this->SetViewParameters(program);
+  this->SetSunParameters(program);
+  if (this->Has(WATER_FEATURE_NORMAL_MAPS))
+  {
+    this->SetNormalMapParameters(program);
+  }
+  if (this->HasSea)
+  {
+    this->SetSeaParameters(program);
+    vtkWaterUniforms::Set2(program, "waterSeaLeftOut", kFlat); // waves that are not drawn
+  }
 }
 
 //------------------------------------------------------------------------------

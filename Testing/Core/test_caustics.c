@@ -1,0 +1,280 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// test_caustics.c: light under waves goes where Snell's law says, is neither lost nor made, and is
+// followed from all of the surface that lights what the eye sees.
+#include "test_scene.h"
+
+#include "water_caustics.h"
+#include "water_caustics_plan.h"
+#include "water_medium.h"
+
+static const double pi = 3.141592653589793;
+
+static void sun_at(double height_deg, double turn_deg, double sun_dir[3])
+{
+  const double height = height_deg * pi / 180.0;
+  const double turn = turn_deg * pi / 180.0;
+  sun_dir[0] = cos(height) * cos(turn);
+  sun_dir[1] = cos(height) * sin(turn);
+  sun_dir[2] = sin(height);
+}
+
+// The way aside is that of the refracted ray, for any sun and slope.
+TEST(way_is_snells)
+{
+  dice from = dice_seeded(7);
+  for (int i = 0; i < 1000; ++i)
+  {
+    double sun_dir[3];
+    sun_at(dice_roll(&from, 10.0, 90.0), dice_roll(&from, 0.0, 360.0), sun_dir);
+    const double slope[2] = { dice_roll(&from, -0.15, 0.15), dice_roll(&from, -0.15, 0.15) };
+    double normal[3] = { -slope[0], -slope[1], 1.0 };
+    normalise(normal);
+    const double dir[3] = { -sun_dir[0], -sun_dir[1], -sun_dir[2] };
+    double refracted[3];
+    double way[2];
+    assert_int_equal(water_medium_refract(dir, normal, 1.333, refracted), WATER_OK);
+    assert_true(water_caustics_way(sun_dir, slope, 1.333, way));
+    ASSERT_CLOSE(way[0], -refracted[0] / refracted[2], 1e-12);
+    ASSERT_CLOSE(way[1], -refracted[1] / refracted[2], 1e-12);
+  }
+}
+
+// A surface that faces away from the sun lets no light in.
+TEST(no_light_comes_from_behind)
+{
+  double sun_dir[3];
+  sun_at(20.0, 0.0, sun_dir);
+  const double slope[2] = { 3.0, 0.0 };
+  double way[2] = { 5.0, 6.0 };
+  assert_false(water_caustics_way(sun_dir, slope, 1.333, way));
+  ASSERT_CLOSE(way[0], 5.0, 0.0);
+}
+
+// Under the zenith a slope g turns light by (1 - 1/n) g.
+TEST(turn_is_that_of_small_slopes)
+{
+  double sun_dir[3];
+  double turn[3];
+  sun_at(90.0, 0.0, sun_dir);
+  water_caustics_turn(sun_dir, 1.333, turn);
+  ASSERT_CLOSE(turn[0], 1.0 - 1.0 / 1.333, 1e-6);
+  ASSERT_CLOSE(turn[1], 0.0, 1e-9);
+  ASSERT_CLOSE(turn[2], 1.0 - 1.0 / 1.333, 1e-6);
+}
+
+// The sun's disc spreads as rays of it do, refracted one by one.
+TEST(spread_is_that_of_rays_of_the_disc)
+{
+  static const double heights[3] = { 90.0, 50.0, 20.0 };
+  const double flat[2] = { 0.0, 0.0 };
+  for (int i = 0; i < 3; ++i)
+  {
+    double sun_dir[3];
+    double side[3] = { 0.0, 0.0, 0.0 };
+    double up[3];
+    double spread[3];
+    double sum[5] = { 0.0, 0.0, 0.0, 0.0, 0.0 };
+    sun_at(heights[i], 30.0, sun_dir);
+    side[0] = -sin(30.0 * pi / 180.0);
+    side[1] = cos(30.0 * pi / 180.0);
+    cross(sun_dir, side, up);
+    water_caustics_sun_spread(sun_dir, 1.333, spread);
+    const int rings = 100;
+    const int count = rings * rings;
+    for (int k = 0; k < count; ++k)
+    {
+      const double radius = tan(0.2665 * pi / 180.0) * sqrt((k + 0.5) / count);
+      const double angle = 2.399963 * k; // the golden angle: an even disc
+      double ray[3];
+      double way[2];
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        ray[axis] = sun_dir[axis] + radius * (cos(angle) * side[axis] + sin(angle) * up[axis]);
+      }
+      normalise(ray);
+      assert_true(water_caustics_way(ray, flat, 1.333, way));
+      sum[0] += way[0] / count;
+      sum[1] += way[1] / count;
+      sum[2] += way[0] * way[0] / count;
+      sum[3] += way[0] * way[1] / count;
+      sum[4] += way[1] * way[1] / count;
+    }
+    ASSERT_CLOSE(spread[0], sum[2] - sum[0] * sum[0], 0.01 * (spread[0] + spread[2]));
+    ASSERT_CLOSE(spread[1], sum[3] - sum[0] * sum[1], 0.01 * (spread[0] + spread[2]));
+    ASSERT_CLOSE(spread[2], sum[4] - sum[1] * sum[1], 0.01 * (spread[0] + spread[2]));
+  }
+}
+
+// What a photon brings is what it gives to the texels, wherever it is and whatever its shape.
+TEST(adding_keeps_the_light)
+{
+  enum
+  {
+    SIDE = 64
+  };
+  const int texture_px[2] = { SIDE, SIDE };
+  dice from = dice_seeded(11);
+  double sum_all = 0.0;
+  for (int i = 0; i < 200; ++i)
+  {
+    float light[SIDE * SIDE] = { 0.0f };
+    const double first = dice_roll(&from, 0.4, 6.0);
+    const double second = dice_roll(&from, 0.4, 6.0);
+    const double angle = dice_roll(&from, 0.0, 3.0);
+    const double c = cos(angle);
+    const double s = sin(angle);
+    const double xx = c * c * first + s * s * second; // covariance
+    const double xy = c * s * (first - second);
+    const double yy = s * s * first + c * c * second;
+    const double determinant = first * second;
+    const float place[4] = { (float)dice_roll(&from, 20.0, 44.0),
+      (float)dice_roll(&from, 20.0, 44.0), (float)(0.4 / (pi * sqrt(determinant))), 0.0f };
+    const float shape[4] = { (float)(yy / (10.0 * determinant)),
+      (float)(-xy / (10.0 * determinant)), (float)(xx / (10.0 * determinant)), 0.0f };
+    double sum = 0.0;
+    double moment = 0.0;
+    water_caustics_add(place, shape, 1, texture_px, light);
+    for (int k = 0; k < SIDE * SIDE; ++k)
+    {
+      const double dx = k % SIDE + 0.5 - (double)place[0];
+      sum += (double)light[k];
+      moment += (double)light[k] * dx * dx;
+    }
+    ASSERT_CLOSE(sum, 1.0, 0.15);
+    ASSERT_CLOSE(moment, xx, 0.1 * xx + 0.06);
+    sum_all += sum / 200.0;
+  }
+  ASSERT_CLOSE(sum_all, 1.0, 0.01);
+}
+
+// Photons beyond the texture's border give it what reaches in, and write nowhere else.
+TEST(photons_outside_stay_outside)
+{
+  const int texture_px[2] = { 4, 3 };
+  float light[3 * 4 + 8] = { 0.0f };
+  const float shape[4] = { 0.1f, 0.0f, 0.1f, 0.0f };
+  static const float places[8][4] = { { -10.0f, 1.0f, 1.0f, 0.0f }, { 1.0f, 30.0f, 1.0f, 0.0f },
+    { -1e6f, -1e6f, 1.0f, 0.0f }, { 1e30f, 0.0f, 1.0f, 0.0f }, { -1.0f, 1.5f, 1.0f, 0.0f },
+    { 2.0f, 1.5f, 0.0f, 0.0f }, { 2.0f, 1.5f, -1.0f, 0.0f }, { NAN, 1.5f, 1.0f, 0.0f } };
+  for (int i = 0; i < 8; ++i)
+  {
+    water_caustics_add(places[i], shape, 1, texture_px, light + 4);
+  }
+  for (int i = 0; i < 4; ++i)
+  {
+    ASSERT_CLOSE((double)light[i], 0.0, 0.0);
+    ASSERT_CLOSE((double)light[16 + i], 0.0, 0.0);
+  }
+  assert_true(light[4 + 4] > 0.3f); // the left texel of the middle row
+  ASSERT_CLOSE((double)light[4 + 7], 0.0, 0.0);
+}
+
+static water_plan plan_over_bed(water_scene* scene, water_cull_reason* reasons)
+{
+  water_plan plan = plan_of(scene, reasons);
+  plan.bed_depth = 3.0;
+  plan.has_sun = true;
+  sun_at(50.0, 25.0, plan.sun_dir);
+  return plan;
+}
+
+static const water_caustics_input usual = { 1.333, 0.1, 0.05, { 400, 300 }, 16384, true };
+
+// A place on the plane comes to where the eye sees it, and to where its light lies at the middle
+// depth.
+TEST(places_come_to_their_texels)
+{
+  water_scene scene = lake();
+  water_cull_reason reasons[8];
+  const water_plan plan = plan_over_bed(&scene, reasons);
+  water_caustics made;
+  assert_true(water_caustics_plan(&plan, &usual, &made));
+  for (int i = 0; i < 9; ++i)
+  {
+    const double ndc[3] = { 0.3 * (i % 3 - 1), 0.2 * (i / 3) - 0.7, 1.0 };
+    const double w = dot(plan.ndc_to_plane + 6, ndc);
+    const double place[3] = { dot(plan.ndc_to_plane, ndc) / w, dot(plan.ndc_to_plane + 3, ndc) / w,
+      1.0 };
+    const double* m = made.place_to_clip;
+    const double clip_w = dot(m + 6, place);
+    ASSERT_CLOSE(dot(m, place) / clip_w, ndc[0], 1e-9);
+    ASSERT_CLOSE(dot(m + 3, place) / clip_w, ndc[1], 1e-9);
+    // a light's way on to the middle depth
+    const double at[3] = { place[0] + made.middle * made.calm_way[0],
+      place[1] + made.middle * made.calm_way[1], 1.0 };
+    const double seen_w = dot(m + 6, at) - made.middle * made.rise_clip[2];
+    const double light_w = dot(made.place_to_light + 6, place);
+    for (int axis = 0; axis < 2; ++axis)
+    {
+      const double seen = (dot(m + 3 * axis, at) - made.middle * made.rise_clip[axis]) / seen_w;
+      ASSERT_CLOSE(dot(made.place_to_light + 3 * axis, place) / light_w,
+        made.texel_of_ndc[axis] * seen + made.texel_of_ndc[2 + axis], 1e-6);
+    }
+  }
+}
+
+// The grid reaches beyond the texture of light on all sides, for waves bring light from there.
+TEST(grid_covers_the_texture)
+{
+  water_scene scene = lake();
+  water_cull_reason reasons[8];
+  water_plan plan = plan_over_bed(&scene, reasons);
+  plan.bed_depth = 0.3; // of a deep one the border of places cuts both
+  water_caustics made;
+  assert_true(water_caustics_plan(&plan, &usual, &made));
+  double low[2] = { 1e9, 1e9 };
+  double high[2] = { -1e9, -1e9 };
+  for (int i = 0; i < 4; ++i)
+  {
+    const double grid[3] = { i & 1, i >> 1, 1.0 };
+    const double* m = made.grid_to_source;
+    const double w = dot(m + 6, grid);
+    assert_true(w > 0.0);
+    const double place[3] = { dot(m, grid) / w, dot(m + 3, grid) / w, 1.0 };
+    for (int axis = 0; axis < 2; ++axis)
+    {
+      const double texel =
+        dot(made.place_to_light + 3 * axis, place) / dot(made.place_to_light + 6, place);
+      low[axis] = fmin(low[axis], texel);
+      high[axis] = fmax(high[axis], texel);
+    }
+  }
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    assert_true(low[axis] < 1e-6); // at the shore light goes straight through
+    assert_true(high[axis] > made.texture_px[axis]);
+    assert_true(made.count[axis] >= 2 && made.count[axis] <= 4096);
+  }
+  assert_true(low[0] < -1.0);
+  assert_true(high[0] > made.texture_px[0] + 1.0);
+}
+
+// Nothing is planned without a sun, without a bed, or for an eye under water.
+TEST(no_caustics_without_sun_bed_or_eye_above)
+{
+  water_scene scene = lake();
+  water_cull_reason reasons[8];
+  const water_plan right = plan_over_bed(&scene, reasons);
+  water_caustics made;
+  water_plan plan = right;
+  plan.has_sun = false;
+  assert_false(water_caustics_plan(&plan, &usual, &made));
+  plan = right;
+  plan.bed_depth = 0.0;
+  assert_false(water_caustics_plan(&plan, &usual, &made));
+  plan = right;
+  plan.is_submerged = true;
+  assert_false(water_caustics_plan(&plan, &usual, &made));
+  plan = right;
+  plan.side = WATER_BELOW;
+  assert_false(water_caustics_plan(&plan, &usual, &made));
+  assert_true(water_caustics_plan(&right, &usual, &made));
+  plan = right;
+  plan.bed_depth = INFINITY; // the water itself ends what is seen
+  assert_true(water_caustics_plan(&plan, &usual, &made));
+  assert_true(made.depth < 100.0);
+}
+
+TESTS(way_is_snells, no_light_comes_from_behind, turn_is_that_of_small_slopes,
+  spread_is_that_of_rays_of_the_disc, adding_keeps_the_light, photons_outside_stay_outside,
+  places_come_to_their_texels, grid_covers_the_texture, no_caustics_without_sun_bed_or_eye_above)

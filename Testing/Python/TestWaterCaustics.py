@@ -1,0 +1,62 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Caustics have the light that photons bring, counted: none is lost, and it lies where it is gathered."""
+
+import caustics_truth as truth
+import numpy as np
+import pytest
+import water_test as wt
+
+PHOTONS = 6_000_000
+WAVES = ((0.03, 3.0, 165.0, 10.0), (0.012, 1.5, 215.0, 50.0))  # whose light pixels of the small picture resolve
+
+
+@pytest.mark.parametrize("depth, sun", ((1.0, 90.0), (1.0, 25.0), (3.0, 50.0), (8.0, 90.0)))
+def test_light_is_that_of_photons(depth, sun):
+    """On level beds of several depths, under high suns and low ones, the light is that of photons."""
+    scene = truth.Scene(WAVES, depth, sun, size=(160, 120), width=6.0)
+    view, look = truth.view_of(scene)
+    light = truth.shown(view, look)
+    expected = truth.truth(scene, view, PHOTONS)
+    mean, rmse = truth.errors(light, expected)
+    name = f"bed at {depth:g} m, sun at {sun:g} degrees"
+    wt.check_at_least(f"{name}: contrast of the truth", float(expected.std()), 0.03)
+    wt.check_at_most(f"{name}: error of the mean light", abs(mean), 0.02)
+    wt.check_at_most(f"{name}: error over the mean", rmse, 0.10)
+
+
+@pytest.mark.parametrize("eye", (90.0, 45.0, 20.0))
+def test_calm_light_is_even(eye):
+    """Waves without a height gather no light, up to the picture's borders and to the horizon."""
+    scene = truth.Scene(((1e-7, 3.0, 0.0, 0.0),), 3.0, 50.0, width=10.0, eye=eye)
+    view, look = truth.view_of(scene)
+    light = truth.shown(view, look)
+    wt.check_at_most(f"eye at {eye:g} degrees: largest error", float(np.abs(light - 1).max()), 0.04)
+    wt.check_at_most(f"eye at {eye:g} degrees: error of the mean", abs(float(light.mean()) - 1), 0.01)
+
+
+def test_light_stands_still_where_things_stand_on_the_bed():
+    """A thing on the bed changes nothing beside it: no halo, no seam."""
+    scene = truth.Scene(WAVES, 3.0, 50.0, size=(240, 180), width=8.0, eye=60.0)
+    view, look = truth.view_of(scene)
+    before = truth.shown(view, look)
+    wt.add_actor(view.renderer, wt.box((0, 0, -2.7), (0.6, 0.6, 0.6)), (truth.GREY,) * 3, lit=False)
+    after = truth.shown(view, look)
+    apart = np.abs(after - before) > 0.06
+    rows, columns = np.nonzero(apart)
+    wt.check_at_least("thing on the bed: pixels that it changes", len(rows), 50)
+    far = np.hypot(columns - np.median(columns), rows - np.median(rows)) > 40
+    wt.check_at_most("thing on the bed: pixels that change far from it", int(far.sum()), 20)
+
+
+def test_light_is_a_function_of_time():
+    """A time that is drawn again shows the same picture, whatever was drawn meanwhile."""
+    scene = truth.Scene(WAVES, 3.0, 50.0, size=(160, 120))
+    view, look = truth.view_of(scene)
+    look.SetCaustics(1.0)
+    water = next(a for a in view.renderer.GetActors() if a.IsA("vtkWaterActor"))
+    water.SetTime(2.0)
+    first = view.picture()
+    water.SetTime(9.0)
+    wt.check_at_least("another time: differing values", int((view.picture() != first).sum()), 1000)
+    water.SetTime(2.0)
+    wt.check_equal("the same time again: differing values", int((view.picture() != first).sum()), 0)
