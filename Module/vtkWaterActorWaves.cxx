@@ -58,9 +58,9 @@ vtkWaterSea* vtkWaterActor::Internals::GetSeaAtTime()
     return nullptr;
   }
   water_sea sea;
-  water_tile tile;
-  property->ReadSea(&sea, &tile);
-  this->Sea.Update(tile, sea, this->Self->Time);
+  water_cascades cascades;
+  property->ReadSea(&sea, &cascades);
+  this->Sea.Update(cascades, sea, this->Self->Time);
   return &this->Sea;
 }
 
@@ -79,9 +79,9 @@ bool vtkWaterActor::Internals::AskSea(const std::function<void(vtkWaterSea&)>& a
   {
     if (!this->IsSeaUnknown)
     {
-      const size_t size = this->Sea.GetTile().size;
+      const int size = this->Self->WaterProperty->GetSeaTileSize();
       vtkErrorWithObjectMacro(this->Self,
-        "There is no memory for the wind sea's tile of "
+        "There is no memory for the wind sea's tiles of "
           << size << " x " << size
           << " points (SetSeaTileSize). Heights and normals of the waves are NaN.");
     }
@@ -91,40 +91,50 @@ bool vtkWaterActor::Internals::AskSea(const std::function<void(vtkWaterSea&)>& a
 }
 
 //------------------------------------------------------------------------------
-double vtkWaterActor::GetWaveHeight(double x, double y)
+bool vtkWaterActor::Internals::FindSurface(double x, double y, water_wave_point* point)
 {
   vtkWaterLook look;
-  this->Internal->Describe(look);
-  const std::vector<water_wave_term> terms = this->Internal->GetWaveTerms(look);
+  this->Describe(look);
+  const std::vector<water_wave_term> terms = this->GetWaveTerms(look);
   double rest[2];
-  water_wave_point point;
-  if (water_waves_find(terms.data(), terms.size(), x, y, rest, &point) != WATER_OK)
+  water_status status = WATER_OK;
+  if (!look.Has.has_sea)
   {
-    return vtkMath::Nan();
+    status = water_waves_find(terms.data(), terms.size(), x, y, rest, point);
+    return status == WATER_OK;
   }
-  double height = 0.0; // of the sea
   const double metres = look.MetresPerUnit;
-  const auto ask = [&](
-                     vtkWaterSea& sea) { height = sea.GetHeight(x * metres, y * metres) / metres; };
-  return !look.Has.has_sea || this->Internal->AskSea(ask) ? point.displacement[2] + height
-                                                          : vtkMath::Nan();
+  const bool isMoved = look.Has.has_wave_geometry;
+  const auto ask = [&](vtkWaterSea& sea) {
+    if (isMoved)
+    {
+      const water_cascade_surface surface = sea.GetSurface(look.SeaChoppiness, 1.0 / metres);
+      const water_wave_others others = { water_cascades_add, &surface, look.WaveReach };
+      status = water_waves_find_all(terms.data(), terms.size(), &others, x, y, rest, point);
+      return;
+    }
+    status = water_waves_find(terms.data(), terms.size(), x, y, rest, point);
+    double slope[2];
+    sea.GetSlope(x * metres, y * metres, slope);
+    water_waves_tilt(slope, point->normal);
+    point->displacement[2] += sea.GetHeight(x * metres, y * metres) / metres;
+  };
+  return this->AskSea(ask) && status == WATER_OK;
+}
+
+//------------------------------------------------------------------------------
+double vtkWaterActor::GetWaveHeight(double x, double y)
+{
+  water_wave_point point;
+  return this->Internal->FindSurface(x, y, &point) ? point.displacement[2] : vtkMath::Nan();
 }
 
 //------------------------------------------------------------------------------
 void vtkWaterActor::GetWaveNormal(double x, double y, double normal[3])
 {
-  vtkWaterLook look;
-  this->Internal->Describe(look);
-  const std::vector<water_wave_term> terms = this->Internal->GetWaveTerms(look);
-  double rest[2];
   water_wave_point point;
   std::fill(normal, normal + 3, vtkMath::Nan());
-  if (water_waves_find(terms.data(), terms.size(), x, y, rest, &point) == WATER_OK &&
-    (!look.Has.has_sea || this->Internal->AskSea([&](vtkWaterSea& sea) {
-      double slope[2];
-      sea.GetSlope(x * look.MetresPerUnit, y * look.MetresPerUnit, slope);
-      water_waves_tilt(slope, point.normal);
-    })))
+  if (this->Internal->FindSurface(x, y, &point))
   {
     std::copy(point.normal, point.normal + 3, normal);
   }
@@ -134,7 +144,7 @@ void vtkWaterActor::GetWaveNormal(double x, double y, double normal[3])
 bool vtkWaterActor::Internals::IsDisplaced() const
 {
   vtkWaterProperty* property = this->Self->WaterProperty;
-  return property->GetWaveGeometry() && property->GetNumberOfWaves() > 0;
+  return property->GetWaveGeometry() && (property->GetNumberOfWaves() > 0 || property->GetSea());
 }
 
 //------------------------------------------------------------------------------

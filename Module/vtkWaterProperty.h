@@ -24,7 +24,7 @@ struct vtkWaterLook;
 struct water_medium;
 struct water_preset;
 struct water_sea;
-struct water_tile;
+struct water_cascades;
 struct water_wave;
 
 #ifdef VTK_ABI_NAMESPACE_BEGIN
@@ -404,7 +404,9 @@ public:
   double GetSlopeRMS() const;
 
   /**
-   * Sum of the waves' amplitudes, m: displaced, no point is higher, or deeper.
+   * Sum of the waves' amplitudes, m, and, where WaveGeometry moves a wind sea, 6 standard
+   * deviations of its height: displaced, no point is higher, or deeper; of the sea's crests one in
+   * 6e7.
    */
   double GetWaveHeightMax() const;
 
@@ -435,8 +437,8 @@ public:
 
   ///@{
   /**
-   * Whether the waves of AddWave displace the surface (the wind sea and normal maps do not): up and
-   * down, and, steep ones, to and fro. Off is a flat
+   * Whether the waves of AddWave and the wind sea displace the surface (normal maps do not): up and
+   * down, and, steep ones and the sea (SeaChoppiness), to and fro. Off is a flat
    * sheet with their normals: cheaper, and right where waves are low against what stands in them.
    * On, the own sheet becomes a grid over what the eye sees of it; of a mapper of the user's the
    * points are displaced as they are, so that it needs several to a wave. Has no effect without
@@ -468,10 +470,10 @@ public:
 
   ///@{
   /**
-   * A wind sea: random waves with the spectrum that the wind makes, on a square tile that repeats
-   * in both directions, added to the waves of AddWave. The surface between the tile's points is
-   * bilinear, in heights and in slopes, for GetWaveHeight and in the picture. Waves that are too
-   * short for a pixel, or for the tile, roughen the reflection. Default is off.
+   * A wind sea: random waves with the spectrum that the wind makes, on square tiles that repeat
+   * in both directions (SeaCascades), added to the waves of AddWave. The surface between a tile's
+   * points is bilinear, in heights and in slopes, for GetWaveHeight and in the picture. Waves that
+   * are too short for a pixel, or for the tiles, roughen the reflection. Default is off.
    *
    * Source: Tessendorf 2001, "Simulating Ocean Water".
    */
@@ -548,8 +550,8 @@ public:
 
   ///@{
   /**
-   * Points of the sea's tile along a side: a power of two in [32, 1024]. The shortest waves are two
-   * points long. The time to make a sea goes with the square. Default is 256.
+   * Points of each of the sea's tiles along a side: a power of two in [32, 1024]. The shortest
+   * waves are two points long. The time to make a sea goes with the square. Default is 256.
    */
   void SetSeaTileSize(int size);
   vtkGetMacro(SeaTileSize, int);
@@ -557,10 +559,10 @@ public:
 
   ///@{
   /**
-   * Length of the tile's side, m: in [0.001, 1e9], or 0 for 10 times the wavelength of the
-   * spectrum's peak, which holds the sea's height within 1 %. Shorter tiles show shorter waves near
-   * the eye, repeat sooner, and lack the waves that are longer than they are. GetUsedSeaTileLength
-   * tells the length in use. Default is 0.
+   * Length of the first tile's side, m: in [0.001, 1e9], or 0 for 24 times the wavelength of the
+   * spectrum's peak (10 times with one cascade), which holds the sea's height within 1 %. Shorter
+   * tiles repeat sooner, and lack the waves that are longer than they are; with one cascade they
+   * show shorter waves near the eye. GetUsedSeaTileLength tells the length in use. Default is 0.
    */
   void SetSeaTileLength(double length);
   vtkGetMacro(SeaTileLength, double);
@@ -574,6 +576,49 @@ public:
    */
   void SetSeaPeriod(double period);
   vtkGetMacro(SeaPeriod, double);
+  ///@}
+
+  ///@{
+  /**
+   * Tiles of the sea, in [1, 3], each with a band of the waves: the first with the longest, each
+   * other one shorter by the same factor (at most 19 for 256 points), so that a sea reaches down to
+   * waves of a few centimetres, and does not repeat as a whole. Where fewer tiles reach waves of
+   * 1.7 cm there are fewer: GetUsedSeaCascades tells. The time to make a sea goes with their
+   * number; a pixel that is longer than a tile's waves does not look at it. Default is 3.
+   *
+   * Source: Bruneton, Neyret and Holzschuch 2010, "Real-time Realistic Ocean Lighting using
+   * Seamless Transitions from Geometry to BRDF".
+   */
+  void SetSeaCascades(int cascades);
+  vtkGetMacro(SeaCascades, int);
+  int GetUsedSeaCascades() const;
+  ///@}
+
+  ///@{
+  /**
+   * How much of its motion to and fro a displaced sea has (WaveGeometry), in [0, 1]: 1 is that of
+   * Gerstner's waves, with sharp crests and flat troughs; 0 is up and down alone. Default is 1.
+   *
+   * Source: Tessendorf 2001, "Simulating Ocean Water" (choppy waves).
+   */
+  void SetSeaChoppiness(double choppiness);
+  vtkGetMacro(SeaChoppiness, double);
+  ///@}
+
+  ///@{
+  /**
+   * Whether a wind sea is white where its crests break: where its points stand closest, on the
+   * share of the surface that was measured for the wind (GetWhitecapCover; 0 when they or the sea
+   * are off). They have FoamColor, and are there whether or not the surface is displaced. Default
+   * is off.
+   *
+   * Sources: Monahan and O'Muircheartaigh 1980, "Optimal Power-Law Description of Oceanic Whitecap
+   * Coverage Dependence on Wind Speed" (the share); Tessendorf 2001 (the place).
+   */
+  void SetWhitecaps(bool whitecaps);
+  vtkGetMacro(Whitecaps, bool);
+  vtkBooleanMacro(Whitecaps, bool);
+  double GetWhitecapCover() const;
   ///@}
 
   enum Lookups
@@ -735,7 +780,7 @@ public:
   // diagonal  of the scene, units; for automatic units
   VTK_WRAPEXCLUDE void Describe(double diagonal, vtkWaterLook& look);
   VTK_WRAPEXCLUDE const water_wave* GetWaves() const;
-  VTK_WRAPEXCLUDE void ReadSea(water_sea* sea, water_tile* tile) const;
+  VTK_WRAPEXCLUDE int ReadSea(water_sea* sea, water_cascades* cascades) const;
   ///@}
 
 protected:
@@ -750,7 +795,9 @@ private:
   void DescribeUnits(double diagonal, vtkWaterLook& look) const;
   // Variances xx, yy, xy of all slopes, at all times; normal maps are not counted.
   void GetMeanSlopes(bool hidesWaves, double covariance[3]) const;
+  void DescribeSea(vtkWaterLook& look);
   void UpdateSeaSlopes() const;
+  void GetSeaSlopes(double held[2], double leftOut[2]) const;
   // Is this water what a preset sets?
   bool IsPreset(const water_preset& preset) const;
   // Is there a wave of this number? Says what there is when not.
@@ -803,6 +850,9 @@ private:
   int SeaTileSize = 256;
   double SeaTileLength = 0.0;
   double SeaPeriod = 0.0;
+  int SeaCascades = 3;
+  double SeaChoppiness = 1.0;
+  bool Whitecaps = false;
   bool WaveGeometry = false;
   int WaveGridSize = 256;
   int Lookup = RAY_TRACED;

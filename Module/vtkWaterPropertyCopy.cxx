@@ -47,6 +47,9 @@ void vtkWaterProperty::DeepCopy(vtkWaterProperty* other)
   this->SeaTileSize = other->SeaTileSize;
   this->SeaTileLength = other->SeaTileLength;
   this->SeaPeriod = other->SeaPeriod;
+  this->SeaCascades = other->SeaCascades;
+  this->SeaChoppiness = other->SeaChoppiness;
+  this->Whitecaps = other->Whitecaps;
   this->WaveGeometry = other->WaveGeometry;
   this->WaveGridSize = other->WaveGridSize;
   this->Lookup = other->Lookup;

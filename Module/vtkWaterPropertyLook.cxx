@@ -3,6 +3,7 @@
 #include "vtkWaterCompat.h"
 #include "vtkWaterPropertyInternals.h"
 #include "vtkWaterSnapshot.h"
+#include "water_whitecap.h"
 
 #include <algorithm>
 #include <limits>
@@ -86,6 +87,7 @@ void vtkWaterProperty::DescribeWaves(vtkWaterLook& look)
   look.Has.has_normal_maps = this->GetNumberOfNormalMaps() > 0;
   look.Has.has_slope_variance = this->SlopeVariance[0] + this->SlopeVariance[1] > 0.0;
   look.Has.has_wave_geometry = this->WaveGeometry;
+  look.Has.has_whitecaps = this->Whitecaps;
   std::copy_n(this->SlopeVariance, 3, look.SlopeVariance);
   this->GetMeanSlopes(look.HidesWaves, look.MeanSlopes);
   look.SlopeRMS = look.HidesWaves ? 0.0 : this->GetSlopeRMS();
@@ -97,7 +99,35 @@ void vtkWaterProperty::DescribeWaves(vtkWaterLook& look)
     ? water_waves_looked_up(waves.data(), waves.size())
     : std::numeric_limits<double>::infinity();
   look.SlopeLookedUp = water_features_needs_rays(&look.Has) ? steepest : 0.0;
-  this->ReadSea(&look.Sea, &look.SeaTile);
+  this->ReadSea(&look.Sea, &look.Cascades);
+  this->DescribeSea(look);
   look.NormalMaps = this->Internal->NormalMaps.Layers;
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterProperty::DescribeSea(vtkWaterLook& look)
+{
+  look.SeaChoppiness = this->SeaChoppiness;
+  if (!look.Has.has_sea)
+  {
+    return;
+  }
+  this->UpdateSeaSlopes();
+  const vtkWaterPropertySeaSlopes& known = this->Internal->SeaSlopes;
+  for (size_t i = 0; i <= look.Cascades.count; ++i)
+  {
+    water_cascades_turn(&look.Sea, known.Beyond[i], look.SeaBeyond[i]);
+  }
+  double cover = 0.0;
+  (void)water_whitecap_cover(this->WindSpeed, &cover); // checked by its setter
+  look.WhitecapJacobian = water_whitecap_jacobian(cover, known.Beyond[0]);
+  if (look.Has.has_wave_geometry)
+  {
+    double height = 0.0;
+    double across = 0.0;
+    water_cascades_reach(known.Height, this->SeaChoppiness, &height, &across);
+    look.WaveHeightMax += height;
+    look.WaveReach += across;
+  }
 }
 VTK_ABI_NAMESPACE_END

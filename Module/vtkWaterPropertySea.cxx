@@ -3,7 +3,8 @@
 #include "vtkMath.h"
 #include "vtkWaterCompat.h"
 #include "vtkWaterProperty.h"
-#include "water_tile.h"
+#include "water_cascade.h"
+#include "water_whitecap.h"
 
 VTK_ABI_NAMESPACE_BEGIN
 
@@ -15,7 +16,7 @@ constexpr double kSpreadingPower = 10.0; // of a spreading that is not in use
 }
 
 //------------------------------------------------------------------------------
-void vtkWaterProperty::ReadSea(water_sea* sea, water_tile* tile) const
+int vtkWaterProperty::ReadSea(water_sea* sea, water_cascades* cascades) const
 {
   sea->model = this->SeaModel == PHILLIPS ? WATER_SEA_PHILLIPS : WATER_SEA_JONSWAP;
   sea->spreading = WATER_SPREAD_DONELAN_BANNER;
@@ -25,14 +26,20 @@ void vtkWaterProperty::ReadSea(water_sea* sea, water_tile* tile) const
   sea->depth = this->Depth;
   sea->peak_enhancement = this->PeakEnhancement;
   sea->spreading_power = kSpreadingPower;
-  tile->size = static_cast<size_t>(this->SeaTileSize);
-  tile->length = this->SeaTileLength;
-  tile->period = this->SeaPeriod;
-  tile->seed = static_cast<uint64_t>(this->Seed);
+  *cascades = water_cascades();
+  const bool isSea = water_sea_check(sea) == WATER_OK; // not while a setter tries a bad value
+  const auto count = static_cast<size_t>(this->SeaCascades);
+  water_tile& first = cascades->tiles[0];
+  first.size = static_cast<size_t>(this->SeaTileSize);
+  first.length = this->SeaTileLength;
   if (this->SeaTileLength == 0.0)
   {
-    tile->length = water_sea_check(sea) == WATER_OK ? water_tile_natural_length(sea) : 1.0;
+    first.length = isSea ? water_cascades_natural_length(sea, count) : 1.0;
   }
+  first.period = this->SeaPeriod;
+  first.seed = static_cast<uint64_t>(this->Seed);
+  const water_tile given = first;
+  return water_cascades_make(&given, sea, count, cascades);
 }
 
 //------------------------------------------------------------------------------
@@ -46,9 +53,8 @@ void vtkWaterProperty::SetOfSea(const char* name, T& member, T value)
   }
   member = value;
   water_sea sea;
-  water_tile tile;
-  this->ReadSea(&sea, &tile);
-  const water_status status = water_tile_check(&tile, &sea);
+  water_cascades cascades;
+  const auto status = static_cast<water_status>(this->ReadSea(&sea, &cascades));
   if (status != WATER_OK)
   {
     member = last;
@@ -135,15 +141,54 @@ void vtkWaterProperty::SetSeaTileLength(double length)
 double vtkWaterProperty::GetUsedSeaTileLength() const
 {
   water_sea sea;
-  water_tile tile;
-  this->ReadSea(&sea, &tile);
-  return tile.length;
+  water_cascades cascades;
+  this->ReadSea(&sea, &cascades);
+  return cascades.tiles[0].length;
 }
 
 //------------------------------------------------------------------------------
 void vtkWaterProperty::SetSeaPeriod(double period)
 {
   this->SetOfSea("SeaPeriod", this->SeaPeriod, period);
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterProperty::SetSeaCascades(int cascades)
+{
+  vtkWaterSetInRange(SeaCascades, cascades, 1, WATER_CASCADES_MAX);
+}
+
+//------------------------------------------------------------------------------
+int vtkWaterProperty::GetUsedSeaCascades() const
+{
+  water_sea sea;
+  water_cascades cascades;
+  this->ReadSea(&sea, &cascades);
+  return static_cast<int>(cascades.count);
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterProperty::SetSeaChoppiness(double choppiness)
+{
+  vtkWaterSetInRange(SeaChoppiness, choppiness, 0.0, 1.0);
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterProperty::SetWhitecaps(bool whitecaps)
+{
+  if (this->Whitecaps != whitecaps)
+  {
+    this->Whitecaps = whitecaps;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+double vtkWaterProperty::GetWhitecapCover() const
+{
+  double cover = 0.0;
+  (void)water_whitecap_cover(this->WindSpeed, &cover); // checked by its setter
+  return this->Sea && this->Whitecaps ? cover : 0.0;
 }
 
 //------------------------------------------------------------------------------
@@ -160,6 +205,10 @@ void vtkWaterProperty::PrintSea(ostream& os, vtkIndent indent) const
   os << indent << "SeaTileLength: " << this->SeaTileLength << " (" << this->GetUsedSeaTileLength()
      << " in use)\n";
   os << indent << "SeaPeriod: " << this->SeaPeriod << "\n";
+  os << indent << "SeaCascades: " << this->SeaCascades << " (" << this->GetUsedSeaCascades()
+     << " in use)\n";
+  os << indent << "SeaChoppiness: " << this->SeaChoppiness << "\n";
+  os << indent << "Whitecaps: " << (this->Whitecaps ? "on" : "off") << "\n";
   os << indent << "SlopeRMS: " << this->GetSlopeRMS() << "\n";
 }
 VTK_ABI_NAMESPACE_END

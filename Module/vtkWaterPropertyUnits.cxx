@@ -69,8 +69,8 @@ void vtkWaterProperty::DescribeUnits(double diagonal, vtkWaterLook& look) const
   if (this->Sea)
   {
     water_sea sea;
-    water_tile tile;
-    this->ReadSea(&sea, &tile);
+    water_cascades cascades;
+    this->ReadSea(&sea, &cascades);
     longest = std::max(longest, water_tile_peak_wavelength(&sea));
   }
   look.HidesWaves =

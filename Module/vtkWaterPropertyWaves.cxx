@@ -180,15 +180,33 @@ bool vtkWaterProperty::GetWave(int number, double wave[5]) const
 //------------------------------------------------------------------------------
 void vtkWaterProperty::UpdateSeaSlopes() const
 {
-  if (this->Internal->SeaTime != this->MTime)
+  vtkWaterPropertySeaSlopes& known = this->Internal->SeaSlopes;
+  water_sea sea;
+  water_cascades cascades;
+  this->ReadSea(&sea, &cascades);
+  bool isKnown = cascades.count == known.Cascades.count && water_sea_is_same(&sea, &known.Sea);
+  for (size_t i = 0; i < cascades.count && isKnown; ++i)
   {
-    // an integral over the spectrum: not in every frame
-    water_sea sea;
-    water_tile tile;
-    this->ReadSea(&sea, &tile);
-    water_tile_slopes(&tile, &sea, this->Internal->SeaSlopes, this->Internal->SeaLeftOut);
-    this->Internal->SeaTime = this->MTime;
+    isKnown = water_tile_is_same(&cascades.tiles[i], &known.Cascades.tiles[i]);
   }
+  if (!isKnown)
+  {
+    water_cascades_slopes(&cascades, &sea, known.Beyond);
+    known.Height = water_cascades_height(&sea);
+    known.Sea = sea;
+    known.Cascades = cascades;
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterProperty::GetSeaSlopes(double held[2], double leftOut[2]) const
+{
+  this->UpdateSeaSlopes();
+  const vtkWaterPropertySeaSlopes& known = this->Internal->SeaSlopes;
+  water_cascades_turn(&known.Sea, known.Beyond[0], held);
+  water_cascades_turn(&known.Sea, known.Beyond[known.Cascades.count], leftOut);
+  held[0] -= leftOut[0];
+  held[1] -= leftOut[1];
 }
 
 //------------------------------------------------------------------------------
@@ -201,22 +219,23 @@ double vtkWaterProperty::GetSlopeRMS() const
   {
     return slope;
   }
-  this->UpdateSeaSlopes();
-  return water_tile_slope_rms(this->Internal->SeaSlopes, slope);
+  double held[2];
+  double leftOut[2];
+  this->GetSeaSlopes(held, leftOut);
+  return water_tile_slope_rms(held, slope);
 }
 
 //------------------------------------------------------------------------------
 void vtkWaterProperty::GetMeanSlopes(bool hidesWaves, double covariance[3]) const
 {
-  const double none[2] = { 0.0, 0.0 };
-  const bool hasSea = this->Sea && !hidesWaves;
-  if (hasSea)
+  double held[2] = { 0.0, 0.0 };
+  double leftOut[2] = { 0.0, 0.0 };
+  if (this->Sea && !hidesWaves)
   {
-    this->UpdateSeaSlopes();
+    this->GetSeaSlopes(held, leftOut);
   }
   water_secondary_slopes(this->Internal->Waves.data(),
-    hidesWaves ? 0 : this->Internal->Waves.size(), hasSea ? this->Internal->SeaSlopes : none,
-    hasSea ? this->Internal->SeaLeftOut : none, this->SlopeVariance,
+    hidesWaves ? 0 : this->Internal->Waves.size(), held, leftOut, this->SlopeVariance,
     vtkMath::RadiansFromDegrees(this->SlopeVariance[2]), covariance);
 }
 
@@ -226,7 +245,13 @@ double vtkWaterProperty::GetWaveHeightMax() const
   double height = 0.0;
   double across = 0.0;
   water_waves_reach(this->Internal->Waves.data(), this->Internal->Waves.size(), &height, &across);
-  return height;
+  double ofSea = 0.0;
+  if (this->Sea && this->WaveGeometry)
+  {
+    this->UpdateSeaSlopes();
+    water_cascades_reach(this->Internal->SeaSlopes.Height, this->SeaChoppiness, &ofSea, &across);
+  }
+  return height + ofSea;
 }
 
 //------------------------------------------------------------------------------

@@ -106,6 +106,8 @@ int main(int argc, char** argv)
       print_files("frag", features | WATER_FEATURE_CAUSTICS, photon_files, PHOTON_FILE_COUNT);
     }
     print_files("vert", WATER_FEATURE_DISPLACED, vertex_files, VERTEX_FILE_COUNT);
+    print_files(
+      "vert", WATER_FEATURE_DISPLACED | WATER_FEATURE_SEA_MOVES, vertex_files, VERTEX_FILE_COUNT);
     print_files("vert", WATER_FEATURE_MESH, vertex_files, VERTEX_FILE_COUNT);
     return 0;
   }

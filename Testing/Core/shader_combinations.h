@@ -9,6 +9,7 @@
 
 #include <stdbool.h>
 #include <stddef.h>
+#include <stdlib.h>
 
 #define SHADER_ONE_MORE(member, what) +1
 enum
@@ -17,9 +18,8 @@ enum
   SHADER_LOOK_COUNT = 1 << SHADER_LOOK_BITS,
   SHADER_TEXTURE_COUNT = 1 << 3, // what a reflection texture may have
   SHADER_SKY_COUNT = 7, // skies beside the one-coloured one: three, a floor, and they with a floor
-  // the features without those of the sky, which come last
-  SHADER_BARE_COUNT = 1 << WATER_FEATURE_BIT_SKY_SCREEN,
-  SHADER_SET_COUNT = SHADER_BARE_COUNT
+  // each as often as it is asked for, and with skies
+  SHADER_SET_COUNT = SHADER_LOOK_COUNT * (1 + 8 * SHADER_TEXTURE_COUNT)
 };
 #undef SHADER_ONE_MORE
 
@@ -79,19 +79,24 @@ static inline size_t shader_add_skies(unsigned* sets, size_t count)
   return count;
 }
 
+static inline int shader_compare(const void* a, const void* b)
+{
+  const unsigned* one = (const unsigned*)a;
+  const unsigned* other = (const unsigned*)b;
+  return *one < *other ? -1 : *one > *other ? 1 : 0;
+}
+
 // The distinct ones, those without a sky first; returns how many.
 //
 // sets  room for SHADER_SET_COUNT
 static inline size_t shader_combinations(unsigned* sets)
 {
-  for (size_t i = 0; i < SHADER_SET_COUNT; ++i)
-  {
-    sets[i] = 0; // first: is it reached?
-  }
+  const unsigned still = ~(unsigned)(WATER_FEATURE_DISPLACED | WATER_FEATURE_SEA_MOVES);
+  size_t count = 0;
   for (unsigned number = 0; number < SHADER_LOOK_COUNT; ++number)
   {
     const water_feature_look look = shader_look(number);
-    sets[water_features_secondary(&look)] = 1;
+    sets[count++] = water_features_secondary(&look);
     const bool is_any = shader_has_little_or_much(number);
     const unsigned textures = is_any ? SHADER_TEXTURE_COUNT : 2; // without a layer, and with one
     for (unsigned has = 0; has < textures; ++has)
@@ -99,29 +104,30 @@ static inline size_t shader_combinations(unsigned* sets)
       const water_feature_texture texture = shader_texture(has);
       const unsigned asked = water_features_with_texture(water_features_of(&look), &texture);
       const unsigned hardware = water_features_on_hardware(asked);
-      sets[asked] = 1;
-      sets[hardware] = 1;
+      sets[count++] = asked;
+      sets[count++] = hardware;
       if (is_any)
       {
-        sets[water_features_with_mesh(asked)] = 1;
-        sets[water_features_with_mesh(hardware)] = 1;
-        sets[water_features_with_samples(asked)] = 1;
-        sets[water_features_with_samples(hardware)] = 1;
+        sets[count++] = water_features_with_mesh(asked);
+        sets[count++] = water_features_with_mesh(hardware);
+        sets[count++] = water_features_with_samples(asked);
+        sets[count++] = water_features_with_samples(hardware);
       }
       // a mesh whose vertices VTK does not let us move
-      sets[asked & ~(unsigned)WATER_FEATURE_DISPLACED] = 1;
-      sets[hardware & ~(unsigned)WATER_FEATURE_DISPLACED] = 1;
+      sets[count++] = asked & still;
+      sets[count++] = hardware & still;
     }
   }
-  size_t count = 0;
-  for (unsigned set = 0; set < SHADER_SET_COUNT; ++set)
+  qsort(sets, count, sizeof sets[0], shader_compare);
+  size_t distinct = 0;
+  for (size_t i = 0; i < count; ++i)
   {
-    if (sets[set])
+    if (distinct == 0 || sets[i] != sets[distinct - 1])
     {
-      sets[count++] = set;
+      sets[distinct++] = sets[i];
     }
   }
-  return shader_add_skies(sets, count);
+  return shader_add_skies(sets, distinct);
 }
 
 #endif

@@ -23,7 +23,9 @@ enum
   SHADOWS = 1 << 11,
   OUTPUT = 1 << 12,
   OFFSET = 1 << 13, // how it looks up, not ray traced
-  LOOKS = 1 << 14,
+  WHITECAPS = 1 << 14,
+  LOOKS = 1 << 15,
+  MOVERS = SINES | SEA,
   WAVES = SINES | SEA | NORMAL_MAPS,
   ROUGH = WAVES | SLOPES,
   RAYS = ROUGH | SHADOWS | OUTPUT
@@ -50,6 +52,7 @@ static water_feature_look look_of(unsigned has)
   look.has_foam = (has & FOAM) != 0;
   look.has_shadows = (has & SHADOWS) != 0;
   look.has_output = (has & OUTPUT) != 0;
+  look.has_whitecaps = (has & WHITECAPS) != 0;
   return look;
 }
 
@@ -71,9 +74,12 @@ static const struct
   { WATER_FEATURE_SEA, { SEA }, 0 },
   { WATER_FEATURE_NORMAL_MAPS, { NORMAL_MAPS }, 0 },
   { WATER_FEATURE_ROUGH, { ROUGH }, 0 },
-  { WATER_FEATURE_DISPLACED, { GEOMETRY, SINES }, 0 },
-  { WATER_FEATURE_FOAM, { FOAM }, 0 },
-  { WATER_FEATURE_SHADOWS, { SHADOWS, GLITTER | FOAM, ROUGH | FOAM }, 0 },
+  { WATER_FEATURE_DISPLACED, { GEOMETRY, MOVERS }, 0 },
+  { WATER_FEATURE_SEA_MOVES, { GEOMETRY, SEA }, 0 },
+  { WATER_FEATURE_WHITECAPS, { WHITECAPS, SEA }, 0 },
+  { WATER_FEATURE_FOAM, { FOAM | SEA, FOAM | WHITECAPS }, 0 },
+  { WATER_FEATURE_SHADOWS,
+    { SHADOWS, GLITTER | FOAM | SEA, GLITTER | FOAM | WHITECAPS, ROUGH | FOAM }, 0 },
   { WATER_FEATURE_OUTPUT, { OUTPUT }, 0 },
 };
 
@@ -101,7 +107,7 @@ TEST(features_of_every_look_follow_the_rules)
     assert_int_equal(water_features_of(&look), expected_of(has));
     assert_int_equal(water_features_is_rough(&look), (has & ROUGH) != 0);
     assert_int_equal(water_features_needs_rays(&look), (has & RAYS) != 0);
-    assert_int_equal(water_features_is_displaced(&look), (has & GEOMETRY) && (has & SINES));
+    assert_int_equal(water_features_is_displaced(&look), (has & GEOMETRY) && (has & MOVERS));
     assert_int_equal(
       water_features_has_shadows(&look), (expected_of(has) & WATER_FEATURE_SHADOWS) != 0);
     assert_int_equal(water_features_is_of_sines(&look),
@@ -137,7 +143,7 @@ TEST(mesh_is_drawn_as_it_is_or_displaced)
   for (unsigned has = 0; has < LOOKS; ++has)
   {
     const unsigned features = expected_of(has);
-    const bool is_displaced = (has & GEOMETRY) && (has & SINES);
+    const bool is_displaced = (has & GEOMETRY) && (has & MOVERS);
     assert_int_equal(
       water_features_with_mesh(features), features + (is_displaced ? 0 : WATER_FEATURE_MESH));
   }
@@ -285,6 +291,18 @@ static bool is_empty(const char* slot, unsigned features)
   {
     return !(features & WATER_FEATURE_DISPLACED);
   }
+  if (strcmp(slot, "tiles") == 0)
+  {
+    return !(features & WATER_FEATURE_SEA);
+  }
+  if (strcmp(slot, "folds") == 0)
+  {
+    return !(features & WATER_FEATURE_WAVES);
+  }
+  if (strcmp(slot, "whitecaps") == 0)
+  {
+    return !(features & WATER_FEATURE_FOAM);
+  }
   if (strcmp(slot, "layer") == 0 || strcmp(slot, "behind") == 0)
   {
     return !(features & lookups);
@@ -344,15 +362,16 @@ TEST(slots_stand_in_their_order)
 {
   static const char* const surface[] = { "optics", "gradient", "attenuation", "slopes",
     "highlights", "cover", "cell", "place", "height", "point", "sky", "floor", "tile", "sines",
-    "sea", "normal_maps", "waves", "output", "reflection", "dome", "walk", "behind", "layer",
-    "blur", "caustics", "medium", "others", "refraction", "facet_slopes", "facets", "rays",
-    "shadows", "glitter", "foam", "sun", "surface" };
-  static const char* const vertex[] = { "cell", "displacement", "heights", "depth" };
+    "tiles", "folds", "sea", "normal_maps", "waves", "output", "reflection", "dome", "walk",
+    "behind", "layer", "blur", "caustics", "medium", "others", "refraction", "facet_slopes",
+    "facets", "rays", "shadows", "glitter", "whitecaps", "foam", "sun", "surface" };
+  static const char* const vertex[] = { "cell", "tiles", "sea", "displacement", "heights",
+    "depth" };
   static const char* const photon[] = { "gradient", "place", "height", "point", "tile", "sines",
-    "sea", "normal_maps", "waves", "photon" };
+    "tiles", "folds", "sea", "normal_maps", "waves", "photon" };
   assert_order(photon_files, PHOTON_FILES, photon, sizeof photon / sizeof photon[0]);
   assert_order(surface_files, SURFACE_FILES, surface, sizeof surface / sizeof surface[0]);
-  assert_order(vertex_files, VERTEX_FILES, vertex, 4);
+  assert_order(vertex_files, VERTEX_FILES, vertex, 6);
 }
 
 // No file and no feature is there for nothing: some shader has it, and all but the files of every
@@ -397,8 +416,13 @@ TEST(vertices_move_where_the_surface_is_displaced)
       const unsigned feature =
         strcmp(at->slot, "heights") == 0 ? WATER_FEATURE_MESH : WATER_FEATURE_DISPLACED;
       const bool is_for_all = strcmp(at->slot, "depth") == 0;
+      const bool has_sea = (reachable[i] & WATER_FEATURE_SEA_MOVES) != 0;
+      const bool is_of_sea =
+        strcmp(at->slot, "tiles") == 0 || strcmp(at->name, "vtkWaterSeaVS") == 0;
+      const bool is_else = strcmp(at->name, "vtkWaterNoSeaVS") == 0;
       assert_int_equal(water_features_want(reachable[i], at->any_of, at->none_of),
-        is_for_all || (reachable[i] & feature) != 0);
+        is_for_all ||
+          ((reachable[i] & feature) != 0 && (!is_of_sea || has_sea) && (!is_else || !has_sea)));
     }
   }
 }

@@ -49,6 +49,7 @@
 #include "water_mirror.h"
 
 #include "water_camera.h"
+#include "water_cascade.h"
 
 #include "water_math.h"
 
@@ -60,6 +61,7 @@
 #include "water_types.h"
 
 #include "water_plan.h"
+#include "water_whitecap.h"
 
 _Static_assert(WATER_OK == 0, "success is 0 in every language");
 _Static_assert(WATER_NOT_PLANNED == 0, "a zeroed plan says that nothing was planned");

@@ -84,8 +84,8 @@ TEST(seas_at_both_ends_are_accepted)
     20.0, 1000.0 };
   assert_int_equal(water_sea_check(&low), WATER_OK);
   assert_int_equal(water_sea_check(&high), WATER_OK);
-  const water_tile small = { 4, 1e-3, 0.0, 0 };
-  const water_tile large = { 16384, 1e9, 1e9, 1 };
+  const water_tile small = { 4, 1e-3, 0.0, 0, 0.0, 0.0 };
+  const water_tile large = { 16384, 1e9, 1e9, 1, 0.0, 0.0 };
   assert_int_equal(water_tile_check(&small, &low), WATER_OK);
   assert_int_equal(water_tile_check(&large, &high), WATER_OK);
   water_sea none = low;

@@ -14,7 +14,7 @@ enum
 
 static const water_sea sea = { WATER_SEA_JONSWAP, WATER_SPREAD_DONELAN_BANNER, 6.0, 0.7, 2e4,
   (double)INFINITY, 3.3, 8.0 };
-static const water_tile tile = { SIDE, 200.0, 0.0, 11 };
+static const water_tile tile = { SIDE, 200.0, 0.0, 11, 0.0, 0.0 };
 
 static void amplitudes_of(const water_tile* of, double* amplitudes)
 {
@@ -222,7 +222,7 @@ TEST(packed_pair_is_two_fields)
   {
     SMALL = 8
   };
-  const water_tile small = { SMALL, 3.0, 0.0, 4 };
+  const water_tile small = { SMALL, 3.0, 0.0, 4, 0.0, 0.0 };
   double first[2 * SMALL * SMALL];
   double second[2 * SMALL * SMALL];
   double packed[2 * SMALL * SMALL];
@@ -258,7 +258,7 @@ TEST(packed_pair_is_two_fields)
 // Bilinear between the points, the same in every repetition of the tile, and exact far away.
 TEST(samples_are_bilinear_and_repeat)
 {
-  const water_tile small = { 4, 8.0, 0.0, 0 };
+  const water_tile small = { 4, 8.0, 0.0, 0, 0.0, 0.0 };
   double values[16];
   for (int i = 0; i < 16; ++i)
   {
@@ -329,7 +329,7 @@ TEST(held_and_left_out_slopes_are_all)
 
 TEST(texels_hold_slopes_and_squares)
 {
-  const water_tile small = { 4, 8.0, 0.0, 0 };
+  const water_tile small = { 4, 8.0, 0.0, 0, 0.0, 0.0 };
   double slopes[2][16];
   float texels[64];
   for (int i = 0; i < 16; ++i)
@@ -386,7 +386,7 @@ TEST(spectrum_turns_as_its_formula)
   const double two_pi = 6.283185307179586;
   for (int round = 0; round < 2; ++round)
   {
-    const water_tile small = { N, 60.0, round == 0 ? 0.0 : 20.0, 5 };
+    const water_tile small = { N, 60.0, round == 0 ? 0.0 : 20.0, 5, 0.0, 0.0 };
     const double time = 3.25;
     double h0[2 * N * N];
     double h[2 * N * N];

@@ -215,7 +215,7 @@ struct SeaScene : public FaultyScene
 
 bool CheckSea()
 {
-  constexpr int kSize = 1024;
+  constexpr int kSize = 512;
   constexpr size_t kLarge = 40000; // bytes
   SeaScene wanted(kSize);
   const Bytes right = wanted.Picture();
@@ -229,7 +229,7 @@ bool CheckSea()
     const Bytes poor = PictureWithout(scene, number, kLarge);
     isDone = failed == 0;
     const std::string name = "sea, without allocation " + std::to_string(number);
-    ok &= isDone || Says(scene, name, "tile of 1024 x 1024 points");
+    ok &= isDone || Says(scene, name, "tiles of 512 x 512 points");
     ok &= isDone || WaterCheck(name + ": there are no waves", poor == right, false);
     ok &= WaterCheck(name + ": right afterwards", WaterSame(scene.Picture(), right), true);
   }
@@ -247,19 +247,19 @@ bool CheckSea()
     ok &= WaterCheck("sea, without any: no waves", poor == right, false);
     ok &= WaterCheck("sea, without any: nothing moves", WaterSame(poor, flat), true);
   }
-  return Says(scene, "sea, without any, twice", "tile of 1024 x 1024 points") && ok;
+  return Says(scene, "sea, without any, twice", "tiles of 512 x 512 points") && ok;
 }
 
 bool CheckHeights()
 {
-  SeaScene scene(1024);
+  SeaScene scene(512);
   const double right = scene.Water->GetWaveHeight(0.3, -1.6);
   double normal[3];
   scene.Water->GetWaveNormal(0.3, -1.6, normal);
   bool ok = true;
   for (int i = 0; i < 2; ++i)
   {
-    SeaScene poor(1024);
+    SeaScene poor(512);
     {
       const Without without(kAll, 40000);
       double found[3];
@@ -267,7 +267,7 @@ bool CheckHeights()
       const double height = poor.Water->GetWaveHeight(0.3, -1.6);
       ok &= WaterCheck("height: not a number", std::isnan(height) && std::isnan(found[2]), true);
     }
-    ok &= Says(poor, "height", "tile of 1024 x 1024 points");
+    ok &= Says(poor, "height", "tiles of 512 x 512 points");
     ok &= WaterCheck("height afterwards", poor.Water->GetWaveHeight(0.3, -1.6), right);
     double again[3];
     poor.Water->GetWaveNormal(0.3, -1.6, again);

@@ -27,9 +27,10 @@ constexpr double kLimit = 2e-5; // of the rms slope
 const water_sea kSea = { WATER_SEA_JONSWAP, WATER_SPREAD_DONELAN_BANNER, 7.0, 0.5, 2e4,
   std::numeric_limits<double>::infinity(), 3.3, 10.0 };
 
-water_tile MakeTile(size_t size, double period)
+water_cascades MakeTile(size_t size, double period)
 {
-  return { size, 0.25 * static_cast<double>(size), period, 3 };
+  water_cascades made = { 1, { { size, 0.25 * static_cast<double>(size), period, 3, 0.0, 0.0 } } };
+  return made;
 }
 
 vtkOpenGLRenderWindow* Current(WaterTestScene& scene)
@@ -48,7 +49,7 @@ std::vector<float> Read(vtkTextureObject* texture, size_t size, int level)
 {
   std::vector<float> texels(4 * (size >> level) * (size >> level));
   texture->Activate();
-  glGetTexImage(GL_TEXTURE_2D, level, GL_RGBA, GL_FLOAT, texels.data());
+  glGetTexImage(GL_TEXTURE_2D_ARRAY, level, GL_RGBA, GL_FLOAT, texels.data());
   texture->Deactivate();
   return texels;
 }
@@ -86,7 +87,7 @@ bool CheckSlopes(vtkOpenGLRenderWindow* window, size_t size, double period)
 {
   vtkWaterSea gpu;
   vtkWaterSea processor;
-  const water_tile tile = MakeTile(size, period);
+  const water_cascades tile = MakeTile(size, period);
   double worst = 0.0;
   double worstSquare = 0.0;
   bool ok = true;
@@ -97,9 +98,9 @@ bool CheckSlopes(vtkOpenGLRenderWindow* window, size_t size, double period)
     for (int level : { 0, 1 })
     {
       Pretend(false);
-      const auto found = Read(gpu.Upload(window), size, level);
+      const auto found = Read(gpu.Upload(window, 1), size, level);
       Pretend(true);
-      const auto right = Read(processor.Upload(window), size, level);
+      const auto right = Read(processor.Upload(window, 1), size, level);
       const double rms = Rms(right);
       ok &= rms > 1e-3 && !gpu.GetDetour() && !processor.GetDetour();
       worst = std::max(worst, Largest(found, right, 0) / rms);
@@ -133,9 +134,9 @@ bool CheckChanges(vtkOpenGLRenderWindow* window)
       gpu.Update(MakeTile(size, 0.0), sea, wind);
       processor.Update(MakeTile(size, 0.0), sea, wind);
       Pretend(false);
-      const auto found = Read(gpu.Upload(window), size, 0);
+      const auto found = Read(gpu.Upload(window, 1), size, 0);
       Pretend(true);
-      const auto right = Read(processor.Upload(window), size, 0);
+      const auto right = Read(processor.Upload(window, 1), size, 0);
       ok &= CheckClose("changed to size " + std::to_string(size) + ", wind " +
           std::to_string(static_cast<int>(wind)),
         Largest(found, right, 0) / Rms(right), kLimit);
@@ -154,10 +155,10 @@ bool CheckDetour(const std::string& name, vtkOpenGLRenderWindow* window, vtkWate
   sea.Update(MakeTile(size, 0.0), kSea, time);
   processor.Update(MakeTile(size, 0.0), kSea, time);
   Pretend(false);
-  const auto found = Read(sea.Upload(window), size, 1);
+  const auto found = Read(sea.Upload(window, 1), size, 1);
   const std::string said = sea.GetDetour() ? sea.GetDetour() : "";
   Pretend(true);
-  const auto right = Read(processor.Upload(window), size, 1);
+  const auto right = Read(processor.Upload(window, 1), size, 1);
   bool ok = WaterCheck(name + ": says '" + said + "'", said.find(says) != std::string::npos, true);
   ok &= WaterCheck(name + ": the texture is the processor's", found == right, true);
   processor.ReleaseGraphicsResources(window);
@@ -171,7 +172,7 @@ bool CheckDetours(vtkOpenGLRenderWindow* window)
   ok &= CheckDetour("a large time", window, sea, 32, 1e15, "time is too large");
   sea.Update(MakeTile(32, 0.0), kSea, 1e3);
   Pretend(false);
-  sea.Upload(window);
+  sea.Upload(window, 1);
   ok &= WaterCheck("after the large time it is the GPU's again", sea.GetDetour() == nullptr, true);
   GLuint query = 0;
   glGenQueries(1, &query);
@@ -225,7 +226,7 @@ bool CheckRefusal(const std::string& name, Function& slot, Function& driver, Fun
   WaterTestScene other;
   sea.Update(MakeTile(64, 0.0), kSea, 3.0);
   Pretend(false);
-  sea.Upload(Current(other));
+  sea.Upload(Current(other), 1);
   ok &= WaterCheck<std::string>(
     name + ": in another window", sea.GetDetour() ? sea.GetDetour() : "drawn", "drawn");
   sea.ReleaseGraphicsResources(other.Window);
@@ -277,7 +278,7 @@ bool CheckState(vtkOpenGLRenderWindow* window)
     state->vtkglActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(round));
     const std::vector<int> before = ReadState();
     sea.Update(MakeTile(32, 0.0), kSea, round);
-    vtkTextureObject* texture = sea.Upload(window);
+    vtkTextureObject* texture = sea.Upload(window, 1);
     const std::vector<int> after = ReadState();
     for (size_t i = 0; i < before.size(); ++i)
     {

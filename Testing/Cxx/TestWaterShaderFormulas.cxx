@@ -389,7 +389,7 @@ bool CheckWaves(WaterShaderRun& run, const std::string& name, double steepness, 
     glUniform4f(glGetUniformLocation(program, "waterHeightOfClip"), 0.0f, 0.0f, 1.0f, 0.0f);
   };
   Formula moved{ name + ", displacement",
-    std::string(vtkWaterCell) + vtkWaterDisplacementVS +
+    std::string(vtkWaterCell) + vtkWaterNoSeaVS + vtkWaterDisplacementVS +
       "vec4 testMoved(vec2 place)\n{\n  vec4 position = vec4(place, 0.0, 1.0);\n"
       "  waterDisplace(position);\n  return vec4(waterMovedVSOutput, 0.0);\n}\n",
     "testMoved(testCase(0).xy)", 2, kWaveLimit, DrawPlace,

@@ -19,12 +19,22 @@ bool water_features_needs_rays(const water_feature_look* look)
 
 bool water_features_is_displaced(const water_feature_look* look)
 {
-  return look->has_wave_geometry && look->has_sines;
+  return look->has_wave_geometry && (look->has_sines || look->has_sea);
+}
+
+static bool has_whitecaps(const water_feature_look* look)
+{
+  return look->has_sea && look->has_whitecaps;
+}
+
+static bool has_foam(const water_feature_look* look)
+{
+  return look->has_foam || has_whitecaps(look);
 }
 
 static bool is_sunlit(const water_feature_look* look)
 {
-  return (look->has_glitter && water_features_is_rough(look)) || look->has_foam;
+  return (look->has_glitter && water_features_is_rough(look)) || has_foam(look);
 }
 
 bool water_features_has_shadows(const water_feature_look* look)
@@ -68,10 +78,11 @@ unsigned water_features_of(const water_feature_look* look)
     if_has(look->has_normal_maps, WATER_FEATURE_NORMAL_MAPS) |
     if_has(is_rough, WATER_FEATURE_ROUGH) |
     if_has(water_features_is_displaced(look), WATER_FEATURE_DISPLACED) |
-    if_has(is_clear, WATER_FEATURE_MEDIUM) |
+    if_has(look->has_sea && look->has_wave_geometry, WATER_FEATURE_SEA_MOVES) |
+    if_has(has_whitecaps(look), WATER_FEATURE_WHITECAPS) | if_has(is_clear, WATER_FEATURE_MEDIUM) |
     if_has(is_clear && has_waves(look) && look->has_caustics, WATER_FEATURE_CAUSTICS) |
     if_has(look->has_glitter && is_rough, WATER_FEATURE_GLITTER) |
-    if_has(look->has_foam, WATER_FEATURE_FOAM) |
+    if_has(has_foam(look), WATER_FEATURE_FOAM) |
     if_has(water_features_has_shadows(look), WATER_FEATURE_SHADOWS) |
     if_has(look->has_output, WATER_FEATURE_OUTPUT);
 }

@@ -42,6 +42,8 @@ extern "C"
   X(HARDWARE_TILE, "hardware: as many looks at a tile as a pixel needs")                           \
   X(MESH, "a mesh of the user's: its vertices know their heights")                                 \
   X(SAMPLES, "the picture that is seen through the surface has several samples a pixel")           \
+  X(SEA_MOVES, "the wind sea is among the waves that move the surface")                            \
+  X(WHITECAPS, "where they stand closest the sea is white")                                        \
   X(SKY_SCREEN, "the background is a picture, or a gradient")                                      \
   X(SKY_MAP, "the sky is a picture in longitude and latitude")                                     \
   X(SKY_CUBE, "the sky is a cube map")                                                             \
@@ -99,6 +101,11 @@ enum // WATER_FEATURE_WAVES and so on
   X(tile, vtkWaterHardwareTileFS, WATER_FEATURE_FLAG(HARDWARE_TILE), 0,                            \
     "the same, from one, two or four looks")                                                       \
   X(sines, vtkWaterWavesFS, WATER_FEATURE_FLAG(WAVES), 0, "sine and Gerstner waves")               \
+  X(tiles, vtkWaterSeaTiles, WATER_FEATURE_FLAG(SEA), 0, "the wind sea's tiles")                   \
+  X(folds, vtkWaterSeaFoldsFS, WATER_FEATURE_FLAG(SEA_MOVES) | WATER_FEATURE_FLAG(WHITECAPS), 0,   \
+    "how close a wind sea's points stand")                                                         \
+  X(folds, vtkWaterNoSeaFoldsFS, WATER_FEATURE_FLAG(WAVES),                                        \
+    WATER_FEATURE_FLAG(SEA_MOVES) | WATER_FEATURE_FLAG(WHITECAPS), "not known")                    \
   X(sea, vtkWaterSeaFS, WATER_FEATURE_FLAG(SEA), 0, "wind sea")                                    \
   X(sea, vtkWaterNoSeaFS, WATER_FEATURE_FLAG(WAVES), WATER_FEATURE_FLAG(SEA), "none")              \
   X(normal_maps, vtkWaterNormalMapsFS, WATER_FEATURE_FLAG(NORMAL_MAPS), 0,                         \
@@ -163,6 +170,9 @@ enum // WATER_FEATURE_WAVES and so on
   X(shadows, vtkWaterNoShadowsFS, 0, WATER_FEATURE_FLAG(SHADOWS), "none")                          \
   X(glitter, vtkWaterGlitterFS, WATER_FEATURE_FLAG(GLITTER), 0, "the sun's glitter")               \
   X(glitter, vtkWaterNoGlitterFS, 0, WATER_FEATURE_FLAG(GLITTER), "none")                          \
+  X(whitecaps, vtkWaterWhitecapsFS, WATER_FEATURE_FLAG(WHITECAPS), 0, "white crests of a sea")     \
+  X(whitecaps, vtkWaterNoWhitecapsFS, WATER_FEATURE_FLAG(FOAM), WATER_FEATURE_FLAG(WHITECAPS),     \
+    "none")                                                                                        \
   X(foam, vtkWaterFoamFS, WATER_FEATURE_FLAG(FOAM), 0, "at the shore and on crests")               \
   X(foam, vtkWaterNoFoamFS, 0, WATER_FEATURE_FLAG(FOAM), "none")                                   \
   X(sun, vtkWaterSunFS, WATER_FEATURE_FLAG(GLITTER) | WATER_FEATURE_FLAG(FOAM), 0,                 \
@@ -173,6 +183,9 @@ enum // WATER_FEATURE_WAVES and so on
 // Files of its vertex shader, in order: the same, for features that have any.
 #define WATER_VERTEX_FILE_LIST(X)                                                                  \
   X(cell, vtkWaterCell, WATER_FEATURE_FLAG(DISPLACED), 0, "what a grid can hold of a wave")        \
+  X(tiles, vtkWaterSeaTiles, WATER_FEATURE_FLAG(SEA_MOVES), 0, "the wind sea's tiles")             \
+  X(sea, vtkWaterSeaVS, WATER_FEATURE_FLAG(SEA_MOVES), 0, "what a wind sea moves them by")         \
+  X(sea, vtkWaterNoSeaVS, WATER_FEATURE_FLAG(DISPLACED), WATER_FEATURE_FLAG(SEA_MOVES), "none")    \
   X(displacement, vtkWaterDisplacementVS, WATER_FEATURE_FLAG(DISPLACED), 0,                        \
     "moves vertices by the waves")                                                                 \
   X(heights, vtkWaterMeshVS, WATER_FEATURE_FLAG(MESH), 0, "of the vertices over the plane")        \
@@ -187,6 +200,8 @@ enum // WATER_FEATURE_WAVES and so on
   X(point, vtkWaterPointFS, 0, 0, "what all slots know, and the sun")                              \
   X(tile, vtkWaterPhotonTileFS, 0, 0, "slopes from a texture that repeats, smooth between points") \
   X(sines, vtkWaterWavesFS, 0, 0, "sine and Gerstner waves")                                       \
+  X(tiles, vtkWaterSeaTiles, WATER_FEATURE_FLAG(SEA), 0, "tiles of a wind sea")                    \
+  X(folds, vtkWaterNoSeaFoldsFS, 0, 0, "of a sea that moves no points in the plane")               \
   X(sea, vtkWaterSeaFS, WATER_FEATURE_FLAG(SEA), 0, "wind sea")                                    \
   X(sea, vtkWaterNoSeaFS, 0, WATER_FEATURE_FLAG(SEA), "none")                                      \
   X(normal_maps, vtkWaterNormalMapsFS, WATER_FEATURE_FLAG(NORMAL_MAPS), 0,                         \
@@ -213,7 +228,8 @@ typedef enum water_lookup_kind
   X(has_sea, "a wind sea")                                                                         \
   X(has_normal_maps, "normal maps that move")                                                      \
   X(has_slope_variance, "slopes that are given as a distribution")                                 \
-  X(has_wave_geometry, "sines move the surface")                                                   \
+  X(has_wave_geometry, "sines and the sea move the surface")                                       \
+  X(has_whitecaps, "the sea's crests are white")                                                   \
   X(has_environment, "a static picture is reflected")                                              \
   X(has_refraction, "the scene is seen through the surface")                                       \
   X(is_opaque, "drawn with the opaque geometry")                                                   \

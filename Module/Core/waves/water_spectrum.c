@@ -45,6 +45,13 @@ water_status water_sea_check(const water_sea* sea)
   return WATER_OK;
 }
 
+bool water_sea_is_same(const water_sea* a, const water_sea* b)
+{
+  return a->model == b->model && a->spreading == b->spreading && a->wind_speed == b->wind_speed &&
+    a->wind_dir_rad == b->wind_dir_rad && a->fetch == b->fetch && a->depth == b->depth &&
+    a->peak_enhancement == b->peak_enhancement && a->spreading_power == b->spreading_power;
+}
+
 // g F / U^2, up to where 22 (U^2 / (g F))^(1/3) = 2 pi 0.13.
 static double dimensionless_fetch(const water_sea* sea)
 {

@@ -8,6 +8,8 @@
 
 #include "water_status.h"
 
+#include <stdbool.h>
+
 #ifdef __cplusplus
 extern "C"
 {
@@ -41,6 +43,9 @@ typedef struct water_sea
 // WATER_BAD_WIND_DIRECTION, WATER_BAD_FETCH, WATER_BAD_DEPTH, WATER_BAD_PEAK_ENHANCEMENT,
 // WATER_BAD_SPREADING_POWER that applies. The functions below want a checked sea.
 water_status water_sea_check(const water_sea* sea);
+
+// Are two seas the same?
+bool water_sea_is_same(const water_sea* a, const water_sea* b);
 
 // Angular frequency of the spectrum's peak in rad/s. JONSWAP: 22 (g^2 / (U F))^(1/3), down to the
 // fully developed sea's 2 pi 0.13 g / U, where the growth ends (g F / U^2 = 1.95e4; with longer

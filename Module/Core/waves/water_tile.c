@@ -9,7 +9,6 @@
 
 #include <stdlib.h>
 
-static const double shortest = 370.0; // rad/m, of the waves that count (water_spectrum.h)
 static const double natural_waves = 10.0;
 
 water_status water_tile_check(const water_tile* tile, const water_sea* sea)
@@ -26,7 +25,18 @@ water_status water_tile_check(const water_tile* tile, const water_sea* sea)
   {
     return WATER_BAD_PERIOD;
   }
+  if (!(tile->k_low >= 0.0) || !isfinite(tile->k_low) || !isfinite(tile->k_high) ||
+    !(tile->k_high == 0.0 || tile->k_high > tile->k_low))
+  {
+    return WATER_BAD_WAVENUMBER;
+  }
   return water_sea_check(sea);
+}
+
+bool water_tile_is_same(const water_tile* a, const water_tile* b)
+{
+  return a->size == b->size && a->length == b->length && a->period == b->period &&
+    a->seed == b->seed && a->k_low == b->k_low && a->k_high == b->k_high;
 }
 
 typedef struct mode // a wave vector of the tile
@@ -54,6 +64,12 @@ static mode mode_of(const water_tile* tile, size_t column, size_t row)
   return made;
 }
 
+static bool is_in_band(const water_tile* tile, const mode* m)
+{
+  const double k = hypot(m->k[0], m->k[1]);
+  return m->is_used && k >= tile->k_low && (tile->k_high == 0.0 || k < tile->k_high);
+}
+
 // One number for each (i, j), whatever the tile's size (16384 at most).
 static uint64_t counter_of(const mode* m)
 {
@@ -79,7 +95,7 @@ water_status water_tile_amplitudes(const water_tile* tile, const water_sea* sea,
       water_random_normal(seed, counter_of(&m), pair);
       // |h|^2 has the variance of both h0: a half each, and a half each for its two parts
       const double scale =
-        m.is_used ? 0.5 * step * sqrt(water_sea_density(sea, m.k[0], m.k[1])) : 0.0;
+        is_in_band(tile, &m) ? 0.5 * step * sqrt(water_sea_density(sea, m.k[0], m.k[1])) : 0.0;
       amplitudes[m.at] = scale * pair[0];
       amplitudes[m.at + 1] = scale * pair[1];
     }
@@ -179,11 +195,12 @@ void water_tile_slopes(
   const water_tile* tile, const water_sea* sea, double held[2], double left_out[2])
 {
   const double nyquist = 0.5 * water_two_pi * (double)tile->size / tile->length;
+  const double end = tile->k_high > 0.0 ? fmin(tile->k_high, nyquist) : nyquist;
   held[0] = held[1] = left_out[0] = left_out[1] = 0.0;
-  (void)water_sea_slopes(sea, 0.0, nyquist, held);
-  if (nyquist < shortest)
+  (void)water_sea_slopes(sea, tile->k_low, end, held);
+  if (end < WATER_TILE_SHORTEST)
   {
-    (void)water_sea_slopes(sea, nyquist, shortest, left_out);
+    (void)water_sea_slopes(sea, end, WATER_TILE_SHORTEST, left_out);
   }
 }
 

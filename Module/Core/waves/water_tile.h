@@ -23,12 +23,16 @@ extern "C"
 {
 #endif
 
+#define WATER_TILE_SHORTEST 370.0 // rad/m, of the waves that count (water_spectrum.h)
+
 typedef struct water_tile
 {
   size_t size;   // points a side, even, 4 to 16384
   double length; // m a side, in [0.001, 1e9]
   double period; // s after which the sea repeats itself exactly, >= 0; 0: it never does
   uint64_t seed; // the same seed gives the same sea
+  double k_low;  // rad/m: shorter wave vectors are left out, >= 0
+  double k_high; // and those from here on, > k_low; 0: none
 } water_tile;
 
 typedef enum water_tile_field
@@ -39,9 +43,13 @@ typedef enum water_tile_field
   WATER_TILE_CHOP_Y
 } water_tile_field;
 
-// Returns WATER_OK, WATER_BAD_TILE_SIZE, WATER_BAD_TILE_LENGTH, WATER_BAD_PERIOD, or as
-// water_sea_check. The functions that return nothing want a checked tile.
+// Returns WATER_OK, WATER_BAD_TILE_SIZE, WATER_BAD_TILE_LENGTH, WATER_BAD_PERIOD,
+// WATER_BAD_WAVENUMBER (the band), or as water_sea_check. The functions that return nothing want a
+// checked tile.
 water_status water_tile_check(const water_tile* tile, const water_sea* sea);
+
+// Are two tiles the same?
+bool water_tile_is_same(const water_tile* a, const water_tile* b);
 
 // The amplitudes h0: normal numbers times sqrt(S(k) dk^2) / 2, S at the cell's middle. The normal
 // numbers belong to (i, j) and the seed, not to the size: a finer tile of the same length has the
@@ -95,8 +103,9 @@ double water_tile_peak_wavelength(const water_sea* sea);
 double water_tile_natural_length(const water_sea* sea);
 
 // Slope variances along the plane's axes by the spectrum's integral: of the waves that the tile
-// holds, up to its Nyquist wave number pi size / length; and of the shorter ones up to 370 rad/m
-// (water_sea_moments), 0 for a tile that is finer than that.
+// holds, from k_low up to k_high or its Nyquist wave number pi size / length; and of the shorter
+// ones up to 370 rad/m (water_sea_moments), 0 for a tile that is finer than that.
+// Reference of tests: nothing in the module calls it.
 void water_tile_slopes(
   const water_tile* tile, const water_sea* sea, double held[2], double left_out[2]);
 

@@ -86,6 +86,47 @@ static void pack_height(const wave* w, const double height[2], double at[2], dou
   opposite[1] = height[1];
 }
 
+// 1 / |k|; the mean has no amplitude, whatever this is.
+static double wavelength_of(const wave* w)
+{
+  const double square = w->k[0] * w->k[0] + w->k[1] * w->k[1];
+  return square > 0.0 ? 1.0 / sqrt(square) : 0.0;
+}
+
+static void pack_chop(const wave* w, const double height[2], double at[2], double opposite[2])
+{
+  const double per_k = wavelength_of(w);
+  const wave unit = { { per_k * w->k[0], per_k * w->k[1] }, w->own, w->other };
+  pack_slopes(&unit, height, at, opposite);
+}
+
+// (first + i second) conj(h), for fields that are real multiples of the height's spectrum
+static void pack_even(
+  double first, double second, const double height[2], double at[2], double opposite[2])
+{
+  at[0] = first * height[0] + second * height[1];
+  at[1] = second * height[0] - first * height[1];
+  opposite[0] = first * height[0] - second * height[1];
+  opposite[1] = second * height[0] + first * height[1];
+}
+
+static void pack_stretch(const wave* w, const double height[2], double at[2], double opposite[2])
+{
+  const double per_k = -wavelength_of(w);
+  pack_even(per_k * w->k[0] * w->k[0], per_k * w->k[1] * w->k[1], height, at, opposite);
+}
+
+static void pack_shear(const wave* w, const double height[2], double at[2], double opposite[2])
+{
+  pack_even(-wavelength_of(w) * w->k[0] * w->k[1], 0.0, height, at, opposite);
+}
+
+static void pack_height_shear(
+  const wave* w, const double height[2], double at[2], double opposite[2])
+{
+  pack_even(1.0, -wavelength_of(w) * w->k[0] * w->k[1], height, at, opposite);
+}
+
 static inline void fill_row(const water_tile* tile, const double* amplitudes, const double* phasors,
   size_t row, packing* pack, double* own, double* mirror)
 {
@@ -107,20 +148,38 @@ static inline void fill_row(const water_tile* tile, const double* amplitudes, co
   }
 }
 
-void water_tile_slope_row(const water_tile* tile, const double* amplitudes, const double* phasors,
-  size_t row, double* own, double* mirror)
+void water_tile_pair_row(const water_tile* tile, const double* amplitudes, const double* phasors,
+  water_tile_pair pair, size_t row, double* own, double* mirror)
 {
-  fill_row(tile, amplitudes, phasors, row, pack_slopes, own, mirror);
+  switch (pair) // a call each, so that the compiler makes a loop of each
+  {
+    case WATER_PAIR_SLOPES:
+      fill_row(tile, amplitudes, phasors, row, pack_slopes, own, mirror);
+      break;
+    case WATER_PAIR_CHOP:
+      fill_row(tile, amplitudes, phasors, row, pack_chop, own, mirror);
+      break;
+    case WATER_PAIR_STRETCH:
+      fill_row(tile, amplitudes, phasors, row, pack_stretch, own, mirror);
+      break;
+    case WATER_PAIR_SHEAR:
+      fill_row(tile, amplitudes, phasors, row, pack_shear, own, mirror);
+      break;
+    case WATER_PAIR_HEIGHT_SHEAR:
+      fill_row(tile, amplitudes, phasors, row, pack_height_shear, own, mirror);
+      break;
+    case WATER_PAIR_HEIGHT:
+    default:
+      fill_row(tile, amplitudes, phasors, row, pack_height, own, mirror);
+      break;
+  }
 }
 
-void water_tile_height_row(const water_tile* tile, const double* amplitudes, const double* phasors,
-  size_t row, double* own, double* mirror)
+void water_tile_pair_waves(
+  const water_tile* tile, const double* amplitudes, water_tile_pair pair, float* waves)
 {
-  fill_row(tile, amplitudes, phasors, row, pack_height, own, mirror);
-}
-
-void water_tile_slope_waves(const water_tile* tile, const double* amplitudes, float* waves)
-{
+  static packing* const packings[WATER_PAIR_COUNT] = { pack_slopes, pack_height, pack_chop,
+    pack_stretch, pack_shear, pack_height_shear };
   const size_t n = tile->size;
   for (size_t row = 0; row < n; ++row)
   {
@@ -132,8 +191,8 @@ void water_tile_slope_waves(const water_tile* tile, const double* amplitudes, fl
       const double odd[2] = { w.own[1] + w.other[1], w.other[0] - w.own[0] };
       double spectra[4];
       double opposite[2];
-      pack_slopes(&w, even, spectra, opposite);
-      pack_slopes(&w, odd, spectra + 2, opposite);
+      packings[pair](&w, even, spectra, opposite);
+      packings[pair](&w, odd, spectra + 2, opposite);
       for (size_t i = 0; i < 4; ++i)
       {
         waves[4 * (row * n + column) + i] = (float)spectra[i];

@@ -162,17 +162,10 @@ static double turns_at(const water_wave_term* term, double x, double y, const do
     term->turns_per_m[1] * way[1];
 }
 
-typedef struct surface // sums over the waves at a point at rest
-{
-  double moved[3];
-  double gradient[2]; // of the height by the point at rest
-  double stretch[3];  // xx, xy, yy of d place / d rest: symmetric
-} surface;
-
-static surface surface_at(
+static water_wave_sum surface_at(
   const water_wave_term* terms, size_t count, double x, double y, const double way[2])
 {
-  surface sum = { { 0.0, 0.0, 0.0 }, { 0.0, 0.0 }, { 1.0, 0.0, 1.0 } };
+  water_wave_sum sum = { { 0.0, 0.0, 0.0 }, { 0.0, 0.0 }, { 1.0, 0.0, 1.0 } };
   for (size_t i = 0; i < count; ++i)
   {
     const water_wave_term* term = &terms[i];
@@ -194,12 +187,13 @@ static surface surface_at(
   return sum;
 }
 
-static water_wave_point point_of(const surface* at)
+// least  area over that at rest, >= 0: what is less counts as that
+static water_wave_point point_of(const water_wave_sum* at, double least)
 {
   water_wave_point point;
   // the cross product of the two tangents, (sxx, sxy, gx) and (sxy, syy, gy)
   const double area = at->stretch[0] * at->stretch[2] - at->stretch[1] * at->stretch[1];
-  point.jacobian = fmax(area, 0.0); // the waves do not fold: below 0 is rounding
+  point.jacobian = fmax(area, least); // sines do not fold: below 0 is rounding
   const double across[3] = { at->stretch[1] * at->gradient[1] - at->stretch[2] * at->gradient[0],
     at->stretch[1] * at->gradient[0] - at->stretch[0] * at->gradient[1], point.jacobian };
   const double length = water_vec3_length(across);
@@ -220,55 +214,88 @@ void water_waves_point(
   const water_wave_term* terms, size_t count, double x, double y, water_wave_point* point)
 {
   const double way[2] = { 0.0, 0.0 };
-  const surface at = surface_at(terms, count, x, y, way);
-  *point = point_of(&at);
+  const water_wave_sum at = surface_at(terms, count, x, y, way);
+  *point = point_of(&at, 0.0);
 }
+
+static const double least_area = 0.1; // of seas; sines end at their cusps
 
 typedef struct guess
 {
   double way[2]; // from the place to the point at rest; short, so that it keeps its digits
   double miss[2];
   double distance; // length of the miss
-  surface at;
+  water_wave_sum at;
 } guess;
 
-static guess guess_at(
-  const water_wave_term* terms, size_t count, double x, double y, const double way[2])
+typedef struct search
 {
-  guess made = { { way[0], way[1] }, { 0.0, 0.0 }, 0.0, surface_at(terms, count, x, y, way) };
+  const water_wave_term* terms;
+  size_t count;
+  const water_wave_others* others; // NULL: none
+  double place[2];
+} search;
+
+static guess guess_at(const search* of, const double way[2])
+{
+  const double x = of->place[0];
+  const double y = of->place[1];
+  guess made = { { way[0], way[1] }, { 0.0, 0.0 }, 0.0,
+    surface_at(of->terms, of->count, x, y, way) };
+  if (of->others != NULL && !of->others->add(of->others->context, x + way[0], y + way[1], &made.at))
+  {
+    made.at.moved[2] = (double)NAN;
+  }
   made.miss[0] = way[0] + made.at.moved[0];
   made.miss[1] = way[1] + made.at.moved[1];
   made.distance = hypot(made.miss[0], made.miss[1]);
   return made;
 }
 
-water_status water_waves_find(const water_wave_term* terms, size_t count, double x, double y,
-  double rest[2], water_wave_point* point)
+// Where Newton's method goes; where others fold, straight to the miss.
+static void step_from(const guess* from, const search* of, double go[2])
 {
+  const double xx = from->at.stretch[0] + rounding;
+  const double xy = from->at.stretch[1];
+  const double yy = from->at.stretch[2] + rounding;
+  const double area = xx * yy - xy * xy;
+  const bool folds = of->others != NULL && !(area > least_area && xx > 0.0);
+  go[0] = folds ? from->miss[0] : (yy * from->miss[0] - xy * from->miss[1]) / area;
+  go[1] = folds ? from->miss[1] : (xx * from->miss[1] - xy * from->miss[0]) / area;
+}
+
+double water_waves_least_area(void)
+{
+  return least_area;
+}
+
+water_status water_waves_find_all(const water_wave_term* terms, size_t count,
+  const water_wave_others* others, double x, double y, double rest[2], water_wave_point* point)
+{
+  const search of = { terms, count, others, { x, y } };
   double reach = 0.0;
   for (size_t i = 0; i < count; ++i)
   {
     reach += terms[i].steepness * terms[i].amplitude;
   }
+  const double enough =
+    fmax(8.0 * DBL_EPSILON * reach, others != NULL ? 1e-6 * others->across : 0.0);
+  const int halvings = others != NULL ? 8 : 60;
   const double start[2] = { 0.0, 0.0 };
-  guess best = guess_at(terms, count, x, y, start);
+  guess best = guess_at(&of, start);
   bool is_better = true;
   // each step at least shortens the miss; near the solution it squares it, near a cusp it takes off
   // two thirds, and 100 of those leave nothing
-  for (int step = 0; step < 100 && is_better && best.distance > 8.0 * DBL_EPSILON * reach; ++step)
+  for (int step = 0; step < 100 && is_better && best.distance > enough; ++step)
   {
-    const double xx = best.at.stretch[0] + rounding;
-    const double xy = best.at.stretch[1];
-    const double yy = best.at.stretch[2] + rounding;
-    const double area = xx * yy - xy * xy;
-    const double go[2] = { (yy * best.miss[0] - xy * best.miss[1]) / area,
-      (xx * best.miss[1] - xy * best.miss[0]) / area };
+    double go[2];
+    step_from(&best, &of, go);
     is_better = false;
     double part = 1.0;
-    for (int halving = 0; halving < 60 && !is_better; ++halving)
+    for (int halving = 0; halving < halvings && !is_better; ++halving)
     {
       const double way[2] = { best.way[0] - part * go[0], best.way[1] - part * go[1] };
-      const guess next = guess_at(terms, count, x, y, way);
+      const guess next = guess_at(&of, way);
       is_better = next.distance < best.distance;
       best = is_better ? next : best;
       part *= 0.5;
@@ -280,8 +307,14 @@ water_status water_waves_find(const water_wave_term* terms, size_t count, double
   }
   rest[0] = x + best.way[0];
   rest[1] = y + best.way[1];
-  *point = point_of(&best.at);
+  *point = point_of(&best.at, others != NULL ? least_area : 0.0);
   return WATER_OK;
+}
+
+water_status water_waves_find(const water_wave_term* terms, size_t count, double x, double y,
+  double rest[2], water_wave_point* point)
+{
+  return water_waves_find_all(terms, count, NULL, x, y, rest, point);
 }
 
 double water_waves_looked_up(const water_wave* waves, size_t count)

@@ -52,6 +52,23 @@ typedef struct water_wave_point
   double jacobian;        // area over the plane per area at rest; 0 on a cusp, never less
 } water_wave_point;
 
+typedef struct water_wave_sum // of waves at a point at rest
+{
+  double moved[3];    // from the place at rest
+  double gradient[2]; // of the height by the point at rest
+  double stretch[3];  // xx, xy, yy of d place / d rest: symmetric; 1, 0, 1 where no wave is
+} water_wave_sum;
+
+// Adds waves that are no terms, as a sea's, at a place at rest; false: the place is too far.
+typedef bool water_waves_add(const void* context, double x, double y, water_wave_sum* sum);
+
+typedef struct water_wave_others
+{
+  water_waves_add* add;
+  const void* context;
+  double across; // how far they move a point in the plane
+} water_wave_others;
+
 typedef struct water_wave_row // a wave for the shader
 {
   float k[2];      // rad/m
@@ -118,6 +135,18 @@ void water_waves_point(
 // are unchanged.
 water_status water_waves_find(const water_wave_term* terms, size_t count, double x, double y,
   double rest[2], water_wave_point* point);
+
+// The same with other waves beside the terms, which may fold, and know their derivatives but
+// roughly: the place is met within 1e-6 of their reach, or, where the surface lies over itself, is
+// one of those there. Where it is steeper than breaking waves are (an area under
+// water_waves_least_area) the normal is that of so much.
+//
+// others  NULL: none
+water_status water_waves_find_all(const water_wave_term* terms, size_t count,
+  const water_wave_others* others, double x, double y, double rest[2], water_wave_point* point);
+
+// The least area over that at rest that a sea's normals are of: beyond, crests have broken.
+double water_waves_least_area(void);
 
 // Root mean square height (m) and slope of checked waves, no two of the same wave vector:
 // sqrt(sum A^2 / 2), sqrt(sum (k A)^2 / 2). Per area at rest and of the sines; steepness moves both

@@ -10,7 +10,7 @@ uniform mat4 waterAxesToClip;   // direction in the plane's axes (third: its nor
 uniform vec4 waterHeightOfClip; // clip -> height over the plane
 uniform mat3 waterClipToPlace;  // clip (x, y, w) of a point on the plane -> place from under the eye
 out vec2 waterRestVSOutput;
-out vec3 waterMovedVSOutput;
+out vec3 waterMovedVSOutput; // by sines: the sea's part needs no step to the view ray
 out vec2 waterCellVSOutput;
 
 void waterDisplace(inout vec4 position)
@@ -30,5 +30,5 @@ void waterDisplace(inout vec4 position)
     moved += kept * vec3(steepness * cos(angle) * inversesqrt(dot(k, k)) * k, sin(angle));
   }
   waterMovedVSOutput = moved;
-  position += waterAxesToClip * vec4(moved, 0.0);
+  position += waterAxesToClip * vec4(moved + waterSeaMoved(waterRestVSOutput, waterCell), 0.0);
 }

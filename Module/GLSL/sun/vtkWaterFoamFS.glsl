@@ -66,7 +66,7 @@ float waterFoamCover(WaterPoint point, vec2 place)
   {
     cover = max(cover, clamp(2.0 - 2.0 * point.jacobian / waterFoamJacobian, 0.0, 1.0));
   }
-  return cover;
+  return max(cover, waterWhitecap(point));
 }
 
 // How much of a pixel is foam, in [0, 1].

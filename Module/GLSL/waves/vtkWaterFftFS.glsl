@@ -1,13 +1,14 @@
 //VTK::System::Dec
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkWaterFftFS.glsl: a pass of a Fourier transform along the rows or columns of a square (water_fft.h), and
-// the squares of what comes out, which the last pass is asked for.
+// vtkWaterFftFS.glsl: a pass of two Fourier transforms along the rows or columns of a square (water_fft.h), and
+// for the first the squares of what comes out, which the last pass is asked for.
 //VTK::Output::Dec
 
 in vec2 texCoord;
-uniform sampler2D waterField;    // what the pass before left
+uniform sampler2D waterField;    // what the pass before left: a complex number of each transform
 uniform sampler2D waterFftTable; // water_fft_table, a row for each pass
 uniform vec4 waterFftPass;       // radix; size / radix; its row of the table; 0: along x, 1: along y
+uniform int waterFftSquares;     // 1: squares in place of the second transform
 
 void main()
 {
@@ -18,12 +19,12 @@ void main()
   int radix = int(waterFftPass.x);
   int next = int(waterFftPass.y);
   int at = int(entry.z) + radix * next;
-  vec2 sum = vec2(0.0);
+  vec4 sum = vec4(0.0);
   for (int i = 0; i < radix; ++i) // Horner
   {
     at -= next;
-    vec2 turned = vec2(sum.x * entry.x - sum.y * entry.y, sum.x * entry.y + sum.y * entry.x);
-    sum = turned + texelFetch(waterField, line + at * along, 0).rg;
+    vec4 turned = sum * entry.x + vec4(-sum.y, sum.x, -sum.w, sum.z) * entry.y;
+    sum = turned + texelFetch(waterField, line + at * along, 0);
   }
-  gl_FragData[0] = vec4(sum, sum * sum);
+  gl_FragData[0] = waterFftSquares != 0 ? vec4(sum.xy, sum.xy * sum.xy) : sum;
 }

@@ -3,14 +3,15 @@
 // small against a texel, and no gradients where these ask for the finest level: hardware filters four numbers of 32
 // bits several times as slowly as it reads a depth.
 
+const int WATER_TILE_LOOKS = 4;
 const float WATER_TILE_ONE = 0.05; // up to so many texels along the longer side one look is the mean of four,
 const float WATER_TILE_TWO = 0.3;   // and up to so many two: between texels the slope is linear
 
 // The mean of four looks along the pixel's longer side.
-vec4 waterTileFour(sampler2D tile, vec2 middle, vec2 longer, vec2 shorter, bool isFine)
+vec4 waterTileFour(sampler2DArray tile, vec3 middle, vec2 longer, vec2 shorter, bool isFine)
 {
-  vec2 inner = 0.125 * longer;
-  vec2 outer = 0.375 * longer;
+  vec3 inner = vec3(0.125 * longer, 0.0);
+  vec3 outer = vec3(0.375 * longer, 0.0);
   if (isFine)
   {
     return 0.25 * (textureLod(tile, middle - outer, 0.0) + textureLod(tile, middle - inner, 0.0) +
@@ -21,30 +22,37 @@ vec4 waterTileFour(sampler2D tile, vec2 middle, vec2 longer, vec2 shorter, bool 
     textureGrad(tile, middle + inner, part, shorter) + textureGrad(tile, middle + outer, part, shorter));
 }
 
-// As in vtkWaterTileFS.glsl.
-vec2 waterTileSlope(sampler2D tile, vec2 middle, vec2 across, vec2 down, float texel,
-  float strength, inout vec4 variance)
+// As in vtkWaterTileFS.glsl; of several looks as many as the pixel needs.
+vec4 waterTileMean(sampler2DArray tile, vec3 middle, vec2 longer, vec2 shorter, float texel, int looks)
+{
+  float texels = length(longer) / texel;
+  if (looks == 1)
+  {
+    return textureGrad(tile, middle, longer, shorter);
+  }
+  if (texels < WATER_TILE_ONE)
+  {
+    return textureLod(tile, middle, 0.0);
+  }
+  if (texels < WATER_TILE_TWO)
+  {
+    vec3 part = vec3(0.2795085 * longer, 0.0);
+    return 0.5 * (textureLod(tile, middle - part, 0.0) + textureLod(tile, middle + part, 0.0));
+  }
+  return waterTileFour(tile, middle, longer, shorter, max(0.25 * texels, length(shorter) / texel) < 1.0);
+}
+
+// As there.
+vec2 waterTileSlope(sampler2DArray tile, vec3 middle, vec2 across, vec2 down, float texel,
+  int looks, inout vec4 variance)
 {
   bool isWide = dot(across, across) > dot(down, down);
   vec2 longer = isWide ? across : down;
   vec2 shorter = isWide ? down : across;
+  vec4 seen = waterTileMean(tile, middle, longer, shorter, texel, looks);
   float texels = length(longer) / texel;
-  vec4 seen;
-  if (texels < WATER_TILE_ONE)
-  {
-    seen = textureLod(tile, middle, 0.0);
-  }
-  else if (texels < WATER_TILE_TWO)
-  {
-    seen = 0.5 * (textureLod(tile, middle - 0.2795085 * longer, 0.0) + textureLod(tile, middle + 0.2795085 * longer, 0.0));
-  }
-  else
-  {
-    seen = waterTileFour(tile, middle, longer, shorter, max(0.25 * texels, length(shorter) / texel) < 1.0);
-  }
-  // as there
   float share = min(0.5 * texels * texels, 1.0);
-  vec2 within = strength * strength * max(seen.zw - seen.xy * seen.xy, 0.0);
+  vec2 within = max(seen.zw - seen.xy * seen.xy, 0.0);
   variance += vec4(share * within, (1.0 - share) * within);
-  return strength * seen.xy;
+  return seen.xy;
 }

@@ -8,8 +8,10 @@ uniform float waterFootprint; // share of the pixel's sides that slopes are mean
 vec2 waterAllSlopes(
   vec2 place, vec2 across, vec2 down, vec3 ray, inout vec4 variance, out float jacobian)
 {
-  return waterSlope(place, across, down, ray, variance, jacobian) +
-    waterSeaSlope(place, across, down, variance) + waterMapSlope(place, across, down, variance);
+  vec2 sines = waterSlope(place, across, down, ray, variance, jacobian);
+  vec3 bent = vec3(0.0); // of the sea, as waterBent
+  vec2 sea = waterSeaSlope(place, across, down, variance, bent);
+  return waterFolded(sines, sea, bent, jacobian) + waterMapSlope(place, across, down, variance);
 }
 
 void waterRipple(inout WaterPoint point)

@@ -1,14 +1,69 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkWaterSeaFS.glsl: slot waves: the slopes of a wind sea from its tile; water_tile.c for the shader.
+// vtkWaterSeaFS.glsl: slot waves: the slopes of a wind sea from its tiles; water_cascade.c for the shader.
+//
+// Of the tiles a pixel looks at those whose waves it resolves. The last of them has waves of about its size, which
+// take all looks; of the others a texel is about a pixel, or many. As many looks for all pixels, at tiles that depend on
+// the pixel, and no branch or loop: software renderers take longer for these than for a look.
 
-uniform sampler2D waterSea;   // vtkWaterSlopeTexture
-uniform vec4 waterSeaTile;    // where under the eye, in tiles: x, y; tiles per m; half a texel
-uniform vec2 waterSeaLeftOut; // slope variance of the waves that are too short for the tile
+uniform vec4 waterSeaBands[4]; // slope variance of the waves from a tile on: xx, yy; longest wave of that tile
+
+const float WATER_SEA_FADES = 0.5; // a tile's waves are resolved while the longest are as long as a pixel, and fade from
+
+struct WaterSeaTile
+{
+  vec4 place;  // of waterSeaTiles
+  float layer;
+  float part;  // of it that is seen
+  vec2 hidden; // slope variance of what is not
+};
+
+// Adds a tile's part.
+//
+// looks  as in waterTileMean
+void waterAddTile(WaterSeaTile tile, int looks, vec2 place, vec2 across, vec2 down,
+  inout vec2 slope, inout vec4 variance, inout vec3 bent)
+{
+  vec3 middle = vec3(tile.place.xy + tile.place.z * place + tile.place.w, tile.layer);
+  vec2 wide = tile.place.z * across;
+  vec2 high = tile.place.z * down;
+  vec4 within = vec4(0.0);
+  slope += tile.part * waterTileSlope(waterSea, middle, wide, high, 2.0 * tile.place.w, looks, within);
+  variance += tile.part * tile.part * within;
+  variance.xy += tile.hidden;
+  bent += tile.part * waterSeaBend(waterSea, middle, wide, high, 2.0 * tile.place.w, looks);
+}
+
+// The tile so many before the last one that a pixel resolves; part 0: there is none.
+WaterSeaTile waterSeaTile(int last, int before)
+{
+  int i = last - before;
+  // numbers known early: software renderers are slow with a place that is known late
+  vec4 place = i == 2 ? waterSeaTiles[2] : i == 1 ? waterSeaTiles[1] : waterSeaTiles[0];
+  return WaterSeaTile(place, float(max(i, 0)), i < 0 ? 0.0 : 1.0, vec2(0.0));
+}
 
 // As waterSlope of vtkWaterWavesFS.glsl.
-vec2 waterSeaSlope(vec2 place, vec2 across, vec2 down, inout vec4 variance)
+//
+// bent  of the points' motion in the plane: d place / d rest is added, xx, xy, yy
+vec2 waterSeaSlope(vec2 place, vec2 across, vec2 down, inout vec4 variance, inout vec3 bent)
 {
-  variance.xy += waterSeaLeftOut;
-  return waterTileSlope(waterSea, waterSeaTile.xy + waterSeaTile.z * place + waterSeaTile.w,
-    waterSeaTile.z * across, waterSeaTile.z * down, 2.0 * waterSeaTile.w, 1.0, variance);
+  float pixel = max(length(across), length(down));
+  int last = 0;
+  vec4 band = waterSeaBands[0];
+  vec2 beyond = waterSeaBands[1].xy;
+  for (int i = 1; i < 3; ++i)
+  {
+    bool isResolved = i < waterSeaCount && pixel < waterSeaBands[i].z;
+    last = isResolved ? i : last;
+    band = isResolved ? waterSeaBands[i] : band;
+    beyond = isResolved ? waterSeaBands[i + 1].xy : beyond;
+  }
+  WaterSeaTile tile = waterSeaTile(last, 0);
+  tile.part = 1.0 - smoothstep(WATER_SEA_FADES * band.z, band.z, pixel);
+  tile.hidden = beyond + (1.0 - tile.part * tile.part) * (band.xy - beyond);
+  vec2 slope = vec2(0.0);
+  waterAddTile(tile, WATER_TILE_LOOKS, place, across, down, slope, variance, bent);
+  waterAddTile(waterSeaTile(last, 1), 1, place, across, down, slope, variance, bent);
+  waterAddTile(waterSeaTile(last, 2), 1, place, across, down, slope, variance, bent);
+  return slope;
 }

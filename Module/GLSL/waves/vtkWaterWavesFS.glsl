@@ -9,7 +9,11 @@ uniform int waterRestSteps; // steps to the point at rest; 0 for sines in the pl
 // not at all evenly from the second on. Source: measured, Documentation/decisions/006-lookup.md.
 const vec2 WATER_EVEN = vec2(1.0, 6.0);
 
-vec2 waterEven = vec2(0.0); // of the slope variances within the pixel, those of such waves; of the last place
+// Of the last place: of the slope variances within the pixel, those of such waves; the slope by the point at
+// rest, and d place / d rest (xx, xy, yy).
+vec2 waterEven = vec2(0.0);
+vec2 waterGradient = vec2(0.0);
+vec3 waterBent = vec3(1.0, 0.0, 1.0);
 
 // The part of a wave's variance within the pixel that is even.
 float waterEvenPart(vec2 turn)
@@ -51,7 +55,9 @@ vec2 waterSlope(
   if (waterRestSteps == 0)
   {
     jacobian = 1.0;
-    return waterSineSlope(place, across, down, variance);
+    waterBent = vec3(1.0, 0.0, 1.0);
+    waterGradient = waterSineSlope(place, across, down, variance);
+    return waterGradient;
   }
   vec2 rest = place;
   float height = 0.0;
@@ -98,6 +104,8 @@ vec2 waterSlope(
     }
   }
   variance.xy += unseen;
+  waterGradient = gradient;
+  waterBent = bent;
   // from slopes per point at rest to slopes per place
   jacobian = max(bent.x * bent.z - bent.y * bent.y, 1e-6);
   return vec2(bent.z * gradient.x - bent.y * gradient.y,

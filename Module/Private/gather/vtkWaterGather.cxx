@@ -16,12 +16,14 @@
 #include "vtkSkybox.h"
 #include "vtkTextureObject.h"
 #include "vtkWaterPropRecords.h"
+#include "vtkWaterSea.h"
 #include "water_daylight.h"
 #include "water_lookup.h"
 #include "water_optics.h"
 #include "water_waves.h"
 
 #include <algorithm>
+#include <new>
 
 namespace
 {
@@ -54,11 +56,41 @@ double ReadSurfaceHeight(vtkRenderer* renderer, const vtkWaterSnapshot& water)
   water_grid_view view;
   water_wave_point point;
   double rest[2];
-  return vtkWaterGather::ReadView(renderer, water, &view) &&
-      water_waves_find(water.Waves.data(), water.Waves.size(), view.origin_xy[0], view.origin_xy[1],
-        rest, &point) == WATER_OK
-    ? point.displacement[2]
-    : 0.0;
+  if (!vtkWaterGather::ReadView(renderer, water, &view))
+  {
+    return 0.0;
+  }
+  const double* xy = view.origin_xy;
+  if ((water.Features & WATER_FEATURE_SEA_MOVES) == 0)
+  {
+    return water_waves_find(water.Waves.data(), water.Waves.size(), xy[0], xy[1], rest, &point) ==
+        WATER_OK
+      ? point.displacement[2]
+      : 0.0;
+  }
+  // an eye that no wave reaches needs no height, which would cost a frame some milliseconds
+  const vtkWaterLook& look = water.Look;
+  if (!(view.eye_height <= look.WaveHeightMax))
+  {
+    return 0.0;
+  }
+  try
+  {
+    water.Sea->Update(look.Cascades, look.Sea, water.Time);
+    const water_cascade_surface surface =
+      water.Sea->GetSurface(look.SeaChoppiness, 1.0 / look.MetresPerUnit);
+    const water_wave_others others = { water_cascades_add, &surface, look.WaveReach };
+    if (water_waves_find_all(
+          water.Waves.data(), water.Waves.size(), &others, xy[0], xy[1], rest, &point) == WATER_OK)
+    {
+      return point.displacement[2];
+    }
+  }
+  catch (const std::bad_alloc&)
+  {
+    return 0.0; // the surface says it, and is drawn flat
+  }
+  return 0.0;
 }
 
 // The brightest scene light that is on; nullptr: there is none.

@@ -8,9 +8,9 @@
 #include "vtkTexture.h" // for members
 #include "vtkWaterMeshHeights.h"
 #include "vtkWaterNormalMaps.h"
+#include "water_cascade.h"
 #include "water_features.h"
 #include "water_medium.h"
-#include "water_tile.h"
 #include "water_types.h"
 #include "water_waves.h"
 
@@ -61,7 +61,10 @@ struct vtkWaterLook
   int Output = 0;
   bool CastsShadows = false;   // what the reflection texture shows keeps light off glitter and foam
   water_sea Sea = water_sea(); // in use if Has.has_sea
-  water_tile SeaTile = water_tile();
+  water_cascades Cascades = water_cascades();
+  double SeaBeyond[WATER_CASCADES_MAX + 1][2] = {}; // slope variances from a tile on, of the axes
+  double SeaChoppiness = 0.0;
+  double WhitecapJacobian = 0.0; // crests of the sea are white below it
   std::vector<vtkWaterNormalMaps::Layer> NormalMaps;
   vtkSmartPointer<vtkTexture> Environment;
   vtkSmartPointer<vtkObject> Property; // says what is wrong with them; compared
@@ -89,6 +92,12 @@ struct vtkWaterSnapshot
 
   bool IsClear() const { return (this->Features & WATER_FEATURE_MEDIUM) != 0; }
   bool IsDisplaced() const { return (this->Features & WATER_FEATURE_DISPLACED) != 0; }
+  // How many fields of the sea its texture has (vtkWaterSlopePasses).
+  int GetSeaFields() const
+  {
+    const bool isWhite = (this->Features & WATER_FEATURE_WHITECAPS) != 0;
+    return (this->Features & WATER_FEATURE_SEA_MOVES) != 0 ? 3 : isWhite ? 2 : 1;
+  }
   bool IsRough() const { return (this->Features & WATER_FEATURE_ROUGH) != 0; }
   // Do rays go on behind edges?
   bool WantsPeel() const

@@ -3,132 +3,78 @@
 
 #include "vtkMath.h"
 #include "vtkOpenGLRenderWindow.h"
-#include "vtkSMPTools.h"
+#include "vtkOpenGLState.h"
 #include "vtkTextureObject.h"
 #include "vtkWaterRendererClass.h"
-#include "water_tile_time.h"
 
-namespace
-{
-
-bool AreEqual(const water_tile& a, const water_tile& b)
-{
-  return a.size == b.size && a.length == b.length && a.period == b.period && a.seed == b.seed;
-}
-
-bool AreEqual(const water_sea& a, const water_sea& b)
-{
-  return a.model == b.model && a.spreading == b.spreading && a.wind_speed == b.wind_speed &&
-    a.wind_dir_rad == b.wind_dir_rad && a.fetch == b.fetch && a.depth == b.depth &&
-    a.peak_enhancement == b.peak_enhancement && a.spreading_power == b.spreading_power;
-}
-}
+#include <algorithm>
 
 //------------------------------------------------------------------------------
-void vtkWaterSea::Update(const water_tile& tile, const water_sea& sea, double time)
+void vtkWaterSea::Update(const water_cascades& cascades, const water_sea& sea, double time)
 {
-  const bool isOther =
-    this->Amplitudes.empty() || !AreEqual(tile, this->Tile) || !AreEqual(sea, this->Sea);
-  if (!isOther && time == this->Time)
+  bool isOther = cascades.count != this->Cascades.count;
+  this->Cascades.count = 0; // until there is memory for all
+  for (size_t i = 0; i < cascades.count; ++i)
   {
-    return;
+    if (this->Tiles[i].Update(cascades.tiles[i], sea, time))
+    {
+      this->Passes[i].Forget();
+      isOther = true;
+    }
   }
-  this->Time = time;
-  this->HasPhasors = false;
-  this->HasHeights = false;
-  this->HasSlopes = false;
-  this->IsUploaded = false;
-  if (isOther)
+  this->Cascades = cascades;
+  if (isOther || time != this->Time)
   {
-    this->Tile = tile;
-    this->Sea = sea;
-    double held[2];
-    water_tile_slopes(&tile, &sea, held, this->LeftOut);
-    this->Passes.Forget();
-    this->Amplitudes.clear(); // and last: there are none unless there is memory for all
-    this->Frequencies.resize(tile.size / 2 * (tile.size / 2));
-    water_tile_frequencies(&tile, &sea, this->Frequencies.data());
-    this->Amplitudes.resize(2 * tile.size * tile.size);
-    water_tile_amplitudes(&tile, &sea, this->Amplitudes.data());
+    this->Time = time;
+    this->UploadedFields = 0;
   }
-}
-
-//------------------------------------------------------------------------------
-void vtkWaterSea::UpdatePhasors()
-{
-  if (this->HasPhasors)
-  {
-    return;
-  }
-  this->Phasors.resize(2 * this->Frequencies.size());
-  vtkSMPTools::For(
-    0, static_cast<vtkIdType>(this->Tile.size / 2), [this](vtkIdType first, vtkIdType end) {
-      water_tile_phasors(&this->Tile, this->Frequencies.data(), this->Time,
-        static_cast<size_t>(first), static_cast<size_t>(end), this->Phasors.data());
-    });
-  this->HasPhasors = true;
-}
-
-//------------------------------------------------------------------------------
-void vtkWaterSea::UpdateHeights()
-{
-  if (this->HasHeights)
-  {
-    return;
-  }
-  this->UpdatePhasors();
-  this->Heights.resize(this->Tile.size * this->Tile.size);
-  this->Transform.Run(
-    this->Tile.size,
-    [this](size_t row, double* own, double* mirror) {
-      water_tile_height_row(
-        &this->Tile, this->Amplitudes.data(), this->Phasors.data(), row, own, mirror);
-    },
-    this->Heights.data(), nullptr);
-  this->HasHeights = true;
-}
-
-//------------------------------------------------------------------------------
-void vtkWaterSea::UpdateSlopes()
-{
-  if (this->HasSlopes)
-  {
-    return;
-  }
-  this->UpdatePhasors();
-  this->SlopesX.resize(this->Tile.size * this->Tile.size);
-  this->SlopesY.resize(this->Tile.size * this->Tile.size);
-  this->Transform.Run(
-    this->Tile.size,
-    [this](size_t row, double* own, double* mirror) {
-      water_tile_slope_row(
-        &this->Tile, this->Amplitudes.data(), this->Phasors.data(), row, own, mirror);
-    },
-    this->SlopesX.data(), this->SlopesY.data());
-  this->HasSlopes = true;
-}
-
-//------------------------------------------------------------------------------
-double vtkWaterSea::Sample(const std::vector<double>& field, double x, double y) const
-{
-  double value = vtkMath::Nan();
-  water_tile_sample(&this->Tile, field.data(), x, y, &value);
-  return value;
 }
 
 //------------------------------------------------------------------------------
 double vtkWaterSea::GetHeight(double x, double y)
 {
-  this->UpdateHeights();
-  return this->Sample(this->Heights, x, y);
+  double sum = 0.0;
+  for (size_t i = 0; i < this->Cascades.count; ++i)
+  {
+    double value = vtkMath::Nan();
+    water_tile_sample(&this->Cascades.tiles[i], this->Tiles[i].GetHeight(), x, y, &value);
+    sum += value;
+  }
+  return sum;
 }
 
 //------------------------------------------------------------------------------
 void vtkWaterSea::GetSlope(double x, double y, double slope[2])
 {
-  this->UpdateSlopes();
-  slope[0] = this->Sample(this->SlopesX, x, y);
-  slope[1] = this->Sample(this->SlopesY, x, y);
+  std::fill_n(slope, 2, 0.0);
+  for (size_t i = 0; i < this->Cascades.count; ++i)
+  {
+    double value[2] = { vtkMath::Nan(), vtkMath::Nan() };
+    const water_tile* tile = &this->Cascades.tiles[i];
+    water_tile_sample(tile, this->Tiles[i].GetFirst(WATER_PAIR_SLOPES), x, y, &value[0]);
+    water_tile_sample(tile, this->Tiles[i].GetSecond(WATER_PAIR_SLOPES), x, y, &value[1]);
+    slope[0] += value[0];
+    slope[1] += value[1];
+  }
+}
+
+//------------------------------------------------------------------------------
+water_cascade_surface vtkWaterSea::GetSurface(double choppiness, double unitsPerMetre)
+{
+  for (size_t i = 0; i < this->Cascades.count; ++i)
+  {
+    vtkWaterSeaTile& tile = this->Tiles[i];
+    water_cascade_fields& fields = this->Fields[i];
+    fields.height = tile.GetFirst(WATER_PAIR_HEIGHT_SHEAR);
+    fields.bend[2] = tile.GetSecond(WATER_PAIR_HEIGHT_SHEAR);
+    fields.slope[0] = tile.GetFirst(WATER_PAIR_SLOPES);
+    fields.slope[1] = tile.GetSecond(WATER_PAIR_SLOPES);
+    fields.chop[0] = tile.GetFirst(WATER_PAIR_CHOP);
+    fields.chop[1] = tile.GetSecond(WATER_PAIR_CHOP);
+    fields.bend[0] = tile.GetFirst(WATER_PAIR_STRETCH);
+    fields.bend[1] = tile.GetSecond(WATER_PAIR_STRETCH);
+  }
+  return { &this->Cascades, this->Fields, choppiness, unitsPerMetre };
 }
 
 //------------------------------------------------------------------------------
@@ -143,39 +89,95 @@ bool vtkWaterSea::IsSoftware(vtkOpenGLRenderWindow* window)
 }
 
 //------------------------------------------------------------------------------
-vtkTextureObject* vtkWaterSea::Upload(vtkOpenGLRenderWindow* window)
+bool vtkWaterSea::DrawTexture(vtkOpenGLRenderWindow* window, int fields)
 {
-  if (this->IsUploaded && this->Texture.Get(window))
+  const vtkOpenGLState::ScopedglActiveTexture activeTexture(window->GetState());
+  const auto count = static_cast<unsigned int>(this->Cascades.count);
+  const auto size = static_cast<unsigned int>(this->Cascades.tiles[0].size);
+  this->Texture.Allocate(window, size, size, static_cast<unsigned int>(fields) * count);
+  for (unsigned int i = 0; i < count; ++i)
+  {
+    const vtkWaterSeaTile& tile = this->Tiles[i];
+    this->Detour = this->Passes[i].Draw(window,
+      { tile.GetTile(), tile.GetAmplitudes(), tile.GetFrequencies(), this->Time }, fields,
+      this->Texture, i, count);
+    if (this->Detour)
+    {
+      return false;
+    }
+  }
+  this->Texture.MakeMipLevels();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterSea::FillTexels(int fields)
+{
+  const size_t count = this->Cascades.count;
+  const size_t places = this->Cascades.tiles[0].size * this->Cascades.tiles[0].size;
+  this->Texels.resize(static_cast<size_t>(fields) * count * 4 * places);
+  for (size_t i = 0; i < count; ++i)
+  {
+    vtkWaterSeaTile& tile = this->Tiles[i];
+    water_tile_texels(&this->Cascades.tiles[i], tile.GetFirst(WATER_PAIR_SLOPES),
+      tile.GetSecond(WATER_PAIR_SLOPES), this->Texels.data() + i * 4 * places);
+    const double* others[2][3] = {};
+    if (fields > vtkWaterSlopePasses::BENDS)
+    {
+      others[0][2] = tile.GetSecond(WATER_PAIR_HEIGHT_SHEAR);
+      others[0][0] = tile.GetFirst(WATER_PAIR_STRETCH);
+      others[0][1] = tile.GetSecond(WATER_PAIR_STRETCH);
+    }
+    if (fields > vtkWaterSlopePasses::MOVES)
+    {
+      others[1][0] = tile.GetFirst(WATER_PAIR_CHOP);
+      others[1][1] = tile.GetSecond(WATER_PAIR_CHOP);
+      others[1][2] = tile.GetFirst(WATER_PAIR_HEIGHT_SHEAR);
+    }
+    for (size_t field = 1; field < static_cast<size_t>(fields); ++field)
+    {
+      float* texels = this->Texels.data() + (field * count + i) * 4 * places;
+      for (size_t place = 0; place < places; ++place)
+      {
+        for (size_t part = 0; part < 3; ++part)
+        {
+          texels[4 * place + part] = static_cast<float>(others[field - 1][part][place]);
+        }
+        texels[4 * place + 3] = 0.0f;
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkTextureObject* vtkWaterSea::Upload(vtkOpenGLRenderWindow* window, int fields)
+{
+  if (this->UploadedFields >= fields && this->Texture.Get(window))
   {
     return this->Texture.Get(window);
   }
   this->Detour = nullptr;
-  if (!this->IsSoftware(window))
+  this->UploadedFields = 0;
+  if (this->IsSoftware(window) || !this->DrawTexture(window, fields))
   {
-    this->Detour = this->Passes.Draw(
-      window, { this->Tile, this->Amplitudes, this->Frequencies, this->Time }, this->Texture);
-    if (!this->Detour)
-    {
-      this->IsUploaded = true;
-      return this->Texture.Get(window);
-    }
+    this->FillTexels(fields);
+    const auto size = static_cast<unsigned int>(this->Cascades.tiles[0].size);
+    this->Texture.Upload(window, size, size,
+      static_cast<unsigned int>(this->Cascades.count) * static_cast<unsigned int>(fields),
+      this->Texels);
   }
-  this->UpdateSlopes();
-  this->Texels.resize(4 * this->SlopesX.size());
-  water_tile_texels(&this->Tile, this->SlopesX.data(), this->SlopesY.data(), this->Texels.data());
-  const auto size = static_cast<unsigned int>(this->Tile.size);
-  this->Texture.Upload(window, size, size, this->Texels);
-  this->IsUploaded = true;
+  this->UploadedFields = fields;
   return this->Texture.Get(window);
 }
 
 //------------------------------------------------------------------------------
-vtkTextureObject* vtkWaterSea::UploadFlat(vtkOpenGLRenderWindow* window)
+vtkTextureObject* vtkWaterSea::UploadFlat(vtkOpenGLRenderWindow* window, int fields)
 {
-  std::vector<float> texel(4, 0.0f);
-  this->Texture.ReleaseGraphicsResources(window); // the passes' framebuffers have it at its size
-  this->Texture.Upload(window, 1, 1, texel);
-  this->IsUploaded = false;
+  const auto layers = static_cast<unsigned int>(fields * WATER_CASCADES_MAX);
+  const std::vector<float> texels(4 * static_cast<size_t>(layers), 0.0f);
+  this->Texture.ReleaseGraphicsResources(window);
+  this->Texture.Upload(window, 1, 1, layers, texels);
+  this->UploadedFields = 0;
   return this->Texture.Get(window);
 }
 
@@ -183,6 +185,9 @@ vtkTextureObject* vtkWaterSea::UploadFlat(vtkOpenGLRenderWindow* window)
 void vtkWaterSea::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->AskedWindow = nullptr;
-  this->Passes.ReleaseGraphicsResources(window);
+  for (vtkWaterSlopePasses& passes : this->Passes)
+  {
+    passes.ReleaseGraphicsResources(window);
+  }
   this->Texture.ReleaseGraphicsResources(window);
 }

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkWaterSea: a wind sea at one time: heights and slopes on its tile, and the slopes as a texture.
+// vtkWaterSea: a wind sea at one time: its tiles, heights and slopes at places, and a texture.
 //
 // What somebody asks for is computed then, once for a time. A GPU computes the texture by itself
 // (vtkWaterSlopePasses); heights and slopes for the processor, and the texture where GL is software
-// or where the GPU cannot, by vtkWaterTransform. What has no memory throws std::bad_alloc, and is
+// or where the GPU cannot, by vtkWaterSeaTile. What has no memory throws std::bad_alloc, and is
 // tried anew when it is asked for again. See Documentation/decisions/014-wind-sea.md.
 #ifndef vtkWaterSea_h
 #define vtkWaterSea_h
 
+#include "vtkWaterSeaTile.h"
 #include "vtkWaterSlopePasses.h"
 #include "vtkWaterSlopeTexture.h"
-#include "vtkWaterTransform.h"
 #include "vtkWeakPointer.h"
-#include "water_tile.h"
+#include "water_cascade.h"
 
 #include <vector>
 
@@ -24,22 +24,25 @@ class vtkWaterSea
 {
 public:
   // Brings the sea to a time; does nothing when it is there. All three have been checked.
-  void Update(const water_tile& tile, const water_sea& sea, double time);
+  void Update(const water_cascades& cascades, const water_sea& sea, double time);
 
-  // Bilinear on the tile, x and y in the plane's own axes; NaN when the place is not finite.
+  // Bilinear on the tiles, x and y in the plane's own axes; NaN when the place is not finite.
   double GetHeight(double x, double y);
   void GetSlope(double x, double y, double slope[2]);
 
-  const water_tile& GetTile() const { return this->Tile; }
+  // The sea as it moves a surface, as of the last update; its pointers hold until the next.
+  water_cascade_surface GetSurface(double choppiness, double unitsPerMetre);
 
-  // Slope variance along the plane's axes of the waves that are too short for the tile.
-  const double* GetLeftOut() const { return this->LeftOut; }
+  const water_cascades& GetCascades() const { return this->Cascades; }
 
-  // Slopes and their squares with mip levels, as of the last update.
-  vtkTextureObject* Upload(vtkOpenGLRenderWindow* window);
+  // The texture with mip levels, as of the last update: a layer for each tile with slopes and their
+  // squares; then, with two fields or three, a layer for each with the others.
+  //
+  // fields  of vtkWaterSlopePasses, 1 to 3
+  vtkTextureObject* Upload(vtkOpenGLRenderWindow* window, int fields);
 
   // In its place, where there is no memory for it: a flat sea.
-  vtkTextureObject* UploadFlat(vtkOpenGLRenderWindow* window);
+  vtkTextureObject* UploadFlat(vtkOpenGLRenderWindow* window, int fields);
 
   // Why the processor made the last texture though there is a GPU; nullptr: it did not.
   const char* GetDetour() const { return this->Detour; }
@@ -47,30 +50,17 @@ public:
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
-  double Sample(const std::vector<double>& field, double x, double y) const;
   bool IsSoftware(vtkOpenGLRenderWindow* window);
-  void UpdatePhasors();
-  void UpdateHeights();
-  void UpdateSlopes();
+  bool DrawTexture(vtkOpenGLRenderWindow* window, int fields);
+  void FillTexels(int fields);
 
-  water_tile Tile = water_tile();
-  water_sea Sea = water_sea();
+  water_cascades Cascades = water_cascades();
   double Time = 0.0;
-  double LeftOut[2] = { 0.0, 0.0 };
-  std::vector<double> Amplitudes; // empty: never updated
-  std::vector<double> Frequencies;
-  // of the time; empty: not asked for
-  std::vector<double> Phasors;
-  std::vector<double> Heights;
-  std::vector<double> SlopesX;
-  std::vector<double> SlopesY;
+  vtkWaterSeaTile Tiles[WATER_CASCADES_MAX];
+  vtkWaterSlopePasses Passes[WATER_CASCADES_MAX];
+  water_cascade_fields Fields[WATER_CASCADES_MAX] = {};
   std::vector<float> Texels;
-  bool HasPhasors = false;
-  bool HasHeights = false;
-  bool HasSlopes = false;
-  bool IsUploaded = false;
-  vtkWaterTransform Transform;
-  vtkWaterSlopePasses Passes;
+  int UploadedFields = 0; // 0: nothing is uploaded
   vtkWaterSlopeTexture Texture;
   const char* Detour = nullptr;
   vtkWeakPointer<vtkOpenGLRenderWindow> AskedWindow; // what executes GL

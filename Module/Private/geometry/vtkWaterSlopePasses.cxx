@@ -9,7 +9,7 @@
 #include "vtkWaterFftFS.h"
 #include "vtkWaterGL.h"
 #include "vtkWaterQueryResult.h"
-#include "vtkWaterSlopeSpectrumFS.h"
+#include "vtkWaterSeaSpectrumFS.h"
 #include "vtkWaterSlopeTexture.h"
 #include "vtkWaterUniforms.h"
 #include "water_tile_time.h"
@@ -19,7 +19,10 @@
 
 namespace
 {
-constexpr int kSlopes = 2; // the last of the targets
+// The two pairs of each field; of the slopes the second is not used.
+constexpr water_tile_pair kPairs[vtkWaterSlopePasses::FIELDS][2] = { { WATER_PAIR_SLOPES,
+                                                                       WATER_PAIR_SLOPES },
+  { WATER_PAIR_STRETCH, WATER_PAIR_SHEAR }, { WATER_PAIR_CHOP, WATER_PAIR_HEIGHT } };
 constexpr size_t kWordsPerTexel = 4;
 const char* const kRefused = "the GPU refuses its passes";
 
@@ -90,8 +93,8 @@ vtkWaterSlopePasses::vtkWaterSlopePasses() = default;
 vtkWaterSlopePasses::~vtkWaterSlopePasses() = default;
 
 //------------------------------------------------------------------------------
-const char* vtkWaterSlopePasses::Draw(
-  vtkOpenGLRenderWindow* window, const Inputs& sea, vtkWaterSlopeTexture& slopes)
+const char* vtkWaterSlopePasses::Draw(vtkOpenGLRenderWindow* window, const Inputs& sea, int fields,
+  vtkWaterSlopeTexture& texture, unsigned int first, unsigned int step)
 {
   if (window == this->RefusedBy)
   {
@@ -121,11 +124,15 @@ const char* vtkWaterSlopePasses::Draw(
   vtkOpenGLState* state = window->GetState();
   const vtkOpenGLState::ScopedglActiveTexture activeTexture(state);
   state->PushFramebufferBindings();
-  bool isDrawn = this->Prepare(window, sea, slopes);
-  if (isDrawn)
+  bool isDrawn = this->Prepare(window, sea, fields);
+  for (int i = 0; i < fields && isDrawn; ++i)
   {
     const ScopedPlainDraws plain(state, static_cast<int>(plan.size));
-    isDrawn = this->DrawSpectrum(window, units, sea.Time) && this->Transform(window);
+    isDrawn = this->DrawSpectrum(window, units, sea.Time, i) && this->Transform(window, i);
+    if (isDrawn) // the last target is bound
+    {
+      texture.CopyLayer(first + static_cast<unsigned int>(i) * step);
+    }
   }
   state->PopFramebufferBindings();
   if (!isDrawn)
@@ -134,48 +141,41 @@ const char* vtkWaterSlopePasses::Draw(
     this->RefusedBy = window;
     return kRefused;
   }
-  slopes.MakeMipLevels();
   return nullptr;
 }
 
 //------------------------------------------------------------------------------
-bool vtkWaterSlopePasses::Prepare(
-  vtkOpenGLRenderWindow* window, const Inputs& sea, vtkWaterSlopeTexture& slopes)
+bool vtkWaterSlopePasses::Prepare(vtkOpenGLRenderWindow* window, const Inputs& sea, int fields)
 {
-  const bool isReady = this->Table && this->Table->GetContext() == window && slopes.Get(window) &&
-    this->Targets[kSlopes].Texture == slopes.Get(window);
+  const bool isReady = this->Table && this->Table->GetContext() == window;
   if (!isReady)
   {
     this->ReleaseGraphicsResources(nullptr);
-    if (!this->MakeTargets(window, slopes))
+    if (!this->MakeTargets(window))
     {
       return false;
     }
     this->UploadTable(window);
   }
-  if (!isReady || !this->HasSea)
+  if (this->HasFields == 0)
   {
-    this->UploadSea(window, sea);
+    this->UploadFrequencies(window, sea);
+  }
+  for (; this->HasFields < fields; ++this->HasFields)
+  {
+    this->UploadWaves(window, sea, this->HasFields);
   }
   return true;
 }
 
 //------------------------------------------------------------------------------
-bool vtkWaterSlopePasses::MakeTargets(vtkOpenGLRenderWindow* window, vtkWaterSlopeTexture& slopes)
+bool vtkWaterSlopePasses::MakeTargets(vtkOpenGLRenderWindow* window)
 {
   const auto size = static_cast<unsigned int>(this->Plan.size);
-  for (int i = 0; i < kSlopes; ++i)
-  {
-    this->Targets[i].Texture = MakeTexture(window);
-    if (!this->Targets[i].Texture->Allocate2D(size, size, 2, VTK_FLOAT))
-    {
-      return false;
-    }
-  }
-  this->Targets[kSlopes].Texture = slopes.Allocate(window, size, size);
   for (Target& target : this->Targets)
   {
-    if (!target.Texture)
+    target.Texture = MakeTexture(window);
+    if (!target.Texture->Allocate2D(size, size, 4, VTK_FLOAT))
     {
       return false;
     }
@@ -184,6 +184,7 @@ bool vtkWaterSlopePasses::MakeTargets(vtkOpenGLRenderWindow* window, vtkWaterSlo
     target.Framebuffer->Bind();
     target.Framebuffer->AddColorAttachment(0, target.Texture);
     target.Framebuffer->ActivateBuffer(0);
+    target.Framebuffer->ActivateReadBuffer(0);
     const char* reason = nullptr;
     if (!vtkOpenGLFramebufferObject::GetFrameBufferStatus(
           vtkOpenGLFramebufferObject::GetBothMode(), reason))
@@ -209,14 +210,9 @@ void vtkWaterSlopePasses::UploadTable(vtkOpenGLRenderWindow* window)
 }
 
 //------------------------------------------------------------------------------
-void vtkWaterSlopePasses::UploadSea(vtkOpenGLRenderWindow* window, const Inputs& sea)
+void vtkWaterSlopePasses::UploadFrequencies(vtkOpenGLRenderWindow* window, const Inputs& sea)
 {
   const auto size = static_cast<unsigned int>(this->Plan.size);
-  std::vector<float> waves(4 * this->Plan.size * this->Plan.size);
-  water_tile_slope_waves(&sea.Tile, sea.Amplitudes.data(), waves.data());
-  this->Waves = MakeTexture(window);
-  this->Waves->Create2DFromRaw(size, size, 4, VTK_FLOAT, waves.data());
-
   std::vector<uint32_t> words(kWordsPerTexel * sea.Frequencies.size(), 0);
   for (size_t i = 0; i < sea.Frequencies.size(); ++i)
   {
@@ -228,7 +224,24 @@ void vtkWaterSlopePasses::UploadSea(vtkOpenGLRenderWindow* window, const Inputs&
   this->Frequencies->SetDataType(GL_UNSIGNED_INT);
   this->Frequencies->Create2DFromRaw(
     size / 2, size / 2, static_cast<int>(kWordsPerTexel), VTK_UNSIGNED_INT, words.data());
-  this->HasSea = true;
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterSlopePasses::UploadWaves(vtkOpenGLRenderWindow* window, const Inputs& sea, int fields)
+{
+  const auto size = static_cast<unsigned int>(this->Plan.size);
+  std::vector<float> waves(4 * this->Plan.size * this->Plan.size);
+  for (int i = 0; i < 2; ++i)
+  {
+    if (i > 0 && kPairs[fields][i] == kPairs[fields][0])
+    {
+      this->Waves[fields][i] = this->Waves[fields][0];
+      continue;
+    }
+    water_tile_pair_waves(&sea.Tile, sea.Amplitudes.data(), kPairs[fields][i], waves.data());
+    this->Waves[fields][i] = MakeTexture(window);
+    this->Waves[fields][i]->Create2DFromRaw(size, size, 4, VTK_FLOAT, waves.data());
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -240,15 +253,17 @@ void vtkWaterSlopePasses::DrawInto(int target, vtkWaterQuad& quad)
 
 //------------------------------------------------------------------------------
 bool vtkWaterSlopePasses::DrawSpectrum(
-  vtkOpenGLRenderWindow* window, const uint32_t units[2], double time)
+  vtkOpenGLRenderWindow* window, const uint32_t units[2], double time, int fields)
 {
-  vtkShaderProgram* program = this->Spectrum.Ready(window, vtkWaterSlopeSpectrumFS);
+  vtkShaderProgram* program = this->Spectrum.Ready(window, vtkWaterSeaSpectrumFS);
   if (!program)
   {
     return false;
   }
-  const ScopedTextures textures({ this->Waves, this->Frequencies });
-  vtkWaterUniforms::Set(program, "waterSlopeWaves", this->Waves);
+  const auto& waves = this->Waves[fields];
+  const ScopedTextures textures({ waves[0], waves[1], this->Frequencies });
+  vtkWaterUniforms::Set(program, "waterSlopeWaves", waves[0]);
+  vtkWaterUniforms::Set(program, "waterOtherWaves", waves[1]);
   vtkWaterUniforms::Set(program, "waterFrequencies", this->Frequencies);
   vtkWaterUniforms::Set(program, "waterTimeSign", time < 0.0 ? -1.0 : 1.0);
   const int bits[2] = { static_cast<int>(units[0]), static_cast<int>(units[1]) };
@@ -258,7 +273,7 @@ bool vtkWaterSlopePasses::DrawSpectrum(
 }
 
 //------------------------------------------------------------------------------
-bool vtkWaterSlopePasses::Transform(vtkOpenGLRenderWindow* window)
+bool vtkWaterSlopePasses::Transform(vtkOpenGLRenderWindow* window, int fields)
 {
   vtkShaderProgram* program = this->Fft.Ready(window, vtkWaterFftFS);
   if (!program)
@@ -278,7 +293,8 @@ bool vtkWaterSlopePasses::Transform(vtkOpenGLRenderWindow* window)
       i < this->Plan.count ? 0.0 : 1.0 };
     vtkWaterUniforms::Set(program, "waterField", this->Targets[i % 2].Texture);
     vtkWaterUniforms::Set4(program, "waterFftPass", numbers);
-    this->DrawInto(i < last ? (i + 1) % 2 : kSlopes, this->Fft);
+    vtkWaterUniforms::Set(program, "waterFftSquares", i == last && fields == SLOPES ? 1 : 0);
+    this->DrawInto((i + 1) % 2, this->Fft);
   }
   return true;
 }
@@ -295,11 +311,15 @@ void vtkWaterSlopePasses::ReleaseGraphicsResources(vtkWindow* window)
     // without a window the destructors free what is left, through VTK's resource callbacks
     target = Target();
   }
-  this->Waves = nullptr;
+  for (auto& waves : this->Waves)
+  {
+    waves[0] = nullptr;
+    waves[1] = nullptr;
+  }
   this->Frequencies = nullptr;
   this->Table = nullptr;
   this->Spectrum.ReleaseGraphicsResources();
   this->Fft.ReleaseGraphicsResources();
   this->RefusedBy = nullptr;
-  this->HasSea = false;
+  this->HasFields = 0;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkWaterSlopePasses: the slopes of a wind sea at a time, made by the GPU alone in full-screen
-// draws: the spectrum (vtkWaterSlopeSpectrumFS.glsl), then its FFT along x and y
+// vtkWaterSlopePasses: the fields of a tile of a wind sea at a time, made by the GPU alone in
+// full-screen draws: the spectra (vtkWaterSeaSpectrumFS.glsl), then their FFT along x and y
 // (vtkWaterFftFS.glsl). What they read is uploaded once for a sea.
 #ifndef vtkWaterSlopePasses_h
 #define vtkWaterSlopePasses_h
@@ -32,18 +32,29 @@ public:
     double Time;
   };
 
+  // What a layer of the texture has.
+  enum Fields
+  {
+    SLOPES, // and their squares
+    BENDS,  // derivatives of the chop: xx, yy, xy, 0
+    MOVES,  // chop x and y, height, 0
+    FIELDS
+  };
+
   vtkWaterSlopePasses();
   ~vtkWaterSlopePasses();
 
-  // Draws the slopes and their squares into the texture, and makes its mip levels. GL's state is as
-  // before.
+  // Draws fields into the texture's layers first, first + step and so on. GL's state is as before.
+  //
+  // fields  how many, in the order above
   //
   // Returns nullptr, or why it cannot; then the texture has no use. What the driver refused is
   // not tried again in the window.
-  const char* Draw(vtkOpenGLRenderWindow* window, const Inputs& sea, vtkWaterSlopeTexture& slopes);
+  const char* Draw(vtkOpenGLRenderWindow* window, const Inputs& sea, int fields,
+    vtkWaterSlopeTexture& texture, unsigned int first, unsigned int step);
 
   // The next sea is another one.
-  void Forget() { this->HasSea = false; }
+  void Forget() { this->HasFields = 0; }
 
   void ReleaseGraphicsResources(vtkWindow* window);
 
@@ -54,24 +65,26 @@ private:
     vtkSmartPointer<vtkOpenGLFramebufferObject> Framebuffer;
   };
 
-  bool Prepare(vtkOpenGLRenderWindow* window, const Inputs& sea, vtkWaterSlopeTexture& slopes);
-  bool MakeTargets(vtkOpenGLRenderWindow* window, vtkWaterSlopeTexture& slopes);
+  bool Prepare(vtkOpenGLRenderWindow* window, const Inputs& sea, int fields);
+  bool MakeTargets(vtkOpenGLRenderWindow* window);
   void UploadTable(vtkOpenGLRenderWindow* window);
-  void UploadSea(vtkOpenGLRenderWindow* window, const Inputs& sea);
-  bool DrawSpectrum(vtkOpenGLRenderWindow* window, const uint32_t units[2], double time);
-  bool Transform(vtkOpenGLRenderWindow* window);
+  void UploadFrequencies(vtkOpenGLRenderWindow* window, const Inputs& sea);
+  void UploadWaves(vtkOpenGLRenderWindow* window, const Inputs& sea, int fields);
+  bool DrawSpectrum(
+    vtkOpenGLRenderWindow* window, const uint32_t units[2], double time, int fields);
+  bool Transform(vtkOpenGLRenderWindow* window, int fields);
   void DrawInto(int target, vtkWaterQuad& quad);
 
   vtkWaterQuad Spectrum;
   vtkWaterQuad Fft;
   water_fft Plan = water_fft();
-  int Exponent = 0;    // of the unit of time
-  bool HasSea = false; // its waves and frequencies are uploaded
+  int Exponent = 0;  // of the unit of time
+  int HasFields = 0; // their waves, and the frequencies, are uploaded
   vtkWeakPointer<vtkOpenGLRenderWindow> RefusedBy;
-  vtkSmartPointer<vtkTextureObject> Waves;       // a texel for each wave vector
-  vtkSmartPointer<vtkTextureObject> Frequencies; // a texel for each in a quadrant
-  vtkSmartPointer<vtkTextureObject> Table;       // of the FFT, a row for each pass
-  Target Targets[3];                             // two in turns, and the slopes
+  vtkSmartPointer<vtkTextureObject> Waves[FIELDS][2]; // a texel for each wave vector
+  vtkSmartPointer<vtkTextureObject> Frequencies;      // a texel for each in a quadrant
+  vtkSmartPointer<vtkTextureObject> Table;            // of the FFT, a row for each pass
+  Target Targets[2];                                  // in turns
 };
 
 #endif

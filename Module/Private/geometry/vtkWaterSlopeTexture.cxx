@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkWaterSlopeTexture.h"
 
+#include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
+#include "vtkTextureObject.h"
 #include "vtkWaterGL.h"
 
 namespace
@@ -9,12 +11,72 @@ namespace
 constexpr int kAllLevels = 1000;
 }
 
+// A texture of layers, which VTK's class has no method for.
+class vtkWaterLayers : public vtkTextureObject
+{
+public:
+  static vtkWaterLayers* New();
+  vtkTypeMacro(vtkWaterLayers, vtkTextureObject);
+
+  // numbers  nullptr: they come later
+  void Fill(unsigned int width, unsigned int height, unsigned int layers, const float* numbers)
+  {
+    this->Target = GL_TEXTURE_2D_ARRAY;
+    this->NumberOfDimensions = 2;
+    this->Components = 4;
+    this->Format = GL_RGBA;
+    this->Type = GL_FLOAT;
+    this->InternalFormat = GL_RGBA32F;
+    this->Context->ActivateTexture(this);
+    this->CreateTexture();
+    this->Bind();
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    glTexImage3D(GL_TEXTURE_2D_ARRAY, 0, GL_RGBA32F, static_cast<GLsizei>(width),
+      static_cast<GLsizei>(height), static_cast<GLsizei>(layers), 0, GL_RGBA, GL_FLOAT, numbers);
+    this->Width = width;
+    this->Height = height;
+    this->Depth = layers;
+    this->Deactivate();
+  }
+
+  bool HasSize(unsigned int width, unsigned int height, unsigned int layers) const
+  {
+    return this->Handle != 0 && this->Width == width && this->Height == height &&
+      this->Depth == layers;
+  }
+
+protected:
+  vtkWaterLayers() = default;
+  ~vtkWaterLayers() override = default;
+
+private:
+  vtkWaterLayers(const vtkWaterLayers&) = delete;
+  void operator=(const vtkWaterLayers&) = delete;
+};
+vtkStandardNewMacro(vtkWaterLayers);
+
 //------------------------------------------------------------------------------
-void vtkWaterSlopeTexture::Ensure(vtkOpenGLRenderWindow* window)
+vtkWaterSlopeTexture::vtkWaterSlopeTexture() = default;
+
+//------------------------------------------------------------------------------
+vtkWaterSlopeTexture::~vtkWaterSlopeTexture() = default;
+
+//------------------------------------------------------------------------------
+void vtkWaterSlopeTexture::Upload(vtkOpenGLRenderWindow* window, unsigned int width,
+  unsigned int height, unsigned int layers, const std::vector<float>& texels)
+{
+  this->Allocate(window, 0, 0, 0);
+  this->Texture->Fill(width, height, layers, texels.data());
+  this->MakeMipLevels();
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterSlopeTexture::Allocate(
+  vtkOpenGLRenderWindow* window, unsigned int width, unsigned int height, unsigned int layers)
 {
   if (!this->Get(window))
   {
-    this->Texture = vtkSmartPointer<vtkTextureObject>::New();
+    this->Texture = vtkSmartPointer<vtkWaterLayers>::New();
     this->Texture->SetContext(window);
     this->Texture->SetWrapS(vtkTextureObject::Repeat);
     this->Texture->SetWrapT(vtkTextureObject::Repeat);
@@ -22,30 +84,27 @@ void vtkWaterSlopeTexture::Ensure(vtkOpenGLRenderWindow* window)
     this->Texture->SetMagnificationFilter(vtkTextureObject::Linear);
     this->Texture->SetMaxLevel(kAllLevels);
   }
+  if (layers > 0 && !this->Texture->HasSize(width, height, layers))
+  {
+    this->Texture->Fill(width, height, layers, nullptr);
+  }
 }
 
 //------------------------------------------------------------------------------
-void vtkWaterSlopeTexture::Upload(vtkOpenGLRenderWindow* window, unsigned int width,
-  unsigned int height, std::vector<float>& texels)
+void vtkWaterSlopeTexture::CopyLayer(unsigned int layer)
 {
-  this->Ensure(window);
-  this->Texture->Create2DFromRaw(width, height, 4, VTK_FLOAT, texels.data());
-  this->MakeMipLevels();
-}
-
-//------------------------------------------------------------------------------
-vtkTextureObject* vtkWaterSlopeTexture::Allocate(
-  vtkOpenGLRenderWindow* window, unsigned int width, unsigned int height)
-{
-  this->Ensure(window);
-  return this->Texture->Allocate2D(width, height, 4, VTK_FLOAT) ? this->Texture.Get() : nullptr;
+  this->Texture->Activate();
+  glCopyTexSubImage3D(GL_TEXTURE_2D_ARRAY, 0, 0, 0, static_cast<GLint>(layer), 0, 0,
+    static_cast<GLsizei>(this->Texture->GetWidth()),
+    static_cast<GLsizei>(this->Texture->GetHeight()));
+  this->Texture->Deactivate();
 }
 
 //------------------------------------------------------------------------------
 void vtkWaterSlopeTexture::MakeMipLevels()
 {
   this->Texture->Activate();
-  glGenerateMipmap(GL_TEXTURE_2D);
+  glGenerateMipmap(GL_TEXTURE_2D_ARRAY);
   this->Texture->Deactivate();
 }
 

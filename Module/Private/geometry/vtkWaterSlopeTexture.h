@@ -1,28 +1,34 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkWaterSlopeTexture: slopes and their squares on the GPU, repeating, with mip levels that
-// average both: what a pixel does not resolve is left as a variance.
+// vtkWaterSlopeTexture: layers of four numbers on the GPU, as slopes and their squares, repeating,
+// with mip levels that average: what a pixel does not resolve of slopes is left as a variance.
 #ifndef vtkWaterSlopeTexture_h
 #define vtkWaterSlopeTexture_h
 
 #include "vtkSmartPointer.h"
-#include "vtkTextureObject.h" // for members
 
 #include <vector>
 
 class vtkOpenGLRenderWindow;
+class vtkTextureObject;
+class vtkWaterLayers;
 class vtkWindow;
 
 class vtkWaterSlopeTexture
 {
 public:
-  // texels  4 * width * height: slope x, slope y and their squares
-  void Upload(vtkOpenGLRenderWindow* window, unsigned int width, unsigned int height,
-    std::vector<float>& texels);
+  vtkWaterSlopeTexture();
+  ~vtkWaterSlopeTexture();
 
-  // For what draws the texels itself: the texture without them; nullptr when there is no memory.
-  vtkTextureObject* Allocate(
-    vtkOpenGLRenderWindow* window, unsigned int width, unsigned int height);
-  // After that, from its texels.
+  // texels  4 * width * height numbers for each layer
+  void Upload(vtkOpenGLRenderWindow* window, unsigned int width, unsigned int height,
+    unsigned int layers, const std::vector<float>& texels);
+
+  // For what writes the layers by itself: the texture without them.
+  void Allocate(
+    vtkOpenGLRenderWindow* window, unsigned int width, unsigned int height, unsigned int layers);
+  // One of them, from a framebuffer that is bound for reading.
+  void CopyLayer(unsigned int layer);
+  // Of all of them, when each is there.
   void MakeMipLevels();
 
   // nullptr: nothing was uploaded for this window.
@@ -31,9 +37,7 @@ public:
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
-  void Ensure(vtkOpenGLRenderWindow* window);
-
-  vtkSmartPointer<vtkTextureObject> Texture;
+  vtkSmartPointer<vtkWaterLayers> Texture;
 };
 
 #endif

@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
+#include <vector>
 
 namespace
 {
@@ -61,6 +63,18 @@ void vtkWaterUniforms::Set4(vtkShaderProgram* program, const char* name, const d
   if (program->IsUniformUsed(name))
   {
     program->SetUniform4f(name, ToFloat<4>(value).data());
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterUniforms::Set4s(
+  vtkShaderProgram* program, const char* name, int count, const double value[][4])
+{
+  if (program->IsUniformUsed(name))
+  {
+    std::vector<std::array<float, 4>> single;
+    std::transform(value, value + count, std::back_inserter(single), ToFloat<4>);
+    program->SetUniform4fv(name, count, reinterpret_cast<const float(*)[4]>(single.data()));
   }
 }
 

@@ -14,6 +14,8 @@ void Set(vtkShaderProgram* program, const char* name, double value);
 void Set2(vtkShaderProgram* program, const char* name, const double value[2]);
 void Set3(vtkShaderProgram* program, const char* name, const double value[3]);
 void Set4(vtkShaderProgram* program, const char* name, const double value[4]);
+// An array of as many.
+void Set4s(vtkShaderProgram* program, const char* name, int count, const double value[][4]);
 // Matrices by rows; GL wants columns: the one place that transposes.
 void SetMatrix3(vtkShaderProgram* program, const char* name, const double rows[9]);
 // 4 rows of 3, as the first columns of a 4 x 4 one.

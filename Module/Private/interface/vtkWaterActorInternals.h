@@ -69,6 +69,8 @@ struct vtkWaterActor::Internals : public vtkWaterSource
   vtkWaterSea* GetSeaAtTime();
   // Asks the wind sea at the actor's time, if there is one. false: there is no memory for it.
   bool AskSea(const std::function<void(vtkWaterSea&)>& ask);
+  // The surface over a place, of all waves at the actor's time; false: it is not known.
+  bool FindSurface(double x, double y, water_wave_point* point);
   // The own sheet as this eye sees it; a user's mapper is drawn as it is.
   vtkMapper* LayGrid(const vtkWaterSnapshot& water, const water_grid_view& view, vtkMapper* mapper);
   // The endless sheet as the renderer's active camera sees it; a user's mapper, or a sheet with an

@@ -8,9 +8,19 @@
 #include "vtkTexture.h"
 #include "vtkWaterNormalMaps.h"
 #include "vtkWaterProperty.h"
+#include "water_cascade.h"
 #include "water_waves.h"
 
 #include <vector>
+
+// Integrals over a sea's spectrum: not in every frame.
+struct vtkWaterPropertySeaSlopes
+{
+  water_sea Sea = water_sea(); // of which they are
+  water_cascades Cascades = water_cascades();
+  double Beyond[WATER_CASCADES_MAX + 1][2] = {}; // water_cascades_slopes
+  double Height = 0.0;                           // variance, m^2
+};
 
 struct vtkWaterProperty::Internals
 {
@@ -19,9 +29,7 @@ struct vtkWaterProperty::Internals
   double Natural[3];    // of a scene with such water, m: water_preset.natural_m
   vtkSmartPointer<vtkTexture> Environment;
   vtkWaterNormalMaps NormalMaps;
-  double SeaSlopes[2] = { 0.0, 0.0 };  // variances of the sea that its tile holds, as of SeaTime
-  double SeaLeftOut[2] = { 0.0, 0.0 }; // and of what is too short for it
-  vtkMTimeType SeaTime = 0;
+  vtkWaterPropertySeaSlopes SeaSlopes;
 };
 
 #endif

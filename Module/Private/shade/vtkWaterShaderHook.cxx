@@ -84,7 +84,8 @@ void vtkWaterShaderHook::ReplaceForWater(vtkWaterSource& water, std::string& ver
     return;
   }
   unsigned features = this->Surface ? this->Surface->GetFeatures() : water.Take(nullptr)->Features;
-  constexpr unsigned ofVertices = WATER_FEATURE_DISPLACED | WATER_FEATURE_MESH;
+  constexpr unsigned ofVertices =
+    WATER_FEATURE_DISPLACED | WATER_FEATURE_SEA_MOVES | WATER_FEATURE_MESH;
   // a geometry shader would have to pass the place at rest, or the height, on
   const bool canAskVertices =
     geometryShader.empty() && vertexShader.find("//VTK::CustomEnd::Impl") != std::string::npos;

@@ -148,7 +148,7 @@ void vtkWaterSurfaceShader::UploadNormalMap(size_t number)
     if (this->NormalMapTimes[number] != broken)
     {
       std::vector<float> level(4, 0.0f);
-      this->NormalMaps[number].Upload(window, 1, 1, level);
+      this->NormalMaps[number].Upload(window, 1, 1, 1, level);
       this->NormalMapTimes[number] = broken;
       if (number < layers.size()) // said once
       {
@@ -165,7 +165,7 @@ void vtkWaterSurfaceShader::UploadNormalMap(size_t number)
     int size[2];
     std::vector<float> texels = vtkWaterNormalMaps::GetTexels(layer, size);
     this->NormalMaps[number].Upload(
-      window, static_cast<unsigned int>(size[0]), static_cast<unsigned int>(size[1]), texels);
+      window, static_cast<unsigned int>(size[0]), static_cast<unsigned int>(size[1]), 1, texels);
     this->NormalMapTimes[number] = now;
     this->NormalMapTexels[number] = 1.0 / std::max(size[0], size[1]);
   }
@@ -233,7 +233,8 @@ void vtkWaterSurfaceShader::BeginWaves()
     this->Use("waterNormalMap0", this->NormalMaps[0].Get(window));
     this->Use("waterNormalMap1", this->NormalMaps[1].Get(window));
   }
-  if ((this->Drawn.Plan || this->Drawn.IsWarmUp) && this->Has(WATER_FEATURE_SEA))
+  const bool isMoved = this->Drawn.View && this->Has(WATER_FEATURE_SEA_MOVES);
+  if (((this->Drawn.Plan || this->Drawn.IsWarmUp) && this->Has(WATER_FEATURE_SEA)) || isMoved)
   {
     this->BeginSea();
   }
@@ -244,30 +245,32 @@ void vtkWaterSurfaceShader::BeginSea()
 {
   vtkOpenGLRenderWindow* window = this->GetWindow();
   vtkWaterSea* sea = this->Water->Sea;
-  vtkTextureObject* slopes = nullptr;
+  vtkTextureObject* texture = nullptr;
+  const int fields = this->Water->GetSeaFields();
   try
   {
-    sea->Update(this->Water->Look.SeaTile, this->Water->Look.Sea, this->Water->Time);
-    slopes = sea->Upload(window);
+    sea->Update(this->Water->Look.Cascades, this->Water->Look.Sea, this->Water->Time);
+    texture = sea->Upload(window, fields);
   }
   catch (const std::bad_alloc&)
   {
     if (!this->IsSeaFlat) // said once
     {
       vtkErrorWithObjectMacro(this->Water->Actor,
-        "There is no memory for the wind sea's tile of "
-          << this->Water->Look.SeaTile.size << " x " << this->Water->Look.SeaTile.size
+        "There is no memory for the wind sea's tiles of "
+          << this->Water->Look.Cascades.tiles[0].size << " x "
+          << this->Water->Look.Cascades.tiles[0].size
           << " points (SetSeaTileSize). The water shows its sea without waves; the next frame"
              " tries again.");
     }
   }
-  this->IsSeaFlat = !slopes;
-  this->Use("waterSea", slopes ? slopes : sea->UploadFlat(window));
+  this->IsSeaFlat = !texture;
+  this->Use("waterSea", texture ? texture : sea->UploadFlat(window, fields));
   this->HasSea = true;
   if (sea->GetDetour() && sea->GetDetour() != this->SeaDetour) // said once
   {
     vtkVLog(vtkLogger::VERBOSITY_TRACE,
-      << "The processor makes the slopes of the wind sea: " << sea->GetDetour() << ".");
+      << "The processor makes the fields of the wind sea: " << sea->GetDetour() << ".");
   }
   this->SeaDetour = sea->GetDetour();
 }

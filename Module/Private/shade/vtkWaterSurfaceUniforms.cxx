@@ -9,7 +9,6 @@
 #include "vtkTextureObject.h"
 #include "vtkWaterGL.h"
 #include "vtkWaterMeshTraits.h"
-#include "vtkWaterSea.h"
 #include "vtkWaterShaderHook.h"
 #include "vtkWaterSurfaceShader.h"
 #include "vtkWaterUniforms.h"
@@ -20,6 +19,7 @@
 #include "water_plan.h"
 #include "water_sky.h"
 #include "water_waves.h"
+#include "water_whitecap.h"
 
 #include <algorithm>
 
@@ -76,7 +76,7 @@ void vtkWaterSurfaceShader::SetParameters(vtkShaderProgram* program, vtkAbstract
   {
     this->SetNormalMapParameters(program);
   }
-  if (plan && this->HasSea)
+  if (this->HasSea)
   {
     this->SetSeaParameters(program);
   }
@@ -334,12 +334,37 @@ void vtkWaterSurfaceShader::SetNormalMapParameters(vtkShaderProgram* program)
 //------------------------------------------------------------------------------
 void vtkWaterSurfaceShader::SetSeaParameters(vtkShaderProgram* program)
 {
-  water_tile tile = this->Water->Sea->GetTile();
-  tile.length /= this->Water->Look.MetresPerUnit;
-  double place[2] = { 0.0, 0.0 };
-  water_tile_place(&tile, this->Drawn.Plan->origin_xy[0], this->Drawn.Plan->origin_xy[1], place);
-  const double placeAndScale[4] = { place[0], place[1], 1.0 / tile.length,
-    0.5 / static_cast<double>(tile.size) };
-  vtkWaterUniforms::Set4(program, "waterSeaTile", placeAndScale);
-  vtkWaterUniforms::Set2(program, "waterSeaLeftOut", this->Water->Sea->GetLeftOut());
+  namespace uniforms = vtkWaterUniforms;
+  const vtkWaterLook& look = this->Water->Look;
+  const water_cascades& cascades = look.Cascades;
+  // both count from the point under the eye
+  static const double here[2] = { 0.0, 0.0 };
+  const double* seen = this->Drawn.Plan ? this->Drawn.Plan->origin_xy : here;
+  const double* origin = this->Drawn.View ? this->Drawn.View->origin_xy : seen;
+  double tiles[WATER_CASCADES_MAX][4] = {};
+  double bands[WATER_CASCADES_MAX + 1][4] = {};
+  for (size_t i = 0; i <= WATER_CASCADES_MAX; ++i)
+  {
+    std::copy_n(look.SeaBeyond[std::min(i, cascades.count)], 2, bands[i]);
+    if (i < cascades.count)
+    {
+      water_tile tile = cascades.tiles[i];
+      tile.length /= look.MetresPerUnit;
+      water_tile_place(&tile, origin[0], origin[1], tiles[i]);
+      tiles[i][2] = 1.0 / tile.length;
+      tiles[i][3] = 0.5 / static_cast<double>(tile.size);
+      bands[i][2] = water_cascades_longest(&cascades, i) / look.MetresPerUnit;
+    }
+  }
+  uniforms::Set(program, "waterSeaCount", static_cast<int>(cascades.count));
+  uniforms::Set4s(program, "waterSeaTiles", WATER_CASCADES_MAX, tiles);
+  uniforms::Set4s(program, "waterSeaBands", WATER_CASCADES_MAX + 1, bands);
+  const bool isMoved = program->IsUniformUsed("waterAxesToClip"); // of the vertices
+  const double chop[2] = { isMoved ? look.SeaChoppiness : -1.0, 1.0 };
+  uniforms::Set2(program, "waterSeaChop", chop);
+  const double move[2] = { look.SeaChoppiness / look.MetresPerUnit, 1.0 / look.MetresPerUnit };
+  uniforms::Set2(program, "waterSeaMove", move);
+  const double softness = water_whitecap_softness();
+  const double whitecaps[2] = { look.WhitecapJacobian, softness * softness };
+  uniforms::Set2(program, "waterWhitecaps", whitecaps);
 }

@@ -53,10 +53,12 @@ static void fuzz_rows(fuzz_input* from, const water_tile* tile, const water_sea*
   {
     water_tile_phasors(tile, frequencies, time, 0, half, phasors);
     const size_t row = fuzz_below(from, half);
-    water_tile_slope_row(tile, amplitudes, phasors, row, rows[0], rows[1]);
-    water_tile_height_row(tile, amplitudes, phasors, row, rows[0], rows[1]);
+    for (int pair = 0; pair < WATER_PAIR_COUNT; ++pair)
+    {
+      water_tile_pair_row(tile, amplitudes, phasors, (water_tile_pair)pair, row, rows[0], rows[1]);
+    }
   }
-  water_tile_slope_waves(tile, amplitudes, numbers);
+  water_tile_pair_waves(tile, amplitudes, WATER_PAIR_SLOPES, numbers);
   const int exponent = water_turns_exponent(frequencies[half * half - 1]);
   uint32_t units[2];
   uint32_t words[3];

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// water_whitecap.h: how much of a wind sea is white, and where: on crests whose points stand
+// closest.
+//
+// A sea's points move to and fro, towards the crests (chop). The area over that at rest, the
+// Jacobian J of that motion, is 1 in the mean; where it is least the waves break. Its sum of
+// derivatives is Gaussian, with the variance of the slope.
+// Source: Tessendorf 2001, "Simulating Ocean Water" (the Jacobian of choppy waves and spray).
+#ifndef water_whitecap_h
+#define water_whitecap_h
+
+#include "water_status.h"
+
+#ifdef __cplusplus
+extern "C"
+{
+#endif
+
+// Share of the sea's surface that is white: 3.84e-6 U^3.41, at most 1.
+//
+// wind_speed  m/s at 10 m, in [0.1, 100]; measured from 2 to 18
+//
+// Returns WATER_OK or WATER_BAD_WIND_SPEED; then cover is unchanged.
+// Source: Monahan and O'Muircheartaigh 1980, "Optimal Power-Law Description of Oceanic Whitecap
+// Coverage Dependence on Wind Speed".
+water_status water_whitecap_cover(double wind_speed, double* cover);
+
+// The Jacobian, to first order (1 and the sum of the two derivatives), under which a sea is white,
+// so that it is on a share of its area at rest: 1 - z s, s^2 the sum of the variances. To first
+// order it is Gaussian, and what a pixel does not resolve adds up with what it does.
+//
+// cover     in [0, 1]: nothing is white at 0, all at 1
+// variance  of the slopes along two axes at right angles, one of them the wind's; both >= 0
+//
+// 1 for a calm sea; minus infinity and infinity for covers of 0 and 1.
+double water_whitecap_jacobian(double cover, const double variance[2]);
+
+// Standard deviation of the Jacobian over which a crest turns white: no edge is sharper.
+double water_whitecap_softness(void);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkWaterNoWhitecapsFS.glsl: slot whitecaps of a sea without them.
+
+float waterWhitecap(WaterPoint point)
+{
+  return 0.0;
+}

@@ -1,0 +1,272 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// test_cascade.c: a sea on several tiles is the spectrum's: its variances, its period; where it
+// moves.
+#include "test_main.h"
+
+#include "water_cascade.h"
+#include "water_tile_time.h"
+
+#include <string.h>
+
+static const double pi = 3.141592653589793;
+static const double g = 9.80665;
+
+static water_sea sea_of(double wind)
+{
+  const water_sea sea = { WATER_SEA_JONSWAP, WATER_SPREAD_DONELAN_BANNER, wind, 0.4,
+    (double)INFINITY, (double)INFINITY, 1.0, 10.0 };
+  return sea;
+}
+
+static water_cascades cascades_of(const water_sea* sea, size_t size, size_t count)
+{
+  const water_tile first = { size, water_cascades_natural_length(sea, count), 0.0, 7, 0.0, 0.0 };
+  water_cascades made;
+  assert_int_equal(water_cascades_make(&first, sea, count, &made), WATER_OK);
+  return made;
+}
+
+typedef struct moments // of all tiles' waves: of height, of height by omega^2, of slope
+{
+  double height;
+  double swing;
+  double slope;
+} moments;
+
+// What the amplitudes of a tile's places are expected to have.
+static void add_tile(const water_tile* tile, const water_sea* sea, moments* sum)
+{
+  const double step = 2.0 * pi / tile->length;
+  const int half = (int)tile->size / 2;
+  for (int row = 1 - half; row < half; ++row)
+  {
+    for (int column = 1 - half; column < half; ++column)
+    {
+      const double k = step * hypot(row, column);
+      if (k > 0.0 && k >= tile->k_low && (tile->k_high == 0.0 || k < tile->k_high))
+      {
+        const double part = water_sea_density(sea, column * step, row * step) * step * step;
+        sum->height += part;
+        sum->swing += g * k * part;
+        sum->slope += k * k * part;
+      }
+    }
+  }
+}
+
+// Hs, mean period and slope of the tiles together are those of the spectrum's integrals, within 3
+// %.
+TEST(tiles_have_the_variance_of_the_spectrum)
+{
+  const double winds[] = { 3.0, 10.0, 15.0 };
+  for (size_t i = 0; i < 3; ++i)
+  {
+    const water_sea sea = sea_of(winds[i]);
+    const water_cascades cascades = cascades_of(&sea, 256, 3);
+    assert_int_equal(cascades.count, 3);
+    moments sum = { 0.0, 0.0, 0.0 };
+    for (size_t tile = 0; tile < cascades.count; ++tile)
+    {
+      add_tile(&cascades.tiles[tile], &sea, &sum);
+    }
+    const water_tile* last = &cascades.tiles[2];
+    const double end = pi * (double)last->size / last->length;
+    double height = 0.0;
+    double slope = 0.0;
+    assert_int_equal(water_sea_moments(&sea, 0.0, end, &height, &slope), WATER_OK);
+    double swing = 0.0; // integral of omega^2 S by the trapezoid rule of ln k
+    const int steps = 20000;
+    for (int step = 0; step < steps; ++step)
+    {
+      const double k = end * exp(-14.0 * (step + 0.5) / steps);
+      swing += 14.0 / steps * k * g * k * water_sea_wavenumber_density(&sea, k);
+    }
+    printf("wind %g: Hs %.4f of %.4f m, period %.3f of %.3f s, slope variance %.5f of %.5f\n",
+      winds[i], 4.0 * sqrt(sum.height), 4.0 * sqrt(height), 2.0 * pi * sqrt(sum.height / sum.swing),
+      2.0 * pi * sqrt(height / swing), sum.slope, slope);
+    ASSERT_CLOSE(sqrt(sum.height / height), 1.0, 0.03);
+    ASSERT_CLOSE(sqrt(sum.height / sum.swing), sqrt(height / swing), 0.03 * sqrt(height / swing));
+    // a square tile has its corners besides: waves of up to 1.4 times its Nyquist wave number
+    double corners = 0.0;
+    double corner_slope = 0.0;
+    assert_int_equal(
+      water_sea_moments(&sea, end, sqrt(2.0) * end, &corners, &corner_slope), WATER_OK);
+    assert_true(sum.slope > 0.97 * slope && sum.slope < 1.03 * slope + corner_slope);
+  }
+}
+
+// Each wave is on one tile; the first holds the peak, the last ends at waves of some centimetres or
+// at 370 rad/m.
+TEST(bands_follow_each_other)
+{
+  const double winds[] = { 0.5, 3.0, 10.0, 40.0 };
+  for (size_t i = 0; i < 4; ++i)
+  {
+    const water_sea sea = sea_of(winds[i]);
+    const water_cascades cascades = cascades_of(&sea, 256, 3);
+    assert_true(cascades.tiles[0].k_low == 0.0);
+    assert_true(cascades.tiles[cascades.count - 1].k_high == 0.0);
+    for (size_t tile = 0; tile + 1 < cascades.count; ++tile)
+    {
+      const water_tile* of = &cascades.tiles[tile];
+      assert_true(of->k_high == of[1].k_low && of->seed != of[1].seed);
+      // the band's longest waves fit five times, its shortest have more than two points
+      assert_true(of[1].length > 4.999 * 2.0 * pi / of[1].k_low);
+      assert_true(of->k_high < pi * 256.0 / of->length);
+      ASSERT_CLOSE(of->length / of[1].length, cascades.tiles[0].length / cascades.tiles[1].length,
+        1e-9 * of->length / of[1].length);
+    }
+    const water_tile* last = &cascades.tiles[cascades.count - 1];
+    const double end = pi * 256.0 / last->length;
+    assert_true(end < 370.0 * 1.000001 || cascades.count == 1);
+    assert_true(winds[i] > 10.0 || 2.0 * pi / end < 0.06);
+  }
+  const water_sea slow = sea_of(0.2);
+  assert_true(cascades_of(&slow, 256, 3).count < 3);
+  const water_sea sea = sea_of(10.0);
+  ASSERT_CLOSE(cascades_of(&sea, 256, 1).tiles[0].length, water_tile_natural_length(&sea), 0.0);
+}
+
+// Amplitudes are of the band alone, and those of another tile's band are others.
+TEST(amplitudes_keep_to_the_band)
+{
+  enum
+  {
+    N = 32
+  };
+  static double amplitudes[2 * N * N];
+  const water_sea sea = sea_of(6.0);
+  water_tile tile = { N, 60.0, 0.0, 3, 0.5, 1.2 };
+  assert_int_equal(water_tile_amplitudes(&tile, &sea, amplitudes), WATER_OK);
+  int held = 0;
+  for (int row = 0; row < N; ++row)
+  {
+    for (int column = 0; column < N; ++column)
+    {
+      const double k =
+        2.0 * pi / 60.0 * hypot(row < N / 2 ? row : row - N, column < N / 2 ? column : column - N);
+      const bool is_held = amplitudes[2 * (row * N + column)] != 0.0;
+      assert_int_equal(is_held, k >= 0.5 && k < 1.2);
+      held += is_held;
+    }
+  }
+  assert_true(held > 300);
+  tile.k_high = 0.4;
+  assert_int_equal(water_tile_check(&tile, &sea), WATER_BAD_WAVENUMBER);
+  tile.k_low = -1.0;
+  assert_int_equal(water_tile_check(&tile, &sea), WATER_BAD_WAVENUMBER);
+}
+
+TEST(bad_cascades_are_refused)
+{
+  const water_sea sea = sea_of(6.0);
+  const water_tile first = { 64, 60.0, 0.0, 3, 0.0, 0.0 };
+  water_tile odd = first;
+  odd.size = 5;
+  water_cascades made;
+  memset(&made, 0, sizeof made);
+  assert_int_equal(water_cascades_make(&first, &sea, 0, &made), WATER_BAD_CASCADES);
+  assert_int_equal(
+    water_cascades_make(&first, &sea, WATER_CASCADES_MAX + 1, &made), WATER_BAD_CASCADES);
+  assert_int_equal(water_cascades_make(&odd, &sea, 1, &made), WATER_BAD_TILE_SIZE);
+  assert_int_equal(made.count, 0);
+}
+
+// Slope variances from a tile on add up to those of all waves; turned, their sum stays.
+TEST(slopes_add_up)
+{
+  const water_sea sea = sea_of(8.0);
+  const water_cascades cascades = cascades_of(&sea, 128, 3);
+  double beyond[WATER_CASCADES_MAX + 1][2];
+  water_cascades_slopes(&cascades, &sea, beyond);
+  double height = 0.0;
+  double slope = 0.0;
+  assert_int_equal(water_sea_moments(&sea, 0.0, 370.0, &height, &slope), WATER_OK);
+  ASSERT_CLOSE(beyond[0][0] + beyond[0][1], slope, 1e-4 * slope);
+  assert_true(beyond[0][0] > beyond[0][1]); // more along the wind
+  for (size_t i = 0; i < cascades.count; ++i)
+  {
+    double axes[2];
+    double own[2] = { 0.0, 0.0 };
+    double left_out[2];
+    water_tile_slopes(&cascades.tiles[i], &sea, own, left_out);
+    const double held[2] = { beyond[i][0] - beyond[i + 1][0], beyond[i][1] - beyond[i + 1][1] };
+    water_cascades_turn(&sea, held, axes);
+    ASSERT_CLOSE(axes[0], own[0], 1e-5 * slope);
+    ASSERT_CLOSE(axes[1], own[1], 1e-5 * slope);
+  }
+  ASSERT_CLOSE(water_cascades_height(&sea), height, 0.0);
+  double up = 0.0;
+  double across = 0.0;
+  water_cascades_reach(4.0, 0.5, &up, &across);
+  assert_true(up == 12.0 && across == 6.0);
+}
+
+// One wave along x on a tile, sampled at its points: a Gerstner wave of steepness 1.
+TEST(a_sea_of_one_wave_is_gerstners)
+{
+  enum
+  {
+    N = 64
+  };
+  static double fields[7][N * N];
+  const double length = 16.0;
+  const double k = 2.0 * pi / length;
+  const double amplitude = 0.8;
+  for (int row = 0; row < N; ++row)
+  {
+    for (int column = 0; column < N; ++column)
+    {
+      const double angle = k * length * column / N;
+      double* at[7];
+      for (int i = 0; i < 7; ++i)
+      {
+        at[i] = &fields[i][row * N + column];
+      }
+      *at[0] = amplitude * sin(angle);
+      *at[1] = k * amplitude * cos(angle);
+      *at[3] = amplitude * cos(angle);
+      *at[5] = -k * amplitude * sin(angle);
+    }
+  }
+  const water_cascades cascades = { 1, { { N, length, 0.0, 1, 0.0, 0.0 } } };
+  const water_cascade_fields of = { fields[0], { fields[1], fields[2] }, { fields[3], fields[4] },
+    { fields[5], fields[2], fields[2] } };
+  const water_wave wave = { amplitude, length, 0.0, 0.0, 1.0 };
+  water_wave_term term;
+  size_t bad = 0;
+  assert_int_equal(water_waves_at(&wave, 1, (double)INFINITY, 0.0, &term, &bad), WATER_OK);
+  for (double units = 1.0; units < 30.0; units *= 10.0)
+  {
+    const water_cascade_surface surface = { &cascades, &of, 1.0, units };
+    const water_wave_others others = { water_cascades_add, &surface, units * amplitude };
+    for (double x = -20.0; x < 20.0; x += 0.37)
+    {
+      double rest[2];
+      water_wave_point found;
+      water_wave_point right;
+      assert_int_equal(
+        water_waves_find_all(NULL, 0, &others, units * x, units * 3.0, rest, &found), WATER_OK);
+      double right_rest[2];
+      assert_int_equal(water_waves_find(&term, 1, x, 3.0, right_rest, &right), WATER_OK);
+      // bilinear between points: (k step)^2 / 8 of the amplitude
+      ASSERT_CLOSE(found.displacement[2] / units, right.displacement[2], 2e-3 * amplitude);
+      ASSERT_CLOSE(rest[0] / units, right_rest[0], 4e-3 * amplitude);
+      ASSERT_CLOSE(found.normal[0], right.normal[0], 6e-3);
+      // and the place is met
+      ASSERT_CLOSE(rest[0] + found.displacement[0], units * x, 1.1e-6 * units * amplitude);
+    }
+  }
+  const water_cascade_surface calm = { &cascades, &of, 0.0, 1.0 };
+  const water_wave_others up = { water_cascades_add, &calm, 0.0 };
+  double rest[2];
+  water_wave_point found;
+  assert_int_equal(water_waves_find_all(NULL, 0, &up, 4.0, 1.0, rest, &found), WATER_OK);
+  assert_true(rest[0] == 4.0);
+  ASSERT_CLOSE(found.displacement[2], amplitude, 1e-12);
+  assert_int_equal(
+    water_waves_find_all(NULL, 0, &up, (double)NAN, 1.0, rest, &found), WATER_BAD_POINT);
+}
+
+TESTS(tiles_have_the_variance_of_the_spectrum, bands_follow_each_other, amplitudes_keep_to_the_band,
+  bad_cascades_are_refused, slopes_add_up, a_sea_of_one_wave_is_gerstners)
