@@ -584,7 +584,8 @@ public:
    * other one shorter by the same factor (at most 19 for 256 points), so that a sea reaches down to
    * waves of a few centimetres, and does not repeat as a whole. Where fewer tiles reach waves of
    * 1.7 cm there are fewer: GetUsedSeaCascades tells. The time to make a sea goes with their
-   * number; a pixel that is longer than a tile's waves does not look at it. Default is 3.
+   * number; a pixel that is longer than a tile's waves does not look at it. Three show ripples next
+   * to the eye. Default is 2.
    *
    * Source: Bruneton, Neyret and Holzschuch 2010, "Real-time Realistic Ocean Lighting using
    * Seamless Transitions from Geometry to BRDF".
@@ -850,7 +851,7 @@ private:
   int SeaTileSize = 256;
   double SeaTileLength = 0.0;
   double SeaPeriod = 0.0;
-  int SeaCascades = 3;
+  int SeaCascades = 2;
   double SeaChoppiness = 1.0;
   bool Whitecaps = false;
   bool WaveGeometry = false;

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""sea: a ship and buoys on a wind sea."""
+"""sea: a ship and buoys on a wind sea, under a clear sky."""
 
 import argparse
 
@@ -12,11 +12,14 @@ from vtkmodules.vtkRenderingCore import (
     vtkPolyDataMapper,
     vtkRenderer,
     vtkRenderWindow,
+    vtkSkybox,
 )
-from vtkwater import vtkWaterActor
+from vtkmodules.vtkRenderingOpenGL2 import vtkOpenGLSkybox  # noqa: F401  what draws a skybox
+from vtkwater import vtkWaterActor, vtkWaterClearSkySource
 from vtkwater.errors import ending
 from vtkwater.pictures import png_name, write_png
 
+SUN = (245.0, 36.0)  # azimuth and elevation, degrees
 BUOYS = ((-13.0, 6.0), (-7.5, -9.0), (9.5, -4.0))
 
 
@@ -112,19 +115,26 @@ def main():
     look.SeaOn()
     look.SetWindSpeed(8.0)
     look.SetWindDirection(35.0)
-    look.SetFetch(4000.0)
-    look.SetSeaTileSize(512)
-    water.SetSheetBounds(-6000.0, 6000.0, -6000.0, 6000.0)
+    look.SetFetch(60e3)
+    look.SetSeaCascades(3)
+    look.WaveGeometryOn()
+    look.WhitecapsOn()
+    water.SetSheetToHorizon()
     water.SetTime(time)
 
     renderer = vtkRenderer()
-    renderer.GradientBackgroundOn()
-    renderer.SetBackground(0.86, 0.90, 0.93)
-    renderer.SetBackground2(0.25, 0.47, 0.76)
+    sky = vtkWaterClearSkySource()
+    sky.SetAzimuth(SUN[0])
+    sky.SetElevation(SUN[1])
+    skybox = vtkSkybox()
+    sky.ConfigureSkybox(skybox, renderer)
+    renderer.SetBackground(sky.GetMeanColor())
     sun = vtkLight()
     sun.SetLightTypeToSceneLight()
-    sun.SetPosition(-6.0, -8.0, 9.0)
+    sun.SetPosition(sky.GetSunDirection())
+    sun.SetColor(sky.GetSunColor())
     renderer.AddLight(sun)
+    renderer.AddActor(skybox)
     renderer.AddActor(water)
     add_ship(renderer, 3.0, 16.0, 0.0)
     for x, y in BUOYS:

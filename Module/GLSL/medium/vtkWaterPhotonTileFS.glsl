@@ -11,6 +11,12 @@ vec4 waterPhotonWeights(float t)
   return 0.5 * vec4(t * (t * (2.0 - t) - 1.0), 2.0 + t * t * (3.0 * t - 5.0), t * (1.0 + t * (4.0 - 3.0 * t)), t * t * (t - 1.0));
 }
 
+// As there; a look takes longer than a branch.
+bool waterTileIsRead(float part)
+{
+  return part > 0.0;
+}
+
 // As in vtkWaterTileFS.glsl.
 vec2 waterTileSlope(sampler2DArray tile, vec3 middle, vec2 across, vec2 down, float texel,
   int looks, inout vec4 variance)

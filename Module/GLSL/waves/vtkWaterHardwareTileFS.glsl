@@ -26,13 +26,13 @@ vec4 waterTileFour(sampler2DArray tile, vec3 middle, vec2 longer, vec2 shorter, 
 vec4 waterTileMean(sampler2DArray tile, vec3 middle, vec2 longer, vec2 shorter, float texel, int looks)
 {
   float texels = length(longer) / texel;
+  if (texels < (looks == 1 ? 1.0 : WATER_TILE_ONE))
+  {
+    return textureLod(tile, middle, 0.0);
+  }
   if (looks == 1)
   {
     return textureGrad(tile, middle, longer, shorter);
-  }
-  if (texels < WATER_TILE_ONE)
-  {
-    return textureLod(tile, middle, 0.0);
   }
   if (texels < WATER_TILE_TWO)
   {
@@ -40,6 +40,12 @@ vec4 waterTileMean(sampler2DArray tile, vec3 middle, vec2 longer, vec2 shorter, 
     return 0.5 * (textureLod(tile, middle - part, 0.0) + textureLod(tile, middle + part, 0.0));
   }
   return waterTileFour(tile, middle, longer, shorter, max(0.25 * texels, length(shorter) / texel) < 1.0);
+}
+
+// As there; a look takes longer than a branch.
+bool waterTileIsRead(float part)
+{
+  return part > 0.0;
 }
 
 // As there.

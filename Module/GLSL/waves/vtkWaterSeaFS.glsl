@@ -23,13 +23,17 @@ struct WaterSeaTile
 void waterAddTile(WaterSeaTile tile, int looks, vec2 place, vec2 across, vec2 down,
   inout vec2 slope, inout vec4 variance, inout vec3 bent)
 {
+  variance.xy += tile.hidden;
+  if (!waterTileIsRead(tile.part))
+  {
+    return;
+  }
   vec3 middle = vec3(tile.place.xy + tile.place.z * place + tile.place.w, tile.layer);
   vec2 wide = tile.place.z * across;
   vec2 high = tile.place.z * down;
   vec4 within = vec4(0.0);
   slope += tile.part * waterTileSlope(waterSea, middle, wide, high, 2.0 * tile.place.w, looks, within);
   variance += tile.part * tile.part * within;
-  variance.xy += tile.hidden;
   bent += tile.part * waterSeaBend(waterSea, middle, wide, high, 2.0 * tile.place.w, looks);
 }
 

@@ -305,7 +305,6 @@ void vtkWaterSurfaceShader::SetPhotonParameters(vtkShaderProgram* program)
   if (this->HasSea)
   {
     this->SetSeaParameters(program);
-    vtkWaterUniforms::Set2(program, "waterSeaLeftOut", kFlat); // waves that are not drawn
   }
 }
 
