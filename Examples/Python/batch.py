@@ -87,6 +87,7 @@ def render(files, folder, is_stopped):
             scene = Scene((800, 500))
             ground = scene.add_ground(surface, 0.0)
             add_swell(scene.add_water(0.0))
+            scene.water.SetSheetToHorizon()
             scene.look(azimuth=215.0, height=14.0)
         ground.GetMapper().SetInputData(surface.data)
         time = surface.data.GetFieldData().GetArray("TimeValue")

@@ -20,7 +20,8 @@ from vtkwater import vtkWaterActor
 from vtkwater.errors import ending
 from vtkwater.pictures import png_name, write_png
 
-SIZE = 30.0  # m, half of the land's width
+SIZE = 120.0  # m, half of the land's width
+NEAR = -30.0  # where it begins, behind the eye
 
 
 def add(renderer, source, color, position=(0.0, 0.0, 0.0), scale=(1.0, 1.0, 1.0), upright=False):
@@ -39,17 +40,18 @@ def add(renderer, source, color, position=(0.0, 0.0, 0.0), scale=(1.0, 1.0, 1.0)
 
 
 def ground(x, y):
-    """Height of the sand, m: a beach to the left that falls to 4 m under the water."""
+    """Height of the sand, m: a beach to the left that falls to 4 m under the water, and farther out to the deep."""
     beach = -0.16 * (x + 9.0 + 3.0 * math.sin(0.16 * y + 0.6))
     ripples = 0.03 * math.sin(2.1 * x + 0.7 * math.sin(1.3 * y))
-    return max(min(beach, 0.3 * beach + 1.2), -4.0) + ripples + 0.25 * math.sin(0.4 * x) * math.cos(0.33 * y)
+    shelf = -4.0 - 0.012 * max(x - 14.0, 0.0) ** 2 - 0.012 * max(y - 20.0, 0.0) ** 2
+    return max(min(beach, 0.3 * beach + 1.2), shelf) + ripples + 0.25 * math.sin(0.4 * x) * math.cos(0.33 * y)
 
 
-def add_sand(renderer, steps=240):
+def add_sand(renderer, steps=480):
     points = vtkPoints()
     for j in range(steps + 1):
         for i in range(steps + 1):
-            x, y = SIZE * (2.0 * i / steps - 1.0), SIZE * (2.0 * j / steps - 1.0)
+            x, y = SIZE * (2.0 * i / steps - 1.0), NEAR + 2.0 * SIZE * j / steps
             points.InsertNextPoint(x, y, ground(x, y))
     grid = vtkStructuredGrid()
     grid.SetDimensions(steps + 1, steps + 1, 1)
@@ -114,7 +116,7 @@ def make_water(time):
     look.SetFoamDepth(0.25)
     look.ShadowsOn()
     look.SetCaustics(0.8)
-    water.SetSheetBounds(-SIZE, SIZE, -SIZE, SIZE)
+    water.SetSheetToHorizon()
     water.SetTime(time)
     return water
 

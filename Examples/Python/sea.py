@@ -126,6 +126,7 @@ def main():
     sky = vtkWaterClearSkySource()
     sky.SetAzimuth(SUN[0])
     sky.SetElevation(SUN[1])
+    sky.SetTurbidity(2.0)
     skybox = vtkSkybox()
     sky.ConfigureSkybox(skybox, renderer)
     renderer.SetBackground(sky.GetMeanColor())

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """gallery: renders the examples' pictures for Documentation/gallery.md.
 
-usage: gallery.py [EXAMPLE...]    names of scripts in Examples/Python; default: all in the gallery
+usage: gallery.py [PICTURE...]    default: all of the gallery
 
 Run it with a Python that has vtkwater and Pillow, and a window to render in.
 """
@@ -13,8 +13,9 @@ import tempfile
 from PIL import Image
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-# example -> its arguments; PICTURE is the file to write
+# picture -> the script, when its name is another, and the arguments; PICTURE is the file to write
 EXAMPLES = {
+    "lake": ["Examples/Data/jacksboro.vti", "FOLDER"],
     "flood": ["--picture", "PICTURE"],
     "tide": ["FOLDER/tide.gif", "--frames", "30", "--picture", "PICTURE"],
     "rain_flood": ["FOLDER/rain_flood.gif", "--frames", "4", "--picture", "PICTURE"],
@@ -23,8 +24,17 @@ EXAMPLES = {
     "harbour": ["PICTURE"],
     "molecule": ["PICTURE"],
     "batch": ["--out", "FOLDER", "--make", "6"],
+    "sea": ["PICTURE", "2"],
+    "waves": ["PICTURE", "2"],
+    "swell": ["PICTURE", "2.4"],
+    "cove": ["PICTURE", "1"],
+    "cove_below": ["PICTURE", "1", "below"],
+    "first_water": ["PICTURE"],
+    "pyvista_water": ["PICTURE"],
 }
-MADE = {"batch": "step_003.png"}  # where the picture's name is not ours to give
+SCRIPTS = {"cove_below": "cove"}
+MADE = {"batch": "step_003.png", "lake": "lake.png"}  # where the picture's name is not ours to give
+LOSSLESS = ("first_water", "pyvista_water")
 QUALITY = 88
 
 
@@ -34,8 +44,9 @@ def main():
             picture = pathlib.Path(folder) / MADE.get(name, "picture.png")
             arguments = [argument.replace("PICTURE", str(picture)).replace("FOLDER", folder)
                          for argument in EXAMPLES[name]]
-            subprocess.run([sys.executable, ROOT / f"Examples/Python/{name}.py", *arguments], check=True)
-            target = ROOT / f"Documentation/images/{name}.jpg"
+            script = ROOT / f"Examples/Python/{SCRIPTS.get(name, name)}.py"
+            subprocess.run([sys.executable, script, *arguments], check=True, cwd=ROOT)
+            target = ROOT / f"Documentation/images/{name}.{'png' if name in LOSSLESS else 'jpg'}"
             Image.open(picture).convert("RGB").save(target, quality=QUALITY, optimize=True)
             print(target.relative_to(ROOT), target.stat().st_size)
 
