@@ -319,8 +319,10 @@ public:
   ///@{
   /**
    * Shadows of things on the water's glitter and foam: a ray to the sun is traced in the mirrored
-   * view, and finds what that shows; what passes behind a thing there counts as shaded by it. Costs
-   * as much as the reflection, and needs Lookup RAY_TRACED. Default is off.
+   * view. It is in shadow where it goes through a surface that the view shows, from either side,
+   * or passes an upright edge by less than a twentieth of the distance behind it. What the view
+   * does not show throws no shadow: things out of the picture, and sides that face away from the
+   * mirrored eye. Needs Lookup RAY_TRACED. Default is off.
    */
   void SetShadows(bool shadows);
   vtkGetMacro(Shadows, bool);

@@ -2,7 +2,10 @@
 // vtkWaterNoDisplacementFS.glsl: slot place of a surface that lies in its plane: a pixel's place follows from
 // the pixel alone.
 
-uniform mat3 waterNdcToPlane; // (NDC x, NDC y, 1) -> place on the plane, from under the eye
+uniform mat3 waterNdcToPlane;       // (NDC x, NDC y, 1) -> place on the plane, from under the eye
+uniform vec4 waterReflectionHeight; // NDC of the reflection texture -> height over the plane / w
+uniform vec4 waterReflectionW;      // NDC of the reflection texture -> 1 / w
+uniform float waterTexel;           // height that a texel of the reflection texture spans, over its w
 
 vec2 waterPlaceOf(vec2 ndc)
 {

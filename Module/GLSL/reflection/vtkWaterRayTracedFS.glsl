@@ -19,7 +19,10 @@ const int WATER_OFF_MAP = 3;
 const int WATER_HIDDEN = 4;
 const int WATER_DOWNWARD = 5;
 
-const float WATER_THICKNESS = 0.05; // of things that cast shadows, over their distance
+const float WATER_THICKNESS = 0.05;     // of things that cast shadows, over their distance
+const float WATER_SHADOW_SLACK = 0.003; // of a surface's depth, over its distance
+const float WATER_SHADOW_PX = 2.0;      // of a step towards a light
+const int WATER_SHADOW_STEPS = 128;     // at most
 
 const int WATER_FACET_PROBES = 3; // for one of several facets
 
@@ -215,15 +218,107 @@ vec3 waterReflected(WaterPoint point, out int reason, out vec2 uv)
   return hit.isPlace ? waterDrawn(textureLod(waterReflection, uv, 0.0), hit.color) : hit.color;
 }
 
-// How much of the light from a direction something keeps off, as far as the reflection texture shows it.
+// How far a ray is in front of the reflection texture; below 0: behind it. A depth of the window.
+float waterGap(vec3 start, vec3 way, float s)
+{
+  vec3 at = start + s * way;
+  return waterDepthToMeet(at.xy) - min(at.z, 1.0);
+}
+
+// Where a ray to a light passes from the front of the reflection texture to behind it, or back: two places a texel
+// apart, and the gaps there.
+struct WaterPassing
+{
+  float low;
+  float high;
+  float gapLow;
+  float gapHigh;
+};
+
+// Halves the way between the two until it is a texel.
+void waterNarrow(vec3 start, vec3 way, float texel, inout WaterPassing passing)
+{
+  bool isIn = passing.gapHigh < 0.0;
+  while (passing.high - passing.low > 1.01 * texel)
+  {
+    float middle = 0.5 * (passing.low + passing.high);
+    float gap = waterGap(start, way, middle);
+    bool isHigh = (gap < 0.0) == isIn;
+    passing.high = isHigh ? middle : passing.high;
+    passing.gapHigh = isHigh ? gap : passing.gapHigh;
+    passing.low = isHigh ? passing.low : middle;
+    passing.gapLow = isHigh ? passing.gapLow : gap;
+  }
+}
+
+// Does the reflection texture show one surface on both sides? It goes on then from one of them as it does beside it.
+bool waterIsOneSurface(vec3 start, vec3 way, float texel, WaterPassing passing, float slack)
+{
+  float slopeLow = passing.gapLow - waterGap(start, way, max(passing.low - texel, 0.0));
+  float slopeHigh = waterGap(start, way, min(passing.high + texel, 1.0)) - passing.gapHigh;
+  float change = passing.gapHigh - passing.gapLow;
+  return abs(change - slopeLow) <= 0.5 * abs(slopeLow) + slack ||
+    abs(change - slopeHigh) <= 0.5 * abs(slopeHigh) + slack;
+}
+
+// Does what the reflection texture shows there face down? Over it is then what is behind it.
+bool waterFacesDown(vec3 at)
+{
+  vec4 up = waterHalfEnd(vec3(0.0, 0.0, 1.0));
+  vec3 line = up.xyz - (2.0 * at - 1.0) * up.w;
+  vec3 above = at + line * (2.0 / max(length(line.xy * vec2(textureSize(waterReflection, 0))), 1e-20));
+  return waterDepthToMeet(above.xy) < above.z - WATER_SHADOW_SLACK * (waterReflectionZInfinity - at.z);
+}
+
+// Is what the reflection texture shows there in the water's surface? A texel is.
+bool waterIsWaterline(vec2 uv, float depth)
+{
+  vec4 ndc = vec4(2.0 * vec3(uv, depth) - 1.0, 1.0);
+  return dot(waterReflectionHeight, ndc) < waterFloor * dot(waterReflectionW, ndc) + 1.5 * waterTexel;
+}
+
+// How much of the light from a direction something keeps off, as far as the reflection texture shows it; where it does
+// not, nothing.
+//
+// What goes through a surface that the reflection texture shows, from either side, is kept off. Of what goes behind an
+// edge nothing is known. Where that edge is a waterline, or faces down, the ray came over it, as rays do over a beach
+// whose underside the mirrored eye sees; elsewhere one that passes close behind meets a side that is not shown.
 float waterShaded(WaterPoint point, vec3 dir)
 {
   waterReadOnce();
-  WaterRayHit hit =
-    waterEstimateHitAlong(point.start, point.startW, vec3(dir.xy, max(dir.z, 1e-6)));
-  waterFollowRay(point.start, hit);
-  int reason = waterReason(hit);
-  // a ray that goes close behind an edge meets a side that the reflection texture does not show
-  bool isSide = reason == WATER_HIDDEN && hit.behind < WATER_THICKNESS;
-  return reason == WATER_HIT || isSide ? 1.0 : 0.0;
+  waterFloor = point.height;
+  vec3 start = point.start;
+  vec3 way = waterAim(start, point.startW, vec3(dir.xy, max(dir.z, 1e-6))).line;
+  vec2 wayPx = abs(way.xy * vec2(textureSize(waterReflection, 0)));
+  float lengthPx = max(max(wayPx.x, wayPx.y), 1.0);
+  float texel = 1.0 / lengthPx;
+  float stride = max(WATER_SHADOW_PX * texel, 1.0 / float(WATER_SHADOW_STEPS));
+  float s = 0.0;
+  float gap = waterGap(start, way, 0.0);
+  // a ray that starts on a surface, as it does on a shore, does not pass through it there
+  bool isContact = gap < WATER_SHADOW_SLACK * (waterReflectionZInfinity - start.z);
+  bool isStopped = false;
+  do
+  {
+    float next = min(s + stride, 1.0);
+    float gapNext = waterGap(start, way, next);
+    if ((gap < 0.0) != (gapNext < 0.0))
+    {
+      WaterPassing passing = WaterPassing(s, next, gap, gapNext);
+      waterNarrow(start, way, texel, passing);
+      bool isIn = gapNext < 0.0;
+      vec3 at = start + (isIn ? passing.high : passing.low) * way;
+      float gapAt = isIn ? passing.gapHigh : passing.gapLow;
+      float depth = min(at.z, 1.0) + gapAt;
+      float toInfinity = waterReflectionZInfinity - depth;
+      bool isStart = isContact && passing.low < 2.0 * texel;
+      bool isSide = isIn && -gapAt < WATER_THICKNESS * toInfinity && !waterIsWaterline(at.xy, depth) &&
+        !waterFacesDown(vec3(at.xy, depth));
+      isStopped = isSide ||
+        (!isStart && waterIsOneSurface(start, way, texel, passing, WATER_SHADOW_SLACK * toInfinity));
+    }
+    s = next;
+    gap = gapNext;
+  } while (s < 1.0 && !isStopped);
+  return isStopped ? 1.0 : 0.0;
 }
