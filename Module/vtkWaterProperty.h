@@ -322,7 +322,8 @@ public:
    * view. It is in shadow where it goes through a surface that the view shows, from either side,
    * or passes an upright edge by less than a twentieth of the distance behind it. What the view
    * does not show throws no shadow: things out of the picture, and sides that face away from the
-   * mirrored eye. Needs Lookup RAY_TRACED. Default is off.
+   * mirrored eye. Needs Lookup RAY_TRACED, and can more than double a software
+   * renderer's frame. Default is off.
    */
   void SetShadows(bool shadows);
   vtkGetMacro(Shadows, bool);
