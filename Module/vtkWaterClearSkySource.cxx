@@ -98,9 +98,7 @@ void vtkWaterClearSkySource::SetExposure(double exposure)
 //------------------------------------------------------------------------------
 void vtkWaterClearSkySource::SetWidth(int pixels)
 {
-  double width = this->Width;
-  this->SetNumber("Width", " pixels", pixels, kNarrowest, kWidest, width);
-  this->Width = static_cast<int>(width);
+  vtkWaterSetInRange(Width, pixels, kNarrowest, kWidest);
 }
 
 //------------------------------------------------------------------------------

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkWaterSurfaceFilter.h"
 
-#include "vtkCell.h"
 #include "vtkCellData.h"
+#include "vtkCellType.h"
+#include "vtkCellTypes.h"
 #include "vtkClipPolyData.h"
 #include "vtkDataArray.h"
 #include "vtkDataSetSurfaceFilter.h"
 #include "vtkDoubleArray.h"
+#include "vtkGenericCell.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMath.h"
@@ -18,6 +20,7 @@
 #include "vtkWaterCompat.h"
 #include "water_placement.h"
 
+#include <algorithm>
 #include <array>
 #include <limits>
 
@@ -62,9 +65,76 @@ std::string Find(vtkDataSet* data, const std::string& name, vtkDataArray*& array
   {
     return "there is no array '" + name + "' of numbers; there are: " + NamesOf(data);
   }
-  return array->GetNumberOfComponents() == 1 ? std::string()
-                                             : "the array '" + name + "' has " +
-      std::to_string(array->GetNumberOfComponents()) + " components; it must have 1";
+  const int components = array->GetNumberOfComponents();
+  const vtkIdType wanted = isOfCells ? data->GetNumberOfCells() : data->GetNumberOfPoints();
+  std::string wrong;
+  if (components != 1)
+  {
+    wrong = std::to_string(components) + " components; it must have 1";
+  }
+  else if (array->GetNumberOfTuples() != wanted)
+  {
+    wrong = std::to_string(array->GetNumberOfTuples()) + " values; the mesh has " +
+      std::to_string(wanted) + (isOfCells ? " cells" : " points");
+  }
+  return wrong.empty() ? wrong : "the array '" + name + "' has " + wrong;
+}
+
+// Returns what is wrong with the arrays together; empty: nothing.
+std::string FindAll(vtkDataSet* data, const std::string& level, const std::string& depth,
+  const std::string& bed, vtkWaterColumns::Given& given)
+{
+  bool isLevelOfCells = false;
+  bool isDepthOfCells = false;
+  std::string wrong = Find(data, level, given.Level, isLevelOfCells);
+  wrong = wrong.empty() ? Find(data, depth, given.Depth, isDepthOfCells) : wrong;
+  wrong = wrong.empty() ? Find(data, bed, given.Bed, given.IsBedOfCells) : wrong;
+  given.AreOfCells = isLevelOfCells || isDepthOfCells;
+  if (wrong.empty() && !given.Level && !given.Depth)
+  {
+    return "neither LevelArrayName nor DepthArrayName is set; the arrays there are: " +
+      NamesOf(data);
+  }
+  if (wrong.empty() && given.Level && given.Depth && isLevelOfCells != isDepthOfCells)
+  {
+    return "the arrays '" + level + "' and '" + depth +
+      "' must both be of points, or both of cells";
+  }
+  return wrong;
+}
+
+// The most dimensions that a cell has.
+int DimensionOf(vtkDataSet* data)
+{
+  vtkNew<vtkCellTypes> types;
+  vtkNew<vtkGenericCell> cell;
+  data->GetCellTypes(types);
+  int most = 0;
+  for (vtkIdType i = 0; i < types->GetNumberOfTypes(); ++i)
+  {
+    cell->SetCellType(types->GetCellType(i));
+    most = std::max(most, cell->GetCellDimension());
+  }
+  return most;
+}
+
+// Leaves the cells that have an area.
+void RemoveLines(vtkPolyData* mesh)
+{
+  if (mesh->GetNumberOfVerts() == 0 && mesh->GetNumberOfLines() == 0)
+  {
+    return;
+  }
+  mesh->BuildCells();
+  for (vtkIdType cell = 0; cell < mesh->GetNumberOfCells(); ++cell)
+  {
+    const int type = mesh->GetCellType(cell);
+    if (type == VTK_VERTEX || type == VTK_POLY_VERTEX || type == VTK_LINE || type == VTK_POLY_LINE)
+    {
+      mesh->DeleteCell(cell);
+    }
+  }
+  mesh->RemoveDeletedCells();
 }
 
 double MeanHeight(vtkPolyData* surface)
@@ -207,7 +277,13 @@ int vtkWaterSurfaceFilter::RequestData(
   {
     return 1;
   }
-  if (input->GetCell(0)->GetCellDimension() == 3)
+  const int dimension = DimensionOf(input);
+  if (dimension < 2)
+  {
+    vtkErrorMacro("the mesh has no cells of two dimensions. There is no surface.");
+    return 1;
+  }
+  if (dimension == 3)
   {
     vtkErrorMacro("the mesh has cells of three dimensions; it must have two. Contour the free "
                   "surface first, and give the water that as its mapper's input.");
@@ -222,28 +298,15 @@ int vtkWaterSurfaceFilter::RequestData(
     outside->Update();
     mesh->ShallowCopy(outside->GetOutput());
   }
+  RemoveLines(mesh);
   vtkWaterColumns::Given given;
-  bool isLevelOfCells = false;
-  bool isDepthOfCells = false;
-  std::string wrong = Find(mesh, this->LevelArrayName, given.Level, isLevelOfCells);
-  wrong = wrong.empty() ? Find(mesh, this->DepthArrayName, given.Depth, isDepthOfCells) : wrong;
-  wrong = wrong.empty() ? Find(mesh, this->BedArrayName, given.Bed, given.IsBedOfCells) : wrong;
-  if (wrong.empty() && !given.Level && !given.Depth)
-  {
-    wrong =
-      "neither LevelArrayName nor DepthArrayName is set; the arrays there are: " + NamesOf(mesh);
-  }
-  if (wrong.empty() && given.Level && given.Depth && isLevelOfCells != isDepthOfCells)
-  {
-    wrong = "the arrays '" + this->LevelArrayName + "' and '" + this->DepthArrayName +
-      "' must both be of points, or both of cells";
-  }
+  const std::string wrong =
+    FindAll(mesh, this->LevelArrayName, this->DepthArrayName, this->BedArrayName, given);
   if (!wrong.empty())
   {
     vtkErrorMacro(<< wrong << ". There is no surface.");
     return 1;
   }
-  given.AreOfCells = isLevelOfCells || isDepthOfCells;
   given.DryDepth = this->DryDepth;
   mesh->BuildCells();
   vtkWaterColumns columns;

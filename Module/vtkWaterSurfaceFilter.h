@@ -21,7 +21,9 @@
  * below 0, are dry.
  *
  * Output points have the arrays "WaterLevel" and "WaterDepth" (0 at the shore; not with the level
- * alone), in the unit of the mesh. All is over z; other directions want a transform before it.
+ * alone), in the unit of the mesh. Lines and vertices are left out. Of a composite dataset each
+ * block is a mesh; GetMeanLevel is that of the last one. All is over z; other directions want a
+ * transform before it.
  *
  * @sa vtkWaterActor
  */

@@ -229,7 +229,7 @@ def add_water(
                       "water and leaves it out; say pyvista.set_jupyter_backend('server')", stacklevel=2)
     if surface is not None and bounds is not None:
         raise ValueError("bounds are of the water's own sheet; there is none with a surface")
-    mapper, data = surface_of(surface, level, depth, bed, normal)
+    mapper, data = surface_of(surface, level, depth, bed, normal, origin)
     if color_by is not None:
         color_surface(mapper, surface, color_by, cmap, clim)
         if refraction is None and not foam and not caustics and data_opacity in (None, 1):
@@ -302,12 +302,14 @@ def level_and_surface(water, level, surface):
         if surface is not None:
             raise ValueError("surface is given twice: without its name, and by it")
         return level, water
+    if isinstance(water, pv.MultiBlock):
+        raise TypeError("water must be a number or a pyvista.DataSet, not MultiBlock; combine() makes one of its blocks")
     if level is not None:
         raise ValueError(f"level is given twice: {water!r} without its name, and level={level!r}")
     return number("level", water), surface
 
 
-def surface_of(surface, level, depth, bed, normal):
+def surface_of(surface, level, depth, bed, normal, origin):
     """The mapper of a surface, and what makes it of arrays; None for what there is not."""
     names = {"level": level if isinstance(level, str) else None, "depth": depth, "bed": bed}
     given = {word: of_type(word, name, str) for word, name in names.items() if name is not None}
@@ -322,6 +324,10 @@ def surface_of(surface, level, depth, bed, normal):
         raise ValueError(f"level is {level!r}; together with {word}={name!r} it must be the name of an array")
     if normal != "z":
         raise ValueError(f"normal is {normal!r}; with arrays of heights it must be 'z'")
+    if any(numbers("origin", origin, 3)):
+        raise ValueError(f"origin is {tuple(origin)}; arrays of heights count from 0")
+    if surface.n_cells == 0:
+        raise ValueError("surface has no cells")
     data = DataSurface(surface, **given)
     return data.mapper, data
 

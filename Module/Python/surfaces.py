@@ -5,8 +5,10 @@
     water.SetMapper(surface.mapper)
     surface.follow(water, renderer)  # each frame shows the arrays as they are then
 """
+import math
 import weakref
 
+import numpy as np
 import pyvista as pv
 
 from . import vtkWaterSurfaceFilter
@@ -47,16 +49,21 @@ class DataSurface:
         """Keep the water's level at the mean of the surface, from frame to frame, while both are there."""
         known = weakref.ref(water)
 
+        shown = self.filter.GetMeanLevel()
+
         def update(caller, event):
+            nonlocal shown
             actor = known()
             if actor is None or not renderer.HasViewProp(actor):
+                renderer.RemoveObserver(tag)
                 return
             self.filter.Update()
             level = self.filter.GetMeanLevel()
-            if actor.GetPlane().GetOrigin()[2] != level:
-                actor.SetLevel(level)
+            if level != shown:  # what the user sets meanwhile stays until the data change
+                shown = level
+                actor.SetLevel(level * actor.GetScale()[2])
 
-        renderer.AddObserver("StartEvent", update)
+        tag = renderer.AddObserver("StartEvent", update)
 
 
 def show_array(mapper, dataset, name, cmap=None, clim=None):
@@ -86,14 +93,19 @@ def show_array(mapper, dataset, name, cmap=None, clim=None):
     values = (dataset.point_data if is_of_points else dataset.cell_data)[name]
     if values.ndim != 1:
         raise ValueError(f"color_by is {name!r}, which has {values.shape[1]} components; it must have 1")
+    if values.dtype.kind not in "buif":
+        raise ValueError(f"color_by is {name!r}, an array of {values.dtype}; it must be one of real numbers")
+    if clim is None and not np.isfinite(values).any():
+        raise ValueError(f"color_by is {name!r}, which has no finite value; say clim")
     low, high = dataset.get_data_range(name) if clim is None else clim
-    if not low <= high:
-        raise ValueError(f"clim is ({low:g}, {high:g}); it must be a lower and an upper value")
+    if not (low <= high and math.isfinite(high - low)):
+        raise ValueError(f"clim is ({low:g}, {high:g}); it must be a lower and an upper value, both finite")
     if is_of_points:
         mapper.SetScalarModeToUsePointFieldData()
     else:
         mapper.SetScalarModeToUseCellFieldData()
     mapper.SelectColorArray(name)
+    mapper.SetColorModeToMapScalars()  # bytes are no colours
     mapper.SetLookupTable(pv.LookupTable(cmap or pv.global_theme.cmap, scalar_range=(low, high)))
     mapper.SetScalarRange(low, high)
     mapper.SetUseLookupTableScalarRange(True)

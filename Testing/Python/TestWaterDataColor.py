@@ -84,6 +84,15 @@ def test_a_pixel_tells_its_value(kind, samples, before):
                      float(np.abs(values - x)[:, inside].max() / (2 * HALF / STEPS)), 1.0)
 
 
+def test_the_actors_light_changes_no_data():
+    view, water = water_of(mesh_of(lambda x, y: x))
+    plain = view.picture().astype(int)
+    water.GetProperty().SetAmbient(0.5)
+    water.GetProperty().SetDiffuse(0.25)
+    inside = np.abs(x_of_columns()) < HALF - 0.2
+    wt.check_at_most("off by, of 255", int(np.abs(view.picture() - plain)[:, inside].max()), 1)
+
+
 def test_cells_have_one_colour_each():
     view, _ = water_of(mesh_of(lambda x, y: x, of_cells=True))
     picture = view.picture()

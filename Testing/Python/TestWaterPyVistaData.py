@@ -1,6 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A solver's mesh in PyVista: one call makes its water, coloured by its data, and follows them."""
 
+import gc
+import weakref
+
 import numpy as np
 import pytest
 import water_test as wt
@@ -31,6 +34,7 @@ def solution(level=0.4):
     mesh["h"] = np.maximum(level - mesh["zb"], 0.0)
     mesh["zeta"] = mesh["zb"] + mesh["h"]
     mesh["c"] = mesh.points[:, 1].astype(float)
+    mesh["nothing"] = np.full(mesh.n_points, np.nan)
     return mesh
 
 
@@ -75,11 +79,49 @@ def test_water_follows_its_arrays(plotter):
 def test_a_removed_water_is_followed_no_more(plotter):
     mesh = solution()
     water = plotter.add_water(mesh, depth="h", bed="zb")
+    mesh["h"] = np.maximum(0.2 - mesh["zb"], 0.0)
     from_above(plotter)
+    wt.check_at_most("followed: level off by", abs(water.GetLevel() - 0.2), 1e-6)
+    known = weakref.ref(water.GetMapper().GetInputAlgorithm())
     plotter.remove_actor(water)
     mesh["h"] = np.maximum(0.1 - mesh["zb"], 0.0)
     from_above(plotter)
-    wt.check_at_most("level off by", abs(water.GetLevel() - 0.4), 1e-6)
+    wt.check_at_most("removed: level off by", abs(water.GetLevel() - 0.2), 1e-6)
+    del water
+    gc.collect()
+    wt.check_equal("the filter is kept", known() is not None, False)
+
+
+def test_a_level_that_the_user_sets_stays_until_the_data_change(plotter):
+    mesh = solution()
+    water = plotter.add_water(mesh, depth="h", bed="zb")
+    water.SetLevel(0.7)
+    from_above(plotter)
+    wt.check_equal("level", water.GetLevel(), 0.7)
+    mesh["h"] = np.maximum(0.1 - mesh["zb"], 0.0)
+    from_above(plotter)
+    wt.check_at_most("level off by", abs(water.GetLevel() - 0.1), 1e-6)
+
+
+def test_in_a_scaled_scene_the_plane_is_scaled(plotter):
+    plotter.set_scale(zscale=5)
+    mesh = solution()
+    water = plotter.add_water(mesh, depth="h", bed="zb")
+    for level in (0.4, 0.2):
+        mesh["h"] = np.maximum(level - mesh["zb"], 0.0)
+        from_above(plotter)
+        wt.check_at_most(f"level {level}: off by", abs(water.GetLevel() - 5 * level), 1e-6)
+
+
+def test_bytes_go_through_the_colour_map(plotter):
+    mesh = solution(level=9.0)
+    mesh["wet"] = (mesh.points[:, 0] > 0).astype(np.uint8)
+    water = plotter.add_water(mesh, level="zeta", color_by="wet", cmap="coolwarm", scalar_bar=False)
+    water.GetWaterProperty().SetReflectanceModeToConstant()
+    water.GetWaterProperty().SetReflectance(0.0)
+    shown = from_above(plotter)[SIZE[1] // 2]
+    wt.check_at_least("red minus blue at the right", int(shown[200, 0]) - int(shown[200, 2]), 100)
+    wt.check_at_least("blue minus red at the left", int(shown[120, 2]) - int(shown[120, 0]), 100)
 
 
 @pytest.mark.parametrize("of_cells", (False, True))
@@ -116,9 +158,12 @@ def test_words_that_colour_arrive(plotter):
 @pytest.mark.parametrize("kind, texts, words", (
     (ValueError, ("'eta'", "zb (points)"), {"level": "eta"}),
     (ValueError, ("level", "depth", "zeta (points)"), {"bed": "zb"}),
-    (ValueError, ("color_by is 'speed'", "zb, h, zeta, c"), {"depth": "h", "color_by": "speed"}),
+    (ValueError, ("color_by is 'speed'", "zb, h, zeta, c, nothing"), {"depth": "h", "color_by": "speed"}),
     (ValueError, ("level is 2", "depth='h'"), {"level": 2, "depth": "h"}),
     (ValueError, ("normal is 'x'",), {"depth": "h", "normal": "x"}),
+    (ValueError, ("origin is (0, 0, 2)",), {"depth": "h", "origin": (0, 0, 2)}),
+    (ValueError, ("color_by is 'nothing'", "no finite value"), {"depth": "h", "color_by": "nothing"}),
+    (ValueError, ("clim is (0, inf)", "finite"), {"depth": "h", "color_by": "c", "clim": (0, float("inf"))}),
     (ValueError, ("clim is (3, 1)",), {"depth": "h", "color_by": "c", "clim": (3, 1)}),
     (ValueError, ("clim must have 2 numbers",), {"depth": "h", "color_by": "c", "clim": (3, 1, 2)}),
     (TypeError, ("depth must be str",), {"depth": 3}),

@@ -7,8 +7,8 @@ import water_test as wt
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData, vtkUnstructuredGrid
-from vtkmodules.vtkFiltersCore import vtkAppendFilter, vtkDelaunay2D
-from vtkmodules.vtkFiltersSources import vtkCubeSource
+from vtkmodules.vtkFiltersCore import vtkAppendFilter, vtkAppendPolyData, vtkDelaunay2D
+from vtkmodules.vtkFiltersSources import vtkCubeSource, vtkLineSource
 from vtkwater import vtkWaterSurfaceFilter
 
 HALF = 5.0  # the mesh covers [-5, 5] x [-5, 5]
@@ -245,13 +245,59 @@ def of_vectors():
     return mesh
 
 
+def too_short():
+    mesh = mesh_of()
+    add_array(mesh, "h", [1.0, 2.0, 3.0])
+    return mesh
+
+
+def of_lines():
+    source = vtkLineSource()
+    source.Update()
+    add_array(source.GetOutput(), "h", np.ones(2))
+    return source.GetOutput()
+
+
+def with_a_volume():
+    """A plane, and a cell of three dimensions after it."""
+    append = vtkAppendFilter()
+    append.AddInputData(flooded(0.4))
+    append.AddInputData(cube())
+    append.Update()
+    return append.GetOutput()
+
+
+def test_lines_are_no_surface():
+    """Beside triangles they are left out, with their data."""
+    mesh = flooded(9.0)
+    count = mesh.GetNumberOfCells()
+    append = vtkAppendPolyData()
+    append.AddInputData(mesh)
+    append.AddInputData(flooded_line())
+    append.Update()
+    _, surface, said = surface_of(append.GetOutput(), DepthArrayName="h", BedArrayName="zb")
+    wt.check_equal("errors", said, [])
+    wt.check_equal("cells", (surface.GetNumberOfCells(), surface.GetNumberOfLines()), (count, 0))
+
+
+def flooded_line():
+    line = vtkLineSource()
+    line.Update()
+    for name, value in (("h", 1.0), ("zb", 0.0), ("zeta", 1.0)):
+        add_array(line.GetOutput(), name, np.full(2, value))
+    return line.GetOutput()
+
+
 @pytest.mark.parametrize("make, names, words", (
+    (too_short, {"DepthArrayName": "h"}, ("'h' has 3 values", "points")),
+    (of_lines, {"DepthArrayName": "h"}, ("no cells of two dimensions",)),
+    (with_a_volume, {"DepthArrayName": "h"}, ("three dimensions",)),
     (lambda: flooded(0.4), {"LevelArrayName": "eta"}, ("'eta'", "h (points), zeta (points), zb (points)")),
     (lambda: flooded(0.4), {"BedArrayName": "zb"}, ("neither", "zeta (points)")),
     (mixed, {"LevelArrayName": "level_of_points", "DepthArrayName": "h"}, ("both be of points, or both of cells",)),
     (of_vectors, {"DepthArrayName": "v"}, ("'v' has 3 components; it must have 1",)),
     (cube, {"DepthArrayName": "h"}, ("three dimensions",)),
-), ids=("misnamed", "none", "associations", "vectors", "volume"))
+), ids=("short", "lines", "mixed", "misnamed", "none", "associations", "vectors", "volume"))
 def test_wrong_arrays_are_told_once(make, names, words):
     mesh = make()
     made, surface, said = surface_of(mesh, **names)

@@ -5,7 +5,8 @@
 #include "water_math.h"
 
 static const double least_left = 1.0 / 256.0; // light that comes back from deeper changes no colour
-static const double deepest_heights = 1e4;    // of the eye; keeps numbers apart
+static const double deepest_heights =
+  4.0; // of the eye: light that comes to its picture must come from places before it
 static const double wide_depths =
   3.0; // pixels as wide as so many depths of the bed see the mean light
 static const double reach_slopes =
@@ -16,6 +17,7 @@ static const double most_texels = 5.2;   // a pixel of the picture
 static const double sun_share =
   1.5; // points stand so many standard deviations of the sun's disc apart, at most
 static const double farthest_ndc = 4.0; // of a place
+static const double behind = 1e-12;     // w of such a place
 static const double bed_texels =
   64.0; // along the longer side: what is narrower than a seventh of that stands on the bed
 static const int side_steps = 4; // along a side of the picture
@@ -168,10 +170,11 @@ static void add_seen(
       source[i] = (from + made->middle * (made->calm_way[i] - rays->aside[i])) /
         (1.0 + made->middle * rays->per_depth);
     }
-    const double w = water_vec3_dot(rays->plane_to_ndc + 6, source);
+    // a place behind the eye is beyond all of the picture's border, on the side that it left by
+    const double w = fmax(rays->sign * water_vec3_dot(rays->plane_to_ndc + 6, source), behind);
     for (int i = 0; i < 2; ++i)
     {
-      const double at = water_vec3_dot(rays->plane_to_ndc + 3 * i, source) / w;
+      const double at = rays->sign * water_vec3_dot(rays->plane_to_ndc + 3 * i, source) / w;
       if (isfinite(at))
       {
         box[i] = fmin(box[i], fmax(at, -farthest_ndc));

@@ -48,6 +48,14 @@ float waterBedDepthAt(vec2 uv)
   return textureLod(waterBed, uv, 0.0).r;
 }
 
+// Depth of the bed where light comes to a depth; what lies beyond the picture is as deep as the bed under the source.
+float waterBedWhere(vec3 clip, float own)
+{
+  vec2 uv = waterBedSeen(clip);
+  bool isSeen = clip.z > 0.0 && all(lessThan(abs(uv - 0.5), vec2(0.5)));
+  return isSeen ? waterBedDepthAt(uv) : own;
+}
+
 void main()
 {
   vec2 source = waterSource(texCoord);
@@ -62,9 +70,10 @@ void main()
 
   // the bed is smooth: where it is to a step is near enough, as only the way aside of the waves depends on it
   float depth = waterCausticDepth; // from there: a wall towards the sun is before the bed that its water lights
+  float own = waterBedDepthAt(waterBedSeen(waterBedClip(source, 0.0)));
   for (int i = 0; i < WATER_PHOTON_STEPS; ++i)
   {
-    depth = waterBedDepthAt(waterBedSeen(waterBedClip(source + depth * way, depth)));
+    depth = waterBedWhere(waterBedClip(source + depth * way, depth), own);
   }
   vec2 lit = source + depth * (way - waterCalmWay); // in calm water that place would light it
   vec3 light3 = waterPlaceToLight * vec3(lit, 1.0);

@@ -5,12 +5,13 @@ uniform vec3 waterDeepColor;
 uniform float waterOpacity;
 
 uniform float waterDataOpacity;
+uniform float waterDataGain; // of ambient and diffuse light together
 vec4 waterDataColor = vec4(0.0);
 
 // Where the mapper shows scalars: their colour.
 void waterTakeData(vec3 color)
 {
-  waterDataColor = vec4(color, waterDataOpacity);
+  waterDataColor = vec4(color / max(waterDataGain, 1e-6), waterDataOpacity);
 }
 
 void waterShade(inout vec4 color)

@@ -32,12 +32,13 @@ uniform int waterSceneIsSorted;    // 1: a multisampled picture's samples are so
 uniform sampler2D waterSceneOtherPlace; // depth of the one with fewer; from the middle to where the surface is seen, pixels
 
 uniform float waterDataOpacity;
+uniform float waterDataGain; // of ambient and diffuse light together
 vec4 waterDataColor = vec4(0.0); // of the mesh's scalars, set where it has some; a: how much of what is seen in the water it is
 
 // Where the mapper shows scalars: their colour.
 void waterTakeData(vec3 color)
 {
-  waterDataColor = vec4(color, waterDataOpacity);
+  waterDataColor = vec4(color / max(waterDataGain, 1e-6), waterDataOpacity);
 }
 
 float waterSmooth = 2e-5; // slope variance up to which a pixel has one facet: its reflection blurs by half a degree

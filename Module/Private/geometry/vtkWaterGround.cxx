@@ -79,7 +79,7 @@ bool vtkWaterGround::IsUnder(
 void vtkWaterGround::FindWet()
 {
   this->Wet.clear();
-  bool isDry = false; // in a part of it
+  bool isDry = false; // a cell of it
   for (int y = 0; y < WATER_GROUND_CELLS; ++y)
   {
     for (int x = 0; x < WATER_GROUND_CELLS; ++x)

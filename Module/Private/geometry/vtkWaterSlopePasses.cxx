@@ -9,6 +9,7 @@
 #include "vtkWaterFftFS.h"
 #include "vtkWaterGL.h"
 #include "vtkWaterQueryResult.h"
+#include "vtkWaterScopedPlainDraws.h"
 #include "vtkWaterSeaSpectrumFS.h"
 #include "vtkWaterSlopeTexture.h"
 #include "vtkWaterUniforms.h"
@@ -25,36 +26,6 @@ constexpr water_tile_pair kPairs[vtkWaterSlopePasses::FIELDS][2] = { { WATER_PAI
   { WATER_PAIR_STRETCH, WATER_PAIR_SHEAR }, { WATER_PAIR_CHOP, WATER_PAIR_HEIGHT } };
 constexpr size_t kWordsPerTexel = 4;
 const char* const kRefused = "the GPU refuses its passes";
-
-// Draws write colours, all of them, in a viewport of their own, while an object of this class
-// lives.
-struct ScopedPlainDraws
-{
-  ScopedPlainDraws(vtkOpenGLState* state, int size)
-    : Viewport(state)
-    , ScissorTest(state, GL_SCISSOR_TEST)
-    , DepthTest(state, GL_DEPTH_TEST)
-    , StencilTest(state, GL_STENCIL_TEST)
-    , Blend(state, GL_BLEND)
-    , CullFace(state, GL_CULL_FACE)
-    , ColorMask(state)
-  {
-    for (GLenum test : { GL_SCISSOR_TEST, GL_DEPTH_TEST, GL_STENCIL_TEST, GL_BLEND, GL_CULL_FACE })
-    {
-      state->vtkglDisable(test);
-    }
-    state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-    state->vtkglViewport(0, 0, size, size);
-  }
-
-  vtkOpenGLState::ScopedglViewport Viewport;
-  vtkOpenGLState::ScopedglEnableDisable ScissorTest;
-  vtkOpenGLState::ScopedglEnableDisable DepthTest;
-  vtkOpenGLState::ScopedglEnableDisable StencilTest;
-  vtkOpenGLState::ScopedglEnableDisable Blend;
-  vtkOpenGLState::ScopedglEnableDisable CullFace;
-  vtkOpenGLState::ScopedglColorMask ColorMask;
-};
 
 // Textures are read by shaders while an object of this class lives.
 struct ScopedTextures
@@ -127,7 +98,9 @@ const char* vtkWaterSlopePasses::Draw(vtkOpenGLRenderWindow* window, const Input
   bool isDrawn = this->Prepare(window, sea, fields);
   for (int i = 0; i < fields && isDrawn; ++i)
   {
-    const ScopedPlainDraws plain(state, static_cast<int>(plan.size));
+    vtkWaterScopedPlainDraws plain(state);
+    const int size_px[2] = { static_cast<int>(plan.size), static_cast<int>(plan.size) };
+    plain.SetSize(size_px);
     isDrawn = this->DrawSpectrum(window, units, sea.Time, i) && this->Transform(window, i);
     if (isDrawn) // the last target is bound
     {

@@ -10,6 +10,7 @@
 #include "vtkWaterGL.h"
 #include "vtkWaterLightFS.h"
 #include "vtkWaterLightVS.h"
+#include "vtkWaterScopedPlainDraws.h"
 #include "vtkWaterUniforms.h"
 #include "water_caustics.h"
 
@@ -18,40 +19,6 @@
 
 namespace
 {
-// Draws write colours in a viewport of their own, while an object of this class lives.
-struct ScopedPlainDraws
-{
-  explicit ScopedPlainDraws(vtkOpenGLState* state)
-    : State(state)
-    , Viewport(state)
-    , ScissorTest(state, GL_SCISSOR_TEST)
-    , DepthTest(state, GL_DEPTH_TEST)
-    , StencilTest(state, GL_STENCIL_TEST)
-    , Blend(state, GL_BLEND)
-    , CullFace(state, GL_CULL_FACE)
-    , BlendFunc(state)
-    , ColorMask(state)
-  {
-    for (GLenum test : { GL_SCISSOR_TEST, GL_DEPTH_TEST, GL_STENCIL_TEST, GL_BLEND, GL_CULL_FACE })
-    {
-      state->vtkglDisable(test);
-    }
-    state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-  }
-
-  void SetSize(const int size_px[2]) { this->State->vtkglViewport(0, 0, size_px[0], size_px[1]); }
-
-  vtkOpenGLState* State;
-  vtkOpenGLState::ScopedglViewport Viewport;
-  vtkOpenGLState::ScopedglEnableDisable ScissorTest;
-  vtkOpenGLState::ScopedglEnableDisable DepthTest;
-  vtkOpenGLState::ScopedglEnableDisable StencilTest;
-  vtkOpenGLState::ScopedglEnableDisable Blend;
-  vtkOpenGLState::ScopedglEnableDisable CullFace;
-  vtkOpenGLState::ScopedglBlendFuncSeparate BlendFunc;
-  vtkOpenGLState::ScopedglColorMask ColorMask;
-};
-
 // What is drawn is added up, and points have the sizes that their vertices say, while an object of
 // this class lives.
 struct ScopedSum
@@ -330,7 +297,7 @@ bool vtkWaterCaustics::Draw(vtkOpenGLRenderWindow* window, const water_caustics&
   const vtkOpenGLState::ScopedglActiveTexture activeTexture(state);
   state->PushFramebufferBindings();
   {
-    ScopedPlainDraws plain(state);
+    vtkWaterScopedPlainDraws plain(state);
     this->HasFailed = !this->Ensure(window, caustics);
     if (!this->HasFailed)
     {

@@ -347,7 +347,9 @@ void vtkWaterSurfaceShader::BeginCaustics(const int viewport_px[4])
   water_caustics_input input = water_caustics_input();
   input.index = look.Optics.index_of_refraction;
   input.slope_rms = look.SlopeRMS;
-  input.extinction = *std::min_element(look.Extinction, look.Extinction + 3);
+  double extinction[3];
+  this->FindExtinction(extinction);
+  input.extinction = *std::min_element(extinction, extinction + 3);
   std::copy_n(viewport_px + 2, 2, input.viewport_px);
   input.max_texture_px = vtkTextureObject::GetMaximumTextureSize(window);
   input.is_software = !this->Has(WATER_FEATURE_HARDWARE_MEDIUM);

@@ -4,6 +4,7 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLRenderer.h"
 #include "vtkOpenGLState.h"
+#include "vtkProperty.h"
 #include "vtkShaderProgram.h"
 #include "vtkTexture.h"
 #include "vtkTextureObject.h"
@@ -54,6 +55,8 @@ void vtkWaterSurfaceShader::SetParameters(vtkShaderProgram* program, vtkAbstract
   uniforms::Set(program, "waterIsReflecting", isReflecting ? 1 : 0);
   uniforms::Set(program, "waterOpacity", look.Opacity);
   uniforms::Set(program, "waterDataOpacity", look.DataOpacity);
+  vtkProperty* property = this->Water->Actor->GetProperty();
+  uniforms::Set(program, "waterDataGain", property->GetAmbient() + property->GetDiffuse());
   uniforms::Set(program, "waterOutput", look.Output);
   double deepColor[3];
   this->FindDeepColor(deepColor);
