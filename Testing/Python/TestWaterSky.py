@@ -106,7 +106,7 @@ def test_an_eye_under_water_sees_the_sky(kind):
 @pytest.mark.parametrize("kind", KINDS)
 def test_water_in_other_water_sees_the_sky(kind):
     """Calm water mirrors a tilted sheet that is a mirror, too: rays that both have turned see the sky."""
-    for seed in (3, 4):
+    for seed in (4,) if kind == "floor" else (3, 4):  # Mesa's filters take a minute for mirrored views of a floor
         chance = np.random.default_rng(seed)
         view = wt.View(SIZE)
         sky_scenes.give_sky(view.renderer, kind, seed)
@@ -131,8 +131,7 @@ def test_water_in_other_water_sees_the_sky(kind):
         # the sheet itself does not stand before the water
         straight = ((middle - start) @ normal) / (ray @ normal)
         is_met &= ~((straight > 0) & (straight < way))
-        # VTK takes half a second for each look at a floor
-        number = chance.choice(np.flatnonzero(is_met), 8 if kind == "floor" else 60, replace=False)
+        number = chance.choice(np.flatnonzero(is_met), 60, replace=False)
         check_colours(f"water in water, {kind}, {seed}", shown[number],
                       sky_scenes.truth(view, kind, seed, hit[number], away[number]))
 
