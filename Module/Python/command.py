@@ -138,8 +138,8 @@ def add_scene_arguments(parser):
     )
     water.add_argument("--quality", choices=QUALITIES, help="of reflections on waves; default: default")
     water.add_argument("--units", type=units, metavar="UNIT",
-                       help="of the file: um, mm, cm, m, km, in, ft, mi or a number of metres; default: m for terrains "
-                            "and with --waves, else automatic, by its size")
+                       help="of the file: um, mm, cm, m, km, in, ft, mi or a number of metres; default: m for "
+                            "terrains and with --waves, else automatic, by its size")
     water.add_argument("--horizon", action="store_true",
                        help="let the water reach to the true horizon; without it, 50 times as far as the ground is "
                             "wide")
@@ -153,7 +153,8 @@ def add_scene_arguments(parser):
     view.add_argument("--sun", type=number(-360.0, 360.0), default=None, metavar="DEG",
                       help="where the light comes from, from north over east; default: from the eye's right")
     view.add_argument("--sky", type=number(2.0, 10.0), nargs="?", const=TURBIDITY, metavar="TURBIDITY",
-                      help="a clear sky in place of the gradient, by the turbidity of its air: 2 (very clear) to 10 (hazy), "
+                      help="a clear sky in place of the gradient, by the turbidity of its air: 2 (very clear) to 10 "
+                           "(hazy), "
                            "3 without a number")
     view.add_argument("--size", type=size, default=(960, 600), metavar="WxH", help="pixels; default 960x600")
     ground = parser.add_argument_group("the ground")

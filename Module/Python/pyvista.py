@@ -14,29 +14,16 @@ import warnings
 
 import pyvista as pv
 from vtkmodules.vtkCommonCore import vtkMath
-from vtkmodules.vtkFiltersGeometry import vtkDataSetSurfaceFilter
-from vtkmodules.vtkRenderingCore import vtkSkybox
 
-from . import vtkWaterActor, vtkWaterClearSkySource
+from . import vtkWaterActor
 from .errors import raising
-from .surfaces import DataSurface, show_array
-from .widgets import check_ends
-from .words import (
-    LEAST_TURBIDITY,
-    MOST_TURBIDITY,
-    SUN_COLOR,
-    SUN_PLACE,
-    TURBIDITY,
-    in_range,
-    number,
-    numbers,
-    of_type,
-    set_look,
-)
+from .skies import Sun, add_clear_sky, has_scene_light, shine, sun_of
+from .sliders import add_water_level_slider
+from .surfaces import color_surface, level_and_surface, level_of_surface, plane_of, surface_of
+from .words import in_range, number, numbers, set_look
 
-__all__ = ["add_clear_sky", "add_water", "add_water_level_slider"]
+__all__ = ["Sun", "add_clear_sky", "add_water", "add_water_level_slider"]
 
-ROUNDING = 1e-12  # of a level that was set and is asked for
 DRAWN_BY_VTK_JS = ("client", "html")  # of PyVista's backends for notebooks
 
 
@@ -294,205 +281,12 @@ def widen_clipping_range(renderer):
     renderer.camera.clipping_range = (min(near, new_near), max(far, new_far))
 
 
-def level_and_surface(water, level, surface):
-    """The two, one of which may be given without its name."""
-    if water is None:
-        return level, surface
-    if isinstance(water, pv.DataSet):
-        if surface is not None:
-            raise ValueError("surface is given twice: without its name, and by it")
-        return level, water
-    if isinstance(water, pv.MultiBlock):
-        raise TypeError("water must be a number or a pyvista.DataSet, not MultiBlock; combine() makes one of its blocks")
-    if level is not None:
-        raise ValueError(f"level is given twice: {water!r} without its name, and level={level!r}")
-    return number("level", water), surface
-
-
-def surface_of(surface, level, depth, bed, normal, origin):
-    """The mapper of a surface, and what makes it of arrays; None for what there is not."""
-    names = {"level": level if isinstance(level, str) else None, "depth": depth, "bed": bed}
-    given = {word: of_type(word, name, str) for word, name in names.items() if name is not None}
-    if not given:
-        return (None if surface is None else mapper_of(surface)), None
-    word, name = next(iter(given.items()))
-    if surface is None:
-        raise ValueError(f"{word} is {name!r}, an array's name; a surface that has it is needed")
-    if not isinstance(surface, pv.DataSet):
-        raise TypeError(f"surface must be a pyvista.DataSet, not {type(surface).__name__}")
-    if level is not None and "level" not in given:
-        raise ValueError(f"level is {level!r}; together with {word}={name!r} it must be the name of an array")
-    if normal != "z":
-        raise ValueError(f"normal is {normal!r}; with arrays of heights it must be 'z'")
-    if any(numbers("origin", origin, 3)):
-        raise ValueError(f"origin is {tuple(origin)}; arrays of heights count from 0")
-    if surface.n_cells == 0:
-        raise ValueError("surface has no cells")
-    data = DataSurface(surface, **given)
-    return data.mapper, data
-
-
-def color_surface(mapper, surface, name, cmap, clim):
-    if mapper is None:
-        raise ValueError(f"color_by is {name!r}; a surface that has this array is needed")
-    show_array(mapper, surface, of_type("color_by", name, str), cmap, None if clim is None else numbers("clim", clim, 2))
-
-
 def lowest_along(renderer, normal):
     """How far along a direction what the renderer shows begins; minus infinity where it shows nothing."""
     bounds = renderer.ComputeVisiblePropBounds()
     if not vtkMath.AreBoundsInitialized(bounds):
         return -math.inf
     return sum(min(part * bounds[2 * i], part * bounds[2 * i + 1]) for i, part in enumerate(normal))
-
-
-def has_scene_light(renderer):
-    return any(light.LightTypeIsSceneLight() and light.GetSwitch() for light in renderer.GetLights())
-
-
-class Sun(pv.Light):
-    """The scene light that ``add_water(sun=...)`` and ``add_clear_sky`` add; a renderer has one."""
-
-
-def sun_of(sun):
-    """Azimuth and elevation in degrees."""
-    if isinstance(sun, bool):
-        return SUN_PLACE
-    if isinstance(sun, str) or not hasattr(sun, "__len__"):
-        raise TypeError(f"sun must be a bool, or an azimuth and an elevation, not {type(sun).__name__}")
-    azimuth, elevation = numbers("sun", sun, 2)
-    in_range("sun[0], the azimuth,", azimuth, -360.0, 360.0)
-    in_range("sun[1], the elevation,", elevation, -90.0, 90.0)
-    return azimuth, elevation
-
-
-def shine(renderer, water, azimuth, elevation):
-    """Puts the renderer's sun there."""
-    direction = [0.0, 0.0, 0.0]
-    water.GetSkyDirection(azimuth, elevation, direction)
-    place_sun(renderer, direction)
-
-
-def place_sun(renderer, direction, color=None):
-    """The renderer's sun, which is made if there is none yet; its colour stays unless there is another."""
-    light = next((light for light in renderer.lights if isinstance(light, Sun)), None)
-    if light is None:
-        light = Sun(light_type="scene light", color=SUN_COLOR)
-        light.positional = False
-        renderer.add_light(light)
-    if color is not None:
-        light.diffuse_color = light.specular_color = color
-    light.focal_point = (0.0, 0.0, 0.0)
-    light.position = direction
-
-
-def add_clear_sky(self, sun=True, turbidity=TURBIDITY, *, resolution=1024, render=True):
-    """Add a clear sky by day to the active subplot, and the sun that lights the scene.
-
-    Up is z, north is y and east x. Water finds the sky by itself. It is computed after Preetham, Shirley and Smits
-    (1999, "A Practical Analytic Model for Daylight"); the sun's disc is not in it: waves glitter by the sun's light.
-
-    Parameters
-    ----------
-    sun : bool | sequence[float], default: True
-        Where the sun is: azimuth (degrees from north over east, in [-360, 360]) and elevation (degrees over the
-        horizon, in [0, 90]); True is (150, 35).
-
-    turbidity : float, default: 3.0
-        Of the air, in [2, 10]: 2 is very clear, 6 warm and moist, 10 hazy.
-
-    resolution : int, default: 1024
-        Width of the sky's picture in pixels, in [16, 8192].
-
-    render : bool, default: True
-        Render after adding, when the window is shown.
-
-    Returns
-    -------
-    vtkmodules.vtkRenderingCore.vtkSkybox
-        The skybox that shows the sky; ``plotter.remove_actor`` takes it away. Another ``add_clear_sky`` in the same
-        subplot takes its place. The light, of the class ``vtkwater.pyvista.Sun``, is that of ``add_water(sun=...)``, and
-        the background, which the sky hides, has the sky's mean colour: it lights the water.
-
-    Raises
-    ------
-    TypeError
-        When an argument is not of its type.
-
-    ValueError
-        When a value is out of its range.
-
-    Examples
-    --------
-    >>> import pyvista as pv
-    >>> import vtkwater.pyvista
-    >>> plotter = pv.Plotter(off_screen=True, lighting="none")
-    >>> sky = plotter.add_clear_sky(sun=(120, 20), turbidity=3)
-    >>> water = plotter.add_water(preset="ocean wind 5", bounds="horizon")
-    """
-    if sun is False or sun is None:
-        raise ValueError(f"sun is {sun!r}; a clear sky has one: True, or an azimuth and an elevation")
-    azimuth, elevation = sun_of(sun)
-    in_range("sun[1], the elevation,", elevation, 0.0, 90.0)
-    turbidity = number("turbidity", turbidity)
-    in_range("turbidity", turbidity, LEAST_TURBIDITY, MOST_TURBIDITY)
-    if isinstance(resolution, bool) or not hasattr(resolution, "__index__"):
-        raise TypeError(f"resolution must be int, not {type(resolution).__name__}")
-    sky = vtkWaterClearSkySource()
-    with raising(sky):
-        sky.SetAzimuth(azimuth)
-        sky.SetElevation(elevation)
-        sky.SetTurbidity(turbidity)
-        sky.SetWidth(min(max(resolution.__index__(), -1), 2**31 - 1))
-    skybox = vtkSkybox()
-    sky.ConfigureSkybox(skybox, self.renderer)
-    self.renderer.SetBackground(sky.GetMeanColor())
-    self.renderer.GradientBackgroundOff()
-    self.renderer.TexturedBackgroundOff()
-    self.renderer.add_actor(skybox, name="clear sky", pickable=False, reset_camera=False, render=False)
-    place_sun(self.renderer, sky.GetSunDirection(), sky.GetSunColor())
-    if render:
-        self.render()
-    return skybox
-
-
-def level_of_surface(mapper, level, normal, origin):
-    """The mean height of a surface over the origin along the normal; or the level, which must be near that."""
-    water = vtkWaterActor()
-    place, up = plane_of(0.0 if level is None else level, normal, origin, (1.0, 1.0, 1.0))
-    water.GetPlane().SetOrigin(place)
-    water.GetPlane().SetNormal(up)
-    water.SetMapper(mapper)
-    placement = [0.0] * 4
-    if not water.GetMeshPlacement(placement):
-        return 0.0 if level is None else level
-    height, most = placement[:2]
-    if level is None:
-        return height
-    if abs(height) > most:
-        raise ValueError(
-            f"level is {level:g}, but the mean height of the surface along the normal is {level + height:g}; "
-            f"they may be {most:g} apart, 1 % of the surface's diagonal. Without level it is the surface's"
-        )
-    return level
-
-
-def plane_of(level, normal, origin, scale):
-    """Origin and normal of the water's plane in the renderer's own coordinates, which are scaled."""
-    axes = {"x": (1, 0, 0), "y": (0, 1, 0), "z": (0, 0, 1), "-x": (-1, 0, 0), "-y": (0, -1, 0), "-z": (0, 0, -1)}
-    if isinstance(normal, str):
-        if normal.lower() not in axes:
-            raise ValueError(f"normal is {normal!r}; it must be one of {', '.join(axes)}, or three numbers")
-        normal = axes[normal.lower()]
-    normal = numbers("normal", normal, 3)
-    length = sum(part * part for part in normal) ** 0.5
-    if not 0.0 < length < float("inf"):
-        raise ValueError(f"normal is {tuple(normal)}; it must be finite and not zero")
-    origin = numbers("origin", origin, 3)
-    point = [at + level * part / length for at, part in zip(origin, normal)]
-    if not all(abs(part) < float("inf") for part in point):
-        raise ValueError(f"level {level} over {tuple(origin)}: both must be finite")
-    return [at * factor for at, factor in zip(point, scale)], [part / factor for part, factor in zip(normal, scale)]
 
 
 def set_bounds(actor, bounds):
@@ -505,120 +299,6 @@ def set_bounds(actor, bounds):
     else:
         raise ValueError(f"bounds is {bounds!r}; it must be 'horizon', 'scene' or four numbers "
                          "(xmin, xmax, ymin, ymax)")
-
-
-def mapper_of(surface):
-    if not isinstance(surface, pv.DataSet):
-        raise TypeError(f"surface must be a pyvista.DataSet, not {type(surface).__name__}")
-    mesh = surface
-    if not isinstance(surface, pv.PolyData):
-        outside = vtkDataSetSurfaceFilter()  # PyVista's extract_surface is about to do something else
-        outside.SetInputData(surface)
-        outside.Update()
-        mesh = pv.wrap(outside.GetOutput())
-    if mesh.n_cells == 0:
-        raise ValueError("surface has no cells")
-    mapper = pv.DataSetMapper(dataset=mesh)
-    mapper.ScalarVisibilityOff()
-    return mapper
-
-
-def add_water_level_slider(
-    self, water, rng=None, *, origin=(0.0, 0.0, 0.0), title="water level", callback=None, **more
-):
-    """Add a slider to the active subplot that moves the level of a water.
-
-    Parameters
-    ----------
-    water : vtkwater.vtkWaterActor
-        What ``add_water`` returned. It keeps its level, which must lie between the slider's ends. Its plane moves
-        along the normal, and its surface, when it was given one, with it.
-
-    rng : sequence[float], optional
-        The lowest and the highest level, in the unit of the scene's data, over ``origin`` along the water's normal. By
-        default those of the bounds of the scene.
-
-    origin : sequence[float], default: (0.0, 0.0, 0.0)
-        The point that the level counts from, as for ``add_water``.
-
-    title : str, default: 'water level'
-
-    callback : callable, optional
-        Called with the new level after each change.
-
-    **more
-        All else that ``Plotter.add_slider_widget`` takes: ``pointa``, ``pointb``, ``color``, ``style``, ``fmt``, ...
-
-    Returns
-    -------
-    vtkmodules.vtkInteractionWidgets.vtkSliderWidget
-        The slider, which the plotter keeps; ``plotter.clear_slider_widgets()`` takes it away.
-
-    Raises
-    ------
-    TypeError
-        When the water is none, or an argument is not of its type.
-
-    ValueError
-        When the ends are not finite, in the wrong order, or the level is not between them; the text names them.
-        Without ``rng`` also when the scene is flat.
-
-    Examples
-    --------
-    >>> import pyvista as pv
-    >>> import vtkwater.pyvista
-    >>> plotter = pv.Plotter()
-    >>> _ = plotter.add_mesh(pv.Cone(direction=(0, 0, 1)))
-    >>> water = plotter.add_water(level=-0.2)
-    >>> slider = plotter.add_water_level_slider(water, (-0.5, 0.5))  # doctest: +SKIP
-    """
-    if not isinstance(water, vtkWaterActor):
-        raise TypeError(f"water must be a vtkWaterActor, not {type(water).__name__}")
-    level = Level(water, numbers("origin", origin, 3), self.renderer.scale)
-    at = level.get()
-    low, high = heights_of(self.renderer, level) if rng is None else numbers("rng", rng, 2)
-    check_ends(low, high, at)
-    more.setdefault("interaction_event", "always")
-
-    def moved(value, *widget):
-        if math.isclose(value, level.get(), rel_tol=ROUNDING, abs_tol=ROUNDING * (high - low)):
-            return
-        level.set(value)
-        if callback:
-            callback(value, *widget)
-
-    return self.add_slider_widget(moved, (low, high), value=at, title=title, **more)
-
-
-class Level:
-    """The level of a water in a renderer whose scene is scaled."""
-
-    def __init__(self, water, origin, scale):
-        self._water, self._origin, self._scale = water, origin, scale
-        normal = [part * factor for part, factor in zip(water.GetPlane().GetNormal(), scale)]
-        self.normal = [part / math.hypot(*normal) for part in normal]
-
-    def height(self, point):
-        """Of a point of the scaled scene."""
-        return sum((at / factor - start) * part
-                   for at, factor, start, part in zip(point, self._scale, self._origin, self.normal))
-
-    def get(self):
-        return self.height(self._water.GetPlane().GetOrigin())
-
-    def set(self, value):
-        way = [(value - self.get()) * part * factor for part, factor in zip(self.normal, self._scale)]
-        plane = self._water.GetPlane()
-        plane.SetOrigin([at + part for at, part in zip(plane.GetOrigin(), way)])
-        if self._water.GetMeshPlacement([0.0] * 4):
-            self._water.AddPosition(way)
-
-
-def heights_of(renderer, level):
-    """The lowest and the highest point of the bounds of all that is shown."""
-    bounds = renderer.ComputeVisiblePropBounds()
-    heights = [level.height((x, y, z)) for x in bounds[:2] for y in bounds[2:4] for z in bounds[4:]]
-    return min(heights), max(heights)
 
 
 pv.BasePlotter.add_clear_sky = add_clear_sky

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The surface of a solver's water as the surface of a vtkWaterActor: what add_water does with arrays.
+"""The surface that add_water is given, and its plane; a solver's mesh by the names of its arrays.
 
     surface = DataSurface(dataset, level="zeta", bed="zb")
     water.SetMapper(surface.mapper)
@@ -11,10 +11,13 @@ import weakref
 import numpy as np
 import pyvista as pv
 
-from . import vtkWaterSurfaceFilter
-from .errors import raising
+from vtkmodules.vtkFiltersGeometry import vtkDataSetSurfaceFilter
 
-__all__ = ["DataSurface", "show_array"]
+from . import vtkWaterActor, vtkWaterSurfaceFilter
+from .errors import raising
+from .words import number, numbers, of_type
+
+__all__ = ["DataSurface", "color_surface", "level_and_surface", "level_of_surface", "plane_of", "surface_of"]
 
 
 class DataSurface:
@@ -88,7 +91,8 @@ def show_array(mapper, dataset, name, cmap=None, clim=None):
     """
     arrays = [*dataset.point_data, *dataset.cell_data]
     if name not in arrays:
-        raise ValueError(f"color_by is {name!r}; it must be one of the arrays {', '.join(arrays) or '(there is none)'}")
+        known = ", ".join(arrays) or "(there is none)"
+        raise ValueError(f"color_by is {name!r}; it must be one of the arrays {known}")
     is_of_points = name in dataset.point_data
     values = (dataset.point_data if is_of_points else dataset.cell_data)[name]
     if values.ndim != 1:
@@ -111,3 +115,104 @@ def show_array(mapper, dataset, name, cmap=None, clim=None):
     mapper.SetUseLookupTableScalarRange(True)
     mapper.SetInterpolateScalarsBeforeMapping(is_of_points)
     mapper.ScalarVisibilityOn()
+
+
+def level_and_surface(water, level, surface):
+    """The two, one of which may be given without its name."""
+    if water is None:
+        return level, surface
+    if isinstance(water, pv.DataSet):
+        if surface is not None:
+            raise ValueError("surface is given twice: without its name, and by it")
+        return level, water
+    if isinstance(water, pv.MultiBlock):
+        raise TypeError("water must be a number or a pyvista.DataSet, not MultiBlock; "
+                        "combine() makes one of its blocks")
+    if level is not None:
+        raise ValueError(f"level is given twice: {water!r} without its name, and level={level!r}")
+    return number("level", water), surface
+
+
+def surface_of(surface, level, depth, bed, normal, origin):
+    """The mapper of a surface, and what makes it of arrays; None for what there is not."""
+    names = {"level": level if isinstance(level, str) else None, "depth": depth, "bed": bed}
+    given = {word: of_type(word, name, str) for word, name in names.items() if name is not None}
+    if not given:
+        return (None if surface is None else mapper_of(surface)), None
+    word, name = next(iter(given.items()))
+    if surface is None:
+        raise ValueError(f"{word} is {name!r}, an array's name; a surface that has it is needed")
+    if not isinstance(surface, pv.DataSet):
+        raise TypeError(f"surface must be a pyvista.DataSet, not {type(surface).__name__}")
+    if level is not None and "level" not in given:
+        raise ValueError(f"level is {level!r}; together with {word}={name!r} it must be the name of an array")
+    if normal != "z":
+        raise ValueError(f"normal is {normal!r}; with arrays of heights it must be 'z'")
+    if any(numbers("origin", origin, 3)):
+        raise ValueError(f"origin is {tuple(origin)}; arrays of heights count from 0")
+    if surface.n_cells == 0:
+        raise ValueError("surface has no cells")
+    data = DataSurface(surface, **given)
+    return data.mapper, data
+
+
+def color_surface(mapper, surface, name, cmap, clim):
+    if mapper is None:
+        raise ValueError(f"color_by is {name!r}; a surface that has this array is needed")
+    ends = None if clim is None else numbers("clim", clim, 2)
+    show_array(mapper, surface, of_type("color_by", name, str), cmap, ends)
+
+
+def level_of_surface(mapper, level, normal, origin):
+    """The mean height of a surface over the origin along the normal; or the level, which must be near that."""
+    water = vtkWaterActor()
+    place, up = plane_of(0.0 if level is None else level, normal, origin, (1.0, 1.0, 1.0))
+    water.GetPlane().SetOrigin(place)
+    water.GetPlane().SetNormal(up)
+    water.SetMapper(mapper)
+    placement = [0.0] * 4
+    if not water.GetMeshPlacement(placement):
+        return 0.0 if level is None else level
+    height, most = placement[:2]
+    if level is None:
+        return height
+    if abs(height) > most:
+        raise ValueError(
+            f"level is {level:g}, but the mean height of the surface along the normal is {level + height:g}; "
+            f"they may be {most:g} apart, 1 % of the surface's diagonal. Without level it is the surface's"
+        )
+    return level
+
+
+def plane_of(level, normal, origin, scale):
+    """Origin and normal of the water's plane in the renderer's own coordinates, which are scaled."""
+    axes = {"x": (1, 0, 0), "y": (0, 1, 0), "z": (0, 0, 1), "-x": (-1, 0, 0), "-y": (0, -1, 0), "-z": (0, 0, -1)}
+    if isinstance(normal, str):
+        if normal.lower() not in axes:
+            raise ValueError(f"normal is {normal!r}; it must be one of {', '.join(axes)}, or three numbers")
+        normal = axes[normal.lower()]
+    normal = numbers("normal", normal, 3)
+    length = sum(part * part for part in normal) ** 0.5
+    if not 0.0 < length < float("inf"):
+        raise ValueError(f"normal is {tuple(normal)}; it must be finite and not zero")
+    origin = numbers("origin", origin, 3)
+    point = [at + level * part / length for at, part in zip(origin, normal)]
+    if not all(abs(part) < float("inf") for part in point):
+        raise ValueError(f"level {level} over {tuple(origin)}: both must be finite")
+    return [at * factor for at, factor in zip(point, scale)], [part / factor for part, factor in zip(normal, scale)]
+
+
+def mapper_of(surface):
+    if not isinstance(surface, pv.DataSet):
+        raise TypeError(f"surface must be a pyvista.DataSet, not {type(surface).__name__}")
+    mesh = surface
+    if not isinstance(surface, pv.PolyData):
+        outside = vtkDataSetSurfaceFilter()  # PyVista's extract_surface is about to do something else
+        outside.SetInputData(surface)
+        outside.Update()
+        mesh = pv.wrap(outside.GetOutput())
+    if mesh.n_cells == 0:
+        raise ValueError("surface has no cells")
+    mapper = pv.DataSetMapper(dataset=mesh)
+    mapper.ScalarVisibilityOff()
+    return mapper

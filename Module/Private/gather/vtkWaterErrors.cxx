@@ -104,8 +104,8 @@ vtkWaterError vtkWaterDescribeEmptySkybox()
   vtkWaterError error;
   error.Kind = "a visible vtkSkybox has no data in its texture";
   error.Text = error.Kind +
-    ": SetTexture wants one whose input has at least one pixel, or a cube map of six such inputs "
-    "for "
-    "the projection Cube. The water reflects the renderer's background in its place.";
+    ": SetTexture wants one whose input has at least one pixel, or for the projection Cube a cube "
+    "map "
+    "of six such inputs. The water reflects the renderer's background in its place.";
   return error;
 }

@@ -14,33 +14,28 @@ double ValueOf(vtkDataArray* array, vtkIdType i)
   return array ? array->GetComponent(i, 0) : vtkMath::Nan();
 }
 
-// Means of what cells, or points beside them, add to points.
-class Means
+// The mean of finite numbers.
+class Mean
 {
 public:
-  explicit Means(vtkIdType count)
-    : Sums(static_cast<size_t>(count), 0.0)
-    , Counts(static_cast<size_t>(count), 0)
+  void Add(double value)
   {
+    const bool counts = vtkMath::IsFinite(value);
+    this->Sum += counts ? value : 0.0;
+    this->Count += counts ? 1 : 0;
   }
-  void Add(vtkIdType i, double value)
-  {
-    if (vtkMath::IsFinite(value))
-    {
-      this->Sums[static_cast<size_t>(i)] += value;
-      ++this->Counts[static_cast<size_t>(i)];
-    }
-  }
-  double Get(vtkIdType i) const
-  {
-    const int count = this->Counts[static_cast<size_t>(i)];
-    return count > 0 ? this->Sums[static_cast<size_t>(i)] / count : vtkMath::Nan();
-  }
+  double Get() const { return this->Count > 0 ? this->Sum / this->Count : vtkMath::Nan(); }
 
 private:
-  std::vector<double> Sums;
-  std::vector<int> Counts;
+  double Sum = 0.0;
+  int Count = 0;
 };
+
+// One for each point of a mesh.
+std::vector<Mean> MeansOf(vtkPolyData* mesh)
+{
+  return std::vector<Mean>(static_cast<size_t>(mesh->GetNumberOfPoints()));
+}
 
 template <typename Function>
 void ForEachCell(vtkPolyData* mesh, Function function)
@@ -84,12 +79,12 @@ void vtkWaterColumns::Make(vtkPolyData* mesh, const Given& given)
 //------------------------------------------------------------------------------
 void vtkWaterColumns::ReadBeds(vtkPolyData* mesh, const Given& given)
 {
-  Means means(mesh->GetNumberOfPoints());
+  std::vector<Mean> means = MeansOf(mesh);
   if (given.Bed && given.IsBedOfCells)
   {
     ForEachCell(mesh, [&](vtkIdType cell, const vtkIdType* points, vtkIdType count) {
       std::for_each(points, points + count,
-        [&](vtkIdType point) { means.Add(point, ValueOf(given.Bed, cell)); });
+        [&](vtkIdType point) { means[static_cast<size_t>(point)].Add(ValueOf(given.Bed, cell)); });
     });
   }
   for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
@@ -97,7 +92,7 @@ void vtkWaterColumns::ReadBeds(vtkPolyData* mesh, const Given& given)
     double& bed = this->Beds[static_cast<size_t>(i)];
     if (given.Bed)
     {
-      bed = given.IsBedOfCells ? means.Get(i) : ValueOf(given.Bed, i);
+      bed = given.IsBedOfCells ? means[static_cast<size_t>(i)].Get() : ValueOf(given.Bed, i);
     }
     else if (!given.Level)
     {
@@ -123,49 +118,50 @@ void vtkWaterColumns::ReadPoints(vtkPolyData* mesh, const Given& given)
 //------------------------------------------------------------------------------
 void vtkWaterColumns::ReadCells(vtkPolyData* mesh, const Given& given)
 {
-  Means levels(mesh->GetNumberOfPoints());
-  Means beds(mesh->GetNumberOfPoints());
+  std::vector<Mean> levels = MeansOf(mesh);
+  std::vector<Mean> beds = MeansOf(mesh);
   this->IsCellWet.assign(static_cast<size_t>(mesh->GetNumberOfCells()), 0);
   ForEachCell(mesh, [&](vtkIdType cell, const vtkIdType* points, vtkIdType count) {
-    Means own(1);
+    Mean own;
     std::for_each(points, points + count,
-      [&](vtkIdType point) { own.Add(0, this->Beds[static_cast<size_t>(point)]); });
-    const double bed = given.IsBedOfCells ? ValueOf(given.Bed, cell) : own.Get(0);
+      [&](vtkIdType point) { own.Add(this->Beds[static_cast<size_t>(point)]); });
+    const double bed = given.IsBedOfCells ? ValueOf(given.Bed, cell) : own.Get();
     const water_column column = water_shore_column(
       ValueOf(given.Level, cell), bed, ValueOf(given.Depth, cell), given.DryDepth);
     this->IsCellWet[static_cast<size_t>(cell)] = column.is_wet;
     for (vtkIdType i = 0; i < count; ++i)
     {
-      beds.Add(points[i], column.bed);
+      beds[static_cast<size_t>(points[i])].Add(column.bed);
       if (column.is_wet)
       {
         this->IsWet[static_cast<size_t>(points[i])] = 1;
-        levels.Add(points[i], column.level);
+        levels[static_cast<size_t>(points[i])].Add(column.level);
       }
     }
   });
   for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
   {
     const auto at = static_cast<size_t>(i);
-    this->Levels[at] = levels.Get(i);
-    this->Beds[at] = vtkMath::IsFinite(this->Beds[at]) ? this->Beds[at] : beds.Get(i);
+    this->Levels[at] = levels[at].Get();
+    this->Beds[at] = vtkMath::IsFinite(this->Beds[at]) ? this->Beds[at] : beds[at].Get();
   }
 }
 
 //------------------------------------------------------------------------------
 void vtkWaterColumns::Spread(vtkPolyData* mesh)
 {
-  Means means(mesh->GetNumberOfPoints());
+  std::vector<Mean> means = MeansOf(mesh);
   ForEachCell(mesh, [&](vtkIdType, const vtkIdType* points, vtkIdType count) {
-    Means own(1);
+    Mean own;
     std::for_each(points, points + count,
-      [&](vtkIdType point) { own.Add(0, this->Levels[static_cast<size_t>(point)]); });
-    std::for_each(points, points + count, [&](vtkIdType point) { means.Add(point, own.Get(0)); });
+      [&](vtkIdType point) { own.Add(this->Levels[static_cast<size_t>(point)]); });
+    std::for_each(points, points + count,
+      [&](vtkIdType point) { means[static_cast<size_t>(point)].Add(own.Get()); });
   });
   for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
   {
     double& level = this->Levels[static_cast<size_t>(i)];
-    level = vtkMath::IsFinite(level) ? level : means.Get(i);
+    level = vtkMath::IsFinite(level) ? level : means[static_cast<size_t>(i)].Get();
   }
 }
 
@@ -177,14 +173,14 @@ void vtkWaterColumns::FindDykes(vtkPolyData* mesh)
     return;
   }
   ForEachCell(mesh, [&](vtkIdType cell, const vtkIdType* points, vtkIdType count) {
-    Means levels(1);
-    Means beds(1);
+    Mean levels;
+    Mean beds;
     for (vtkIdType i = 0; i < count; ++i)
     {
-      levels.Add(0, this->Levels[static_cast<size_t>(points[i])]);
-      beds.Add(0, this->Beds[static_cast<size_t>(points[i])]);
+      levels.Add(this->Levels[static_cast<size_t>(points[i])]);
+      beds.Add(this->Beds[static_cast<size_t>(points[i])]);
     }
-    if (!this->IsCellWet[static_cast<size_t>(cell)] && !(beds.Get(0) >= levels.Get(0)))
+    if (!this->IsCellWet[static_cast<size_t>(cell)] && !(beds.Get() >= levels.Get()))
     {
       this->Dykes.push_back(cell);
       return;

@@ -1,0 +1,121 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The sun and the clear sky of a PyVista plotter: what ``add_water(sun=...)`` and ``add_clear_sky`` add."""
+import pyvista as pv
+from vtkmodules.vtkRenderingCore import vtkSkybox
+
+from . import vtkWaterClearSkySource
+from .errors import raising
+from .words import LEAST_TURBIDITY, MOST_TURBIDITY, SUN_COLOR, SUN_PLACE, TURBIDITY, in_range, number, numbers
+
+__all__ = ["Sun", "add_clear_sky", "has_scene_light", "shine", "sun_of"]
+
+
+def has_scene_light(renderer):
+    return any(light.LightTypeIsSceneLight() and light.GetSwitch() for light in renderer.GetLights())
+
+
+class Sun(pv.Light):
+    """The scene light that ``add_water(sun=...)`` and ``add_clear_sky`` add; a renderer has one."""
+
+
+def sun_of(sun):
+    """Azimuth and elevation in degrees."""
+    if isinstance(sun, bool):
+        return SUN_PLACE
+    if isinstance(sun, str) or not hasattr(sun, "__len__"):
+        raise TypeError(f"sun must be a bool, or an azimuth and an elevation, not {type(sun).__name__}")
+    azimuth, elevation = numbers("sun", sun, 2)
+    in_range("sun[0], the azimuth,", azimuth, -360.0, 360.0)
+    in_range("sun[1], the elevation,", elevation, -90.0, 90.0)
+    return azimuth, elevation
+
+
+def shine(renderer, water, azimuth, elevation):
+    """Puts the renderer's sun there."""
+    direction = [0.0, 0.0, 0.0]
+    water.GetSkyDirection(azimuth, elevation, direction)
+    place_sun(renderer, direction)
+
+
+def place_sun(renderer, direction, color=None):
+    """The renderer's sun, which is made if there is none yet; its colour stays unless there is another."""
+    light = next((light for light in renderer.lights if isinstance(light, Sun)), None)
+    if light is None:
+        light = Sun(light_type="scene light", color=SUN_COLOR)
+        light.positional = False
+        renderer.add_light(light)
+    if color is not None:
+        light.diffuse_color = light.specular_color = color
+    light.focal_point = (0.0, 0.0, 0.0)
+    light.position = direction
+
+
+def add_clear_sky(self, sun=True, turbidity=TURBIDITY, *, resolution=1024, render=True):
+    """Add a clear sky by day to the active subplot, and the sun that lights the scene.
+
+    Up is z, north is y and east x. Water finds the sky by itself. It is computed after Preetham, Shirley and Smits
+    (1999, "A Practical Analytic Model for Daylight"); the sun's disc is not in it: waves glitter by the sun's light.
+
+    Parameters
+    ----------
+    sun : bool | sequence[float], default: True
+        Where the sun is: azimuth (degrees from north over east, in [-360, 360]) and elevation (degrees over the
+        horizon, in [0, 90]); True is (150, 35).
+
+    turbidity : float, default: 3.0
+        Of the air, in [2, 10]: 2 is very clear, 6 warm and moist, 10 hazy.
+
+    resolution : int, default: 1024
+        Width of the sky's picture in pixels, in [16, 8192].
+
+    render : bool, default: True
+        Render after adding, when the window is shown.
+
+    Returns
+    -------
+    vtkmodules.vtkRenderingCore.vtkSkybox
+        The skybox that shows the sky; ``plotter.remove_actor`` takes it away. Another ``add_clear_sky`` in the same
+        subplot takes its place. The light, of the class ``vtkwater.pyvista.Sun``, is that of ``add_water(sun=...)``,
+        and
+        the background, which the sky hides, has the sky's mean colour: it lights the water.
+
+    Raises
+    ------
+    TypeError
+        When an argument is not of its type.
+
+    ValueError
+        When a value is out of its range.
+
+    Examples
+    --------
+    >>> import pyvista as pv
+    >>> import vtkwater.pyvista
+    >>> plotter = pv.Plotter(off_screen=True, lighting="none")
+    >>> sky = plotter.add_clear_sky(sun=(120, 20), turbidity=3)
+    >>> water = plotter.add_water(preset="ocean wind 5", bounds="horizon")
+    """
+    if sun is False or sun is None:
+        raise ValueError(f"sun is {sun!r}; a clear sky has one: True, or an azimuth and an elevation")
+    azimuth, elevation = sun_of(sun)
+    in_range("sun[1], the elevation,", elevation, 0.0, 90.0)
+    turbidity = number("turbidity", turbidity)
+    in_range("turbidity", turbidity, LEAST_TURBIDITY, MOST_TURBIDITY)
+    if isinstance(resolution, bool) or not hasattr(resolution, "__index__"):
+        raise TypeError(f"resolution must be int, not {type(resolution).__name__}")
+    sky = vtkWaterClearSkySource()
+    with raising(sky):
+        sky.SetAzimuth(azimuth)
+        sky.SetElevation(elevation)
+        sky.SetTurbidity(turbidity)
+        sky.SetWidth(min(max(resolution.__index__(), -1), 2**31 - 1))
+    skybox = vtkSkybox()
+    sky.ConfigureSkybox(skybox, self.renderer)
+    self.renderer.SetBackground(sky.GetMeanColor())
+    self.renderer.GradientBackgroundOff()
+    self.renderer.TexturedBackgroundOff()
+    self.renderer.add_actor(skybox, name="clear sky", pickable=False, reset_camera=False, render=False)
+    place_sun(self.renderer, sky.GetSunDirection(), sky.GetSunColor())
+    if render:
+        self.render()
+    return skybox
