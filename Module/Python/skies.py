@@ -75,8 +75,7 @@ def add_clear_sky(self, sun=True, turbidity=TURBIDITY, *, resolution=1024, rende
     -------
     vtkmodules.vtkRenderingCore.vtkSkybox
         The skybox that shows the sky; ``plotter.remove_actor`` takes it away. Another ``add_clear_sky`` in the same
-        subplot takes its place. The light, of the class ``vtkwater.pyvista.Sun``, is that of ``add_water(sun=...)``,
-        and
+        subplot takes its place. The light, of the class ``vtkwater.pyvista.Sun``, is that of ``add_water(sun=...)``, and
         the background, which the sky hides, has the sky's mean colour: it lights the water.
 
     Raises

@@ -256,10 +256,10 @@ static size_t reach_all(unsigned features[REACHABLE_MAX])
 // A slot that stays empty, and when.
 static bool is_empty(const char* slot, unsigned features)
 {
-  static const char* const of_waves[4] = { "tile", "sines", "sea", "normal_maps" };
+  static const char* const of_waves[5] = { "tile", "slope", "sines", "sea", "normal_maps" };
   const unsigned lookups =
     WATER_FEATURE_ENVIRONMENT | WATER_FEATURE_RAY_TRACED | WATER_FEATURE_OFFSET;
-  for (int i = 0; i < 4; ++i)
+  for (int i = 0; i < 5; ++i)
   {
     if (strcmp(slot, of_waves[i]) == 0)
     {
@@ -361,9 +361,9 @@ static void assert_order(
 TEST(slots_stand_in_their_order)
 {
   static const char* const surface[] = { "optics", "gradient", "attenuation", "slopes",
-    "highlights", "cover", "cell", "place", "height", "point", "sky", "floor", "tile", "sines",
-    "tiles", "folds", "sea", "normal_maps", "waves", "output", "reflection", "dome", "walk",
-    "behind", "layer", "blur", "caustics", "medium", "others", "refraction", "facet_slopes",
+    "highlights", "cover", "cell", "place", "height", "point", "sky", "floor", "tile", "slope",
+    "sines", "tiles", "folds", "sea", "normal_maps", "waves", "output", "reflection", "dome",
+    "walk", "behind", "layer", "blur", "caustics", "medium", "others", "refraction", "facet_slopes",
     "facets", "rays", "shadows", "glitter", "whitecaps", "foam", "sun", "surface" };
   static const char* const vertex[] = { "cell", "tiles", "sea", "displacement", "heights",
     "depth" };

@@ -100,6 +100,7 @@ enum // WATER_FEATURE_WAVES and so on
     "slopes from a texture that repeats")                                                          \
   X(tile, vtkWaterHardwareTileFS, WATER_FEATURE_FLAG(HARDWARE_TILE), 0,                            \
     "the same, from one, two or four looks")                                                       \
+  X(slope, vtkWaterTileSlopeFS, WATER_FEATURE_FLAG(WAVES), 0, "slope of a texture that repeats")   \
   X(sines, vtkWaterWavesFS, WATER_FEATURE_FLAG(WAVES), 0, "sine and Gerstner waves")               \
   X(tiles, vtkWaterSeaTiles, WATER_FEATURE_FLAG(SEA), 0, "the wind sea's tiles")                   \
   X(folds, vtkWaterSeaFoldsFS, WATER_FEATURE_FLAG(SEA_MOVES) | WATER_FEATURE_FLAG(WHITECAPS), 0,   \

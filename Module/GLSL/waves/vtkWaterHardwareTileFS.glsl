@@ -47,18 +47,3 @@ bool waterTileIsRead(float part)
 {
   return part > 0.0;
 }
-
-// As there.
-vec2 waterTileSlope(sampler2DArray tile, vec3 middle, vec2 across, vec2 down, float texel,
-  int looks, inout vec4 variance)
-{
-  bool isWide = dot(across, across) > dot(down, down);
-  vec2 longer = isWide ? across : down;
-  vec2 shorter = isWide ? down : across;
-  vec4 seen = waterTileMean(tile, middle, longer, shorter, texel, looks);
-  float texels = length(longer) / texel;
-  float share = min(0.5 * texels * texels, 1.0);
-  vec2 within = max(seen.zw - seen.xy * seen.xy, 0.0);
-  variance += vec4(share * within, (1.0 - share) * within);
-  return seen.xy;
-}

@@ -5,6 +5,7 @@
 #include "vtkOpenGLState.h"
 #include "vtkShaderProgram.h"
 #include "vtkWaterGL.h"
+#include "vtkWaterScopedPlainDraws.h"
 #include "vtkWaterSortFS.h"
 #include "vtkWaterUniforms.h"
 
@@ -14,38 +15,21 @@ namespace
 {
 constexpr int kMostSamples = 32; // as in vtkWaterSortFS.glsl
 
-// Draws overwrite colour and depth of a part of a framebuffer while an object of this class lives.
+// Draws overwrite depth, too, while an object of this class lives, in a part of a framebuffer.
 struct ScopedOverwrite
 {
   ScopedOverwrite(vtkOpenGLState* state, const int part[4])
-    : Viewport(state)
-    , ScissorTest(state, GL_SCISSOR_TEST)
-    , DepthTest(state, GL_DEPTH_TEST)
-    , StencilTest(state, GL_STENCIL_TEST)
-    , Blend(state, GL_BLEND)
-    , CullFace(state, GL_CULL_FACE)
-    , ColorMask(state)
+    : Plain(state)
     , DepthMask(state)
     , DepthFunc(state)
   {
-    for (GLenum test : { GL_SCISSOR_TEST, GL_STENCIL_TEST, GL_BLEND, GL_CULL_FACE })
-    {
-      state->vtkglDisable(test);
-    }
     state->vtkglEnable(GL_DEPTH_TEST); // without it no depth is written
     state->vtkglDepthFunc(GL_ALWAYS);
     state->vtkglDepthMask(GL_TRUE);
-    state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     state->vtkglViewport(part[0], part[1], part[2], part[3]);
   }
 
-  vtkOpenGLState::ScopedglViewport Viewport;
-  vtkOpenGLState::ScopedglEnableDisable ScissorTest;
-  vtkOpenGLState::ScopedglEnableDisable DepthTest;
-  vtkOpenGLState::ScopedglEnableDisable StencilTest;
-  vtkOpenGLState::ScopedglEnableDisable Blend;
-  vtkOpenGLState::ScopedglEnableDisable CullFace;
-  vtkOpenGLState::ScopedglColorMask ColorMask;
+  vtkWaterScopedPlainDraws Plain;
   vtkOpenGLState::ScopedglDepthMask DepthMask;
   vtkOpenGLState::ScopedglDepthFunc DepthFunc;
 };

@@ -7,18 +7,13 @@
 #include "vtkOpenGLRenderer.h"
 #include "vtkOpenGLShaderCache.h"
 #include "vtkOpenGLState.h"
-#include "vtkOpenGLTexture.h"
 #include "vtkTexture.h"
 #include "vtkTextureObject.h"
-#include "vtkWaterFog.h"
 #include "vtkWaterGL.h"
 #include "vtkWaterGLSL.h" // all files of the list
 #include "vtkWaterSea.h"
-#include "water_daylight.h"
 #include "water_flatness.h"
-#include "water_lookup.h"
 #include "water_plan.h"
-#include "water_units.h"
 #include "water_waves.h"
 
 #include <algorithm>
@@ -34,19 +29,6 @@ struct ShaderFile
   const char* Source;
 };
 #define WATER_SHADER_FILE(slot, file, any_of, none_of, what) { any_of, none_of, file },
-
-// GL's anisotropic filter, which VTK has on for textures with mip levels, asks how places differ
-// from pixel to pixel, although the level is given. Facets' differ by chance: dashes of other
-// colours.
-void SetAnisotropy(vtkTexture* texture, float most)
-{
-  auto* openGL = vtkOpenGLTexture::SafeDownCast(texture);
-  if (vtkTextureObject* object = openGL ? openGL->GetTextureObject() : nullptr)
-  {
-    object->SetMaximumAnisotropicFiltering(most);
-    object->Activate(); // sends it
-  }
-}
 
 template <size_t Count>
 std::string Join(const ShaderFile (&files)[Count], unsigned features)
@@ -172,57 +154,6 @@ void vtkWaterSurfaceShader::UploadNormalMap(size_t number)
 }
 
 //------------------------------------------------------------------------------
-void vtkWaterSurfaceShader::FindDeepColor(double color[3]) const
-{
-  const vtkWaterLook& look = this->Water->Look;
-  std::copy_n(look.DeepColor, 3, color);
-  if (this->Drawn.Plan && !look.HasDeepColor)
-  {
-    water_daylight_deep_color(&look.Medium, this->Drawn.Plan->daylight, color);
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkWaterSurfaceShader::FindExtinction(double extinction[3]) const
-{
-  const vtkWaterLook& look = this->Water->Look;
-  const double depth = this->Drawn.Plan ? this->Drawn.Plan->bed_depth : 0.0;
-  water_units_dim(look.Extinction, depth, look.SceneDiagonal, look.NaturalDepth, extinction);
-}
-
-//------------------------------------------------------------------------------
-void vtkWaterSurfaceShader::BeginMedium(const int viewport_px[4])
-{
-  const bool hadFailed = this->Backdrop.GetHasFailed();
-  int part_px[4];
-  water_lookup_under(&this->Plan, this->IsFlat, viewport_px + 2, part_px);
-  // fog is drawn over all of the picture, and wants each pixel's mean
-  this->HasBackdrop = this->Backdrop.Copy(
-    this->GetWindow(), viewport_px, part_px, this->Drawn.AddsFog ? nullptr : this->Plan.plane_clip);
-  if (this->Backdrop.GetHasFailed() && !hadFailed) // said once
-  {
-    vtkErrorWithObjectMacro(this->Water->Actor,
-      "the GPU gave no textures for what is seen through the water. The water shows its plain "
-      "colour.");
-  }
-  this->Use("waterSceneColor", this->Backdrop.GetColor());
-  this->Use("waterSceneDepth", this->Backdrop.GetDepth());
-  if (vtkWaterSampleSort* sorted = this->Backdrop.GetSorted())
-  {
-    this->Use("waterSceneOther", sorted->GetOther());
-    this->Use("waterSceneOtherPlace", sorted->GetOtherPlace());
-  }
-  if (this->HasBackdrop && this->Drawn.AddsFog)
-  {
-    double deepColor[3];
-    double extinction[3];
-    this->FindDeepColor(deepColor);
-    this->FindExtinction(extinction);
-    this->Drawn.Fog->Draw(this->Drawn.Renderer, this->Plan, this->Backdrop, deepColor, extinction);
-  }
-}
-
-//------------------------------------------------------------------------------
 void vtkWaterSurfaceShader::BeginWaves()
 {
   vtkOpenGLRenderWindow* window = this->GetWindow();
@@ -294,87 +225,6 @@ void vtkWaterSurfaceShader::BeginReflection(const int viewport_px[4])
     {
       texture->SetMinificationFilter(blurred);
     }
-  }
-}
-
-//------------------------------------------------------------------------------
-bool vtkWaterSurfaceShader::HasOwnSky(const vtkWaterSnapshot& water)
-{
-  // it may have changed since it was set; the scene's sky is at hand then
-  return vtkWaterSkyReader::HasData(water.Look.Environment, false);
-}
-
-//------------------------------------------------------------------------------
-void vtkWaterSurfaceShader::BindSky(const char* name, vtkTexture* texture)
-{
-  if (texture)
-  {
-    texture->Render(this->Drawn.Renderer);
-    this->SkyTextures.emplace_back(name, texture);
-    SetAnisotropy(texture, 1.0f);
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkWaterSurfaceShader::BeginSky()
-{
-  this->SkyTextures.clear();
-  const vtkWaterSkyTextures& sky = this->Drawn.Sky;
-  const bool isOwn = HasOwnSky(*this->Water);
-  if (this->Has(WATER_FEATURE_SKY_MAP))
-  {
-    this->BindSky("waterSkyMap", isOwn ? this->Water->Look.Environment : sky.Map);
-  }
-  if (this->Has(WATER_FEATURE_SKY_CUBE))
-  {
-    this->BindSky("waterSkyCube", sky.Map);
-  }
-  if (this->Has(WATER_FEATURE_SKY_SCREEN))
-  {
-    this->BindSky("waterScreenPicture", sky.Screen);
-  }
-  if (this->Has(WATER_FEATURE_SKY_FLOOR))
-  {
-    this->BindSky("waterSkyFloor", sky.Floor);
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkWaterSurfaceShader::BeginCaustics(const int viewport_px[4])
-{
-  vtkOpenGLRenderWindow* window = this->GetWindow();
-  const vtkWaterLook& look = this->Water->Look;
-  water_caustics_input input = water_caustics_input();
-  input.index = look.Optics.index_of_refraction;
-  input.slope_rms = look.SlopeRMS;
-  double extinction[3];
-  this->FindExtinction(extinction);
-  input.extinction = *std::min_element(extinction, extinction + 3);
-  std::copy_n(viewport_px + 2, 2, input.viewport_px);
-  input.max_texture_px = vtkTextureObject::GetMaximumTextureSize(window);
-  input.is_software = !this->Has(WATER_FEATURE_HARDWARE_MEDIUM);
-  if (!this->HasBackdrop || !water_caustics_plan(&this->Plan, &input, &this->Light))
-  {
-    return; // nothing gathers light
-  }
-  const bool hadFailed = this->Caustics.GetHasFailed();
-  const std::string shader = GetPhotonShader(this->Features);
-  const vtkWaterCaustics::Picture picture{ this->Backdrop.GetDepth(), this->Plan.plane_clip,
-    this->Plan.clip_w };
-  this->HasLight = this->Caustics.Draw(window, this->Light, picture, shader,
-    [this](vtkShaderProgram* program) { this->SetPhotonParameters(program); });
-  if (this->HasLight)
-  {
-    this->Use("waterCausticLight", this->Caustics.GetLight());
-    this->Use("waterBed", this->Caustics.GetBed());
-    this->Caustics.GetLight()->Activate();
-    this->Caustics.GetBed()->Activate();
-  }
-  else if (this->Caustics.GetHasFailed() && !hadFailed) // said once
-  {
-    vtkErrorWithObjectMacro(this->Water->Actor,
-      "the GPU gave no textures for the light that waves gather, or refuses its shaders. The water "
-      "shows no caustics (SetCaustics).");
   }
 }
 
@@ -451,11 +301,7 @@ void vtkWaterSurfaceShader::Begin(const vtkWaterSnapshotPointer& water, const In
 //------------------------------------------------------------------------------
 void vtkWaterSurfaceShader::End()
 {
-  for (const auto& [name, texture] : this->SkyTextures)
-  {
-    SetAnisotropy(texture, texture->GetMaximumAnisotropicFiltering());
-    texture->PostRender(this->Drawn.Renderer);
-  }
+  this->EndSky();
   for (const auto& [name, texture] : this->Active)
   {
     if (texture)
@@ -464,7 +310,6 @@ void vtkWaterSurfaceShader::End()
     }
   }
   this->Active.clear();
-  this->SkyTextures.clear();
   this->Water = nullptr;
 }
 

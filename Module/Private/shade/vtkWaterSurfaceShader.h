@@ -111,6 +111,7 @@ private:
   void BeginSea();
   void BeginReflection(const int viewport_px[4]);
   void BeginSky();
+  void EndSky();
   void BindSky(const char* name, vtkTexture* texture);
   // Draws the light on the bed, of textures that are active.
   void BeginCaustics(const int viewport_px[4]);

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkWaterSurfaceMedium.cxx: the part of vtkWaterSurfaceShader that knows what lies under the
+// water: its medium, what is seen through it, and the light that waves gather there.
+#include "vtkActor.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLRenderer.h"
+#include "vtkTextureObject.h"
+#include "vtkWaterFog.h"
+#include "vtkWaterSurfaceShader.h"
+#include "water_daylight.h"
+#include "water_lookup.h"
+#include "water_plan.h"
+#include "water_units.h"
+
+#include <algorithm>
+
+//------------------------------------------------------------------------------
+void vtkWaterSurfaceShader::FindDeepColor(double color[3]) const
+{
+  const vtkWaterLook& look = this->Water->Look;
+  std::copy_n(look.DeepColor, 3, color);
+  if (this->Drawn.Plan && !look.HasDeepColor)
+  {
+    water_daylight_deep_color(&look.Medium, this->Drawn.Plan->daylight, color);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterSurfaceShader::FindExtinction(double extinction[3]) const
+{
+  const vtkWaterLook& look = this->Water->Look;
+  const double depth = this->Drawn.Plan ? this->Drawn.Plan->bed_depth : 0.0;
+  water_units_dim(look.Extinction, depth, look.SceneDiagonal, look.NaturalDepth, extinction);
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterSurfaceShader::BeginMedium(const int viewport_px[4])
+{
+  const bool hadFailed = this->Backdrop.GetHasFailed();
+  int part_px[4];
+  water_lookup_under(&this->Plan, this->IsFlat, viewport_px + 2, part_px);
+  // fog is drawn over all of the picture, and wants each pixel's mean
+  this->HasBackdrop = this->Backdrop.Copy(
+    this->GetWindow(), viewport_px, part_px, this->Drawn.AddsFog ? nullptr : this->Plan.plane_clip);
+  if (this->Backdrop.GetHasFailed() && !hadFailed) // said once
+  {
+    vtkErrorWithObjectMacro(this->Water->Actor,
+      "the GPU gave no textures for what is seen through the water. The water shows its plain "
+      "colour.");
+  }
+  this->Use("waterSceneColor", this->Backdrop.GetColor());
+  this->Use("waterSceneDepth", this->Backdrop.GetDepth());
+  if (vtkWaterSampleSort* sorted = this->Backdrop.GetSorted())
+  {
+    this->Use("waterSceneOther", sorted->GetOther());
+    this->Use("waterSceneOtherPlace", sorted->GetOtherPlace());
+  }
+  if (this->HasBackdrop && this->Drawn.AddsFog)
+  {
+    double deepColor[3];
+    double extinction[3];
+    this->FindDeepColor(deepColor);
+    this->FindExtinction(extinction);
+    this->Drawn.Fog->Draw(this->Drawn.Renderer, this->Plan, this->Backdrop, deepColor, extinction);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterSurfaceShader::BeginCaustics(const int viewport_px[4])
+{
+  vtkOpenGLRenderWindow* window = this->GetWindow();
+  const vtkWaterLook& look = this->Water->Look;
+  water_caustics_input input = water_caustics_input();
+  input.index = look.Optics.index_of_refraction;
+  input.slope_rms = look.SlopeRMS;
+  double extinction[3];
+  this->FindExtinction(extinction);
+  input.extinction = *std::min_element(extinction, extinction + 3);
+  std::copy_n(viewport_px + 2, 2, input.viewport_px);
+  input.max_texture_px = vtkTextureObject::GetMaximumTextureSize(window);
+  input.is_software = !this->Has(WATER_FEATURE_HARDWARE_MEDIUM);
+  if (!this->HasBackdrop || !water_caustics_plan(&this->Plan, &input, &this->Light))
+  {
+    return; // nothing gathers light
+  }
+  const bool hadFailed = this->Caustics.GetHasFailed();
+  const std::string shader = GetPhotonShader(this->Features);
+  const vtkWaterCaustics::Picture picture{ this->Backdrop.GetDepth(), this->Plan.plane_clip,
+    this->Plan.clip_w };
+  this->HasLight = this->Caustics.Draw(window, this->Light, picture, shader,
+    [this](vtkShaderProgram* program) { this->SetPhotonParameters(program); });
+  if (this->HasLight)
+  {
+    this->Use("waterCausticLight", this->Caustics.GetLight());
+    this->Use("waterBed", this->Caustics.GetBed());
+    this->Caustics.GetLight()->Activate();
+    this->Caustics.GetBed()->Activate();
+  }
+  else if (this->Caustics.GetHasFailed() && !hadFailed) // said once
+  {
+    vtkErrorWithObjectMacro(this->Water->Actor,
+      "the GPU gave no textures for the light that waves gather, or refuses its shaders. The water "
+      "shows no caustics (SetCaustics).");
+  }
+}
