@@ -17,11 +17,12 @@ uniform vec4 waterClipW;           // the same -> w of the point in view space
 const int WATER_MEDIUM_STEPS = 16;
 const float WATER_MEDIUM_BENT = 2.0;     // a depth that is so many steps from where a plane has it lies behind an edge
 const float WATER_MEDIUM_BELOW = 0.02;  // a bed's edge lies under the border if it is no further from a plumb line than that part of all depths
-const float WATER_MEDIUM_EDGE = 4.0;    // and so many widths of a pixel
+const float WATER_MEDIUM_EDGE = 2.0;    // and so many widths of a pixel
 const float WATER_MEDIUM_DEEPER = 1.01;  // than what is deepest: bounds are rounded
 const float WATER_MEDIUM_ENDLESS = 1e29; // length of a way that nothing limits
 const float WATER_MEDIUM_CLOSE_PX = 0.2; // two places are as good as one
 const float WATER_MEDIUM_GAP_PX = 4.0; // what is hidden over more is guessed from one thing
+const int WATER_MEDIUM_RAYS = 4; // of a pixel at an edge
 const float WATER_MEDIUM_LONG_PX = 8.0;  // ways that need eight looks, and not four
 
 float waterMediumDepth(vec2 uv)
@@ -163,6 +164,8 @@ WaterMediumView waterMediumMeets(vec3 start, vec3 way, float most);
 // next  of the middles of the pixels that are read, the one that differs in u and v
 bool waterMediumIsNearEdge(vec2 middle, vec2 next, float depth);
 
+bool waterMediumIsEdge = false; // has a ray of this pixel met an edge of what the picture shows?
+
 // A place of the picture whose color is that of one thing: a pixel's middle beside an edge, where filtering mixes what meets
 // there. Pixels of several samples are mixtures themselves: of those the next one away from the edge is taken. Along planes
 // window depths are linear.
@@ -202,6 +205,7 @@ vec2 waterMediumUnmixed(vec2 uv, float depth)
     isEdge = isEdge || any(greaterThan(abs(second - depth - 2.0 * first * slope), vec2(2.0 * edge)));
     middle += sign(away) / size;
   }
+  waterMediumIsEdge = waterMediumIsEdge || isEdge;
   return isEdge ? middle : uv;
 }
 
@@ -264,7 +268,7 @@ struct WaterMediumMet
 // dir  of the ray, in the plane's axes
 WaterMediumMet waterMediumMeet(WaterPoint point, vec3 dir)
 {
-  vec3 start = vec3(0.5 + 0.5 * point.ndc, waterWindowDepth(point.ndc));
+  vec3 start = vec3(0.5 + 0.5 * point.ndc, waterWindowDepth(point.ndc, point.moved));
   WaterMediumRay ray =
     waterMediumTurn(WaterMediumRay(start, vec3(0.0), 1.0 / gl_FragCoord.w, 0.0), dir, 0.0);
   float pixel = max(length(point.across), length(point.down));
@@ -308,8 +312,8 @@ float waterMediumLight(WaterPoint point, WaterMediumMet met, vec2 seen, vec3 dir
   return waterCaustic(met.isUnderBorder ? 2.0 * seen - 1.0 : ndc, w, -way * dir.z, point.ndc);
 }
 
-// Color of what lies beyond a point of the surface, and the light that the water adds.
-vec3 waterTransmitted(WaterPoint point)
+// Color of what a ray meets beyond a point of the surface, and the light that the water adds.
+vec3 waterTransmittedRay(WaterPoint point)
 {
   vec3 dir = refract(point.ray, point.normal, 1.0 / waterEta);
   if (dir.z >= 0.0)
@@ -327,6 +331,7 @@ vec3 waterTransmitted(WaterPoint point)
   vec3 ways = vec3(met.way); // of what is seen at the first place, at the second, and of both
   float depthTo = met.depth;
   bool areTwo = !view.isMet && !met.isUnderBorder;
+  waterMediumIsEdge = waterMediumIsEdge || areTwo;
   if (areTwo || met.isUnderBorder) // over level beds
   {
     depthTo = waterMediumDepth(view.to);
@@ -354,6 +359,35 @@ vec3 waterTransmitted(WaterPoint point)
     from = mix(from, to, view.share);
   }
   return from;
+}
+
+// Place of a ray in its pixel, from the middle: the first is there, the others are a square on its corner, turned so that no
+// two are in one row or column.
+vec2 waterMediumRayPlace(int ray)
+{
+  vec2 corner = ray < 3 ? vec2(0.125, 0.375) : vec2(-0.125, -0.375);
+  corner = (ray & 1) == 0 ? vec2(corner.y, -corner.x) : corner;
+  return ray == 0 ? vec2(0.0) : corner;
+}
+
+// Color of what lies beyond a point of the surface, and the light that the water adds. Of a multisampled picture a pixel
+// at an edge has several rays: one shows stairs there.
+vec3 waterTransmitted(WaterPoint point)
+{
+  WaterPointChange across = waterChangeAcross(point);
+  WaterPointChange down = waterChangeDown(point);
+  vec3 sum = vec3(0.0);
+  int last = 0;
+  int ray = 0;
+  do
+  {
+    vec3 seen = waterTransmittedRay(waterMovedPoint(point, waterMediumRayPlace(ray), across, down));
+    bool isFirst = ray == 0;
+    last = isFirst && waterMediumIsEdge ? WATER_MEDIUM_RAYS * waterSceneIsSorted : last;
+    sum += isFirst && last > 0 ? vec3(0.0) : seen;
+    ++ray;
+  } while (ray <= last);
+  return sum / float(max(last, 1));
 }
 
 // Depth of the water where the pixel looks straight, m.

@@ -9,30 +9,6 @@ const int WATER_FEW_RAYS = 4; // more than these look for edges within each pixe
 const float WATER_NEARLY_SMOOTH = 2e-4; // waterSmooth of several rays, which are marched; facets are not
 const float WATER_BLURRED = 1e-3; // slope variance from which a pixel's facets are blurred so far that it has no edges
 
-// What changes of a point from pixel to pixel.
-struct WaterPointChange
-{
-  vec3 start;
-  float startW;
-  vec3 ray;
-  vec3 normal;
-};
-
-// A point elsewhere in its pixel, as far as it changes evenly: waves that are short against one are not in the slope.
-//
-// place  pixels from the middle
-WaterPoint waterMovedPoint(WaterPoint point, vec2 place, WaterPointChange across, WaterPointChange down)
-{
-  WaterPoint moved = point;
-  moved.start += place.x * across.start + place.y * down.start;
-  moved.startW += place.x * across.startW + place.y * down.startW;
-  bool isMiddle = place == vec2(0.0); // not normalized again: that would be another rounding
-  moved.ray = isMiddle ? point.ray : normalize(point.ray + place.x * across.ray + place.y * down.ray);
-  moved.normal =
-    isMiddle ? point.normal : normalize(point.normal + place.x * across.normal + place.y * down.normal);
-  return moved;
-}
-
 // Place of a ray in its pixel, from the middle: the first is there, of the others no two are in one row or column, and
 // the first two of them are far apart.
 vec2 waterRayPlace(int ray)
@@ -50,10 +26,8 @@ vec3 waterMirrored(WaterPoint point, out float reflectance, inout int reason, in
 {
   waterReadOnce();
   waterLookCalm(point.start);
-  WaterPointChange across =
-    WaterPointChange(dFdx(point.start), dFdx(point.startW), dFdx(point.ray), dFdx(point.normal));
-  WaterPointChange down =
-    WaterPointChange(dFdy(point.start), dFdy(point.startW), dFdy(point.ray), dFdy(point.normal));
+  WaterPointChange across = waterChangeAcross(point);
+  WaterPointChange down = waterChangeDown(point);
   vec4 sum = vec4(0.0); // and the reflectance
   vec3 low = vec3(1e30); // of what the rays of this pixel have seen
   vec3 high = vec3(-1e30);

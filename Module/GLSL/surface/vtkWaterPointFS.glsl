@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkWaterPointFS.glsl: what all slots of a surface's shader know about their pixel.
 //
-// The slots, each one file of several: sky (waterSky), floor (waterOverFloor), place (waterPlaceOf), height (waterHeightOf), waves (waterRipple), reflection (waterReflected), layer
-// (waterCross), caustics (waterCaustic), body (waterTransmitted), facets (waterFacets), rays (waterMirrored),
-// shadows (waterSunArrives), glitter (waterGlint), foam (waterFoam), sun (waterSunlit), output (waterShow);
-// vtkWaterSurfaceFS.glsl puts them together. They are files and not branches because software renderers execute both
-// sides of a branch.
-//
+// The slots, each one file of several: sky (waterSky), floor (waterOverFloor), place (waterPlaceOf),
+// height (waterHeightOf), waves (waterRipple), reflection (waterReflected), layer (waterCross),
+// caustics (waterCaustic), body (waterTransmitted), facets (waterFacets), rays (waterMirrored),
+// shadows (waterSunArrives), glitter (waterGlint), foam (waterFoam), sun (waterSunlit), output
+// (waterShow); vtkWaterSurfaceFS.glsl puts them together. They are files and not branches because
+// software renderers execute both sides of a branch.
 //
 // NDC come from gl_FragCoord and the viewport of the draw itself (read from the GL state), which is
 // exact for a sheet of any size.
@@ -45,6 +45,7 @@ float waterSmooth = 2e-5; // slope variance up to which a pixel has one facet: i
 
 struct WaterPoint
 {
+  vec2 moved;   // from the pixel's middle, pixels
   vec2 ndc;     // of the picture
   vec3 ray;     // view ray of unit length; directions are in the plane's axes, the third to the eye
   vec2 place;   // at rest on the plane, from the point under the eye
@@ -82,32 +83,32 @@ vec2 waterSeenShift()
 
 vec3 waterFrom = vec3(0.0);       // the pixel's point in the plane's axes, from the one under the eye
 float waterSpread = 0.0;          // radians about a direction that the sky's mean is taken over
-vec2 waterShift = vec2(0.0);      // that
 vec2 waterDepthChange = vec2(0.0); // of the window depth, from pixel to pixel
 
-// Window depth of the surface; of an endless one before the near plane and beyond the far plane, too.
-float waterWindowDepth(vec2 ndc)
+// Window depth of the surface at a place of the pixel, as in WaterPoint; of an endless surface before the near plane and
+// beyond the far plane, too.
+float waterWindowDepth(vec2 ndc, vec2 moved)
 {
   float endless = 0.5 + 0.5 * dot(waterPixelDepth, vec4(ndc, 1.0, gl_FragCoord.w));
-  return waterIsEndless != 0 ? endless : gl_FragCoord.z + dot(waterShift, waterDepthChange);
+  return waterIsEndless != 0 ? endless : gl_FragCoord.z + dot(moved, waterDepthChange);
 }
 
 WaterPoint waterPoint()
 {
   WaterPoint point;
   vec2 middle = waterPlaceOf(2.0 * (gl_FragCoord.xy - waterViewport.xy) * waterViewport.zw - 1.0);
-  waterShift = waterSeenShift();
+  point.moved = waterSeenShift();
   waterDepthChange = vec2(dFdx(gl_FragCoord.z), dFdy(gl_FragCoord.z));
-  point.ndc = 2.0 * (gl_FragCoord.xy + waterShift - waterViewport.xy) * waterViewport.zw - 1.0;
+  point.ndc = 2.0 * (gl_FragCoord.xy + point.moved - waterViewport.xy) * waterViewport.zw - 1.0;
   point.ray = normalize(waterNdcToRay * vec3(point.ndc, 1.0));
   point.across = dFdx(middle);
   point.down = dFdy(middle);
-  point.place = middle + waterShift.x * point.across + waterShift.y * point.down;
+  point.place = middle + point.moved.x * point.across + point.moved.y * point.down;
   point.normal = vec3(0.0, 0.0, 1.0);
   point.variance = vec4(waterSlopeVariance.xy, 0.0, 0.0);
   point.even = vec2(0.0);
   point.jacobian = 1.0;
-  vec4 clip = vec4(point.ndc, 2.0 * waterWindowDepth(point.ndc) - 1.0, 1.0); // w cancels below
+  vec4 clip = vec4(point.ndc, 2.0 * waterWindowDepth(point.ndc, point.moved) - 1.0, 1.0); // w cancels below
   float height = waterHeightOf(clip);
   vec4 mirrored = clip - 2.0 * height * waterNormalClip;
   point.height = height / gl_FragCoord.w;
@@ -115,11 +116,48 @@ WaterPoint waterPoint()
   point.startW = mirrored.w / gl_FragCoord.w;
   vec3 window = 0.5 / mirrored.w * mirrored.xyz;
   // on to the next texel: the pixel's own is a mean that has the inside of what stands there
-  vec2 beside = waterShift / max(max(abs(waterShift.x), abs(waterShift.y)), 1e-6) - waterShift;
+  vec2 beside = point.moved / max(max(abs(point.moved.x), abs(point.moved.y)), 1e-6) - point.moved;
   window.xy += beside * waterViewport.zw;
   point.start = vec3(0.5 + waterReflectionScale * vec2(-window.x, window.y),
     waterDepthScale.x * (0.5 + window.z) + waterDepthScale.y);
   return point;
+}
+
+// What changes of a point from pixel to pixel.
+struct WaterPointChange
+{
+  vec3 start;
+  float startW;
+  vec3 ray;
+  vec3 normal;
+};
+
+WaterPointChange waterChangeAcross(WaterPoint point)
+{
+  return WaterPointChange(dFdx(point.start), dFdx(point.startW), dFdx(point.ray), dFdx(point.normal));
+}
+
+WaterPointChange waterChangeDown(WaterPoint point)
+{
+  return WaterPointChange(dFdy(point.start), dFdy(point.startW), dFdy(point.ray), dFdy(point.normal));
+}
+
+// A point elsewhere in its pixel, as far as it changes evenly: waves that are short against one are not in the slope.
+//
+// place  pixels from the middle
+WaterPoint waterMovedPoint(WaterPoint point, vec2 place, WaterPointChange across, WaterPointChange down)
+{
+  WaterPoint moved = point;
+  moved.start += place.x * across.start + place.y * down.start;
+  moved.startW += place.x * across.startW + place.y * down.startW;
+  moved.moved += place;
+  moved.ndc += 2.0 * place * waterViewport.zw;
+  moved.place += place.x * point.across + place.y * point.down;
+  bool isMiddle = place == vec2(0.0); // not normalized again: that would be another rounding
+  moved.ray = isMiddle ? point.ray : normalize(point.ray + place.x * across.ray + place.y * down.ray);
+  moved.normal =
+    isMiddle ? point.normal : normalize(point.normal + place.x * across.normal + place.y * down.normal);
+  return moved;
 }
 
 // Cosine of the angle at which the eye sees a surface. Slopes that face away are hidden behind others, which face it: seen
