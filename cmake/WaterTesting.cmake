@@ -6,8 +6,10 @@
 #   water_add_cxx_tests(TestA.cxx ... [LABELS <label>...] [QUICK TestA ...])
 #   water_add_python_tests(TestA.py ... [LABELS <label>...] [QUICK TestA ...])
 #
-# A test that renders is run once per off-screen window that this VTK has: first under its own name,
-# then as <name>-EGL with the label egl. NO_WINDOW: it does not render, once is enough.
+# A test that renders is run under its own name in the first off-screen window that this VTK has. Tests
+# with the label cxx or quick are run in its other windows, too, as <name>-EGL with the label egl: both
+# windows render with the same rasteriser, and these tests reach every part that depends on a window.
+# WATER_TEST_ALL_WINDOWS=ON runs all tests in all windows. NO_WINDOW: it does not render, once is enough.
 #
 # QUICK names those that `script/test --quick` runs, in the first window: they get the label quick.
 #
@@ -28,6 +30,7 @@ else()
 endif()
 set(WATER_TEST_WINDOWS "${water_windows}" CACHE STRING
   "Off-screen windows the tests are run with: Own (VTK < 9.4), OSMesa, EGL")
+option(WATER_TEST_ALL_WINDOWS "Run all tests in all windows, and not only those with the label cxx or quick" OFF)
 set(WATER_TEST_PREFIX "" CACHE STRING
   "Put before the tests' names, to tell build trees apart in one ctest run")
 
@@ -108,6 +111,9 @@ function(water_add_test)
   foreach(window IN LISTS WATER_TEST_WINDOWS)
     set(suffix "")
     if(NOT window STREQUAL first_window)
+      if(NOT WATER_TEST_ALL_WINDOWS AND NOT "cxx" IN_LIST arg_LABELS AND NOT "quick" IN_LIST arg_LABELS)
+        break()
+      endif()
       set(suffix "-${window}")
       string(TOLOWER ${window} window_label)
       list(APPEND arg_LABELS ${window_label})
