@@ -301,7 +301,7 @@ void vtkWaterSurfaceShader::Begin(const vtkWaterSnapshotPointer& water, const In
 //------------------------------------------------------------------------------
 void vtkWaterSurfaceShader::End()
 {
-  this->EndSky();
+  this->SkyTextures.clear(); // as they were
   for (const auto& [name, texture] : this->Active)
   {
     if (texture)

@@ -6,12 +6,14 @@
 #include "vtkSmartPointer.h"
 #include "vtkWaterBackdrop.h"
 #include "vtkWaterCaustics.h"
+#include "vtkWaterIsotropicTexture.h"
 #include "vtkWaterSkyReader.h"
 #include "vtkWaterSlopeTexture.h"
 #include "vtkWaterSnapshot.h"
 #include "water_caustics_plan.h"
 #include "water_grid.h"
 
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -111,7 +113,6 @@ private:
   void BeginSea();
   void BeginReflection(const int viewport_px[4]);
   void BeginSky();
-  void EndSky();
   void BindSky(const char* name, vtkTexture* texture);
   // Draws the light on the bed, of textures that are active.
   void BeginCaustics(const int viewport_px[4]);
@@ -138,8 +139,9 @@ private:
   bool IsFlat = false; // it is seen as if it lay in the plane
   water_plan Plan = water_plan();
   std::vector<std::pair<const char*, vtkSmartPointer<vtkTextureObject>>> Active; // by name
-  std::vector<std::pair<const char*, vtkSmartPointer<vtkTexture>>> SkyTextures;  // bound, by name
-  vtkSmartPointer<vtkTextureObject> Waves;                                       // a row per wave
+  std::vector<std::pair<const char*, std::unique_ptr<vtkWaterIsotropicTexture>>>
+    SkyTextures;                           // bound, by name
+  vtkSmartPointer<vtkTextureObject> Waves; // a row per wave
   int WaveCount = 0;
   bool IsSteep = false;            // some of them move their points
   bool HasSea = false;             // brought to the time of the draw

@@ -1,25 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkWaterSurfaceSky.cxx: the part of vtkWaterSurfaceShader that binds the sky's textures.
 #include "vtkOpenGLRenderer.h"
-#include "vtkOpenGLTexture.h"
-#include "vtkTextureObject.h"
+#include "vtkTexture.h"
 #include "vtkWaterSurfaceShader.h"
-
-namespace
-{
-// GL's anisotropic filter, which VTK has on for textures with mip levels, asks how places differ
-// from pixel to pixel, although the level is given. Facets' differ by chance: dashes of other
-// colours.
-void SetAnisotropy(vtkTexture* texture, float most)
-{
-  auto* openGL = vtkOpenGLTexture::SafeDownCast(texture);
-  if (vtkTextureObject* object = openGL ? openGL->GetTextureObject() : nullptr)
-  {
-    object->SetMaximumAnisotropicFiltering(most);
-    object->Activate(); // sends it
-  }
-}
-}
 
 //------------------------------------------------------------------------------
 bool vtkWaterSurfaceShader::HasOwnSky(const vtkWaterSnapshot& water)
@@ -33,9 +16,9 @@ void vtkWaterSurfaceShader::BindSky(const char* name, vtkTexture* texture)
 {
   if (texture)
   {
-    texture->Render(this->Drawn.Renderer);
-    this->SkyTextures.emplace_back(name, texture);
-    SetAnisotropy(texture, 1.0f);
+    // how places differ from pixel to pixel means nothing here: facets' differ by chance
+    this->SkyTextures.emplace_back(
+      name, std::make_unique<vtkWaterIsotropicTexture>(this->Drawn.Renderer, texture));
   }
 }
 
@@ -61,15 +44,4 @@ void vtkWaterSurfaceShader::BeginSky()
   {
     this->BindSky("waterSkyFloor", sky.Floor);
   }
-}
-
-//------------------------------------------------------------------------------
-void vtkWaterSurfaceShader::EndSky()
-{
-  for (const auto& [name, texture] : this->SkyTextures)
-  {
-    SetAnisotropy(texture, texture->GetMaximumAnisotropicFiltering());
-    texture->PostRender(this->Drawn.Renderer);
-  }
-  this->SkyTextures.clear();
 }
