@@ -3,26 +3,23 @@
  * @class   vtkWaterActor
  * @brief   a water surface that reflects its scene
  *
- * Add it to a renderer, and that is all: the actor has the mirrored scene rendered into a texture
- * before each frame in which it can be seen, and looks its reflection up there. Everything else
- * that the renderer has on (FXAA, SSAO, depth peeling, multisampling, stereo, selection, the user's
- * own passes) stays as it was.
+ * Add the actor to a renderer. Before each frame in which the water is visible, the actor renders
+ * the mirrored scene into a texture and looks up its reflection there. The renderer's other
+ * settings (FXAA, SSAO, depth peeling, multisampling, stereo, selection, the user's own passes) do
+ * not change.
  *
  * @code
- * vtkNew<vtkWaterActor> water;
- * water->SetLevel(355.0);
- * renderer->AddActor(water);
+ * vtkNew<vtkWaterActor> water; water->SetLevel(355.0); renderer->AddActor(water);
  * @endcode
  *
- * Without a mapper the actor makes its own sheet over the bounds of the scene, or to the horizon
- * (SetSheetToHorizon). With a mapper of the user's (a lake polygon, a terrain-clipped sheet) that
- * is the surface; SetMapper(nullptr) brings the own sheet back. The mirror is always the plane:
- * move that and not the actor, whose position moves the surface alone; a user's mesh should lie in
- * the plane.
+ * Without a mapper, the actor builds its own sheet over the bounds of the scene, or to the horizon
+ * (SetSheetToHorizon). A user's mapper (a lake polygon, a terrain-clipped sheet) replaces this
+ * sheet; SetMapper(nullptr) restores it. The plane is always the mirror. To move the water, move
+ * the plane: the actor's position moves only the surface. A user's mesh should lie in the plane.
  *
- * What is wrong with a scene (a zero normal, an empty scene, ...) is reported once per change by an
- * ErrorEvent of this object; the surface then shows its plain colour. A camera exactly on the plane
- * sees what it would from above it, at a ten thousandth of its near plane's distance.
+ * A problem with the scene (a zero normal, an empty scene, ...) is reported once per change by an
+ * ErrorEvent of this object. The surface then shows its plain colour. A camera exactly on the plane
+ * sees the view from above it, at a ten thousandth of its near plane's distance.
  *
  * @sa vtkWaterProperty vtkWaterReflectionPass
  */
@@ -59,9 +56,9 @@ public:
 
   ///@{
   /**
-   * Make the water level: a horizontal plane at height z with +z up, in the scene's unit. Any
-   * finite value; another is refused with an error and the last good level stays. It replaces the
-   * plane by a new one. GetLevel returns the z of the plane's origin. Default is 0.
+   * Makes the water a horizontal plane at height z with +z up, in the scene's unit. Any finite
+   * value; another value is rejected with an error and the level stays unchanged. This call
+   * replaces the plane by a new one. GetLevel returns the z of the plane's origin. Default is 0.
    */
   void SetLevel(double z);
   double GetLevel();
@@ -69,8 +66,9 @@ public:
 
   ///@{
   /**
-   * The plane of the water, of any orientation; its normal points out of the water. It is kept by
-   * reference: changing it moves the water. It never is null: nullptr means level 0, the default.
+   * The plane of the water, with any orientation; its normal points out of the water. The actor
+   * keeps a reference to it: changing the plane moves the water. It is never null: nullptr resets
+   * it to level 0, the default.
    */
   void SetPlane(vtkPlane* plane);
   vtkPlane* GetPlane();
@@ -78,12 +76,13 @@ public:
 
   ///@{
   /**
-   * Bounds of the own sheet: xmin, xmax, ymin, ymax in the plane's own axes, in the scene's unit.
-   * The axes: origin at the plane's origin; the first is the world's x projected onto the plane
-   * (y when the normal is within 45 degrees of x), the second is normal x first. For a level sheet
-   * they are the world's x and y. Finite, with min < max; else they are refused with an error.
-   * Default: none, the sheet covers the bounds of the scene (ResetSheetBounds). They replace
-   * SetSheetToHorizon.
+   * Bounds of the built-in sheet: xmin, xmax, ymin, ymax in the plane's own axes, in the scene's
+   * unit. The origin of these axes is the plane's origin. The first axis is the world's x axis
+   * projected onto the plane (y if the normal is within 45 degrees of x); the second is the cross
+   * product of the normal and the first. For a horizontal sheet they are the world's x and y. The
+   * values must be finite, with min < max; others are rejected with an error. They replace
+   * SetSheetToHorizon. Default is none: the sheet covers the bounds of the scene
+   * (ResetSheetBounds).
    */
   void SetSheetBounds(double xmin, double xmax, double ymin, double ymax);
   void SetSheetBounds(const double bounds[4])
@@ -97,12 +96,12 @@ public:
 
   ///@{
   /**
-   * Let the own sheet fill whatever the camera sees of the plane, up to the horizon; any plane has
-   * one, and a parallel camera sees none. The sheet is no part of the scene's bounds (GetBounds
-   * returns nullptr), is never culled, and is not cut at the camera's near and far planes, which
-   * ResetCamera and ResetCameraClippingRange set for the rest of the scene. The actor's own
-   * position does not move it. SetSheetBounds and ResetSheetBounds replace it; a mapper of the
-   * user's takes its place as long as there is one. Default is off.
+   * Extends the built-in sheet to the horizon: it fills the visible part of the plane for each
+   * camera. Any plane has a horizon, but a parallel camera sees none. The sheet is not part of the
+   * scene's bounds (GetBounds returns nullptr), is never culled, and is not cut at the camera's
+   * near and far planes, which ResetCamera and ResetCameraClippingRange set for the rest of the
+   * scene. The actor's position does not move it. SetSheetBounds and ResetSheetBounds replace this
+   * setting; a user's mapper takes precedence over it. Default is off.
    */
   void SetSheetToHorizon();
   vtkGetMacro(SheetToHorizon, bool);
@@ -110,11 +109,11 @@ public:
 
   ///@{
   /**
-   * Let the scene say how wide the own sheet is: as wide as the scene where that has ground under
-   * all of its water, as a terrain or a basin with a floor has; to the horizon where things stand
-   * or float in open water. Looked at again when the scene changes; whether it reaches to the
-   * horizon then, GetSheetToHorizon tells. SetSheetBounds, ResetSheetBounds and SetSheetToHorizon
-   * replace it, and it must be set again after them. Default is off.
+   * Chooses the extent of the built-in sheet from the scene: as wide as the scene if it has ground
+   * under all of its water, such as a terrain or a basin with a floor; to the horizon if objects
+   * stand or float in open water. The choice is repeated when the scene changes; GetSheetToHorizon
+   * returns whether the sheet now reaches to the horizon. SetSheetBounds, ResetSheetBounds and
+   * SetSheetToHorizon replace this setting; call it again after them. Default is off.
    */
   void SetSheetToAutomatic();
   vtkGetMacro(SheetIsAutomatic, bool);
@@ -122,11 +121,12 @@ public:
 
   ///@{
   /**
-   * How the water looks. Never null: nullptr means a new default one. ShallowCopy shares it; for
-   * one of its own a copy wants vtkWaterProperty::DeepCopy. Not to be confused with vtkActor's own
-   * property: of that, representation and culling keep their meaning, its opacity multiplies the
-   * water's, its diffuse colour (SetColor) is the water's own unless it is white, VTK's default, or
-   * vtkWaterProperty::SetDeepColor was called; edges and lighting are not used.
+   * The look of the water. Never null: nullptr creates a new default one. ShallowCopy shares it; to
+   * give a copy its own look, use vtkWaterProperty::DeepCopy. Do not confuse it with vtkActor's own
+   * property. Of that property, representation and culling keep their meaning, and its opacity
+   * multiplies the water's. Its diffuse colour (SetColor) becomes the water's colour unless it is
+   * white, VTK's default, or vtkWaterProperty::SetDeepColor was called. Edges and lighting are not
+   * used.
    */
   void SetWaterProperty(vtkWaterProperty* property);
   vtkWaterProperty* GetWaterProperty();
@@ -134,8 +134,8 @@ public:
 
   ///@{
   /**
-   * Time of the waves, s: in [-1e15, 1e15]; another is refused with an error. The picture depends
-   * on this number alone, not on the frames before. Default is 0.
+   * Time of the waves in seconds, in [-1e15, 1e15]; another value is rejected with an error. The
+   * picture depends only on this number, not on earlier frames. Default is 0.
    */
   void SetTime(double seconds);
   vtkGetMacro(Time, double);
@@ -143,39 +143,42 @@ public:
 
   ///@{
   /**
-   * The waves at a place, at the actor's time: for buoys and picks. x and y, and the normal, are in
-   * the plane's own axes (SetSheetBounds), the third along the plane's normal; the height is over
-   * the plane, m. A wind sea is included, bilinear between the points of its tile. Without waves 0
-   * and (0, 0, 1). NaN when the place is not finite.
+   * Height and normal of the waves at a point, at the actor's time, for example for buoys and
+   * picks. x, y and the normal's first two components are in the plane's own axes (SetSheetBounds);
+   * its third component is along the plane's normal. The height is above the plane, in metres. A
+   * wind sea is included, bilinear between the points of its tile. Without waves the results are 0
+   * and (0, 0, 1). They are NaN if the point is not finite.
    */
   double GetWaveHeight(double x, double y);
   void GetWaveNormal(double x, double y, double normal[3]) VTK_SIZEHINT(normal, 3);
   ///@}
 
   /**
-   * Unit vector from the water to a place in its sky, such as the sun's: azimuth in degrees from
-   * the plane's second axis over the first (from north over east for a level plane), elevation in
-   * degrees over the plane, both finite. NaN when they are not, or when the plane has no normal.
+   * Unit vector from the water to a point in its sky, such as the sun. The azimuth is in degrees
+   * from the plane's second axis towards the first (from north towards east for a horizontal
+   * plane), the elevation in degrees above the plane; both must be finite. NaN if they are not, or
+   * if the plane has no normal.
    */
   void GetSkyDirection(double azimuth, double elevation, double direction[3])
     VTK_SIZEHINT(direction, 3);
 
   /**
-   * How the polygons of a mesh of the user's lie over the plane: their mean height, which is
-   * accepted as far as plus or minus the second number, and their mean angle to the plane, degrees,
-   * accepted up to the fourth. What is not accepted is drawn, with a warning. Returns false, and
-   * four NaN, for the own sheet and for a mapper whose polygons are not known.
+   * Position of the polygons of a user's mesh relative to the plane, in four numbers: their mean
+   * height; the largest accepted absolute value of that height; their mean angle to the plane in
+   * degrees; the largest accepted angle. A mesh beyond these limits is drawn, with a warning.
+   * Returns false, and four NaN, for the built-in sheet and for a mapper whose polygons are not
+   * known.
    */
   bool GetMeshPlacement(double placement[4]) VTK_SIZEHINT(placement, 4);
 
   /**
-   * The pass in charge of this water: one composed by hand into the renderer's chain once that has
-   * rendered, else the actor's own. Never null.
+   * The pass that renders this water's reflection: a pass that the user added to the renderer's
+   * chain, once that has rendered; otherwise the actor's own. Never null.
    */
   vtkWaterReflectionPass* GetReflectionPass();
 
   /**
-   * What the last plan found wrong, as said in the ErrorEvent; empty when all was right.
+   * The error of the last plan, with the text of the ErrorEvent. Empty if there was none.
    */
   const char* GetLastError() const;
 
@@ -199,13 +202,13 @@ public:
   ///@}
 
   /**
-   * 0 while the sheet reaches to the horizon, as it has no bounds for pickers; but while pixels are
-   * selected, and else, as SetPickable says.
+   * 0 while the sheet reaches to the horizon, because it has no bounds for pickers. Otherwise, and
+   * while pixels are selected, the value of SetPickable.
    */
   vtkTypeBool GetPickable() override;
 
   /**
-   * What the module itself knows the water by; not for use.
+   * Internal handle of the module; not for use.
    */
   VTK_WRAPEXCLUDE vtkWaterSource* GetSource();
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkWaterClearSkySource
- * @brief   a picture of a clear sky by day, for a skybox, and the sun's light to go with it
+ * @brief   a picture of a clear daytime sky, for a skybox, and the matching sunlight
  *
- * The sky is computed from the sun's place and the air's turbidity (Preetham, Shirley and Smits
- * 1999, "A Practical Analytic Model for Daylight"). Water finds it by itself when a skybox shows
- * it:
+ * The sky is computed from the sun's position and the air's turbidity (Preetham, Shirley and Smits
+ * 1999, "A Practical Analytic Model for Daylight"). Water reflects it automatically when a skybox
+ * shows it:
  *
  *     sky = vtkWaterClearSkySource()
  *     sky.SetElevation(20)
@@ -17,7 +17,7 @@
  *     light.SetColor(sky.GetSunColor())
  *     renderer.AddLight(light)
  *
- * The sun's disc is not in the picture: what waves reflect of it is the glitter of the light. Up is
+ * The picture does not contain the sun's disc; waves show the glitter of the light instead. Up is
  * z, and north is y.
  */
 #ifndef vtkWaterClearSkySource_h
@@ -45,8 +45,8 @@ public:
 
   ///@{
   /**
-   * Where the sun is: degrees from north (y) over east (x), in [-360, 360]. Default is 150. Another
-   * value is an error and changes nothing.
+   * Azimuth of the sun, in degrees from north (y) towards east (x), in [-360, 360]. Another value
+   * is rejected with an error. Default is 150.
    */
   void SetAzimuth(double degrees);
   vtkGetMacro(Azimuth, double);
@@ -54,8 +54,8 @@ public:
 
   ///@{
   /**
-   * The sun's height over the horizon, degrees in [0, 90]: the model is for daylight. Default
-   * is 35. Another value is an error and changes nothing.
+   * Elevation of the sun above the horizon, in degrees in [0, 90]: the model is for daylight.
+   * Another value is rejected with an error. Default is 35.
    */
   void SetElevation(double degrees);
   vtkGetMacro(Elevation, double);
@@ -63,8 +63,9 @@ public:
 
   ///@{
   /**
-   * How much more light the air scatters than its molecules alone, in [2, 10]: 2 is very clear, 3
-   * clear, 6 warm and moist, 10 hazy. Default is 3. Another value is an error and changes nothing.
+   * Turbidity of the air, in [2, 10]: the ratio of all scattered light to that scattered by air
+   * molecules alone. 2 is very clear, 3 clear, 6 warm and moist, 10 hazy. Another value is rejected
+   * with an error. Default is 3.
    */
   void SetTurbidity(double turbidity);
   vtkGetMacro(Turbidity, double);
@@ -72,9 +73,9 @@ public:
 
   ///@{
   /**
-   * What luminances, kcd/m^2, are multiplied by to be colours, finite and not negative. 0: what
-   * shows the sky's mean as 0.3 of white, as a camera would be set. Default is 0. A clear sky at
-   * noon has a mean of about 7 kcd/m^2. Another value is an error and changes nothing.
+   * Factor from luminances (kcd/m^2) to colours, finite and not negative. 0, the default, shows the
+   * sky's mean as 0.3 of white, like a camera's automatic exposure. A clear sky at noon has a mean
+   * of about 7 kcd/m^2. Another value is rejected with an error.
    */
   void SetExposure(double exposure);
   vtkGetMacro(Exposure, double);
@@ -82,30 +83,30 @@ public:
 
   ///@{
   /**
-   * Width of the picture in pixels, in [16, 8192]; it is half as high. Default is 1024. Another
-   * value is an error and changes nothing.
+   * Width of the picture in pixels, in [16, 8192]; its height is half of that. Another value is
+   * rejected with an error. Default is 1024.
    */
   void SetWidth(int pixels);
   vtkGetMacro(Width, int);
   ///@}
 
   /**
-   * The picture, in longitude and latitude: red, green and blue as floats, linear, not limited to
-   * [0, 1]. Its lowest row is the nadir; under the horizon there is haze, and grey ground.
+   * The picture in longitude and latitude: red, green and blue as floats, linear, not limited to
+   * [0, 1]. Its lowest row is the nadir. Below the horizon there is haze and grey ground.
    */
   vtkImageData* GetOutput();
 
   /**
-   * A skybox that shows it: gives it a texture of the picture with mip levels, the projection
-   * Sphere, gamma correction, and z for up, in the way of VTK 9.1 (its FloorPlane and FloorRight)
-   * and in that of later ones (EnvironmentUp and EnvironmentRight of the renderer). The skybox is
-   * not added.
+   * Configures a skybox to show the sky. It sets a texture of the picture with mip levels, the
+   * projection Sphere, gamma correction, and z as the up direction, for VTK 9.1 (its FloorPlane and
+   * FloorRight) and for later versions (the renderer's EnvironmentUp and EnvironmentRight). It does
+   * not add the skybox to the renderer.
    */
   void ConfigureSkybox(vtkSkybox* skybox, vtkRenderer* renderer);
 
   ///@{
   /**
-   * Towards the sun, of unit length.
+   * Unit vector towards the sun.
    */
   void GetSunDirection(double direction[3]);
   double* GetSunDirection() VTK_SIZEHINT(3);
@@ -113,8 +114,8 @@ public:
 
   ///@{
   /**
-   * Colour for a light of intensity 1 in its place: what a white card that faces the sun shows, as
-   * a display has it, and at most 1. Red, green, blue.
+   * Colour for a light of intensity 1 at the sun's position: the colour that a display shows for a
+   * white card facing the sun, at most 1. Red, green, blue.
    */
   void GetSunColor(double color[3]);
   double* GetSunColor() VTK_SIZEHINT(3);
@@ -122,8 +123,8 @@ public:
 
   ///@{
   /**
-   * What a level white card shows under the sky alone, as a display has it: a background of this
-   * colour brings water the sky's light (DeepColor). Red, green, blue.
+   * Colour that a display shows for a horizontal white card lit by the sky alone. A background of
+   * this colour gives the water the sky's light (DeepColor). Red, green, blue.
    */
   void GetMeanColor(double color[3]);
   double* GetMeanColor() VTK_SIZEHINT(3);

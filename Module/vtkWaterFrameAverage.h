@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkWaterFrameAverage
- * @brief   the mean of many frames of a window, each seen through other places of its pixels
+ * @brief   averages many frames of a window, each with the camera shifted by less than a pixel
  *
- * For print, and as a reference that faster settings are compared with. Update renders the window
- * so many times; in each frame the cameras of all its renderers are shifted by less than a pixel.
- * The mean has smooth edges, and shows what waves reflect that are smaller than a pixel, if the
- * water's quality is "reference":
+ * Use it for print, and as a reference for faster settings. Update renders the window
+ * NumberOfFrames times. In each frame the cameras of all its renderers are shifted by less than a
+ * pixel. The mean has smooth edges. If the water's quality is "reference", it also shows the
+ * reflections of waves smaller than a pixel:
  *
  *     water.GetWaterProperty().SetRayTraceQualityToReference()
  *     average = vtkWaterFrameAverage()
@@ -14,9 +14,8 @@
  *     average.Update()  # renders
  *     writer.SetInputData(average.GetOutput())
  *
- * The window may be on the screen or off it, with multisampling or without. Afterwards the cameras
- * are as they were. What is drawn over the scene, as 2D actors are, is not
- * shifted.
+ * The window may be on-screen or off-screen, with or without multisampling. Update restores the
+ * cameras. Overlays such as 2D actors are not shifted.
  */
 #ifndef vtkWaterFrameAverage_h
 #define vtkWaterFrameAverage_h
@@ -41,7 +40,7 @@ public:
 
   ///@{
   /**
-   * The window that is rendered; nullptr: none. Default is none.
+   * The window to render, or nullptr for none. Default is nullptr.
    */
   void SetRenderWindow(vtkRenderWindow* window);
   vtkRenderWindow* GetRenderWindow() const;
@@ -56,14 +55,14 @@ public:
   ///@}
 
   /**
-   * Renders them. Returns false, and leaves the output as it was, when there is no window, or it is
-   * rendering, and when rendering was aborted or the window's size changed meanwhile.
+   * Renders the frames and averages them. Returns false and leaves the output unchanged if there is
+   * no window, if it is already rendering, if rendering was aborted, or if the window's size
+   * changed meanwhile.
    */
   bool Update();
 
   /**
-   * The mean: RGB, unsigned char, of the window's size; empty before the first Update that
-   * succeeds.
+   * The mean: RGB, unsigned char, with the window's size. Empty before the first successful Update.
    */
   vtkImageData* GetOutput() const;
 

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkWaterOffScreen
- * @brief   lets a VTK that has only X windows render without a display
+ * @brief   off-screen rendering without a display, for VTK versions that only have X windows
  *
- * Before 9.4 a VTK built for X (as Debian 12's) cannot render without an X server. Enable makes
- * every vtkRenderWindow created from then on an off-screen window of EGL, and every
- * vtkRenderWindowInteractor one whose Start returns at once. Nothing else of the program changes.
- * Windows that exist already stay as they are.
+ * Before 9.4, a VTK built for X (such as Debian 12's) cannot render without an X server. After
+ * Enable, every new vtkRenderWindow is an off-screen EGL window, and every new
+ * vtkRenderWindowInteractor returns from Start at once. Nothing else in the program changes.
+ * Existing windows stay as they are.
  *
- * From 9.4 on VTK itself chooses between GLX, EGL and OSMesa; there, and on systems without X,
- * this class has nothing to do: its functions return true and IsEnabled is false.
+ * From 9.4 on, VTK itself chooses between GLX, EGL and OSMesa. There, and on systems without X,
+ * this class does nothing: its functions return true and IsEnabled returns false.
  *
- * The plugin vtkWaterOffScreenPlugin does the same to programs that do not know this module: VTK
- * loads it from the folder that the environment variable VTK_AUTOLOAD_PATH names.
+ * The plugin vtkWaterOffScreenPlugin does the same for programs that do not use this module. VTK
+ * loads it from the folder named by the environment variable VTK_AUTOLOAD_PATH.
  *
  * Environment variables:
  * - VTK_WATER_OFFSCREEN: 1 makes EnableIfNeeded enable always, 0 never.
@@ -36,20 +36,20 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * Render off-screen from now on. Before anything is changed, an OpenGL context is tried; if that
-   * fails, VTK stays as it is, false is returned and GetReason says why. A second call changes
-   * nothing.
+   * Switches to off-screen rendering. This function first tries to create an OpenGL context. If
+   * that fails, VTK stays as it is, the function returns false, and GetReason returns the cause. A
+   * second call has no effect.
    */
   static bool Enable();
 
   /**
-   * Enable, but only if no X display can be opened (DISPLAY is unset or empty, or nothing answers
-   * there). Returns whether rendering can be expected to work: with the display or off-screen.
+   * Enables off-screen rendering if no X display can be opened (DISPLAY is unset or empty, or no
+   * server answers). Returns whether rendering is expected to work, with the display or off-screen.
    */
   static bool EnableIfNeeded();
 
   /**
-   * Windows created from now on are VTK's own again. Off-screen windows that exist stay usable.
+   * Makes new windows VTK's own again. Existing off-screen windows remain usable.
    */
   static void Disable();
 
@@ -59,7 +59,7 @@ public:
   static bool IsEnabled();
 
   /**
-   * Why the last call had the result it had, in one sentence: the EGL display in use, what is
+   * Reason for the result of the last call, in one sentence: the EGL display in use, what is
    * missing and the Debian packages that provide it, or that there is nothing to do. Never null.
    */
   static const char* GetReason();

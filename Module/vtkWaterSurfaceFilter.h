@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkWaterSurfaceFilter
- * @brief   the surface of a solver's water: its mesh at the height of the water, up to the shore
+ * @brief   extracts the water surface from a solver's mesh: the wet part, up to the shore
  *
- * Takes a two-dimensional mesh of a flood, a tide or a river, with the level of the water, its
- * depth and the bed as arrays of points or cells, and makes the mesh of the water's surface: the
- * wet part alone, at the level, with all arrays. Two of the three arrays are enough; without a bed
- * the z of the mesh's points is the bed. With the level alone all of the mesh is wet.
+ * The input is a two-dimensional mesh of a flood, a tide or a river. Arrays of points or cells give
+ * the water's level, its depth and the bed. The output is the mesh of the water's surface: only the
+ * wet part, at the level, with all arrays. Two of the three arrays are enough; without a bed array,
+ * the z of the mesh's points is the bed. With only the level, the whole mesh is wet.
  *
  *     filter.SetLevelArrayName("zeta")
  *     filter.SetBedArrayName("zb")
@@ -15,15 +15,15 @@
  *     filter.Update()
  *     water.SetLevel(filter.GetMeanLevel())
  *
- * The shore lies where the bed reaches the level, between the points of the mesh: the level of the
- * wet places goes on into the dry places beside them. A place that the solver calls dry stays dry,
- * even where its bed is below that level, as behind a dyke. Values that are not finite, and depths
- * below 0, are dry.
+ * The shore lies where the bed reaches the level, between the points of the mesh: the level of wet
+ * places is extended into adjacent dry places. A place that the solver marks as dry stays dry, even
+ * if its bed is below that level, as behind a dyke. Values that are not finite, and depths below 0,
+ * are dry.
  *
- * Output points have the arrays "WaterLevel" and "WaterDepth" (0 at the shore; not with the level
- * alone), in the unit of the mesh. Lines and vertices are left out. Of a composite dataset each
- * block is a mesh; GetMeanLevel is that of the last one. All is over z; other directions want a
- * transform before it.
+ * Output points have the arrays "WaterLevel" and "WaterDepth" (0 at the shore; absent with only the
+ * level), in the unit of the mesh. Lines and vertices are left out. In a composite dataset each
+ * block is a separate mesh; GetMeanLevel then returns the level of the last one. Heights are along
+ * z; for other directions, transform the mesh first.
  *
  * @sa vtkWaterActor
  */
@@ -48,9 +48,9 @@ public:
 
   ///@{
   /**
-   * Name of the array of the water's level: its height over z = 0, one number a point or a cell, of
-   * any finite value; all others are dry. Empty, the default: there is none, and DepthArrayName is
-   * needed.
+   * Name of the array with the water's level: its height above z = 0, one number per point or cell.
+   * Values that are not finite are dry. Empty, the default, means that there is no such array;
+   * DepthArrayName is then required.
    */
   void SetLevelArrayName(const std::string& name);
   std::string GetLevelArrayName() const { return this->LevelArrayName; }
@@ -58,9 +58,9 @@ public:
 
   ///@{
   /**
-   * Name of the array of the water's depth over the bed, one number a point or a cell as the level,
-   * a finite value; others, and those not above DryDepth, are dry. Empty, the default: there is
-   * none, and the level must be there.
+   * Name of the array with the water's depth above the bed, one number per point or cell. Values
+   * that are not finite, and values not above DryDepth, are dry. Empty, the default, means that
+   * there is no such array; the level is then required.
    */
   void SetDepthArrayName(const std::string& name);
   std::string GetDepthArrayName() const { return this->DepthArrayName; }
@@ -68,8 +68,8 @@ public:
 
   ///@{
   /**
-   * Name of the array of the bed's height over z = 0, one finite number a point or a cell.
-   * Empty, the default: the bed is the level less the depth, or with the depth alone the z of the
+   * Name of the array with the bed's height above z = 0, one finite number per point or cell.
+   * Empty, the default: the bed is the level minus the depth or, with only the depth, the z of the
    * mesh's points.
    */
   void SetBedArrayName(const std::string& name);
@@ -79,7 +79,7 @@ public:
   ///@{
   /**
    * Depth up to which a place is dry, in the unit of the mesh: finite and not negative. Solvers
-   * leave films of water on dry land. Default is 0.001.
+   * leave thin films of water on dry land. Default is 0.001.
    */
   void SetDryDepth(double depth);
   vtkGetMacro(DryDepth, double);
@@ -87,7 +87,7 @@ public:
 
   ///@{
   /**
-   * What heights are multiplied with, those of the output's points alone: its arrays keep their
+   * Vertical exaggeration: factor of the heights of the output's points; the arrays keep their
    * values. Finite and greater than 0. Default is 1.
    */
   void SetVerticalScale(double scale);
@@ -95,8 +95,8 @@ public:
   ///@}
 
   /**
-   * The mean height of the output's points, by area, scale included: a plane for the water. 0
-   * before the first update, and of a surface that is dry everywhere.
+   * Mean height of the output's points, weighted by area, including VerticalScale. Use it as the
+   * water's level. 0 before the first update, and for a surface that is dry everywhere.
    */
   double GetMeanLevel() const { return this->MeanLevel; }
 
