@@ -9,7 +9,9 @@
  * not change.
  *
  * @code
- * vtkNew<vtkWaterActor> water; water->SetLevel(355.0); renderer->AddActor(water);
+ * vtkNew<vtkWaterActor> water;
+ * water->SetLevel(355.0);
+ * renderer->AddActor(water);
  * @endcode
  *
  * Without a mapper, the actor builds its own sheet over the bounds of the scene, or to the horizon

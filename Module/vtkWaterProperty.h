@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkWaterProperty
- * @brief   how a water surface looks
+ * @brief   the look of a water surface
  *
- * The colour of a water pixel is the reflection, weighted by the reflectance, over what is seen
- * through the surface: the water's own colour, or, with Refraction, the scene beneath. Setters
- * refuse a value outside the stated range: an error names the value and the range, and the last
- * good value stays.
+ * The colour of a water pixel is the reflection, weighted by the reflectance, plus what is visible
+ * through the surface: the colour of deep water or, with Refraction, the scene below. Each setter
+ * states its accepted range. It rejects other values with an error that names the value and the
+ * range, and keeps the last valid value.
  *
  * @sa vtkWaterActor
  */
@@ -48,9 +48,9 @@ public:
 
   ///@{
   /**
-   * Where the reflectance comes from: FRESNEL (exact, unpolarised, by IndexOfRefraction and the
-   * angle of view; from under water with total internal reflection) or CONSTANT (Reflectance).
-   * Default is FRESNEL.
+   * Source of the reflectance. FRESNEL: computed exactly for unpolarised light from
+   * IndexOfRefraction and the viewing angle, with total internal reflection from under water.
+   * CONSTANT: the value of Reflectance. Default is FRESNEL.
    *
    * Source of the formula: Born & Wolf, "Principles of Optics", section 1.5.2.
    */
@@ -63,9 +63,8 @@ public:
 
   ///@{
   /**
-   * Share of the reflection in the pixel when ReflectanceMode is CONSTANT, in [0, 1]. 1 is a
-   * perfect mirror: the pixel is the reflection and nothing else. At 0 no reflection is rendered.
-   * Default is 1.
+   * Share of the reflection in a pixel if ReflectanceMode is CONSTANT, in [0, 1]. 1 is a perfect
+   * mirror: the pixel shows only the reflection. At 0 no reflection is rendered. Default is 1.
    */
   void SetReflectance(double reflectance);
   vtkGetMacro(Reflectance, double);
@@ -73,7 +72,8 @@ public:
 
   ///@{
   /**
-   * Index of refraction of the water against what lies above it, in [1, 10]. Default is 1.333.
+   * Refractive index of the water relative to the medium above it (IndexOfRefraction), in [1, 10].
+   * Default is 1.333.
    */
   void SetIndexOfRefraction(double index);
   vtkGetMacro(IndexOfRefraction, double);
@@ -81,11 +81,12 @@ public:
 
   ///@{
   /**
-   * Whether the scene beyond the surface is seen through it: refracted by Snell's law, dimmed by
-   * Absorption and Scattering on its way through the water, and turning into DeepColor with the
-   * length of the way. It is taken from the main picture, without another view of the scene: the
-   * water is then drawn after all other opaque props, and translucent ones and volumes are not seen
-   * through it. Has no effect on water with an Opacity below 1. Default is off: DeepColor alone.
+   * Whether the scene is visible through the surface. It is refracted by Snell's law and attenuated
+   * by Absorption and Scattering along its path through the water; with a longer path it fades into
+   * DeepColor. The refracted colours are read from the main picture; no extra view of the scene is
+   * rendered. The water is therefore drawn after all other opaque props, and translucent props and
+   * volumes are not visible through it. No effect if Opacity is below 1. Default is off: the water
+   * shows only DeepColor.
    */
   void SetRefraction(bool refraction);
   vtkGetMacro(Refraction, bool);
@@ -95,9 +96,9 @@ public:
   ///@{
   /**
    * Absorption of the water, 1/m at 650, 550 and 450 nm (red, green, blue): finite and not
-   * negative; the scene's unit is taken for a metre. After a way of x metres the part
-   * exp(-(absorption + scattering) x) of the light is left. Default is that of a clear lake
-   * (water_preset_default).
+   * negative. Lengths in the scene's unit are converted by MetresPerUnit. After a path of x metres,
+   * the fraction exp(-(absorption + scattering) x) of the light remains. Default is that of a clear
+   * lake (water_preset_default).
    */
   void SetAbsorption(double red, double green, double blue);
   void SetAbsorption(const double perMetre[3])
@@ -110,8 +111,8 @@ public:
   ///@{
   /**
    * Scattering of the water, 1/m at 650, 550 and 450 nm (red, green, blue): finite and not
-   * negative. Only scattering out of the line of sight counts: of real water the part scattered
-   * backward. Default is that of a clear lake (water_preset_default).
+   * negative. Count only scattering out of the line of sight; for real water this is the backward
+   * part. Default is that of a clear lake (water_preset_default).
    */
   void SetScattering(double red, double green, double blue);
   void SetScattering(const double perMetre[3])
@@ -123,12 +124,12 @@ public:
 
   ///@{
   /**
-   * Sets Absorption and Scattering to those of one of Jerlov's optical water types: "I", "IA",
-   * "IB", "II", "III" (ocean), "1C", "3C", "5C", "7C", "9C" (coast, clear to turbid), and
-   * DeepColorMode to MEDIUM.
+   * Sets Absorption and Scattering to those of one of Jerlov's optical water types, and
+   * DeepColorMode to MEDIUM. The types are "I", "IA", "IB", "II", "III" (ocean), "1C", "3C", "5C",
+   * "7C", "9C" (coast, clear to turbid).
    *
-   * Returns false, with an error, for another name. GetWaterType is the type that has this
-   * Absorption and Scattering, however they were set; nullptr: none has.
+   * Returns false, with an error, for another name. GetWaterType returns the type that matches the
+   * current Absorption and Scattering, however they were set, or nullptr if none matches.
    *
    * Source: Jerlov 1976, "Marine Optics", table XXVII.
    */
@@ -138,14 +139,13 @@ public:
 
   ///@{
   /**
-   * Sets everything to a water of this name: "pool", "lake", "clear tropical", "ocean wind 5",
-   * "ocean wind 10", "ocean wind 15" (m/s), "turbid river" or "mirror floor". GetPresetSource says
-   * where its numbers come from (nullptr for another name). Lookup, its numbers, Output, Opacity,
-   * Seed, SeaTileSize and SeaPeriod stay.
+   * Sets the optics and the waves to a preset: "pool", "lake", "clear tropical", "ocean wind 5",
+   * "ocean wind 10", "ocean wind 15" (m/s), "turbid river" or "mirror floor". GetPresetSource
+   * returns the source of its numbers (nullptr for another name). Lookup and its settings, Output,
+   * Opacity, Seed, SeaTileSize and SeaPeriod do not change.
    *
-   * Returns false, with an error, for another name; then nothing changes. GetPreset is the preset
-   * that would change nothing now: the last one, until something that it sets has another value;
-   * nullptr: each would change something.
+   * Returns false, with an error, for another name; nothing changes then. GetPreset returns the
+   * preset whose values are all set now, or nullptr if there is none.
    */
   bool SetPreset(const char* name);
   const char* GetPreset() const;
@@ -162,10 +162,10 @@ public:
 
   ///@{
   /**
-   * Where the colour of infinitely deep water comes from. MEDIUM: the share of the light that
-   * Absorption and Scattering send back up, 0.33 b / (a + b), under the renderer's distant
-   * lights (not positional ones; a headlight stands where the eye is) and background. GIVEN:
-   * DeepColor, which no light changes. Default is MEDIUM.
+   * Source of the colour of infinitely deep water. MEDIUM: the share of the light that Absorption
+   * and Scattering send back up, 0.33 b / (a + b), under the renderer's distant lights and
+   * background. Positional lights do not count; a headlight counts as a light at the eye. GIVEN:
+   * DeepColor, independent of the light. Default is MEDIUM.
    *
    * Source: Morel and Prieur 1977, "Analysis of Variations in Ocean Color".
    */
@@ -178,10 +178,10 @@ public:
 
   ///@{
   /**
-   * Colour of infinitely deep water: what is seen where the water does not reflect, and with
-   * Refraction where it is deep. Red, green, blue, each in [0, 1]. Setting it sets DeepColorMode to
-   * GIVEN. While that is MEDIUM, the default, GetDeepColor returns the colour under white daylight,
-   * and a colour of the actor's vtkProperty takes its place.
+   * Colour of infinitely deep water: it is visible where the water does not reflect and, with
+   * Refraction, where the water is deep. Red, green, blue, each in [0, 1]. Setting it sets
+   * DeepColorMode to GIVEN. In the mode MEDIUM, the default, GetDeepColor returns the colour under
+   * white daylight, and a colour of the actor's vtkProperty overrides it.
    */
   void SetDeepColor(double red, double green, double blue);
   void SetDeepColor(const double rgb[3]) { this->SetDeepColor(rgb[0], rgb[1], rgb[2]); }
@@ -190,13 +190,13 @@ public:
 
   ///@{
   /**
-   * Metres per unit of the scene, in [1e-9, 1e9]: all lengths of this class are metres, and shown
-   * in the scene's unit. 0 is automatic: a scene of 400 to 2000 units across (a preset may
-   * have another range: a pool 8 to 40) is one in metres, a smaller one counts as 200 to 400 m, a
-   * larger one as 2000 m, and waves shorter than 1/400 of the scene are not shown. Then
-   * GetWaveHeight follows what is shown. Without a preset, light is taken as if the deepest bed
-   * were 30 m deep, or 60 m in a scene ten times as wide as deep: heights of a map have a scale of
-   * their own. Default is 1.
+   * Metres per unit of the scene, in [1e-9, 1e9]. All lengths of this class are in metres and are
+   * converted to the scene's unit. 0 means automatic: a scene 400 to 2000 units across counts as
+   * metres (a preset may have another range: a pool 8 to 40), a smaller one as 200 to 400 m across,
+   * a larger one as 2000 m. Waves shorter than 1/400 of the scene are then not shown, and
+   * GetWaveHeight agrees with what is shown. Without a preset, light is attenuated as if the
+   * deepest bed were 30 m deep, or 60 m in a scene ten times as wide as deep, because the heights
+   * of a map have their own scale. Default is 1.
    */
   void SetMetresPerUnit(double metres);
   vtkGetMacro(MetresPerUnit, double);
@@ -213,8 +213,8 @@ public:
 
   ///@{
   /**
-   * Depth of water over which its reflection begins at a shore, m: finite and not negative. Only
-   * with Refraction, which knows the depth. Default is 0.05.
+   * Depth over which the reflection fades in at a shore, m: finite and not negative. Only with
+   * Refraction, which provides the depth. Default is 0.05.
    */
   void SetShoreSoftness(double depth);
   vtkGetMacro(ShoreSoftness, double);
@@ -228,9 +228,9 @@ public:
 
   ///@{
   /**
-   * What is reflected: the SCENE, rendered once more by a mirrored camera; or the static
-   * ENVIRONMENT, for which nothing is rendered: EnvironmentTexture, or without one the sky that VTK
-   * shows: a skybox, or the renderer's background. Default is SCENE.
+   * Source of the reflection. SCENE: the scene, rendered by a mirrored camera. ENVIRONMENT: a
+   * static picture, without an extra view: EnvironmentTexture or, without one, the sky that VTK
+   * shows (a skybox or the renderer's background). Default is SCENE.
    */
   void SetReflectionSource(int source);
   vtkGetMacro(ReflectionSource, int);
@@ -241,11 +241,11 @@ public:
 
   ///@{
   /**
-   * The picture of the surroundings, in latitude and longitude, as vtkSkybox with the projection
-   * Sphere has it; it lies as the renderer's EnvironmentUp and EnvironmentRight say. It is also the
-   * sky of rays that leave the mirrored picture, of an eye under water, and of this water in
-   * another water's reflection. Without one these see what VTK shows: a skybox, or the renderer's
-   * background. A cube map is refused with an error. Default is nullptr.
+   * Picture of the surroundings in latitude and longitude, like that of a vtkSkybox with the
+   * projection Sphere. The renderer's EnvironmentUp and EnvironmentRight orient it. It is also the
+   * sky for rays that leave the mirrored picture, for an eye under water, and for this water in
+   * another water's reflection. Without a texture, these use the sky that VTK shows: a skybox or
+   * the renderer's background. A cube map is rejected with an error. Default is nullptr.
    */
   void SetEnvironmentTexture(vtkTexture* texture);
   vtkTexture* GetEnvironmentTexture() const;
@@ -253,9 +253,9 @@ public:
 
   ///@{
   /**
-   * The sun's glitter on waves, and on water with a SlopeVariance, by the distribution of the
-   * slopes. The sun is the brightest scene light of the renderer; a headlight has none. Default is
-   * on.
+   * Glitter of the sun on waves, and on water with a SlopeVariance, by the distribution of their
+   * slopes. The sun is the brightest scene light of the renderer; a headlight does not count.
+   * Default is on.
    *
    * Source: Cox and Munk 1954, "Measurement of the Roughness of the Sea Surface from Photographs of
    * the Sun's Glitter".
@@ -267,9 +267,10 @@ public:
 
   ///@{
   /**
-   * Glitter that is brighter than white rolls off towards it, so that it keeps its shape and the
-   * sun's colour; what is up to 0.6 of the room left up to white is shown as it is. Off where a
-   * pass of the renderer may map tones, whatever is set here. Default is on.
+   * Whether glitter brighter than white rolls off towards white (HighlightRollOff), so that it
+   * keeps its shape and the sun's colour. Glitter that fills at most 0.6 of the range left up to
+   * white does not change. The roll-off is always off if a pass of the renderer may map tones.
+   * Default is on.
    */
   void SetHighlightRollOff(bool rolls);
   vtkGetMacro(HighlightRollOff, bool);
@@ -278,9 +279,9 @@ public:
 
   ///@{
   /**
-   * Variance of the slopes of waves that are too small to be given one by one: along and across a
-   * direction (degrees), in [0, 1e6]. SetSlopeVarianceToWind takes Cox and Munk's
-   * measured ones for a wind speed in [0.1, 100] m/s that blows to a direction. Default is 0.
+   * Variance of the slopes of waves too small to be set individually: along and across a direction
+   * (degrees), in [0, 1e6]. SetSlopeVarianceToWind sets the values that Cox and Munk measured for a
+   * wind speed in [0.1, 100] m/s; its direction is the one in which the wind blows. Default is 0.
    */
   void SetSlopeVariance(double along, double across, double direction = 0.0);
   void SetSlopeVarianceToWind(double speed, double direction = 0.0);
@@ -290,8 +291,8 @@ public:
   ///@{
   /**
    * Foam where the water is shallower than FoamDepth, m: finite and not negative; with Refraction.
-   * It covers the waterline, and bands of it travel towards the shore, the same every 12 s. Default
-   * is 0: none.
+   * It covers the waterline. Bands of foam travel towards the shore with a period of 12 s. Default
+   * is 0: no foam.
    */
   void SetFoamDepth(double depth);
   vtkGetMacro(FoamDepth, double);
@@ -299,8 +300,8 @@ public:
 
   ///@{
   /**
-   * Foam on crests whose points stand closer than FoamStretch times their distance at rest, in
-   * [0, 1]: those of steep waves. Default is 0: none.
+   * Foam on the crests of steep waves: where points of the surface are closer than FoamStretch
+   * times their distance at rest, in [0, 1]. Default is 0: no foam.
    */
   void SetFoamStretch(double stretch);
   vtkGetMacro(FoamStretch, double);
@@ -308,7 +309,7 @@ public:
 
   ///@{
   /**
-   * Colour of the foam, red, green, blue, each in [0, 1]; it is lit by the sun. Default is (0.95,
+   * Colour of the foam: red, green, blue, each in [0, 1]. The sun lights it. Default is (0.95,
    * 0.97, 1).
    */
   void SetFoamColor(double red, double green, double blue);
@@ -318,12 +319,12 @@ public:
 
   ///@{
   /**
-   * Shadows of things on the water's glitter and foam: a ray to the sun is traced in the mirrored
-   * view. It is in shadow where it goes through a surface that the view shows, from either side,
-   * or passes an upright edge by less than a twentieth of the distance behind it. What the view
-   * does not show throws no shadow: things out of the picture, and sides that face away from the
-   * mirrored eye. Needs Lookup RAY_TRACED, and can more than double a software
-   * renderer's frame. Default is off.
+   * Shadows of objects on the water's glitter and foam. For each point a ray to the sun is traced
+   * in the mirrored view. The point is in shadow if the ray crosses a surface in that view, from
+   * either side, or passes an upright edge by less than a twentieth of the distance behind it. What
+   * the view does not show casts no shadow: objects outside the picture, and sides that face away
+   * from the mirrored eye. Needs Lookup RAY_TRACED. Can more than double the frame time of a
+   * software renderer. Default is off.
    */
   void SetShadows(bool shadows);
   vtkGetMacro(Shadows, bool);
@@ -332,12 +333,12 @@ public:
 
   ///@{
   /**
-   * Strength of the light that waves gather on what lies under them, in [0, 1]; with Refraction,
-   * waves and a sun (a scene light). At 1 the light is that of the waves' slopes: it is followed
-   * from the surface to the bed, none is lost, and only the sun's disc, the picture's pixels and
-   * the water's smallest waves blur it. Waves that move the surface light the bed as if they lay in
-   * the plane. A GPU that gives no float textures is an ErrorEvent, once, and the light is that of
-   * calm water. Default is 0: none. Source: Shah et al. 2007, "Caustics Mapping".
+   * Strength of caustics, the light that waves focus on what lies under them, in [0, 1]; with
+   * Refraction, waves and a sun (a scene light). At 1 the light follows from the slopes of the
+   * waves: it is traced from the surface to the bed and conserved, and only the sun's disc, the
+   * pixels of the picture and the smallest waves blur it. Displaced waves light the bed as if they
+   * lay in the plane. If a GPU has no float textures, an ErrorEvent is reported once, and the light
+   * is that of calm water. Default is 0: no caustics. Source: Shah et al. 2007, "Caustics Mapping".
    */
   void SetCaustics(double strength);
   vtkGetMacro(Caustics, double);
@@ -345,11 +346,10 @@ public:
 
   ///@{
   /**
-   * How much of what is seen in the water is the colour of the mesh's scalars, in [0, 1], where the
-   * actor's mapper shows scalars through its lookup table. At 1 they are the colour of the water
-   * itself, and hide what lies under it; below 1 they are blended with it. What is reflected,
-   * glitter and foam come on top: without these (SetReflectance(0), GlitterOff) the picture shows
-   * the lookup table's colours, unlit. Default is 1.
+   * Opacity of data colours, in [0, 1], if the actor's mapper shows scalars through its lookup
+   * table. At 1 they are the colour of the water and hide what lies below; below 1 they are blended
+   * with it. Reflection, glitter and foam are added on top: without these (SetReflectance(0),
+   * GlitterOff) the picture shows the lookup table's colours, unlit. Default is 1.
    */
   void SetDataOpacity(double opacity);
   vtkGetMacro(DataOpacity, double);
@@ -357,8 +357,8 @@ public:
 
   ///@{
   /**
-   * Opacity of the surface for plain alpha blending with what lies behind it, in [0, 1]. Below 1
-   * the water is drawn with the translucent geometry. Default is 1.
+   * Opacity of the surface for alpha blending with what lies behind it, in [0, 1]. Below 1 the
+   * water is drawn with the translucent geometry. Default is 1.
    */
   void SetOpacity(double opacity);
   vtkGetMacro(Opacity, double);
@@ -366,19 +366,20 @@ public:
 
   ///@{
   /**
-   * Waves: any number of sines, the height being amplitude times the sine of k . x + phase - omega
-   * t, x in the plane's own axes, omega from the dispersion relation of Depth. With waves the
-   * surface is a flat sheet with the waves' normals, or, with WaveGeometry, displaced.
+   * Adds a wave; any number is possible. The height is the sum of amplitude times the sine of k . x
+   * + phase - omega t, with x in the plane's own axes and omega from the dispersion relation for
+   * Depth. With waves the surface is a flat sheet with the waves' normals or, with WaveGeometry,
+   * displaced.
    *
    * amplitude  m, half the height from trough to crest, finite and not negative
-   * wavelength m, finite and greater than 0; the scene's unit is taken for a metre
-   * direction  degrees; the wave travels to there, from the plane's first axis towards the second
+   * wavelength m, finite and greater than 0
+   * direction  degrees in which the wave travels, from the plane's first axis towards the second
    * phase      degrees, at the axes' origin and time 0
-   * steepness  [0, 1]: 0 is a sine, 1 Gerstner's wave with cusps; the sum of 2 pi amplitude
+   * steepness  [0, 1]: 0 is a sine, 1 a Gerstner wave with cusps; the sum of 2 pi amplitude
    *            steepness / wavelength over all waves must not exceed 1, or the surface would fold
    *
-   * Returns the wave's number, or -1 when it was refused (with an error that names the value).
-   * GetWave gives the five numbers again; false when there is no such wave.
+   * Returns the wave's number, or -1 if it was rejected (with an error that names the value).
+   * GetWave returns the five numbers, or false if there is no such wave.
    *
    * Sources: Airy 1845, "Tides and Waves"; Fournier and Reeves 1986, "A Simple Model of Ocean
    * Waves".
@@ -392,9 +393,9 @@ public:
 
   ///@{
   /**
-   * Sets a wave to other numbers (those of AddWave), or removes it; the waves after it then count
-   * one less. The wave's number must lie in [0, GetNumberOfWaves() - 1]. Returns false, with an
-   * error, when it does not or when the new numbers are refused; then no wave changes.
+   * Changes the numbers of a wave (those of AddWave), or removes it; the numbers of later waves
+   * then decrease by one. The wave's number must lie in [0, GetNumberOfWaves() - 1]. Returns false,
+   * with an error, if it does not or if the new numbers are rejected; no wave changes then.
    */
   bool SetWave(int number, double amplitude, double wavelength, double direction = 0.0,
     double phase = 0.0, double steepness = 0.0);
@@ -402,32 +403,32 @@ public:
   ///@}
 
   /**
-   * Root mean square slope of the waves together, those of the sea included that its tile holds.
+   * Root mean square slope of all waves, including the waves of the sea that its tile holds.
    */
   double GetSlopeRMS() const;
 
   /**
-   * Sum of the waves' amplitudes, m, and, where WaveGeometry moves a wind sea, 6 standard
-   * deviations of its height: displaced, no point is higher, or deeper; of the sea's crests one in
-   * 6e7.
+   * Upper bound of the wave height, m: the sum of the waves' amplitudes plus, if WaveGeometry
+   * displaces a wind sea, 6 standard deviations of its height. No point is displaced further up or
+   * down, except one in 6e7 of the sea's crests.
    */
   double GetWaveHeightMax() const;
 
   ///@{
   /**
-   * One or two normal maps that move over the water, in addition to other waves. A texture's red
-   * and green are the normal's parts along the plane's axes and blue the one up, from -1 to 1 as 0
-   * to 255: 3 or 4 channels of 8 bits, from 2 x 2 to 4096 x 4096; nullptr is a built-in map of
-   * ripples with an rms slope of 0.1. They have no heights: GetWaveHeight and GetWaveNormal leave
-   * them out.
+   * Adds one of at most two normal maps that move over the water, in addition to other waves. In a
+   * texture, red and green are the components along the plane's axes and blue the one upwards, from
+   * -1 to 1 stored as 0 to 255: 3 or 4 channels of 8 bits, from 2 x 2 to 4096 x 4096. nullptr is a
+   * built-in map of ripples with an rms slope of 0.1. Normal maps have no heights: GetWaveHeight
+   * and GetWaveNormal ignore them.
    *
    * size       m of water that the map covers, in [1e-6, 1e9]
-   * speed      m/s with which it moves, finite
-   * direction  degrees; it moves to there, from the plane's first axis towards the second
+   * speed      m/s at which it moves, finite
+   * direction  degrees in which it moves, from the plane's first axis towards the second
    * strength   factor of its slopes, in [-1000, 1000]
    *
-   * AddNormalMap returns the map's number, or -1 when it was refused (with an error that names the
-   * value). GetNormalMap gives the four numbers again; false when there is no such map.
+   * AddNormalMap returns the map's number, or -1 if it was rejected (with an error that names the
+   * value). GetNormalMap returns the four numbers, or false if there is no such map.
    */
   int AddNormalMap(vtkTexture* texture, double size, double speed = 0.0, double direction = 0.0,
     double strength = 1.0);
@@ -435,17 +436,17 @@ public:
   int GetNumberOfNormalMaps() const;
   bool GetNormalMap(int number, double map[4]) const;
   vtkTexture* GetNormalMapTexture(
-    int number) const; // also the built-in one; nullptr: no such reflection texture
+    int number) const; // also the built-in one; nullptr: no such map
   ///@}
 
   ///@{
   /**
-   * Whether the waves of AddWave and the wind sea displace the surface (normal maps do not): up and
-   * down, and, steep ones and the sea (SeaChoppiness), to and fro. Off is a flat
-   * sheet with their normals: cheaper, and right where waves are low against what stands in them.
-   * On, the own sheet becomes a grid over what the eye sees of it; of a mapper of the user's the
-   * points are displaced as they are, so that it needs several to a wave. Has no effect without
-   * waves, nor on edges and wide lines. Default is off.
+   * Whether the waves of AddWave and the wind sea displace the surface (WaveGeometry). Normal maps
+   * do not. The displacement is vertical and, for steep waves and the sea (SeaChoppiness), also
+   * horizontal. Off: a flat sheet with the waves' normals, which is cheaper, and accurate if waves
+   * are low compared with the objects in them. On: the built-in sheet becomes a grid over the
+   * visible area. The points of a user's mesh are displaced as they are, so it needs several points
+   * per wavelength. No effect without waves, nor on edges and wide lines. Default is off.
    */
   void SetWaveGeometry(bool geometry);
   vtkGetMacro(WaveGeometry, bool);
@@ -454,9 +455,9 @@ public:
 
   ///@{
   /**
-   * Cells along a side of that grid, in [16, 2048]: as many across the view as into its depth.
-   * Waves with fewer than four cells keep part of their height, those with fewer than two only
-   * their normals. Default is 256.
+   * Cells along a side of the grid for displaced waves (WaveGeometry), in [16, 2048]: the same
+   * number across the view and into its depth. Waves with fewer than four cells keep part of their
+   * height, those with fewer than two only their normals. Default is 256.
    */
   void SetWaveGridSize(int size);
   vtkGetMacro(WaveGridSize, int);
@@ -473,10 +474,10 @@ public:
 
   ///@{
   /**
-   * A wind sea: random waves with the spectrum that the wind makes, on square tiles that repeat
-   * in both directions (SeaCascades), added to the waves of AddWave. The surface between a tile's
-   * points is bilinear, in heights and in slopes, for GetWaveHeight and in the picture. Waves that
-   * are too short for a pixel, or for the tiles, roughen the reflection. Default is off.
+   * A wind sea: random waves with the spectrum of a wind, on square tiles that repeat in both
+   * directions (SeaCascades). They are added to the waves of AddWave. Between the points of a tile,
+   * heights and slopes are bilinear, both in GetWaveHeight and in the picture. Waves too short for
+   * a pixel, or for the tiles, roughen the reflection. Default is off.
    *
    * Source: Tessendorf 2001, "Simulating Ocean Water".
    */
@@ -487,7 +488,7 @@ public:
 
   ///@{
   /**
-   * Speed of the wind at 10 m, m/s in [0.1, 100]. Default is 5.
+   * Wind speed at a height of 10 m, m/s in [0.1, 100]. Default is 5.
    */
   void SetWindSpeed(double speed);
   vtkGetMacro(WindSpeed, double);
@@ -495,8 +496,8 @@ public:
 
   ///@{
   /**
-   * Where the wind blows to, degrees from the plane's first axis towards the second: finite.
-   * Default is 0.
+   * Direction in which the wind blows, in degrees from the plane's first axis towards the second:
+   * finite. Default is 0.
    */
   void SetWindDirection(double direction);
   vtkGetMacro(WindDirection, double);
@@ -504,7 +505,8 @@ public:
 
   ///@{
   /**
-   * Open water upwind, m: at least 1; infinity is a fully developed sea. Default is 10000.
+   * Fetch: the length of open water upwind, m: at least 1; infinity is a fully developed sea.
+   * Default is 10000.
    */
   void SetFetch(double fetch);
   vtkGetMacro(Fetch, double);
@@ -518,14 +520,14 @@ public:
 
   ///@{
   /**
-   * The sea's spectrum. JONSWAP: a growing sea, with the TMA factor for finite Depth. PHILLIPS: a
+   * Spectrum of the sea. JONSWAP: a growing sea, with the TMA factor for finite Depth. PHILLIPS: a
    * fully developed sea in deep water, with as many waves against the wind as with it; Fetch and
    * PeakEnhancement have no effect. Default is JONSWAP.
    *
    * Sources: Hasselmann et al. 1973, "Measurements of Wind-Wave Growth and Swell Decay during the
    * Joint North Sea Wave Project"; Bouws et al. 1985, "Similarity of the Wind Wave Spectrum in
    * Finite Depth Water 1" (TMA); Donelan, Hamilton and Hui 1985, "Directional Spectra of
-   * Wind-Generated Waves" (directions); Phillips's as in Tessendorf 2001.
+   * Wind-Generated Waves" (directions); Tessendorf 2001 for the Phillips spectrum.
    */
   void SetSeaModel(int model);
   vtkGetMacro(SeaModel, int);
@@ -536,8 +538,8 @@ public:
 
   ///@{
   /**
-   * How much higher the JONSWAP spectrum's peak is than that of a developed sea, in [1, 20]: 1 is
-   * one. Default is 3.3, the mean of the measurements.
+   * Peak enhancement factor of the JONSWAP spectrum: the height of its peak relative to that of a
+   * fully developed sea, in [1, 20]. Default is 3.3, the mean of the measurements.
    */
   void SetPeakEnhancement(double enhancement);
   vtkGetMacro(PeakEnhancement, double);
@@ -545,7 +547,7 @@ public:
 
   ///@{
   /**
-   * Seed of the sea's random numbers, any integer: the same one gives the same sea. Default is 1.
+   * Seed of the sea's random numbers, any integer: the same seed gives the same sea. Default is 1.
    */
   void SetSeed(int seed);
   vtkGetMacro(Seed, int);
@@ -553,8 +555,9 @@ public:
 
   ///@{
   /**
-   * Points of each of the sea's tiles along a side: a power of two in [32, 1024]. The shortest
-   * waves are two points long. The time to make a sea goes with the square. Default is 256.
+   * Points along a side of each tile of the sea: a power of two in [32, 1024]. The shortest waves
+   * are two points long. The time to compute a sea is proportional to the square of this number.
+   * Default is 256.
    */
   void SetSeaTileSize(int size);
   vtkGetMacro(SeaTileSize, int);
@@ -562,10 +565,10 @@ public:
 
   ///@{
   /**
-   * Length of the first tile's side, m: in [0.001, 1e9], or 0 for 24 times the wavelength of the
-   * spectrum's peak (10 times with one cascade), which holds the sea's height within 1 %. Shorter
-   * tiles repeat sooner, and lack the waves that are longer than they are; with one cascade they
-   * show shorter waves near the eye. GetUsedSeaTileLength tells the length in use. Default is 0.
+   * Side length of the first tile, m: in [0.001, 1e9], or 0 for 24 times the wavelength of the
+   * spectral peak (10 times with one cascade), which preserves the sea's height within 1 %. Shorter
+   * tiles repeat sooner and lack the waves longer than the tile; with one cascade they show shorter
+   * waves near the eye. GetUsedSeaTileLength returns the length in use. Default is 0.
    */
   void SetSeaTileLength(double length);
   vtkGetMacro(SeaTileLength, double);
@@ -574,8 +577,8 @@ public:
 
   ///@{
   /**
-   * Time after which the sea repeats itself exactly, s: finite, not negative; 0 is never. Every
-   * wave then has the frequency next to its own that fits. Default is 0.
+   * Time after which the sea repeats exactly, s: finite, not negative; 0 means never. The frequency
+   * of every wave is rounded to a multiple of 1/SeaPeriod. Default is 0.
    */
   void SetSeaPeriod(double period);
   vtkGetMacro(SeaPeriod, double);
@@ -583,12 +586,12 @@ public:
 
   ///@{
   /**
-   * Tiles of the sea, in [1, 3], each with a band of the waves: the first with the longest, each
-   * other one shorter by the same factor (at most 19 for 256 points), so that a sea reaches down to
-   * waves of a few centimetres, and does not repeat as a whole. Where fewer tiles reach waves of
-   * 1.7 cm there are fewer: GetUsedSeaCascades tells. The time to make a sea goes with their
-   * number; a pixel that is longer than a tile's waves does not look at it. Three show ripples next
-   * to the eye. Default is 2.
+   * Number of tiles of the sea, in [1, 3], each with a band of the waves. The first has the longest
+   * waves; each further tile is shorter by the same factor (at most 19 for 256 points). The sea
+   * then includes waves of a few centimetres and does not repeat as a whole. If fewer tiles already
+   * reach waves of 1.7 cm, fewer are used: GetUsedSeaCascades returns their number. The time to
+   * compute a sea is proportional to the number of tiles. A pixel larger than the waves of a tile
+   * does not read that tile. Three tiles show ripples close to the eye. Default is 2.
    *
    * Source: Bruneton, Neyret and Holzschuch 2010, "Real-time Realistic Ocean Lighting using
    * Seamless Transitions from Geometry to BRDF".
@@ -600,8 +603,9 @@ public:
 
   ///@{
   /**
-   * How much of its motion to and fro a displaced sea has (WaveGeometry), in [0, 1]: 1 is that of
-   * Gerstner's waves, with sharp crests and flat troughs; 0 is up and down alone. Default is 1.
+   * Share of the horizontal displacement of a displaced sea (WaveGeometry), in [0, 1]: 1 is that of
+   * Gerstner waves, with sharp crests and flat troughs; 0 is vertical displacement only. Default is
+   * 1.
    *
    * Source: Tessendorf 2001, "Simulating Ocean Water" (choppy waves).
    */
@@ -611,10 +615,10 @@ public:
 
   ///@{
   /**
-   * Whether a wind sea is white where its crests break: where its points stand closest, on the
-   * share of the surface that was measured for the wind (GetWhitecapCover; 0 when they or the sea
-   * are off). They have FoamColor, and are there whether or not the surface is displaced. Default
-   * is off.
+   * Whether a wind sea has foam where its crests break (Whitecaps). The foam appears where the
+   * sea's points are closest together, and covers the share of the surface that was measured for
+   * the wind speed (GetWhitecapCover; 0 if whitecaps or the sea are off). It has FoamColor and does
+   * not need a displaced surface. Default is off.
    *
    * Sources: Monahan and O'Muircheartaigh 1980, "Optimal Power-Law Description of Oceanic Whitecap
    * Coverage Dependence on Wind Speed" (the share); Tessendorf 2001 (the place).
@@ -635,12 +639,12 @@ public:
 
   ///@{
   /**
-   * How a wave's reflection is found in the mirrored view. RAY_TRACED: the reflected ray is walked
-   * until it meets what the mirrored view shows. FIXED_OFFSET: the calm reflection, shifted by the
-   * normal times OffsetScale (in shares of the picture). VIEW_SCALED_OFFSET: the same over the
-   * distance from the eye. MOVED_POINT: the calm reflection of a point that is moved by the normal
-   * times OffsetScale (in the scene's unit). The latter three are fast and wrong; most programs use
-   * them, and they are here for comparison. Default is RAY_TRACED.
+   * Method to look up the reflection of waves in the mirrored view. RAY_TRACED: follows the
+   * reflected ray until it meets a surface in the mirrored view. FIXED_OFFSET: the calm reflection,
+   * shifted by the normal times OffsetScale (in fractions of the picture). VIEW_SCALED_OFFSET: the
+   * same, divided by the distance from the eye. MOVED_POINT: the calm reflection of a point moved
+   * by the normal times OffsetScale (in the scene's unit). The last three are fast but inaccurate;
+   * most programs use them, and they are provided for comparison. Default is RAY_TRACED.
    */
   void SetLookup(int lookup);
   vtkGetMacro(Lookup, int);
@@ -653,7 +657,7 @@ public:
 
   ///@{
   /**
-   * Factor of the three offset lookups, in [-1000, 1000]. Default is 0.3.
+   * Scale factor of the three offset lookups (OffsetScale), in [-1000, 1000]. Default is 0.3.
    */
   void SetOffsetScale(double scale);
   vtkGetMacro(OffsetScale, double);
@@ -661,8 +665,8 @@ public:
 
   ///@{
   /**
-   * Work of the ray-traced lookup: steps of the march, taken where the ray does not converge at
-   * once, in [1, 256]. Default is 16.
+   * Steps of the ray-traced lookup: the number of steps for rays that do not converge at once, in
+   * [1, 256]. Default is 16.
    */
   void SetRayTraceSteps(int steps);
   vtkGetMacro(RayTraceSteps, int);
@@ -670,8 +674,8 @@ public:
 
   ///@{
   /**
-   * Work of the ray-traced lookup: probes between the water and where the ray converged,
-   * in [0, 64]. Default is 6.
+   * Probes of the ray-traced lookup: the number of samples between the water and the point where
+   * the ray converged, in [0, 64]. Default is 6.
    */
   void SetRayTraceProbes(int probes);
   vtkGetMacro(RayTraceProbes, int);
@@ -679,9 +683,10 @@ public:
 
   ///@{
   /**
-   * Work of the ray-traced lookup: rays of a pixel whose neighbour shows another colour, in
-   * [1, 16]. All other pixels have one. Rough water, whose pixels have several facets, ignores it.
-   * So do GPUs, where it costs a quarter of the frame, unless RayTraceLayers is 2. Default is 4.
+   * Rays of the ray-traced lookup: the number of rays for a pixel whose neighbour has another
+   * colour, in [1, 16]. All other pixels have one. Rough water, whose pixels have several facets,
+   * ignores this setting. GPUs ignore it too, because it costs a quarter of the frame there, unless
+   * RayTraceLayers is 2. Default is 4.
    */
   void SetRayTraceRays(int rays);
   vtkGetMacro(RayTraceRays, int);
@@ -689,10 +694,10 @@ public:
 
   ///@{
   /**
-   * Work of the ray-traced lookup: layers of the mirrored view that rays see, in [1, 2]. With 2 a
-   * ray that goes behind the edge of a thing goes on among what is behind there, which is drawn
-   * once more for it, whenever the mirrored view is. The
-   * reflection texture is twice as fine at 0. Default is 1.
+   * Layers of the ray-traced lookup: the number of layers of the mirrored view that rays see, in
+   * [1, 2]. With 2, a ray that passes behind an object's edge continues among the geometry behind
+   * it. This geometry is rendered into a second layer, whenever the mirrored view is rendered.
+   * Default is 1.
    */
   void SetRayTraceLayers(int layers);
   vtkGetMacro(RayTraceLayers, int);
@@ -700,10 +705,10 @@ public:
 
   ///@{
   /**
-   * The waves' slopes are averaged over a square of so many pixels, in [0, 1]. 1: the whole pixel.
-   * 0: slopes are those at the pixel's middle; a single frame then flickers where waves are smaller
-   * than a pixel, and the mean of many frames (vtkWaterFrameAverage) shows all of them. The
-   * reflection texture is twice as fine at 0. Default is 1.
+   * Size of the square, in pixels, over which the waves' slopes are averaged, in [0, 1]. 1: the
+   * whole pixel. 0: the slopes at the pixel's centre; a single frame then flickers if waves are
+   * smaller than a pixel, and the mean of many frames (vtkWaterFrameAverage) shows all of them. At
+   * 0 the reflection texture has twice the resolution. Default is 1.
    */
   void SetRayTraceFootprint(double footprint);
   vtkGetMacro(RayTraceFootprint, double);
@@ -711,7 +716,7 @@ public:
 
   ///@{
   /**
-   * Steps, probes, rays, layers and footprint at once, by a name, which must be one of these:
+   * Sets steps, probes, rays, layers and footprint together, by a name, which must be one of these:
    *
    *               steps  probes  rays  layers  footprint
    *     fast          8       3     1       1          1
@@ -719,8 +724,9 @@ public:
    *     high         24      12     8       2          1
    *     reference   256      64     1       2          0
    *
-   * "high" also multisamples calm water's reflection (vtkWaterReflectionPass::SetMultiSamples).
-   * "reference" is for vtkWaterFrameAverage, whose frames are its rays.
+   * "high" also multisamples the reflection of calm water
+   * (vtkWaterReflectionPass::SetMultiSamples). "reference" is meant for vtkWaterFrameAverage, which
+   * supplies one ray per frame.
    */
   void SetRayTraceQuality(const char* name);
   void SetRayTraceQualityToFast() { this->SetRayTraceQuality("fast"); }
@@ -738,8 +744,8 @@ public:
   };
 
   /**
-   * Why a pixel has its colour, as OUTPUT CONFIDENCE shows it: all three channels are this number
-   * of 255.
+   * Reasons for the colour of a pixel, as shown by the output CONFIDENCE: all three channels are
+   * this number of 255.
    */
   enum Confidences
   {
@@ -747,17 +753,17 @@ public:
     HIT = 1,            // the ray meets a surface
     SKY = 2,            // the ray leaves the scene within the mirrored view
     OFF_MAP = 3,        // the ray leaves the mirrored view: sky, or the colour at its border
-    HIDDEN = 4,         // the ray passes behind something in the mirrored view, whatever it meets
-    DOWNWARD = 5        // the ray would meet the water again; it was bounced off once more
+    HIDDEN = 4,         // the ray passes behind an object in the mirrored view
+    DOWNWARD = 5        // the ray would meet the water again; it was reflected once more
   };
 
   ///@{
   /**
-   * What the water shows: its COLOR; the CONFIDENCE of its reflection (Confidences); its LOOKUP:
-   * where in the reflection texture a pixel has its colour from, u and v in [0, 1] as 12 bits each:
-   * red and the high half of green are u, the rest v; or its REFLECTANCE, in [0, 1] as 16 bits: red
-   * is the high byte and green the low one. CONFIDENCE and LOOKUP are of the pixel's mean slope;
-   * its roughness has no part in them. Default is COLOR.
+   * Quantity that the water shows. COLOR: its colour. CONFIDENCE: how its reflection was found
+   * (Confidences). LOOKUP: the coordinates in the reflection texture at which the pixel's colour
+   * was read, u and v in [0, 1] as 12 bits each: red and the high half of green are u, the rest v.
+   * REFLECTANCE: in [0, 1] as 16 bits: red is the high byte and green the low one. CONFIDENCE and
+   * LOOKUP use the mean slope of the pixel and ignore its roughness. Default is COLOR.
    */
   void SetOutput(int output);
   vtkGetMacro(Output, int);
@@ -769,8 +775,7 @@ public:
   ///@}
 
   /**
-   * Makes this water look as another does: everything that can be set is copied, textures are
-   * shared. nullptr changes nothing.
+   * Copies all settings of another water's look; textures are shared. nullptr changes nothing.
    */
   void DeepCopy(vtkWaterProperty* other);
 
@@ -778,7 +783,7 @@ public:
 
   ///@{
   /**
-   * What the module itself reads of the look: all of it at once, the waves of AddWave, and the sea
+   * Internal access of the module to the look: all of it at once, the waves of AddWave, and the sea
    * with its tile, whether it is on or not. Not for use.
    */
   // diagonal  of the scene, units; for automatic units
