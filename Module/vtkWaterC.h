@@ -12,15 +12,16 @@
  *   vtk_water_scene_add_water(scene, water);
  *   vtk_water_scene_render(scene, pixels, sizeof pixels);
  *
- * Conventions. Handles are opaque; who makes one with _new ends it with _delete, in any order, and
- * NULL may be deleted. Every function that can fail returns a status, whose text
- * vtk_water_status_text has; vtk_water_last_error says more of the last failure in this thread: the
- * value and its accepted range. After a failure everything is as it was. No exception leaves a
- * function. Outputs come last. Lengths are in the scene's unit, which waves take for a metre.
- * As in VTK, one thread at a time may use a scene and what is in it.
+ * Conventions. Handles are opaque. Delete each handle made by _new with _delete, in any order; NULL
+ * may be deleted. Every function that can fail returns a status; vtk_water_status_text returns its
+ * text. vtk_water_last_error describes the last failure in this thread, with the value and its
+ * accepted range. A failed call changes nothing. No exception leaves a function. Output parameters
+ * come last. Lengths are in the scene's unit, which is a metre unless
+ * vtk_water_actor_set_units sets another. As in VTK, only one thread at a time may use a scene and
+ * its contents.
  *
- * The symbols have the version VTK_WATER_C_1 (ELF). Within it functions are added and never
- * changed.
+ * The symbols have the version VTK_WATER_C_1 (ELF). Within this version functions are added and
+ * never changed.
  */
 #ifndef vtkWaterC_h
 #define vtkWaterC_h
@@ -53,8 +54,7 @@ typedef enum vtk_water_status
 /* What a status means, in a few words; never NULL. */
 VTKRENDERINGWATER_EXPORT const char* vtk_water_status_text(vtk_water_status status);
 
-/* The last failure in this thread, in a sentence; "" when there was none. Valid until the next
- * call. */
+/* Text of the last failure in this thread; "" if there was none. Valid until the next call. */
 VTKRENDERINGWATER_EXPORT const char* vtk_water_last_error(void);
 
 /* Version of this interface: 1. */
@@ -65,101 +65,102 @@ VTKRENDERINGWATER_EXPORT int vtk_water_interface_version(void);
 VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_actor_new(vtk_water_actor** actor);
 VTKRENDERINGWATER_EXPORT void vtk_water_actor_delete(vtk_water_actor* actor);
 
-/* A horizontal plane at height z, +z up; finite. Default 0. */
+/* Makes the water a horizontal plane at height z, +z up; finite. Default 0. */
 VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_actor_set_level(
   vtk_water_actor* actor, double z);
 
-/* A plane through a point; the normal points out of the water, any length but 0. */
+/* Sets the plane by a point and its normal, which points out of the water and has any length except
+ * 0. */
 VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_actor_set_plane(
   vtk_water_actor* actor, const double origin[3], const double normal[3]);
 
-/* Bounds of the sheet in the plane's own axes: xmin, xmax, ymin, ymax. Default: as wide as the
- * scene. */
+/* Sets the bounds of the sheet in the plane's own axes: xmin, xmax, ymin, ymax. Default: as wide as
+ * the scene. */
 VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_actor_set_sheet_bounds(
   vtk_water_actor* actor, const double bounds[4]);
 
-/* Let the sheet be as wide as a scene that has ground under all of its water, such as a terrain,
- * and else reach to the horizon. */
+/* Chooses the extent of the sheet: as wide as the scene if the scene has ground under all of its
+ * water, such as a terrain; otherwise to the horizon. */
 VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_actor_set_sheet_to_automatic(
   vtk_water_actor* actor);
 
-/* Let the sheet fill whatever the camera sees of the plane, up to the horizon, and be no part of
- * the scene's bounds; vtk_water_actor_set_sheet_bounds replaces it, and the other way round. */
+/* Extends the sheet to the horizon: it fills the visible part of the plane and is not part of the
+ * scene's bounds. vtk_water_actor_set_sheet_bounds replaces this setting, and vice versa. */
 VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_actor_set_sheet_to_horizon(
   vtk_water_actor* actor);
 
-/* "pool", "lake", "clear tropical", "ocean wind 5", "ocean wind 10", "ocean wind 15", "turbid
-   river" or "mirror floor". */
+/* Sets a preset: "pool", "lake", "clear tropical", "ocean wind 5", "ocean wind 10", "ocean wind
+ * 15", "turbid river" or "mirror floor". */
 VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_actor_set_preset(
   vtk_water_actor* actor, const char* name);
 
-/* One more wave: amplitude and wavelength in m, direction and phase in degrees, steepness in [0,
- * 1]. */
+/* Adds a wave: amplitude and wavelength in m, direction and phase in degrees, steepness in [0, 1].
+ */
 VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_actor_add_wave(vtk_water_actor* actor,
   double amplitude, double wavelength, double direction_deg, double phase_deg, double steepness);
 VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_actor_remove_all_waves(vtk_water_actor* actor);
 
-/* A wind sea of this speed, m/s in [0.1, 100]; 0 takes the sea away. */
+/* Sets a wind sea for this wind speed, m/s in [0.1, 100]; 0 removes the sea. */
 VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_actor_set_wind(
   vtk_water_actor* actor, double speed);
 
-/* Where that wind blows to, degrees from the plane's first axis towards the second, finite. Default
- * 0. */
+/* Sets the direction in which the wind blows, in degrees from the plane's first axis towards the
+ * second, finite. Default 0. */
 VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_actor_set_wind_direction(
   vtk_water_actor* actor, double direction_deg);
 
-/* Colour of the water itself, where it does not reflect: red, green and blue in [0, 1]. */
+/* Sets the colour of deep water: red, green and blue in [0, 1]. */
 VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_actor_set_color(
   vtk_water_actor* actor, const double color[3]);
 
-/* In [0, 1]; below 1 the water is blended with what lies behind it. Default 1. */
+/* Sets the opacity, in [0, 1]; below 1 the water is blended with what lies behind it. Default 1. */
 VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_actor_set_opacity(
   vtk_water_actor* actor, double opacity);
 
-/* 1: the scene is seen through the surface; 0: it is not. Default 0. */
+/* Sets refraction. 1: the scene is visible through the surface; 0: it is not. Default 0. */
 VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_actor_set_refraction(
   vtk_water_actor* actor, int refraction);
 
-/* Jerlov's optical water type, which dims what is seen through the surface: "I", "IA", "IB", "II",
- * "III", "1C", "3C", "5C", "7C" or "9C". */
+/* Sets Jerlov's optical water type, which attenuates what is visible through the surface: "I",
+ * "IA", "IB", "II", "III", "1C", "3C", "5C", "7C" or "9C". */
 VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_actor_set_water_type(
   vtk_water_actor* actor, const char* name);
 
-/* Depth over which the shore foams, m, finite and not negative; with refraction. Default 0: none.
- */
+/* Sets the depth below which the shore foams, m, finite and not negative; with refraction. Default
+ * 0: no foam. */
 VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_actor_set_foam(
   vtk_water_actor* actor, double depth);
 
-/* Strength of the light that waves gather under the surface, in [0, 1]; with refraction, waves and
- * a sun. Default 0: none. */
+/* Sets the strength of caustics under the surface, in [0, 1]; with refraction, waves and a sun.
+ * Default 0: no caustics. */
 VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_actor_set_caustics(
   vtk_water_actor* actor, double strength);
 
-/* What a unit of the scene is: "um", "mm", "cm", "m", "km", "in", "ft", "mi" or "automatic", which
- * is by the scene's size. Default "m". */
+/* Sets the scene's unit: "um", "mm", "cm", "m", "km", "in", "ft", "mi" or "automatic", which
+ * follows the scene's size. Default "m". */
 VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_actor_set_units(
   vtk_water_actor* actor, const char* name);
 
-/* Quality of reflections on waves: "fast", "default", "high" or "reference". */
+/* Sets the quality of reflections on waves: "fast", "default", "high" or "reference". */
 VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_actor_set_quality(
   vtk_water_actor* actor, const char* name);
 
-/* A picture of the surroundings that is reflected in place of the scene, in latitude and longitude:
- * width x height x 3 bytes, red, green and blue, top row first, which are copied; width and height
- * in [1, 16384]. In a scene of vtk_water_scene_new up is +z, and +x in the middle of the picture.
- * NULL: the scene is reflected, which is the default. */
+/* Sets a picture of the surroundings that is reflected instead of the scene, in latitude and
+ * longitude. It has width x height x 3 bytes, red, green and blue, top row first, which are copied;
+ * width and height are in [1, 16384]. In a scene of vtk_water_scene_new, up is +z, and +x is in the
+ * middle of the picture. NULL, the default: the scene is reflected. */
 VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_actor_set_environment(
   vtk_water_actor* actor, const unsigned char* pixels, int width, int height);
 
-/* Time of the waves, s in [-1e15, 1e15]. */
+/* Sets the time of the waves, s in [-1e15, 1e15]. */
 VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_actor_set_time(
   vtk_water_actor* actor, double seconds);
 
-/* Height of the waves over the plane at a place in the plane's own axes. */
+/* Returns the height of the waves above the plane at a point in the plane's own axes. */
 VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_actor_get_wave_height(
   vtk_water_actor* actor, double x, double y, double* height);
 
-/* The vtkWaterActor itself, for programs that have VTK objects; it belongs to the handle. */
+/* Returns the vtkWaterActor, for programs that have VTK objects; it belongs to the handle. */
 VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_actor_get_vtk_object(
   vtk_water_actor* actor, void** vtk_object);
 
@@ -168,16 +169,17 @@ VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_actor_get_vtk_object(
 VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_actor_get_pass(
   vtk_water_actor* actor, vtk_water_pass** pass);
 
-/* Texels per pixel along each axis, in [1/64, 16]. Default 1. */
+/* Sets the number of texels per pixel along each axis, in [1/64, 16]. Default 1. */
 VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_pass_set_texture_scale(
   vtk_water_pass* pass, double scale);
 
-/* Milliseconds a frame that the water may take, in [1e-3, 1e6]: it becomes coarser as long as it
- * takes more. 0: no budget, which is the default. */
+/* Sets the water's time budget in milliseconds per frame, in [1e-3, 1e6]; the reflection becomes
+ * coarser while it takes longer. 0, the default: no budget. */
 VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_pass_set_time_budget(
   vtk_water_pass* pass, double milliseconds);
 
-/* Mirrored views rendered so far; props in the last one; what was decided last, in words. */
+/* Return the number of mirrored views rendered so far; the number of props in the last one; the
+ * text of the last decision. */
 VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_pass_get_render_count(
   vtk_water_pass* pass, int64_t* count);
 VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_pass_get_prop_count(
@@ -187,47 +189,49 @@ VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_pass_get_decision(
 
 /* A scene, for programs that have no VTK objects --------------------------------------------- */
 
-/* An off-screen window of width x height pixels, each in [1, 16384]. */
+/* Creates an off-screen window of width x height pixels, each in [1, 16384]. */
 VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_scene_new(
   int width, int height, vtk_water_scene** scene);
 VTKRENDERINGWATER_EXPORT void vtk_water_scene_delete(vtk_water_scene* scene);
 
-/* Sky colours at the bottom and at the top of the picture, red, green and blue in [0, 1]. */
+/* Sets the sky's colours at the bottom and at the top of the picture, red, green and blue in [0,
+ * 1]. */
 VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_scene_set_sky(
   vtk_water_scene* scene, const double bottom[3], const double top[3]);
 
-/* The sun, which glitters on waves: azimuth in degrees from +y over +x, finite, elevation in
- * degrees over the horizon, in [-90, 90]; red, green and blue in [0, 1], NULL: (1, 0.95, 0.87). A
- * scene has one; it begins with none. A scene without any light is lit from the eye. */
+/* Sets the sun, which glitters on waves: azimuth in degrees from +y towards +x, finite; elevation
+ * in degrees above the horizon, in [-90, 90]; red, green and blue in [0, 1], NULL for (1, 0.95,
+ * 0.87). A scene has at most one sun; a new scene has none. A scene without any light is lit from
+ * the eye. */
 VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_scene_set_sun(
   vtk_water_scene* scene, double azimuth_deg, double elevation_deg, const double color[3]);
 
-/* One more light, which shines from a place to all sides: the place finite, red, green and blue in
- * [0, 1], the intensity finite and not negative. */
+/* Adds a light that shines from a point in all directions: finite position; red, green and blue in
+ * [0, 1]; finite intensity, not negative. */
 VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_scene_add_light(
   vtk_water_scene* scene, const double position[3], const double color[3], double intensity);
 
-/* Removes all lights, and the sun. */
+/* Removes all lights, including the sun. */
 VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_scene_remove_all_lights(vtk_water_scene* scene);
 
-/* A mesh of one colour: point_count times x, y, z; triangle_count times three numbers of points. It
-   is copied. */
+/* Adds a mesh of one colour: point_count times x, y, z; triangle_count times three point indices.
+ * The data are copied. */
 VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_scene_add_mesh(vtk_water_scene* scene,
   const double* points, size_t point_count, const int64_t* triangles, size_t triangle_count,
   const double color[3]);
 
-/* The scene shares the water: the handle may be deleted, or used on. */
+/* Adds water. The scene shares it: the handle may be deleted, or used further. */
 VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_scene_add_water(
   vtk_water_scene* scene, vtk_water_actor* actor);
 
-/* Where the eye is and what it looks at; up is not along that; the angle of view is vertical,
-   degrees in [1, 170]. */
+/* Sets the camera: the eye, the target, and an up vector that is not parallel to the line of sight.
+ * The angle of view is vertical, in degrees in [1, 170]. */
 VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_scene_set_camera(vtk_water_scene* scene,
   const double eye[3], const double target[3], const double up[3], double angle_deg);
 
-/* Renders. pixels: NULL, or room for width x height x 3 bytes, which gets red, green and blue, top
-   row first; byte_count: its size. VTK_WATER_BAD_VALUE, too, when a water cannot be drawn, said
-   once: the picture has the rest of the scene. */
+/* Renders. pixels: NULL, or a buffer of width x height x 3 bytes that receives red, green and blue,
+ * top row first; byte_count: its size. Also returns VTK_WATER_BAD_VALUE if a water cannot be drawn,
+ * once; the picture then shows the rest of the scene. */
 VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_scene_render(
   vtk_water_scene* scene, unsigned char* pixels, size_t byte_count);
 

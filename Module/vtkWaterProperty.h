@@ -435,8 +435,7 @@ public:
   void RemoveAllNormalMaps();
   int GetNumberOfNormalMaps() const;
   bool GetNormalMap(int number, double map[4]) const;
-  vtkTexture* GetNormalMapTexture(
-    int number) const; // also the built-in one; nullptr: no such map
+  vtkTexture* GetNormalMapTexture(int number) const; // also the built-in one; nullptr: no such map
   ///@}
 
   ///@{

@@ -3,10 +3,10 @@
  * @class   vtkWaterReflectionPass
  * @brief   renders the mirrored scene of a water surface into a texture
  *
- * Every vtkWaterActor has one of its own and needs no other (vtkWaterActor::GetReflectionPass).
- * Composing one by hand, at the head of a renderer's chain of passes, works too: it renders the
- * reflections of the renderer's waters and then its delegate. It takes charge of the first water
- * of the renderer and of those in the same plane; others keep their own passes.
+ * Every vtkWaterActor has its own pass and needs no other (vtkWaterActor::GetReflectionPass). You
+ * can also add one at the head of a renderer's chain of passes. It then renders the reflections of
+ * the renderer's waters, followed by its delegate. It controls the first water of the renderer and
+ * those in the same plane; other waters keep their own passes.
  *
  * @code
  * vtkNew<vtkWaterReflectionPass> pass;
@@ -14,12 +14,14 @@
  * renderer->SetPass(pass);
  * @endcode
  *
- * The mirrored view holds opaque and translucent geometry and volumes, lit by the scene's lights
- * where they really are, cut away behind the plane, without the water itself. Other waters are in
- * it with their colour and the background's reflection. It is flipped in x.
+ * The mirrored view contains opaque and translucent geometry and volumes. They are lit by the
+ * scene's lights at their real positions, and clipped at the plane. It does not contain the water
+ * itself. Other waters appear in it with their colour and the background's reflection. The mirrored
+ * view is flipped in x.
  *
- * The environment variable VTK_WATER_DEBUG=1 turns ShowReflection on without a change of code;
- * VTK_WATER_SOFTWARE=0 or =1 has any renderer taken for a GPU, or for one without (debugging.md).
+ * The environment variable VTK_WATER_DEBUG=1 turns ShowReflection on. VTK_WATER_SOFTWARE=0 makes
+ * the module treat any renderer as a GPU, VTK_WATER_SOFTWARE=1 as a software renderer
+ * (debugging.md).
  *
  * @sa vtkWaterActor
  */
@@ -53,7 +55,8 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * What happened to a prop in the mirrored view, and why (GetFateCount).
+   * What happened to a prop in the mirrored view: it was drawn, or the reason why it was left out
+   * (GetFateCount).
    */
   enum Fates
   {
@@ -66,14 +69,14 @@ public:
     EMPTY,
     BEHIND_PLANE,
     OUT_OF_VIEW,
-    OUT_OF_WATER, ///< in view of the mirror, but no visible water reflects it
+    OUT_OF_WATER, ///< in the mirrored view, but no visible water reflects it
     TOO_SMALL,    ///< see SetMinimumPropSize
-    REFUSED,      ///< the driver refuses its shader with the lines that reflections need
+    REFUSED,      ///< the driver rejects its shader with the lines that reflections need
     NUMBER_OF_FATES
   };
 
   /**
-   * What was decided for the last frame, and why (GetDecision).
+   * The decision for the last frame, with its reason (GetDecision).
    */
   enum Decisions
   {
@@ -89,32 +92,32 @@ public:
     FACING_AWAY,
     HIDDEN, ///< behind the scene
     FAINT,  ///< see SetReflectanceError
-    SHARED, ///< a sheet of the same plane has the mirrored view; its pass has the numbers
+    SHARED, ///< a sheet of the same plane has the mirrored view; see its pass
     NUMBER_OF_DECISIONS
   };
 
   /**
-   * What is left undone where nobody sees it (SetSkips): bits.
+   * Optimisations that skip invisible work (SetSkips): bits.
    */
   enum Skips
   {
     SKIP_NONE = 0,
-    UNSEEN_WATER = 1 << 0,    ///< the mirrored view, of water out of view or facing away
-    HIDDEN_WATER = 1 << 1,    ///< of water behind the scene
-    FAINT_WATER = 1 << 2,     ///< of water that reflects next to nothing
-    UNCHANGED_VIEWS = 1 << 3, ///< one that would be the last one again
-    SHARED_VIEWS = 1 << 4,    ///< one that another sheet of the same plane has
+    UNSEEN_WATER = 1 << 0,    ///< the mirrored view of water that is out of view or faces away
+    HIDDEN_WATER = 1 << 1,    ///< the mirrored view of water behind the scene
+    FAINT_WATER = 1 << 2,     ///< the mirrored view of water that reflects next to nothing
+    UNCHANGED_VIEWS = 1 << 3, ///< a mirrored view equal to the previous one
+    SHARED_VIEWS = 1 << 4,    ///< a mirrored view that another sheet of the same plane has
     PROPS = 1 << 5,           ///< props that no visible water reflects
-    PIECES = 1 << 6,          ///< parts of large meshes, likewise
-    PIXELS = 1 << 7,          ///< pixels of the mirrored view, likewise, and with PROPS and PIECES
-                              ///< what only hidden pixels of water would reflect
+    PIECES = 1 << 6,          ///< parts of large meshes that no visible water reflects
+    PIXELS = 1 << 7,          ///< pixels of the mirrored view that no visible water reflects; with
+                              ///< PROPS and PIECES also what only hidden pixels of water reflect
     SKIP_ALL = (1 << 8) - 1
   };
 
   ///@{
   /**
-   * What renders the frame after the reflections, when the pass is composed by hand. nullptr means
-   * a vtkRenderStepsPass. Default is nullptr.
+   * The pass that renders the frame after the reflections, if this pass was added to a renderer by
+   * hand. nullptr means a vtkRenderStepsPass. Default is nullptr.
    */
   void SetDelegatePass(vtkRenderPass* pass);
   vtkRenderPass* GetDelegatePass();
@@ -122,8 +125,8 @@ public:
 
   ///@{
   /**
-   * Pixels of the texture per pixel of the viewport along each axis, in [1/64, 16]. Another value
-   * is refused with an error and the last good one stays. Default is 1.
+   * Texture scale: pixels of the reflection texture per pixel of the viewport along each axis, in
+   * [1/64, 16]. Another value is rejected with an error and the last valid one stays. Default is 1.
    */
   void SetTextureScale(double scale);
   double GetTextureScale() const;
@@ -131,10 +134,10 @@ public:
 
   ///@{
   /**
-   * Samples per pixel of the mirrored view, 0 to 32 and at most what the GPU has: 0 and 1 mean
-   * none. -1: none for waves, whose rays sample edges themselves; with samples, texels at edges mix
-   * two things, and show as webs around reflections. For calm water as many as the window's
-   * MultiSamples, at most 8, and at least 4 by the quality "high". Default is -1.
+   * Samples per pixel of the mirrored view, 0 to 32 and at most what the GPU supports; 0 and 1 mean
+   * none. -1, the default, chooses. With waves: none, because the rays sample edges themselves, and
+   * texels that mix two objects at an edge would show as webs around reflections. With calm water:
+   * as many as the window's MultiSamples, at most 8, and at least 4 in the quality "high".
    */
   void SetMultiSamples(int samples);
   int GetMultiSamples() const;
@@ -149,11 +152,11 @@ public:
 
   ///@{
   /**
-   * What the mirrored view's colours are stored in. They are linear, as the picture's, and not tone
-   * mapped. EIGHT_BIT holds [0, 1]; HALF_FLOAT holds any light with 11 bits, at a tenth more time
-   * on software renderers. AUTOMATIC: half floats when the renderer has a pass that keeps
-   * more than 8 bits, as a tone mapping does, or one that is not VTK's; else 8 bits, as the
-   * picture. Default is AUTOMATIC.
+   * Storage of the colours of the mirrored view. They are linear, like those of the picture, and
+   * not tone mapped. EIGHT_BIT holds [0, 1]. HALF_FLOAT holds any light with 11 bits, and takes a
+   * tenth more time on software renderers. AUTOMATIC: half floats if the renderer has a pass that
+   * keeps more than 8 bits, such as tone mapping, or a pass that is not VTK's; otherwise 8 bits,
+   * like the picture. Default is AUTOMATIC.
    */
   void SetColorPrecision(int precision);
   int GetColorPrecision() const;
@@ -165,8 +168,8 @@ public:
 
   ///@{
   /**
-   * How far behind the plane geometry is kept in the mirrored view, in the scene's unit: finite
-   * and not negative. Default is 0.
+   * Clip margin: how far behind the plane geometry is kept in the mirrored view, in the scene's
+   * unit: finite and not negative. Default is 0.
    */
   void SetClipMargin(double margin);
   double GetClipMargin() const;
@@ -174,9 +177,9 @@ public:
 
   ///@{
   /**
-   * What may be left undone: Skips, or-ed. None of it changes the picture, but for what
-   * MinimumPropSize (of PROPS) and ReflectanceError (of FAINT_WATER) allow; SKIP_NONE renders
-   * everything in every frame, to compare with. Default is SKIP_ALL.
+   * The optimisations in use: Skips, or-ed. They do not change the picture, except as far as
+   * MinimumPropSize (for PROPS) and ReflectanceError (for FAINT_WATER) allow. SKIP_NONE renders
+   * everything in every frame, for comparison. Default is SKIP_ALL.
    */
   void SetSkips(int skips);
   int GetSkips() const;
@@ -184,8 +187,9 @@ public:
 
   ///@{
   /**
-   * Props whose picture in the mirrored view is smaller than this, both ways, are left out: pixels
-   * of the texture, not negative. Default is 0: none is.
+   * Smallest prop size: props whose picture in the mirrored view is smaller than this in both
+   * directions are left out. In pixels of the texture, not negative. Default is 0: no prop is left
+   * out.
    */
   void SetMinimumPropSize(double pixels);
   double GetMinimumPropSize() const;
@@ -193,9 +197,10 @@ public:
 
   ///@{
   /**
-   * Share of the light that may be neglected, in [0, 1]: no mirrored view is rendered while no
-   * visible pixel reflects more, as with 0.03 for a pool that is seen straight down. Default is 0:
-   * none, as the least share can be what a pixel is rounded up by.
+   * Share of the light that may be neglected (ReflectanceError), in [0, 1]: no mirrored view is
+   * rendered while no visible pixel reflects more. 0.03, for example, skips the reflection of a
+   * pool seen from straight above. Default is 0: nothing is neglected, because even the smallest
+   * share can change how a pixel is rounded.
    */
   void SetReflectanceError(double share);
   double GetReflectanceError() const;
@@ -203,9 +208,10 @@ public:
 
   ///@{
   /**
-   * With waves: size of the mirrored view over that of the picture, in [1, 2], as reflected rays
-   * leave the picture at its edges; 0: by the waves' slope, at most 1.25. Texels keep their size,
-   * the texture grows. Default is 0.
+   * Guard band for waves: size of the mirrored view relative to that of the picture, in [1, 2].
+   * Reflected rays leave the picture at its edges; the guard band shows what they meet there. 0:
+   * chosen from the waves' slope, at most 1.25. Texels keep their size, so the texture grows.
+   * Default is 0.
    */
   void SetGuardBand(double band);
   double GetGuardBand() const;
@@ -213,8 +219,8 @@ public:
 
   ///@{
   /**
-   * Show the reflection texture in the lower left quarter of the viewport, as the water sees it
-   * (not flipped). For debugging. Default is off, or on with VTK_WATER_DEBUG=1.
+   * Whether to show the reflection texture in the lower left quarter of the viewport, as the water
+   * sees it (not flipped). For debugging. Default is off, or on with VTK_WATER_DEBUG=1.
    */
   vtkSetMacro(ShowReflection, bool);
   vtkGetMacro(ShowReflection, bool);
@@ -223,8 +229,9 @@ public:
 
   ///@{
   /**
-   * Colour (RGBA) and depth of the last mirrored view, flipped in x; nullptr before the
-   * first. They belong to the pass, and only the part that the water can look up is drawn.
+   * Colour (RGBA) and depth of the last mirrored view (the reflection texture), flipped in x;
+   * nullptr before the first. They belong to the pass. Only the part that the water can look up is
+   * drawn.
    */
   vtkTextureObject* GetReflectionTexture();
   vtkTextureObject* GetReflectionDepthTexture();
@@ -242,8 +249,8 @@ public:
 
   ///@{
   /**
-   * Number of the renderer's props that met a fate (Fates) in the last plan, 0 for an unknown
-   * fate; and the fate in words.
+   * Number of the renderer's props with a fate (Fates) in the last plan, 0 for an unknown fate.
+   * GetFateAsString returns the fate in words.
    */
   int GetFateCount(int fate) const;
   static const char* GetFateAsString(int fate);
@@ -259,15 +266,17 @@ public:
 
   ///@{
   /**
-   * How the texture's scale and the steps of ray traced lookups are chosen. FIXED: TextureScale,
-   * and the steps that are set. TARGET_ERROR: as coarse as the median error of the lookup stays
-   * within TargetError, by the waves' slopes and what a pixel sees of them. TIME_BUDGET: by what
-   * the mirrored view and the surface took on the GPU in the frames before. UPDATE_RATE: likewise,
-   * for half of the time that the window's DesiredUpdateRate leaves for a frame; a picture that
-   * stands still is fine at once. The last three go along a ladder of eight steps, with texture
-   * scales from 1 to 0.25 in place of TextureScale and no more steps of rays than are set, and do
-   * not change back and forth. On a software renderer the GPU's times are the processor's, with all
-   * that was put off until then. Source: Documentation/decisions/010-quality.md. Default is FIXED.
+   * Strategy that chooses the texture scale and the steps of ray-traced lookups. FIXED:
+   * TextureScale and the steps that are set. TARGET_ERROR: as coarse as possible while the median
+   * error of the lookup stays within TargetError; the error is estimated from the waves' slopes and
+   * the area of a pixel on the water. TIME_BUDGET: from the time that the mirrored view and the
+   * surface took on the GPU in previous frames. UPDATE_RATE: likewise, for half of the time that
+   * the window's DesiredUpdateRate leaves for a frame; a still picture is refined at once.
+   *
+   * The last three use a ladder of eight steps, with texture scales from 1 to 0.25 instead of
+   * TextureScale, and at most the ray steps that are set. They do not oscillate between two steps.
+   * On a software renderer, the GPU time is the processor's time, including work deferred until
+   * then. Source: Documentation/decisions/010-quality.md. Default is FIXED.
    */
   void SetQuality(int quality);
   int GetQuality() const;
@@ -280,8 +289,8 @@ public:
 
   ///@{
   /**
-   * Median distance, in pixels of the picture, that a reflection may be found off its place, in
-   * [1e-3, 1e3]; texels that are as large as pixels are off by 0.4. Default is 1.
+   * Target error: the accepted median distance, in pixels of the picture, of a reflection from its
+   * correct place, in [1e-3, 1e3]. Texels as large as pixels cause an error of 0.4. Default is 1.
    */
   void SetTargetError(double pixels);
   double GetTargetError() const;
@@ -289,26 +298,26 @@ public:
 
   ///@{
   /**
-   * Milliseconds a frame for all waters of a renderer whose quality goes by a budget, in
-   * [1e-3, 1e6]; they share it by the area that is seen of them. Default is 10.
+   * Time budget in milliseconds per frame for all waters of a renderer whose quality is
+   * TIME_BUDGET, in [1e-3, 1e6]. They share it by their visible area. Default is 10.
    */
   void SetTimeBudget(double milliseconds);
   double GetTimeBudget() const;
   ///@}
 
   /**
-   * Step of the ladder in the last frame, 0 (finest) to 7; -1: the quality is fixed.
+   * Step of the quality ladder in the last frame, 0 (finest) to 7; -1 if the quality is fixed.
    */
   int GetQualityStep() const;
 
   /**
-   * Texture scale of the last frame: TextureScale, or what the quality chose.
+   * Texture scale of the last frame: TextureScale, or the scale that the quality strategy chose.
    */
   double GetTextureScaleInUse() const;
 
   ///@{
   /**
-   * Let times and numbers be taken. Default is off, which asks nothing of the GPU.
+   * Whether to measure times and counts. Default is off, which sends no queries to the GPU.
    */
   void SetInstrumentation(bool instrumentation);
   bool GetInstrumentation() const;
@@ -317,10 +326,10 @@ public:
 
   ///@{
   /**
-   * Milliseconds that the last of each took with Instrumentation on: reading the scene and
-   * planning, on the CPU; drawing the mirrored view and the surface, on the GPU, of the last that
-   * it has finished. The surface's time includes that of copying what is seen through it. NaN: not
-   * known.
+   * Milliseconds of the last measurement with Instrumentation on. Gathering the scene and planning
+   * are measured on the CPU. Drawing the mirrored view and the surface is measured on the GPU, for
+   * the last one that it has finished. The surface's time includes the copy of what is visible
+   * through it. NaN: unknown.
    */
   double GetLastGatherTime() const;
   double GetLastPlanTime() const;
@@ -330,9 +339,9 @@ public:
 
   ///@{
   /**
-   * Triangles (or other primitives) and fragments of opaque geometry that were drawn in the last
-   * mirrored view with Instrumentation on; fragments that the depth test rejected do not count.
-   * They wait for the GPU, a second at most. -1: not known.
+   * Number of triangles (or other primitives) and of fragments of opaque geometry drawn in the last
+   * mirrored view with Instrumentation on. Fragments rejected by the depth test do not count. These
+   * functions wait for the GPU, at most a second. -1: unknown.
    */
   vtkIdType GetNumberOfTrianglesReflected();
   vtkIdType GetNumberOfFragmentsReflected();
@@ -340,23 +349,24 @@ public:
 
   ///@{
   /**
-   * What was decided last (Decisions), and in words.
+   * The last decision (Decisions), and its text.
    */
   int GetDecision() const;
   const char* GetDecisionAsString() const;
   ///@}
 
   /**
-   * A prop with this key (any value but 0) in its property keys is left out of reflections.
+   * Property key that leaves a prop out of reflections, with any value except 0.
    */
   static vtkInformationIntegerKey* NOT_REFLECTED();
 
   /**
-   * A prop with this key is drawn in reflections by the prop that the key holds: a coarser model of
-   * a large mesh, say. That one is placed and coloured by itself, need not be in a renderer, and is
-   * drawn whenever the prop would be; its own visibility and keys do not count. A water stands in
-   * for nothing. The key of a prop that holds the prop itself is taken away when a frame begins:
-   * the two would keep each other alive. A loop over several props is yours to break.
+   * Property key with a prop that replaces this prop in reflections, for example a coarser model of
+   * a large mesh. The replacement has its own position and colour and need not be in a renderer. It
+   * is drawn whenever the original prop would be; its own visibility and keys are ignored. Water
+   * cannot be a replacement. If a prop's key holds the prop itself, the key is removed at the start
+   * of a frame, because the reference would keep the prop alive. A cycle of several props is not
+   * detected; break it yourself.
    */
   static vtkInformationObjectBaseKey* STAND_IN();
 
@@ -364,12 +374,12 @@ public:
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
   /**
-   * Sets all that says how the mirrored view is rendered to what another pass has.
+   * Copies all settings of the mirrored view from another pass.
    */
   void CopySettings(vtkWaterReflectionPass* other);
 
   /**
-   * What renders the mirrored views; not for use.
+   * Internal renderer of the mirrored views; not for use.
    */
   VTK_WRAPEXCLUDE vtkWaterReflection& GetReflection();
 
@@ -387,7 +397,7 @@ private:
   template <typename T, typename V>
   void Set(const char* name, T& setting, V value, V low, V high);
 
-  std::shared_ptr<vtkWaterReflection> Reflection; // shared: one in use outlives the pass
+  std::shared_ptr<vtkWaterReflection> Reflection; // shared: it outlives the pass while in use
   vtkSmartPointer<vtkRenderPass> DelegatePass;
   vtkSmartPointer<vtkRenderPass> DefaultDelegate; // when there is no other
   std::set<vtkRenderer*> Rendering;               // in the middle of Render
