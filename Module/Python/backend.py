@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Which off-screen window VTK renders in here, and what draws; found out in a process of its own.
+"""Finds the off-screen window and the renderer that VTK uses on this machine, in a separate process.
 
-VTK ends the process where it finds no OpenGL at all. `find()` therefore asks another one:
+VTK ends the process if it finds no OpenGL at all. `find()` therefore starts another one:
 
     backend = find()
     backend.window, backend.renderer, backend.version    # "vtkEGLRenderWindow", "llvmpipe ...", "4.5 ..."
@@ -49,20 +49,20 @@ def find():
         return Backend(error=f"No picture after {TIMEOUT_S:.0f} s. {PACKAGES}")
     found = [line[5:] for line in answer.stdout.splitlines() if line.startswith("FOUND")]
     if answer.returncode or not found:
-        return Backend(error=f"VTK finds no OpenGL here. {PACKAGES}")
+        return Backend(error=f"VTK finds no OpenGL on this machine. {PACKAGES}")
     window, renderer, version = json.loads(found[0])
     if not version:
-        return Backend(error=f"VTK's {window} has no OpenGL here. {PACKAGES}")
+        return Backend(error=f"VTK's {window} has no OpenGL on this machine. {PACKAGES}")
     return Backend(window, renderer, version)
 
 
 def check_display(window, instead):
-    """Raises ValueError when a window would be shown to nobody; the text says what to do instead.
+    """Raise ValueError if there is no display to show a window on; the text says what to do instead.
 
-    VTK gives an off-screen window without a word where it has no display, and an interactor then waits for ever.
+    Without a display VTK silently creates an off-screen window, and an interactor then waits forever.
     """
     if not any(window.IsA(name) for name in WINDOWS_ON_SCREENS):
         display = os.environ.get("DISPLAY")
         why = f"DISPLAY is {display}" if display else "DISPLAY is not set"
-        raise ValueError(f"there is no display to show a window on: {why}, and VTK has a {window.GetClassName()} "
-                         f"only. Set DISPLAY to an X server, or {instead}")
+        raise ValueError(f"there is no display to show a window on: {why}, and VTK only has a "
+                         f"{window.GetClassName()}. Set DISPLAY to an X server, or {instead}")

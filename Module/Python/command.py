@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The command vtkwater: pictures of terrains and meshes in water, from the shell.
+"""The command vtkwater: renders terrains and meshes in water from the command line.
 
-Exit status: 0, done; 1, it could not be done (a file, no OpenGL); 2, the command line is wrong;
-130, stopped by the user: what was finished is kept.
+Exit status: 0, success; 1, failure (a file, no OpenGL); 2, wrong command line; 130, stopped by the user: finished
+frames are kept.
 """
 import argparse
 import math
@@ -28,7 +28,7 @@ EXAMPLES = """examples:
 
 
 class Failure(Exception):
-    """Something that the user is told in one line."""
+    """An error that is reported to the user in one line."""
 
 
 def number(least=-math.inf, most=math.inf, kind=float):
@@ -38,7 +38,7 @@ def number(least=-math.inf, most=math.inf, kind=float):
         except ValueError:
             wanted = f"; it must lie in [{least:g}, {most:g}]" if math.isfinite(least) else ""
             number_kind = "whole number" if kind is int else "number"
-            raise argparse.ArgumentTypeError(f"{text!r} is no {number_kind}{wanted}") from None
+            raise argparse.ArgumentTypeError(f"{text!r} is not a {number_kind}{wanted}") from None
         if not least <= value <= most:  # also NaN
             raise argparse.ArgumentTypeError(f"{text} must lie in [{least:g}, {most:g}]")
         return value
@@ -59,7 +59,7 @@ def wind(text):
 def wave(text):
     parts = text.split(",")
     if not 2 <= len(parts) <= 5:
-        raise argparse.ArgumentTypeError(f"{text!r} must have 2 to 5 numbers, with commas between them")
+        raise argparse.ArgumentTypeError(f"{text!r} must have 2 to 5 numbers, separated by commas")
     return tuple(number()(part) for part in parts)
 
 
@@ -68,7 +68,7 @@ def color(text):
 
     colors = vtkNamedColors()
     if not colors.ColorExists(text) and not re.fullmatch("#([0-9a-fA-F]{3}|[0-9a-fA-F]{6})", text):
-        raise argparse.ArgumentTypeError(f"{text!r} is no colour; wanted is a name such as navy, or #rrggbb")
+        raise argparse.ArgumentTypeError(f"{text!r} is not a colour; use a name such as navy, or #rrggbb")
     return tuple(part / 255.0 for part in colors.HTMLColorToRGB(text))
 
 
@@ -81,7 +81,7 @@ def level_range(text):
 def size(text):
     width, cross, height = text.lower().partition("x")
     if not cross:
-        raise argparse.ArgumentTypeError(f"{text!r} is no size such as 960x600")
+        raise argparse.ArgumentTypeError(f"{text!r} is not a size such as 960x600")
     one = number(16, 16384, int)
     return one(width), one(height)
 
@@ -104,110 +104,113 @@ def add_scene_arguments(parser):
     water = parser.add_argument_group("the water")
     water.add_argument("--preset", type=preset, metavar="NAME",
                        help="pool, lake, 'clear tropical', 'ocean wind 5', 'ocean wind 10', 'ocean wind 15', "
-                            "'turbid river' or 'mirror floor' (without it: a calm, deep lake)")
+                            "'turbid river' or 'mirror floor'; default: a calm, deep lake")
     water.add_argument("--wind", type=wind, metavar="M/S",
-                       help="waves that a wind of this speed makes, 0.1 to 100, in place of the preset's; "
-                            "0 calms the water")
+                       help="wind sea for this wind speed, 0.1 to 100; replaces the preset's waves; "
+                            "0: calm water")
     water.add_argument("--wind-direction", type=number(-360.0, 360.0), metavar="DEG",
-                       help="where that wind blows to, from x (east, 0) towards y (north, 90); default 0")
+                       help="direction in which the wind blows, from x (east, 0) towards y (north, 90); default 0")
     water.add_argument(
         "--waves",
         type=wave,
         action="append",
         metavar="A,L[,D[,P[,S]]]",
-        help="a wave in place of the preset's: amplitude and wavelength (m), direction it travels to and "
-        "phase (degrees), steepness (0 to 1); say it again for more; not together with --wind",
+        help="a wave that replaces the preset's: amplitude and wavelength (m), direction of travel and "
+        "phase (degrees), steepness (0 to 1); repeat for more waves; not together with --wind",
     )
     water.add_argument("--color", type=color, metavar="COLOR",
-                       help="of the water itself, where it does not reflect: a name such as navy, or #rrggbb")
+                       help="colour of deep water: a name such as navy, or #rrggbb")
     water.add_argument("--opacity", type=number(0.0, 1.0), metavar="SHARE",
-                       help="0 to 1; below 1 the water is blended with what lies behind it")
+                       help="opacity, 0 to 1; below 1 the water is blended with what lies behind it")
     water.add_argument("--refraction", action=argparse.BooleanOptionalAction,
-                       help="whether what lies under the surface is seen through it; default: as the preset has it; "
-                            "without a preset it is, but for --color and --opacity")
+                       help="whether the scene is visible through the surface; default: as in the preset; "
+                            "without a preset yes, unless --color or --opacity is given")
     water.add_argument("--foam", type=number(0.0, 1e9), nargs="?", const=True, metavar="M",
-                       help="metres of depth over which the shore foams, 0.25 without a number; turns refraction on")
+                       help="depth in metres below which the shore foams, 0.25 without a number; turns refraction on")
     water.add_argument(
         "--caustics",
         type=number(0.0, 1.0),
         nargs="?",
         const=True,
         metavar="SHARE",
-        help="strength of the light that waves gather under the surface, 0 to 1, 0.8 without a number; turns "
+        help="strength of the light that waves focus under the surface, 0 to 1, 0.8 without a number; turns "
         "refraction on",
     )
-    water.add_argument("--quality", choices=QUALITIES, help="of reflections on waves; default: default")
+    water.add_argument("--quality", choices=QUALITIES, help="quality of reflections on waves; default: default")
     water.add_argument("--units", type=units, metavar="UNIT",
-                       help="of the file: um, mm, cm, m, km, in, ft, mi or a number of metres; default: m for "
-                            "terrains and with --waves, else automatic, by its size")
+                       help="length unit of the file: um, mm, cm, m, km, in, ft, mi or a number of metres; default: m "
+                            "for terrains and with --waves, otherwise automatic, from the file's size")
     water.add_argument("--horizon", action="store_true",
-                       help="let the water reach to the true horizon; without it, 50 times as far as the ground is "
-                            "wide")
+                       help="extend the water to the horizon; by default it extends 50 times the width of the "
+                            "ground")
     view = parser.add_argument_group("the view")
     view.add_argument("--azimuth", type=number(-360.0, 360.0), default=200.0, metavar="DEG",
-                      help="where the eye is, from north (0) over east (90); default %(default)s")
+                      help="direction of the eye, from north (0) towards east (90); default %(default)s")
     view.add_argument("--elevation", type=number(0.5, 90.0), default=8.0, metavar="DEG",
-                      help="its height over the horizon; default %(default)s")
+                      help="elevation of the eye above the horizon; default %(default)s")
     view.add_argument("--zoom", type=number(0.01, 1000.0), default=1.0, metavar="X",
-                      help="2 shows half of the width; default 1: all that is over the water, and its reflection")
+                      help="2 shows half of the width; default 1: everything above the water, and its reflection")
     view.add_argument("--sun", type=number(-360.0, 360.0), default=None, metavar="DEG",
-                      help="where the light comes from, from north over east; default: from the eye's right")
+                      help="azimuth of the sun, from north towards east; default: to the right of the eye")
     view.add_argument("--sky", type=number(2.0, 10.0), nargs="?", const=TURBIDITY, metavar="TURBIDITY",
-                      help="a clear sky in place of the gradient, by the turbidity of its air: 2 (very clear) to 10 "
-                           "(hazy), "
-                           "3 without a number")
+                      help="show a clear sky instead of the gradient, with this turbidity: 2 (very clear) to 10 "
+                           "(hazy), 3 without a number")
     view.add_argument("--size", type=size, default=(960, 600), metavar="WxH", help="pixels; default 960x600")
     ground = parser.add_argument_group("the ground")
     ground.add_argument("--exaggeration", type=number(1e-6, 1e6), default=1.0, metavar="X",
-                        help="draw heights so many times higher; terrains only")
+                        help="factor of the heights; terrains only")
     ground.add_argument("--no-data", type=number(), metavar="HEIGHT",
-                        help="a height that means a hole, beside NaN, what lies beyond 1e9 and what the file says; "
-                             "holes stay holes")
+                        help="additional no-data value; NaN, values beyond 1e9 and the file's own no-data value are "
+                             "always holes, and holes are not filled")
 
 
 def make_parser():
     parser = argparse.ArgumentParser(
-        prog="vtkwater", description="Puts terrains and meshes into water that reflects them.", epilog=EXAMPLES,
+        prog="vtkwater", description="Renders terrains and meshes in water that reflects them.", epilog=EXAMPLES,
         formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--version", action="version", version=f"vtkwater {__version__}")
     commands = parser.add_subparsers(dest="command", required=True, metavar="COMMAND")
     kinds = f"a terrain or mesh: {' '.join(readers.KINDS)}"
 
-    render = commands.add_parser("render", help="a picture of a file in water", epilog=EXAMPLES,
+    render = commands.add_parser("render", help="render a picture of a file in water", epilog=EXAMPLES,
                                  formatter_class=argparse.RawDescriptionHelpFormatter)
     render.add_argument("file", help=kinds)
     render.add_argument("--level", type=number(-readers.HIGHEST, readers.HIGHEST), required=True,
-                        help="of the water, in the file's unit")
-    render.add_argument("--out", default="water.png", metavar="FILE", help="the picture, a PNG; default %(default)s")
-    render.add_argument("--time", type=number(-1e15, 1e15), default=0.0, metavar="S", help="of the waves; default 0")
+                        help="height of the water, in the file's unit")
+    render.add_argument("--out", default="water.png", metavar="FILE",
+                        help="output picture, a PNG; default %(default)s")
+    render.add_argument("--time", type=number(-1e15, 1e15), default=0.0, metavar="S",
+                        help="time of the waves; default 0")
     add_scene_arguments(render)
 
-    animate = commands.add_parser("animate", help="waves and a changing level, as a movie", epilog=EXAMPLES,
+    animate = commands.add_parser("animate", help="render a movie with waves and a changing level", epilog=EXAMPLES,
                                   formatter_class=argparse.RawDescriptionHelpFormatter)
     animate.add_argument("file", help=kinds)
     animate.add_argument("--level", type=level_range, required=True, metavar="LEVEL[:LAST]",
-                         help="of the water, in the file's unit: a number, or the first and the last of the animation")
-    animate.add_argument("--frames", type=number(1, 100000, int), default=48, metavar="N", help="default %(default)s")
+                         help="height of the water, in the file's unit: a number, or the first and "
+                              "the last of the animation")
+    animate.add_argument("--frames", type=number(1, 100000, int), default=48, metavar="N",
+                         help="number of frames; default %(default)s")
     animate.add_argument("--fps", type=number(0.1, 100.0), default=12.0, metavar="N",
-                         help="frames a second of the movie, and of the waves; default 12")
+                         help="frames per second of the movie and the waves; default 12")
     animate.add_argument("--out", default="water.gif", metavar="FILE",
                          help=f"{', '.join(movies.KINDS)} (a name without a suffix); default %(default)s. "
-                              "Ctrl-C stops, and keeps what is done")
+                              "Ctrl-C stops, and keeps the finished frames")
     add_scene_arguments(animate)
 
-    commands.add_parser("info", help="versions, and what renders on this machine")
+    commands.add_parser("info", help="print versions, and the renderer in use")
     return parser
 
 
 def words_of(arguments):
-    """What the command line says of the water's look, for set_look."""
+    """The command line's settings of the look, for set_look."""
     blows = arguments.wind if arguments.wind_direction is None else (arguments.wind, arguments.wind_direction)
     same = ("preset", "waves", "color", "opacity", "refraction", "foam", "caustics", "quality", "units")
     return {"wind": blows, **{word: getattr(arguments, word) for word in same}}
 
 
 def words_for(ground, arguments):
-    """The same with the defaults that depend on the file: the unit of a mesh is unknown, and the bed is seen."""
+    """The same with the defaults that depend on the file: the unit of a mesh is unknown, and the bed is visible."""
     words = words_of(arguments)
     if words["units"] is None and not words["waves"] and not ground.is_terrain:
         words["units"] = "automatic"
@@ -217,7 +220,7 @@ def words_for(ground, arguments):
 
 
 def check_words(parser, arguments):
-    """Ends the program when two options contradict each other."""
+    """Ends the program if two options contradict each other."""
     if arguments.wind_direction is not None and arguments.wind is None:
         parser.error(f"--wind-direction is {arguments.wind_direction:g}, but there is no --wind")
     try:
@@ -236,7 +239,7 @@ def progress(steps):
 
 
 def make_scene(arguments, levels):
-    """The ground's shore is at the first of the levels; its walls, the water and the view suffice for all of them."""
+    """A scene whose ground has its shore at the first level; walls, water and view fit all levels."""
     from .scenes import Scene
 
     ground = readers.read(arguments.file, arguments.no_data)
@@ -264,7 +267,7 @@ def make_scene(arguments, levels):
 def warn_of_level(ground, level):
     low, high = ground.data.GetBounds()[4:]
     if not low <= level <= high:
-        what = "under the ground: nothing is flooded" if level < low else "above the ground: all of it is flooded"
+        what = "below the ground: nothing is flooded" if level < low else "above the ground: all of it is flooded"
         print(f"vtkwater: level {level:g} is {what} (its heights are {low:g} to {high:g})", file=sys.stderr)
 
 

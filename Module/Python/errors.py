@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Errors of VTK objects as Python exceptions: for what is written in Python around the classes.
+"""Turns errors of VTK objects into Python exceptions, for the Python code around the classes.
 
-The classes themselves report a bad value by an ErrorEvent, as VTK's do, and keep the last good one.
+The classes themselves report a bad value by an ErrorEvent, like VTK's own, and keep the last valid one.
 """
 import contextlib
 import re
@@ -11,7 +11,7 @@ __all__ = ["ending", "raising", "text_of"]
 
 @contextlib.contextmanager
 def ending(program):
-    """End the program with one line, and exit status 1, when a file or a value in the block is refused."""
+    """End the program with one line and exit status 1 if a file or a value in the block is rejected."""
     try:
         yield
     except (OSError, ValueError) as error:
@@ -19,30 +19,30 @@ def ending(program):
 
 
 def text_of(error):
-    """What an exception says; of an OSError the reason without its number, after the file if it knows one."""
+    """Text of an exception; for an OSError the file, if known, and the reason without its number."""
     if not getattr(error, "strerror", None):
         return str(error)
     return f"{error.filename}: {error.strerror}" if error.filename else error.strerror
 
 
-# What an error says of the object that keeps its value; the exception leaves it out.
+# The part of an error that says which value stays; the exception leaves it out.
 KEPT = re.compile(r" (It stays|They stay|The water stays|It is not added).*$", re.DOTALL)
 
 
 @contextlib.contextmanager
 def raising(*things, **words):
-    """Raise a ValueError after the block when one of the VTK objects has reported an error in it.
+    """Raise a ValueError after the block if one of the VTK objects reported an error in it.
 
     Parameters
     ----------
     *things : vtkObject
     **words : str
-        What the caller calls a property, such as ``Opacity="opacity"``.
+        The caller's names of properties, such as ``Opacity="opacity"``.
 
     Raises
     ------
     ValueError
-        The text is that of the first error, in the caller's words: the value and the accepted range.
+        With the text of the first error, in the caller's names: the value and the accepted range.
     """
     texts = []
 

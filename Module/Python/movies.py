@@ -4,8 +4,8 @@
     with open_movie("tide.gif", frames_per_second=12) as movie:
         movie.add(picture)    # rows x columns x RGB of 8 bits
 
-What was added is kept, also when the block is left by an exception. `interrupts()` makes Ctrl-C wait until
-the picture at hand is whole:
+Finished pictures are kept, even if an exception ends the block. `interrupts()` makes Ctrl-C wait until the current
+picture is complete:
 
     with interrupts() as is_stopped:
         for step in steps:
@@ -23,7 +23,7 @@ KINDS = (".gif", ".mp4", "a folder")
 
 @contextlib.contextmanager
 def interrupts():
-    """Gives a function that tells whether Ctrl-C was pressed; pressed again, it interrupts as ever."""
+    """Yield a function that returns whether Ctrl-C was pressed. A second Ctrl-C interrupts as usual."""
     pressed = []
 
     def remember(number, frame):
@@ -38,7 +38,7 @@ def interrupts():
 
 
 def open_movie(file, frames_per_second):
-    """Raises ValueError for another kind of file, or when a package for it is missing; OSError as open does."""
+    """Open a movie for writing. Raises ValueError for an unknown file type or a missing package, OSError like open."""
     suffix = Path(file).suffix.lower()
     if not suffix:
         return Folder(file)
@@ -46,14 +46,14 @@ def open_movie(file, frames_per_second):
         return Gif(file, frames_per_second)
     if suffix == ".mp4":
         return Mp4(file, frames_per_second)
-    raise ValueError(f"{file}: kind {suffix} is not known; known are {', '.join(KINDS)}")
+    raise ValueError(f"{file}: unknown file type {suffix}; known types are {', '.join(KINDS)}")
 
 
 def pillow(file):
     try:
         from PIL import Image
     except ImportError:
-        raise ValueError(f"{file}: writing it wants Pillow: pip install pillow (Debian: python3-pil)") from None
+        raise ValueError(f"{file}: writing needs Pillow: pip install pillow (Debian: python3-pil)") from None
     return Image
 
 
@@ -106,7 +106,7 @@ class Mp4(Movie):
             import imageio.v2 as imageio
             import imageio_ffmpeg  # noqa: F401  the encoder
         except ImportError:
-            raise ValueError(f"{file}: writing MP4 wants pip install imageio imageio-ffmpeg") from None
+            raise ValueError(f"{file}: writing MP4 needs imageio: pip install imageio imageio-ffmpeg") from None
         with open(file, "wb"):
             pass  # an error is said here, in Python's words
         self._writer = imageio.get_writer(file, fps=frames_per_second, macro_block_size=2)

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Writes what a window shows as a PNG, and says why it cannot.
+"""Writes the picture of a window as a PNG, with a clear error if that fails.
 
-    parser.add_argument("picture", type=png_name)    # refuses other names, and folders that are not there
+    parser.add_argument("picture", type=png_name)    # rejects other suffixes, and missing folders
     write_png(window, picture)
 """
 import argparse
@@ -14,18 +14,18 @@ __all__ = ["check_png", "png_name", "write_png"]
 
 
 def check_png(file):
-    """Raises ValueError for a name that no PNG can be written to: another kind, a folder that is not there."""
+    """Raise ValueError for a name to which no PNG can be written: another suffix, or a missing folder."""
     path = Path(file)
     if path.suffix.lower() != ".png":
-        raise ValueError(f"{file}: a picture is a PNG; give a name that ends with .png")
+        raise ValueError(f"{file}: pictures are PNG files; use a name that ends with .png")
     if path.is_dir():
-        raise ValueError(f"{file}: a folder has that name")
+        raise ValueError(f"{file}: is a folder")
     if not path.parent.is_dir():
         raise ValueError(f"{file}: no such folder: {path.parent}")
 
 
 def png_name(text):
-    """The same as a type of argparse: a wrong name is said before anything is rendered."""
+    """The same check as a type for argparse: it reports a wrong name before anything is rendered."""
     try:
         check_png(text)
     except ValueError as error:
@@ -34,7 +34,7 @@ def png_name(text):
 
 
 def write_png(window, file):
-    """Renders a window into a PNG; raises ValueError as check_png does, and OSError when it cannot be written."""
+    """Render a window into a PNG. Raises ValueError like check_png, and OSError if it cannot be written."""
     check_png(file)
     with open(file, "ab"):
         pass  # the reason, in Python's words
@@ -46,4 +46,4 @@ def write_png(window, file):
     writer.SetFileName(str(file))
     writer.Write()
     if writer.GetErrorCode():
-        raise OSError(f"{file}: cannot be written to its end")
+        raise OSError(f"{file}: cannot be written completely")

@@ -69,135 +69,137 @@ def add_water(
         The ``level``, or the ``surface``: ``add_water(2.0)`` is ``add_water(level=2.0)``.
 
     preset : str, optional
-        A water with its optics and waves: ``'pool'``, ``'lake'``, ``'clear tropical'``, ``'ocean wind 5'``,
-        ``'ocean wind 10'``, ``'ocean wind 15'``, ``'turbid river'`` or ``'mirror floor'``. By default a calm,
-        clear lake.
+        A preset with optics and waves: ``'pool'``, ``'lake'``, ``'clear tropical'``, ``'ocean wind 5'``,
+        ``'ocean wind 10'``, ``'ocean wind 15'``, ``'turbid river'`` or ``'mirror floor'``. The default is a
+        calm, clear lake.
 
     waves : float | sequence[sequence[float]], optional
-        In place of the preset's waves: the speed of the wind whose sea it shall be, m/s in [0.1, 100], 0 for
-        calm water; or any number of waves, each of 2 to 5 numbers: amplitude (m), wavelength (m), direction it
-        travels to (degrees from x towards y, default 0), phase (degrees, default 0) and steepness ([0, 1], default 0).
+        Replaces the preset's waves: a wind speed, m/s in [0.1, 100], 0 for calm water; or any number of waves, each
+        with 2 to 5 numbers: amplitude (m), wavelength (m), direction of travel (degrees from x towards y, default 0),
+        phase (degrees, default 0) and steepness ([0, 1], default 0).
 
     level : float | str, optional
-        Height of the water over ``origin`` along ``normal``, in the scene's unit: its z by default. Without it 0, or
-        with a ``surface`` the mean height of that. A name is that of an array of the surface; see ``depth``.
+        Height of the water above ``origin`` along ``normal``, in the scene's unit; with the default normal, its z. The
+        default is 0, or the mean height of the ``surface``. A string names an array of the surface; see ``depth``.
 
     depth, bed : str, optional
-        With a solver's mesh as the ``surface``: names of its arrays of the water's depth and of the bed's height, of
-        points or cells. Two of ``level``, ``depth`` and ``bed`` say where the water is; without a bed it is the mesh's
-        own z, and with the ``level`` alone all of the mesh is wet. The water ends where the bed reaches its level,
+        With a solver's mesh as the ``surface``: the names of its arrays of the water's depth and of the bed's height,
+        of points or cells. Two of ``level``, ``depth`` and ``bed`` define the water. Without ``bed`` the bed is the
+        mesh's own z; with only ``level`` the whole mesh is wet. The water ends where the bed reaches its level,
         between the points, and follows the arrays when they change (:vtk:`vtkWaterSurfaceFilter`).
 
     color_by : str, optional
-        An array of the surface's points or cells that colours the water, through ``cmap`` (by default that of the
-        theme) and ``clim`` (two values; by default the array's range), as in ``add_mesh``.
+        An array of the surface's points or cells that colours the water, through ``cmap`` (default: the theme's) and
+        ``clim`` (two values; default: the array's range), as in ``add_mesh``.
 
     data_opacity : float, optional
-        How much of what is seen in the water that colour is, in [0, 1]; by default 1, and the bed is not seen.
+        Opacity of these colours over the refracted scene, in [0, 1]. At the default, 1, they hide the bed.
 
     scalar_bar : bool, default: True
-        Whether a scalar bar shows the colours of ``color_by``.
+        Whether to show a scalar bar for ``color_by``.
 
     wind : float | sequence[float], optional
-        As the number of ``waves``, and not together with them: the speed of the wind whose sea it shall be, m/s in
-        [0.1, 100], 0 for calm water; or that and a direction: degrees from the plane's first axis (x) towards the
-        second (y), it blows to there.
+        Replaces the preset's waves by a wind sea: the wind speed, m/s in [0.1, 100], 0 for calm water; or the speed
+        and the direction in which the wind blows, in degrees from the plane's first axis (x) towards the second (y).
+        Not together with ``waves``.
 
     refraction : bool, optional
-        Whether the scene is seen through the surface, refracted and dimmed. By default as the preset has it, and
-        without one it is, unless ``color`` or ``opacity`` is given.
+        Whether the scene is visible through the surface, refracted and attenuated. By default the preset decides.
+        Without a preset the default is True, unless ``color`` or ``opacity`` is given.
 
     foam : float | bool, optional
-        Metres of depth over which the shore foams, finite and not negative; True is 0.25. It turns refraction on.
+        Depth in metres below which the shore foams, finite and not negative; True means 0.25. Turns refraction on.
 
     caustics : float | bool, optional
-        Strength of the light that waves gather on what lies under them, in [0, 1]; True is 0.8. It needs waves, turns
-        refraction on, and adds the default ``sun`` to a subplot that has no scene light.
+        Strength of the light that waves focus on what lies under them, in [0, 1]; True means 0.8. Caustics need waves,
+        turn refraction on, and add the default ``sun`` to a subplot without a scene light.
 
     sun : bool | sequence[float], optional
-        Adds a scene light, the sun, for glitter, shadows and caustics: azimuth (degrees from north over east, in
-        [-360, 360]) and elevation (degrees over the water, in [-90, 90]); True is (150, 35), and so is the default
-        where ``caustics`` need a light. North is y and east x, and for water that is not level the second and the
-        first of the plane's own axes. The light is in
-        ``plotter.renderer.lights``, of the class ``vtkwater.pyvista.Sun``, and stays when the water is removed;
-        another ``sun`` in the same subplot takes its place. PyVista's own lights stay and add up with it; with
-        ``pyvista.Plotter(lighting='none')`` all light is the sun's.
+        Adds a scene light, the sun, for glitter, shadows and caustics: azimuth (degrees from north towards east, in
+        [-360, 360]) and elevation (degrees above the water, in [-90, 90]). True means (150, 35), which is also the
+        default if ``caustics`` need a light. North is y and east is x; for tilted water they are the second and the
+        first of the plane's own axes. The light is in ``plotter.renderer.lights``, has the class
+        ``vtkwater.pyvista.Sun``, and stays when the water is removed. Another ``sun`` in the same subplot replaces it.
+        PyVista's own lights stay and are added to it; with ``pyvista.Plotter(lighting='none')`` the sun is the only
+        light.
 
     quality : str, optional
-        Of reflections on waves: ``'fast'``, ``'default'``, ``'high'`` or ``'reference'``.
+        Quality of reflections on waves: ``'fast'``, ``'default'``, ``'high'`` or ``'reference'``.
 
     units : str | float, optional
-        What a unit of the scene is: ``'um'``, ``'mm'``, ``'cm'``, ``'m'``, ``'km'``, ``'in'``, ``'ft'``, ``'mi'``, a
-        number of metres, or ``'automatic'``. That is the default unless ``waves`` are given one by one, which are
-        metres. It takes a scene of natural size for its water (400 to 2000 units across; a pool 8 to 40) as one in
-        metres, and any other as one of the nearest natural size. Waves that are too short to be seen in it are left
-        out. ``print(actor)`` tells.
+        Length unit of the scene: ``'um'``, ``'mm'``, ``'cm'``, ``'m'``, ``'km'``, ``'in'``, ``'ft'``, ``'mi'``, a
+        number of metres, or ``'automatic'``. The default is ``'automatic'``, or ``'m'`` with individual ``waves``.
+        ``'automatic'`` treats a scene of natural size for its water (400 to 2000 units across; a pool 8 to 40) as one
+        in metres, and any other as one of the nearest natural size. Waves too short to be visible are left out.
+        ``print(actor)`` shows the unit in use.
 
     normal : str | sequence[float], default: 'z'
-        Where up is, out of the water: ``'x'``, ``'-x'``, ``'y'``, ``'-y'``, ``'z'``, ``'-z'``, or three numbers.
+        Direction out of the water: ``'x'``, ``'-x'``, ``'y'``, ``'-y'``, ``'z'``, ``'-z'``, or three numbers.
 
     origin : sequence[float], default: (0.0, 0.0, 0.0)
-        The point that ``level`` counts from.
+        The point from which ``level`` is measured.
 
     surface : pyvista.DataSet, optional
-        The water's surface, such as a lake's polygon or a free surface: it must lie in the plane, but for its waves.
-        By default a sheet of its own.
+        The water's surface, such as a lake's polygon or a free surface. It must lie in the plane, apart from its
+        waves. The default is a built-in sheet.
 
     bounds : sequence[float] | str, optional
-        Of that sheet: ``(xmin, xmax, ymin, ymax)``, along x and y of level water, and otherwise along the
-        plane's own axes (:vtk:`vtkWaterActor`'s ``SetSheetBounds``); ``'horizon'``: it fills what the camera sees
-        of the plane, and is no part of the plotter's bounds (``SetSheetToHorizon``); or ``'scene'``: it is as wide as
-        the scene, with what is added later. By default as wide as a scene that has ground under all of its water, such
-        as a terrain, and else to the horizon (``SetSheetToAutomatic``). Not together with ``surface``.
+        Extent of the built-in sheet. ``(xmin, xmax, ymin, ymax)``: along x and y for horizontal water, otherwise along
+        the plane's own axes (:vtk:`vtkWaterActor`'s ``SetSheetBounds``). ``'horizon'``: it fills the visible part of
+        the plane and is not part of the plotter's bounds (``SetSheetToHorizon``). ``'scene'``: it is as wide as the
+        scene, including what is added later. By default it is as wide as the scene if the scene has ground under all
+        of its water, such as a terrain; otherwise it reaches to the horizon (``SetSheetToAutomatic``). Not together
+        with ``surface``.
 
     color : ColorLike, optional
-        Colour of the water itself, where it does not reflect.
+        Colour of deep water, visible where it does not reflect.
 
     opacity : float, optional
-        In [0, 1]; below 1 the water is blended with what lies behind it. Clear water wants ``preset`` instead.
+        Opacity in [0, 1]; below 1 the water is blended with what lies behind it. For clear water use ``preset``.
 
     time : float, default: 0.0
-        Of the waves, s. Set ``actor.time`` (``SetTime``) before each frame of an animation.
+        Time of the waves, s. Set ``actor.time`` (``SetTime``) before each frame of an animation.
 
     name : str, optional
-        Of the actor in the plotter; an earlier actor of that name is removed.
+        Name of the actor in the plotter; an earlier actor of that name is removed.
 
     pickable : bool, default: False
         Whether pickers find the surface.
 
     reset_camera : bool, optional
-        As for ``add_actor``: by default the camera is reset unless it was set.
+        As for ``add_actor``: by default the camera is reset unless you have set it.
 
     render : bool, default: True
-        Render after adding, when the window is shown.
+        Whether to render after adding, if the window is shown.
 
     Returns
     -------
     vtkwater.vtkWaterActor
-        The water. ``actor.water_property`` (``GetWaterProperty()``) has the look in full, and
-        ``actor.reflection_pass`` (``GetReflectionPass()``) what the reflection costs.
+        The water. ``actor.water_property`` (``GetWaterProperty()``) holds all settings of the look,
+        ``actor.reflection_pass`` (``GetReflectionPass()``) those of the reflection and its cost.
 
     Raises
     ------
     TypeError
-        When an argument is not of its type.
+        If an argument has the wrong type.
 
     ValueError
-        When a value is out of its range, or has another number of parts; when two arguments contradict each other, or
-        when the surface's mean height is off the ``level`` by more than 1 % of its diagonal. The text names both.
+        If a value is out of its range or has the wrong number of elements, if two arguments contradict each other, or
+        if the surface's mean height differs from ``level`` by more than 1 % of its diagonal. The text names both.
 
     Warns
     -----
     UserWarning
-        When PyVista's backend for notebooks is ``'client'`` or ``'html'``: vtk.js draws there, which has no water; or
-        when the water's level is below all of a terrain, which hides it.
+        If PyVista's notebook backend is ``'client'`` or ``'html'``, because vtk.js draws no water; or if the water's
+        level is below the whole terrain, which hides it.
 
     Notes
     -----
-    The server must render: ``pyvista.set_jupyter_backend('server')`` or ``'static'``, trame's ``VtkRemoteView``.
+    Rendering must happen on the server: ``pyvista.set_jupyter_backend('server')`` or ``'static'``, trame's
+    ``VtkRemoteView``.
 
-    Of ``Plotter.set_scale`` it takes what is set before. The brightest scene light glitters on waves: ``sun``, or one
-    of yours. PyVista's default lights move with the camera and are none.
+    Call ``Plotter.set_scale`` before ``add_water``. The brightest scene light glitters on waves: ``sun``, or one of
+    yours. PyVista's default lights are camera lights, not scene lights, and do not glitter.
 
     Examples
     --------
@@ -212,10 +214,10 @@ def add_water(
     level, surface = level_and_surface(water, level, surface)
     scale = self.renderer.scale
     if pv.global_theme.jupyter_backend in DRAWN_BY_VTK_JS:
-        warnings.warn(f"the backend {pv.global_theme.jupyter_backend!r} draws with vtk.js, which does not know the "
-                      "water and leaves it out; say pyvista.set_jupyter_backend('server')", stacklevel=2)
+        warnings.warn(f"the backend {pv.global_theme.jupyter_backend!r} draws with vtk.js, which cannot "
+                      "draw water and leaves it out; call pyvista.set_jupyter_backend('server')", stacklevel=2)
     if surface is not None and bounds is not None:
-        raise ValueError("bounds are of the water's own sheet; there is none with a surface")
+        raise ValueError("bounds and surface are both given; bounds apply only to the built-in sheet")
     mapper, data = surface_of(surface, level, depth, bed, normal, origin)
     if color_by is not None:
         color_surface(mapper, surface, color_by, cmap, clim)
@@ -264,8 +266,8 @@ def add_water(
     height = vtkMath.Dot(plane_origin, plane_normal)
     bounds_known = vtkMath.AreBoundsInitialized(actor.GetBounds() or (1, -1, 1, -1, 1, -1))  # also chooses the sheet
     if surface is None and bounds is None and not actor.GetSheetToHorizon() and lowest > height:
-        warnings.warn(f"level is {base_level:g}, which is below all of the scene: the land hides the water; "
-                      "give a higher level", stacklevel=2)
+        warnings.warn(f"level is {base_level:g}, which is below the whole scene: the land hides the water; "
+                      "use a higher level", stacklevel=2)
     if self.renderer.camera_set and not actor.GetSheetToHorizon():
         widen_clipping_range(self.renderer)
     if render and (actor.GetSheetToHorizon() or bounds_known):
@@ -274,7 +276,7 @@ def add_water(
 
 
 def widen_clipping_range(renderer):
-    """Water reaches nearer to the eye, and farther, than what the camera was set for."""
+    """Extend the clipping range: water reaches nearer to the eye, and farther, than the rest of the scene."""
     near, far = renderer.camera.clipping_range
     renderer.reset_camera_clipping_range()
     new_near, new_far = renderer.camera.clipping_range
@@ -282,7 +284,7 @@ def widen_clipping_range(renderer):
 
 
 def lowest_along(renderer, normal):
-    """How far along a direction what the renderer shows begins; minus infinity where it shows nothing."""
+    """Smallest coordinate of the visible props along a direction; minus infinity if there are none."""
     bounds = renderer.ComputeVisiblePropBounds()
     if not vtkMath.AreBoundsInitialized(bounds):
         return -math.inf

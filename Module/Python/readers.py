@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Reads what water may be put into: meshes, and elevation models, as surfaces.
+"""Reads meshes and elevation models as surfaces.
 
     ground = read("terrain.tif")    # a Surface
     ground.data                     # vtkPolyData, z up
     ground.is_terrain               # True: heights over a map, with the point array "Elevation"
 
-A file that is missing, of no known kind, not what its name claims, or empty raises a FileError.
+A FileError is raised if the file is missing, empty, of an unknown type, or not of the type that its suffix claims.
 """
 import math
 from dataclasses import dataclass
@@ -36,21 +36,21 @@ class FileError(ValueError):
 
 @dataclass
 class Surface:
-    """What a file shows, with z up."""
+    """The surface in a file, with z up."""
 
     data: vtkPolyData
     is_terrain: bool = False
-    note: str = ""  # what was left out on the way
+    note: str = ""  # what was left out while reading
 
 
 def read(file, no_data=None):
-    """The surface in a file; KINDS are known, by their suffix.
+    """Read the surface in a file. The suffix selects the type; KINDS lists the known ones.
 
     Parameters
     ----------
     file : str or pathlib.Path
     no_data : float, optional
-        A height that stands for a hole in an elevation model, beside NaN and what the file says.
+        An additional no-data value of an elevation model. NaN and the file's own no-data value are always holes.
 
     Returns
     -------
@@ -59,7 +59,7 @@ def read(file, no_data=None):
     Raises
     ------
     FileError
-        When the file is missing, of no known kind, not what its name claims, or empty.
+        If the file is missing, empty, of an unknown type, or not of the type that its suffix claims.
     """
     path = Path(file)
     kind = KINDS.get(path.suffix.lower())
@@ -68,35 +68,36 @@ def read(file, no_data=None):
     if not path.is_file():
         raise FileError(f"{file}: no such file")
     if not kind:
-        raise FileError(f"{file}: kind {path.suffix or 'without a suffix'} is not known; known are {', '.join(KINDS)}")
+        raise FileError(f"{file}: unknown file type {path.suffix or '(no suffix)'}; "
+                        f"known types are {', '.join(KINDS)}")
     return kind(path, no_data)
 
 
 def surface_of_heights(heights, spacing=(1.0, 1.0), origin=(0.0, 0.0), no_data=None):
     """The surface over a grid of heights: rows x columns, from south to north and west to east.
 
-    Heights that are not finite, or equal no_data, are holes and stay holes; so are those beyond HIGHEST, of which
-    the note tells. Raises a FileError when nothing is left.
+    Heights that are not finite, or equal to no_data, are holes and are not filled. Heights beyond HIGHEST are holes
+    too; the note counts them. Raises a FileError if nothing is left.
     """
     heights = np.array(heights, dtype=float)
     if heights.ndim != 2 or min(heights.shape) < 2:
-        raise FileError(f"{' x '.join(map(str, heights.shape))} heights are no grid: at least 2 x 2 are wanted")
+        raise FileError(f"{' x '.join(map(str, heights.shape))} heights are not a grid; at least 2 x 2 are required")
     step = math.ceil(math.sqrt(heights.size / MOST_POINTS))
     notes = []
     if step > 1:
-        notes.append(f"every {step}th row and column of {heights.shape[1]} x {heights.shape[0]} heights are taken")
+        notes.append(f"only every {step}th row and column of {heights.shape[1]} x {heights.shape[0]} heights is used")
     heights = heights[::step, ::step]
     known = np.isfinite(heights)
     if no_data is not None and math.isfinite(no_data):
         known &= heights != no_data
     beyond = known & (np.abs(heights) > HIGHEST)
     if beyond.any():
-        notes.append(f"{beyond.sum()} of its heights, {heights[beyond][0]:g} is the first, are taken for holes; "
-                     f"known heights lie in [{-HIGHEST:g}, {HIGHEST:g}]")
+        notes.append(f"{beyond.sum()} of its heights, the first is {heights[beyond][0]:g}, are treated as holes; "
+                     f"valid heights lie in [{-HIGHEST:g}, {HIGHEST:g}]")
     known &= ~beyond
     is_cell = known[:-1, :-1] & known[:-1, 1:] & known[1:, 1:] & known[1:, :-1]
     if not is_cell.any():
-        raise FileError("; ".join(["holds no elevations, only holes", *notes]))
+        raise FileError("; ".join(["has no elevations, only holes", *notes]))
 
     rows, columns = np.nonzero(is_cell)
     first = rows * heights.shape[1] + columns
@@ -121,7 +122,7 @@ def surface_of_heights(heights, spacing=(1.0, 1.0), origin=(0.0, 0.0), no_data=N
 
 
 def run(reader, path, what):
-    """The reader's output; what VTK says on the way becomes the error."""
+    """The reader's output; VTK's own messages become the error."""
     log = vtkStringOutputWindow()
     shown, verbosity = vtkOutputWindow.GetInstance(), vtkLogger.GetCurrentVerbosityCutoff()
     vtkOutputWindow.SetInstance(log)
@@ -136,18 +137,18 @@ def run(reader, path, what):
         vtkLogger.SetStderrVerbosity(verbosity)
     if reader.GetErrorCode() or "ERROR" in log.GetOutput().upper():
         lines = [line for line in log.GetOutput().splitlines() if line and not line.startswith("ERROR: In ")]
-        reason = lines[0].partition("): ")[2] or lines[0] if lines else "it cannot be read to its end"
+        reason = lines[0].partition("): ")[2] or lines[0] if lines else "reading stopped before its end"
         raise FileError(f"{path}: not {what}: {reason}")
     return reader.GetOutput()
 
 
 def read_mesh(module, name, what):
-    """A function that reads meshes with VTK's reader of this name."""
+    """Return a function that reads meshes with VTK's reader of this name."""
     def read_it(path, no_data):
         reader = getattr(__import__(f"vtkmodules.{module}", fromlist=[name]), name)()
         data = run(reader, path, what)
         if data is None:
-            raise FileError(f"{path}: holds no data set of a kind that can be shown")
+            raise FileError(f"{path}: has no data set that can be shown")
         if data.IsA("vtkImageData"):
             return surface_of_image(data, path, no_data)
         check_cells(data, path)
@@ -158,7 +159,7 @@ def read_mesh(module, name, what):
         normals.SetFeatureAngle(40.0)
         normals.Update()
         if normals.GetOutput().GetNumberOfCells() == 0:
-            raise FileError(f"{path}: is empty, it has no cells")
+            raise FileError(f"{path}: is empty: it has no cells")
         places = vtk_to_numpy(normals.GetOutput().GetPoints().GetData())
         beyond = ~(np.abs(places) <= HIGHEST).all(axis=1)  # also NaN
         if beyond.any():
@@ -169,7 +170,7 @@ def read_mesh(module, name, what):
 
 
 def check_cells(data, path):
-    """Readers take cells as they are; filters crash at those of points that there are not."""
+    """Check point indices: readers accept any, and filters crash on cells with missing points."""
     if data.IsA("vtkPolyData"):
         arrays = [data.GetVerts(), data.GetLines(), data.GetPolys(), data.GetStrips()]
     elif data.IsA("vtkUnstructuredGrid"):
@@ -180,14 +181,14 @@ def check_cells(data, path):
         points = vtk_to_numpy(cells.GetConnectivityArray())
         wrong = points[(points < 0) | (points >= data.GetNumberOfPoints())]
         if wrong.size:
-            raise FileError(f"{path}: a cell names point {wrong[0]}; there are {data.GetNumberOfPoints()}, from 0 on")
+            raise FileError(f"{path}: a cell refers to point {wrong[0]}; there are {data.GetNumberOfPoints()}, from 0")
 
 
 def surface_of_image(image: vtkImageData, path, no_data):
     scalars = image.GetPointData().GetScalars()
     columns, rows, layers = image.GetDimensions()
     if not scalars or scalars.GetNumberOfComponents() != 1 or layers != 1:
-        raise FileError(f"{path}: holds no elevations: wanted is an image of one layer with one number a point")
+        raise FileError(f"{path}: has no elevations; it must be an image of one layer with one number per point")
     heights = vtk_to_numpy(scalars).reshape(rows, columns).astype(float)
     ghosts = image.GetPointGhostArray()
     if ghosts:
@@ -200,7 +201,7 @@ def read_tiff(path, no_data):
     try:
         from PIL import Image
     except ImportError:
-        raise FileError(f"{path}: reading TIFF wants Pillow: pip install pillow (Debian: python3-pil)") from None
+        raise FileError(f"{path}: reading TIFF needs Pillow: pip install pillow (Debian: python3-pil)") from None
     Image.MAX_IMAGE_PIXELS = None  # elevation models are large
     try:
         with Image.open(path) as image:
@@ -211,18 +212,18 @@ def read_tiff(path, no_data):
                                   for tag in (TIFF_PIXEL_SCALE, TIFF_TIEPOINT, TIFF_GEO_KEYS))
             heights = np.asarray(image)
     except OSError as error:
-        raise FileError(f"{path}: not a TIFF image that can be read: {error}") from None
+        raise FileError(f"{path}: not a readable TIFF image: {error}") from None
     if heights.ndim != 2:
-        raise FileError(f"{path}: holds no elevations: it has {heights.shape[2]} numbers a pixel, wanted is one")
+        raise FileError(f"{path}: has no elevations: it has {heights.shape[2]} numbers per pixel instead of one")
     if no_data is None and no_data_tag:
         try:
             no_data = float(str(no_data_tag).strip("\0 "))
         except ValueError:
-            raise FileError(f"{path}: its no-data value {no_data_tag!r} is no number") from None
+            raise FileError(f"{path}: its no-data value {no_data_tag!r} is not a number") from None
     spacing = (spacing or (1.0, 1.0))[:2]
     if len(spacing) != 2 or not all(0.0 < part < math.inf for part in spacing):
-        raise FileError(f"{path}: its pixels are {' x '.join(map(str, spacing))} large; "
-                        "wanted are two numbers greater than 0")
+        raise FileError(f"{path}: its pixel size is {' x '.join(map(str, spacing))}; "
+                        "it must be two numbers greater than 0")
     tie += (0.0,) * 6
     if not all(map(math.isfinite, tie)):
         raise FileError(f"{path}: its tie point {tie[:6]} is not finite")
@@ -231,7 +232,7 @@ def read_tiff(path, no_data):
         # degrees: metres on a plane that touches the Earth in the middle of the map
         latitude = south + 0.5 * spacing[1] * (heights.shape[0] - 1)
         if not -90.0 < latitude < 90.0:
-            raise FileError(f"{path}: its middle is at latitude {latitude:g}; it must lie between -90 and 90 degrees")
+            raise FileError(f"{path}: its centre is at latitude {latitude:g}; it must lie between -90 and 90 degrees")
         middle = math.radians(latitude)
         spacing = (spacing[0] * METRES_PER_DEGREE * math.cos(middle), spacing[1] * METRES_PER_DEGREE)
         return with_path(path, heights[::-1], spacing, (0.0, 0.0), no_data)
@@ -239,12 +240,12 @@ def read_tiff(path, no_data):
 
 
 def numbers_of(value, tag, path):
-    """What Pillow makes of a tag: nothing, a value, or a tuple of them."""
+    """The numbers of a tag, which Pillow gives as nothing, a value, or a tuple."""
     values = value if isinstance(value, tuple) else () if value is None else (value,)
     try:
         return tuple(map(float, values))
     except (TypeError, ValueError):
-        raise FileError(f"{path}: its tag {tag} is {value!r}; wanted are numbers") from None
+        raise FileError(f"{path}: its tag {tag} is {value!r}; it must be numbers") from None
 
 
 def with_path(path, heights, spacing, origin, no_data):

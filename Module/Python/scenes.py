@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""An off-screen picture of something in water: ground, sun, sky, camera and a vtkWaterActor.
+"""An off-screen picture of a scene with water: ground, sun, sky, camera and a vtkWaterActor.
 
     scene = Scene(size=(960, 600))
     scene.add_ground(read("terrain.tif"), level=355.0)
@@ -51,7 +51,7 @@ FILLED = 0.92  # of the picture, by what stands out of the water
 
 
 class Scene:
-    """A renderer, its off-screen window and what stands in it."""
+    """A renderer with its off-screen window, ground, sky and water."""
 
     def __init__(self, size=(960, 600)):
         self.renderer = vtkRenderer()
@@ -69,7 +69,7 @@ class Scene:
         self._exaggeration = 1.0
 
     def set_sun(self, azimuth, height):
-        """The sun by its azimuth (degrees from north, 90 is east) and its height over the horizon (degrees)."""
+        """Set the sun by its azimuth (from north, 90 is east) and its elevation above the horizon, in degrees."""
         self.renderer.RemoveAllLights()
         light = vtkLight()
         light.SetLightTypeToSceneLight()
@@ -79,7 +79,7 @@ class Scene:
         self.renderer.AddLight(light)
 
     def set_clear_sky(self, azimuth, height, turbidity):
-        """A clear sky in place of the gradient, and its sun's light; angles as for set_sun, turbidity in [2, 10]."""
+        """Show a clear sky with sunlight instead of the gradient; angles as for set_sun, turbidity in [2, 10]."""
         sky = vtkWaterClearSkySource()
         with raising(sky):
             sky.SetAzimuth(azimuth)
@@ -95,7 +95,7 @@ class Scene:
         return skybox
 
     def add_ground(self, surface, level, exaggeration=1.0):
-        """A readers.Surface; a terrain is coloured by its height over the level, both times exaggeration."""
+        """Add a readers.Surface. A terrain is coloured by its height above the level; exaggeration scales both."""
         self._ground = surface
         self._exaggeration = exaggeration if surface.is_terrain else 1.0
         mapper = vtkPolyDataMapper()
@@ -119,7 +119,7 @@ class Scene:
         return actor
 
     def add_mesh(self, data, color, smooth=True):
-        """Polygonal data (vtkPolyData, or a filter that makes it) in one colour: red, green, blue in [0, 1]."""
+        """Add polygonal data (vtkPolyData, or a filter that makes it) in one colour: red, green, blue in [0, 1]."""
         mapper = vtkPolyDataMapper()
         if smooth:
             normals = vtkPolyDataNormals()
@@ -137,15 +137,15 @@ class Scene:
         return actor
 
     def add_box(self, bounds, color):
-        """A box with these xmin, xmax, ymin, ymax, zmin, zmax."""
+        """Add a box with these xmin, xmax, ymin, ymax, zmin, zmax."""
         box = vtkCubeSource()
         box.SetBounds(bounds)
         return self.add_mesh(box, color, smooth=False)
 
     def add_water(self, level, preset=None, wind=None, exaggeration=1.0, **words):
-        """Water at a level of the data; around a mesh it is wider than that. The look is by the words of
-        ``words.set_look``: preset, wind, refraction, foam, ...; units are metres, and without a preset nothing is seen
-        through the surface, unless the words say otherwise. Raises TypeError, ValueError."""
+        """Add water at a level of the data; around a mesh it extends beyond the mesh. The look is set by the arguments
+        of ``words.set_look``: preset, wind, refraction, foam, ... By default units are metres and, without a preset,
+        the water is opaque. Raises TypeError, ValueError."""
         self.water = vtkWaterActor()
         words["units"] = words.get("units") or "m"
         if preset is None and not any(words.get(word) for word in ("refraction", "foam", "caustics")):
@@ -159,10 +159,10 @@ class Scene:
         return self.water
 
     def _widen_water(self, times):
-        """Lets the water reach over the ground on all sides.
+        """Extends the water beyond the ground on all sides.
 
         times : float
-            As many times as far as the ground and its image are wide, or high.
+            Factor of the larger of width and height of the ground with its mirror image.
         """
         west, east, south, north, _, top = self._ground.data.GetBounds()
         reach = times * max(east - west, north - south, 2.0 * (top * self._exaggeration - self.water.GetLevel()))
@@ -170,10 +170,10 @@ class Scene:
             self.water.SetSheetBounds(west - reach, east + reach, south - reach, north + reach)
 
     def make_island(self, to_horizon=False):
-        """For ground that is seen from outside: water far around it, and walls where a terrain ends.
+        """Surround the ground with water, and build walls at the edges of a terrain.
 
         to_horizon : bool
-            The water reaches to the true horizon.
+            Whether the water reaches to the true horizon.
         """
         if to_horizon:
             self.water.SetSheetToHorizon()
@@ -198,11 +198,10 @@ class Scene:
         self.add_mesh(walls, WALL_COLOR, smooth=False).SetScale(1.0, 1.0, self._exaggeration)
 
     def look(self, azimuth=200.0, height=15.0, zoom=1.0, highest=-math.inf):
-        """From where the eye looks at the ground: degrees from north, and over the horizon.
+        """Aim the camera at the ground from an azimuth (degrees from north) and a height (degrees above the horizon).
 
-        zoom 1 shows all that stands out of the water, and its reflection; 2 half of its width. highest is the level
-        that the water will rise to, in the data's unit: where something stands out of it now, the eye is over that,
-        too.
+        zoom 1 shows everything above the water, and its reflection; zoom 2 half of its width. highest is the highest
+        level that the water will reach, in the data's unit: if there is dry ground now, the eye stays above it.
         """
         points = vtk_to_numpy(self._ground.data.GetPoints().GetData()) * (1.0, 1.0, self._exaggeration)
         lowest = -math.inf
@@ -227,7 +226,7 @@ class Scene:
         self.set_camera(target + distance * back, target, up=up)
 
     def set_camera(self, eye, target, angle=VIEW_ANGLE_DEG, up=(0.0, 0.0, 1.0)):
-        """Where the eye is and what it looks at; the vertical angle of view in degrees."""
+        """Set the positions of the eye and the target, and the vertical angle of view in degrees."""
         camera = self.renderer.GetActiveCamera()
         camera.SetPosition(eye)
         camera.SetFocalPoint(target)
@@ -241,7 +240,7 @@ class Scene:
         return raising(*([self.water] if self.water else []))
 
     def picture(self):
-        """Renders; rows x columns x RGB of 8 bits, top row first. Raises ValueError when the water cannot be drawn."""
+        """Render to rows x columns x RGB of 8 bits, top row first. Raises ValueError if water cannot be drawn."""
         with self._raising():
             self.window.Render()
         width, height = self.window.GetSize()
@@ -250,8 +249,8 @@ class Scene:
         return np.ascontiguousarray(vtk_to_numpy(pixels).reshape(height, width, 4)[::-1, :, :3])
 
     def write(self, file):
-        """Renders into a PNG; raises OSError when that cannot be written, ValueError for another name or
-        when the water cannot be drawn."""
+        """Render into a PNG. Raises OSError if it cannot be written, ValueError for another suffix or if the water
+        cannot be drawn."""
         with self._raising():
             write_png(self.window, file)
 
@@ -264,7 +263,7 @@ def connect(algorithm, data):
 
 
 def direction(azimuth, height):
-    """Unit vector to there: degrees from north (y) towards east (x), and over the horizon."""
+    """Unit vector for an azimuth (degrees from north, y, towards east, x) and a height above the horizon."""
     azimuth, height = math.radians(azimuth), math.radians(height)
     return math.sin(azimuth) * math.cos(height), math.cos(azimuth) * math.cos(height), math.sin(height)
 

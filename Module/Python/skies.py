@@ -31,14 +31,14 @@ def sun_of(sun):
 
 
 def shine(renderer, water, azimuth, elevation):
-    """Puts the renderer's sun there."""
+    """Moves the renderer's sun to this direction."""
     direction = [0.0, 0.0, 0.0]
     water.GetSkyDirection(azimuth, elevation, direction)
     place_sun(renderer, direction)
 
 
 def place_sun(renderer, direction, color=None):
-    """The renderer's sun, which is made if there is none yet; its colour stays unless there is another."""
+    """Moves the renderer's sun, creating it if necessary; keeps its colour unless one is given."""
     light = next((light for light in renderer.lights if isinstance(light, Sun)), None)
     if light is None:
         light = Sun(light_type="scene light", color=SUN_COLOR)
@@ -51,40 +51,41 @@ def place_sun(renderer, direction, color=None):
 
 
 def add_clear_sky(self, sun=True, turbidity=TURBIDITY, *, resolution=1024, render=True):
-    """Add a clear sky by day to the active subplot, and the sun that lights the scene.
+    """Add a clear daytime sky to the active subplot, and the sun that lights the scene.
 
-    Up is z, north is y and east x. Water finds the sky by itself. It is computed after Preetham, Shirley and Smits
-    (1999, "A Practical Analytic Model for Daylight"); the sun's disc is not in it: waves glitter by the sun's light.
+    Up is z, north is y and east is x. Water reflects the sky automatically. The model is that of Preetham, Shirley and
+    Smits (1999, "A Practical Analytic Model for Daylight"). The picture does not contain the sun's disc: waves glitter
+    in the sun's light instead.
 
     Parameters
     ----------
     sun : bool | sequence[float], default: True
-        Where the sun is: azimuth (degrees from north over east, in [-360, 360]) and elevation (degrees over the
-        horizon, in [0, 90]); True is (150, 35).
+        Position of the sun: azimuth (degrees from north towards east, in [-360, 360]) and elevation (degrees above
+        the horizon, in [0, 90]); True means (150, 35).
 
     turbidity : float, default: 3.0
-        Of the air, in [2, 10]: 2 is very clear, 6 warm and moist, 10 hazy.
+        Turbidity of the air, in [2, 10]: 2 is very clear, 6 warm and moist, 10 hazy.
 
     resolution : int, default: 1024
         Width of the sky's picture in pixels, in [16, 8192].
 
     render : bool, default: True
-        Render after adding, when the window is shown.
+        Whether to render after adding, if the window is shown.
 
     Returns
     -------
     vtkmodules.vtkRenderingCore.vtkSkybox
-        The skybox that shows the sky; ``plotter.remove_actor`` takes it away. Another ``add_clear_sky`` in the same
-        subplot takes its place. The light, of the class ``vtkwater.pyvista.Sun``, is that of ``add_water(sun=...)``, and
-        the background, which the sky hides, has the sky's mean colour: it lights the water.
+        The skybox that shows the sky; ``plotter.remove_actor`` removes it. Another ``add_clear_sky`` in the same
+        subplot replaces it. The light has the class ``vtkwater.pyvista.Sun``; ``add_water(sun=...)`` shares it.
+        The background, which the sky hides, gets the sky's mean colour: it lights the water.
 
     Raises
     ------
     TypeError
-        When an argument is not of its type.
+        If an argument has the wrong type.
 
     ValueError
-        When a value is out of its range.
+        If a value is out of its range.
 
     Examples
     --------
@@ -95,7 +96,7 @@ def add_clear_sky(self, sun=True, turbidity=TURBIDITY, *, resolution=1024, rende
     >>> water = plotter.add_water(preset="ocean wind 5", bounds="horizon")
     """
     if sun is False or sun is None:
-        raise ValueError(f"sun is {sun!r}; a clear sky has one: True, or an azimuth and an elevation")
+        raise ValueError(f"sun is {sun!r}; a clear sky needs one: True, or an azimuth and an elevation")
     azimuth, elevation = sun_of(sun)
     in_range("sun[1], the elevation,", elevation, 0.0, 90.0)
     turbidity = number("turbidity", turbidity)

@@ -19,15 +19,15 @@ def add_water_level_slider(
     Parameters
     ----------
     water : vtkwater.vtkWaterActor
-        What ``add_water`` returned. It keeps its level, which must lie between the slider's ends. Its plane moves
-        along the normal, and its surface, when it was given one, with it.
+        The return value of ``add_water``. It keeps its level, which must lie between the slider's ends. The slider
+        moves its plane along the normal, together with its ``surface`` if it has one.
 
     rng : sequence[float], optional
-        The lowest and the highest level, in the unit of the scene's data, over ``origin`` along the water's normal. By
-        default those of the bounds of the scene.
+        The lowest and the highest level, in the unit of the scene's data, above ``origin`` along the water's normal.
+        The default is the extent of the scene's bounds.
 
     origin : sequence[float], default: (0.0, 0.0, 0.0)
-        The point that the level counts from, as for ``add_water``.
+        The point from which the level is measured, as for ``add_water``.
 
     title : str, default: 'water level'
 
@@ -35,21 +35,21 @@ def add_water_level_slider(
         Called with the new level after each change.
 
     **more
-        All else that ``Plotter.add_slider_widget`` takes: ``pointa``, ``pointb``, ``color``, ``style``, ``fmt``, ...
+        Other arguments of ``Plotter.add_slider_widget``: ``pointa``, ``pointb``, ``color``, ``style``, ``fmt``, ...
 
     Returns
     -------
     vtkmodules.vtkInteractionWidgets.vtkSliderWidget
-        The slider, which the plotter keeps; ``plotter.clear_slider_widgets()`` takes it away.
+        The slider. The plotter keeps it; ``plotter.clear_slider_widgets()`` removes it.
 
     Raises
     ------
     TypeError
-        When the water is none, or an argument is not of its type.
+        If the water is not a vtkWaterActor, or an argument has the wrong type.
 
     ValueError
-        When the ends are not finite, in the wrong order, or the level is not between them; the text names them.
-        Without ``rng`` also when the scene is flat.
+        If the ends are not finite or in the wrong order, or if the level is not between them; the text names them.
+        Without ``rng`` also if the scene is flat.
 
     Examples
     --------
@@ -79,7 +79,7 @@ def add_water_level_slider(
 
 
 class Level:
-    """The level of a water in a renderer whose scene is scaled."""
+    """The level of a water in a renderer with a scaled scene."""
 
     def __init__(self, water, origin, scale):
         self._water, self._origin, self._scale = water, origin, scale
@@ -87,7 +87,7 @@ class Level:
         self.normal = [part / math.hypot(*normal) for part in normal]
 
     def height(self, point):
-        """Of a point of the scaled scene."""
+        """Height of a point of the scaled scene."""
         return sum((at / factor - start) * part
                    for at, factor, start, part in zip(point, self._scale, self._origin, self.normal))
 
@@ -103,7 +103,7 @@ class Level:
 
 
 def heights_of(renderer, level):
-    """The lowest and the highest point of the bounds of all that is shown."""
+    """The lowest and the highest point of the bounds of all visible props."""
     bounds = renderer.ComputeVisiblePropBounds()
     heights = [level.height((x, y, z)) for x in bounds[:2] for y in bounds[2:4] for z in bounds[4:]]
     return min(heights), max(heights)

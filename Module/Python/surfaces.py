@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The surface that add_water is given, and its plane; a solver's mesh by the names of its arrays.
+"""The surface and the plane of add_water; a solver's mesh by the names of its arrays.
 
     surface = DataSurface(dataset, level="zeta", bed="zb")
     water.SetMapper(surface.mapper)
-    surface.follow(water, renderer)  # each frame shows the arrays as they are then
+    surface.follow(water, renderer)  # each frame shows the current arrays
 """
 import math
 import weakref
@@ -33,7 +33,7 @@ class DataSurface:
     Raises
     ------
     ValueError
-        When there is no such array; the text lists those there are.
+        If there is no such array; the text lists the existing ones.
     """
 
     def __init__(self, dataset, level=None, depth=None, bed=None):
@@ -49,7 +49,7 @@ class DataSurface:
         self.mapper.ScalarVisibilityOff()
 
     def follow(self, water, renderer):
-        """Keep the water's level at the mean of the surface, from frame to frame, while both are there."""
+        """Keep the water's level at the mean of the surface in every frame, as long as both exist."""
         known = weakref.ref(water)
 
         shown = self.filter.GetMeanLevel()
@@ -76,18 +76,18 @@ def show_array(mapper, dataset, name, cmap=None, clim=None):
     ----------
     mapper : vtkMapper
     dataset : pyvista.DataSet
-        What the range is taken of, and the array's association.
+        Source of the range, and of the array's association.
     name : str
-        Of an array of one component.
+        Name of an array with one component.
     cmap : str, optional
-        A colour map of matplotlib's; by default that of PyVista's theme.
+        A matplotlib colour map; default: that of PyVista's theme.
     clim : sequence[float], optional
-        The least and the largest value with a colour of their own; by default those of the array.
+        The smallest and the largest value of the colour map; default: those of the array.
 
     Raises
     ------
     ValueError
-        When there is no such array, or it has several components, or the range is none.
+        If there is no such array, if it has several components, or if the range is invalid.
     """
     arrays = [*dataset.point_data, *dataset.cell_data]
     if name not in arrays:
@@ -100,7 +100,7 @@ def show_array(mapper, dataset, name, cmap=None, clim=None):
     if values.dtype.kind not in "buif":
         raise ValueError(f"color_by is {name!r}, an array of {values.dtype}; it must be one of real numbers")
     if clim is None and not np.isfinite(values).any():
-        raise ValueError(f"color_by is {name!r}, which has no finite value; say clim")
+        raise ValueError(f"color_by is {name!r}, which has no finite value; set clim")
     low, high = dataset.get_data_range(name) if clim is None else clim
     if not (low <= high and math.isfinite(high - low)):
         raise ValueError(f"clim is ({low:g}, {high:g}); it must be a lower and an upper value, both finite")
@@ -118,30 +118,30 @@ def show_array(mapper, dataset, name, cmap=None, clim=None):
 
 
 def level_and_surface(water, level, surface):
-    """The two, one of which may be given without its name."""
+    """Level and surface; one of them may be given as the positional argument."""
     if water is None:
         return level, surface
     if isinstance(water, pv.DataSet):
         if surface is not None:
-            raise ValueError("surface is given twice: without its name, and by it")
+            raise ValueError("surface is given twice: as the first argument and by name")
         return level, water
     if isinstance(water, pv.MultiBlock):
         raise TypeError("water must be a number or a pyvista.DataSet, not MultiBlock; "
-                        "combine() makes one of its blocks")
+                        "combine() merges its blocks into one")
     if level is not None:
-        raise ValueError(f"level is given twice: {water!r} without its name, and level={level!r}")
+        raise ValueError(f"level is given twice: {water!r} as the first argument, and level={level!r}")
     return number("level", water), surface
 
 
 def surface_of(surface, level, depth, bed, normal, origin):
-    """The mapper of a surface, and what makes it of arrays; None for what there is not."""
+    """The mapper of a surface and, with arrays, its DataSurface; None for what does not exist."""
     names = {"level": level if isinstance(level, str) else None, "depth": depth, "bed": bed}
     given = {word: of_type(word, name, str) for word, name in names.items() if name is not None}
     if not given:
         return (None if surface is None else mapper_of(surface)), None
     word, name = next(iter(given.items()))
     if surface is None:
-        raise ValueError(f"{word} is {name!r}, an array's name; a surface that has it is needed")
+        raise ValueError(f"{word} is {name!r}, an array's name; it needs a surface with this array")
     if not isinstance(surface, pv.DataSet):
         raise TypeError(f"surface must be a pyvista.DataSet, not {type(surface).__name__}")
     if level is not None and "level" not in given:
@@ -149,7 +149,7 @@ def surface_of(surface, level, depth, bed, normal, origin):
     if normal != "z":
         raise ValueError(f"normal is {normal!r}; with arrays of heights it must be 'z'")
     if any(numbers("origin", origin, 3)):
-        raise ValueError(f"origin is {tuple(origin)}; arrays of heights count from 0")
+        raise ValueError(f"origin is {tuple(origin)}; arrays of heights are measured from 0")
     if surface.n_cells == 0:
         raise ValueError("surface has no cells")
     data = DataSurface(surface, **given)
@@ -158,13 +158,13 @@ def surface_of(surface, level, depth, bed, normal, origin):
 
 def color_surface(mapper, surface, name, cmap, clim):
     if mapper is None:
-        raise ValueError(f"color_by is {name!r}; a surface that has this array is needed")
+        raise ValueError(f"color_by is {name!r}; it needs a surface with this array")
     ends = None if clim is None else numbers("clim", clim, 2)
     show_array(mapper, surface, of_type("color_by", name, str), cmap, ends)
 
 
 def level_of_surface(mapper, level, normal, origin):
-    """The mean height of a surface over the origin along the normal; or the level, which must be near that."""
+    """The mean height of a surface above the origin along the normal; or the level, which must be near it."""
     water = vtkWaterActor()
     place, up = plane_of(0.0 if level is None else level, normal, origin, (1.0, 1.0, 1.0))
     water.GetPlane().SetOrigin(place)
@@ -179,13 +179,13 @@ def level_of_surface(mapper, level, normal, origin):
     if abs(height) > most:
         raise ValueError(
             f"level is {level:g}, but the mean height of the surface along the normal is {level + height:g}; "
-            f"they may be {most:g} apart, 1 % of the surface's diagonal. Without level it is the surface's"
+            f"the largest accepted difference is {most:g}, 1 % of the surface's diagonal. Omit level to use the mean"
         )
     return level
 
 
 def plane_of(level, normal, origin, scale):
-    """Origin and normal of the water's plane in the renderer's own coordinates, which are scaled."""
+    """Origin and normal of the water's plane in the renderer's scaled coordinates."""
     axes = {"x": (1, 0, 0), "y": (0, 1, 0), "z": (0, 0, 1), "-x": (-1, 0, 0), "-y": (0, -1, 0), "-z": (0, 0, -1)}
     if isinstance(normal, str):
         if normal.lower() not in axes:

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""VTK's own widgets on a water: a slider for its level, and a plane to drag and turn.
+"""VTK's own widgets for water: a slider for its level, and a plane to drag and rotate.
 
     slider = LevelSlider(interactor, water, 350.0, 400.0)
     plane = PlaneWidget(interactor, water)
 
-Keep the object: the widget goes with it. The window must have been given to the interactor before; it is
-initialised when that was not done: VTK crashes where a picture is taken without.
+Keep a reference to the object, or the widget is destroyed. Set the interactor's window first. These classes initialise
+the interactor if necessary, because VTK otherwise crashes when a picture is taken.
 """
 import math
 
@@ -25,18 +25,19 @@ __all__ = ["LevelSlider", "PlaneWidget"]
 
 def initialize(interactor):
     if not interactor.GetRenderWindow():
-        raise ValueError("the interactor has no window: SetRenderWindow comes first")
+        raise ValueError("the interactor has no window: call SetRenderWindow first")
     if not interactor.GetRenderWindow().GetRenderers().GetFirstRenderer():
-        raise ValueError("the interactor's window has no renderer: AddRenderer comes first")
+        raise ValueError("the interactor's window has no renderer: call AddRenderer first")
     if not interactor.GetInitialized():
         interactor.Initialize()
 
 
 def check_ends(low, high, level):
-    """Raise a ValueError for a slider that is none, or that does not have the level."""
+    """Raise a ValueError for an invalid range, or one that does not contain the level."""
     if not -math.inf < low <= level <= high < math.inf or not low < high:
         raise ValueError(
-            f"low {low} and high {high}: low must be less, both finite, and the water's level {level} between them"
+            f"low {low} and high {high}: low must be less than high, both finite, and "
+            f"the water's level {level} between them"
         )
 
 
@@ -49,7 +50,7 @@ class LevelSlider:
     water : vtkwater.vtkWaterActor
         It keeps its level, which must lie between the ends.
     low, high : float
-        The ends of the slider, in the scene's unit, finite, low < high; else ValueError.
+        The ends of the slider, in the scene's unit: finite, low < high. Other values raise a ValueError.
     title : str, default: 'water level'
     changed : callable, optional
         Called with the new level after each change.
@@ -84,7 +85,7 @@ class LevelSlider:
         self.widget.EnabledOn()
 
     def set_level(self, level):
-        """Moves water and slider; a level beyond its ends is taken for the end."""
+        """Moves water and slider; a level beyond the ends is clamped."""
         self.widget.GetRepresentation().SetValue(level)
         self._slid(self.widget, None)
 
@@ -99,15 +100,15 @@ class LevelSlider:
 
 
 class PlaneWidget:
-    """A plane to drag along its normal and to turn by it; the water follows.
+    """A plane to drag along its normal and to rotate by it; the water follows.
 
     Parameters
     ----------
     interactor : :vtk:`vtkRenderWindowInteractor`
     water : vtkwater.vtkWaterActor
     bounds : sequence[float], optional
-        xmin, xmax, ymin, ymax, zmin, zmax of the box that the plane stays in, finite, each min < max, else
-        ValueError. By default the bounds of the scene.
+        xmin, xmax, ymin, ymax, zmin, zmax of the box in which the plane stays: finite, each min < max. Other values
+        raise a ValueError. The default is the bounds of the scene.
     changed : callable, optional
         Called with the water's :vtk:`vtkPlane` after each change.
     """
@@ -120,7 +121,7 @@ class PlaneWidget:
             bounds = renderer.ComputeVisiblePropBounds()
         if len(bounds) != 6 or not all(
                 -math.inf < low < high < math.inf for low, high in zip(bounds[::2], bounds[1::2])):
-            raise ValueError(f"bounds {tuple(bounds)}: wanted are xmin < xmax, ymin < ymax, zmin < zmax, all finite")
+            raise ValueError(f"bounds {tuple(bounds)}: they must be finite, xmin < xmax, ymin < ymax, zmin < zmax")
         representation = vtkImplicitPlaneRepresentation()
         representation.SetPlaceFactor(1.0)
         representation.OutlineTranslationOff()

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The look of a water by a few words, which add_water and the command share: preset, wind, refraction, foam, ...
+"""Settings of a water's look that add_water and the command share: preset, wind, refraction, foam, ...
 
     set_look(water.GetWaterProperty(), preset="lake", wind=(6.0, 30.0), foam=True, caustics=0.5)
 
-A wrong type is a TypeError and a wrong value a ValueError; both name the argument, the value and what is accepted.
+A wrong type raises a TypeError, a wrong value a ValueError. Both name the argument, the value and what is accepted.
 """
 import math
 from collections.abc import Sequence
@@ -26,46 +26,47 @@ MOST_NUMBERS_OF_A_WAVE = 5
 
 def set_look(look, *, preset=None, waves=None, wind=None, color=None, opacity=None, refraction=None, foam=None,
              caustics=None, quality=None, units=None):
-    """Give a new vtkWaterProperty the look that these words say.
+    """Apply these settings to a new vtkWaterProperty.
 
     Parameters
     ----------
     look : vtkwater.vtkWaterProperty
     preset : str
-        One of the property's presets; what the other words say comes after it.
+        One of the property's presets; the other arguments override it.
     waves : float | sequence[sequence[float]]
-        In place of the preset's waves: a wind's speed, m/s in [0.1, 100], or 0 for calm water; or waves of 2 to 5
+        Replaces the preset's waves: a wind speed, m/s in [0.1, 100], or 0 for calm water; or waves of 2 to 5
         numbers as in ``AddWave``.
     wind : float | sequence[float]
-        A wind sea in place of the preset's waves: its speed, m/s in [0.1, 100], 0 for calm water; or speed and
-        direction (degrees from the plane's first axis towards the second; it blows to there). Not together with waves.
+        Replaces the preset's waves by a wind sea: the wind speed, m/s in [0.1, 100], 0 for calm water; or the speed
+        and the direction in which the wind blows (degrees from the plane's first axis towards the second). Not
+        together with waves.
     color : sequence[float]
-        Of the water itself: red, green, blue in [0, 1].
+        Colour of deep water: red, green, blue in [0, 1].
     opacity : float
-        In [0, 1].
+        Opacity of the surface, in [0, 1].
     refraction : bool
-        Whether the scene is seen through the surface. By default as the preset has it, and without a preset it is,
-        unless color or opacity is given.
+        Whether the scene is visible through the surface. By default the preset decides. Without a preset the default
+        is True, unless color or opacity is given.
     foam : float | bool
-        Metres of depth over which the shore foams, finite and not negative; True is 0.25. It wants refraction and
-        turns it on.
+        Depth in metres below which the shore foams, finite and not negative; True means 0.25. Foam needs refraction
+        and turns it on.
     caustics : float | bool
-        Strength of the light that waves gather under the surface, in [0, 1]; True is 0.8. It wants waves, and
-        refraction, which it turns on.
+        Strength of the light that waves focus under the surface, in [0, 1]; True means 0.8. Caustics need waves, and
+        refraction, which they turn on.
     quality : str
-        Of reflections on waves: 'fast', 'default', 'high' or 'reference'.
+        Quality of reflections on waves: 'fast', 'default', 'high' or 'reference'.
     units : str | float
-        Of the scene: a name such as 'mm', 'm', 'km' or 'ft', metres per unit in [1e-9, 1e9], or 'automatic', by the
-        size of the scene. That is the default, unless waves are given one by one, which are metres.
+        Length unit of the scene: a name such as 'mm', 'm', 'km' or 'ft', metres per unit in [1e-9, 1e9], or
+        'automatic', which follows the size of the scene. The default is 'automatic', or 'm' with individual waves.
 
     Raises
     ------
     TypeError, ValueError
-        For a wrong argument, and for two that contradict each other. The look may have changed by then.
+        For a wrong argument, and for two that contradict each other. The look may already have changed then.
     """
     if waves is not None and wind is not None:
         raise ValueError(
-            f"waves and wind are both given (wind is {wind!r}); only one of them can say what the waves are"
+            f"waves and wind are both given (wind is {wind!r}); use only one of them"
         )
     speed, blows_to = (None, None) if wind is None else wind_of(wind)
     foam_depth = None if foam is None else depth_of(foam)
@@ -90,7 +91,7 @@ def set_look(look, *, preset=None, waves=None, wind=None, color=None, opacity=No
     check_through(look, preset, refraction, share, through, {"foam": foam, "caustics": caustics})
     if strength and not has_waves(look):
         raise ValueError(
-            f"caustics is {caustics!r}, but the water is calm: it wants wind, waves or a preset that has them"
+            f"caustics is {caustics!r}, but the water is calm: add wind, waves or a preset with waves"
         )
     if refraction is None and preset is None and color is None and share is None:
         refraction = True
@@ -107,7 +108,7 @@ def set_look(look, *, preset=None, waves=None, wind=None, color=None, opacity=No
 
 
 def set_units(look, units, is_automatic):
-    """Units as set_look has them; is_automatic: by default."""
+    """Units as in set_look; is_automatic: the default is automatic."""
     if units is None:
         look.SetUnits("automatic" if is_automatic else "m")
     elif isinstance(units, str):
@@ -120,21 +121,21 @@ def set_units(look, units, is_automatic):
 
 
 def check_through(look, preset, refraction, opacity, through, given):
-    """What is seen through the surface contradicts a surface that hides it, or that is blended."""
+    """Raise an error if a see-through effect is combined with an opaque or blended surface."""
     for word, value in given.items():
         if through[word] and refraction is False:
-            raise ValueError(f"{word} is {value!r}, but refraction is False: {word} is seen through the surface")
+            raise ValueError(f"{word} is {value!r}, but refraction is False: {word} needs refraction")
     asked = next((word for word in through if through[word]), None)
     if asked is None:
         return
     value = given.get(asked, refraction)
     if opacity is not None and opacity < 1.0:
         raise ValueError(
-            f"{asked} is {value!r}, but opacity is {opacity}: water with an opacity below 1 is blended and "
+            f"{asked} is {value!r}, but opacity is {opacity}: water with an opacity below 1 is blended, "
             "not refracted"
         )
     if preset is not None and look.GetReflectanceMode() == look.CONSTANT and look.GetReflectance() == 1.0:
-        raise ValueError(f"{asked} is {value!r}, but preset is {preset!r}: nothing is seen through a perfect mirror")
+        raise ValueError(f"{asked} is {value!r}, but preset is {preset!r}: a perfect mirror hides what lies below")
 
 
 def has_waves(look):
@@ -212,7 +213,7 @@ def strength_of(caustics):
 
 
 def set_sea(look, speed, blows_to=None):
-    """The waves of a wind in place of all others; without a wind the water is calm."""
+    """Replace all waves by a wind sea; without a wind the water is calm."""
     look.RemoveAllWaves()
     look.SeaOff()
     if speed != 0.0:

@@ -183,8 +183,8 @@ def test_heights_that_no_eye_can_see_are_holes(folder):
     write_vti(folder / "spikes.vti", spikes)
     options = ("--level", 40, "--no-data", NO_DATA, *SIZE_OPTION, "--out")
     status, said = run(folder, "render", "spikes.vti", *options, "spikes.png")
-    warned = ("spikes.vti: 2 of its heights, 1e+30 is the first, are taken for holes; "
-              "known heights lie in [-1e+09, 1e+09]")
+    warned = ("spikes.vti: 2 of its heights, the first is 1e+30, are treated as holes; "
+              "valid heights lie in [-1e+09, 1e+09]")
     wt.check_equal("heights no eye can see: status, warned", (status, warned in said), (0, True))
     run(folder, "render", "valley.vti", *options, "no_spikes.png")
     apart = np.abs(pixels_of(folder / "spikes.png") - pixels_of(folder / "no_spikes.png")).max(axis=2) > 2
@@ -251,31 +251,31 @@ LEVEL_1, LEVEL_50 = ("--level", 1), ("--level", 50)
 BAD_FILES = (
     ("missing.vti: no such file", ("missing.vti", *LEVEL_1)),
     ("frames: is a folder, not a file", ("frames", *LEVEL_1)),
-    ("text.xyz: kind .xyz is not known; known are .tif", ("text.xyz", *LEVEL_1)),
+    ("text.xyz: unknown file type .xyz; known types are .tif", ("text.xyz", *LEVEL_1)),
     *((f"text.{kind}: not ", (f"text.{kind}", *LEVEL_1)) for kind in ("vti", "vtp", "stl", "tif", "vtk", "ply")),
     ("half.vti: not a VTK image", ("half.vti", *LEVEL_1)),
     ("empty.vtp: ", ("empty.vtp", *LEVEL_1)),
-    ("holes.vti: holds no elevations, only holes", ("holes.vti", *LEVEL_1)),
-    ("row.vti: 1 x 5 heights are no grid", ("row.vti", *LEVEL_1)),
-    ("colours.tif: holds no elevations: it has 3 numbers a pixel", ("colours.tif", *LEVEL_1)),
-    ("scale.tif: its pixels are 10.0 large; wanted are two", ("scale.tif", *LEVEL_1)),
+    ("holes.vti: has no elevations, only holes", ("holes.vti", *LEVEL_1)),
+    ("row.vti: 1 x 5 heights are not a grid", ("row.vti", *LEVEL_1)),
+    ("colours.tif: has no elevations: it has 3 numbers per pixel", ("colours.tif", *LEVEL_1)),
+    ("scale.tif: its pixel size is 10.0; it must be two", ("scale.tif", *LEVEL_1)),
     ("nowhere.tif: its tie point (0.0, 0.0, 0.0, nan", ("nowhere.tif", *LEVEL_1)),
-    ("pole.tif: its middle is at latitude", ("pole.tif", *LEVEL_1)),
-    ("index.obj: a cell names point 8; there are 3", ("index.obj", *LEVEL_1)),
+    ("pole.tif: its centre is at latitude", ("pole.tif", *LEVEL_1)),
+    ("index.obj: a cell refers to point 8; there are 3", ("index.obj", *LEVEL_1)),
     ("far.obj: has a point at (1e+30, 0, 0); coordinates must lie in [-1e+09, 1e+09]", ("far.obj", *LEVEL_1)),
     ("SheetBounds are (0, 0, 0, 0)", ("dot.obj", "--level", 0)),
 )
 BAD_OUTPUTS = (
     ("no such folder: no/such", ("render", "valley.tif", *LEVEL_50, "--out", "no/such/folder.png")),
     ("ends with .png", ("render", "valley.tif", *LEVEL_50, "--out", "x.jpg")),
-    ("kind .avi is not known", ("animate", "valley.tif", *LEVEL_50, "--out", "x.avi")),
+    ("unknown file type .avi", ("animate", "valley.tif", *LEVEL_50, "--out", "x.avi")),
 )
 BAD_ARGUMENTS = (
     ("--level", ("render", "valley.tif")),
-    ("'high' is no number", ("render", "valley.tif", "--level", "high")),
+    ("'high' is not a number", ("render", "valley.tif", "--level", "high")),
     ("nan must lie in", ("render", "valley.tif", "--level", "nan")),
     ("'swamp' must be one of pool", ("render", "valley.tif", *LEVEL_1, "--preset", "swamp")),
-    ("is no size", ("render", "valley.tif", *LEVEL_1, "--size", "big")),
+    ("is not a size", ("render", "valley.tif", *LEVEL_1, "--size", "big")),
     *(("must lie in [0.1, 100] m/s, or be 0", ("render", "valley.tif", *LEVEL_1, "--wind", wind))
       for wind in (200, 0.05, "fast")),
     ("COMMAND", ()),

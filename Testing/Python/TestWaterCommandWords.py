@@ -214,10 +214,10 @@ WRONG = [  # a part of the last line, the options
     ("-1 must lie in [0, 1e+09]", ("--foam", -1)),
     ("1.5 must lie in [0, 1]", ("--opacity", 1.5)),
     ("'ultra'", ("--quality", "ultra")),
-    ("'blurple' is no colour", ("--color", "blurple")),
-    ("'#12' is no colour", ("--color", "#12")),
+    ("'blurple' is not a colour", ("--color", "blurple")),
+    ("'#12' is not a colour", ("--color", "#12")),
     ("must have 2 to 5 numbers", ("--waves", "0.1")),
-    ("'long' is no number", ("--waves", "0.1,long")),
+    ("'long' is not a number", ("--waves", "0.1,long")),
     ("Wavelength must be finite", ("--waves", "0.1,0")),
     ("400 must lie in [-360, 360]", ("--wind", 3, "--wind-direction", 400)),
 ]

@@ -237,7 +237,7 @@ def test_water_to_the_horizon_fills_the_picture_and_no_bounds(plotter):
 
 
 WRONG = [  # the exception, a part of its text, the argument
-    (ValueError, "level is 'high', an array's name; a surface that has it is needed", {"level": "high"}),
+    (ValueError, "level is 'high', an array's name; it needs a surface with this array", {"level": "high"}),
     (TypeError, "level must be a number, not bool", {"level": True}),
     (ValueError, "level nan", {"level": float("nan")}),
     (TypeError, "preset must be str, not int", {"preset": 3}),
@@ -258,7 +258,7 @@ WRONG = [  # the exception, a part of its text, the argument
     (ValueError, "time is", {"time": float("inf")}),
     (TypeError, "surface must be a pyvista.DataSet, not list", {"surface": [1], "bounds": None}),
     (ValueError, "surface has no cells", {"surface": pv.PolyData(), "bounds": None}),
-    (ValueError, "there is none with a surface", {"surface": pv.Plane()}),
+    (ValueError, "bounds apply only to the built-in sheet", {"surface": pv.Plane()}),
 ]
 
 
