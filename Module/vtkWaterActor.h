@@ -225,17 +225,17 @@ private:
   struct Internals; // the source
 
   bool UsesOwnSheet();
-  // Does the own sheet reach to the horizon?
+  // Does the built-in sheet reach to the horizon?
   bool IsEndless() { return this->SheetToHorizon && this->UsesOwnSheet(); }
-  // Of an automatic sheet: does it reach to the horizon?
+  // Decides whether an automatic sheet reaches to the horizon.
   void ChooseSheet(const std::vector<vtkRenderer*>& scene);
-  // Fits the own sheet to the scene and the plane; does nothing with a mapper of the user's.
+  // Fits the built-in sheet to the scene and the plane; does nothing with a user's mapper.
   void UpdateSheet();
   // Draws the surface in the mirrored view of another water.
   void RenderSecondary(vtkRenderer* renderer, vtkMapper* mapper);
-  // What a water does in a frame before its geometry is drawn.
+  // Prepares the water before its geometry is drawn.
   //
-  // Returns whether nothing of it is seen.
+  // Returns whether it is completely invisible.
   bool Prepare(vtkViewport* viewport, bool isDrawn);
 
   std::unique_ptr<Internals> Internal;

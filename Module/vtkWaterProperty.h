@@ -806,21 +806,21 @@ private:
   void DescribeSea(vtkWaterLook& look);
   void UpdateSeaSlopes() const;
   void GetSeaSlopes(double held[2], double leftOut[2]) const;
-  // Is this water what a preset sets?
+  // Does this water have all values of a preset?
   bool IsPreset(const water_preset& preset) const;
-  // Is there a wave of this number? Says what there is when not.
+  // Is there a wave of this number? If not, reports the accepted range.
   bool HasWave(const char* what, int number);
-  // Waves in place of those there are, when they can be. Says what is wrong when not.
+  // Replaces the waves if the new ones are valid; otherwise reports what is wrong.
   bool UseWaves(std::vector<water_wave>& waves, int number, const char* otherwise);
-  // Refuses a colour with a channel outside [0, 1].
+  // Rejects a colour with a channel outside [0, 1].
   // Returns whether the colour is one.
   bool SetColor(const char* name, double (&member)[3], double red, double green, double blue);
   void UpdateDeepColor();
   void PrintSea(ostream& os, vtkIndent indent) const;
-  // Sets one of the sea's numbers when the core finds it good.
+  // Sets one of the sea's numbers if the core accepts it.
   template <typename T>
   void SetOfSea(const char* name, T& member, T value);
-  // Sets one of the two when the water has good numbers then.
+  // Sets one of the two if the core accepts the resulting medium.
   void SetMedium(const char* name, double (vtkWaterProperty::*member)[3], const double value[3]);
   void UseMedium(const water_medium& medium);
 

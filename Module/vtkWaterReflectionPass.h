@@ -104,7 +104,7 @@ public:
     SKIP_NONE = 0,
     UNSEEN_WATER = 1 << 0,    ///< the mirrored view of water that is out of view or faces away
     HIDDEN_WATER = 1 << 1,    ///< the mirrored view of water behind the scene
-    FAINT_WATER = 1 << 2,     ///< the mirrored view of water that reflects next to nothing
+    FAINT_WATER = 1 << 2,     ///< the mirrored view of water that reflects almost nothing
     UNCHANGED_VIEWS = 1 << 3, ///< a mirrored view equal to the previous one
     SHARED_VIEWS = 1 << 4,    ///< a mirrored view that another sheet of the same plane has
     PROPS = 1 << 5,           ///< props that no visible water reflects

@@ -30,12 +30,12 @@ KEPT = re.compile(r" (It stays|They stay|The water stays|It is not added).*$", r
 
 
 @contextlib.contextmanager
-def raising(*things, **words):
+def raising(*objects, **words):
     """Raise a ValueError after the block if one of the VTK objects reported an error in it.
 
     Parameters
     ----------
-    *things : vtkObject
+    *objects : vtkObject
     **words : str
         The caller's names of properties, such as ``Opacity="opacity"``.
 
@@ -50,7 +50,7 @@ def raising(*things, **words):
         texts.append(re.sub(r"^ERROR: In .*\n\w+ \(0x[0-9a-f]+\): ", "", text).strip())
 
     remember.CallDataType = "string0"
-    tags = [(thing, thing.AddObserver("ErrorEvent", remember)) for thing in things]
+    tags = [(thing, thing.AddObserver("ErrorEvent", remember)) for thing in objects]
     try:
         yield
     finally:
