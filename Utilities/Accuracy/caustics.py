@@ -15,10 +15,10 @@ MOST_MEAN = 2.0  # % of the mean
 MOST_RMSE = 10.0
 SHOWN = (3.0, 50.0)
 TEXT = """
-Five sines (amplitudes of 3 to 35 mm, wavelengths of 0.5 to 5 m) over a level bed; $width x $height pixels of 17 mm, seen
-from straight above. The truth refracts $photons million photons at the exact slopes, each from a place of the sun's disc,
-counts them on the bed, and takes its picture with 4 x 4 refracted rays a pixel. Errors are over the mean light. The noise of the
-truth itself, from two halves of the photons, is part of the error.
+Five sines (amplitudes of 3 to 35 mm, wavelengths of 0.5 to 5 m) over a horizontal bed; $width x $height pixels of 17
+mm, seen from straight above. The truth refracts $photons million photons at the exact slopes, each from a point of
+the sun's disc, counts them on the bed, and renders its picture with 4 x 4 refracted rays per pixel. Errors are
+relative to the mean light. They include the noise of the truth itself, estimated from two halves of the photons.
 
 $errors
 

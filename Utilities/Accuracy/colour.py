@@ -24,32 +24,32 @@ OFF = 16  # of 255
 PERFECT = "a perfect tracer, one ray a pixel"
 
 TEXT = """
-Poles, boxes and floating things with hard edges ($triangles triangles), the waves' slopes up to 0.10, $width x
-$height pixels, one sample a pixel, a mirrored view of the same scale; perfect reflection, unlit. The truth has
-$samples rays a pixel. Counted are pixels that are water and nothing else in both pictures ($shares of the picture);
-for FLIP (version 1.7, 67 pixels per degree) all other pixels are the truth's in both, and its mean is over the
-water's pixels of its error map. A perfect tracer with one ray a pixel is the best that one sample can do: it has
-$ceiling times less FLIP than the best constant offset. The constant of an offset is the best for the view and the
-measure, from a search that knows the answer ($constants).
+Poles, boxes and floating objects with hard edges ($triangles triangles), slopes of the waves up to 0.10, $width x
+$height pixels, one sample per pixel, a mirrored view of the same scale; perfect reflection, unlit. The truth has
+$samples rays per pixel. Only pixels that show nothing but water in both pictures count ($shares of the picture). For
+FLIP (version 1.7, 67 pixels per degree) all other pixels are set to the truth in both pictures; its mean is taken
+over the water's pixels of its error map. A perfect tracer with one ray per pixel is the best possible result with one
+sample: its FLIP is $ceiling times smaller than that of the best constant offset. The constants of the offsets are
+optimal for the view and the measure, from a search that knows the truth ($constants).
 
 $table
 
-The smaller the picture, the larger a part of it are edges, which one sample cannot know: in $small_width x $small_height
-pixels the best constant offset has $small_rmse times the RMSE and $small_flip times the FLIP of the ray traced default,
-and $small_ceiling times the FLIP of the perfect tracer.
+In a smaller picture, edges cover a larger part, and one sample cannot resolve them. In $small_width x $small_height
+pixels the best constant offset has $small_rmse times the RMSE and $small_flip times the FLIP of the ray-traced
+default, and $small_ceiling times the FLIP of the perfect tracer.
 
 $pictures
 
-*$view view, its middle. Above: the pictures; below: FLIP's error maps (black: none).*
+*Centre of the $view view. Above: the pictures; below: FLIP's error maps (black: no error).*
 
-What FLIP finds in the ray traced default, all views together:
+FLIP of the ray-traced default, all views together:
 
 $kinds
 
-"Edge": the $samples rays of the pixel do not all see the same colour. FLIP looks through an eye's filter, so that an
-error there shows in the pixels around it. A single ray sees only one side of an edge, and the mirrored view, which
-has one sample a pixel of its own, knows an edge to half a pixel. $only of the water's pixels are off by more than
-$off of 255 where the perfect tracer's single ray is not; $both are off in both.
+An "edge" is a pixel whose $samples rays do not all see the same colour. FLIP filters like the human eye, so an error
+there also shows in the pixels around it. A single ray sees only one side of an edge, and the mirrored view, also with
+one sample per pixel, locates an edge to half a pixel. $only of the water's pixels have an error of more than $off of
+255 where the perfect tracer's single ray has not; $both have one in both.
 """
 
 

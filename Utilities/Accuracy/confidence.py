@@ -15,18 +15,18 @@ BEHIND = 100  # a kind of the tracer alone: sky, but behind something on its way
 LIMIT = 1.0  # % of the pixels
 
 TEXT = """
-The module says for every pixel why it has its colour (`SetOutputToConfidence`). The tracer classifies the same
+The module reports for every pixel the reason for its colour (`SetOutputToConfidence`). The tracer classifies the same
 reflected rays by the definitions in vtkWaterProperty.h: **downward**, the ray would meet the water again; **hit**, it
-meets something that the mirrored view sees and has on its picture; **hidden**, the mirrored view has the place, but
-sees something else there; **sky**, it meets nothing and gets over the highest thing within the mirrored view; **off
-the map**, it leaves the mirrored view before it meets or gets over anything. Shares of the water's pixels, three
-views together:
+meets a surface that is visible in the mirrored view; **hidden**, it meets a surface that something else hides in the
+mirrored view; **sky**, it meets nothing and rises above the highest object within the mirrored view; **off the
+texture**, it leaves the mirrored view before it meets anything or rises above everything. Shares of the water's
+pixels, three views together:
 
 $shares
 
-**Sky, behind** is what the tracer alone can tell: the ray meets nothing, but on its way it is behind something that
-the mirrored view shows. Whether it meets the back of that thing the mirrored view cannot know, and the module rightly
-calls it hidden; the figures with limits count it so.
+**Sky, behind** can be determined only by the tracer: the ray meets nothing, but passes behind an object in the
+mirrored view. The mirrored view cannot tell whether the ray meets the back of that object, so the module correctly
+reports it as hidden; the figures with limits count it as hidden.
 
 $matrices
 """

@@ -30,10 +30,10 @@ KINDS = {
 }
 
 TEXT = """
-Time of the water's shading alone, relative to the calm lookup on the same waves: medians of $rounds interleaved
-frames of each kind, less the frame with a puddle in place of the lake, $width x $height pixels, the middle view. The
-three without tracing run the same shader: what they differ by is noise. This is a software renderer; on others the
-ratios are others. Errors are those above, all views together.
+Shading time of the water alone, relative to the calm lookup on the same waves: medians of $rounds interleaved frames
+of each kind, minus the frame with a puddle instead of the lake, $width x $height pixels, the middle view. The three
+lookups without tracing run the same shader: their differences are noise. This is a software renderer; other renderers
+have other ratios. The errors are those above, all views together.
 
 $table
 

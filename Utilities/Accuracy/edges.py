@@ -34,10 +34,10 @@ SIDE = 8  # the truth has so many samples along either axis of a pixel
 NEAR_PX = 2
 MOST_RATIO = 1.1  # of the errors with water and without
 TEXT = """
-$count random scenes ($seeds), $width x $height pixels: rocks and posts in water that is clear or opaque, calm or rippled,
-over beds with a shore and without one. RMSE, of 255, of the pixels within $near of an edge of the water, against
-64 samples a pixel; and the same with an opaque plane in place of the water. Where the driver has fewer samples than
-a mode asks for, it has those.
+$count random scenes ($seeds), $width x $height pixels: rocks and posts in clear or opaque, calm or rippled water,
+over beds with and without a shore. RMSE, of 255, of the pixels within $near of an edge of the water, compared with 64
+samples per pixel; and the same with an opaque plane instead of the water. If the driver has fewer samples than a mode
+requests, it uses the driver's number.
 
 $summary
 

@@ -15,33 +15,32 @@ QUALITIES = ("Fast", "Default", "High")
 SEARCH_STEPS = 61
 
 TEXT = """
-The waves' reflected rays are followed to what they meet; the right place of the lookup is where the mirrored view
-shows that point. Counted are pixels whose ray meets something that the mirrored view sees and has on its picture:
-nothing can be looked up of the others. Smooth islands ($triangles triangles), $width x $height pixels, a mirrored
-view of the same scale, three views together; waves of three lengths with the rms slope named. Lookups are
-read back from the module (`SetOutputToLookup`) in steps of 1/4095 of the texture, about $step pixels, which is the
-floor of these figures.
+The tracer follows the reflected ray of each pixel to the point that it meets. The correct lookup is the place where
+the mirrored view shows this point. Only pixels whose point is visible in the mirrored view count: for other pixels
+there is no correct lookup. Smooth islands ($triangles triangles), $width x $height pixels, a mirrored view of the
+same scale, three views together; waves of three lengths with the given rms slope. The module's lookups are read back
+(`SetOutputToLookup`) in steps of 1/4095 of the texture, about $step pixels, which is the resolution of these figures.
 
 $table
 
 $plot
 
-*Share of the pixels (up) whose lookup is off by less than so many pixels. Full lines: ray traced, and each formula
-with its best constant; dashed: with its published ones.*
+*Share of the pixels (vertical axis) whose lookup error is below a number of pixels (horizontal axis). Solid lines:
+ray traced, and each formula with its best constant; dashed lines: with published constants.*
 
-Lookups of the default quality that are off by 2 pixels and more, by the reason that the module gives:
+Lookups of the default quality with an error of 2 pixels or more, by the reason that the module reports:
 
 $reasons
 
-The formulas, as published, run on the very normals, places and mirrored view of the ray traced ones:
+The published formulas use the same normals, points and mirrored view as the ray-traced lookup:
 
 $formulas
 
-uv: the calm lookup, in shares of the picture; n: the normal, its third component upwards; P: the point on the water;
-R: the reflected ray; map: where the mirrored view shows a point. "Best" is the constant with the smallest median over
-all three views, from a search that knows the answer. Where a formula uses axes of its program's world, the best of
-the 8 ways to exchange and negate them is taken, for published constants as well. Constants in units mean another
-thing in a scene of another size.
+uv: the calm lookup, in fractions of the picture; n: the normal, its third component upwards; P: the point on the
+water; R: the reflected ray; map: the place where the mirrored view shows a point. "Best" is the constant with the
+smallest median over all three views, from a search that knows the truth. If a formula uses the axes of its program's
+world, the best of the 8 ways to exchange and negate them is used, for published constants too. Constants in units
+depend on the size of the scene.
 """
 
 
@@ -187,7 +186,7 @@ def run(report):
             name = f"{first[0]} and {second[0].rsplit('= ', 1)[1]}"
         rows.append((name, *first[1:], *second[1:]))
     report.add(
-        "Where a reflection is looked up", TEXT,
+        "Accuracy of the lookup", TEXT,
         triangles=cases[0].tracer.triangle_count, width=cases[0].pixels.size[0], height=cases[0].pixels.size[1],
         step=f"{cases[0].pixels.texture_size.max() / 4095:.2f}", table=table(header, rows),
         plot=report.save(_plot(curves), "lookup", "How many pixels are off by how much"),

@@ -34,9 +34,10 @@ SHOWN = 3  # scenes in the report
 SEEN = "what the picture has of refracted rays"
 MOST_STRANGE = 0.2  # % of the pixels for which the picture has what is right
 TEXT = """
-$count scenes of clear water over a bed, with things that stand in it, lie under it, float or hang over it, in waves and
-calm ($seeds); $width x $height pixels, $samples rays a pixel in the truth. A pixel is strange when its colour is none
-that the truth has within a few pixels of it. The picture without water may lack what a refracted ray meets:
+$count scenes of clear water over a bed, with objects standing in it, lying under it, floating, or hanging over it,
+with and without waves ($seeds); $width x $height pixels, $samples rays per pixel in the truth. A pixel is strange if
+the truth does not contain its colour within a few pixels. The picture without water may not contain what a refracted
+ray meets:
 
 $summary
 

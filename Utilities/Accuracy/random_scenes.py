@@ -45,15 +45,15 @@ REASON_COLORS = {"hit": ("green", (60, 150, 60)), "sky": ("blue", (120, 180, 235
                  "downward": ("violet", (150, 80, 190))}
 
 TEXT = """
-$count scenes of random terrain and things ($seeds) under a plain sky or a coloured dome, seen by random cameras, in
-calm water and in up to four waves (`Utilities/Accuracy/scene_generator.py`); $width x $height pixels, $samples rays a
-pixel in the truth. A ratio is the module's error over that of a perfect tracer with one ray a pixel; errors below
-$rmse_floor (RMSE) and $flip_floor (FLIP) count as these. In $domes scenes a dome hides the background, so that no ray
-meets it: "background" are pixels in which the module shows it all the same.
+$count scenes of random terrain and objects ($seeds) under a plain sky or a coloured dome, with random cameras, in
+calm water and in up to four waves (`Utilities/Accuracy/scene_generator.py`); $width x $height pixels, $samples rays
+per pixel in the truth. A ratio is the module's error divided by that of a perfect tracer with one ray per pixel;
+errors below $rmse_floor (RMSE) and $flip_floor (FLIP) are rounded up to these values. In $domes scenes a dome hides
+the background, so no ray can meet it: "background" counts pixels in which the module shows it nevertheless.
 
 $summary
 
-Reasons that the module gives, all scenes together, default quality:
+Reasons that the module reports, all scenes together, default quality:
 
 $reasons
 

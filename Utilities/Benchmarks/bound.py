@@ -20,15 +20,13 @@ CLOCKS = {"median": "frame", "work": "processor"}
 PROPS = (1000, (0, -20, 0.3), (30, 25, 3.0), 0.3)
 
 TEXT = """
-The camera moves, calm water. The bound is 1 + (g V + f s^2 F) / (V + F) + f c: V the time of the
-frame's geometry, from a viewport of $tiny of the window's width and height; F the rest of the
-frame without water; f the water's share of the picture; g the share of the geometry that the
-mirrored view draws: of the bare terrain's triangles, and, for the time that the props add to V,
-which is that of their draws, of the props; s the texture scale; f
-c the surface's own time over that of the frame, from the same water in a view that stands still: no
-mirrored view is drawn. Twice: in the time of the frame, and in the processor's time for it, of all
-threads: the mirrored view waits for the picture that says what of it is seen, and a core that waits
-works no less.
+The camera moves; calm water. The bound is 1 + (g V + f s^2 F) / (V + F) + f c. V is the time of the frame's geometry,
+measured in a viewport of $tiny of the window's width and height; F is the rest of the frame without water; f is the
+water's share of the picture. g is the share of the geometry that the mirrored view draws: of the bare terrain's
+triangles and, for the draw time that props add to V, of the props. s is the texture scale. f c is the surface's own
+time relative to that of the frame, measured with the same water and a still camera, when no mirrored view is drawn.
+The bound is given twice: for the time of the frame, and for its CPU time in all threads. They differ because the
+mirrored view waits for the picture that determines its visible part.
 
 $tables
 
@@ -166,7 +164,7 @@ def run(results):
         "measured / bound",
     )
     results.add(
-        "A moving camera, and its bound",
+        "Moving camera: the theoretical bound",
         TEXT,
         tiny=TINY,
         tables="\n\n".join(tables),

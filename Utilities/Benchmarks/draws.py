@@ -23,17 +23,16 @@ POND = (33.6, 35.6, 12.6, 14.6)  # small, in the middle of the terrain's lake
 BESIDE = (17, -5, 0.3), (22, -1, 5)  # between the sides of the view and of what the pond mirrors
 
 TEXT = """
-$count props that water cannot show, under its plane or beside the pyramid of what it mirrors,
-against the same props with NOT_REFLECTED on each.
+$count props that water cannot show, under its plane or outside the mirrored view, compared with the same props with
+NOT_REFLECTED on each.
 
 $tables
 
-What is left out, against everything drawn (SKIP_NONE). A prop is needed if one of its points over
-the plane has its mirror image on a pixel of water; needed fragments are at least one for each
-pixel of water that reflects something: with none behind another, an order that drawing prop by prop
-does not have. Share: of what is not needed, how much is left out. On the water: the fragments that
-the same draws in the same order leave on the pixels of visible water (as on a GPU, with a mask of
-them), and the share of all others that is left out.
+Culled work, compared with everything drawn (SKIP_NONE). A prop is needed if one of its points above the plane has its
+mirror image on a pixel of water. At least one fragment is needed for each pixel of water that reflects something;
+this minimum would need a front-to-back order of all fragments, which drawing prop by prop does not have. Share: the
+culled part of what is not needed. On the water: the fragments that the same draws in the same order leave on the
+pixels of visible water (as on a GPU, with a mask of these pixels), and the culled share of all others.
 
 $shares
 """
@@ -192,7 +191,7 @@ def run(results):
         for where, make in (("under the plane", _under), ("beside the water's pyramid", _beside))
     ]
     results.add(
-        "What cannot be seen in the water",
+        "Props that the water cannot show",
         TEXT,
         count=f"{COUNT:,}",
         tables="\n\n".join(tables),

@@ -43,9 +43,9 @@ SETTLING = 4  # frames
 PROGRAMS = 2000  # names of OpenGL's are small numbers
 
 TEXT = """
-The first frame with water in view over the first frame of the scene itself, in fresh windows; medians of $rounds. The
-programs are those that OpenGL has more of after the frame: shaders of props are built for the first water once, the
-others are the water's own, its background's and what finds out what of it is seen.
+The first frame with water in view, relative to the first frame of the scene itself, in new windows; medians of
+$rounds. The programs are those that OpenGL has in addition after the frame: the shaders of props, built once for the
+first water, and those of the water itself, its background and its visibility test.
 
 $table
 """

@@ -22,14 +22,14 @@ from tables import table  # noqa: E402
 KEPT = DOCUMENTATION / "benchmarks-gpu.json"
 TITLE = "On a GPU"
 PLAIN, MOVING = "no water", "moving"
-MOTIONS = {MOVING: "The camera moves, and time", "time": "Nothing moves but time"}
+MOTIONS = {MOVING: "Camera and time change", "time": "Only the time changes"}
 PHASES = ("work_ms", "gpu_ms", "gather_ms", "plan_ms", "reflection_ms", "surface_ms")
 
 TEXT = """
 $note Measured on a $renderer ($window, VTK $vtk, $cpu, $cores cores) by `script/gpu benchmark --skips`
-(`Utilities/Benchmarks/gpu_frames.py`), in one window whose kinds of frames take turns in another random order
-in every round: three frames that settle the change, then four that count. Ratios are those of medians within a
-round to the same scene without water; in brackets the quartiles of all rounds.
+(`Utilities/Benchmarks/gpu_frames.py`), in one window whose kinds of frames take turns in a new random order in every
+round. Each turn has three frames to settle, then four that count. Ratios compare medians within a round with the same
+scene without water; the quartiles of all rounds are in brackets.
 
 $scenes
 
@@ -37,9 +37,9 @@ $kinds
 
 $frames
 
-Where the time goes, the camera moving: what all threads of the processor worked; on the GPU from the first
-command of a frame to the last, its waiting for the next command included; of these, reading the scene, planning
-(processor), the mirrored view and the surface (GPU). ms, of frames that were not timed.
+Breakdown of the time with a moving camera: the CPU time of all threads; the GPU time from the first command of a
+frame to the last, including its waits for the next command; and of these, reading the scene and planning (CPU), the
+mirrored view and the surface (GPU). In ms, from frames that were not timed otherwise.
 
 $phases
 
@@ -49,7 +49,7 @@ Limits:
 $limits
 """
 
-SKIPS = """A frame with all skips / the same frame without one of them, in the same round: under 1 it pays.
+SKIPS = """A frame with all skips / the same frame without one of them, in the same round: below 1 the skip saves time.
 
 $table
 """

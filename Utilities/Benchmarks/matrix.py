@@ -20,14 +20,13 @@ SLOW = ("10,000 props", "plume")  # scenes that have calm water only in a quick 
 UNTRACED = "10,000 props"  # the scene that has no errors then
 
 TEXT = """
-Times: $width x $height pixels, lit, the water with Fresnel's reflectance; all kinds of frames
-share one window, and one uncounted frame settles each change. Errors: $error_width x
-$error_height pixels, unlit, water that reflects everything, against the ray tracer at 16 rays a
-pixel; the plume, which the tracer does not know, at $plume_width x $plume_height against the
-scene and its explicit mirror image, rendered at 16 samples a pixel, and for calm water alone.
-Calm water is measured against calm water, all else against the waves. The offsets have the
-constant with the smallest median error of the lookup, from a search that knows the answer.
-Lookup: median, and what 95 % of the pixels are within; pixels of the picture.
+Times: $width x $height pixels, lit, water with Fresnel reflectance; all kinds of frames share one window, and one
+uncounted frame follows each change. Errors: $error_width x $error_height pixels, unlit, perfectly reflecting water,
+compared with the ray tracer at 16 rays per pixel. The plume, which the tracer does not support, is compared at
+$plume_width x $plume_height with the scene and its explicit mirror image, rendered at 16 samples per pixel, for calm
+water only. Calm water is compared with calm water, everything else with the waves. The offsets have the constant with
+the smallest median error of the lookup, from a search that knows the truth. Lookup: median, and the error that 95 %
+of the pixels do not exceed, in pixels of the picture.
 
 $tables
 """

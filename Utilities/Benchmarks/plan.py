@@ -11,8 +11,8 @@ LIMIT_MS = 3.0  # of 100,000 props
 PROPS = 100_000
 
 TEXT = """
-`water_plan_make` alone, without VTK, on one core: all skips on, random props of which a third is
-drawn (CPU time, Google Benchmark).
+`water_plan_make` alone, without VTK, on one core: all skips on, random props of which a third are drawn (CPU time,
+Google Benchmark).
 
 $tables
 """

@@ -5,11 +5,11 @@ import kinds
 import numpy as np
 from report import plt
 
-PARETO_TEXT = """*Full line: the Pareto front, what nothing beats in both time and error. Small
-marks: the formulas of other programs, dark with their best constant, light with
-published ones; those that the module lacks are put at the time of its fixed
-offset, whose shader does no less, and their pictures are the tracer's, without
-the loss of a texture.*"""
+PARETO_TEXT = """*Solid line: the Pareto front. Small marks: the formulas of other programs, dark
+with their best constant, light with published constants. Formulas that the
+module lacks are placed at the time of its fixed offset, whose shader has at
+least the same cost; their pictures are made by the tracer, without the loss of
+a texture.*"""
 MARKERS = {1.0: "o", 0.5: "s", 0.25: "^"}
 
 

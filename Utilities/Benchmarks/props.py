@@ -28,10 +28,10 @@ STILL, MOVING = "under water, still", "under water, moving camera"
 STILL_OVER = "over water, still"
 
 TEXT = """
-What water adds to a frame for each prop, microseconds that the rendering thread works, in a window of $width x $height
-pixels: the fastest twentieth of both kinds of frames, without and with water, that took turns, less what water adds
-to a scene of $few props. Nothing is rendered for the reflection in any of them: in two the camera stands still and only
-the water's time moves; in the other the props are under the water.
+Cost of water per prop: microseconds of the rendering thread per frame, in a window of $width x $height pixels. It is
+the difference between alternating frames with and without water (the fastest twentieth of both), minus what water
+adds to a scene of $few props. No reflection is rendered in any of these frames: in two the camera is still and only
+the water's time changes; in the other the props are under the water.
 
 $table
 """

@@ -16,9 +16,8 @@ EDGES, QUICK_EDGES = (-9, -5, -3, -1, 1, 3, 5, 60), (-4, 0, 60)  # of the water,
 STEPS, QUICK_STEPS = (kinds.CALM, kinds.FIXED, kinds.TRACED), (kinds.CALM, kinds.TRACED)
 
 TEXT = """
-Props: those of the scene of 1,000 props, $width x $height pixels, the camera moving; scales: the
-terrain; share of water: 1,000 props, the water's edge moved through the picture. Lines: medians,
-bands: quartiles.
+Props: those of the scene of 1,000 props, $width x $height pixels, moving camera. Scales: the terrain. Share of water:
+1,000 props, with the water's edge moved through the picture. Lines: medians; bands: quartiles.
 
 $props
 
@@ -131,4 +130,4 @@ def run(results):
         ("share", _by_share, "Time against the share of water in view"),
     ):
         shown[name] = results.save(make(results), name, alt)
-    results.add("Time against what there is to draw", TEXT, width=SIZE[0], height=SIZE[1], **shown)
+    results.add("Scaling", TEXT, width=SIZE[0], height=SIZE[1], **shown)

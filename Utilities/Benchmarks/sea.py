@@ -16,10 +16,9 @@ WAYS = {"processor": "1", "GPU": "0"}  # values of VTK_WATER_SOFTWARE
 STEP_S = 0.04
 
 TEXT = """
-A sea to the horizon in a picture of $width x $height pixels, the camera at rest. Where the time
-goes on, the slopes are made anew: by the processor or by the GPU (which of the two, VTK_WATER_SOFTWARE
-says here; a software renderer is no GPU, and takes the processor's way by itself).
-The last column is what a buoy costs that asks for its height at a new time.
+A sea to the horizon in a picture of $width x $height pixels, with a still camera. If the time changes, the slopes are
+recomputed, on the CPU or on the GPU. VTK_WATER_SOFTWARE selects one of them here; by default a software renderer uses
+the CPU. The last column is the cost of a buoy that queries its height at a new time.
 
 $tables
 """
