@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Writes Documentation/mirror-matrix.md out of what the tests with the label matrix left in build trees.
+"""Writes Documentation/mirror-matrix.md from the results of the tests with the label matrix in build trees.
 
 usage: mirror_matrix.py [--out FILE] FOLDER...     e.g. mirror_matrix.py build/system build/wheel
 """
@@ -16,20 +16,24 @@ PLACES = ("Testing/Temporary*/", "")  # in a build tree, or a folder that is a t
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 PAGE = ROOT / "Documentation" / "mirror-matrix.md"
 CLASSES = ROOT / "Testing" / "Python" / "Matrix" / "class_cells.tsv"
-HEAD = """# What stands right in the water
+HEAD = """# Reflection conformance
 
-*Written by `script/matrix`; every number in it is measured. To change the words, change `Testing/Python/Matrix`.*
+*Written by `script/matrix`; every number in it is measured. To change the text, edit `Testing/Python/Matrix`.*
 
-Each cell is rendered twice: through calm water of reflectance 1, and without any of this project's code: VTK's own
-camera, mirrored, looks at the scene, which VTK's clipping planes cut at the water, under the lights that the user's
-camera has placed; an ordinary sheet in the water's place shows that picture, turned left to right, pixel by pixel, so that VTK
-composes what lies before, over and behind it. Other truths are named in the cell's test (`Testing/Python/Matrix`).
+This page lists which of VTK's props, lights, views, windows, passes and backgrounds are reflected exactly. Each cell
+is rendered twice. The first picture shows the scene through calm water of reflectance 1. The second, the truth, uses
+no code of this project: VTK's own camera, mirrored, renders the scene, cut at the water by VTK's clipping planes,
+under the lights placed by the user's camera. An ordinary sheet in the place of the water shows this picture, flipped
+left to right, pixel by pixel, so that VTK composes what lies in front of, above and behind it. If a cell uses another
+truth, its test states it (`Testing/Python/Matrix`).
 
-The figures are the share of the water's pixels that differ by more than 1/255, and the RMSE of 255 over them. At most 0.05 %
-may differ, or the last column says why, and then the RMSE is at most 1; where it begins with *Wrong*, the reflection is known to be wrong. In every other cell no other pixel differs from the scene
-without the water by more than 1/255, or from the composed picture, where a filter mixes them with the water. *Without it* is the same share for a picture that lacks what the cell is about:
-a cell that could not fail would have 0 there. The worse one of two windows stands where there are two (OSMesa and EGL).
-Statements are true or false. Pairs of pictures stay in the build tree, under `Testing/Temporary*/mirror-matrix`.
+The figures are the share of the water's pixels that differ by more than 1/255, and the RMSE of 255 over them. At most
+0.05 % may differ; otherwise the last column gives the reason, and the RMSE is at most 1. If the reason begins with
+*Wrong*, the reflection is known to be wrong. In every other cell, all other pixels equal those of the scene without
+the water within 1/255, or those of the composed picture if a filter mixes them with the water. *Without it* is the
+same share for a picture that lacks the feature under test; it is 0 for a cell that cannot fail. With two windows
+(OSMesa and EGL), the worse figure is given. Statements are true or false. Pairs of pictures are kept in the build
+tree, under `Testing/Temporary*/mirror-matrix`.
 """
 
 
@@ -72,15 +76,15 @@ def why(by_version, versions):
 
 
 def classes_without():
-    """The section on classes of VTK that no cell draws."""
+    """The section on classes of VTK without a cell."""
     rows = [line.split("\t") for line in CLASSES.read_text().splitlines() if not line.startswith("#")]
     kinds = [row[2] for row in rows]
     names = {kind: [row[0] for row in rows if row[2] == kind] for kind in kinds}
     lines = ["## Classes of VTK without a cell", "",
-             f"VTK has {len(rows)} props, mappers and passes that can be made; `Testing/Python/Matrix/{CLASSES.name}` names the "
-             f"cells of {kinds.count('cell')}. {kinds.count('made by')} more are what the `New()` of one of these makes, and "
-             f"{kinds.count('overlay')} are 2D by their class, which is drawn over the finished picture: "
-             f"{', '.join(names['overlay'])}. The others:", "", "| class | VTK | why it has no cell |", "|---|---|---|"]
+             f"VTK has {len(rows)} concrete props, mappers and passes; `Testing/Python/Matrix/{CLASSES.name}` names the "
+             f"cells of {kinds.count('cell')}. The `New()` of one of these creates {kinds.count('made by')} others. "
+             f"{kinds.count('overlay')} are 2D overlays, drawn over the finished picture: "
+             f"{', '.join(names['overlay'])}. These have no cell:", "", "| class | VTK | reason |", "|---|---|---|"]
     return lines + [f"| {name} | {versions.replace(' ', ', ')} | {text} |" for name, versions, kind, text in rows
                     if kind == "none"]
 

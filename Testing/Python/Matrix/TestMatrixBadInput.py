@@ -129,8 +129,8 @@ if mm.VTK_VERSION >= (9, 6):
     row.register("a prop whose shader does not compile", bad_prop, does_not_compile, "this is no GLSL")
 else:
     row.register("a prop whose shader does not compile", row.note,
-                 "VTK 9.1 ends the program with a segmentation fault, without water as well: "
-                 "vtkOpenGLPolyDataMapper::UpdateShaders goes on without a program.")
+                 "VTK 9.1 ends the program with a segmentation fault, also without water: "
+                 "vtkOpenGLPolyDataMapper::UpdateShaders continues without a program.")
 row.register("a prop without a mapper", bad_prop, vtkActor, None)
 row.register("a mapper without input", bad_prop, without_input, None)
 row.register("a volume without transfer functions", bad_prop, volume_without_functions, None, is_drawn=True)

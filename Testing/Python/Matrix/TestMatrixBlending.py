@@ -96,9 +96,9 @@ for kind, place, where, seen_in_it, fill, options in placed(KINDS, glass, (1.3, 
 
 # Volumes.
 CELLS = None if mm.VTK_VERSION >= (9, 6) else (
-    "The truth is off: clipping planes of VTK 9.1 miss the place by part of a voxel, as ClippingInit "
-    "(vtkVolumeShaderComposer.h) leaves in_cellToPoint out; VTK 9.6 has it.")
-OVER = ("VTK draws volumes over all translucent props, the half opaque water as well, unless they are peeled: "
+    "The truth is inexact: clipping planes of VTK 9.1 are displaced by part of a voxel, because ClippingInit "
+    "(vtkVolumeShaderComposer.h) omits in_cellToPoint; VTK 9.6 includes it.")
+OVER = ("VTK draws volumes over all translucent props, including the half opaque water, unless they are peeled: "
         "vtkOpenGLRenderer::UpdateGeometry.")
 for kind, place, where, seen_in_it, fill, options in placed((ORDERED, PEELED_VOLUMES), cloud, (1.6, 0.3, -1.6)):
     how = "" if kind == ORDERED else f" {kind},"
@@ -178,8 +178,8 @@ row.cell("volume, shaded by a scene light", shaded_by_sun)
 row.cell("volume of minimum intensity", cloud(1.6, minimum))
 row.cell("volume, cropped", cloud(1.6, cropped))
 row.cell("volume of vtkSmartVolumeMapper", cloud(1.6, mapper_class=vtkSmartVolumeMapper))
-SQUARE = ("VTK 9.1 itself: it casts some windows of 4 to 3, without water as well, as if they were square: 112 pixels "
-          "wide in place of 84.")
+SQUARE = ("A defect of VTK 9.1: it ray-casts some 4:3 windows as if they were square, also without water: 112 pixels "
+          "wide instead of 84.")
 for place, height in (("over", 1.6), ("across", 0.3)):
     name = f"volume that the processor casts, {place} the water"
     if mm.VTK_VERSION >= (9, 6):

@@ -107,7 +107,7 @@ def flagpole(scene):
     scene.renderer.AddViewProp(label)
 
 
-TURNS = ("Labels that turn to the camera are not reflected: in the mirrored view they would turn to an eye under the "
+TURNS = ("Labels that face the camera are not reflected: in the mirrored view they would face an eye under the "
          "water.")
 rule("vtkBillboardTextActor3D", billboard, TURNS)
 rule("vtkFlagpoleLabel", flagpole, TURNS)
@@ -159,7 +159,7 @@ def axis_2d(scene):
     scene.renderer.AddViewProp(axis)
 
 
-FLAT = "2D is drawn over the finished picture and is no part of the scene that stands in the water."
+FLAT = "2D overlays are drawn over the finished picture and are not part of the reflected scene."
 rule("scalar bar", scalar_bar, FLAT)
 rule("2D text", text_2d, FLAT)
 rule("caption", caption, FLAT)
@@ -245,7 +245,7 @@ def keyed(set_keys):
 
 
 rule("NOT_REFLECTED", keyed(lambda keys: keys.Set(vtkWaterReflectionPass.NOT_REFLECTED(), 1)),
-     "The key says so.")
+     "The key requests it.")
 row.cell("NOT_REFLECTED of 0", with_ball(keyed(lambda keys: keys.Set(vtkWaterReflectionPass.NOT_REFLECTED(), 0))))
 
 

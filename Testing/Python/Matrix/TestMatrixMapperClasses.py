@@ -230,11 +230,12 @@ def under_a_scene_light(make):
 
 # VTK 9.1 at times casts rays on the CPU as if every window were square, without water as well
 SQUARE = dict(size=(200, 200))
-FIXED = ("Its rays are computed in 15 bits and rounded to pixels of its own, whose rows are not those of the mirrored "
-         "picture that is turned left to right.")
-ROUNDED = "It blends cell by cell and rounds each time to 8 bits; the reflection texture and a window round otherwise."
-OWN_LIGHT = "Its shaders have a light of their own, at the eye that they are drawn for."
-PARTS = "Its actors, which VTK does not tell of, are not cut at the water."
+FIXED = ("Its rays are computed in 15 bits and rounded to its own pixels, whose rows differ from those of the "
+         "flipped mirrored picture.")
+ROUNDED = ("It blends cell by cell and rounds each time to 8 bits; the reflection texture and a window round "
+           "differently.")
+OWN_LIGHT = "Its shaders use their own light, at the eye of the current view."
+PARTS = "Its actors, which VTK does not expose, are not cut at the water."
 cell("RenderingCore.vtkDataSetMapper", of_data(lambda: grid_of(ball())))
 cell("RenderingCore.vtkHierarchicalPolyDataMapper", of_data(balls))
 cell("RenderingCore.vtkGraphMapper", graph, wrong=True, reason=PARTS)

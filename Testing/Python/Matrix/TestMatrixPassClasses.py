@@ -115,8 +115,8 @@ def one_frame(made):
     return over_steps(made)
 
 
-FLAGS = ("The mirrored view orders what is translucent as the renderer's flags say: it cannot know what a pass of "
-         "the user's does.")
+FLAGS = ("The mirrored view orders translucent props by the renderer's flags: it cannot know what a user's pass "
+         "does.")
 cell("vtkClearRGBPass", cleared, others=mm.ALONE)
 cell("vtkClearZPass", cleared, others=mm.ALONE)
 cell("vtkDefaultPass", default, others=mm.ALONE)

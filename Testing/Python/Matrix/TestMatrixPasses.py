@@ -160,8 +160,8 @@ row.register("Sobel filter", filtered, pass_of(vtkSobelGradientMagnitudePass), 4
                     "(vtkSobelGradientMagnitudePass1FS.glsl and 2FS.glsl).")
 row.register("SSAA, with TextureScale sqrt(5)", filtered, pass_of(vtkSSAAPass), 3,
              int(mm.SIZE[0] * 5**0.5) / mm.SIZE[0],
-             reason="The mirrored view has the size of the picture, and not that of the pass, which is sqrt(5) times "
-                    "as large (vtkSSAAPass::Render); TextureScale makes it as fine.")
+             reason="The mirrored view has the size of the picture, not that of the pass, which is sqrt(5) times as "
+                    "large (vtkSSAAPass::Render); TextureScale can increase its resolution.")
 
 
 def hidden_lines(scene, on):

@@ -16,10 +16,8 @@ from vtkmodules.vtkRenderingFreeType import vtkVectorText
 row = mm.Results("Classes of props", __file__)
 BOUNDS = (-2, 2, -1.5, 1.5, -0.7, 1.9)
 YELLOW = (1, 0.8, 0.2)
-AVATAR = ("VTK does not tell of its parts. They are not cut at the water, and the headlight on them is not the "
-          "user's.")
-GRID = ("Which ticks and labels it has depends on the view that it is drawn for; it keeps those of the mirrored view, "
-        "in the picture as well.")
+AVATAR = ("VTK does not expose its parts. They are not cut at the water, and their headlight is not the user's.")
+GRID = ("Its ticks and labels depend on the view; it keeps those of the mirrored view, also in the picture.")
 
 
 def cell(path, make, name=None, cut=True, **options):

@@ -114,7 +114,7 @@ def scaled():
     is_plain = np.abs(seen - (0, 51, 153)).max(axis=2) <= 1
     row.say("user view transform that scales: one error, plain water",
             len(errors) == 1 and "view rigid" in errors[0] and is_water.sum() > 1000 and is_plain[is_water].all(),
-            reason="A view that scales or shears is refused with an error: its mirror image is no vtkCamera's.")
+            reason="A view that scales or shears is rejected with an error: no vtkCamera can have its mirror image.")
 
 
 test_cell = row.test()

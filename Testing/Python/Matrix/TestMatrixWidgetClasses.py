@@ -17,14 +17,14 @@ from vtkmodules.vtkRenderingCore import vtkActor, vtkCamera, vtkPropCollection
 row = mm.Results("Classes of widgets", __file__)
 BOX = (-1.5, 1.5, -1, 1, -0.6, 1.4)
 CORNERS = ((-1.5, 0, -0.5), (0, 0.5, 1.3), (1.5, -0.5, 0.4))
-FLAT = "2D is drawn over the finished picture and is no part of the scene that stands in the water."
+FLAT = "2D overlays are drawn over the finished picture and are not part of the reflected scene."
 
 
-PARTS = ("VTK does not tell of all of its parts (vtkProp::GetActors). Those are not cut at the water, and the "
-         "headlight on them is not the user's.")
+PARTS = ("VTK does not expose all of its parts (vtkProp::GetActors). These are not cut at the water, and their "
+         "headlight is not the user's.")
 OLD = mm.VTK_VERSION < (9, 3)
 CURVE = f"VTK 9.1: {PARTS}" if OLD else "VTK 9.6: its reflected handles differ in size by part of a pixel."
-LABEL = "In its first frame its label is placed for the mirrored view, in the picture as well."
+LABEL = "In its first frame its label is placed for the mirrored view, also in the picture."
 
 
 def placed(made_class, scene, set_up):

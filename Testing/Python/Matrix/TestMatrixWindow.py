@@ -122,7 +122,7 @@ def layers(name, water_layer):
     expected = make(mm.COMPOSED, mirrored)[0].pixels()
     control = make(mm.COMPOSED, np.full_like(mirrored, 60))[0].pixels()
     compare(name, scene, water, seen, expected, control, reason=None if water_layer == 0 else
-            "A transparent layer has no background of its own in the picture; its colour is reflected all the same.")
+            "A transparent layer shows no background of its own in the picture, but its colour is reflected.")
 
 
 row.register("two renderers in layers, water in the lower", layers, 0)
@@ -197,8 +197,9 @@ def two_windows_of_vtk():
     is_blank = [(picture == picture[0, 0]).all() for picture in pictures]
     row.say("two windows that share props, without water: a prop is left out",
             any(is_blank) or (pictures[0] != pictures[1]).any(),
-            reason="VTK 9.6 itself: its EGL and OSMesa windows free each other's buffers in the middle of a draw, and "
-                   "go on in the other's context, as their PopContext does nothing. With water they are freed before.")
+            reason="A defect of VTK 9.6: its EGL and OSMesa windows free each other's buffers in the middle of a "
+                   "draw, and continue in the other's context, because their PopContext does nothing. With water "
+                   "they are freed earlier.")
 
 
 if mm.VTK_VERSION >= (9, 6):
@@ -278,8 +279,8 @@ def insides():
     print(f"inside: {100 * (changed > 1).sum() / (water > 0).sum():.3f} % of the water's pixels depend on it, by at "
           f"most {changed.max()} of 255")
     wt.check_at_least("inside: pixels that depend on it", int((changed > 1).sum()), 20)
-    reason = ("The water looks its reflection up at a pixel's middle, once for all samples; the "
-              "reflection texture's pixel has the samples that the thing hides, too.")
+    reason = ("The water looks up its reflection at the centre of a pixel, once for all samples; the pixel of the "
+              "reflection texture also contains the samples that the object hides.")
     shared = (water > 0) & (water < 1)
     beside = np.pad(shared, 1)
     near = np.any([beside[1 + i:beside.shape[0] - 1 + i, 1 + j:beside.shape[1] - 1 + j]
