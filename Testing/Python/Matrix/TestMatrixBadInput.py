@@ -150,7 +150,7 @@ def passes(name, set_up, words=None):
     seen, _ = frames(scene)
     row.say(f"{name}: the errors in {FRAMES} frames: {1 if words else 0}",
             len(errors) == (1 if words else 0) and (not words or words in errors[0]))
-    row.say(f"{name}: the things are drawn", np.abs(seen - good).max(axis=2)[mm.SIZE[1] // 2 + 40:].max() <= 1)
+    row.say(f"{name}: the props are drawn", np.abs(seen - good).max(axis=2)[mm.SIZE[1] // 2 + 40:].max() <= 1)
     scene.renderer.SetPass(None)
     undo()
     after, _ = frames(scene)

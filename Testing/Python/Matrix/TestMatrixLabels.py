@@ -204,7 +204,7 @@ def users_planes(scene, on):
             actor.GetMapper().AddClippingPlane(plane)
 
 
-row.cell("six clipping planes of the user's", users_planes)
+row.cell("six user-defined clipping planes", users_planes)
 
 
 # The user's own shaders.

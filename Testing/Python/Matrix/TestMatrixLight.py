@@ -166,7 +166,7 @@ shadows("shadow maps of a spot light", SPOT)
 shadows("shadow maps of a directional light", DIRECTIONAL)
 shadows("shadow maps of two lights", SPOT, (SCENE, (3, -6, 4), dict(color=(0.4, 0.4, 0.6))))
 shadows("shadow maps of a camera light", (CAMERA, (0.8, 0.6, 1.4), dict()))
-shadows("shadow maps in a chain of the user's", SPOT, chain=True)
+shadows("shadow maps in a user's chain", SPOT, chain=True)
 shadows("shadow maps, something moved", SPOT, moves=True)
 shadows("shadow maps beside image-based light", SPOT, image_based=True)
 

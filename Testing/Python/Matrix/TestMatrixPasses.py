@@ -148,7 +148,7 @@ cell("depth peeling", peeled, peeled, mm.ALONE)
 cell("two-sided lighting off", lambda scene: scene.renderer.TwoSidedLightingOff(),
      lambda scene: scene.renderer.TwoSidedLightingOff(), mm.ALONE)
 cell("VTK's render steps as a pass", steps, steps, mm.ALONE)
-cell("a chain of the user's own", by_hand, steps, mm.ALONE)
+cell("a user's chain of passes", by_hand, steps, mm.ALONE)
 cell("the water's pass as the user's", composed_pass, steps, mm.ALONE)
 cell("eye dome lighting", pass_of(vtkEDLShading), steps)
 for number, kind in enumerate(("clamped", "Reinhard", "exponential")):

@@ -116,9 +116,9 @@ def ring():
     return wt.transformed(triangles.GetOutput(), matrix)
 
 
-@row.makes("a mesh of the user's")
+@row.makes("a user's mesh")
 def mesh():
-    show("a mesh of the user's", gradient, [Sheet(RAMP.origin, RAMP.normal, RAMP.bounds, data=ring())])
+    show("a user's mesh", gradient, [Sheet(RAMP.origin, RAMP.normal, RAMP.bounds, data=ring())])
 
 
 cell("three waters", gradient, [HIGHER, Sheet((2, 4, 1.0), (-0.3, -0.9, 0.5), (-2, 2, -2, 2))])

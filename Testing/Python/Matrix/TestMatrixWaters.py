@@ -83,7 +83,7 @@ def lake():
     return triangles.GetOutput()
 
 
-@row.makes("a lake of the user's mesh, with an island")
+@row.makes("a user's lake mesh with an island")
 def lake_with_island():
     def fill(scene):
         scene.add_data(wt.pyramid((0, 0, 0.5), 2.2, 24, 1.3), (0.4, 0.7, 0.3))
@@ -106,7 +106,7 @@ def lake_with_island():
         mm.add_sheet(truth, mm.mirrored_picture(fill_mirrored), lake())
         return truth.pixels()
 
-    row.compare("a lake of the user's mesh, with an island", seen, composed(fill), without, pixels,
+    row.compare("a user's lake mesh with an island", seen, composed(fill), without, pixels,
                 composed(mm.without_props(fill)))
 
 
