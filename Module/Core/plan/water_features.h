@@ -22,28 +22,28 @@ extern "C"
   X(RAY_TRACED, "reflected rays are traced in the reflection texture")                             \
   X(OFFSET, "the texture is looked up at an offset")                                               \
   X(ENVIRONMENT, "a static picture is reflected, or the background")                               \
-  X(MEDIUM, "the scene is seen through the surface")                                               \
-  X(CAUSTICS, "waves gather light on it")                                                          \
+  X(MEDIUM, "the scene is visible through the surface")                                            \
+  X(CAUSTICS, "waves focus light on the bed")                                                      \
   X(GLITTER, "the sun in slopes that a pixel does not resolve")                                    \
   X(SEA, "a wind sea on a tile")                                                                   \
   X(NORMAL_MAPS, "one or two normal maps move over it")                                            \
-  X(ROUGH, "several facets a pixel")                                                               \
-  X(DISPLACED, "waves move the surface itself")                                                    \
+  X(ROUGH, "several facets per pixel")                                                             \
+  X(DISPLACED, "waves displace the surface")                                                       \
   X(FOAM, "at the shore and on crests")                                                            \
   X(SHADOWS, "shadows on glitter and foam")                                                        \
-  X(OUTPUT, "the pixel shows how it got its colour")                                               \
-  X(TRANSLUCENT, "the reflection texture has a layer of translucent things")                       \
-  X(SEVERAL_RAYS, "a pixel has several where its neighbour shows another colour")                  \
+  X(OUTPUT, "the pixel shows the source of its colour")                                            \
+  X(TRANSLUCENT, "the reflection texture has a layer of translucent props")                        \
+  X(SEVERAL_RAYS, "several rays if a neighbour has another colour")                                \
   X(ENCLOSED, "a mesh in the reflection texture may be the sky")                                   \
-  X(PEELED, "the reflection texture has a peel: what is behind its first things")                  \
-  X(HARDWARE_RAYS, "hardware: a ray's reads go out together")                                      \
-  X(HARDWARE_FACETS, "hardware: facets with branches of their own")                                \
-  X(HARDWARE_MEDIUM, "hardware: a refracted ray is marched where it must")                         \
-  X(HARDWARE_TILE, "hardware: as many looks at a tile as a pixel needs")                           \
-  X(MESH, "a mesh of the user's: its vertices know their heights")                                 \
-  X(SAMPLES, "the picture that is seen through the surface has several samples a pixel")           \
-  X(SEA_MOVES, "the wind sea is among the waves that move the surface")                            \
-  X(WHITECAPS, "where they stand closest the sea is white")                                        \
+  X(PEELED, "the reflection texture has a peel: a second layer of depth")                          \
+  X(HARDWARE_RAYS, "hardware: reads of a ray are issued together")                                 \
+  X(HARDWARE_FACETS, "hardware: facets with separate branches")                                    \
+  X(HARDWARE_MEDIUM, "hardware: a refracted ray is marched only if needed")                        \
+  X(HARDWARE_TILE, "hardware: only as many samples of a tile as needed")                           \
+  X(MESH, "a user's mesh: its vertices carry their heights")                                       \
+  X(SAMPLES, "the picture below the surface is multisampled")                                      \
+  X(SEA_MOVES, "the wind sea displaces the surface")                                               \
+  X(WHITECAPS, "foam where the points of the sea are closest")                                     \
   X(SKY_SCREEN, "the background is a picture, or a gradient")                                      \
   X(SKY_MAP, "the sky is a picture in longitude and latitude")                                     \
   X(SKY_CUBE, "the sky is a cube map")                                                             \
@@ -73,38 +73,39 @@ enum // WATER_FEATURE_WAVES and so on
   (WATER_FEATURE_FLAG(SKY_SCREEN) | WATER_FEATURE_FLAG(SKY_MAP) | WATER_FEATURE_FLAG(SKY_CUBE))
 #define WATER_SURFACE_FILE_LIST(X)                                                                 \
   X(optics, vtkWaterOptics, 0, 0, "Fresnel's law")                                                 \
-  X(gradient, vtkWaterGradient, 0, 0, "where a direction finds the background's colour")           \
+  X(gradient, vtkWaterGradient, 0, 0, "background colour in a direction")                          \
   X(attenuation, vtkWaterAttenuation, WATER_FEATURE_FLAG(MEDIUM), 0,                               \
-    "what the water takes from light")                                                             \
+    "attenuation of light in the water")                                                           \
   X(slopes, vtkWaterSlopes, WATER_FEATURE_FLAG(GLITTER), 0, "slopes as a distribution")            \
   X(highlights, vtkWaterHighlights, WATER_FEATURE_FLAG(GLITTER), 0, "light over white")            \
-  X(cover, vtkWaterFoamCover, WATER_FEATURE_FLAG(FOAM), 0, "how much foam there is")               \
-  X(cell, vtkWaterCell, WATER_FEATURE_FLAG(DISPLACED), 0, "what a grid can hold of a wave")        \
+  X(cover, vtkWaterFoamCover, WATER_FEATURE_FLAG(FOAM), 0, "foam coverage")                        \
+  X(cell, vtkWaterCell, WATER_FEATURE_FLAG(DISPLACED), 0,                                          \
+    "the part of a wave that a grid resolves")                                                     \
   X(place, vtkWaterDisplacementFS, WATER_FEATURE_FLAG(DISPLACED), 0,                               \
     "place at rest, from the vertices")                                                            \
   X(place, vtkWaterNoDisplacementFS, 0, WATER_FEATURE_FLAG(DISPLACED),                             \
     "place at rest, from the pixel")                                                               \
   X(height, vtkWaterMeshHeightFS, WATER_FEATURE_FLAG(MESH), 0,                                     \
-    "over the plane, from the vertices")                                                           \
+    "height above the plane, from the vertices")                                                   \
   X(height, vtkWaterPixelHeightFS, 0, WATER_FEATURE_FLAG(MESH),                                    \
-    "over the plane, from the pixel's depth; 0 of a flat sheet")                                   \
-  X(point, vtkWaterPointFS, 0, 0, "what all slots know of their pixel")                            \
+    "height above the plane, from depth; 0 for a flat sheet")                                      \
+  X(point, vtkWaterPointFS, 0, 0, "values that all slots share")                                   \
   X(sky, vtkWaterSkyColorFS, 0, WATER_FEATURES_SKY, "the background: one colour")                  \
   X(sky, vtkWaterSkyScreenFS, WATER_FEATURE_FLAG(SKY_SCREEN), 0,                                   \
     "the background: a picture, or a gradient")                                                    \
   X(sky, vtkWaterSkyMapFS, WATER_FEATURE_FLAG(SKY_MAP), 0, "a picture in longitude and latitude")  \
   X(sky, vtkWaterSkyCubeFS, WATER_FEATURE_FLAG(SKY_CUBE), 0, "a cube map")                         \
-  X(floor, vtkWaterSkyFloorFS, WATER_FEATURE_FLAG(SKY_FLOOR), 0, "that of a skybox")               \
+  X(floor, vtkWaterSkyFloorFS, WATER_FEATURE_FLAG(SKY_FLOOR), 0, "floor of a skybox")              \
   X(floor, vtkWaterNoSkyFloorFS, 0, WATER_FEATURE_FLAG(SKY_FLOOR), "none")                         \
   X(tile, vtkWaterTileFS, WATER_FEATURE_FLAG(WAVES), WATER_FEATURE_FLAG(HARDWARE_TILE),            \
     "slopes from a texture that repeats")                                                          \
   X(tile, vtkWaterHardwareTileFS, WATER_FEATURE_FLAG(HARDWARE_TILE), 0,                            \
-    "the same, from one, two or four looks")                                                       \
+    "the same, with one, two or four samples")                                                     \
   X(slope, vtkWaterTileSlopeFS, WATER_FEATURE_FLAG(WAVES), 0, "slope of a texture that repeats")   \
   X(sines, vtkWaterWavesFS, WATER_FEATURE_FLAG(WAVES), 0, "sine and Gerstner waves")               \
   X(tiles, vtkWaterSeaTiles, WATER_FEATURE_FLAG(SEA), 0, "the wind sea's tiles")                   \
   X(folds, vtkWaterSeaFoldsFS, WATER_FEATURE_FLAG(SEA_MOVES) | WATER_FEATURE_FLAG(WHITECAPS), 0,   \
-    "how close a wind sea's points stand")                                                         \
+    "spacing of a wind sea's points")                                                              \
   X(folds, vtkWaterNoSeaFoldsFS, WATER_FEATURE_FLAG(WAVES),                                        \
     WATER_FEATURE_FLAG(SEA_MOVES) | WATER_FEATURE_FLAG(WHITECAPS), "not known")                    \
   X(sea, vtkWaterSeaFS, WATER_FEATURE_FLAG(SEA), 0, "wind sea")                                    \
@@ -124,18 +125,17 @@ enum // WATER_FEATURE_WAVES and so on
   X(reflection, vtkWaterMirrorFS, 0,                                                               \
     WATER_FEATURE_FLAG(ENVIRONMENT) | WATER_FEATURE_FLAG(RAY_TRACED) | WATER_FEATURE_FLAG(OFFSET), \
     "calm: the pixel's own place")                                                                 \
-  X(dome, vtkWaterDomeFS, WATER_FEATURE_FLAG(ENCLOSED), 0, "what was not drawn is no colour")      \
+  X(dome, vtkWaterDomeFS, WATER_FEATURE_FLAG(ENCLOSED), 0, "undrawn texels have no colour")        \
   X(dome, vtkWaterNoDomeFS, 0, WATER_FEATURE_FLAG(ENCLOSED), "it is the background")               \
   X(walk, vtkWaterRayWalkFS, WATER_FEATURE_FLAG(RAY_TRACED), WATER_FEATURE_FLAG(HARDWARE_RAYS),    \
-    "its looks one after another")                                                                 \
-  X(walk, vtkWaterHardwareRaysFS, WATER_FEATURE_FLAG(HARDWARE_RAYS), 0,                            \
-    "some of its looks at once")                                                                   \
-  X(behind, vtkWaterBehindFS, WATER_FEATURE_FLAG(PEELED), 0, "rays go on behind edges")            \
+    "sequential reads")                                                                            \
+  X(walk, vtkWaterHardwareRaysFS, WATER_FEATURE_FLAG(HARDWARE_RAYS), 0, "several reads at once")   \
+  X(behind, vtkWaterBehindFS, WATER_FEATURE_FLAG(PEELED), 0, "rays continue behind edges")         \
   X(behind, vtkWaterNoBehindFS,                                                                    \
     WATER_FEATURE_FLAG(ENVIRONMENT) | WATER_FEATURE_FLAG(RAY_TRACED) | WATER_FEATURE_FLAG(OFFSET), \
     WATER_FEATURE_FLAG(PEELED), "they end there")                                                  \
   X(layer, vtkWaterTranslucentLayerFS, WATER_FEATURE_FLAG(TRANSLUCENT), 0,                         \
-    "translucent things, and blur")                                                                \
+    "translucent props, and blur")                                                                 \
   X(layer, vtkWaterNoTranslucentLayerFS,                                                           \
     WATER_FEATURE_FLAG(ENVIRONMENT) | WATER_FEATURE_FLAG(RAY_TRACED) | WATER_FEATURE_FLAG(OFFSET), \
     WATER_FEATURE_FLAG(TRANSLUCENT), "none")                                                       \
@@ -145,29 +145,29 @@ enum // WATER_FEATURE_WAVES and so on
   X(blur, vtkWaterHardwareBlurFS, WATER_FEATURE_FLAG(HARDWARE_FACETS),                             \
     WATER_FEATURE_FLAG(TRANSLUCENT), "the same, all of them at once")                              \
   X(blur, vtkWaterNoBlurFS, WATER_FEATURE_FLAG(ENVIRONMENT), 0, "none")                            \
-  X(caustics, vtkWaterCausticsFS, WATER_FEATURE_FLAG(CAUSTICS), 0, "light that waves gather")      \
+  X(caustics, vtkWaterCausticsFS, WATER_FEATURE_FLAG(CAUSTICS), 0, "light that waves focus")       \
   X(caustics, vtkWaterNoCausticsFS, 0, WATER_FEATURE_FLAG(CAUSTICS), "none")                       \
-  X(medium, vtkWaterMediumFS, WATER_FEATURE_FLAG(MEDIUM), 0, "the scene, refracted and dimmed")    \
+  X(medium, vtkWaterMediumFS, WATER_FEATURE_FLAG(MEDIUM), 0,                                       \
+    "the scene, refracted and attenuated")                                                         \
   X(medium, vtkWaterNoMediumFS, 0, WATER_FEATURE_FLAG(MEDIUM), "the water's own colour")           \
   X(others, vtkWaterOthersFS, WATER_FEATURE_FLAG(SAMPLES), 0,                                      \
-    "what else is in a pixel of several samples")                                                  \
+    "other surfaces in a multisampled pixel")                                                      \
   X(others, vtkWaterNoOthersFS, WATER_FEATURE_FLAG(MEDIUM), WATER_FEATURE_FLAG(SAMPLES),           \
     "nothing")                                                                                     \
   X(refraction, vtkWaterMediumWalkFS, WATER_FEATURE_FLAG(MEDIUM),                                  \
-    WATER_FEATURE_FLAG(HARDWARE_MEDIUM), "how far the refracted ray is followed")                  \
+    WATER_FEATURE_FLAG(HARDWARE_MEDIUM), "tracing of the refracted ray")                           \
   X(refraction, vtkWaterHardwareMediumFS, WATER_FEATURE_FLAG(HARDWARE_MEDIUM), 0,                  \
     "the same, with branches")                                                                     \
-  X(facet_slopes, vtkWaterFacetSlopesFS, WATER_FEATURE_FLAG(ROUGH), 0,                             \
-    "the slopes that facets stand for")                                                            \
+  X(facet_slopes, vtkWaterFacetSlopesFS, WATER_FEATURE_FLAG(ROUGH), 0, "the slopes of the facets") \
   X(facets, vtkWaterFacetsFS, WATER_FEATURE_FLAG(ROUGH), WATER_FEATURE_FLAG(HARDWARE_FACETS),      \
-    "several facets a pixel")                                                                      \
+    "several facets per pixel")                                                                    \
   X(facets, vtkWaterHardwareFacetsFS, WATER_FEATURE_FLAG(HARDWARE_FACETS), 0,                      \
     "the same, with branches")                                                                     \
   X(facets, vtkWaterNoFacetsFS, 0, WATER_FEATURE_FLAG(ROUGH), "one")                               \
   X(rays, vtkWaterRaysFS, WATER_FEATURE_FLAG(SEVERAL_RAYS), 0,                                     \
-    "several rays a pixel where neighbours differ")                                                \
+    "several rays per pixel where neighbours differ")                                              \
   X(rays, vtkWaterOneRayFS, 0, WATER_FEATURE_FLAG(SEVERAL_RAYS), "one")                            \
-  X(shadows, vtkWaterShadowsFS, WATER_FEATURE_FLAG(SHADOWS), 0, "of things on glitter and foam")   \
+  X(shadows, vtkWaterShadowsFS, WATER_FEATURE_FLAG(SHADOWS), 0, "shadows on glitter and foam")     \
   X(shadows, vtkWaterNoShadowsFS, 0, WATER_FEATURE_FLAG(SHADOWS), "none")                          \
   X(glitter, vtkWaterGlitterFS, WATER_FEATURE_FLAG(GLITTER), 0, "the sun's glitter")               \
   X(glitter, vtkWaterNoGlitterFS, 0, WATER_FEATURE_FLAG(GLITTER), "none")                          \
@@ -183,33 +183,35 @@ enum // WATER_FEATURE_WAVES and so on
 
 // Files of its vertex shader, in order: the same, for features that have any.
 #define WATER_VERTEX_FILE_LIST(X)                                                                  \
-  X(cell, vtkWaterCell, WATER_FEATURE_FLAG(DISPLACED), 0, "what a grid can hold of a wave")        \
+  X(cell, vtkWaterCell, WATER_FEATURE_FLAG(DISPLACED), 0,                                          \
+    "the part of a wave that a grid resolves")                                                     \
   X(tiles, vtkWaterSeaTiles, WATER_FEATURE_FLAG(SEA_MOVES), 0, "the wind sea's tiles")             \
-  X(sea, vtkWaterSeaVS, WATER_FEATURE_FLAG(SEA_MOVES), 0, "what a wind sea moves them by")         \
+  X(sea, vtkWaterSeaVS, WATER_FEATURE_FLAG(SEA_MOVES), 0, "displacement by a wind sea")            \
   X(sea, vtkWaterNoSeaVS, WATER_FEATURE_FLAG(DISPLACED), WATER_FEATURE_FLAG(SEA_MOVES), "none")    \
   X(displacement, vtkWaterDisplacementVS, WATER_FEATURE_FLAG(DISPLACED), 0,                        \
     "moves vertices by the waves")                                                                 \
-  X(heights, vtkWaterMeshVS, WATER_FEATURE_FLAG(MESH), 0, "of the vertices over the plane")        \
+  X(heights, vtkWaterMeshVS, WATER_FEATURE_FLAG(MESH), 0,                                          \
+    "heights of the vertices above the plane")                                                     \
   X(depth, vtkWaterDepthVS, 0, 0, "an endless surface is not cut at the near and far planes")
 
 // Files of the shader that follows light from the surface to the bed (water_caustics.h), in order:
 // the same, for features that have caustics. The surface counts as lying in its plane.
 #define WATER_PHOTON_FILE_LIST(X)                                                                  \
-  X(gradient, vtkWaterGradient, 0, 0, "where a direction finds the background's colour")           \
+  X(gradient, vtkWaterGradient, 0, 0, "background colour in a direction")                          \
   X(place, vtkWaterNoDisplacementFS, 0, 0, "place at rest, from the pixel")                        \
-  X(height, vtkWaterPixelHeightFS, 0, 0, "over the plane, from the pixel's depth")                 \
-  X(point, vtkWaterPointFS, 0, 0, "what all slots know, and the sun")                              \
+  X(height, vtkWaterPixelHeightFS, 0, 0, "height above the plane, from the pixel's depth")         \
+  X(point, vtkWaterPointFS, 0, 0, "values that all slots share, and the sun")                      \
   X(tile, vtkWaterPhotonTileFS, 0, 0, "slopes from a texture that repeats, smooth between points") \
   X(sines, vtkWaterWavesFS, 0, 0, "sine and Gerstner waves")                                       \
   X(tiles, vtkWaterSeaTiles, WATER_FEATURE_FLAG(SEA), 0, "tiles of a wind sea")                    \
-  X(folds, vtkWaterNoSeaFoldsFS, 0, 0, "of a sea that moves no points in the plane")               \
+  X(folds, vtkWaterNoSeaFoldsFS, 0, 0, "for a sea without horizontal displacement")                \
   X(sea, vtkWaterSeaFS, WATER_FEATURE_FLAG(SEA), 0, "wind sea")                                    \
   X(sea, vtkWaterNoSeaFS, 0, WATER_FEATURE_FLAG(SEA), "none")                                      \
   X(normal_maps, vtkWaterNormalMapsFS, WATER_FEATURE_FLAG(NORMAL_MAPS), 0,                         \
     "normal maps that move")                                                                       \
   X(normal_maps, vtkWaterNoNormalMapsFS, 0, WATER_FEATURE_FLAG(NORMAL_MAPS), "none")               \
   X(waves, vtkWaterRippleFS, 0, 0, "the normal, from the last three")                              \
-  X(photon, vtkWaterPhotonFS, 0, 0, "where a point's light comes to the bed")
+  X(photon, vtkWaterPhotonFS, 0, 0, "where the light of a point reaches the bed")
 
 // Is a file of the lists part of the shader of some features?
 static inline bool water_features_want(unsigned features, unsigned any_of, unsigned none_of)
@@ -225,16 +227,16 @@ typedef enum water_lookup_kind
 
 // What the features of a look depend on, and how waves are looked up: X(member, what).
 #define WATER_FEATURE_LOOK_LIST(X)                                                                 \
-  X(has_sines, "waves given one by one")                                                           \
+  X(has_sines, "individual waves")                                                                 \
   X(has_sea, "a wind sea")                                                                         \
   X(has_normal_maps, "normal maps that move")                                                      \
   X(has_slope_variance, "slopes that are given as a distribution")                                 \
-  X(has_wave_geometry, "sines and the sea move the surface")                                       \
-  X(has_whitecaps, "the sea's crests are white")                                                   \
+  X(has_wave_geometry, "sines and the sea displace the surface")                                   \
+  X(has_whitecaps, "foam on the crests of the sea")                                                \
   X(has_environment, "a static picture is reflected")                                              \
-  X(has_refraction, "the scene is seen through the surface")                                       \
+  X(has_refraction, "the scene is visible through the surface")                                    \
   X(is_opaque, "drawn with the opaque geometry")                                                   \
-  X(has_caustics, "waves gather light under water")                                                \
+  X(has_caustics, "waves focus light under water")                                                 \
   X(has_glitter, "the sun in slopes that a pixel does not resolve")                                \
   X(has_foam, "at the shore or on crests")                                                         \
   X(has_shadows, "on glitter and foam")                                                            \

@@ -27,7 +27,7 @@
   X(FRESNEL, "reflectance", "1 / distance from the critical cosine", "absolute")                   \
   X(FRESNEL_ORDER, "reflectance falls with the cosine", "1 / step of the cosine", "rise")          \
   X(SAME_PLAN, "equal plans for equal scenes", "none", "bytes")                                    \
-  X(ACCEPTED, "a good scene is planned", "far / near", "refused")
+  X(ACCEPTED, "a good scene is planned", "far / near", "rejected")
 
 typedef enum stress_property
 {
