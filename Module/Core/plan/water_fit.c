@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "water_fit.h"
+
+#include "water_math.h"
+#include "water_plane.h"
+
+#include <float.h>
+#include <math.h>
+
+static const double level_angle = 1e-4; // rad; water_fit_judge says why
+static const double steepest = 0.57735026918962576451; // tangent of 30 degrees
+static const double left_max = 0.5; // of the heights' mean square, that a tilt leaves
+// Of a narrow part: a tilt across it is not known when it is so much narrower than long, squared.
+static const double narrow = 1e-8;
+// Of a surface's diagonal: a reflection that is off by so much is not seen where the surface is.
+static const double shared = 1e-6;
+static const double roundings = 4.0; // of a height, in floats
+
+void water_fit_begin(const double up[3], water_fit* fit)
+{
+  memset(fit, 0, sizeof *fit);
+  memcpy(fit->up, up, sizeof fit->up);
+  water_plane_axes(up, fit->x_dir, fit->y_dir);
+  water_bounds_begin(fit->bounds);
+}
+
+// A corner in the axes, from the fit's origin.
+static void place_of(const water_fit* fit, const double corner[3], double place[3])
+{
+  const double off[3] = { corner[0] - fit->origin[0], corner[1] - fit->origin[1],
+    corner[2] - fit->origin[2] };
+  place[0] = water_vec3_dot(fit->x_dir, off);
+  place[1] = water_vec3_dot(fit->y_dir, off);
+  place[2] = water_vec3_dot(fit->up, off);
+}
+
+// Integral of the product of two linear functions over a triangle, by their values at its corners.
+// Source: the barycentric monomials' integrals, A (1 + [i = j]) / 12.
+static double product_of(double area, const double p[3][3], int i, int j)
+{
+  double sum_i = 0.0;
+  double sum_j = 0.0;
+  double sum_ij = 0.0;
+  for (int k = 0; k < 3; ++k)
+  {
+    sum_i += p[k][i];
+    sum_j += p[k][j];
+    sum_ij += p[k][i] * p[k][j];
+  }
+  return area / 12.0 * (sum_ij + sum_i * sum_j);
+}
+
+void water_fit_add(const double a[3], const double b[3], const double c[3], water_fit* fit)
+{
+  const double* corners[3] = { a, b, c };
+  double p[3][3];
+  if (water_bounds_is_empty(fit->bounds) && water_all_usable(a, 3))
+  {
+    memcpy(fit->origin, a, sizeof fit->origin);
+  }
+  for (int i = 0; i < 3; ++i)
+  {
+    place_of(fit, corners[i], p[i]);
+  }
+  const double area = 0.5 *
+    fabs((p[1][0] - p[0][0]) * (p[2][1] - p[0][1]) - (p[1][1] - p[0][1]) * (p[2][0] - p[0][0]));
+  if (!water_all_usable(a, 3) || !water_all_usable(b, 3) || !water_all_usable(c, 3))
+  {
+    return;
+  }
+  static const int axes[6][2] = { { 0, 0 }, { 0, 1 }, { 1, 1 }, { 0, 2 }, { 1, 2 }, { 2, 2 } };
+  fit->area += area;
+  for (int i = 0; i < 3; ++i)
+  {
+    fit->first[i] += area / 3.0 * (p[0][i] + p[1][i] + p[2][i]);
+    water_bounds_add_point(fit->bounds, corners[i]);
+  }
+  for (int i = 0; i < 6; ++i)
+  {
+    fit->second[i] += product_of(area, p, axes[i][0], axes[i][1]);
+  }
+}
+
+// The slope of the best plane. covariance: xx, xy, yy, x height, y height
+static void find_slope(const double covariance[5], double slope[2])
+{
+  const double xx = covariance[0];
+  const double xy = covariance[1];
+  const double yy = covariance[2];
+  const double trace = xx + yy;
+  const double det = xx * yy - xy * xy;
+  slope[0] = slope[1] = 0.0;
+  if (!(trace > 0.0))
+  {
+    return;
+  }
+  if (det > narrow * trace * trace)
+  {
+    slope[0] = (yy * covariance[3] - xy * covariance[4]) / det;
+    slope[1] = (xx * covariance[4] - xy * covariance[3]) / det;
+    return;
+  }
+  // along its length alone
+  const double angle = 0.5 * atan2(2.0 * xy, xx - yy);
+  const double along[2] = { cos(angle), sin(angle) };
+  const double tilt = (along[0] * covariance[3] + along[1] * covariance[4]) / trace;
+  slope[0] = tilt * along[0];
+  slope[1] = tilt * along[1];
+}
+
+water_status water_fit_judge(const water_fit* fit, water_fit_plane* plane)
+{
+  if (!(fit->area > 0.0) || !isfinite(fit->area))
+  {
+    return WATER_BAD_SURFACE;
+  }
+  double mean[3];
+  for (int i = 0; i < 3; ++i)
+  {
+    mean[i] = fit->first[i] / fit->area;
+  }
+  static const int axes[6][2] = { { 0, 0 }, { 0, 1 }, { 1, 1 }, { 0, 2 }, { 1, 2 }, { 2, 2 } };
+  double covariance[6];
+  for (int i = 0; i < 6; ++i)
+  {
+    covariance[i] = fit->second[i] / fit->area - mean[axes[i][0]] * mean[axes[i][1]];
+  }
+  double slope[2];
+  find_slope(covariance, slope);
+  const double unevenness = fmax(covariance[5], 0.0);
+  const double left =
+    fmax(unevenness - slope[0] * covariance[3] - slope[1] * covariance[4], 0.0);
+  const double tilt = hypot(slope[0], slope[1]);
+  const bool is_tilted = tilt >= level_angle && tilt <= steepest && left <= left_max * unevenness;
+  const double length = is_tilted ? sqrt(1.0 + tilt * tilt) : 1.0;
+  double diagonal[3];
+  water_fit_plane made;
+  for (int i = 0; i < 3; ++i)
+  {
+    const double leaned = fit->up[i] - slope[0] * fit->x_dir[i] - slope[1] * fit->y_dir[i];
+    made.normal[i] = is_tilted ? leaned / length : fit->up[i];
+    made.middle[i] =
+      fit->origin[i] + mean[0] * fit->x_dir[i] + mean[1] * fit->y_dir[i] + mean[2] * fit->up[i];
+    diagonal[i] = fit->bounds[2 * i + 1] - fit->bounds[2 * i];
+  }
+  // a level one as its height alone, which no rounding of the middle's place changes
+  const double height = water_vec3_dot(fit->up, fit->origin) + mean[2];
+  for (int i = 0; i < 3; ++i)
+  {
+    made.origin[i] = is_tilted ? made.middle[i] : height * fit->up[i];
+  }
+  made.reach = water_vec3_length(diagonal);
+  made.area = fit->area;
+  made.rms = sqrt(is_tilted ? left : unevenness) / length;
+  made.is_level = !is_tilted;
+  *plane = made;
+  return WATER_OK;
+}
+
+double water_fit_tolerance(double diagonal, double coordinate, bool is_single)
+{
+  const double rounding = is_single ? (double)FLT_EPSILON : DBL_EPSILON;
+  return shared * diagonal + roundings * rounding * coordinate;
+}
+
+// How far a part is from the plane of another, at most.
+static double apart(const water_fit_plane* part, const water_fit_plane* other)
+{
+  double off[3];
+  double turn[3];
+  for (int i = 0; i < 3; ++i)
+  {
+    off[i] = part->middle[i] - other->origin[i];
+    turn[i] = part->normal[i] - other->normal[i];
+  }
+  return fabs(water_vec3_dot(other->normal, off)) + part->reach * water_vec3_length(turn);
+}
+
+size_t water_fit_share(const water_fit_plane* parts, size_t count, double tolerance, size_t most,
+  size_t* plane, size_t* first)
+{
+  size_t planes = 0;
+  for (size_t i = 0; i < count; ++i)
+  {
+    size_t nearest = planes;
+    double least = (double)INFINITY;
+    for (size_t j = 0; j < planes && least > tolerance; ++j)
+    {
+      const double distance = apart(&parts[i], &parts[first[j]]);
+      nearest = distance < least ? j : nearest;
+      least = fmin(distance, least);
+    }
+    if (least > tolerance && planes < most)
+    {
+      nearest = planes;
+      first[planes++] = i;
+    }
+    plane[i] = nearest;
+  }
+  return planes;
+}

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// water_fit.h: the plane that lies best in a part of a surface, such as one lake of several, and
+// which parts lie in one plane.
+//
+// The plane has the least mean square of heights, by the area that is seen along the up direction:
+// what the mirrored view is wrong by grows with the surface's height over its plane. Integrals over
+// triangles are exact, so that the plane does not depend on how a surface is cut into triangles.
+// Water lies level, unless a tilt is what its heights are made of.
+#ifndef water_fit_h
+#define water_fit_h
+
+#include "water_status.h"
+#include "water_types.h"
+
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C"
+{
+#endif
+
+// What of a part has been looked at. Places count from origin, which sums keep their digits by.
+typedef struct water_fit
+{
+  double up[3]; // unit length; the other two are the plane's own axes (water_plane_axes)
+  double x_dir[3];
+  double y_dir[3];
+  double origin[3]; // the first corner
+  double area;      // seen along up
+  double first[3];  // integrals of x, y and the height
+  double second[6]; // of xx, xy, yy, x height, y height, height height
+  double bounds[6]; // xmin, xmax, ymin, ymax, zmin, zmax in world
+} water_fit;
+
+typedef struct water_fit_plane
+{
+  double normal[3]; // unit length, up
+  double origin[3]; // of a level plane over the world's origin, else in the middle of the part
+  double middle[3]; // of the part, on the plane
+  double reach;     // no point of the part is farther from there along the axes' diagonal
+  double area;      // of the part, seen along up
+  double rms;       // of heights over the plane
+  bool is_level;
+} water_fit_plane;
+
+// up  unit length
+void water_fit_begin(const double up[3], water_fit* fit);
+
+// Looks at a triangle: its corners in world. What is not finite is left out.
+void water_fit_add(const double a[3], const double b[3], const double c[3], water_fit* fit);
+
+// The plane of what has been looked at. It is level where the best one is tilted by less than
+// 1e-4 rad, which moves a reflection by less than a fifth of a pixel in a picture of 1000 pixels a
+// radian; where the tilt leaves more than half of the heights' mean square, as waves do; and where
+// it is steeper than 30 degrees, as no water is.
+//
+// Returns WATER_OK or WATER_BAD_SURFACE (no area); then *plane is unchanged.
+water_status water_fit_judge(const water_fit* fit, water_fit_plane* plane);
+
+// How far the planes of two parts of a surface may be apart and count as one.
+//
+// diagonal    of the surface's bounds
+// coordinate  the largest of them, without its sign
+// is_single   coordinates are floats
+double water_fit_tolerance(double diagonal, double coordinate, bool is_single);
+
+// Which parts lie in one plane. A part joins the first of the planes so far that it is no farther
+// from than the tolerance, all over; else it begins one. When there are as many as there may be, it
+// joins the nearest.
+//
+// parts  the largest first
+// most   planes, >= 1
+// plane  of each part: the number of its plane, which are counted in order
+// first  of each plane: the part that it is of; room for most
+//
+// Returns the number of planes.
+size_t water_fit_share(const water_fit_plane* parts, size_t count, double tolerance, size_t most,
+  size_t* plane, size_t* first);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// water_regions.h: which points of a mesh hang together by its cells.
+//
+// Source: Tarjan and van Leeuwen 1984, "Worst-case Analysis of Set Union Algorithms": union with
+// path halving.
+#ifndef water_regions_h
+#define water_regions_h
+
+#include <stddef.h>
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C"
+{
+#endif
+
+// Each point is a region of its own.
+//
+// parents  one for each point; the other functions work on it
+void water_regions_begin(int64_t* parents, size_t count);
+
+// The point that stands for the region of a point.
+int64_t water_regions_find(int64_t* parents, int64_t point);
+
+// Makes one region of those of two points. The lower point stands for it.
+void water_regions_join(int64_t* parents, int64_t a, int64_t b);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

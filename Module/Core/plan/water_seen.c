@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "water_seen.h"
+
+#include "water_camera.h"
+#include "water_math.h"
+#include "water_plane.h"
+#include "water_select.h"
+#include "water_target.h"
+
+double water_seen_share(const water_camera* eye, const water_plane* plane, const double bounds[6])
+{
+  water_plane unit;
+  double box[4];
+  if (!water_bounds_are_finite(bounds) || water_bounds_is_empty(bounds) ||
+    water_plane_normalise(plane, &unit) != WATER_OK || !water_select_is_in_view(eye, bounds))
+  {
+    return 0.0;
+  }
+  water_target_box(eye, &unit, bounds, box);
+  return 0.25 * fmax(box[2] - box[0], 0.0) * fmax(box[3] - box[1], 0.0);
+}
+
+void water_seen_choose(const double* shares, size_t count, size_t most, bool* has_view)
+{
+  for (size_t i = 0; i < count; ++i)
+  {
+    size_t larger = 0;
+    for (size_t j = 0; j < count; ++j)
+    {
+      larger += shares[j] > shares[i] || (j < i && shares[j] == shares[i]) ? 1 : 0;
+    }
+    has_view[i] = larger < most || !(shares[i] > 0.0);
+  }
+}

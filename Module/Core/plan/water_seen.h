@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// water_seen.h: how much of the picture a water may cover, and which of many waters have a mirrored
+// view.
+#ifndef water_seen_h
+#define water_seen_h
+
+#include "water_types.h"
+
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C"
+{
+#endif
+
+// The share of the picture that the box of a surface covers, in [0, 1]; 0: it is out of view. What
+// hides it does not count.
+//
+// plane   of any scale
+// bounds  of the surface: xmin, xmax, ymin, ymax, zmin, zmax in world; empty: out of view
+double water_seen_share(const water_camera* eye, const water_plane* plane, const double bounds[6]);
+
+// Marks the waters that have a mirrored view: those that cover most of the picture, of equal ones
+// the first. What is out of view has one as well, which costs nothing: none is drawn.
+//
+// shares  of water_seen_share
+// most    of them in view
+void water_seen_choose(const double* shares, size_t count, size_t most, bool* has_view);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// test_seen.c: how much of the picture waters cover, and which of many have a mirrored view.
+#include "test_main.h"
+#include "test_scene.h"
+
+#include "water_seen.h"
+
+static const water_plane level = { { 0.0, 0.0, 1.0 }, 0.0 };
+
+static water_camera over_the_water(void)
+{
+  const double eye[3] = { 0.0, -20.0, 10.0 };
+  const double target[3] = { 0.0, 0.0, 0.0 };
+  const double up[3] = { 0.0, 0.0, 1.0 };
+  water_camera camera = { { 0.0 } };
+  look_at(eye, target, up, camera.world_to_view);
+  const double box[4] = { -0.36, 0.36, -0.36, 0.36 };
+  frustum_matrix(box, 1.0, 100.0, camera.view_to_clip);
+  return camera;
+}
+
+TEST(what_is_nearer_or_larger_covers_more)
+{
+  const water_camera eye = over_the_water();
+  const double near_box[6] = { -1, 1, -3, -1, 0, 0 };
+  const double far_box[6] = { -1, 1, 3, 5, 0, 0 };
+  const double large[6] = { -3, 3, -3, 3, 0, 0 };
+  const double behind[6] = { -1, 1, -60, -50, 0, 0 };
+  const double none[6] = { 1, -1, 1, -1, 1, -1 };
+  const double all[6] = { -900, 900, -900, 900, 0, 0 };
+  const double share = water_seen_share(&eye, &level, near_box);
+  assert_true(share > water_seen_share(&eye, &level, far_box));
+  assert_true(water_seen_share(&eye, &level, far_box) > 0.0);
+  assert_true(water_seen_share(&eye, &level, large) > share);
+  ASSERT_CLOSE(water_seen_share(&eye, &level, behind), 0.0, 0.0);
+  ASSERT_CLOSE(water_seen_share(&eye, &level, none), 0.0, 0.0);
+  assert_true(water_seen_share(&eye, &level, all) <= 1.0);
+}
+
+TEST(the_largest_have_a_mirrored_view)
+{
+  const double shares[6] = { 0.1, 0.0, 0.3, 0.1, 0.2, 0.05 };
+  bool has_view[6];
+  water_seen_choose(shares, 6, 3, has_view);
+  const bool three[6] = { true, true, true, false, true, false };
+  for (int i = 0; i < 6; ++i)
+  {
+    assert_true(has_view[i] == three[i]);
+  }
+  water_seen_choose(shares, 6, 6, has_view);
+  for (int i = 0; i < 6; ++i)
+  {
+    assert_true(has_view[i]);
+  }
+}
+
+TESTS(what_is_nearer_or_larger_covers_more, the_largest_have_a_mirrored_view)
