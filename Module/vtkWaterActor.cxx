@@ -100,6 +100,16 @@ vtkWaterProperty* vtkWaterActor::GetWaterProperty()
 }
 
 //------------------------------------------------------------------------------
+void vtkWaterActor::SetSceneReflection(bool isOn)
+{
+  if (this->SceneReflection != isOn)
+  {
+    this->SceneReflection = isOn;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
 vtkWaterReflectionPass* vtkWaterActor::GetReflectionPass()
 {
   return this->ComposedPass ? this->ComposedPass.Get() : this->OwnPass.Get();
@@ -203,6 +213,7 @@ void vtkWaterActor::ShallowCopy(vtkProp* prop)
     }
     this->SetPlane(other->Plane);
     this->SetTime(other->Time);
+    this->SetSceneReflection(other->SceneReflection);
     this->SetWaterProperty(other->WaterProperty);
     if (other->UseSheetBounds)
     {
@@ -253,6 +264,7 @@ void vtkWaterActor::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Surface: " << (this->UsesOwnSheet() ? "own sheet" : "mapper of the user")
      << "\n";
   os << indent << "Time: " << this->Time << "\n";
+  os << indent << "SceneReflection: " << (this->SceneReflection ? "on" : "off") << "\n";
   vtkWaterLook look;
   this->Internal->Describe(look);
   os << indent << "MetresPerUnit in use: " << look.MetresPerUnit

@@ -136,6 +136,17 @@ public:
 
   ///@{
   /**
+   * Whether this water reflects the scene as its vtkWaterProperty says. Off: it reflects only the
+   * sky, as with the ReflectionSource ENVIRONMENT, and no mirrored view is rendered for it. Default
+   * is on.
+   */
+  void SetSceneReflection(bool isOn);
+  vtkGetMacro(SceneReflection, bool);
+  vtkBooleanMacro(SceneReflection, bool);
+  ///@}
+
+  ///@{
+  /**
    * Time of the waves in seconds, in [-1e15, 1e15]; another value is rejected with an error. The
    * picture depends only on this number, not on earlier frames. Default is 0.
    */
@@ -249,6 +260,7 @@ private:
   bool SheetIsAutomatic = false;
   double DisplacedBounds[6] = {};
   double Time = 0.0;
+  bool SceneReflection = true;
 };
 
 #ifdef VTK_ABI_NAMESPACE_END

@@ -229,6 +229,7 @@ vtkWaterSnapshotPointer vtkWaterActor::Internals::Take(vtkRenderer* renderer)
   made->Time = this->Self->Time;
   this->Describe(made->Look);
   made->Look.Has.is_opaque = this->Self->HasOpaqueGeometry() != 0;
+  made->Look.Has.has_environment = made->Look.Has.has_environment || !this->Self->SceneReflection;
   made->Features = water_features_of(&made->Look.Has);
   if (made->Mesh.HasVertexHeights)
   {

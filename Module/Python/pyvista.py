@@ -19,8 +19,8 @@ from . import vtkWaterActor
 from .errors import raising
 from .skies import Sun, add_clear_sky, has_scene_light, shine, sun_of
 from .sliders import add_water_level_slider
-from .surfaces import color_surface, level_and_surface, level_of_surface, plane_of, surface_of
-from .words import in_range, number, numbers, set_look
+from .surfaces import check_level, color_surface, lakes_of, level_and_surface, plane_of, surface_of
+from .words import in_range, number, numbers, of_type, set_look
 
 __all__ = ["Sun", "add_clear_sky", "add_water", "add_water_level_slider"]
 
@@ -52,6 +52,7 @@ def add_water(
     normal="z",
     origin=(0.0, 0.0, 0.0),
     surface=None,
+    max_mirrors=None,
     bounds=None,
     color=None,
     opacity=None,
@@ -140,8 +141,13 @@ def add_water(
         The point from which ``level`` is measured.
 
     surface : pyvista.DataSet, optional
-        The water's surface, such as a lake's polygon or a free surface. It must lie in the plane, apart from its
-        waves. The default is a built-in sheet.
+        The water's surface, such as a lake's polygon or a free surface. Unconnected parts, such as several lakes, get
+        one water each, in the plane that fits it best (:vtk:`vtkWaterLakes`). With a number as ``level`` there is one
+        water, and all of the surface must lie in its plane, apart from waves. The default is a built-in sheet.
+
+    max_mirrors : int, optional
+        With a ``surface`` of several planes: the most waters in view that reflect the scene, in [0, 4096]; the default
+        is 8. The others, which cover less of the picture, reflect only the sky.
 
     bounds : sequence[float] | str, optional
         Extent of the built-in sheet. ``(xmin, xmax, ymin, ymax)``: along x and y for horizontal water, otherwise along
@@ -175,8 +181,9 @@ def add_water(
     Returns
     -------
     vtkwater.vtkWaterActor
-        The water. ``actor.water_property`` (``GetWaterProperty()``) holds all settings of the look,
-        ``actor.reflection_pass`` (``GetReflectionPass()``) those of the reflection and its cost.
+        The water; of several planes the one of the largest part. The others copy its look, time and visibility in the
+        next frame, and are removed with it. ``actor.water_property`` (``GetWaterProperty()``) holds all settings of
+        the look, ``actor.reflection_pass`` (``GetReflectionPass()``) those of the reflection and its cost.
 
     Raises
     ------
@@ -223,23 +230,21 @@ def add_water(
         color_surface(mapper, surface, color_by, cmap, clim)
         if refraction is None and not foam and not caustics and data_opacity in (None, 1):
             refraction = False  # the data hide what it would show
-    if data is not None:
-        base_level = data.filter.GetMeanLevel()
-    elif mapper is not None:
-        base_level = level_of_surface(mapper, level, normal, origin)
-    else:
-        base_level = 0.0 if level is None else number("level", level)
-    plane_origin, plane_normal = plane_of(base_level, normal, origin, scale)
+    has_level = data is None and level is not None
+    plane_origin, plane_normal = plane_of(number("level", level) if has_level else 0.0, normal, origin, scale)
+    lakes = None if mapper is None or has_level else lakes_of(mapper, normal)
+    if has_level and mapper is not None:
+        check_level(mapper, level, normal, origin)
     if sun is None:
         sun = bool(caustics) and not has_scene_light(self.renderer)
     light = None if sun is False else sun_of(sun)
     lowest = lowest_along(self.renderer, plane_normal)
 
-    actor = vtkWaterActor()
+    actor = vtkWaterActor() if lakes is None else lakes.GetWater()
     look = actor.GetWaterProperty()
-    plane = actor.GetPlane()
-    plane.SetOrigin(plane_origin)
-    plane.SetNormal(plane_normal)
+    if lakes is None:
+        actor.GetPlane().SetOrigin(plane_origin)
+        actor.GetPlane().SetNormal(plane_normal)
     set_look(look, preset=preset, waves=waves, wind=wind, color=None if color is None else pv.Color(color).float_rgb,
              opacity=opacity, refraction=refraction, foam=foam, caustics=caustics, quality=quality, units=units)
     with raising(actor, SheetBounds="bounds", Time="time"):
@@ -250,15 +255,18 @@ def add_water(
         actor.SetTime(number("time", time))
     if data_opacity is not None:
         look.SetDataOpacity(in_range("data_opacity", data_opacity, 0.0, 1.0))
-    if mapper is not None:
+    if max_mirrors is not None and lakes is not None:
+        with raising(lakes, MaximumNumberOfMirrors="max_mirrors"):
+            lakes.SetMaximumNumberOfMirrors(of_type("max_mirrors", max_mirrors, int))
+    if has_level and mapper is not None:
         actor.SetMapper(mapper)
-    if data is not None:
-        data.follow(actor, self.renderer)
 
     self.renderer.add_actor(
         actor, name=name, pickable=pickable, reset_camera=reset_camera, render=False)
     if surface is None:
         actor.SetScale(1.0, 1.0, 1.0)  # the plane has it
+    if lakes is not None:
+        lakes.AddTo(self.renderer)
     if light is not None:
         shine(self.renderer, actor, *light)
     if color_by is not None and scalar_bar:
@@ -266,8 +274,8 @@ def add_water(
     height = vtkMath.Dot(plane_origin, plane_normal)
     bounds_known = vtkMath.AreBoundsInitialized(actor.GetBounds() or (1, -1, 1, -1, 1, -1))  # also chooses the sheet
     if surface is None and bounds is None and not actor.GetSheetToHorizon() and lowest > height:
-        warnings.warn(f"level is {base_level:g}, which is below the whole scene: the land hides the water; "
-                      "use a higher level", stacklevel=2)
+        warnings.warn(f"level is {number('level', level or 0.0):g}, which is below the whole scene: the land hides the "
+                      "water; use a higher level", stacklevel=2)
     if self.renderer.camera_set and not actor.GetSheetToHorizon():
         widen_clipping_range(self.renderer)
     if render and (actor.GetSheetToHorizon() or bounds_known):

@@ -2,22 +2,21 @@
 """The surface and the plane of add_water; a solver's mesh by the names of its arrays.
 
     surface = DataSurface(dataset, level="zeta", bed="zb")
-    water.SetMapper(surface.mapper)
-    surface.follow(water, renderer)  # each frame shows the current arrays
+    lakes = lakes_of(surface.mapper, "z")
+    lakes.AddTo(renderer)  # each frame shows the current arrays
 """
 import math
-import weakref
 
 import numpy as np
 import pyvista as pv
 
 from vtkmodules.vtkFiltersGeometry import vtkDataSetSurfaceFilter
 
-from . import vtkWaterActor, vtkWaterSurfaceFilter
+from . import vtkWaterActor, vtkWaterLakes, vtkWaterSurfaceFilter
 from .errors import raising
 from .words import number, numbers, of_type
 
-__all__ = ["DataSurface", "color_surface", "level_and_surface", "level_of_surface", "plane_of", "surface_of"]
+__all__ = ["DataSurface", "check_level", "color_surface", "lakes_of", "level_and_surface", "plane_of", "surface_of"]
 
 
 class DataSurface:
@@ -47,26 +46,6 @@ class DataSurface:
         self.mapper = pv.DataSetMapper()
         self.mapper.SetInputConnection(self.filter.GetOutputPort())
         self.mapper.ScalarVisibilityOff()
-
-    def follow(self, water, renderer):
-        """Keep the water's level at the mean of the surface in every frame, as long as both exist."""
-        known = weakref.ref(water)
-
-        shown = self.filter.GetMeanLevel()
-
-        def update(caller, event):
-            nonlocal shown
-            actor = known()
-            if actor is None or not renderer.HasViewProp(actor):
-                renderer.RemoveObserver(tag)
-                return
-            self.filter.Update()
-            level = self.filter.GetMeanLevel()
-            if level != shown:  # what the user sets meanwhile stays until the data change
-                shown = level
-                actor.SetLevel(level * actor.GetScale()[2])
-
-        tag = renderer.AddObserver("StartEvent", update)
 
 
 def show_array(mapper, dataset, name, cmap=None, clim=None):
@@ -163,38 +142,48 @@ def color_surface(mapper, surface, name, cmap, clim):
     show_array(mapper, surface, of_type("color_by", name, str), cmap, ends)
 
 
-def level_of_surface(mapper, level, normal, origin):
-    """The mean height of a surface above the origin along the normal; or the level, which must be near it."""
+def lakes_of(mapper, normal):
+    """The waters of a surface, one for each plane that its parts lie in."""
+    lakes = vtkWaterLakes()
+    lakes.SetUpDirection(*axis_of(normal))
+    lakes.SetMapper(mapper)
+    lakes.Update()
+    return lakes
+
+
+def check_level(mapper, level, normal, origin):
+    """Raises ValueError unless a surface's mean height over the origin along the normal is near the level."""
     water = vtkWaterActor()
-    place, up = plane_of(0.0 if level is None else level, normal, origin, (1.0, 1.0, 1.0))
+    place, up = plane_of(level, normal, origin, (1.0, 1.0, 1.0))
     water.GetPlane().SetOrigin(place)
     water.GetPlane().SetNormal(up)
     water.SetMapper(mapper)
     placement = [0.0] * 4
-    if not water.GetMeshPlacement(placement):
-        return 0.0 if level is None else level
-    height, most = placement[:2]
-    if level is None:
-        return height
-    if abs(height) > most:
+    if water.GetMeshPlacement(placement) and abs(placement[0]) > placement[1]:
         raise ValueError(
-            f"level is {level:g}, but the mean height of the surface along the normal is {level + height:g}; "
-            f"the largest accepted difference is {most:g}, 1 % of the surface's diagonal. Omit level to use the mean"
+            f"level is {level:g}, but the mean height of the surface along the normal is {level + placement[0]:g}; "
+            f"the largest accepted difference is {placement[1]:g}, 1 % of the surface's diagonal. Omit level to use "
+            "the mean"
         )
-    return level
 
 
-def plane_of(level, normal, origin, scale):
-    """Origin and normal of the water's plane in the renderer's scaled coordinates."""
+def axis_of(normal):
+    """A direction, given by the name of an axis or by three numbers, which may have any length but 0."""
     axes = {"x": (1, 0, 0), "y": (0, 1, 0), "z": (0, 0, 1), "-x": (-1, 0, 0), "-y": (0, -1, 0), "-z": (0, 0, -1)}
     if isinstance(normal, str):
         if normal.lower() not in axes:
             raise ValueError(f"normal is {normal!r}; it must be one of {', '.join(axes)}, or three numbers")
         normal = axes[normal.lower()]
     normal = numbers("normal", normal, 3)
-    length = sum(part * part for part in normal) ** 0.5
-    if not 0.0 < length < float("inf"):
+    if not 0.0 < sum(part * part for part in normal) ** 0.5 < float("inf"):
         raise ValueError(f"normal is {tuple(normal)}; it must be finite and not zero")
+    return normal
+
+
+def plane_of(level, normal, origin, scale):
+    """Origin and normal of the water's plane in the renderer's own coordinates, which are scaled."""
+    normal = axis_of(normal)
+    length = sum(part * part for part in normal) ** 0.5
     origin = numbers("origin", origin, 3)
     point = [at + level * part / length for at, part in zip(origin, normal)]
     if not all(abs(part) < float("inf") for part in point):

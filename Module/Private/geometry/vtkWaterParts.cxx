@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkWaterParts.h"
+
+#include "vtkBoundingBox.h"
+#include "vtkCellArray.h"
+#include "vtkIdList.h"
+#include "vtkNew.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "water_regions.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace
+{
+constexpr int64_t kNone = -1;
+
+size_t Index(int64_t number)
+{
+  return static_cast<size_t>(number);
+}
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterParts::Join(vtkPolyData* mesh)
+{
+  this->Parents.resize(Index(mesh->GetNumberOfPoints()));
+  water_regions_begin(this->Parents.data(), this->Parents.size());
+  vtkCellArray* cells = mesh->GetPolys();
+  vtkNew<vtkIdList> points;
+  for (vtkIdType cell = 0; cell < cells->GetNumberOfCells(); ++cell)
+  {
+    cells->GetCellAtId(cell, points);
+    for (vtkIdType i = 1; i < points->GetNumberOfIds(); ++i)
+    {
+      water_regions_join(this->Parents.data(), points->GetId(0), points->GetId(i));
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterParts::Fit(vtkPolyData* mesh, const double up[3])
+{
+  vtkCellArray* cells = mesh->GetPolys();
+  this->PartOfPoint.assign(this->Parents.size(), kNone);
+  this->PartOfCell.assign(Index(cells->GetNumberOfCells()), kNone);
+  this->Fits.clear();
+  vtkNew<vtkIdList> points;
+  for (vtkIdType cell = 0; cell < cells->GetNumberOfCells(); ++cell)
+  {
+    cells->GetCellAtId(cell, points);
+    if (points->GetNumberOfIds() < 3)
+    {
+      continue;
+    }
+    int64_t& part =
+      this->PartOfPoint[Index(water_regions_find(this->Parents.data(), points->GetId(0)))];
+    if (part == kNone)
+    {
+      part = static_cast<int64_t>(this->Fits.size());
+      this->Fits.emplace_back();
+      water_fit_begin(up, &this->Fits.back());
+    }
+    this->PartOfCell[Index(cell)] = part;
+    double corners[3][3]; // of a fan about the first point
+    mesh->GetPoint(points->GetId(0), corners[0]);
+    mesh->GetPoint(points->GetId(1), corners[2]);
+    for (vtkIdType i = 2; i < points->GetNumberOfIds(); ++i)
+    {
+      std::copy_n(corners[2], 3, corners[1]);
+      mesh->GetPoint(points->GetId(i), corners[2]);
+      water_fit_add(corners[0], corners[1], corners[2], &this->Fits[Index(part)]);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterParts::Share(vtkPolyData* mesh, size_t most)
+{
+  std::vector<water_fit_plane> found(this->Fits.size());
+  std::vector<size_t> sorted;
+  for (size_t i = 0; i < this->Fits.size(); ++i)
+  {
+    if (water_fit_judge(&this->Fits[i], &found[i]) == WATER_OK)
+    {
+      sorted.push_back(i);
+    }
+  }
+  std::stable_sort(sorted.begin(), sorted.end(),
+    [&found](size_t a, size_t b) { return found[a].area > found[b].area; });
+  std::vector<water_fit_plane> parts(sorted.size());
+  std::transform(
+    sorted.begin(), sorted.end(), parts.begin(), [&found](size_t i) { return found[i]; });
+  double bounds[6];
+  mesh->GetBounds(bounds);
+  const double coordinate = std::accumulate(bounds, bounds + 6, 0.0,
+    [](double most, double bound) { return std::max(most, std::fabs(bound)); });
+  const bool isSingle = mesh->GetPoints()->GetDataType() != VTK_DOUBLE;
+  std::vector<size_t> planes(parts.size());
+  std::vector<size_t> first(std::min(parts.size(), most));
+  const size_t count = water_fit_share(parts.data(), parts.size(),
+    water_fit_tolerance(vtkBoundingBox(bounds).GetDiagonalLength(), coordinate, isSingle), most,
+    planes.data(), first.data());
+  this->Planes.assign(count, Plane());
+  this->PlaneOfPart.assign(this->Fits.size(), kNone);
+  const double rounding = water_fit_tolerance(0.0, coordinate, isSingle);
+  for (size_t i = 0; i < parts.size(); ++i)
+  {
+    Plane& plane = this->Planes[planes[i]];
+    this->PlaneOfPart[sorted[i]] = static_cast<int64_t>(planes[i]);
+    plane.Fit = parts[first[planes[i]]];
+    plane.Area += parts[i].area;
+    plane.IsFlat = plane.IsFlat && parts[i].rms <= rounding;
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterParts::Find(vtkPolyData* mesh, const double up[3], size_t most)
+{
+  this->Join(mesh);
+  this->Fit(mesh, up);
+  this->Share(mesh, most);
+}
+
+//------------------------------------------------------------------------------
+bool vtkWaterParts::HasAll(size_t plane) const
+{
+  const auto wanted = static_cast<int64_t>(plane);
+  return std::all_of(this->PartOfCell.begin(), this->PartOfCell.end(), [&](int64_t part) {
+    return part != kNone && this->PlaneOfPart[Index(part)] == wanted;
+  });
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterParts::ListCells(size_t plane, vtkIdList* cells) const
+{
+  for (size_t cell = 0; cell < this->PartOfCell.size(); ++cell)
+  {
+    const int64_t part = this->PartOfCell[cell];
+    if (part != kNone && this->PlaneOfPart[Index(part)] == static_cast<int64_t>(plane))
+    {
+      cells->InsertNextId(static_cast<vtkIdType>(cell));
+    }
+  }
+}

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkWaterParts: the parts of a mesh that do not hang together (water_regions.h), and the planes
+// that they lie in (water_fit.h).
+#ifndef vtkWaterParts_h
+#define vtkWaterParts_h
+
+#include "vtkType.h"
+#include "water_fit.h"
+
+#include <cstdint>
+#include <vector>
+
+class vtkIdList;
+class vtkPolyData;
+
+class vtkWaterParts
+{
+public:
+  struct Plane
+  {
+    water_fit_plane Fit; // of its largest part
+    double Area = 0.0;   // of all of its parts, seen along up
+    bool IsFlat = true;  // none of them leaves it by more than its coordinates are rounded by
+  };
+
+  // mesh  of polygons alone
+  // up    unit length
+  // most  planes
+  void Find(vtkPolyData* mesh, const double up[3], size_t most);
+
+  const std::vector<Plane>& GetPlanes() const { return this->Planes; }
+
+  // Are all polygons in a plane?
+  bool HasAll(size_t plane) const;
+
+  // The polygons in a plane.
+  void ListCells(size_t plane, vtkIdList* cells) const;
+
+private:
+  void Join(vtkPolyData* mesh);
+  void Fit(vtkPolyData* mesh, const double up[3]);
+  void Share(vtkPolyData* mesh, size_t most);
+
+  std::vector<int64_t> Parents;      // of points
+  std::vector<int64_t> PartOfPoint;  // of the points that stand for a region; else none
+  std::vector<int64_t> PartOfCell;   // none: it has no points
+  std::vector<water_fit> Fits;       // of the parts
+  std::vector<int64_t> PlaneOfPart;  // none: it has no area
+  std::vector<Plane> Planes;
+};
+
+#endif

@@ -1,0 +1,354 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkWaterLakes.h"
+
+#include "vtkAlgorithmOutput.h"
+#include "vtkCallbackCommand.h"
+#include "vtkCommand.h"
+#include "vtkDataArray.h"
+#include "vtkFieldData.h"
+#include "vtkMapper.h"
+#include "vtkMatrix4x4.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPlane.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkRenderer.h"
+#include "vtkSmartPointer.h"
+#include "vtkWaterActor.h"
+#include "vtkWaterCompat.h"
+#include "vtkWaterGather.h"
+#include "vtkWaterPlanesFilter.h"
+#include "vtkWaterSource.h"
+#include "vtkWeakPointer.h"
+#include "water_seen.h"
+
+#include <algorithm>
+#include <array>
+#include <memory>
+#include <vector>
+
+VTK_ABI_NAMESPACE_BEGIN
+vtkStandardNewMacro(vtkWaterLakes);
+
+struct vtkWaterLakes::Internals
+{
+  struct Host // that the waters are in
+  {
+    vtkWeakPointer<vtkRenderer> Renderer;
+    unsigned long Observer = 0;
+  };
+
+  vtkSmartPointer<vtkMapper> Mapper;
+  vtkNew<vtkWaterPlanesFilter> Filter;
+  vtkNew<vtkPolyData> Nothing; // that the first one shows when there is no water
+  std::vector<vtkSmartPointer<vtkWaterActor>> Waters;
+  std::vector<vtkSmartPointer<vtkMapper>> Mappers; // theirs
+  std::vector<Host> Hosts;
+  vtkMTimeType BuiltTime = 0; // of the planes
+  vtkMTimeType MapperTime = 0;
+  vtkMTimeType FollowedTime = 0;
+  std::array<double, 16> Matrix{}; // of the first water, that planes have been moved by
+};
+
+namespace
+{
+// The plane of a block, moved as the water is.
+void MovePlane(vtkPolyData* block, vtkMatrix4x4* toWorld, vtkPlane* plane)
+{
+  double origin[4] = { 0.0, 0.0, 0.0, 1.0 };
+  double normal[4] = { 0.0, 0.0, 1.0, 0.0 };
+  block->GetFieldData()->GetArray("WaterPlaneOrigin")->GetTuple(0, origin);
+  block->GetFieldData()->GetArray("WaterPlaneNormal")->GetTuple(0, normal);
+  vtkNew<vtkMatrix4x4> ofNormals;
+  vtkMatrix4x4::Invert(toWorld, ofNormals);
+  ofNormals->Transpose();
+  toWorld->MultiplyPoint(origin, origin);
+  ofNormals->MultiplyPoint(normal, normal);
+  plane->SetOrigin(origin);
+  plane->SetNormal(normal);
+}
+}
+
+//------------------------------------------------------------------------------
+vtkWaterLakes::vtkWaterLakes()
+  : Internal(std::make_unique<Internals>())
+{
+  this->Internal->Waters.push_back(vtkSmartPointer<vtkWaterActor>::New());
+}
+
+//------------------------------------------------------------------------------
+vtkWaterLakes::~vtkWaterLakes() = default;
+
+//------------------------------------------------------------------------------
+void vtkWaterLakes::SetMapper(vtkMapper* mapper)
+{
+  if (this->Internal->Mapper != mapper)
+  {
+    this->Internal->Mapper = mapper;
+    this->Internal->BuiltTime = 0;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkMapper* vtkWaterLakes::GetMapper() const
+{
+  return this->Internal->Mapper;
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterLakes::SetUpDirection(double x, double y, double z)
+{
+  this->Internal->Filter->SetUpDirection(x, y, z);
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterLakes::GetUpDirection(double direction[3]) const
+{
+  this->Internal->Filter->GetUpDirection(direction);
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterLakes::SetMaximumNumberOfMirrors(int mirrors)
+{
+  vtkWaterSetInRange(MaximumNumberOfMirrors, mirrors, 0, 4096);
+}
+
+//------------------------------------------------------------------------------
+int vtkWaterLakes::GetNumberOfWaters() const
+{
+  return static_cast<int>(this->Internal->Waters.size());
+}
+
+//------------------------------------------------------------------------------
+vtkWaterActor* vtkWaterLakes::GetWater(int number) const
+{
+  return number >= 0 && number < this->GetNumberOfWaters()
+    ? this->Internal->Waters[static_cast<size_t>(number)].Get()
+    : nullptr;
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterLakes::AddTo(vtkRenderer* renderer)
+{
+  auto& hosts = this->Internal->Hosts;
+  const bool isThere = std::any_of(hosts.begin(), hosts.end(),
+    [renderer](const Internals::Host& host) { return host.Renderer == renderer; });
+  if (!renderer || isThere)
+  {
+    return;
+  }
+  this->Update();
+  for (const auto& water : this->Internal->Waters)
+  {
+    renderer->AddActor(water);
+  }
+  vtkNew<vtkCallbackCommand> command;
+  this->Register(nullptr); // the renderer's
+  command->SetClientData(this);
+  command->SetClientDataDeleteCallback(
+    [](void* self) { static_cast<vtkWaterLakes*>(self)->UnRegister(nullptr); });
+  command->SetCallback([](vtkObject* caller, unsigned long, void* self, void*) {
+    const vtkSmartPointer<vtkWaterLakes> lakes = static_cast<vtkWaterLakes*>(self);
+    lakes->BeginFrame(static_cast<vtkRenderer*>(caller));
+  });
+  Internals::Host host;
+  host.Renderer = renderer;
+  host.Observer = renderer->AddObserver(vtkCommand::StartEvent, command);
+  hosts.push_back(host);
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterLakes::RemoveFrom(vtkRenderer* renderer)
+{
+  const vtkSmartPointer<vtkWaterLakes> held = this;
+  auto& hosts = this->Internal->Hosts;
+  const auto found = std::find_if(hosts.begin(), hosts.end(),
+    [renderer](const Internals::Host& host) { return host.Renderer == renderer; });
+  if (!renderer || found == hosts.end())
+  {
+    return;
+  }
+  const unsigned long observer = found->Observer;
+  hosts.erase(found);
+  for (const auto& water : this->Internal->Waters)
+  {
+    renderer->RemoveActor(water);
+  }
+  renderer->RemoveObserver(observer);
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterLakes::BeginFrame(vtkRenderer* renderer)
+{
+  if (!renderer->HasViewProp(this->GetWater()))
+  {
+    this->RemoveFrom(renderer);
+    return;
+  }
+  this->Update();
+  this->ChooseMirrors(renderer);
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterLakes::Update()
+{
+  Internals& internal = *this->Internal;
+  vtkMapper* mapper = internal.Mapper;
+  vtkAlgorithmOutput* input =
+    mapper && mapper->GetNumberOfInputConnections(0) > 0 ? mapper->GetInputConnection(0, 0)
+                                                         : nullptr;
+  if (internal.Filter->GetNumberOfInputConnections(0) == 0 ||
+    internal.Filter->GetInputConnection(0, 0) != input)
+  {
+    internal.Filter->SetInputConnection(input);
+    internal.BuiltTime = 0;
+  }
+  if (input)
+  {
+    internal.Filter->Update();
+  }
+  this->Rebuild();
+  this->Follow();
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterLakes::Rebuild()
+{
+  Internals& internal = *this->Internal;
+  vtkWaterActor* first = this->GetWater();
+  first->ComputeMatrix();
+  std::array<double, 16> matrix;
+  std::copy_n(&first->GetMatrix()->Element[0][0], 16, matrix.begin());
+  auto* planes = vtkMultiBlockDataSet::SafeDownCast(internal.Filter->GetOutputDataObject(0));
+  const vtkMTimeType time = internal.Mapper && planes ? planes->GetMTime() : 1;
+  const vtkMTimeType mapperTime = internal.Mapper ? internal.Mapper->GetMTime() : 0;
+  if (time == internal.BuiltTime && mapperTime == internal.MapperTime && matrix == internal.Matrix)
+  {
+    return;
+  }
+  internal.BuiltTime = time;
+  internal.MapperTime = mapperTime;
+  internal.Matrix = matrix;
+  const unsigned int count = internal.Mapper && planes ? planes->GetNumberOfBlocks() : 0;
+  this->Resize(std::max<size_t>(count, 1));
+  for (unsigned int i = 0; i < internal.Waters.size(); ++i)
+  {
+    const bool isThere = i < count;
+    auto* block =
+      isThere ? vtkPolyData::SafeDownCast(planes->GetBlock(i)) : internal.Nothing.Get();
+    this->ShowPart(i, block);
+    if (isThere)
+    {
+      vtkNew<vtkPlane> plane;
+      MovePlane(block, first->GetMatrix(), plane);
+      internal.Waters[i]->SetPlane(plane);
+    }
+  }
+  internal.FollowedTime = 0;
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterLakes::Resize(size_t count)
+{
+  auto& waters = this->Internal->Waters;
+  while (waters.size() < count)
+  {
+    waters.push_back(vtkSmartPointer<vtkWaterActor>::New());
+    for (const Internals::Host& host : this->Internal->Hosts)
+    {
+      host.Renderer->AddActor(waters.back());
+    }
+  }
+  while (waters.size() > count)
+  {
+    for (const Internals::Host& host : this->Internal->Hosts)
+    {
+      host.Renderer->RemoveActor(waters.back());
+    }
+    waters.pop_back();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterLakes::ShowPart(size_t number, vtkPolyData* part)
+{
+  Internals& internal = *this->Internal;
+  internal.Mappers.resize(internal.Waters.size());
+  vtkSmartPointer<vtkMapper>& mapper = internal.Mappers[number];
+  if (!mapper || (internal.Mapper && !mapper->IsA(internal.Mapper->GetClassName())))
+  {
+    mapper = vtkSmartPointer<vtkPolyDataMapper>::New();
+    if (internal.Mapper)
+    {
+      mapper.TakeReference(internal.Mapper->NewInstance());
+    }
+  }
+  if (internal.Mapper)
+  {
+    mapper->ShallowCopy(internal.Mapper);
+  }
+  mapper->SetInputDataObject(0, part);
+  internal.Waters[number]->SetMapper(mapper);
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterLakes::Follow()
+{
+  Internals& internal = *this->Internal;
+  vtkWaterActor* first = this->GetWater();
+  const vtkMTimeType time = first->GetMTime();
+  if (time == internal.FollowedTime)
+  {
+    return;
+  }
+  internal.FollowedTime = time;
+  for (size_t i = 1; i < internal.Waters.size(); ++i)
+  {
+    vtkWaterActor* water = internal.Waters[i];
+    const vtkSmartPointer<vtkMapper> mapper = water->GetMapper();
+    const vtkSmartPointer<vtkPlane> plane = water->GetPlane();
+    water->ShallowCopy(first);
+    water->SetMapper(mapper);
+    water->SetPlane(plane);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterLakes::ChooseMirrors(vtkRenderer* renderer)
+{
+  const auto& waters = this->Internal->Waters;
+  const water_camera eye = vtkWaterGather::ReadCamera(renderer);
+  std::vector<double> shares;
+  for (const auto& water : waters)
+  {
+    water_plane plane;
+    double origin[3];
+    static const double none[6] = { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 };
+    const double* bounds = water->GetVisibility() ? water->GetBounds() : nullptr;
+    water->GetSource()->ReadPlane(&plane, origin);
+    shares.push_back(water_seen_share(&eye, &plane, bounds ? bounds : none));
+  }
+  auto hasView = std::make_unique<bool[]>(waters.size());
+  water_seen_choose(shares.data(), shares.size(),
+    static_cast<size_t>(this->MaximumNumberOfMirrors), hasView.get());
+  for (size_t i = 0; i < waters.size(); ++i)
+  {
+    waters[i]->SetSceneReflection(hasView[i]);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterLakes::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "MaximumNumberOfMirrors: " << this->MaximumNumberOfMirrors << "\n";
+  os << indent << "NumberOfWaters: " << this->GetNumberOfWaters() << "\n";
+  os << indent << "Mapper: " << this->GetMapper() << "\n";
+  os << indent << "PlanesFilter:\n";
+  this->Internal->Filter->PrintSelf(os, indent.GetNextIndent());
+}
+VTK_ABI_NAMESPACE_END

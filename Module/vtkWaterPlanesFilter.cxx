@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkWaterPlanesFilter.h"
+
+#include "vtkCellArray.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkDataSetSurfaceFilter.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkIdList.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkMath.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataNormals.h"
+#include "vtkTriangleFilter.h"
+#include "vtkWaterCompat.h"
+#include "vtkWaterParts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+VTK_ABI_NAMESPACE_BEGIN
+vtkStandardNewMacro(vtkWaterPlanesFilter);
+
+namespace
+{
+// The polygons of a data set's surface, and nothing else.
+void FindPolygons(vtkDataSet* input, vtkPolyData* mesh)
+{
+  mesh->ShallowCopy(input);
+  if (!vtkPolyData::SafeDownCast(input))
+  {
+    vtkNew<vtkDataSetSurfaceFilter> outside;
+    outside->SetInputData(input);
+    outside->Update();
+    mesh->ShallowCopy(outside->GetOutput());
+  }
+  if (mesh->GetNumberOfPolys() != mesh->GetNumberOfCells())
+  {
+    vtkNew<vtkTriangleFilter> polygons;
+    polygons->SetInputData(mesh);
+    polygons->PassLinesOff();
+    polygons->PassVertsOff();
+    polygons->Update();
+    mesh->ShallowCopy(polygons->GetOutput());
+  }
+}
+
+void AddField(vtkPolyData* block, const char* name, const double* values, int count)
+{
+  vtkNew<vtkDoubleArray> array;
+  array->SetName(name);
+  array->SetNumberOfComponents(count);
+  array->InsertNextTuple(values);
+  block->GetFieldData()->AddArray(array);
+}
+
+// Smooth ones, where the mesh has none.
+void AddNormals(vtkPolyData* block)
+{
+  if (block->GetPointData()->GetNormals())
+  {
+    return;
+  }
+  vtkNew<vtkPolyDataNormals> normals;
+  normals->SetInputData(block);
+  normals->SplittingOff();
+  normals->ConsistencyOff();
+  normals->Update();
+  block->GetPointData()->SetNormals(normals->GetOutput()->GetPointData()->GetNormals());
+}
+}
+
+//------------------------------------------------------------------------------
+vtkWaterPlanesFilter::vtkWaterPlanesFilter() = default;
+
+//------------------------------------------------------------------------------
+vtkWaterPlanesFilter::~vtkWaterPlanesFilter() = default;
+
+//------------------------------------------------------------------------------
+void vtkWaterPlanesFilter::SetUpDirection(double x, double y, double z)
+{
+  const double given[3] = { x, y, z };
+  const double length = std::hypot(x, y, z);
+  if (!vtkMath::IsFinite(length) || !(length > 0.0))
+  {
+    vtkErrorMacro("UpDirection is (" << x << ", " << y << ", " << z
+                                     << "); it must be finite and not zero. It stays ("
+                                     << this->UpDirection[0] << ", " << this->UpDirection[1] << ", "
+                                     << this->UpDirection[2] << ").");
+    return;
+  }
+  if (!std::equal(given, given + 3, this->UpDirection))
+  {
+    std::copy_n(given, 3, this->UpDirection);
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterPlanesFilter::SetMaximumNumberOfPlanes(int planes)
+{
+  vtkWaterSetInRange(MaximumNumberOfPlanes, planes, 1, 4096);
+}
+
+//------------------------------------------------------------------------------
+int vtkWaterPlanesFilter::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkWaterPlanesFilter::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkDataSet* input = vtkDataSet::GetData(inputVector[0]);
+  vtkMultiBlockDataSet* output = vtkMultiBlockDataSet::GetData(outputVector);
+  if (!input || input->GetNumberOfCells() == 0)
+  {
+    return 1;
+  }
+  vtkNew<vtkPolyData> mesh;
+  FindPolygons(input, mesh);
+  double up[3];
+  std::copy_n(this->UpDirection, 3, up);
+  vtkMath::Normalize(up);
+  vtkWaterParts parts;
+  parts.Find(mesh, up, static_cast<size_t>(this->MaximumNumberOfPlanes));
+  const size_t count = parts.GetPlanes().size();
+  output->SetNumberOfBlocks(static_cast<unsigned int>(count));
+  for (size_t i = 0; i < count; ++i)
+  {
+    const vtkWaterParts::Plane& plane = parts.GetPlanes()[i];
+    vtkNew<vtkPolyData> block;
+    if (parts.HasAll(i))
+    {
+      block->ShallowCopy(mesh);
+    }
+    else
+    {
+      vtkNew<vtkIdList> cells;
+      parts.ListCells(i, cells);
+      block->CopyCells(mesh, cells);
+    }
+    if (!plane.IsFlat)
+    {
+      AddNormals(block);
+    }
+    AddField(block, "WaterPlaneOrigin", plane.Fit.origin, 3);
+    AddField(block, "WaterPlaneNormal", plane.Fit.normal, 3);
+    AddField(block, "WaterArea", &plane.Area, 1);
+    const auto number = static_cast<unsigned int>(i);
+    output->SetBlock(number, block);
+    output->GetMetaData(number)->Set(
+      vtkCompositeDataSet::NAME(), ("water " + std::to_string(i)).c_str());
+  }
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterPlanesFilter::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "UpDirection: (" << this->UpDirection[0] << ", " << this->UpDirection[1] << ", "
+     << this->UpDirection[2] << ")\n";
+  os << indent << "MaximumNumberOfPlanes: " << this->MaximumNumberOfPlanes << "\n";
+}
+VTK_ABI_NAMESPACE_END
