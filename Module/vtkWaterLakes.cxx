@@ -198,9 +198,9 @@ void vtkWaterLakes::Update()
 {
   Internals& internal = *this->Internal;
   vtkMapper* mapper = internal.Mapper;
-  vtkAlgorithmOutput* input =
-    mapper && mapper->GetNumberOfInputConnections(0) > 0 ? mapper->GetInputConnection(0, 0)
-                                                         : nullptr;
+  vtkAlgorithmOutput* input = mapper && mapper->GetNumberOfInputConnections(0) > 0
+    ? mapper->GetInputConnection(0, 0)
+    : nullptr;
   if (internal.Filter->GetNumberOfInputConnections(0) == 0 ||
     internal.Filter->GetInputConnection(0, 0) != input)
   {
@@ -238,8 +238,7 @@ void vtkWaterLakes::Rebuild()
   for (unsigned int i = 0; i < internal.Waters.size(); ++i)
   {
     const bool isThere = i < count;
-    auto* block =
-      isThere ? vtkPolyData::SafeDownCast(planes->GetBlock(i)) : internal.Nothing.Get();
+    auto* block = isThere ? vtkPolyData::SafeDownCast(planes->GetBlock(i)) : internal.Nothing.Get();
     this->ShowPart(i, block);
     if (isThere)
     {
@@ -333,8 +332,8 @@ void vtkWaterLakes::ChooseMirrors(vtkRenderer* renderer)
     shares.push_back(water_seen_share(&eye, &plane, bounds ? bounds : none));
   }
   auto hasView = std::make_unique<bool[]>(waters.size());
-  water_seen_choose(shares.data(), shares.size(),
-    static_cast<size_t>(this->MaximumNumberOfMirrors), hasView.get());
+  water_seen_choose(
+    shares.data(), shares.size(), static_cast<size_t>(this->MaximumNumberOfMirrors), hasView.get());
   for (size_t i = 0; i < waters.size(); ++i)
   {
     waters[i]->SetSceneReflection(hasView[i]);

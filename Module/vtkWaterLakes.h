@@ -58,8 +58,8 @@ public:
 
   ///@{
   /**
-   * Where up is, out of the water, in the mesh's own coordinates: vtkWaterPlanesFilter's. Default
-   * is (0, 0, 1).
+   * Where up is, out of the water, in the mesh's own coordinates: finite and not zero, of any
+   * length; others are refused with an error. Default is (0, 0, 1).
    */
   void SetUpDirection(double x, double y, double z);
   void GetUpDirection(double direction[3]) const;
@@ -83,14 +83,15 @@ public:
   vtkWaterActor* GetWater(int number = 0) const;
   ///@}
 
-  ///@{
   /**
-   * Put the waters into a renderer, or take them out. A renderer that they are in keeps this object
-   * alive.
+   * Puts the waters into a renderer, which keeps this object alive until they are taken out.
    */
   void AddTo(vtkRenderer* renderer);
+
+  /**
+   * Takes the waters out of a renderer.
+   */
   void RemoveFrom(vtkRenderer* renderer);
-  ///@}
 
   /**
    * Brings the waters up to date with the mesh and with the first of them. Each frame of a renderer

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkWaterPlanesFilter.h"
 
-#include "vtkCellArray.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataSetSurfaceFilter.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
-#include "vtkIdList.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMath.h"
@@ -89,10 +87,10 @@ void vtkWaterPlanesFilter::SetUpDirection(double x, double y, double z)
   const double length = std::hypot(x, y, z);
   if (!vtkMath::IsFinite(length) || !(length > 0.0))
   {
-    vtkErrorMacro("UpDirection is (" << x << ", " << y << ", " << z
-                                     << "); it must be finite and not zero. It stays ("
-                                     << this->UpDirection[0] << ", " << this->UpDirection[1] << ", "
-                                     << this->UpDirection[2] << ").");
+    vtkErrorMacro("UpDirection is ("
+      << x << ", " << y << ", " << z << "); it must be finite and not zero. It stays ("
+      << this->UpDirection[0] << ", " << this->UpDirection[1] << ", " << this->UpDirection[2]
+      << ").");
     return;
   }
   if (!std::equal(given, given + 3, this->UpDirection))
@@ -121,6 +119,7 @@ int vtkWaterPlanesFilter::RequestData(
 {
   vtkDataSet* input = vtkDataSet::GetData(inputVector[0]);
   vtkMultiBlockDataSet* output = vtkMultiBlockDataSet::GetData(outputVector);
+  this->NumberOfPlanes = 0;
   if (!input || input->GetNumberOfCells() == 0)
   {
     return 1;
@@ -133,6 +132,7 @@ int vtkWaterPlanesFilter::RequestData(
   vtkWaterParts parts;
   parts.Find(mesh, up, static_cast<size_t>(this->MaximumNumberOfPlanes));
   const size_t count = parts.GetPlanes().size();
+  this->NumberOfPlanes = static_cast<int>(count);
   output->SetNumberOfBlocks(static_cast<unsigned int>(count));
   for (size_t i = 0; i < count; ++i)
   {
@@ -144,9 +144,7 @@ int vtkWaterPlanesFilter::RequestData(
     }
     else
     {
-      vtkNew<vtkIdList> cells;
-      parts.ListCells(i, cells);
-      block->CopyCells(mesh, cells);
+      parts.Extract(mesh, i, block);
     }
     if (!plane.IsFlat)
     {
@@ -170,5 +168,6 @@ void vtkWaterPlanesFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "UpDirection: (" << this->UpDirection[0] << ", " << this->UpDirection[1] << ", "
      << this->UpDirection[2] << ")\n";
   os << indent << "MaximumNumberOfPlanes: " << this->MaximumNumberOfPlanes << "\n";
+  os << indent << "NumberOfPlanes: " << this->NumberOfPlanes << "\n";
 }
 VTK_ABI_NAMESPACE_END

@@ -64,6 +64,11 @@ public:
   vtkGetMacro(MaximumNumberOfPlanes, int);
   ///@}
 
+  /**
+   * The number of planes, and blocks, that the last update has found; 0 before the first.
+   */
+  vtkGetMacro(NumberOfPlanes, int);
+
 protected:
   vtkWaterPlanesFilter();
   ~vtkWaterPlanesFilter() override;
@@ -78,6 +83,7 @@ private:
 
   double UpDirection[3] = { 0.0, 0.0, 1.0 };
   int MaximumNumberOfPlanes = 256;
+  int NumberOfPlanes = 0;
 };
 
 #ifdef VTK_ABI_NAMESPACE_END

@@ -194,7 +194,9 @@ TEST(what_has_no_area_has_no_plane)
 static water_fit_plane lake(double level, double lean, double reach)
 {
   const water_fit_plane made = { .normal = { -sin(lean), 0.0, cos(lean) },
-    .origin = { 0.0, 0.0, level }, .middle = { 0.0, 0.0, level }, .reach = reach };
+    .origin = { 0.0, 0.0, level },
+    .middle = { 0.0, 0.0, level },
+    .reach = reach };
   return made;
 }
 
@@ -217,8 +219,8 @@ TEST(lakes_at_one_level_share_a_plane)
 
 TEST(beyond_the_most_planes_a_part_joins_the_nearest)
 {
-  const water_fit_plane parts[4] = { lake(0.0, 0.0, 1.0), lake(10.0, 0.0, 1.0),
-    lake(7.0, 0.0, 1.0), lake(3.0, 0.0, 1.0) };
+  const water_fit_plane parts[4] = { lake(0.0, 0.0, 1.0), lake(10.0, 0.0, 1.0), lake(7.0, 0.0, 1.0),
+    lake(3.0, 0.0, 1.0) };
   size_t plane[4];
   size_t first[2];
   assert_int_equal(water_fit_share(parts, 4, 1e-6, 2, plane, first), 2);

@@ -76,6 +76,52 @@ def test_water_follows_its_arrays(plotter):
     wt.check_equal("shares of the picture grow", shares == sorted(set(shares)), True)
 
 
+def pools(levels, scale=1.0):
+    """Squares of 2 x 2 side by side, not joined; an array of their levels."""
+    squares = [pv.Plane(center=(3 * i, 0, scale * level), i_size=2, j_size=2, i_resolution=1, j_resolution=1)
+               for i, level in enumerate(levels)]
+    mesh = pv.merge(squares, merge_points=False).extract_surface()
+    mesh["zeta"] = mesh.points[:, 2] / scale
+    return mesh
+
+
+def waters_in(plotter):
+    return [actor for actor in plotter.renderer.GetActors() if actor.IsA("vtkWaterActor")]
+
+
+@pytest.mark.parametrize("words", ({}, {"level": "zeta"}), ids=("of_the_mesh", "of_an_array"))
+def test_each_pool_has_its_level(words, plotter):
+    water = plotter.add_water(pools((0.0, 1.0, 0.5, 1.0)), preset="mirror floor", **words)
+    waters = waters_in(plotter)
+    wt.check_equal("the water is one of them", water is waters[0], True)
+    wt.check_equal("levels", sorted(each.GetLevel() for each in waters), [0.0, 0.5, 1.0])
+    from_above(plotter)
+    wt.check_equal("looks", len({each.GetWaterProperty() for each in waters}), 1)
+    plotter.remove_actor(water)
+    from_above(plotter)
+    wt.check_equal("waters left", len(waters_in(plotter)), 0)
+
+
+def test_in_a_scaled_scene_each_pool_has_its_level(plotter):
+    plotter.set_scale(zscale=4)
+    plotter.add_water(pools((0.0, 1.0)))
+    from_above(plotter)
+    wt.check_equal("levels", sorted(each.GetLevel() for each in waters_in(plotter)), [0.0, 4.0])
+
+
+def test_a_level_makes_one_water_of_all(plotter):
+    plotter.add_water(pools((0.5, 0.501)), level=0.5)
+    wt.check_equal("levels", [each.GetLevel() for each in waters_in(plotter)], [0.5])
+
+
+def test_mirrors_are_limited(plotter):
+    plotter.add_water(pools((0.0, 1.0, 0.5)), max_mirrors=1)
+    from_above(plotter)
+    wt.check_equal("mirrored", sum(each.GetSceneReflection() for each in waters_in(plotter)), 1)
+    with pytest.raises(ValueError, match=r"max_mirrors is -1; it must lie in \[0, 4096\]"):
+        plotter.add_water(pools((0.0, 1.0)), max_mirrors=-1)
+
+
 def test_a_removed_water_is_followed_no_more(plotter):
     mesh = solution()
     water = plotter.add_water(mesh, depth="h", bed="zb")

@@ -11,12 +11,14 @@ import pytest
 import water_test as wt
 import vtkwater
 from TestWaterCInterface import lib  # noqa: F401  a fixture
-from vtkwater import command, vtkWaterActor, vtkWaterProperty, vtkWaterReflectionPass, vtkWaterSurfaceFilter
+from vtkwater import (command, vtkWaterActor, vtkWaterLakes, vtkWaterProperty, vtkWaterReflectionPass,
+                      vtkWaterSurfaceFilter)
 
 GUIDE = pathlib.Path(__file__).resolve().parents[2] / "Documentation" / "guide.md"
 OF_THE_ACTOR = {"SetLevel", "SetPlane", "SetMapper", "SetSheetBounds", "SetSheetToHorizon", "SetSheetToAutomatic", "SetTime",
                 "GetSkyDirection"}
 OF_THE_PASS = {"SetTimeBudget", "SetQualityToTimeBudget"}
+OF_THE_LAKES = {"SetMaximumNumberOfMirrors"}
 OF_THE_FILTER = {"SetLevelArrayName", "SetDepthArrayName", "SetBedArrayName"}
 # of the plotter and of the picture, not of the water
 NOT_OF_WATER = {"self", "name", "pickable", "reset_camera", "render"}
@@ -80,7 +82,8 @@ def test_every_option_is_one_of_the_command(name):
 @pytest.mark.parametrize("name", of_column(3))
 def test_every_method_is_one_of_its_class(name):
     """The classes' names are methods of the class that the text names."""
-    classes = {vtkWaterActor: OF_THE_ACTOR, vtkWaterReflectionPass: OF_THE_PASS, vtkWaterSurfaceFilter: OF_THE_FILTER}
+    classes = {vtkWaterActor: OF_THE_ACTOR, vtkWaterReflectionPass: OF_THE_PASS, vtkWaterSurfaceFilter: OF_THE_FILTER,
+               vtkWaterLakes: OF_THE_LAKES}
     cls = next((cls for cls, names in classes.items() if name in names), vtkWaterProperty)
     wt.check_equal(f"{cls.__name__}.{name}", hasattr(cls, name), True)
 

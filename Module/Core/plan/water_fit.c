@@ -7,7 +7,7 @@
 #include <float.h>
 #include <math.h>
 
-static const double level_angle = 1e-4; // rad; water_fit_judge says why
+static const double level_angle = 1e-4;                // rad; water_fit_judge says why
 static const double steepest = 0.57735026918962576451; // tangent of 30 degrees
 static const double left_max = 0.5; // of the heights' mean square, that a tilt leaves
 // Of a narrow part: a tilt across it is not known when it is so much narrower than long, squared.
@@ -128,8 +128,7 @@ water_status water_fit_judge(const water_fit* fit, water_fit_plane* plane)
   double slope[2];
   find_slope(covariance, slope);
   const double unevenness = fmax(covariance[5], 0.0);
-  const double left =
-    fmax(unevenness - slope[0] * covariance[3] - slope[1] * covariance[4], 0.0);
+  const double left = fmax(unevenness - slope[0] * covariance[3] - slope[1] * covariance[4], 0.0);
   const double tilt = hypot(slope[0], slope[1]);
   const bool is_tilted = tilt >= level_angle && tilt <= steepest && left <= left_max * unevenness;
   const double length = is_tilted ? sqrt(1.0 + tilt * tilt) : 1.0;

@@ -3,8 +3,11 @@
 
 #include "vtkBoundingBox.h"
 #include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkFieldData.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
+#include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "water_regions.h"
@@ -122,26 +125,59 @@ void vtkWaterParts::Find(vtkPolyData* mesh, const double up[3], size_t most)
   this->Join(mesh);
   this->Fit(mesh, up);
   this->Share(mesh, most);
+  this->Cells.assign(this->Planes.size(), {});
+  for (size_t cell = 0; cell < this->PartOfCell.size(); ++cell)
+  {
+    const int64_t part = this->PartOfCell[cell];
+    if (part != kNone && this->PlaneOfPart[Index(part)] != kNone)
+    {
+      this->Cells[Index(this->PlaneOfPart[Index(part)])].push_back(static_cast<vtkIdType>(cell));
+    }
+  }
+  this->Extracted.assign(this->Parents.size(), kNone);
 }
 
 //------------------------------------------------------------------------------
 bool vtkWaterParts::HasAll(size_t plane) const
 {
-  const auto wanted = static_cast<int64_t>(plane);
-  return std::all_of(this->PartOfCell.begin(), this->PartOfCell.end(), [&](int64_t part) {
-    return part != kNone && this->PlaneOfPart[Index(part)] == wanted;
-  });
+  return this->Cells[plane].size() == this->PartOfCell.size();
 }
 
 //------------------------------------------------------------------------------
-void vtkWaterParts::ListCells(size_t plane, vtkIdList* cells) const
+void vtkWaterParts::Extract(vtkPolyData* mesh, size_t plane, vtkPolyData* extracted)
 {
-  for (size_t cell = 0; cell < this->PartOfCell.size(); ++cell)
+  const std::vector<vtkIdType>& cells = this->Cells[plane];
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> polygons;
+  vtkNew<vtkIdList> corners;
+  vtkNew<vtkIdList> kept; // points
+  points->SetDataType(mesh->GetPoints()->GetDataType());
+  extracted->GetCellData()->CopyAllocate(mesh->GetCellData(), static_cast<vtkIdType>(cells.size()));
+  vtkIdType number = 0;
+  for (vtkIdType cell : cells)
   {
-    const int64_t part = this->PartOfCell[cell];
-    if (part != kNone && this->PlaneOfPart[Index(part)] == static_cast<int64_t>(plane))
+    mesh->GetPolys()->GetCellAtId(cell, corners);
+    polygons->InsertNextCell(corners->GetNumberOfIds());
+    for (vtkIdType i = 0; i < corners->GetNumberOfIds(); ++i)
     {
-      cells->InsertNextId(static_cast<vtkIdType>(cell));
+      const vtkIdType point = corners->GetId(i);
+      vtkIdType& place = this->Extracted[Index(point)];
+      if (place == kNone)
+      {
+        place = points->InsertNextPoint(mesh->GetPoint(point));
+        kept->InsertNextId(point);
+      }
+      polygons->InsertCellPoint(place);
     }
+    extracted->GetCellData()->CopyData(mesh->GetCellData(), cell, number++);
   }
+  extracted->SetPoints(points);
+  extracted->SetPolys(polygons);
+  extracted->GetPointData()->CopyAllocate(mesh->GetPointData(), kept->GetNumberOfIds());
+  for (vtkIdType i = 0; i < kept->GetNumberOfIds(); ++i)
+  {
+    extracted->GetPointData()->CopyData(mesh->GetPointData(), kept->GetId(i), i);
+    this->Extracted[Index(kept->GetId(i))] = kNone;
+  }
+  extracted->GetFieldData()->PassData(mesh->GetFieldData());
 }

@@ -10,7 +10,6 @@
 #include <cstdint>
 #include <vector>
 
-class vtkIdList;
 class vtkPolyData;
 
 class vtkWaterParts
@@ -33,20 +32,22 @@ public:
   // Are all polygons in a plane?
   bool HasAll(size_t plane) const;
 
-  // The polygons in a plane.
-  void ListCells(size_t plane, vtkIdList* cells) const;
+  // The polygons in a plane, with their points and all arrays of both.
+  void Extract(vtkPolyData* mesh, size_t plane, vtkPolyData* extracted);
 
 private:
   void Join(vtkPolyData* mesh);
   void Fit(vtkPolyData* mesh, const double up[3]);
   void Share(vtkPolyData* mesh, size_t most);
 
-  std::vector<int64_t> Parents;      // of points
-  std::vector<int64_t> PartOfPoint;  // of the points that stand for a region; else none
-  std::vector<int64_t> PartOfCell;   // none: it has no points
-  std::vector<water_fit> Fits;       // of the parts
-  std::vector<int64_t> PlaneOfPart;  // none: it has no area
+  std::vector<int64_t> Parents;     // of points
+  std::vector<int64_t> PartOfPoint; // of the points that stand for a region; else none
+  std::vector<int64_t> PartOfCell;  // none: it has no points
+  std::vector<water_fit> Fits;      // of the parts
+  std::vector<int64_t> PlaneOfPart; // none: it has no area
   std::vector<Plane> Planes;
+  std::vector<std::vector<vtkIdType>> Cells; // of the planes
+  std::vector<vtkIdType> Extracted;          // of each point: where it is in the part; else none
 };
 
 #endif

@@ -1,0 +1,274 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The waters of one mesh that lie in several planes: each is as exact as one of its own, those in one plane share
+a mirrored view, and only the largest of those in view have one."""
+import gc
+import weakref
+
+import numpy as np
+import pytest
+import water_test as wt
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+from vtkmodules.vtkRenderingCore import vtkPolyDataMapper
+
+from vtkwater import vtkWaterActor, vtkWaterLakes, vtkWaterPlanesFilter
+
+SIZE = (400, 200)
+LEVELS = (0.0, 0.11, -0.07, 0.2, 0.05, -0.15, 0.13, -0.02, 0.17, 0.09)
+LIMIT_PERCENT = 0.02
+USED_AGAIN = "used again: nothing has changed"
+
+
+def mesh_of(heights, rows=2, columns=2, width=1.6, depth=3.0, step=2.0):
+    """A patch for each entry of heights, a number or a function of x and y, side by side along x."""
+    made, points, cells = vtkPolyData(), vtkPoints(), vtkCellArray()
+    points.SetDataTypeToDouble()
+    for number, height in enumerate(heights):
+        start = points.GetNumberOfPoints()
+        left = step * (number - 0.5 * (len(heights) - 1)) - 0.5 * width
+        for y in np.linspace(-0.5 * depth, 0.5 * depth, rows):
+            for x in left + np.linspace(0.0, width, columns):
+                points.InsertNextPoint(x, y, height(x, y) if callable(height) else height)
+        for row in range(rows - 1):
+            for column in range(columns - 1):
+                first = start + row * columns + column
+                cells.InsertNextCell(4)
+                for corner in (first, first + 1, first + columns + 1, first + columns):
+                    cells.InsertCellPoint(corner)
+    made.SetPoints(points)
+    made.SetPolys(cells)
+    return made
+
+
+def lakes_of(mesh, **settings):
+    lakes = vtkWaterLakes()
+    mapper = vtkPolyDataMapper()
+    mapper.SetInputData(mesh)
+    lakes.SetMapper(mapper)
+    look = lakes.GetWater().GetWaterProperty()
+    look.SetReflectanceModeToConstant()
+    look.SetReflectance(1.0)
+    for name, value in settings.items():
+        getattr(lakes, f"Set{name}")(value)
+    return lakes
+
+
+def things():
+    """Behind and over the lakes, none of which hides another."""
+    return [(wt.box((x, 1.9 + 0.1 * (i % 3), 0.6), (0.5, 0.3, 0.9)), (0.2 + 0.07 * i, 0.8 - 0.06 * i, 0.3))
+            for i, x in enumerate(np.linspace(-9, 9, 10))]
+
+
+def view_of(pairs, look_at=(0, 0, 0), position=(0, -14, 9)):
+    view = wt.View(SIZE)
+    for data, color in pairs:
+        wt.add_actor(view.renderer, data, color, lit=False)
+    wt.place_camera(view.renderer, position, look_at, (1, 60))
+    return view
+
+
+def waters_of(lakes):
+    return [lakes.GetWater(i) for i in range(lakes.GetNumberOfWaters())]
+
+
+def renders_of(waters):
+    return [water.GetReflectionPass().GetNumberOfReflectionRenders() for water in waters]
+
+
+def decisions_of(lakes):
+    return [water.GetReflectionPass().GetDecisionAsString() for water in waters_of(lakes)]
+
+
+def mask_of(view, water):
+    """Which pixels show the water, by a picture of its mesh in a colour of its own among all other things."""
+    plain = wt.View(SIZE)
+    color = (1.0, 0.0, 1.0)
+    for actor in view.renderer.GetActors():
+        data = actor.GetMapper().GetInput()
+        wt.add_actor(plain.renderer, data, color if actor is water else (0.1, 0.1, 0.1), lit=False)
+    plain.renderer.GetActiveCamera().DeepCopy(view.renderer.GetActiveCamera())
+    return (np.abs(plain.picture() - np.array([255, 0, 255])).max(axis=2) <= 1)
+
+
+def test_ten_lakes_of_one_mesh_are_each_exact():
+    """In each of ten lakes at ten levels the picture is that of the scene mirrored at its level."""
+    lakes = lakes_of(mesh_of(LEVELS), MaximumNumberOfMirrors=10)
+    view = view_of(things())
+    lakes.AddTo(view.renderer)
+    seen = view.picture()
+    waters = waters_of(lakes)
+    wt.check_equal("levels", sorted(water.GetLevel() for water in waters), sorted(LEVELS))
+    off, count = 0, 0
+    for water in waters:
+        normal, origin = (0, 0, 1), (0, 0, water.GetLevel())
+        expected = view_of([(wt.mirror_image(data, origin, normal), color) for data, color in things()]).picture()
+        mask = mask_of(view, water)
+        off += int(((np.abs(seen - expected).max(axis=2) > 1) & mask).sum())
+        count += int(mask.sum())
+        shows_things = (np.ptp(expected[mask], axis=0) > 60).any()
+        wt.check_equal(f"the lake at {water.GetLevel():g} shows things", bool(shows_things), True)
+    wt.check_at_most("pixels off, percent", 100 * off / count, LIMIT_PERCENT)
+
+
+def test_lakes_at_one_level_share_a_plane():
+    lakes = lakes_of(mesh_of((0.0, 0.2, 0.0, 0.2, 0.0)))
+    view = view_of(things())
+    lakes.AddTo(view.renderer)
+    view.picture()
+    waters = waters_of(lakes)
+    wt.check_equal("levels", [water.GetLevel() for water in waters], [0.0, 0.2])
+    wt.check_equal("mirrored views", renders_of(waters), [1, 1])
+
+
+def test_only_waters_in_view_are_mirrored():
+    """Of fifty lakes six are in view: six mirrored views."""
+    levels = [0.05 * (7 * i % 50) for i in range(50)]
+    lakes = lakes_of(mesh_of(levels))
+    view = view_of(things(), (0, 0, 1.2), (0, -10, 8))
+    view.renderer.GetActiveCamera().SetViewAngle(24)
+    lakes.AddTo(view.renderer)
+    view.picture()
+    waters = waters_of(lakes)
+    wt.check_equal("waters", len(waters), 50)
+    in_view = sum(bool(mask_of(view, water).any()) for water in waters)
+    wt.check_equal("in view", in_view, 6)
+    view.picture()
+    wt.check_equal("mirrored views", sum(decision in ("rendered", USED_AGAIN) for decision in decisions_of(lakes)), 6)
+
+
+def test_the_largest_in_view_have_a_mirrored_view():
+    """Those that cover most of the picture; the others reflect the sky alone."""
+    lakes = lakes_of(mesh_of([0.1 * i for i in range(5)]), MaximumNumberOfMirrors=2)
+    view = view_of(things(), (-4, 0, 0), (-8, -6, 4))
+    view.renderer.SetBackground(0.1, 0.2, 0.9)
+    lakes.AddTo(view.renderer)
+    picture = view.picture()
+    masks = [mask_of(view, water) for water in waters_of(lakes)]
+    largest = sorted(range(5), key=lambda number: -masks[number].sum())[:2]
+    wt.check_equal("all are in view", all(mask.any() for mask in masks), True)
+    for number, mask in enumerate(masks):
+        is_sky = bool((np.abs(picture[mask] - np.array([0.1, 0.2, 0.9]) * 255) <= 1).all())
+        wt.check_equal(f"lake {number} shows the sky alone", is_sky, number not in largest)
+        wt.check_equal(f"lake {number} is mirrored", decisions_of(lakes)[number] == "rendered", number in largest)
+    lakes.SetMaximumNumberOfMirrors(5)
+    view.picture()
+    wt.check_equal("decisions with five", decisions_of(lakes), ["rendered"] * 5)
+
+
+def test_waters_follow_the_mesh():
+    """Lakes that join are one, at one level, and lakes that rise have new planes."""
+    lakes = lakes_of(mesh_of((0.0, 0.2)))
+    view = view_of(things())
+    lakes.AddTo(view.renderer)
+    view.picture()
+    wt.check_equal("waters", [water.GetLevel() for water in waters_of(lakes)], [0.0, 0.2])
+    lakes.GetMapper().SetInputData(mesh_of((0.1, 0.3, 0.5)))
+    view.picture()
+    wt.check_equal("more", [water.GetLevel() for water in waters_of(lakes)], [0.1, 0.3, 0.5])
+    wt.check_equal("in the renderer", sum(bool(actor.IsA("vtkWaterActor")) for actor in view.renderer.GetActors()), 3)
+    lakes.GetMapper().SetInputData(mesh_of((0.4,)))
+    view.picture()
+    wt.check_equal("one", [water.GetLevel() for water in waters_of(lakes)], [0.4])
+    lakes.GetMapper().SetInputData(vtkPolyData())
+    without = view.picture()
+    wt.check_equal("waters of nothing", lakes.GetNumberOfWaters(), 1)
+    wt.check_equal("the picture of nothing", bool((without == view_of(things()).picture()).all()), True)
+
+
+def test_the_others_follow_the_first():
+    lakes = lakes_of(mesh_of((0.0, 0.2, 0.4)))
+    view = view_of(things())
+    lakes.AddTo(view.renderer)
+    first, *others = waters_of(lakes)
+    first.SetTime(3.5)
+    first.GetReflectionPass().SetTextureScale(0.5)
+    first.GetProperty().SetOpacity(0.7)
+    view.picture()
+    for water in others:
+        wt.check_equal("time", water.GetTime(), 3.5)
+        wt.check_equal("look", water.GetWaterProperty() is first.GetWaterProperty(), True)
+        wt.check_equal("scale", water.GetReflectionPass().GetTextureScale(), 0.5)
+    wt.check_equal("planes stay", [water.GetLevel() for water in waters_of(lakes)], [0.0, 0.2, 0.4])
+    first.SetPosition(0, 0, 1)
+    first.SetScale(1, 1, 2)
+    view.picture()
+    wt.check_equal("moved", [water.GetLevel() for water in waters_of(lakes)], [1.0, 1.4, 1.8])
+    first.VisibilityOff()
+    hidden = view.picture()
+    wt.check_equal("hidden together", bool((hidden == view_of(things()).picture()).all()), True)
+
+
+def test_the_first_takes_the_others_along():
+    lakes = lakes_of(mesh_of((0.0, 0.2, 0.4)))
+    known = weakref.ref(lakes.GetMapper())
+    view = view_of(things())
+    lakes.AddTo(view.renderer)
+    first = lakes.GetWater()
+    del lakes
+    gc.collect()
+    view.picture()
+    wt.check_equal("there", sum(bool(actor.IsA("vtkWaterActor")) for actor in view.renderer.GetActors()), 3)
+    view.renderer.RemoveActor(first)
+    view.picture()
+    wt.check_equal("left", sum(bool(actor.IsA("vtkWaterActor")) for actor in view.renderer.GetActors()), 0)
+    gc.collect()
+    wt.check_equal("kept alive", known() is not None, False)
+
+
+def test_a_fall_is_tilted_and_waves_are_level():
+    filtered = vtkWaterPlanesFilter()
+    filtered.SetInputData(mesh_of(
+        (lambda x, y: 1 + 0.02 * y, lambda x, y: 2 + 0.05 * np.sin(9 * y)), rows=40, columns=3))
+    filtered.Update()
+    blocks = filtered.GetOutput()
+    wt.check_equal("planes", (blocks.GetNumberOfBlocks(), filtered.GetNumberOfPlanes()), (2, 2))
+    fall, waves = (blocks.GetBlock(i).GetFieldData() for i in range(2))
+    normal = vtk_to_numpy(fall.GetArray("WaterPlaneNormal"))[0]
+    wt.check_at_most("fall off by", abs(-normal[1] / normal[2] - 0.02), 1e-9)
+    wt.check_equal("waves", tuple(vtk_to_numpy(waves.GetArray("WaterPlaneNormal"))[0]), (0.0, 0.0, 1.0))
+    wt.check_equal("normals of the fall, which is flat", blocks.GetBlock(0).GetPointData().GetNormals() is None, True)
+    wt.check_equal("normals of waves", blocks.GetBlock(1).GetPointData().GetNormals() is None, False)
+    wt.check_at_most("area off by", abs(vtk_to_numpy(fall.GetArray("WaterArea"))[0] - 4.8), 1e-9)
+
+
+def test_arrays_of_cells_and_points_stay_with_their_cells():
+    mesh = mesh_of((0.0, 0.5, 0.0))
+    for data, count in ((mesh.GetPointData(), 12), (mesh.GetCellData(), 3)):
+        array = numpy_to_vtk(np.arange(count, dtype=float), deep=1)
+        array.SetName("number")
+        data.AddArray(array)
+    filtered = vtkWaterPlanesFilter()
+    filtered.SetInputData(mesh)
+    filtered.Update()
+    blocks = [filtered.GetOutput().GetBlock(i) for i in range(2)]
+    numbers = [vtk_to_numpy(block.GetCellData().GetArray("number")).tolist() for block in blocks]
+    wt.check_equal("cells", numbers, [[0.0, 2.0], [1.0]])
+    wt.check_equal("points", vtk_to_numpy(blocks[1].GetPointData().GetArray("number")).tolist(), [4.0, 5.0, 7.0, 6.0])
+
+
+@pytest.mark.parametrize("make, setter, values, text", (
+    (vtkWaterLakes, "SetMaximumNumberOfMirrors", (-1,), "MaximumNumberOfMirrors is -1; it must lie in [0, 4096]"),
+    (vtkWaterPlanesFilter, "SetMaximumNumberOfPlanes", (0,), "MaximumNumberOfPlanes is 0; it must lie in [1, 4096]"),
+    (vtkWaterPlanesFilter, "SetUpDirection", (0, 0, 0), "UpDirection is (0, 0, 0); it must be finite and not zero"),
+))
+def test_bad_values_are_refused(make, setter, values, text):
+    made = make()
+    errors = wt.errors_of(made)
+    getattr(made, setter)(*values)
+    wt.check_equal("errors", len(errors), 1)
+    wt.check_equal(f"the error says {text!r}", text in errors[0], True)
+
+
+def test_a_water_may_reflect_the_sky_alone():
+    view = view_of(things())
+    water = wt.add_water(view.renderer, wt.plane((0, 0, 0), (0, 0, 1)), (-9, 9, -1.5, 1.5))
+    water.SceneReflectionOff()
+    view.picture()
+    wt.check_equal("decision", wt.decision_of(water), "STATIC_ENVIRONMENT")
+    other = vtkWaterActor()
+    other.ShallowCopy(water)
+    wt.check_equal("copied", other.GetSceneReflection(), False)
+    water.SceneReflectionOn()
+    view.picture()
+    wt.check_equal("decision", wt.decision_of(water), "RENDERED")
