@@ -110,6 +110,16 @@ void vtkWaterActor::SetSceneReflection(bool isOn)
 }
 
 //------------------------------------------------------------------------------
+void vtkWaterActor::SetMeshSlopes(bool isOn)
+{
+  if (this->MeshSlopes != isOn)
+  {
+    this->MeshSlopes = isOn;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
 vtkWaterReflectionPass* vtkWaterActor::GetReflectionPass()
 {
   return this->ComposedPass ? this->ComposedPass.Get() : this->OwnPass.Get();
@@ -214,6 +224,7 @@ void vtkWaterActor::ShallowCopy(vtkProp* prop)
     this->SetPlane(other->Plane);
     this->SetTime(other->Time);
     this->SetSceneReflection(other->SceneReflection);
+    this->SetMeshSlopes(other->MeshSlopes);
     this->SetWaterProperty(other->WaterProperty);
     if (other->UseSheetBounds)
     {
@@ -264,6 +275,7 @@ void vtkWaterActor::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Surface: " << (this->UsesOwnSheet() ? "own sheet" : "mapper of the user")
      << "\n";
   os << indent << "Time: " << this->Time << "\n";
+  os << indent << "MeshSlopes: " << (this->MeshSlopes ? "on" : "off") << "\n";
   os << indent << "SceneReflection: " << (this->SceneReflection ? "on" : "off") << "\n";
   vtkWaterLook look;
   this->Internal->Describe(look);

@@ -147,6 +147,18 @@ public:
 
   ///@{
   /**
+   * Whether the slopes of a user's mesh turn its reflections, as waves do: by its point normals, or
+   * without them by its triangles. Off: each point shows what the plane would reflect at its
+   * height. Has no effect on a mesh that lies in its plane, or whose points are displaced by waves
+   * (WaveGeometry). Default is on.
+   */
+  void SetMeshSlopes(bool isOn);
+  vtkGetMacro(MeshSlopes, bool);
+  vtkBooleanMacro(MeshSlopes, bool);
+  ///@}
+
+  ///@{
+  /**
    * Time of the waves in seconds, in [-1e15, 1e15]; another value is rejected with an error. The
    * picture depends only on this number, not on earlier frames. Default is 0.
    */
@@ -261,6 +273,7 @@ private:
   double DisplacedBounds[6] = {};
   double Time = 0.0;
   bool SceneReflection = true;
+  bool MeshSlopes = true;
 };
 
 #ifdef VTK_ABI_NAMESPACE_END

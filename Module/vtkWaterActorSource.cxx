@@ -18,6 +18,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <limits>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -234,6 +235,15 @@ vtkWaterSnapshotPointer vtkWaterActor::Internals::Take(vtkRenderer* renderer)
   if (made->Mesh.HasVertexHeights)
   {
     made->Features = water_features_with_mesh(made->Features);
+  }
+  if (made->Mesh.HasVertexHeights && made->Mesh.IsSloped && this->Self->MeshSlopes)
+  {
+    made->Features = water_features_with_slopes(made->Features, made->Look.Has.lookup);
+  }
+  if (made->IsSloped())
+  {
+    made->Look.SlopeRMS = std::hypot(made->Look.SlopeRMS, made->Mesh.SlopeRMS);
+    made->Look.SlopeLookedUp = std::numeric_limits<double>::infinity();
   }
   made->Waves = this->GetWaveTerms(made->Look);
   made->Sea = &this->Sea;

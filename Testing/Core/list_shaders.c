@@ -109,6 +109,7 @@ int main(int argc, char** argv)
     print_files(
       "vert", WATER_FEATURE_DISPLACED | WATER_FEATURE_SEA_MOVES, vertex_files, VERTEX_FILE_COUNT);
     print_files("vert", WATER_FEATURE_MESH, vertex_files, VERTEX_FILE_COUNT);
+    print_files("vert", WATER_FEATURE_MESH | WATER_FEATURE_SLOPED, vertex_files, VERTEX_FILE_COUNT);
     return 0;
   }
   if (argc == 2 && strcmp(argv[1], "table") == 0)

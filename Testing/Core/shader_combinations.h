@@ -19,7 +19,7 @@ enum
   SHADER_TEXTURE_COUNT = 1 << 3, // what a reflection texture may have
   SHADER_SKY_COUNT = 7, // skies beside the one-coloured one: three, a floor, and they with a floor
   // each as often as it is asked for, and with skies
-  SHADER_SET_COUNT = SHADER_LOOK_COUNT * (1 + 8 * SHADER_TEXTURE_COUNT)
+  SHADER_SET_COUNT = SHADER_LOOK_COUNT * (1 + 10 * SHADER_TEXTURE_COUNT)
 };
 #undef SHADER_ONE_MORE
 
@@ -112,6 +112,10 @@ static inline size_t shader_combinations(unsigned* sets)
         sets[count++] = water_features_with_mesh(hardware);
         sets[count++] = water_features_with_samples(asked);
         sets[count++] = water_features_with_samples(hardware);
+        const unsigned sloped = water_features_with_texture(
+          water_features_with_slopes(water_features_of(&look), look.lookup), &texture);
+        sets[count++] = sloped;
+        sets[count++] = water_features_on_hardware(sloped);
       }
       // a mesh whose vertices VTK does not let us move
       sets[count++] = asked & still;

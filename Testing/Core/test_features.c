@@ -149,6 +149,24 @@ TEST(mesh_is_drawn_as_it_is_or_displaced)
   }
 }
 
+// The slopes of a mesh turn rays, which are looked up as those of waves; not where waves move it.
+TEST(slopes_of_a_mesh_turn_rays)
+{
+  for (unsigned has = 0; has < LOOKS; ++has)
+  {
+    const water_feature_look look = look_of(has);
+    const unsigned features = expected_of(has);
+    const unsigned sloped = water_features_with_slopes(features, look.lookup);
+    const unsigned traced = WATER_FEATURE_RAY_TRACED | WATER_FEATURE_SEVERAL_RAYS;
+    const unsigned rays = (has & OFFSET) ? (unsigned)WATER_FEATURE_OFFSET : traced;
+    const bool is_calm = !(has & (ENVIRONMENT | RAYS));
+    const bool is_displaced = (has & GEOMETRY) && (has & MOVERS);
+    const unsigned added = WATER_FEATURE_MESH | WATER_FEATURE_SLOPED | (is_calm ? rays : 0u);
+    assert_int_equal(sloped, is_displaced ? features : features + added);
+    assert_int_equal(water_features_with_slopes(sloped, look.lookup), sloped);
+  }
+}
+
 // Only what is seen through the surface has samples to look at.
 TEST(samples_are_of_what_is_seen_through)
 {
@@ -209,9 +227,9 @@ enum
   SURFACE_FILES = sizeof surface_files / sizeof surface_files[0],
   PHOTON_FILES = sizeof photon_files / sizeof photon_files[0],
   VERTEX_FILES = sizeof vertex_files / sizeof vertex_files[0],
-  // looked up in 8 kinds of reflection textures, on 2 of machines, with a mesh or without, with
-  // samples, and under one of 8 kinds of skies
-  REACHABLE_MAX = (2 + 7 * 8) * LOOKS
+  // looked up in 8 kinds of reflection textures, on 2 of machines, with a mesh, with one that is
+  // not flat, or without, with samples, and under one of 8 kinds of skies
+  REACHABLE_MAX = (2 + 9 * 8) * LOOKS
 };
 
 // Features with a sky: one colour, a screen, a map or a cube; from 4 on with a floor.
@@ -246,8 +264,11 @@ static size_t reach_all(unsigned features[REACHABLE_MAX])
       features[count + 3] = water_features_with_mesh(features[count + 1]);
       features[count + 4] = water_features_with_samples(features[count]);
       features[count + 5] = water_features_with_samples(features[count + 1]);
-      features[count + 6] = under_sky(features[count + has % 6], kind);
-      count += 7;
+      features[count + 6] = water_features_with_texture(
+        water_features_with_slopes(water_features_of(&look), look.lookup), &texture);
+      features[count + 7] = water_features_on_hardware(features[count + 6]);
+      features[count + 8] = under_sky(features[count + has % 8], kind);
+      count += 9;
     }
   }
   return count;
@@ -361,17 +382,17 @@ static void assert_order(
 TEST(slots_stand_in_their_order)
 {
   static const char* const surface[] = { "optics", "gradient", "attenuation", "slopes",
-    "highlights", "cover", "cell", "place", "height", "point", "sky", "floor", "tile", "slope",
-    "sines", "tiles", "folds", "sea", "normal_maps", "waves", "output", "reflection", "dome",
-    "walk", "behind", "layer", "blur", "caustics", "medium", "others", "refraction", "facet_slopes",
-    "facets", "rays", "shadows", "glitter", "whitecaps", "foam", "sun", "surface" };
-  static const char* const vertex[] = { "cell", "tiles", "sea", "displacement", "heights",
+    "highlights", "cover", "cell", "place", "under", "height", "point", "sky", "floor", "tile",
+    "slope", "sines", "tiles", "folds", "sea", "normal_maps", "waves", "output", "reflection",
+    "dome", "walk", "behind", "layer", "blur", "caustics", "medium", "others", "refraction",
+    "facet_slopes", "facets", "rays", "shadows", "glitter", "whitecaps", "foam", "sun", "surface" };
+  static const char* const vertex[] = { "cell", "tiles", "sea", "displacement", "heights", "slopes",
     "depth" };
   static const char* const photon[] = { "gradient", "place", "height", "point", "tile", "sines",
     "tiles", "folds", "sea", "normal_maps", "waves", "photon" };
   assert_order(photon_files, PHOTON_FILES, photon, sizeof photon / sizeof photon[0]);
   assert_order(surface_files, SURFACE_FILES, surface, sizeof surface / sizeof surface[0]);
-  assert_order(vertex_files, VERTEX_FILES, vertex, 6);
+  assert_order(vertex_files, VERTEX_FILES, vertex, 7);
 }
 
 // No file and no feature is there for nothing: some shader has it, and all but the files of every
@@ -413,8 +434,10 @@ TEST(vertices_move_where_the_surface_is_displaced)
     for (int j = 0; j < VERTEX_FILES; ++j)
     {
       const file* at = &vertex_files[j];
-      const unsigned feature =
-        strcmp(at->slot, "heights") == 0 ? WATER_FEATURE_MESH : WATER_FEATURE_DISPLACED;
+      const unsigned still =
+        strcmp(at->slot, "heights") == 0 ? WATER_FEATURE_MESH : WATER_FEATURE_SLOPED;
+      const bool is_still = strcmp(at->slot, "heights") == 0 || strcmp(at->slot, "slopes") == 0;
+      const unsigned feature = is_still ? still : (unsigned)WATER_FEATURE_DISPLACED;
       const bool is_for_all = strcmp(at->slot, "depth") == 0;
       const bool has_sea = (reachable[i] & WATER_FEATURE_SEA_MOVES) != 0;
       const bool is_of_sea =
@@ -428,7 +451,7 @@ TEST(vertices_move_where_the_surface_is_displaced)
 }
 
 TESTS(features_of_every_look_follow_the_rules, layer_and_peel_are_for_traced_rays_alone,
-  mesh_is_drawn_as_it_is_or_displaced, samples_are_of_what_is_seen_through,
-  hardware_reads_in_batches, water_in_a_mirrored_view_is_smooth_or_rough, each_slot_has_one_file,
-  slots_stand_in_their_order, every_file_and_feature_is_used,
-  vertices_move_where_the_surface_is_displaced)
+  mesh_is_drawn_as_it_is_or_displaced, slopes_of_a_mesh_turn_rays,
+  samples_are_of_what_is_seen_through, hardware_reads_in_batches,
+  water_in_a_mirrored_view_is_smooth_or_rough, each_slot_has_one_file, slots_stand_in_their_order,
+  every_file_and_feature_is_used, vertices_move_where_the_surface_is_displaced)

@@ -101,6 +101,21 @@ unsigned water_features_with_mesh(unsigned features)
   return features | if_has((features & WATER_FEATURE_DISPLACED) == 0, WATER_FEATURE_MESH);
 }
 
+unsigned water_features_with_slopes(unsigned features, water_lookup_kind lookup)
+{
+  const unsigned looked_up =
+    WATER_FEATURE_ENVIRONMENT | WATER_FEATURE_RAY_TRACED | WATER_FEATURE_OFFSET;
+  const unsigned rays = lookup == WATER_LOOKUP_RAY_TRACED
+    ? WATER_FEATURE_RAY_TRACED | WATER_FEATURE_SEVERAL_RAYS
+    : WATER_FEATURE_OFFSET;
+  if ((features & WATER_FEATURE_DISPLACED) != 0)
+  {
+    return features;
+  }
+  return features | WATER_FEATURE_MESH | WATER_FEATURE_SLOPED |
+    if_has((features & looked_up) == 0, rays);
+}
+
 unsigned water_features_with_samples(unsigned features)
 {
   return features | if_has((features & WATER_FEATURE_MEDIUM) != 0, WATER_FEATURE_SAMPLES);

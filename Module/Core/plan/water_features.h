@@ -47,7 +47,8 @@ extern "C"
   X(SKY_SCREEN, "the background is a picture, or a gradient")                                      \
   X(SKY_MAP, "the sky is a picture in longitude and latitude")                                     \
   X(SKY_CUBE, "the sky is a cube map")                                                             \
-  X(SKY_FLOOR, "a skybox has a floor")
+  X(SKY_FLOOR, "a skybox has a floor")                                                             \
+  X(SLOPED, "a mesh of the user's that is not flat: its own slopes turn rays")
 
 typedef enum water_feature_bit
 {
@@ -83,8 +84,14 @@ enum // WATER_FEATURE_WAVES and so on
     "the part of a wave that a grid resolves")                                                     \
   X(place, vtkWaterDisplacementFS, WATER_FEATURE_FLAG(DISPLACED), 0,                               \
     "place at rest, from the vertices")                                                            \
-  X(place, vtkWaterNoDisplacementFS, 0, WATER_FEATURE_FLAG(DISPLACED),                             \
-    "place at rest, from the pixel")                                                               \
+  X(place, vtkWaterMeshPlaceFS, WATER_FEATURE_FLAG(SLOPED), 0,                                     \
+    "place and slope of a mesh, from the vertices")                                                \
+  X(place, vtkWaterNoDisplacementFS, 0,                                                            \
+    WATER_FEATURE_FLAG(DISPLACED) | WATER_FEATURE_FLAG(SLOPED), "place at rest, from the pixel")   \
+  X(under, vtkWaterUnderFS, WATER_FEATURE_FLAG(DISPLACED) | WATER_FEATURE_FLAG(SLOPED), 0,         \
+    "what of the reflection texture no ray meets")                                                 \
+  X(under, vtkWaterNothingUnderFS, 0, WATER_FEATURE_FLAG(DISPLACED) | WATER_FEATURE_FLAG(SLOPED),  \
+    "nothing: it is cut at the surface")                                                           \
   X(height, vtkWaterMeshHeightFS, WATER_FEATURE_FLAG(MESH), 0,                                     \
     "height above the plane, from the vertices")                                                   \
   X(height, vtkWaterPixelHeightFS, 0, WATER_FEATURE_FLAG(MESH),                                    \
@@ -192,6 +199,8 @@ enum // WATER_FEATURE_WAVES and so on
     "moves vertices by the waves")                                                                 \
   X(heights, vtkWaterMeshVS, WATER_FEATURE_FLAG(MESH), 0,                                          \
     "heights of the vertices above the plane")                                                     \
+  X(slopes, vtkWaterMeshSlopesVS, WATER_FEATURE_FLAG(SLOPED), 0,                                   \
+    "places and normals of the vertices")                                                          \
   X(depth, vtkWaterDepthVS, 0, 0, "an endless surface is not cut at the near and far planes")
 
 // Files of the shader that follows light from the surface to the bed (water_caustics.h), in order:
@@ -283,6 +292,9 @@ unsigned water_features_with_texture(unsigned features, const water_feature_text
 // The same for a mesh of the user's that is drawn as it is: not where waves displace it, which
 // start from the plane.
 unsigned water_features_with_mesh(unsigned features);
+
+// The same for such a mesh that is not flat: reflections are looked up along rays, as on waves.
+unsigned water_features_with_slopes(unsigned features, water_lookup_kind lookup);
 
 // The same for a window of several samples a pixel.
 unsigned water_features_with_samples(unsigned features);

@@ -34,7 +34,7 @@ bool water_flatness_heights(
 bool water_flatness_begin(const water_plane* unit, const double mesh_to_world[16],
   const double bounds[6], bool is_single, water_flatness* flatness)
 {
-  water_flatness made = { { 0.0 }, 0.0, 0.0, 0.0 };
+  water_flatness made = { { 0.0 }, 0.0, 0.0, 0.0, 0.0 };
   if (!water_bounds_are_finite(bounds) || water_bounds_is_empty(bounds) ||
     !water_flatness_heights(unit, mesh_to_world, made.height))
   {
@@ -62,6 +62,7 @@ bool water_flatness_add(const double point[3], water_flatness* flatness)
 {
   const double* row = flatness->height;
   const double height = fabs(water_vec3_dot(row, point) + row[3]);
+  flatness->reach = isfinite(height) ? fmax(flatness->reach, height) : flatness->reach;
   if (!isfinite(height) || height <= flatness->height_max)
   {
     return true;
@@ -113,17 +114,33 @@ bool water_flatness_is_unseen(const water_plan* plan, double height_max, const i
   return rest > 0.0 && 0.5 * turn * along < shift_px * rest;
 }
 
+void water_flatness_row(const double row[4], const double shift[3], const double scale[3],
+  const double origin[3], double of[4])
+{
+  double sum = row[3];
+  for (int i = 0; i < 3; ++i)
+  {
+    sum += row[i] * (origin[i] / scale[i] + shift[i]);
+  }
+  for (int i = 0; i < 3; ++i)
+  {
+    of[i] = row[i] / scale[i];
+  }
+  of[3] = sum;
+}
+
 void water_flatness_vertices(const double height[4], water_side side, const double bounds[6],
   const double shift[3], const double scale[3], double origin[3], double rise[4])
 {
   const double sign = side == WATER_BELOW ? -1.0 : 1.0;
-  double sum = height[3];
   for (int i = 0; i < 3; ++i)
   {
     const double middle = 0.5 * (bounds[2 * i] + bounds[2 * i + 1]);
     origin[i] = (double)(float)((middle - shift[i]) * scale[i]);
-    sum += height[i] * (origin[i] / scale[i] + shift[i]);
-    rise[i] = sign * height[i] / scale[i];
   }
-  rise[3] = sign * sum;
+  water_flatness_row(height, shift, scale, origin, rise);
+  for (int i = 0; i < 4; ++i)
+  {
+    rise[i] *= sign;
+  }
 }

@@ -25,6 +25,7 @@ typedef struct water_flatness
   double height_max; // of all points, over the plane or under it; infinity: too high
   double rounding;   // of heights: lower ones may be none
   double limit;      // higher ones are too high
+  double reach;      // the height of the highest one, however high
 } water_flatness;
 
 // Heights of points in a mesh's own coordinates.
@@ -45,7 +46,7 @@ bool water_flatness_begin(const water_plane* unit, const double mesh_to_world[16
 
 // Looks at a point, in the mesh's own coordinates. What is not finite is left out.
 //
-// Returns false when that is too high: no other point needs to be looked at.
+// Returns false when that is too high: only reach needs the other points.
 bool water_flatness_add(const double point[3], water_flatness* flatness);
 
 // The height of the highest point over the plane or under it; 0: the points lie in the plane, as
@@ -67,6 +68,13 @@ bool water_flatness_is_unseen(const water_plan* plan, double height_max, const i
 // rise    (vertex - origin, 1) -> height over the plane, towards the eye
 void water_flatness_vertices(const double height[4], water_side side, const double bounds[6],
   const double shift[3], const double scale[3], double origin[3], double rise[4]);
+
+// Another linear function of the points, such as a place along an axis, for the same vertices.
+//
+// row  point in the mesh's own coordinates -> value
+// of   (vertex - origin, 1) -> value; may be row
+void water_flatness_row(const double row[4], const double shift[3], const double scale[3],
+  const double origin[3], double of[4]);
 
 #ifdef __cplusplus
 }

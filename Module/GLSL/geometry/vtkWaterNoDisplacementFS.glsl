@@ -3,9 +3,6 @@
 // the pixel alone.
 
 uniform mat3 waterNdcToPlane;       // (NDC x, NDC y, 1) -> place on the plane, from under the eye
-uniform vec4 waterReflectionHeight; // NDC of the reflection texture -> height over the plane / w
-uniform vec4 waterReflectionW;      // NDC of the reflection texture -> 1 / w
-uniform float waterTexel;           // height that a texel of the reflection texture spans, over its w
 
 vec2 waterPlaceOf(vec2 ndc)
 {
@@ -23,7 +20,8 @@ vec2 waterMiss(vec3 point, vec3 normal, vec3 ray, float side)
   return point.xy; // whatever its height, it is drawn at its place
 }
 
-bool waterIsUnder(vec2 uv, float depth, float height)
+// The surface's own slope beside its waves'; of a mesh.
+vec2 waterTilt(vec2 across, vec2 down, vec2 rise)
 {
-  return false; // the mirrored view is cut at the surface
+  return vec2(0.0);
 }

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkWaterPointFS.glsl: what all slots of a surface's shader know about their pixel.
 //
-// The slots, each one file of several: sky (waterSky), floor (waterOverFloor), place (waterPlaceOf),
-// height (waterHeightOf), waves (waterRipple), reflection (waterReflected), layer (waterCross),
-// caustics (waterCaustic), body (waterTransmitted), facets (waterFacets), rays (waterMirrored),
-// shadows (waterSunArrives), glitter (waterGlint), foam (waterFoam), sun (waterSunlit), output
-// (waterShow); vtkWaterSurfaceFS.glsl puts them together. They are files and not branches because
-// software renderers execute both sides of a branch.
+// The slots, each one file of several: sky (waterSky), floor (waterOverFloor), place (waterPlaceOf,
+// waterTilt), under (waterIsUnder), height (waterHeightOf), waves (waterRipple), reflection
+// (waterReflected), layer (waterCross), caustics (waterCaustic), body (waterTransmitted), facets
+// (waterFacets), rays (waterMirrored), shadows (waterSunArrives), glitter (waterGlint), foam
+// (waterFoam), sun (waterSunlit), output (waterShow); vtkWaterSurfaceFS.glsl puts them together. They
+// are files and not branches because software renderers execute both sides of a branch.
 //
 // NDC come from gl_FragCoord and the viewport of the draw itself (read from the GL state), which is
 // exact for a sheet of any size.
@@ -53,6 +53,7 @@ struct WaterPoint
   vec2 across;  // change of the place from pixel to pixel
   vec2 down;
   vec3 normal;    // of the surface, of unit length
+  vec2 tilt;      // slope of the surface without its waves, along the two axes
   vec4 variance;  // of the slopes along the two axes: within the pixel; taken by filters, not seen
   vec2 even;      // of that within the pixel, what changes evenly over it: several rays see it
   float jacobian; // how close the surface's points stand, over at rest: 0 on a breaking crest
@@ -104,7 +105,6 @@ WaterPoint waterPoint()
   point.across = dFdx(middle);
   point.down = dFdy(middle);
   point.place = middle + point.moved.x * point.across + point.moved.y * point.down;
-  point.normal = vec3(0.0, 0.0, 1.0);
   point.variance = vec4(waterSlopeVariance.xy, 0.0, 0.0);
   point.even = vec2(0.0);
   point.jacobian = 1.0;
@@ -112,6 +112,8 @@ WaterPoint waterPoint()
   float height = waterHeightOf(clip);
   vec4 mirrored = clip - 2.0 * height * waterNormalClip;
   point.height = height / gl_FragCoord.w;
+  point.tilt = waterTilt(point.across, point.down, vec2(dFdx(point.height), dFdy(point.height)));
+  point.normal = normalize(vec3(-point.tilt, 1.0));
   waterFrom = vec3(point.place, point.height);
   point.startW = mirrored.w / gl_FragCoord.w;
   vec3 window = 0.5 / mirrored.w * mirrored.xyz;

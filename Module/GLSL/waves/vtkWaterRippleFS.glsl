@@ -19,5 +19,5 @@ void waterRipple(inout WaterPoint point)
   vec2 slope = waterAllSlopes(point.place, waterFootprint * point.across, waterFootprint * point.down,
     vec3(point.ray.xy, waterSide * point.ray.z), point.variance, point.jacobian);
   point.even = waterEven;
-  point.normal = normalize(vec3(-waterSide * slope, 1.0));
+  point.normal = normalize(vec3(-waterSide * slope - point.tilt, 1.0));
 }

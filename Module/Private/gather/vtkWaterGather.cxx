@@ -229,6 +229,10 @@ void vtkWaterGather::ReadWaters(
       scene.wave_height_max = std::max(scene.wave_height_max, look.WaveHeightMax);
       scene.surface_height = ReadSurfaceHeight(renderer, *water); // all have the same waves
     }
+    if (water->IsSloped())
+    {
+      scene.wave_height_max = std::max(scene.wave_height_max, water->Mesh.Reach);
+    }
     // each is shaded by its own; the mirrored view is left out only if none of them reflects
     water_optics_join(&look.Optics, &scene.look);
   }

@@ -104,7 +104,9 @@ struct vtkWaterSnapshot
   {
     return (this->Features & WATER_FEATURE_RAY_TRACED) != 0 && this->Look.RayTraceLayers > 1;
   }
-  bool NeedsRays() const { return water_features_needs_rays(&this->Look.Has); }
+  // Do the slopes of a mesh turn rays?
+  bool IsSloped() const { return (this->Features & WATER_FEATURE_SLOPED) != 0; }
+  bool NeedsRays() const { return water_features_needs_rays(&this->Look.Has) || this->IsSloped(); }
 };
 
 using vtkWaterSnapshotPointer = std::shared_ptr<const vtkWaterSnapshot>;

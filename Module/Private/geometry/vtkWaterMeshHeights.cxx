@@ -1,20 +1,27 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkWaterMeshHeights.h"
 
+#include "vtkCellArray.h"
 #include "vtkDataSetMapper.h"
+#include "vtkIdList.h"
 #include "vtkMatrix4x4.h"
+#include "vtkNew.h"
 #include "vtkPointSet.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 #include "water_flatness.h"
+#include "water_slopes.h"
 
 #include <algorithm>
 #include <limits>
 
 namespace
 {
-vtkPoints* FindPoints(vtkMapper* mapper)
+// Of a mesh, about, that are looked at for its slopes: it may change every frame.
+constexpr vtkIdType kCells = 1 << 17;
+
+vtkPointSet* FindData(vtkMapper* mapper)
 {
   if (!mapper || mapper->GetNumberOfInputConnections(0) == 0)
   {
@@ -22,26 +29,60 @@ vtkPoints* FindPoints(vtkMapper* mapper)
   }
   auto* ofMesh = vtkPolyDataMapper::SafeDownCast(mapper);
   auto* ofData = vtkDataSetMapper::SafeDownCast(mapper);
-  vtkPointSet* mesh = ofMesh ? ofMesh->GetInput() : nullptr;
+  vtkPointSet* data = ofMesh ? ofMesh->GetInput() : nullptr;
   if (ofData)
   {
-    mesh = vtkPointSet::SafeDownCast(ofData->GetInput());
+    data = vtkPointSet::SafeDownCast(ofData->GetInput());
   }
-  return mesh ? mesh->GetPoints() : nullptr;
+  return data && data->GetPoints() ? data : nullptr;
+}
+
+// Of its polygons against the plane.
+double MeasureSlopes(vtkPointSet* data, vtkMatrix4x4* meshToWorld, const water_plane& unit)
+{
+  water_slopes slopes;
+  water_slopes_begin(&unit, &slopes);
+  auto* mesh = vtkPolyData::SafeDownCast(data); // asking that by cells would make it build them
+  const vtkIdType count = mesh ? mesh->GetPolys()->GetNumberOfCells() : data->GetNumberOfCells();
+  const vtkIdType step = std::max<vtkIdType>(count / kCells, 1);
+  vtkNew<vtkIdList> points;
+  for (vtkIdType cell = 0; cell < count; cell += step)
+  {
+    mesh ? mesh->GetPolys()->GetCellAtId(cell, points) : data->GetCellPoints(cell, points);
+    double corners[3][3]; // of a fan about the first point
+    for (vtkIdType i = 0; i < points->GetNumberOfIds(); ++i)
+    {
+      double place[4] = { 0.0, 0.0, 0.0, 1.0 };
+      data->GetPoint(points->GetId(i), place);
+      meshToWorld->MultiplyPoint(place, place);
+      if (i > 2)
+      {
+        std::copy_n(corners[2], 3, corners[1]);
+      }
+      std::copy_n(place, 3, corners[std::min<vtkIdType>(i, 2)]);
+      if (i >= 2)
+      {
+        water_slopes_add(corners[0], corners[1], corners[2], &slopes);
+      }
+    }
+  }
+  return water_slopes_rms(&slopes);
 }
 }
 
 //------------------------------------------------------------------------------
 vtkWaterMesh vtkWaterMeshHeights::Measure(
-  vtkPoints* points, vtkMatrix4x4* meshToWorld, const water_plane& unit)
+  vtkPointSet* data, vtkMatrix4x4* meshToWorld, const water_plane& unit)
 {
   vtkWaterMesh mesh;
   mesh.HeightMax = std::numeric_limits<double>::infinity();
-  if (!points)
+  if (!data)
   {
     return mesh;
   }
+  vtkPoints* points = data->GetPoints();
   points->GetBounds(mesh.Bounds);
+  std::copy_n(&meshToWorld->Element[0][0], 16, mesh.ToWorld);
   water_flatness flatness;
   if (!water_flatness_begin(&unit, &meshToWorld->Element[0][0], mesh.Bounds,
         points->GetDataType() != VTK_DOUBLE, &flatness))
@@ -51,13 +92,18 @@ vtkWaterMesh vtkWaterMeshHeights::Measure(
   mesh.HasVertexHeights = true;
   std::copy_n(flatness.height, 4, mesh.Height);
   double point[3];
-  bool isOpen = true;
-  for (vtkIdType i = 0; isOpen && i < points->GetNumberOfPoints(); ++i)
+  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
   {
     points->GetPoint(i, point);
-    isOpen = water_flatness_add(point, &flatness);
+    water_flatness_add(point, &flatness);
   }
   mesh.HeightMax = water_flatness_judge(&flatness);
+  mesh.Reach = flatness.reach;
+  if (mesh.HeightMax > 0.0)
+  {
+    mesh.SlopeRMS = MeasureSlopes(data, meshToWorld, unit);
+    mesh.IsSloped = water_slopes_are_seen(mesh.SlopeRMS);
+  }
   return mesh;
 }
 
@@ -65,15 +111,16 @@ vtkWaterMesh vtkWaterMeshHeights::Measure(
 const vtkWaterMesh& vtkWaterMeshHeights::Read(
   vtkMapper* mapper, vtkMatrix4x4* meshToWorld, const water_plane& unit)
 {
-  vtkPoints* points = FindPoints(mapper);
+  vtkPointSet* data = FindData(mapper);
+  vtkPoints* points = data ? data->GetPoints() : nullptr;
   const vtkWaterMeshPlace place = vtkWaterMeshPlaceOf(meshToWorld, unit);
-  const vtkMTimeType time = points ? points->GetMTime() : 0;
+  const vtkMTimeType time = points ? std::max(points->GetMTime(), data->GetMTime()) : 0;
   if (points != this->Points || time != this->PointsTime || place != this->Place || !points)
   {
     this->Points = points;
     this->PointsTime = time;
     this->Place = place;
-    this->Mesh = Measure(points, meshToWorld, unit);
+    this->Mesh = Measure(data, meshToWorld, unit);
   }
   return this->Mesh;
 }

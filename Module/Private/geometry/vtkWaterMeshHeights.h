@@ -10,7 +10,7 @@
 
 class vtkMapper;
 class vtkMatrix4x4;
-class vtkPoints;
+class vtkPointSet;
 
 // Of the mesh that a surface is.
 struct vtkWaterMesh
@@ -19,6 +19,10 @@ struct vtkWaterMesh
   bool HasVertexHeights = false; // the two below are set
   double Height[4] = {};         // of water_flatness_heights
   double Bounds[6] = {};         // in its own coordinates
+  double ToWorld[16] = {};
+  double Reach = 0.0;    // the height of its highest point, over the plane or under it
+  double SlopeRMS = 0.0; // of its triangles against the plane
+  bool IsSloped = false; // that turns rays
 };
 
 class vtkWaterMeshHeights
@@ -30,9 +34,9 @@ public:
 
 private:
   static vtkWaterMesh Measure(
-    vtkPoints* points, vtkMatrix4x4* meshToWorld, const water_plane& unit);
+    vtkPointSet* data, vtkMatrix4x4* meshToWorld, const water_plane& unit);
 
-  vtkPoints* Points = nullptr; // compared only
+  void* Points = nullptr; // compared only
   vtkMTimeType PointsTime = 0;
   vtkWaterMeshPlace Place{};
   vtkWaterMesh Mesh;

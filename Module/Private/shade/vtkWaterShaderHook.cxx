@@ -85,7 +85,7 @@ void vtkWaterShaderHook::ReplaceForWater(vtkWaterSource& water, std::string& ver
   }
   unsigned features = this->Surface ? this->Surface->GetFeatures() : water.Take(nullptr)->Features;
   constexpr unsigned ofVertices =
-    WATER_FEATURE_DISPLACED | WATER_FEATURE_SEA_MOVES | WATER_FEATURE_MESH;
+    WATER_FEATURE_DISPLACED | WATER_FEATURE_SEA_MOVES | WATER_FEATURE_MESH | WATER_FEATURE_SLOPED;
   // a geometry shader would have to pass the place at rest, or the height, on
   const bool canAskVertices =
     geometryShader.empty() && vertexShader.find("//VTK::CustomEnd::Impl") != std::string::npos;
@@ -102,6 +102,11 @@ void vtkWaterShaderHook::ReplaceForWater(vtkWaterSource& water, std::string& ver
     else if (features & WATER_FEATURE_MESH)
     {
       InsertBefore(vertexShader, "//VTK::CustomEnd::Impl", "  waterMeasure(vertexMC);");
+    }
+    if (features & WATER_FEATURE_SLOPED)
+    {
+      InsertBefore(
+        vertexShader, "//VTK::CustomEnd::Impl", "  waterMeasureSlope(vertexMC, normalMC);");
     }
     InsertBefore(vertexShader, "//VTK::CustomEnd::Impl", "  waterKeepDepth(gl_Position);");
   }
@@ -163,6 +168,10 @@ bool vtkWaterShaderHook::PostReplaceShaderValues(std::string& vertexShader,
   vtkWaterShaderFailures::Prepare(mapper);
   if (prop->IsA("vtkWaterActor"))
   {
+    if (Declares(vertexShader, "waterMeasureSlope"))
+    {
+      DeclareNormals(vertexShader); // a mapper without light does not, and gives them all the same
+    }
     if (Declares(fragmentShader, "waterShade"))
     {
       if (vtkWaterMeshTraits::ShowsScalars(mapper))

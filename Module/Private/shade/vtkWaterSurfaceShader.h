@@ -120,6 +120,9 @@ private:
   void UploadNormalMap(size_t number);
   void SetDisplacement(vtkShaderProgram* program);
   void SetVertexHeights(vtkShaderProgram* program, vtkAbstractMapper* mapper);
+  // Of a mesh that is not flat, from its vertex origin.
+  void SetVertexPlaces(vtkShaderProgram* program, const double shift[3], const double scale[3],
+    const double origin[3]);
   // A sampler that is not looked at, but must have a texture.
   void SetNoTexture(vtkShaderProgram* program, const char* name);
   void SetViewParameters(vtkShaderProgram* program);

@@ -18,7 +18,9 @@
 #include "water_lookup.h"
 #include "water_optics.h"
 #include "water_plan.h"
+#include "water_plane.h"
 #include "water_sky.h"
+#include "water_slopes.h"
 #include "water_waves.h"
 #include "water_whitecap.h"
 
@@ -167,16 +169,47 @@ void vtkWaterSurfaceShader::SetVertexHeights(vtkShaderProgram* program, vtkAbstr
   double origin[3] = { 0.0, 0.0, 0.0 };
   double rise[4] = { 0.0, 0.0, 0.0, 0.0 };
   const vtkWaterMesh& mesh = this->Water->Mesh;
-  if (!this->IsFlat && this->Has(WATER_FEATURE_MESH))
+  const bool isSloped = this->Has(WATER_FEATURE_SLOPED);
+  if ((!this->IsFlat || isSloped) && this->Has(WATER_FEATURE_MESH))
   {
     double shift[3];
     double scale[3];
     vtkWaterMeshTraits::ReadShiftAndScale(mapper, shift, scale);
     water_flatness_vertices(
       mesh.Height, this->Drawn.Plan->side, mesh.Bounds, shift, scale, origin, rise);
+    if (isSloped)
+    {
+      this->SetVertexPlaces(program, shift, scale, origin);
+    }
   }
   uniforms::Set3(program, "waterVertexOrigin", origin);
   uniforms::Set4(program, "waterVertexRise", rise);
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterSurfaceShader::SetVertexPlaces(
+  vtkShaderProgram* program, const double shift[3], const double scale[3], const double origin[3])
+{
+  namespace uniforms = vtkWaterUniforms;
+  const water_plan& plan = *this->Drawn.Plan;
+  const vtkWaterMesh& mesh = this->Water->Mesh;
+  water_plane unit;
+  water_axes axes;
+  double across[4];
+  double down[4];
+  double normals[9];
+  if (water_plane_normalise(&this->Water->Plane, &unit) != WATER_OK)
+  {
+    return; // there is no plan then
+  }
+  water_lookup_axes(&unit, plan.side, this->Water->Origin, &axes);
+  water_slopes_places(&axes, plan.origin_xy, mesh.ToWorld, across, down);
+  water_slopes_normals(&axes, mesh.ToWorld, normals);
+  water_flatness_row(across, shift, scale, origin, across);
+  water_flatness_row(down, shift, scale, origin, down);
+  uniforms::Set4(program, "waterVertexAcross", across);
+  uniforms::Set4(program, "waterVertexDown", down);
+  uniforms::SetMatrix3(program, "waterNormalToPlane", normals);
 }
 
 //------------------------------------------------------------------------------
@@ -199,7 +232,8 @@ void vtkWaterSurfaceShader::SetReflectionParameters(vtkShaderProgram* program)
   uniforms::Set4(program, "waterReflectionHeight", plan.reflection_height);
   uniforms::Set4(program, "waterReflectionW", plan.reflection_w);
   uniforms::Set(program, "waterTexel", std::min(plan.reflection_texel, kFarUp));
-  uniforms::Set(program, "waterSlack", water_waves_slack(look.WaveHeightMax));
+  uniforms::Set(program, "waterSlack",
+    water_waves_slack(std::max(look.WaveHeightMax, this->Water->Mesh.Reach)));
   uniforms::Set(program, "waterReflectionTop", std::min(plan.reflection_top, kFarUp));
   uniforms::Set(program, "waterReflectionZInfinity", plan.reflection_z_infinity);
   uniforms::Set2(program, "waterReflectionTolerance", plan.reflection_tolerance);

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// water_slopes.h: beside water_flatness.h: how steep a surface that a user gives is against the
+// water's plane, and what its vertices need to tell their places and slopes.
+#ifndef water_slopes_h
+#define water_slopes_h
+
+#include "water_lookup.h"
+#include "water_types.h"
+
+#include <stdbool.h>
+
+#ifdef __cplusplus
+extern "C"
+{
+#endif
+
+// What of a surface has been looked at.
+typedef struct water_slopes
+{
+  double normal[3];
+  double area;    // twice, of the projection onto the plane
+  double squares; // of slopes, times that
+} water_slopes;
+
+// unit  normalised plane of the water
+void water_slopes_begin(const water_plane* unit, water_slopes* slopes);
+
+// Looks at a triangle: its corners in world. What is not finite is left out, and walls count as
+// slopes of 10.
+void water_slopes_add(
+  const double a[3], const double b[3], const double c[3], water_slopes* slopes);
+
+// The root of the mean square of slopes, by area; 0 without area.
+double water_slopes_rms(const water_slopes* slopes);
+
+// Do such slopes turn rays so far that it is seen? From 1e-4 on, which moves a reflection by a
+// fifth of a pixel in a picture of 1000 pixels a radian.
+bool water_slopes_are_seen(double rms);
+
+// Places along the plane's axes of points in a mesh's own coordinates, from the point under the
+// eye.
+//
+// origin_xy  of that, as water_lookup_places has it
+// across     (point, 1) -> along the first axis
+// down       along the second
+void water_slopes_places(const water_axes* axes, const double origin_xy[2],
+  const double mesh_to_world[16], double across[4], double down[4]);
+
+// The mesh's normals, of any length, in the plane's axes, the third towards the eye. 3 rows of 3;
+// 0: the matrix has no inverse.
+void water_slopes_normals(
+  const water_axes* axes, const double mesh_to_world[16], double normal_to_plane[9]);
+
+#ifdef __cplusplus
+}
+#endif
+#endif
