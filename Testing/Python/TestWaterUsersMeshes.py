@@ -127,6 +127,7 @@ def high_scene(generator, distance, heights, is_single, has_matrix, make_mapper=
     data, matrix = mapped(generator, place, mesh, places, is_single, has_matrix)
     mapper = make_mapper(data) if make_mapper else ms.mapper_of(data, mode_of(generator, distance, KNOWN))
     scene = ms.Scene(place, eye, (), mapper, matrix)
+    scene.water.MeshSlopesOff()  # TestWaterMeshSlopes has them
     ms.add_wall(scene.view.renderer, place)
     return scene, ms.WallTruth(eye, mesh, places)
 
@@ -186,6 +187,7 @@ def test_a_mesh_that_changes_is_measured_again():
     mesh = ms.irregular(generator, 20)
     data = ms.with_points(mesh, place.move(ms.points_of(mesh)), False)
     scene = ms.Scene(place, eye, (), ms.mapper_of(data))
+    scene.water.MeshSlopesOff()
     ms.add_wall(scene.view.renderer, place)
     places = ms.points_of(mesh)
     check_wall("flat", scene, ms.WallTruth(eye, mesh, places))
