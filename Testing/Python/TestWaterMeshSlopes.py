@@ -10,7 +10,6 @@ import water_test as wt
 from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkCommonTransforms import vtkTransform
-from vtkmodules.vtkFiltersCore import vtkAppendPolyData
 from vtkmodules.vtkRenderingCore import vtkDataSetMapper
 
 from vtkwater import vtkWaterActor
@@ -189,24 +188,6 @@ def test_a_matrix_moves_places_and_normals(is_software, monkeypatch):
     check_hits("moved normals", scene_of(ms.mapper_of(mesh), matrix), "swell")
     mesh, matrix = moved(mesh_of(COARSE))
     check_hits("moved triangles", scene_of(ms.mapper_of(mesh), matrix), "triangles", COARSE)
-
-
-@RENDERERS
-def test_rays_meet_nothing_under_the_surface(is_software, monkeypatch):
-    """Balls under the crests, over the plane and the troughs, change no reflection."""
-    monkeypatch.setenv("VTK_WATER_SOFTWARE", str(is_software))
-    scene = scene_of(ms.mapper_of(mesh_of(normals=1.0)))
-    along = np.array((-WAVE[1], WAVE[0])) / np.linalg.norm(WAVE)
-    balls = vtkAppendPolyData()
-    for crest in range(-1, 2):
-        middle = WAVE * (0.5 + 2 * crest) * np.pi / (WAVE @ WAVE)
-        for way in np.arange(-10, 10, 0.5):
-            balls.AddInputData(wt.sphere((*(middle + way * along), AMPLITUDE - 0.16), 0.12, 12))
-    balls.Update()
-    scene.view.renderer.RemoveActor(scene.water)
-    wt.add_actor(scene.view.renderer, balls.GetOutput(), (0, 0, 1), lit=False)
-    scene.view.renderer.AddActor(scene.water)
-    check_hits("balls under crests", scene, "swell")
 
 
 def test_a_data_set_mapper_is_as_good():
