@@ -10,7 +10,8 @@ How it is put together:
     reference   what is right: reflected rays, where they end, the picture they make
     formulas    the lookups that other programs use
     report      figures with limits, tables, plots, the text
-    lookup, colour, cost, confidence, random_scenes, random_refraction, edges, caustics
+    lookup, colour, cost, confidence, random_scenes, random_refraction, edges, caustics,
+    surfaces
                 the sections. Each has run(report) and its own prose; a new one is a module with the
                 same, added to SECTIONS
     scene_generator
@@ -33,7 +34,8 @@ sys.path.insert(0, str(PROJECT / "Testing" / "Python"))  # scenes, ray_caster
 
 # name, module
 SECTIONS = {"lookup": "lookup", "colour": "colour", "cost": "cost", "confidence": "confidence",
-            "scenes": "random_scenes", "refraction": "random_refraction", "edges": "edges", "caustics": "caustics"}
+            "scenes": "random_scenes", "refraction": "random_refraction", "edges": "edges", "caustics": "caustics",
+            "surfaces": "surfaces"}
 
 
 def main():
