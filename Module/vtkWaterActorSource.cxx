@@ -15,10 +15,10 @@
 #include "vtkWaterReflection.h"
 #include "vtkWaterReflectionPass.h"
 #include "water_plane.h"
+#include "water_slopes.h"
 
 #include <algorithm>
 #include <atomic>
-#include <cmath>
 #include <limits>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -242,7 +242,7 @@ vtkWaterSnapshotPointer vtkWaterActor::Internals::Take(vtkRenderer* renderer)
   }
   if (made->IsSloped())
   {
-    made->Look.SlopeRMS = std::hypot(made->Look.SlopeRMS, made->Mesh.SlopeRMS);
+    made->Look.SlopeRMS = water_slopes_together(made->Look.SlopeRMS, made->Mesh.SlopeRMS);
     made->Look.SlopeLookedUp = std::numeric_limits<double>::infinity();
   }
   made->Waves = this->GetWaveTerms(made->Look);

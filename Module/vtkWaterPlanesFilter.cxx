@@ -7,7 +7,6 @@
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
-#include "vtkMath.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
@@ -17,9 +16,9 @@
 #include "vtkTriangleFilter.h"
 #include "vtkWaterCompat.h"
 #include "vtkWaterParts.h"
+#include "water_plane.h"
 
 #include <algorithm>
-#include <cmath>
 #include <string>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -84,8 +83,9 @@ vtkWaterPlanesFilter::~vtkWaterPlanesFilter() = default;
 void vtkWaterPlanesFilter::SetUpDirection(double x, double y, double z)
 {
   const double given[3] = { x, y, z };
-  const double length = std::hypot(x, y, z);
-  if (!vtkMath::IsFinite(length) || !(length > 0.0))
+  const water_plane plane = { { x, y, z }, 0.0 };
+  water_plane unit;
+  if (water_plane_normalise(&plane, &unit) != WATER_OK)
   {
     vtkErrorMacro("UpDirection is ("
       << x << ", " << y << ", " << z << "); it must be finite and not zero. It stays ("
@@ -126,17 +126,18 @@ int vtkWaterPlanesFilter::RequestData(
   }
   vtkNew<vtkPolyData> mesh;
   FindPolygons(input, mesh);
-  double up[3];
-  std::copy_n(this->UpDirection, 3, up);
-  vtkMath::Normalize(up);
+  const double* up = this->UpDirection;
+  const water_plane plane = { { up[0], up[1], up[2] }, 0.0 };
+  water_plane unit = plane;
+  water_plane_normalise(&plane, &unit); // the setter has checked it
   vtkWaterParts parts;
-  parts.Find(mesh, up, static_cast<size_t>(this->MaximumNumberOfPlanes));
+  parts.Find(mesh, unit.normal, static_cast<size_t>(this->MaximumNumberOfPlanes));
   const size_t count = parts.GetPlanes().size();
   this->NumberOfPlanes = static_cast<int>(count);
   output->SetNumberOfBlocks(static_cast<unsigned int>(count));
   for (size_t i = 0; i < count; ++i)
   {
-    const vtkWaterParts::Plane& plane = parts.GetPlanes()[i];
+    const vtkWaterParts::Plane& found = parts.GetPlanes()[i];
     vtkNew<vtkPolyData> block;
     if (parts.HasAll(i))
     {
@@ -146,13 +147,13 @@ int vtkWaterPlanesFilter::RequestData(
     {
       parts.Extract(mesh, i, block);
     }
-    if (!plane.IsFlat)
+    if (!found.IsFlat)
     {
       AddNormals(block);
     }
-    AddField(block, "WaterPlaneOrigin", plane.Fit.origin, 3);
-    AddField(block, "WaterPlaneNormal", plane.Fit.normal, 3);
-    AddField(block, "WaterArea", &plane.Area, 1);
+    AddField(block, "WaterPlaneOrigin", found.Fit.origin, 3);
+    AddField(block, "WaterPlaneNormal", found.Fit.normal, 3);
+    AddField(block, "WaterArea", &found.Area, 1);
     const auto number = static_cast<unsigned int>(i);
     output->SetBlock(number, block);
     output->GetMetaData(number)->Set(

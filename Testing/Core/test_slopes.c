@@ -38,6 +38,7 @@ TEST(any_triangle_has_a_slope)
   ASSERT_CLOSE(rms_of(point, 1), 0.0, 0.0);
   ASSERT_CLOSE(rms_of(wall, 1), 10.0, 1e-12);
   ASSERT_CLOSE(rms_of(broken, 1), 0.0, 0.0);
+  ASSERT_CLOSE(water_slopes_together(0.3, 0.4), 0.5, 1e-12);
   assert_false(water_slopes_are_seen(0.99e-4));
   assert_true(water_slopes_are_seen(1.01e-4));
 }

@@ -40,6 +40,11 @@ bool water_slopes_are_seen(double rms)
   return rms > seen;
 }
 
+double water_slopes_together(double rms_a, double rms_b)
+{
+  return hypot(rms_a, rms_b);
+}
+
 void water_slopes_places(const water_axes* axes, const double origin_xy[2],
   const double mesh_to_world[16], double across[4], double down[4])
 {

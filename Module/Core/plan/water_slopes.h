@@ -37,6 +37,10 @@ double water_slopes_rms(const water_slopes* slopes);
 // fifth of a pixel in a picture of 1000 pixels a radian.
 bool water_slopes_are_seen(double rms);
 
+// The root of the mean square of the slopes of two surfaces, one on the other, such as waves on a
+// swell.
+double water_slopes_together(double rms_a, double rms_b);
+
 // Places along the plane's axes of points in a mesh's own coordinates, from the point under the
 // eye.
 //

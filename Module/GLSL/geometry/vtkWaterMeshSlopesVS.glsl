@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkWaterMeshSlopesVS.glsl: where the vertices of a user's mesh lie along the plane's axes, and their normals. The
-// attribute normalMC is declared by VTK, or in front of this (vtkWaterShaderHook).
+// attribute normalMC is declared by VTK, or by vtkWaterNormalsVS.glsl.
 
 uniform vec4 waterVertexAcross; // (from waterVertexOrigin, 1) -> place on the plane, from the point under the eye
 uniform vec4 waterVertexDown;

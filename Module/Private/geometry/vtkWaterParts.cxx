@@ -13,7 +13,6 @@
 #include "water_regions.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 
 namespace
@@ -98,8 +97,9 @@ void vtkWaterParts::Share(vtkPolyData* mesh, size_t most)
     sorted.begin(), sorted.end(), parts.begin(), [&found](size_t i) { return found[i]; });
   double bounds[6];
   mesh->GetBounds(bounds);
-  const double coordinate = std::accumulate(bounds, bounds + 6, 0.0,
-    [](double most, double bound) { return std::max(most, std::fabs(bound)); });
+  const double coordinate = std::accumulate(bounds, bounds + 6, 0.0, [](double most, double bound) {
+    return std::max({ most, bound, -bound });
+  });
   const bool isSingle = mesh->GetPoints()->GetDataType() != VTK_DOUBLE;
   std::vector<size_t> planes(parts.size());
   std::vector<size_t> first(std::min(parts.size(), most));

@@ -18,6 +18,7 @@
 #include "vtkWaterMeshTraits.h"
 #include "vtkWaterMirroredFS.h"
 #include "vtkWaterMirroredVS.h"
+#include "vtkWaterNormalsVS.h"
 #include "vtkWaterPeelFS.h"
 #include "vtkWaterPlainFS.h"
 #include "vtkWaterPropRecords.h"
@@ -168,9 +169,10 @@ bool vtkWaterShaderHook::PostReplaceShaderValues(std::string& vertexShader,
   vtkWaterShaderFailures::Prepare(mapper);
   if (prop->IsA("vtkWaterActor"))
   {
-    if (Declares(vertexShader, "waterMeasureSlope"))
+    if (Declares(vertexShader, "waterMeasureSlope") &&
+      vertexShader.find(" normalMC;") == std::string::npos)
     {
-      DeclareNormals(vertexShader); // a mapper without light does not, and gives them all the same
+      InsertBefore(vertexShader, "void waterMeasureSlope(", vtkWaterNormalsVS);
     }
     if (Declares(fragmentShader, "waterShade"))
     {

@@ -32,17 +32,6 @@ bool vtkWaterShaderText::Declares(const std::string& source, const std::string& 
 }
 
 //------------------------------------------------------------------------------
-void vtkWaterShaderText::DeclareNormals(std::string& source)
-{
-  const std::string declaration = "in vec3 normalMC;";
-  const std::string place = "in vec4 vertexMC;";
-  if (source.find(declaration) == std::string::npos)
-  {
-    vtkShaderProgram::Substitute(source, place, place + "\n" + declaration, false);
-  }
-}
-
-//------------------------------------------------------------------------------
 void vtkWaterShaderText::MoveHeadlight(std::string& source)
 {
   const std::string isotropic = "SpecularIsotropic(NdV, NdV, NdV, 1.0,";

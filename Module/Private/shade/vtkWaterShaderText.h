@@ -17,9 +17,6 @@ bool InsertDeclarations(std::string& source, const std::string& text);
 
 bool Declares(const std::string& source, const std::string& function);
 
-// The normals of a mesh as an attribute, where a vertex shader has none.
-void DeclareNormals(std::string& source);
-
 // VTK's physically based shader of a single headlight has L = V = H written out; this gives it the
 // terms of a directional light, which it declares anyway.
 void MoveHeadlight(std::string& source);
