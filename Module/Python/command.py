@@ -12,6 +12,7 @@ import sys
 import warnings
 
 from . import __version__, backend, movies, readers, vtkWaterProperty
+from .data_command import add_data_arguments, check_data, is_data, make_data_water, report, time_of, time_range
 from .errors import text_of
 from .pictures import check_png
 from .words import QUALITIES, TURBIDITY, set_look
@@ -23,6 +24,7 @@ EXAMPLES = """examples:
   vtkwater render terrain.tif --level 355 --preset lake --out lake.png
   vtkwater render ship.stl --level 0 --wind 8 --out ship.png
   vtkwater animate terrain.vti --level 350:400 --frames 60 --out flood.gif
+  vtkwater render flood.pvd --depth h --bed zb --color-by speed --time 3600 --out flood.png
   vtkwater info
 """
 
@@ -72,10 +74,20 @@ def color(text):
     return tuple(part / 255.0 for part in colors.HTMLColorToRGB(text))
 
 
+def level(text):
+    """A number, or else the name of an array."""
+    try:
+        float(text)
+    except ValueError:
+        return text
+    return number(-readers.HIGHEST, readers.HIGHEST)(text)
+
+
 def level_range(text):
+    """Two numbers, or else the name of an array."""
     first, colon, last = text.partition(":")
-    one = number(-readers.HIGHEST, readers.HIGHEST)
-    return one(first), one(last) if colon else one(first)
+    ends = level(first), level(last if colon else first)
+    return text if any(isinstance(end, str) for end in ends) else ends
 
 
 def size(text):
@@ -175,20 +187,26 @@ def make_parser():
     render = commands.add_parser("render", help="render a picture of a file in water", epilog=EXAMPLES,
                                  formatter_class=argparse.RawDescriptionHelpFormatter)
     render.add_argument("file", help=kinds)
-    render.add_argument("--level", type=number(-readers.HIGHEST, readers.HIGHEST), required=True,
-                        help="height of the water, in the file's unit")
+    render.add_argument("--level", type=level, metavar="LEVEL|ARRAY",
+                        help="height of the water, in the file's unit: a number, or an array of a solver's file")
     render.add_argument("--out", default="water.png", metavar="FILE",
                         help="output picture, a PNG; default %(default)s")
-    render.add_argument("--time", type=number(-1e15, 1e15), default=0.0, metavar="S",
-                        help="time of the waves; default 0")
+    render.add_argument("--time", type=number(-1e15, 1e15), metavar="S",
+                        help="time of the waves in s, default 0; for a solver's file its time, in the file's unit, also "
+                             "between its steps, default the first step")
+    render.add_argument("--step", type=number(-100000, 100000, int), metavar="N",
+                        help="step of a solver's file, instead of the time: 0 is the first, -1 the last")
     add_scene_arguments(render)
+    add_data_arguments(render, number)
 
     animate = commands.add_parser("animate", help="render a movie with waves and a changing level", epilog=EXAMPLES,
                                   formatter_class=argparse.RawDescriptionHelpFormatter)
     animate.add_argument("file", help=kinds)
-    animate.add_argument("--level", type=level_range, required=True, metavar="LEVEL[:LAST]",
+    animate.add_argument("--level", type=level_range, metavar="LEVEL[:LAST]|ARRAY",
                          help="height of the water, in the file's unit: a number, or the first and "
-                              "the last of the animation")
+                              "the last of the animation, or an array of a solver's file")
+    animate.add_argument("--times", type=time_range, metavar="FIRST:LAST",
+                         help="times of a solver's file, in its unit; default: all of it")
     animate.add_argument("--frames", type=number(1, 100000, int), default=48, metavar="N",
                          help="number of frames; default %(default)s")
     animate.add_argument("--fps", type=number(0.1, 100.0), default=12.0, metavar="N",
@@ -197,6 +215,7 @@ def make_parser():
                          help=f"{', '.join(movies.KINDS)} (a name without a suffix); default %(default)s. "
                               "Ctrl-C stops, and keeps the finished frames")
     add_scene_arguments(animate)
+    add_data_arguments(animate, number)
 
     commands.add_parser("info", help="print versions, and the renderer in use")
     return parser
@@ -238,13 +257,10 @@ def progress(steps):
     return tqdm(steps, unit="frame", disable=not sys.stderr.isatty() or None)
 
 
-def make_scene(arguments, levels):
-    """A scene whose ground has its shore at the first level; walls, water and view fit all levels."""
+def empty_scene(arguments):
+    """A scene with its light and sky."""
     from .scenes import Scene
 
-    ground = readers.read(arguments.file, arguments.no_data)
-    if ground.note:
-        print(f"vtkwater: {arguments.file}: {ground.note}", file=sys.stderr)
     found = backend.find()
     if found.error:
         raise Failure(found.error)
@@ -256,6 +272,15 @@ def make_scene(arguments, levels):
         scene.set_sun(sun, 35.0)
     else:
         scene.set_clear_sky(sun, 35.0, arguments.sky)
+    return scene
+
+
+def make_scene(arguments, levels):
+    """A scene whose ground has its shore at the first level; walls, water and view fit all levels."""
+    ground = readers.read(arguments.file, arguments.no_data)
+    if ground.note:
+        print(f"vtkwater: {arguments.file}: {ground.note}", file=sys.stderr)
+    scene = empty_scene(arguments)
     exaggeration = arguments.exaggeration if ground.is_terrain else 1.0
     scene.add_ground(ground, levels[0], exaggeration)
     scene.add_water(min(levels), exaggeration=exaggeration, **words_for(ground, arguments))
@@ -273,26 +298,58 @@ def warn_of_level(ground, level):
 
 def render(arguments):
     check_png(arguments.out)
+    if is_data(arguments):
+        return render_data(arguments)
     scene, ground, _ = make_scene(arguments, [arguments.level])
     warn_of_level(ground, arguments.level)
-    scene.water.SetTime(arguments.time)
+    scene.water.SetTime(arguments.time or 0.0)
     scene.write(arguments.out)
     print(f"{arguments.out}: {arguments.size[0]} x {arguments.size[1]}, "
           f"reflection {scene.water.GetReflectionPass().GetDecisionAsString()}")
     return DONE
 
 
+def render_data(arguments):
+    water = make_data_water(arguments, words_of(arguments), empty_scene)
+    scene = water.scene
+    time = time_of(water.solution, arguments)
+    is_wet = water.show(time)
+    water.water.SetTime(time)
+    scene.write(arguments.out)
+    report(water, is_wet, time)
+    print(f"{arguments.out}: {arguments.size[0]} x {arguments.size[1]}, {water.times_text(time)}, "
+          f"reflection {scene.water.GetReflectionPass().GetDecisionAsString()}")
+    return DONE
+
+
 def animate(arguments):
-    first, last = arguments.level
-    scene, ground, exaggeration = make_scene(arguments, arguments.level)
-    for level in sorted({first, last}):
-        warn_of_level(ground, level)
+    if is_data(arguments):
+        water = make_data_water(arguments, words_of(arguments), empty_scene)
+        scene = water.scene
+        first, last = arguments.times or (water.solution.times[0], water.solution.times[-1])
+
+        def show(share):
+            water.show(first + (last - first) * share)
+    else:
+        first, last = arguments.level
+        scene, ground, exaggeration = make_scene(arguments, arguments.level)
+        for level in sorted({first, last}):
+            warn_of_level(ground, level)
+
+        def show(share):
+            scene.water.SetLevel(exaggeration * (first + (last - first) * share))
+
+    return write_movie(arguments, scene, show)
+
+
+def write_movie(arguments, scene, show):
+    """The frames of an animation; show(share) sets the scene to a share of its length, in [0, 1]."""
     done = 0
     with movies.open_movie(arguments.out, arguments.fps) as movie, movies.interrupts() as is_stopped:
         for i in progress(range(arguments.frames)):
             if is_stopped():
                 break
-            scene.water.SetLevel(exaggeration * (first + (last - first) * i / max(arguments.frames - 1, 1)))
+            show(i / max(arguments.frames - 1, 1))
             scene.water.SetTime(i / arguments.fps)
             movie.add(scene.picture())
             done += 1
@@ -317,6 +374,7 @@ def main(arguments=None):
     arguments = parser.parse_args(arguments)
     if arguments.command != "info":
         check_words(parser, arguments)
+        check_data(parser, arguments)
     warnings.simplefilter("ignore")  # of the packages beneath
     try:
         return {"render": render, "animate": animate, "info": info}[arguments.command](arguments)

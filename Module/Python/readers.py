@@ -7,6 +7,7 @@
 
 A FileError is raised if the file is missing, empty, of an unknown type, or not of the type that its suffix claims.
 """
+import contextlib
 import math
 from dataclasses import dataclass
 from pathlib import Path
@@ -62,15 +63,20 @@ def read(file, no_data=None):
         If the file is missing, empty, of an unknown type, or not of the type that its suffix claims.
     """
     path = Path(file)
-    kind = KINDS.get(path.suffix.lower())
+    return kind_of(path, KINDS)(path, no_data)
+
+
+def kind_of(path, kinds):
+    """What a dictionary of kinds, by their suffixes, has for a file that is there; else a FileError."""
+    kind = kinds.get(path.suffix.lower())
     if path.is_dir():
-        raise FileError(f"{file}: is a folder, not a file")
+        raise FileError(f"{path}: is a folder, not a file")
     if not path.is_file():
-        raise FileError(f"{file}: no such file")
+        raise FileError(f"{path}: no such file")
     if not kind:
-        raise FileError(f"{file}: unknown file type {path.suffix or '(no suffix)'}; "
-                        f"known types are {', '.join(KINDS)}")
-    return kind(path, no_data)
+        raise FileError(f"{path}: unknown file type {path.suffix or '(no suffix)'}; "
+                        f"known types are {', '.join(kinds)}")
+    return kind
 
 
 def surface_of_heights(heights, spacing=(1.0, 1.0), origin=(0.0, 0.0), no_data=None):
@@ -121,32 +127,46 @@ def surface_of_heights(heights, spacing=(1.0, 1.0), origin=(0.0, 0.0), no_data=N
     return Surface(data, is_terrain=True, note="; ".join(notes))
 
 
-def run(reader, path, what):
-    """The reader's output; VTK's own messages become the error."""
+@contextlib.contextmanager
+def heard(path, what):
+    """What VTK reports as an error in the block becomes a FileError: path is not what."""
     log = vtkStringOutputWindow()
     shown, verbosity = vtkOutputWindow.GetInstance(), vtkLogger.GetCurrentVerbosityCutoff()
     vtkOutputWindow.SetInstance(log)
     vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_OFF)  # it has the same texts again
     try:
+        yield
+    finally:
+        vtkOutputWindow.SetInstance(shown)
+        vtkLogger.SetStderrVerbosity(verbosity)
+    if "ERROR" in log.GetOutput().upper():
+        lines = [line for line in log.GetOutput().splitlines() if line and not line.startswith("ERROR: In ")]
+        reason = lines[0].partition("): ")[2] or lines[0] if lines else "reading stopped before its end"
+        raise FileError(f"{path}: not {what}: {reason}")
+
+
+def run(reader, path, what):
+    """The reader's output; what VTK says on the way becomes the error."""
+    with heard(path, what):
         if hasattr(reader, "CanReadFile") and not reader.CanReadFile(str(path)):
             raise FileError(f"{path}: not {what}")
         reader.SetFileName(str(path))
         reader.Update()
-    finally:
-        vtkOutputWindow.SetInstance(shown)
-        vtkLogger.SetStderrVerbosity(verbosity)
-    if reader.GetErrorCode() or "ERROR" in log.GetOutput().upper():
-        lines = [line for line in log.GetOutput().splitlines() if line and not line.startswith("ERROR: In ")]
-        reason = lines[0].partition("): ")[2] or lines[0] if lines else "reading stopped before its end"
-        raise FileError(f"{path}: not {what}: {reason}")
+    if reader.GetErrorCode():
+        raise FileError(f"{path}: not {what}: reading stopped before its end")
     return reader.GetOutput()
+
+
+def reader_of(module, name):
+    """VTK's reader of this name; None where this VTK has none."""
+    made = getattr(__import__(f"vtkmodules.{module}", fromlist=[name]), name, None)
+    return made() if made else None
 
 
 def read_mesh(module, name, what):
     """Return a function that reads meshes with VTK's reader of this name."""
     def read_it(path, no_data):
-        reader = getattr(__import__(f"vtkmodules.{module}", fromlist=[name]), name)()
-        data = run(reader, path, what)
+        data = run(reader_of(module, name), path, what)
         if data is None:
             raise FileError(f"{path}: has no data set that can be shown")
         if data.IsA("vtkImageData"):

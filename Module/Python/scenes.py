@@ -13,7 +13,8 @@ import numpy as np
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkUnsignedCharArray
-from vtkmodules.vtkFiltersCore import vtkFeatureEdges, vtkPolyDataNormals
+from vtkmodules.vtkCommonDataModel import vtkPlane
+from vtkmodules.vtkFiltersCore import vtkClipPolyData, vtkFeatureEdges, vtkPolyDataNormals
 from vtkmodules.vtkFiltersModeling import vtkLinearExtrusionFilter
 from vtkmodules.vtkFiltersSources import vtkCubeSource
 from vtkmodules.vtkRenderingCore import (
@@ -44,6 +45,7 @@ BED_COLOR = (0.36, 0.33, 0.26)
 # Colours of dry ground, by the share of its height over the water: shore, meadow, forest, rock, snow.
 GROUND = ((0.0, 0.55, 0.50, 0.38), (0.03, 0.36, 0.40, 0.22), (0.35, 0.24, 0.32, 0.17), (0.65, 0.42, 0.39, 0.33),
           (0.9, 0.66, 0.65, 0.63), (1.0, 0.88, 0.88, 0.89))
+BLOCK = 0.1  # of the ground's relief: what a block has under its lowest point
 WATER_AROUND_A_MESH = 10.0  # times its width, on all sides
 WATER_AROUND = 50.0  # the same for an island: a horizon. More would cost the depth its precision
 NEAREST = 0.1  # of the way from the eye to what it looks at: nothing is drawn that is nearer
@@ -67,6 +69,7 @@ class Scene:
         self.water = None
         self._ground = None
         self._exaggeration = 1.0
+        self._base = None  # where the walls of a block end
 
     def set_sun(self, azimuth, height):
         """Set the sun by its azimuth (from north, 90 is east) and its elevation above the horizon, in degrees."""
@@ -94,9 +97,13 @@ class Scene:
         self.renderer.GetLights().GetItemAsObject(0).SetColor(sky.GetSunColor())
         return skybox
 
+    def set_ground(self, surface):
+        """A readers.Surface that the view is made for, and that is not drawn."""
+        self._ground = surface
+
     def add_ground(self, surface, level, exaggeration=1.0):
         """Add a readers.Surface. A terrain is coloured by its height above the level; exaggeration scales both."""
-        self._ground = surface
+        self.set_ground(surface)
         self._exaggeration = exaggeration if surface.is_terrain else 1.0
         mapper = vtkPolyDataMapper()
         mapper.SetInputData(surface.data)
@@ -179,8 +186,15 @@ class Scene:
             self.water.SetSheetToHorizon()
         else:
             self._widen_water(WATER_AROUND)
-        if not self._ground.is_terrain:
-            return
+        if self._ground.is_terrain:
+            self.add_walls(self.water.GetLevel() / self._exaggeration)
+
+    def add_walls(self, level, is_block=False):
+        """Walls where the ground, a terrain, ends: down to its lowest point, and to the level at least.
+
+        is_block : bool
+            They end in a level line a little below, as those of a block that is seen from all sides.
+        """
         edges = vtkFeatureEdges()
         edges.SetInputData(self._ground.data)
         edges.FeatureEdgesOff()
@@ -188,24 +202,39 @@ class Scene:
         edges.ManifoldEdgesOff()
         edges.ColoringOff()
         low, high = self._ground.data.GetBounds()[4:]
-        low = min(low, self.water.GetLevel() / self._exaggeration)  # walls of high ground stand in it, too
+        low = min(low, level)  # walls of high ground stand in the water, too
         walls = vtkLinearExtrusionFilter()
         walls.SetInputConnection(edges.GetOutputPort())
         walls.SetExtrusionTypeToVectorExtrusion()
         walls.SetVector(0.0, 0.0, -1.0)
         walls.SetScaleFactor(high - low)  # under the lowest point, wherever they begin
         walls.CappingOff()
-        self.add_mesh(walls, WALL_COLOR, smooth=False).SetScale(1.0, 1.0, self._exaggeration)
+        if is_block:
+            self._base = low - BLOCK * (high - low)
+            walls.SetScaleFactor(high - self._base)
+            plane = vtkPlane()
+            plane.SetOrigin(0.0, 0.0, self._base)
+            plane.SetNormal(0.0, 0.0, 1.0)
+            trimmed = vtkClipPolyData()
+            trimmed.SetInputConnection(walls.GetOutputPort())
+            trimmed.SetClipFunction(plane)
+            walls = trimmed
+        actor = self.add_mesh(walls, WALL_COLOR, smooth=False)
+        actor.SetScale(1.0, 1.0, self._exaggeration)
+        return actor
 
-    def look(self, azimuth=200.0, height=15.0, zoom=1.0, highest=-math.inf):
+    def look(self, azimuth=200.0, height=15.0, zoom=1.0, highest=-math.inf, all_of_it=False):
         """Aim the camera at the ground from an azimuth (degrees from north) and a height (degrees above the horizon).
 
-        zoom 1 shows everything above the water, and its reflection; zoom 2 half of its width. highest is the highest
-        level that the water will reach, in the data's unit: if there is dry ground now, the eye stays above it.
+        zoom 1 shows everything above the water, and its reflection, or with all_of_it all of the ground; zoom 2 half of
+        its width. highest is the highest level that the water will reach, in the data's unit: if there is dry ground
+        now, the eye stays above it.
         """
         points = vtk_to_numpy(self._ground.data.GetPoints().GetData()) * (1.0, 1.0, self._exaggeration)
         lowest = -math.inf
-        if self.water:
+        if self._base is not None:
+            points = np.concatenate([points, points * (1.0, 1.0, 0.0) + (0.0, 0.0, self._base * self._exaggeration)])
+        if self.water and not all_of_it:
             level = self.water.GetLevel()
             dry = points[points[:, 2] > level]
             if len(dry):  # and their mirror image

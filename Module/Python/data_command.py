@@ -1,0 +1,135 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The part of the command vtkwater that shows what a solver wrote: its options, and the scene they make."""
+import argparse
+import sys
+
+from . import readers, solutions
+from .data_scenes import COLOR_MAPS, DataWater
+
+__all__ = ["add_data_arguments", "check_data", "is_data", "make_data_water", "report", "time_of", "time_range"]
+
+ELSEWHERE = {"horizon": False, "no_data": None}  # options that a solver's mesh has no use for
+
+
+def add_data_arguments(parser, number):
+    """number(least, most): the type of a number in a range."""
+    group = parser.add_argument_group(
+        "the data", "A file of a solver: its arrays, of points or cells, say where the water is; two of level, depth "
+        "and bed are enough. It may also be " + " ".join(solutions.KINDS))
+    group.add_argument("--depth", metavar="ARRAY", help="of the water over the bed")
+    group.add_argument("--bed", metavar="ARRAY", help="its height; default: the level less the depth, or with the "
+                       "depth alone the mesh's own z")
+    group.add_argument("--dry-depth", type=number(0.0, 1e9), metavar="DEPTH",
+                       help="shallower water is not shown; default 0.001")
+    group.add_argument("--contour", metavar="ARRAY",
+                       help="of a volume, in place of the three: the surface lies where this has the --contour-value")
+    group.add_argument("--contour-value", type=number(), metavar="VALUE", help="default 0.5, of a volume fraction")
+    group.add_argument("--color-by", metavar="ARRAY", help="colours the water; of a vector its length")
+    group.add_argument("--cmap", metavar="NAME", help=f"{', '.join(COLOR_MAPS)}, or one of matplotlib's where it is "
+                       "installed; default viridis")
+    group.add_argument("--clim", type=color_range, metavar="LOW:HIGH",
+                       help="values of the first and the last colour; default: the range over all steps of the file, "
+                            "which reads them all")
+    group.add_argument("--scalar-bar", action=argparse.BooleanOptionalAction, default=None,
+                       help="whether a bar shows what the colours mean; default: with --color-by")
+    group.add_argument("--lonlat", action=argparse.BooleanOptionalAction, default=None,
+                       help="whether x and y are longitude and latitude in degrees; default: where a NetCDF names its "
+                            "dimensions so")
+
+
+def pair(text, what):
+    first, colon, last = text.partition(":")
+    try:
+        if colon:
+            return float(first), float(last)
+    except ValueError:
+        pass
+    raise argparse.ArgumentTypeError(f"{text!r} must be {what}, with a colon between them")
+
+
+def color_range(text):
+    return pair(text, "two values such as 0:3")
+
+
+def time_range(text):
+    return pair(text, "two times such as 0:3600")
+
+
+def is_data(arguments):
+    return isinstance(arguments.level, str) or any((arguments.depth, arguments.bed, arguments.contour))
+
+
+def check_data(parser, arguments):
+    """Ends the program where options of data contradict each other, or are given without data."""
+    kind = arguments.file.rpartition(".")[2].lower()
+    if not is_data(arguments):
+        for word in ("dry_depth", "contour_value", "color_by", "cmap", "clim", "scalar_bar", "lonlat", "step",
+                     "times"):
+            if getattr(arguments, word, None) is not None:
+                parser.error(f"--{word.replace('_', '-')} is given, but no array says where the water is: give "
+                             "--depth, --bed, --contour or an array's name as the --level")
+        if arguments.level is None:
+            parser.error("the following arguments are required: --level")
+        return
+    if f".{kind}" not in solutions.KINDS:
+        if isinstance(arguments.level, str):
+            parser.error(f"argument --level: {arguments.level!r} is no number, and a .{kind} file has no arrays")
+        parser.error(f"{arguments.file}: arrays are read from {', '.join(solutions.KINDS)}")
+    for word, default in ELSEWHERE.items():
+        if getattr(arguments, word) != default:
+            parser.error(f"--{word.replace('_', '-')} is given, but the water is that of a solver's mesh")
+    if isinstance(arguments.level, tuple) and arguments.level[0] != arguments.level[1]:
+        parser.error("--level has two ends; with --bed or --depth it must be one number, or an array's name")
+    if arguments.contour and any((arguments.level is not None, arguments.depth, arguments.bed)):
+        parser.error("--contour says where the surface is; --level, --depth and --bed must be left out")
+    if arguments.contour_value is not None and not arguments.contour:
+        parser.error("--contour-value is given, but there is no --contour")
+    if arguments.bed and arguments.level is None and not arguments.depth:
+        parser.error("--bed alone does not say where the water is: give --level or --depth, too")
+    if not arguments.color_by:
+        for word in ("cmap", "clim", "scalar_bar"):
+            if getattr(arguments, word) is not None:
+                parser.error(f"--{word.replace('_', '-')} is given, but there is no --color-by")
+    if getattr(arguments, "step", None) is not None and arguments.time is not None:
+        parser.error("--step and --time are both given; only one of them can say what is shown")
+
+
+def make_data_water(arguments, words, make_scene):
+    """The water of a solver's file, its bed, and the view, in a scene that is made when the file is read."""
+    level = arguments.level[0] if isinstance(arguments.level, tuple) else arguments.level
+    names = {"level": level if isinstance(level, str) else None, "depth": arguments.depth, "bed": arguments.bed,
+             "contour": arguments.contour, "color_by": arguments.color_by}
+    solution = solutions.Solution(arguments.file, dict.fromkeys(filter(None, names.values())),
+                                  bool(arguments.contour), arguments.lonlat)
+    scene = make_scene(arguments)
+    words["units"] = words["units"] or "m"
+    hides = arguments.color_by and not words["foam"] and not words["caustics"]
+    if words["refraction"] is None and hides:
+        words["refraction"] = False  # the data hide what it would show
+    value = 0.5 if arguments.contour_value is None else arguments.contour_value
+    names.update(level=level, contour=(arguments.contour, value) if arguments.contour else None)
+    water = DataWater(scene, solution, cmap=arguments.cmap, clim=arguments.clim, dry_depth=arguments.dry_depth,
+                      exaggeration=1.0 if arguments.contour else arguments.exaggeration, **names, **words)
+    if arguments.color_by and arguments.scalar_bar is not False:
+        water.bar(arguments.color_by)
+    scene.look(arguments.azimuth, arguments.elevation, arguments.zoom, all_of_it=True)
+    return water
+
+
+def report(water, is_wet, time):
+    """Tells what a user may not expect of a picture."""
+    if not is_wet:
+        print(f"vtkwater: nothing is wet at time {time:g}", file=sys.stderr)
+    if water.solution.note:
+        print(f"vtkwater: {water.solution.path}: {water.solution.note}", file=sys.stderr)
+
+
+def time_of(solution, arguments):
+    """The time that a picture shows: that of --step, or --time, or the first."""
+    step = arguments.step
+    if step is None:
+        return solution.times[0] if arguments.time is None else arguments.time
+    count = len(solution.times)
+    if not -count <= step < count:
+        raise readers.FileError(f"{solution.path}: step {step} is not there; it has {count}, 0 to {count - 1}")
+    return solution.times[step]

@@ -1,0 +1,305 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The water of a solver's file in a Scene: its surface, its bed and its colours, at any time of the file.
+
+    solution = Solution("flood.pvd", ["h", "zb", "speed"])
+    water = DataWater(scene, solution, depth="h", bed="zb", color_by="speed")
+    water.show(300.0)
+
+What is drawn depends on the file and the time alone: the range of colours is that of all steps, and the colours of the
+land and the view are those of the first step that has water.
+"""
+import math
+
+import numpy as np
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkLookupTable, vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkPlane, vtkPolyData
+from vtkmodules.vtkFiltersCore import vtkCellDataToPointData, vtkContourFilter
+from vtkmodules.vtkRenderingAnnotation import vtkScalarBarActor
+from vtkmodules.vtkRenderingCore import vtkColorTransferFunction, vtkPolyDataMapper
+
+from . import vtkWaterActor, vtkWaterSurfaceFilter
+from .errors import raising
+from .readers import ELEVATION, Surface
+from .solutions import array_of
+from .words import set_look
+
+__all__ = ["COLOR_MAPS", "DataWater", "table_of"]
+
+LEVEL = "vtkwater level"  # the array of a level that is one number
+TABLE_SIZE = 256
+NAN_COLOR = (0.6, 0.6, 0.6, 1.0)
+BAR_TEXT = 14  # points
+# Of matplotlib, at 17 even steps; between them they are off by at most 9 of 255.
+COLOR_MAPS = {
+    "viridis": "440154 48186a 472d7b 424086 3b528b 33638d 2c728e 26828e 21918c "
+               "1fa088 28ae80 3fbc73 5ec962 84d44b addc30 d8e219 fde725",
+    "plasma": "0d0887 310597 4c02a1 6600a7 7e03a8 9511a1 aa2395 bc3587 cc4778 "
+              "da5a6a e66c5c f0804e f89540 fdac33 fdc527 f8df25 f0f921",
+    "turbo": "30123b 4040a2 466be3 4294ff 28bceb 18ddc2 32f298 6dfe62 a4fc3c "
+             "cdec34 eecf3a fdac34 fb7e21 eb500e d02f05 a91601 7a0403",
+    "coolwarm": "3b4cc0 4e68d8 6282ea 779af7 8db0fe a3c2fe b9d0f9 ccd9ed dddcdc "
+                "ecd3c5 f5c4ac f7b093 f4987a eb7d62 dd5f4b ca3b37 b40426",
+    "Blues": "f7fbff eaf3fb deebf7 d2e3f3 c6dbef b2d2e8 9dcae1 84bcdb 6aaed6 "
+             "56a0ce 4191c6 3181bd 2070b4 1460a8 08509b 084082 08306b",
+}
+
+
+class DataWater:
+    """A solution as the water of a Scene, with its bed as the ground.
+
+    Parameters
+    ----------
+    scene : Scene
+        That has no water yet.
+    solution : Solution
+        With the arrays that are named below; of a volume if there is a contour.
+    level, depth, bed : str, optional
+        Arrays as of vtkWaterSurfaceFilter; level may be a number.
+    contour : tuple[str, float], optional
+        In place of those three: an array of a volume, and the value of it that the water's surface has.
+    color_by : str, optional
+        An array that colours the water; of a vector its length.
+    cmap : str, optional
+        One of COLOR_MAPS or, where it is installed, of matplotlib's; default 'viridis'.
+    clim : sequence[float], optional
+        The values of the first and the last colour; default: the array's range over all steps, which reads them all.
+    dry_depth : float, optional
+        As the filter's DryDepth.
+    exaggeration : float, default: 1.0
+        Heights are drawn this many times higher.
+    **words
+        The water's look, of ``words.set_look``.
+
+    Raises
+    ------
+    FileError, ValueError
+    """
+
+    def __init__(self, scene, solution, *, level=None, depth=None, bed=None, contour=None, color_by=None, cmap=None,
+                 clim=None, dry_depth=None, exaggeration=1.0, **words):
+        self.scene, self.solution = scene, solution
+        self._level, self._names = level, {"depth": depth, "bed": bed}
+        self._exaggeration = exaggeration
+        self._ground = self._walls = None
+        self._heights = None
+        self._mapper = vtkPolyDataMapper()
+        self._mapper.ScalarVisibilityOff()
+        self.filter = contour_of(*contour) if contour else vtkWaterSurfaceFilter()
+        self._is_contour = bool(contour)
+        self._contoured = contour[0] if contour else None
+        if not contour:
+            self.filter.SetLevelArrayName(LEVEL if isinstance(level, float) else level or "")
+            self.filter.SetDepthArrayName(depth or "")
+            self.filter.SetBedArrayName(bed or "")
+            with raising(self.filter, DryDepth="dry depth", VerticalScale="exaggeration"):
+                self.filter.SetVerticalScale(exaggeration)
+                if dry_depth is not None:
+                    self.filter.SetDryDepth(dry_depth)
+        self._mapper.SetInputConnection(self.filter.GetOutputPort())
+        self.water = scene.water = vtkWaterActor()
+        set_look(self.water.GetWaterProperty(), **words)
+        if color_by:
+            self._color(color_by, cmap, clim)
+        self.water.SetMapper(self._mapper)
+        plane = vtkPlane()
+        plane.SetNormal(0.0, 0.0, 1.0)
+        self.water.SetPlane(plane)
+        self._begin()
+        scene.renderer.AddActor(self.water)
+
+    def show(self, time):
+        """Show the water of a time of the file; returns whether anything is wet then."""
+        mesh = self._mesh(time)
+        self._show_mesh(mesh)
+        if self._ground is not None:
+            self._show_bed(mesh)
+        return self.filter.GetOutput().GetNumberOfCells() > 0
+
+    def times_text(self, time):
+        """A time, and those of the file, for a user."""
+        times = self.solution.times
+        return f"time {time:g} of {times[0]:g} to {times[-1]:g}" if len(times) > 1 else "one step"
+
+    def bar(self, title):
+        """A scalar bar of the colours, above the picture's middle."""
+        bar = vtkScalarBarActor()
+        bar.SetLookupTable(self._mapper.GetLookupTable())
+        bar.SetTitle(title)
+        bar.SetOrientationToHorizontal()
+        bar.SetPosition(0.30, 0.86)
+        bar.SetWidth(0.40)
+        bar.SetHeight(0.11)
+        bar.SetNumberOfLabels(4)  # none in the middle, where the title is
+        bar.SetLabelFormat("%.4g" if "%" in bar.GetLabelFormat() else "{:.4g}")
+        bar.UnconstrainedFontSizeOn()
+        for text in (bar.GetTitleTextProperty(), bar.GetLabelTextProperty()):
+            text.SetFontSize(BAR_TEXT)
+            text.ItalicOff()
+            text.BoldOff()
+            text.ShadowOff()
+        self.scene.renderer.AddViewProp(bar)
+        return bar
+
+    def _begin(self):
+        """Ground and view: those of the first step that has water."""
+        times = self.solution.times
+        for time in times:
+            mesh = self._mesh(time)
+            self._show_mesh(mesh)
+            if self.filter.GetOutput().GetNumberOfCells():
+                break
+        else:
+            raise ValueError(f"{self.solution.path}: nothing is wet at any of its times, {times[0]:g} to "
+                             f"{times[-1]:g}")
+        heights = None if self._is_contour else bed_of(mesh, self._level, **self._names)
+        surface = self.filter.GetOutput()
+        lowest = surface.GetBounds()[4]
+        if heights is None:
+            shown = vtkPolyData()
+            shown.ShallowCopy(surface)
+            self.scene.set_ground(Surface(shown))
+            return
+        data = vtkPolyData()
+        data.CopyStructure(mesh)
+        self._ground = data
+        self._set_heights(heights)
+        level = lowest / self._exaggeration
+        self.scene.add_ground(Surface(data, is_terrain=True), level, self._exaggeration)
+        self.scene.add_walls(level, is_block=True)
+
+    def _mesh(self, time):
+        mesh = self.solution.at(time)
+        if self._is_contour and mesh.GetPointData().GetArray(self._contoured) is None:
+            convert = vtkCellDataToPointData()
+            convert.PassCellDataOn()
+            convert.SetInputData(mesh)
+            convert.Update()
+            mesh = convert.GetOutput()
+        if isinstance(self._level, float):
+            made = mesh.NewInstance()
+            made.ShallowCopy(mesh)
+            mesh = made
+            levels = numpy_to_vtk(np.full(mesh.GetNumberOfPoints(), self._level), deep=True)
+            levels.SetName(LEVEL)
+            mesh.GetPointData().AddArray(levels)
+        return mesh
+
+    def _show_mesh(self, mesh):
+        self.filter.SetInputData(mesh)
+        with raising(self.filter, LevelArrayName="level", DepthArrayName="depth"):
+            self.filter.Update()
+        if not self._is_contour:
+            self.water.SetLevel(self.filter.GetMeanLevel())
+            return
+        self.water.SetLevel(0.0)
+        placement = [0.0] * 4
+        if self.filter.GetOutput().GetNumberOfCells() and self.water.GetMeshPlacement(placement):
+            self.water.SetLevel(placement[0])
+
+    def _show_bed(self, mesh):
+        heights = bed_of(mesh, self._level, **self._names)
+        if heights is not None and not np.array_equal(heights, self._heights):
+            self._set_heights(heights)
+
+    def _set_heights(self, heights):
+        self._heights = heights
+        places = vtk_to_numpy(self._ground.GetPoints().GetData()).astype(float)
+        places[:, 2] = heights
+        points = vtkPoints()
+        points.SetData(numpy_to_vtk(places, deep=True))
+        self._ground.SetPoints(points)
+        elevation = numpy_to_vtk(heights, deep=True)
+        elevation.SetName(ELEVATION)
+        self._ground.GetPointData().SetScalars(elevation)
+
+    def _color(self, name, cmap, clim):
+        ends = clim or self.solution.range_of(name)
+        if ends is None:
+            raise ValueError(f"{self.solution.path}: the array '{name}' has no finite value")
+        self._mapper.SetLookupTable(table_of(cmap or "viridis", ends))
+        self._mapper.UseLookupTableScalarRangeOn()
+        of_points = self.solution.step(0).GetPointData().GetArray(name) is not None
+        if of_points:
+            self._mapper.SetScalarModeToUsePointFieldData()
+        else:
+            self._mapper.SetScalarModeToUseCellFieldData()
+        self._mapper.SelectColorArray(name)
+        self._mapper.SetColorModeToMapScalars()
+        self._mapper.SetInterpolateScalarsBeforeMapping(of_points)
+        self._mapper.ScalarVisibilityOn()
+
+
+def contour_of(name, value):
+    contour = vtkContourFilter()
+    contour.SetInputArrayToProcess(0, 0, 0, 0, name)  # of points
+    contour.SetValue(0, value)
+    return contour
+
+
+def bed_of(mesh, level, depth, bed):
+    """Heights of the bed at a mesh's points: as given, the level less the depth, or the mesh's own; None: unknown."""
+    if bed:
+        heights = at_points(mesh, bed)
+    elif level is not None and depth:
+        heights = (level if isinstance(level, float) else at_points(mesh, level)) - at_points(mesh, depth)
+    elif depth:
+        heights = vtk_to_numpy(mesh.GetPoints().GetData())[:, 2].astype(float)
+    else:
+        return None
+    return heights if np.isfinite(heights).all() else None
+
+
+def at_points(mesh, name):
+    if mesh.GetPointData().GetArray(name) is None:
+        convert = vtkCellDataToPointData()
+        convert.SetInputData(mesh)
+        convert.Update()
+        mesh = convert.GetOutput()
+    return vtk_to_numpy(array_of(mesh, name)).astype(float)
+
+
+def table_of(name, ends):
+    """A lookup table of a colour map between two values, the same to both of its sides.
+
+    Parameters
+    ----------
+    name : str
+        One of COLOR_MAPS, or of matplotlib's where it is installed.
+    ends : sequence[float]
+        Finite, and the first not above the second.
+
+    Raises
+    ------
+    ValueError
+    """
+    low, high = ends
+    if not (low <= high and math.isfinite(high - low)):
+        raise ValueError(f"the range of colours is ({low:g}, {high:g}); it must be a lower and an upper value, "
+                         "both finite")
+    table = vtkLookupTable()
+    table.SetNumberOfTableValues(TABLE_SIZE)
+    table.SetVectorModeToMagnitude()
+    for i, color in enumerate(colors_of(name)):
+        table.SetTableValue(i, *color, 1.0)
+    table.SetNanColor(NAN_COLOR)
+    table.SetRange(low, high)
+    return table
+
+
+def colors_of(name):
+    shares = np.linspace(0.0, 1.0, TABLE_SIZE)
+    if name in COLOR_MAPS:
+        colors = vtkColorTransferFunction()
+        steps = COLOR_MAPS[name].split()
+        for i, step in enumerate(steps):
+            colors.AddRGBPoint(i / (len(steps) - 1), *(int(step[j:j + 2], 16) / 255.0 for j in (0, 2, 4)))
+        return [colors.GetColor(share) for share in shares]
+    try:
+        from matplotlib import colormaps
+    except ImportError:
+        raise ValueError(f"the colour map {name!r} is not known; known are {', '.join(COLOR_MAPS)}, and with "
+                         "matplotlib installed (3.5 or later) all of its own") from None
+    if name not in colormaps:
+        raise ValueError(f"the colour map {name!r} is not known; known are {', '.join(COLOR_MAPS)} and matplotlib's")
+    return colormaps[name](shares)[:, :3].tolist()

@@ -1,0 +1,401 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Reads what a solver wrote: a mesh with arrays of points or cells, over time.
+
+    solution = Solution("flood.pvd", ["h", "zb"])
+    solution.times            # the file's own, in its unit: (0.0, 600.0, ...); (0.0,) where it has none
+    mesh = solution.at(300.0)  # vtkPolyData, between two steps by vtkTemporalInterpolator
+
+The files are read by VTK's readers, whatever their suffix in KINDS says. A file that is missing, of no known kind, not
+what its name claims, or without the arrays raises a FileError; the text lists the arrays there are.
+"""
+import bisect
+import re
+from pathlib import Path
+from xml.etree import ElementTree
+
+import numpy as np
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.util.vtkAlgorithm import VTKPythonAlgorithmBase
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCellTypes, vtkDataObject, vtkGenericCell, vtkMultiBlockDataSet
+from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
+from vtkmodules.vtkFiltersCore import vtkAppendFilter, vtkAppendPolyData
+from vtkmodules.vtkFiltersGeometry import vtkDataSetSurfaceFilter
+from vtkmodules.vtkFiltersHybrid import vtkTemporalInterpolator
+
+from .readers import HIGHEST, METRES_PER_DEGREE, FileError, check_cells, heard, kind_of, reader_of
+
+__all__ = ["KINDS", "Solution"]
+
+NO_UGRID = "; meshes of the UGRID conventions need VTK 9.2 or later"
+KEPT_STEPS = 2  # in memory: what lies between them is interpolated
+
+
+class Solution:
+    """What a file of a solver holds, at any time.
+
+    Parameters
+    ----------
+    file : str or pathlib.Path
+        One of KINDS, by its suffix.
+    arrays : sequence[str]
+        Those that are wanted, of points or of cells. Others are not kept.
+    is_volume : bool, default: False
+        Cells of three dimensions are wanted: the mesh stays as it is, and is not turned into polygons.
+    is_lonlat : bool, optional
+        Whether x and y are longitude and latitude in degrees; they become metres on a plane that touches the Earth in
+        the middle of the mesh, from its south-west. By default only where the file's dimensions have these names.
+
+    Attributes
+    ----------
+    times : tuple[float]
+        Of the steps, ascending, in the file's unit; (0.0,) where it knows no time.
+    note : str
+        What was not as the caller may think; empty: nothing.
+
+    Raises
+    ------
+    FileError
+    """
+
+    def __init__(self, file, arrays=(), is_volume=False, is_lonlat=None):
+        self.path = Path(file)
+        self.note = ""
+        self._arrays = tuple(arrays)
+        self._is_volume = is_volume
+        self._source = kind_of(self.path, KINDS)(self.path)
+        self._is_lonlat = self._source.is_lonlat if is_lonlat is None else is_lonlat
+        self.times = tuple(self._source.times) or (0.0,)
+        self._steps = {}
+        self._middle = None
+        kind = self.step(0).GetClassName()
+        self._pipeline = StepsSource(self, kind)
+        self._between = vtkTemporalInterpolator()
+        self._between.SetInputConnection(self._pipeline.GetOutputPort())
+
+    def step(self, i):
+        """The mesh of a step, from 0 on: vtkPolyData, or vtkUnstructuredGrid of a volume. It is not to be changed."""
+        if i not in self._steps:
+            while len(self._steps) >= KEPT_STEPS:
+                del self._steps[next(iter(self._steps))]
+            self._steps[i] = self._made(i)
+        return self._steps[i]
+
+    def at(self, time):
+        """The mesh at a time: of a step, or between two by vtkTemporalInterpolator where both have the same cells.
+
+        Where they have not, that of the earlier step; note says so. The time must lie in that of the steps.
+        """
+        first, last = self.times[0], self.times[-1]
+        if not first <= time <= last:
+            raise FileError(f"{self.path}: time is {time:g}; that of its steps lies in [{first:g}, {last:g}]")
+        i = bisect.bisect_right(self.times, time) - 1
+        mesh = self.step(i)
+        if time == self.times[i]:
+            return mesh
+        if not have_same_cells(mesh, self.step(i + 1)):
+            self.note = (f"the meshes of its steps {i} and {i + 1} differ: "
+                         "between such steps the earlier one is shown")
+            return mesh
+        with heard(self.path, "a series of meshes to interpolate in"):
+            self._between.UpdateTimeStep(time)
+        between = self._between.GetOutputDataObject(0)
+        made = between.NewInstance()
+        made.ShallowCopy(between)
+        return made
+
+    def range_of(self, name):
+        """The least and the largest finite value of an array over all steps, which are read; of vectors their length."""
+        ends = []
+        for i in range(len(self.times)):
+            values = vtk_to_numpy(array_of(self.step(i), name))
+            values = values if values.ndim == 1 else np.linalg.norm(values, axis=1)
+            values = values[np.isfinite(values)]
+            if values.size:
+                ends += [float(values.min()), float(values.max())]
+        return (min(ends), max(ends)) if ends else None
+
+    def _made(self, i):
+        data = self._source.read(i)
+        mesh = mesh_of(data, self.path, self._is_volume)
+        kept = mesh.NewInstance()
+        kept.CopyStructure(mesh)
+        for name in self._arrays:
+            array = array_of(mesh, name)
+            if array is None:
+                raise FileError(f"{self.path}: there is no array '{name}'"
+                                f"{self._of_step(i)}; there are: {names_of(mesh)}{self._source.hint}")
+            of_cells = mesh.GetPointData().GetArray(name) is None
+            (kept.GetCellData() if of_cells else kept.GetPointData()).AddArray(array)
+        self._place(kept)
+        return kept
+
+    def _of_step(self, i):
+        return f" at time {self.times[i]:g}" if i else ""
+
+    def _place(self, mesh):
+        """Metres in place of degrees, and no point that is out of all reach."""
+        places = vtk_to_numpy(mesh.GetPoints().GetData()).astype(float)
+        if self._is_lonlat:
+            west, south, north = places[:, 0].min(), places[:, 1].min(), places[:, 1].max()
+            if self._middle is None:
+                if not -90.0 <= south <= north <= 90.0:
+                    raise FileError(f"{self.path}: y is {south:g} to {north:g}, which is no latitude; it must lie "
+                                    "between -90 and 90 degrees")
+                self._middle = west, south, np.cos(np.radians(0.5 * (south + north)))
+            west, south, shrink = self._middle
+            places[:, 0] = (places[:, 0] - west) * METRES_PER_DEGREE * shrink
+            places[:, 1] = (places[:, 1] - south) * METRES_PER_DEGREE
+            points = vtkPoints()
+            points.SetData(numpy_to_vtk(places, deep=True))
+            mesh.SetPoints(points)
+        beyond = ~(np.abs(places) <= HIGHEST).all(axis=1)  # also NaN
+        if beyond.any():
+            raise FileError(f"{self.path}: has a point at ({', '.join(f'{part:g}' for part in places[beyond][0])}); "
+                            f"coordinates must lie in [{-HIGHEST:g}, {HIGHEST:g}]")
+
+
+class StepsSource(VTKPythonAlgorithmBase):
+    """A solution's steps as a source that vtkTemporalInterpolator can ask; the solution holds them already."""
+
+    def __init__(self, solution, kind):
+        super().__init__(nInputPorts=0, nOutputPorts=1, outputType=kind)
+        self._step = solution.step
+        self._times = solution.times
+
+    def RequestInformation(self, request, inputs, outputs):
+        info = outputs.GetInformationObject(0)
+        times = list(self._times)
+        info.Set(vtkStreamingDemandDrivenPipeline.TIME_STEPS(), times, len(times))
+        info.Set(vtkStreamingDemandDrivenPipeline.TIME_RANGE(), [times[0], times[-1]], 2)
+        return 1
+
+    def RequestData(self, request, inputs, outputs):
+        info = outputs.GetInformationObject(0)
+        time = info.Get(vtkStreamingDemandDrivenPipeline.UPDATE_TIME_STEP())
+        i = max(bisect.bisect_right(self._times, time) - 1, 0)
+        output = vtkDataObject.GetData(info)
+        output.ShallowCopy(self._step(i))
+        output.GetInformation().Set(vtkDataObject.DATA_TIME_STEP(), self._times[i])
+        return 1
+
+
+def array_of(mesh, name):
+    """Of points, or else of cells; None: there is none of numbers."""
+    return mesh.GetPointData().GetArray(name) or mesh.GetCellData().GetArray(name)
+
+
+def names_of(mesh):
+    """Names of all arrays, for an error."""
+    names = [f"{data.GetArrayName(i)} ({what})"
+             for data, what in ((mesh.GetPointData(), "points"), (mesh.GetCellData(), "cells"))
+             for i in range(data.GetNumberOfArrays())]
+    return ", ".join(names) or "none"
+
+
+def have_same_cells(one, other):
+    if (one.GetNumberOfPoints(), one.GetNumberOfCells()) != (other.GetNumberOfPoints(), other.GetNumberOfCells()):
+        return False
+    parts = ("GetVerts", "GetLines", "GetPolys", "GetStrips") if one.IsA("vtkPolyData") else ("GetCells",)
+    return all(np.array_equal(vtk_to_numpy(getattr(one, part)().GetConnectivityArray()),
+                              vtk_to_numpy(getattr(other, part)().GetConnectivityArray())) for part in parts)
+
+
+def leaves_of(data):
+    """The data sets with cells in a data object."""
+    if data is None:
+        return []
+    if data.IsA("vtkDataSet"):
+        return [data] if data.GetNumberOfCells() else []
+    leaves = []
+    if data.IsA("vtkCompositeDataSet"):
+        pieces = data.NewIterator()
+        pieces.InitTraversal()
+        while not pieces.IsDoneWithTraversal():
+            leaves += leaves_of(pieces.GetCurrentDataObject())
+            pieces.GoToNextItem()
+    return leaves
+
+
+def dimension_of(data):
+    """The most dimensions that a cell of a data set has."""
+    types, cell, most = vtkCellTypes(), vtkGenericCell(), 0
+    (data.GetDistinctCellTypes if hasattr(data, "GetDistinctCellTypes") else data.GetCellTypes)(types)  # VTK 9.6
+    for i in range(types.GetNumberOfTypes()):
+        cell.SetCellType(types.GetCellType(i))
+        most = max(most, cell.GetCellDimension())
+    return most
+
+
+def mesh_of(data, path, is_volume):
+    """One mesh of what a reader gives: polygons, or an unstructured grid of a volume."""
+    leaves = leaves_of(data)
+    if not leaves:
+        raise FileError(f"{path}: is empty, it has no cells")
+    for leaf in leaves:
+        check_cells(leaf, path)
+    wanted = 3 if is_volume else 2
+    found = [dimension_of(leaf) for leaf in leaves]
+    if is_volume or max(found) < 3:  # walls of a volume are no surface of water
+        leaves = [leaf for leaf, dimension in zip(leaves, found) if dimension == wanted]
+    if not leaves or (max(found) == 3 and not is_volume):
+        of_volume = "; the surface of a volume fraction is a contour (--contour)" if max(found) == 3 else ""
+        raise FileError(f"{path}: its cells have {max(found)} dimensions; wanted are cells of {wanted}{of_volume}")
+    append = vtkAppendFilter() if is_volume else vtkAppendPolyData()
+    for leaf in leaves:
+        append.AddInputData(leaf if is_volume else polygons_of(leaf))
+    append.Update()
+    return append.GetOutput()
+
+
+def polygons_of(data):
+    if data.IsA("vtkPolyData"):
+        return data
+    surface = vtkDataSetSurfaceFilter()
+    surface.SetInputData(data)
+    surface.Update()
+    return surface.GetOutput()
+
+
+class Reader:
+    """The steps of one of VTK's readers; hint: what may be wrong where an array is missing."""
+
+    def __init__(self, path, reader, what, is_lonlat=False, hint=""):
+        self._path, self._reader, self._what = path, reader, what
+        self.is_lonlat, self.hint = is_lonlat, hint
+        with heard(path, what):
+            if hasattr(reader, "CanReadFile") and not reader.CanReadFile(str(path)):
+                raise FileError(f"{path}: not {what}")
+            reader.SetFileName(str(path))
+            reader.UpdateInformation()
+        times = reader.GetOutputInformation(0).Get(vtkStreamingDemandDrivenPipeline.TIME_STEPS())
+        self.times = sorted(set(times or ()))
+
+    def read(self, i):
+        with heard(self._path, self._what):
+            if self.times:
+                self._reader.UpdateTimeStep(self.times[i])
+            else:
+                self._reader.Update()
+        if hasattr(self._reader, "GetErrorCode") and self._reader.GetErrorCode():
+            raise FileError(f"{self._path}: not {self._what}: it cannot be read to its end")
+        return self._reader.GetOutputDataObject(0)
+
+
+class Collection:
+    """The steps of a ParaView collection (.pvd): a file or some for each of its times."""
+
+    is_lonlat, hint = False, ""
+
+    def __init__(self, path):
+        self._path = path
+        try:
+            entries = [entry.attrib for entry in ElementTree.parse(path).iter("DataSet")]
+        except ElementTree.ParseError as error:
+            raise FileError(f"{path}: not a ParaView collection (.pvd): {error}") from None
+        files = {}
+        for entry in entries:
+            if "file" not in entry:
+                raise FileError(f"{path}: not a ParaView collection (.pvd): a DataSet names no file")
+            try:
+                time = float(entry.get("timestep", 0.0))
+            except ValueError:
+                raise FileError(f"{path}: the time of {entry['file']} is {entry['timestep']!r}, no number") from None
+            files.setdefault(time, []).append(path.parent / entry["file"])
+        if not files:
+            raise FileError(f"{path}: is empty, it names no files")
+        self.times = sorted(files)
+        self._files = files
+
+    def read(self, i):
+        append = vtkMultiBlockDataSet()
+        for j, file in enumerate(self._files[self.times[i]]):
+            try:
+                read = kind_of(file, {kind: make for kind, make in KINDS.items() if kind != ".pvd"})(file)
+            except FileError as error:
+                raise FileError(f"{self._path}: at time {self.times[i]:g}: {error}") from None
+            append.SetBlock(j, read.read(0))
+        return append
+
+
+def simple(module, name, what):
+    """A function that opens a file with VTK's reader of this name."""
+    def open_it(path):
+        reader = reader_of(module, name)
+        if hasattr(reader, "SetReadAllScalars"):
+            reader.ReadAllScalarsOn()
+            reader.ReadAllFieldsOn()
+        return Reader(path, reader, what)
+    return open_it
+
+
+def open_netcdf(path):
+    """A mesh of UGRID's conventions where VTK reads them (from 9.2 on), else a grid of CF's."""
+    ugrid = reader_of("vtkIONetCDF", "vtkNetCDFUGRIDReader")
+    if ugrid:
+        ugrid.ReplaceFillValueWithNanOn()
+        try:
+            return Reader(path, ugrid, "a NetCDF mesh of the UGRID conventions")
+        except FileError:
+            pass  # a grid, or no NetCDF at all
+    what, hint = "a NetCDF grid of the CF conventions", "" if ugrid else NO_UGRID
+    reader = reader_of("vtkIONetCDF", "vtkNetCDFCFReader")
+    reader.SphericalCoordinatesOff()
+    reader.ReplaceFillValueWithNanOn()
+    with heard(path, what):
+        if not reader.CanReadFile(str(path)):
+            raise FileError(f"{path}: not {what}")
+        reader.SetFileName(str(path))
+        reader.UpdateMetaData()
+    names = [reader.GetVariableArrayName(i) for i in range(reader.GetNumberOfVariableArrays())]
+    sizes = dict(zip(names, values_of(reader.GetVariableDimensions())))
+    grids = [dimensions for dimensions in values_of(reader.GetAllDimensions()) if dimensions.count(",") == 1]
+    if not grids:
+        raise FileError(f"{path}: no variable has two dimensions in space{hint}")
+    # the grid that most variables are on
+    grid = max(grids, key=lambda dimensions: sum(size == dimensions for size in sizes.values()))
+    for name in names:
+        reader.SetVariableArrayStatus(name, sizes[name] == grid)
+    north, east = re.findall(r"\w+", grid)
+    is_lonlat = bool(re.match("lat", north, re.IGNORECASE) and re.match("lon", east, re.IGNORECASE))
+    return Reader(path, reader, what, is_lonlat, hint)
+
+
+def values_of(strings):
+    return [strings.GetValue(i) for i in range(strings.GetNumberOfValues())]
+
+
+def open_exodus(path):
+    reader = reader_of("vtkIOExodus", "vtkExodusIIReader")
+    what = "an Exodus II file"
+    with heard(path, what):
+        if not reader.CanReadFile(str(path)):
+            raise FileError(f"{path}: not {what}")
+        reader.SetFileName(str(path))
+        reader.UpdateInformation()
+        for kind in (reader.NODAL, reader.ELEM_BLOCK):
+            reader.SetAllArrayStatus(kind, 1)
+    return Reader(path, reader, what)
+
+
+def xml(kind, what):
+    return simple("vtkIOXML", f"vtkXML{kind}Reader", what)
+
+
+KINDS = {
+    ".pvd": Collection,
+    ".nc": open_netcdf,
+    ".vti": xml("ImageData", "a VTK image (.vti)"),
+    ".vtr": xml("RectilinearGrid", "a VTK rectilinear grid (.vtr)"),
+    ".vts": xml("StructuredGrid", "a VTK structured grid (.vts)"),
+    ".vtp": xml("PolyData", "VTK polygonal data (.vtp)"),
+    ".vtu": xml("UnstructuredGrid", "a VTK unstructured grid (.vtu)"),
+    ".pvtp": xml("PPolyData", "VTK polygonal data in parts (.pvtp)"),
+    ".pvtu": xml("PUnstructuredGrid", "a VTK unstructured grid in parts (.pvtu)"),
+    ".vtm": xml("MultiBlockData", "VTK blocks (.vtm)"),
+    ".vtk": simple("vtkIOLegacy", "vtkDataSetReader", "a VTK data set (.vtk)"),
+    ".vtkhdf": simple("vtkIOHDF", "vtkHDFReader", "a VTK HDF file (.vtkhdf)"),
+    ".foam": simple("vtkIOGeometry", "vtkOpenFOAMReader", "an OpenFOAM case"),
+    ".e": open_exodus,
+    ".exo": open_exodus,
+}

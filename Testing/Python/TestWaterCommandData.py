@@ -1,0 +1,434 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The command shows what a solver wrote, of every kind of file and at every time, and lists what it does not find."""
+
+import pathlib
+
+import numpy as np
+import pytest
+import water_test as wt
+from PIL import Image
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import (
+    vtkImageData,
+    vtkMultiBlockDataSet,
+    vtkRectilinearGrid,
+    vtkStructuredGrid,
+)
+from vtkmodules.vtkFiltersCore import vtkAppendFilter
+from vtkmodules.vtkFiltersGeometry import vtkDataSetSurfaceFilter
+from vtkmodules.vtkIOExodus import vtkExodusIIWriter
+from vtkmodules.vtkIOLegacy import vtkDataSetWriter
+from vtkmodules import vtkIOHDF, vtkIONetCDF, vtkIOXML
+from vtkwater import command, solutions
+from vtkwater.data_scenes import COLOR_MAPS, table_of
+from vtkwater.scenes import Scene
+
+FILES = pathlib.Path(__file__).resolve().parents[1] / "Data/Solutions"
+TIMES, LEVELS = (0.0, 10.0, 30.0), (-0.5, 0.0, 0.5)
+COLUMNS, ROWS, STEP = 21, 11, 10.0
+SIZE = "160x120"
+
+
+def add_array(mesh, name, values, of_cells=False):
+    array = numpy_to_vtk(np.asarray(values, dtype=float), deep=True)
+    array.SetName(name)
+    (mesh.GetCellData() if of_cells else mesh.GetPointData()).AddArray(array)
+
+
+def filled(mesh, level):
+    """With the bed of a slope along x, water on it, and arrays of a velocity and of cells."""
+    x = np.array([mesh.GetPoint(i)[0] for i in range(mesh.GetNumberOfPoints())])
+    bed = x / 100.0 - 1.0
+    add_array(mesh, "zb", bed)
+    add_array(mesh, "h", np.maximum(level - bed, 0.0))
+    add_array(mesh, "zeta", np.maximum(level, bed))
+    add_array(mesh, "v", np.stack([3.0 * level + 0.0 * x, 4.0 * level + 0.0 * x, 0.0 * x], axis=1))
+    add_array(mesh, "fraction", np.full(mesh.GetNumberOfCells(), level), True)
+    return mesh
+
+
+def image(level=0.0, layers=1):
+    mesh = vtkImageData()
+    mesh.SetDimensions(COLUMNS, ROWS, layers)
+    mesh.SetSpacing(STEP, STEP, STEP)
+    return filled(mesh, level)
+
+
+def rectilinear(level=0.0):
+    mesh = vtkRectilinearGrid()
+    mesh.SetDimensions(COLUMNS, ROWS, 1)
+    for axis, count in (("X", COLUMNS), ("Y", ROWS), ("Z", 1)):
+        getattr(mesh, f"Set{axis}Coordinates")(numpy_to_vtk(STEP * np.arange(float(count)), deep=True))
+    return filled(mesh, level)
+
+
+def structured(level=0.0, shift=0.0):
+    mesh = vtkStructuredGrid()
+    mesh.SetDimensions(COLUMNS, ROWS, 1)
+    y, x = np.mgrid[0:ROWS, 0:COLUMNS] * STEP
+    points = vtkPoints()
+    points.SetDataTypeToDouble()
+    points.SetData(numpy_to_vtk(np.stack([x, y, 0.0 * x + shift], axis=-1).reshape(-1, 3), deep=True))
+    mesh.SetPoints(points)
+    return filled(mesh, level)
+
+
+def unstructured(level=0.0):
+    append = vtkAppendFilter()
+    append.AddInputData(structured(level))
+    append.Update()
+    return append.GetOutput()
+
+
+def polygons(level=0.0):
+    surface = vtkDataSetSurfaceFilter()
+    surface.SetInputData(structured(level))
+    surface.Update()
+    return surface.GetOutput()
+
+
+def blocks(level=0.0):
+    made = vtkMultiBlockDataSet()
+    made.SetBlock(0, structured(level))
+    return made
+
+
+def write(writer, data, path):
+    writer.SetFileName(str(path))
+    writer.SetInputData(data)
+    writer.Write()
+    return path
+
+
+XML = {".vti": (image, "ImageData"), ".vtr": (rectilinear, "RectilinearGrid"), ".vts": (structured, "StructuredGrid"),
+       ".vtp": (polygons, "PolyData"), ".vtu": (unstructured, "UnstructuredGrid"), ".vtm": (blocks, "MultiBlockData"),
+       ".pvtu": (unstructured, "PUnstructuredGrid"), ".pvtp": (polygons, "PPolyData")}
+
+
+def write_xml(path, data=None):
+    make, kind = XML[path.suffix]
+    return write(getattr(vtkIOXML, f"vtkXML{kind}Writer")() if hasattr(vtkIOXML, f"vtkXML{kind}Writer") else
+                 parallel_writer(kind), make() if data is None else data, path)
+
+
+def parallel_writer(kind):
+    from vtkmodules import vtkIOParallelXML
+    return getattr(vtkIOParallelXML, f"vtkXML{kind}Writer")()
+
+
+def write_collection(path, files):
+    entries = "".join(f'<DataSet timestep="{time}" file="{file}"/>' for time, file in files)
+    path.write_text(f'<VTKFile type="Collection"><Collection>{entries}</Collection></VTKFile>')
+    return path
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory):
+    """A series of three steps, slope.pvd, its steps out of order; and what is wrong with others."""
+    made = tmp_path_factory.mktemp("data")
+    for i, level in enumerate(LEVELS):
+        write_xml(made / f"s{i}.vts", structured(level))
+    files = [(time, f"s{i}.vts") for i, time in enumerate(TIMES)]
+    write_collection(made / "slope.pvd", [files[2], files[0], files[1]])
+    write_collection(made / "gap.pvd", [files[0], (10.0, "lost.vts")])
+    write_collection(made / "none.pvd", [])
+    write_collection(made / "late.pvd", [("soon", "s0.vts")])
+    write_xml(made / "other.vtp", polygons(0.5))
+    write_collection(made / "mixed.pvd", [files[0], (10.0, "coarse.vti")])
+    coarse = vtkImageData()
+    coarse.SetDimensions(6, 3, 1)
+    coarse.SetSpacing(40.0, 50.0, 1.0)
+    write_xml(made / "coarse.vti", filled(coarse, 0.5))
+    write_xml(made / "volume.vti", image(0.0, 5))
+    write_xml(made / "dry.vts", structured(-3.0))
+    (made / "text.pvd").write_text("not what its name claims\n")
+    (made / "text.nc").write_text("not what its name claims\n")
+    return made
+
+
+def judge_mesh(name, mesh, level, h="h"):
+    x = vtk_to_numpy(mesh.GetPoints().GetData())[:, 0]
+    depth = vtk_to_numpy(mesh.GetPointData().GetArray(h)).astype(float)
+    depth = np.where(np.isfinite(depth), depth, 0.0)
+    wt.check_equal(f"{name}: class, points", (mesh.GetClassName(), mesh.GetNumberOfPoints()),
+                   ("vtkPolyData", COLUMNS * ROWS))
+    wt.check_at_most(f"{name}: depth off by", float(np.abs(depth - np.maximum(level - x / 100 + 1, 0.0)).max()), 1e-6)
+
+
+@pytest.mark.parametrize("kind", [*XML, ".vtk"])
+def test_every_kind_of_vtk_file_is_read(folder, kind):
+    """Their arrays of points and cells are those that were written."""
+    path = folder / f"slope{kind}"
+    if kind == ".vtk":
+        write(vtkDataSetWriter(), structured(), path)
+    else:
+        write_xml(path)
+    solution = solutions.Solution(path, ["h", "fraction"])
+    wt.check_equal("times", solution.times, (0.0,))
+    judge_mesh(kind, solution.at(0.0), 0.0)
+    wt.check_equal("an array of cells", solution.range_of("fraction"), (0.0, 0.0))
+
+
+def test_an_exodus_file_is_read(folder):
+    path = write(vtkExodusIIWriter(), unstructured(0.5), folder / "slope.exo")
+    judge_mesh("exo", solutions.Solution(path, ["h"]).at(0.0), 0.5)
+
+
+def test_a_vtkhdf_file_is_read(folder):
+    if not hasattr(vtkIOHDF, "vtkHDFWriter"):
+        pytest.skip("this VTK writes no such files")
+    path = write(vtkIOHDF.vtkHDFWriter(), unstructured(0.5), folder / "slope.vtkhdf")
+    judge_mesh("vtkhdf", solutions.Solution(path, ["h"]).at(0.0), 0.5)
+
+
+@pytest.mark.parametrize("name", ("grid.nc", "lonlat.nc", "mesh.nc"))
+def test_netcdf_is_read_with_its_times(name):
+    """CF's grids and UGRID's meshes; in degrees they become metres: a degree at 60 north is 55.6 km wide."""
+    if name == "mesh.nc" and not hasattr(vtkIONetCDF, "vtkNetCDFUGRIDReader"):
+        with pytest.raises(solutions.FileError, match="UGRID conventions need VTK 9.2"):
+            solutions.Solution(FILES / name, ["h"])
+        return
+    solution = solutions.Solution(FILES / name, ["h", "zb"])
+    wt.check_equal(f"{name}: times", solution.times, TIMES)
+    bounds = solution.at(10.0).GetBounds()
+    wide, high = (0.2 * 0.5 * 111195.08, 0.1 * 111195.08) if name == "lonlat.nc" else (200.0, 100.0)
+    wt.check_at_most(f"{name}: width off by, of it", abs(bounds[1] / wide - 1.0), 1e-4)
+    wt.check_at_most(f"{name}: height off by, of it", abs(bounds[3] / high - 1.0), 1e-4)
+    for time, level in zip(TIMES, LEVELS):
+        depth = vtk_to_numpy(solution.at(time).GetPointData().GetArray("h"))
+        wt.check_at_most(f"{name}: deepest at {time} off by", abs(float(np.nanmax(depth)) - level - 1.0), 1e-6)
+    if name != "mesh.nc":
+        wt.check_equal(f"{name}: what is missing is NaN", bool(np.isnan(depth).any()), True)
+    if name == "lonlat.nc":
+        flat = solutions.Solution(FILES / name, ["h"], is_lonlat=False)
+        wt.check_at_most("in degrees", abs(flat.at(0.0).GetBounds()[0] + 3.0), 1e-6)
+
+
+def test_between_steps_all_arrays_and_points_are_interpolated(folder):
+    files = [(time, f"moving{i}.vts") for i, time in enumerate(TIMES)]
+    for (time, name), level in zip(files, LEVELS):
+        write_xml(folder / name, structured(level, shift=time))
+    solution = solutions.Solution(write_collection(folder / "moving.pvd", files), ["zeta", "v", "fraction"])
+    for time, level in ((0.0, -0.5), (4.0, -0.3), (25.0, 0.375), (10.0, 0.0), (4.0, -0.3), (30.0, 0.5)):
+        mesh = solution.at(time)
+        wt.check_at_most(f"at {time}: a cell's value off by",
+                         abs(mesh.GetCellData().GetArray("fraction").GetValue(7) - level), 1e-9)
+        wt.check_at_most(f"at {time}: a vector off by",
+                         abs(mesh.GetPointData().GetArray("v").GetTuple(9)[1] - 4 * level), 1e-9)
+        wt.check_at_most(f"at {time}: z off by", abs(mesh.GetPoint(5)[2] - time), 1e-9)
+
+
+def test_between_other_meshes_the_earlier_is_shown(folder):
+    solution = solutions.Solution(folder / "mixed.pvd", ["h"])
+    judge_mesh("between", solution.at(9.0), -0.5)
+    wt.check_equal("told", "steps 0 and 1 differ" in solution.note, True)
+    wt.check_equal("of the later one, points", solution.at(10.0).GetNumberOfPoints(), 18)
+
+
+def test_only_two_steps_are_kept(folder):
+    solution = solutions.Solution(folder / "slope.pvd", ["h"])
+    for time in (0.0, 5.0, 20.0, 30.0):
+        solution.at(time)
+    wt.check_equal("steps in memory", sorted(solution._steps), [1, 2])
+
+
+def run(folder, capsys, *arguments):
+    """Exit status, and what was said to the user and of errors."""
+    try:
+        status = command.main([*map(str, arguments)])
+    except SystemExit as end:
+        status = end.code
+    said = capsys.readouterr()
+    return status, said.out, said.err
+
+
+def pixels_of(path):
+    return np.asarray(Image.open(path)).astype(int)[:, :, :3]
+
+
+DATA = ("--depth", "h", "--bed", "zb")
+LOOK = ("--exaggeration", 20, "--elevation", 30, "--size", SIZE)
+
+
+def test_a_picture_is_a_function_of_time_alone(folder, capsys):
+    """The frames of a movie are the pictures of their times, colours included."""
+    options = (*DATA, "--color-by", "h", *LOOK)
+    status, said, _ = run(folder, capsys, "animate", folder / "slope.pvd", *options, "--times", "0:20", "--frames", 3,
+                          "--fps", 0.1, "--out", folder / "frames")
+    wt.check_equal("status, said", (status, "3 of 3 frames" in said), (0, True))
+    for i in range(3):
+        out = folder / f"at{i}.png"
+        wt.check_equal("status", run(folder, capsys, "render", folder / "slope.pvd", *options, "--time", 10 * i,
+                                     "--out", out)[0], 0)
+        # 1: VTK uploads coordinates relative to the bounds of what it drew first, which rounds them
+        wt.check_at_most(f"frame {i} less the picture of its time, of 255",
+                         wt.difference(pixels_of(folder / f"frames/{i:04d}.png"), pixels_of(out)), 1)
+    wt.check_at_least("frame 2 less frame 0",
+                      wt.difference(pixels_of(folder / "at0.png"), pixels_of(folder / "at2.png")), 20)
+
+
+def test_steps_are_times(folder, capsys):
+    for step, time in ((-1, 30), (1, 10)):
+        for option, value in (("--step", step), ("--time", time)):
+            status, said, _ = run(folder, capsys, "render", folder / "slope.pvd", *DATA, *LOOK, option, value, "--out",
+                                  folder / f"{option[2:]}.png")
+            wt.check_equal(f"{option}: status, time", (status, f"time {time} of 0 to 30" in said), (0, True))
+        wt.check_equal(f"step {step}",
+                       wt.difference(pixels_of(folder / "step.png"), pixels_of(folder / "time.png")), 0)
+
+
+def water_of(folder, *options):
+    """The water that a command line makes."""
+    arguments = command.make_parser().parse_args(["render", *map(str, options)])
+    return command.make_data_water(arguments, command.words_of(arguments), lambda _: Scene(arguments.size))
+
+
+@pytest.mark.parametrize("options", (("--level", "zeta", "--bed", "zb"), ("--level", "zeta", "--depth", "h"), DATA,
+                                     ("--level", 0.5, "--bed", "zb")), ids=lambda options: "_".join(map(str, options)))
+def test_two_arrays_say_where_the_water_is(folder, options):
+    water = water_of(folder, folder / "slope.pvd", *options, "--exaggeration", 20)
+    wt.check_equal("wet", water.show(30.0), True)
+    wt.check_at_most("level off by", abs(water.water.GetLevel() - 10.0), 1e-6)
+    wt.check_at_most("shore off by", abs(water.water.GetBounds()[1] - 150.0), 1e-3)
+    ground = water.scene._ground.data.GetBounds()
+    wt.check_at_most("the bed is the ground, off by",
+                     float(np.abs(np.array(ground) - (0, 200, 0, 100, -1, 1)).max()), 1e-6)
+
+
+def test_a_bed_that_moves_is_followed(folder):
+    """As where a flood scours it; between the steps, too."""
+    mesh = structured(0.5)
+    add_array(mesh, "zb", vtk_to_numpy(mesh.GetPointData().GetArray("zb")) - 0.5)
+    write_xml(folder / "scoured.vts", mesh)
+    path = write_collection(folder / "scour.pvd", [(0.0, "s2.vts"), (10.0, "scoured.vts")])
+    water = water_of(folder, path, "--level", "zeta", "--bed", "zb")
+    for time, lowest in ((10.0, -1.5), (5.0, -1.25), (0.0, -1.0)):
+        water.show(time)
+        bounds = water.scene._ground.data.GetBounds()
+        wt.check_at_most(f"lowest at {time} off by", abs(bounds[4] - lowest), 1e-6)
+
+
+def test_the_level_alone_is_a_surface(folder):
+    water = water_of(folder, folder / "slope.pvd", "--level", "zeta")
+    wt.check_equal("points", water.filter.GetOutput().GetNumberOfPoints(), COLUMNS * ROWS)
+
+
+def test_a_contour_is_a_surface(folder):
+    """Of a volume fraction of points or of cells, at the value that is asked for."""
+    for of_cells in (False, True):
+        mesh = image(0.0, 5)
+        cells = vtkImageData()
+        cells.CopyStructure(mesh)
+        z = np.arange(5.0)[:, None].repeat(COLUMNS * ROWS, axis=1).ravel() / 4.0
+        middles = (np.arange(4.0) + 0.5)[:, None].repeat((COLUMNS - 1) * (ROWS - 1), axis=1).ravel() / 4.0
+        add_array(mesh, "alpha", 1.0 - (middles if of_cells else z), of_cells)
+        mesh.GetCellData().RemoveArray("fraction")
+        write_xml(folder / "alpha.vti", mesh)
+        for value in (0.5, 0.25):
+            water = water_of(folder, folder / "alpha.vti", "--contour", "alpha", "--contour-value", value,
+                             "--color-by", "v")
+            water.show(0.0)
+            wt.check_at_most(f"of cells {of_cells}: level off by",
+                             abs(water.water.GetLevel() - 40.0 * (1.0 - value)), 1e-4)
+
+
+def test_colours_are_those_of_all_steps(folder):
+    """A vector by its length, at every time through one table; --clim says another."""
+    water = water_of(folder, folder / "slope.pvd", *DATA, "--color-by", "v")
+    table = water._mapper.GetLookupTable()
+    wt.check_equal("range", table.GetRange(), (0.0, 2.5))
+    wt.check_equal("by the length", table.GetVectorMode(), table.MAGNITUDE)
+    wt.check_equal("bars", [prop.GetTitle() for prop in water.scene.renderer.GetActors2D()], ["v"])
+    water = water_of(folder, folder / "slope.pvd", *DATA, "--color-by", "h", "--clim", "0:9", "--no-scalar-bar")
+    wt.check_equal("a range of one's own", water._mapper.GetLookupTable().GetRange(), (0.0, 9.0))
+    wt.check_equal("bars", water.scene.renderer.GetActors2D().GetNumberOfItems(), 0)
+
+
+def test_a_pixel_has_its_values_colour(folder, capsys):
+    """Where the optics are off, and from above: red of the table's place."""
+    water = water_of(folder, folder / "slope.pvd", *DATA, "--color-by", "h", "--clim", "0:1.5", "--no-scalar-bar",
+                     "--elevation", 90, "--size", SIZE)
+    look = water.water.GetWaterProperty()
+    look.SetReflectanceModeToConstant()
+    look.SetReflectance(0.0)
+    look.GlitterOff()
+    water.show(30.0)
+    shown = water.scene.picture().astype(int)
+    renderer = water.scene.renderer
+    worst = 0
+    for x in range(10, 140, 10):
+        renderer.SetWorldPoint(x, 51.0, 0.5, 1.0)
+        renderer.WorldToDisplay()
+        column, row, _ = renderer.GetDisplayPoint()
+        color = [0.0] * 3
+        water._mapper.GetLookupTable().GetColor(1.5 - x / 100.0, color)
+        worst = max(worst, int(np.abs(shown[119 - int(row), int(column)] - 255 * np.array(color)).max()))
+    wt.check_at_most("worst colour off by, of 255", worst, 6)
+
+
+@pytest.mark.parametrize("name", COLOR_MAPS)
+def test_colour_maps_are_matplotlibs(name):
+    colormaps = pytest.importorskip("matplotlib").colormaps
+    table = table_of(name, (0.0, 1.0))
+    colors = np.array([table.GetTableValue(i)[:3] for i in range(256)])
+    off = float(np.abs(colors - colormaps[name](np.linspace(0.0, 1.0, 256))[:, :3]).max())
+    wt.check_at_most(f"{name}: off by, of 255", 255.0 * off, 9.0)
+    wt.check_equal("others of it are known, too", table_of("magma", (0, 1)).GetNumberOfTableValues(), 256)
+
+
+FAILS = (
+    (("slope.pvd", "--depth", "d"), ("there is no array 'd'", "zb (points), h (points)", "fraction (cells)")),
+    (("slope.pvd", "--level", "high"), ("there is no array 'high'", "zeta (points)")),
+    (("slope.pvd", *DATA, "--color-by", "speed"), ("there is no array 'speed'", "v (points)")),
+    (("slope.pvd", *DATA, "--time", 31), ("time is 31; that of its steps lies in [0, 30]",)),
+    (("slope.pvd", *DATA, "--step", 3), ("step 3 is not there; it has 3, 0 to 2",)),
+    (("gap.pvd", *DATA, "--time", 5), ("gap.pvd: at time 10:", "lost.vts: no such file")),
+    (("none.pvd", *DATA), ("none.pvd: is empty",)),
+    (("late.pvd", *DATA), ("the time of s0.vts is 'soon'",)),
+    (("text.pvd", *DATA), ("text.pvd: not a ParaView collection",)),
+    (("text.nc", *DATA), ("text.nc: not a NetCDF grid",)),
+    (("missing.nc", *DATA), ("missing.nc: no such file",)),
+    (("volume.vti", *DATA), ("cells have 3 dimensions", "--contour")),
+    (("slope.pvd", "--contour", "h"), ("cells have 2 dimensions; wanted are cells of 3",)),
+    (("dry.vts", *DATA), ("nothing is wet at any of its times",)),
+    (("slope.pvd", *DATA, "--color-by", "h", "--cmap", "mud"), ("colour map 'mud' is not known", "viridis")),
+    (("slope.pvd", *DATA, "--color-by", "h", "--clim", "3:1"), ("(3, 1)", "both finite")),
+    (("slope.pvd", "--level", "v", "--bed", "zb"), ("'v' has 3 components; it must have 1",)),
+)
+
+
+@pytest.mark.parametrize("options, words", FAILS, ids=lambda value: "_".join(map(str, value)))
+def test_what_cannot_be_shown_is_one_line(folder, capsys, options, words):
+    status, _, said = run(folder, capsys, "render", folder / options[0], *options[1:], "--out", folder / "x.png")
+    wt.check_equal(f"status, lines of: {said}", (status, len(said.strip().splitlines())), (1, 1))
+    wt.check_equal("words that it has not", [word for word in words if word not in said], [])
+
+
+WRONG = (
+    (("slope.pvd", "--level", 3, "--color-by", "h"), ("--color-by is given, but no array says",)),
+    (("slope.pvd", "--level", 3, "--step", 1), ("--step is given, but no array says",)),
+    (("a.tif", "--level", "high"), ("'high' is no number",)),
+    (("a.stl", "--depth", "h"), ("arrays are read from .pvd",)),
+    (("slope.pvd", "--bed", "zb"), ("--bed alone",)),
+    (("slope.pvd", "--contour", "a", "--depth", "h"), ("--contour says where",)),
+    (("slope.pvd", *DATA, "--contour-value", 0.3), ("there is no --contour",)),
+    (("slope.pvd", *DATA, "--clim", "0:1"), ("there is no --color-by",)),
+    (("slope.pvd", *DATA, "--clim", "wide"), ("'wide' must be two values",)),
+    (("slope.pvd", *DATA, "--horizon"), ("--horizon is given",)),
+    (("slope.pvd", *DATA, "--step", 1, "--time", 0), ("--step and --time",)),
+)
+
+
+@pytest.mark.parametrize("options, words", WRONG, ids=lambda value: "_".join(map(str, value)))
+def test_a_contradiction_is_a_wrong_use(folder, capsys, options, words):
+    status, _, said = run(folder, capsys, "render", folder / options[0], *options[1:])
+    wt.check_equal(f"status; said {said}", status, 2)
+    wt.check_equal("words that it has not", [word for word in words if word not in said], [])
+
+
+def test_a_time_without_water_is_told(folder, capsys):
+    files = [(0, "s2.vts"), (5, "dry.vts")]
+    status, _, said = run(folder, capsys, "render", write_collection(folder / "ebb.pvd", files), *DATA, "--time", 5,
+                          "--size", SIZE, "--out", folder / "ebb.png")
+    wt.check_equal("status, said", (status, said.strip()), (0, "vtkwater: nothing is wet at time 5"))
