@@ -19,6 +19,7 @@ EXAMPLES = {
     "flood": ["--picture", "PICTURE"],
     "tide": ["FOLDER/tide.gif", "--frames", "30", "--picture", "PICTURE"],
     "rain_flood": ["FOLDER/rain_flood.gif", "--frames", "4", "--picture", "PICTURE"],
+    "wake": ["PICTURE"],
     "hull": ["PICTURE"],
     "reservoir": ["PICTURE"],
     "harbour": ["PICTURE"],
