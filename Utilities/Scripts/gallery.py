@@ -20,6 +20,7 @@ EXAMPLES = {
     "tide": ["FOLDER/tide.gif", "--frames", "30", "--picture", "PICTURE"],
     "rain_flood": ["FOLDER/rain_flood.gif", "--frames", "4", "--picture", "PICTURE"],
     "wake": ["PICTURE"],
+    "strait": ["PICTURE"],
     "hull": ["PICTURE"],
     "reservoir": ["PICTURE"],
     "harbour": ["PICTURE"],
