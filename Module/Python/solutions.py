@@ -24,10 +24,11 @@ from vtkmodules.vtkFiltersGeometry import vtkDataSetSurfaceFilter
 from vtkmodules.vtkFiltersHybrid import vtkTemporalInterpolator
 
 from .readers import HIGHEST, METRES_PER_DEGREE, FileError, check_cells, heard, kind_of, reader_of
+from .ugrid import UgridMesh
 
 __all__ = ["KINDS", "Solution"]
 
-NO_UGRID = "; meshes of the UGRID conventions need VTK 9.2 or later"
+NO_UGRID = "; meshes of the UGRID conventions need VTK 9.2 or later, or the package netCDF4"
 KEPT_STEPS = 2  # in memory: what lies between them is interpolated
 
 
@@ -330,7 +331,7 @@ def simple(module, name, what):
 
 
 def open_netcdf(path):
-    """A mesh of UGRID's conventions where VTK reads them (from 9.2 on), else a grid of CF's."""
+    """A mesh of UGRID's conventions by VTK (from 9.2 on) or the package netCDF4, else a grid of CF's."""
     ugrid = reader_of("vtkIONetCDF", "vtkNetCDFUGRIDReader")
     if ugrid:
         ugrid.ReplaceFillValueWithNanOn()
@@ -338,6 +339,11 @@ def open_netcdf(path):
             return Reader(path, ugrid, "a NetCDF mesh of the UGRID conventions")
         except FileError:
             pass  # a grid, or no NetCDF at all
+    else:
+        try:
+            return UgridMesh(path)
+        except (ImportError, OSError, ValueError):
+            pass  # the same
     what, hint = "a NetCDF grid of the CF conventions", "" if ugrid else NO_UGRID
     reader = reader_of("vtkIONetCDF", "vtkNetCDFCFReader")
     reader.SphericalCoordinatesOff()
