@@ -52,7 +52,8 @@ def make_plotter(sea):
     plotter = pv.Plotter(off_screen=True, window_size=(1200, 640), lighting="none")
     plotter.set_scale(zscale=EXAGGERATION)
     low, high = COLORS[0][0], COLORS[-1][0]
-    shades = LinearSegmentedColormap.from_list("land", [((z - low) / (high - low), color) for z, color in COLORS], SHADES)
+    stops = [((z - low) / (high - low), color) for z, color in COLORS]
+    shades = LinearSegmentedColormap.from_list("land", stops, SHADES)
     plotter.add_mesh(seabed(), scalars="zb", cmap=shades, clim=(low, high), n_colors=SHADES, show_scalar_bar=False,
                      smooth_shading=True, ambient=0.25)
     plotter.add_water(sea, level="zeta", bed="zb", preset="clear tropical", wind=0, sun=SUN, units="m")

@@ -125,13 +125,13 @@ class DataWater:
         """A scalar bar of the colours, above the picture's middle."""
         bar = vtkScalarBarActor()
         bar.SetLookupTable(self._mapper.GetLookupTable())
-        bar.SetTitle(title)
+        bar.SetTitle(f"{title}\n ")  # VTK lays the last line over the labels
         bar.SetOrientationToHorizontal()
         bar.SetPosition(0.30, 0.86)
         bar.SetWidth(0.40)
-        bar.SetHeight(0.11)
-        bar.SetNumberOfLabels(4)  # none in the middle, where the title is
-        bar.SetLabelFormat("%.4g" if "%" in bar.GetLabelFormat() else "{:.4g}")
+        bar.SetHeight(0.12)
+        bar.SetNumberOfLabels(5)
+        bar.SetLabelFormat("%.3g" if "%" in bar.GetLabelFormat() else "{:.3g}")
         bar.UnconstrainedFontSizeOn()
         for text in (bar.GetTitleTextProperty(), bar.GetLabelTextProperty()):
             text.SetFontSize(BAR_TEXT)

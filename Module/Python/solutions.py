@@ -106,7 +106,7 @@ class Solution:
         return made
 
     def range_of(self, name):
-        """The least and the largest finite value of an array over all steps, which are read; of vectors their length."""
+        """The least and the largest finite value of an array over all steps (of vectors their length); reads them."""
         ends = []
         for i in range(len(self.times)):
             values = vtk_to_numpy(array_of(self.step(i), name))

@@ -46,7 +46,7 @@ class UgridMesh:
         points, cells, data = vtkPoints(), vtkCellArray(), vtkPolyData()
         points.SetDataTypeToDouble()
         points.SetData(numpy_to_vtk(self._points, deep=True))
-        cells.SetData(numpy_to_vtkIdTypeArray(self._ends, deep=True), numpy_to_vtkIdTypeArray(self._corners, deep=True))
+        cells.SetData(*(numpy_to_vtkIdTypeArray(part, deep=True) for part in (self._ends, self._corners)))
         data.SetPoints(points)
         data.SetPolys(cells)
         for variable in self._arrays:

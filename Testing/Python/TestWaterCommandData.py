@@ -371,7 +371,7 @@ def test_colours_are_those_of_all_steps(folder):
     table = water._mapper.GetLookupTable()
     wt.check_equal("range", table.GetRange(), (0.0, 2.5))
     wt.check_equal("by the length", table.GetVectorMode(), table.MAGNITUDE)
-    wt.check_equal("bars", [prop.GetTitle() for prop in water.scene.renderer.GetActors2D()], ["v"])
+    wt.check_equal("bars", [prop.GetTitle().strip() for prop in water.scene.renderer.GetActors2D()], ["v"])
     water = water_of(folder, folder / "slope.pvd", *DATA, "--color-by", "h", "--clim", "0:9", "--no-scalar-bar")
     wt.check_equal("a range of one's own", water._mapper.GetLookupTable().GetRange(), (0.0, 9.0))
     wt.check_equal("bars", water.scene.renderer.GetActors2D().GetNumberOfItems(), 0)

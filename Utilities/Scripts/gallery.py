@@ -21,6 +21,7 @@ EXAMPLES = {
     "rain_flood": ["FOLDER/rain_flood.gif", "--frames", "4", "--picture", "PICTURE"],
     "wake": ["PICTURE"],
     "strait": ["PICTURE"],
+    "breakwater": ["PICTURE"],
     "hull": ["PICTURE"],
     "reservoir": ["PICTURE"],
     "harbour": ["PICTURE"],
