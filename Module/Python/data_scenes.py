@@ -156,8 +156,9 @@ class DataWater:
         surface = self.filter.GetOutput()
         lowest = surface.GetBounds()[4]
         if heights is None:
-            shown = vtkPolyData()
-            shown.ShallowCopy(surface)
+            kept = mesh if self._is_contour else surface  # all of the volume is in view
+            shown = kept.NewInstance()
+            shown.ShallowCopy(kept)
             self.scene.set_ground(Surface(shown))
             return
         data = vtkPolyData()

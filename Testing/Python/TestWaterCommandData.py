@@ -365,6 +365,19 @@ def test_a_contour_is_a_surface(folder):
                              abs(water.water.GetLevel() - 40.0 * (1.0 - value)), 1e-4)
 
 
+def test_an_openfoam_case_is_read_and_contoured():
+    """Of sixteen cells, half full of water at first and three quarters later: the surface rises between the steps."""
+    water = water_of(None, FILES / "tank/tank.foam", "--contour", "alpha.water")
+    wt.check_equal("times", water.solution.times, (0.0, 1.0))
+    levels = []
+    for time in (0.0, 0.5, 1.0):
+        wt.check_equal(f"at {time}: wet", water.show(time), True)
+        levels.append(water.water.GetLevel())
+    # alpha of points is the mean of the cells around them
+    wt.check_at_most("first and last off by", max(abs(levels[0] - 0.5), abs(levels[2] - 0.75)), 1e-6)
+    wt.check_equal("rises", levels == sorted(levels) and levels[0] < levels[1] < levels[2], True)
+
+
 def test_colours_are_those_of_all_steps(folder):
     """A vector by its length, at every time through one table; --clim says another."""
     water = water_of(folder, folder / "slope.pvd", *DATA, "--color-by", "v")
