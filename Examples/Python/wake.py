@@ -102,7 +102,8 @@ class Water:
         polygons.SetInputData(self.mesh)
         waves, calm = add_sheet(scene), add_sheet(scene)
         waves.GetMapper().SetInputConnection(polygons.GetOutputPort())
-        waves.GetWaterProperty().AddNormalMap(self.texture, self.side, 0.0, 0.0, STEEPEST)
+        if not hasattr(waves, "GetMeshSlopes"):  # where the mesh's own normals count they are enough
+            waves.GetWaterProperty().AddNormalMap(self.texture, self.side, 0.0, 0.0, STEEPEST)
         calm.GetMapper().SetInputData(calm_around(self.mesh.GetBounds()))
         self.sheets = waves, calm
 
@@ -116,6 +117,9 @@ class Water:
         self.mesh.SetDimensions(len(x), len(y), 1)
         self.mesh.SetPoints(points)
         slope_y, slope_x = np.gradient(heights, spacing)
+        normals = np.stack([-slope_x, -slope_y, np.ones_like(heights)], axis=2)
+        normals /= np.linalg.norm(normals, axis=2, keepdims=True)
+        self.mesh.GetPointData().SetNormals(numpy_to_vtk(normals.reshape(-1, 3).astype(np.float32), deep=True))
         normals = np.stack([-slope_x / STEEPEST, -slope_y / STEEPEST, np.ones_like(heights)], axis=2)
         normals /= np.linalg.norm(normals, axis=2, keepdims=True)
         # the map begins at the plane's origin

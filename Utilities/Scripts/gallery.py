@@ -22,6 +22,7 @@ EXAMPLES = {
     "wake": ["PICTURE"],
     "strait": ["PICTURE"],
     "breakwater": ["PICTURE"],
+    "dam_break": ["PICTURE"],
     "hull": ["PICTURE"],
     "reservoir": ["PICTURE"],
     "harbour": ["PICTURE"],
