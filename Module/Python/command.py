@@ -75,7 +75,7 @@ def color(text):
 
 
 def level(text):
-    """A number, or else the name of an array."""
+    """A number, otherwise the name of an array."""
     try:
         float(text)
     except ValueError:
@@ -84,7 +84,7 @@ def level(text):
 
 
 def level_range(text):
-    """Two numbers, or else the name of an array."""
+    """Two numbers, otherwise the name of an array."""
     first, colon, last = text.partition(":")
     ends = level(first), level(last if colon else first)
     return text if any(isinstance(end, str) for end in ends) else ends
@@ -192,8 +192,8 @@ def make_parser():
     render.add_argument("--out", default="water.png", metavar="FILE",
                         help="output picture, a PNG; default %(default)s")
     render.add_argument("--time", type=number(-1e15, 1e15), metavar="S",
-                        help="time of the waves in s, default 0; for a solver's file its time, in the file's unit, also "
-                             "between its steps, default the first step")
+                        help="time of the waves in s, default 0; for a solver's file its time, in the file's unit, "
+                             "also between its steps, default the first step")
     render.add_argument("--step", type=number(-100000, 100000, int), metavar="N",
                         help="step of a solver's file, instead of the time: 0 is the first, -1 the last")
     add_scene_arguments(render)

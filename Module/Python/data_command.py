@@ -14,27 +14,27 @@ ELSEWHERE = {"horizon": False, "no_data": None}  # options that a solver's mesh 
 def add_data_arguments(parser, number):
     """number(least, most): the type of a number in a range."""
     group = parser.add_argument_group(
-        "the data", "A file of a solver: its arrays, of points or cells, say where the water is; two of level, depth "
-        "and bed are enough. It may also be " + " ".join(solutions.KINDS))
-    group.add_argument("--depth", metavar="ARRAY", help="of the water over the bed")
-    group.add_argument("--bed", metavar="ARRAY", help="its height; default: the level less the depth, or with the "
-                       "depth alone the mesh's own z")
+        "the data", "A solver's file: arrays of its points or cells define the water; two of level, depth and bed are "
+        "enough. More file types: " + " ".join(solutions.KINDS))
+    group.add_argument("--depth", metavar="ARRAY", help="depth of the water")
+    group.add_argument("--bed", metavar="ARRAY", help="height of the bed; default: the level less the depth, or with "
+                       "the depth alone the mesh's own z")
     group.add_argument("--dry-depth", type=number(0.0, 1e9), metavar="DEPTH",
-                       help="shallower water is not shown; default 0.001")
+                       help="depth up to which a place is dry; default 0.001")
     group.add_argument("--contour", metavar="ARRAY",
-                       help="of a volume, in place of the three: the surface lies where this has the --contour-value")
-    group.add_argument("--contour-value", type=number(), metavar="VALUE", help="default 0.5, of a volume fraction")
-    group.add_argument("--color-by", metavar="ARRAY", help="colours the water; of a vector its length")
-    group.add_argument("--cmap", metavar="NAME", help=f"{', '.join(COLOR_MAPS)}, or one of matplotlib's where it is "
-                       "installed; default viridis")
+                       help="array of a volume, instead of these: the surface is its contour at --contour-value")
+    group.add_argument("--contour-value", type=number(), metavar="VALUE", help="default 0.5, for a volume fraction")
+    group.add_argument("--color-by", metavar="ARRAY", help="array that colours the water; of a vector its magnitude")
+    group.add_argument("--cmap", metavar="NAME", help=f"colour map: {', '.join(COLOR_MAPS)}, or any of matplotlib's "
+                       "if it is installed; default viridis")
     group.add_argument("--clim", type=color_range, metavar="LOW:HIGH",
                        help="values of the first and the last colour; default: the range over all steps of the file, "
-                            "which reads them all")
+                            "which must all be read")
     group.add_argument("--scalar-bar", action=argparse.BooleanOptionalAction, default=None,
-                       help="whether a bar shows what the colours mean; default: with --color-by")
+                       help="show a scalar bar; default: with --color-by")
     group.add_argument("--lonlat", action=argparse.BooleanOptionalAction, default=None,
-                       help="whether x and y are longitude and latitude in degrees; default: where a NetCDF names its "
-                            "dimensions so")
+                       help="x and y are longitude and latitude in degrees; default: if the dimensions of a NetCDF "
+                            "file have these names")
 
 
 def pair(text, what):
@@ -44,7 +44,7 @@ def pair(text, what):
             return float(first), float(last)
     except ValueError:
         pass
-    raise argparse.ArgumentTypeError(f"{text!r} must be {what}, with a colon between them")
+    raise argparse.ArgumentTypeError(f"{text!r} must be {what}, separated by a colon")
 
 
 def color_range(text):
@@ -60,38 +60,38 @@ def is_data(arguments):
 
 
 def check_data(parser, arguments):
-    """Ends the program where options of data contradict each other, or are given without data."""
+    """End the program if options of data contradict each other, or are used without data."""
     kind = arguments.file.rpartition(".")[2].lower()
     if not is_data(arguments):
         for word in ("dry_depth", "contour_value", "color_by", "cmap", "clim", "scalar_bar", "lonlat", "step",
                      "times"):
             if getattr(arguments, word, None) is not None:
-                parser.error(f"--{word.replace('_', '-')} is given, but no array says where the water is: give "
-                             "--depth, --bed, --contour or an array's name as the --level")
+                parser.error(f"--{word.replace('_', '-')} needs an array that defines the water: add "
+                             "--depth, --bed, --contour or the name of an array as --level")
         if arguments.level is None:
             parser.error("the following arguments are required: --level")
         return
     if f".{kind}" not in solutions.KINDS:
         if isinstance(arguments.level, str):
-            parser.error(f"argument --level: {arguments.level!r} is no number, and a .{kind} file has no arrays")
-        parser.error(f"{arguments.file}: arrays are read from {', '.join(solutions.KINDS)}")
+            parser.error(f"argument --level: {arguments.level!r} is not a number, and a .{kind} file has no arrays")
+        parser.error(f"{arguments.file}: arrays can be read only from {', '.join(solutions.KINDS)}")
     for word, default in ELSEWHERE.items():
         if getattr(arguments, word) != default:
-            parser.error(f"--{word.replace('_', '-')} is given, but the water is that of a solver's mesh")
+            parser.error(f"--{word.replace('_', '-')} does not apply to the water of a solver's mesh")
     if isinstance(arguments.level, tuple) and arguments.level[0] != arguments.level[1]:
-        parser.error("--level has two ends; with --bed or --depth it must be one number, or an array's name")
+        parser.error("--level is a range; with --bed or --depth it must be one number or the name of an array")
     if arguments.contour and any((arguments.level is not None, arguments.depth, arguments.bed)):
-        parser.error("--contour says where the surface is; --level, --depth and --bed must be left out")
+        parser.error("--contour defines the surface; remove --level, --depth and --bed")
     if arguments.contour_value is not None and not arguments.contour:
-        parser.error("--contour-value is given, but there is no --contour")
+        parser.error("--contour-value needs --contour")
     if arguments.bed and arguments.level is None and not arguments.depth:
-        parser.error("--bed alone does not say where the water is: give --level or --depth, too")
+        parser.error("--bed alone does not define the water: add --level or --depth")
     if not arguments.color_by:
         for word in ("cmap", "clim", "scalar_bar"):
             if getattr(arguments, word) is not None:
-                parser.error(f"--{word.replace('_', '-')} is given, but there is no --color-by")
+                parser.error(f"--{word.replace('_', '-')} needs --color-by")
     if getattr(arguments, "step", None) is not None and arguments.time is not None:
-        parser.error("--step and --time are both given; only one of them can say what is shown")
+        parser.error("--step and --time are both given; use only one of them")
 
 
 def make_data_water(arguments, words, make_scene):
@@ -117,7 +117,7 @@ def make_data_water(arguments, words, make_scene):
 
 
 def report(water, is_wet, time):
-    """Tells what a user may not expect of a picture."""
+    """Print what a user may not expect of a picture."""
     if not is_wet:
         print(f"vtkwater: nothing is wet at time {time:g}", file=sys.stderr)
     if water.solution.note:
@@ -131,5 +131,5 @@ def time_of(solution, arguments):
         return solution.times[0] if arguments.time is None else arguments.time
     count = len(solution.times)
     if not -count <= step < count:
-        raise readers.FileError(f"{solution.path}: step {step} is not there; it has {count}, 0 to {count - 1}")
+        raise readers.FileError(f"{solution.path}: there is no step {step}; steps are 0 to {count - 1}")
     return solution.times[step]

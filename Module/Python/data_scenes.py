@@ -150,8 +150,7 @@ class DataWater:
             if self.filter.GetOutput().GetNumberOfCells():
                 break
         else:
-            raise ValueError(f"{self.solution.path}: nothing is wet at any of its times, {times[0]:g} to "
-                             f"{times[-1]:g}")
+            raise ValueError(f"{self.solution.path}: no place is wet at any time, {times[0]:g} to {times[-1]:g}")
         heights = None if self._is_contour else bed_of(mesh, self._level, **self._names)
         surface = self.filter.GetOutput()
         lowest = surface.GetBounds()[4]
@@ -299,8 +298,8 @@ def colors_of(name):
     try:
         from matplotlib import colormaps
     except ImportError:
-        raise ValueError(f"the colour map {name!r} is not known; known are {', '.join(COLOR_MAPS)}, and with "
-                         "matplotlib installed (3.5 or later) all of its own") from None
+        raise ValueError(f"unknown colour map {name!r}; known are {', '.join(COLOR_MAPS)}, and if matplotlib "
+                         "(3.5 or later) is installed, all of its maps") from None
     if name not in colormaps:
-        raise ValueError(f"the colour map {name!r} is not known; known are {', '.join(COLOR_MAPS)} and matplotlib's")
+        raise ValueError(f"unknown colour map {name!r}; known are {', '.join(COLOR_MAPS)} and those of matplotlib")
     return colormaps[name](shares)[:, :3].tolist()

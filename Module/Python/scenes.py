@@ -226,8 +226,8 @@ class Scene:
     def look(self, azimuth=200.0, height=15.0, zoom=1.0, highest=-math.inf, all_of_it=False):
         """Aim the camera at the ground from an azimuth (degrees from north) and a height (degrees above the horizon).
 
-        zoom 1 shows everything above the water, and its reflection, or with all_of_it all of the ground; zoom 2 half of
-        its width. highest is the highest level that the water will reach, in the data's unit: if there is dry ground
+        zoom 1 shows everything above the water, and its reflection, or with all_of_it all of the ground; zoom 2 half
+        of its width. highest is the highest level that the water will reach, in the data's unit: if there is dry ground
         now, the eye stays above it.
         """
         points = vtk_to_numpy(self._ground.data.GetPoints().GetData()) * (1.0, 1.0, self._exaggeration)

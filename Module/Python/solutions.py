@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Reads what a solver wrote: a mesh with arrays of points or cells, over time.
+"""Read a solver's file: a mesh with arrays of points or cells, over time.
 
     solution = Solution("flood.pvd", ["h", "zb"])
     solution.times            # the file's own, in its unit: (0.0, 600.0, ...); (0.0,) where it has none
     mesh = solution.at(300.0)  # vtkPolyData, between two steps by vtkTemporalInterpolator
 
-The files are read by VTK's readers, whatever their suffix in KINDS says. A file that is missing, of no known kind, not
-what its name claims, or without the arrays raises a FileError; the text lists the arrays there are.
+VTK's readers read the files; KINDS maps suffixes to readers. A FileError is raised if a file is missing, of an unknown
+type, not of the type that its suffix claims, or has no such arrays; the text lists the arrays.
 """
 import bisect
 import re
@@ -33,26 +33,27 @@ KEPT_STEPS = 2  # in memory: what lies between them is interpolated
 
 
 class Solution:
-    """What a file of a solver holds, at any time.
+    """The contents of a solver's file at any time.
 
     Parameters
     ----------
     file : str or pathlib.Path
         One of KINDS, by its suffix.
     arrays : sequence[str]
-        Those that are wanted, of points or of cells. Others are not kept.
+        Names of the arrays to read, of points or cells. Others are not kept.
     is_volume : bool, default: False
-        Cells of three dimensions are wanted: the mesh stays as it is, and is not turned into polygons.
+        Read cells of three dimensions, as an unstructured grid.
     is_lonlat : bool, optional
-        Whether x and y are longitude and latitude in degrees; they become metres on a plane that touches the Earth in
-        the middle of the mesh, from its south-west. By default only where the file's dimensions have these names.
+        Whether x and y are longitude and latitude in degrees. They are converted to metres from the south-western
+        corner, on a plane that touches the Earth in the middle of the mesh. By default if the file's dimensions have
+        these names.
 
     Attributes
     ----------
     times : tuple[float]
-        Of the steps, ascending, in the file's unit; (0.0,) where it knows no time.
+        Times of the steps, ascending, in the file's unit; (0.0,) if it has no time.
     note : str
-        What was not as the caller may think; empty: nothing.
+        What the caller may not expect; empty if there is nothing.
 
     Raises
     ------
@@ -89,14 +90,14 @@ class Solution:
         """
         first, last = self.times[0], self.times[-1]
         if not first <= time <= last:
-            raise FileError(f"{self.path}: time is {time:g}; that of its steps lies in [{first:g}, {last:g}]")
+            raise FileError(f"{self.path}: time is {time:g}; it must lie in [{first:g}, {last:g}]")
         i = bisect.bisect_right(self.times, time) - 1
         mesh = self.step(i)
         if time == self.times[i]:
             return mesh
         if not have_same_cells(mesh, self.step(i + 1)):
-            self.note = (f"the meshes of its steps {i} and {i + 1} differ: "
-                         "between such steps the earlier one is shown")
+            self.note = (f"the meshes of steps {i} and {i + 1} differ: "
+                         "between them, the earlier step is shown")
             return mesh
         with heard(self.path, "a series of meshes to interpolate in"):
             self._between.UpdateTimeStep(time)
@@ -106,7 +107,7 @@ class Solution:
         return made
 
     def range_of(self, name):
-        """The least and the largest finite value of an array over all steps (of vectors their length); reads them."""
+        """The smallest and largest finite value of an array over all steps; for vectors, of their magnitude."""
         ends = []
         for i in range(len(self.times)):
             values = vtk_to_numpy(array_of(self.step(i), name))
@@ -125,7 +126,7 @@ class Solution:
             array = array_of(mesh, name)
             if array is None:
                 raise FileError(f"{self.path}: there is no array '{name}'"
-                                f"{self._of_step(i)}; there are: {names_of(mesh)}{self._source.hint}")
+                                f"{self._of_step(i)}; arrays are: {names_of(mesh)}{self._source.hint}")
             of_cells = mesh.GetPointData().GetArray(name) is None
             (kept.GetCellData() if of_cells else kept.GetPointData()).AddArray(array)
         self._place(kept)
@@ -141,8 +142,8 @@ class Solution:
             west, south, north = places[:, 0].min(), places[:, 1].min(), places[:, 1].max()
             if self._middle is None:
                 if not -90.0 <= south <= north <= 90.0:
-                    raise FileError(f"{self.path}: y is {south:g} to {north:g}, which is no latitude; it must lie "
-                                    "between -90 and 90 degrees")
+                    raise FileError(f"{self.path}: y is {south:g} to {north:g}; latitudes must lie between "
+                                    "-90 and 90 degrees")
                 self._middle = west, south, np.cos(np.radians(0.5 * (south + north)))
             west, south, shrink = self._middle
             places[:, 0] = (places[:, 0] - west) * METRES_PER_DEGREE * shrink
@@ -182,7 +183,7 @@ class StepsSource(VTKPythonAlgorithmBase):
 
 
 def array_of(mesh, name):
-    """Of points, or else of cells; None: there is none of numbers."""
+    """An array of points, otherwise of cells; None if there is no such array of numbers."""
     return mesh.GetPointData().GetArray(name) or mesh.GetCellData().GetArray(name)
 
 
@@ -232,7 +233,7 @@ def mesh_of(data, path, is_volume):
     """One mesh of what a reader gives: polygons, or an unstructured grid of a volume."""
     leaves = leaves_of(data)
     if not leaves:
-        raise FileError(f"{path}: is empty, it has no cells")
+        raise FileError(f"{path}: is empty: it has no cells")
     for leaf in leaves:
         check_cells(leaf, path)
     wanted = 3 if is_volume else 2
@@ -240,8 +241,8 @@ def mesh_of(data, path, is_volume):
     if is_volume or max(found) < 3:  # walls of a volume are no surface of water
         leaves = [leaf for leaf, dimension in zip(leaves, found) if dimension == wanted]
     if not leaves or (max(found) == 3 and not is_volume):
-        of_volume = "; the surface of a volume fraction is a contour (--contour)" if max(found) == 3 else ""
-        raise FileError(f"{path}: its cells have {max(found)} dimensions; wanted are cells of {wanted}{of_volume}")
+        of_volume = "; use --contour for the surface of a volume fraction" if max(found) == 3 else ""
+        raise FileError(f"{path}: its cells have {max(found)} dimensions; they must have {wanted}{of_volume}")
     append = vtkAppendFilter() if is_volume else vtkAppendPolyData()
     for leaf in leaves:
         append.AddInputData(leaf if is_volume else polygons_of(leaf))
@@ -279,7 +280,7 @@ class Reader:
             else:
                 self._reader.Update()
         if hasattr(self._reader, "GetErrorCode") and self._reader.GetErrorCode():
-            raise FileError(f"{self._path}: not {self._what}: it cannot be read to its end")
+            raise FileError(f"{self._path}: not {self._what}: reading stopped before its end")
         return self._reader.GetOutputDataObject(0)
 
 
@@ -301,10 +302,11 @@ class Collection:
             try:
                 time = float(entry.get("timestep", 0.0))
             except ValueError:
-                raise FileError(f"{path}: the time of {entry['file']} is {entry['timestep']!r}, no number") from None
+                raise FileError(f"{path}: the time of {entry['file']} is {entry['timestep']!r}, "
+                                "not a number") from None
             files.setdefault(time, []).append(path.parent / entry["file"])
         if not files:
-            raise FileError(f"{path}: is empty, it names no files")
+            raise FileError(f"{path}: is empty: it lists no files")
         self.times = sorted(files)
         self._files = files
 
@@ -357,7 +359,7 @@ def open_netcdf(path):
     sizes = dict(zip(names, values_of(reader.GetVariableDimensions())))
     grids = [dimensions for dimensions in values_of(reader.GetAllDimensions()) if dimensions.count(",") == 1]
     if not grids:
-        raise FileError(f"{path}: no variable has two dimensions in space{hint}")
+        raise FileError(f"{path}: no variable has two spatial dimensions{hint}")
     # the grid that most variables are on
     grid = max(grids, key=lambda dimensions: sum(size == dimensions for size in sizes.values()))
     for name in names:

@@ -426,8 +426,8 @@ FAILS = (
     (("slope.pvd", "--depth", "d"), ("there is no array 'd'", "zb (points), h (points)", "fraction (cells)")),
     (("slope.pvd", "--level", "high"), ("there is no array 'high'", "zeta (points)")),
     (("slope.pvd", *DATA, "--color-by", "speed"), ("there is no array 'speed'", "v (points)")),
-    (("slope.pvd", *DATA, "--time", 31), ("time is 31; that of its steps lies in [0, 30]",)),
-    (("slope.pvd", *DATA, "--step", 3), ("step 3 is not there; it has 3, 0 to 2",)),
+    (("slope.pvd", *DATA, "--time", 31), ("time is 31; it must lie in [0, 30]",)),
+    (("slope.pvd", *DATA, "--step", 3), ("there is no step 3; steps are 0 to 2",)),
     (("gap.pvd", *DATA, "--time", 5), ("gap.pvd: at time 10:", "lost.vts: no such file")),
     (("none.pvd", *DATA), ("none.pvd: is empty",)),
     (("late.pvd", *DATA), ("the time of s0.vts is 'soon'",)),
@@ -435,9 +435,9 @@ FAILS = (
     (("text.nc", *DATA), ("text.nc: not a NetCDF grid",)),
     (("missing.nc", *DATA), ("missing.nc: no such file",)),
     (("volume.vti", *DATA), ("cells have 3 dimensions", "--contour")),
-    (("slope.pvd", "--contour", "h"), ("cells have 2 dimensions; wanted are cells of 3",)),
-    (("dry.vts", *DATA), ("nothing is wet at any of its times",)),
-    (("slope.pvd", *DATA, "--color-by", "h", "--cmap", "mud"), ("colour map 'mud' is not known", "viridis")),
+    (("slope.pvd", "--contour", "h"), ("cells have 2 dimensions; they must have 3",)),
+    (("dry.vts", *DATA), ("no place is wet at any time",)),
+    (("slope.pvd", *DATA, "--color-by", "h", "--cmap", "mud"), ("unknown colour map 'mud'", "viridis")),
     (("slope.pvd", *DATA, "--color-by", "h", "--clim", "3:1"), ("(3, 1)", "both finite")),
     (("slope.pvd", "--level", "v", "--bed", "zb"), ("'v' has 3 components; it must have 1",)),
 )
@@ -451,16 +451,16 @@ def test_what_cannot_be_shown_is_one_line(folder, capsys, options, words):
 
 
 WRONG = (
-    (("slope.pvd", "--level", 3, "--color-by", "h"), ("--color-by is given, but no array says",)),
-    (("slope.pvd", "--level", 3, "--step", 1), ("--step is given, but no array says",)),
-    (("a.tif", "--level", "high"), ("'high' is no number",)),
-    (("a.stl", "--depth", "h"), ("arrays are read from .pvd",)),
+    (("slope.pvd", "--level", 3, "--color-by", "h"), ("--color-by needs an array that defines the water",)),
+    (("slope.pvd", "--level", 3, "--step", 1), ("--step needs an array that defines",)),
+    (("a.tif", "--level", "high"), ("'high' is not a number",)),
+    (("a.stl", "--depth", "h"), ("arrays can be read only from .pvd",)),
     (("slope.pvd", "--bed", "zb"), ("--bed alone",)),
-    (("slope.pvd", "--contour", "a", "--depth", "h"), ("--contour says where",)),
-    (("slope.pvd", *DATA, "--contour-value", 0.3), ("there is no --contour",)),
-    (("slope.pvd", *DATA, "--clim", "0:1"), ("there is no --color-by",)),
+    (("slope.pvd", "--contour", "a", "--depth", "h"), ("--contour defines",)),
+    (("slope.pvd", *DATA, "--contour-value", 0.3), ("--contour-value needs --contour",)),
+    (("slope.pvd", *DATA, "--clim", "0:1"), ("needs --color-by",)),
     (("slope.pvd", *DATA, "--clim", "wide"), ("'wide' must be two values",)),
-    (("slope.pvd", *DATA, "--horizon"), ("--horizon is given",)),
+    (("slope.pvd", *DATA, "--horizon"), ("--horizon does not apply",)),
     (("slope.pvd", *DATA, "--step", 1, "--time", 0), ("--step and --time",)),
 )
 
