@@ -15,6 +15,7 @@
 #include "vtkWaterCompat.h"
 #include "vtkWaterErrors.h"
 #include "vtkWaterFrame.h"
+#include "vtkWaterMeshTraits.h"
 #include "vtkWaterProperty.h"
 #include "vtkWaterReflection.h"
 #include "vtkWaterReflectionPass.h"
@@ -181,17 +182,28 @@ void vtkWaterActor::SetMapper(vtkMapper* mapper)
 //------------------------------------------------------------------------------
 vtkTypeBool vtkWaterActor::HasOpaqueGeometry()
 {
-  return this->GetForceOpaque() || this->WaterProperty->GetOpacity() >= 1.0
-    ? this->Superclass::HasOpaqueGeometry()
-    : 0;
+  if (!this->GetForceOpaque() && this->WaterProperty->GetOpacity() < 1.0)
+  {
+    return 0;
+  }
+  return this->ShowsOpaqueData() ? 1 : this->Superclass::HasOpaqueGeometry();
 }
 
 //------------------------------------------------------------------------------
 vtkTypeBool vtkWaterActor::HasTranslucentPolygonalGeometry()
 {
-  return this->GetForceOpaque() || this->WaterProperty->GetOpacity() >= 1.0
-    ? this->Superclass::HasTranslucentPolygonalGeometry()
-    : 1;
+  if (!this->GetForceOpaque() && this->WaterProperty->GetOpacity() < 1.0)
+  {
+    return 1;
+  }
+  return this->ShowsOpaqueData() ? 0 : this->Superclass::HasTranslucentPolygonalGeometry();
+}
+
+//------------------------------------------------------------------------------
+bool vtkWaterActor::ShowsOpaqueData()
+{
+  return this->Mapper && !this->GetForceTranslucent() && this->GetProperty()->GetOpacity() >= 1.0 &&
+    vtkWaterMeshTraits::ShowsScalars(this->Mapper);
 }
 
 //------------------------------------------------------------------------------

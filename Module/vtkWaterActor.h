@@ -248,6 +248,7 @@ private:
   struct Internals; // the source
 
   bool UsesOwnSheet();
+  bool ShowsOpaqueData();
   // Does the built-in sheet reach to the horizon?
   bool IsEndless() { return this->SheetToHorizon && this->UsesOwnSheet(); }
   // Decides whether an automatic sheet reaches to the horizon.

@@ -348,8 +348,10 @@ public:
   /**
    * Opacity of data colours, in [0, 1], if the actor's mapper shows scalars through its lookup
    * table. At 1 they are the colour of the water and hide what lies below; below 1 they are blended
-   * with it. Reflection, glitter and foam are added on top: without these (SetReflectance(0),
-   * GlitterOff) the picture shows the lookup table's colours, unlit. Default is 1.
+   * with it. The opacity that the table gives a colour multiplies it: a table can show clear water
+   * where a dye is thin. Reflection, glitter and foam are added on top: without these
+   * (SetReflectance(0), GlitterOff) the picture shows the lookup table's colours, unlit. Default
+   * is 1.
    */
   void SetDataOpacity(double opacity);
   vtkGetMacro(DataOpacity, double);

@@ -1,18 +1,18 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""reservoir: a plume in a reservoir, volume rendered under the water.
+"""reservoir: a plume of dye in a reservoir, as the colour of the water.
 
-The plume is a concentration on a grid, as an advection-diffusion solver gives it; a Gaussian puff train stands for
-one. What is seen through water's refraction are surfaces; a volume wants water of an opacity below 1.
+The plume is a depth-averaged concentration, as an advection-diffusion solver gives it; a Gaussian puff train stands in
+for the solver. The lookup table's opacity grows with the concentration: clear water shows where there is no dye.
 """
 
 import argparse
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk
-import vtkmodules.vtkRenderingVolumeOpenGL2  # noqa: F401
-from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPiecewiseFunction
-from vtkmodules.vtkRenderingCore import vtkColorTransferFunction, vtkVolume, vtkVolumeProperty
-from vtkmodules.vtkRenderingVolume import vtkGPUVolumeRayCastMapper
+from vtkmodules.vtkCommonCore import vtkLookupTable
+from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkFiltersGeometry import vtkImageDataGeometryFilter
+from vtkmodules.vtkRenderingCore import vtkPolyDataMapper
 from vtkwater.errors import ending
 from vtkwater.pictures import png_name
 from vtkwater.readers import surface_of_heights
@@ -33,43 +33,37 @@ def valley():
 
 
 def plume():
-    """Concentration in [0, 1] of puffs that drift down the valley, rise and spread."""
-    spacing = (8.0, 5.0, 1.5)
-    z, y, x = np.meshgrid(np.arange(-34.0, -0.5, spacing[2]), np.arange(330.0, 720.0, spacing[1]),
-                          np.arange(120.0, 980.0, spacing[0]), indexing="ij")
+    """The reservoir's surface, with the depth-averaged concentration, in [0, 1], of puffs that drift down it and spread."""
+    spacing = 4.0
+    y, x = np.mgrid[SOUTH:NORTH:spacing, WEST:985.0:spacing]
     concentration = np.zeros_like(x)
-    for at in np.arange(190.0, 860.0, 22.0):
+    for at in np.arange(190.0, 860.0, 11.0):
         age = (at - 190.0) / 670.0
         width = 10.0 + 26.0 * age
-        center = 500.0 + 90.0 * np.sin(at / 170.0) + 9.0 * np.sin(at / 31.0)
-        concentration += (1.0 - 0.75 * age) * np.exp(
-            -(((x - at) / width) ** 2) - ((y - center) / width) ** 2 - ((z + 13.0 - 5.0 * age) / (4.0 + 3.0 * age)) ** 2)
+        middle = 500.0 + 90.0 * np.sin(at / 170.0) + 9.0 * np.sin(at / 31.0)
+        concentration += (1.0 - 0.75 * age) / width * np.exp(-(((x - at) / width) ** 2) - ((y - middle) / width) ** 2)
     image = vtkImageData()
-    image.SetDimensions(*concentration.shape[::-1])
-    image.SetSpacing(spacing)
-    image.SetOrigin(120.0, 330.0, -34.0)
-    image.GetPointData().SetScalars(
-        numpy_to_vtk((concentration / concentration.max()).astype(np.float32).ravel(), deep=True))
-    return image
+    image.SetDimensions(x.shape[1], x.shape[0], 1)
+    image.SetSpacing(spacing, spacing, 1.0)
+    image.SetOrigin(WEST, SOUTH, LEVEL)
+    scalars = numpy_to_vtk((concentration / concentration.max()).astype(np.float32).ravel(), deep=True)
+    scalars.SetName("concentration")
+    image.GetPointData().SetScalars(scalars)
+    surface = vtkImageDataGeometryFilter()
+    surface.SetInputData(image)
+    surface.Update()
+    return surface.GetOutput()
 
 
-def add_volume(scene, image):
-    mapper = vtkGPUVolumeRayCastMapper()
-    mapper.SetInputData(image)
-    colors, opacity = vtkColorTransferFunction(), vtkPiecewiseFunction()
-    for share, red, green, blue, alpha in ((0.0, 1.0, 0.9, 0.3, 0.0), (0.08, 1.0, 0.85, 0.25, 0.0),
-                                           (0.35, 1.0, 0.55, 0.10, 0.2), (1.0, 0.75, 0.08, 0.05, 0.7)):
-        colors.AddRGBPoint(share, red, green, blue)
-        opacity.AddPoint(share, alpha)
-    look = vtkVolumeProperty()
-    look.SetColor(colors)
-    look.SetScalarOpacity(opacity)
-    look.SetScalarOpacityUnitDistance(20.0)
-    look.SetInterpolationTypeToLinear()
-    volume = vtkVolume()
-    volume.SetMapper(mapper)
-    volume.SetProperty(look)
-    scene.renderer.AddVolume(volume)
+def colors():
+    """Of concentrations; the dye's opacity grows with it, as Beer and Lambert's law has it."""
+    table = vtkLookupTable()
+    table.SetNumberOfTableValues(256)
+    thin, thick = np.array((0.98, 0.62, 0.16)), np.array((0.70, 0.10, 0.05))
+    for i, share in enumerate(np.linspace(0.0, 1.0, 256)):
+        table.SetTableValue(i, *(thin + share * (thick - thin)), 1.0 - np.exp(-3.0 * share))
+    table.SetRange(0.0, 1.0)
+    return table
 
 
 def main():
@@ -80,10 +74,13 @@ def main():
     scene = Scene((1280, 720))
     scene.add_ground(surface_of_heights(valley(), (SPACING, SPACING), (WEST, SOUTH)), LEVEL)
     scene.add_box((985.0, 995.0, 180.0, 860.0, -45.0, 6.0), (0.70, 0.69, 0.66))  # the dam
-    add_volume(scene, plume())
     water = scene.add_water(LEVEL)
+    mapper = vtkPolyDataMapper()
+    mapper.SetInputData(plume())
+    mapper.SetLookupTable(colors())
+    mapper.UseLookupTableScalarRangeOn()
+    water.SetMapper(mapper)
     look = water.GetWaterProperty()
-    look.SetOpacity(0.6)
     look.SetDeepColor(0.02, 0.15, 0.22)
     for amplitude, wavelength, direction in ((0.03, 17.0, 20.0), (0.02, 11.0, 55.0), (0.012, 7.0, -25.0)):
         look.AddWave(amplitude, wavelength, direction)

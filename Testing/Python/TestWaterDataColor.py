@@ -178,3 +178,22 @@ def test_a_bad_share_is_refused(value):
     wt.check_equal("errors", len(said), 1)
     wt.check_equal("it names the range", "[0, 1]" in said[0], True)
     wt.check_equal("it stays", look.GetDataOpacity(), 1.0)
+
+
+@pytest.mark.parametrize("kind", (vtkPolyDataMapper, vtkDataSetMapper))
+@pytest.mark.parametrize("before", (False, True))
+def test_the_opacity_of_a_tables_colour_blends_it(kind, before):
+    """Where it is 0 the water shows, where it is 0.5 both do; and the water stays opaque."""
+    table = table_of(3)
+    for i, (color, opacity) in enumerate((((1, 0, 0), 1), ((1, 0, 0), 0.5), ((1, 0, 0), 0))):
+        table.SetTableValue(i, *color, opacity)
+    view, water = water_of(mesh_of(lambda x, y: x), kind, table=table, before=before)
+    wt.add_actor(view.renderer, wt.box((0, 0, -5), (30, 30, 1)), (1, 1, 1))  # it must not shine through
+    water.GetWaterProperty().SetDeepColor(0.0, 0.0, 0.8)
+    row = view.picture()[SIZE[1] // 2].astype(int)
+    x = x_of_columns()
+    for name, low, high, wanted in (("1", -9, -4, (255, 0, 0)), ("0.5", -2, 2, (128, 0, 102)), ("0", 4, 9, (0, 0, 204))):
+        seen = row[(x > low) & (x < high)]
+        wt.check_at_least(f"opacity {name}: pixels", len(seen), 20)
+        wt.check_at_most(f"opacity {name}: off by, of 255", int(np.abs(seen - wanted).max()), 2)
+    wt.check_at_most("is in the translucent pass", int(water.HasTranslucentPolygonalGeometry()), 0)

@@ -8,10 +8,10 @@ uniform float waterDataOpacity;
 uniform float waterDataGain; // of ambient and diffuse light together
 vec4 waterDataColor = vec4(0.0);
 
-// Where the mapper shows scalars: their colour.
-void waterTakeData(vec3 color)
+// Where the mapper shows scalars: their colour, and the opacity that the lookup table gives it.
+void waterTakeData(vec3 color, float opacity)
 {
-  waterDataColor = vec4(color / max(waterDataGain, 1e-6), waterDataOpacity);
+  waterDataColor = vec4(color / max(waterDataGain, 1e-6), waterDataOpacity * opacity);
 }
 
 void waterShade(inout vec4 color)

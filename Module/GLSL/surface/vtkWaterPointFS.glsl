@@ -35,10 +35,10 @@ uniform float waterDataOpacity;
 uniform float waterDataGain; // of ambient and diffuse light together
 vec4 waterDataColor = vec4(0.0); // of the mesh's scalars, set where it has some; a: how much of what is seen in the water it is
 
-// Where the mapper shows scalars: their colour.
-void waterTakeData(vec3 color)
+// Where the mapper shows scalars: their colour, and the opacity that the lookup table gives it.
+void waterTakeData(vec3 color, float opacity)
 {
-  waterDataColor = vec4(color / max(waterDataGain, 1e-6), waterDataOpacity);
+  waterDataColor = vec4(color / max(waterDataGain, 1e-6), waterDataOpacity * opacity);
 }
 
 float waterSmooth = 2e-5; // slope variance up to which a pixel has one facet: its reflection blurs by half a degree
