@@ -28,6 +28,6 @@ void waterShade(inout vec4 color)
     waterSunlit(point, rgb);
     rgb = waterSeenFrom(point, rgb);
   }
-  color = vec4(rgb, color.a * waterOpacity);
+  color = vec4(rgb, waterOpacityOf(color) * waterOpacity);
   waterShow(reason, uv, reflectance, color);
 }

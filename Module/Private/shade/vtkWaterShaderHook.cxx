@@ -178,10 +178,9 @@ bool vtkWaterShaderHook::PostReplaceShaderValues(std::string& vertexShader,
     {
       if (vtkWaterMeshTraits::ShowsScalars(mapper))
       {
-        // what the mapper's scalars show without light; their opacity is not the water's
+        // what the mapper's scalars show without light
         InsertBefore(fragmentShader, "//VTK::Light::Impl",
-          "\n  waterTakeData(ambientColor + diffuseColor, opacity / max(opacityUniform, 1e-6));"
-          "\n  gl_FragData[0].a = opacityUniform;");
+          "\n  waterTakeData(ambientColor + diffuseColor, opacity, opacityUniform);");
       }
       InsertBefore(fragmentShader, "//VTK::Light::Impl", "\n  waterShade(gl_FragData[0]);");
     }
