@@ -284,7 +284,7 @@ void vtkWaterActor::PrintSelf(ostream& os, vtkIndent indent)
     os << (this->SheetToHorizon ? "to the horizon" : "those of the scene")
        << (this->SheetIsAutomatic ? " (automatic)\n" : "\n");
   }
-  os << indent << "Surface: " << (this->UsesOwnSheet() ? "own sheet" : "mapper of the user")
+  os << indent << "Surface: " << (this->UsesOwnSheet() ? "built-in sheet" : "user's mapper")
      << "\n";
   os << indent << "Time: " << this->Time << "\n";
   os << indent << "MeshSlopes: " << (this->MeshSlopes ? "on" : "off") << "\n";
@@ -295,7 +295,8 @@ void vtkWaterActor::PrintSelf(ostream& os, vtkIndent indent)
      << (look.HidesWaves ? "; the waves are too short to be seen in this scene" : "") << "\n";
   os << indent << "WaterProperty:\n";
   this->WaterProperty->PrintSelf(os, next);
-  os << indent << "ReflectionPass (" << (this->ComposedPass ? "composed by hand" : "own") << "):\n";
+  os << indent << "ReflectionPass (" << (this->ComposedPass ? "added by the user" : "own")
+     << "):\n";
   this->GetReflectionPass()->PrintSelf(os, next);
   os << indent << "LastError: " << (*this->GetLastError() ? this->GetLastError() : "(none)")
      << "\n";

@@ -117,7 +117,7 @@ void vtkWaterActor::Internals::DrawSurface(
   {
     surface.SetIsRefused();
     vtkErrorWithObjectMacro(
-      this->Self, "The driver refuses the water's shader. The water shows its plain colour.");
+      this->Self, "The driver rejects the water's shader. The water shows its plain colour.");
     hook->BeginSurface(&surface, probed);
     this->Self->Superclass::Render(renderer, mapper);
     hook->EndSurface();

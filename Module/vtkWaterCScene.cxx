@@ -221,7 +221,7 @@ vtk_water_status vtk_water_scene_add_mesh(vtk_water_scene* scene, const double* 
       if (triangles[i] < 0 || static_cast<uint64_t>(triangles[i]) >= point_count)
       {
         return Fail(VTK_WATER_BAD_VALUE,
-          "triangle " + std::to_string(i / 3) + " names point " + std::to_string(triangles[i]) +
+          "triangle " + std::to_string(i / 3) + " refers to point " + std::to_string(triangles[i]) +
             "; there are " + std::to_string(point_count));
       }
     }

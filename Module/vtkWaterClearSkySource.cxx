@@ -79,7 +79,7 @@ void vtkWaterClearSkySource::SetAzimuth(double degrees)
 //------------------------------------------------------------------------------
 void vtkWaterClearSkySource::SetElevation(double degrees)
 {
-  this->SetNumber("Elevation", " degrees, over the horizon", degrees, 0.0, 90.0, this->Elevation);
+  this->SetNumber("Elevation", " degrees above the horizon", degrees, 0.0, 90.0, this->Elevation);
 }
 
 //------------------------------------------------------------------------------
@@ -144,7 +144,7 @@ void vtkWaterClearSkySource::ConfigureSkybox(vtkSkybox* skybox, vtkRenderer* ren
 {
   if (!skybox || !renderer)
   {
-    vtkErrorMacro(<< "ConfigureSkybox wants a skybox and a renderer; the "
+    vtkErrorMacro(<< "ConfigureSkybox needs a skybox and a renderer; the "
                   << (skybox ? "renderer" : "skybox") << " is nullptr.");
     return;
   }

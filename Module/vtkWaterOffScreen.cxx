@@ -63,7 +63,7 @@ vtkWeakPointer<vtkObjectFactory> Registered;
 
 std::string& Reason()
 {
-  static std::string reason = "off-screen rendering was not asked for";
+  static std::string reason = "off-screen rendering was not requested";
   return reason;
 }
 
@@ -204,7 +204,7 @@ bool vtkWaterOffScreen::IsEnabled()
 //------------------------------------------------------------------------------
 const char* vtkWaterOffScreen::GetReason()
 {
-  return "nothing to do: this VTK chooses its windows by itself";
+  return "nothing to do: this VTK selects its windows itself";
 }
 
 #endif

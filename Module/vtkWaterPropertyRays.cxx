@@ -57,7 +57,7 @@ void vtkWaterProperty::SetRayTraceQuality(const char* name)
   if (status != WATER_OK)
   {
     vtkErrorMacro("RayTraceQuality is \"" << (name ? name : "") << "\"; "
-                                          << water_status_text(status) << ". All stays as it was.");
+                                          << water_status_text(status) << ". It stays as it was.");
     return;
   }
   this->SetRayTraceSteps(quality.steps);

@@ -63,7 +63,7 @@ std::string Find(vtkDataSet* data, const std::string& name, vtkDataArray*& array
   array = array ? array : data->GetCellData()->GetArray(name.c_str());
   if (!array)
   {
-    return "there is no array '" + name + "' of numbers; there are: " + NamesOf(data);
+    return "there is no numeric array '" + name + "'; the arrays are: " + NamesOf(data);
   }
   const int components = array->GetNumberOfComponents();
   const vtkIdType wanted = isOfCells ? data->GetNumberOfCells() : data->GetNumberOfPoints();
@@ -92,8 +92,7 @@ std::string FindAll(vtkDataSet* data, const std::string& level, const std::strin
   given.AreOfCells = isLevelOfCells || isDepthOfCells;
   if (wrong.empty() && !given.Level && !given.Depth)
   {
-    return "neither LevelArrayName nor DepthArrayName is set; the arrays there are: " +
-      NamesOf(data);
+    return "neither LevelArrayName nor DepthArrayName is set; the arrays are: " + NamesOf(data);
   }
   if (wrong.empty() && given.Level && given.Depth && isLevelOfCells != isDepthOfCells)
   {

@@ -128,14 +128,14 @@ int TestWaterDriverFaults(int, char*[])
   // VTK prints the shader, for one
   vtkOutputWindow::GetInstance()->SetDisplayModeToNever();
   vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
-  bool ok = Check<PFNGLSHADERSOURCEPROC>("shader", "refuses the water's shader", glShaderSource,
+  bool ok = Check<PFNGLSHADERSOURCEPROC>("shader", "rejects the water's shader", glShaderSource,
     shaderSource, ShaderSource, ToggleWaves);
   ok &= Check<PFNGLCHECKFRAMEBUFFERSTATUSPROC>("framebuffer", "no framebuffer for the reflection",
     glCheckFramebufferStatus, checkStatus, CheckStatus, Release);
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 4, 0)
   ok &= Check<PFNGLTEXIMAGE2DPROC>(
     "texture", "no framebuffer for the reflection", glTexImage2D, texImage, TexImage, Release);
-  ok &= Check<PFNGLTEXIMAGE2DPROC>("texture of clear water", "no textures for what is seen through",
+  ok &= Check<PFNGLTEXIMAGE2DPROC>("texture of clear water", "no textures for the refracted scene",
     glTexImage2D, texImage, TexImage, ToggleRefraction);
 #else
   std::cout << "textures: left out, this VTK calls glTexImage2D without a loader" << std::endl;

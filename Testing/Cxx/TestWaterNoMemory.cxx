@@ -195,7 +195,7 @@ bool CheckHidden()
       isDone = i == 0 ? failed == 0 : isDone;
       ok &= isDone || i > 0 || Says(scene, name, "no memory for");
       hasAskedPicture = hasAskedPicture ||
-        (!scene.Errors.empty() && scene.Errors[0].find("is hidden") != std::string::npos);
+        (!scene.Errors.empty() && scene.Errors[0].find("of hidden water") != std::string::npos);
     }
     ok &= WaterCheck(name + ": the picture is the same", WaterSame(pictures[0], pictures[1]), true);
   }

@@ -134,7 +134,7 @@ bool Check(const std::string& name, const std::string& says,
   ok &= WaterCheck(name + ": and so it stays", WaterSame(scene.Picture(), plain), true);
   ok &= WaterCheck<size_t>(name + ": errors", scene.Errors.size(), 1);
   const bool isSaid = !scene.Errors.empty() &&
-    scene.Errors[0].find("refuses a shader of a prop (vtkOpenGLActor") != std::string::npos &&
+    scene.Errors[0].find("rejects a shader of a prop (vtkOpenGLActor") != std::string::npos &&
     scene.Errors[0].find(says) != std::string::npos;
   ok &= WaterCheck(name + ": the error names the prop and says \"" + says + "\"", isSaid, true);
   if (!isSaid && !scene.Errors.empty())

@@ -219,8 +219,8 @@ bool CheckRefusal(const std::string& name, Function& slot, Function& driver, Fun
   driver = slot;
   slot = own;
   refused = 0;
-  bool ok = CheckDetour(name, window, sea, 64, 1.0, "refuses");
-  ok &= CheckDetour(name + ", then", window, sea, 64, 2.0, "refuses");
+  bool ok = CheckDetour(name, window, sea, 64, 1.0, "rejects");
+  ok &= CheckDetour(name + ", then", window, sea, 64, 2.0, "rejects");
   ok &= WaterCheck(name + ": refused", refused, 1);
   slot = driver;
   WaterTestScene other;

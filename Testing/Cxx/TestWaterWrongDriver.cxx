@@ -162,7 +162,7 @@ bool CheckClip(const std::string& name, const char* written, Listener* listener)
   scene.Turn(5.0);
   ok &= WaterCheck(name + ": and later", CountDifferent(scene.Turn(-5.0), right), 0);
   ok &= WaterCheck<size_t>(name + ": errors", scene.Errors.size(), 0);
-  return ok & IsSaidOnce(name, listener, "does not cut by clip distances", 1);
+  return ok & IsSaidOnce(name, listener, "does not clip correctly by clip distances", 1);
 }
 
 bool CheckRightClip(Listener* listener)
@@ -170,7 +170,7 @@ bool CheckRightClip(Listener* listener)
   listener->Said.clear();
   Scene scene;
   scene.Picture();
-  return IsSaidOnce("a right driver", listener, "does not cut by clip distances", 0);
+  return IsSaidOnce("a right driver", listener, "does not clip correctly by clip distances", 0);
 }
 
 // The times of the GPU are not known, and nobody waits for them.
@@ -264,7 +264,7 @@ bool CheckAnswersEnd(Listener* listener)
   }
   answers = 0;
   return ok &
-    IsSaidOnce("no more answers", listener, "does not say whether the water is hidden", 1);
+    IsSaidOnce("no more answers", listener, "does not report whether the water is hidden", 1);
 }
 
 bool CheckLostFramebuffers()

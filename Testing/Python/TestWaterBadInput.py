@@ -209,9 +209,9 @@ def sheet(place, turn=0.0, amplitude=0.0):
 
 
 @pytest.mark.parametrize("mesh, words", (
-    (sheet(1.0), ("mean height over it is 1;", "[-0.1442", "0.1442", "SetLevel")),
-    (sheet(-1.0), ("mean height over it is -1;",)),
-    (sheet(0.0, turn=90.0), ("stands at 90 degrees", "[0, 30]")),
+    (sheet(1.0), ("mean height above the plane is 1;", "[-0.1442", "0.1442", "SetLevel")),
+    (sheet(-1.0), ("mean height above the plane is -1;",)),
+    (sheet(0.0, turn=90.0), ("tilted by 90 degrees", "[0, 30]")),
     (sheet(0.1, turn=1.0, amplitude=0.1), ()),
 ), ids=("over", "under", "upright", "waves"))
 def test_a_mesh_off_its_plane_is_told_once(mesh, words):

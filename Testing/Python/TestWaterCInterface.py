@@ -243,7 +243,7 @@ REFUSALS = (
     ("size_zero", BAD_VALUE, b"size is 0 x 5", "vtk_water_scene_new", lambda it: (0, 5, ctypes.byref(it.none))),
     ("colour_over_one", BAD_VALUE, b"[0, 1]", "vtk_water_scene_set_sky",
      lambda it: (it.scene, doubles(2, 0, 0), ORIGIN)),
-    ("point_unknown", BAD_VALUE, b"triangle 0 names point 7; there are 5", "vtk_water_scene_add_mesh",
+    ("point_unknown", BAD_VALUE, b"triangle 0 refers to point 7; there are 5", "vtk_water_scene_add_mesh",
      lambda it: (it.scene, POINTS.ctypes, ctypes.c_size_t(5), BAD_TRIANGLE.ctypes, ctypes.c_size_t(1),
                  doubles(1, 1, 1))),
     ("angle_180", BAD_VALUE, b"in [1, 170]", "vtk_water_scene_set_camera",

@@ -62,7 +62,7 @@ def logged(tmp_path):
     def lines():
         vtkLogger.EndLogToFile(path)  # it is written then
         with open(path) as file:
-            return [line for line in file if "makes the fields of the wind sea" in line]
+            return [line for line in file if "computes the fields of the wind sea" in line]
 
     return lines
 

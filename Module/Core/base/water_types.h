@@ -64,7 +64,7 @@ typedef struct water_prop
   X(WATER_CULL_OUT_OF_VIEW, "out of the mirrored view")                                            \
   X(WATER_CULL_OUT_OF_WATER, "out of what the visible water reflects")                             \
   X(WATER_CULL_TOO_SMALL, "too small in the mirrored view")                                        \
-  X(WATER_CULL_REFUSED, "refused by the driver with what reflections need")
+  X(WATER_CULL_REFUSED, "rejected by the driver with the lines that reflections need")
 
 typedef enum water_cull_reason
 {

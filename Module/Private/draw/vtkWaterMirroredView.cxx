@@ -57,7 +57,7 @@ void vtkWaterMirroredView::DrawBackground(
     }
     catch (const std::bad_alloc&)
     {
-      this->Shortage.What = "no memory for the pixels that no visible water reflects";
+      this->Shortage.What = "no memory for the mask of pixels that no visible water reflects";
     }
   }
 }
@@ -164,7 +164,7 @@ const water_visibility* vtkWaterMirroredView::FindVisible(
     }
     catch (const std::bad_alloc&)
     {
-      this->Shortage.What = "no memory for what of the water is hidden";
+      this->Shortage.What = "no memory for the test of hidden water";
     }
   }
   return this->Visible;

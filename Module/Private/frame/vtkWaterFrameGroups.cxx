@@ -313,7 +313,7 @@ bool vtkWaterFrame::AreHidden(const std::vector<vtkWaterSource*>& sheets)
     if (samples < 0 && !this->IsSilenceSaid)
     {
       this->IsSilenceSaid = vtkWaterDebug::Say(water->GetProp(),
-        "this driver does not say whether the water is hidden; its reflection is rendered.");
+        "this driver does not report whether the water is hidden; its reflection is rendered.");
     }
     return samples == 0;
   };

@@ -104,8 +104,7 @@ vtkWaterError vtkWaterDescribeEmptySkybox()
   vtkWaterError error;
   error.Kind = "a visible vtkSkybox has no data in its texture";
   error.Text = error.Kind +
-    ": SetTexture wants one whose input has at least one pixel, or for the projection Cube a cube "
-    "map "
-    "of six such inputs. The water reflects the renderer's background in its place.";
+    ": SetTexture needs one whose input has at least one pixel or, for the projection Cube, a cube "
+    "map of six such inputs. The water reflects the renderer's background instead.";
   return error;
 }

@@ -28,18 +28,17 @@ std::string Describe(const water_placement_verdict& verdict)
   text << "The water's mesh does not lie in its plane: ";
   if (verdict.is_upright)
   {
-    text << "it stands at " << vtkMath::DegreesFromRadians(verdict.angle_rad)
-         << " degrees to it; that must lie in [0, "
+    text << "it is tilted by " << vtkMath::DegreesFromRadians(verdict.angle_rad)
+         << " degrees; the tilt must lie in [0, "
          << vtkMath::DegreesFromRadians(verdict.angle_max_rad) << "]";
   }
   else
   {
-    text << "its mean height over it is " << verdict.height << "; that must lie in ["
+    text << "its mean height above the plane is " << verdict.height << "; it must lie in ["
          << -verdict.height_max << ", " << verdict.height_max << "], 1 % of the mesh's diagonal";
   }
-  text
-    << ". It is drawn where it is, and shows what the plane reflects; SetLevel or SetPlane moves "
-       "the plane.";
+  text << ". It is drawn where it is, with the reflection of the plane; SetLevel or SetPlane moves "
+          "the plane.";
   return text.str();
 }
 }

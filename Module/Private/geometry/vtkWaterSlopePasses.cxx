@@ -25,7 +25,7 @@ constexpr water_tile_pair kPairs[vtkWaterSlopePasses::FIELDS][2] = { { WATER_PAI
                                                                        WATER_PAIR_SLOPES },
   { WATER_PAIR_STRETCH, WATER_PAIR_SHEAR }, { WATER_PAIR_CHOP, WATER_PAIR_HEIGHT } };
 constexpr size_t kWordsPerTexel = 4;
-const char* const kRefused = "the GPU refuses its passes";
+const char* const kRefused = "the GPU rejects its passes";
 
 // Textures are read by shaders while an object of this class lives.
 struct ScopedTextures

@@ -136,9 +136,8 @@ bool vtkWaterClipProbe::Works(vtkOpenGLRenderWindow* window, vtkObject* told)
   if (!found->IsRight && !found->IsSaid)
   {
     found->IsSaid = vtkWaterDebug::Say(told,
-      "this driver does not cut by clip distances as it should; in this window the mirrored view "
-      "is "
-      "cut fragment by fragment, which is slower.");
+      "this driver does not clip correctly by clip distances; in this window the mirrored view is "
+      "clipped in the fragment shader, which is slower.");
   }
   return found->IsRight;
 }

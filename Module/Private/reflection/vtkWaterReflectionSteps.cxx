@@ -286,7 +286,7 @@ vtkWaterError vtkWaterReflection::Describe(const vtkWaterShortage& shortage)
       (shortage.TriangleCount > 0
           ? ": one of " + std::to_string(shortage.TriangleCount) + " triangles"
           : "") +
-      ". The reflection is drawn with all that it could leave out; the next one tries again.";
+      ". The reflection is drawn without culling; the next frame tries again.";
   }
   return error;
 }

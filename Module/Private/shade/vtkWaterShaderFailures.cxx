@@ -213,10 +213,10 @@ std::string vtkWaterShaderFailures::Describe(const Written& written)
     GetLog(vtkShader::Fragment, fragment);
   if (log.empty())
   {
-    log = "its shaders do not link, or are refused with the user's replacements alone";
+    log = "its shaders do not link, or are rejected with the user's replacements alone";
   }
   std::ostringstream text;
-  text << "The driver refuses a shader of a prop (" << written.Part->GetClassName() << ", "
+  text << "The driver rejects a shader of a prop (" << written.Part->GetClassName() << ", "
        << written.Part.GetPointer() << ") with the lines that reflections need: " << log
        << ". The prop is not reflected until its mapper or its properties change.";
   return text.str();

@@ -45,8 +45,7 @@ void vtkWaterSurfaceShader::BeginMedium(const int viewport_px[4])
   if (this->Backdrop.GetHasFailed() && !hadFailed) // said once
   {
     vtkErrorWithObjectMacro(this->Water->Actor,
-      "the GPU gave no textures for what is seen through the water. The water shows its plain "
-      "colour.");
+      "the GPU provides no textures for the refracted scene. The water shows its plain colour.");
   }
   this->Use("waterSceneColor", this->Backdrop.GetColor());
   this->Use("waterSceneDepth", this->Backdrop.GetDepth());
@@ -99,7 +98,7 @@ void vtkWaterSurfaceShader::BeginCaustics(const int viewport_px[4])
   else if (this->Caustics.GetHasFailed() && !hadFailed) // said once
   {
     vtkErrorWithObjectMacro(this->Water->Actor,
-      "the GPU gave no textures for the light that waves gather, or refuses its shaders. The water "
-      "shows no caustics (SetCaustics).");
+      "the GPU provides no textures for caustics, or rejects their shaders. The water shows no "
+      "caustics (SetCaustics).");
   }
 }

@@ -191,7 +191,7 @@ void vtkWaterSurfaceShader::BeginSea()
         "There is no memory for the wind sea's tiles of "
           << this->Water->Look.Cascades.tiles[0].size << " x "
           << this->Water->Look.Cascades.tiles[0].size
-          << " points (SetSeaTileSize). The water shows its sea without waves; the next frame"
+          << " points (SetSeaTileSize). The sea has no waves; the next frame"
              " tries again.");
     }
   }
@@ -201,7 +201,7 @@ void vtkWaterSurfaceShader::BeginSea()
   if (sea->GetDetour() && sea->GetDetour() != this->SeaDetour) // said once
   {
     vtkVLog(vtkLogger::VERBOSITY_TRACE,
-      << "The processor makes the fields of the wind sea: " << sea->GetDetour() << ".");
+      << "The CPU computes the fields of the wind sea: " << sea->GetDetour() << ".");
   }
   this->SeaDetour = sea->GetDetour();
 }

@@ -119,7 +119,7 @@ void vtkWaterClusters::BeginView(const water_plan& plan, const water_visibility*
     }
     catch (const std::bad_alloc&)
     {
-      this->Shortage.What = "no memory for the depths that hide parts of large meshes";
+      this->Shortage.What = "no memory for the depths that cull parts of large meshes";
       return;
     }
     water_triangle_cull_begin(rect, seen, this->Depths.data());
