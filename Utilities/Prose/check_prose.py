@@ -4,9 +4,10 @@
 
 usage: check_prose.py [--self-test] [FILE...]
 
-Without files it reads the Markdown pages and their templates, the comments of the public headers, and the docstrings,
-messages and --help of the Python package. Code is left out. Prints `file:line: sentence [phrase -> replacement]` and
-ends with 1 if it finds any. --self-test: checks that a bad sentence is found in each kind of file, and not in code.
+Without files it reads the Markdown pages, their templates and the README of each folder, the comments of the public
+headers, and the docstrings, messages and --help of the Python package. Code is left out. Prints `file:line: sentence
+[phrase -> replacement]` and ends with 1 if it finds any. --self-test: checks that a bad sentence is found in each kind
+of file, and not in code.
 """
 import ast
 import re
@@ -18,9 +19,9 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 PHRASES = Path(__file__).with_name("phrases.tsv")
-TEXTS = ("*.md", "Documentation/*.md", "Documentation/decisions/*.md", "Utilities/**/*.md.in", "Module/vtkWater*.h",
+TEXTS = ("*.md", "Documentation/*.md", "Documentation/decisions/*.md", "Utilities/**/*.md.in", "Module/**/README.md",
+         "Examples/**/README.md", "Utilities/**/README.md", "Module/vtkWater*.h",
          "Module/Python/*.py", "Module/Python/*.py.in")
-NOT_CHECKED = {}  # a text, and why it is left out
 CODE = "Code"  # replaces code in a sentence
 
 
@@ -54,7 +55,8 @@ def comments(text):
     """The comments of C and C++, without the code in them."""
     for match in re.finditer(r"/\*.*?\*/|(?<![:\"])//[^\n]*", text, re.DOTALL):
         first = text.count("\n", 0, match.start()) + 1
-        body = re.sub(r"@code.*?@endcode", lambda code: "\n" * code.group().count("\n"), match.group(), flags=re.DOTALL)
+        body = re.sub(r"@code.*?@endcode", lambda code: "\n" * code.group().count("\n"), match.group(),
+                      flags=re.DOTALL)
         lines = [re.sub(r"^\s*(/\*+|\*/|\*|///?<?)", "", line).replace("*/", "") for line in body.splitlines()]
         block, at = [], first
         for number, line in enumerate([*lines, ""], first):
@@ -107,15 +109,14 @@ def check(paths, root):
         phrases, text = Path(folder, "phrases"), Path(folder, "text")
         phrases.write_text(database())
         text.write_text("".join(f"{block}\n\n" for block in blocks))
-        found = subprocess.run(["diction", "--ignore-double-words", "--suggest", "--no-default-file", "--file", phrases,
-                                text], capture_output=True, text=True, check=True)
+        command = ["diction", "--ignore-double-words", "--suggest", "--no-default-file", "--file", phrases, text]
+        found = subprocess.run(command, capture_output=True, text=True, check=True)
     hits = (re.fullmatch(r"\S+:(\d+): (.*\[.* -> .*)", line) for line in found.stdout.splitlines())
     return [f"{places[(int(hit[1]) - 1) // 2]}: {hit[2]}" for hit in hits if hit]
 
 
 def texts():
-    return sorted({path for pattern in TEXTS for path in ROOT.glob(pattern)
-                   if str(path.relative_to(ROOT)) not in NOT_CHECKED})
+    return sorted({path for pattern in TEXTS for path in ROOT.glob(pattern)})
 
 
 def self_test():
