@@ -104,7 +104,7 @@ def main():
     parser.add_argument("--make", type=int, metavar="N", help="a series of N files to try it with")
     arguments = parser.parse_args()
     if bool(arguments.files) == bool(arguments.make):
-        parser.error("wanted are FILES or --make N")
+        parser.error("give FILES or --make N")
 
     arguments.out.mkdir(parents=True, exist_ok=True)
     files = arguments.files or make_series(arguments.out, arguments.make)

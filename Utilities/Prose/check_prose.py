@@ -5,7 +5,7 @@
 usage: check_prose.py [--self-test] [FILE...]
 
 Without files it reads the Markdown pages, their templates and the README of each folder, the comments of the public
-headers, and the docstrings, messages and --help of the Python package. Code is left out. Prints `file:line: sentence
+headers (of the classes and the core), and the docstrings, messages and --help of the Python package. Code is left out. Prints `file:line: sentence
 [phrase -> replacement]` and ends with 1 if it finds any. --self-test: checks that a bad sentence is found in each kind
 of file, and not in code.
 """
@@ -20,7 +20,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 PHRASES = Path(__file__).with_name("phrases.tsv")
 TEXTS = ("*.md", "Documentation/*.md", "Documentation/decisions/*.md", "Utilities/**/*.md.in", "Module/**/README.md",
-         "Examples/**/README.md", "Utilities/**/README.md", "Module/vtkWater*.h",
+         "Examples/**/README.md", "Utilities/**/README.md", "Module/vtkWater*.h", "Module/Core/*/*.h",
          "Module/Python/*.py", "Module/Python/*.py.in")
 CODE = "Code"  # replaces code in a sentence
 

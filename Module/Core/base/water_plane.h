@@ -39,7 +39,7 @@ bool water_plane_is_identical(const water_plane* a, const water_plane* b);
 // Are two planes of any scale the same, either way round, as far as rounding can tell? Never one
 // that cannot be normalised.
 //
-// origin_a, origin_b  of their own axes: how far from the world's origin they are looked at
+// origin_a, origin_b  of their own axes: the points, far from the world's origin, of the comparison
 bool water_plane_is_shared(
   const water_plane* a, const double origin_a[3], const water_plane* b, const double origin_b[3]);
 

@@ -74,12 +74,12 @@ typedef enum water_cull_reason
     WATER_CULL_REASON_COUNT
 } water_cull_reason;
 
-enum // water_settings.skips, a bit each: what may be left undone where that is not seen
+enum // water_settings.skips, a bit each: invisible work that may be skipped
 {
-  WATER_MAY_SKIP_UNSEEN = 1 << 0, // the reflection texture of water out of view or facing away
-  WATER_MAY_SKIP_HIDDEN = 1 << 1, // the reflection texture of water behind the scene
-  WATER_MAY_SKIP_FAINT = 1 << 2,  // the reflection texture of water that reflects next to nothing
-  WATER_MAY_SKIP_UNCHANGED = 1 << 3, // a reflection texture that would be the last one again
+  WATER_MAY_SKIP_UNSEEN = 1 << 0,    // the reflection texture of water out of view or facing away
+  WATER_MAY_SKIP_HIDDEN = 1 << 1,    // the reflection texture of water behind the scene
+  WATER_MAY_SKIP_FAINT = 1 << 2,     // the reflection texture of water that reflects almost nothing
+  WATER_MAY_SKIP_UNCHANGED = 1 << 3, // a reflection texture equal to the last one
   WATER_MAY_SKIP_SHARED = 1 << 4,   // a reflection texture that another sheet of the same plane has
   WATER_MAY_SKIP_PROPS = 1 << 5,    // props that no visible water reflects
   WATER_MAY_SKIP_CLUSTERS = 1 << 6, // parts of large meshes, likewise

@@ -42,11 +42,11 @@ const char* water_units_name(size_t i);
 // natural_m  the least and the largest natural size, m, > 0
 double water_units_fit(double diagonal, const double natural_m[2]);
 
-// What the water takes from light where nobody knows the scene's unit: 1/16 to 16 times what its
-// medium says, so that the deepest bed counts as deep as is natural, or as twice as deep in a map:
-// there water hides what lies deep and shows its shore, while things that reach into it are to be
-// seen. A map is a scene that is at least ten times as wide as it is deep; one that is five times
-// as wide is none, and between them the depth changes evenly.
+// Attenuation in a scene of unknown unit: 1/16 to 16 times that of the medium, so that the deepest
+// bed counts as naturally deep, or as twice as deep in a map. In a map, water hides its deep parts
+// and shows its shore; elsewhere, objects that reach into the water stay visible. A map is a scene
+// at least ten times as wide as deep. A scene five times as wide is not a map; between the two the
+// depth changes linearly.
 //
 // extinction     of the medium, per unit
 // bed_depth      of the deepest bed under the water, units; nothing changes unless it is > 0
@@ -56,7 +56,7 @@ double water_units_fit(double diagonal, const double natural_m[2]);
 void water_units_dim(const double extinction[3], double bed_depth, double diagonal,
   double natural_depth, double dimmed[3]);
 
-// Are waves of this length seen in a scene that is looked at as a whole? Not if they are shorter
+// Are waves of this length visible in a picture of the whole scene? Not if they are shorter
 // than 1/400 of it, which is about two pixels of a picture.
 //
 // wavelength  of the longest, m

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// water_caustics_plan.h: beside the plan: the light that waves gather under water: which points of
-// the surface are followed down, and where the texture of light lies.
+// water_caustics_plan.h: in addition to the plan: caustics: the points of the surface whose light
+// is traced to the bed, and the position of the texture of light.
 //
-// The light is followed from the surface down. A grid of points of the surface is refracted; each
+// The light is traced from the surface down. A grid of points of the surface is refracted; each
 // takes the light of its cell to the bed that the eye's picture shows and spreads it there over an
 // ellipse: the cell's own image, the sun's disc and the texel together. The ellipses are added up
 // in a texture that lies over the eye's picture. All light of a cell arrives somewhere: light is

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// water_features.h: beside the plan: what a water's shader must do, and which files that takes.
+// water_features.h: in addition to the plan: the features of a water's shader, and their files.
 //
 // A feature is a bit. The shader is a sequence of slots, each filled by one file of Module/GLSL or
 // by none: files and not branches, because software renderers execute both sides of a branch. The
@@ -265,10 +265,10 @@ bool water_features_is_rough(const water_feature_look* look);
 // Is the reflection looked up along rays? A calm look has no reasons, and sees no shadows.
 bool water_features_needs_rays(const water_feature_look* look);
 
-// Do waves move the surface itself?
+// Do waves displace the surface?
 bool water_features_is_displaced(const water_feature_look* look);
 
-// Do things of the reflection texture keep the sun off glitter or foam?
+// Do objects in the reflection texture cast shadows on glitter or foam?
 bool water_features_has_shadows(const water_feature_look* look);
 
 // Are sines all that turns a reflected ray? Only they have a steepest slope, which bounds how far a
@@ -278,19 +278,19 @@ bool water_features_is_of_sines(const water_feature_look* look);
 // The features of a water in the main view.
 unsigned water_features_of(const water_feature_look* look);
 
-// What a reflection texture has beside its colours and depths.
+// What a reflection texture has in addition to its colours and depths.
 typedef struct water_feature_texture
 {
-  bool has_layer;   // of translucent things
-  bool has_peel;    // of what is behind its first things
+  bool has_layer;   // of translucent props
+  bool has_peel;    // of what lies behind its first surfaces
   bool is_enclosed; // water_plan.is_enclosed
 } water_feature_texture;
 
 // The same with the reflection texture that it looks up.
 unsigned water_features_with_texture(unsigned features, const water_feature_texture* texture);
 
-// The same for a mesh of the user's that is drawn as it is: not where waves displace it, which
-// start from the plane.
+// The same for a user's mesh that is drawn as it is: not if waves displace it, because these start
+// from the plane.
 unsigned water_features_with_mesh(unsigned features);
 
 // The same for such a mesh that is not flat: reflections are looked up along rays, as on waves.

@@ -18,7 +18,7 @@ extern "C"
 {
 #endif
 
-// What of a mesh has been looked at.
+// The state of the inspection of a mesh.
 typedef struct water_flatness
 {
   double height[4];  // point in the mesh's own coordinates -> height over the plane
@@ -44,9 +44,9 @@ bool water_flatness_heights(
 bool water_flatness_begin(const water_plane* unit, const double mesh_to_world[16],
   const double bounds[6], bool is_single, water_flatness* flatness);
 
-// Looks at a point, in the mesh's own coordinates. What is not finite is left out.
+// Adds a point, in the mesh's own coordinates. Points that are not finite are ignored.
 //
-// Returns false when that is too high: only reach needs the other points.
+// Returns false if the point is too high: only reach needs the other points then.
 bool water_flatness_add(const double point[3], water_flatness* flatness);
 
 // The height of the highest point over the plane or under it; 0: the points lie in the plane, as

@@ -2,12 +2,12 @@
 // water_ground.h: has a scene ground under all of its water, as a terrain or a basin has, or does
 // it stand in open water, as a ship does?
 //
-// It has if a thing that lies under the water is nearly as wide as the scene; or if there is one
-// surface along the border of the scene's bounds. Things that stand in open water touch these only
-// here and there, or are as high as their walls where they do.
+// It has ground if an object under the water is nearly as wide as the scene, or if one surface runs
+// along the border of the scene's bounds. Objects in open water touch this border only in places,
+// or with high walls.
 //
-// Of a ground it is known where it is dry: water under it is seen from the side alone, as a slab
-// under the land, and is left out. None of this depends on the level, so that this may change.
+// The dry part of a ground is known. Water under it would be visible only from the side, as a slab
+// under the land, and is left out. None of this depends on the level, which may therefore change.
 #ifndef water_ground_h
 #define water_ground_h
 
@@ -50,11 +50,11 @@ water_status water_ground_begin(
 // Adds a thing's bounds, in world; empty ones count nothing.
 void water_ground_add_bounds(const double bounds[6], water_ground* ground);
 
-// Adds a point of a surface, in world. Numbers that are not finite count nothing.
+// Adds a point of a surface, in world. Points that are not finite are ignored.
 void water_ground_add_point(const double point[3], water_ground* ground);
 
-// At how many places along each of its sides a face is to be looked at, so that no cell of a mesh
-// of so many faces stays without a point.
+// Number of samples along each side of a face, so that every cell gets a point for a mesh with this
+// number of faces.
 int water_ground_across(double faces);
 
 // level  height of the water along the normal, from the world's origin

@@ -45,9 +45,9 @@ void water_lookup_axes(
 water_status water_lookup_places(const water_camera* camera, const water_eye* eye,
   const water_plane* plane, const water_axes* axes, double origin_xy[2], double ndc_to_plane[9]);
 
-// How deep the surface lies in a pixel: (x, y, 1) in NDC and 1 / w -> z in NDC, also where that is
-// not in [-1, 1]. In perspective w tells it, whatever the surface's height; in parallel w is 1, and
-// the surface is taken for the plane.
+// Depth of the surface in a pixel: (x, y, 1) in NDC and 1 / w -> z in NDC, also outside [-1, 1]. In
+// perspective it follows from w, for any height of the surface. In parallel projection w is 1, and
+// the surface is treated as the plane.
 //
 // plane_clip, clip_w  of water_plan
 void water_lookup_pixel_depth(

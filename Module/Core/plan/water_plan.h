@@ -18,8 +18,8 @@ struct water_visibility;
 // reasons  prop_count entries, written only when the plan reflects; NULL if prop_count is 0
 //
 // Returns WATER_OK, or the first of the statuses in water_status.h that applies, in their order;
-// then plan->decision is WATER_NO_REFLECT_FAILED and the reasons are untouched. But for
-// WATER_BAD_PROP_BOUNDS, with which the plan is made: such a prop is drawn wherever it may be.
+// then plan->decision is WATER_NO_REFLECT_FAILED and the reasons are unchanged. Exception: with
+// WATER_BAD_PROP_BOUNDS the plan is made, and such a prop is drawn, because it may be anywhere.
 water_status water_plan_make(
   const water_scene* scene, water_plan* plan, water_cull_reason* reasons);
 

@@ -22,8 +22,8 @@ extern "C"
 // scene     of the other water: its plane, plane_origin, surface_bounds and look, the environment,
 //           the sky and the eye of the picture; nothing else counts
 // mirrored  the plan in whose view it is drawn
-// plan      has the view of the mirrored camera, but for dir_to_eye: the background is painted on
-//           the screen of the picture, so that one is of scene->eye
+// plan      has the view of the mirrored camera, except for dir_to_eye: the background is fixed to
+//           the screen of the picture, so dir_to_eye is that of scene->eye
 //
 // Returns WATER_OK or the status of water_plan_make; then the plan has no view, and the plain
 // colour is shown.

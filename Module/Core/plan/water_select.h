@@ -21,7 +21,7 @@ extern "C"
 //
 // Returns WATER_OK or WATER_CAMERA_ON_PLANE (the height is smaller than the rounding of the numbers
 // it is made of); then *side is unchanged. Never the wrong side: heights under 48 roundings (2^-53)
-// of the lengths are refused, over 96 they are not.
+// of the lengths are rejected, those over 96 are accepted.
 water_status water_select_side(const water_eye* eye, const water_plane* plane, water_side* side);
 
 // The plane as an eye that lies exactly on it sees it, where there is nothing to see: from a ten
@@ -48,8 +48,8 @@ typedef struct water_selection
   int texture_px[2];
 } water_selection;
 
-// Decides the reason of every prop. The far plane of the eye was set for the scene, not for its
-// mirror image, which may reach further: it hides nothing here (water_mirror_reach moves it).
+// Decides the reason for every prop. The far plane of the eye was set for the scene, not for its
+// mirror image, which may reach further: it culls nothing here (water_mirror_reach moves it).
 //
 // plane  normalised, normal towards the eye
 //

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// water_share.h: beside the plan: may two sheets of water share one mirrored view?
+// water_share.h: in addition to the plan: may two sheets of water share one mirrored view?
 #ifndef water_share_h
 #define water_share_h
 

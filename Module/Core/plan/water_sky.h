@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// water_sky.h: beside the plan: what is behind all props, by direction: pictures of the
+// water_sky.h: in addition to the plan: the sky behind all props in a direction: pictures of the
 // surroundings as vtkSkybox shows them, and their floor.
 //
 // Sources of the conventions: the fragment shaders of vtkOpenGLSkybox (VTK 9.1.0 and 9.6.2), which
@@ -59,7 +59,7 @@ void water_sky_environment(
 void water_sky_floor_local(const water_sky_floor* world, const water_axes* axes,
   const double origin_xy[2], water_sky_floor* local);
 
-// The map that a water looks its sky up in: its own picture, or else that of the scene.
+// The map of a water's sky: its own picture, otherwise that of the scene.
 const water_sky_map* water_sky_of(const water_plan* plan, bool has_environment);
 
 // Has that sky one colour in all directions?

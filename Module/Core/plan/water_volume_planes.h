@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// water_volume_planes.h: beside the plan: where the
-// reflection texture shows a volume, for rays that are traced.
+// water_volume_planes.h: in addition to the plan: the position of a volume in the reflection
+// texture, for traced rays.
 #ifndef water_volume_planes_h
 #define water_volume_planes_h
 

@@ -4,8 +4,8 @@
 // triangles in the order they are drawn in: what is left is drawn in that order, too, and covers
 // every pixel as before. So it does from the last triangle to the first, if of equally far ones the
 // first drawn stays: a mesh that runs towards the eye is drawn that way, and what is near hides
-// what is far before that is shaded. Where triangles are dear, those of the clusters that are left
-// are looked at one by one (water_triangle_cull.h).
+// what is far before that is shaded. Where triangles are expensive, those of the remaining clusters
+// are tested individually (water_triangle_cull.h).
 #ifndef water_clusters_h
 #define water_clusters_h
 
@@ -59,7 +59,7 @@ typedef struct water_clusters_view
                          // texture; in place of its far plane the kept side of the clip; relative
                          // to the origin of triangles
   water_triangle_cull_view triangles;
-  bool is_fine; // triangles are looked at one by one
+  bool is_fine; // triangles are tested individually
 } water_clusters_view;
 
 // What the clusters are drawn into.

@@ -82,7 +82,7 @@ static inline bool water_frustum_meets(
   return water_frustum_divides(frustum, plane_count, bounds, rounding) < 0;
 }
 
-// Whether all of a box lies in front of all planes, but for rounding.
+// Whether a box lies entirely in front of all planes, except for rounding.
 static inline bool water_frustum_holds(const water_frustum* frustum, const double bounds[6])
 {
   for (int i = 0; i < 6; ++i)

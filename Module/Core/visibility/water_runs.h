@@ -40,7 +40,7 @@ typedef struct water_run
   bool is_cut;  // the clip plane may cut it, or it is short: else the clip may be off
 } water_run;
 
-// May a mesh be drawn as runs? Smaller ones are drawn sooner than looked at.
+// Should a mesh be drawn as runs? Drawing a smaller mesh takes less time than testing it.
 bool water_runs_are_worth(size_t triangle_count);
 
 // Chooses the leaves of a mesh, and sets all but its boxes.

@@ -41,7 +41,7 @@ typedef struct water_triangle_cull_view
   double reach;                 // of the numbers that cancelled in it (water_frustum.h)
   int texture_px[2];            // of the reflection texture
   int rect_px[4];               // its drawn part: x, y, width, height
-  int columns[2];               // of that, first and end: what is looked at
+  int columns[2];               // of that, first and end: the tested part
   bool has_samples;             // of several places in a pixel, not of its middle alone
   double grid_px;               // of the places that the GPU puts corners at
   const water_visibility* seen; // of the drawn part; NULL: all of it is looked up

@@ -17,7 +17,7 @@ typedef struct water_normal_map // a layer
 {
   double size;          // m of water that the map covers once along each axis, in [1e-6, 1e9]
   double speed;         // m/s, of the map over the water
-  double direction_rad; // it moves to there; from the first towards the second axis
+  double direction_rad; // direction of its motion, from the first towards the second axis
   double strength;      // factor of the map's slopes, in [-1000, 1000]
 } water_normal_map;
 

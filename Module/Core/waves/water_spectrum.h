@@ -32,7 +32,7 @@ typedef struct water_sea
   water_sea_model model;
   water_sea_spreading spreading;
   double wind_speed;       // m/s at 10 m, in [0.1, 100]
-  double wind_dir_rad;     // it blows to there; from the first towards the second axis
+  double wind_dir_rad;     // in which it blows, from the first towards the second axis
   double fetch;            // m of open water upwind, >= 1; infinity: fully developed
   double depth;            // m, > 0; infinity is deep water
   double peak_enhancement; // gamma in [1, 20]; 3.3 growing sea (the mean of JONSWAP), 1 developed

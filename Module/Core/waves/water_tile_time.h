@@ -52,7 +52,7 @@ typedef enum water_tile_pair
 // phasors  whole
 // row      below size / 2
 // own      row `row`, 2 * size numbers, written
-// mirror   row size - row, 2 * size numbers, written but for row 0, which has none
+// mirror   row size - row, 2 * size numbers, written except for row 0, which has none
 void water_tile_pair_row(const water_tile* tile, const double* amplitudes, const double* phasors,
   water_tile_pair pair, size_t row, double* own, double* mirror);
 

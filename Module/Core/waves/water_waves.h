@@ -29,7 +29,7 @@ typedef struct water_wave
 {
   double amplitude;     // m, half the height from trough to crest, >= 0
   double wavelength;    // m, > 0
-  double direction_rad; // it travels to there; from the first towards the second axis
+  double direction_rad; // of travel, from the first towards the second axis
   double phase_rad;     // of the origin at time 0
   double steepness;     // Q in [0, 1]: 0 is a sine, 1 Gerstner's trochoid
 } water_wave;

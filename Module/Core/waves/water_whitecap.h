@@ -2,7 +2,7 @@
 // water_whitecap.h: how much of a wind sea is white, and where: on crests whose points stand
 // closest.
 //
-// A sea's points move to and fro, towards the crests (chop). The area over that at rest, the
+// A sea's points move horizontally, towards the crests (chop). The area over that at rest, the
 // Jacobian J of that motion, is 1 in the mean; where it is least the waves break. Its sum of
 // derivatives is Gaussian, with the variance of the slope.
 // Source: Tessendorf 2001, "Simulating Ocean Water" (the Jacobian of choppy waves and spray).
