@@ -5,9 +5,9 @@
 usage: check_prose.py [--self-test] [FILE...]
 
 Without files it reads the Markdown pages, their templates and the README of each folder, the comments of the public
-headers (of the classes and the core), and the docstrings, messages and --help of the Python package. Code is left out. Prints `file:line: sentence
-[phrase -> replacement]` and ends with 1 if it finds any. --self-test: checks that a bad sentence is found in each kind
-of file, and not in code.
+headers (of the classes and the core), and the docstrings, messages and --help of the Python package. Code is left
+out. Prints `file:line: sentence [phrase -> replacement]` and ends with 1 if it finds any. --self-test: checks that a
+bad sentence is found in each kind of file, and not in code.
 """
 import ast
 import re
