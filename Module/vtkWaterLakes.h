@@ -1,24 +1,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkWaterLakes
- * @brief   the waters of one mesh that lie in several planes: lakes, locks, terraces, pools
+ * @brief   the waters of one mesh in several planes: lakes, locks, terraces, pools
  *
- * A vtkWaterActor has one plane. This makes one for each plane that the parts of a mesh lie in
- * (vtkWaterPlanesFilter), and keeps them in the renderers that it was added to.
+ * A vtkWaterActor has one plane. This class creates one actor for each plane of the parts of a mesh
+ * (vtkWaterPlanesFilter), and keeps them in the renderers to which it was added.
  *
  *     mapper.SetInputConnection(surface.GetOutputPort())
  *     lakes.SetMapper(mapper)
  *     lakes.GetWater().GetWaterProperty().SetPreset("lake")
  *     lakes.AddTo(renderer)
  *
- * GetWater, the first, is that of the largest part. What is set of it the others have from the next
- * frame on: its look, time, transformation and visibility, vtkActor's property, and the settings of
- * its reflection pass. Its plane moves it alone, until the mesh changes. Taken out of a renderer
- * it takes the others along, in the next frame.
+ * GetWater, the first water, is that of the largest part. The others copy its settings in the next
+ * frame: its look, time, transformation and visibility, vtkActor's property, and the settings of
+ * its reflection pass. Its plane moves only the first water, until the mesh changes. If it is
+ * removed from a renderer, the others are removed too, in the next frame.
  *
- * When the mesh changes, so do waters and planes before the next frame. A water out of view has no
- * mirrored view; of those in view MaximumNumberOfMirrors have one, the others reflect the sky
- * alone.
+ * If the mesh changes, waters and planes are updated before the next frame. A water out of view has
+ * no mirrored view. Of those in view, at most MaximumNumberOfMirrors have one; the others reflect
+ * only the sky.
  *
  * @sa vtkWaterActor vtkWaterPlanesFilter vtkWaterSurfaceFilter
  */
@@ -48,9 +48,10 @@ public:
 
   ///@{
   /**
-   * The mapper of the whole surface. It is not drawn itself: each water has one of its class for
-   * its part, with the same look-up table and settings. Its input has two-dimensional cells. Its
-   * own scalars show as in a vtkWaterActor. nullptr, the default: there is no water.
+   * The mapper of the whole surface. It is not drawn itself: each water has a mapper of the same
+   * class for its part, with the same lookup table and settings. Its input must have
+   * two-dimensional cells. Its scalars are shown as in a vtkWaterActor. nullptr, the default, means
+   * no water.
    */
   void SetMapper(vtkMapper* mapper);
   vtkMapper* GetMapper() const;
@@ -58,8 +59,8 @@ public:
 
   ///@{
   /**
-   * Where up is, out of the water, in the mesh's own coordinates: finite and not zero, of any
-   * length; others are refused with an error. Default is (0, 0, 1).
+   * Direction out of the water (UpDirection), in the mesh's own coordinates: finite and not zero,
+   * of any length; others are rejected with an error. Default is (0, 0, 1).
    */
   void SetUpDirection(double x, double y, double z);
   void GetUpDirection(double direction[3]) const;
@@ -67,8 +68,8 @@ public:
 
   ///@{
   /**
-   * The most waters in view that have a mirrored view, by the share of the picture that their
-   * bounds cover; the others reflect the sky alone. In [0, 4096]. Default is 8.
+   * Maximum number of waters in view that have a mirrored view, in [0, 4096]: those whose bounds
+   * cover the largest share of the picture. The others reflect only the sky. Default is 8.
    */
   void SetMaximumNumberOfMirrors(int mirrors);
   vtkGetMacro(MaximumNumberOfMirrors, int);
@@ -76,26 +77,26 @@ public:
 
   ///@{
   /**
-   * The waters as they are since the last Update. The first one is always there; others are
-   * nullptr beyond their number, which is at least 1.
+   * The waters after the last Update. The first one always exists, so their number is at least 1.
+   * GetWater returns nullptr beyond it.
    */
   int GetNumberOfWaters() const;
   vtkWaterActor* GetWater(int number = 0) const;
   ///@}
 
   /**
-   * Puts the waters into a renderer, which keeps this object alive until they are taken out.
+   * Adds the waters to a renderer. The renderer keeps this object alive until they are removed.
    */
   void AddTo(vtkRenderer* renderer);
 
   /**
-   * Takes the waters out of a renderer.
+   * Removes the waters from a renderer.
    */
   void RemoveFrom(vtkRenderer* renderer);
 
   /**
-   * Brings the waters up to date with the mesh and with the first of them. Each frame of a renderer
-   * that they are in begins with it.
+   * Updates the waters from the mesh and from the first water. Each frame of a renderer with these
+   * waters begins with it.
    */
   void Update();
 

@@ -1,26 +1,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkWaterPlanesFilter
- * @brief   the parts of a water's surface that do not hang together, by the planes that they lie in
+ * @brief   splits a water surface into its unconnected parts, grouped by their planes
  *
- * A mesh may have many waters: lakes, locks, terraces, pools. Each part that hangs together by its
- * points gets the plane that lies best in it; parts in one plane are one block of the output, so
- * that they share one mirrored view. vtkWaterLakes makes water of the blocks.
+ * A mesh may contain many waters: lakes, locks, terraces, pools. Each part whose cells are
+ * connected by points gets the plane that fits it best. Parts in one plane form one block of the
+ * output and share one mirrored view. vtkWaterLakes turns the blocks into water.
  *
- * The plane is that of the least mean square of heights, by the area that is seen along
- * UpDirection. It is level unless it is tilted by 1e-4 to 0.52 rad (30 degrees) and the tilt takes
- * at least half of the heights' mean square: waves leave it level, a river's fall does not. Parts
- * count as in one plane when that is no farther from the plane of the larger one than a millionth
- * of the surface's diagonal and what its coordinates are rounded by. There are at most
- * MaximumNumberOfPlanes, those of the largest parts; other parts join the nearest.
+ * The plane minimises the mean square of the heights, weighted by the area projected along
+ * UpDirection. It is horizontal unless it is tilted by 1e-4 to 0.52 rad (30 degrees) and the tilt
+ * explains at least half of the heights' mean square: waves leave it horizontal, the slope of a
+ * river does not. Parts share a plane if their distance from the plane of the larger one is at most
+ * a millionth of the surface's diagonal plus the rounding of its coordinates. There are at most
+ * MaximumNumberOfPlanes, those of the largest parts; other parts join the nearest plane.
  *
- * The blocks are vtkPolyData, that of the largest part first, with all arrays, and with three of
- * the field data: "WaterPlaneOrigin" and "WaterPlaneNormal" (3 each; the origin of a level plane is
- * on the line along UpDirection through the world's origin) and "WaterArea" (seen along
- * UpDirection). Blocks that are not flat get point normals, unless the input has some. Lines and
- * vertices are left out, and so are parts that have no area along UpDirection.
+ * The blocks are vtkPolyData, the block of the largest part first, with all arrays and three arrays
+ * of field data: "WaterPlaneOrigin" and "WaterPlaneNormal" (3 numbers each; the origin of a
+ * horizontal plane is on the line along UpDirection through the world's origin) and "WaterArea"
+ * (projected along UpDirection). Blocks that are not flat get point normals, unless the input has
+ * some. Lines, vertices and parts without an area along UpDirection are left out.
  *
- * Points that lie in one place are not one: a mesh of loose triangles wants vtkCleanPolyData first.
+ * Coincident points are not merged: apply vtkCleanPolyData to a mesh of separate triangles first.
  *
  * @sa vtkWaterLakes vtkWaterSurfaceFilter
  */
@@ -45,8 +45,8 @@ public:
 
   ///@{
   /**
-   * Where up is, out of the water: finite and not zero, of any length; others are refused with an
-   * error. Default is (0, 0, 1).
+   * Direction out of the water (UpDirection): finite and not zero, of any length; others are
+   * rejected with an error. Default is (0, 0, 1).
    */
   void SetUpDirection(double x, double y, double z);
   void SetUpDirection(const double direction[3])
@@ -58,14 +58,14 @@ public:
 
   ///@{
   /**
-   * The most planes that there are, and blocks of the output: in [1, 4096]. Default is 256.
+   * Maximum number of planes, and of blocks of the output, in [1, 4096]. Default is 256.
    */
   void SetMaximumNumberOfPlanes(int planes);
   vtkGetMacro(MaximumNumberOfPlanes, int);
   ///@}
 
   /**
-   * The number of planes, and blocks, that the last update has found; 0 before the first.
+   * Number of planes, and blocks, that the last update found (NumberOfPlanes); 0 before the first.
    */
   vtkGetMacro(NumberOfPlanes, int);
 

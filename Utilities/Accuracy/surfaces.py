@@ -24,16 +24,16 @@ VIEWS = ("middle", "low", "high")
 TEXT = """
 A solver's surface leaves its plane. Here a swell, and the front of a dam break with short waves behind it, are meshes of
 $cells x $cells cells with normals, around the islands of the first section. Embree traces the mesh and what its
-reflected rays meet; counted are pixels whose ray meets an island that the mirrored view sees, and no water before.
-The error is the distance in pixels of the lookup from its right place. "Plane's normal" is the same with
-`MeshSlopesOff`.
+reflected rays meet. Only pixels count whose ray meets an island that is visible in the mirrored view, without meeting
+water first. The error is the distance in pixels of the lookup from its correct place. "Plane's normal" is the same
+with `MeshSlopesOff`.
 
 $table
 
 $plot
 
-*Error against the height of the surface over its plane, or under it: median (full lines) and what 95 % of the pixels
-are within (dashed). Grey: the plane's normal, median.*
+*Error by the height of the surface above or below its plane: median (solid lines) and the error that 95 % of the
+pixels do not exceed (dashed). Grey: the plane's normal, median.*
 """
 
 

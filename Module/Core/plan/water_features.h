@@ -48,7 +48,7 @@ extern "C"
   X(SKY_MAP, "the sky is a picture in longitude and latitude")                                     \
   X(SKY_CUBE, "the sky is a cube map")                                                             \
   X(SKY_FLOOR, "a skybox has a floor")                                                             \
-  X(SLOPED, "a mesh of the user's that is not flat: its own slopes turn rays")
+  X(SLOPED, "a user's mesh that is not flat: rays follow its slopes")
 
 typedef enum water_feature_bit
 {
@@ -85,13 +85,13 @@ enum // WATER_FEATURE_WAVES and so on
   X(place, vtkWaterDisplacementFS, WATER_FEATURE_FLAG(DISPLACED), 0,                               \
     "place at rest, from the vertices")                                                            \
   X(place, vtkWaterMeshPlaceFS, WATER_FEATURE_FLAG(SLOPED), 0,                                     \
-    "place and slope of a mesh, from the vertices")                                                \
+    "position and slope of a mesh, from the vertices")                                             \
   X(place, vtkWaterNoDisplacementFS, 0,                                                            \
     WATER_FEATURE_FLAG(DISPLACED) | WATER_FEATURE_FLAG(SLOPED), "place at rest, from the pixel")   \
   X(under, vtkWaterUnderFS, WATER_FEATURE_FLAG(DISPLACED) | WATER_FEATURE_FLAG(SLOPED), 0,         \
-    "what of the reflection texture no ray meets")                                                 \
+    "the part of the reflection texture that rays ignore")                                         \
   X(under, vtkWaterNothingUnderFS, 0, WATER_FEATURE_FLAG(DISPLACED) | WATER_FEATURE_FLAG(SLOPED),  \
-    "nothing: it is cut at the surface")                                                           \
+    "nothing: the texture is cut at the surface")                                                  \
   X(height, vtkWaterMeshHeightFS, WATER_FEATURE_FLAG(MESH), 0,                                     \
     "height above the plane, from the vertices")                                                   \
   X(height, vtkWaterPixelHeightFS, 0, WATER_FEATURE_FLAG(MESH),                                    \
@@ -200,7 +200,7 @@ enum // WATER_FEATURE_WAVES and so on
   X(heights, vtkWaterMeshVS, WATER_FEATURE_FLAG(MESH), 0,                                          \
     "heights of the vertices above the plane")                                                     \
   X(slopes, vtkWaterMeshSlopesVS, WATER_FEATURE_FLAG(SLOPED), 0,                                   \
-    "places and normals of the vertices")                                                          \
+    "positions and normals of the vertices")                                                       \
   X(depth, vtkWaterDepthVS, 0, 0, "an endless surface is not cut at the near and far planes")
 
 // Files of the shader that follows light from the surface to the bed (water_caustics.h), in order:

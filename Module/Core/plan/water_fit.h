@@ -19,7 +19,7 @@ extern "C"
 {
 #endif
 
-// What of a part has been looked at. Places count from origin, which sums keep their digits by.
+// The state of the inspection of a part. Positions are relative to origin, to keep precision.
 typedef struct water_fit
 {
   double up[3]; // unit length; the other two are the plane's own axes (water_plane_axes)
@@ -46,10 +46,10 @@ typedef struct water_fit_plane
 // up  unit length
 void water_fit_begin(const double up[3], water_fit* fit);
 
-// Looks at a triangle: its corners in world. What is not finite is left out.
+// Adds a triangle: its corners in world. Triangles that are not finite are ignored.
 void water_fit_add(const double a[3], const double b[3], const double c[3], water_fit* fit);
 
-// The plane of what has been looked at. It is level where the best one is tilted by less than
+// The plane of the triangles added so far. It is level where the best one is tilted by less than
 // 1e-4 rad, which moves a reflection by less than a fifth of a pixel in a picture of 1000 pixels a
 // radian; where the tilt leaves more than half of the heights' mean square, as waves do; and where
 // it is steeper than 30 degrees, as no water is.

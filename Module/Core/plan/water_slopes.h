@@ -14,7 +14,7 @@ extern "C"
 {
 #endif
 
-// What of a surface has been looked at.
+// The state of the inspection of a surface.
 typedef struct water_slopes
 {
   double normal[3];
