@@ -186,7 +186,8 @@ vtkTypeBool vtkWaterActor::HasOpaqueGeometry()
   {
     return 0;
   }
-  return this->ShowsOpaqueData() ? 1 : this->Superclass::HasOpaqueGeometry();
+  const vtkTypeBool isOpaque = this->Superclass::HasOpaqueGeometry(); // updates the mapper
+  return this->ShowsOpaqueData() ? 1 : isOpaque;
 }
 
 //------------------------------------------------------------------------------
@@ -196,7 +197,8 @@ vtkTypeBool vtkWaterActor::HasTranslucentPolygonalGeometry()
   {
     return 1;
   }
-  return this->ShowsOpaqueData() ? 0 : this->Superclass::HasTranslucentPolygonalGeometry();
+  const vtkTypeBool isTranslucent = this->Superclass::HasTranslucentPolygonalGeometry();
+  return this->ShowsOpaqueData() ? 0 : isTranslucent;
 }
 
 //------------------------------------------------------------------------------
