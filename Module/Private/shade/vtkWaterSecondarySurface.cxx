@@ -19,6 +19,10 @@ void Copy(vtkMapper* from, vtkMapper* to)
   {
     to->ShallowCopy(from);
   }
+  if (from->GetNumberOfInputConnections(0) > 0) // a vtkDataSetMapper does not copy it
+  {
+    to->SetInputConnection(from->GetInputConnection(0, 0));
+  }
 }
 }
 
