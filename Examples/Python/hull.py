@@ -1,20 +1,17 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """hull: the free surface of a ship's flow, as a solver gives it, is the water.
 
-The mesh brings the heights, and a normal map made of its slopes the reflection's waves. --surface takes a file of
-yours (.vtp and others: a height over each x and y); without it Kelvin's waves behind a Wigley hull stand for one.
+The mesh brings the heights, and its normals the slopes that turn the reflection. --surface takes a file of yours (.vtp
+and others: a height over each x and y); without it Kelvin's waves behind a Wigley hull stand for one.
 """
 
 import argparse
 
 import numpy as np
-from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPlane
-from vtkmodules.vtkFiltersCore import vtkProbeFilter
-from vtkmodules.vtkFiltersGeneral import vtkTransformPolyDataFilter
-from vtkmodules.vtkCommonTransforms import vtkTransform
-from vtkmodules.vtkFiltersSources import vtkPlaneSource
-from vtkmodules.vtkRenderingCore import vtkPolyDataMapper, vtkTexture
+from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.vtkCommonDataModel import vtkPlane
+from vtkmodules.vtkFiltersCore import vtkPolyDataNormals
+from vtkmodules.vtkRenderingCore import vtkPolyDataMapper
 from vtkwater.errors import ending
 from vtkwater.pictures import png_name
 from vtkwater.readers import read, surface_of_heights
@@ -24,7 +21,6 @@ LENGTH, BEAM, DRAUGHT, FREEBOARD = 40.0, 6.0, 2.5, 2.2  # m
 SPEED, GRAVITY = 7.0, 9.81
 SIZE, POINTS = 320.0, 1024  # m of water around the ship, and points along a side
 HORIZON = 10e3  # m: calm water goes on to there
-STEEPEST = 0.25  # slope at which the normals of the map lean by 45 degrees: its finest steps are below that
 WIND = 1.0  # m/s: ripples on the waves
 
 
@@ -42,48 +38,6 @@ def kelvin_waves():
         heights += 0.6 * strength * waves / (1.0 + np.exp((places - end) / 1.5))  # none ahead
     edge = np.clip((0.5 * SIZE - np.abs(places)) / (0.15 * SIZE), 0.0, 1.0)  # they end in calm water
     return heights * np.outer(edge, edge)
-
-
-def heights_of(surface):
-    """Heights of a surface over the square around its middle, at POINTS x POINTS places."""
-    flat = vtkTransformPolyDataFilter()
-    transform = vtkTransform()
-    transform.Scale(1.0, 1.0, 0.0)
-    flat.SetTransform(transform)
-    flat.SetInputData(surface)
-    places = vtkPlaneSource()
-    places.SetResolution(POINTS - 1, POINTS - 1)
-    places.SetOrigin(-0.5 * SIZE, -0.5 * SIZE, 0.0)
-    places.SetPoint1(0.5 * SIZE, -0.5 * SIZE, 0.0)
-    places.SetPoint2(-0.5 * SIZE, 0.5 * SIZE, 0.0)
-    probe = vtkProbeFilter()
-    probe.SetInputConnection(places.GetOutputPort())
-    flat.Update()
-    data = flat.GetOutput()
-    z = numpy_to_vtk(np.ascontiguousarray(vtk_to_numpy(surface.GetPoints().GetData())[:, 2]).astype(float), deep=True)
-    z.SetName("height")
-    data.GetPointData().AddArray(z)
-    probe.SetSourceData(data)
-    probe.Update()
-    return vtk_to_numpy(probe.GetOutput().GetPointData().GetArray("height")).reshape(POINTS, POINTS)
-
-
-def normal_map(heights):
-    """A texture of the surface's normals: the map covers SIZE, from the plane's origin on."""
-    slope_y, slope_x = np.gradient(heights, SIZE / (POINTS - 1))
-    normals = np.stack([-slope_x / STEEPEST, -slope_y / STEEPEST, np.ones_like(heights)], axis=2)
-    normals /= np.linalg.norm(normals, axis=2, keepdims=True)
-    shifted = np.roll(normals, (POINTS // 2, POINTS // 2), axis=(0, 1))
-    grain = np.random.default_rng(1).random(shifted.shape)  # dither: 8 bits alone would show as steps
-    image = vtkImageData()
-    image.SetDimensions(POINTS, POINTS, 1)
-    image.GetPointData().SetScalars(
-        numpy_to_vtk(np.floor(127.5 * (shifted + 1.0) + grain).clip(0, 255).astype(np.uint8).reshape(-1, 3), deep=True))
-    texture = vtkTexture()
-    texture.SetInputData(image)
-    texture.InterpolateOn()
-    texture.RepeatOn()
-    return texture
 
 
 def calm_around(mesh):
@@ -127,13 +81,16 @@ def main():
     parser.add_argument("--surface", help="the free surface: a mesh with z over x and y, the ship at the origin")
     arguments = parser.parse_args()
     surface = read(arguments.surface).data if arguments.surface else None
-    heights = heights_of(surface) if surface else kelvin_waves()
     spacing = SIZE / (POINTS - 1)
-    mesh = surface or surface_of_heights(heights, (spacing, spacing), (-0.5 * SIZE, -0.5 * SIZE)).data
+    mesh = surface or surface_of_heights(kelvin_waves(), (spacing, spacing), (-0.5 * SIZE, -0.5 * SIZE)).data
+    normals = vtkPolyDataNormals()
+    normals.SetInputData(mesh)
+    normals.SplittingOff()
+    normals.Update()
 
     scene = Scene((1280, 720))
     add_ship(scene)
-    for sheet, is_wavy in ((mesh, True), (calm_around(mesh), False)):
+    for sheet in (normals.GetOutput(), calm_around(mesh)):
         water = scene.add_water(0.0, wind=WIND)
         plane = vtkPlane()
         plane.SetNormal(0.0, 0.0, 1.0)
@@ -142,8 +99,6 @@ def main():
         mapper.SetInputData(sheet)
         mapper.ScalarVisibilityOff()
         water.SetMapper(mapper)
-        if is_wavy:
-            water.GetWaterProperty().AddNormalMap(normal_map(heights), SIZE, 0.0, 0.0, STEEPEST)
     scene.set_sun(172.0, 30.0)
     scene.set_camera((42.0, -40.0, 10.0), (-10.0, 4.0, 0.0), 38.0)
     scene.renderer.GetActiveCamera().SetClippingRange(1.0, 2.0 * HORIZON)

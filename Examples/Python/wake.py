@@ -14,10 +14,10 @@ import sys
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPlane, vtkStructuredGrid
+from vtkmodules.vtkCommonDataModel import vtkPlane, vtkStructuredGrid
 from vtkmodules.vtkFiltersGeometry import vtkStructuredGridGeometryFilter
 from vtkmodules.vtkFiltersSources import vtkConeSource
-from vtkmodules.vtkRenderingCore import vtkPolyDataMapper, vtkTexture
+from vtkmodules.vtkRenderingCore import vtkPolyDataMapper
 from vtkwater import movies
 from vtkwater.errors import ending
 from vtkwater.pictures import png_name
@@ -32,7 +32,6 @@ DAMPING = 0.02  # 1/s: what little the air takes; it also ends the waves that le
 DOMAIN, POINTS = 960.0, 2048  # m of the periodic water, and points along a side
 SIZE, AHEAD = 420.0, 90.0  # m of it that are shown, and of these before the ship's middle
 HORIZON = 10e3  # m: calm water goes on to there
-STEEPEST = 0.5  # slope at which the map's normals lean by 45 degrees
 SETTLED = 60.0  # s after the start
 WIND = 1.5  # m/s: ripples
 BUOYS = ((-150.0, -38.0), (-90.0, 42.0), (-20.0, -46.0), (60.0, 40.0), (130.0, -40.0))  # m, at the picture's time
@@ -92,25 +91,17 @@ class Water:
 
     def __init__(self, scene):
         self.mesh = vtkStructuredGrid()
-        self.image = vtkImageData()
-        self.texture = vtkTexture()
-        self.texture.SetInputData(self.image)
-        self.texture.InterpolateOn()
-        self.texture.RepeatOn()
         self.show(0.0)
         polygons = vtkStructuredGridGeometryFilter()
         polygons.SetInputData(self.mesh)
         waves, calm = add_sheet(scene), add_sheet(scene)
         waves.GetMapper().SetInputConnection(polygons.GetOutputPort())
-        if not hasattr(waves, "GetMeshSlopes"):  # where the mesh's own normals count they are enough
-            waves.GetWaterProperty().AddNormalMap(self.texture, self.side, 0.0, 0.0, STEEPEST)
         calm.GetMapper().SetInputData(calm_around(self.mesh.GetBounds()))
         self.sheets = waves, calm
 
     def show(self, seconds):
         heights, x, y = shown(wake(seconds))
         spacing = DOMAIN / POINTS
-        self.side = spacing * len(x)
         points = vtkPoints()
         points.SetData(numpy_to_vtk(
             np.stack([*np.meshgrid(x, y), heights], axis=2).reshape(-1, 3).astype(np.float32), deep=True))
@@ -120,15 +111,6 @@ class Water:
         normals = np.stack([-slope_x, -slope_y, np.ones_like(heights)], axis=2)
         normals /= np.linalg.norm(normals, axis=2, keepdims=True)
         self.mesh.GetPointData().SetNormals(numpy_to_vtk(normals.reshape(-1, 3).astype(np.float32), deep=True))
-        normals = np.stack([-slope_x / STEEPEST, -slope_y / STEEPEST, np.ones_like(heights)], axis=2)
-        normals /= np.linalg.norm(normals, axis=2, keepdims=True)
-        # the map begins at the plane's origin
-        normals = np.roll(normals, [round(part / spacing) for part in (y[0], x[0])], axis=(0, 1))
-        grain = np.random.default_rng(1).random(normals.shape)  # dither: 8 bits alone would show as steps
-        bytes_of = np.floor(127.5 * (normals + 1.0) + grain).clip(0, 255).astype(np.uint8).reshape(-1, 3)
-        self.image.SetDimensions(len(x), len(y), 1)
-        self.image.GetPointData().SetScalars(numpy_to_vtk(bytes_of, deep=True))
-        self.image.Modified()
 
 
 def add_sheet(scene):

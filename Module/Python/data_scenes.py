@@ -14,7 +14,7 @@ import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkLookupTable, vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkPlane, vtkPolyData
-from vtkmodules.vtkFiltersCore import vtkCellDataToPointData, vtkContourFilter
+from vtkmodules.vtkFiltersCore import vtkCellDataToPointData, vtkContourFilter, vtkPolyDataNormals
 from vtkmodules.vtkRenderingAnnotation import vtkScalarBarActor
 from vtkmodules.vtkRenderingCore import vtkColorTransferFunction, vtkPolyDataMapper
 
@@ -96,7 +96,8 @@ class DataWater:
                 self.filter.SetVerticalScale(exaggeration)
                 if dry_depth is not None:
                     self.filter.SetDryDepth(dry_depth)
-        self._mapper.SetInputConnection(self.filter.GetOutputPort())
+        self._shown = self.filter if contour else normals_of(self.filter)  # a contour has them
+        self._mapper.SetInputConnection(self._shown.GetOutputPort())
         self.water = scene.water = vtkWaterActor()
         set_look(self.water.GetWaterProperty(), **words)
         if color_by:
@@ -228,6 +229,15 @@ class DataWater:
         self._mapper.SetColorModeToMapScalars()
         self._mapper.SetInterpolateScalarsBeforeMapping(of_points)
         self._mapper.ScalarVisibilityOn()
+
+
+def normals_of(surface):
+    """A filter that gives the points of a surface their normals: its slopes turn what it reflects."""
+    normals = vtkPolyDataNormals()
+    normals.SplittingOff()
+    normals.ConsistencyOff()
+    normals.SetInputConnection(surface.GetOutputPort())
+    return normals
 
 
 def contour_of(name, value):

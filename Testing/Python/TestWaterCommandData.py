@@ -341,6 +341,15 @@ def test_a_bed_that_moves_is_followed(folder):
         wt.check_at_most(f"lowest at {time} off by", abs(bounds[4] - lowest), 1e-6)
 
 
+def test_the_surface_has_normals(folder):
+    """By which its slopes turn what it reflects."""
+    water = water_of(folder, folder / "slope.pvd", *DATA)
+    water.show(30.0)
+    water.water.GetMapper().Update()
+    normals = vtk_to_numpy(water.water.GetMapper().GetInput().GetPointData().GetNormals())
+    wt.check_at_most("of level water off by", float(np.abs(np.abs(normals) - (0.0, 0.0, 1.0)).max()), 1e-6)
+
+
 def test_the_level_alone_is_a_surface(folder):
     water = water_of(folder, folder / "slope.pvd", "--level", "zeta")
     wt.check_equal("points", water.filter.GetOutput().GetNumberOfPoints(), COLUMNS * ROWS)
