@@ -54,6 +54,8 @@ struct vtkWaterLakes::Internals
 
 namespace
 {
+constexpr int kPlanes = 16; // by default
+
 // The plane of a block, moved as the water is.
 void MovePlane(vtkPolyData* block, vtkMatrix4x4* toWorld, vtkPlane* plane)
 {
@@ -76,6 +78,7 @@ vtkWaterLakes::vtkWaterLakes()
   : Internal(std::make_unique<Internals>())
 {
   this->Internal->Waters.push_back(vtkSmartPointer<vtkWaterActor>::New());
+  this->Internal->Filter->SetMaximumNumberOfPlanes(kPlanes);
 }
 
 //------------------------------------------------------------------------------
@@ -115,6 +118,28 @@ void vtkWaterLakes::GetUpDirection(double direction[3]) const
 void vtkWaterLakes::SetMaximumNumberOfMirrors(int mirrors)
 {
   vtkWaterSetInRange(MaximumNumberOfMirrors, mirrors, 0, 4096);
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterLakes::SetMaximumNumberOfPlanes(int planes)
+{
+  const int now = this->GetMaximumNumberOfPlanes();
+  if (planes < 1 || planes > 4096)
+  {
+    vtkErrorMacro("MaximumNumberOfPlanes is " << planes << "; it must lie in [1, 4096]. It stays "
+                                              << now << ".");
+  }
+  else if (planes != now)
+  {
+    this->Internal->Filter->SetMaximumNumberOfPlanes(planes);
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+int vtkWaterLakes::GetMaximumNumberOfPlanes() const
+{
+  return this->Internal->Filter->GetMaximumNumberOfPlanes();
 }
 
 //------------------------------------------------------------------------------

@@ -77,6 +77,16 @@ public:
 
   ///@{
   /**
+   * Largest number of planes, and of waters, in [1, 4096]. The smallest parts beyond it join the
+   * nearest plane and show what it would reflect at their height. In software, every clear water in
+   * view takes some milliseconds per frame, mirrored or not. Default is 16.
+   */
+  void SetMaximumNumberOfPlanes(int planes);
+  int GetMaximumNumberOfPlanes() const;
+  ///@}
+
+  ///@{
+  /**
    * The waters after the last Update. The first one always exists, so their number is at least 1.
    * GetWater returns nullptr beyond it.
    */

@@ -124,7 +124,7 @@ def test_lakes_at_one_level_share_a_plane():
 def test_only_waters_in_view_are_mirrored():
     """Of fifty lakes six are in view: six mirrored views."""
     levels = [0.05 * (7 * i % 50) for i in range(50)]
-    lakes = lakes_of(mesh_of(levels))
+    lakes = lakes_of(mesh_of(levels), MaximumNumberOfPlanes=50)
     view = view_of(things(), (0, 0, 1.2), (0, -10, 8))
     view.renderer.GetActiveCamera().SetViewAngle(24)
     lakes.AddTo(view.renderer)
@@ -154,6 +154,15 @@ def test_the_largest_in_view_have_a_mirrored_view():
     lakes.SetMaximumNumberOfMirrors(5)
     view.picture()
     wt.check_equal("decisions with five", decisions_of(lakes), ["rendered"] * 5)
+
+
+def test_beyond_the_most_planes_small_parts_join_the_nearest():
+    lakes = lakes_of(mesh_of([0.05 * i for i in range(20)]))
+    lakes.Update()
+    wt.check_equal("waters", lakes.GetNumberOfWaters(), 16)
+    lakes.SetMaximumNumberOfPlanes(20)
+    lakes.Update()
+    wt.check_equal("waters of 20", lakes.GetNumberOfWaters(), 20)
 
 
 def test_waters_follow_the_mesh():
@@ -249,6 +258,7 @@ def test_arrays_of_cells_and_points_stay_with_their_cells():
 
 @pytest.mark.parametrize("make, setter, values, text", (
     (vtkWaterLakes, "SetMaximumNumberOfMirrors", (-1,), "MaximumNumberOfMirrors is -1; it must lie in [0, 4096]"),
+    (vtkWaterLakes, "SetMaximumNumberOfPlanes", (0,), "MaximumNumberOfPlanes is 0; it must lie in [1, 4096]"),
     (vtkWaterPlanesFilter, "SetMaximumNumberOfPlanes", (0,), "MaximumNumberOfPlanes is 0; it must lie in [1, 4096]"),
     (vtkWaterPlanesFilter, "SetUpDirection", (0, 0, 0), "UpDirection is (0, 0, 0); it must be finite and not zero"),
 ))

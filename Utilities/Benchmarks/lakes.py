@@ -49,6 +49,7 @@ def mapper_of(heights):
 def lakes_of_one_mesh():
     view, lakes = view_of(), vtkWaterLakes()
     lakes.SetMapper(mapper_of(LEVELS))
+    lakes.SetMaximumNumberOfPlanes(LAKES)
     lakes.AddTo(view.renderer)
     view.picture()
     return view, [lakes.GetWater(i) for i in range(lakes.GetNumberOfWaters())]
