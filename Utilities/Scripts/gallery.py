@@ -16,6 +16,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 # picture -> the script, when its name is another, and the arguments; PICTURE is the file to write
 EXAMPLES = {
     "lake": ["Examples/Data/jacksboro.vti", "FOLDER"],
+    "lakes": ["PICTURE"],
     "flood": ["--picture", "PICTURE"],
     "tide": ["FOLDER/tide.gif", "--frames", "30", "--picture", "PICTURE"],
     "rain_flood": ["FOLDER/rain_flood.gif", "--frames", "4", "--picture", "PICTURE"],
