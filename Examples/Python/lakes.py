@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """lakes: the hollows of a landscape, filled to their rims: lakes at several levels, from one mesh.
 
-The terrain is the landscape around the Jacksboro fault (Examples/Data). Each hollow is filled to the lowest point of its
-rim. vtkWaterLakes creates one water for each level, and mirrors those in view that cover most of the picture.
+The terrain is the landscape around the Jacksboro fault (Examples/Data). Each hollow is filled to the lowest point of
+its rim. vtkWaterLakes creates one water for each level, and mirrors those in view that cover most of the picture.
 """
 
 import argparse
@@ -125,8 +125,9 @@ def main():
     scene.write(arguments.picture)
     waters = [lakes.GetWater(i) for i in range(lakes.GetNumberOfWaters())]
     seen = [water for water in waters if water.GetReflectionPass().GetNumberOfReflectionRenders() > 0]
-    print(f"{arguments.picture}: {len(waters)} levels from {min(water.GetLevel() for water in waters) / EXAGGERATION:.0f} "
-          f"to {max(water.GetLevel() for water in waters) / EXAGGERATION:.0f} m, {len(seen)} mirrored views")
+    levels = [water.GetLevel() / EXAGGERATION for water in waters]
+    print(f"{arguments.picture}: {len(waters)} levels from {min(levels):.0f} to {max(levels):.0f} m, "
+          f"{len(seen)} mirrored views")
 
 
 if __name__ == "__main__":

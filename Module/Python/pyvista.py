@@ -274,8 +274,8 @@ def add_water(
     height = vtkMath.Dot(plane_origin, plane_normal)
     bounds_known = vtkMath.AreBoundsInitialized(actor.GetBounds() or (1, -1, 1, -1, 1, -1))  # also chooses the sheet
     if surface is None and bounds is None and not actor.GetSheetToHorizon() and lowest > height:
-        warnings.warn(f"level is {number('level', level or 0.0):g}, which is below the whole scene: the land hides the "
-                      "water; use a higher level", stacklevel=2)
+        warnings.warn(f"level is {level or 0.0:g}, which is below the whole scene: the land hides the water; "
+                      "use a higher level", stacklevel=2)
     if self.renderer.camera_set and not actor.GetSheetToHorizon():
         widen_clipping_range(self.renderer)
     if render and (actor.GetSheetToHorizon() or bounds_known):

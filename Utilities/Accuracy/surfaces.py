@@ -63,7 +63,8 @@ def mesh_of(surface):
     source.SetPoint2(-HALF_WIDTH, HALF_WIDTH, 0)
     source.SetResolution(CELLS, CELLS)
     source.Update()
-    x, y = np.meshgrid(np.linspace(-HALF_WIDTH, HALF_WIDTH, CELLS + 1), np.linspace(-HALF_WIDTH, HALF_WIDTH, CELLS + 1))
+    places = np.linspace(-HALF_WIDTH, HALF_WIDTH, CELLS + 1)
+    x, y = np.meshgrid(places, places)
     height, along, across = surface(x, y)
     points = vtkPoints()
     points.SetData(numpy_to_vtk(np.stack([x, y, height], axis=-1).reshape(-1, 3), deep=1))
@@ -164,6 +165,7 @@ def run(report):
                 rows.append((name, f"{low:g} to {high:g}", str(int(chosen.sum())), f"{np.median(off):.3f}",
                              f"{np.percentile(off, 95):.2f}", f"{100 * (off <= 1).mean():.1f} %",
                              f"{np.median(plane[chosen]):.1f}"))
-    report.add("Meshes that are not flat", TEXT, cells=CELLS, table=table(
-        ("surface", "height, m", "pixels", "median, px", "95 % within", "within 1 px", "plane's normal: median"), rows),
+    header = ("surface", "height, m", "pixels", "median, px", "95 % within", "within 1 px", "plane's normal: median")
+    report.add(
+        "Meshes that are not flat", TEXT, cells=CELLS, table=table(header, rows),
         plot=report.save(plot(measured), "surfaces", "Lookup error by the height over the plane"))
