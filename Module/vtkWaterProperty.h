@@ -323,8 +323,9 @@ public:
    * in the mirrored view. The point is in shadow if the ray crosses a surface in that view, from
    * either side, or passes an upright edge by less than a twentieth of the distance behind it. What
    * the view does not show casts no shadow: objects outside the picture, and sides that face away
-   * from the mirrored eye. Needs Lookup RAY_TRACED. Can more than double the frame time of a
-   * software renderer. Default is off.
+   * from the mirrored eye. Needs Lookup RAY_TRACED. Rays are followed only
+   * where they change the pixel's colour by more than half a step of a byte. In software, water
+   * that glitters everywhere takes 1.8 times as long. Default is off.
    */
   void SetShadows(bool shadows);
   vtkGetMacro(Shadows, bool);

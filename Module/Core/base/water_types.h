@@ -248,6 +248,7 @@ typedef struct water_scene
   int window_samples;   // per pixel of the window
   int calm_samples_min; // of a calm reflection, per pixel, where the user sets none
   bool may_tone_map;    // a pass follows that may do it
+  bool is_encoded;      // the window encodes colours as sRGB once they are drawn
   int max_texture_px;   // the GPU's limit for a side of a texture, >= 1
 } water_scene;
 
@@ -307,6 +308,7 @@ typedef struct water_plan
   int samples;            // per pixel of the mirrored view; 0: none
   bool is_half_float;     // colours are half floats, or bytes
   bool rolls_off;         // light over white does, as nothing maps tones afterwards
+  double least_light;     // a change of a pixel's colour up to that is not seen
   int texture_rect_px[4]; // x, y, width, height of the part the water can look up
   double height_rounding; // of dot(plane_clip, NDC) in single precision
   double visible_px_max;  // if the eye's picture shows less of the water, it pays to wait for it

@@ -417,6 +417,7 @@ water_status water_plan_make(const water_scene* scene, water_plan* plan, water_c
     }
   }
   made.rolls_off = !scene->may_tone_map;
+  made.least_light = water_optics_least_light(scene->may_tone_map, scene->is_encoded);
   made.is_sky_known = isfinite(made.reflection_top) && !made.is_enclosed;
   *plan = made;
   return status != WATER_OK ? status : props_status;

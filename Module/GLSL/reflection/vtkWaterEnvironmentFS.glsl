@@ -16,7 +16,7 @@ vec3 waterReflected(WaterPoint point, out int reason, out vec2 uv)
 }
 
 // How much of the light from a direction something keeps off, as far as the reflection texture shows it.
-float waterShaded(WaterPoint point, vec3 dir)
+float waterShaded(WaterPoint point, vec3 dir, bool isWanted)
 {
   return 0.0;
 }

@@ -277,13 +277,33 @@ bool waterIsWaterline(vec2 uv, float depth)
   return dot(waterReflectionHeight, ndc) < waterFloor * dot(waterReflectionW, ndc) + 1.5 * waterTexel;
 }
 
+// Is a ray to a light stopped where it passes a depth of the reflection texture?
+//
+// isContact  the ray starts on what is there, and does not pass through it in its first texels
+bool waterIsStopped(vec3 start, vec3 way, float texel, bool isContact, WaterPassing passing)
+{
+  bool isIn = passing.gapHigh < 0.0;
+  vec3 at = start + (isIn ? passing.high : passing.low) * way;
+  float gapAt = isIn ? passing.gapHigh : passing.gapLow;
+  float depth = min(at.z, 1.0) + gapAt;
+  float toInfinity = waterReflectionZInfinity - depth;
+  bool isStart = isContact && passing.low < 2.0 * texel;
+  bool isSide = isIn && -gapAt < WATER_THICKNESS * toInfinity && !waterIsWaterline(at.xy, depth) &&
+    !waterFacesDown(vec3(at.xy, depth));
+  return isSide || (!isStart && waterIsOneSurface(start, way, texel, passing, WATER_SHADOW_SLACK * toInfinity));
+}
+
 // How much of the light from a direction something keeps off, as far as the reflection texture shows it; where it does
 // not, nothing.
 //
 // What goes through a surface that the reflection texture shows, from either side, is kept off. Of what goes behind an
 // edge nothing is known. Where that edge is a waterline, or faces down, the ray came over it, as rays do over a beach
 // whose underside the mirrored eye sees; elsewhere one that passes close behind meets a side that is not shown.
-float waterShaded(WaterPoint point, vec3 dir)
+//
+// A loop of steps within one of passings: software renderers execute all of a loop's body each time, and passings are few.
+//
+// isWanted  or else nothing that comes of it is used
+float waterShaded(WaterPoint point, vec3 dir, bool isWanted)
 {
   waterReadOnce();
   waterFloor = point.height;
@@ -293,32 +313,29 @@ float waterShaded(WaterPoint point, vec3 dir)
   float lengthPx = max(max(wayPx.x, wayPx.y), 1.0);
   float texel = 1.0 / lengthPx;
   float stride = max(WATER_SHADOW_PX * texel, 1.0 / float(WATER_SHADOW_STEPS));
-  float s = 0.0;
   float gap = waterGap(start, way, 0.0);
   // a ray that starts on a surface, as it does on a shore, does not pass through it there
   bool isContact = gap < WATER_SHADOW_SLACK * (waterReflectionZInfinity - start.z);
+  float next = isWanted ? 0.0 : 1.0;
   bool isStopped = false;
   do
   {
-    float next = min(s + stride, 1.0);
-    float gapNext = waterGap(start, way, next);
-    if ((gap < 0.0) != (gapNext < 0.0))
+    float s = next;
+    float gapNext = gap;
+    do
+    {
+      s = next;
+      gap = gapNext;
+      next = min(s + stride, 1.0);
+      gapNext = waterGap(start, way, next);
+    } while (next < 1.0 && (gap < 0.0) == (gapNext < 0.0));
+    if (isWanted && (gap < 0.0) != (gapNext < 0.0))
     {
       WaterPassing passing = WaterPassing(s, next, gap, gapNext);
       waterNarrow(start, way, texel, passing);
-      bool isIn = gapNext < 0.0;
-      vec3 at = start + (isIn ? passing.high : passing.low) * way;
-      float gapAt = isIn ? passing.gapHigh : passing.gapLow;
-      float depth = min(at.z, 1.0) + gapAt;
-      float toInfinity = waterReflectionZInfinity - depth;
-      bool isStart = isContact && passing.low < 2.0 * texel;
-      bool isSide = isIn && -gapAt < WATER_THICKNESS * toInfinity && !waterIsWaterline(at.xy, depth) &&
-        !waterFacesDown(vec3(at.xy, depth));
-      isStopped = isSide ||
-        (!isStart && waterIsOneSurface(start, way, texel, passing, WATER_SHADOW_SLACK * toInfinity));
+      isStopped = waterIsStopped(start, way, texel, isContact, passing);
     }
-    s = next;
     gap = gapNext;
-  } while (s < 1.0 && !isStopped);
+  } while (next < 1.0 && !isStopped);
   return isStopped ? 1.0 : 0.0;
 }

@@ -90,11 +90,10 @@ float waterFoamShare(WaterPoint point)
   return mix(cover, smoothstep(-soft, soft, threshold - lace), resolved);
 }
 
-// Lays foam over the surface's color.
+// The colour of foam.
 //
 // sun  light of the sun that arrives
-void waterFoam(WaterPoint point, vec3 sun, inout vec3 rgb)
+vec3 waterFoamLit(WaterPoint point, vec3 sun)
 {
-  vec3 light = 0.35 + 0.65 * sun * clamp(dot(point.normal, waterSunDir) * waterSide, 0.0, 1.0);
-  rgb = mix(rgb, waterFoamColor * light, waterFoamShare(point));
+  return waterFoamColor * (0.35 + 0.65 * sun * clamp(dot(point.normal, waterSunDir) * waterSide, 0.0, 1.0));
 }

@@ -7,10 +7,11 @@ const float WATER_SUN_VARIANCE = 2e-5;
 
 uniform int waterRollsOff; // 1: what is brighter than white rolls off, as nothing maps tones afterwards
 
-// Adds the glitter to the surface's color.
+// What glitter adds to the surface's color.
 //
 // sun  light of the sun that arrives
-void waterGlint(WaterPoint point, vec3 sun, inout vec3 rgb)
+// rgb  the surface's color without it
+vec3 waterGlint(WaterPoint point, vec3 sun, vec3 rgb)
 {
   vec3 facet = normalize(waterSunDir - point.ray);
   vec2 off = point.normal.xy / point.normal.z - facet.xy / facet.z;
@@ -30,5 +31,5 @@ void waterGlint(WaterPoint point, vec3 sun, inout vec3 rgb)
     vec3 light = glint / room;
     glint = room * vec3(waterRollOff(light.r), waterRollOff(light.g), waterRollOff(light.b));
   }
-  rgb += waterSide > 0.0 ? glint : vec3(0.0); // from below there is none
+  return waterSide > 0.0 ? glint : vec3(0.0); // from below there is none
 }

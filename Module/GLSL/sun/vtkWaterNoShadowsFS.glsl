@@ -2,7 +2,7 @@
 // vtkWaterNoShadowsFS.glsl: slot shadows of water that nothing casts shadows on: a second ray costs
 // software renderers as much where a uniform says that it has no use.
 
-float waterSunArrives(WaterPoint point)
+vec3 waterShadowed(WaterPoint point, vec3 shaded, vec3 lit)
 {
-  return 1.0;
+  return lit;
 }

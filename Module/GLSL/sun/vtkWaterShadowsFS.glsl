@@ -1,8 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkWaterShadowsFS.glsl: slot shadows: of things on the water's glitter and foam.
 
-// How much of the sun's light arrives.
-float waterSunArrives(WaterPoint point)
+uniform float waterLeastLight; // light that changes no pixel
+
+// The surface's color, where the sun may be kept off. The way to it is followed only where that is seen.
+//
+// shaded  its color without the sun
+// lit     its color under it
+vec3 waterShadowed(WaterPoint point, vec3 shaded, vec3 lit)
 {
-  return 1.0 - waterShaded(point, waterSunDir);
+  vec3 change = abs(lit - shaded);
+  bool isSeen = max(max(change.r, change.g), change.b) > waterLeastLight;
+  return mix(lit, shaded, waterShaded(point, waterSunDir, isSeen));
 }

@@ -4,8 +4,8 @@
 // The slots, each one file of several: sky (waterSky), floor (waterOverFloor), place (waterPlaceOf,
 // waterTilt), under (waterIsUnder), height (waterHeightOf), waves (waterRipple), reflection
 // (waterReflected), layer (waterCross), caustics (waterCaustic), body (waterTransmitted), facets
-// (waterFacets), rays (waterMirrored), shadows (waterSunArrives), glitter (waterGlint), foam
-// (waterFoam), sun (waterSunlit), output (waterShow); vtkWaterSurfaceFS.glsl puts them together. They
+// (waterFacets), rays (waterMirrored), shadows (waterShadowed), glitter (waterGlint), foam
+// (waterFoamShare, waterFoamLit), sun (waterSunlit), output (waterShow); vtkWaterSurfaceFS.glsl puts them together. They
 // are files and not branches because software renderers execute both sides of a branch.
 //
 // NDC come from gl_FragCoord and the viewport of the draw itself (read from the GL state), which is

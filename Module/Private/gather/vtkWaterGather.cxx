@@ -308,6 +308,7 @@ void vtkWaterGather::Read(vtkRenderer* renderer, const std::vector<vtkWaterSnaps
   this->Scene.has_scene_depth = hints.HasSceneDepth;
   this->Scene.is_software = hints.IsSoftware;
   this->Scene.may_tone_map = hints.MayToneMap;
+  this->Scene.is_encoded = window->GetUsingSRGBColorSpace();
   this->Scene.window_samples = window->GetMultiSamples();
   this->ReadWaters(renderer, waters);
   vtkWaterSkyReader::ReadBackground(renderer, this->Scene.sky, this->Sky);

@@ -306,6 +306,7 @@ void vtkWaterSurfaceShader::SetSunParameters(vtkShaderProgram* program)
   uniforms::Set(program, "waterFoamUnit", look.MetresPerUnit);
   uniforms::Set(program, "waterFoamTurn", water_lookup_pattern_turn(this->Water->Time));
   uniforms::Set(program, "waterRollsOff", plan.rolls_off && look.RollsOff ? 1 : 0);
+  uniforms::Set(program, "waterLeastLight", plan.least_light);
 }
 
 //------------------------------------------------------------------------------
