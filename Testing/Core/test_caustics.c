@@ -221,7 +221,9 @@ TEST(grid_covers_the_texture)
   water_plan plan = plan_over_bed(&scene, reasons);
   plan.bed_depth = 0.3; // of a deep one the border of places cuts both
   water_caustics made;
-  assert_true(water_caustics_plan(&plan, &usual, &made));
+  water_caustics_input steep = usual;
+  steep.slope_rms = 0.3;
+  assert_true(water_caustics_plan(&plan, &steep, &made));
   double low[2] = { 1e9, 1e9 };
   double high[2] = { -1e9, -1e9 };
   for (int i = 0; i < 4; ++i)
@@ -247,6 +249,34 @@ TEST(grid_covers_the_texture)
   }
   assert_true(low[0] < -1.0);
   assert_true(high[0] > made.texture_px[0] + 1.0);
+}
+
+// From straight above, sight is turned by a quarter of the slopes, and light under a low sun by
+// about as much as they are: the texture is no wider than sight reaches, and the grid as wide as
+// both.
+TEST(the_texture_is_as_wide_as_sight)
+{
+  water_scene scene = lake();
+  water_cull_reason reasons[8];
+  const double eye[3] = { 0.0, 0.0, 20.0 };
+  const double target[3] = { 0.0, 0.0, 0.0 };
+  const double up[3] = { 0.0, 1.0, 0.0 };
+  look_at(eye, target, up, scene.eye.world_to_view);
+  water_plan plan = plan_over_bed(&scene, reasons);
+  sun_at(25.0, 25.0, plan.sun_dir);
+  double sides[2]; // of the texture in places, without slopes and with them
+  for (int i = 0; i < 2; ++i)
+  {
+    water_caustics_input input = usual;
+    input.slope_rms = i == 0 ? 0.0 : 0.05;
+    water_caustics made;
+    assert_true(water_caustics_plan(&plan, &input, &made));
+    const double turn = 2.5 * input.slope_rms * fmax(made.turn[0], made.turn[2]);
+    assert_true(i == 0 || turn > 3.0 * 2.5 * input.slope_rms * 0.25);
+    sides[i] = made.texture_px[0] / made.place_to_light[0] * made.place_to_light[8];
+  }
+  const double sight = 2.0 * 2.5 * 0.05 * 0.25 * 3.0; // to both sides, at the bed's depth
+  assert_true(sides[1] - sides[0] > 0.9 * sight && sides[1] - sides[0] < 1.6 * sight);
 }
 
 // Nothing is planned without a sun, without a bed, or for an eye under water.
@@ -277,4 +307,5 @@ TEST(no_caustics_without_sun_bed_or_eye_above)
 
 TESTS(way_is_snells, no_light_comes_from_behind, turn_is_that_of_small_slopes,
   spread_is_that_of_rays_of_the_disc, adding_keeps_the_light, photons_outside_stay_outside,
-  places_come_to_their_texels, grid_covers_the_texture, no_caustics_without_sun_bed_or_eye_above)
+  places_come_to_their_texels, grid_covers_the_texture, the_texture_is_as_wide_as_sight,
+  no_caustics_without_sun_bed_or_eye_above)

@@ -11,9 +11,9 @@ static const double wide_depths =
   3.0; // pixels as wide as so many depths of the bed see the mean light
 static const double reach_slopes =
   2.5; // light and sight come from so many root mean square slopes away
-static const double point_density = 1.1; // points a pixel, along a side
-static const double fineness = 2.0;      // texels a pixel, along a side
-static const double most_texels = 5.2;   // a pixel of the picture
+static const double point_density = 1.36; // points a pixel, along a side
+static const double fineness = 2.0;       // texels a pixel, along a side
+static const double most_texels = 5.2;    // a pixel of the picture
 static const double sun_share =
   1.5; // points stand so many standard deviations of the sun's disc apart, at most
 static const double farthest_ndc = 4.0; // of a place
@@ -58,6 +58,7 @@ typedef struct view
   const water_plan* plan;
   const water_caustics* made; // as far as it is
   double index;
+  double slopes;  // light and sight are turned by that much at most
   double least_w; // of ndc_to_plane: from there on pixels see the mean light
   eye_rays rays;
 } view;
@@ -132,9 +133,25 @@ static double find_least_w(const water_plan* plan, const eye_rays* rays, double 
   return farthest / distance;
 }
 
+static double widest(const double turn[3])
+{
+  return fmax(turn[0], turn[2]);
+}
+
+// How far waves move the place that a ray of the eye comes to, per depth. At a low angle as far as
+// light at most: a wider texture would be a coarser one.
+//
+// ray  to the eye
+static double sight_reach(const double ray[3], const view* seen)
+{
+  double turn[3];
+  water_caustics_turn(ray, seen->index, turn);
+  return seen->slopes * fmin(widest(turn), widest(seen->made->turn));
+}
+
 // Takes a pixel's bed at a depth, as refraction shows it, into a part of NDC at the middle depth.
 //
-// reach  how far waves move the place, per depth
+// reach  how far waves move the light that comes there, per depth
 static void add_seen(
   const double ndc[3], double depth, double reach, const view* seen, double box[4])
 {
@@ -157,6 +174,7 @@ static void add_seen(
   {
     return;
   }
+  const double moves = hypot(reach, sight_reach(ray, seen)); // they do not depend on each other
   const double* to_plane = seen->plan->ndc_to_plane;
   for (int corner = 0; corner < 4; ++corner)
   {
@@ -165,7 +183,7 @@ static void add_seen(
     {
       const double place =
         water_vec3_dot(to_plane + 3 * i, ndc) / water_vec3_dot(to_plane + 6, ndc);
-      const double moved = (corner >> i & 1) ? reach : -reach;
+      const double moved = (corner >> i & 1) ? moves : -moves;
       const double from = place + depth * (way[i] - made->calm_way[i] + moved);
       source[i] = (from + made->middle * (made->calm_way[i] - rays->aside[i])) /
         (1.0 + made->middle * rays->per_depth);
@@ -328,11 +346,11 @@ bool water_caustics_plan(
   made.middle = isfinite(rays->height)
     ? sqrt(rays->height * (rays->height + made.depth)) - rays->height
     : 0.5 * made.depth;
-  const double reach = reach_slopes * input->slope_rms * fmax(made.turn[0], made.turn[2]);
+  seen.slopes = reach_slopes * input->slope_rms;
   seen.least_w = find_least_w(plan, rays, made.depth);
   double light[4];
   double box[4];
-  if (!find_box(&seen, reach, light) || !find_box(&seen, 2.0 * reach, box))
+  if (!find_box(&seen, 0.0, light) || !find_box(&seen, seen.slopes * widest(made.turn), box))
   {
     return false;
   }

@@ -15,8 +15,8 @@ uniform vec2 waterCalmWay;
 uniform vec3 waterTurn;
 uniform vec3 waterSunSpread;
 uniform mat3 waterPlaceToLight;    // (place on the plane, 1) -> texels of the texture of light
-const float WATER_PHOTON_CELL = 0.36;   // variance of a cell's own image: neighbours' ellipses add up to an even light
-const float WATER_PHOTON_TEXEL = 0.1; // of a texel: a box has 1/12
+const float WATER_PHOTON_CELL = 0.28;   // variance of a cell's own image: neighbours' ellipses add up to an even light
+const float WATER_PHOTON_TEXEL = 0.12; // of a texel: a box has 1/12
 const int WATER_PHOTON_STEPS = 3; // to where light meets the bed
 const float WATER_PHOTON_LARGEST = 24.0; // radius of an ellipse, texels
 
