@@ -2,8 +2,8 @@
 // water_status.h: what can be wrong with a scene; one list gives the codes and their texts.
 //
 // Up to WATER_BAD_PROP_BOUNDS the order is the order in which water_plan_make checks; the later
-// ones belong to the waves, the spectrum, the body, the presets and the quality. A text names the
-// accepted range; the caller adds the value it had.
+// ones belong to the waves, the spectrum, the body, the presets, the quality and the ranks. A text
+// names the accepted range; the caller adds the value it had.
 #ifndef water_status_h
 #define water_status_h
 
@@ -70,7 +70,12 @@ extern "C"
   X(WATER_BAD_TARGET_ERROR, "TargetError must be finite and greater than 0 pixels")                \
   X(WATER_BAD_ROUGHNESS,                                                                           \
     "the waves' slope, their turn per pixel and the picture's pixels per radian must be finite "   \
-    "and not negative")
+    "and not negative")                                                                            \
+  X(WATER_RANKS_DIFFERENT_VERSIONS, "all ranks must run the same version of the water")            \
+  X(WATER_RANKS_DIFFERENT_WATERS,                                                                  \
+    "all ranks must show the same waters: as many of them, visible on all or on none")             \
+  X(WATER_RANKS_DIFFERENT_LOOKS,                                                                   \
+    "a water must have the same plane, look, time and settings on all ranks")
 
 typedef enum water_status
 {

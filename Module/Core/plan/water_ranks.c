@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// water_ranks.c: what ranks agree on: joined facts, one scene, the nearest pixels.
+#include "water_ranks.h"
+
+#include "water_math.h"
+
+#include <string.h>
+
+_Static_assert(sizeof(water_rank_frame) == 9 * sizeof(double), "it travels as doubles");
+_Static_assert(sizeof(water_rank_view) == 12 * sizeof(double), "it travels as doubles");
+_Static_assert(sizeof(water_prop) <= 64, "a prop takes at most 64 bytes");
+_Static_assert(sizeof(water_rank_pixel) == sizeof(double), "a pixel travels as a double");
+
+static void begin_bounds(double bounds[6])
+{
+  for (int i = 0; i < 6; ++i)
+  {
+    bounds[i] = i % 2 ? -1.0 : 1.0;
+  }
+}
+
+// Empty boxes, and numbers that are not finite, add nothing.
+static void add_bounds(const double more[6], double bounds[6])
+{
+  if (!water_bounds_are_finite(more) || water_bounds_is_empty(more))
+  {
+    return;
+  }
+  if (water_bounds_is_empty(bounds))
+  {
+    memcpy(bounds, more, 6 * sizeof *bounds);
+    return;
+  }
+  for (int i = 0; i < 6; ++i)
+  {
+    bounds[i] = i % 2 ? fmax(bounds[i], more[i]) : fmin(bounds[i], more[i]);
+  }
+}
+
+water_status water_ranks_join_frames(
+  const water_rank_frame* frames, size_t rank_count, double scene_bounds[6], size_t* bad_rank)
+{
+  begin_bounds(scene_bounds);
+  for (size_t i = 0; i < rank_count; ++i)
+  {
+    // other versions first: what else they send is not what it seems
+    if (frames[i].format != frames[0].format || frames[i].scene_size != frames[0].scene_size)
+    {
+      *bad_rank = i;
+      return WATER_RANKS_DIFFERENT_VERSIONS;
+    }
+  }
+  for (size_t i = 0; i < rank_count; ++i)
+  {
+    if (frames[i].water_count != frames[0].water_count)
+    {
+      *bad_rank = i;
+      return WATER_RANKS_DIFFERENT_WATERS;
+    }
+    add_bounds(frames[i].scene_bounds, scene_bounds);
+  }
+  return WATER_OK;
+}
+
+water_status water_ranks_join_views(const water_rank_view* views, size_t rank_count, size_t rank,
+  water_ranks_view* joined, size_t* bad_rank)
+{
+  water_ranks_view made;
+  memset(&made, 0, sizeof made);
+  begin_bounds(made.surface_bounds);
+  double max_texture_px = views[0].max_texture_px;
+  for (size_t i = 0; i < rank_count; ++i)
+  {
+    const water_rank_view* view = views + i;
+    if (view->sheet_count != views[0].sheet_count || view->digest != views[0].digest)
+    {
+      *bad_rank = i;
+      return view->sheet_count != views[0].sheet_count ? WATER_RANKS_DIFFERENT_WATERS
+                                                       : WATER_RANKS_DIFFERENT_LOOKS;
+    }
+    made.first_prop += i < rank ? (size_t)view->prop_count : 0;
+    made.prop_count += (size_t)view->prop_count;
+    max_texture_px = fmin(max_texture_px, view->max_texture_px);
+    made.is_software = made.is_software || view->is_software != 0.0;
+    made.measured_ms = fmax(made.measured_ms, view->measured_ms);
+    add_bounds(view->surface_bounds, made.surface_bounds);
+  }
+  made.max_texture_px = (int)max_texture_px;
+  *joined = made;
+  return WATER_OK;
+}
+
+water_scene water_ranks_scene(
+  const water_scene* root, const water_ranks_view* joined, const water_prop* props)
+{
+  water_scene scene = *root;
+  scene.props = props;
+  scene.prop_count = joined->prop_count;
+  scene.max_texture_px = joined->max_texture_px;
+  scene.is_software = joined->is_software;
+  memcpy(scene.surface_bounds, joined->surface_bounds, sizeof scene.surface_bounds);
+  scene.is_hidden = false;
+  scene.has_scene_depth = false;
+  return scene;
+}
+
+uint64_t water_ranks_digest(uint64_t digest, const double* numbers, size_t count)
+{
+  static const uint64_t prime = UINT64_C(1099511628211);
+  for (size_t i = 0; i < count; ++i)
+  {
+    unsigned char bytes[sizeof *numbers];
+    memcpy(bytes, numbers + i, sizeof bytes);
+    for (size_t j = 0; j < sizeof bytes; ++j)
+    {
+      digest = (digest ^ bytes[j]) * prime;
+    }
+  }
+  return digest;
+}
+
+uint64_t water_ranks_digest_settings(uint64_t digest, const water_settings* settings)
+{
+  const double numbers[] = { settings->texture_scale, settings->guard_band, settings->clip_margin,
+    settings->prop_px_min, settings->reflectance_error, (double)settings->skips,
+    (double)settings->multi_samples, (double)settings->color_precision, (double)settings->quality,
+    settings->target_error_px, settings->time_budget_ms };
+  return water_ranks_digest(digest, numbers, sizeof numbers / sizeof numbers[0]);
+}
+
+double water_ranks_digest_number(uint64_t digest)
+{
+  return (double)(digest >> 11);
+}
+
+void water_ranks_nearest(
+  const water_rank_pixel* lower, water_rank_pixel* nearest, size_t pixel_count)
+{
+  for (size_t i = 0; i < pixel_count; ++i)
+  {
+    if (lower[i].depth <= nearest[i].depth)
+    {
+      nearest[i] = lower[i];
+    }
+  }
+}
+
+void water_ranks_pack(const uint32_t* colors, const uint32_t* depths, size_t words,
+  size_t pixel_count, water_rank_pixel* pixels)
+{
+  for (size_t i = 0; i < words * pixel_count; ++i)
+  {
+    pixels[i].depth = depths[i / words];
+    pixels[i].color = colors[i];
+  }
+}
+
+void water_ranks_unpack(const water_rank_pixel* pixels, size_t words, size_t pixel_count,
+  uint32_t* colors, uint32_t* depths)
+{
+  for (size_t i = 0; i < words * pixel_count; ++i)
+  {
+    depths[i / words] = pixels[i].depth;
+    colors[i] = pixels[i].color;
+  }
+}

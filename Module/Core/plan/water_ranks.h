@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// water_ranks.h: what the ranks of a sort-last renderer agree on, so that each of them makes the
+// same plan: every rank has a part of the scene, and draws what it has.
+//
+// Each rank sends what it knows as plain numbers; everything here is computed by every rank from
+// all that was sent, so that equal input gives equal decisions. A rank is a process of a parallel
+// program; rank 0 is the root. See Documentation/decisions/023-ranks.md.
+//
+// Flow, once a frame: water_rank_frame of all -> water_ranks_join_frames.
+// Flow, once a mirrored view: water_rank_view of all, all props, the root's scene ->
+// water_ranks_join_views -> water_ranks_scene -> water_plan_make.
+#ifndef water_ranks_h
+#define water_ranks_h
+
+#include "water_status.h"
+#include "water_types.h"
+
+#ifdef __cplusplus
+extern "C"
+{
+#endif
+
+// What the next two hold, and how scene and props are sent. One more whenever that changes.
+enum
+{
+  WATER_RANKS_FORMAT = 1
+};
+
+// What a rank sends once a frame, before anything is drawn: doubles only, as they travel.
+typedef struct water_rank_frame
+{
+  double format;          // WATER_RANKS_FORMAT
+  double scene_size;      // bytes of a water_scene
+  double water_count;     // visible waters of the renderer that have a controller, >= 0
+  double scene_bounds[6]; // of the rank's own props in world; min > max: it has none
+} water_rank_frame;
+
+// What a rank sends for each mirrored view, before that is planned: doubles only.
+typedef struct water_rank_view
+{
+  double sheet_count;       // waters that share the view
+  double digest;            // of all that must be the same on all ranks; water_ranks_digest_number
+  double prop_count;        // of the rank's own props
+  double max_texture_px;    // the limit of the rank's GPU
+  double is_software;       // 1: the processor executes GL; 0: a GPU does
+  double measured_ms;       // that the last view took, for a quality that goes by times
+  double surface_bounds[6]; // of the water on this rank; min > max: it has none
+} water_rank_view;
+
+// What the ranks agree on for a mirrored view.
+typedef struct water_ranks_view
+{
+  size_t prop_count;        // of all ranks together
+  size_t first_prop;        // of the rank's own in them: they are in the order of the ranks
+  int max_texture_px;       // the least
+  bool is_software;         // of any
+  double measured_ms;       // the longest: a frame takes as long as its slowest rank
+  double surface_bounds[6]; // all of the water
+} water_ranks_view;
+
+// Joins what all ranks sent for a frame.
+//
+// frames        rank_count of them, in the order of the ranks; rank_count >= 1
+// scene_bounds  of all ranks together; min > max: there are none. Numbers that are not finite count
+//               for nothing.
+// bad_rank      set with an error: the first rank that differs from the root
+//
+// Returns WATER_OK, WATER_RANKS_DIFFERENT_VERSIONS or WATER_RANKS_DIFFERENT_WATERS: the same on
+// every rank. With an error no rank may send anything more in this frame.
+water_status water_ranks_join_frames(
+  const water_rank_frame* frames, size_t rank_count, double scene_bounds[6], size_t* bad_rank);
+
+// Joins what all ranks sent for a mirrored view.
+//
+// views     rank_count of them, in the order of the ranks; rank_count >= 1
+// rank      one's own, < rank_count
+// bad_rank  as above
+//
+// Returns WATER_OK, WATER_RANKS_DIFFERENT_WATERS (views that are not shared by as many) or
+// WATER_RANKS_DIFFERENT_LOOKS; then *joined is unchanged.
+water_status water_ranks_join_views(const water_rank_view* views, size_t rank_count, size_t rank,
+  water_ranks_view* joined, size_t* bad_rank);
+
+// The scene that every rank plans: the root's eye, lights, sky and settings, the props of all and
+// what was joined. What only one rank's picture could say is not known in it: which water is
+// hidden, and by what.
+//
+// root   the root's scene; its props are not read
+// props  joined->prop_count of them
+water_scene water_ranks_scene(
+  const water_scene* root, const water_ranks_view* joined, const water_prop* props);
+
+// A sum over numbers that tells with certainty that ranks are the same, and almost surely that they
+// are not. Source: FNV-1a, 64 bits, over the numbers' bytes (Fowler, Noll, Vo).
+//
+// digest  of the numbers before; WATER_RANKS_DIGEST_BEGIN: there are none
+uint64_t water_ranks_digest(uint64_t digest, const double* numbers, size_t count);
+#define WATER_RANKS_DIGEST_BEGIN UINT64_C(14695981039346656037)
+
+// The same of what the user sets of a mirrored view, field by field.
+uint64_t water_ranks_digest_settings(uint64_t digest, const water_settings* settings);
+
+// A digest as a number that a double holds exactly: its upper 53 bits.
+double water_ranks_digest_number(uint64_t digest);
+
+// A pixel of a mirrored view, as it is sent: 8 bytes that nothing may split.
+typedef struct water_rank_pixel
+{
+  uint32_t depth; // 0 at the near plane, all bits set at the far one
+  uint32_t color; // any 4 bytes
+} water_rank_pixel;
+
+// Keeps of two ranks' pixels the nearer ones. Pixels of one depth are those of `lower`, whose ranks
+// come before the other's: so the background is the root's.
+//
+// nearest  holds the pixels of the higher ranks, then the result
+void water_ranks_nearest(
+  const water_rank_pixel* lower, water_rank_pixel* nearest, size_t pixel_count);
+
+// Puts colours and depths together as pixels, and takes them apart.
+//
+// words         32-bit words that a colour takes: 1 for bytes, 2 for half floats
+// colors        words * pixel_count
+// pixels        words * pixel_count: a pixel with more than one word is that many of the same depth
+void water_ranks_pack(const uint32_t* colors, const uint32_t* depths, size_t words,
+  size_t pixel_count, water_rank_pixel* pixels);
+void water_ranks_unpack(const water_rank_pixel* pixels, size_t words, size_t pixel_count,
+  uint32_t* colors, uint32_t* depths);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

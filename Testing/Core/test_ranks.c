@@ -1,0 +1,272 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// test_ranks.c: what ranks agree on: the same for each of them, from what all of them sent.
+#include "test_scene.h"
+
+#include "water_plan.h"
+#include "water_ranks.h"
+
+static const water_rank_frame frame_of_nothing = { WATER_RANKS_FORMAT, sizeof(water_scene), 1.0,
+  { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 } };
+static const water_rank_frame frame_of_left = { WATER_RANKS_FORMAT, sizeof(water_scene), 1.0,
+  { -4.0, -1.0, 2.0, 3.0, 0.0, 5.0 } };
+static const water_rank_frame frame_of_right = { WATER_RANKS_FORMAT, sizeof(water_scene), 1.0,
+  { 1.0, 6.0, -2.0, 2.5, 1.0, 7.0 } };
+
+static const water_rank_view view_of_left = { 1.0, 77.0, 2.0, 8192.0, 0.0, 3.0,
+  { -4.0, -1.0, 2.0, 3.0, 0.0, 0.0 } };
+static const water_rank_view view_of_nothing = { 1.0, 77.0, 0.0, 16384.0, 1.0, 9.0,
+  { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 } };
+static const water_rank_view view_of_right = { 1.0, 77.0, 3.0, 4096.0, 0.0, 4.0,
+  { 1.0, 6.0, -2.0, 2.5, 0.0, 0.0 } };
+
+static void assert_bounds(const double actual[6], const double expected[6])
+{
+  for (int i = 0; i < 6; ++i)
+  {
+    ASSERT_CLOSE(actual[i], expected[i], 0.0);
+  }
+}
+
+// The scene is as wide as that of all ranks, whatever their order; who has nothing, or numbers that
+// are none, adds nothing.
+TEST(bounds_of_all_ranks_are_joined)
+{
+  static const double all[6] = { -4.0, 6.0, -2.0, 3.0, 0.0, 7.0 };
+  static const double none[6] = { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 };
+  water_rank_frame broken = frame_of_right;
+  broken.scene_bounds[1] = INFINITY;
+  const water_rank_frame orders[3][4] = { { frame_of_nothing, frame_of_left, broken,
+                                            frame_of_right },
+    { frame_of_right, frame_of_left, frame_of_nothing, frame_of_nothing },
+    { frame_of_left, broken, frame_of_right, frame_of_right } };
+  double bounds[6];
+  size_t bad_rank = 99;
+  for (int i = 0; i < 3; ++i)
+  {
+    assert_int_equal(water_ranks_join_frames(orders[i], 4, bounds, &bad_rank), WATER_OK);
+    assert_bounds(bounds, all);
+  }
+  assert_int_equal(water_ranks_join_frames(&frame_of_nothing, 1, bounds, &bad_rank), WATER_OK);
+  assert_bounds(bounds, none);
+  assert_int_equal(bad_rank, 99);
+}
+
+// A rank of another version, or with another number of waters, is named; the version first, since
+// what such a rank sends means something else.
+TEST(rank_that_differs_is_named)
+{
+  water_rank_frame frames[4] = { frame_of_left, frame_of_nothing, frame_of_right, frame_of_left };
+  double bounds[6];
+  size_t bad_rank = 99;
+  frames[1].water_count = 0.0;
+  assert_int_equal(
+    water_ranks_join_frames(frames, 4, bounds, &bad_rank), WATER_RANKS_DIFFERENT_WATERS);
+  assert_int_equal(bad_rank, 1);
+  frames[3].format += 1.0;
+  assert_int_equal(
+    water_ranks_join_frames(frames, 4, bounds, &bad_rank), WATER_RANKS_DIFFERENT_VERSIONS);
+  assert_int_equal(bad_rank, 3);
+  frames[2].scene_size += 8.0;
+  assert_int_equal(
+    water_ranks_join_frames(frames, 4, bounds, &bad_rank), WATER_RANKS_DIFFERENT_VERSIONS);
+  assert_int_equal(bad_rank, 2);
+}
+
+// The least limit, the longest time, all props; software on one rank is software for all.
+TEST(facts_of_a_view_are_joined)
+{
+  static const double all[6] = { -4.0, 6.0, -2.0, 3.0, 0.0, 0.0 };
+  static const size_t first[3] = { 0, 2, 2 };
+  const water_rank_view views[3] = { view_of_left, view_of_nothing, view_of_right };
+  for (size_t rank = 0; rank < 3; ++rank)
+  {
+    water_ranks_view joined;
+    size_t bad_rank = 99;
+    assert_int_equal(water_ranks_join_views(views, 3, rank, &joined, &bad_rank), WATER_OK);
+    assert_int_equal(joined.first_prop, first[rank]);
+    assert_int_equal(joined.prop_count, 5);
+    assert_int_equal(joined.max_texture_px, 4096);
+    assert_true(joined.is_software);
+    ASSERT_CLOSE(joined.measured_ms, 9.0, 0.0);
+    assert_bounds(joined.surface_bounds, all);
+    assert_int_equal(bad_rank, 99);
+  }
+  const water_rank_view gpus[2] = { view_of_left, view_of_right };
+  water_ranks_view joined;
+  size_t bad_rank;
+  assert_int_equal(water_ranks_join_views(gpus, 2, 1, &joined, &bad_rank), WATER_OK);
+  assert_false(joined.is_software);
+}
+
+// Ranks whose waters differ make no plan, and what was known stays.
+TEST(waters_that_differ_are_refused)
+{
+  water_rank_view views[3] = { view_of_left, view_of_nothing, view_of_right };
+  water_ranks_view joined;
+  memset(&joined, 0, sizeof joined);
+  size_t bad_rank = 99;
+  views[2].digest += 1.0;
+  assert_int_equal(
+    water_ranks_join_views(views, 3, 0, &joined, &bad_rank), WATER_RANKS_DIFFERENT_LOOKS);
+  assert_int_equal(bad_rank, 2);
+  views[1].sheet_count = 2.0;
+  assert_int_equal(
+    water_ranks_join_views(views, 3, 2, &joined, &bad_rank), WATER_RANKS_DIFFERENT_WATERS);
+  assert_int_equal(bad_rank, 1);
+  assert_int_equal(joined.prop_count, 0);
+}
+
+// A pond with land on four sides, of which each rank has a part.
+static water_prop land(double x, double y, double top)
+{
+  const water_prop made = { { x - 1.0, x + 1.0, y - 1.0, y + 1.0, -1.0, top }, WATER_PROP_VISIBLE,
+    0.0f };
+  return made;
+}
+
+// Each rank plans the same, bit by bit, as one that has all of it, though the root alone knows the
+// eye, and another rank sees the water hidden.
+TEST(every_rank_makes_the_same_plan)
+{
+  const water_prop props[5] = { land(-3.0, 0.0, 4.0), land(3.0, 0.0, 9.0), land(0.0, 60.0, 2.0),
+    land(0.0, 5.0, 3.0), land(2.0, 8.0, 1.0) };
+  water_scene serial = lake();
+  serial.props = props;
+  serial.prop_count = 5;
+  water_plan expected;
+  water_cull_reason reasons[5];
+  assert_int_equal(water_plan_make(&serial, &expected, reasons), WATER_OK);
+  assert_int_equal(expected.decision, WATER_REFLECT);
+
+  water_scene root = serial;
+  root.props = NULL;
+  root.prop_count = 2;
+  root.is_hidden = true;
+  root.has_scene_depth = true;
+  root.is_software = true;
+  root.max_texture_px = 5;
+  memset(root.surface_bounds, 0, sizeof root.surface_bounds);
+  water_rank_view views[3] = { view_of_left, view_of_nothing, view_of_right };
+  for (int i = 0; i < 3; ++i)
+  {
+    views[i].is_software = serial.is_software;
+    views[i].max_texture_px = serial.max_texture_px;
+    memcpy(views[i].surface_bounds, serial.surface_bounds, sizeof serial.surface_bounds);
+  }
+  for (size_t rank = 0; rank < 3; ++rank)
+  {
+    water_ranks_view joined;
+    size_t bad_rank;
+    assert_int_equal(water_ranks_join_views(views, 3, rank, &joined, &bad_rank), WATER_OK);
+    const water_scene scene = water_ranks_scene(&root, &joined, props);
+    water_plan plan;
+    water_cull_reason own[5];
+    assert_int_equal(water_plan_make(&scene, &plan, own), WATER_OK);
+    assert_memory_equal(&plan, &expected, sizeof plan);
+    assert_memory_equal(own, reasons, sizeof own);
+  }
+}
+
+// Every number counts, and so does the order.
+TEST(digest_tells_numbers_apart)
+{
+  const double numbers[3] = { 1.0, 2.0, 3.0 };
+  const double others[3] = { 2.0, 1.0, 3.0 };
+  const uint64_t none = WATER_RANKS_DIGEST_BEGIN;
+  assert_true(water_ranks_digest(none, numbers, 0) == none);
+  const uint64_t digest = water_ranks_digest(none, numbers, 3);
+  assert_true(digest == water_ranks_digest(water_ranks_digest(none, numbers, 1), numbers + 1, 2));
+  assert_true(digest != water_ranks_digest(none, others, 3));
+  assert_true(digest != water_ranks_digest(none, numbers, 2));
+  // the published value of the byte 0 eight times: 64 bits of 0.0
+  const double zero = 0.0;
+  uint64_t expected = none;
+  for (int i = 0; i < 8; ++i)
+  {
+    expected *= UINT64_C(1099511628211);
+  }
+  assert_true(water_ranks_digest(none, &zero, 1) == expected);
+  ASSERT_CLOSE(water_ranks_digest_number(UINT64_MAX), 9007199254740991.0, 0.0);
+  ASSERT_CLOSE(water_ranks_digest_number(UINT64_C(1) << 11), 1.0, 0.0);
+}
+
+// So does every setting.
+TEST(digest_tells_settings_apart)
+{
+  const water_settings one = { .texture_scale = 1.0 };
+  const uint64_t digest = water_ranks_digest_settings(WATER_RANKS_DIGEST_BEGIN, &one);
+  for (int i = 0; i < 11; ++i)
+  {
+    water_settings other = one;
+    double* const numbers[7] = { &other.texture_scale, &other.guard_band, &other.clip_margin,
+      &other.prop_px_min, &other.reflectance_error, &other.target_error_px, &other.time_budget_ms };
+    if (i < 7)
+    {
+      *numbers[i] += 0.5;
+    }
+    other.skips += i == 7;
+    other.multi_samples += i == 8;
+    other.color_precision = i == 9 ? WATER_COLOR_HALF_FLOAT : other.color_precision;
+    other.quality = i == 10 ? WATER_QUALITY_UPDATE_RATE : other.quality;
+    assert_true(digest != water_ranks_digest_settings(WATER_RANKS_DIGEST_BEGIN, &other));
+  }
+  assert_true(digest == water_ranks_digest_settings(WATER_RANKS_DIGEST_BEGIN, &one));
+}
+
+// The nearer pixel wins, and of two at one depth the lower rank's: the root's background.
+TEST(nearest_pixel_wins)
+{
+  const water_rank_pixel lower[4] = { { 5, 10 }, { 9, 11 }, { UINT32_MAX, 12 }, { 0, 13 } };
+  water_rank_pixel nearest[4] = { { 6, 20 }, { 8, 21 }, { UINT32_MAX, 22 }, { UINT32_MAX, 23 } };
+  const water_rank_pixel expected[4] = { { 5, 10 }, { 8, 21 }, { UINT32_MAX, 12 }, { 0, 13 } };
+  water_ranks_nearest(lower, nearest, 4);
+  assert_memory_equal(nearest, expected, sizeof nearest);
+}
+
+// In whatever groups the ranks are joined, the result is the same.
+TEST(nearest_pixel_wins_in_any_grouping)
+{
+  dice from = { 4 };
+  for (int i = 0; i < 200; ++i)
+  {
+    water_rank_pixel ranks[3];
+    for (uint32_t j = 0; j < 3; ++j)
+    {
+      ranks[j].depth = (uint32_t)dice_roll(&from, 0.0, 3.0); // many ties
+      ranks[j].color = j;
+    }
+    water_rank_pixel left = ranks[1]; // (0 1) 2
+    water_ranks_nearest(&ranks[0], &left, 1);
+    water_rank_pixel one = ranks[2];
+    water_ranks_nearest(&left, &one, 1);
+    water_rank_pixel other = ranks[2]; // 0 (1 2)
+    water_ranks_nearest(&ranks[1], &other, 1);
+    water_ranks_nearest(&ranks[0], &other, 1);
+    assert_memory_equal(&one, &other, sizeof one);
+  }
+}
+
+// Both kinds of colours come back as they were.
+TEST(pixels_are_packed_and_unpacked)
+{
+  const uint32_t colors[6] = { 1, 2, 3, 4, 5, 6 };
+  const uint32_t depths[3] = { 7, 8, 9 };
+  for (size_t words = 1; words <= 2; ++words)
+  {
+    water_rank_pixel pixels[6];
+    uint32_t got_colors[6] = { 0 };
+    uint32_t got_depths[3] = { 0 };
+    water_ranks_pack(colors, depths, words, 3, pixels);
+    assert_int_equal(pixels[3 * words - 1].color, 3 * words);
+    assert_int_equal(pixels[3 * words - 1].depth, 9);
+    assert_int_equal(pixels[words - 1].depth, 7);
+    water_ranks_unpack(pixels, words, 3, got_colors, got_depths);
+    assert_memory_equal(got_colors, colors, 3 * words * sizeof *colors);
+    assert_memory_equal(got_depths, depths, sizeof depths);
+  }
+}
+
+TESTS(bounds_of_all_ranks_are_joined, rank_that_differs_is_named, facts_of_a_view_are_joined,
+  waters_that_differ_are_refused, every_rank_makes_the_same_plan, digest_tells_numbers_apart,
+  digest_tells_settings_apart, nearest_pixel_wins, nearest_pixel_wins_in_any_grouping,
+  pixels_are_packed_and_unpacked)
