@@ -142,6 +142,14 @@ vtkWaterSource* vtkWaterActor::GetSource()
 //------------------------------------------------------------------------------
 double* vtkWaterActor::GetBounds()
 {
+  double* bounds = this->FindBounds();
+  // a culler that one rank alone goes by would leave the others waiting for it
+  return bounds && this->Internal->IsDrawnOnAllRanks() ? nullptr : bounds;
+}
+
+//------------------------------------------------------------------------------
+double* vtkWaterActor::FindBounds()
+{
   this->UpdateSheet();
   if (!this->Internal->WarmUp.GetIsDone())
   {

@@ -251,6 +251,8 @@ private:
   bool ShowsOpaqueData();
   // Does the built-in sheet reach to the horizon?
   bool IsEndless() { return this->SheetToHorizon && this->UsesOwnSheet(); }
+  // What GetBounds returns between frames.
+  double* FindBounds();
   // Decides whether an automatic sheet reaches to the horizon.
   void ChooseSheet(const std::vector<vtkRenderer*>& scene);
   // Fits the built-in sheet to the scene and the plane; does nothing with a user's mapper.

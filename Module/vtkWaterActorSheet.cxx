@@ -116,7 +116,7 @@ void vtkWaterActor::ChooseSheet(const std::vector<vtkRenderer*>& scene)
   double bounds[6];
   double origin[3];
   water_plane plane;
-  vtkWaterSheet::FindSceneBounds(scene, bounds);
+  this->Internal->FindSceneBounds(scene, bounds);
   this->Internal->ReadPlane(&plane, origin);
   // water alone is open water, in a frame; before there is nothing yet to choose by
   this->SheetToHorizon = vtkMath::AreBoundsInitialized(bounds)
@@ -161,13 +161,20 @@ void vtkWaterActor::UpdateSheet()
   internal.IsUpdatingSheet = true;
   this->ChooseSheet(scene);
   static const std::vector<double> all;
+  double bounds[6] = {};
+  if (!this->UseSheetBounds && !this->SheetToHorizon)
+  {
+    internal.FindSceneBounds(scene, bounds); // asks all props
+  }
   const water_status status = this->SheetToHorizon
     ? internal.Sheet.Clear(fitted.Plane)
     : internal.Sheet.Fit(fitted.Plane, fitted.Origin,
-        this->UseSheetBounds ? this->SheetBounds : nullptr, scene,
+        this->UseSheetBounds ? this->SheetBounds : nullptr, bounds,
         this->SheetIsAutomatic ? internal.Ground.GetWet() : all);
   internal.IsUpdatingSheet = false;
-  if (status == WATER_BAD_SURFACE && std::none_of(scene.begin(), scene.end(), IsRendering))
+  const bool isEarly = std::none_of(scene.begin(), scene.end(), IsRendering) ||
+    (internal.IsDrawnOnAllRanks() && !internal.HasRankBounds);
+  if (status == WATER_BAD_SURFACE && isEarly)
   {
     return; // asked for its bounds while there is nothing yet to be as wide as: no frame, no fault
   }
@@ -176,6 +183,49 @@ void vtkWaterActor::UpdateSheet()
     internal.GetOwnReflection().Decline(WATER_NO_REFLECT_FAILED);
   }
   internal.Report(nullptr, status == WATER_OK ? vtkWaterError() : vtkWaterDescribe(status, fitted));
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterActor::Internals::FindSceneBounds(
+  const std::vector<vtkRenderer*>& scene, double bounds[6])
+{
+  if (this->HasRankBounds)
+  {
+    std::copy_n(this->RankBounds, 6, bounds);
+    return;
+  }
+  vtkWaterSheet::FindSceneBounds(scene, bounds);
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterActor::Internals::SetSceneBounds(const double* bounds)
+{
+  const bool isSame = this->HasRankBounds == (bounds != nullptr) &&
+    (!bounds || std::equal(bounds, bounds + 6, this->RankBounds));
+  if (isSame)
+  {
+    return;
+  }
+  this->HasRankBounds = bounds != nullptr;
+  if (bounds)
+  {
+    std::copy_n(bounds, 6, this->RankBounds);
+  }
+  // what was laid and measured in this frame was so for a part of the scene
+  this->FittedFrame = this->MeasuredFrame = this->SnapshotFrame = 0;
+}
+
+//------------------------------------------------------------------------------
+bool vtkWaterActor::Internals::IsDrawnOnAllRanks()
+{
+  vtkWaterReflection* composed = this->GetComposedReflection();
+  if (!(composed ? *composed : this->GetOwnReflection()).Ranks.AreSeveral())
+  {
+    return false;
+  }
+  std::vector<vtkRenderer*> scene;
+  FindRenderers(this->Self, scene);
+  return std::any_of(scene.begin(), scene.end(), IsRendering);
 }
 
 //------------------------------------------------------------------------------
@@ -191,7 +241,7 @@ double vtkWaterActor::Internals::GetSceneDiagonal()
     this->MeasuredFrame = frame;
     double bounds[6];
     this->IsUpdatingSheet = true; // a scene that is asked for its bounds asks this water, too
-    vtkWaterSheet::FindSceneBounds(scene, bounds);
+    this->FindSceneBounds(scene, bounds);
     this->IsUpdatingSheet = false;
     this->SceneDiagonal =
       vtkMath::AreBoundsInitialized(bounds) ? vtkBoundingBox(bounds).GetDiagonalLength() : 0.0;

@@ -210,7 +210,7 @@ vtkWaterSnapshotPointer vtkWaterActor::Internals::Take(vtkRenderer* renderer)
   }
   auto made = std::make_shared<vtkWaterSnapshot>();
   made->Actor = this->Self;
-  if (const double* bounds = this->Self->GetBounds()) // lays the sheet where it is now
+  if (const double* bounds = this->Self->FindBounds()) // lays the sheet where it is now
   {
     std::copy_n(bounds, 6, made->Bounds);
   }

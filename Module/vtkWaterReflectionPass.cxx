@@ -116,6 +116,28 @@ vtkRenderPass* vtkWaterReflectionPass::GetDelegatePass()
 }
 
 //------------------------------------------------------------------------------
+void vtkWaterReflectionPass::SetController(vtkMultiProcessController* controller)
+{
+  if (this->GetController() != controller)
+  {
+    this->Reflection->Ranks.SetController(controller);
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkMultiProcessController* vtkWaterReflectionPass::GetController() const
+{
+  return this->Reflection->Ranks.GetController();
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkWaterReflectionPass::GetNumberOfPixelsJoined() const
+{
+  return this->Reflection->GetReport().JoinedPixels;
+}
+
+//------------------------------------------------------------------------------
 vtkRenderPass* vtkWaterReflectionPass::FindDelegate()
 {
   if (this->DelegatePass)

@@ -44,6 +44,7 @@ VTK_ABI_NAMESPACE_BEGIN
 
 class vtkInformationIntegerKey;
 class vtkInformationObjectBaseKey;
+class vtkMultiProcessController;
 class vtkRenderer;
 class vtkTextureObject;
 
@@ -317,6 +318,26 @@ public:
 
   ///@{
   /**
+   * The ranks of a parallel program (its processes) whose scenes are parts of one: each of them
+   * mirrors what it has, and every rank's water reflects all of it. What composes the picture is
+   * VTK's business (vtkCompositedSynchronizedRenderers, say). Every rank sets a controller of its
+   * own for its pass, renders as often as the others, and has the same waters with the same look,
+   * time and settings; else each says an error and shows its water's plain colour. A controller of
+   * one process is as good as none. Set nullptr, on all ranks, for frames that one rank renders
+   * alone. Source: Documentation/decisions/023-ranks.md. Default is nullptr.
+   */
+  void SetController(vtkMultiProcessController* controller);
+  vtkMultiProcessController* GetController() const;
+  ///@}
+
+  /**
+   * Pixels of the last frame's mirrored view that the ranks have sent each other, 8 bytes each, or
+   * 16 with half floats; 0 when the last view was used again, or without other ranks.
+   */
+  vtkIdType GetNumberOfPixelsJoined() const;
+
+  ///@{
+  /**
    * Whether to measure times and counts. Default is off, which sends no queries to the GPU.
    */
   void SetInstrumentation(bool instrumentation);
@@ -374,7 +395,7 @@ public:
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
   /**
-   * Copies all settings of the mirrored view from another pass.
+   * Copies all settings of the mirrored view from another pass, except the controller.
    */
   void CopySettings(vtkWaterReflectionPass* other);
 

@@ -409,6 +409,7 @@ void vtkWaterReflectionPass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "TimeBudget: " << this->GetTimeBudget() << "\n";
   os << indent << "QualityStep: " << this->GetQualityStep() << "\n";
   os << indent << "TextureScaleInUse: " << this->GetTextureScaleInUse() << "\n";
+  os << indent << "Controller: " << this->Reflection->Ranks.GetText() << "\n";
   os << indent << "ShowReflection: " << (this->ShowReflection ? "on" : "off") << "\n";
   os << indent << "NumberOfReflectionRenders: " << this->GetNumberOfReflectionRenders() << "\n";
   os << indent << "Last plan: " << this->GetDecisionAsString() << "\n";

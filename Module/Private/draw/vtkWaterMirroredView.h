@@ -53,6 +53,15 @@ public:
   // Returns nullptr, or what went wrong in a few words; the target is then not to be used.
   const char* Draw(vtkRenderer* renderer, const water_plan& plan, Draft& draft);
 
+  // Makes of what all ranks drew the mirrored view of the whole scene, in the plan's rectangle. All
+  // of them call it, or none.
+  //
+  // Returns nullptr, or what went wrong in a few words.
+  const char* Join(vtkWaterRanks& ranks, const water_plan& plan)
+  {
+    return this->Target.Join(ranks, plan.texture_rect_px);
+  }
+
   // What there was no memory for in the last call of FindVisible or Draw: more was drawn than is
   // seen.
   const vtkWaterShortage& GetShortage() const

@@ -8,6 +8,7 @@
 class vtkOpenGLFramebufferObject;
 class vtkOpenGLRenderWindow;
 class vtkTextureObject;
+class vtkWaterRanks;
 class vtkWindow;
 
 class vtkWaterTarget
@@ -36,6 +37,12 @@ public:
   // has pushed the framebuffer bindings and pops them.
   bool Bind();
   void Resolve();
+
+  // Takes what is nearest of all ranks' targets in a rectangle (x, y, width, height in pixels),
+  // once samples are resolved. All ranks call it, or none.
+  //
+  // Returns nullptr, or what went wrong in a few words.
+  const char* Join(vtkWaterRanks& ranks, const int rect[4]);
 
   // Fills the colour's mip levels.
   void MakeLevels();

@@ -39,6 +39,10 @@ bool IsPeeling(vtkProp* prop)
 //------------------------------------------------------------------------------
 vtkWaterFrame::~vtkWaterFrame()
 {
+  if (this->Renderer && this->RanksObserver)
+  {
+    this->Renderer->RemoveObserver(this->RanksObserver);
+  }
   this->End();
 }
 
@@ -181,6 +185,17 @@ void vtkWaterFrame::Allot(vtkWaterSource& water)
     (composed ? *composed : water.GetOwnReflection()).Decline(WATER_NO_REFLECT_SELECTING);
     return;
   }
+  vtkWaterReflection& reflection = composed ? *composed : water.GetOwnReflection();
+  if (reflection.Ranks.AreSeveral())
+  {
+    this->Begin(water);
+    this->Agree(reflection);
+    water.GetProp()->GetBounds(); // lays the sheet over the scene of all ranks
+  }
+  else
+  {
+    water.SetSceneBounds(nullptr);
+  }
   if (water.HasSheetError())
   {
     water.GetOwnReflection().Decline(WATER_NO_REFLECT_FAILED);
@@ -262,7 +277,8 @@ void vtkWaterFrame::RenderComposed(vtkWaterReflection& reflection,
   std::copy_n(viewport_px, 2, frame.Viewport_px);
   frame.Hints.IsSoftware = this->IsSoftware();
   frame.Hints.MayToneMap = vtkWaterPasses::MayKeepFloats(this->Renderer->GetPass());
-  reflection.Render(frame, waters);
+  frame.RanksError = this->Agree(reflection) ? nullptr : &this->RanksError;
+  this->AreAgreed = reflection.Render(frame, waters) && this->AreAgreed;
 }
 
 //------------------------------------------------------------------------------

@@ -10,9 +10,11 @@
 #include "vtkSmartPointer.h"
 #include "vtkTimeStamp.h"
 #include "vtkWaterPropRecords.h"
+#include "vtkWaterSource.h"
 #include "vtkWaterSurfaceShader.h"
 #include "vtkWeakPointer.h"
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -23,7 +25,6 @@ class vtkRenderer;
 class vtkViewport;
 class vtkWaterReflection;
 class vtkWaterShaderHook;
-class vtkWaterSource;
 struct water_plan;
 
 class vtkWaterFrame
@@ -98,6 +99,13 @@ private:
   };
 
   void End();
+  // With other ranks: do all of them show the same waters in this frame? Asked of them once, before
+  // anything is drawn. Waters are told how far the scene of all ranks reaches.
+  bool Agree(vtkWaterReflection& reflection);
+  bool Ask(vtkWaterReflection& reflection, vtkWaterError& error);
+  // Says so to the other ranks when this one shows none, which they may not know.
+  void SayNoWater();
+  std::vector<vtkWaterSource*> FindWatersOfRanks() const;
   const Group* FindGroup(vtkWaterSource& water) const;
   // Finds the sheets that share a mirrored view with a water, and when it is drawn.
   const Group& EnsureGroup(vtkWaterSource& water);
@@ -133,7 +141,12 @@ private:
   double FogEye[12] = {};                    // its directions
   vtkRenderWindow* SoftwareWindow = nullptr; // compared only
   bool IsSoftwareWindow = false;
-  bool IsSilenceSaid = false; // of a driver
+  bool IsSilenceSaid = false;    // of a driver
+  vtkMTimeType AgreedNumber = 0; // of the frame that the ranks were asked about
+  bool AreAgreed = false;
+  vtkWaterError RanksError;                          // when they have not
+  std::weak_ptr<vtkWaterReflection> Asking;          // that asked them last
+  vtkSmartPointer<vtkCallbackCommand> RanksObserver; // of frames in which no water may ask
 };
 
 #endif

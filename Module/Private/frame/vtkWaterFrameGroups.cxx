@@ -95,10 +95,13 @@ bool vtkWaterFrame::CanBeLate(vtkWaterSource& water)
 {
   vtkOpenGLRenderer* renderer = this->Renderer;
   const unsigned wanted = WATER_MAY_SKIP_HIDDEN | WATER_MAY_SKIP_PIXELS;
-  return (water.GetOwnReflection().Settings.skips & wanted) && !water.GetComposedReflection() &&
-    !renderer->GetPass() && !renderer->GetUseSSAO() && !renderer->GetUseShadows() &&
-    !renderer->GetUseHiddenLineRemoval() && water.GetProp()->HasOpaqueGeometry() &&
-    vtkWaterDrawnProps(renderer).Has(water.GetProp()) && !this->HasPropsOfTheirView();
+  vtkWaterReflection& reflection = water.GetOwnReflection();
+  // what hides the water is one rank's alone
+  return !reflection.Ranks.AreSeveral() && (reflection.Settings.skips & wanted) &&
+    !water.GetComposedReflection() && !renderer->GetPass() && !renderer->GetUseSSAO() &&
+    !renderer->GetUseShadows() && !renderer->GetUseHiddenLineRemoval() &&
+    water.GetProp()->HasOpaqueGeometry() && vtkWaterDrawnProps(renderer).Has(water.GetProp()) &&
+    !this->HasPropsOfTheirView();
 }
 
 //------------------------------------------------------------------------------
@@ -235,7 +238,9 @@ void vtkWaterFrame::RenderShared(vtkWaterSource& water, const int viewport_px[2]
   frame.Hints.HasSceneDepth = isLate &&
     std::count_if(props.Begin, props.End, IsWater) == static_cast<std::ptrdiff_t>(sheets.size());
   frame.Hints.BudgetMs = this->FindBudget(sheets);
-  sheets.front()->GetOwnReflection().Render(frame, sheets);
+  vtkWaterReflection& reflection = sheets.front()->GetOwnReflection();
+  frame.RanksError = this->Agree(reflection) ? nullptr : &this->RanksError;
+  this->AreAgreed = reflection.Render(frame, sheets) && this->AreAgreed;
   for (size_t i = 1; i < sheets.size(); ++i)
   {
     sheets[i]->GetOwnReflection().Decline(WATER_NO_REFLECT_SHARED);

@@ -43,6 +43,11 @@ public:
   virtual void Report(vtkRenderer* renderer, const vtkWaterError& error) = 0;
   virtual bool HasSheetError() const = 0;
 
+  // What the scenes of all ranks take together; the sheet is laid, and lengths are read, by that.
+  //
+  // bounds  min > max: there is nothing; nullptr: there are no other ranks
+  virtual void SetSceneBounds(const double* bounds) = 0;
+
   // Draws the surface to be counted, without a trace.
   virtual void Probe(vtkRenderer* renderer) = 0;
 

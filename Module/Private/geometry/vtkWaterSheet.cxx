@@ -145,7 +145,7 @@ void vtkWaterSheet::SetParts(const std::vector<double>& corners, const double no
 
 //------------------------------------------------------------------------------
 water_status vtkWaterSheet::Fit(const water_plane& plane, const double origin[3],
-  const double bounds[4], const std::vector<vtkRenderer*>& scene, const std::vector<double>& wet)
+  const double bounds[4], const double scene[6], const std::vector<double>& wet)
 {
   water_plane unit;
   water_status status = water_plane_normalise(&plane, &unit);
@@ -163,9 +163,7 @@ water_status vtkWaterSheet::Fit(const water_plane& plane, const double origin[3]
   }
   else
   {
-    double sceneBounds[6];
-    FindSceneBounds(scene, sceneBounds);
-    status = water_sheet_bounds(origin, x_dir, y_dir, sceneBounds, sheet);
+    status = water_sheet_bounds(origin, x_dir, y_dir, scene, sheet);
     if (status != WATER_OK)
     {
       return status;

@@ -28,10 +28,10 @@ public:
   //
   // plane     of any scale; its origin is the origin of the sheet's axes
   // bounds    xmin, xmax, ymin, ymax in the plane's axes; nullptr: over the scene
-  // scene     renderers whose props are to be covered, when bounds is nullptr
+  // scene     bounds of what is to be covered, when bounds is nullptr
   // wet       corners of the parts of it that there are, four of x, y, z each; empty: all of it
   water_status Fit(const water_plane& plane, const double origin[3], const double bounds[4],
-    const std::vector<vtkRenderer*>& scene, const std::vector<double>& wet);
+    const double scene[6], const std::vector<double>& wet);
 
   // Bounds of what renderers show, waters left out; min > max: nothing.
   static void FindSceneBounds(const std::vector<vtkRenderer*>& scene, double bounds[6]);

@@ -47,6 +47,7 @@ struct vtkWaterActor::Internals : public vtkWaterSource
   bool IsClear() override;
   void Report(vtkRenderer* renderer, const vtkWaterError& error) override;
   bool HasSheetError() const override;
+  void SetSceneBounds(const double* bounds) override;
   void Probe(vtkRenderer* renderer) override;
   vtkWaterReflection& GetOwnReflection() override;
   vtkWaterReflection* GetComposedReflection() override;
@@ -61,6 +62,10 @@ struct vtkWaterActor::Internals : public vtkWaterSource
   bool IsDisplaced() const;
   // The look in the scene's unit.
   void Describe(vtkWaterLook& look);
+  // What the water's renderers show, on all ranks.
+  void FindSceneBounds(const std::vector<vtkRenderer*>& scene, double bounds[6]);
+  // Is a frame being rendered whose water all ranks draw, whatever each of them sees of it?
+  bool IsDrawnOnAllRanks();
   // Of what the water's renderers show, units; 0: there is nothing.
   double GetSceneDiagonal();
   // The waves at the actor's time, in the scene's unit.
@@ -98,6 +103,8 @@ struct vtkWaterActor::Internals : public vtkWaterSource
   std::vector<SourcedError> Errors;
   bool IsUpdatingSheet = false;
   bool IsSeaUnknown = false;      // for want of memory, which has been said
+  bool HasRankBounds = false;     // the scene is that of several ranks
+  double RankBounds[6] = {};      // of them all
   vtkMTimeType FittedFrame = 0;   // of which the sheet is
   vtkMTimeType MeasuredFrame = 0; // of which the diagonal is
   double SceneDiagonal = 0.0;

@@ -86,7 +86,7 @@ bool vtkWaterReflection::IsFresh(
     return false;
   }
   const water_camera eye = vtkWaterGather::ReadCamera(renderer);
-  const water_camera& planned = this->Gathered.Scene.eye;
+  const water_camera& planned = this->OwnEye;
   // bit by bit: a camera with NaN is the same camera, not a new one for every draw
   return std::memcmp(eye.world_to_view, planned.world_to_view, sizeof eye.world_to_view) == 0 &&
     std::memcmp(eye.view_to_clip, planned.view_to_clip, sizeof eye.view_to_clip) == 0;

@@ -9,6 +9,7 @@
 #include "vtkWaterGather.h"
 #include "vtkWaterMirroredView.h"
 #include "vtkWaterOcclusion.h"
+#include "vtkWaterRanks.h"
 #include "vtkWaterSignature.h"
 #include "vtkWaterSource.h"
 #include "vtkWaterSurfaceShader.h"
@@ -34,6 +35,7 @@ public:
     bool IsInstrumented = false; // times and numbers are taken
   };
   UserSettings Settings;
+  vtkWaterRanks Ranks; // whose scenes are one
 
   // Of the last frame, for whoever asks the pass.
   struct FrameReport
@@ -44,7 +46,8 @@ public:
     double GatherTime = std::numeric_limits<double>::quiet_NaN(); // ms
     double PlanTime = std::numeric_limits<double>::quiet_NaN();
     int ReasonCounts[WATER_CULL_REASON_COUNT] = {};
-    vtkIdType RenderCount = 0; // ever
+    vtkIdType RenderCount = 0;  // ever
+    vtkIdType JoinedPixels = 0; // that the ranks sent each other
   };
   const FrameReport& GetReport() const { return this->Report; }
   void ForgetTimes();
@@ -62,11 +65,14 @@ public:
     // Are the waters behind what the bound framebuffer shows? Asked only if they would reflect: the
     // answer waits for what was drawn. Empty: not known.
     std::function<bool()> AreHidden;
+    const vtkWaterError* RanksError = nullptr; // the ranks do not agree: there is no view
   };
 
   // Renders the mirrored view of waters in one plane for the renderer's active camera, unless the
   // plan says that it is not needed, and tells each of them what was wrong.
-  void Render(const Frame& frame, const std::vector<vtkWaterSource*>& waters);
+  //
+  // Returns false if the ranks do not agree: none of them may send anything more in the frame.
+  bool Render(const Frame& frame, const std::vector<vtkWaterSource*>& waters);
 
   // There is no view, for a reason that is known without a plan.
   void Decline(water_decision decision);
@@ -131,10 +137,22 @@ private:
     vtkWaterSignature Signature;
     vtkWaterMirroredView::Draft Draft;
     const char* Failure = nullptr;
+    bool IsAborted = false;  // on any rank
+    size_t FirstProp = 0;    // of this rank's in the scene's props
+    double MeasuredMs = 0.0; // of the last view, on the slowest rank
   };
 
   void Gather(const Frame& frame, const std::vector<vtkWaterSource*>& waters, Attempt& attempt);
-  void ChooseQuality(const Frame& frame, View& view);
+  double Measure(View& view) const; // what the last view took, ms, for a quality that asks
+  void ChooseQuality(const Frame& frame, Attempt& attempt);
+  // With other ranks, vtkWaterReflectionRanks.cxx: the scene of all of them, or an error; is the
+  // last reflection texture used by all; was the mirrored view drawn by all, and what is it of.
+  bool JoinScene(Attempt& attempt);
+  bool IsUnchangedOnAll(const Attempt& attempt, bool isUnchanged);
+  bool JoinDrawn(const Frame& frame, Attempt& attempt, bool wantsAgain);
+  void RenderNothing(
+    const Frame& frame, const std::vector<vtkWaterSource*>& waters, const vtkWaterError& error);
+  void SetPlanned(const Frame& frame, const std::vector<const vtkProp*>& waters);
   void MakePlan(const Frame& frame, Attempt& attempt);
   void Revise(const Frame& frame, Attempt& attempt);
   void Draw(const Frame& frame, Attempt& attempt);
@@ -152,6 +170,8 @@ private:
 
   std::map<Eye, ViewPointer> Views;
   vtkWaterGather Gathered;
+  water_camera OwnEye = water_camera(); // the renderer's own; the scene's is the root's
+  std::vector<water_prop> RankProps;    // of all ranks
   std::vector<water_cull_reason> Reasons;
   water_plan Plan = water_plan(); // of the last frame; const from the third step on
   bool HasView = false;           // the plan's, unless it could not be carried out

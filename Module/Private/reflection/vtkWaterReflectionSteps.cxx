@@ -15,11 +15,18 @@
 #include "water_target.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <functional>
 
 //------------------------------------------------------------------------------
-void vtkWaterReflection::Render(const Frame& frame, const std::vector<vtkWaterSource*>& waters)
+bool vtkWaterReflection::Render(const Frame& frame, const std::vector<vtkWaterSource*>& waters)
 {
+  this->Report.JoinedPixels = 0;
+  if (frame.RanksError)
+  {
+    this->RenderNothing(frame, waters, *frame.RanksError);
+    return false;
+  }
   // drawing runs the user's observers, who may drop any of these
   const std::shared_ptr<vtkWaterReflection> self = this->shared_from_this();
   std::vector<vtkSmartPointer<vtkProp>> held;
@@ -34,6 +41,12 @@ void vtkWaterReflection::Render(const Frame& frame, const std::vector<vtkWaterSo
   {
     Attempt attempt;
     this->Gather(frame, waters, attempt);
+    if (this->Ranks.AreSeveral() && !this->JoinScene(attempt))
+    {
+      this->RenderNothing(frame, waters, attempt.Error);
+      return false;
+    }
+    this->ChooseQuality(frame, attempt);
     this->MakePlan(frame, attempt);
     if (this->Plan.decision == WATER_REFLECT && frame.AreHidden && frame.AreHidden())
     {
@@ -47,8 +60,12 @@ void vtkWaterReflection::Render(const Frame& frame, const std::vector<vtkWaterSo
       this->Draw(frame, attempt);
     }
     // what was refused in this view is left out of a second one
-    isAgain = isReflecting && frame.Hook->Failures.TakeMirrored() && !isAgain &&
-      !frame.Renderer->GetRenderWindow()->GetAbortRender();
+    attempt.IsAborted = frame.Renderer->GetRenderWindow()->GetAbortRender() != 0;
+    isAgain = isReflecting && frame.Hook->Failures.TakeMirrored() && !isAgain && !attempt.IsAborted;
+    if (this->Plan.decision == WATER_REFLECT && this->Ranks.AreSeveral())
+    {
+      isAgain = this->JoinDrawn(frame, attempt, isAgain);
+    }
     if (!isAgain)
     {
       error = this->Commit(frame, attempt);
@@ -58,6 +75,7 @@ void vtkWaterReflection::Render(const Frame& frame, const std::vector<vtkWaterSo
   {
     water->Report(frame.Renderer, error);
   }
+  return true;
 }
 
 //------------------------------------------------------------------------------
@@ -82,8 +100,9 @@ void vtkWaterReflection::Gather(
     isRefused = [&failures](vtkProp* prop) { return failures.Has(prop); };
   }
   this->Gathered.ReadProps(frame.Renderer, *attempt.Waters.front(), isRefused, *frame.Records);
+  this->OwnEye = this->Gathered.Scene.eye;
   attempt.Drawn = this->GetView(frame.Renderer);
-  this->ChooseQuality(frame, *attempt.Drawn);
+  attempt.MeasuredMs = this->Measure(*attempt.Drawn);
   if (this->Settings.IsInstrumented)
   {
     this->Report.GatherTime = 1000.0 * (vtkTimerLog::GetUniversalTime() - begun);
@@ -91,11 +110,24 @@ void vtkWaterReflection::Gather(
 }
 
 //------------------------------------------------------------------------------
-void vtkWaterReflection::ChooseQuality(const Frame& frame, View& view)
+double vtkWaterReflection::Measure(View& view) const
 {
+  const water_quality_mode mode = this->Settings.quality;
+  if (mode != WATER_QUALITY_TIME_BUDGET && mode != WATER_QUALITY_UPDATE_RATE)
+  {
+    return 0.0;
+  }
   // a view that was used again took no time
   const bool wasRendered = this->Report.Decision == WATER_REFLECT;
   vtkWaterGpuQueries& queries = view.Mirrored.GetGpuQueries();
+  return queries.GetTime(vtkWaterGpuQueries::SURFACE) +
+    (wasRendered ? queries.GetTime(vtkWaterGpuQueries::REFLECTION) : 0.0);
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterReflection::ChooseQuality(const Frame& frame, Attempt& attempt)
+{
+  View& view = *attempt.Drawn;
   water_scene& scene = this->Gathered.Scene;
   water_quality_request request = water_quality_request();
   request.mode = this->Settings.quality;
@@ -106,10 +138,9 @@ void vtkWaterReflection::ChooseQuality(const Frame& frame, View& view)
   {
     water_quality_roughness(&scene, &view.DrawnPlan, this->Gathered.WaveNumber, &request.roughness);
   }
-  else if (request.mode != WATER_QUALITY_FIXED)
+  else
   {
-    request.measured_ms = queries.GetTime(vtkWaterGpuQueries::SURFACE) +
-      (wasRendered ? queries.GetTime(vtkWaterGpuQueries::REFLECTION) : 0.0);
+    request.measured_ms = attempt.MeasuredMs;
   }
   water_quality_choose(&request, &view.Quality, &this->Quality);
   scene.settings.texture_scale = this->Quality.texture_scale;
@@ -126,9 +157,21 @@ void vtkWaterReflection::ChooseQuality(const Frame& frame, View& view)
 void vtkWaterReflection::MakePlan(const Frame& frame, Attempt& attempt)
 {
   const double begun = this->Settings.IsInstrumented ? vtkTimerLog::GetUniversalTime() : 0.0;
-  this->Reasons.assign(this->Gathered.Props.size(), WATER_CULL_NONE);
-  const water_status status =
-    water_plan_make(&this->Gathered.Scene, &this->Plan, this->Reasons.data());
+  const size_t own = this->Gathered.Props.size();
+  this->Reasons.assign(this->Gathered.Scene.prop_count, WATER_CULL_NONE);
+  water_status status = water_plan_make(&this->Gathered.Scene, &this->Plan, this->Reasons.data());
+  if (this->Reasons.size() != own) // of those of all ranks
+  {
+    const auto first = this->Reasons.begin() + static_cast<std::ptrdiff_t>(attempt.FirstProp);
+    this->Reasons = std::vector<water_cull_reason>(first, first + static_cast<std::ptrdiff_t>(own));
+    this->Gathered.Scene.props = this->Gathered.Props.data();
+    this->Gathered.Scene.prop_count = own;
+  }
+  if (status == WATER_BAD_PROP_BOUNDS)
+  {
+    this->Plan.bad_index -= attempt.FirstProp;
+    status = this->Plan.bad_index < own ? status : WATER_OK; // said by the rank that has it
+  }
   if (status != WATER_OK)
   {
     attempt.Error = vtkWaterDescribe(status, *attempt.Waters.front(), &this->Gathered, &this->Plan);
@@ -144,15 +187,22 @@ void vtkWaterReflection::MakePlan(const Frame& frame, Attempt& attempt)
   this->Report.Decision = this->Plan.decision;
   this->HasView = this->Plan.has_view;
   this->GetGpuQueries(frame.Renderer); // turns them on or off
+  std::vector<const vtkProp*> planned;
+  for (const vtkWaterSnapshotPointer& water : attempt.Waters)
+  {
+    planned.push_back(water->Actor);
+  }
+  this->SetPlanned(frame, planned);
+  std::fill_n(this->Report.ReasonCounts, static_cast<int>(WATER_CULL_REASON_COUNT), 0);
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterReflection::SetPlanned(const Frame& frame, const std::vector<const vtkProp*>& waters)
+{
   this->PlannedFor = frame.Renderer;
   this->PlannedForSecondEye = IsSecondEye(frame.Renderer);
   this->PlannedFrame = frame.Number;
-  this->PlannedWaters.clear();
-  for (const vtkWaterSnapshotPointer& water : attempt.Waters)
-  {
-    this->PlannedWaters.push_back(water->Actor);
-  }
-  std::fill_n(this->Report.ReasonCounts, static_cast<int>(WATER_CULL_REASON_COUNT), 0);
+  this->PlannedWaters = waters;
 }
 
 //------------------------------------------------------------------------------
@@ -209,9 +259,10 @@ void vtkWaterReflection::Revise(const Frame& frame, Attempt& attempt)
   View& view = *attempt.Drawn;
   attempt.Draft.Hook = frame.Hook;
   attempt.Draft.Sky = this->Gathered.Sky;
-  attempt.Draft.HasMarchedRays = this->Gathered.HasMarchedRays;
-  attempt.Draft.WantsPeel = this->Gathered.WantsPeel;
-  if (this->Gathered.WantsPeel)
+  // the two are a rank's own, and not joined
+  attempt.Draft.HasMarchedRays = this->Gathered.HasMarchedRays && !this->Ranks.AreSeveral();
+  attempt.Draft.WantsPeel = this->Gathered.WantsPeel && !this->Ranks.AreSeveral();
+  if (attempt.Draft.WantsPeel)
   {
     frame.Hook->WantPeel();
   }
@@ -219,7 +270,11 @@ void vtkWaterReflection::Revise(const Frame& frame, Attempt& attempt)
   attempt.Draft.Shadows = vtkWaterShadows::Find(renderer);
   this->FindDrawn(frame, attempt);
   this->Sign(frame, attempt);
-  const bool isUnchanged = attempt.Signature.IsSameAs(view.DrawnSignature);
+  bool isUnchanged = attempt.Signature.IsSameAs(view.DrawnSignature);
+  if (this->Ranks.AreSeveral())
+  {
+    isUnchanged = this->IsUnchangedOnAll(attempt, isUnchanged);
+  }
   const water_visibility* visible = view.Mirrored.FindVisible(
     renderer, this->Plan, water_plan_wants_visibility(&view.DrawnPlan, &this->Plan));
   water_plan_revise(&this->Gathered.Scene, &view.DrawnPlan, isUnchanged, visible, &this->Plan,
@@ -307,7 +362,7 @@ vtkWaterError vtkWaterReflection::Commit(const Frame& frame, Attempt& attempt)
     view.Mirrored.ReleaseGraphicsResources(window); // was wanted in the middle of it
     this->Decline(WATER_NOT_PLANNED);
   }
-  else if (isDrawn && window->GetAbortRender())
+  else if (isDrawn && (attempt.IsAborted || window->GetAbortRender()))
   {
     this->Decline(WATER_NOT_PLANNED); // mappers draw nothing from then on
   }

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkWaterFrameRanks.cxx: the part of vtkWaterFrame that asks the other ranks of a sort-last
+// renderer, once a frame, whether they show the same waters. See
+// Documentation/decisions/023-ranks.md.
+#include "vtkCallbackCommand.h"
+#include "vtkCommand.h"
+#include "vtkOpenGLRenderer.h"
+#include "vtkPropCollection.h"
+#include "vtkSetGet.h"
+#include "vtkWaterFrame.h"
+#include "vtkWaterReflection.h"
+#include "vtkWaterShaderHook.h"
+#include "vtkWaterSheet.h"
+#include "vtkWaterSource.h"
+
+#include <algorithm>
+
+//------------------------------------------------------------------------------
+std::vector<vtkWaterSource*> vtkWaterFrame::FindWatersOfRanks() const
+{
+  std::vector<vtkWaterSource*> waters;
+  vtkPropCollection* props = this->Renderer->GetViewProps();
+  vtkCollectionSimpleIterator it;
+  props->InitTraversal(it);
+  while (vtkProp* prop = props->GetNextProp(it))
+  {
+    vtkWaterSource* water = prop->GetVisibility() ? vtkWaterSource::Of(prop) : nullptr;
+    if (water)
+    {
+      vtkWaterReflection* composed = water->GetComposedReflection();
+      if ((composed ? *composed : water->GetOwnReflection()).Ranks.AreSeveral())
+      {
+        waters.push_back(water);
+      }
+    }
+  }
+  return waters;
+}
+
+//------------------------------------------------------------------------------
+bool vtkWaterFrame::Ask(vtkWaterReflection& reflection, vtkWaterError& error)
+{
+  const std::vector<vtkWaterSource*> waters = this->FindWatersOfRanks();
+  water_rank_frame mine = water_rank_frame();
+  mine.water_count = static_cast<double>(waters.size());
+  vtkWaterSheet::FindSceneBounds({ this->Renderer }, mine.scene_bounds);
+  double bounds[6];
+  const bool isAgreed = reflection.Ranks.JoinFrames(mine, bounds, error);
+  for (vtkWaterSource* water : waters)
+  {
+    water->SetSceneBounds(bounds);
+  }
+  return isAgreed;
+}
+
+//------------------------------------------------------------------------------
+bool vtkWaterFrame::Agree(vtkWaterReflection& reflection)
+{
+  if (!reflection.Ranks.AreSeveral())
+  {
+    return true;
+  }
+  const vtkMTimeType number = this->GetNumber();
+  if (number != 0 && this->AgreedNumber == number)
+  {
+    return this->AreAgreed;
+  }
+  this->AgreedNumber = number;
+  this->RanksError = vtkWaterError();
+  this->AreAgreed = this->Ask(reflection, this->RanksError);
+  this->Asking = reflection.weak_from_this();
+  if (!this->RanksObserver)
+  {
+    this->RanksObserver = vtkSmartPointer<vtkCallbackCommand>::New();
+    this->RanksObserver->SetClientData(this);
+    this->RanksObserver->SetCallback([](vtkObject*, unsigned long, void* frame, void*) {
+      static_cast<vtkWaterFrame*>(frame)->SayNoWater();
+    });
+    // after what brings the ranks' cameras together, which sends by the same controller
+    this->Renderer->AddObserver(vtkCommand::StartEvent, this->RanksObserver, -1.0f);
+  }
+  return this->AreAgreed;
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterFrame::SayNoWater()
+{
+  const std::shared_ptr<vtkWaterReflection> reflection = this->Asking.lock();
+  if (!reflection || !reflection->Ranks.AreSeveral() || this->Renderer->GetSelector() ||
+    GetHook()->IsInMirroredView() || !this->FindWatersOfRanks().empty())
+  {
+    return; // a water of the frame asks
+  }
+  const std::string said = this->RanksError.Kind;
+  this->RanksError = vtkWaterError();
+  if (!this->Ask(*reflection, this->RanksError) && this->RanksError.Kind != said)
+  {
+    vtkErrorWithObjectMacro(this->Renderer, << this->RanksError.Text);
+  }
+}

@@ -1,0 +1,95 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""TestWaterRanks: a scene that is split over the ranks of a parallel program shows the serial picture.
+
+ranks_program.py is started by mpirun; this file judges the figures that it prints. Without mpirun, or VTK's
+module of MPI, there is nothing to test with, and the tests are skipped.
+"""
+
+import json
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+
+import pytest
+import water_test as wt
+
+MPIRUN = shutil.which("mpirun")
+pytest.importorskip("vtkmodules.vtkParallelMPI", reason="this VTK has no vtkParallelMPI")
+pytestmark = pytest.mark.skipif(not MPIRUN, reason="no mpirun (Debian: openmpi-bin)")
+
+PROGRAM = pathlib.Path(__file__).with_name("ranks_program.py")
+OF_ALL_PIXELS = 0.0002
+RENDERED, FAILED, REUSED = 1, 2, 8
+
+
+def run(count):
+    """The figures that so many ranks print, by case."""
+    command = [MPIRUN, "--oversubscribe", "--bind-to", "none", "-np", str(count)]
+    if os.geteuid() == 0:
+        command.insert(1, "--allow-run-as-root")
+    if "WATER_TEST_OUTPUT" in os.environ:
+        arguments = [str(wt.output_folder())]
+    else:
+        arguments = []
+    done = subprocess.run([*command, sys.executable, str(PROGRAM), *arguments], stdout=subprocess.PIPE,
+                          stderr=subprocess.PIPE, text=True, timeout=280, check=False)
+    assert done.returncode == 0, done.stdout + done.stderr
+    cases = {}
+    for line in done.stdout.splitlines():
+        if line.startswith("FIGURES "):
+            figures = json.loads(line[len("FIGURES "):])
+            cases.setdefault(figures.pop("case"), []).append(figures)
+    return cases
+
+
+@pytest.fixture(scope="module", params=[2, 4])
+def cases(request):
+    return run(request.param)
+
+
+def test_ranks_show_the_serial_picture(cases):
+    """Whatever the split and the look, beyond what the engine is off by without water."""
+    floor = max(case["off"] for case in cases["compare"] if case["look"] == "dry")
+    wt.check_equal("looks and splits", len(cases["compare"]), 14)
+    for case in cases["compare"]:
+        wt.check_at_most(f"{case['look']}, {case['split']}: share of pixels off", case["off"], floor + OF_ALL_PIXELS)
+        for decision, pixels, errors in case["facts"] if case["look"] != "dry" else ():
+            wt.check_equal("  decision", decision, RENDERED)
+            wt.check_at_least("  pixels joined", pixels, 1)
+            wt.check_equal("  errors", errors, 0)
+
+
+def test_nothing_is_sent_while_nothing_changes(cases):
+    """A change on one rank has all of them render again."""
+    (case,) = cases["use again"]
+    for frame, decision in enumerate((RENDERED, REUSED, RENDERED, REUSED)):
+        for rank, (decided, pixels) in enumerate(case["frames"][frame]):
+            wt.check_equal(f"frame {frame}, rank {rank}", decided, decision)
+            wt.check("  pixels joined", pixels, "0 where it is used again", (pixels > 0) == (decision == RENDERED))
+    wt.check_at_most("share of pixels off", case["off"], OF_ALL_PIXELS)
+
+
+def test_ranks_that_differ_say_so(cases):
+    """Every rank says it once, none waits, and the picture is as before when they are the same again."""
+    wt.check_equal("faults", len(cases["fault"]), 6)
+    for case in cases["fault"]:
+        for rank, (said, names_rank, decision, left) in enumerate(case["said"]):
+            wt.check_equal(f"{case['fault']}, rank {rank}: errors", said, 1)
+            wt.check_equal("  names a rank", names_rank, 1)
+            wt.check("  afterwards", decision, "rendered or used again", decision in (RENDERED, REUSED))
+            wt.check_equal("  error left", left, 0)
+        wt.check_at_most(f"{case['fault']}: share of pixels off afterwards", case["off"], 0)
+
+
+def test_random_frames_are_the_serial_ones(cases):
+    (case,) = cases["toggle"]
+    wt.check_at_most(f"{case['frames']} frames: share of pixels off", case["off"], OF_ALL_PIXELS)
+
+
+def test_one_rank_is_as_good_as_none():
+    (case,) = run(1)["alone"]
+    wt.check_equal("pixels off", case["off"], 0)
+    wt.check_equal("pixels joined", case["pixels"], 0)
+    wt.check_equal("error", case["error"], "")

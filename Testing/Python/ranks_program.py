@@ -1,0 +1,261 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""ranks_program: what TestWaterRanks starts with mpirun: a scene that is split over ranks, and its serial picture.
+
+usage: mpirun -np N ranks_program.py [FOLDER]
+
+Every rank renders its part; the pictures are put together by depth, as a sort-last renderer does, and
+compared on rank 0 with the picture of a window that has all of it. Prints a line of JSON a case on rank 0.
+FOLDER: where pictures go.
+"""
+
+import ctypes
+import json
+import sys
+
+import numpy as np
+import water_test as wt
+from vtkmodules import vtkParallelMPI
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkFloatArray
+
+from vtkwater import vtkWaterActor
+
+SIZE = (320, 240)
+SHEET = (-9, 9, -9, 9)
+
+
+class Ranks:
+    """What this process knows of the others."""
+
+    def __init__(self):
+        # Python's controller wants MPI to run already: the same MPI, found through VTK's own library
+        self.mpi = ctypes.CDLL(vtkParallelMPI.__file__)
+        self.mpi.MPI_Init(None, None)
+        self.controller = vtkParallelMPI.vtkMPIController()
+        self.controller.Initialize()
+        self.rank = self.controller.GetLocalProcessId()
+        self.count = self.controller.GetNumberOfProcesses()
+
+    def gather(self, numbers):
+        """The same number of 32-bit floats from each: ranks x numbers; None but on rank 0."""
+        sent = numpy_to_vtk(np.ascontiguousarray(numbers, np.float32).ravel(), deep=True)
+        received = vtkFloatArray()
+        received.SetNumberOfTuples(self.count * sent.GetNumberOfTuples() if self.rank == 0 else 0)
+        self.controller.Gather(sent, received, 0)
+        return vtk_to_numpy(received).reshape(self.count, -1) if self.rank == 0 else None
+
+
+def things():
+    """Posts of many colours and heights, in and at the water: data and colour of each."""
+    made = []
+    for i in range(7):
+        for j in range(7):
+            x, y = 2.4 * (i - 3) + 0.3 * (j % 2), 2.4 * (j - 3)
+            height = 0.8 + 0.35 * ((3 * i + 5 * j) % 7)
+            color = ((i + 1) / 7, (j + 1) / 7, ((i * j) % 5) / 4)
+            made.append((wt.pyramid((x, y, 0.5 * height - 0.2), height, 4 + (i + j) % 3, 0.7), color))
+    return made
+
+
+SPLITS = {
+    "blocks": lambda number, total, ranks: number * ranks // total,
+    "interleaved": lambda number, total, ranks: number % ranks,
+    "one empty": lambda number, total, ranks: number % (ranks - 1),
+    "all on the last": lambda number, total, ranks: ranks - 1,
+}
+
+
+def make_waves(water):
+    water.GetWaterProperty().AddWave(0.05, 2.1, 30)
+    water.GetWaterProperty().AddWave(0.03, 1.3, 75)
+
+
+def make_half_float(water):
+    water.GetReflectionPass().SetColorPrecisionToHalfFloat()
+
+
+def make_unbounded(water):
+    water.ResetSheetBounds()
+
+
+LOOKS = {
+    "calm": lambda water: None,
+    "waves": make_waves,
+    "half float": make_half_float,
+    "unbounded": make_unbounded,
+}
+
+
+def make_view(mine, look, samples=0):
+    """A window with those things whose number is mine, and water; look None: dry."""
+    view = wt.View(SIZE, samples=samples)
+    view.renderer.GradientBackgroundOn()
+    view.renderer.SetBackground2(0.9, 0.6, 0.3)
+    wt.place_camera(view.renderer, (14, -11, 3.5), (0, 0, 0.3), (0.5, 80))
+    wt.add_scene_light(view.renderer, (5, -9, 12))
+    view.actors = {
+        number: wt.add_actor(view.renderer, data, color)
+        for number, (data, color) in enumerate(things())
+        if mine(number)
+    }
+    view.water = None
+    if look is not None:
+        view.water = vtkWaterActor()
+        view.water.SetSheetBounds(*SHEET)
+        LOOKS[look](view.water)
+        view.renderer.AddActor(view.water)
+    return view
+
+
+def composed(ranks, view):
+    """The picture that all ranks render together, on rank 0."""
+    picture = view.picture()
+    depths = vtkFloatArray()
+    view.window.GetZbufferData(0, 0, SIZE[0] - 1, SIZE[1] - 1, depths)
+    all_colors = ranks.gather(picture)
+    all_depths = ranks.gather(vtk_to_numpy(depths))
+    if ranks.rank != 0:
+        return None
+    nearest = all_depths.argmin(axis=0)  # the first of equal ones
+    colors = all_colors.reshape(ranks.count, -1, 3)
+    return colors[nearest, np.arange(nearest.size)].reshape(picture.shape).astype(int)
+
+
+def off(first, second):
+    """Share of the pixels that differ by more than 1 of 255 in any colour."""
+    return float((np.abs(first - second).max(axis=2) > 1).mean())
+
+
+def own_part(ranks, split):
+    total = len(things())
+    return lambda number: SPLITS[split](number, total, ranks.count) == ranks.rank
+
+
+def say(ranks, **figures):
+    if ranks.rank == 0:
+        print("FIGURES " + json.dumps(figures), flush=True)
+
+
+def compare(ranks, split, look, folder, samples=0):
+    """One picture of all ranks against the serial one, and what each rank did."""
+    view = make_view(own_part(ranks, split), look, samples)
+    heard = []
+    if view.water:
+        heard = wt.errors_of(view.water)
+        view.water.GetReflectionPass().SetController(ranks.controller)
+    together = composed(ranks, view)
+    facts = [0, 0, len(heard)]
+    if view.water:
+        reflection = view.water.GetReflectionPass()
+        facts = [reflection.GetDecision(), reflection.GetNumberOfPixelsJoined(), len(heard)]
+    facts = ranks.gather(facts)
+    if ranks.rank == 0:
+        serial = make_view(lambda number: True, look, samples).picture()
+        if folder:
+            wt.save(together, f"{folder}/ranks-{ranks.count}-{split}-{look}.png")
+            wt.save(serial, f"{folder}/ranks-serial-{look}.png")
+        say(ranks, case="compare", split=split, look=look or "dry", samples=samples, off=off(together, serial),
+            facts=facts.tolist())
+
+
+def use_again(ranks):
+    """Frames that stand still, and one in which a thing of one rank alone moves."""
+    view = make_view(own_part(ranks, "blocks"), "calm")
+    reflection = view.water.GetReflectionPass()
+    reflection.SetController(ranks.controller)
+    rows = []
+    for frame in range(4):
+        if frame == 2 and 24 in view.actors:
+            view.actors[24].SetPosition(0, 0, 1)
+        together = composed(ranks, view)
+        rows.append(ranks.gather([reflection.GetDecision(), reflection.GetNumberOfPixelsJoined()]))
+    if ranks.rank == 0:
+        serial = make_view(lambda number: True, "calm")
+        serial.actors[24].SetPosition(0, 0, 1)
+        say(ranks, case="use again", frames=[row.tolist() for row in rows], off=off(together, serial.picture()))
+
+
+def part_company(ranks):
+    """Ranks that differ: every one says so, none waits; and they come together again."""
+    view = make_view(own_part(ranks, "blocks"), "calm")
+    heard = wt.errors_of(view.water)
+    heard_by_renderer = wt.errors_of(view.renderer)
+    water, last = view.water, ranks.rank == ranks.count - 1
+    water.GetReflectionPass().SetController(ranks.controller)
+    second = vtkWaterActor()
+    second.SetSheetBounds(*SHEET)
+    second.SetLevel(1.0)
+    second.GetReflectionPass().SetController(ranks.controller)
+    wt.errors_of(second)  # they are not for the log
+    faults = {
+        "look": (lambda: water.GetWaterProperty().SetIndexOfRefraction(1.5),
+                 lambda: water.GetWaterProperty().SetIndexOfRefraction(1.333)),
+        "time": (lambda: water.SetTime(3), lambda: water.SetTime(0)),
+        "setting": (lambda: water.GetReflectionPass().SetTextureScale(0.5),
+                    lambda: water.GetReflectionPass().SetTextureScale(1)),
+        "hidden": (lambda: water.SetVisibility(False), lambda: water.SetVisibility(True)),
+        "removed": (lambda: view.renderer.RemoveActor(water), lambda: view.renderer.AddActor(water)),
+        "two": (lambda: view.renderer.AddActor(second), lambda: view.renderer.RemoveActor(second)),
+    }
+    before = composed(ranks, view)
+    for name, (break_it, mend_it) in faults.items():
+        heard.clear()
+        heard_by_renderer.clear()
+        if last:
+            break_it()
+        composed(ranks, view)
+        composed(ranks, view)
+        said = [len(heard) + len(heard_by_renderer), "rank" in "".join(heard + heard_by_renderer)]
+        if last:
+            mend_it()
+        after = composed(ranks, view)
+        said = ranks.gather(said + [water.GetReflectionPass().GetDecision(), len(water.GetLastError())])
+        if ranks.rank == 0:
+            say(ranks, case="fault", fault=name, said=said.tolist(), off=off(before, after))
+
+
+def toggle(ranks, frames=60):
+    """Many frames of random changes, the same on all ranks or on one where that is allowed."""
+    dice = np.random.default_rng(5)
+    view = make_view(own_part(ranks, "interleaved"), "calm")
+    view.water.GetReflectionPass().SetController(ranks.controller)
+    serial = make_view(lambda number: True, "calm") if ranks.rank == 0 else None
+    worst = 0.0
+    for _ in range(frames):
+        kind, number, value = int(dice.integers(4)), int(dice.integers(49)), float(dice.uniform())
+        for one in filter(None, (view, serial)):
+            if kind == 0:
+                one.water.SetVisibility(not one.water.GetVisibility())
+            elif kind == 1 and number in one.actors:
+                one.actors[number].SetVisibility(value > 0.5)
+            elif kind == 2:
+                one.renderer.GetActiveCamera().Azimuth(20 * value)
+            elif kind == 3:
+                one.water.SetLevel(0.5 * value)
+        together = composed(ranks, view)
+        if ranks.rank == 0:
+            worst = max(worst, off(together, serial.picture()))
+    say(ranks, case="toggle", frames=frames, off=worst)
+
+
+def main():
+    ranks = Ranks()
+    folder = sys.argv[1] if len(sys.argv) > 1 else None
+    if ranks.count == 1:
+        view = make_view(lambda number: True, "calm")
+        view.water.GetReflectionPass().SetController(ranks.controller)
+        say(ranks, case="alone", off=off(view.picture(), make_view(lambda number: True, "calm").picture()),
+            pixels=view.water.GetReflectionPass().GetNumberOfPixelsJoined(), error=view.water.GetLastError())
+    else:
+        for look in (None, *LOOKS):
+            for split in SPLITS if look in (None, "calm") else ("blocks", "interleaved"):
+                compare(ranks, split, look, folder)
+        use_again(ranks)
+        part_company(ranks)
+        toggle(ranks)
+    ranks.controller.Finalize(1)  # MPI itself is ended by who began it
+    ranks.mpi.MPI_Finalize()
+
+
+main()
