@@ -52,7 +52,7 @@ def cases(request):
 def test_ranks_show_the_serial_picture(cases):
     """Whatever the split and the look, beyond what the engine is off by without water."""
     floor = max(case["off"] for case in cases["compare"] if case["look"] == "dry")
-    wt.check_equal("looks and splits", len(cases["compare"]), 14)
+    wt.check_equal("looks and splits", len(cases["compare"]), 18)
     for case in cases["compare"]:
         wt.check_at_most(f"{case['look']}, {case['split']}: share of pixels off", case["off"], floor + OF_ALL_PIXELS)
         for decision, pixels, errors in case["facts"] if case["look"] != "dry" else ():

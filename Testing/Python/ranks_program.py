@@ -47,7 +47,7 @@ class Ranks:
 
 
 def things():
-    """Posts of many colours and heights, in and at the water: data and colour of each."""
+    """Posts of many colours and heights, in and at the water, and a bed in four parts: data and colour of each."""
     made = []
     for i in range(7):
         for j in range(7):
@@ -55,6 +55,8 @@ def things():
             height = 0.8 + 0.35 * ((3 * i + 5 * j) % 7)
             color = ((i + 1) / 7, (j + 1) / 7, ((i * j) % 5) / 4)
             made.append((wt.pyramid((x, y, 0.5 * height - 0.2), height, 4 + (i + j) % 3, 0.7), color))
+    for x, y in ((-4.5, -4.5), (4.5, -4.5), (-4.5, 4.5), (4.5, 4.5)):
+        made.append((wt.box((x, y, -1), (9, 9, 0.5 + 0.02 * x)), (0.7, 0.5 + 0.05 * y, 0.4)))
     return made
 
 
@@ -79,11 +81,23 @@ def make_unbounded(water):
     water.ResetSheetBounds()
 
 
+def make_clear(water):
+    water.GetWaterProperty().RefractionOn()
+
+
+def make_clear_waves(water):
+    make_waves(water)
+    make_clear(water)
+    water.GetWaterProperty().SetCaustics(0.8)
+
+
 LOOKS = {
     "calm": lambda water: None,
     "waves": make_waves,
     "half float": make_half_float,
     "unbounded": make_unbounded,
+    "clear": make_clear,
+    "clear waves": make_clear_waves,
 }
 
 

@@ -6,11 +6,9 @@
 #include "vtkOpenGLState.h"
 #include "vtkTextureObject.h"
 #include "vtkWaterGL.h"
-#include "vtkWaterRanks.h"
+#include "vtkWaterRankPixels.h"
 
 #include <algorithm>
-#include <cstdint>
-#include <vector>
 
 namespace
 {
@@ -114,36 +112,11 @@ bool vtkWaterTarget::Ensure(
 //------------------------------------------------------------------------------
 const char* vtkWaterTarget::Join(vtkWaterRanks& ranks, const int rect[4])
 {
-  const size_t count = static_cast<size_t>(rect[2]) * static_cast<size_t>(rect[3]);
-  const size_t words = this->IsFloat ? 2 : 1;
-  const GLenum type = this->IsFloat ? GL_HALF_FLOAT : GL_UNSIGNED_BYTE;
-  std::vector<std::uint32_t> colors(words * count);
-  std::vector<std::uint32_t> depths(count); // as the texture has them: floats would round
-  std::vector<water_rank_pixel> pixels(words * count);
-  vtkOpenGLState* state = this->Framebuffer->GetContext()->GetState();
-  state->PushFramebufferBindings();
-  this->Framebuffer->Bind(vtkOpenGLFramebufferObject::GetReadMode());
-  this->Framebuffer->ActivateReadBuffer(0);
-  // rows are whole words, as GL's alignment is at most by default
-  glReadPixels(rect[0], rect[1], rect[2], rect[3], GL_RGBA, type, colors.data());
-  glReadPixels(
-    rect[0], rect[1], rect[2], rect[3], GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, depths.data());
-  state->PopFramebufferBindings();
-  water_ranks_pack(colors.data(), depths.data(), words, count, pixels.data());
-  if (!ranks.KeepNearest(pixels))
-  {
-    return "the other ranks cannot be reached for their part of the reflection texture";
-  }
-  water_ranks_unpack(pixels.data(), words, count, colors.data(), depths.data());
-  this->Color->Activate();
-  glTexSubImage2D(
-    GL_TEXTURE_2D, 0, rect[0], rect[1], rect[2], rect[3], GL_RGBA, type, colors.data());
-  this->Color->Deactivate();
-  this->Depth->Activate();
-  glTexSubImage2D(GL_TEXTURE_2D, 0, rect[0], rect[1], rect[2], rect[3], GL_DEPTH_COMPONENT,
-    GL_UNSIGNED_INT, depths.data());
-  this->Depth->Deactivate();
-  return nullptr;
+  const unsigned int type = this->IsFloat ? GL_HALF_FLOAT : GL_UNSIGNED_BYTE;
+  const vtkWaterRankPixels pixels{ this->Framebuffer, this->Color, this->Depth, type };
+  return pixels.Join(ranks, rect)
+    ? nullptr
+    : "the other ranks cannot be reached for their part of the reflection texture";
 }
 
 //------------------------------------------------------------------------------

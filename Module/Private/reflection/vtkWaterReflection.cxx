@@ -138,6 +138,7 @@ vtkWaterSurfaceShader::Inputs vtkWaterReflection::GetInputs(
     inputs.PeelDepth = peel->GetDepth();
   }
   inputs.Sky = this->Gathered.Sky;
+  inputs.Ranks = this->Ranks.AreSeveral() ? &this->Ranks : nullptr;
   inputs.MostSteps = this->Quality.ray_steps;
   inputs.MostProbes = this->Quality.ray_probes;
   return inputs;

@@ -4,8 +4,11 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 #include "vtkWaterGL.h"
+#include "vtkWaterRankPixels.h"
+#include "vtkWaterRanks.h"
 
 #include <algorithm>
+#include <vector>
 
 namespace
 {
@@ -202,6 +205,32 @@ bool vtkWaterBackdrop::Copy(
   glReadBuffer(static_cast<GLenum>(readBuffer));
   state->PopFramebufferBindings();
   return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkWaterBackdrop::Join(
+  vtkWaterRanks& ranks, vtkOpenGLRenderWindow* window, const int part[4], bool isCopied)
+{
+  std::vector<int> claims = { isCopied ? 1 : 0 };
+  ranks.HoldOnAll(claims);
+  if (!claims[0] || part[2] <= 0 || part[3] <= 0)
+  {
+    return claims[0] != 0;
+  }
+  if (!this->Framebuffer)
+  {
+    this->Framebuffer = vtkSmartPointer<vtkOpenGLFramebufferObject>::New();
+    this->Framebuffer->SetContext(window);
+  }
+  vtkOpenGLState* state = window->GetState();
+  state->PushFramebufferBindings();
+  this->Framebuffer->Bind();
+  this->Framebuffer->AddColorAttachment(0, this->Color);
+  this->Framebuffer->AddDepthAttachment(this->Depth);
+  state->PopFramebufferBindings();
+  const unsigned int type = this->ColorType == VTK_FLOAT ? GL_FLOAT : GL_UNSIGNED_BYTE;
+  const vtkWaterRankPixels pixels{ this->Framebuffer, this->Color, this->Depth, type };
+  return pixels.Join(ranks, part);
 }
 
 //------------------------------------------------------------------------------

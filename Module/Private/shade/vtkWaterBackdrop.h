@@ -10,6 +10,7 @@
 #include "vtkWaterSampleSort.h"
 
 class vtkOpenGLRenderWindow;
+class vtkWaterRanks;
 class vtkWindow;
 
 class vtkWaterBackdrop
@@ -25,6 +26,10 @@ public:
   // heightClip  as in vtkWaterSampleSort.h; nullptr: samples are averaged
   bool Copy(
     vtkOpenGLRenderWindow* window, const int rect[4], const int part[4], const double* heightClip);
+
+  // Makes of what all ranks have copied what is nearest in that part. All of them call it, or none,
+  // each with what its Copy returned. false: one has no backdrop, so none is used.
+  bool Join(vtkWaterRanks& ranks, vtkOpenGLRenderWindow* window, const int part[4], bool isCopied);
 
   // What was copied is of another frame.
   void Forget() { this->IsSorted = this->IsMixed = false; }

@@ -39,9 +39,16 @@ void vtkWaterSurfaceShader::BeginMedium(const int viewport_px[4])
   const bool hadFailed = this->Backdrop.GetHasFailed();
   int part_px[4];
   water_lookup_under(&this->Plan, this->IsFlat, viewport_px + 2, part_px);
-  // fog is drawn over all of the picture, and wants each pixel's mean
+  // fog is drawn over all of the picture, and wants each pixel's mean; ranks send one colour a
+  // pixel
+  const bool isMean = this->Drawn.AddsFog || this->Drawn.Ranks;
   this->HasBackdrop = this->Backdrop.Copy(
-    this->GetWindow(), viewport_px, part_px, this->Drawn.AddsFog ? nullptr : this->Plan.plane_clip);
+    this->GetWindow(), viewport_px, part_px, isMean ? nullptr : this->Plan.plane_clip);
+  if (this->Drawn.Ranks)
+  {
+    this->HasBackdrop =
+      this->Backdrop.Join(*this->Drawn.Ranks, this->GetWindow(), part_px, this->HasBackdrop);
+  }
   if (this->Backdrop.GetHasFailed() && !hadFailed) // said once
   {
     vtkErrorWithObjectMacro(this->Water->Actor,

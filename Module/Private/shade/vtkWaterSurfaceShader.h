@@ -25,6 +25,7 @@ class vtkShaderProgram;
 class vtkTexture;
 class vtkTextureObject;
 class vtkWaterFog;
+class vtkWaterRanks;
 class vtkWindow;
 
 class vtkWaterSurfaceShader
@@ -58,6 +59,7 @@ public:
     bool IsSecondary = false;              // in the mirrored view of another water
     bool IsWarmUp = false;                 // no pixel is drawn: what takes long is made
     vtkWaterSkyTextures Sky;               // of the plan's sky
+    vtkWaterRanks* Ranks = nullptr;        // that show the scene together; nullptr: there are none
     bool AddsFog = false;                  // to all that the eye sees, which is in the water
   };
 
