@@ -148,6 +148,8 @@ def add_scene_arguments(parser):
         help="strength of the light that waves focus under the surface, 0 to 1, 0.8 without a number; turns "
         "refraction on",
     )
+    water.add_argument("--shadows", action=argparse.BooleanOptionalAction,
+                       help="whether objects cast shadows on the water's glitter and foam; default no")
     water.add_argument("--quality", choices=QUALITIES, help="quality of reflections on waves; default: default")
     water.add_argument("--units", type=units, metavar="UNIT",
                        help="length unit of the file: um, mm, cm, m, km, in, ft, mi or a number of metres; default: m "
@@ -224,7 +226,7 @@ def make_parser():
 def words_of(arguments):
     """The command line's settings of the look, for set_look."""
     blows = arguments.wind if arguments.wind_direction is None else (arguments.wind, arguments.wind_direction)
-    same = ("preset", "waves", "color", "opacity", "refraction", "foam", "caustics", "quality", "units")
+    same = ("preset", "waves", "color", "opacity", "refraction", "foam", "caustics", "shadows", "quality", "units")
     return {"wind": blows, **{word: getattr(arguments, word) for word in same}}
 
 

@@ -46,6 +46,7 @@ def add_water(
     refraction=None,
     foam=None,
     caustics=None,
+    shadows=None,
     sun=None,
     quality=None,
     units=None,
@@ -115,10 +116,14 @@ def add_water(
         Strength of the light that waves focus on what lies under them, in [0, 1]; True means 0.8. Caustics need waves,
         turn refraction on, and add the default ``sun`` to a subplot without a scene light.
 
+    shadows : bool, optional
+        Whether objects cast shadows on the water's glitter and foam. True adds the default ``sun`` to a subplot without
+        a scene light.
+
     sun : bool | sequence[float], optional
         Adds a scene light, the sun, for glitter, shadows and caustics: azimuth (degrees from north towards east, in
         [-360, 360]) and elevation (degrees above the water, in [-90, 90]). True means (150, 35), which is also the
-        default if ``caustics`` need a light. North is y and east is x; for tilted water they are the second and the
+        default if ``caustics`` or ``shadows`` need a light. North is y and east is x; for tilted water they are the second and the
         first of the plane's own axes. The light is in ``plotter.renderer.lights``, has the class
         ``vtkwater.pyvista.Sun``, and stays when the water is removed. Another ``sun`` in the same subplot replaces it.
         PyVista's own lights stay and are added to it; with ``pyvista.Plotter(lighting='none')`` the sun is the only
@@ -236,7 +241,7 @@ def add_water(
     if has_level and mapper is not None:
         check_level(mapper, level, normal, origin)
     if sun is None:
-        sun = bool(caustics) and not has_scene_light(self.renderer)
+        sun = bool(caustics or shadows) and not has_scene_light(self.renderer)
     light = None if sun is False else sun_of(sun)
     lowest = lowest_along(self.renderer, plane_normal)
 
@@ -246,7 +251,8 @@ def add_water(
         actor.GetPlane().SetOrigin(plane_origin)
         actor.GetPlane().SetNormal(plane_normal)
     set_look(look, preset=preset, waves=waves, wind=wind, color=None if color is None else pv.Color(color).float_rgb,
-             opacity=opacity, refraction=refraction, foam=foam, caustics=caustics, quality=quality, units=units)
+             opacity=opacity, refraction=refraction, foam=foam, caustics=caustics, shadows=shadows, quality=quality,
+             units=units)
     with raising(actor, SheetBounds="bounds", Time="time"):
         if bounds is not None:
             set_bounds(actor, bounds)

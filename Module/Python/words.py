@@ -25,7 +25,7 @@ MOST_NUMBERS_OF_A_WAVE = 5
 
 
 def set_look(look, *, preset=None, waves=None, wind=None, color=None, opacity=None, refraction=None, foam=None,
-             caustics=None, quality=None, units=None):
+             caustics=None, shadows=None, quality=None, units=None):
     """Apply these settings to a new vtkWaterProperty.
 
     Parameters
@@ -53,6 +53,8 @@ def set_look(look, *, preset=None, waves=None, wind=None, color=None, opacity=No
     caustics : float | bool
         Strength of the light that waves focus under the surface, in [0, 1]; True means 0.8. Caustics need waves, and
         refraction, which they turn on.
+    shadows : bool
+        Whether objects cast shadows on the water's glitter and foam.
     quality : str
         Quality of reflections on waves: 'fast', 'default', 'high' or 'reference'.
     units : str | float
@@ -72,7 +74,9 @@ def set_look(look, *, preset=None, waves=None, wind=None, color=None, opacity=No
     foam_depth = None if foam is None else depth_of(foam)
     strength = None if caustics is None else strength_of(caustics)
     if refraction is not None:
-        refraction = of_type("refraction", refraction.item() if hasattr(refraction, "item") else refraction, bool)
+        refraction = flag("refraction", refraction)
+    if shadows is not None:
+        shadows = flag("shadows", shadows)
     if quality is not None and of_type("quality", quality, str) not in QUALITIES:
         raise ValueError(f"quality is {quality!r}; it must be one of {', '.join(QUALITIES)}")
     share = None if opacity is None else number("opacity", opacity)
@@ -103,8 +107,15 @@ def set_look(look, *, preset=None, waves=None, wind=None, color=None, opacity=No
             look.SetFoamDepth(foam_depth)
         if strength is not None:
             look.SetCaustics(strength)
+        if shadows is not None:
+            look.SetShadows(shadows)
         if quality is not None:
             look.SetRayTraceQuality(quality)
+
+
+def flag(word, value):
+    """A bool, numpy's included; otherwise a TypeError that names the argument."""
+    return of_type(word, value.item() if hasattr(value, "item") else value, bool)
 
 
 def set_units(look, units, is_automatic):

@@ -111,6 +111,7 @@ OPTIONS = {  # the options, the same by words
     "foam": (("--foam",), {"foam": True}),
     "foam depth": (("--foam", 0.4), {"foam": 0.4}),
     "caustics": (("--wind", 3, "--caustics"), {"wind": 3.0, "caustics": True}),
+    "shadows": (("--wind", 6, "--shadows"), {"wind": 6.0, "shadows": True}),
     "caustics strength": (("--wind", 3, "--caustics", 0.4), {"wind": 3.0, "caustics": 0.4}),
     **{f"quality {name}": (("--quality", name), {"quality": name}) for name in QUALITIES},
     "units": (("--units", "km"), {"units": "km"}),
@@ -153,6 +154,7 @@ SETS = [  # the words, what the look then has
     ({"units": "ft"}, {"MetresPerUnit": 0.3048}),
     ({"units": 2}, {"MetresPerUnit": 2.0}),
     ({"caustics": True, "wind": 3}, {"Caustics": 0.8, "Refraction": True}),
+    ({"shadows": True}, {"Shadows": True}),
     ({"caustics": 0.4, "wind": 3}, {"Caustics": 0.4, "Refraction": True}),
     ({"quality": "fast"}, {"RayTraceSteps": 8, "RayTraceProbes": 3}),
 ]

@@ -69,7 +69,6 @@ ARRIVES = {  # the words, what is asked of the look, the answer
     "units of numpy's wind": ({"wind": np.float32(6)}, vtkWaterProperty.GetMetresPerUnit, 0.0),
     "units of numpy's waves": ({"waves": np.int64(6)}, vtkWaterProperty.GetMetresPerUnit, 0.0),
     "numpy's refraction": ({"refraction": np.True_, "preset": "lake"}, vtkWaterProperty.GetRefraction, True),
-    "refraction by default": ({}, vtkWaterProperty.GetRefraction, False),
     "foam": ({"foam": 0.5}, lambda look: (look.GetFoamDepth(), look.GetRefraction()), (0.5, True)),
     "foam of the usual depth": (
         {"foam": True},
@@ -78,6 +77,8 @@ ARRIVES = {  # the words, what is asked of the look, the answer
     ),
     "no foam": ({"foam": False}, lambda look: (look.GetFoamDepth(), look.GetRefraction()), (0.0, True)),
     "caustics": ({"caustics": 0.3, "wind": 3}, lambda look: (look.GetCaustics(), look.GetRefraction()), (0.3, True)),
+    "shadows": ({"shadows": True}, vtkWaterProperty.GetShadows, True),
+    "no shadows": ({"shadows": np.False_}, vtkWaterProperty.GetShadows, False),
     "caustics of the usual strength": ({"caustics": True, "preset": "pool"}, vtkWaterProperty.GetCaustics, 0.8),
     "no caustics": (
         {"caustics": 0, "refraction": False},
@@ -120,6 +121,7 @@ WRONG = [  # the exception, parts of its text, the words
     (ValueError, ("wind[1] is inf", "finite"), {"wind": (3, float("inf"))}),
     (ValueError, ("waves and wind", "wind is 3"), {"wind": 3, "waves": [(0.1, 2.0)]}),
     (TypeError, ("refraction must be bool", "int"), {"refraction": 1}),
+    (TypeError, ("shadows must be bool", "str"), {"shadows": "soft"}),
     (TypeError, ("foam must be a number", "str"), {"foam": "much"}),
     (ValueError, ("foam is -1", "not negative"), {"foam": -1}),
     (ValueError, ("foam is inf", "finite"), {"foam": float("inf")}),
@@ -336,11 +338,12 @@ def test_a_level_under_all_of_the_land_is_told(height, level, warns, plotter):
 
 @pytest.mark.parametrize("has_light, sun, suns", [
     (False, None, 1), (True, None, 0), (False, False, 0), (True, True, 1), (False, (90, 20), 1)])
-def test_caustics_have_a_sun(has_light, sun, suns, plotter):
+@pytest.mark.parametrize("word", ("caustics", "shadows"))
+def test_light_effects_have_a_sun(word, has_light, sun, suns, plotter):
     """Where the subplot has no scene light, and none is refused."""
     if has_light:
         plotter.add_light(pv.Light(position=(1, 0, 1), light_type="scene light"))
-    plotter.add_water(-0.2, wind=3, caustics=True, sun=sun)
+    plotter.add_water(-0.2, wind=3, sun=sun, **{word: True})
     wt.check_equal("suns", sum(isinstance(light, vtkwater.pyvista.Sun) for light in plotter.renderer.lights), suns)
 
 
