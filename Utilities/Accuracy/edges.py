@@ -41,7 +41,8 @@ TEXT = """
 $count random scenes ($seeds), $width x $height pixels: rocks and posts in clear or opaque, calm or rippled water,
 over beds with and without a shore. RMSE, of 255, of the pixels within $near of an edge of the water, compared with 64
 samples per pixel; and the same with an opaque plane instead of the water. If the driver has fewer samples than a mode
-requests, it uses the driver's number.
+requests, it uses the driver's number. frames-4 is the mean of four pictures, each
+drawn in full from one of the places of four samples: no way of shading four samples per pixel comes closer.
 
 $summary
 
