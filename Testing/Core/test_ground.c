@@ -62,6 +62,17 @@ TEST(round_and_thick_things_are_not)
   assert_false(has_ground(hills, 100, false, 2.0)); // a block
 }
 
+static double is_row_of_boxes(double x, double y)
+{
+  (void)y;
+  return fmod(x + 2.2, 1.0) <= 0.4 ? 0.3 : (double)NAN;
+}
+
+TEST(things_in_a_row_are_not)
+{
+  assert_false(has_ground(is_row_of_boxes, 100, false, 0.0));
+}
+
 TEST(few_points_are_no_ground)
 {
   assert_false(has_ground(hills, 1, false, 0.0)); // four corners
@@ -245,4 +256,5 @@ TEST(ground_is_wet_where_nothing_is_known)
 TESTS(coarse_meshes_are_looked_at_in_more_places, cells_cover_the_scene,
   ground_is_dry_where_it_stands_out, ground_is_wet_where_nothing_is_known,
   bad_scenes_have_no_ground, terrain_is_ground, round_and_thick_things_are_not,
-  few_points_are_no_ground, a_bed_under_the_water_is_ground, numbers_that_are_none_count_nothing)
+  things_in_a_row_are_not, few_points_are_no_ground, a_bed_under_the_water_is_ground,
+  numbers_that_are_none_count_nothing)

@@ -9,6 +9,7 @@ static const double near = 0.04;  // of the scene's diagonal
 static const double steep = 0.15; // of the same: so far apart the points of one surface may lie
 static const double world_origin[3] = { 0.0, 0.0, 0.0 };
 static const int enough = 13; // places that have a surface
+static const int gap = 6;     // so many lines of cells may lie between the points of one surface
 
 water_status water_ground_begin(
   const water_plane* plane, const double bounds[6], water_ground* ground)
@@ -138,6 +139,33 @@ int water_ground_across(double faces)
   return (int)fmin(fmax(ceil(across), 2.0), WATER_GROUND_CELLS);
 }
 
+static bool has_point_in_line(const water_ground* ground, int axis, int line)
+{
+  bool has_point = false;
+  for (int i = 0; i < WATER_GROUND_CELLS; ++i)
+  {
+    has_point =
+      has_point || isfinite(axis == 0 ? ground->cell_low[i][line] : ground->cell_low[line][i]);
+  }
+  return has_point;
+}
+
+// Things in a row, however many, leave gaps from one side of the scene to the other.
+static bool has_gap_across(const water_ground* ground)
+{
+  int longest = 0;
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    int empty = 0;
+    for (int line = 0; line < WATER_GROUND_CELLS; ++line)
+    {
+      empty = has_point_in_line(ground, axis, line) ? 0 : empty + 1;
+      longest = empty > longest ? empty : longest;
+    }
+  }
+  return longest > gap;
+}
+
 bool water_ground_is_under(const water_ground* ground, double level)
 {
   const double most = steep / near * ground->near;
@@ -147,7 +175,7 @@ bool water_ground_is_under(const water_ground* ground, double level)
     const double spread = ground->high[i] - ground->low[i];
     count += spread >= 0.0 && spread <= most ? 1 : 0;
   }
-  return ground->bed_top <= level || count >= enough;
+  return ground->bed_top <= level || (count >= enough && !has_gap_across(ground));
 }
 
 // How high the ground is known to be over a level at a corner of cells, at least; outside of the
