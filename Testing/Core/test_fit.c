@@ -177,6 +177,19 @@ TEST(up_may_be_any_direction)
   ASSERT_CLOSE(plane.area, 4.5, 1e-12);
 }
 
+TEST(what_is_upright_but_for_rounding_has_no_plane)
+{
+  const double corners[9] = { 0, 0, 0, 4e-17, 1, 0, 4e-17, 1, 1 };
+  water_fit fit;
+  water_fit_plane plane;
+  water_fit_begin(up_z, &fit);
+  assert_true(water_fit_add_polygon(corners, 3, &fit));
+  const double more[9] = { 0, 0, 0, 4e-17, 1, 1, 4e-17, 0, 1 };
+  assert_true(water_fit_add_polygon(more, 3, &fit));
+  assert_true(fit.area > 0.0);
+  assert_int_equal(water_fit_judge(&fit, &plane), WATER_BAD_SURFACE);
+}
+
 TEST(what_has_no_area_has_no_plane)
 {
   const double upright[3][3] = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 0, 1 } };
@@ -236,8 +249,82 @@ TEST(tolerance_is_what_is_not_seen_or_not_known)
   assert_true(water_fit_tolerance(1.0, 4e6, false) < 1e-5);
 }
 
+// A fan about the first corner leaves a concave polygon, and comes back.
+TEST(a_concave_polygon_has_its_own_area)
+{
+  const double dart[15] = { 0, 0, 1, 4, 0, 1, 4, 4, 1, 2, 1, 1, 0, 4, 1 };
+  for (size_t start = 0; start < 5; ++start)
+  {
+    for (int turn = -1; turn <= 1; turn += 2)
+    {
+      double corners[15];
+      for (size_t i = 0; i < 5; ++i)
+      {
+        memcpy(
+          corners + 3 * i, dart + 3 * ((start + (turn > 0 ? i : 4 - i)) % 5), 3 * sizeof *dart);
+      }
+      water_fit fit;
+      water_fit_plane plane;
+      water_fit_begin(up_z, &fit);
+      assert_true(water_fit_add_polygon(corners, 5, &fit));
+      assert_int_equal(water_fit_judge(&fit, &plane), WATER_OK);
+      ASSERT_CLOSE(plane.area, 10.0, 1e-12);
+      ASSERT_CLOSE(plane.middle[0], 2.0, 1e-12);
+    }
+  }
+}
+
+TEST(a_polygon_that_is_not_finite_is_ignored)
+{
+  const double flat[9] = { 0, 0, 7, 2, 0, 7, 0, 2, 7 };
+  const double bad[] = { (double)INFINITY, -(double)INFINITY, (double)NAN, 1e200, -1e300 };
+  water_fit fit;
+  water_fit_begin(up_z, &fit);
+  for (size_t i = 0; i < sizeof bad / sizeof *bad; ++i)
+  {
+    double corners[9];
+    memcpy(corners, flat, sizeof corners);
+    corners[3 + i % 3] = bad[i];
+    assert_false(water_fit_add_polygon(corners, 3, &fit));
+  }
+  assert_false(water_fit_add_polygon(flat, 2, &fit));
+  assert_true(water_fit_add_polygon(flat, 3, &fit));
+  water_fit_plane plane;
+  assert_int_equal(water_fit_judge(&fit, &plane), WATER_OK);
+  assert_true(plane.origin[2] == 7.0 && plane.area == 2.0);
+  ASSERT_CLOSE(plane.reach, sqrt(8.0), 1e-12);
+}
+
+// Each coordinate may be, but not their squares' squares.
+TEST(what_overflows_has_no_plane)
+{
+  const double corners[9] = { 0, 0, 0, 1e99, 0, 0, 0, 1e99, 1e99 };
+  water_fit fit;
+  water_fit_plane plane = { .rms = 42.0 };
+  water_fit_begin(up_z, &fit);
+  assert_true(water_fit_add_polygon(corners, 3, &fit));
+  assert_int_equal(water_fit_judge(&fit, &plane), WATER_BAD_SURFACE);
+  assert_true(plane.rms == 42.0);
+}
+
+TEST(the_first_part_begins_a_plane_whatever_the_tolerance)
+{
+  const water_fit_plane parts[2] = { lake(3.0, 0.0, 10.0), lake(2.0, 0.0, (double)NAN) };
+  const double tolerances[] = { (double)INFINITY, (double)NAN };
+  for (int i = 0; i < 2; ++i)
+  {
+    size_t plane[2] = { 9, 9 };
+    size_t first[1] = { 9 };
+    assert_int_equal(water_fit_share(parts, 2, tolerances[i], 1, plane, first), 1);
+    assert_true(plane[0] == 0 && plane[1] == 0 && first[0] == 0);
+  }
+}
+
 TESTS(a_level_lake_has_its_own_level_exactly, a_slope_is_found_whatever_the_triangles,
   a_far_place_costs_no_digits, a_level_is_kept_unless_a_tilt_is_what_heights_are_made_of,
   no_plane_is_closer, a_line_of_triangles_leans_along_itself_alone, up_may_be_any_direction,
   what_has_no_area_has_no_plane, lakes_at_one_level_share_a_plane,
-  beyond_the_most_planes_a_part_joins_the_nearest, tolerance_is_what_is_not_seen_or_not_known)
+  beyond_the_most_planes_a_part_joins_the_nearest, tolerance_is_what_is_not_seen_or_not_known,
+  a_concave_polygon_has_its_own_area, a_polygon_that_is_not_finite_is_ignored,
+  what_overflows_has_no_plane, what_is_upright_but_for_rounding_has_no_plane,
+  the_first_part_begins_a_plane_whatever_the_tolerance)

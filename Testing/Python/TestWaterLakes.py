@@ -256,6 +256,47 @@ def test_arrays_of_cells_and_points_stay_with_their_cells():
     wt.check_equal("points", vtk_to_numpy(blocks[1].GetPointData().GetArray("number")).tolist(), [4.0, 5.0, 7.0, 6.0])
 
 
+@pytest.mark.parametrize("bad", (np.inf, -np.inf, np.nan, 1e200, 1e300))
+def test_a_point_that_is_not_finite_spoils_only_its_cells(bad):
+    """One in use takes its cell out; one that no cell uses changes nothing."""
+    mesh = mesh_of((0.0, 0.2, 0.4), rows=3)
+    mesh.GetPoints().SetPoint(4, bad, 0, bad)  # of a cell of the first patch's two
+    mesh.GetPoints().InsertNextPoint(0, bad, bad)
+    filtered = vtkWaterPlanesFilter()
+    filtered.SetInputData(mesh)
+    filtered.Update()
+    blocks = [filtered.GetOutput().GetBlock(i) for i in range(filtered.GetNumberOfPlanes())]
+    levels = [vtk_to_numpy(block.GetFieldData().GetArray("WaterPlaneOrigin"))[0][2] for block in blocks]
+    found = sorted((block.GetNumberOfCells(), round(level, 9)) for block, level in zip(blocks, levels))
+    wt.check_equal("cells and levels", found, [(1, 0.0), (2, 0.2), (2, 0.4)])
+    wide = max(abs(bound) for block in blocks for bound in block.GetBounds())
+    wt.check_at_most("bounds", wide, 3.0)
+
+
+def test_an_unused_point_does_not_widen_the_only_water():
+    mesh = mesh_of((0.0,))
+    mesh.GetPoints().InsertNextPoint(0, np.inf, 0)
+    filtered = vtkWaterPlanesFilter()
+    filtered.SetInputData(mesh)
+    filtered.Update()
+    wt.check_at_most("bounds", max(abs(bound) for bound in filtered.GetOutput().GetBlock(0).GetBounds()), 1.5)
+
+
+def test_a_concave_polygon_has_its_own_area():
+    mesh, points, cells = vtkPolyData(), vtkPoints(), vtkCellArray()
+    cells.InsertNextCell(5)
+    for number, (x, y) in enumerate(((0, 0), (4, 0), (4, 4), (2, 1), (0, 4))):
+        points.InsertNextPoint(x, y, 0)
+        cells.InsertCellPoint(number)
+    mesh.SetPoints(points)
+    mesh.SetPolys(cells)
+    filtered = vtkWaterPlanesFilter()
+    filtered.SetInputData(mesh)
+    filtered.Update()
+    area = vtk_to_numpy(filtered.GetOutput().GetBlock(0).GetFieldData().GetArray("WaterArea"))[0]
+    wt.check_at_most("area less 10", abs(area - 10), 1e-12)
+
+
 @pytest.mark.parametrize("make, setter, values, text", (
     (vtkWaterLakes, "SetMaximumNumberOfMirrors", (-1,), "MaximumNumberOfMirrors is -1; it must lie in [0, 4096]"),
     (vtkWaterLakes, "SetMaximumNumberOfPlanes", (0,), "MaximumNumberOfPlanes is 0; it must lie in [1, 4096]"),

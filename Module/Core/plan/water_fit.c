@@ -50,35 +50,66 @@ static double product_of(double area, const double p[3][3], int i, int j)
   return area / 12.0 * (sum_ij + sum_i * sum_j);
 }
 
-void water_fit_add(const double a[3], const double b[3], const double c[3], water_fit* fit)
+// Triangle number i of a polygon's fan about its first corner: its corners' places, and its area,
+// which is negative where it is turned clockwise.
+static double fan_of(const water_fit* fit, const double* corners, size_t i, double p[3][3])
 {
-  const double* corners[3] = { a, b, c };
-  double p[3][3];
-  if (water_bounds_is_empty(fit->bounds) && water_all_usable(a, 3))
+  place_of(fit, corners, p[0]);
+  place_of(fit, corners + 3 * (i + 1), p[1]);
+  place_of(fit, corners + 3 * (i + 2), p[2]);
+  return 0.5 *
+    ((p[1][0] - p[0][0]) * (p[2][1] - p[0][1]) - (p[1][1] - p[0][1]) * (p[2][0] - p[0][0]));
+}
+
+bool water_fit_add_polygon(const double* corners, size_t count, water_fit* fit)
+{
+  if (count < 3)
   {
-    memcpy(fit->origin, a, sizeof fit->origin);
+    return false;
   }
-  for (int i = 0; i < 3; ++i)
+  for (size_t i = 0; i < count; ++i)
   {
-    place_of(fit, corners[i], p[i]);
+    if (!water_all_usable(corners + 3 * i, 3))
+    {
+      return false;
+    }
   }
-  const double area = 0.5 *
-    fabs((p[1][0] - p[0][0]) * (p[2][1] - p[0][1]) - (p[1][1] - p[0][1]) * (p[2][0] - p[0][0]));
-  if (!water_all_usable(a, 3) || !water_all_usable(b, 3) || !water_all_usable(c, 3))
+  if (water_bounds_is_empty(fit->bounds))
   {
-    return;
+    memcpy(fit->origin, corners, sizeof fit->origin);
   }
   static const int axes[6][2] = { { 0, 0 }, { 0, 1 }, { 1, 1 }, { 0, 2 }, { 1, 2 }, { 2, 2 } };
-  fit->area += area;
-  for (int i = 0; i < 3; ++i)
+  double p[3][3];
+  double turn = 0.0; // over zero: the whole of it is counter-clockwise
+  for (size_t i = 0; i + 2 < count; ++i)
   {
-    fit->first[i] += area / 3.0 * (p[0][i] + p[1][i] + p[2][i]);
-    water_bounds_add_point(fit->bounds, corners[i]);
+    turn += fan_of(fit, corners, i, p);
   }
-  for (int i = 0; i < 6; ++i)
+  for (size_t i = 0; i < count; ++i)
   {
-    fit->second[i] += product_of(area, p, axes[i][0], axes[i][1]);
+    water_bounds_add_point(fit->bounds, corners + 3 * i);
   }
+  for (size_t k = 0; k + 2 < count; ++k)
+  {
+    // what a fan covers outside a concave polygon, it takes away again
+    const double area = fan_of(fit, corners, k, p) * (turn < 0.0 ? -1.0 : 1.0);
+    fit->area += area;
+    for (int i = 0; i < 3; ++i)
+    {
+      fit->first[i] += area / 3.0 * (p[0][i] + p[1][i] + p[2][i]);
+    }
+    for (int i = 0; i < 6; ++i)
+    {
+      fit->second[i] += product_of(area, p, axes[i][0], axes[i][1]);
+    }
+  }
+  return true;
+}
+
+void water_fit_add(const double a[3], const double b[3], const double c[3], water_fit* fit)
+{
+  const double corners[9] = { a[0], a[1], a[2], b[0], b[1], b[2], c[0], c[1], c[2] };
+  water_fit_add_polygon(corners, 3, fit);
 }
 
 // The slope of the best plane. covariance: xx, xy, yy, x height, y height
@@ -110,7 +141,16 @@ static void find_slope(const double covariance[5], double slope[2])
 
 water_status water_fit_judge(const water_fit* fit, water_fit_plane* plane)
 {
-  if (!(fit->area > 0.0) || !isfinite(fit->area))
+  double diagonal[3];
+  for (int i = 0; i < 3; ++i)
+  {
+    diagonal[i] = fit->bounds[2 * i + 1] - fit->bounds[2 * i];
+  }
+  // an upright part has the area of its corners' rounding; squares of very large coordinates
+  // overflow
+  const double least = roundings * DBL_EPSILON * water_vec3_dot(diagonal, diagonal);
+  if (!(fit->area > least) || !isfinite(fit->area) || !water_all_finite(fit->first, 3) ||
+    !water_all_finite(fit->second, 6))
   {
     return WATER_BAD_SURFACE;
   }
@@ -132,7 +172,6 @@ water_status water_fit_judge(const water_fit* fit, water_fit_plane* plane)
   const double tilt = hypot(slope[0], slope[1]);
   const bool is_tilted = tilt >= level_angle && tilt <= steepest && left <= left_max * unevenness;
   const double length = is_tilted ? sqrt(1.0 + tilt * tilt) : 1.0;
-  double diagonal[3];
   water_fit_plane made;
   for (int i = 0; i < 3; ++i)
   {
@@ -140,7 +179,6 @@ water_status water_fit_judge(const water_fit* fit, water_fit_plane* plane)
     made.normal[i] = is_tilted ? leaned / length : fit->up[i];
     made.middle[i] =
       fit->origin[i] + mean[0] * fit->x_dir[i] + mean[1] * fit->y_dir[i] + mean[2] * fit->up[i];
-    diagonal[i] = fit->bounds[2 * i + 1] - fit->bounds[2 * i];
   }
   // a level one as its height alone, which no rounding of the middle's place changes
   const double height = water_vec3_dot(fit->up, fit->origin) + mean[2];
@@ -181,7 +219,7 @@ size_t water_fit_share(const water_fit_plane* parts, size_t count, double tolera
   size_t planes = 0;
   for (size_t i = 0; i < count; ++i)
   {
-    size_t nearest = planes;
+    size_t nearest = 0;
     double least = (double)INFINITY;
     for (size_t j = 0; j < planes && least > tolerance; ++j)
     {
@@ -189,7 +227,7 @@ size_t water_fit_share(const water_fit_plane* parts, size_t count, double tolera
       nearest = distance < least ? j : nearest;
       least = fmin(distance, least);
     }
-    if (least > tolerance && planes < most)
+    if (planes == 0 || (least > tolerance && planes < most))
     {
       nearest = planes;
       first[planes++] = i;

@@ -12,6 +12,7 @@
 #include "water_status.h"
 #include "water_types.h"
 
+#include <stdbool.h>
 #include <stddef.h>
 
 #ifdef __cplusplus
@@ -46,6 +47,14 @@ typedef struct water_fit_plane
 // up  unit length
 void water_fit_begin(const double up[3], water_fit* fit);
 
+// Adds a polygon, which may be concave.
+//
+// corners  in world, in order around it: count points of 3
+//
+// Returns whether it was added: it has three corners or more, and no coordinate is over 1e100 or is
+// not finite.
+bool water_fit_add_polygon(const double* corners, size_t count, water_fit* fit);
+
 // Adds a triangle: its corners in world. Triangles that are not finite are ignored.
 void water_fit_add(const double a[3], const double b[3], const double c[3], water_fit* fit);
 
@@ -54,7 +63,8 @@ void water_fit_add(const double a[3], const double b[3], const double c[3], wate
 // radian; where the tilt leaves more than half of the heights' mean square, as waves do; and where
 // it is steeper than 30 degrees, as no water is.
 //
-// Returns WATER_OK or WATER_BAD_SURFACE (no area); then *plane is unchanged.
+// Returns WATER_OK or WATER_BAD_SURFACE (no area, or so large that squares overflow); then *plane
+// is unchanged.
 water_status water_fit_judge(const water_fit* fit, water_fit_plane* plane);
 
 // How far the planes of two parts of a surface may be apart and count as one.
@@ -67,6 +77,8 @@ double water_fit_tolerance(double diagonal, double coordinate, bool is_single);
 // Which parts lie in one plane. A part joins the first of the planes so far that it is no farther
 // from than the tolerance, all over; else it begins one. When there are as many as there may be, it
 // joins the nearest.
+//
+// The first part begins a plane, whatever the tolerance.
 //
 // parts  the largest first
 // most   planes, >= 1

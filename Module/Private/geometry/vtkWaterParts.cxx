@@ -50,12 +50,19 @@ void vtkWaterParts::Fit(vtkPolyData* mesh, const double up[3])
   this->PartOfCell.assign(Index(cells->GetNumberOfCells()), kNone);
   this->Fits.clear();
   vtkNew<vtkIdList> points;
+  std::vector<double> corners;
   for (vtkIdType cell = 0; cell < cells->GetNumberOfCells(); ++cell)
   {
     cells->GetCellAtId(cell, points);
-    if (points->GetNumberOfIds() < 3)
+    const vtkIdType count = points->GetNumberOfIds();
+    if (count < 3)
     {
       continue;
+    }
+    corners.resize(3 * Index(count));
+    for (vtkIdType i = 0; i < count; ++i)
+    {
+      mesh->GetPoint(points->GetId(i), &corners[3 * Index(i)]);
     }
     int64_t& part =
       this->PartOfPoint[Index(water_regions_find(this->Parents.data(), points->GetId(0)))];
@@ -65,15 +72,9 @@ void vtkWaterParts::Fit(vtkPolyData* mesh, const double up[3])
       this->Fits.emplace_back();
       water_fit_begin(up, &this->Fits.back());
     }
-    this->PartOfCell[Index(cell)] = part;
-    double corners[3][3]; // of a fan about the first point
-    mesh->GetPoint(points->GetId(0), corners[0]);
-    mesh->GetPoint(points->GetId(1), corners[2]);
-    for (vtkIdType i = 2; i < points->GetNumberOfIds(); ++i)
+    if (water_fit_add_polygon(corners.data(), Index(count), &this->Fits[Index(part)]))
     {
-      std::copy_n(corners[2], 3, corners[1]);
-      mesh->GetPoint(points->GetId(i), corners[2]);
-      water_fit_add(corners[0], corners[1], corners[2], &this->Fits[Index(part)]);
+      this->PartOfCell[Index(cell)] = part;
     }
   }
 }
@@ -95,8 +96,19 @@ void vtkWaterParts::Share(vtkPolyData* mesh, size_t most)
   std::vector<water_fit_plane> parts(sorted.size());
   std::transform(
     sorted.begin(), sorted.end(), parts.begin(), [&found](size_t i) { return found[i]; });
-  double bounds[6];
-  mesh->GetBounds(bounds);
+  vtkBoundingBox box; // without points that no polygon has, or that are not finite
+  for (size_t i : sorted)
+  {
+    box.AddBounds(this->Fits[i].bounds);
+  }
+  double bounds[6] = {};
+  if (box.IsValid())
+  {
+    box.GetBounds(bounds);
+  }
+  double all[6];
+  mesh->GetBounds(all);
+  this->IsTight = std::equal(bounds, bounds + 6, all);
   const double coordinate = std::accumulate(bounds, bounds + 6, 0.0, [](double most, double bound) {
     return std::max({ most, bound, -bound });
   });
@@ -104,7 +116,7 @@ void vtkWaterParts::Share(vtkPolyData* mesh, size_t most)
   std::vector<size_t> planes(parts.size());
   std::vector<size_t> first(std::min(parts.size(), most));
   const size_t count = water_fit_share(parts.data(), parts.size(),
-    water_fit_tolerance(vtkBoundingBox(bounds).GetDiagonalLength(), coordinate, isSingle), most,
+    water_fit_tolerance(box.IsValid() ? box.GetDiagonalLength() : 0.0, coordinate, isSingle), most,
     planes.data(), first.data());
   this->Planes.assign(count, Plane());
   this->PlaneOfPart.assign(this->Fits.size(), kNone);
@@ -140,7 +152,7 @@ void vtkWaterParts::Find(vtkPolyData* mesh, const double up[3], size_t most)
 //------------------------------------------------------------------------------
 bool vtkWaterParts::HasAll(size_t plane) const
 {
-  return this->Cells[plane].size() == this->PartOfCell.size();
+  return this->IsTight && this->Cells[plane].size() == this->PartOfCell.size();
 }
 
 //------------------------------------------------------------------------------

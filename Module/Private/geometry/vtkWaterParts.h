@@ -29,7 +29,7 @@ public:
 
   const std::vector<Plane>& GetPlanes() const { return this->Planes; }
 
-  // Are all polygons in a plane?
+  // Are all polygons in a plane, and the mesh's bounds theirs?
   bool HasAll(size_t plane) const;
 
   // The polygons in a plane, with their points and all arrays of both.
@@ -42,9 +42,10 @@ private:
 
   std::vector<int64_t> Parents;     // of points
   std::vector<int64_t> PartOfPoint; // of the points that stand for a region; else none
-  std::vector<int64_t> PartOfCell;  // none: it has no points
-  std::vector<water_fit> Fits;      // of the parts
+  std::vector<int64_t> PartOfCell; // none: it has less than three points, or one that is not finite
+  std::vector<water_fit> Fits;     // of the parts
   std::vector<int64_t> PlaneOfPart; // none: it has no area
+  bool IsTight = false;             // no point beside the polygons' widens the mesh's bounds
   std::vector<Plane> Planes;
   std::vector<std::vector<vtkIdType>> Cells; // of the planes
   std::vector<vtkIdType> Extracted;          // of each point: where it is in the part; else none
