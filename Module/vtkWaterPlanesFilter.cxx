@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkWaterPlanesFilter.h"
 
+#include "vtkCellArray.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataSetSurfaceFilter.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
+#include "vtkIdList.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMultiBlockDataSet.h"
@@ -14,6 +16,7 @@
 #include "vtkPolyData.h"
 #include "vtkPolyDataNormals.h"
 #include "vtkTriangleFilter.h"
+#include "vtkUnstructuredGrid.h"
 #include "vtkWaterCompat.h"
 #include "vtkWaterParts.h"
 #include "water_plane.h"
@@ -26,6 +29,67 @@ vtkStandardNewMacro(vtkWaterPlanesFilter);
 
 namespace
 {
+// What is wrong with cells; empty: nothing is.
+//
+// start   number of the first of them in the data set
+// points  their number
+std::string FindWrongPoint(vtkCellArray* cells, vtkIdType start, vtkIdType points)
+{
+  vtkNew<vtkIdList> corners;
+  for (vtkIdType cell = 0; cells && cell < cells->GetNumberOfCells(); ++cell)
+  {
+    cells->GetCellAtId(cell, corners);
+    for (vtkIdType i = 0; i < corners->GetNumberOfIds(); ++i)
+    {
+      const vtkIdType point = corners->GetId(i);
+      if (point < 0 || point >= points)
+      {
+        return "cell " + std::to_string(start + cell) + " has the point " + std::to_string(point) +
+          (points > 0 ? "; points must lie in [0, " + std::to_string(points - 1) + "]"
+                      : "; the mesh has no points");
+      }
+    }
+  }
+  return {};
+}
+
+std::string FindWrongPoint(vtkDataSet* input)
+{
+  const vtkIdType points = input->GetNumberOfPoints();
+  if (auto* grid = vtkUnstructuredGrid::SafeDownCast(input))
+  {
+    return FindWrongPoint(grid->GetCells(), 0, points);
+  }
+  std::string wrong;
+  if (auto* mesh = vtkPolyData::SafeDownCast(input))
+  {
+    vtkIdType start = 0; // in this order
+    for (vtkCellArray* cells :
+      { mesh->GetVerts(), mesh->GetLines(), mesh->GetPolys(), mesh->GetStrips() })
+    {
+      wrong = wrong.empty() ? FindWrongPoint(cells, start, points) : wrong;
+      start += cells ? cells->GetNumberOfCells() : 0;
+    }
+  }
+  return wrong;
+}
+
+// The first polygon of a mesh that has too few points to be one; empty: there is none.
+std::string FindTooFewPoints(vtkPolyData* mesh)
+{
+  const vtkIdType start = mesh ? mesh->GetNumberOfVerts() + mesh->GetNumberOfLines() : 0;
+  for (vtkIdType cell = 0; mesh && cell < mesh->GetNumberOfPolys(); ++cell)
+  {
+    const vtkIdType count = mesh->GetPolys()->GetCellSize(cell);
+    if (count < 3)
+    {
+      return "cell " + std::to_string(start + cell) + " is a polygon of " + std::to_string(count) +
+        " points; it must have at least 3";
+    }
+  }
+  return {};
+}
+
 // The polygons of a data set's surface, and nothing else.
 void FindPolygons(vtkDataSet* input, vtkPolyData* mesh)
 {
@@ -124,8 +188,23 @@ int vtkWaterPlanesFilter::RequestData(
   {
     return 1;
   }
+  const std::string wrong = FindWrongPoint(input);
+  if (!wrong.empty())
+  {
+    vtkErrorMacro(<< wrong << ". There are no planes.");
+    return 1; // once: a failure would be told by the pipeline, too
+  }
+  const std::string few = FindTooFewPoints(vtkPolyData::SafeDownCast(input));
+  if (!few.empty())
+  {
+    vtkErrorMacro(<< few << ". Such cells are left out.");
+  }
   vtkNew<vtkPolyData> mesh;
   FindPolygons(input, mesh);
+  if (mesh->GetNumberOfPolys() == 0 || mesh->GetNumberOfPoints() == 0)
+  {
+    return 1;
+  }
   const double* up = this->UpDirection;
   const water_plane plane = { { up[0], up[1], up[2] }, 0.0 };
   water_plane unit = plane;

@@ -18,7 +18,9 @@
  * of field data: "WaterPlaneOrigin" and "WaterPlaneNormal" (3 numbers each; the origin of a
  * horizontal plane is on the line along UpDirection through the world's origin) and "WaterArea"
  * (projected along UpDirection). Blocks that are not flat get point normals, unless the input has
- * some. Lines, vertices and parts without an area along UpDirection are left out.
+ * some. Lines, vertices, parts without an area along UpDirection, and cells with coordinates that
+ * are not finite or over 1e100 are left out. A mesh with a cell that names a missing point is
+ * rejected with an error.
  *
  * Coincident points are not merged: apply vtkCleanPolyData to a mesh of separate triangles first.
  *

@@ -297,6 +297,28 @@ def test_a_concave_polygon_has_its_own_area():
     wt.check_at_most("area less 10", abs(area - 10), 1e-12)
 
 
+@pytest.mark.parametrize("corners, has_points, planes, text", (
+    ((0, 1, 99), True, 0, "cell 2 has the point 99; points must lie in [0, 7]"),
+    ((0, 1, -3), True, 0, "cell 2 has the point -3; points must lie in [0, 7]"),
+    ((0, 1, 2), False, 0, "cell 0 has the point 0; the mesh has no points"),
+    ((), True, 2, "cell 2 is a polygon of 0 points; it must have at least 3"),
+    ((), False, 0, "cell 0 is a polygon of 0 points; it must have at least 3"),
+))
+def test_a_wrong_cell_is_told(corners, has_points, planes, text):
+    mesh = mesh_of((0.0, 0.2)) if has_points else vtkPolyData()
+    cells = vtkCellArray()
+    cells.DeepCopy(mesh.GetPolys())
+    cells.InsertNextCell(len(corners), corners)
+    mesh.SetPolys(cells)
+    filtered = vtkWaterPlanesFilter()
+    errors = wt.errors_of(filtered)
+    filtered.SetInputData(mesh)
+    filtered.Update()
+    wt.check_equal("errors", len(errors), 1)
+    wt.check_equal(f"the error says {text!r}", text in errors[0], True)
+    wt.check_equal("planes", filtered.GetNumberOfPlanes(), planes)
+
+
 @pytest.mark.parametrize("make, setter, values, text", (
     (vtkWaterLakes, "SetMaximumNumberOfMirrors", (-1,), "MaximumNumberOfMirrors is -1; it must lie in [0, 4096]"),
     (vtkWaterLakes, "SetMaximumNumberOfPlanes", (0,), "MaximumNumberOfPlanes is 0; it must lie in [1, 4096]"),
