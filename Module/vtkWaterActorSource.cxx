@@ -197,6 +197,16 @@ void vtkWaterActor::Internals::Describe(vtkWaterLook& look)
 }
 
 //------------------------------------------------------------------------------
+void vtkWaterActor::Internals::SetMayMirror(bool mayMirror)
+{
+  if (this->MayMirror != mayMirror)
+  {
+    this->MayMirror = mayMirror;
+    this->Self->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
 vtkWaterSnapshotPointer vtkWaterActor::Internals::Take(vtkRenderer* renderer)
 {
   const vtkMTimeType frame = renderer ? vtkWaterFrame::NumberOf(renderer) : 0;
@@ -230,7 +240,8 @@ vtkWaterSnapshotPointer vtkWaterActor::Internals::Take(vtkRenderer* renderer)
   made->Time = this->Self->Time;
   this->Describe(made->Look);
   made->Look.Has.is_opaque = this->Self->HasOpaqueGeometry() != 0;
-  made->Look.Has.has_environment = made->Look.Has.has_environment || !this->Self->SceneReflection;
+  made->Look.Has.has_environment =
+    made->Look.Has.has_environment || !this->Self->SceneReflection || !this->MayMirror;
   made->Features = water_features_of(&made->Look.Has);
   if (made->Mesh.HasVertexHeights)
   {

@@ -6,6 +6,7 @@
 #include "vtkCommand.h"
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
+#include "vtkInformation.h"
 #include "vtkMapper.h"
 #include "vtkMatrix4x4.h"
 #include "vtkMultiBlockDataSet.h"
@@ -27,6 +28,7 @@
 #include <algorithm>
 #include <array>
 #include <memory>
+#include <string>
 #include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -39,6 +41,14 @@ struct vtkWaterLakes::Internals
     vtkWeakPointer<vtkRenderer> Renderer;
     unsigned long Observer = 0;
   };
+
+  // Renderers that are gone have let go of the waters.
+  void ForgetTheGone()
+  {
+    this->Hosts.erase(std::remove_if(this->Hosts.begin(), this->Hosts.end(),
+                        [](const Host& host) { return !host.Renderer; }),
+      this->Hosts.end());
+  }
 
   vtkSmartPointer<vtkMapper> Mapper;
   vtkNew<vtkWaterPlanesFilter> Filter;
@@ -55,6 +65,23 @@ struct vtkWaterLakes::Internals
 namespace
 {
 constexpr int kPlanes = 16; // by default
+
+// Does a mapper show several data sets? A part of a surface is not one of its inputs then.
+bool IsComposite(vtkMapper* mapper)
+{
+  vtkInformation* port =
+    mapper->GetNumberOfInputPorts() ? mapper->GetInputPortInformation(0) : nullptr;
+  const int count = port ? port->Length(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE()) : 0;
+  for (int i = 0; i < count; ++i)
+  {
+    const std::string type = port->Get(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), i);
+    if (type == "vtkCompositeDataSet" || type == "vtkDataObject") // the latter: any of them
+    {
+      return true;
+    }
+  }
+  return false;
+}
 
 // The plane of a block, moved as the water is.
 void MovePlane(vtkPolyData* block, vtkMatrix4x4* toWorld, vtkPlane* plane)
@@ -87,6 +114,15 @@ vtkWaterLakes::~vtkWaterLakes() = default;
 //------------------------------------------------------------------------------
 void vtkWaterLakes::SetMapper(vtkMapper* mapper)
 {
+  if (mapper && IsComposite(mapper))
+  {
+    const char* now = this->GetMapper() ? this->GetMapper()->GetClassName() : "nullptr";
+    vtkErrorMacro("Mapper is a " << mapper->GetClassName()
+                                 << "; it must show one data set, as a vtkPolyDataMapper does. "
+                                    "Append the blocks' polygons to one mesh. It stays "
+                                 << now << ".");
+    return;
+  }
   if (this->Internal->Mapper != mapper)
   {
     this->Internal->Mapper = mapper;
@@ -162,14 +198,18 @@ void vtkWaterLakes::AddTo(vtkRenderer* renderer)
   auto& hosts = this->Internal->Hosts;
   const bool isThere = std::any_of(hosts.begin(), hosts.end(),
     [renderer](const Internals::Host& host) { return host.Renderer == renderer; });
-  if (!renderer || isThere)
+  if (!renderer)
   {
     return;
   }
   this->Update();
   for (const auto& water : this->Internal->Waters)
   {
-    renderer->AddActor(water);
+    renderer->AddActor(water); // once; it may have been removed since the last frame
+  }
+  if (isThere)
+  {
+    return;
   }
   vtkNew<vtkCallbackCommand> command;
   this->Register(nullptr); // the renderer's
@@ -202,6 +242,7 @@ void vtkWaterLakes::RemoveFrom(vtkRenderer* renderer)
   for (const auto& water : this->Internal->Waters)
   {
     renderer->RemoveActor(water);
+    water->GetSource()->SetMayMirror(true);
   }
   renderer->RemoveObserver(observer);
 }
@@ -222,12 +263,15 @@ void vtkWaterLakes::BeginFrame(vtkRenderer* renderer)
 void vtkWaterLakes::Update()
 {
   Internals& internal = *this->Internal;
+  internal.ForgetTheGone();
   vtkMapper* mapper = internal.Mapper;
   vtkAlgorithmOutput* input = mapper && mapper->GetNumberOfInputConnections(0) > 0
     ? mapper->GetInputConnection(0, 0)
     : nullptr;
-  if (internal.Filter->GetNumberOfInputConnections(0) == 0 ||
-    internal.Filter->GetInputConnection(0, 0) != input)
+  vtkAlgorithmOutput* connected = internal.Filter->GetNumberOfInputConnections(0) > 0
+    ? internal.Filter->GetInputConnection(0, 0)
+    : nullptr;
+  if (connected != input)
   {
     internal.Filter->SetInputConnection(input);
     internal.BuiltTime = 0;
@@ -248,7 +292,11 @@ void vtkWaterLakes::Rebuild()
   first->ComputeMatrix();
   std::array<double, 16> matrix;
   std::copy_n(&first->GetMatrix()->Element[0][0], 16, matrix.begin());
-  auto* planes = vtkMultiBlockDataSet::SafeDownCast(internal.Filter->GetOutputDataObject(0));
+  vtkMultiBlockDataSet* planes = nullptr; // the filter keeps those of an input that is gone
+  if (internal.Filter->GetNumberOfInputConnections(0) > 0)
+  {
+    planes = vtkMultiBlockDataSet::SafeDownCast(internal.Filter->GetOutputDataObject(0));
+  }
   const vtkMTimeType time = internal.Mapper && planes ? planes->GetMTime() : 1;
   const vtkMTimeType mapperTime = internal.Mapper ? internal.Mapper->GetMTime() : 0;
   if (time == internal.BuiltTime && mapperTime == internal.MapperTime && matrix == internal.Matrix)
@@ -361,7 +409,7 @@ void vtkWaterLakes::ChooseMirrors(vtkRenderer* renderer)
     shares.data(), shares.size(), static_cast<size_t>(this->MaximumNumberOfMirrors), hasView.get());
   for (size_t i = 0; i < waters.size(); ++i)
   {
-    waters[i]->SetSceneReflection(hasView[i]);
+    waters[i]->GetSource()->SetMayMirror(hasView[i]);
   }
 }
 

@@ -13,8 +13,10 @@
  *
  * GetWater, the first water, is that of the largest part. The others copy its settings in the next
  * frame: its look, time, transformation and visibility, vtkActor's property, and the settings of
- * its reflection pass. Its plane moves only the first water, until the mesh changes. If it is
- * removed from a renderer, the others are removed too, in the next frame.
+ * its reflection pass, and SceneReflection. Setting its plane moves only the first water. The plane
+ * of every water is set again when the mesh, the mapper's settings or the first water's
+ * transformation change. If the first water is removed from a renderer, the others are removed too,
+ * in the next frame.
  *
  * If the mesh changes, waters and planes are updated before the next frame. A water out of view has
  * no mirrored view. Of those in view, at most MaximumNumberOfMirrors have one; the others reflect
@@ -51,7 +53,8 @@ public:
    * The mapper of the whole surface. It is not drawn itself: each water has a mapper of the same
    * class for its part, with the same lookup table and settings. Its input must have
    * two-dimensional cells. Its scalars are shown as in a vtkWaterActor. nullptr, the default, means
-   * no water.
+   * no water. A mapper of composite data, such as vtkCompositePolyDataMapper, is rejected with an
+   * error.
    */
   void SetMapper(vtkMapper* mapper);
   vtkMapper* GetMapper() const;
@@ -96,6 +99,7 @@ public:
 
   /**
    * Adds the waters to a renderer. The renderer keeps this object alive until they are removed.
+   * Those that are in it already stay.
    */
   void AddTo(vtkRenderer* renderer);
 

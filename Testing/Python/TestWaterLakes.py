@@ -10,7 +10,7 @@ import water_test as wt
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
-from vtkmodules.vtkRenderingCore import vtkPolyDataMapper
+from vtkmodules.vtkRenderingCore import vtkCompositePolyDataMapper, vtkPolyDataMapper, vtkRenderer
 
 from vtkwater import vtkWaterActor, vtkWaterLakes, vtkWaterPlanesFilter
 
@@ -254,6 +254,89 @@ def test_arrays_of_cells_and_points_stay_with_their_cells():
     numbers = [vtk_to_numpy(block.GetCellData().GetArray("number")).tolist() for block in blocks]
     wt.check_equal("cells", numbers, [[0.0, 2.0], [1.0]])
     wt.check_equal("points", vtk_to_numpy(blocks[1].GetPointData().GetArray("number")).tolist(), [4.0, 5.0, 7.0, 6.0])
+
+
+def test_a_mapper_that_loses_its_input_shows_no_water():
+    """And nothing is made anew in each frame then."""
+    lakes = lakes_of(mesh_of((0.0, 0.2, 0.4)))
+    view = view_of(things())
+    lakes.AddTo(view.renderer)
+    view.picture()
+    lakes.GetMapper().SetInputConnection(None)
+    without = view.picture()
+    wt.check_equal("the picture", bool((without == view_of(things()).picture()).all()), True)
+    made = lakes.GetWater().GetMapper().GetMTime()
+    view.picture()
+    wt.check_equal("made anew", lakes.GetWater().GetMapper().GetMTime() == made, True)
+    lakes.GetMapper().SetInputData(mesh_of((0.0, 0.2)))
+    view.picture()
+    wt.check_equal("waters of a new one", lakes.GetNumberOfWaters(), 2)
+
+
+@pytest.mark.parametrize("levels", ((0.0,), (0.0, 0.2, 0.4, 0.6)))
+def test_renderers_that_are_gone_are_forgotten(levels):
+    lakes = lakes_of(mesh_of((0.0, 0.2)))
+    renderer = vtkRenderer()
+    lakes.AddTo(renderer)
+    del renderer
+    lakes.GetMapper().SetInputData(mesh_of(levels))
+    lakes.Update()
+    wt.check_equal("waters", lakes.GetNumberOfWaters(), len(levels))
+
+
+@pytest.mark.parametrize("which", ("all", "the first", "another"))
+def test_removed_waters_can_be_added_again_in_the_same_frame(which):
+    lakes = lakes_of(mesh_of((0.0, 0.2, 0.4)))
+    view = view_of(things())
+    lakes.AddTo(view.renderer)
+    expected = view.picture()
+    if which == "all":
+        view.renderer.RemoveAllViewProps()
+        for data, color in things():
+            wt.add_actor(view.renderer, data, color, lit=False)
+    else:
+        view.renderer.RemoveActor(lakes.GetWater(int(which == "another")))
+    for _ in range(2):
+        lakes.AddTo(view.renderer)
+    wt.check_equal("the picture", bool((view.picture() == expected).all()), True)
+    wt.check_equal("waters", sum(bool(actor.IsA("vtkWaterActor")) for actor in view.renderer.GetActors()), 3)
+
+
+def test_the_user_says_whether_waters_reflect_the_scene():
+    """The choice among waters keeps to it, and says nothing in its place."""
+    lakes = lakes_of(mesh_of((0.0, 0.2, 0.4)), MaximumNumberOfMirrors=1)
+    view = view_of(things())
+    lakes.AddTo(view.renderer)
+    view.picture()
+    wt.check_equal("by default", [water.GetSceneReflection() for water in waters_of(lakes)], [True] * 3)
+    wt.check_equal("mirrored", decisions_of(lakes).count("rendered"), 1)
+    lakes.GetWater().SceneReflectionOff()
+    for _ in range(2):
+        view.picture()
+        wt.check_equal("off", [water.GetSceneReflection() for water in waters_of(lakes)], [False] * 3)
+        mirrored = [said in ("rendered", USED_AGAIN) for said in decisions_of(lakes)]
+        wt.check_equal("mirrored when off", mirrored, [False] * 3)
+    lakes.GetWater().SceneReflectionOn()
+    lakes.SetMaximumNumberOfMirrors(3)
+    view.picture()
+    wt.check_equal("on again", [said in ("rendered", USED_AGAIN) for said in decisions_of(lakes)], [True] * 3)
+    lakes.SetMaximumNumberOfMirrors(0)
+    view.picture()
+    lakes.RemoveFrom(view.renderer)
+    view.renderer.AddActor(lakes.GetWater())
+    view.picture()
+    wt.check_equal("alone", wt.decision_of(lakes.GetWater()), "RENDERED")
+
+
+def test_a_mapper_of_several_data_sets_is_refused():
+    lakes = lakes_of(mesh_of((0.0, 0.2)))
+    kept = lakes.GetMapper()
+    errors = wt.errors_of(lakes)
+    lakes.SetMapper(vtkCompositePolyDataMapper())
+    wt.check_equal("errors", len(errors), 1)
+    text = "CompositePolyDataMapper"
+    wt.check_equal("names it", text in errors[0] and "It stays" in errors[0], True)
+    wt.check_equal("kept", lakes.GetMapper() is kept, True)
 
 
 @pytest.mark.parametrize("bad", (np.inf, -np.inf, np.nan, 1e200, 1e300))

@@ -48,6 +48,10 @@ public:
   // bounds  min > max: there is nothing; nullptr: there are no other ranks
   virtual void SetSceneBounds(const double* bounds) = 0;
 
+  // May it have a mirrored view? Those who share the views of a frame among waters say so; whether
+  // it is to have one at all, the user says.
+  virtual void SetMayMirror(bool mayMirror) = 0;
+
   // Draws the surface to be counted, without a trace.
   virtual void Probe(vtkRenderer* renderer) = 0;
 

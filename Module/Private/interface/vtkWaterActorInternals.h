@@ -48,6 +48,7 @@ struct vtkWaterActor::Internals : public vtkWaterSource
   void Report(vtkRenderer* renderer, const vtkWaterError& error) override;
   bool HasSheetError() const override;
   void SetSceneBounds(const double* bounds) override;
+  void SetMayMirror(bool mayMirror) override;
   void Probe(vtkRenderer* renderer) override;
   vtkWaterReflection& GetOwnReflection() override;
   vtkWaterReflection* GetComposedReflection() override;
@@ -102,6 +103,7 @@ struct vtkWaterActor::Internals : public vtkWaterSource
   vtkWaterWarmUp WarmUp;
   std::vector<SourcedError> Errors;
   bool IsUpdatingSheet = false;
+  bool MayMirror = true;
   bool IsSeaUnknown = false;      // for want of memory, which has been said
   bool HasRankBounds = false;     // the scene is that of several ranks
   double RankBounds[6] = {};      // of them all
