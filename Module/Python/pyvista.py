@@ -19,8 +19,8 @@ from . import vtkWaterActor
 from .errors import raising
 from .skies import Sun, add_clear_sky, has_scene_light, shine, sun_of
 from .sliders import add_water_level_slider
-from .surfaces import check_level, color_surface, lakes_of, level_and_surface, plane_of, surface_of
-from .words import in_range, number, numbers, of_type, set_look
+from .surfaces import check_has_water, check_level, color_surface, lakes_of, level_and_surface, plane_of, surface_of
+from .words import in_range, number, numbers, set_look, whole_in_range
 
 __all__ = ["Sun", "add_clear_sky", "add_water", "add_water_level_slider"]
 
@@ -117,14 +117,14 @@ def add_water(
         turn refraction on, and add the default ``sun`` to a subplot without a scene light.
 
     shadows : bool, optional
-        Whether objects cast shadows on the water's glitter and foam. True adds the default ``sun`` to a subplot without
-        a scene light.
+        Whether objects cast shadows on the water's glitter and foam. True adds the default ``sun`` to a subplot
+        without a scene light.
 
     sun : bool | sequence[float], optional
         Adds a scene light, the sun, for glitter, shadows and caustics: azimuth (degrees from north towards east, in
         [-360, 360]) and elevation (degrees above the water, in [-90, 90]). True means (150, 35), which is also the
-        default if ``caustics`` or ``shadows`` need a light. North is y and east is x; for tilted water they are the second and the
-        first of the plane's own axes. The light is in ``plotter.renderer.lights``, has the class
+        default if ``caustics`` or ``shadows`` need a light. North is y and east is x; for tilted water they are the
+        second and the first of the plane's own axes. The light is in ``plotter.renderer.lights``, has the class
         ``vtkwater.pyvista.Sun``, and stays when the water is removed. Another ``sun`` in the same subplot replaces it.
         PyVista's own lights stay and are added to it; with ``pyvista.Plotter(lighting='none')`` the sun is the only
         light.
@@ -196,8 +196,9 @@ def add_water(
         If an argument has the wrong type.
 
     ValueError
-        If a value is out of its range or has the wrong number of elements, if two arguments contradict each other, or
-        if the surface's mean height differs from ``level`` by more than 1 % of its diagonal. The text names both.
+        If a value is out of its range or has the wrong number of elements, if two arguments contradict each other, if
+        the surface has no polygon that could be water, or if its mean height differs from ``level`` by more than 1 %
+        of its diagonal. The text names both.
 
     Warns
     -----
@@ -230,6 +231,10 @@ def add_water(
                       "draw water and leaves it out; call pyvista.set_jupyter_backend('server')", stacklevel=2)
     if surface is not None and bounds is not None:
         raise ValueError("bounds and surface are both given; bounds apply only to the built-in sheet")
+    if max_mirrors is not None:
+        max_mirrors = whole_in_range("max_mirrors", max_mirrors, 0, 4096)
+    if data_opacity is not None:
+        data_opacity = in_range("data_opacity", data_opacity, 0.0, 1.0)
     mapper, data = surface_of(surface, level, depth, bed, normal, origin)
     if color_by is not None:
         color_surface(mapper, surface, color_by, cmap, clim)
@@ -238,6 +243,8 @@ def add_water(
     has_level = data is None and level is not None
     plane_origin, plane_normal = plane_of(number("level", level) if has_level else 0.0, normal, origin, scale)
     lakes = None if mapper is None or has_level else lakes_of(mapper, normal)
+    if mapper is not None and data is None:
+        check_has_water(mapper, lakes, normal)
     if has_level and mapper is not None:
         check_level(mapper, level, normal, origin)
     if sun is None:
@@ -260,10 +267,9 @@ def add_water(
             actor.SetSheetToAutomatic()
         actor.SetTime(number("time", time))
     if data_opacity is not None:
-        look.SetDataOpacity(in_range("data_opacity", data_opacity, 0.0, 1.0))
+        look.SetDataOpacity(data_opacity)
     if max_mirrors is not None and lakes is not None:
-        with raising(lakes, MaximumNumberOfMirrors="max_mirrors"):
-            lakes.SetMaximumNumberOfMirrors(of_type("max_mirrors", max_mirrors, int))
+        lakes.SetMaximumNumberOfMirrors(max_mirrors)
     if has_level and mapper is not None:
         actor.SetMapper(mapper)
 

@@ -16,7 +16,8 @@ from . import vtkWaterActor, vtkWaterLakes, vtkWaterSurfaceFilter
 from .errors import raising
 from .words import number, numbers, of_type
 
-__all__ = ["DataSurface", "check_level", "color_surface", "lakes_of", "level_and_surface", "plane_of", "surface_of"]
+__all__ = ["DataSurface", "check_has_water", "check_level", "color_surface", "lakes_of", "level_and_surface",
+           "plane_of", "surface_of"]
 
 
 class DataSurface:
@@ -149,6 +150,20 @@ def lakes_of(mapper, normal):
     lakes.SetMapper(mapper)
     lakes.Update()
     return lakes
+
+
+def check_has_water(mapper, lakes, normal):
+    """Raises ValueError if nothing of a surface can be water; lakes is None where there is one level for all of it."""
+    mesh = mapper.GetInput()
+    if mesh.GetNumberOfPolys() + mesh.GetNumberOfStrips() == 0:
+        raise ValueError(f"surface has no polygons, only {mesh.GetNumberOfVerts()} vertices and "
+                         f"{mesh.GetNumberOfLines()} lines; water needs polygons")
+    if not np.isfinite(mesh.points).all(axis=1).any():
+        raise ValueError("surface has no point with finite coordinates")
+    if lakes is not None and not lakes.GetWater().GetMapper().GetInput().GetNumberOfCells():
+        x, y, z = axis_of(normal)
+        raise ValueError(f"surface has no finite polygon with an area along the normal ({x:g}, {y:g}, {z:g}); a "
+                         "surface that is upright for this normal needs another one")
 
 
 def check_level(mapper, level, normal, origin):

@@ -7,7 +7,7 @@ A wrong type raises a TypeError, a wrong value a ValueError. Both name the argum
 """
 import math
 from collections.abc import Sequence
-from numbers import Real
+from numbers import Integral, Real
 
 from .errors import raising
 
@@ -172,6 +172,14 @@ def in_range(name, value, least, most):
     if not least <= value <= most:  # also NaN
         raise ValueError(f"{name} is {value:g}; it must lie in [{least:g}, {most:g}]")
     return value
+
+
+def whole_in_range(name, value, least, most):
+    if isinstance(value, bool) or not isinstance(value, Integral):
+        raise TypeError(f"{name} must be int, not {type(value).__name__}")
+    if not least <= value <= most:
+        raise ValueError(f"{name} is {value}; it must lie in [{least}, {most}]")
+    return int(value)
 
 
 def finite(name, value):

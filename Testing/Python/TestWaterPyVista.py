@@ -259,6 +259,20 @@ WRONG = [  # the exception, a part of its text, the argument
     (TypeError, "surface must be a pyvista.DataSet, not list", {"surface": [1], "bounds": None}),
     (ValueError, "surface has no cells", {"surface": pv.PolyData(), "bounds": None}),
     (ValueError, "bounds apply only to the built-in sheet", {"surface": pv.Plane()}),
+    (ValueError, "surface has no polygons, only 3 vertices and 0 lines",
+     {"surface": pv.PolyData(np.eye(3)), "bounds": None}),
+    (ValueError, "surface has no polygons, only 0 vertices and 1 lines",
+     {"surface": pv.Line(), "level": 0.0, "bounds": None}),
+    (ValueError, "surface has no point with finite coordinates",
+     {"surface": pv.PolyData(np.full((3, 3), np.nan), faces=[3, 0, 1, 2]), "bounds": None}),
+    (ValueError, "surface has no finite polygon with an area along the normal (0, 0, 1)",
+     {"surface": pv.Plane(direction=(1, 0, 0)), "bounds": None, "level": None}),
+    (TypeError, "max_mirrors must be int, not str", {"max_mirrors": "x"}),
+    (TypeError, "max_mirrors must be int, not bool", {"max_mirrors": True, "surface": pv.Plane(), "bounds": None}),
+    (ValueError, "max_mirrors is -7; it must lie in [0, 4096]",
+     {"max_mirrors": -7, "surface": pv.Plane(), "level": 0.0, "bounds": None}),
+    (TypeError, "data_opacity must be a number, not str", {"data_opacity": "x"}),
+    (ValueError, "data_opacity is 2; it must lie in [0, 1]", {"data_opacity": 2}),
 ]
 
 
