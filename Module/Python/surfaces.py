@@ -6,6 +6,7 @@
     lakes.AddTo(renderer)  # each frame shows the current arrays
 """
 import math
+import warnings
 
 import numpy as np
 import pyvista as pv
@@ -133,6 +134,9 @@ def surface_of(surface, level, depth, bed, normal, origin):
     if surface.n_cells == 0:
         raise ValueError("surface has no cells")
     data = DataSurface(surface, **given)
+    for word, name in given.items():
+        if not np.isfinite(np.asarray(surface[name], dtype=float)).any():  # it may follow later
+            warnings.warn(f"{word} is {name!r}, an array without a finite value: there is no water yet", stacklevel=3)
     return data.mapper, data
 
 

@@ -2,6 +2,7 @@
 """A solver's mesh in PyVista: one call makes its water, coloured by its data, and follows them."""
 
 import gc
+import warnings
 import weakref
 
 import numpy as np
@@ -225,6 +226,15 @@ def test_wrong_words_raise_and_add_nothing(kind, texts, words, plotter):
         raised = error
     wt.check_equal(f"{words}: {raised}", (type(raised), [text for text in texts if text not in str(raised)]), (kind, []))
     wt.check_equal("actors", len(plotter.actors), 0)
+
+
+def test_an_array_without_a_finite_value_is_told(plotter):
+    """It may be a surface that gets its water later: no error."""
+    with pytest.warns(UserWarning, match="level is 'nothing', an array without a finite value: there is no water yet"):
+        plotter.add_water(solution(), level="nothing", bed="zb")
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        plotter.add_water(solution(-9.0), level="zeta", bed="zb")  # dry
 
 
 @pytest.mark.parametrize("texts, call", (
