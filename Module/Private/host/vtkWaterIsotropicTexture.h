@@ -21,7 +21,8 @@ public:
   vtkWaterIsotropicTexture(vtkRenderer* renderer, vtkTexture* texture);
   ~vtkWaterIsotropicTexture();
 
-  int GetTextureUnit() const { return this->Texture->GetTextureUnit(); }
+  // -1: there is no texture
+  int GetTextureUnit() const { return this->Texture ? this->Texture->GetTextureUnit() : -1; }
 
 private:
   vtkWaterIsotropicTexture(const vtkWaterIsotropicTexture&) = delete;
