@@ -98,6 +98,60 @@ TEST(facts_of_a_view_are_joined)
   assert_false(joined.is_software);
 }
 
+// Of a mesh each rank has a part: all of them plan for the steepest and the highest, whoever has
+// it.
+TEST(parts_of_a_mesh_are_joined)
+{
+  water_rank_view views[3] = { view_of_left, view_of_nothing, view_of_right };
+  views[2].has_waves = 1.0;
+  views[0].slope_rms = 0.25;
+  views[2].slope_rms = 0.125;
+  views[2].slope_max = INFINITY;
+  views[0].wave_height_max = 0.5;
+  views[2].wave_height_max = 1.5;
+  views[0].is_averaged = 1.0;
+  const water_scene root = lake();
+  for (size_t rank = 0; rank < 3; ++rank)
+  {
+    water_ranks_view joined;
+    size_t bad_rank;
+    assert_int_equal(water_ranks_join_views(views, 3, rank, &joined, &bad_rank), WATER_OK);
+    assert_true(joined.is_averaged);
+    const water_scene scene = water_ranks_scene(&root, &joined, NULL);
+    assert_true(scene.has_waves);
+    ASSERT_CLOSE(scene.slope_rms, 0.25, 0.0);
+    assert_true(isinf(scene.slope_max));
+    ASSERT_CLOSE(scene.wave_height_max, 1.5, 0.0);
+  }
+}
+
+// An error of one rank is one of all, before anything is compared.
+TEST(error_of_one_rank_is_named)
+{
+  water_rank_view views[3] = { view_of_left, view_of_nothing, view_of_right };
+  water_ranks_view joined;
+  memset(&joined, 0, sizeof joined);
+  size_t bad_rank = 99;
+  views[1].digest += 1.0;
+  views[2].has_error = 1.0;
+  assert_int_equal(water_ranks_join_views(views, 3, 0, &joined, &bad_rank), WATER_RANKS_BAD_WATER);
+  assert_int_equal(bad_rank, 2);
+  assert_int_equal(joined.prop_count, 0);
+}
+
+// Asking ends once all have deleted their water; one that hides it may show it again.
+TEST(all_waters_are_gone)
+{
+  water_rank_frame frames[2] = { frame_of_left, frame_of_right };
+  frames[0].water_count = frames[1].water_count = 0.0;
+  frames[1].is_gone = 1.0;
+  assert_false(water_ranks_are_gone(frames, 2));
+  frames[0].is_gone = 1.0;
+  assert_true(water_ranks_are_gone(frames, 2));
+  frames[0].water_count = 1.0;
+  assert_false(water_ranks_are_gone(frames, 2));
+}
+
 // Ranks whose waters differ make no plan, and what was known stays.
 TEST(waters_that_differ_are_refused)
 {
@@ -152,6 +206,10 @@ TEST(every_rank_makes_the_same_plan)
     views[i].is_software = serial.is_software;
     views[i].max_texture_px = serial.max_texture_px;
     memcpy(views[i].surface_bounds, serial.surface_bounds, sizeof serial.surface_bounds);
+    views[i].has_waves = serial.has_waves;
+    views[i].slope_rms = serial.slope_rms;
+    views[i].slope_max = serial.slope_max;
+    views[i].wave_height_max = serial.wave_height_max;
   }
   for (size_t rank = 0; rank < 3; ++rank)
   {
@@ -188,6 +246,24 @@ TEST(digest_tells_numbers_apart)
   assert_true(water_ranks_digest(none, &zero, 1) == expected);
   ASSERT_CLOSE(water_ranks_digest_number(UINT64_MAX), 9007199254740991.0, 0.0);
   ASSERT_CLOSE(water_ranks_digest_number(UINT64_C(1) << 11), 1.0, 0.0);
+}
+
+// So does every number of a wave, and how many there are.
+TEST(digest_tells_waves_apart)
+{
+  const water_wave_term one[2] = { { .k = 1.0 }, { .k = 2.0 } };
+  const uint64_t digest = water_ranks_digest_waves(WATER_RANKS_DIGEST_BEGIN, one, 2);
+  for (int i = 0; i < 8; ++i)
+  {
+    water_wave_term other[2] = { one[0], one[1] };
+    double* const numbers[8] = { &other[1].dir[0], &other[1].dir[1], &other[1].turns_per_m[0],
+      &other[1].turns_per_m[1], &other[1].k, &other[1].amplitude, &other[1].steepness,
+      &other[1].turns };
+    *numbers[i] += 0.5;
+    assert_true(digest != water_ranks_digest_waves(WATER_RANKS_DIGEST_BEGIN, other, 2));
+  }
+  assert_true(digest != water_ranks_digest_waves(WATER_RANKS_DIGEST_BEGIN, one, 1));
+  assert_true(digest == water_ranks_digest_waves(WATER_RANKS_DIGEST_BEGIN, one, 2));
 }
 
 // So does every setting.
@@ -267,6 +343,7 @@ TEST(pixels_are_packed_and_unpacked)
 }
 
 TESTS(bounds_of_all_ranks_are_joined, rank_that_differs_is_named, facts_of_a_view_are_joined,
-  waters_that_differ_are_refused, every_rank_makes_the_same_plan, digest_tells_numbers_apart,
-  digest_tells_settings_apart, nearest_pixel_wins, nearest_pixel_wins_in_any_grouping,
-  pixels_are_packed_and_unpacked)
+  parts_of_a_mesh_are_joined, error_of_one_rank_is_named, all_waters_are_gone,
+  waters_that_differ_are_refused, digest_tells_waves_apart, every_rank_makes_the_same_plan,
+  digest_tells_numbers_apart, digest_tells_settings_apart, nearest_pixel_wins,
+  nearest_pixel_wins_in_any_grouping, pixels_are_packed_and_unpacked)

@@ -4,17 +4,25 @@
 #include "WaterTestScene.h"
 
 #include "vtkAbstractArray.h"
+#include "vtkCallbackCommand.h"
+#include "vtkCommand.h"
 #include "vtkCommunicator.h"
 #include "vtkCompositedSynchronizedRenderers.h"
 #include "vtkDummyController.h"
 #include "vtkObjectFactory.h"
+#include "vtkPlane.h"
+#include "vtkPlaneSource.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
 #include "vtkPropCollection.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkWaterReflectionPass.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <cstdlib>
+#include <string>
 #include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -190,6 +198,164 @@ double Compare(vtkMultiProcessController* controller, bool isWet, bool isClear)
   return ShareOff(picture, Show(serial));
 }
 
+// A rank's strip of a surface, of as many as there are parts; with waves it is not flat.
+void SetMesh(vtkWaterActor* water, int part, int parts, double height)
+{
+  vtkNew<vtkPlaneSource> source;
+  vtkNew<vtkPolyData> mesh;
+  if (part < parts)
+  {
+    const double width = 18.0 / parts;
+    const double left = -9.0 + part * width;
+    source->SetOrigin(left, -8.0, 0.0);
+    source->SetPoint1(left + width, -8.0, 0.0);
+    source->SetPoint2(left, 14.0, 0.0);
+    source->SetResolution(40, 60);
+    source->Update();
+    mesh->DeepCopy(source->GetOutput());
+  }
+  for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+  {
+    double point[3];
+    mesh->GetPoint(i, point);
+    point[2] = height * std::sin(1.3 * point[0]) * std::cos(0.7 * point[1]);
+    mesh->GetPoints()->SetPoint(i, point);
+  }
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(mesh);
+  water->SetMapper(mapper);
+}
+
+// Errors that are expected are not printed.
+void Hush(vtkObject* object)
+{
+  vtkNew<vtkCallbackCommand> nothing;
+  nothing->SetCallback([](vtkObject*, unsigned long, void*, void*) {});
+  object->AddObserver(vtkCommand::ErrorEvent, nothing);
+}
+
+// A rank of a scene that is not composited: what its water says is asked, and that it ends.
+struct Part
+{
+  explicit Part(vtkMultiProcessController* controller)
+    : Rank(controller->GetLocalProcessId())
+    , IsLast(Rank == kRanks - 1)
+  {
+    Fill(this->Scene, true, false);
+    KeepPart(this->Scene, this->Rank);
+    this->Scene.Water->GetReflectionPass()->SetController(controller);
+    Hush(this->Scene.Water);
+  }
+
+  // Shows a frame: is this what is wrong with its water? Empty: nothing is, and it reflects.
+  bool Says(const char* when, const std::string& expected)
+  {
+    Show(this->Scene);
+    const std::string error = this->Scene.Water->GetLastError();
+    const std::string decision = this->Scene.Water->GetReflectionPass()->GetDecisionAsString();
+    const bool isRight = expected.empty()
+      ? error.empty() && (decision == "rendered" || decision.find("used again") == 0)
+      : error.find(expected) != std::string::npos;
+    if (!isRight)
+    {
+      std::cerr << when << ", rank " << this->Rank << ": " << decision << ", error: \"" << error
+                << "\", expected: \"" << expected << "\"" << std::endl;
+    }
+    return isRight;
+  }
+
+  WaterTestScene Scene;
+  int Rank;
+  bool IsLast;
+};
+
+// Each rank has a strip of a surface that is not flat, or flat on one rank, or nothing.
+bool ShowsMeshes(vtkMultiProcessController* controller)
+{
+  bool isGood = true;
+  for (const bool isClear : { false, true })
+  {
+    Part waves(controller);
+    waves.Scene.Water->GetWaterProperty()->SetRefraction(isClear);
+    SetMesh(waves.Scene.Water, waves.Rank, kRanks, waves.IsLast ? 0.0 : 0.05);
+    isGood = waves.Says("strips with waves", "") && isGood;
+    Part halves(controller);
+    halves.Scene.Water->GetWaterProperty()->SetRefraction(isClear);
+    SetMesh(halves.Scene.Water, halves.Rank, kRanks - 1, 0.0);
+    isGood = halves.Says("a rank without surface", "") && isGood;
+  }
+  return isGood;
+}
+
+// What differs on one rank is said by all, and is over when it is mended.
+bool SaysErrors(vtkMultiProcessController* controller)
+{
+  const char* const looks = "same plane, look";
+  Part part(controller);
+  vtkWaterActor* water = part.Scene.Water;
+  vtkWaterProperty* property = water->GetWaterProperty();
+  property->AddWave(0.05, 2.1, 30.0);
+  bool isGood = part.Says("one wave", "");
+  property->RemoveAllWaves();
+  property->AddWave(0.05, 2.1, part.IsLast ? 200.0 : 30.0);
+  isGood = part.Says("waves of other directions", looks) && isGood;
+  property->RemoveAllWaves();
+  isGood = part.Says("no waves", "") && isGood;
+  property->SetShoreSoftness(part.IsLast ? 0.75 : 0.25);
+  isGood = part.Says("other shores", looks) && isGood;
+  property->SetShoreSoftness(0.25);
+  for (const bool isClear : { false, true })
+  {
+    property->SetRefraction(isClear);
+    isGood = part.Says("before the plane", "") && isGood;
+    water->GetPlane()->SetNormal(0.0, 0.0, part.IsLast ? 0.0 : 1.0);
+    isGood =
+      part.Says("a plane without a normal", part.IsLast ? "ormal" : "without an error") && isGood;
+    water->GetPlane()->SetNormal(0.0, 0.0, 1.0);
+    isGood = part.Says("the plane is mended", "") && isGood;
+  }
+  return isGood;
+}
+
+// A rank that has deleted its water does not keep the others waiting; once all have, none asks.
+bool Forgets(vtkMultiProcessController* controller)
+{
+  WaterTestScene scene;
+  scene.AddThings<vtkPolyDataMapper>();
+  KeepPart(scene, controller->GetLocalProcessId());
+  Hush(scene.Renderer);
+  bool isGood = true;
+  {
+    auto water = vtkSmartPointer<vtkWaterActor>::New();
+    Hush(water);
+    water->GetReflectionPass()->SetController(controller);
+    water->SetSheetBounds(-9.0, 9.0, -8.0, 14.0);
+    scene.Renderer->AddActor(water);
+    Show(scene);
+    isGood = std::string(water->GetLastError()).empty();
+    const bool isLast = controller->GetLocalProcessId() == kRanks - 1;
+    if (isLast)
+    {
+      scene.Renderer->RemoveActor(water);
+      water = nullptr;
+    }
+    Show(scene);
+    isGood = isGood &&
+      (isLast || std::string(water->GetLastError()).find("same waters") != std::string::npos);
+    if (water)
+    {
+      scene.Renderer->RemoveActor(water);
+    }
+  }
+  Show(scene);
+  if (controller->GetLocalProcessId() == 0)
+  {
+    Show(scene); // alone
+  }
+  std::cerr << (isGood ? "" : "a deleted water is not said\n");
+  return isGood;
+}
+
 bool Run(int rank, const Sockets& sockets)
 {
   alarm(kPatience);
@@ -206,7 +372,12 @@ bool Run(int rank, const Sockets& sockets)
     std::cout << "share of pixels off without water: " << floor << ", opaque: " << opaque
               << ", clear: " << clear << " (limit " << kShare << " more)" << std::endl;
   }
-  return opaque <= floor + kShare && clear <= floor + kShare;
+  bool isGood = opaque <= floor + kShare && clear <= floor + kShare;
+  isGood = ShowsMeshes(dummy) && isGood;
+  isGood = SaysErrors(dummy) && isGood;
+  isGood = Forgets(dummy) && isGood;
+  alarm(0);
+  return isGood;
 }
 }
 

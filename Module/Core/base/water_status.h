@@ -75,7 +75,8 @@ extern "C"
   X(WATER_RANKS_DIFFERENT_WATERS,                                                                  \
     "all ranks must show the same waters: as many of them, visible on all or on none")             \
   X(WATER_RANKS_DIFFERENT_LOOKS,                                                                   \
-    "a water must have the same plane, look, time and settings on all ranks")
+    "a water must have the same plane, look, time and settings on all ranks")                      \
+  X(WATER_RANKS_BAD_WATER, "a water must be without an error on all ranks")
 
 typedef enum water_status
 {

@@ -6,8 +6,8 @@
 
 #include <string.h>
 
-_Static_assert(sizeof(water_rank_frame) == 9 * sizeof(double), "it travels as doubles");
-_Static_assert(sizeof(water_rank_view) == 12 * sizeof(double), "it travels as doubles");
+_Static_assert(sizeof(water_rank_frame) == 10 * sizeof(double), "it travels as doubles");
+_Static_assert(sizeof(water_rank_view) == 18 * sizeof(double), "it travels as doubles");
 _Static_assert(sizeof(water_prop) <= 64, "a prop takes at most 64 bytes");
 _Static_assert(sizeof(water_rank_pixel) == sizeof(double), "a pixel travels as a double");
 
@@ -62,6 +62,29 @@ water_status water_ranks_join_frames(
   return WATER_OK;
 }
 
+bool water_ranks_are_gone(const water_rank_frame* frames, size_t rank_count)
+{
+  for (size_t i = 0; i < rank_count; ++i)
+  {
+    if (frames[i].water_count != 0.0 || frames[i].is_gone == 0.0)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+// What the parts of a mesh add: each of them may be another.
+static void join_surface(const water_rank_view* view, water_ranks_view* made)
+{
+  add_bounds(view->surface_bounds, made->surface_bounds);
+  made->has_waves = made->has_waves || view->has_waves != 0.0;
+  made->slope_rms = fmax(made->slope_rms, view->slope_rms);
+  made->slope_max = fmax(made->slope_max, view->slope_max);
+  made->wave_height_max = fmax(made->wave_height_max, view->wave_height_max);
+  made->is_averaged = made->is_averaged || view->is_averaged != 0.0;
+}
+
 water_status water_ranks_join_views(const water_rank_view* views, size_t rank_count, size_t rank,
   water_ranks_view* joined, size_t* bad_rank)
 {
@@ -69,6 +92,15 @@ water_status water_ranks_join_views(const water_rank_view* views, size_t rank_co
   memset(&made, 0, sizeof made);
   begin_bounds(made.surface_bounds);
   double max_texture_px = views[0].max_texture_px;
+  for (size_t i = 0; i < rank_count; ++i)
+  {
+    // errors first: what else such a rank sends is not to be compared
+    if (views[i].has_error != 0.0)
+    {
+      *bad_rank = i;
+      return WATER_RANKS_BAD_WATER;
+    }
+  }
   for (size_t i = 0; i < rank_count; ++i)
   {
     const water_rank_view* view = views + i;
@@ -83,7 +115,7 @@ water_status water_ranks_join_views(const water_rank_view* views, size_t rank_co
     max_texture_px = fmin(max_texture_px, view->max_texture_px);
     made.is_software = made.is_software || view->is_software != 0.0;
     made.measured_ms = fmax(made.measured_ms, view->measured_ms);
-    add_bounds(view->surface_bounds, made.surface_bounds);
+    join_surface(view, &made);
   }
   made.max_texture_px = (int)max_texture_px;
   *joined = made;
@@ -99,6 +131,10 @@ water_scene water_ranks_scene(
   scene.max_texture_px = joined->max_texture_px;
   scene.is_software = joined->is_software;
   memcpy(scene.surface_bounds, joined->surface_bounds, sizeof scene.surface_bounds);
+  scene.has_waves = joined->has_waves;
+  scene.slope_rms = joined->slope_rms;
+  scene.slope_max = joined->slope_max;
+  scene.wave_height_max = joined->wave_height_max;
   scene.is_hidden = false;
   scene.has_scene_depth = false;
   return scene;
@@ -126,6 +162,20 @@ uint64_t water_ranks_digest_settings(uint64_t digest, const water_settings* sett
     (double)settings->multi_samples, (double)settings->color_precision, (double)settings->quality,
     settings->target_error_px, settings->time_budget_ms };
   return water_ranks_digest(digest, numbers, sizeof numbers / sizeof numbers[0]);
+}
+
+uint64_t water_ranks_digest_waves(uint64_t digest, const water_wave_term* terms, size_t term_count)
+{
+  const double count = (double)term_count;
+  digest = water_ranks_digest(digest, &count, 1);
+  for (size_t i = 0; i < term_count; ++i)
+  {
+    const water_wave_term* term = terms + i;
+    const double numbers[] = { term->dir[0], term->dir[1], term->turns_per_m[0],
+      term->turns_per_m[1], term->k, term->amplitude, term->steepness, term->turns };
+    digest = water_ranks_digest(digest, numbers, sizeof numbers / sizeof numbers[0]);
+  }
+  return digest;
 }
 
 double water_ranks_digest_number(uint64_t digest)

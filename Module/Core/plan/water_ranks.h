@@ -14,6 +14,7 @@
 
 #include "water_status.h"
 #include "water_types.h"
+#include "water_waves.h"
 
 #ifdef __cplusplus
 extern "C"
@@ -23,7 +24,7 @@ extern "C"
 // What the next two hold, and how scene and props are sent. One more whenever that changes.
 enum
 {
-  WATER_RANKS_FORMAT = 1
+  WATER_RANKS_FORMAT = 2
 };
 
 // What a rank sends once a frame, before anything is drawn: doubles only, as they travel.
@@ -33,6 +34,7 @@ typedef struct water_rank_frame
   double scene_size;      // bytes of a water_scene
   double water_count;     // visible waters of the renderer that have a controller, >= 0
   double scene_bounds[6]; // of the rank's own props in world; min > max: it has none
+  double is_gone;         // 1: the water that asked last is deleted; 0: it is not
 } water_rank_frame;
 
 // What a rank sends for each mirrored view, before that is planned: doubles only.
@@ -45,6 +47,13 @@ typedef struct water_rank_view
   double is_software;       // 1: the processor executes GL; 0: a GPU does
   double measured_ms;       // that the last view took, for a quality that goes by times
   double surface_bounds[6]; // of the water on this rank; min > max: it has none
+  double has_error;         // 1: the rank cannot lay its water, and says why; 0: it can
+  // What a mesh adds, of which a rank has a part, as in water_scene:
+  double has_waves; // 1 or 0
+  double slope_rms;
+  double slope_max;
+  double wave_height_max;
+  double is_averaged; // 1: waves are averaged over a pixel; 0: they are not
 } water_rank_view;
 
 // What the ranks agree on for a mirrored view.
@@ -56,6 +65,11 @@ typedef struct water_ranks_view
   bool is_software;         // of any
   double measured_ms;       // the longest: a frame takes as long as its slowest rank
   double surface_bounds[6]; // all of the water
+  bool has_waves;           // on any
+  double slope_rms;         // the greatest
+  double slope_max;
+  double wave_height_max;
+  bool is_averaged; // on any
 } water_ranks_view;
 
 // Joins what all ranks sent for a frame.
@@ -70,14 +84,19 @@ typedef struct water_ranks_view
 water_status water_ranks_join_frames(
   const water_rank_frame* frames, size_t rank_count, double scene_bounds[6], size_t* bad_rank);
 
+// Have all ranks deleted the water that asked last, and show none? Then nobody needs to ask again
+// until one is shown.
+bool water_ranks_are_gone(const water_rank_frame* frames, size_t rank_count);
+
 // Joins what all ranks sent for a mirrored view.
 //
 // views     rank_count of them, in the order of the ranks; rank_count >= 1
 // rank      one's own, < rank_count
 // bad_rank  as above
 //
-// Returns WATER_OK, WATER_RANKS_DIFFERENT_WATERS (views that are not shared by as many) or
-// WATER_RANKS_DIFFERENT_LOOKS; then *joined is unchanged.
+// Returns WATER_OK, WATER_RANKS_BAD_WATER (of the first rank that has an error),
+// WATER_RANKS_DIFFERENT_WATERS (views that are not shared by as many) or
+// WATER_RANKS_DIFFERENT_LOOKS; with an error *joined is unchanged.
 water_status water_ranks_join_views(const water_rank_view* views, size_t rank_count, size_t rank,
   water_ranks_view* joined, size_t* bad_rank);
 
@@ -99,6 +118,9 @@ uint64_t water_ranks_digest(uint64_t digest, const double* numbers, size_t count
 
 // The same of what the user sets of a mirrored view, field by field.
 uint64_t water_ranks_digest_settings(uint64_t digest, const water_settings* settings);
+
+// The same of waves at one time.
+uint64_t water_ranks_digest_waves(uint64_t digest, const water_wave_term* terms, size_t term_count);
 
 // A digest as a number that a double holds exactly: its upper 53 bits.
 double water_ranks_digest_number(uint64_t digest);

@@ -196,7 +196,7 @@ void vtkWaterFrame::Allot(vtkWaterSource& water)
   {
     water.SetSceneBounds(nullptr);
   }
-  if (water.HasSheetError())
+  if (IsLeftOut(water))
   {
     water.GetOwnReflection().Decline(WATER_NO_REFLECT_FAILED);
     return;
@@ -241,7 +241,7 @@ void vtkWaterFrame::RenderBeforeFrame(vtkWaterSource& water)
 //------------------------------------------------------------------------------
 void vtkWaterFrame::Prepare(vtkWaterSource& water)
 {
-  if (vtkWaterRenderPassKeys::IsBakingShadows(water.GetProp()) || water.HasSheetError() ||
+  if (vtkWaterRenderPassKeys::IsBakingShadows(water.GetProp()) || IsLeftOut(water) ||
     this->IsFresh(water) || IsPeeling(water.GetProp())) // whose framebuffers must stay bound
   {
     return;

@@ -10,6 +10,7 @@
 #include "vtkSmartPointer.h"
 #include "vtkTimeStamp.h"
 #include "vtkWaterPropRecords.h"
+#include "vtkWaterRanks.h"
 #include "vtkWaterSource.h"
 #include "vtkWaterSurfaceShader.h"
 #include "vtkWeakPointer.h"
@@ -102,7 +103,8 @@ private:
   // With other ranks: do all of them show the same waters in this frame? Asked of them once, before
   // anything is drawn. Waters are told how far the scene of all ranks reaches.
   bool Agree(vtkWaterReflection& reflection);
-  bool Ask(vtkWaterReflection& reflection, vtkWaterError& error);
+  bool Ask(vtkWaterError& error);
+  bool HasRanks() const; // are there others to be asked in a frame without water?
   // Says so to the other ranks when this one shows none, which they may not know.
   void SayNoWater();
   std::vector<vtkWaterSource*> FindWatersOfRanks() const;
@@ -127,6 +129,8 @@ private:
   bool IsFresh(vtkWaterSource& water);
   void RenderShared(vtkWaterSource& water, const int viewport_px[2], bool isLate);
   void RenderBeforeFrame(vtkWaterSource& water);
+  // Does it end here for a water that cannot be laid? With other ranks it goes on to tell them.
+  static bool IsLeftOut(vtkWaterSource& water);
   vtkIdType GetSamples(vtkWaterSource& water);
 
   vtkWeakPointer<vtkOpenGLRenderer> Renderer;
@@ -146,6 +150,7 @@ private:
   bool AreAgreed = false;
   vtkWaterError RanksError;                          // when they have not
   std::weak_ptr<vtkWaterReflection> Asking;          // that asked them last
+  vtkWaterRanks RanksAsked;                          // by which it did: it may be deleted
   vtkSmartPointer<vtkCallbackCommand> RanksObserver; // of frames in which no water may ask
 };
 

@@ -38,19 +38,33 @@ std::vector<vtkWaterSource*> vtkWaterFrame::FindWatersOfRanks() const
 }
 
 //------------------------------------------------------------------------------
-bool vtkWaterFrame::Ask(vtkWaterReflection& reflection, vtkWaterError& error)
+bool vtkWaterFrame::Ask(vtkWaterError& error)
 {
   const std::vector<vtkWaterSource*> waters = this->FindWatersOfRanks();
   water_rank_frame mine = water_rank_frame();
   mine.water_count = static_cast<double>(waters.size());
+  mine.is_gone = this->Asking.expired() ? 1.0 : 0.0;
   vtkWaterSheet::FindSceneBounds({ this->Renderer }, mine.scene_bounds);
   double bounds[6];
-  const bool isAgreed = reflection.Ranks.JoinFrames(mine, bounds, error);
+  bool areGone = false;
+  const bool isAgreed = this->RanksAsked.JoinFrames(mine, bounds, &areGone, error);
+  if (areGone)
+  {
+    this->RanksAsked.SetController(nullptr);
+  }
   for (vtkWaterSource* water : waters)
   {
     water->SetSceneBounds(bounds);
   }
   return isAgreed;
+}
+
+//------------------------------------------------------------------------------
+bool vtkWaterFrame::IsLeftOut(vtkWaterSource& water)
+{
+  vtkWaterReflection* composed = water.GetComposedReflection();
+  return water.HasSheetError() &&
+    !(composed ? *composed : water.GetOwnReflection()).Ranks.AreSeveral();
 }
 
 //------------------------------------------------------------------------------
@@ -67,8 +81,9 @@ bool vtkWaterFrame::Agree(vtkWaterReflection& reflection)
   }
   this->AgreedNumber = number;
   this->RanksError = vtkWaterError();
-  this->AreAgreed = this->Ask(reflection, this->RanksError);
   this->Asking = reflection.weak_from_this();
+  this->RanksAsked = reflection.Ranks;
+  this->AreAgreed = this->Ask(this->RanksError);
   if (!this->RanksObserver)
   {
     this->RanksObserver = vtkSmartPointer<vtkCallbackCommand>::New();
@@ -83,17 +98,24 @@ bool vtkWaterFrame::Agree(vtkWaterReflection& reflection)
 }
 
 //------------------------------------------------------------------------------
+bool vtkWaterFrame::HasRanks() const
+{
+  // the others do not know that a water is deleted here
+  const std::shared_ptr<vtkWaterReflection> reflection = this->Asking.lock();
+  return (reflection ? reflection->Ranks : this->RanksAsked).AreSeveral();
+}
+
+//------------------------------------------------------------------------------
 void vtkWaterFrame::SayNoWater()
 {
-  const std::shared_ptr<vtkWaterReflection> reflection = this->Asking.lock();
-  if (!reflection || !reflection->Ranks.AreSeveral() || this->Renderer->GetSelector() ||
-    GetHook()->IsInMirroredView() || !this->FindWatersOfRanks().empty())
+  if (!this->HasRanks() || this->Renderer->GetSelector() || GetHook()->IsInMirroredView() ||
+    !this->FindWatersOfRanks().empty())
   {
     return; // a water of the frame asks
   }
   const std::string said = this->RanksError.Kind;
   this->RanksError = vtkWaterError();
-  if (!this->Ask(*reflection, this->RanksError) && this->RanksError.Kind != said)
+  if (!this->Ask(this->RanksError) && this->RanksError.Kind != said)
   {
     vtkErrorWithObjectMacro(this->Renderer, << this->RanksError.Text);
   }

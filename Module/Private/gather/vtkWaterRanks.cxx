@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <limits>
 
 namespace
 {
@@ -55,14 +56,17 @@ vtkWaterError vtkWaterRanks::Describe(water_status status, size_t rank) const
   vtkWaterError error;
   error.Kind = water_status_text(status);
   error.Text = error.Kind + "; rank " + std::to_string(rank) +
-    " differs from rank 0 (this is rank " + std::to_string(this->Controller->GetLocalProcessId()) +
-    "). The water shows its plain colour.";
+    (status == WATER_RANKS_BAD_WATER ? " has one (this is rank "
+                                     : " differs from rank 0 (this is rank ") +
+    std::to_string(this->Controller->GetLocalProcessId()) + "). The water shows its plain colour.";
   return error;
 }
 
 //------------------------------------------------------------------------------
-bool vtkWaterRanks::JoinFrames(water_rank_frame mine, double bounds[6], vtkWaterError& error)
+bool vtkWaterRanks::JoinFrames(
+  water_rank_frame mine, double bounds[6], bool* areGone, vtkWaterError& error)
 {
+  *areGone = false;
   constexpr size_t size = sizeof(water_rank_frame) / sizeof(double);
   mine.format = WATER_RANKS_FORMAT;
   mine.scene_size = sizeof(water_scene);
@@ -82,6 +86,7 @@ bool vtkWaterRanks::JoinFrames(water_rank_frame mine, double bounds[6], vtkWater
   {
     error = this->Describe(status, bad);
   }
+  *areGone = status == WATER_OK && water_ranks_are_gone(frames.data(), frames.size());
   return status == WATER_OK;
 }
 
@@ -141,6 +146,27 @@ void vtkWaterRanks::HoldOnAll(std::vector<int>& claims)
     std::fill(joined.begin(), joined.end(), 0);
   }
   claims.swap(joined);
+}
+
+//------------------------------------------------------------------------------
+bool vtkWaterRanks::JoinRects(int rect[4])
+{
+  constexpr int none = std::numeric_limits<int>::max();
+  const bool isEmpty = rect[2] <= 0 || rect[3] <= 0;
+  // the ends as negative numbers: the least of all ranks' is asked
+  const int mine[4] = { isEmpty ? none : rect[0], isEmpty ? none : rect[1],
+    isEmpty ? none : -(rect[0] + rect[2]), isEmpty ? none : -(rect[1] + rect[3]) };
+  int all[4];
+  if (!this->Controller->AllReduce(mine, all, 4, vtkCommunicator::MIN_OP))
+  {
+    return false;
+  }
+  const bool areEmpty = all[0] == none;
+  rect[0] = areEmpty ? 0 : all[0];
+  rect[1] = areEmpty ? 0 : all[1];
+  rect[2] = areEmpty ? 0 : -all[2] - all[0];
+  rect[3] = areEmpty ? 0 : -all[3] - all[1];
+  return true;
 }
 
 //------------------------------------------------------------------------------

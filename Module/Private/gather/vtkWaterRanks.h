@@ -32,8 +32,9 @@ public:
   // cannot be reached.
   //
   // mine    format and scene_size are filled in here
-  // bounds  of the scenes of all ranks; min > max: there are none
-  bool JoinFrames(water_rank_frame mine, double bounds[6], vtkWaterError& error);
+  // bounds   of the scenes of all ranks; min > max: there are none
+  // areGone  set: water_ranks_are_gone
+  bool JoinFrames(water_rank_frame mine, double bounds[6], bool* areGone, vtkWaterError& error);
 
   // What they know of a mirrored view, likewise; scene becomes the one that all of them plan.
   //
@@ -44,6 +45,10 @@ public:
 
   // Does each of these hold on all ranks? None does if they cannot be reached.
   void HoldOnAll(std::vector<int>& claims);
+
+  // Makes of the ranks' rectangles (x, y, width, height; nothing in it if one of the last two is
+  // not positive) the one around all of them. false: they cannot be reached.
+  bool JoinRects(int rect[4]);
 
   // Keeps the nearest pixel of all ranks, place by place. false: they cannot be reached.
   bool KeepNearest(std::vector<water_rank_pixel>& pixels);

@@ -147,7 +147,7 @@ private:
   void ChooseQuality(const Frame& frame, Attempt& attempt);
   // With other ranks, vtkWaterReflectionRanks.cxx: the scene of all of them, or an error; is the
   // last reflection texture used by all; was the mirrored view drawn by all, and what is it of.
-  bool JoinScene(Attempt& attempt);
+  bool JoinScene(const std::vector<vtkWaterSource*>& waters, Attempt& attempt);
   bool IsUnchangedOnAll(const Attempt& attempt, bool isUnchanged);
   bool JoinDrawn(const Frame& frame, Attempt& attempt, bool wantsAgain);
   void RenderNothing(

@@ -10,25 +10,80 @@
 
 namespace
 {
+using Numbers = std::vector<double>;
+
+void AddSea(const vtkWaterLook& look, Numbers& numbers)
+{
+  const water_sea& sea = look.Sea;
+  numbers.insert(numbers.end(),
+    { static_cast<double>(sea.model), static_cast<double>(sea.spreading), sea.wind_speed,
+      sea.wind_dir_rad, sea.fetch, sea.depth, sea.peak_enhancement, sea.spreading_power,
+      look.SeaChoppiness, look.WhitecapJacobian, static_cast<double>(look.Cascades.count) });
+  for (size_t i = 0; i < look.Cascades.count; ++i)
+  {
+    const water_tile& tile = look.Cascades.tiles[i];
+    numbers.insert(numbers.end(),
+      { static_cast<double>(tile.size), tile.length, tile.period,
+        static_cast<double>(tile.seed >> 32), static_cast<double>(tile.seed & 0xffffffffu),
+        tile.k_low, tile.k_high });
+  }
+}
+
+void AddNormalMaps(const vtkWaterLook& look, Numbers& numbers)
+{
+  numbers.push_back(static_cast<double>(look.NormalMaps.size()));
+  for (const vtkWaterNormalMaps::Layer& layer : look.NormalMaps)
+  {
+    const water_normal_map& map = layer.Map;
+    numbers.insert(numbers.end(), { map.size, map.speed, map.direction_rad, map.strength });
+  }
+}
+
+void AddFeatures(const water_feature_look& has, Numbers& numbers)
+{
+#define WATER_ADD_FEATURE(member, what) numbers.push_back(has.member ? 1.0 : 0.0);
+  WATER_FEATURE_LOOK_LIST(WATER_ADD_FEATURE)
+#undef WATER_ADD_FEATURE
+  numbers.push_back(static_cast<double>(has.lookup));
+}
+
+// What shaders get of a look; not what the rank's part of a mesh adds.
+void AddLook(const vtkWaterLook& look, Numbers& numbers)
+{
+  for (const double* triple : { look.DeepColor, look.Extinction, look.Medium.absorption,
+         look.Medium.scattering, look.SlopeVariance, look.MeanSlopes, look.FoamColor })
+  {
+    numbers.insert(numbers.end(), triple, triple + 3);
+  }
+  numbers.insert(numbers.end(),
+    { look.MetresPerUnit, look.NaturalDepth, look.Optics.index_of_refraction,
+      look.Optics.reflectance, look.Optics.constant_reflectance ? 1.0 : 0.0, look.DataOpacity,
+      look.Opacity, look.HasDeepColor ? 1.0 : 0.0, look.ShoreSoftness, look.WaveNumber,
+      look.WaveHeightMax, look.WaveReach, static_cast<double>(look.WaveGridSize), look.Caustics,
+      look.RollsOff ? 1.0 : 0.0, look.FoamDepth, look.FoamJacobian,
+      static_cast<double>(look.Lookup), look.OffsetScale, static_cast<double>(look.RayTraceSteps),
+      static_cast<double>(look.RayTraceProbes), static_cast<double>(look.RayTraceRays),
+      static_cast<double>(look.RayTraceLayers), look.RayTraceFootprint,
+      static_cast<double>(look.Output), look.CastsShadows ? 1.0 : 0.0,
+      look.Environment ? 1.0 : 0.0 });
+  AddFeatures(look.Has, numbers);
+  AddSea(look, numbers);
+  AddNormalMaps(look, numbers);
+}
+
 // All that must be the same on all ranks, lest they draw different waters or part company.
 double DigestOf(const std::vector<vtkWaterSnapshotPointer>& waters, const water_scene& scene)
 {
   uint64_t digest = WATER_RANKS_DIGEST_BEGIN;
   for (const vtkWaterSnapshotPointer& water : waters)
   {
-    const vtkWaterLook& look = water->Look;
-    digest = water_ranks_digest(digest, water->Plane.normal, 3);
-    digest = water_ranks_digest(digest, water->Origin, 3);
-    digest = water_ranks_digest(digest, look.DeepColor, 3);
-    digest = water_ranks_digest(digest, look.Extinction, 3);
-    const double numbers[] = { water->Plane.offset, water->Time,
-      static_cast<double>(water->Features), static_cast<double>(water->Waves.size()),
-      look.Optics.index_of_refraction, look.Optics.reflectance,
-      look.Optics.constant_reflectance ? 1.0 : 0.0, look.Opacity, look.WaveHeightMax, look.SlopeRMS,
-      look.Caustics, look.FoamDepth, look.FoamJacobian, static_cast<double>(look.Lookup),
-      static_cast<double>(look.RayTraceSteps), static_cast<double>(look.RayTraceRays),
-      static_cast<double>(look.Output) };
-    digest = water_ranks_digest(digest, numbers, sizeof numbers / sizeof numbers[0]);
+    const water_plane& plane = water->Plane;
+    const double* origin = water->Origin;
+    Numbers numbers = { plane.normal[0], plane.normal[1], plane.normal[2], plane.offset, origin[0],
+      origin[1], origin[2], water->Time };
+    AddLook(water->Look, numbers);
+    digest = water_ranks_digest(digest, numbers.data(), numbers.size());
+    digest = water_ranks_digest_waves(digest, water->Waves.data(), water->Waves.size());
   }
   digest = water_ranks_digest_settings(digest, &scene.settings);
   return water_ranks_digest_number(digest);
@@ -36,7 +91,7 @@ double DigestOf(const std::vector<vtkWaterSnapshotPointer>& waters, const water_
 }
 
 //------------------------------------------------------------------------------
-bool vtkWaterReflection::JoinScene(Attempt& attempt)
+bool vtkWaterReflection::JoinScene(const std::vector<vtkWaterSource*>& waters, Attempt& attempt)
 {
   water_scene& scene = this->Gathered.Scene;
   water_rank_view mine = water_rank_view();
@@ -47,6 +102,14 @@ bool vtkWaterReflection::JoinScene(Attempt& attempt)
   mine.is_software = scene.is_software ? 1.0 : 0.0;
   mine.measured_ms = attempt.MeasuredMs;
   std::copy_n(scene.surface_bounds, 6, mine.surface_bounds);
+  const bool hasError = std::any_of(
+    waters.begin(), waters.end(), [](vtkWaterSource* water) { return water->HasSheetError(); });
+  mine.has_error = hasError ? 1.0 : 0.0;
+  mine.has_waves = scene.has_waves ? 1.0 : 0.0;
+  mine.slope_rms = scene.slope_rms;
+  mine.slope_max = scene.slope_max;
+  mine.wave_height_max = scene.wave_height_max;
+  mine.is_averaged = this->Gathered.IsAveraged ? 1.0 : 0.0;
   water_ranks_view joined = water_ranks_view();
   if (!this->Ranks.JoinViews(mine, scene, this->RankProps, joined, attempt.Error))
   {
@@ -54,6 +117,7 @@ bool vtkWaterReflection::JoinScene(Attempt& attempt)
   }
   attempt.FirstProp = joined.first_prop;
   attempt.MeasuredMs = joined.measured_ms;
+  this->Gathered.IsAveraged = joined.is_averaged;
   return true;
 }
 

@@ -41,7 +41,7 @@ bool vtkWaterReflection::Render(const Frame& frame, const std::vector<vtkWaterSo
   {
     Attempt attempt;
     this->Gather(frame, waters, attempt);
-    if (this->Ranks.AreSeveral() && !this->JoinScene(attempt))
+    if (this->Ranks.AreSeveral() && !this->JoinScene(waters, attempt))
     {
       this->RenderNothing(frame, waters, attempt.Error);
       return false;

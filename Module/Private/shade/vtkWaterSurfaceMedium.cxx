@@ -6,6 +6,7 @@
 #include "vtkOpenGLRenderer.h"
 #include "vtkTextureObject.h"
 #include "vtkWaterFog.h"
+#include "vtkWaterRanks.h"
 #include "vtkWaterSurfaceShader.h"
 #include "water_daylight.h"
 #include "water_lookup.h"
@@ -39,6 +40,8 @@ void vtkWaterSurfaceShader::BeginMedium(const int viewport_px[4])
   const bool hadFailed = this->Backdrop.GetHasFailed();
   int part_px[4];
   water_lookup_under(&this->Plan, this->IsFlat, viewport_px + 2, part_px);
+  // what lies flat on one rank may not on another
+  const bool areReached = !this->Drawn.Ranks || this->Drawn.Ranks->JoinRects(part_px);
   // fog is drawn over all of the picture, and wants each pixel's mean; ranks send one colour a
   // pixel
   const bool isMean = this->Drawn.AddsFog || this->Drawn.Ranks;
@@ -46,7 +49,7 @@ void vtkWaterSurfaceShader::BeginMedium(const int viewport_px[4])
     this->GetWindow(), viewport_px, part_px, isMean ? nullptr : this->Plan.plane_clip);
   if (this->Drawn.Ranks)
   {
-    this->HasBackdrop =
+    this->HasBackdrop = areReached &&
       this->Backdrop.Join(*this->Drawn.Ranks, this->GetWindow(), part_px, this->HasBackdrop);
   }
   if (this->Backdrop.GetHasFailed() && !hadFailed) // said once
