@@ -321,10 +321,15 @@ public:
    * The ranks of a parallel program (its processes) whose scenes are parts of one: each of them
    * mirrors what it has, and every rank's water reflects all of it. What composes the picture is
    * VTK's business (vtkCompositedSynchronizedRenderers, say). Every rank sets a controller of its
-   * own for its pass, renders as often as the others, and has the same waters with the same look,
-   * time and settings; else each says an error and shows its water's plain colour. A controller of
-   * one process is as good as none. Set nullptr, on all ranks, for frames that one rank renders
-   * alone. Source: Documentation/decisions/023-ranks.md. Default is nullptr.
+   * own for its pass, renders as often as the others, and has the same waters with the same plane,
+   * look, time and settings. Waters that differ, an error of one rank, and a water that one rank
+   * hides or deletes after it was shown are said by all ranks, which show the plain colour. What a
+   * rank cannot know is not said: while a rank has no controller, has not shown the water yet, or
+   * does not render, the others wait for it, as in any collective call. A mesh may be split over
+   * the ranks. Pixels of textures (normal maps, environment) are not compared. A controller of one
+   * process is as good as none. Set nullptr, on all ranks, for frames that one rank renders alone.
+   * vtkWaterLakes does not support ranks: only its first water has the controller. Source:
+   * Documentation/decisions/023-ranks.md. Default is nullptr.
    */
   void SetController(vtkMultiProcessController* controller);
   vtkMultiProcessController* GetController() const;
