@@ -6,7 +6,9 @@
     area, volume = flooded(water)
 
 All is over x and y, in the units of the mesh: how high it is drawn (VerticalScale, a scale of the actor) changes
-nothing. The water is a vtkWaterActor that shows the output of a vtkWaterSurfaceFilter, or that output.
+nothing. The water is a vtkWaterActor that shows the output of a vtkWaterSurfaceFilter, or that output. The actor that
+PyVista's add_water returns stands for all of its lakes, and so does a vtkWaterLakes. Any other actor of a vtkWaterLakes
+is one of its lakes.
 """
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
@@ -18,6 +20,7 @@ from vtkmodules.vtkFiltersGeometry import vtkDataSetSurfaceFilter
 __all__ = ["flooded", "probe", "shoreline"]
 
 DEPTH = "WaterDepth"
+WHOLE = "_vtkwater_whole"  # attribute of an actor: the mapper of all lakes that it stands for
 NEAR = 1e-6  # of the diagonal of the bounds: places that are nearer are one
 
 
@@ -26,35 +29,35 @@ def probe(water, points):
 
     Parameters
     ----------
-    water : vtkWaterActor or vtkPolyData
+    water : vtkWaterActor, vtkWaterLakes or vtkPolyData
     points : array_like
         n x 2 or n x 3: x and y of each place, in the coordinates of the mesh; z is not asked for.
 
     Returns
     -------
     dict[str, numpy.ndarray]
-        For each array of points (linear between them) and of cells its n values, NaN where there is no water. "z" is
-        the height of the surface as it is drawn.
+        For each array of points (linear between them) and of cells its n values, NaN where there is no water. If both
+        have an array of one name, it is that of the points. Arrays without a name are left out. "z" is the height of
+        the surface as it is drawn; if the water has an array of this name, "z" is that array, and the height "WaterZ".
 
     Raises
     ------
     ValueError
-        When the points are no such array, or not finite.
+        When the points are no such array, or not finite; when a point of the water is not finite, or an array has
+        fewer values than the water has points or cells.
+    TypeError
+        When the water is none.
     """
-    places = np.atleast_2d(np.asarray(points, dtype=float))
-    if places.ndim != 2 or places.shape[1] not in (2, 3) or not np.isfinite(places[:, :2]).all():
-        raise ValueError(f"points are of shape {np.shape(points)}; they must be n x 2 or n x 3 finite numbers")
+    places = places_of(points)
     surface = surface_of(water)
-    arrays = {data.GetArrayName(i): (vtk_to_numpy(data.GetArray(i)).astype(float), data is surface.GetPointData())
-              for data in (surface.GetCellData(), surface.GetPointData())
-              for i in range(data.GetNumberOfArrays()) if data.GetArray(i) is not None}
-    arrays["z"] = vtk_to_numpy(surface.GetPoints().GetData())[:, 2].astype(float), True
+    arrays = arrays_of(surface)
     found = {name: np.full((len(places), *values.shape[1:]), np.nan) for name, (values, _) in arrays.items()}
     flat = flattened(surface)
     locator = locator_of(flat)
     near = NEAR * flat.GetLength()
+    first = surface.GetNumberOfVerts() + surface.GetNumberOfLines()  # of the polygons
     cell, closest, corners = vtkGenericCell(), [0.0] * 3, [0.0] * 3
-    for i, (x, y) in enumerate(places[:, :2]):
+    for i, (x, y) in enumerate(places):
         number, part, distance = reference(0), reference(0), reference(0.0)
         if locator is None or not locator.FindClosestPointWithinRadius((x, y, 0.0), near, closest, cell, number, part,
                                                                        distance):
@@ -63,7 +66,7 @@ def probe(water, points):
         cell.EvaluatePosition(closest, [0.0] * 3, part, corners, distance, weights)
         ids = [cell.GetPointId(j) for j in range(cell.GetNumberOfPoints())]
         for name, (values, is_of_points) in arrays.items():
-            found[name][i] = np.tensordot(weights, values[ids], 1) if is_of_points else values[int(number)]
+            found[name][i] = np.tensordot(weights, values[ids], 1) if is_of_points else values[first + int(number)]
     return found
 
 
@@ -72,7 +75,7 @@ def shoreline(water, mesh):
 
     Parameters
     ----------
-    water : vtkWaterActor or vtkPolyData
+    water : vtkWaterActor, vtkWaterLakes or vtkPolyData
     mesh : vtkDataSet
         The solver's mesh, the input of the filter. Where the water ends with it is no shore.
 
@@ -80,7 +83,16 @@ def shoreline(water, mesh):
     -------
     vtkPolyData
         Lines with the arrays of points of the water, at its heights as they are drawn.
+
+    Raises
+    ------
+    TypeError
+        When the water or the mesh is none.
+    ValueError
+        When a point of the water is not finite.
     """
+    if not (hasattr(mesh, "IsA") and mesh.IsA("vtkDataSet")):
+        raise TypeError(f"mesh must be a vtkDataSet, not {type(mesh).__name__}")
     edges = boundary(surface_of(water))
     border = boundary(flattened(polygons_of(mesh)))
     line = vtkPolyData()
@@ -116,35 +128,98 @@ def flooded(water):
 
     Parameters
     ----------
-    water : vtkWaterActor or vtkPolyData
+    water : vtkWaterActor, vtkWaterLakes or vtkPolyData
 
     Returns
     -------
     tuple[float, float]
         Square and cubic units of the mesh. The volume is NaN where no depth is known.
+
+    Raises
+    ------
+    TypeError
+        When the water is none.
+    ValueError
+        When a point of the water is not finite, or its depths are fewer than its points.
     """
     surface = surface_of(water)
-    places = vtk_to_numpy(surface.GetPoints().GetData()).astype(float) if surface.GetNumberOfPoints() else None
+    if surface.GetNumberOfPoints() == 0:
+        return 0.0, 0.0
+    places = vtk_to_numpy(surface.GetPoints().GetData()).astype(float)
     depth = surface.GetPointData().GetArray(DEPTH)
-    depth = None if depth is None else vtk_to_numpy(depth)
+    depth = None if depth is None else values_of(depth, DEPTH, len(places), "points")
     area, volume = 0.0, 0.0
-    for corners in fans_of(surface) if places is not None else ():
+    for corners in polygons_by_size(surface):
+        middle = 0 if depth is None else depth[corners]
         x, y = places[corners, 0], places[corners, 1]
-        part = 0.5 * np.abs((x[:, 1] - x[:, 0]) * (y[:, 2] - y[:, 0]) - (x[:, 2] - x[:, 0]) * (y[:, 1] - y[:, 0]))
-        area += float(part.sum())
-        volume += float("nan") if depth is None else float((part * depth[corners].mean(axis=1)).sum())
+        whole, filled = 0.0, 0.0
+        for i in range(2, corners.shape[1]):  # a fan: where it leaves a concave polygon, its triangles are negative
+            part = 0.5 * ((x[:, i - 1] - x[:, 0]) * (y[:, i] - y[:, 0]) - (x[:, i] - x[:, 0]) * (y[:, i - 1] - y[:, 0]))
+            whole = whole + part
+            if depth is not None:
+                filled = filled + part * middle[:, [0, i - 1, i]].mean(axis=1)
+        area += float(np.abs(whole).sum())
+        volume += float("nan") if depth is None else float((np.sign(whole) * filled).sum())
     return area, volume
+
+
+def places_of(points):
+    """x and y of places, n x 2."""
+    try:
+        places = np.asarray(points, dtype=float)
+    except (TypeError, ValueError):
+        raise ValueError(f"points is {points!r:.80}; it must be n x 2 or n x 3 finite numbers") from None
+    places = places.reshape(0, 2) if places.shape == (0,) else np.atleast_2d(places)
+    if places.ndim != 2 or places.shape[1] not in (2, 3):
+        raise ValueError(f"points are of shape {np.shape(points)}; they must be n x 2 or n x 3 finite numbers")
+    wrong = np.flatnonzero(~np.isfinite(places[:, :2]).all(axis=1))
+    if wrong.size:
+        x, y = places[wrong[0], :2]
+        raise ValueError(f"points has ({x:g}, {y:g}) at {wrong[0]}; they must be n x 2 or n x 3 finite numbers")
+    return places[:, :2]
+
+
+def arrays_of(surface):
+    """The named arrays of numbers of a surface, and its heights; for each whether it is of points."""
+    found = {}
+    for data, count, what in ((surface.GetCellData(), surface.GetNumberOfCells(), "cells"),
+                              (surface.GetPointData(), surface.GetNumberOfPoints(), "points")):
+        for i in range(data.GetNumberOfArrays()):
+            array = data.GetArray(i)
+            if array is not None and array.GetName():
+                found[array.GetName()] = values_of(array, array.GetName(), count, what), what == "points"
+    heights = (vtk_to_numpy(surface.GetPoints().GetData())[:, 2].astype(float) if surface.GetNumberOfPoints() else
+               np.zeros(0))
+    found["WaterZ" if "z" in found else "z"] = heights, True
+    return found
+
+
+def values_of(array, name, count, what):
+    """An array's values, one for each point or cell."""
+    if array.GetNumberOfTuples() < count:
+        raise ValueError(f"the array '{name}' has {array.GetNumberOfTuples()} values; the water has {count} {what}")
+    return vtk_to_numpy(array).astype(float)
 
 
 def surface_of(water):
     """The surface that a water shows, as it is now; polygons as they are."""
-    if hasattr(water, "IsA") and water.IsA("vtkPolyData"):
-        return water
-    mapper = water.GetMapper() if hasattr(water, "GetMapper") else None
-    if mapper is None:
-        raise TypeError(f"water must be a vtkWaterActor or vtkPolyData, not {type(water).__name__}")
-    mapper.Update()
-    return polygons_of(mapper.GetInput())
+    surface = water
+    if not (hasattr(water, "IsA") and water.IsA("vtkPolyData")):
+        mapper = getattr(water, WHOLE, None) or (water.GetMapper() if hasattr(water, "GetMapper") else None)
+        if mapper is None:
+            raise TypeError("water must be a vtkWaterActor, vtkWaterLakes or vtkPolyData that has a mesh, "
+                            f"not {type(water).__name__}")
+        mapper.Update()
+        if mapper.GetInput() is None:
+            raise ValueError("water has a mapper without a mesh")
+        surface = polygons_of(mapper.GetInput())
+    if surface.GetNumberOfPoints():
+        places = vtk_to_numpy(surface.GetPoints().GetData())
+        wrong = np.flatnonzero(~np.isfinite(places).all(axis=1))
+        if wrong.size:
+            raise ValueError(f"point {wrong[0]} of the water is at ({', '.join(f'{x:g}' for x in places[wrong[0]])}); "
+                             "it must be finite")
+    return surface
 
 
 def polygons_of(data):
@@ -157,9 +232,11 @@ def polygons_of(data):
 
 
 def flattened(surface):
-    """The same at z = 0, without arrays."""
+    """Its polygons and strips at z = 0, without arrays."""
     flat = vtkPolyData()
     flat.CopyStructure(surface)
+    flat.SetVerts(vtkCellArray())
+    flat.SetLines(vtkCellArray())
     if surface.GetNumberOfPoints() == 0:
         return flat
     places = vtk_to_numpy(surface.GetPoints().GetData()).astype(float)
@@ -193,13 +270,16 @@ def boundary(surface):
     return edges.GetOutput()
 
 
-def fans_of(surface):
-    """Triangles of the polygons, n x 3 points each: the polygons with as many corners, as fans."""
-    polygons = surface.GetPolys()
-    ends = vtk_to_numpy(polygons.GetOffsetsArray())
-    points = vtk_to_numpy(polygons.GetConnectivityArray())
-    sizes = np.diff(ends)
-    for size in np.unique(sizes[sizes >= 3]):
-        corners = points[ends[:-1][sizes == size][:, None] + np.arange(size)]
-        for i in range(2, size):
-            yield corners[:, [0, i - 1, i]]
+def polygons_by_size(surface):
+    """Points of the polygons, polygons x corners for each number of corners; strips as triangles."""
+    for cells, is_strips in ((surface.GetPolys(), False), (surface.GetStrips(), True)):
+        ends = vtk_to_numpy(cells.GetOffsetsArray())
+        points = vtk_to_numpy(cells.GetConnectivityArray())
+        sizes = np.diff(ends)
+        for size in np.unique(sizes[sizes >= 3]):
+            corners = points[ends[:-1][sizes == size][:, None] + np.arange(size)]
+            if not is_strips:
+                yield corners
+                continue
+            for i in range(2, size):
+                yield corners[:, i - 2:i + 1]

@@ -17,6 +17,7 @@ from vtkmodules.vtkCommonCore import vtkMath
 
 from . import vtkWaterActor
 from .errors import raising
+from .measure import WHOLE
 from .skies import Sun, add_clear_sky, has_scene_light, shine, sun_of
 from .sliders import add_water_level_slider
 from .surfaces import check_has_water, check_level, color_surface, lakes_of, level_and_surface, plane_of, surface_of
@@ -279,6 +280,7 @@ def add_water(
         actor.SetScale(1.0, 1.0, 1.0)  # the plane has it
     if lakes is not None:
         lakes.AddTo(self.renderer)
+        setattr(actor, WHOLE, mapper)  # not the lakes, which hold the actor
     if light is not None:
         shine(self.renderer, actor, *light)
     if color_by is not None and scalar_bar:

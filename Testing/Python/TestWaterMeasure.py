@@ -8,14 +8,15 @@ import pytest
 import water_test as wt
 from TestWaterSurfaceFilter import HALF, add_array, bed_at, flooded, mesh_of, places_of, surface_of, wet_area
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonDataModel import vtkPolyData
-from vtkmodules.vtkFiltersCore import vtkPointDataToCellData
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+from vtkmodules.vtkFiltersCore import vtkAppendPolyData, vtkPointDataToCellData
 from vtkmodules.vtkIOExport import vtkGLTFExporter
 from vtkmodules.vtkIOGeometry import vtkSTLReader, vtkSTLWriter
 from vtkmodules.vtkIOPLY import vtkPLYReader, vtkPLYWriter
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPolyDataWriter
 from vtkmodules.vtkRenderingCore import vtkCellPicker, vtkPolyDataMapper
-from vtkwater import measure, vtkWaterActor
+from vtkwater import measure, vtkWaterActor, vtkWaterLakes
 from vtkwater.data_scenes import table_of
 
 LEVEL = 0.4
@@ -79,15 +80,106 @@ def test_a_probe_tells_cells_and_vectors():
     wt.check_equal("outside", bool(np.isnan(found[2]).all()), True)
 
 
-@pytest.mark.parametrize("bad", ([1.0, 2.0, 3.0, 4.0], [(1.0, float("nan"))], [[[1.0, 2.0]]]))
-def test_wrong_places_are_refused(bad):
-    with pytest.raises(ValueError, match="n x 2 or n x 3 finite numbers"):
+@pytest.mark.parametrize("bad, words", (
+    ([1.0, 2.0, 3.0, 4.0], r"are of shape \(4,\)"), ([[[1.0, 2.0]]], r"are of shape \(1, 1, 2\)"),
+    ([(0.0, 0.0), (1.0, float("nan"))], r"has \(1, nan\) at 1"), ("here", "is 'here'"), ([(1, 2), (1,)], r"is .*\(1,\)\]"),
+))
+def test_wrong_places_are_refused(bad, words):
+    """With the value that is wrong."""
+    with pytest.raises(ValueError, match=f"points {words}; (they|it) must be n x 2 or n x 3 finite numbers"):
         measure.probe(slope()[1], bad)
 
 
 def test_what_is_no_water_of_data_is_refused():
-    with pytest.raises(TypeError, match="must be a vtkWaterActor or vtkPolyData, not float"):
+    with pytest.raises(TypeError, match="must be a vtkWaterActor, vtkWaterLakes or vtkPolyData .* not float"):
         measure.flooded(3.0)
+    with pytest.raises(TypeError, match="mesh must be a vtkDataSet, not NoneType"):
+        measure.shoreline(slope()[1], None)
+
+
+def test_of_no_water_there_are_no_values():
+    wt.check_equal("of nothing", bool(np.isnan(measure.probe(vtkPolyData(), [(0.0, 0.0)])["z"]).all()), True)
+    wt.check_equal("at no place", measure.probe(slope()[1], [])["WaterLevel"].shape, (0,))
+
+
+def polygon_of(corners, is_strip=False, depth=None, with_line=False):
+    """One polygon, or a strip of triangles."""
+    points, cells, made = vtkPoints(), vtkCellArray(), vtkPolyData()
+    for x, y in corners:
+        points.InsertNextPoint(x, y, 0.0)
+    cells.InsertNextCell(len(corners), list(range(len(corners))))
+    made.SetPoints(points)
+    (made.SetStrips if is_strip else made.SetPolys)(cells)
+    if depth is not None:
+        add_array(made, "WaterDepth", np.array([depth(x, y) for x, y in corners], dtype=float))
+    if with_line:
+        lines = vtkCellArray()
+        lines.InsertNextCell(2, [0, 1])
+        made.SetLines(lines)
+    return made
+
+
+NOTCHED = [(0, 0), (4, 0), (4, 4), (2, 1), (0, 4)]  # square 16, less a triangle of 6
+STRIP = [(0, 0), (0, 1), (2, 0), (2, 1), (4, 0), (4, 1)]
+
+
+@pytest.mark.parametrize("turn", range(5))
+@pytest.mark.parametrize("way", (1, -1))
+def test_a_concave_polygon_has_its_own_area(turn, way):
+    """Whichever its first corner is, and whichever way round it goes; depth 1 + x."""
+    corners = (NOTCHED[turn:] + NOTCHED[:turn])[::way]
+    wt.check_equal("area, volume", np.round(measure.flooded(polygon_of(corners, depth=lambda x, y: 1 + x)), 9).tolist(),
+                   [10.0, 30.0])
+
+
+def test_strips_of_triangles_count():
+    wt.check_equal("area, volume", np.round(measure.flooded(polygon_of(STRIP, True, lambda x, y: 1 + x)), 9).tolist(),
+                   [4.0, 12.0])
+
+
+def test_each_array_keeps_its_values():
+    """An array z is not lost, one without a name is left out, and lines are no water."""
+    surface = polygon_of([(0, 0), (4, 0), (4, 4), (0, 4)], with_line=True)
+    add_array(surface, "z", np.full(4, 7.0))
+    add_array(surface, None, np.zeros(4))
+    add_array(surface, "of_cells", np.array([-1.0, 5.0]), True)
+    found = measure.probe(surface, [(2.0, 1.0), (2.0, 0.0)])
+    wt.check_equal("arrays", sorted(found), ["WaterZ", "of_cells", "z"])
+    wt.check_equal("z", np.round(found["z"], 9).tolist(), [7.0, 7.0])
+    wt.check_equal("height", found["WaterZ"].tolist(), [0.0, 0.0])
+    wt.check_equal("of the polygon, also on the line", found["of_cells"].tolist(), [5.0, 5.0])
+
+
+@pytest.mark.parametrize("of_cells, what", ((False, "4 points"), (True, "1 cells")))
+def test_a_short_array_is_refused(of_cells, what):
+    surface = polygon_of([(0, 0), (4, 0), (4, 4), (0, 4)])
+    add_array(surface, "short", np.zeros(0 if of_cells else 2), of_cells)
+    with pytest.raises(ValueError, match=f"the array 'short' has [02] values; the water has {what}"):
+        measure.probe(surface, [(1.0, 1.0)])
+    add_array(surface, "WaterDepth", np.zeros(2))
+    with pytest.raises(ValueError, match="the array 'WaterDepth' has 2 values; the water has 4 points"):
+        measure.flooded(surface)
+
+
+@pytest.mark.parametrize("measured", (measure.flooded, lambda water: measure.probe(water, [(0.0, 0.0)])))
+def test_a_point_that_is_not_finite_is_refused(measured):
+    with pytest.raises(ValueError, match=r"point 2 of the water is at \(nan, 4, 0\); it must be finite"):
+        measured(polygon_of([(0, 0), (4, 0), (float("nan"), 4), (0, 4)]))
+
+
+def test_all_lakes_are_measured():
+    """Of a vtkWaterLakes with two of them."""
+    both = vtkAppendPolyData()
+    for x in (0.0, 10.0):
+        both.AddInputData(polygon_of([(x, 0), (x + 4, 0), (x + 4, 4), (x, 4)], depth=lambda x, y: 2.0 + 0.1 * x))
+    mapper = vtkPolyDataMapper()
+    mapper.SetInputConnection(both.GetOutputPort())
+    lakes = vtkWaterLakes()
+    lakes.SetMapper(mapper)
+    lakes.Update()
+    wt.check_equal("area", measure.flooded(lakes)[0], 32.0)
+    wt.check_at_most("depth in both off by", float(np.abs(
+        measure.probe(lakes, [(1, 1), (11, 1)])["WaterDepth"] - (2.1, 3.1)).max()), 1e-9)
 
 
 def test_the_shoreline_is_where_the_bed_reaches_the_level():

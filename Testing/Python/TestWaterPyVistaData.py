@@ -16,6 +16,7 @@ except ImportError as error:
     print(f"skipped: {reason}")
     pytest.skip(reason, allow_module_level=True)
 import vtkwater.pyvista  # noqa: F401  add_water
+from vtkwater import measure
 
 SIZE = (320, 240)
 
@@ -101,6 +102,20 @@ def test_each_pool_has_its_level(words, plotter):
     plotter.remove_actor(water)
     from_above(plotter)
     wt.check_equal("waters left", len(waters_in(plotter)), 0)
+
+
+def test_all_pools_are_measured(plotter):
+    """By the actor that add_water returns; also when nothing but the renderer kept it, and when the level falls."""
+    mesh = pools((1.0, 2.0))
+    mesh["zb"] = np.zeros(mesh.n_points)
+    plotter.add_water(mesh, level="zeta", bed="zb")
+    gc.collect()
+    water = waters_in(plotter)[0]
+    wt.check_equal("area, volume", np.round(measure.flooded(water), 5).tolist(), [8.0, 12.0])
+    wt.check_equal("levels", measure.probe(water, [(0, 0), (3, 0)])["WaterLevel"].tolist(), [1.0, 2.0])
+    wt.check_equal("shores are the mesh's border", measure.shoreline(water, mesh).GetNumberOfLines(), 0)
+    mesh["zeta"] = 0.5 * mesh["zeta"]
+    wt.check_equal("area, volume later", np.round(measure.flooded(water), 5).tolist(), [8.0, 6.0])
 
 
 def test_in_a_scaled_scene_each_pool_has_its_level(plotter):
