@@ -7,8 +7,8 @@
 
 All is over x and y, in the units of the mesh: how high it is drawn (VerticalScale, a scale of the actor) changes
 nothing. The water is a vtkWaterActor that shows the output of a vtkWaterSurfaceFilter, or that output. The actor that
-PyVista's add_water returns stands for all of its lakes, and so does a vtkWaterLakes. Any other actor of a vtkWaterLakes
-is one of its lakes.
+PyVista's add_water returns stands for all of its lakes, and so does a vtkWaterLakes. Any other actor of a
+vtkWaterLakes is one of its lakes.
 """
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
@@ -151,10 +151,10 @@ def flooded(water):
     area, volume = 0.0, 0.0
     for corners in polygons_by_size(surface):
         middle = 0 if depth is None else depth[corners]
-        x, y = places[corners, 0], places[corners, 1]
+        x, y = (places[corners, axis] - places[corners[:, :1], axis] for axis in (0, 1))
         whole, filled = 0.0, 0.0
         for i in range(2, corners.shape[1]):  # a fan: where it leaves a concave polygon, its triangles are negative
-            part = 0.5 * ((x[:, i - 1] - x[:, 0]) * (y[:, i] - y[:, 0]) - (x[:, i] - x[:, 0]) * (y[:, i - 1] - y[:, 0]))
+            part = 0.5 * (x[:, i - 1] * y[:, i] - x[:, i] * y[:, i - 1])
             whole = whole + part
             if depth is not None:
                 filled = filled + part * middle[:, [0, i - 1, i]].mean(axis=1)

@@ -226,8 +226,8 @@ class Scene:
     def look(self, azimuth=200.0, height=15.0, zoom=1.0, highest=-math.inf, all_of_it=False):
         """Aim the camera at the ground from an azimuth (degrees from north) and a height (degrees above the horizon).
 
-        zoom 1 shows everything above the water, and its reflection, or with all_of_it all of the ground; zoom 2 half
-        of its width. highest is the highest level that the water will reach, in the data's unit: if there is dry ground
+        zoom 1 shows everything above the water, and its reflection, or with all_of_it all of the ground and of the
+        water's mesh as it is now; zoom 2 half of its width. highest is the highest level that the water will reach, in the data's unit: if there is dry ground
         now, the eye stays above it.
         """
         points = vtk_to_numpy(self._ground.data.GetPoints().GetData()) * (1.0, 1.0, self._exaggeration)
@@ -240,6 +240,11 @@ class Scene:
             if len(dry):  # and their mirror image
                 points = np.concatenate([dry, dry * (1.0, 1.0, -1.0) + (0.0, 0.0, 2.0 * level)])
                 lowest = highest * self._exaggeration
+        mapper = self.water.GetMapper() if self.water and all_of_it else None
+        if mapper:
+            mapper.Update()
+            if mapper.GetInput().GetNumberOfPoints():
+                points = np.concatenate([points, vtk_to_numpy(mapper.GetInput().GetPoints().GetData())])
         back = np.array(direction(azimuth, height))
         up = np.array((0.0, 0.0, 1.0) if height < STEEP_DEG else (0.0, 1.0, 0.0))
         right = np.cross(up, back) / np.linalg.norm(np.cross(up, back))

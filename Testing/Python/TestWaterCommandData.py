@@ -341,6 +341,21 @@ def test_a_bed_that_moves_is_followed(folder):
         wt.check_at_most(f"lowest at {time} off by", abs(bounds[4] - lowest), 1e-6)
 
 
+@pytest.mark.parametrize("level", (0.5, 60.0, 600.0))
+def test_all_of_the_water_is_in_view(folder, level):
+    """However high it stands over its bed."""
+    for options in (("--level", level, "--bed", "zb"), ("--level", "zeta", "--bed", "zb", "--exaggeration", level)):
+        water = water_of(folder, folder / "slope.pvd", *options, "--size", SIZE)
+        renderer = water.scene.renderer
+        renderer.GetRenderWindow().Render()
+        worst = 0.0
+        for place in vtk_to_numpy(water.filter.GetOutput().GetPoints().GetData()):
+            renderer.SetWorldPoint(*place, 1.0)
+            renderer.WorldToView()
+            worst = max(worst, *np.abs(renderer.GetViewPoint()[:2]))
+        wt.check_at_most("water outside of the picture, 1 its border", worst, 1.0)
+
+
 def test_the_surface_has_normals(folder):
     """By which its slopes turn what it reflects."""
     water = water_of(folder, folder / "slope.pvd", *DATA)
