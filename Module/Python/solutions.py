@@ -10,6 +10,7 @@ type, not of the type that its suffix claims, or has no such arrays; the text li
 """
 import bisect
 import re
+import weakref
 from pathlib import Path
 from xml.etree import ElementTree
 
@@ -162,7 +163,7 @@ class StepsSource(VTKPythonAlgorithmBase):
 
     def __init__(self, solution, kind):
         super().__init__(nInputPorts=0, nOutputPorts=1, outputType=kind)
-        self._step = solution.step
+        self._solution = weakref.ref(solution)  # VTK keeps what Python's collector cannot see: no cycle
         self._times = solution.times
 
     def RequestInformation(self, request, inputs, outputs):
@@ -177,7 +178,7 @@ class StepsSource(VTKPythonAlgorithmBase):
         time = info.Get(vtkStreamingDemandDrivenPipeline.UPDATE_TIME_STEP())
         i = max(bisect.bisect_right(self._times, time) - 1, 0)
         output = vtkDataObject.GetData(info)
-        output.ShallowCopy(self._step(i))
+        output.ShallowCopy(self._solution().step(i))
         output.GetInformation().Set(vtkDataObject.DATA_TIME_STEP(), self._times[i])
         return 1
 

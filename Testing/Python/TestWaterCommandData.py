@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The command shows what a solver wrote, of every kind of file and at every time, and lists what it does not find."""
 
+import gc
 import pathlib
+import weakref
 
 import numpy as np
 import pytest
@@ -263,6 +265,19 @@ def test_only_two_steps_are_kept(folder):
     for time in (0.0, 5.0, 20.0, 30.0):
         solution.at(time)
     wt.check_equal("steps in memory", sorted(solution._steps), [1, 2])
+
+
+def test_a_solution_goes_with_its_meshes(folder):
+    solution = solutions.Solution(folder / "slope.pvd", ["h"])
+    known, gone = weakref.ref(solution), []
+    between = solution.at(15.0)
+    kept = {"points": solution.step(1).GetPoints(), "cells": solution.step(1).GetPolys(), "source": solution._pipeline}
+    for name, thing in kept.items():
+        thing.AddObserver("DeleteEvent", lambda *_, name=name: gone.append(name))
+    del solution, between, kept, thing
+    gc.collect()
+    wt.check_equal("kept", known() is not None, False)
+    wt.check_equal("of VTK's objects are gone", sorted(gone), ["cells", "points", "source"])
 
 
 def run(folder, capsys, *arguments):
