@@ -9,6 +9,7 @@ VTK's readers read the files; KINDS maps suffixes to readers. A FileError is rai
 type, not of the type that its suffix claims, or has no such arrays; the text lists the arrays.
 """
 import bisect
+import math
 import re
 import weakref
 from pathlib import Path
@@ -25,11 +26,12 @@ from vtkmodules.vtkFiltersGeometry import vtkDataSetSurfaceFilter
 from vtkmodules.vtkFiltersHybrid import vtkTemporalInterpolator
 
 from .readers import HIGHEST, METRES_PER_DEGREE, FileError, check_cells, heard, kind_of, reader_of
-from .ugrid import UgridMesh
+from .ugrid import NoMesh, UgridMesh
 
 __all__ = ["KINDS", "Solution"]
 
 NO_UGRID = "; meshes of the UGRID conventions need VTK 9.2 or later, or the package netCDF4"
+NO_MESH_OF_VTK = ("does not contain a mesh", "Failed to open file")  # its UGRID reader's words where it finds none
 KEPT_STEPS = 2  # in memory: what lies between them is interpolated
 
 
@@ -120,7 +122,10 @@ class Solution:
 
     def _made(self, i):
         data = self._source.read(i)
-        mesh = mesh_of(data, self.path, self._is_volume)
+        try:
+            mesh = mesh_of(data, self.path, self._is_volume)
+        except FileError as error:
+            raise FileError(f"{error}{self._source.hint}") from None
         kept = mesh.NewInstance()
         kept.CopyStructure(mesh)
         for name in self._arrays:
@@ -261,7 +266,7 @@ def polygons_of(data):
 
 
 class Reader:
-    """The steps of one of VTK's readers; hint: what may be wrong where an array is missing."""
+    """The steps of one of VTK's readers; hint: what may be wrong where a mesh or array is missing."""
 
     def __init__(self, path, reader, what, is_lonlat=False, hint=""):
         self._path, self._reader, self._what = path, reader, what
@@ -271,8 +276,13 @@ class Reader:
                 raise FileError(f"{path}: not {what}")
             reader.SetFileName(str(path))
             reader.UpdateInformation()
-        times = reader.GetOutputInformation(0).Get(vtkStreamingDemandDrivenPipeline.TIME_STEPS())
-        self.times = sorted(set(times or ()))
+        times = reader.GetOutputInformation(0).Get(vtkStreamingDemandDrivenPipeline.TIME_STEPS()) or ()
+        for i, time in enumerate(times):
+            if not math.isfinite(time):
+                raise FileError(f"{path}: its time {i} is {time:g}; it must be finite")
+            if i and time < times[i - 1]:  # VTK would read other steps
+                raise FileError(f"{path}: its time {i} is {time:g}, after {times[i - 1]:g}; times must ascend")
+        self.times = sorted(set(times))
 
     def read(self, i):
         with heard(self._path, self._what):
@@ -303,8 +313,10 @@ class Collection:
             try:
                 time = float(entry.get("timestep", 0.0))
             except ValueError:
-                raise FileError(f"{path}: the time of {entry['file']} is {entry['timestep']!r}, "
-                                "not a number") from None
+                time = math.nan
+            if not math.isfinite(time):
+                raise FileError(f"{path}: the time of {entry['file']} is {entry['timestep']!r}; "
+                                "it must be a finite number")
             files.setdefault(time, []).append(path.parent / entry["file"])
         if not files:
             raise FileError(f"{path}: is empty: it lists no files")
@@ -335,19 +347,22 @@ def simple(module, name, what):
 
 def open_netcdf(path):
     """A mesh of UGRID's conventions by VTK (from 9.2 on) or the package netCDF4, else a grid of CF's."""
-    ugrid = reader_of("vtkIONetCDF", "vtkNetCDFUGRIDReader")
-    if ugrid:
-        ugrid.ReplaceFillValueWithNanOn()
-        try:
-            return Reader(path, ugrid, "a NetCDF mesh of the UGRID conventions")
-        except FileError:
-            pass  # a grid, or no NetCDF at all
-    else:
-        try:
+    hint = ""
+    try:
+        ugrid = reader_of("vtkIONetCDF", "vtkNetCDFUGRIDReader")
+        if not ugrid:
             return UgridMesh(path)
-        except (ImportError, OSError, ValueError):
-            pass  # the same
-    what, hint = "a NetCDF grid of the CF conventions", "" if ugrid else NO_UGRID
+        ugrid.ReplaceFillValueWithNanOn()
+        return Reader(path, ugrid, "a NetCDF mesh of the UGRID conventions")
+    except ImportError:
+        hint = NO_UGRID
+    except (NoMesh, OSError):
+        pass  # a grid, or no NetCDF at all
+    except (FileError, RuntimeError) as error:  # netCDF4's, of damaged data
+        text = str(error)
+        if not any(words in text for words in NO_MESH_OF_VTK):
+            hint = f"; {text.removeprefix(f'{path}: ')}"
+    what = "a NetCDF grid of the CF conventions"
     reader = reader_of("vtkIONetCDF", "vtkNetCDFCFReader")
     reader.SphericalCoordinatesOff()
     reader.ReplaceFillValueWithNanOn()

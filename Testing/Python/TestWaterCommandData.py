@@ -137,6 +137,8 @@ def folder(tmp_path_factory):
     write_collection(made / "gap.pvd", [files[0], (10.0, "lost.vts")])
     write_collection(made / "none.pvd", [])
     write_collection(made / "late.pvd", [("soon", "s0.vts")])
+    write_collection(made / "nan.pvd", [("nan", "s0.vts"), files[1]])
+    write_collection(made / "endless.pvd", [files[0], ("-inf", "s1.vts")])
     write_xml(made / "other.vtp", polygons(0.5))
     write_collection(made / "mixed.pvd", [files[0], (10.0, "coarse.vti")])
     coarse = vtkImageData()
@@ -469,7 +471,9 @@ FAILS = (
     (("slope.pvd", *DATA, "--step", 3), ("there is no step 3; steps are 0 to 2",)),
     (("gap.pvd", *DATA, "--time", 5), ("gap.pvd: at time 10:", "lost.vts: no such file")),
     (("none.pvd", *DATA), ("none.pvd: is empty",)),
-    (("late.pvd", *DATA), ("the time of s0.vts is 'soon'",)),
+    (("late.pvd", *DATA), ("the time of s0.vts is 'soon'; it must be a finite number",)),
+    (("nan.pvd", *DATA), ("nan.pvd: the time of s0.vts is 'nan'; it must be a finite number",)),
+    (("endless.pvd", *DATA), ("endless.pvd: the time of s1.vts is '-inf'; it must be a finite number",)),
     (("text.pvd", *DATA), ("text.pvd: not a ParaView collection",)),
     (("text.nc", *DATA), ("text.nc: not a NetCDF grid",)),
     (("missing.nc", *DATA), ("missing.nc: no such file",)),

@@ -1,0 +1,131 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What is wrong with a NetCDF mesh is said, by VTK's reader and by the package netCDF4 in its place."""
+
+import numpy as np
+import pytest
+import water_test as wt
+from vtkmodules import vtkIONetCDF
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkwater import solutions
+from vtkwater.readers import FileError
+from vtkwater.ugrid import NoMesh, UgridMesh
+
+netCDF4 = pytest.importorskip("netCDF4")
+HAS_VTKS = hasattr(vtkIONetCDF, "vtkNetCDFUGRIDReader")
+SQUARE = [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)]
+
+
+def write_mesh(path, dimension=2, coordinates="x y", faces=((0, 1, 2, 3),), times=(0.0, 10.0, 30.0), values=4,
+               role="mesh_topology"):
+    """A square; h of its nodes is 100 times its step plus the node, and there is one value that has no place."""
+    with netCDF4.Dataset(path, "w") as file:
+        for name, size in (("node", 4), ("face", len(faces)), ("corner", 4), ("time", len(times)), ("n", values)):
+            file.createDimension(name, size)
+        mesh = file.createVariable("mesh", "i4")
+        mesh.cf_role, mesh.node_coordinates, mesh.face_node_connectivity = role, coordinates, "faces"
+        if dimension is not None:
+            mesh.topology_dimension = dimension
+        for axis, name in enumerate("xy"):
+            file.createVariable(name, "f8", ("node",))[:] = [place[axis] for place in SQUARE]
+        file.createVariable("faces", "i4", ("face", "corner"), fill_value=-1)[:] = faces
+        file.createVariable("time", "f8", ("time",))[:] = times
+        h = file.createVariable("h", "f8", ("time", "node" if values == 4 else "n"))
+        h[:] = 100.0 * np.arange(len(times))[:, None] + np.arange(values)
+        single = file.createVariable("single", "f8")
+        single[:] = 3.0
+        for variable in (h, single):
+            variable.mesh, variable.location = "mesh", "node"
+    return path
+
+
+def h_of(data):
+    return vtk_to_numpy(data.GetPointData().GetArray("h")).tolist()
+
+
+FAULTS = (
+    ({"dimension": None}, "the topology_dimension of 'mesh' is missing; it must be 2"),
+    ({"dimension": 1}, "the topology_dimension of 'mesh' is 1; it must be 2"),
+    ({"coordinates": "east y"}, "there is no variable 'east', the node_coordinates of 'mesh'"),
+    ({"coordinates": "x"}, "the node_coordinates of 'mesh' is 'x'; it must name 2 variables"),
+    ({"faces": ((0, 1, 2, 9),)}, "a face names node 9; there are 4, from 0 on"),
+    ({"times": (0.0, float("nan"))}, "its time 1 is nan; it must be finite"),
+    ({"times": (float("-inf"), 0.0)}, "its time 0 is -inf; it must be finite"),
+)
+
+
+@pytest.mark.parametrize("fault, words", FAULTS, ids=lambda value: None if isinstance(value, str) else str(value))
+def test_what_is_wrong_with_a_mesh_is_said_by_netcdf4(tmp_path, fault, words):
+    path = write_mesh(tmp_path / "mesh.nc", **fault)
+    with pytest.raises(FileError) as caught:
+        UgridMesh(path)
+    wt.check_equal("said", str(caught.value), f"{path}: not a NetCDF mesh of the UGRID conventions: {words}")
+
+
+@pytest.mark.parametrize("is_vtks", (True, False))
+@pytest.mark.parametrize("fault, by_vtk, by_netcdf4", (
+    ({"dimension": None}, "Attribute not found", "the topology_dimension of 'mesh' is missing"),
+    ({"coordinates": "east y"}, "Variable not found", "there is no variable 'east'"),
+    ({"times": (0.0, float("nan"))}, "its time 1 is nan", "its time 1 is nan"),
+), ids=str)
+def test_why_a_mesh_is_refused_is_said(tmp_path, monkeypatch, is_vtks, fault, by_vtk, by_netcdf4):
+    """Though the file is then read as a grid."""
+    if is_vtks and not HAS_VTKS:
+        pytest.skip("this VTK reads no such meshes")
+    if not is_vtks:
+        hide_vtks(monkeypatch)
+    path = write_mesh(tmp_path / "mesh.nc", **fault)
+    with pytest.raises(FileError) as caught:
+        solutions.Solution(path, ["h"])
+    words = by_vtk if is_vtks else by_netcdf4
+    wt.check_equal(f"'{words}' is in: {caught.value}", words in str(caught.value), True)
+
+
+def hide_vtks(monkeypatch):
+    """As if this were a VTK before 9.2."""
+    of_vtk = solutions.reader_of
+    monkeypatch.setattr(solutions, "reader_of",
+                        lambda module, name: None if "UGRID" in name else of_vtk(module, name))
+
+
+def test_steps_are_in_the_order_of_their_times(tmp_path, monkeypatch):
+    path = write_mesh(tmp_path / "mesh.nc", times=(30.0, 0.0, 10.0))
+    if HAS_VTKS:  # whose reader gives other steps
+        with pytest.raises(FileError, match="its time 1 is 0, after 30; times must ascend"):
+            solutions.Solution(path, ["h"])
+    hide_vtks(monkeypatch)
+    solution = solutions.Solution(path, ["h"])
+    wt.check_equal("times", solution.times, (0.0, 10.0, 30.0))
+    wt.check_equal("h", [h_of(solution.at(time))[0] for time in (0.0, 5.0, 10.0, 30.0)], [100.0, 150.0, 200.0, 0.0])
+
+
+def test_a_single_value_is_no_array_of_the_mesh(tmp_path):
+    mesh = UgridMesh(write_mesh(tmp_path / "mesh.nc"))
+    data = mesh.read(2)
+    wt.check_equal("arrays", data.GetPointData().GetNumberOfArrays(), 1)
+    wt.check_equal("h", h_of(data), [200.0, 201.0, 202.0, 203.0])
+
+
+def test_an_array_of_another_size_is_refused(tmp_path):
+    with pytest.raises(FileError, match="the variable 'h' has 3 values; the mesh has 4 nodes"):
+        UgridMesh(write_mesh(tmp_path / "mesh.nc", values=3)).read(0)
+
+
+def test_a_file_without_a_mesh_is_none(tmp_path):
+    with pytest.raises(NoMesh, match="holds no mesh"):
+        UgridMesh(write_mesh(tmp_path / "mesh.nc", role="none"))
+
+
+def test_a_file_is_closed(tmp_path, monkeypatch):
+    """After it is opened, after each step, and where it is refused."""
+    path = write_mesh(tmp_path / "mesh.nc")
+    refused, opened, of_netcdf4 = write_mesh(tmp_path / "refused.nc", coordinates="x"), [], netCDF4.Dataset
+
+    def remember(*arguments):
+        opened.append(of_netcdf4(*arguments))
+        return opened[-1]
+
+    monkeypatch.setattr(netCDF4, "Dataset", remember)
+    UgridMesh(path).read(1)
+    with pytest.raises(FileError):
+        UgridMesh(refused)
+    wt.check_equal("opened, still open", (len(opened), sum(file.isopen() for file in opened)), (3, 0))
