@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The part of the command vtkwater that shows what a solver wrote: its options, and the scene they make."""
 import argparse
+import pathlib
 import sys
 
 from . import readers, solutions
@@ -61,7 +62,7 @@ def is_data(arguments):
 
 def check_data(parser, arguments):
     """End the program if options of data contradict each other, or are used without data."""
-    kind = arguments.file.rpartition(".")[2].lower()
+    kind = pathlib.Path(arguments.file).suffix.lower()
     if not is_data(arguments):
         for word in ("dry_depth", "contour_value", "color_by", "cmap", "clim", "scalar_bar", "lonlat", "step",
                      "times"):
@@ -71,9 +72,10 @@ def check_data(parser, arguments):
         if arguments.level is None:
             parser.error("the following arguments are required: --level")
         return
-    if f".{kind}" not in solutions.KINDS:
+    if kind not in solutions.KINDS:
         if isinstance(arguments.level, str):
-            parser.error(f"argument --level: {arguments.level!r} is not a number, and a .{kind} file has no arrays")
+            parser.error(f"argument --level: {arguments.level!r} is not a number, and a file "
+                         f"{f'of the type {kind}' if kind else 'without a suffix'} has no arrays")
         parser.error(f"{arguments.file}: arrays can be read only from {', '.join(solutions.KINDS)}")
     for word, default in ELSEWHERE.items():
         if getattr(arguments, word) != default:

@@ -227,8 +227,8 @@ class Scene:
         """Aim the camera at the ground from an azimuth (degrees from north) and a height (degrees above the horizon).
 
         zoom 1 shows everything above the water, and its reflection, or with all_of_it all of the ground and of the
-        water's mesh as it is now; zoom 2 half of its width. highest is the highest level that the water will reach, in the data's unit: if there is dry ground
-        now, the eye stays above it.
+        water's mesh as it is now; zoom 2 half of its width. highest is the highest level that the water will reach, in
+        the data's unit: if there is dry ground now, the eye stays above it.
         """
         points = vtk_to_numpy(self._ground.data.GetPoints().GetData()) * (1.0, 1.0, self._exaggeration)
         lowest = -math.inf

@@ -97,7 +97,8 @@ class UgridMesh:
 
     def _topology(self, file):
         """The variable that describes the mesh."""
-        found = [variable for variable in file.variables.values() if getattr(variable, "cf_role", "") == "mesh_topology"]
+        found = [variable for variable in file.variables.values()
+                 if getattr(variable, "cf_role", "") == "mesh_topology"]
         if not found:
             raise NoMesh(f"{self._path}: not {WHAT}: holds no mesh")
         for variable in found:

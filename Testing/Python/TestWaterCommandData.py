@@ -496,7 +496,9 @@ def test_what_cannot_be_shown_is_one_line(folder, capsys, options, words):
 WRONG = (
     (("slope.pvd", "--level", 3, "--color-by", "h"), ("--color-by needs an array that defines the water",)),
     (("slope.pvd", "--level", 3, "--step", 1), ("--step needs an array that defines",)),
-    (("a.tif", "--level", "high"), ("'high' is not a number",)),
+    (("a.tif", "--level", "high"), ("'high' is not a number, and a file of the type .tif has no arrays",)),
+    (("run.v2/case", "--level", "high"), ("'high' is not a number, and a file without a suffix has no arrays",)),
+    (("case", "--depth", "h"), ("case: arrays can be read only from .pvd",)),
     (("a.stl", "--depth", "h"), ("arrays can be read only from .pvd",)),
     (("slope.pvd", "--bed", "zb"), ("--bed alone",)),
     (("slope.pvd", "--contour", "a", "--depth", "h"), ("--contour defines",)),
