@@ -84,7 +84,7 @@ class UgridMesh:
         return data
 
     def _values(self, variable, i):
-        """Of a step, one for each place; None for a single value, for layers and for what are no numbers."""
+        """Of a step, one for each place; None for a single value, for layers and for what are not numbers."""
         if variable.dtype is str or variable.dtype.kind not in "biuf" or not variable.dimensions:
             return None
         if variable.dimensions[0] == self._time_of:
