@@ -14,7 +14,7 @@ from vtkmodules.vtkFiltersCore import vtkPolyDataNormals
 from vtkmodules.vtkRenderingCore import vtkPolyDataMapper
 from vtkwater.errors import ending
 from vtkwater.pictures import png_name
-from vtkwater.readers import read, surface_of_heights
+from vtkwater.readers import calm_around, read, surface_of_heights
 from vtkwater.scenes import Scene
 
 LENGTH, BEAM, DRAUGHT, FREEBOARD = 40.0, 6.0, 2.5, 2.2  # m
@@ -38,18 +38,6 @@ def kelvin_waves():
         heights += 0.6 * strength * waves / (1.0 + np.exp((places - end) / 1.5))  # none ahead
     edge = np.clip((0.5 * SIZE - np.abs(places)) / (0.15 * SIZE), 0.0, 1.0)  # they end in calm water
     return heights * np.outer(edge, edge)
-
-
-def calm_around(mesh):
-    """The plane around a surface, to the horizon."""
-    west, east, south, north = mesh.GetBounds()[:4]
-    data = surface_of_heights(np.zeros((4, 4))).data
-    x, y = np.meshgrid((-HORIZON, west, east, HORIZON), (-HORIZON, south, north, HORIZON))
-    data.GetPoints().SetData(numpy_to_vtk(np.stack([x, y, 0.0 * x], axis=2).reshape(-1, 3), deep=True))
-    data.BuildCells()
-    data.DeleteCell(4)  # the middle one: there is the surface
-    data.RemoveDeletedCells()
-    return data
 
 
 def add_ship(scene):
@@ -90,7 +78,7 @@ def main():
 
     scene = Scene((1280, 720))
     add_ship(scene)
-    for sheet in (normals.GetOutput(), calm_around(mesh)):
+    for sheet in (normals.GetOutput(), calm_around(mesh.GetBounds(), HORIZON)):
         water = scene.add_water(0.0, wind=WIND)
         plane = vtkPlane()
         plane.SetNormal(0.0, 0.0, 1.0)

@@ -21,7 +21,7 @@ from vtkmodules.vtkRenderingCore import vtkPolyDataMapper
 from vtkwater import movies
 from vtkwater.errors import ending
 from vtkwater.pictures import png_name
-from vtkwater.readers import surface_of_heights
+from vtkwater.readers import calm_around, surface_of_heights
 from vtkwater.scenes import Scene
 
 GRAVITY = 9.81
@@ -96,7 +96,7 @@ class Water:
         polygons.SetInputData(self.mesh)
         waves, calm = add_sheet(scene), add_sheet(scene)
         waves.GetMapper().SetInputConnection(polygons.GetOutputPort())
-        calm.GetMapper().SetInputData(calm_around(self.mesh.GetBounds()))
+        calm.GetMapper().SetInputData(calm_around(self.mesh.GetBounds(), HORIZON))
         self.sheets = waves, calm
 
     def show(self, seconds):
@@ -122,18 +122,6 @@ def add_sheet(scene):
     mapper.ScalarVisibilityOff()
     water.SetMapper(mapper)
     return water
-
-
-def calm_around(bounds):
-    """The plane around a surface, to the horizon."""
-    west, east, south, north = bounds[:4]
-    data = surface_of_heights(np.zeros((4, 4))).data
-    x, y = np.meshgrid((-HORIZON, west, east, HORIZON), (-HORIZON, south, north, HORIZON))
-    data.GetPoints().SetData(numpy_to_vtk(np.stack([x, y, 0.0 * x], axis=2).reshape(-1, 3), deep=True))
-    data.BuildCells()
-    data.DeleteCell(4)  # the middle one: there is the surface
-    data.RemoveDeletedCells()
-    return data
 
 
 def strake(scene, points, color):

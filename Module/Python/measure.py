@@ -15,7 +15,8 @@ from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import reference, vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkCellLocator, vtkGenericCell, vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkCleanPolyData, vtkFeatureEdges, vtkStripper
-from vtkmodules.vtkFiltersGeometry import vtkDataSetSurfaceFilter
+
+from .readers import polygons_of
 
 __all__ = ["flooded", "probe", "shoreline"]
 
@@ -220,15 +221,6 @@ def surface_of(water):
             raise ValueError(f"point {wrong[0]} of the water is at ({', '.join(f'{x:g}' for x in places[wrong[0]])}); "
                              "it must be finite")
     return surface
-
-
-def polygons_of(data):
-    if data.IsA("vtkPolyData"):
-        return data
-    surface = vtkDataSetSurfaceFilter()
-    surface.SetInputData(data)
-    surface.Update()
-    return surface.GetOutput()
 
 
 def flattened(surface):

@@ -19,7 +19,7 @@ from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkDataSetAttributes, vt
 from vtkmodules.vtkFiltersCore import vtkPolyDataNormals
 from vtkmodules.vtkFiltersGeometry import vtkDataSetSurfaceFilter
 
-__all__ = ["ELEVATION", "FileError", "KINDS", "Surface", "read", "surface_of_heights"]
+__all__ = ["ELEVATION", "FileError", "KINDS", "Surface", "calm_around", "read", "surface_of_heights"]
 
 ELEVATION = "Elevation"  # the point array of a terrain: heights in the file's unit
 MOST_POINTS = 4_000_000  # of an elevation model; of a larger one every n-th row and column is taken
@@ -125,6 +125,28 @@ def surface_of_heights(heights, spacing=(1.0, 1.0), origin=(0.0, 0.0), no_data=N
     elevation.SetName(ELEVATION)
     data.GetPointData().SetScalars(elevation)
     return Surface(data, is_terrain=True, note="; ".join(notes))
+
+
+def calm_around(bounds, reach):
+    """The level z = 0 around a surface with these bounds, to a distance from the origin along both axes."""
+    west, east, south, north = bounds[:4]
+    data = surface_of_heights(np.zeros((4, 4))).data
+    x, y = np.meshgrid((-reach, west, east, reach), (-reach, south, north, reach))
+    data.GetPoints().SetData(numpy_to_vtk(np.stack([x, y, 0.0 * x], axis=2).reshape(-1, 3), deep=True))
+    data.BuildCells()
+    data.DeleteCell(4)  # the middle one: there is the surface
+    data.RemoveDeletedCells()
+    return data
+
+
+def polygons_of(data):
+    """The polygons of a data set: its surface if it has cells of volume."""
+    if data.IsA("vtkPolyData"):
+        return data
+    surface = vtkDataSetSurfaceFilter()
+    surface.SetInputData(data)
+    surface.Update()
+    return surface.GetOutput()
 
 
 @contextlib.contextmanager

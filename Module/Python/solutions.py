@@ -22,10 +22,9 @@ from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellTypes, vtkDataObject, vtkGenericCell, vtkMultiBlockDataSet
 from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
 from vtkmodules.vtkFiltersCore import vtkAppendFilter, vtkAppendPolyData
-from vtkmodules.vtkFiltersGeometry import vtkDataSetSurfaceFilter
 from vtkmodules.vtkFiltersHybrid import vtkTemporalInterpolator
 
-from .readers import HIGHEST, METRES_PER_DEGREE, FileError, check_cells, heard, kind_of, reader_of
+from .readers import HIGHEST, METRES_PER_DEGREE, FileError, check_cells, heard, kind_of, polygons_of, reader_of
 from .ugrid import NoMesh, UgridMesh
 
 __all__ = ["KINDS", "Solution"]
@@ -254,15 +253,6 @@ def mesh_of(data, path, is_volume):
         append.AddInputData(leaf if is_volume else polygons_of(leaf))
     append.Update()
     return append.GetOutput()
-
-
-def polygons_of(data):
-    if data.IsA("vtkPolyData"):
-        return data
-    surface = vtkDataSetSurfaceFilter()
-    surface.SetInputData(data)
-    surface.Update()
-    return surface.GetOutput()
 
 
 class Reader:
