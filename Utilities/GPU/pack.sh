@@ -91,8 +91,15 @@ echo "$version" >"$out/own/python-version"
 # The part of VTK. What our code imports is asked of the code; what that needs, of the libraries.
 source=$("$out/sdk/venv/bin/python" -c "import pathlib, vtkmodules; print(pathlib.Path(vtkmodules.__file__).parent)")
 needed_by() { readelf -d "$1" | sed -nE 's/.*NEEDED.*\[(.*)\]/\1/p'; }
-imported=$(cd "$project" && grep -rhoE --include='*.py' --include='*.py.in' 'vtkmodules\.vtk[A-Za-z0-9]+' \
-  Testing Utilities Module/Python Examples | sed 's/.*\.//' | sort -u)
+imported=
+for name in $(cd "$project" && grep -rhoE --include='*.py' --include='*.py.in' 'vtkmodules\.vtk[A-Za-z0-9]+' \
+  Testing Utilities Module/Python Examples | sed 's/.*\.//' | sort -u); do
+  if compgen -G "$source/$name.*so" >/dev/null; then
+    imported+=" $name"
+  else
+    say "not in PyPI's VTK: $name"
+  fi
+done
 own_needs=$(for library in "$out"/own/site/vtkwater/*.so* "$out"/own/bin/*; do needed_by "$library"; done | sort -u)
 
 declare -A taken
