@@ -22,7 +22,6 @@ const float WATER_MEDIUM_DEEPER = 1.01;  // than what is deepest: bounds are rou
 const float WATER_MEDIUM_ENDLESS = 1e29; // length of a way that nothing limits
 const float WATER_MEDIUM_CLOSE_PX = 0.2; // two places are as good as one
 const float WATER_MEDIUM_GAP_PX = 4.0; // what is hidden over more is guessed from one thing
-const int WATER_MEDIUM_RAYS = 4; // of a pixel at an edge
 const float WATER_MEDIUM_LONG_PX = 8.0;  // ways that need eight looks, and not four
 
 float waterMediumDepth(vec2 uv)
@@ -361,34 +360,8 @@ vec3 waterTransmittedRay(WaterPoint point)
   return from;
 }
 
-// Place of a ray in its pixel, from the middle: the first is there, the others are a square on its corner, turned so that no
-// two are in one row or column.
-vec2 waterMediumRayPlace(int ray)
-{
-  vec2 corner = ray < 3 ? vec2(0.125, 0.375) : vec2(-0.125, -0.375);
-  corner = (ray & 1) == 0 ? vec2(corner.y, -corner.x) : corner;
-  return ray == 0 ? vec2(0.0) : corner;
-}
-
-// Color of what lies beyond a point of the surface, and the light that the water adds. Of a multisampled picture a pixel
-// at an edge has several rays: one shows stairs there.
-vec3 waterTransmitted(WaterPoint point)
-{
-  WaterPointChange across = waterChangeAcross(point);
-  WaterPointChange down = waterChangeDown(point);
-  vec3 sum = vec3(0.0);
-  int last = 0;
-  int ray = 0;
-  do
-  {
-    vec3 seen = waterTransmittedRay(waterMovedPoint(point, waterMediumRayPlace(ray), across, down));
-    bool isFirst = ray == 0;
-    last = isFirst && waterMediumIsEdge ? WATER_MEDIUM_RAYS * waterSceneIsSorted : last;
-    sum += isFirst && last > 0 ? vec3(0.0) : seen;
-    ++ray;
-  } while (ray <= last);
-  return sum / float(max(last, 1));
-}
+// Color of what lies beyond a point of the surface, and the light that the water adds; of the slot others.
+vec3 waterTransmitted(WaterPoint point);
 
 // Depth of the water where the pixel looks straight, m.
 //

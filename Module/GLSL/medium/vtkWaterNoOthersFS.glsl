@@ -5,3 +5,9 @@ vec3 waterMediumWithOther(vec2 uv, float depth, int others, float begun, vec3 se
 {
   return seen;
 }
+
+// One ray: several need derivatives, and registers that hardware has no use for then.
+vec3 waterTransmitted(WaterPoint point)
+{
+  return waterTransmittedRay(point);
+}
