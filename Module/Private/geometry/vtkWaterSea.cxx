@@ -94,7 +94,9 @@ bool vtkWaterSea::DrawTexture(vtkOpenGLRenderWindow* window, int fields)
   const vtkOpenGLState::ScopedglActiveTexture activeTexture(window->GetState());
   const auto count = static_cast<unsigned int>(this->Cascades.count);
   const auto size = static_cast<unsigned int>(this->Cascades.tiles[0].size);
-  this->Texture.Allocate(window, size, size, static_cast<unsigned int>(fields) * count);
+  const bool areSlopesAlone = fields <= vtkWaterSlopePasses::BENDS; // without bends and moves
+  this->Texture.Allocate(
+    window, size, size, static_cast<unsigned int>(fields) * count, areSlopesAlone);
   for (unsigned int i = 0; i < count; ++i)
   {
     const vtkWaterSeaTile& tile = this->Tiles[i];

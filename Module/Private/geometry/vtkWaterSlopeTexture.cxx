@@ -19,30 +19,33 @@ public:
   vtkTypeMacro(vtkWaterLayers, vtkTextureObject);
 
   // numbers  nullptr: they come later
-  void Fill(unsigned int width, unsigned int height, unsigned int layers, const float* numbers)
+  void Fill(
+    unsigned int width, unsigned int height, unsigned int layers, bool isHalf, const float* numbers)
   {
+    const GLint format = isHalf ? GL_RGBA16F : GL_RGBA32F;
     this->Target = GL_TEXTURE_2D_ARRAY;
     this->NumberOfDimensions = 2;
     this->Components = 4;
     this->Format = GL_RGBA;
     this->Type = GL_FLOAT;
-    this->InternalFormat = GL_RGBA32F;
+    this->InternalFormat = static_cast<unsigned int>(format);
     this->Context->ActivateTexture(this);
     this->CreateTexture();
     this->Bind();
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-    glTexImage3D(GL_TEXTURE_2D_ARRAY, 0, GL_RGBA32F, static_cast<GLsizei>(width),
+    glTexImage3D(GL_TEXTURE_2D_ARRAY, 0, format, static_cast<GLsizei>(width),
       static_cast<GLsizei>(height), static_cast<GLsizei>(layers), 0, GL_RGBA, GL_FLOAT, numbers);
     this->Width = width;
     this->Height = height;
     this->Depth = layers;
+    this->IsHalf = isHalf;
     this->Deactivate();
   }
 
-  bool HasSize(unsigned int width, unsigned int height, unsigned int layers) const
+  bool HasSize(unsigned int width, unsigned int height, unsigned int layers, bool isHalf) const
   {
     return this->Handle != 0 && this->Width == width && this->Height == height &&
-      this->Depth == layers;
+      this->Depth == layers && this->IsHalf == isHalf;
   }
 
 protected:
@@ -52,6 +55,8 @@ protected:
 private:
   vtkWaterLayers(const vtkWaterLayers&) = delete;
   void operator=(const vtkWaterLayers&) = delete;
+
+  bool IsHalf = false;
 };
 vtkStandardNewMacro(vtkWaterLayers);
 
@@ -65,14 +70,14 @@ vtkWaterSlopeTexture::~vtkWaterSlopeTexture() = default;
 void vtkWaterSlopeTexture::Upload(vtkOpenGLRenderWindow* window, unsigned int width,
   unsigned int height, unsigned int layers, const std::vector<float>& texels)
 {
-  this->Allocate(window, 0, 0, 0);
-  this->Texture->Fill(width, height, layers, texels.data());
+  this->Allocate(window, 0, 0, 0, false);
+  this->Texture->Fill(width, height, layers, false, texels.data());
   this->MakeMipLevels();
 }
 
 //------------------------------------------------------------------------------
-void vtkWaterSlopeTexture::Allocate(
-  vtkOpenGLRenderWindow* window, unsigned int width, unsigned int height, unsigned int layers)
+void vtkWaterSlopeTexture::Allocate(vtkOpenGLRenderWindow* window, unsigned int width,
+  unsigned int height, unsigned int layers, bool isHalf)
 {
   if (!this->Get(window))
   {
@@ -84,9 +89,9 @@ void vtkWaterSlopeTexture::Allocate(
     this->Texture->SetMagnificationFilter(vtkTextureObject::Linear);
     this->Texture->SetMaxLevel(kAllLevels);
   }
-  if (layers > 0 && !this->Texture->HasSize(width, height, layers))
+  if (layers > 0 && !this->Texture->HasSize(width, height, layers, isHalf))
   {
-    this->Texture->Fill(width, height, layers, nullptr);
+    this->Texture->Fill(width, height, layers, isHalf, nullptr);
   }
 }
 
