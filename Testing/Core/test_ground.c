@@ -17,10 +17,18 @@ static water_ground begun(void)
   return ground;
 }
 
-static void add(double x, double y, double height, water_ground* ground)
+static water_footprint nothing(void)
+{
+  water_footprint footprint;
+  water_footprint_begin(&footprint);
+  return footprint;
+}
+
+static void add(
+  const water_ground* ground, double x, double y, double height, water_footprint* footprint)
 {
   const double point[3] = { x, y, height };
-  water_ground_add_point(point, ground);
+  water_ground_see_point(ground, point, footprint);
 }
 
 typedef double (*height_of)(double x, double y);
@@ -30,10 +38,19 @@ static double hills(double x, double y)
   return 0.3 * sin(3.0 * x) * cos(2.0 * y) - 0.05;
 }
 
-// A surface over the scene's bounds, or the part of them that is in an ellipse.
-static bool has_ground(height_of height, int points, bool is_round, double thick)
+static double nowhere(double x, double y)
+{
+  (void)x;
+  (void)y;
+  return (double)NAN;
+}
+
+// A thing over the scene's bounds, or the part of them that is in an ellipse, from its base to its
+// height; without a base it is a surface.
+static water_ground ground_of(height_of height, height_of base, int points, bool is_round)
 {
   water_ground ground = begun();
+  water_footprint thing = nothing();
   for (int i = 0; i <= points; ++i)
   {
     for (int j = 0; j <= points; ++j)
@@ -42,24 +59,115 @@ static bool has_ground(height_of height, int points, bool is_round, double thick
       const double y = -1.0 + 2.0 * j / points;
       if (!is_round || 0.25 * x * x + y * y <= 1.0)
       {
-        add(x, y, height(x, y), &ground);
-        add(x, y, height(x, y) + thick, &ground);
+        add(&ground, x, y, height(x, y), &thing);
+        add(&ground, x, y, base(x, y), &thing);
       }
     }
   }
-  return water_ground_is_under(&ground, 0.0);
+  water_ground_add_thing(&thing, &ground);
+  return ground;
+}
+
+static bool has_ground(height_of height, height_of base, int points, bool is_round, double level_at)
+{
+  const water_ground ground = ground_of(height, base, points, is_round);
+  return water_ground_is_under(&ground, level_at);
+}
+
+static double flat_base(double x, double y)
+{
+  (void)x;
+  (void)y;
+  return -1.0;
+}
+
+static double deck(double x, double y)
+{
+  (void)x;
+  (void)y;
+  return 0.4;
+}
+
+static double pyramid(double x, double y)
+{
+  return 0.5 - 1.5 * fmax(0.5 * fabs(x), fabs(y));
+}
+
+static double dome(double x, double y)
+{
+  return -1.0 + 2.0 * sqrt(fmax(1.0 - 0.25 * x * x - y * y, 0.0));
+}
+
+static double hull(double x, double y)
+{
+  return -dome(x, y) - 0.6;
+}
+
+static double half_cylinder(double x, double y)
+{
+  (void)x;
+  return -1.0 + sqrt(fmax(1.0 - y * y, 0.0));
+}
+
+static double gable_roof(double x, double y)
+{
+  (void)x;
+  return 0.5 - 1.5 * fabs(y);
+}
+
+static double island(double x, double y)
+{
+  return 0.8 * exp(-4.0 * (0.25 * x * x + y * y)) - 0.3;
+}
+
+static double cone(double x, double y)
+{
+  return 0.6 - hypot(0.5 * x, y);
+}
+
+static double shore(double x, double y)
+{
+  (void)y;
+  return 0.2 * x;
 }
 
 TEST(terrain_is_ground)
 {
-  assert_true(has_ground(hills, 100, false, 0.0));
-  assert_true(has_ground(hills, 12, false, 0.0));
+  const height_of lands[4] = { hills, island, cone, shore };
+  for (int i = 0; i < 4; ++i)
+  {
+    assert_true(has_ground(lands[i], nowhere, 100, false, 0.0));
+    assert_true(has_ground(lands[i], nowhere, 12, false, 0.0));
+    assert_true(has_ground(lands[i], nowhere, 100, false, -5.0));  // it stands in the dry
+    assert_true(has_ground(lands[i], flat_base, 200, false, 0.0)); // with a skirt
+  }
 }
 
-TEST(round_and_thick_things_are_not)
+TEST(solids_are_objects)
 {
-  assert_false(has_ground(hills, 100, true, 0.0));  // an island
-  assert_false(has_ground(hills, 100, false, 2.0)); // a block
+  const height_of tops[5] = { pyramid, dome, deck, half_cylinder, gable_roof };
+  for (int i = 0; i < 5; ++i)
+  {
+    for (double level_at = -0.9; level_at < 0.4; level_at += 0.1)
+    {
+      assert_false(has_ground(tops[i], flat_base, 200, false, level_at));
+      assert_false(has_ground(tops[i], flat_base, 200, true, level_at));
+    }
+  }
+  assert_false(has_ground(deck, hull, 200, false, 0.0));
+}
+
+// Between its base and its top it is an island with cliffs, and the sea is around it.
+TEST(a_block_of_land_is_ground_with_water_over_it)
+{
+  assert_false(has_ground(hills, flat_base, 200, false, -0.5));
+  assert_true(has_ground(hills, flat_base, 200, false, -0.2));
+  assert_true(has_ground(hills, flat_base, 200, false, 1.0));
+}
+
+TEST(round_things_are_not_ground)
+{
+  assert_false(has_ground(hills, nowhere, 100, true, 0.0));
 }
 
 static double is_row_of_boxes(double x, double y)
@@ -70,12 +178,12 @@ static double is_row_of_boxes(double x, double y)
 
 TEST(things_in_a_row_are_not)
 {
-  assert_false(has_ground(is_row_of_boxes, 100, false, 0.0));
+  assert_false(has_ground(is_row_of_boxes, nowhere, 100, false, 0.0));
 }
 
 TEST(few_points_are_no_ground)
 {
-  assert_false(has_ground(hills, 1, false, 0.0)); // four corners
+  assert_false(has_ground(hills, nowhere, 1, false, 0.0)); // four corners
   water_ground ground = begun();
   assert_false(water_ground_is_under(&ground, 0.0));
 }
@@ -97,17 +205,49 @@ TEST(a_bed_under_the_water_is_ground)
   }
 }
 
+// Wholly under water a slab is a bed; a pyramid, a dome and a column are none.
+TEST(what_may_be_a_bed)
+{
+  const struct
+  {
+    height_of top;
+    height_of base;
+    bool is_bed;
+  } things[] = { { hills, nowhere, true }, { hills, flat_base, true },
+    { pyramid, flat_base, false }, { dome, flat_base, false }, { deck, flat_base, false },
+    { deck, hills, true } };
+  for (size_t i = 0; i < sizeof things / sizeof things[0]; ++i)
+  {
+    water_ground ground = ground_of(things[i].top, things[i].base, 200, false);
+    water_footprint thing = nothing();
+    for (int j = 0; j < 201 * 201; ++j)
+    {
+      const double x = -2.0 + 0.02 * (j % 201);
+      const double y = -1.0 + 0.01 * (j / 201);
+      add(&ground, x, y, things[i].top(x, y), &thing);
+      add(&ground, x, y, things[i].base(x, y), &thing);
+    }
+    assert_int_equal(water_ground_add_thing(&thing, &ground), things[i].is_bed);
+    assert_int_equal(water_ground_is_under(&ground, 2.0), things[i].is_bed);
+  }
+  water_ground ground = begun();
+  const water_footprint empty = nothing();
+  assert_true(water_ground_add_thing(&empty, &ground)); // a volume has bounds and no points
+}
+
 TEST(numbers_that_are_none_count_nothing)
 {
   water_ground ground = begun();
+  water_footprint thing = nothing();
   for (int i = 0; i < 1000; ++i)
   {
     const double t = (i % 250) / 250.0;
     const double x = i < 250 ? -2.0 + 4.0 * t : i < 500 ? 2.0 : i < 750 ? 2.0 - 4.0 * t : -2.0;
     const double y = i < 250 ? -1.0 : i < 500 ? -1.0 + 2.0 * t : i < 750 ? 1.0 : 1.0 - 2.0 * t;
-    add(x, y, (double)NAN, &ground);
-    add(x, (double)NAN, 0.0, &ground);
+    add(&ground, x, y, (double)NAN, &thing);
+    add(&ground, x, (double)NAN, 0.0, &thing);
   }
+  water_ground_add_thing(&thing, &ground);
   assert_false(water_ground_is_under(&ground, 0.0));
 }
 
@@ -170,14 +310,45 @@ TEST(cells_cover_the_scene)
   ASSERT_CLOSE(wet_area(&ground, 0.25), 8.0, 1e-9);
 }
 
-TEST(coarse_meshes_are_looked_at_in_more_places)
+// The samples of a triangle leave out no cell whose middle it covers.
+TEST(triangles_are_seen_in_all_of_their_cells)
 {
-  assert_int_equal(water_ground_across(1.0), WATER_GROUND_CELLS);
-  assert_int_equal(water_ground_across(0.0), WATER_GROUND_CELLS);
-  assert_int_equal(water_ground_across(1e9), 2);
-  for (double side = 1.0; side < 200.0; side += 1.0)
+  double triangles[4][3][3] = { { { -2.0, -1.0, 0.0 }, { 2.0, -1.0, 0.0 }, { -2.0, 1.0, 0.0 } },
+    { { 2.0, 1.0, 0.0 }, { -2.0, 0.9, 0.0 }, { -1.9, -1.0, 0.0 } },
+    { { 0.1, 0.1, 0.0 }, { 0.9, 0.2, 0.0 }, { 0.3, 0.8, 0.0 } },
+    { { 0.01, 0.0, 0.0 }, { 0.02, 0.0, 0.0 }, { 0.01, 0.01, 0.0 } } };
+  const water_ground ground = begun();
+  assert_int_equal(water_ground_across(&ground, triangles[3]), 1);
+  for (int i = 0; i < 4; ++i)
   {
-    assert_true(side * water_ground_across(side * side) >= WATER_GROUND_CELLS);
+    double(*corner)[3] = triangles[i];
+    water_footprint thing = nothing();
+    const int across = water_ground_across(&ground, corner);
+    assert_in_range(across, 1, 2 * WATER_GROUND_CELLS);
+    const double side[2][2] = { { corner[1][0] - corner[0][0], corner[1][1] - corner[0][1] },
+      { corner[2][0] - corner[0][0], corner[2][1] - corner[0][1] } };
+    const double area = side[0][0] * side[1][1] - side[0][1] * side[1][0];
+    for (int j = 0; j < across * across; ++j)
+    {
+      const double u = (j % across + 0.5) / across;
+      const double v = (j / across + 0.5) / across;
+      if (u + v <= 1.0)
+      {
+        add(&ground, corner[0][0] + u * side[0][0] + v * side[1][0],
+          corner[0][1] + u * side[0][1] + v * side[1][1], 0.0, &thing);
+      }
+    }
+    for (int j = 0; j < WATER_GROUND_CELLS * WATER_GROUND_CELLS; ++j)
+    {
+      const int column = j % WATER_GROUND_CELLS;
+      const int row = j / WATER_GROUND_CELLS;
+      const double x = -2.0 + 4.0 * (column + 0.5) / WATER_GROUND_CELLS - corner[0][0];
+      const double y = -1.0 + 2.0 * (row + 0.5) / WATER_GROUND_CELLS - corner[0][1];
+      const double u = (x * side[1][1] - y * side[1][0]) / area;
+      const double v = (y * side[0][0] - x * side[0][1]) / area;
+      const bool is_covered = u > 0.02 && v > 0.02 && u + v < 0.98;
+      assert_true(!is_covered || water_footprint_has(&thing, column, row));
+    }
   }
 }
 
@@ -212,15 +383,17 @@ TEST(ground_is_dry_where_it_stands_out)
   for (int k = 0; k < 2; ++k)
   {
     water_ground ground = begun();
+    water_footprint thing = nothing();
     for (int i = 0; i <= 400; ++i)
     {
       for (int j = 0; j <= 400; ++j)
       {
         const double x = -2.0 + 0.01 * i;
         const double y = -1.0 + 0.005 * j;
-        add(x, y, heights[k](x, y), &ground);
+        add(&ground, x, y, heights[k](x, y), &thing);
       }
     }
+    water_ground_add_thing(&thing, &ground);
     int wet_count = 0;
     for (int i = 0; i < 40000; ++i)
     {
@@ -241,20 +414,42 @@ TEST(ground_is_dry_where_it_stands_out)
 TEST(ground_is_wet_where_nothing_is_known)
 {
   water_ground ground = begun();
-  add(0.0, 0.0, 1.0, &ground);
+  water_footprint thing = nothing();
+  add(&ground, 0.0, 0.0, 1.0, &thing);
+  water_ground_add_thing(&thing, &ground);
   ASSERT_CLOSE(wet_area(&ground, 0.0), 8.0, 1e-9);
   for (int i = 0; i <= 200; ++i)
   {
     for (int j = 0; j <= 200; ++j)
     {
-      add(0.01 * i, -1.0 + 0.01 * j, 1.0, &ground); // the half of it
+      add(&ground, 0.01 * i, -1.0 + 0.01 * j, 1.0, &thing); // the half of it
     }
   }
+  water_ground_add_thing(&thing, &ground);
   ASSERT_CLOSE(wet_area(&ground, 0.0), 4.0 + 2.0 * 2.0 * 4.0 / WATER_GROUND_CELLS, 0.13);
 }
 
-TESTS(coarse_meshes_are_looked_at_in_more_places, cells_cover_the_scene,
+// What has few cells is a surface, whatever it looks like; nothing is wet of what has none.
+TEST(little_is_known_of_few_cells)
+{
+  water_footprint thing = nothing();
+  assert_int_equal(water_footprint_shape_of(&thing), WATER_FOOTPRINT_SURFACE);
+  assert_true(isinf(water_footprint_wet_from(&thing)));
+  assert_false(water_footprint_has(&thing, -1, 3));
+  assert_false(water_footprint_has(&thing, 3, WATER_FOOTPRINT_CELLS));
+  for (int i = 0; i < 16; ++i)
+  {
+    assert_int_equal(water_footprint_shape_of(&thing), WATER_FOOTPRINT_SURFACE);
+    water_footprint_add(i % 4, i / 4, 0.0, &thing);
+    water_footprint_add(i % 4, i / 4, 1.0 + i, &thing);
+  }
+  water_footprint_add(0, 0, 5.0, &thing);
+  ASSERT_CLOSE(water_footprint_wet_from(&thing), 2.0, 1e-5);
+}
+
+TESTS(terrain_is_ground, solids_are_objects, a_block_of_land_is_ground_with_water_over_it,
+  round_things_are_not_ground, things_in_a_row_are_not, few_points_are_no_ground,
+  a_bed_under_the_water_is_ground, what_may_be_a_bed, numbers_that_are_none_count_nothing,
+  cells_cover_the_scene, triangles_are_seen_in_all_of_their_cells, bad_scenes_have_no_ground,
   ground_is_dry_where_it_stands_out, ground_is_wet_where_nothing_is_known,
-  bad_scenes_have_no_ground, terrain_is_ground, round_and_thick_things_are_not,
-  things_in_a_row_are_not, few_points_are_no_ground, a_bed_under_the_water_is_ground,
-  numbers_that_are_none_count_nothing)
+  little_is_known_of_few_cells)

@@ -6,9 +6,10 @@ import pytest
 import water_test as wt
 from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet, vtkPlane, vtkStructuredGrid
+from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet, vtkPlane, vtkPlaneCollection, vtkStructuredGrid
+from vtkmodules.vtkFiltersGeneral import vtkClipClosedSurface
 from vtkmodules.vtkFiltersGeometry import vtkStructuredGridGeometryFilter
-from vtkmodules.vtkFiltersSources import vtkPlaneSource
+from vtkmodules.vtkFiltersSources import vtkCylinderSource, vtkPlaneSource
 from vtkmodules.vtkRenderingCore import vtkActor, vtkAreaPicker, vtkAssembly, vtkCompositePolyDataMapper, vtkPolyDataMapper
 from vtkwater import vtkWaterActor
 
@@ -45,7 +46,8 @@ def of_blocks(data):
 
 def actor_of(data):
     mapper = vtkPolyDataMapper()
-    mapper.SetInputData(data)
+    if data:
+        mapper.SetInputData(data)
     actor = vtkActor()
     actor.SetMapper(mapper)
     return actor
@@ -76,7 +78,63 @@ def beach(parts):
     return actor_of(source.GetOutput())
 
 
+def terrain_block(height):
+    """A terrain with a skirt and a base; height: of its lowest point over the base."""
+    x, y = np.meshgrid(*[np.linspace(-5.0, 5.0, 40)] * 2)
+    heights = 0.8 * np.sin(0.9 * x) * np.cos(0.7 * y)
+    points = vtkPoints()
+    points.SetData(numpy_to_vtk(np.stack([np.stack([x, y, z], axis=-1) for z in (np.full_like(x, -0.8 - height), heights)]
+                                         ).reshape(-1, 3), deep=True))
+    grid = vtkStructuredGrid()
+    grid.SetDimensions(40, 40, 2)
+    grid.SetPoints(points)
+    outside = vtkStructuredGridGeometryFilter()
+    outside.SetInputData(grid)
+    outside.Update()
+    return outside.GetOutput()
+
+
+def island(steepness):
+    x, y = np.meshgrid(*[np.linspace(-5.0, 5.0, 60)] * 2)
+    return surface_of(x, y, 1.0 - steepness * np.hypot(x, y))
+
+
+def cone(resolution, angle):
+    actor = actor_of(wt.pyramid((0, 0, 0), 2, resolution))
+    actor.RotateZ(angle)
+    return actor
+
+
+def cylinder(center, height):
+    source = vtkCylinderSource()
+    source.SetResolution(32)
+    source.SetHeight(height)
+    actor = actor_of(None)
+    actor.GetMapper().SetInputConnection(source.GetOutputPort())
+    actor.RotateX(90)
+    actor.SetPosition(0, 0, center)
+    return actor
+
+
+def half_sphere():
+    """Closed by a disc."""
+    cut = vtkPlane()
+    cut.SetOrigin(0, 0, -0.5)
+    cut.SetNormal(0, 0, 1)
+    planes = vtkPlaneCollection()
+    planes.AddItem(cut)
+    clip = vtkClipClosedSurface()
+    clip.SetInputData(wt.sphere((0, 0, -0.5), 1))
+    clip.SetClippingPlanes(planes)
+    clip.Update()
+    return actor_of(clip.GetOutput())
+
+
 LAND = {
+    "land with a skirt": lambda: [actor_of(terrain_block(0.5))],
+    "land with a high skirt": lambda: [actor_of(terrain_block(5.0))],
+    "an island's bed": lambda: [actor_of(island(0.3))],
+    "a steep island's bed": lambda: [actor_of(island(2.0))],
     "beach of one face": lambda: [beach(1)],
     "beach of nine faces": lambda: [beach(3)],
     "terrain": lambda: [actor_of(terrain())],
@@ -91,6 +149,17 @@ LAND = {
     "pool": pool,
 }
 SEA = {
+    "cone of six sides": lambda: [cone(6, 0)],
+    "cone of four sides": lambda: [cone(4, 0)],
+    "pyramid": lambda: [cone(4, 45)],
+    "cone": lambda: [cone(64, 0)],
+    "cone far below": lambda: [moved(cone(4, 45), -3)],
+    "cylinder": lambda: [cylinder(0, 1)],
+    "low cylinder": lambda: [cylinder(0, 0.1)],
+    "column below": lambda: [moved(actor_of(wt.box((0, 0, 0), (1, 1, 1))), -2)],
+    "half a sphere": lambda: [half_sphere()],
+    "barge": lambda: [actor_of(wt.box((0, 0, 0), (20, 4, 2)))],
+    "slab of land with water at its side": lambda: [moved(actor_of(terrain_block(5.0)), 2.5)],
     "sphere": lambda: [actor_of(wt.sphere((0, 0, 0), 1))],
     "block": lambda: [actor_of(wt.box((0, 0, 0), (2, 3, 4)))],
     "low block": lambda: [actor_of(wt.box((0, 0, 0), (2, 2, 1)))],
@@ -98,6 +167,11 @@ SEA = {
     "terrain and a ship far out": lambda: [actor_of(terrain()), actor_of(wt.box((40, 0, 0), (2, 1, 1)))],
     "invisible terrain": lambda: [actor_of(wt.sphere((0, 0, 0), 1)), hidden(actor_of(terrain()))],
 }
+
+
+def moved(actor, height):
+    actor.SetPosition(0, 0, height)
+    return actor
 
 
 def hidden(actor):

@@ -8,8 +8,10 @@ static const double wide = 0.75;  // share of the scene's area that a bed covers
 static const double near = 0.04;  // of the scene's diagonal
 static const double steep = 0.15; // of the same: so far apart the points of one surface may lie
 static const double world_origin[3] = { 0.0, 0.0, 0.0 };
-static const int enough = 13; // places that have a surface
-static const int gap = 6;     // so many lines of cells may lie between the points of one surface
+static const int enough = 13;    // places that have a surface
+static const double tall = 0.5;  // of its shorter side: so high a block with a flat top is a column
+static const double flat = 0.05; // of its height: by so little a flat top differs
+static const int gap = 6;        // so many lines of cells may lie between the points of one surface
 
 water_status water_ground_begin(
   const water_plane* plane, const double bounds[6], water_ground* ground)
@@ -17,13 +19,13 @@ water_status water_ground_begin(
   memset(ground, 0, sizeof *ground);
   for (int i = 0; i < WATER_GROUND_PLACES; ++i)
   {
-    ground->low[i] = (double)INFINITY;
-    ground->high[i] = -(double)INFINITY;
+    ground->spread[i] = (double)INFINITY;
   }
   for (int i = 0; i < WATER_GROUND_CELLS * WATER_GROUND_CELLS; ++i)
   {
     ground->cell_low[i / WATER_GROUND_CELLS][i % WATER_GROUND_CELLS] = (double)INFINITY;
   }
+  ground->block_from = (double)INFINITY;
   ground->bed_top = (double)INFINITY;
   water_plane unit;
   water_status status = water_plane_normalise(plane, &unit);
@@ -92,7 +94,7 @@ static double border_of(const water_ground* ground, int axis, int i)
   return scene[0] + (scene[1] - scene[0]) * i / WATER_GROUND_CELLS;
 }
 
-// The cell along an axis that has a place; those out of the scene are in its outermost.
+// The cell along an axis that has a place; places out of the scene are in its outermost.
 static int cell_of(const water_ground* ground, int axis, double place)
 {
   const double* scene = ground->bounds + 2 * axis;
@@ -100,43 +102,111 @@ static int cell_of(const water_ground* ground, int axis, double place)
   return (int)fmin(fmax(share * WATER_GROUND_CELLS, 0.0), WATER_GROUND_CELLS - 1.0);
 }
 
-static void add_to_border(const double at[3], water_ground* ground)
+void water_ground_see_point(
+  const water_ground* ground, const double point[3], water_footprint* footprint)
 {
+  double at[3];
+  to_axes(ground, point, at);
+  if (isfinite(at[0] + at[1] + at[2]))
+  {
+    water_footprint_add(cell_of(ground, 0, at[0]), cell_of(ground, 1, at[1]), at[2], footprint);
+  }
+}
+
+// A cell counts for the places of the border that are near. spread: of the heights in it.
+static void add_to_border(int x, int y, double spread, bool is_block, water_ground* ground)
+{
+  const double at[2] = { 0.5 * (border_of(ground, 0, x) + border_of(ground, 0, x + 1)),
+    0.5 * (border_of(ground, 1, y) + border_of(ground, 1, y + 1)) };
+  const double* scene = ground->bounds;
+  const double inside =
+    fmin(fmin(at[0] - scene[0], scene[1] - at[0]), fmin(at[1] - scene[2], scene[3] - at[1]));
+  if (inside > ground->near) // most cells are far from the border
+  {
+    return;
+  }
   for (int i = 0; i < WATER_GROUND_PLACES; ++i)
   {
     double place[2];
     place_of(ground, i, place);
     if (fabs(at[0] - place[0]) <= ground->near && fabs(at[1] - place[1]) <= ground->near)
     {
-      ground->low[i] = fmin(ground->low[i], at[2]);
-      ground->high[i] = fmax(ground->high[i], at[2]);
+      ground->has_block[i] = ground->has_block[i] || is_block;
+      ground->spread[i] = is_block ? ground->spread[i] : fmin(ground->spread[i], spread);
     }
   }
 }
 
-void water_ground_add_point(const double point[3], water_ground* ground)
+// Is a block a column: high, with a flat top? Even wholly under water it is no bed.
+static bool is_column(const water_footprint* footprint, const water_ground* ground)
 {
-  double at[3];
-  to_axes(ground, point, at);
-  if (!isfinite(at[0] + at[1] + at[2]))
+  double side = (double)INFINITY;
+  double low = (double)INFINITY;
+  double high[2] = { (double)INFINITY, -(double)INFINITY }; // of the top
+  for (int axis = 0; axis < 2; ++axis)
   {
-    return;
+    side = fmin(side,
+      border_of(ground, axis, footprint->last[axis] + 1) -
+        border_of(ground, axis, footprint->first[axis]));
   }
-  double* low = &ground->cell_low[cell_of(ground, 1, at[1])][cell_of(ground, 0, at[0])];
-  *low = fmin(*low, at[2]);
-  const double* scene = ground->bounds;
-  const double inside =
-    fmin(fmin(at[0] - scene[0], scene[1] - at[0]), fmin(at[1] - scene[2], scene[3] - at[1]));
-  if (inside <= ground->near) // most points are far from the border
+  for (int y = footprint->first[1]; y <= footprint->last[1]; ++y)
   {
-    add_to_border(at, ground);
+    for (int x = footprint->first[0]; x <= footprint->last[0]; ++x)
+    {
+      if (water_footprint_has(footprint, x, y))
+      {
+        low = fmin(low, footprint->low[y][x]);
+        high[0] = fmin(high[0], footprint->high[y][x]);
+        high[1] = fmax(high[1], footprint->high[y][x]);
+      }
+    }
   }
+  return high[1] - low > tall * side && high[1] - high[0] < flat * (high[1] - low);
 }
 
-int water_ground_across(double faces)
+bool water_ground_add_thing(const water_footprint* footprint, water_ground* ground)
 {
-  const double across = 2.0 * WATER_GROUND_CELLS / sqrt(fmax(faces, 1.0));
-  return (int)fmin(fmax(ceil(across), 2.0), WATER_GROUND_CELLS);
+  const water_footprint_shape shape = water_footprint_shape_of(footprint);
+  const bool is_block = shape == WATER_FOOTPRINT_BLOCK;
+  if (shape == WATER_FOOTPRINT_OBJECT || (is_block && is_column(footprint, ground)))
+  {
+    return false;
+  }
+  for (int y = footprint->first[1]; y <= footprint->last[1]; ++y)
+  {
+    for (int x = footprint->first[0]; x <= footprint->last[0]; ++x)
+    {
+      if (water_footprint_has(footprint, x, y))
+      {
+        const double high = footprint->high[y][x];
+        const double low = is_block ? high : footprint->low[y][x];
+        ground->cell_low[y][x] = fmin(ground->cell_low[y][x], low);
+        add_to_border(x, y, high - low, is_block, ground);
+      }
+    }
+  }
+  if (is_block)
+  {
+    ground->block_from = fmin(ground->block_from, water_footprint_wet_from(footprint));
+  }
+  return true;
+}
+
+int water_ground_across(const water_ground* ground, double corners[3][3])
+{
+  double at[3][3];
+  double across = 1.0;
+  for (int i = 0; i < 3; ++i)
+  {
+    to_axes(ground, corners[i], at[i]);
+  }
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    const double cell = border_of(ground, axis, 1) - border_of(ground, axis, 0);
+    const double sides = fabs(at[1][axis] - at[0][axis]) + fabs(at[2][axis] - at[0][axis]);
+    across = fmax(across, cell > 0.0 ? ceil(sides / cell) : 1.0);
+  }
+  return (int)fmin(across, 2.0 * WATER_GROUND_CELLS); // two sides of the whole scene
 }
 
 static bool has_point_in_line(const water_ground* ground, int axis, int line)
@@ -169,11 +239,11 @@ static bool has_gap_across(const water_ground* ground)
 bool water_ground_is_under(const water_ground* ground, double level)
 {
   const double most = steep / near * ground->near;
+  const bool has_block = ground->block_from <= level; // with water over it
   int count = 0;
   for (int i = 0; i < WATER_GROUND_PLACES; ++i)
   {
-    const double spread = ground->high[i] - ground->low[i];
-    count += spread >= 0.0 && spread <= most ? 1 : 0;
+    count += ground->spread[i] <= most || (has_block && ground->has_block[i]) ? 1 : 0;
   }
   return ground->bed_top <= level || (count >= enough && !has_gap_across(ground));
 }

@@ -3,14 +3,16 @@
 // it stand in open water, as a ship does?
 //
 // It has ground if an object under the water is nearly as wide as the scene, or if one surface runs
-// along the border of the scene's bounds. Objects in open water touch this border only in places,
-// or with high walls.
+// along the border of the scene's bounds. Objects in open water touch this border only in places.
+// A solid (water_footprint.h) is ground only as a block with water over it, such as a terrain with
+// a skirt and a base. A cone, a dome and a barge stand or float in open water.
 //
 // The dry part of a ground is known. Water under it would be visible only from the side, as a slab
-// under the land, and is left out. None of this depends on the level, which may therefore change.
+// under the land, and is left out. What is known of the ground holds for all levels.
 #ifndef water_ground_h
 #define water_ground_h
 
+#include "water_footprint.h"
 #include "water_plane.h"
 
 #include <stdbool.h>
@@ -22,8 +24,8 @@ extern "C"
 
 enum
 {
-  WATER_GROUND_PLACES = 16, // along the border, evenly
-  WATER_GROUND_CELLS = 64   // of the scene along each axis
+  WATER_GROUND_PLACES = 16,                  // along the border, evenly
+  WATER_GROUND_CELLS = WATER_FOOTPRINT_CELLS // of the scene along each axis
 };
 
 typedef struct water_ground
@@ -31,11 +33,12 @@ typedef struct water_ground
   double x_dir[3]; // the plane's axes, through the world's origin
   double y_dir[3];
   double up[3];
-  double bounds[4];                 // of the scene in these axes: xmin, xmax, ymin, ymax
-  double near;                      // how far from a place a point counts for it
-  double low[WATER_GROUND_PLACES];  // heights are along the normal, from the world's origin
-  double high[WATER_GROUND_PLACES]; // of the points there; low > high: none
-  double bed_top;                   // of the lowest thing that is nearly as wide; infinite: none
+  double bounds[4];                    // of the scene in these axes: xmin, xmax, ymin, ymax
+  double near;                         // how far from a place a cell counts for it
+  double spread[WATER_GROUND_PLACES];  // of a surface's heights in a cell there; infinite: none
+  bool has_block[WATER_GROUND_PLACES]; // a block is there
+  double block_from;                   // the lowest level with water over a block; infinite: none
+  double bed_top;                      // of the lowest thing that is nearly as wide; infinite: none
   double cell_low[WATER_GROUND_CELLS][WATER_GROUND_CELLS]; // [y][x], lowest point; infinite: none
 } water_ground;
 
@@ -47,15 +50,24 @@ typedef struct water_ground
 water_status water_ground_begin(
   const water_plane* plane, const double bounds[6], water_ground* ground);
 
-// Adds a thing's bounds, in world; empty ones count nothing.
+// Adds the bounds, in world, of what may be a bed; empty ones count nothing.
 void water_ground_add_bounds(const double bounds[6], water_ground* ground);
 
-// Adds a point of a surface, in world. Points that are not finite are ignored.
-void water_ground_add_point(const double point[3], water_ground* ground);
+// Adds a point of a thing, in world, to what is seen of it from above. Points that are not finite
+// are ignored.
+void water_ground_see_point(
+  const water_ground* ground, const double point[3], water_footprint* footprint);
 
-// Number of samples along each side of a face, so that every cell gets a point for a mesh with this
-// number of faces.
-int water_ground_across(double faces);
+// Adds a thing, once all of its points have been seen. Objects count nothing, and nor do columns:
+// high blocks with a flat top.
+//
+// Returns whether it may be a bed. What counts nothing is none: a cone or a column that is wholly
+// under water stands in open water.
+bool water_ground_add_thing(const water_footprint* footprint, water_ground* ground);
+
+// Number of samples along two sides of a triangle, in world, so that it leaves no cell out that it
+// covers.
+int water_ground_across(const water_ground* ground, double corners[3][3]);
 
 // level  height of the water along the normal, from the world's origin
 bool water_ground_is_under(const water_ground* ground, double level);
@@ -67,8 +79,7 @@ bool water_ground_is_under(const water_ground* ground, double level);
 // it is wet.
 //
 // parts  corners in world, x, y, z of four each, counter-clockwise about the normal; two of them
-// may
-//        be the same
+//        may be the same
 //
 // Returns the number of parts.
 int water_ground_wet(const water_ground* ground, double level, int x, int y, double parts[24]);

@@ -7,10 +7,12 @@
 #include "vtkCompositeDataSet.h"
 #include "vtkDataSet.h"
 #include "vtkGenericCell.h"
+#include "vtkIdList.h"
 #include "vtkMapper.h"
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
+#include "vtkPoints.h"
 #include "vtkPropCollection.h"
 #include "vtkRenderer.h"
 #include "vtkSmartPointer.h"
@@ -19,10 +21,22 @@
 
 #include <algorithm>
 #include <functional>
+#include <vector>
 
 namespace
 {
 constexpr vtkIdType kFewCells = 20000; // their faces are looked at, and not their points alone
+
+void ToWorld(double point[3], vtkMatrix4x4* matrix)
+{
+  if (matrix)
+  {
+    const double local[4] = { point[0], point[1], point[2], 1.0 };
+    double world[4];
+    matrix->MultiplyPoint(local, world);
+    std::copy(world, world + 3, point);
+  }
+}
 
 // Props that are a part of the scene that water covers.
 void ForEachProp(const std::vector<vtkRenderer*>& scene, const std::function<void(vtkProp*)>& what)
@@ -104,7 +118,12 @@ void vtkWaterGround::Add(vtkProp* prop)
   {
     return;
   }
-  water_ground_add_bounds(bounds, &this->Ground);
+  int dataCount = 0;
+  int bedCount = 0; // of those that may be a bed
+  const auto look = [&](vtkDataSet* data, vtkMatrix4x4* matrix) {
+    ++dataCount;
+    bedCount += this->AddData(data, matrix) ? 1 : 0;
+  };
   prop->InitPathTraversal();
   while (vtkAssemblyPath* path = prop->GetNextPath())
   {
@@ -122,64 +141,77 @@ void vtkWaterGround::Add(vtkProp* prop)
       const auto it = vtkSmartPointer<vtkCompositeDataIterator>::Take(blocks->NewIterator());
       for (it->InitTraversal(); !it->IsDoneWithTraversal(); it->GoToNextItem())
       {
-        this->AddPoints(vtkDataSet::SafeDownCast(it->GetCurrentDataObject()), node->GetMatrix());
+        look(vtkDataSet::SafeDownCast(it->GetCurrentDataObject()), node->GetMatrix());
       }
     }
     else
     {
-      this->AddPoints(vtkDataSet::SafeDownCast(data), node->GetMatrix());
+      look(vtkDataSet::SafeDownCast(data), node->GetMatrix());
     }
+  }
+  if (dataCount == 0 || bedCount > 0)
+  {
+    water_ground_add_bounds(bounds, &this->Ground);
   }
 }
 
 //------------------------------------------------------------------------------
-void vtkWaterGround::AddPoints(vtkDataSet* data, vtkMatrix4x4* matrix)
+bool vtkWaterGround::AddData(vtkDataSet* data, vtkMatrix4x4* matrix)
 {
+  water_footprint_begin(&this->Footprint);
   const vtkIdType count = data ? data->GetNumberOfPoints() : 0;
   for (vtkIdType i = 0; i < count; ++i)
   {
-    double point[4];
+    double point[3];
     data->GetPoint(i, point);
-    this->AddPoint(point, matrix);
+    ToWorld(point, matrix);
+    water_ground_see_point(&this->Ground, point, &this->Footprint);
   }
   if (count > 0 && data->GetNumberOfCells() <= kFewCells)
   {
-    this->AddFaces(data, matrix); // a beach may be one quadrilateral
+    this->SeeFaces(data, matrix); // a beach may be one quadrilateral
   }
+  return water_ground_add_thing(&this->Footprint, &this->Ground);
 }
 
 //------------------------------------------------------------------------------
-void vtkWaterGround::AddPoint(double point[4], vtkMatrix4x4* matrix)
-{
-  point[3] = 1.0;
-  if (matrix)
-  {
-    matrix->MultiplyPoint(point, point);
-  }
-  water_ground_add_point(point, &this->Ground);
-}
-
-//------------------------------------------------------------------------------
-void vtkWaterGround::AddFaces(vtkDataSet* data, vtkMatrix4x4* matrix)
+void vtkWaterGround::SeeFaces(vtkDataSet* data, vtkMatrix4x4* matrix)
 {
   vtkNew<vtkGenericCell> cell;
-  const int across = water_ground_across(static_cast<double>(data->GetNumberOfCells()));
+  vtkNew<vtkIdList> ids;
+  vtkNew<vtkPoints> corners; // of triangles: a polygon's own parameters reach beyond it
   for (vtkIdType i = 0; i < data->GetNumberOfCells(); ++i)
   {
     data->GetCell(i, cell);
-    const vtkIdType corners = cell->GetCellDimension() == 2 ? cell->GetNumberOfPoints() : 0;
-    std::vector<double> weights(static_cast<size_t>(std::max<vtkIdType>(corners, 1)));
-    for (int j = 0; j < across * across && corners >= 3; ++j)
+    corners->Reset();
+    if (cell->GetCellDimension() == 2)
     {
-      double place[3] = { (j % across + 0.5) / across, (j / across + 0.5) / across, 0.0 };
-      int part = 0;
-      double point[4];
-      if (corners == 3 && place[0] + place[1] > 1.0)
+      cell->Triangulate(0, ids, corners);
+    }
+    for (vtkIdType first = 0; first + 2 < corners->GetNumberOfPoints(); first += 3)
+    {
+      double corner[3][3];
+      for (int k = 0; k < 3; ++k)
       {
-        continue; // out of the triangle
+        corners->GetPoint(first + k, corner[k]);
+        ToWorld(corner[k], matrix);
       }
-      cell->EvaluateLocation(part, place, point, weights.data());
-      this->AddPoint(point, matrix);
+      const int across = water_ground_across(&this->Ground, corner);
+      for (int j = 0; j < across * across; ++j)
+      {
+        const double u = (j % across + 0.5) / across;
+        const double v = (j / across + 0.5) / across;
+        double point[3];
+        for (int k = 0; k < 3 && u + v <= 1.0; ++k)
+        {
+          point[k] =
+            corner[0][k] + u * (corner[1][k] - corner[0][k]) + v * (corner[2][k] - corner[0][k]);
+        }
+        if (u + v <= 1.0)
+        {
+          water_ground_see_point(&this->Ground, point, &this->Footprint);
+        }
+      }
     }
   }
 }

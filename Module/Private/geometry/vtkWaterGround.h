@@ -30,13 +30,13 @@ public:
 private:
   void Add(vtkProp* prop);
   void FindWet();
-  void AddPoint(double point[4], vtkMatrix4x4* matrix);
-  void AddFaces(vtkDataSet* data, vtkMatrix4x4* matrix);
-  void AddPoints(vtkDataSet* data, vtkMatrix4x4* matrix);
+  bool AddData(vtkDataSet* data, vtkMatrix4x4* matrix); // returns whether it may be a bed
+  void SeeFaces(vtkDataSet* data, vtkMatrix4x4* matrix);
 
   std::vector<double> Key; // what the answer is of
   water_ground Ground = water_ground();
-  double Level = 0.0; // height of the water along the normal
+  water_footprint Footprint = water_footprint(); // of the thing that is looked at
+  double Level = 0.0;                            // height of the water along the normal
   std::vector<double> Wet;
 };
 
