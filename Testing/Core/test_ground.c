@@ -298,6 +298,51 @@ static bool is_wet(const water_ground* ground, double water_level, double x, dou
   return (count > 0 && is_inside(parts, x, y)) || (count > 1 && is_inside(parts + 12, x, y));
 }
 
+static double area_of_parts(const double* parts, int count)
+{
+  double area = 0.0;
+  for (int j = 0; j < count; ++j)
+  {
+    assert_true(area_of(parts + 12 * j) > -1e-12);
+    area += 0.5 * area_of(parts + 12 * j);
+  }
+  return area;
+}
+
+// The same, drawn in blocks.
+static double block_area(const water_ground* ground, double water_level, int* part_count)
+{
+  water_blocks blocks;
+  *part_count = 0;
+  double area = 0.0;
+  const bool is_any_dry = water_ground_find_blocks(ground, water_level, &blocks);
+  bool has_none = false;
+  for (int i = 0; i < WATER_GROUND_CELLS * WATER_GROUND_CELLS; ++i)
+  {
+    const int x = i % WATER_GROUND_CELLS;
+    const int y = i / WATER_GROUND_CELLS;
+    double parts[96];
+    int count = 0;
+    if (water_blocks_begins(&blocks, x, y))
+    {
+      count = water_ground_block(ground, water_level, &blocks, x, y, parts);
+      const int cells = 1 << blocks.size[y][x];
+      ASSERT_CLOSE(area_of_parts(parts, count),
+        8.0 * cells * cells / (WATER_GROUND_CELLS * WATER_GROUND_CELLS), 1e-12);
+      assert_in_range(count, 1, 8);
+    }
+    else if (blocks.cell[y][x] == WATER_CELL_PART)
+    {
+      count = water_ground_wet(ground, water_level, x, y, parts);
+    }
+    has_none = has_none || blocks.cell[y][x] == WATER_CELL_NONE;
+    area += area_of_parts(parts, count);
+    *part_count += count;
+  }
+  assert_int_equal(is_any_dry, has_none);
+  return area;
+}
+
 // Where nothing is known all of the scene is wet, at the level.
 TEST(cells_cover_the_scene)
 {
@@ -407,6 +452,11 @@ TEST(ground_is_dry_where_it_stands_out)
     }
     ASSERT_CLOSE(wet_area(&ground, 0.05), 8.0 * wet_count / 40000.0, 0.08);
     ASSERT_CLOSE(wet_area(&ground, 5.0), 8.0, 1e-9);
+    int count = 0;
+    ASSERT_CLOSE(block_area(&ground, 0.05, &count), wet_area(&ground, 0.05), 1e-9);
+    assert_in_range(count, 1, WATER_GROUND_CELLS * WATER_GROUND_CELLS / 2);
+    ASSERT_CLOSE(block_area(&ground, 5.0, &count), 8.0, 1e-9);
+    assert_int_equal(count, 1);
   }
 }
 

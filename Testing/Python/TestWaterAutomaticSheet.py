@@ -4,9 +4,10 @@
 import numpy as np
 import pytest
 import water_test as wt
-from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet, vtkPlane, vtkPlaneCollection, vtkStructuredGrid
+from vtkmodules.vtkFiltersCore import vtkCleanPolyData, vtkFeatureEdges
 from vtkmodules.vtkFiltersGeneral import vtkClipClosedSurface
 from vtkmodules.vtkFiltersGeometry import vtkStructuredGridGeometryFilter
 from vtkmodules.vtkFiltersSources import vtkCylinderSource, vtkPlaneSource
@@ -305,6 +306,31 @@ def test_no_water_is_seen_under_the_land(level, clear):
     seen = [int(wt.water_mask(*of_basin(is_automatic, side, level)).sum()) for is_automatic in (False, True)]
     wt.check_at_least("from the side: pixels of a whole sheet", seen[0], 300)
     wt.check_at_most("of an automatic one, share of those", seen[1] / seen[0], 0.35)
+
+
+def test_the_sheet_has_few_parts_and_no_gap():
+    """A vertex inside another part's edge would leave a gap where their pixels meet."""
+    view, water = of_basin(True, (0.5, -1, 18))
+    view.picture()
+    sheet = water.GetMapper().GetInput()
+    cleaner = vtkCleanPolyData()
+    cleaner.SetInputData(sheet)
+    cleaner.SetTolerance(0)
+    edges = vtkFeatureEdges()
+    edges.SetInputConnection(cleaner.GetOutputPort())
+    edges.FeatureEdgesOff()
+    edges.NonManifoldEdgesOff()
+    edges.Update()
+    border = edges.GetOutput()
+    places = vtk_to_numpy(cleaner.GetOutput().GetPoints().GetData())[:, :2]
+    assert 100 < border.GetNumberOfCells()
+    assert sheet.GetNumberOfCells() < 900
+    for i in range(border.GetNumberOfCells()):
+        ends = [np.array(border.GetPoint(border.GetCell(i).GetPointId(end))[:2]) for end in (0, 1)]
+        along = ends[1] - ends[0]
+        share = (places - ends[0]) @ along / (along @ along)
+        off = np.linalg.norm(places - ends[0] - share[:, None] * along, axis=1)
+        assert not ((off < 1e-9) & (share > 1e-6) & (share < 1 - 1e-6)).any()
 
 
 def test_water_that_rises_covers_more():

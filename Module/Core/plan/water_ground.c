@@ -13,6 +13,9 @@ static const double tall = 0.5;  // of its shorter side: so high a block with a 
 static const double flat = 0.05; // of its height: by so little a flat top differs
 static const int gap = 6;        // so many lines of cells may lie between the points of one surface
 
+_Static_assert(
+  (int)WATER_BLOCKS_CELLS == (int)WATER_GROUND_CELLS, "blocks are of the cells of the ground");
+
 water_status water_ground_begin(
   const water_plane* plane, const double bounds[6], water_ground* ground)
 {
@@ -322,4 +325,78 @@ int water_ground_wet(const water_ground* ground, double level, int x, int y, dou
     memcpy(parts + 3 * i, outline[corner < count ? corner : count - 1], sizeof outline[0]);
   }
   return part_count;
+}
+
+bool water_ground_find_blocks(const water_ground* ground, double level, water_blocks* blocks)
+{
+  bool is_wet[WATER_GROUND_CELLS + 1][WATER_GROUND_CELLS + 1]; // corners
+  for (int y = 0; y <= WATER_GROUND_CELLS; ++y)
+  {
+    for (int x = 0; x <= WATER_GROUND_CELLS; ++x)
+    {
+      is_wet[y][x] = height_at_corner(ground, level, x, y) <= 0.0;
+    }
+  }
+  bool is_any_dry = false;
+  for (int y = 0; y < WATER_GROUND_CELLS; ++y)
+  {
+    for (int x = 0; x < WATER_GROUND_CELLS; ++x)
+    {
+      const int count = is_wet[y][x] + is_wet[y][x + 1] + is_wet[y + 1][x] + is_wet[y + 1][x + 1];
+      const water_cell partly = count == 0 ? WATER_CELL_NONE : WATER_CELL_PART;
+      blocks->cell[y][x] = (unsigned char)(count == 4 ? WATER_CELL_WHOLE : partly);
+      is_any_dry = is_any_dry || count == 0;
+    }
+  }
+  water_blocks_merge(blocks);
+  return is_any_dry;
+}
+
+int water_ground_block(const water_ground* ground, double level, const water_blocks* blocks, int x,
+  int y, double parts[96])
+{
+  const int cells = 1 << blocks->size[y][x];
+  const double block[4] = { border_of(ground, 0, x), border_of(ground, 0, x + cells),
+    border_of(ground, 1, y), border_of(ground, 1, y + cells) };
+  double corners[4][3];
+  bool has_middle[4];
+  bool is_one = true;
+  for (int k = 0; k < 4; ++k)
+  {
+    put_point(ground, level, block, k, 0.0, corners[k]);
+    has_middle[k] = water_blocks_has_middle(blocks, x, y, k);
+    is_one = is_one && !has_middle[k];
+  }
+  if (is_one)
+  {
+    memcpy(parts, corners, sizeof corners);
+    return 1;
+  }
+  // the borders between cells, as the neighbours have them
+  const double x_middle = border_of(ground, 0, x + cells / 2);
+  const double y_middle = border_of(ground, 1, y + cells / 2);
+  const double middles[5][2] = { { x_middle, block[2] }, { block[1], y_middle },
+    { x_middle, block[3] }, { block[0], y_middle }, { x_middle, y_middle } };
+  double points[5][3];
+  for (int k = 0; k < 5; ++k)
+  {
+    const double there[4] = { middles[k][0], middles[k][0], middles[k][1], middles[k][1] };
+    put_point(ground, level, there, 0, 0.0, points[k]);
+  }
+  int count = 0;
+  for (int k = 0; k < 8; ++k) // halves of sides
+  {
+    const double* from = k % 2 == 0 ? corners[k / 2] : points[k / 2];
+    const double* to = k % 2 == 0 && has_middle[k / 2] ? points[k / 2] : corners[(k / 2 + 1) % 4];
+    if (k % 2 == 0 || has_middle[k / 2])
+    {
+      const double* triangle[4] = { points[4], from, to, to };
+      for (int i = 0; i < 4; ++i)
+      {
+        memcpy(parts + 12 * count + 3 * i, triangle[i], 3 * sizeof(double));
+      }
+      ++count;
+    }
+  }
+  return count;
 }

@@ -12,6 +12,7 @@
 #ifndef water_ground_h
 #define water_ground_h
 
+#include "water_blocks.h"
 #include "water_footprint.h"
 #include "water_plane.h"
 
@@ -83,6 +84,16 @@ bool water_ground_is_under(const water_ground* ground, double level);
 //
 // Returns the number of parts.
 int water_ground_wet(const water_ground* ground, double level, int x, int y, double parts[24]);
+
+// Which cells are wet at the level, in blocks.
+//
+// Returns whether one of them is not.
+bool water_ground_find_blocks(const water_ground* ground, double level, water_blocks* blocks);
+
+// The parts of a block that begins at a cell: one, or triangles about its middle, with the vertices
+// of its neighbours. As water_ground_wet's.
+int water_ground_block(const water_ground* ground, double level, const water_blocks* blocks, int x,
+  int y, double parts[96]);
 
 #ifdef __cplusplus
 }

@@ -93,20 +93,27 @@ bool vtkWaterGround::IsUnder(
 void vtkWaterGround::FindWet()
 {
   this->Wet.clear();
-  bool isDry = false; // a cell of it
+  water_blocks blocks;
+  if (!water_ground_find_blocks(&this->Ground, this->Level, &blocks))
+  {
+    return; // one rectangle is drawn in less time
+  }
   for (int y = 0; y < WATER_GROUND_CELLS; ++y)
   {
     for (int x = 0; x < WATER_GROUND_CELLS; ++x)
     {
-      double parts[24];
-      const int count = water_ground_wet(&this->Ground, this->Level, x, y, parts);
+      double parts[96];
+      int count = 0;
+      if (water_blocks_begins(&blocks, x, y))
+      {
+        count = water_ground_block(&this->Ground, this->Level, &blocks, x, y, parts);
+      }
+      else if (blocks.cell[y][x] == WATER_CELL_PART)
+      {
+        count = water_ground_wet(&this->Ground, this->Level, x, y, parts);
+      }
       this->Wet.insert(this->Wet.end(), parts, parts + 12 * count);
-      isDry = isDry || count == 0;
     }
-  }
-  if (!isDry)
-  {
-    this->Wet.clear(); // one rectangle is drawn in less time
   }
 }
 
