@@ -146,7 +146,7 @@ void vtkWaterActor::RenderSecondary(vtkRenderer* renderer, vtkMapper* mapper)
   inputs.IsSecondary = true;
   inputs.Sky = *view.Sky;
   water_horizon_depths(view.Plan->mirrored.view_to_clip, false, inputs.HorizonDepths);
-  const unsigned features = water_sky_features(water_features_secondary(&water->Look.Has),
+  const water_feature_set features = water_sky_features(water_features_secondary(&water->Look.Has),
     vtkWaterSurfaceShader::HasOwnSky(*water), false, &scene.sky);
   if (surface.UpdateFeatures(
         water->Mesh.HasVertexHeights ? water_features_with_mesh(features) : features))
@@ -164,7 +164,7 @@ void vtkWaterActor::RenderSecondary(vtkRenderer* renderer, vtkMapper* mapper)
 namespace
 {
 // The features of a water with what its reflection texture has, and with what draws it.
-unsigned FeaturesWith(
+water_feature_set FeaturesWith(
   const vtkWaterSurfaceShader::Inputs& inputs, const vtkWaterSnapshot& water, bool isSoftware)
 {
   water_feature_texture texture = water_feature_texture();
@@ -172,7 +172,7 @@ unsigned FeaturesWith(
   texture.has_peel = inputs.PeelColor && water.WantsPeel();
   texture.is_enclosed = inputs.Plan && inputs.Plan->is_enclosed;
   const bool hasSamples = inputs.Renderer->GetRenderWindow()->GetMultiSamples() > 1;
-  unsigned features = water_features_with_texture(water.Features, &texture);
+  water_feature_set features = water_features_with_texture(water.Features, &texture);
   features = hasSamples ? water_features_with_samples(features) : features;
   const bool hasOwnSky = vtkWaterSurfaceShader::HasOwnSky(water);
   if (inputs.Plan)

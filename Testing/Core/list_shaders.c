@@ -7,6 +7,7 @@
 //   list_shaders table  features, slots and files as Markdown, for Documentation/architecture.md
 #include "shader_combinations.h"
 
+#include <inttypes.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -14,8 +15,8 @@ typedef struct shader_file
 {
   const char* slot;
   const char* name;
-  unsigned any_of;
-  unsigned none_of;
+  water_feature_set any_of;
+  water_feature_set none_of;
   const char* what;
 } shader_file;
 
@@ -37,9 +38,9 @@ static const char* const names[] = { WATER_FEATURE_LIST(FEATURE_NAME) };
 static const char* const meanings[] = { WATER_FEATURE_LIST(FEATURE_WHAT) };
 
 static void print_files(
-  const char* stage, unsigned features, const shader_file* files, size_t file_count)
+  const char* stage, water_feature_set features, const shader_file* files, size_t file_count)
 {
-  printf("%s %04x", stage, features);
+  printf("%s %04" PRIx64, stage, features);
   for (size_t i = 0; i < file_count; ++i)
   {
     if (water_features_want(features, files[i].any_of, files[i].none_of))
@@ -50,7 +51,7 @@ static void print_files(
   printf("\n");
 }
 
-static void print_names(unsigned features, const char* between)
+static void print_names(water_feature_set features, const char* between)
 {
   const char* before = "";
   for (size_t i = 0; i < WATER_FEATURE_COUNT; ++i)
@@ -93,7 +94,7 @@ int main(int argc, char** argv)
 {
   if (argc == 2 && strcmp(argv[1], "files") == 0)
   {
-    static unsigned sets[SHADER_SET_COUNT];
+    static water_feature_set sets[SHADER_SET_COUNT];
     const size_t count = shader_combinations(sets);
     for (size_t i = 0; i < count; ++i)
     {
@@ -101,8 +102,8 @@ int main(int argc, char** argv)
     }
     for (unsigned i = 0; i < 4; ++i)
     {
-      const unsigned features = (i & 1u ? (unsigned)WATER_FEATURE_SEA : 0u) |
-        (i & 2u ? (unsigned)WATER_FEATURE_NORMAL_MAPS : 0u);
+      const water_feature_set features =
+        (i & 1u ? WATER_FEATURE_SEA : 0) | (i & 2u ? WATER_FEATURE_NORMAL_MAPS : 0);
       print_files("frag", features | WATER_FEATURE_CAUSTICS, photon_files, PHOTON_FILE_COUNT);
     }
     print_files("vert", WATER_FEATURE_DISPLACED, vertex_files, VERTEX_FILE_COUNT);

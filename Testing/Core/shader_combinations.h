@@ -53,20 +53,21 @@ static inline water_feature_texture shader_texture(unsigned number)
   return texture;
 }
 
-static inline unsigned shader_sky(unsigned number)
+static inline water_feature_set shader_sky(unsigned number)
 {
-  const unsigned kinds[4] = { 0, WATER_FEATURE_SKY_SCREEN, WATER_FEATURE_SKY_MAP,
+  const water_feature_set kinds[4] = { 0, WATER_FEATURE_SKY_SCREEN, WATER_FEATURE_SKY_MAP,
     WATER_FEATURE_SKY_CUBE };
   const unsigned one = number + 1; // 1 to 7
-  return kinds[one & 3u] | ((one & 4u) != 0 ? (unsigned)WATER_FEATURE_SKY_FLOOR : 0u);
+  return kinds[one & 3u] | ((one & 4u) != 0 ? WATER_FEATURE_SKY_FLOOR : 0);
 }
 
 // Looks that see a sky, each with all that the sky's files call or are called by.
-static inline size_t shader_add_skies(unsigned* sets, size_t count)
+static inline size_t shader_add_skies(water_feature_set* sets, size_t count)
 {
-  const unsigned sees = WATER_FEATURE_RAY_TRACED | WATER_FEATURE_ENVIRONMENT | WATER_FEATURE_MEDIUM;
-  const unsigned other = WATER_FEATURE_OUTPUT | WATER_FEATURE_SHADOWS | WATER_FEATURE_FOAM |
-    WATER_FEATURE_CAUSTICS | WATER_FEATURE_NORMAL_MAPS | WATER_FEATURE_MESH |
+  const water_feature_set sees =
+    WATER_FEATURE_RAY_TRACED | WATER_FEATURE_ENVIRONMENT | WATER_FEATURE_MEDIUM;
+  const water_feature_set other = WATER_FEATURE_OUTPUT | WATER_FEATURE_SHADOWS |
+    WATER_FEATURE_FOAM | WATER_FEATURE_CAUSTICS | WATER_FEATURE_NORMAL_MAPS | WATER_FEATURE_MESH |
     WATER_FEATURE_SAMPLES | WATER_FEATURE_DISPLACED | WATER_FEATURE_GLITTER;
   const size_t bare = count;
   for (size_t i = 0; i < bare; ++i)
@@ -81,17 +82,17 @@ static inline size_t shader_add_skies(unsigned* sets, size_t count)
 
 static inline int shader_compare(const void* a, const void* b)
 {
-  const unsigned* one = (const unsigned*)a;
-  const unsigned* other = (const unsigned*)b;
+  const water_feature_set* one = (const water_feature_set*)a;
+  const water_feature_set* other = (const water_feature_set*)b;
   return *one < *other ? -1 : *one > *other ? 1 : 0;
 }
 
 // The distinct ones, those without a sky first; returns how many.
 //
 // sets  room for SHADER_SET_COUNT
-static inline size_t shader_combinations(unsigned* sets)
+static inline size_t shader_combinations(water_feature_set* sets)
 {
-  const unsigned still = ~(unsigned)(WATER_FEATURE_DISPLACED | WATER_FEATURE_SEA_MOVES);
+  const water_feature_set still = ~(WATER_FEATURE_DISPLACED | WATER_FEATURE_SEA_MOVES);
   size_t count = 0;
   for (unsigned number = 0; number < SHADER_LOOK_COUNT; ++number)
   {
@@ -102,8 +103,9 @@ static inline size_t shader_combinations(unsigned* sets)
     for (unsigned has = 0; has < textures; ++has)
     {
       const water_feature_texture texture = shader_texture(has);
-      const unsigned asked = water_features_with_texture(water_features_of(&look), &texture);
-      const unsigned hardware = water_features_on_hardware(asked);
+      const water_feature_set asked =
+        water_features_with_texture(water_features_of(&look), &texture);
+      const water_feature_set hardware = water_features_on_hardware(asked);
       sets[count++] = asked;
       sets[count++] = hardware;
       if (is_any)
@@ -112,7 +114,7 @@ static inline size_t shader_combinations(unsigned* sets)
         sets[count++] = water_features_with_mesh(hardware);
         sets[count++] = water_features_with_samples(asked);
         sets[count++] = water_features_with_samples(hardware);
-        const unsigned sloped = water_features_with_texture(
+        const water_feature_set sloped = water_features_with_texture(
           water_features_with_slopes(water_features_of(&look), look.lookup), &texture);
         sets[count++] = sloped;
         sets[count++] = water_features_on_hardware(sloped);

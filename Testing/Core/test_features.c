@@ -6,6 +6,8 @@
 #include "water_features.h"
 #include "water_sky.h"
 
+#include <inttypes.h>
+
 // What a look may have, a bit each.
 enum
 {
@@ -59,33 +61,33 @@ static water_feature_look look_of(unsigned has)
 // A feature is there when the look has any of each of these, and none of those.
 static const struct
 {
-  unsigned feature;
+  water_feature_set feature;
   unsigned any_of[4]; // 0: no condition
   unsigned none_of;
 } rules[] = {
-  { WATER_FEATURE_WAVES, { WAVES }, 0 },
-  { WATER_FEATURE_RAY_TRACED, { RAYS }, ENVIRONMENT | OFFSET },
-  { WATER_FEATURE_SEVERAL_RAYS, { RAYS }, ENVIRONMENT | OFFSET },
-  { WATER_FEATURE_OFFSET, { RAYS, OFFSET }, ENVIRONMENT },
-  { WATER_FEATURE_ENVIRONMENT, { ENVIRONMENT }, 0 },
-  { WATER_FEATURE_MEDIUM, { REFRACTION, OPAQUE }, 0 },
-  { WATER_FEATURE_CAUSTICS, { CAUSTICS, REFRACTION, OPAQUE, WAVES }, 0 },
-  { WATER_FEATURE_GLITTER, { GLITTER, ROUGH }, 0 },
-  { WATER_FEATURE_SEA, { SEA }, 0 },
-  { WATER_FEATURE_NORMAL_MAPS, { NORMAL_MAPS }, 0 },
-  { WATER_FEATURE_ROUGH, { ROUGH }, 0 },
-  { WATER_FEATURE_DISPLACED, { GEOMETRY, MOVERS }, 0 },
-  { WATER_FEATURE_SEA_MOVES, { GEOMETRY, SEA }, 0 },
-  { WATER_FEATURE_WHITECAPS, { WHITECAPS, SEA }, 0 },
-  { WATER_FEATURE_FOAM, { FOAM | SEA, FOAM | WHITECAPS }, 0 },
-  { WATER_FEATURE_SHADOWS,
+  { WATER_FEATURE_FLAG(WAVES), { WAVES }, 0 },
+  { WATER_FEATURE_FLAG(RAY_TRACED), { RAYS }, ENVIRONMENT | OFFSET },
+  { WATER_FEATURE_FLAG(SEVERAL_RAYS), { RAYS }, ENVIRONMENT | OFFSET },
+  { WATER_FEATURE_FLAG(OFFSET), { RAYS, OFFSET }, ENVIRONMENT },
+  { WATER_FEATURE_FLAG(ENVIRONMENT), { ENVIRONMENT }, 0 },
+  { WATER_FEATURE_FLAG(MEDIUM), { REFRACTION, OPAQUE }, 0 },
+  { WATER_FEATURE_FLAG(CAUSTICS), { CAUSTICS, REFRACTION, OPAQUE, WAVES }, 0 },
+  { WATER_FEATURE_FLAG(GLITTER), { GLITTER, ROUGH }, 0 },
+  { WATER_FEATURE_FLAG(SEA), { SEA }, 0 },
+  { WATER_FEATURE_FLAG(NORMAL_MAPS), { NORMAL_MAPS }, 0 },
+  { WATER_FEATURE_FLAG(ROUGH), { ROUGH }, 0 },
+  { WATER_FEATURE_FLAG(DISPLACED), { GEOMETRY, MOVERS }, 0 },
+  { WATER_FEATURE_FLAG(SEA_MOVES), { GEOMETRY, SEA }, 0 },
+  { WATER_FEATURE_FLAG(WHITECAPS), { WHITECAPS, SEA }, 0 },
+  { WATER_FEATURE_FLAG(FOAM), { FOAM | SEA, FOAM | WHITECAPS }, 0 },
+  { WATER_FEATURE_FLAG(SHADOWS),
     { SHADOWS, GLITTER | FOAM | SEA, GLITTER | FOAM | WHITECAPS, ROUGH | FOAM }, 0 },
-  { WATER_FEATURE_OUTPUT, { OUTPUT }, 0 },
+  { WATER_FEATURE_FLAG(OUTPUT), { OUTPUT }, 0 },
 };
 
-static unsigned expected_of(unsigned has)
+static water_feature_set expected_of(unsigned has)
 {
-  unsigned features = 0;
+  water_feature_set features = 0;
   for (size_t i = 0; i < sizeof rules / sizeof rules[0]; ++i)
   {
     bool is_there = (has & rules[i].none_of) == 0;
@@ -122,7 +124,7 @@ TEST(layer_and_peel_are_for_traced_rays_alone)
 {
   for (unsigned has = 0; has < LOOKS; ++has)
   {
-    const unsigned features = expected_of(has);
+    const water_feature_set features = expected_of(has);
     const bool is_traced = (has & RAYS) && !(has & (ENVIRONMENT | OFFSET));
     const bool is_offset = (has & RAYS) && (has & OFFSET) && !(has & ENVIRONMENT);
     const water_feature_texture layer = { .has_layer = true };
@@ -142,7 +144,7 @@ TEST(mesh_is_drawn_as_it_is_or_displaced)
 {
   for (unsigned has = 0; has < LOOKS; ++has)
   {
-    const unsigned features = expected_of(has);
+    const water_feature_set features = expected_of(has);
     const bool is_displaced = (has & GEOMETRY) && (has & MOVERS);
     assert_int_equal(
       water_features_with_mesh(features), features + (is_displaced ? 0 : WATER_FEATURE_MESH));
@@ -155,13 +157,14 @@ TEST(slopes_of_a_mesh_turn_rays)
   for (unsigned has = 0; has < LOOKS; ++has)
   {
     const water_feature_look look = look_of(has);
-    const unsigned features = expected_of(has);
-    const unsigned sloped = water_features_with_slopes(features, look.lookup);
-    const unsigned traced = WATER_FEATURE_RAY_TRACED | WATER_FEATURE_SEVERAL_RAYS;
-    const unsigned rays = (has & OFFSET) ? (unsigned)WATER_FEATURE_OFFSET : traced;
+    const water_feature_set features = expected_of(has);
+    const water_feature_set sloped = water_features_with_slopes(features, look.lookup);
+    const water_feature_set traced = WATER_FEATURE_RAY_TRACED | WATER_FEATURE_SEVERAL_RAYS;
+    const water_feature_set rays = (has & OFFSET) ? WATER_FEATURE_OFFSET : traced;
     const bool is_calm = !(has & (ENVIRONMENT | RAYS));
     const bool is_displaced = (has & GEOMETRY) && (has & MOVERS);
-    const unsigned added = WATER_FEATURE_MESH | WATER_FEATURE_SLOPED | (is_calm ? rays : 0u);
+    const water_feature_set added =
+      WATER_FEATURE_MESH | WATER_FEATURE_SLOPED | (is_calm ? rays : 0);
     assert_int_equal(sloped, is_displaced ? features : features + added);
     assert_int_equal(water_features_with_slopes(sloped, look.lookup), sloped);
   }
@@ -172,7 +175,7 @@ TEST(samples_are_of_what_is_seen_through)
 {
   for (unsigned has = 0; has < LOOKS; ++has)
   {
-    const unsigned features = expected_of(has);
+    const water_feature_set features = expected_of(has);
     const bool is_clear = (features & WATER_FEATURE_MEDIUM) != 0;
     assert_int_equal(
       water_features_with_samples(features), features + (is_clear ? WATER_FEATURE_SAMPLES : 0));
@@ -185,17 +188,17 @@ TEST(hardware_reads_in_batches)
 {
   for (unsigned has = 0; has < LOOKS; ++has)
   {
-    const unsigned features = expected_of(has);
+    const water_feature_set features = expected_of(has);
     const bool is_traced = (has & RAYS) && !(has & (ENVIRONMENT | OFFSET));
-    const unsigned batched = (is_traced ? WATER_FEATURE_HARDWARE_RAYS : 0u) |
-      (is_traced && (has & ROUGH) ? WATER_FEATURE_HARDWARE_FACETS : 0u) |
-      ((has & REFRACTION) && (has & OPAQUE) ? WATER_FEATURE_HARDWARE_MEDIUM : 0u) |
-      ((has & WAVES) ? WATER_FEATURE_HARDWARE_TILE : 0u);
-    const unsigned peeled = is_traced ? features | WATER_FEATURE_PEELED : features;
-    assert_int_equal(water_features_on_hardware(features),
-      (features & ~(unsigned)WATER_FEATURE_SEVERAL_RAYS) | batched);
+    const water_feature_set batched = (is_traced ? WATER_FEATURE_HARDWARE_RAYS : 0) |
+      (is_traced && (has & ROUGH) ? WATER_FEATURE_HARDWARE_FACETS : 0) |
+      ((has & REFRACTION) && (has & OPAQUE) ? WATER_FEATURE_HARDWARE_MEDIUM : 0) |
+      ((has & WAVES) ? WATER_FEATURE_HARDWARE_TILE : 0);
+    const water_feature_set peeled = is_traced ? features | WATER_FEATURE_PEELED : features;
+    assert_int_equal(
+      water_features_on_hardware(features), (features & ~WATER_FEATURE_SEVERAL_RAYS) | batched);
     assert_int_equal(water_features_on_hardware(peeled),
-      is_traced ? peeled | batched : batched | (features & ~(unsigned)WATER_FEATURE_SEVERAL_RAYS));
+      is_traced ? peeled | batched : batched | (features & ~WATER_FEATURE_SEVERAL_RAYS));
   }
 }
 
@@ -210,12 +213,30 @@ TEST(water_in_a_mirrored_view_is_smooth_or_rough)
   }
 }
 
+// A feature beyond the 32nd counts as any other, and is kept by whatever adds to a set.
+TEST(sets_have_room_for_64_features)
+{
+  const water_feature_set last = UINT64_C(1) << 63;
+  const water_feature_texture texture = { true, true, true };
+  water_sky sky;
+  memset(&sky, 0, sizeof sky);
+  assert_true(water_features_want(last, last, 0));
+  assert_false(water_features_want(last, 0, last));
+  assert_false(water_features_want(~last, last, 0));
+  assert_true((water_features_with_texture(last, &texture) & last) != 0);
+  assert_true((water_features_with_mesh(last) & last) != 0);
+  assert_true((water_features_with_slopes(last, WATER_LOOKUP_RAY_TRACED) & last) != 0);
+  assert_true((water_features_with_samples(last) & last) != 0);
+  assert_true((water_features_on_hardware(last) & last) != 0);
+  assert_true((water_sky_features(last, false, false, &sky) & last) != 0);
+}
+
 typedef struct file
 {
   const char* slot;
   const char* name;
-  unsigned any_of;
-  unsigned none_of;
+  water_feature_set any_of;
+  water_feature_set none_of;
 } file;
 
 #define FILE_ENTRY(slot, name, any_of, none_of, what) { #slot, #name, any_of, none_of },
@@ -233,7 +254,7 @@ enum
 };
 
 // Features with a sky: one colour, a screen, a map or a cube; from 4 on with a floor.
-static unsigned under_sky(unsigned features, unsigned kind)
+static water_feature_set under_sky(water_feature_set features, unsigned kind)
 {
   const water_sky_kind kinds[4] = { WATER_SKY_SCREEN, WATER_SKY_SCREEN, WATER_SKY_MAP,
     WATER_SKY_CUBE };
@@ -246,7 +267,7 @@ static unsigned under_sky(unsigned features, unsigned kind)
 }
 
 // All sets of features that a shader may be asked for, some more than once.
-static size_t reach_all(unsigned features[REACHABLE_MAX])
+static size_t reach_all(water_feature_set features[REACHABLE_MAX])
 {
   size_t count = 0;
   for (unsigned has = 0; has < LOOKS; ++has)
@@ -275,10 +296,10 @@ static size_t reach_all(unsigned features[REACHABLE_MAX])
 }
 
 // A slot that stays empty, and when.
-static bool is_empty(const char* slot, unsigned features)
+static bool is_empty(const char* slot, water_feature_set features)
 {
   static const char* const of_waves[5] = { "tile", "slope", "sines", "sea", "normal_maps" };
-  const unsigned lookups =
+  const water_feature_set lookups =
     WATER_FEATURE_ENVIRONMENT | WATER_FEATURE_RAY_TRACED | WATER_FEATURE_OFFSET;
   for (int i = 0; i < 5; ++i)
   {
@@ -336,7 +357,7 @@ static bool is_empty(const char* slot, unsigned features)
 // One file fills each slot of every shader, or none where nothing asks for the slot.
 TEST(each_slot_has_one_file)
 {
-  static unsigned reachable[REACHABLE_MAX];
+  static water_feature_set reachable[REACHABLE_MAX];
   const size_t count = reach_all(reachable);
   for (size_t i = 0; i < count; ++i)
   {
@@ -352,7 +373,7 @@ TEST(each_slot_has_one_file)
       }
       if (filled != !is_empty(slot, reachable[i]))
       {
-        print_error("%d files for %s with features 0x%x\n", filled, slot, reachable[i]);
+        print_error("%d files for %s with features 0x%" PRIx64 "\n", filled, slot, reachable[i]);
         fail();
       }
       first = next;
@@ -399,14 +420,14 @@ TEST(slots_stand_in_their_order)
 // shader are missing in another.
 TEST(every_file_and_feature_is_used)
 {
-  static unsigned reachable[REACHABLE_MAX];
+  static water_feature_set reachable[REACHABLE_MAX];
   const size_t count = reach_all(reachable);
-  unsigned used = 0;
+  water_feature_set used = 0;
   for (size_t i = 0; i < count; ++i)
   {
     used |= reachable[i];
   }
-  assert_int_equal(used, (1u << WATER_FEATURE_COUNT) - 1u);
+  assert_int_equal(used, (UINT64_C(1) << WATER_FEATURE_COUNT) - 1);
   for (int i = 0; i < SURFACE_FILES; ++i)
   {
     const file* at = &surface_files[i];
@@ -427,17 +448,17 @@ TEST(every_file_and_feature_is_used)
 // exactly where a mesh of the user's is drawn as it is. All can be kept from being cut.
 TEST(vertices_move_where_the_surface_is_displaced)
 {
-  static unsigned reachable[REACHABLE_MAX];
+  static water_feature_set reachable[REACHABLE_MAX];
   const size_t count = reach_all(reachable);
   for (size_t i = 0; i < count; ++i)
   {
     for (int j = 0; j < VERTEX_FILES; ++j)
     {
       const file* at = &vertex_files[j];
-      const unsigned still =
+      const water_feature_set still =
         strcmp(at->slot, "heights") == 0 ? WATER_FEATURE_MESH : WATER_FEATURE_SLOPED;
       const bool is_still = strcmp(at->slot, "heights") == 0 || strcmp(at->slot, "slopes") == 0;
-      const unsigned feature = is_still ? still : (unsigned)WATER_FEATURE_DISPLACED;
+      const water_feature_set feature = is_still ? still : WATER_FEATURE_DISPLACED;
       const bool is_for_all = strcmp(at->slot, "depth") == 0;
       const bool has_sea = (reachable[i] & WATER_FEATURE_SEA_MOVES) != 0;
       const bool is_of_sea =
@@ -453,5 +474,6 @@ TEST(vertices_move_where_the_surface_is_displaced)
 TESTS(features_of_every_look_follow_the_rules, layer_and_peel_are_for_traced_rays_alone,
   mesh_is_drawn_as_it_is_or_displaced, slopes_of_a_mesh_turn_rays,
   samples_are_of_what_is_seen_through, hardware_reads_in_batches,
-  water_in_a_mirrored_view_is_smooth_or_rough, each_slot_has_one_file, slots_stand_in_their_order,
-  every_file_and_feature_is_used, vertices_move_where_the_surface_is_displaced)
+  water_in_a_mirrored_view_is_smooth_or_rough, sets_have_room_for_64_features,
+  each_slot_has_one_file, slots_stand_in_their_order, every_file_and_feature_is_used,
+  vertices_move_where_the_surface_is_displaced)

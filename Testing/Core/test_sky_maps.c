@@ -153,8 +153,8 @@ TEST(plan_turns_them_to_the_plane)
 // seen from above is shaded as without one.
 TEST(shaders_have_a_sky_where_they_need_it)
 {
-  const unsigned rays = WATER_FEATURE_RAY_TRACED;
-  const unsigned body = WATER_FEATURE_MEDIUM;
+  const water_feature_set rays = WATER_FEATURE_RAY_TRACED;
+  const water_feature_set body = WATER_FEATURE_MEDIUM;
   water_sky sky;
   memset(&sky, 0, sizeof sky);
   water_sky_map_none(&sky.map);
@@ -166,7 +166,7 @@ TEST(shaders_have_a_sky_where_they_need_it)
   assert_int_equal(water_sky_features(rays, false, false, &sky), rays | WATER_FEATURE_SKY_MAP);
   sky.map.kind = WATER_SKY_CUBE;
   sky.floor.is_there = true;
-  const unsigned seen = WATER_FEATURE_SKY_CUBE | WATER_FEATURE_SKY_FLOOR;
+  const water_feature_set seen = WATER_FEATURE_SKY_CUBE | WATER_FEATURE_SKY_FLOOR;
   assert_int_equal(water_sky_features(rays, false, false, &sky), rays | seen);
   assert_int_equal(water_sky_features(rays, true, false, &sky), rays | WATER_FEATURE_SKY_MAP);
   assert_int_equal(water_sky_features(WATER_FEATURE_ENVIRONMENT, false, false, &sky),

@@ -18,8 +18,8 @@ constexpr size_t kStep = 11;
 struct File
 {
   const char* Name;
-  unsigned AnyOf;
-  unsigned NoneOf;
+  water_feature_set AnyOf;
+  water_feature_set NoneOf;
   const char* Source;
 };
 #define WATER_TEST_FILE(slot, file, any_of, none_of, what) { #file, any_of, none_of, file },
@@ -30,7 +30,7 @@ const File vertexFiles[] = { WATER_VERTEX_FILE_LIST(WATER_TEST_FILE) };
 const char* const fragmentHead = "#version 150\nout vec4 fragOutput0, fragOutput1;\n";
 
 template <size_t Count>
-std::string Join(const File (&files)[Count], unsigned features)
+std::string Join(const File (&files)[Count], water_feature_set features)
 {
   std::string source;
   for (const File& file : files)
@@ -75,7 +75,7 @@ bool CompilesAlone(const std::string& name, GLenum stage, std::string source)
 int TestWaterShaderCombinations(int, char*[])
 {
   WaterShaderRun run;
-  static unsigned sets[SHADER_SET_COUNT];
+  static water_feature_set sets[SHADER_SET_COUNT];
   const size_t count = shader_combinations(sets);
   size_t compiled = 0;
   size_t tried = 0; // until five are refused: that says enough
@@ -89,9 +89,10 @@ int TestWaterShaderCombinations(int, char*[])
   bool ok = WaterCheck("combinations", compiled, (count + kStep - 1) / kStep);
   for (int i = 0; i < 4; ++i)
   {
-    const int features = (i & 1 ? WATER_FEATURE_SEA : 0) | (i & 2 ? WATER_FEATURE_NORMAL_MAPS : 0);
+    const water_feature_set features =
+      (i & 1 ? WATER_FEATURE_SEA : 0) | (i & 2 ? WATER_FEATURE_NORMAL_MAPS : 0);
     ok &= CompilesAlone("photons, features " + std::to_string(features), GL_FRAGMENT_SHADER,
-      Join(photonFiles, static_cast<unsigned>(features)));
+      Join(photonFiles, features));
   }
   ok &= CompilesAlone("light, vertices", GL_VERTEX_SHADER, vtkWaterLightVS);
   ok &= CompilesAlone("displacement", GL_VERTEX_SHADER,

@@ -49,7 +49,7 @@ bool water_features_is_of_sines(const water_feature_look* look)
     !look->has_normal_maps && !look->has_slope_variance && !water_features_has_shadows(look);
 }
 
-static unsigned reflection_of(const water_feature_look* look)
+static water_feature_set reflection_of(const water_feature_look* look)
 {
   if (look->has_environment)
   {
@@ -64,12 +64,12 @@ static unsigned reflection_of(const water_feature_look* look)
     : WATER_FEATURE_OFFSET;
 }
 
-static unsigned if_has(bool has, unsigned feature)
+static water_feature_set if_has(bool has, water_feature_set feature)
 {
   return has ? feature : 0;
 }
 
-unsigned water_features_of(const water_feature_look* look)
+water_feature_set water_features_of(const water_feature_look* look)
 {
   const bool is_rough = water_features_is_rough(look);
   const bool is_clear = look->has_refraction && look->is_opaque;
@@ -87,7 +87,8 @@ unsigned water_features_of(const water_feature_look* look)
     if_has(look->has_output, WATER_FEATURE_OUTPUT);
 }
 
-unsigned water_features_with_texture(unsigned features, const water_feature_texture* texture)
+water_feature_set water_features_with_texture(
+  water_feature_set features, const water_feature_texture* texture)
 {
   const bool is_traced = (features & WATER_FEATURE_RAY_TRACED) != 0;
   const bool is_looked_up = (features & (WATER_FEATURE_RAY_TRACED | WATER_FEATURE_OFFSET)) != 0;
@@ -96,16 +97,16 @@ unsigned water_features_with_texture(unsigned features, const water_feature_text
     if_has(is_looked_up && texture->is_enclosed, WATER_FEATURE_ENCLOSED);
 }
 
-unsigned water_features_with_mesh(unsigned features)
+water_feature_set water_features_with_mesh(water_feature_set features)
 {
   return features | if_has((features & WATER_FEATURE_DISPLACED) == 0, WATER_FEATURE_MESH);
 }
 
-unsigned water_features_with_slopes(unsigned features, water_lookup_kind lookup)
+water_feature_set water_features_with_slopes(water_feature_set features, water_lookup_kind lookup)
 {
-  const unsigned looked_up =
+  const water_feature_set looked_up =
     WATER_FEATURE_ENVIRONMENT | WATER_FEATURE_RAY_TRACED | WATER_FEATURE_OFFSET;
-  const unsigned rays = lookup == WATER_LOOKUP_RAY_TRACED
+  const water_feature_set rays = lookup == WATER_LOOKUP_RAY_TRACED
     ? WATER_FEATURE_RAY_TRACED | WATER_FEATURE_SEVERAL_RAYS
     : WATER_FEATURE_OFFSET;
   if ((features & WATER_FEATURE_DISPLACED) != 0)
@@ -116,23 +117,23 @@ unsigned water_features_with_slopes(unsigned features, water_lookup_kind lookup)
     if_has((features & looked_up) == 0, rays);
 }
 
-unsigned water_features_with_samples(unsigned features)
+water_feature_set water_features_with_samples(water_feature_set features)
 {
   return features | if_has((features & WATER_FEATURE_MEDIUM) != 0, WATER_FEATURE_SAMPLES);
 }
 
-unsigned water_features_on_hardware(unsigned features)
+water_feature_set water_features_on_hardware(water_feature_set features)
 {
   const bool is_traced = (features & WATER_FEATURE_RAY_TRACED) != 0;
   const bool is_peeled = (features & WATER_FEATURE_PEELED) != 0;
-  const unsigned kept = is_peeled ? features : features & ~(unsigned)WATER_FEATURE_SEVERAL_RAYS;
+  const water_feature_set kept = is_peeled ? features : features & ~WATER_FEATURE_SEVERAL_RAYS;
   return kept | if_has(is_traced, WATER_FEATURE_HARDWARE_RAYS) |
     if_has(is_traced && (features & WATER_FEATURE_ROUGH) != 0, WATER_FEATURE_HARDWARE_FACETS) |
     if_has((features & WATER_FEATURE_MEDIUM) != 0, WATER_FEATURE_HARDWARE_MEDIUM) |
     if_has((features & WATER_FEATURE_WAVES) != 0, WATER_FEATURE_HARDWARE_TILE);
 }
 
-unsigned water_features_secondary(const water_feature_look* look)
+water_feature_set water_features_secondary(const water_feature_look* look)
 {
   return WATER_FEATURE_ENVIRONMENT | if_has(water_features_is_rough(look), WATER_FEATURE_ROUGH);
 }

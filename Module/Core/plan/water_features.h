@@ -11,6 +11,8 @@
 
 #include "water_types.h"
 
+#include <stdint.h>
+
 #ifdef __cplusplus
 extern "C"
 {
@@ -58,17 +60,20 @@ typedef enum water_feature_bit
     WATER_FEATURE_COUNT
 } water_feature_bit;
 
-enum // WATER_FEATURE_WAVES and so on
-{
-#define WATER_FEATURE_VALUE(name, what) WATER_FEATURE_##name = 1 << WATER_FEATURE_BIT_##name,
-  WATER_FEATURE_LIST(WATER_FEATURE_VALUE)
+// A set of features. An enum of C has no values beyond an int's: 31 features would be its end.
+typedef uint64_t water_feature_set;
+
+#define WATER_FEATURE_FLAG(name) (UINT64_C(1) << WATER_FEATURE_BIT_##name)
+
+// WATER_FEATURE_WAVES and so on; initializers of static objects take WATER_FEATURE_FLAG(WAVES).
+#define WATER_FEATURE_VALUE(name, what)                                                            \
+  static const water_feature_set WATER_FEATURE_##name = WATER_FEATURE_FLAG(name);
+WATER_FEATURE_LIST(WATER_FEATURE_VALUE)
 #undef WATER_FEATURE_VALUE
-};
 
 // Files of the surface's fragment shader, in order: X(slot, file, any_of, none_of, what). A file is
 // there when the features have any of any_of (0: whatever they have) and none of none_of. For the
 // features that a look can have, the conditions of one slot exclude each other.
-#define WATER_FEATURE_FLAG(name) WATER_FEATURE_##name
 // A sky that is looked up in a texture, or in more than a vertical gradient.
 #define WATER_FEATURES_SKY                                                                         \
   (WATER_FEATURE_FLAG(SKY_SCREEN) | WATER_FEATURE_FLAG(SKY_MAP) | WATER_FEATURE_FLAG(SKY_CUBE))
@@ -223,7 +228,8 @@ enum // WATER_FEATURE_WAVES and so on
   X(photon, vtkWaterPhotonFS, 0, 0, "where the light of a point reaches the bed")
 
 // Is a file of the lists part of the shader of some features?
-static inline bool water_features_want(unsigned features, unsigned any_of, unsigned none_of)
+static inline bool water_features_want(
+  water_feature_set features, water_feature_set any_of, water_feature_set none_of)
 {
   return (any_of == 0 || (features & any_of) != 0) && (features & none_of) == 0;
 }
@@ -276,7 +282,7 @@ bool water_features_has_shadows(const water_feature_look* look);
 bool water_features_is_of_sines(const water_feature_look* look);
 
 // The features of a water in the main view.
-unsigned water_features_of(const water_feature_look* look);
+water_feature_set water_features_of(const water_feature_look* look);
 
 // What a reflection texture has in addition to its colours and depths.
 typedef struct water_feature_texture
@@ -287,24 +293,25 @@ typedef struct water_feature_texture
 } water_feature_texture;
 
 // The same with the reflection texture that it looks up.
-unsigned water_features_with_texture(unsigned features, const water_feature_texture* texture);
+water_feature_set water_features_with_texture(
+  water_feature_set features, const water_feature_texture* texture);
 
 // The same for a user's mesh that is drawn as it is: not if waves displace it, because these start
 // from the plane.
-unsigned water_features_with_mesh(unsigned features);
+water_feature_set water_features_with_mesh(water_feature_set features);
 
 // The same for such a mesh that is not flat: reflections are looked up along rays, as on waves.
-unsigned water_features_with_slopes(unsigned features, water_lookup_kind lookup);
+water_feature_set water_features_with_slopes(water_feature_set features, water_lookup_kind lookup);
 
 // The same for a window of several samples a pixel.
-unsigned water_features_with_samples(unsigned features);
+water_feature_set water_features_with_samples(water_feature_set features);
 
 // The same where hardware executes the shader. Several rays a pixel are too slow there, unless
 // there is a peel, which is slower still.
-unsigned water_features_on_hardware(unsigned features);
+water_feature_set water_features_on_hardware(water_feature_set features);
 
 // The same in the mirrored view of another water: the background, and the mean of all waves.
-unsigned water_features_secondary(const water_feature_look* look);
+water_feature_set water_features_secondary(const water_feature_look* look);
 
 #ifdef __cplusplus
 }

@@ -135,8 +135,8 @@ bool water_sky_is_one_color(const water_plan* plan, bool has_environment)
     plan->sky.screen == WATER_SCREEN_COLOR && !plan->sky_floor.is_there;
 }
 
-unsigned water_sky_features(
-  unsigned features, bool has_environment, bool is_below, const water_sky* sky)
+water_feature_set water_sky_features(
+  water_feature_set features, bool has_environment, bool is_below, const water_sky* sky)
 {
   const bool is_looked_up =
     (features & (WATER_FEATURE_RAY_TRACED | WATER_FEATURE_ENVIRONMENT)) != 0 ||
@@ -149,7 +149,7 @@ unsigned water_sky_features(
   {
     return features | WATER_FEATURE_SKY_MAP;
   }
-  const unsigned floor = sky->floor.is_there ? (unsigned)WATER_FEATURE_SKY_FLOOR : 0u;
+  const water_feature_set floor = sky->floor.is_there ? WATER_FEATURE_SKY_FLOOR : 0;
   switch (sky->map.kind)
   {
     case WATER_SKY_MAP:

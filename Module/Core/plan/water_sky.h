@@ -7,6 +7,7 @@
 #ifndef water_sky_h
 #define water_sky_h
 
+#include "water_features.h"
 #include "water_lookup.h"
 #include "water_types.h"
 
@@ -70,8 +71,8 @@ bool water_sky_is_one_color(const water_plan* plan, bool has_environment);
 // has_environment  the water has a picture of its own
 // is_below         the eye is under it
 // sky              of the scene
-unsigned water_sky_features(
-  unsigned features, bool has_environment, bool is_below, const water_sky* sky);
+water_feature_set water_sky_features(
+  water_feature_set features, bool has_environment, bool is_below, const water_sky* sky);
 
 #ifdef __cplusplus
 }

@@ -85,7 +85,7 @@ struct vtkWaterSnapshot
   vtkWaterMesh Mesh;                                      // that is drawn at rest
   double Time = 0.0;                                      // s
   vtkWaterLook Look;
-  unsigned Features = 0;                      // WATER_FEATURE_*
+  water_feature_set Features = 0;             // WATER_FEATURE_*
   std::vector<water_wave_term> Waves;         // at the time
   vtkWaterSea* Sea = nullptr;                 // the actor's; brought to the time by who needs it
   water_settings Settings = water_settings(); // of its own pass

@@ -84,8 +84,9 @@ void vtkWaterShaderHook::ReplaceForWater(vtkWaterSource& water, std::string& ver
     InsertDeclarations(fragmentShader, vtkWaterPlainFS);
     return;
   }
-  unsigned features = this->Surface ? this->Surface->GetFeatures() : water.Take(nullptr)->Features;
-  constexpr unsigned ofVertices =
+  water_feature_set features =
+    this->Surface ? this->Surface->GetFeatures() : water.Take(nullptr)->Features;
+  constexpr water_feature_set ofVertices =
     WATER_FEATURE_DISPLACED | WATER_FEATURE_SEA_MOVES | WATER_FEATURE_MESH | WATER_FEATURE_SLOPED;
   // a geometry shader would have to pass the place at rest, or the height, on
   const bool canAskVertices =

@@ -24,14 +24,14 @@ namespace
 // A file of water_features.h.
 struct ShaderFile
 {
-  unsigned AnyOf;
-  unsigned NoneOf;
+  water_feature_set AnyOf;
+  water_feature_set NoneOf;
   const char* Source;
 };
 #define WATER_SHADER_FILE(slot, file, any_of, none_of, what) { any_of, none_of, file },
 
 template <size_t Count>
-std::string Join(const ShaderFile (&files)[Count], unsigned features)
+std::string Join(const ShaderFile (&files)[Count], water_feature_set features)
 {
   std::string source;
   for (const ShaderFile& file : files)
@@ -47,28 +47,28 @@ std::string Join(const ShaderFile (&files)[Count], unsigned features)
 }
 
 //------------------------------------------------------------------------------
-std::string vtkWaterSurfaceShader::GetShader(unsigned features)
+std::string vtkWaterSurfaceShader::GetShader(water_feature_set features)
 {
   static const ShaderFile files[] = { WATER_SURFACE_FILE_LIST(WATER_SHADER_FILE) };
   return Join(files, features);
 }
 
 //------------------------------------------------------------------------------
-std::string vtkWaterSurfaceShader::GetVertexShader(unsigned features)
+std::string vtkWaterSurfaceShader::GetVertexShader(water_feature_set features)
 {
   static const ShaderFile files[] = { WATER_VERTEX_FILE_LIST(WATER_SHADER_FILE) };
   return Join(files, features);
 }
 
 //------------------------------------------------------------------------------
-std::string vtkWaterSurfaceShader::GetPhotonShader(unsigned features)
+std::string vtkWaterSurfaceShader::GetPhotonShader(water_feature_set features)
 {
   static const ShaderFile files[] = { WATER_PHOTON_FILE_LIST(WATER_SHADER_FILE) };
   return Join(files, features);
 }
 
 //------------------------------------------------------------------------------
-bool vtkWaterSurfaceShader::UpdateFeatures(unsigned features)
+bool vtkWaterSurfaceShader::UpdateFeatures(water_feature_set features)
 {
   const bool isOther = features != this->Features;
   this->Features = features;

@@ -64,24 +64,24 @@ public:
   };
 
   // Of the last draw.
-  unsigned GetFeatures() const { return this->Features; }
+  water_feature_set GetFeatures() const { return this->Features; }
   bool GetIsSecondary() const { return this->Drawn.IsSecondary; }
   bool GetIsEndless() const { return this->Water && this->Water->IsEndless; }
 
   // The source that defines waterShade.
-  static std::string GetShader(unsigned features);
+  static std::string GetShader(water_feature_set features);
 
   // The source of the fragments that follow light from the surface to the bed.
-  static std::string GetPhotonShader(unsigned features);
+  static std::string GetPhotonShader(water_feature_set features);
 
   // The source that defines waterKeepDepth, and waterDisplace or waterMeasure, for vertices.
-  static std::string GetVertexShader(unsigned features);
+  static std::string GetVertexShader(water_feature_set features);
 
   // Has it a picture of its surroundings, which it reflects in place of the scene's sky?
   static bool HasOwnSky(const vtkWaterSnapshot& water);
 
   // Is another shader needed than for the last draw?
-  bool UpdateFeatures(unsigned features);
+  bool UpdateFeatures(water_feature_set features);
 
   // The driver has refused the shader of these features: the plain colour is shown until there are
   // others, or another context.
@@ -101,7 +101,7 @@ public:
 
 private:
   vtkOpenGLRenderWindow* GetWindow() const;
-  bool Has(unsigned features) const { return (this->Features & features) != 0; }
+  bool Has(water_feature_set features) const { return (this->Features & features) != 0; }
   void Use(const char* name, vtkTextureObject* texture)
   {
     this->Active.emplace_back(name, texture);
@@ -136,7 +136,7 @@ private:
   void SetSeaParameters(vtkShaderProgram* program);
   void SetNormalMapParameters(vtkShaderProgram* program);
 
-  unsigned Features = 0;
+  water_feature_set Features = 0;
   bool IsRefused = false;
   // Drawing runs the user's observers, who may drop any of these.
   vtkWaterSnapshotPointer Water; // that is drawn
