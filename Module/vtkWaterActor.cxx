@@ -247,6 +247,11 @@ void vtkWaterActor::ShallowCopy(vtkProp* prop)
     this->SetTime(other->Time);
     this->SetSceneReflection(other->SceneReflection);
     this->SetMeshSlopes(other->MeshSlopes);
+    this->RemoveAllHulls();
+    for (int i = 0; i < other->GetNumberOfHulls(); ++i)
+    {
+      this->AddHull(other->GetHull(i));
+    }
     this->SetWaterProperty(other->WaterProperty);
     if (other->UseSheetBounds)
     {
@@ -273,7 +278,7 @@ void vtkWaterActor::ShallowCopy(vtkProp* prop)
 vtkMTimeType vtkWaterActor::GetMTime()
 {
   return std::max({ this->Superclass::GetMTime(), this->Plane->GetMTime(),
-    this->WaterProperty->GetMTime(), this->OwnPass->GetMTime() });
+    this->WaterProperty->GetMTime(), this->OwnPass->GetMTime(), this->Internal->Hulls.GetMTime() });
 }
 
 //------------------------------------------------------------------------------
@@ -299,6 +304,7 @@ void vtkWaterActor::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Time: " << this->Time << "\n";
   os << indent << "MeshSlopes: " << (this->MeshSlopes ? "on" : "off") << "\n";
   os << indent << "SceneReflection: " << (this->SceneReflection ? "on" : "off") << "\n";
+  os << indent << "Hulls: " << this->GetNumberOfHulls() << "\n";
   vtkWaterLook look;
   this->Internal->Describe(look);
   os << indent << "MetresPerUnit in use: " << look.MetresPerUnit

@@ -168,6 +168,27 @@ public:
 
   ///@{
   /**
+   * Hulls that float in the water: boats, caissons, pontoons. No water is drawn inside a hull's
+   * waterline, the line in which the surface of its mesh cuts the water surface, waves included.
+   * Thus the hold of an open boat is dry, also between thick walls. A hull is the geometry of the
+   * actor's mapper at the actor's position. The water only reads the actor; add it to the renderer
+   * to show it (or show another actor in its place and pass one with a coarser mesh here). The mesh
+   * must be closed where the water cuts it: each edge there belongs to two polygons, and a rim lies
+   * above the highest wave. A hull that is not closed there, a hull whose rim is under water, and
+   * nullptr are reported as an error, once; such a hull has water inside. Everything inside a
+   * waterline is dry, including a moon pool. Waves are evaluated at the mesh's points near the
+   * surface. Adding a hull twice has no effect. Default: no hulls.
+   */
+  void AddHull(vtkActor* hull);
+  void RemoveHull(vtkActor* hull);
+  void RemoveAllHulls();
+  int GetNumberOfHulls();
+  // Returns nullptr if there is no hull of this number. Numbers start at 0.
+  vtkActor* GetHull(int number);
+  ///@}
+
+  ///@{
+  /**
    * Height and normal of the waves at a point, at the actor's time, for example for buoys and
    * picks. x, y and the normal's first two components are in the plane's own axes (SetSheetBounds);
    * its third component is along the plane's normal. The height is above the plane, in metres. A

@@ -146,8 +146,10 @@ void vtkWaterActor::RenderSecondary(vtkRenderer* renderer, vtkMapper* mapper)
   inputs.IsSecondary = true;
   inputs.Sky = *view.Sky;
   water_horizon_depths(view.Plan->mirrored.view_to_clip, false, inputs.HorizonDepths);
-  const water_feature_set features = water_sky_features(water_features_secondary(&water->Look.Has),
-    vtkWaterSurfaceShader::HasOwnSky(*water), false, &scene.sky);
+  const water_feature_set plain = water_features_secondary(&water->Look.Has);
+  const water_feature_set features =
+    water_sky_features(water->Hulls ? water_features_with_hulls(plain) : plain,
+      vtkWaterSurfaceShader::HasOwnSky(*water), false, &scene.sky);
   if (surface.UpdateFeatures(
         water->Mesh.HasVertexHeights ? water_features_with_mesh(features) : features))
   {

@@ -245,17 +245,16 @@ vtkWaterSnapshotPointer vtkWaterActor::Internals::Take(vtkRenderer* renderer)
   made->Features = water_features_of(&made->Look.Has);
   if (made->Mesh.HasVertexHeights)
   {
-    made->Features = water_features_with_mesh(made->Features);
-  }
-  if (made->Mesh.HasVertexHeights && made->Mesh.IsSloped && this->Self->MeshSlopes)
-  {
-    made->Features = water_features_with_slopes(made->Features, made->Look.Has.lookup);
+    made->Features = made->Mesh.IsSloped && this->Self->MeshSlopes
+      ? water_features_with_slopes(made->Features, made->Look.Has.lookup)
+      : water_features_with_mesh(made->Features);
   }
   if (made->IsSloped())
   {
     made->Look.SlopeRMS = water_slopes_together(made->Look.SlopeRMS, made->Mesh.SlopeRMS);
     made->Look.SlopeLookedUp = std::numeric_limits<double>::infinity();
   }
+  this->CutHulls(*made);
   made->Waves = this->GetWaveTerms(made->Look);
   made->Sea = &this->Sea;
   made->Settings = this->GetOwnReflection().Settings;

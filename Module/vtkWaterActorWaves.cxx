@@ -91,35 +91,65 @@ bool vtkWaterActor::Internals::AskSea(const std::function<void(vtkWaterSea&)>& a
 }
 
 //------------------------------------------------------------------------------
-bool vtkWaterActor::Internals::FindSurface(double x, double y, water_wave_point* point)
+bool vtkWaterActor::Internals::FindSurfaces(
+  const double* places, size_t count, water_wave_point* points)
 {
   vtkWaterLook look;
   this->Describe(look);
   const std::vector<water_wave_term> terms = this->GetWaveTerms(look);
-  double rest[2];
-  water_status status = WATER_OK;
-  if (!look.Has.has_sea)
-  {
-    status = water_waves_find(terms.data(), terms.size(), x, y, rest, point);
-    return status == WATER_OK;
-  }
   const double metres = look.MetresPerUnit;
   const bool isMoved = look.Has.has_wave_geometry;
-  const auto ask = [&](vtkWaterSea& sea) {
-    if (isMoved)
+  bool isKnown = true;
+  const auto askAll = [&](vtkWaterSea* sea) {
+    const water_cascade_surface surface =
+      sea && isMoved ? sea->GetSurface(look.SeaChoppiness, 1.0 / metres) : water_cascade_surface();
+    const water_wave_others others = { water_cascades_add, &surface, look.WaveReach };
+    for (size_t i = 0; i < count; ++i)
     {
-      const water_cascade_surface surface = sea.GetSurface(look.SeaChoppiness, 1.0 / metres);
-      const water_wave_others others = { water_cascades_add, &surface, look.WaveReach };
-      status = water_waves_find_all(terms.data(), terms.size(), &others, x, y, rest, point);
-      return;
+      const double x = places[3 * i];
+      const double y = places[3 * i + 1];
+      double rest[2];
+      const water_status status = sea && isMoved
+        ? water_waves_find_all(terms.data(), terms.size(), &others, x, y, rest, points + i)
+        : water_waves_find(terms.data(), terms.size(), x, y, rest, points + i);
+      isKnown = isKnown && status == WATER_OK;
+      if (sea && !isMoved)
+      {
+        double slope[2];
+        sea->GetSlope(x * metres, y * metres, slope);
+        water_waves_tilt(slope, points[i].normal);
+        points[i].displacement[2] += sea->GetHeight(x * metres, y * metres) / metres;
+      }
     }
-    status = water_waves_find(terms.data(), terms.size(), x, y, rest, point);
-    double slope[2];
-    sea.GetSlope(x * metres, y * metres, slope);
-    water_waves_tilt(slope, point->normal);
-    point->displacement[2] += sea.GetHeight(x * metres, y * metres) / metres;
   };
-  return this->AskSea(ask) && status == WATER_OK;
+  if (!look.Has.has_sea)
+  {
+    askAll(nullptr);
+    return isKnown;
+  }
+  return this->AskSea([&](vtkWaterSea& sea) { askAll(&sea); }) && isKnown;
+}
+
+//------------------------------------------------------------------------------
+bool vtkWaterActor::Internals::FindSurface(double x, double y, water_wave_point* point)
+{
+  const double place[3] = { x, y, 0.0 };
+  return this->FindSurfaces(place, 1, point);
+}
+
+//------------------------------------------------------------------------------
+bool vtkWaterActor::Internals::LowerByWaves(double* places, size_t count)
+{
+  std::vector<water_wave_point> points(count);
+  if (!this->FindSurfaces(places, count, points.data()))
+  {
+    return false;
+  }
+  for (size_t i = 0; i < count; ++i)
+  {
+    places[3 * i + 2] -= points[i].displacement[2];
+  }
+  return true;
 }
 
 //------------------------------------------------------------------------------

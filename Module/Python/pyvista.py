@@ -17,6 +17,7 @@ from vtkmodules.vtkCommonCore import vtkMath
 
 from . import vtkWaterActor
 from .errors import raising
+from .hulls import hulls_of
 from .measure import WHOLE
 from .skies import Sun, add_clear_sky, has_scene_light, shine, sun_of
 from .sliders import add_water_level_slider
@@ -55,6 +56,7 @@ def add_water(
     origin=(0.0, 0.0, 0.0),
     surface=None,
     max_mirrors=None,
+    hulls=None,
     bounds=None,
     color=None,
     opacity=None,
@@ -155,6 +157,12 @@ def add_water(
         With a ``surface`` of several planes: the most waters in view that reflect the scene, in [0, 4096]; the default
         is 8. The others, which cover less of the picture, reflect only the sky.
 
+    hulls : sequence[pyvista.DataSet | pyvista.Actor], optional
+        Boats, caissons and other floating bodies that have no water inside (:vtk:`vtkWaterActor`'s
+        ``AddHull``): actors, as ``add_mesh`` returns them, whose movements the water follows; or meshes, which do not
+        move. Each must be closed where the water cuts it. An open boat is, if its rim lies above the waves. The hulls
+        are not added to the plotter.
+
     bounds : sequence[float] | str, optional
         Extent of the built-in sheet. ``(xmin, xmax, ymin, ymax)``: along x and y for horizontal water, otherwise along
         the plane's own axes (:vtk:`vtkWaterActor`'s ``SetSheetBounds``). ``'horizon'``: it fills the visible part of
@@ -252,6 +260,7 @@ def add_water(
         sun = bool(caustics or shadows) and not has_scene_light(self.renderer)
     light = None if sun is False else sun_of(sun)
     lowest = lowest_along(self.renderer, plane_normal)
+    afloat = hulls_of(hulls, scale)
 
     actor = vtkWaterActor() if lakes is None else lakes.GetWater()
     look = actor.GetWaterProperty()
@@ -273,6 +282,8 @@ def add_water(
         lakes.SetMaximumNumberOfMirrors(max_mirrors)
     if has_level and mapper is not None:
         actor.SetMapper(mapper)
+    for hull in afloat:
+        actor.AddHull(hull)
 
     self.renderer.add_actor(
         actor, name=name, pickable=pickable, reset_camera=reset_camera, render=False)

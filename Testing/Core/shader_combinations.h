@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // shader_combinations.h: all sets of features that a surface's shader can be asked for, from all
-// looks; with a mesh of the user's, a peel or a dome of some; with each sky of some of those that
-// see one.
+// looks; with a mesh of the user's, hulls, a peel or a dome of some; with each sky of some of those
+// that see one.
 #ifndef shader_combinations_h
 #define shader_combinations_h
 
@@ -19,7 +19,7 @@ enum
   SHADER_TEXTURE_COUNT = 1 << 3, // what a reflection texture may have
   SHADER_SKY_COUNT = 7, // skies beside the one-coloured one: three, a floor, and they with a floor
   // each as often as it is asked for, and with skies
-  SHADER_SET_COUNT = SHADER_LOOK_COUNT * (1 + 10 * SHADER_TEXTURE_COUNT)
+  SHADER_SET_COUNT = SHADER_LOOK_COUNT * (1 + 11 * SHADER_TEXTURE_COUNT)
 };
 #undef SHADER_ONE_MORE
 
@@ -118,6 +118,7 @@ static inline size_t shader_combinations(water_feature_set* sets)
           water_features_with_slopes(water_features_of(&look), look.lookup), &texture);
         sets[count++] = sloped;
         sets[count++] = water_features_on_hardware(sloped);
+        sets[count++] = water_features_with_hulls(asked);
       }
       // a mesh whose vertices VTK does not let us move
       sets[count++] = asked & still;

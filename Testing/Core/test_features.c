@@ -249,8 +249,8 @@ enum
   PHOTON_FILES = sizeof photon_files / sizeof photon_files[0],
   VERTEX_FILES = sizeof vertex_files / sizeof vertex_files[0],
   // looked up in 8 kinds of reflection textures, on 2 of machines, with a mesh, with one that is
-  // not flat, or without, with samples, and under one of 8 kinds of skies
-  REACHABLE_MAX = (2 + 9 * 8) * LOOKS
+  // not flat, or without, with samples, with hulls, and under one of 8 kinds of skies
+  REACHABLE_MAX = (2 + 10 * 8) * LOOKS
 };
 
 // Features with a sky: one colour, a screen, a map or a cube; from 4 on with a floor.
@@ -289,7 +289,8 @@ static size_t reach_all(water_feature_set features[REACHABLE_MAX])
         water_features_with_slopes(water_features_of(&look), look.lookup), &texture);
       features[count + 7] = water_features_on_hardware(features[count + 6]);
       features[count + 8] = under_sky(features[count + has % 8], kind);
-      count += 9;
+      features[count + 9] = water_features_with_hulls(features[count + has % 8]);
+      count += 10;
     }
   }
   return count;
@@ -403,10 +404,11 @@ static void assert_order(
 TEST(slots_stand_in_their_order)
 {
   static const char* const surface[] = { "optics", "gradient", "attenuation", "slopes",
-    "highlights", "cover", "cell", "place", "under", "height", "point", "sky", "floor", "tile",
-    "slope", "sines", "tiles", "folds", "sea", "normal_maps", "waves", "output", "reflection",
-    "dome", "walk", "behind", "layer", "blur", "caustics", "medium", "others", "refraction",
-    "facet_slopes", "facets", "rays", "shadows", "glitter", "whitecaps", "foam", "sun", "surface" };
+    "highlights", "cover", "cell", "place", "under", "height", "point", "hulls", "sky", "floor",
+    "tile", "slope", "sines", "tiles", "folds", "sea", "normal_maps", "waves", "output",
+    "reflection", "dome", "walk", "behind", "layer", "blur", "caustics", "medium", "others",
+    "refraction", "facet_slopes", "facets", "rays", "shadows", "glitter", "whitecaps", "foam",
+    "sun", "surface" };
   static const char* const vertex[] = { "cell", "tiles", "sea", "displacement", "heights", "slopes",
     "depth" };
   static const char* const photon[] = { "gradient", "place", "height", "point", "tile", "sines",

@@ -147,6 +147,9 @@ WRONG = [  # the exception, parts of its text, the words
     (ValueError, ("foam is 0.5", "opacity is 0.25"), {"foam": 0.5, "opacity": 0.25}),
     (ValueError, ("foam is True", "'mirror floor'"), {"foam": True, "preset": "mirror floor"}),
     (ValueError, ("refraction is True", "'mirror floor'"), {"refraction": True, "preset": "mirror floor"}),
+    (TypeError, ("hulls must be a sequence", "PolyData"), {"hulls": pv.Cube()}),
+    (TypeError, ("hulls[1] must be a pyvista.DataSet or an actor", "float"), {"hulls": [pv.Cube(), 2.0]}),
+    (ValueError, ("hulls[0] has no cells",), {"hulls": [pv.PolyData()]}),
 ]
 
 
@@ -498,3 +501,22 @@ def test_a_sky_that_cannot_be_is_refused(plotter, words, error, parts):
     for part in parts:
         wt.check_equal(f"{words}: the error says '{part}'", part in str(raised.value), True)
     wt.check_equal(f"{words}: actors", len(plotter.renderer.actors), 0)
+
+
+def test_hulls_are_meshes_and_actors(plotter):
+    """A mesh and an actor of the plotter's keep the water out of themselves, also under set_scale."""
+    plotter.set_scale(zscale=2.0)
+    boat = pv.Cube(x_length=4, y_length=2, z_length=2).extract_cells(range(4)).extract_surface(algorithm=None)
+    sides = [boat.translate((x, 0, 0)) for x in (-3, 3)]
+    actors = [plotter.add_mesh(side, color="red") for side in sides]
+    plotter.camera_position = [(0, -6, 20), (0, 0, 0), (0, 0, 1)]
+    water = plotter.add_water(level=0.0, bounds=(-8, 8, -8, 8), color=(0.0, 0.0, 1.0))
+    wet = picture_of(plotter)
+    plotter.remove_actor(water)
+    water = plotter.add_water(level=0.0, bounds=(-8, 8, -8, 8), color=(0.0, 0.0, 1.0), hulls=[sides[0], actors[1]])
+    shown = picture_of(plotter)
+    changed = np.abs(shown.astype(int) - wet).max(axis=2) > 8
+    wt.check_equal("hulls", water.GetNumberOfHulls(), 2)
+    wt.check_at_least("pixels of the left one", int(changed[:, :SIZE[0] // 2].sum()), 100)
+    wt.check_at_least("pixels of the right one", int(changed[:, SIZE[0] // 2:].sum()), 100)
+    wt.check_equal("error", water.GetLastError(), "")

@@ -117,6 +117,11 @@ water_feature_set water_features_with_slopes(water_feature_set features, water_l
     if_has((features & looked_up) == 0, rays);
 }
 
+water_feature_set water_features_with_hulls(water_feature_set features)
+{
+  return features | WATER_FEATURE_HULLS;
+}
+
 water_feature_set water_features_with_samples(water_feature_set features)
 {
   return features | if_has((features & WATER_FEATURE_MEDIUM) != 0, WATER_FEATURE_SAMPLES);

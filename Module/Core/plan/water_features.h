@@ -50,7 +50,8 @@ extern "C"
   X(SKY_MAP, "the sky is a picture in longitude and latitude")                                     \
   X(SKY_CUBE, "the sky is a cube map")                                                             \
   X(SKY_FLOOR, "a skybox has a floor")                                                             \
-  X(SLOPED, "a user's mesh that is not flat: rays follow its slopes")
+  X(SLOPED, "a user's mesh that is not flat: rays follow its slopes")                              \
+  X(HULLS, "hulls float in it, with no water inside")
 
 typedef enum water_feature_bit
 {
@@ -102,6 +103,8 @@ WATER_FEATURE_LIST(WATER_FEATURE_VALUE)
   X(height, vtkWaterPixelHeightFS, 0, WATER_FEATURE_FLAG(MESH),                                    \
     "height above the plane, from depth; 0 for a flat sheet")                                      \
   X(point, vtkWaterPointFS, 0, 0, "values that all slots share")                                   \
+  X(hulls, vtkWaterHullsFS, WATER_FEATURE_FLAG(HULLS), 0, "no water inside hulls")                 \
+  X(hulls, vtkWaterNoHullsFS, 0, WATER_FEATURE_FLAG(HULLS), "no hulls float in it")                \
   X(sky, vtkWaterSkyColorFS, 0, WATER_FEATURES_SKY, "the background: one colour")                  \
   X(sky, vtkWaterSkyScreenFS, WATER_FEATURE_FLAG(SKY_SCREEN), 0,                                   \
     "the background: a picture, or a gradient")                                                    \
@@ -305,6 +308,9 @@ water_feature_set water_features_with_slopes(water_feature_set features, water_l
 
 // The same for a window of several samples a pixel.
 water_feature_set water_features_with_samples(water_feature_set features);
+
+// The same for water that hulls float in.
+water_feature_set water_features_with_hulls(water_feature_set features);
 
 // The same where hardware executes the shader. Several rays a pixel are too slow there, unless
 // there is a peel, which is slower still.

@@ -158,6 +158,6 @@ water_feature_set water_sky_features(
       return features | floor | WATER_FEATURE_SKY_CUBE;
     default:
       return features | floor |
-        (sky->screen != WATER_SCREEN_COLOR ? (unsigned)WATER_FEATURE_SKY_SCREEN : 0u);
+        (sky->screen != WATER_SCREEN_COLOR ? WATER_FEATURE_SKY_SCREEN : 0);
   }
 }

@@ -5,6 +5,7 @@
 in vec2 waterRestVSOutput;
 in vec3 waterMovedVSOutput; // from there to the triangle
 in vec2 waterCellVSOutput;
+uniform mat3 waterNdcToPlane; // (NDC x, NDC y, 1) -> place on the plane, from under the eye
 
 vec2 waterPlaceOf(vec2 ndc)
 {

@@ -4,6 +4,7 @@
 
 in vec2 waterPlaceVSOutput;
 in vec3 waterNormalVSOutput; // 0: the mesh has none
+uniform mat3 waterNdcToPlane; // (NDC x, NDC y, 1) -> place on the plane, from under the eye
 
 const float WATER_STEEPEST = 10.0; // a slope: walls of cells count as no steeper
 

@@ -2,8 +2,8 @@
 // vtkWaterPointFS.glsl: what all slots of a surface's shader know about their pixel.
 //
 // The slots, each one file of several: sky (waterSky), floor (waterOverFloor), place (waterPlaceOf,
-// waterTilt), under (waterIsUnder), height (waterHeightOf), waves (waterRipple), reflection
-// (waterReflected), layer (waterCross), caustics (waterCaustic), body (waterTransmitted), facets
+// waterTilt), under (waterIsUnder), height (waterHeightOf), hulls (waterLeaveHulls), waves
+// (waterRipple), reflection (waterReflected), layer (waterCross), caustics (waterCaustic), body (waterTransmitted), facets
 // (waterFacets), rays (waterMirrored), shadows (waterShadowed), glitter (waterGlint), foam
 // (waterFoamShare, waterFoamLit), sun (waterSunlit), output (waterShow); vtkWaterSurfaceFS.glsl puts them together. They
 // are files and not branches because software renderers execute both sides of a branch.

@@ -27,6 +27,7 @@ void waterShade(inout vec4 color)
     }
     waterSunlit(point, rgb);
     rgb = waterSeenFrom(point, rgb);
+    waterLeaveHulls(point);
   }
   color = vec4(rgb, waterOpacityOf(color) * waterOpacity);
   waterShow(reason, uv, reflectance, color);

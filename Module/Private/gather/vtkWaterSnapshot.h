@@ -6,6 +6,7 @@
 
 #include "vtkSmartPointer.h"
 #include "vtkTexture.h" // for members
+#include "vtkWaterHulls.h"
 #include "vtkWaterMeshHeights.h"
 #include "vtkWaterNormalMaps.h"
 #include "water_cascade.h"
@@ -87,6 +88,7 @@ struct vtkWaterSnapshot
   vtkWaterLook Look;
   water_feature_set Features = 0;             // WATER_FEATURE_*
   std::vector<water_wave_term> Waves;         // at the time
+  vtkWaterHullTablePointer Hulls;             // what floats in it, at the time; nullptr: nothing
   vtkWaterSea* Sea = nullptr;                 // the actor's; brought to the time by who needs it
   water_settings Settings = water_settings(); // of its own pass
 

@@ -9,6 +9,7 @@
 #include "vtkWaterGrid.h"
 #include "vtkWaterGround.h"
 #include "vtkWaterHorizon.h"
+#include "vtkWaterHulls.h"
 #include "vtkWaterMeshHeights.h"
 #include "vtkWaterMeshPlacement.h"
 #include "vtkWaterReflectionPass.h"
@@ -23,6 +24,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 struct vtkWaterActor::Internals : public vtkWaterSource
@@ -77,6 +79,13 @@ struct vtkWaterActor::Internals : public vtkWaterSource
   bool AskSea(const std::function<void(vtkWaterSea&)>& ask);
   // The surface over a place, of all waves at the actor's time; false: it is not known.
   bool FindSurface(double x, double y, water_wave_point* point);
+  // The same over many places, count of x, y and a third number.
+  bool FindSurfaces(const double* places, size_t count, water_wave_point* points);
+  // Takes heights over the plane to heights over the waves: count of x, y, height. false: the waves
+  // are not known.
+  bool LowerByWaves(double* places, size_t count);
+  // Adds the waterlines of what floats in the water. Says what is wrong with it, once.
+  void CutHulls(vtkWaterSnapshot& water);
   // The own sheet as this eye sees it; a user's mapper is drawn as it is.
   vtkMapper* LayGrid(const vtkWaterSnapshot& water, const water_grid_view& view, vtkMapper* mapper);
   // The endless sheet as the renderer's active camera sees it; a user's mapper, or a sheet with an
@@ -100,6 +109,10 @@ struct vtkWaterActor::Internals : public vtkWaterSource
   vtkWaterSurfaceShader Surface;
   vtkWaterSecondarySurface Secondary;
   vtkWaterSea Sea;
+  vtkWaterHulls Hulls;
+  std::string HullError; // that has been said
+  vtkWaterHullTablePointer HullTable;
+  std::pair<vtkMTimeType, double> HullTime = { 0, 0.0 }; // that it is of, and the scene's unit then
   vtkWaterWarmUp WarmUp;
   std::vector<SourcedError> Errors;
   bool IsUpdatingSheet = false;

@@ -117,6 +117,28 @@ void vtkWaterSurfaceShader::UploadWaves(const double origin[2])
 }
 
 //------------------------------------------------------------------------------
+void vtkWaterSurfaceShader::UploadHulls()
+{
+  vtkOpenGLRenderWindow* window = this->GetWindow();
+  const vtkWaterHullTablePointer& table = this->Water->Hulls;
+  if (!this->Hulls || this->Hulls->GetContext() != window)
+  {
+    this->Hulls = vtkSmartPointer<vtkTextureObject>::New();
+    this->Hulls->SetContext(window);
+    this->Hulls->SetMinificationFilter(vtkTextureObject::Nearest);
+    this->Hulls->SetMagnificationFilter(vtkTextureObject::Nearest);
+    this->HullTable = nullptr;
+  }
+  if (this->HullTable != table)
+  {
+    this->Hulls->Create2DFromRaw(static_cast<unsigned int>(table->Rows.longest),
+      static_cast<unsigned int>(table->Rows.count), 4, VTK_FLOAT,
+      const_cast<float*>(table->Texels.data())); // it is only read
+    this->HullTable = table;
+  }
+}
+
+//------------------------------------------------------------------------------
 void vtkWaterSurfaceShader::UploadNormalMap(size_t number)
 {
   // with one reflection texture the second is the same, with strength 0
@@ -285,6 +307,11 @@ void vtkWaterSurfaceShader::Begin(const vtkWaterSnapshotPointer& water, const In
       this->Use("waterPeelBehindDepth", inputs.PeelDepth);
     }
   }
+  if (inputs.Plan && this->Has(WATER_FEATURE_HULLS))
+  {
+    this->UploadHulls();
+    this->Use("waterHulls", this->Hulls);
+  }
   this->BeginWaves();
   if (inputs.Plan && water_plan_has_reflection(inputs.Plan))
   {
@@ -321,6 +348,11 @@ void vtkWaterSurfaceShader::ReleaseGraphicsResources(vtkWindow* window)
     this->Waves->ReleaseGraphicsResources(window);
   }
   this->Waves = nullptr;
+  if (this->Hulls && window)
+  {
+    this->Hulls->ReleaseGraphicsResources(window);
+  }
+  this->Hulls = nullptr;
   for (vtkWaterSlopeTexture& texture : this->NormalMaps)
   {
     texture.ReleaseGraphicsResources(window);

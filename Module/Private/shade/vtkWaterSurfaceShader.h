@@ -120,6 +120,7 @@ private:
   void BeginCaustics(const int viewport_px[4]);
   void UploadWaves(const double origin[2]);
   void UploadNormalMap(size_t number);
+  void UploadHulls();
   void SetDisplacement(vtkShaderProgram* program);
   void SetVertexHeights(vtkShaderProgram* program, vtkAbstractMapper* mapper);
   // Of a mesh that is not flat, from its vertex origin.
@@ -148,10 +149,12 @@ private:
     SkyTextures;                           // bound, by name
   vtkSmartPointer<vtkTextureObject> Waves; // a row per wave
   int WaveCount = 0;
-  bool IsSteep = false;            // some of them move their points
-  bool HasSea = false;             // brought to the time of the draw
-  const char* SeaDetour = nullptr; // of which has been spoken
-  bool IsSeaFlat = false;          // for want of memory, which has been said
+  vtkSmartPointer<vtkTextureObject> Hulls; // the table of what floats in the water
+  vtkWaterHullTablePointer HullTable;      // that it has
+  bool IsSteep = false;                    // some of them move their points
+  bool HasSea = false;                     // brought to the time of the draw
+  const char* SeaDetour = nullptr;         // of which has been spoken
+  bool IsSeaFlat = false;                  // for want of memory, which has been said
   vtkWaterSlopeTexture NormalMaps[vtkWaterNormalMaps::Limit];
   std::pair<vtkTexture*, vtkMTimeType> NormalMapTimes[vtkWaterNormalMaps::Limit] = {}; // of those
   double NormalMapTexels[vtkWaterNormalMaps::Limit] = {};                              // their size

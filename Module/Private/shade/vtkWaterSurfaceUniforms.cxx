@@ -145,6 +145,14 @@ void vtkWaterSurfaceShader::SetViewParameters(vtkShaderProgram* program)
     sheet[i] = this->Water->Sheet[i] - plan.origin_xy[i / 2];
   }
   uniforms::Set4(program, "waterSheet", sheet);
+  if (this->Has(WATER_FEATURE_HULLS))
+  {
+    const water_waterline_rows& rows = this->Water->Hulls->Rows;
+    const double hulls[4] = { rows.middle[0] - plan.origin_xy[0],
+      rows.middle[1] - plan.origin_xy[1], rows.half[0], rows.half[1] };
+    uniforms::Set4(program, "waterHullRows", hulls);
+    uniforms::Set(program, "waterHullAxis", rows.axis);
+  }
   uniforms::Set(program, "waterBedDepth", std::min(plan.bed_depth, kFarUp));
   uniforms::Set(program, "waterIsSubmerged", plan.is_submerged ? 1 : 0);
   uniforms::Set(program, "waterShoreSoftness", look.ShoreSoftness);

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// water_waterline.h: in addition to the plan: where hulls cut the water's surface, and a table that
+// tells a pixel whether a hull's waterline is around it.
+//
+// A hull is triangles. The pieces in which its triangles cut the water close to loops, whatever the
+// hull is like above and below: only its sides must be closed where the water is. All loops are
+// turned the same way round, so a place is inside where they go round it at least once: in a hold
+// between thick walls, too, and where two hulls overlap. Source: Hormann and Agathos 2001, "The
+// point in polygon problem for arbitrary polygons" (winding numbers by crossings).
+//
+// Places are in the plane's own axes about its origin (water_plane_axes); heights are over the
+// water's surface.
+#ifndef water_waterline_h
+#define water_waterline_h
+
+#include "water_status.h"
+#include "water_types.h"
+
+#ifdef __cplusplus
+extern "C"
+{
+#endif
+
+// A piece of a waterline, across one triangle.
+typedef struct water_waterline_piece
+{
+  double ends[2][2];  // x, y of its first and its second end
+  size_t edges[2][2]; // the edge of the mesh that each end lies on: its points, the lower one first
+  size_t next[2];     // once it is closed: 2 piece + end of what each end meets
+  bool is_seen;       // while loops are turned
+} water_waterline_piece;
+
+// An end of a piece, to find the other one on the same edge.
+typedef struct water_waterline_end
+{
+  size_t edge[2];
+  size_t which; // 2 piece + end
+} water_waterline_end;
+
+// Takes points of a mesh into the plane's own axes.
+//
+// points_to_world  of the mesh
+// unit             the plane, normalised
+// origin           of the plane's own axes
+// points           count of 3
+// places           count of 3: x, y and height over the plane. May be points
+void water_waterline_places(const double points_to_world[16], const water_plane* unit,
+  const double origin[3], const double* points, size_t count, double* places);
+
+// Cuts a triangle at the height 0; a corner on it counts as over it.
+//
+// corners  numbers of its corners in places, x, y and height of each
+//
+// Returns false when the water does not cut it; then the piece is unchanged.
+bool water_waterline_cut(
+  const size_t corners[3], const double* places, water_waterline_piece* piece);
+
+// Closes the pieces of a hull to loops, and turns each counter-clockwise.
+//
+// ends       room for 2 count
+// open_piece  when they do not close, one at whose end the hull is open
+//
+// Returns whether they close; else the pieces are of no use.
+bool water_waterline_close(
+  water_waterline_piece* pieces, size_t count, water_waterline_end* ends, size_t* open_piece);
+
+// Rows across the longer side of all that is inside. In the table a row has as many texels as the
+// longest one: the first has the number of the others in its first channel; these have an edge each
+// that passes the row, x, y of its begin and of its end, from the middle on.
+typedef struct water_waterline_rows
+{
+  double middle[2]; // of all
+  double half[2];   // from there to the border
+  int axis;         // rows lie one after another along that: 0, 1
+  int count;        // of rows
+  size_t longest;   // texels
+} water_waterline_rows;
+
+// Lays the rows for closed pieces of any hulls; false when there are none.
+bool water_waterline_lay(
+  const water_waterline_piece* pieces, size_t count, water_waterline_rows* rows);
+
+// Fills the table.
+//
+// texels  rows->count * rows->longest * 4
+void water_waterline_fill(const water_waterline_piece* pieces, size_t count,
+  const water_waterline_rows* rows, float* texels);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

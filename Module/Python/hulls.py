@@ -1,0 +1,39 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Hulls for add_water: bodies that float in the water and have no water inside."""
+from collections.abc import Sequence
+
+import pyvista as pv
+from vtkmodules.vtkRenderingCore import vtkActor
+
+__all__ = ["hulls_of"]
+
+
+def hulls_of(hulls, scale):
+    """Return the actors of hulls; a mesh gets an actor of its own, with the plotter's scale.
+
+    Raises
+    ------
+    TypeError
+        If hulls is not a sequence, or an item is neither an actor nor a data set.
+
+    ValueError
+        If a data set has no cells.
+    """
+    if hulls is None:
+        return []
+    if isinstance(hulls, (pv.DataObject, vtkActor, str)) or not isinstance(hulls, Sequence):
+        raise TypeError(f"hulls must be a sequence of meshes and actors, not {type(hulls).__name__}")
+    return [hull_of(f"hulls[{i}]", hull, scale) for i, hull in enumerate(hulls)]
+
+
+def hull_of(name, hull, scale):
+    if isinstance(hull, vtkActor):
+        return hull
+    if not isinstance(hull, pv.DataSet):
+        raise TypeError(f"{name} must be a pyvista.DataSet or an actor, not {type(hull).__name__}")
+    if hull.n_cells == 0:
+        raise ValueError(f"{name} has no cells; it must be a mesh with polygons or cells")
+    actor = vtkActor()
+    actor.SetMapper(pv.DataSetMapper(hull))
+    actor.SetScale(scale)
+    return actor
