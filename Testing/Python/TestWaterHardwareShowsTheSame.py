@@ -103,7 +103,6 @@ def pool(look):
 # reflections end in the same place.
 SAME = 0.00003
 CLOSE = 0.001
-LIT = 0.003  # caustics, whose light changes within a pixel as the looks at the bed do
 GRAZING = 0.01  # far waves that are seen through: software renderers go on where a ray passes close over the bed
 SEEN_THROUGH = (clear, clear_and_calm, lake, ocean, pool)
 WATERS = (sines, short_sines, steep, sea, normal_maps, displaced, clear, clear_and_calm, shadows, many_steps, few_steps,
@@ -158,7 +157,6 @@ def compare(monkeypatch, title, limit, *scene, **more):
 def test_hardware_shows_the_same(set_look, view, monkeypatch):
     """Each kind of water looks the same from above, near, far and below."""
     limit = CLOSE if set_look in (sea, normal_maps, *SEEN_THROUGH) else SAME
-    limit = LIT if set_look is clear else limit
     limit = GRAZING if set_look in SEEN_THROUGH and view == "far" else limit
     compare(monkeypatch, f"{set_look.__name__}, {view}", limit, set_look, VIEWS[view])
 

@@ -22,6 +22,7 @@ const float WATER_MEDIUM_DEEPER = 1.01;  // than what is deepest: bounds are rou
 const float WATER_MEDIUM_ENDLESS = 1e29; // length of a way that nothing limits
 const float WATER_MEDIUM_CLOSE_PX = 0.2; // two places are as good as one
 const float WATER_MEDIUM_GAP_PX = 4.0; // what is hidden over more is guessed from one thing
+const float WATER_MEDIUM_BETWEEN_PX = 3.0; // further away it is something else
 const float WATER_MEDIUM_LONG_PX = 8.0;  // ways that need eight looks, and not four
 
 float waterMediumDepth(vec2 uv)
@@ -258,9 +259,30 @@ struct WaterMediumMet
   WaterMediumView view;
   float depth;        // of the picture at the first of its places
   float way;          // m of water
+  float lit;          // the same, to what caustics light: between the middles of pixels, too
   bool isUnderBorder; // the water ends before the ray meets anything: it is the bed under its border
   bool isNothing;     // there is none
 };
+
+// Where a ray meets what goes on evenly between the middles of pixels, whose depths are all that the picture has. At a low
+// angle a ray is otherwise found pixels away, in which the light of caustics changes.
+//
+// depth  of the picture where it has been found
+float waterMediumBetween(WaterMediumRay ray, WaterMediumView view, float depth)
+{
+  vec2 size = waterMediumSize();
+  vec2 middle = (floor(view.from * size) + 0.5) / size;
+  vec2 before = depth - vec2(waterMediumDepth(middle - vec2(1.0, 0.0) / size),
+    waterMediumDepth(middle - vec2(0.0, 1.0) / size));
+  vec2 after = vec2(waterMediumDepth(middle + vec2(1.0, 0.0) / size),
+    waterMediumDepth(middle + vec2(0.0, 1.0) / size)) - depth;
+  vec2 slope = size * mix(before, after, lessThan(abs(after), abs(before)));
+  float miss = ray.start.z + view.s * ray.way.z - depth - dot(slope, view.from - middle);
+  float rate = ray.way.z - dot(slope, ray.way.xy);
+  float further = -miss / max(rate, 1e-20);
+  bool isNear = rate > 0.0 && abs(further) * length(ray.way.xy * size) < WATER_MEDIUM_BETWEEN_PX;
+  return view.s + (view.isMet && isNear ? further : 0.0);
+}
 
 // A ray that leaves the water without having met its bed meets what lies under the water's border, as if that went on.
 //
@@ -295,6 +317,8 @@ WaterMediumMet waterMediumMeet(WaterPoint point, vec3 dir)
     met.isUnderBorder = true;
   }
   met.way = met.view.s * ray.w / max(1.0 - met.view.s * ray.rate, 1e-6);
+  float between = waterMediumBetween(ray, met.view, met.depth);
+  met.lit = between * ray.w / max(1.0 - between * ray.rate, 1e-6);
   float apart = abs(waterMediumW(met.view.from, met.depth) - ray.w - met.way * ray.rate);
   bool isThere = met.depth < 1.0 && apart < WATER_MEDIUM_BELOW * waterBedDepth + WATER_MEDIUM_EDGE * pixel;
   met.isNothing = met.isUnderBorder && !isThere;
@@ -344,7 +368,7 @@ vec3 waterTransmittedRay(WaterPoint point)
     bool isSky = met.depth >= 1.0 || (!view.isMet && waterHasFloor());
     return isSky && waterIsSkyKnown() ? waterSky(dir) : color;
   }
-  float caustic = waterMediumLight(point, met, view.from, dir, ways.x);
+  float caustic = waterMediumLight(point, met, view.from, dir, areTwo || met.isUnderBorder ? ways.x : met.lit);
   from = met.depth >= 1.0 ? waterDeepColor : waterAfter(caustic * from, ways.x);
   float gap = length((view.to - view.from) * waterMediumSize());
   int others = view.isMet || (gap > 0.0 && gap < WATER_MEDIUM_GAP_PX) ? waterSceneIsSorted : 0;
