@@ -1,16 +1,19 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""gallery: renders the examples' pictures for Documentation/gallery.md.
+"""gallery: renders the examples' pictures for Documentation/gallery.md, or compares them with the kept ones.
 
-usage: gallery.py [PICTURE...]    default: all of the gallery
+usage: gallery.py [--check FOLDER] [PICTURE...]    default: all of the gallery
 
-Run it with a Python that has vtkwater and Pillow, and a window to render in.
+--check FOLDER writes what the examples make under FOLDER, compares it with Documentation/images
+(compare_pictures.py), and ends with 1 if a picture is another one. Run it with a Python that has vtkwater (and Pillow,
+without --check), and a window to render in.
 """
+import argparse
 import pathlib
 import subprocess
 import sys
 import tempfile
 
-from PIL import Image
+import compare_pictures
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 # picture -> the script, when its name is another, and the arguments; PICTURE is the file to write
@@ -43,18 +46,47 @@ LOSSLESS = ("first_water", "pyvista_water")
 QUALITY = 88
 
 
+def render(name, folder):
+    """Run the example; returns the picture that it made under the folder."""
+    folder.mkdir(parents=True, exist_ok=True)
+    picture = folder / MADE.get(name, f"{name}.png")
+    picture.unlink(missing_ok=True)  # of an earlier run
+    arguments = [argument.replace("PICTURE", str(picture)).replace("FOLDER", str(folder))
+                 for argument in EXAMPLES[name]]
+    script = ROOT / f"Examples/Python/{SCRIPTS.get(name, name)}.py"
+    subprocess.run([sys.executable, script, *arguments], check=True, cwd=ROOT)
+    return picture
+
+
+def kept(name):
+    return ROOT / f"Documentation/images/{name}.{'png' if name in LOSSLESS else 'jpg'}"
+
+
+def keep(name):
+    """Render a picture of the gallery, and keep it in Documentation/images."""
+    from PIL import Image
+
+    with tempfile.TemporaryDirectory() as folder:
+        Image.open(render(name, pathlib.Path(folder))).convert("RGB").save(kept(name), quality=QUALITY, optimize=True)
+    print(kept(name).relative_to(ROOT), kept(name).stat().st_size)
+
+
 def main():
-    for name in sys.argv[1:] or EXAMPLES:
-        with tempfile.TemporaryDirectory() as folder:
-            picture = pathlib.Path(folder) / MADE.get(name, "picture.png")
-            arguments = [argument.replace("PICTURE", str(picture)).replace("FOLDER", folder)
-                         for argument in EXAMPLES[name]]
-            script = ROOT / f"Examples/Python/{SCRIPTS.get(name, name)}.py"
-            subprocess.run([sys.executable, script, *arguments], check=True, cwd=ROOT)
-            target = ROOT / f"Documentation/images/{name}.{'png' if name in LOSSLESS else 'jpg'}"
-            Image.open(picture).convert("RGB").save(target, quality=QUALITY, optimize=True)
-            print(target.relative_to(ROOT), target.stat().st_size)
+    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    parser.add_argument("pictures", nargs="*", choices=[[], *EXAMPLES], metavar="PICTURE", help="default: all")
+    parser.add_argument("--check", metavar="FOLDER", type=pathlib.Path, help="compare with the kept pictures instead")
+    arguments = parser.parse_args()
+    names = arguments.pictures or list(EXAMPLES)
+    if not arguments.check:
+        for name in names:
+            keep(name)
+        return 0
+    folder = arguments.check.resolve()
+    return min(1, sum(not compare_pictures.check(render(name, folder / name), kept(name)) for name in names))
 
 
 if __name__ == "__main__":
-    main()
+    try:
+        sys.exit(main())
+    except subprocess.CalledProcessError as error:  # it has said why
+        sys.exit(error.returncode)
