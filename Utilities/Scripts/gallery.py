@@ -33,6 +33,7 @@ EXAMPLES = {
     "molecule": ["PICTURE"],
     "batch": ["--out", "FOLDER", "--make", "6"],
     "sea": ["PICTURE", "2"],
+    "wind_farm": ["PICTURE", "3"],
     "waves": ["PICTURE", "2"],
     "swell": ["PICTURE", "2.4"],
     "cove": ["PICTURE", "1"],
