@@ -206,6 +206,15 @@ void vtkWaterActor::Internals::SetMayMirror(bool mayMirror)
   }
 }
 
+namespace
+{
+water_feature_set FeaturesOf(const vtkWaterLook& look)
+{
+  const water_feature_set features = water_features_of(&look.Has);
+  return look.DomePortRadius > 0.0 ? water_features_with_port(features) : features;
+}
+}
+
 //------------------------------------------------------------------------------
 vtkWaterSnapshotPointer vtkWaterActor::Internals::Take(vtkRenderer* renderer)
 {
@@ -242,7 +251,7 @@ vtkWaterSnapshotPointer vtkWaterActor::Internals::Take(vtkRenderer* renderer)
   made->Look.Has.is_opaque = this->Self->HasOpaqueGeometry() != 0;
   made->Look.Has.has_environment =
     made->Look.Has.has_environment || !this->Self->SceneReflection || !this->MayMirror;
-  made->Features = water_features_of(&made->Look.Has);
+  made->Features = FeaturesOf(made->Look);
   if (made->Mesh.HasVertexHeights)
   {
     made->Features = made->Mesh.IsSloped && this->Self->MeshSlopes

@@ -126,6 +126,12 @@ void vtkWaterProperty::SetShoreSoftness(double depth)
 }
 
 //------------------------------------------------------------------------------
+void vtkWaterProperty::SetDomePortRadius(double radius)
+{
+  vtkWaterSetInRange(DomePortRadius, radius, 0.0, std::numeric_limits<double>::max());
+}
+
+//------------------------------------------------------------------------------
 void vtkWaterProperty::SetReflectionSource(int source)
 {
   vtkWaterSetInRange(ReflectionSource, source, SCENE, ENVIRONMENT);
@@ -354,6 +360,7 @@ void vtkWaterProperty::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MetresPerUnit: " << this->MetresPerUnit
      << (this->MetresPerUnit == 0.0 ? " (automatic)" : "") << "\n";
   os << indent << "ShoreSoftness: " << this->ShoreSoftness << "\n";
+  os << indent << "DomePortRadius: " << this->DomePortRadius << "\n";
   os << indent << "ReflectionSource: " << this->GetReflectionSourceAsString() << "\n";
   os << indent << "EnvironmentTexture: " << this->GetEnvironmentTexture() << "\n";
   os << indent << "Glitter: " << (this->Glitter ? "on" : "off") << "\n";

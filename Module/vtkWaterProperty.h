@@ -220,6 +220,19 @@ public:
   vtkGetMacro(ShoreSoftness, double);
   ///@}
 
+  ///@{
+  /**
+   * Radius of a dome port, m: the glass dome, centred on the eye, of an underwater camera's
+   * housing. Finite and not negative; 0, the default, means no port. With the camera above the
+   * water by less than this radius the picture is half above and half under water: view rays that
+   * meet the surface within the radius start under water and are neither refracted nor reflected
+   * by it. A port needs Refraction and a camera with perspective above the surface. If the water
+   * does not reach to the horizon, the near plane must be closer to the eye than the surface.
+   */
+  void SetDomePortRadius(double radius);
+  vtkGetMacro(DomePortRadius, double);
+  ///@}
+
   enum ReflectionSources
   {
     SCENE = 0,
@@ -839,6 +852,7 @@ private:
   double DeepColor[3] = {};
   double MetresPerUnit = 1.0;
   double ShoreSoftness = 0.05;
+  double DomePortRadius = 0.0;
   int ReflectionSource = SCENE;
   bool Glitter = true;
   bool HighlightRollOff = true;

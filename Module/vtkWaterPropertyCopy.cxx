@@ -25,6 +25,7 @@ void vtkWaterProperty::DeepCopy(vtkWaterProperty* other)
   std::copy_n(other->DeepColor, 3, this->DeepColor);
   this->MetresPerUnit = other->MetresPerUnit;
   this->ShoreSoftness = other->ShoreSoftness;
+  this->DomePortRadius = other->DomePortRadius;
   this->ReflectionSource = other->ReflectionSource;
   this->Glitter = other->Glitter;
   this->HighlightRollOff = other->HighlightRollOff;

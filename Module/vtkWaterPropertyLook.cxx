@@ -23,6 +23,7 @@ void ToUnits(vtkWaterLook& look)
     look.Extinction[i] *= metres;
   }
   look.ShoreSoftness /= metres;
+  look.DomePortRadius /= metres;
   look.FoamDepth /= metres;
   look.WaveNumber *= metres;
   look.WaveHeightMax /= metres;
@@ -58,6 +59,7 @@ void vtkWaterProperty::Describe(double diagonal, vtkWaterLook& look)
   std::copy_n(this->Scattering, 3, look.Medium.scattering);
   std::copy_n(this->Internal->Extinction, 3, look.Extinction);
   look.ShoreSoftness = this->ShoreSoftness;
+  look.DomePortRadius = this->DomePortRadius;
   look.Caustics = this->Caustics;
   look.FoamDepth = this->FoamDepth;
   look.FoamJacobian = this->FoamStretch;

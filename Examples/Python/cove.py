@@ -125,7 +125,8 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("picture", nargs="?", default="cove.png", type=png_name, help="default: %(default)s")
     parser.add_argument("time", nargs="?", type=float, default=0.0, help="of the waves, s; default: %(default)s")
-    parser.add_argument("eye", nargs="?", default="above", choices=("above", "below"), help="default: %(default)s")
+    parser.add_argument("eye", nargs="?", default="above", choices=("above", "below", "split"),
+                        help="default: %(default)s; split: half above and half under water")
     arguments = parser.parse_args()
     picture, time, eye = arguments.picture, arguments.time, arguments.eye
 
@@ -145,7 +146,16 @@ def main():
     add_ball(renderer, 1.5, 0.5, water.GetWaveHeight(1.5, 0.5))
 
     camera = renderer.GetActiveCamera()
-    if eye == "below":
+    if eye == "split":
+        look = water.GetWaterProperty()
+        look.WaveGeometryOn()
+        look.SetFoamDepth(0.08)
+        look.SetDomePortRadius(0.3)
+        height = water.GetWaveHeight(7.2, 2.4) + 0.03
+        camera.SetPosition(7.2, 2.4, height)
+        camera.SetFocalPoint(-3.0, 2.9, height + 0.1)
+        camera.SetViewAngle(62.0)
+    elif eye == "below":
         camera.SetPosition(4.0, -7.0, -1.6)
         camera.SetFocalPoint(-1.0, 3.0, -0.9)
         camera.SetViewAngle(60.0)

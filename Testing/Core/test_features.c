@@ -182,6 +182,18 @@ TEST(samples_are_of_what_is_seen_through)
   }
 }
 
+// Only through clear water is anything seen under a dome port's waterline.
+TEST(port_is_for_what_is_seen_through)
+{
+  for (unsigned has = 0; has < LOOKS; ++has)
+  {
+    const water_feature_set features = expected_of(has);
+    const bool is_clear = (features & WATER_FEATURE_MEDIUM) != 0;
+    assert_int_equal(
+      water_features_with_port(features), features + (is_clear ? WATER_FEATURE_PORT : 0));
+  }
+}
+
 // On hardware reads go out together, for what reads, and a pixel has one ray unless there is a
 // peel: nothing else changes.
 TEST(hardware_reads_in_batches)
@@ -226,6 +238,8 @@ TEST(sets_have_room_for_64_features)
   assert_true((water_features_with_texture(last, &texture) & last) != 0);
   assert_true((water_features_with_mesh(last) & last) != 0);
   assert_true((water_features_with_slopes(last, WATER_LOOKUP_RAY_TRACED) & last) != 0);
+  assert_true((water_features_with_hulls(last) & last) != 0);
+  assert_true((water_features_with_port(last) & last) != 0);
   assert_true((water_features_with_samples(last) & last) != 0);
   assert_true((water_features_on_hardware(last) & last) != 0);
   assert_true((water_sky_features(last, false, false, &sky) & last) != 0);
@@ -250,7 +264,7 @@ enum
   VERTEX_FILES = sizeof vertex_files / sizeof vertex_files[0],
   // looked up in 8 kinds of reflection textures, on 2 of machines, with a mesh, with one that is
   // not flat, or without, with samples, with hulls, and under one of 8 kinds of skies
-  REACHABLE_MAX = (2 + 10 * 8) * LOOKS
+  REACHABLE_MAX = (2 + 11 * 8) * LOOKS
 };
 
 // Features with a sky: one colour, a screen, a map or a cube; from 4 on with a floor.
@@ -290,7 +304,8 @@ static size_t reach_all(water_feature_set features[REACHABLE_MAX])
       features[count + 7] = water_features_on_hardware(features[count + 6]);
       features[count + 8] = under_sky(features[count + has % 8], kind);
       features[count + 9] = water_features_with_hulls(features[count + has % 8]);
-      count += 10;
+      features[count + 10] = water_features_with_port(features[count + has % 8]);
+      count += 11;
     }
   }
   return count;
@@ -408,7 +423,7 @@ TEST(slots_stand_in_their_order)
     "tile", "slope", "sines", "tiles", "folds", "sea", "normal_maps", "waves", "output",
     "reflection", "dome", "walk", "behind", "layer", "blur", "caustics", "medium", "others",
     "refraction", "facet_slopes", "facets", "rays", "shadows", "glitter", "whitecaps", "foam",
-    "sun", "surface" };
+    "sun", "port", "surface" };
   static const char* const vertex[] = { "cell", "tiles", "sea", "displacement", "heights", "slopes",
     "depth" };
   static const char* const photon[] = { "gradient", "place", "height", "point", "tile", "sines",
@@ -475,7 +490,7 @@ TEST(vertices_move_where_the_surface_is_displaced)
 
 TESTS(features_of_every_look_follow_the_rules, layer_and_peel_are_for_traced_rays_alone,
   mesh_is_drawn_as_it_is_or_displaced, slopes_of_a_mesh_turn_rays,
-  samples_are_of_what_is_seen_through, hardware_reads_in_batches,
+  samples_are_of_what_is_seen_through, port_is_for_what_is_seen_through, hardware_reads_in_batches,
   water_in_a_mirrored_view_is_smooth_or_rough, sets_have_room_for_64_features,
   each_slot_has_one_file, slots_stand_in_their_order, every_file_and_feature_is_used,
   vertices_move_where_the_surface_is_displaced)

@@ -38,10 +38,11 @@ EXAMPLES = {
     "swell": ["PICTURE", "2.4"],
     "cove": ["PICTURE", "1"],
     "cove_below": ["PICTURE", "1", "below"],
+    "cove_split": ["PICTURE", "1", "split"],
     "first_water": ["PICTURE"],
     "pyvista_water": ["PICTURE"],
 }
-SCRIPTS = {"cove_below": "cove"}
+SCRIPTS = {"cove_below": "cove", "cove_split": "cove"}
 MADE = {"batch": "step_003.png", "lake": "lake.png"}  # where the picture's name is not ours to give
 LOSSLESS = ("first_water", "pyvista_water")
 QUALITY = 88

@@ -51,7 +51,8 @@ extern "C"
   X(SKY_CUBE, "the sky is a cube map")                                                             \
   X(SKY_FLOOR, "a skybox has a floor")                                                             \
   X(SLOPED, "a user's mesh that is not flat: rays follow its slopes")                              \
-  X(HULLS, "hulls float in it, with no water inside")
+  X(HULLS, "hulls float in it, with no water inside")                                              \
+  X(PORT, "a camera behind a dome port, which may be half under water")
 
 typedef enum water_feature_bit
 {
@@ -194,6 +195,8 @@ WATER_FEATURE_LIST(WATER_FEATURE_VALUE)
   X(sun, vtkWaterSunFS, WATER_FEATURE_FLAG(GLITTER) | WATER_FEATURE_FLAG(FOAM), 0,                 \
     "the sun on glitter and foam")                                                                 \
   X(sun, vtkWaterNoSunFS, 0, WATER_FEATURE_FLAG(GLITTER) | WATER_FEATURE_FLAG(FOAM), "none")       \
+  X(port, vtkWaterPortFS, WATER_FEATURE_FLAG(PORT), 0, "pixels whose ray begins under water")      \
+  X(port, vtkWaterNoPortFS, 0, WATER_FEATURE_FLAG(PORT), "none")                                   \
   X(surface, vtkWaterSurfaceFS, 0, 0, "the pixel's colour, from all slots")
 
 // Files of its vertex shader, in order: the same, for features that have any.
@@ -311,6 +314,9 @@ water_feature_set water_features_with_samples(water_feature_set features);
 
 // The same for water that hulls float in.
 water_feature_set water_features_with_hulls(water_feature_set features);
+
+// The same for a camera behind a dome port, through which water is seen that is clear.
+water_feature_set water_features_with_port(water_feature_set features);
 
 // The same where hardware executes the shader. Several rays a pixel are too slow there, unless
 // there is a peel, which is slower still.

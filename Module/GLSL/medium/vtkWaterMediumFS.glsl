@@ -25,6 +25,8 @@ const float WATER_MEDIUM_GAP_PX = 4.0; // what is hidden over more is guessed fr
 const float WATER_MEDIUM_BETWEEN_PX = 3.0; // further away it is something else
 const float WATER_MEDIUM_LONG_PX = 8.0;  // ways that need eight looks, and not four
 
+float waterAir = 0.0; // of a refracted ray, that is not water; of the slot port
+
 float waterMediumDepth(vec2 uv)
 {
   return textureLod(waterSceneDepth, uv, 0.0).r;
@@ -46,6 +48,7 @@ float waterMediumW(vec2 uv, float depth)
 // What is left of a color after a way of so many metres through the water.
 vec3 waterAfter(vec3 color, float way)
 {
+  way = max(way - waterAir, 0.0);
   vec3 left = vec3(waterTransmittance(waterExtinction.r, way),
     waterTransmittance(waterExtinction.g, way), waterTransmittance(waterExtinction.b, way));
   return mix(waterDeepColor, color, left);

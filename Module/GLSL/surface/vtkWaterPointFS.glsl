@@ -5,7 +5,7 @@
 // waterTilt), under (waterIsUnder), height (waterHeightOf), hulls (waterLeaveHulls), waves
 // (waterRipple), reflection (waterReflected), layer (waterCross), caustics (waterCaustic), body (waterTransmitted), facets
 // (waterFacets), rays (waterMirrored), shadows (waterShadowed), glitter (waterGlint), foam
-// (waterFoamShare, waterFoamLit), sun (waterSunlit), output (waterShow); vtkWaterSurfaceFS.glsl puts them together. They
+// (waterFoamShare, waterFoamLit), sun (waterSunlit), port (waterThroughPort), output (waterShow); vtkWaterSurfaceFS.glsl puts them together. They
 // are files and not branches because software renderers execute both sides of a branch.
 //
 // NDC come from gl_FragCoord and the viewport of the draw itself (read from the GL state), which is

@@ -17,15 +17,19 @@ void waterShade(inout vec4 color)
     WaterPoint point = waterPoint();
     waterRipple(point);
     vec3 reflected = waterMirrored(point, reflectance, reason, uv);
-    rgb = mix(waterTransmitted(point), waterDataColor.rgb, waterDataColor.a);
+    WaterPoint straight = point;
+    float port = waterThroughPort(straight);
+    rgb = mix(waterTransmitted(straight), waterDataColor.rgb, waterDataColor.a);
     // where the water is thinner than that it begins
-    float begun = clamp(waterTransmittedDepth(point) / max(waterShoreSoftness, 1e-9), 0.0, 1.0);
+    float begun = clamp(waterTransmittedDepth(point) / max(waterShoreSoftness, 1e-9), 0.0, 1.0) * (1.0 - port);
     reflectance *= begun;
     if (waterIsReflecting != 0)
     {
       rgb = rgb * (1.0 - reflectance) + begun * reflected;
     }
+    vec3 under = rgb;
     waterSunlit(point, rgb);
+    rgb = port > 0.0 ? mix(rgb, under, port) : rgb;
     rgb = waterSeenFrom(point, rgb);
     waterLeaveHulls(point);
   }

@@ -39,6 +39,7 @@ struct vtkWaterLook
   water_medium Medium = water_medium();
   double Extinction[3] = {}; // absorption + scattering
   double ShoreSoftness = 0.0;
+  double DomePortRadius = 0.0;  // 0: none
   double SlopeVariance[3] = {}; // along, across a direction, degrees
   double MeanSlopes[3] = {};    // variances xx, yy, xy of all slopes, at all times
   double SlopeRMS = 0.0;

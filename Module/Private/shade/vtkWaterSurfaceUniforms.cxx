@@ -156,6 +156,7 @@ void vtkWaterSurfaceShader::SetViewParameters(vtkShaderProgram* program)
   uniforms::Set(program, "waterBedDepth", std::min(plan.bed_depth, kFarUp));
   uniforms::Set(program, "waterIsSubmerged", plan.is_submerged ? 1 : 0);
   uniforms::Set(program, "waterShoreSoftness", look.ShoreSoftness);
+  uniforms::Set(program, "waterPortRadius", look.DomePortRadius);
 }
 
 //------------------------------------------------------------------------------
