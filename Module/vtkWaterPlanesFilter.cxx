@@ -3,7 +3,6 @@
 
 #include "vtkCellArray.h"
 #include "vtkCompositeDataSet.h"
-#include "vtkDataSetSurfaceFilter.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkIdList.h"
@@ -15,10 +14,10 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataNormals.h"
-#include "vtkTriangleFilter.h"
 #include "vtkUnstructuredGrid.h"
 #include "vtkWaterCompat.h"
 #include "vtkWaterParts.h"
+#include "vtkWaterPolygons.h"
 #include "water_plane.h"
 
 #include <algorithm>
@@ -35,22 +34,29 @@ namespace
 // points  their number
 std::string FindWrongPoint(vtkCellArray* cells, vtkIdType start, vtkIdType points)
 {
-  vtkNew<vtkIdList> corners;
-  for (vtkIdType cell = 0; cells && cell < cells->GetNumberOfCells(); ++cell)
+  if (!cells)
   {
-    cells->GetCellAtId(cell, corners);
-    for (vtkIdType i = 0; i < corners->GetNumberOfIds(); ++i)
-    {
-      const vtkIdType point = corners->GetId(i);
-      if (point < 0 || point >= points)
-      {
-        return "cell " + std::to_string(start + cell) + " has the point " + std::to_string(point) +
-          (points > 0 ? "; points must lie in [0, " + std::to_string(points - 1) + "]"
-                      : "; the mesh has no points");
-      }
-    }
+    return {};
   }
-  return {};
+  vtkIdType wrongCell = -1; // the first one
+  vtkIdType wrongPoint = 0;
+  vtkWaterForEachCell(cells, [&](vtkIdType cell, const vtkIdType* corners, vtkIdType count) {
+    const vtkIdType* wrong = std::find_if(
+      corners, corners + count, [points](vtkIdType point) { return point < 0 || point >= points; });
+    if (wrong != corners + count && wrongCell < 0)
+    {
+      wrongCell = cell;
+      wrongPoint = *wrong;
+    }
+  });
+  if (wrongCell < 0)
+  {
+    return {};
+  }
+  return "cell " + std::to_string(start + wrongCell) + " has the point " +
+    std::to_string(wrongPoint) +
+    (points > 0 ? "; points must lie in [0, " + std::to_string(points - 1) + "]"
+                : "; the mesh has no points");
 }
 
 std::string FindWrongPoint(vtkDataSet* input)
@@ -88,28 +94,6 @@ std::string FindTooFewPoints(vtkPolyData* mesh)
     }
   }
   return {};
-}
-
-// The polygons of a data set's surface, and nothing else.
-void FindPolygons(vtkDataSet* input, vtkPolyData* mesh)
-{
-  mesh->ShallowCopy(input);
-  if (!vtkPolyData::SafeDownCast(input))
-  {
-    vtkNew<vtkDataSetSurfaceFilter> outside;
-    outside->SetInputData(input);
-    outside->Update();
-    mesh->ShallowCopy(outside->GetOutput());
-  }
-  if (mesh->GetNumberOfPolys() != mesh->GetNumberOfCells())
-  {
-    vtkNew<vtkTriangleFilter> polygons;
-    polygons->SetInputData(mesh);
-    polygons->PassLinesOff();
-    polygons->PassVertsOff();
-    polygons->Update();
-    mesh->ShallowCopy(polygons->GetOutput());
-  }
 }
 
 void AddField(vtkPolyData* block, const char* name, const double* values, int count)
@@ -200,7 +184,7 @@ int vtkWaterPlanesFilter::RequestData(
     vtkErrorMacro(<< few << ". Such cells are left out.");
   }
   vtkNew<vtkPolyData> mesh;
-  FindPolygons(input, mesh);
+  vtkWaterPolygonsOf(input, mesh);
   if (mesh->GetNumberOfPolys() == 0 || mesh->GetNumberOfPoints() == 0)
   {
     return 1;

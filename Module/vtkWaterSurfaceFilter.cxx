@@ -2,22 +2,19 @@
 #include "vtkWaterSurfaceFilter.h"
 
 #include "vtkCellData.h"
-#include "vtkCellType.h"
 #include "vtkCellTypes.h"
-#include "vtkClipPolyData.h"
 #include "vtkDataArray.h"
-#include "vtkDataSetSurfaceFilter.h"
-#include "vtkDoubleArray.h"
 #include "vtkGenericCell.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
-#include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkWaterColumns.h"
 #include "vtkWaterCompat.h"
+#include "vtkWaterPolygons.h"
+#include "vtkWaterWetPart.h"
 #include "water_placement.h"
 
 #include <algorithm>
@@ -105,6 +102,10 @@ std::string FindAll(vtkDataSet* data, const std::string& level, const std::strin
 // The most dimensions that a cell has.
 int DimensionOf(vtkDataSet* data)
 {
+  if (auto* mesh = vtkPolyData::SafeDownCast(data)) // asking that by cells would make it build them
+  {
+    return mesh->GetNumberOfPolys() + mesh->GetNumberOfStrips() > 0 ? 2 : 1;
+  }
   vtkNew<vtkCellTypes> types;
   vtkNew<vtkGenericCell> cell;
   data->GetCellTypes(types);
@@ -117,97 +118,23 @@ int DimensionOf(vtkDataSet* data)
   return most;
 }
 
-// Leaves the cells that have an area.
-void RemoveLines(vtkPolyData* mesh)
-{
-  if (mesh->GetNumberOfVerts() == 0 && mesh->GetNumberOfLines() == 0)
-  {
-    return;
-  }
-  mesh->BuildCells();
-  for (vtkIdType cell = 0; cell < mesh->GetNumberOfCells(); ++cell)
-  {
-    const int type = mesh->GetCellType(cell);
-    if (type == VTK_VERTEX || type == VTK_POLY_VERTEX || type == VTK_LINE || type == VTK_POLY_LINE)
-    {
-      mesh->DeleteCell(cell);
-    }
-  }
-  mesh->RemoveDeletedCells();
-}
-
-double MeanHeight(vtkPolyData* surface)
+double MeanHeightOf(vtkPolyData* surface)
 {
   const water_plane ground = { { 0.0, 0.0, 1.0 }, 0.0 };
   water_placement placement;
   water_placement_begin(&ground, &placement);
-  surface->BuildCells();
-  for (vtkIdType cell = 0; cell < surface->GetNumberOfCells(); ++cell)
-  {
-    const vtkIdType* points = nullptr;
-    vtkIdType count = 0;
-    surface->GetCellPoints(cell, count, points);
-    double corners[3][3];
-    for (vtkIdType i = 2; i < count; ++i)
-    {
-      surface->GetPoint(points[0], corners[0]);
-      surface->GetPoint(points[i - 1], corners[1]);
-      surface->GetPoint(points[i], corners[2]);
-      water_placement_add(corners[0], corners[1], corners[2], &placement);
-    }
-  }
+  vtkWaterForEachCell(
+    surface->GetPolys(), [&](vtkIdType, const vtkIdType* points, vtkIdType count) {
+      double corners[3][3];
+      for (vtkIdType i = 2; i < count; ++i)
+      {
+        surface->GetPoint(points[0], corners[0]);
+        surface->GetPoint(points[i - 1], corners[1]);
+        surface->GetPoint(points[i], corners[2]);
+        water_placement_add(corners[0], corners[1], corners[2], &placement);
+      }
+    });
   return water_placement_judge(&placement).height;
-}
-
-// The mesh at its water's level, with level and depth as arrays; dykes are left out.
-void Raise(vtkPolyData* mesh, const vtkWaterColumns& columns, double scale, vtkPolyData* raised)
-{
-  raised->ShallowCopy(mesh);
-  const vtkIdType count = mesh->GetNumberOfPoints();
-  vtkNew<vtkPoints> points;
-  vtkNew<vtkDoubleArray> levels;
-  vtkNew<vtkDoubleArray> depths;
-  points->SetDataTypeToDouble();
-  points->SetNumberOfPoints(count);
-  levels->SetName(kLevel);
-  depths->SetName(kDepth);
-  levels->SetNumberOfValues(count);
-  depths->SetNumberOfValues(count);
-  for (vtkIdType i = 0; i < count; ++i)
-  {
-    const double level = columns.GetLevels()[static_cast<size_t>(i)];
-    double point[3];
-    mesh->GetPoint(i, point);
-    points->SetPoint(i, point[0], point[1], scale * level);
-    levels->SetValue(i, level);
-    depths->SetValue(i, columns.GetDepths()[static_cast<size_t>(i)]);
-  }
-  raised->SetPoints(points);
-  raised->GetPointData()->AddArray(levels);
-  raised->GetPointData()->AddArray(depths);
-  if (!columns.GetDykes().empty())
-  {
-    raised->BuildCells();
-    for (vtkIdType cell : columns.GetDykes())
-    {
-      raised->DeleteCell(cell);
-    }
-    raised->RemoveDeletedCells();
-  }
-}
-
-// The part of a raised mesh that is under water.
-void CutAtShore(vtkPolyData* raised, vtkPolyData* output)
-{
-  vtkDataArray* shown = raised->GetPointData()->GetScalars();
-  const std::string name = shown && shown->GetName() ? shown->GetName() : "";
-  raised->GetPointData()->SetActiveScalars(kDepth);
-  vtkNew<vtkClipPolyData> clip;
-  clip->SetInputData(raised);
-  clip->SetValue(0.0);
-  clip->Update();
-  output->ShallowCopy(clip->GetOutput());
-  output->GetPointData()->SetActiveScalars(name.empty() ? nullptr : name.c_str());
 }
 }
 
@@ -259,6 +186,18 @@ void vtkWaterSurfaceFilter::SetVerticalScale(double scale)
 }
 
 //------------------------------------------------------------------------------
+double vtkWaterSurfaceFilter::GetMeanLevel()
+{
+  if (!this->IsMeanKnown) // asked by few, and it takes a walk over all polygons
+  {
+    this->MeanLevel = MeanHeightOf(this->Surface);
+    this->Surface->Initialize();
+    this->IsMeanKnown = true;
+  }
+  return this->MeanLevel;
+}
+
+//------------------------------------------------------------------------------
 int vtkWaterSurfaceFilter::FillInputPortInformation(int, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
@@ -272,7 +211,9 @@ int vtkWaterSurfaceFilter::RequestData(
   vtkDataSet* input = vtkDataSet::GetData(inputVector[0]);
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   this->MeanLevel = 0.0;
-  if (!input || input->GetNumberOfCells() == 0)
+  this->IsMeanKnown = true;
+  this->Surface->Initialize();
+  if (!input || input->GetNumberOfCells() == 0 || input->GetNumberOfPoints() == 0)
   {
     return 1;
   }
@@ -289,15 +230,7 @@ int vtkWaterSurfaceFilter::RequestData(
     return 1; // once: a failure would be told by the pipeline, too
   }
   vtkNew<vtkPolyData> mesh;
-  mesh->ShallowCopy(input);
-  if (!vtkPolyData::SafeDownCast(input))
-  {
-    vtkNew<vtkDataSetSurfaceFilter> outside;
-    outside->SetInputData(input);
-    outside->Update();
-    mesh->ShallowCopy(outside->GetOutput());
-  }
-  RemoveLines(mesh);
+  vtkWaterPolygonsOf(input, mesh);
   vtkWaterColumns::Given given;
   const std::string wrong =
     FindAll(mesh, this->LevelArrayName, this->DepthArrayName, this->BedArrayName, given);
@@ -307,17 +240,15 @@ int vtkWaterSurfaceFilter::RequestData(
     return 1;
   }
   given.DryDepth = this->DryDepth;
-  mesh->BuildCells();
   vtkWaterColumns columns;
   columns.Make(mesh, given);
-  vtkNew<vtkPolyData> raised;
-  Raise(mesh, columns, this->VerticalScale, raised);
-  CutAtShore(raised, output);
+  vtkWaterWetPart(mesh, columns, this->VerticalScale).Make(kLevel, kDepth, output);
   if (!given.Depth && !given.Bed)
   {
     output->GetPointData()->RemoveArray(kDepth); // nobody knows it
   }
-  this->MeanLevel = MeanHeight(output);
+  this->Surface->ShallowCopy(output);
+  this->IsMeanKnown = false;
   return 1;
 }
 
@@ -330,6 +261,6 @@ void vtkWaterSurfaceFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "BedArrayName: " << this->BedArrayName << "\n";
   os << indent << "DryDepth: " << this->DryDepth << "\n";
   os << indent << "VerticalScale: " << this->VerticalScale << "\n";
-  os << indent << "MeanLevel: " << this->MeanLevel << "\n";
+  os << indent << "MeanLevel: " << this->GetMeanLevel() << "\n";
 }
 VTK_ABI_NAMESPACE_END

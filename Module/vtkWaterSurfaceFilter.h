@@ -30,6 +30,7 @@
 #ifndef vtkWaterSurfaceFilter_h
 #define vtkWaterSurfaceFilter_h
 
+#include "vtkNew.h"
 #include "vtkPolyDataAlgorithm.h"
 #include "vtkRenderingWaterModule.h" // for the export macro
 
@@ -38,6 +39,8 @@
 #ifdef VTK_ABI_NAMESPACE_BEGIN
 VTK_ABI_NAMESPACE_BEGIN
 #endif
+
+class vtkPolyData;
 
 class VTKRENDERINGWATER_EXPORT vtkWaterSurfaceFilter : public vtkPolyDataAlgorithm
 {
@@ -98,7 +101,7 @@ public:
    * Mean height of the output's points, weighted by area, including VerticalScale. Use it as the
    * water's level. 0 before the first update, and for a surface that is dry everywhere.
    */
-  double GetMeanLevel() const { return this->MeanLevel; }
+  double GetMeanLevel();
 
 protected:
   vtkWaterSurfaceFilter();
@@ -120,6 +123,8 @@ private:
   double DryDepth = 0.001;
   double VerticalScale = 1.0;
   double MeanLevel = 0.0;
+  bool IsMeanKnown = true;
+  vtkNew<vtkPolyData> Surface; // whose mean it is, until it is known
 };
 
 #ifdef VTK_ABI_NAMESPACE_END

@@ -52,5 +52,58 @@ TEST(depths_cross_zero_at_the_shore)
   assert_true(water_shore_depth(false, 3.0, -(double)INFINITY) < 0.0);
 }
 
+static void assert_corner(water_shore_corner corner, size_t from, size_t to, double share)
+{
+  assert_true(corner.from == from && corner.to == to);
+  ASSERT_CLOSE(corner.share, share, 1e-15);
+}
+
+// A polygon is cut where its depth is 0 along its edges, which start at their wet end.
+TEST(polygons_are_cut_at_the_shore)
+{
+  water_shore_corner corners[8];
+  const double one_wet[3] = { 1.0, -1.0, -3.0 };
+  assert_true(water_shore_cut(one_wet, 3, corners) == 3);
+  assert_corner(corners[0], 0, 0, 0.0);
+  assert_corner(corners[1], 0, 1, 0.5);
+  assert_corner(corners[2], 0, 2, 0.25);
+  const double one_dry[4] = { -1.0, 1.0, 2.0, 3.0 };
+  assert_true(water_shore_cut(one_dry, 4, corners) == 5);
+  assert_corner(corners[0], 1, 0, 0.5);
+  assert_corner(corners[1], 1, 1, 0.0);
+  assert_corner(corners[4], 3, 0, 0.75);
+  const double all_wet[3] = { 1.0, 2.0, 3.0 };
+  assert_true(water_shore_cut(all_wet, 3, corners) == 3);
+  const double all_dry[3] = { -1.0, 0.0, -3.0 };
+  assert_true(water_shore_cut(all_dry, 3, corners) == 0);
+}
+
+// A corner on the shore stands once, and no polygon is without an area.
+TEST(a_corner_on_the_shore_stands_once)
+{
+  water_shore_corner corners[8];
+  const double between[4] = { 1.0, 0.0, 1.0, 1.0 };
+  assert_true(water_shore_cut(between, 4, corners) == 4);
+  assert_corner(corners[1], 1, 1, 0.0);
+  const double first[4] = { 0.0, 1.0, 1.0, 1.0 };
+  assert_true(water_shore_cut(first, 4, corners) == 4);
+  assert_corner(corners[0], 0, 0, 0.0);
+  const double touched[3] = { 1.0, 0.0, 0.0 };
+  assert_true(water_shore_cut(touched, 3, corners) == 3);
+  const double beside[4] = { 1.0, 0.0, -1.0, 0.0 };
+  assert_true(water_shore_cut(beside, 4, corners) == 3);
+}
+
+TEST(water_that_meets_land_twice_is_split)
+{
+  const double saddle[4] = { 1.0, -1.0, 1.0, -1.0 };
+  const double slope[4] = { 1.0, 1.0, -1.0, -1.0 };
+  assert_true(water_shore_is_split(saddle, 4));
+  assert_false(water_shore_is_split(slope, 4));
+  assert_false(water_shore_is_split(saddle, 3));
+  assert_false(water_shore_is_split(saddle, 1));
+}
+
 TESTS(two_heights_make_the_third, a_level_alone_is_wet, what_is_shallow_or_no_number_is_dry,
-  depths_cross_zero_at_the_shore)
+  depths_cross_zero_at_the_shore, polygons_are_cut_at_the_shore, a_corner_on_the_shore_stands_once,
+  water_that_meets_land_twice_is_split)

@@ -6,7 +6,7 @@ import pytest
 import water_test as wt
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData, vtkUnstructuredGrid
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkPolyData, vtkUnstructuredGrid
 from vtkmodules.vtkFiltersCore import vtkAppendFilter, vtkAppendPolyData, vtkDelaunay2D
 from vtkmodules.vtkFiltersSources import vtkCubeSource, vtkLineSource
 from vtkwater import vtkWaterSurfaceFilter
@@ -323,3 +323,86 @@ def test_bad_values_are_refused(setter, value, words):
 def test_an_empty_mesh_is_silent():
     made, surface, said = surface_of(vtkPolyData(), DepthArrayName="h")
     wt.check_equal("errors, cells, level", (said, surface.GetNumberOfCells(), made.GetMeanLevel()), ([], 0, 0.0))
+
+
+def polygons_of(places, cells):
+    """A mesh of polygons with any number of corners."""
+    points = vtkPoints()
+    points.SetDataTypeToDouble()
+    points.SetData(numpy_to_vtk(np.c_[places, np.zeros(len(places))], deep=True))
+    polygons = vtkCellArray()
+    for cell in cells:
+        polygons.InsertNextCell(len(cell), cell)
+    mesh = vtkPolyData()
+    mesh.SetPoints(points)
+    mesh.SetPolys(polygons)
+    return mesh
+
+
+def test_wet_meshes_share_their_cells_and_arrays():
+    """Nothing is copied of what does not change from step to step; each step has its own points."""
+    mesh = flooded(9.0)
+    made, surface, _ = surface_of(mesh, DepthArrayName="h", BedArrayName="zb")
+    wt.check_equal("the same cells", surface.GetPolys() is mesh.GetPolys(), True)
+    wt.check_equal("the same array", surface.GetPointData().GetArray("zb") is mesh.GetPointData().GetArray("zb"), True)
+    first = surface.GetPoints()
+    add_array(mesh, "h", 8.0 - bed_at(places_of(mesh, False)))
+    mesh.Modified()
+    made.Update()
+    wt.check_equal("the same points", made.GetOutput().GetPoints() is first, False)
+    wt.check_at_most("height off by", float(np.abs(points_of(made.GetOutput())[:, 2] - 8.0).max()), 1e-12)
+    wt.check_at_most("mean off by", abs(made.GetMeanLevel() - 8.0), 1e-9)
+
+
+def test_a_shore_hangs_together():
+    """Cells on both sides of an edge share their point on the shore, and no point is without a cell."""
+    _, surface, _ = surface_of(flooded(0.4), DepthArrayName="h", BedArrayName="zb")
+    places = points_of(surface)
+    corners = vtk_to_numpy(surface.GetPolys().GetConnectivityArray())
+    wt.check_equal("different points", len(np.unique(np.round(places, 9), axis=0)), len(places))
+    wt.check_equal("points of cells", len(np.unique(corners)), len(places))
+    wt.check_at_least("points on the shore",
+                      int((vtk_to_numpy(surface.GetPointData().GetArray("WaterDepth")) == 0.0).sum()), 20)
+
+
+def test_data_of_cells_come_along():
+    """A cell, whole or cut, has the data of the one that it is of."""
+    mesh = flooded(0.4)
+    cells = vtk_to_numpy(mesh.GetPolys().GetConnectivityArray()).reshape(-1, 3)
+    add_array(mesh, "number", np.arange(len(cells)), True)
+    _, surface, _ = surface_of(mesh, DepthArrayName="h", BedArrayName="zb")
+    numbers = vtk_to_numpy(surface.GetCellData().GetArray("number")).astype(int)
+    wt.check_equal("one of each cell", (len(numbers), len(np.unique(numbers))), (surface.GetNumberOfCells(),) * 2)
+    places, off = points_of(surface), 0.0
+    for i, number in enumerate(numbers):
+        corners = surface.GetCell(i).GetPointIds()
+        a, b, c = places_of(mesh, False)[cells[number], :2]
+        inside = np.linalg.solve(np.array([b - a, c - a]).T,
+                                 (places[[corners.GetId(j) for j in range(corners.GetNumberOfIds())], :2] - a).T)
+        off = max(off, float(-inside.min()), float(inside.sum(axis=0).max() - 1.0))
+    wt.check_at_most("corners beyond their cell by", off, 1e-9)
+
+
+@pytest.mark.parametrize("places, depths, area", (
+    # a square that is wet at two opposite corners: two triangles by the diagonal between them
+    (((0, 0), (2, 0), (2, 2), (0, 2)), (1, -1, 1, -1), 4 - 2 * 0.5),
+    (((0, 0), (2, 0), (2, 2), (0, 2)), (-1, 1, 1, -1), 2.0),
+    # a concave polygon, an L: wet right of x = 1
+    (((0, 0), (2, 0), (2, 2), (1.5, 2), (1.5, 0.5), (0, 0.5)), (-1, 1, 1, 0.5, 0.5, -1), 0.5 + 0.75),
+    # one with its shore at two of its corners
+    (((0, 0), (2, 0), (2, 2), (0, 2)), (0, 1, 0, -1), 2.0),
+), ids=("saddle", "half", "concave", "corners"))
+def test_polygons_of_any_shape_are_cut(places, depths, area):
+    mesh = polygons_of(np.array(places, float), [range(len(places))])
+    add_array(mesh, "zb", -np.array(depths, float))
+    add_array(mesh, "zeta", np.zeros(len(places)))
+    _, surface, said = surface_of(mesh, LevelArrayName="zeta", BedArrayName="zb", DryDepth=0.0)
+    wt.check_equal("errors", said, [])
+    wt.check_at_most("area off by", abs(area_of(surface) - area), 1e-9)
+
+
+def test_cells_without_points_are_no_surface():
+    mesh = polygons_of(np.zeros((0, 2)), [])
+    mesh.GetPolys().InsertNextCell(3, [0, 1, 2])
+    _, surface, _ = surface_of(mesh, DepthArrayName="h")
+    wt.check_equal("cells", surface.GetNumberOfCells(), 0)

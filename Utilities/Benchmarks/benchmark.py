@@ -14,7 +14,7 @@ How it is put together:
     instruments        what the reflection pass says about its last frame
     results            CSV, JSON, and the report, which is that of Utilities/Accuracy
     plots              the pictures
-    plan, props, matrix, scaling, sea, ratios, effects, draws, bound, first_frame, gpu
+    plan, props, matrix, scaling, sea, data, ratios, effects, draws, bound, first_frame, gpu
                        the sections. Each has run(results) and its own prose; a new one is a module
                        with the same, added to SECTIONS
 
@@ -31,7 +31,8 @@ PROJECT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.append(str(PROJECT / "Utilities" / "Accuracy"))  # tracer, reference, formulas, report
 sys.path.append(str(PROJECT / "Testing" / "Python"))  # scenes of the tests, ray_caster
 
-SECTIONS = ("plan", "props", "ratios", "effects", "draws", "bound", "matrix", "scaling", "sea", "first_frame", "gpu")
+SECTIONS = ("plan", "props", "ratios", "effects", "draws", "bound", "matrix", "scaling", "sea", "data", "first_frame",
+            "gpu")
 
 
 def main():

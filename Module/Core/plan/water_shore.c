@@ -37,3 +37,54 @@ double water_shore_depth(bool is_wet, double level, double bed)
   }
   return is_wet ? depth : -fabs(depth);
 }
+
+// Adds a corner, unless it is the one before it.
+static size_t add_corner(
+  size_t from, size_t to, double share, water_shore_corner* corners, size_t count)
+{
+  const water_shore_corner made = { from, to, share };
+  if (count > 0 && from == to && corners[count - 1].from == from && corners[count - 1].to == to)
+  {
+    return count;
+  }
+  corners[count] = made;
+  return count + 1;
+}
+
+size_t water_shore_cut(const double* depths, size_t count, water_shore_corner* corners)
+{
+  size_t made = 0;
+  for (size_t i = 0; i < count; ++i)
+  {
+    const size_t next = (i + 1) % count;
+    const bool is_wet = depths[i] > 0.0;
+    if (is_wet)
+    {
+      made = add_corner(i, i, 0.0, corners, made);
+    }
+    if (is_wet == (depths[next] > 0.0))
+    {
+      continue;
+    }
+    const size_t wet = is_wet ? i : next;
+    const size_t dry = is_wet ? next : i;
+    const double share = depths[wet] / (depths[wet] - depths[dry]);
+    // the shore at a corner is that corner, whatever edge leads there
+    made = share < 1.0 ? add_corner(wet, dry, share, corners, made)
+                       : add_corner(dry, dry, 0.0, corners, made);
+  }
+  const bool is_closed = made > 1 && corners[0].from == corners[0].to &&
+    corners[made - 1].from == corners[0].from && corners[made - 1].to == corners[0].to;
+  made -= is_closed ? 1 : 0;
+  return made < 3 ? 0 : made;
+}
+
+bool water_shore_is_split(const double* depths, size_t count)
+{
+  size_t changes = 0;
+  for (size_t i = 0; i < count; ++i)
+  {
+    changes += (depths[i] > 0.0) != (depths[(i + 1) % count] > 0.0) ? 1 : 0;
+  }
+  return changes > 2;
+}

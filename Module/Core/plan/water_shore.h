@@ -9,6 +9,7 @@
 #define water_shore_h
 
 #include <stdbool.h>
+#include <stddef.h>
 
 #ifdef __cplusplus
 extern "C"
@@ -39,6 +40,27 @@ water_column water_shore_column(double level, double bed, double depth, double d
 //         a dyke may keep it dry
 // level   of a dry place: that of the wet ones beside it; NaN: there are none
 double water_shore_depth(bool is_wet, double level, double bed);
+
+// A corner of what is wet of a polygon: a corner of the polygon (from == to, share 0), or the shore
+// on one of its edges.
+typedef struct water_shore_corner
+{
+  size_t from; // the polygon's corner; of an edge the wet one, so that both of its polygons agree
+  size_t to;
+  double share; // of the way from there, in (0, 1)
+} water_shore_corner;
+
+// The part of a convex polygon that is under water, in the polygon's order. The depth is linear
+// along the edges; a corner of depth 0 is on the shore.
+//
+// depths   count of them, finite
+// corners  room for 2 count
+//
+// Returns the number of corners: 0, or 3 and more.
+size_t water_shore_cut(const double* depths, size_t count, water_shore_corner* corners);
+
+// Does water meet land more than once along a polygon's border? Then triangles are to be cut.
+bool water_shore_is_split(const double* depths, size_t count);
 
 #ifdef __cplusplus
 }

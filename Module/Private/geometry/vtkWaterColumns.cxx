@@ -4,8 +4,11 @@
 #include "vtkDataArray.h"
 #include "vtkMath.h"
 #include "vtkPolyData.h"
+#include "vtkSMPTools.h"
+#include "vtkWaterPolygons.h"
 
 #include <algorithm>
+#include <unordered_map>
 
 namespace
 {
@@ -37,16 +40,16 @@ std::vector<Mean> MeansOf(vtkPolyData* mesh)
   return std::vector<Mean>(static_cast<size_t>(mesh->GetNumberOfPoints()));
 }
 
+// Calls function(point) for every point, in several threads.
 template <typename Function>
-void ForEachCell(vtkPolyData* mesh, Function function)
+void ForEachPoint(vtkPolyData* mesh, Function function)
 {
-  for (vtkIdType cell = 0; cell < mesh->GetNumberOfCells(); ++cell)
-  {
-    const vtkIdType* points = nullptr;
-    vtkIdType count = 0;
-    mesh->GetCellPoints(cell, count, points);
-    function(cell, points, count);
-  }
+  vtkSMPTools::For(0, mesh->GetNumberOfPoints(), [&](vtkIdType begin, vtkIdType end) {
+    for (vtkIdType point = begin; point < end; ++point)
+    {
+      function(point);
+    }
+  });
 }
 }
 
@@ -64,55 +67,49 @@ void vtkWaterColumns::Make(vtkPolyData* mesh, const Given& given)
   given.AreOfCells ? this->ReadCells(mesh, given) : this->ReadPoints(mesh, given);
   this->Spread(mesh);
   this->FindDykes(mesh);
-  for (size_t i = 0; i < count; ++i)
-  {
+  ForEachPoint(mesh, [this](vtkIdType point) {
+    const auto i = static_cast<size_t>(point);
     this->Depths[i] = water_shore_depth(this->IsWet[i] != 0, this->Levels[i], this->Beds[i]);
-  }
-  for (size_t i = 0; i < count; ++i)
-  {
     const bool isKnown = vtkMath::IsFinite(this->Levels[i]);
     const bool hasBed = vtkMath::IsFinite(this->Beds[i]);
     this->Levels[i] = isKnown ? this->Levels[i] : (hasBed ? this->Beds[i] : 0.0);
-  }
+  });
 }
 
 //------------------------------------------------------------------------------
 void vtkWaterColumns::ReadBeds(vtkPolyData* mesh, const Given& given)
 {
-  std::vector<Mean> means = MeansOf(mesh);
   if (given.Bed && given.IsBedOfCells)
   {
-    ForEachCell(mesh, [&](vtkIdType cell, const vtkIdType* points, vtkIdType count) {
-      std::for_each(points, points + count,
-        [&](vtkIdType point) { means[static_cast<size_t>(point)].Add(ValueOf(given.Bed, cell)); });
-    });
+    std::vector<Mean> means = MeansOf(mesh);
+    vtkWaterForEachCell(
+      mesh->GetPolys(), [&](vtkIdType cell, const vtkIdType* points, vtkIdType count) {
+        std::for_each(points, points + count, [&](vtkIdType point) {
+          means[static_cast<size_t>(point)].Add(ValueOf(given.Bed, cell));
+        });
+      });
+    std::transform(
+      means.begin(), means.end(), this->Beds.begin(), [](const Mean& mean) { return mean.Get(); });
+    return;
   }
-  for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
-  {
+  vtkDataArray* places = mesh->GetPoints()->GetData(); // thread-safe, unlike its GetPoint
+  ForEachPoint(mesh, [&](vtkIdType i) {
     double& bed = this->Beds[static_cast<size_t>(i)];
-    if (given.Bed)
-    {
-      bed = given.IsBedOfCells ? means[static_cast<size_t>(i)].Get() : ValueOf(given.Bed, i);
-    }
-    else if (!given.Level)
-    {
-      bed = mesh->GetPoint(i)[2];
-    }
-  }
+    bed = given.Bed ? ValueOf(given.Bed, i) : given.Level ? bed : places->GetComponent(i, 2);
+  });
 }
 
 //------------------------------------------------------------------------------
 void vtkWaterColumns::ReadPoints(vtkPolyData* mesh, const Given& given)
 {
-  for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
-  {
+  ForEachPoint(mesh, [&](vtkIdType i) {
     const auto at = static_cast<size_t>(i);
     const water_column column = water_shore_column(
       ValueOf(given.Level, i), this->Beds[at], ValueOf(given.Depth, i), given.DryDepth);
     this->IsWet[at] = column.is_wet;
     this->Beds[at] = column.bed;
     this->Levels[at] = column.is_wet ? column.level : vtkMath::Nan();
-  }
+  });
 }
 
 //------------------------------------------------------------------------------
@@ -121,24 +118,25 @@ void vtkWaterColumns::ReadCells(vtkPolyData* mesh, const Given& given)
   std::vector<Mean> levels = MeansOf(mesh);
   std::vector<Mean> beds = MeansOf(mesh);
   this->IsCellWet.assign(static_cast<size_t>(mesh->GetNumberOfCells()), 0);
-  ForEachCell(mesh, [&](vtkIdType cell, const vtkIdType* points, vtkIdType count) {
-    Mean own;
-    std::for_each(points, points + count,
-      [&](vtkIdType point) { own.Add(this->Beds[static_cast<size_t>(point)]); });
-    const double bed = given.IsBedOfCells ? ValueOf(given.Bed, cell) : own.Get();
-    const water_column column = water_shore_column(
-      ValueOf(given.Level, cell), bed, ValueOf(given.Depth, cell), given.DryDepth);
-    this->IsCellWet[static_cast<size_t>(cell)] = column.is_wet;
-    for (vtkIdType i = 0; i < count; ++i)
-    {
-      beds[static_cast<size_t>(points[i])].Add(column.bed);
-      if (column.is_wet)
+  vtkWaterForEachCell(
+    mesh->GetPolys(), [&](vtkIdType cell, const vtkIdType* points, vtkIdType count) {
+      Mean own;
+      std::for_each(points, points + count,
+        [&](vtkIdType point) { own.Add(this->Beds[static_cast<size_t>(point)]); });
+      const double bed = given.IsBedOfCells ? ValueOf(given.Bed, cell) : own.Get();
+      const water_column column = water_shore_column(
+        ValueOf(given.Level, cell), bed, ValueOf(given.Depth, cell), given.DryDepth);
+      this->IsCellWet[static_cast<size_t>(cell)] = column.is_wet;
+      for (vtkIdType i = 0; i < count; ++i)
       {
-        this->IsWet[static_cast<size_t>(points[i])] = 1;
-        levels[static_cast<size_t>(points[i])].Add(column.level);
+        beds[static_cast<size_t>(points[i])].Add(column.bed);
+        if (column.is_wet)
+        {
+          this->IsWet[static_cast<size_t>(points[i])] = 1;
+          levels[static_cast<size_t>(points[i])].Add(column.level);
+        }
       }
-    }
-  });
+    });
   for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
   {
     const auto at = static_cast<size_t>(i);
@@ -150,18 +148,30 @@ void vtkWaterColumns::ReadCells(vtkPolyData* mesh, const Given& given)
 //------------------------------------------------------------------------------
 void vtkWaterColumns::Spread(vtkPolyData* mesh)
 {
-  std::vector<Mean> means = MeansOf(mesh);
-  ForEachCell(mesh, [&](vtkIdType, const vtkIdType* points, vtkIdType count) {
+  const auto isUnknown = [this](vtkIdType point) {
+    return !vtkMath::IsFinite(this->Levels[static_cast<size_t>(point)]);
+  };
+  std::unordered_map<vtkIdType, Mean> means; // of the points beside the water: few
+  vtkWaterForEachCell(mesh->GetPolys(), [&](vtkIdType, const vtkIdType* points, vtkIdType count) {
+    const auto unknown = std::count_if(points, points + count, isUnknown);
+    if (unknown == 0 || unknown == count)
+    {
+      return;
+    }
     Mean own;
     std::for_each(points, points + count,
       [&](vtkIdType point) { own.Add(this->Levels[static_cast<size_t>(point)]); });
-    std::for_each(points, points + count,
-      [&](vtkIdType point) { means[static_cast<size_t>(point)].Add(own.Get()); });
+    for (vtkIdType i = 0; i < count; ++i)
+    {
+      if (isUnknown(points[i]))
+      {
+        means[points[i]].Add(own.Get());
+      }
+    }
   });
-  for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+  for (const auto& [point, mean] : means)
   {
-    double& level = this->Levels[static_cast<size_t>(i)];
-    level = vtkMath::IsFinite(level) ? level : means[static_cast<size_t>(i)].Get();
+    this->Levels[static_cast<size_t>(point)] = mean.Get();
   }
 }
 
@@ -172,24 +182,25 @@ void vtkWaterColumns::FindDykes(vtkPolyData* mesh)
   {
     return;
   }
-  ForEachCell(mesh, [&](vtkIdType cell, const vtkIdType* points, vtkIdType count) {
-    Mean levels;
-    Mean beds;
-    for (vtkIdType i = 0; i < count; ++i)
-    {
-      levels.Add(this->Levels[static_cast<size_t>(points[i])]);
-      beds.Add(this->Beds[static_cast<size_t>(points[i])]);
-    }
-    if (!this->IsCellWet[static_cast<size_t>(cell)] && !(beds.Get() >= levels.Get()))
-    {
-      this->Dykes.push_back(cell);
-      return;
-    }
-    for (vtkIdType i = 0; i < count; ++i)
-    {
-      const auto at = static_cast<size_t>(points[i]);
-      this->IsWet[at] =
-        vtkMath::IsFinite(this->Levels[at]); // up to where its bed reaches the level
-    }
-  });
+  vtkWaterForEachCell(
+    mesh->GetPolys(), [&](vtkIdType cell, const vtkIdType* points, vtkIdType count) {
+      Mean levels;
+      Mean beds;
+      for (vtkIdType i = 0; i < count; ++i)
+      {
+        levels.Add(this->Levels[static_cast<size_t>(points[i])]);
+        beds.Add(this->Beds[static_cast<size_t>(points[i])]);
+      }
+      if (!this->IsCellWet[static_cast<size_t>(cell)] && !(beds.Get() >= levels.Get()))
+      {
+        this->Dykes.push_back(cell);
+        return;
+      }
+      for (vtkIdType i = 0; i < count; ++i)
+      {
+        const auto at = static_cast<size_t>(points[i]);
+        this->IsWet[at] =
+          vtkMath::IsFinite(this->Levels[at]); // up to where its bed reaches the level
+      }
+    });
 }

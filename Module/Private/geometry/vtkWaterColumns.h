@@ -26,7 +26,7 @@ public:
     double DryDepth = 0.0;
   };
 
-  // mesh  its cells have been built (vtkPolyData::BuildCells)
+  // mesh  of polygons alone
   void Make(vtkPolyData* mesh, const Given& given);
 
   // At each point; a point far from all water has its own bed as the level.

@@ -10,6 +10,7 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkWaterPolygons.h"
 #include "water_regions.h"
 
 #include <algorithm>
@@ -30,16 +31,13 @@ void vtkWaterParts::Join(vtkPolyData* mesh)
 {
   this->Parents.resize(Index(mesh->GetNumberOfPoints()));
   water_regions_begin(this->Parents.data(), this->Parents.size());
-  vtkCellArray* cells = mesh->GetPolys();
-  vtkNew<vtkIdList> points;
-  for (vtkIdType cell = 0; cell < cells->GetNumberOfCells(); ++cell)
-  {
-    cells->GetCellAtId(cell, points);
-    for (vtkIdType i = 1; i < points->GetNumberOfIds(); ++i)
-    {
-      water_regions_join(this->Parents.data(), points->GetId(0), points->GetId(i));
-    }
-  }
+  vtkWaterForEachCell(
+    mesh->GetPolys(), [this](vtkIdType, const vtkIdType* points, vtkIdType count) {
+      for (vtkIdType i = 1; i < count; ++i)
+      {
+        water_regions_join(this->Parents.data(), points[0], points[i]);
+      }
+    });
 }
 
 //------------------------------------------------------------------------------
@@ -49,23 +47,18 @@ void vtkWaterParts::Fit(vtkPolyData* mesh, const double up[3])
   this->PartOfPoint.assign(this->Parents.size(), kNone);
   this->PartOfCell.assign(Index(cells->GetNumberOfCells()), kNone);
   this->Fits.clear();
-  vtkNew<vtkIdList> points;
   std::vector<double> corners;
-  for (vtkIdType cell = 0; cell < cells->GetNumberOfCells(); ++cell)
-  {
-    cells->GetCellAtId(cell, points);
-    const vtkIdType count = points->GetNumberOfIds();
+  vtkWaterForEachCell(cells, [&](vtkIdType cell, const vtkIdType* points, vtkIdType count) {
     if (count < 3)
     {
-      continue;
+      return;
     }
     corners.resize(3 * Index(count));
     for (vtkIdType i = 0; i < count; ++i)
     {
-      mesh->GetPoint(points->GetId(i), &corners[3 * Index(i)]);
+      mesh->GetPoint(points[i], &corners[3 * Index(i)]);
     }
-    int64_t& part =
-      this->PartOfPoint[Index(water_regions_find(this->Parents.data(), points->GetId(0)))];
+    int64_t& part = this->PartOfPoint[Index(water_regions_find(this->Parents.data(), points[0]))];
     if (part == kNone)
     {
       part = static_cast<int64_t>(this->Fits.size());
@@ -76,7 +69,7 @@ void vtkWaterParts::Fit(vtkPolyData* mesh, const double up[3])
     {
       this->PartOfCell[Index(cell)] = part;
     }
-  }
+  });
 }
 
 //------------------------------------------------------------------------------

@@ -1,0 +1,325 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkWaterWetPart.h"
+
+#include "vtkCellData.h"
+#include "vtkDoubleArray.h"
+#include "vtkIdList.h"
+#include "vtkIdTypeArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkPolygon.h"
+#include "vtkSMPTools.h"
+#include "vtkWaterColumns.h"
+#include "vtkWaterPolygons.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace
+{
+size_t Index(vtkIdType number)
+{
+  return static_cast<size_t>(number);
+}
+
+vtkIdType CountOf(const std::vector<vtkIdType>& all)
+{
+  return static_cast<vtkIdType>(all.size());
+}
+
+// The triangles of a polygon, three points each; of a quad those that VTK draws it as.
+void TriangulateInto(
+  const vtkIdType* corners, vtkIdType count, vtkPoints* points, vtkIdList* triangles)
+{
+  if (count == 4)
+  {
+    triangles->SetNumberOfIds(6);
+    const vtkIdType quad[6] = { corners[0], corners[1], corners[2], corners[0], corners[2],
+      corners[3] };
+    std::copy_n(quad, 6, triangles->begin());
+    return;
+  }
+  vtkNew<vtkPolygon> polygon; // perhaps concave
+  vtkNew<vtkPoints> places;
+  polygon->Initialize(static_cast<int>(count), corners, points);
+  polygon->Triangulate(0, triangles, places);
+}
+}
+
+//------------------------------------------------------------------------------
+vtkWaterWetPart::vtkWaterWetPart(vtkPolyData* mesh, const vtkWaterColumns& columns, double scale)
+  : Mesh(mesh)
+  , Columns(columns)
+  , Scale(scale)
+{
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterWetPart::Make(const char* levelName, const char* depthName, vtkPolyData* output)
+{
+  this->Sort();
+  vtkNew<vtkDoubleArray> levels;
+  vtkNew<vtkDoubleArray> depths;
+  levels->SetName(levelName);
+  depths->SetName(depthName);
+  if (this->IsAll)
+  {
+    output->ShallowCopy(this->Mesh);
+  }
+  else
+  {
+    this->Number();
+    this->CutCells();
+    this->AddPolygons(output);
+    this->AddArrays(output);
+  }
+  this->AddPoints(levels, depths, output);
+  output->GetPointData()->AddArray(levels);
+  output->GetPointData()->AddArray(depths);
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterWetPart::Sort()
+{
+  const std::vector<double>& depths = this->Columns.GetDepths();
+  const vtkIdType points = this->Mesh->GetNumberOfPoints();
+  this->Cells.assign(Index(this->Mesh->GetNumberOfPolys()), Cell::Wet);
+  for (vtkIdType dyke : this->Columns.GetDykes())
+  {
+    this->Cells[Index(dyke)] = Cell::Dry;
+  }
+  this->Places.assign(Index(points), -1);
+  vtkWaterForEachCell(
+    this->Mesh->GetPolys(), [&](vtkIdType cell, const vtkIdType* corners, vtkIdType count) {
+      Cell& kind = this->Cells[Index(cell)];
+      const auto wet = std::count_if(corners, corners + count,
+        [&depths](vtkIdType point) { return depths[Index(point)] > 0.0; });
+      if (kind == Cell::Dry || wet == 0 || count < 3)
+      {
+        kind = Cell::Dry;
+        return;
+      }
+      kind = wet == count ? Cell::Wet : Cell::Cut;
+      if (kind == Cell::Wet)
+      {
+        ++this->WetCells;
+        this->WetCorners += count;
+        std::for_each(
+          corners, corners + count, [this](vtkIdType point) { this->Places[Index(point)] = 0; });
+      }
+    });
+  this->IsAll = this->WetCells == static_cast<vtkIdType>(this->Cells.size()) &&
+    std::find(this->Places.begin(), this->Places.end(), -1) == this->Places.end();
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterWetPart::Number()
+{
+  for (size_t point = 0; point < this->Places.size(); ++point)
+  {
+    if (this->Places[point] == 0)
+    {
+      this->Places[point] = CountOf(this->Kept);
+      this->Kept.push_back(static_cast<vtkIdType>(point));
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterWetPart::CutCells()
+{
+  const std::vector<double>& depths = this->Columns.GetDepths();
+  std::vector<double> own;
+  vtkNew<vtkIdList> triangles;
+  vtkWaterForEachCell(
+    this->Mesh->GetPolys(), [&](vtkIdType cell, const vtkIdType* corners, vtkIdType count) {
+      if (this->Cells[Index(cell)] != Cell::Cut)
+      {
+        return;
+      }
+      own.clear();
+      std::transform(corners, corners + count, std::back_inserter(own),
+        [&depths](vtkIdType point) { return depths[Index(point)]; });
+      if (count <= 4 && !water_shore_is_split(own.data(), own.size()))
+      {
+        this->CutPolygon(cell, corners, Index(count));
+        return;
+      }
+      TriangulateInto(corners, count, this->Mesh->GetPoints(), triangles);
+      for (vtkIdType i = 0; i + 2 < triangles->GetNumberOfIds(); i += 3)
+      {
+        this->CutPolygon(cell, triangles->GetPointer(i), 3);
+      }
+    });
+  this->CutStarts.push_back(CountOf(this->CutCorners));
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterWetPart::CutPolygon(vtkIdType cell, const vtkIdType* points, size_t count)
+{
+  double depths[4];
+  water_shore_corner corners[8];
+  std::transform(points, points + count, depths,
+    [this](vtkIdType point) { return this->Columns.GetDepths()[Index(point)]; });
+  const size_t made = water_shore_cut(depths, count, corners);
+  if (made == 0)
+  {
+    return;
+  }
+  this->CutStarts.push_back(CountOf(this->CutCorners));
+  this->CutFrom.push_back(cell);
+  for (size_t i = 0; i < made; ++i)
+  {
+    this->CutCorners.push_back(this->PlaceOf(points, corners[i]));
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkWaterWetPart::PlaceOf(vtkIdType point)
+{
+  vtkIdType& place = this->Places[Index(point)];
+  if (place < 0)
+  {
+    place = CountOf(this->Kept);
+    this->Kept.push_back(point);
+  }
+  return place;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkWaterWetPart::PlaceOf(const vtkIdType* points, const water_shore_corner& corner)
+{
+  const vtkIdType from = points[corner.from];
+  const vtkIdType to = points[corner.to];
+  if (from == to)
+  {
+    return this->PlaceOf(from);
+  }
+  std::vector<vtkIdType>& edges = this->EdgesOf[from];
+  for (vtkIdType edge : edges)
+  {
+    if (this->Edges[Index(edge)].To == to)
+    {
+      return -1 - edge;
+    }
+  }
+  edges.push_back(static_cast<vtkIdType>(this->Edges.size()));
+  this->Edges.push_back({ from, to, corner.share });
+  return -1 - edges.back();
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterWetPart::AddPoints(
+  vtkDoubleArray* levels, vtkDoubleArray* depths, vtkPolyData* output) const
+{
+  const vtkIdType kept = this->IsAll ? this->Mesh->GetNumberOfPoints() : CountOf(this->Kept);
+  const vtkIdType count = kept + static_cast<vtkIdType>(this->Edges.size());
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->SetNumberOfPoints(count);
+  levels->SetNumberOfValues(count);
+  depths->SetNumberOfValues(count);
+  double* place = static_cast<double*>(points->GetVoidPointer(0));
+  double* level = levels->GetPointer(0);
+  double* depth = depths->GetPointer(0);
+  vtkDataArray* places = this->Mesh->GetPoints()->GetData(); // thread-safe, unlike its GetPoint
+  vtkSMPTools::For(0, kept, [&](vtkIdType begin, vtkIdType end) {
+    for (vtkIdType i = begin; i < end; ++i)
+    {
+      const vtkIdType point = this->IsAll ? i : this->Kept[Index(i)];
+      level[i] = this->Columns.GetLevels()[Index(point)];
+      depth[i] = std::max(this->Columns.GetDepths()[Index(point)], 0.0);
+      places->GetTuple(point, place + 3 * i);
+      place[3 * i + 2] = this->Scale * level[i];
+    }
+  });
+  for (size_t i = 0; i < this->Edges.size(); ++i)
+  {
+    const Edge& edge = this->Edges[i];
+    const vtkIdType at = kept + static_cast<vtkIdType>(i);
+    double from[3];
+    double to[3];
+    places->GetTuple(edge.From, from);
+    places->GetTuple(edge.To, to);
+    from[2] = this->Columns.GetLevels()[Index(edge.From)];
+    to[2] = this->Columns.GetLevels()[Index(edge.To)];
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      place[3 * at + axis] = from[axis] + edge.Share * (to[axis] - from[axis]);
+    }
+    level[at] = place[3 * at + 2];
+    depth[at] = 0.0;
+    place[3 * at + 2] *= this->Scale;
+  }
+  output->SetPoints(points);
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterWetPart::AddPolygons(vtkPolyData* output) const
+{
+  const vtkIdType cut = CountOf(this->CutFrom);
+  vtkNew<vtkIdTypeArray> starts;
+  vtkNew<vtkIdTypeArray> corners;
+  starts->SetNumberOfValues(this->WetCells + cut + 1);
+  corners->SetNumberOfValues(this->WetCorners + CountOf(this->CutCorners));
+  vtkIdType* start = starts->GetPointer(0);
+  vtkIdType* corner = corners->GetPointer(0);
+  vtkWaterForEachCell(
+    this->Mesh->GetPolys(), [&](vtkIdType cell, const vtkIdType* points, vtkIdType count) {
+      if (this->Cells[Index(cell)] == Cell::Wet)
+      {
+        *start++ = corner - corners->GetPointer(0);
+        corner = std::transform(points, points + count, corner,
+          [this](vtkIdType point) { return this->Places[Index(point)]; });
+      }
+    });
+  std::transform(this->CutStarts.begin(), this->CutStarts.end(), start,
+    [this](vtkIdType from) { return this->WetCorners + from; });
+  const vtkIdType kept = CountOf(this->Kept);
+  std::transform(this->CutCorners.begin(), this->CutCorners.end(), corner,
+    [kept](vtkIdType place) { return place < 0 ? kept - 1 - place : place; });
+  vtkNew<vtkCellArray> polygons;
+  polygons->SetData(starts, corners);
+  output->SetPolys(polygons);
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterWetPart::AddArrays(vtkPolyData* output) const
+{
+  const vtkIdType kept = CountOf(this->Kept);
+  vtkPointData* from = this->Mesh->GetPointData();
+  vtkPointData* to = output->GetPointData();
+  vtkNew<vtkIdList> ids;
+  vtkNew<vtkIdList> places;
+  const auto list = [&ids, &places](const std::vector<vtkIdType>& all) {
+    ids->SetNumberOfIds(CountOf(all));
+    places->SetNumberOfIds(CountOf(all));
+    std::copy(all.begin(), all.end(), ids->begin());
+    std::iota(places->begin(), places->end(), 0);
+  };
+  list(this->Kept);
+  to->InterpolateAllocate(from, kept + static_cast<vtkIdType>(this->Edges.size()));
+  to->CopyData(from, ids, places);
+  for (size_t i = 0; i < this->Edges.size(); ++i)
+  {
+    const Edge& edge = this->Edges[i];
+    to->InterpolateEdge(from, kept + static_cast<vtkIdType>(i), edge.From, edge.To, edge.Share);
+  }
+  if (this->Mesh->GetCellData()->GetNumberOfArrays() == 0)
+  {
+    return;
+  }
+  std::vector<vtkIdType> cells;
+  for (size_t cell = 0; cell < this->Cells.size(); ++cell)
+  {
+    if (this->Cells[cell] == Cell::Wet)
+    {
+      cells.push_back(static_cast<vtkIdType>(cell));
+    }
+  }
+  cells.insert(cells.end(), this->CutFrom.begin(), this->CutFrom.end());
+  list(cells);
+  output->GetCellData()->CopyAllocate(this->Mesh->GetCellData(), CountOf(cells));
+  output->GetCellData()->CopyData(this->Mesh->GetCellData(), ids, places);
+}

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkWaterWetPart: the part of a mesh that is under water, cut at the shore (water_shore.h).
+//
+// Only polygons that the shore crosses are cut. Of a mesh that is wet everywhere the polygons and
+// all arrays are shared, not copied: VTK then keeps what it has on the GPU of them.
+#ifndef vtkWaterWetPart_h
+#define vtkWaterWetPart_h
+
+#include "vtkType.h"
+#include "water_shore.h"
+
+#include <unordered_map>
+#include <vector>
+
+class vtkDoubleArray;
+class vtkIdList;
+class vtkPolyData;
+class vtkWaterColumns;
+
+class vtkWaterWetPart
+{
+public:
+  // mesh     of polygons alone
+  // columns  of its points
+  // scale    of heights: the z of a point is scale * level
+  vtkWaterWetPart(vtkPolyData* mesh, const vtkWaterColumns& columns, double scale);
+
+  // Points at the level, the mesh's arrays, and two arrays with the level and the depth of points.
+  void Make(const char* levelName, const char* depthName, vtkPolyData* output);
+
+private:
+  enum class Cell : char
+  {
+    Dry,
+    Wet,
+    Cut
+  };
+
+  struct Edge // from a wet point to a dry one
+  {
+    vtkIdType From;
+    vtkIdType To;
+    double Share;
+  };
+
+  void Sort();
+  void Number();
+  void CutCells();
+  void CutPolygon(vtkIdType cell, const vtkIdType* points, size_t count);
+  vtkIdType PlaceOf(const vtkIdType* points, const water_shore_corner& corner);
+  vtkIdType PlaceOf(vtkIdType point);
+  void AddPoints(vtkDoubleArray* levels, vtkDoubleArray* depths, vtkPolyData* output) const;
+  void AddPolygons(vtkPolyData* output) const;
+  void AddArrays(vtkPolyData* output) const;
+
+  vtkPolyData* Mesh;
+  const vtkWaterColumns& Columns;
+  double Scale;
+  bool IsAll = true; // everything is wet, and each point is one of a polygon
+  std::vector<Cell> Cells;
+  vtkIdType WetCells = 0;
+  vtkIdType WetCorners = 0;
+  std::vector<vtkIdType> Places; // of the mesh's points in the part; -1: not in it
+  std::vector<vtkIdType> Kept;   // points of the mesh, by their place
+  std::vector<Edge> Edges; // points on the shore, in order of their place after all those kept
+  std::unordered_map<vtkIdType, std::vector<vtkIdType>> EdgesOf; // a wet point's: indices of Edges
+  std::vector<vtkIdType> CutStarts;  // of the cut polygons, in CutCorners
+  std::vector<vtkIdType> CutCorners; // places; of an edge: -1 - its index
+  std::vector<vtkIdType> CutFrom;    // cells of the mesh
+};
+
+#endif

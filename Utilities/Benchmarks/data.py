@@ -1,0 +1,102 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""data: what a step of a solver's data costs as water, over VTK's plain surface of the same data; memory, first picture."""
+
+import json
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+import data_steps
+import numpy as np
+from data_steps import CLEAR, COLOURED, KINDS, PLAIN
+from report import table
+from timing import Frame, measure
+
+CELLS, QUICK_CELLS = 1_000_000, 40_000
+FILE_CELLS, QUICK_FILE_CELLS = 10_000_000, 90_000
+ROUNDS, QUICK_ROUNDS = 12, 3
+BUDGET_S, QUICK_BUDGET_S = 180.0, 5.0
+STEPS, QUICK_STEPS = 100, 12
+PICTURES, QUICK_PICTURES = 3, 1  # of each kind, in turns
+MOST_STEP = 1.6  # a step of coloured water, over VTK's plain surface
+MOST_FIRST = 1.5  # the same for the first picture of a file
+MOST_MEMORY = 16.0  # MB up or down, over the later half of the steps
+
+TEXT = """
+A tide in a basin of $cells cells, $width x $height pixels, with its bed. Every step has new arrays of level and depth, and the shore
+moves. "plain" is VTK's surface of the same data: the points at the level, coloured by depth. "coloured" is
+`add_water(mesh, level=..., depth=..., bed=..., color_by=...)`, "clear" the same without colours. A step is the frame
+with all that its new data ask for: filters, uploads, the mirrored view. Work is the processor time of all threads,
+which other load on the machine does not change; limits apply to it.
+
+$steps
+
+The first picture of a file of $file_cells cells without compression, each in a new process, from the file's name on:
+
+$first
+
+Memory of a process that shows $count steps: over the later half it changes by $memory MB.
+"""
+
+
+def _measure_steps(results):
+    cells = results.rounds(CELLS, QUICK_CELLS)
+    frames = []
+    for kind in KINDS:
+        view = data_steps.View(kind, data_steps.Tide(cells))
+        frames.append(Frame(kind, view.window, lambda turn, view=view: view.choose(turn + 1)))
+    measure(frames, results.rounds(ROUNDS, QUICK_ROUNDS), QUICK_BUDGET_S if results.is_quick else BUDGET_S, 1)
+    plain = frames[0]
+    for frame in frames:
+        results.row("data", "step", frame.name, **frame.row, ratio=frame.work / plain.work)
+    if not results.is_quick:  # small meshes: the pixels are what costs
+        results.check_at_most("data: work of a step, coloured / plain", frames[1].work / plain.work, MOST_STEP)
+    return table(("surface", "step, ms", "work, ms", "work / plain"),
+                 [(frame.name, str(frame), f"{frame.work:.0f}", f"{frame.work / plain.work:.2f}")
+                  for frame in frames])
+
+
+def _process(*arguments):
+    """What data_steps prints in a process of its own."""
+    command = [sys.executable, str(pathlib.Path(data_steps.__file__)), *map(str, arguments)]
+    made = subprocess.run(command, check=True, stdout=subprocess.PIPE, text=True)
+    return json.loads(made.stdout.splitlines()[-1])
+
+
+def _measure_first(results):
+    found = {kind: [] for kind in (PLAIN, COLOURED, CLEAR)}
+    with tempfile.TemporaryDirectory() as folder:
+        path = pathlib.Path(folder) / "tide.vtp"
+        data_steps.write_file(path, results.rounds(FILE_CELLS, QUICK_FILE_CELLS))
+        for _ in range(results.rounds(PICTURES, QUICK_PICTURES)):
+            for kind, times in found.items():
+                times.append(_process(kind, path))
+    medians = {kind: np.median(times, axis=0) for kind, times in found.items()}
+    for kind, (took, work) in medians.items():
+        results.row("data", "first picture", kind, median_ms=1000 * took, work_ms=1000 * work,
+                    ratio=work / medians[PLAIN][1])
+    if not results.is_quick:
+        results.check_at_most("data: work of the first picture, coloured / plain",
+                              medians[COLOURED][1] / medians[PLAIN][1], MOST_FIRST)
+    return table(("surface", "first picture, s", "work, s", "work / plain"),
+                 [(kind, f"{took:.2f}", f"{work:.2f}", f"{work / medians[PLAIN][1]:.2f}")
+                  for kind, (took, work) in medians.items()])
+
+
+def _measure_memory(results):
+    steps = results.rounds(STEPS, QUICK_STEPS)
+    held = _process(COLOURED, "--cells", results.rounds(CELLS, QUICK_CELLS), "--steps", steps)
+    later = np.array(held[steps // 2:]) / 2**20
+    change = float(later.max() - later.min()) / 2
+    results.row("data", "memory", COLOURED, change_mb=change, held_mb=float(later[-1]))
+    results.check_at_most("data: memory over the later half of the steps, MB up or down", change, MOST_MEMORY)
+    return change
+
+
+def run(results):
+    cells = results.rounds(CELLS, QUICK_CELLS)
+    results.add("A solver's data, step by step", TEXT, cells=f"{cells:,}", width=data_steps.SIZE[0],
+                height=data_steps.SIZE[1], steps=_measure_steps(results), first=_measure_first(results),
+                file_cells=f"{results.rounds(FILE_CELLS, QUICK_FILE_CELLS):,}",
+                count=results.rounds(STEPS, QUICK_STEPS), memory=f"{_measure_memory(results):.1f}")

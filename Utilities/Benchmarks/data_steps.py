@@ -1,0 +1,124 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""data_steps: a tide in a basin as solvers write it, drawn as VTK's plain surface or as water, step by step.
+
+    data_steps.py KIND --cells 1000000 --steps 100   memory of each step, in bytes, as JSON
+    data_steps.py KIND FILE.vtp                             seconds to the first picture of a file
+
+benchmark's section `data` runs it, for processes of their own. KIND is one of KINDS.
+"""
+
+import argparse
+import json
+import pathlib
+import resource
+import time
+
+import numpy as np
+import pyvista as pv
+import vtkwater.pyvista  # noqa: F401  gives the plotter add_water
+
+SIZE = (800, 600)
+HALF_WIDTH = 500.0  # m
+PLAIN, COLOURED, CLEAR = "plain", "coloured", "clear"
+KINDS = (PLAIN, COLOURED, CLEAR)
+RANGE = (0.0, 8.0)  # m, of the depths shown
+
+
+class Tide:
+    """Level and depth at any step, on a mesh of quads; the shore moves in each step."""
+
+    def __init__(self, cells):
+        self.side = round(cells**0.5) + 1
+        places = np.linspace(-HALF_WIDTH, HALF_WIDTH, self.side)
+        self.x, self.y = (each.ravel() for each in np.meshgrid(places, places))
+        self.bed = (-8.0 + 10.0 * (np.hypot(self.x, self.y) / HALF_WIDTH) ** 2
+                    + 1.5 * np.sin(self.x / 60.0) * np.cos(self.y / 45.0))
+
+    def mesh(self, heights):
+        i = np.arange(self.side**2).reshape(self.side, self.side)
+        corners = np.stack([i[:-1, :-1], i[:-1, 1:], i[1:, 1:], i[1:, :-1]], axis=-1).reshape(-1, 4)
+        faces = np.column_stack([np.full(len(corners), 4), corners]).ravel()
+        return pv.PolyData(np.column_stack([self.x, self.y, heights]), faces)
+
+    def step(self, number):
+        """Level, which is the bed's height on land, and depth."""
+        sea = 0.3 * np.sin(0.3 * number) + 0.05 * np.sin(self.x / 30.0 - 0.5 * number)
+        level = np.maximum(sea, self.bed)
+        return level, level - self.bed
+
+
+class View:
+    """A window with the bed and the surface of one kind."""
+
+    def __init__(self, kind, tide, mesh=None):
+        self.kind, self.tide = kind, tide
+        self.mesh = tide.mesh(tide.bed) if mesh is None else mesh
+        self.plotter = pv.Plotter(off_screen=True, window_size=SIZE)
+        if mesh is None:
+            self.mesh["zb"] = tide.bed
+            self.choose(0)
+            self.plotter.add_mesh(tide.mesh(tide.bed), color="tan")
+        if kind == PLAIN:
+            self.plotter.add_mesh(self.mesh, scalars="h", clim=RANGE)
+        else:
+            colours = {"color_by": "h", "clim": RANGE} if kind == COLOURED else {}
+            self.plotter.add_water(self.mesh, level="zeta", depth="h", bed="zb", **colours)
+        self.plotter.camera_position = [(0, -900, 300), (0, 0, 0), (0, 0, 1)]
+        self.plotter.show(auto_close=False)
+        self.window = self.plotter.render_window
+
+    def choose(self, number):
+        """New arrays, as a solver's next step has them; a plain surface has them as its points, too."""
+        level, depth = self.tide.step(number)
+        self.mesh["h"] = depth
+        if self.kind == PLAIN:
+            self.mesh.points = np.column_stack([self.tide.x, self.tide.y, level])
+        else:
+            self.mesh["zeta"] = level
+
+    def render(self):
+        self.window.Render()
+        self.window.WaitForCompletion()
+
+
+def write_file(path, cells):
+    """One step of the tide, its points at the level, without compression."""
+    tide = Tide(cells)
+    level, depth = tide.step(0)
+    mesh = tide.mesh(level)
+    mesh["h"], mesh["zeta"], mesh["zb"] = depth, level, tide.bed
+    mesh.save(path)
+
+
+def memory_of(kind, cells, steps):
+    """Bytes that the process holds after each step, the numbers of which are new ones all the time."""
+    view = View(kind, Tide(cells))
+    for number in range(1, steps + 1):
+        view.choose(number)
+        view.render()
+        yield int(pathlib.Path("/proc/self/statm").read_text().split()[1]) * resource.getpagesize()
+
+
+def first_picture(kind, path):
+    """(seconds, seconds of the processor) from the file's name to the picture"""
+    begin, work = time.perf_counter(), time.process_time()
+    View(kind, None, pv.read(path)).render()
+    return time.perf_counter() - begin, time.process_time() - work
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("kind", choices=KINDS)
+    parser.add_argument("file", nargs="?", type=pathlib.Path)
+    parser.add_argument("--cells", type=int, default=1_000_000)
+    parser.add_argument("--steps", type=int, default=100)
+    arguments = parser.parse_args()
+    if arguments.file:
+        View(arguments.kind, Tide(100)).render()  # libraries, and the shaders of both
+        print(json.dumps(first_picture(arguments.kind, arguments.file)))
+    else:
+        print(json.dumps(list(memory_of(arguments.kind, arguments.cells, arguments.steps))))
+
+
+if __name__ == "__main__":
+    main()
