@@ -102,7 +102,8 @@ def make_data_water(arguments, words, make_scene):
     names = {"level": level if isinstance(level, str) else None, "depth": arguments.depth, "bed": arguments.bed,
              "contour": arguments.contour, "color_by": arguments.color_by}
     solution = solutions.Solution(arguments.file, dict.fromkeys(filter(None, names.values())),
-                                  bool(arguments.contour), arguments.lonlat)
+                                  bool(arguments.contour), arguments.lonlat,
+                                  read_ahead=arguments.command == "animate")
     scene = make_scene(arguments)
     words["units"] = words["units"] or "m"
     hides = arguments.color_by and not words["foam"] and not words["caustics"]

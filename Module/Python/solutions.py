@@ -24,6 +24,7 @@ from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
 from vtkmodules.vtkFiltersCore import vtkAppendFilter, vtkAppendPolyData
 from vtkmodules.vtkFiltersHybrid import vtkTemporalInterpolator
 
+from .ahead import Ahead
 from .readers import HIGHEST, METRES_PER_DEGREE, FileError, check_cells, heard, kind_of, polygons_of, reader_of
 from .ugrid import NoMesh, UgridMesh
 
@@ -49,6 +50,10 @@ class Solution:
         Whether x and y are longitude and latitude in degrees. They are converted to metres from the south-western
         corner, on a plane that touches the Earth in the middle of the mesh. By default if the file's dimensions have
         these names.
+    read_ahead : bool, default: False
+        Read the next step in another process while you show this one; for series of many steps. What is read does not
+        change, nor do errors, which are raised when their step is asked for. The process takes the memory of some
+        steps, and ends with the solution.
 
     Attributes
     ----------
@@ -62,7 +67,7 @@ class Solution:
     FileError
     """
 
-    def __init__(self, file, arrays=(), is_volume=False, is_lonlat=None):
+    def __init__(self, file, arrays=(), is_volume=False, is_lonlat=None, read_ahead=False):
         self.path = Path(file)
         self.note = ""
         self._arrays = tuple(arrays)
@@ -72,17 +77,26 @@ class Solution:
         self.times = tuple(self._source.times) or (0.0,)
         self._steps = {}
         self._middle = None
+        self._ahead = None
+        self._last = 0  # the step that was made last
         kind = self.step(0).GetClassName()
         self._pipeline = StepsSource(self, kind)
         self._between = vtkTemporalInterpolator()
         self._between.SetInputConnection(self._pipeline.GetOutputPort())
+        if read_ahead and len(self.times) > KEPT_STEPS:
+            self._ahead = Ahead(self.path, self._arrays, is_volume, is_lonlat)
 
     def step(self, i):
         """The mesh of a step, from 0 on: vtkPolyData, or vtkUnstructuredGrid of a volume. It is not to be changed."""
         if i not in self._steps:
             while len(self._steps) >= KEPT_STEPS:
                 del self._steps[next(iter(self._steps))]
-            self._steps[i] = self._made(i)
+            self._steps[i] = (self._ahead.take(i) if self._ahead else None) or self._made(i)
+            if self._ahead:
+                following = i + 1 if i >= self._last else i - 1
+                if 0 <= following < len(self.times) and following not in self._steps:
+                    self._ahead.ask(following)
+            self._last = i
         return self._steps[i]
 
     def at(self, time):

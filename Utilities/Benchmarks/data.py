@@ -19,6 +19,8 @@ ROUNDS, QUICK_ROUNDS = 12, 3
 BUDGET_S, QUICK_BUDGET_S = 180.0, 5.0
 STEPS, QUICK_STEPS = 100, 12
 PICTURES, QUICK_PICTURES = 3, 1  # of each kind, in turns
+SERIES, QUICK_SERIES = 12, 5  # steps
+PLAYS, QUICK_PLAYS = 3, 1  # of each, in turns
 MOST_STEP = 1.6  # a step of coloured water, over VTK's plain surface
 MOST_FIRST = 1.5  # the same for the first picture of a file
 MOST_MEMORY = 16.0  # MB up or down, over the later half of the steps
@@ -35,6 +37,8 @@ $steps
 The first picture of a file of $file_cells cells without compression, each in a new process, from the file's name on:
 
 $first
+
+A series of compressed files of a quarter of the cells, a step read and drawn: $ahead
 
 Memory of a process that shows $count steps: over the later half it changes by $memory MB.
 """
@@ -94,9 +98,25 @@ def _measure_memory(results):
     return change
 
 
+def _measure_ahead(results):
+    cells, found = results.rounds(CELLS, QUICK_CELLS) // 4, {False: [], True: []}
+    with tempfile.TemporaryDirectory() as folder:
+        path = data_steps.write_series(pathlib.Path(folder), cells, results.rounds(SERIES, QUICK_SERIES))
+        for _ in range(results.rounds(PLAYS, QUICK_PLAYS)):
+            for read_ahead, times in found.items():
+                times.append(data_steps.play(path, cells, read_ahead))
+    plain, ahead = (float(np.median(times)) for times in found.values())
+    results.row("data", "series", "read when asked for", median_ms=1000 * plain)
+    results.row("data", "series", "read ahead", median_ms=1000 * ahead, ratio=ahead / plain)
+    print(f"data: a step of a series: {plain:.3f} s, read ahead {ahead:.3f} s, {ahead / plain:.2f}", flush=True)
+    return (f"{1000 * plain:.0f} ms when it is read as it is asked for, {1000 * ahead:.0f} ms when another process "
+            f"reads it ahead ({ahead / plain:.2f}).")
+
+
 def run(results):
     cells = results.rounds(CELLS, QUICK_CELLS)
     results.add("A solver's data, step by step", TEXT, cells=f"{cells:,}", width=data_steps.SIZE[0],
                 height=data_steps.SIZE[1], steps=_measure_steps(results), first=_measure_first(results),
                 file_cells=f"{results.rounds(FILE_CELLS, QUICK_FILE_CELLS):,}",
-                count=results.rounds(STEPS, QUICK_STEPS), memory=f"{_measure_memory(results):.1f}")
+                ahead=_measure_ahead(results), count=results.rounds(STEPS, QUICK_STEPS),
+                memory=f"{_measure_memory(results):.1f}")

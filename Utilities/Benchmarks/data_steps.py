@@ -16,6 +16,8 @@ import time
 import numpy as np
 import pyvista as pv
 import vtkwater.pyvista  # noqa: F401  gives the plotter add_water
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkwater.solutions import Solution
 
 SIZE = (800, 600)
 HALF_WIDTH = 500.0  # m
@@ -97,6 +99,37 @@ def memory_of(kind, cells, steps):
         view.choose(number)
         view.render()
         yield int(pathlib.Path("/proc/self/statm").read_text().split()[1]) * resource.getpagesize()
+
+
+def write_series(folder, cells, steps):
+    """Steps of the tide as VTK writes them by default, which is compressed, and a collection of them."""
+    tide = Tide(cells)
+    entries = []
+    for number in range(steps):
+        mesh = tide.mesh(tide.bed)
+        mesh["zeta"], mesh["h"] = tide.step(number)
+        mesh["zb"] = tide.bed
+        mesh.save(folder / f"{number}.vtp")
+        entries.append(f'<DataSet timestep="{number}" file="{number}.vtp"/>')
+    path = folder / "tide.pvd"
+    path.write_text(f'<VTKFile type="Collection"><Collection>{"".join(entries)}</Collection></VTKFile>')
+    return path
+
+
+def play(path, cells, read_ahead):
+    """Seconds that a step of a series takes, read and drawn; a median."""
+    view = View(COLOURED, Tide(cells))
+    solution = Solution(path, ["zeta", "h"], read_ahead=read_ahead)
+    times = []
+    for number in range(1, len(solution.times)):
+        begin = time.perf_counter()
+        arrays = solution.step(number).GetPointData()
+        for name in ("zeta", "h"):
+            view.mesh[name] = vtk_to_numpy(arrays.GetArray(name))
+        view.render()
+        times.append(time.perf_counter() - begin)
+    view.plotter.close()
+    return float(np.median(times[1:]))  # the first one is not read ahead, nor is the process started
 
 
 def first_picture(kind, path):
