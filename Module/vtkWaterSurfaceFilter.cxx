@@ -15,11 +15,14 @@
 #include "vtkWaterCompat.h"
 #include "vtkWaterPolygons.h"
 #include "vtkWaterWetPart.h"
+#include "water_heights.h"
 #include "water_placement.h"
 
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <sstream>
+#include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
 vtkStandardNewMacro(vtkWaterSurfaceFilter);
@@ -28,6 +31,7 @@ namespace
 {
 constexpr const char* kLevel = "WaterLevel";
 constexpr const char* kDepth = "WaterDepth";
+constexpr vtkIdType kSample = 4096; // places whose heights are compared
 
 // Names of all arrays, for an error.
 std::string NamesOf(vtkDataSet* data)
@@ -118,6 +122,28 @@ int DimensionOf(vtkDataSet* data)
   return most;
 }
 
+// Some values of an array, of places all over the mesh; empty: there is no array.
+std::vector<double> SampleOf(vtkDataArray* array)
+{
+  std::vector<double> values;
+  const vtkIdType count = array ? array->GetNumberOfTuples() : 0;
+  const vtkIdType step = std::max<vtkIdType>(count / kSample, 1);
+  for (vtkIdType i = 0; i < count; i += step)
+  {
+    values.push_back(array->GetComponent(i, 0));
+  }
+  return values;
+}
+
+std::string RangeOf(const std::string& name, vtkDataArray* array)
+{
+  double range[2];
+  array->GetFiniteRange(range);
+  std::ostringstream text;
+  text << "'" << name << "' is " << range[0] << " to " << range[1];
+  return text.str();
+}
+
 double MeanHeightOf(vtkPolyData* surface)
 {
   const water_plane ground = { { 0.0, 0.0, 1.0 }, 0.0 };
@@ -150,6 +176,7 @@ void vtkWaterSurfaceFilter::SetName(std::string& member, const std::string& name
   if (member != name)
   {
     member = name;
+    this->AreUnitsTold = false;
     this->Modified();
   }
 }
@@ -198,6 +225,39 @@ double vtkWaterSurfaceFilter::GetMeanLevel()
 }
 
 //------------------------------------------------------------------------------
+void vtkWaterSurfaceFilter::CheckUnits(vtkDataArray* level, vtkDataArray* depth, vtkDataArray* bed)
+{
+  const vtkIdType count = level && bed ? level->GetNumberOfTuples() : 0;
+  if (this->AreUnitsTold || count == 0 || bed->GetNumberOfTuples() != count)
+  {
+    return; // without two of the same places nothing is known
+  }
+  const std::vector<double> levels = SampleOf(level);
+  const std::vector<double> depths = SampleOf(depth);
+  const std::vector<double> beds = SampleOf(bed);
+  const water_heights_verdict verdict = water_heights_judge(
+    levels.data(), depths.empty() ? nullptr : depths.data(), beds.data(), levels.size());
+  if (verdict.wrong == WATER_HEIGHT_NONE)
+  {
+    return;
+  }
+  this->AreUnitsTold = true;
+  const std::string& name = verdict.wrong == WATER_HEIGHT_LEVEL ? this->LevelArrayName
+    : verdict.wrong == WATER_HEIGHT_DEPTH                       ? this->DepthArrayName
+                                                                : this->BedArrayName;
+  std::ostringstream factor;
+  if (verdict.factor > 0.0)
+  {
+    factor << " (its values are " << verdict.factor << " times as large as the others imply)";
+  }
+  vtkWarningMacro("the array '" << name << "' seems to have another unit than the other heights"
+                                << factor.str() << ": " << RangeOf(this->LevelArrayName, level)
+                                << ", " << RangeOf(this->BedArrayName, bed)
+                                << (depth ? ", " + RangeOf(this->DepthArrayName, depth) : "")
+                                << ". Level, depth and bed must have one unit; convert them.");
+}
+
+//------------------------------------------------------------------------------
 int vtkWaterSurfaceFilter::FillInputPortInformation(int, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
@@ -240,6 +300,7 @@ int vtkWaterSurfaceFilter::RequestData(
     return 1;
   }
   given.DryDepth = this->DryDepth;
+  this->CheckUnits(given.Level, given.Depth, given.Bed);
   vtkWaterColumns columns;
   columns.Make(mesh, given);
   vtkWaterWetPart(mesh, columns, this->VerticalScale).Make(kLevel, kDepth, output);

@@ -25,6 +25,12 @@
  * block is a separate mesh; GetMeanLevel then returns the level of the last one. Heights are along
  * z; for other directions, transform the mesh first.
  *
+ * Level, depth and bed must have one unit. A warning tells, once, the array that seems to have
+ * another one, with all ranges: if level = bed + depth holds only after a conversion between
+ * millimetres, centimetres, feet and metres; or, with level and bed alone, if levels lie far below
+ * the lowest bed, or far above all of a bed among whose heights they lie after such a conversion.
+ * Other mistakes of units cannot be told from real water.
+ *
  * @sa vtkWaterActor
  */
 #ifndef vtkWaterSurfaceFilter_h
@@ -40,6 +46,7 @@
 VTK_ABI_NAMESPACE_BEGIN
 #endif
 
+class vtkDataArray;
 class vtkPolyData;
 
 class VTKRENDERINGWATER_EXPORT vtkWaterSurfaceFilter : public vtkPolyDataAlgorithm
@@ -116,6 +123,7 @@ private:
   void operator=(const vtkWaterSurfaceFilter&) = delete;
 
   void SetName(std::string& member, const std::string& name);
+  void CheckUnits(vtkDataArray* level, vtkDataArray* depth, vtkDataArray* bed);
 
   std::string LevelArrayName;
   std::string DepthArrayName;
@@ -124,6 +132,7 @@ private:
   double VerticalScale = 1.0;
   double MeanLevel = 0.0;
   bool IsMeanKnown = true;
+  bool AreUnitsTold = false;
   vtkNew<vtkPolyData> Surface; // whose mean it is, until it is known
 };
 

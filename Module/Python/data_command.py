@@ -116,6 +116,8 @@ def make_data_water(arguments, words, make_scene):
     if arguments.color_by and arguments.scalar_bar is not False:
         water.bar(arguments.color_by)
     scene.look(arguments.azimuth, arguments.elevation, arguments.zoom, all_of_it=True)
+    for note in water.notes:
+        print(f"vtkwater: {solution.path}: {note}", file=sys.stderr)
     return water
 
 

@@ -19,7 +19,7 @@ from vtkmodules.vtkRenderingAnnotation import vtkScalarBarActor
 from vtkmodules.vtkRenderingCore import vtkColorTransferFunction, vtkPolyDataMapper
 
 from . import vtkWaterActor, vtkWaterSurfaceFilter
-from .errors import raising
+from .errors import heed, raising
 from .readers import ELEVATION, Surface
 from .solutions import array_of
 from .words import set_look
@@ -86,6 +86,8 @@ class DataWater:
         self._mapper = vtkPolyDataMapper()
         self._mapper.ScalarVisibilityOff()
         self.filter = contour_of(*contour) if contour else vtkWaterSurfaceFilter()
+        self.notes = []  # what a user may not expect
+        heed(self.filter, self.notes.append)
         self._is_contour = bool(contour)
         self._contoured = contour[0] if contour else None
         if not contour:

@@ -6,7 +6,7 @@ The classes themselves report a bad value by an ErrorEvent, like VTK's own, and 
 import contextlib
 import re
 
-__all__ = ["ending", "raising", "text_of"]
+__all__ = ["ending", "heed", "raising", "text_of"]
 
 
 @contextlib.contextmanager
@@ -23,6 +23,19 @@ def text_of(error):
     if not getattr(error, "strerror", None):
         return str(error)
     return f"{error.filename}: {error.strerror}" if error.filename else error.strerror
+
+
+# What VTK writes before a text of its own.
+PREFIX = re.compile(r"^(ERROR|Warning): In .*\n\w+ \(0x[0-9a-f]+\): ")
+
+
+def heed(thing, tell):
+    """Call tell(text) with each warning of a VTK object, in place of VTK's output window."""
+    def pass_on(caller, event, text):
+        tell(PREFIX.sub("", text).strip())
+
+    pass_on.CallDataType = "string0"
+    thing.AddObserver("WarningEvent", pass_on)
 
 
 # The part of an error that says which value stays; the exception leaves it out.
@@ -47,7 +60,7 @@ def raising(*objects, **words):
     texts = []
 
     def remember(caller, event, text):
-        texts.append(re.sub(r"^ERROR: In .*\n\w+ \(0x[0-9a-f]+\): ", "", text).strip())
+        texts.append(PREFIX.sub("", text).strip())
 
     remember.CallDataType = "string0"
     tags = [(thing, thing.AddObserver("ErrorEvent", remember)) for thing in objects]

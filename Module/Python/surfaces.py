@@ -14,7 +14,7 @@ import pyvista as pv
 from vtkmodules.vtkFiltersGeometry import vtkDataSetSurfaceFilter
 
 from . import vtkWaterActor, vtkWaterLakes, vtkWaterSurfaceFilter
-from .errors import raising
+from .errors import heed, raising
 from .words import number, numbers, of_type
 
 __all__ = ["DataSurface", "check_has_water", "check_level", "color_surface", "lakes_of", "level_and_surface",
@@ -43,6 +43,7 @@ class DataSurface:
         self.filter.SetLevelArrayName(level or "")
         self.filter.SetDepthArrayName(depth or "")
         self.filter.SetBedArrayName(bed or "")
+        heed(self.filter, lambda text: warnings.warn(text, stacklevel=2))
         with raising(self.filter, LevelArrayName="level", DepthArrayName="depth"):
             self.filter.Update()
         self.mapper = pv.DataSetMapper()

@@ -522,3 +522,16 @@ def test_a_time_without_water_is_told(folder, capsys):
     status, _, said = run(folder, capsys, "render", write_collection(folder / "ebb.pvd", files), *DATA, "--time", 5,
                           "--size", SIZE, "--out", folder / "ebb.png")
     wt.check_equal("status, said", (status, said.strip()), (0, "vtkwater: nothing is wet at time 5"))
+
+
+def test_another_unit_is_warned_of(folder, capsys):
+    """The picture is made all the same."""
+    mesh = polygons()
+    levels = numpy_to_vtk(100.0 * vtk_to_numpy(mesh.GetPointData().GetArray("zeta")), deep=True)
+    levels.SetName("zeta")
+    mesh.GetPointData().AddArray(levels)
+    write(vtkIOXML.vtkXMLPolyDataWriter(), mesh, folder / "cm.vtp")
+    status, _, said = run(folder, capsys, "render", folder / "cm.vtp", "--level", "zeta", "--depth", "h", "--bed", "zb",
+                          *LOOK, "--out", folder / "cm.png")
+    wt.check_equal("status", status, 0)
+    wt.check_equal(f"warned of in: {said}", said.count("'zeta' seems to have another unit"), 1)

@@ -406,3 +406,69 @@ def test_cells_without_points_are_no_surface():
     mesh.GetPolys().InsertNextCell(3, [0, 1, 2])
     _, surface, _ = surface_of(mesh, DepthArrayName="h")
     wt.check_equal("cells", surface.GetNumberOfCells(), 0)
+
+
+def warnings_of(mesh, **names):
+    """What the filter says of a mesh in three updates."""
+    made = vtkWaterSurfaceFilter()
+    made.SetInputData(mesh)
+    for name, value in names.items():
+        getattr(made, f"Set{name}")(value)
+    texts = []
+
+    def remember(caller, event, text):
+        texts.append(text)
+
+    remember.CallDataType = "string0"
+    made.AddObserver("WarningEvent", remember)
+    for _ in range(3):
+        mesh.Modified()
+        made.Update()
+    return texts
+
+
+def with_unit(name, factor, of_cells=False):
+    """A flooded valley, 320 to 400 m high, with one of its arrays in another unit."""
+    mesh = mesh_of()
+    for part in (mesh,):
+        bed = 360.0 + 20.0 * bed_at(places_of(part, of_cells))
+        depth = np.maximum(365.0 - bed, 0.0)
+        values = {"zb": bed, "h": depth, "zeta": bed + depth}
+        values[name] = values[name] * factor
+        for array, numbers in values.items():
+            add_array(part, array, numbers, of_cells)
+    return mesh
+
+
+LEVEL_DEPTH_BED = {"LevelArrayName": "zeta", "DepthArrayName": "h", "BedArrayName": "zb"}
+LEVEL_BED = {"LevelArrayName": "zeta", "BedArrayName": "zb"}
+
+
+@pytest.mark.parametrize("of_cells", (False, True), ids=("points", "cells"))
+@pytest.mark.parametrize("name, factor, names, words", (
+    ("zeta", 100.0, LEVEL_DEPTH_BED, ("'zeta' seems", "are 100 times", "'zeta' is 3", "'zb' is 3", "'h' is 0 to ")),
+    ("h", 1.0 / 0.3048, LEVEL_DEPTH_BED, ("'h' seems", "3.28084 times")),
+    ("zb", 0.001, LEVEL_DEPTH_BED, ("'zb' seems", "0.001 times")),
+    ("zeta", 100.0, LEVEL_BED, ("'zeta' seems", "are 100 times", "'zb' is 3")),
+), ids=("level", "depth", "bed", "without_depth"))
+def test_another_unit_is_told_once(name, factor, names, words, of_cells):
+    """With the names and the ranges of the arrays."""
+    said = warnings_of(with_unit(name, factor, of_cells), **names)
+    wt.check_equal("warnings", len(said), 1)
+    wt.check_equal(f"words in: {said[0]}", [word for word in words if word not in said[0]], [])
+
+
+@pytest.mark.parametrize("bed, sea, wave", (
+    (lambda x: -5000.0 + x, 0.0, 0.5), (lambda x: 300.0 * x - 1200.0, 0.0, 30.0), (lambda x: 20.0 + x, 0.0, 0.0),
+    (lambda x: x * x, -3.0, 0.0), (lambda x: 0.0 * x, 1.0, 0.1), (lambda x: 1400.0 + x, 1897.0, 0.0),
+), ids=("deep_sea", "tsunami", "dry_land", "dry_basin", "tank", "mountain_lake"))
+@pytest.mark.parametrize("names", (LEVEL_DEPTH_BED, LEVEL_BED, {"LevelArrayName": "zeta", "DepthArrayName": "h"}),
+                         ids=lambda names: "_".join(names))
+def test_real_water_has_one_unit(bed, sea, wave, names):
+    mesh = mesh_of()
+    places = places_of(mesh, False)
+    heights = bed(places[:, 0])
+    level = np.maximum(sea + wave * np.sin(3.0 * places[:, 0] + places[:, 1]), heights)
+    for name, values in (("zb", heights), ("h", level - heights), ("zeta", level)):
+        add_array(mesh, name, values)
+    wt.check_equal("warnings", warnings_of(mesh, **names), [])

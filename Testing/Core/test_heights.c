@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// test_heights.c: a level, depth or bed in another unit is found, and no water that there is.
+#include "test_main.h"
+
+#include "water_heights.h"
+
+enum
+{
+  COUNT = 400
+};
+
+// A coast of 20 places by 20, in metres: land rises to the east; the level is that of the water, or
+// the bed of dry places.
+typedef struct coast
+{
+  double level[COUNT];
+  double depth[COUNT];
+  double bed[COUNT];
+} coast;
+
+static coast coast_of(double lowest, double highest, double sea, double wave)
+{
+  coast made;
+  for (int i = 0; i < COUNT; ++i)
+  {
+    const double x = (i % 20) / 19.0;
+    const double y = (i / 20) / 19.0;
+    made.bed[i] = lowest + (highest - lowest) * (0.9 * x + 0.1 * x * y);
+    const double level = sea + wave * sin(9.0 * x + 5.0 * y);
+    made.level[i] = fmax(level, made.bed[i]);
+    made.depth[i] = made.level[i] - made.bed[i];
+  }
+  return made;
+}
+
+static void scale(double* values, double factor)
+{
+  for (int i = 0; i < COUNT; ++i)
+  {
+    values[i] *= factor;
+  }
+}
+
+static void assert_fine(const coast* data)
+{
+  assert_true(
+    water_heights_judge(data->level, data->depth, data->bed, COUNT).wrong == WATER_HEIGHT_NONE);
+  assert_true(water_heights_judge(data->level, NULL, data->bed, COUNT).wrong == WATER_HEIGHT_NONE);
+}
+
+static void assert_wrong(water_heights_verdict verdict, water_height wrong, double factor)
+{
+  assert_true(verdict.wrong == wrong);
+  ASSERT_CLOSE(verdict.factor, factor, 1e-12);
+}
+
+// Deep seas, flat floors, dry basins, high waves, tanks, mountain lakes and rivers.
+TEST(no_water_that_there_is_has_a_wrong_unit)
+{
+  const double waters[][4] = { { -20.0, 5.0, 0.0, 0.5 }, { -5000.0, -4990.0, 0.0, 1.0 },
+    { -4000.0, 500.0, 0.0, 30.0 }, { -400.0, 50.0, -430.0, 0.0 }, { 0.0, 30.0, -5.0, 0.0 },
+    { 0.0, 0.0, 1.0, 0.1 }, { 0.0, 0.01, 1.0, 0.1 }, { 0.1, 0.11, 1.0, 0.2 },
+    { 350.0, 400.0, 384.0, 0.0 }, { 1397.0, 1400.0, 1897.0, 0.0 }, { 10.0, 10.0, 30.0, 0.0 },
+    { 100.0, 110.0, 300.0, 0.5 }, { -60.0, 800.0, 12.0, 40.0 }, { -1e-3, 1e-3, 0.0, 1e-4 } };
+  for (size_t i = 0; i < sizeof waters / sizeof waters[0]; ++i)
+  {
+    const coast data = coast_of(waters[i][0], waters[i][1], waters[i][2], waters[i][3]);
+    assert_fine(&data);
+  }
+}
+
+// What marks dry places says nothing, nor do places without numbers.
+TEST(marks_of_dry_places_are_no_levels)
+{
+  const double marks[] = { -9999.0, 1e20, (double)NAN, (double)INFINITY, 0.0 };
+  for (size_t i = 0; i < sizeof marks / sizeof marks[0]; ++i)
+  {
+    coast data = coast_of(-20.0, 5.0, 0.0, 0.5);
+    for (int j = 0; j < COUNT; ++j)
+    {
+      data.level[j] = data.depth[j] > 0.0 ? data.level[j] : marks[i];
+    }
+    assert_fine(&data);
+  }
+}
+
+// With all three, the one that is in centimetres, millimetres or feet is found.
+TEST(the_height_in_another_unit_is_found)
+{
+  const double factors[] = { 1000.0, 100.0, 1.0 / 0.3048, 0.3048, 0.01, 0.001 };
+  for (size_t i = 0; i < sizeof factors / sizeof factors[0]; ++i)
+  {
+    for (int which = WATER_HEIGHT_LEVEL; which <= WATER_HEIGHT_BED; ++which)
+    {
+      coast data = coast_of(320.0, 400.0, 384.0, 0.1);
+      scale(which == WATER_HEIGHT_LEVEL ? data.level
+          : which == WATER_HEIGHT_DEPTH ? data.depth
+                                        : data.bed,
+        factors[i]);
+      assert_wrong(water_heights_judge(data.level, data.depth, data.bed, COUNT),
+        (water_height)which, factors[i]);
+    }
+  }
+}
+
+// Solvers write the bed as the level of dry land, and so it is in the level's unit.
+TEST(dry_land_tells_the_unit_of_the_level)
+{
+  coast data = coast_of(-20.0, 15.0, 0.3, 0.1);
+  scale(data.level, 100.0);
+  assert_wrong(water_heights_judge(data.level, NULL, data.bed, COUNT), WATER_HEIGHT_LEVEL, 100.0);
+}
+
+// Levels of a sea in centimetres lie far under a bed in metres, where no water is.
+TEST(levels_under_all_land_are_in_another_unit)
+{
+  coast data = coast_of(-20.0, 5.0, 0.0, 0.0);
+  for (int i = 0; i < COUNT; ++i)
+  {
+    data.level[i] = 150.0 * sin(0.1 * i);
+  }
+  assert_wrong(water_heights_judge(data.level, NULL, data.bed, COUNT), WATER_HEIGHT_LEVEL, 0.0);
+}
+
+// A lake in feet drowns land in metres.
+TEST(a_lake_in_feet_is_found)
+{
+  coast data = coast_of(350.0, 400.0, 384.0, 0.0);
+  for (int i = 0; i < COUNT; ++i)
+  {
+    data.level[i] = 384.0 / 0.3048;
+  }
+  assert_wrong(
+    water_heights_judge(data.level, NULL, data.bed, COUNT), WATER_HEIGHT_LEVEL, 1.0 / 0.3048);
+}
+
+TEST(two_heights_are_needed)
+{
+  const coast data = coast_of(-20.0, 5.0, 0.0, 0.5);
+  assert_true(water_heights_judge(data.level, data.depth, NULL, COUNT).wrong == WATER_HEIGHT_NONE);
+  assert_true(water_heights_judge(NULL, data.depth, data.bed, COUNT).wrong == WATER_HEIGHT_NONE);
+  assert_true(water_heights_judge(data.level, data.depth, data.bed, 0).wrong == WATER_HEIGHT_NONE);
+  assert_true(water_heights_judge(data.level, NULL, data.bed, 0).wrong == WATER_HEIGHT_NONE);
+}
+
+TESTS(no_water_that_there_is_has_a_wrong_unit, marks_of_dry_places_are_no_levels,
+  the_height_in_another_unit_is_found, dry_land_tells_the_unit_of_the_level,
+  levels_under_all_land_are_in_another_unit, a_lake_in_feet_is_found, two_heights_are_needed)
