@@ -228,3 +228,44 @@ def test_waves_come_on_top():
     scene.water.GetWaterProperty().AddWave(1e-7, 0.5, 30.0)
     off = np.abs(scene.view.picture() - calm)[mask].max(axis=1)
     wt.check_at_most("share that waves of no height change by more than 3 of 255", float((off > 3).mean()), 0.02)
+
+
+def step_of(places):
+    """Heights of water that falls by 1 towards +x, over some units."""
+    return 0.5 * np.tanh(-places / 2.0)
+
+
+def step_mesh():
+    mesh = mesh_of(normals=1.0)
+    places = ms.points_of(mesh)
+    places[:, 2] = step_of(places[:, 0])
+    mesh.GetPointData().SetNormals(None)
+    made = ms.with_points(mesh, places, False)
+    slopes = -0.25 / np.cosh(places[:, 0] / 2.0) ** 2
+    normals = np.stack([-slopes, 0.0 * slopes, np.ones_like(slopes)], axis=-1)
+    made.GetPointData().SetNormals(numpy_to_vtk(normals / np.linalg.norm(normals, axis=1)[:, None], deep=1))
+    return made
+
+
+@RENDERERS
+def test_what_is_under_the_surface_is_not_reflected(is_software, monkeypatch):
+    """A slab under high water lies over the lowest point of the mesh, so the mirrored view has it; no ray meets it."""
+    monkeypatch.setenv("VTK_WATER_SOFTWARE", str(is_software))
+    scene = scene_of(ms.mapper_of(step_mesh()))
+    dry, mask = scene.seen()
+    wt.check_at_most("blue without the slab", float(dry[mask][:, 2].max()), 120)
+    slab = wt.box((-3.0, 0.0, 0.1), (0.3, 10.0, 0.1))
+    wt.check_at_least("water over the slab", float(step_of(-2.5) - slab.GetBounds()[5]), 0.1)
+    actor = wt.add_actor(scene.view.renderer, slab, (0.0, 0.0, 1.0), lit=False)
+    wet, mask = scene.seen()
+    wt.check_at_least("pixels", int(mask.sum()), 20000)
+    wt.check_equal("pixels that show the slab", int((wet[mask][:, 2] > 120).sum()), 0)
+    # where it hides from the mirrored eye what they meet, they show the sky
+    changed = mask & (np.abs(wet - dry).max(axis=2) > 8)
+    is_sky = (np.abs(wet - 255 * np.array(ms.SKY)) < 8).all(axis=2)
+    wt.check_at_most("share of pixels that it changes", float(changed[mask].mean()), 0.1)
+    wt.check_at_least("share of these that show the sky", float(is_sky[changed].mean()), 0.8)
+    # over the water it is reflected
+    actor.SetPosition(0.0, 0.0, 1.0)
+    over, mask = scene.seen()
+    wt.check_at_least("pixels that show it over the water", int((over[mask][:, 2] > 120).sum()), 1000)
