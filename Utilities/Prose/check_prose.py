@@ -19,9 +19,9 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 PHRASES = Path(__file__).with_name("phrases.tsv")
-TEXTS = ("*.md", "Documentation/*.md", "Documentation/decisions/*.md", "Utilities/**/*.md.in", "Module/**/README.md",
-         "Examples/**/README.md", "Utilities/**/README.md", "Module/vtkWater*.h", "Module/Core/*/*.h",
-         "Module/Python/*.py", "Module/Python/*.py.in")
+TEXTS = ("*.md", "Documentation/*.md", "Documentation/decisions/*.md", "Documentation/site/*.md",
+         "Utilities/**/*.md.in", "Module/**/README.md", "Examples/**/README.md", "Utilities/**/README.md",
+         "Module/vtkWater*.h", "Module/Core/*/*.h", "Module/Python/*.py", "Module/Python/*.py.in")
 CODE = "Code"  # replaces code in a sentence
 
 

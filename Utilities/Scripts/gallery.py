@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""gallery: renders the examples' pictures for Documentation/gallery.md, or compares them with the kept ones.
+"""gallery: renders the pictures of Documentation/gallery.md and recipes.md, or compares them with the kept ones.
 
-usage: gallery.py [--check FOLDER] [PICTURE...]    default: all of the gallery
+usage: gallery.py [--check FOLDER] [PICTURE...]    default: all of them
 
 --check FOLDER writes what the examples make under FOLDER, compares it with Documentation/images
 (compare_pictures.py), and ends with 1 if a picture is another one. Run it with a Python that has vtkwater (and Pillow,
@@ -16,6 +16,9 @@ import tempfile
 import compare_pictures
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "Utilities/Site"))
+import recipes  # noqa: E402
+
 # picture -> the script, when its name is another, and the arguments; PICTURE is the file to write
 EXAMPLES = {
     "lake": ["Examples/Data/jacksboro.vti", "FOLDER"],
@@ -47,10 +50,15 @@ MADE = {"batch": "step_003.png", "lake": "lake.png"}  # where the picture's name
 LOSSLESS = ("first_water", "pyvista_water")
 QUALITY = 88
 
+PROGRAMS = {name: recipe for recipe in recipes.read(ROOT / "Documentation/recipes.md") for name in recipe.pictures}
+
 
 def render(name, folder):
-    """Run the example; returns the picture that it made under the folder."""
+    """Run the example or recipe; returns the picture that it made under the folder."""
     folder.mkdir(parents=True, exist_ok=True)
+    if name in PROGRAMS:
+        recipes.run(PROGRAMS[name], folder)
+        return folder / f"{name}.png"
     picture = folder / MADE.get(name, f"{name}.png")
     picture.unlink(missing_ok=True)  # of an earlier run
     arguments = [argument.replace("PICTURE", str(picture)).replace("FOLDER", str(folder))
@@ -65,7 +73,7 @@ def kept(name):
 
 
 def keep(name):
-    """Render a picture of the gallery, and keep it in Documentation/images."""
+    """Render a picture, and keep it in Documentation/images."""
     from PIL import Image
 
     with tempfile.TemporaryDirectory() as folder:
@@ -75,10 +83,11 @@ def keep(name):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
-    parser.add_argument("pictures", nargs="*", choices=[[], *EXAMPLES], metavar="PICTURE", help="default: all")
+    parser.add_argument("pictures", nargs="*", choices=[[], *EXAMPLES, *PROGRAMS], metavar="PICTURE",
+                        help="default: all")
     parser.add_argument("--check", metavar="FOLDER", type=pathlib.Path, help="compare with the kept pictures instead")
     arguments = parser.parse_args()
-    names = arguments.pictures or list(EXAMPLES)
+    names = arguments.pictures or [*EXAMPLES, *PROGRAMS]
     if not arguments.check:
         for name in names:
             keep(name)

@@ -1,23 +1,34 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Sphinx's settings for the Python reference; script/docs gives the version in WATER_VERSION."""
+"""Sphinx's settings for the site. script/docs gives WATER_VERSION, and the folder that has Doxygen's pages in cxx/."""
+import importlib.util
 import inspect
 import os
 import pathlib
 import re
 
 import vtkwater
+from docutils import nodes
 
-project = "vtkwater"
+project = "Water for VTK"
 copyright = "the vtkWater contributors"
-release = version = os.environ.get("WATER_VERSION", vtkwater.__version__)
-extensions = ["sphinx.ext.autodoc", "sphinx.ext.extlinks", "numpydoc"]
+release = version = os.environ["WATER_VERSION"]
+extensions = ["sphinx.ext.autodoc", "numpydoc", "myst_parser", "sphinx_design",
+              "sphinx_copybutton"]
+if importlib.util.find_spec("pyvista") is None:  # beside the distribution's VTK
+    autodoc_mock_imports = ["pyvista"]
 numpydoc_show_class_members = False
-html_theme = "alabaster"
+myst_enable_extensions = ["colon_fence", "dollarmath"]
+myst_heading_anchors = 5
+html_theme = "furo"
+html_title = f"Water for VTK {version}"
+html_static_path = ["style.css"]
+html_css_files = ["style.css"]
+html_copy_source = False
+html_extra_path = [os.environ["WATER_DOXYGEN"]]
 highlight_language = "none"  # the texts of VTK's wrapping are no Python
-# PyVista's role for a class of VTK, and where that is documented
-extlinks = {"vtk": ("https://vtk.org/doc/nightly/html/class%s.html", "%s")}
+exclude_patterns = ["_build"]
+VTK_PAGES = "https://vtk.org/doc/nightly/html/class{}.html"
 
-CLASSES = ("vtkWaterActor", "vtkWaterProperty", "vtkWaterReflectionPass", "vtkWaterOffScreen")
 OF_VTK = {"SafeDownCast", "NewInstance", "IsA", "IsTypeOf", "GetNumberOfGenerationsFromBase",
           "GetNumberOfGenerationsFromBaseType"}
 
@@ -44,11 +55,20 @@ def class_page(name):
 
 
 def write_class_pages(app):
-    folder = pathlib.Path(app.srcdir) / "classes"
+    folder = pathlib.Path(app.srcdir) / "api/classes"
     folder.mkdir(exist_ok=True)
-    for name in CLASSES:
-        (folder / f"{name}.rst").write_text(class_page(name))
+    for name in dir(vtkwater):
+        if name.startswith("vtkWater") and inspect.isclass(getattr(vtkwater, name)):
+            (folder / f"{name}.rst").write_text(class_page(name))
+
+
+def vtk_role(name, rawtext, text, lineno, inliner, options=None, content=None):
+    """PyVista's role :vtk: for a class: of this project, or of VTK."""
+    ours = hasattr(vtkwater, text)
+    page = "/".join([".."] * inliner.document.settings.env.docname.count("/") + [f"cxx/class{text}.html"])
+    return [nodes.reference(rawtext, text, refuri=page if ours else VTK_PAGES.format(text))], []
 
 
 def setup(app):
+    app.add_role("vtk", vtk_role)
     app.connect("builder-inited", write_class_pages)
