@@ -23,14 +23,27 @@ static inline double water_turn(double turns)
   return turns - rint(turns);
 }
 
+// What rounding takes from the product a * b: exact for factors under 1e299.
+static inline double water_product_loss(double a, double b)
+{
+#ifdef __MINGW32__ // its fma rounds twice; Dekker 1971, with Veltkamp's halves of 26 bits
+  const double split = 134217729.0; // 2^27 + 1
+  const double a_high = split * a - (split * a - a);
+  const double b_high = split * b - (split * b - b);
+  const double a_low = a - a_high;
+  const double b_low = b - b_high;
+  return ((a_high * b_high - a * b) + a_high * b_low + a_low * b_high) + a_low * b_low;
+#else
+  return fma(a, b, -(a * b));
+#endif
+}
+
 // a * b turns without the whole ones, within 2^-54 turn for any product that is finite: the product
-// and what its rounding took (fma, exact) both lose their whole turns exactly, and only their sum
+// and what its rounding took both lose their whole turns exactly, and only their sum
 // is rounded. Needs a compiler that does not contract (CMakeLists.txt: -ffp-contract=off).
 static inline double water_turns(double a, double b)
 {
-  const double product = a * b;
-  const double lost = fma(a, b, -product);
-  return water_turn(water_turn(product) + lost);
+  return water_turn(water_turn(a * b) + water_product_loss(a, b));
 }
 
 // 2 k h / sinh(2 k h): 1 in shallow, 0 in deep water, with no overflow between.

@@ -69,7 +69,7 @@ static bool find_rays(const water_plan* plan, const int viewport_px[2], eye_rays
   const double middle[3] = { m[2], m[5], m[8] };
   const double up[3] = { m[1], m[4], m[7] };
   const bool is_parallel = plan->clip_w[2] == 0.0;
-  rays->height = is_parallel ? INFINITY : plan->plane_view[3];
+  rays->height = is_parallel ? (double)INFINITY : plan->plane_view[3];
   rays->per_depth = is_parallel ? 0.0 : 1.0 / plan->plane_view[3];
   rays->aside[0] = is_parallel ? -middle[0] / middle[2] : 0.0;
   rays->aside[1] = is_parallel ? -middle[1] / middle[2] : 0.0;
@@ -210,8 +210,8 @@ static bool find_box(const view* seen, double reach, double box[4])
   static const double corners[5][2] = { { -1.0, -1.0 }, { 1.0, -1.0 }, { 1.0, 1.0 }, { -1.0, 1.0 },
     { -1.0, -1.0 } };
   const double* m = seen->plan->ndc_to_plane;
-  box[0] = box[1] = INFINITY;
-  box[2] = box[3] = -INFINITY;
+  box[0] = box[1] = (double)INFINITY;
+  box[2] = box[3] = -(double)INFINITY;
   for (int i = 0; i < 4; ++i)
   {
     double w[2];
