@@ -91,7 +91,7 @@ echo "$version" >"$out/own/python-version"
 # The part of VTK. What our code imports is asked of the code; what that needs, of the libraries.
 source=$("$out/sdk/venv/bin/python" -c "import pathlib, vtkmodules; print(pathlib.Path(vtkmodules.__file__).parent)")
 needed_by() { readelf -d "$1" | sed -nE 's/.*NEEDED.*\[(.*)\]/\1/p'; }
-imported=
+imported=" vtkFiltersPython" # vtkmodules.util.vtkAlgorithm imports it
 for name in $(cd "$project" && grep -rhoE --include='*.py' --include='*.py.in' 'vtkmodules\.vtk[A-Za-z0-9]+' \
   Testing Utilities Module/Python Examples | sed 's/.*\.//' | sort -u); do
   if compgen -G "$source/$name.*so" >/dev/null; then
