@@ -70,6 +70,44 @@ def test_open_water_has_no_bed_that_goes_on(is_software, monkeypatch):
     wt.check_at_most("pixels of rock where there is none", int((bounded & ~wide).sum()), 0)
 
 
+def endless_over(actors, rows):
+    """Clear water without an end. rows: how many of 180 the window has, from the top."""
+    view = wt.View((240, rows), WHITE)
+    for data, color in actors:
+        wt.add_actor(view.renderer, data, color).GetProperty().LightingOff()
+    clear_water(view, (-1, 1, -1, 1)).SetSheetToHorizon()
+    # the picture's upper part: the same pixels, by a camera that looks at another place of its window
+    wt.place_camera(view.renderer, (0.6, -6.0, 0.9), (0, 0, 0), (0.05, 200))
+    camera = view.renderer.GetActiveCamera()
+    tangent = np.tan(np.radians(15.0))
+    camera.SetViewAngle(2 * np.degrees(np.arctan(tangent * rows / 180)))
+    camera.SetWindowCenter(0.0, 180 / rows - 1.0)
+    return view
+
+
+@pytest.mark.parametrize("is_software", (1, 0))
+def test_what_the_pictures_border_cuts_is_not_drawn_out(is_software, monkeypatch):
+    """A pyramid whose foot the picture's border cuts ends where it ends in a larger picture: what a ray passes before it
+    leaves the picture is not what it meets."""
+    monkeypatch.setenv("VTK_WATER_SOFTWARE", str(is_software))
+    pyramid = [(wt.pyramid((0, 0, -0.3), 2.4, radius=1.2), (0.9, 0.5, 0.1))]
+    cut, whole = (endless_over(pyramid, rows).picture() for rows in (180, 260))
+    orange = [picture[..., 0] > picture[..., 2] + 60 for picture in (cut, whole[-180:])]
+    wt.check_at_least("pixels of it in the larger picture", int(orange[1].sum()), 1000)
+    wt.check_at_least("of them under the water", int(orange[1][:90].sum()), 100)
+    wt.check_at_most("% of the pixels that only the smaller one has", 100 * float((orange[0] & ~orange[1]).mean()), 1.0)
+
+
+@pytest.mark.parametrize("is_software", (1, 0))
+def test_a_floor_goes_on_beyond_the_pictures_border(is_software, monkeypatch):
+    """Where a level floor fills the picture's lower border, no water there is deep."""
+    monkeypatch.setenv("VTK_WATER_SOFTWARE", str(is_software))
+    floor = [(wt.box((0, 0, -1.1), (60, 60, 0.2)), (0.9, 0.5, 0.1))]
+    picture = endless_over(floor, 120).picture()
+    is_floor = picture[:20, :, 0] > picture[:20, :, 2] + 30
+    wt.check_at_least("% of the lower rows that are the floor", 100 * float(is_floor.mean()), 99.9)
+
+
 @pytest.mark.parametrize("samples", (2, 4, 8))
 @pytest.mark.parametrize("is_software", (1, 0))
 def test_multisampling_brings_no_fringe(samples, is_software, monkeypatch):

@@ -97,7 +97,7 @@ WaterMediumHit waterMediumWalk(vec3 start, vec3 way, float depth, float reach)
   return found;
 }
 
-WaterMediumView waterMediumMeets(vec3 start, vec3 way, float most)
+WaterMediumView waterMediumMeets(vec3 start, vec3 way, float most, float deepest)
 {
   float depth = waterMediumDepth(start.xy);
   float reach = waterMediumReach(start, way, depth);
@@ -121,5 +121,6 @@ WaterMediumView waterMediumMeets(vec3 start, vec3 way, float most)
   view.from = isEdge ? (floor((start.xy + found.low * way.xy) * size) + 0.5) / size : start.xy + view.s * way.xy;
   view.to = isEdge ? (floor((start.xy + found.high * way.xy) * size) + 0.5) / size : view.from;
   view.share = 0.0;
+  view.isBelow = !found.isHit && !isInside && waterMediumPassesBelow(start, way, leaves, deepest);
   return view;
 }

@@ -23,6 +23,9 @@ const float WATER_MEDIUM_ENDLESS = 1e29; // length of a way that nothing limits
 const float WATER_MEDIUM_CLOSE_PX = 0.2; // two places are as good as one
 const float WATER_MEDIUM_GAP_PX = 4.0; // what is hidden over more is guessed from one thing
 const float WATER_MEDIUM_BETWEEN_PX = 3.0; // further away it is something else
+const float WATER_MEDIUM_INSIDE_PX = 1.0; // from the picture's border: beyond it there are no depths
+const float WATER_MEDIUM_BASE_PX = 8.0; // between two depths that tell a slope
+const float WATER_MEDIUM_TOLERANCE = 1.1; // where a slope that goes on is met, in the greatest depth
 const float WATER_MEDIUM_LONG_PX = 8.0;  // ways that need eight looks, and not four
 
 float waterAir = 0.0; // of a refracted ray, that is not water; of the slot port
@@ -145,6 +148,7 @@ struct WaterMediumView
   vec2 from;  // u, v: the color is a mixture of two places
   vec2 to;
   float share; // of the second
+  bool isBelow; // the ray meets nothing: it is deeper than anything
 };
 
 // Where a ray leaves the picture.
@@ -155,12 +159,32 @@ float waterMediumLeaves(vec3 start, vec3 way)
   return max(min(border.x, border.y), 0.0);
 }
 
+// Is a ray deeper than anything before it could meet what the picture shows at its border, if that went on as a plane? A bed
+// that goes on level is met; a wall that the border cuts is not met by a ray that goes down before it. Water with an end
+// has a bed under it, whatever stands on that at the picture's border.
+//
+// leaves   where the ray leaves the picture
+// deepest  there the ray is deeper than anything
+bool waterMediumPassesBelow(vec3 start, vec3 way, float leaves, float deepest)
+{
+  float texel = 1.0 / max(length(way.xy * waterMediumSize()), 1e-6);
+  float inside = leaves - WATER_MEDIUM_INSIDE_PX * texel;
+  float further = inside - WATER_MEDIUM_BASE_PX * texel;
+  float depth = waterMediumDepth(start.xy + inside * way.xy);
+  float depthFurther = waterMediumDepth(start.xy + further * way.xy);
+  bool isEdge = max(depth, depthFurther) >= 1.0; // it tells no slope
+  float slope = isEdge ? way.z : (depth - depthFurther) / (inside - further);
+  float inFront = depth - start.z - inside * way.z;
+  return waterIsEndless != 0 && waterSide > 0.0 && inFront > (way.z - slope) * (deepest - inside);
+}
+
 // Where a ray into the scene meets what the picture shows; of the slot refraction.
 //
 // start  of the ray in the picture's window: u, v, depth
 // way    the ray is start + s way
-// most   of s: there the ray is deeper than anything
-WaterMediumView waterMediumMeets(vec3 start, vec3 way, float most);
+// most     of s: there the ray is deeper than anything
+// deepest  the same with the tolerance of a slope that goes on
+WaterMediumView waterMediumMeets(vec3 start, vec3 way, float most, float deepest);
 
 // May filtering a place read what a pixel's neighbours show beyond an edge? Of the slot refraction.
 //
@@ -304,7 +328,9 @@ WaterMediumMet waterMediumMeet(WaterPoint point, vec3 dir)
   met.isUnderBorder = false;
   for (int i = 0; i < 2; ++i)
   {
-    met.view = waterMediumMeets(ray.start, ray.way, most / max(ray.w + most * ray.rate, 1e-6));
+    float tolerant = WATER_MEDIUM_TOLERANCE * most;
+    met.view = waterMediumMeets(ray.start, ray.way, most / max(ray.w + most * ray.rate, 1e-6),
+      tolerant / max(ray.w + tolerant * ray.rate, 1e-6));
     met.depth = waterMediumDepth(met.view.from);
     if (i > 0 && met.depth >= 1.0)
     {
@@ -324,7 +350,7 @@ WaterMediumMet waterMediumMeet(WaterPoint point, vec3 dir)
   met.lit = between * ray.w / max(1.0 - between * ray.rate, 1e-6);
   float apart = abs(waterMediumW(met.view.from, met.depth) - ray.w - met.way * ray.rate);
   bool isThere = met.depth < 1.0 && apart < WATER_MEDIUM_BELOW * waterBedDepth + WATER_MEDIUM_EDGE * pixel;
-  met.isNothing = met.isUnderBorder && !isThere;
+  met.isNothing = met.isUnderBorder ? !isThere : met.view.isBelow;
   return met;
 }
 

@@ -148,8 +148,8 @@ WaterMediumHit waterMediumWalk(vec3 start, vec3 way, float depth, float reach)
 //
 // start  of the ray in the picture's window: u, v, depth
 // way    the ray is start + s way
-// most   of s
-WaterMediumView waterMediumMeets(vec3 start, vec3 way, float most)
+// most, deepest  of s: as declared
+WaterMediumView waterMediumMeets(vec3 start, vec3 way, float most, float deepest)
 {
   float depth = waterMediumDepth(start.xy);
   float reach = waterMediumReach(start, way, depth);
@@ -172,5 +172,6 @@ WaterMediumView waterMediumMeets(vec3 start, vec3 way, float most)
   view.share = view.isMet ? share : (found.isHit ? found.share : 0.0);
   view.from = start.xy + (view.isMet ? view.s : found.low) * way.xy;
   view.to = view.isMet ? view.from : (floor((start.xy + found.high * way.xy) * size) + 0.5) / size;
+  view.isBelow = !found.isHit && !isInside && waterMediumPassesBelow(start, way, leaves, deepest);
   return view;
 }
