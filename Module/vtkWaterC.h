@@ -136,6 +136,11 @@ VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_actor_set_foam(
 VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_actor_set_caustics(
   vtk_water_actor* actor, double strength);
 
+/* Sets shadows. 1: objects cast shadows on the water's glitter and foam; 0: they do not. Needs a
+ * sun. Default 0. */
+VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_actor_set_shadows(
+  vtk_water_actor* actor, int shadows);
+
 /* Sets the scene's unit: "um", "mm", "cm", "m", "km", "in", "ft", "mi" or "automatic", which
  * follows the scene's size. Default "m". */
 VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_actor_set_units(

@@ -30,6 +30,20 @@ vtkSmartPointer<vtkTexture> MakeTexture(const unsigned char* pixels, int width, 
   texture->MipmapOn();
   return texture;
 }
+
+// A setting that is 0 or 1.
+vtk_water_status Switch(
+  vtk_water_actor* actor, const char* name, int value, void (vtkWaterProperty::*set)(bool))
+{
+  if (value != 0 && value != 1)
+  {
+    return Guarded([=] {
+      return Fail(VTK_WATER_BAD_VALUE,
+        std::string(name) + " is " + std::to_string(value) + "; it must be 0 or 1");
+    });
+  }
+  return Change(actor, [=](vtkWaterActor*, vtkWaterProperty* look) { (look->*set)(value == 1); });
+}
 }
 
 //------------------------------------------------------------------------------
@@ -96,15 +110,7 @@ vtk_water_status vtk_water_actor_set_opacity(vtk_water_actor* actor, double opac
 
 vtk_water_status vtk_water_actor_set_refraction(vtk_water_actor* actor, int refraction)
 {
-  if (refraction != 0 && refraction != 1)
-  {
-    return Guarded([=] {
-      return Fail(
-        VTK_WATER_BAD_VALUE, "refraction is " + std::to_string(refraction) + "; it must be 0 or 1");
-    });
-  }
-  return Change(
-    actor, [=](vtkWaterActor*, vtkWaterProperty* look) { look->SetRefraction(refraction == 1); });
+  return Switch(actor, "refraction", refraction, &vtkWaterProperty::SetRefraction);
 }
 
 vtk_water_status vtk_water_actor_set_water_type(vtk_water_actor* actor, const char* name)
@@ -121,6 +127,11 @@ vtk_water_status vtk_water_actor_set_caustics(vtk_water_actor* actor, double str
 {
   return Change(
     actor, [=](vtkWaterActor*, vtkWaterProperty* look) { look->SetCaustics(strength); });
+}
+
+vtk_water_status vtk_water_actor_set_shadows(vtk_water_actor* actor, int shadows)
+{
+  return Switch(actor, "shadows", shadows, &vtkWaterProperty::SetShadows);
 }
 
 vtk_water_status vtk_water_actor_set_units(vtk_water_actor* actor, const char* name)

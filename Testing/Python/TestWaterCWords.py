@@ -115,6 +115,12 @@ def c_clear(function, argument):
                        ("vtk_water_actor_set_refraction", it.water, 1), (function, it.water, argument)]
 
 
+def in_foam(view, water):
+    """Foam all over a bed, a low sun, and shadows."""
+    clear("SetFoamDepth", 3.0)(view, water)
+    water.GetWaterProperty().ShadowsOn()
+
+
 # name, calls for a CScene, the same by the classes; how many levels the two may differ by
 CALLS = {
     "color": (
@@ -127,6 +133,11 @@ CALLS = {
     "water type": (c_clear("vtk_water_actor_set_water_type", b"9C"), clear("SetWaterType", "9C"), 1),
     "foam": (c_clear("vtk_water_actor_set_foam", number(0.3)), clear("SetFoamDepth", 0.3), 1),
     "caustics": (c_clear("vtk_water_actor_set_caustics", number(0.9)), clear("SetCaustics", 0.9), 1),
+    "shadows": (
+        lambda it: [*c_clear("vtk_water_actor_set_foam", number(3.0))(it), ("vtk_water_actor_set_shadows", it.water, 1)],
+        in_foam,
+        1,
+    ),
     "units": (
         lambda it: [
             ("vtk_water_actor_add_wave", it.water, *[number(part) for part in WAVE]),
@@ -275,6 +286,7 @@ REFUSALS = (  # name, status, words of the error, function, its arguments for a 
         "vtk_water_actor_set_caustics",
         lambda it: (it.water, number(NAN)),
     ),
+    ("shadows", BAD_VALUE, b"shadows is 2; it must be 0 or 1", "vtk_water_actor_set_shadows", lambda it: (it.water, 2)),
     (
         "quality",
         BAD_VALUE,
@@ -367,6 +379,7 @@ def test_a_bad_call_is_a_status_and_changes_nothing(small, status, words, functi
         "Absorption",
         "FoamDepth",
         "Caustics",
+        "Shadows",
         "RayTraceSteps",
         "ReflectionSource",
         "EnvironmentTexture",
