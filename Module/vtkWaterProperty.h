@@ -313,6 +313,17 @@ public:
 
   ///@{
   /**
+   * Foam whose depth fits the scene: with automatic units, FoamDepth counts as at least 1/400 of
+   * the scene's diagonal, which a picture of the whole scene shows. Nothing changes in other units,
+   * nor without FoamDepth. Default is off.
+   */
+  vtkSetMacro(FoamFitsScene, bool);
+  vtkGetMacro(FoamFitsScene, bool);
+  vtkBooleanMacro(FoamFitsScene, bool);
+  ///@}
+
+  ///@{
+  /**
    * Foam on the crests of steep waves: where points of the surface are closer than FoamStretch
    * times their distance at rest, in [0, 1]. Default is 0: no foam.
    */
@@ -858,6 +869,7 @@ private:
   bool HighlightRollOff = true;
   double SlopeVariance[3] = { 0.0, 0.0, 0.0 };
   double FoamDepth = 0.0;
+  bool FoamFitsScene = false;
   double FoamStretch = 0.0;
   double FoamColor[3] = { 0.95, 0.97, 1.0 };
   bool Shadows = false;

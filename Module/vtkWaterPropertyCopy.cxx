@@ -31,6 +31,7 @@ void vtkWaterProperty::DeepCopy(vtkWaterProperty* other)
   this->HighlightRollOff = other->HighlightRollOff;
   std::copy_n(other->SlopeVariance, 3, this->SlopeVariance);
   this->FoamDepth = other->FoamDepth;
+  this->FoamFitsScene = other->FoamFitsScene;
   this->FoamStretch = other->FoamStretch;
   std::copy_n(other->FoamColor, 3, this->FoamColor);
   this->Shadows = other->Shadows;

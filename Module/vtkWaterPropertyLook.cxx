@@ -3,6 +3,7 @@
 #include "vtkWaterCompat.h"
 #include "vtkWaterPropertyInternals.h"
 #include "vtkWaterSnapshot.h"
+#include "water_units.h"
 #include "water_whitecap.h"
 
 #include <algorithm>
@@ -77,6 +78,10 @@ void vtkWaterProperty::Describe(double diagonal, vtkWaterLook& look)
   this->DescribeUnits(diagonal, look);
   this->DescribeWaves(look);
   ToUnits(look);
+  if (this->FoamFitsScene && this->FoamDepth > 0.0 && this->MetresPerUnit == 0.0)
+  {
+    look.FoamDepth = water_units_show_foam(look.FoamDepth, diagonal);
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -138,7 +138,8 @@ def add_scene_arguments(parser):
                        help="whether the scene is visible through the surface; default: as in the preset; "
                             "without a preset yes, unless --color or --opacity is given")
     water.add_argument("--foam", type=number(0.0, 1e9), nargs="?", const=True, metavar="M",
-                       help="depth in metres below which the shore foams, 0.25 without a number; turns refraction on")
+                       help="depth in metres below which the shore foams; without a number 0.25, and with "
+                            "automatic units at least 1/400 of the scene's diagonal; turns refraction on")
     water.add_argument(
         "--caustics",
         type=number(0.0, 1.0),

@@ -113,7 +113,8 @@ def add_water(
         Without a preset the default is True, unless ``color`` or ``opacity`` is given.
 
     foam : float | bool, optional
-        Depth in metres below which the shore foams, finite and not negative; True means 0.25. Turns refraction on.
+        Depth in metres below which the shore foams, finite and not negative; True means 0.25, and
+        with automatic units at least 1/400 of the scene's diagonal. Turns refraction on.
 
     caustics : float | bool, optional
         Strength of the light that waves focus on what lies under them, in [0, 1]; True means 0.8. Caustics need waves,

@@ -48,8 +48,8 @@ def set_look(look, *, preset=None, waves=None, wind=None, color=None, opacity=No
         Whether the scene is visible through the surface. By default the preset decides. Without a preset the default
         is True, unless color or opacity is given.
     foam : float | bool
-        Depth in metres below which the shore foams, finite and not negative; True means 0.25. Foam needs refraction
-        and turns it on.
+        Depth in metres below which the shore foams, finite and not negative; True means 0.25, and with automatic
+        units at least 1/400 of the scene's diagonal. Foam needs refraction and turns it on.
     caustics : float | bool
         Strength of the light that waves focus under the surface, in [0, 1]; True means 0.8. Caustics need waves, and
         refraction, which they turn on.
@@ -105,6 +105,7 @@ def set_look(look, *, preset=None, waves=None, wind=None, color=None, opacity=No
             look.SetRefraction(refraction is not False)
         if foam_depth is not None:
             look.SetFoamDepth(foam_depth)
+            look.SetFoamFitsScene(foam is True)
         if strength is not None:
             look.SetCaustics(strength)
         if shadows is not None:

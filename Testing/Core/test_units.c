@@ -74,6 +74,14 @@ TEST(waves_too_short_for_the_scene_are_not_seen)
   assert_true(water_units_show_waves(0.1, 0.0));
 }
 
+TEST(foam_is_deep_enough_for_the_scene)
+{
+  ASSERT_CLOSE(water_units_show_foam(0.25, 40.0), 0.25, 0.0);
+  ASSERT_CLOSE(water_units_show_foam(0.25, 1000.0), 2.5, 1e-12);
+  ASSERT_CLOSE(water_units_show_foam(0.25, (double)INFINITY), 0.25, 0.0);
+  ASSERT_CLOSE(water_units_show_foam(0.25, (double)NAN), 0.25, 0.0);
+}
+
 // In millimetres waves are 1000 times as high and as long, and as steep; a place has their phase.
 TEST(scaled_waves_have_the_same_slopes)
 {
@@ -121,4 +129,4 @@ TEST(beds_count_as_deep_as_is_natural)
 TESTS(beds_count_as_deep_as_is_natural, units_have_their_metres, other_names_are_refused,
   scenes_of_all_sizes_count_as_natural, units_change_at_powers_of_two_alone,
   scenes_without_a_size_have_metres, waves_too_short_for_the_scene_are_not_seen,
-  scaled_waves_have_the_same_slopes)
+  foam_is_deep_enough_for_the_scene, scaled_waves_have_the_same_slopes)

@@ -80,6 +80,33 @@ def test_foam_moves_with_the_time_alone():
     wt.check_at_most("12 s later: largest difference", int(np.abs(first - view.picture()).max()), 1)
 
 
+@pytest.mark.parametrize("size", (1e-3, 1.0, 1e3, 1e6))
+def test_foam_that_fits_the_scene_is_as_wide_in_all_sizes(size):
+    """In automatic units the foam of a beach is a strip of the picture that can be seen, whatever the beach measures."""
+    widths = []
+    for fits, units in ((True, "automatic"), (False, "automatic"), (True, "m")):
+        view = wt.View((160, 120))
+        beach = wt.box((0, 0, -0.05 * size), (size, size, 0.1 * size))
+        actor = wt.add_actor(view.renderer, beach, (0, 0, 0))
+        actor.RotateX(6)
+        water = wt.add_water(view.renderer, None, (-0.5 * size, 0.5 * size, -0.5 * size, 0.5 * size), None)
+        look = water.GetWaterProperty()
+        look.RefractionOn()
+        look.SetUnits(units)
+        look.SetFoamColor(1.0, 1.0, 1.0)
+        look.SetFoamDepth(0.25)
+        look.SetFoamFitsScene(fits)
+        wt.place_camera(view.renderer, (0, -0.01 * size, 1.6 * size), (0, 0, 0), (0.1 * size, 10 * size))
+        foam = view.picture().astype(float)
+        look.SetFoamDepth(0.0)
+        widths.append(float((np.abs(foam - view.picture()).max(axis=2) > 10).sum(axis=0).mean()))
+    wt.check_at_least("rows of foam, of 120", widths[0], 2.0)
+    wt.check_at_most("and no more", widths[0], 10.0)
+    wt.check_at_most("rows of 0.25 m in automatic units", widths[1], 1.0)
+    if size >= 1e3:
+        wt.check_at_most("rows of 0.25 m in metres: nothing fits there", widths[2], 0.0)
+
+
 def test_deep_water_round_a_thing_in_the_air_has_no_foam():
     """Deep water has no foam, even where its pixels share their samples with a thing that hangs in the air."""
     view = wt.View(SIZE, (0, 0, 0), samples=8)

@@ -69,6 +69,11 @@ void water_units_dim(const double extinction[3], double bed_depth, double diagon
   }
 }
 
+double water_units_show_foam(double depth, double diagonal)
+{
+  return diagonal > 0.0 && isfinite(diagonal) ? fmax(depth, diagonal / waves_across) : depth;
+}
+
 bool water_units_show_waves(double wavelength, double diagonal)
 {
   return !(wavelength * waves_across < diagonal);

@@ -56,6 +56,10 @@ double water_units_fit(double diagonal, const double natural_m[2]);
 void water_units_dim(const double extinction[3], double bed_depth, double diagonal,
   double natural_depth, double dimmed[3]);
 
+// Depth of foam at the shore, units, that a picture of the whole scene shows: at least 1/400 of its
+// diagonal.
+double water_units_show_foam(double depth, double diagonal);
+
 // Are waves of this length visible in a picture of the whole scene? Not if they are shorter
 // than 1/400 of it, which is about two pixels of a picture.
 //
