@@ -304,6 +304,8 @@ TEST(mirrored_view_reaches_down_into_troughs)
   scene.settings.clip_margin = 0.1;
   const double flat = plan_of(&scene, NULL).clip_plane_view[3];
   scene.wave_height_max = 0.75;
+  scene.surface_bounds[4] = -0.76;
+  scene.surface_bounds[5] = 0.75;
   const water_plan plan = plan_of(&scene, NULL);
   ASSERT_CLOSE(plan.clip_plane_view[3] - flat, 0.65, 1e-12);
   ASSERT_CLOSE(plan.reflection_top, 0.75, 1e-12);
@@ -322,6 +324,27 @@ TEST(mirrored_view_reaches_down_into_troughs)
   water_plan bad;
   scene.wave_height_max = (double)NAN;
   assert_int_equal(water_plan_make(&scene, &bad, &reason), WATER_BAD_CLIP_MARGIN);
+}
+
+// A splash that stands high over the plane takes nothing from what hides the bed from the mirrored
+// eye; seen from under it, it does.
+TEST(mirrored_view_begins_at_the_lowest_point)
+{
+  water_scene scene = lake();
+  scene.has_waves = true;
+  const double flat = plan_of(&scene, NULL).clip_plane_view[3];
+  scene.wave_height_max = 0.6;
+  scene.surface_bounds[4] = -0.25;
+  scene.surface_bounds[5] = 0.6;
+  ASSERT_CLOSE(plan_of(&scene, NULL).clip_plane_view[3] - flat, 0.25 * 0.999, 1e-12);
+  scene.surface_bounds[4] = 0.1; // all of it over the plane
+  ASSERT_CLOSE(plan_of(&scene, NULL).clip_plane_view[3] - flat, 0.0, 1e-12);
+  scene.is_endless = true; // of bounds that nobody knows
+  ASSERT_CLOSE(plan_of(&scene, NULL).clip_plane_view[3] - flat, 0.6, 1e-12);
+  scene.is_endless = false;
+  scene.surface_bounds[4] = -0.25;
+  scene.plane.normal[2] = -1.0; // the eye is on the other side of the plane that points down
+  ASSERT_CLOSE(plan_of(&scene, NULL).clip_plane_view[3] - flat, 0.25 * 0.999, 1e-12);
 }
 
 // What lies under the plane, and what a ray comes to that goes down from it, is in the part of the
@@ -420,4 +443,4 @@ TESTS(foam_comes_back, pixel_of_a_place_leads_back_to_it, what_is_under_water_is
   guard_band_widens_the_map_about_its_middle, guard_band_follows_the_waves,
   top_is_the_highest_drawn_corner, environment_has_its_own_axes,
   sun_is_seen_in_the_axes_of_the_plane, depth_of_the_map_tells_heights,
-  mirrored_view_reaches_down_into_troughs)
+  mirrored_view_reaches_down_into_troughs, mirrored_view_begins_at_the_lowest_point)

@@ -269,3 +269,20 @@ def test_what_is_under_the_surface_is_not_reflected(is_software, monkeypatch):
     actor.SetPosition(0.0, 0.0, 1.0)
     over, mask = scene.seen()
     wt.check_at_least("pixels that show it over the water", int((over[mask][:, 2] > 120).sum()), 1000)
+
+
+@RENDERERS
+def test_a_floor_under_a_splash_hides_nothing(is_software, monkeypatch):
+    """A splash in a corner is higher than all of the water is deep; the lowest water is a film on the floor."""
+    monkeypatch.setenv("VTK_WATER_SOFTWARE", str(is_software))
+    mesh = step_mesh()
+    places = ms.points_of(mesh)
+    places[(places[:, 0] > 10.0) & (places[:, 1] > 13.0), 2] = 3.0
+    mesh = ms.with_points(mesh, places, False)
+    scene = scene_of(ms.mapper_of(mesh))
+    without, mask = scene.seen()
+    lowest = float(mesh.GetBounds()[4])
+    wt.add_actor(scene.view.renderer, wt.box((0.0, 0.0, lowest - 0.1), (30.0, 40.0, 0.2)), (0.0, 0.0, 1.0), lit=False)
+    wt.check_at_least("pixels", int(mask.sum()), 20000)
+    changed = np.abs(scene.view.picture() - without)[mask].max(axis=1) > 8
+    wt.check_at_most("share of pixels that the floor changes", float(changed.mean()), 0.01)

@@ -11,7 +11,7 @@ How it is put together:
     formulas    the lookups that other programs use
     report      figures with limits, tables, plots, the text
     lookup, colour, cost, confidence, random_scenes, random_refraction, edges, caustics,
-    surfaces
+    surfaces, solver
                 the sections. Each has run(report) and its own prose; a new one is a module with the
                 same, added to SECTIONS
     scene_generator
@@ -35,7 +35,7 @@ sys.path.insert(0, str(PROJECT / "Testing" / "Python"))  # scenes, ray_caster
 # name, module
 SECTIONS = {"lookup": "lookup", "colour": "colour", "cost": "cost", "confidence": "confidence",
             "scenes": "random_scenes", "refraction": "random_refraction", "edges": "edges", "caustics": "caustics",
-            "surfaces": "surfaces"}
+            "surfaces": "surfaces", "solver": "solver"}
 
 
 def main():

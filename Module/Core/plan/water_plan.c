@@ -254,6 +254,23 @@ static int samples_of(const water_scene* scene)
   return wanted > 1 ? wanted : 0;
 }
 
+// How far the surface goes down from the plane, away from the eye: not as far as its crests are
+// high, where a splash stands on a shallow bed. Waves of an endless one go both ways. What lies at
+// the lowest point, such as the floor under a film of water, would hide all from the mirrored eye.
+static double drop_of(const water_scene* scene, const water_plane* plane)
+{
+  static const double film = 1e-3; // of the way down
+  double lowest = 0.0;
+  for (int i = 0; i < 8 && !scene->is_endless; ++i)
+  {
+    const double* bounds = scene->surface_bounds;
+    const double corner[3] = { bounds[i & 1], bounds[2 + (i >> 1 & 1)], bounds[4 + (i >> 2)] };
+    lowest = fmin(lowest, water_plane_height(plane, corner));
+  }
+  return scene->is_endless ? scene->wave_height_max
+                           : fmin(scene->wave_height_max, (1.0 - film) * -lowest);
+}
+
 // plane: normal towards the eye; plane_view of the plan is set.
 // box: of the picture that the water covers
 static water_status fill_draw(const water_scene* scene, const checked* input,
@@ -261,7 +278,7 @@ static water_status fill_draw(const water_scene* scene, const checked* input,
   size_t* bad_index)
 {
   // what stands in a trough must be seen in it
-  const double margin = fmax(scene->settings.clip_margin, scene->wave_height_max);
+  const double margin = fmax(scene->settings.clip_margin, drop_of(scene, plane));
   water_mirror_camera(&scene->eye, plane, &plan->mirrored);
   memcpy(plan->texture_px, input->texture_px, sizeof plan->texture_px);
   plan->samples = samples_of(scene);
