@@ -34,6 +34,10 @@ foreach(component IN LISTS WATER_OPTIONAL_DEPENDS)
   endif()
 endforeach()
 string(REPLACE ";" " " water_vtk_component_names "${water_vtk_components}")
+set(water_vtk_hint "\n    HINTS \"${VTK_DIR}\"")
+if(SKBUILD) # a wheel goes to other machines
+  set(water_vtk_hint)
+endif()
 configure_package_config_file("${PROJECT_SOURCE_DIR}/cmake/vtkWaterConfig.cmake.in"
   "${water_build_package_dir}/vtkWaterConfig.cmake"
   INSTALL_DESTINATION "${water_cmake_destination}"

@@ -69,6 +69,9 @@ vtk_module_scan(
 # vtk_module_build gives the module the binary folder CMAKE_BINARY_DIR, which this project already
 # has: for the length of the call that name means a folder inside.
 set(water_cmake_destination "${CMAKE_INSTALL_LIBDIR}/cmake/vtkWater")
+if(SKBUILD) # found with the package's folder in CMAKE_PREFIX_PATH
+  set(water_cmake_destination "${CMAKE_INSTALL_LIBDIR}/lib/cmake/vtkWater")
+endif()
 set(water_binary_dir "${CMAKE_BINARY_DIR}")
 set(CMAKE_BINARY_DIR "${water_binary_dir}/module")
 set(water_build_package_dir "${CMAKE_BINARY_DIR}/${water_cmake_destination}")

@@ -12,7 +12,6 @@ import math
 import numpy as np
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkUnsignedCharArray
 from vtkmodules.vtkCommonDataModel import vtkPlane
 from vtkmodules.vtkFiltersCore import vtkClipPolyData, vtkFeatureEdges, vtkPolyDataNormals
 from vtkmodules.vtkFiltersModeling import vtkLinearExtrusionFilter
@@ -29,7 +28,7 @@ from vtkmodules.vtkRenderingCore import (
 
 from . import vtkWaterActor, vtkWaterClearSkySource
 from .errors import raising
-from .pictures import write_png
+from .pictures import pixels_of, write_picture
 from .readers import ELEVATION
 from .words import SUN_COLOR, SUN_PLACE, set_look
 
@@ -277,16 +276,13 @@ class Scene:
         """Render to rows x columns x RGB of 8 bits, top row first. Raises ValueError if water cannot be drawn."""
         with self._raising():
             self.window.Render()
-        width, height = self.window.GetSize()
-        pixels = vtkUnsignedCharArray()
-        self.window.GetRGBACharPixelData(0, 0, width - 1, height - 1, 0, pixels)
-        return np.ascontiguousarray(vtk_to_numpy(pixels).reshape(height, width, 4)[::-1, :, :3])
+        return pixels_of(self.window)
 
     def write(self, file):
-        """Render into a PNG. Raises OSError if it cannot be written, ValueError for another suffix or if the water
-        cannot be drawn."""
+        """Render into a PNG, JPEG or WebP. Raises OSError if it cannot be written, ValueError for another suffix or
+        if the water cannot be drawn."""
         with self._raising():
-            write_png(self.window, file)
+            write_picture(self.window, file)
 
 
 def connect(algorithm, data):

@@ -12,6 +12,8 @@ import venv
 import zipfile
 from pathlib import Path
 
+import installed_wheel
+
 LIMIT_BYTES = 5 * 2**20
 USE = """
 import vtkwater
@@ -86,6 +88,9 @@ def main():
     picture = work / "first_water.png"
     run(sys.executable, source / "Examples/Python/first_water.py", picture, env=environment, cwd=work)
     check("bytes of the picture", picture.stat().st_size, picture.stat().st_size > 5000)
+    installed_wheel.check_cmake_files(site / "vtkwater", source)
+    os.environ["LD_LIBRARY_PATH"] = ""
+    installed_wheel.build_consumer(source, vtk_dir, site / "vtkwater", work)
 
 
 if __name__ == "__main__":

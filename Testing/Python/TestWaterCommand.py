@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The command vtkwater makes pictures of every kind of file, keeps holes, and says what is wrong in one line."""
 
+import json
 import signal
 import subprocess
 import sys
@@ -267,7 +268,7 @@ BAD_FILES = (
 )
 BAD_OUTPUTS = (
     ("no such folder: no/such", ("render", "valley.tif", *LEVEL_50, "--out", "no/such/folder.png")),
-    ("ends with .png", ("render", "valley.tif", *LEVEL_50, "--out", "x.jpg")),
+    ("ends with .png or .jpg or .jpeg or .webp", ("render", "valley.tif", *LEVEL_50, "--out", "x.bmp")),
     ("unknown file type .avi", ("animate", "valley.tif", *LEVEL_50, "--out", "x.avi")),
 )
 BAD_ARGUMENTS = (
@@ -297,7 +298,7 @@ def test_a_bad_file_is_one_line(folder, words, arguments):
     wt.check_equal("  in one line", len(judge_refusal(folder, 1, words, ("render", *arguments))), 1)
 
 
-@pytest.mark.parametrize("words, arguments", BAD_OUTPUTS, ids=("no_folder", "jpg", "avi"))
+@pytest.mark.parametrize("words, arguments", BAD_OUTPUTS, ids=("no_folder", "bmp", "avi"))
 def test_a_bad_output_is_one_line(folder, words, arguments):
     """A file that cannot be written ends the command with one line that says why."""
     wt.check_equal("  in one line", len(judge_refusal(folder, 1, words, arguments)), 1)
@@ -387,7 +388,52 @@ def test_info_tells_what_is_used(folder):
     wt.check_equal("info", (status, tells), (0, True))
 
 
-@pytest.mark.parametrize("arguments", (["--help"], ["render", "--help"], ["animate", "--help"]), ids=" ".join)
+@pytest.mark.parametrize("kind, begins", (("jpg", b"\xff\xd8\xff"), ("JPEG", b"\xff\xd8\xff"), ("webp", b"RIFF")))
+def test_a_picture_is_of_its_suffixs_kind(folder, kind, begins):
+    """JPEG and WebP files show what the PNG shows."""
+    options = ("render", "valley.vti", *LEVEL_50, "--size", "240x160", "--out")
+    for name in ("kinds.png", f"kinds.{kind}"):
+        status, said = run(folder, *options, name)
+        wt.check_equal(f"{name}: status of '{said.strip()}'", status, 0)
+    wt.check_equal("first bytes", (folder / f"kinds.{kind}").read_bytes()[:len(begins)], begins)
+    apart = np.abs(pixels_of(folder / "kinds.png").astype(int) - pixels_of(folder / f"kinds.{kind}"))
+    wt.check_at_most("mean distance to the PNG, of 255", apart.mean(), 2.0)
+    wt.check_equal("and it is another file", (folder / f"kinds.{kind}").stat().st_size
+                   < (folder / "kinds.png").stat().st_size, True)
+
+
+def json_of(folder, *arguments):
+    """Exit status, the JSON on stdout, and what stderr has."""
+    done = subprocess.run([sys.executable, "-m", "vtkwater", *map(str, arguments), "--json"], capture_output=True,
+                          text=True, cwd=folder, timeout=120)
+    return done.returncode, json.loads(done.stdout), done.stderr
+
+
+def test_results_are_json_for_pipelines(folder):
+    """With --json stdout is one object: of a picture, a movie, a failure, the versions. Messages stay on stderr."""
+    small = ("--size", "64x48")
+    status, facts, _ = json_of(folder, "render", "valley.tif", *LEVEL_50, *small, "--time", 2, "--out", "json.png")
+    wt.check_equal("render", (status, facts), (0, {"file": "json.png", "width": 64, "height": 48, "time": 2.0,
+                                                   "level": 50.0, "reflection": "rendered"}))
+    status, facts, _ = json_of(folder, "animate", "cone.stl", "--level", 0, *small, "--frames", 2, "--out", "json.gif")
+    wt.check_equal("animate", (status, facts), (0, {"file": "json.gif", "frames": 2, "of": 2, "stopped": False}))
+    status, facts, said = json_of(folder, "render", "missing.vti", *LEVEL_50)
+    wt.check_equal("failure", (status, facts, said),
+                   (1, {"error": "missing.vti: no such file"}, "vtkwater: missing.vti: no such file\n"))
+    status, facts, said = json_of(folder, "render", "valley.tif", "--level", 5000, *small, "--out", "json.png")
+    wt.check_equal("warning on stderr", (status, "level 5000 is above the ground" in said), (0, True))
+    status, facts, _ = json_of(folder, "info")
+    wt.check_equal("info", (status, {"vtkwater", "VTK", "Python", "window", "renderer", "OpenGL"} <= set(facts)),
+                   (0, True))
+
+
+def test_a_view_without_a_display_says_so(folder):
+    """view needs a display; without one it ends and names the command that needs none."""
+    status, said = run(folder, "view", "valley.tif", *LEVEL_50)
+    wt.check_equal(said, (status, "there is no display" in said, "vtkwater render" in said), (1, True, True))
+
+
+@pytest.mark.parametrize("arguments", (["--help"], ["render", "--help"], ["animate", "--help"], ["view", "--help"]), ids=" ".join)
 def test_help_has_an_example(folder, arguments):
     """Help has an example, and leaves no file of its option's name."""
     status, said = run(folder, *arguments)

@@ -17,7 +17,7 @@ import vtkwater
 CLASSES = (vtkwater.vtkWaterActor, vtkwater.vtkWaterProperty, vtkwater.vtkWaterReflectionPass,
            vtkwater.vtkWaterOffScreen, vtkwater.vtkWaterFrameAverage, vtkwater.vtkWaterSurfaceFilter,
            vtkwater.vtkWaterClearSkySource, vtkwater.vtkWaterLakes, vtkwater.vtkWaterPlanesFilter)
-MODULES = ("backend", "command", "errors", "movies", "readers", "scenes", "widgets", "words")
+MODULES = ("backend", "command", "deprecation", "errors", "pictures", "view", "movies", "readers", "scenes", "widgets", "words")
 OF_VTK = {"SafeDownCast", "NewInstance", "IsA", "IsTypeOf", "GetNumberOfGenerationsFromBase", "New",
           "GetNumberOfGenerationsFromBaseType"}
 LEAST = 25  # letters of a sentence

@@ -28,7 +28,8 @@ README_LEFT_OUT = {"Documentation"}  # the site's own contents
 WHOLE_PROGRAMS = {"start/pyvista": "Examples/Python/pyvista_water.py",
                   "start/python": "Examples/Python/first_water.py",
                   "start/cxx": "Examples/Cxx/FirstWater/FirstWater.cxx"}
-PAGES = {"CONTRIBUTING.md": "contributing", "CHANGELOG.md": "changelog", "Documentation/gallery.md": "gallery/index",
+PAGES = {"CONTRIBUTING.md": "contributing", "CODE_OF_CONDUCT.md": "conduct", "CHANGELOG.md": "changelog",
+         "Documentation/gallery.md": "gallery/index",
          "Documentation/decisions/README.md": "decisions/index", f"{SITE}/start_c.md": "start/c",
          f"{SITE}/index.md": "index"}
 LANGUAGES = {".py": "python", ".c": "c", ".h": "c++", ".cxx": "c++", ".glsl": "glsl", ".cmake": "cmake",
@@ -189,9 +190,9 @@ class Stage:
             about = re.sub(r"\s*\n \*\s*", " ", brief[1]) if brief else "the interface for C and other languages"
             rows += f'| <a href="../cxx/{page}">{header.stem}</a> | {about} |\n'
         self.write("api/index", "# C++ and C\n\n| | |\n|---|---|\n" + rows
-                   + '| <a href="../cxx/files.html">water_*.h</a> | the core in C, without VTK: formulas, decisions |\n'
-                   '\nThe <a href="../cxx/index.html">Doxygen pages</a> have all classes, functions and files, with their '
-                   "own search. Classes of VTK link to VTK's documentation.\n")
+                   + '| <a href="../cxx/files.html">water_*.h</a> | the core in C: formulas and decisions |\n\n'
+                   'The <a href="../cxx/index.html">Doxygen pages</a> have all classes, functions and files, with '
+                   "their own search. Classes of VTK link to VTK's documentation.\n")
         text = "# The command\n\nMade from `--help`.\n"
         for words in ([], ["render"], ["animate"], ["view"], ["info"]):
             run = subprocess.run([sys.executable, "-m", "vtkwater", *words, "--help"], capture_output=True, text=True,
