@@ -157,7 +157,6 @@ water_feature_set water_sky_features(
     case WATER_SKY_CUBE:
       return features | floor | WATER_FEATURE_SKY_CUBE;
     default:
-      return features | floor |
-        (sky->screen != WATER_SCREEN_COLOR ? WATER_FEATURE_SKY_SCREEN : 0);
+      return features | floor | (sky->screen != WATER_SCREEN_COLOR ? WATER_FEATURE_SKY_SCREEN : 0);
   }
 }
