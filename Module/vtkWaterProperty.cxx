@@ -343,6 +343,7 @@ void vtkWaterProperty::SetOutput(int output)
 }
 
 //------------------------------------------------------------------------------
+// Long because every setting has a line.
 void vtkWaterProperty::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
