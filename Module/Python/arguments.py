@@ -5,11 +5,12 @@ import math
 import re
 
 from . import __version__, movies, pictures, readers, vtkWaterProperty
-from .data_command import add_data_arguments, time_range
+from .data_command import DATA_ELEVATION, add_data_arguments, time_range
 from .words import QUALITIES, TURBIDITY
 
 __all__ = ["make_parser"]
 
+TERRAIN_ELEVATION = 8  # degrees; it shows the reflections
 EXAMPLES = """examples:
   vtkwater render terrain.tif --level 355 --preset lake --out lake.png
   vtkwater render ship.stl --level 0 --wind 8 --out ship.png
@@ -148,8 +149,9 @@ def add_scene_arguments(parser):
     view = parser.add_argument_group("the view")
     view.add_argument("--azimuth", type=number(-360.0, 360.0), default=200.0, metavar="DEG",
                       help="direction of the eye, from north (0) towards east (90); default %(default)s")
-    view.add_argument("--elevation", type=number(0.5, 90.0), default=8.0, metavar="DEG",
-                      help="elevation of the eye above the horizon; default %(default)s")
+    view.add_argument("--elevation", type=number(0.5, 90.0), default=None, metavar="DEG",
+                      help=f"elevation of the eye above the horizon; default {TERRAIN_ELEVATION}, and "
+                           f"{DATA_ELEVATION} for a solver's file")
     view.add_argument("--zoom", type=number(0.01, 1000.0), default=1.0, metavar="X",
                       help="2 shows half of the width; default 1: everything above the water, and its reflection")
     view.add_argument("--sun", type=number(-360.0, 360.0), default=None, metavar="DEG",

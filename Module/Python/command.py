@@ -11,7 +11,7 @@ import warnings
 from pathlib import Path
 
 from . import __version__, backend, movies, readers, vtkWaterProperty
-from .arguments import make_parser
+from .arguments import TERRAIN_ELEVATION, make_parser
 from .data_command import check_data, is_data, make_data_water, report, time_of
 from .errors import text_of
 from .pictures import check_picture
@@ -90,7 +90,8 @@ def make_scene(arguments, levels):
     scene.add_ground(ground, levels[0], exaggeration)
     scene.add_water(min(levels), exaggeration=exaggeration, **words_for(ground, arguments))
     scene.make_island(arguments.horizon)
-    scene.look(arguments.azimuth, arguments.elevation, arguments.zoom, max(levels))
+    elevation = TERRAIN_ELEVATION if arguments.elevation is None else arguments.elevation
+    scene.look(arguments.azimuth, elevation, arguments.zoom, max(levels))
     return scene, ground, exaggeration
 
 

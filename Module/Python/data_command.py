@@ -7,8 +7,9 @@ import sys
 from . import readers, solutions
 from .data_scenes import COLOR_MAPS, DataWater
 
-__all__ = ["add_data_arguments", "check_data", "is_data", "make_data_water", "report", "time_of", "time_range"]
+__all__ = ["DATA_ELEVATION", "add_data_arguments", "check_data", "is_data", "make_data_water", "report", "time_of", "time_range"]
 
+DATA_ELEVATION = 30  # degrees; it shows the data on the water
 ELSEWHERE = {"horizon": False, "no_data": None}  # options that a solver's mesh has no use for
 
 
@@ -16,7 +17,7 @@ def add_data_arguments(parser, number):
     """number(least, most): the type of a number in a range."""
     group = parser.add_argument_group(
         "the data", "A solver's file: arrays of its points or cells define the water; two of level, depth and bed are "
-        "enough. More file types: " + " ".join(solutions.KINDS))
+        "enough. More file types: " + " ".join(kind for kind in solutions.KINDS if kind not in readers.KINDS))
     group.add_argument("--depth", metavar="ARRAY", help="depth of the water")
     group.add_argument("--bed", metavar="ARRAY", help="height of the bed; default: the level less the depth, or with "
                        "the depth alone the mesh's own z")
@@ -115,7 +116,8 @@ def make_data_water(arguments, words, make_scene):
                       exaggeration=1.0 if arguments.contour else arguments.exaggeration, **names, **words)
     if arguments.color_by and arguments.scalar_bar is not False:
         water.bar(arguments.color_by)
-    scene.look(arguments.azimuth, arguments.elevation, arguments.zoom, all_of_it=True)
+    elevation = DATA_ELEVATION if arguments.elevation is None else arguments.elevation
+    scene.look(arguments.azimuth, elevation, arguments.zoom, all_of_it=True)
     for note in water.notes:
         print(f"vtkwater: {solution.path}: {note}", file=sys.stderr)
     return water

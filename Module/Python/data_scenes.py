@@ -30,6 +30,7 @@ LEVEL = "vtkwater level"  # the array of a level that is one number
 TABLE_SIZE = 256
 NAN_COLOR = (0.6, 0.6, 0.6, 1.0)
 BAR_TEXT = 14  # points
+BAR_PIXELS = 72  # title, labels and bar, in a picture of any size
 # Of matplotlib, at 17 even steps; between them they are off by at most 9 of 255.
 COLOR_MAPS = {
     "viridis": "440154 48186a 472d7b 424086 3b528b 33638d 2c728e 26828e 21918c "
@@ -130,9 +131,10 @@ class DataWater:
         bar.SetLookupTable(self._mapper.GetLookupTable())
         bar.SetTitle(f"{title}\n ")  # VTK lays the last line over the labels
         bar.SetOrientationToHorizontal()
-        bar.SetPosition(0.30, 0.86)
+        height = min(max(0.12, BAR_PIXELS / self.scene.window.GetSize()[1]), 0.4)
+        bar.SetPosition(0.30, 0.98 - height)
         bar.SetWidth(0.40)
-        bar.SetHeight(0.12)
+        bar.SetHeight(height)
         bar.SetNumberOfLabels(5)
         bar.SetLabelFormat("%.3g" if "%" in bar.GetLabelFormat() else "{:.3g}")
         bar.UnconstrainedFontSizeOn()

@@ -378,6 +378,7 @@ def open_netcdf(path):
     names = [reader.GetVariableArrayName(i) for i in range(reader.GetNumberOfVariableArrays())]
     sizes = dict(zip(names, values_of(reader.GetVariableDimensions())))
     grids = [dimensions for dimensions in values_of(reader.GetAllDimensions()) if dimensions.count(",") == 1]
+    hint += hint_of_time(values_of(reader.GetAllDimensions()))
     if not grids:
         raise FileError(f"{path}: no variable has two spatial dimensions{hint}")
     # the grid that most variables are on
@@ -387,6 +388,13 @@ def open_netcdf(path):
     north, east = re.findall(r"\w+", grid)
     is_lonlat = bool(re.match("lat", north, re.IGNORECASE) and re.match("lon", east, re.IGNORECASE))
     return Reader(path, reader, what, is_lonlat, hint)
+
+
+def hint_of_time(grids):
+    """VTK counts a time without units as a dimension of space."""
+    names = [name for grid in grids for name in re.findall(r"\w+", grid) if re.fullmatch("t|time", name, re.IGNORECASE)]
+    return (f"; the time {names[0]!r} has no units and counts as a dimension of space: give its variable the attribute "
+            "units, such as 'seconds since 2000-01-01'" if names else "")
 
 
 def values_of(strings):

@@ -453,6 +453,32 @@ def test_a_pixel_has_its_values_colour(folder, capsys):
     wt.check_at_most("worst colour off by, of 255", worst, 6)
 
 
+@pytest.mark.parametrize("size", ("960x600", "480x320", "320x200"))
+def test_a_bars_title_is_in_the_picture(folder, size):
+    """A picture of any size has all of the title: the rows above it are as they are without a bar."""
+    options = (folder / "slope.pvd", *DATA, "--color-by", "h", "--size", size)
+    with_bar, without = (water_of(folder, *options, *more).scene.picture().astype(int) for more in ((), ("--no-scalar-bar",)))
+    rows = np.abs(with_bar - without).max(axis=(1, 2)) > 30
+    wt.check_equal("rows of it in the uppermost five", int(rows[:5].sum()), 0)
+    wt.check_at_least("rows of it", int(rows.sum()), 25)
+
+
+def test_the_first_view_of_data_is_steeper(folder):
+    """From 30 degrees over the horizon unless another elevation is given."""
+    for options, wanted in (((), 30.0), (("--elevation", 8), 8.0)):
+        camera = water_of(folder, folder / "slope.pvd", *DATA, *options).scene.renderer.GetActiveCamera()
+        way = np.array(camera.GetPosition()) - camera.GetFocalPoint()
+        wt.check_at_most("off by, degrees", abs(np.degrees(np.arcsin(way[2] / np.linalg.norm(way))) - wanted), 1e-6)
+
+
+def test_help_names_each_file_type_once(capsys):
+    with pytest.raises(SystemExit):
+        command.main(["render", "--help"])
+    words = capsys.readouterr().out.replace(",", " ").split()
+    for kind in {*command.readers.KINDS, *solutions.KINDS}:
+        wt.check_equal(kind, words.count(kind), 1)
+
+
 @pytest.mark.parametrize("name", COLOR_MAPS)
 def test_colour_maps_are_matplotlibs(name):
     colormaps = pytest.importorskip("matplotlib").colormaps

@@ -127,9 +127,9 @@ def test_every_subplot_has_its_own_water():
 
 @pytest.mark.parametrize("name, opened", [("waves.gif", pv.Plotter.open_gif), ("waves.mp4", pv.Plotter.open_movie)],
                          ids=["gif", "mp4"])
-def test_a_movies_frames_differ_by_the_waves_time(name, opened, plotter):
+def test_a_movies_frames_differ_by_the_waves_time(name, opened, plotter, tmp_path):
     """Frames of a movie differ by the waves' time, and the same time gives the same frame."""
-    path = wt.output_folder() / name
+    path = tmp_path / name
     water = fill(plotter, waves=[(0.02, 0.7, 20)])
     opened(plotter, str(path))
     frames = []

@@ -129,3 +129,20 @@ def test_a_file_is_closed(tmp_path, monkeypatch):
     with pytest.raises(FileError):
         UgridMesh(refused)
     wt.check_equal("opened, still open", (len(opened), sum(file.isopen() for file in opened)), (3, 0))
+
+
+@pytest.mark.parametrize("has_bed", (False, True))
+def test_a_time_without_units_is_said(tmp_path, has_bed):
+    """VTK counts it as a dimension of space; the error says so, and what is missing."""
+    path = tmp_path / "grid.nc"
+    with netCDF4.Dataset(path, "w") as file:
+        for name, size in (("time", 3), ("y", 4), ("x", 5)):
+            file.createDimension(name, size)
+            file.createVariable(name, "f8", (name,))[:] = np.arange(size)
+        file.createVariable("h", "f8", ("time", "y", "x"))[:] = 1.0
+        if has_bed:
+            file.createVariable("zb", "f8", ("y", "x"))[:] = 0.0
+    with pytest.raises(FileError) as caught:
+        solutions.Solution(path, ["h"]).step(0)
+    for words in ("the time 'time' has no units", "give its variable the attribute units"):
+        wt.check_equal(words, words in str(caught.value), True)
