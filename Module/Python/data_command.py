@@ -7,7 +7,8 @@ import sys
 from . import readers, solutions
 from .data_scenes import COLOR_MAPS, DataWater
 
-__all__ = ["DATA_ELEVATION", "add_data_arguments", "check_data", "is_data", "make_data_water", "report", "time_of", "time_range"]
+__all__ = ["DATA_ELEVATION", "add_data_arguments", "check_data", "is_data", "make_data_water", "report", "time_of",
+           "time_range"]
 
 DATA_ELEVATION = 30  # degrees; it shows the data on the water
 ELSEWHERE = {"horizon": False, "no_data": None}  # options that a solver's mesh has no use for

@@ -392,9 +392,9 @@ def open_netcdf(path):
 
 def hint_of_time(grids):
     """VTK counts a time without units as a dimension of space."""
-    names = [name for grid in grids for name in re.findall(r"\w+", grid) if re.fullmatch("t|time", name, re.IGNORECASE)]
-    return (f"; the time {names[0]!r} has no units and counts as a dimension of space: give its variable the attribute "
-            "units, such as 'seconds since 2000-01-01'" if names else "")
+    names = [name for grid in grids for name in re.findall(r"\w+", grid) if name.lower() in ("t", "time")]
+    return (f"; the time {names[0]!r} has no units and counts as a dimension of space: give its variable the "
+            "attribute units, such as 'seconds since 2000-01-01'" if names else "")
 
 
 def values_of(strings):

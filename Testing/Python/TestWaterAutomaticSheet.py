@@ -84,8 +84,8 @@ def terrain_block(height):
     x, y = np.meshgrid(*[np.linspace(-5.0, 5.0, 40)] * 2)
     heights = 0.8 * np.sin(0.9 * x) * np.cos(0.7 * y)
     points = vtkPoints()
-    points.SetData(numpy_to_vtk(np.stack([np.stack([x, y, z], axis=-1) for z in (np.full_like(x, -0.8 - height), heights)]
-                                         ).reshape(-1, 3), deep=True))
+    layers = [np.stack([x, y, z], axis=-1) for z in (np.full_like(x, -0.8 - height), heights)]
+    points.SetData(numpy_to_vtk(np.stack(layers).reshape(-1, 3), deep=True))
     grid = vtkStructuredGrid()
     grid.SetDimensions(40, 40, 2)
     grid.SetPoints(points)

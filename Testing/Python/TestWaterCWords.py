@@ -134,7 +134,8 @@ CALLS = {
     "foam": (c_clear("vtk_water_actor_set_foam", number(0.3)), clear("SetFoamDepth", 0.3), 1),
     "caustics": (c_clear("vtk_water_actor_set_caustics", number(0.9)), clear("SetCaustics", 0.9), 1),
     "shadows": (
-        lambda it: [*c_clear("vtk_water_actor_set_foam", number(3.0))(it), ("vtk_water_actor_set_shadows", it.water, 1)],
+        lambda it: [*c_clear("vtk_water_actor_set_foam", number(3.0))(it),
+                    ("vtk_water_actor_set_shadows", it.water, 1)],
         in_foam,
         1,
     ),
@@ -286,7 +287,13 @@ REFUSALS = (  # name, status, words of the error, function, its arguments for a 
         "vtk_water_actor_set_caustics",
         lambda it: (it.water, number(NAN)),
     ),
-    ("shadows", BAD_VALUE, b"shadows is 2; it must be 0 or 1", "vtk_water_actor_set_shadows", lambda it: (it.water, 2)),
+    (
+        "shadows",
+        BAD_VALUE,
+        b"shadows is 2; it must be 0 or 1",
+        "vtk_water_actor_set_shadows",
+        lambda it: (it.water, 2),
+    ),
     (
         "quality",
         BAD_VALUE,

@@ -457,7 +457,8 @@ def test_a_pixel_has_its_values_colour(folder, capsys):
 def test_a_bars_title_is_in_the_picture(folder, size):
     """A picture of any size has all of the title: the rows above it are as they are without a bar."""
     options = (folder / "slope.pvd", *DATA, "--color-by", "h", "--size", size)
-    with_bar, without = (water_of(folder, *options, *more).scene.picture().astype(int) for more in ((), ("--no-scalar-bar",)))
+    with_bar, without = (water_of(folder, *options, *more).scene.picture().astype(int)
+                         for more in ((), ("--no-scalar-bar",)))
     rows = np.abs(with_bar - without).max(axis=(1, 2)) > 30
     wt.check_equal("rows of it in the uppermost five", int(rows[:5].sum()), 0)
     wt.check_at_least("rows of it", int(rows.sum()), 25)

@@ -82,14 +82,15 @@ def test_foam_moves_with_the_time_alone():
 
 @pytest.mark.parametrize("size", (1e-3, 1.0, 1e3, 1e6))
 def test_foam_that_fits_the_scene_is_as_wide_in_all_sizes(size):
-    """In automatic units the foam of a beach is a strip of the picture that can be seen, whatever the beach measures."""
+    """In automatic units the foam of a beach is a visible strip of the picture, whatever the beach measures."""
     widths = []
     for fits, units in ((True, "automatic"), (False, "automatic"), (True, "m")):
         view = wt.View((160, 120))
         beach = wt.box((0, 0, -0.05 * size), (size, size, 0.1 * size))
         actor = wt.add_actor(view.renderer, beach, (0, 0, 0))
         actor.RotateX(6)
-        water = wt.add_water(view.renderer, None, (-0.5 * size, 0.5 * size, -0.5 * size, 0.5 * size), None)
+        half = 0.5 * size
+        water = wt.add_water(view.renderer, None, (-half, half, -half, half), None)
         look = water.GetWaterProperty()
         look.RefractionOn()
         look.SetUnits(units)
