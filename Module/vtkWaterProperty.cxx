@@ -368,8 +368,7 @@ void vtkWaterProperty::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "HighlightRollOff: " << (this->HighlightRollOff ? "on" : "off") << "\n";
   os << indent << "SlopeVariance: " << this->SlopeVariance[0] << " along, "
      << this->SlopeVariance[1] << " across " << this->SlopeVariance[2] << " degrees\n";
-  os << indent << "FoamDepth: " << this->FoamDepth << "\n";
-  os << indent << "FoamFitsScene: " << this->FoamFitsScene << "\n";
+  os << indent << "FoamDepth: " << this->FoamDepth << (this->FoamFitsScene ? " fits\n" : "\n");
   os << indent << "FoamStretch: " << this->FoamStretch << "\n";
   os << indent << "FoamColor: (" << this->FoamColor[0] << ", " << this->FoamColor[1] << ", "
      << this->FoamColor[2] << ")\n";
