@@ -40,7 +40,7 @@ $first
 
 A series of compressed files of a quarter of the cells, a step read and drawn: $ahead
 
-Memory of a process that shows $count steps: over the later half it changes by $memory MB.
+Memory allocated by a process that shows $count steps: over the later half it goes up or down by $memory MB.
 """
 
 
