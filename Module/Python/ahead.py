@@ -141,23 +141,23 @@ def cells_of(cells):
 
 
 def unpack(packed):
-    """The mesh of pack, which shares memory with the arrays."""
+    """The mesh of pack. It has copies: VTK's shallow copies of NumPy's memory would outlive it."""
     kind, places, cells, arrays = packed
     mesh = vtkPolyData() if kind == "vtkPolyData" else vtkUnstructuredGrid()
     points = vtkPoints()
-    points.SetData(numpy_to_vtk(places))
+    points.SetData(numpy_to_vtk(places, deep=True))
     mesh.SetPoints(points)
     for name, stored in cells.items():
         if name == "types":
             continue
         made = vtkCellArray()
-        made.SetData(*(numpy_to_vtkIdTypeArray(part) for part in stored))
+        made.SetData(*(numpy_to_vtkIdTypeArray(part, deep=True) for part in stored))
         if name == "Cells":
-            mesh.SetCells(numpy_to_vtk(cells["types"]), made)
+            mesh.SetCells(numpy_to_vtk(cells["types"], deep=True), made)
         else:
             getattr(mesh, f"Set{name}")(made)
     for of_cells, name, values in arrays:
-        array = numpy_to_vtk(values)
+        array = numpy_to_vtk(values, deep=True)
         array.SetName(name)
         (mesh.GetCellData() if of_cells else mesh.GetPointData()).AddArray(array)
     return mesh
