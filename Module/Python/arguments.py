@@ -8,7 +8,7 @@ from . import __version__, movies, pictures, readers, vtkWaterProperty
 from .data_command import DATA_ELEVATION, add_data_arguments, time_range
 from .words import QUALITIES, TURBIDITY
 
-__all__ = ["make_parser"]
+__all__ = ["TERRAIN_ELEVATION", "make_parser"]
 
 TERRAIN_ELEVATION = 8  # degrees; it shows the reflections
 EXAMPLES = """examples:
