@@ -7,6 +7,7 @@
 #include "water_sky.h"
 
 #include <inttypes.h>
+#include <stdlib.h>
 
 // What a look may have, a bit each.
 enum
@@ -280,10 +281,25 @@ static water_feature_set under_sky(water_feature_set features, unsigned kind)
   return water_sky_features(features, false, true, &sky);
 }
 
-// All sets of features that a shader may be asked for, some more than once.
-static size_t reach_all(water_feature_set features[REACHABLE_MAX])
+static int compare_sets(const void* a, const void* b)
 {
+  const water_feature_set first = *(const water_feature_set*)a;
+  const water_feature_set second = *(const water_feature_set*)b;
+  return (first > second) - (first < second);
+}
+
+// All sets of features that a shader may be asked for, each once. They are found for the first
+// test.
+static size_t reach_all(const water_feature_set** all)
+{
+  static water_feature_set features[REACHABLE_MAX];
+  static size_t distinct = 0;
   size_t count = 0;
+  *all = features;
+  if (distinct > 0)
+  {
+    return distinct;
+  }
   for (unsigned has = 0; has < LOOKS; ++has)
   {
     const water_feature_look look = look_of(has);
@@ -308,7 +324,15 @@ static size_t reach_all(water_feature_set features[REACHABLE_MAX])
       count += 11;
     }
   }
-  return count;
+  qsort(features, count, sizeof features[0], compare_sets);
+  for (size_t i = 0; i < count; ++i)
+  {
+    if (i == 0 || features[i] != features[distinct - 1])
+    {
+      features[distinct++] = features[i];
+    }
+  }
+  return distinct;
 }
 
 // A slot that stays empty, and when.
@@ -373,8 +397,8 @@ static bool is_empty(const char* slot, water_feature_set features)
 // One file fills each slot of every shader, or none where nothing asks for the slot.
 TEST(each_slot_has_one_file)
 {
-  static water_feature_set reachable[REACHABLE_MAX];
-  const size_t count = reach_all(reachable);
+  const water_feature_set* reachable = NULL;
+  const size_t count = reach_all(&reachable);
   for (size_t i = 0; i < count; ++i)
   {
     for (int first = 0; first < SURFACE_FILES;)
@@ -437,8 +461,8 @@ TEST(slots_stand_in_their_order)
 // shader are missing in another.
 TEST(every_file_and_feature_is_used)
 {
-  static water_feature_set reachable[REACHABLE_MAX];
-  const size_t count = reach_all(reachable);
+  const water_feature_set* reachable = NULL;
+  const size_t count = reach_all(&reachable);
   water_feature_set used = 0;
   for (size_t i = 0; i < count; ++i)
   {
@@ -465,8 +489,8 @@ TEST(every_file_and_feature_is_used)
 // exactly where a mesh of the user's is drawn as it is. All can be kept from being cut.
 TEST(vertices_move_where_the_surface_is_displaced)
 {
-  static water_feature_set reachable[REACHABLE_MAX];
-  const size_t count = reach_all(reachable);
+  const water_feature_set* reachable = NULL;
+  const size_t count = reach_all(&reachable);
   for (size_t i = 0; i < count; ++i)
   {
     for (int j = 0; j < VERTEX_FILES; ++j)
