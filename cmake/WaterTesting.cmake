@@ -135,7 +135,7 @@ function(water_add_test)
       FAIL_REGULAR_EXPRESSION "${water_fail_regex}"
       LABELS "${arg_LABELS}"
       SKIP_RETURN_CODE 125
-      SKIP_REGULAR_EXPRESSION "No module named '?(numpy|PIL|pytest|pyvista)" # the reason, in Python's words
+      SKIP_REGULAR_EXPRESSION "No module named '?(numpy|PIL|pytest|pyvista|netCDF4)" # the reason, in Python's words
       TIMEOUT ${arg_TIMEOUT}
       ${arg_PROPERTIES})
     if(arg_NO_WINDOW)
