@@ -163,15 +163,15 @@ void vtkWaterWetPart::CutPolygon(vtkIdType cell, const vtkIdType* points, size_t
   std::transform(points, points + count, depths,
     [this](vtkIdType point) { return this->Columns.GetDepths()[Index(point)]; });
   const size_t made = water_shore_cut(depths, count, corners);
-  if (made == 0)
+  // triangles: VTK 9.1 finds places outside of a quad that is no parallelogram in it
+  for (size_t last = 2; last < made; ++last)
   {
-    return;
-  }
-  this->CutStarts.push_back(CountOf(this->CutCorners));
-  this->CutFrom.push_back(cell);
-  for (size_t i = 0; i < made; ++i)
-  {
-    this->CutCorners.push_back(this->PlaceOf(points, corners[i]));
+    this->CutStarts.push_back(CountOf(this->CutCorners));
+    this->CutFrom.push_back(cell);
+    for (size_t corner : { size_t(0), last - 1, last })
+    {
+      this->CutCorners.push_back(this->PlaceOf(points, corners[corner]));
+    }
   }
 }
 
