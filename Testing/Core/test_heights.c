@@ -143,6 +143,30 @@ TEST(two_heights_are_needed)
   assert_true(water_heights_judge(data.level, NULL, data.bed, 0).wrong == WATER_HEIGHT_NONE);
 }
 
-TESTS(no_water_that_there_is_has_a_wrong_unit, marks_of_dry_places_are_no_levels,
-  the_height_in_another_unit_is_found, dry_land_tells_the_unit_of_the_level,
-  levels_under_all_land_are_in_another_unit, a_lake_in_feet_is_found, two_heights_are_needed)
+// One level for all places, dry ones too, as terrains have it.
+TEST(dry_places_tell_nothing_of_the_depth)
+{
+  const double factors[] = { 1000.0, 100.0, 0.01 };
+  for (int k = 0; k < 3; ++k)
+  {
+    coast data = coast_of(236.0, 1076.0, 384.0, 0.0);
+    for (int i = 0; i < COUNT; ++i)
+    {
+      data.level[i] = 384.0;
+    }
+    assert_true(
+      water_heights_judge(data.level, data.depth, data.bed, COUNT).wrong == WATER_HEIGHT_NONE);
+    scale(data.depth, factors[k]);
+    assert_wrong(
+      water_heights_judge(data.level, data.depth, data.bed, COUNT), WATER_HEIGHT_DEPTH, factors[k]);
+    scale(data.depth, 1.0 / factors[k]);
+    scale(data.level, factors[k]);
+    assert_wrong(
+      water_heights_judge(data.level, data.depth, data.bed, COUNT), WATER_HEIGHT_LEVEL, factors[k]);
+  }
+}
+
+TESTS(dry_places_tell_nothing_of_the_depth, no_water_that_there_is_has_a_wrong_unit,
+  marks_of_dry_places_are_no_levels, the_height_in_another_unit_is_found,
+  dry_land_tells_the_unit_of_the_level, levels_under_all_land_are_in_another_unit,
+  a_lake_in_feet_is_found, two_heights_are_needed)

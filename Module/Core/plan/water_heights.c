@@ -73,7 +73,9 @@ static double share_of(water_height which, double factor, const double* levels,
   for (size_t i = 0; i < count; ++i)
   {
     const double right = expected(which, levels, depths, beds, i);
-    const bool counts = isfinite(right) && isfinite(values[i]) && fabs(right) > enough;
+    // a dry place tells nothing: its level may be anything
+    const bool counts =
+      depths[i] > 0.0 && isfinite(right) && isfinite(values[i]) && fabs(right) > enough;
     all += counts ? 1 : 0;
     fits += counts && is_times(values[i], factor, right) ? 1 : 0;
   }
