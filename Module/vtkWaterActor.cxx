@@ -236,6 +236,10 @@ void vtkWaterActor::ReleaseGraphicsResources(vtkWindow* window)
 void vtkWaterActor::ShallowCopy(vtkProp* prop)
 {
   auto* other = vtkWaterActor::SafeDownCast(prop);
+  if (other == this)
+  {
+    return;
+  }
   this->Superclass::ShallowCopy(prop);
   if (other)
   {

@@ -15,9 +15,9 @@ void vtkWaterActor::AddHull(vtkActor* hull)
   {
     vtkErrorMacro("A hull is nullptr; it must be a vtkActor with a mapper. It is left out.");
   }
-  else if (hull == this)
+  else if (vtkWaterActor::SafeDownCast(hull))
   {
-    vtkErrorMacro("A hull is the water itself. It is left out.");
+    vtkErrorMacro("A hull is a water; it must be what floats in one. It is left out.");
   }
   else if (this->Internal->Hulls.Add(hull))
   {

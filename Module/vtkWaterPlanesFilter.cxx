@@ -14,7 +14,6 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataNormals.h"
-#include "vtkUnstructuredGrid.h"
 #include "vtkWaterCompat.h"
 #include "vtkWaterParts.h"
 #include "vtkWaterPolygons.h"
@@ -28,58 +27,6 @@ vtkStandardNewMacro(vtkWaterPlanesFilter);
 
 namespace
 {
-// What is wrong with cells; empty: nothing is.
-//
-// start   number of the first of them in the data set
-// points  their number
-std::string FindWrongPoint(vtkCellArray* cells, vtkIdType start, vtkIdType points)
-{
-  if (!cells)
-  {
-    return {};
-  }
-  vtkIdType wrongCell = -1; // the first one
-  vtkIdType wrongPoint = 0;
-  vtkWaterForEachCell(cells, [&](vtkIdType cell, const vtkIdType* corners, vtkIdType count) {
-    const vtkIdType* wrong = std::find_if(
-      corners, corners + count, [points](vtkIdType point) { return point < 0 || point >= points; });
-    if (wrong != corners + count && wrongCell < 0)
-    {
-      wrongCell = cell;
-      wrongPoint = *wrong;
-    }
-  });
-  if (wrongCell < 0)
-  {
-    return {};
-  }
-  return "cell " + std::to_string(start + wrongCell) + " has the point " +
-    std::to_string(wrongPoint) +
-    (points > 0 ? "; points must lie in [0, " + std::to_string(points - 1) + "]"
-                : "; the mesh has no points");
-}
-
-std::string FindWrongPoint(vtkDataSet* input)
-{
-  const vtkIdType points = input->GetNumberOfPoints();
-  if (auto* grid = vtkUnstructuredGrid::SafeDownCast(input))
-  {
-    return FindWrongPoint(grid->GetCells(), 0, points);
-  }
-  std::string wrong;
-  if (auto* mesh = vtkPolyData::SafeDownCast(input))
-  {
-    vtkIdType start = 0; // in this order
-    for (vtkCellArray* cells :
-      { mesh->GetVerts(), mesh->GetLines(), mesh->GetPolys(), mesh->GetStrips() })
-    {
-      wrong = wrong.empty() ? FindWrongPoint(cells, start, points) : wrong;
-      start += cells ? cells->GetNumberOfCells() : 0;
-    }
-  }
-  return wrong;
-}
-
 // The first polygon of a mesh that has too few points to be one; empty: there is none.
 std::string FindTooFewPoints(vtkPolyData* mesh)
 {
@@ -172,7 +119,7 @@ int vtkWaterPlanesFilter::RequestData(
   {
     return 1;
   }
-  const std::string wrong = FindWrongPoint(input);
+  const std::string wrong = vtkWaterFindWrongPoint(input);
   if (!wrong.empty())
   {
     vtkErrorMacro(<< wrong << ". There are no planes.");

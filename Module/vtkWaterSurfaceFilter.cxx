@@ -289,6 +289,12 @@ int vtkWaterSurfaceFilter::RequestData(
                   "surface first, and give the water that as its mapper's input.");
     return 1; // once: a failure would be told by the pipeline, too
   }
+  const std::string wrongPoint = vtkWaterFindWrongPoint(input);
+  if (!wrongPoint.empty())
+  {
+    vtkErrorMacro(<< wrongPoint << ". There is no surface.");
+    return 1;
+  }
   vtkNew<vtkPolyData> mesh;
   vtkWaterPolygonsOf(input, mesh);
   vtkWaterColumns::Given given;
@@ -300,7 +306,10 @@ int vtkWaterSurfaceFilter::RequestData(
     return 1;
   }
   given.DryDepth = this->DryDepth;
-  this->CheckUnits(given.Level, given.Depth, given.Bed);
+  if (given.IsBedOfCells == given.AreOfCells) // or they are of other places
+  {
+    this->CheckUnits(given.Level, given.Depth, given.Bed);
+  }
   vtkWaterColumns columns;
   columns.Make(mesh, given);
   vtkWaterWetPart(mesh, columns, this->VerticalScale).Make(kLevel, kDepth, output);

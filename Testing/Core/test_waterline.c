@@ -159,5 +159,22 @@ TEST(what_the_water_does_not_meet_is_not_cut)
   assert_false(water_waterline_lay(NULL, 0, &rows));
 }
 
+// Numbers that are not finite, or too large for a table of all.
+TEST(wrong_places_are_found)
+{
+  double places[9] = { 0, 1e12, -1e12, 1, 2, 3, 4, 5, 6 };
+  assert_int_equal(water_waterline_find_wrong(places, 3), 3);
+  assert_int_equal(water_waterline_find_wrong(places, 0), 0);
+  const double wrong[4] = { NAN, INFINITY, -INFINITY, -1.1e12 };
+  for (int i = 0; i < 36; ++i)
+  {
+    const double kept = places[i % 9];
+    places[i % 9] = wrong[i / 9];
+    assert_int_equal(water_waterline_find_wrong(places, 3), i % 9 / 3);
+    places[i % 9] = kept;
+  }
+}
+
 TESTS(what_a_waterline_goes_round_is_inside, a_hold_between_thick_walls_is_inside,
-  a_side_that_is_missing_is_an_open_hull, what_the_water_does_not_meet_is_not_cut)
+  a_side_that_is_missing_is_an_open_hull, what_the_water_does_not_meet_is_not_cut,
+  wrong_places_are_found)

@@ -5,10 +5,11 @@ import numpy as np
 import pytest
 import ray_caster
 import water_test as wt
-from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
+from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkAppendPolyData
+from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper
 from vtkwater import vtkWaterActor
 
 SIZE = (240, 180)
@@ -271,3 +272,74 @@ def test_what_is_no_hull_is_left_out():
     scene.boats[1].SetMapper(None)
     scene.view.picture()
     wt.check_equal("errors", len(errors), 3)
+
+
+def of_two_points(far):
+    """A box, one of whose corners is far away."""
+    mesh = prism(np.array(((-8, 2), (-5, 2), (-5, 5), (-8, 5)), dtype=float), -1.0, 1.5)
+    vtk_to_numpy(mesh.GetPoints().GetData())[0, 0] = far
+    return mesh
+
+
+def with_a_wrong_point():
+    mesh = prism(BOW, -1.0, 1.5)
+    mesh.GetPolys().InsertNextCell(3, [0, 1, 10_000_000])
+    return mesh
+
+
+def line():
+    mesh = vtkPolyData()
+    mesh.SetPoints(prism(BOW, -1.0, 1.5).GetPoints())
+    cells = vtkCellArray()
+    cells.InsertNextCell(2, [0, 1])
+    mesh.SetLines(cells)
+    return mesh
+
+
+@pytest.mark.parametrize("bad", (of_two_points(1e30), of_two_points(np.nan), of_two_points(np.inf), with_a_wrong_point(),
+                                 line()), ids=("far", "nan", "infinite", "wrong_point", "line"))
+def test_a_bad_hull_leaves_the_others_dry(bad):
+    good, both = Scene([prism(BOW, -1.0, 1.5)]), Scene([prism(BOW, -1.0, 1.5)])
+    good.water.AddHull(good.boats[0])
+    mapper = vtkPolyDataMapper()
+    mapper.SetInputData(bad)
+    hull = vtkActor()
+    hull.SetMapper(mapper)
+    errors = errors_of(both.water)
+    both.water.AddHull(both.boats[0])
+    both.water.AddHull(hull)
+    off = (good.view.picture() != both.view.picture()).any(axis=2)
+    wt.check_equal("errors", len(errors), 1)
+    wt.check_equal("pixels that differ", int(off.sum()), 0)
+
+
+def disc(sides, x):
+    angles = np.linspace(0, 2 * np.pi, sides, endpoint=False)
+    return prism(np.stack([x + 3 * np.cos(angles), 3 * np.sin(angles)], axis=-1), -1.0, 1.5)
+
+
+def test_a_table_that_is_too_large_is_an_error_once():
+    """Two hulls of many edges far apart; the picture is the one without hulls."""
+    scene = Scene([disc(18000, 0.0), disc(18000, 10000.0)])
+    wet = scene.view.picture()
+    errors = errors_of(scene.water)
+    for boat in scene.boats:
+        scene.water.AddHull(boat)
+    shown = scene.view.picture()
+    scene.water.SetTime(1.0)
+    scene.view.picture()
+    wt.check_equal("errors", len(errors), 1)
+    wt.check_equal("pixels that changed", int((shown != wet).any(axis=2).sum()), 0)
+
+
+def test_a_water_is_no_hull_and_a_copy_of_itself_keeps_its_hulls():
+    scene = Scene([prism(BOW, -1.0, 1.5)])
+    other = vtkWaterActor()
+    errors = errors_of(scene.water)
+    scene.water.AddHull(other)
+    other.AddHull(scene.water)
+    wt.check_equal("hulls", (scene.water.GetNumberOfHulls(), other.GetNumberOfHulls(), len(errors)), (0, 0, 1))
+    scene.water.GetMTime()
+    scene.water.AddHull(scene.boats[0])
+    scene.water.ShallowCopy(scene.water)
+    wt.check_equal("hulls of a copy of itself", scene.water.GetNumberOfHulls(), 1)

@@ -473,3 +473,32 @@ def test_real_water_has_one_unit(bed, sea, wave, names):
     for name, values in (("zb", heights), ("h", level - heights), ("zeta", level)):
         add_array(mesh, name, values)
     wt.check_equal("warnings", warnings_of(mesh, **names), [])
+
+
+def test_normals_of_the_bed_are_not_the_surfaces():
+    """They would turn its reflections: point normals of a water's mesh are its slopes."""
+    for bed in (-1000.0, None):  # all wet, and with a shore
+        mesh = flooded(0.4)
+        if bed is not None:
+            vtk_to_numpy(mesh.GetPointData().GetArray("zb"))[:] = bed
+            vtk_to_numpy(mesh.GetPointData().GetArray("h"))[:] = 0.4 - bed
+        for data, count in ((mesh.GetPointData(), mesh.GetNumberOfPoints()),
+                            (mesh.GetCellData(), mesh.GetNumberOfCells())):
+            normals = numpy_to_vtk(np.tile((1.0, 0.0, 0.0), (count, 1)), deep=True)
+            normals.SetName("of the bed")
+            data.SetNormals(normals)
+        _, surface, said = surface_of(mesh, DepthArrayName="h", BedArrayName="zb")
+        wt.check_equal("errors", said, [])
+        wt.check_at_least("cells", surface.GetNumberOfCells(), 100)
+        wt.check_equal("normals", (surface.GetPointData().GetNormals(), surface.GetCellData().GetNormals()), (None, None))
+        wt.check_equal("the mesh keeps its own", mesh.GetPointData().GetNormals() is None, False)
+
+
+@pytest.mark.parametrize("point", (10_000_000, -5))
+def test_a_point_that_is_not_there_is_an_error(point):
+    mesh = flooded(0.4)
+    mesh.GetPolys().InsertNextCell(3, [0, 1, point])
+    _, surface, said = surface_of(mesh, DepthArrayName="h", BedArrayName="zb")
+    wt.check_equal("cells", surface.GetNumberOfCells(), 0)
+    wt.check_equal("errors", len(said), 1)
+    wt.check_equal("names the point", f"the point {point}" in said[0], True)

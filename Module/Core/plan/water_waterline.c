@@ -36,6 +36,16 @@ void water_waterline_places(const double points_to_world[16], const water_plane*
   }
 }
 
+size_t water_waterline_find_wrong(const double* places, size_t count)
+{
+  size_t i = 0;
+  while (i < 3 * count && fabs(places[i]) <= WATER_WATERLINE_REACH)
+  {
+    ++i;
+  }
+  return i / 3;
+}
+
 bool water_waterline_cut(
   const size_t corners[3], const double* places, water_waterline_piece* piece)
 {

@@ -21,6 +21,14 @@ extern "C"
 {
 #endif
 
+#define WATER_WATERLINE_REACH                                                                      \
+  1e12 // of places about the origin: a table of all has no room for more
+
+enum
+{
+  WATER_WATERLINE_LONGEST = 16384 // texels of a row: what textures have at least on today's GPUs
+};
+
 // A piece of a waterline, across one triangle.
 typedef struct water_waterline_piece
 {
@@ -46,6 +54,10 @@ typedef struct water_waterline_end
 // places           count of 3: x, y and height over the plane. May be points
 void water_waterline_places(const double points_to_world[16], const water_plane* unit,
   const double origin[3], const double* points, size_t count, double* places);
+
+// The first of places with a number that is not finite, or beyond WATER_WATERLINE_REACH; count:
+// there is none.
+size_t water_waterline_find_wrong(const double* places, size_t count);
 
 // Cuts a triangle at the height 0; a corner on it counts as over it.
 //

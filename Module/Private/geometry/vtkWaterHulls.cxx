@@ -13,6 +13,7 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkTriangleFilter.h"
+#include "vtkWaterPolygons.h"
 
 #include <algorithm>
 #include <sstream>
@@ -42,6 +43,25 @@ vtkSmartPointer<vtkPolyData> TrianglesOf(vtkDataSet* data)
   clean->ConvertPolysToLinesOff();
   clean->Update();
   return clean->GetOutput();
+}
+
+// place  in the plane's axes
+std::string SayOpen(const double place[2])
+{
+  std::ostringstream text;
+  text << "is not closed where the water cuts it, at (" << place[0] << ", " << place[1]
+       << ") in the plane's axes: its sides must go all around there, each edge must belong to two "
+          "polygons, and its rim must be over the highest wave";
+  return text.str();
+}
+
+std::string SayPlace(const double point[3])
+{
+  std::ostringstream text;
+  text << "has a point at (" << point[0] << ", " << point[1] << ", " << point[2]
+       << "); coordinates must be finite, and lie within " << WATER_WATERLINE_REACH
+       << " of the water's origin";
+  return text.str();
 }
 }
 
@@ -129,6 +149,13 @@ std::string vtkWaterHulls::Read(Hull& hull)
   {
     return "";
   }
+  const std::string wrongPoint = vtkWaterFindWrongPoint(data);
+  if (!wrongPoint.empty())
+  {
+    hull.Triangles.clear();
+    hull.DataTime = 0;
+    return "has a wrong mesh: " + wrongPoint;
+  }
   const vtkSmartPointer<vtkPolyData> mesh = TrianglesOf(data);
   hull.DataTime = data->GetMTime();
   hull.Points.resize(3 * static_cast<size_t>(mesh->GetNumberOfPoints()));
@@ -149,6 +176,11 @@ std::string vtkWaterHulls::Read(Hull& hull)
         { static_cast<size_t>(ids[0]), static_cast<size_t>(ids[1]), static_cast<size_t>(ids[2]) });
     }
   }
+  if (hull.Triangles.empty())
+  {
+    hull.DataTime = 0; // said again when it is asked for again
+    return "has no polygons; its mesh must be a closed surface, or a volume";
+  }
   return "";
 }
 
@@ -166,6 +198,11 @@ std::string vtkWaterHulls::CutOne(
   std::vector<double> places(hull.Points.size());
   water_waterline_places(&hull.Actor->GetMatrix()->Element[0][0], &surface.Unit, surface.Origin,
     hull.Points.data(), count, places.data());
+  const size_t wrongPlace = water_waterline_find_wrong(places.data(), count);
+  if (wrongPlace < count)
+  {
+    return SayPlace(hull.Points.data() + 3 * wrongPlace);
+  }
   if (surface.HeightMax > 0.0)
   {
     // the others are over all waves, or under them
@@ -202,13 +239,7 @@ std::string vtkWaterHulls::CutOne(
   size_t open = 0;
   if (!water_waterline_close(found.data(), found.size(), ends.data(), &open))
   {
-    std::ostringstream text;
-    text
-      << "is not closed where the water cuts it, at (" << found[open].ends[0][0] << ", "
-      << found[open].ends[0][1]
-      << ") in the plane's axes: its sides must go all around there, each edge must belong to two "
-         "polygons, and its rim must be over the highest wave";
-    return text.str();
+    return SayOpen(found[open].ends[0]);
   }
   pieces.insert(pieces.end(), found.begin(), found.end());
   return "";
@@ -230,6 +261,14 @@ vtkWaterHullTablePointer vtkWaterHulls::Cut(const Surface& surface, std::string&
   auto table = std::make_shared<vtkWaterHullTable>();
   if (!water_waterline_lay(pieces.data(), pieces.size(), &table->Rows))
   {
+    return nullptr;
+  }
+  if (table->Rows.longest > WATER_WATERLINE_LONGEST)
+  {
+    wrong = "The hulls have " + std::to_string(table->Rows.longest) +
+      " edges in one strip of their table, which must have at most " +
+      std::to_string(WATER_WATERLINE_LONGEST) +
+      ": use coarser meshes, or waters of their own for hulls far apart. The water fills them.";
     return nullptr;
   }
   table->Texels.resize(4 * static_cast<size_t>(table->Rows.count) * table->Rows.longest);

@@ -8,8 +8,14 @@
 #include "vtkCellArrayIterator.h"
 #include "vtkSmartPointer.h"
 
+#include <string>
+
 class vtkDataSet;
 class vtkPolyData;
+
+// The first cell that has a point which the data set has not; empty: there is none. VTK's filters
+// do not look, and crash.
+std::string vtkWaterFindWrongPoint(vtkDataSet* input);
 
 // The polygons of a data set's surface, and nothing else: strips become triangles.
 void vtkWaterPolygonsOf(vtkDataSet* input, vtkPolyData* mesh);

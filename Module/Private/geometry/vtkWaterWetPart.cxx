@@ -74,6 +74,10 @@ void vtkWaterWetPart::Make(const char* levelName, const char* depthName, vtkPoly
     this->AddPolygons(output);
     this->AddArrays(output);
   }
+  // those of the mesh, which may be its bed's, are not the surface's
+  output->GetPointData()->SetNormals(nullptr);
+  output->GetPointData()->SetTangents(nullptr);
+  output->GetCellData()->SetNormals(nullptr);
   this->AddPoints(levels, depths, output);
   output->GetPointData()->AddArray(levels);
   output->GetPointData()->AddArray(depths);
