@@ -3,10 +3,11 @@
 
 VTK's readers are not made for several threads: libraries below them (HDF5, netCDF) keep state for the whole process,
 and an error of theirs goes to the one output window. So another process has a solution of its own, with the same
-arguments, and sends its meshes as arrays. What it sends is what this process would have read. Where it fails, for
-whatever reason, it sends nothing, and this process reads the step itself, when it is asked for it, with the error that
-belongs to it.
+arguments, and sends its meshes as arrays, each with the number of its step. What it sends is what this process would
+have read. Where it fails, for whatever reason, it sends no mesh, and this process reads the step itself, when it is
+asked for it, with the error that belongs to it.
 """
+import contextlib
 import json
 import os
 import pickle
@@ -21,12 +22,23 @@ from vtkmodules.vtkCommonDataModel import VTK_POLYHEDRON, vtkCellArray, vtkPolyD
 
 __all__ = ["Ahead", "pack", "serve", "unpack"]
 
-CODE = "import sys; sys.path[:] = {path!r}; from vtkwater.ahead import serve; serve()"
+# What is imported may print: only this process's own answers go to its first standard output.
+CODE = """import os, sys
+answers = os.dup(1)
+os.dup2(2, 1)
+sys.path[:] = {path!r}
+from vtkwater.ahead import serve
+serve(answers)"""
+MARK = b"vtkwater: a step\n"  # a line before each answer: a sitecustomize module may have printed before CODE runs
+LIMIT_S = 60.0  # for an answer; a reader that takes longer is ended
+END_S = 5.0  # for the end of a process that was killed; longer only while the system does not answer its reads
 POLYGONS = ("Verts", "Lines", "Polys", "Strips")  # of vtkPolyData
 
 
 class Ahead:
     """Another process that reads one step at a time.
+
+    Several threads may use it. A process made by os.fork() gets no mesh of it, and reads its steps itself.
 
     Parameters
     ----------
@@ -36,34 +48,57 @@ class Ahead:
 
     def __init__(self, *arguments):
         self._arguments = arguments
+        self._file = states_of([arguments[0]])  # the other process opens it later: it must be the same until then
+        self._owner = os.getpid()
+        self._lock = threading.Lock()
         self._process = None
+        self._finish = None  # ends the process
         self._thread = None
         self._number = None  # of the step that was asked for last
+        self._states = None  # of its files when it was asked for
         self._found = []
-        self._is_over = False
+        self._is_over = not is_python(sys.executable)
 
-    def ask(self, number):
-        """Begin to read a step, unless another one is still being read."""
-        if self._is_over or (self._thread and self._thread.is_alive()):
+    def ask(self, number, files=()):
+        """Begin to read a step, which is in these files and the solution's, unless one is still being read."""
+        if os.getpid() != self._owner:  # of a fork: the pipes are not its own, and the lock may be held for ever
             return
-        if not self._process:
-            self._start()
-        if self._process:
-            self._number, self._found = number, []
-            self._thread = threading.Thread(target=exchange, args=(self._process, number, self._found), daemon=True)
-            self._thread.start()
+        with self._lock:
+            if self._is_over or (self._thread and self._thread.is_alive()) or self._has_changed():
+                return
+            if not self._process:
+                self._start()
+            if self._process:
+                self._number, self._states, self._found = number, (files, states_of(files)), []
+                arguments = self._process, number, self._found
+                self._thread = threading.Thread(target=exchange, args=arguments, daemon=True)
+                self._thread.start()
 
     def take(self, number):
-        """The mesh of a step that was asked for, when it is there; None: read it yourself."""
-        if self._number != number:
+        """The mesh of a step that was asked for, when it is there; None: read it yourself.
+
+        It is None, too, if a file of the step has changed since, or if the other process does not answer within
+        LIMIT_S seconds.
+        """
+        if os.getpid() != self._owner:
             return None
-        self._thread.join()
-        self._number = None
-        if not self._found:
-            self._is_over = True  # the process is gone
-            return None
-        packed = self._found.pop()
-        return None if packed is None else unpack(packed)
+        with self._lock:
+            if self._number != number:
+                return None
+            self._thread.join(LIMIT_S)
+            self._number = None
+            answered, packed = self._found.pop() if self._found else (None, None)
+            if answered != number:  # it has ended, or does not answer, or answers another question
+                self._is_over = True
+                self._finish()
+                return None
+            files, states = self._states
+            if packed is None or self._has_changed() or states_of(files) != states:
+                return None
+            return unpack(packed)
+
+    def _has_changed(self):
+        return states_of([self._arguments[0]]) != self._file
 
     def _start(self):
         path, arrays, *rest = self._arguments
@@ -71,36 +106,66 @@ class Ahead:
             self._process = subprocess.Popen(
                 [sys.executable, "-c", CODE.format(path=sys.path)], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
                 stderr=subprocess.DEVNULL)  # what is wrong is said when the step is asked for
+            self._finish = weakref.finalize(self, end, self._process, self._owner)
             self._process.stdin.write(json.dumps([os.path.abspath(path), list(arrays), *rest]).encode() + b"\n")
         except OSError:
             self._is_over = True
-            return
-        weakref.finalize(self, end, self._process)
+            if self._finish:
+                self._finish()
+            self._process = None
 
 
-def end(process):
+def is_python(program):
+    """Whether a program takes Python's arguments: sys.executable may be none, or an application that has Python."""
+    name = os.path.basename(program or "").lower()
+    return ("python" in name or "pypy" in name) and not getattr(sys, "frozen", False)
+
+
+def states_of(files):
+    """Of each file its time of modification, size and number; None where there is none."""
+    states = []
+    for file in files:
+        try:
+            found = os.stat(file)
+            states.append((found.st_mtime_ns, found.st_size, found.st_ino))
+        except OSError:
+            states.append(None)
+    return states
+
+
+def end(process, owner):
+    """Ends the process; not from a fork of the process that has started it."""
+    if os.getpid() != owner:
+        return
     process.kill()
-    process.wait()
-    process.stdin.close()
+    with contextlib.suppress(OSError):  # a request that nobody reads any more
+        process.stdin.close()
+    try:
+        process.wait(END_S)
+    except subprocess.TimeoutExpired:
+        return  # a thread still waits for it in stdout
     process.stdout.close()
 
 
 def exchange(process, number, found):
-    """Sends the number of a step, and adds what comes back; nothing if the process has ended."""
+    """Sends the number of a step, and adds what comes back, (number, packed); nothing if the process has ended."""
     try:
         process.stdin.write(b"%d\n" % number)
         process.stdin.flush()
-        found.append(pickle.load(process.stdout))
-    except (OSError, EOFError, ValueError, pickle.UnpicklingError):
+        line = process.stdout.readline()
+        while line and line != MARK:
+            line = process.stdout.readline()
+        if line:
+            found.append(pickle.load(process.stdout))
+    except Exception:  # whatever it is, of a pipe that was closed or an answer that was cut: there is no mesh
         pass
 
 
-def serve():
-    """The other process: steps by their numbers from standard input, until it ends."""
+def serve(descriptor):
+    """The other process: steps by their numbers from standard input, until it ends; answers to a file descriptor."""
     from .solutions import Solution
 
-    answers = os.fdopen(os.dup(1), "wb")
-    os.dup2(2, 1)  # what libraries print is no answer
+    answers = os.fdopen(descriptor, "wb")
     solution = None
     path, arrays, is_volume, is_lonlat = json.loads(sys.stdin.readline())
     for line in sys.stdin:
@@ -108,9 +173,11 @@ def serve():
         try:
             solution = solution or Solution(path, arrays, is_volume, is_lonlat)
             packed = pack(solution.step(int(line)))
+            solution.forget()  # its file may have changed when it is asked for again
         except Exception:  # whatever it is: the other process will meet it, too, and say it
             pass
-        pickle.dump(packed, answers, protocol=5)
+        answers.write(b"\n" + MARK)
+        pickle.dump((int(line), packed), answers, protocol=5)
         answers.flush()
 
 
@@ -129,10 +196,15 @@ def pack(mesh):
             return None
         cells["Cells"] = cells_of(mesh.GetCells())
         cells["types"] = kinds
-    arrays = [(of_cells, data.GetArrayName(i), vtk_to_numpy(data.GetArray(i)))
+    arrays = [(of_cells, data.GetArrayName(i), vtk_to_numpy(data.GetArray(i)), components_of(data.GetArray(i)))
               for of_cells, data in ((False, mesh.GetPointData()), (True, mesh.GetCellData()))
               for i in range(data.GetNumberOfArrays())]
     return mesh.GetClassName(), vtk_to_numpy(mesh.GetPoints().GetData()), cells, arrays
+
+
+def components_of(array):
+    """The names of an array's components; None for one without a name."""
+    return [array.GetComponentName(i) for i in range(array.GetNumberOfComponents())]
 
 
 def cells_of(cells):
@@ -156,8 +228,11 @@ def unpack(packed):
             mesh.SetCells(numpy_to_vtk(cells["types"], deep=True), made)
         else:
             getattr(mesh, f"Set{name}")(made)
-    for of_cells, name, values in arrays:
+    for of_cells, name, values, components in arrays:
         array = numpy_to_vtk(values, deep=True)
         array.SetName(name)
+        for i, component in enumerate(components):
+            if component is not None:
+                array.SetComponentName(i, component)
         (mesh.GetCellData() if of_cells else mesh.GetPointData()).AddArray(array)
     return mesh

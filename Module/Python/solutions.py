@@ -52,8 +52,10 @@ class Solution:
         these names.
     read_ahead : bool, default: False
         Read the next step in another process while you show this one; for series of many steps. What is read does not
-        change, nor do errors, which are raised when their step is asked for. The process takes the memory of some
-        steps, and ends with the solution.
+        change, nor do errors, which are raised when their step is asked for. A step whose file changes after it was
+        read ahead is read again; the parts that a file lists (.pvtp, .pvtu, .vtm, .foam) must not change. The process
+        takes the memory of some steps, and ends with the solution. Steps are not read ahead where Python is part of an
+        application, in a process made by os.fork(), and after a step that took longer than a minute.
 
     Attributes
     ----------
@@ -72,6 +74,7 @@ class Solution:
         self.note = ""
         self._arrays = tuple(arrays)
         self._is_volume = is_volume
+        ahead = Ahead(self.path, self._arrays, is_volume, is_lonlat)  # before the file is read: it sees later changes
         self._source = kind_of(self.path, KINDS)(self.path)
         self._is_lonlat = self._source.is_lonlat if is_lonlat is None else is_lonlat
         self.times = tuple(self._source.times) or (0.0,)
@@ -84,7 +87,7 @@ class Solution:
         self._between = vtkTemporalInterpolator()
         self._between.SetInputConnection(self._pipeline.GetOutputPort())
         if read_ahead and len(self.times) > KEPT_STEPS:
-            self._ahead = Ahead(self.path, self._arrays, is_volume, is_lonlat)
+            self._ahead = ahead
 
     def step(self, i):
         """The mesh of a step, from 0 on: vtkPolyData, or vtkUnstructuredGrid of a volume. It is not to be changed."""
@@ -95,9 +98,13 @@ class Solution:
             if self._ahead:
                 following = i + 1 if i >= self._last else i - 1
                 if 0 <= following < len(self.times) and following not in self._steps:
-                    self._ahead.ask(following)
+                    self._ahead.ask(following, self._files_of(following))
             self._last = i
         return self._steps[i]
+
+    def forget(self):
+        """Read every step again when it is asked for."""
+        self._steps.clear()
 
     def at(self, time):
         """The mesh at a time: of a step, or between two by vtkTemporalInterpolator where both have the same cells.
@@ -150,6 +157,9 @@ class Solution:
             (kept.GetCellData() if of_cells else kept.GetPointData()).AddArray(array)
         self._place(kept)
         return kept
+
+    def _files_of(self, i):
+        return self._source.files_of(i) if isinstance(self._source, Collection) else ()
 
     def _of_step(self, i):
         return f" at time {self.times[i]:g}" if i else ""
@@ -326,6 +336,10 @@ class Collection:
             raise FileError(f"{path}: is empty: it lists no files")
         self.times = sorted(files)
         self._files = files
+
+    def files_of(self, i):
+        """The files of a step, besides the collection."""
+        return self._files[self.times[i]]
 
     def read(self, i):
         append = vtkMultiBlockDataSet()

@@ -5,6 +5,7 @@
     print(viewer.help)
     viewer.run()
 """
+import contextlib
 import time as clock
 
 from vtkmodules.vtkInteractionStyle import vtkInteractorStyleTrackballCamera
@@ -108,8 +109,15 @@ class Viewer:
     def _step(self, by):
         times = self._data.solution.times
         at = min(range(len(times)), key=lambda i: abs(times[i] - self._time))
-        self._time = times[min(max(at + by, 0), len(times) - 1)]
-        self._data.show(self._time)
+        time = times[min(max(at + by, 0), len(times) - 1)]
+        try:
+            self._data.show(time)
+        except (OSError, RuntimeError, ValueError) as error:  # a damaged step; RuntimeError is netCDF4's
+            print(f"vtkwater: {error}")
+            with contextlib.suppress(OSError, RuntimeError, ValueError):
+                self._data.show(self._time)  # the water may have got a part of what failed
+            return
+        self._time = time
         self._scene.water.SetTime(self._time)
         self._scene.window.Render()
 

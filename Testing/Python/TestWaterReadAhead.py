@@ -2,6 +2,11 @@
 """Steps that another process reads ahead are those that this one would have read, and so are their errors."""
 
 import gc
+import os
+import signal
+import subprocess
+import sys
+import threading
 import time
 
 import numpy as np
@@ -83,6 +88,26 @@ def are_equal(one, other):
         np.array_equal(a, b) and getattr(a, "dtype", None) == getattr(b, "dtype", None) for a, b in zip(one, other))
 
 
+def h_of(mesh):
+    """The number of a step of flood, by its first depth."""
+    return float(vtk_to_numpy(mesh.GetPointData().GetArray("h"))[0]) + 0.5
+
+
+def wait_for_answer(solution):
+    solution._ahead._thread.join(20)
+    assert not solution._ahead._thread.is_alive()
+
+
+def run(tmp_path, code):
+    """What a program of its own prints, on both outputs, with a series in path."""
+    begin = ("import gc, os, signal\nfrom vtkwater import ahead, solutions\n"
+             "from TestWaterReadAhead import h_of, wait_for_answer, STEPS\n"
+             f"path = {str(write_series(tmp_path))!r}\n")
+    done = subprocess.run([sys.executable, "-c", begin + code], stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                          text=True, timeout=60)
+    return done.stdout.strip()
+
+
 def read_here(monkeypatch):
     """The numbers of the steps that are read in this process from now on."""
     numbers, made = [], solutions.Solution._made
@@ -137,20 +162,29 @@ def test_an_error_is_raised_when_its_step_is_asked_for(tmp_path):
 
 
 def test_steps_are_read_without_the_other_process(tmp_path, monkeypatch):
-    """When it has been ended, and where it cannot be started."""
+    """When it has been ended."""
     path = write_series(tmp_path)
     solution = solutions.Solution(path, ["h"], read_ahead=True)
     solution.step(1)
     solution._ahead._process.kill()
     numbers = read_here(monkeypatch)
     for step in range(2, STEPS):
-        wt.check_equal(f"h of step {step}", float(vtk_to_numpy(solution.step(step).GetPointData().GetArray("h"))[0]),
-                       step - 0.5)
+        wt.check_equal(f"h of step {step}", h_of(solution.step(step)), step)
     wt.check_at_least("steps read here", len(numbers), STEPS - 3)
-    monkeypatch.setattr(ahead.sys, "executable", str(tmp_path / "none"))
-    other = solutions.Solution(path, ["h"], read_ahead=True)
-    wt.check_equal("h", [float(vtk_to_numpy(other.step(step).GetPointData().GetArray("h"))[0])
-                         for step in range(STEPS)], [step - 0.5 for step in range(STEPS)])
+
+
+@pytest.mark.parametrize("program", (None, "", "{folder}/python", "{folder}/application"),
+                         ids=("none", "empty", "not there", "not Python"))
+def test_steps_are_read_where_python_is_no_program(tmp_path, monkeypatch, program):
+    """And an application that has Python inside is not started again."""
+    application = tmp_path / "application"
+    application.write_text(f"#!/bin/sh\ntouch {tmp_path}/started\n")
+    application.chmod(0o755)
+    monkeypatch.setattr(ahead.sys, "executable", program and program.format(folder=tmp_path))
+    solution = solutions.Solution(write_series(tmp_path), ["h"], read_ahead=True)
+    wt.check_equal("steps", [h_of(solution.step(step)) for step in range(STEPS)], list(range(STEPS)))
+    time.sleep(0.2)
+    wt.check_equal("started", (tmp_path / "started").exists(), False)
 
 
 def test_the_other_process_ends_with_the_solution(tmp_path):
@@ -182,3 +216,177 @@ def test_what_arrays_do_not_hold_is_not_sent():
         ids.InsertNextId(value)
     mesh.InsertNextCell(VTK_POLYHEDRON, ids)
     wt.check_equal("a polyhedron", ahead.pack(mesh), None)
+
+
+def test_an_answer_to_another_question_is_not_used(tmp_path, monkeypatch):
+    """As when two processes ask in the same pipe. It ends the other process: nothing that follows can be trusted."""
+    solution = solutions.Solution(write_series(tmp_path), ["h"], read_ahead=True)
+    solution.step(1)
+    wait_for_answer(solution)
+    process = solution._ahead._process
+    process.stdin.write(b"5\n")  # asked by somebody else: its answer comes first
+    process.stdin.flush()
+    solution.step(2)
+    wait_for_answer(solution)
+    wt.check_equal("step 3", h_of(solution.step(3)), 3)
+    wt.check_equal("has ended", process.poll() is not None, True)
+    wt.check_equal("step 4", h_of(solution.step(4)), 4)
+
+
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="this system has no fork")
+def test_a_fork_reads_its_steps_itself(tmp_path):
+    """And neither takes the answers of the process that it comes from nor ends its reader."""
+    text = run(tmp_path, """
+solution = solutions.Solution(path, ["h"], read_ahead=True)
+solution.step(1)
+wait_for_answer(solution)
+child = os.fork()
+signal.alarm(20)  # each of the two ends, whatever happens
+if not child:
+    solution._ahead._lock.acquire(False)  # as a thread may have held it
+    print([h_of(solution.step(step)) for step in (2, 3, 2, 1, 0)], flush=True)
+    del solution
+    gc.collect()
+    os._exit(0)
+os.waitpid(child, 0)
+print(solution._ahead._process.poll())
+numbers, made = [], solutions.Solution._made
+solutions.Solution._made = lambda self, i: numbers.append(i) or made(self, i)
+print([h_of(solution.step(step)) for step in (2, 3, 4)], numbers)
+""")
+    wt.check_equal("steps of the fork, and after it", text.splitlines(),
+                   ["[2.0, 3.0, 2.0, 1.0, 0.0]", "None", "[2.0, 3.0, 4.0] []"])
+
+
+def test_threads_get_the_steps_they_ask_for(tmp_path):
+    """What several threads take from the other process is of the step that each has asked for, or nothing."""
+    other = ahead.Ahead(write_series(tmp_path), ["h"], False, None)
+    wrong, taken = [], []
+
+    def ask_and_take(seed):
+        for step in np.random.default_rng(seed).integers(0, STEPS, 60):
+            try:
+                other.ask(int(step))
+                mesh = other.take(int(step))
+                if mesh:
+                    (taken if h_of(mesh) == step else wrong).append(step)
+            except Exception as error:
+                wrong.append(repr(error))
+
+    threads = [threading.Thread(target=ask_and_take, args=(seed,)) for seed in range(4)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    wt.check_equal("wrong meshes and errors", wrong, [])
+    wt.check_at_least("meshes", len(taken), 30)
+
+
+def test_components_keep_their_names(tmp_path, monkeypatch):
+    def named(step):
+        mesh = flood(step)
+        for i, name in ((0, "east"), (2, "up")):
+            mesh.GetCellData().GetArray("v").SetComponentName(i, name)
+        return mesh
+
+    path = write_series(tmp_path, named)
+    solution = solutions.Solution(path, ["v"], read_ahead=True)
+    plain = solutions.Solution(path, ["v"])
+    solution.step(1)
+    here = read_here(monkeypatch)
+    ahead_of, of_plain = ([mesh.GetCellData().GetArray("v").GetComponentName(i) for i in range(3)]
+                          for mesh in (solution.step(2), plain.step(2)))
+    wt.check_equal("names", ahead_of, of_plain)
+    wt.check_equal("the first", ahead_of[0], "east")
+    wt.check_equal("steps read here", here, [2])  # by plain
+
+
+def test_a_reader_that_died_leaves_no_text(tmp_path):
+    """Neither when it is asked in vain, nor when the program ends."""
+    text = run(tmp_path, """
+solution = solutions.Solution(path, ["h"], read_ahead=True)
+solution.step(1)
+wait_for_answer(solution)
+process = solution._ahead._process
+process.kill()
+os.waitid(os.P_PID, process.pid, os.WEXITED | os.WNOWAIT)  # has died, but nobody knows
+print([h_of(solution.step(step)) for step in (2, 3)], process.returncode)
+""")
+    wt.check_equal("all that it says", text, "[2.0, 3.0] -9")  # its end was seen as soon as it was of no use
+
+
+@pytest.mark.skipif(not hasattr(signal, "SIGSTOP"), reason="this system cannot stop a process")
+def test_a_reader_that_does_not_answer_is_ended(tmp_path, monkeypatch):
+    monkeypatch.setattr(ahead, "LIMIT_S", 0.5)
+    solution = solutions.Solution(write_series(tmp_path), ["h"], read_ahead=True)
+    solution.step(1)
+    wait_for_answer(solution)
+    process = solution._ahead._process
+    process.send_signal(signal.SIGSTOP)
+    solution.step(2)
+    answers = []
+    thread = threading.Thread(target=lambda: answers.append(h_of(solution.step(3))), daemon=True)
+    thread.start()
+    thread.join(20)
+    is_stuck = thread.is_alive()
+    process.send_signal(signal.SIGCONT)
+    wt.check_equal("waits for ever", is_stuck, False)
+    wt.check_equal("step 3", answers, [3])
+    wt.check_equal("has ended", process.poll() is not None, True)
+
+
+@pytest.mark.parametrize("text", ("hello\\n", "no end of line"))
+def test_what_python_prints_when_it_starts_is_no_answer(tmp_path, monkeypatch, text):
+    (tmp_path / "sitecustomize.py").write_text(f"import sys\nsys.stdout.write('{text}')\nsys.stdout.flush()\n")
+    monkeypatch.setenv("PYTHONPATH", os.pathsep.join([str(tmp_path), os.environ.get("PYTHONPATH", "")]))
+    solution = solutions.Solution(write_series(tmp_path), ["h"], read_ahead=True)
+    solution.step(1)
+    numbers = read_here(monkeypatch)
+    wt.check_equal("steps", [h_of(solution.step(step)) for step in range(2, STEPS)], list(range(2, STEPS)))
+    wt.check_equal("steps read here", numbers, [])
+
+
+def test_what_an_import_prints_is_no_answer(tmp_path, monkeypatch):
+    """Not even the line that begins an answer."""
+    (tmp_path / "json.py").write_text("import os\nos.write(1, b'vtkwater: a step\\nnot a mesh')\n"
+                                      "import sys\nsys.path.remove(os.path.dirname(__file__))\n"
+                                      "del sys.modules['json']\nimport json\n")
+    monkeypatch.setattr(sys, "path", [str(tmp_path), *sys.path])
+    solution = solutions.Solution(write_series(tmp_path), ["h"], read_ahead=True)
+    solution.step(1)
+    numbers = read_here(monkeypatch)
+    wt.check_equal("step", h_of(solution.step(2)), 2)
+    wt.check_equal("steps read here", numbers, [])
+
+
+@pytest.mark.parametrize("is_collection", (False, True), ids=("a step's file", "the collection"))
+def test_a_file_that_changes_is_read_again(tmp_path, monkeypatch, is_collection):
+    """A step's, after it was read ahead; of the collection, before it was opened there, too."""
+    path = write_series(tmp_path)
+    solution = solutions.Solution(path, ["h"], read_ahead=True)
+    if is_collection:
+        text = path.read_text()
+        path.write_text(text.replace("2.vtp", "5.vtp") + "\n")
+    solution.step(1)
+    if not is_collection:
+        wait_for_answer(solution)
+        writer = vtkXMLPolyDataWriter()
+        writer.SetFileName(str(tmp_path / "2.vtp"))
+        writer.SetInputData(flood(100))
+        writer.Write()
+    numbers = read_here(monkeypatch)
+    wt.check_equal("step 2", h_of(solution.step(2)), 2 if is_collection else 100)
+    wt.check_equal("steps read here", numbers, [2])
+
+
+def test_the_other_process_keeps_no_step(tmp_path):
+    """It may have changed when it is asked for again."""
+    other = ahead.Ahead(write_series(tmp_path), ["h"], False, None)
+    other.ask(2)
+    wt.check_equal("step 2", h_of(other.take(2)), 2)
+    writer = vtkXMLPolyDataWriter()
+    writer.SetFileName(str(tmp_path / "2.vtp"))
+    writer.SetInputData(flood(100))
+    writer.Write()
+    other.ask(2)
+    wt.check_equal("step 2, later", h_of(other.take(2)), 100)

@@ -141,3 +141,27 @@ def test_arrows_show_the_steps_of_a_solvers_file(tmp_path):
         press(interactor, key)
     wt.check_equal("steps", data.shown, [30.0, 30.0, 10.0, 0.0, 0.0])
     wt.check_equal("help", "steps" in viewer.help and "slider" not in viewer.help, True)
+
+
+class DamagedSteps(Steps):
+    """Steps of which one cannot be read."""
+
+    def show(self, time):
+        super().show(time)
+        if time == 10.0:
+            raise readers.FileError("1.vtp: is damaged")
+
+
+def test_a_damaged_step_is_said_and_the_old_one_stays(tmp_path, capsys):
+    scene = valley_scene(wind=0)
+    interactor = vtkGenericRenderWindowInteractor()
+    interactor.SetRenderWindow(scene.window)
+    data = DamagedSteps([0.0, 10.0, 30.0])
+    Viewer(scene, interactor, str(tmp_path / "saved.png"), data=data)
+    interactor.Initialize()
+    for _ in range(2):
+        press(interactor, "Right")
+    output = capsys.readouterr()
+    wt.check_equal("it says", (output.out, output.err), ("vtkwater: 1.vtp: is damaged\n" * 2, ""))
+    wt.check_equal("shown", data.shown, [10.0, 0.0, 10.0, 0.0])
+    wt.check_equal("time", scene.water.GetTime(), 0.0)
