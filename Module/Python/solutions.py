@@ -91,16 +91,18 @@ class Solution:
 
     def step(self, i):
         """The mesh of a step, from 0 on: vtkPolyData, or vtkUnstructuredGrid of a volume. It is not to be changed."""
-        if i not in self._steps:
+        mesh = self._steps.get(i)
+        if mesh is None:
             while len(self._steps) >= KEPT_STEPS:
-                del self._steps[next(iter(self._steps))]
-            self._steps[i] = (self._ahead.take(i) if self._ahead else None) or self._made(i)
+                self._steps.pop(next(iter(self._steps), None), None)  # another thread may have taken it away
+            mesh = (self._ahead.take(i) if self._ahead else None) or self._made(i)
+            self._steps[i] = mesh
             if self._ahead:
                 following = i + 1 if i >= self._last else i - 1
                 if 0 <= following < len(self.times) and following not in self._steps:
                     self._ahead.ask(following, self._files_of(following))
             self._last = i
-        return self._steps[i]
+        return mesh
 
     def forget(self):
         """Read every step again when it is asked for."""

@@ -191,6 +191,7 @@ def test_the_other_process_ends_with_the_solution(tmp_path):
     solution = solutions.Solution(write_series(tmp_path), ["h"], read_ahead=True)
     solution.step(1)
     process = solution._ahead._process
+    ahead.end(process, os.getpid() + 1)  # as in a fork, which does not own it
     wt.check_equal("runs", process.poll() is None, True)
     del solution
     gc.collect()
@@ -280,6 +281,13 @@ def test_threads_get_the_steps_they_ask_for(tmp_path):
         thread.join()
     wt.check_equal("wrong meshes and errors", wrong, [])
     wt.check_at_least("meshes", len(taken), 30)
+
+
+def test_threads_share_a_solution(tmp_path, monkeypatch):
+    """A step that another thread drops from memory while the next one is asked for is still returned."""
+    solution = solutions.Solution(write_series(tmp_path), ["h"], read_ahead=True)
+    monkeypatch.setattr(solution._ahead, "ask", lambda number, files: solution.forget())
+    wt.check_equal("step 2", h_of(solution.step(2)), 2)
 
 
 def test_components_keep_their_names(tmp_path, monkeypatch):
