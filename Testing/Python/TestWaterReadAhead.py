@@ -100,7 +100,8 @@ def wait_for_answer(solution):
 
 def run(tmp_path, code):
     """What a program of its own prints, on both outputs, with a series in path."""
-    begin = ("import gc, os, signal\nfrom vtkwater import ahead, solutions\n"
+    begin = (f"import sys\nsys.path[:] = {sys.path!r}\n"
+             "import gc, os, signal\nfrom vtkwater import ahead, solutions\n"
              "from TestWaterReadAhead import h_of, wait_for_answer, STEPS\n"
              f"path = {str(write_series(tmp_path))!r}\n")
     done = subprocess.run([sys.executable, "-c", begin + code], stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
