@@ -12,7 +12,6 @@ import sys
 from pathlib import Path
 
 
-
 def run(*command, **options):
     print("+", *command, flush=True)
     return subprocess.run([str(part) for part in command], check=True, text=True, **options)

@@ -13,6 +13,7 @@ import zipfile
 from pathlib import Path
 
 import installed_wheel
+from installed_wheel import check, run
 
 LIMIT_BYTES = 5 * 2**20
 USE = """
@@ -23,17 +24,6 @@ assert isinstance(water, vtkActor)
 water.water_property.wind_speed = 7.0
 print("level", water.level, "wind", water.water_property.GetWindSpeed())
 """
-
-
-def run(*command, **options):
-    print("+", *command, flush=True)
-    return subprocess.run([str(part) for part in command], check=True, text=True, **options)
-
-
-def check(name, value, holds):
-    print(f"{name}: {value} {'ok' if holds else 'FAILED'}", flush=True)
-    if not holds:
-        sys.exit(f"failed: {name}")
 
 
 def build(source, vtk_dir, work):
