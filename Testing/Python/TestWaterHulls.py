@@ -274,10 +274,10 @@ def test_what_is_no_hull_is_left_out():
     wt.check_equal("errors", len(errors), 3)
 
 
-def of_two_points(far):
-    """A box, one of whose corners is far away."""
+def moved_by(far):
+    """A closed box in another place."""
     mesh = prism(np.array(((-8, 2), (-5, 2), (-5, 5), (-8, 5)), dtype=float), -1.0, 1.5)
-    vtk_to_numpy(mesh.GetPoints().GetData())[0, 0] = far
+    vtk_to_numpy(mesh.GetPoints().GetData())[:, 0] += far
     return mesh
 
 
@@ -296,7 +296,7 @@ def line():
     return mesh
 
 
-@pytest.mark.parametrize("bad", (of_two_points(1e30), of_two_points(np.nan), of_two_points(np.inf), with_a_wrong_point(),
+@pytest.mark.parametrize("bad", (moved_by(1e30), moved_by(np.nan), moved_by(np.inf), with_a_wrong_point(),
                                  line()), ids=("far", "nan", "infinite", "wrong_point", "line"))
 def test_a_bad_hull_leaves_the_others_dry(bad):
     good, both = Scene([prism(BOW, -1.0, 1.5)]), Scene([prism(BOW, -1.0, 1.5)])
