@@ -166,7 +166,16 @@ TEST(dry_places_tell_nothing_of_the_depth)
   }
 }
 
-TESTS(dry_places_tell_nothing_of_the_depth, no_water_that_there_is_has_a_wrong_unit,
-  marks_of_dry_places_are_no_levels, the_height_in_another_unit_is_found,
-  dry_land_tells_the_unit_of_the_level, levels_under_all_land_are_in_another_unit,
-  a_lake_in_feet_is_found, two_heights_are_needed)
+// Calm water at 0 is at 0 in each unit; the level of the dry places around it is not.
+TEST(dry_places_tell_the_unit_of_a_level_of_0)
+{
+  coast data = coast_of(-20.0, 15.0, 0.0, 0.0);
+  scale(data.level, 100.0);
+  assert_wrong(
+    water_heights_judge(data.level, data.depth, data.bed, COUNT), WATER_HEIGHT_LEVEL, 100.0);
+}
+
+TESTS(dry_places_tell_the_unit_of_a_level_of_0, dry_places_tell_nothing_of_the_depth,
+  no_water_that_there_is_has_a_wrong_unit, marks_of_dry_places_are_no_levels,
+  the_height_in_another_unit_is_found, dry_land_tells_the_unit_of_the_level,
+  levels_under_all_land_are_in_another_unit, a_lake_in_feet_is_found, two_heights_are_needed)

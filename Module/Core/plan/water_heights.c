@@ -186,7 +186,13 @@ water_heights_verdict water_heights_judge(
   }
   if (depths != NULL)
   {
-    return judge_sum(levels, depths, beds, count);
+    verdict = judge_sum(levels, depths, beds, count);
+    // calm water at 0 tells nothing; the dry places around it may
+    const bool is_told = verdict.wrong != WATER_HEIGHT_NONE ||
+      share_of(WATER_HEIGHT_LEVEL, 1.0, levels, depths, beds, count) > 0.0;
+    verdict.factor = is_told ? verdict.factor : dry_factor(levels, beds, count);
+    verdict.wrong = !is_told && verdict.factor > 0.0 ? WATER_HEIGHT_LEVEL : verdict.wrong;
+    return verdict;
   }
   const range of_levels = range_of(levels, count);
   const range of_beds = range_of(beds, count);
