@@ -4,7 +4,7 @@
 #   water_add_test(NAME <name> COMMAND <command>... [LABELS <label>...] [TIMEOUT <seconds>]
 #     [PROPERTIES <property> <value>...] [NO_WINDOW])
 #   water_add_cxx_tests(TestA.cxx ... [LABELS <label>...] [QUICK TestA ...])
-#   water_add_python_tests(TestA.py ... [LABELS <label>...] [QUICK TestA ...])
+#   water_add_python_tests(TestA.py ... [LABELS <label>...] [QUICK TestA ...] [ONCE TestA ...])
 #
 # A test that renders is run under its own name in the first off-screen window that this VTK has. Tests
 # with the label cxx or quick are run in its other windows, too, as <name>-EGL with the label egl: both
@@ -12,6 +12,9 @@
 # WATER_TEST_ALL_WINDOWS=ON runs all tests in all windows. NO_WINDOW: it does not render, once is enough.
 #
 # QUICK names those that `script/test --quick` runs, in the first window: they get the label quick.
+#
+# ONCE names those that judge formulas and shaders. All build trees render with the same rasteriser, so a
+# second VTK shows nothing new: WATER_TESTS_ONCE=OFF leaves them out of its build tree.
 #
 # Every test finds in its environment: our library and Python package, VTK_DATA_ROOT (Testing/Data),
 # VTK_BASELINE_ROOT and WATER_TEST_OUTPUT, a folder for what it writes. In COMMAND, the word
@@ -31,6 +34,7 @@ endif()
 set(WATER_TEST_WINDOWS "${water_windows}" CACHE STRING
   "Off-screen windows the tests are run with: Own (VTK < 9.4), OSMesa, EGL")
 option(WATER_TEST_ALL_WINDOWS "Run all tests in all windows, and not only those with the label cxx or quick" OFF)
+option(WATER_TESTS_ONCE "Add the tests of formulas and shaders; of several build trees one is enough" ON)
 set(WATER_TEST_PREFIX "" CACHE STRING
   "Put before the tests' names, to tell build trees apart in one ctest run")
 
@@ -152,11 +156,11 @@ function(water_labels result test labels quick)
   set(${result} "${labels}" PARENT_SCOPE)
 endfunction()
 
-# A name in QUICK that is no test (any more) would be left out without a word.
-function(water_check_quick quick sources)
-  foreach(test IN LISTS quick)
+# A name in QUICK or ONCE that is no test (any more) would be left out without a word.
+function(water_check_names word names sources)
+  foreach(test IN LISTS names)
     if(NOT "${test}.cxx" IN_LIST sources AND NOT "${test}.py" IN_LIST sources)
-      message(FATAL_ERROR "QUICK names ${test}, which is none of these tests")
+      message(FATAL_ERROR "${word} names ${test}, which is none of these tests")
     endif()
   endforeach()
 endfunction()
@@ -165,7 +169,7 @@ endfunction()
 # -V is always given: a picture without a baseline fails and is not passed over.
 function(water_add_cxx_tests)
   cmake_parse_arguments(PARSE_ARGV 0 arg "" "TIMEOUT" "LABELS;QUICK")
-  water_check_quick("${arg_QUICK}" "${arg_UNPARSED_ARGUMENTS}")
+  water_check_names(QUICK "${arg_QUICK}" "${arg_UNPARSED_ARGUMENTS}")
   set(driver vtkRenderingWaterCxxTests)
   list(APPEND CMAKE_MODULE_PATH "${VTK_DIR}") # VTK's own build has its CMake files there already
   include(vtkTestingDriver) # what main does before a test
@@ -195,10 +199,14 @@ endfunction()
 # Each file is a pytest file for the Python that VTK is wrapped for (Testing/Python/conftest.py). Output
 # is not captured: what VTK writes into it counts, too.
 function(water_add_python_tests)
-  cmake_parse_arguments(PARSE_ARGV 0 arg "" "TIMEOUT" "LABELS;QUICK")
-  water_check_quick("${arg_QUICK}" "${arg_UNPARSED_ARGUMENTS}")
+  cmake_parse_arguments(PARSE_ARGV 0 arg "" "TIMEOUT" "LABELS;QUICK;ONCE")
+  water_check_names(QUICK "${arg_QUICK}" "${arg_UNPARSED_ARGUMENTS}")
+  water_check_names(ONCE "${arg_ONCE}" "${arg_UNPARSED_ARGUMENTS}")
   foreach(source IN LISTS arg_UNPARSED_ARGUMENTS)
     get_filename_component(test "${source}" NAME_WE)
+    if(test IN_LIST arg_ONCE AND NOT WATER_TESTS_ONCE)
+      continue()
+    endif()
     water_labels(labels ${test} "python;${arg_LABELS}" "${arg_QUICK}")
     water_add_test(NAME ${test}
       COMMAND "${Python3_EXECUTABLE}" -m pytest -s -q -p no:cacheprovider

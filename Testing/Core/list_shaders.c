@@ -4,6 +4,9 @@
 //   list_shaders files  a line for each shader of a surface: its stage, its features in
 //   hexadecimal,
 //                       its files in order
+//   list_shaders triples  of these lines, enough to have every three files that any shader brings
+//                       together: a file does not compile for itself, for what another one lacks,
+//                       or, rarely, for what two others lack
 //   list_shaders table  features, slots and files as Markdown, for Documentation/architecture.md
 #include "shader_combinations.h"
 
@@ -51,6 +54,79 @@ static void print_files(
   printf("\n");
 }
 
+// Does a shader bring three files together that none before it did? Remembers that they are.
+static bool is_news(water_feature_set features)
+{
+  static bool seen[SURFACE_FILE_COUNT][SURFACE_FILE_COUNT][SURFACE_FILE_COUNT];
+  size_t files[SURFACE_FILE_COUNT];
+  size_t count = 0;
+  for (size_t i = 0; i < SURFACE_FILE_COUNT; ++i)
+  {
+    if (water_features_want(features, surface_files[i].any_of, surface_files[i].none_of))
+    {
+      files[count++] = i;
+    }
+  }
+  bool is_new = false;
+  for (size_t i = 0; i < count; ++i)
+  {
+    for (size_t j = i + 1; j < count; ++j)
+    {
+      for (size_t k = j + 1; k < count; ++k)
+      {
+        bool* place = &seen[files[i]][files[j]][files[k]];
+        is_new |= !*place;
+        *place = true;
+      }
+    }
+  }
+  return is_new;
+}
+
+// In any order: each shader then differs in much from those before it, and fewer are enough.
+static void shuffle(water_feature_set* sets, size_t count)
+{
+  uint32_t state = 1;
+  for (size_t i = count; i > 1; --i)
+  {
+    state = 1664525u * state + 1013904223u; // Numerical Recipes, 2nd edition, section 7.1
+    const size_t other = (size_t)((uint64_t)state * i >> 32);
+    const water_feature_set set = sets[i - 1];
+    sets[i - 1] = sets[other];
+    sets[other] = set;
+  }
+}
+
+static void print_shaders(bool all)
+{
+  static water_feature_set sets[SHADER_SET_COUNT];
+  const size_t count = shader_combinations(sets);
+  if (!all)
+  {
+    shuffle(sets, count);
+  }
+  for (size_t i = 0; i < count; ++i)
+  {
+    if (all || is_news(sets[i]))
+    {
+      print_files("frag", sets[i], surface_files, SURFACE_FILE_COUNT);
+    }
+  }
+  for (unsigned i = 0; i < 4; ++i)
+  {
+    const water_feature_set features =
+      (i & 1u ? WATER_FEATURE_SEA : 0) | (i & 2u ? WATER_FEATURE_NORMAL_MAPS : 0);
+    print_files("frag", features | WATER_FEATURE_CAUSTICS, photon_files, PHOTON_FILE_COUNT);
+  }
+  const water_feature_set vertex_sets[] = { WATER_FEATURE_DISPLACED,
+    WATER_FEATURE_DISPLACED | WATER_FEATURE_SEA_MOVES, WATER_FEATURE_MESH,
+    WATER_FEATURE_MESH | WATER_FEATURE_SLOPED };
+  for (size_t i = 0; i < sizeof vertex_sets / sizeof vertex_sets[0]; ++i)
+  {
+    print_files("vert", vertex_sets[i], vertex_files, VERTEX_FILE_COUNT);
+  }
+}
+
 static void print_names(water_feature_set features, const char* between)
 {
   const char* before = "";
@@ -92,25 +168,10 @@ static void print_table(const shader_file* files, size_t file_count)
 
 int main(int argc, char** argv)
 {
-  if (argc == 2 && strcmp(argv[1], "files") == 0)
+  const bool all = argc == 2 && strcmp(argv[1], "files") == 0;
+  if (all || (argc == 2 && strcmp(argv[1], "triples") == 0))
   {
-    static water_feature_set sets[SHADER_SET_COUNT];
-    const size_t count = shader_combinations(sets);
-    for (size_t i = 0; i < count; ++i)
-    {
-      print_files("frag", sets[i], surface_files, SURFACE_FILE_COUNT);
-    }
-    for (unsigned i = 0; i < 4; ++i)
-    {
-      const water_feature_set features =
-        (i & 1u ? WATER_FEATURE_SEA : 0) | (i & 2u ? WATER_FEATURE_NORMAL_MAPS : 0);
-      print_files("frag", features | WATER_FEATURE_CAUSTICS, photon_files, PHOTON_FILE_COUNT);
-    }
-    print_files("vert", WATER_FEATURE_DISPLACED, vertex_files, VERTEX_FILE_COUNT);
-    print_files(
-      "vert", WATER_FEATURE_DISPLACED | WATER_FEATURE_SEA_MOVES, vertex_files, VERTEX_FILE_COUNT);
-    print_files("vert", WATER_FEATURE_MESH, vertex_files, VERTEX_FILE_COUNT);
-    print_files("vert", WATER_FEATURE_MESH | WATER_FEATURE_SLOPED, vertex_files, VERTEX_FILE_COUNT);
+    print_shaders(all);
     return 0;
   }
   if (argc == 2 && strcmp(argv[1], "table") == 0)
@@ -128,6 +189,6 @@ int main(int argc, char** argv)
     print_table(vertex_files, VERTEX_FILE_COUNT);
     return 0;
   }
-  fprintf(stderr, "usage: list_shaders files|table\n");
+  fprintf(stderr, "usage: list_shaders files|triples|table\n");
   return 2;
 }

@@ -2,6 +2,8 @@
 """Reflections on waves are those of a ray caster, touch the things that they are of, and are the same on planes that
 are turned, seen from below or share their reflection texture with others."""
 
+import functools
+
 import numpy as np
 import pytest
 import ray_caster
@@ -13,10 +15,15 @@ from vtkwater import vtkWaterProperty, vtkWaterReflectionPass
 from wave_scenes import POSTS_SIZE, POSTS_VIEWS, POSTS_WAVES, SKY, post_scene, posts, rmse
 
 
-def truth_of(made, water, samples=4):
+@functools.lru_cache(None)  # several tests need the same, and each takes seconds
+def cast(view, parallel, samples):
+    made, _ = post_scene(view, parallel=parallel)
+    return ray_caster.picture(made.renderer.GetActiveCamera(), POSTS_SIZE, posts(), SKY, POSTS_WAVES, 0.0, samples)
+
+
+def truth_of(view, made, water, parallel=False, samples=4):
     """The ray caster's picture, and the pixels that are water and nothing else there and here."""
-    camera = made.renderer.GetActiveCamera()
-    truth, mask = ray_caster.picture(camera, POSTS_SIZE, posts(), SKY, POSTS_WAVES, 0.0, samples)
+    truth, mask = cast(view, parallel, samples)
     return truth, mask & wt.water_mask(made, water)
 
 
@@ -24,8 +31,8 @@ def errors_of_view(view):
     """RMSE of the ray traced lookup and of the best constant offset of a search; prints those of all lookups."""
     folder = wt.output_folder()
     made, water = post_scene(view)
-    truth, mask = truth_of(made, water)
-    once, _ = truth_of(made, water, samples=1)
+    truth, mask = truth_of(view, made, water)
+    once, _ = truth_of(view, made, water, samples=1)
     look = water.GetWaterProperty()
     errors = []
     for quality in ("Fast", "High", "Default"):
@@ -61,7 +68,7 @@ def test_more_rays_where_neighbours_differ_are_closer(monkeypatch):
     errors = {}
     for view in POSTS_VIEWS:
         made, water = post_scene(view)
-        truth, mask = truth_of(made, water)
+        truth, mask = truth_of(view, made, water)
         look = water.GetWaterProperty()
         pictures = {}
         for rays in (1, 4, 8):
@@ -87,7 +94,7 @@ def test_more_rays_where_neighbours_differ_are_closer(monkeypatch):
 def test_ray_traced_lookup_is_closer_in_parallel_projection():
     """In parallel projection the ray traced lookup is closer to the ray caster than the lookup of calm water."""
     made, water = post_scene("middle", parallel=True)
-    truth, mask = truth_of(made, water)
+    truth, mask = truth_of("middle", made, water, parallel=True)
     error = rmse(made.picture(), truth, mask)
     water.GetWaterProperty().SetLookupToFixedOffset()
     water.GetWaterProperty().SetOffsetScale(0)
@@ -170,7 +177,7 @@ def test_things_in_the_water_touch_their_reflections():
 def test_confidence_says_why_and_where():
     """Each pixel of the water has a reason: sky where the sky is seen, a hit where a thing is."""
     made, water = post_scene("middle")
-    _, mask = truth_of(made, water)
+    _, mask = truth_of("middle", made, water)
     color = made.picture()
     water.GetWaterProperty().SetOutputToConfidence()
     reasons = made.picture()

@@ -1,20 +1,28 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# Compiles as GLSL 1.50, with glslangValidator (Debian: glslang-tools): the surface's shader in every
-# combination of files that a look can ask for (list_shaders.sh; with the files of a user's mesh, a peel and
-# a dome, in enough of them), and all other shaders.
+# Compiles as GLSL 1.50, with glslangValidator (Debian: glslang-tools): the surface's shader in combinations
+# of files that a look can ask for (list_shaders.sh; with the files of a user's mesh, a peel and a dome, in
+# enough of them), and all other shaders.
+#
+#   check_glsl.sh        enough combinations to have every three files together that any has
+#   check_glsl.sh --all  every combination; takes two minutes
 #
 # They are pieces that VTK's shaders take in. What VTK provides around them is written down here: the
 # version, the names they use, and a main where they have none.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
+case ${1:-} in
+  '') choice=triples ;;
+  --all) choice=files ;;
+  *) echo "usage: check_glsl.sh [--all]" >&2; exit 2 ;;
+esac
 command -v glslangValidator >/dev/null || { echo "check_glsl: no glslangValidator (Debian: glslang-tools)" >&2; exit 2; }
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
 files=(Module/Core/shared/*.glsl Module/GLSL/*/*.glsl)
 printf '%s\n' "${files[@]}" >"$work/files"
-Utilities/Scripts/list_shaders.sh files >"$work/list"
+Utilities/Scripts/list_shaders.sh "$choice" >"$work/list"
 
 # Each line of the list becomes a file, STAGE and features in its name. A piece that no line has, and
 # that nobody includes, stands alone.

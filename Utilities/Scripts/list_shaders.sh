@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# What water_features.h makes of its lists of shader files: list_shaders.sh files|table, see
+# What water_features.h makes of its lists of shader files: list_shaders.sh files|triples|table, see
 # Testing/Core/list_shaders.c, which this compiles and runs.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
