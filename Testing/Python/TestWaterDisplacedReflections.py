@@ -45,7 +45,7 @@ def scene(position, waves, size=SIZE):
 
 
 def truth(camera, water, waves, size):
-    """For every pixel: the right place in the reflection texture, and whether it counts."""
+    """For every pixel: the right place in the reflection texture, whether it counts, and how far away its waves are."""
     start, ray = ray_caster.eye_rays(camera, size, 1)
     _, distance = ray_caster.cast(ISLANDS, (0, 0, 0), start, ray)
     to_water = ray_caster.meet_waves(start, ray, waves, 0.0, 150)
@@ -57,7 +57,7 @@ def truth(camera, water, waves, size):
     met = place + np.where(counts, length, 0)[:, None] * away
     trough = -sum(wave[0] for wave in waves)  # the deepest
     right, is_shown, texture_size = map_shows(camera, water, ISLANDS, met, size, trough)
-    return right, counts & is_shown, texture_size
+    return right, counts & is_shown, texture_size, to_water
 
 
 def describe(errors):
@@ -65,10 +65,9 @@ def describe(errors):
             f"{100 * (errors < 1).mean():.2f} % under 1 px, {len(errors)} pixels")
 
 
-def off_silhouettes(camera, waves, size):
+def off_silhouettes(to_water, size):
     """Pixels whose neighbours show the same wave: a mean over a pixel has a meaning there."""
-    way = ray_caster.meet_waves(*ray_caster.eye_rays(camera, size, 1), waves, 0.0, 150).reshape(size[::-1])
-    way = np.where(np.isfinite(way), way, 1e9)
+    way = np.where(np.isfinite(to_water), to_water, 1e9).reshape(size[::-1])
     smooth = np.ones_like(way, dtype=bool)
     across = np.abs(np.diff(way, axis=1)) < 0.1 * way[:, 1:]
     down = np.abs(np.diff(way, axis=0)) < 0.1 * way[1:]
@@ -96,11 +95,11 @@ def lookup_errors(lengths):
             look.SetRayTraceProbes(64)
         made.picture()
         is_water = wt.water_mask(made, water).ravel()
-        right, counts, texture_size = truth(made.renderer.GetActiveCamera(), water, waves, SIZE)
+        right, counts, texture_size, to_water = truth(made.renderer.GetActiveCamera(), water, waves, SIZE)
         counts &= is_water
         found = np.linalg.norm((looked_up(made, water) - right) * texture_size, axis=1)[counts]
         errors.append(found)
-        smooth.append(off_silhouettes(made.renderer.GetActiveCamera(), waves, SIZE)[counts])
+        smooth.append(off_silhouettes(to_water, SIZE)[counts])
         print(f"waves {lengths} m, slope {look.GetSlopeRMS():.2f}, {view}: {describe(found)}")
     return np.concatenate(errors), np.concatenate(smooth)
 

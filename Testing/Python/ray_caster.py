@@ -94,16 +94,27 @@ def angular_frequency(wavelength, depth=np.inf):
     return np.sqrt(GRAVITY * k * np.tanh(k * depth))
 
 
-def heights_and_slopes(waves, x, y, time, depth=np.inf):
-    """Sines (amplitude, wavelength, direction and phase in degrees) over places, by definition."""
-    height, slope_x, slope_y = np.zeros_like(x), np.zeros_like(x), np.zeros_like(x)
+def phases(waves, x, y, time, depth):
+    """Of each sine (amplitude, wavelength, direction and phase in degrees): amplitude, wave vector, angles at places."""
     for amplitude, wavelength, direction, phase in waves:
         k = 2 * np.pi / wavelength
         kx, ky = k * np.cos(np.radians(direction)), k * np.sin(np.radians(direction))
-        angle = kx * x + ky * y + np.radians(phase) - angular_frequency(wavelength, depth) * time
-        height += amplitude * np.sin(angle)
-        slope_x += amplitude * kx * np.cos(angle)
-        slope_y += amplitude * ky * np.cos(angle)
+        yield amplitude, kx, ky, kx * x + ky * y + np.radians(phase) - angular_frequency(wavelength, depth) * time
+
+
+def heights(waves, x, y, time, depth=np.inf):
+    """Of sines, by definition."""
+    return sum((amplitude * np.sin(angle) for amplitude, _, _, angle in phases(waves, x, y, time, depth)),
+               np.zeros_like(x))
+
+
+def heights_and_slopes(waves, x, y, time, depth=np.inf):
+    """Of sines, by definition."""
+    height, slope_x, slope_y = heights(waves, x, y, time, depth), np.zeros_like(x), np.zeros_like(x)
+    for amplitude, kx, ky, angle in phases(waves, x, y, time, depth):
+        cosine = amplitude * np.cos(angle)
+        slope_x += kx * cosine
+        slope_y += ky * cosine
     return height, slope_x, slope_y
 
 
@@ -151,27 +162,27 @@ def meet_waves(start, ray, waves, time, farthest):
     """Distances at which rays first meet displaced sines (inf: not within the farthest)."""
     top = sum(wave[0] for wave in waves)
 
-    def over(way):
-        at = start + way[:, None] * ray
-        return at[:, 2] - heights_and_slopes(waves, at[:, 0], at[:, 1], time)[0]
+    def over(way, rays):
+        at = start[rays] + way[:, None] * ray[rays]
+        return at[:, 2] - heights(waves, at[:, 0], at[:, 1], time)
 
     with np.errstate(divide="ignore", invalid="ignore"):
         enters = np.where(ray[:, 2] < 0, np.maximum((top - start[:, 2]) / ray[:, 2], 0), np.inf)
         leaves = np.where(ray[:, 2] < 0, np.minimum((-top - start[:, 2]) / ray[:, 2], farthest), np.inf)
-    goes = enters < leaves
-    enters, leaves = np.where(goes, enters, 0), np.where(goes, leaves, 1)
-    low, high, met = enters.copy(), leaves.copy(), np.zeros(len(ray), dtype=bool)
+    left = np.flatnonzero(enters < leaves)  # the rays that have not met them yet
+    low, high = enters.copy(), np.full(len(ray), np.inf)
     for part in np.linspace(0, 1, 400)[1:]:
-        here = enters + part * (leaves - enters)
-        hits = ~met & (over(here) <= 0)
-        high[hits] = here[hits]
-        met |= hits
-        low = np.where(met, low, here)
+        here = enters[left] + part * (leaves[left] - enters[left])
+        hits = over(here, left) <= 0
+        high[left[hits]] = here[hits]
+        left, here = left[~hits], here[~hits]
+        low[left] = here
+    met = np.flatnonzero(np.isfinite(high))
     for _ in range(40):
-        middle = 0.5 * (low + high)
-        above = over(middle) > 0
-        low, high = np.where(above, middle, low), np.where(above, high, middle)
-    return np.where(goes & met, high, np.inf)
+        middle = 0.5 * (low[met] + high[met])
+        above = over(middle, met) > 0
+        low[met], high[met] = np.where(above, middle, low[met]), np.where(above, high[met], middle)
+    return high
 
 
 def picture(camera, size, things, background, waves, time, samples=4, clear=()):
