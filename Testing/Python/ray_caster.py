@@ -10,6 +10,10 @@ import numpy as np
 GRAVITY = 9.80665  # m/s^2
 
 
+def dot(a, b):
+    return np.einsum("...i,...i", a, b)
+
+
 class Box:
     def __init__(self, center, lengths, color):
         self.low = np.asarray(center) - 0.5 * np.asarray(lengths)
@@ -17,18 +21,23 @@ class Box:
         self.color = np.asarray(color)
 
     def distance(self, start, ray):
-        with np.errstate(divide="ignore", invalid="ignore"):
-            first = (self.low - start) / ray
-            second = (self.high - start) / ray
-        enters = np.minimum(first, second).max(axis=-1)
-        leaves = np.maximum(first, second).min(axis=-1)
+        enters, leaves = self.span(start, ray)
         return np.where((enters <= leaves) & (leaves > 1e-9), np.maximum(enters, 0), np.inf)
+
+    def span(self, start, ray):
+        """Where rays are between the sides of all three axes, if the first value is the smaller one."""
+        enters, leaves = np.full(ray.shape[:-1], -np.inf), np.full(ray.shape[:-1], np.inf)
+        for axis in range(3):  # much faster than reductions over three values
+            with np.errstate(divide="ignore", invalid="ignore"):
+                first = (self.low[axis] - start[..., axis]) / ray[..., axis]
+                second = (self.high[axis] - start[..., axis]) / ray[..., axis]
+            enters = np.maximum(enters, np.minimum(first, second))
+            leaves = np.minimum(leaves, np.maximum(first, second))
+        return enters, leaves
 
     def crossings(self, start, ray):
         """Where rays enter and leave, before their start, too; inf: they do not."""
-        with np.errstate(divide="ignore", invalid="ignore"):
-            sides = np.stack([(self.low - start) / ray, (self.high - start) / ray])
-        enters, leaves = sides.min(axis=0).max(axis=-1), sides.max(axis=0).min(axis=-1)
+        enters, leaves = self.span(start, ray)
         return np.where(enters <= leaves, (enters, leaves), np.inf)
 
 
@@ -38,16 +47,16 @@ class Sphere:
 
     def distance(self, start, ray):
         arm = start - self.center
-        b = (arm * ray).sum(axis=-1)
-        under = b * b - (arm * arm).sum(axis=-1) + self.radius**2
+        b = dot(arm, ray)
+        under = b * b - dot(arm, arm) + self.radius**2
         root = np.sqrt(np.maximum(under, 0))
         near = np.where(-b - root > 1e-9, -b - root, -b + root)
         return np.where((under >= 0) & (near > 1e-9), near, np.inf)
 
     def crossings(self, start, ray):
         arm = start - self.center
-        b = (arm * ray).sum(axis=-1)
-        under = b * b - (arm * arm).sum(axis=-1) + self.radius**2
+        b = dot(arm, ray)
+        under = b * b - dot(arm, arm) + self.radius**2
         root = np.sqrt(np.maximum(under, 0))
         return np.where(under >= 0, (-b - root, -b + root), np.inf)
 
@@ -204,7 +213,7 @@ def picture(camera, size, things, background, waves, time, samples=4, clear=()):
     normal = np.stack([-slope_x, -slope_y, np.ones_like(slope_x)], axis=1)
     normal /= np.linalg.norm(normal, axis=1, keepdims=True)
     seen = ray[is_water]
-    away = seen - 2 * (seen * normal).sum(axis=1, keepdims=True) * normal
+    away = seen - 2 * dot(seen, normal)[:, None] * normal
     away[:, 2] = np.abs(away[:, 2])  # a ray that would meet the water again is bounced off once more
     colors[is_water] = cast(things, background, point, away, clear)[0]
     width, height = size
