@@ -104,6 +104,41 @@ TEST(water_that_meets_land_twice_is_split)
   assert_false(water_shore_is_split(saddle, 1));
 }
 
-TESTS(two_heights_make_the_third, a_level_alone_is_wet, what_is_shallow_or_no_number_is_dry,
+// The shore lies on the line between the wet and the dry end, in all three coordinates.
+TEST(the_shore_is_a_share_of_the_way_along_its_edge)
+{
+  const double wet[3] = { 10.0, -4.0, 2.0 };
+  const double dry[3] = { 14.0, -12.0, 3.0 };
+  double point[3];
+  water_shore_point(wet, dry, 0.25, point);
+  ASSERT_CLOSE(point[0], 11.0, 0.0);
+  ASSERT_CLOSE(point[1], -6.0, 0.0);
+  ASSERT_CLOSE(point[2], 2.25, 0.0);
+  water_shore_point(wet, dry, 0.0, point);
+  ASSERT_CLOSE(point[2], 2.0, 0.0);
+}
+
+// The triangles of a polygon have its area, and its orientation.
+TEST(triangles_cover_a_polygon)
+{
+  const double places[5][2] = { { 0.0, 0.0 }, { 2.0, 0.0 }, { 3.0, 1.0 }, { 2.0, 2.0 },
+    { 0.0, 2.0 } };
+  double area = 0.0;
+  for (size_t i = 0; i < 3; ++i)
+  {
+    size_t corners[3];
+    water_shore_triangle(i, corners);
+    const double* a = places[corners[0]];
+    const double* b = places[corners[1]];
+    const double* c = places[corners[2]];
+    const double twice = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+    assert_true(twice > 0.0);
+    area += 0.5 * twice;
+  }
+  ASSERT_CLOSE(area, 5.0, 1e-15);
+}
+
+TESTS(the_shore_is_a_share_of_the_way_along_its_edge, triangles_cover_a_polygon,
+  two_heights_make_the_third, a_level_alone_is_wet, what_is_shallow_or_no_number_is_dry,
   depths_cross_zero_at_the_shore, polygons_are_cut_at_the_shore, a_corner_on_the_shore_stands_once,
   water_that_meets_land_twice_is_split)

@@ -79,6 +79,21 @@ size_t water_shore_cut(const double* depths, size_t count, water_shore_corner* c
   return made < 3 ? 0 : made;
 }
 
+void water_shore_point(const double from[3], const double to[3], double share, double point[3])
+{
+  for (int i = 0; i < 3; ++i)
+  {
+    point[i] = from[i] + share * (to[i] - from[i]);
+  }
+}
+
+void water_shore_triangle(size_t number, size_t corners[3])
+{
+  corners[0] = 0;
+  corners[1] = number + 1;
+  corners[2] = number + 2;
+}
+
 bool water_shore_is_split(const double* depths, size_t count)
 {
   size_t changes = 0;

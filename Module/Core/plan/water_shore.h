@@ -59,6 +59,21 @@ typedef struct water_shore_corner
 // Returns the number of corners: 0, or 3 and more.
 size_t water_shore_cut(const double* depths, size_t count, water_shore_corner* corners);
 
+// The place of such a corner on an edge: the surface goes on in a straight line from the wet end.
+//
+// from   x, y and level of the edge's wet end
+// to     the same of its dry end
+// share  as of water_shore_corner
+// point  x, y and level
+void water_shore_point(const double from[3], const double to[3], double share, double point[3]);
+
+// A triangle of a convex polygon with n corners: those that meet in its first corner, as VTK draws
+// quads.
+//
+// number   0 to n - 3
+// corners  of the polygon, in its order
+void water_shore_triangle(size_t number, size_t corners[3]);
+
 // Does water meet land more than once along a polygon's border? Then triangles are to be cut.
 bool water_shore_is_split(const double* depths, size_t count);
 

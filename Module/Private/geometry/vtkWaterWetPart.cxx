@@ -34,10 +34,14 @@ void TriangulateInto(
 {
   if (count == 4)
   {
-    triangles->SetNumberOfIds(6);
-    const vtkIdType quad[6] = { corners[0], corners[1], corners[2], corners[0], corners[2],
-      corners[3] };
-    std::copy_n(quad, 6, triangles->begin());
+    triangles->Reset();
+    for (size_t number = 0; number < 2; ++number)
+    {
+      size_t three[3];
+      water_shore_triangle(number, three);
+      std::for_each(
+        three, three + 3, [&](size_t corner) { triangles->InsertNextId(corners[corner]); });
+    }
     return;
   }
   vtkNew<vtkPolygon> polygon; // perhaps concave
@@ -58,7 +62,7 @@ vtkWaterWetPart::vtkWaterWetPart(vtkPolyData* mesh, const vtkWaterColumns& colum
 //------------------------------------------------------------------------------
 void vtkWaterWetPart::Make(const char* levelName, const char* depthName, vtkPolyData* output)
 {
-  this->Sort();
+  this->ClassifyCells();
   vtkNew<vtkDoubleArray> levels;
   vtkNew<vtkDoubleArray> depths;
   levels->SetName(levelName);
@@ -69,7 +73,7 @@ void vtkWaterWetPart::Make(const char* levelName, const char* depthName, vtkPoly
   }
   else
   {
-    this->Number();
+    this->NumberPoints();
     this->CutCells();
     this->AddPolygons(output);
     this->AddArrays(output);
@@ -84,7 +88,7 @@ void vtkWaterWetPart::Make(const char* levelName, const char* depthName, vtkPoly
 }
 
 //------------------------------------------------------------------------------
-void vtkWaterWetPart::Sort()
+void vtkWaterWetPart::ClassifyCells()
 {
   const std::vector<double>& depths = this->Columns.GetDepths();
   const vtkIdType points = this->Mesh->GetNumberOfPoints();
@@ -93,7 +97,7 @@ void vtkWaterWetPart::Sort()
   {
     this->Cells[Index(dyke)] = Cell::Dry;
   }
-  this->Places.assign(Index(points), -1);
+  this->PointMap.assign(Index(points), -1);
   vtkWaterForEachCell(
     this->Mesh->GetPolys(), [&](vtkIdType cell, const vtkIdType* corners, vtkIdType count) {
       Cell& kind = this->Cells[Index(cell)];
@@ -110,21 +114,21 @@ void vtkWaterWetPart::Sort()
         ++this->WetCells;
         this->WetCorners += count;
         std::for_each(
-          corners, corners + count, [this](vtkIdType point) { this->Places[Index(point)] = 0; });
+          corners, corners + count, [this](vtkIdType point) { this->PointMap[Index(point)] = 0; });
       }
     });
   this->IsAll = this->WetCells == static_cast<vtkIdType>(this->Cells.size()) &&
-    std::find(this->Places.begin(), this->Places.end(), -1) == this->Places.end();
+    std::find(this->PointMap.begin(), this->PointMap.end(), -1) == this->PointMap.end();
 }
 
 //------------------------------------------------------------------------------
-void vtkWaterWetPart::Number()
+void vtkWaterWetPart::NumberPoints()
 {
-  for (size_t point = 0; point < this->Places.size(); ++point)
+  for (size_t point = 0; point < this->PointMap.size(); ++point)
   {
-    if (this->Places[point] == 0)
+    if (this->PointMap[point] == 0)
     {
-      this->Places[point] = CountOf(this->Kept);
+      this->PointMap[point] = CountOf(this->Kept);
       this->Kept.push_back(static_cast<vtkIdType>(point));
     }
   }
@@ -168,37 +172,39 @@ void vtkWaterWetPart::CutPolygon(vtkIdType cell, const vtkIdType* points, size_t
     [this](vtkIdType point) { return this->Columns.GetDepths()[Index(point)]; });
   const size_t made = water_shore_cut(depths, count, corners);
   // triangles: VTK 9.1 finds places outside of a quad that is no parallelogram in it
-  for (size_t last = 2; last < made; ++last)
+  for (size_t number = 0; number + 2 < made; ++number)
   {
+    size_t three[3];
+    water_shore_triangle(number, three);
     this->CutStarts.push_back(CountOf(this->CutCorners));
     this->CutFrom.push_back(cell);
-    for (size_t corner : { size_t(0), last - 1, last })
+    for (size_t corner : three)
     {
-      this->CutCorners.push_back(this->PlaceOf(points, corners[corner]));
+      this->CutCorners.push_back(this->Map(points, corners[corner]));
     }
   }
 }
 
 //------------------------------------------------------------------------------
-vtkIdType vtkWaterWetPart::PlaceOf(vtkIdType point)
+vtkIdType vtkWaterWetPart::Map(vtkIdType point)
 {
-  vtkIdType& place = this->Places[Index(point)];
-  if (place < 0)
+  vtkIdType& number = this->PointMap[Index(point)];
+  if (number < 0)
   {
-    place = CountOf(this->Kept);
+    number = CountOf(this->Kept);
     this->Kept.push_back(point);
   }
-  return place;
+  return number;
 }
 
 //------------------------------------------------------------------------------
-vtkIdType vtkWaterWetPart::PlaceOf(const vtkIdType* points, const water_shore_corner& corner)
+vtkIdType vtkWaterWetPart::Map(const vtkIdType* points, const water_shore_corner& corner)
 {
   const vtkIdType from = points[corner.from];
   const vtkIdType to = points[corner.to];
   if (from == to)
   {
-    return this->PlaceOf(from);
+    return this->Map(from);
   }
   std::vector<vtkIdType>& edges = this->EdgesOf[from];
   for (vtkIdType edge : edges)
@@ -248,10 +254,7 @@ void vtkWaterWetPart::AddPoints(
     places->GetTuple(edge.To, to);
     from[2] = this->Columns.GetLevels()[Index(edge.From)];
     to[2] = this->Columns.GetLevels()[Index(edge.To)];
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      place[3 * at + axis] = from[axis] + edge.Share * (to[axis] - from[axis]);
-    }
+    water_shore_point(from, to, edge.Share, place + 3 * at);
     level[at] = place[3 * at + 2];
     depth[at] = 0.0;
     place[3 * at + 2] *= this->Scale;
@@ -275,7 +278,7 @@ void vtkWaterWetPart::AddPolygons(vtkPolyData* output) const
       {
         *start++ = corner - corners->GetPointer(0);
         corner = std::transform(points, points + count, corner,
-          [this](vtkIdType point) { return this->Places[Index(point)]; });
+          [this](vtkIdType point) { return this->PointMap[Index(point)]; });
       }
     });
   std::transform(this->CutStarts.begin(), this->CutStarts.end(), start,

@@ -43,12 +43,12 @@ private:
     double Share;
   };
 
-  void Sort();
-  void Number();
+  void ClassifyCells();
+  void NumberPoints();
   void CutCells();
   void CutPolygon(vtkIdType cell, const vtkIdType* points, size_t count);
-  vtkIdType PlaceOf(const vtkIdType* points, const water_shore_corner& corner);
-  vtkIdType PlaceOf(vtkIdType point);
+  vtkIdType Map(const vtkIdType* points, const water_shore_corner& corner);
+  vtkIdType Map(vtkIdType point);
   void AddPoints(vtkDoubleArray* levels, vtkDoubleArray* depths, vtkPolyData* output) const;
   void AddPolygons(vtkPolyData* output) const;
   void AddArrays(vtkPolyData* output) const;
@@ -60,12 +60,12 @@ private:
   std::vector<Cell> Cells;
   vtkIdType WetCells = 0;
   vtkIdType WetCorners = 0;
-  std::vector<vtkIdType> Places; // of the mesh's points in the part; -1: not in it
-  std::vector<vtkIdType> Kept;   // points of the mesh, by their place
-  std::vector<Edge> Edges; // points on the shore, in order of their place after all those kept
+  std::vector<vtkIdType> PointMap; // from the mesh's points to the part's; -1: not in it
+  std::vector<vtkIdType> Kept;     // points of the mesh, by their number in the part
+  std::vector<Edge> Edges; // points on the shore: their numbers follow those of all that are kept
   std::unordered_map<vtkIdType, std::vector<vtkIdType>> EdgesOf; // a wet point's: indices of Edges
   std::vector<vtkIdType> CutStarts;  // of the cut polygons, in CutCorners
-  std::vector<vtkIdType> CutCorners; // places; of an edge: -1 - its index
+  std::vector<vtkIdType> CutCorners; // points of the part; of an edge: -1 - its index
   std::vector<vtkIdType> CutFrom;    // cells of the mesh
 };
 
