@@ -175,6 +175,190 @@ TEST(wrong_places_are_found)
   }
 }
 
-TESTS(what_a_waterline_goes_round_is_inside, a_hold_between_thick_walls_is_inside,
-  a_side_that_is_missing_is_an_open_hull, what_the_water_does_not_meet_is_not_cut,
-  wrong_places_are_found)
+// Places are from the origin, along the plane's axes, after the mesh's own matrix.
+TEST(places_are_in_the_planes_own_axes)
+{
+  const double moved[16] = { 2, 0, 0, 10, 0, 2, 0, 20, 0, 0, 2, 30, 0, 0, 0, 1 };
+  const water_plane level = { { 0.0, 0.0, 1.0 }, -5.0 };
+  const double origin[3] = { 1.0, 3.0, 5.0 };
+  const double points[6] = { 0.0, 0.0, 0.0, 1.0, 2.0, 4.0 };
+  const double expected[6] = { 9.0, 17.0, 25.0, 11.0, 21.0, 33.0 };
+  double places[6];
+  water_waterline_places(moved, &level, origin, points, 2, places);
+  for (int i = 0; i < 6; ++i)
+  {
+    ASSERT_CLOSE(places[i], expected[i], 1e-12);
+  }
+}
+
+// Waves reach what is no further from the plane than their height, over it and under it.
+TEST(places_near_the_waves_are_found)
+{
+  const double places[15] = { 0, 0, 1.0, 5, 5, 1.01, 0, 0, -1.0, 9, 9, -1.01, 0, 0, 0 };
+  size_t near[5];
+  assert_int_equal(water_waterline_near(places, 5, 1.0, near), 3);
+  assert_int_equal(near[0], 0);
+  assert_int_equal(near[1], 2);
+  assert_int_equal(near[2], 4);
+  assert_int_equal(water_waterline_near(places, 5, 0.0, near), 1);
+  assert_int_equal(near[0], 4);
+}
+
+// A corner at the height 0 counts as over the water.
+TEST(a_corner_on_the_water_is_over_it)
+{
+  const size_t corners[3] = { 0, 1, 2 };
+  const double hanging[9] = { 3, 4, 0, 1, 0, -1, 0, 1, -2 };
+  const double standing[9] = { 3, 4, 0, 1, 0, 0, 0, 1, -2 };
+  water_waterline_piece piece;
+  for (size_t first = 0; first < 3; ++first)
+  {
+    const size_t turned[3] = { corners[first], corners[(first + 1) % 3], corners[(first + 2) % 3] };
+    assert_true(water_waterline_cut(turned, hanging, &piece));
+    for (int i = 0; i < 4; ++i)
+    {
+      ASSERT_CLOSE(piece.ends[i / 2][i % 2], 3.0 + i % 2, 1e-15);
+    }
+    assert_true(water_waterline_cut(turned, standing, &piece));
+  }
+}
+
+// Of three pieces that meet at one edge of the mesh, the last has no other end to join.
+TEST(the_last_of_three_at_an_edge_is_open)
+{
+  enum
+  {
+    LOOSE = 40
+  };
+  for (size_t third = 0; third < LOOSE; ++third)
+  {
+    water_waterline_piece pieces[LOOSE] = { { { { 0 } }, { { 0 } }, { 0 }, false } };
+    water_waterline_end ends[2 * LOOSE];
+    size_t open = LOOSE;
+    for (size_t i = 0; i < LOOSE; ++i) // pieces in a ring, their edges in no order
+    {
+      for (size_t end = 0; end < 2; ++end)
+      {
+        pieces[i].edges[end][0] = 1 + 17 * ((i + end) % LOOSE) % LOOSE;
+        pieces[i].edges[end][1] = 100 + pieces[i].edges[end][0] % 3;
+      }
+    }
+    assert_true(water_waterline_close(pieces, LOOSE, ends, &open));
+    pieces[third].edges[0][0] = 0; // a place of its own, the lowest
+    assert_false(water_waterline_close(pieces, LOOSE, ends, &open));
+    assert_int_equal(open, third);
+  }
+  water_waterline_piece fork[3] = { { { { 0 } }, { { 0 } }, { 0 }, false } };
+  water_waterline_end ends[6];
+  size_t open = 9;
+  for (size_t i = 0; i < 3; ++i)
+  {
+    fork[i].edges[1][0] = 5; // all three
+    fork[i].edges[0][0] = 6 + i;
+  }
+  assert_false(water_waterline_close(fork, 3, ends, &open));
+  assert_int_equal(open, 2);
+}
+
+// Loops go round counter-clockwise, whatever their shape and place.
+TEST(loops_are_counter_clockwise)
+{
+  static const double shapes[3][3][2] = { { { 100, 50 }, { 101, 49 }, { 102, 51 } },
+    { { 101, -49 }, { 102, -51 }, { 100, -50 } }, { { -99, 51 }, { -98, 53 }, { -97, 49 } } };
+  for (int i = 0; i < 12; ++i)
+  {
+    double corners[3][2];
+    for (int j = 0; j < 3; ++j)
+    {
+      corners[j][0] = shapes[i % 3][(j + i / 6) % 3][0];
+      corners[j][1] = shapes[i % 3][(j + i / 6) % 3][1];
+    }
+    water_waterline_piece pieces[PIECES_MAX];
+    const size_t count = closed((const double(*)[2])corners, 3, i / 3 % 2 == 1, pieces);
+    double twice = 0.0;
+    for (size_t j = 0; j < count; ++j)
+    {
+      const double* from = pieces[j].ends[0];
+      const double* to = pieces[j].ends[1];
+      twice += from[0] * to[1] - from[1] * to[0];
+    }
+    const double known = fabs((corners[1][0] - corners[0][0]) * (corners[2][1] - corners[0][1]) -
+      (corners[1][1] - corners[0][1]) * (corners[2][0] - corners[0][0]));
+    ASSERT_CLOSE(twice, known, 1e-9);
+  }
+}
+
+static water_waterline_piece piece_of(double x, double y, double to_x, double to_y)
+{
+  const water_waterline_piece piece = { { { x, y }, { to_x, to_y } }, { { 0 } }, { 0 }, false };
+  return piece;
+}
+
+// A piece is in the rows that it passes, and in those beside it that are nearer than a hundredth of
+// a row.
+TEST(a_piece_is_in_its_rows_and_those_it_nearly_touches)
+{
+  const double ends[4][2] = { { -0.995, -0.5 }, { -0.5, -0.005 }, { -0.9, -0.1 }, { -2.0, 2.0 } };
+  const int rows_of[4][2] = { { 0, 1 }, { 1, 2 }, { 1, 1 }, { 0, 3 } };
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    const double wide = 1.5; // of the other axis
+    water_waterline_piece pieces[4];
+    for (int i = 0; i < 4; ++i)
+    {
+      pieces[i] = axis == 0 ? piece_of(ends[i][0], -wide, ends[i][1], wide)
+                            : piece_of(-wide, ends[i][1], wide, ends[i][0]);
+    }
+    for (int i = 0; i < 4; ++i)
+    {
+      water_waterline_piece both[4] = { pieces[i], pieces[3], pieces[3], pieces[3] };
+      water_waterline_rows rows;
+      float texels[4 * 4 * 5 + 4];
+      texels[80] = 7.0f; // after the table
+      assert_true(water_waterline_lay(both, 4, &rows));
+      assert_int_equal(rows.axis, axis);
+      assert_int_equal(rows.count, 4);
+      assert_int_equal(rows.longest, 5);
+      water_waterline_fill(both, 4, &rows, texels);
+      for (int row = 0; row < 4; ++row)
+      {
+        const bool is_in = row >= rows_of[i][0] && row <= rows_of[i][1];
+        assert_int_equal((int)texels[20 * row], is_in ? 4 : 3);
+      }
+      ASSERT_CLOSE(texels[80], 7.0, 0.0);
+    }
+  }
+}
+
+// There are no more rows than a table has, and none of what has no width or no end.
+TEST(rows_are_few_and_need_an_area)
+{
+  static water_waterline_piece many[600];
+  water_waterline_rows rows;
+  for (int i = 0; i < 600; ++i)
+  {
+    many[i] = piece_of(i, 0.0, i + 1.0, 1.0);
+  }
+  assert_true(water_waterline_lay(many, 600, &rows));
+  assert_int_equal(rows.count, 512);
+  assert_true(water_waterline_lay(many, 3, &rows));
+  assert_int_equal(rows.count, 3);
+  ASSERT_CLOSE(rows.middle[0], 1.5, 0.0);
+  const water_waterline_piece square = piece_of(0.0, 0.0, 1.0, 1.0);
+  assert_true(water_waterline_lay(&square, 1, &rows));
+  assert_int_equal(rows.axis, 0);
+  const water_waterline_piece thin[4] = { piece_of(0.0, 0.0, 1.0, 0.0),
+    piece_of(0.0, 0.0, 0.0, 1.0), piece_of(0.0, 0.0, (double)INFINITY, 1.0),
+    piece_of(0.0, 0.0, 1.0, (double)INFINITY) };
+  for (int i = 0; i < 4; ++i)
+  {
+    assert_false(water_waterline_lay(thin + i, 1, &rows));
+  }
+}
+
+TESTS(places_are_in_the_planes_own_axes, places_near_the_waves_are_found,
+  a_corner_on_the_water_is_over_it, the_last_of_three_at_an_edge_is_open,
+  loops_are_counter_clockwise, a_piece_is_in_its_rows_and_those_it_nearly_touches,
+  rows_are_few_and_need_an_area, what_a_waterline_goes_round_is_inside,
+  a_hold_between_thick_walls_is_inside, a_side_that_is_missing_is_an_open_hull,
+  what_the_water_does_not_meet_is_not_cut, wrong_places_are_found)

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """No water is drawn inside a hull that floats in it, and all other pixels stay as they were."""
 
+import time
+
 import numpy as np
 import pytest
 import ray_caster
@@ -344,3 +346,28 @@ def test_a_water_is_no_hull_and_a_copy_of_itself_keeps_its_hulls():
     scene.water.AddHull(scene.boats[0])
     scene.water.ShallowCopy(scene.water)
     wt.check_equal("hulls of a copy of itself", scene.water.GetNumberOfHulls(), 1)
+
+
+def test_a_hull_that_has_not_moved_is_not_cut_again():
+    """A small hull moves beside a ship of more than a million triangles: the ship's cut is kept, and is right."""
+    box = np.array(((-8, 2), (-5, 2), (-5, 5), (-8, 5)), dtype=float)
+    scene = Scene([wt.sphere((0, -2, 0), 2.0, 800), prism(box, -1.0, 1.5)])
+    for boat in scene.boats:
+        boat.VisibilityOff()  # what is drawn counts for both
+        scene.water.AddHull(boat)
+    scene.view.picture()
+    works = []
+    for boat in scene.boats:
+        moves = []
+        for move in range(1, 6):
+            boat.SetPosition(0.01 * move, 0.0, 0.0)
+            begin = time.process_time()
+            scene.view.window.Render()
+            moves.append(time.process_time() - begin)
+        works.append(min(moves))
+    wt.check_at_most("work when the small one moves / when the ship moves", works[1] / works[0], 0.5)
+    shown = scene.view.picture()
+    for boat in scene.boats:
+        scene.water.RemoveHull(boat)
+        scene.water.AddHull(boat)
+    wt.check_equal("pixels that differ from hulls added anew", int((shown != scene.view.picture()).sum()), 0)

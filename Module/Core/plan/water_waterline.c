@@ -4,8 +4,6 @@
 #include "water_math.h"
 #include "water_plane.h"
 
-#include <stdlib.h>
-
 enum
 {
   ROWS_MAX = 512 // few edges pass one, and the table stays small
@@ -46,6 +44,19 @@ size_t water_waterline_find_wrong(const double* places, size_t count)
   return i / 3;
 }
 
+size_t water_waterline_near(const double* places, size_t count, double reach, size_t* near)
+{
+  size_t found = 0;
+  for (size_t i = 0; i < count; ++i)
+  {
+    if (fabs(places[3 * i + 2]) <= reach)
+    {
+      near[found++] = i;
+    }
+  }
+  return found;
+}
+
 bool water_waterline_cut(
   const size_t corners[3], const double* places, water_waterline_piece* piece)
 {
@@ -55,9 +66,9 @@ bool water_waterline_cut(
   {
     const size_t a = corners[i];
     const size_t b = corners[(i + 1) % 3];
-    if ((places[3 * a + 2] >= 0.0) == (places[3 * b + 2] >= 0.0) || found == 2)
+    if ((places[3 * a + 2] >= 0.0) == (places[3 * b + 2] >= 0.0))
     {
-      continue;
+      continue; // round a triangle the sides change twice or never: found stays within 2
     }
     // from the same corner for both of an edge's triangles: they meet in the same place
     const size_t low = a < b ? a : b;
@@ -79,18 +90,51 @@ bool water_waterline_cut(
   return true;
 }
 
-static int compare_ends(const void* a, const void* b)
+static bool is_before(const water_waterline_end* one, const water_waterline_end* other)
 {
-  const water_waterline_end* one = (const water_waterline_end*)a;
-  const water_waterline_end* other = (const water_waterline_end*)b;
   for (int i = 0; i < 2; ++i)
   {
     if (one->edge[i] != other->edge[i])
     {
-      return one->edge[i] < other->edge[i] ? -1 : 1;
+      return one->edge[i] < other->edge[i];
     }
   }
-  return one->which < other->which ? -1 : one->which > other->which;
+  return one->which < other->which;
+}
+
+// Moves an end down a heap whose largest end is its first, to below all that are after it.
+static void sift_down(water_waterline_end* ends, size_t at, size_t count)
+{
+  const water_waterline_end moved = ends[at];
+  for (size_t child = 2 * at + 1; child < count; child = 2 * at + 1)
+  {
+    const bool is_second = child + 1 < count && is_before(ends + child, ends + child + 1);
+    const size_t largest = is_second ? child + 1 : child;
+    if (!is_before(&moved, ends + largest))
+    {
+      break;
+    }
+    ends[at] = ends[largest];
+    at = largest;
+  }
+  ends[at] = moved;
+}
+
+// Sorts in place: C libraries may allocate in qsort. Source: Williams 1964, "Algorithm 232:
+// Heapsort".
+static void sort_ends(water_waterline_end* ends, size_t count)
+{
+  for (size_t i = count / 2; i-- > 0;)
+  {
+    sift_down(ends, i, count);
+  }
+  for (size_t last = count; last-- > 1;)
+  {
+    const water_waterline_end largest = ends[0];
+    ends[0] = ends[last];
+    ends[last] = largest;
+    sift_down(ends, 0, last);
+  }
 }
 
 static bool link_ends(
@@ -103,7 +147,7 @@ static bool link_ends(
     ends[i].edge[1] = edge[1];
     ends[i].which = i;
   }
-  qsort(ends, 2 * count, sizeof ends[0], compare_ends);
+  sort_ends(ends, 2 * count);
   for (size_t i = 0; i < 2 * count; i += 2)
   {
     const bool is_pair = i + 1 < 2 * count && ends[i].edge[0] == ends[i + 1].edge[0] &&

@@ -59,6 +59,14 @@ void water_waterline_places(const double points_to_world[16], const water_plane*
 // there is none.
 size_t water_waterline_find_wrong(const double* places, size_t count);
 
+// The places that waves may reach; others are over all waves, or under them.
+//
+// reach  of the waves over and under the plane, >= 0
+// near   room for count: the numbers of the places, ascending
+//
+// Returns how many there are.
+size_t water_waterline_near(const double* places, size_t count, double reach, size_t* near);
+
 // Cuts a triangle at the height 0; a corner on it counts as over it.
 //
 // corners  numbers of its corners in places, x, y and height of each
@@ -70,7 +78,8 @@ bool water_waterline_cut(
 // Closes the pieces of a hull to loops, and turns each counter-clockwise.
 //
 // ends       room for 2 count
-// open_piece  when they do not close, one at whose end the hull is open
+// open_piece  when they do not close, one at whose end the hull is open; of several at one edge of
+//             the mesh the last
 //
 // Returns whether they close; else the pieces are of no use.
 bool water_waterline_close(

@@ -185,14 +185,9 @@ std::string vtkWaterHulls::Read(Hull& hull)
 }
 
 //------------------------------------------------------------------------------
-std::string vtkWaterHulls::CutOne(
-  Hull& hull, const Surface& surface, std::vector<water_waterline_piece>& pieces)
+std::string vtkWaterHulls::CutOne(Hull& hull, const Surface& surface)
 {
-  const std::string wrong = Read(hull);
-  if (!wrong.empty())
-  {
-    return wrong;
-  }
+  hull.Pieces.clear();
   hull.Actor->ComputeMatrix();
   const size_t count = hull.Points.size() / 3;
   std::vector<double> places(hull.Points.size());
@@ -205,17 +200,12 @@ std::string vtkWaterHulls::CutOne(
   }
   if (surface.HeightMax > 0.0)
   {
-    // the others are over all waves, or under them
-    std::vector<size_t> near;
+    std::vector<size_t> near(count);
+    near.resize(water_waterline_near(places.data(), count, surface.HeightMax, near.data()));
     std::vector<double> asked;
-    for (size_t i = 0; i < count; ++i)
+    for (size_t i : near)
     {
-      const double height = places[3 * i + 2];
-      if (height <= surface.HeightMax && height >= -surface.HeightMax)
-      {
-        near.push_back(i);
-        asked.insert(asked.end(), places.begin() + 3 * i, places.begin() + 3 * i + 3);
-      }
+      asked.insert(asked.end(), places.begin() + 3 * i, places.begin() + 3 * i + 3);
     }
     if (!surface.Lower(asked.data(), near.size()))
     {
@@ -226,7 +216,7 @@ std::string vtkWaterHulls::CutOne(
       places[3 * near[i] + 2] = asked[3 * i + 2];
     }
   }
-  std::vector<water_waterline_piece> found;
+  std::vector<water_waterline_piece>& found = hull.Pieces;
   for (const auto& triangle : hull.Triangles)
   {
     water_waterline_piece piece;
@@ -239,10 +229,34 @@ std::string vtkWaterHulls::CutOne(
   size_t open = 0;
   if (!water_waterline_close(found.data(), found.size(), ends.data(), &open))
   {
-    return SayOpen(found[open].ends[0]);
+    const std::string text = SayOpen(found[open].ends[0]);
+    found.clear();
+    return text;
   }
-  pieces.insert(pieces.end(), found.begin(), found.end());
   return "";
+}
+
+//------------------------------------------------------------------------------
+std::string vtkWaterHulls::Update(Hull& hull, const Surface& surface)
+{
+  const std::string wrong = Read(hull);
+  if (!wrong.empty())
+  {
+    hull.Pieces.clear();
+    hull.IsCut = false;
+    return wrong;
+  }
+  hull.Actor->ComputeMatrix();
+  std::array<double, 16> matrix;
+  std::copy_n(&hull.Actor->GetMatrix()->Element[0][0], 16, matrix.begin());
+  if (!hull.IsCut || hull.CutDataTime != hull.DataTime || hull.CutMatrix != matrix)
+  {
+    hull.Wrong = CutOne(hull, surface);
+    hull.IsCut = true;
+    hull.CutDataTime = hull.DataTime;
+    hull.CutMatrix = matrix;
+  }
+  return hull.Wrong;
 }
 
 //------------------------------------------------------------------------------
@@ -250,9 +264,18 @@ vtkWaterHullTablePointer vtkWaterHulls::Cut(const Surface& surface, std::string&
 {
   std::vector<water_waterline_piece> pieces;
   wrong.clear();
+  const bool isSame = surface.Unit.offset == this->Water.Unit.offset &&
+    std::equal(surface.Unit.normal, surface.Unit.normal + 3, this->Water.Unit.normal) &&
+    std::equal(surface.Origin, surface.Origin + 3, this->Water.Origin) &&
+    surface.HeightMax == 0.0 && this->Water.HeightMax == 0.0;
+  this->Water = surface;
+  this->Water.Lower = nullptr; // not kept: it belongs to the caller
   for (size_t i = 0; i < this->Hulls.size(); ++i)
   {
-    const std::string text = CutOne(this->Hulls[i], surface, pieces);
+    Hull& hull = this->Hulls[i];
+    hull.IsCut = hull.IsCut && isSame;
+    const std::string text = Update(hull, surface);
+    pieces.insert(pieces.end(), hull.Pieces.begin(), hull.Pieces.end());
     if (!text.empty() && wrong.empty())
     {
       wrong = "Hull " + std::to_string(i) + " " + text + ". The water fills it.";

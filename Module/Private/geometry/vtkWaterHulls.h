@@ -49,7 +49,8 @@ public:
   vtkMTimeType GetMTime() const;
   vtkMTimeType GetMeshTime() const;
 
-  // The table; nullptr: the water meets no hull.
+  // The table; nullptr: the water meets no hull. A hull is cut again if it or the water has moved;
+  // waves that displace the water count as moved.
   //
   // wrong  what is wrong with the hulls; empty: nothing
   vtkWaterHullTablePointer Cut(const Surface& surface, std::string& wrong);
@@ -61,14 +62,21 @@ private:
     vtkMTimeType DataTime = 0; // of the data set that the next two are of
     std::vector<double> Points;
     std::vector<std::array<size_t, 3>> Triangles;
+    bool IsCut = false; // what follows holds
+    vtkMTimeType CutDataTime = 0;
+    std::array<double, 16> CutMatrix;
+    std::vector<water_waterline_piece> Pieces; // of its waterline; none if something is wrong
+    std::string Wrong;
   };
 
   // Returns what is wrong with the hull's mesh, or nothing.
   static std::string Read(Hull& hull);
-  static std::string CutOne(
-    Hull& hull, const Surface& surface, std::vector<water_waterline_piece>& pieces);
+  static std::string CutOne(Hull& hull, const Surface& surface);
+  // Cuts the hull unless it is cut as it is now. Returns as Read.
+  static std::string Update(Hull& hull, const Surface& surface);
 
   std::vector<Hull> Hulls;
+  Surface Water; // that they are cut by
 };
 
 #endif
