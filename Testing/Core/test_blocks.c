@@ -195,5 +195,38 @@ TEST(the_grid_ends)
   assert_false(water_blocks_begins(&blocks, 0, 32));
 }
 
-TESTS(blocks_cover_whole_cells_once, sides_have_the_vertices_that_lie_on_them, blocks_are_large,
+static water_cell west(int x, int y)
+{
+  (void)y;
+  return x < CELLS / 2 ? WATER_CELL_WHOLE : WATER_CELL_NONE;
+}
+
+static water_cell parts_at_the_border(int x, int y)
+{
+  const bool is_part = (x == 0 && y == 15) || (x == 15 && y == 0);
+  return is_part ? WATER_CELL_PART : WATER_CELL_WHOLE;
+}
+
+// Where nothing is drawn there is no vertex either: blocks beside it stay large.
+TEST(nothing_beside_a_block_makes_it_no_smaller)
+{
+  const water_blocks blocks = made(west);
+  assert_int_equal(count_of(&blocks), 2);
+  assert_int_equal(blocks.size[0][0], 5);
+  for (int side = 0; side < 4; ++side)
+  {
+    assert_false(water_blocks_has_middle(&blocks, 0, 0, side));
+  }
+}
+
+// The first row and column have neighbours, as others have.
+TEST(cells_at_the_border_are_neighbours)
+{
+  const water_blocks blocks = made(parts_at_the_border);
+  assert_int_equal(blocks.size[16][0], 1);
+  assert_int_equal(blocks.size[0][16], 1);
+}
+
+TESTS(nothing_beside_a_block_makes_it_no_smaller, cells_at_the_border_are_neighbours,
+  blocks_cover_whole_cells_once, sides_have_the_vertices_that_lie_on_them, blocks_are_large,
   the_grid_ends)

@@ -175,7 +175,80 @@ TEST(dry_places_tell_the_unit_of_a_level_of_0)
     water_heights_judge(data.level, data.depth, data.bed, COUNT), WATER_HEIGHT_LEVEL, 100.0);
 }
 
-TESTS(dry_places_tell_the_unit_of_a_level_of_0, dry_places_tell_nothing_of_the_depth,
+// Fewer than ten places are no evidence, of the sum, of dry land or of deep levels.
+TEST(nine_places_are_too_few)
+{
+  for (int few = 9; few <= 10; ++few)
+  {
+    const bool is_told = few == 10;
+    coast data = coast_of(320.0, 400.0, 310.0, 0.0); // all dry
+    for (int i = 0; i < few; ++i)
+    {
+      data.depth[i] = 100.0 * (2.0 + 0.1 * i);
+      data.level[i] = data.bed[i] + 0.01 * data.depth[i];
+    }
+    water_heights_verdict verdict = water_heights_judge(data.level, data.depth, data.bed, COUNT);
+    assert_true((verdict.wrong == WATER_HEIGHT_DEPTH) == is_told);
+    // dry land in centimetres, and a sea
+    double level[20];
+    double bed[20];
+    for (int i = 0; i < 20; ++i)
+    {
+      bed[i] = i < few ? 2.0 + i : -9.0 - i;
+      level[i] = i < few ? 100.0 * bed[i] : 0.0;
+    }
+    verdict = water_heights_judge(level, NULL, bed, 20);
+    assert_true((verdict.wrong == WATER_HEIGHT_LEVEL) == is_told);
+    // levels far under the lowest bed
+    for (int i = 0; i < 20; ++i)
+    {
+      bed[i] = -0.5 * i;
+      level[i] = i < few ? -100.0 - 3.0 * i : 0.0;
+    }
+    verdict = water_heights_judge(level, NULL, bed, 20);
+    assert_true((verdict.wrong == WATER_HEIGHT_LEVEL) == is_told);
+  }
+}
+
+// Land whose heights hardly differ fits a calm level by chance; land with relief does not.
+TEST(flat_land_tells_nothing)
+{
+  const double reliefs[2] = { 0.04, 0.06 };
+  for (int k = 0; k < 2; ++k)
+  {
+    double level[40];
+    double bed[40];
+    for (int i = 0; i < 40; ++i)
+    {
+      const bool is_land = i < 20;
+      bed[i] = is_land ? 10.0 * (1.0 - reliefs[k] * i / 19.0) : -20.0;
+      level[i] = is_land ? 100.0 * bed[i] : 0.0;
+    }
+    const water_heights_verdict verdict = water_heights_judge(level, NULL, bed, 40);
+    assert_true((verdict.wrong == WATER_HEIGHT_LEVEL) == (k == 1));
+  }
+}
+
+// Depths next to none fit any unit, and neither hide nor make a mistake.
+TEST(films_of_water_are_no_evidence)
+{
+  double level[120];
+  double depth[120];
+  double bed[120];
+  for (int i = 0; i < 120; ++i)
+  {
+    const double right = i < 20 ? 1.0 + 0.01 * i : 1e-7;
+    bed[i] = 10.0;
+    level[i] = bed[i] + right;
+    depth[i] = i < 20 ? 100.0 * right : right;
+  }
+  const water_heights_verdict verdict = water_heights_judge(level, depth, bed, 120);
+  assert_true(verdict.wrong == WATER_HEIGHT_DEPTH);
+  ASSERT_CLOSE(verdict.factor, 100.0, 1e-12);
+}
+
+TESTS(nine_places_are_too_few, flat_land_tells_nothing, films_of_water_are_no_evidence,
+  dry_places_tell_the_unit_of_a_level_of_0, dry_places_tell_nothing_of_the_depth,
   no_water_that_there_is_has_a_wrong_unit, marks_of_dry_places_are_no_levels,
   the_height_in_another_unit_is_found, dry_land_tells_the_unit_of_the_level,
   levels_under_all_land_are_in_another_unit, a_lake_in_feet_is_found, two_heights_are_needed)
