@@ -14,7 +14,7 @@ def hulls_of(hulls, scale):
     Raises
     ------
     TypeError
-        If hulls is not a sequence, or an item is neither an actor nor a data set.
+        If hulls is not a sequence, an item is neither an actor nor a data set, or an actor shows several blocks.
 
     ValueError
         If a data set has no cells.
@@ -28,6 +28,12 @@ def hulls_of(hulls, scale):
 
 def hull_of(name, hull, scale):
     if isinstance(hull, vtkActor):
+        mapper = hull.GetMapper()
+        has_data = mapper is not None and mapper.GetNumberOfInputConnections(0) > 0
+        data = mapper.GetInputDataObject(0, 0) if has_data else None
+        if data is not None and data.IsA("vtkCompositeDataSet"):
+            raise TypeError(f"{name} is an actor of a {type(data).__name__}; it must be one of a single mesh. "
+                            "Combine its blocks, or pass each block as a hull of its own")
         return hull
     if not isinstance(hull, pv.DataSet):
         raise TypeError(f"{name} must be a pyvista.DataSet or an actor, not {type(hull).__name__}")

@@ -503,6 +503,14 @@ def test_a_sky_that_cannot_be_is_refused(plotter, words, error, parts):
     wt.check_equal(f"{words}: actors", len(plotter.renderer.actors), 0)
 
 
+def test_a_hull_of_several_blocks_is_an_error(plotter):
+    """Composite data would be flooded without a word until the first frame: the argument is named at once."""
+    blocks = plotter.add_mesh(pv.MultiBlock([pv.Cube(), pv.Cube(center=(3, 0, 0))]))
+    blocks = blocks[0] if isinstance(blocks, tuple) else blocks
+    with pytest.raises(TypeError, match=r"hulls\[1\] is an actor of a MultiBlock|hulls\[1\] is an actor of a vtkMulti"):
+        plotter.add_water(level=0.0, hulls=[pv.Cube(), blocks])
+
+
 def test_hulls_are_meshes_and_actors(plotter):
     """A mesh and an actor of the plotter's keep the water out of themselves, also under set_scale."""
     plotter.set_scale(zscale=2.0)
