@@ -52,6 +52,18 @@ def test_a_bed_that_ends_with_the_water_goes_on(name, is_software, monkeypatch):
 
 
 @pytest.mark.parametrize("is_software", (1, 0))
+@pytest.mark.parametrize("name, samples, most", (("low", 0, 5), ("low", 4, 0), ("middle", 4, 20), ("above", 0, 100)))
+def test_waves_show_no_dots_of_deep_water_where_the_bed_ends(name, samples, most, is_software, monkeypatch):
+    """Deep water is blue, the bed is not: with waves, hardly a pixel is blue near the edge of a bed that ends with the
+    water, and where the ray leaves the picture."""
+    monkeypatch.setenv("VTK_WATER_SOFTWARE", str(is_software))
+    view, water = over_a_bed(VIEWS[name], 4, samples, ((0.03, 0.9, 20.0), (0.02, 0.5, 75.0)))
+    picture = view.picture()
+    blue = wt.water_mask(view, water) & (picture[..., 2] > picture[..., 0] + 10)
+    wt.check_at_most("blue pixels", int(blue.sum()), most)
+
+
+@pytest.mark.parametrize("is_software", (1, 0))
 def test_open_water_has_no_bed_that_goes_on(is_software, monkeypatch):
     """Rocks under the border of open water are seen where they are, and nowhere else: as much of the picture is rock."""
     monkeypatch.setenv("VTK_WATER_SOFTWARE", str(is_software))

@@ -121,6 +121,7 @@ WaterMediumView waterMediumMeets(vec3 start, vec3 way, float most, float deepest
   view.from = isEdge ? (floor((start.xy + found.low * way.xy) * size) + 0.5) / size : start.xy + view.s * way.xy;
   view.to = isEdge ? (floor((start.xy + found.high * way.xy) * size) + 0.5) / size : view.from;
   view.share = 0.0;
-  view.isBelow = !found.isHit && !isInside && waterMediumPassesBelow(start, way, leaves, deepest);
+  view.isOut = !found.isHit && !isInside;
+  view.isBelow = view.isOut && waterMediumPassesBelow(start, way, leaves, deepest);
   return view;
 }

@@ -149,6 +149,7 @@ struct WaterMediumView
   vec2 to;
   float share; // of the second
   bool isBelow; // the ray meets nothing: it is deeper than anything
+  bool isOut;   // it leaves the picture before it meets anything
 };
 
 // Where a ray leaves the picture.
@@ -243,7 +244,7 @@ vec3 waterMediumColor(vec2 uv, float depth)
 
 // Mixes what is seen at a place with what else is in its pixel, both through the water; of the slot others.
 //
-// others  1: there may be others
+// others  1: there may be others; 2: the same, and the bed goes on instead of the background
 // begun   how far the ray has come in the picture, pixels
 // dir     of the ray, in the plane's axes
 vec3 waterMediumWithOther(vec2 uv, float depth, int others, float begun, vec3 seen, vec3 dir, float caustic);
@@ -288,6 +289,7 @@ struct WaterMediumMet
   float way;          // m of water
   float lit;          // the same, to what caustics light: between the middles of pixels, too
   bool isUnderBorder; // the water ends before the ray meets anything: it is the bed under its border
+  bool isAtBorder;    // that, or so close to it that a pixel may show the end of both
   bool isNothing;     // there is none
 };
 
@@ -334,7 +336,9 @@ WaterMediumMet waterMediumMeet(WaterPoint point, vec3 dir)
     met.depth = waterMediumDepth(met.view.from);
     if (i > 0 && met.depth >= 1.0)
     {
-      met.view.from = met.view.to;
+      // between the background and the edge of the bed, which it comes to
+      vec2 further = ray.way.xy / max(length(ray.way.xy * waterMediumSize()), 1e-6);
+      met.view.from = met.view.isMet ? met.view.from + further : met.view.to;
       met.depth = waterMediumDepth(met.view.from);
     }
     if (i > 0 || met.depth < 1.0 || !isBounded)
@@ -349,7 +353,11 @@ WaterMediumMet waterMediumMeet(WaterPoint point, vec3 dir)
   float between = waterMediumBetween(ray, met.view, met.depth);
   met.lit = between * ray.w / max(1.0 - between * ray.rate, 1e-6);
   float apart = abs(waterMediumW(met.view.from, met.depth) - ray.w - met.way * ray.rate);
-  bool isThere = met.depth < 1.0 && apart < WATER_MEDIUM_BELOW * waterBedDepth + WATER_MEDIUM_EDGE * pixel;
+  // the bed is likelier than nothing where the picture does not show it
+  bool isThere = met.depth < 1.0 &&
+    (met.view.isOut || apart < WATER_MEDIUM_BELOW * waterBedDepth + WATER_MEDIUM_EDGE * pixel);
+  bool isClose = waterSide > 0.0 && met.way > border - WATER_MEDIUM_EDGE * pixel;
+  met.isAtBorder = met.isUnderBorder || isClose;
   met.isNothing = met.isUnderBorder ? !isThere : met.view.isBelow;
   return met;
 }
@@ -400,7 +408,8 @@ vec3 waterTransmittedRay(WaterPoint point)
   float caustic = waterMediumLight(point, met, view.from, dir, areTwo || met.isUnderBorder ? ways.x : met.lit);
   from = met.depth >= 1.0 ? waterDeepColor : waterAfter(caustic * from, ways.x);
   float gap = length((view.to - view.from) * waterMediumSize());
-  int others = view.isMet || (gap > 0.0 && gap < WATER_MEDIUM_GAP_PX) ? waterSceneIsSorted : 0;
+  bool mayHaveOthers = view.isMet || (gap > 0.0 && gap < WATER_MEDIUM_GAP_PX);
+  int others = mayHaveOthers ? (met.isAtBorder ? 2 : 1) * waterSceneIsSorted : 0;
   float begun = length((view.from - 0.5 - 0.5 * point.ndc) * waterMediumSize());
   from = waterMediumWithOther(view.from, met.depth, others, begun, from, dir, caustic);
   if (areTwo)

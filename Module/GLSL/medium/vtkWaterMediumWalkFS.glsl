@@ -172,6 +172,7 @@ WaterMediumView waterMediumMeets(vec3 start, vec3 way, float most, float deepest
   view.share = view.isMet ? share : (found.isHit ? found.share : 0.0);
   view.from = start.xy + (view.isMet ? view.s : found.low) * way.xy;
   view.to = view.isMet ? view.from : (floor((start.xy + found.high * way.xy) * size) + 0.5) / size;
-  view.isBelow = !found.isHit && !isInside && waterMediumPassesBelow(start, way, leaves, deepest);
+  view.isOut = !found.isHit && !isInside;
+  view.isBelow = view.isOut && waterMediumPassesBelow(start, way, leaves, deepest);
   return view;
 }

@@ -10,7 +10,7 @@ const int WATER_MEDIUM_RAYS = 4; // of a pixel at an edge
 // Mixes what is seen at a place with what else is in its pixel, both through the water. What stands before that hides what
 // the ray goes behind, and is not met, unless the ray has only begun.
 //
-// others  1: there may be others
+// others  1: there may be others; 2: the same, and the bed goes on instead of the background
 // begun   how far the ray has come in the picture, pixels
 // dir     of the ray, in the plane's axes
 vec3 waterMediumWithOther(vec2 uv, float depth, int others, float begun, vec3 seen, vec3 dir, float caustic)
@@ -21,7 +21,7 @@ vec3 waterMediumWithOther(vec2 uv, float depth, int others, float begun, vec3 se
     float depthOther = textureLod(waterSceneOtherPlace, uv, 0.0).r;
     float way = max(waterMediumHeight(uv, depthOther) / dir.z, 0.0);
     vec3 color = depthOther >= 1.0 ? waterDeepColor : waterAfter(caustic * other.rgb, way);
-    bool isMet = depthOther > depth || begun < WATER_MEDIUM_BEGUN_PX;
+    bool isMet = (depthOther > depth || begun < WATER_MEDIUM_BEGUN_PX) && (others == 1 || depthOther < 1.0);
     seen = mix(seen, color, isMet ? other.a : 0.0);
   }
   return seen;
