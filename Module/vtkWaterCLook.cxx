@@ -134,6 +134,12 @@ vtk_water_status vtk_water_actor_set_shadows(vtk_water_actor* actor, int shadows
   return Switch(actor, "shadows", shadows, &vtkWaterProperty::SetShadows);
 }
 
+vtk_water_status vtk_water_actor_set_dome_port(vtk_water_actor* actor, double radius)
+{
+  return Change(
+    actor, [=](vtkWaterActor*, vtkWaterProperty* look) { look->SetDomePortRadius(radius); });
+}
+
 vtk_water_status vtk_water_actor_set_units(vtk_water_actor* actor, const char* name)
 {
   return Change(actor, [=](vtkWaterActor*, vtkWaterProperty* look) { look->SetUnits(name); });

@@ -139,6 +139,9 @@ def add_scene_arguments(parser):
     )
     water.add_argument("--shadows", action=argparse.BooleanOptionalAction,
                        help="whether objects cast shadows on the water's glitter and foam; default no")
+    water.add_argument("--dome-port", type=number(0.0, 1e9), metavar="M",
+                       help="radius of a dome port around the camera, m: a camera closer to the water sees half "
+                            "above and half under it; 0, the default: none; turns refraction on")
     water.add_argument("--quality", choices=QUALITIES, help="quality of reflections on waves; default: default")
     water.add_argument("--units", type=units, metavar="UNIT",
                        help="length unit of the file: um, mm, cm, m, km, in, ft, mi or a number of metres; default: m "

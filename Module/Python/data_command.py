@@ -108,7 +108,7 @@ def make_data_water(arguments, words, make_scene):
                                   read_ahead=arguments.command == "animate")
     scene = make_scene(arguments)
     words["units"] = words["units"] or "m"
-    hides = arguments.color_by and not words["foam"] and not words["caustics"]
+    hides = arguments.color_by and not any(words[word] for word in ("foam", "caustics", "dome_port"))
     if words["refraction"] is None and hides:
         words["refraction"] = False  # the data hide what it would show
     value = 0.5 if arguments.contour_value is None else arguments.contour_value

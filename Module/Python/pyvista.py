@@ -49,6 +49,7 @@ def add_water(
     foam=None,
     caustics=None,
     shadows=None,
+    dome_port=None,
     sun=None,
     quality=None,
     units=None,
@@ -123,6 +124,11 @@ def add_water(
     shadows : bool, optional
         Whether objects cast shadows on the water's glitter and foam. True adds the default ``sun`` to a subplot
         without a scene light.
+
+    dome_port : float, optional
+        Radius in metres of a dome port, the glass dome around an underwater camera, finite and not negative; 0 means
+        no port. With the camera above the water by less than this, the picture is half above and half under water.
+        Turns refraction on.
 
     sun : bool | sequence[float], optional
         Adds a scene light, the sun, for glitter, shadows and caustics: azimuth (degrees from north towards east, in
@@ -248,7 +254,7 @@ def add_water(
     mapper, data = surface_of(surface, level, depth, bed, normal, origin)
     if color_by is not None:
         color_surface(mapper, surface, color_by, cmap, clim)
-        if refraction is None and not foam and not caustics and data_opacity in (None, 1):
+        if refraction is None and not foam and not caustics and not dome_port and data_opacity in (None, 1):
             refraction = False  # the data hide what it would show
     has_level = data is None and level is not None
     plane_origin, plane_normal = plane_of(number("level", level) if has_level else 0.0, normal, origin, scale)
@@ -269,8 +275,8 @@ def add_water(
         actor.GetPlane().SetOrigin(plane_origin)
         actor.GetPlane().SetNormal(plane_normal)
     set_look(look, preset=preset, waves=waves, wind=wind, color=None if color is None else pv.Color(color).float_rgb,
-             opacity=opacity, refraction=refraction, foam=foam, caustics=caustics, shadows=shadows, quality=quality,
-             units=units)
+             opacity=opacity, refraction=refraction, foam=foam, caustics=caustics, shadows=shadows,
+             dome_port=dome_port, quality=quality, units=units)
     with raising(actor, SheetBounds="bounds", Time="time"):
         if bounds is not None:
             set_bounds(actor, bounds)

@@ -154,7 +154,7 @@ class Scene:
         the water is opaque. Raises TypeError, ValueError."""
         self.water = vtkWaterActor()
         words["units"] = words.get("units") or "m"
-        if preset is None and not any(words.get(word) for word in ("refraction", "foam", "caustics")):
+        if preset is None and not any(words.get(word) for word in ("refraction", "foam", "caustics", "dome_port")):
             words["refraction"] = False
         set_look(self.water.GetWaterProperty(), preset=preset, wind=wind, **words)
         with raising(self.water):

@@ -25,7 +25,7 @@ MOST_NUMBERS_OF_A_WAVE = 5
 
 
 def set_look(look, *, preset=None, waves=None, wind=None, color=None, opacity=None, refraction=None, foam=None,
-             caustics=None, shadows=None, quality=None, units=None):
+             caustics=None, shadows=None, dome_port=None, quality=None, units=None):
     """Apply these settings to a new vtkWaterProperty.
 
     Parameters
@@ -55,6 +55,9 @@ def set_look(look, *, preset=None, waves=None, wind=None, color=None, opacity=No
         refraction, which they turn on.
     shadows : bool
         Whether objects cast shadows on the water's glitter and foam.
+    dome_port : float
+        Radius in metres of a dome port, the glass dome around an underwater camera, finite and not negative; 0 means
+        no port. A port needs refraction and turns it on.
     quality : str
         Quality of reflections on waves: 'fast', 'default', 'high' or 'reference'.
     units : str | float
@@ -73,6 +76,7 @@ def set_look(look, *, preset=None, waves=None, wind=None, color=None, opacity=No
     speed, blows_to = (None, None) if wind is None else wind_of(wind)
     foam_depth = None if foam is None else depth_of(foam)
     strength = None if caustics is None else strength_of(caustics)
+    port = None if dome_port is None else radius_of(dome_port)
     if refraction is not None:
         refraction = flag("refraction", refraction)
     if shadows is not None:
@@ -91,8 +95,10 @@ def set_look(look, *, preset=None, waves=None, wind=None, color=None, opacity=No
             look.SetDeepColor(numbers("color", color, 3))
         if share is not None:
             look.SetOpacity(share)
-    through = {"refraction": bool(refraction), "foam": bool(foam_depth), "caustics": bool(strength)}
-    check_through(look, preset, refraction, share, through, {"foam": foam, "caustics": caustics})
+    through = {"refraction": bool(refraction), "foam": bool(foam_depth), "caustics": bool(strength),
+               "dome_port": bool(port)}
+    given = {"foam": foam, "caustics": caustics, "dome_port": dome_port}
+    check_through(look, preset, refraction, share, through, given)
     if strength and not has_waves(look):
         raise ValueError(
             f"caustics is {caustics!r}, but the water is calm: add wind, waves or a preset with waves"
@@ -101,7 +107,7 @@ def set_look(look, *, preset=None, waves=None, wind=None, color=None, opacity=No
         refraction = True
     with raising(look, Units="units", MetresPerUnit="units"):
         set_units(look, units, waves is None or isinstance(waves, Real))
-        if refraction is not None or through["foam"] or through["caustics"]:
+        if refraction is not None or any(through[word] for word in given):
             look.SetRefraction(refraction is not False)
         if foam_depth is not None:
             look.SetFoamDepth(foam_depth)
@@ -110,6 +116,8 @@ def set_look(look, *, preset=None, waves=None, wind=None, color=None, opacity=No
             look.SetCaustics(strength)
         if shadows is not None:
             look.SetShadows(shadows)
+        if port is not None:
+            look.SetDomePortRadius(port)
         if quality is not None:
             look.SetRayTraceQuality(quality)
 
@@ -230,6 +238,13 @@ def strength_of(caustics):
     if isinstance(caustics, bool):
         return CAUSTICS if caustics else 0.0
     return in_range("caustics", caustics, 0.0, 1.0)
+
+
+def radius_of(dome_port):
+    radius = number("dome_port", dome_port)
+    if not 0.0 <= radius < math.inf:
+        raise ValueError(f"dome_port is {radius:g}; it must be finite and not negative (m, the radius)")
+    return radius
 
 
 def set_sea(look, speed, blows_to=None):

@@ -133,6 +133,7 @@ CALLS = {
     "water type": (c_clear("vtk_water_actor_set_water_type", b"9C"), clear("SetWaterType", "9C"), 1),
     "foam": (c_clear("vtk_water_actor_set_foam", number(0.3)), clear("SetFoamDepth", 0.3), 1),
     "caustics": (c_clear("vtk_water_actor_set_caustics", number(0.9)), clear("SetCaustics", 0.9), 1),
+    "dome port": (c_clear("vtk_water_actor_set_dome_port", number(20.0)), clear("SetDomePortRadius", 20.0), 1),
     "shadows": (
         lambda it: [*c_clear("vtk_water_actor_set_foam", number(3.0))(it),
                     ("vtk_water_actor_set_shadows", it.water, 1)],
@@ -286,6 +287,13 @@ REFUSALS = (  # name, status, words of the error, function, its arguments for a 
         b"Caustics is nan; it must lie in [0, 1]",
         "vtk_water_actor_set_caustics",
         lambda it: (it.water, number(NAN)),
+    ),
+    (
+        "dome_port",
+        BAD_VALUE,
+        b"DomePortRadius is -1",
+        "vtk_water_actor_set_dome_port",
+        lambda it: (it.water, number(-1.0)),
     ),
     (
         "shadows",
