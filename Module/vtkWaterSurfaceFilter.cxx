@@ -227,7 +227,8 @@ double vtkWaterSurfaceFilter::GetMeanLevel()
 //------------------------------------------------------------------------------
 void vtkWaterSurfaceFilter::CheckUnits(vtkDataArray* level, vtkDataArray* depth, vtkDataArray* bed)
 {
-  const vtkIdType count = level && bed ? level->GetNumberOfTuples() : 0;
+  vtkDataArray* other = level ? level : depth;
+  const vtkIdType count = other && bed ? other->GetNumberOfTuples() : 0;
   if (this->AreUnitsTold || count == 0 || bed->GetNumberOfTuples() != count)
   {
     return; // without two of the same places nothing is known
@@ -235,8 +236,8 @@ void vtkWaterSurfaceFilter::CheckUnits(vtkDataArray* level, vtkDataArray* depth,
   const std::vector<double> levels = SampleOf(level);
   const std::vector<double> depths = SampleOf(depth);
   const std::vector<double> beds = SampleOf(bed);
-  const water_heights_verdict verdict = water_heights_judge(
-    levels.data(), depths.empty() ? nullptr : depths.data(), beds.data(), levels.size());
+  const water_heights_verdict verdict = water_heights_judge(levels.empty() ? nullptr : levels.data(),
+    depths.empty() ? nullptr : depths.data(), beds.data(), beds.size());
   if (verdict.wrong == WATER_HEIGHT_NONE)
   {
     return;
@@ -251,8 +252,9 @@ void vtkWaterSurfaceFilter::CheckUnits(vtkDataArray* level, vtkDataArray* depth,
     factor << " (its values are " << verdict.factor << " times as large as the others imply)";
   }
   vtkWarningMacro("the array '" << name << "' seems to have another unit than the other heights"
-                                << factor.str() << ": " << RangeOf(this->LevelArrayName, level)
-                                << ", " << RangeOf(this->BedArrayName, bed)
+                                << factor.str() << ": "
+                                << (level ? RangeOf(this->LevelArrayName, level) + ", " : "")
+                                << RangeOf(this->BedArrayName, bed)
                                 << (depth ? ", " + RangeOf(this->DepthArrayName, depth) : "")
                                 << ". Level, depth and bed must have one unit; convert them.");
 }

@@ -27,7 +27,8 @@
  *
  * Level, depth and bed must have one unit. A warning tells, once, the array that seems to have
  * another one, with all ranges: if level = bed + depth holds only after a conversion between
- * millimetres, centimetres, feet and metres; or, with level and bed alone, if levels lie far below
+ * millimetres, centimetres, feet and metres; if, with depth and bed alone, their sum is calm only
+ * after such a conversion of the depth; or, with level and bed alone, if levels lie far below
  * the lowest bed, or far above all of a bed among whose heights they lie after such a conversion.
  * Other mistakes of units cannot be told from real water.
  *

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The options of the command vtkwater, and what they accept."""
 import argparse
+import difflib
 import math
 import re
 
@@ -19,6 +20,29 @@ EXAMPLES = """examples:
   vtkwater view terrain.tif --level 355 --preset lake
   vtkwater info
 """
+
+
+class Parser(argparse.ArgumentParser):
+    """Takes options by their whole names, and tells the closest one of a name that is none."""
+
+    def __init__(self, *arguments, **words):
+        super().__init__(*arguments, allow_abbrev=False, **words)
+
+    def options(self):
+        """The names of its options, and of its commands' options."""
+        for action in self._actions:
+            yield from (name for name in action.option_strings if name.startswith("--"))
+            if isinstance(action, argparse._SubParsersAction):
+                for parser in action.choices.values():
+                    yield from parser.options()
+
+    def error(self, message):
+        unknown = re.match(r"unrecognized arguments: .*?(--[^\s=]+)", message)
+        if unknown:
+            close = difflib.get_close_matches(unknown.group(1), sorted(set(self.options())), 1)
+            meant = f"did you mean {close[0]}?" if close else "--help lists all options"
+            message = f"{unknown.group(1)} is not an option; {meant}"
+        super().error(message)
 
 
 def number(least=-math.inf, most=math.inf, kind=float):
@@ -172,7 +196,7 @@ def add_scene_arguments(parser):
 
 
 def make_parser():
-    parser = argparse.ArgumentParser(
+    parser = Parser(
         prog="vtkwater", description="Renders terrains and meshes in water that reflects them.", epilog=EXAMPLES,
         formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--version", action="version", version=f"vtkwater {__version__}")

@@ -21,8 +21,8 @@ from .hulls import hulls_of
 from .measure import WHOLE
 from .skies import Sun, add_clear_sky, has_scene_light, shine, sun_of
 from .sliders import add_water_level_slider
-from .surfaces import check_has_water, check_level, color_surface, lakes_of, level_and_surface, plane_of, surface_of
-from .words import in_range, number, numbers, set_look, whole_in_range
+from .surfaces import axis_of, check_has_water, check_level, color_surface, lakes_of, level_and_surface, plane_of, surface_of
+from .words import finite, in_range, number, numbers, set_look, whole_in_range
 
 __all__ = ["Sun", "add_clear_sky", "add_water", "add_water_level_slider"]
 
@@ -136,8 +136,9 @@ def add_water(
         default if ``caustics`` or ``shadows`` need a light. North is y and east is x; for tilted water they are the
         second and the first of the plane's own axes. The light is in ``plotter.renderer.lights``, has the class
         ``vtkwater.pyvista.Sun``, and stays when the water is removed. Another ``sun`` in the same subplot replaces it.
-        PyVista's own lights stay and are added to it; with ``pyvista.Plotter(lighting='none')`` the sun is the only
-        light.
+        PyVista's own lights stay, and together with the sun they overexpose bright meshes: create the plotter with
+        ``pyvista.Plotter(lighting='none')``. The sun is then the only light, and faces away from it are black; a weak
+        headlight, ``plotter.add_light(pyvista.Light(light_type='headlight', intensity=0.4))``, shows them.
 
     quality : str, optional
         Quality of reflections on waves: ``'fast'``, ``'default'``, ``'high'`` or ``'reference'``.
@@ -219,8 +220,9 @@ def add_water(
     Warns
     -----
     UserWarning
-        If PyVista's notebook backend is ``'client'`` or ``'html'``, because vtk.js draws no water; or if the water's
-        level is below the whole terrain, which hides it.
+        If PyVista's notebook backend is ``'client'`` or ``'html'``, because vtk.js draws no water; if the water's
+        level is below the whole terrain, which hides it; or if it is above the whole scene by more than the scene's
+        diagonal. The text names the scene's heights.
 
     Notes
     -----
@@ -257,7 +259,7 @@ def add_water(
         if refraction is None and not foam and not caustics and not dome_port and data_opacity in (None, 1):
             refraction = False  # the data hide what it would show
     has_level = data is None and level is not None
-    plane_origin, plane_normal = plane_of(number("level", level) if has_level else 0.0, normal, origin, scale)
+    plane_origin, plane_normal = plane_of(finite("level", level) if has_level else 0.0, normal, origin, scale)
     lakes = None if mapper is None or has_level else lakes_of(mapper, normal)
     if mapper is not None and data is None:
         check_has_water(mapper, lakes, normal)
@@ -266,7 +268,7 @@ def add_water(
     if sun is None:
         sun = bool(caustics or shadows) and not has_scene_light(self.renderer)
     light = None if sun is False else sun_of(sun)
-    lowest = lowest_along(self.renderer, plane_normal)
+    heights = heights_along(self.renderer, plane_normal, normal, origin)
     afloat = hulls_of(hulls, scale)
 
     actor = vtkWaterActor() if lakes is None else lakes.GetWater()
@@ -274,7 +276,7 @@ def add_water(
     if lakes is None:
         actor.GetPlane().SetOrigin(plane_origin)
         actor.GetPlane().SetNormal(plane_normal)
-    set_look(look, preset=preset, waves=waves, wind=wind, color=None if color is None else pv.Color(color).float_rgb,
+    set_look(look, preset=preset, waves=waves, wind=wind, color=None if color is None else color_of(color),
              opacity=opacity, refraction=refraction, foam=foam, caustics=caustics, shadows=shadows,
              dome_port=dome_port, quality=quality, units=units)
     with raising(actor, SheetBounds="bounds", Time="time"):
@@ -303,11 +305,10 @@ def add_water(
         shine(self.renderer, actor, *light)
     if color_by is not None and scalar_bar:
         self.add_scalar_bar(color_by, mapper=mapper, render=False)
-    height = vtkMath.Dot(plane_origin, plane_normal)
     bounds_known = vtkMath.AreBoundsInitialized(actor.GetBounds() or (1, -1, 1, -1, 1, -1))  # also chooses the sheet
-    if surface is None and bounds is None and not actor.GetSheetToHorizon() and lowest > height:
-        warnings.warn(f"level is {level or 0.0:g}, which is below the whole scene: the land hides the water; "
-                      "use a higher level", stacklevel=2)
+    if surface is None and heights is not None:
+        is_sheet = bounds is None and not actor.GetSheetToHorizon()
+        tell_level(level or 0.0, heights, is_sheet)
     if self.renderer.camera_set and not actor.GetSheetToHorizon():
         widen_clipping_range(self.renderer)
     if render and (actor.GetSheetToHorizon() or bounds_known):
@@ -323,12 +324,41 @@ def widen_clipping_range(renderer):
     renderer.camera.clipping_range = (min(near, new_near), max(far, new_far))
 
 
-def lowest_along(renderer, normal):
-    """Smallest coordinate of the visible props along a direction; minus infinity if there are none."""
+def heights_along(renderer, unit, normal, origin):
+    """Lowest and highest height of the visible props over the origin, and their diagonal; None if there are none.
+
+    unit  normal of the plane in the renderer's own coordinates, which are scaled
+    """
     bounds = renderer.ComputeVisiblePropBounds()
     if not vtkMath.AreBoundsInitialized(bounds):
-        return -math.inf
-    return sum(min(part * bounds[2 * i], part * bounds[2 * i + 1]) for i, part in enumerate(normal))
+        return None
+    scale = renderer.scale
+    length = vtkMath.Norm(axis_of(normal))
+    base = vtkMath.Dot(plane_of(0.0, normal, origin, scale)[0], unit)
+    ends = [sorted((part * bounds[2 * i], part * bounds[2 * i + 1])) for i, part in enumerate(unit)]
+    low, high = ((sum(end[i] for end in ends) - base) / length for i in range(2))
+    return low, high, math.hypot(*[(bounds[2 * i + 1] - bounds[2 * i]) / scale[i] for i in range(3)])
+
+
+def tell_level(level, heights, is_sheet):
+    """Warn of a level at which nobody sees what is asked for; is_sheet: the water ends with the scene."""
+    low, high, diagonal = heights
+    scene = f"heights in the scene lie in [{low:g}, {high:g}]"
+    if is_sheet and low > level:
+        warnings.warn(f"level is {level:g}, which is below the whole scene: the land hides the water; {scene}. Use a "
+                      "higher level", stacklevel=3)
+    if level - high > diagonal:
+        warnings.warn(f"level is {level:g}, which is far above the whole scene: the water hides it; {scene}. Use a "
+                      "lower level", stacklevel=3)
+
+
+def color_of(color):
+    """Red, green and blue in [0, 1]."""
+    try:
+        return pv.Color(color).float_rgb
+    except (TypeError, ValueError):
+        raise ValueError(f"color is {color!r}; it must be a colour's name, '#rrggbb', or three numbers, all in [0, 1] "
+                         "or all whole and in [0, 255]") from None
 
 
 def set_bounds(actor, bounds):

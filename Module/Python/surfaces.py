@@ -92,11 +92,19 @@ def show_array(mapper, dataset, name, cmap=None, clim=None):
         mapper.SetScalarModeToUseCellFieldData()
     mapper.SelectColorArray(name)
     mapper.SetColorModeToMapScalars()  # bytes are no colours
-    mapper.SetLookupTable(pv.LookupTable(cmap or pv.global_theme.cmap, scalar_range=(low, high)))
+    mapper.SetLookupTable(table_of(cmap or pv.global_theme.cmap, low, high))
     mapper.SetScalarRange(low, high)
     mapper.SetUseLookupTableScalarRange(True)
     mapper.SetInterpolateScalarsBeforeMapping(is_of_points)
     mapper.ScalarVisibilityOn()
+
+
+def table_of(cmap, low, high):
+    try:
+        return pv.LookupTable(cmap, scalar_range=(low, high))
+    except (TypeError, ValueError):
+        raise ValueError(f"cmap is {cmap!r}; it must be the name of one of matplotlib's colour maps, such as 'viridis' or "
+                         "'turbo', or a list of colours") from None
 
 
 def level_and_surface(water, level, surface):
@@ -207,7 +215,7 @@ def plane_of(level, normal, origin, scale):
     origin = numbers("origin", origin, 3)
     point = [at + level * part / length for at, part in zip(origin, normal)]
     if not all(abs(part) < float("inf") for part in point):
-        raise ValueError(f"level {level} over {tuple(origin)}: both must be finite")
+        raise ValueError(f"origin is {tuple(origin)} and level is {level:g}; the plane's place must be finite")
     return [at * factor for at, factor in zip(point, scale)], [part / factor for part, factor in zip(normal, scale)]
 
 

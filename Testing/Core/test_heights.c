@@ -134,6 +134,37 @@ TEST(a_lake_in_feet_is_found)
     water_heights_judge(data.level, NULL, data.bed, COUNT), WATER_HEIGHT_LEVEL, 1.0 / 0.3048);
 }
 
+TEST(depth_and_bed_in_two_units_are_found)
+{
+  static const double units[] = { 1000.0, 100.0, 1.0 / 0.3048, 0.3048, 0.01, 0.001 };
+  for (size_t i = 0; i < sizeof units / sizeof units[0]; ++i)
+  {
+    coast data = coast_of(300.0, 330.0, 312.0, 0.2);
+    scale(data.depth, units[i]);
+    assert_wrong(
+      water_heights_judge(NULL, data.depth, data.bed, COUNT), WATER_HEIGHT_DEPTH, units[i]);
+  }
+}
+
+// Calm water, high waves, a flat tank, and a film of water on a slope.
+TEST(depth_and_bed_of_one_unit_are_fine)
+{
+  static const double waters[][4] = { { 300.0, 330.0, 312.0, 0.0 }, { -20.0, 5.0, 0.0, 4.0 },
+    { 0.0, 1e-6, 1.0, 0.4 }, { -5000.0, -4990.0, 0.0, 1.0 } };
+  for (size_t i = 0; i < sizeof waters / sizeof waters[0]; ++i)
+  {
+    const coast data = coast_of(waters[i][0], waters[i][1], waters[i][2], waters[i][3]);
+    assert_true(
+      water_heights_judge(NULL, data.depth, data.bed, COUNT).wrong == WATER_HEIGHT_NONE);
+  }
+  coast film = coast_of(0.0, 100.0, 0.0, 0.0);
+  for (int i = 0; i < COUNT; ++i)
+  {
+    film.depth[i] = 0.01 + 0.002 * sin(0.7 * i);
+  }
+  assert_true(water_heights_judge(NULL, film.depth, film.bed, COUNT).wrong == WATER_HEIGHT_NONE);
+}
+
 TEST(two_heights_are_needed)
 {
   const coast data = coast_of(-20.0, 5.0, 0.0, 0.5);
@@ -251,4 +282,5 @@ TESTS(nine_places_are_too_few, flat_land_tells_nothing, films_of_water_are_no_ev
   dry_places_tell_the_unit_of_a_level_of_0, dry_places_tell_nothing_of_the_depth,
   no_water_that_there_is_has_a_wrong_unit, marks_of_dry_places_are_no_levels,
   the_height_in_another_unit_is_found, dry_land_tells_the_unit_of_the_level,
-  levels_under_all_land_are_in_another_unit, a_lake_in_feet_is_found, two_heights_are_needed)
+  levels_under_all_land_are_in_another_unit, a_lake_in_feet_is_found, depth_and_bed_in_two_units_are_found, depth_and_bed_of_one_unit_are_fine,
+  two_heights_are_needed)

@@ -5,6 +5,7 @@ nothing into what is seen through the surface."""
 import numpy as np
 import pytest
 import water_test as wt
+from vtkmodules.vtkFiltersSources import vtkConeSource
 
 SIZE = (240, 180)
 VIEWS = {"above": (3, -9, 9), "middle": (6, -9, 5), "low": (-4, -12, 1.5)}
@@ -141,3 +142,27 @@ def test_multisampling_brings_no_fringe(samples, is_software, monkeypatch):
     fringe = inside & (picture > brightest + 12)
     wt.check_at_least("pixels within the water", int(inside.sum()), 2000)
     wt.check_at_most("brighter than all near them", int(fringe.sum()), 0)
+
+
+@pytest.mark.parametrize("samples", (0, 4))
+@pytest.mark.parametrize("is_software", (1, 0))
+def test_a_face_seen_at_its_edge_shows_no_background(samples, is_software, monkeypatch):
+    """A cone's hidden face, which refraction turns to the eye, is seen in the pixels of its edge. The white background
+    beside them is in none of the water's pixels."""
+    monkeypatch.setenv("VTK_WATER_SOFTWARE", str(is_software))
+    view = wt.View((320, 240), WHITE, samples)
+    cone = vtkConeSource()
+    cone.SetDirection(0.0, 0.0, 1.0)
+    cone.Update()
+    wt.add_actor(view.renderer, cone.GetOutput(), (1.0, 0.55, 0.0))
+    water = clear_water(view, (-1, 1, -1, 1))
+    water.SetSheetToHorizon()
+    water.SetLevel(-0.2)
+    water.GetWaterProperty().SetDeepColor(0.02, 0.1, 0.4)
+    wt.place_camera(view.renderer, (1.0, -1.33, 2.89), (0, 0, 0), (1, 10))
+    picture = view.picture().astype(float)
+    is_near = np.zeros(picture.shape[:2], bool)  # the cone, and what is beside it
+    is_near[80:180, 100:220] = True
+    grey = is_near & (picture.min(axis=2) > 115)
+    wt.check_at_least("pixels of the cone", int((is_near & (picture[..., 0] > picture[..., 2] + 60)).sum()), 2000)
+    wt.check_at_most("whitish pixels beside it", int(grey.sum()), 0)

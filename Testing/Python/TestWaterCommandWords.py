@@ -305,3 +305,13 @@ def test_the_sky_is_clear_or_a_gradient(folder):
     wt.check_equal("turbidity 1: exit status, picture", (status, picture), (2, None))
     for word in ("--sky", "1", "2", "10"):
         wt.check_equal(f"turbidity 1: the error says '{word}'", word in said, True)
+
+
+@pytest.mark.parametrize("option, said", (
+    ("--levl", "--levl is not an option; did you mean --level?"),
+    ("--lev", "--lev is not an option; did you mean --level?"),  # no abbreviations
+    ("--zzzzzz", "--zzzzzz is not an option; --help lists all options")))
+def test_an_option_that_is_none_is_told_in_a_line(option, said, capsys):
+    with pytest.raises(SystemExit):
+        command.make_parser().parse_args(["render", "box.stl", option, "1"])
+    wt.check_equal("the last line", capsys.readouterr().err.splitlines()[-1], f"vtkwater: error: {said}")

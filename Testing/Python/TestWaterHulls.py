@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """No water is drawn inside a hull that floats in it, and all other pixels stay as they were."""
 
+import re
 import time
 
 import numpy as np
@@ -253,6 +254,23 @@ def test_a_hull_that_is_not_closed_is_an_error_once():
     scene.water.AddHull(scene.boats[1])
     both = scene.view.picture()
     wt.check_at_least("pixels that the other hull makes dry", int((both != wet).any(axis=2).sum()), 30)
+
+
+def test_the_error_names_the_open_place_in_the_world():
+    """Also if the plane has its origin elsewhere."""
+    leaky = prism(BOW, -1.0, 1.5)
+    leaky.BuildCells()
+    leaky.DeleteCell(0)
+    leaky.RemoveDeletedCells()
+    scene = Scene([leaky])
+    scene.water.GetPlane().SetOrigin(12.0, 9.0, 0.0)
+    texts = wt.errors_of(scene.water)
+    scene.water.AddHull(scene.boats[0])
+    scene.view.picture()
+    place = [float(part) for part in re.search(r"where the water cuts it, at \((.*?)\)", texts[0]).group(1).split(", ")]
+    bounds = scene.boats[0].GetBounds()
+    is_inside = [bounds[2 * i] - 1e-3 <= place[i] <= bounds[2 * i + 1] + 1e-3 for i in range(3)]
+    wt.check_equal(f"{place} lies in {bounds}", is_inside, [True] * 3)
 
 
 def test_what_is_no_hull_is_left_out():

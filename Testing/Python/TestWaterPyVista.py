@@ -239,7 +239,12 @@ def test_water_to_the_horizon_fills_the_picture_and_no_bounds(plotter):
 WRONG = [  # the exception, a part of its text, the argument
     (ValueError, "level is 'high', an array's name; it needs a surface with this array", {"level": "high"}),
     (TypeError, "level must be a number, not bool", {"level": True}),
-    (ValueError, "level nan", {"level": float("nan")}),
+    (ValueError, "level is nan; it must be finite", {"level": float("nan")}),
+    (ValueError, "origin is (inf, 0.0, 0.0) and level is -0.1; the plane's place must be finite",
+     {"origin": (float("inf"), 0.0, 0.0)}),
+    (ValueError, "waves is (0.1, 3, 20); one wave is a sequence in a sequence: waves=[(0.1, 3, 20)]",
+     {"waves": (0.1, 3, 20)}),
+    (ValueError, "color is 'bluee'; it must be a colour's name, '#rrggbb'", {"color": "bluee"}),
     (TypeError, "preset must be str, not int", {"preset": 3}),
     (ValueError, "'swamp'; it must be one of pool, lake", {"preset": "swamp"}),
     (TypeError, "waves must be a number or a sequence", {"waves": "high"}),

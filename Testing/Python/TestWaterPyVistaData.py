@@ -222,6 +222,7 @@ def test_words_that_colour_arrive(plotter):
     (ValueError, ("'eta'", "zb (points)"), {"level": "eta"}),
     (ValueError, ("level", "depth", "zeta (points)"), {"bed": "zb"}),
     (ValueError, ("color_by is 'speed'", "zb, h, zeta, c, nothing"), {"depth": "h", "color_by": "speed"}),
+    (ValueError, ("cmap is 'virids'; it must be the name",), {"depth": "h", "color_by": "c", "cmap": "virids"}),
     (ValueError, ("level is 2", "depth='h'"), {"level": 2, "depth": "h"}),
     (ValueError, ("normal is 'x'",), {"depth": "h", "normal": "x"}),
     (ValueError, ("origin is (0, 0, 2)",), {"depth": "h", "origin": (0, 0, 2)}),

@@ -342,15 +342,29 @@ def test_water_may_be_added_to_an_empty_window():
     wt.check_equal("alone it is open water", alone, True)
 
 
-@pytest.mark.parametrize("height, level, warns", [(5.0, 0.0, True), (5.0, 5.2, False), (-5.0, 0.0, False)])
-def test_a_level_under_all_of_the_land_is_told(height, level, warns, plotter):
+LEVELS = [  # height of the land, level, what the warning says
+    (5.0, 0.0, "below the whole scene: the land hides the water; heights in the scene lie in [5, 5.55]"),
+    (5.0, 5.2, ""),
+    (-5.0, 0.0, "far above the whole scene: the water hides it; heights in the scene lie in [-5, -4.45]"),
+    (-5.0, -3.5, ""),  # less than the diagonal over the land
+]
+
+
+@pytest.mark.parametrize("normal, scale", (("z", 1.0), ((0, 0, 3), 1.0), ("z", 2.0)))
+@pytest.mark.parametrize("height, level, said", LEVELS)
+def test_a_level_far_off_the_land_is_told(height, level, said, normal, scale, plotter):
+    """Once, with the heights of the scene in its own coordinates, over the origin."""
+    plotter.set_scale(zscale=scale)
     plotter.add_mesh(pv.Plane(center=(0, 0, height)))
     plotter.add_mesh(pv.Cone(center=(0, 0, height + 0.3), direction=(0, 0, 1), height=0.5))
     with warnings.catch_warnings(record=True) as told:
         warnings.simplefilter("always")
-        plotter.add_water(level)
+        plotter.add_water(level - 1.0, normal=normal, origin=(0, 0, 1))
     texts = [str(warning.message) for warning in told if issubclass(warning.category, UserWarning)]
-    wt.check_equal("told", [f"level is {level:g}" in text for text in texts], [True] if warns else [])
+    low, high = height - 1.0, height - 1.0 + 0.55
+    said = said.replace("[5, 5.55]", f"[{low:g}, {high:g}]").replace("[-5, -4.45]", f"[{low:g}, {high:g}]")
+    wt.check_equal("number of warnings", len(texts), 1 if said else 0)
+    wt.check_equal(f"{texts} says it", all(f"level is {level - 1.0:g}, which is {said}" in text for text in texts), True)
 
 
 @pytest.mark.parametrize("has_light, sun, suns", [

@@ -13,6 +13,7 @@ static const double share_all = 0.9; // of the places, that an explanation must 
 static const double share_dry = 0.1; // of those whose level is their bed
 static const double share_under = 0.05;
 static const double tiny = 1e-3; // of the largest height: one that is no evidence of a factor
+static const double balance = 0.1; // of the variation of depth and bed: how much a calm level varies
 static const size_t least = 10;  // places
 
 typedef struct range
@@ -176,12 +177,51 @@ static double land_factor(range levels, range beds)
   return 0.0;
 }
 
+// The factor by which depths are too large for a calm level: without it depth and bed do not balance, with it they do. A
+// flat bed balances nothing.
+static double balance_factor(const double* depths, const double* beds, size_t count)
+{
+  double mean[2] = { 0.0, 0.0 };
+  double sum[3] = { 0.0, 0.0, 0.0 }; // of squares: of depths and of beds; of products
+  size_t wet = 0;
+  for (size_t i = 0; i < count; ++i)
+  {
+    if (isfinite(depths[i]) && isfinite(beds[i]) && depths[i] > 0.0)
+    {
+      // Welford 1962, which keeps the digits of heights far from 0
+      const double off[2] = { depths[i] - mean[0], beds[i] - mean[1] };
+      ++wet;
+      mean[0] += off[0] / (double)wet;
+      mean[1] += off[1] / (double)wet;
+      sum[0] += off[0] * (depths[i] - mean[0]);
+      sum[1] += off[1] * (beds[i] - mean[1]);
+      sum[2] += off[0] * (beds[i] - mean[1]);
+    }
+  }
+  for (size_t i = 0; wet >= least && i < sizeof factors / sizeof factors[0]; ++i)
+  {
+    const double by = 1.0 / factors[i];
+    const double level = by * by * sum[0] + sum[1] + 2.0 * by * sum[2];
+    if (level < balance * balance * fmin(by * by * sum[0], sum[1]))
+    {
+      return factors[i];
+    }
+  }
+  return 0.0;
+}
+
 water_heights_verdict water_heights_judge(
   const double* levels, const double* depths, const double* beds, size_t count)
 {
   water_heights_verdict verdict = { WATER_HEIGHT_NONE, 0.0 };
-  if (levels == NULL || beds == NULL)
+  if (beds == NULL || (levels == NULL && depths == NULL))
   {
+    return verdict;
+  }
+  if (levels == NULL)
+  {
+    verdict.factor = balance_factor(depths, beds, count);
+    verdict.wrong = verdict.factor > 0.0 ? WATER_HEIGHT_DEPTH : WATER_HEIGHT_NONE;
     return verdict;
   }
   if (depths != NULL)

@@ -18,6 +18,7 @@ const int WATER_MEDIUM_STEPS = 16;
 const float WATER_MEDIUM_BENT = 2.0;     // a depth that is so many steps from where a plane has it lies behind an edge
 const float WATER_MEDIUM_BELOW = 0.02;  // a bed's edge lies under the border if it is no further from a plumb line than that part of all depths
 const float WATER_MEDIUM_EDGE = 2.0;    // and so many widths of a pixel
+const float WATER_MEDIUM_FINE = 0.4;     // of the depth, the width of a pixel
 const float WATER_MEDIUM_DEEPER = 1.01;  // than what is deepest: bounds are rounded
 const float WATER_MEDIUM_ENDLESS = 1e29; // length of a way that nothing limits
 const float WATER_MEDIUM_CLOSE_PX = 0.2; // two places are as good as one
@@ -224,7 +225,9 @@ vec2 waterMediumUnmixed(vec2 uv, float depth)
     float bend = waterMediumDepth(middle + diagonal / size) - depth - dot(slope, diagonal);
     away -= abs(bend) > edge ? diagonal : vec2(0.0);
   }
-  bool isEdge = any(notEqual(vec4(isBefore, isAfter), vec4(0.0))) || any(notEqual(away, vec2(0.0)));
+  // what is seen at its edge has a slope that hides the jump to the background
+  bool isSilhouette = depth < 1.0 && any(greaterThanEqual(near, vec4(1.0)));
+  bool isEdge = isSilhouette || any(notEqual(vec4(isBefore, isAfter), vec4(0.0))) || any(notEqual(away, vec2(0.0)));
   if (waterSceneIsMixed != 0)
   {
     // filtering would read a mixed pixel that lies between
@@ -324,6 +327,8 @@ WaterMediumMet waterMediumMeet(WaterPoint point, vec3 dir)
   float pixel = max(length(point.across), length(point.down));
   float border = waterMediumBorder(point.place, dir.xy, 2.0 * pixel);
   bool isBounded = border * -dir.z < waterBedDepth && waterSide > 0.0;
+  // at the lowest angles a pixel is too wide to tell whether the bed ends with the water
+  bool isFine = pixel < WATER_MEDIUM_FINE * waterBedDepth;
   float deepest = WATER_MEDIUM_DEEPER * (waterBedDepth + max(point.height, 0.0));
   float most = waterSide > 0.0 ? deepest / -dir.z : WATER_MEDIUM_ENDLESS;
   WaterMediumMet met;
@@ -338,7 +343,7 @@ WaterMediumMet waterMediumMeet(WaterPoint point, vec3 dir)
     {
       // between the background and the edge of the bed, which it comes to
       vec2 further = ray.way.xy / max(length(ray.way.xy * waterMediumSize()), 1e-6);
-      met.view.from = met.view.isMet ? met.view.from + further : met.view.to;
+      met.view.from = met.view.isMet && isFine ? met.view.from + further : met.view.to;
       met.depth = waterMediumDepth(met.view.from);
     }
     if (i > 0 || met.depth < 1.0 || !isBounded)
@@ -357,7 +362,7 @@ WaterMediumMet waterMediumMeet(WaterPoint point, vec3 dir)
   bool isThere = met.depth < 1.0 &&
     (met.view.isOut || apart < WATER_MEDIUM_BELOW * waterBedDepth + WATER_MEDIUM_EDGE * pixel);
   bool isClose = waterSide > 0.0 && met.way > border - WATER_MEDIUM_EDGE * pixel;
-  met.isAtBorder = met.isUnderBorder || isClose;
+  met.isAtBorder = met.isUnderBorder || (isClose && isFine);
   met.isNothing = met.isUnderBorder ? !isThere : met.view.isBelow;
   return met;
 }

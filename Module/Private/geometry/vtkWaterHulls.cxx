@@ -14,6 +14,7 @@
 #include "vtkPolyData.h"
 #include "vtkTriangleFilter.h"
 #include "vtkWaterPolygons.h"
+#include "water_plane.h"
 
 #include <algorithm>
 #include <sstream>
@@ -46,11 +47,18 @@ vtkSmartPointer<vtkPolyData> TrianglesOf(vtkDataSet* data)
 }
 
 // place  in the plane's axes
-std::string SayOpen(const double place[2])
+std::string SayOpen(const vtkWaterHulls::Surface& surface, const double place[2])
 {
+  double axes[2][3];
+  water_plane_axes(surface.Unit.normal, axes[0], axes[1]);
+  double point[3];
+  for (int i = 0; i < 3; ++i)
+  {
+    point[i] = surface.Origin[i] + place[0] * axes[0][i] + place[1] * axes[1][i];
+  }
   std::ostringstream text;
-  text << "is not closed where the water cuts it, at (" << place[0] << ", " << place[1]
-       << ") in the plane's axes: its sides must go all around there, each edge must belong to two "
+  text << "is not closed where the water cuts it, at (" << point[0] << ", " << point[1] << ", "
+       << point[2] << "): its sides must go all around there, each edge must belong to two "
           "polygons, and its rim must be over the highest wave";
   return text.str();
 }
@@ -229,7 +237,7 @@ std::string vtkWaterHulls::CutOne(Hull& hull, const Surface& surface)
   size_t open = 0;
   if (!water_waterline_close(found.data(), found.size(), ends.data(), &open))
   {
-    const std::string text = SayOpen(found[open].ends[0]);
+    const std::string text = SayOpen(surface, found[open].ends[0]);
     found.clear();
     return text;
   }
