@@ -22,7 +22,8 @@ static void color_at(const water_clear_sky* sky, double azimuth, double elevatio
 }
 
 // Independent of water_clear_sky.c: evaluated in Python with the paper's tables, and the matrix
-// of IEC 61966-2-1 in four digits. The azimuth is from the sun.
+// of IEC 61966-2-1 in four digits. The azimuth is from the sun. The first and the last two of the
+// paper are purple, and lie on the daylight locus here.
 TEST(colors_are_those_of_the_paper)
 {
   static const struct
@@ -32,12 +33,13 @@ TEST(colors_are_those_of_the_paper)
     double azimuth;
     double elevation;
     double color[3];
-  } cases[] = { { 3, 40, 0, 45, { 20.5784015, 24.0223243, 33.5449727 } },
+  } cases[] = { { 3, 40, 0, 45, { 20.0622419, 24.2488293, 32.8211378 } },
     { 3, 40, 180, 30, { 3.18333132, 5.90482154, 10.6227812 } },
     { 2, 10, 90, 20, { 5.62472514, 7.47341118, 10.0026873 } },
     { 6, 60, 45, 70, { 21.5161877, 27.6969872, 41.1452066 } },
     { 10, 5, 120, 5, { 2.67158004, 1.66966212, 0.698802538 } },
-    { 3, 40, 0, 89.999, { 4.04018798, 6.61776532, 12.9284252 } } };
+    { 3, 40, 0, 89.999, { 3.85019391, 6.7117563, 12.5568289 } },
+    { 3, 50, 180, 3, { 7.70113404, 8.00146453, 8.48747829 } } };
   for (size_t i = 0; i < sizeof cases / sizeof cases[0]; ++i)
   {
     water_clear_sky sky;
@@ -47,6 +49,30 @@ TEST(colors_are_those_of_the_paper)
     for (int j = 0; j < 3; ++j)
     {
       ASSERT_CLOSE(color[j], cases[i].color[j], 1e-6 * (1.0 + cases[i].color[j]));
+    }
+  }
+}
+
+// No sky is purple: a chromaticity lies on the locus of daylight or on its green side.
+TEST(skies_are_not_purple)
+{
+  for (int sun = 20; sun <= 90; sun += 10)
+  {
+    for (double turbidity = 2.0; turbidity <= 10.0; turbidity += 1.0)
+    {
+      water_clear_sky sky;
+      assert_true(water_clear_sky_make(0.0, sun, turbidity, &sky));
+      for (int i = 0; i < 12 * 18; ++i)
+      {
+        double color[3];
+        color_at(&sky, 30.0 * (i % 12), 5.0 * (i / 12), color);
+        const double cie_x = 0.4124 * color[0] + 0.3576 * color[1] + 0.1805 * color[2];
+        const double cie_y = luminance_of(color);
+        const double sum =
+          cie_x + cie_y + 0.0193 * color[0] + 0.1192 * color[1] + 0.9505 * color[2];
+        const double x = fmin(fmax(cie_x / sum, 0.25), 0.38);
+        assert_true(cie_y / sum > (-3.0 * x + 2.87) * x - 0.275 - 1e-3);
+      }
     }
   }
 }
@@ -179,6 +205,7 @@ TEST(other_suns_and_airs_are_refused)
   assert_true(water_clear_sky_make(0.0, 90.0, 10.0, &sky));
 }
 
-TESTS(colors_are_those_of_the_paper, zenith_has_its_luminance, skies_look_like_skies,
+TESTS(colors_are_those_of_the_paper, skies_are_not_purple,
+  zenith_has_its_luminance, skies_look_like_skies,
   horizon_has_no_step, low_suns_are_red, exposure_shows_the_mean, places_of_the_picture,
   other_suns_and_airs_are_refused)

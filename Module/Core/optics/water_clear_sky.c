@@ -14,6 +14,8 @@ static const double degree = 0.017453292519943295;
 // Perez's function is not defined at the horizon, and grows towards it in no time.
 static const double lowest_cosine = 0.01;
 
+static const double locus_x[2] = { 0.25, 0.38 }; // of 25,000 and 4,000 K, where it is known
+
 static const double ground_albedo = 0.1;
 static const double haze_sine = 0.17364817766693; // of 10 degrees
 static const double mean_shown = 0.3;
@@ -82,6 +84,14 @@ static void set_zenith(water_clear_sky* sky)
   }
 }
 
+// Skylight lies on the daylight locus or on its green side (Judd, MacAdam and Wyszecki 1964). The model's polynomials
+// leave it towards purple near the horizon, and away from the sun.
+static double on_daylight_side(double x, double y)
+{
+  const double within = fmin(fmax(x, locus_x[0]), locus_x[1]);
+  return fmax(y, (-3.0 * within + 2.87) * within - 0.275);
+}
+
 // Above the horizon.
 static void sky_color(const water_clear_sky* sky, const double dir[3], double color[3])
 {
@@ -95,6 +105,7 @@ static void sky_color(const water_clear_sky* sky, const double dir[3], double co
   {
     value[i] = sky->zenith[i] * perez(sky->perez[i], cosine, sun_cosine);
   }
+  value[2] = on_daylight_side(value[1], value[2]);
   const double x = value[1] / value[2];
   const double z = (1.0 - value[1] - value[2]) / value[2];
   for (int i = 0; i < 3; ++i)

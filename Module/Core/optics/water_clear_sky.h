@@ -7,7 +7,9 @@
 //
 // Sources: Preetham, Shirley and Smits 1999, "A Practical Analytic Model for Daylight", appendix:
 // luminance and chromaticity at the zenith and over the sky (Perez, Seals and Michalsky 1993),
-// transmittance of the air for the sun's light. IEC 61966-2-1:1999: primaries of sRGB.
+// transmittance of the air for the sun's light. Its chromaticities leave the locus of daylight
+// towards purple near the horizon of very clear air; they are moved to the locus, at the same x
+// (Judd, MacAdam and Wyszecki 1964). IEC 61966-2-1:1999: primaries of sRGB.
 #ifndef water_clear_sky_h
 #define water_clear_sky_h
 
