@@ -9,7 +9,6 @@
 #include "vtkDataArray.h"
 #include "vtkDataObject.h"
 #include "vtkDataSet.h"
-#include "vtkImageStack.h"
 #include "vtkInformation.h"
 #include "vtkInformationObjectBaseKey.h"
 #include "vtkLightActor.h"
@@ -33,6 +32,10 @@
 #include <algorithm>
 #include <cstring>
 
+#if VTK_MODULE_ENABLE_VTK_RenderingImage // ParaView's VTK is built without it
+#include "vtkImageStack.h"
+#endif
+
 namespace
 {
 void AddIfThere(vtkProp* part, vtkPropCollection* parts)
@@ -51,11 +54,14 @@ void AddParts(vtkProp* prop, vtkPropCollection* parts)
   {
     return;
   }
+#if VTK_MODULE_ENABLE_VTK_RenderingImage
   if (auto* stack = vtkImageStack::SafeDownCast(prop))
   {
     stack->GetImages(parts);
+    return;
   }
-  else if (auto* camera = vtkCameraActor::SafeDownCast(prop))
+#endif
+  if (auto* camera = vtkCameraActor::SafeDownCast(prop))
   {
     camera->GetBounds(); // makes it
     AddIfThere(vtkWaterAccess::CameraActor::FrustumOf(camera), parts);
