@@ -32,6 +32,7 @@ public:
     this->Context->ActivateTexture(this);
     this->CreateTexture();
     this->Bind();
+    this->SendParameters();
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
     glTexImage3D(GL_TEXTURE_2D_ARRAY, 0, format, static_cast<GLsizei>(width),
       static_cast<GLsizei>(height), static_cast<GLsizei>(layers), 0, GL_RGBA, GL_FLOAT, numbers);
@@ -49,12 +50,22 @@ public:
   }
 
 protected:
-  vtkWaterLayers() = default;
+  // VTK's own way to send parameters does not know arrays of layers: it asserts that there are none
+  vtkWaterLayers() { this->AutoParametersOff(); }
   ~vtkWaterLayers() override = default;
 
 private:
   vtkWaterLayers(const vtkWaterLayers&) = delete;
   void operator=(const vtkWaterLayers&) = delete;
+
+  void SendParameters()
+  {
+    glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_WRAP_S, GL_REPEAT);
+    glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_WRAP_T, GL_REPEAT);
+    glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+    glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAX_LEVEL, kAllLevels);
+  }
 
   bool IsHalf = false;
 };
@@ -83,11 +94,6 @@ void vtkWaterSlopeTexture::Allocate(vtkOpenGLRenderWindow* window, unsigned int 
   {
     this->Texture = vtkSmartPointer<vtkWaterLayers>::New();
     this->Texture->SetContext(window);
-    this->Texture->SetWrapS(vtkTextureObject::Repeat);
-    this->Texture->SetWrapT(vtkTextureObject::Repeat);
-    this->Texture->SetMinificationFilter(vtkTextureObject::LinearMipmapLinear);
-    this->Texture->SetMagnificationFilter(vtkTextureObject::Linear);
-    this->Texture->SetMaxLevel(kAllLevels);
   }
   if (layers > 0 && !this->Texture->HasSize(width, height, layers, isHalf))
   {
