@@ -53,8 +53,9 @@ bool IsOneOf(vtkObjectBase* object, std::initializer_list<const char*> names)
 
 bool IsKnownActor(vtkProp* prop)
 {
-  return IsOneOf(
-    prop, { "vtkActor", "vtkOpenGLActor", "vtkFollower", "vtkOpenGLSkybox", "vtkSkybox" });
+  return IsOneOf(prop,
+    { "vtkActor", "vtkOpenGLActor", "vtkFollower", "vtkOpenGLSkybox", "vtkSkybox",
+      "vtkPVLODActor" });
 }
 
 bool IsKnownMapper(vtkAbstractMapper* mapper)
@@ -187,6 +188,8 @@ void vtkWaterPropTimes::AddProp(vtkRenderer* renderer, vtkProp* prop)
     // a skybox has a mapper of its own, and watches it: what it sets is its own and the camera's
     const bool isSkybox = IsOneOf(prop, { "vtkOpenGLSkybox" });
     mapper = isSkybox ? nullptr : actor->GetMapper();
+    // ParaView's chooses between two mappers, and says so nowhere: it is read anew in each frame
+    this->IsAskable = this->IsAskable && !IsOneOf(prop, { "vtkPVLODActor" });
     if (auto* follower = vtkFollower::SafeDownCast(prop))
     {
       this->Add(follower->GetCamera());
