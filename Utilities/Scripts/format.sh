@@ -11,5 +11,5 @@ case ${1:-} in
 esac
 command -v clang-format >/dev/null || { echo "format: no clang-format (Debian: clang-format)" >&2; exit 2; }
 
-find Module Testing Examples Utilities -type f \( -name '*.h' -o -name '*.c' -o -name '*.cxx' \) \
+find Module ParaView Testing Examples Utilities -type f \( -name '*.h' -o -name '*.c' -o -name '*.cxx' \) \
   -print0 | xargs -0 clang-format "${arguments[@]}"

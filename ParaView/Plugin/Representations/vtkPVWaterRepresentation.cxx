@@ -1,0 +1,289 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkPVWaterRepresentation.h"
+
+#include "vtkAlgorithmOutput.h"
+#include "vtkInformation.h"
+#include "vtkInformationRequestKey.h"
+#include "vtkInformationVector.h"
+#include "vtkMultiProcessController.h"
+#include "vtkObjectFactory.h"
+#include "vtkPVRenderView.h"
+#include "vtkPVSession.h"
+#include "vtkPVWaterSheetSource.h"
+#include "vtkPolyData.h"
+#include "vtkProcessModule.h"
+#include "vtkRenderer.h"
+#include "vtkWaterActor.h"
+#include "vtkWaterProperty.h"
+#include "vtkWaterReflectionPass.h"
+
+#include <algorithm>
+
+vtkStandardNewMacro(vtkPVWaterRepresentation);
+
+//------------------------------------------------------------------------------
+vtkPVWaterRepresentation::vtkPVWaterRepresentation()
+  : Session(vtkPVSession::SafeDownCast(vtkProcessModule::GetProcessModule()->GetActiveSession()))
+{
+}
+
+//------------------------------------------------------------------------------
+vtkPVWaterRepresentation::~vtkPVWaterRepresentation() = default;
+
+//------------------------------------------------------------------------------
+void vtkPVWaterRepresentation::ChangeLook()
+{
+  this->IsLookNew = true;
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkPVWaterRepresentation::AddSineWave(double amplitude, double wavelength, double direction)
+{
+  this->Settings.Sines.insert(this->Settings.Sines.end(), { amplitude, wavelength, direction });
+  this->ChangeLook();
+}
+
+//------------------------------------------------------------------------------
+void vtkPVWaterRepresentation::RemoveAllSineWaves()
+{
+  this->Settings.Sines.clear();
+  this->ChangeLook();
+}
+
+//------------------------------------------------------------------------------
+void vtkPVWaterRepresentation::SetDeepColor(double red, double green, double blue)
+{
+  const double color[3] = { red, green, blue };
+  std::copy_n(color, 3, this->Settings.DeepColor);
+  this->ChangeLook();
+}
+
+//------------------------------------------------------------------------------
+void vtkPVWaterRepresentation::SetFoamColor(double red, double green, double blue)
+{
+  const double color[3] = { red, green, blue };
+  std::copy_n(color, 3, this->Settings.FoamColor);
+  this->ChangeLook();
+}
+
+//------------------------------------------------------------------------------
+int vtkPVWaterRepresentation::GetNumberOfReflectionRenders()
+{
+  return static_cast<int>(this->Actor->GetReflectionPass()->GetNumberOfReflectionRenders());
+}
+
+//------------------------------------------------------------------------------
+int vtkPVWaterRepresentation::GetNumberOfPixelsJoined()
+{
+  return static_cast<int>(this->Actor->GetReflectionPass()->GetNumberOfPixelsJoined());
+}
+
+//------------------------------------------------------------------------------
+const char* vtkPVWaterRepresentation::GetDecision()
+{
+  return this->Actor->GetReflectionPass()->GetDecisionAsString();
+}
+
+//------------------------------------------------------------------------------
+const char* vtkPVWaterRepresentation::GetLastError()
+{
+  return this->Actor->GetLastError();
+}
+
+//------------------------------------------------------------------------------
+double vtkPVWaterRepresentation::GetWaveTime()
+{
+  return this->Actor->GetTime();
+}
+
+//------------------------------------------------------------------------------
+void vtkPVWaterRepresentation::SetVisibility(bool isVisible)
+{
+  this->Superclass::SetVisibility(isVisible);
+  this->Actor->SetVisibility(isVisible);
+}
+
+//------------------------------------------------------------------------------
+int vtkPVWaterRepresentation::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkPVWaterRepresentation::RequestData(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkPolyData* input = inputVector[0]->GetNumberOfInformationObjects() > 0
+    ? vtkPolyData::GetData(inputVector[0])
+    : nullptr;
+  input ? this->Piece->ShallowCopy(input) : this->Piece->Initialize();
+  return this->Superclass::RequestData(request, inputVector, outputVector);
+}
+
+//------------------------------------------------------------------------------
+bool vtkPVWaterRepresentation::AddToView(vtkView* view)
+{
+  auto* renderView = vtkPVRenderView::SafeDownCast(view);
+  if (!renderView)
+  {
+    return false;
+  }
+  renderView->GetRenderer()->AddActor(this->Actor);
+  return this->Superclass::AddToView(view);
+}
+
+//------------------------------------------------------------------------------
+bool vtkPVWaterRepresentation::RemoveFromView(vtkView* view)
+{
+  if (auto* renderView = vtkPVRenderView::SafeDownCast(view))
+  {
+    renderView->GetRenderer()->RemoveActor(this->Actor);
+  }
+  return this->Superclass::RemoveFromView(view);
+}
+
+//------------------------------------------------------------------------------
+int vtkPVWaterRepresentation::ProcessViewRequest(
+  vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo)
+{
+  if (!this->Superclass::ProcessViewRequest(request, inInfo, outInfo))
+  {
+    return 0;
+  }
+  auto* view = vtkPVRenderView::SafeDownCast(inInfo->Get(vtkPVView::VIEW()));
+  if (request == vtkPVView::REQUEST_UPDATE())
+  {
+    this->Offer(inInfo);
+    // ranks exchange their mirrored views while they draw: IceT must not pass over one that shows
+    // nothing
+    outInfo->Set(vtkPVRenderView::RENDER_EMPTY_IMAGES(), 1);
+  }
+  else if (request == vtkPVView::REQUEST_RENDER() && view)
+  {
+    this->Take(inInfo);
+    this->PrepareRender(view);
+  }
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkPVWaterRepresentation::Offer(vtkInformation* inInfo)
+{
+  vtkPVView::SetPiece(inInfo, this, this->Piece);
+  // every server has the same few numbers, and the client needs them to render by itself
+  vtkPVRenderView::SetDeliverToClientAndRenderingProcesses(inInfo, this, true, false);
+  if (vtkPVWaterSheetSource::Place(this->Piece, this->Actor) && this->Actor->GetUseSheetBounds())
+  {
+    vtkPVRenderView::SetGeometryBounds(inInfo, this, this->Actor->GetBounds());
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkPVWaterRepresentation::Take(vtkInformation* inInfo)
+{
+  vtkAlgorithmOutput* port = vtkPVRenderView::GetPieceProducer(inInfo, this);
+  vtkAlgorithm* producer = port ? port->GetProducer() : nullptr;
+  if (producer)
+  {
+    vtkPVWaterSheetSource::Place(
+      vtkPolyData::SafeDownCast(producer->GetOutputDataObject(port->GetIndex())), this->Actor);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkPVWaterRepresentation::PrepareRender(vtkPVRenderView* view)
+{
+  if (this->IsLookNew)
+  {
+    this->IsLookNew = false;
+    this->ApplyLook();
+  }
+  this->Actor->SetTime(this->Settings.TimeScale * view->GetViewTime() + this->Settings.TimeShift);
+  const bool isDistributed = view->GetUseDistributedRenderingForRender();
+  const bool isServer =
+    !this->Session || this->Session->HasProcessRole(vtkPVSession::RENDER_SERVER);
+  // a client that gets the servers' picture has nothing to reflect
+  this->Actor->SetVisibility(this->GetVisibility() && (isServer || !isDistributed));
+  vtkWaterReflectionPass* pass = this->Actor->GetReflectionPass();
+  // whether ranks compose one picture changes from frame to frame: no other frame may exchange
+  pass->SetController(
+    isDistributed && isServer ? vtkMultiProcessController::GetGlobalController() : nullptr);
+  // the view's passes are unknown to the water, which would keep half floats for them
+  pass->SetColorPrecision(view->GetUseToneMapping() ? vtkWaterReflectionPass::HALF_FLOAT
+                                                    : vtkWaterReflectionPass::EIGHT_BIT);
+}
+
+//------------------------------------------------------------------------------
+void vtkPVWaterRepresentation::ApplyWaves(vtkWaterProperty* look)
+{
+  const Look& settings = this->Settings;
+  if (settings.WaveMode != WAVES_OF_PRESET)
+  {
+    look->SetSea(settings.WaveMode == WIND_SEA);
+    look->RemoveAllWaves();
+  }
+  if (settings.WaveMode == WIND_SEA)
+  {
+    look->SetWindSpeed(settings.WindSpeed);
+    look->SetWindDirection(settings.WindDirection);
+    look->SetFetch(settings.Fetch);
+    look->SetSeed(settings.SeaSeed);
+  }
+  if (settings.WaveMode == SINES)
+  {
+    for (size_t i = 0; i + 2 < settings.Sines.size(); i += 3)
+    {
+      look->AddWave(settings.Sines[i], settings.Sines[i + 1], settings.Sines[i + 2]);
+    }
+  }
+  look->SetWhitecaps(settings.Whitecaps);
+  look->SetWaveGeometry(settings.WaveGeometry);
+}
+
+//------------------------------------------------------------------------------
+void vtkPVWaterRepresentation::ApplyLook()
+{
+  const Look& settings = this->Settings;
+  vtkNew<vtkWaterProperty> look;
+  if (settings.Preset != "none")
+  {
+    look->SetPreset(settings.Preset.c_str());
+  }
+  this->ApplyWaves(look);
+  if (settings.Refraction != OF_PRESET)
+  {
+    look->SetRefraction(settings.Refraction == ON);
+  }
+  if (settings.WaterType != "none")
+  {
+    look->SetWaterType(settings.WaterType.c_str());
+  }
+  if (settings.UseDeepColor)
+  {
+    look->SetDeepColor(settings.DeepColor);
+  }
+  look->SetOpacity(settings.Opacity);
+  look->SetCaustics(settings.Caustics);
+  look->SetFoamDepth(settings.FoamDepth);
+  look->SetFoamStretch(settings.FoamStretch);
+  look->SetFoamColor(settings.FoamColor);
+  look->SetGlitter(settings.Glitter);
+  look->SetShadows(settings.Shadows);
+  look->SetMetresPerUnit(settings.MetresPerUnit);
+  look->SetRayTraceQuality(settings.Quality.c_str());
+  this->Actor->SetWaterProperty(look);
+  this->Actor->SetSceneReflection(settings.SceneReflection);
+  this->Actor->GetReflectionPass()->SetTextureScale(settings.TextureScale);
+}
+
+//------------------------------------------------------------------------------
+void vtkPVWaterRepresentation::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Preset: " << this->Settings.Preset << "\n";
+  os << indent << "Actor:\n";
+  this->Actor->PrintSelf(os, indent.GetNextIndent());
+}
