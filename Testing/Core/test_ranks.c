@@ -62,6 +62,9 @@ TEST(rank_that_differs_is_named)
   assert_int_equal(
     water_ranks_join_frames(frames, 4, bounds, &bad_rank), WATER_RANKS_DIFFERENT_WATERS);
   assert_int_equal(bad_rank, 1);
+  frames[2].has_error = 1.0; // before anything is compared
+  assert_int_equal(water_ranks_join_frames(frames, 4, bounds, &bad_rank), WATER_RANKS_BAD_WATER);
+  assert_int_equal(bad_rank, 2);
   frames[3].format += 1.0;
   assert_int_equal(
     water_ranks_join_frames(frames, 4, bounds, &bad_rank), WATER_RANKS_DIFFERENT_VERSIONS);
@@ -289,61 +292,41 @@ TEST(digest_tells_settings_apart)
   assert_true(digest == water_ranks_digest_settings(WATER_RANKS_DIGEST_BEGIN, &one));
 }
 
-// The nearer pixel wins, and of two at one depth the lower rank's: the root's background.
-TEST(nearest_pixel_wins)
+// What one rank could not draw nobody shows; what one refused is left out by all in a second draw.
+TEST(draws_are_joined)
 {
-  const water_rank_pixel lower[4] = { { 5, 10 }, { 9, 11 }, { UINT32_MAX, 12 }, { 0, 13 } };
-  water_rank_pixel nearest[4] = { { 6, 20 }, { 8, 21 }, { UINT32_MAX, 22 }, { UINT32_MAX, 23 } };
-  const water_rank_pixel expected[4] = { { 5, 10 }, { 8, 21 }, { UINT32_MAX, 12 }, { 0, 13 } };
-  water_ranks_nearest(lower, nearest, 4);
-  assert_memory_equal(nearest, expected, sizeof nearest);
-}
-
-// In whatever groups the ranks are joined, the result is the same.
-TEST(nearest_pixel_wins_in_any_grouping)
-{
-  dice from = { 4 };
-  for (int i = 0; i < 200; ++i)
-  {
-    water_rank_pixel ranks[3];
-    for (uint32_t j = 0; j < 3; ++j)
-    {
-      ranks[j].depth = (uint32_t)dice_roll(&from, 0.0, 3.0); // many ties
-      ranks[j].color = j;
-    }
-    water_rank_pixel left = ranks[1]; // (0 1) 2
-    water_ranks_nearest(&ranks[0], &left, 1);
-    water_rank_pixel one = ranks[2];
-    water_ranks_nearest(&left, &one, 1);
-    water_rank_pixel other = ranks[2]; // 0 (1 2)
-    water_ranks_nearest(&ranks[1], &other, 1);
-    water_ranks_nearest(&ranks[0], &other, 1);
-    assert_memory_equal(&one, &other, sizeof one);
-  }
-}
-
-// Both kinds of colours come back as they were.
-TEST(pixels_are_packed_and_unpacked)
-{
-  const uint32_t colors[6] = { 1, 2, 3, 4, 5, 6 };
-  const uint32_t depths[3] = { 7, 8, 9 };
-  for (size_t words = 1; words <= 2; ++words)
-  {
-    water_rank_pixel pixels[6];
-    uint32_t got_colors[6] = { 0 };
-    uint32_t got_depths[3] = { 0 };
-    water_ranks_pack(colors, depths, words, 3, pixels);
-    assert_int_equal(pixels[3 * words - 1].color, 3 * words);
-    assert_int_equal(pixels[3 * words - 1].depth, 9);
-    assert_int_equal(pixels[words - 1].depth, 7);
-    water_ranks_unpack(pixels, words, 3, got_colors, got_depths);
-    assert_memory_equal(got_colors, colors, 3 * words * sizeof *colors);
-    assert_memory_equal(got_depths, depths, sizeof depths);
-  }
+  const water_rank_drawn none = { 0.0, 0.0, 0.0, 0.0, { 0.0, 1.0, 0.0, 1.0, 0.0, 1.0 } };
+  water_rank_drawn drawn[3] = { none, none, none };
+  double bounds[3][6];
+  bool has_blended = true;
+  size_t bad_rank = 99;
+  assert_int_equal(
+    water_ranks_join_drawn(drawn, 3, bounds, &has_blended, &bad_rank), WATER_RANKS_DRAWN);
+  assert_false(has_blended);
+  assert_true(bounds[1][0] > bounds[1][1]); // of those that blend nothing
+  drawn[1].has_blended = 1.0;
+  assert_int_equal(
+    water_ranks_join_drawn(drawn, 3, bounds, &has_blended, &bad_rank), WATER_RANKS_DRAWN);
+  assert_true(has_blended);
+  assert_bounds(bounds[1], none.blended_bounds);
+  assert_int_equal(bad_rank, 99);
+  drawn[2].has_failed = 1.0;
+  assert_int_equal(
+    water_ranks_join_drawn(drawn, 3, bounds, &has_blended, &bad_rank), WATER_RANKS_FAILED);
+  assert_int_equal(bad_rank, 2);
+  drawn[1].has_failed = 1.0;
+  assert_int_equal(
+    water_ranks_join_drawn(drawn, 3, bounds, &has_blended, &bad_rank), WATER_RANKS_FAILED);
+  assert_int_equal(bad_rank, 1);
+  drawn[0].is_aborted = 1.0;
+  assert_int_equal(
+    water_ranks_join_drawn(drawn, 3, bounds, &has_blended, &bad_rank), WATER_RANKS_ABORTED);
+  drawn[1].wants_again = 1.0;
+  assert_int_equal(
+    water_ranks_join_drawn(drawn, 3, bounds, &has_blended, &bad_rank), WATER_RANKS_DRAW_AGAIN);
 }
 
 TESTS(bounds_of_all_ranks_are_joined, rank_that_differs_is_named, facts_of_a_view_are_joined,
   parts_of_a_mesh_are_joined, error_of_one_rank_is_named, all_waters_are_gone,
   waters_that_differ_are_refused, digest_tells_waves_apart, every_rank_makes_the_same_plan,
-  digest_tells_numbers_apart, digest_tells_settings_apart, nearest_pixel_wins,
-  nearest_pixel_wins_in_any_grouping, pixels_are_packed_and_unpacked)
+  digest_tells_numbers_apart, digest_tells_settings_apart, draws_are_joined)

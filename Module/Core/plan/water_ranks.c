@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// water_ranks.c: what ranks agree on: joined facts, one scene, the nearest pixels.
+// water_ranks.c: what ranks agree on: joined facts, one scene.
 #include "water_ranks.h"
 
 #include "water_math.h"
 
 #include <string.h>
 
-_Static_assert(sizeof(water_rank_frame) == 10 * sizeof(double), "it travels as doubles");
+_Static_assert(sizeof(water_rank_frame) == 11 * sizeof(double), "it travels as doubles");
 _Static_assert(sizeof(water_rank_view) == 18 * sizeof(double), "it travels as doubles");
 _Static_assert(sizeof(water_prop) <= 64, "a prop takes at most 64 bytes");
-_Static_assert(sizeof(water_rank_pixel) == sizeof(double), "a pixel travels as a double");
+_Static_assert(sizeof(water_rank_drawn) == 10 * sizeof(double), "it travels as doubles");
 
 static void begin_bounds(double bounds[6])
 {
@@ -48,6 +48,14 @@ water_status water_ranks_join_frames(
     {
       *bad_rank = i;
       return WATER_RANKS_DIFFERENT_VERSIONS;
+    }
+  }
+  for (size_t i = 0; i < rank_count; ++i)
+  {
+    if (frames[i].has_error != 0.0)
+    {
+      *bad_rank = i;
+      return WATER_RANKS_BAD_WATER;
     }
   }
   for (size_t i = 0; i < rank_count; ++i)
@@ -183,34 +191,30 @@ double water_ranks_digest_number(uint64_t digest)
   return (double)(digest >> 11);
 }
 
-void water_ranks_nearest(
-  const water_rank_pixel* lower, water_rank_pixel* nearest, size_t pixel_count)
+water_ranks_drawing water_ranks_join_drawn(const water_rank_drawn* drawn, size_t rank_count,
+  double (*bounds)[6], bool* has_blended, size_t* bad_rank)
 {
-  for (size_t i = 0; i < pixel_count; ++i)
+  bool is_aborted = false;
+  bool wants_again = false;
+  size_t failed = rank_count;
+  *has_blended = false;
+  for (size_t i = 0; i < rank_count; ++i)
   {
-    if (lower[i].depth <= nearest[i].depth)
+    const bool has_own = drawn[i].has_blended != 0.0;
+    begin_bounds(bounds[i]);
+    if (has_own)
     {
-      nearest[i] = lower[i];
+      add_bounds(drawn[i].blended_bounds, bounds[i]);
     }
+    *has_blended = *has_blended || has_own;
+    is_aborted = is_aborted || drawn[i].is_aborted != 0.0;
+    wants_again = wants_again || drawn[i].wants_again != 0.0;
+    failed = drawn[i].has_failed != 0.0 && i < failed ? i : failed;
   }
-}
-
-void water_ranks_pack(const uint32_t* colors, const uint32_t* depths, size_t words,
-  size_t pixel_count, water_rank_pixel* pixels)
-{
-  for (size_t i = 0; i < words * pixel_count; ++i)
+  if (wants_again || is_aborted)
   {
-    pixels[i].depth = depths[i / words];
-    pixels[i].color = colors[i];
+    return wants_again ? WATER_RANKS_DRAW_AGAIN : WATER_RANKS_ABORTED;
   }
-}
-
-void water_ranks_unpack(const water_rank_pixel* pixels, size_t words, size_t pixel_count,
-  uint32_t* colors, uint32_t* depths)
-{
-  for (size_t i = 0; i < words * pixel_count; ++i)
-  {
-    depths[i / words] = pixels[i].depth;
-    colors[i] = pixels[i].color;
-  }
+  *bad_rank = failed < rank_count ? failed : *bad_rank;
+  return failed < rank_count ? WATER_RANKS_FAILED : WATER_RANKS_DRAWN;
 }

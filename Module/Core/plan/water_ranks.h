@@ -8,7 +8,8 @@
 //
 // Flow, once a frame: water_rank_frame of all -> water_ranks_join_frames.
 // Flow, once a mirrored view: water_rank_view of all, all props, the root's scene ->
-// water_ranks_join_views -> water_ranks_scene -> water_plan_make.
+// water_ranks_join_views -> water_ranks_scene -> water_plan_make; once its opaque part is drawn,
+// water_rank_drawn of all -> water_ranks_join_drawn. Pixels: water_rank_pixels.h.
 #ifndef water_ranks_h
 #define water_ranks_h
 
@@ -24,7 +25,7 @@ extern "C"
 // What the next two hold, and how scene and props are sent. One more whenever that changes.
 enum
 {
-  WATER_RANKS_FORMAT = 2
+  WATER_RANKS_FORMAT = 3
 };
 
 // What a rank sends once a frame, before anything is drawn: doubles only, as they travel.
@@ -35,6 +36,7 @@ typedef struct water_rank_frame
   double water_count;     // visible waters of the renderer that have a controller, >= 0
   double scene_bounds[6]; // of the rank's own props in world; min > max: it has none
   double is_gone;         // 1: the water that asked last is deleted; 0: it is not
+  double has_error;       // 1: the rank's scene cannot be read, and it says why; 0: it can
 } water_rank_frame;
 
 // What a rank sends for each mirrored view, before that is planned: doubles only.
@@ -79,8 +81,9 @@ typedef struct water_ranks_view
 //               for nothing.
 // bad_rank      set with an error: the first rank that differs from the root
 //
-// Returns WATER_OK, WATER_RANKS_DIFFERENT_VERSIONS or WATER_RANKS_DIFFERENT_WATERS: the same on
-// every rank. With an error no rank may send anything more in this frame.
+// Returns WATER_OK, WATER_RANKS_DIFFERENT_VERSIONS, WATER_RANKS_BAD_WATER (of the first rank that
+// has an error) or WATER_RANKS_DIFFERENT_WATERS: the same on every rank. With an error no rank may
+// send anything more in this frame.
 water_status water_ranks_join_frames(
   const water_rank_frame* frames, size_t rank_count, double scene_bounds[6], size_t* bad_rank);
 
@@ -125,29 +128,32 @@ uint64_t water_ranks_digest_waves(uint64_t digest, const water_wave_term* terms,
 // A digest as a number that a double holds exactly: its upper 53 bits.
 double water_ranks_digest_number(uint64_t digest);
 
-// A pixel of a mirrored view, as it is sent: 8 bytes that nothing may split.
-typedef struct water_rank_pixel
+// What a rank sends once its opaque part of a mirrored view is drawn: doubles only.
+typedef struct water_rank_drawn
 {
-  uint32_t depth; // 0 at the near plane, all bits set at the far one
-  uint32_t color; // any 4 bytes
-} water_rank_pixel;
+  double has_failed;        // 1: it could not draw, and says why; 0: it could
+  double is_aborted;        // 1: the user, or another frame, ended the draw; 0: nothing did
+  double wants_again;       // 1: its driver refused something; 0: it did not
+  double has_blended;       // 1: translucent props or volumes are to come; 0: none
+  double blended_bounds[6]; // of those in world; min > max: there are none
+} water_rank_drawn;
 
-// Keeps of two ranks' pixels the nearer ones. Pixels of one depth are those of `lower`, whose ranks
-// come before the other's: so the background is the root's.
-//
-// nearest  holds the pixels of the higher ranks, then the result
-void water_ranks_nearest(
-  const water_rank_pixel* lower, water_rank_pixel* nearest, size_t pixel_count);
+// What becomes of the view on all ranks.
+typedef enum water_ranks_drawing
+{
+  WATER_RANKS_DRAW_AGAIN, // what was refused on any is left out
+  WATER_RANKS_ABORTED,
+  WATER_RANKS_FAILED,
+  WATER_RANKS_DRAWN
+} water_ranks_drawing;
 
-// Puts colours and depths together as pixels, and takes them apart.
+// Joins what all ranks sent after their draw.
 //
-// words         32-bit words that a colour takes: 1 for bytes, 2 for half floats
-// colors        words * pixel_count
-// pixels        words * pixel_count: a pixel with more than one word is that many of the same depth
-void water_ranks_pack(const uint32_t* colors, const uint32_t* depths, size_t words,
-  size_t pixel_count, water_rank_pixel* pixels);
-void water_ranks_unpack(const water_rank_pixel* pixels, size_t words, size_t pixel_count,
-  uint32_t* colors, uint32_t* depths);
+// bounds       rank_count boxes: what each blends; empty ones of those that blend nothing
+// has_blended  set: is anything blended on any rank?
+// bad_rank     set with WATER_RANKS_FAILED: the first that has failed
+water_ranks_drawing water_ranks_join_drawn(const water_rank_drawn* drawn, size_t rank_count,
+  double (*bounds)[6], bool* has_blended, size_t* bad_rank);
 
 #ifdef __cplusplus
 }

@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// test_rank_pixels.c: what ranks send of their pixels comes back as it was, and the nearest of it;
+// layers are blended in the order of their depth.
+#include "test_scene.h"
+
+#include "water_rank_pixels.h"
+
+#include <string.h>
+
+enum
+{
+  PIXELS = 500,
+  WORDS = 4
+};
+
+typedef struct part
+{
+  uint32_t colors[PIXELS * WORDS];
+  uint32_t depths[PIXELS];
+} part;
+
+static unsigned char bytes[16 + PIXELS * (4 * WORDS + 6)];
+
+static water_rank_picture picture_of(part* from, size_t words, bool has_depths)
+{
+  const water_rank_picture picture = { from->colors, has_depths ? from->depths : NULL, words,
+    PIXELS };
+  return picture;
+}
+
+static uint32_t next_random(uint64_t* state)
+{
+  *state = *state * UINT64_C(6364136223846793005) + UINT64_C(1442695040888963407);
+  return (uint32_t)(*state >> 32);
+}
+
+// Runs of all kinds and lengths: nothing, colours that repeat and that do not, smooth and wild
+// depths.
+static void fill(part* to, size_t words, uint64_t seed)
+{
+  uint64_t state = seed;
+  size_t i = 0;
+  while (i < PIXELS)
+  {
+    const size_t length = 1 + next_random(&state) % (next_random(&state) % 2 ? 4 : 90);
+    const uint32_t kind = next_random(&state) % 4;
+    const uint32_t color = next_random(&state);
+    const uint32_t slope = next_random(&state) >> 12;
+    const uint32_t depth = next_random(&state) >> 1;
+    for (size_t j = i; j < PIXELS && j < i + length; ++j)
+    {
+      to->depths[j] = kind == 0 ? WATER_RANK_NOTHING
+        : kind == 1             ? next_random(&state)
+                                : depth + (uint32_t)(j - i) * slope;
+      for (size_t k = 0; k < words; ++k)
+      {
+        to->colors[words * j + k] = kind == 2 ? color : next_random(&state);
+      }
+    }
+    i += length;
+  }
+}
+
+TEST(pixels_come_back)
+{
+  static part sent, got;
+  for (uint64_t seed = 1; seed < 200; ++seed)
+  {
+    const size_t words = seed % 3 == 0 ? 4 : seed % 3;
+    fill(&sent, words, seed);
+    memset(&got, 0x5a, sizeof got);
+    water_rank_picture from = picture_of(&sent, words, true);
+    water_rank_picture to = picture_of(&got, words, true);
+    const size_t size = water_rank_pixels_encode(&from, true, bytes);
+    assert_true(size <= water_rank_pixels_limit(&from));
+    assert_true(water_rank_pixels_merge(bytes, size, WATER_RANK_REPLACE, &to));
+    assert_memory_equal(got.colors, sent.colors, 4 * words * PIXELS);
+    assert_memory_equal(got.depths, sent.depths, sizeof sent.depths);
+  }
+}
+
+// Of equal depths what was there stays; where nothing is drawn, too.
+TEST(nearest_pixel_wins)
+{
+  static part lower, higher, expected;
+  for (uint64_t seed = 1; seed < 100; ++seed)
+  {
+    fill(&lower, 1, seed);
+    fill(&higher, 1, seed + 1000);
+    for (size_t i = 0; i < 40; ++i)
+    {
+      higher.depths[i] = lower.depths[i];
+    }
+    expected = lower;
+    for (size_t i = 0; i < PIXELS; ++i)
+    {
+      if (higher.depths[i] < lower.depths[i])
+      {
+        expected.depths[i] = higher.depths[i];
+        expected.colors[i] = higher.colors[i];
+      }
+    }
+    const water_rank_picture from = picture_of(&higher, 1, true);
+    water_rank_picture to = picture_of(&lower, 1, true);
+    const size_t size = water_rank_pixels_encode(&from, false, bytes);
+    assert_true(water_rank_pixels_merge(bytes, size, WATER_RANK_NEAREST, &to));
+    assert_memory_equal(lower.colors, expected.colors, 4 * PIXELS);
+    assert_memory_equal(lower.depths, expected.depths, sizeof expected.depths);
+  }
+}
+
+TEST(layers_come_back)
+{
+  static part sent, got;
+  for (uint64_t seed = 1; seed < 100; ++seed)
+  {
+    fill(&sent, 1, seed);
+    for (size_t i = 0; i < PIXELS; ++i)
+    {
+      sent.colors[i] = sent.depths[i] == WATER_RANK_NOTHING ? 0 : sent.colors[i];
+    }
+    memset(&got, 0, sizeof got);
+    const water_rank_picture from = picture_of(&sent, 1, false);
+    water_rank_picture to = picture_of(&got, 1, false);
+    const size_t size = water_rank_pixels_encode(&from, false, bytes);
+    assert_true(water_rank_pixels_merge(bytes, size, WATER_RANK_REPLACE, &to));
+    assert_memory_equal(got.colors, sent.colors, 4 * PIXELS);
+  }
+}
+
+// Nothing takes a few bytes, a flat facet of one colour little more than one byte a pixel.
+TEST(pixels_take_few_bytes)
+{
+  static part sent;
+  const water_rank_picture picture = picture_of(&sent, 1, true);
+  memset(&sent, 0xff, sizeof sent);
+  assert_true(water_rank_pixels_encode(&picture, false, bytes) <= 2);
+  assert_true(water_rank_pixels_encode(&picture, true, bytes) <= 2 + 4);
+  for (uint32_t i = 0; i < PIXELS; ++i)
+  {
+    sent.depths[i] = (UINT32_C(9000000) + 1234 * i) << 8 | 255;
+  }
+  assert_true(water_rank_pixels_encode(&picture, false, bytes) <= PIXELS + 2 + 4 + 12);
+}
+
+// Whatever arrives, nothing but the picture is written, and an error is told.
+TEST(wrong_bytes_are_refused)
+{
+  static part sent, got;
+  fill(&sent, 1, 7);
+  water_rank_picture from = picture_of(&sent, 1, true);
+  water_rank_picture to = picture_of(&got, 1, true);
+  const size_t size = water_rank_pixels_encode(&from, true, bytes);
+  for (size_t i = 0; i < size; ++i)
+  {
+    assert_false(water_rank_pixels_merge(bytes, i, WATER_RANK_REPLACE, &to));
+  }
+  assert_false(water_rank_pixels_merge(bytes, size + 1, WATER_RANK_REPLACE, &to));
+  uint64_t state = 3;
+  for (int i = 0; i < 20000; ++i)
+  {
+    const size_t place = next_random(&state) % size;
+    const unsigned char kept = bytes[place];
+    bytes[place] = (unsigned char)next_random(&state);
+    water_rank_pixels_merge(bytes, size, WATER_RANK_NEAREST, &to);
+    bytes[place] = kept;
+  }
+  water_rank_picture layer = picture_of(&got, 1, false);
+  assert_false(water_rank_pixels_merge(bytes, size, WATER_RANK_REPLACE, &layer));
+}
+
+TEST(layers_are_blended)
+{
+  const unsigned char front[12] = { 100, 50, 0, 128, 0, 0, 0, 0, 10, 20, 30, 255 };
+  unsigned char back[12] = { 200, 100, 40, 255, 1, 2, 3, 4, 200, 200, 200, 200 };
+  const unsigned char expected[12] = { 200, 100, 20, 255, 1, 2, 3, 4, 10, 20, 30, 255 };
+  uint32_t words[3], result[3];
+  memcpy(words, front, sizeof words);
+  memcpy(result, back, sizeof result);
+  water_rank_pixels_over(words, 1, 3, result);
+  memcpy(back, result, sizeof back);
+  assert_memory_equal(back, expected, sizeof back);
+  const float source[4] = { 0.25f, 0.0f, 2.0f, 0.5f };
+  float under[4] = { 1.0f, 3.0f, 0.0f, 0.5f };
+  uint32_t source_words[4], under_words[4];
+  memcpy(source_words, source, sizeof source);
+  memcpy(under_words, under, sizeof under);
+  water_rank_pixels_over(source_words, 4, 1, under_words);
+  memcpy(under, under_words, sizeof under);
+  static const float blended[4] = { 0.75f, 1.5f, 2.0f, 0.75f };
+  for (int i = 0; i < 4; ++i)
+  {
+    ASSERT_CLOSE((double)under[i], (double)blended[i], 1e-6);
+  }
+}
+
+static void assert_order(const double (*boxes)[6], size_t count, const double eye[3],
+  const double direction[3], bool is_parallel, const size_t* expected)
+{
+  size_t order[8], blockers[8];
+  water_rank_pixels_order(boxes, count, eye, direction, is_parallel, order, blockers);
+  assert_memory_equal(order, expected, count * sizeof *order);
+}
+
+// The parts of a k-d tree, the long one of them with its centre nearer than what is before it.
+TEST(boxes_are_sorted)
+{
+  static const double boxes[4][6] = { { 1.0, -1.0, 0.0, 1.0, 0.0, 1.0 },
+    { -100.0, 100.0, 2.0, 3.0, 0.0, 1.0 }, { 40.0, 41.0, 1.0, 2.0, 0.0, 1.0 },
+    { 40.0, 41.0, 3.0, 4.0, 0.0, 1.0 } };
+  static const double eye[3] = { 0.0, 0.0, 0.5 };
+  static const double behind[3] = { 0.0, 9.0, 0.5 };
+  static const double along[3] = { 0.0, 1.0, 0.0 };
+  static const double against[3] = { 0.0, -1.0, 0.0 };
+  static const size_t there[4] = { 2, 1, 3, 0 };
+  static const size_t back[4] = { 3, 1, 2, 0 };
+  assert_order(boxes, 4, eye, along, false, there);
+  assert_order(boxes, 4, behind, against, false, back);
+  assert_order(boxes, 4, behind, along, true, there);
+  assert_order(boxes, 4, eye, against, true, back);
+}
+
+// Boxes that overlap: the one whose centre is nearer; boxes that hide each other in turn: all are
+// there, once.
+TEST(boxes_that_overlap_are_sorted_by_their_centres)
+{
+  static const double boxes[3][6] = { { -2.0, 2.0, 1.0, 9.0, -2.0, 2.0 },
+    { -1.0, 1.0, 2.0, 3.0, -1.0, 1.0 }, { -1.0, 1.0, 0.5, 3.0, -1.0, 1.0 } };
+  static const double eye[3] = { 0.0, 0.0, 0.0 };
+  static const double along[3] = { 0.0, 1.0, 0.0 };
+  static const size_t expected[3] = { 2, 1, 0 };
+  assert_order(boxes, 3, eye, along, false, expected);
+  static const double cycle[3][6] = { { 0.0, 3.0, 0.0, 1.0, 1.0, 2.0 },
+    { 2.0, 3.0, 0.0, 3.0, 0.0, 1.0 }, { 1.0, 2.0, 1.0, 2.0, 0.0, 3.0 } };
+  static const double corner[3] = { 9.0, 9.0, 9.0 };
+  static const double diagonal[3] = { -1.0, -1.0, -1.0 };
+  size_t order[3], blockers[3], seen[3] = { 0, 0, 0 };
+  water_rank_pixels_order(cycle, 3, corner, diagonal, false, order, blockers);
+  for (int i = 0; i < 3; ++i)
+  {
+    assert_true(order[i] < 3);
+    ++seen[order[i]];
+  }
+  assert_true(seen[0] == 1 && seen[1] == 1 && seen[2] == 1);
+}
+
+TESTS(pixels_come_back, nearest_pixel_wins, layers_come_back, pixels_take_few_bytes,
+  wrong_bytes_are_refused, layers_are_blended, boxes_are_sorted,
+  boxes_that_overlap_are_sorted_by_their_centres)
