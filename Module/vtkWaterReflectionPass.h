@@ -323,21 +323,36 @@ public:
    * VTK's business (vtkCompositedSynchronizedRenderers, say). Every rank sets a controller of its
    * own for its pass, renders as often as the others, and has the same waters with the same plane,
    * look, time and settings. Waters that differ, an error of one rank, and a water that one rank
-   * hides or deletes after it was shown are said by all ranks, which show the plain colour. What a
-   * rank cannot know is not said: while a rank has no controller, has not shown the water yet, or
-   * does not render, the others wait for it, as in any collective call. A mesh may be split over
-   * the ranks. Pixels of textures (normal maps, environment) are not compared. A controller of one
-   * process is as good as none. Set nullptr, on all ranks, for frames that one rank renders alone.
-   * vtkWaterLakes does not support ranks: only its first water has the controller. Source:
-   * Documentation/decisions/023-ranks.md. Default is nullptr.
+   * hides or deletes after it was shown are said by all ranks, which show the plain colour. So is
+   * an exception that ends the mirrored view of one rank. While a rank has no controller, has not
+   * shown the water yet, or does not render, the others wait for it, as in any collective call:
+   * see SetRankWaitLimit. A mesh may be split over the ranks. Translucent props and volumes are
+   * blended rank by rank in the order of the boxes around what each rank has of them, as the
+   * mirrored camera sees them: right where these boxes are apart. Pixels of textures (normal maps,
+   * environment) are not compared. A controller of one process is as good as none. Set nullptr, on
+   * all ranks, for frames that one rank renders alone. vtkWaterLakes does not support ranks: only
+   * its first water has the controller. Source: Documentation/decisions/023-ranks.md. Default is
+   * nullptr.
    */
   void SetController(vtkMultiProcessController* controller);
   vtkMultiProcessController* GetController() const;
   ///@}
 
+  ///@{
   /**
-   * Pixels of the last frame's mirrored view that the ranks have sent each other, 8 bytes each, or
-   * 16 with half floats; 0 when the last view was used again, or without other ranks.
+   * Seconds in [0, 1e6] that this process may wait for the other ranks, in one call; 0: no limit.
+   * A collective call of a communicator cannot be ended from outside, so the process is: it prints
+   * what it has waited for, and ends with EXIT_FAILURE at once, without destructors. mpirun then
+   * ends the other ranks. Without a limit it prints that after 10 s, and waits on. The slowest
+   * rank's draw is waited for, too. Each water's pass has its own. Default is 0.
+   */
+  void SetRankWaitLimit(double seconds);
+  double GetRankWaitLimit() const;
+  ///@}
+
+  /**
+   * Pixels of the last frame's mirrored view that the ranks have made one view of; 0 when the last
+   * view was used again, or without other ranks.
    */
   vtkIdType GetNumberOfPixelsJoined() const;
 

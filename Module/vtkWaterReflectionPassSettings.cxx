@@ -207,6 +207,20 @@ double vtkWaterReflectionPass::GetTargetError() const
 }
 
 //------------------------------------------------------------------------------
+void vtkWaterReflectionPass::SetRankWaitLimit(double seconds)
+{
+  double limit = this->GetRankWaitLimit();
+  this->Set("RankWaitLimit", limit, seconds, 0.0, 1e6);
+  this->Reflection->Ranks.SetWaitLimit(limit);
+}
+
+//------------------------------------------------------------------------------
+double vtkWaterReflectionPass::GetRankWaitLimit() const
+{
+  return this->Reflection->Ranks.GetWaitLimit();
+}
+
+//------------------------------------------------------------------------------
 void vtkWaterReflectionPass::SetTimeBudget(double milliseconds)
 {
   this->Set("TimeBudget", this->Reflection->Settings.time_budget_ms, milliseconds, 1e-3, 1e6);
@@ -366,6 +380,7 @@ vtkIdType vtkWaterReflectionPass::GetNumberOfFragmentsReflected()
 }
 
 //------------------------------------------------------------------------------
+// Long because there are many settings.
 void vtkWaterReflectionPass::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
@@ -410,6 +425,7 @@ void vtkWaterReflectionPass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "QualityStep: " << this->GetQualityStep() << "\n";
   os << indent << "TextureScaleInUse: " << this->GetTextureScaleInUse() << "\n";
   os << indent << "Controller: " << this->Reflection->Ranks.GetText() << "\n";
+  os << indent << "RankWaitLimit: " << this->GetRankWaitLimit() << " s\n";
   os << indent << "ShowReflection: " << (this->ShowReflection ? "on" : "off") << "\n";
   os << indent << "NumberOfReflectionRenders: " << this->GetNumberOfReflectionRenders() << "\n";
   os << indent << "Last plan: " << this->GetDecisionAsString() << "\n";

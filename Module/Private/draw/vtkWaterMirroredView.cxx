@@ -33,6 +33,31 @@ void SetViewportAndScissor(vtkOpenGLState* state, const water_plan& plan)
   state->vtkglScissor(rect[0], rect[1], rect[2], rect[3]);
 }
 
+// A draw runs the user's observers, who may throw.
+class ScopedDraw
+{
+public:
+  ScopedDraw(bool& isDrawing, vtkWaterGpuQueries& queries, vtkOpenGLRenderWindow* window)
+    : IsDrawing(isDrawing)
+    , Queries(queries)
+  {
+    this->IsDrawing = true;
+    this->Queries.Begin(vtkWaterGpuQueries::REFLECTION, window);
+  }
+  ~ScopedDraw()
+  {
+    this->Queries.End(vtkWaterGpuQueries::REFLECTION);
+    this->IsDrawing = false;
+  }
+
+private:
+  ScopedDraw(const ScopedDraw&) = delete;
+  void operator=(const ScopedDraw&) = delete;
+
+  bool& IsDrawing;
+  vtkWaterGpuQueries& Queries;
+};
+
 void SetUpOpaque(vtkOpenGLState* state, const water_plan& plan)
 {
   SetViewportAndScissor(state, plan);
@@ -91,7 +116,8 @@ void vtkWaterMirroredView::DrawTranslucent(
 }
 
 //------------------------------------------------------------------------------
-void vtkWaterMirroredView::DrawProps(vtkRenderer* renderer, const water_plan& plan, Draft& draft)
+const char* vtkWaterMirroredView::DrawProps(
+  vtkRenderer* renderer, const water_plan& plan, Draft& draft)
 {
   vtkWaterShaderHook::View view;
   view.Plan = &plan;
@@ -106,8 +132,13 @@ void vtkWaterMirroredView::DrawProps(vtkRenderer* renderer, const water_plan& pl
   vtkWaterScopedRenderTimes scopedTimes(renderer, draft.Props);
   vtkWaterShadows::Draw(
     renderer, draft.Shadows, draft.Props, [&]() { this->DrawOpaque(renderer, plan, draft); });
+  if (draft.Ranks)
+  {
+    return this->JoinOpaque(renderer, plan, draft);
+  }
   this->DrawTranslucent(renderer, plan, draft);
   this->DrawPeel(renderer, plan, draft);
+  return nullptr;
 }
 
 //------------------------------------------------------------------------------
@@ -122,26 +153,23 @@ const char* vtkWaterMirroredView::Draw(vtkRenderer* renderer, const water_plan& 
   }
   vtkOpenGLRenderUtilities::MarkDebugEvent("water: mirrored view begins");
   this->Clusters.BeginView(plan, this->Visible, plan.samples, &this->ClipDistance);
-  this->IsDrawing = true;
   this->HasLayer = false;
   this->HasPeel = false;
-  this->GpuQueries.Begin(vtkWaterGpuQueries::REFLECTION, window);
   const char* failure = nullptr;
   {
+    const ScopedDraw scopedDraw(this->IsDrawing, this->GpuQueries, window);
     vtkWaterScopedState scopedState(state);
     if (this->Target.Bind())
     {
       SetUpOpaque(state, plan);
       this->DrawBackground(renderer, plan, draft);
-      this->DrawProps(renderer, plan, draft);
+      failure = this->DrawProps(renderer, plan, draft);
     }
     else
     {
       failure = "the framebuffer of the reflection texture is not complete";
     }
   }
-  this->GpuQueries.End(vtkWaterGpuQueries::REFLECTION);
-  this->IsDrawing = false;
   vtkOpenGLRenderUtilities::MarkDebugEvent("water: mirrored view ends");
   return failure;
 }

@@ -13,6 +13,7 @@
 #include "vtkWaterGpuQueries.h"
 #include "vtkWaterPeel.h"
 #include "vtkWaterPropFacts.h"
+#include "vtkWaterRanks.h"
 #include "vtkWaterSkyReader.h"
 #include "vtkWaterTarget.h"
 #include "vtkWaterTranslucent.h"
@@ -20,6 +21,7 @@
 #include "vtkWaterVisibility.h"
 #include "water_plan.h"
 
+#include <functional>
 #include <vector>
 
 class vtkCamera;
@@ -46,21 +48,16 @@ public:
     bool CanCut = false;                  // clusters of large meshes may be left out
     vtkWaterSkyTextures Sky;              // of the plan's sky
     vtkShadowMapPass* Shadows = nullptr;  // which is up to date; nullptr: there are none
+    vtkWaterRanks* Ranks = nullptr;       // that draw the view together; nullptr: there are none
+    // With ranks: tells them what was drawn here, once all that is opaque is, and again if anything
+    // is blended on any of them. Unless all of them have drawn it, Draw ends then.
+    std::function<const vtkWaterRanks::Drawing&(const water_rank_drawn& mine)> Agree;
   };
 
   // Draws the props into the target.
   //
   // Returns nullptr, or what went wrong in a few words; the target is then not to be used.
   const char* Draw(vtkRenderer* renderer, const water_plan& plan, Draft& draft);
-
-  // Makes of what all ranks drew the mirrored view of the whole scene, in the plan's rectangle. All
-  // of them call it, or none.
-  //
-  // Returns nullptr, or what went wrong in a few words.
-  const char* Join(vtkWaterRanks& ranks, const water_plan& plan)
-  {
-    return this->Target.Join(ranks, plan.texture_rect_px);
-  }
 
   // What there was no memory for in the last call of FindVisible or Draw: more was drawn than is
   // seen.
@@ -102,9 +99,14 @@ public:
 private:
   void SetCamera(vtkRenderer* renderer, const water_plan& plan);
   void DrawBackground(vtkRenderer* renderer, const water_plan& plan, const Draft& draft);
-  void DrawProps(vtkRenderer* renderer, const water_plan& plan, Draft& draft);
+  const char* DrawProps(vtkRenderer* renderer, const water_plan& plan, Draft& draft);
   void DrawOpaque(vtkRenderer* renderer, const water_plan& plan, const Draft& draft);
   void DrawTranslucent(vtkRenderer* renderer, const water_plan& plan, Draft& draft);
+  // With other ranks, vtkWaterMirroredRanks.cxx: what is opaque on all of them, then what all
+  // blend.
+  const char* JoinOpaque(vtkRenderer* renderer, const water_plan& plan, Draft& draft);
+  const char* JoinBlended(vtkRenderer* renderer, const water_plan& plan, Draft& draft,
+    const vtkWaterRanks::Drawing& drawing);
   void DrawPeel(vtkRenderer* renderer, const water_plan& plan, Draft& draft);
   void DrawProp(vtkRenderer* renderer, const Draft& draft, size_t number);
 

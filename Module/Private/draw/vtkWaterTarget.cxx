@@ -6,7 +6,6 @@
 #include "vtkOpenGLState.h"
 #include "vtkTextureObject.h"
 #include "vtkWaterGL.h"
-#include "vtkWaterRankPixels.h"
 
 #include <algorithm>
 
@@ -110,16 +109,6 @@ bool vtkWaterTarget::Ensure(
 }
 
 //------------------------------------------------------------------------------
-const char* vtkWaterTarget::Join(vtkWaterRanks& ranks, const int rect[4])
-{
-  const unsigned int type = this->IsFloat ? GL_HALF_FLOAT : GL_UNSIGNED_BYTE;
-  const vtkWaterRankPixels pixels{ this->Framebuffer, this->Color, this->Depth, type };
-  return pixels.Join(ranks, rect)
-    ? nullptr
-    : "the other ranks cannot be reached for their part of the reflection texture";
-}
-
-//------------------------------------------------------------------------------
 void vtkWaterTarget::MakeLevels()
 {
   this->Color->Activate();
@@ -131,6 +120,12 @@ void vtkWaterTarget::MakeLevels()
 vtkOpenGLFramebufferObject* vtkWaterTarget::GetFramebuffer()
 {
   return this->SampledFramebuffer ? this->SampledFramebuffer : this->Framebuffer;
+}
+
+//------------------------------------------------------------------------------
+vtkOpenGLFramebufferObject* vtkWaterTarget::GetResolved()
+{
+  return this->Framebuffer;
 }
 
 //------------------------------------------------------------------------------
@@ -153,9 +148,10 @@ void vtkWaterTarget::Resolve()
 }
 
 //------------------------------------------------------------------------------
-void vtkWaterTarget::CopyFrom(vtkWaterTarget& other, unsigned int buffers)
+void vtkWaterTarget::CopyFrom(vtkWaterTarget& other, unsigned int buffers, bool isResolved)
 {
-  Blit(other.GetFramebuffer(), this->GetFramebuffer(), this->Width, this->Height, buffers);
+  Blit(isResolved ? other.GetResolved() : other.GetFramebuffer(), this->GetFramebuffer(),
+    this->Width, this->Height, buffers);
 }
 
 //------------------------------------------------------------------------------

@@ -8,7 +8,6 @@
 class vtkOpenGLFramebufferObject;
 class vtkOpenGLRenderWindow;
 class vtkTextureObject;
-class vtkWaterRanks;
 class vtkWindow;
 
 class vtkWaterTarget
@@ -30,25 +29,23 @@ public:
   // Takes what is drawn in another target of the same size, which has no samples or as many; or its
   // colours without samples. The scissor cuts, and both framebuffers' bindings are lost.
   //
-  // buffers  GL_COLOR_BUFFER_BIT, GL_DEPTH_BUFFER_BIT
-  void CopyFrom(vtkWaterTarget& other, unsigned int buffers);
+  // buffers     GL_COLOR_BUFFER_BIT, GL_DEPTH_BUFFER_BIT
+  // isResolved  what is in its textures, not what is drawn
+  void CopyFrom(vtkWaterTarget& other, unsigned int buffers, bool isResolved = false);
 
   // Binds the framebuffer to draw into; Resolve() brings its samples into the textures. The caller
   // has pushed the framebuffer bindings and pops them.
   bool Bind();
   void Resolve();
 
-  // Takes what is nearest of all ranks' targets in a rectangle (x, y, width, height in pixels),
-  // once samples are resolved. All ranks call it, or none.
-  //
-  // Returns nullptr, or what went wrong in a few words.
-  const char* Join(vtkWaterRanks& ranks, const int rect[4]);
-
   // Fills the colour's mip levels.
   void MakeLevels();
 
   // What VTK's passes take as the framebuffer they draw into.
   vtkOpenGLFramebufferObject* GetFramebuffer();
+  // Its textures, without samples.
+  vtkOpenGLFramebufferObject* GetResolved();
+  bool HasHalfFloats() const { return this->IsFloat; }
 
   vtkTextureObject* GetColor() { return this->Color; }
   vtkTextureObject* GetDepth() { return this->Depth; }

@@ -50,8 +50,32 @@ bool vtkWaterTranslucentLayer::Keep(vtkOpenGLRenderWindow* window, vtkWaterTarge
 }
 
 //------------------------------------------------------------------------------
+bool vtkWaterTranslucentLayer::KeepDepth(vtkOpenGLRenderWindow* window, vtkWaterTarget& reflection)
+{
+  if (!this->Layer.EnsureAs(window, reflection, false))
+  {
+    return false;
+  }
+  window->GetState()->vtkglDisable(GL_SCISSOR_TEST); // which cuts copies
+  this->Layer.CopyFrom(reflection, GL_DEPTH_BUFFER_BIT, true);
+  return true;
+}
+
+//------------------------------------------------------------------------------
 void vtkWaterTranslucentLayer::Draw(vtkRenderer* renderer, vtkWaterShaderHook* hook,
   const water_plan& plan, std::vector<vtkProp*>& props, vtkWaterTranslucent& translucent)
+{
+  this->DrawColors(renderer, props, translucent);
+  this->DrawDepths(renderer, hook, plan, props);
+  static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow())
+    ->GetState()
+    ->vtkglDisable(GL_SCISSOR_TEST);
+  this->Layer.Resolve();
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterTranslucentLayer::DrawColors(
+  vtkRenderer* renderer, std::vector<vtkProp*>& props, vtkWaterTranslucent& translucent)
 {
   vtkOpenGLState* state =
     static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow())->GetState();
@@ -69,9 +93,6 @@ void vtkWaterTranslucentLayer::Draw(vtkRenderer* renderer, vtkWaterShaderHook* h
     this->DrawAlpha(renderer, props);
   }
   translucent.DrawVolumes(renderer, props);
-  this->DrawDepths(renderer, hook, plan, props);
-  state->vtkglDisable(GL_SCISSOR_TEST);
-  this->Layer.Resolve();
 }
 
 //------------------------------------------------------------------------------

@@ -11,6 +11,7 @@
 
 #include <vector>
 
+class vtkOpenGLFramebufferObject;
 class vtkOpenGLRenderWindow;
 class vtkProp;
 class vtkRenderer;
@@ -36,6 +37,13 @@ public:
   bool Bind() { return this->Layer.Bind(); }
   void Draw(vtkRenderer* renderer, vtkWaterShaderHook* hook, const water_plan& plan,
     std::vector<vtkProp*>& props, vtkWaterTranslucent& translucent);
+
+  // The same for a layer that ranks blend, without samples: it begins with the depth of all ranks'
+  // opaque props; after Bind only its colours are drawn.
+  bool KeepDepth(vtkOpenGLRenderWindow* window, vtkWaterTarget& reflection);
+  void DrawColors(
+    vtkRenderer* renderer, std::vector<vtkProp*>& props, vtkWaterTranslucent& translucent);
+  vtkOpenGLFramebufferObject* GetFramebuffer() { return this->Layer.GetFramebuffer(); }
 
   // Fills the mip levels.
   void MakeLevels();

@@ -14,6 +14,8 @@
 #include "vtkWaterSource.h"
 
 #include <algorithm>
+#include <exception>
+#include <string>
 
 //------------------------------------------------------------------------------
 std::vector<vtkWaterSource*> vtkWaterFrame::FindWatersOfRanks() const
@@ -44,10 +46,21 @@ bool vtkWaterFrame::Ask(vtkWaterError& error)
   water_rank_frame mine = water_rank_frame();
   mine.water_count = static_cast<double>(waters.size());
   mine.is_gone = this->Asking.expired() ? 1.0 : 0.0;
-  vtkWaterSheet::FindSceneBounds({ this->Renderer }, mine.scene_bounds);
+  vtkWaterError own;
+  try
+  {
+    vtkWaterSheet::FindSceneBounds({ this->Renderer }, mine.scene_bounds);
+  }
+  catch (const std::exception& thrown) // the others wait for this rank
+  {
+    mine.has_error = 1.0;
+    own.Kind = std::string("reading the scene was ended by an exception (") + thrown.what() + ")";
+    own.Text = own.Kind + ". The water shows its plain colour.";
+  }
   double bounds[6];
   bool areGone = false;
   const bool isAgreed = this->RanksAsked.JoinFrames(mine, bounds, &areGone, error);
+  error = own.Text.empty() ? error : own;
   if (areGone)
   {
     this->RanksAsked.SetController(nullptr);

@@ -6,21 +6,18 @@
 #include <algorithm>
 #include <cstring>
 #include <limits>
+#include <numeric>
 
 namespace
 {
 const char* const kUnreachable = "the other ranks cannot be reached";
 
-// Pixels travel as doubles, which no communicator splits; nothing computes with these.
-class NearestPixels : public vtkCommunicator::Operation
+const int kTag = 719; // of pixels
+
+enum : unsigned char
 {
-public:
-  void Function(const void* lower, void* nearest, vtkIdType length, int) override
-  {
-    water_ranks_nearest(static_cast<const water_rank_pixel*>(lower),
-      static_cast<water_rank_pixel*>(nearest), static_cast<size_t>(length));
-  }
-  int Commutative() override { return 0; } // of pixels of one depth, the lower rank's is kept
+  SENT_NOTHING, // a rank has received what it cannot read
+  SENT_PICTURE
 };
 
 vtkWaterError Unreachable()
@@ -44,10 +41,46 @@ std::string vtkWaterRanks::GetText() const
 }
 
 //------------------------------------------------------------------------------
-bool vtkWaterRanks::GatherNumbers(const double* mine, size_t count, std::vector<double>& all)
+void vtkWaterRanks::SetController(vtkMultiProcessController* controller)
+{
+  this->Controller = controller;
+  this->Shared = controller ? std::make_shared<Line>() : nullptr;
+  this->SetWaitLimit(this->WaitLimit);
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterRanks::SetWaitLimit(double seconds)
+{
+  this->WaitLimit = seconds;
+  if (this->Shared)
+  {
+    this->Shared->Watch.SetLimit(seconds);
+  }
+}
+
+//------------------------------------------------------------------------------
+template <typename Calls>
+bool vtkWaterRanks::Speak(const char* what, Calls calls)
+{
+  const std::shared_ptr<Line> line = this->Shared;
+  if (line->IsLost)
+  {
+    return false;
+  }
+  line->Watch.Begin(this->GetText(), what);
+  line->IsLost = !calls();
+  line->Watch.End();
+  return !line->IsLost;
+}
+
+//------------------------------------------------------------------------------
+bool vtkWaterRanks::GatherNumbers(
+  const char* what, const double* mine, size_t count, std::vector<double>& all)
 {
   all.resize(count * static_cast<size_t>(this->Controller->GetNumberOfProcesses()));
-  return this->Controller->AllGather(mine, all.data(), static_cast<vtkIdType>(count)) != 0;
+  return this->Speak(what, [&]() {
+    return this->Controller->AllGather(mine, all.data(), static_cast<vtkIdType>(count)) != 0;
+  });
 }
 
 //------------------------------------------------------------------------------
@@ -73,7 +106,7 @@ bool vtkWaterRanks::JoinFrames(
   double numbers[size];
   std::memcpy(numbers, &mine, sizeof mine);
   std::vector<double> all;
-  if (!this->GatherNumbers(numbers, size, all))
+  if (!this->GatherNumbers("what each shows in a frame", numbers, size, all))
   {
     error = Unreachable();
     return false;
@@ -99,7 +132,7 @@ bool vtkWaterRanks::JoinViews(const water_rank_view& mine, water_scene& scene,
   std::memcpy(numbers, &mine, sizeof mine);
   std::vector<double> all;
   error = Unreachable();
-  if (!this->GatherNumbers(numbers, size, all))
+  if (!this->GatherNumbers("what each knows of a mirrored view", numbers, size, all))
   {
     return false;
   }
@@ -125,9 +158,13 @@ bool vtkWaterRanks::JoinViews(const water_rank_view& mine, water_scene& scene,
   }
   props.resize(joined.prop_count);
   water_scene root = scene;
-  if (!this->Controller->AllGatherV(reinterpret_cast<const char*>(scene.props),
-        reinterpret_cast<char*>(props.data()), lengths[rank], lengths.data(), offsets.data()) ||
-    !this->Controller->Broadcast(reinterpret_cast<char*>(&root), sizeof root, 0))
+  const bool isReached = this->Speak("the props of all", [&]() {
+    return this->Controller->AllGatherV(reinterpret_cast<const char*>(scene.props),
+             reinterpret_cast<char*>(props.data()), lengths[rank], lengths.data(),
+             offsets.data()) &&
+      this->Controller->Broadcast(reinterpret_cast<char*>(&root), sizeof root, 0);
+  });
+  if (!isReached)
   {
     return false;
   }
@@ -140,8 +177,11 @@ bool vtkWaterRanks::JoinViews(const water_rank_view& mine, water_scene& scene,
 void vtkWaterRanks::HoldOnAll(std::vector<int>& claims)
 {
   std::vector<int> joined(claims.size());
-  if (!this->Controller->AllReduce(claims.data(), joined.data(),
-        static_cast<vtkIdType>(claims.size()), vtkCommunicator::MIN_OP))
+  const bool isReached = this->Speak("whether all can go on", [&]() {
+    return this->Controller->AllReduce(claims.data(), joined.data(),
+             static_cast<vtkIdType>(claims.size()), vtkCommunicator::MIN_OP) != 0;
+  });
+  if (!isReached)
   {
     std::fill(joined.begin(), joined.end(), 0);
   }
@@ -157,7 +197,9 @@ bool vtkWaterRanks::JoinRects(int rect[4])
   const int mine[4] = { isEmpty ? none : rect[0], isEmpty ? none : rect[1],
     isEmpty ? none : -(rect[0] + rect[2]), isEmpty ? none : -(rect[1] + rect[3]) };
   int all[4];
-  if (!this->Controller->AllReduce(mine, all, 4, vtkCommunicator::MIN_OP))
+  const bool isReached = this->Speak("the part of the picture below the surface",
+    [&]() { return this->Controller->AllReduce(mine, all, 4, vtkCommunicator::MIN_OP) != 0; });
+  if (!isReached)
   {
     return false;
   }
@@ -170,17 +212,106 @@ bool vtkWaterRanks::JoinRects(int rect[4])
 }
 
 //------------------------------------------------------------------------------
-bool vtkWaterRanks::KeepNearest(std::vector<water_rank_pixel>& pixels)
+vtkWaterRanks::Drawing vtkWaterRanks::JoinDrawn(const water_rank_drawn& mine)
 {
-  std::vector<double> sent(pixels.size());
-  std::vector<double> nearest(pixels.size());
-  std::memcpy(sent.data(), pixels.data(), pixels.size() * sizeof(double));
-  NearestPixels operation;
-  if (!this->Controller->AllReduce(
-        sent.data(), nearest.data(), static_cast<vtkIdType>(sent.size()), &operation))
+  constexpr size_t size = sizeof(water_rank_drawn) / sizeof(double);
+  double numbers[size];
+  std::memcpy(numbers, &mine, sizeof mine);
+  std::vector<double> all;
+  Drawing made;
+  if (!this->GatherNumbers("the draw of the mirrored view", numbers, size, all))
+  {
+    made.BadRank = static_cast<size_t>(this->Controller->GetLocalProcessId());
+    return made;
+  }
+  std::vector<water_rank_drawn> drawn(all.size() / size);
+  std::memcpy(drawn.data(), all.data(), all.size() * sizeof(double));
+  made.Bounds.resize(drawn.size());
+  made.Result = water_ranks_join_drawn(drawn.data(), drawn.size(),
+    reinterpret_cast<double(*)[6]>(made.Bounds.data()), &made.HasBlended, &made.BadRank);
+  return made;
+}
+
+//------------------------------------------------------------------------------
+template <typename Merge>
+bool vtkWaterRanks::Reduce(const std::vector<size_t>& order, water_rank_picture& picture,
+  std::vector<unsigned char>& bytes, Merge merge)
+{
+  const auto self = static_cast<size_t>(this->Controller->GetLocalProcessId());
+  const auto place =
+    static_cast<size_t>(std::find(order.begin(), order.end(), self) - order.begin());
+  const int first = static_cast<int>(order.front());
+  bool isRead = true;
+  // who cannot read what was sent says so, and goes on: the others are on their way
+  const auto write = [&](bool hasBackground) {
+    bytes[0] = isRead ? SENT_PICTURE : SENT_NOTHING;
+    return static_cast<vtkIdType>(
+      isRead ? 1 + water_rank_pixels_encode(&picture, hasBackground, bytes.data() + 1) : 1);
+  };
+  for (size_t step = 1; step < order.size() && place % step == 0; step *= 2)
+  {
+    if (place % (2 * step) != 0)
+    {
+      const vtkIdType count = write(false);
+      if (!this->Controller->Send(bytes.data(), count, static_cast<int>(order[place - step]), kTag))
+      {
+        return false;
+      }
+    }
+    else if (place + step < order.size())
+    {
+      if (!this->Controller->Receive(bytes.data(), static_cast<vtkIdType>(bytes.size()),
+            static_cast<int>(order[place + step]), kTag))
+      {
+        return false;
+      }
+      const auto count = static_cast<size_t>(this->Controller->GetCount());
+      isRead =
+        isRead && count > 0 && bytes[0] == SENT_PICTURE && merge(bytes.data() + 1, count - 1);
+    }
+  }
+  vtkIdType count = place == 0 ? write(true) : 0;
+  if (!this->Controller->Broadcast(&count, 1, first) || count < 1 ||
+    count > static_cast<vtkIdType>(bytes.size()) ||
+    !this->Controller->Broadcast(bytes.data(), count, first))
   {
     return false;
   }
-  std::memcpy(pixels.data(), nearest.data(), pixels.size() * sizeof(double));
-  return true;
+  if (place == 0 || bytes[0] != SENT_PICTURE)
+  {
+    return bytes[0] == SENT_PICTURE;
+  }
+  if (!picture.depths)
+  {
+    std::fill_n(picture.colors, picture.words * picture.pixel_count, 0u); // where nothing is sent
+  }
+  return water_rank_pixels_merge(
+    bytes.data() + 1, static_cast<size_t>(count) - 1, WATER_RANK_REPLACE, &picture);
+}
+
+//------------------------------------------------------------------------------
+bool vtkWaterRanks::KeepNearest(water_rank_picture& picture, std::vector<unsigned char>& bytes)
+{
+  std::vector<size_t> order(static_cast<size_t>(this->Controller->GetNumberOfProcesses()));
+  std::iota(order.begin(), order.end(), size_t(0)); // of pixels of one depth, the lower rank's
+  return this->Speak("the nearest pixels of all", [&]() {
+    return this->Reduce(order, picture, bytes, [&](const unsigned char* sent, size_t count) {
+      return water_rank_pixels_merge(sent, count, WATER_RANK_NEAREST, &picture);
+    });
+  });
+}
+
+//------------------------------------------------------------------------------
+bool vtkWaterRanks::BlendInOrder(const std::vector<size_t>& order, water_rank_picture& layer,
+  water_rank_picture& spare, std::vector<unsigned char>& bytes)
+{
+  const auto blend = [&](const unsigned char* sent, size_t count) {
+    std::fill_n(spare.colors, spare.words * spare.pixel_count, 0u);
+    const bool isRead = water_rank_pixels_merge(sent, count, WATER_RANK_REPLACE, &spare);
+    water_rank_pixels_over(layer.colors, layer.words, layer.pixel_count, spare.colors);
+    std::swap(layer.colors, spare.colors);
+    return isRead;
+  };
+  return this->Speak(
+    "the blended layers of all", [&]() { return this->Reduce(order, layer, bytes, blend); });
 }

@@ -7,17 +7,34 @@
 
 #include "vtkMultiProcessController.h" // for members
 #include "vtkSmartPointer.h"
+#include "vtkWaterRankWatch.h"
 #include "vtkWaterSource.h"
+#include "water_rank_pixels.h"
 #include "water_ranks.h"
 
+#include <array>
+#include <memory>
 #include <string>
 #include <vector>
 
 class vtkWaterRanks
 {
 public:
-  void SetController(vtkMultiProcessController* controller) { this->Controller = controller; }
+  // What all ranks' draws come to.
+  struct Drawing
+  {
+    water_ranks_drawing Result = WATER_RANKS_FAILED;
+    size_t BadRank = 0;
+    bool HasBlended = false;
+    std::vector<std::array<double, 6>> Bounds; // of what each rank blends
+  };
+
+  void SetController(vtkMultiProcessController* controller);
   vtkMultiProcessController* GetController() const { return this->Controller; }
+
+  // Seconds that this process waits for the others before it is ended; 0: no limit.
+  void SetWaitLimit(double seconds);
+  double GetWaitLimit() const { return this->WaitLimit; }
 
   // Are there others? A controller of one process is as good as none.
   bool AreSeveral() const
@@ -50,14 +67,43 @@ public:
   // not positive) the one around all of them. false: they cannot be reached.
   bool JoinRects(int rect[4]);
 
-  // Keeps the nearest pixel of all ranks, place by place. false: they cannot be reached.
-  bool KeepNearest(std::vector<water_rank_pixel>& pixels);
+  // What becomes of a mirrored view that all have drawn, or could not draw.
+  Drawing JoinDrawn(const water_rank_drawn& mine);
+
+  // Keeps the nearest pixel of all ranks, place by place; the background is the root's. false: they
+  // cannot be reached, or have sent something else.
+  //
+  // bytes  of water_rank_pixels_limit
+  bool KeepNearest(water_rank_picture& picture, std::vector<unsigned char>& bytes);
+
+  // Blends all ranks' layers over each other. false: as above.
+  //
+  // order   the ranks, from front to back
+  // spare   a layer of the same size to compute with
+  bool BlendInOrder(const std::vector<size_t>& order, water_rank_picture& layer,
+    water_rank_picture& spare, std::vector<unsigned char>& bytes);
 
 private:
-  bool GatherNumbers(const double* mine, size_t count, std::vector<double>& all);
+  // What copies of this share: they speak by the same controller.
+  struct Line
+  {
+    vtkWaterRankWatch Watch;
+    bool IsLost = false; // once a call has failed, ranks are not at one place any more
+  };
+
+  // Does one or more collective calls unless the others are lost; watched, and lost if they fail.
+  template <typename Calls>
+  bool Speak(const char* what, Calls calls);
+  // Brings all pictures together at the first rank of an order, and from there to all.
+  template <typename Merge>
+  bool Reduce(const std::vector<size_t>& order, water_rank_picture& picture,
+    std::vector<unsigned char>& bytes, Merge merge);
+  bool GatherNumbers(const char* what, const double* mine, size_t count, std::vector<double>& all);
   vtkWaterError Describe(water_status status, size_t rank) const;
 
   vtkSmartPointer<vtkMultiProcessController> Controller;
+  std::shared_ptr<Line> Shared;
+  double WaitLimit = 0.0;
 };
 
 #endif

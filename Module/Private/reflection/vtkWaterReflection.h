@@ -137,19 +137,30 @@ private:
     vtkWaterSignature Signature;
     vtkWaterMirroredView::Draft Draft;
     const char* Failure = nullptr;
-    bool IsAborted = false;  // on any rank
-    size_t FirstProp = 0;    // of this rank's in the scene's props
-    double MeasuredMs = 0.0; // of the last view, on the slowest rank
+    std::string FailureText;        // what that is of, if it was made
+    bool IsAborted = false;         // on any rank
+    bool IsSecond = false;          // what was refused in the first one is left out
+    vtkWaterRanks::Drawing Drawing; // of all ranks; with them only
+    int AgreementsDue = 0;          // that the other ranks wait for
+    size_t FirstProp = 0;           // of this rank's in the scene's props
+    double MeasuredMs = 0.0;        // of the last view, on the slowest rank
   };
 
   void Gather(const Frame& frame, const std::vector<vtkWaterSource*>& waters, Attempt& attempt);
   double Measure(View& view) const; // what the last view took, ms, for a quality that asks
+  bool PlanAndDraw(const Frame& frame, Attempt& attempt); // is there to be a second attempt?
   void ChooseQuality(const Frame& frame, Attempt& attempt);
   // With other ranks, vtkWaterReflectionRanks.cxx: the scene of all of them, or an error; is the
-  // last reflection texture used by all; was the mirrored view drawn by all, and what is it of.
+  // last reflection texture used by all; was the mirrored view drawn by all; what is thrown on one
+  // rank is an error of all.
   bool JoinScene(const std::vector<vtkWaterSource*>& waters, Attempt& attempt);
   bool IsUnchangedOnAll(const Attempt& attempt, bool isUnchanged);
-  bool JoinDrawn(const Frame& frame, Attempt& attempt, bool wantsAgain);
+  const vtkWaterRanks::Drawing& JoinDrawn(
+    const Frame& frame, Attempt& attempt, const water_rank_drawn& mine);
+  bool FinishDrawn(const Frame& frame, Attempt& attempt); // is there to be a second attempt?
+  bool GatherOrFail(
+    const Frame& frame, const std::vector<vtkWaterSource*>& waters, Attempt& attempt);
+  void DrawOrFail(const Frame& frame, Attempt& attempt);
   void RenderNothing(
     const Frame& frame, const std::vector<vtkWaterSource*>& waters, const vtkWaterError& error);
   void SetPlanned(const Frame& frame, const std::vector<const vtkProp*>& waters);

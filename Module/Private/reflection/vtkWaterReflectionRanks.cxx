@@ -5,8 +5,10 @@
 #include "vtkOpenGLRenderer.h"
 #include "vtkProp.h"
 #include "vtkWaterReflection.h"
+#include "vtkWaterShaderHook.h"
 
 #include <algorithm>
+#include <exception>
 
 namespace
 {
@@ -104,7 +106,7 @@ bool vtkWaterReflection::JoinScene(const std::vector<vtkWaterSource*>& waters, A
   std::copy_n(scene.surface_bounds, 6, mine.surface_bounds);
   const bool hasError = std::any_of(
     waters.begin(), waters.end(), [](vtkWaterSource* water) { return water->HasSheetError(); });
-  mine.has_error = hasError ? 1.0 : 0.0;
+  mine.has_error = hasError || !attempt.Error.Text.empty() ? 1.0 : 0.0;
   mine.has_waves = scene.has_waves ? 1.0 : 0.0;
   mine.slope_rms = scene.slope_rms;
   mine.slope_max = scene.slope_max;
@@ -153,27 +155,85 @@ bool vtkWaterReflection::IsUnchangedOnAll(const Attempt& attempt, bool isUnchang
 }
 
 //------------------------------------------------------------------------------
-bool vtkWaterReflection::JoinDrawn(const Frame& frame, Attempt& attempt, bool wantsAgain)
+const vtkWaterRanks::Drawing& vtkWaterReflection::JoinDrawn(
+  const Frame& frame, Attempt& attempt, const water_rank_drawn& drawn)
 {
+  water_rank_drawn mine = drawn;
   const bool isLost = attempt.Drawn.get() != this->GetPlannedView(); // in the middle of its draw
-  std::vector<int> claims = { attempt.Failure ? 0 : 1, isLost || attempt.IsAborted ? 0 : 1,
-    wantsAgain ? 0 : 1 };
-  this->Ranks.HoldOnAll(claims);
-  if (!claims[2])
+  const bool isAborted = isLost || frame.Renderer->GetRenderWindow()->GetAbortRender() != 0;
+  mine.is_aborted = isAborted ? 1.0 : 0.0;
+  mine.wants_again =
+    frame.Hook->Failures.TakeMirrored() && !attempt.IsSecond && !isAborted ? 1.0 : 0.0;
+  const bool isFirst = attempt.Drawing.Bounds.empty();
+  attempt.Drawing = this->Ranks.JoinDrawn(mine);
+  const bool isGoingOn = attempt.Drawing.Result == WATER_RANKS_DRAWN;
+  attempt.AgreementsDue = isFirst && isGoingOn && attempt.Drawing.HasBlended ? 1 : 0;
+  return attempt.Drawing;
+}
+
+//------------------------------------------------------------------------------
+bool vtkWaterReflection::FinishDrawn(const Frame& frame, Attempt& attempt)
+{
+  while (attempt.AgreementsDue > 0) // the others wait for what this rank could not do
   {
-    return true; // what one rank's driver refused is left out of a second view, of all ranks
+    water_rank_drawn mine = water_rank_drawn();
+    mine.has_failed = 1.0;
+    this->JoinDrawn(frame, attempt, mine);
   }
-  attempt.IsAborted = !claims[1];
-  if (!claims[0] && !attempt.Failure)
+  const vtkWaterRanks::Drawing& drawing = attempt.Drawing;
+  attempt.IsAborted = drawing.Result == WATER_RANKS_ABORTED;
+  if (drawing.Result == WATER_RANKS_FAILED && !attempt.Failure)
   {
-    attempt.Failure = "another rank could not draw its part of the reflection";
+    attempt.FailureText = drawing.Bounds.empty()
+      ? "the other ranks cannot be reached"
+      : "rank " + std::to_string(drawing.BadRank) + " could not draw its part of the reflection";
+    attempt.Failure = attempt.FailureText.c_str();
   }
-  if (claims[0] && claims[1])
+  if (drawing.Result == WATER_RANKS_DRAWN)
   {
     const int* rect = this->Plan.texture_rect_px;
-    static_cast<vtkOpenGLRenderer*>(frame.Renderer)->GetRenderWindow()->MakeCurrent();
-    attempt.Failure = attempt.Drawn->Mirrored.Join(this->Ranks, this->Plan);
     this->Report.JoinedPixels = static_cast<vtkIdType>(rect[2]) * rect[3];
   }
-  return false;
+  // what one rank's driver refused is left out of a second view, of all ranks
+  return drawing.Result == WATER_RANKS_DRAW_AGAIN;
+}
+
+//------------------------------------------------------------------------------
+bool vtkWaterReflection::GatherOrFail(
+  const Frame& frame, const std::vector<vtkWaterSource*>& waters, Attempt& attempt)
+{
+  vtkWaterError own;
+  try
+  {
+    this->Gather(frame, waters, attempt);
+  }
+  catch (const std::exception& thrown)
+  {
+    own.Kind = std::string("reading the scene was ended by an exception (") + thrown.what() + ")";
+    own.Text = own.Kind + ". The water shows its plain colour.";
+  }
+  attempt.Error = own;
+  const bool isJoined = this->JoinScene(waters, attempt);
+  attempt.Error = own.Text.empty() ? attempt.Error : own;
+  return isJoined;
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterReflection::DrawOrFail(const Frame& frame, Attempt& attempt)
+{
+  attempt.Draft.Ranks = &this->Ranks;
+  attempt.Draft.Agree = [this, &frame, &attempt](
+                          const water_rank_drawn& mine) -> const vtkWaterRanks::Drawing& {
+    return this->JoinDrawn(frame, attempt, mine);
+  };
+  try
+  {
+    this->Draw(frame, attempt);
+  }
+  catch (const std::exception& thrown)
+  {
+    attempt.FailureText =
+      std::string("the draw of the reflection was ended by an exception (") + thrown.what() + ")";
+    attempt.Failure = attempt.FailureText.c_str();
+  }
 }

@@ -40,32 +40,17 @@ bool vtkWaterReflection::Render(const Frame& frame, const std::vector<vtkWaterSo
   do
   {
     Attempt attempt;
-    this->Gather(frame, waters, attempt);
-    if (this->Ranks.AreSeveral() && !this->JoinScene(waters, attempt))
+    attempt.IsSecond = isAgain;
+    if (!this->Ranks.AreSeveral())
+    {
+      this->Gather(frame, waters, attempt);
+    }
+    else if (!this->GatherOrFail(frame, waters, attempt))
     {
       this->RenderNothing(frame, waters, attempt.Error);
       return false;
     }
-    this->ChooseQuality(frame, attempt);
-    this->MakePlan(frame, attempt);
-    if (this->Plan.decision == WATER_REFLECT && frame.AreHidden && frame.AreHidden())
-    {
-      this->Gathered.Scene.is_hidden = true;
-      this->MakePlan(frame, attempt);
-    }
-    const bool isReflecting = this->Plan.decision == WATER_REFLECT;
-    if (isReflecting)
-    {
-      this->Revise(frame, attempt);
-      this->Draw(frame, attempt);
-    }
-    // what was refused in this view is left out of a second one
-    attempt.IsAborted = frame.Renderer->GetRenderWindow()->GetAbortRender() != 0;
-    isAgain = isReflecting && frame.Hook->Failures.TakeMirrored() && !isAgain && !attempt.IsAborted;
-    if (this->Plan.decision == WATER_REFLECT && this->Ranks.AreSeveral())
-    {
-      isAgain = this->JoinDrawn(frame, attempt, isAgain);
-    }
+    isAgain = this->PlanAndDraw(frame, attempt);
     if (!isAgain)
     {
       error = this->Commit(frame, attempt);
@@ -76,6 +61,33 @@ bool vtkWaterReflection::Render(const Frame& frame, const std::vector<vtkWaterSo
     water->Report(frame.Renderer, error);
   }
   return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkWaterReflection::PlanAndDraw(const Frame& frame, Attempt& attempt)
+{
+  const bool areSeveral = this->Ranks.AreSeveral();
+  this->ChooseQuality(frame, attempt);
+  this->MakePlan(frame, attempt);
+  if (this->Plan.decision == WATER_REFLECT && frame.AreHidden && frame.AreHidden())
+  {
+    this->Gathered.Scene.is_hidden = true;
+    this->MakePlan(frame, attempt);
+  }
+  const bool isReflecting = this->Plan.decision == WATER_REFLECT;
+  if (isReflecting)
+  {
+    this->Revise(frame, attempt);
+    areSeveral ? this->DrawOrFail(frame, attempt) : this->Draw(frame, attempt);
+  }
+  if (this->Plan.decision == WATER_REFLECT && areSeveral)
+  {
+    return this->FinishDrawn(frame, attempt);
+  }
+  // what was refused in this view is left out of a second one
+  attempt.IsAborted = frame.Renderer->GetRenderWindow()->GetAbortRender() != 0;
+  return isReflecting && frame.Hook->Failures.TakeMirrored() && !attempt.IsSecond &&
+    !attempt.IsAborted;
 }
 
 //------------------------------------------------------------------------------
@@ -320,6 +332,7 @@ void vtkWaterReflection::Draw(const Frame& frame, Attempt& attempt)
   {
     return; // the last one shows the same
   }
+  attempt.AgreementsDue = 1;
   this->SortDrawn(frame, attempt);
   attempt.Drawn->DrawnPlan = water_plan();
   attempt.Drawn->HasLevels = false;

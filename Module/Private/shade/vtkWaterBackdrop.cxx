@@ -8,6 +8,7 @@
 #include "vtkWaterRanks.h"
 
 #include <algorithm>
+#include <new>
 #include <vector>
 
 namespace
@@ -211,12 +212,38 @@ bool vtkWaterBackdrop::Copy(
 bool vtkWaterBackdrop::Join(
   vtkWaterRanks& ranks, vtkOpenGLRenderWindow* window, const int part[4], bool isCopied)
 {
-  std::vector<int> claims = { isCopied ? 1 : 0 };
+  const bool isEmpty = part[2] <= 0 || part[3] <= 0; // on all ranks
+  vtkWaterRankPixels pixels;
+  bool isRead = isCopied;
+  try
+  {
+    if (isCopied && !isEmpty)
+    {
+      this->Read(window, part, pixels);
+    }
+  }
+  catch (const std::bad_alloc&)
+  {
+    isRead = false;
+  }
+  std::vector<int> claims = { isRead ? 1 : 0 };
   ranks.HoldOnAll(claims);
-  if (!claims[0] || part[2] <= 0 || part[3] <= 0)
+  if (!claims[0] || isEmpty)
   {
     return claims[0] != 0;
   }
+  if (!pixels.KeepNearest(ranks))
+  {
+    return false;
+  }
+  pixels.Upload(this->Color, this->Depth);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterBackdrop::Read(
+  vtkOpenGLRenderWindow* window, const int part[4], vtkWaterRankPixels& pixels)
+{
   if (!this->Framebuffer)
   {
     this->Framebuffer = vtkSmartPointer<vtkOpenGLFramebufferObject>::New();
@@ -229,8 +256,7 @@ bool vtkWaterBackdrop::Join(
   this->Framebuffer->AddDepthAttachment(this->Depth);
   state->PopFramebufferBindings();
   const unsigned int type = this->ColorType == VTK_FLOAT ? GL_FLOAT : GL_UNSIGNED_BYTE;
-  const vtkWaterRankPixels pixels{ this->Framebuffer, this->Color, this->Depth, type };
-  return pixels.Join(ranks, part);
+  pixels.Read(this->Framebuffer, type, part);
 }
 
 //------------------------------------------------------------------------------

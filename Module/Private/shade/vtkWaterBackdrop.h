@@ -10,6 +10,7 @@
 #include "vtkWaterSampleSort.h"
 
 class vtkOpenGLRenderWindow;
+class vtkWaterRankPixels;
 class vtkWaterRanks;
 class vtkWindow;
 
@@ -53,6 +54,7 @@ private:
   bool Sort(
     vtkOpenGLRenderWindow* window, const int rect[4], const int part[4], const double* heightClip);
   bool Ensure(vtkOpenGLRenderWindow* window, int width, int height);
+  void Read(vtkOpenGLRenderWindow* window, const int part[4], vtkWaterRankPixels& pixels);
 
   vtkSmartPointer<vtkTextureObject> Color;
   vtkSmartPointer<vtkTextureObject> Depth;

@@ -8,8 +8,7 @@
 #include "vtkWaterGL.h"
 #include "vtkWaterRanks.h"
 
-#include <cstdint>
-#include <vector>
+#include <algorithm>
 
 namespace
 {
@@ -18,7 +17,7 @@ size_t WordsOf(unsigned int type)
   return type == GL_FLOAT ? 4 : type == GL_HALF_FLOAT ? 2 : 1;
 }
 
-void Upload(
+void Write(
   vtkTextureObject* texture, const int rect[4], GLenum format, GLenum type, const void* data)
 {
   texture->Activate();
@@ -28,29 +27,100 @@ void Upload(
 }
 
 //------------------------------------------------------------------------------
-bool vtkWaterRankPixels::Join(vtkWaterRanks& ranks, const int rect[4]) const
+void vtkWaterRankPixels::Allocate(unsigned int type, const int rect[4])
 {
-  const size_t count = static_cast<size_t>(rect[2]) * static_cast<size_t>(rect[3]);
-  const size_t words = WordsOf(this->Type);
-  std::vector<std::uint32_t> colors(words * count);
-  std::vector<std::uint32_t> depths(count); // as the texture has them: floats would round
-  std::vector<water_rank_pixel> pixels(words * count);
-  vtkOpenGLState* state = this->Framebuffer->GetContext()->GetState();
-  state->PushFramebufferBindings();
-  this->Framebuffer->Bind(vtkOpenGLFramebufferObject::GetReadMode());
-  this->Framebuffer->ActivateReadBuffer(0);
+  std::copy_n(rect, 4, this->Rect);
+  this->Type = type;
+  this->Words = WordsOf(type);
+  this->Colors.assign(this->Words * static_cast<size_t>(rect[2]) * static_cast<size_t>(rect[3]), 0);
+  const water_rank_picture picture = this->GetPicture(false);
+  this->Bytes.resize(1 + water_rank_pixels_limit(&picture));
+}
+
+//------------------------------------------------------------------------------
+water_rank_picture vtkWaterRankPixels::GetPicture(bool hasDepths)
+{
+  water_rank_picture picture;
+  picture.colors = this->Colors.data();
+  picture.depths = hasDepths ? this->Depths.data() : nullptr;
+  picture.words = this->Words;
+  picture.pixel_count = this->Colors.size() / this->Words;
+  return picture;
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterRankPixels::ReadColors(vtkOpenGLFramebufferObject* framebuffer)
+{
+  const int* rect = this->Rect;
+  framebuffer->Bind(vtkOpenGLFramebufferObject::GetReadMode());
+  framebuffer->ActivateReadBuffer(0);
   // rows are whole words, as GL aligns them by default
-  glReadPixels(rect[0], rect[1], rect[2], rect[3], GL_RGBA, this->Type, colors.data());
+  glReadPixels(rect[0], rect[1], rect[2], rect[3], GL_RGBA, this->Type, this->Colors.data());
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterRankPixels::Read(
+  vtkOpenGLFramebufferObject* framebuffer, unsigned int type, const int rect[4])
+{
+  this->Allocate(type, rect);
+  this->Depths.resize(this->Colors.size() / this->Words);
+  vtkOpenGLState* state = framebuffer->GetContext()->GetState();
+  state->PushFramebufferBindings();
+  this->ReadColors(framebuffer);
   glReadPixels(
-    rect[0], rect[1], rect[2], rect[3], GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, depths.data());
+    rect[0], rect[1], rect[2], rect[3], GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, this->Depths.data());
   state->PopFramebufferBindings();
-  water_ranks_pack(colors.data(), depths.data(), words, count, pixels.data());
-  if (!ranks.KeepNearest(pixels))
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterRankPixels::ReadLayer(
+  vtkOpenGLFramebufferObject* framebuffer, unsigned int type, const int rect[4])
+{
+  this->Allocate(type, rect);
+  this->Spare.resize(this->Colors.size());
+  if (framebuffer)
   {
-    return false;
+    vtkOpenGLState* state = framebuffer->GetContext()->GetState();
+    state->PushFramebufferBindings();
+    this->ReadColors(framebuffer);
+    state->PopFramebufferBindings();
   }
-  water_ranks_unpack(pixels.data(), words, count, colors.data(), depths.data());
-  Upload(this->Color, rect, GL_RGBA, this->Type, colors.data());
-  Upload(this->Depth, rect, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, depths.data());
-  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkWaterRankPixels::KeepNearest(vtkWaterRanks& ranks)
+{
+  water_rank_picture picture = this->GetPicture(true);
+  return ranks.KeepNearest(picture, this->Bytes);
+}
+
+//------------------------------------------------------------------------------
+bool vtkWaterRankPixels::BlendInOrder(vtkWaterRanks& ranks, const std::vector<size_t>& order)
+{
+  water_rank_picture layer = this->GetPicture(false);
+  water_rank_picture spare = layer;
+  spare.colors = this->Spare.data();
+  const bool isReached = ranks.BlendInOrder(order, layer, spare, this->Bytes);
+  if (layer.colors == this->Spare.data()) // the two have changed places
+  {
+    this->Colors.swap(this->Spare);
+  }
+  return isReached;
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterRankPixels::Blend(const vtkWaterRankPixels& layer)
+{
+  water_rank_pixels_over(
+    layer.Colors.data(), this->Words, this->Colors.size() / this->Words, this->Colors.data());
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterRankPixels::Upload(vtkTextureObject* color, vtkTextureObject* depth) const
+{
+  Write(color, this->Rect, GL_RGBA, this->Type, this->Colors.data());
+  if (depth)
+  {
+    Write(depth, this->Rect, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, this->Depths.data());
+  }
 }

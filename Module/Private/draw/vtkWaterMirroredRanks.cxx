@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkWaterMirroredRanks.cxx: the part of vtkWaterMirroredView that makes one view of what the ranks
+// of a sort-last renderer draw. See Documentation/decisions/023-ranks.md.
+#include "vtkBoundingBox.h"
+#include "vtkOpenGLFramebufferObject.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkProp.h"
+#include "vtkRenderer.h"
+#include "vtkTextureObject.h"
+#include "vtkWaterGL.h"
+#include "vtkWaterMirroredView.h"
+#include "vtkWaterRankPixels.h"
+#include "vtkWaterScopedWidgets.h"
+#include "vtkWaterVolumeCuts.h"
+
+#include <algorithm>
+
+namespace
+{
+const char* const kUnreachable =
+  "the other ranks cannot be reached for their part of the reflection texture";
+
+// What is translucent, or a volume, and where.
+water_rank_drawn FindBlended(
+  const std::vector<vtkProp*>& blended, const std::vector<vtkProp*>& others)
+{
+  water_rank_drawn facts = water_rank_drawn();
+  facts.has_blended = vtkWaterTranslucentLayer::IsNeeded(blended, others) ? 1.0 : 0.0;
+  vtkBoundingBox box;
+  for (vtkProp* prop : blended)
+  {
+    const double* bounds = prop->GetBounds();
+    if (bounds)
+    {
+      box.AddBounds(bounds);
+    }
+  }
+  for (int i = 0; i < 6; ++i)
+  {
+    facts.blended_bounds[i] = box.IsValid() ? box.GetBound(i) : i % 2 ? -1.0 : 1.0;
+  }
+  return facts;
+}
+
+// The ranks from front to back, as the mirrored camera sees what they blend.
+std::vector<size_t> FindOrder(const water_plan& plan, const vtkWaterRanks::Drawing& drawing)
+{
+  const size_t count = drawing.Bounds.size();
+  std::vector<size_t> order(count);
+  std::vector<size_t> blockers(count);
+  double direction[3];
+  for (int i = 0; i < 3; ++i)
+  {
+    direction[i] = plan.mirrored_focal_point[i] - plan.mirrored_position[i];
+  }
+  water_rank_pixels_order(reinterpret_cast<const double(*)[6]>(drawing.Bounds.data()), count,
+    plan.mirrored_position, direction, plan.mirrored.parallel, order.data(), blockers.data());
+  return order;
+}
+}
+
+//------------------------------------------------------------------------------
+const char* vtkWaterMirroredView::JoinOpaque(
+  vtkRenderer* renderer, const water_plan& plan, Draft& draft)
+{
+  auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
+  const water_rank_drawn facts = FindBlended(draft.Blended, draft.Others);
+  window->GetState()->vtkglDisable(GL_SCISSOR_TEST);
+  this->Target.Resolve();
+  vtkWaterRankPixels pixels;
+  pixels.Read(this->Target.GetResolved(),
+    this->Target.HasHalfFloats() ? GL_HALF_FLOAT : GL_UNSIGNED_BYTE, plan.texture_rect_px);
+  const vtkWaterRanks::Drawing drawing = draft.Agree(facts);
+  if (drawing.Result != WATER_RANKS_DRAWN)
+  {
+    return nullptr;
+  }
+  if (!pixels.KeepNearest(*draft.Ranks))
+  {
+    return kUnreachable;
+  }
+  pixels.Upload(this->Target.GetColor(), this->Target.GetDepth());
+  return drawing.HasBlended ? this->JoinBlended(renderer, plan, draft, drawing) : nullptr;
+}
+
+//------------------------------------------------------------------------------
+const char* vtkWaterMirroredView::JoinBlended(vtkRenderer* renderer, const water_plan& plan,
+  Draft& draft, const vtkWaterRanks::Drawing& drawing)
+{
+  auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
+  const int* rect = plan.texture_rect_px;
+  const bool hasOwn = vtkWaterTranslucentLayer::IsNeeded(draft.Blended, draft.Others);
+  // floats: nothing computes with half ones
+  const unsigned int type = this->Target.HasHalfFloats() ? GL_FLOAT : GL_UNSIGNED_BYTE;
+  vtkWaterRankPixels opaque;
+  vtkWaterRankPixels layer;
+  opaque.Read(this->Target.GetResolved(), type, rect);
+  water_rank_drawn facts = water_rank_drawn();
+  if (hasOwn)
+  {
+    const bool isMade = this->Layer.KeepDepth(window, this->Target) && this->Layer.Bind();
+    facts.has_failed = isMade ? 0.0 : 1.0;
+    if (isMade)
+    {
+      vtkOpenGLState* state = window->GetState();
+      state->vtkglViewport(0, 0, plan.texture_px[0], plan.texture_px[1]);
+      state->vtkglEnable(GL_SCISSOR_TEST);
+      state->vtkglScissor(rect[0], rect[1], rect[2], rect[3]);
+      const vtkWaterVolumeCuts cuts(plan, draft.Others);
+      const vtkWaterScopedWidgets scopedWidgets(renderer, draft.Others);
+      this->Layer.DrawColors(renderer, draft.Blended, this->Translucent);
+      state->vtkglDisable(GL_SCISSOR_TEST);
+    }
+  }
+  layer.ReadLayer(
+    hasOwn && facts.has_failed == 0.0 ? this->Layer.GetFramebuffer() : nullptr, type, rect);
+  const std::vector<size_t> order = FindOrder(plan, drawing);
+  if (draft.Agree(facts).Result != WATER_RANKS_DRAWN)
+  {
+    return facts.has_failed == 0.0 ? nullptr : "the GPU gave no framebuffer for translucent props";
+  }
+  if (!layer.BlendInOrder(*draft.Ranks, order))
+  {
+    return kUnreachable;
+  }
+  opaque.Blend(layer);
+  opaque.Upload(this->Target.GetColor(), nullptr);
+  return nullptr;
+}
