@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A scene that is split over processes and composited by VTK's own sort-last renderer shows the
 // picture of one process. The processes are forked and talk over sockets: no MPI is needed.
+#include "WaterSocketRanks.h"
 #include "WaterTestScene.h"
 
-#include "vtkAbstractArray.h"
 #include "vtkCallbackCommand.h"
 #include "vtkCommand.h"
-#include "vtkCommunicator.h"
 #include "vtkCompositedSynchronizedRenderers.h"
-#include "vtkDummyController.h"
-#include "vtkObjectFactory.h"
 #include "vtkPlane.h"
 #include "vtkPlaneSource.h"
 #include "vtkPoints.h"
@@ -20,10 +17,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <cstdlib>
 #include <string>
-#include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
 #include <vector>
@@ -33,101 +28,6 @@ namespace
 constexpr int kRanks = 3;
 constexpr unsigned int kPatience = 100; // s, until a process that waits for another is ended
 constexpr double kShare = 0.0002;       // of the pixels, that may be off by more than 1 of 255
-
-using Sockets = std::vector<std::vector<int>>; // from a rank to another
-
-// Sends and receives by sockets; VTK's own collectives stand on that.
-class SocketCommunicator : public vtkCommunicator
-{
-public:
-  static SocketCommunicator* New();
-  vtkTypeMacro(SocketCommunicator, vtkCommunicator);
-
-  void Begin(int rank, const std::vector<int>& sockets)
-  {
-    this->LocalProcessId = rank;
-    this->MaximumNumberOfProcesses = static_cast<int>(sockets.size());
-    this->SetNumberOfProcesses(static_cast<int>(sockets.size()));
-    this->Others = sockets;
-  }
-
-  int SendVoidArray(const void* data, vtkIdType length, int type, int remote, int) override
-  {
-    const std::int64_t count = length;
-    return this->Write(remote, &count, sizeof count) &&
-      this->Write(remote, data, SizeOf(length, type));
-  }
-
-  int ReceiveVoidArray(void* data, vtkIdType most, int type, int remote, int) override
-  {
-    std::int64_t count = 0;
-    const bool isRead = this->Read(remote, &count, sizeof count) && count <= most &&
-      this->Read(remote, data, SizeOf(count, type));
-    this->Count = isRead ? count : 0;
-    return isRead;
-  }
-
-private:
-  static size_t SizeOf(vtkIdType length, int type)
-  {
-    return static_cast<size_t>(length) *
-      static_cast<size_t>(vtkAbstractArray::GetDataTypeSize(type));
-  }
-
-  bool Write(int remote, const void* data, size_t size)
-  {
-    const char* next = static_cast<const char*>(data);
-    while (size > 0)
-    {
-      const ssize_t done = write(this->Others[static_cast<size_t>(remote)], next, size);
-      if (done <= 0)
-      {
-        return false;
-      }
-      next += done;
-      size -= static_cast<size_t>(done);
-    }
-    return true;
-  }
-
-  bool Read(int remote, void* data, size_t size)
-  {
-    char* next = static_cast<char*>(data);
-    while (size > 0)
-    {
-      const ssize_t done = read(this->Others[static_cast<size_t>(remote)], next, size);
-      if (done <= 0)
-      {
-        return false;
-      }
-      next += done;
-      size -= static_cast<size_t>(done);
-    }
-    return true;
-  }
-
-  std::vector<int> Others;
-};
-vtkStandardNewMacro(SocketCommunicator);
-
-Sockets Connect()
-{
-  Sockets sockets(kRanks, std::vector<int>(kRanks, -1));
-  for (size_t i = 0; i < kRanks; ++i)
-  {
-    for (size_t j = i + 1; j < kRanks; ++j)
-    {
-      int pair[2];
-      if (socketpair(AF_UNIX, SOCK_STREAM, 0, pair) != 0)
-      {
-        return Sockets();
-      }
-      sockets[i][j] = pair[0];
-      sockets[j][i] = pair[1];
-    }
-  }
-  return sockets;
-}
 
 std::vector<unsigned char> Show(WaterTestScene& scene)
 {
@@ -356,14 +256,11 @@ bool Forgets(vtkMultiProcessController* controller)
   return isGood;
 }
 
-bool Run(int rank, const Sockets& sockets)
+bool Run(int rank, const WaterSockets& sockets)
 {
   alarm(kPatience);
-  vtkNew<SocketCommunicator> communicator;
-  communicator->Begin(rank, sockets[static_cast<size_t>(rank)]);
-  vtkNew<vtkDummyController> dummy;
-  dummy->SetCommunicator(communicator);
-  dummy->SetRMICommunicator(communicator);
+  const WaterSocketRank self(sockets, rank);
+  vtkMultiProcessController* dummy = self.Controller;
   const double floor = Compare(dummy, false, false);
   const double opaque = Compare(dummy, true, false);
   const double clear = Compare(dummy, true, true);
@@ -383,7 +280,7 @@ bool Run(int rank, const Sockets& sockets)
 
 int TestWaterSortLast(int, char*[])
 {
-  const Sockets sockets = Connect(); // and processes, before anything is rendered
+  const WaterSockets sockets = WaterConnect(kRanks); // and processes, before anything is rendered
   bool isGood = !sockets.empty();
   std::vector<pid_t> others;
   for (int rank = 1; isGood && rank < kRanks; ++rank)

@@ -1,0 +1,454 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A rank that dies, throws, runs out of memory, loses its context or never comes: the others say so
+// and go on, or end with an error, in time. None hangs. Each fault has processes of its own.
+#include "WaterSocketRanks.h"
+#include "WaterTestScene.h"
+
+#include "vtkCallbackCommand.h"
+#include "vtkCommand.h"
+#include "vtkMapper.h"
+#include "vtkPropCollection.h"
+#include "vtkShaderProperty.h"
+#include "vtkWaterReflectionPass.h"
+
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <functional>
+#include <new>
+#include <stdexcept>
+#include <string>
+#include <sys/wait.h>
+#include <unistd.h>
+#include <vector>
+
+namespace
+{
+constexpr int kRanks = 3;
+constexpr double kWaitLimit = 2.0; // s, the setting
+constexpr double kPatience = 10.0; // s, from the fault to the end of every process
+
+enum Ends
+{
+  RIGHT = 0,
+  ENDED_BY_LIMIT = 1, // of SetRankWaitLimit: EXIT_FAILURE
+  SAID = 10,          // an error, and the rank has given up
+  WRONG = 11,
+  THREW = 12
+};
+
+// A prop that throws when it is asked where it is, once the cullers have asked.
+class FaultyActor : public vtkActor
+{
+public:
+  static FaultyActor* New();
+  vtkTypeMacro(FaultyActor, vtkActor);
+  bool IsBroken = false;
+  bool IsCulled = false;
+  void SetAllocatedRenderTime(double seconds, vtkViewport* viewport) override
+  {
+    this->IsCulled = true;
+    this->vtkActor::SetAllocatedRenderTime(seconds, viewport);
+  }
+  double* GetBounds() override
+  {
+    if (this->IsBroken && this->IsCulled)
+    {
+      throw std::runtime_error("no bounds");
+    }
+    return this->vtkActor::GetBounds();
+  }
+};
+vtkStandardNewMacro(FaultyActor);
+
+// A rank's part of the scene: every third thing, one of them translucent.
+struct Part : public WaterTestScene
+{
+  explicit Part(vtkMultiProcessController* controller)
+  {
+    this->AddThings<vtkPolyDataMapper>();
+    const int rank = controller->GetLocalProcessId();
+    std::vector<vtkProp*> others;
+    vtkPropCollection* props = this->Renderer->GetViewProps();
+    for (int i = 0; i < props->GetNumberOfItems(); ++i)
+    {
+      auto* actor = vtkActor::SafeDownCast(props->GetItemAsObject(i));
+      if (i % kRanks != rank)
+      {
+        others.push_back(actor);
+        continue;
+      }
+      (this->First ? this->Glass : this->First) = actor;
+    }
+    for (vtkProp* prop : others)
+    {
+      this->Renderer->RemoveViewProp(prop);
+    }
+    this->Glass->GetProperty()->SetOpacity(0.5);
+    this->Thing->SetMapper(this->First->GetMapper());
+    this->Renderer->AddActor(this->Thing);
+    this->AddWater();
+    this->Water->GetReflectionPass()->SetController(controller);
+    this->Water->GetReflectionPass()->SetRankWaitLimit(kWaitLimit);
+    vtkNew<vtkCallbackCommand> nothing; // errors are asked for, not printed
+    nothing->SetCallback([](vtkObject*, unsigned long, void*, void*) {});
+    this->Water->AddObserver(vtkCommand::ErrorEvent, nothing);
+    this->Renderer->AddObserver(vtkCommand::ErrorEvent, nothing);
+  }
+
+  // Does something when a thing is drawn, mirrored or not.
+  void When(vtkActor* actor, bool isMirrored, std::function<void()> action)
+  {
+    this->Action = action;
+    this->IsMirrored = isMirrored;
+    vtkNew<vtkCallbackCommand> command;
+    command->SetClientData(this);
+    command->SetCallback([](vtkObject*, unsigned long, void* data, void*) {
+      auto* self = static_cast<Part*>(data);
+      const double height = self->Renderer->GetActiveCamera()->GetPosition()[2];
+      if (self->Action && (height < 0.0) == self->IsMirrored)
+      {
+        self->Action();
+      }
+    });
+    actor->GetMapper()->AddObserver(vtkCommand::UpdateShaderEvent, command);
+  }
+
+  void Render()
+  {
+    this->Renderer->GetActiveCamera()->Azimuth(1.0); // or nothing is drawn
+    this->Window->Render();
+  }
+
+  std::string GetError() { return this->Water->GetLastError(); }
+  bool IsReflecting()
+  {
+    return this->Water->GetReflectionPass()->GetDecision() == vtkWaterReflectionPass::RENDERED;
+  }
+
+  vtkActor* First = nullptr;
+  vtkActor* Glass = nullptr;
+  vtkNew<FaultyActor> Thing;
+  std::function<void()> Action;
+  bool IsMirrored = false;
+};
+
+enum Expected
+{
+  ALL_SAY, // each rank has an error, and reflects again once the fault is over
+  ALL_GO_ON,
+  OTHERS_END, // with an error
+  NONE_HANGS  // VTK alone does not survive it everywhere
+};
+
+struct Fault
+{
+  const char* Name;
+  Expected Ending;
+  bool IsFirst; // in the first frame
+  int Rank;
+  std::function<void(Part&)> Break;
+  std::function<void(Part&)> Mend;
+};
+
+void Die()
+{
+  kill(getpid(), SIGKILL);
+}
+void Throw()
+{
+  throw std::runtime_error("of the user");
+}
+void LoseMemory()
+{
+  throw std::bad_alloc();
+}
+void Forget(Part& part)
+{
+  part.Action = nullptr;
+  part.Thing->IsBroken = false;
+}
+
+std::vector<Fault> GetFaults()
+{
+  using P = Part&;
+  const auto mirrored = [](std::function<void()> action) {
+    return [action](P part) { part.When(part.First, true, action); };
+  };
+  const auto drawn = [](std::function<void()> action) {
+    return [action](P part) { part.When(part.First, false, action); };
+  };
+  const auto blended = [](std::function<void()> action) {
+    return [action](P part) { part.When(part.Glass, true, action); };
+  };
+  const auto leave = [](P) { _exit(RIGHT); };
+  const auto removeWater = [](P part) { part.Renderer->RemoveActor(part.Water); };
+  const auto noController = [](P part) { part.Water->GetReflectionPass()->SetController(nullptr); };
+  const auto rest = [](double seconds) {
+    return [seconds](P) { std::this_thread::sleep_for(std::chrono::duration<double>(seconds)); };
+  };
+  return {
+    { "leaves before the first frame", OTHERS_END, true, 2, leave, nullptr },
+    { "leaves", OTHERS_END, false, 2, leave, nullptr },
+    { "the root leaves", OTHERS_END, false, 0, leave, nullptr },
+    { "one in the middle leaves", OTHERS_END, false, 1, leave, nullptr },
+    { "is killed between frames", OTHERS_END, false, 2, [](P) { Die(); }, nullptr },
+    { "is killed in its mirrored view", OTHERS_END, false, 2, mirrored(Die), nullptr },
+    { "the root is killed in its mirrored view", OTHERS_END, false, 0, mirrored(Die), nullptr },
+    { "is killed in its picture", OTHERS_END, false, 2, drawn(Die), nullptr },
+    { "aborts in its mirrored view", OTHERS_END, false, 1, mirrored([] { std::abort(); }),
+      nullptr },
+    { "throws in its mirrored view", ALL_SAY, false, 2, mirrored(Throw), Forget },
+    { "throws in its first mirrored view", ALL_SAY, true, 2, mirrored(Throw), Forget },
+    { "the root throws in its mirrored view", ALL_SAY, false, 0, mirrored(Throw), Forget },
+    { "has no memory in its mirrored view", ALL_SAY, false, 1, mirrored(LoseMemory), Forget },
+    { "has no memory for what it blends", ALL_SAY, false, 1, blended(LoseMemory), Forget },
+    { "throws when it is read", ALL_SAY, false, 2,
+      [](P part) {
+        part.Thing->IsBroken = true;
+        part.Thing->IsCulled = false;
+      },
+      Forget },
+    { "throws in its picture", OTHERS_END, false, 2, drawn(Throw), nullptr },
+    { "throws in its picture below clear water", OTHERS_END, false, 1,
+      [](P part) {
+        part.Water->GetWaterProperty()->RefractionOn();
+        part.When(part.First, false, Throw);
+      },
+      nullptr },
+    { "never adds its water", OTHERS_END, true, 2, removeWater, nullptr },
+    { "hides its water from the first", OTHERS_END, true, 2,
+      [](P part) { part.Water->VisibilityOff(); }, nullptr },
+    { "has no controller", OTHERS_END, true, 2, noController, nullptr },
+    { "loses its controller", OTHERS_END, false, 1, noController, nullptr },
+    { "rests for long", OTHERS_END, false, 2, rest(2.0 * kWaitLimit), nullptr },
+    { "rests a while", ALL_GO_ON, false, 2, rest(0.4 * kWaitLimit), nullptr },
+    { "removes its water", ALL_SAY, false, 2, removeWater,
+      [](P part) { part.Renderer->AddActor(part.Water); } },
+    { "finalizes its window", ALL_GO_ON, false, 2, [](P part) { part.Window->Finalize(); },
+      nullptr },
+    { "finalizes its window in its mirrored view", NONE_HANGS, false, 2,
+      [](P part) {
+        part.When(part.First, true, [&part]() {
+          part.Action = nullptr;
+          part.Window->Finalize();
+        });
+      },
+      nullptr },
+  };
+}
+
+// Below clear water all ranks have it.
+void SetUp(Part& part, const Fault& fault)
+{
+  if (std::string(fault.Name).find("clear") != std::string::npos)
+  {
+    part.Water->GetWaterProperty()->RefractionOn();
+  }
+}
+
+// What a rank that is right itself does.
+int Judge(Part& part, const Fault& fault, bool isFaulty)
+{
+  part.Render();
+  if (fault.Ending == OTHERS_END)
+  {
+    for (int i = 0; i < 3 && part.GetError().empty(); ++i)
+    {
+      part.Render();
+    }
+    if (isFaulty) // it is there, and keeps its line
+    {
+      std::this_thread::sleep_for(std::chrono::duration<double>(3.0 * kWaitLimit));
+    }
+    return isFaulty || !part.GetError().empty() ? SAID : WRONG;
+  }
+  if (fault.Ending == NONE_HANGS)
+  {
+    part.Render();
+    return RIGHT;
+  }
+  // a water that was removed says nothing
+  const bool isSilent = isFaulty && !part.Renderer->HasViewProp(part.Water);
+  if (!isSilent && part.GetError().empty() != (fault.Ending == ALL_GO_ON))
+  {
+    std::fprintf(stderr, "error: \"%s\"\n", part.GetError().c_str());
+    return WRONG;
+  }
+  if (isFaulty && fault.Mend)
+  {
+    fault.Mend(part);
+  }
+  part.Render();
+  if (!part.GetError().empty() || !part.IsReflecting())
+  {
+    std::fprintf(stderr, "afterwards: \"%s\"\n", part.GetError().c_str());
+    return WRONG;
+  }
+  return RIGHT;
+}
+
+int Run(const WaterSockets& sockets, int rank, const Fault& fault)
+{
+  const WaterSocketRank self(sockets, rank);
+  Part part(self.Controller);
+  SetUp(part, fault);
+  if (!fault.IsFirst)
+  {
+    part.Render();
+    if (!part.GetError().empty())
+    {
+      return WRONG;
+    }
+  }
+  const bool isFaulty = rank == fault.Rank;
+  try
+  {
+    if (isFaulty)
+    {
+      fault.Break(part);
+    }
+    return Judge(part, fault, isFaulty);
+  }
+  catch (const std::exception& thrown)
+  {
+    std::fprintf(stderr, "thrown: %s\n", thrown.what());
+    return THREW;
+  }
+}
+
+struct Child
+{
+  pid_t Pid = -1;
+  std::FILE* Said = nullptr; // its stderr
+  int Status = 0;
+  bool HasEnded = false;
+  double Seconds = 0.0;
+
+  std::string GetSaid() const
+  {
+    std::string text(4000, ' ');
+    std::rewind(this->Said);
+    text.resize(std::fread(&text[0], 1, text.size(), this->Said));
+    return text;
+  }
+};
+
+Child Start(const WaterSockets& sockets, int rank, const Fault& fault)
+{
+  Child child;
+  child.Said = std::tmpfile();
+  child.Pid = child.Said ? fork() : -1;
+  if (child.Pid == 0)
+  {
+    dup2(fileno(child.Said), STDERR_FILENO);
+    _exit(Run(sockets, rank, fault));
+  }
+  return child;
+}
+
+// Waits for all of them, not for long.
+void Await(std::vector<Child>& children)
+{
+  using Clock = std::chrono::steady_clock;
+  const auto begun = Clock::now();
+  // what they do before the fault counts, too
+  const double most = kPatience + 10.0;
+  size_t count = 0;
+  while (count < children.size())
+  {
+    const double seconds = std::chrono::duration<double>(Clock::now() - begun).count();
+    for (Child& child : children)
+    {
+      if (child.HasEnded)
+      {
+        continue;
+      }
+      if (seconds > most)
+      {
+        kill(child.Pid, SIGKILL);
+      }
+      if (waitpid(child.Pid, &child.Status, seconds > most ? 0 : WNOHANG) == child.Pid)
+      {
+        child.HasEnded = true;
+        child.Seconds = seconds;
+        ++count;
+      }
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+}
+
+// Has it said an error and ended?
+bool IsEnd(const Child& child)
+{
+  const int code = WIFEXITED(child.Status) ? WEXITSTATUS(child.Status) : -1;
+  return code == SAID ||
+    (code == ENDED_BY_LIMIT && child.GetSaid().find("has waited 2 s") != std::string::npos);
+}
+
+bool IsRight(const Fault& fault, const Child& child, bool isFaulty)
+{
+  if (fault.Ending == OTHERS_END)
+  {
+    if (isFaulty)
+    {
+      return true; // it had its fault
+    }
+    return IsEnd(child);
+  }
+  const bool isRight = WIFEXITED(child.Status) && WEXITSTATUS(child.Status) == RIGHT;
+  return isRight || (fault.Ending == NONE_HANGS && (isFaulty || IsEnd(child)));
+}
+
+bool Try(const Fault& fault)
+{
+  const WaterSockets sockets = WaterConnect(kRanks);
+  std::vector<Child> children;
+  for (int rank = 0; rank < kRanks && !sockets.empty(); ++rank)
+  {
+    children.push_back(Start(sockets, rank, fault));
+    if (children.back().Pid < 0)
+    {
+      return false;
+    }
+  }
+  WaterKeepOwn(sockets, -1); // or no rank notices that another has ended
+  Await(children);
+  bool isGood = !children.empty();
+  double seconds = 0.0;
+  for (int rank = 0; rank < static_cast<int>(children.size()); ++rank)
+  {
+    const Child& child = children[static_cast<size_t>(rank)];
+    const bool isFaulty = rank == fault.Rank;
+    const bool isRight = IsRight(fault, child, isFaulty);
+    seconds = isFaulty ? seconds : std::max(seconds, child.Seconds);
+    if (!isRight)
+    {
+      std::cout << "  rank " << rank << " status " << child.Status << ": " << child.GetSaid()
+                << std::endl;
+    }
+    isGood = isGood && isRight;
+    std::fclose(child.Said);
+  }
+  isGood = isGood && seconds <= kPatience;
+  std::cout << "a rank: " << fault.Name << ": others' time " << seconds
+            << " s (limit = " << kPatience << ") " << (isGood ? "ok" : "FAILED") << std::endl;
+  return isGood;
+}
+}
+
+int TestWaterRankFaults(int argc, char* argv[])
+{
+  bool isGood = true;
+  for (const Fault& fault : GetFaults())
+  {
+    if (argc < 2 || argv[1][0] == '-' || std::string(fault.Name).find(argv[1]) != std::string::npos)
+    {
+      isGood = Try(fault) && isGood;
+    }
+  }
+  return isGood ? EXIT_SUCCESS : EXIT_FAILURE;
+}

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// WaterSocketRanks.h: processes that talk over sockets, as the ranks of a parallel program do: no
+// MPI is needed. They count what they send, and can make it as slow as a network.
+#ifndef WaterSocketRanks_h
+#define WaterSocketRanks_h
+
+#include "vtkAbstractArray.h"
+#include "vtkCommunicator.h"
+#include "vtkDummyController.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+
+#include <chrono>
+#include <cstdint>
+#include <functional>
+#include <sys/socket.h>
+#include <sys/types.h>
+#include <thread>
+#include <unistd.h>
+#include <vector>
+
+// Sends and receives by sockets; VTK's own collectives stand on that.
+class WaterSocketCommunicator : public vtkCommunicator
+{
+public:
+  static WaterSocketCommunicator* New();
+  vtkTypeMacro(WaterSocketCommunicator, vtkCommunicator);
+
+  std::int64_t BytesSent = 0; // of contents
+  std::int64_t MessagesSent = 0;
+  double Latency = 0.0; // s, that a message takes besides
+  double SecondsPerByte = 0.0;
+
+  void Begin(int rank, const std::vector<int>& sockets)
+  {
+    this->LocalProcessId = rank;
+    this->MaximumNumberOfProcesses = static_cast<int>(sockets.size());
+    this->SetNumberOfProcesses(static_cast<int>(sockets.size()));
+    this->Others = sockets;
+  }
+
+  int SendVoidArray(const void* data, vtkIdType length, int type, int remote, int) override
+  {
+    const std::int64_t count = length;
+    const size_t size = SizeOf(length, type);
+    ++this->MessagesSent;
+    this->BytesSent += static_cast<std::int64_t>(size);
+    const double seconds = this->Latency + this->SecondsPerByte * static_cast<double>(size);
+    if (seconds > 0.0)
+    {
+      std::this_thread::sleep_for(std::chrono::duration<double>(seconds));
+    }
+    return this->Write(remote, &count, sizeof count) && this->Write(remote, data, size);
+  }
+
+  int ReceiveVoidArray(void* data, vtkIdType most, int type, int remote, int) override
+  {
+    std::int64_t count = 0;
+    const bool isRead = this->Read(remote, &count, sizeof count) && count <= most &&
+      this->Read(remote, data, SizeOf(count, type));
+    this->Count = isRead ? count : 0;
+    return isRead;
+  }
+
+private:
+  static size_t SizeOf(vtkIdType length, int type)
+  {
+    return static_cast<size_t>(length) *
+      static_cast<size_t>(vtkAbstractArray::GetDataTypeSize(type));
+  }
+
+  bool Write(int remote, const void* data, size_t size)
+  {
+    const char* next = static_cast<const char*>(data);
+    while (size > 0)
+    {
+      // an error, and no signal, when the other has ended
+      const ssize_t done =
+        send(this->Others[static_cast<size_t>(remote)], next, size, MSG_NOSIGNAL);
+      if (done <= 0)
+      {
+        return false;
+      }
+      next += done;
+      size -= static_cast<size_t>(done);
+    }
+    return true;
+  }
+
+  bool Read(int remote, void* data, size_t size)
+  {
+    char* next = static_cast<char*>(data);
+    while (size > 0)
+    {
+      const ssize_t done = read(this->Others[static_cast<size_t>(remote)], next, size);
+      if (done <= 0)
+      {
+        return false;
+      }
+      next += done;
+      size -= static_cast<size_t>(done);
+    }
+    return true;
+  }
+
+  std::vector<int> Others;
+};
+inline vtkStandardNewMacro(WaterSocketCommunicator);
+
+using WaterSockets = std::vector<std::vector<int>>; // from a rank to another
+
+// Empty: the system has none.
+inline WaterSockets WaterConnect(size_t ranks)
+{
+  WaterSockets sockets(ranks, std::vector<int>(ranks, -1));
+  for (size_t i = 0; i < ranks; ++i)
+  {
+    for (size_t j = i + 1; j < ranks; ++j)
+    {
+      int pair[2];
+      if (socketpair(AF_UNIX, SOCK_STREAM, 0, pair) != 0)
+      {
+        return WaterSockets();
+      }
+      sockets[i][j] = pair[0];
+      sockets[j][i] = pair[1];
+    }
+  }
+  return sockets;
+}
+
+// Closes what the others use: a rank that ends is then noticed.
+inline void WaterKeepOwn(const WaterSockets& sockets, int rank)
+{
+  for (size_t i = 0; i < sockets.size(); ++i)
+  {
+    for (const int socket : sockets[i])
+    {
+      if (static_cast<int>(i) != rank && socket >= 0)
+      {
+        close(socket);
+      }
+    }
+  }
+}
+
+// What a process that has begun is: a controller of it.
+struct WaterSocketRank
+{
+  WaterSocketRank(const WaterSockets& sockets, int rank)
+  {
+    WaterKeepOwn(sockets, rank);
+    this->Communicator->Begin(rank, sockets[static_cast<size_t>(rank)]);
+    this->Controller->SetCommunicator(this->Communicator);
+    this->Controller->SetRMICommunicator(this->Communicator);
+  }
+
+  vtkNew<WaterSocketCommunicator> Communicator;
+  vtkNew<vtkDummyController> Controller;
+};
+
+#endif
