@@ -61,6 +61,16 @@ def test_ranks_show_the_serial_picture(cases):
             wt.check_equal("  errors", errors, 0)
 
 
+def test_translucent_props_and_volumes_are_blended_in_order(cases):
+    """Where the ranks' parts are apart, whichever of them is near; 8 bits a rank round it."""
+    wt.check_equal("scenes", len(cases["blend"]), 8)
+    for case in cases["blend"]:
+        name = f"{case['what']}, {'half floats' if case['half'] else '8 bits'}, reversed {case['reversed']}"
+        wt.check_at_most(f"{name}: RMSE of 255", case["rmse"], 1)
+        wt.check_at_least("  RMSE without them", case["shown"], 10)
+        wt.check_equal("  error", case["error"], "")
+
+
 def test_nothing_is_sent_while_nothing_changes(cases):
     """A change on one rank has all of them render again."""
     (case,) = cases["use again"]

@@ -14,6 +14,7 @@ import json
 import sys
 
 import numpy as np
+import volumes
 import water_test as wt
 from vtkmodules import vtkParallelMPI
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
@@ -179,6 +180,67 @@ def compare(ranks, split, look, folder, samples=0):
             facts=facts.tolist())
 
 
+def block_of(number, ranks, what):
+    """What one rank has above the water, in its part of the way from the eye: actors or a volume."""
+    depth = 12 / ranks.count
+    y = -5 + depth * (number + 0.5)
+    size = 0.7 * depth
+    if what == "volume":
+        middle, half = np.array((0.6 * number - 0.7, y, 5)), np.array((2, size / 2, 1.6))
+        data = volumes.block(middle - half, middle + half)
+        color = (100, (number + 1) / ranks.count, 0.3, 1 - number / ranks.count)
+        return [volumes.ray_cast(data, 0.05, [color], [(100, 0.4)])]
+    color = ((number + 1) / ranks.count, 0.3, 1 - number / ranks.count)
+    scene = wt.vtkRenderer()
+    return [wt.add_actor(scene, wt.pyramid((2.5 - number, y, 4.5), 3, 5, 0.3), (0.9, 0.8, 0.1)),
+            wt.add_actor(scene, wt.box((0.6 * number - 1, y, 5), (4, size, 3)), color, opacity=0.45),
+            wt.add_actor(scene, wt.box((0.6 * number, y, 5), (2, 0.5 * size, 2)), (0.1, 1, 0.4), opacity=0.6)]
+
+
+def blend_view(ranks, numbers, what, is_half):
+    """A window that shows the water alone, with the reflection of what these ranks have."""
+    view = wt.View(SIZE)
+    view.renderer.SetUseDepthPeeling(True)  # or polygons are blended in the order of their drawing
+    view.renderer.SetMaximumNumberOfPeels(20)
+    view.renderer.SetOcclusionRatio(0)
+    view.renderer.SetBackground(0.2, 0.5, 0.9)
+    wt.place_camera(view.renderer, (0, -14, 5), (0, -8, 0), (0.5, 80))
+    wt.add_scene_light(view.renderer, (5, -9, 12))
+    for number in numbers:
+        for prop in block_of(number, ranks, what):
+            view.renderer.AddViewProp(prop)
+    view.water = vtkWaterActor()
+    view.water.SetSheetBounds(-40, 40, -40, 40)
+    view.water.GetWaterProperty().SetReflectanceModeToConstant()
+    view.water.GetWaterProperty().SetReflectance(1)
+    if is_half:
+        make_half_float(view.water)
+    view.renderer.AddActor(view.water)
+    return view
+
+
+def blend(ranks, folder):
+    """Translucent props and volumes that each rank has in its part of space: RMSE against the serial picture."""
+    order = range(ranks.count)
+    for what in ("translucent", "volume"):
+        for is_half in (False, True):
+            for is_reversed in (False, True):  # which rank is near
+                mine = ranks.count - 1 - ranks.rank if is_reversed else ranks.rank
+                view = blend_view(ranks, [mine], what, is_half)
+                view.water.GetReflectionPass().SetController(ranks.controller)
+                together = view.picture().astype(float)
+                if ranks.rank == 0:
+                    # volumes are blended in the order of their drawing: far ones first
+                    serial = blend_view(ranks, reversed(order), what, is_half).picture().astype(float)
+                    dry = blend_view(ranks, [], what, is_half).picture().astype(float)
+                    if folder:
+                        wt.save(together.astype(int), f"{folder}/ranks-{ranks.count}-{what}-{int(is_reversed)}.png")
+                        wt.save(serial.astype(int), f"{folder}/ranks-serial-{what}.png")
+                    say(ranks, case="blend", what=what, half=is_half, reversed=is_reversed,
+                        rmse=float(np.sqrt(((together - serial) ** 2).mean())),
+                        shown=float(np.sqrt(((dry - serial) ** 2).mean())), error=view.water.GetLastError())
+
+
 def use_again(ranks):
     """Frames that stand still, and one in which a thing of one rank alone moves."""
     view = make_view(own_part(ranks, "blocks"), "calm")
@@ -271,6 +333,7 @@ def main():
         for look in (None, *LOOKS):
             for split in SPLITS if look in (None, "calm") else ("blocks", "interleaved"):
                 compare(ranks, split, look, folder)
+        blend(ranks, folder)
         use_again(ranks)
         part_company(ranks)
         toggle(ranks)
