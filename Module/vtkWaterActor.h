@@ -170,16 +170,16 @@ public:
   /**
    * Hulls that float in the water: boats, caissons, pontoons. No water is drawn inside a hull's
    * waterline, the line in which the surface of its mesh cuts the water surface, waves included.
-   * Thus the hold of an open boat is dry, also between thick walls. A hull is the geometry of the
-   * actor's mapper at the actor's position. The water only reads the actor; add it to the renderer
-   * to show it (or show another actor in its place and pass one with a coarser mesh here). Neither
-   * its visibility nor an assembly that it is in counts, and its data must be one data set, not
-   * composite data. The mesh
-   * must be closed where the water cuts it: each edge there belongs to two polygons, and a rim lies
-   * above the highest wave. A hull that is not closed there, a hull whose rim is under water, and
-   * nullptr are reported as an error, once; such a hull has water inside. Everything inside a
-   * waterline is dry, including a moon pool. Waves are evaluated at the mesh's points near the
-   * surface. Adding a hull twice has no effect. Default: no hulls.
+   * The hold of an open boat is therefore dry, also if its walls are thick. A hull is the geometry
+   * of the actor's mapper at the actor's position. The water only reads the actor; add it to the
+   * renderer to show it (or show another actor in its place and pass one with a coarser mesh here).
+   * The actor's visibility has no effect, nor has an assembly that contains it. Its data must be
+   * one data set, not composite data. The mesh must be closed where the water cuts it: each edge
+   * there must belong to two polygons, and a rim must lie above the highest wave. A hull that is
+   * not closed there, a hull whose rim is under water, and nullptr are reported as an error, once;
+   * such a hull has water inside. Everything inside a waterline is dry, including a moon pool.
+   * Waves are evaluated at the mesh's points near the surface. Adding a hull twice has no effect.
+   * Default: no hulls.
    */
   void AddHull(vtkActor* hull);
   void RemoveHull(vtkActor* hull);

@@ -17,7 +17,8 @@ void vtkWaterActor::AddHull(vtkActor* hull)
   }
   else if (vtkWaterActor::SafeDownCast(hull))
   {
-    vtkErrorMacro("A hull is a water; it must be what floats in one. It is left out.");
+    vtkErrorMacro(
+      "A hull is a vtkWaterActor; it must be the actor of a floating body. It is left out.");
   }
   else if (this->Internal->Hulls.Add(hull))
   {

@@ -142,8 +142,8 @@ VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_actor_set_shadows(
   vtk_water_actor* actor, int shadows);
 
 /* Sets the radius of a dome port, the glass dome around an underwater camera, m, finite and not
- * negative; with refraction. A camera above the water by less sees half above and half under it.
- * Default 0: no port. */
+ * negative; with refraction. If the camera is less than this radius above the water, the picture is
+ * half above and half under water. Default 0: no port. */
 VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_actor_set_dome_port(
   vtk_water_actor* actor, double radius);
 

@@ -11,12 +11,12 @@
  *     lakes.GetWater().GetWaterProperty().SetPreset("lake")
  *     lakes.AddTo(renderer)
  *
- * GetWater, the first water, is that of the largest part. The others copy its settings in the next
- * frame: its look, time, transformation and visibility, vtkActor's property, and the settings of
- * its reflection pass, and SceneReflection. Setting its plane moves only the first water. The plane
- * of every water is set again when the mesh, the mapper's settings or the first water's
- * transformation change. If the first water is removed from a renderer, the others are removed too,
- * in the next frame.
+ * The first water, which GetWater returns, is that of the largest part. The others copy its
+ * settings in the next frame: look, time, transformation, visibility, SceneReflection, vtkActor's
+ * property, and the settings of the reflection pass. Setting the plane of the first water moves
+ * only this water. The planes of all waters are set again when the mesh, the mapper's settings or
+ * the first water's transformation change. If the first water is removed from a renderer, the
+ * others are removed too, in the next frame.
  *
  * If the mesh changes, waters and planes are updated before the next frame. A water out of view has
  * no mirrored view. Of those in view, at most MaximumNumberOfMirrors have one; the others reflect

@@ -191,12 +191,12 @@ public:
   ///@{
   /**
    * Metres per unit of the scene, in [1e-9, 1e9]. All lengths of this class are in metres and are
-   * converted to the scene's unit. 0 means automatic: a scene 400 to 2000 units across counts as
-   * metres (a preset may have another range: a pool 8 to 40), a smaller one as 200 to 400 m across,
-   * a larger one as 2000 m. Waves shorter than 1/400 of the scene are then not shown, and
-   * GetWaveHeight agrees with what is shown. Without a preset, light is attenuated as if the
-   * deepest bed were 30 m deep, or 60 m in a scene ten times as wide as deep, because the heights
-   * of a map have their own scale. Default is 1.
+   * converted to the scene's unit. 0 means automatic: a scene that is 400 to 2000 units across
+   * counts as a scene in metres, a smaller one as 200 to 400 m across, a larger one as 2000 m
+   * across. A preset may have another range (a pool: 8 to 40). Waves shorter than 1/400 of the
+   * scene are then not shown, and GetWaveHeight agrees with what is shown. The heights of a map
+   * have their own scale. Without a preset, light is therefore attenuated as if the deepest bed
+   * were 30 m deep, or 60 m if the scene is ten times as wide as deep. Default is 1.
    */
   void SetMetresPerUnit(double metres);
   vtkGetMacro(MetresPerUnit, double);
@@ -223,11 +223,11 @@ public:
   ///@{
   /**
    * Radius of a dome port, m: the glass dome, centred on the eye, of an underwater camera's
-   * housing. Finite and not negative; 0, the default, means no port. With the camera above the
-   * water by less than this radius the picture is half above and half under water: view rays that
-   * meet the surface within the radius start under water and are neither refracted nor reflected
-   * by it. A port needs Refraction and a camera with perspective above the surface. If the water
-   * does not reach to the horizon, the near plane must be closer to the eye than the surface.
+   * housing. Finite and not negative; 0, the default, means no port. If the camera is less than
+   * this radius above the water, the picture is half above and half under water: view rays that
+   * meet the surface within the radius start under water and are neither refracted nor reflected by
+   * it. A port needs Refraction and a camera with perspective above the surface. If the water does
+   * not reach to the horizon, the near plane must be closer to the eye than the surface.
    */
   void SetDomePortRadius(double radius);
   vtkGetMacro(DomePortRadius, double);
@@ -345,11 +345,11 @@ public:
   /**
    * Shadows of objects on the water's glitter and foam. For each point a ray to the sun is traced
    * in the mirrored view. The point is in shadow if the ray crosses a surface in that view, from
-   * either side, or passes an upright edge by less than a twentieth of the distance behind it. What
+   * either side, or passes behind an upright edge by less than a twentieth of the distance. What
    * the view does not show casts no shadow: objects outside the picture, and sides that face away
-   * from the mirrored eye. Needs Lookup RAY_TRACED. Rays are followed only
-   * where they change the pixel's colour by more than half a step of a byte. In software, water
-   * that glitters everywhere takes 1.8 times as long. Default is off.
+   * from the mirrored eye. Needs Lookup RAY_TRACED. Rays are followed only where they can change
+   * the pixel's colour by more than half of 1/255. In software, water that glitters everywhere
+   * takes 1.8 times as long. Default is off.
    */
   void SetShadows(bool shadows);
   vtkGetMacro(Shadows, bool);

@@ -318,21 +318,21 @@ public:
 
   ///@{
   /**
-   * The ranks of a parallel program (its processes) whose scenes are parts of one: each of them
-   * mirrors what it has, and every rank's water reflects all of it. What composes the picture is
-   * VTK's business (vtkCompositedSynchronizedRenderers, say). Every rank sets a controller of its
-   * own for its pass, renders as often as the others, and has the same waters with the same plane,
-   * look, time and settings. Waters that differ, an error of one rank, and a water that one rank
-   * hides or deletes after it was shown are said by all ranks, which show the plain colour. So is
-   * an exception that ends the mirrored view of one rank. While a rank has no controller, has not
-   * shown the water yet, or does not render, the others wait for it, as in any collective call:
-   * see SetRankWaitLimit. A mesh may be split over the ranks. Translucent props and volumes are
-   * blended rank by rank in the order of the boxes around what each rank has of them, as the
-   * mirrored camera sees them: right where these boxes are apart. Pixels of textures (normal maps,
-   * environment) are not compared. A controller of one process is as good as none. Set nullptr, on
-   * all ranks, for frames that one rank renders alone. vtkWaterLakes does not support ranks: only
-   * its first water has the controller. Source: Documentation/decisions/023-ranks.md. Default is
-   * nullptr.
+   * Controller of a parallel program whose ranks (processes) each hold a part of one scene. Each
+   * rank mirrors its own part, the parts are joined, and the water of every rank reflects the whole
+   * scene. Compositing the picture is left to VTK, for example to
+   * vtkCompositedSynchronizedRenderers. Every rank must set its own controller for its own pass,
+   * render as often as the others, and have the same waters with the same plane, look, time and
+   * settings. If waters differ, if a rank has an error, if an exception ends its mirrored view, or
+   * if a rank hides or deletes a water after it was shown, all ranks report an error and show the
+   * plain colour. While a rank has no controller, has not shown the water yet, or does not render,
+   * the others wait for it, as in any collective call (SetRankWaitLimit). A mesh may be split over
+   * the ranks. Translucent props and volumes are blended rank by rank, in the order in which the
+   * mirrored camera sees the bounding boxes of each rank's translucent objects; the result is right
+   * if these boxes do not overlap. Pixels of textures (normal maps, environment) are not compared.
+   * A controller of a single process has no effect. For frames that one rank renders alone, set
+   * nullptr on all ranks. vtkWaterLakes does not support ranks: only its first water has the
+   * controller. Source: Documentation/decisions/023-ranks.md. Default is nullptr.
    */
   void SetController(vtkMultiProcessController* controller);
   vtkMultiProcessController* GetController() const;
@@ -340,19 +340,20 @@ public:
 
   ///@{
   /**
-   * Seconds in [0, 1e6] that this process may wait for the other ranks, in one call; 0: no limit.
-   * A collective call of a communicator cannot be ended from outside, so the process is: it prints
-   * what it has waited for, and ends with EXIT_FAILURE at once, without destructors. mpirun then
-   * ends the other ranks. Without a limit it prints that after 10 s, and waits on. The slowest
-   * rank's draw is waited for, too. Each water's pass has its own. Default is 0.
+   * Longest time in seconds, in [0, 1e6], that this process waits for the other ranks in one call;
+   * 0 means no limit. A collective call of a communicator cannot be ended from outside. Beyond the
+   * limit, the process therefore prints what it waited for, and ends at once with EXIT_FAILURE,
+   * without destructors; mpirun then ends the other ranks. Without a limit, it prints this message
+   * after 10 s and continues to wait. The time includes the slowest rank's draw. Each water's pass
+   * has its own limit. Default is 0.
    */
   void SetRankWaitLimit(double seconds);
   double GetRankWaitLimit() const;
   ///@}
 
   /**
-   * Pixels of the last frame's mirrored view that the ranks have made one view of; 0 when the last
-   * view was used again, or without other ranks.
+   * Number of pixels of the mirrored view that the ranks joined in the last frame; 0 if the last
+   * view was reused, or without other ranks.
    */
   vtkIdType GetNumberOfPixelsJoined() const;
 

@@ -25,12 +25,13 @@
  * block is a separate mesh; GetMeanLevel then returns the level of the last one. Heights are along
  * z; for other directions, transform the mesh first.
  *
- * Level, depth and bed must have one unit. A warning tells, once, the array that seems to have
- * another one, with all ranges: if level = bed + depth holds only after a conversion between
- * millimetres, centimetres, feet and metres; if, with depth and bed alone, their sum is calm only
- * after such a conversion of the depth; or, with level and bed alone, if levels lie far below
- * the lowest bed, or far above all of a bed among whose heights they lie after such a conversion.
- * Other mistakes of units cannot be told from real water.
+ * Level, depth and bed must have the same unit. If one array seems to have another unit, a warning
+ * names it, once, with the ranges of all arrays. With all three heights, this is the case if level
+ * = bed + depth holds only after a conversion between millimetres, centimetres, feet and metres.
+ * With depth and bed alone, it is the case if their sum is calm only after such a conversion of the
+ * depth. With level and bed alone, it is the case if the levels lie far below the lowest bed; or if
+ * they lie far above the whole bed, but would lie among its heights after such a conversion. Other
+ * mistakes of units look like real water and are not detected.
  *
  * @sa vtkWaterActor
  */

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Reads steps of a solver's file ahead, in a process of its own.
+"""Reads steps of a solver's file ahead, in a separate process.
 
-VTK's readers are not made for several threads: libraries below them (HDF5, netCDF) keep state for the whole process,
-and an error of theirs goes to the one output window. So another process has a solution of its own, with the same
-arguments, and sends its meshes as arrays, each with the number of its step. What it sends is what this process would
-have read. Where it fails, for whatever reason, it sends no mesh, and this process reads the step itself, when it is
-asked for it, with the error that belongs to it.
+VTK's readers are not safe in several threads: their libraries (HDF5, netCDF) keep state for the whole process, and
+report errors to the one output window. Therefore another process opens the same solution, with the same arguments, and
+sends its meshes as arrays, each with the number of its step. It sends exactly what this process would have read. If it
+fails for any reason, it sends no mesh: this process then reads the step itself when the step is requested, and reports
+the error, if there is one.
 """
 import contextlib
 import json
@@ -38,12 +38,12 @@ POLYGONS = ("Verts", "Lines", "Polys", "Strips")  # of vtkPolyData
 class Ahead:
     """Another process that reads one step at a time.
 
-    Several threads may use it. A process made by os.fork() gets no mesh of it, and reads its steps itself.
+    Several threads may use it. A process created by os.fork() gets no meshes from it, and reads its steps itself.
 
     Parameters
     ----------
     *arguments
-        Of Solution: the path, the names of the arrays, is_volume and is_lonlat.
+        Those of Solution: the path, the names of the arrays, is_volume and is_lonlat.
     """
 
     def __init__(self, *arguments):
@@ -60,7 +60,7 @@ class Ahead:
         self._is_over = not is_python(sys.executable)
 
     def ask(self, number, files=()):
-        """Begin to read a step, which is in these files and the solution's, unless one is still being read."""
+        """Begin to read a step unless one is still being read; files: those of the step besides the solution's own."""
         if os.getpid() != self._owner:  # of a fork: the pipes are not its own, and the lock may be held for ever
             return
         with self._lock:
@@ -75,10 +75,10 @@ class Ahead:
                 self._thread.start()
 
     def take(self, number):
-        """The mesh of a step that was asked for, when it is there; None: read it yourself.
+        """Wait for the step that was asked for and return its mesh; None if the caller must read the step itself.
 
-        It is None, too, if a file of the step has changed since, or if the other process does not answer within
-        LIMIT_S seconds.
+        That is so if another step was asked for, if a file of the step has changed since, or if the other process sends
+        no mesh or does not answer within LIMIT_S seconds.
         """
         if os.getpid() != self._owner:
             return None
@@ -116,13 +116,13 @@ class Ahead:
 
 
 def is_python(program):
-    """Whether a program takes Python's arguments: sys.executable may be none, or an application that has Python."""
+    """Whether a program accepts Python's arguments: sys.executable may be empty, or embed Python."""
     name = os.path.basename(program or "").lower()
     return ("python" in name or "pypy" in name) and not getattr(sys, "frozen", False)
 
 
 def states_of(files):
-    """Of each file its time of modification, size and number; None where there is none."""
+    """Modification time, size and inode number of each file; None for a file that does not exist."""
     states = []
     for file in files:
         try:
@@ -134,7 +134,7 @@ def states_of(files):
 
 
 def end(process, owner):
-    """Ends the process; not from a fork of the process that has started it."""
+    """Ends the process, unless it is called in a fork of the process that started it."""
     if os.getpid() != owner:
         return
     process.kill()
@@ -148,7 +148,7 @@ def end(process, owner):
 
 
 def exchange(process, number, found):
-    """Sends the number of a step, and adds what comes back, (number, packed); nothing if the process has ended."""
+    """Sends the number of a step and appends the answer, (number, packed), to found, unless the process has ended."""
     try:
         process.stdin.write(b"%d\n" % number)
         process.stdin.flush()
@@ -182,7 +182,7 @@ def serve(descriptor):
 
 
 def pack(mesh):
-    """A mesh as arrays of NumPy; None if they do not hold all of it."""
+    """A mesh as NumPy arrays; None if they cannot hold all of it."""
     cells = {}
     if mesh.IsA("vtkPolyData"):
         for name in POLYGONS:

@@ -23,7 +23,7 @@ EXAMPLES = """examples:
 
 
 class Parser(argparse.ArgumentParser):
-    """Takes options by their whole names, and tells the closest one of a name that is none."""
+    """Accepts options only by their full names; for an unknown one, the error suggests the closest."""
 
     def __init__(self, *arguments, **words):
         super().__init__(*arguments, allow_abbrev=False, **words)
@@ -164,8 +164,9 @@ def add_scene_arguments(parser):
     water.add_argument("--shadows", action=argparse.BooleanOptionalAction,
                        help="whether objects cast shadows on the water's glitter and foam; default no")
     water.add_argument("--dome-port", type=number(0.0, 1e9), metavar="M",
-                       help="radius of a dome port around the camera, m: a camera closer to the water sees half "
-                            "above and half under it; 0, the default: none; turns refraction on")
+                       help="radius of a dome port around the camera, m: if the camera is less than this above the "
+                            "water, the picture is half above and half under water; turns refraction on; "
+                            "default 0: no port")
     water.add_argument("--quality", choices=QUALITIES, help="quality of reflections on waves; default: default")
     water.add_argument("--units", type=units, metavar="UNIT",
                        help="length unit of the file: um, mm, cm, m, km, in, ft, mi or a number of metres; default: m "
@@ -212,8 +213,8 @@ def make_parser():
                         help=f"output picture: {', '.join(pictures.KINDS)}; default %(default)s")
     add_json(render)
     render.add_argument("--time", type=number(-1e15, 1e15), metavar="S",
-                        help="time of the waves in s, default 0; for a solver's file its time, in the file's unit, "
-                             "also between its steps, default the first step")
+                        help="time of the waves in s, default 0; for a solver's file the time of its data, in the "
+                             "file's unit, also between steps, default: the first step")
     render.add_argument("--step", type=number(-100000, 100000, int), metavar="N",
                         help="step of a solver's file, instead of the time: 0 is the first, -1 the last")
     add_scene_arguments(render)
@@ -223,8 +224,8 @@ def make_parser():
                                   formatter_class=argparse.RawDescriptionHelpFormatter)
     animate.add_argument("file", help=kinds)
     animate.add_argument("--level", type=level_range, metavar="LEVEL[:LAST]|ARRAY",
-                         help="height of the water, in the file's unit: a number, or the first and "
-                              "the last of the animation, or an array of a solver's file")
+                         help="height of the water, in the file's unit: a number, two numbers for the first and the "
+                              "last frame, or an array of a solver's file")
     animate.add_argument("--times", type=time_range, metavar="FIRST:LAST",
                          help="times of a solver's file, in its unit; default: all of it")
     animate.add_argument("--frames", type=number(1, 100000, int), default=48, metavar="N",
@@ -238,27 +239,27 @@ def make_parser():
     add_scene_arguments(animate)
     add_data_arguments(animate, number)
 
-    view = commands.add_parser("view", help="show a file in water in a window to turn it, and to change the level",
+    view = commands.add_parser("view", help="show a file in water in a window, to turn it and change the level",
                                epilog=EXAMPLES, formatter_class=argparse.RawDescriptionHelpFormatter)
     view.add_argument("file", help=kinds)
     view.add_argument("--level", type=level, metavar="LEVEL|ARRAY",
-                      help="height of the water at first, in the file's unit: a number, or an array of a solver's "
+                      help="initial height of the water, in the file's unit: a number, or an array of a solver's "
                            "file")
     view.add_argument("--out", default="water.png", metavar="FILE",
                       help="picture that the key Return writes; default %(default)s")
     view.add_argument("--time", type=number(-1e15, 1e15), metavar="S",
-                      help="time of the waves at first, in s; for a solver's file its time, in the file's unit, "
-                           "default the first step")
+                      help="initial time of the waves, in s; for a solver's file the initial time of its data, in "
+                           "the file's unit, default: the first step")
     view.add_argument("--step", type=number(-100000, 100000, int), metavar="N",
                       help="step of a solver's file, instead of the time: 0 is the first, -1 the last")
     add_scene_arguments(view)
     add_data_arguments(view, number)
 
-    info = commands.add_parser("info", help="print versions, the renderer, and of a wheel the folder for CMake")
+    info = commands.add_parser("info", help="print versions, the renderer and, for a wheel, the folder for CMake")
     add_json(info)
     return parser
 
 
 def add_json(parser):
     parser.add_argument("--json", action="store_true",
-                        help="print the result as one JSON object, also that of a failure; messages stay on stderr")
+                        help="print the result, or the error, as one JSON object; messages stay on stderr")

@@ -20,14 +20,16 @@ def add_data_arguments(parser, number):
         "the data", "A solver's file: arrays of its points or cells define the water; two of level, depth and bed are "
         "enough. More file types: " + " ".join(kind for kind in solutions.KINDS if kind not in readers.KINDS))
     group.add_argument("--depth", metavar="ARRAY", help="depth of the water")
-    group.add_argument("--bed", metavar="ARRAY", help="height of the bed; default: the level less the depth, or with "
-                       "the depth alone the mesh's own z")
+    group.add_argument("--bed", metavar="ARRAY", help="height of the bed; default: the level minus the depth or, "
+                       "with the depth alone, the mesh's own z")
     group.add_argument("--dry-depth", type=number(0.0, 1e9), metavar="DEPTH",
                        help="depth up to which a place is dry; default 0.001")
     group.add_argument("--contour", metavar="ARRAY",
-                       help="array of a volume, instead of these: the surface is its contour at --contour-value")
+                       help="array of a volume, instead of level, depth and bed: the water's surface is its contour "
+                            "at --contour-value")
     group.add_argument("--contour-value", type=number(), metavar="VALUE", help="default 0.5, for a volume fraction")
-    group.add_argument("--color-by", metavar="ARRAY", help="array that colours the water; of a vector its magnitude")
+    group.add_argument("--color-by", metavar="ARRAY", help="array that colours the water; vectors by their "
+                       "magnitude")
     group.add_argument("--cmap", metavar="NAME", help=f"colour map: {', '.join(COLOR_MAPS)}, or any of matplotlib's "
                        "if it is installed; default viridis")
     group.add_argument("--clim", type=color_range, metavar="LOW:HIGH",
@@ -36,8 +38,8 @@ def add_data_arguments(parser, number):
     group.add_argument("--scalar-bar", action=argparse.BooleanOptionalAction, default=None,
                        help="show a scalar bar; default: with --color-by")
     group.add_argument("--lonlat", action=argparse.BooleanOptionalAction, default=None,
-                       help="x and y are longitude and latitude in degrees; default: if the dimensions of a NetCDF "
-                            "file have these names")
+                       help="x and y are longitude and latitude in degrees; default: only if the dimensions of a "
+                            "NetCDF file have these names")
 
 
 def pair(text, what):

@@ -52,25 +52,26 @@ class DataWater:
     Parameters
     ----------
     scene : Scene
-        That has no water yet.
+        A scene without water.
     solution : Solution
-        With the arrays that are named below; of a volume if there is a contour.
+        It must read the arrays that are named below; with contour, it must be one of a volume.
     level, depth, bed : str, optional
-        Arrays as of vtkWaterSurfaceFilter; level may be a number.
+        Names of arrays, as in vtkWaterSurfaceFilter; level may also be a number.
     contour : tuple[str, float], optional
-        In place of those three: an array of a volume, and the value of it that the water's surface has.
+        Instead of level, depth and bed: the name of an array of a volume, and its value on the water's surface.
     color_by : str, optional
-        An array that colours the water; of a vector its length.
+        An array that colours the water; vectors by their magnitude.
     cmap : str, optional
         One of COLOR_MAPS or, where it is installed, of matplotlib's; default 'viridis'.
     clim : sequence[float], optional
-        The values of the first and the last colour; default: the array's range over all steps, which reads them all.
+        The values of the first and the last colour. The default is the array's range over all steps, which are then
+        all read.
     dry_depth : float, optional
-        As the filter's DryDepth.
+        DryDepth of the filter.
     exaggeration : float, default: 1.0
-        Heights are drawn this many times higher.
+        Factor of the heights in the picture.
     **words
-        The water's look, of ``words.set_look``.
+        Settings of the water's look, as in ``words.set_look``.
 
     Raises
     ------
@@ -274,7 +275,7 @@ def at_points(mesh, name):
 
 
 def table_of(name, ends):
-    """A lookup table of a colour map between two values, the same to both of its sides.
+    """A lookup table of a colour map between two values; values outside them have the nearer end's colour.
 
     Parameters
     ----------

@@ -5,10 +5,10 @@
     line = shoreline(water, mesh)                            # vtkPolyData, polylines
     area, volume = flooded(water)
 
-All is over x and y, in the units of the mesh: how high it is drawn (VerticalScale, a scale of the actor) changes
-nothing. The water is a vtkWaterActor that shows the output of a vtkWaterSurfaceFilter, or that output. The actor that
-PyVista's add_water returns stands for all of its lakes, and so does a vtkWaterLakes. Any other actor of a
-vtkWaterLakes is one of its lakes.
+Everything is measured in plan, over x and y, in the units of the mesh; vertical exaggeration of the picture
+(VerticalScale, a scale of the actor) has no effect. The argument water is the output of a vtkWaterSurfaceFilter, or a
+vtkWaterActor that shows it. A vtkWaterLakes, or the actor that PyVista's add_water returns, stands for all of its
+lakes; any other actor of a vtkWaterLakes stands for one lake.
 """
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
@@ -26,28 +26,29 @@ NEAR = 1e-6  # of the diagonal of the bounds: places that are nearer are one
 
 
 def probe(water, points):
-    """Values of all arrays of the water at places of it.
+    """Return the values of all arrays of the water at given places.
 
     Parameters
     ----------
     water : vtkWaterActor, vtkWaterLakes or vtkPolyData
     points : array_like
-        n x 2 or n x 3: x and y of each place, in the coordinates of the mesh; z is not asked for.
+        n x 2 or n x 3: x and y of each place, in the coordinates of the mesh; z is ignored.
 
     Returns
     -------
     dict[str, numpy.ndarray]
-        For each array of points (linear between them) and of cells its n values, NaN where there is no water. If both
-        have an array of one name, it is that of the points. Arrays without a name are left out. "z" is the height of
-        the surface as it is drawn; if the water has an array of this name, "z" is that array, and the height "WaterZ".
+        The n values of each array, NaN where there is no water. Arrays of points are interpolated linearly. If points
+        and cells have an array of the same name, the values are those of the points. Arrays without a name are left
+        out. "z" is the height of the surface as it is drawn; if the water has an array named "z", "z" is that array,
+        and the height is "WaterZ".
 
     Raises
     ------
     ValueError
-        When the points are no such array, or not finite; when a point of the water is not finite, or an array has
-        fewer values than the water has points or cells.
+        If points has another shape or is not finite, if a point of the water is not finite, or if an array has fewer
+        values than the water has points or cells.
     TypeError
-        When the water is none.
+        If water has another type.
     """
     places = places_of(points)
     surface = surface_of(water)
@@ -72,13 +73,13 @@ def probe(water, points):
 
 
 def shoreline(water, mesh):
-    """Where the water ends within a solver's mesh, as polylines: at its shores, and at dry land behind a dyke.
+    """Return where the water ends within a solver's mesh, as polylines: at its shores, and at dry land behind a dyke.
 
     Parameters
     ----------
     water : vtkWaterActor, vtkWaterLakes or vtkPolyData
     mesh : vtkDataSet
-        The solver's mesh, the input of the filter. Where the water ends with it is no shore.
+        The solver's mesh, the input of the filter. Where the water ends at the border of this mesh, there is no shore.
 
     Returns
     -------
@@ -88,9 +89,9 @@ def shoreline(water, mesh):
     Raises
     ------
     TypeError
-        When the water or the mesh is none.
+        If water or mesh has another type.
     ValueError
-        When a point of the water is not finite.
+        If a point of the water is not finite.
     """
     if not (hasattr(mesh, "IsA") and mesh.IsA("vtkDataSet")):
         raise TypeError(f"mesh must be a vtkDataSet, not {type(mesh).__name__}")
@@ -125,7 +126,7 @@ def shoreline(water, mesh):
 
 
 def flooded(water):
-    """The area that is under water, in plan, and the volume of the water over its bed.
+    """Return the area that is under water, in plan, and the volume of the water over its bed.
 
     Parameters
     ----------
@@ -134,14 +135,14 @@ def flooded(water):
     Returns
     -------
     tuple[float, float]
-        Square and cubic units of the mesh. The volume is NaN where no depth is known.
+        In square and cubic units of the mesh. The volume is NaN if no depth is known.
 
     Raises
     ------
     TypeError
-        When the water is none.
+        If water has another type.
     ValueError
-        When a point of the water is not finite, or its depths are fewer than its points.
+        If a point of the water is not finite, or if there are fewer depths than points.
     """
     surface = surface_of(water)
     if surface.GetNumberOfPoints() == 0:

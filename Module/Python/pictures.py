@@ -44,7 +44,7 @@ def check_png(file):
 
 
 def png_name(text):
-    """A check as a type for argparse: it reports a name that is no PNG's before anything is rendered."""
+    """A type for argparse: it rejects names that are not those of PNG files before anything is rendered."""
     try:
         check(text, KINDS[:1], "pictures are PNG files")
     except ValueError as error:

@@ -127,7 +127,7 @@ def add_water(
 
     dome_port : float, optional
         Radius in metres of a dome port, the glass dome around an underwater camera, finite and not negative; 0 means
-        no port. With the camera above the water by less than this, the picture is half above and half under water.
+        no port. If the camera is less than this radius above the water, the picture is half above and half under water.
         Turns refraction on.
 
     sun : bool | sequence[float], optional
@@ -162,14 +162,14 @@ def add_water(
         water, and all of the surface must lie in its plane, apart from waves. The default is a built-in sheet.
 
     max_mirrors : int, optional
-        With a ``surface`` of several planes: the most waters in view that reflect the scene, in [0, 4096]; the default
-        is 8. The others, which cover less of the picture, reflect only the sky.
+        With a ``surface`` of several planes: the maximum number of waters in view that reflect the scene, in [0, 4096];
+        the default is 8. The other waters, which cover less of the picture, reflect only the sky.
 
     hulls : sequence[pyvista.DataSet | pyvista.Actor], optional
         Boats, caissons and other floating bodies that have no water inside (:vtk:`vtkWaterActor`'s
         ``AddHull``): actors, as ``add_mesh`` returns them, whose movements the water follows; or meshes, which do not
-        move. Each must be closed where the water cuts it. An open boat is, if its rim lies above the waves. The hulls
-        are not added to the plotter.
+        move. Each must be closed where the water cuts it; an open boat is closed there if its rim lies above the waves.
+        The hulls are not added to the plotter.
 
     bounds : sequence[float] | str, optional
         Extent of the built-in sheet. ``(xmin, xmax, ymin, ymax)``: along x and y for horizontal water, otherwise along
@@ -203,9 +203,10 @@ def add_water(
     Returns
     -------
     vtkwater.vtkWaterActor
-        The water; of several planes the one of the largest part. The others copy its look, time and visibility in the
-        next frame, and are removed with it. ``actor.water_property`` (``GetWaterProperty()``) holds all settings of
-        the look, ``actor.reflection_pass`` (``GetReflectionPass()``) those of the reflection and its cost.
+        The water. If the ``surface`` has several planes, it is the water of the largest part; the others copy its look,
+        time and visibility in the next frame, and are removed with it. ``actor.water_property``
+        (``GetWaterProperty()``) holds all settings of the look, ``actor.reflection_pass`` (``GetReflectionPass()``)
+        those of the reflection and its cost.
 
     Raises
     ------
@@ -341,7 +342,7 @@ def heights_along(renderer, unit, normal, origin):
 
 
 def tell_level(level, heights, is_sheet):
-    """Warn of a level at which nobody sees what is asked for; is_sheet: the water ends with the scene."""
+    """Warn of a level at which land or water hides the other; is_sheet: the water ends with the scene."""
     low, high, diagonal = heights
     scene = f"heights in the scene lie in [{low:g}, {high:g}]"
     if is_sheet and low > level:

@@ -67,7 +67,7 @@ def read(file, no_data=None):
 
 
 def kind_of(path, kinds):
-    """What a dictionary of kinds, by their suffixes, has for a file that is there; else a FileError."""
+    """The entry of kinds for a file's suffix; a FileError if the file does not exist or the suffix is unknown."""
     kind = kinds.get(path.suffix.lower())
     if path.is_dir():
         raise FileError(f"{path}: is a folder, not a file")
@@ -151,7 +151,7 @@ def polygons_of(data):
 
 @contextlib.contextmanager
 def heard(path, what):
-    """What VTK reports as an error in the block becomes a FileError: path is not what."""
+    """Turn an error that VTK reports in the block into a FileError, which says that path is not what."""
     log = vtkStringOutputWindow()
     shown, verbosity = vtkOutputWindow.GetInstance(), vtkLogger.GetCurrentVerbosityCutoff()
     vtkOutputWindow.SetInstance(log)
@@ -168,7 +168,7 @@ def heard(path, what):
 
 
 def run(reader, path, what):
-    """The reader's output; what VTK says on the way becomes the error."""
+    """The reader's output; errors that VTK reports meanwhile become a FileError."""
     with heard(path, what):
         if hasattr(reader, "CanReadFile") and not reader.CanReadFile(str(path)):
             raise FileError(f"{path}: not {what}")

@@ -97,7 +97,7 @@ class Scene:
         return skybox
 
     def set_ground(self, surface):
-        """A readers.Surface that the view is made for, and that is not drawn."""
+        """Set the readers.Surface for which the view is chosen; it is not drawn."""
         self._ground = surface
 
     def add_ground(self, surface, level, exaggeration=1.0):
@@ -168,7 +168,7 @@ class Scene:
         """Extends the water beyond the ground on all sides.
 
         times : float
-            Factor of the larger of width and height of the ground with its mirror image.
+            Distance, in multiples of the ground's largest extent: along x, along y, or its height with its mirror.
         """
         west, east, south, north, _, top = self._ground.data.GetBounds()
         reach = times * max(east - west, north - south, 2.0 * (top * self._exaggeration - self.water.GetLevel()))
@@ -189,10 +189,10 @@ class Scene:
             self.add_walls(self.water.GetLevel() / self._exaggeration)
 
     def add_walls(self, level, is_block=False):
-        """Walls where the ground, a terrain, ends: down to its lowest point, and to the level at least.
+        """Build walls at the edges of the ground, a terrain: down to its lowest point, and at least to the level.
 
         is_block : bool
-            They end in a level line a little below, as those of a block that is seen from all sides.
+            The walls end in a level line a little lower, like those of a block that is seen from all sides.
         """
         edges = vtkFeatureEdges()
         edges.SetInputData(self._ground.data)
@@ -225,9 +225,9 @@ class Scene:
     def look(self, azimuth=200.0, height=15.0, zoom=1.0, highest=-math.inf, all_of_it=False):
         """Aim the camera at the ground from an azimuth (degrees from north) and a height (degrees above the horizon).
 
-        zoom 1 shows everything above the water, and its reflection, or with all_of_it all of the ground and of the
-        water's mesh as it is now; zoom 2 half of its width. highest is the highest level that the water will reach, in
-        the data's unit: if there is dry ground now, the eye stays above it.
+        zoom 1 shows everything above the water, and its reflection; with all_of_it, it shows the whole ground and the
+        water's mesh as it is now. zoom 2 shows half of that width. highest is the highest level that the water will
+        reach, in the data's unit: if there is dry ground now, the eye stays above that level.
         """
         points = vtk_to_numpy(self._ground.data.GetPoints().GetData()) * (1.0, 1.0, self._exaggeration)
         lowest = -math.inf

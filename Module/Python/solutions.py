@@ -6,7 +6,7 @@
     mesh = solution.at(300.0)  # vtkPolyData, between two steps by vtkTemporalInterpolator
 
 VTK's readers read the files; KINDS maps suffixes to readers. A FileError is raised if a file is missing, of an unknown
-type, not of the type that its suffix claims, or has no such arrays; the text lists the arrays.
+type, not of the type that its suffix claims, or lacks one of the arrays; the text lists the existing ones.
 """
 import bisect
 import math
@@ -48,21 +48,21 @@ class Solution:
         Read cells of three dimensions, as an unstructured grid.
     is_lonlat : bool, optional
         Whether x and y are longitude and latitude in degrees. They are converted to metres from the south-western
-        corner, on a plane that touches the Earth in the middle of the mesh. By default if the file's dimensions have
-        these names.
+        corner, on a plane that touches the Earth in the middle of the mesh. The default is True if the file's
+        dimensions have these names.
     read_ahead : bool, default: False
-        Read the next step in another process while you show this one; for series of many steps. What is read does not
-        change, nor do errors, which are raised when their step is asked for. A step whose file changes after it was
-        read ahead is read again; the parts that a file lists (.pvtp, .pvtu, .vtm, .foam) must not change. The process
-        takes the memory of some steps, and ends with the solution. Steps are not read ahead where Python is part of an
-        application, in a process made by os.fork(), and after a step that took longer than a minute.
+        Read the next step in another process while this one is shown; for series of many steps. Meshes and errors stay
+        the same; an error is raised when its step is requested. A step whose file changes after it was read ahead is
+        read again, but the parts that a file lists (.pvtp, .pvtu, .vtm, .foam) must not change. The process needs
+        memory for some steps, and ends with the solution. Steps are not read ahead if Python is embedded in an
+        application, in a process created by os.fork(), and after a step that took longer than a minute.
 
     Attributes
     ----------
     times : tuple[float]
         Times of the steps, ascending, in the file's unit; (0.0,) if it has no time.
     note : str
-        What the caller may not expect; empty if there is nothing.
+        A message about an unexpected result, such as steps that cannot be interpolated; empty if there is none.
 
     Raises
     ------
@@ -90,7 +90,7 @@ class Solution:
             self._ahead = ahead
 
     def step(self, i):
-        """The mesh of a step, from 0 on: vtkPolyData, or vtkUnstructuredGrid of a volume. It is not to be changed."""
+        """Return the mesh of a step, from 0: vtkPolyData, or vtkUnstructuredGrid of a volume. Do not change it."""
         mesh = self._steps.get(i)
         if mesh is None:
             while len(self._steps) >= KEPT_STEPS:
@@ -105,13 +105,14 @@ class Solution:
         return mesh
 
     def forget(self):
-        """Read every step again when it is asked for."""
+        """Forget all steps, so that each is read again when it is requested."""
         self._steps.clear()
 
     def at(self, time):
-        """The mesh at a time: of a step, or between two by vtkTemporalInterpolator where both have the same cells.
+        """Return the mesh at a time: that of a step, or an interpolation between two (vtkTemporalInterpolator).
 
-        Where they have not, that of the earlier step; note says so. The time must lie in that of the steps.
+        Two steps are interpolated only if both have the same cells. Otherwise the earlier step is returned, and note
+        says so. The time must not lie before the first step, nor after the last.
         """
         first, last = self.times[0], self.times[-1]
         if not first <= time <= last:

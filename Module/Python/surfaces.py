@@ -166,7 +166,7 @@ def lakes_of(mapper, normal):
 
 
 def check_has_water(mapper, lakes, normal):
-    """Raises ValueError if nothing of a surface can be water; lakes is None where there is one level for all of it."""
+    """Raises ValueError if no part of a surface can be water; lakes is None if one level applies to all of it."""
     mesh = mapper.GetInput()
     if mesh.GetNumberOfPolys() + mesh.GetNumberOfStrips() == 0:
         raise ValueError(f"surface has no polygons, only {mesh.GetNumberOfVerts()} vertices and "
@@ -176,7 +176,7 @@ def check_has_water(mapper, lakes, normal):
     if lakes is not None and not lakes.GetWater().GetMapper().GetInput().GetNumberOfCells():
         x, y, z = axis_of(normal)
         raise ValueError(f"surface has no finite polygon with an area along the normal ({x:g}, {y:g}, {z:g}); a "
-                         "surface that is upright for this normal needs another one")
+                         "surface that is parallel to this normal needs another normal")
 
 
 def check_level(mapper, level, normal, origin):

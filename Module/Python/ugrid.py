@@ -16,7 +16,7 @@ WHAT = "a NetCDF mesh of the UGRID conventions"
 
 
 class NoMesh(FileError):
-    """A file of NetCDF that holds no mesh."""
+    """A NetCDF file that contains no mesh."""
 
 
 class UgridMesh:
@@ -29,13 +29,13 @@ class UgridMesh:
     Raises
     ------
     ImportError
-        Without netCDF4.
+        If netCDF4 is not installed.
     OSError
-        Where the file is not NetCDF.
+        If the file is not NetCDF.
     NoMesh
-        Where it holds no mesh.
+        If it contains no mesh.
     FileError
-        Where the mesh is not of the conventions, or a time is not finite.
+        If the mesh does not follow the conventions, or if a time is not finite.
     """
 
     is_lonlat, hint = False, ""
@@ -59,7 +59,7 @@ class UgridMesh:
         self.times = sorted_times.tolist()
 
     def read(self, i):
-        """The mesh of a step; what is missing is NaN. Raises FileError where an array is not of the mesh's size."""
+        """The mesh of a step; missing values are NaN. Raises FileError if an array does not have the mesh's size."""
         points, cells, data = vtkPoints(), vtkCellArray(), vtkPolyData()
         points.SetDataTypeToDouble()
         points.SetData(numpy_to_vtk(self._points, deep=True))
@@ -84,7 +84,7 @@ class UgridMesh:
         return data
 
     def _values(self, variable, i):
-        """Of a step, one for each place; None for a single value, for layers and for what are not numbers."""
+        """A variable's values at a step, one per node or face; None for a single value, layers, and all but numbers."""
         if variable.dtype is str or variable.dtype.kind not in "biuf" or not variable.dimensions:
             return None
         if variable.dimensions[0] == self._time_of:
@@ -123,8 +123,8 @@ class UgridMesh:
         x, y = (np.ma.filled(variable[:].astype(float), np.nan)
                 for variable in self._named(file, mesh, "node_coordinates", 2))
         if x.ndim != 1 or x.shape != y.shape:
-            raise self._not(f"the node_coordinates of '{mesh.name}' are of shape {x.shape} and {y.shape}; they must "
-                            "be as many x as y")
+            raise self._not(f"the node_coordinates of '{mesh.name}' are of shape {x.shape} and {y.shape}; x and y "
+                            "must have the same length")
         return np.stack([x, y, np.zeros(len(x))], axis=1)
 
     def _faces(self, file, mesh):

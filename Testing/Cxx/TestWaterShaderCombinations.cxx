@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The driver takes the surface's shader in every eleventh of the combinations of files that a look
 // can ask for, and all other shaders, but for the lines of vtkWaterVolumeFS.glsl, which only a
-// volume's own shader completes. glslang compiles all of them (check_glsl.sh --all), and the tests of
-// volumes draw with those lines.
+// volume's own shader completes. glslang compiles all of them (check_glsl.sh --all), and the tests
+// of volumes draw with those lines.
 #include "../Core/shader_combinations.h"
 
 #include "WaterShaderRun.h"

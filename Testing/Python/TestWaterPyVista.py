@@ -242,7 +242,7 @@ WRONG = [  # the exception, a part of its text, the argument
     (ValueError, "level is nan; it must be finite", {"level": float("nan")}),
     (ValueError, "origin is (inf, 0.0, 0.0) and level is -0.1; the plane's place must be finite",
      {"origin": (float("inf"), 0.0, 0.0)}),
-    (ValueError, "waves is (0.1, 3, 20); one wave is a sequence in a sequence: waves=[(0.1, 3, 20)]",
+    (ValueError, "waves is (0.1, 3, 20); a single wave must be in a list, too: waves=[(0.1, 3, 20)]",
      {"waves": (0.1, 3, 20)}),
     (ValueError, "color is 'bluee'; it must be a colour's name, '#rrggbb'", {"color": "bluee"}),
     (TypeError, "preset must be str, not int", {"preset": 3}),

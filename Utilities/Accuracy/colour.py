@@ -48,8 +48,8 @@ $kinds
 
 An "edge" is a pixel whose $samples rays do not all see the same colour. FLIP filters like the human eye, so an error
 there also shows in the pixels around it. A single ray sees only one side of an edge, and the mirrored view, also with
-one sample per pixel, locates an edge to half a pixel. $only of the water's pixels have an error of more than $off of
-255 where the perfect tracer's single ray has not; $both have one in both.
+one sample per pixel, locates an edge to half a pixel. In $only of the water's pixels the error exceeds $off of
+255 but that of the perfect tracer's single ray does not; in $both both do.
 """
 
 

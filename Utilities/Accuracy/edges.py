@@ -49,9 +49,9 @@ TEXT = """
 $count random scenes ($seeds), $width x $height pixels: rocks and posts in clear or opaque, calm or rippled water,
 over beds with and without a shore. RMSE, of 255, of the pixels within $near of an edge of the water, compared with 64
 samples per pixel; and the same with an opaque plane instead of the water. If the driver has fewer samples than a mode
-requests, it uses the driver's number. frames-4 is the mean of four pictures, each
-drawn in full from one of the places of four samples: no way of shading four samples per pixel comes closer. So are
-frames-8 and frames-16 for more samples. On an NVIDIA H200, which has 16 samples, the median ratios are 1.02 with
+requests, it uses the driver's number. frames-4 is the mean of four pictures, each drawn in full with all pixels shifted
+to one of the four sample positions: the best result that four samples per pixel can have. frames-8 and frames-16 are
+the same with more samples. On an NVIDIA H200, which has 16 samples, the median ratios are 1.02 with
 MSAA-2, 1.17 with MSAA-4 (frames-4: 1.15), 1.77 with MSAA-8 (frames-8: 1.53), and 1.80 with MSAA-16 (frames-16: 1.69).
 
 $summary

@@ -28,7 +28,7 @@ $plot
 *Share of the pixels (vertical axis) whose lookup error is below a number of pixels (horizontal axis). Solid lines:
 ray traced, and each formula with its best constant; dashed lines: with published constants.*
 
-Lookups of the default quality with an error of 2 pixels or more, by the reason that the module reports:
+Lookups of the default quality, by the reason that the module reports: all, and those off by 2 pixels or more:
 
 $reasons
 
@@ -191,7 +191,7 @@ def run(report):
         step=f"{cases[0].pixels.texture_size.max() / 4095:.2f}", table=table(header, rows),
         plot=report.save(_plot(curves), "lookup", "How many pixels are off by how much"),
         reasons=table(
-            ("reason", *(title for slope in SLOPES for title in (f"slope {slope:.2f}: of all", "of all, and off"))),
+            ("reason", *(title for slope in SLOPES for title in (f"slope {slope:.2f}: all", "off by 2 px or more"))),
             [(kind, *(cell for slope in SLOPES for cell in shares[slope][number]))
              for number, kind in enumerate(KINDS)]),
         formulas=table(("formula", "", "published constants"), [

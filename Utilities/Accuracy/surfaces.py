@@ -24,8 +24,8 @@ VIEWS = ("middle", "low", "high")
 TEXT = """
 A solver's surface leaves its plane. Here a swell, and the front of a dam break with short waves behind it, are meshes of
 $cells x $cells cells with normals, around the islands of the first section. Embree traces the mesh and what its
-reflected rays meet. Only pixels count whose ray meets an island that is visible in the mirrored view, without meeting
-water first. The error is the distance in pixels of the lookup from its correct place. "Plane's normal" is the same
+reflected rays meet. A pixel counts only if its ray meets an island that is visible in the mirrored view, and does not
+meet water first. The error is the distance in pixels of the lookup from its correct place. "Plane's normal" is the same
 with `MeshSlopesOff`.
 
 $table

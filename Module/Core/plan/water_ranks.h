@@ -133,7 +133,7 @@ typedef struct water_rank_drawn
 {
   double has_failed;        // 1: it could not draw, and says why; 0: it could
   double is_aborted;        // 1: the user, or another frame, ended the draw; 0: nothing did
-  double wants_again;       // 1: its driver refused something; 0: it did not
+  double wants_again;       // 1: its driver rejected something; 0: it did not
   double has_blended;       // 1: translucent props or volumes are to come; 0: none
   double blended_bounds[6]; // of those in world; min > max: there are none
 } water_rank_drawn;
@@ -141,7 +141,7 @@ typedef struct water_rank_drawn
 // What becomes of the view on all ranks.
 typedef enum water_ranks_drawing
 {
-  WATER_RANKS_DRAW_AGAIN, // what was refused on any is left out
+  WATER_RANKS_DRAW_AGAIN, // what was rejected on any rank is left out
   WATER_RANKS_ABORTED,
   WATER_RANKS_FAILED,
   WATER_RANKS_DRAWN

@@ -58,8 +58,9 @@ std::string SayOpen(const vtkWaterHulls::Surface& surface, const double place[2]
   }
   std::ostringstream text;
   text << "is not closed where the water cuts it, at (" << point[0] << ", " << point[1] << ", "
-       << point[2] << "): its sides must go all around there, each edge must belong to two "
-          "polygons, and its rim must be over the highest wave";
+       << point[2]
+       << "): its sides must be complete there, each edge must belong to two "
+          "polygons, and its rim must lie above the highest wave";
   return text.str();
 }
 
@@ -296,10 +297,9 @@ vtkWaterHullTablePointer vtkWaterHulls::Cut(const Surface& surface, std::string&
   }
   if (table->Rows.longest > WATER_WATERLINE_LONGEST)
   {
-    wrong = "The hulls have " + std::to_string(table->Rows.longest) +
-      " edges in one strip of their table, which must have at most " +
-      std::to_string(WATER_WATERLINE_LONGEST) +
-      ": use coarser meshes, or waters of their own for hulls far apart. The water fills them.";
+    wrong = "One strip of the hulls' table has " + std::to_string(table->Rows.longest) +
+      " edges; it must have at most " + std::to_string(WATER_WATERLINE_LONGEST) +
+      ". Use coarser meshes, or separate waters for hulls far apart. The water fills the hulls.";
     return nullptr;
   }
   table->Texels.resize(4 * static_cast<size_t>(table->Rows.count) * table->Rows.longest);

@@ -199,7 +199,7 @@ def in_the_middle():
 
 @row.makes("shadow maps, when they are kept")
 def kept():
-    """Shadows are drawn anew when what throws them moves, seen or not, and not for the time of waves."""
+    """Shadow maps are drawn again when a caster moves, visible or not, but not when only the time of waves changes."""
     scene = mm.Scene(mm.SEEN)
     things(scene, 0.0)
     scene.renderer.AddLight(light(*SPOT[:-1], **SPOT[-1]))
@@ -209,14 +209,14 @@ def kept():
     reflection = water.GetReflectionPass()
     before = [scene.pixels() for _ in range(3)][-1]
     row.say("shadow maps, nothing changes: the map is used again", reflection.GetDecision() == Pass.REUSED)
-    row.say("shadow maps: what throws one is out of the mirrored view",
+    row.say("shadow maps: the caster is outside the mirrored view",
             reflection.GetFateCount(Pass.OUT_OF_VIEW) + reflection.GetFateCount(Pass.OUT_OF_WATER) > 0)
     unseen.SetPosition(1.5, 1, 0)
     after = scene.pixels()
-    row.say("shadow maps, what throws one moves out of view: the map is drawn again",
+    row.say("shadow maps, a caster outside the mirrored view moves: the map is drawn again",
             reflection.GetDecision() == Pass.RENDERED)
     changed = np.abs(after - before).max(axis=2) > 1
-    row.say("shadow maps, what throws one moves out of view: the water shows it",
+    row.say("shadow maps, a caster outside the mirrored view moves: the water shows it",
             (changed & mm.water_pixels(scene, water)).sum() > 100)
     scene.pixels()
     water.SetTime(1.0)
@@ -258,7 +258,7 @@ def lambert():
     error = np.abs(seen[:, :, 0] - truth)[sphere] / 255
     wt.check_at_least("Lambert sphere: pixels", int(sphere.sum()), 500)
     print(f"Lambert sphere: largest error {100 * error.max():.3f} % of white, mean {100 * error.mean():.3f} %")
-    row.say("a Lambert sphere's mirrored radiance under the headlight is its formula's within 1 %",
+    row.say("a Lambert sphere under the headlight: its mirrored radiance is within 1 % of the formula",
             float(error.max()) <= 0.01)
 
 

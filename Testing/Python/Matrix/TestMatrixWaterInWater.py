@@ -122,7 +122,7 @@ def mesh():
 
 
 cell("three waters", gradient, [HIGHER, Sheet((2, 4, 1.0), (-0.3, -0.9, 0.5), (-2, 2, -2, 2))])
-cell("sheets of one plane given through other points, and turned round, are no other waters", gradient,
+cell("sheets in the same plane, given by other points or reversed, do not count as other waters", gradient,
      [RAMP, Sheet((5, 5, 0), (0, 0, -3), (3, 4, 3, 4), reflectance=1.0)])
 
 
