@@ -236,8 +236,9 @@ void vtkWaterSurfaceFilter::CheckUnits(vtkDataArray* level, vtkDataArray* depth,
   const std::vector<double> levels = SampleOf(level);
   const std::vector<double> depths = SampleOf(depth);
   const std::vector<double> beds = SampleOf(bed);
-  const water_heights_verdict verdict = water_heights_judge(levels.empty() ? nullptr : levels.data(),
-    depths.empty() ? nullptr : depths.data(), beds.data(), beds.size());
+  const water_heights_verdict verdict =
+    water_heights_judge(levels.empty() ? nullptr : levels.data(),
+      depths.empty() ? nullptr : depths.data(), beds.data(), beds.size());
   if (verdict.wrong == WATER_HEIGHT_NONE)
   {
     return;

@@ -19,6 +19,8 @@ import vtkwater.pyvista
 
 plotter = pv.Plotter()
 plotter.add_mesh(pv.examples.load_random_hills(), color="tan")
-plotter.add_water(level=2)
+plotter.add_water(level=3)
+plotter.camera.azimuth, plotter.camera.elevation = 270, -25  # look across the water
+plotter.camera.zoom(1.5)
 plotter.show()
 # README: to here

@@ -81,8 +81,8 @@ def add_water(
 
     waves : float | sequence[sequence[float]], optional
         Replaces the preset's waves: a wind speed, m/s in [0.1, 100], 0 for calm water; or any number of waves, each
-        with 2 to 5 numbers: amplitude (m), wavelength (m), direction of travel (degrees from x towards y, default 0),
-        phase (degrees, default 0) and steepness ([0, 1], default 0).
+        with 2 to 5 numbers: amplitude (m), wavelength (m), direction of travel (degrees from x towards y),
+        phase (degrees) and steepness ([0, 1]); the last three are 0 if they are left out.
 
     level : float | str, optional
         Height of the water above ``origin`` along ``normal``, in the scene's unit; with the default normal, its z. The

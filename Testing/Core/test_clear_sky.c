@@ -205,7 +205,6 @@ TEST(other_suns_and_airs_are_refused)
   assert_true(water_clear_sky_make(0.0, 90.0, 10.0, &sky));
 }
 
-TESTS(colors_are_those_of_the_paper, skies_are_not_purple,
-  zenith_has_its_luminance, skies_look_like_skies,
-  horizon_has_no_step, low_suns_are_red, exposure_shows_the_mean, places_of_the_picture,
-  other_suns_and_airs_are_refused)
+TESTS(colors_are_those_of_the_paper, skies_are_not_purple, zenith_has_its_luminance,
+  skies_look_like_skies, horizon_has_no_step, low_suns_are_red, exposure_shows_the_mean,
+  places_of_the_picture, other_suns_and_airs_are_refused)

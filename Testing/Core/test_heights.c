@@ -154,8 +154,7 @@ TEST(depth_and_bed_of_one_unit_are_fine)
   for (size_t i = 0; i < sizeof waters / sizeof waters[0]; ++i)
   {
     const coast data = coast_of(waters[i][0], waters[i][1], waters[i][2], waters[i][3]);
-    assert_true(
-      water_heights_judge(NULL, data.depth, data.bed, COUNT).wrong == WATER_HEIGHT_NONE);
+    assert_true(water_heights_judge(NULL, data.depth, data.bed, COUNT).wrong == WATER_HEIGHT_NONE);
   }
   coast film = coast_of(0.0, 100.0, 0.0, 0.0);
   for (int i = 0; i < COUNT; ++i)
@@ -282,5 +281,5 @@ TESTS(nine_places_are_too_few, flat_land_tells_nothing, films_of_water_are_no_ev
   dry_places_tell_the_unit_of_a_level_of_0, dry_places_tell_nothing_of_the_depth,
   no_water_that_there_is_has_a_wrong_unit, marks_of_dry_places_are_no_levels,
   the_height_in_another_unit_is_found, dry_land_tells_the_unit_of_the_level,
-  levels_under_all_land_are_in_another_unit, a_lake_in_feet_is_found, depth_and_bed_in_two_units_are_found, depth_and_bed_of_one_unit_are_fine,
-  two_heights_are_needed)
+  levels_under_all_land_are_in_another_unit, a_lake_in_feet_is_found,
+  depth_and_bed_in_two_units_are_found, depth_and_bed_of_one_unit_are_fine, two_heights_are_needed)

@@ -84,8 +84,8 @@ static void set_zenith(water_clear_sky* sky)
   }
 }
 
-// Skylight lies on the daylight locus or on its green side (Judd, MacAdam and Wyszecki 1964). The model's polynomials
-// leave it towards purple near the horizon, and away from the sun.
+// Skylight lies on the daylight locus or on its green side (Judd, MacAdam and Wyszecki 1964). The
+// model's polynomials leave it towards purple near the horizon, and away from the sun.
 static double on_daylight_side(double x, double y)
 {
   const double within = fmin(fmax(x, locus_x[0]), locus_x[1]);

@@ -13,8 +13,9 @@ static const double share_all = 0.9; // of the places, that an explanation must 
 static const double share_dry = 0.1; // of those whose level is their bed
 static const double share_under = 0.05;
 static const double tiny = 1e-3; // of the largest height: one that is no evidence of a factor
-static const double balance = 0.1; // of the variation of depth and bed: how much a calm level varies
-static const size_t least = 10;  // places
+static const double balance =
+  0.1;                          // of the variation of depth and bed: how much a calm level varies
+static const size_t least = 10; // places
 
 typedef struct range
 {
@@ -177,8 +178,8 @@ static double land_factor(range levels, range beds)
   return 0.0;
 }
 
-// The factor by which depths are too large for a calm level: without it depth and bed do not balance, with it they do. A
-// flat bed balances nothing.
+// The factor by which depths are too large for a calm level: without it depth and bed do not
+// balance, with it they do. A flat bed balances nothing.
 static double balance_factor(const double* depths, const double* beds, size_t count)
 {
   double mean[2] = { 0.0, 0.0 };

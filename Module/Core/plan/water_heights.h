@@ -3,9 +3,9 @@
 //
 // level = bed + depth tells a wrong one, at wet places and, where solvers write the bed as the
 // level, at dry ones. Depth and bed alone tell it if their sum is a calm level in one unit, and not
-// in the unit that they have. Without a depth, only a level that no water has: far under the lowest bed, or
-// over a land whose heights it lies among in another unit. Deep seas, flat tanks, dry basins and
-// high waves are none of these. What fits more than one explanation is no mistake.
+// in the unit that they have. Without a depth, only a level that no water has: far under the lowest
+// bed, or over a land whose heights it lies among in another unit. Deep seas, flat tanks, dry
+// basins and high waves are none of these. What fits more than one explanation is no mistake.
 #ifndef water_heights_h
 #define water_heights_h
 
