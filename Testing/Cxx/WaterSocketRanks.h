@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // WaterSocketRanks.h: processes that talk over sockets, as the ranks of a parallel program do: no
-// MPI is needed. They count what they send, and can make it as slow as a network.
+// MPI is needed. They count what they send, and keep the time that it would take on a network.
 #ifndef WaterSocketRanks_h
 #define WaterSocketRanks_h
 
@@ -10,12 +10,10 @@
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 
-#include <chrono>
+#include <algorithm>
 #include <cstdint>
-#include <functional>
 #include <sys/socket.h>
 #include <sys/types.h>
-#include <thread>
 #include <unistd.h>
 #include <vector>
 
@@ -28,8 +26,11 @@ public:
 
   std::int64_t BytesSent = 0; // of contents
   std::int64_t MessagesSent = 0;
-  double Latency = 0.0; // s, that a message takes besides
+  // A simulated network: each message says when it is there, so that the time that a rank has waited
+  // for is known, however busy this machine is. Sender and receiver are each busy with the bytes.
+  double Latency = 0.0; // s
   double SecondsPerByte = 0.0;
+  double Clock = 0.0; // s, of this rank
 
   void Begin(int rank, const std::vector<int>& sockets)
   {
@@ -45,21 +46,47 @@ public:
     const size_t size = SizeOf(length, type);
     ++this->MessagesSent;
     this->BytesSent += static_cast<std::int64_t>(size);
-    const double seconds = this->Latency + this->SecondsPerByte * static_cast<double>(size);
-    if (seconds > 0.0)
-    {
-      std::this_thread::sleep_for(std::chrono::duration<double>(seconds));
-    }
-    return this->Write(remote, &count, sizeof count) && this->Write(remote, data, size);
+    this->Clock += this->SecondsPerByte * static_cast<double>(size);
+    const double arrival = this->Clock + this->Latency;
+    return this->Write(remote, &count, sizeof count) &&
+      this->Write(remote, &arrival, sizeof arrival) && this->Write(remote, data, size);
   }
 
   int ReceiveVoidArray(void* data, vtkIdType most, int type, int remote, int) override
   {
     std::int64_t count = 0;
+    double arrival = 0.0;
     const bool isRead = this->Read(remote, &count, sizeof count) && count <= most &&
-      this->Read(remote, data, SizeOf(count, type));
+      this->Read(remote, &arrival, sizeof arrival) && this->Read(remote, data, SizeOf(count, type));
     this->Count = isRead ? count : 0;
+    const double busy = this->SecondsPerByte * static_cast<double>(SizeOf(this->Count, type));
+    this->Clock = std::max(this->Clock + busy, arrival);
     return isRead;
+  }
+
+  // By a binomial tree, as MPI does; VTK's own has the root send to each.
+  int BroadcastVoidArray(void* data, vtkIdType length, int type, int root) override
+  {
+    const int count = this->GetNumberOfProcesses();
+    const int place = (this->GetLocalProcessId() - root + count) % count;
+    int step = 1;
+    for (; step < count && place % (2 * step) == 0; step *= 2)
+    {
+    }
+    bool isGood = true;
+    if (place != 0)
+    {
+      const int from = (place - step + root) % count;
+      isGood = this->ReceiveVoidArray(data, length, type, from, 0) && this->Count == length;
+    }
+    for (step /= 2; step > 0; step /= 2)
+    {
+      if (place + step < count)
+      {
+        isGood = isGood && this->SendVoidArray(data, length, type, (place + step + root) % count, 0);
+      }
+    }
+    return isGood;
   }
 
 private:

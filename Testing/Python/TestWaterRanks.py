@@ -11,6 +11,7 @@ import pathlib
 import shutil
 import subprocess
 import sys
+import time
 
 import pytest
 import water_test as wt
@@ -24,17 +25,18 @@ OF_ALL_PIXELS = 0.0002
 RENDERED, FAILED, REUSED = 1, 2, 8
 
 
-def run(count):
-    """The figures that so many ranks print, by case."""
+def start(count, *arguments):
+    """What so many ranks come to."""
     command = [MPIRUN, "--oversubscribe", "--bind-to", "none", "-np", str(count)]
     if os.geteuid() == 0:
         command.insert(1, "--allow-run-as-root")
-    if "WATER_TEST_OUTPUT" in os.environ:
-        arguments = [str(wt.output_folder())]
-    else:
-        arguments = []
-    done = subprocess.run([*command, sys.executable, str(PROGRAM), *arguments], stdout=subprocess.PIPE,
+    return subprocess.run([*command, sys.executable, str(PROGRAM), *arguments], stdout=subprocess.PIPE,
                           stderr=subprocess.PIPE, text=True, timeout=280, check=False)
+
+
+def run(count):
+    """The figures that so many ranks print, by case."""
+    done = start(count, *([str(wt.output_folder())] if "WATER_TEST_OUTPUT" in os.environ else []))
     assert done.returncode == 0, done.stdout + done.stderr
     cases = {}
     for line in done.stdout.splitlines():
@@ -91,6 +93,15 @@ def test_ranks_that_differ_say_so(cases):
             wt.check("  afterwards", decision, "rendered or used again", decision in (RENDERED, REUSED))
             wt.check_equal("  error left", left, 0)
         wt.check_at_most(f"{case['fault']}: share of pixels off afterwards", case["off"], 0)
+
+
+def test_ranks_that_wait_for_one_without_a_controller_are_ended():
+    """By the limit that they have set, with an error, and the one that they wait for by mpirun."""
+    begun = time.monotonic()
+    done = start(3, "--missing")
+    wt.check("exit status", done.returncode, "not 0", done.returncode != 0)
+    wt.check_at_most("seconds", time.monotonic() - begun, 30)  # with the start of MPI and Python
+    wt.check("says", done.stderr[-300:], "has waited 2 s", "has waited 2 s for the other ranks" in done.stderr)
 
 
 def test_random_frames_are_the_serial_ones(cases):

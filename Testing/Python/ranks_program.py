@@ -2,16 +2,17 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """ranks_program: what TestWaterRanks starts with mpirun: a scene that is split over ranks, and its serial picture.
 
-usage: mpirun -np N ranks_program.py [FOLDER]
+usage: mpirun -np N ranks_program.py [FOLDER | --missing]
 
 Every rank renders its part; the pictures are put together by depth, as a sort-last renderer does, and
 compared on rank 0 with the picture of a window that has all of it. Prints a line of JSON a case on rank 0.
-FOLDER: where pictures go.
+FOLDER: where pictures go. --missing: the last rank has no controller, and the others may wait for 2 s.
 """
 
 import ctypes
 import json
 import sys
+import time
 
 import numpy as np
 import volumes
@@ -24,6 +25,7 @@ from vtkwater import vtkWaterActor
 
 SIZE = (320, 240)
 SHEET = (-9, 9, -9, 9)
+PRESETS = ("pool", "lake", "clear tropical", "ocean wind 5", "turbid river", "mirror floor")
 
 
 class Ranks:
@@ -133,7 +135,8 @@ def composed(ranks, view):
     """The picture that all ranks render together, on rank 0."""
     picture = view.picture()
     depths = vtkFloatArray()
-    view.window.GetZbufferData(0, 0, SIZE[0] - 1, SIZE[1] - 1, depths)
+    width, height = view.window.GetSize()
+    view.window.GetZbufferData(0, 0, width - 1, height - 1, depths)
     all_colors = ranks.gather(picture)
     all_depths = ranks.gather(vtk_to_numpy(depths))
     if ranks.rank != 0:
@@ -297,32 +300,57 @@ def part_company(ranks):
             say(ranks, case="fault", fault=name, said=said.tolist(), off=off(before, after))
 
 
-def toggle(ranks, frames=60):
+def change(view, kind, number, value):
+    """A change of a view: of its water, its camera, its window, or of one thing, which it may not have."""
+    if kind == 0:
+        view.water.SetVisibility(not view.water.GetVisibility())
+    elif kind == 1 and number in view.actors:
+        view.actors[number].SetVisibility(value > 0.5)
+    elif kind == 2:
+        view.renderer.GetActiveCamera().Azimuth(20 * value)
+    elif kind == 3:
+        view.water.SetLevel(0.5 * value)
+    elif kind == 4:
+        view.window.SetSize(80 + 4 * number, 60 + 3 * number)
+    elif kind == 5:
+        view.water.GetWaterProperty().SetPreset(PRESETS[number % len(PRESETS)])
+    elif kind == 6:
+        view.water.SetTime(10 * value)
+
+
+def toggle(ranks, frames=250):
     """Many frames of random changes, the same on all ranks or on one where that is allowed."""
     dice = np.random.default_rng(5)
     view = make_view(own_part(ranks, "interleaved"), "calm")
     view.water.GetReflectionPass().SetController(ranks.controller)
     serial = make_view(lambda number: True, "calm") if ranks.rank == 0 else None
+    for one in filter(None, (view, serial)):
+        one.water.GetWaterProperty().SetMetresPerUnit(1)  # the automatic ones are of a rank's own scene
     worst = 0.0
     for _ in range(frames):
-        kind, number, value = int(dice.integers(4)), int(dice.integers(49)), float(dice.uniform())
+        kind, number, value = int(dice.integers(8)), int(dice.integers(49)), float(dice.uniform())
         for one in filter(None, (view, serial)):
-            if kind == 0:
-                one.water.SetVisibility(not one.water.GetVisibility())
-            elif kind == 1 and number in one.actors:
-                one.actors[number].SetVisibility(value > 0.5)
-            elif kind == 2:
-                one.renderer.GetActiveCamera().Azimuth(20 * value)
-            elif kind == 3:
-                one.water.SetLevel(0.5 * value)
+            change(one, kind, number, value)
         together = composed(ranks, view)
         if ranks.rank == 0:
             worst = max(worst, off(together, serial.picture()))
     say(ranks, case="toggle", frames=frames, off=worst)
 
 
+def be_missing(ranks):
+    """The others wait for a rank that has no controller: they are ended, and so is it."""
+    view = make_view(own_part(ranks, "blocks"), "calm")
+    view.water.GetReflectionPass().SetRankWaitLimit(2)
+    if ranks.rank < ranks.count - 1:
+        view.water.GetReflectionPass().SetController(ranks.controller)
+    view.picture()
+    time.sleep(60)
+
+
 def main():
     ranks = Ranks()
+    if "--missing" in sys.argv:
+        be_missing(ranks)
     folder = sys.argv[1] if len(sys.argv) > 1 else None
     if ranks.count == 1:
         view = make_view(lambda number: True, "calm")
