@@ -1,0 +1,134 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""rank_scaling: what water on many ranks costs: strong and weak scaling, and a model of the network's time.
+
+usage: rank_scaling.py PROGRAM FOLDER   writes FOLDER/scaling.md and its image
+
+PROGRAM is RankScaling, which counts what processes on this machine send and keeps the time it would take on
+simulated networks. Its counts and network times do not depend on how busy the machine is; its work does.
+"""
+
+import json
+import math
+import pathlib
+import subprocess
+import sys
+
+import numpy as np
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "Accuracy"))
+from report import Report, plt  # noqa: E402
+from tables import table  # noqa: E402
+
+SIZE = (640, 360)
+PROPS = 960  # of strong scaling
+PROPS_A_RANK = 60  # of weak scaling
+RANKS = (1, 2, 4, 8, 16)
+CHECKED = (12, 600)  # ranks and props that the model has not seen
+LATENCY_ONLY, BYTES_ONLY, ETHERNET, INFINIBAND = (1000, 0), (0, 100), (30, 1200), (2, 12000)
+NETWORKS = (LATENCY_ONLY, BYTES_ONLY, ETHERNET, INFINIBAND)
+NAMES = {ETHERNET: "10 Gbit/s, 30 us", INFINIBAND: "100 Gbit/s, 2 us"}
+FAR = 1000  # ranks
+
+
+def measure(program, ranks, props):
+    command = [program, *map(str, (ranks, props, *SIZE)), *(f"{latency}:{speed}" for latency, speed in NETWORKS)]
+    done = subprocess.run(command, capture_output=True, text=True, check=True)
+    row = json.loads(done.stdout.splitlines()[-1])
+    print(row, flush=True)
+    return row
+
+
+def levels(ranks):
+    """Of a binomial tree."""
+    return math.ceil(math.log2(ranks))
+
+
+def terms(ranks, props):
+    """What the network's time is linear in: levels of a tree, and props on each; ranks, of what the root gathers."""
+    return levels(ranks), levels(ranks) * props, ranks, 1
+
+
+class Model:
+    """Seconds of a frame = latency * messages in a row + bytes in a row / speed; both fitted by least squares."""
+
+    def __init__(self, rows):
+        matrix = np.array([terms(row["ranks"], row["props"]) for row in rows], float)
+        scale = matrix.max(axis=0)
+
+        def fit(values):
+            return np.linalg.lstsq(matrix / scale, np.array(values), rcond=None)[0] / scale
+
+        self.messages = fit([row["network"][0] / (1e-6 * LATENCY_ONLY[0]) for row in rows])
+        self.bytes = fit([row["network"][1] * 1e6 * BYTES_ONLY[1] for row in rows])
+
+    def seconds(self, network, ranks, props, pixels=1.0):
+        """pixels: of the view, as a multiple of the measured one; the agreement does not grow with it."""
+        has = np.array(terms(ranks, props), float)
+        in_a_row = self.bytes * has
+        in_a_row[[0, 3]] *= pixels
+        return 1e-6 * network[0] * float(self.messages @ has) + float(in_a_row.sum()) / (1e6 * network[1])
+
+
+def plot(report, strong, weak, model):
+    figure, (work, sent, time) = plt.subplots(1, 3, figsize=(11, 3.4))
+    for rows, label in ((strong, f"{PROPS} props"), (weak, f"{PROPS_A_RANK} props a rank")):
+        ranks = [row["ranks"] for row in rows]
+        work.plot(ranks, [1e3 * row["work"] for row in rows], "o-", label=label)
+        sent.plot(ranks[1:], [row["bytes_most"] / 1e6 for row in rows[1:]], "o-", label=label)
+    work.plot(RANKS, [1e3 * strong[0]["work"] / ranks for ranks in RANKS], ":", color="0.5", label="ideal")
+    work.set(xscale="log", yscale="log", xlabel="ranks", ylabel="processor's time of the busiest rank, ms")
+    sent.set(xscale="log", xlabel="ranks", ylabel="MB sent by the busiest rank", ylim=(0, None))
+    far = np.unique(np.geomspace(2, FAR, 60).astype(int))
+    for number, network in enumerate((ETHERNET, INFINIBAND)):
+        place = NETWORKS.index(network)
+        color = f"C{number + 2}"
+        time.plot(far, [1e3 * model.seconds(network, int(n), PROPS) for n in far], color=color, label=NAMES[network])
+        time.plot(RANKS[1:], [1e3 * row["network"][place] for row in strong[1:]], "o", color=color)
+    time.set(xscale="log", yscale="log", xlabel="ranks", ylabel="network's time of a frame, ms")
+    for axis in (work, sent, time):
+        axis.legend(fontsize=8)
+    return report.save(figure, "ranks", "work, bytes and the network's time by the number of ranks")
+
+
+def row_of(row):
+    raw = 8e-6 * row["pixels"] * (row["ranks"] - 1)
+    return (str(row["ranks"]), str(row["props"]), f"{1e3 * row['work']:.0f}", str(row["messages"]), str(row["messages_most"]),
+            f"{row['bytes'] / 1e6:.2f}", f"{row['bytes_most'] / 1e6:.2f}", f"{raw:.2f}",
+            *(f"{1e3 * row['network'][NETWORKS.index(network)]:.2f}" for network in (ETHERNET, INFINIBAND)))
+
+
+def main():
+    program, folder = sys.argv[1], pathlib.Path(sys.argv[2])
+    report = Report(folder, pathlib.Path(__file__).parent / "scaling.md.in")
+    strong = [measure(program, ranks, PROPS) for ranks in RANKS]
+    weak = [measure(program, ranks, PROPS_A_RANK * ranks) for ranks in RANKS[:-1]] + strong[-1:]
+    model = Model([row for row in strong[1:] + weak[1:-1]])
+    unseen = measure(program, *CHECKED)
+    for network in (ETHERNET, INFINIBAND):
+        found, expected = model.seconds(network, *CHECKED), unseen["network"][NETWORKS.index(network)]
+        report.check_at_most(f"{NAMES[network]}, {CHECKED[0]} ranks, {CHECKED[1]} props: model and simulation apart, %",
+                             100 * abs(found / expected - 1), 15, 1)
+    for row in strong[1:]:
+        report.check_at_most(f"{row['ranks']} ranks: bytes of the frame / of a composited picture of the same part",
+                             row["bytes"] / (8 * row["pixels"] * (row["ranks"] - 1)), 1.1)
+    report.check_at_most("16 ranks: work of the busiest rank / of one rank alone",
+                         strong[-1]["work"] / strong[0]["work"], 0.25)
+    head = ("ranks", "props", "work, ms", "messages", "of the busiest", "MB", "of the busiest", "MB of a picture",
+            *(f"ms, {NAMES[network]}" for network in (ETHERNET, INFINIBAND)))
+    report.add("Figures of a frame", "$rows\n\n$plot", rows=table(head, [row_of(row) for row in strong + weak[:-1]]),
+               plot=plot(report, strong, weak, model))
+    hd = 1920 * 1080 / (SIZE[0] * SIZE[1])
+    predicted = [(NAMES[network], f"{FAR * scale if scale > 1 else PROPS}", size,
+                  f"{1e3 * model.seconds(network, FAR, FAR * scale if scale > 1 else PROPS, pixels):.1f}")
+                 for network in (ETHERNET, INFINIBAND) for scale in (1, PROPS_A_RANK)
+                 for size, pixels in (("640 x 360", 1.0), ("1920 x 1080", hd))]
+    messages = model.messages
+    report.write(predicted=table(("network", "props", "picture", "ms a frame"), predicted),
+                 far_messages=f"{messages @ np.array(terms(FAR, PROPS), float):.0f}",
+                 far_ranks=FAR, size=f"{SIZE[0]} x {SIZE[1]}")
+    sys.exit(1 if report.has_failed() else 0)
+
+
+if __name__ == "__main__":
+    main()
