@@ -24,10 +24,23 @@ if(CMAKE_SCRIPT_MODE_FILE)
   if(text MATCHES "#include[^\n]*")
     message(FATAL_ERROR "${INPUT}: ${CMAKE_MATCH_0}: no such file among the shaders")
   endif()
+  # MSVC takes at most 16,380 bytes in one literal, and 65,535 in neighbours, which the compiler joins.
+  string(LENGTH "${text}" rest)
+  if(rest GREATER 65000)
+    message(FATAL_ERROR "${INPUT} has ${rest} bytes with its includes; at most 65000 fit into a C++ literal of MSVC")
+  endif()
+  set(literals)
+  while(rest GREATER 0)
+    string(SUBSTRING "${text}" 0 16000 piece) # ASCII: characters are bytes
+    string(APPEND literals "\n  R\"glsl(${piece})glsl\"")
+    string(LENGTH "${piece}" taken)
+    string(SUBSTRING "${text}" ${taken} -1 text)
+    string(LENGTH "${text}" rest)
+  endwhile()
   file(WRITE "${OUTPUT}" "// Made from ${name}.glsl; do not edit.
 #ifndef ${name}_h
 #define ${name}_h
-static const char* const ${name} = R\"glsl(${text})glsl\";
+static const char* const ${name} =${literals};
 #endif
 ")
   return()

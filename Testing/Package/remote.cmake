@@ -13,7 +13,7 @@ endforeach()
 run("${CMAKE_COMMAND}" -S "${WORK_DIR}/source" -B "${WORK_DIR}/build" -G "${GENERATOR}"
   "-DCMAKE_BUILD_TYPE=${BUILD_TYPE}" "-DVTK_DIR=${VTK_DIR}" "-DPython3_EXECUTABLE=${PYTHON}")
 # Our Testing/ was taken in by that; building it a second time would show no more.
-run("${CMAKE_COMMAND}" --build "${WORK_DIR}/build" --config "${BUILD_TYPE}" --target RenderingWater)
+run("${CMAKE_COMMAND}" --build "${WORK_DIR}/build" --config "${BUILD_TYPE}" --target water_module)
 if(NOT EXISTS "${WORK_DIR}/build/lib/libvtkRenderingWater.so")
   message(FATAL_ERROR "no library was built")
 endif()
