@@ -35,7 +35,7 @@ foreach(component IN LISTS WATER_OPTIONAL_DEPENDS)
 endforeach()
 string(REPLACE ";" " " water_vtk_component_names "${water_vtk_components}")
 set(water_vtk_hint "\n    HINTS \"${VTK_DIR}\"")
-if(SKBUILD) # a wheel goes to other machines
+if(SKBUILD OR WATER_RELOCATABLE) # goes to other machines
   set(water_vtk_hint)
 endif()
 configure_package_config_file("${PROJECT_SOURCE_DIR}/cmake/vtkWaterConfig.cmake.in"

@@ -8,6 +8,7 @@ option(WATER_WRAP_PYTHON "Build the Python package vtkwater" ON)
 option(WATER_BUILD_EXAMPLES "Build the C and C++ examples" ON)
 set(WATER_INSTALL_RPATH "" CACHE STRING
   "Where installed libraries look for VTK's; empty: where this VTK is")
+option(WATER_RELOCATABLE "Name no folder of this machine in the installed CMake files" OFF)
 set(WATER_SANITIZE "" CACHE STRING "Sanitizers for our code and its tests, e.g. address,undefined")
 
 if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
