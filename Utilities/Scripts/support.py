@@ -3,6 +3,7 @@
 """Writes what came out of a Debian suite into Documentation/support.json, and support.md out of that.
 
 usage: support.py SUITE FOLDER   as script/debian calls it
+       support.py --version VERSION FILE   as script/vtk-versions calls it; FILE: pytest's JUnit output, if there is one
        support.py                only writes support.md anew
 
 The folder holds facts (name=value lines) and tests.xml, ctest's JUnit output, or reason: why there is none; and
@@ -65,17 +66,38 @@ def listed(results, kind):
     return "\n".join(lines) or "None."
 
 
+def read_version(file):
+    """The entry of a VTK version: counts of pytest, or that the module could not be built."""
+    if not file.exists():
+        return {"reason": "the module could not be built, or no test ran"}
+    suite = next(ElementTree.parse(file).getroot().iter("testsuite"))
+    tests, failed, skipped = (int(suite.get(name)) for name in ("tests", "failures", "skipped"))
+    failed += int(suite.get("errors"))
+    return {"passed": tests - failed - skipped, "failed": failed, "skipped": skipped}
+
+
+def version_row(version, entry):
+    counts = [entry["reason"], "-", "-"] if "reason" in entry else [entry[name] for name in ("passed", "failed", "skipped")]
+    return "| " + " | ".join(map(str, [version, *counts])) + " |"
+
+
 def main():
-    results = json.loads(DATA.read_text()) if DATA.exists() else {}
-    if len(sys.argv) == 3:
+    data = json.loads(DATA.read_text()) if DATA.exists() else {}
+    versions = data.setdefault("versions", {})
+    results = {name: entry for name, entry in data.items() if name != "versions"}
+    if len(sys.argv) == 4 and sys.argv[1] == "--version":
+        versions[sys.argv[2]] = read_version(pathlib.Path(sys.argv[3]))
+        DATA.write_text(json.dumps({**results, "versions": versions}, indent=2, sort_keys=True) + "\n")
+    elif len(sys.argv) == 3:
         results[sys.argv[1]] = read_results(pathlib.Path(sys.argv[2]))
-        DATA.write_text(json.dumps(results, indent=2, sort_keys=True) + "\n")
+        DATA.write_text(json.dumps({**results, "versions": versions}, indent=2, sort_keys=True) + "\n")
     elif len(sys.argv) != 1:
         sys.exit(__doc__)
     order = sorted(results, key=lambda suite: results[suite].get("vtk", ""))
     results = {suite: results[suite] for suite in order}
     PAGE.write_text(PAGE_TEMPLATE.read_text().format(
         rows="\n".join(row(suite, entry) for suite, entry in results.items()),
+        versions="\n".join(version_row(version, versions[version]) for version in sorted(versions)),
         skipped=listed(results, "skipped"), failed=listed(results, "failed"), second=listed(results, "second")))
 
 
