@@ -19,6 +19,7 @@
 #include "vtkWaterProperty.h"
 #include "vtkWaterReflection.h"
 #include "vtkWaterReflectionPass.h"
+#include "water_flow.h"
 #include "water_plane.h"
 
 #include <algorithm>
@@ -118,6 +119,23 @@ void vtkWaterActor::SetMeshSlopes(bool isOn)
     this->MeshSlopes = isOn;
     this->Modified();
   }
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterActor::SetFlowArrayName(const std::string& name)
+{
+  if (this->FlowArrayName != name)
+  {
+    this->FlowArrayName = name;
+    this->Internal->FlowError.clear();
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterActor::SetFlowPeriod(double seconds)
+{
+  vtkWaterSetInRange(FlowPeriod, seconds, WATER_FLOW_PERIOD_MIN, WATER_FLOW_PERIOD_MAX);
 }
 
 //------------------------------------------------------------------------------
@@ -251,6 +269,8 @@ void vtkWaterActor::ShallowCopy(vtkProp* prop)
     this->SetTime(other->Time);
     this->SetSceneReflection(other->SceneReflection);
     this->SetMeshSlopes(other->MeshSlopes);
+    this->SetFlowArrayName(other->FlowArrayName);
+    this->SetFlowPeriod(other->FlowPeriod);
     this->RemoveAllHulls();
     for (int i = 0; i < other->GetNumberOfHulls(); ++i)
     {
@@ -307,6 +327,8 @@ void vtkWaterActor::PrintSelf(ostream& os, vtkIndent indent)
      << "\n";
   os << indent << "Time: " << this->Time << "\n";
   os << indent << "MeshSlopes: " << (this->MeshSlopes ? "on" : "off") << "\n";
+  os << indent << "FlowArrayName: " << this->FlowArrayName << "\n";
+  os << indent << "FlowPeriod: " << this->FlowPeriod << "\n";
   os << indent << "SceneReflection: " << (this->SceneReflection ? "on" : "off") << "\n";
   os << indent << "Hulls: " << this->GetNumberOfHulls() << "\n";
   vtkWaterLook look;

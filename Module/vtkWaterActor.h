@@ -35,6 +35,7 @@
 #include "vtkWrappingHints.h"        // for VTK_WRAPEXCLUDE
 
 #include <memory> // for std::unique_ptr
+#include <string>
 #include <vector>
 
 class vtkWaterSource;
@@ -155,6 +156,34 @@ public:
   void SetMeshSlopes(bool isOn);
   vtkGetMacro(MeshSlopes, bool);
   vtkBooleanMacro(MeshSlopes, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Name of an array of a user's mesh with the current that carries the waves: velocities in m/s
+   * along the mesh's axes, with 2 or 3 components, per point or per cell. The waves (sines, wind
+   * sea, normal maps) move with the water at the velocity of each place, and are stretched where
+   * the current accelerates. Their own motion goes on. Has no effect without waves, on waves that
+   * displace the surface (WaveGeometry), and on the built-in sheet; caustics do not move with it.
+   * Velocities that are not finite count as 0. A missing array, and one with another number of
+   * components, is reported as an error, once; then there is no current. The array follows the
+   * mesh. The actor's matrix turns velocities, but does not scale them. Empty, the default: no
+   * current. Source: Vlachos 2010, "Water flow in Portal 2" (two-phase flow map).
+   */
+  void SetFlowArrayName(const std::string& name);
+  std::string GetFlowArrayName() const { return this->FlowArrayName; }
+  ///@}
+
+  ///@{
+  /**
+   * Seconds for which the current of FlowArrayName carries a layer of waves before the layer begins
+   * again; two layers take turns. Waves are stretched by what the velocity changes over the way in
+   * this time: a shorter period stretches them less, and a longer one lets them be followed
+   * further. Waves longer than the way in half a period are hardly carried. In [1e-3, 1e6]; another
+   * value is rejected with an error. Default is 4.
+   */
+  void SetFlowPeriod(double seconds);
+  vtkGetMacro(FlowPeriod, double);
   ///@}
 
   ///@{
@@ -300,6 +329,8 @@ private:
   double Time = 0.0;
   bool SceneReflection = true;
   bool MeshSlopes = true;
+  std::string FlowArrayName;
+  double FlowPeriod = 4.0;
 };
 
 #ifdef VTK_ABI_NAMESPACE_END

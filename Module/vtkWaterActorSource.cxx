@@ -9,11 +9,14 @@
 #include "vtkWaterActorInternals.h"
 #include "vtkWaterCompat.h"
 #include "vtkWaterErrors.h"
+#include "vtkWaterFlow.h"
 #include "vtkWaterFrame.h"
 #include "vtkWaterMeshTraits.h"
 #include "vtkWaterProperty.h"
 #include "vtkWaterReflection.h"
 #include "vtkWaterReflectionPass.h"
+#include "water_cascade.h"
+#include "water_flow.h"
 #include "water_plane.h"
 #include "water_slopes.h"
 
@@ -216,6 +219,45 @@ water_feature_set FeaturesOf(const vtkWaterLook& look)
 }
 
 //------------------------------------------------------------------------------
+void vtkWaterActor::Internals::ReadFlow(vtkWaterSnapshot& water)
+{
+  if (this->Self->FlowArrayName.empty())
+  {
+    return;
+  }
+  const std::string wrong = vtkWaterFlow::Check(
+    this->Self->UsesOwnSheet() ? nullptr : this->Self->GetMapper(), this->Self->FlowArrayName);
+  if (!wrong.empty() && this->FlowError != wrong) // once, until it is mended
+  {
+    vtkErrorWithObjectMacro(this->Self, "FlowArrayName: " << wrong << ". There is no current.");
+  }
+  this->FlowError = wrong;
+  if (!wrong.empty())
+  {
+    return;
+  }
+  water.Features = water_features_with_flow(water.Features);
+  water.FlowArrayName = this->Self->FlowArrayName;
+  water.FlowPeriod = this->Self->FlowPeriod;
+  const vtkWaterLook& look = water.Look;
+  double longest = look.WaveNumber > 0.0 ? 2.0 * vtkMath::Pi() / look.WaveNumber : 0.0;
+  for (const vtkWaterNormalMaps::Layer& layer : look.NormalMaps)
+  {
+    longest = std::max(longest, 0.5 * layer.Map.size); // two waves a side
+  }
+  if (look.Has.has_sea)
+  {
+    longest = std::max(longest, water_cascades_longest(&look.Cascades, 0) / look.MetresPerUnit);
+  }
+  water.FlowLikeness = water_flow_likeness(longest);
+  if ((water.Features & WATER_FEATURE_FLOW) != 0)
+  {
+    // where the current is slower further on it makes waves steeper
+    water.Look.SlopeLookedUp = std::numeric_limits<double>::infinity();
+  }
+}
+
+//------------------------------------------------------------------------------
 vtkWaterSnapshotPointer vtkWaterActor::Internals::Take(vtkRenderer* renderer)
 {
   const vtkMTimeType frame = renderer ? vtkWaterFrame::NumberOf(renderer) : 0;
@@ -258,6 +300,7 @@ vtkWaterSnapshotPointer vtkWaterActor::Internals::Take(vtkRenderer* renderer)
       ? water_features_with_slopes(made->Features, made->Look.Has.lookup)
       : water_features_with_mesh(made->Features);
   }
+  this->ReadFlow(*made);
   if (made->IsSloped())
   {
     made->Look.SlopeRMS = water_slopes_together(made->Look.SlopeRMS, made->Mesh.SlopeRMS);

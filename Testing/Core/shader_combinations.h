@@ -118,6 +118,8 @@ static inline size_t shader_combinations(water_feature_set* sets)
           water_features_with_slopes(water_features_of(&look), look.lookup), &texture);
         sets[count++] = sloped;
         sets[count++] = water_features_on_hardware(sloped);
+        sets[count++] = water_features_with_flow(sloped);
+        sets[count++] = water_features_with_flow(water_features_with_mesh(hardware));
         sets[count++] = water_features_with_hulls(asked);
         sets[count++] = water_features_with_port(hardware);
       }

@@ -152,6 +152,22 @@ TEST(mesh_is_drawn_as_it_is_or_displaced)
   }
 }
 
+// A current carries waves over a mesh: not where there are none, nor where they displace it.
+TEST(a_current_needs_waves_over_a_mesh)
+{
+  for (unsigned has = 0; has < LOOKS; ++has)
+  {
+    const water_feature_look look = look_of(has);
+    const water_feature_set features = water_features_of(&look);
+    const water_feature_set meshed = water_features_with_mesh(features);
+    const bool is_carried =
+      (features & WATER_FEATURE_WAVES) && !(features & WATER_FEATURE_DISPLACED);
+    assert_int_equal(water_features_with_flow(features), features);
+    assert_int_equal(
+      water_features_with_flow(meshed), meshed | (is_carried ? WATER_FEATURE_FLOW : 0));
+  }
+}
+
 // The slopes of a mesh turn rays, which are looked up as those of waves; not where waves move it.
 TEST(slopes_of_a_mesh_turn_rays)
 {
@@ -240,6 +256,7 @@ TEST(sets_have_room_for_64_features)
   assert_true((water_features_with_mesh(last) & last) != 0);
   assert_true((water_features_with_slopes(last, WATER_LOOKUP_RAY_TRACED) & last) != 0);
   assert_true((water_features_with_hulls(last) & last) != 0);
+  assert_true((water_features_with_flow(last) & last) != 0);
   assert_true((water_features_with_port(last) & last) != 0);
   assert_true((water_features_with_samples(last) & last) != 0);
   assert_true((water_features_on_hardware(last) & last) != 0);
@@ -264,8 +281,9 @@ enum
   PHOTON_FILES = sizeof photon_files / sizeof photon_files[0],
   VERTEX_FILES = sizeof vertex_files / sizeof vertex_files[0],
   // looked up in 8 kinds of reflection textures, on 2 of machines, with a mesh, with one that is
-  // not flat, or without, with samples, with hulls, and under one of 8 kinds of skies
-  REACHABLE_MAX = (2 + 11 * 8) * LOOKS
+  // not flat, or without, with samples, with hulls, with a current, and under one of 8 kinds of
+  // skies
+  REACHABLE_MAX = (2 + 12 * 8) * LOOKS
 };
 
 // Features with a sky: one colour, a screen, a map or a cube; from 4 on with a floor.
@@ -321,7 +339,8 @@ static size_t reach_all(const water_feature_set** all)
       features[count + 8] = under_sky(features[count + has % 8], kind);
       features[count + 9] = water_features_with_hulls(features[count + has % 8]);
       features[count + 10] = water_features_with_port(features[count + has % 8]);
-      count += 11;
+      features[count + 11] = water_features_with_flow(features[count + has % 8]);
+      count += 12;
     }
   }
   qsort(features, count, sizeof features[0], compare_sets);
@@ -338,10 +357,10 @@ static size_t reach_all(const water_feature_set** all)
 // A slot that stays empty, and when.
 static bool is_empty(const char* slot, water_feature_set features)
 {
-  static const char* const of_waves[5] = { "tile", "slope", "sines", "sea", "normal_maps" };
+  static const char* const of_waves[6] = { "tile", "slope", "sines", "sea", "normal_maps", "flow" };
   const water_feature_set lookups =
     WATER_FEATURE_ENVIRONMENT | WATER_FEATURE_RAY_TRACED | WATER_FEATURE_OFFSET;
-  for (int i = 0; i < 5; ++i)
+  for (int i = 0; i < 6; ++i)
   {
     if (strcmp(slot, of_waves[i]) == 0)
     {
@@ -364,6 +383,10 @@ static bool is_empty(const char* slot, water_feature_set features)
   if (strcmp(slot, "cover") == 0)
   {
     return !(features & WATER_FEATURE_FOAM);
+  }
+  if (strcmp(slot, "gain") == 0)
+  {
+    return !(features & WATER_FEATURE_FLOW);
   }
   if (strcmp(slot, "slopes") == 0 || strcmp(slot, "highlights") == 0)
   {
@@ -443,18 +466,18 @@ static void assert_order(
 TEST(slots_stand_in_their_order)
 {
   static const char* const surface[] = { "optics", "gradient", "attenuation", "slopes",
-    "highlights", "cover", "cell", "place", "under", "height", "point", "hulls", "sky", "floor",
-    "tile", "slope", "sines", "tiles", "folds", "sea", "normal_maps", "waves", "output",
-    "reflection", "dome", "walk", "behind", "layer", "blur", "caustics", "medium", "others",
-    "refraction", "facet_slopes", "facets", "rays", "shadows", "glitter", "whitecaps", "foam",
-    "sun", "port", "surface" };
+    "highlights", "cover", "gain", "cell", "place", "under", "height", "point", "hulls", "sky",
+    "floor", "tile", "slope", "sines", "tiles", "folds", "sea", "normal_maps", "flow", "waves",
+    "output", "reflection", "dome", "walk", "behind", "layer", "blur", "caustics", "medium",
+    "others", "refraction", "facet_slopes", "facets", "rays", "shadows", "glitter", "whitecaps",
+    "foam", "sun", "port", "surface" };
   static const char* const vertex[] = { "cell", "tiles", "sea", "displacement", "heights", "slopes",
-    "depth" };
+    "flow", "depth" };
   static const char* const photon[] = { "gradient", "place", "height", "point", "tile", "sines",
-    "tiles", "folds", "sea", "normal_maps", "waves", "photon" };
+    "tiles", "folds", "sea", "normal_maps", "flow", "waves", "photon" };
   assert_order(photon_files, PHOTON_FILES, photon, sizeof photon / sizeof photon[0]);
   assert_order(surface_files, SURFACE_FILES, surface, sizeof surface / sizeof surface[0]);
-  assert_order(vertex_files, VERTEX_FILES, vertex, 7);
+  assert_order(vertex_files, VERTEX_FILES, vertex, 8);
 }
 
 // No file and no feature is there for nothing: some shader has it, and all but the files of every
@@ -496,9 +519,12 @@ TEST(vertices_move_where_the_surface_is_displaced)
     for (int j = 0; j < VERTEX_FILES; ++j)
     {
       const file* at = &vertex_files[j];
-      const water_feature_set still =
-        strcmp(at->slot, "heights") == 0 ? WATER_FEATURE_MESH : WATER_FEATURE_SLOPED;
-      const bool is_still = strcmp(at->slot, "heights") == 0 || strcmp(at->slot, "slopes") == 0;
+      const bool is_flow = strcmp(at->slot, "flow") == 0;
+      const water_feature_set still = strcmp(at->slot, "heights") == 0 ? WATER_FEATURE_MESH
+        : is_flow                                                      ? WATER_FEATURE_FLOW
+                                                                       : WATER_FEATURE_SLOPED;
+      const bool is_still =
+        strcmp(at->slot, "heights") == 0 || strcmp(at->slot, "slopes") == 0 || is_flow;
       const water_feature_set feature = is_still ? still : WATER_FEATURE_DISPLACED;
       const bool is_for_all = strcmp(at->slot, "depth") == 0;
       const bool has_sea = (reachable[i] & WATER_FEATURE_SEA_MOVES) != 0;
@@ -513,8 +539,8 @@ TEST(vertices_move_where_the_surface_is_displaced)
 }
 
 TESTS(features_of_every_look_follow_the_rules, layer_and_peel_are_for_traced_rays_alone,
-  mesh_is_drawn_as_it_is_or_displaced, slopes_of_a_mesh_turn_rays,
-  samples_are_of_what_is_seen_through, port_is_for_what_is_seen_through, hardware_reads_in_batches,
-  water_in_a_mirrored_view_is_smooth_or_rough, sets_have_room_for_64_features,
-  each_slot_has_one_file, slots_stand_in_their_order, every_file_and_feature_is_used,
-  vertices_move_where_the_surface_is_displaced)
+  mesh_is_drawn_as_it_is_or_displaced, a_current_needs_waves_over_a_mesh,
+  slopes_of_a_mesh_turn_rays, samples_are_of_what_is_seen_through, port_is_for_what_is_seen_through,
+  hardware_reads_in_batches, water_in_a_mirrored_view_is_smooth_or_rough,
+  sets_have_room_for_64_features, each_slot_has_one_file, slots_stand_in_their_order,
+  every_file_and_feature_is_used, vertices_move_where_the_surface_is_displaced)

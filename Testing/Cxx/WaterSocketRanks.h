@@ -26,8 +26,9 @@ public:
 
   std::int64_t BytesSent = 0; // of contents
   std::int64_t MessagesSent = 0;
-  // A simulated network: each message says when it is there, so that the time that a rank has waited
-  // for is known, however busy this machine is. Sender and receiver are each busy with the bytes.
+  // A simulated network: each message says when it is there, so that the time that a rank has
+  // waited for is known, however busy this machine is. Sender and receiver are each busy with the
+  // bytes.
   double Latency = 0.0; // s
   double SecondsPerByte = 0.0;
   double Clock = 0.0; // s, of this rank
@@ -83,7 +84,8 @@ public:
     {
       if (place + step < count)
       {
-        isGood = isGood && this->SendVoidArray(data, length, type, (place + step + root) % count, 0);
+        isGood =
+          isGood && this->SendVoidArray(data, length, type, (place + step + root) % count, 0);
       }
     }
     return isGood;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// RankScaling RANKS PROPS WIDTH HEIGHT LATENCY_US:MB_PER_S...: a frame of a scene that is split over
-// processes, on each of some simulated networks (MB_PER_S 0: no limit). Prints one line of JSON: per
-// frame the processor's time of the busiest rank, bytes and messages of all ranks and of the
-// busiest, and for each network its time on the slowest rank.
+// RankScaling RANKS PROPS WIDTH HEIGHT LATENCY_US:MB_PER_S...: a frame of a scene that is split
+// over processes, on each of some simulated networks (MB_PER_S 0: no limit). Prints one line of
+// JSON: per frame the processor's time of the busiest rank, bytes and messages of all ranks and of
+// the busiest, and for each network its time on the slowest rank.
 #include "WaterSocketRanks.h"
 #include "WaterTestScene.h"
 
@@ -22,7 +22,7 @@ constexpr unsigned int kPatience = 120; // s, until a process that waits for ano
 
 struct Network
 {
-  double Latency;        // s
+  double Latency; // s
   double SecondsPerByte;
 };
 

@@ -117,6 +117,13 @@ water_feature_set water_features_with_slopes(water_feature_set features, water_l
     if_has((features & looked_up) == 0, rays);
 }
 
+water_feature_set water_features_with_flow(water_feature_set features)
+{
+  const bool has_both =
+    (features & WATER_FEATURE_MESH) != 0 && (features & WATER_FEATURE_WAVES) != 0;
+  return features | if_has(has_both, WATER_FEATURE_FLOW);
+}
+
 water_feature_set water_features_with_hulls(water_feature_set features)
 {
   return features | WATER_FEATURE_HULLS;

@@ -52,7 +52,8 @@ extern "C"
   X(SKY_FLOOR, "a skybox has a floor")                                                             \
   X(SLOPED, "a user's mesh that is not flat: rays follow its slopes")                              \
   X(HULLS, "hulls float in it, with no water inside")                                              \
-  X(PORT, "a camera behind a dome port, which may be half under water")
+  X(PORT, "a camera behind a dome port, which may be half under water")                            \
+  X(FLOW, "a current carries the waves over a user's mesh")
 
 typedef enum water_feature_bit
 {
@@ -87,6 +88,7 @@ WATER_FEATURE_LIST(WATER_FEATURE_VALUE)
   X(slopes, vtkWaterSlopes, WATER_FEATURE_FLAG(GLITTER), 0, "slopes as a distribution")            \
   X(highlights, vtkWaterHighlights, WATER_FEATURE_FLAG(GLITTER), 0, "light over white")            \
   X(cover, vtkWaterFoamCover, WATER_FEATURE_FLAG(FOAM), 0, "foam coverage")                        \
+  X(gain, vtkWaterFlowGain, WATER_FEATURE_FLAG(FLOW), 0, "two layers of waves as steep as one")    \
   X(cell, vtkWaterCell, WATER_FEATURE_FLAG(DISPLACED), 0,                                          \
     "the part of a wave that a grid resolves")                                                     \
   X(place, vtkWaterDisplacementFS, WATER_FEATURE_FLAG(DISPLACED), 0,                               \
@@ -130,6 +132,8 @@ WATER_FEATURE_LIST(WATER_FEATURE_VALUE)
     "normal maps that move")                                                                       \
   X(normal_maps, vtkWaterNoNormalMapsFS, WATER_FEATURE_FLAG(WAVES),                                \
     WATER_FEATURE_FLAG(NORMAL_MAPS), "none")                                                       \
+  X(flow, vtkWaterFlowFS, WATER_FEATURE_FLAG(FLOW), 0, "a current carries the waves")              \
+  X(flow, vtkWaterNoFlowFS, WATER_FEATURE_FLAG(WAVES), WATER_FEATURE_FLAG(FLOW), "none")           \
   X(waves, vtkWaterRippleFS, WATER_FEATURE_FLAG(WAVES), 0, "the normal, from the last three")      \
   X(waves, vtkWaterNoWavesFS, 0, WATER_FEATURE_FLAG(WAVES), "calm: the plane's normal")            \
   X(output, vtkWaterOutputFS, WATER_FEATURE_FLAG(OUTPUT), 0, "confidence, lookup or reflectance")  \
@@ -212,6 +216,7 @@ WATER_FEATURE_LIST(WATER_FEATURE_VALUE)
     "heights of the vertices above the plane")                                                     \
   X(slopes, vtkWaterMeshSlopesVS, WATER_FEATURE_FLAG(SLOPED), 0,                                   \
     "positions and normals of the vertices")                                                       \
+  X(flow, vtkWaterFlowVS, WATER_FEATURE_FLAG(FLOW), 0, "current at the vertices")                  \
   X(depth, vtkWaterDepthVS, 0, 0, "an endless surface is not cut at the near and far planes")
 
 // Files of the shader that follows light from the surface to the bed (water_caustics.h), in order:
@@ -230,6 +235,7 @@ WATER_FEATURE_LIST(WATER_FEATURE_VALUE)
   X(normal_maps, vtkWaterNormalMapsFS, WATER_FEATURE_FLAG(NORMAL_MAPS), 0,                         \
     "normal maps that move")                                                                       \
   X(normal_maps, vtkWaterNoNormalMapsFS, 0, WATER_FEATURE_FLAG(NORMAL_MAPS), "none")               \
+  X(flow, vtkWaterNoFlowFS, 0, 0, "no current: light counts the waves as at rest")                 \
   X(waves, vtkWaterRippleFS, 0, 0, "the normal, from the last three")                              \
   X(photon, vtkWaterPhotonFS, 0, 0, "where the light of a point reaches the bed")
 
@@ -308,6 +314,10 @@ water_feature_set water_features_with_mesh(water_feature_set features);
 
 // The same for such a mesh that is not flat: reflections are looked up along rays, as on waves.
 water_feature_set water_features_with_slopes(water_feature_set features, water_lookup_kind lookup);
+
+// The same for a mesh whose current carries the waves; without waves, or where they displace it,
+// there is nothing to carry.
+water_feature_set water_features_with_flow(water_feature_set features);
 
 // The same for a window of several samples a pixel.
 water_feature_set water_features_with_samples(water_feature_set features);

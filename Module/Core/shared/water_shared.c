@@ -16,6 +16,7 @@
 #define waterGlitterSpread water_shared_glitter_spread
 #define waterRollOff water_shared_roll_off
 #define waterShoreFoam water_shared_shore_foam
+#define waterFlowGain water_shared_flow_gain
 #define waterFoamThreshold water_shared_foam_threshold
 #define waterGradientShare water_shared_gradient_share
 #define waterGradientHeight water_shared_gradient_height
@@ -25,6 +26,7 @@
 #define waterUpperHalf water_shared_upper_half
 
 #include "vtkWaterAttenuation.glsl"
+#include "vtkWaterFlowGain.glsl"
 #include "vtkWaterFoamCover.glsl"
 #include "vtkWaterGradient.glsl"
 #include "vtkWaterHighlights.glsl"

@@ -2,8 +2,6 @@
 // vtkWaterRippleFS.glsl: slot waves: the surface's normal from sines, wind sea and normal maps
 // together.
 
-uniform float waterFootprint; // share of the pixel's sides that slopes are means over; 0: those of the pixel's middle
-
 // dz/dx and dz/dy over a place in the plane's axes; see waterSlope.
 vec2 waterAllSlopes(
   vec2 place, vec2 across, vec2 down, vec3 ray, inout vec4 variance, out float jacobian)
@@ -16,8 +14,8 @@ vec2 waterAllSlopes(
 
 void waterRipple(inout WaterPoint point)
 {
-  vec2 slope = waterAllSlopes(point.place, waterFootprint * point.across, waterFootprint * point.down,
-    vec3(point.ray.xy, waterSide * point.ray.z), point.variance, point.jacobian);
+  vec2 slope = waterFlowingSlopes(
+    point, vec3(point.ray.xy, waterSide * point.ray.z), point.variance, point.jacobian);
   point.even = waterEven;
   point.normal = normalize(vec3(-waterSide * slope - point.tilt, 1.0));
 }

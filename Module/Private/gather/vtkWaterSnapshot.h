@@ -16,6 +16,7 @@
 #include "water_waves.h"
 
 #include <memory>
+#include <string>
 #include <vector>
 
 class vtkActor;
@@ -90,6 +91,9 @@ struct vtkWaterSnapshot
   water_feature_set Features = 0;             // WATER_FEATURE_*
   std::vector<water_wave_term> Waves;         // at the time
   vtkWaterHullTablePointer Hulls;             // what floats in it, at the time; nullptr: nothing
+  std::string FlowArrayName;                  // in use if WATER_FEATURE_FLOW is
+  double FlowPeriod = 0.0;                    // s
+  double FlowLikeness = 0.0;                  // of the waves that flow, water_flow.h
   vtkWaterSea* Sea = nullptr;                 // the actor's; brought to the time by who needs it
   water_settings Settings = water_settings(); // of its own pass
 

@@ -86,6 +86,8 @@ struct vtkWaterActor::Internals : public vtkWaterSource
   bool LowerByWaves(double* places, size_t count);
   // Adds the waterlines of what floats in the water. Says what is wrong with it, once.
   void CutHulls(vtkWaterSnapshot& water);
+  // Lets the current of the mesh carry the waves. Says what is wrong with it, once.
+  void ReadFlow(vtkWaterSnapshot& water);
   // The own sheet as this eye sees it; a user's mapper is drawn as it is.
   vtkMapper* LayGrid(const vtkWaterSnapshot& water, const water_grid_view& view, vtkMapper* mapper);
   // The endless sheet as the renderer's active camera sees it; a user's mapper, or a sheet with an
@@ -111,6 +113,7 @@ struct vtkWaterActor::Internals : public vtkWaterSource
   vtkWaterSea Sea;
   vtkWaterHulls Hulls;
   std::string HullError; // that has been said
+  std::string FlowError; // the same
   vtkWaterHullTablePointer HullTable;
   std::pair<vtkMTimeType, double> HullTime = { 0, 0.0 }; // that it is of, and the scene's unit then
   vtkWaterWarmUp WarmUp;

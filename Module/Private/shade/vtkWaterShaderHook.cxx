@@ -86,8 +86,8 @@ void vtkWaterShaderHook::ReplaceForWater(vtkWaterSource& water, std::string& ver
   }
   water_feature_set features =
     this->Surface ? this->Surface->GetFeatures() : water.Take(nullptr)->Features;
-  constexpr water_feature_set ofVertices =
-    WATER_FEATURE_DISPLACED | WATER_FEATURE_SEA_MOVES | WATER_FEATURE_MESH | WATER_FEATURE_SLOPED;
+  constexpr water_feature_set ofVertices = WATER_FEATURE_DISPLACED | WATER_FEATURE_SEA_MOVES |
+    WATER_FEATURE_MESH | WATER_FEATURE_SLOPED | WATER_FEATURE_FLOW;
   // a geometry shader would have to pass the place at rest, or the height, on
   const bool canAskVertices =
     geometryShader.empty() && vertexShader.find("//VTK::CustomEnd::Impl") != std::string::npos;
@@ -109,6 +109,10 @@ void vtkWaterShaderHook::ReplaceForWater(vtkWaterSource& water, std::string& ver
     {
       InsertBefore(
         vertexShader, "//VTK::CustomEnd::Impl", "  waterMeasureSlope(vertexMC, normalMC);");
+    }
+    if (features & WATER_FEATURE_FLOW)
+    {
+      InsertBefore(vertexShader, "//VTK::CustomEnd::Impl", "  waterMeasureFlow();");
     }
     InsertBefore(vertexShader, "//VTK::CustomEnd::Impl", "  waterKeepDepth(gl_Position);");
   }
@@ -251,8 +255,8 @@ void vtkWaterShaderHook::SetIsAwaited(bool isAwaited)
 }
 
 //------------------------------------------------------------------------------
-bool vtkWaterShaderHook::SetShaderParameters(
-  vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp* prop, vtkOpenGLVertexArrayObject*)
+bool vtkWaterShaderHook::SetShaderParameters(vtkShaderProgram* program, vtkAbstractMapper* mapper,
+  vtkProp* prop, vtkOpenGLVertexArrayObject* vertices)
 {
   if (vtkWaterSource::Of(prop))
   {
@@ -260,7 +264,7 @@ bool vtkWaterShaderHook::SetShaderParameters(
     if (this->Surface && program->isBound())
     {
       this->SetIsAwaited(false);
-      this->Surface->SetParameters(program, mapper);
+      this->Surface->SetParameters(program, mapper, vertices);
       if (this->Surface->GetIsSecondary())
       {
         this->SetUp.erase(program); // two waters may share it, and one be cut already

@@ -357,6 +357,7 @@ void vtkWaterSurfaceShader::ReleaseGraphicsResources(vtkWindow* window)
   {
     texture.ReleaseGraphicsResources(window);
   }
+  this->Flow.ReleaseGraphicsResources();
   this->Backdrop.ReleaseGraphicsResources(window);
   this->Caustics.ReleaseGraphicsResources(window);
   this->IsRefused = false;

@@ -6,6 +6,7 @@
 #include "vtkSmartPointer.h"
 #include "vtkWaterBackdrop.h"
 #include "vtkWaterCaustics.h"
+#include "vtkWaterFlow.h"
 #include "vtkWaterIsotropicTexture.h"
 #include "vtkWaterSkyReader.h"
 #include "vtkWaterSlopeTexture.h"
@@ -20,6 +21,7 @@
 
 class vtkAbstractMapper;
 class vtkOpenGLRenderWindow;
+class vtkOpenGLVertexArrayObject;
 class vtkOpenGLRenderer;
 class vtkShaderProgram;
 class vtkTexture;
@@ -95,7 +97,9 @@ public:
   void Begin(const vtkWaterSnapshotPointer& water, const Inputs& inputs);
   void End();
 
-  void SetParameters(vtkShaderProgram* program, vtkAbstractMapper* mapper);
+  // vertices  that are about to be drawn
+  void SetParameters(
+    vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkOpenGLVertexArrayObject* vertices);
 
   void ReleaseGraphicsResources(vtkWindow* window);
 
@@ -136,6 +140,8 @@ private:
   void SetPhotonParameters(vtkShaderProgram* program);
   void SetSeaParameters(vtkShaderProgram* program);
   void SetNormalMapParameters(vtkShaderProgram* program);
+  void SetFlowParameters(
+    vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkOpenGLVertexArrayObject* vertices);
 
   water_feature_set Features = 0;
   bool IsRefused = false;
@@ -158,6 +164,7 @@ private:
   vtkWaterSlopeTexture NormalMaps[vtkWaterNormalMaps::Limit];
   std::pair<vtkTexture*, vtkMTimeType> NormalMapTimes[vtkWaterNormalMaps::Limit] = {}; // of those
   double NormalMapTexels[vtkWaterNormalMaps::Limit] = {};                              // their size
+  vtkWaterFlow Flow;
   vtkWaterCaustics Caustics;
   water_caustics Light = water_caustics(); // of the draw
   bool HasLight = false;

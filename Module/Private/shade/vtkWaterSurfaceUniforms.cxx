@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkWaterSurfaceUniforms.cxx: the part of vtkWaterSurfaceShader that writes the uniforms.
 #include "vtkMath.h"
+#include "vtkOpenGLPolyDataMapper.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLRenderer.h"
 #include "vtkOpenGLState.h"
@@ -14,6 +15,7 @@
 #include "vtkWaterSurfaceShader.h"
 #include "vtkWaterUniforms.h"
 #include "water_flatness.h"
+#include "water_flow.h"
 #include "water_glitter.h"
 #include "water_lookup.h"
 #include "water_optics.h"
@@ -33,7 +35,8 @@ constexpr double kFlat[4] = { 0.0, 0.0, 0.0, 0.0 };
 }
 
 //------------------------------------------------------------------------------
-void vtkWaterSurfaceShader::SetParameters(vtkShaderProgram* program, vtkAbstractMapper* mapper)
+void vtkWaterSurfaceShader::SetParameters(
+  vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkOpenGLVertexArrayObject* vertices)
 {
   namespace uniforms = vtkWaterUniforms;
   if (!this->Water)
@@ -81,10 +84,41 @@ void vtkWaterSurfaceShader::SetParameters(vtkShaderProgram* program, vtkAbstract
   {
     this->SetNormalMapParameters(program);
   }
+  if (plan && this->Has(WATER_FEATURE_FLOW))
+  {
+    this->SetFlowParameters(program, mapper, vertices);
+  }
   if (this->HasSea)
   {
     this->SetSeaParameters(program);
   }
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterSurfaceShader::SetFlowParameters(
+  vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkOpenGLVertexArrayObject* vertices)
+{
+  namespace uniforms = vtkWaterUniforms;
+  const vtkWaterSnapshot& water = *this->Water;
+  water_plane unit;
+  water_axes axes;
+  if (water_plane_normalise(&water.Plane, &unit) != WATER_OK)
+  {
+    return; // there is no plan then
+  }
+  water_lookup_axes(&unit, this->Drawn.Plan->side, water.Origin, &axes);
+  double across[3];
+  double down[3];
+  water_flow_ways(
+    &axes, water.Mesh.ToWorld, water.FlowPeriod, water.Look.MetresPerUnit, across, down);
+  const water_flow flow = water_flow_at(water.Time, water.FlowPeriod);
+  const double layers[3] = { flow.gone[0], flow.gone[1], flow.weight };
+  uniforms::Set3(program, "waterFlowAcross", across);
+  uniforms::Set3(program, "waterFlowDown", down);
+  uniforms::Set3(program, "waterFlowLayers", layers);
+  uniforms::Set(program, "waterFlowLikeness", water.FlowLikeness);
+  vtkPolyDataMapper* drawn = vtkWaterMeshTraits::AsPolyDataMapper(mapper);
+  this->Flow.Add(drawn ? drawn->GetInput() : nullptr, water.FlowArrayName, program, vertices);
 }
 
 //------------------------------------------------------------------------------

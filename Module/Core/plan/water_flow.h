@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// water_flow.h: a current that carries the small waves, by a two-phase flow map.
+//
+// Where a current moves a pattern for long, it tears it apart: each place has another velocity. So
+// two layers of the same waves are carried along for one period each, half a period apart, and then
+// begin again where they are at rest. A layer begins where its weight is 0, and has all of the
+// weight in the middle of its cycle. Source: Vlachos 2010, "Water flow in Portal 2" (SIGGRAPH 2010,
+// Advances in Real-Time Rendering in 3D Graphics and Games).
+#ifndef water_flow_h
+#define water_flow_h
+
+#include "water_lookup.h"
+
+#ifdef __cplusplus
+extern "C"
+{
+#endif
+
+#define WATER_FLOW_PERIOD_MIN 1e-3 // s
+#define WATER_FLOW_PERIOD_MAX 1e6
+
+typedef struct water_flow
+{
+  double gone[2]; // share of its period that each layer has been carried, in [0, 1)
+  double weight;  // of the first layer, in [0, 1]; the second one has the rest
+} water_flow;
+
+// The layers at a time. They depend on nothing else.
+//
+// time    s, finite
+// period  s, in [WATER_FLOW_PERIOD_MIN, WATER_FLOW_PERIOD_MAX]
+water_flow water_flow_at(double time, double period);
+
+// What takes a current to the way that it goes in a period, along the plane's axes and in the
+// scene's unit: the way is (across . current, down . current). The current is in m/s, along the
+// axes of the mesh; the mesh's matrix turns it, but as a whole makes it neither
+// faster nor slower, whatever it does to heights.
+//
+// metres_per_unit  > 0
+// across           3 numbers; 0: the matrix has no inverse
+// down             the same
+void water_flow_ways(const water_axes* axes, const double mesh_to_world[16], double period,
+  double metres_per_unit, double across[3], double down[3]);
+
+// The distance over which the slopes of waves become unlike: layers that are further apart add as
+// independent waves do, nearer ones as one wave. An eighth of the longest wave, which is chosen:
+// the shorter waves, of which slopes have as much, are unlike before.
+//
+// longest  wave, >= 0
+double water_flow_likeness(double longest);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkWaterFlowGain.glsl: two layers of waves as steep as one (water_flow.h); for shaders and, by water_shared.c, for C.
+
+// The factor that keeps the variance of the slopes while two layers share the weight: their mean has less, the less they
+// are alike. Their correlation is taken for a Gaussian. 1 for a single layer, and for two in one place.
+//
+// weight    of the first layer, in [0, 1]; the second one has the rest
+// apart     the layers, >= 0
+// likeness  distance over which slopes become unlike, > 0
+float waterFlowGain(float weight, float apart, float likeness)
+{
+  float far = apart / likeness;
+  return 1.0 / sqrt(1.0 - 2.0 * weight * (1.0 - weight) * (1.0 - exp(-far * far)));
+}

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// test_flow.c: layers of waves that a current carries.
+#include "test_main.h"
+
+#include "water_flow.h"
+#include "water_shared.h"
+
+#include <string.h>
+
+// A layer is carried at the current's speed, has no weight where it begins again, and all of it
+// half a period later.
+TEST(layers_take_turns)
+{
+  for (int i = -400; i <= 400; ++i)
+  {
+    const double period = 3.0;
+    const double time = 0.0371 * i;
+    const water_flow flow = water_flow_at(time, period);
+    const water_flow next = water_flow_at(time + 1e-3, period);
+    for (int layer = 0; layer < 2; ++layer)
+    {
+      assert_true(flow.gone[layer] >= 0.0 && flow.gone[layer] < 1.0);
+      const double gone = next.gone[layer] - flow.gone[layer];
+      ASSERT_CLOSE(gone < 0.0 ? gone + 1.0 : gone, 1e-3 / period, 1e-12);
+      const double weight = layer == 0 ? flow.weight : 1.0 - flow.weight;
+      ASSERT_CLOSE(weight, 1.0 - fabs(2.0 * flow.gone[layer] - 1.0), 1e-12);
+    }
+    ASSERT_CLOSE(fabs(flow.gone[1] - flow.gone[0]), 0.5, 1e-12);
+  }
+  ASSERT_CLOSE(water_flow_at(0.0, 2.0).weight, 0.0, 0.0);
+  ASSERT_CLOSE(water_flow_at(1.0, 2.0).weight, 1.0, 0.0);
+  ASSERT_CLOSE(water_flow_at(-0.5, 2.0).gone[0], 0.75, 0.0);
+}
+
+// Late and early times are as good as those about 0.
+TEST(any_time_is_in_a_period)
+{
+  const double times[5] = { 1e15, -1e15, -1e-300, 1e-300, -1e-17 };
+  for (int i = 0; i < 5; ++i)
+  {
+    const water_flow flow = water_flow_at(times[i], 2.5);
+    assert_true(flow.gone[0] >= 0.0 && flow.gone[0] < 1.0);
+    assert_true(flow.gone[1] >= 0.0 && flow.gone[1] < 1.0);
+    assert_true(flow.weight >= 0.0 && flow.weight <= 1.0);
+  }
+  ASSERT_CLOSE(water_flow_at(1e15, 4.0).gone[0], 0.0, 0.0); // a multiple of it
+  ASSERT_CLOSE(water_flow_at(1e15 + 1.0, 4.0).gone[0], 0.25, 0.0);
+}
+
+static water_axes axes_of(void)
+{
+  water_axes axes;
+  memset(&axes, 0, sizeof axes);
+  axes.x_dir[0] = axes.y_dir[1] = axes.normal[2] = 1.0;
+  return axes;
+}
+
+// Metres become the scene's unit; the mesh's matrix turns a current, and keeps its speed.
+TEST(ways_are_in_the_scenes_unit)
+{
+  const water_axes axes = axes_of();
+  // a quarter turn about z, ten times as large and 50 times as high, elsewhere
+  const double turned[16] = { 0, -10, 0, 5, 10, 0, 0, 6, 0, 0, 50, 7, 0, 0, 0, 1 };
+  double across[3];
+  double down[3];
+  water_flow_ways(&axes, turned, 3.0, 0.5, across, down);
+  const double expected_across[3] = { 0.0, -6.0, 0.0 };
+  const double expected_down[3] = { 6.0, 0.0, 0.0 };
+  for (int i = 0; i < 3; ++i)
+  {
+    ASSERT_CLOSE(across[i], expected_across[i], 1e-12);
+    ASSERT_CLOSE(down[i], expected_down[i], 1e-12);
+  }
+  const double flat[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1 };
+  water_flow_ways(&axes, flat, 3.0, 0.5, across, down);
+  for (int i = 0; i < 3; ++i)
+  {
+    ASSERT_CLOSE(across[i], 0.0, 0.0);
+    ASSERT_CLOSE(down[i], 0.0, 0.0);
+  }
+}
+
+// Layers in one place are one; independent ones, with half the weight each, have half the variance.
+TEST(the_variance_is_kept)
+{
+  ASSERT_CLOSE(water_shared_flow_gain(0.5, 0.0, 0.3), 1.0, 0.0);
+  ASSERT_CLOSE(water_shared_flow_gain(1.0, 9.0, 0.3), 1.0, 0.0);
+  ASSERT_CLOSE(water_shared_flow_gain(0.0, 9.0, 0.3), 1.0, 0.0);
+  ASSERT_CLOSE(water_shared_flow_gain(0.5, 9.0, 0.3), sqrt(2.0), 1e-12);
+  ASSERT_CLOSE(water_shared_flow_gain(0.25, 9.0, 0.3), 1.0 / hypot(0.25, 0.75), 1e-12);
+  const double near = water_shared_flow_gain(0.5, 0.3, 0.3);
+  ASSERT_CLOSE(near * near * 0.5 * (1.0 + exp(-1.0)), 1.0, 1e-12);
+  ASSERT_CLOSE(water_flow_likeness(4.0), 0.5, 0.0);
+}
+
+TESTS(layers_take_turns, any_time_is_in_a_period, ways_are_in_the_scenes_unit, the_variance_is_kept)
