@@ -39,35 +39,39 @@ def measure(program, ranks, props):
     return row
 
 
-def levels(ranks):
-    """Of a binomial tree."""
-    return math.ceil(math.log2(ranks))
+def message_terms(ranks):
+    """What the messages in a row are linear in: full levels of a binomial tree, and ranks."""
+    return math.floor(math.log2(ranks)), ranks, 1
 
 
-def terms(ranks, props):
-    """What the network's time is linear in: levels of a tree, and props on each; ranks, of what the root gathers."""
-    return levels(ranks), levels(ranks) * props, ranks, 1
+def byte_terms(ranks, props):
+    """What the bytes in a row are linear in: levels of the tree, and props on each; ranks."""
+    levels = math.ceil(math.log2(ranks))
+    return levels, levels * props, ranks, 1
 
 
 class Model:
     """Seconds of a frame = latency * messages in a row + bytes in a row / speed; both fitted by least squares."""
 
     def __init__(self, rows):
-        matrix = np.array([terms(row["ranks"], row["props"]) for row in rows], float)
-        scale = matrix.max(axis=0)
-
-        def fit(values):
+        def fit(terms, values):
+            matrix = np.array(terms, float)
+            scale = matrix.max(axis=0)
             return np.linalg.lstsq(matrix / scale, np.array(values), rcond=None)[0] / scale
 
-        self.messages = fit([row["network"][0] / (1e-6 * LATENCY_ONLY[0]) for row in rows])
-        self.bytes = fit([row["network"][1] * 1e6 * BYTES_ONLY[1] for row in rows])
+        self.messages = fit([message_terms(row["ranks"]) for row in rows],
+                            [row["network"][0] / (1e-6 * LATENCY_ONLY[0]) for row in rows])
+        self.bytes = fit([byte_terms(row["ranks"], row["props"]) for row in rows],
+                         [row["network"][1] * 1e6 * BYTES_ONLY[1] for row in rows])
+
+    def messages_of(self, ranks):
+        return float(self.messages @ np.array(message_terms(ranks), float))
 
     def seconds(self, network, ranks, props, pixels=1.0):
         """pixels: of the view, as a multiple of the measured one; the agreement does not grow with it."""
-        has = np.array(terms(ranks, props), float)
-        in_a_row = self.bytes * has
+        in_a_row = self.bytes * np.array(byte_terms(ranks, props), float)
         in_a_row[[0, 3]] *= pixels
-        return 1e-6 * network[0] * float(self.messages @ has) + float(in_a_row.sum()) / (1e6 * network[1])
+        return 1e-6 * network[0] * self.messages_of(ranks) + float(in_a_row.sum()) / (1e6 * network[1])
 
 
 def plot(report, strong, weak, model):
@@ -77,8 +81,11 @@ def plot(report, strong, weak, model):
         work.plot(ranks, [1e3 * row["work"] for row in rows], "o-", label=label)
         sent.plot(ranks[1:], [row["bytes_most"] / 1e6 for row in rows[1:]], "o-", label=label)
     work.plot(RANKS, [1e3 * strong[0]["work"] / ranks for ranks in RANKS], ":", color="0.5", label="ideal")
-    work.set(xscale="log", yscale="log", xlabel="ranks", ylabel="processor's time of the busiest rank, ms")
-    sent.set(xscale="log", xlabel="ranks", ylabel="MB sent by the busiest rank", ylim=(0, None))
+    for axis in (work, sent):
+        axis.set_xscale("log", base=2)
+        axis.set_xticks(RANKS, [str(ranks) for ranks in RANKS])
+    work.set(yscale="log", xlabel="ranks", ylabel="processor's time of the busiest rank, ms")
+    sent.set(xlabel="ranks", ylabel="MB sent by the busiest rank", ylim=(0, None))
     far = np.unique(np.geomspace(2, FAR, 60).astype(int))
     for number, network in enumerate((ETHERNET, INFINIBAND)):
         place = NETWORKS.index(network)
@@ -123,9 +130,8 @@ def main():
                   f"{1e3 * model.seconds(network, FAR, FAR * scale if scale > 1 else PROPS, pixels):.1f}")
                  for network in (ETHERNET, INFINIBAND) for scale in (1, PROPS_A_RANK)
                  for size, pixels in (("640 x 360", 1.0), ("1920 x 1080", hd))]
-    messages = model.messages
     report.write(predicted=table(("network", "props", "picture", "ms a frame"), predicted),
-                 far_messages=f"{messages @ np.array(terms(FAR, PROPS), float):.0f}",
+                 far_messages=f"{model.messages_of(FAR):.0f}",
                  far_ranks=FAR, size=f"{SIZE[0]} x {SIZE[1]}")
     sys.exit(1 if report.has_failed() else 0)
 
