@@ -116,6 +116,18 @@ vtkRenderPass* vtkWaterReflectionPass::GetDelegatePass()
 }
 
 //------------------------------------------------------------------------------
+void vtkWaterReflectionPass::KeepBackground(vtkRenderer* renderer)
+{
+  vtkWaterKeptBackground& kept = this->Reflection->Background;
+  kept = vtkWaterKeptBackground();
+  if (renderer)
+  {
+    kept.IsKept = true;
+    vtkWaterSkyReader::ReadBackground(renderer, kept.Sky, kept.Textures);
+  }
+}
+
+//------------------------------------------------------------------------------
 void vtkWaterReflectionPass::SetController(vtkMultiProcessController* controller)
 {
   if (this->GetController() != controller)

@@ -352,6 +352,14 @@ public:
   ///@}
 
   /**
+   * Keeps a renderer's background as it is now (colours, gradient, picture): this is what later
+   * frames reflect, whatever the renderer's background is while they are drawn. For engines that
+   * blank it while they draw, as IceT's compositing pass does. Call it again when the background
+   * has changed. nullptr, the default: the renderer's own background is reflected.
+   */
+  void KeepBackground(vtkRenderer* renderer);
+
+  /**
    * Number of pixels of the mirrored view that the ranks joined in the last frame; 0 if the last
    * view was reused, or without other ranks.
    */

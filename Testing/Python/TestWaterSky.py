@@ -300,3 +300,28 @@ def test_the_users_texture_keeps_its_filter(has_mip_levels):
         view.picture()
         found.append(texture.GetTextureObject().GetMaximumAnisotropicFiltering())
     wt.check_at_most("anisotropy, from that without water", abs(found[0] - found[1]), 0)
+
+
+def test_a_kept_background_is_reflected_while_the_renderers_is_blanked():
+    """As engines do that composite pictures of ranks: the water shows what was kept, and follows its changes."""
+    view = wt.View(SIZE, background=(0.8, 0.3, 0.1))
+    water = wt.add_water(view.renderer, wt.plane((0, 0, LEVEL), (0, 0, 1)), (-300, 300, -300, 300))
+    reflection = water.GetReflectionPass()
+    look_at(view, (0, -6, LEVEL + 2), (0, 0, LEVEL), 45)
+    view.renderer.GradientBackgroundOn()
+    view.renderer.SetBackground2(0.1, 0.2, 0.9)
+    mask = wt.water_mask(view, water)
+    seen = view.picture()[mask].astype(float)
+    reflection.KeepBackground(view.renderer)
+    view.renderer.SetBackground(0, 0, 0)
+    view.renderer.GradientBackgroundOff()
+    wt.check_at_most("kept, of 255", float(np.abs(view.picture()[mask] - seen).max()), 0)
+    renders = reflection.GetNumberOfReflectionRenders()
+    view.picture()
+    wt.check_equal("mirrored views of a still frame", reflection.GetNumberOfReflectionRenders() - renders, 0)
+    reflection.KeepBackground(view.renderer)
+    wt.check_at_most("kept anew: black, of 255", float(view.picture()[mask].max()), 0)
+    reflection.KeepBackground(None)
+    view.renderer.SetBackground(0.8, 0.3, 0.1)
+    shown = view.picture()[mask].astype(float)
+    wt.check_at_least("its own again, of 255", float(shown[:, 0].min()), 150)

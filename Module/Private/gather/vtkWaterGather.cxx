@@ -312,6 +312,11 @@ void vtkWaterGather::Read(vtkRenderer* renderer, const std::vector<vtkWaterSnaps
   this->Scene.window_samples = window->GetMultiSamples();
   this->ReadWaters(renderer, waters);
   vtkWaterSkyReader::ReadBackground(renderer, this->Scene.sky, this->Sky);
+  if (hints.Background && hints.Background->IsKept)
+  {
+    this->Scene.sky = hints.Background->Sky;
+    this->Sky = hints.Background->Textures;
+  }
   ReadEnvironment(renderer, this->Scene);
   ReadSun(renderer, this->Scene);
   ReadLights(renderer, this->Scene);

@@ -63,6 +63,11 @@ void vtkWaterSignature::AddSky(const water_sky& sky)
 {
   this->Add(static_cast<vtkMTimeType>(sky.screen));
   this->Add(static_cast<vtkMTimeType>(sky.map.kind));
+  for (int i = 0; i < 3; ++i) // a kept background's are not the renderer's
+  {
+    this->AddNumber(sky.bottom[i]);
+    this->AddNumber(sky.top[i]);
+  }
   for (const double value : sky.map.to_map)
   {
     this->AddNumber(value); // a renderer's rotation of its surroundings is not in its other numbers

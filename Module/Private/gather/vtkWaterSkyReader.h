@@ -19,6 +19,14 @@ struct vtkWaterSkyTextures
   vtkSmartPointer<vtkTexture> Floor;
 };
 
+// A renderer's background as it was, for frames in which something else blanks it.
+struct vtkWaterKeptBackground
+{
+  bool IsKept = false;
+  water_sky Sky = water_sky();
+  vtkWaterSkyTextures Textures;
+};
+
 namespace vtkWaterSkyReader
 {
 // Has it a pixel to show, and is it a cube map if one is wanted?

@@ -35,7 +35,8 @@ public:
     bool IsInstrumented = false; // times and numbers are taken
   };
   UserSettings Settings;
-  vtkWaterRanks Ranks; // whose scenes are one
+  vtkWaterRanks Ranks;               // whose scenes are one
+  vtkWaterKeptBackground Background; // that is reflected, if it is kept
 
   // Of the last frame, for whoever asks the pass.
   struct FrameReport

@@ -103,8 +103,9 @@ void vtkWaterReflection::Gather(
   {
     attempt.Waters.push_back(water->Take(frame.Renderer));
   }
-  this->Gathered.Read(
-    frame.Renderer, attempt.Waters, frame.Viewport_px, this->Settings, frame.Hints);
+  vtkWaterFrameHints hints = frame.Hints;
+  hints.Background = &this->Background;
+  this->Gathered.Read(frame.Renderer, attempt.Waters, frame.Viewport_px, this->Settings, hints);
   vtkWaterShaderFailures& failures = frame.Hook->Failures;
   std::function<bool(vtkProp*)> isRefused; // none is, as a rule
   if (!failures.AreNone())
