@@ -167,8 +167,8 @@ def add_scene_arguments(parser):
                        help="radius of a dome port around the camera, m: if the camera is less than this above the "
                             "water, the picture is half above and half under water; turns refraction on; "
                             "default 0: no port")
-    water.add_argument("--quality", choices=QUALITIES, help="quality of reflections on waves; without this option: "
-                       "default")
+    water.add_argument("--quality", choices=QUALITIES,
+                       help="quality of reflections on waves; without this option: default")
     water.add_argument("--units", type=units, metavar="UNIT",
                        help="length unit of the file: um, mm, cm, m, km, in, ft, mi or a number of metres; default: m "
                             "for terrains and with --waves, otherwise automatic, from the file's size")

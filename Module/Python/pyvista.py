@@ -21,7 +21,8 @@ from .hulls import hulls_of
 from .measure import WHOLE
 from .skies import Sun, add_clear_sky, has_scene_light, shine, sun_of
 from .sliders import add_water_level_slider
-from .surfaces import axis_of, check_has_water, check_level, color_surface, lakes_of, level_and_surface, plane_of, surface_of
+from .surfaces import (axis_of, check_has_water, check_level, color_surface, lakes_of, level_and_surface, plane_of,
+                       surface_of)
 from .words import finite, in_range, number, numbers, set_look, whole_in_range
 
 __all__ = ["Sun", "add_clear_sky", "add_water", "add_water_level_slider"]

@@ -103,8 +103,8 @@ def table_of(cmap, low, high):
     try:
         return pv.LookupTable(cmap, scalar_range=(low, high))
     except (TypeError, ValueError):
-        raise ValueError(f"cmap is {cmap!r}; it must be the name of one of matplotlib's colour maps, such as 'viridis' or "
-                         "'turbo', or a list of colours") from None
+        raise ValueError(f"cmap is {cmap!r}; it must be the name of one of matplotlib's colour maps, such as "
+                         "'viridis', or a list of colours") from None
 
 
 def level_and_surface(water, level, surface):

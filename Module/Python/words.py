@@ -267,8 +267,8 @@ def set_waves(look, waves):
     if isinstance(waves, str) or not hasattr(waves, "__len__"):
         raise TypeError(f"waves must be a number or a sequence of waves, not {type(waves).__name__}")
     if len(waves) and all(isinstance(part, Real) for part in waves):
-        raise ValueError(f"waves is {waves!r}; a single wave must be in a list, too: waves=[{tuple(waves)!r}], with 2 to "
-                         f"{MOST_NUMBERS_OF_A_WAVE} numbers each")
+        raise ValueError(f"waves is {waves!r}; a single wave must be in a list, too: waves=[{tuple(waves)!r}], with 2 "
+                         f"to {MOST_NUMBERS_OF_A_WAVE} numbers each")
     for i, wave in enumerate(waves):
         with raising(look, Wave=f"waves[{i}]"):
             look.AddWave(*numbers(f"waves[{i}]", wave, 2, MOST_NUMBERS_OF_A_WAVE))
