@@ -211,6 +211,8 @@ void vtkPVWaterRepresentation::PrepareRender(vtkPVRenderView* view)
   // whether ranks compose one picture changes from frame to frame: no other frame may exchange
   pass->SetController(
     isDistributed && isServer ? vtkMultiProcessController::GetGlobalController() : nullptr);
+  // IceT's pass blanks it while it draws
+  pass->KeepBackground(isDistributed && isServer ? view->GetRenderer() : nullptr);
   // the view's passes are unknown to the water, which would keep half floats for them
   pass->SetColorPrecision(view->GetUseToneMapping() ? vtkWaterReflectionPass::HALF_FLOAT
                                                     : vtkWaterReflectionPass::EIGHT_BIT);

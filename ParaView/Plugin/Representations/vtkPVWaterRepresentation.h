@@ -176,7 +176,7 @@ private:
     bool Glitter = true;
     bool Shadows = false;
     bool SceneReflection = true;
-    double MetresPerUnit = 0.0;
+    double MetresPerUnit = 1.0;
     std::string Quality = "default";
     double TextureScale = 1.0;
     double TimeScale = 1.0;

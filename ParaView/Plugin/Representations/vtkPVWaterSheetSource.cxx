@@ -4,6 +4,8 @@
 #include "vtkCellArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
@@ -84,6 +86,15 @@ bool vtkPVWaterSheetSource::Place(vtkPolyData* sheet, vtkWaterActor* water)
     water->ResetSheetBounds();
   }
   return true;
+}
+
+//------------------------------------------------------------------------------
+int vtkPVWaterSheetSource::RequestInformation(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  // or ranks other than the first would get nothing, and place their waters elsewhere
+  outputVector->GetInformationObject(0)->Set(vtkAlgorithm::CAN_HANDLE_PIECE_REQUEST(), 1);
+  return 1;
 }
 
 //------------------------------------------------------------------------------

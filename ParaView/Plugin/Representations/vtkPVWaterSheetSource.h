@@ -86,6 +86,8 @@ protected:
   vtkPVWaterSheetSource() { this->SetNumberOfInputPorts(0); }
   ~vtkPVWaterSheetSource() override = default;
 
+  int RequestInformation(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
 
