@@ -33,7 +33,8 @@ vtk_water_status Ask(Handle* handle, Value* value, Function function) noexcept
 //------------------------------------------------------------------------------
 const char* vtk_water_status_text(vtk_water_status status)
 {
-  return status >= 0 && status < VTK_WATER_STATUS_COUNT ? statusTexts[status] : "unknown status";
+  const int place = status; // a C program may hand over any number
+  return place >= 0 && place < VTK_WATER_STATUS_COUNT ? statusTexts[place] : "unknown status";
 }
 
 const char* vtk_water_last_error(void)

@@ -92,7 +92,8 @@ void vtkWaterClearSkySource::SetTurbidity(double turbidity)
 //------------------------------------------------------------------------------
 void vtkWaterClearSkySource::SetExposure(double exposure)
 {
-  this->SetNumber("Exposure", "", exposure, 0.0, std::numeric_limits<float>::max(), this->Exposure);
+  const double largest = static_cast<double>(std::numeric_limits<float>::max());
+  this->SetNumber("Exposure", "", exposure, 0.0, largest, this->Exposure);
 }
 
 //------------------------------------------------------------------------------

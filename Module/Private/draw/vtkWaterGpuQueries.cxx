@@ -68,7 +68,7 @@ double vtkWaterGpuQueries::GetTime(int part)
   vtkOpenGLRenderTimer* timer = this->Timers[part].get();
   if (timer && timer->Stopped() && timer->Ready())
   {
-    this->Times[part] = timer->GetElapsedMilliseconds();
+    this->Times[part] = static_cast<double>(timer->GetElapsedMilliseconds());
   }
   return this->Times[part];
 }

@@ -102,9 +102,10 @@ void vtkWaterParts::Share(vtkPolyData* mesh, size_t most)
   double all[6];
   mesh->GetBounds(all);
   this->IsTight = std::equal(bounds, bounds + 6, all);
-  const double coordinate = std::accumulate(bounds, bounds + 6, 0.0, [](double most, double bound) {
-    return std::max({ most, bound, -bound });
-  });
+  const double coordinate =
+    std::accumulate(bounds, bounds + 6, 0.0, [](double largest, double bound) {
+      return std::max({ largest, bound, -bound });
+    });
   const bool isSingle = mesh->GetPoints()->GetDataType() != VTK_DOUBLE;
   std::vector<size_t> planes(parts.size());
   std::vector<size_t> first(std::min(parts.size(), most));
@@ -162,7 +163,7 @@ void vtkWaterParts::Extract(vtkPolyData* mesh, size_t plane, vtkPolyData* extrac
   for (vtkIdType cell : cells)
   {
     mesh->GetPolys()->GetCellAtId(cell, corners);
-    polygons->InsertNextCell(corners->GetNumberOfIds());
+    polygons->InsertNextCell(static_cast<int>(corners->GetNumberOfIds()));
     for (vtkIdType i = 0; i < corners->GetNumberOfIds(); ++i)
     {
       const vtkIdType point = corners->GetId(i);

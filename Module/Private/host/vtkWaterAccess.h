@@ -20,6 +20,7 @@
 #include "vtkProp.h"
 #include "vtkRenderer.h"
 #include "vtkShadowMapPass.h"
+#include "vtkVersion.h"
 
 #include <string>
 #include <vector>
@@ -33,8 +34,25 @@ struct Renderer : public vtkRenderer
     return renderer->*(&Renderer::ActiveCamera);
   }
   // What is drawn in this frame, in this order; there from culling to the end of the frame.
-  static vtkProp** PropsOf(vtkRenderer* renderer) { return renderer->*(&Renderer::PropArray); }
-  static int PropCountOf(vtkRenderer* renderer) { return renderer->*(&Renderer::PropArrayCount); }
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 7, 0)
+  static vtkProp** PropsOf(vtkRenderer* renderer)
+  {
+    return (renderer->*(&Renderer::PropArray)).data();
+  }
+  static int PropCountOf(vtkRenderer* renderer)
+  {
+    return static_cast<int>((renderer->*(&Renderer::PropArray)).size());
+  }
+#else
+  static vtkProp** PropsOf(vtkRenderer* renderer)
+  {
+    return renderer->*(&Renderer::PropArray);
+  }
+  static int PropCountOf(vtkRenderer* renderer)
+  {
+    return renderer->*(&Renderer::PropArrayCount);
+  }
+#endif
 };
 
 struct OpenGLRenderer : public vtkOpenGLRenderer
