@@ -30,7 +30,7 @@ function(vcpkg_extract_source_archive out)
 endfunction()
 function(vcpkg_cmake_configure)
   cmake_parse_arguments(PARSE_ARGV 0 arg "" "SOURCE_PATH" "OPTIONS")
-  run("${CMAKE_COMMAND}" -S "${arg_SOURCE_PATH}" -B "${build_dir}" -G Ninja -DCMAKE_BUILD_TYPE=Release
+  run("${CMAKE_COMMAND}" -S "${arg_SOURCE_PATH}" -B "${build_dir}" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_FLAGS_RELEASE=-O0
     "-DCMAKE_INSTALL_PREFIX=${CURRENT_PACKAGES_DIR}" -DCMAKE_INSTALL_LIBDIR=lib "-DVTK_DIR=${VTK_DIR}"
     "-DPython3_EXECUTABLE=${PYTHON}" ${arg_OPTIONS})
 endfunction()
@@ -76,7 +76,7 @@ foreach(file IN LISTS cmake_files)
     message(FATAL_ERROR "a CMake file outside of share/${PORT}: ${file}")
   endif()
   file(READ "${CURRENT_PACKAGES_DIR}/${file}" text)
-  foreach(folder IN ITEMS "${WORK}" "${PROJECT}")
+  foreach(folder IN ITEMS "${WORK}" "${PROJECT}" "${VTK_DIR}")
     string(FIND "${text}" "${folder}" place)
     if(NOT place EQUAL -1)
       message(FATAL_ERROR "${file} names a folder of this machine: ${folder}")
