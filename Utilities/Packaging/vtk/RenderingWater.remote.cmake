@@ -5,5 +5,5 @@
 vtk_fetch_module(RenderingWater
   "Water surfaces that reflect their scene"
   GIT_REPOSITORY https://github.com/vtkwater/vtkwater.git
-  GIT_TAG v0.1.0
+  GIT_TAG v0.2.0
   )
