@@ -30,6 +30,8 @@ def add_data_arguments(parser, number):
     group.add_argument("--contour-value", type=number(), metavar="VALUE", help="default 0.5, for a volume fraction")
     group.add_argument("--color-by", metavar="ARRAY", help="array that colours the water; vectors by their "
                        "magnitude")
+    group.add_argument("--flow", metavar="ARRAY", help="velocity of a current, m/s, that carries the small waves; "
+                       "give the water some with --preset, --wind or --waves")
     group.add_argument("--cmap", metavar="NAME", help=f"colour map: {', '.join(COLOR_MAPS)}, or any of matplotlib's "
                        "if it is installed; default viridis")
     group.add_argument("--clim", type=color_range, metavar="LOW:HIGH",
@@ -68,7 +70,7 @@ def check_data(parser, arguments):
     """End the program if options of data contradict each other, or are used without data."""
     kind = pathlib.Path(arguments.file).suffix.lower()
     if not is_data(arguments):
-        for word in ("dry_depth", "contour_value", "color_by", "cmap", "clim", "scalar_bar", "lonlat", "step",
+        for word in ("dry_depth", "contour_value", "color_by", "flow", "cmap", "clim", "scalar_bar", "lonlat", "step",
                      "times"):
             if getattr(arguments, word, None) is not None:
                 parser.error(f"--{word.replace('_', '-')} needs an array that defines the water: add "
@@ -104,7 +106,7 @@ def make_data_water(arguments, words, make_scene):
     """The water of a solver's file, its bed, and the view, in a scene that is made when the file is read."""
     level = arguments.level[0] if isinstance(arguments.level, tuple) else arguments.level
     names = {"level": level if isinstance(level, str) else None, "depth": arguments.depth, "bed": arguments.bed,
-             "contour": arguments.contour, "color_by": arguments.color_by}
+             "contour": arguments.contour, "color_by": arguments.color_by, "flow": arguments.flow}
     solution = solutions.Solution(arguments.file, dict.fromkeys(filter(None, names.values())),
                                   bool(arguments.contour), arguments.lonlat,
                                   read_ahead=arguments.command == "animate")

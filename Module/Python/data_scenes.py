@@ -61,6 +61,8 @@ class DataWater:
         Instead of level, depth and bed: the name of an array of a volume, and its value on the water's surface.
     color_by : str, optional
         An array that colours the water; vectors by their magnitude.
+    flow : str, optional
+        An array with the velocity of a current, m/s, that carries the small waves.
     cmap : str, optional
         One of COLOR_MAPS or, where it is installed, of matplotlib's; default 'viridis'.
     clim : sequence[float], optional
@@ -78,8 +80,8 @@ class DataWater:
     FileError, ValueError
     """
 
-    def __init__(self, scene, solution, *, level=None, depth=None, bed=None, contour=None, color_by=None, cmap=None,
-                 clim=None, dry_depth=None, exaggeration=1.0, **words):
+    def __init__(self, scene, solution, *, level=None, depth=None, bed=None, contour=None, color_by=None, flow=None,
+                 cmap=None, clim=None, dry_depth=None, exaggeration=1.0, **words):
         self.scene, self.solution = scene, solution
         self._level, self._names = level, {"depth": depth, "bed": bed}
         self._exaggeration = exaggeration
@@ -104,6 +106,8 @@ class DataWater:
         self._mapper.SetInputConnection(self._shown.GetOutputPort())
         self.water = scene.water = vtkWaterActor()
         set_look(self.water.GetWaterProperty(), **words)
+        if flow:
+            self._let_flow(flow)
         if color_by:
             self._color(color_by, cmap, clim)
         self.water.SetMapper(self._mapper)
@@ -218,6 +222,13 @@ class DataWater:
         elevation = numpy_to_vtk(heights, deep=True)
         elevation.SetName(ELEVATION)
         self._ground.GetPointData().SetScalars(elevation)
+
+    def _let_flow(self, name):
+        components = array_of(self.solution.step(0), name).GetNumberOfComponents()
+        if components not in (2, 3):
+            raise ValueError(f"{self.solution.path}: the array '{name}' has {components} components; a velocity has 2 "
+                             "or 3")
+        self.water.SetFlowArrayName(name)
 
     def _color(self, name, cmap, clim):
         ends = clim or self.solution.range_of(name)

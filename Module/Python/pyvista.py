@@ -21,8 +21,8 @@ from .hulls import hulls_of
 from .measure import WHOLE
 from .skies import Sun, add_clear_sky, has_scene_light, shine, sun_of
 from .sliders import add_water_level_slider
-from .surfaces import (axis_of, check_has_water, check_level, color_surface, lakes_of, level_and_surface, plane_of,
-                       surface_of)
+from .surfaces import (axis_of, check_flow, check_has_water, check_level, color_surface, lakes_of, level_and_surface,
+                       plane_of, surface_of)
 from .words import finite, in_range, number, numbers, set_look, whole_in_range
 
 __all__ = ["Sun", "add_clear_sky", "add_water", "add_water_level_slider"]
@@ -40,6 +40,7 @@ def add_water(
     level=None,
     depth=None,
     bed=None,
+    flow=None,
     color_by=None,
     cmap=None,
     clim=None,
@@ -94,6 +95,11 @@ def add_water(
         of points or cells. Two of ``level``, ``depth`` and ``bed`` define the water. Without ``bed`` the bed is the
         mesh's own z; with only ``level`` the whole mesh is wet. The water ends where the bed reaches its level,
         between the points, and follows the arrays when they change (:vtk:`vtkWaterSurfaceFilter`).
+
+    flow : str, optional
+        An array of the surface's points or cells with the velocity of a current, m/s, 2 or 3 components. It carries
+        the small waves: give the water some with ``preset``, ``wind`` or ``waves``, and set ``actor.time`` before each
+        frame (:vtk:`vtkWaterActor`'s ``FlowArrayName``).
 
     color_by : str, optional
         An array of the surface's points or cells that colours the water, through ``cmap`` (default: the theme's) and
@@ -256,6 +262,8 @@ def add_water(
     if data_opacity is not None:
         data_opacity = in_range("data_opacity", data_opacity, 0.0, 1.0)
     mapper, data = surface_of(surface, level, depth, bed, normal, origin)
+    if flow is not None:
+        check_flow(surface, flow)
     if color_by is not None:
         color_surface(mapper, surface, color_by, cmap, clim)
         if refraction is None and not foam and not caustics and not dome_port and data_opacity in (None, 1):
@@ -289,6 +297,8 @@ def add_water(
         actor.SetTime(number("time", time))
     if data_opacity is not None:
         look.SetDataOpacity(data_opacity)
+    if flow is not None:
+        actor.SetFlowArrayName(flow)
     if max_mirrors is not None and lakes is not None:
         lakes.SetMaximumNumberOfMirrors(max_mirrors)
     if has_level and mapper is not None:

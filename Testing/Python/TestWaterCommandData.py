@@ -419,6 +419,20 @@ def test_an_openfoam_case_is_read_and_contoured():
     wt.check_equal("rises", levels == sorted(levels) and levels[0] < levels[1] < levels[2], True)
 
 
+def test_a_current_carries_the_waves(folder, capsys):
+    """--flow moves what a preset's waves reflect; an array that is no velocity, or is not there, is an error."""
+    options = (*DATA, "--units", "m", "--wind", 6, *LOOK, "--step", 2)
+    for name, more in (("without", ()), ("with", ("--flow", "v"))):
+        wt.check_equal("status", run(folder, capsys, "render", folder / "slope.pvd", *options, *more, "--out",
+                                     folder / f"flow_{name}.png")[0], 0)
+    wt.check_at_least("pixels that change", int((pixels_of(folder / "flow_with.png") !=
+                                                 pixels_of(folder / "flow_without.png")).any(axis=2).sum()), 100)
+    for name, words in (("h", "the array 'h' has 1 components"), ("speed", "there is no array 'speed'")):
+        status, _, told = run(folder, capsys, "render", folder / "slope.pvd", *options, "--flow", name, "--out",
+                              folder / "flow.png")
+        wt.check(f"{name}: error", told, words, status not in (0, None) and words in told)
+
+
 def test_colours_are_those_of_all_steps(folder):
     """A vector by its length, at every time through one table; --clim says another."""
     water = water_of(folder, folder / "slope.pvd", *DATA, "--color-by", "v")

@@ -277,3 +277,29 @@ def test_another_unit_is_warned_of(plotter):
     mesh["zeta"] = np.asarray(mesh["zeta"]) + 1.0
     from_above(plotter)
     wt.check_equal("warnings", len(caught), 1)
+
+
+def test_a_current_carries_the_waves(plotter):
+    """Over time the waves are elsewhere than without it; a still one changes nothing; the lakes of a mesh share it."""
+    mesh = solution()
+    mesh["velocity"] = np.column_stack([0.0 * mesh["h"] + 0.3, 0.2 + 0.0 * mesh["h"], 0.0 * mesh["h"]])
+    mesh["still"] = 0.0 * mesh["velocity"]
+    pictures = {}
+    for name in (None, "still", "velocity"):
+        water = plotter.add_water(mesh, depth="h", bed="zb", waves=[(0.04, 1.2, 20)], flow=name, name="water")
+        water.time = 1.3
+        pictures[name] = from_above(plotter)
+    wt.check_equal("pixels that a still one changes", int((pictures["still"] != pictures[None]).sum()), 0)
+    wt.check_at_least("pixels that a current changes", int((pictures["velocity"] != pictures[None]).sum()), 1000)
+
+
+@pytest.mark.parametrize("error, words, flow", (
+    (ValueError, ("flow is 'speed'", "zb, h"), "speed"), (ValueError, ("flow is 'h'", "1 components", "2 or 3"), "h"),
+    (TypeError, ("flow must be",), 3.0)))
+def test_a_wrong_current_is_an_error(error, words, flow, plotter):
+    with pytest.raises(error) as told:
+        plotter.add_water(solution(), depth="h", bed="zb", flow=flow)
+    for word in words:
+        wt.check(f"'{word}' is in the error", str(told.value), word, word in str(told.value))
+    with pytest.raises(ValueError, match="needs a surface"):
+        plotter.add_water(level=0.0, flow="velocity")
