@@ -18,7 +18,8 @@ def add_data_arguments(parser, number):
     """number(least, most): the type of a number in a range."""
     group = parser.add_argument_group(
         "the data", "A solver's file: arrays of its points or cells define the water; two of level, depth and bed are "
-        "enough. More file types: " + " ".join(kind for kind in solutions.KINDS if kind not in readers.KINDS))
+        "enough. A folder of GeoTIFF files is a series: depth_0, depth_600 and bed are the array depth at two times, and "
+        "the array bed. More file types: " + " ".join(kind for kind in solutions.KINDS if kind not in readers.KINDS))
     group.add_argument("--depth", metavar="ARRAY", help="depth of the water")
     group.add_argument("--bed", metavar="ARRAY", help="height of the bed; default: the level minus the depth or, "
                        "with the depth alone, the mesh's own z")
@@ -78,7 +79,8 @@ def check_data(parser, arguments):
         if arguments.level is None:
             parser.error("the following arguments are required: --level")
         return
-    if kind not in solutions.KINDS:
+    is_stack = pathlib.Path(arguments.file).is_dir()
+    if kind not in solutions.KINDS and not is_stack:
         if isinstance(arguments.level, str):
             parser.error(f"argument --level: {arguments.level!r} is not a number, and a file "
                          f"{f'of the type {kind}' if kind else 'without a suffix'} has no arrays")

@@ -240,6 +240,12 @@ def surface_of_image(image: vtkImageData, path, no_data):
 
 
 def read_tiff(path, no_data):
+    heights, spacing, origin, no_data = grid_of_tiff(path, no_data)
+    return with_path(path, heights, spacing, origin, no_data)
+
+
+def grid_of_tiff(path, no_data=None):
+    """The numbers of a GeoTIFF file: rows from south to north, spacing, origin, no-data value or None."""
     try:
         from PIL import Image
     except ImportError:
@@ -277,8 +283,8 @@ def read_tiff(path, no_data):
             raise FileError(f"{path}: its centre is at latitude {latitude:g}; it must lie between -90 and 90 degrees")
         middle = math.radians(latitude)
         spacing = (spacing[0] * METRES_PER_DEGREE * math.cos(middle), spacing[1] * METRES_PER_DEGREE)
-        return with_path(path, heights[::-1], spacing, (0.0, 0.0), no_data)
-    return with_path(path, heights[::-1], spacing, (tie[3] - spacing[0] * tie[0], south), no_data)
+        return heights[::-1], spacing, (0.0, 0.0), no_data
+    return heights[::-1], spacing, (tie[3] - spacing[0] * tie[0], south), no_data
 
 
 def numbers_of(value, tag, path):

@@ -58,6 +58,9 @@ class UgridMesh:
         sorted_times, self._order = np.unique(values, return_index=True)
         self.times = sorted_times.tolist()
 
+    def files_of(self, i):
+        return ()
+
     def read(self, i):
         """The mesh of a step; missing values are NaN. Raises FileError if an array does not have the mesh's size."""
         points, cells, data = vtkPoints(), vtkCellArray(), vtkPolyData()

@@ -6,7 +6,7 @@ import pytest
 import water_test as wt
 from vtkmodules import vtkIONetCDF
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkwater import solutions
+from vtkwater import solutions, sources
 from vtkwater.readers import FileError
 from vtkwater.ugrid import NoMesh, UgridMesh
 
@@ -87,8 +87,8 @@ def test_why_a_mesh_is_refused_is_said(tmp_path, monkeypatch, is_vtks, fault, by
 
 def hide_vtks(monkeypatch):
     """As if this were a VTK before 9.2."""
-    of_vtk = solutions.reader_of
-    monkeypatch.setattr(solutions, "reader_of",
+    of_vtk = sources.reader_of
+    monkeypatch.setattr(sources, "reader_of",
                         lambda module, name: None if "UGRID" in name else of_vtk(module, name))
 
 
