@@ -177,6 +177,12 @@ void vtkWaterProperty::SetShadows(bool shadows)
 }
 
 //------------------------------------------------------------------------------
+void vtkWaterProperty::SetLightShafts(double share)
+{
+  vtkWaterSetInRange(LightShafts, share, 0.0, 1.0);
+}
+
+//------------------------------------------------------------------------------
 void vtkWaterProperty::SetCaustics(double strength)
 {
   vtkWaterSetInRange(Caustics, strength, 0.0, 1.0);
@@ -374,6 +380,7 @@ void vtkWaterProperty::PrintSelf(ostream& os, vtkIndent indent)
      << this->FoamColor[2] << ")\n";
   os << indent << "Shadows: " << (this->Shadows ? "on" : "off") << "\n";
   os << indent << "Caustics: " << this->Caustics << "\n";
+  os << indent << "LightShafts: " << this->LightShafts << "\n";
   os << indent << "DataOpacity: " << this->DataOpacity << "\n";
   os << indent << "Opacity: " << this->Opacity << "\n";
   os << indent << "Depth: " << this->Depth << "\n";

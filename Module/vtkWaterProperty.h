@@ -371,6 +371,18 @@ public:
 
   ///@{
   /**
+   * Light shafts for a camera under water: the share, in [0, 1], of the light in the water and on
+   * what lies in it that varies with what the waves above gather. Needs Refraction, waves, a sun, a
+   * medium that scatters (SetWaterType, SetScattering) and a camera with perspective; the mean
+   * light is that of calm water. Default is 0: no shafts. Source: Iwasaki et al. 2002, "An
+   * Efficient Method for Rendering Underwater Optical Effects Using Graphics Hardware".
+   */
+  void SetLightShafts(double share);
+  vtkGetMacro(LightShafts, double);
+  ///@}
+
+  ///@{
+  /**
    * Opacity of data colours, in [0, 1], if the actor's mapper shows scalars through its lookup
    * table. At 1 they are the colour of the water and hide what lies below; below 1 they are blended
    * with it. The opacity that the table gives a colour multiplies it: a table can show clear water
@@ -874,6 +886,7 @@ private:
   double FoamColor[3] = { 0.95, 0.97, 1.0 };
   bool Shadows = false;
   double Caustics = 0.0;
+  double LightShafts = 0.0;
   double DataOpacity = 1.0;
   double Opacity = 1.0;
   double Depth;

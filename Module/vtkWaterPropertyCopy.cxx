@@ -36,6 +36,7 @@ void vtkWaterProperty::DeepCopy(vtkWaterProperty* other)
   std::copy_n(other->FoamColor, 3, this->FoamColor);
   this->Shadows = other->Shadows;
   this->Caustics = other->Caustics;
+  this->LightShafts = other->LightShafts;
   this->DataOpacity = other->DataOpacity;
   this->Opacity = other->Opacity;
   this->Depth = other->Depth;

@@ -46,7 +46,7 @@ void vtkWaterProperty::Describe(double diagonal, vtkWaterLook& look)
   look.Has.has_environment = this->ReflectionSource == ENVIRONMENT;
   look.Has.lookup = this->Lookup == RAY_TRACED ? WATER_LOOKUP_RAY_TRACED : WATER_LOOKUP_OFFSET;
   look.Has.has_refraction = this->Refraction;
-  look.Has.has_caustics = this->Caustics > 0.0;
+  look.Has.has_caustics = this->Caustics > 0.0 || this->LightShafts > 0.0;
   look.Has.has_glitter = this->Glitter;
   look.Has.has_foam = this->FoamDepth > 0.0 || this->FoamStretch > 0.0;
   look.Has.has_shadows = this->Shadows;
@@ -62,6 +62,7 @@ void vtkWaterProperty::Describe(double diagonal, vtkWaterLook& look)
   look.ShoreSoftness = this->ShoreSoftness;
   look.DomePortRadius = this->DomePortRadius;
   look.Caustics = this->Caustics;
+  look.LightShafts = this->LightShafts;
   look.FoamDepth = this->FoamDepth;
   look.FoamJacobian = this->FoamStretch;
   std::copy_n(this->FoamColor, 3, look.FoamColor);

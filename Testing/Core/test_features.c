@@ -376,7 +376,7 @@ static bool is_empty(const char* slot, water_feature_set features)
     return !(features & WATER_FEATURE_ROUGH);
   }
   if (strcmp(slot, "attenuation") == 0 || strcmp(slot, "refraction") == 0 ||
-    strcmp(slot, "others") == 0)
+    strcmp(slot, "shafts") == 0 || strcmp(slot, "others") == 0)
   {
     return !(features & WATER_FEATURE_MEDIUM);
   }
@@ -469,8 +469,8 @@ TEST(slots_stand_in_their_order)
     "highlights", "cover", "gain", "cell", "place", "under", "height", "point", "hulls", "sky",
     "floor", "tile", "slope", "sines", "tiles", "folds", "sea", "normal_maps", "flow", "waves",
     "output", "reflection", "dome", "walk", "behind", "layer", "blur", "caustics", "medium",
-    "others", "refraction", "facet_slopes", "facets", "rays", "shadows", "glitter", "whitecaps",
-    "foam", "sun", "port", "surface" };
+    "shafts", "others", "refraction", "facet_slopes", "facets", "rays", "shadows", "glitter",
+    "whitecaps", "foam", "sun", "port", "surface" };
   static const char* const vertex[] = { "cell", "tiles", "sea", "displacement", "heights", "slopes",
     "flow", "depth" };
   static const char* const photon[] = { "gradient", "place", "height", "point", "tile", "sines",

@@ -36,6 +36,11 @@ def _clear(look):
     look.RefractionOn()
 
 
+def _from_below(look):
+    _clear(look)
+    look.SetAbsorption(0.25, 0.06, 0.03)
+
+
 def _foam_and_glitter(look):
     _clear(look)
     look.SetSlopeVariance(0.02, 0.02)
@@ -59,13 +64,18 @@ EFFECTS = {
     "shadows": (_foam_and_glitter, lambda look, on: look.SetShadows(on)),
     "whitecaps": (_sea, lambda look, on: look.SetWhitecaps(on)),
     "displaced waves": (_waves, lambda look, on: look.SetWaveGeometry(on)),
+    "light shafts": (_from_below, lambda look, on: look.SetLightShafts(1.0 if on else 0.0)),
+    "dome port": (_clear, lambda look, on: look.SetDomePortRadius(10.0 if on else 0.0)),
 }
+EYES = {"light shafts": (45.0, 17.6, -1.5)}  # else as in the terrain's scene
 
 
 def _pair(name):
     kind = scenes.kinds(True)["terrain"]
     scene = scenes.Scene(kind, SIZE)
     wt.add_scene_light(scene.renderer, SUN)
+    if name in EYES:
+        scene.look(EYES[name], kind.target, kind.angle)
     prepare, switch = EFFECTS[name]
     look = scene.water.GetWaterProperty()
     prepare(look)

@@ -17,6 +17,8 @@ double water_shared_transmittance(double extinction, double way);
 double water_shared_slope_density(double xx, double yy, double xy, double area, double x, double y);
 double water_shared_glitter_spread(double eye_cosine, double facet4);
 // References of tests: nothing in the module calls them; shaders have their text.
+double water_shared_scattered_at(double extinction, double way, double part);
+double water_shared_scattered(double extinction, double from, double to);
 double water_shared_roll_off(double light);
 double water_shared_shore_foam(double depth, double turn);
 double water_shared_foam_threshold(double share);

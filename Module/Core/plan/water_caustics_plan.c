@@ -339,6 +339,8 @@ bool water_caustics_plan(
   {
     return false;
   }
+  memcpy(made.sun_dir, plan->sun_dir, sizeof made.sun_dir);
+  made.index = input->index;
   water_caustics_turn(plan->sun_dir, input->index, made.turn);
   water_caustics_sun_spread(plan->sun_dir, input->index, made.sun_spread);
   find_clip(plan, rays, &made);

@@ -43,6 +43,9 @@ typedef struct water_caustics
   int bed_px[2];            // of the bed's depths, over the picture
   int count[2];             // points of the grid, along its two sides
   bool is_added;            // the light is added up by the processor, and not drawn
+  bool is_level;            // the bed is level at depth, whatever the picture shows
+  double sun_dir[3];        // towards the sun, unit length, the third > 0: out of the water
+  double index;             // of the water
   double depth;             // the deepest that light is followed to
   double middle;            // depth
   double texel_of_ndc[4];   // NDC of the eye at the middle depth times the first two, plus the

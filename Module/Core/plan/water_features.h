@@ -170,6 +170,9 @@ WATER_FEATURE_LIST(WATER_FEATURE_VALUE)
   X(medium, vtkWaterMediumFS, WATER_FEATURE_FLAG(MEDIUM), 0,                                       \
     "the scene, refracted and attenuated")                                                         \
   X(medium, vtkWaterNoMediumFS, 0, WATER_FEATURE_FLAG(MEDIUM), "the water's own colour")           \
+  X(shafts, vtkWaterShaftsFS, WATER_FEATURE_FLAG(CAUSTICS), 0,                                     \
+    "the same, in the water before an eye in it")                                                  \
+  X(shafts, vtkWaterNoShaftsFS, WATER_FEATURE_FLAG(MEDIUM), WATER_FEATURE_FLAG(CAUSTICS), "none")  \
   X(others, vtkWaterOthersFS, WATER_FEATURE_FLAG(SAMPLES), 0,                                      \
     "other surfaces in a multisampled pixel")                                                      \
   X(others, vtkWaterNoOthersFS, WATER_FEATURE_FLAG(MEDIUM), WATER_FEATURE_FLAG(SAMPLES),           \

@@ -12,6 +12,8 @@
 #define waterFresnel water_shared_fresnel
 #define waterSchlick water_shared_schlick
 #define waterTransmittance water_shared_transmittance
+#define waterScatteredAt water_shared_scattered_at
+#define waterScattered water_shared_scattered
 #define waterSlopeDensity water_shared_slope_density
 #define waterGlitterSpread water_shared_glitter_spread
 #define waterRollOff water_shared_roll_off

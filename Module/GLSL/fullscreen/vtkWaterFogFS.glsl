@@ -18,6 +18,10 @@ uniform vec3 waterExtinction;
 
 #include "vtkWaterAttenuation.glsl"
 
+// Of the slot shafts, which follows.
+float waterShaftEnd(vec3 ray, float way);
+vec3 waterShaftsAlong(vec3 ray, float way);
+
 void main()
 {
   float depth = textureLod(waterSceneDepth, texCoord, 0.0).r;
@@ -48,5 +52,6 @@ void main()
   vec3 color = textureLod(waterSceneColor, texCoord, 0.0).rgb;
   vec3 left = vec3(waterTransmittance(waterExtinction.r, way),
     waterTransmittance(waterExtinction.g, way), waterTransmittance(waterExtinction.b, way));
-  gl_FragData[0] = vec4(mix(waterDeepColor, color, left), 1.0);
+  color *= eyeBelow > 0.0 && below > 0.0 && depth < 1.0 ? waterShaftEnd(ray, way) : 1.0;
+  gl_FragData[0] = vec4(mix(waterDeepColor * waterShaftsAlong(ray, way), color, left), 1.0);
 }

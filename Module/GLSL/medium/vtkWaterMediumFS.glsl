@@ -49,13 +49,21 @@ float waterMediumW(vec2 uv, float depth)
   return 1.0 / dot(waterClipW, vec4(2.0 * vec3(uv, depth) - 1.0, 1.0));
 }
 
-// What is left of a color after a way of so many metres through the water.
-vec3 waterAfter(vec3 color, float way)
+// Light that is scattered into a way, over that of calm water; of the slot shafts.
+vec3 waterShaftsAlong(vec3 ray, float way);
+
+// What is left of white after a way of so many metres through the water.
+vec3 waterLeft(float way)
 {
   way = max(way - waterAir, 0.0);
-  vec3 left = vec3(waterTransmittance(waterExtinction.r, way),
+  return vec3(waterTransmittance(waterExtinction.r, way),
     waterTransmittance(waterExtinction.g, way), waterTransmittance(waterExtinction.b, way));
-  return mix(waterDeepColor, color, left);
+}
+
+// The same of a color, with the light that the water adds.
+vec3 waterAfter(vec3 color, float way)
+{
+  return mix(waterDeepColor, color, waterLeft(way));
 }
 
 // Where a ray comes behind what the picture shows, between low and high. These are close, or else what lies between is
@@ -449,5 +457,6 @@ vec3 waterSeenFrom(WaterPoint point, vec3 color)
     return color;
   }
   float along = (waterDirToEye * vec4(point.ray, 0.0)).w;
-  return waterAfter(color, 1.0 / (gl_FragCoord.w * along));
+  float way = 1.0 / (gl_FragCoord.w * along);
+  return mix(waterDeepColor * waterShaftsAlong(point.ray, way), color, waterLeft(way));
 }

@@ -50,6 +50,7 @@ struct vtkWaterLook
   double WaveReach = 0.0; // how far steep waves move a point in the plane
   int WaveGridSize = 0;
   double Caustics = 0.0;
+  double LightShafts = 0.0;
   bool RollsOff = true; // light over white does, unless tones are mapped
   double FoamDepth = 0.0;
   double FoamJacobian = 0.0; // crests are foam below it

@@ -62,7 +62,7 @@ void AddLook(const vtkWaterLook& look, Numbers& numbers)
       look.Optics.reflectance, look.Optics.constant_reflectance ? 1.0 : 0.0, look.DataOpacity,
       look.Opacity, look.HasDeepColor ? 1.0 : 0.0, look.ShoreSoftness, look.DomePortRadius,
       look.WaveNumber, look.WaveHeightMax, look.WaveReach, static_cast<double>(look.WaveGridSize),
-      look.Caustics, look.RollsOff ? 1.0 : 0.0, look.FoamDepth, look.FoamJacobian,
+      look.Caustics, look.LightShafts, look.RollsOff ? 1.0 : 0.0, look.FoamDepth, look.FoamJacobian,
       static_cast<double>(look.Lookup), look.OffsetScale, static_cast<double>(look.RayTraceSteps),
       static_cast<double>(look.RayTraceProbes), static_cast<double>(look.RayTraceRays),
       static_cast<double>(look.RayTraceLayers), look.RayTraceFootprint,

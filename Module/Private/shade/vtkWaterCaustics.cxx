@@ -119,6 +119,10 @@ bool vtkWaterCaustics::Ensure(vtkOpenGLRenderWindow* window, const water_caustic
   if (!HasSize(this->Light, caustics.texture_px))
   {
     this->Light = MakeTexture(window, caustics.texture_px, 1, vtkTextureObject::Linear);
+    if (this->Light && caustics.is_level)
+    {
+      this->Light->SetMinificationFilter(vtkTextureObject::LinearMipmapLinear);
+    }
     this->LightFramebuffer = this->Light ? MakeFramebuffer(window, { this->Light }) : nullptr;
   }
   if (!HasSize(this->Beds[0], caustics.bed_px))
@@ -142,6 +146,13 @@ bool vtkWaterCaustics::Ensure(vtkOpenGLRenderWindow* window, const water_caustic
 bool vtkWaterCaustics::DrawBed(
   vtkOpenGLRenderWindow* window, const water_caustics& caustics, const Picture& picture)
 {
+  if (caustics.is_level)
+  {
+    const GLfloat depth[4] = { static_cast<GLfloat>(caustics.depth), 0.0f, 0.0f, 0.0f };
+    this->BedFramebuffers[1]->Bind();
+    glClearBufferfv(GL_COLOR, 0, depth);
+    return true;
+  }
   vtkShaderProgram* program = this->BedQuad.Ready(window, vtkWaterBedFS);
   if (!program)
   {
@@ -185,6 +196,8 @@ bool vtkWaterCaustics::DrawPhotons(
   this->GetBed()->Activate();
   setParameters(program);
   namespace uniforms = vtkWaterUniforms;
+  uniforms::Set3(program, "waterSunDir", caustics.sun_dir); // an eye under water has it from below
+  uniforms::Set(program, "waterEta", caustics.index);
   const double step[2] = { 1.0 / caustics.count[0], 1.0 / caustics.count[1] };
   uniforms::Set2(program, "waterPhotonStep", step);
   uniforms::SetMatrix3(program, "waterPlaceToLight", caustics.place_to_light);
@@ -317,6 +330,12 @@ bool vtkWaterCaustics::Draw(vtkOpenGLRenderWindow* window, const water_caustics&
     }
   }
   state->PopFramebufferBindings();
+  if (caustics.is_level && !this->HasFailed)
+  {
+    this->Light->Activate();
+    glGenerateMipmap(GL_TEXTURE_2D);
+    this->Light->Deactivate();
+  }
   return !this->HasFailed;
 }
 

@@ -9,10 +9,13 @@
 #include "vtkWaterBackdrop.h"
 #include "vtkWaterFogFS.h"
 #include "vtkWaterGL.h"
+#include "vtkWaterNoShaftsFS.h"
+#include "vtkWaterShaftsFS.h"
 #include "vtkWaterUniforms.h"
 #include "water_types.h"
 
 #include <algorithm>
+#include <string>
 #include <vector>
 
 namespace
@@ -54,10 +57,14 @@ struct ScopedFirstBuffer
 
 //------------------------------------------------------------------------------
 void vtkWaterFog::Draw(vtkRenderer* renderer, const water_plan& plan, vtkWaterBackdrop& backdrop,
-  const double deepColor[3], const double extinction[3])
+  const double deepColor[3], const double extinction[3],
+  const std::function<void(vtkShaderProgram*)>& setShafts)
 {
   auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
-  vtkShaderProgram* program = this->Quad.Ready(window, vtkWaterFogFS);
+  static const std::string sources[2] = { std::string(vtkWaterFogFS) + vtkWaterNoShaftsFS,
+    std::string(vtkWaterFogFS) + vtkWaterShaftsFS };
+  vtkWaterQuad& quad = setShafts ? this->ShaftQuad : this->Quad;
+  vtkShaderProgram* program = quad.Ready(window, sources[setShafts ? 1 : 0].c_str());
   if (!program)
   {
     return;
@@ -69,8 +76,6 @@ void vtkWaterFog::Draw(vtkRenderer* renderer, const water_plan& plan, vtkWaterBa
   state->vtkglDisable(GL_DEPTH_TEST);
   state->vtkglDisable(GL_BLEND);
   state->vtkglDepthMask(GL_FALSE);
-  backdrop.GetColor()->Activate();
-  backdrop.GetDepth()->Activate();
   vtkWaterUniforms::Set(program, "waterSceneColor", backdrop.GetColor());
   vtkWaterUniforms::Set(program, "waterSceneDepth", backdrop.GetDepth());
   vtkWaterUniforms::SetMatrix3(program, "waterNdcToRay", plan.ndc_to_ray);
@@ -80,18 +85,21 @@ void vtkWaterFog::Draw(vtkRenderer* renderer, const water_plan& plan, vtkWaterBa
   vtkWaterUniforms::Set4(program, "waterClipW", plan.clip_w);
   vtkWaterUniforms::Set3(program, "waterDeepColor", deepColor);
   vtkWaterUniforms::Set3(program, "waterExtinction", extinction);
+  if (setShafts)
+  {
+    setShafts(program);
+  }
   {
     vtkOpenGLState::ScopedglColorMask colorMask(state);
     state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_FALSE);
     const ScopedFirstBuffer first;
-    this->Quad.Draw();
+    quad.Draw();
   }
-  backdrop.GetDepth()->Deactivate();
-  backdrop.GetColor()->Deactivate();
 }
 
 //------------------------------------------------------------------------------
 void vtkWaterFog::ReleaseGraphicsResources()
 {
   this->Quad.ReleaseGraphicsResources();
+  this->ShaftQuad.ReleaseGraphicsResources();
 }

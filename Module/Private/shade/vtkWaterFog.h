@@ -6,20 +6,28 @@
 #include "vtkWaterQuad.h"
 #include "water_types.h"
 
+#include <functional>
+
 class vtkRenderer;
+class vtkShaderProgram;
 class vtkWaterBackdrop;
 
 class vtkWaterFog
 {
 public:
-  // Draws the picture again as seen through the water, for an eye that is submerged.
+  // Draws the picture again as seen through the water, for an eye that is submerged. The backdrop's
+  // textures are active.
+  //
+  // setShafts  sets the uniforms of its light shafts; empty: it has none
   void Draw(vtkRenderer* renderer, const water_plan& plan, vtkWaterBackdrop& backdrop,
-    const double deepColor[3], const double extinction[3]);
+    const double deepColor[3], const double extinction[3],
+    const std::function<void(vtkShaderProgram*)>& setShafts);
 
   void ReleaseGraphicsResources();
 
 private:
   vtkWaterQuad Quad;
+  vtkWaterQuad ShaftQuad; // with light shafts
 };
 
 #endif

@@ -11,9 +11,11 @@
 #include "water_daylight.h"
 #include "water_lookup.h"
 #include "water_plan.h"
+#include "water_shafts.h"
 #include "water_units.h"
 
 #include <algorithm>
+#include <functional>
 
 //------------------------------------------------------------------------------
 void vtkWaterSurfaceShader::FindDeepColor(double color[3]) const
@@ -64,20 +66,41 @@ void vtkWaterSurfaceShader::BeginMedium(const int viewport_px[4])
     this->Use("waterSceneOther", sorted->GetOther());
     this->Use("waterSceneOtherPlace", sorted->GetOtherPlace());
   }
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterSurfaceShader::DrawFog()
+{
+  double deepColor[3];
+  double extinction[3];
+  this->FindDeepColor(deepColor);
+  this->FindExtinction(extinction);
+  std::function<void(vtkShaderProgram*)> setShafts;
+  if (this->HasShafts)
+  {
+    setShafts = [this](vtkShaderProgram* program) { this->SetShaftParameters(program); };
+  }
+  this->Drawn.Fog->Draw(
+    this->Drawn.Renderer, this->Plan, this->Backdrop, deepColor, extinction, setShafts);
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterSurfaceShader::BeginLight(const int viewport_px[4])
+{
+  if (this->Drawn.Plan && this->Has(WATER_FEATURE_CAUSTICS))
+  {
+    this->BeginCaustics(viewport_px);
+    this->BeginShafts(viewport_px);
+  }
   if (this->HasBackdrop && this->Drawn.AddsFog)
   {
-    double deepColor[3];
-    double extinction[3];
-    this->FindDeepColor(deepColor);
-    this->FindExtinction(extinction);
-    this->Drawn.Fog->Draw(this->Drawn.Renderer, this->Plan, this->Backdrop, deepColor, extinction);
+    this->DrawFog();
   }
 }
 
 //------------------------------------------------------------------------------
-void vtkWaterSurfaceShader::BeginCaustics(const int viewport_px[4])
+water_caustics_input vtkWaterSurfaceShader::FindCausticsInput(const int viewport_px[4]) const
 {
-  vtkOpenGLRenderWindow* window = this->GetWindow();
   const vtkWaterLook& look = this->Water->Look;
   water_caustics_input input = water_caustics_input();
   input.index = look.Optics.index_of_refraction;
@@ -86,9 +109,45 @@ void vtkWaterSurfaceShader::BeginCaustics(const int viewport_px[4])
   this->FindExtinction(extinction);
   input.extinction = *std::min_element(extinction, extinction + 3);
   std::copy_n(viewport_px + 2, 2, input.viewport_px);
-  input.max_texture_px = vtkTextureObject::GetMaximumTextureSize(window);
+  input.max_texture_px = vtkTextureObject::GetMaximumTextureSize(this->GetWindow());
   input.is_software = !this->Has(WATER_FEATURE_HARDWARE_MEDIUM);
-  if (!this->HasBackdrop || !water_caustics_plan(&this->Plan, &input, &this->Light))
+  return input;
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterSurfaceShader::BeginShafts(const int viewport_px[4])
+{
+  const water_caustics_input input = this->FindCausticsInput(viewport_px);
+  if (!this->HasBackdrop || !(this->Water->Look.LightShafts > 0.0) ||
+    !water_shafts_plan(&this->Plan, &input, &this->Shafts))
+  {
+    return; // none are seen
+  }
+  const bool hadFailed = this->ShaftLight.GetHasFailed();
+  const vtkWaterCaustics::Picture none{ nullptr, nullptr, nullptr };
+  this->HasShafts = this->ShaftLight.Draw(this->GetWindow(), this->Shafts.light, none,
+    GetPhotonShader(this->Features),
+    [this](vtkShaderProgram* program) { this->SetPhotonParameters(program); });
+  if (this->HasShafts)
+  {
+    this->Use("waterShaftLight", this->ShaftLight.GetLight());
+    this->ShaftLight.GetLight()->Activate();
+  }
+  else if (this->ShaftLight.GetHasFailed() && !hadFailed) // said once
+  {
+    vtkErrorWithObjectMacro(this->Water->Actor,
+      "the GPU provides no textures for light shafts, or rejects their shaders. The water shows no "
+      "light shafts (SetLightShafts).");
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterSurfaceShader::BeginCaustics(const int viewport_px[4])
+{
+  vtkOpenGLRenderWindow* window = this->GetWindow();
+  const water_caustics_input input = this->FindCausticsInput(viewport_px);
+  if (!this->HasBackdrop || !(this->Water->Look.Caustics > 0.0) ||
+    !water_caustics_plan(&this->Plan, &input, &this->Light))
   {
     return; // nothing gathers light
   }

@@ -274,6 +274,7 @@ void vtkWaterSurfaceShader::Begin(const vtkWaterSnapshotPointer& water, const In
   }
   this->HasBackdrop = false;
   this->HasLight = false;
+  this->HasShafts = false;
   this->Backdrop.Forget();
   this->HasSea = false;
   this->Active.clear();
@@ -318,10 +319,7 @@ void vtkWaterSurfaceShader::Begin(const vtkWaterSnapshotPointer& water, const In
     this->BeginReflection(viewport_px);
   }
   this->Activate();
-  if (inputs.Plan && this->Has(WATER_FEATURE_CAUSTICS))
-  {
-    this->BeginCaustics(viewport_px);
-  }
+  this->BeginLight(viewport_px);
   this->BeginSky();
 }
 
@@ -360,5 +358,6 @@ void vtkWaterSurfaceShader::ReleaseGraphicsResources(vtkWindow* window)
   this->Flow.ReleaseGraphicsResources();
   this->Backdrop.ReleaseGraphicsResources(window);
   this->Caustics.ReleaseGraphicsResources(window);
+  this->ShaftLight.ReleaseGraphicsResources(window);
   this->IsRefused = false;
 }

@@ -13,6 +13,7 @@
 #include "vtkWaterSnapshot.h"
 #include "water_caustics_plan.h"
 #include "water_grid.h"
+#include "water_shafts.h"
 
 #include <memory>
 #include <string>
@@ -120,8 +121,15 @@ private:
   void BeginReflection(const int viewport_px[4]);
   void BeginSky();
   void BindSky(const char* name, vtkTexture* texture);
-  // Draws the light on the bed, of textures that are active.
+  // Light that waves gather, and the fog that is drawn in it, of textures that are active.
+  void BeginLight(const int viewport_px[4]);
+  // Draws the light on the bed.
   void BeginCaustics(const int viewport_px[4]);
+  // The same of the light around an eye in the water.
+  void BeginShafts(const int viewport_px[4]);
+  water_caustics_input FindCausticsInput(const int viewport_px[4]) const;
+  // Between an eye in the water and all that is drawn so far.
+  void DrawFog();
   void UploadWaves(const double origin[2]);
   void UploadNormalMap(size_t number);
   void UploadHulls();
@@ -138,6 +146,7 @@ private:
   void SetSunParameters(vtkShaderProgram* program);
   void SetCausticParameters(vtkShaderProgram* program);
   void SetPhotonParameters(vtkShaderProgram* program);
+  void SetShaftParameters(vtkShaderProgram* program);
   void SetSeaParameters(vtkShaderProgram* program);
   void SetNormalMapParameters(vtkShaderProgram* program);
   void SetFlowParameters(
@@ -168,6 +177,9 @@ private:
   vtkWaterCaustics Caustics;
   water_caustics Light = water_caustics(); // of the draw
   bool HasLight = false;
+  vtkWaterCaustics ShaftLight;
+  water_shafts Shafts = water_shafts(); // of the draw
+  bool HasShafts = false;
   vtkWaterBackdrop Backdrop;
   bool HasBackdrop = false;
 };

@@ -79,6 +79,7 @@ void vtkWaterSurfaceShader::SetParameters(
     this->SetSkyParameters(program);
     this->SetSunParameters(program);
     this->SetCausticParameters(program);
+    this->SetShaftParameters(program);
   }
   if (plan && this->Has(WATER_FEATURE_NORMAL_MAPS))
   {
@@ -365,6 +366,23 @@ void vtkWaterSurfaceShader::SetCausticParameters(vtkShaderProgram* program)
   {
     uniforms::Set(program, "waterCausticLight", this->Backdrop.GetColor());
     uniforms::Set(program, "waterBed", this->Backdrop.GetColor());
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterSurfaceShader::SetShaftParameters(vtkShaderProgram* program)
+{
+  namespace uniforms = vtkWaterUniforms;
+  uniforms::Set(program, "waterShafts", this->Water->Look.LightShafts);
+  uniforms::Set(program, "waterShaftSteps", this->HasShafts ? this->Shafts.steps : 0);
+  uniforms::Set3(program, "waterShaftPlace", this->Shafts.place_to_uv);
+  uniforms::Set2(program, "waterShaftFade", this->Shafts.fade);
+  uniforms::Set2(program, "waterShaftWay", this->Shafts.light.calm_way);
+  uniforms::Set(program, "waterShaftDepth", this->Shafts.eye_depth);
+  vtkTextureObject* light = this->HasShafts ? this->ShaftLight.GetLight() : nullptr;
+  if (light || this->HasBackdrop) // without shafts not looked at, but a sampler needs a texture
+  {
+    uniforms::Set(program, "waterShaftLight", light ? light : this->Backdrop.GetColor());
   }
 }
 

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// water_shafts.h: in addition to the plan: light shafts: what an eye under water sees of the light
+// that waves gather, in the water and on what lies in it.
+//
+// The light is that of water_caustics_plan.h, on a level bed at the eye's depth, over a square of
+// places around the eye. A view ray is followed through it in steps that scatter the same light
+// each, in calm water, of the channel that water takes least from: vtkWaterAttenuation.glsl.
+// Nothing is random: what a step cannot resolve is a mean over a texture's coarser levels. Source:
+// Iwasaki, Dobashi and Nishita 2002, "An Efficient Method for Rendering Underwater Optical Effects
+// Using Graphics Hardware" (shafts as single scattering of the light that waves gather).
+#ifndef water_shafts_h
+#define water_shafts_h
+
+#include "water_caustics_plan.h"
+
+#ifdef __cplusplus
+extern "C"
+{
+#endif
+
+typedef struct water_shafts
+{
+  water_caustics light;  // its texture has coarser levels
+  double place_to_uv[3]; // factor and offsets: a place on the plane -> the texture, in [0, 1]
+  double eye_depth;      // > 0
+  double fade[2]; // squared distances from the texture's middle, in uv, over which it fades to calm
+  int steps;      // of a view ray
+} water_shafts;
+
+// Plans the light around an eye. It does not use viewport_px of the input.
+//
+// Returns false when there are no shafts: no sun over the surface, an eye that is not under it,
+// rays that are parallel, or water that scatters nothing; then the output is unchanged.
+bool water_shafts_plan(
+  const water_plan* plan, const water_caustics_input* input, water_shafts* shafts);
+
+#ifdef __cplusplus
+}
+#endif
+#endif
