@@ -97,41 +97,6 @@ def test_the_slope_is_the_spectrums():
                      abs(look.GetSlopeRMS() / math.sqrt(slopes) - 1), 0.002)
 
 
-def repetition(cascades):
-    """Of a picture 40 wavelengths of the peak wide: the largest autocorrelation from 3 wavelengths to 20."""
-    made = wt.View((500, 500), (0.3, 0.4, 0.5))
-    water = wt.add_water(made.renderer, None, (-4000, 4000, -4000, 4000), None)
-    look = water.GetWaterProperty()
-    look.SetPreset("ocean wind 10")
-    look.SetMetresPerUnit(1.0)
-    look.RefractionOff()
-    look.GlitterOff()
-    look.SetOutputToReflectance()
-    look.SetSeaCascades(cascades)
-    peak = 2 * math.pi * G / (2 * math.pi * 0.13 * G / 10.0) ** 2
-    half = 20 * peak
-    camera = wt.place_camera(made.renderer, (-8000, 0, 6000), (0, 0, 0), (1000, 20000))  # its cosine to the plane is 0.6
-    camera.ParallelProjectionOn()
-    camera.SetParallelScale(half)
-    shares = made.picture().astype(float)[:, :, :2] @ (256, 1)
-    shares -= shares.mean()
-
-    def correlated(field):
-        return np.fft.ifft2(np.abs(np.fft.fft2(field, (1000, 1000))) ** 2).real
-
-    shared = correlated(np.ones((500, 500)))
-    mean = correlated(shares) / np.maximum(shared, 1)
-    lags = np.fft.fftfreq(1000) * 1000 * 2 * half / 500
-    way = np.hypot(lags[np.newaxis, :], lags[:, np.newaxis] / 0.6)
-    return float((mean / mean[0, 0])[(way > 3 * peak) & (way < 20 * peak) & (shared > 75000)].max())
-
-
-def test_a_sea_of_three_tiles_does_not_repeat():
-    """A picture 40 waves wide is not like itself some waves aside; with one tile it is, ten waves aside."""
-    wt.check_at_most("three tiles: largest autocorrelation beyond 3 wavelengths", repetition(3), 0.2)
-    wt.check_at_least("one tile: the same", repetition(1), 0.9)
-
-
 def model_sea(model, depth):
     return sea_water(WindSpeed=6.0, SeaTileSize=64, SeaModel=model, Depth=depth)
 
