@@ -54,4 +54,18 @@ TEST(the_largest_have_a_mirrored_view)
   }
 }
 
-TESTS(what_is_nearer_or_larger_covers_more, the_largest_have_a_mirrored_view)
+// The distance is that from the plane, whatever its scale and the eye's side; a plane without a
+// normal has none.
+TEST(distances_are_from_the_plane)
+{
+  const water_plane plane = { { 0.0, 3.0, 4.0 }, -10.0 };
+  const water_plane none = { { 0.0, 0.0, 0.0 }, 1.0 };
+  const double eye[3] = { 7.0, 6.0, 8.0 };
+  const double under[3] = { 7.0, -6.0, -8.0 };
+  ASSERT_CLOSE(water_seen_distance(&plane, eye), 8.0, 1e-12);
+  ASSERT_CLOSE(water_seen_distance(&plane, under), 12.0, 1e-12);
+  ASSERT_CLOSE(water_seen_distance(&none, eye), 0.0, 0.0);
+}
+
+TESTS(what_is_nearer_or_larger_covers_more, the_largest_have_a_mirrored_view,
+  distances_are_from_the_plane)

@@ -20,6 +20,13 @@ double water_seen_share(const water_camera* eye, const water_plane* plane, const
   return 0.25 * fmax(box[2] - box[0], 0.0) * fmax(box[3] - box[1], 0.0);
 }
 
+double water_seen_distance(const water_plane* plane, const double eye[3])
+{
+  water_plane unit;
+  return water_plane_normalise(plane, &unit) == WATER_OK ? fabs(water_plane_height(&unit, eye))
+                                                         : 0.0;
+}
+
 void water_seen_choose(const double* shares, size_t count, size_t most, bool* has_view)
 {
   for (size_t i = 0; i < count; ++i)

@@ -124,7 +124,7 @@ private:
   // Milliseconds that the sheets may take in this frame; 0: theirs is no budget.
   double FindBudget(const std::vector<vtkWaterSource*>& sheets);
   // Puts the water behind all other props in the order of this frame: what hides it, and what is
-  // seen through it, is there before it.
+  // seen through it, is there before it. Of clear waters the farther ones come first.
   void DrawLast(vtkWaterSource& water);
   bool IsFresh(vtkWaterSource& water);
   void RenderShared(vtkWaterSource& water, const int viewport_px[2], bool isLate);

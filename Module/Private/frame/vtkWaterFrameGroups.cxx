@@ -14,6 +14,7 @@
 #include "vtkWaterReflection.h"
 #include "vtkWaterSource.h"
 #include "water_quality.h"
+#include "water_seen.h"
 #include "water_share.h"
 
 #include <algorithm>
@@ -62,6 +63,17 @@ bool IsClearWater(vtkProp* prop)
   vtkWaterSource* water = vtkWaterSource::Of(prop);
   return water && water->IsClear();
 }
+
+// How far the water's plane is from the eye.
+double DistanceOf(vtkProp* prop, vtkCamera* camera)
+{
+  water_plane plane;
+  double origin[3];
+  double eye[3];
+  vtkWaterSource::Of(prop)->ReadPlane(&plane, origin);
+  camera->GetPosition(eye);
+  return water_seen_distance(&plane, eye);
+}
 }
 
 //------------------------------------------------------------------------------
@@ -73,11 +85,14 @@ void vtkWaterFrame::DrawLast(vtkWaterSource& water)
   const bool isClear = water.IsClear();
   // opaque waters before clear ones, through which they are seen
   vtkProp** last = props.End;
-  while (!isClear && last > self && IsClearWater(last[-1]))
+  vtkCamera* camera = this->Renderer->GetActiveCamera();
+  const double distance = isClear ? DistanceOf(prop, camera) : 0.0;
+  while (last > self && last[-1] != prop && IsClearWater(last[-1]) &&
+    (!isClear || DistanceOf(last[-1], camera) <= distance))
   {
     --last;
   }
-  if (self == props.End || std::all_of(self, last, isClear ? IsClearWater : IsWater))
+  if (self == props.End || last <= self + 1 || (!isClear && std::all_of(self, last, IsWater)))
   {
     return;
   }
