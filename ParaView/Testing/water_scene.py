@@ -88,7 +88,7 @@ def of(shown, name):
 
 def main():
     """Runs the module's tests. pvpython may leave the process with 0 after an error: this does not."""
-    result = unittest.main(module="__main__", argv=[sys.argv[0]], exit=False, verbosity=2).result
+    result = unittest.main(module="__main__", argv=sys.argv, exit=False, verbosity=2).result
     sys.stdout.flush()
     sys.stderr.flush()
     os._exit(0 if result.wasSuccessful() and result.testsRun > 0 else 1)

@@ -1,0 +1,119 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""A scene in pieces with water, for TestRanks.py: pvbatch on some ranks, or a client of a server.
+
+    ranks_program.py NAME [--dry] [--look calm|sea] [--server PORT] [--threshold MB]
+
+Writes NAME.png and NAME-animation.png, and says how many pixels the ranks have sent each other.
+"""
+import argparse
+import os
+import sys
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+import water_scene  # noqa: E402
+from water_scene import pv  # noqa: E402
+
+SIZE = [1280, 720]
+STEPS = 20
+
+
+DATA = os.path.join(os.path.dirname(os.path.abspath(__file__)), "../../Examples/Data/jacksboro.vti")
+LEVEL = 768.0
+
+
+def make_scene(view):
+    """Mountains that each rank has a part of; heights are doubled. Returns their bounds."""
+    reader = pv.XMLImageDataReader(FileName=[DATA])
+    reader.UpdatePipeline()
+    name = reader.PointData.GetArray(0).Name
+    warp = pv.WarpByScalar(Input=reader, ScaleFactor=2.0, Scalars=["POINTS", name])
+    land = pv.GenerateSurfaceNormals(Input=pv.ExtractSurface(Input=warp))
+    shown = pv.Show(land, view)
+    shown.ColorArrayName = ["POINTS", name]
+    lut = pv.GetColorTransferFunction(name)
+    lut.RGBPoints = [200.0, 0.40, 0.36, 0.27, 412.0, 0.30, 0.34, 0.19, 750.0, 0.31, 0.32, 0.19,
+                     1000.0, 0.66, 0.64, 0.61, 1100.0, 0.90, 0.90, 0.91]
+    lut.ColorSpace = "RGB"
+    shown.LookupTable = lut
+    return reader.GetDataInformation().GetBounds()
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("name")
+    parser.add_argument("--dry", action="store_true")
+    parser.add_argument("--look", choices=("calm", "sea"), default="calm")
+    parser.add_argument("--server")
+    parser.add_argument("--threshold", type=float)
+    options = parser.parse_args()
+    if options.server:
+        pv.Connect("localhost", int(options.server))
+        water_scene.load(remote=True)
+    water_scene.load()
+    view = pv.CreateView("RenderView")
+    view.ViewSize = SIZE
+    view.OrientationAxesVisibility = 0
+    view.UseColorPaletteForBackground = 0
+    view.BackgroundColorMode = "Gradient"
+    view.Background = [1.0, 0.97, 0.9]
+    view.Background2 = [0.24, 0.46, 0.74]
+    if options.threshold is not None:
+        view.RemoteRenderThreshold = options.threshold
+    bounds = make_scene(view)
+    shown = None
+    if not options.dry:
+        shown = pv.Show(pv.Water(Level=LEVEL, Extent="Bounds", SheetBounds=bounds[:4]), view)
+        if options.look == "sea":
+            shown.MetresPerUnit = 1.0
+            shown.Waves = "Wind Sea"
+            shown.WindSpeed = 4.0
+
+    def place(east, north):
+        return [bounds[0] + east * (bounds[1] - bounds[0]), bounds[2] + north * (bounds[3] - bounds[2])]
+    view.CameraPosition = place(0.831, 0.233) + [LEVEL + 150.0]
+    view.CameraFocalPoint = place(0.530, 0.122) + [LEVEL + 200.0]
+    view.CameraViewUp = [0.0, 0.0, 1.0]
+    view.CameraViewAngle = 32.0
+    pv.Render(view)
+    pv.Render(view)
+    water_scene.picture(view, options.name, SIZE)
+    if shown:
+        count(view, shown)
+    animate(view)
+    water_scene.picture(view, options.name + "-animation", SIZE)
+    print("the end")
+    sys.stdout.flush()
+
+
+def move(view, step):
+    """The camera rises by 5 a step."""
+    x, y, _ = view.CameraPosition
+    view.CameraPosition = [x, y, LEVEL + 150.0 + 5.0 * step]
+
+
+def count(view, shown):
+    still = []
+    for _ in range(4):
+        pv.Render(view)
+        still.append(water_scene.of(shown, "PixelsJoined"))
+    move(view, 1)
+    pv.Render(view)
+    moved = water_scene.of(shown, "PixelsJoined")
+    move(view, 0)
+    pv.Render(view)
+    print("pixels joined in still frames:", *still)
+    print("pixels joined when moved:", moved)
+    print("mirrored views:", water_scene.of(shown, "ReflectionRenders"), water_scene.of(shown, "Decision"))
+
+
+def animate(view):
+    """Steps in which the waves and the camera move."""
+    scene = pv.GetAnimationScene()
+    scene.EndTime = 10.0
+    for step in range(STEPS):
+        scene.AnimationTime = 0.25 * step
+        move(view, step)
+        pv.Render(view)
+
+
+main()
