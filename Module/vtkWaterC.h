@@ -136,6 +136,11 @@ VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_actor_set_foam(
 VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_actor_set_caustics(
   vtk_water_actor* actor, double strength);
 
+/* Sets light shafts for a camera under water: the share of the light there, in [0, 1], that varies
+ * with what the waves gather; with refraction, waves and a sun. Default 0: no shafts. */
+VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_actor_set_light_shafts(
+  vtk_water_actor* actor, double share);
+
 /* Sets shadows. 1: objects cast shadows on the water's glitter and foam; 0: they do not. Needs a
  * sun. Default 0. */
 VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_actor_set_shadows(

@@ -129,6 +129,12 @@ vtk_water_status vtk_water_actor_set_caustics(vtk_water_actor* actor, double str
     actor, [=](vtkWaterActor*, vtkWaterProperty* look) { look->SetCaustics(strength); });
 }
 
+vtk_water_status vtk_water_actor_set_light_shafts(vtk_water_actor* actor, double share)
+{
+  return Change(
+    actor, [=](vtkWaterActor*, vtkWaterProperty* look) { look->SetLightShafts(share); });
+}
+
 vtk_water_status vtk_water_actor_set_shadows(vtk_water_actor* actor, int shadows)
 {
   return Switch(actor, "shadows", shadows, &vtkWaterProperty::SetShadows);

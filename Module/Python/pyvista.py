@@ -50,6 +50,7 @@ def add_water(
     refraction=None,
     foam=None,
     caustics=None,
+    light_shafts=None,
     shadows=None,
     dome_port=None,
     sun=None,
@@ -128,6 +129,11 @@ def add_water(
         Strength of the light that waves focus on what lies under them, in [0, 1]; True means 0.8. Caustics need waves,
         turn refraction on, and add the default ``sun`` to a subplot without a scene light.
 
+    light_shafts : float | bool, optional
+        Light shafts for a camera under water: the share, in [0, 1], of the light there that varies with what the waves
+        gather; True means 1. Light shafts need waves, turn refraction on, and add the default ``sun`` to a subplot
+        without a scene light.
+
     shadows : bool, optional
         Whether objects cast shadows on the water's glitter and foam. True adds the default ``sun`` to a subplot
         without a scene light.
@@ -138,9 +144,9 @@ def add_water(
         Turns refraction on.
 
     sun : bool | sequence[float], optional
-        Adds a scene light, the sun, for glitter, shadows and caustics: azimuth (degrees from north towards east, in
+        Adds a scene light, the sun, for glitter, shadows, caustics and light shafts: azimuth (degrees from north towards east, in
         [-360, 360]) and elevation (degrees above the water, in [-90, 90]). True means (150, 35), which is also the
-        default if ``caustics`` or ``shadows`` need a light. North is y and east is x; for tilted water they are the
+        default if ``caustics``, ``light_shafts`` or ``shadows`` need a light. North is y and east is x; for tilted water they are the
         second and the first of the plane's own axes. The light is in ``plotter.renderer.lights``, has the class
         ``vtkwater.pyvista.Sun``, and stays when the water is removed. Another ``sun`` in the same subplot replaces it.
         PyVista's own lights stay, and together with the sun they overexpose bright meshes: create the plotter with
@@ -266,7 +272,7 @@ def add_water(
         check_flow(surface, flow)
     if color_by is not None:
         color_surface(mapper, surface, color_by, cmap, clim)
-        if refraction is None and not foam and not caustics and not dome_port and data_opacity in (None, 1):
+        if refraction is None and not any((foam, caustics, light_shafts, dome_port)) and data_opacity in (None, 1):
             refraction = False  # the data hide what it would show
     has_level = data is None and level is not None
     plane_origin, plane_normal = plane_of(finite("level", level) if has_level else 0.0, normal, origin, scale)
@@ -276,7 +282,7 @@ def add_water(
     if has_level and mapper is not None:
         check_level(mapper, level, normal, origin)
     if sun is None:
-        sun = bool(caustics or shadows) and not has_scene_light(self.renderer)
+        sun = bool(caustics or light_shafts or shadows) and not has_scene_light(self.renderer)
     light = None if sun is False else sun_of(sun)
     heights = heights_along(self.renderer, plane_normal, normal, origin)
     afloat = hulls_of(hulls, scale)
@@ -287,8 +293,8 @@ def add_water(
         actor.GetPlane().SetOrigin(plane_origin)
         actor.GetPlane().SetNormal(plane_normal)
     set_look(look, preset=preset, waves=waves, wind=wind, color=None if color is None else color_of(color),
-             opacity=opacity, refraction=refraction, foam=foam, caustics=caustics, shadows=shadows,
-             dome_port=dome_port, quality=quality, units=units)
+             opacity=opacity, refraction=refraction, foam=foam, caustics=caustics, light_shafts=light_shafts,
+             shadows=shadows, dome_port=dome_port, quality=quality, units=units)
     with raising(actor, SheetBounds="bounds", Time="time"):
         if bounds is not None:
             set_bounds(actor, bounds)

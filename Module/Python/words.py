@@ -25,7 +25,7 @@ MOST_NUMBERS_OF_A_WAVE = 5
 
 
 def set_look(look, *, preset=None, waves=None, wind=None, color=None, opacity=None, refraction=None, foam=None,
-             caustics=None, shadows=None, dome_port=None, quality=None, units=None):
+             caustics=None, light_shafts=None, shadows=None, dome_port=None, quality=None, units=None):
     """Apply these settings to a new vtkWaterProperty.
 
     Parameters
@@ -53,6 +53,9 @@ def set_look(look, *, preset=None, waves=None, wind=None, color=None, opacity=No
     caustics : float | bool
         Strength of the light that waves focus under the surface, in [0, 1]; True means 0.8. Caustics need waves, and
         refraction, which they turn on.
+    light_shafts : float | bool
+        Light shafts for a camera under water: the share, 0 to 1, of the light there that varies; True means 1. Needs
+        waves, and refraction, which it turns on.
     shadows : bool
         Whether objects cast shadows on the water's glitter and foam.
     dome_port : float
@@ -75,7 +78,8 @@ def set_look(look, *, preset=None, waves=None, wind=None, color=None, opacity=No
         )
     speed, blows_to = (None, None) if wind is None else wind_of(wind)
     foam_depth = None if foam is None else depth_of(foam)
-    strength = None if caustics is None else strength_of(caustics)
+    strength = None if caustics is None else share_of("caustics", caustics, CAUSTICS)
+    shafts = None if light_shafts is None else share_of("light_shafts", light_shafts, 1.0)
     port = None if dome_port is None else radius_of(dome_port)
     if refraction is not None:
         refraction = flag("refraction", refraction)
@@ -96,13 +100,14 @@ def set_look(look, *, preset=None, waves=None, wind=None, color=None, opacity=No
         if share is not None:
             look.SetOpacity(share)
     through = {"refraction": bool(refraction), "foam": bool(foam_depth), "caustics": bool(strength),
-               "dome_port": bool(port)}
-    given = {"foam": foam, "caustics": caustics, "dome_port": dome_port}
+               "light_shafts": bool(shafts), "dome_port": bool(port)}
+    given = {"foam": foam, "caustics": caustics, "light_shafts": light_shafts, "dome_port": dome_port}
     check_through(look, preset, refraction, share, through, given)
-    if strength and not has_waves(look):
-        raise ValueError(
-            f"caustics is {caustics!r}, but the water is calm: add wind, waves or a preset with waves"
-        )
+    for name in ("caustics", "light_shafts"):
+        if through[name] and not has_waves(look):
+            raise ValueError(
+                f"{name} is {given[name]!r}, but the water is calm: add wind, waves or a preset with waves"
+            )
     if refraction is None and preset is None and color is None and share is None:
         refraction = True
     with raising(look, Units="units", MetresPerUnit="units"):
@@ -114,6 +119,8 @@ def set_look(look, *, preset=None, waves=None, wind=None, color=None, opacity=No
             look.SetFoamFitsScene(foam is True)
         if strength is not None:
             look.SetCaustics(strength)
+        if shafts is not None:
+            look.SetLightShafts(shafts)
         if shadows is not None:
             look.SetShadows(shadows)
         if port is not None:
@@ -234,10 +241,11 @@ def depth_of(foam):
     return depth
 
 
-def strength_of(caustics):
-    if isinstance(caustics, bool):
-        return CAUSTICS if caustics else 0.0
-    return in_range("caustics", caustics, 0.0, 1.0)
+def share_of(name, share, on):
+    """The share of an effect, 0 to 1; on is that of True."""
+    if isinstance(share, bool):
+        return on if share else 0.0
+    return in_range(name, share, 0.0, 1.0)
 
 
 def radius_of(dome_port):

@@ -8,10 +8,13 @@ import numpy as np
 import pytest
 import water_test as wt
 from TestWaterCInterface import (  # noqa: F401  fixtures
+    ANGLE,
     BAD_VALUE,
     BOTTOM,
+    LEVEL,
     NULL_ARGUMENT,
     OK,
+    UP,
     SmallScene,
     by_c,
     doubles,
@@ -31,6 +34,7 @@ COLOR, SUN_COLOR = (0.2, 0.5, 0.3), (1.0, 0.95, 0.87)
 GRAY = (0.7, 0.7, 0.7)
 BED = np.array([(-4, -4, -0.9), (4, -4, -0.9), (4, 4, 0.4), (-4, 4, 0.4)], dtype=float)
 BED_TRIANGLES = np.array([(0, 1, 2), (0, 2, 3)], dtype=np.int64)
+UNDER_WATER = ((0, -3.5, LEVEL - 0.4), (0, 3, LEVEL - 0.3))  # an eye and what it looks at
 SKY = np.add.outer(3 * np.arange(40), 2 * np.arange(60))[:, :, None] + np.array([0, 60, 100])
 SKY = np.ascontiguousarray(SKY % 256, dtype=np.uint8)
 
@@ -115,6 +119,25 @@ def c_clear(function, argument):
                        ("vtk_water_actor_set_refraction", it.water, 1), (function, it.water, argument)]
 
 
+def shafts(view, water):
+    """Shafts in turbid water, from an eye in it."""
+    clear("SetLightShafts", 1.0)(view, water)
+    water.GetWaterProperty().SetWaterType("9C")
+    camera = view.renderer.GetActiveCamera()
+    camera.SetPosition(UNDER_WATER[0])
+    camera.SetFocalPoint(UNDER_WATER[1])
+    view.renderer.ResetCameraClippingRange()
+
+
+def c_under_water(function, argument):
+    def calls(it):
+        *before, last = c_clear(function, argument)(it)
+        return [*before, ("vtk_water_actor_set_water_type", it.water, b"9C"),
+                ("vtk_water_scene_set_camera", it.scene, *map(lambda place: doubles(*place), UNDER_WATER),
+                 doubles(*UP), number(ANGLE)), last]
+    return calls
+
+
 def in_foam(view, water):
     """Foam all over a bed, a low sun, and shadows."""
     clear("SetFoamDepth", 3.0)(view, water)
@@ -133,6 +156,7 @@ CALLS = {
     "water type": (c_clear("vtk_water_actor_set_water_type", b"9C"), clear("SetWaterType", "9C"), 1),
     "foam": (c_clear("vtk_water_actor_set_foam", number(0.3)), clear("SetFoamDepth", 0.3), 1),
     "caustics": (c_clear("vtk_water_actor_set_caustics", number(0.9)), clear("SetCaustics", 0.9), 1),
+    "light shafts": (c_under_water("vtk_water_actor_set_light_shafts", number(1.0)), shafts, 1),
     "dome port": (c_clear("vtk_water_actor_set_dome_port", number(20.0)), clear("SetDomePortRadius", 20.0), 1),
     "shadows": (
         lambda it: [*c_clear("vtk_water_actor_set_foam", number(3.0))(it),
@@ -287,6 +311,13 @@ REFUSALS = (  # name, status, words of the error, function, its arguments for a 
         b"Caustics is nan; it must lie in [0, 1]",
         "vtk_water_actor_set_caustics",
         lambda it: (it.water, number(NAN)),
+    ),
+    (
+        "light_shafts",
+        BAD_VALUE,
+        b"LightShafts is 2",
+        "vtk_water_actor_set_light_shafts",
+        lambda it: (it.water, number(2.0)),
     ),
     (
         "dome_port",

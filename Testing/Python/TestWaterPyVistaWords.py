@@ -77,6 +77,16 @@ ARRIVES = {  # the words, what is asked of the look, the answer
     ),
     "no foam": ({"foam": False}, lambda look: (look.GetFoamDepth(), look.GetRefraction()), (0.0, True)),
     "caustics": ({"caustics": 0.3, "wind": 3}, lambda look: (look.GetCaustics(), look.GetRefraction()), (0.3, True)),
+    "light shafts": (
+        {"light_shafts": True, "preset": "lake"},
+        lambda look: (look.GetLightShafts(), look.GetRefraction()),
+        (1.0, True),
+    ),
+    "few light shafts": (
+        {"light_shafts": 0.25, "preset": "lake"},
+        lambda look: (look.GetLightShafts(), look.GetRefraction()),
+        (0.25, True),
+    ),
     "dome port": (
         {"dome_port": 0.3, "preset": "lake"},
         lambda look: (look.GetDomePortRadius(), look.GetRefraction()),
@@ -135,6 +145,9 @@ WRONG = [  # the exception, parts of its text, the words
     (TypeError, ("foam must be a number", "str"), {"foam": "much"}),
     (ValueError, ("foam is -1", "not negative"), {"foam": -1}),
     (ValueError, ("foam is inf", "finite"), {"foam": float("inf")}),
+    (ValueError, ("light_shafts is 2", "[0, 1]"), {"light_shafts": 2, "preset": "lake"}),
+    (ValueError, ("light_shafts is True", "calm"), {"light_shafts": True}),
+    (ValueError, ("light_shafts is 1", "refraction is False"), {"light_shafts": 1, "preset": "lake", "refraction": False}),
     (TypeError, ("dome_port must be a number", "bool"), {"dome_port": True}),
     (ValueError, ("dome_port is -0.3", "finite and not negative"), {"dome_port": -0.3}),
     (ValueError, ("dome_port is inf", "finite"), {"dome_port": float("inf")}),
