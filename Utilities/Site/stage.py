@@ -31,6 +31,7 @@ WHOLE_PROGRAMS = {"start/pyvista": "Examples/Python/pyvista_water.py",
 PAGES = {"CONTRIBUTING.md": "contributing", "CODE_OF_CONDUCT.md": "conduct", "CHANGELOG.md": "changelog",
          "Documentation/gallery.md": "gallery/index",
          "Documentation/decisions/README.md": "decisions/index", f"{SITE}/start_c.md": "start/c",
+         "ParaView/README.md": "start/paraview",
          f"{SITE}/index.md": "index"}
 LANGUAGES = {".py": "python", ".c": "c", ".h": "c++", ".cxx": "c++", ".glsl": "glsl", ".cmake": "cmake",
              ".json": "json", ".sh": "bash", ".txt": "cmake"}
