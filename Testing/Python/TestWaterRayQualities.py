@@ -33,7 +33,7 @@ def errors():
     found = {}
     for view in POSTS_VIEWS:
         made, water = post_scene(view)
-        truth, mask = truth_of(made, water)
+        truth, mask = truth_of(view, made, water)
         look = water.GetWaterProperty()
         for name in ("fast", "default", "high"):
             look.SetRayTraceQuality(name)
