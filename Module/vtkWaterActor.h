@@ -165,10 +165,10 @@ public:
    * sea, normal maps) move with the water at the velocity of each place, and are stretched where
    * the current accelerates. Their own motion goes on. Has no effect without waves, on waves that
    * displace the surface (WaveGeometry), and on the built-in sheet; caustics do not move with it.
-   * Velocities that are not finite count as 0. A missing array, and one with another number of
-   * components, is reported as an error, once; then there is no current. The array follows the
-   * mesh. The actor's matrix turns velocities, but does not scale them. Empty, the default: no
-   * current. Source: Vlachos 2010, "Water flow in Portal 2" (two-phase flow map).
+   * Velocities that are not finite, or faster than 1e4 m/s, count as 0. A missing array, and one
+   * with another number of components, is reported as an error, once; then there is no current. The
+   * array follows the mesh. The actor's matrix turns velocities, but does not scale them. Empty,
+   * the default: no current. Source: Vlachos 2010, "Water flow in Portal 2" (two-phase flow map).
    */
   void SetFlowArrayName(const std::string& name);
   std::string GetFlowArrayName() const { return this->FlowArrayName; }

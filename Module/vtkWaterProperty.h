@@ -373,7 +373,7 @@ public:
   /**
    * Light shafts for a camera under water: the share, in [0, 1], of the light in the water and on
    * what lies in it that varies with what the waves above gather. Needs Refraction, waves, a sun, a
-   * medium that scatters (SetWaterType, SetScattering) and a camera with perspective; the mean
+   * medium (absorption or scattering in every channel) and a camera with perspective; the mean
    * light is that of calm water. Default is 0: no shafts. Source: Iwasaki et al. 2002, "An
    * Efficient Method for Rendering Underwater Optical Effects Using Graphics Hardware".
    */

@@ -352,10 +352,11 @@ public:
   ///@}
 
   /**
-   * Keeps a renderer's background as it is now (colours, gradient, picture): this is what later
+   * Keeps a renderer's background as it is now (colours, gradient, textures): this is what later
    * frames reflect, whatever the renderer's background is while they are drawn. For engines that
    * blank it while they draw, as IceT's compositing pass does. Call it again when the background
-   * has changed. nullptr, the default: the renderer's own background is reflected.
+   * has changed. Textures are kept, not copied: new pixels of theirs are reflected. nullptr, the
+   * default: the renderer's own background is reflected.
    */
   void KeepBackground(vtkRenderer* renderer);
 

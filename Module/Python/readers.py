@@ -240,12 +240,15 @@ def surface_of_image(image: vtkImageData, path, no_data):
 
 
 def read_tiff(path, no_data):
-    heights, spacing, origin, no_data = grid_of_tiff(path, no_data)
+    heights, spacing, origin, no_data, _ = grid_of_tiff(path, no_data)
     return with_path(path, heights, spacing, origin, no_data)
 
 
 def grid_of_tiff(path, no_data=None):
-    """The numbers of a GeoTIFF file: rows from south to north, spacing, origin, no-data value or None."""
+    """The numbers of a GeoTIFF file: rows from south to north, spacing, origin, no-data value or None, place.
+
+    The place is where the first pixel is in the file's own unit. For degrees the origin is (0, 0).
+    """
     try:
         from PIL import Image
     except ImportError:
@@ -276,6 +279,7 @@ def grid_of_tiff(path, no_data=None):
     if not all(map(math.isfinite, tie)):
         raise FileError(f"{path}: its tie point {tie[:6]} is not finite")
     south = tie[4] - spacing[1] * (heights.shape[0] - 1 - tie[1])
+    place = (tie[3] - spacing[0] * tie[0], south)
     if (GEO_KEY_MODEL_TYPE, 0, 1, MODEL_TYPE_GEOGRAPHIC) in zip(*(keys[i::4] for i in range(4))):
         # degrees: metres on a plane that touches the Earth in the middle of the map
         latitude = south + 0.5 * spacing[1] * (heights.shape[0] - 1)
@@ -283,8 +287,8 @@ def grid_of_tiff(path, no_data=None):
             raise FileError(f"{path}: its centre is at latitude {latitude:g}; it must lie between -90 and 90 degrees")
         middle = math.radians(latitude)
         spacing = (spacing[0] * METRES_PER_DEGREE * math.cos(middle), spacing[1] * METRES_PER_DEGREE)
-        return heights[::-1], spacing, (0.0, 0.0), no_data
-    return heights[::-1], spacing, (tie[3] - spacing[0] * tie[0], south), no_data
+        return heights[::-1], spacing, (0.0, 0.0), no_data, place
+    return heights[::-1], spacing, place, no_data, place
 
 
 def numbers_of(value, tag, path):

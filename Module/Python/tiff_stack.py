@@ -39,7 +39,7 @@ class TiffStack:
         self._path = path
         self._files = {}  # array: {time, or None for all times: file}
         for file in sorted(path.iterdir()):
-            if file.suffix.lower() in SUFFIXES:
+            if file.suffix.lower() in SUFFIXES and not file.name.startswith("."):  # macOS's, with metadata
                 self._add(file)
         if not self._files:
             raise FileError(f"{path}: has no GeoTIFF files ({', '.join(SUFFIXES)})")
@@ -48,9 +48,10 @@ class TiffStack:
             missing = [time for time in self.times if time not in files]
             if None not in files and missing:
                 raise FileError(f"{path}: '{array}' has no file for the time {missing[0]:g}; it has "
-                                f"{', '.join(f'{time:g}' for time in sorted(files))}")
+                                f"{', '.join(f'{time:g}' for time in sorted(files))} (the number at the end of a name is "
+                                "its time)")
         self.hint = "; the names of its files begin with those of the arrays, such as depth_600.tif"
-        self._grid = None  # size, spacing and origin, of the file that was read first
+        self._grid = None  # size, spacing and origin, of the file that was read first; it, and its place in its own unit
         self._constant = {}
 
     def files_of(self, i):
@@ -59,7 +60,7 @@ class TiffStack:
 
     def read(self, i):
         arrays = {name: self._values(name, self._time_of(i)) for name in self._files}
-        (rows, columns), spacing, origin, _ = self._grid
+        (rows, columns), spacing, origin, _, _ = self._grid
         step = math.ceil(math.sqrt(rows * columns / MOST_POINTS))
         image = vtkImageData()
         image.SetDimensions(-(-columns // step), -(-rows // step), 1)
@@ -94,8 +95,8 @@ class TiffStack:
         return self._constant[name]
 
     def _read(self, file):
-        values, spacing, origin, no_data = grid_of_tiff(file)
-        grid = values.shape, spacing, origin, file
+        values, spacing, origin, no_data, place = grid_of_tiff(file)
+        grid = values.shape, spacing, origin, file, place
         if self._grid is None:
             self._grid = grid
         first = self._grid
@@ -104,7 +105,7 @@ class TiffStack:
                             f"{first[0][1]} x {first[0][0]}, and all files of a folder must have as many")
         size = max(first[0])
         for what, one, other, scale in (("pixel size", first[1], spacing, 1.0 / size),
-                                        ("origin", first[2], origin, 1.0)):
+                                        ("place", first[4], place, 1.0)):
             if max(abs(a - b) for a, b in zip(one, other)) > MOST_OFF * scale * max(first[1]):
                 raise FileError(f"{file}: its {what} is {other[0]:g}, {other[1]:g}; that of {first[3].name} is "
                                 f"{one[0]:g}, {one[1]:g}, and all files of a folder must lie in one place")

@@ -93,4 +93,17 @@ TEST(the_variance_is_kept)
   ASSERT_CLOSE(water_flow_likeness(4.0), 0.5, 0.0);
 }
 
-TESTS(layers_take_turns, any_time_is_in_a_period, ways_are_in_the_scenes_unit, the_variance_is_kept)
+// What solvers fill dry places with is no velocity.
+TEST(velocities_that_no_water_has_count_as_0)
+{
+  ASSERT_CLOSE(water_flow_component(-3.5), -3.5, 0.0);
+  ASSERT_CLOSE(water_flow_component(WATER_FLOW_SPEED_MAX), WATER_FLOW_SPEED_MAX, 0.0);
+  const double none[] = { NAN, INFINITY, -INFINITY, 9.96921e36, -1e20, 1.001e4 };
+  for (size_t i = 0; i < sizeof none / sizeof none[0]; ++i)
+  {
+    ASSERT_CLOSE(water_flow_component(none[i]), 0.0, 0.0);
+  }
+}
+
+TESTS(velocities_that_no_water_has_count_as_0, layers_take_turns, any_time_is_in_a_period,
+  ways_are_in_the_scenes_unit, the_variance_is_kept)

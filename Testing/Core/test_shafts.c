@@ -93,7 +93,7 @@ TEST(the_square_ends_where_nothing_is_seen)
 }
 
 // Nothing is planned without a sun over the surface, for an eye that is not under it, for parallel
-// rays, and in water that scatters nothing.
+// rays, and in water without extinction.
 TEST(no_shafts_without_sun_eye_in_water_or_scattering)
 {
   const water_plan right = plan_under();
@@ -124,6 +124,32 @@ TEST(no_shafts_without_sun_eye_in_water_or_scattering)
   assert_true(water_shafts_plan(&right, &usual, &made));
 }
 
+// An eye deep in turbid water sees little, and the waves light it from far around: the points are
+// few enough, or there are no shafts.
+TEST(the_points_are_never_too_many)
+{
+  const water_plan plan = plan_under();
+  int planned = 0;
+  for (double extinction = 1e-3; extinction < 1e305; extinction *= 3.0)
+  {
+    water_caustics_input input = usual;
+    input.extinction = extinction;
+    input.slope_rms = 0.3;
+    water_shafts made;
+    if (water_shafts_plan(&plan, &input, &made))
+    {
+      ++planned;
+      assert_in_range(made.light.count[0], 2, 1024);
+      assert_in_range(made.light.count[1], 2, 1024);
+    }
+    else
+    {
+      assert_true(extinction > 0.5);
+    }
+  }
+  assert_in_range(planned, 6, 100);
+}
+
 // The steps scatter the same light each, and all of them what the whole way does.
 TEST(steps_share_the_scattered_light)
 {
@@ -145,5 +171,6 @@ TEST(steps_share_the_scattered_light)
   }
 }
 
-TESTS(the_light_is_around_the_eye, the_square_ends_where_nothing_is_seen,
-  no_shafts_without_sun_eye_in_water_or_scattering, steps_share_the_scattered_light)
+TESTS(the_points_are_never_too_many, the_light_is_around_the_eye,
+  the_square_ends_where_nothing_is_seen, no_shafts_without_sun_eye_in_water_or_scattering,
+  steps_share_the_scattered_light)

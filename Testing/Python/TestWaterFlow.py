@@ -137,7 +137,7 @@ def test_no_current_is_as_without(waves, is_software, monkeypatch):
     """Zeros, and velocities that are no numbers, leave every pixel as it is without a current."""
     monkeypatch.setenv("VTK_WATER_SOFTWARE", str(is_software))
     without = Scene(mesh_of(still), name="", waves=waves)
-    nothing = Scene(mesh_of(lambda x, y: (0.0 * x + np.nan, 0.0 * x + np.inf)), waves=waves)
+    nothing = Scene(mesh_of(lambda x, y: (0.0 * x + np.where(x < 0, np.nan, 9.97e36), 0.0 * x + np.inf)), waves=waves)
     zeros = Scene(mesh_of(still), waves=waves)
     moving = Scene(mesh_of(uniform), waves=waves)
     for time in (0.0, 1.3, 7.9):
@@ -219,6 +219,21 @@ def test_a_wrong_array_is_an_error_once(name, components, words):
     scene.water.SetFlowArrayName("velocity")
     wt.check_at_least("pixels that change", int((scene.at(1.1) != without.at(1.1)).sum()), 1000)
     wt.check_equal("errors after that", len(scene.errors), 1)
+
+
+@pytest.mark.parametrize("of_cells", (False, True), ids=("points", "cells"))
+@pytest.mark.parametrize("more", (-1, 1, None), ids=("one_too_few", "one_too_many", "none"))
+def test_an_array_of_another_length_is_an_error(of_cells, more):
+    """There is no current then."""
+    mesh = mesh_of(uniform, of_cells=of_cells)
+    array = (mesh.GetCellData() if of_cells else mesh.GetPointData()).GetArray("velocity")
+    count = array.GetNumberOfTuples()
+    array.SetNumberOfTuples(0 if more is None else count + more)
+    scene, without = Scene(mesh), Scene(mesh_of(still), name="")
+    wt.check_equal("pixels that differ", int((scene.at(0.4) != without.at(0.4)).sum()), 0)
+    wt.check_equal("errors", len(scene.errors), 1)
+    for word in ("velocity", str(count), str(array.GetNumberOfTuples())):
+        wt.check(f"'{word}' is in the error", word in scene.errors[0], True, word in scene.errors[0])
 
 
 def test_settings_are_checked_copied_and_printed():

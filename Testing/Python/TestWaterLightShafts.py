@@ -110,7 +110,7 @@ def test_light_is_where_rays_bring_it(sun):
 
 @pytest.mark.parametrize("what, more", (
     ("calm water", {"waves": ()}), ("no sun", {"sun": None}), ("a sun under the water", {"sun": (0.3, 0.5, -0.8)}),
-    ("an eye over the water", {"depth": -2.0}), ("water that scatters nothing", {"extinction": 0.0}),
+    ("an eye over the water", {"depth": -2.0}), ("water without extinction", {"extinction": 0.0}),
 ), ids=lambda value: value.replace(" ", "_") if isinstance(value, str) else "")
 def test_there_are_none(what, more):
     """Without waves, a sun over the water, an eye under it or a medium there are none."""

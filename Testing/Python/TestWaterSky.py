@@ -302,6 +302,18 @@ def test_the_users_texture_keeps_its_filter(has_mip_levels):
     wt.check_at_most("anisotropy, from that without water", abs(found[0] - found[1]), 0)
 
 
+def plain_texture(color):
+    image = vtkImageData()
+    image.SetDimensions(2, 2, 1)
+    image.AllocateScalars(3, 3)  # unsigned char
+    for component in range(3):
+        for i in range(4):
+            image.GetPointData().GetScalars().SetComponent(i, component, color[component])
+    texture = vtkTexture()
+    texture.SetInputDataObject(image)
+    return texture
+
+
 def test_a_kept_background_is_reflected_while_the_renderers_is_blanked():
     """As engines do that composite pictures of ranks: the water shows what was kept, and follows its changes."""
     view = wt.View(SIZE, background=(0.8, 0.3, 0.1))
@@ -321,6 +333,16 @@ def test_a_kept_background_is_reflected_while_the_renderers_is_blanked():
     wt.check_equal("mirrored views of a still frame", reflection.GetNumberOfReflectionRenders() - renders, 0)
     reflection.KeepBackground(view.renderer)
     wt.check_at_most("kept anew: black, of 255", float(view.picture()[mask].max()), 0)
+    pictures = []
+    for color in ((0, 0, 255), (255, 255, 0)):
+        view.renderer.SetBackgroundTexture(plain_texture(color))
+        view.renderer.TexturedBackgroundOn()
+        reflection.KeepBackground(view.renderer)
+        view.renderer.TexturedBackgroundOff()
+        view.renderer.SetBackgroundTexture(None)
+        pictures.append(view.picture()[mask].astype(float))
+    wt.check_at_least("a kept blue picture, of 255: blue", float(pictures[0][:, 2].min()), 150)
+    wt.check_at_least("a yellow one after it: red", float(pictures[1][:, 0].min()), 150)
     reflection.KeepBackground(None)
     view.renderer.SetBackground(0.8, 0.3, 0.1)
     shown = view.picture()[mask].astype(float)

@@ -7,17 +7,19 @@ import water_test as wt
 from PIL import Image, TiffImagePlugin
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkwater import command
-from vtkwater.readers import TIFF_NO_DATA, TIFF_PIXEL_SCALE, TIFF_TIEPOINT, FileError
+from vtkwater.readers import (GEO_KEY_MODEL_TYPE, MODEL_TYPE_GEOGRAPHIC, TIFF_GEO_KEYS, TIFF_NO_DATA, TIFF_PIXEL_SCALE,
+                              TIFF_TIEPOINT, FileError)
 from vtkwater.solutions import Solution
 
 ROWS, COLUMNS, PIXEL = 12, 20, 10.0
 HOLE = -9999.0
 
 
-def write(path, values, pixel=PIXEL, west=500.0, north=800.0):
+def write(path, values, pixel=PIXEL, west=500.0, north=800.0, is_geographic=False):
     """Rows from north to south, as in a TIFF."""
     tags = TiffImagePlugin.ImageFileDirectory_v2()
-    for tag, kind, value in ((TIFF_PIXEL_SCALE, 12, (pixel, pixel, 0.0)),
+    keys = (1, 1, 0, 1, GEO_KEY_MODEL_TYPE, 0, 1, MODEL_TYPE_GEOGRAPHIC) if is_geographic else (1, 1, 0, 0)
+    for tag, kind, value in ((TIFF_GEO_KEYS, 3, keys), (TIFF_PIXEL_SCALE, 12, (pixel, pixel, 0.0)),
                              (TIFF_TIEPOINT, 12, (0.0, 0.0, 0.0, west, north, 0.0)), (TIFF_NO_DATA, 2, str(HOLE))):
         tags.tagtype[tag] = kind
         tags[tag] = value
@@ -39,6 +41,7 @@ def folder(tmp_path):
     for time, level in ((600, 0.2), (0, 0.0), (1200.5, 0.5)):
         write(tmp_path / f"depth_{time}.TIF", depth(level))
     (tmp_path / "readme.txt").write_text("nothing of the series")
+    (tmp_path / "._depth_0.tif").write_text("metadata of macOS")
     return tmp_path
 
 
@@ -85,6 +88,12 @@ def other_place(folder):
     write(folder / "depth_600.TIF", depth(0.2), west=501.0)
 
 
+def other_place_in_degrees(folder):
+    write(folder / "bed.tif", bed(), pixel=0.001, west=70.0, north=40.0, is_geographic=True)
+    for file in folder.glob("depth_*"):
+        write(file, depth(0.2), pixel=0.001, west=10.0, north=40.0, is_geographic=True)
+
+
 def one_time_less(folder):
     write(folder / "speed_0.tif", depth(0.2))
 
@@ -109,7 +118,8 @@ def no_picture(folder):
 @pytest.mark.parametrize("spoil, words", (
     (other_size, ("depth_600.TIF", "20 x 11 pixels", "20 x 12")),
     (other_pixels, ("depth_600.TIF", "pixel size", "10.1")),
-    (other_place, ("depth_600.TIF", "origin", "501")), (one_time_less, ("'speed' has no file for the time 600", "0")),
+    (other_place, ("depth_600.TIF", "place", "501")), (other_place_in_degrees, ("depth_0.TIF", "place", "10, ", "70, ")),
+    (one_time_less, ("'speed' has no file for the time 600", "0")),
     (with_and_without, ("depth.tif", "both of 'depth'")), (twice, ("depth-600.0.tif", "depth_600.TIF", "time 600")),
     (no_files, ("no GeoTIFF files", ".tif")), (no_picture, ("depth_600.TIF", "not a readable TIFF"))),
     ids=lambda value: getattr(value, "__name__", ""))

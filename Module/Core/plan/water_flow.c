@@ -3,6 +3,11 @@
 
 #include "water_math.h"
 
+double water_flow_component(double velocity)
+{
+  return fabs(velocity) <= WATER_FLOW_SPEED_MAX ? velocity : 0.0;
+}
+
 water_flow water_flow_at(double time, double period)
 {
   water_flow flow;

@@ -18,12 +18,16 @@ extern "C"
 
 #define WATER_FLOW_PERIOD_MIN 1e-3 // s
 #define WATER_FLOW_PERIOD_MAX 1e6
+#define WATER_FLOW_SPEED_MAX 1e4 // m/s, of a component: what solvers fill dry places with is faster
 
 typedef struct water_flow
 {
   double gone[2]; // share of its period that each layer has been carried, in [0, 1)
   double weight;  // of the first layer, in [0, 1]; the second one has the rest
 } water_flow;
+
+// A component of a velocity that counts: 0 if it is not finite or faster than WATER_FLOW_SPEED_MAX.
+double water_flow_component(double velocity);
 
 // The layers at a time. They depend on nothing else.
 //

@@ -53,14 +53,15 @@ static unsigned char* put_number(size_t number, unsigned char* next)
 
 static bool take_number(reader* from, size_t* number)
 {
-  *number = 0;
+  uint64_t read = 0; // a size_t may have 32 bits
   for (int shift = 0; shift < 63 && from->next < from->end; shift += 7)
   {
     const unsigned char byte = *from->next++;
-    *number |= (size_t)(byte & 127) << shift;
+    read |= (uint64_t)(byte & 127) << shift;
     if (byte < 128)
     {
-      return true;
+      *number = (size_t)read;
+      return read <= SIZE_MAX;
     }
   }
   return false;

@@ -10,6 +10,7 @@ static const double farthest_depths =
   10.0;                                   // of the eye: so wide is the square to each side, at most
 static const double reach_slopes = 2.5;   // as for caustics
 static const int texture_px = 512;        // along a side
+static const int largest_count = 1024;    // points along a side
 static const double point_density = 0.68; // points a texel, along a side, as for caustics
 static const int step_count = 24;
 static const double fade_from = 0.38; // distance from the middle, in uv: inside, light is as it is
@@ -43,12 +44,17 @@ bool water_shafts_plan(
   const double turned = fmax(light->turn[0], light->turn[2]);
   const double margin = depth * reach_slopes * input->slope_rms * turned;
   const double px = fmin(texture_px, input->max_texture_px);
+  const double count = ceil(px * point_density * (far + margin) / far);
+  if (!(count <= fmin(largest_count, input->max_texture_px)))
+  {
+    return false; // light comes from so far around that no shafts are left
+  }
   for (int i = 0; i < 2; ++i)
   {
     const double middle = -depth * light->calm_way[i]; // lights the eye
     const double half = far + margin;
     light->texture_px[i] = (int)px;
-    light->count[i] = (int)ceil(px * point_density * half / far);
+    light->count[i] = (int)count;
     light->grid_to_source[4 * i] = 2.0 * half;
     light->grid_to_source[3 * i + 2] = middle - half;
     light->place_to_light[4 * i] = px / (2.0 * far);

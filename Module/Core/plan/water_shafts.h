@@ -30,7 +30,8 @@ typedef struct water_shafts
 // Plans the light around an eye. It does not use viewport_px of the input.
 //
 // Returns false when there are no shafts: no sun over the surface, an eye that is not under it,
-// rays that are parallel, or water that scatters nothing; then the output is unchanged.
+// rays that are parallel, a channel of light without extinction, or an eye so deep in turbid water
+// that the waves spread the light much wider than it sees. Then the output is unchanged.
 bool water_shafts_plan(
   const water_plan* plan, const water_caustics_input* input, water_shafts* shafts);
 

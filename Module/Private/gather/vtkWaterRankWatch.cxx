@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkWaterRankWatch.h"
 
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <system_error>
 
 namespace
 {
@@ -48,7 +50,14 @@ void vtkWaterRankWatch::Begin(const std::string& who, const char* what)
   }
   if (!this->Thread.joinable())
   {
-    this->Thread = std::thread([this]() { this->Run(); });
+    try
+    {
+      this->Thread = std::thread([this]() { this->Run(); });
+    }
+    catch (const std::system_error&)
+    {
+      // without a thread nobody watches; the others wait in this call all the same
+    }
   }
   else if (wasIdle) // else it wakes before this wait is long
   {
@@ -100,7 +109,8 @@ void vtkWaterRankWatch::Run()
       this->Changed.wait_until(lock, until); // a later wait is seen then, in time
       continue;
     }
-    this->Say(seconds, isLast);
+    const std::chrono::duration<double> waited = Clock::now() - begun;
+    this->Say(std::floor(waited.count()), isLast);
     if (isLast)
     {
       std::_Exit(EXIT_FAILURE); // nothing may be destroyed under a thread that waits

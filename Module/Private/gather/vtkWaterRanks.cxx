@@ -68,7 +68,16 @@ bool vtkWaterRanks::Speak(const char* what, Calls calls)
     return false;
   }
   line->Watch.Begin(this->GetText(), what);
-  line->IsLost = !calls();
+  line->IsLost = true; // also if a call throws
+  try
+  {
+    line->IsLost = !calls();
+  }
+  catch (...)
+  {
+    line->Watch.End();
+    throw;
+  }
   line->Watch.End();
   return !line->IsLost;
 }

@@ -59,8 +59,12 @@ void vtkWaterSignature::AddNumber(double value)
 }
 
 //------------------------------------------------------------------------------
-void vtkWaterSignature::AddSky(const water_sky& sky)
+void vtkWaterSignature::AddSky(const water_sky& sky, const vtkWaterSkyTextures& textures)
 {
+  for (vtkTexture* texture : { textures.Screen.Get(), textures.Map.Get(), textures.Floor.Get() })
+  {
+    this->Textures.AddTexture(texture);
+  }
   this->Add(static_cast<vtkMTimeType>(sky.screen));
   this->Add(static_cast<vtkMTimeType>(sky.map.kind));
   for (int i = 0; i < 3; ++i) // a kept background's are not the renderer's

@@ -6,6 +6,7 @@
 
 #include "vtkType.h"
 #include "vtkWaterPropTimes.h"
+#include "vtkWaterSkyReader.h"
 #include "water_types.h"
 
 #include <utility>
@@ -31,7 +32,7 @@ public:
   void AddShadows(vtkRenderer* renderer, vtkShadowMapPass* pass, vtkWaterPropRecords& records);
 
   // Adds what the sky of a plan is looked up by.
-  void AddSky(const water_sky& sky);
+  void AddSky(const water_sky& sky, const vtkWaterSkyTextures& textures);
 
   // Adds a number to it.
   void Add(vtkMTimeType value) { this->Values.emplace_back(nullptr, value); }

@@ -6,11 +6,12 @@
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
 #include "vtkMapper.h"
-#include "vtkMath.h"
 #include "vtkOpenGLVertexArrayObject.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkShaderProgram.h"
+
+#include "water_flow.h"
 
 #include <algorithm>
 #include <vector>
@@ -19,10 +20,11 @@ namespace
 {
 constexpr const char* kAttribute = "waterFlowMC";
 
-// Of points, or else of cells.
-vtkDataArray* Find(vtkDataSet* data, const std::string& name)
+// Of points, or else of cells; and how many values it must have.
+vtkDataArray* Find(vtkDataSet* data, const std::string& name, vtkIdType* count)
 {
   vtkDataArray* array = data->GetPointData()->GetArray(name.c_str());
+  *count = array ? data->GetNumberOfPoints() : data->GetNumberOfCells();
   return array ? array : data->GetCellData()->GetArray(name.c_str());
 }
 
@@ -51,6 +53,10 @@ vtkDataArray* FindOfPoints(
   {
     return array;
   }
+  if (cells->GetNumberOfTuples() != mesh->GetNumberOfCells())
+  {
+    return nullptr; // VTK's filter reads without looking
+  }
   vtkNew<vtkPolyData> alone;
   alone->CopyStructure(mesh);
   alone->GetCellData()->AddArray(cells);
@@ -75,7 +81,8 @@ std::string vtkWaterFlow::Check(vtkMapper* mapper, const std::string& name)
   {
     return ""; // nothing is wet yet
   }
-  vtkDataArray* array = Find(data, name);
+  vtkIdType count = 0;
+  vtkDataArray* array = Find(data, name, &count);
   if (!array)
   {
     return "there is no numeric array '" + name + "'; the arrays are: " + NamesOf(data);
@@ -85,6 +92,11 @@ std::string vtkWaterFlow::Check(vtkMapper* mapper, const std::string& name)
   {
     return "the array '" + name + "' has " + std::to_string(components) +
       " components; velocities must have 2 or 3";
+  }
+  if (array->GetNumberOfTuples() != count)
+  {
+    return "the array '" + name + "' has " + std::to_string(array->GetNumberOfTuples()) +
+      " values; it must have " + std::to_string(count);
   }
   return "";
 }
@@ -109,14 +121,18 @@ bool vtkWaterFlow::Upload(vtkPolyData* mesh, const std::string& name)
   {
     for (int j = 0; j < components; ++j)
     {
-      const double value = array->GetComponent(i, j);
       values[static_cast<size_t>(3 * i + j)] =
-        vtkMath::IsFinite(value) ? static_cast<float>(value) : 0.0f;
+        static_cast<float>(water_flow_component(array->GetComponent(i, j)));
     }
+  }
+  this->Uploaded = { nullptr, 0 };
+  if (!this->Buffer->Upload(values, vtkOpenGLBufferObject::ArrayBuffer))
+  {
+    return false;
   }
   this->Uploaded = now;
   this->Name = name;
-  return this->Buffer->Upload(values, vtkOpenGLBufferObject::ArrayBuffer);
+  return true;
 }
 
 //------------------------------------------------------------------------------

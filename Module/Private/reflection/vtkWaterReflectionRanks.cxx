@@ -82,7 +82,7 @@ double DigestOf(const std::vector<vtkWaterSnapshotPointer>& waters, const water_
     const water_plane& plane = water->Plane;
     const double* origin = water->Origin;
     Numbers numbers = { plane.normal[0], plane.normal[1], plane.normal[2], plane.offset, origin[0],
-      origin[1], origin[2], water->Time };
+      origin[1], origin[2], water->Time, water->FlowPeriod, water->FlowLikeness };
     AddLook(water->Look, numbers);
     digest = water_ranks_digest(digest, numbers.data(), numbers.size());
     digest = water_ranks_digest_waves(digest, water->Waves.data(), water->Waves.size());
