@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkWaterRankWatch.h"
 
-#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <system_error>
@@ -77,7 +76,8 @@ void vtkWaterRankWatch::Say(double seconds, bool isLast)
 {
   // not by VTK: its output windows belong to the thread that waits
   std::fprintf(stderr,
-    "vtkWaterReflectionPass: %s has waited %g s for the other ranks, for %s. Every rank must show "
+    "vtkWaterReflectionPass: %s has waited %.3g s for the other ranks, for %s. Every rank must "
+    "show "
     "this water with a controller and render each frame, and none may have ended. %s\n",
     this->Who.c_str(), seconds, this->What,
     isLast ? "The time of SetRankWaitLimit is over: this process ends."
@@ -110,7 +110,7 @@ void vtkWaterRankWatch::Run()
       continue;
     }
     const std::chrono::duration<double> waited = Clock::now() - begun;
-    this->Say(std::floor(waited.count()), isLast);
+    this->Say(waited.count(), isLast);
     if (isLast)
     {
       std::_Exit(EXIT_FAILURE); // nothing may be destroyed under a thread that waits
