@@ -23,7 +23,7 @@ from .skies import Sun, add_clear_sky, has_scene_light, shine, sun_of
 from .sliders import add_water_level_slider
 from .surfaces import (axis_of, check_flow, check_has_water, check_level, color_surface, lakes_of, level_and_surface,
                        plane_of, surface_of)
-from .words import finite, in_range, number, numbers, set_look, whole_in_range
+from .words import finite, has_waves, in_range, number, numbers, set_look, whole_in_range
 
 __all__ = ["Sun", "add_clear_sky", "add_water", "add_water_level_slider"]
 
@@ -295,6 +295,8 @@ def add_water(
     set_look(look, preset=preset, waves=waves, wind=wind, color=None if color is None else color_of(color),
              opacity=opacity, refraction=refraction, foam=foam, caustics=caustics, light_shafts=light_shafts,
              shadows=shadows, dome_port=dome_port, quality=quality, units=units)
+    if flow is not None and not has_waves(look):
+        raise ValueError(f"flow is {flow!r}, but the water is calm: add wind, waves or a preset with waves")
     with raising(actor, SheetBounds="bounds", Time="time"):
         if bounds is not None:
             set_bounds(actor, bounds)

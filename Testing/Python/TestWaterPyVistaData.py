@@ -303,3 +303,7 @@ def test_a_wrong_current_is_an_error(error, words, flow, plotter):
         wt.check(f"'{word}' is in the error", str(told.value), word, word in str(told.value))
     with pytest.raises(ValueError, match="needs a surface"):
         plotter.add_water(level=0.0, flow="velocity")
+    mesh = solution()
+    mesh["velocity"] = np.ones((mesh.n_points, 2))
+    with pytest.raises(ValueError, match="flow is 'velocity', but the water is calm: add wind"):
+        plotter.add_water(mesh, depth="h", bed="zb", flow="velocity")
