@@ -77,8 +77,8 @@ class Ahead:
     def take(self, number):
         """Wait for the step that was asked for and return its mesh; None if the caller must read the step itself.
 
-        That is so if another step was asked for, if a file of the step has changed since, or if the other process sends
-        no mesh or does not answer within LIMIT_S seconds.
+        That is so if another step was asked for, if a file of the step has changed since, or if the other process
+        sends no mesh or does not answer within LIMIT_S seconds.
         """
         if os.getpid() != self._owner:
             return None

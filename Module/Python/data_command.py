@@ -18,8 +18,9 @@ def add_data_arguments(parser, number):
     """number(least, most): the type of a number in a range."""
     group = parser.add_argument_group(
         "the data", "A solver's file: arrays of its points or cells define the water; two of level, depth and bed are "
-        "enough. A folder of GeoTIFF files is a series: depth_0, depth_600 and bed are the array depth at two times, and "
-        "the array bed. More file types: " + " ".join(kind for kind in solutions.KINDS if kind not in readers.KINDS))
+        "enough. A folder of GeoTIFF files is a series: depth_0, depth_600 and bed are the array depth at two times, "
+        "and the array bed. More file types: "
+        + " ".join(kind for kind in solutions.KINDS if kind not in readers.KINDS))
     group.add_argument("--depth", metavar="ARRAY", help="depth of the water")
     group.add_argument("--bed", metavar="ARRAY", help="height of the bed; default: the level minus the depth or, "
                        "with the depth alone, the mesh's own z")

@@ -140,18 +140,19 @@ def add_water(
 
     dome_port : float, optional
         Radius in metres of a dome port, the glass dome around an underwater camera, finite and not negative; 0 means
-        no port. If the camera is less than this radius above the water, the picture is half above and half under water.
-        Turns refraction on.
+        no port. If the camera is less than this radius above the water, the picture is half above and half under
+        water. Turns refraction on.
 
     sun : bool | sequence[float], optional
-        Adds a scene light, the sun, for glitter, shadows, caustics and light shafts: azimuth (degrees from north towards east, in
-        [-360, 360]) and elevation (degrees above the water, in [-90, 90]). True means (150, 35), which is also the
-        default if ``caustics``, ``light_shafts`` or ``shadows`` need a light. North is y and east is x; for tilted water they are the
-        second and the first of the plane's own axes. The light is in ``plotter.renderer.lights``, has the class
-        ``vtkwater.pyvista.Sun``, and stays when the water is removed. Another ``sun`` in the same subplot replaces it.
-        PyVista's own lights stay, and together with the sun they overexpose bright meshes: create the plotter with
-        ``pyvista.Plotter(lighting='none')``. The sun is then the only light, and faces away from it are black; a weak
-        headlight, ``plotter.add_light(pyvista.Light(light_type='headlight', intensity=0.4))``, shows them.
+        Adds a scene light, the sun, for glitter, shadows, caustics and light shafts: azimuth (degrees from north
+        towards east, in [-360, 360]) and elevation (degrees above the water, in [-90, 90]). True means (150, 35),
+        which is also the default if ``caustics``, ``light_shafts`` or ``shadows`` need a light. North is y and east is
+        x; for tilted water they are the second and the first of the plane's own axes. The light is in
+        ``plotter.renderer.lights``, has the class ``vtkwater.pyvista.Sun``, and stays when the water is removed.
+        Another ``sun`` in the same subplot replaces it. PyVista's own lights stay, and together with the sun they
+        overexpose bright meshes: create the plotter with ``pyvista.Plotter(lighting='none')``. The sun is then the
+        only light, and faces away from it are black; a weak headlight,
+        ``plotter.add_light(pyvista.Light(light_type='headlight', intensity=0.4))``, shows them.
 
     quality : str, optional
         Quality of reflections on waves: ``'fast'``, ``'default'``, ``'high'`` or ``'reference'``.
@@ -175,14 +176,14 @@ def add_water(
         water, and all of the surface must lie in its plane, apart from waves. The default is a built-in sheet.
 
     max_mirrors : int, optional
-        With a ``surface`` of several planes: the maximum number of waters in view that reflect the scene, in [0, 4096];
-        the default is 8. The other waters, which cover less of the picture, reflect only the sky.
+        With a ``surface`` of several planes: the maximum number of waters in view that reflect the scene, in
+        [0, 4096]; the default is 8. The other waters, which cover less of the picture, reflect only the sky.
 
     hulls : sequence[pyvista.DataSet | pyvista.Actor], optional
         Boats, caissons and other floating bodies that have no water inside (:vtk:`vtkWaterActor`'s
         ``AddHull``): actors, as ``add_mesh`` returns them, whose movements the water follows; or meshes, which do not
-        move. Each must be closed where the water cuts it; an open boat is closed there if its rim lies above the waves.
-        The hulls are not added to the plotter.
+        move. Each must be closed where the water cuts it; an open boat is closed there if its rim lies above the
+        waves. The hulls are not added to the plotter.
 
     bounds : sequence[float] | str, optional
         Extent of the built-in sheet. ``(xmin, xmax, ymin, ymax)``: along x and y for horizontal water, otherwise along
@@ -216,8 +217,8 @@ def add_water(
     Returns
     -------
     vtkwater.vtkWaterActor
-        The water. If the ``surface`` has several planes, it is the water of the largest part; the others copy its look,
-        time and visibility in the next frame, and are removed with it. ``actor.water_property``
+        The water. If the ``surface`` has several planes, it is the water of the largest part; the others copy its
+        look, time and visibility in the next frame, and are removed with it. ``actor.water_property``
         (``GetWaterProperty()``) holds all settings of the look, ``actor.reflection_pass`` (``GetReflectionPass()``)
         those of the reflection and its cost.
 

@@ -6,7 +6,7 @@
     mesh = solution.at(300.0)  # vtkPolyData, between two steps by vtkTemporalInterpolator
 
 VTK's readers read the files (sources.py); KINDS maps suffixes to readers. A FileError is raised if a file is missing,
-of an unknown type, not of the type that its suffix claims, or lacks one of the arrays; the text lists the existing ones.
+of an unknown type, not of the type that its suffix claims, or lacks one of the arrays; the text lists those there are.
 """
 import bisect
 import math

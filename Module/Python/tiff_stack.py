@@ -48,10 +48,10 @@ class TiffStack:
             missing = [time for time in self.times if time not in files]
             if None not in files and missing:
                 raise FileError(f"{path}: '{array}' has no file for the time {missing[0]:g}; it has "
-                                f"{', '.join(f'{time:g}' for time in sorted(files))} (the number at the end of a name is "
-                                "its time)")
+                                f"{', '.join(f'{time:g}' for time in sorted(files))} (the number at the end of a name "
+                                "is its time)")
         self.hint = "; the names of its files begin with those of the arrays, such as depth_600.tif"
-        self._grid = None  # size, spacing and origin, of the file that was read first; it, and its place in its own unit
+        self._grid = None  # of the file read first: size, spacing, origin, the file, its place in its own unit
         self._constant = {}
 
     def files_of(self, i):

@@ -87,7 +87,7 @@ class UgridMesh:
         return data
 
     def _values(self, variable, i):
-        """A variable's values at a step, one per node or face; None for a single value, layers, and all but numbers."""
+        """A variable's values at a step, one per node or face; None for one value, for layers, and for text."""
         if variable.dtype is str or variable.dtype.kind not in "biuf" or not variable.dimensions:
             return None
         if variable.dimensions[0] == self._time_of:
