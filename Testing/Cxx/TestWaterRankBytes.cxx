@@ -11,7 +11,6 @@
 #include <algorithm>
 #include <cstdint>
 #include <cstdlib>
-#include <sys/wait.h>
 #include <unistd.h>
 #include <vector>
 
@@ -120,31 +119,6 @@ bool Run(const WaterSockets& sockets, int rank)
   alarm(0);
   return isGood;
 }
-
-bool Try(int ranks)
-{
-  const WaterSockets sockets = WaterConnect(static_cast<size_t>(ranks));
-  bool isGood = !sockets.empty();
-  std::vector<pid_t> children;
-  for (int rank = 0; isGood && rank < ranks; ++rank)
-  {
-    std::cout.flush();
-    const pid_t pid = fork();
-    if (pid == 0)
-    {
-      _exit(Run(sockets, rank) ? EXIT_SUCCESS : EXIT_FAILURE);
-    }
-    isGood = pid > 0;
-    children.push_back(pid);
-  }
-  WaterKeepOwn(sockets, -1);
-  for (const pid_t pid : children)
-  {
-    int status = EXIT_FAILURE;
-    isGood = waitpid(pid, &status, 0) == pid && status == 0 && isGood;
-  }
-  return isGood;
-}
 }
 
 int TestWaterRankBytes(int, char*[])
@@ -152,7 +126,7 @@ int TestWaterRankBytes(int, char*[])
   bool isGood = true;
   for (const int ranks : { 2, 4 })
   {
-    isGood = Try(ranks) && isGood;
+    isGood = WaterRunRanks(ranks, Run) && isGood;
   }
   return isGood ? EXIT_SUCCESS : EXIT_FAILURE;
 }

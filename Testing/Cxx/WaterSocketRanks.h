@@ -12,8 +12,11 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <cstdlib>
+#include <iostream>
 #include <sys/socket.h>
 #include <sys/types.h>
+#include <sys/wait.h>
 #include <unistd.h>
 #include <vector>
 
@@ -187,5 +190,33 @@ struct WaterSocketRank
   vtkNew<WaterSocketCommunicator> Communicator;
   vtkNew<vtkDummyController> Controller;
 };
+
+// Runs a function of the sockets and the rank in a process for each rank. Are all of its results
+// true?
+template <typename Function>
+bool WaterRunRanks(int ranks, Function run)
+{
+  const WaterSockets sockets = WaterConnect(static_cast<size_t>(ranks));
+  bool isGood = !sockets.empty();
+  std::vector<pid_t> children;
+  for (int rank = 0; isGood && rank < ranks; ++rank)
+  {
+    std::cout.flush(); // or a child says it, too
+    const pid_t pid = fork();
+    if (pid == 0)
+    {
+      _exit(run(sockets, rank) ? EXIT_SUCCESS : EXIT_FAILURE);
+    }
+    isGood = pid > 0;
+    children.push_back(pid);
+  }
+  WaterKeepOwn(sockets, -1);
+  for (const pid_t pid : children)
+  {
+    int status = EXIT_FAILURE;
+    isGood = waitpid(pid, &status, 0) == pid && status == 0 && isGood;
+  }
+  return isGood;
+}
 
 #endif

@@ -12,7 +12,6 @@
 #include <cstdlib>
 #include <ctime>
 #include <string>
-#include <sys/wait.h>
 #include <unistd.h>
 #include <vector>
 
@@ -146,24 +145,7 @@ int main(int argc, char* argv[])
     }
     task.Networks.push_back({ 1e-6 * latency, speed > 0.0 ? 1e-6 / speed : 0.0 });
   }
-  const WaterSockets sockets = WaterConnect(static_cast<size_t>(task.Ranks));
-  bool isGood = !sockets.empty();
-  std::vector<pid_t> children;
-  for (int rank = 0; isGood && rank < task.Ranks; ++rank)
-  {
-    const pid_t pid = fork();
-    if (pid == 0)
-    {
-      _exit(Run(sockets, rank, task) ? EXIT_SUCCESS : EXIT_FAILURE);
-    }
-    isGood = pid > 0;
-    children.push_back(pid);
-  }
-  WaterKeepOwn(sockets, -1);
-  for (const pid_t pid : children)
-  {
-    int status = EXIT_FAILURE;
-    isGood = waitpid(pid, &status, 0) == pid && status == 0 && isGood;
-  }
+  const bool isGood = WaterRunRanks(
+    task.Ranks, [&](const WaterSockets& sockets, int rank) { return Run(sockets, rank, task); });
   return isGood ? EXIT_SUCCESS : EXIT_FAILURE;
 }
