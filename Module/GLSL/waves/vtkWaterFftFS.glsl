@@ -1,6 +1,6 @@
 //VTK::System::Dec
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkWaterFftFS.glsl: a pass of two Fourier transforms along the rows or columns of a square (water_fft.h), and
+// vtkWaterFftFS.glsl: a pass of one or two Fourier transforms along the rows or columns of a square (water_fft.h), and
 // for the first the squares of what comes out, which the last pass is asked for.
 //VTK::Output::Dec
 
@@ -8,7 +8,13 @@ in vec2 texCoord;
 uniform sampler2D waterField;    // what the pass before left: a complex number of each transform
 uniform sampler2D waterFftTable; // water_fft_table, a row for each pass
 uniform vec4 waterFftPass;       // radix; size / radix; its row of the table; 0: along x, 1: along y
+uniform int waterFftCount;       // of transforms: 1 or 2
 uniform int waterFftSquares;     // 1: squares in place of the second transform
+
+vec2 waterTurned(vec2 number, vec2 turn)
+{
+  return number * turn.x + vec2(-number.y, number.x) * turn.y;
+}
 
 void main()
 {
@@ -23,8 +29,12 @@ void main()
   for (int i = 0; i < radix; ++i) // Horner
   {
     at -= next;
-    vec4 turned = sum * entry.x + vec4(-sum.y, sum.x, -sum.w, sum.z) * entry.y;
-    sum = turned + texelFetch(waterField, line + at * along, 0);
+    vec4 number = texelFetch(waterField, line + at * along, 0);
+    sum.xy = waterTurned(sum.xy, entry.xy) + number.xy;
+    if (waterFftCount > 1)
+    {
+      sum.zw = waterTurned(sum.zw, entry.xy) + number.zw;
+    }
   }
   gl_FragData[0] = waterFftSquares != 0 ? vec4(sum.xy, sum.xy * sum.xy) : sum;
 }

@@ -124,10 +124,6 @@ bool vtkWaterSlopePasses::Prepare(vtkOpenGLRenderWindow* window, const Inputs& s
   if (!isReady)
   {
     this->ReleaseGraphicsResources(nullptr);
-    if (!this->MakeTargets(window))
-    {
-      return false;
-    }
     this->UploadTable(window);
   }
   if (this->HasFields == 0)
@@ -136,36 +132,45 @@ bool vtkWaterSlopePasses::Prepare(vtkOpenGLRenderWindow* window, const Inputs& s
   }
   for (; this->HasFields < fields; ++this->HasFields)
   {
+    if (!this->MakeTargetsOf(window, this->HasFields))
+    {
+      return false;
+    }
     this->UploadWaves(window, sea, this->HasFields);
   }
   return true;
 }
 
 //------------------------------------------------------------------------------
-bool vtkWaterSlopePasses::MakeTargets(vtkOpenGLRenderWindow* window)
+bool vtkWaterSlopePasses::MakeTarget(vtkOpenGLRenderWindow* window, int components, Target& target)
 {
   const auto size = static_cast<unsigned int>(this->Plan.size);
-  for (Target& target : this->Targets)
+  target.Texture = MakeTexture(window);
+  if (!target.Texture->Allocate2D(size, size, components, VTK_FLOAT))
   {
-    target.Texture = MakeTexture(window);
-    if (!target.Texture->Allocate2D(size, size, 4, VTK_FLOAT))
-    {
-      return false;
-    }
-    target.Framebuffer = vtkSmartPointer<vtkOpenGLFramebufferObject>::New();
-    target.Framebuffer->SetContext(window);
-    target.Framebuffer->Bind();
-    target.Framebuffer->AddColorAttachment(0, target.Texture);
-    target.Framebuffer->ActivateBuffer(0);
-    target.Framebuffer->ActivateReadBuffer(0);
-    const char* reason = nullptr;
-    if (!vtkOpenGLFramebufferObject::GetFrameBufferStatus(
-          vtkOpenGLFramebufferObject::GetBothMode(), reason))
-    {
-      return false;
-    }
+    return false;
   }
-  return true;
+  target.Framebuffer = vtkSmartPointer<vtkOpenGLFramebufferObject>::New();
+  target.Framebuffer->SetContext(window);
+  target.Framebuffer->Bind();
+  target.Framebuffer->AddColorAttachment(0, target.Texture);
+  target.Framebuffer->ActivateBuffer(0);
+  target.Framebuffer->ActivateReadBuffer(0);
+  const char* reason = nullptr;
+  return vtkOpenGLFramebufferObject::GetFrameBufferStatus(
+           vtkOpenGLFramebufferObject::GetBothMode(), reason) != 0;
+}
+
+//------------------------------------------------------------------------------
+bool vtkWaterSlopePasses::MakeTargetsOf(vtkOpenGLRenderWindow* window, int fields)
+{
+  const bool areSlopes = fields == SLOPES;
+  bool isMade = !areSlopes || this->Whole.Texture || this->MakeTarget(window, 4, this->Whole);
+  for (Target& target : this->Targets[areSlopes ? 0 : 1])
+  {
+    isMade = isMade && (target.Texture || this->MakeTarget(window, areSlopes ? 2 : 4, target));
+  }
+  return isMade;
 }
 
 //------------------------------------------------------------------------------
@@ -218,13 +223,6 @@ void vtkWaterSlopePasses::UploadWaves(vtkOpenGLRenderWindow* window, const Input
 }
 
 //------------------------------------------------------------------------------
-void vtkWaterSlopePasses::DrawInto(int target, vtkWaterQuad& quad)
-{
-  this->Targets[target].Framebuffer->Bind();
-  quad.Draw();
-}
-
-//------------------------------------------------------------------------------
 bool vtkWaterSlopePasses::DrawSpectrum(
   vtkOpenGLRenderWindow* window, const uint32_t units[2], double time, int fields)
 {
@@ -241,7 +239,9 @@ bool vtkWaterSlopePasses::DrawSpectrum(
   vtkWaterUniforms::Set(program, "waterTimeSign", time < 0.0 ? -1.0 : 1.0);
   const int bits[2] = { static_cast<int>(units[0]), static_cast<int>(units[1]) };
   program->SetUniform2i("waterUnits", bits);
-  this->DrawInto(0, this->Spectrum);
+  vtkWaterUniforms::Set(program, "waterPairs", fields == SLOPES ? 1 : 2);
+  this->Targets[fields == SLOPES ? 0 : 1][0].Framebuffer->Bind();
+  this->Spectrum.Draw();
   return true;
 }
 
@@ -253,8 +253,9 @@ bool vtkWaterSlopePasses::Transform(vtkOpenGLRenderWindow* window, int fields)
   {
     return false;
   }
-  const ScopedTextures textures(
-    { this->Targets[0].Texture, this->Targets[1].Texture, this->Table });
+  const bool areSlopes = fields == SLOPES;
+  const Target* targets = this->Targets[areSlopes ? 0 : 1];
+  const ScopedTextures textures({ targets[0].Texture, targets[1].Texture, this->Table });
   vtkWaterUniforms::Set(program, "waterFftTable", this->Table);
   const int last = 2 * this->Plan.count - 1;
   for (int i = 0; i <= last; ++i)
@@ -264,10 +265,13 @@ bool vtkWaterSlopePasses::Transform(vtkOpenGLRenderWindow* window, int fields)
     const double numbers[4] = { static_cast<double>(radix),
       static_cast<double>(this->Plan.size / radix), static_cast<double>(pass),
       i < this->Plan.count ? 0.0 : 1.0 };
-    vtkWaterUniforms::Set(program, "waterField", this->Targets[i % 2].Texture);
+    vtkWaterUniforms::Set(program, "waterField", targets[i % 2].Texture);
     vtkWaterUniforms::Set4(program, "waterFftPass", numbers);
-    vtkWaterUniforms::Set(program, "waterFftSquares", i == last && fields == SLOPES ? 1 : 0);
-    this->DrawInto((i + 1) % 2, this->Fft);
+    const bool isWhole = i == last && areSlopes;
+    vtkWaterUniforms::Set(program, "waterFftCount", areSlopes ? 1 : 2);
+    vtkWaterUniforms::Set(program, "waterFftSquares", isWhole ? 1 : 0);
+    (isWhole ? this->Whole : targets[(i + 1) % 2]).Framebuffer->Bind();
+    this->Fft.Draw();
   }
   return true;
 }
@@ -275,14 +279,15 @@ bool vtkWaterSlopePasses::Transform(vtkOpenGLRenderWindow* window, int fields)
 //------------------------------------------------------------------------------
 void vtkWaterSlopePasses::ReleaseGraphicsResources(vtkWindow* window)
 {
-  for (Target& target : this->Targets)
+  for (Target* target : { &this->Targets[0][0], &this->Targets[0][1], &this->Targets[1][0],
+         &this->Targets[1][1], &this->Whole })
   {
-    if (target.Framebuffer && window)
+    if (target->Framebuffer && window)
     {
-      target.Framebuffer->ReleaseGraphicsResources(window);
+      target->Framebuffer->ReleaseGraphicsResources(window);
     }
     // without a window the destructors free what is left, through VTK's resource callbacks
-    target = Target();
+    *target = Target();
   }
   for (auto& waves : this->Waves)
   {

@@ -66,14 +66,14 @@ private:
   };
 
   bool Prepare(vtkOpenGLRenderWindow* window, const Inputs& sea, int fields);
-  bool MakeTargets(vtkOpenGLRenderWindow* window);
+  bool MakeTarget(vtkOpenGLRenderWindow* window, int components, Target& target);
+  bool MakeTargetsOf(vtkOpenGLRenderWindow* window, int fields);
   void UploadTable(vtkOpenGLRenderWindow* window);
   void UploadFrequencies(vtkOpenGLRenderWindow* window, const Inputs& sea);
   void UploadWaves(vtkOpenGLRenderWindow* window, const Inputs& sea, int fields);
   bool DrawSpectrum(
     vtkOpenGLRenderWindow* window, const uint32_t units[2], double time, int fields);
   bool Transform(vtkOpenGLRenderWindow* window, int fields);
-  void DrawInto(int target, vtkWaterQuad& quad);
 
   vtkWaterQuad Spectrum;
   vtkWaterQuad Fft;
@@ -84,7 +84,8 @@ private:
   vtkSmartPointer<vtkTextureObject> Waves[FIELDS][2]; // a texel for each wave vector
   vtkSmartPointer<vtkTextureObject> Frequencies;      // a texel for each in a quadrant
   vtkSmartPointer<vtkTextureObject> Table;            // of the FFT, a row for each pass
-  Target Targets[2];                                  // in turns
+  Target Targets[2][2]; // of the slopes, and of other fields: two numbers and four; in turns
+  Target Whole;         // the slopes and their squares
 };
 
 #endif
