@@ -2,7 +2,6 @@
 #include "vtkWaterWarmUp.h"
 
 #include "vtkActor.h"
-#include "vtkCallbackCommand.h"
 #include "vtkCommand.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLRenderer.h"
@@ -14,20 +13,41 @@
 #include "vtkWaterSource.h"
 
 //------------------------------------------------------------------------------
+// A command whose owner is gone removes itself at its next event. The owner cannot do so when it is
+// deleted: that may be by the renderer while it goes through its observers, such as one that held
+// the last reference to the water.
+class vtkWaterWarmUp::Command : public vtkCommand
+{
+public:
+  static Command* New() { return new Command; }
+
+  void Execute(vtkObject* renderer, unsigned long, void*) override
+  {
+    if (this->Owner)
+    {
+      this->Owner->EndFrame(static_cast<vtkRenderer*>(renderer));
+    }
+    else
+    {
+      renderer->RemoveObserver(this);
+    }
+  }
+
+  vtkWaterWarmUp* Owner = nullptr;
+};
+
+//------------------------------------------------------------------------------
 vtkWaterWarmUp::vtkWaterWarmUp(vtkWaterSource& water)
   : Water(water)
-  , Observer(vtkSmartPointer<vtkCallbackCommand>::New())
+  , Observer(vtkSmartPointer<Command>::New())
 {
-  this->Observer->SetClientData(this);
-  this->Observer->SetCallback([](vtkObject* renderer, unsigned long, void* self, void*) {
-    static_cast<vtkWaterWarmUp*>(self)->EndFrame(static_cast<vtkRenderer*>(renderer));
-  });
+  this->Observer->Owner = this;
 }
 
 //------------------------------------------------------------------------------
 vtkWaterWarmUp::~vtkWaterWarmUp()
 {
-  this->SetIsDone();
+  this->Observer->Owner = nullptr;
 }
 
 //------------------------------------------------------------------------------

@@ -10,7 +10,6 @@
 
 #include <vector>
 
-class vtkCallbackCommand;
 class vtkRenderer;
 class vtkWaterSource;
 
@@ -33,10 +32,12 @@ private:
   vtkWaterWarmUp(const vtkWaterWarmUp&) = delete;
   void operator=(const vtkWaterWarmUp&) = delete;
 
+  class Command;
+
   void EndFrame(vtkRenderer* renderer);
 
   vtkWaterSource& Water;
-  vtkSmartPointer<vtkCallbackCommand> Observer; // of these renderers' EndEvent
+  vtkSmartPointer<Command> Observer; // of these renderers' EndEvent
   std::vector<vtkWeakPointer<vtkRenderer>> Renderers;
   bool IsDone = false;
   bool IsDrawing = false;
