@@ -18,8 +18,9 @@ EXAMPLES = """examples:
   vtkwater animate terrain.vti --level 350:400 --frames 60 --out flood.gif
   vtkwater render flood.pvd --depth h --bed zb --color-by speed --time 3600 --out flood.png
   vtkwater view terrain.tif --level 355 --preset lake
-  vtkwater info
+  vtkwater info terrain.tif
 """
+WRONG_USAGE = 2  # exit status
 
 
 class Parser(argparse.ArgumentParser):
@@ -36,13 +37,24 @@ class Parser(argparse.ArgumentParser):
                 for parser in action.choices.values():
                     yield from parser.options()
 
+    def of(self, command):
+        """The parser of a command."""
+        commands = next(action for action in self._actions if isinstance(action, argparse._SubParsersAction))
+        return commands.choices[command]
+
+    def parse_args(self, *arguments):
+        found, unknown = self.parse_known_args(*arguments)
+        if unknown:
+            self.of(found.command).error("unrecognized arguments: " + " ".join(unknown))
+        return found
+
     def error(self, message):
+        """One line: the error, and where help is. The usage would be twenty lines before it."""
         unknown = re.match(r"unrecognized arguments: .*?(--[^\s=]+)", message)
         if unknown:
             close = difflib.get_close_matches(unknown.group(1), sorted(set(self.options())), 1)
-            meant = f"did you mean {close[0]}?" if close else "--help lists all options"
-            message = f"{unknown.group(1)} is not an option; {meant}"
-        super().error(message)
+            message = f"{unknown.group(1)} is not an option" + (f"; did you mean {close[0]}?" if close else "")
+        self.exit(WRONG_USAGE, f"{self.prog}: error: {message}; see {self.prog} --help\n")
 
 
 def number(least=-math.inf, most=math.inf, kind=float):
@@ -256,7 +268,11 @@ def make_parser():
     add_scene_arguments(view)
     add_data_arguments(view, number)
 
-    info = commands.add_parser("info", help="print versions, the renderer and, for a wheel, the folder for CMake")
+    info = commands.add_parser("info", help="print what a file holds, or versions, the renderer and, for a wheel, the "
+                                             "folder for CMake")
+    info.add_argument("file", nargs="?",
+                      help="a file, or a folder of GeoTIFF files: print its bounds, unit, steps and arrays, and "
+                           "options to try; without it, versions and the renderer")
     add_json(info)
     return parser
 

@@ -48,10 +48,14 @@ def check_words(parser, arguments):
     """Ends the program if two options contradict each other."""
     if arguments.wind_direction is not None and arguments.wind is None:
         parser.error(f"--wind-direction is {arguments.wind_direction:g}, but there is no --wind")
-    try:
-        set_look(vtkWaterProperty(), **words_of(arguments))
-    except ValueError as error:
-        parser.error(str(error))
+    with warnings.catch_warnings(record=True) as advice:
+        warnings.simplefilter("always")
+        try:
+            set_look(vtkWaterProperty(), **words_of(arguments))
+        except ValueError as error:
+            parser.error(str(error))
+    for warning in advice:
+        print(f"vtkwater: {warning.message}", file=sys.stderr)
 
 
 def progress(steps):
@@ -205,6 +209,16 @@ def view(arguments):
 
 
 def info(arguments):
+    if arguments.file is not None:
+        from .contents import contents_of, text_of as lines_of
+
+        facts = contents_of(arguments.file)
+        print_json(facts) if arguments.json else print(lines_of(facts))
+        return DONE
+    return info_of_machine(arguments)
+
+
+def info_of_machine(arguments):
     from vtkmodules.vtkCommonCore import vtkVersion
 
     facts = {"vtkwater": __version__, "VTK": vtkVersion.GetVTKVersion(), "Python": sys.version.split()[0]}
@@ -234,8 +248,8 @@ def main(arguments=None):
     parser = make_parser()
     arguments = parser.parse_args(arguments)
     if arguments.command != "info":
-        check_words(parser, arguments)
-        check_data(parser, arguments)
+        check_words(parser.of(arguments.command), arguments)
+        check_data(parser.of(arguments.command), arguments)
     warnings.simplefilter("ignore")  # of the packages beneath
     try:
         return {"render": render, "animate": animate, "view": view, "info": info}[arguments.command](arguments)

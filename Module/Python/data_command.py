@@ -77,8 +77,12 @@ def check_data(parser, arguments):
             if getattr(arguments, word, None) is not None:
                 parser.error(f"--{word.replace('_', '-')} needs an array that defines the water: add "
                              "--depth, --bed, --contour or the name of an array as --level")
+        if pathlib.Path(arguments.file).is_dir():
+            parser.error(f"{arguments.file} is a folder; a folder of GeoTIFF files needs two of its arrays, such "
+                         f"as --depth depth --bed bed (vtkwater info {arguments.file} lists its arrays)")
         if arguments.level is None:
-            parser.error("the following arguments are required: --level")
+            parser.error("--level is missing: the height of the water in the file's unit, or for a solver's file the "
+                         f"name of an array (vtkwater info {arguments.file} suggests one)")
         return
     is_stack = pathlib.Path(arguments.file).is_dir()
     if kind not in solutions.KINDS and not is_stack:

@@ -22,7 +22,7 @@ from . import vtkWaterActor, vtkWaterSurfaceFilter
 from .errors import heed, raising
 from .readers import ELEVATION, Surface
 from .solutions import array_of
-from .words import set_look
+from .words import counted, set_look
 
 __all__ = ["COLOR_MAPS", "DataWater", "table_of"]
 
@@ -226,8 +226,8 @@ class DataWater:
     def _let_flow(self, name):
         components = array_of(self.solution.step(0), name).GetNumberOfComponents()
         if components not in (2, 3):
-            raise ValueError(f"{self.solution.path}: the array '{name}' has {components} components; a velocity has 2 "
-                             "or 3")
+            raise ValueError(f"{self.solution.path}: the array '{name}' has {counted(components, 'component')}; a "
+                             "velocity must have 2 or 3")
         self.water.SetFlowArrayName(name)
 
     def _color(self, name, cmap, clim):

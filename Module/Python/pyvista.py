@@ -9,19 +9,19 @@
     water = plotter.add_water(level=355, preset="lake")
     plotter.show()
 """
-import math
 import warnings
 
 import pyvista as pv
 from vtkmodules.vtkCommonCore import vtkMath
 
 from . import vtkWaterActor
+from .advice import check_has_effect, heights_along, tell_distance, tell_level
 from .errors import raising
 from .hulls import hulls_of
 from .measure import WHOLE
 from .skies import Sun, add_clear_sky, has_scene_light, shine, sun_of
 from .sliders import add_water_level_slider
-from .surfaces import (axis_of, check_flow, check_has_water, check_level, color_surface, lakes_of, level_and_surface,
+from .surfaces import (check_flow, check_has_water, check_level, color_surface, lakes_of, level_and_surface,
                        plane_of, surface_of)
 from .words import finite, has_waves, in_range, number, numbers, set_look, whole_in_range
 
@@ -236,8 +236,10 @@ def add_water(
     -----
     UserWarning
         If PyVista's notebook backend is ``'client'`` or ``'html'``, because vtk.js draws no water; if the water's
-        level is below the whole terrain, which hides it; or if it is above the whole scene by more than the scene's
-        diagonal. The text names the scene's heights.
+        level is below the whole terrain, which hides it; if it is above the whole scene by more than the scene's
+        diagonal; or if the surface lies farther from the scene than both are wide together. The text names the scene's
+        heights, or both places. If one of the ``waves`` is steeper than water waves can be: they break at a height of
+        0.142 of their length.
 
     Notes
     -----
@@ -269,6 +271,8 @@ def add_water(
     if data_opacity is not None:
         data_opacity = in_range("data_opacity", data_opacity, 0.0, 1.0)
     mapper, data = surface_of(surface, level, depth, bed, normal, origin)
+    check_has_effect(surface, data is None and level is not None, color_by, max_mirrors, cmap=cmap, clim=clim,
+                     data_opacity=data_opacity)
     if flow is not None:
         check_flow(surface, flow)
     if color_by is not None:
@@ -330,6 +334,8 @@ def add_water(
     if surface is None and heights is not None:
         is_sheet = bounds is None and not actor.GetSheetToHorizon()
         tell_level(level or 0.0, heights, is_sheet)
+    if surface is not None and bounds_known:
+        tell_distance(mapper.GetBounds() if lakes is not None else actor.GetBounds(), self.renderer)
     if self.renderer.camera_set and not actor.GetSheetToHorizon():
         widen_clipping_range(self.renderer)
     if render and (actor.GetSheetToHorizon() or bounds_known):
@@ -343,34 +349,6 @@ def widen_clipping_range(renderer):
     renderer.reset_camera_clipping_range()
     new_near, new_far = renderer.camera.clipping_range
     renderer.camera.clipping_range = (min(near, new_near), max(far, new_far))
-
-
-def heights_along(renderer, unit, normal, origin):
-    """Lowest and highest height of the visible props over the origin, and their diagonal; None if there are none.
-
-    unit  normal of the plane in the renderer's own coordinates, which are scaled
-    """
-    bounds = renderer.ComputeVisiblePropBounds()
-    if not vtkMath.AreBoundsInitialized(bounds):
-        return None
-    scale = renderer.scale
-    length = vtkMath.Norm(axis_of(normal))
-    base = vtkMath.Dot(plane_of(0.0, normal, origin, scale)[0], unit)
-    ends = [sorted((part * bounds[2 * i], part * bounds[2 * i + 1])) for i, part in enumerate(unit)]
-    low, high = ((sum(end[i] for end in ends) - base) / length for i in range(2))
-    return low, high, math.hypot(*[(bounds[2 * i + 1] - bounds[2 * i]) / scale[i] for i in range(3)])
-
-
-def tell_level(level, heights, is_sheet):
-    """Warn of a level at which land or water hides the other; is_sheet: the water ends with the scene."""
-    low, high, diagonal = heights
-    scene = f"heights in the scene lie in [{low:g}, {high:g}]"
-    if is_sheet and low > level:
-        warnings.warn(f"level is {level:g}, which is below the whole scene: the land hides the water; {scene}. Use a "
-                      "higher level", stacklevel=3)
-    if level - high > diagonal:
-        warnings.warn(f"level is {level:g}, which is far above the whole scene: the water hides it; {scene}. Use a "
-                      "lower level", stacklevel=3)
 
 
 def color_of(color):

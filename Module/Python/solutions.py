@@ -25,6 +25,7 @@ from vtkmodules.vtkFiltersHybrid import vtkTemporalInterpolator
 from .ahead import Ahead
 from .readers import HIGHEST, METRES_PER_DEGREE, FileError, check_cells, heard, polygons_of
 from .sources import KINDS, open_source
+from .words import counted
 
 __all__ = ["KINDS", "Solution"]
 
@@ -270,7 +271,8 @@ def mesh_of(data, path, is_volume):
         leaves = [leaf for leaf, dimension in zip(leaves, found) if dimension == wanted]
     if not leaves or (max(found) == 3 and not is_volume):
         of_volume = "; use --contour for the surface of a volume fraction" if max(found) == 3 else ""
-        raise FileError(f"{path}: its cells have {max(found)} dimensions; they must have {wanted}{of_volume}")
+        found_most = counted(max(found), "dimension")
+        raise FileError(f"{path}: its cells have {found_most}; they must have {wanted}{of_volume}")
     append = vtkAppendFilter() if is_volume else vtkAppendPolyData()
     for leaf in leaves:
         append.AddInputData(leaf if is_volume else polygons_of(leaf))

@@ -15,7 +15,7 @@ from vtkmodules.vtkFiltersGeometry import vtkDataSetSurfaceFilter
 
 from . import vtkWaterActor, vtkWaterLakes, vtkWaterSurfaceFilter
 from .errors import heed, raising
-from .words import number, numbers, of_type
+from .words import counted, number, numbers, of_type
 
 __all__ = ["DataSurface", "check_flow", "check_has_water", "check_level", "color_surface", "lakes_of",
            "level_and_surface", "plane_of", "surface_of"]
@@ -78,7 +78,8 @@ def show_array(mapper, dataset, name, cmap=None, clim=None):
     is_of_points = name in dataset.point_data
     values = (dataset.point_data if is_of_points else dataset.cell_data)[name]
     if values.ndim != 1:
-        raise ValueError(f"color_by is {name!r}, which has {values.shape[1]} components; it must have 1")
+        raise ValueError(f"color_by is {name!r}, which has {values.shape[1]} components; it must have 1 (for "
+                         "vectors, add their magnitude as an array)")
     if values.dtype.kind not in "buif":
         raise ValueError(f"color_by is {name!r}, an array of {values.dtype}; it must be one of real numbers")
     if clim is None and not np.isfinite(values).any():
@@ -167,7 +168,7 @@ def check_flow(surface, name):
     values = surface.point_data[name] if name in surface.point_data else surface.cell_data[name]
     components = 1 if values.ndim == 1 else values.shape[1]
     if components not in (2, 3):
-        raise ValueError(f"flow is {name!r}, which has {components} components; it must have 2 or 3")
+        raise ValueError(f"flow is {name!r}, which has {counted(components, 'component')}; it must have 2 or 3")
 
 
 def lakes_of(mapper, normal):

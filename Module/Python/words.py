@@ -6,6 +6,7 @@
 A wrong type raises a TypeError, a wrong value a ValueError. Both name the argument, the value and what is accepted.
 """
 import math
+import warnings
 from collections.abc import Sequence
 from numbers import Integral, Real
 
@@ -22,6 +23,7 @@ TURBIDITY = 3.0  # of the air of a clear sky
 LEAST_TURBIDITY, MOST_TURBIDITY = 2.0, 10.0
 LEAST_WIND, MOST_WIND = 0.1, 100.0  # m/s
 MOST_NUMBERS_OF_A_WAVE = 5
+STEEPEST = 0.142  # height by length at which a wave in deep water breaks (Michell 1893)
 
 
 def set_look(look, *, preset=None, waves=None, wind=None, color=None, opacity=None, refraction=None, foam=None,
@@ -198,6 +200,11 @@ def whole_in_range(name, value, least, most):
     return int(value)
 
 
+def counted(count, noun):
+    """A count and its noun: 1 component, 2 components."""
+    return f"{count} {noun}" if count == 1 else f"{count} {noun}s"
+
+
 def finite(name, value):
     value = number(name, value)
     if not math.isfinite(value):
@@ -278,5 +285,10 @@ def set_waves(look, waves):
         raise ValueError(f"waves is {waves!r}; a single wave must be in a list, too: waves=[{tuple(waves)!r}], with 2 "
                          f"to {MOST_NUMBERS_OF_A_WAVE} numbers each")
     for i, wave in enumerate(waves):
+        amplitude, wavelength, *others = numbers(f"waves[{i}]", wave, 2, MOST_NUMBERS_OF_A_WAVE)
         with raising(look, Wave=f"waves[{i}]"):
-            look.AddWave(*numbers(f"waves[{i}]", wave, 2, MOST_NUMBERS_OF_A_WAVE))
+            look.AddWave(amplitude, wavelength, *others)
+        if 2.0 * amplitude > STEEPEST * wavelength:
+            warnings.warn(f"waves[{i}] has the amplitude {amplitude:g} and the wavelength {wavelength:g}; water waves "
+                          f"break if the amplitude exceeds {0.5 * STEEPEST:g} of the wavelength, here "
+                          f"{0.5 * STEEPEST * wavelength:.3g}", stacklevel=4)

@@ -427,7 +427,7 @@ def test_a_current_carries_the_waves(folder, capsys):
                                      folder / f"flow_{name}.png")[0], 0)
     wt.check_at_least("pixels that change", int((pixels_of(folder / "flow_with.png") !=
                                                  pixels_of(folder / "flow_without.png")).any(axis=2).sum()), 100)
-    for name, words in (("h", "the array 'h' has 1 components"), ("speed", "there is no array 'speed'")):
+    for name, words in (("h", "the array 'h' has 1 component;"), ("speed", "there is no array 'speed'")):
         status, _, told = run(folder, capsys, "render", folder / "slope.pvd", *options, "--flow", name, "--out",
                               folder / "flow.png")
         wt.check(f"{name}: error", told, words, status not in (0, None) and words in told)

@@ -308,10 +308,10 @@ def test_the_sky_is_clear_or_a_gradient(folder):
 
 
 @pytest.mark.parametrize("option, said", (
-    ("--levl", "--levl is not an option; did you mean --level?"),
-    ("--lev", "--lev is not an option; did you mean --level?"),  # no abbreviations
-    ("--zzzzzz", "--zzzzzz is not an option; --help lists all options")))
+    ("--levl", "--levl is not an option; did you mean --level?; see vtkwater render --help"),
+    ("--lev", "--lev is not an option; did you mean --level?; see vtkwater render --help"),  # no abbreviations
+    ("--zzzzzz", "--zzzzzz is not an option; see vtkwater render --help")))
 def test_an_option_that_is_none_is_told_in_a_line(option, said, capsys):
     with pytest.raises(SystemExit):
         command.make_parser().parse_args(["render", "box.stl", option, "1"])
-    wt.check_equal("the last line", capsys.readouterr().err.splitlines()[-1], f"vtkwater: error: {said}")
+    wt.check_equal("all that is said", capsys.readouterr().err.strip(), f"vtkwater render: error: {said}")

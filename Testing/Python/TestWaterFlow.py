@@ -204,7 +204,7 @@ def test_the_current_follows_its_array_and_the_actors_matrix():
 
 
 @pytest.mark.parametrize("name, components, words", (
-    ("speed", 3, ("no numeric array 'speed'", "velocity")), ("velocity", 1, ("1 components", "2 or 3"))))
+    ("speed", 3, ("no numeric array 'speed'", "velocity")), ("velocity", 1, ("1 component;", "2 or 3"))))
 def test_a_wrong_array_is_an_error_once(name, components, words):
     """The picture is the one without a current, and a right array works after it."""
     mesh = mesh_of(uniform, components=components)

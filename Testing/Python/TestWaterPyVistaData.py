@@ -294,7 +294,7 @@ def test_a_current_carries_the_waves(plotter):
 
 
 @pytest.mark.parametrize("error, words, flow", (
-    (ValueError, ("flow is 'speed'", "zb, h"), "speed"), (ValueError, ("flow is 'h'", "1 components", "2 or 3"), "h"),
+    (ValueError, ("flow is 'speed'", "zb, h"), "speed"), (ValueError, ("flow is 'h'", "1 component;", "2 or 3"), "h"),
     (TypeError, ("flow must be",), 3.0)))
 def test_a_wrong_current_is_an_error(error, words, flow, plotter):
     with pytest.raises(error) as told:

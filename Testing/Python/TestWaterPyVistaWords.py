@@ -569,3 +569,62 @@ def test_hulls_are_meshes_and_actors(plotter):
     wt.check_at_least("pixels of the left one", int(changed[:, :SIZE[0] // 2].sum()), 100)
     wt.check_at_least("pixels of the right one", int(changed[:, SIZE[0] // 2:].sum()), 100)
     wt.check_equal("error", water.GetLastError(), "")
+
+
+@pytest.mark.parametrize("words, parts", [
+    ({"data_opacity": 0.5}, ("data_opacity is 0.5", "color_by is not given")),
+    ({"cmap": "viridis"}, ("cmap is 'viridis'", "color_by is not given")),
+    ({"clim": (0, 2)}, ("clim is (0, 2)", "color_by is not given")),
+    ({"max_mirrors": 3}, ("max_mirrors is 3", "surface is not given")),
+    ({"max_mirrors": 3, "surface": pv.Plane(), "level": 0.0}, ("max_mirrors is 3", "level is a number", "one water")),
+])
+def test_an_argument_without_effect_is_an_error(plotter, words, parts):
+    """It names the argument, its value and the one that is missing; nothing is added."""
+    with pytest.raises(ValueError) as raised:
+        plotter.add_water(**words)
+    for part in parts:
+        wt.check_equal(f"{words}: the error says '{part}'", part in str(raised.value), True)
+    wt.check_equal(f"{words}: actors", len(plotter.renderer.actors), 0)
+
+
+@pytest.mark.parametrize("as_lakes", (True, False))
+def test_a_surface_far_from_everything_warns(plotter, as_lakes):
+    """Beyond the sum of both diagonals, with both places. At that distance and in an empty scene it does not."""
+    level = {} if as_lakes else {"level": 0.0}
+    lake = pv.Plane(i_size=3, j_size=4)  # the diagonal is 5
+
+    def told(**words):
+        with warnings.catch_warnings(record=True) as caught:
+            warnings.simplefilter("always")
+            plotter.add_water(name="lake", **level, **words)
+        return [str(warning.message) for warning in caught if "far" in str(warning.message) or
+                "away" in str(warning.message)]
+
+    wt.check_equal("an empty scene", told(surface=lake), [])
+    plotter.add_mesh(pv.Plane(i_size=3, j_size=4, center=(0, 0, 0.001)))
+    wt.check_equal("a gap of 9.9", told(surface=lake.translate((12.9, 0, 0))), [])
+    said = told(surface=lake.translate((13.1, 0, 0)))
+    wt.check_equal("warnings", len(said), 1)
+    for part in ("surface lies 10.1 away", "x 11.6 to 14.6 and -1.5 to 1.5", "unit"):
+        wt.check_equal(f"'{said}' says '{part}'", part in "".join(said), True)
+
+
+def test_lakes_replaced_by_name_leave_with_their_plotter():
+    """Closing the plotter deletes the replaced lakes while its renderer removes its observers; that was a crash."""
+    made = pv.Plotter(off_screen=True, window_size=SIZE)
+    for x in (0.0, 5.0):
+        made.add_water(name="lake", surface=pv.Plane(center=(x, 0, 0)))
+    made.close()
+    wt.check_equal("the plotter is closed", made.render_window, None)
+
+
+@pytest.mark.parametrize("amplitude, is_told", ((0.070, False), (0.072, True)))
+def test_waves_that_would_break_warn(plotter, amplitude, is_told):
+    """Waves break at 0.142 of their length from trough to crest (Michell 1893)."""
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always")
+        plotter.add_water(waves=[(0.01, 2.0), (amplitude, 1.0)], bounds=BOUNDS)
+    said = [str(warning.message) for warning in caught]
+    wt.check_equal(f"{said}: told", len(said), int(is_told))
+    for part in ("waves[1]", f"{amplitude:g}", "0.071") if is_told else ():
+        wt.check_equal(f"{said} says '{part}'", part in said[0], True)

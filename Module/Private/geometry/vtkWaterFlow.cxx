@@ -91,7 +91,7 @@ std::string vtkWaterFlow::Check(vtkMapper* mapper, const std::string& name)
   if (components != 2 && components != 3)
   {
     return "the array '" + name + "' has " + std::to_string(components) +
-      " components; velocities must have 2 or 3";
+      (components == 1 ? " component" : " components") + "; velocities must have 2 or 3";
   }
   if (array->GetNumberOfTuples() != count)
   {
