@@ -191,12 +191,13 @@ public:
   ///@{
   /**
    * Metres per unit of the scene, in [1e-9, 1e9]. All lengths of this class are in metres and are
-   * converted to the scene's unit. 0 means automatic: a scene that is 400 to 2000 units across
-   * counts as a scene in metres, a smaller one as 200 to 400 m across, a larger one as 2000 m
-   * across. A preset may have another range (a pool: 8 to 40). Waves shorter than 1/400 of the
-   * scene are then not shown, and GetWaveHeight agrees with what is shown. The heights of a map
-   * have their own scale. Without a preset, light is therefore attenuated as if the deepest bed
-   * were 30 m deep, or 60 m if the scene is ten times as wide as deep. Default is 1.
+   * converted to the scene's unit. 0 means automatic: a scene that is 256 to 1024 units across
+   * counts as a scene in metres, a smaller one as 200 to 400 m across, a larger one as 1000 to
+   * 2000 m across. A preset may have other ranges (a pool: 4 to 32 units are metres, a smaller
+   * scene is 4 to 8 m across, a larger one 20 to 40 m). Waves shorter than 1/400 of the scene are
+   * then not shown, and GetWaveHeight agrees with what is shown. The heights of a map have their
+   * own scale. Without a preset, light is therefore attenuated as if the deepest bed were 30 m
+   * deep, or 60 m if the scene is ten times as wide as deep. Default is 1.
    */
   void SetMetresPerUnit(double metres);
   vtkGetMacro(MetresPerUnit, double);
