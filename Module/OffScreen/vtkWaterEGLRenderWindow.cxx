@@ -182,8 +182,8 @@ void vtkWaterEGLRenderWindow::OpenGLInitContext()
     return;
   }
   this->ContextCreationTime.Modified();
-  // GLEW loads OpenGL first and then asks for GLX, which is not there (codes 3 and 4): VTK's own
-  // version takes that for a failure.
+  // GLEW loads OpenGL first and then looks for GLX, which is missing (codes 3 and 4). VTK's own
+  // version treats that as a failure.
   const GLenum result = glewInit();
   this->GlewInitValid =
     result != GLEW_ERROR_NO_GL_VERSION && result != GLEW_ERROR_GL_VERSION_10_ONLY;

@@ -25,7 +25,7 @@ protected:
   {
     if (!vtkWaterOffScreen::EnableIfNeeded())
     {
-      // VTK is about to end the process for want of a display; this is the way to avoid it.
+      // VTK is about to end the process because there is no display; this avoids it.
       vtkWarningMacro("No window can be made: " << vtkWaterOffScreen::GetReason() << ".");
     }
   }

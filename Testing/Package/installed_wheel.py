@@ -57,7 +57,8 @@ def main():
 
     package = Path(vtkwater.__file__).parent
     check("package", package, source not in package.parents or "build" in package.relative_to(source).parts)
-    text = importlib.metadata.metadata("vtkwater").get_payload() or importlib.metadata.metadata("vtkwater")["Description"]
+    metadata = importlib.metadata.metadata("vtkwater")
+    text = metadata.get_payload() or metadata["Description"]
     relative = re.findall(r"\]\((?!https?:|#)[^)]*\)", text)  # PyPI has no such files
     check("links of the README that PyPI cannot follow", relative, len(text) > 1000 and not relative)
     check("version", vtkwater.__version__, vtkwater.__version__ == importlib.metadata.version("vtkwater"))

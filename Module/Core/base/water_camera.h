@@ -25,7 +25,7 @@ typedef struct water_eye
                          // the eye; perspective: of clip w 1; parallel: unit length, for all pixels
 } water_eye;
 
-// Takes a camera apart.
+// Decomposes a camera.
 //
 // Returns WATER_OK or WATER_BAD_CAMERA (a matrix or its inverse is not finite or has an
 // entry over 1e100, the view is further than 1e-6 from

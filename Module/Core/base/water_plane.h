@@ -32,8 +32,8 @@ static inline double water_plane_height(const water_plane* unit, const double po
 // through points that are no farther than reach from the world's origin?
 bool water_plane_is_same(const water_plane* a, const water_plane* b, double reach);
 
-// Are two planes of any scale the same, bit by bit once they are normalised? Never one that cannot
-// be.
+// Are two planes of any scale the same, bit by bit, after normalisation? False if one of them
+// cannot be normalised.
 bool water_plane_is_identical(const water_plane* a, const water_plane* b);
 
 // Are two planes of any scale the same, either way round, as far as rounding can tell? Never one
@@ -55,8 +55,8 @@ void water_plane_mirror_matrix(const water_plane* unit, double world_to_mirrored
 // they are the world's x and y.
 void water_plane_axes(const double unit_normal[3], double x_dir[3], double y_dir[3]);
 
-// Unit vector to where something stands in the sky: azimuth in radians from the plane's second axis
-// over the first (north over east for a level plane), elevation in radians over the plane.
+// Unit vector to a direction in the sky: azimuth in radians from the plane's second axis over the
+// first (north over east for a level plane), elevation in radians over the plane.
 void water_plane_sky_direction(
   const double unit_normal[3], double azimuth_rad, double elevation_rad, double direction[3]);
 

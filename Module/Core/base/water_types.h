@@ -40,7 +40,7 @@ enum // water_prop.flags, a bit each
   WATER_PROP_NOT_REFLECTED = 1 << 3, // the user's key says so
   WATER_PROP_OVERLAY = 1 << 4,       // lives on the screen, not in the scene: 2D actors
   WATER_PROP_LABEL = 1 << 5,         // turned to the user's camera on every draw: billboards
-  WATER_PROP_REFUSED = 1 << 6,       // its shader does not take what cuts it at the water
+  WATER_PROP_REFUSED = 1 << 6,       // its shader cannot be cut at the water
   WATER_PROP_IS_SKY = 1 << 7         // it shows the sky that water_scene.sky describes
 };
 
@@ -48,7 +48,7 @@ typedef struct water_prop
 {
   double bounds[6]; // xmin, xmax, ymin, ymax, zmin, zmax in world; min > max: the prop is empty
   uint32_t flags;
-  float width_px; // of its points and lines, whatever their distance; 0: it has none
+  float width_px; // of its points and lines, at any distance; 0: it has none
 } water_prop;
 
 // What happens to a prop in the mirrored view, and why. One list, so enum and text cannot drift.
@@ -246,8 +246,8 @@ typedef struct water_scene
   water_look look;
   water_settings settings;
   int window_samples;   // per pixel of the window
-  int calm_samples_min; // of a calm reflection, per pixel, where the user sets none
-  bool may_tone_map;    // a pass follows that may do it
+  int calm_samples_min; // of a calm reflection, per pixel, if the user sets none
+  bool may_tone_map;    // a later pass may map tones
   bool is_encoded;      // the window encodes colours as sRGB once they are drawn
   int max_texture_px;   // the GPU's limit for a side of a texture, >= 1
 } water_scene;
@@ -305,10 +305,10 @@ typedef struct water_plan
   double headlight_dir[3];      // the eye's view direction in mirrored view space, unit length
   double headlight_position[3]; // the eye in mirrored view space
   int texture_px[2];
-  int samples;            // per pixel of the mirrored view; 0: none
-  bool is_half_float;     // colours are half floats, or bytes
-  bool rolls_off;         // light over white does, as nothing maps tones afterwards
-  double least_light;     // a change of a pixel's colour up to that is not seen
+  int samples;        // per pixel of the mirrored view; 0: none
+  bool is_half_float; // colours are half floats, or bytes
+  bool rolls_off;     // light brighter than white rolls off, because no pass maps tones afterwards
+  double least_light; // a change of a pixel's colour up to that is not seen
   int texture_rect_px[4]; // x, y, width, height of the part the water can look up
   double height_rounding; // of dot(plane_clip, NDC) in single precision
   double visible_px_max;  // if the eye's picture shows less of the water, it pays to wait for it

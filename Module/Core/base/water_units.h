@@ -33,10 +33,10 @@ water_status water_units_find(const char* name, double* metres);
 // Name of unit i; NULL from the number of units on.
 const char* water_units_name(size_t i);
 
-// Metres per unit of a scene whose unit nobody knows, so that its water looks like water. A scene
-// as large as what is natural for its water has metres; a smaller or a larger one, as models and
-// maps are, counts as half of the nearest natural size or more:
-// sizes are rounded up to a power of two, so that nothing changes while a thing moves.
+// Metres per unit of a scene of unknown unit, so that its water looks natural. A scene of a natural
+// size for its water is in metres. A smaller or a larger one, such as a model or a map, counts as
+// half of the nearest natural size or more. Sizes are rounded up to a power of two, so that nothing
+// changes while an object moves.
 //
 // diagonal   of the scene, units; the result is 1 if it is not finite or not positive
 // natural_m  the least and the largest natural size, m, > 0

@@ -23,7 +23,7 @@ static inline double water_turn(double turns)
   return turns - rint(turns);
 }
 
-// What rounding takes from the product a * b: exact for factors under 1e299.
+// Rounding error of the product a * b; exact for factors under 1e299.
 static inline double water_product_loss(double a, double b)
 {
 #ifdef __MINGW32__ // its fma rounds twice; Dekker 1971, with Veltkamp's halves of 26 bits

@@ -14,7 +14,7 @@ extern "C"
 {
 #endif
 
-// How far light that was refracted goes aside, per depth: exact, by Snell's law.
+// Horizontal displacement of refracted light per unit of depth: exact, by Snell's law.
 //
 // sun_dir  towards the sun, unit length, the third > 0
 // slope    of the surface, dz/dx and dz/dy

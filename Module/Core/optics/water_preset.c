@@ -22,7 +22,7 @@
   {                                                                                                \
     WATER_SEA_JONSWAP, WATER_SPREAD_DONELAN_BANNER, wind, 0.0, DEEP, DEEP, 1.0, 10.0               \
   }
-#define NO_SEA GROWING(1.0, 1000.0, DEEP) // a good one, should it be switched on
+#define NO_SEA GROWING(1.0, 1000.0, DEEP) // a good value, in case it is switched on
 #define NO_WAVES                                                                                   \
   {                                                                                                \
     { 0.0, 1.0, 0.0, 0.0, 0.0 }, { 0.0, 1.0, 0.0, 0.0, 0.0 },                                      \

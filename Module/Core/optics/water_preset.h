@@ -35,9 +35,9 @@ typedef struct water_preset
                        // its deepest bed is, 0: as it is; water_units.h
 } water_preset;
 
-// Medium of a water that has none of its user's: a clear lake. Jerlov's IB, of whose attenuation
-// 0.010/m is backward scattering by particles, and 0.020/m more of it: 3 g/m^3 at 0.01 m^2/g, a
-// chosen amount.
+// Medium of a water for which the user sets none: a clear lake. It is Jerlov's IB, whose
+// attenuation includes 0.010/m of backscattering by particles, with another 0.020/m of it: 3 g/m^3
+// at 0.01 m^2/g, a chosen amount.
 //
 // natural_m  as of a preset
 void water_preset_default(water_medium* medium, double natural_m[3]);

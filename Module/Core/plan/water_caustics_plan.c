@@ -15,11 +15,11 @@ static const double point_density = 1.36; // points a pixel, along a side
 static const double fineness = 2.0;       // texels a pixel, along a side
 static const double most_texels = 5.2;    // a pixel of the picture
 static const double sun_share =
-  1.5; // points stand so many standard deviations of the sun's disc apart, at most
+  1.5; // largest distance of points, in standard deviations of the sun's disc
 static const double farthest_ndc = 4.0; // of a place
 static const double behind = 1e-12;     // w of such a place
 static const double bed_texels =
-  64.0; // along the longer side: what is narrower than a seventh of that stands on the bed
+  64.0; // along the longer side: an object narrower than a seventh of that is part of the bed
 static const int side_steps = 4; // along a side of the picture
 static const int largest_px = 4096;
 

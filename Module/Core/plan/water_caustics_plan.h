@@ -54,7 +54,7 @@ typedef struct water_caustics
   double place_to_light[9]; // (x, y, 1), a place on the plane -> (x, y, w) in texels
   double place_to_clip[9]; // (x, y, 1), a place on the plane -> x, y and w in clip space of the eye
   double rise_clip[3];     // what a height over the plane of 1 adds to that
-  double calm_way[2];      // how far light goes aside in calm water, per depth
+  double calm_way[2];      // horizontal displacement of light in calm water, per depth
   double turn[3];          // change of that by the surface's slope: xx, xy, yy
   double sun_spread[3]; // covariance xx, xy, yy of the sun's disc on a level bed, per depth squared
   double near[3]; // (x, y, 1) in NDC -> 1 where a pixel is too wide for caustics, 2 where it is not

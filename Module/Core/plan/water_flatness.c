@@ -51,7 +51,8 @@ bool water_flatness_begin(const water_plane* unit, const double mesh_to_world[16
     sides[i] = (high - low) * water_vec3_length(axis);
   }
   made.limit = height_share * water_vec3_length(sides);
-  // A float is off by half of FLT_EPSILON of itself; as much again where it came from floats.
+  // A float has a relative error of half of FLT_EPSILON, and twice that if it was computed from
+  // floats.
   made.rounding = roundings * DBL_EPSILON * (size + fabs(unit->offset) + fabs(made.height[3])) +
     (is_single ? (double)FLT_EPSILON * size : 0.0);
   *flatness = made;

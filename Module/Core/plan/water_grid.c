@@ -107,7 +107,7 @@ static void polygon_cut(polygon* shape, const double line[3])
   *shape = kept;
 }
 
-// Half of the side of a square about the point under the eye that stands for an endless sheet.
+// Half of the side of the square around the point under the eye that represents an endless sheet.
 static double endless_side(const water_grid_view* view, double height, double reach)
 {
   double wide = fmax(view->eye_height, height);

@@ -270,8 +270,8 @@ static double height_at_corner(const water_ground* ground, double level, int x, 
   return lowest;
 }
 
-// Where on the way from a corner to the next the ground reaches the level, in [0, 1]. What lies
-// between a corner that is dry and one that nobody knows is wet.
+// Where on the way from a corner to the next the ground reaches the level, in [0, 1]. The part
+// between a dry corner and an unknown one is wet.
 static double crossing(double from, double to)
 {
   if (isinf(from) || isinf(to))

@@ -59,11 +59,11 @@ void water_ground_add_bounds(const double bounds[6], water_ground* ground);
 void water_ground_see_point(
   const water_ground* ground, const double point[3], water_footprint* footprint);
 
-// Adds a thing, once all of its points have been seen. Objects count nothing, and nor do columns:
-// high blocks with a flat top.
+// Adds an object after all of its points were added. Objects that stand in the water do not count
+// as ground, nor do columns: high blocks with a flat top.
 //
-// Returns whether it may be a bed. What counts nothing is none: a cone or a column that is wholly
-// under water stands in open water.
+// Returns whether it may be a bed. What does not count is no bed: a cone or a column that is wholly
+// under water is in open water.
 bool water_ground_add_thing(const water_footprint* footprint, water_ground* ground);
 
 // Number of samples along two sides of a triangle, in world, so that it leaves no cell out that it

@@ -109,7 +109,7 @@ void water_lookup_dirs(const water_camera* camera, const water_axes* axes, doubl
   }
 }
 
-// How steeply the view ray of a place in NDC goes up from the plane.
+// Slope of the view ray at a place in NDC, upwards from the plane.
 static double rise_of(const double ndc_to_ray[9], const double ndc[2])
 {
   return ndc_to_ray[6] * ndc[0] + ndc_to_ray[7] * ndc[1] + ndc_to_ray[8];

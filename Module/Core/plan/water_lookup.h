@@ -147,8 +147,8 @@ double water_lookup_top(const water_plane* plane, const water_prop* props, size_
 // Source: measured, Documentation/decisions/006-lookup.md.
 double water_lookup_contrast(int rays);
 
-// Samples a pixel of calm water's reflection, at least, where waves have so many rays: calm water
-// has none.
+// Minimum of samples per pixel of a calm reflection where waves would have several rays: calm water
+// has no rays.
 int water_lookup_calm_samples(int rays);
 
 // Does a drawn prop surround the eye, as a dome that is the sky does? Its bounds hold the eye, and

@@ -254,9 +254,10 @@ static int samples_of(const water_scene* scene)
   return wanted > 1 ? wanted : 0;
 }
 
-// How far the surface goes down from the plane, away from the eye: not as far as its crests are
-// high, where a splash stands on a shallow bed. Waves of an endless one go both ways. What lies at
-// the lowest point, such as the floor under a film of water, would hide all from the mirrored eye.
+// How far the surface lies below the plane, away from the eye. This is less than the height of its
+// crests if a splash rises from a shallow bed. Waves of an endless surface reach as far down as up.
+// Geometry at the lowest point, such as the floor under a film of water, would hide everything from
+// the mirrored eye.
 static double drop_of(const water_scene* scene, const water_plane* plane)
 {
   static const double film = 1e-3; // of the way down
@@ -277,7 +278,7 @@ static water_status fill_draw(const water_scene* scene, const checked* input,
   const water_plane* plane, const double box[4], water_plan* plan, water_cull_reason* reasons,
   size_t* bad_index)
 {
-  // what stands in a trough must be seen in it
+  // an object in a trough must be visible in it
   const double margin = fmax(scene->settings.clip_margin, drop_of(scene, plane));
   water_mirror_camera(&scene->eye, plane, &plan->mirrored);
   memcpy(plan->texture_px, input->texture_px, sizeof plan->texture_px);

@@ -23,8 +23,8 @@ struct water_visibility;
 water_status water_plan_make(
   const water_scene* scene, water_plan* plan, water_cull_reason* reasons);
 
-// Is it worth to find out which parts of the reflection texture visible water looks up, before the
-// plan is revised?
+// Is it worthwhile to determine, before the plan is revised, which parts of the reflection texture
+// visible water looks up?
 //
 // last  the plan that the reflection texture was drawn by; all 0: there is none
 bool water_plan_wants_visibility(const water_plan* last, const water_plan* plan);

@@ -47,7 +47,7 @@ typedef struct water_rank_view
   double prop_count;        // of the rank's own props
   double max_texture_px;    // the limit of the rank's GPU
   double is_software;       // 1: the processor executes GL; 0: a GPU does
-  double measured_ms;       // that the last view took, for a quality that goes by times
+  double measured_ms;       // duration of the last view, for a quality that follows times
   double surface_bounds[6]; // of the water on this rank; min > max: it has none
   double has_error;         // 1: the rank cannot lay its water, and says why; 0: it can
   // What a mesh adds, of which a rank has a part, as in water_scene:
@@ -87,8 +87,8 @@ typedef struct water_ranks_view
 water_status water_ranks_join_frames(
   const water_rank_frame* frames, size_t rank_count, double scene_bounds[6], size_t* bad_rank);
 
-// Have all ranks deleted the water that asked last, and show none? Then nobody needs to ask again
-// until one is shown.
+// Have all ranks deleted the water that asked last, and do they show none? Then no rank needs to
+// ask again until one is shown.
 bool water_ranks_are_gone(const water_rank_frame* frames, size_t rank_count);
 
 // Joins what all ranks sent for a mirrored view.
@@ -112,8 +112,8 @@ water_status water_ranks_join_views(const water_rank_view* views, size_t rank_co
 water_scene water_ranks_scene(
   const water_scene* root, const water_ranks_view* joined, const water_prop* props);
 
-// A sum over numbers that tells with certainty that ranks are the same, and almost surely that they
-// are not. Source: FNV-1a, 64 bits, over the numbers' bytes (Fowler, Noll, Vo).
+// A checksum of numbers. Different sums prove that ranks differ; equal sums make it almost certain
+// that they do not. Source: FNV-1a, 64 bits, over the numbers' bytes (Fowler, Noll, Vo).
 //
 // digest  of the numbers before; WATER_RANKS_DIGEST_BEGIN: there are none
 uint64_t water_ranks_digest(uint64_t digest, const double* numbers, size_t count);

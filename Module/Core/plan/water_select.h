@@ -16,8 +16,8 @@ extern "C"
 {
 #endif
 
-// The side of the plane the eye is on. Perspective: the side of its centre; parallel: the side it
-// looks from, wherever it stands.
+// The side of the plane the eye is on. Perspective: the side of its centre; parallel: the side from
+// which it looks, wherever it is.
 //
 // Returns WATER_OK or WATER_CAMERA_ON_PLANE (the height is smaller than the rounding of the numbers
 // it is made of); then *side is unchanged. Never the wrong side: heights under 48 roundings (2^-53)

@@ -23,8 +23,8 @@ typedef struct water_share
   water_settings settings;
 } water_share;
 
-// Would both have the same mirrored view, and look the same by it? Never two of which the eye may
-// be in one, when they are clear: which of them would it be in?
+// Would both have the same mirrored view, and look the same with it? Never for two clear waters if
+// the eye may be inside one of them: it would not be known which.
 //
 // eye_position  in world
 bool water_share_can(

@@ -59,7 +59,7 @@ typedef struct water_shore_corner
 // Returns the number of corners: 0, or 3 and more.
 size_t water_shore_cut(const double* depths, size_t count, water_shore_corner* corners);
 
-// The place of such a corner on an edge: the surface goes on in a straight line from the wet end.
+// The place of such a corner on an edge: the surface continues in a straight line from the wet end.
 //
 // from   x, y and level of the edge's wet end
 // to     the same of its dry end

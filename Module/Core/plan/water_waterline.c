@@ -175,7 +175,8 @@ static void turn_piece(water_waterline_piece* piece)
   }
 }
 
-// Goes round a loop, from a piece's first end on. Links know the ends as they were before turns.
+// Follows a loop, starting at the first end of a piece. Links refer to the ends as they were before
+// pieces were turned.
 //
 // is_turning  turns all pieces once more; or else each so that it begins where the last one ends
 //

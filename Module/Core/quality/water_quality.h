@@ -138,8 +138,8 @@ water_status water_quality_for_budget(
 // frames_per_s  finite; 1e-6 and less counts as that
 double water_quality_budget(double frames_per_s);
 
-// Is a budget that of a picture that stands still? It is a second or more: VTK's windows ask for
-// hours then. The finest step is the one for it, at once: there may be no other frame.
+// Is a budget that of a still picture? It is then a second or more: VTK's windows set hours. Such a
+// picture gets the finest step at once, because there may be no other frame.
 bool water_quality_is_still(double budget_ms);
 
 // What a frame is asked for.

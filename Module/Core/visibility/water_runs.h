@@ -51,7 +51,7 @@ size_t water_runs_shape(size_t triangle_count, water_runs_mesh* mesh);
 // Empties the boxes.
 void water_runs_begin(const water_runs_mesh* mesh);
 
-// Takes triangles into the boxes of the leaves. A mesh may be taken in in parts, in any order.
+// Extends the boxes of the leaves by triangles. A mesh may be added in parts, in any order.
 //
 // first    triangle
 // indices  3 for each of count triangles

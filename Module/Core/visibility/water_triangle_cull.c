@@ -7,7 +7,7 @@
 
 static const double single_rounding = 16.0 * (double)FLT_EPSILON;
 
-// As fmin and fmax, but one instruction each; a number that is none does not get this far.
+// As fmin and fmax, but one instruction each; NaN cannot occur here.
 static inline double lesser(double a, double b)
 {
   return a < b ? a : b;
@@ -193,7 +193,7 @@ static void find_row(const picture* of, const edge edges[3], bool is_inner, int 
       high = -1.0;
     }
   }
-  // an edge along the row may leave it as far off as no integer goes
+  // an edge along the row may leave it farther away than an integer can hold
   low = lesser(low, of->last[0] + 1.0);
   row[0] = (int)(low + 0.5); // the first middle from low on
   row[1] = high < 0.5 ? -1 : (int)(high - 0.5);

@@ -41,7 +41,7 @@ typedef struct water_sea
 
 // Returns WATER_OK, or the first of WATER_BAD_SEA_MODEL, WATER_BAD_WIND_SPEED,
 // WATER_BAD_WIND_DIRECTION, WATER_BAD_FETCH, WATER_BAD_DEPTH, WATER_BAD_PEAK_ENHANCEMENT,
-// WATER_BAD_SPREADING_POWER that applies. The functions below want a checked sea.
+// WATER_BAD_SPREADING_POWER that applies. The functions below require a checked sea.
 water_status water_sea_check(const water_sea* sea);
 
 // Are two seas the same?

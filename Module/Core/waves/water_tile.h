@@ -44,8 +44,8 @@ typedef enum water_tile_field
 } water_tile_field;
 
 // Returns WATER_OK, WATER_BAD_TILE_SIZE, WATER_BAD_TILE_LENGTH, WATER_BAD_PERIOD,
-// WATER_BAD_WAVENUMBER (the band), or as water_sea_check. The functions that return nothing want a
-// checked tile.
+// WATER_BAD_WAVENUMBER (the band), or as water_sea_check. The functions that return nothing require
+// a checked tile.
 water_status water_tile_check(const water_tile* tile, const water_sea* sea);
 
 // Are two tiles the same?

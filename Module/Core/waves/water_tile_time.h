@@ -46,8 +46,7 @@ typedef enum water_tile_pair
   WATER_PAIR_COUNT
 } water_tile_pair;
 
-// Two rows of the spectrum whose forward FFT is a pair. Row size / 2 is not asked for: all of it is
-// 0.
+// Two rows of the spectrum whose forward FFT is a pair. Row size / 2 is never requested: it is 0.
 //
 // phasors  whole
 // row      below size / 2

@@ -252,7 +252,7 @@ static guess guess_at(const search* of, const double way[2])
   return made;
 }
 
-// Where Newton's method goes; where others fold, straight to the miss.
+// The next point of Newton's method; where other waves fold, the point that closes the gap.
 static void step_from(const guess* from, const search* of, double go[2])
 {
   const double xx = from->at.stretch[0] + rounding;

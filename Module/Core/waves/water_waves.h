@@ -48,7 +48,7 @@ typedef struct water_wave_point
 {
   double displacement[3]; // m; from (x, y, 0) at rest to the surface
   double normal[3];       // unit length; the third is along the plane's normal
-  double slope[2];        // dz/dx and dz/dy of the surface as it stands; 0 on a cusp
+  double slope[2];        // dz/dx and dz/dy of the surface at this time; 0 on a cusp
   double jacobian;        // area over the plane per area at rest; 0 on a cusp, never less
 } water_wave_point;
 
@@ -153,7 +153,7 @@ double water_waves_least_area(void);
 // by the order of s^2.
 void water_waves_rms(const water_wave* waves, size_t count, double* height, double* slope);
 
-// The wave number that stands for all of them, rad/m: rms slope over rms height; 0 without waves.
+// The wave number that represents all of them, rad/m: rms slope over rms height; 0 without waves.
 double water_waves_number(const water_wave* waves, size_t count);
 
 // A slope that no reflection on checked waves is looked up beyond: the steepest that all waves

@@ -6,9 +6,10 @@ uniform vec4 waterReflectionW;      // NDC of the reflection texture -> 1 / w
 uniform float waterTexel;           // height that a texel of the reflection texture spans, over its w
 uniform float waterSlack;           // the most that a height may be off by for that
 
-// Does the reflection texture show there what lies lower than a height? The mirrored view is cut at the deepest
-// trough, and elsewhere has things that are under water. No ray meets them: it goes up from the
-// surface. What is on the height itself counts as over it, to a texel.
+// Does the reflection texture show something below a height at this place? The mirrored view is cut
+// at the deepest trough, and therefore contains objects that are under water elsewhere. No ray
+// meets them, because rays go up from the surface. What lies at the height itself counts as above
+// it, within a texel.
 bool waterIsUnder(vec2 uv, float depth, float height)
 {
   vec4 ndc = vec4(2.0 * vec3(uv, depth) - 1.0, 1.0);

@@ -12,7 +12,7 @@ uniform sampler2D waterBed;           // its depth under water, over the picture
 uniform vec4 waterCausticTexel;       // NDC at the middle depth -> a place in it, texels
 uniform float waterCausticMiddle;     // that depth
 uniform vec3 waterCausticNear;        // (NDC, 1) -> 1: the pixel is too wide for caustics, 2: it is not
-uniform vec2 waterCalmWay;            // how far light goes aside in calm water, per depth
+uniform vec2 waterCalmWay;            // horizontal displacement of light in calm water, per depth
 
 const float WATER_CAUSTIC_BED = 0.8; // what is that share as deep as the bed is of it: the bed is known roughly
 

@@ -169,9 +169,10 @@ float waterMediumLeaves(vec3 start, vec3 way)
   return max(min(border.x, border.y), 0.0);
 }
 
-// Is a ray deeper than anything before it could meet what the picture shows at its border, if that went on as a plane? A bed
-// that goes on level is met; a wall that the border cuts is not met by a ray that goes down before it. Water with an end
-// has a bed under it, whatever stands on that at the picture's border.
+// Could a ray that is deeper than everything before it meet the surface at the border of the
+// picture, if that surface continued as a plane? A level bed is met. A wall that the border cuts is
+// not met by a ray that goes down in front of it. Water with an end has a bed under it, whatever
+// stands on that at the picture's border.
 //
 // leaves   where the ray leaves the picture
 // deepest  there the ray is deeper than anything

@@ -26,7 +26,7 @@ vec2 waterSource(vec2 grid)
   return source.xy / source.z;
 }
 
-// How far light goes aside per depth.
+// Horizontal displacement of light per depth.
 vec2 waterWay(vec2 slope)
 {
   vec3 dir = refract(-waterSunDir, normalize(vec3(-slope, 1.0)), 1.0 / waterEta);

@@ -34,7 +34,7 @@ vec2 waterTileSlope(sampler2DArray tile, vec3 middle, vec2 across, vec2 down, fl
   vec4 columns = waterPhotonWeights(fract(place.x));
   vec4 rows = waterPhotonWeights(fract(place.y));
   vec2 fine = vec2(0.0);
-  int count = coarse < 1.0 ? 4 : 0; // no branch: software goes through both sides
+  int count = coarse < 1.0 ? 4 : 0; // no branch: software renderers execute both sides
   for (int j = 0; j < count; ++j)
   {
     int y = (first.y + j) % size.y;

@@ -9,7 +9,7 @@ uniform int waterShaftSteps;       // 0: there are none
 uniform sampler2D waterShaftLight; // over that of calm water, around the eye
 uniform vec3 waterShaftPlace;      // factor and offsets: place on the plane -> that texture
 uniform vec2 waterShaftFade;       // squared distances from its middle
-uniform vec2 waterShaftWay;        // how far light goes aside in calm water, per depth
+uniform vec2 waterShaftWay;        // horizontal displacement of light in calm water, per depth
 uniform float waterShaftDepth;     // of the eye
 
 // Light on a place before the eye, over that of calm water.

@@ -37,7 +37,8 @@ bool waterHasMet(WaterPassage passage, float depth)
   return depth < passage.rayHigh && ((isSame.x && wasBehind.x) || (isSame.y && wasBehind.y));
 }
 
-// Marches on, until one more thing is in front of the ray. If that is the edge of a thing, it goes on behind that one, too.
+// Continues the march until another object is in front of the ray. If that is the edge of an
+// object, it continues behind that one, too.
 //
 // Returns (met one of the reflection texture, one of the peel).
 bvec2 waterMarchBehind(vec3 start, vec3 way, inout WaterPassage passage)
@@ -69,8 +70,8 @@ bvec2 waterMarchBehind(vec3 start, vec3 way, inout WaterPassage passage)
   return met;
 }
 
-// Goes on with a ray that has gone behind something. Its colour is known then; where the peel shows nothing of what it
-// meets, all stays as it was.
+// Continues a ray that has passed behind an object. Its colour is already known, and stays if the
+// second layer does not show what the ray meets.
 void waterLookBehind(vec3 start, inout WaterRayHit hit)
 {
   if (hit.reason == WATER_HIDDEN)

@@ -45,7 +45,7 @@ vec2 waterFacetSlopes(WaterPoint point, float spread)
   return spread * vec2(shift, sqrt(max(variance, 0.0)));
 }
 
-// How many facets stand for slopes of such a variance.
+// Number of facets that represent slopes of this variance.
 int waterFacetCount(float variance)
 {
   int count = variance > WATER_ROUGH ? 4 : (variance > waterSmooth ? 2 : 1);

@@ -65,8 +65,8 @@ bool waterMayPassBehind(float depthBefore, float depth, float rayDepth)
   return depth > depthBefore + slack && rayDepth > depthBefore - slack;
 }
 
-// What a ray meets in the reflection texture. Its way goes from its start to where it leaves the reflection texture,
-// or all that there is to meet.
+// What a ray meets in the reflection texture. Its path ends where it leaves the reflection texture,
+// or above everything that it could meet.
 struct WaterRayHit
 {
   vec2 uv;      // where in the reflection texture that is
@@ -194,7 +194,7 @@ int waterReason(WaterRayHit hit)
   return hit.isDown ? WATER_DOWNWARD : (isNothing ? WATER_SKY : hit.reason);
 }
 
-// Goes on with a ray that went behind the edge of a thing; of the slot behind.
+// Continues a ray that passed behind the edge of an object; of the slot behind.
 void waterLookBehind(vec3 start, inout WaterRayHit hit);
 
 // Lets a point's ray go through what is translucent; of the slot layer.
@@ -251,7 +251,8 @@ void waterNarrow(vec3 start, vec3 way, float texel, inout WaterPassing passing)
   }
 }
 
-// Does the reflection texture show one surface on both sides? It goes on then from one of them as it does beside it.
+// Does the reflection texture show one surface on both sides? Then its slope across the gap equals
+// that next to it.
 bool waterIsOneSurface(vec3 start, vec3 way, float texel, WaterPassing passing, float slack)
 {
   float slopeLow = passing.gapLow - waterGap(start, way, max(passing.low - texel, 0.0));

@@ -4,8 +4,8 @@
 // both sides of a branch, and loops until the last of 8 pixels is done: there is one loop of each kind, and
 // conditions choose values.
 
-// What rays need of the uniforms, read once for all of a pixel: software renderers take some 30
-// instructions to read each number, and would for every ray. A plain copy would be undone by compilers.
+// The uniforms that rays need, read once per pixel. Software renderers take some 30 instructions to
+// read each number, and would do so for every ray. Compilers would undo a plain copy.
 mat4 waterHalfToReflection; // half of waterDirToReflection
 vec2 waterToSlack;          // how far a ray may be off a depth and has converged: x depth + y
 vec2 waterReflectionSize;   // texels

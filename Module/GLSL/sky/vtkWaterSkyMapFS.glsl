@@ -29,7 +29,8 @@ vec2 waterSkyPlace(vec3 dir)
 vec3 waterSky(vec3 dir)
 {
   vec2 place = waterSkyPlace(dir);
-  // texels that stand for the spread; of a coarser level the last one at a pole has half of its share at the other pole
+  // texels that represent the spread; at a coarser level, half of the last texel at a pole belongs
+  // to the other pole
   float level = log2(max(0.31830989 * waterSpread * waterMapLatitude.x * waterMapTexels.y, 1.0));
   float border = level > 0.0 ? (exp2(ceil(level)) - 0.5) / waterMapTexels.y : 0.0; // drivers round levels up
   place.y = clamp(place.y, waterMapTexels.z + border, waterMapTexels.w - border);

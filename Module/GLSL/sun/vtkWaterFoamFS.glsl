@@ -3,7 +3,7 @@
 
 uniform vec3 waterFoamColor;
 uniform float waterFoamDepth;    // depth of water over which the shore's foam ends; 0: none
-uniform float waterFoamJacobian; // crests are foam where their points stand closer than that; 0: none
+uniform float waterFoamJacobian; // crests are foam where their points are closer than this; 0: no foam
 uniform vec2 waterPatternOrigin; // of the foam's pattern, m, from the point under the eye
 uniform float waterFoamUnit;     // m per unit of the scene
 uniform float waterFoamTurn;     // share of the time after which the foam is as it was

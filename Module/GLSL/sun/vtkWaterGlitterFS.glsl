@@ -5,7 +5,7 @@
 // The smallest variance of slopes: the sun is a disc of half a degree, and a pixel is not a point.
 const float WATER_SUN_VARIANCE = 2e-5;
 
-uniform int waterRollsOff; // 1: what is brighter than white rolls off, as nothing maps tones afterwards
+uniform int waterRollsOff; // 1: light brighter than white rolls off, because no pass maps tones afterwards
 
 // What glitter adds to the surface's color.
 //

@@ -48,7 +48,7 @@ struct WaterPoint
   vec2 tilt;      // slope of the surface without its waves, along the two axes
   vec4 variance;  // of the slopes along the two axes: within the pixel; taken by filters, not seen
   vec2 even;      // of that within the pixel, what changes evenly over it: several rays see it
-  float jacobian; // how close the surface's points stand, over at rest: 0 on a breaking crest
+  float jacobian; // distance of the surface's points relative to that at rest: 0 on a breaking crest
   vec3 start;     // where the reflection texture shows its calm reflection: u, v, depth
   float startW;   // w of that in clip space of the reflection texture
 };
@@ -109,7 +109,7 @@ WaterPoint waterPoint()
   waterFrom = vec3(point.place, point.height);
   point.startW = mirrored.w / gl_FragCoord.w;
   vec3 window = 0.5 / mirrored.w * mirrored.xyz;
-  // on to the next texel: the pixel's own is a mean that has the inside of what stands there
+  // to the next texel: the pixel's own is a mean that includes the inside of the object there
   vec2 beside = point.moved / max(max(abs(point.moved.x), abs(point.moved.y)), 1e-6) - point.moved;
   window.xy += beside * waterViewport.zw;
   point.start = vec3(0.5 + waterReflectionScale * vec2(-window.x, window.y),

@@ -37,7 +37,7 @@ void waterAddTile(WaterSeaTile tile, int looks, vec2 place, vec2 across, vec2 do
   bent += tile.part * waterSeaBend(waterSea, middle, wide, high, 2.0 * tile.place.w, looks);
 }
 
-// The tile so many before the last one that a pixel resolves; part 0: there is none.
+// The tile that many places before the last one that a pixel resolves; part 0: there is none.
 WaterSeaTile waterSeaTile(int last, int before)
 {
   int i = last - before;

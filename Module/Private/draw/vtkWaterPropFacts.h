@@ -15,8 +15,8 @@ struct vtkWaterPropFacts
   bool IsOpaque = false;   // an actor, all of it
 };
 
-// While an object of this class lives, VTK takes the facts for granted: whether data are up to date
-// and whether an actor is opaque take a third of a small one's draw to find out. Nobody is told.
+// While an object of this class lives, VTK does not check whether data are up to date and whether
+// an actor is opaque: these checks take a third of the draw of a small actor. No event is sent.
 class vtkWaterScopedFacts
 {
 public:

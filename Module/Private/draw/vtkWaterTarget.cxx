@@ -47,7 +47,7 @@ bool vtkWaterTarget::MakeTextures(
   {
     this->Color->SetInternalFormat(GL_RGBA16F);
   }
-  // Fixed32, as the window's own depth: volume mappers blit it, which wants equal formats.
+  // Fixed32, like the window's own depth: volume mappers blit it, which requires equal formats.
   return this->Color->Allocate2D(width, height, 4, isFloat ? VTK_FLOAT : VTK_UNSIGNED_CHAR) &&
     this->Depth->AllocateDepth(width, height, vtkTextureObject::Fixed32);
 }

@@ -129,7 +129,8 @@ private:
   bool IsFresh(vtkWaterSource& water);
   void RenderShared(vtkWaterSource& water, const int viewport_px[2], bool isLate);
   void RenderBeforeFrame(vtkWaterSource& water);
-  // Does it end here for a water that cannot be laid? With other ranks it goes on to tell them.
+  // Does the frame end here for a water without an extent? With other ranks it continues, to tell
+  // them.
   static bool IsLeftOut(vtkWaterSource& water);
   vtkIdType GetSamples(vtkWaterSource& water);
 

@@ -19,7 +19,7 @@ public:
   explicit vtkWaterWarmUp(vtkWaterSource& water);
   ~vtkWaterWarmUp();
 
-  // Is asked for whenever a renderer may be about to leave the water out.
+  // Called whenever a renderer may be about to leave the water out.
   void Expect();
 
   // The shader is there.

@@ -217,7 +217,7 @@ void vtkWaterGather::ReadWaters(
     scene.calm_samples_min =
       std::max(scene.calm_samples_min, water_lookup_calm_samples(look.RayTraceRays));
     this->WaveNumber = std::max(this->WaveNumber, look.WaveNumber);
-    // of a mesh of the user's nobody knows where its faces look; the sheet's look along the normal
+    // the faces of a user's mesh may look either way; the sheet's look along the normal
     vtkProperty* property = water->Actor->GetProperty();
     scene.is_flat =
       scene.is_flat && water->IsSheet && !water->IsDisplaced() && !MayBePulled(water->Actor);

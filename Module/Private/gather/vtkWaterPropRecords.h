@@ -115,8 +115,9 @@ private:
     water_prop Read = water_prop();
     Picture Mirrored;
     std::unique_ptr<Picture> Own; // of the prop itself, if another one is drawn for it
-    // With the key alone; nullptr: the prop has them, or none were needed. They change hands with
-    // their one reference: VTK looks for garbage whenever a second one to such an object goes.
+    // With the key alone; nullptr: the prop has them, or none were needed. They are moved with
+    // their only reference, because VTK collects garbage whenever a second reference to such an
+    // object is released.
     KeysPointer Keys;
     vtkInformation* GivenKeys = nullptr; // compared: the prop may have dropped them
     vtkMTimeType KeysTime = 0;

@@ -37,7 +37,7 @@ public:
 
   // Is it certain that nothing has changed since it was read? Asks again.
   bool AreUnchanged() const;
-  // May it be? Some things can only be read again.
+  // May it be reused? Some objects must always be read again.
   bool CanBeAsked() const { return this->IsComplete && this->IsAskable; }
   // Is it certain that nothing has changed between the two?
   bool AreSameAs(const vtkWaterPropTimes& other) const;
@@ -48,7 +48,7 @@ private:
     NUMBER, // of no object: not asked again
     TIME,
     SHADERS,
-    MAPPER, // which nobody may observe for its shaders
+    MAPPER, // whose shaders must have no observer
     PIPELINE,
     // of what holds the next ones, and changes without a change of the picture, too:
     HOLDER,

@@ -55,7 +55,7 @@ void vtkWaterRankWatch::Begin(const std::string& who, const char* what)
     }
     catch (const std::system_error&)
     {
-      // without a thread nobody watches; the others wait in this call all the same
+      // without a thread there is no watch; the other ranks still wait in this call
     }
   }
   else if (wasIdle) // else it wakes before this wait is long

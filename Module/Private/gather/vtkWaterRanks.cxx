@@ -251,7 +251,7 @@ bool vtkWaterRanks::Reduce(const std::vector<size_t>& order, water_rank_picture&
     static_cast<size_t>(std::find(order.begin(), order.end(), self) - order.begin());
   const int first = static_cast<int>(order.front());
   bool isRead = true;
-  // who cannot read what was sent says so, and goes on: the others are on their way
+  // a rank that cannot read what was sent says so and continues, because the others do
   const auto write = [&](bool hasBackground) {
     bytes[0] = isRead ? SENT_PICTURE : SENT_NOTHING;
     return static_cast<vtkIdType>(

@@ -24,8 +24,8 @@ class vtkWaterSource
 public:
   virtual ~vtkWaterSource() = default;
 
-  // The source of a prop that is a water; nullptr: it is none. Defined by vtkWaterActor, the only
-  // one who knows.
+  // The source of a prop that is a water; nullptr: it is no water. Defined by vtkWaterActor, which
+  // alone knows the class.
   static vtkWaterSource* Of(vtkProp* prop);
 
   virtual vtkActor* GetProp() = 0;
@@ -37,7 +37,7 @@ public:
   virtual void ReadPlane(water_plane* plane, double origin[3]) = 0;
   virtual bool IsClear() = 0; // is the scene seen through it?
 
-  // Says an error once until it changes or goes away (empty).
+  // Reports an error once, until it changes or is gone (empty).
   //
   // renderer  of the plan that failed; nullptr: it is the sheet
   virtual void Report(vtkRenderer* renderer, const vtkWaterError& error) = 0;

@@ -15,7 +15,7 @@ class vtkPolyData;
 class vtkWaterColumns
 {
 public:
-  // nullptr: there is none. Level and depth are of cells, or of points, both.
+  // nullptr: there is none. Level and depth are both of cells, or both of points.
   struct Given
   {
     vtkDataArray* Level = nullptr;

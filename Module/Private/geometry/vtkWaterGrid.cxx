@@ -89,8 +89,8 @@ void vtkWaterGrid::Lay(const Place& place)
   {
     this->Resize(place.Size);
   }
-  // two points of no cell put the middle of all under the eye, from where floats count: an endless
-  // grid goes a million times as far as to what is near
+  // two points without a cell put the centre of the points under the eye, where floats are exact:
+  // an endless grid reaches a million times as far as the nearest points
   const vtkIdType laid = static_cast<vtkIdType>(place.Size + 1) * (place.Size + 1);
   const vtkIdType more = place.IsEndless ? 2 : 0;
   this->Points->SetNumberOfPoints(laid + more);

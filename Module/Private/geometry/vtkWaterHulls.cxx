@@ -187,7 +187,7 @@ std::string vtkWaterHulls::Read(Hull& hull)
   }
   if (hull.Triangles.empty())
   {
-    hull.DataTime = 0; // said again when it is asked for again
+    hull.DataTime = 0; // reported again when it is requested again
     return "has no polygons; its mesh must be a closed surface, or a volume";
   }
   return "";

@@ -13,8 +13,8 @@
 class vtkDataSet;
 class vtkPolyData;
 
-// The first cell that has a point which the data set has not; empty: there is none. VTK's filters
-// do not look, and crash.
+// The first cell with a point that the data set does not have; empty: there is none. VTK's filters
+// do not check this, and crash.
 std::string vtkWaterFindWrongPoint(vtkDataSet* input);
 
 // The polygons of a data set's surface, and nothing else: strips become triangles.
