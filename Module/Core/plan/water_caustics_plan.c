@@ -138,8 +138,8 @@ static double widest(const double turn[3])
   return fmax(turn[0], turn[2]);
 }
 
-// How far waves move the place that a ray of the eye comes to, per depth. At a low angle as far as
-// light at most: a wider texture would be a coarser one.
+// Distance by which waves move the place that a ray of the eye reaches, per unit of depth. At a low
+// angle it is limited to that of light, because a wider texture would be coarser.
 //
 // ray  to the eye
 static double sight_reach(const double ray[3], const view* seen)

@@ -67,16 +67,16 @@ void water_fit_add(const double a[3], const double b[3], const double c[3], wate
 // is unchanged.
 water_status water_fit_judge(const water_fit* fit, water_fit_plane* plane);
 
-// How far the planes of two parts of a surface may be apart and count as one.
+// Largest distance between the planes of two parts of a surface that count as one plane.
 //
 // diagonal    of the surface's bounds
 // coordinate  the largest of them, without its sign
 // is_single   coordinates are floats
 double water_fit_tolerance(double diagonal, double coordinate, bool is_single);
 
-// Which parts lie in one plane. A part joins the first of the planes so far that it is no farther
-// from than the tolerance, all over; else it begins one. When there are as many as there may be, it
-// joins the nearest.
+// Finds which parts lie in one plane. A part joins the first plane from which no point of it is
+// farther than the tolerance. Otherwise it begins a new plane or, if their maximum number is
+// reached, joins the nearest.
 //
 // The first part begins a plane, whatever the tolerance.
 //

@@ -7,8 +7,8 @@
 #include <float.h>
 #include <math.h>
 
-// Of a mesh's diagonal. Heights are searched for up to here: an eye so far away that it does not
-// see a greater one sees the mesh some 20 pixels wide.
+// Of a mesh's diagonal. The search for heights ends here: an eye that is too far away to see a
+// greater height sees the mesh some 20 pixels wide.
 static const double height_share = 1e-4;
 // Between two texels that are black and white, a colour changes by 1 of 255.
 static const double shift_px = 1.0 / 256.0;
@@ -84,8 +84,8 @@ bool water_flatness_is_unseen(const water_plan* plan, double height_max, const i
   {
     return true;
   }
-  // What is seen of the surface is no nearer than the near plane, nor than a plane so much higher:
-  // 1 / w of either is linear in the picture.
+  // No visible point of the surface is nearer than the near plane, or than a plane that much
+  // higher: 1 / w of both is linear in the picture.
   double raised[4];
   for (int i = 0; i < 4; ++i)
   {

@@ -29,16 +29,16 @@ typedef struct water_flow
 // A component of a velocity that counts: 0 if it is not finite or faster than WATER_FLOW_SPEED_MAX.
 double water_flow_component(double velocity);
 
-// The layers at a time. They depend on nothing else.
+// The layers at a time. They depend on the time alone.
 //
 // time    s, finite
 // period  s, in [WATER_FLOW_PERIOD_MIN, WATER_FLOW_PERIOD_MAX]
 water_flow water_flow_at(double time, double period);
 
-// What takes a current to the way that it goes in a period, along the plane's axes and in the
-// scene's unit: the way is (across . current, down . current). The current is in m/s, along the
-// axes of the mesh; the mesh's matrix turns it, but as a whole makes it neither
-// faster nor slower, whatever it does to heights.
+// The two rows that turn a current into its path in a period, along the plane's axes and in the
+// scene's unit: the path is (across . current, down . current). The current is in m/s, along the
+// axes of the mesh; the mesh's matrix turns it, but as a whole makes it neither faster nor slower,
+// whatever it does to heights.
 //
 // metres_per_unit  > 0
 // across           3 numbers; 0: the matrix has no inverse
@@ -46,9 +46,9 @@ water_flow water_flow_at(double time, double period);
 void water_flow_ways(const water_axes* axes, const double mesh_to_world[16], double period,
   double metres_per_unit, double across[3], double down[3]);
 
-// The distance over which the slopes of waves become unlike: layers that are further apart add as
-// independent waves do, nearer ones as one wave. An eighth of the longest wave, which is chosen:
-// the shorter waves, of which slopes have as much, are unlike before.
+// The distance over which the slopes of waves decorrelate. Layers that are further apart add like
+// independent waves, nearer ones like one wave. An eighth of the longest wave was chosen, because
+// shorter waves, which contribute as much to the slopes, decorrelate sooner.
 //
 // longest  wave, >= 0
 double water_flow_likeness(double longest);

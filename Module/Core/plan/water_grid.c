@@ -151,8 +151,8 @@ static polygon part_in_view(
   return shape;
 }
 
-// Where the view goes away from the eye: w grows. Straight down, or in parallel, nothing does, and
-// the rows are those of the picture.
+// The direction in the plane in which w grows, away from the eye. Straight down, or in a parallel
+// view, there is no such direction, and the rows are those of the picture.
 static void away(const water_grid_view* view, double dir[2])
 {
   const int rows[3] = { 3, 1, 0 };
@@ -239,7 +239,7 @@ static void rows_add(row_places* rows, double way)
 }
 
 // Rows of an endless sheet beside those through the corners: where the near and the far plane meet
-// it, and where waves are too low to be seen, up to which rows are even.
+// it, and where waves become too low to be visible; rows are even up to there.
 //
 // Returns the last.
 static double rows_add_endless(

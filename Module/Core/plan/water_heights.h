@@ -31,7 +31,7 @@ typedef struct water_heights_verdict
   double factor; // it is this many times too large; 0: not known
 } water_heights_verdict;
 
-// What is wrong with heights, which are of the same places; what is not finite does not count.
+// What is wrong with heights of the same places. Values that are not finite are ignored.
 //
 // levels, depths, beds  count numbers each; NULL: not given. Without two of them nothing is wrong.
 water_heights_verdict water_heights_judge(

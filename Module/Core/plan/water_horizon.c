@@ -7,8 +7,8 @@
 #include "water_plane.h"
 #include "water_select.h"
 
-// How far the sheet ends under the horizon, in NDC: less than 0.02 of a pixel of a picture that is
-// 16,384 pixels high, and so far only that floats have the rest of the way.
+// Distance from the end of the sheet to the horizon above it, in NDC: less than 0.02 pixels in a
+// picture 16,384 pixels high, and just enough that floats can represent the remaining distance.
 static const double horizon_gap = 2e-6;
 
 // Of waves: NDC z for what is before the near plane, and the part of the far plane's distance from
@@ -37,8 +37,8 @@ static double line_at(const double line[3], const double point[2])
   return line[0] * point[0] + line[1] * point[1] + line[2];
 }
 
-// Divides an outline at a line: what lies on its side >= 0, and the rest. The two share the points
-// of the cut to the last bit, so that no crack is between them.
+// Divides an outline at a line into the part on its side >= 0 and the rest. The two share the
+// points of the cut to the last bit, so that no crack is between them.
 static void outline_divide(
   const outline* shape, const double line[3], outline* inside, outline* outside)
 {

@@ -34,7 +34,7 @@ typedef struct water_axes
 void water_lookup_axes(
   const water_plane* plane, water_side side, const double origin[3], water_axes* axes);
 
-// Where on the plane a pixel of the eye looks.
+// The place on the plane at which a pixel of the eye looks.
 //
 // plane         normalised, normal towards the eye
 // origin_xy     of the point under the eye, in the plane's own axes
@@ -57,8 +57,8 @@ void water_lookup_pixel_depth(
 // where a ray ends. 4 rows of 3.
 void water_lookup_dirs(const water_camera* camera, const water_axes* axes, double dir_to_clip[12]);
 
-// Where the point under the eye lies in the pattern that foam repeats, m: within 256 m, so that a
-// float holds it.
+// The point under the eye in the repeating pattern of foam, m: within 256 m, so that a float can
+// hold it.
 //
 // origin_xy        of that point, in the plane's own axes
 // metres_per_unit  > 0
@@ -113,8 +113,8 @@ bool water_lookup_cuts_surface(const water_eye* eye, const double plane_view[4])
 // Source: measured, Documentation/decisions/006-lookup.md.
 void water_lookup_depths(const water_camera* mirrored, double* z_infinity, double tolerance[2]);
 
-// What the reflection texture's depth says about heights over the plane, for NDC (x, y, z, 1) of
-// the reflection texture: the height over w, and 1 over w.
+// The rows that give heights over the plane from NDC (x, y, z, 1) of the reflection texture: the
+// height divided by w, and 1 / w.
 //
 // plane_view  in the eye's view space, normal towards the eye
 //
@@ -126,8 +126,8 @@ water_status water_lookup_heights(const water_camera* mirrored, const double pla
 // down.
 double water_lookup_texel(const double dir_to_reflection[12], const int texture_px[2]);
 
-// How far props reach under a plane, >= 0: a ray that got so deep meets none of them. Props that
-// are not shown, or have no bounds, do not count.
+// Depth to which props reach under a plane, >= 0: a ray that is deeper meets none of them. Props
+// that are not shown, or have no bounds, are ignored.
 //
 // plane  normalised, normal towards the eye
 double water_lookup_bottom(const water_plane* plane, const water_prop* props, size_t prop_count);
@@ -139,8 +139,8 @@ double water_lookup_bottom(const water_plane* plane, const water_prop* props, si
 double water_lookup_top(const water_plane* plane, const water_prop* props, size_t prop_count,
   const water_cull_reason* reasons);
 
-// How much the colours of two neighbouring pixels must differ for both to have so many rays: a
-// share of white, 1 / (4 rays). Smaller differences are not worth the rays.
+// Smallest difference between the colours of two neighbouring pixels at which both get that many
+// rays: a share of white, 1 / (4 rays). Smaller differences are not worth the rays.
 //
 // rays  of such a pixel; below 1 counts as 1
 //

@@ -45,12 +45,12 @@ void water_mirror_widen(const double reflection_scale[2], water_camera* mirrored
   }
 }
 
-// How far before the far plane props end, in NDC: rounding must not put them behind it, nor give
-// them the depth that the reflection texture is cleared with.
+// Distance of props from the far plane, in NDC: rounding must not move them behind it, or to the
+// depth with which the reflection texture is cleared.
 static const double far_margin = 2e-6;
 
-// Over the distance of the far plane: no nearer is the near plane moved (vtkRenderer's
-// NearClippingPlaneTolerance with 24 bits of depth).
+// Divided by the distance of the far plane: the near plane is not moved nearer than this
+// (vtkRenderer's NearClippingPlaneTolerance with 24 bits of depth).
 static const double nearest_of_far = 1e-3;
 
 // The far plane for depths that are scaled, z' - (1 - margin) w of water_mirror_reach: positive

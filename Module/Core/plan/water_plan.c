@@ -25,8 +25,8 @@ static const double visible_share = 0.9;
 // The props go through all steps some at a time, while they are in the processor's nearest cache.
 static const size_t props_at_once = 256;
 
-// What is looked up is not asked for reflection textures that are coarser than this: a cell of
-// theirs is too large a part of the picture to go through.
+// For reflection textures coarser than this, the looked-up cells are not determined: one of their
+// cells covers too much of the picture to be searched.
 static const double visibility_texture_scale = 0.25;
 
 static const int default_samples_max = 8; // more is slow and not seen in a reflection
@@ -241,9 +241,9 @@ static void fill_props(const water_scene* scene, const water_eye* eye, const wat
   plan->reflection_top += scene->wave_height_max; // a ray may start in a trough
 }
 
-// Of how many samples a pixel the mirrored view is drawn. Rays need texels that show one thing: a
-// texel at an edge that is a mixture belongs to neither. They sample edges themselves.
-// Source: measured, Documentation/decisions/006-lookup.md.
+// Samples per pixel of the mirrored view. Rays need texels that show one object: a mixed texel at
+// an edge belongs to neither side. Rays sample edges themselves. Source: measured,
+// Documentation/decisions/006-lookup.md.
 static int samples_of(const water_scene* scene)
 {
   const int most = default_samples_max;

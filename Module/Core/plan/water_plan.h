@@ -48,9 +48,9 @@ void water_plan_revise(const water_scene* scene, const water_plan* last, bool is
 // true.
 bool water_plan_cuts(const water_plan* plan, const double bounds[6]);
 
-// Is it worth to draw the next reflection texture only when the eye's picture is there, which tells
-// whether the water is hidden, and in software which cells of the reflection texture it looks up? A
-// GPU draws that picture meanwhile: there it always is.
+// Is it worthwhile to draw the next reflection texture only after the eye's picture? That picture
+// shows whether the water is hidden and, in software, which cells of the reflection texture it
+// looks up. A GPU draws that picture at the same time: there it is always worthwhile.
 //
 // last         the plan of the last reflection texture
 // visible_px   pixels of the water that were seen in the frame before; < 0: not known

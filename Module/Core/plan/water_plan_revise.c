@@ -37,8 +37,9 @@ void water_plan_revise(const water_scene* scene, const water_plan* last, bool is
   const water_visibility* visible, water_plan* plan, water_cull_reason* reasons)
 {
   const bool is_same = is_same_view(last, plan);
-  // What hides the water is no part of what the reflection texture shows. So a reflection texture
-  // without what it hides serves once, and one of a view that stays as it is has all.
+  // What hides the water is not part of what the reflection texture shows. A reflection texture
+  // that leaves out the hidden part can therefore be used only once; that of a view that does not
+  // change is complete.
   plan->has_visibility = plan->has_visibility && !is_same;
   if (plan->decision == WATER_REFLECT && (scene->settings.skips & WATER_MAY_SKIP_UNCHANGED) &&
     is_unchanged && is_same && water_plan_has_reflection(last) &&

@@ -104,8 +104,8 @@ water_status water_ranks_join_views(const water_rank_view* views, size_t rank_co
   water_ranks_view* joined, size_t* bad_rank);
 
 // The scene that every rank plans: the root's eye, lights, sky and settings, the props of all and
-// what was joined. What only one rank's picture could say is not known in it: which water is
-// hidden, and by what.
+// what was joined. It does not contain what only one rank's picture shows: which water is hidden,
+// and by what.
 //
 // root   the root's scene; its props are not read
 // props  joined->prop_count of them

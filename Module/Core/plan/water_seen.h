@@ -28,8 +28,8 @@ double water_seen_share(const water_camera* eye, const water_plane* plane, const
 void water_seen_choose(const double* shares, size_t count, size_t most, bool* has_view);
 
 // How far a water's plane is from an eye, in the scene's unit, >= 0: of two parallel clear waters
-// on the eye's same side, what is seen through the nearer is the farther, which is drawn first. 0
-// for a plane without a normal.
+// on the same side of the eye, the farther is seen through the nearer and is drawn first. 0 for a
+// plane without a normal.
 double water_seen_distance(const water_plane* plane, const double eye[3]);
 
 #ifdef __cplusplus

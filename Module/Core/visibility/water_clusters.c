@@ -85,8 +85,8 @@ void water_clusters_view_make(const water_plan* plan, const water_clusters_targe
     water_mat4_apply_row(world.planes[i], near_to_world, local->planes[i]);
     unit = fmax(unit, size_of_normal(world.planes[i]) / size_of_normal(local->planes[i]));
   }
-  // The GPU gets the product of all matrices, which is of double precision: what cancels in single
-  // precision is what is left of it, and of the rest that much less.
+  // The GPU gets the product of all matrices, computed in double precision. Single precision rounds
+  // only its own offset; the offsets that cancel in it have the rounding of doubles.
   const double eye[3] = { near_to_view[3], near_to_view[7], near_to_view[11] };
   const double from_model[3] = { model_to_world[3], model_to_world[7], model_to_world[11] };
   const double in_double =

@@ -95,8 +95,8 @@ water_box_place water_clusters_place(const water_clusters_view* view, const doub
 // rounding?
 bool water_clusters_is_kept(const water_clusters_view* view, const double box[6]);
 
-// Whether clusters come nearer in the order they are drawn in, where one lies behind the other; all
-// 0: none is drawn yet.
+// Whether clusters that hide each other become nearer in the order in which they are drawn; all 0:
+// none is drawn yet.
 typedef struct water_trend
 {
   double last_distance[WATER_TREND_ROWS][WATER_TREND_COLUMNS]; // by place in the picture; 0: none

@@ -30,7 +30,7 @@ void water_frustum_prepare(water_frustum* frustum);
 void water_frustum_make(const water_camera* camera, const double box[4], water_frustum* made);
 
 // Whether a box lies wholly on the negative side of a plane, and by more than rounding. A sum that
-// overflows is not below anything.
+// overflows does not count as below.
 //
 // reach     of the frustum, or 0
 // rounding  of the arithmetic, relative to the numbers summed

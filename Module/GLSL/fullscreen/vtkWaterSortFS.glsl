@@ -44,7 +44,8 @@ vec2 waterDepthChange(ivec2 axis)
   return vec2(depth - waterSampleDepthOf(waterPixel - axis, 0), waterSampleDepthOf(waterPixel + axis, 0) - depth);
 }
 
-// Of a plane both are its slope; at a thing's edge the smaller is. What is nearer or farther than both neighbors tells none.
+// On a plane both differences are its slope; at the edge of an object the smaller one is. A depth
+// that is nearer or farther than both neighbours gives no slope.
 float waterDepthSlope(vec2 change)
 {
   float smaller = abs(change.x) < abs(change.y) ? change.x : change.y;

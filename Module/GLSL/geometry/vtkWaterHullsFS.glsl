@@ -5,8 +5,8 @@ uniform sampler2D waterHulls;     // rows of edges
 uniform vec4 waterHullRows;       // x, y of the middle of all, from the point under the eye; half of their sides
 uniform int waterHullAxis;        // rows lie one after another along that: 0, 1
 
-// Where a pixel's point of the surface is over the plane, from the point under the eye: waves move it from its place at
-// rest, along the view ray.
+// The place on the plane of a pixel's surface point, from the point under the eye: waves move it
+// from its place at rest, along the view ray.
 vec2 waterOverPlane(WaterPoint point)
 {
   vec3 seen = waterNdcToPlane * vec3(point.ndc, 1.0);

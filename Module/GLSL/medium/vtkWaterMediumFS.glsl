@@ -66,8 +66,8 @@ vec3 waterAfter(vec3 color, float way)
   return mix(waterDeepColor, color, waterLeft(way));
 }
 
-// Where a ray comes behind what the picture shows, between low and high. These are close, or else what lies between is
-// hidden.
+// The place between low and high where a ray passes behind the surface that the picture shows. The
+// two are close, or the part between them is hidden.
 struct WaterMediumHit
 {
   float low;
@@ -97,8 +97,8 @@ void waterMediumTest(float at, float rayDepth, float depth, inout WaterMediumHit
   found.isHit = found.isHit || isBehind;
 }
 
-// Is nothing before a place of the ray? So many looks on the way to it do not tell all, but see what the march does
-// within some pixels.
+// Is the ray free up to a place? A few probes on the way do not find everything, but agree with the
+// march within some pixels.
 bool waterMediumIsFree(vec3 start, vec3 way, float s, float lengthPx)
 {
   vec4 parts = s * vec4(0.2, 0.4, 0.6, 0.8);
@@ -204,9 +204,9 @@ bool waterMediumIsNearEdge(vec2 middle, vec2 next, float depth);
 
 bool waterMediumIsEdge = false; // has a ray of this pixel met an edge of what the picture shows?
 
-// A place of the picture whose color is that of one thing: a pixel's middle beside an edge, where filtering mixes what meets
-// there. Pixels of several samples are mixtures themselves: of those the next one away from the edge is taken. Along planes
-// window depths are linear.
+// A place of the picture whose colour is that of one object. Beside an edge, where filtering would
+// mix both sides, it is the centre of a pixel. Pixels with several samples are mixed themselves:
+// there it is the next pixel away from the edge. Along planes window depths are linear.
 vec2 waterMediumUnmixed(vec2 uv, float depth)
 {
   vec2 size = waterMediumSize();
@@ -283,7 +283,7 @@ WaterMediumRay waterMediumTurn(WaterMediumRay ray, vec3 dir, float metres)
   return WaterMediumRay(start, way, ray.w + metres * ray.rate, end.w);
 }
 
-// How far a ray comes before it leaves what is under the water's surface, m.
+// Length of a ray before it leaves the part of the scene under the water's surface, m.
 //
 // inside  how far inside the border that is, m: what is there is surely under the water
 float waterMediumBorder(vec2 place, vec2 dir, float inside)
@@ -305,8 +305,9 @@ struct WaterMediumMet
   bool isNothing;     // there is none
 };
 
-// Where a ray meets what goes on evenly between the middles of pixels, whose depths are all that the picture has. At a low
-// angle a ray is otherwise found pixels away, in which the light of caustics changes.
+// The place where a ray meets a surface that is interpolated between the centres of pixels, where
+// the picture has its depths. At a low angle the ray would otherwise be found pixels away, over
+// which the light of caustics changes.
 //
 // depth  of the picture where it has been found
 float waterMediumBetween(WaterMediumRay ray, WaterMediumView view, float depth)

@@ -20,7 +20,8 @@ bool waterMediumIsNearEdge(vec2 middle, vec2 next, float depth)
   return true;
 }
 
-// How far a ray can come: to the depth straight behind the surface, and on while still in front.
+// Largest length of a ray: to the depth straight behind the surface, and beyond while it is still
+// in front.
 //
 // depth  of the picture at the ray's start
 float waterMediumReach(vec3 start, vec3 way, float depth)

@@ -6,17 +6,17 @@
 uniform vec4 waterClipView;         // water plane in view space, kept side >= 0; (0,0,0,1): keep all
 uniform vec4 waterHeadlightPlaceVC; // xyz: the user's eye in view space; w: 1 in the mirror
 
-// Where the headlight of a volume's shading is, which VTK takes for a lamp at the eye: in the mirrored
-// view at the user's. given: the place of the eye, in a volume's own space.
+// Position of the headlight in a volume's shading. VTK assumes that it is at the eye; in the
+// mirrored view it is at the user's eye. given: the place of the eye, in a volume's own space.
 vec4 waterHeadlightPlace(vec4 given, mat4 worldToVolume)
 {
   vec4 world = in_inverseModelViewMatrix * vec4(waterHeadlightPlaceVC.xyz, 1.0);
   return waterHeadlightPlaceVC.w > 0.5 ? worldToVolume * world : given;
 }
 
-// For light that a volume scatters: the cosine of the angle by which the headlight's is turned to the eye
-// at a sample, in texture coordinates as VTK has it for other lights. VTK takes -1: lamp and eye are one.
-// light: given the place of the eye, set to that of the headlight.
+// For light that a volume scatters: the cosine of the angle by which the headlight's is turned to
+// the eye at a sample, in texture coordinates as VTK has it for other lights. VTK uses -1, as if
+// lamp and eye were in one place. light: given the place of the eye, set to that of the headlight.
 float waterHeadlightTurn(inout vec3 light)
 {
   if (waterHeadlightPlaceVC.w < 0.5)
