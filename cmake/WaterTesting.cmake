@@ -2,14 +2,15 @@
 # How a test is run: functions for Testing/ and Examples/.
 #
 #   water_add_test(NAME <name> COMMAND <command>... [LABELS <label>...] [TIMEOUT <seconds>]
-#     [PROPERTIES <property> <value>...] [NO_WINDOW])
-#   water_add_cxx_tests(TestA.cxx ... [LABELS <label>...] [QUICK TestA ...])
-#   water_add_python_tests(TestA.py ... [LABELS <label>...] [QUICK TestA ...] [ONCE TestA ...])
+#     [PROPERTIES <property> <value>...] [ALL_WINDOWS | NO_WINDOW])
+#   water_add_cxx_tests(TestA.cxx ... [LABELS <label>...] [QUICK TestA ...] [WINDOWS TestA ...])
+#   water_add_python_tests(TestA.py ... [LABELS <label>...] [QUICK TestA ...] [ONCE TestA ...] [WINDOWS TestA ...])
 #
-# A test that renders is run under its own name in the first off-screen window that this VTK has. Tests
-# with the label cxx or quick are run in its other windows, too, as <name>-EGL with the label egl: both
-# windows render with the same rasteriser, and these tests reach every part that depends on a window.
-# WATER_TEST_ALL_WINDOWS=ON runs all tests in all windows. NO_WINDOW: it does not render, once is enough.
+# A test that renders is run under its own name in the first off-screen window that this VTK has. All windows
+# render with the same rasteriser, so another one shows nothing new to most tests. WINDOWS (ALL_WINDOWS) names
+# those that judge what depends on a window: contexts, the functions of GL, the state of GL, faults of a
+# driver, what the pass leaves behind, and one picture. They are run in the other windows, too, as <name>-EGL
+# with the label egl. WATER_TEST_ALL_WINDOWS=ON runs all tests in all windows. NO_WINDOW: it does not render.
 #
 # QUICK names those that `script/test --quick` runs, in the first window: they get the label quick.
 #
@@ -33,7 +34,7 @@ else()
 endif()
 set(WATER_TEST_WINDOWS "${water_windows}" CACHE STRING
   "Off-screen windows the tests are run with: Own (VTK < 9.4), OSMesa, EGL")
-option(WATER_TEST_ALL_WINDOWS "Run all tests in all windows, and not only those with the label cxx or quick" OFF)
+option(WATER_TEST_ALL_WINDOWS "Run all tests in all windows, and not only those that depend on a window" OFF)
 option(WATER_TESTS_ONCE "Add the tests of formulas and shaders; of several build trees one is enough" ON)
 set(WATER_TEST_PREFIX "" CACHE STRING
   "Put before the tests' names, to tell build trees apart in one ctest run")
@@ -97,7 +98,7 @@ function(water_sanitizer_environment result command)
 endfunction()
 
 function(water_add_test)
-  cmake_parse_arguments(PARSE_ARGV 0 arg "NO_WINDOW" "NAME;TIMEOUT" "COMMAND;LABELS;PROPERTIES")
+  cmake_parse_arguments(PARSE_ARGV 0 arg "ALL_WINDOWS;NO_WINDOW" "NAME;TIMEOUT" "COMMAND;LABELS;PROPERTIES")
   if(arg_UNPARSED_ARGUMENTS OR NOT arg_NAME OR NOT arg_COMMAND)
     message(FATAL_ERROR "water_add_test(${ARGN}): wants NAME and COMMAND")
   endif()
@@ -115,7 +116,7 @@ function(water_add_test)
   foreach(window IN LISTS WATER_TEST_WINDOWS)
     set(suffix "")
     if(NOT window STREQUAL first_window)
-      if(NOT WATER_TEST_ALL_WINDOWS AND NOT "cxx" IN_LIST arg_LABELS AND NOT "quick" IN_LIST arg_LABELS)
+      if(NOT WATER_TEST_ALL_WINDOWS AND NOT arg_ALL_WINDOWS)
         break()
       endif()
       set(suffix "-${window}")
@@ -156,7 +157,16 @@ function(water_labels result test labels quick)
   set(${result} "${labels}" PARENT_SCOPE)
 endfunction()
 
-# A name in QUICK or ONCE that is no test (any more) would be left out without a word.
+# The word ALL_WINDOWS for one of the tests that WINDOWS is given for.
+function(water_all_windows result test windows)
+  set(${result} "")
+  if(test IN_LIST windows)
+    set(${result} ALL_WINDOWS)
+  endif()
+  set(${result} "${${result}}" PARENT_SCOPE)
+endfunction()
+
+# A name in QUICK, ONCE or WINDOWS that is no test (any more) would be left out without a word.
 function(water_check_names word names sources)
   foreach(test IN LISTS names)
     if(NOT "${test}.cxx" IN_LIST sources AND NOT "${test}.py" IN_LIST sources)
@@ -168,8 +178,9 @@ endfunction()
 # One executable for all files, in VTK's manner: TestA.cxx holds int TestA(int argc, char* argv[]).
 # -V is always given: a picture without a baseline fails and is not passed over.
 function(water_add_cxx_tests)
-  cmake_parse_arguments(PARSE_ARGV 0 arg "" "TIMEOUT" "LABELS;QUICK")
+  cmake_parse_arguments(PARSE_ARGV 0 arg "" "TIMEOUT" "LABELS;QUICK;WINDOWS")
   water_check_names(QUICK "${arg_QUICK}" "${arg_UNPARSED_ARGUMENTS}")
+  water_check_names(WINDOWS "${arg_WINDOWS}" "${arg_UNPARSED_ARGUMENTS}")
   set(driver vtkRenderingWaterCxxTests)
   list(APPEND CMAKE_MODULE_PATH "${VTK_DIR}") # VTK's own build has its CMake files there already
   include(vtkTestingDriver) # what main does before a test
@@ -188,7 +199,8 @@ function(water_add_cxx_tests)
   foreach(source IN LISTS arg_UNPARSED_ARGUMENTS)
     get_filename_component(test "${source}" NAME_WE)
     water_labels(labels ${test} "cxx;${arg_LABELS}" "${arg_QUICK}")
-    water_add_test(NAME ${test}
+    water_all_windows(all_windows ${test} "${arg_WINDOWS}")
+    water_add_test(NAME ${test} ${all_windows}
       COMMAND ${driver} ${test}
         -D "${water_test_dir}/Data" -T "{output}" -V "${water_test_dir}/Data/Baseline/${test}.png"
       LABELS ${labels}
@@ -199,8 +211,9 @@ endfunction()
 # Each file is a pytest file for the Python that VTK is wrapped for (Testing/Python/conftest.py). Output
 # is not captured: what VTK writes into it counts, too.
 function(water_add_python_tests)
-  cmake_parse_arguments(PARSE_ARGV 0 arg "" "TIMEOUT" "LABELS;QUICK;ONCE")
+  cmake_parse_arguments(PARSE_ARGV 0 arg "" "TIMEOUT" "LABELS;QUICK;ONCE;WINDOWS")
   water_check_names(QUICK "${arg_QUICK}" "${arg_UNPARSED_ARGUMENTS}")
+  water_check_names(WINDOWS "${arg_WINDOWS}" "${arg_UNPARSED_ARGUMENTS}")
   water_check_names(ONCE "${arg_ONCE}" "${arg_UNPARSED_ARGUMENTS}")
   foreach(source IN LISTS arg_UNPARSED_ARGUMENTS)
     get_filename_component(test "${source}" NAME_WE)
@@ -208,7 +221,8 @@ function(water_add_python_tests)
       continue()
     endif()
     water_labels(labels ${test} "python;${arg_LABELS}" "${arg_QUICK}")
-    water_add_test(NAME ${test}
+    water_all_windows(all_windows ${test} "${arg_WINDOWS}")
+    water_add_test(NAME ${test} ${all_windows}
       COMMAND "${Python3_EXECUTABLE}" -m pytest -s -q -p no:cacheprovider
         "${CMAKE_CURRENT_SOURCE_DIR}/${source}"
       LABELS ${labels}
