@@ -10,6 +10,7 @@ import time
 import numpy as np
 import pytest
 import water_test as wt
+from command_runs import Commands
 from PIL import Image, TiffImagePlugin
 from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonDataModel import vtkDataSetAttributes, vtkImageData, vtkPolyData
@@ -24,11 +25,8 @@ SIZE = (240, 160)
 NO_DATA = -9999.0
 
 
-def run(folder, *arguments):
-    """Exit status and all that was said."""
-    done = subprocess.run([sys.executable, "-m", "vtkwater", *map(str, arguments)], capture_output=True, text=True,
-                          cwd=folder, timeout=120)
-    return done.returncode, done.stdout + done.stderr
+COMMANDS = Commands()
+run = COMMANDS.run  # exit status and all that was said
 
 
 def valley(side=40):

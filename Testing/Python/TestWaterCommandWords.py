@@ -2,12 +2,11 @@
 """The command's options say the look by the same words as add_water; each arrives in the water, and is checked."""
 
 import re
-import subprocess
-import sys
 
 import numpy as np
 import pytest
 import water_test as wt
+from command_runs import Commands
 from PIL import Image
 from vtkmodules.vtkFiltersSources import vtkCubeSource
 from vtkmodules.vtkIOGeometry import vtkSTLWriter
@@ -29,32 +28,17 @@ def folder(tmp_path_factory):
     return made
 
 
+COMMANDS = Commands()
+
+
 def run(folder, *options):
     """Exit status, all that was said, and the picture if there is one."""
     out = folder / "box.png"
     out.unlink(missing_ok=True)
-    done = subprocess.run(
-        [
-            sys.executable,
-            "-m",
-            "vtkwater",
-            "render",
-            "box.stl",
-            "--level",
-            "0",
-            "--size",
-            f"{SIZE[0]}x{SIZE[1]}",
-            "--out",
-            out.name,
-            *map(str, options),
-        ],
-        capture_output=True,
-        text=True,
-        cwd=folder,
-        timeout=120,
-    )
+    status, said = COMMANDS.run(folder, "render", "box.stl", "--level", 0, "--size", f"{SIZE[0]}x{SIZE[1]}", "--out",
+                                out.name, *options)
     picture = np.asarray(Image.open(out)).astype(int)[:, :, :3] if out.exists() else None
-    return done.returncode, done.stdout + done.stderr, picture
+    return status, said, picture
 
 
 def look_of(*options):
