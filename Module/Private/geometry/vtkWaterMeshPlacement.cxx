@@ -16,7 +16,7 @@
 namespace
 {
 // Of a mesh, at most, that are looked at: it may change every frame.
-constexpr vtkIdType kCells = 4096;
+constexpr vtkIdType kSampledCells = 4096;
 
 std::string Describe(const water_placement_verdict& verdict)
 {
@@ -63,7 +63,7 @@ water_placement_verdict vtkWaterMeshPlacement::Judge(
   water_placement_begin(&unit, &placement);
   vtkCellArray* cells = mesh->GetPolys();
   const vtkIdType count = cells->GetNumberOfCells();
-  const vtkIdType step = std::max<vtkIdType>(count / kCells, 1);
+  const vtkIdType step = std::max<vtkIdType>(count / kSampledCells, 1);
   vtkNew<vtkIdList> points;
   for (vtkIdType cell = 0; cell < count; cell += step)
   {
