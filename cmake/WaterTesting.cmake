@@ -3,7 +3,7 @@
 #
 #   water_add_test(NAME <name> COMMAND <command>... [LABELS <label>...] [TIMEOUT <seconds>]
 #     [PROPERTIES <property> <value>...] [ALL_WINDOWS | NO_WINDOW])
-#   water_add_cxx_tests(TestA.cxx ... [LABELS <label>...] [QUICK TestA ...] [WINDOWS TestA ...])
+#   water_add_cxx_tests(TestA.cxx ... [LABELS <label>...] [QUICK TestA ...] [ONCE TestA ...] [WINDOWS TestA ...])
 #   water_add_python_tests(TestA.py ... [LABELS <label>...] [QUICK TestA ...] [ONCE TestA ...] [WINDOWS TestA ...])
 #
 # A test that renders is run under its own name in the first off-screen window that this VTK has. All windows
@@ -14,7 +14,7 @@
 #
 # QUICK names those that `script/test --quick` runs, in the first window: they get the label quick.
 #
-# ONCE names those that judge formulas and shaders. All build trees render with the same rasteriser, so a
+# ONCE names those that judge formulas, shaders and our own Python. All build trees render with the same rasteriser, so a
 # second VTK shows nothing new: WATER_TESTS_ONCE=OFF leaves them out of its build tree.
 #
 # Every test finds in its environment: our library and Python package, VTK_DATA_ROOT (Testing/Data),
@@ -178,7 +178,7 @@ endfunction()
 # One executable for all files, in VTK's manner: TestA.cxx holds int TestA(int argc, char* argv[]).
 # -V is always given: a picture without a baseline fails and is not passed over.
 function(water_add_cxx_tests)
-  cmake_parse_arguments(PARSE_ARGV 0 arg "" "TIMEOUT" "LABELS;QUICK;WINDOWS")
+  cmake_parse_arguments(PARSE_ARGV 0 arg "" "TIMEOUT" "LABELS;QUICK;ONCE;WINDOWS")
   water_check_names(QUICK "${arg_QUICK}" "${arg_UNPARSED_ARGUMENTS}")
   water_check_names(WINDOWS "${arg_WINDOWS}" "${arg_UNPARSED_ARGUMENTS}")
   set(driver vtkRenderingWaterCxxTests)
@@ -196,8 +196,12 @@ function(water_add_cxx_tests)
     target_compile_options(${driver} PRIVATE -Wall -Wextra)
   endif()
 
+  water_check_names(ONCE "${arg_ONCE}" "${arg_UNPARSED_ARGUMENTS}")
   foreach(source IN LISTS arg_UNPARSED_ARGUMENTS)
     get_filename_component(test "${source}" NAME_WE)
+    if(test IN_LIST arg_ONCE AND NOT WATER_TESTS_ONCE)
+      continue()
+    endif()
     water_labels(labels ${test} "cxx;${arg_LABELS}" "${arg_QUICK}")
     water_all_windows(all_windows ${test} "${arg_WINDOWS}")
     water_add_test(NAME ${test} ${all_windows}
