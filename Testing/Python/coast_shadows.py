@@ -117,10 +117,13 @@ def view_of(coast):
 def meets_land(coast, start, ray, farthest):
     """Which rays meet the land, from their start to the farthest."""
     met = np.zeros(len(start), dtype=bool)
-    for part in (np.arange(STEPS) + 0.5) / STEPS:
-        at = start + (part * farthest)[:, None] * ray
-        inside = (np.abs(at[:, :2]) < REACH).all(axis=1)
-        met |= inside & (at[:, 2] < coast.height(at[:, 0], at[:, 1]))
+    left = np.arange(len(start))  # those that have met nothing yet
+    for number, part in enumerate((np.arange(STEPS) + 0.5) / STEPS):
+        x, y, z = (start[left, i] + part * farthest[left] * ray[left, i] for i in range(3))
+        inside = (np.abs(x) < REACH) & (np.abs(y) < REACH)
+        met[left] = inside & (z < coast.height(x, y))
+        if number % 8 == 7:  # to leave them out costs, too
+            left = left[~met[left]]
     return met
 
 
