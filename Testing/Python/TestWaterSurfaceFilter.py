@@ -179,6 +179,22 @@ def test_arrays_come_along():
     wt.check_equal("active scalars", data.GetScalars().GetName(), "x")
 
 
+@pytest.mark.parametrize("components", (1, 2))
+def test_land_without_data_leaves_no_trace_on_the_shore(components):
+    """Where dry points have no number, as in a raster with no-data values, the shore has that of the water beside it;
+    water without a number keeps none."""
+    mesh = flooded(0.4)
+    values = np.where(bed_at(places_of(mesh, False)) < 0.4, 7.0, np.nan)
+    values[np.flatnonzero(values == 7.0)[0]] = np.nan
+    add_array(mesh, "c", values if components == 1 else np.c_[values, values])
+    _, surface, _ = surface_of(mesh, DepthArrayName="h", BedArrayName="zb")
+    found = vtk_to_numpy(surface.GetPointData().GetArray("c")).reshape(surface.GetNumberOfPoints(), -1)
+    shore = vtk_to_numpy(surface.GetPointData().GetArray("WaterDepth")) <= 0.0
+    wt.check_at_least("points of the shore", int(shore.sum()), 20)
+    wt.check_equal("values on the shore", sorted(set(found[shore].ravel())), [7.0])
+    wt.check_equal("water without a number", int((~np.isfinite(found[~shore][:, 0])).sum()), 1)
+
+
 def test_heights_may_be_exaggerated():
     made, surface, _ = surface_of(flooded(0.4), DepthArrayName="h", BedArrayName="zb", VerticalScale=3.0)
     wt.check_at_most("height off by", float(np.abs(points_of(surface)[:, 2] - 1.2).max()), 1e-9)

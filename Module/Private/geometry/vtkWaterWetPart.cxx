@@ -5,6 +5,7 @@
 #include "vtkDoubleArray.h"
 #include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
+#include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -292,6 +293,34 @@ void vtkWaterWetPart::AddPolygons(vtkPolyData* output) const
 }
 
 //------------------------------------------------------------------------------
+void vtkWaterWetPart::KeepKnownValues(vtkPointData* from, vtkPointData* to) const
+{
+  for (int number = 0; number < to->GetNumberOfArrays(); ++number)
+  {
+    vtkDataArray* made = to->GetArray(number);
+    vtkDataArray* given = made && made->GetName() ? from->GetArray(made->GetName()) : nullptr;
+    const int type = made ? made->GetDataType() : VTK_VOID;
+    if (!given || (type != VTK_FLOAT && type != VTK_DOUBLE))
+    {
+      continue; // of whole numbers all are known
+    }
+    for (size_t i = 0; i < this->Edges.size(); ++i)
+    {
+      const vtkIdType at = CountOf(this->Kept) + static_cast<vtkIdType>(i);
+      for (int j = 0; j < made->GetNumberOfComponents(); ++j)
+      {
+        const double first = given->GetComponent(this->Edges[i].From, j);
+        const double second = given->GetComponent(this->Edges[i].To, j);
+        if (vtkMath::IsFinite(first) != vtkMath::IsFinite(second))
+        {
+          made->SetComponent(at, j, vtkMath::IsFinite(first) ? first : second);
+        }
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
 void vtkWaterWetPart::AddArrays(vtkPolyData* output) const
 {
   const vtkIdType kept = CountOf(this->Kept);
@@ -313,6 +342,7 @@ void vtkWaterWetPart::AddArrays(vtkPolyData* output) const
     const Edge& edge = this->Edges[i];
     to->InterpolateEdge(from, kept + static_cast<vtkIdType>(i), edge.From, edge.To, edge.Share);
   }
+  this->KeepKnownValues(from, to);
   if (this->Mesh->GetCellData()->GetNumberOfArrays() == 0)
   {
     return;

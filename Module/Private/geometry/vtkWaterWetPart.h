@@ -14,6 +14,7 @@
 
 class vtkDoubleArray;
 class vtkIdList;
+class vtkPointData;
 class vtkPolyData;
 class vtkWaterColumns;
 
@@ -52,6 +53,8 @@ private:
   void AddPoints(vtkDoubleArray* levels, vtkDoubleArray* depths, vtkPolyData* output) const;
   void AddPolygons(vtkPolyData* output) const;
   void AddArrays(vtkPolyData* output) const;
+  // Where one end of a shore edge has no number, as land without data, the shore has the other's.
+  void KeepKnownValues(vtkPointData* from, vtkPointData* to) const;
 
   vtkPolyData* Mesh;
   const vtkWaterColumns& Columns;
