@@ -168,6 +168,25 @@ VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_actor_set_quality(
 VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_actor_set_environment(
   vtk_water_actor* actor, const unsigned char* pixels, int width, int height);
 
+/* Sets a mesh as the water's surface, instead of the built-in sheet: point_count times x, y, z;
+ * triangle_count times three point indices. The data are copied. It should lie in the water's
+ * plane, apart from waves. NULL points, the default: the sheet. Either way there is no current
+ * then. */
+VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_actor_set_surface(vtk_water_actor* actor,
+  const double* points, size_t point_count, const int64_t* triangles, size_t triangle_count);
+
+/* Sets the current that carries the waves: point_count times the velocity along x, y and z, m/s, at
+ * the points of vtk_water_actor_set_surface, of which there must be as many. The data are copied;
+ * call it again for another time. What is not finite, or faster than 1e4 m/s, counts as 0. NULL,
+ * the default: no current. It is seen where there are waves. */
+VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_actor_set_flow(
+  vtk_water_actor* actor, const double* velocities, size_t point_count);
+
+/* Sets how long the current carries a layer of waves before the layer begins again, s in [1e-3,
+ * 1e6]: longer for slow water, shorter where the current changes from place to place. Default 4. */
+VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_actor_set_flow_period(
+  vtk_water_actor* actor, double seconds);
+
 /* Sets the time of the waves, s in [-1e15, 1e15]. */
 VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_actor_set_time(
   vtk_water_actor* actor, double seconds);

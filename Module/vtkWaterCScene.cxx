@@ -5,11 +5,9 @@
 #include "vtkActorCollection.h"
 #include "vtkAutoInit.h"
 #include "vtkCamera.h"
-#include "vtkCellArray.h"
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
 #include "vtkMath.h"
-#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
@@ -56,28 +54,6 @@ namespace
 {
 constexpr double kSmallestAngleToUp = 1e-6; // radians
 constexpr double kSunColor[3] = { 1.0, 0.95, 0.87 };
-
-vtkSmartPointer<vtkPolyData> MakeMesh(
-  const double* points, size_t pointCount, const int64_t* triangles, size_t triangleCount)
-{
-  vtkNew<vtkPoints> places;
-  places->SetDataTypeToDouble();
-  places->SetNumberOfPoints(static_cast<vtkIdType>(pointCount));
-  for (size_t i = 0; i < pointCount; ++i)
-  {
-    places->SetPoint(static_cast<vtkIdType>(i), points + 3 * i);
-  }
-  vtkNew<vtkCellArray> cells;
-  for (size_t i = 0; i < triangleCount; ++i)
-  {
-    cells->InsertNextCell({ static_cast<vtkIdType>(triangles[3 * i]),
-      static_cast<vtkIdType>(triangles[3 * i + 1]), static_cast<vtkIdType>(triangles[3 * i + 2]) });
-  }
-  auto data = vtkSmartPointer<vtkPolyData>::New();
-  data->SetPoints(places);
-  data->SetPolys(cells);
-  return data;
-}
 }
 
 //------------------------------------------------------------------------------
@@ -211,19 +187,12 @@ vtk_water_status vtk_water_scene_add_mesh(vtk_water_scene* scene, const double* 
     {
       return Fail(VTK_WATER_NULL_ARGUMENT, "scene, points, triangles or color is NULL");
     }
-    if (!AreFinite(points, 3 * point_count) || !IsColor(color))
+    const std::string wrong = IsColor(color)
+      ? DescribeBadMesh(points, point_count, triangles, triangle_count)
+      : "red, green and blue must lie in [0, 1]";
+    if (!wrong.empty())
     {
-      return Fail(
-        VTK_WATER_BAD_VALUE, "points must be finite; red, green and blue must lie in [0, 1]");
-    }
-    for (size_t i = 0; i < 3 * triangle_count; ++i)
-    {
-      if (triangles[i] < 0 || static_cast<uint64_t>(triangles[i]) >= point_count)
-      {
-        return Fail(VTK_WATER_BAD_VALUE,
-          "triangle " + std::to_string(i / 3) + " refers to point " + std::to_string(triangles[i]) +
-            "; there are " + std::to_string(point_count));
-      }
+      return Fail(VTK_WATER_BAD_VALUE, wrong);
     }
     vtkNew<vtkPolyDataMapper> mapper;
     mapper->SetInputData(MakeMesh(points, point_count, triangles, triangle_count));

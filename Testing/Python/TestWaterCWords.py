@@ -27,13 +27,15 @@ from TestWaterCInterface import (  # noqa: F401  fixtures
 from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkPolyData
-from vtkmodules.vtkRenderingCore import vtkLight, vtkTexture
+from vtkmodules.vtkRenderingCore import vtkLight, vtkPolyDataMapper, vtkTexture
 from vtkwater import vtkWaterProperty, vtkWaterReflectionPass
 
 COLOR, SUN_COLOR = (0.2, 0.5, 0.3), (1.0, 0.95, 0.87)
 GRAY = (0.7, 0.7, 0.7)
 BED = np.array([(-4, -4, -0.9), (4, -4, -0.9), (4, 4, 0.4), (-4, 4, 0.4)], dtype=float)
 BED_TRIANGLES = np.array([(0, 1, 2), (0, 2, 3)], dtype=np.int64)
+SURFACE = np.array([(-3, -3, LEVEL), (3, -3, LEVEL), (3, 3, LEVEL), (-3, 3, LEVEL)], dtype=float)
+FLOW = np.array([(0.4, 0.1, 0.0)] * 4)  # m/s
 UNDER_WATER = ((0, -3.5, LEVEL - 0.4), (0, 3, LEVEL - 0.3))  # an eye and what it looks at
 SKY = np.add.outer(3 * np.arange(40), 2 * np.arange(60))[:, :, None] + np.array([0, 60, 100])
 SKY = np.ascontiguousarray(SKY % 256, dtype=np.uint8)
@@ -119,6 +121,33 @@ def c_clear(function, argument):
                        ("vtk_water_actor_set_refraction", it.water, 1), (function, it.water, argument)]
 
 
+def by_a_mesh(view, water):
+    """A surface smaller than the sheet."""
+    data, points, cells = vtkPolyData(), vtkPoints(), vtkCellArray()
+    points.SetData(numpy_to_vtk(SURFACE, deep=True))
+    cells.SetData(3, numpy_to_vtkIdTypeArray(BED_TRIANGLES.ravel(), deep=True))
+    data.SetPoints(points)
+    data.SetPolys(cells)
+    mapper = vtkPolyDataMapper()
+    mapper.SetInputData(data)
+    water.SetMapper(mapper)
+    view.renderer.ResetCameraClippingRange()
+    return data
+
+
+def by_a_current(view, water):
+    array = numpy_to_vtk(FLOW, deep=True)
+    array.SetName("velocity")
+    by_a_mesh(view, water).GetPointData().AddArray(array)
+    water.SetFlowArrayName("velocity")
+    water.SetFlowPeriod(2.0)
+
+
+def surface_call(it):
+    return ("vtk_water_actor_set_surface", it.water, SURFACE.ctypes, ctypes.c_size_t(len(SURFACE)),
+            BED_TRIANGLES.ctypes, ctypes.c_size_t(len(BED_TRIANGLES)))
+
+
 def shafts(view, water):
     """Shafts in turbid water, from an eye in it."""
     clear("SetLightShafts", 1.0)(view, water)
@@ -182,6 +211,13 @@ CALLS = {
         look_up,
         0,
     ),
+    "surface": (lambda it: [surface_call(it)], by_a_mesh, 0),
+    "flow": (
+        lambda it: [surface_call(it), ("vtk_water_actor_set_flow_period", it.water, number(2.0)),
+                    ("vtk_water_actor_set_flow", it.water, FLOW.ctypes, ctypes.c_size_t(len(FLOW)))],
+        by_a_current,
+        0,
+    ),
     "sun": (lambda it: [("vtk_water_scene_set_sun", it.scene, number(30.0), number(0.0), None)], add_sun, 1),
     "lamp": (
         lambda it: [("vtk_water_scene_add_light", it.scene, doubles(2, -2, 3), doubles(1, 0.5, 0.5), number(0.75))],
@@ -213,6 +249,21 @@ def test_an_environment_can_be_taken_back(by_c):  # noqa: F811
     by_c.picture()
     by_c.call(by_c.lib.vtk_water_actor_set_environment, by_c.water, None, 0, 0)
     wt.check_equal("difference", wt.difference(by_c.picture().astype(int), plain), 0)
+
+
+def test_a_surface_can_be_taken_back(by_c):  # noqa: F811
+    """Without a surface the water is the sheet again, and has no current; without velocities it has none either."""
+    plain = by_c.picture().astype(int)
+    name, *arguments = surface_call(by_c)
+    by_c.call(getattr(by_c.lib, name), *arguments)
+    still = by_c.picture().astype(int)
+    by_c.call(by_c.lib.vtk_water_actor_set_flow, by_c.water, FLOW.ctypes, ctypes.c_size_t(4))
+    by_c.picture()
+    by_c.call(by_c.lib.vtk_water_actor_set_flow, by_c.water, None, ctypes.c_size_t(0))
+    wt.check_equal("without a current: difference", wt.difference(by_c.picture().astype(int), still), 0)
+    by_c.call(by_c.lib.vtk_water_actor_set_flow, by_c.water, FLOW.ctypes, ctypes.c_size_t(4))
+    by_c.call(by_c.lib.vtk_water_actor_set_surface, by_c.water, None, ctypes.c_size_t(0), None, ctypes.c_size_t(0))
+    wt.check_equal("without a surface: difference", wt.difference(by_c.picture().astype(int), plain), 0)
 
 
 def test_a_scene_has_one_sun_and_its_lights_can_be_removed(by_c):  # noqa: F811
@@ -407,6 +458,17 @@ REFUSALS = (  # name, status, words of the error, function, its arguments for a 
         "vtk_water_scene_add_light",
         lambda it: (it.scene, doubles(0, 0, 1), None, number(1)),
     ),
+    ("surface_point", BAD_VALUE, b"triangle 1 refers to point 3; there are 3", "vtk_water_actor_set_surface",
+     lambda it: (it.water, SURFACE.ctypes, ctypes.c_size_t(3), BED_TRIANGLES.ctypes, ctypes.c_size_t(2))),
+    ("surface_place", BAD_VALUE, b"points must be finite", "vtk_water_actor_set_surface",
+     lambda it: (it.water, doubles(0, 0, NAN), ctypes.c_size_t(1), BED_TRIANGLES.ctypes, ctypes.c_size_t(0))),
+    ("surface_null", NULL_ARGUMENT, b"triangles is NULL", "vtk_water_actor_set_surface",
+     lambda it: (it.water, SURFACE.ctypes, ctypes.c_size_t(4), None, ctypes.c_size_t(2))),
+    ("flow_of_the_sheet", BAD_VALUE, b"velocities of 4 points; the water needs a surface", "vtk_water_actor_set_flow",
+     lambda it: (it.water, FLOW.ctypes, ctypes.c_size_t(4))),
+    ("flow_null", NULL_ARGUMENT, b"actor is NULL", "vtk_water_actor_set_flow", lambda it: (None, FLOW.ctypes, 4)),
+    ("flow_period", BAD_VALUE, b"FlowPeriod is 0; it must lie in [", "vtk_water_actor_set_flow_period",
+     lambda it: (it.water, number(0.0))),
     ("lights_null", NULL_ARGUMENT, b"scene is NULL", "vtk_water_scene_remove_all_lights", lambda it: (None,)),
 )
 

@@ -7,6 +7,8 @@
 #include "vtkCallbackCommand.h"
 #include "vtkNew.h"
 #include "vtkObject.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
 #include "vtkWaterActor.h"
 #include "vtkWaterC.h"
 #include "vtkWaterProperty.h"
@@ -26,6 +28,7 @@ struct vtk_water_actor
 {
   vtkNew<vtkWaterActor> Object;
   vtk_water_pass Pass;
+  vtkSmartPointer<vtkPolyData> Surface; // of vtk_water_actor_set_surface; nullptr: the sheet
 };
 
 namespace vtkWaterC
@@ -130,6 +133,13 @@ inline bool IsColor(const double color[3])
   }
   return true;
 }
+
+// What is wrong with a mesh of a caller's; empty: nothing.
+std::string DescribeBadMesh(
+  const double* points, size_t pointCount, const int64_t* triangles, size_t triangleCount);
+
+vtkSmartPointer<vtkPolyData> MakeMesh(
+  const double* points, size_t pointCount, const int64_t* triangles, size_t triangleCount);
 
 // A picture's size in words when it is none that can be; empty: it can.
 std::string DescribeBadSize(int width, int height);
