@@ -11,9 +11,9 @@ land and the view are those of the first step that has water.
 import math
 
 import numpy as np
-from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkLookupTable, vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkPlane, vtkPolyData
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPlane, vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkCellDataToPointData, vtkContourFilter, vtkPolyDataNormals
 from vtkmodules.vtkRenderingAnnotation import vtkScalarBarActor
 from vtkmodules.vtkRenderingCore import vtkColorTransferFunction, vtkPolyDataMapper
@@ -85,7 +85,7 @@ class DataWater:
         self.scene, self.solution = scene, solution
         self._level, self._names = level, {"depth": depth, "bed": bed}
         self._exaggeration = exaggeration
-        self._ground = self._walls = None
+        self._ground = self._walls = self._known = None
         self._heights = None
         self._mapper = vtkPolyDataMapper()
         self._mapper.ScalarVisibilityOff()
@@ -170,8 +170,7 @@ class DataWater:
             shown.ShallowCopy(kept)
             self.scene.set_ground(Surface(shown))
             return
-        data = vtkPolyData()
-        data.CopyStructure(mesh)
+        data, self._known = known_part(mesh, heights)
         self._ground = data
         self._set_heights(heights)
         level = lowest / self._exaggeration
@@ -209,11 +208,15 @@ class DataWater:
 
     def _show_bed(self, mesh):
         heights = bed_of(mesh, self._level, **self._names)
-        if heights is not None and not np.array_equal(heights, self._heights):
+        if heights is not None and not np.array_equal(heights, self._heights, equal_nan=True):
             self._set_heights(heights)
 
     def _set_heights(self, heights):
+        """The land's heights; where a later step has none, the land stays as it is."""
         self._heights = heights
+        heights = heights[self._known]
+        before = vtk_to_numpy(self._ground.GetPoints().GetData())[:, 2]
+        heights = np.where(np.isfinite(heights), heights, before)
         places = vtk_to_numpy(self._ground.GetPoints().GetData()).astype(float)
         places[:, 2] = heights
         points = vtkPoints()
@@ -264,7 +267,10 @@ def contour_of(name, value):
 
 
 def bed_of(mesh, level, depth, bed):
-    """Heights of the bed at a mesh's points: as given, the level less the depth, or the mesh's own; None: unknown."""
+    """Heights of the bed at a mesh's points: as given, the level less the depth, or the mesh's own; NaN in holes.
+
+    None: all of it is unknown.
+    """
     if bed:
         heights = at_points(mesh, bed)
     elif level is not None and depth:
@@ -273,7 +279,39 @@ def bed_of(mesh, level, depth, bed):
         heights = vtk_to_numpy(mesh.GetPoints().GetData())[:, 2].astype(float)
     else:
         return None
-    return heights if np.isfinite(heights).all() else None
+    heights = np.where(np.isfinite(heights), heights, np.nan)
+    return heights if has_known_cells(mesh, heights) else None
+
+
+def known_cells(mesh, heights):
+    """For each polygon, whether all of its corners have a height."""
+    polygons = mesh.GetPolys()
+    starts, corners = (vtk_to_numpy(part) for part in (polygons.GetOffsetsArray(), polygons.GetConnectivityArray()))
+    return np.logical_and.reduceat(np.isfinite(heights)[corners], starts[:-1]) if len(corners) else np.zeros(0, bool)
+
+
+def has_known_cells(mesh, heights):
+    return bool(np.isfinite(heights).all() or known_cells(mesh, heights).any())
+
+
+def known_part(mesh, heights):
+    """The land whose heights are known, which may have holes, and its points' numbers in the mesh."""
+    data = vtkPolyData()
+    if np.isfinite(heights).all():
+        data.CopyStructure(mesh)
+        return data, np.arange(mesh.GetNumberOfPoints())
+    polygons = mesh.GetPolys()
+    starts, corners = (vtk_to_numpy(part) for part in (polygons.GetOffsetsArray(), polygons.GetConnectivityArray()))
+    is_known, sizes = known_cells(mesh, heights), np.diff(starts)
+    used, corners = np.unique(corners[np.repeat(is_known, sizes)], return_inverse=True)
+    cells = vtkCellArray()
+    cells.SetData(numpy_to_vtkIdTypeArray(np.r_[0, np.cumsum(sizes[is_known])].astype(np.int64), deep=True),
+                  numpy_to_vtkIdTypeArray(corners.ravel().astype(np.int64), deep=True))
+    points = vtkPoints()
+    points.SetData(numpy_to_vtk(vtk_to_numpy(mesh.GetPoints().GetData())[used].astype(float), deep=True))
+    data.SetPoints(points)
+    data.SetPolys(cells)
+    return data, used
 
 
 def at_points(mesh, name):

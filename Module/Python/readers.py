@@ -28,6 +28,8 @@ HIGHEST = 1e9
 METRES_PER_DEGREE = 6371008.8 * math.pi / 180  # of a great circle, mean radius of the Earth (IUGG 1980)
 # Tags of TIFF: "OGC GeoTIFF Standard 1.1" (2019), and GDAL's for holes
 TIFF_PIXEL_SCALE, TIFF_TIEPOINT, TIFF_GEO_KEYS, TIFF_NO_DATA = 33550, 33922, 34735, 42113
+TIFF_BEGINS = (b"II*\0", b"MM\0*")
+ONE_BAND = "write one file per band, such as velocity_x_0.tif and velocity_y_0.tif"
 GEO_KEY_MODEL_TYPE, MODEL_TYPE_GEOGRAPHIC = 1024, 2
 
 
@@ -262,10 +264,15 @@ def grid_of_tiff(path, no_data=None):
             spacing, tie, keys = (numbers_of(image.tag_v2.get(tag), tag, path)
                                   for tag in (TIFF_PIXEL_SCALE, TIFF_TIEPOINT, TIFF_GEO_KEYS))
             heights = np.asarray(image)
+    except Image.UnidentifiedImageError as error:
+        with open(path, "rb") as file:
+            hint = f", or of several bands: {ONE_BAND}" if file.read(4) in TIFF_BEGINS else ""
+        raise FileError(f"{path}: not a readable TIFF image: {error}{hint}") from None
     except OSError as error:
         raise FileError(f"{path}: not a readable TIFF image: {error}") from None
     if heights.ndim != 2:
-        raise FileError(f"{path}: has no elevations: it has {heights.shape[2]} numbers per pixel instead of one")
+        raise FileError(f"{path}: has no elevations: it has {heights.shape[2]} numbers per pixel instead of one; "
+                        f"{ONE_BAND}")
     if no_data is None and no_data_tag:
         try:
             no_data = float(str(no_data_tag).strip("\0 "))

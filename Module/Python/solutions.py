@@ -11,6 +11,7 @@ of an unknown type, not of the type that its suffix claims, or lacks one of the 
 import bisect
 import math
 import weakref
+from collections.abc import Mapping
 from pathlib import Path
 
 import numpy as np
@@ -37,8 +38,10 @@ class Solution:
 
     Parameters
     ----------
-    file : str or pathlib.Path
-        One of KINDS, by its suffix; or a folder of GeoTIFF files (TiffStack).
+    file : str, pathlib.Path or Mapping
+        One of KINDS, by its suffix; a folder of GeoTIFF files; or a list of such files, for each array one file or its
+        files by their times (TiffStack): ``{"depth": {0.0: "a.tif", 600.0: "b.tif"}, "bed": "bed.tif"}``. A list is
+        not read ahead.
     arrays : sequence[str]
         Names of the arrays to read, of points or cells. Others are not kept.
     is_volume : bool, default: False
@@ -58,6 +61,8 @@ class Solution:
     ----------
     times : tuple[float]
         Times of the steps, ascending, in the file's unit; (0.0,) if it has no time.
+    start : datetime.datetime or None
+        The date of time 0, if the names of GeoTIFF files end with dates.
     note : str
         A message about an unexpected result, such as steps that cannot be interpolated; empty if there is none.
 
@@ -67,12 +72,15 @@ class Solution:
     """
 
     def __init__(self, file, arrays=(), is_volume=False, is_lonlat=None, read_ahead=False):
-        self.path = Path(file)
+        is_list = isinstance(file, Mapping)
+        self.path = "GeoTIFF files" if is_list else Path(file)
         self.note = ""
         self._arrays = tuple(arrays)
         self._is_volume = is_volume
-        ahead = Ahead(self.path, self._arrays, is_volume, is_lonlat)  # before the file is read: it sees later changes
-        self._source = open_source(self.path)
+        # before the file is read: it sees later changes
+        ahead = None if is_list else Ahead(self.path, self._arrays, is_volume, is_lonlat)
+        self._source = open_source(file if is_list else self.path)
+        self.start = getattr(self._source, "start", None)
         self._is_lonlat = self._source.is_lonlat if is_lonlat is None else is_lonlat
         self.times = tuple(self._source.times) or (0.0,)
         self._steps = {}

@@ -10,6 +10,7 @@ files_of(i): the files of a step besides the one that was opened.
 """
 import math
 import re
+from collections.abc import Mapping
 from xml.etree import ElementTree
 
 from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet
@@ -26,8 +27,8 @@ NO_MESH_OF_VTK = ("does not contain a mesh", "Failed to open file")  # its UGRID
 
 
 def open_source(path):
-    """The steps of a file, or of a folder of GeoTIFF files. Raises a FileError."""
-    return TiffStack(path) if path.is_dir() else kind_of(path, KINDS)(path)
+    """The steps of a file, of a folder of GeoTIFF files or of a list of them (TiffStack). Raises a FileError."""
+    return TiffStack(path) if isinstance(path, Mapping) or path.is_dir() else kind_of(path, KINDS)(path)
 
 
 class Reader:

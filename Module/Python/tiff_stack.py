@@ -1,13 +1,16 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A folder of GeoTIFF files as the steps of a solver: a grid with an array for each name.
+"""GeoTIFF files as the steps of a solver: a grid with an array for each name.
 
     depth_0.tif  depth_600.tif  depth_1200.tif  bed.tif
 
-A file's name ends with its time, after a _ or a -; the part before it is the array's name. A file without a time holds
-for all times.
+A file's name in a folder ends with its time, after a _ or a -; the part before it is the array's name. The time is a
+number, or a date (date_of). A file without a time holds for all times. Files elsewhere are given with their times.
 """
+import datetime
 import math
 import re
+from collections.abc import Mapping
+from pathlib import Path
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk
@@ -19,14 +22,47 @@ __all__ = ["TiffStack"]
 
 SUFFIXES = (".tif", ".tiff")
 NAMED = re.compile(r"(?P<array>.+?)[_-](?P<time>[0-9]+(?:\.[0-9]+)?)")
+DATED = re.compile(r"(?P<array>.+?)[_-](?P<year>\d{4})-?(?P<month>\d\d)-?(?P<day>\d\d)"
+                   r"(?:[T_-]?(?P<hour>\d\d)[:-]?(?P<minute>\d\d)(?:[:-]?(?P<second>\d\d))?)?Z?")
+YEARS = range(1800, 2200)  # of dates in names; others are numbers
+PARTS = ("xy", "uv")  # the last letters of two arrays that are the components of a vector
 MOST_OFF = 1e-6  # of a pixel, between the places of two files
 
 
-class TiffStack:
-    """The steps of such a folder. All files must have the same pixels and place, and each array that has
-    times must have all of them.
+def date_of(stem):
+    """The array's name and the date that the name of a file ends with; None: it ends with none.
 
-    Places without data, by the file's own no-data value, are NaN, which is dry.
+    20240115, 2024-01-15, 20240115T0630, 2024-01-15_06-30-00, 20240115063000Z, from the year 1800 to 2199.
+    """
+    named = DATED.fullmatch(stem)
+    if not named or int(named["year"]) not in YEARS:
+        return None
+    parts = [int(named[part] or 0) for part in ("year", "month", "day", "hour", "minute", "second")]
+    try:
+        return named["array"], datetime.datetime(*parts)
+    except ValueError:
+        return None  # such as a month 13
+
+
+class TiffStack:
+    """The steps of such files. All must have the same pixels and place, and each array that has times must have all
+    of them.
+
+    Places without data, by the file's own no-data value, are NaN, which is dry. Two arrays whose names end with _x and
+    _y, or with _u and _v, are also the vector of the name before that.
+
+    Parameters
+    ----------
+    path : pathlib.Path or Mapping
+        A folder; or for each array's name a file of all times, or its files by their times:
+        ``{"depth": {0.0: "a.tif", 600.0: "b.tif"}, "bed": "bed.tif"}``.
+
+    Attributes
+    ----------
+    times : list[float]
+        Numbers of the names, or seconds since the first of their dates.
+    start : datetime.datetime or None
+        That date.
 
     Raises
     ------
@@ -36,13 +72,13 @@ class TiffStack:
     is_lonlat = False  # degrees become metres when a file is read
 
     def __init__(self, path):
-        self._path = path
+        self._path = "GeoTIFF files" if isinstance(path, Mapping) else path
         self._files = {}  # array: {time, or None for all times: file}
-        for file in sorted(path.iterdir()):
-            if file.suffix.lower() in SUFFIXES and not file.name.startswith("."):  # macOS's, with metadata
-                self._add(file)
-        if not self._files:
-            raise FileError(f"{path}: has no GeoTIFF files ({', '.join(SUFFIXES)})")
+        self.start = None
+        if isinstance(path, Mapping):
+            self._list(path)
+        else:
+            self._find(path)
         self.times = sorted({time for files in self._files.values() for time in files if time is not None})
         for array, files in self._files.items():
             missing = [time for time in self.times if time not in files]
@@ -60,6 +96,10 @@ class TiffStack:
 
     def read(self, i):
         arrays = {name: self._values(name, self._time_of(i)) for name in self._files}
+        for first, second in PARTS:
+            for name in [name.removesuffix(f"_{first}") for name in self._files if name.endswith(f"_{first}")]:
+                if f"{name}_{second}" in self._files and name not in arrays:
+                    arrays[name] = np.stack([arrays[f"{name}_{first}"], arrays[f"{name}_{second}"]], axis=-1)
         (rows, columns), spacing, origin, _, _ = self._grid
         step = math.ceil(math.sqrt(rows * columns / MOST_POINTS))
         image = vtkImageData()
@@ -67,15 +107,47 @@ class TiffStack:
         image.SetSpacing(step * spacing[0], step * spacing[1], 1.0)
         image.SetOrigin(*origin, 0.0)
         for name, values in arrays.items():
-            array = numpy_to_vtk(values[::step, ::step].ravel(), deep=True)
+            array = numpy_to_vtk(values[::step, ::step].reshape(-1, *values.shape[2:]), deep=True)
             array.SetName(name)
             image.GetPointData().AddArray(array)
         return image
 
-    def _add(self, file):
-        named = NAMED.fullmatch(file.stem)
-        array = named["array"] if named else file.stem
-        time = float(named["time"]) if named else None
+    def _find(self, path):
+        """The files of a folder. Times are dates if all of them can be read as such."""
+        files = [file for file in sorted(path.iterdir())  # a name that begins with a dot is macOS's, with metadata
+                 if file.suffix.lower() in SUFFIXES and not file.name.startswith(".")]
+        if not files:
+            raise FileError(f"{path}: has no GeoTIFF files ({', '.join(SUFFIXES)})")
+        dates = {file: date_of(file.stem) for file in files}
+        timed = [file for file in files if dates[file] or NAMED.fullmatch(file.stem)]
+        other = next((file for file in timed if not dates[file]), None)
+        certain = next((file for file in timed if dates[file] and not file.stem.rpartition("_")[2].isdigit()), None)
+        if other and certain:
+            raise FileError(f"{path}: the name of {certain.name} ends with a date, and that of {other.name} with a "
+                            "number; the times of all files must be of one kind")
+        if timed and not other:
+            self.start = min(dates[file][1] for file in timed)
+        for file in files:
+            if self.start and dates[file]:
+                array, date = dates[file]
+                self._add(file, array, (date - self.start).total_seconds())
+                continue
+            named = NAMED.fullmatch(file.stem)
+            self._add(file, named["array"] if named else file.stem, float(named["time"]) if named else None)
+
+    def _list(self, files):
+        """The files that a user lists."""
+        for array, given in files.items():
+            for time, file in (given if isinstance(given, Mapping) else {None: given}).items():
+                if time is not None and not (isinstance(time, (int, float)) and math.isfinite(time)):
+                    raise FileError(f"{file}: its time is {time!r}; it must be a finite number")
+                self._add(Path(file), array, time)
+            if array not in self._files:
+                raise FileError(f"'{array}' has no files")
+        if not files:
+            raise FileError("the list of GeoTIFF files is empty")
+
+    def _add(self, file, array, time):
         files = self._files.setdefault(array, {})
         if time in files or (files and (None in files) != (time is None)):
             other = next(iter(files.values())).name if time not in files else files[time].name
@@ -102,13 +174,13 @@ class TiffStack:
         first = self._grid
         if first[0] != grid[0]:
             raise FileError(f"{file}: has {grid[0][1]} x {grid[0][0]} pixels; {first[3].name} has "
-                            f"{first[0][1]} x {first[0][0]}, and all files of a folder must have as many")
+                            f"{first[0][1]} x {first[0][0]}, and all files must have as many")
         size = max(first[0])
         for what, one, other, scale in (("pixel size", first[1], spacing, 1.0 / size),
                                         ("place", first[4], place, 1.0)):
             if max(abs(a - b) for a, b in zip(one, other)) > MOST_OFF * scale * max(first[1]):
                 raise FileError(f"{file}: its {what} is {other[0]:g}, {other[1]:g}; that of {first[3].name} is "
-                                f"{one[0]:g}, {one[1]:g}, and all files of a folder must lie in one place")
+                                f"{one[0]:g}, {one[1]:g}, and all files must lie in one place")
         values = np.array(values, dtype=float)
         if no_data is not None:
             values[values == no_data] = np.nan
