@@ -8,6 +8,7 @@ import weakref
 import numpy as np
 import pytest
 import water_test as wt
+from vtkmodules.vtkFiltersPoints import vtkSPHInterpolator, vtkSPHQuinticKernel
 
 try:
     import pyvista as pv
@@ -307,3 +308,55 @@ def test_a_wrong_current_is_an_error(error, words, flow, plotter):
     mesh["velocity"] = np.ones((mesh.n_points, 2))
     with pytest.raises(ValueError, match="flow is 'velocity', but the water is calm: add wind"):
         plotter.add_water(mesh, depth="h", bed="zb", flow="velocity")
+
+
+def particles_of(spacing):
+    """A swell as a solver of smoothed particles writes it: places, densities and masses."""
+    sides = np.arange(-1.0, 1.0 + 0.5 * spacing, spacing)
+    x, y, z = np.meshgrid(sides, sides, np.arange(-0.6, 0.5, spacing))
+    wet = z < swell(x)
+    places = np.c_[x[wet], y[wet], z[wet]]
+    places += np.random.default_rng(1).uniform(-0.1 * spacing, 0.1 * spacing, places.shape)
+    cloud = pv.PolyData(places)
+    cloud["Rho"], cloud["Mass"] = np.full(len(places), 1000.0), np.full(len(places), 1000.0 * spacing**3)
+    return cloud
+
+
+def swell(x):
+    return 0.1 * np.sin(3.0 * x)
+
+
+def test_particles_are_a_surface_by_vtks_filters(plotter):
+    """VTK's interpolator of smoothed particles gives the share of water, and its contour is the water's surface: its
+    points are within 0.6 of a particle's spacing of the swell, and it reflects."""
+    spacing = 0.1
+    grid = pv.ImageData(dimensions=(37, 37, 17), spacing=3 * (spacing / 2,), origin=(-0.9, -0.9, -0.4))
+    kernel, share = vtkSPHQuinticKernel(), vtkSPHInterpolator()
+    kernel.SetSpatialStep(1.3 * spacing)
+    share.SetKernel(kernel)
+    share.SetInputData(grid)
+    share.SetSourceData(particles_of(spacing))
+    share.SetDensityArrayName("Rho")
+    share.SetMassArrayName("Mass")
+    share.ComputeShepardSumOn()
+    share.SetShepardSumArrayName("share")
+    share.SetNullPointsStrategyToNullValue()
+    share.Update()
+    surface = pv.wrap(share.GetOutput()).contour([0.5], scalars="share")
+    inside = np.abs(surface.points[:, :2]).max(axis=1) < 0.75
+    off = np.abs(surface.points[inside, 2] - swell(surface.points[inside, 0]))
+    wt.check_at_least("points of the surface", int(inside.sum()), 500)
+    wt.check_at_most("worst point, spacings", float(off.max() / spacing), 0.6)
+    ball = plotter.add_mesh(pv.Sphere(radius=0.25, center=(0, 0.9, 0.5)), color="red", lighting=False)
+    water = plotter.add_water(surface, refraction=False)
+    plotter.camera_position = [(0, -2, 0.5), (0, 0, 0.2), (0, 0, 1)]
+    pictures = []
+    for is_there in (True, False):
+        ball.SetVisibility(is_there)
+        plotter.render()
+        pictures.append(plotter.screenshot(return_img=True).astype(int))
+    wt.save(pictures[0][::-1], wt.output_folder() / "Particles.png")
+    wt.check_at_most("level off by", abs(water.GetLevel()), 0.02)
+    wt.check_at_least("mirrored views", water.GetReflectionPass().GetNumberOfReflectionRenders(), 1)
+    change = np.abs(pictures[0] - pictures[1]).max(axis=2)[int(0.6 * SIZE[1]):]
+    wt.check_at_least("pixels of the reflected ball", int((change > 10).sum()), 500)
