@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""data: what a step of a solver's data costs as water, over VTK's plain surface of the same data; memory, first picture."""
+"""data: what a step of a solver's data costs as water, over VTK's plain surface of the same data; memory, first
+picture, many lakes, values read back."""
 
 import json
 import pathlib
@@ -8,7 +9,9 @@ import sys
 import tempfile
 
 import data_steps
+import lakes
 import numpy as np
+import TestWaterDataColor as color
 from data_steps import CLEAR, COLOURED, KINDS, PLAIN
 from report import table
 from timing import Frame, measure
@@ -21,6 +24,10 @@ STEPS, QUICK_STEPS = 100, 12
 PICTURES, QUICK_PICTURES = 3, 1  # of each kind, in turns
 SERIES, QUICK_SERIES = 12, 5  # steps
 PLAYS, QUICK_PLAYS = 3, 1  # of each, in turns
+FRAMES, QUICK_FRAMES = 40, 6  # of the lakes
+PLACES = 100_000  # whose values are read back
+FEW_CELLS, QUICK_FEW_CELLS = 10_000, 2_500  # whose triangles are larger than pixels
+MOST_COLOR = 1.0  # steps of the table that a value read back is off by
 MOST_STEP = 1.6  # a step of coloured water, over VTK's plain surface
 MOST_FIRST = 1.5  # the same for the first picture of a file
 MOST_MEMORY = 16.0  # MB up or down, over the later half of the steps
@@ -30,9 +37,20 @@ A tide in a basin of $cells cells, $width x $height pixels, with its bed. Every 
 moves. "plain" is VTK's surface of the same data: the points at the level, coloured by depth. "coloured" is
 `add_water(mesh, level=..., depth=..., bed=..., color_by=...)`, "clear" the same without colours. A step is the frame
 with all that its new data ask for: filters, uploads, the mirrored view. Work is the processor time of all threads,
-which other load on the machine does not change; limits apply to it.
+which other load on the machine does not change; limits apply to it. The load average at the start was $load.
 
 $steps
+
+The same of $few cells, whose triangles cover many pixels each:
+
+$few_steps
+
+In software a triangle that covers one pixel costs the shader of a whole group of pixels, as llvmpipe shades several
+neighbours at once. The water's shader is longer than that of a plain surface, and clear water's longer still: what a
+step of clear water costs over the limit is this, not the work on its new data. The picture with a quarter of the
+pixels has the smaller ratio:
+
+$small_steps
 
 The first picture of a file of $file_cells cells without compression, each in a new process, from the file's name on:
 
@@ -41,24 +59,58 @@ $first
 A series of compressed files of a quarter of the cells, a step read and drawn: $ahead
 
 Memory allocated by a process that shows $count steps: over the later half it goes up or down by $memory MB.
+
+50 lakes of one mesh at 50 levels, 6 of them in view: $lakes_ms ms a frame and $lakes_views mirrored views, over 6
+waters placed by hand with $placed_ms ms and $placed_views ($lakes_ratio). Pixels that differ: $lakes_pixels.
+
+Values of $places random places of a coloured surface, read back from the picture's pixels with optics off: off by at
+most $color_error steps of the table.
 """
 
 
-def _measure_steps(results):
-    cells = results.rounds(CELLS, QUICK_CELLS)
+def _measure_steps(results, cells, scene="step", size=data_steps.SIZE):
     frames = []
     for kind in KINDS:
-        view = data_steps.View(kind, data_steps.Tide(cells))
+        view = data_steps.View(kind, data_steps.Tide(cells), size=size)
         frames.append(Frame(kind, view.window, lambda turn, view=view: view.choose(turn + 1)))
     measure(frames, results.rounds(ROUNDS, QUICK_ROUNDS), QUICK_BUDGET_S if results.is_quick else BUDGET_S, 1)
     plain = frames[0]
     for frame in frames:
-        results.row("data", "step", frame.name, **frame.row, ratio=frame.work / plain.work)
-    if not results.is_quick:  # small meshes: the pixels are what costs
-        results.check_at_most("data: work of a step, coloured / plain", frames[1].work / plain.work, MOST_STEP)
+        results.row("data", scene, frame.name, **frame.row, ratio=frame.work / plain.work)
+    if not results.is_quick and scene == "step":  # small meshes: the pixels are what costs
+        for frame in frames[1:]:
+            results.check_at_most(f"data: work of a step, {frame.name} / plain", frame.work / plain.work, MOST_STEP)
     return table(("surface", "step, ms", "work, ms", "work / plain"),
                  [(frame.name, str(frame), f"{frame.work:.0f}", f"{frame.work / plain.work:.2f}")
                   for frame in frames])
+
+
+def _measure_lakes(results):
+    medians, views, different = lakes.compare(results.rounds(FRAMES, QUICK_FRAMES))
+    ratio = medians[0] / medians[1]
+    results.row("data", "50 lakes", "of one mesh", median_ms=medians[0], ratio=ratio, views=views[0])
+    results.row("data", "50 lakes", "6 placed by hand", median_ms=medians[1], views=views[1])
+    results.check_at_most("data: mirrored views of 50 lakes, 6 in view", views[0], lakes.IN_VIEW)
+    results.check_at_most("data: pixels of 50 lakes that differ from 6 placed by hand", different, 0)
+    if not results.is_quick:
+        results.check_at_most("data: frame of 50 lakes / 6 placed by hand", ratio, lakes.MOST_RATIO)
+    return {"lakes_ms": f"{medians[0]:.1f}", "placed_ms": f"{medians[1]:.1f}", "lakes_views": f"{views[0]:g}",
+            "placed_views": f"{views[1]:g}", "lakes_ratio": f"{ratio:.2f}", "lakes_pixels": different}
+
+
+def _measure_color(results):
+    """Of x, which is linear: what differs is the picture's, not the mesh's."""
+    view, _ = color.water_of(color.mesh_of(lambda x, y: x))
+    steps = color.steps_of(view.picture())
+    read = -color.HALF + (steps + 0.5) / color.STEPS * 2 * color.HALF
+    x = color.x_of_columns()
+    random = np.random.default_rng(1)
+    inside = np.flatnonzero(np.abs(x) < color.HALF - 0.2)
+    columns, rows = random.choice(inside, PLACES), random.integers(0, read.shape[0], PLACES)
+    worst = float(np.abs(read[rows, columns] - x[columns]).max() / (2 * color.HALF / color.STEPS))
+    results.row("data", "color read back", f"{PLACES} places", error_steps=worst)
+    results.check_at_most("data: value read back, steps of the table", worst, MOST_COLOR)
+    return worst
 
 
 def _process(*arguments):
@@ -115,8 +167,11 @@ def _measure_ahead(results):
 
 def run(results):
     cells = results.rounds(CELLS, QUICK_CELLS)
-    results.add("A solver's data, step by step", TEXT, cells=f"{cells:,}", width=data_steps.SIZE[0],
-                height=data_steps.SIZE[1], steps=_measure_steps(results), first=_measure_first(results),
-                file_cells=f"{results.rounds(FILE_CELLS, QUICK_FILE_CELLS):,}",
-                ahead=_measure_ahead(results), count=results.rounds(STEPS, QUICK_STEPS),
-                memory=f"{_measure_memory(results):.1f}")
+    few = results.rounds(FEW_CELLS, QUICK_FEW_CELLS)
+    half = tuple(side // 2 for side in data_steps.SIZE)
+    results.add("Data", TEXT, load=results.machine["load"], cells=f"{cells:,}", width=data_steps.SIZE[0], height=data_steps.SIZE[1],
+                steps=_measure_steps(results, cells), few=f"{few:,}",
+                few_steps=_measure_steps(results, few, "few cells"), small_steps=_measure_steps(results, cells, "small picture", half), first=_measure_first(results),
+                file_cells=f"{results.rounds(FILE_CELLS, QUICK_FILE_CELLS):,}", ahead=_measure_ahead(results),
+                count=results.rounds(STEPS, QUICK_STEPS), memory=f"{_measure_memory(results):.1f}",
+                places=f"{PLACES:,}", color_error=f"{_measure_color(results):.2f}", **_measure_lakes(results))

@@ -52,10 +52,10 @@ class Tide:
 class View:
     """A window with the bed and the surface of one kind."""
 
-    def __init__(self, kind, tide, mesh=None):
+    def __init__(self, kind, tide, mesh=None, size=SIZE):
         self.kind, self.tide = kind, tide
         self.mesh = tide.mesh(tide.bed) if mesh is None else mesh
-        self.plotter = pv.Plotter(off_screen=True, window_size=SIZE)
+        self.plotter = pv.Plotter(off_screen=True, window_size=size)
         if mesh is None:
             self.mesh["zb"] = tide.bed
             self.choose(0)
