@@ -24,7 +24,7 @@ static unsigned char bytes[16 + PIXELS * (4 * WORDS + 6)];
 static water_rank_picture picture_of(part* from, size_t words, bool has_depths)
 {
   const water_rank_picture picture = { from->colors, has_depths ? from->depths : NULL, words,
-    PIXELS };
+    PIXELS, 0 };
   return picture;
 }
 
@@ -107,6 +107,59 @@ TEST(nearest_pixel_wins)
     assert_memory_equal(lower.colors, expected.colors, 4 * PIXELS);
     assert_memory_equal(lower.depths, expected.depths, sizeof expected.depths);
   }
+}
+
+// The samples of a pixel show one colour and lie on one facet, each at a place of its own in the
+// pixel: as many bytes as their depths, and no more for their colours than those of a pixel.
+TEST(samples_of_a_pixel_take_few_bytes)
+{
+  static const uint32_t places[4] = { 700, 100, 1100, 400 };
+  static part sent, got;
+  memset(&got, 0, sizeof got);
+  for (uint32_t i = 0; i < PIXELS; ++i)
+  {
+    sent.colors[i] = i / 4;
+    sent.depths[i] = (UINT32_C(9000000) + 1234 * (i / 4) + places[i % 4]) << 8 | 255;
+  }
+  water_rank_picture from = picture_of(&sent, 1, true);
+  from.samples = 4;
+  water_rank_picture to = picture_of(&got, 1, true);
+  to.samples = 4;
+  const size_t size = water_rank_pixels_encode(&from, false, bytes);
+  assert_true(size <= PIXELS + (4 + 2) * (PIXELS / 4) + 4 * 12);
+  memset(got.depths, 0xff, sizeof got.depths);
+  assert_true(water_rank_pixels_merge(bytes, size, WATER_RANK_NEAREST, &to));
+  assert_memory_equal(got.colors, sent.colors, 4 * PIXELS);
+  assert_memory_equal(got.depths, sent.depths, sizeof sent.depths);
+}
+
+// Every float of the far half, and some of the near one; what is nothing stays nothing.
+TEST(depths_come_back)
+{
+  float depths[PIXELS], got[PIXELS];
+  uint32_t numbers[PIXELS];
+  for (int i = 0; i < PIXELS; ++i)
+  {
+    depths[i] = i < 300 ? 1.0f - (float)i * 5.9604645e-8f : 1.0f / (float)(i - 298);
+  }
+  depths[0] = 1.0f;
+  depths[499] = 0.0f;
+  depths[498] = -0.25f;
+  water_rank_pixels_from_depths(depths, PIXELS, numbers);
+  water_rank_pixels_to_depths(numbers, PIXELS, got);
+  assert_true(numbers[0] == WATER_RANK_NOTHING);
+  assert_true(numbers[1] == UINT32_C(0xffffff00));
+  assert_true(numbers[300] == UINT32_C(0x80000000));
+  assert_true(numbers[499] == 0 && numbers[498] == 0);
+  for (int i = 0; i < 498; ++i)
+  {
+    assert_true(got[i] == depths[i]);
+  }
+  const float farthest[1] = { 1.0f };
+  const uint32_t last[1] = { WATER_RANK_NOTHING - 1 };
+  water_rank_pixels_to_depths(last, 1, got);
+  water_rank_pixels_from_depths(farthest, 1, numbers);
+  assert_true(got[0] <= 1.0f && numbers[0] == WATER_RANK_NOTHING);
 }
 
 TEST(layers_come_back)
@@ -198,7 +251,9 @@ static void assert_order(const double (*boxes)[6], size_t count, const double ey
   const double direction[3], bool is_parallel, const size_t* expected)
 {
   size_t order[8], blockers[8];
-  water_rank_pixels_order(boxes, count, eye, direction, is_parallel, order, blockers);
+  const double focal_point[3] = { eye[0] + direction[0], eye[1] + direction[1],
+    eye[2] + direction[2] };
+  water_rank_pixels_order(boxes, count, eye, focal_point, is_parallel, order, blockers);
   assert_memory_equal(order, expected, count * sizeof *order);
 }
 
@@ -233,9 +288,9 @@ TEST(boxes_that_overlap_are_sorted_by_their_centres)
   static const double cycle[3][6] = { { 0.0, 3.0, 0.0, 1.0, 1.0, 2.0 },
     { 2.0, 3.0, 0.0, 3.0, 0.0, 1.0 }, { 1.0, 2.0, 1.0, 2.0, 0.0, 3.0 } };
   static const double corner[3] = { 9.0, 9.0, 9.0 };
-  static const double diagonal[3] = { -1.0, -1.0, -1.0 };
+  static const double before[3] = { 8.0, 8.0, 8.0 };
   size_t order[3], blockers[3], seen[3] = { 0, 0, 0 };
-  water_rank_pixels_order(cycle, 3, corner, diagonal, false, order, blockers);
+  water_rank_pixels_order(cycle, 3, corner, before, false, order, blockers);
   for (int i = 0; i < 3; ++i)
   {
     assert_true(order[i] < 3);
@@ -244,6 +299,6 @@ TEST(boxes_that_overlap_are_sorted_by_their_centres)
   assert_true(seen[0] == 1 && seen[1] == 1 && seen[2] == 1);
 }
 
-TESTS(pixels_come_back, nearest_pixel_wins, layers_come_back, pixels_take_few_bytes,
-  wrong_bytes_are_refused, layers_are_blended, boxes_are_sorted,
-  boxes_that_overlap_are_sorted_by_their_centres)
+TESTS(pixels_come_back, nearest_pixel_wins, samples_of_a_pixel_take_few_bytes, depths_come_back,
+  layers_come_back, pixels_take_few_bytes, wrong_bytes_are_refused, layers_are_blended,
+  boxes_are_sorted, boxes_that_overlap_are_sorted_by_their_centres)

@@ -80,7 +80,10 @@ TEST(facts_of_a_view_are_joined)
 {
   static const double all[6] = { -4.0, 6.0, -2.0, 3.0, 0.0, 0.0 };
   static const size_t first[3] = { 0, 2, 2 };
-  const water_rank_view views[3] = { view_of_left, view_of_nothing, view_of_right };
+  water_rank_view views[3] = { view_of_left, view_of_nothing, view_of_right };
+  views[0].max_samples = 8.0;
+  views[1].max_samples = 16.0;
+  views[2].max_samples = 4.0;
   for (size_t rank = 0; rank < 3; ++rank)
   {
     water_ranks_view joined;
@@ -89,6 +92,7 @@ TEST(facts_of_a_view_are_joined)
     assert_int_equal(joined.first_prop, first[rank]);
     assert_int_equal(joined.prop_count, 5);
     assert_int_equal(joined.max_texture_px, 4096);
+    assert_int_equal(joined.max_samples, 4);
     assert_true(joined.is_software);
     ASSERT_CLOSE(joined.measured_ms, 9.0, 0.0);
     assert_bounds(joined.surface_bounds, all);
@@ -202,12 +206,14 @@ TEST(every_rank_makes_the_same_plan)
   root.has_scene_depth = true;
   root.is_software = true;
   root.max_texture_px = 5;
+  root.max_samples = 1;
   memset(root.surface_bounds, 0, sizeof root.surface_bounds);
   water_rank_view views[3] = { view_of_left, view_of_nothing, view_of_right };
   for (int i = 0; i < 3; ++i)
   {
     views[i].is_software = serial.is_software;
     views[i].max_texture_px = serial.max_texture_px;
+    views[i].max_samples = serial.max_samples;
     memcpy(views[i].surface_bounds, serial.surface_bounds, sizeof serial.surface_bounds);
     views[i].has_waves = serial.has_waves;
     views[i].slope_rms = serial.slope_rms;
@@ -326,7 +332,28 @@ TEST(draws_are_joined)
     water_ranks_join_drawn(drawn, 3, bounds, &has_blended, &bad_rank), WATER_RANKS_DRAW_AGAIN);
 }
 
+// A box around all that a rank blends; none around nothing, nor around what has no place.
+TEST(blended_props_are_boxed)
+{
+  static const double one[6] = { 1.0, 2.0, -3.0, 4.0, 0.0, 0.5 };
+  static const double two[6] = { -1.0, 1.5, 0.0, 5.0, 0.25, 2.0 };
+  static const double none[6] = { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 };
+  static const double endless[6] = { 0.0, INFINITY, 0.0, 1.0, 0.0, 1.0 };
+  static const double both[6] = { -1.0, 2.0, -3.0, 5.0, 0.0, 2.0 };
+  water_rank_drawn drawn = water_rank_drawn_begin();
+  assert_bounds(drawn.blended_bounds, none);
+  ASSERT_CLOSE(
+    drawn.has_blended + drawn.has_failed + drawn.is_aborted + drawn.wants_again, 0.0, 0.0);
+  water_rank_drawn_add(none, &drawn);
+  water_rank_drawn_add(endless, &drawn);
+  assert_bounds(drawn.blended_bounds, none);
+  water_rank_drawn_add(one, &drawn);
+  water_rank_drawn_add(two, &drawn);
+  assert_bounds(drawn.blended_bounds, both);
+}
+
 TESTS(bounds_of_all_ranks_are_joined, rank_that_differs_is_named, facts_of_a_view_are_joined,
   parts_of_a_mesh_are_joined, error_of_one_rank_is_named, all_waters_are_gone,
   waters_that_differ_are_refused, digest_tells_waves_apart, every_rank_makes_the_same_plan,
-  digest_tells_numbers_apart, digest_tells_settings_apart, draws_are_joined)
+  digest_tells_numbers_apart, digest_tells_settings_apart, draws_are_joined,
+  blended_props_are_boxed)

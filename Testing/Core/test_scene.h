@@ -166,6 +166,7 @@ static inline water_scene lake(void)
   scene.look.index_of_refraction = 1.333;
   scene.settings.texture_scale = 1.0;
   scene.max_texture_px = 16384;
+  scene.max_samples = 32;
   scene.settings.skips = WATER_MAY_SKIP_ALL;
   return scene;
 }

@@ -2,7 +2,8 @@
 // test_settings.c: what the user's settings of samples and colours come to in the plan.
 #include "test_scene.h"
 
-// The window's samples are taken over, eight at most; a number of the user's own is taken as it is.
+// The window's samples are taken over, eight at most; a number of the user's own is taken as it is,
+// if the GPU has as many.
 // One sample a pixel is none. Waves have none of the window's, calm water of a high quality at
 // least four.
 TEST(samples_are_the_windows_or_the_users)
@@ -29,6 +30,16 @@ TEST(samples_are_the_windows_or_the_users)
   }
 }
 
+TEST(samples_are_as_many_as_the_gpu_has)
+{
+  water_scene scene = lake();
+  scene.settings.multi_samples = 16;
+  scene.max_samples = 4;
+  assert_int_equal(plan_of(&scene, NULL).samples, 4);
+  scene.max_samples = 0;
+  assert_int_equal(plan_of(&scene, NULL).samples, 0);
+}
+
 // Colours are half floats where the user says so, or leaves it open and the picture may be tone
 // mapped.
 TEST(half_floats_are_for_tone_mapping)
@@ -50,4 +61,5 @@ TEST(half_floats_are_for_tone_mapping)
   }
 }
 
-TESTS(samples_are_the_windows_or_the_users, half_floats_are_for_tone_mapping)
+TESTS(samples_are_the_windows_or_the_users, samples_are_as_many_as_the_gpu_has,
+  half_floats_are_for_tone_mapping)

@@ -247,6 +247,7 @@ typedef struct water_scene
   water_settings settings;
   int window_samples;   // per pixel of the window
   int calm_samples_min; // of a calm reflection, per pixel, if the user sets none
+  int max_samples;      // per pixel, that the GPU has; 0: none
   bool may_tone_map;    // a later pass may map tones
   bool is_encoded;      // the window encodes colours as sRGB once they are drawn
   int max_texture_px;   // the GPU's limit for a side of a texture, >= 1

@@ -251,7 +251,8 @@ static int samples_of(const water_scene* scene)
                                                                    : scene->calm_samples_min;
   const int own = scene->has_waves ? 0 : calm < most ? calm : most;
   const int wanted = scene->settings.multi_samples >= 0 ? scene->settings.multi_samples : own;
-  return wanted > 1 ? wanted : 0;
+  const int given = wanted < scene->max_samples ? wanted : scene->max_samples;
+  return given > 1 ? given : 0;
 }
 
 // How far the surface lies below the plane, away from the eye. This is less than the height of its

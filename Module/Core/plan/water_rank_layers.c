@@ -94,8 +94,10 @@ static double centre_distance(
 }
 
 void water_rank_pixels_order(const double (*bounds)[6], size_t box_count, const double eye[3],
-  const double direction[3], bool is_parallel, size_t* order, size_t* blockers)
+  const double focal_point[3], bool is_parallel, size_t* order, size_t* blockers)
 {
+  const double direction[3] = { focal_point[0] - eye[0], focal_point[1] - eye[1],
+    focal_point[2] - eye[2] };
   const size_t taken = SIZE_MAX;
   for (size_t i = 0; i < box_count; ++i)
   {

@@ -35,6 +35,25 @@ typedef struct reader
   const unsigned char* end;
 } reader;
 
+static const double depth_scale = 4294967296.0; // 2^32: the numbers' steps in a depth of 1
+
+void water_rank_pixels_from_depths(const float* depths, size_t count, uint32_t* numbers)
+{
+  for (size_t i = 0; i < count; ++i)
+  {
+    const double depth = depths[i] > 0.0f ? (double)depths[i] : 0.0;
+    numbers[i] = depth < 1.0 ? (uint32_t)(depth * depth_scale) : WATER_RANK_NOTHING;
+  }
+}
+
+void water_rank_pixels_to_depths(const uint32_t* numbers, size_t count, float* depths)
+{
+  for (size_t i = 0; i < count; ++i)
+  {
+    depths[i] = numbers[i] == WATER_RANK_NOTHING ? 1.0f : (float)((double)numbers[i] / depth_scale);
+  }
+}
+
 size_t water_rank_pixels_limit(const water_rank_picture* picture)
 {
   // a run each: its length, its colour, and a depth of 4 + 1 bytes
@@ -65,6 +84,13 @@ static bool take_number(reader* from, size_t* number)
     }
   }
   return false;
+}
+
+// What a pixel's depth is guessed from: those of the same sample of other pixels, as the places of
+// samples in a pixel are in no order.
+static guess* guess_of(const water_rank_picture* picture, guess* known, size_t i)
+{
+  return known + (picture->samples > 1 ? i % picture->samples : 0);
 }
 
 static int32_t next_guess(const guess* known)
@@ -172,7 +198,7 @@ size_t water_rank_pixels_encode(
   const water_rank_picture* picture, bool has_background, unsigned char* bytes)
 {
   unsigned char* next = bytes;
-  guess known = { 0, 0, 0 };
+  guess known[WATER_RANK_SAMPLES_MAX] = { { 0, 0, 0 } };
   for (size_t i = 0; i < picture->pixel_count;)
   {
     int kind;
@@ -189,7 +215,7 @@ size_t water_rank_pixels_encode(
     {
       for (size_t j = i; j < i + length; ++j)
       {
-        next = put_depth(picture->depths[j], &known, next);
+        next = put_depth(picture->depths[j], guess_of(picture, known, j), next);
       }
     }
     i += length;
@@ -214,7 +240,7 @@ static bool merge_run(reader* from, int kind, size_t begin, size_t length, water
   for (size_t i = begin; i < begin + length; ++i, colors += is_one ? 0 : 4 * words)
   {
     uint32_t depth = WATER_RANK_NOTHING;
-    if (has_depths && !take_depth(from, known, &depth))
+    if (has_depths && !take_depth(from, guess_of(picture, known, i), &depth))
     {
       return false;
     }
@@ -235,7 +261,7 @@ bool water_rank_pixels_merge(const unsigned char* bytes, size_t byte_count, wate
   water_rank_picture* picture)
 {
   reader from = { bytes, bytes + byte_count };
-  guess known = { 0, 0, 0 };
+  guess known[WATER_RANK_SAMPLES_MAX] = { { 0, 0, 0 } };
   size_t done = 0;
   while (done < picture->pixel_count)
   {
@@ -247,7 +273,7 @@ bool water_rank_pixels_merge(const unsigned char* bytes, size_t byte_count, wate
     const int kind = (int)(head & ((1 << RUN_BITS) - 1));
     const size_t length = head >> RUN_BITS;
     if (kind >= RUN_COUNT || length == 0 || length > picture->pixel_count - done ||
-      (kind != RUN_NOTHING && !merge_run(&from, kind, done, length, merge, &known, picture)))
+      (kind != RUN_NOTHING && !merge_run(&from, kind, done, length, merge, known, picture)))
     {
       return false;
     }

@@ -21,13 +21,19 @@ extern "C"
 // Depth where nothing is drawn.
 #define WATER_RANK_NOTHING UINT32_MAX
 
+enum
+{
+  WATER_RANK_SAMPLES_MAX = 32 // of a pixel
+};
+
 // A part of a picture.
 typedef struct water_rank_picture
 {
-  uint32_t* colors; // words for each pixel: 1 for bytes, 2 for half floats, 4 for floats
-  uint32_t* depths; // 0 at the near plane; NULL: a layer, which is where a colour is not 0
-  size_t words;     // 1 to 4
-  size_t pixel_count;
+  uint32_t* colors;   // words for each pixel: 1 for bytes, 2 for half floats, 4 for floats
+  uint32_t* depths;   // 0 at the near plane; NULL: a layer, which is where a colour is not 0
+  size_t words;       // 1 to 4
+  size_t pixel_count; // with samples: of all pixels' samples
+  size_t samples;     // of a pixel, next to each other, <= WATER_RANK_SAMPLES_MAX; 0 and 1: none
 } water_rank_picture;
 
 typedef enum water_rank_merge
@@ -35,6 +41,13 @@ typedef enum water_rank_merge
   WATER_RANK_NEAREST, // keep what is nearer; of equal ones, what was there before
   WATER_RANK_REPLACE  // take what is sent
 } water_rank_merge;
+
+// Depths as numbers that are sent, and back: floats of at least 2^-8 come back as they were, others
+// within 2^-32. Floats round what a texture of fixed numbers has, each time that they are written.
+//
+// depths  in [0, 1]; 1: nothing is drawn
+void water_rank_pixels_from_depths(const float* depths, size_t count, uint32_t* numbers);
+void water_rank_pixels_to_depths(const uint32_t* numbers, size_t count, float* depths);
 
 // The most bytes that a picture takes.
 size_t water_rank_pixels_limit(const water_rank_picture* picture);
@@ -67,11 +80,12 @@ void water_rank_pixels_over(
 //
 // bounds       box_count boxes, xmin xmax ymin ...; empty ones (min > max) come last
 // eye          world
-// direction    of the view, for is_parallel
+// focal_point  that the eye looks at: not the eye's place
+// is_parallel  the eye looks along one direction everywhere
 // order        box_count numbers of boxes
 // blockers     box_count numbers to compute with
 void water_rank_pixels_order(const double (*bounds)[6], size_t box_count, const double eye[3],
-  const double direction[3], bool is_parallel, size_t* order, size_t* blockers);
+  const double focal_point[3], bool is_parallel, size_t* order, size_t* blockers);
 
 #ifdef __cplusplus
 }

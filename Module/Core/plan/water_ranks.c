@@ -7,7 +7,7 @@
 #include <string.h>
 
 _Static_assert(sizeof(water_rank_frame) == 11 * sizeof(double), "it travels as doubles");
-_Static_assert(sizeof(water_rank_view) == 18 * sizeof(double), "it travels as doubles");
+_Static_assert(sizeof(water_rank_view) == 19 * sizeof(double), "it travels as doubles");
 _Static_assert(sizeof(water_prop) <= 64, "a prop takes at most 64 bytes");
 _Static_assert(sizeof(water_rank_drawn) == 10 * sizeof(double), "it travels as doubles");
 
@@ -100,6 +100,7 @@ water_status water_ranks_join_views(const water_rank_view* views, size_t rank_co
   memset(&made, 0, sizeof made);
   begin_bounds(made.surface_bounds);
   double max_texture_px = views[0].max_texture_px;
+  double max_samples = views[0].max_samples;
   for (size_t i = 0; i < rank_count; ++i)
   {
     // errors first: what else such a rank sends is not to be compared
@@ -121,11 +122,13 @@ water_status water_ranks_join_views(const water_rank_view* views, size_t rank_co
     made.first_prop += i < rank ? (size_t)view->prop_count : 0;
     made.prop_count += (size_t)view->prop_count;
     max_texture_px = fmin(max_texture_px, view->max_texture_px);
+    max_samples = fmin(max_samples, view->max_samples);
     made.is_software = made.is_software || view->is_software != 0.0;
     made.measured_ms = fmax(made.measured_ms, view->measured_ms);
     join_surface(view, &made);
   }
   made.max_texture_px = (int)max_texture_px;
+  made.max_samples = (int)max_samples;
   *joined = made;
   return WATER_OK;
 }
@@ -137,6 +140,7 @@ water_scene water_ranks_scene(
   scene.props = props;
   scene.prop_count = joined->prop_count;
   scene.max_texture_px = joined->max_texture_px;
+  scene.max_samples = joined->max_samples;
   scene.is_software = joined->is_software;
   memcpy(scene.surface_bounds, joined->surface_bounds, sizeof scene.surface_bounds);
   scene.has_waves = joined->has_waves;
@@ -189,6 +193,19 @@ uint64_t water_ranks_digest_waves(uint64_t digest, const water_wave_term* terms,
 double water_ranks_digest_number(uint64_t digest)
 {
   return (double)(digest >> 11);
+}
+
+water_rank_drawn water_rank_drawn_begin(void)
+{
+  water_rank_drawn drawn;
+  memset(&drawn, 0, sizeof drawn);
+  begin_bounds(drawn.blended_bounds);
+  return drawn;
+}
+
+void water_rank_drawn_add(const double bounds[6], water_rank_drawn* drawn)
+{
+  add_bounds(bounds, drawn->blended_bounds);
 }
 
 water_ranks_drawing water_ranks_join_drawn(const water_rank_drawn* drawn, size_t rank_count,

@@ -25,7 +25,7 @@ extern "C"
 // What the next two hold, and how scene and props are sent. One more whenever that changes.
 enum
 {
-  WATER_RANKS_FORMAT = 3
+  WATER_RANKS_FORMAT = 4
 };
 
 // What a rank sends once a frame, before anything is drawn: doubles only, as they travel.
@@ -56,6 +56,7 @@ typedef struct water_rank_view
   double slope_max;
   double wave_height_max;
   double is_averaged; // 1: waves are averaged over a pixel; 0: they are not
+  double max_samples; // a pixel, that the rank's GPU has; 0: none
 } water_rank_view;
 
 // What the ranks agree on for a mirrored view.
@@ -72,6 +73,7 @@ typedef struct water_ranks_view
   double slope_max;
   double wave_height_max;
   bool is_averaged; // on any
+  int max_samples;  // the least
 } water_ranks_view;
 
 // Joins what all ranks sent for a frame.
@@ -137,6 +139,13 @@ typedef struct water_rank_drawn
   double has_blended;       // 1: translucent props or volumes are to come; 0: none
   double blended_bounds[6]; // of those in world; min > max: there are none
 } water_rank_drawn;
+
+// Nothing is drawn, and nothing is blended anywhere.
+water_rank_drawn water_rank_drawn_begin(void);
+
+// Something with these bounds is blended, too; empty bounds, and numbers that are not finite, add
+// nothing.
+void water_rank_drawn_add(const double bounds[6], water_rank_drawn* drawn);
 
 // What becomes of the view on all ranks.
 typedef enum water_ranks_drawing

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkWaterMirroredRanks.cxx: the part of vtkWaterMirroredView that makes one view of what the ranks
 // of a sort-last renderer draw. See Documentation/decisions/023-ranks.md.
-#include "vtkBoundingBox.h"
 #include "vtkOpenGLFramebufferObject.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
@@ -11,6 +10,7 @@
 #include "vtkWaterGL.h"
 #include "vtkWaterMirroredView.h"
 #include "vtkWaterRankPixels.h"
+#include "vtkWaterRankSamples.h"
 #include "vtkWaterScopedWidgets.h"
 #include "vtkWaterVolumeCuts.h"
 
@@ -20,25 +20,21 @@ namespace
 {
 const char* const kUnreachable =
   "the other ranks cannot be reached for their part of the reflection texture";
+const char* const kNoSamples = "the GPU gave no framebuffer for the samples of the reflection";
 
 // What is translucent, or a volume, and where.
 water_rank_drawn FindBlended(
   const std::vector<vtkProp*>& blended, const std::vector<vtkProp*>& others)
 {
-  water_rank_drawn facts = water_rank_drawn();
+  water_rank_drawn facts = water_rank_drawn_begin();
   facts.has_blended = vtkWaterTranslucentLayer::IsNeeded(blended, others) ? 1.0 : 0.0;
-  vtkBoundingBox box;
   for (vtkProp* prop : blended)
   {
     const double* bounds = prop->GetBounds();
     if (bounds)
     {
-      box.AddBounds(bounds);
+      water_rank_drawn_add(bounds, &facts);
     }
-  }
-  for (int i = 0; i < 6; ++i)
-  {
-    facts.blended_bounds[i] = box.IsValid() ? box.GetBound(i) : i % 2 ? -1.0 : 1.0;
   }
   return facts;
 }
@@ -49,13 +45,9 @@ std::vector<size_t> FindOrder(const water_plan& plan, const vtkWaterRanks::Drawi
   const size_t count = drawing.Bounds.size();
   std::vector<size_t> order(count);
   std::vector<size_t> blockers(count);
-  double direction[3];
-  for (int i = 0; i < 3; ++i)
-  {
-    direction[i] = plan.mirrored_focal_point[i] - plan.mirrored_position[i];
-  }
   water_rank_pixels_order(reinterpret_cast<const double(*)[6]>(drawing.Bounds.data()), count,
-    plan.mirrored_position, direction, plan.mirrored.parallel, order.data(), blockers.data());
+    plan.mirrored_position, plan.mirrored_focal_point, plan.mirrored.parallel, order.data(),
+    blockers.data());
   return order;
 }
 }
@@ -65,22 +57,42 @@ const char* vtkWaterMirroredView::JoinOpaque(
   vtkRenderer* renderer, const water_plan& plan, Draft& draft)
 {
   auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
-  const water_rank_drawn facts = FindBlended(draft.Blended, draft.Others);
+  water_rank_drawn facts = FindBlended(draft.Blended, draft.Others);
+  const int* rect = plan.texture_rect_px;
+  const unsigned int type = this->Target.HasHalfFloats() ? GL_HALF_FLOAT : GL_UNSIGNED_BYTE;
   window->GetState()->vtkglDisable(GL_SCISSOR_TEST);
-  this->Target.Resolve();
+  const bool hasSamples = plan.samples > 0 && plan.samples <= WATER_RANK_SAMPLES_MAX; // of all
+  vtkOpenGLFramebufferObject* drawn = this->Target.GetFramebuffer();
+  vtkWaterRankSamples::Picture picture;
   vtkWaterRankPixels pixels;
-  pixels.Read(this->Target.GetResolved(),
-    this->Target.HasHalfFloats() ? GL_HALF_FLOAT : GL_UNSIGNED_BYTE, plan.texture_rect_px);
+  if (hasSamples)
+  {
+    picture = vtkWaterRankSamples::PictureOf(drawn, rect);
+    facts.has_failed = this->RankSamples.Read(window, picture, type, pixels) ? 0.0 : 1.0;
+  }
+  else
+  {
+    this->Target.Resolve();
+    pixels.Read(this->Target.GetResolved(), type, rect);
+  }
   const vtkWaterRanks::Drawing drawing = draft.Agree(facts);
   if (drawing.Result != WATER_RANKS_DRAWN)
   {
-    return nullptr;
+    return facts.has_failed == 0.0 ? nullptr : kNoSamples;
   }
   if (!pixels.KeepNearest(*draft.Ranks))
   {
     return kUnreachable;
   }
-  pixels.Upload(this->Target.GetColor(), this->Target.GetDepth());
+  if (!hasSamples)
+  {
+    pixels.Upload(this->Target.GetColor(), this->Target.GetDepth());
+  }
+  else
+  {
+    this->RankSamples.Write(window, pixels, picture.Samples, rect, drawn);
+    this->Target.Resolve();
+  }
   return drawing.HasBlended ? this->JoinBlended(renderer, plan, draft, drawing) : nullptr;
 }
 

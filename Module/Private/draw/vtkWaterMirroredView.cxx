@@ -362,5 +362,6 @@ void vtkWaterMirroredView::ReleaseGraphicsResources(vtkWindow* window)
   this->Translucent.ReleaseGraphicsResources(window);
   this->Layer.ReleaseGraphicsResources(window);
   this->Peel.ReleaseGraphicsResources(window);
+  this->RankSamples.ReleaseGraphicsResources(window);
   this->HasLayer = this->HasPeel = false;
 }

@@ -13,6 +13,7 @@
 #include "vtkWaterGpuQueries.h"
 #include "vtkWaterPeel.h"
 #include "vtkWaterPropFacts.h"
+#include "vtkWaterRankSamples.h"
 #include "vtkWaterRanks.h"
 #include "vtkWaterSkyReader.h"
 #include "vtkWaterTarget.h"
@@ -125,6 +126,7 @@ private:
   vtkWaterTranslucentLayer Layer;
   vtkWaterShortage Shortage; // of what is visible
   vtkWaterPeel Peel;
+  vtkWaterRankSamples RankSamples;
   bool HasLayer = false;
   bool HasPeel = false;
   bool IsDrawing = false;

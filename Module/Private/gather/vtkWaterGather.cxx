@@ -15,6 +15,7 @@
 #include "vtkShaderProperty.h"
 #include "vtkSkybox.h"
 #include "vtkTextureObject.h"
+#include "vtkWaterGL.h"
 #include "vtkWaterPropRecords.h"
 #include "vtkWaterSea.h"
 #include "water_daylight.h"
@@ -273,6 +274,7 @@ void vtkWaterGather::ReadProps(vtkRenderer* renderer, const vtkWaterSnapshot& mi
   auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
   window->MakeCurrent(); // bringing pipelines up to date may have rendered another window
   this->Scene.max_texture_px = vtkTextureObject::GetMaximumTextureSize(window);
+  glGetIntegerv(GL_MAX_SAMPLES, &this->Scene.max_samples);
 }
 
 //------------------------------------------------------------------------------

@@ -198,20 +198,22 @@ void vtkWaterRanks::HoldOnAll(std::vector<int>& claims)
 }
 
 //------------------------------------------------------------------------------
-bool vtkWaterRanks::JoinRects(int rect[4])
+bool vtkWaterRanks::JoinRects(int rect[4], int& samples)
 {
   constexpr int none = std::numeric_limits<int>::max();
   const bool isEmpty = rect[2] <= 0 || rect[3] <= 0;
   // the ends as negative numbers: the least of all ranks' is asked
-  const int mine[4] = { isEmpty ? none : rect[0], isEmpty ? none : rect[1],
-    isEmpty ? none : -(rect[0] + rect[2]), isEmpty ? none : -(rect[1] + rect[3]) };
-  int all[4];
+  const int mine[6] = { isEmpty ? none : rect[0], isEmpty ? none : rect[1],
+    isEmpty ? none : -(rect[0] + rect[2]), isEmpty ? none : -(rect[1] + rect[3]), samples,
+    -samples };
+  int all[6];
   const bool isReached = this->Speak("the part of the picture below the surface",
-    [&]() { return this->Controller->AllReduce(mine, all, 4, vtkCommunicator::MIN_OP) != 0; });
+    [&]() { return this->Controller->AllReduce(mine, all, 6, vtkCommunicator::MIN_OP) != 0; });
   if (!isReached)
   {
     return false;
   }
+  samples = all[4] == -all[5] ? all[4] : 0;
   const bool areEmpty = all[0] == none;
   rect[0] = areEmpty ? 0 : all[0];
   rect[1] = areEmpty ? 0 : all[1];

@@ -65,7 +65,9 @@ public:
 
   // Makes of the ranks' rectangles (x, y, width, height; nothing in it if one of the last two is
   // not positive) the one around all of them. false: they cannot be reached.
-  bool JoinRects(int rect[4]);
+  //
+  // samples  a pixel that each has; 0 if not all have as many
+  bool JoinRects(int rect[4], int& samples);
 
   // What becomes of a mirrored view that all have drawn, or could not draw.
   Drawing JoinDrawn(const water_rank_drawn& mine);

@@ -101,6 +101,7 @@ bool vtkWaterReflection::JoinScene(const std::vector<vtkWaterSource*>& waters, A
   mine.digest = DigestOf(attempt.Waters, scene);
   mine.prop_count = static_cast<double>(scene.prop_count);
   mine.max_texture_px = scene.max_texture_px;
+  mine.max_samples = scene.max_samples;
   mine.is_software = scene.is_software ? 1.0 : 0.0;
   mine.measured_ms = attempt.MeasuredMs;
   std::copy_n(scene.surface_bounds, 6, mine.surface_bounds);

@@ -117,7 +117,7 @@ bool vtkWaterBackdrop::Ensure(vtkOpenGLRenderWindow* window, int width, int heig
   {
     return true;
   }
-  this->ReleaseGraphicsResources(nullptr);
+  this->ReleaseCopies(nullptr);
   this->Color = vtkSmartPointer<vtkTextureObject>::New();
   this->Depth = vtkSmartPointer<vtkTextureObject>::New();
   for (vtkTextureObject* texture : { this->Color.Get(), this->Depth.Get() })
@@ -136,7 +136,7 @@ bool vtkWaterBackdrop::Ensure(vtkOpenGLRenderWindow* window, int width, int heig
       static_cast<unsigned int>(width), static_cast<unsigned int>(height), depthFormat) ||
     !HasSize(this->Color, width) || !HasSize(this->Depth, width))
   {
-    this->ReleaseGraphicsResources(nullptr);
+    this->ReleaseCopies(nullptr);
     this->HasFailed = true;
     return false;
   }
@@ -209,6 +209,81 @@ bool vtkWaterBackdrop::Copy(
 }
 
 //------------------------------------------------------------------------------
+int vtkWaterBackdrop::CountSamples()
+{
+  vtkWaterSampleSort::Picture picture;
+  const bool areSent = Source().HasSamples(picture) && picture.Samples <= WATER_RANK_SAMPLES_MAX;
+  return areSent ? picture.Samples : 0;
+}
+
+//------------------------------------------------------------------------------
+bool vtkWaterBackdrop::EnsureSamples(
+  vtkOpenGLRenderWindow* window, int width, int height, int samples)
+{
+  const int size[4] = { width, height, samples, Source().GetColorType() };
+  if (this->Samples && this->Samples->GetContext() == window &&
+    std::equal(size, size + 4, this->SamplesSize))
+  {
+    return true;
+  }
+  this->Samples = vtkWaterRankSamples::MakeFramebuffer(window, width, height, size[3], samples);
+  std::copy_n(size, 4, this->SamplesSize);
+  return this->Samples != nullptr;
+}
+
+//------------------------------------------------------------------------------
+bool vtkWaterBackdrop::CopyOfAll(vtkWaterRanks& ranks, vtkOpenGLRenderWindow* window,
+  const int rect[4], const int part[4], int samples, const double* heightClip)
+{
+  if (samples == 0)
+  {
+    return this->Join(ranks, window, part, this->Copy(window, rect, part, nullptr));
+  }
+  // sorting looks at the pixels around, too
+  const int from[2] = { std::max(part[0] - 1, 0), std::max(part[1] - 1, 0) };
+  const int wide[4] = { from[0], from[1], std::min(part[0] + part[2] + 1, rect[2]) - from[0],
+    std::min(part[1] + part[3] + 1, rect[3]) - from[1] };
+  const bool isEmpty = part[2] <= 0 || part[3] <= 0; // on all ranks
+  vtkWaterSampleSort::Picture found;
+  vtkWaterRankPixels pixels;
+  bool isRead = false;
+  try
+  {
+    const Source source;
+    const unsigned int type = source.GetColorType() == VTK_FLOAT ? GL_FLOAT : GL_UNSIGNED_BYTE;
+    isRead = isEmpty ||
+      (source.HasSamples(found) && this->EnsureSamples(window, rect[2], rect[3], samples) &&
+        this->RankSamples.Read(window,
+          { found.Color, found.Depth, samples,
+            { rect[0] + wide[0], rect[1] + wide[1], wide[2], wide[3] } },
+          type, pixels));
+  }
+  catch (const std::bad_alloc&)
+  {
+    isRead = false;
+  }
+  std::vector<int> claims = { isRead ? 1 : 0 };
+  ranks.HoldOnAll(claims);
+  if (!claims[0] || isEmpty)
+  {
+    return claims[0] != 0;
+  }
+  if (!pixels.KeepNearest(ranks) ||
+    !this->RankSamples.Write(window, pixels, samples, wide, this->Samples))
+  {
+    return false;
+  }
+  vtkOpenGLState* state = window->GetState();
+  state->PushFramebufferBindings();
+  this->Samples->Bind();
+  this->Samples->ActivateDrawBuffer(0);
+  const int whole[4] = { 0, 0, rect[2], rect[3] };
+  const bool isCopied = this->Copy(window, whole, part, heightClip);
+  state->PopFramebufferBindings();
+  return isCopied;
+}
+
+//------------------------------------------------------------------------------
 bool vtkWaterBackdrop::Join(
   vtkWaterRanks& ranks, vtkOpenGLRenderWindow* window, const int part[4], bool isCopied)
 {
@@ -261,6 +336,18 @@ void vtkWaterBackdrop::Read(
 
 //------------------------------------------------------------------------------
 void vtkWaterBackdrop::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->ReleaseCopies(window);
+  this->RankSamples.ReleaseGraphicsResources(window);
+  if (this->Samples && window)
+  {
+    this->Samples->ReleaseGraphicsResources(window);
+  }
+  this->Samples = nullptr;
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterBackdrop::ReleaseCopies(vtkWindow* window)
 {
   this->Sorted.ReleaseGraphicsResources(window);
   if (this->Framebuffer && window)

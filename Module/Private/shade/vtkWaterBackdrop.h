@@ -7,6 +7,7 @@
 #include "vtkOpenGLFramebufferObject.h" // for members
 #include "vtkSmartPointer.h"
 #include "vtkTextureObject.h" // for members
+#include "vtkWaterRankSamples.h"
 #include "vtkWaterSampleSort.h"
 
 class vtkOpenGLRenderWindow;
@@ -28,9 +29,17 @@ public:
   bool Copy(
     vtkOpenGLRenderWindow* window, const int rect[4], const int part[4], const double* heightClip);
 
-  // Makes of what all ranks have copied what is nearest in that part. All of them call it, or none,
-  // each with what its Copy returned. false: one has no backdrop, so none is used.
-  bool Join(vtkWaterRanks& ranks, vtkOpenGLRenderWindow* window, const int part[4], bool isCopied);
+  // How many samples a pixel of the bound framebuffer has that ranks can send; 0: none.
+  static int CountSamples();
+
+  // Copies what is nearest of what all ranks have. All of them call it, or none, with the same part
+  // and number of samples. Of several samples each is the nearest.
+  //
+  // samples  that all have, or 0: ranks send a pixel's mean
+  //
+  // Returns false when one of them has no backdrop; none is used then.
+  bool CopyOfAll(vtkWaterRanks& ranks, vtkOpenGLRenderWindow* window, const int rect[4],
+    const int part[4], int samples, const double* heightClip);
 
   // What was copied is of another frame.
   void Forget() { this->IsSorted = this->IsMixed = false; }
@@ -54,6 +63,9 @@ private:
   bool Sort(
     vtkOpenGLRenderWindow* window, const int rect[4], const int part[4], const double* heightClip);
   bool Ensure(vtkOpenGLRenderWindow* window, int width, int height);
+  void ReleaseCopies(vtkWindow* window); // not the samples that are copied from
+  bool Join(vtkWaterRanks& ranks, vtkOpenGLRenderWindow* window, const int part[4], bool isCopied);
+  bool EnsureSamples(vtkOpenGLRenderWindow* window, int width, int height, int samples);
   void Read(vtkOpenGLRenderWindow* window, const int part[4], vtkWaterRankPixels& pixels);
 
   vtkSmartPointer<vtkTextureObject> Color;
@@ -63,6 +75,9 @@ private:
   int Height = 0;
   int ColorType = 0; // VTK's, as the picture's
   int DepthFormat = 0;
+  vtkSmartPointer<vtkOpenGLFramebufferObject> Samples; // of all ranks, when they have several
+  int SamplesSize[4] = {};                             // width, height, number, type
+  vtkWaterRankSamples RankSamples;
   vtkWaterSampleSort Sorted;
   bool IsSorted = false;
   bool IsMixed = false;

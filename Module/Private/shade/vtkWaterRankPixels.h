@@ -23,6 +23,11 @@ public:
   // rect  x, y, width, height in pixels: the same on all ranks
   void Read(vtkOpenGLFramebufferObject* framebuffer, unsigned int type, const int rect[4]);
 
+  // The same of samples, one of each pixel after the other: as many as there are, of a framebuffer
+  // that has them alone.
+  void AllocateSamples(unsigned int type, const int rect[4], int samples);
+  void ReadSample(vtkOpenGLFramebufferObject* framebuffer, int sample);
+
   // Likewise of a layer, which has colours only; nullptr: nothing is in it.
   void ReadLayer(vtkOpenGLFramebufferObject* framebuffer, unsigned int type, const int rect[4]);
 
@@ -35,17 +40,20 @@ public:
 
   // Writes them back; depth may be nullptr.
   void Upload(vtkTextureObject* color, vtkTextureObject* depth) const;
+  void UploadSample(vtkTextureObject* color, vtkTextureObject* depth, int sample) const;
 
 private:
-  void Allocate(unsigned int type, const int rect[4]);
+  void Allocate(unsigned int type, const int rect[4], int samples);
   void ReadColors(vtkOpenGLFramebufferObject* framebuffer);
   water_rank_picture GetPicture(bool hasDepths);
 
   std::vector<std::uint32_t> Colors;
   std::vector<std::uint32_t> Depths; // as the texture has them: floats would round
   std::vector<std::uint32_t> Spare;
+  std::vector<float> Floats;        // depths of one sample
   std::vector<unsigned char> Bytes; // that are sent
   unsigned int Type = 0;
+  size_t Samples = 1; // of a pixel
   size_t Words = 1;
   int Rect[4] = {};
 };

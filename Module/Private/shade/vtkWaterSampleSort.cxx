@@ -5,7 +5,7 @@
 #include "vtkOpenGLState.h"
 #include "vtkShaderProgram.h"
 #include "vtkWaterGL.h"
-#include "vtkWaterScopedPlainDraws.h"
+#include "vtkWaterScopedSamples.h"
 #include "vtkWaterSortFS.h"
 #include "vtkWaterUniforms.h"
 
@@ -14,49 +14,6 @@
 namespace
 {
 constexpr int kMostSamples = 32; // as in vtkWaterSortFS.glsl
-
-// Draws overwrite depth, too, while an object of this class lives, in a part of a framebuffer.
-struct ScopedOverwrite
-{
-  ScopedOverwrite(vtkOpenGLState* state, const int part[4])
-    : Plain(state)
-    , DepthMask(state)
-    , DepthFunc(state)
-  {
-    state->vtkglEnable(GL_DEPTH_TEST); // without it no depth is written
-    state->vtkglDepthFunc(GL_ALWAYS);
-    state->vtkglDepthMask(GL_TRUE);
-    state->vtkglViewport(part[0], part[1], part[2], part[3]);
-  }
-
-  vtkWaterScopedPlainDraws Plain;
-  vtkOpenGLState::ScopedglDepthMask DepthMask;
-  vtkOpenGLState::ScopedglDepthFunc DepthFunc;
-};
-
-// Multisampled textures are bound to the first units while an object of this class lives: a target
-// of its own there, which VTK's textures do not have.
-struct ScopedSamples
-{
-  ScopedSamples(vtkOpenGLState* state, unsigned int color, unsigned int depth)
-    : State(state)
-    , Active(state)
-  {
-    this->Bind(color, depth);
-  }
-  ~ScopedSamples() { this->Bind(0, 0); }
-
-  void Bind(unsigned int color, unsigned int depth)
-  {
-    this->State->vtkglActiveTexture(GL_TEXTURE1);
-    glBindTexture(GL_TEXTURE_2D_MULTISAMPLE, depth);
-    this->State->vtkglActiveTexture(GL_TEXTURE0);
-    glBindTexture(GL_TEXTURE_2D_MULTISAMPLE, color);
-  }
-
-  vtkOpenGLState* State;
-  vtkOpenGLState::ScopedglActiveTexture Active;
-};
 
 vtkSmartPointer<vtkTextureObject> MakeTexture(
   vtkOpenGLRenderWindow* window, unsigned int width, unsigned int height, int type)
@@ -120,8 +77,8 @@ bool vtkWaterSampleSort::Draw(vtkOpenGLRenderWindow* window, const Picture& pict
     : nullptr;
   if (program)
   {
-    const ScopedOverwrite overwrite(state, picture.Part);
-    const ScopedSamples samples(state, picture.Color, picture.Depth);
+    const vtkWaterScopedOverwrite overwrite(state, picture.Part);
+    const vtkWaterScopedSamples samples(state, picture.Color, picture.Depth);
     vtkWaterUniforms::Set(program, "waterSampleColor", 0);
     vtkWaterUniforms::Set(program, "waterSampleDepth", 1);
     vtkWaterUniforms::Set(program, "waterSampleCount", picture.Samples);

@@ -42,17 +42,19 @@ void vtkWaterSurfaceShader::BeginMedium(const int viewport_px[4])
   const bool hadFailed = this->Backdrop.GetHasFailed();
   int part_px[4];
   water_lookup_under(&this->Plan, this->IsFlat, viewport_px + 2, part_px);
-  // what lies flat on one rank may not on another
-  const bool areReached = !this->Drawn.Ranks || this->Drawn.Ranks->JoinRects(part_px);
-  // fog is drawn over all of the picture, and wants each pixel's mean; ranks send one colour a
-  // pixel
-  const bool isMean = this->Drawn.AddsFog || this->Drawn.Ranks;
-  this->HasBackdrop = this->Backdrop.Copy(
-    this->GetWindow(), viewport_px, part_px, isMean ? nullptr : this->Plan.plane_clip);
+  // fog is drawn over all of the picture, and wants each pixel's mean
+  const double* heightClip = this->Drawn.AddsFog ? nullptr : this->Plan.plane_clip;
   if (this->Drawn.Ranks)
   {
-    this->HasBackdrop = areReached &&
-      this->Backdrop.Join(*this->Drawn.Ranks, this->GetWindow(), part_px, this->HasBackdrop);
+    // what lies flat on one rank may not on another
+    int samples = vtkWaterBackdrop::CountSamples();
+    this->HasBackdrop = this->Drawn.Ranks->JoinRects(part_px, samples) &&
+      this->Backdrop.CopyOfAll(
+        *this->Drawn.Ranks, this->GetWindow(), viewport_px, part_px, samples, heightClip);
+  }
+  else
+  {
+    this->HasBackdrop = this->Backdrop.Copy(this->GetWindow(), viewport_px, part_px, heightClip);
   }
   if (this->Backdrop.GetHasFailed() && !hadFailed) // said once
   {

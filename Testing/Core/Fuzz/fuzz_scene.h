@@ -106,6 +106,7 @@ static inline void fuzz_scene(fuzz_input* from, water_prop* props, water_scene* 
   scene->look.reflectance = fuzz_near(from, 1.0);
   scene->settings.texture_scale = fuzz_near(from, 1.0);
   scene->max_texture_px = fuzz_bool(from) ? fuzz_int(from) : 16384;
+  scene->max_samples = 32;
   scene->settings.clip_margin = fuzz_near(from, 0.0);
   scene->settings.prop_px_min = fuzz_near(from, 0.0);
   scene->settings.reflectance_error = fuzz_near(from, 0.0);

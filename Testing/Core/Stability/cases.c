@@ -401,6 +401,7 @@ void case_make(uint64_t seed, uint64_t number, stress_case* made)
   scene->viewport_px[1] = 1 + one_of(made, 4096);
   scene->settings.texture_scale = case_roll(made, 0.25, 2.0);
   scene->max_texture_px = 16384;
+  scene->max_samples = 32;
   scene->look.index_of_refraction = 1.333;
   scene->has_waves = one_of(made, 4) == 0;
   scene->slope_rms = 0.1;

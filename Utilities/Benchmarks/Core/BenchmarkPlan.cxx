@@ -74,6 +74,7 @@ struct Scene
     this->Made.look.index_of_refraction = 1.333;
     this->Made.settings.texture_scale = 1.0;
     this->Made.max_texture_px = 16384;
+    this->Made.max_samples = 32;
     this->Made.settings.skips = WATER_MAY_SKIP_ALL;
     this->Made.props = this->Props.data();
     this->Made.prop_count = this->Props.size();
