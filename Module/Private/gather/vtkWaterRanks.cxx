@@ -43,6 +43,11 @@ std::string vtkWaterRanks::GetText() const
 //------------------------------------------------------------------------------
 void vtkWaterRanks::SetController(vtkMultiProcessController* controller)
 {
+  if (controller == this->Controller)
+  {
+    return; // ranks that are lost stay lost
+  }
+  ++this->Stamp;
   this->Controller = controller;
   this->Shared = controller ? std::make_shared<Line>() : nullptr;
   this->SetWaitLimit(this->WaitLimit);

@@ -42,6 +42,10 @@ public:
     return this->Controller && this->Controller->GetNumberOfProcesses() > 1;
   }
 
+  // Another number for each controller; 0 without others: a view that ranks have joined is not that
+  // of one, and the reverse.
+  vtkMTimeType GetStamp() const { return this->AreSeveral() ? this->Stamp : 0; }
+
   // "rank 1 of 4", or "(none)" without a controller.
   std::string GetText() const;
 
@@ -106,6 +110,7 @@ private:
   vtkSmartPointer<vtkMultiProcessController> Controller;
   std::shared_ptr<Line> Shared;
   double WaitLimit = 0.0;
+  vtkMTimeType Stamp = 0;
 };
 
 #endif

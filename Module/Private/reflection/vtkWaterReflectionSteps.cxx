@@ -256,6 +256,7 @@ void vtkWaterReflection::Sign(const Frame& frame, Attempt& attempt)
   }
   signature.Add(static_cast<vtkMTimeType>(this->Plan.samples));
   signature.Add(this->Plan.is_half_float ? 1 : 0);
+  signature.Add(this->Ranks.GetStamp());
   signature.AddSky(this->Plan.sky, this->Gathered.Sky);
   signature.Add(this->Gathered.HasMarchedRays ? 1 : 0);
   signature.Add(this->Gathered.WantsPeel ? 1 : 0);
