@@ -2,11 +2,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """ranks_program: what TestWaterRanks starts with mpirun: a scene that is split over ranks, and its serial picture.
 
-usage: mpirun -np N ranks_program.py [FOLDER | --missing]
+usage: mpirun -np N ranks_program.py [FOLDER | --missing | --frames NUMBER]
 
 Every rank renders its part; the pictures are put together by depth, as a sort-last renderer does, and
 compared on rank 0 with the picture of a window that has all of it. Prints a line of JSON a case on rank 0.
-FOLDER: where pictures go. --missing: the last rank has no controller, and the others may wait for 2 s.
+FOLDER: where pictures go. --frames: random frames alone, so many. --missing: the last rank has no
+controller, and the others may wait for 2 s.
 """
 
 import ctypes
@@ -25,6 +26,7 @@ from vtkwater import vtkWaterActor
 
 SIZE = (320, 240)
 SHEET = (-9, 9, -9, 9)
+PAINT = (0.2, 0.5, 0.9)  # far from the colours of most things
 PRESETS = ("pool", "lake", "clear tropical", "ocean wind 5", "turbid river", "mirror floor")
 
 
@@ -40,6 +42,10 @@ class Ranks:
         self.rank = self.controller.GetLocalProcessId()
         self.count = self.controller.GetNumberOfProcesses()
 
+    def end(self):
+        self.controller.Finalize(1)  # MPI itself is ended by who began it
+        self.mpi.MPI_Finalize()
+
     def gather(self, numbers):
         """The same number of 32-bit floats from each: ranks x numbers; None but on rank 0."""
         sent = numpy_to_vtk(np.ascontiguousarray(numbers, np.float32).ravel(), deep=True)
@@ -54,7 +60,7 @@ def things(look=None):
 
     For a sheet without bounds posts in two corners alone: it covers more than the ranks' own sheets do.
     """
-    is_unbounded = look == "unbounded"
+    is_unbounded = (look or "").startswith("unbounded")
     made = []
     for i in range(7):
         for j in range(7):
@@ -69,17 +75,26 @@ def things(look=None):
     return made
 
 
+RANDOM = np.random.default_rng(3).integers(0, 840, 60).tolist()  # 840: any number of ranks up to 8 divides it
 SPLITS = {
     "blocks": lambda number, total, ranks: number * ranks // total,
     "interleaved": lambda number, total, ranks: number % ranks,
-    "one empty": lambda number, total, ranks: number % (ranks - 1),
+    "one empty": lambda number, total, ranks: number % max(1, ranks - 1),
     "all on the last": lambda number, total, ranks: ranks - 1,
+    "random": lambda number, total, ranks: RANDOM[number] % ranks,
 }
 
 
 def make_waves(water):
     water.GetWaterProperty().AddWave(0.05, 2.1, 30)
     water.GetWaterProperty().AddWave(0.03, 1.3, 75)
+
+
+def make_painted(water):
+    """Nothing of what ranks join is in it: only its shape is as it was."""
+    water.GetWaterProperty().SetReflectanceModeToConstant()
+    water.GetWaterProperty().SetReflectance(0)
+    water.GetWaterProperty().SetDeepColor(*PAINT)
 
 
 def make_half_float(water):
@@ -100,6 +115,38 @@ def make_clear_waves(water):
     water.GetWaterProperty().SetCaustics(0.8)
 
 
+def make_displaced_waves(water):
+    make_waves(water)
+    water.GetWaterProperty().WaveGeometryOn()
+
+
+def make_sea(water):
+    water.GetWaterProperty().SetMetresPerUnit(1)  # the automatic one is of a rank's own scene
+    water.GetWaterProperty().SeaOn()
+    water.GetWaterProperty().SetWindSpeed(4)
+    water.GetWaterProperty().SetSeaTileSize(64)
+
+
+def make_displaced_sea(water):
+    make_sea(water)
+    water.GetWaterProperty().WaveGeometryOn()
+
+
+def make_clear_sea(water):
+    make_sea(water)
+    make_clear(water)
+
+
+def make_clear_displaced_waves(water):
+    make_displaced_waves(water)
+    make_clear(water)
+
+
+def make_clear_displaced_sea(water):
+    make_displaced_sea(water)
+    make_clear(water)
+
+
 LOOKS = {
     "calm": lambda water: None,
     "waves": make_waves,
@@ -108,10 +155,18 @@ LOOKS = {
     "clear": make_clear,
     "clear waves": make_clear_waves,
 }
+SEAS = {
+    "displaced waves": make_displaced_waves,
+    "sea": make_sea,
+    "displaced sea": make_displaced_sea,
+    "clear displaced waves": make_clear_displaced_waves,
+    "clear sea": make_clear_sea,
+    "clear displaced sea": make_clear_displaced_sea,
+}
 
 
 def make_view(mine, look, samples=0):
-    """A window with those things whose number is mine, and water; look None: dry."""
+    """A window with those things whose number is mine, and water; look "dry": none; "sheet": a plane of VTK's."""
     view = wt.View(SIZE, samples=samples)
     view.renderer.GradientBackgroundOn()
     view.renderer.SetBackground2(0.9, 0.6, 0.3)
@@ -123,10 +178,17 @@ def make_view(mine, look, samples=0):
         if mine(number)
     }
     view.water = None
-    if look is not None:
+    if look == "sheet":
+        wt.add_actor(view.renderer, wt.box((0, 0, -0.05), (18, 18, 0.1)), PAINT)
+    elif not look.endswith("dry"):
         view.water = vtkWaterActor()
         view.water.SetSheetBounds(*SHEET)
-        LOOKS[look](view.water)
+        if look.startswith("unbounded"):
+            make_unbounded(view.water)
+        kind = look.removeprefix("unbounded ").removeprefix("painted ")
+        {**LOOKS, **SEAS}[kind](view.water)
+        if "painted" in look:
+            make_painted(view.water)
         view.renderer.AddActor(view.water)
     return view
 
@@ -161,13 +223,32 @@ def say(ranks, **figures):
         print("FIGURES " + json.dumps(figures), flush=True)
 
 
-def compare(ranks, split, look, folder, samples=0):
-    """One picture of all ranks against the serial one, and what each rank did."""
-    view = make_view(own_part(ranks, split, look), look, samples)
-    heard = []
+def serial_picture(ranks, look, samples=0):
+    """What one process shows of all, on rank 0."""
+    return make_view(lambda number: True, look, samples).picture() if ranks.rank == 0 else None
+
+
+def rank_view(ranks, mine, look, samples=0):
+    """make_view, with a controller."""
+    view = make_view(mine, look, samples)
+    view.errors = []
     if view.water:
-        heard = wt.errors_of(view.water)
+        view.errors = wt.errors_of(view.water)
         view.water.GetReflectionPass().SetController(ranks.controller)
+    return view
+
+
+def compare(ranks, split, look, folder, samples, serial, view=None):
+    """One picture of all ranks against the serial one, and what each rank did.
+
+    view: that has all things, of which each rank shows its own now; None: a new one.
+    """
+    mine = own_part(ranks, split, look)
+    if view is None:
+        view = rank_view(ranks, mine, look, samples)
+    for number, actor in view.actors.items():
+        actor.SetVisibility(mine(number))
+    heard = view.errors
     together = composed(ranks, view)
     facts = [0, 0, len(heard)]
     if view.water:
@@ -175,11 +256,10 @@ def compare(ranks, split, look, folder, samples=0):
         facts = [reflection.GetDecision(), reflection.GetNumberOfPixelsJoined(), len(heard)]
     facts = ranks.gather(facts)
     if ranks.rank == 0:
-        serial = make_view(lambda number: True, look, samples).picture()
         if folder:
-            wt.save(together, f"{folder}/ranks-{ranks.count}-{split}-{look}.png")
-            wt.save(serial, f"{folder}/ranks-serial-{look}.png")
-        say(ranks, case="compare", split=split, look=look or "dry", samples=samples, off=off(together, serial),
+            wt.save(together, f"{folder}/ranks-{ranks.count}-{split}-{look}-{samples}.png")
+            wt.save(serial, f"{folder}/ranks-serial-{look}-{samples}.png")
+        say(ranks, case="compare", split=split, look=look, samples=samples, off=off(together, serial),
             facts=facts.tolist())
 
 
@@ -318,23 +398,43 @@ def change(view, kind, number, value):
         view.water.SetTime(10 * value)
 
 
-def toggle(ranks, frames=250):
+def local_picture(view, serial):
+    """How far a rank that renders by itself, as a client does, is from one that has no more than its part."""
+    alone = view.picture()
+    if serial is None:
+        return 0.0
+    hidden = [actor for number, actor in serial.actors.items() if number not in view.actors and actor.GetVisibility()]
+    for actor in hidden:
+        actor.VisibilityOff()
+    difference = off(alone, serial.picture())
+    for actor in hidden:
+        actor.VisibilityOn()
+    return difference
+
+
+def toggle(ranks, frames):
     """Many frames of random changes, the same on all ranks or on one where that is allowed."""
     dice = np.random.default_rng(5)
     view = make_view(own_part(ranks, "interleaved"), "calm")
-    view.water.GetReflectionPass().SetController(ranks.controller)
+    reflection = view.water.GetReflectionPass()
+    reflection.SetController(ranks.controller)
     serial = make_view(lambda number: True, "calm") if ranks.rank == 0 else None
     for one in filter(None, (view, serial)):
         one.water.GetWaterProperty().SetMetresPerUnit(1)  # the automatic ones are of a rank's own scene
-    worst = 0.0
+    worst, done = 0.0, [0] * 9
     for _ in range(frames):
-        kind, number, value = int(dice.integers(8)), int(dice.integers(49)), float(dice.uniform())
+        kind, number, value = int(dice.integers(9)), int(dice.integers(49)), float(dice.uniform())
+        done[kind] += 1
         for one in filter(None, (view, serial)):
             change(one, kind, number, value)
+        if kind == 8:  # every rank by itself, and together again
+            reflection.SetController(None)
+            worst = max(worst, local_picture(view, serial))
+            reflection.SetController(ranks.controller)
         together = composed(ranks, view)
         if ranks.rank == 0:
             worst = max(worst, off(together, serial.picture()))
-    say(ranks, case="toggle", frames=frames, off=worst)
+    say(ranks, case="toggle", frames=frames, kinds=done, off=worst)
 
 
 def be_missing(ranks):
@@ -352,21 +452,24 @@ def main():
     if "--missing" in sys.argv:
         be_missing(ranks)
     folder = sys.argv[1] if len(sys.argv) > 1 else None
-    if ranks.count == 1:
+    if "--frames" in sys.argv:
+        toggle(ranks, int(sys.argv[2]))
+    elif ranks.count == 1:
         view = make_view(lambda number: True, "calm")
         view.water.GetReflectionPass().SetController(ranks.controller)
         say(ranks, case="alone", off=off(view.picture(), make_view(lambda number: True, "calm").picture()),
             pixels=view.water.GetReflectionPass().GetNumberOfPixelsJoined(), error=view.water.GetLastError())
     else:
-        for look in (None, *LOOKS):
-            for split in SPLITS if look in (None, "calm") else ("blocks", "interleaved"):
-                compare(ranks, split, look, folder)
+        for look in ("dry", *LOOKS):
+            serial = serial_picture(ranks, look)
+            for split in SPLITS if look in ("dry", "calm") else ("blocks", "interleaved"):
+                compare(ranks, split, look, folder, 0, serial)
         blend(ranks, folder)
         use_again(ranks)
         part_company(ranks)
-        toggle(ranks)
-    ranks.controller.Finalize(1)  # MPI itself is ended by who began it
-    ranks.mpi.MPI_Finalize()
+        toggle(ranks, 120)
+    ranks.end()
 
 
-main()
+if __name__ == "__main__":
+    main()
