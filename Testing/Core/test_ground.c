@@ -64,7 +64,7 @@ static water_ground ground_of(height_of height, height_of base, int points, bool
       }
     }
   }
-  water_ground_add_thing(&thing, &ground);
+  water_ground_add_thing(&thing, NULL, &ground);
   return ground;
 }
 
@@ -227,12 +227,12 @@ TEST(what_may_be_a_bed)
       add(&ground, x, y, things[i].top(x, y), &thing);
       add(&ground, x, y, things[i].base(x, y), &thing);
     }
-    assert_int_equal(water_ground_add_thing(&thing, &ground), things[i].is_bed);
+    assert_int_equal(water_ground_add_thing(&thing, NULL, &ground), things[i].is_bed);
     assert_int_equal(water_ground_is_under(&ground, 2.0), things[i].is_bed);
   }
   water_ground ground = begun();
   const water_footprint empty = nothing();
-  assert_true(water_ground_add_thing(&empty, &ground)); // a volume has bounds and no points
+  assert_true(water_ground_add_thing(&empty, NULL, &ground)); // a volume has bounds and no points
 }
 
 TEST(numbers_that_are_none_count_nothing)
@@ -247,7 +247,7 @@ TEST(numbers_that_are_none_count_nothing)
     add(&ground, x, y, (double)NAN, &thing);
     add(&ground, x, (double)NAN, 0.0, &thing);
   }
-  water_ground_add_thing(&thing, &ground);
+  water_ground_add_thing(&thing, NULL, &ground);
   assert_false(water_ground_is_under(&ground, 0.0));
 }
 
@@ -438,7 +438,7 @@ TEST(ground_is_dry_where_it_stands_out)
         add(&ground, x, y, heights[k](x, y), &thing);
       }
     }
-    water_ground_add_thing(&thing, &ground);
+    water_ground_add_thing(&thing, NULL, &ground);
     int wet_count = 0;
     for (int i = 0; i < 40000; ++i)
     {
@@ -466,7 +466,7 @@ TEST(ground_is_wet_where_nothing_is_known)
   water_ground ground = begun();
   water_footprint thing = nothing();
   add(&ground, 0.0, 0.0, 1.0, &thing);
-  water_ground_add_thing(&thing, &ground);
+  water_ground_add_thing(&thing, NULL, &ground);
   ASSERT_CLOSE(wet_area(&ground, 0.0), 8.0, 1e-9);
   for (int i = 0; i <= 200; ++i)
   {
@@ -475,7 +475,7 @@ TEST(ground_is_wet_where_nothing_is_known)
       add(&ground, 0.01 * i, -1.0 + 0.01 * j, 1.0, &thing); // the half of it
     }
   }
-  water_ground_add_thing(&thing, &ground);
+  water_ground_add_thing(&thing, NULL, &ground);
   ASSERT_CLOSE(wet_area(&ground, 0.0), 4.0 + 2.0 * 2.0 * 4.0 / WATER_GROUND_CELLS, 0.13);
 }
 

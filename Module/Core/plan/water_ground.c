@@ -28,6 +28,10 @@ water_status water_ground_begin(
   {
     ground->cell_low[i / WATER_GROUND_CELLS][i % WATER_GROUND_CELLS] = (double)INFINITY;
   }
+  for (int i = 0; i < WATER_RELIEF_CORNERS * WATER_RELIEF_CORNERS; ++i)
+  {
+    ground->corner_low[i / WATER_RELIEF_CORNERS][i % WATER_RELIEF_CORNERS] = (double)INFINITY;
+  }
   ground->block_from = (double)INFINITY;
   ground->bed_top = (double)INFINITY;
   water_plane unit;
@@ -116,6 +120,38 @@ void water_ground_see_point(
   }
 }
 
+// The same, in cells from the grid's border.
+static void to_cells(const water_ground* ground, const double point[3], double place[3])
+{
+  double at[3];
+  to_axes(ground, point, at);
+  const double* scene = ground->bounds;
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    const double wide_of = scene[2 * axis + 1] - scene[2 * axis];
+    place[axis] = WATER_GROUND_CELLS * (at[axis] - scene[2 * axis]) / wide_of;
+  }
+  place[2] = at[2];
+}
+
+void water_ground_see_face(const water_ground* ground, double corners[3][3], water_relief* relief)
+{
+  double places[3][3];
+  for (int i = 0; i < 3; ++i)
+  {
+    to_cells(ground, corners[i], places[i]);
+  }
+  water_relief_add_triangle(places, relief);
+}
+
+void water_ground_see_relief(
+  const water_ground* ground, const double point[3], water_relief* relief)
+{
+  double place[3];
+  to_cells(ground, point, place);
+  water_relief_add_point(place, relief);
+}
+
 // A cell counts for the places of the border that are near. spread: of the heights in it.
 static void add_to_border(int x, int y, double spread, bool is_block, water_ground* ground)
 {
@@ -167,7 +203,20 @@ static bool is_column(const water_footprint* footprint, const water_ground* grou
   return high[1] - low > tall * side && high[1] - high[0] < flat * (high[1] - low);
 }
 
-bool water_ground_add_thing(const water_footprint* footprint, water_ground* ground)
+// What a thing tells of the corners around a cell that it has.
+static void add_corners(int x, int y, const water_relief* relief, water_ground* ground)
+{
+  for (int i = 0; i < 4; ++i)
+  {
+    double* corner = &ground->corner_low[y + i / 2][x + i % 2];
+    const double height =
+      relief ? water_relief_at(relief, x + i % 2, y + i / 2) : -(double)INFINITY;
+    *corner = fmin(*corner, height);
+  }
+}
+
+bool water_ground_add_thing(
+  const water_footprint* footprint, const water_relief* relief, water_ground* ground)
 {
   const water_footprint_shape shape = water_footprint_shape_of(footprint);
   const bool is_block = shape == WATER_FOOTPRINT_BLOCK;
@@ -185,6 +234,7 @@ bool water_ground_add_thing(const water_footprint* footprint, water_ground* grou
         const double low = is_block ? high : footprint->low[y][x];
         ground->cell_low[y][x] = fmin(ground->cell_low[y][x], low);
         add_to_border(x, y, high - low, is_block, ground);
+        add_corners(x, y, is_block ? NULL : relief, ground);
       }
     }
   }
@@ -255,6 +305,10 @@ bool water_ground_is_under(const water_ground* ground, double level)
 // scene there is nothing.
 static double height_at_corner(const water_ground* ground, double level, int x, int y)
 {
+  if (isfinite(ground->corner_low[y][x]))
+  {
+    return ground->corner_low[y][x] - level;
+  }
   double lowest = (double)INFINITY;
   for (int i = y - 2; i < y + 2; ++i)
   {

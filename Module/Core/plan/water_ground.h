@@ -15,6 +15,7 @@
 #include "water_blocks.h"
 #include "water_footprint.h"
 #include "water_plane.h"
+#include "water_relief.h"
 
 #include <stdbool.h>
 
@@ -41,6 +42,8 @@ typedef struct water_ground
   double block_from;                   // the lowest level with water over a block; infinite: none
   double bed_top;                      // of the lowest thing that is nearly as wide; infinite: none
   double cell_low[WATER_GROUND_CELLS][WATER_GROUND_CELLS]; // [y][x], lowest point; infinite: none
+  // [y][x], of all surfaces, as of water_relief_at; infinite: none
+  double corner_low[WATER_RELIEF_CORNERS][WATER_RELIEF_CORNERS];
 } water_ground;
 
 // plane   of any scale; its offset does not count
@@ -59,12 +62,21 @@ void water_ground_add_bounds(const double bounds[6], water_ground* ground);
 void water_ground_see_point(
   const water_ground* ground, const double point[3], water_footprint* footprint);
 
+// Adds a face of a thing that is a surface, in world, to its relief; and, once it has all of its
+// faces, a point of it. Coordinates that are not finite are ignored.
+void water_ground_see_face(const water_ground* ground, double corners[3][3], water_relief* relief);
+void water_ground_see_relief(
+  const water_ground* ground, const double point[3], water_relief* relief);
+
 // Adds an object after all of its points were added. Objects that stand in the water do not count
 // as ground, nor do columns: high blocks with a flat top.
 //
+// relief  of a surface; NULL: not known
+//
 // Returns whether it may be a bed. What does not count is no bed: a cone or a column that is wholly
 // under water is in open water.
-bool water_ground_add_thing(const water_footprint* footprint, water_ground* ground);
+bool water_ground_add_thing(
+  const water_footprint* footprint, const water_relief* relief, water_ground* ground);
 
 // Number of samples along two sides of a triangle, in world, so that it leaves no cell out that it
 // covers.
@@ -75,9 +87,9 @@ bool water_ground_is_under(const water_ground* ground, double level);
 
 // What of a cell is not known to be over the water, at the level: up to two convex parts, whose
 // edges are those of the parts of the cells beside it. The edge against what is dry runs where a
-// height between corners of cells reaches the level; a corner is as high as the lowest point in the
-// two cells around it each way, for faces reach from cell to cell. Without a point in one of them
-// it is wet.
+// height between corners of cells reaches the level. A corner is as high as the reliefs of all
+// surfaces say. Where these are not known it is as high as the lowest point in the two cells around
+// it each way, for faces reach from cell to cell. Without a point in one of them it is wet.
 //
 // parts  corners in world, x, y, z of four each, counter-clockwise about the normal; two of them
 //        may be the same

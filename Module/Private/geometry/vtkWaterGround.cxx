@@ -3,6 +3,7 @@
 
 #include "vtkActor.h"
 #include "vtkAssemblyPath.h"
+#include "vtkCellType.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataSet.h"
@@ -54,6 +55,69 @@ void ForEachProp(const std::vector<vtkRenderer*>& scene, const std::function<voi
         what(prop);
       }
     }
+  }
+}
+
+using SeePoint = std::function<void(const double point[3])>;
+
+// Places on the faces of a data set, so many that one lies in each cell that a face covers.
+void ForEachSample(
+  const water_ground& ground, vtkDataSet* data, vtkMatrix4x4* matrix, const SeePoint& see)
+{
+  vtkNew<vtkGenericCell> cell;
+  vtkNew<vtkIdList> ids;
+  vtkNew<vtkPoints> corners; // of triangles: a polygon's own parameters reach beyond it
+  for (vtkIdType i = 0; i < data->GetNumberOfCells(); ++i)
+  {
+    data->GetCell(i, cell);
+    corners->Reset();
+    if (cell->GetCellDimension() == 2)
+    {
+      cell->Triangulate(0, ids, corners);
+    }
+    for (vtkIdType first = 0; first + 2 < corners->GetNumberOfPoints(); first += 3)
+    {
+      double corner[3][3];
+      for (int k = 0; k < 3; ++k)
+      {
+        corners->GetPoint(first + k, corner[k]);
+        ToWorld(corner[k], matrix);
+      }
+      const int across = water_ground_across(&ground, corner);
+      for (int j = 0; j < across * across; ++j)
+      {
+        const double u = (j % across + 0.5) / across;
+        const double v = (j / across + 0.5) / across;
+        double point[3];
+        for (int k = 0; k < 3 && u + v <= 1.0; ++k)
+        {
+          point[k] =
+            corner[0][k] + u * (corner[1][k] - corner[0][k]) + v * (corner[2][k] - corner[0][k]);
+        }
+        if (u + v <= 1.0)
+        {
+          see(point);
+        }
+      }
+    }
+  }
+}
+
+// The points of a data set and, of few cells, places on its faces: a beach may be one
+// quadrilateral.
+void ForEachPoint(
+  const water_ground& ground, vtkDataSet* data, vtkMatrix4x4* matrix, const SeePoint& see)
+{
+  for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
+  {
+    double point[3];
+    data->GetPoint(i, point);
+    ToWorld(point, matrix);
+    see(point);
+  }
+  if (data->GetNumberOfCells() <= kFewCells)
+  {
+    ForEachSample(ground, data, matrix, see);
   }
 }
 }
@@ -167,58 +231,53 @@ bool vtkWaterGround::AddData(vtkDataSet* data, vtkMatrix4x4* matrix)
 {
   water_footprint_begin(&this->Footprint);
   const vtkIdType count = data ? data->GetNumberOfPoints() : 0;
-  for (vtkIdType i = 0; i < count; ++i)
+  if (count > 0)
   {
-    double point[3];
-    data->GetPoint(i, point);
-    ToWorld(point, matrix);
-    water_ground_see_point(&this->Ground, point, &this->Footprint);
+    ForEachPoint(this->Ground, data, matrix, [this](const double point[3]) {
+      water_ground_see_point(&this->Ground, point, &this->Footprint);
+    });
   }
-  if (count > 0 && data->GetNumberOfCells() <= kFewCells)
+  const bool isSurface =
+    water_footprint_shape_of(&this->Footprint) == WATER_FOOTPRINT_SURFACE && count > 0;
+  if (isSurface)
   {
-    this->SeeFaces(data, matrix); // a beach may be one quadrilateral
+    this->SeeRelief(data, matrix);
   }
-  return water_ground_add_thing(&this->Footprint, &this->Ground);
+  return water_ground_add_thing(
+    &this->Footprint, isSurface ? &this->Relief : nullptr, &this->Ground);
 }
 
 //------------------------------------------------------------------------------
-void vtkWaterGround::SeeFaces(vtkDataSet* data, vtkMatrix4x4* matrix)
+void vtkWaterGround::SeeRelief(vtkDataSet* data, vtkMatrix4x4* matrix)
 {
-  vtkNew<vtkGenericCell> cell;
+  water_relief_begin(&this->Relief);
   vtkNew<vtkIdList> ids;
-  vtkNew<vtkPoints> corners; // of triangles: a polygon's own parameters reach beyond it
   for (vtkIdType i = 0; i < data->GetNumberOfCells(); ++i)
   {
-    data->GetCell(i, cell);
-    corners->Reset();
-    if (cell->GetCellDimension() == 2)
+    const int type = data->GetCellType(i);
+    if (type != VTK_TRIANGLE && type != VTK_QUAD && type != VTK_PIXEL)
     {
-      cell->Triangulate(0, ids, corners);
+      continue; // what has other faces is known by its points
     }
-    for (vtkIdType first = 0; first + 2 < corners->GetNumberOfPoints(); first += 3)
+    data->GetCellPoints(i, ids);
+    double corners[4][3];
+    for (int k = 0; k < ids->GetNumberOfIds() && k < 4; ++k)
     {
-      double corner[3][3];
-      for (int k = 0; k < 3; ++k)
-      {
-        corners->GetPoint(first + k, corner[k]);
-        ToWorld(corner[k], matrix);
-      }
-      const int across = water_ground_across(&this->Ground, corner);
-      for (int j = 0; j < across * across; ++j)
-      {
-        const double u = (j % across + 0.5) / across;
-        const double v = (j / across + 0.5) / across;
-        double point[3];
-        for (int k = 0; k < 3 && u + v <= 1.0; ++k)
-        {
-          point[k] =
-            corner[0][k] + u * (corner[1][k] - corner[0][k]) + v * (corner[2][k] - corner[0][k]);
-        }
-        if (u + v <= 1.0)
-        {
-          water_ground_see_point(&this->Ground, point, &this->Footprint);
-        }
-      }
+      const int at = type == VTK_PIXEL && k > 1 ? 5 - k : k; // around the cell
+      data->GetPoint(ids->GetId(k), corners[at]);
+      ToWorld(corners[at], matrix);
+    }
+    for (int first = 1; first + 1 < ids->GetNumberOfIds(); ++first) // a fan, as it is drawn
+    {
+      double face[3][3];
+      std::copy_n(corners[0], 3, face[0]);
+      std::copy_n(corners[first], 3, face[1]);
+      std::copy_n(corners[first + 1], 3, face[2]);
+      water_ground_see_face(&this->Ground, face, &this->Relief);
     }
   }
+  const auto see = [this](const double point[3]) {
+    water_ground_see_relief(&this->Ground, point, &this->Relief);
+  };
+  ForEachPoint(this->Ground, data, matrix, see);
 }

@@ -31,11 +31,12 @@ private:
   void Add(vtkProp* prop);
   void FindWet();
   bool AddData(vtkDataSet* data, vtkMatrix4x4* matrix); // returns whether it may be a bed
-  void SeeFaces(vtkDataSet* data, vtkMatrix4x4* matrix);
+  void SeeRelief(vtkDataSet* data, vtkMatrix4x4* matrix);
 
   std::vector<double> Key; // what the answer is of
   water_ground Ground = water_ground();
   water_footprint Footprint = water_footprint(); // of the thing that is looked at
+  water_relief Relief = water_relief();          // of the same
   double Level = 0.0;                            // height of the water along the normal
   std::vector<double> Wet;
 };

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// test_relief.c: the heights of a surface at the corners of cells: exact for a plane, and never
+// over the surface.
+#include "test_main.h"
+
+#include "water_ground.h"
+#include "water_relief.h"
+
+#include <math.h>
+
+static const double scene[6] = { -2.0, 2.0, -1.0, 1.0, -1.0, 1.0 };
+static const water_plane level = { { 0.0, 0.0, 1.0 }, 0.0 };
+
+typedef double (*height_of)(double x, double y);
+
+static double slope(double x, double y)
+{
+  return 0.3 * x - 0.2 * y + 0.013;
+}
+
+static double hills(double x, double y)
+{
+  return 0.3 * sin(3.0 * x) * cos(2.0 * y) - 0.05;
+}
+
+static double ridged(double x, double y)
+{
+  return 0.02 * fabs(fmod(12.0 * x + 7.0 * y + 40.0, 2.0) - 1.0) + 0.1 * x;
+}
+
+static const height_of lands[3] = { slope, hills, ridged };
+
+// Corner i of a grid of points over a part of the scene, from its lowest x and y.
+static void corner_of(int i, int points, double part, height_of height, double corner[3])
+{
+  corner[0] = -2.0 + part * 4.0 * (i % (points + 1)) / points;
+  corner[1] = -1.0 + 2.0 * (i / (points + 1)) / points;
+  corner[2] = height(corner[0], corner[1]);
+}
+
+static water_ground ground_of(height_of height, int points, double part)
+{
+  static water_relief relief;
+  static water_footprint thing;
+  water_ground ground;
+  assert_int_equal(water_ground_begin(&level, scene, &ground), WATER_OK);
+  water_footprint_begin(&thing);
+  water_relief_begin(&relief);
+  for (int i = 0; i < points * points; ++i)
+  {
+    const int first = i / points * (points + 1) + i % points;
+    const int at[6] = { first, first + 1, first + points + 2, first, first + points + 2,
+      first + points + 1 };
+    double face[6][3];
+    for (int k = 0; k < 6; ++k)
+    {
+      corner_of(at[k], points, part, height, face[k]);
+    }
+    water_ground_see_face(&ground, face, &relief);
+    water_ground_see_face(&ground, face + 3, &relief);
+  }
+  for (int i = 0; i < (points + 1) * (points + 1); ++i)
+  {
+    double point[3];
+    corner_of(i, points, part, height, point);
+    water_ground_see_point(&ground, point, &thing);
+    water_ground_see_relief(&ground, point, &relief);
+  }
+  assert_int_equal(water_footprint_shape_of(&thing), WATER_FOOTPRINT_SURFACE);
+  assert_true(water_ground_add_thing(&thing, &relief, &ground));
+  return ground;
+}
+
+static bool is_inside(const double part[12], double x, double y)
+{
+  for (int i = 0; i < 4; ++i)
+  {
+    const double* from = part + 3 * i;
+    const double* to = part + 3 * ((i + 1) % 4);
+    if ((to[0] - from[0]) * (y - from[1]) - (to[1] - from[1]) * (x - from[0]) < -1e-12)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+static bool is_wet(const water_ground* ground, double x, double y)
+{
+  const int column = (int)fmin((x + 2.0) / 4.0 * WATER_GROUND_CELLS, WATER_GROUND_CELLS - 1.0);
+  const int row = (int)fmin((y + 1.0) / 2.0 * WATER_GROUND_CELLS, WATER_GROUND_CELLS - 1.0);
+  double parts[24];
+  const int count = water_ground_wet(ground, 0.0, column, row, parts);
+  return (count > 0 && is_inside(parts, x, y)) || (count > 1 && is_inside(parts + 12, x, y));
+}
+
+// Of places on a grid: those under water without a sheet, and those over it by more than a height
+// with one.
+static void count_wrong(
+  const water_ground* ground, height_of height, int points, double most, int* missing, int* extra)
+{
+  *missing = 0;
+  *extra = 0;
+  for (int i = 0; i < (points + 1) * (points + 1); ++i)
+  {
+    double at[3];
+    corner_of(i, points, 1.0, height, at);
+    const bool has_sheet = is_wet(ground, at[0], at[1]);
+    *missing += at[2] < -1e-12 && !has_sheet ? 1 : 0;
+    *extra += at[2] > most && has_sheet ? 1 : 0;
+  }
+}
+
+// A slope is cut at its waterline; hills a tenth of a cell further. No water is lost.
+TEST(the_sheet_ends_at_the_waterline)
+{
+  const double rises[2] = { 1e-9, 0.005 }; // a cell of the hills rises by 0.06
+  for (int i = 0; i < 2; ++i)
+  {
+    int missing;
+    int extra;
+    const water_ground ground = ground_of(lands[i], 200, 1.0);
+    count_wrong(&ground, lands[i], 200, rises[i], &missing, &extra);
+    assert_int_equal(missing, 0);
+    assert_int_equal(extra, 0);
+  }
+}
+
+TEST(no_water_is_lost)
+{
+  const int points[4] = { 63, 64, 100, 333 };
+  for (int i = 0; i < 12; ++i)
+  {
+    int missing;
+    int extra;
+    const water_ground ground = ground_of(lands[i / 4], points[i % 4], 1.0);
+    count_wrong(&ground, lands[i / 4], points[i % 4], 1.0, &missing, &extra); // its own points
+    assert_int_equal(missing, 0);
+  }
+}
+
+// Where a surface ends within a cell nothing is known of the rest of it.
+TEST(beyond_a_rim_all_is_wet)
+{
+  const water_ground ground = ground_of(slope, 200, 0.51);
+  for (double y = -0.99; y < 1.0; y += 0.01)
+  {
+    assert_true(is_wet(&ground, 0.05, y));
+    assert_true(is_wet(&ground, 1.0, y));
+  }
+}
+
+TEST(walls_and_numbers_that_are_none_count_nothing)
+{
+  static water_relief relief;
+  water_relief_begin(&relief);
+  double wall[3][3] = { { 1.0, 1.0, 0.0 }, { 3.0, 3.0, 0.0 }, { 3.0, 3.0, 2.0 } };
+  double none[3][3] = { { 1.0, 1.0, 0.0 }, { 9.0, 1.0, (double)NAN }, { 1.0, 9.0, 2.0 } };
+  double endless[3][3] = { { 1.0, 1.0, 0.0 }, { (double)INFINITY, 1.0, 1.0 }, { 1.0, 9.0, 2.0 } };
+  water_relief_add_triangle(wall, &relief);
+  water_relief_add_triangle(none, &relief);
+  water_relief_add_triangle(endless, &relief);
+  for (int i = 0; i < WATER_RELIEF_CORNERS * WATER_RELIEF_CORNERS; ++i)
+  {
+    assert_true(
+      isinf(water_relief_at(&relief, i % WATER_RELIEF_CORNERS, i / WATER_RELIEF_CORNERS)));
+  }
+  // far out of the grid
+  double wide[3][3] = { { -1e9, -1e9, 0.5 }, { 1e9, -1e9, 0.5 }, { 0.0, 1e9, 0.5 } };
+  water_relief_add_triangle(wide, &relief);
+  const double points[3][3] = { { 0.5, 0.5, 0.25 }, { 1.5, 0.5, 0.5 }, { 0.5, 1.5, (double)NAN } };
+  for (int i = 0; i < 3; ++i)
+  {
+    water_relief_add_point(points[i], &relief);
+  }
+  ASSERT_CLOSE(water_relief_at(&relief, 0, 0), 0.25, 1e-6);
+  assert_true(isinf(water_relief_at(&relief, 1, 1))); // cells without a point are beside it
+}
+
+TESTS(the_sheet_ends_at_the_waterline, no_water_is_lost, beyond_a_rim_all_is_wet,
+  walls_and_numbers_that_are_none_count_nothing)
