@@ -497,9 +497,34 @@ TEST(little_is_known_of_few_cells)
   ASSERT_CLOSE(water_footprint_wet_from(&thing), 2.0, 1e-5);
 }
 
-TESTS(terrain_is_ground, solids_are_objects, a_block_of_land_is_ground_with_water_over_it,
-  round_things_are_not_ground, things_in_a_row_are_not, few_points_are_no_ground,
-  a_bed_under_the_water_is_ground, what_may_be_a_bed, numbers_that_are_none_count_nothing,
-  cells_cover_the_scene, triangles_are_seen_in_all_of_their_cells, bad_scenes_have_no_ground,
+static double tank(double x, double y)
+{
+  return fmax(fabs(0.5 * x), fabs(y)) < 0.95 ? -0.7 : 0.5;
+}
+
+TEST(beds_of_tanks_are_flat)
+{
+  const struct
+  {
+    height_of height;
+    double level;
+    bool is_flat;
+  } beds[] = { { tank, 0.0, true }, { tank, -0.5, true }, { tank, -0.8, false },
+    { deck, 1.0, true }, { hills, 0.0, false }, { island, 0.0, false }, { shore, 0.0, false },
+    { cone, 0.0, false }, { hills, 5.0, true } };
+  for (size_t i = 0; i < sizeof beds / sizeof beds[0]; ++i)
+  {
+    const water_ground ground = ground_of(beds[i].height, nowhere, 200, false);
+    assert_int_equal(water_ground_is_flat(&ground, beds[i].level), beds[i].is_flat);
+  }
+  const water_ground ground = begun();
+  assert_false(water_ground_is_flat(&ground, 0.0));
+}
+
+TESTS(beds_of_tanks_are_flat, terrain_is_ground, solids_are_objects,
+  a_block_of_land_is_ground_with_water_over_it, round_things_are_not_ground,
+  things_in_a_row_are_not, few_points_are_no_ground, a_bed_under_the_water_is_ground,
+  what_may_be_a_bed, numbers_that_are_none_count_nothing, cells_cover_the_scene,
+  triangles_are_seen_in_all_of_their_cells, bad_scenes_have_no_ground,
   ground_is_dry_where_it_stands_out, ground_is_wet_where_nothing_is_known,
   little_is_known_of_few_cells)

@@ -380,3 +380,29 @@ def test_no_grid_of_bars_hangs_under_coarse_land(points):
     view.picture()
     low, high = np.array(water.GetBounds())[:4].reshape(2, 2).T
     wt.check_at_most("width of the water, of the land's 10", float((high - low).max()), 7.5)
+
+
+@pytest.mark.parametrize("size", (1e-3, 1.0, 1e6))
+@pytest.mark.parametrize("lowest, share", ((0.0, (0.4, 1.0)), (0.2, (0.0, 0.15))))
+def test_the_floor_of_a_tank_is_seen(size, lowest, share):
+    """The bed of unknown unit that is flat is there to be seen; of another one, deep places are hidden."""
+    pictures = []
+    for grey in (0.1, 0.9):
+        x, y = np.meshgrid(*[np.linspace(-0.5, 0.5, 129)] * 2)
+        inside = np.maximum(np.abs(x), np.abs(y)) < 0.45
+        heights = np.where(inside, -0.2 + lowest * np.hypot(x, y), 0.05)
+        land = actor_of(surface_of(size * x, size * y, size * heights))
+        land.GetProperty().SetColor(grey, grey, grey)
+        land.GetProperty().LightingOff()
+        view = wt.View((120, 90), (0.6, 0.7, 0.8))
+        view.renderer.AddActor(land)
+        water = vtkWaterActor()
+        water.GetWaterProperty().RefractionOn()
+        water.GetWaterProperty().SetUnits("automatic")
+        water.SetSheetToAutomatic()
+        view.renderer.AddActor(water)
+        wt.place_camera(view.renderer, (0, -0.01 * size, 2 * size), (0, 0, 0), (0.5 * size, 4 * size))
+        pictures.append(view.picture()[45, 60] / 255)
+    through = float((pictures[1] - pictures[0])[1])
+    wt.check_at_least("a white floor against a black one, green", through, share[0])
+    wt.check_at_most("the same", through, share[1])

@@ -42,19 +42,21 @@ const char* water_units_name(size_t i);
 // natural_m  the least and the largest natural size, m, > 0
 double water_units_fit(double diagonal, const double natural_m[2]);
 
-// Attenuation in a scene of unknown unit: 1/16 to 16 times that of the medium, so that the deepest
+// Attenuation in a scene of unknown unit: 1/64 to 16 times that of the medium, so that the deepest
 // bed counts as naturally deep, or as twice as deep in a map. In a map, water hides its deep parts
 // and shows its shore; elsewhere, objects that reach into the water stay visible. A map is a scene
 // at least ten times as wide as deep. A scene five times as wide is not a map; between the two the
-// depth changes linearly.
+// depth changes linearly. A flat bed is that of a tank or a pool, which is there to be seen: it
+// counts as a sixth as deep, however wide the scene is.
 //
 // extinction     of the medium, per unit
 // bed_depth      of the deepest bed under the water, units; nothing changes unless it is > 0
 // diagonal       of the scene, units
 // natural_depth  units; 0: beds are as deep as they are
+// is_flat        the bed is flat
 // dimmed         extinction to use; may be extinction
 void water_units_dim(const double extinction[3], double bed_depth, double diagonal,
-  double natural_depth, double dimmed[3]);
+  double natural_depth, bool is_flat, double dimmed[3]);
 
 // Depth of foam at the shore, units, that a picture of the whole scene shows: at least 1/400 of its
 // diagonal.

@@ -11,7 +11,10 @@ static const double world_origin[3] = { 0.0, 0.0, 0.0 };
 static const int enough = 13;    // places that have a surface
 static const double tall = 0.5;  // of its shorter side: so high a block with a flat top is a column
 static const double flat = 0.05; // of its height: by so little a flat top differs
-static const int gap = 6;        // so many lines of cells may lie between the points of one surface
+static const double even = 0.1;  // of the depth: by so little a flat bed differs
+static const double mostly = 0.75; // share of a flat bed that does not differ
+static const int few = 16;         // cells tell nothing
+static const int gap = 6; // so many lines of cells may lie between the points of one surface
 
 _Static_assert(
   (int)WATER_BLOCKS_CELLS == (int)WATER_GROUND_CELLS, "blocks are of the cells of the ground");
@@ -299,6 +302,25 @@ bool water_ground_is_under(const water_ground* ground, double level)
     count += ground->spread[i] <= most || (has_block && ground->has_block[i]) ? 1 : 0;
   }
   return ground->bed_top <= level || (count >= enough && !has_gap_across(ground));
+}
+
+bool water_ground_is_flat(const water_ground* ground, double level)
+{
+  double deepest = 0.0;
+  for (int i = 0; i < WATER_GROUND_CELLS * WATER_GROUND_CELLS; ++i)
+  {
+    const double low = ground->cell_low[i / WATER_GROUND_CELLS][i % WATER_GROUND_CELLS];
+    deepest = fmax(deepest, level - low); // of infinity: no depth
+  }
+  int count = 0;
+  int deep_count = 0;
+  for (int i = 0; i < WATER_GROUND_CELLS * WATER_GROUND_CELLS; ++i)
+  {
+    const double depth = level - ground->cell_low[i / WATER_GROUND_CELLS][i % WATER_GROUND_CELLS];
+    count += depth > 0.0 ? 1 : 0;
+    deep_count += depth > 0.0 && depth >= (1.0 - even) * deepest ? 1 : 0;
+  }
+  return count >= few && deep_count >= mostly * count;
 }
 
 // How high the ground is known to be over a level at a corner of cells, at least; outside of the

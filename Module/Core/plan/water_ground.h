@@ -85,6 +85,10 @@ int water_ground_across(const water_ground* ground, double corners[3][3]);
 // level  height of the water along the normal, from the world's origin
 bool water_ground_is_under(const water_ground* ground, double level);
 
+// Is the bed that lies under water flat, as that of a tank or a pool is? Most of it then is as deep
+// as its deepest place.
+bool water_ground_is_flat(const water_ground* ground, double level);
+
 // What of a cell is not known to be over the water, at the level: up to two convex parts, whose
 // edges are those of the parts of the cells beside it. The edge against what is dry runs where a
 // height between corners of cells reaches the level. A corner is as high as the reliefs of all

@@ -29,6 +29,7 @@ struct vtkWaterLook
 {
   double MetresPerUnit = 1.0;
   double NaturalDepth = 0.0; // of the deepest bed; water_units_dim
+  bool HasFlatBed = false;   // of all of the scene
   double SceneDiagonal = 0.0;
   bool HidesWaves = false;          // they are too short for the scene
   water_look Optics = water_look(); // constant 0 only if nothing is reflected

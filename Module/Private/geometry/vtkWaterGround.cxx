@@ -149,6 +149,7 @@ bool vtkWaterGround::IsUnder(
   {
     this->Level = -unit.offset;
     this->FindWet();
+    this->IsFlat = water_ground_is_flat(&this->Ground, this->Level);
   }
   return water_ground_is_under(&this->Ground, this->Level);
 }

@@ -27,6 +27,9 @@ public:
   // IsUnder; empty: all of it is wet.
   const std::vector<double>& GetWet() const { return this->Wet; }
 
+  // Is the bed of a tank or a pool under the water? As of IsUnder.
+  bool GetIsFlat() const { return this->IsFlat; }
+
 private:
   void Add(vtkProp* prop);
   void FindWet();
@@ -39,6 +42,7 @@ private:
   water_relief Relief = water_relief();          // of the same
   double Level = 0.0;                            // height of the water along the normal
   std::vector<double> Wet;
+  bool IsFlat = false;
 };
 
 #endif
