@@ -197,8 +197,9 @@ void vtkWaterActor::Internals::Describe(vtkWaterLook& look)
   vtkWaterProperty* property = this->Self->WaterProperty;
   property->Describe(property->GetMetresPerUnit() == 0.0 ? this->GetSceneDiagonal() : 0.0, look);
   // a rank knows its own part of the bed alone
-  look.HasFlatBed = this->Self->SheetIsAutomatic && !this->Self->SheetToHorizon &&
-    !this->HasRankBounds && this->Ground.GetIsFlat();
+  look.HasGround =
+    this->Self->SheetIsAutomatic && !this->Self->SheetToHorizon && !this->HasRankBounds;
+  look.HasFlatBed = look.HasGround && this->Ground.GetIsFlat();
   this->ColorLook(&look);
 }
 

@@ -197,7 +197,7 @@ public:
    * scene is 4 to 8 m across, a larger one 20 to 40 m). Waves shorter than 1/400 of the scene are
    * then not shown, and GetWaveHeight agrees with what is shown. The heights of a map have their
    * own scale. Without a preset, light is therefore attenuated as if the deepest bed were 30 m
-   * deep, or 60 m if the scene is ten times as wide as deep. A flat bed counts as 5 m deep if the
+   * deep, or 120 m if the scene is ten times as wide as deep. A flat bed counts as 5 m deep if the
    * water's automatic sheet ends with its ground: it is that of a pool or a tank. Default is 1.
    */
   void SetMetresPerUnit(double metres);

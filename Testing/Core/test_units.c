@@ -107,14 +107,14 @@ TEST(scaled_waves_have_the_same_slopes)
   }
 }
 
-// The deepest bed counts as natural, or twice as deep in a map; one that there is not changes
+// The deepest bed counts as natural, or four times as deep in a map; one that there is not changes
 // nothing.
 TEST(beds_count_as_deep_as_is_natural)
 {
   const double extinction[3] = { 0.3, 0.1, 0.05 };
   const double depths[6] = { 10.0, 60.0, 90.0, 6000.0, 0.0, 1e-9 };
   const double diagonals[6] = { 1000.0, 300.0, 600.0, 1000.0, 1000.0, 1000.0 };
-  const double times[6] = { 6.0, 0.5, 0.5, 1.0 / 64.0, 1.0, 16.0 };
+  const double times[6] = { 12.0, 0.5, 2.5 / 3.0, 1.0 / 64.0, 1.0, 16.0 };
   const double flat_times[6] = { 0.5, 1.0 / 12.0, 1.0 / 18.0, 1.0 / 64.0, 1.0, 16.0 };
   for (int i = 0; i < 6; ++i)
   {

@@ -406,3 +406,27 @@ def test_the_floor_of_a_tank_is_seen(size, lowest, share):
     through = float((pictures[1] - pictures[0])[1])
     wt.check_at_least("a white floor against a black one, green", through, share[0])
     wt.check_at_most("the same", through, share[1])
+
+
+@pytest.mark.parametrize("samples", (0, 4))
+def test_ground_behind_its_own_rim_is_not_deep_water(samples):
+    """At a low angle the rim of a basin hides the bed that rays through the water behind it meet."""
+    x, y = np.meshgrid(*[np.linspace(-0.5, 0.5, 129)] * 2)
+    rim = np.clip((np.maximum(np.abs(x), np.abs(y)) - 0.4) / 0.1, 0, 1)
+    land = actor_of(surface_of(10 * x, 10 * y, 10 * (-0.1 + 0.08 * rim)))
+    land.GetProperty().SetColor(0.2, 0.9, 0.2)
+    view = wt.View((240, 180), (1, 1, 1), samples)
+    view.renderer.AddActor(land)
+    water = vtkWaterActor()
+    water.SetSheetToAutomatic()
+    look = water.GetWaterProperty()
+    look.RefractionOn()
+    look.SetAbsorption(0.01, 0.01, 0.01)
+    look.SetScattering(0.01, 0.01, 0.01)
+    look.SetDeepColor(1, 0, 1)
+    view.renderer.AddActor(water)
+    wt.place_camera(view.renderer, (7, -9, 1.4), (0, 0, 0), (1, 60))
+    picture = view.picture()
+    deep = int((picture[:, :, 0] - picture[:, :, 1] > 30).sum())
+    wt.check_at_least("pixels of the water's bed", int((picture[:, :, 1] - picture[:, :, 0] > 10).sum()), 2000)
+    wt.check_at_most("pixels of deep water", deep, 30)

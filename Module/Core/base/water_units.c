@@ -62,7 +62,7 @@ void water_units_dim(const double extinction[3], double bed_depth, double diagon
   if (bed_depth > 0.0 && natural_depth > 0.0)
   {
     const double flatness = fmin(fmax(2.0 - 10.0 * bed_depth / diagonal, 0.0), 1.0);
-    times = (is_flat ? in_a_tank : 1.0 + flatness) * natural_depth / bed_depth;
+    times = (is_flat ? in_a_tank : 1.0 + 3.0 * flatness) * natural_depth / bed_depth;
     times = fmin(fmax(times, least_dim), most_dim);
   }
   for (int i = 0; i < 3; ++i)

@@ -43,11 +43,11 @@ const char* water_units_name(size_t i);
 double water_units_fit(double diagonal, const double natural_m[2]);
 
 // Attenuation in a scene of unknown unit: 1/64 to 16 times that of the medium, so that the deepest
-// bed counts as naturally deep, or as twice as deep in a map. In a map, water hides its deep parts
-// and shows its shore; elsewhere, objects that reach into the water stay visible. A map is a scene
-// at least ten times as wide as deep. A scene five times as wide is not a map; between the two the
-// depth changes linearly. A flat bed is that of a tank or a pool, which is there to be seen: it
-// counts as a sixth as deep, however wide the scene is.
+// bed counts as naturally deep, or as four times as deep in a map. In a map, water hides its deep
+// parts and shows its shore; elsewhere, objects that reach into the water stay visible. A map is a
+// scene at least ten times as wide as deep. A scene five times as wide is not a map; between the
+// two the depth changes linearly. A flat bed is that of a tank or a pool, which is there to be
+// seen: it counts as a sixth as deep, however wide the scene is.
 //
 // extinction     of the medium, per unit
 // bed_depth      of the deepest bed under the water, units; nothing changes unless it is > 0

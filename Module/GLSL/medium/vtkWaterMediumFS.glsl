@@ -9,6 +9,7 @@ uniform sampler2D waterSceneDepth; // its window depth, 1: background; nearest
 uniform vec3 waterExtinction;      // absorption + scattering, per unit of the scene
 uniform int waterIsSubmerged;      // 1: the eye is in the water
 uniform int waterSceneIsMixed;     // 1: pixels of the picture are means of several samples
+uniform int waterHasGround;        // 1: there is ground under all of the water
 uniform float waterBedDepth;       // how far the scene reaches under the plane
 uniform vec4 waterSheet;           // from x, to x, from y, to y: where the water ends, from the point under the eye
 uniform vec4 waterHeightClip;      // point in clip space of the eye -> height over the plane, times w
@@ -374,6 +375,17 @@ WaterMediumMet waterMediumMeet(WaterPoint point, vec3 dir)
   bool isClose = waterSide > 0.0 && met.way > border - WATER_MEDIUM_EDGE * pixel;
   met.isAtBorder = met.isUnderBorder || (isClose && isFine);
   met.isNothing = met.isUnderBorder ? !isThere : met.view.isBelow;
+  // ground that is hidden by its own rim looks like what is seen straight through the surface
+  vec2 straight = 0.5 + 0.5 * point.ndc;
+  float depth = waterMediumDepth(straight);
+  float height = waterMediumHeight(straight, depth);
+  if (waterHasGround != 0 && (met.isNothing || met.depth >= 1.0) && depth < 1.0 && height < 0.0)
+  {
+    met.view = WaterMediumView(true, met.view.s, straight, straight, 0.0, false, false);
+    met.depth = depth;
+    met.way = height / dir.z;
+    met.isNothing = false;
+  }
   return met;
 }
 

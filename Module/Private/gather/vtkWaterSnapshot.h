@@ -29,7 +29,8 @@ struct vtkWaterLook
 {
   double MetresPerUnit = 1.0;
   double NaturalDepth = 0.0; // of the deepest bed; water_units_dim
-  bool HasFlatBed = false;   // of all of the scene
+  bool HasGround = false;    // under all of the water
+  bool HasFlatBed = false;   // that ground is
   double SceneDiagonal = 0.0;
   bool HidesWaves = false;          // they are too short for the scene
   water_look Optics = water_look(); // constant 0 only if nothing is reflected
