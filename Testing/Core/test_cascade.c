@@ -229,7 +229,8 @@ TEST(a_sea_of_one_wave_is_gerstners)
       *at[5] = -k * amplitude * sin(angle);
     }
   }
-  const water_cascades cascades = { 1, { { N, length, 0.0, 1, 0.0, 0.0 } } };
+  const water_cascades cascades = { 1, { { N, length, 0.0, 1, 0.0, 0.0 } },
+    { { { 0.0, 0.0 }, { 0.0, 0.0 } } } };
   const water_cascade_fields of = { fields[0], { fields[1], fields[2] }, { fields[3], fields[4] },
     { fields[5], fields[2], fields[2] } };
   const water_wave wave = { amplitude, length, 0.0, 0.0, 1.0 };
@@ -268,5 +269,89 @@ TEST(a_sea_of_one_wave_is_gerstners)
     water_waves_find_all(NULL, 0, &up, (double)NAN, 1.0, rest, &found), WATER_BAD_POINT);
 }
 
+// The places of the first tile stay; those of the others move without a seam, by their derivatives,
+// over areas that stay, and far enough that the longest wave of the second tile is elsewhere.
+TEST(places_of_short_tiles_are_warped)
+{
+  const water_sea sea = sea_of(10.0);
+  const water_cascades cascades = cascades_of(&sea, 256, 3);
+  const double longest = cascades.tiles[1].length / 5.0;
+  const double step = 1e-4;
+  double square = 0.0;
+  double area = 0.0;
+  double turned = 0.0;
+  int count = 0;
+  for (double x = -3e4; x < 3e4; x += 433.7)
+  {
+    for (double y = -3e4; y < 3e4; y += 517.3)
+    {
+      double turn[2][2];
+      double at[2][3][2]; // tiles 1 and 2; there, a step along x, a step along y
+      for (size_t i = 0; i < 2; ++i)
+      {
+        for (int j = 2; j >= 0; --j)
+        {
+          const double place[2] = { x + (j == 1 ? step : 0.0), y + (j == 2 ? step : 0.0) };
+          water_cascades_place(&cascades, i + 1, place, at[i][j], turn);
+        }
+        for (int k = 0; k < 2; ++k)
+        {
+          ASSERT_CLOSE((at[i][1][k] - at[i][0][k]) / step, (k == 0) + turn[k][0], 1e-5);
+          ASSERT_CLOSE((at[i][2][k] - at[i][0][k]) / step, (k == 1) + turn[k][1], 1e-5);
+        }
+      }
+      assert_true(at[0][0][0] == at[1][0][0] && at[0][0][1] == at[1][0][1]);
+      square += (at[0][0][0] - x) * (at[0][0][0] - x);
+      area += (1.0 + turn[0][0]) * (1.0 + turn[1][1]) - turn[0][1] * turn[1][0];
+      double slope[2] = { 0.6, 0.8 };
+      water_cascades_turned(turn, slope);
+      turned += slope[0] * slope[0] + slope[1] * slope[1];
+      ++count;
+      const double place[2] = { x, y };
+      water_cascades_place(&cascades, 0, place, at[0][0], turn);
+      assert_true(at[0][0][0] == x && at[0][0][1] == y && turn[0][0] == 0.0 && turn[1][0] == 0.0);
+    }
+  }
+  printf("places move by %.3f of the longest wave (rms), areas %.5f, slope variance %.5f\n",
+    sqrt(square / count) / longest, area / count, turned / count);
+  assert_true(sqrt(square / count) > 0.25 * longest);
+  ASSERT_CLOSE(area / count, 1.0, 2e-3);
+  ASSERT_CLOSE(turned / count, 1.0, 0.01);
+  const water_cascades one = cascades_of(&sea, 256, 1);
+  assert_true(one.warps[0].way[0] == 0.0 && one.warps[0].way[1] == 0.0);
+}
+
+// About any point, and in any unit, the numbers for a shader give the same places.
+TEST(warps_about_a_point_are_the_same)
+{
+  const water_sea sea = sea_of(10.0);
+  const water_cascades cascades = cascades_of(&sea, 256, 2);
+  const double origin[2] = { 4321.0, -98765.0 };
+  for (double metres = 1e-3; metres < 1e4; metres *= 1e3)
+  {
+    for (double x = -400.0; x < 400.0; x += 39.0)
+    {
+      double moved[2];
+      double turn[2][2];
+      const double place[2] = { metres * (origin[0] + x), metres * (origin[1] + 2.0 * x) };
+      water_cascades_warped(&cascades, place, moved, turn);
+      double sum[2] = { 0.0, 0.0 };
+      for (size_t i = 0; i < WATER_CASCADE_WARPS; ++i)
+      {
+        double of[4];
+        water_cascades_warp_under(&cascades, i, metres, origin, of);
+        const double cycles = of[0] * x + of[1] * 2.0 * x + of[2];
+        const double part = cycles - floor(cycles) - 0.5;
+        const double swing = 8.0 * part * (1.0 - 2.0 * fabs(part));
+        sum[0] -= swing * of[3] * of[1];
+        sum[1] += swing * of[3] * of[0];
+      }
+      ASSERT_CLOSE(sum[0] * metres, moved[0], 1e-7);
+      ASSERT_CLOSE(sum[1] * metres, moved[1], 1e-7);
+    }
+  }
+}
+
 TESTS(tiles_have_the_variance_of_the_spectrum, bands_follow_each_other, amplitudes_keep_to_the_band,
-  bad_cascades_are_refused, slopes_add_up, a_sea_of_one_wave_is_gerstners)
+  bad_cascades_are_refused, slopes_add_up, places_of_short_tiles_are_warped,
+  warps_about_a_point_are_the_same, a_sea_of_one_wave_is_gerstners)

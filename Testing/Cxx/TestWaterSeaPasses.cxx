@@ -32,7 +32,9 @@ const water_sea kSea = { WATER_SEA_JONSWAP, WATER_SPREAD_DONELAN_BANNER, 7.0, 0.
 
 water_cascades MakeTile(size_t size, double period)
 {
-  water_cascades made = { 1, { { size, 0.25 * static_cast<double>(size), period, 3, 0.0, 0.0 } } };
+  water_cascades made = water_cascades();
+  made.count = 1;
+  made.tiles[0] = { size, 0.25 * static_cast<double>(size), period, 3, 0.0, 0.0 };
   return made;
 }
 

@@ -6,11 +6,21 @@
 #include "water_phase.h"
 #include "water_random.h"
 
+#include <string.h>
+
 // A band ends where a wave has 8 / 3 points: bilinear between points it keeps most of its slope.
 static const double band_end = 0.75; // of the Nyquist wave number
 static const double longest = 5.0;   // the longest waves of a band, along its tile
 static const double natural_waves = 24.0;
 static const double reach_sigmas = 6.0;
+
+// Lengths of the warps in lengths of the second tile, and their directions, deg: of random sets of
+// four the one that leaves the least autocorrelation of the second tile's waves, that tile's length
+// aside or a multiple of it. The derivatives of the four together are 0.08 (rms): the variance of
+// slopes changes by 0.3 %.
+static const double warp_lengths[WATER_CASCADE_WARPS] = { 8.78, 5.63, 6.59, 8.78 };
+static const double warp_directions_deg[WATER_CASCADE_WARPS] = { 156.4, 202.7, 264.4, 289.6 };
+static const double warp_share = 0.0085; // of a warp's length, that it moves places by at most
 
 double water_cascades_natural_length(const water_sea* sea, size_t count)
 {
@@ -55,7 +65,71 @@ water_status water_cascades_make(
     tile->k_low = i > 0 ? made->tiles[i - 1].k_high : 0.0;
     tile->k_high = i < others ? band_end * nyquist_of(size, tile->length) : 0.0;
   }
+  memset(made->warps, 0, sizeof made->warps);
+  for (size_t i = 0; i < WATER_CASCADE_WARPS && others > 0; ++i)
+  {
+    const double length = warp_lengths[i] * made->tiles[1].length;
+    const double angle = warp_directions_deg[i] * water_two_pi / 360.0;
+    water_cascade_warp* warp = &made->warps[i];
+    warp->cycles[0] = cos(angle) / length;
+    warp->cycles[1] = sin(angle) / length;
+    warp->way[0] = -warp_share * length * sin(angle);
+    warp->way[1] = warp_share * length * cos(angle);
+  }
   return WATER_OK;
+}
+
+void water_cascades_warped(
+  const water_cascades* cascades, const double place[2], double moved[2], double turn[2][2])
+{
+  moved[0] = moved[1] = turn[0][0] = turn[0][1] = turn[1][0] = turn[1][1] = 0.0;
+  for (size_t i = 0; i < WATER_CASCADE_WARPS; ++i)
+  {
+    const water_cascade_warp* warp = &cascades->warps[i];
+    const double cycles = warp->cycles[0] * place[0] + warp->cycles[1] * place[1];
+    const double part = cycles - floor(cycles) - 0.5;
+    const double swing = 8.0 * part * (1.0 - 2.0 * fabs(part)); // from -1 to 1
+    const double change = 8.0 - 32.0 * fabs(part);
+    for (size_t j = 0; j < 2; ++j)
+    {
+      moved[j] += swing * warp->way[j];
+      turn[j][0] += change * warp->way[j] * warp->cycles[0];
+      turn[j][1] += change * warp->way[j] * warp->cycles[1];
+    }
+  }
+}
+
+void water_cascades_warp_under(const water_cascades* cascades, size_t warp, double metres_per_unit,
+  const double origin[2], double values[4])
+{
+  const water_cascade_warp* of = &cascades->warps[warp];
+  values[0] = metres_per_unit * of->cycles[0];
+  values[1] = metres_per_unit * of->cycles[1];
+  const double cycles = values[0] * origin[0] + values[1] * origin[1];
+  values[2] = cycles - floor(cycles);
+  const double square = values[0] * values[0] + values[1] * values[1];
+  const double way = (values[0] * of->way[1] - values[1] * of->way[0]) / metres_per_unit;
+  values[3] = square > 0.0 ? way / square : 0.0;
+}
+
+void water_cascades_place(const water_cascades* cascades, size_t tile, const double place[2],
+  double on_tile[2], double turn[2][2])
+{
+  double moved[2] = { 0.0, 0.0 };
+  turn[0][0] = turn[0][1] = turn[1][0] = turn[1][1] = 0.0;
+  if (tile > 0)
+  {
+    water_cascades_warped(cascades, place, moved, turn);
+  }
+  on_tile[0] = place[0] + moved[0];
+  on_tile[1] = place[1] + moved[1];
+}
+
+void water_cascades_turned(double turn[2][2], double slope[2])
+{
+  const double own[2] = { slope[0], slope[1] };
+  slope[0] += turn[0][0] * own[0] + turn[1][0] * own[1];
+  slope[1] += turn[0][1] * own[0] + turn[1][1] * own[1];
 }
 
 void water_cascades_slopes(const water_cascades* cascades, const water_sea* sea, double beyond[][2])
@@ -153,16 +227,23 @@ bool water_cascades_add(const void* surface, double x, double y, water_wave_sum*
   for (size_t i = 0; i < sea->cascades->count; ++i)
   {
     const water_cascade_fields* fields = &sea->fields[i];
+    const double place[2] = { x / sea->units_per_m, y / sea->units_per_m };
+    double on_tile[2];
+    double turn[2][2];
+    water_cascades_place(sea->cascades, i, place, on_tile, turn);
     weights at;
-    if (!weights_at(&sea->cascades->tiles[i], x / sea->units_per_m, y / sea->units_per_m, &at))
+    if (!weights_at(&sea->cascades->tiles[i], on_tile[0], on_tile[1], &at))
     {
       return false;
     }
+    double slope[2] = { value_at(&at, fields->slope[0]), value_at(&at, fields->slope[1]) };
+    water_cascades_turned(turn, slope);
     for (int j = 0; j < 2; ++j)
     {
       sum->moved[j] += sea->choppiness * sea->units_per_m * value_at(&at, fields->chop[j]);
-      sum->gradient[j] += value_at(&at, fields->slope[j]);
+      sum->gradient[j] += slope[j];
     }
+    // as on the tile: the warp would change these by a twelfth, and slopes by that of their own
     sum->moved[2] += sea->units_per_m * value_at(&at, fields->height);
     sum->stretch[0] += sea->choppiness * value_at(&at, fields->bend[0]);
     sum->stretch[1] += sea->choppiness * value_at(&at, fields->bend[2]);

@@ -5,6 +5,8 @@
 //
 // The bands follow each other without a gap: no wave is on two tiles, and variances add up. Each
 // tile has its own random numbers. x and y are in the plane's own axes, all in metres.
+// The tiles after the first are short against a picture: their places are warped, so that the same
+// waves do not come back in the same places from tile to tile.
 // Source: Bruneton, Neyret and Holzschuch 2010, "Real-time Realistic Ocean Lighting using Seamless
 // Transitions from Geometry to BRDF" (tiles of several lengths).
 #ifndef water_cascade_h
@@ -20,13 +22,23 @@ extern "C"
 
 enum
 {
-  WATER_CASCADES_MAX = 3
+  WATER_CASCADES_MAX = 3,
+  WATER_CASCADE_WARPS = 4
 };
+
+// A wave by which the places of tiles are warped: a row of parabolas, which nears a sine. It moves
+// them across its own direction, so that areas stay as they are.
+typedef struct water_cascade_warp
+{
+  double cycles[2]; // wave vector, cycles/m
+  double way[2];    // how far it moves a place at most, m
+} water_cascade_warp;
 
 typedef struct water_cascades
 {
   size_t count;
-  water_tile tiles[WATER_CASCADES_MAX]; // from the longest waves to the shortest
+  water_tile tiles[WATER_CASCADES_MAX];          // from the longest waves to the shortest
+  water_cascade_warp warps[WATER_CASCADE_WARPS]; // of the tiles after the first; 0 without one
 } water_cascades;
 
 // A length of the first tile that shows a sea well: water_tile_natural_length for one tile; 24
@@ -45,6 +57,30 @@ double water_cascades_natural_length(const water_sea* sea, size_t count);
 // Returns WATER_OK, WATER_BAD_CASCADES, or as water_tile_check; then made is unchanged.
 water_status water_cascades_make(
   const water_tile* first, const water_sea* sea, size_t count, water_cascades* made);
+
+// How far the places of the tiles after the first are moved at a place, and the derivatives of
+// that.
+//
+// moved  m
+// turn   d moved[i] / d x is turn[i][0], d / d y turn[i][1]
+void water_cascades_warped(
+  const water_cascades* cascades, const double place[2], double moved[2], double turn[2][2]);
+
+// A warp about a point: cycles per unit along x and y, cycles at the point, in [0, 1), and the
+// factor of the wave vector, turned by 90 degrees, to its way in units.
+//
+// metres_per_unit  of the scene
+// origin           the point, in units
+void water_cascades_warp_under(const water_cascades* cascades, size_t warp, double metres_per_unit,
+  const double origin[2], double values[4]);
+
+// Where on a tile (by its index) a place of the sea is, m, and the derivatives of its way there:
+// slopes of the sea are those of the tile and their changes by turn (water_cascades_turned).
+void water_cascades_place(const water_cascades* cascades, size_t tile, const double place[2],
+  double on_tile[2], double turn[2][2]);
+
+// The slope that the sea has where a tile has the given one.
+void water_cascades_turned(double turn[2][2], double slope[2]);
 
 // Slope variances along the wind and across it of the waves from a tile on, those that are too
 // short for all included, up to 370 rad/m: beyond[i] of tile i and all after it, beyond[count] of

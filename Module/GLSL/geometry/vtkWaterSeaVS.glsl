@@ -14,11 +14,13 @@ const float WATER_SEA_CELL = 1.0;
 vec3 waterSeaMoved(vec2 place, vec2 cell)
 {
   vec3 moved = vec3(0.0);
+  mat2 turn;
+  vec2 warp = waterSeaWarped(place, turn);
   for (int i = 0; i < waterSeaCount; ++i)
   {
     vec4 tile = waterSeaTiles[i];
     float texels = WATER_SEA_CELL * max(cell.x, cell.y) * tile.z / (2.0 * tile.w);
-    vec3 at = vec3(tile.xy + tile.z * place + tile.w, float(2 * waterSeaCount + i));
+    vec3 at = vec3(tile.xy + tile.z * (i > 0 ? place + warp : place) + tile.w, float(2 * waterSeaCount + i));
     moved += textureLod(waterSea, at, log2(max(texels, 1.0))).xyz; // the last level, their mean, is 0
   }
   return moved * waterSeaMove.xxy;

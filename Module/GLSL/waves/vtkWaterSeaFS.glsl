@@ -15,12 +15,14 @@ struct WaterSeaTile
   float layer;
   float part;  // of it that is seen
   vec2 hidden; // slope variance of what is not
+  float warp;  // 1: its places are warped
 };
 
 // Adds a tile's part.
 //
 // looks  as in waterTileMean
-void waterAddTile(WaterSeaTile tile, int looks, vec2 place, vec2 across, vec2 down,
+// warp   how far places are moved, and what that does to slopes
+void waterAddTile(WaterSeaTile tile, int looks, vec2 place, vec2 across, vec2 down, vec2 warp, mat2 turn,
   inout vec2 slope, inout vec4 variance, inout vec3 bent)
 {
   variance.xy += tile.hidden;
@@ -28,11 +30,12 @@ void waterAddTile(WaterSeaTile tile, int looks, vec2 place, vec2 across, vec2 do
   {
     return;
   }
-  vec3 middle = vec3(tile.place.xy + tile.place.z * place + tile.place.w, tile.layer);
+  vec3 middle = vec3(tile.place.xy + tile.place.z * (place + tile.warp * warp) + tile.place.w, tile.layer);
   vec2 wide = tile.place.z * across;
   vec2 high = tile.place.z * down;
   vec4 within = vec4(0.0);
-  slope += tile.part * waterTileSlope(waterSea, middle, wide, high, 2.0 * tile.place.w, looks, within);
+  vec2 own = waterTileSlope(waterSea, middle, wide, high, 2.0 * tile.place.w, looks, within);
+  slope += tile.part * (own + tile.warp * (turn * own));
   variance += tile.part * tile.part * within;
   bent += tile.part * waterSeaBend(waterSea, middle, wide, high, 2.0 * tile.place.w, looks);
 }
@@ -43,7 +46,7 @@ WaterSeaTile waterSeaTile(int last, int before)
   int i = last - before;
   // numbers known early: software renderers are slow with a place that is known late
   vec4 place = i == 2 ? waterSeaTiles[2] : i == 1 ? waterSeaTiles[1] : waterSeaTiles[0];
-  return WaterSeaTile(place, float(max(i, 0)), i < 0 ? 0.0 : 1.0, vec2(0.0));
+  return WaterSeaTile(place, float(max(i, 0)), i < 0 ? 0.0 : 1.0, vec2(0.0), i > 0 ? 1.0 : 0.0);
 }
 
 // As waterSlope of vtkWaterWavesFS.glsl.
@@ -66,8 +69,10 @@ vec2 waterSeaSlope(vec2 place, vec2 across, vec2 down, inout vec4 variance, inou
   tile.part = 1.0 - smoothstep(WATER_SEA_FADES * band.z, band.z, pixel);
   tile.hidden = beyond + (1.0 - tile.part * tile.part) * (band.xy - beyond);
   vec2 slope = vec2(0.0);
-  waterAddTile(tile, WATER_TILE_LOOKS, place, across, down, slope, variance, bent);
-  waterAddTile(waterSeaTile(last, 1), 1, place, across, down, slope, variance, bent);
-  waterAddTile(waterSeaTile(last, 2), 1, place, across, down, slope, variance, bent);
+  mat2 turn;
+  vec2 warp = waterSeaWarped(place, turn);
+  waterAddTile(tile, WATER_TILE_LOOKS, place, across, down, warp, turn, slope, variance, bent);
+  waterAddTile(waterSeaTile(last, 1), 1, place, across, down, warp, turn, slope, variance, bent);
+  waterAddTile(waterSeaTile(last, 2), 1, place, across, down, warp, turn, slope, variance, bent);
   return slope;
 }

@@ -37,7 +37,12 @@ double vtkWaterSea::GetHeight(double x, double y)
   for (size_t i = 0; i < this->Cascades.count; ++i)
   {
     double value = vtkMath::Nan();
-    water_tile_sample(&this->Cascades.tiles[i], this->Tiles[i].GetHeight(), x, y, &value);
+    const double place[2] = { x, y };
+    double onTile[2];
+    double turn[2][2];
+    water_cascades_place(&this->Cascades, i, place, onTile, turn);
+    water_tile_sample(
+      &this->Cascades.tiles[i], this->Tiles[i].GetHeight(), onTile[0], onTile[1], &value);
     sum += value;
   }
   return sum;
@@ -51,8 +56,15 @@ void vtkWaterSea::GetSlope(double x, double y, double slope[2])
   {
     double value[2] = { vtkMath::Nan(), vtkMath::Nan() };
     const water_tile* tile = &this->Cascades.tiles[i];
-    water_tile_sample(tile, this->Tiles[i].GetFirst(WATER_PAIR_SLOPES), x, y, &value[0]);
-    water_tile_sample(tile, this->Tiles[i].GetSecond(WATER_PAIR_SLOPES), x, y, &value[1]);
+    const double place[2] = { x, y };
+    double onTile[2];
+    double turn[2][2];
+    water_cascades_place(&this->Cascades, i, place, onTile, turn);
+    water_tile_sample(
+      tile, this->Tiles[i].GetFirst(WATER_PAIR_SLOPES), onTile[0], onTile[1], &value[0]);
+    water_tile_sample(
+      tile, this->Tiles[i].GetSecond(WATER_PAIR_SLOPES), onTile[0], onTile[1], &value[1]);
+    water_cascades_turned(turn, value);
     slope[0] += value[0];
     slope[1] += value[1];
   }

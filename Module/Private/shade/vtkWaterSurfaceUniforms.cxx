@@ -455,7 +455,13 @@ void vtkWaterSurfaceShader::SetSeaParameters(vtkShaderProgram* program)
       bands[i][2] = water_cascades_longest(&cascades, i) / look.MetresPerUnit;
     }
   }
+  double warps[WATER_CASCADE_WARPS][4];
+  for (size_t i = 0; i < WATER_CASCADE_WARPS; ++i)
+  {
+    water_cascades_warp_under(&cascades, i, look.MetresPerUnit, origin, warps[i]);
+  }
   uniforms::Set(program, "waterSeaCount", static_cast<int>(cascades.count));
+  uniforms::Set4s(program, "waterSeaWarps", WATER_CASCADE_WARPS, warps);
   uniforms::Set4s(program, "waterSeaTiles", WATER_CASCADES_MAX, tiles);
   uniforms::Set4s(program, "waterSeaBands", WATER_CASCADES_MAX + 1, bands);
   const bool isMoved = program->IsUniformUsed("waterAxesToClip"); // of the vertices
