@@ -249,11 +249,14 @@ void vtkWaterActor::Internals::ReadFlow(vtkWaterSnapshot& water)
   {
     longest = std::max(longest, 0.5 * layer.Map.size); // two waves a side
   }
-  if (look.Has.has_sea)
-  {
-    longest = std::max(longest, water_cascades_longest(&look.Cascades, 0) / look.MetresPerUnit);
-  }
   water.FlowLikeness = water_flow_likeness(longest);
+  for (size_t i = 0; look.Has.has_sea && i < look.Cascades.count; ++i)
+  {
+    double band[2]; // per m
+    water_cascades_band(&look.Cascades, &look.Sea, i, band);
+    water.FlowBands[i][0] = band[0] * look.MetresPerUnit;
+    water.FlowBands[i][1] = band[1] * look.MetresPerUnit;
+  }
   if ((water.Features & WATER_FEATURE_FLOW) != 0)
   {
     // where the current is slower further on it makes waves steeper

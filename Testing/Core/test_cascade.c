@@ -116,6 +116,16 @@ TEST(bands_follow_each_other)
       ASSERT_CLOSE(of->length / of[1].length, cascades.tiles[0].length / cascades.tiles[1].length,
         1e-9 * of->length / of[1].length);
     }
+    for (size_t tile = 0; tile < cascades.count; ++tile)
+    {
+      double band[2];
+      water_cascades_band(&cascades, &sea, tile, band);
+      const double first =
+        tile > 0 ? cascades.tiles[tile].k_low : 2.0 * pi / water_tile_peak_wavelength(&sea);
+      ASSERT_CLOSE(band[0], first, 1e-9 * first);
+      assert_true(band[1] > band[0]);
+      assert_true(band[1] == cascades.tiles[tile].k_high || tile + 1 == cascades.count);
+    }
     const water_tile* last = &cascades.tiles[cascades.count - 1];
     const double end = pi * 256.0 / last->length;
     assert_true(end < 370.0 * 1.000001 || cascades.count == 1);

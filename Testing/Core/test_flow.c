@@ -91,6 +91,28 @@ TEST(the_variance_is_kept)
   const double near = water_shared_flow_gain(0.5, 0.3, 0.3);
   ASSERT_CLOSE(near * near * 0.5 * (1.0 + exp(-1.0)), 1.0, 1e-12);
   ASSERT_CLOSE(water_flow_likeness(4.0), 0.5, 0.0);
+  assert_true(water_flow_likeness(0.0) > 1e20);
+}
+
+// A band of waves, too: one layer has all, two in one place are one, and far ones are independent;
+// between them the gain is that of waves whose wave numbers are spread evenly in their logarithm.
+TEST(the_variance_of_a_band_is_kept)
+{
+  ASSERT_CLOSE(water_shared_flow_band_gain(0.5, 0.0, 0.2, 4.0), 1.0, 0.0);
+  ASSERT_CLOSE(water_shared_flow_band_gain(1.0, 9.0, 0.2, 4.0), 1.0, 0.0);
+  ASSERT_CLOSE(water_shared_flow_band_gain(0.5, 9e4, 0.2, 4.0), sqrt(2.0), 1e-6);
+  for (double apart = 0.05; apart < 50.0; apart *= 2.0)
+  {
+    double likeness = 0.0;
+    const int steps = 4000;
+    for (int i = 0; i < steps; ++i)
+    {
+      const double far = apart / 1.1 * 0.2 * pow(4.0 / 0.2, (i + 0.5) / steps);
+      likeness += 1.0 / (1.0 + far * far) / steps;
+    }
+    const double gain = water_shared_flow_band_gain(0.3, apart, 0.2, 4.0);
+    ASSERT_CLOSE(gain * gain * (0.09 + 0.49 + 0.42 * likeness), 1.0, 1e-5);
+  }
 }
 
 // What solvers fill dry places with is no velocity.
@@ -106,4 +128,4 @@ TEST(velocities_that_no_water_has_count_as_0)
 }
 
 TESTS(velocities_that_no_water_has_count_as_0, layers_take_turns, any_time_is_in_a_period,
-  ways_are_in_the_scenes_unit, the_variance_is_kept)
+  ways_are_in_the_scenes_unit, the_variance_is_kept, the_variance_of_a_band_is_kept)

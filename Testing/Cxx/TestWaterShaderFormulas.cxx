@@ -286,6 +286,19 @@ std::vector<Formula> MakeScalars()
       return Outputs{ value, value, value, value };
     },
     OfUnit });
+  formulas.push_back({ "gain of layers of a band", vtkWaterFlowGain,
+    "vec4(waterFlowBandGain(testCase(0).x, testCase(0).y, testCase(0).z, testCase(1).x))", 5, 64.0,
+    [](Inputs& in) {
+      in[0] = Between(0.0, 1.0);
+      in[1] = generator() % 16 ? Magnitude(1e-3, 1e3) : 0.0;
+      in[2] = Magnitude(1e-2, 1e2);
+      in[4] = in[2] * Between(1.5, 100.0);
+    },
+    [](const Inputs& in) {
+      const double value = water_shared_flow_band_gain(in[0], in[1], in[2], in[4]);
+      return Outputs{ value, value, value, value };
+    },
+    OfUnit });
   formulas.push_back({ "height of the gradient", vtkWaterGradient,
     "vec4(waterGradientHeight(testCase(0).x, testCase(0).y))", 2, 8.0,
     [](Inputs& in) {

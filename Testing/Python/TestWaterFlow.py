@@ -174,6 +174,22 @@ def test_the_variance_of_the_slopes_does_not_pulse():
     wt.check_at_most("largest over smallest spread of the reflectance", max(spread) / min(spread), 1.15)
 
 
+@RENDERERS
+@pytest.mark.parametrize("speed", (0.5, 2.0))
+def test_a_wind_seas_ripples_do_not_pulse(speed, is_software, monkeypatch):
+    """Waves of all lengths: the short ones are unlike in the two layers, and the long ones alike. Over a period the
+    variance stays within 20 % of its mean, where it would be halved."""
+    monkeypatch.setenv("VTK_WATER_SOFTWARE", str(is_software))
+    scene = Scene(mesh_of(lambda x, y: (speed, 0.0)), waves="none")
+    scene.look.SeaOn()
+    scene.look.SetWindSpeed(7.0)
+    scene.look.SetMetresPerUnit(1.0)
+    variances = np.mean([[scene.at(PERIOD * (4 + turn + part / 8)).var() for part in range(8)] for turn in range(3)],
+                        axis=0)
+    wt.check_at_most(f"{speed} m/s: largest change of the variance, of its mean",
+                     float(np.abs(variances / variances.mean() - 1).max()), 0.2)
+
+
 def test_the_picture_depends_on_the_time_alone():
     scene = Scene(mesh_of(uniform))
     first = scene.at(1.7)

@@ -23,6 +23,7 @@ double water_shared_roll_off(double light);
 double water_shared_shore_foam(double depth, double turn);
 double water_shared_foam_threshold(double share);
 double water_shared_flow_gain(double weight, double apart, double likeness);
+double water_shared_flow_band_gain(double weight, double apart, double first, double last);
 double water_shared_gradient_height(double y, double w);
 double water_shared_gradient_share(int screen, double s, double t);
 // References of tests, too: the core has doubles.

@@ -44,5 +44,5 @@ void water_flow_ways(const water_axes* axes, const double mesh_to_world[16], dou
 
 double water_flow_likeness(double longest)
 {
-  return longest / 8.0;
+  return longest > 0.0 ? longest / 8.0 : 1e30;
 }

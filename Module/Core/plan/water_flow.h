@@ -50,7 +50,10 @@ void water_flow_ways(const water_axes* axes, const double mesh_to_world[16], dou
 // independent waves, nearer ones like one wave. An eighth of the longest wave was chosen, because
 // shorter waves, which contribute as much to the slopes, decorrelate sooner.
 //
-// longest  wave, >= 0
+// Waves of a wind sea are not among these: its tiles keep their variances by themselves
+// (waterFlowBandGain).
+//
+// longest  wave; 0: there is none, and nothing becomes unlike
 double water_flow_likeness(double longest);
 
 #ifdef __cplusplus

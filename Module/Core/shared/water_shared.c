@@ -19,6 +19,7 @@
 #define waterRollOff water_shared_roll_off
 #define waterShoreFoam water_shared_shore_foam
 #define waterFlowGain water_shared_flow_gain
+#define waterFlowBandGain water_shared_flow_band_gain
 #define waterFoamThreshold water_shared_foam_threshold
 #define waterGradientShare water_shared_gradient_share
 #define waterGradientHeight water_shared_gradient_height

@@ -170,6 +170,17 @@ double water_cascades_longest(const water_cascades* cascades, size_t tile)
   return of->k_low > 0.0 ? water_two_pi / of->k_low : of->length;
 }
 
+void water_cascades_band(
+  const water_cascades* cascades, const water_sea* sea, size_t tile, double band[2])
+{
+  const water_tile* of = &cascades->tiles[tile];
+  const double peak = water_tile_peak_wavelength(sea);
+  const double held = water_cascades_longest(cascades, tile);
+  band[1] = of->k_high > 0.0 ? of->k_high : nyquist_of((double)of->size, of->length);
+  band[0] = water_two_pi / (peak > 0.0 ? fmin(held, peak) : held);
+  band[0] = fmin(band[0], 0.5 * band[1]); // of a tile shorter than the peak's points
+}
+
 double water_cascades_height(const water_sea* sea)
 {
   double height = 0.0;

@@ -96,6 +96,11 @@ void water_cascades_turn(const water_sea* sea, const double along_wind[2], doubl
 // The longest waves that a tile holds of its band, m: as long as the tile for the first.
 double water_cascades_longest(const water_cascades* cascades, size_t tile);
 
+// The band of wave numbers in which a tile has slopes, rad/m: from the spectrum's peak, or where
+// the tile begins, to where it ends. Without a peak from the first of these that the tile has.
+void water_cascades_band(
+  const water_cascades* cascades, const water_sea* sea, size_t tile, double band[2]);
+
 // Variance of the height of all waves up to 370 rad/m, m^2; that of the chop's two parts together
 // is the same.
 double water_cascades_height(const water_sea* sea);

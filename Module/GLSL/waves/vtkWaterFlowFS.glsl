@@ -4,7 +4,10 @@
 in vec2 waterFlowVSOutput;      // way in a period, along the plane's axes
 uniform vec3 waterFlowLayers;   // shares of the period that the layers have gone; weight of the first
 uniform float waterFlowLikeness; // distance over which slopes become unlike
+uniform vec4 waterFlowBands[3];  // longest and shortest waves of a wind sea's tiles, rad/unit
 uniform float waterFootprint; // share of the pixel's sides that slopes are means over; 0: those of the pixel's middle
+
+const float WATER_FLOW_SEEN = 2.0; // rad/pixel, of the shortest waves that are seen
 
 vec2 waterAllSlopes(vec2 place, vec2 across, vec2 down, vec3 ray, inout vec4 variance, out float jacobian);
 
@@ -23,20 +26,34 @@ vec2 waterCarriedSlopes(
   return slope - vec2(dot(alongX, slope), dot(alongY, slope));
 }
 
+// Each tile of a wind sea keeps the variance of its own waves; over is the gain that all waves get besides.
+void waterFlowSeaGains(WaterPoint point, float weight, float apart, float over)
+{
+  float pixel = max(length(point.across), length(point.down));
+  for (int i = 0; i < 3; ++i)
+  {
+    vec2 band = waterFlowBands[i].xy;
+    float last = max(min(band.y, WATER_FLOW_SEEN / pixel), 1.01 * band.x);
+    waterSeaGains[i] = waterFlowBandGain(weight, apart, band.x, last) / over;
+  }
+}
+
 // As waterAllSlopes at the pixel's own place.
 vec2 waterFlowingSlopes(WaterPoint point, vec3 ray, inout vec4 variance, out float jacobian)
 {
   vec2 flowAcross = dFdx(waterFlowVSOutput);
   vec2 flowDown = dFdy(waterFlowVSOutput);
+  float weight = waterFlowLayers.z;
+  float apart = 0.5 * length(waterFlowVSOutput); // half a period
+  float gain = waterFlowGain(weight, apart, waterFlowLikeness);
+  waterFlowSeaGains(point, weight, apart, gain);
   vec4 otherVariance = variance;
   float otherJacobian;
   vec2 other =
     waterCarriedSlopes(point, waterFlowLayers.y, flowAcross, flowDown, ray, otherVariance, otherJacobian);
   vec2 slope = waterCarriedSlopes(point, waterFlowLayers.x, flowAcross, flowDown, ray, variance, jacobian);
-  float weight = waterFlowLayers.z;
-  float apart = 0.5 * length(waterFlowVSOutput); // half a period
   // in this form two layers of the same slopes give just these
   variance = otherVariance + weight * (variance - otherVariance);
   jacobian = otherJacobian + weight * (jacobian - otherJacobian);
-  return waterFlowGain(weight, apart, waterFlowLikeness) * (other + weight * (slope - other));
+  return gain * (other + weight * (slope - other));
 }

@@ -9,6 +9,8 @@ uniform vec4 waterSeaBands[4]; // slope variance of the waves from a tile on: xx
 
 const float WATER_SEA_FADES = 0.5; // a tile's waves are resolved while the longest are as long as a pixel, and fade from
 
+vec3 waterSeaGains = vec3(1.0); // of the tiles' waves, where a current carries them
+
 struct WaterSeaTile
 {
   vec4 place;  // of waterSeaTiles
@@ -16,6 +18,7 @@ struct WaterSeaTile
   float part;  // of it that is seen
   vec2 hidden; // slope variance of what is not
   float warp;  // 1: its places are warped
+  float gain;  // of waterSeaGains
 };
 
 // Adds a tile's part.
@@ -35,9 +38,9 @@ void waterAddTile(WaterSeaTile tile, int looks, vec2 place, vec2 across, vec2 do
   vec2 high = tile.place.z * down;
   vec4 within = vec4(0.0);
   vec2 own = waterTileSlope(waterSea, middle, wide, high, 2.0 * tile.place.w, looks, within);
-  slope += tile.part * (own + tile.warp * (turn * own));
+  slope += tile.gain * tile.part * (own + tile.warp * (turn * own));
   variance += tile.part * tile.part * within;
-  bent += tile.part * waterSeaBend(waterSea, middle, wide, high, 2.0 * tile.place.w, looks);
+  bent += tile.gain * tile.part * waterSeaBend(waterSea, middle, wide, high, 2.0 * tile.place.w, looks);
 }
 
 // The tile that many places before the last one that a pixel resolves; part 0: there is none.
@@ -46,7 +49,8 @@ WaterSeaTile waterSeaTile(int last, int before)
   int i = last - before;
   // numbers known early: software renderers are slow with a place that is known late
   vec4 place = i == 2 ? waterSeaTiles[2] : i == 1 ? waterSeaTiles[1] : waterSeaTiles[0];
-  return WaterSeaTile(place, float(max(i, 0)), i < 0 ? 0.0 : 1.0, vec2(0.0), i > 0 ? 1.0 : 0.0);
+  return WaterSeaTile(place, float(max(i, 0)), i < 0 ? 0.0 : 1.0, vec2(0.0), i > 0 ? 1.0 : 0.0,
+    waterSeaGains[max(i, 0)]);
 }
 
 // As waterSlope of vtkWaterWavesFS.glsl.

@@ -91,12 +91,14 @@ struct vtkWaterSnapshot
   vtkWaterMesh Mesh;                                      // that is drawn at rest
   double Time = 0.0;                                      // s
   vtkWaterLook Look;
-  water_feature_set Features = 0;             // WATER_FEATURE_*
-  std::vector<water_wave_term> Waves;         // at the time
-  vtkWaterHullTablePointer Hulls;             // what floats in it, at the time; nullptr: nothing
-  std::string FlowArrayName;                  // in use if WATER_FEATURE_FLOW is
-  double FlowPeriod = 0.0;                    // s
-  double FlowLikeness = 0.0;                  // of the waves that flow, water_flow.h
+  water_feature_set Features = 0;     // WATER_FEATURE_*
+  std::vector<water_wave_term> Waves; // at the time
+  vtkWaterHullTablePointer Hulls;     // what floats in it, at the time; nullptr: nothing
+  std::string FlowArrayName;          // in use if WATER_FEATURE_FLOW is
+  double FlowPeriod = 0.0;            // s
+  double FlowLikeness = 0.0;          // of the waves that flow, water_flow.h
+  double FlowBands[WATER_CASCADES_MAX][2] = { { 1.0, 2.0 }, { 1.0, 2.0 },
+    { 1.0, 2.0 } };                           // of a wind sea's tiles, rad/unit
   vtkWaterSea* Sea = nullptr;                 // the actor's; brought to the time by who needs it
   water_settings Settings = water_settings(); // of its own pass
 

@@ -118,6 +118,12 @@ void vtkWaterSurfaceShader::SetFlowParameters(
   uniforms::Set3(program, "waterFlowDown", down);
   uniforms::Set3(program, "waterFlowLayers", layers);
   uniforms::Set(program, "waterFlowLikeness", water.FlowLikeness);
+  double bands[WATER_CASCADES_MAX][4] = {};
+  for (size_t i = 0; i < WATER_CASCADES_MAX; ++i)
+  {
+    std::copy_n(water.FlowBands[i], 2, bands[i]);
+  }
+  uniforms::Set4s(program, "waterFlowBands", WATER_CASCADES_MAX, bands);
   vtkPolyDataMapper* drawn = vtkWaterMeshTraits::AsPolyDataMapper(mapper);
   this->Flow.Add(drawn ? drawn->GetInput() : nullptr, water.FlowArrayName, program, vertices);
 }
