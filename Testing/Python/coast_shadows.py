@@ -4,8 +4,11 @@
 Land is a height over (x, y), and posts and rocks stand in it. A place on the water is in shadow where a ray from it
 to the sun meets either: the height is compared along the ray in double precision, and posts and rocks are met by
 ray_caster's formulas.
+
+usage: coast_shadows.py [--coasts 50] [--limit 0.5]: the figures of that many coasts, by one command
 """
 
+import argparse
 import dataclasses
 import typing
 
@@ -177,3 +180,25 @@ def compared(coast):
     picture[is_seen & shaded] = (40, 60, 90)
     picture[dark], picture[lit] = (255, 40, 40), (255, 230, 40)
     return dark.sum() / count, lit.sum() / count, (is_seen & shaded).sum() / count, picture
+
+
+def main():
+    """Print the shares of wrong pixels of many coasts, those over the limit one by one."""
+    parser = argparse.ArgumentParser(description=main.__doc__)
+    parser.add_argument("--coasts", type=int, default=50, help="how many, of each kind (default 50)")
+    parser.add_argument("--limit", type=float, default=0.5, help="%% of the water's pixels (default 0.5)")
+    arguments = parser.parse_args()
+    for kind, has_things in (("land", False), ("land, posts and balls", True)):
+        wrong = []
+        for seed in range(arguments.coasts):
+            dark, lit, _, _ = compared(random_coast(seed, has_things))
+            wrong.append(100 * (dark + lit))
+            if wrong[-1] > arguments.limit:
+                print(f"{kind}, {seed}: {100 * dark:.2f} % wrongly dark, {100 * lit:.2f} % wrongly lit", flush=True)
+        over = sum(share > arguments.limit for share in wrong)
+        print(f"{kind}: {over} of {len(wrong)} over {arguments.limit} %; median {np.median(wrong):.3f} %, "
+              f"mean {np.mean(wrong):.3f} %, largest {max(wrong):.2f} %", flush=True)
+
+
+if __name__ == "__main__":
+    main()
