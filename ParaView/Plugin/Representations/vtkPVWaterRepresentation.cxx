@@ -2,6 +2,7 @@
 #include "vtkPVWaterRepresentation.h"
 
 #include "vtkAlgorithmOutput.h"
+#include "vtkDataObject.h"
 #include "vtkInformation.h"
 #include "vtkInformationRequestKey.h"
 #include "vtkInformationVector.h"
@@ -116,11 +117,17 @@ int vtkPVWaterRepresentation::FillInputPortInformation(int, vtkInformation* info
 int vtkPVWaterRepresentation::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  vtkPolyData* input = inputVector[0]->GetNumberOfInformationObjects() > 0
-    ? vtkPolyData::GetData(inputVector[0])
+  vtkDataObject* input = inputVector[0]->GetNumberOfInformationObjects() > 0
+    ? vtkDataObject::GetData(inputVector[0])
     : nullptr;
-  input ? this->Piece->ShallowCopy(input) : this->Piece->Initialize();
+  this->Keep(input, this->Piece);
   return this->Superclass::RequestData(request, inputVector, outputVector);
+}
+
+//------------------------------------------------------------------------------
+void vtkPVWaterRepresentation::Keep(vtkDataObject* input, vtkPolyData* piece)
+{
+  input ? piece->ShallowCopy(input) : piece->Initialize();
 }
 
 //------------------------------------------------------------------------------
@@ -161,10 +168,13 @@ int vtkPVWaterRepresentation::ProcessViewRequest(
     // nothing
     outInfo->Set(vtkPVRenderView::RENDER_EMPTY_IMAGES(), 1);
   }
+  else if (request == vtkPVView::REQUEST_UPDATE_LOD())
+  {
+    this->OfferCoarse(inInfo);
+  }
   else if (request == vtkPVView::REQUEST_RENDER() && view)
   {
-    this->Take(inInfo);
-    this->PrepareRender(view);
+    this->PrepareRender(view, inInfo);
   }
   return 1;
 }
@@ -182,7 +192,7 @@ void vtkPVWaterRepresentation::Offer(vtkInformation* inInfo)
 }
 
 //------------------------------------------------------------------------------
-void vtkPVWaterRepresentation::Take(vtkInformation* inInfo)
+void vtkPVWaterRepresentation::Take(vtkInformation* inInfo, vtkMultiProcessController*)
 {
   vtkAlgorithmOutput* port = vtkPVRenderView::GetPieceProducer(inInfo, this);
   vtkAlgorithm* producer = port ? port->GetProducer() : nullptr;
@@ -194,7 +204,7 @@ void vtkPVWaterRepresentation::Take(vtkInformation* inInfo)
 }
 
 //------------------------------------------------------------------------------
-void vtkPVWaterRepresentation::PrepareRender(vtkPVRenderView* view)
+void vtkPVWaterRepresentation::PrepareRender(vtkPVRenderView* view, vtkInformation* inInfo)
 {
   if (this->IsLookNew)
   {
@@ -207,12 +217,17 @@ void vtkPVWaterRepresentation::PrepareRender(vtkPVRenderView* view)
     !this->Session || this->Session->HasProcessRole(vtkPVSession::RENDER_SERVER);
   // a client that gets the servers' picture has nothing to reflect
   this->Actor->SetVisibility(this->GetVisibility() && (isServer || !isDistributed));
-  vtkWaterReflectionPass* pass = this->Actor->GetReflectionPass();
   // whether ranks compose one picture changes from frame to frame: no other frame may exchange
-  pass->SetController(
-    isDistributed && isServer ? vtkMultiProcessController::GetGlobalController() : nullptr);
+  vtkMultiProcessController* ranks =
+    isDistributed && isServer ? vtkMultiProcessController::GetGlobalController() : nullptr;
+  if (isServer || !isDistributed)
+  {
+    this->Take(inInfo, ranks);
+  }
+  vtkWaterReflectionPass* pass = this->Actor->GetReflectionPass();
+  pass->SetController(ranks);
   // IceT's pass blanks it while it draws
-  pass->KeepBackground(isDistributed && isServer ? view->GetRenderer() : nullptr);
+  pass->KeepBackground(ranks ? view->GetRenderer() : nullptr);
   // the view's passes are unknown to the water, which would keep half floats for them
   pass->SetColorPrecision(view->GetUseToneMapping() ? vtkWaterReflectionPass::HALF_FLOAT
                                                     : vtkWaterReflectionPass::EIGHT_BIT);
@@ -246,15 +261,9 @@ void vtkPVWaterRepresentation::ApplyWaves(vtkWaterProperty* look)
 }
 
 //------------------------------------------------------------------------------
-void vtkPVWaterRepresentation::ApplyLook()
+void vtkPVWaterRepresentation::ApplyOptics(vtkWaterProperty* look)
 {
   const Look& settings = this->Settings;
-  vtkNew<vtkWaterProperty> look;
-  if (settings.Preset != "none")
-  {
-    look->SetPreset(settings.Preset.c_str());
-  }
-  this->ApplyWaves(look);
   if (settings.Refraction != OF_PRESET)
   {
     look->SetRefraction(settings.Refraction == ON);
@@ -269,13 +278,30 @@ void vtkPVWaterRepresentation::ApplyLook()
   }
   look->SetOpacity(settings.Opacity);
   look->SetCaustics(settings.Caustics);
+  look->SetLightShafts(settings.LightShafts);
+  look->SetDomePortRadius(settings.DomePortRadius);
+  look->SetShoreSoftness(settings.ShoreSoftness);
   look->SetFoamDepth(settings.FoamDepth);
   look->SetFoamStretch(settings.FoamStretch);
   look->SetFoamColor(settings.FoamColor);
   look->SetGlitter(settings.Glitter);
   look->SetShadows(settings.Shadows);
+}
+
+//------------------------------------------------------------------------------
+void vtkPVWaterRepresentation::ApplyLook()
+{
+  const Look& settings = this->Settings;
+  vtkNew<vtkWaterProperty> look;
+  if (settings.Preset != "none")
+  {
+    look->SetPreset(settings.Preset.c_str());
+  }
+  this->ApplyWaves(look);
+  this->ApplyOptics(look);
   look->SetMetresPerUnit(settings.MetresPerUnit);
   look->SetRayTraceQuality(settings.Quality.c_str());
+  this->ApplyMore(look);
   this->Actor->SetWaterProperty(look);
   this->Actor->SetSceneReflection(settings.SceneReflection);
   this->Actor->GetReflectionPass()->SetTextureScale(settings.TextureScale);

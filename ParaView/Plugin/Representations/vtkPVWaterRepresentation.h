@@ -3,16 +3,16 @@
  * @class   vtkPVWaterRepresentation
  * @brief   shows water in a render view of ParaView
  *
- * Owns a vtkWaterActor and adds it to the view's renderer. Without other data, the input is that of
- * vtkPVWaterSheetSource, which says where the sheet lies. The waves' time is the view's time. With
- * several ranks that render one picture, the ranks' waters are joined
+ * Owns a vtkWaterActor and adds it to the view's renderer. The input is that of
+ * vtkPVWaterSheetSource, which says where the sheet lies; a subclass shows other data. The waves'
+ * time is the view's time. With several ranks that render one picture, the ranks' waters are joined
  * (vtkWaterReflectionPass::SetController).
  *
  * The setters keep what they are given. Before the next frame all of it is applied to a new
  * vtkWaterProperty in one order: the preset, then what replaces parts of it. The order of the calls
  * does not matter. vtkWaterProperty reports values out of range, once per change.
  *
- * @sa vtkWaterActor vtkWaterProperty
+ * @sa vtkWaterActor vtkWaterProperty vtkPVWaterSurfaceRepresentation
  */
 #ifndef vtkPVWaterRepresentation_h
 #define vtkPVWaterRepresentation_h
@@ -25,6 +25,8 @@
 #include <string> // for members
 #include <vector> // for members
 
+class vtkDataObject;
+class vtkMultiProcessController;
 class vtkPVRenderView;
 class vtkPVSession;
 class vtkPolyData;
@@ -87,6 +89,9 @@ public:
   void SetDeepColor(double red, double green, double blue);
   void SetOpacity(double opacity) { this->Set(this->Settings.Opacity, opacity); }
   void SetCaustics(double strength) { this->Set(this->Settings.Caustics, strength); }
+  void SetLightShafts(double share) { this->Set(this->Settings.LightShafts, share); }
+  void SetDomePortRadius(double metres) { this->Set(this->Settings.DomePortRadius, metres); }
+  void SetShoreSoftness(double metres) { this->Set(this->Settings.ShoreSoftness, metres); }
   void SetFoamDepth(double metres) { this->Set(this->Settings.FoamDepth, metres); }
   void SetFoamStretch(double stretch) { this->Set(this->Settings.FoamStretch, stretch); }
   void SetFoamColor(double red, double green, double blue);
@@ -141,10 +146,27 @@ protected:
   bool AddToView(vtkView* view) override;
   bool RemoveFromView(vtkView* view) override;
 
+  // Keeps the input, or nullptr, as the piece of this rank.
+  virtual void Keep(vtkDataObject* input, vtkPolyData* piece);
   // Hands what the representation shows over to the view, which delivers it where it is rendered.
   virtual void Offer(vtkInformation* inInfo);
-  // Puts what was delivered into the actor.
-  virtual void Take(vtkInformation* inInfo);
+  // The same for frames of lower detail.
+  virtual void OfferCoarse(vtkInformation*) {}
+  // Puts what was delivered into the actor. ranks: those that render this frame together, or
+  // nullptr.
+  virtual void Take(vtkInformation* inInfo, vtkMultiProcessController* ranks);
+  // Applies what a subclass has of a look.
+  virtual void ApplyMore(vtkWaterProperty*) {}
+  void ChangeLook();
+  template <typename T, typename V>
+  void Set(T& setting, const V& value)
+  {
+    if (setting != value)
+    {
+      setting = value;
+      this->ChangeLook();
+    }
+  }
 
   vtkWaterActor* GetActor() const { return this->Actor; }
   vtkPolyData* GetPiece() const { return this->Piece; }
@@ -170,6 +192,9 @@ private:
     double DeepColor[3] = { 0.02, 0.08, 0.12 };
     double Opacity = 1.0;
     double Caustics = 0.0;
+    double LightShafts = 0.0;
+    double DomePortRadius = 0.0;
+    double ShoreSoftness = 0.05;
     double FoamDepth = 0.0;
     double FoamStretch = 0.0;
     double FoamColor[3] = { 0.95, 0.97, 1.0 };
@@ -183,19 +208,10 @@ private:
     double TimeShift = 0.0;
   };
 
-  template <typename T, typename V>
-  void Set(T& setting, const V& value)
-  {
-    if (setting != value)
-    {
-      setting = value;
-      this->ChangeLook();
-    }
-  }
-  void ChangeLook();
   void ApplyLook();
   void ApplyWaves(vtkWaterProperty* look);
-  void PrepareRender(vtkPVRenderView* view);
+  void ApplyOptics(vtkWaterProperty* look);
+  void PrepareRender(vtkPVRenderView* view, vtkInformation* inInfo);
 
   vtkWeakPointer<vtkPVSession> Session; // the one that this object was made for
   vtkNew<vtkWaterActor> Actor;
