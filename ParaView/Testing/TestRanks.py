@@ -1,74 +1,64 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Several ranks show the water of one rank, as nearly as ParaView shows the same scene without water."""
+"""Several ranks show the water of one rank, as nearly as ParaView shows the same scene without water.
+
+Its argument chooses the scene of ranks_program.py.
+"""
 import os
-import re
-import subprocess
 import sys
 import unittest
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import water_scene  # noqa: E402
+import ranks  # noqa: E402
 
-HERE = os.path.dirname(os.path.abspath(__file__))
-PROGRAM = os.path.join(HERE, "ranks_program.py")
-MPIRUN = [os.environ["WATER_MPIRUN"], "--oversubscribe", "--bind-to", "none"]
-LIMIT = 240  # seconds, for a hang
-# without what says that this process is a rank already: pvpython is one of MPI's programs, too
-ENVIRONMENT = {name: value for name, value in os.environ.items()
-               if not name.startswith(("OMPI_", "PMIX_")) or name.startswith("OMPI_ALLOW_RUN_AS_ROOT")}
-
-
-def run(command):
-    done = subprocess.run(command, text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=LIMIT,
-                          check=False, env=ENVIRONMENT)
-    if done.returncode != 0 or "the end" not in done.stdout:
-        raise AssertionError("%s\n%s" % (" ".join(command), done.stdout[-4000:]))
-    return done.stdout
-
-
-def batch(ranks, name, *arguments):
-    """Pictures and counts of pvbatch on so many ranks."""
-    command = [os.environ["WATER_PVBATCH"], "--force-offscreen-rendering", PROGRAM, name, *arguments]
-    return run(command if ranks == 1 else MPIRUN + ["-np", str(ranks)] + command)
-
-
-def pixels(one, other):
-    return water_scene.differing(water_scene.read(water_scene.path(one + ".png")),
-                                 water_scene.read(water_scene.path(other + ".png")))
-
-
-def counts(said, name):
-    """The numbers that a line of the program's output gives."""
-    return [int(number) for number in re.search(name + r":([ \d]+)", said).group(1).split()]
+SCENE = sys.argv.pop() if sys.argv[-1] in ("calm", "sea", "basin") else "calm"
 
 
 class TestRanks(unittest.TestCase):
+    """Pictures of one rank, and of several without water, are made once."""
+
     @classmethod
     def setUpClass(cls):
-        batch(1, "dry-1", "--dry")
-        batch(1, "calm-1", "--look", "calm")
+        if SCENE == "basin":
+            import data_scene
+            data_scene.make_steps()
+        ranks.batch(1, SCENE + "-dry-1", "--dry", "--look", SCENE)
+        ranks.batch(1, SCENE + "-1", "--look", SCENE)
+        cls.floors = {1: SCENE + "-dry-1"}
+        for count in (2, 4):
+            cls.floors[count] = "%s-dry-%d" % (SCENE, count)
+            ranks.batch(count, cls.floors[count], "--dry", "--look", SCENE)
 
-    def check_picture(self, name, floor):
+    def check_picture(self, name, count, end="", serial=""):
         """No more pixels are off with water than 1.1 times those that are without it."""
-        for end in ("", "-animation"):
-            dry = pixels("dry-1" + end, floor + end)
-            wet = pixels("calm-1" + end, name + end)
-            print("%s%s: %d pixels are off, %d without water" % (name, end, wet, dry))
-            self.assertLessEqual(wet, 1.1 * dry)
+        dry = ranks.pixels(SCENE + "-dry-1" + serial, self.floors[count] + serial)
+        wet = ranks.pixels(SCENE + "-1" + serial, name + end)
+        print("%s%s: %d pixels are off, %d without water" % (name, end, wet, dry))
+        self.assertLessEqual(wet, 1.1 * dry)
 
     def check_counts(self, said):
-        static = counts(said, "pixels joined in still frames")
+        static = ranks.counts(said, "pixels joined in still frames")
         self.assertEqual(set(static), {0}, said)
-        self.assertGreater(counts(said, "pixels joined when moved")[0], 1000)
+        self.assertGreater(ranks.counts(said, "pixels joined when moved")[0], 1000)
 
     def test_pvbatch(self):
-        for ranks in (2, 4):
-            floor = "dry-%d" % ranks
-            batch(ranks, floor, "--dry")
-            name = "calm-%d" % ranks
-            said = batch(ranks, name, "--look", "calm")
-            self.check_picture(name, floor)
+        for count in (2, 4):
+            name = "%s-%d" % (SCENE, count)
+            said = ranks.batch(count, name, "--look", SCENE)
+            self.check_picture(name, count)
+            self.check_picture(name, count, "-animation", "-animation")
             self.check_counts(said)
+
+    def test_pvserver(self):
+        """It renders, then the client does, then the server again, and all frames of an animation."""
+        for count in (1, 2, 4):
+            name = "%s-server-%d" % (SCENE, count)
+            _, said = ranks.server(count, [ranks.PROGRAM, name, "--look", SCENE, "--server"])
+            self.assertNotIn("ERROR", said)
+            self.check_picture(name, count)
+            self.check_picture(name, count, "-local")
+            self.check_picture(name, count, "-remote-again")
+            self.check_picture(name, count, "-animation", "-animation")
 
 
 water_scene.main()

@@ -91,6 +91,7 @@ class TestReflection(unittest.TestCase):
             ("Waves", "Wind Sea"), ("WindSpeed", 9.0), ("WindDirection", 70.0), ("Fetch", 500.0), ("SeaSeed", 7),
             ("Waves", "Sines"), ("SineWaves", [0.02, 1.5, 30.0, 0.01, 0.8, 80.0]), ("DisplaceSurface", 1),
             ("Waves", "Calm"), ("UseDeepColor", 1), ("DeepColor", [0.5, 0.1, 0.1]), ("Refraction", "Off"),
+            ("Refraction", "On"), ("UseDeepColor", 0), ("ShoreSoftness", 0.6), ("Refraction", "Off"),
             ("Opacity", 0.5), ("ReflectScene", 0), ("MetresPerUnit", 1.0))
         for number, (name, value) in enumerate(changes):
             setattr(shown, name, value)
@@ -98,6 +99,39 @@ class TestReflection(unittest.TestCase):
             same = name in ("MetresPerUnit",)
             self.assertEqual(water_scene.differing(last, now) == 0, same, (name, value))
             last = now
+
+    def test_a_view_from_below_has_light_shafts(self):
+        view = water_scene.make_view()
+        view.CameraPosition = [0.0, -3.0, -1.5]
+        view.CameraFocalPoint = [0.0, 0.0, -1.2]
+        water_scene.add_sphere(view, -1.2, (0.8, 0.8, 0.8))
+        view.UseLight = 0
+        pv.AddLight(view=view).Position = [1.0, 1.0, 5.0]
+        shown = water_scene.add_water(view, Preset="clear tropical", Waves="Sines",
+                                      SineWaves=[0.03, 0.9, 30.0, 0.02, 0.6, 100.0])
+        without = water_scene.picture(view, "shafts-0")
+        shown.LightShafts = 1.0
+        self.assertGreater(water_scene.differing(without, water_scene.picture(view, "shafts-1"), 2), 2000)
+        self.assertEqual(water_scene.of(shown, "LastError"), "")
+        shown.LightShafts = 0.0
+        self.assertEqual(water_scene.differing(without, water_scene.picture(view, "shafts-2"), 0), 0)
+
+    def test_a_dome_port_is_half_under_water(self):
+        view = water_scene.make_view()
+        view.CameraPosition = [0.0, -3.0, 0.02]
+        view.CameraFocalPoint = [0.0, 0.0, 0.0]
+        water_scene.add_sphere(view)
+        water_scene.add_sphere(view, -0.6, (1.0, 1.0, 0.0))
+        water = pv.Water(Extent="Horizon")
+        shown = pv.Show(water, view)
+        shown.Preset = "clear tropical"
+        shown.Waves = "Calm"
+        above = water_scene.picture(view, "port-0")
+        shown.DomePort = 0.1
+        half = water_scene.picture(view, "port-1")
+        self.assertEqual(water_scene.of(shown, "LastError"), "")
+        self.assertEqual(water_scene.differing(above[140:], half[140:], 1), 0)
+        self.assertGreater(water_scene.differing(above[:60], half[:60], 2), 6000)
 
     def test_the_order_of_the_properties_does_not_matter(self):
         pictures = []

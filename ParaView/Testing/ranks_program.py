@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A scene in pieces with water, for TestRanks.py: pvbatch on some ranks, or a client of a server.
 
-    ranks_program.py NAME [--dry] [--look calm|sea] [--server PORT] [--threshold MB]
+    ranks_program.py NAME [--dry] [--look calm|sea|basin] [--server PORT]
 
-Writes NAME.png and NAME-animation.png, and says how many pixels the ranks have sent each other.
+Writes NAME.png and NAME-animation.png, and says how many pixels the ranks have sent each other. Connected to a
+server, which renders both, it also writes NAME-local.png, which the client renders, and NAME-remote-again.png.
 """
 import argparse
 import os
@@ -12,11 +13,10 @@ import sys
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import water_scene  # noqa: E402
 from water_scene import pv  # noqa: E402
+import data_scene  # noqa: E402
 
 SIZE = [1280, 720]
 STEPS = 20
-
-
 DATA = os.path.join(os.path.dirname(os.path.abspath(__file__)), "../../Examples/Data/jacksboro.vti")
 LEVEL = 768.0
 
@@ -42,9 +42,8 @@ def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("name")
     parser.add_argument("--dry", action="store_true")
-    parser.add_argument("--look", choices=("calm", "sea"), default="calm")
+    parser.add_argument("--look", choices=("calm", "sea", "basin"), default="calm")
     parser.add_argument("--server")
-    parser.add_argument("--threshold", type=float)
     options = parser.parse_args()
     if options.server:
         pv.Connect("localhost", int(options.server))
@@ -57,8 +56,26 @@ def main():
     view.BackgroundColorMode = "Gradient"
     view.Background = [1.0, 0.97, 0.9]
     view.Background2 = [0.24, 0.46, 0.74]
-    if options.threshold is not None:
-        view.RemoteRenderThreshold = options.threshold
+    view.RemoteRenderThreshold = 0.0
+    shown, rise = (basin if options.look == "basin" else mountains)(view, options)
+    pv.Render(view)
+    pv.Render(view)
+    water_scene.picture(view, options.name, SIZE)
+    if options.server:
+        for name, threshold in (("-local", 1e6), ("-remote-again", 0.0)):
+            view.RemoteRenderThreshold = threshold
+            pv.Render(view)
+            water_scene.picture(view, options.name + name, SIZE)
+    if shown:
+        count(view, shown, rise)
+    animate(view, rise)
+    water_scene.picture(view, options.name + "-animation", SIZE)
+    print("the end")
+    sys.stdout.flush()
+
+
+def mountains(view, options):
+    """Mountains and a sheet. Returns its representation, if any, and how far the camera rises a step."""
     bounds = make_scene(view)
     shown = None
     if not options.dry:
@@ -74,45 +91,52 @@ def main():
     view.CameraFocalPoint = place(0.530, 0.122) + [LEVEL + 200.0]
     view.CameraViewUp = [0.0, 0.0, 1.0]
     view.CameraViewAngle = 32.0
-    pv.Render(view)
-    pv.Render(view)
-    water_scene.picture(view, options.name, SIZE)
-    if shown:
-        count(view, shown)
-    animate(view)
-    water_scene.picture(view, options.name + "-animation", SIZE)
-    print("the end")
-    sys.stdout.flush()
+    return shown, 5.0
 
 
-def move(view, step):
-    """The camera rises by 5 a step."""
-    x, y, _ = view.CameraPosition
-    view.CameraPosition = [x, y, LEVEL + 150.0 + 5.0 * step]
+def basin(view, options):
+    """A solver's lake, which rises with the time. Returns the same."""
+    reader = data_scene.open_steps(view)
+    water_scene.add_sphere(view, 1.2)
+    shown = None
+    if not options.dry:
+        shown = pv.Show(data_scene.surface_of(reader), view)
+        pv.ColorBy(shown, ("POINTS", "distance"))
+        pv.GetColorTransferFunction("distance").RescaleTransferFunction(0.0, 4.0)
+    view.CameraPosition = [0.0, -6.0, 2.0]
+    view.CameraFocalPoint = [0.0, 0.0, 0.2]
+    view.CameraViewUp = [0.0, 0.0, 1.0]
+    return shown, 0.05
 
 
-def count(view, shown):
+def move(view, height):
+    view.CameraPosition = [*view.CameraPosition[:2], height]
+
+
+def count(view, shown, rise):
     still = []
     for _ in range(4):
         pv.Render(view)
         still.append(water_scene.of(shown, "PixelsJoined"))
-    move(view, 1)
+    height = view.CameraPosition[2]
+    move(view, height + rise)
     pv.Render(view)
     moved = water_scene.of(shown, "PixelsJoined")
-    move(view, 0)
+    move(view, height)
     pv.Render(view)
     print("pixels joined in still frames:", *still)
     print("pixels joined when moved:", moved)
     print("mirrored views:", water_scene.of(shown, "ReflectionRenders"), water_scene.of(shown, "Decision"))
 
 
-def animate(view):
-    """Steps in which the waves and the camera move."""
+def animate(view, rise):
+    """Steps in which the waves, the data and the camera move."""
     scene = pv.GetAnimationScene()
     scene.EndTime = 10.0
+    height = view.CameraPosition[2]
     for step in range(STEPS):
         scene.AnimationTime = 0.25 * step
-        move(view, step)
+        move(view, height + rise * step)
         pv.Render(view)
 
 
