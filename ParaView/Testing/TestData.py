@@ -106,6 +106,19 @@ class TestData(unittest.TestCase):
         shown.FlowArray = "None"
         self.assertEqual(water_scene.differing(still, self.at(2.0, "data-current-gone"), 0), 0)
 
+    def test_any_surface_is_water_by_its_representation(self):
+        dry = self.at(0.0, "data-any-dry")
+        height = pv.Calculator(Input=self.reader, ResultArrayName="height", Function="0.3")
+        level = pv.WarpByScalar(Input=height, Scalars=["POINTS", "height"])  # no polygons, but a structured grid
+        shown = pv.Show(level, self.view, "WaterSurfaceRepresentation")
+        shown.ColorArrayName = [None, ""]  # ParaView colours by an array that is alone
+        sheet = self.at(0.0, "data-any")
+        self.assertAlmostEqual(water_scene.of(shown, "MeanLevel"), 0.3, places=6)
+        pv.Hide(level, self.view)
+        pv.Show(pv.Water(Level=0.3, Extent="Bounds", SheetBounds=[-4.0, 4.0, -4.0, 4.0]), self.view)
+        self.assertGreater(water_scene.differing(dry, sheet), 6000)
+        self.assertLess(water_scene.differing(sheet, self.at(0.0, "data-any-sheet"), 2), 20)
+
     def test_a_state_file_restores_the_surface(self):
         shown = pv.Show(data_scene.surface_of(self.reader), self.view)
         pv.ColorBy(shown, ("POINTS", "h"))
