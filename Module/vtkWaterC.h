@@ -109,6 +109,15 @@ VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_actor_set_wind(
 VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_actor_set_wind_direction(
   vtk_water_actor* actor, double direction_deg);
 
+/* Sets whitecaps. 1: a wind sea has foam where its crests break; 0: it has none. Default 0. */
+VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_actor_set_whitecaps(
+  vtk_water_actor* actor, int whitecaps);
+
+/* Sets the time after which 1/e of a whitecap's foam is left, s in [0, 10]; 0: it goes with the
+ * crest. Default 3.5. */
+VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_actor_set_whitecap_life_time(
+  vtk_water_actor* actor, double seconds);
+
 /* Sets the colour of deep water: red, green and blue in [0, 1]. */
 VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_actor_set_color(
   vtk_water_actor* actor, const double color[3]);

@@ -94,6 +94,17 @@ vtk_water_status vtk_water_actor_set_wind_direction(vtk_water_actor* actor, doub
     actor, [=](vtkWaterActor*, vtkWaterProperty* look) { look->SetWindDirection(direction_deg); });
 }
 
+vtk_water_status vtk_water_actor_set_whitecaps(vtk_water_actor* actor, int whitecaps)
+{
+  return Switch(actor, "whitecaps", whitecaps, &vtkWaterProperty::SetWhitecaps);
+}
+
+vtk_water_status vtk_water_actor_set_whitecap_life_time(vtk_water_actor* actor, double seconds)
+{
+  return Change(
+    actor, [=](vtkWaterActor*, vtkWaterProperty* look) { look->SetWhitecapLifeTime(seconds); });
+}
+
 vtk_water_status vtk_water_actor_set_color(vtk_water_actor* actor, const double color[3])
 {
   if (!color)

@@ -669,6 +669,21 @@ public:
   double GetWhitecapCover() const;
   ///@}
 
+  ///@{
+  /**
+   * Life time of whitecaps, seconds in [0, 10]: foam stays where a crest of the sea broke, and
+   * after this time a share 1/e of it is left. With what is breaking it covers GetWhitecapCover of
+   * the surface in the mean. It is a function of the time alone (vtkWaterActor::SetTime), and is
+   * left by the crests of the sea's first tile (SeaCascades). 0: whitecaps appear and vanish with
+   * the crest. Default is 3.5.
+   *
+   * Source: Callaghan, Deane, Stokes and Ward 2012, "Observed Variation in the Decay Time of
+   * Oceanic Whitecap Foam" (0.5 to 8 s, longer for larger breakers).
+   */
+  void SetWhitecapLifeTime(double seconds);
+  vtkGetMacro(WhitecapLifeTime, double);
+  ///@}
+
   enum Lookups
   {
     RAY_TRACED = 0,
@@ -905,6 +920,7 @@ private:
   int SeaCascades = 2;
   double SeaChoppiness = 1.0;
   bool Whitecaps = false;
+  double WhitecapLifeTime = 3.5;
   bool WaveGeometry = false;
   int WaveGridSize = 256;
   int Lookup = RAY_TRACED;

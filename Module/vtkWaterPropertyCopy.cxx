@@ -53,6 +53,7 @@ void vtkWaterProperty::DeepCopy(vtkWaterProperty* other)
   this->SeaCascades = other->SeaCascades;
   this->SeaChoppiness = other->SeaChoppiness;
   this->Whitecaps = other->Whitecaps;
+  this->WhitecapLifeTime = other->WhitecapLifeTime;
   this->WaveGeometry = other->WaveGeometry;
   this->WaveGridSize = other->WaveGridSize;
   this->Lookup = other->Lookup;

@@ -126,9 +126,8 @@ void vtkWaterProperty::DescribeSea(vtkWaterLook& look)
   {
     water_cascades_turn(&look.Sea, known.Beyond[i], look.SeaBeyond[i]);
   }
-  double cover = 0.0;
-  (void)water_whitecap_cover(this->WindSpeed, &cover); // checked by its setter
-  look.WhitecapJacobian = water_whitecap_jacobian(cover, known.Beyond[0]);
+  look.OldFoam = known.OldFoam;
+  look.WhitecapJacobian = water_whitecap_jacobian(known.OldFoam.fresh, known.Beyond[0]);
   if (look.Has.has_wave_geometry)
   {
     double height = 0.0;

@@ -4,6 +4,7 @@
 #include "vtkWaterCompat.h"
 #include "vtkWaterProperty.h"
 #include "water_cascade.h"
+#include "water_old_foam.h"
 #include "water_whitecap.h"
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -184,6 +185,12 @@ void vtkWaterProperty::SetWhitecaps(bool whitecaps)
 }
 
 //------------------------------------------------------------------------------
+void vtkWaterProperty::SetWhitecapLifeTime(double seconds)
+{
+  vtkWaterSetInRange(WhitecapLifeTime, seconds, 0.0, WATER_FOAM_LIFE_MAX);
+}
+
+//------------------------------------------------------------------------------
 double vtkWaterProperty::GetWhitecapCover() const
 {
   double cover = 0.0;
@@ -209,6 +216,7 @@ void vtkWaterProperty::PrintSea(ostream& os, vtkIndent indent) const
      << " in use)\n";
   os << indent << "SeaChoppiness: " << this->SeaChoppiness << "\n";
   os << indent << "Whitecaps: " << (this->Whitecaps ? "on" : "off") << "\n";
+  os << indent << "WhitecapLifeTime: " << this->WhitecapLifeTime << "\n";
   os << indent << "SlopeRMS: " << this->GetSlopeRMS() << "\n";
 }
 VTK_ABI_NAMESPACE_END

@@ -8,6 +8,7 @@
 #include "water_secondary.h"
 #include "water_tile.h"
 #include "water_waves.h"
+#include "water_whitecap.h"
 
 #include <algorithm>
 #include <cmath>
@@ -188,6 +189,14 @@ void vtkWaterProperty::UpdateSeaSlopes() const
   for (size_t i = 0; i < cascades.count && isKnown; ++i)
   {
     isKnown = water_tile_is_same(&cascades.tiles[i], &known.Cascades.tiles[i]);
+  }
+  if (!isKnown || known.LifeTime != this->WhitecapLifeTime)
+  {
+    double cover = 0.0;
+    (void)water_whitecap_cover(this->WindSpeed, &cover); // checked by its setter, as the life time
+    (void)water_old_foam_make(
+      &sea, &cascades.tiles[0], cover, this->WhitecapLifeTime, &known.OldFoam);
+    known.LifeTime = this->WhitecapLifeTime;
   }
   if (!isKnown)
   {

@@ -161,6 +161,9 @@ def add_scene_arguments(parser):
     water.add_argument("--refraction", action=argparse.BooleanOptionalAction,
                        help="whether the scene is visible through the surface; default: as in the preset; "
                             "without a preset yes, unless --color or --opacity is given")
+    water.add_argument("--whitecaps", type=number(0.0, 10.0), nargs="?", const=True, metavar="S",
+                       help="foam where the crests of a wind sea break; the number is the time in seconds after which "
+                            "1/e of it is left, 3.5 without a number, 0: it goes with the crest")
     water.add_argument("--foam", type=number(0.0, 1e9), nargs="?", const=True, metavar="M",
                        help="depth in metres below which the shore foams; without a number 0.25, and with "
                             "automatic units at least 1/400 of the scene's diagonal; turns refraction on")

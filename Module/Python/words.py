@@ -22,11 +22,12 @@ SUN_COLOR = (1.0, 0.95, 0.87)
 TURBIDITY = 3.0  # of the air of a clear sky
 LEAST_TURBIDITY, MOST_TURBIDITY = 2.0, 10.0
 LEAST_WIND, MOST_WIND = 0.1, 100.0  # m/s
+MOST_LIFE_TIME = 10.0  # s, of whitecaps
 MOST_NUMBERS_OF_A_WAVE = 5
 STEEPEST = 0.142  # height by length at which a wave in deep water breaks (Michell 1893)
 
 
-def set_look(look, *, preset=None, waves=None, wind=None, color=None, opacity=None, refraction=None, foam=None,
+def set_look(look, *, preset=None, waves=None, wind=None, whitecaps=None, color=None, opacity=None, refraction=None, foam=None,
              caustics=None, light_shafts=None, shadows=None, dome_port=None, quality=None, units=None):
     """Apply these settings to a new vtkWaterProperty.
 
@@ -42,6 +43,9 @@ def set_look(look, *, preset=None, waves=None, wind=None, color=None, opacity=No
         Replaces the preset's waves by a wind sea: the wind speed, m/s in [0.1, 100], 0 for calm water; or the speed
         and the direction in which the wind blows (degrees from the plane's first axis towards the second). Not
         together with waves.
+    whitecaps : float | bool
+        Whether a wind sea has foam where its crests break; a number is the time in seconds, 0 to 10, after which 1/e of
+        such foam is left (0: it goes with the crest), and True means 3.5. Whitecaps need a wind sea.
     color : sequence[float]
         Colour of deep water: red, green, blue in [0, 1].
     opacity : float
@@ -79,6 +83,7 @@ def set_look(look, *, preset=None, waves=None, wind=None, color=None, opacity=No
             f"waves and wind are both given (wind is {wind!r}); use only one of them"
         )
     speed, blows_to = (None, None) if wind is None else wind_of(wind)
+    white, life_time = (None, None) if whitecaps is None else whitecaps_of(whitecaps)
     foam_depth = None if foam is None else depth_of(foam)
     strength = None if caustics is None else share_of("caustics", caustics, CAUSTICS)
     shafts = None if light_shafts is None else share_of("light_shafts", light_shafts, 1.0)
@@ -97,10 +102,16 @@ def set_look(look, *, preset=None, waves=None, wind=None, color=None, opacity=No
             set_waves(look, waves)
         if speed is not None:
             set_sea(look, speed, blows_to)
+        if white is not None:
+            look.SetWhitecaps(white)
+        if life_time is not None:
+            look.SetWhitecapLifeTime(life_time)
         if color is not None:
             look.SetDeepColor(numbers("color", color, 3))
         if share is not None:
             look.SetOpacity(share)
+    if white and not look.GetSea():
+        raise ValueError(f"whitecaps is {whitecaps!r}, but there is no wind sea: add wind")
     through = {"refraction": bool(refraction), "foam": bool(foam_depth), "caustics": bool(strength),
                "light_shafts": bool(shafts), "dome_port": bool(port)}
     given = {"foam": foam, "caustics": caustics, "light_shafts": light_shafts, "dome_port": dome_port}
@@ -129,6 +140,12 @@ def set_look(look, *, preset=None, waves=None, wind=None, color=None, opacity=No
             look.SetDomePortRadius(port)
         if quality is not None:
             look.SetRayTraceQuality(quality)
+
+
+def whitecaps_of(whitecaps):
+    """Whether there are any, and their life time in seconds; None: the default."""
+    value = whitecaps.item() if hasattr(whitecaps, "item") else whitecaps
+    return (value, None) if isinstance(value, bool) else (True, in_range("whitecaps", value, 0.0, MOST_LIFE_TIME))
 
 
 def flag(word, value):

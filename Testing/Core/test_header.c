@@ -60,6 +60,7 @@
 #include "water_status.h"
 #include "water_types.h"
 
+#include "water_old_foam.h"
 #include "water_plan.h"
 #include "water_whitecap.h"
 

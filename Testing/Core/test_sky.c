@@ -139,12 +139,12 @@ TEST(light_of_the_sun_is_its_color_times_its_intensity)
   }
 }
 
-// The place in the pattern is that under the eye, but for whole patterns of 256: far from the
+// The place in the pattern is that under the eye, but for whole patterns of 2048: far from the
 // origin it stays small, and a float holds it.
 TEST(pattern_repeats_under_the_eye)
 {
-  const double places[6] = { 0.0, 12.5, 256.0, 700.0, -300.0, 2560001.25 };
-  const double expected[6] = { 0.0, 12.5, 0.0, 188.0, -44.0, 1.25 };
+  const double places[6] = { 0.0, 12.5, 2048.0, 3000.0, -2100.0, 2048001.25 };
+  const double expected[6] = { 0.0, 12.5, 0.0, 952.0, -52.0, 1.25 };
   for (int i = 0; i < 6; ++i)
   {
     for (int axis = 0; axis < 2; ++axis)

@@ -173,6 +173,15 @@ def in_foam(view, water):
     water.GetWaterProperty().ShadowsOn()
 
 
+def white_sea(view, water):
+    """A storm, of which foam is left for a while."""
+    look = water.GetWaterProperty()
+    look.SetWindSpeed(25.0)
+    look.SeaOn()
+    look.WhitecapsOn()
+    look.SetWhitecapLifeTime(2.0)
+
+
 # name, calls for a CScene, the same by the classes; how many levels the two may differ by
 CALLS = {
     "color": (
@@ -187,6 +196,13 @@ CALLS = {
     "caustics": (c_clear("vtk_water_actor_set_caustics", number(0.9)), clear("SetCaustics", 0.9), 1),
     "light shafts": (c_under_water("vtk_water_actor_set_light_shafts", number(1.0)), shafts, 1),
     "dome port": (c_clear("vtk_water_actor_set_dome_port", number(20.0)), clear("SetDomePortRadius", 20.0), 1),
+    "whitecaps": (
+        lambda it: [("vtk_water_actor_set_wind", it.water, number(25.0)),
+                    ("vtk_water_actor_set_whitecaps", it.water, 1),
+                    ("vtk_water_actor_set_whitecap_life_time", it.water, number(2.0))],
+        white_sea,
+        1,
+    ),
     "shadows": (
         lambda it: [*c_clear("vtk_water_actor_set_foam", number(3.0))(it),
                     ("vtk_water_actor_set_shadows", it.water, 1)],
@@ -362,6 +378,13 @@ REFUSALS = (  # name, status, words of the error, function, its arguments for a 
         b"Caustics is nan; it must lie in [0, 1]",
         "vtk_water_actor_set_caustics",
         lambda it: (it.water, number(NAN)),
+    ),
+    (
+        "whitecap_life_time",
+        BAD_VALUE,
+        b"WhitecapLifeTime is 11; it must lie in [0, 10]",
+        "vtk_water_actor_set_whitecap_life_time",
+        lambda it: (it.water, number(11.0)),
     ),
     (
         "light_shafts",

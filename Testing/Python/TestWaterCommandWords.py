@@ -83,6 +83,8 @@ OPTIONS = {  # the options, the same by words
     "preset": (("--preset", "clear tropical"), {"preset": "clear tropical"}),
     "wind": (("--wind", 7), {"wind": 7.0}),
     "no wind": (("--preset", "lake", "--wind", 0), {"preset": "lake", "wind": 0.0}),
+    "whitecaps": (("--wind", 9, "--whitecaps"), {"wind": 9.0, "whitecaps": True}),
+    "whitecaps of 2 s": (("--wind", 9, "--whitecaps", 2), {"wind": 9.0, "whitecaps": 2.0}),
     "direction": (("--wind", 7, "--wind-direction", 40), {"wind": (7.0, 40.0)}),
     "waves": (
         ("--waves", "0.1,2", "--waves", "0.05,1.5,30,10,0.5"),
@@ -123,6 +125,8 @@ SETS = [  # the words, what the look then has
     ({"wind": (7.0, 40.0)}, {"Sea": True, "WindSpeed": 7.0, "WindDirection": 40.0}),
     ({"wind": 0, "preset": "pool"}, {"Sea": False, "NumberOfWaves": 0, "Refraction": True}),
     ({"waves": [(0.1, 2.0)], "preset": "lake"}, {"Sea": False, "NumberOfWaves": 1}),
+    ({"wind": 9, "whitecaps": True}, {"Whitecaps": True, "WhitecapLifeTime": 3.5}),
+    ({"wind": 9, "whitecaps": 1.5}, {"Whitecaps": True, "WhitecapLifeTime": 1.5}),
     ({"color": (0.1, 0.2, 0.3), "preset": "lake"}, {"DeepColor": (0.1, 0.2, 0.3)}),
     ({"opacity": 0.5}, {"Opacity": 0.5}),
     ({"refraction": False, "preset": "lake"}, {"Refraction": False}),

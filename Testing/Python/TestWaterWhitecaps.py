@@ -5,6 +5,7 @@ import numpy as np
 import pytest
 import water_test as wt
 from dark_water import SIZE, add_dark_water, look_at
+from vtkwater import vtkWaterProperty
 
 
 def white_sea(wind, height, geometry=False, **settings):
@@ -29,7 +30,7 @@ def white_sea(wind, height, geometry=False, **settings):
     return view, water
 
 
-def share(view, water, times=(0.0, 30.0, 60.0, 90.0)):
+def share(view, water, times=np.arange(0.0, 600.0, 41.0)):
     """Mean of the picture over some times, of white."""
     means = []
     for time in times:
@@ -38,10 +39,11 @@ def share(view, water, times=(0.0, 30.0, 60.0, 90.0)):
     return np.mean(means)
 
 
-@pytest.mark.parametrize("wind, height", [(10.0, 600.0), (15.0, 600.0), (15.0, 20000.0), (20.0, 2000.0)])
-def test_they_cover_the_measured_share(wind, height):
+@pytest.mark.parametrize("wind, height", [(5.0, 600.0), (10.0, 600.0), (15.0, 200.0), (15.0, 600.0), (15.0, 20000.0), (20.0, 2000.0)])
+@pytest.mark.parametrize("life_time", (0.0, 3.5, 8.0))
+def test_they_cover_the_measured_share(wind, height, life_time):
     """From near and from so far that no wave is seen the mean of the picture is the share of Monahan's fit."""
-    view, water = white_sea(wind, height)
+    view, water = white_sea(wind, height, WhitecapLifeTime=life_time)
     measured = 3.84e-6 * wind**3.41
     wt.check_at_most("GetWhitecapCover against the fit, relative",
                      abs(water.GetWaterProperty().GetWhitecapCover() / measured - 1), 1e-12)
@@ -53,8 +55,8 @@ def test_they_cover_the_measured_share(wind, height):
 
 @pytest.mark.parametrize("geometry", (False, True), ids=("flat", "displaced"))
 def test_they_stand_on_crests(geometry):
-    """The white places lie higher than the sea's mean, by about a standard deviation and more."""
-    view, water = white_sea(15.0, 120.0, geometry, SeaChoppiness=0.0)
+    """The white places that break lie higher than the sea's mean, by about a standard deviation and more."""
+    view, water = white_sea(15.0, 120.0, geometry, SeaChoppiness=0.0, WhitecapLifeTime=0.0)
     highs = []
     spread = []
     for time in (0.0, 30.0, 60.0):
@@ -83,3 +85,78 @@ def test_they_are_off_by_default_and_without_a_sea():
     look.SeaOff()
     wt.check_equal("no sea: brightest pixel", int(view.picture().max()), 0)
     wt.check_equal("no sea: cover", look.GetWhitecapCover(), 0.0)
+
+
+def test_foam_stays_and_decays():
+    """Where much is white, more is left after a second than without a life time, and that decays with it."""
+    kept = {}
+    for life_time in (0.0, 3.0):
+        view, water = white_sea(15.0, 120.0, WhitecapLifeTime=life_time)
+        sums = {1.0: [], 3.0: []}
+        for start in (10.0, 50.0, 90.0, 130.0):
+            water.SetTime(start)
+            white = view.picture().mean(axis=2) > 128
+            for after, values in sums.items():
+                water.SetTime(start + after)
+                values.append((view.picture().mean(axis=2)[white].sum() / 255, white.sum()))
+        for after, values in sums.items():
+            still, places = (sum(parts) for parts in zip(*values))
+            kept[life_time, after] = still / places
+            print(f"life time {life_time} s: {still / places:.3f} of {places} white pixels are white after {after} s")
+    wt.check_at_least("white after 1 s, of that without a life time", kept[3.0, 1.0] / kept[0.0, 1.0], 4.0)
+    wt.check_at_most("white after 3 s, of what is after 1 s; less exp(-2 / 3)",
+                     abs(kept[3.0, 3.0] / kept[3.0, 1.0] - np.exp(-2 / 3)), 0.1)
+
+
+@pytest.mark.parametrize("geometry", (False, True), ids=("flat", "displaced"))
+def test_foam_depends_on_the_time_alone(geometry):
+    """A picture is the same to the bit whatever was drawn before, at times before and after 0."""
+    for time in (61.3, -7.9):
+        view, water = white_sea(12.0, 120.0, geometry)
+        water.SetTime(time)
+        alone = view.picture().copy()
+        for earlier in (time - 4.0, time - 2.0, time - 0.1, time + 5.0, 1000.0):
+            water.SetTime(earlier)
+            view.picture()
+        water.SetTime(time)
+        wt.check_equal(f"{time} s: pixels that differ", int((view.picture() != alone).any(axis=2).sum()), 0)
+        wt.check_at_least(f"{time} s: white pixels", int((alone > 100).any(axis=2).sum()), 100)
+
+
+def test_foam_does_not_jump():
+    """From picture to picture of a movie of 50 a second, over several steps of earlier times, no picture changes more
+    than others."""
+    view, water = white_sea(12.0, 400.0)
+    changes = []
+    last = None
+    for frame in range(100):
+        water.SetTime(20.0 + 0.02 * frame)
+        now = view.picture().mean(axis=2)
+        if last is not None:
+            changes.append(float(np.abs(now - last).mean()))
+        last = now
+    wt.check_at_most("largest change, of the median", max(changes) / np.median(changes), 1.5)
+
+
+def test_foam_repeats_with_the_sea():
+    """A sea with a period has the same foam a period later."""
+    view, water = white_sea(12.0, 120.0, SeaPeriod=12.0)
+    water.SetTime(6.0)
+    first = view.picture().copy().astype(int)
+    water.SetTime(18.0)
+    wt.check_at_most("largest difference a period later", int(np.abs(view.picture() - first).max()), 2)
+    water.SetTime(11.0)
+    wt.check_at_least("largest difference at another time", int(np.abs(view.picture() - first).max()), 100)
+
+
+@pytest.mark.parametrize("life_time", (-1.0, 10.5, float("nan")))
+def test_a_wrong_life_time_is_an_error(life_time):
+    """The error names the value and the range; the setting stays."""
+    look = vtkWaterProperty()
+    wt.check_equal("default", look.GetWhitecapLifeTime(), 3.5)
+    errors = wt.errors_of(look)
+    look.SetWhitecapLifeTime(2.0)
+    look.SetWhitecapLifeTime(life_time)
+    wt.check_equal("stays", look.GetWhitecapLifeTime(), 2.0)
+    wt.check_equal("one error with name and range",
+                   len(errors) == 1 and "WhitecapLifeTime" in errors[0] and "[0, 10]" in errors[0], True)

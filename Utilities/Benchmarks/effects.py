@@ -52,7 +52,13 @@ def _sea(look):
     look.SetWindSpeed(10)
     look.SetSeaTileSize(TILE)
     look.SetWhitecaps(False)
+    look.SetWhitecapLifeTime(0.0)
     look.SetWaveGeometry(False)
+
+
+def _white_sea(look):
+    _sea(look)
+    look.SetWhitecaps(True)
 
 
 # effect: (what the water has beside it, the effect on or off)
@@ -63,6 +69,7 @@ EFFECTS = {
     "foam": (_clear, lambda look, on: look.SetFoamDepth(1.0 if on else 0.0)),
     "shadows": (_foam_and_glitter, lambda look, on: look.SetShadows(on)),
     "whitecaps": (_sea, lambda look, on: look.SetWhitecaps(on)),
+    "life time of whitecaps": (_white_sea, lambda look, on: look.SetWhitecapLifeTime(3.5 if on else 0.0)),
     "displaced waves": (_waves, lambda look, on: look.SetWaveGeometry(on)),
     "light shafts": (_from_below, lambda look, on: look.SetLightShafts(1.0 if on else 0.0)),
     "dome port": (_clear, lambda look, on: look.SetDomePortRadius(10.0 if on else 0.0)),

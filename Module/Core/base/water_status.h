@@ -53,6 +53,7 @@ extern "C"
   X(WATER_BAD_TILE_SIZE, "the tile's size must be an even number from 4 to 16384")                 \
   X(WATER_BAD_TILE_LENGTH, "the tile's length must lie in [0.001, 1e9] m")                         \
   X(WATER_BAD_CASCADES, "SeaCascades must lie in [1, 3]")                                          \
+  X(WATER_BAD_LIFE_TIME, "WhitecapLifeTime must lie in [0, 10] s")                                 \
   X(WATER_BAD_PERIOD, "the period must be finite and not negative; 0 does not repeat")             \
   X(WATER_BAD_ABSORPTION, "Absorption must be finite and not negative")                            \
   X(WATER_BAD_SCATTERING, "Scattering must be finite and not negative")                            \

@@ -14,8 +14,8 @@ static const double dome_height = 0.25; // over the plane, of a dome's widest si
 
 static const int few_rays = 4; // as WATER_FEW_RAYS of vtkWaterRaysFS.glsl
 
-static const double foam_pattern = 256.0; // m, after which it repeats
-static const double foam_period = 12.0;   // s
+static const double foam_pattern = 2048.0; // m, after which all of its cells repeat
+static const double foam_period = 12.0;    // s
 
 static const double ray_contrast = 0.25; // of white, over the number of rays
 

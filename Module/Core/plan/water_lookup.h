@@ -57,7 +57,7 @@ void water_lookup_pixel_depth(
 // where a ray ends. 4 rows of 3.
 void water_lookup_dirs(const water_camera* camera, const water_axes* axes, double dir_to_clip[12]);
 
-// The point under the eye in the repeating pattern of foam, m: within 256 m, so that a float can
+// The point under the eye in the repeating pattern of foam, m: within 2048 m, so that a float can
 // hold it.
 //
 // origin_xy        of that point, in the plane's own axes

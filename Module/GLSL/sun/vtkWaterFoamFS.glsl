@@ -51,7 +51,7 @@ float waterBubbles(vec2 place)
 }
 
 // How much of the water foam covers there, its bubbles aside.
-float waterFoamCover(WaterPoint point, vec2 place)
+float waterFoamCover(WaterPoint point, vec2 place, float pixel)
 {
   float cover = 0.0;
   if (waterFoamDepth > 0.0)
@@ -66,19 +66,19 @@ float waterFoamCover(WaterPoint point, vec2 place)
   {
     cover = max(cover, clamp(2.0 - 2.0 * point.jacobian / waterFoamJacobian, 0.0, 1.0));
   }
-  return max(cover, waterWhitecap(point));
+  return max(cover, waterWhitecap(point, place, pixel));
 }
 
 // How much of a pixel is foam, in [0, 1].
 float waterFoamShare(WaterPoint point)
 {
   vec2 place = waterFoamUnit * point.place + waterPatternOrigin;
-  float cover = waterFoamCover(point, place);
+  float pixel = waterFoamUnit * max(length(point.across), length(point.down));
+  float cover = waterFoamCover(point, place, pixel);
   if (cover <= 0.0)
   {
     return 0.0;
   }
-  float pixel = waterFoamUnit * max(length(point.across), length(point.down));
   float resolved = clamp(1.5 - 2.0 * pixel / WATER_FOAM_CELL, 0.0, 1.0); // else the pixel's mean, which is the cover
   if (resolved <= 0.0)
   {

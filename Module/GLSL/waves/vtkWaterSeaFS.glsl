@@ -10,6 +10,7 @@ uniform vec4 waterSeaBands[4]; // slope variance of the waves from a tile on: xx
 const float WATER_SEA_FADES = 0.5; // a tile's waves are resolved while the longest are as long as a pixel, and fade from
 
 vec3 waterSeaGains = vec3(1.0); // of the tiles' waves, where a current carries them
+vec2 waterSeaPlace = vec2(0.0); // at rest: the last one that was asked for
 
 struct WaterSeaTile
 {
@@ -58,6 +59,7 @@ WaterSeaTile waterSeaTile(int last, int before)
 // bent  of the points' motion in the plane: d place / d rest is added, xx, xy, yy
 vec2 waterSeaSlope(vec2 place, vec2 across, vec2 down, inout vec4 variance, inout vec3 bent)
 {
+  waterSeaPlace = place;
   float pixel = max(length(across), length(down));
   int last = 0;
   vec4 band = waterSeaBands[0];

@@ -12,6 +12,7 @@
 #include "water_cascade.h"
 #include "water_features.h"
 #include "water_medium.h"
+#include "water_old_foam.h"
 #include "water_types.h"
 #include "water_waves.h"
 
@@ -70,7 +71,8 @@ struct vtkWaterLook
   water_cascades Cascades = water_cascades();
   double SeaBeyond[WATER_CASCADES_MAX + 1][2] = {}; // slope variances from a tile on, of the axes
   double SeaChoppiness = 0.0;
-  double WhitecapJacobian = 0.0; // crests of the sea are white below it
+  double WhitecapJacobian = 0.0;             // crests of the sea are white below it
+  water_old_foam OldFoam = water_old_foam(); // that such crests have left
   std::vector<vtkWaterNormalMaps::Layer> NormalMaps;
   vtkSmartPointer<vtkTexture> Environment;
   vtkSmartPointer<vtkObject> Property; // says what is wrong with them; compared

@@ -203,5 +203,6 @@ void vtkWaterSea::ReleaseGraphicsResources(vtkWindow* window)
   {
     passes.ReleaseGraphicsResources(window);
   }
+  this->OldFoam.ReleaseGraphicsResources(window);
   this->Texture.ReleaseGraphicsResources(window);
 }

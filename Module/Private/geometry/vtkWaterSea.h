@@ -8,6 +8,7 @@
 #ifndef vtkWaterSea_h
 #define vtkWaterSea_h
 
+#include "vtkWaterOldFoam.h"
 #include "vtkWaterSeaTile.h"
 #include "vtkWaterSlopePasses.h"
 #include "vtkWaterSlopeTexture.h"
@@ -44,6 +45,13 @@ public:
   // In its place, where there is no memory for it: a flat sea.
   vtkTextureObject* UploadFlat(vtkOpenGLRenderWindow* window, int fields);
 
+  // The texture of the foam that its crests have left, as of a time.
+  vtkTextureObject* UploadOldFoam(
+    vtkOpenGLRenderWindow* window, const water_old_foam& foam, const water_sea& sea, double time)
+  {
+    return this->OldFoam.Upload(window, foam, sea, time);
+  }
+
   // Why the processor made the last texture though there is a GPU; nullptr: it did not.
   const char* GetDetour() const { return this->Detour; }
 
@@ -62,6 +70,7 @@ private:
   std::vector<float> Texels;
   int UploadedFields = 0; // 0: nothing is uploaded
   vtkWaterSlopeTexture Texture;
+  vtkWaterOldFoam OldFoam;
   const char* Detour = nullptr;
   vtkWeakPointer<vtkOpenGLRenderWindow> AskedWindow; // what executes GL
   bool IsSoftwareWindow = false;

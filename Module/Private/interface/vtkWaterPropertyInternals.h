@@ -9,6 +9,7 @@
 #include "vtkWaterNormalMaps.h"
 #include "vtkWaterProperty.h"
 #include "water_cascade.h"
+#include "water_old_foam.h"
 #include "water_waves.h"
 
 #include <vector>
@@ -20,6 +21,8 @@ struct vtkWaterPropertySeaSlopes
   water_cascades Cascades = water_cascades();
   double Beyond[WATER_CASCADES_MAX + 1][2] = {}; // water_cascades_slopes
   double Height = 0.0;                           // variance, m^2
+  double LifeTime = 0.0;                         // of whitecaps, s
+  water_old_foam OldFoam = water_old_foam();     // that they leave
 };
 
 struct vtkWaterProperty::Internals

@@ -20,7 +20,8 @@ void AddSea(const vtkWaterLook& look, Numbers& numbers)
   numbers.insert(numbers.end(),
     { static_cast<double>(sea.model), static_cast<double>(sea.spreading), sea.wind_speed,
       sea.wind_dir_rad, sea.fetch, sea.depth, sea.peak_enhancement, sea.spreading_power,
-      look.SeaChoppiness, look.WhitecapJacobian, static_cast<double>(look.Cascades.count) });
+      look.SeaChoppiness, look.WhitecapJacobian, look.OldFoam.life_s,
+      static_cast<double>(look.Cascades.count) });
   for (size_t i = 0; i < look.Cascades.count; ++i)
   {
     const water_tile& tile = look.Cascades.tiles[i];

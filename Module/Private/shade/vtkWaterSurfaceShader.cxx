@@ -219,6 +219,10 @@ void vtkWaterSurfaceShader::BeginSea()
   }
   this->IsSeaFlat = !texture;
   this->Use("waterSea", texture ? texture : sea->UploadFlat(window, fields));
+  if (this->Has(WATER_FEATURE_WHITECAPS))
+  {
+    this->BeginOldFoam();
+  }
   this->HasSea = true;
   if (sea->GetDetour() && sea->GetDetour() != this->SeaDetour) // said once
   {
@@ -226,6 +230,30 @@ void vtkWaterSurfaceShader::BeginSea()
       << "The CPU computes the fields of the wind sea: " << sea->GetDetour() << ".");
   }
   this->SeaDetour = sea->GetDetour();
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterSurfaceShader::BeginOldFoam()
+{
+  vtkOpenGLRenderWindow* window = this->GetWindow();
+  const vtkWaterLook& look = this->Water->Look;
+  vtkTextureObject* texture = nullptr;
+  try
+  {
+    texture = this->Water->Sea->UploadOldFoam(window, look.OldFoam, look.Sea, this->Water->Time);
+  }
+  catch (const std::bad_alloc&)
+  {
+    if (!this->IsFoamFresh) // said once
+    {
+      vtkErrorWithObjectMacro(this->Water->Actor,
+        "There is no memory for the foam that whitecaps leave (SetWhitecapLifeTime). They vanish "
+        "with the crest; the next frame tries again.");
+    }
+  }
+  this->IsFoamFresh = !texture;
+  this->Use("waterOldFoam",
+    texture ? texture : this->Water->Sea->UploadOldFoam(window, water_old_foam(), look.Sea, 0.0));
 }
 
 //------------------------------------------------------------------------------

@@ -118,6 +118,7 @@ private:
   void BeginMedium(const int viewport_px[4]);
   void BeginWaves();
   void BeginSea();
+  void BeginOldFoam();
   void BeginReflection(const int viewport_px[4]);
   void BeginSky();
   void BindSky(const char* name, vtkTexture* texture);
@@ -170,6 +171,7 @@ private:
   bool HasSea = false;                     // brought to the time of the draw
   const char* SeaDetour = nullptr;         // of which has been spoken
   bool IsSeaFlat = false;                  // for want of memory, which has been said
+  bool IsFoamFresh = false;                // the same of what whitecaps leave
   vtkWaterSlopeTexture NormalMaps[vtkWaterNormalMaps::Limit];
   std::pair<vtkTexture*, vtkMTimeType> NormalMapTimes[vtkWaterNormalMaps::Limit] = {}; // of those
   double NormalMapTexels[vtkWaterNormalMaps::Limit] = {};                              // their size

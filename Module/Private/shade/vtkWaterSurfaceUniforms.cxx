@@ -478,4 +478,9 @@ void vtkWaterSurfaceShader::SetSeaParameters(vtkShaderProgram* program)
   const double softness = water_whitecap_softness();
   const double whitecaps[2] = { look.WhitecapJacobian, softness * softness };
   uniforms::Set2(program, "waterWhitecaps", whitecaps);
+  double newest;
+  double old[4] = {};
+  water_old_foam_at(&look.OldFoam, this->Water->Time, &newest, old);
+  old[3] = 1.0 / static_cast<double>(std::max<size_t>(look.OldFoam.tile.size, 1));
+  uniforms::Set4(program, "waterOldFoamWeights", old);
 }
