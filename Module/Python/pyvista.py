@@ -119,8 +119,8 @@ def add_water(
         Not together with ``waves``.
 
     whitecaps : float | bool, optional
-        Whether a wind sea has foam where its crests break; a number is the time in seconds, 0 to 10, after which 1/e of
-        such foam is left (0: it goes with the crest), and True means 3.5. Whitecaps need a wind sea. The default is
+        Whether a wind sea has foam where its crests break; a number is the time in seconds, 0 to 10, after which 1/e
+        of such foam is left (0: it goes with the crest), and True means 3.5. Whitecaps need a wind sea. The default is
         False.
     refraction : bool, optional
         Whether the scene is visible through the surface, refracted and attenuated. By default the preset decides.
@@ -302,7 +302,8 @@ def add_water(
     if lakes is None:
         actor.GetPlane().SetOrigin(plane_origin)
         actor.GetPlane().SetNormal(plane_normal)
-    set_look(look, preset=preset, waves=waves, wind=wind, whitecaps=whitecaps, color=None if color is None else color_of(color),
+    set_look(look, preset=preset, waves=waves, wind=wind, whitecaps=whitecaps,
+             color=None if color is None else color_of(color),
              opacity=opacity, refraction=refraction, foam=foam, caustics=caustics, light_shafts=light_shafts,
              shadows=shadows, dome_port=dome_port, quality=quality, units=units)
     if flow is not None and not has_waves(look):

@@ -27,8 +27,8 @@ MOST_NUMBERS_OF_A_WAVE = 5
 STEEPEST = 0.142  # height by length at which a wave in deep water breaks (Michell 1893)
 
 
-def set_look(look, *, preset=None, waves=None, wind=None, whitecaps=None, color=None, opacity=None, refraction=None, foam=None,
-             caustics=None, light_shafts=None, shadows=None, dome_port=None, quality=None, units=None):
+def set_look(look, *, preset=None, waves=None, wind=None, whitecaps=None, color=None, opacity=None, refraction=None,
+             foam=None, caustics=None, light_shafts=None, shadows=None, dome_port=None, quality=None, units=None):
     """Apply these settings to a new vtkWaterProperty.
 
     Parameters
@@ -44,8 +44,8 @@ def set_look(look, *, preset=None, waves=None, wind=None, whitecaps=None, color=
         and the direction in which the wind blows (degrees from the plane's first axis towards the second). Not
         together with waves.
     whitecaps : float | bool
-        Whether a wind sea has foam where its crests break; a number is the time in seconds, 0 to 10, after which 1/e of
-        such foam is left (0: it goes with the crest), and True means 3.5. Whitecaps need a wind sea.
+        Whether a wind sea has foam where its crests break; a number is the time in seconds, 0 to 10, after which 1/e
+        of such foam is left (0: it goes with the crest), and True means 3.5. Whitecaps need a wind sea.
     color : sequence[float]
         Colour of deep water: red, green, blue in [0, 1].
     opacity : float

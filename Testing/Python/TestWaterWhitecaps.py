@@ -39,7 +39,8 @@ def share(view, water, times=np.arange(0.0, 600.0, 41.0)):
     return np.mean(means)
 
 
-@pytest.mark.parametrize("wind, height", [(5.0, 600.0), (10.0, 600.0), (15.0, 200.0), (15.0, 600.0), (15.0, 20000.0), (20.0, 2000.0)])
+@pytest.mark.parametrize("wind, height", [(5.0, 600.0), (10.0, 600.0), (15.0, 200.0), (15.0, 600.0), (15.0, 20000.0),
+                                          (20.0, 2000.0)])
 @pytest.mark.parametrize("life_time", (0.0, 3.5, 8.0))
 def test_they_cover_the_measured_share(wind, height, life_time):
     """From near and from so far that no wave is seen the mean of the picture is the share of Monahan's fit."""
@@ -48,8 +49,8 @@ def test_they_cover_the_measured_share(wind, height, life_time):
     wt.check_at_most("GetWhitecapCover against the fit, relative",
                      abs(water.GetWaterProperty().GetWhitecapCover() / measured - 1), 1e-12)
     seen = share(view, water)
-    wt.check_at_least(f"wind {wind} m/s from {height} m: share that is white ({seen:.4f}), of the measured", seen / measured,
-                      1 / 1.5)
+    wt.check_at_least(f"wind {wind} m/s from {height} m: share that is white ({seen:.4f}), of the measured",
+                      seen / measured, 1 / 1.5)
     wt.check_at_most(f"wind {wind} m/s from {height} m: share that is white, of the measured", seen / measured, 1.5)
 
 
