@@ -4,7 +4,7 @@ import argparse
 import pathlib
 import sys
 
-from . import readers, solutions
+from . import readers, solutions, tiff_stack
 from .data_scenes import COLOR_MAPS, DataWater
 
 __all__ = ["DATA_ELEVATION", "add_data_arguments", "check_data", "is_data", "make_data_water", "report", "time_of",
@@ -77,7 +77,7 @@ def check_data(parser, arguments):
             if getattr(arguments, word, None) is not None:
                 parser.error(f"--{word.replace('_', '-')} needs an array that defines the water: add "
                              "--depth, --bed, --contour or the name of an array as --level")
-        if pathlib.Path(arguments.file).is_dir():
+        if tiff_stack.is_stack(arguments.file):
             parser.error(f"{arguments.file} is a folder; a folder of GeoTIFF files needs two of its arrays, such "
                          f"as --depth depth --bed bed (vtkwater info {arguments.file} lists its arrays)")
         if arguments.level is None:

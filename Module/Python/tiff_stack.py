@@ -18,7 +18,7 @@ from vtkmodules.vtkCommonDataModel import vtkImageData
 
 from .readers import MOST_POINTS, FileError, grid_of_tiff
 
-__all__ = ["TiffStack"]
+__all__ = ["TiffStack", "is_stack"]
 
 SUFFIXES = (".tif", ".tiff")
 NAMED = re.compile(r"(?P<array>.+?)[_-](?P<time>[0-9]+(?:\.[0-9]+)?)")
@@ -27,6 +27,17 @@ DATED = re.compile(r"(?P<array>.+?)[_-](?P<year>\d{4})-?(?P<month>\d\d)-?(?P<day
 YEARS = range(1800, 2200)  # of dates in names; others are numbers
 PARTS = ("xy", "uv")  # the last letters of two arrays that are the components of a vector
 MOST_OFF = 1e-6  # of a pixel, between the places of two files
+
+
+def files_of(folder):
+    """The GeoTIFF files of a folder, sorted. A name that begins with a dot is macOS's, with metadata."""
+    return [file for file in sorted(Path(folder).iterdir())
+            if file.suffix.lower() in SUFFIXES and not file.name.startswith(".")]
+
+
+def is_stack(path):
+    """Whether the path is a folder with GeoTIFF files."""
+    return Path(path).is_dir() and bool(files_of(path))
 
 
 def date_of(stem):
@@ -114,8 +125,7 @@ class TiffStack:
 
     def _find(self, path):
         """The files of a folder. Times are dates if all of them can be read as such."""
-        files = [file for file in sorted(path.iterdir())  # a name that begins with a dot is macOS's, with metadata
-                 if file.suffix.lower() in SUFFIXES and not file.name.startswith(".")]
+        files = files_of(path)
         if not files:
             raise FileError(f"{path}: has no GeoTIFF files ({', '.join(SUFFIXES)})")
         dates = {file: date_of(file.stem) for file in files}
