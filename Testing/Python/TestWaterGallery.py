@@ -73,3 +73,11 @@ def test_every_picture_of_the_gallery_is_compared():
     wt.check_equal("examples without a test", sorted(set(gallery.EXAMPLES) - tested), [])
     missing = [name for name in gallery.EXAMPLES if not gallery.kept(name).exists()]
     wt.check_equal("examples without a kept picture", missing, [])
+
+
+def test_a_slow_example_is_found():
+    """An example is too slow if it keeps the processor busy over the limit; waiting for other programs does not count."""
+    limit = gallery.LIMIT_S
+    wt.check_equal("slow", gallery.is_in_time("slow", limit + 2, limit + 1), False)
+    wt.check_equal("on a busy machine", gallery.is_in_time("waits", limit + 9, limit - 1), True)
+    wt.check_equal("on two cores", gallery.is_in_time("two", limit - 1, limit + 9), True)

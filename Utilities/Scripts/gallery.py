@@ -3,15 +3,17 @@
 
 usage: gallery.py [--check FOLDER] [PICTURE...]    default: all of them
 
---check FOLDER writes what the examples make under FOLDER, compares it with Documentation/images
-(compare_pictures.py), and ends with 1 if a picture is another one. Run it with a Python that has vtkwater (and Pillow,
-without --check), and a window to render in.
+--check FOLDER writes what the examples make under FOLDER, and compares it with Documentation/images
+(compare_pictures.py). It ends with 1 if a picture differs, or if an example takes longer than LIMIT_S. Run it with a
+Python that has vtkwater (and Pillow, without --check), and a window to render in.
 """
 import argparse
 import pathlib
+import resource
 import subprocess
 import sys
 import tempfile
+import time
 
 import compare_pictures
 
@@ -49,6 +51,7 @@ SCRIPTS = {"cove_below": "cove", "cove_split": "cove"}
 MADE = {"batch": "step_003.png", "lake": "lake.png"}  # where the picture's name is not ours to give
 LOSSLESS = ("first_water", "pyvista_water")
 QUALITY = 88
+LIMIT_S = 30.0  # for each example, with software rendering on two cores
 
 PROGRAMS = {name: recipe for recipe in recipes.read(ROOT / "Documentation/recipes.md") for name in recipe.pictures}
 
@@ -72,6 +75,27 @@ def kept(name):
     return ROOT / f"Documentation/images/{name}.{'png' if name in LOSSLESS else 'jpg'}"
 
 
+def processor_seconds():
+    used = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return used.ru_utime + used.ru_stime
+
+
+def is_in_time(name, seconds, processor):
+    """Whether an example keeps the limit. A busy machine lengthens the run, but not its time on the processor."""
+    took = min(seconds, processor)
+    print(f"{name}: {seconds:.1f} s, {processor:.1f} s on the processor (limit {LIMIT_S:.0f}) "
+          f"{'ok' if took <= LIMIT_S else 'FAILED'}")
+    return took <= LIMIT_S
+
+
+def check(name, folder):
+    """Render a picture. Returns whether it shows what the kept one shows, and was rendered in time."""
+    start, processor = time.monotonic(), processor_seconds()
+    picture = render(name, folder)
+    in_time = is_in_time(name, time.monotonic() - start, processor_seconds() - processor)
+    return compare_pictures.check(picture, kept(name)) and in_time
+
+
 def keep(name):
     """Render a picture, and keep it in Documentation/images."""
     from PIL import Image
@@ -93,7 +117,7 @@ def main():
             keep(name)
         return 0
     folder = arguments.check.resolve()
-    return min(1, sum(not compare_pictures.check(render(name, folder / name), kept(name)) for name in names))
+    return min(1, sum(not check(name, folder / name) for name in names))
 
 
 if __name__ == "__main__":
