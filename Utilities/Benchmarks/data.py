@@ -36,7 +36,7 @@ TEXT = """
 A tide in a basin of $cells cells, $width x $height pixels, with its bed. Every step has new arrays of level and depth, and the shore
 moves. "plain" is VTK's surface of the same data: the points at the level, coloured by depth. "coloured" is
 `add_water(mesh, level=..., depth=..., bed=..., color_by=...)`, "clear" the same without colours. A step is the frame
-with all that its new data ask for: filters, uploads, the mirrored view. Work is the processor time of all threads,
+with all work for its new data: filters, uploads, the mirrored view. Work is the CPU time of all threads,
 which other load on the machine does not change; limits apply to it. The load average at the start was $load.
 
 $steps
@@ -45,10 +45,10 @@ The same of $few cells, whose triangles cover many pixels each:
 
 $few_steps
 
-In software a triangle that covers one pixel costs the shader of a whole group of pixels, as llvmpipe shades several
-neighbours at once. The water's shader is longer than that of a plain surface, and clear water's longer still: what a
-step of clear water costs over the limit is this, not the work on its new data. The picture with a quarter of the
-pixels has the smaller ratio:
+llvmpipe shades several neighbouring pixels at once, so a triangle that covers one pixel costs as much as a group of
+pixels. The shader of water is longer than that of a plain surface, and that of clear water is the longest. This, and
+not the work on the new data, is why a step of clear water exceeds the limit. A picture with a quarter of the pixels
+has a smaller ratio:
 
 $small_steps
 
