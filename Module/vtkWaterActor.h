@@ -21,7 +21,7 @@
  *
  * A problem with the scene (a zero normal, an empty scene, ...) is reported once per change by an
  * ErrorEvent of this object. The surface then shows its plain colour. A camera exactly on the plane
- * sees the view from above it, at a ten thousandth of its near plane's distance.
+ * sees the view from slightly above it (a ten thousandth of its near plane's distance).
  *
  * @sa vtkWaterProperty vtkWaterReflectionPass
  */
@@ -162,13 +162,14 @@ public:
   /**
    * Name of an array of a user's mesh with the current that carries the waves: velocities in m/s
    * along the mesh's axes, with 2 or 3 components, per point or per cell. The waves (sines, wind
-   * sea, normal maps) move with the water at the velocity of each place, and are stretched where
-   * the current accelerates. Their own motion goes on. Has no effect without waves, on waves that
-   * displace the surface (WaveGeometry), and on the built-in sheet; caustics do not move with it.
-   * Velocities that are not finite, or faster than 1e4 m/s, count as 0. A missing array, and one
-   * with another number of components, is reported as an error, once; then there is no current. The
-   * array follows the mesh. The actor's matrix turns velocities, but does not scale them. Empty,
-   * the default: no current. Source: Vlachos 2010, "Water flow in Portal 2" (two-phase flow map).
+   * sea, normal maps) are carried at the velocity of each place, in addition to their own motion,
+   * and are stretched where the current accelerates. Has no effect without waves, on waves that
+   * displace the surface (WaveGeometry), or on the built-in sheet; caustics do not move with the
+   * current. Velocities that are not finite, or faster than 1e4 m/s, count as 0. A missing array,
+   * or one with another number of components, is reported as an error, once; there is then no
+   * current. Changes of the array take effect in the next frame. The actor's matrix rotates
+   * velocities, but does not scale them. Empty, the default: no current. Source: Vlachos 2010,
+   * "Water flow in Portal 2" (two-phase flow map).
    */
   void SetFlowArrayName(const std::string& name);
   std::string GetFlowArrayName() const { return this->FlowArrayName; }
@@ -176,11 +177,11 @@ public:
 
   ///@{
   /**
-   * Seconds for which the current of FlowArrayName carries a layer of waves before the layer begins
-   * again; two layers take turns. Waves are stretched by what the velocity changes over the way in
-   * this time: a shorter period stretches them less, and a longer one lets them be followed
-   * further. Waves longer than the way in half a period are hardly carried. In [1e-3, 1e6]; another
-   * value is rejected with an error. Default is 4.
+   * Seconds for which the current of FlowArrayName carries a layer of waves before the layer starts
+   * again; two layers alternate. Changes of the velocity along this path stretch the waves: a
+   * shorter period stretches them less, and with a longer period a wave can be followed farther.
+   * Waves longer than the distance that the current covers in half a period are hardly carried. In
+   * [1e-3, 1e6]; another value is rejected with an error. Default is 4.
    */
   void SetFlowPeriod(double seconds);
   vtkGetMacro(FlowPeriod, double);
@@ -199,7 +200,7 @@ public:
   /**
    * Hulls that float in the water: boats, caissons, pontoons. No water is drawn inside a hull's
    * waterline, the line in which the surface of its mesh cuts the water surface, waves included.
-   * The hold of an open boat is therefore dry, also if its walls are thick. A hull is the geometry
+   * The hold of an open boat is therefore dry, even if its walls are thick. A hull is the geometry
    * of the actor's mapper at the actor's position. The water only reads the actor; add it to the
    * renderer to show it (or show another actor in its place and pass one with a coarser mesh here).
    * The actor's visibility has no effect, nor has an assembly that contains it. Its data must be

@@ -80,9 +80,10 @@ public:
 
   ///@{
   /**
-   * Largest number of planes, and of waters, in [1, 4096]. The smallest parts beyond it join the
-   * nearest plane and show what it would reflect at their height. In software, every clear water in
-   * view takes some milliseconds per frame, mirrored or not. Default is 16.
+   * Largest number of planes, and of waters, in [1, 4096]. If there are more parts, the smallest
+   * ones use the nearest of these planes, and show what it would reflect at their height. In
+   * software, every clear water in view takes some milliseconds per frame, mirrored or not. Default
+   * is 16.
    */
   void SetMaximumNumberOfPlanes(int planes);
   int GetMaximumNumberOfPlanes() const;
@@ -99,7 +100,7 @@ public:
 
   /**
    * Adds the waters to a renderer. The renderer keeps this object alive until they are removed.
-   * Those that are in it already stay.
+   * Waters that are already in the renderer stay there.
    */
   void AddTo(vtkRenderer* renderer);
 

@@ -164,7 +164,7 @@ public:
   /**
    * Source of the colour of infinitely deep water. MEDIUM: the share of the light that Absorption
    * and Scattering send back up, 0.33 b / (a + b), under the renderer's distant lights and
-   * background. Positional lights do not count; a headlight counts as a light at the eye. GIVEN:
+   * background. Positional lights are ignored; a headlight is treated as a light at the eye. GIVEN:
    * DeepColor, independent of the light. Default is MEDIUM.
    *
    * Source: Morel and Prieur 1977, "Analysis of Variations in Ocean Color".
@@ -191,14 +191,15 @@ public:
   ///@{
   /**
    * Metres per unit of the scene, in [1e-9, 1e9]. All lengths of this class are in metres and are
-   * converted to the scene's unit. 0 means automatic: a scene that is 256 to 1024 units across
-   * counts as a scene in metres, a smaller one as 200 to 400 m across, a larger one as 1000 to
+   * converted to the scene's unit. 0 means automatic: a scene that is 256 to 1024 units across is
+   * treated as a scene in metres, a smaller one as 200 to 400 m across, a larger one as 1000 to
    * 2000 m across. A preset may have other ranges (a pool: 4 to 32 units are metres, a smaller
    * scene is 4 to 8 m across, a larger one 20 to 40 m). Waves shorter than 1/400 of the scene are
    * then not shown, and GetWaveHeight agrees with what is shown. The heights of a map have their
    * own scale. Without a preset, light is therefore attenuated as if the deepest bed were 30 m
-   * deep, or 120 m if the scene is ten times as wide as deep. A flat bed counts as 5 m deep if the
-   * water's automatic sheet ends with its ground: it is that of a pool or a tank. Default is 1.
+   * deep, or 120 m if the scene is ten times as wide as deep. A flat bed, such as the floor of a
+   * pool or a tank, is treated as 5 m deep if the water's automatic sheet ends with its ground.
+   * Default is 1.
    */
   void SetMetresPerUnit(double metres);
   vtkGetMacro(MetresPerUnit, double);
@@ -315,9 +316,9 @@ public:
 
   ///@{
   /**
-   * Foam whose depth fits the scene: with automatic units, FoamDepth counts as at least 1/400 of
-   * the scene's diagonal, which a picture of the whole scene shows. Nothing changes in other units,
-   * nor without FoamDepth. Default is off.
+   * Whether the depth of the foam fits the scene: with automatic units, FoamDepth is increased to
+   * at least 1/400 of the scene's diagonal, so that the foam is visible in a picture of the whole
+   * scene. Has no effect with other units or without FoamDepth. Default is off.
    */
   vtkSetMacro(FoamFitsScene, bool);
   vtkGetMacro(FoamFitsScene, bool);
@@ -347,11 +348,11 @@ public:
   /**
    * Shadows of objects on the water's glitter and foam. For each point a ray to the sun is traced
    * in the mirrored view. The point is in shadow if the ray crosses a surface in that view, from
-   * either side, or passes behind an upright edge by less than a twentieth of the distance. What
-   * the view does not show casts no shadow: objects outside the picture, and sides that face away
-   * from the mirrored eye. Needs Lookup RAY_TRACED. Rays are followed only where they can change
-   * the pixel's colour by more than half of 1/255. In software, water that glitters everywhere
-   * takes 1.8 times as long. Default is off.
+   * either side, or passes behind an upright edge by less than a twentieth of the distance. Objects
+   * outside the picture, and sides that face away from the mirrored eye, are not in that view and
+   * cast no shadow. Needs Lookup RAY_TRACED. Rays are followed only where they can change the
+   * pixel's colour by more than half of 1/255. In software, water that glitters everywhere takes
+   * 1.8 times as long. Default is off.
    */
   void SetShadows(bool shadows);
   vtkGetMacro(Shadows, bool);
@@ -373,8 +374,8 @@ public:
 
   ///@{
   /**
-   * Light shafts for a camera under water: the share, in [0, 1], of the light in the water and on
-   * what lies in it that varies with what the waves above gather. Needs Refraction, waves, a sun, a
+   * Light shafts for a camera under water: the share, in [0, 1], of the light in the water, and on
+   * objects in it, that varies because the waves above focus it. Needs Refraction, waves, a sun, a
    * medium (absorption or scattering in every channel) and a camera with perspective; the mean
    * light is that of calm water. Default is 0: no shafts. Source: Iwasaki et al. 2002, "An
    * Efficient Method for Rendering Underwater Optical Effects Using Graphics Hardware".

@@ -328,11 +328,11 @@ public:
    * plain colour. While a rank has no controller, has not shown the water yet, or does not render,
    * the others wait for it, as in any collective call (SetRankWaitLimit). A mesh may be split over
    * the ranks. Translucent props and volumes are blended rank by rank, in the order in which the
-   * mirrored camera sees the bounding boxes of each rank's translucent objects; the result is right
-   * if these boxes do not overlap. Pixels of textures (normal maps, environment) are not compared.
-   * A controller of a single process has no effect. For frames that one rank renders alone, set
-   * nullptr on all ranks. vtkWaterLakes does not support ranks: only its first water has the
-   * controller. Source: Documentation/decisions/023-ranks.md. Default is nullptr.
+   * mirrored camera sees the bounding boxes of each rank's translucent objects; the result is
+   * correct if these boxes do not overlap. Pixels of textures (normal maps, environment) are not
+   * compared. A controller of a single process has no effect. For frames that one rank renders
+   * alone, set nullptr on all ranks. vtkWaterLakes does not support ranks: only its first water has
+   * the controller. Source: Documentation/decisions/023-ranks.md. Default is nullptr.
    */
   void SetController(vtkMultiProcessController* controller);
   vtkMultiProcessController* GetController() const;
@@ -341,22 +341,22 @@ public:
   ///@{
   /**
    * Longest time in seconds, in [0, 1e6], that this process waits for the other ranks in one call;
-   * 0 means no limit. A collective call of a communicator cannot be ended from outside. Beyond the
-   * limit, the process therefore prints what it waited for, and ends at once with EXIT_FAILURE,
-   * without destructors; mpirun then ends the other ranks. Without a limit, it prints this message
-   * after 10 s and continues to wait. The time includes the slowest rank's draw. Each water's pass
-   * has its own limit. Default is 0.
+   * 0 means no limit. A collective call of a communicator cannot be ended from outside. When the
+   * limit is exceeded, the process therefore prints what it is waiting for, and ends at once with
+   * EXIT_FAILURE, without calling destructors; mpirun then ends the other ranks. Without a limit,
+   * it prints this message after 10 s and continues to wait. The time includes the slowest rank's
+   * draw. Each water's pass has its own limit. Default is 0.
    */
   void SetRankWaitLimit(double seconds);
   double GetRankWaitLimit() const;
   ///@}
 
   /**
-   * Keeps a renderer's background as it is now (colours, gradient, textures): this is what later
-   * frames reflect, whatever the renderer's background is while they are drawn. For engines that
-   * blank it while they draw, as IceT's compositing pass does. Call it again when the background
-   * has changed. Textures are kept, not copied: new pixels of theirs are reflected. nullptr, the
-   * default: the renderer's own background is reflected.
+   * Stores a renderer's present background (colours, gradient, textures). Later frames reflect it,
+   * whatever the renderer's background is while they are drawn. Use it with engines that set the
+   * background to black while they draw, as IceT's compositing pass does, and call it again when
+   * the background has changed. Textures are not copied: a change of their pixels is reflected.
+   * nullptr, the default: the renderer's own background is reflected.
    */
   void KeepBackground(vtkRenderer* renderer);
 

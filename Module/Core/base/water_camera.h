@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// water_camera.h: takes the eye apart, once for all steps: inverses, projection centre, view rays.
+// water_camera.h: decomposes the eye's camera once for all steps: inverses, projection centre, view
+// rays.
 //
-// Whether the eye is a perspective or a parallel one is read from view_to_clip (clip w constant:
-// parallel), so that any matrix a host can draw with is understood; water_camera.parallel is only
-// handed on. In front of the eye clip w is positive, as OpenGL's clipping demands.
+// view_to_clip determines whether the eye is perspective or parallel (parallel: clip w is
+// constant), so every matrix that a host can draw with is supported; water_camera.parallel is only
+// passed on. In front of the eye clip w is positive, as OpenGL's clipping demands.
 #ifndef water_camera_h
 #define water_camera_h
 

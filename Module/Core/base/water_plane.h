@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // water_plane.h: the plane: normalise, height of a point, mirror matrix, own axes, sheet.
 //
-// Errors, in roundings u = 2^-53: a unit normal and its offset are within 6 u of themselves.
-// Mirrored twice is the identity within 48 u, and 64 u of the offset for the translation. Derived
-// at, and checked by, Testing/Core/Stability; measured in Documentation/stability.md.
+// Errors, in roundings u = 2^-53: the relative error of a unit normal and of its offset is at most
+// 6 u. Mirroring twice is the identity within 48 u, and for the translation within 64 u of the
+// offset. Testing/Core/Stability derives and checks these bounds; Documentation/stability.md has
+// measurements.
 #ifndef water_plane_h
 #define water_plane_h
 
@@ -28,16 +29,16 @@ static inline double water_plane_height(const water_plane* unit, const double po
     unit->offset;
 }
 
-// Are two normalised planes the same, either way round, as far as rounding can tell of planes
-// through points that are no farther than reach from the world's origin?
+// Are two normalised planes the same within rounding, with equal or opposite normals? reach is the
+// largest distance of their points from the world's origin.
 bool water_plane_is_same(const water_plane* a, const water_plane* b, double reach);
 
 // Are two planes of any scale the same, bit by bit, after normalisation? False if one of them
 // cannot be normalised.
 bool water_plane_is_identical(const water_plane* a, const water_plane* b);
 
-// Are two planes of any scale the same, either way round, as far as rounding can tell? Never one
-// that cannot be normalised.
+// Are two planes of any scale the same within rounding, with equal or opposite normals? False if
+// one of them cannot be normalised.
 //
 // origin_a, origin_b  of their own axes: the points, far from the world's origin, of the comparison
 bool water_plane_is_shared(
@@ -69,7 +70,7 @@ void water_plane_sky_direction(
 water_status water_sheet_bounds(const double origin[3], const double x_dir[3],
   const double y_dir[3], const double bounds[6], double sheet[4]);
 
-// Bounds in world of what waves displace.
+// Bounds, in world coordinates, of a surface that waves displace.
 //
 // unit    normalised
 // bounds  at rest: xmin, xmax, ymin, ymax, zmin, zmax in world

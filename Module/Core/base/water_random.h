@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // water_random.h: random numbers by their number: no state, and the same bits on every machine.
 //
-// Same bits, because only + - * / and sqrt are used, which IEEE 754 rounds in one way; the
-// logarithm and the sine of the C library differ in the last bit from one to another.
+// The bits are the same because only + - * / and sqrt are used, whose rounding IEEE 754 defines.
+// The logarithm and the sine differ in the last bit between C libraries.
 #ifndef water_random_h
 #define water_random_h
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// water_units.h: what a metre is in a scene. Lengths of waves, depths and ways through water are
-// metres; a scene has a unit of its own.
+// water_units.h: the length of a metre in a scene. Wavelengths, depths and paths through water are
+// in metres; a scene has its own unit.
 #ifndef water_units_h
 #define water_units_h
 
@@ -33,21 +33,21 @@ water_status water_units_find(const char* name, double* metres);
 // Name of unit i; NULL from the number of units on.
 const char* water_units_name(size_t i);
 
-// Metres per unit of a scene of unknown unit, so that its water looks natural. A scene of a natural
-// size for its water is in metres. A smaller or a larger one, such as a model or a map, counts as
-// half of the nearest natural size or more. Sizes are rounded up to a power of two, so that nothing
-// changes while an object moves.
+// Metres per unit for a scene of unknown unit, so that its water looks natural. Sizes are rounded
+// up to a power of two, so that the unit does not change while an object moves. A scene whose
+// rounded size is a natural one is in metres. A smaller scene, such as a model, gets half to all of
+// the least natural size, and a larger one, such as a map, half to all of the largest.
 //
 // diagonal   of the scene, units; the result is 1 if it is not finite or not positive
 // natural_m  the least and the largest natural size, m, > 0
 double water_units_fit(double diagonal, const double natural_m[2]);
 
 // Attenuation in a scene of unknown unit: 1/64 to 16 times that of the medium, so that the deepest
-// bed counts as naturally deep, or as four times as deep in a map. In a map, water hides its deep
-// parts and shows its shore; elsewhere, objects that reach into the water stay visible. A map is a
-// scene at least ten times as wide as deep. A scene five times as wide is not a map; between the
-// two the depth changes linearly. A flat bed is that of a tank or a pool, which is there to be
-// seen: it counts as a sixth as deep, however wide the scene is.
+// bed is treated as naturally deep, or as four times as deep in a map. In a map the water then
+// hides the deep parts and shows the shore; elsewhere, objects that reach into the water stay
+// visible. A map is a scene at least ten times as wide as deep. A scene that is at most five times
+// as wide is not a map; between the two, the depth changes linearly. A flat bed is treated as the
+// visible floor of a tank or a pool: a sixth of the natural depth, however wide the scene is.
 //
 // extinction     of the medium, per unit
 // bed_depth      of the deepest bed under the water, units; nothing changes unless it is > 0

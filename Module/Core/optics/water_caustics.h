@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// water_caustics.h: light that waves gather under water: how it is refracted, how far it spreads,
-// and the sum of what many points of the surface send down.
+// water_caustics.h: light that waves focus under water: how it is refracted, how far it spreads,
+// and the sum of the light from many points of the surface.
 //
 // Directions are in axes whose third is the plane's normal; depths are under the plane, > 0.
 #ifndef water_caustics_h
@@ -29,13 +29,13 @@ bool water_caustics_way(
 // variance r^2 / 4.
 void water_caustics_sun_spread(const double sun_dir[3], double index, double spread[3]);
 
-// Change of a way aside by the surface's slope, per depth, at calm water: xx, xy, yy (it is
-// symmetric to first order). (1 - 1/n) under the zenith.
+// Derivative of the horizontal displacement by the surface's slope, per depth, for calm water: xx,
+// xy, yy (it is symmetric to first order). It is (1 - 1/n) for a sun at the zenith.
 void water_caustics_turn(const double sun_dir[3], double index, double turn[3]);
 
-// Adds up light that has come to a texture, where the processor is faster at that than its drawing
-// of points: the same as vtkWaterLightVS.glsl and vtkWaterLightFS.glsl. A texel at a distance d
-// from a photon's place gets weight (1 - d . shape d)^3, 0 where that is negative.
+// Accumulates light in a texture on the CPU, which is faster than drawing points with software GL.
+// The result is the same as with vtkWaterLightVS.glsl and vtkWaterLightFS.glsl. A texel at a
+// distance d from a photon's place gets weight (1 - d . shape d)^3, 0 where that is negative.
 //
 // places  count times 4: place x, y in texels, weight, and what is not used
 // shapes  count times 4: shape xx, xy, yy, positive definite, and what is not used

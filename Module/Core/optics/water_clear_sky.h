@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// water_clear_sky.h: the clear sky by day, and the sun's light: what comes from each direction.
+// water_clear_sky.h: a clear daytime sky and the sun's light: the light from each direction.
 //
 // Directions are x east, y north, z up. Colours are luminances, kcd/m^2, of the linear primaries of
 // sRGB: red = green = blue = Y is a white of the luminance Y. The sun's disc is not in the sky: its
@@ -43,16 +43,16 @@ extern const double water_clear_sky_turbidity_max; // 10: hazy
 bool water_clear_sky_make(
   double azimuth_deg, double elevation_deg, double turbidity, water_clear_sky* sky);
 
-// What comes from a direction of unit length; no colour is negative. Under the horizon the haze
-// over it goes over, within 10 degrees, into grey ground that sends back a tenth of the sky's mean.
+// Luminance from a direction of unit length; no colour is negative. Below the horizon, the haze
+// fades within 10 degrees into grey ground, which reflects a tenth of the sky's mean.
 void water_clear_sky_color(const water_clear_sky* sky, const double dir[3], double color[3]);
 
-// A white card that faces the sun, lit by the sun alone: what the air lets through at 650, 570 and
-// 475 nm, scattered by its molecules and its aerosols, of 128 klx. Ozone and water vapour, which
-// take a few per cent, are left out.
+// Colour of a white card that faces the sun and is lit by the sun alone: 128 klx, reduced by
+// scattering of the air's molecules and aerosols at 650, 570 and 475 nm. Ozone and water vapour,
+// which absorb a few per cent, are left out.
 void water_clear_sky_sun(const water_clear_sky* sky, double color[3]);
 
-// What a colour is multiplied by to be shown: the sky's mean luminance becomes 0.3 of white.
+// Factor from a colour to the displayed colour: the sky's mean luminance becomes 0.3 of white.
 double water_clear_sky_exposure(const water_clear_sky* sky);
 
 // A place of a picture in longitude and latitude, u, v in [0, 1]: u from west over south, east and

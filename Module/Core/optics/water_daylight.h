@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// water_daylight.h: the light that a scene's sky and lights bring to level water, and the colour
-// that the water sends back of it.
+// water_daylight.h: the light of a scene's sky and lights on level water, and the colour that the
+// water scatters back.
 //
-// Daylight is irradiance on the plane over pi, linear, red, green and blue: what a white card in
-// the plane would show. A background is a colour of the display (sRGB) and is decoded before it is
-// added; a light's intensity is linear. What comes back from the water is encoded.
-// Source of the encoding: IEC 61966-2-1:1999 (sRGB), section 5.2.
+// Daylight is the irradiance on the plane divided by pi, linear, red, green and blue: the colour of
+// a white card in the plane. A background is a display colour (sRGB) and is decoded before it is
+// added; a light's intensity is linear. The colour of the water is encoded. Source of the encoding:
+// IEC 61966-2-1:1999 (sRGB), section 5.2.
 #ifndef water_daylight_h
 #define water_daylight_h
 
@@ -21,7 +21,7 @@ extern "C"
 double water_display_encode(double linear);
 double water_display_decode(double shown);
 
-// Adds what a sky sends down: the mean of its colours.
+// Adds the light of a sky: the mean of its colours.
 void water_daylight_add_sky(const water_sky* sky, double daylight[3]);
 
 // Adds a distant light's part: intensity times colour times the cosine to the normal, from the
@@ -34,9 +34,9 @@ void water_daylight_add_sky(const water_sky* sky, double daylight[3]);
 void water_daylight_add_light(const double normal[3], const double dir[3], const double color[3],
   double intensity, double daylight[3]);
 
-// Colour of water without an end under a daylight, as the display shows it, in [0, 1]: the share
-// of the light that comes back up (water_medium_reflectance), encoded. How light enters the water
-// and leaves it is not counted, as it is not for what is seen through the surface.
+// Display colour of infinitely deep water under a daylight, in [0, 1]: the share of the light that
+// is scattered back (water_medium_reflectance), encoded. Losses where light enters and leaves the
+// water are neglected, as they are for everything that is visible through the surface.
 void water_daylight_deep_color(
   const water_medium* medium, const double daylight[3], double color[3]);
 

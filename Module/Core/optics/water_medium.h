@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// water_medium.h: light in the water: refraction, what the way through it takes, what it scatters
-// back.
+// water_medium.h: light in the water: refraction, attenuation along a path, backscattering.
 //
 // eta and cosines are those of water_optics.h. Colours are three channels at 650, 550 and 450 nm
 // (red, green, blue), linear. Seen from below, the sky lies in a window of half-angle
 // water_optics_critical_rad(1 / index): 48.6 degrees.
 //
-// Scattering is what is lost from a beam. Of real water most is scattered forward by a degree or
-// two and is not lost to the eye: give the part scattered backward, and all three closed forms
-// below are quasi-single scattering.
-// Source: Gordon 1973, "Simple Calculation of the Diffuse Reflectance of the Ocean".
+// Scattering is the light lost from a beam. Real water scatters most light forward, by a degree or
+// two, and this light still reaches the eye. Therefore give only the part that is scattered
+// backward; the three closed forms below are then quasi-single scattering. Source: Gordon 1973,
+// "Simple Calculation of the Diffuse Reflectance of the Ocean".
 #ifndef water_medium_h
 #define water_medium_h
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// water_blocks.h: whole cells of a square grid in square blocks, as large as their neighbours
-// allow: a balanced quadtree. What is drawn of many cells costs less: software renderers shade
-// squares of pixels, once for each triangle in one.
+// water_blocks.h: joins whole cells of a square grid into square blocks, as large as their
+// neighbours allow: a balanced quadtree. Fewer triangles cost less: software renderers shade
+// squares of pixels, once for each triangle in a square.
 //
-// A block is at most twice as wide as what lies beside it, so that a side has one vertex of a
-// neighbour at most, in its middle. Drawn with that vertex, blocks leave no gap between them.
+// A block is at most twice as wide as its neighbours, so each side has at most one vertex of a
+// neighbour, in its middle. Blocks that are drawn with that vertex leave no gaps between them.
 // Source: Samet 1984, "The Quadtree and Related Hierarchical Data Structures".
 #ifndef water_blocks_h
 #define water_blocks_h

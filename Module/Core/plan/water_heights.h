@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // water_heights.h: do a solver's level, depth and bed have one unit?
 //
-// level = bed + depth tells a wrong one, at wet places and, where solvers write the bed as the
-// level, at dry ones. Depth and bed alone tell it if their sum is a calm level in one unit, and not
-// in the unit that they have. Without a depth, only a level that no water has: far under the lowest
-// bed, or over a land whose heights it lies among in another unit. Deep seas, flat tanks, dry
-// basins and high waves are none of these. What fits more than one explanation is no mistake.
+// With all three, a wrong unit breaks level = bed + depth, at wet places and, where solvers write
+// the bed as the level, at dry ones. With depth and bed alone, a unit is wrong if their sum is a
+// calm level only after a conversion to another unit. Without a depth, it is wrong if no water can
+// have the level: far below the lowest bed, or above the whole land although it would lie among the
+// land's heights in another unit. Deep seas, flat tanks, dry basins and high waves are not
+// reported. Nothing is reported if there is more than one explanation.
 #ifndef water_heights_h
 #define water_heights_h
 
@@ -31,7 +32,7 @@ typedef struct water_heights_verdict
   double factor; // it is this many times too large; 0: not known
 } water_heights_verdict;
 
-// What is wrong with heights of the same places. Values that are not finite are ignored.
+// Finds a wrong unit among heights of the same places. Values that are not finite are ignored.
 //
 // levels, depths, beds  count numbers each; NULL: not given. Without two of them nothing is wrong.
 water_heights_verdict water_heights_judge(

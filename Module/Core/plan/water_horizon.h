@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// water_horizon.h: what an eye sees of a whole plane, up to the horizon: which part of the picture,
-// and as a sheet of a few triangles.
+// water_horizon.h: the part of an infinite plane that an eye sees, up to the horizon: its area in
+// the picture, and a sheet of a few triangles.
 //
 // The part is a convex polygon: the picture, cut at the horizon. Its corners are found in the
-// picture and led back to the plane, so that no corner is behind the eye, and none is farther away
-// than it must be. Perspective: the sheet ends under the horizon by a millionth of the picture's
-// height, at about a million times the eye's height over the plane. Any plane has a horizon,
-// whatever its orientation; to a parallel view none is in sight.
+// picture and projected onto the plane, so no corner is behind the eye, and none is farther away
+// than necessary. Perspective: the sheet ends under the horizon by a millionth of the picture's
+// height, at about a million times the eye's height over the plane. Every plane has a horizon,
+// whatever its orientation; a parallel view does not show it.
 #ifndef water_horizon_h
 #define water_horizon_h
 

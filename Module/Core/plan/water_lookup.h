@@ -4,8 +4,8 @@
 //
 // Waves turn the surface's normal, so that a pixel's reflected ray no longer meets the reflection
 // texture where the pixel is. A ray is a straight line in the reflection texture's window, depth
-// included; the shader walks it and compares with the reflection texture's depth. Everything here
-// is small near the eye: places count from a point under it.
+// included; the shader walks it and compares with the reflection texture's depth. Coordinates are
+// relative to the point below the eye, so they are small near the eye.
 #ifndef water_lookup_h
 #define water_lookup_h
 
@@ -64,14 +64,14 @@ void water_lookup_dirs(const water_camera* camera, const water_axes* axes, doubl
 // metres_per_unit  > 0
 void water_lookup_pattern(const double origin_xy[2], double metres_per_unit, double pattern_xy[2]);
 
-// The share of the 12 s after which foam is as it was, in [0, 1).
+// Phase of the foam's period of 12 s, in [0, 1).
 //
 // time  s, finite
 double water_lookup_pattern_turn(double time);
 
-// The part of the picture that is seen through the surface: to an eye over a flat one it can show
-// what is under the plane, and all rays that go down from the plane lead there. It is bounded by
-// the plane's horizon. Any other eye or surface: all of the picture.
+// The part of the picture that can be visible through the surface. For an eye above a flat surface
+// it is the part below the plane's horizon, which contains everything below the plane and the ends
+// of all rays that go down from it. For any other eye or surface it is the whole picture.
 //
 // is_flat  the surface lies in the plane exactly
 // rect_px  left, bottom, width and height; all 0: there is none
@@ -89,16 +89,16 @@ bool water_lookup_local(const water_axes* axes, const double dir[3], double loca
 void water_lookup_environment(
   const water_axes* axes, const double up[3], const double right[3], double dir_to_environment[9]);
 
-// Is the surface where the eye is: does the foot of the eye on the plane lie in its bounds? An eye
-// below the plane is in the water then. Never for a parallel eye, which is nowhere.
+// Does the point of the plane below or above the eye lie within the surface's bounds? An eye below
+// the plane is then in the water. False for a parallel eye, which has no position.
 //
 // plane           normalised
 // surface_bounds  of the surface in world; NULL: it has no end
 bool water_lookup_is_at_surface(const water_camera* camera, const water_eye* eye,
   const water_plane* plane, const double surface_bounds[6]);
 
-// Does some of the near plane lie on the other side of the water than the eye? The surface before
-// it is not drawn.
+// Does a part of the near plane lie on the other side of the water than the eye? The surface in
+// front of the near plane is not drawn.
 //
 // plane_view  normal towards the eye
 bool water_lookup_cuts_surface(const water_eye* eye, const double plane_view[4]);
@@ -132,8 +132,8 @@ double water_lookup_texel(const double dir_to_reflection[12], const int texture_
 // plane  normalised, normal towards the eye
 double water_lookup_bottom(const water_plane* plane, const water_prop* props, size_t prop_count);
 
-// Height over a plane under which all drawn props lie, >= 0: a ray that got so far sees the sky.
-// Infinite when a drawn prop has no bounds.
+// Height above a plane, >= 0, below which all drawn props lie: a ray that rises above it sees the
+// sky. Infinite if a drawn prop has no bounds.
 //
 // plane  normalised, normal towards the eye
 double water_lookup_top(const water_plane* plane, const water_prop* props, size_t prop_count,
@@ -151,9 +151,9 @@ double water_lookup_contrast(int rays);
 // has no rays.
 int water_lookup_calm_samples(int rays);
 
-// Does a drawn prop surround the eye, as a dome that is the sky does? Its bounds hold the eye, and
-// reach at least a quarter of their widest side above the plane; land around the eye is lower. What
-// something hides may then be the dome, and not the background.
+// Does a drawn prop surround the eye, as a dome does that represents the sky? Its bounds contain
+// the eye and reach above the plane by at least a quarter of their widest side; land around the eye
+// is lower. Behind an object there may then be the dome instead of the background.
 //
 // plane  normalised, normal towards the eye
 //

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// water_mirror.h: the camera mirrored at the plane, the clip at the plane, and what leads
-// from the scene into the mirrored picture.
+// water_mirror.h: the camera mirrored at the plane, the clip at the plane, and the transformations
+// from the scene to the mirrored picture.
 //
 // R is the mirror matrix of the plane (determinant -1), Fx = diag(-1, 1, 1, 1). The mirrored camera
 // is V' = Fx V R, P' = Fx P Fx: V' is a proper rigid view, so triangles keep their winding, and P'
@@ -10,10 +10,11 @@
 // Errors, in roundings u = 2^-53, where the reach is the sum of the lengths of a point, of the
 // plane's offset and of the view's: the mirrored view has determinant 1 within 64 u of the eye's
 // own; mirrored twice it is the eye's within 64 u (translation: 128 u of the reach). A point of the
-// water is within 32 u of the reach of its own place in it, so its pixel within that over the
-// distance from the eye, times the projection's scale. Heights over the clip are within 128 u of
-// the reach in view space; in clip space the inverse of the projection adds 64 u of its own size.
-// Derived at, and checked by, Testing/Core/Stability; measured in Documentation/stability.md.
+// water is displaced in it by at most 32 u of the reach, and its pixel by this length divided by
+// the distance from the eye, times the projection's scale. Errors of heights above the clip are at
+// most 128 u of the reach in view space; in clip space, the inverse of the projection adds 64 u of
+// its own size. Testing/Core/Stability derives and checks these bounds; Documentation/stability.md
+// has measurements.
 #ifndef water_mirror_h
 #define water_mirror_h
 
@@ -29,8 +30,8 @@ extern "C"
 // Mirrors a camera at a normalised plane. The sign of the normal does not matter.
 void water_mirror_camera(const water_camera* eye, const water_plane* plane, water_camera* mirrored);
 
-// How far the far plane of a camera must move away for the drawn props to lie before it, by more
-// than rounding; the near plane and the picture stay where they are.
+// How far the far plane of a camera must move so that the drawn props lie in front of it, by more
+// than rounding. The near plane and the picture do not change.
 typedef struct water_reach
 {
   double world_to_clip[16];

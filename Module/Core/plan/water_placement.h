@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// water_placement.h: does a surface that a user gives lie in the water's plane? The mirror is the
-// plane: what lies off it, or stands upright, shows the reflection of another surface.
+// water_placement.h: does a surface that a user gives lie in the water's plane? The plane is the
+// mirror: a surface that lies off the plane, or stands upright, would show the wrong reflection.
 //
-// Waves in the surface are right: their heights cancel, and their slopes are small. So the mean
-// height is judged, and the mean angle; which side of a triangle is its front is not known.
+// Waves in the surface are allowed: their heights cancel, and their slopes are small. The test
+// therefore uses the mean height and the mean angle. It does not use which side of a triangle is
+// its front.
 #ifndef water_placement_h
 #define water_placement_h
 

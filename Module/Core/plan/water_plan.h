@@ -30,9 +30,9 @@ water_status water_plan_make(
 bool water_plan_wants_visibility(const water_plan* last, const water_plan* plan);
 
 // Revises a plan by what is known once it is made; nothing changes it afterwards. A plan that
-// reflects uses the last reflection texture again (WATER_REUSE) if that shows the same. In a view
-// that has not changed it goes without a mask, so that its reflection texture can be used again.
-// Props that no visible water shows are culled.
+// reflects uses the last reflection texture again (WATER_REUSE) if that shows the same. In an
+// unchanged view no mask is used, so that the reflection texture can be used again. Props that no
+// visible water shows are culled.
 //
 // scene         of the plan
 // last          as above
@@ -43,9 +43,9 @@ bool water_plan_wants_visibility(const water_plan* last, const water_plan* plan)
 void water_plan_revise(const water_scene* scene, const water_plan* last, bool is_unchanged,
   const struct water_visibility* visible, water_plan* plan, water_cull_reason* reasons);
 
-// May the clip at the water cut what lies in a box? Not what is on the kept side by more than
-// single precision errs. Numbers that are not finite, and an empty box (min > max), say nothing:
-// true.
+// May the clip at the water cut an object in this box? No, if the box is on the kept side by more
+// than the error of single precision. Numbers that are not finite, and an empty box (min > max),
+// say nothing: true.
 bool water_plan_cuts(const water_plan* plan, const double bounds[6]);
 
 // Is it worthwhile to draw the next reflection texture only after the eye's picture? That picture
@@ -59,7 +59,7 @@ bool water_plan_cuts(const water_plan* plan, const double bounds[6]);
 bool water_plan_should_wait(
   const water_plan* last, double visible_px, bool is_software, unsigned skips);
 
-// Is nothing of the water seen? An eye in it may still see it.
+// Is the water wholly invisible? False for an eye in the water.
 bool water_decision_is_unseen(water_decision decision);
 
 // Is there a reflection texture to look up, drawn or used again?

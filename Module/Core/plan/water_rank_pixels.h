@@ -4,8 +4,8 @@
 //
 // Only pixels that show something are sent, as runs: the active pixels of Ma et al., "Parallel
 // volume rendering using binary-swap compositing", IEEE CG&A 14(4), 1994. Colours that repeat are
-// sent once. Window depth is linear over a flat facet, so that its second difference takes one byte
-// as a rule. Nothing is lost.
+// sent once. Window depth is linear over a flat facet, so its second difference usually takes one
+// byte. The compression is lossless.
 #ifndef water_rank_pixels_h
 #define water_rank_pixels_h
 
@@ -42,8 +42,9 @@ typedef enum water_rank_merge
   WATER_RANK_REPLACE  // take what is sent
 } water_rank_merge;
 
-// Depths as numbers that are sent, and back: floats of at least 2^-8 come back as they were, others
-// within 2^-32. Floats round what a texture of fixed numbers has, each time that they are written.
+// Converts depths to the numbers that are sent, and back. Floats of at least 2^-8 are restored
+// exactly, others within 2^-32. (A texture with fixed-point depths rounds each time a float is
+// written to it.)
 //
 // depths  in [0, 1]; 1: nothing is drawn
 void water_rank_pixels_from_depths(const float* depths, size_t count, uint32_t* numbers);
@@ -61,7 +62,8 @@ size_t water_rank_pixels_limit(const water_rank_picture* picture);
 size_t water_rank_pixels_encode(
   const water_rank_picture* picture, bool has_background, unsigned char* bytes);
 
-// Reads one into another of the same size. A layer is always replaced, where something is sent.
+// Merges a received picture into another one of the same size. Pixels of a layer are always
+// replaced if they were sent.
 //
 // Returns false when the bytes are no such picture; what was read until then stays.
 bool water_rank_pixels_merge(const unsigned char* bytes, size_t byte_count, water_rank_merge merge,
@@ -74,9 +76,10 @@ bool water_rank_pixels_merge(const unsigned char* bytes, size_t byte_count, wate
 void water_rank_pixels_over(
   const uint32_t* front, size_t words, size_t pixel_count, uint32_t* back);
 
-// The order in which layers of several boxes are blended, from front to back. It is right where
-// any two boxes are apart along an axis and no three hide each other in turn: always for the parts
-// of a k-d tree. Boxes that are not apart are sorted by the distance of their centres.
+// The order, from front to back, in which the layers of several boxes are blended. It is correct if
+// an axis separates each two boxes and no boxes hide each other in a cycle, which is always so for
+// the parts of a k-d tree. Boxes that no axis separates are sorted by the distance of their
+// centres.
 //
 // bounds       box_count boxes, xmin xmax ymin ...; empty ones (min > max) come last
 // eye          world

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // water_ranks.h: what the ranks of a sort-last renderer agree on, so that each of them makes the
-// same plan: every rank has a part of the scene, and draws what it has.
+// same plan. Every rank has a part of the scene, and draws this part.
 //
 // Each rank sends what it knows as plain numbers; everything here is computed by every rank from
 // all that was sent, so that equal input gives equal decisions. A rank is a process of a parallel
@@ -22,7 +22,8 @@ extern "C"
 {
 #endif
 
-// What the next two hold, and how scene and props are sent. One more whenever that changes.
+// Version of the next two structs and of the format in which scene and props are sent. Increase it
+// with every change of these.
 enum
 {
   WATER_RANKS_FORMAT = 4
@@ -106,8 +107,8 @@ water_status water_ranks_join_views(const water_rank_view* views, size_t rank_co
   water_ranks_view* joined, size_t* bad_rank);
 
 // The scene that every rank plans: the root's eye, lights, sky and settings, the props of all and
-// what was joined. It does not contain what only one rank's picture shows: which water is hidden,
-// and by what.
+// what was joined. It does not contain what only one rank's picture shows, such as whether the
+// water is hidden.
 //
 // root   the root's scene; its props are not read
 // props  joined->prop_count of them

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// water_regions.h: which points of a mesh hang together by its cells.
+// water_regions.h: which points of a mesh are connected by its cells.
 //
 // Source: Tarjan and van Leeuwen 1984, "Worst-case Analysis of Set Union Algorithms": union with
 // path halving.
@@ -14,7 +14,7 @@ extern "C"
 {
 #endif
 
-// Each point is a region of its own.
+// Makes each point a separate region.
 //
 // parents  one for each point; the other functions work on it
 void water_regions_begin(int64_t* parents, size_t count);

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// water_relief.h: how high a surface is at the corners of a grid's cells, at least: the border of
-// water that ends under a land's edge is to follow the waterline.
+// water_relief.h: a lower bound of a surface's height at the corners of a grid's cells. Water that
+// ends under land uses it to end at the waterline.
 //
-// A corner has the height of the faces over it. Between corners, heights are interpolated, and a
-// surface that is lower there lowers the corners: what is over the water by these heights is so.
+// A corner gets the height of the faces above it. Between corners, heights are interpolated; where
+// the surface is lower than this, the corners are lowered. If these heights are above the water,
+// the surface is too.
 #ifndef water_relief_h
 #define water_relief_h
 
@@ -36,8 +37,8 @@ void water_relief_add_triangle(double corners[3][3], water_relief* relief);
 // Adds a point of the surface, once it has all of its faces; as a corner of a face.
 void water_relief_add_point(const double point[3], water_relief* relief);
 
-// The least height at a corner of cells, so that nothing of the surface in the cells around it is
-// lower than what is interpolated between corners. Minus infinity: not known.
+// The lowered height at a corner: in the cells around it, no part of the surface is below the
+// heights interpolated between corners. Minus infinity: not known.
 double water_relief_at(const water_relief* relief, int x, int y);
 
 #ifdef __cplusplus

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // water_secondary.h: other water as the mirrored view of a water shows it.
 //
-// It is a surface with its own colour and the background's reflection by its own Fresnel, and so
-// needs no reflection texture: mirrors do not mirror each other for ever. Its waves are seen as the
-// mean of all times, which is a roughness, so that a reflection texture does not depend on the time
-// of other water's waves.
+// It is a surface with its own colour that reflects the background with its own Fresnel
+// reflectance. It needs no reflection texture, which ends the recursion of mirrors. Its waves are
+// shown as roughness, their mean over time, so that a reflection texture does not depend on the
+// time of another water's waves.
 #ifndef water_secondary_h
 #define water_secondary_h
 

@@ -13,15 +13,16 @@ extern "C"
 {
 #endif
 
-// The share of the picture that the box of a surface covers, in [0, 1]; 0: it is out of view. What
-// hides it does not count.
+// The share of the picture that the box of a surface covers, in [0, 1]; 0: it is out of view.
+// Objects that hide it are ignored.
 //
 // plane   of any scale
 // bounds  of the surface: xmin, xmax, ymin, ymax, zmin, zmax in world; empty: out of view
 double water_seen_share(const water_camera* eye, const water_plane* plane, const double bounds[6]);
 
-// Marks the waters that have a mirrored view: those that cover most of the picture, of equal ones
-// the first. What is out of view has one as well, which costs nothing: none is drawn.
+// Marks the waters that have a mirrored view: those that cover the largest parts of the picture,
+// the first of equal ones. Waters out of view are marked too, which costs nothing, because nothing
+// is drawn for them.
 //
 // shares  of water_seen_share
 // most    of them in view

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// water_shafts.h: in addition to the plan: light shafts: what an eye under water sees of the light
-// that waves gather, in the water and on what lies in it.
+// water_shafts.h: in addition to the plan: light shafts: the light that waves focus, as an eye
+// under water sees it in the water and on objects there.
 //
 // The light is that of water_caustics_plan.h, on a level bed at the eye's depth, over a square of
-// places around the eye. A view ray is followed through it in steps that scatter the same light
-// each, in calm water, of the channel that water takes least from: vtkWaterAttenuation.glsl.
-// Nothing is random: what a step cannot resolve is a mean over a texture's coarser levels. Source:
-// Iwasaki, Dobashi and Nishita 2002, "An Efficient Method for Rendering Underwater Optical Effects
-// Using Graphics Hardware" (shafts as single scattering of the light that waves gather).
+// places around the eye. A view ray is followed through it in steps (vtkWaterAttenuation.glsl). In
+// calm water, each step scatters the same amount of light in the channel with the least extinction.
+// Nothing is random: what a step cannot resolve is averaged by the texture's coarser levels.
+// Source: Iwasaki, Dobashi and Nishita 2002, "An Efficient Method for Rendering Underwater Optical
+// Effects Using Graphics Hardware" (shafts as single scattering of the light that waves gather).
 #ifndef water_shafts_h
 #define water_shafts_h
 

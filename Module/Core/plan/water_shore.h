@@ -2,9 +2,9 @@
 // water_shore.h: where a solver's water is, and where it ends between the places that the solver
 // knows.
 //
-// Level, bed and depth are heights in one unit; level = bed + depth. A solver cuts depths off at 0,
-// so that they do not tell where between a wet and a dry place the water ends. The level does: it
-// goes on beyond the shore as it is, and the shore is where the bed reaches it.
+// Level, bed and depth are heights in one unit; level = bed + depth. A solver clamps depths at 0,
+// so they do not show where the water ends between a wet and a dry place. The level does: it is
+// extended beyond the shore, and the shore is where the bed reaches it.
 #ifndef water_shore_h
 #define water_shore_h
 
@@ -24,17 +24,17 @@ typedef struct water_column
   bool is_wet;
 } water_column;
 
-// What follows from what a solver gives for a place; NaN for what it does not give. With all three
-// the depth says whether the place is wet. With the level alone it is, and so is one whose level
-// and depth are given without a bed.
+// Completes the heights that a solver gives for a place; pass NaN for those that it does not give.
+// With all three, the depth determines whether the place is wet. With the level alone, or with
+// level and depth but no bed, it is wet.
 //
 // dry_depth  a place with no more water than that is dry, >= 0
 //
-// What is not finite, and a depth below 0, is a dry place.
+// A place with a value that is not finite, or with a depth below 0, is dry.
 water_column water_shore_column(double level, double bed, double depth, double dry_depth);
 
-// Depth of the water, negative where the bed stands out of it, for a shore that is where it is 0
-// along a straight line between two places.
+// Depth of the water, negative where the bed is above it. The shore is where this depth is 0 on the
+// straight line between two places.
 //
 // is_wet  as the solver says; a dry place is never under water, even if its bed is below the level:
 //         a dyke may keep it dry
@@ -74,7 +74,7 @@ void water_shore_point(const double from[3], const double to[3], double share, d
 // corners  of the polygon, in its order
 void water_shore_triangle(size_t number, size_t corners[3]);
 
-// Does water meet land more than once along a polygon's border? Then triangles are to be cut.
+// Does water meet land more than once along a polygon's border? Then its triangles are cut instead.
 bool water_shore_is_split(const double* depths, size_t count);
 
 #ifdef __cplusplus

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// water_slopes.h: beside water_flatness.h: how steep a surface that a user gives is against the
-// water's plane, and what its vertices need to tell their places and slopes.
+// water_slopes.h: in addition to water_flatness.h: how steep a user's surface is relative to the
+// water's plane, and what its vertices need to carry their positions and slopes.
 #ifndef water_slopes_h
 #define water_slopes_h
 
@@ -33,8 +33,8 @@ void water_slopes_add(
 // The root of the mean square of slopes, by area; 0 without area.
 double water_slopes_rms(const water_slopes* slopes);
 
-// Do such slopes turn rays so far that it is seen? From 1e-4 on, which moves a reflection by a
-// fifth of a pixel in a picture of 1000 pixels a radian.
+// Do such slopes turn rays visibly? Yes from 1e-4 on, which moves a reflection by a fifth of a
+// pixel in a picture with 1000 pixels per radian.
 bool water_slopes_are_seen(double rms);
 
 // The root of the mean square of the slopes of two surfaces, one on the other, such as waves on a

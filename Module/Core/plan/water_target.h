@@ -38,10 +38,10 @@ double water_target_fine_scale(const int viewport_px[2], double texture_scale, i
 void water_target_box(
   const water_camera* eye, const water_plane* plane, const double surface_bounds[6], double box[4]);
 
-// Widens such a part by what waves look up beyond it. The reflection texture shows in every pixel a
-// direction; a reflected ray is a straight line in it, from the pixel of its calm reflection to
-// that of its own direction, so it stays as close as the two directions are. Infinite for a
-// parallel eye.
+// Widens such a part by the area that waves look up beyond it. Each pixel of the reflection texture
+// shows a direction. A reflected ray is a straight line in it, from the pixel of its calm
+// reflection to the pixel of its own direction, so its length is limited by the angle between the
+// two. Infinite for a parallel eye.
 //
 // slope_max  of the waves, >= 0, may be infinite
 // box        may leave [-1, 1]

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// water_waterline.h: in addition to the plan: where hulls cut the water's surface, and a table that
-// tells a pixel whether a hull's waterline is around it.
+// water_waterline.h: in addition to the plan: where hulls cut the water's surface, and a table by
+// which a pixel finds out whether it is inside a hull's waterline.
 //
-// A hull is triangles. The pieces in which its triangles cut the water close to loops, whatever the
-// hull is like above and below: only its sides must be closed where the water is. All loops are
-// turned the same way round, so a place is inside where they go round it at least once: in a hold
-// between thick walls, too, and where two hulls overlap. Source: Hormann and Agathos 2001, "The
-// point in polygon problem for arbitrary polygons" (winding numbers by crossings).
+// A hull consists of triangles. The lines in which they cut the water form closed loops, whatever
+// the shape of the hull above and below: only its sides must be closed at the water. All loops get
+// the same orientation, and a place is inside if they wind around it at least once. This also holds
+// in a hold between thick walls, and where two hulls overlap. Source: Hormann and Agathos 2001,
+// "The point in polygon problem for arbitrary polygons" (winding numbers by crossings).
 //
 // Places are in the plane's own axes about its origin (water_plane_axes); heights are over the
 // water's surface.
@@ -45,7 +45,7 @@ typedef struct water_waterline_end
   size_t which; // 2 piece + end
 } water_waterline_end;
 
-// Takes points of a mesh into the plane's own axes.
+// Transforms the points of a mesh into the plane's own axes.
 //
 // points_to_world  of the mesh
 // unit             the plane, normalised
@@ -59,7 +59,7 @@ void water_waterline_places(const double points_to_world[16], const water_plane*
 // there is none.
 size_t water_waterline_find_wrong(const double* places, size_t count);
 
-// The places that waves may reach; others are over all waves, or under them.
+// Finds the places that waves may reach; all others are above or below all waves.
 //
 // reach  of the waves over and under the plane, >= 0
 // near   room for count: the numbers of the places, ascending
@@ -97,7 +97,7 @@ typedef struct water_waterline_rows
   size_t longest;   // texels
 } water_waterline_rows;
 
-// Lays the rows for closed pieces of any hulls; false when there are none.
+// Determines the rows for the closed pieces of all hulls. Returns false if there are none.
 bool water_waterline_lay(
   const water_waterline_piece* pieces, size_t count, water_waterline_rows* rows);
 

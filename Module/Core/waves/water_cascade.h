@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// water_cascade.h: a wind sea on several tiles of different lengths, each with a band of its wave
-// numbers, so that a picture has long waves and short ones, and no tile's repetition is that of
-// all.
+// water_cascade.h: a wind sea on several tiles of different lengths, each with a band of wave
+// numbers, so that a picture has long and short waves, and the tiles do not repeat together.
 //
 // The bands follow each other without a gap: no wave is on two tiles, and variances add up. Each
-// tile has its own random numbers. x and y are in the plane's own axes, all in metres.
-// The tiles after the first are short against a picture: their places are warped, so that the same
-// waves do not come back in the same places from tile to tile.
-// Source: Bruneton, Neyret and Holzschuch 2010, "Real-time Realistic Ocean Lighting using Seamless
-// Transitions from Geometry to BRDF" (tiles of several lengths).
+// tile has its own random numbers. x and y are in the plane's own axes, all in metres. The tiles
+// after the first are small compared with a picture. Their coordinates are warped, so that their
+// waves do not return at regular distances. Source: Bruneton, Neyret and Holzschuch 2010,
+// "Real-time Realistic Ocean Lighting using Seamless Transitions from Geometry to BRDF" (tiles of
+// several lengths).
 #ifndef water_cascade_h
 #define water_cascade_h
 
@@ -26,8 +25,8 @@ enum
   WATER_CASCADE_WARPS = 4
 };
 
-// A wave by which the places of tiles are warped: a row of parabolas, which nears a sine. It moves
-// them across its own direction, so that areas stay as they are.
+// A wave that warps the coordinates of tiles: a row of parabolas, similar to a sine. It shifts them
+// at right angles to its own direction, so areas do not change.
 typedef struct water_cascade_warp
 {
   double cycles[2]; // wave vector, cycles/m
@@ -41,15 +40,15 @@ typedef struct water_cascades
   water_cascade_warp warps[WATER_CASCADE_WARPS]; // of the tiles after the first; 0 without one
 } water_cascades;
 
-// A length of the first tile that shows a sea well: water_tile_natural_length for one tile; 24
-// wavelengths of the peak for more of them, as the short waves are on the others, so that what
-// repeats is farther apart than 20 waves. At least 0.001 m.
+// A suitable length of the first tile: water_tile_natural_length for a single tile; 24 wavelengths
+// of the peak for several, because the other tiles hold the short waves. The sea then repeats only
+// after more than 20 waves. At least 0.001 m.
 double water_cascades_natural_length(const water_sea* sea, size_t count);
 
-// The tiles. The first is the given one, up to its band; each other one is shorter by the same
-// factor, which is the smaller of that which leaves the longest waves of a band 5 times along its
-// tile, and that with which the last tile ends at 370 rad/m (1.7 cm). Where fewer tiles get there,
-// there are fewer.
+// Makes the tiles. The first is the given one, apart from its band; each further tile is shorter by
+// the same factor. This factor is the smaller of two: the one with which a tile is 5 times as long
+// as the longest waves of its band, and the one with which the last tile ends at 370 rad/m (1.7
+// cm). If fewer tiles reach this limit, only these are made.
 //
 // first  its band is not read
 // count  1 to WATER_CASCADES_MAX
@@ -58,33 +57,32 @@ double water_cascades_natural_length(const water_sea* sea, size_t count);
 water_status water_cascades_make(
   const water_tile* first, const water_sea* sea, size_t count, water_cascades* made);
 
-// How far the places of the tiles after the first are moved at a place, and the derivatives of
-// that.
+// Shift of the coordinates of the tiles after the first, at a place, and its derivatives.
 //
 // moved  m
 // turn   d moved[i] / d x is turn[i][0], d / d y turn[i][1]
 void water_cascades_warped(
   const water_cascades* cascades, const double place[2], double moved[2], double turn[2][2]);
 
-// A warp about a point: cycles per unit along x and y, cycles at the point, in [0, 1), and the
-// factor of the wave vector, turned by 90 degrees, to its way in units.
+// A warp relative to a point: cycles per unit along x and y; cycles at the point, in [0, 1); and
+// the factor from the wave vector, turned by 90 degrees, to the shift in units.
 //
 // metres_per_unit  of the scene
 // origin           the point, in units
 void water_cascades_warp_under(const water_cascades* cascades, size_t warp, double metres_per_unit,
   const double origin[2], double values[4]);
 
-// Where on a tile (by its index) a place of the sea is, m, and the derivatives of its way there:
-// slopes of the sea are those of the tile and their changes by turn (water_cascades_turned).
+// Coordinates on a tile (given by its index), m, of a place of the sea, and the derivatives of the
+// shift, with which water_cascades_turned converts the tile's slopes to the sea's.
 void water_cascades_place(const water_cascades* cascades, size_t tile, const double place[2],
   double on_tile[2], double turn[2][2]);
 
-// The slope that the sea has where a tile has the given one.
+// The sea's slope where the tile has the given slope.
 void water_cascades_turned(double turn[2][2], double slope[2]);
 
-// Slope variances along the wind and across it of the waves from a tile on, those that are too
-// short for all included, up to 370 rad/m: beyond[i] of tile i and all after it, beyond[count] of
-// what none has.
+// Slope variances, along and across the wind, of the waves from a tile on, up to 370 rad/m:
+// beyond[i] of tile i and everything shorter, beyond[count] of the waves that are too short for all
+// tiles.
 //
 // beyond  (count + 1) pairs, written
 void water_cascades_slopes(
@@ -101,14 +99,14 @@ double water_cascades_longest(const water_cascades* cascades, size_t tile);
 void water_cascades_band(
   const water_cascades* cascades, const water_sea* sea, size_t tile, double band[2]);
 
-// Variance of the height of all waves up to 370 rad/m, m^2; that of the chop's two parts together
-// is the same.
+// Variance of the height of all waves up to 370 rad/m, m^2; the variances of the two components of
+// the chop add up to the same value.
 double water_cascades_height(const water_sea* sea);
 
-// How far such a sea moves a point: 6 standard deviations up or down, and as many times the
-// choppiness in the plane. Of a Gaussian sea's crests one in 6e7 is higher (exp(-18)): nothing
-// relies on there being none.
-// Source: Longuet-Higgins 1952, "On the Statistical Distribution of the Heights of Sea Waves".
+// How far such a sea moves a point: 6 standard deviations up or down, and this distance times the
+// choppiness in the plane. One in 6e7 crests of a Gaussian sea is higher (exp(-18)); no code relies
+// on there being none. Source: Longuet-Higgins 1952, "On the Statistical Distribution of the
+// Heights of Sea Waves".
 void water_cascades_reach(
   double height_variance, double choppiness, double* height, double* across);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// water_tile_time.h: a tile's spectra at one time after another: what does not depend on the time
-// is made once, and half of the wave vectors tell the other half, as the fields are real.
+// water_tile_time.h: a tile's spectra at successive times. Values that do not depend on the time
+// are computed once, and half of the wave vectors determine the other half, because the fields are
+// real.
 //
 // A quadrant has (size / 2)^2 places, for waves that the tile holds i and j times along its sides,
 // i fastest: (i, j), (-i, j), (i, -j) and (-i, -j) turn alike.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// water_turns.h: the phases of many waves in whole numbers of 32 bits, which GPUs multiply without
-// loss where their floats would not do: after a day, float32 knows no phase of a wave any more.
+// water_turns.h: the phases of many waves as integers of 32 bits, which GPUs multiply exactly.
+// Their floats would not be precise enough: after a day, float32 cannot represent a wave's phase.
 //
 // A unit of time is 2^-exponent s (or periods: whatever the clock counts). A frequency is a
 // fraction of 96 bits, in turns a unit, and a time a whole number of units. The fraction of their

@@ -7,11 +7,12 @@
 // Sources: Fournier and Reeves 1986, "A Simple Model of Ocean Waves"; Finch 2004, "Effective Water
 // Simulation from Physical Models" (GPU Gems, chapter 1).
 //
-// Time is as exact at 1e7 s as at 0: a phase is frequency times time, the product of two doubles,
-// and loses its whole turns with an error under 2^-53 turn (1e-15 rad) at any time. The frequency
-// itself has four roundings; they equal a shift of at most 5e-16 t in time, or three steps between
-// neighbouring doubles at t: what the caller's own time can hold. Positions are treated alike.
-// Flow: water_waves_at checks the waves and makes terms of them for one time; all else reads terms.
+// Time is as exact at 1e7 s as at 0. A phase is the product of two doubles, frequency and time; its
+// whole turns are removed with an error below 2^-53 turn (1e-15 rad) at any time. The frequency
+// itself has four roundings. They equal a shift in time of at most 5e-16 t, or three steps between
+// neighbouring doubles at t, which is the precision of the caller's own time. Positions are treated
+// in the same way. Flow: water_waves_at checks the waves and converts them to terms for one time;
+// all other functions read terms.
 #ifndef water_waves_h
 #define water_waves_h
 
@@ -136,16 +137,17 @@ void water_waves_point(
 water_status water_waves_find(const water_wave_term* terms, size_t count, double x, double y,
   double rest[2], water_wave_point* point);
 
-// The same with other waves beside the terms, which may fold, and know their derivatives but
-// roughly: the place is met within 1e-6 of their reach, or, where the surface lies over itself, is
-// one of those there. Where it is steeper than breaking waves are (an area under
-// water_waves_least_area) the normal is that of so much.
+// The same with other waves in addition to the terms. They may fold, and their derivatives may be
+// approximate. The place is found within 1e-6 of their reach; where the surface folds over itself,
+// one of its points is returned. Where the surface is steeper than breaking waves (an area below
+// water_waves_least_area), the normal is that of an area of that size.
 //
 // others  NULL: none
 water_status water_waves_find_all(const water_wave_term* terms, size_t count,
   const water_wave_others* others, double x, double y, double rest[2], water_wave_point* point);
 
-// The least area over that at rest that a sea's normals are of: beyond, crests have broken.
+// Lower limit of the area relative to that at rest, for a sea's normals: at smaller areas, crests
+// have broken.
 double water_waves_least_area(void);
 
 // Root mean square height (m) and slope of checked waves, no two of the same wave vector:
@@ -156,16 +158,16 @@ void water_waves_rms(const water_wave* waves, size_t count, double* height, doub
 // The wave number that represents all of them, rad/m: rms slope over rms height; 0 without waves.
 double water_waves_number(const water_wave* waves, size_t count);
 
-// A slope that no reflection on checked waves is looked up beyond: the steepest that all waves
-// together can have, sum k A / (1 - sum s k A), times 4 for the facets that stand for waves within
-// a pixel (1.4 times the rest of the slopes, and as much for facets that turn to a low eye) and the
-// blur between them. Infinite for waves that are about to fold.
+// Upper limit of the slopes with which reflections on checked waves are looked up: the steepest
+// slope that all waves together can have, sum k A / (1 - sum s k A), times 4 for the facets that
+// stand for waves within a pixel (1.4 times the rest of the slopes, and as much for facets that
+// turn to a low eye) and the blur between them. Infinite for waves that are about to fold.
 double water_waves_looked_up(const water_wave* waves, size_t count);
 
 // Tilts a unit normal by the slope of other waves on top: it keeps its own slope and gets theirs.
 void water_waves_tilt(const double slope[2], double normal[3]);
 
-// Brings waves to a scene whose metre has so many units (> 0): lengths are then in units.
+// Converts waves to a scene's units, given the units per metre (> 0).
 void water_waves_scale(double units_per_m, water_wave_term* terms, size_t count);
 
 // How far waves can move a point at most: up or down (the sum of the amplitudes), and in the plane.
@@ -176,14 +178,14 @@ void water_waves_reach(const water_wave* waves, size_t count, double* height, do
 // points.
 int water_waves_rest_steps(bool is_displaced, bool is_steep);
 
-// How far the reflection texture's heights may be off before a displaced surface takes a thing for
-// one under it, m.
+// Tolerance of the reflection texture's heights, m: a displaced surface treats what is lower than
+// this as submerged.
 //
 // height_max  of water_waves_reach
 double water_waves_slack(double height_max);
 
-// The rows for the shader, in float. Their phases belong to the origin (x, y), which a shader takes
-// off its coordinates first: near the eye a float is then exact enough.
+// The rows for the shader, as floats. Their phases are those at the origin (x, y). A shader first
+// subtracts this origin from its coordinates, so that floats are precise enough near the eye.
 //
 // rows  count of them
 void water_waves_rows(

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// water_whitecap.h: how much of a wind sea is white, and where: on crests whose points stand
-// closest.
+// water_whitecap.h: how much of a wind sea is white, and where: on the crests where its points are
+// closest together.
 //
 // A sea's points move horizontally, towards the crests (chop). The area over that at rest, the
 // Jacobian J of that motion, is 1 in the mean; where it is least the waves break. Its sum of
@@ -27,7 +27,7 @@ water_status water_whitecap_cover(double wind_speed, double* cover);
 
 // The Jacobian, to first order (1 and the sum of the two derivatives), under which a sea is white,
 // so that it is on a share of its area at rest: 1 - z s, s^2 the sum of the variances. To first
-// order it is Gaussian, and what a pixel does not resolve adds up with what it does.
+// order it is Gaussian, and the variances of what a pixel resolves and of the rest add up.
 //
 // cover     in [0, 1]: nothing is white at 0, all at 1
 // variance  of the slopes along two axes at right angles, one of them the wind's; both >= 0
