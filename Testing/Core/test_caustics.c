@@ -182,9 +182,8 @@ static const water_caustics_input usual = { 1.333, 0.1, 0.05, { 400, 300 }, 1638
 
 // A place on the plane comes to where the eye sees it, and to where its light lies at the middle
 // depth.
-TEST(places_come_to_their_texels)
+static void check_places(water_scene scene)
 {
-  water_scene scene = lake();
   water_cull_reason reasons[8];
   const water_plan plan = plan_over_bed(&scene, reasons);
   water_caustics made;
@@ -211,6 +210,42 @@ TEST(places_come_to_their_texels)
         made.texel_of_ndc[axis] * seen + made.texel_of_ndc[2 + axis], 1e-6);
     }
   }
+}
+
+// The same lake for an eye without perspective.
+static water_scene lake_in_parallel(void)
+{
+  water_scene scene = lake();
+  const double box[4] = { -8.0, 8.0, -6.0, 6.0 };
+  ortho_matrix(box, 1.0, 1000.0, scene.eye.view_to_clip);
+  scene.eye.parallel = true;
+  return scene;
+}
+
+TEST(places_come_to_their_texels)
+{
+  check_places(lake());
+  check_places(lake_in_parallel());
+}
+
+// To an eye without perspective all pixels are equally near, and the middle depth is half of the
+// bed's.
+TEST(parallel_eyes_have_caustics_everywhere)
+{
+  water_scene scene = lake_in_parallel();
+  water_cull_reason reasons[8];
+  water_plan plan = plan_over_bed(&scene, reasons);
+  water_caustics made;
+  assert_true(water_caustics_plan(&plan, &usual, &made));
+  ASSERT_CLOSE(made.depth, 3.0, 1e-12);
+  ASSERT_CLOSE(made.middle, 1.5, 1e-12);
+  ASSERT_CLOSE(made.near[0], 0.0, 0.0);
+  ASSERT_CLOSE(made.near[1], 0.0, 0.0);
+  assert_true(made.near[2] > 1.0);
+  plan.bed_depth = INFINITY; // and the water is clear without an end
+  water_caustics_input clear = usual;
+  clear.extinction = 0.0;
+  assert_false(water_caustics_plan(&plan, &clear, &made));
 }
 
 // The grid reaches beyond the texture of light on all sides, for waves bring light from there.
@@ -298,6 +333,24 @@ TEST(no_caustics_without_sun_bed_or_eye_above)
   plan = right;
   plan.side = WATER_BELOW;
   assert_false(water_caustics_plan(&plan, &usual, &made));
+  plan = right;
+  plan.has_view = false;
+  assert_false(water_caustics_plan(&plan, &usual, &made));
+  plan = right;
+  memset(plan.ndc_to_plane, 0, sizeof plan.ndc_to_plane);
+  assert_false(water_caustics_plan(&plan, &usual, &made));
+  plan = right;
+  sun_at(0.0, 0.0, plan.sun_dir); // on the horizon
+  assert_false(water_caustics_plan(&plan, &usual, &made));
+  plan = right;
+  plan.bed_depth = 1e-6; // narrower than any pixel
+  assert_false(water_caustics_plan(&plan, &usual, &made));
+  for (int i = 0; i < 2; ++i)
+  {
+    water_caustics_input nowhere = usual;
+    nowhere.viewport_px[i] = 0;
+    assert_false(water_caustics_plan(&right, &nowhere, &made));
+  }
   assert_true(water_caustics_plan(&right, &usual, &made));
   plan = right;
   plan.bed_depth = INFINITY; // the water itself ends what is seen
@@ -305,7 +358,7 @@ TEST(no_caustics_without_sun_bed_or_eye_above)
   assert_true(made.depth < 100.0);
 }
 
-TESTS(way_is_snells, no_light_comes_from_behind, turn_is_that_of_small_slopes,
-  spread_is_that_of_rays_of_the_disc, adding_keeps_the_light, photons_outside_stay_outside,
-  places_come_to_their_texels, grid_covers_the_texture, the_texture_is_as_wide_as_sight,
-  no_caustics_without_sun_bed_or_eye_above)
+TESTS(parallel_eyes_have_caustics_everywhere, way_is_snells, no_light_comes_from_behind,
+  turn_is_that_of_small_slopes, spread_is_that_of_rays_of_the_disc, adding_keeps_the_light,
+  photons_outside_stay_outside, places_come_to_their_texels, grid_covers_the_texture,
+  the_texture_is_as_wide_as_sight, no_caustics_without_sun_bed_or_eye_above)

@@ -349,7 +349,40 @@ TEST(odd_views_are_safe)
   assert_true(view.eye_height == 5.0);
 }
 
-TESTS(grid_covers_what_can_come_into_view, grid_is_ordered_and_on_the_sheet,
-  cells_are_as_large_as_they_say, rows_lead_where_the_view_goes,
+// A sheet without an end covers all that a parallel eye sees of the plane.
+TEST(endless_grid_covers_parallel_views)
+{
+  dice from = dice_seeded(177);
+  static laid grid;
+  int seen = 0;
+  for (int round = 2; round < 300; round += 3)
+  {
+    const random_scene random = scene_rolled(&from, round, nearby);
+    assert_true(random.is_parallel);
+    const water_grid_view view = view_of(&random);
+    assert_true(
+      water_grid_lay(&view, NULL, 0.2, 0.1, GRID, grid.points[0], grid.cells[0], grid.row_dir));
+    for (int i = 0; i < 100; ++i)
+    {
+      const double place[2] = { dice_roll(&from, -20.0, 20.0), dice_roll(&from, -20.0, 20.0) };
+      double point[3];
+      for (int k = 0; k < 3; ++k)
+      {
+        point[k] = random.target[k] + place[0] * view.axes.x_dir[k] + place[1] * view.axes.y_dir[k];
+      }
+      double clip[4];
+      project(&random.scene.eye, point, 1.0, clip);
+      if (is_inside(clip))
+      {
+        ++seen;
+        assert_true(is_covered(&view, &grid, place));
+      }
+    }
+  }
+  assert_true(seen > 500);
+}
+
+TESTS(endless_grid_covers_parallel_views, grid_covers_what_can_come_into_view,
+  grid_is_ordered_and_on_the_sheet, cells_are_as_large_as_they_say, rows_lead_where_the_view_goes,
   view_leads_from_clip_to_places_and_back, grid_knows_the_height_of_a_moved_eye,
   rows_seen_straight_down_are_where_they_should_be, odd_views_are_safe)

@@ -609,9 +609,25 @@ TEST(grid_is_balanced_about_the_eye)
   }
 }
 
-TESTS(sheet_is_what_the_eye_sees, sheet_lies_in_the_plane, sheet_ends_at_the_horizon,
-  unseen_planes_have_no_sheet, eye_on_the_plane_has_a_sheet, sheet_is_cut_at_another_plane,
-  box_is_what_the_surface_covers, endless_surface_is_planned_without_bounds,
-  depth_of_a_pixel_is_the_surfaces, near_plane_cuts_no_reflection, near_plane_has_an_end,
-  held_depths_keep_their_order, background_is_seen_through_endless_water,
-  grid_reaches_to_the_horizon, grid_is_balanced_about_the_eye)
+// Only props that are shown, have bounds and reach over the water move the near plane.
+TEST(near_plane_stays_for_props_without_an_image)
+{
+  water_scene scene = shore(1.0, 0.0);
+  set_depths(&scene, 5.0, 1000.0);
+  const water_prop props[5] = { { { -2.0, 2.0, -20.0, 22.0, 0.0, 3.0 }, 0 },
+    { { -2.0, 2.0, -20.0, 22.0, 0.0, 3.0 }, WATER_PROP_VISIBLE | WATER_PROP_NOT_REFLECTED },
+    { { -2.0, 2.0, -20.0, 22.0, 0.0, 3.0 }, WATER_PROP_VISIBLE | WATER_PROP_NO_BOUNDS },
+    { { 2.0, -2.0, -20.0, 22.0, 0.0, 3.0 }, WATER_PROP_VISIBLE },
+    { { -2.0, 2.0, -20.0, 22.0, -3.0, -1.0 }, WATER_PROP_VISIBLE } };
+  water_camera camera = scene.eye;
+  ASSERT_CLOSE(water_mirror_near(&scene.plane, props, 5, &camera), 1.0, 0.0);
+  assert_memory_equal(&camera, &scene.eye, sizeof camera);
+}
+
+TESTS(near_plane_stays_for_props_without_an_image, sheet_is_what_the_eye_sees,
+  sheet_lies_in_the_plane, sheet_ends_at_the_horizon, unseen_planes_have_no_sheet,
+  eye_on_the_plane_has_a_sheet, sheet_is_cut_at_another_plane, box_is_what_the_surface_covers,
+  endless_surface_is_planned_without_bounds, depth_of_a_pixel_is_the_surfaces,
+  near_plane_cuts_no_reflection, near_plane_has_an_end, held_depths_keep_their_order,
+  background_is_seen_through_endless_water, grid_reaches_to_the_horizon,
+  grid_is_balanced_about_the_eye)

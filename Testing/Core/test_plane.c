@@ -359,9 +359,29 @@ TEST(sky_directions_stand_in_the_planes_own_axes)
   }
 }
 
-TESTS(heights_are_distances_for_normals_of_any_length, planes_without_direction_are_refused,
-  mirror_sends_a_known_point_where_it_belongs, mirror_is_a_reflection_at_any_plane,
-  axes_of_known_planes, axes_are_a_right_handed_frame,
+// The sheet is over the box for a plane of any scale, and nothing is written without one.
+TEST(sheet_around_takes_planes_of_any_scale)
+{
+  const double origin[3] = { 1.0, 2.0, 3.0 };
+  const double bounds[6] = { 0.0, 4.0, 0.0, 2.0, 0.0, 5.0 };
+  const double right[4] = { -1.0, 3.0, -2.0, 0.0 };
+  const water_plane plane = { { 0.0, 0.0, 2.0 }, -6.0 };
+  double sheet[4] = { 7.0, 7.0, 7.0, 7.0 };
+  assert_int_equal(water_sheet_around(&plane, origin, bounds, sheet), WATER_OK);
+  for (int i = 0; i < 4; ++i)
+  {
+    ASSERT_CLOSE(sheet[i], right[i], 1e-12);
+  }
+  const water_plane none = { { 0.0, 0.0, 0.0 }, 1.0 };
+  const double empty[6] = { 4.0, 0.0, 0.0, 2.0, 0.0, 5.0 };
+  assert_int_equal(water_sheet_around(&none, origin, bounds, sheet), WATER_BAD_PLANE);
+  assert_int_equal(water_sheet_around(&plane, origin, empty, sheet), WATER_BAD_SURFACE);
+  ASSERT_CLOSE(sheet[0], right[0], 1e-12);
+}
+
+TESTS(sheet_around_takes_planes_of_any_scale, heights_are_distances_for_normals_of_any_length,
+  planes_without_direction_are_refused, mirror_sends_a_known_point_where_it_belongs,
+  mirror_is_a_reflection_at_any_plane, axes_of_known_planes, axes_are_a_right_handed_frame,
   sheet_of_a_level_plane_is_the_floor_of_the_box, sheet_of_any_plane_covers_the_box_tightly,
   sheet_needs_bounds, projection_is_the_nearest_point, displaced_bounds_hold_what_moves,
   identical_planes_are_the_same_to_the_last_bit, shared_planes_are_the_same_to_rounding,

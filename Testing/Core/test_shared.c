@@ -148,6 +148,27 @@ TEST(foam_covers_its_share)
   }
 }
 
-TESTS(highlights_roll_off, shore_foam_has_bands, foam_covers_its_share,
+// Each gradient has its first colour and its second where VTK's have them: from bottom to top, from
+// left to right, and from the middle to the sides or to the corners.
+TEST(gradients_have_their_ends)
+{
+  enum
+  {
+    VERTICAL = 1, // water_screen
+    HORIZONTAL,
+    SIDE,
+    CORNER
+  };
+  ASSERT_CLOSE(water_shared_gradient_share(VERTICAL, 0.3, 0.75), 0.75, 1e-6);
+  ASSERT_CLOSE(water_shared_gradient_share(HORIZONTAL, 0.25, 0.7), 0.25, 1e-6);
+  ASSERT_CLOSE(water_shared_gradient_share(SIDE, 0.5, 0.75), 0.5, 1e-6);
+  ASSERT_CLOSE(water_shared_gradient_share(SIDE, 0.0, 0.5), 1.0, 1e-6);
+  ASSERT_CLOSE(water_shared_gradient_share(SIDE, 0.0, 0.0), 1.0, 1e-6);
+  ASSERT_CLOSE(water_shared_gradient_share(CORNER, 0.5, 0.5), 0.0, 1e-6);
+  ASSERT_CLOSE(water_shared_gradient_share(CORNER, 0.5, 1.0), sqrt(0.5), 1e-6);
+  ASSERT_CLOSE(water_shared_gradient_share(CORNER, 1.0, 0.0), 1.0, 1e-6);
+}
+
+TESTS(gradients_have_their_ends, highlights_roll_off, shore_foam_has_bands, foam_covers_its_share,
   gradient_ends_at_the_screens_edge, gradient_behind_the_camera_is_its_top_or_bottom,
   slope_density_knows_the_covariance)

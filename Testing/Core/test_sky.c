@@ -4,6 +4,7 @@
 
 #include "water_lookup.h"
 #include "water_secondary.h"
+#include "water_sky.h"
 
 static const water_sky evening = { { 0.9, 0.5, 0.2 }, { 0.1, 0.2, 0.4 }, 0.75,
   WATER_SCREEN_VERTICAL };
@@ -186,7 +187,65 @@ TEST(bed_is_as_deep_as_the_deepest_thing_that_is_shown)
   ASSERT_CLOSE(water_lookup_bottom(&level, props, 0), 0.0, 0.0);
 }
 
-TESTS(sky_of_the_scene_reaches_every_plan, sky_is_known_unless_something_endless_is_drawn,
-  sky_is_known_behind_a_skybox_that_shows_it, sky_is_not_known_in_a_dome, contrast_of_rays,
-  light_of_the_sun_is_its_color_times_its_intensity, pattern_repeats_under_the_eye,
-  bed_is_as_deep_as_the_deepest_thing_that_is_shown)
+// Water with a picture of its own looks that up, other water the scene's sky; only a sky of one
+// colour, without a floor, is one.
+TEST(sky_of_water_is_its_own_first)
+{
+  water_plan plan;
+  memset(&plan, 0, sizeof plan);
+  assert_true(water_sky_of(&plan, true) == &plan.environment_map);
+  assert_true(water_sky_of(&plan, false) == &plan.sky_map);
+  plan.sky_map.kind = WATER_SKY_SCREEN;
+  plan.sky.screen = WATER_SCREEN_COLOR;
+  assert_true(water_sky_is_one_color(&plan, false));
+  assert_false(water_sky_is_one_color(&plan, true));
+  plan.sky_floor.is_there = true;
+  assert_false(water_sky_is_one_color(&plan, false));
+  plan.sky_floor.is_there = false;
+  plan.sky.screen = WATER_SCREEN_VERTICAL;
+  assert_false(water_sky_is_one_color(&plan, false));
+  plan.sky.screen = WATER_SCREEN_COLOR;
+  plan.sky_map.kind = WATER_SKY_MAP;
+  assert_false(water_sky_is_one_color(&plan, false));
+}
+
+// Floors need a normal, a direction and a scale that are usable.
+TEST(floors_need_usable_numbers)
+{
+  const double plane[4] = { 0.0, 0.0, 2.0, 4.0 };
+  const double right[3] = { 1.0, 0.0, 0.0 };
+  const double scale[2] = { 3.0, 3.0 };
+  water_sky_floor floor;
+  water_sky_floor_make(plane, right, scale, &floor);
+  assert_true(floor.is_there);
+  const double bad_planes[3][4] = { { 0.0, 0.0, 0.0, 1.0 }, { 0.0, INFINITY, 0.0, 1.0 },
+    { 0.0, 0.0, 1.0, NAN } };
+  for (int i = 0; i < 3; ++i)
+  {
+    water_sky_floor_make(bad_planes[i], right, scale, &floor);
+    assert_false(floor.is_there);
+  }
+  const double bad_right[3] = { NAN, 0.0, 0.0 };
+  water_sky_floor_make(plane, bad_right, scale, &floor);
+  assert_false(floor.is_there);
+  const double bad_scales[3][2] = { { 0.0, 1.0 }, { 1.0, 0.0 }, { 1.0, INFINITY } };
+  for (int i = 0; i < 3; ++i)
+  {
+    water_sky_floor_make(plane, right, bad_scales[i], &floor);
+    assert_false(floor.is_there);
+  }
+}
+
+// Calm water, which has no rays, gets samples where waves would have more than a few rays.
+TEST(calm_water_has_samples_for_many_rays)
+{
+  assert_int_equal(water_lookup_calm_samples(1), 0);
+  assert_int_equal(water_lookup_calm_samples(4), 0);
+  assert_int_equal(water_lookup_calm_samples(5), 4);
+}
+
+TESTS(sky_of_water_is_its_own_first, floors_need_usable_numbers,
+  calm_water_has_samples_for_many_rays, sky_of_the_scene_reaches_every_plan,
+  sky_is_known_unless_something_endless_is_drawn, sky_is_known_behind_a_skybox_that_shows_it,
+  sky_is_not_known_in_a_dome, contrast_of_rays, light_of_the_sun_is_its_color_times_its_intensity,
+  pattern_repeats_under_the_eye, bed_is_as_deep_as_the_deepest_thing_that_is_shown)

@@ -377,9 +377,34 @@ TEST(slopes_know_the_wind)
   assert_true(variance[0] == 7.0);
 }
 
-TESTS(shape_has_the_known_area_and_period, developed_sea_has_the_height_of_pierson_and_moskowitz,
-  growing_sea_follows_the_charts, spreading_changes_its_formula_where_it_should,
-  empty_ranges_of_waves_are_refused, peak_is_the_highest, depth_factor_has_its_limits,
-  depth_factor_is_kitaigorodskiis, phillips_has_tessendorfs_form, spreading_is_a_share,
-  variance_is_the_same_in_every_variable, slopes_are_of_cox_and_munks_size, bands_add_up,
-  bad_seas_are_refused, slopes_know_the_wind)
+// Seas are the same if each of their numbers is.
+TEST(seas_are_the_same_in_all_numbers)
+{
+  const water_sea sea = { WATER_SEA_JONSWAP, WATER_SPREAD_COS_2S, 8.0, 0.5, 4000.0, 20.0, 3.3,
+    10.0 };
+  water_sea other[8];
+  for (int i = 0; i < 8; ++i)
+  {
+    other[i] = sea;
+    assert_true(water_sea_is_same(&sea, other + i));
+  }
+  other[0].model = WATER_SEA_PHILLIPS;
+  other[1].spreading = WATER_SPREAD_DONELAN_BANNER;
+  other[2].wind_speed = 9.0;
+  other[3].wind_dir_rad = 0.6;
+  other[4].fetch = 4001.0;
+  other[5].depth = 21.0;
+  other[6].peak_enhancement = 3.4;
+  other[7].spreading_power = 11.0;
+  for (int i = 0; i < 8; ++i)
+  {
+    assert_false(water_sea_is_same(&sea, other + i));
+  }
+}
+
+TESTS(seas_are_the_same_in_all_numbers, shape_has_the_known_area_and_period,
+  developed_sea_has_the_height_of_pierson_and_moskowitz, growing_sea_follows_the_charts,
+  spreading_changes_its_formula_where_it_should, empty_ranges_of_waves_are_refused,
+  peak_is_the_highest, depth_factor_has_its_limits, depth_factor_is_kitaigorodskiis,
+  phillips_has_tessendorfs_form, spreading_is_a_share, variance_is_the_same_in_every_variable,
+  slopes_are_of_cox_and_munks_size, bands_add_up, bad_seas_are_refused, slopes_know_the_wind)

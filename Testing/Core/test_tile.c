@@ -415,9 +415,31 @@ TEST(spectrum_turns_as_its_formula)
   }
 }
 
-TESTS(spectrum_is_hermitian, tile_holds_the_variance_of_the_spectrum,
-  variance_is_that_of_the_spectrum, waves_travel_along_their_wave_vector,
-  fields_follow_from_the_height, period_repeats_exactly, seed_makes_the_sea,
-  packed_pair_is_two_fields, samples_are_bilinear_and_repeat, natural_length_is_ten_peak_waves,
-  held_and_left_out_slopes_are_all, texels_hold_slopes_and_squares, bad_tiles_are_refused,
-  spectrum_turns_as_its_formula)
+// Tiles are the same if each of their numbers is.
+TEST(tiles_are_the_same_in_all_numbers)
+{
+  const water_tile given = { 16, 100.0, 60.0, 5, 0.1, 2.0 };
+  water_tile other[6];
+  for (int i = 0; i < 6; ++i)
+  {
+    other[i] = given;
+    assert_true(water_tile_is_same(&given, other + i));
+  }
+  other[0].size = 32;
+  other[1].length = 101.0;
+  other[2].period = 61.0;
+  other[3].seed = 6;
+  other[4].k_low = 0.2;
+  other[5].k_high = 3.0;
+  for (int i = 0; i < 6; ++i)
+  {
+    assert_false(water_tile_is_same(&given, other + i));
+  }
+}
+
+TESTS(tiles_are_the_same_in_all_numbers, spectrum_is_hermitian,
+  tile_holds_the_variance_of_the_spectrum, variance_is_that_of_the_spectrum,
+  waves_travel_along_their_wave_vector, fields_follow_from_the_height, period_repeats_exactly,
+  seed_makes_the_sea, packed_pair_is_two_fields, samples_are_bilinear_and_repeat,
+  natural_length_is_ten_peak_waves, held_and_left_out_slopes_are_all,
+  texels_hold_slopes_and_squares, bad_tiles_are_refused, spectrum_turns_as_its_formula)

@@ -370,8 +370,70 @@ TEST(no_place_has_no_surface)
   }
 }
 
-TESTS(sine_wave_is_where_it_should_be, normal_slope_and_area_are_those_of_the_surface,
-  trochoid_has_its_known_slope_and_mean_level, find_undoes_the_displacement, cusp_is_safe,
-  no_waves_are_a_flat_surface, rms_is_that_of_the_surface, rows_give_the_same_height_in_float,
-  bad_waves_are_refused, bad_numbers_are_refused, tilt_adds_slopes, reach_holds_the_surface,
+// A sine given as other waves, which know their derivatives: a water_waves_add.
+typedef struct other_wave
+{
+  double k;
+  double amplitude;
+  double steepness;
+} other_wave;
+
+static bool add_other(const void* context, double x, double y, water_wave_sum* sum)
+{
+  const other_wave* wave = context;
+  const double angle = wave->k * x;
+  (void)y;
+  sum->moved[0] += wave->steepness * wave->amplitude * cos(angle);
+  sum->moved[2] += wave->amplitude * sin(angle);
+  sum->gradient[0] += wave->k * wave->amplitude * cos(angle);
+  sum->stretch[0] -= wave->steepness * wave->k * wave->amplitude * sin(angle);
+  return fabs(x) < 1e6;
+}
+
+// Other waves are found as the same ones among the terms are, and so are the points of waves that
+// are steeper than breaking ones, whose normals are less steep; where no surface is known there is
+// none.
+TEST(other_waves_are_found_as_terms)
+{
+  const water_wave same = { 0.3, 6.0, 0.0, 0.0, 0.8 };
+  water_wave_term term;
+  terms_of(&same, 1, INFINITY, 0.0, &term);
+  other_wave wave = { two_pi / 6.0, 0.3, 0.8 };
+  water_wave_others others = { add_other, &wave, 0.24 };
+  ASSERT_CLOSE(water_waves_least_area(), 0.1, 0.0);
+  for (int i = 0; i < 100; ++i)
+  {
+    const double x = -5.0 + 0.1 * i;
+    double rest[2];
+    double other_rest[2];
+    water_wave_point found;
+    water_wave_point other;
+    assert_int_equal(water_waves_find(&term, 1, x, 0.5, rest, &found), WATER_OK);
+    assert_int_equal(water_waves_find_all(NULL, 0, &others, x, 0.5, other_rest, &other), WATER_OK);
+    ASSERT_CLOSE(other_rest[0], rest[0], 1e-6);
+    ASSERT_CLOSE(other_rest[1], 0.5, 1e-6);
+    ASSERT_CLOSE(other.displacement[2], found.displacement[2], 1e-6);
+    ASSERT_CLOSE(other.slope[0], found.slope[0], 1e-5);
+  }
+  wave.amplitude = 1.15; // k A Q is 0.963: steeper than breaking waves
+  others.across = 0.92;
+  for (int i = 0; i < 100; ++i)
+  {
+    const double x = -5.0 + 0.1 * i;
+    double rest[2];
+    water_wave_point found;
+    assert_int_equal(water_waves_find_all(NULL, 0, &others, x, 0.0, rest, &found), WATER_OK);
+    ASSERT_CLOSE(rest[0] + wave.steepness * wave.amplitude * cos(wave.k * rest[0]), x, 1e-4);
+  }
+  double rest[2] = { 7.0, 7.0 };
+  water_wave_point found;
+  assert_int_equal(water_waves_find_all(NULL, 0, &others, 2e6, 0.0, rest, &found), WATER_BAD_POINT);
+  ASSERT_CLOSE(rest[0], 7.0, 0.0);
+}
+
+TESTS(other_waves_are_found_as_terms, sine_wave_is_where_it_should_be,
+  normal_slope_and_area_are_those_of_the_surface, trochoid_has_its_known_slope_and_mean_level,
+  find_undoes_the_displacement, cusp_is_safe, no_waves_are_a_flat_surface,
+  rms_is_that_of_the_surface, rows_give_the_same_height_in_float, bad_waves_are_refused,
+  bad_numbers_are_refused, tilt_adds_slopes, reach_holds_the_surface,
   slope_looked_up_bounds_the_slope, no_place_has_no_surface)

@@ -139,8 +139,8 @@ water_status water_waves_find(const water_wave_term* terms, size_t count, double
 
 // The same with other waves in addition to the terms. They may fold, and their derivatives may be
 // approximate. The place is found within 1e-6 of their reach; where the surface folds over itself,
-// one of its points is returned. Where the surface is steeper than breaking waves (an area below
-// water_waves_least_area), the normal is that of an area of that size.
+// the nearest place that the search reaches is used. Where the surface is steeper than breaking
+// waves (an area below water_waves_least_area), the normal is that of an area of that size.
 //
 // others  NULL: none
 water_status water_waves_find_all(const water_wave_term* terms, size_t count,
