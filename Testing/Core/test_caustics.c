@@ -358,7 +358,58 @@ TEST(no_caustics_without_sun_bed_or_eye_above)
   assert_true(made.depth < 100.0);
 }
 
-TESTS(parallel_eyes_have_caustics_everywhere, way_is_snells, no_light_comes_from_behind,
-  turn_is_that_of_small_slopes, spread_is_that_of_rays_of_the_disc, adding_keeps_the_light,
-  photons_outside_stay_outside, places_come_to_their_texels, grid_covers_the_texture,
-  the_texture_is_as_wide_as_sight, no_caustics_without_sun_bed_or_eye_above)
+// Light from under the horizon leads nowhere, and light along it is not turned by slopes.
+TEST(light_from_under_the_horizon_leads_nowhere)
+{
+  double sun_dir[3];
+  double turn[3] = { 7.0, 7.0, 7.0 };
+  double way[2] = { 5.0, 6.0 };
+  const double towards[2] = { -3.0, 0.0 };
+  sun_at(-30.0, 0.0, sun_dir);
+  assert_false(water_caustics_way(sun_dir, towards, 1.333, way));
+  ASSERT_CLOSE(way[0], 5.0, 0.0);
+  water_caustics_turn(sun_dir, 1.333, turn);
+  for (int i = 0; i < 3; ++i)
+  {
+    ASSERT_CLOSE(turn[i], 0.0, 0.0);
+  }
+}
+
+// A photon whose ellipse has no area gives nothing.
+TEST(photons_without_an_area_give_nothing)
+{
+  const int texture_px[2] = { 4, 4 };
+  const float place[4] = { 2.0f, 2.0f, 1.0f, 0.0f };
+  const float shapes[3][4] = { { 0.0f, 0.0f, 0.0f, 0.0f }, { 1.0f, 2.0f, 1.0f, 0.0f },
+    { 0.1f, NAN, 0.1f, 0.0f } };
+  float light[16] = { 0.0f };
+  for (int i = 0; i < 3; ++i)
+  {
+    water_caustics_add(place, shapes[i], 1, texture_px, light);
+  }
+  for (int i = 0; i < 16; ++i)
+  {
+    ASSERT_CLOSE((double)light[i], 0.0, 0.0);
+  }
+}
+
+// Pixels whose rays go up look at no bed: the texture is not laid for them.
+TEST(pixels_that_look_up_need_no_light)
+{
+  water_scene scene = lake_in_parallel();
+  water_cull_reason reasons[8];
+  water_plan plan = plan_over_bed(&scene, reasons);
+  water_caustics all;
+  water_caustics half;
+  assert_true(water_caustics_plan(&plan, &usual, &all));
+  plan.ndc_to_ray[7] = -4.0 * plan.ndc_to_ray[8]; // those above a quarter of the picture look up
+  assert_true(water_caustics_plan(&plan, &usual, &half));
+  assert_true(half.texture_px[0] * half.texture_px[1] < all.texture_px[0] * all.texture_px[1]);
+}
+
+TESTS(light_from_under_the_horizon_leads_nowhere, photons_without_an_area_give_nothing,
+  pixels_that_look_up_need_no_light, parallel_eyes_have_caustics_everywhere, way_is_snells,
+  no_light_comes_from_behind, turn_is_that_of_small_slopes, spread_is_that_of_rays_of_the_disc,
+  adding_keeps_the_light, photons_outside_stay_outside, places_come_to_their_texels,
+  grid_covers_the_texture, the_texture_is_as_wide_as_sight,
+  no_caustics_without_sun_bed_or_eye_above)

@@ -130,6 +130,26 @@ TEST(plan_has_the_scenes_daylight)
   ASSERT_CLOSE(plan.daylight[2], 0.5, 1e-12);
 }
 
-TESTS(encoding_is_the_standards, values_outside_are_clamped, lights_add_by_lamberts_law,
-  lights_that_are_none_add_nothing, sky_adds_the_mean_of_its_light, deep_color_is_what_comes_back,
-  waters_are_not_black_under_the_sky, plan_has_the_scenes_daylight)
+// A light without a direction, from behind, or of an intensity that is no light adds nothing.
+TEST(lights_that_do_not_shine_add_nothing)
+{
+  const double none[3] = { 0.0, 0.0, 0.0 };
+  const double below[3] = { 0.0, 0.0, -1.0 };
+  const double far_off[3] = { 0.0, 0.0, INFINITY };
+  double daylight[3] = { 0.5, 0.5, 0.5 };
+  water_daylight_add_light(up, none, white, 1.0, daylight);
+  water_daylight_add_light(up, below, white, 1.0, daylight);
+  water_daylight_add_light(up, far_off, white, 1.0, daylight);
+  water_daylight_add_light(up, up, white, 0.0, daylight);
+  water_daylight_add_light(up, up, white, -1.0, daylight);
+  water_daylight_add_light(up, up, white, NAN, daylight);
+  water_daylight_add_light(up, up, white, INFINITY, daylight);
+  for (int i = 0; i < 3; ++i)
+  {
+    ASSERT_CLOSE(daylight[i], 0.5, 0.0);
+  }
+}
+
+TESTS(lights_that_do_not_shine_add_nothing, encoding_is_the_standards, values_outside_are_clamped,
+  lights_add_by_lamberts_law, lights_that_are_none_add_nothing, sky_adds_the_mean_of_its_light,
+  deep_color_is_what_comes_back, waters_are_not_black_under_the_sky, plan_has_the_scenes_daylight)

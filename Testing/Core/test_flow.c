@@ -127,5 +127,26 @@ TEST(velocities_that_no_water_has_count_as_0)
   }
 }
 
-TESTS(velocities_that_no_water_has_count_as_0, layers_take_turns, any_time_is_in_a_period,
-  ways_are_in_the_scenes_unit, the_variance_is_kept, the_variance_of_a_band_is_kept)
+// A mesh that its matrix makes flat, or larger than numbers go, has no current.
+TEST(meshes_without_a_size_have_no_current)
+{
+  const water_axes axes = axes_of();
+  for (int i = 0; i < 2; ++i)
+  {
+    const double size = i == 0 ? 0.0 : 1e200;
+    const double matrix[16] = { size, 0.0, 0.0, 0.0, 0.0, size, 0.0, 0.0, 0.0, 0.0, size, 0.0, 0.0,
+      0.0, 0.0, 1.0 };
+    double across[3] = { 7.0, 7.0, 7.0 };
+    double down[3] = { 7.0, 7.0, 7.0 };
+    water_flow_ways(&axes, matrix, 4.0, 1.0, across, down);
+    for (int k = 0; k < 3; ++k)
+    {
+      ASSERT_CLOSE(across[k], 0.0, 0.0);
+      ASSERT_CLOSE(down[k], 0.0, 0.0);
+    }
+  }
+}
+
+TESTS(meshes_without_a_size_have_no_current, velocities_that_no_water_has_count_as_0,
+  layers_take_turns, any_time_is_in_a_period, ways_are_in_the_scenes_unit, the_variance_is_kept,
+  the_variance_of_a_band_is_kept)

@@ -133,6 +133,17 @@ TEST(covariance_turns_the_variances)
   }
 }
 
-TESTS(slopes_are_cox_and_munks, density_has_its_moments, density_is_a_number_everywhere,
-  glitter_keeps_the_light, glitter_is_where_the_mirror_is, bad_winds_are_refused,
-  covariance_turns_the_variances)
+// Slopes without an end have no density, along either axis.
+TEST(endless_slopes_have_no_density)
+{
+  const double variance[2] = { 0.02, 0.01 };
+  const double slopes[3][2] = { { INFINITY, 0.0 }, { 0.0, -INFINITY }, { INFINITY, INFINITY } };
+  for (int i = 0; i < 3; ++i)
+  {
+    ASSERT_CLOSE(water_glitter_density(variance, slopes[i]), 0.0, 0.0);
+  }
+}
+
+TESTS(endless_slopes_have_no_density, slopes_are_cox_and_munks, density_has_its_moments,
+  density_is_a_number_everywhere, glitter_keeps_the_light, glitter_is_where_the_mirror_is,
+  bad_winds_are_refused, covariance_turns_the_variances)

@@ -277,9 +277,49 @@ TEST(films_of_water_are_no_evidence)
   ASSERT_CLOSE(verdict.factor, 100.0, 1e-12);
 }
 
-TESTS(nine_places_are_too_few, flat_land_tells_nothing, films_of_water_are_no_evidence,
-  dry_places_tell_the_unit_of_a_level_of_0, dry_places_tell_nothing_of_the_depth,
-  no_water_that_there_is_has_a_wrong_unit, marks_of_dry_places_are_no_levels,
-  the_height_in_another_unit_is_found, dry_land_tells_the_unit_of_the_level,
-  levels_under_all_land_are_in_another_unit, a_lake_in_feet_is_found,
-  depth_and_bed_in_two_units_are_found, depth_and_bed_of_one_unit_are_fine, two_heights_are_needed)
+// Places without a value change no verdict, whichever height they lack and whichever are given.
+TEST(places_without_values_tell_nothing)
+{
+  for (int lacking = 0; lacking < 6; ++lacking)
+  {
+    const double none = lacking % 2 == 0 ? (double)NAN : (double)INFINITY;
+    coast all = coast_of(320.0, 400.0, 384.0, 0.1);
+    coast land = coast_of(-20.0, 15.0, 0.3, 0.1);
+    coast deep = coast_of(-20.0, 5.0, 0.0, 0.0);
+    coast tank = coast_of(300.0, 330.0, 312.0, 0.2);
+    scale(all.depth, 100.0);
+    scale(land.level, 100.0);
+    scale(tank.depth, 1000.0);
+    coast* data[4] = { &all, &land, &deep, &tank };
+    for (int i = 0; i < COUNT; ++i)
+    {
+      deep.level[i] = 150.0 * sin(0.1 * i);
+      for (int k = 0; k < 4 && i % 7 == 3; ++k)
+      {
+        (lacking / 2 == 0      ? data[k]->level
+            : lacking / 2 == 1 ? data[k]->depth
+                               : data[k]->bed)[i] = none;
+      }
+    }
+    assert_wrong(
+      water_heights_judge(all.level, all.depth, all.bed, COUNT), WATER_HEIGHT_DEPTH, 100.0);
+    assert_wrong(water_heights_judge(land.level, NULL, land.bed, COUNT), WATER_HEIGHT_LEVEL, 100.0);
+    assert_wrong(water_heights_judge(deep.level, NULL, deep.bed, COUNT), WATER_HEIGHT_LEVEL, 0.0);
+    assert_wrong(
+      water_heights_judge(NULL, tank.depth, tank.bed, COUNT), WATER_HEIGHT_DEPTH, 1000.0);
+  }
+  coast empty = coast_of(-20.0, 15.0, 0.3, 0.1);
+  scale(empty.level, (double)NAN);
+  assert_true(water_heights_judge(empty.level, NULL, empty.bed, COUNT).wrong == WATER_HEIGHT_NONE);
+  empty = coast_of(-20.0, 15.0, 0.3, 0.1);
+  scale(empty.bed, (double)NAN);
+  assert_true(water_heights_judge(empty.level, NULL, empty.bed, COUNT).wrong == WATER_HEIGHT_NONE);
+}
+
+TESTS(places_without_values_tell_nothing, nine_places_are_too_few, flat_land_tells_nothing,
+  films_of_water_are_no_evidence, dry_places_tell_the_unit_of_a_level_of_0,
+  dry_places_tell_nothing_of_the_depth, no_water_that_there_is_has_a_wrong_unit,
+  marks_of_dry_places_are_no_levels, the_height_in_another_unit_is_found,
+  dry_land_tells_the_unit_of_the_level, levels_under_all_land_are_in_another_unit,
+  a_lake_in_feet_is_found, depth_and_bed_in_two_units_are_found, depth_and_bed_of_one_unit_are_fine,
+  two_heights_are_needed)

@@ -67,5 +67,17 @@ TEST(distances_are_from_the_plane)
   ASSERT_CLOSE(water_seen_distance(&none, eye), 0.0, 0.0);
 }
 
-TESTS(what_is_nearer_or_larger_covers_more, the_largest_have_a_mirrored_view,
-  distances_are_from_the_plane)
+// A box that is not finite, and a plane without a normal, are out of view.
+TEST(what_has_no_place_is_not_seen)
+{
+  const water_camera eye = over_the_water();
+  const double right[6] = { -3, 3, -3, 3, 0, 0 };
+  const double endless[6] = { -3, (double)INFINITY, -3, 3, 0, 0 };
+  const water_plane none = { { 0.0, 0.0, 0.0 }, 0.0 };
+  assert_true(water_seen_share(&eye, &level, right) > 0.0);
+  ASSERT_CLOSE(water_seen_share(&eye, &level, endless), 0.0, 0.0);
+  ASSERT_CLOSE(water_seen_share(&eye, &none, right), 0.0, 0.0);
+}
+
+TESTS(what_has_no_place_is_not_seen, what_is_nearer_or_larger_covers_more,
+  the_largest_have_a_mirrored_view, distances_are_from_the_plane)

@@ -244,7 +244,32 @@ TEST(calm_water_has_samples_for_many_rays)
   assert_int_equal(water_lookup_calm_samples(5), 4);
 }
 
-TESTS(sky_of_water_is_its_own_first, floors_need_usable_numbers,
+// A direction needs a finite length; a picture of the surroundings whose up and right are parallel,
+// or have none, has the world's axes.
+TEST(directions_need_a_length)
+{
+  water_axes axes;
+  memset(&axes, 0, sizeof axes);
+  axes.x_dir[0] = axes.y_dir[1] = axes.normal[2] = 1.0;
+  const double bad[3][3] = { { 0.0, 0.0, 0.0 }, { INFINITY, 0.0, 0.0 }, { 0.0, NAN, 0.0 } };
+  const double right[3] = { 2.0, 0.0, 0.0 };
+  double local[3] = { 7.0, 7.0, 7.0 };
+  for (int i = 0; i < 3; ++i)
+  {
+    double rows[9];
+    assert_false(water_lookup_local(&axes, bad[i], local));
+    ASSERT_CLOSE(local[0], 7.0, 0.0);
+    water_lookup_environment(&axes, bad[i], right, rows);
+    for (int k = 0; k < 9; ++k)
+    {
+      ASSERT_CLOSE(rows[k], k % 4 == 0 ? 1.0 : 0.0, 0.0);
+    }
+  }
+  assert_true(water_lookup_local(&axes, right, local));
+  ASSERT_CLOSE(local[0], 1.0, 0.0);
+}
+
+TESTS(directions_need_a_length, sky_of_water_is_its_own_first, floors_need_usable_numbers,
   calm_water_has_samples_for_many_rays, sky_of_the_scene_reaches_every_plan,
   sky_is_known_unless_something_endless_is_drawn, sky_is_known_behind_a_skybox_that_shows_it,
   sky_is_not_known_in_a_dome, contrast_of_rays, light_of_the_sun_is_its_color_times_its_intensity,

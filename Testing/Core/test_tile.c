@@ -437,7 +437,22 @@ TEST(tiles_are_the_same_in_all_numbers)
   }
 }
 
-TESTS(tiles_are_the_same_in_all_numbers, spectrum_is_hermitian,
+// The band of a tile's waves is refused unless it rises: a lower end that is not finite or
+// negative, an upper one that is not finite or not above it.
+TEST(bad_bands_are_refused)
+{
+  const double bands[6][2] = { { NAN, 1.0 }, { INFINITY, 0.0 }, { -1.0, 1.0 }, { 0.5, INFINITY },
+    { 0.5, 0.5 }, { 0.5, NAN } };
+  double numbers[2] = { 7.0, 7.0 };
+  for (int i = 0; i < 6; ++i)
+  {
+    const water_tile bad = { 64, 200.0, 0.0, 0, bands[i][0], bands[i][1] };
+    assert_int_equal(water_tile_amplitudes(&bad, &sea, numbers), WATER_BAD_WAVENUMBER);
+  }
+  assert_true(numbers[0] == 7.0);
+}
+
+TESTS(bad_bands_are_refused, tiles_are_the_same_in_all_numbers, spectrum_is_hermitian,
   tile_holds_the_variance_of_the_spectrum, variance_is_that_of_the_spectrum,
   waves_travel_along_their_wave_vector, fields_follow_from_the_height, period_repeats_exactly,
   seed_makes_the_sea, packed_pair_is_two_fields, samples_are_bilinear_and_repeat,

@@ -143,4 +143,17 @@ TEST(ends_of_the_cover)
     water_whitecap_jacobian(0.01, line), 1.0 - 2.3263479 * sqrt(0.04 + softness * softness), 1e-6);
 }
 
-TESTS(cover_is_monahans, cover_is_what_is_counted, ends_of_the_cover)
+// Winds that were never measured, or are none, have no share.
+TEST(winds_out_of_range_are_refused)
+{
+  const double winds[4] = { 0.09, 100.1, NAN, -5.0 };
+  double cover = 7.0;
+  for (int i = 0; i < 4; ++i)
+  {
+    assert_int_equal(water_whitecap_cover(winds[i], &cover), WATER_BAD_WIND_SPEED);
+  }
+  ASSERT_CLOSE(cover, 7.0, 0.0);
+}
+
+TESTS(
+  winds_out_of_range_are_refused, cover_is_monahans, cover_is_what_is_counted, ends_of_the_cover)
