@@ -76,22 +76,22 @@ double water_medium_cosine(double cosine, double eta);
 // Reference of tests: nothing in the module calls it.
 double water_medium_path(double depth, double cosine, double eta);
 
-// Depth at which a bed appears, m: straight over its true place. At nadir depth / eta.
-// Reference of tests: nothing in the module calls it.
+// Apparent depth of a bed, m, vertically above its true place. For a vertical view it is depth /
+// eta. Reference of tests: nothing in the module calls it.
 double water_medium_apparent_depth(double depth, double cosine, double eta);
 
-// What a beam loses per metre, 1/m: absorption + scattering.
+// Attenuation of a beam, 1/m: absorption + scattering.
 void water_medium_extinction(const water_medium* medium, double extinction[3]);
 
-// Share of the irradiance that water without an end sends back up, 0.33 b / (a + b) per channel, 0
-// where the water does nothing. Linear, in [0, 0.33]; what the display shows: water_daylight.h.
+// Share of the irradiance that infinitely deep water scatters back up, 0.33 b / (a + b) per
+// channel, or 0 if both are 0. Linear, in [0, 0.33]; for the display colour see water_daylight.h.
 // Source: Morel and Prieur 1977, "Analysis of Variations in Ocean Color" (R = 0.33 b_b / a), with
 // the loss of the light that is scattered: a + b_b (Gordon 1973).
 void water_medium_reflectance(const water_medium* medium, double reflectance[3]);
 
-// The part of the light left after a way through the water, exp(-(a + b) path), per channel.
-// Source: Bouguer 1729; Lambert 1760; Beer 1852.
-// Reference of tests: nothing in the module calls it.
+// The fraction of the light that remains after a path through the water, exp(-(a + b) path), per
+// channel. Source: Bouguer 1729; Lambert 1760; Beer 1852. Reference of tests: nothing in the module
+// calls it.
 void water_medium_transmittance(const water_medium* medium, double path, double transmittance[3]);
 
 // Radiance scattered once towards an eye above, per unit of irradiance that the sun brings through

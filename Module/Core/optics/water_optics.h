@@ -19,8 +19,8 @@ extern "C"
 // in use, so that switching the mode brings no new error.
 water_status water_optics_check(const water_look* look);
 
-// Takes a water into the look of all that share a reflection texture: one that reflects no less
-// than each of them from anywhere.
+// Adds a water to the common look of the waters that share a reflection texture. From every
+// direction, this look reflects at least as much as each of them.
 void water_optics_join(const water_look* look, water_look* all);
 
 // The index ratio for an eye on that side.

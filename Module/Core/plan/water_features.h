@@ -280,10 +280,11 @@ typedef struct water_feature_look
   water_lookup_kind lookup; // of waves
 } water_feature_look;
 
-// Is the surface not smooth: has it waves of any kind, or slopes?
+// Does the surface have waves of any kind, or slopes?
 bool water_features_is_rough(const water_feature_look* look);
 
-// Is the reflection looked up along rays? A calm look has no reasons, and sees no shadows.
+// Is the reflection looked up along rays? Not with a calm look, which has no confidence output and
+// no shadows.
 bool water_features_needs_rays(const water_feature_look* look);
 
 // Do waves displace the surface?
@@ -292,8 +293,8 @@ bool water_features_is_displaced(const water_feature_look* look);
 // Do objects in the reflection texture cast shadows on glitter or foam?
 bool water_features_has_shadows(const water_feature_look* look);
 
-// Are sines all that turns a reflected ray? Only they have a steepest slope, which bounds how far a
-// ray is turned; a new kind of waves makes this false.
+// Do only sines turn reflected rays? Only they have a maximum slope, which bounds the turn of a
+// ray. Extend this for a new kind of waves.
 bool water_features_is_of_sines(const water_feature_look* look);
 
 // The features of a water in the main view.

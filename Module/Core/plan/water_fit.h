@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// water_fit.h: the plane that lies best in a part of a surface, such as one lake of several, and
-// which parts lie in one plane.
+// water_fit.h: the plane that best fits a part of a surface, such as one lake of several, and which
+// parts lie in one plane.
 //
-// The plane has the least mean square of heights, by the area that is seen along the up direction:
-// what the mirrored view is wrong by grows with the surface's height over its plane. Integrals over
-// triangles are exact, so that the plane does not depend on how a surface is cut into triangles.
-// Water lies level, unless a tilt is what its heights are made of.
+// The plane minimises the mean square of heights, weighted by the area projected along the up
+// direction, because the error of the mirrored view grows with the surface's height above its
+// plane. Integrals over triangles are exact, so the plane does not depend on the triangulation. The
+// plane is level unless a tilt explains most of the heights.
 #ifndef water_fit_h
 #define water_fit_h
 
@@ -58,16 +58,16 @@ bool water_fit_add_polygon(const double* corners, size_t count, water_fit* fit);
 // Adds a triangle: its corners in world. Triangles that are not finite are ignored.
 void water_fit_add(const double a[3], const double b[3], const double c[3], water_fit* fit);
 
-// The plane of the triangles added so far. It is level where the best one is tilted by less than
-// 1e-4 rad, which moves a reflection by less than a fifth of a pixel in a picture of 1000 pixels a
-// radian; where the tilt leaves more than half of the heights' mean square, as waves do; and where
-// it is steeper than 30 degrees, as no water is.
+// The plane of the triangles added so far. It is level in three cases: the best plane is tilted by
+// less than 1e-4 rad, which moves a reflection by less than a fifth of a pixel in a picture with
+// 1000 pixels per radian; the tilt explains less than half of the heights' mean square, as with
+// waves; or the tilt is steeper than 30 degrees, which water never is.
 //
 // Returns WATER_OK or WATER_BAD_SURFACE (no area, or so large that squares overflow); then *plane
 // is unchanged.
 water_status water_fit_judge(const water_fit* fit, water_fit_plane* plane);
 
-// Largest distance between the planes of two parts of a surface that count as one plane.
+// Largest distance at which the planes of two parts of a surface are treated as one plane.
 //
 // diagonal    of the surface's bounds
 // coordinate  the largest of them, without its sign

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// water_flatness.h: how high the points of a surface that a user gives lie over the water's plane,
-// and is that seen?
+// water_flatness.h: how high the points of a user's surface lie above the water's plane, and
+// whether this is visible.
 //
-// A pixel of a flat surface looks the reflection up where it is. Any other one also needs its
-// height. A pixel's depth tells that badly: it is rounded, and so are the clip coordinates it comes
-// from, by more than the height itself where coordinates or the distances of the camera's near and
-// far plane are large. So vertices tell their height by their own coordinates.
+// A pixel of a flat surface looks up the reflection at its own place. Any other pixel also needs
+// its height. The depth of the pixel is too inaccurate for this: if coordinates or the distances of
+// the near and far planes are large, the rounding of the depth and of the clip coordinates exceeds
+// the height. Therefore vertices compute their heights from their own coordinates.
 #ifndef water_flatness_h
 #define water_flatness_h
 
@@ -49,12 +49,12 @@ bool water_flatness_begin(const water_plane* unit, const double mesh_to_world[16
 // Returns false if the point is too high: only reach needs the other points then.
 bool water_flatness_add(const double point[3], water_flatness* flatness);
 
-// The height of the highest point over the plane or under it; 0: the points lie in the plane, as
-// far as their coordinates can tell; infinity: they do not, whoever sees them.
+// The largest distance of a point from the plane. 0: within the precision of their coordinates, the
+// points lie in the plane; infinity: they do not, from any view.
 double water_flatness_judge(const water_flatness* flatness);
 
-// Is a surface seen as if it lay in the plane? Taken as flat, no reflection that it shows moves by
-// so much that a colour changes by 1 of 255.
+// Does a surface look as if it lay in the plane? True if treating it as flat moves no reflection so
+// far that a colour changes by 1 of 255.
 //
 // height_max  of water_flatness_judge
 bool water_flatness_is_unseen(const water_plan* plan, double height_max, const int viewport_px[2]);

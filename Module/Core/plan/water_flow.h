@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // water_flow.h: a current that carries the small waves, by a two-phase flow map.
 //
-// Where a current moves a pattern for long, it tears it apart: each place has another velocity. So
-// two layers of the same waves are carried along for one period each, half a period apart, and then
-// begin again where they are at rest. A layer begins where its weight is 0, and has all of the
-// weight in the middle of its cycle. Source: Vlachos 2010, "Water flow in Portal 2" (SIGGRAPH 2010,
-// Advances in Real-Time Rendering in 3D Graphics and Games).
+// A current that carries a pattern for a long time tears it apart, because each place has a
+// different velocity. Therefore two layers of the same waves are each carried for one period, half
+// a period apart, and then start again undisturbed. A layer starts with the weight 0, and has the
+// full weight in the middle of its period. Source: Vlachos 2010, "Water flow in Portal 2" (SIGGRAPH
+// 2010, Advances in Real-Time Rendering in 3D Graphics and Games).
 #ifndef water_flow_h
 #define water_flow_h
 
@@ -26,7 +26,8 @@ typedef struct water_flow
   double weight;  // of the first layer, in [0, 1]; the second one has the rest
 } water_flow;
 
-// A component of a velocity that counts: 0 if it is not finite or faster than WATER_FLOW_SPEED_MAX.
+// A component of a velocity, as it is used: 0 if it is not finite or faster than
+// WATER_FLOW_SPEED_MAX.
 double water_flow_component(double velocity);
 
 // The layers at a time. They depend on the time alone.
@@ -37,8 +38,8 @@ water_flow water_flow_at(double time, double period);
 
 // The two rows that turn a current into its path in a period, along the plane's axes and in the
 // scene's unit: the path is (across . current, down . current). The current is in m/s, along the
-// axes of the mesh; the mesh's matrix turns it, but as a whole makes it neither faster nor slower,
-// whatever it does to heights.
+// axes of the mesh. The mesh's matrix rotates it, but does not scale its speed as a whole, whatever
+// the matrix does to heights.
 //
 // metres_per_unit  > 0
 // across           3 numbers; 0: the matrix has no inverse
@@ -50,8 +51,7 @@ void water_flow_ways(const water_axes* axes, const double mesh_to_world[16], dou
 // independent waves, nearer ones like one wave. An eighth of the longest wave was chosen, because
 // shorter waves, which contribute as much to the slopes, decorrelate sooner.
 //
-// Waves of a wind sea are not among these: its tiles keep their variances by themselves
-// (waterFlowBandGain).
+// This does not apply to a wind sea: waterFlowBandGain keeps the variance of each of its tiles.
 //
 // longest  wave; 0: there is none, and nothing becomes unlike
 double water_flow_likeness(double longest);

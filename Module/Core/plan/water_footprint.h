@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// water_footprint.h: a thing seen from above: its lowest and highest points over a grid of cells.
-// They tell a surface, such as a terrain, from a solid.
+// water_footprint.h: an object seen from above: its lowest and highest points over a grid of cells.
+// They distinguish a surface, such as a terrain, from a solid.
 //
 // A surface has its lowest and its highest points close together in each cell. A solid has a gap
 // between them. A solid with walls along its rim is a block: a box, or a terrain with a skirt and a
@@ -42,11 +42,11 @@ void water_footprint_add(int x, int y, double height, water_footprint* footprint
 
 bool water_footprint_has(const water_footprint* footprint, int x, int y);
 
-// What the thing is. With fewer than 16 cells it is a surface: nothing more is known of it.
+// The kind of the object. With fewer than 16 cells it is treated as a surface.
 water_footprint_shape water_footprint_shape_of(const water_footprint* footprint);
 
-// The lowest level with water over the thing: a fiftieth of its top lies below it. Infinite for a
-// thing without a point.
+// The lowest level with water over the object: a fiftieth of the object's top lies below it.
+// Infinite for an object without points.
 double water_footprint_wet_from(const water_footprint* footprint);
 
 #ifdef __cplusplus

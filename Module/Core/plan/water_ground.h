@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// water_ground.h: has a scene ground under all of its water, as a terrain or a basin has, or does
-// it stand in open water, as a ship does?
+// water_ground.h: does a scene have ground under all of its water, such as a terrain or a basin, or
+// does it stand in open water, such as a ship?
 //
 // It has ground if an object under the water is nearly as wide as the scene, or if one surface runs
 // along the border of the scene's bounds. Objects in open water touch this border only in places.
@@ -8,7 +8,7 @@
 // a skirt and a base. A cone, a dome and a barge stand or float in open water.
 //
 // The dry part of a ground is known. Water under it would be visible only from the side, as a slab
-// under the land, and is left out. What is known of the ground holds for all levels.
+// under the land, and is left out. The stored data about the ground are valid for all water levels.
 #ifndef water_ground_h
 #define water_ground_h
 
@@ -54,46 +54,46 @@ typedef struct water_ground
 water_status water_ground_begin(
   const water_plane* plane, const double bounds[6], water_ground* ground);
 
-// Adds the bounds, in world, of what may be a bed; empty ones count nothing.
+// Adds the bounds, in world coordinates, of an object that may be a bed. Empty bounds are ignored.
 void water_ground_add_bounds(const double bounds[6], water_ground* ground);
 
-// Adds a point of a thing, in world, to what is seen of it from above. Points that are not finite
-// are ignored.
+// Adds a point of an object, in world coordinates, to the object's footprint. Points that are not
+// finite are ignored.
 void water_ground_see_point(
   const water_ground* ground, const double point[3], water_footprint* footprint);
 
-// Adds a face of a thing that is a surface, in world, to its relief; and, once it has all of its
-// faces, a point of it. Coordinates that are not finite are ignored.
+// Adds a face of an object that is a surface, in world coordinates, to its relief; after all faces,
+// adds a point of it. Coordinates that are not finite are ignored.
 void water_ground_see_face(const water_ground* ground, double corners[3][3], water_relief* relief);
 void water_ground_see_relief(
   const water_ground* ground, const double point[3], water_relief* relief);
 
-// Adds an object after all of its points were added. Objects that stand in the water do not count
-// as ground, nor do columns: high blocks with a flat top.
+// Adds an object after all of its points were added. Objects that stand in the water are not
+// ground, nor are columns, which are high blocks with a flat top.
 //
 // relief  of a surface; NULL: not known
 //
-// Returns whether it may be a bed. What does not count is no bed: a cone or a column that is wholly
-// under water is in open water.
+// Returns whether it may be a bed. A cone or a column is not, even if it is wholly under water.
 bool water_ground_add_thing(
   const water_footprint* footprint, const water_relief* relief, water_ground* ground);
 
-// Number of samples along two sides of a triangle, in world, so that it leaves no cell out that it
-// covers.
+// Number of samples along two sides of a triangle, in world coordinates, so that no cell that it
+// covers is missed.
 int water_ground_across(const water_ground* ground, double corners[3][3]);
 
 // level  height of the water along the normal, from the world's origin
 bool water_ground_is_under(const water_ground* ground, double level);
 
-// Is the bed that lies under water flat, as that of a tank or a pool is? Most of it then is as deep
-// as its deepest place.
+// Is the bed under water flat, like that of a tank or a pool? Then most of it is about as deep as
+// its deepest place.
 bool water_ground_is_flat(const water_ground* ground, double level);
 
-// What of a cell is not known to be over the water, at the level: up to two convex parts, whose
-// edges are those of the parts of the cells beside it. The edge against what is dry runs where a
-// height between corners of cells reaches the level. A corner is as high as the reliefs of all
-// surfaces say. Where these are not known it is as high as the lowest point in the two cells around
-// it each way, for faces reach from cell to cell. Without a point in one of them it is wet.
+// The part of a cell that is not known to be above the water, at the level: up to two convex parts,
+// whose edges coincide with those of the adjacent cells. The edge towards dry land is where a
+// height interpolated between corners of cells reaches the level. A corner has the height given by
+// the reliefs of all surfaces. Where these are not known, it has the height of the lowest point
+// within two cells in each direction, because faces reach from cell to cell. If one of these cells
+// has no point, the corner is wet.
 //
 // parts  corners in world, x, y, z of four each, counter-clockwise about the normal; two of them
 //        may be the same
@@ -101,7 +101,7 @@ bool water_ground_is_flat(const water_ground* ground, double level);
 // Returns the number of parts.
 int water_ground_wet(const water_ground* ground, double level, int x, int y, double parts[24]);
 
-// Which cells are wet at the level, in blocks.
+// Finds the cells that are wet at the level, as blocks.
 //
 // Returns whether one of them is not.
 bool water_ground_find_blocks(const water_ground* ground, double level, water_blocks* blocks);

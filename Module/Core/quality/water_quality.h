@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// water_quality.h: how fine a reflection must be for an error in pixels, and may be for a time.
+// water_quality.h: the resolution of a reflection for a target error in pixels, or for a time
+// budget.
 //
-// A ladder of steps, 0 the finest, leads from all that the module can do to a sixteenth of the
-// texels. A target error picks a step by a model of the lookup's error; a time budget moves along
-// the ladder by the times that were measured. Both have hysteresis: a value that lies on a limit
-// does not make the picture pump. Equal inputs give equal outputs; all memory is the caller's.
-// Errors are pixels of the picture (not of the reflection texture), times are milliseconds, of one
-// water's reflection: its mirrored view and its lookups.
-// Source of all constants: measured, Documentation/decisions/010-quality.md.
+// A ladder of steps, 0 the finest, leads from the full resolution to a sixteenth of the texels. A
+// target error selects a step by a model of the lookup's error; a time budget moves along the
+// ladder by measured times. Both have hysteresis, so that the picture does not oscillate between
+// two steps. Equal inputs give equal outputs; the caller owns all memory. Errors are pixels of the
+// picture (not of the reflection texture), times are milliseconds, of one water's reflection: its
+// mirrored view and its lookups. Source of all constants: measured,
+// Documentation/decisions/010-quality.md.
 #ifndef water_quality_h
 #define water_quality_h
 
@@ -25,8 +26,8 @@ extern "C"
 #define WATER_QUALITY_STEPS 8      // of the ladder, 0 to 7
 #define WATER_QUALITY_NO_STEP (-1) // nothing was chosen yet
 
-// What a step of the ladder sets. Multisampling is not in it: a coarse reflection texture needs it
-// most.
+// The settings of a step of the ladder. Multisampling is not included: a coarse reflection texture
+// needs it most.
 typedef struct water_quality
 {
   double texture_scale; // texels per pixel along each axis, 1 to 0.25; about 2^(-1/4) a step
@@ -34,7 +35,7 @@ typedef struct water_quality
   int ray_probes;       // RayTraceProbes, 12 to 3
 } water_quality;
 
-// A step of the ladder; a number beyond its ends counts as the end.
+// A step of the ladder; a number beyond its ends selects the end.
 void water_quality_of_step(int step, water_quality* quality);
 
 // How rough the water looks: all of it finite and >= 0.
@@ -47,26 +48,26 @@ typedef struct water_roughness
                             // parallel eye
 } water_roughness;
 
-// How rough water looks where its waves are seen best: an error must be within its target there,
-// too.
+// Roughness of the water where its waves are most visible: the error must stay within its target
+// there, too.
 //
 // plan         of the scene, or of the one before it; with a view
 // wave_number  typical of the waves, rad/m; 0: not known, all of them are resolved
 void water_quality_roughness(
   const water_scene* scene, const water_plan* plan, double wave_number, water_roughness* roughness);
 
-// Median distance, in pixels, of what a reflected ray reads from its right place.
+// Median distance, in pixels, between the place that a reflected ray reads and its correct place.
 //
-// The place is known to the texel: half of the points of a square of side 1 / scale are nearer than
-// 0.4 / scale to its middle. Waves turn the ray by up to twice their slope: a share of the rays,
-// which grows with the square of the slope, loses its way; the march's steps are the longer, the
-// farther the ray is turned on the picture.
+// The place is known to a texel: half of the points of a square of side 1 / scale are within 0.4 /
+// scale of its middle. Waves turn the ray by up to twice their slope. A share of the rays, which
+// grows with the square of the slope, misses its target, and the steps of the march become longer
+// with the turn of the ray in the picture.
 //
 //   sharp = 0.4 / scale (1 + 1.8 seen^2) + 2 seen pixels_per_radian / (280 ray_steps)
 //
 // seen = slope_rms exp(-turn_rad^2 / 24) is what a pixel resolves of the slopes. The rest of them,
 // hidden = sqrt(slope_rms^2 - seen^2), blurs the reflection over blur = 2 hidden pixels_per_radian
-// (rms), and in a blur only so much of the error shows (variances add):
+// (rms). The blur hides a part of the error (variances add):
 //
 //   error_px = sqrt(blur^2 + sharp^2) - blur
 //
@@ -77,8 +78,9 @@ void water_quality_roughness(
 // Returns WATER_OK or WATER_BAD_ROUGHNESS; then *error_px is unchanged.
 water_status water_quality_error(int step, const water_roughness* roughness, double* error_px);
 
-// The coarsest step whose error is within a target; the finest if none is (water_quality_error
-// tells). A step in use stays until it is over the target, or a coarser one under 0.9 of it.
+// The coarsest step whose error (water_quality_error) is within a target, or the finest step if
+// there is none. A step in use is kept until its error exceeds the target, or that of a coarser
+// step is below 0.9 of it.
 //
 // target_px  finite, > 0
 // step       in: the one in use, or WATER_QUALITY_NO_STEP; out: the one to use
@@ -86,8 +88,8 @@ water_status water_quality_error(int step, const water_roughness* roughness, dou
 // Returns WATER_OK, WATER_BAD_TARGET_ERROR or WATER_BAD_ROUGHNESS; then *step is unchanged.
 water_status water_quality_for_error(double target_px, const water_roughness* roughness, int* step);
 
-// What a time budget remembers of the frames so far. Zeros are a good beginning, any step besides:
-// only the step is for the caller to read or set.
+// State of a time budget from frame to frame. Begin with zeros and any step; the caller may read
+// and set only the step.
 typedef struct water_quality_state
 {
   int step;           // to draw the next frame with
@@ -110,14 +112,14 @@ typedef struct water_quality_state
 
 // The step for the next frame, from the time of the last one.
 //
-// Coarser, by one or two steps, when the frames since they began to be too long were so by 3
-// budgets in all (a frame counts for one at most): after 3 frames of twice the budget, or 30 of 1.1
-// times. Finer, by one step, when the time predicted for it was under 0.8 of the budget, by 8
-// budgets in all: after 10 frames that cost nothing, or 80 of 0.7. So a time between 0.8 and 1 of
-// the budget changes nothing, nor does noise about it. 3 frames after a change are ignored: they
-// make textures, and GPU timers run late. A finer step that had to be taken back within 1000 frames
-// is tried half as often from then on, up to 64 times later; 1000 quiet frames forget one such
-// failure.
+// The step becomes coarser, by one or two, when the excess over the budget adds up to 3 budgets (at
+// most one per frame): after 3 frames of twice the budget, or 30 frames of 1.1 times the budget. It
+// becomes finer, by one, when the amounts by which the time predicted for the finer step is below
+// 0.8 of the budget add up to 8 budgets: after 10 frames that cost nothing, or 80 frames of 0.7
+// times the budget. A time between 0.8 and 1 of the budget, with noise, therefore changes nothing.
+// The 3 frames after a change are ignored, because they create textures, and GPU timers report
+// late. A finer step that had to be undone within 1000 frames is then tried half as often, down to
+// a 64th; 1000 frames without a change cancel one such failure.
 //
 // The model is time = a + b scale^2. Its fixed share a / (a + b) is fitted to the means before and
 // after each change of at least 16 and of 32 frames, half old and half new; it starts at 0, which
@@ -138,8 +140,8 @@ water_status water_quality_for_budget(
 // frames_per_s  finite; 1e-6 and less counts as that
 double water_quality_budget(double frames_per_s);
 
-// Is a budget that of a still picture? It is then a second or more: VTK's windows set hours. Such a
-// picture gets the finest step at once, because there may be no other frame.
+// Is a budget that of a still picture? It is then a second or more (VTK's windows set hours). Such
+// a picture gets the finest step at once, because no other frame may follow.
 bool water_quality_is_still(double budget_ms);
 
 // What a frame is asked for.
@@ -170,12 +172,12 @@ typedef struct water_quality_choice
 
 void water_quality_begin(water_quality_memory* memory);
 
-// Chooses the texture's scale and the most steps of rays for a frame. A target, a budget or a
-// roughness that is not accepted leaves the step as it was: the finest, if it is the first.
+// Chooses the texture's scale and the most steps of rays for a frame. With an invalid target,
+// budget or roughness the step does not change; the first step is the finest.
 void water_quality_choose(
   const water_quality_request* request, water_quality_memory* memory, water_quality_choice* choice);
 
-// How much work goes into rays on waves.
+// The effort for rays on waves.
 typedef struct water_ray_quality
 {
   int steps;           // of the march
@@ -191,13 +193,13 @@ typedef struct water_ray_quality
 // Source: measured, Documentation/decisions/006-lookup.md.
 water_status water_quality_of_name(const char* name, water_ray_quality* quality);
 
-// Where in its pixels frame number i of an average looks, in pixels from their middles, each in
-// [-0.5, 0.5): any number of frames is spread evenly, and the first is at the middle.
-// Source: Roberts 2018, "The Unreasonable Effectiveness of Quasirandom Sequences" (R2).
+// Shift of frame number i of an average, in pixels, each component in [-0.5, 0.5). Any number of
+// frames is distributed evenly, and the first is not shifted. Source: Roberts 2018, "The
+// Unreasonable Effectiveness of Quasirandom Sequences" (R2).
 void water_quality_jitter(unsigned i, double place_px[2]);
 
-// Shares a budget over many waters: a tenth of it evenly among those that are seen, so that none
-// starves, and the rest by the areas that are seen of them.
+// Distributes a budget over many waters: a tenth of it evenly among the visible ones, so that each
+// gets some, and the rest by their visible areas.
 //
 // areas_px   count of them; a water without a finite area over 0 is not seen and gets 0
 // budget_ms  finite, > 0
@@ -207,8 +209,8 @@ void water_quality_jitter(unsigned i, double place_px[2]);
 water_status water_quality_share(
   const double* areas_px, size_t count, double budget_ms, double* shares_ms);
 
-// What some of those waters get together, ms; all of the budget while none of them is known to be
-// seen.
+// The sum of the shares of some of these waters, ms; the whole budget while none of them is known
+// to be visible.
 //
 // is_own  count of them: which
 // work    room for count
