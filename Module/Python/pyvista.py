@@ -165,8 +165,9 @@ def add_water(
     units : str | float, optional
         Length unit of the scene: ``'um'``, ``'mm'``, ``'cm'``, ``'m'``, ``'km'``, ``'in'``, ``'ft'``, ``'mi'``, a
         number of metres, or ``'automatic'``. The default is ``'automatic'``, or ``'m'`` with individual ``waves``.
-        ``'automatic'`` treats a scene of natural size for its water (256 to 1024 units across; a pool 4 to 32) as one
-        in metres, and any other as one of a natural size. Waves too short to be visible are left out.
+        ``'automatic'`` treats a scene that is 256 to 1024 units across as one in metres, a smaller scene as 200 to
+        400 m across, and a larger one as 1000 to 2000 m across; presets may have other ranges (a pool: 4 to 32
+        units are metres). Waves too short to be visible are left out.
         ``print(actor)`` shows the unit in use.
 
     normal : str | sequence[float], default: 'z'

@@ -36,10 +36,10 @@ enum // water_prop.flags, a bit each
 {
   WATER_PROP_VISIBLE = 1 << 0,
   WATER_PROP_IS_WATER = 1 << 1,      // this water, another sheet of its plane, or it holds water
-  WATER_PROP_NO_BOUNDS = 1 << 2,     // fills the view whatever its bounds, e.g. a skybox
-  WATER_PROP_NOT_REFLECTED = 1 << 3, // the user's key says so
+  WATER_PROP_NO_BOUNDS = 1 << 2,     // fills the view, whatever its bounds: a skybox
+  WATER_PROP_NOT_REFLECTED = 1 << 3, // the user's key requests it
   WATER_PROP_OVERLAY = 1 << 4,       // lives on the screen, not in the scene: 2D actors
-  WATER_PROP_LABEL = 1 << 5,         // turned to the user's camera on every draw: billboards
+  WATER_PROP_LABEL = 1 << 5,         // faces the user's camera in every draw: billboards
   WATER_PROP_REFUSED = 1 << 6,       // its shader cannot be cut at the water
   WATER_PROP_IS_SKY = 1 << 7         // it shows the sky that water_scene.sky describes
 };
@@ -125,7 +125,7 @@ typedef struct water_look
   bool constant_reflectance;  // false: exact Fresnel
 } water_look;
 
-typedef enum water_quality_mode // what chooses the texture's scale and the steps of rays
+typedef enum water_quality_mode // how the texture's scale and the steps of rays are chosen
 {
   WATER_QUALITY_FIXED,
   WATER_QUALITY_TARGET_ERROR,
@@ -140,7 +140,7 @@ typedef enum water_color_precision // of the reflection texture
   WATER_COLOR_HALF_FLOAT
 } water_color_precision;
 
-// What the user sets of a mirrored view.
+// The user's settings of a mirrored view.
 typedef struct water_settings
 {
   double texture_scale;     // texture pixels per viewport pixel, > 0
@@ -158,7 +158,7 @@ typedef struct water_settings
   double time_budget_ms;
 } water_settings;
 
-// What is painted on the screen of the main view before all else: VTK's gradient modes, or a
+// What is painted on the main view's screen before everything else: VTK's gradient modes, or a
 // picture.
 typedef enum water_screen
 {
@@ -170,7 +170,7 @@ typedef enum water_screen
   WATER_SCREEN_PICTURE     // a texture over all of it
 } water_screen;
 
-typedef enum water_sky_kind // what the sky in a direction is looked up in
+typedef enum water_sky_kind // where the sky in a direction is looked up
 {
   WATER_SKY_SCREEN, // the screen of the main view
   WATER_SKY_MAP,    // a picture in longitude and latitude
@@ -187,7 +187,7 @@ typedef struct water_sky_map
   double level;       // of detail that it is shown with, >= 0
 } water_sky_map;
 
-// A plane that a texture is repeated over, with no end.
+// An infinite plane over which a texture repeats.
 typedef struct water_sky_floor
 {
   bool is_there;
@@ -197,7 +197,7 @@ typedef struct water_sky_floor
   double exponent;
 } water_sky_floor;
 
-// What is behind all props: the renderer's background, and skyboxes over it.
+// What lies behind all props: the renderer's background, and skyboxes in front of it.
 typedef struct water_sky
 {
   double bottom[3]; // red, green, blue of the background
@@ -224,7 +224,7 @@ typedef struct water_scene
   double wave_height_max; // how far waves move the surface itself up or down; 0: a flat sheet
   double surface_height; // of a surface that waves move, over the plane where the eye is, along the
                          // plane's normal; 0: a flat sheet
-  bool has_environment;  // what is reflected is a static picture of the surroundings
+  bool has_environment;  // a static picture of the surroundings is reflected
   double environment_up[3]; // of that picture, in world; water_lookup.h
   double environment_right[3];
   bool has_sun;
@@ -232,7 +232,7 @@ typedef struct water_scene
   double sun_diffuse[3]; // colour of its light
   double sun_intensity;
   water_sky sky;
-  double light[3];          // what the lights bring to the plane; water_daylight.h
+  double light[3];          // light of the lights on the plane; water_daylight.h
   double surface_bounds[6]; // of the water surface in world; min > max: there is no surface
   bool is_endless;          // the surface reaches to the horizon, whatever these bounds
   bool hides_above;         // the surface is not drawn for an eye above it, or below
@@ -240,7 +240,7 @@ typedef struct water_scene
   bool is_hidden;       // all of it is behind the scene
   bool is_flat;         // all of it lies in the plane, and is drawn no nearer than that
   bool has_scene_depth; // the eye's picture of what hides the surface is at hand, a depth per pixel
-  bool is_software;     // there is no GPU: pixels and triangles cost the time that draws cost
+  bool is_software;     // there is no GPU: pixels and triangles are expensive, draws are not
   const water_prop* props; // prop_count of them: all props, not only those the eye sees
   size_t prop_count;
   water_look look;
