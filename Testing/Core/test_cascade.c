@@ -362,6 +362,124 @@ TEST(warps_about_a_point_are_the_same)
   }
 }
 
-TESTS(tiles_have_the_variance_of_the_spectrum, bands_follow_each_other, amplitudes_keep_to_the_band,
+// Slopes on a warped tile are those of the sea by the chain rule.
+TEST(slopes_turn_by_the_chain_rule)
+{
+  double turn[2][2] = { { 0.1, 0.02 }, { -0.3, 0.05 } };
+  double slope[2] = { 2.0, 5.0 };
+  water_cascades_turned(turn, slope);
+  ASSERT_CLOSE(slope[0], 2.0 + 0.1 * 2.0 - 0.3 * 5.0, 1e-14);
+  ASSERT_CLOSE(slope[1], 5.0 + 0.02 * 2.0 + 0.05 * 5.0, 1e-14);
+}
+
+// The first tile has the given seed and is as long as its longest wave; without further tiles
+// nothing is warped, and cycles at a point are a fraction.
+TEST(first_tile_is_the_given_one)
+{
+  const water_sea sea = sea_of(10.0);
+  const water_cascades three = cascades_of(&sea, 64, 3);
+  const water_cascades one = cascades_of(&sea, 64, 1);
+  assert_true(three.tiles[0].seed == 7 && one.tiles[0].seed == 7);
+  assert_true(three.tiles[1].seed != 7 && three.tiles[2].seed != three.tiles[1].seed);
+  ASSERT_CLOSE(water_cascades_longest(&three, 0), three.tiles[0].length, 0.0);
+  ASSERT_CLOSE(water_cascades_longest(&three, 1), 2.0 * pi / three.tiles[1].k_low, 1e-12);
+  const double origin[2] = { 4321.0, -98765.0 };
+  for (size_t i = 0; i < WATER_CASCADE_WARPS; ++i)
+  {
+    double values[4];
+    water_cascades_warp_under(&three, i, 1.0, origin, values);
+    assert_true(values[2] >= 0.0 && values[2] < 1.0);
+    water_cascades_warp_under(&one, i, 1.0, origin, values);
+    ASSERT_CLOSE(values[3], 0.0, 0.0);
+  }
+}
+
+// Number i of the fields of a tile, of 16 points a side.
+static double field_at(const double* values, const water_tile* tile, const double place[2])
+{
+  const double at[2] = { place[0] / tile->length * 16.0, place[1] / tile->length * 16.0 };
+  double sum = 0.0;
+  for (int i = 0; i < 4; ++i)
+  {
+    const double low[2] = { floor(at[0]), floor(at[1]) };
+    const int column = (int)fmod(fmod(low[0] + i % 2, 16.0) + 16.0, 16.0);
+    const int row = (int)fmod(fmod(low[1] + i / 2, 16.0) + 16.0, 16.0);
+    const double share[2] = { at[0] - low[0], at[1] - low[1] };
+    sum += (i % 2 ? share[0] : 1.0 - share[0]) * (i / 2 ? share[1] : 1.0 - share[1]) *
+      values[16 * row + column];
+  }
+  return sum;
+}
+
+// What is added at a place are all tiles' fields, bilinear there: heights and ways in the scene's
+// unit, slopes turned, and the chop's derivatives each in its own entry.
+TEST(fields_are_added_between_points)
+{
+  const water_sea sea = sea_of(10.0);
+  const water_cascades cascades = cascades_of(&sea, 16, 2);
+  static double values[2][8][256];
+  water_cascade_fields fields[2];
+  for (int i = 0; i < 2; ++i)
+  {
+    for (int k = 0; k < 8 * 256; ++k)
+    {
+      values[i][k / 256][k % 256] = sin(1.3 * k + i);
+    }
+    const water_cascade_fields of = { values[i][0], { values[i][1], values[i][2] },
+      { values[i][3], values[i][4] }, { values[i][5], values[i][6], values[i][7] } };
+    fields[i] = of;
+  }
+  const water_cascade_surface surface = { &cascades, fields, 0.6, 100.0 };
+  for (int round = 0; round < 200; ++round)
+  {
+    const double place[2] = { 3.7 * round - 300.0, 211.0 - 5.3 * round }; // m
+    water_wave_sum sum;
+    memset(&sum, 0, sizeof sum);
+    assert_true(water_cascades_add(&surface, 100.0 * place[0], 100.0 * place[1], &sum));
+    double right[8] = { 0.0 }; // height, slope, chop, bend
+    for (size_t i = 0; i < 2; ++i)
+    {
+      double on_tile[2];
+      double turn[2][2];
+      double of[8];
+      water_cascades_place(&cascades, i, place, on_tile, turn);
+      for (int k = 0; k < 8; ++k)
+      {
+        of[k] = field_at(values[i][k], &cascades.tiles[i], on_tile);
+        right[k] += k == 1 || k == 2 ? 0.0 : of[k];
+      }
+      for (int k = 0; k < 2; ++k)
+      {
+        right[1 + k] += of[1 + k] + turn[0][k] * of[1] + turn[1][k] * of[2];
+      }
+    }
+    ASSERT_CLOSE(sum.gradient[0], right[1], 1e-9);
+    ASSERT_CLOSE(sum.gradient[1], right[2], 1e-9);
+    ASSERT_CLOSE(sum.moved[0], 60.0 * right[3], 1e-7);
+    ASSERT_CLOSE(sum.moved[1], 60.0 * right[4], 1e-7);
+    ASSERT_CLOSE(sum.moved[2], 100.0 * right[0], 1e-7);
+    ASSERT_CLOSE(sum.stretch[0], 0.6 * right[5], 1e-9);
+    ASSERT_CLOSE(sum.stretch[1], 0.6 * right[7], 1e-9);
+    ASSERT_CLOSE(sum.stretch[2], 0.6 * right[6], 1e-9);
+  }
+}
+
+// A tile that holds the shortest waves alone, or whose points are too few for a second one, has no
+// others.
+TEST(tiles_that_need_no_others_are_alone)
+{
+  const water_sea sea = sea_of(10.0);
+  const water_tile fine = { 64, 0.001, 0.0, 7, 0.0, 0.0 };
+  const water_tile coarse = { 4, 100.0, 0.0, 7, 0.0, 0.0 };
+  water_cascades made;
+  assert_int_equal(water_cascades_make(&fine, &sea, 3, &made), WATER_OK);
+  assert_int_equal(made.count, 1);
+  assert_int_equal(water_cascades_make(&coarse, &sea, 3, &made), WATER_OK);
+  assert_int_equal(made.count, 1);
+}
+
+TESTS(tiles_that_need_no_others_are_alone, slopes_turn_by_the_chain_rule,
+  first_tile_is_the_given_one, fields_are_added_between_points,
+  tiles_have_the_variance_of_the_spectrum, bands_follow_each_other, amplitudes_keep_to_the_band,
   bad_cascades_are_refused, slopes_add_up, places_of_short_tiles_are_warped,
   warps_about_a_point_are_the_same, a_sea_of_one_wave_is_gerstners)

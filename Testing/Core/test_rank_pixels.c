@@ -299,6 +299,24 @@ TEST(boxes_that_overlap_are_sorted_by_their_centres)
   assert_true(seen[0] == 1 && seen[1] == 1 && seen[2] == 1);
 }
 
-TESTS(pixels_come_back, nearest_pixel_wins, samples_of_a_pixel_take_few_bytes, depths_come_back,
-  layers_come_back, pixels_take_few_bytes, wrong_bytes_are_refused, layers_are_blended,
-  boxes_are_sorted, boxes_that_overlap_are_sorted_by_their_centres)
+// A pixel of a layer is sent if any of its words is not 0, and the most bytes are few a pixel.
+TEST(any_word_of_a_layer_is_sent)
+{
+  static part sent, got;
+  memset(&sent, 0, sizeof sent);
+  memset(&got, 0, sizeof got);
+  sent.colors[2 * 3 + 1] = 5;
+  sent.colors[2 * 7] = 6;
+  water_rank_picture from = picture_of(&sent, 2, false);
+  water_rank_picture to = picture_of(&got, 2, false);
+  const size_t size = water_rank_pixels_encode(&from, false, bytes);
+  assert_true(water_rank_pixels_merge(bytes, size, WATER_RANK_REPLACE, &to));
+  assert_memory_equal(got.colors, sent.colors, sizeof sent.colors);
+  const water_rank_picture widest = picture_of(&sent, WORDS, true);
+  assert_int_equal(water_rank_pixels_limit(&widest), sizeof bytes);
+}
+
+TESTS(any_word_of_a_layer_is_sent, pixels_come_back, nearest_pixel_wins,
+  samples_of_a_pixel_take_few_bytes, depths_come_back, layers_come_back, pixels_take_few_bytes,
+  wrong_bytes_are_refused, layers_are_blended, boxes_are_sorted,
+  boxes_that_overlap_are_sorted_by_their_centres)

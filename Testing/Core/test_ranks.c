@@ -352,8 +352,24 @@ TEST(blended_props_are_boxed)
   assert_bounds(drawn.blended_bounds, both);
 }
 
-TESTS(bounds_of_all_ranks_are_joined, rank_that_differs_is_named, facts_of_a_view_are_joined,
-  parts_of_a_mesh_are_joined, error_of_one_rank_is_named, all_waters_are_gone,
-  waters_that_differ_are_refused, digest_tells_waves_apart, every_rank_makes_the_same_plan,
-  digest_tells_numbers_apart, digest_tells_settings_apart, draws_are_joined,
-  blended_props_are_boxed)
+// A view is of calm water, and not averaged, if it is so on all ranks.
+TEST(calm_on_all_ranks_is_calm)
+{
+  water_rank_view views[2] = { view_of_left, view_of_right };
+  for (int i = 0; i < 2; ++i)
+  {
+    views[i].has_waves = 0.0;
+    views[i].is_averaged = 0.0;
+  }
+  water_ranks_view joined;
+  size_t bad_rank;
+  assert_int_equal(water_ranks_join_views(views, 2, 0, &joined, &bad_rank), WATER_OK);
+  assert_false(joined.has_waves);
+  assert_false(joined.is_averaged);
+}
+
+TESTS(calm_on_all_ranks_is_calm, bounds_of_all_ranks_are_joined, rank_that_differs_is_named,
+  facts_of_a_view_are_joined, parts_of_a_mesh_are_joined, error_of_one_rank_is_named,
+  all_waters_are_gone, waters_that_differ_are_refused, digest_tells_waves_apart,
+  every_rank_makes_the_same_plan, digest_tells_numbers_apart, digest_tells_settings_apart,
+  draws_are_joined, blended_props_are_boxed)

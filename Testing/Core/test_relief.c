@@ -177,5 +177,162 @@ TEST(walls_and_numbers_that_are_none_count_nothing)
   assert_true(isinf(water_relief_at(&relief, 1, 1))); // cells without a point are beside it
 }
 
-TESTS(the_sheet_ends_at_the_waterline, no_water_is_lost, beyond_a_rim_all_is_wet,
+// What is not finite is no face, even where a face of another surface is.
+TEST(endless_faces_hide_no_others)
+{
+  static water_relief relief;
+  water_relief_begin(&relief);
+  double endless[3][3] = { { 0.0, 0.0, -(double)INFINITY }, { 20.0, 0.0, 0.0 },
+    { 0.0, 20.0, 0.0 } };
+  double face[3][3] = { { 0.0, 0.0, 1.0 }, { 20.0, 0.0, 1.0 }, { 0.0, 20.0, 1.0 } };
+  for (int i = 0; i < 3; ++i)
+  {
+    water_relief_add_triangle(endless, &relief);
+    endless[i][2] = 0.0;
+    endless[(i + 1) % 3][2] = -(double)INFINITY;
+  }
+  water_relief_add_triangle(face, &relief);
+  ASSERT_CLOSE(relief.height[3][4], 1.0, 1e-12);
+  ASSERT_CLOSE(relief.height[0][0], 1.0, 1e-12);
+}
+
+// A face gives heights to the corners in it, not to those around it, whichever way it turns, and
+// not to those of a grid that it does not reach.
+TEST(faces_have_the_corners_in_them)
+{
+  const double shape[3][2] = { { 2.5, 2.5 }, { 12.5, 3.5 }, { 4.5, 13.5 } };
+  for (int order = 0; order < 6; ++order)
+  {
+    static water_relief relief;
+    water_relief_begin(&relief);
+    double face[3][3];
+    for (int i = 0; i < 3; ++i)
+    {
+      const int k = order < 3 ? (i + order) % 3 : (6 - i + order) % 3;
+      face[i][0] = shape[k][0];
+      face[i][1] = shape[k][1];
+      face[i][2] = 0.5 * shape[k][0] - 0.25 * shape[k][1];
+    }
+    water_relief_add_triangle(face, &relief);
+    for (int y = 0; y < 20; ++y)
+    {
+      for (int x = 0; x < 20; ++x)
+      {
+        bool is_in = true;
+        for (int i = 0; i < 3; ++i)
+        {
+          const double* from = shape[i];
+          const double* to = shape[(i + 1) % 3];
+          is_in =
+            is_in && (to[0] - from[0]) * (y - from[1]) - (to[1] - from[1]) * (x - from[0]) >= 0.0;
+        }
+        if (is_in)
+        {
+          ASSERT_CLOSE(relief.height[y][x], 0.5 * x - 0.25 * y, 1e-9);
+        }
+        else
+        {
+          assert_true(isinf(relief.height[y][x]));
+        }
+      }
+    }
+  }
+  static water_relief relief;
+  water_relief_begin(&relief);
+  double below[3][3] = { { 0.0, -5.0, 1.0 }, { 9.0, -5.0, 1.0 }, { 0.0, -3.0, 1.0 } };
+  double left[3][3] = { { -5.0, 0.0, 1.0 }, { -3.0, 0.0, 1.0 }, { -5.0, 9.0, 1.0 } };
+  water_relief_add_triangle(below, &relief);
+  water_relief_add_triangle(left, &relief);
+  for (int i = 0; i < WATER_RELIEF_CORNERS * WATER_RELIEF_CORNERS; ++i)
+  {
+    assert_true(isinf(relief.height[i / WATER_RELIEF_CORNERS][i % WATER_RELIEF_CORNERS]));
+  }
+}
+
+// A cell of which a corner is not known stays unknown, and so with two.
+TEST(cells_without_a_corner_stay_unknown)
+{
+  for (int pair = 0; pair < 16; ++pair)
+  {
+    static water_relief relief;
+    water_relief_begin(&relief);
+    for (int i = 0; i < 4; ++i)
+    {
+      relief.height[7 + i / 2][5 + i % 2] = i == pair / 4 || i == pair % 4 ? (double)INFINITY : 0.5;
+    }
+    const double point[3] = { 5.5, 7.5, 0.25 };
+    water_relief_add_point(point, &relief);
+    assert_true(isinf(relief.below[7][5]));
+  }
+}
+
+// A corner's height without what the surface reaches under it in the four cells around it, as
+// water_relief.h says; minus infinity where one of them is unknown.
+static double lowered_corner(const water_relief* relief, int x, int y)
+{
+  double most = 0.0;
+  for (int row = y - 1; row <= y; ++row)
+  {
+    for (int column = x - 1; column <= x; ++column)
+    {
+      if (row >= 0 && column >= 0 && row < WATER_FOOTPRINT_CELLS && column < WATER_FOOTPRINT_CELLS)
+      {
+        most = fmax(most, relief->below[row][column]);
+      }
+    }
+  }
+  return relief->height[y][x] < (double)INFINITY && most < (double)INFINITY
+    ? relief->height[y][x] - most
+    : -(double)INFINITY;
+}
+
+// Corners are lowered by the deepest point of the cells around them, and by a quarter of the
+// largest twist of those.
+TEST(corners_are_lowered_by_the_cells_around_them)
+{
+  static water_relief relief;
+  const int end = WATER_RELIEF_CORNERS - 1;
+  for (int i = 0; i < WATER_RELIEF_CORNERS * WATER_RELIEF_CORNERS; ++i)
+  {
+    const int x = i % WATER_RELIEF_CORNERS;
+    const int y = i / WATER_RELIEF_CORNERS;
+    relief.height[y][x] = i % 89 == 5 ? (double)INFINITY : 4.0 * sin(1.7 * i) + sin(0.1 * x * y);
+    if (x < end && y < end)
+    {
+      relief.below[y][x] = i % 97 == 3 ? (double)INFINITY : fabs(2.0 * sin(2.9 * i));
+    }
+  }
+  int known = 0;
+  for (int i = 0; i < WATER_RELIEF_CORNERS * WATER_RELIEF_CORNERS; ++i)
+  {
+    const int x = i % WATER_RELIEF_CORNERS;
+    const int y = i / WATER_RELIEF_CORNERS;
+    const double height = lowered_corner(&relief, x, y);
+    double twist = 0.0;
+    for (int row = y > 0 ? y - 1 : 0; row <= y && row < end; ++row)
+    {
+      for (int column = x > 0 ? x - 1 : 0; column <= x && column < end; ++column)
+      {
+        const double of = lowered_corner(&relief, column, row) +
+          lowered_corner(&relief, column + 1, row + 1) - lowered_corner(&relief, column + 1, row) -
+          lowered_corner(&relief, column, row + 1);
+        twist = isfinite(of) ? fmax(twist, fabs(of)) : twist;
+      }
+    }
+    if (isinf(height))
+    {
+      assert_true(water_relief_at(&relief, x, y) == -(double)INFINITY);
+    }
+    else
+    {
+      ASSERT_CLOSE(water_relief_at(&relief, x, y), height - 0.25 * twist, 1e-12);
+      ++known;
+    }
+  }
+  assert_true(known > 3000);
+}
+
+TESTS(endless_faces_hide_no_others, faces_have_the_corners_in_them,
+  cells_without_a_corner_stay_unknown, corners_are_lowered_by_the_cells_around_them,
+  the_sheet_ends_at_the_waterline, no_water_is_lost, beyond_a_rim_all_is_wet,
   walls_and_numbers_that_are_none_count_nothing)
