@@ -122,6 +122,15 @@ TEST(thirteen_places_and_six_lines)
     fill_rows(&ground, 26, 27, (double)INFINITY);
     assert_false(water_ground_is_under(&ground, 0.0));
   }
+  water_ground steep = begun(); // heights in a cell may differ by 0.15 of the scene's diagonal
+  fill_rows(&steep, 0, WATER_GROUND_CELLS, 0.0);
+  for (int i = 0; i < WATER_GROUND_PLACES; ++i)
+  {
+    steep.spread[i] = 0.15 / near_share * steep.near;
+  }
+  assert_true(water_ground_is_under(&steep, 0.0));
+  steep.spread[0] = steep.spread[1] = steep.spread[2] = steep.spread[3] = 0.7;
+  assert_false(water_ground_is_under(&steep, 0.0));
   water_ground ground = begun(); // blocks count from the level with water over them on
   fill_rows(&ground, 0, WATER_GROUND_CELLS, 0.0);
   for (int i = 0; i < WATER_GROUND_PLACES; ++i)
