@@ -380,6 +380,10 @@ static bool is_empty(const char* slot, water_feature_set features)
   {
     return !(features & WATER_FEATURE_MEDIUM);
   }
+  if (strcmp(slot, "casters") == 0)
+  {
+    return !(features & (WATER_FEATURE_MEDIUM | WATER_FEATURE_SHADOWS));
+  }
   if (strcmp(slot, "cover") == 0)
   {
     return !(features & WATER_FEATURE_FOAM);
@@ -469,8 +473,8 @@ TEST(slots_stand_in_their_order)
     "highlights", "cover", "gain", "cell", "place", "under", "height", "point", "hulls", "sky",
     "floor", "tile", "slope", "sines", "tiles", "folds", "sea", "normal_maps", "flow", "waves",
     "output", "reflection", "dome", "walk", "behind", "layer", "blur", "caustics", "medium",
-    "shafts", "others", "refraction", "facet_slopes", "facets", "rays", "shadows", "glitter",
-    "whitecaps", "foam", "sun", "port", "surface" };
+    "shafts", "others", "refraction", "casters", "facet_slopes", "facets", "rays", "shadows",
+    "glitter", "whitecaps", "foam", "sun", "port", "surface" };
   static const char* const vertex[] = { "cell", "tiles", "sea", "displacement", "heights", "slopes",
     "flow", "depth" };
   static const char* const photon[] = { "gradient", "place", "height", "point", "tile", "sines",

@@ -6,25 +6,27 @@ import pytest
 import water_test as wt
 
 LIMIT = 0.5  # % of the water's pixels
-LAND_SEEDS = (3, 9, 14, 18, 26, 40)  # 14, 18 and 26 have shadows
-THING_SEEDS = (0, 3, 6, 9, 15, 25)
+LAND_SEEDS = (3, 9, 14, 18, 26, 40, 43)  # 14, 18 and 26 have shadows
+THING_SEEDS = (0, 3, 6, 9, 12, 15, 25)
+CLEAR_SEEDS = (1, 10, 18, 43)  # the picture shows what casts the shadows, and the mirrored view does not
 # over the shore from the sea, along it, from the land, from high over it
 BEACH_EYES = (((-5, -25, 8), (0, 0, 0)), ((-15, -15, 10), (0, 0, 0)), ((20, -12, 12), (-3, 0, 0)),
               ((-3, 0, 30), (-3, 0.1, 0)), ((-4, 25, 14), (-1, 0, 0)))
 
 
-def check(name, coast):
-    dark, lit, shaded, picture = coasts.compared(coast)
+def check(name, coast, has_refraction=False):
+    dark, lit, shaded, picture = coasts.compared(coast, has_refraction)
     wt.save(picture, wt.output_folder() / f"{name.replace(' ', '_')}.png")
     print(f"{name}: {100 * shaded:.2f} % of the water is in shadow")
     wt.check_at_least(f"{name}: pixels of water", int((picture[:, :, 2] > 0).sum()), 100)
     wt.check_at_most(f"{name}: % that is dark or lit wrongly", 100 * float(dark + lit), LIMIT)
 
 
+@pytest.mark.parametrize("has_refraction", (False, True), ids=("opaque", "clear"))
 @pytest.mark.parametrize("eye, target", BEACH_EYES)
-def test_a_beach_shades_no_water(eye, target):
+def test_a_beach_shades_no_water(eye, target, has_refraction):
     """A beach of a slope of a tenth, under a sun 45 degrees high, keeps the sun off nothing."""
-    check(f"beach from {eye}", coasts.beach(eye, target))
+    check(f"beach from {eye}", coasts.beach(eye, target), has_refraction)
 
 
 @pytest.mark.parametrize("seed", LAND_SEEDS)
@@ -37,3 +39,9 @@ def test_land_shades_what_rays_say(seed):
 def test_things_shade_what_rays_say(seed):
     """The same with posts and balls."""
     check(f"things {seed}", coasts.random_coast(seed))
+
+
+@pytest.mark.parametrize("seed", CLEAR_SEEDS)
+def test_clear_water_has_shadows_of_what_the_picture_shows(seed):
+    """Clear water looks for what keeps the sun off in the picture, too: there, the sides that face the eye are seen."""
+    check(f"clear {seed}", coasts.random_coast(seed), has_refraction=True)

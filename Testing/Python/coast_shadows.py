@@ -5,7 +5,7 @@ Land is a height over (x, y), and posts and rocks stand in it. A place on the wa
 to the sun meets either: the height is compared along the ray in double precision, and posts and rocks are met by
 ray_caster's formulas.
 
-usage: coast_shadows.py [--coasts 50] [--limit 0.5]: the figures of that many coasts, by one command
+usage: coast_shadows.py [--coasts 50] [--limit 0.5] [--clear]: the figures of that many coasts, by one command
 """
 
 import argparse
@@ -163,9 +163,11 @@ def around(mask):
     return np.any([wide[i:i + height, j:j + width] for i in range(3) for j in range(3)], axis=0)
 
 
-def compared(coast):
+def compared(coast, has_refraction=False):
     """Shares of the water's pixels that are wrongly dark, and wrongly lit; the share in shadow; a picture of it all."""
     view, look = view_of(coast)
+    if has_refraction:
+        look.RefractionOn()
     bright = view.picture()[:, :, 0]
     look.ShadowsOn()
     shown = view.picture()[:, :, 0]
@@ -187,11 +189,12 @@ def main():
     parser = argparse.ArgumentParser(description=main.__doc__)
     parser.add_argument("--coasts", type=int, default=50, help="how many, of each kind (default 50)")
     parser.add_argument("--limit", type=float, default=0.5, help="%% of the water's pixels (default 0.5)")
+    parser.add_argument("--clear", action="store_true", help="water that is looked through (RefractionOn)")
     arguments = parser.parse_args()
     for kind, has_things in (("land", False), ("land, posts and balls", True)):
         wrong = []
         for seed in range(arguments.coasts):
-            dark, lit, _, _ = compared(random_coast(seed, has_things))
+            dark, lit, _, _ = compared(random_coast(seed, has_things), arguments.clear)
             wrong.append(100 * (dark + lit))
             if wrong[-1] > arguments.limit:
                 print(f"{kind}, {seed}: {100 * dark:.2f} % wrongly dark, {100 * lit:.2f} % wrongly lit", flush=True)

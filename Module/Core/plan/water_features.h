@@ -181,6 +181,10 @@ WATER_FEATURE_LIST(WATER_FEATURE_VALUE)
     WATER_FEATURE_FLAG(HARDWARE_MEDIUM), "tracing of the refracted ray")                           \
   X(refraction, vtkWaterHardwareMediumFS, WATER_FEATURE_FLAG(HARDWARE_MEDIUM), 0,                  \
     "the same, with branches")                                                                     \
+  X(casters, vtkWaterPictureShadowsFS, WATER_FEATURE_FLAG(MEDIUM), 0,                              \
+    "what the picture shows keeps the sun off")                                                    \
+  X(casters, vtkWaterNoPictureShadowsFS, WATER_FEATURE_FLAG(SHADOWS), WATER_FEATURE_FLAG(MEDIUM),  \
+    "nothing")                                                                                     \
   X(facet_slopes, vtkWaterFacetSlopesFS, WATER_FEATURE_FLAG(ROUGH), 0, "the slopes of the facets") \
   X(facets, vtkWaterFacetsFS, WATER_FEATURE_FLAG(ROUGH), WATER_FEATURE_FLAG(HARDWARE_FACETS),      \
     "several facets per pixel")                                                                    \

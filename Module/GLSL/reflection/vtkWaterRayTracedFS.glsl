@@ -19,7 +19,7 @@ const int WATER_OFF_MAP = 3;
 const int WATER_HIDDEN = 4;
 const int WATER_DOWNWARD = 5;
 
-const float WATER_THICKNESS = 0.05;     // of things that cast shadows, over their distance
+const float WATER_THICKNESS = 0.02;     // of things that cast shadows, over their distance
 const float WATER_SHADOW_SLACK = 0.003; // of a surface's depth, over its distance
 const float WATER_SHADOW_PX = 2.0;      // of a step towards a light
 const int WATER_SHADOW_STEPS = 128;     // at most

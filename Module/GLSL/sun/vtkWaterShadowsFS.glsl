@@ -11,5 +11,7 @@ vec3 waterShadowed(WaterPoint point, vec3 shaded, vec3 lit)
 {
   vec3 change = abs(lit - shaded);
   bool isSeen = max(max(change.r, change.g), change.b) > waterLeastLight;
-  return mix(lit, shaded, waterShaded(point, waterSunDir, isSeen));
+  float kept = waterShaded(point, waterSunDir, isSeen);
+  kept = max(kept, waterPictureShaded(point, waterSunDir, isSeen && kept < 1.0));
+  return mix(lit, shaded, kept);
 }
