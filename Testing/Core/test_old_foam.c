@@ -303,5 +303,28 @@ TEST(bad_values_are_refused)
   assert_int_equal(foam.tile.size, WATER_OLD_FOAM_SIZE_MAX);
 }
 
-TESTS(cover_is_what_is_counted, foam_decays_with_its_life_time, foam_does_not_jump,
-  crests_leave_foam, foam_repeats_with_the_sea, there_may_be_no_old_foam, bad_values_are_refused)
+// Foams are the same if each of their numbers is.
+TEST(foams_are_the_same_in_all_numbers)
+{
+  const water_old_foam foam = foam_of(10.0, 0.01, 3.5, 0.0);
+  water_old_foam other[6];
+  for (int i = 0; i < 6; ++i)
+  {
+    other[i] = foam;
+    assert_true(water_old_foam_is_same(&foam, other + i));
+  }
+  other[0].count += 1;
+  other[1].life_s += 0.5;
+  other[2].step_s += 0.5;
+  other[3].jacobian += 0.5;
+  other[4].fresh += 0.5;
+  other[5].tile.seed += 1;
+  for (int i = 0; i < 6; ++i)
+  {
+    assert_false(water_old_foam_is_same(&foam, other + i));
+  }
+}
+
+TESTS(foams_are_the_same_in_all_numbers, cover_is_what_is_counted, foam_decays_with_its_life_time,
+  foam_does_not_jump, crests_leave_foam, foam_repeats_with_the_sea, there_may_be_no_old_foam,
+  bad_values_are_refused)

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // water_old_foam.h: the foam that crests of a wind sea have left behind, as a function of time.
 //
-// A crest is white while it breaks; the foam stays where it is on the water, and decays. So the
-// foam at a place and a time is the largest, over earlier times, of what broke there then, times
-// exp(-age / life time). Earlier times are the multiples of a step: each of them is the same for
-// all pictures until it is too old, and nothing is carried over from picture to picture.
-// The sea's first tile leaves the foam, as large breakers leave what lasts; its places are at rest.
+// A crest is white while it breaks. Its foam stays at its place on the water, and decays. The foam
+// at a place and a time is therefore the maximum, over earlier times, of the foam that broke there
+// then, times exp(-age / life time). Earlier times are multiples of a step, so all pictures use the
+// same ones, and nothing is carried over from picture to picture. Only the sea's first tile leaves
+// foam, because the foam of large breakers lasts longest; its places are at rest.
 //
 // Flow: water_old_foam_make once for a sea -> water_old_foam_at for each time -> the tile's stretch
 // at each of the earlier times -> water_old_foam_shares -> water_old_foam_join -> a texture.
@@ -40,7 +40,8 @@ typedef struct water_old_foam
   water_tile tile; // that leaves it: the sea's first one, with fewer points if it has many
 } water_old_foam;
 
-// The foam of a sea, which covers the given share of it in the mean together with what is breaking.
+// The foam of a sea. Together with the breaking crests it covers the given share of the sea on
+// average.
 //
 // first   tile of the sea
 // cover   in [0, 1]; without waves on the tile, and for 0 and 1, there is no old foam
@@ -50,12 +51,12 @@ typedef struct water_old_foam
 water_status water_old_foam_make(
   const water_sea* sea, const water_tile* first, double cover, double life_s, water_old_foam* made);
 
-// Are two the same?
+// Are two of them the same?
 bool water_old_foam_is_same(const water_old_foam* a, const water_old_foam* b);
 
-// Which of the earlier times is the newest at a time, a whole number, and what the three numbers of
-// a place (water_old_foam_join) count then. Continuous in time: what is new comes in, and what is
-// old goes out, over a step.
+// The number of the newest of the earlier times, and the weights of the three numbers of a place
+// (water_old_foam_join) at a time. The weights are continuous in time: new foam is faded in, and
+// the oldest faded out, over a step.
 //
 // time  s, finite
 void water_old_foam_at(const water_old_foam* foam, double time, double* newest, double weights[3]);
@@ -63,15 +64,15 @@ void water_old_foam_at(const water_old_foam* foam, double time, double* newest, 
 // An earlier time, s.
 double water_old_foam_time(const water_old_foam* foam, double number);
 
-// How much foam is left by what breaks at an earlier time.
+// The foam that breaking crests leave at an earlier time.
 //
 // stretch_x, stretch_y  of the tile then (WATER_PAIR_STRETCH), tile.size^2 numbers
 // shares                as many, in 1/255, written
 void water_old_foam_shares(const water_old_foam* foam, const double* stretch_x,
   const double* stretch_y, unsigned char* shares);
 
-// The foam at the newest of the earlier times: what is left of the others, the oldest aside; what
-// the newest adds to it; what the oldest adds to it.
+// The foam at the newest of the earlier times, as three numbers: what is left of all times except
+// the newest and the oldest; what the newest adds; what the oldest adds.
 //
 // shares  of count earlier times, from the newest to the oldest
 // texels  4 tile.size^2 numbers, written; the last of each four is 0
