@@ -339,8 +339,8 @@ def table_of(name, ends):
     """
     low, high = ends
     if not (low <= high and math.isfinite(high - low)):
-        raise ValueError(f"the range of colours is ({low:g}, {high:g}); it must be a lower and an upper value, "
-                         "both finite")
+        raise ValueError(f"the range of colours is ({low:g}, {high:g}); both must be finite, and the "
+                         "first must not exceed the second")
     table = vtkLookupTable()
     table.SetNumberOfTableValues(TABLE_SIZE)
     table.SetVectorModeToMagnitude()

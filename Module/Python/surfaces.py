@@ -7,6 +7,7 @@
 """
 import math
 import warnings
+from numbers import Real
 
 import numpy as np
 import pyvista as pv
@@ -15,7 +16,7 @@ from vtkmodules.vtkFiltersGeometry import vtkDataSetSurfaceFilter
 
 from . import vtkWaterActor, vtkWaterLakes, vtkWaterSurfaceFilter
 from .errors import heed, raising
-from .words import counted, number, numbers, of_type
+from .words import counted, numbers, of_type
 
 __all__ = ["DataSurface", "check_flow", "check_has_water", "check_level", "color_surface", "lakes_of",
            "level_and_surface", "plane_of", "surface_of"]
@@ -86,7 +87,7 @@ def show_array(mapper, dataset, name, cmap=None, clim=None):
         raise ValueError(f"color_by is {name!r}, which has no finite value; set clim")
     low, high = dataset.get_data_range(name) if clim is None else clim
     if not (low <= high and math.isfinite(high - low)):
-        raise ValueError(f"clim is ({low:g}, {high:g}); it must be a lower and an upper value, both finite")
+        raise ValueError(f"clim is ({low:g}, {high:g}); both must be finite, and the first must not exceed the second")
     if is_of_points:
         mapper.SetScalarModeToUsePointFieldData()
     else:
@@ -121,7 +122,9 @@ def level_and_surface(water, level, surface):
                         "combine() merges its blocks into one")
     if level is not None:
         raise ValueError(f"level is given twice: {water!r} as the first argument, and level={level!r}")
-    return number("level", water), surface
+    if isinstance(water, bool) or not isinstance(water, Real):
+        raise TypeError(f"water must be a number or a pyvista.DataSet, not {type(water).__name__}")
+    return float(water), surface
 
 
 def surface_of(surface, level, depth, bed, normal, origin):

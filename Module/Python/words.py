@@ -236,7 +236,7 @@ def numbers(name, values, least, most=None):
         raise TypeError(f"{name} must be a sequence of numbers, not {type(values).__name__}")
     if not least <= len(values) <= most:
         wanted = f"{least}" if least == most else f"{least} to {most}"
-        raise ValueError(f"{name} must have {wanted} numbers, not {len(values)}")
+        raise ValueError(f"{name} is {tuple(values)!r}; it must have {wanted} numbers, not {len(values)}")
     return [number(f"{name}[{i}]", value) for i, value in enumerate(values)]
 
 
@@ -307,5 +307,5 @@ def set_waves(look, waves):
             look.AddWave(amplitude, wavelength, *others)
         if 2.0 * amplitude > STEEPEST * wavelength:
             warnings.warn(f"waves[{i}] has the amplitude {amplitude:g} and the wavelength {wavelength:g}; water waves "
-                          f"break if the amplitude exceeds {0.5 * STEEPEST:g} of the wavelength, here "
-                          f"{0.5 * STEEPEST * wavelength:.3g}", stacklevel=4)
+                          f"break if the amplitude exceeds {0.5 * STEEPEST * wavelength:.3g} ({0.5 * STEEPEST:g} of the "
+                          f"wavelength)", stacklevel=4)

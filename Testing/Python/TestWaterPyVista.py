@@ -249,16 +249,16 @@ WRONG = [  # the exception, a part of its text, the argument
     (ValueError, "'swamp'; it must be one of pool, lake", {"preset": "swamp"}),
     (TypeError, "waves must be a number or a sequence", {"waves": "high"}),
     (TypeError, r"waves[1] must be a sequence of numbers, not float", {"waves": [(0.1, 1.0), 2.0]}),
-    (ValueError, "waves[0] must have 2 to 5 numbers, not 1", {"waves": [(0.1,)]}),
+    (ValueError, "waves[0] is (0.1,); it must have 2 to 5 numbers, not 1", {"waves": [(0.1,)]}),
     (TypeError, "waves[0][1] must be a number, not str", {"waves": [(0.1, "long")]}),
     (ValueError, "waves[0] of Amplitude -0.1, Wavelength 1, Direction 0, Phase 0, Steepness 0: Amplitude of a wave must be finite", {"waves": [(-0.1, 1.0)]}),
     (ValueError, "waves is -3", {"waves": -3}),
-    (ValueError, "bounds must have 4 numbers, not 6", {"bounds": (0, 1, 0, 1, 0, 1)}),
+    (ValueError, "bounds is (0, 1, 0, 1, 0, 1); it must have 4 numbers, not 6", {"bounds": (0, 1, 0, 1, 0, 1)}),
     (ValueError, "bounds are (1, 0, 0, 1); they must be finite with xmin < xmax", {"bounds": (1, 0, 0, 1)}),
     (ValueError, "bounds is 'horizont'; it must be 'horizon', 'scene' or four numbers", {"bounds": "horizont"}),
     (ValueError, "normal is 'up'", {"normal": "up"}),
     (ValueError, "normal is (0.0, 0.0, 0.0)", {"normal": (0, 0, 0)}),
-    (ValueError, "origin must have 3 numbers, not 2", {"origin": (0, 0)}),
+    (ValueError, "origin is (0, 0); it must have 3 numbers, not 2", {"origin": (0, 0)}),
     (ValueError, "opacity is 1.5; it must lie in [0, 1]", {"opacity": 1.5}),
     (ValueError, "time is", {"time": float("inf")}),
     (TypeError, "surface must be a pyvista.DataSet, not list", {"surface": [1], "bounds": None}),
@@ -294,6 +294,15 @@ def test_a_wrong_argument_raises(kind, text, argument, plotter):
     """A wrong argument raises an error that names it."""
     raised = raised_by(plotter, argument)
     wt.check_equal(f"{list(argument)}: {raised}", type(raised) is kind and text in str(raised), True)
+
+
+@pytest.mark.parametrize("water", ("flood.vtu", np.zeros((3, 3)), True))
+def test_a_wrong_first_argument_names_what_it_may_be(water, plotter):
+    """A file's name or an array is neither a level nor a mesh."""
+    with pytest.raises(TypeError) as raised:
+        plotter.add_water(water)
+    wt.check_equal("the error", str(raised.value),
+                   f"water must be a number or a pyvista.DataSet, not {type(water).__name__}")
 
 
 def test_a_wrong_argument_adds_no_water(plotter):

@@ -230,7 +230,7 @@ def test_words_that_colour_arrive(plotter):
     (ValueError, ("color_by is 'nothing'", "no finite value"), {"depth": "h", "color_by": "nothing"}),
     (ValueError, ("clim is (0, inf)", "finite"), {"depth": "h", "color_by": "c", "clim": (0, float("inf"))}),
     (ValueError, ("clim is (3, 1)",), {"depth": "h", "color_by": "c", "clim": (3, 1)}),
-    (ValueError, ("clim must have 2 numbers",), {"depth": "h", "color_by": "c", "clim": (3, 1, 2)}),
+    (ValueError, ("clim is (3, 1, 2); it must have 2 numbers",), {"depth": "h", "color_by": "c", "clim": (3, 1, 2)}),
     (TypeError, ("depth must be str",), {"depth": 3}),
     (TypeError, ("color_by must be str",), {"depth": "h", "color_by": 3}),
     (ValueError, ("data_opacity is 2", "[0, 1]"), {"depth": "h", "color_by": "c", "data_opacity": 2}),
