@@ -16,9 +16,10 @@ import refraction_truth  # noqa: E402
 SIZE = (120, 90)
 # seeds: the most % of strange pixels, and the RMSE of 255, where the picture has what is right
 LIMITS = {29: (1.0, 12.0), 31: (1.0, 6.0), 47: (1.0, 6.0)}
+BED_ENDS = {9004: (1.0, 13.0), 9009: (2.5, 13.0)}  # parallel beams at a low angle that see the end of a bed
 
 
-@pytest.mark.parametrize("seed", LIMITS)
+@pytest.mark.parametrize("seed", [*LIMITS, *BED_ENDS])
 def test_what_the_picture_has_is_shown_without_notches(seed):
     """Where the picture has what a refracted ray meets, notches and blocks of other colours are next to none."""
     scene = refraction_generator.make(seed, SIZE)
@@ -33,5 +34,5 @@ def test_what_the_picture_has_is_shown_without_notches(seed):
     strange = 100 * float(truth.is_strange(picture)[chosen].mean())
     error = float(np.sqrt(((picture - truth.picture)[chosen] ** 2).mean()))
     wt.check_at_least(f"seed {seed}: pixels", int(chosen.sum()), 1000)
-    wt.check_at_most(f"seed {seed}: % of strange pixels", strange, LIMITS[seed][0])
-    wt.check_at_most(f"seed {seed}: RMSE of 255", error, LIMITS[seed][1])
+    wt.check_at_most(f"seed {seed}: % of strange pixels", strange, (LIMITS | BED_ENDS)[seed][0])
+    wt.check_at_most(f"seed {seed}: RMSE of 255", error, (LIMITS | BED_ENDS)[seed][1])

@@ -23,7 +23,8 @@ bool waterMediumIsNearEdge(vec2 middle, vec2 next, float depth)
 float waterMediumReach(vec3 start, vec3 way, float depth)
 {
   float perDepth = 1.0 / max(way.z, 1e-20);
-  float reach = max(depth - start.z, 0.0) * perDepth;
+  float level = max(depth - start.z, 0.0) * perDepth;
+  float reach = level;
   for (int i = 0; i < 3; ++i)
   {
     vec3 at = start + reach * way;
@@ -34,7 +35,9 @@ float waterMediumReach(vec3 start, vec3 way, float depth)
     }
     reach += further * perDepth;
   }
-  return reach;
+  return level > 0.0 && depth < 1.0 && reach > WATER_MEDIUM_LEVEL * level
+    ? waterMediumBedReach(start, way, depth, level, reach)
+    : reach;
 }
 
 void waterMediumTestSteps(vec3 start, vec3 way, vec4 at, vec4 depths, inout WaterMediumHit found)

@@ -16,6 +16,8 @@ uniform vec4 waterHeightClip;      // point in clip space of the eye -> height o
 uniform vec4 waterClipW;           // the same -> w of the point in view space
 
 const int WATER_MEDIUM_STEPS = 16;
+const float WATER_MEDIUM_LEVEL = 2.0;    // a ray so many times longer than to a level bed has left what is straight behind
+const int WATER_MEDIUM_GUESSES = 6;      // of where that is met, which lie on a bed that ends or beyond it
 const float WATER_MEDIUM_BENT = 2.0;     // a depth that is so many steps from where a plane has it lies behind an edge
 const float WATER_MEDIUM_BELOW = 0.02;  // a bed's edge lies under the border if it is no further from a plumb line than that part of all depths
 const float WATER_MEDIUM_EDGE = 2.0;    // and so many widths of a pixel
@@ -101,6 +103,34 @@ void waterMediumTest(float at, float rayDepth, float depth, inout WaterMediumHit
   found.low = isBehind ? found.low : at;
   found.depthLow = isBehind ? found.depthLow : depth;
   found.isHit = found.isHit || isBehind;
+}
+
+// Length of a ray to what is seen straight behind the surface, if that goes on as a plane and is seen there. Near the end
+// of a bed a ray meets its last part, and a step further on it is before something far away: no march finds that part.
+//
+// level  length of the ray to a level bed
+// reach  of the ray, without this; it is returned if the bed is not met there
+float waterMediumBedReach(vec3 start, vec3 way, float depth, float level, float reach)
+{
+  float texel = 1.0 / max(length(way.xy * waterMediumSize()), 1e-6);
+  float s = min(WATER_MEDIUM_BASE_PX * texel, 0.5 * level);
+  float before = 0.0; // the last place where the ray is in front of the bed
+  float missBefore = start.z - depth;
+  float miss = missBefore;
+  for (int i = 0; i < WATER_MEDIUM_GUESSES; ++i)
+  {
+    miss = start.z + s * way.z - waterMediumDepth(start.xy + s * way.xy);
+    float rate = (miss - missBefore) / max(s - before, 1e-20);
+    if (miss >= 0.0)
+    {
+      break;
+    }
+    float next = rate > 0.0 ? s + WATER_MEDIUM_CLOSE_PX * texel - miss / rate : 0.5 * (before + s);
+    before = rate > 0.0 ? s : before;
+    missBefore = rate > 0.0 ? miss : missBefore;
+    s = next;
+  }
+  return miss >= 0.0 && s < reach ? s : reach;
 }
 
 // Is the ray free up to a place? A few probes on the way do not find everything, but agree with the
