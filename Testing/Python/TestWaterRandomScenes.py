@@ -14,6 +14,7 @@ from vtkmodules.vtkRenderingCore import vtkCoordinate
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "Utilities" / "Accuracy"))
 
 import scene_generator  # noqa: E402
+import tables  # noqa: E402
 
 SIZE = (80, 60)
 
@@ -72,3 +73,17 @@ def test_rays_go_through_what_vtk_shows_there(name):
         found.append(place.GetComputedDoubleViewportValue(view.renderer))
     right = np.stack([(x + 1) * 200, (y + 1) * 150], axis=1)
     wt.check_at_most("px between a ray and what VTK shows", float(np.abs(np.array(found) - right).max()), 1e-6)
+
+
+def test_figures_replace_what_is_between_the_marks(tmp_path):
+    """The table of figures replaces the former one in a report, whose other text stays; a report must have the marks."""
+    report = tmp_path / "report.md"
+    report.write_text("before\n" + "\n".join((tables.FIGURES[0], "old", tables.FIGURES[1])) + "\nafter\n")
+    tables.put_figures(report, "new")
+    text = report.read_text()
+    wt.check_equal("what is between the marks", tables.figures_in(text), "new")
+    wt.check_equal("the other text", (text.startswith("before\n"), text.endswith("\nafter\n")), (True, True))
+    report.write_text("no marks")
+    with pytest.raises(ValueError, match="no marks"):
+        tables.put_figures(report, "new")
+    wt.check_equal("what has no marks", tables.figures_in("no marks"), "")

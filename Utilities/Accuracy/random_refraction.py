@@ -2,7 +2,10 @@
 """random_refraction: random scenes seen through water, drawn by the module and by the tracer; the section "refraction".
 
     PYTHONPATH=<folder of vtkwater> python Utilities/Accuracy/random_refraction.py --seeds 0:50 --folder DIR
-        [--samples 16] [--worst 10]
+        [--samples 16] [--worst 10] [--own-views FACTOR...]
+
+--own-views measures what a view of its own of what lies below the water would bring: the module draws a picture
+FACTOR times as wide and high, without all that is over the water's plane, and its middle is compared.
 
 Prints a line for each scene, writes DIR/refraction.json and the worst scenes as pictures: the truth, the module, their
 difference, and strange pixels in white over why the picture may lack what is right (refraction_truth.REASONS).
@@ -51,7 +54,7 @@ STRANGE_COLOR = (255, 255, 255)
 
 
 class Result:
-    def __init__(self, seed, samples):
+    def __init__(self, seed, samples, own_views=()):
         scene = refraction_generator.make(seed, SIZE)
         look = scene.water.GetWaterProperty()
         look.RefractionOff()
@@ -64,12 +67,24 @@ class Result:
         self.row = {"seed": seed, **scene.facts, "water": int(mask.sum()), "RMSE": self._rmse(self.picture),
                     "RMSE perfect": self._rmse(truth.once), "strange": int(self.strange.sum()),
                     "strange perfect": int(truth.is_strange(truth.once).sum())}
-        squared = ((self.picture - truth.picture) ** 2).mean(axis=2)
+        self._measure_reasons(self.row, self.picture)
+        for factor in own_views:
+            _show_own_view(scene, factor)
+            picture = _middle_of(scene.made.picture(), SIZE)
+            of_view = {"RMSE": self._rmse(picture), "strange": int(truth.is_strange(picture).sum()),
+                       **{name: self.row[name] for name in ("water", "RMSE perfect", "strange perfect")}}
+            self._measure_reasons(of_view, picture)
+            self.row[f"own view {factor}"] = of_view
+
+    def _measure_reasons(self, row, picture):
+        """Figures of a picture, by what the picture without water has of refracted rays."""
+        squared = ((picture - self.truth.picture) ** 2).mean(axis=2)
+        strange = self.truth.is_strange(picture)
         for number, reason in enumerate(REASONS):
-            chosen = mask & (truth.reasons == number)
-            self.row[f"pixels {reason}"] = int(chosen.sum())
-            self.row[f"strange {reason}"] = int((self.strange & chosen).sum())
-            self.row[f"RMSE {reason}"] = float(np.sqrt(squared[chosen].mean())) if chosen.any() else 0.0
+            chosen = self.truth.mask & (self.truth.reasons == number)
+            row[f"pixels {reason}"] = int(chosen.sum())
+            row[f"strange {reason}"] = int((strange & chosen).sum())
+            row[f"RMSE {reason}"] = float(np.sqrt(squared[chosen].mean())) if chosen.any() else 0.0
 
     def _rmse(self, picture):
         return float(np.sqrt(((picture - self.truth.picture)[self.truth.mask] ** 2).mean()))
@@ -92,10 +107,33 @@ class Result:
         return np.concatenate([np.concatenate([apart, why], axis=1), upper]).clip(0, 255)
 
 
-def measure(seeds, samples=SAMPLES):
+def _show_own_view(scene, factor):
+    """Makes the window and the camera's frustum so many times SIZE, and cuts all that is over the water's plane off.
+
+    The pixels of the middle are those of the picture.
+    """
+    camera = scene.made.renderer.GetActiveCamera()
+    if not hasattr(scene, "center"):
+        scene.center, scene.angle = camera.GetWindowCenter(), camera.GetViewAngle()
+        scene.scale = camera.GetParallelScale()
+        for actor in scene.made.renderer.GetActors():
+            if not actor.IsA("vtkWaterActor"):
+                actor.GetMapper().AddClippingPlane(wt.plane(scene.origin, (0, 0, -1)))
+    scene.made.window.SetSize(*(factor * length for length in SIZE))
+    camera.SetWindowCenter(*(each / factor for each in scene.center))
+    camera.SetViewAngle(np.degrees(2 * np.arctan(factor * np.tan(np.radians(scene.angle) / 2))))
+    camera.SetParallelScale(factor * scene.scale)
+
+
+def _middle_of(picture, size):
+    top, left = ((whole - part) // 2 for whole, part in zip(picture.shape, size[::-1]))
+    return picture[top:top + size[1], left:left + size[0]]
+
+
+def measure(seeds, samples=SAMPLES, own_views=()):
     rows, pictures = [], []
     for seed in seeds:
-        result = Result(seed, samples)
+        result = Result(seed, samples, own_views)
         print(result.line(), flush=True)
         rows.append(result.row)
         pictures.append(result.panels().astype(np.uint8))
@@ -127,15 +165,20 @@ def main():
     parser.add_argument("--folder", type=pathlib.Path, required=True)
     parser.add_argument("--samples", type=int, default=SAMPLES, help="rays a pixel of the truth: a square number")
     parser.add_argument("--worst", type=int, default=10, help="scenes to save as pictures")
+    parser.add_argument("--own-views", type=int, nargs="+", default=(), metavar="FACTOR",
+                        help="also as a view of its own of what lies below, FACTOR times as wide and high")
     arguments = parser.parse_args()
     first, _, end = arguments.seeds.partition(":")
     seeds = range(int(first), int(end) if end else int(first) + 1)
     arguments.folder.mkdir(parents=True, exist_ok=True)
-    rows, pictures = measure(seeds, arguments.samples)
+    rows, pictures = measure(seeds, arguments.samples, arguments.own_views)
     (arguments.folder / "refraction.json").write_text(json.dumps(rows, indent=1) + "\n")
     for rank, number in enumerate(_by_strange(rows)[:arguments.worst]):
         wt.save(pictures[number], arguments.folder / f"worst-{rank:02}-seed-{rows[number]['seed']}.png")
     print(_summary(rows))
+    for factor in arguments.own_views:
+        summary = _summary([row[f"own view {factor}"] for row in rows])
+        print(f"\nown view, {factor} times the picture:", summary, sep="\n\n")
     report = Report(arguments.folder)
     _judge(report, rows)
     return 1 if report.has_failed() else 0

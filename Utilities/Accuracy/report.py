@@ -9,7 +9,7 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402  after the choice of its backend
 from driver import driver  # noqa: E402
-from tables import table  # noqa: E402
+from tables import FIGURES, figures_in, table  # noqa: E402
 from vtkmodules.vtkCommonCore import vtkVersion  # noqa: E402
 
 plt.rcParams.update({"font.size": 9, "axes.grid": True, "grid.alpha": 0.3, "axes.spines.top": False,
@@ -66,13 +66,15 @@ class Report:
     def write(self, **values):
         """Fills the template in; values: what it wants beside the following."""
         frame = string.Template(self._template.read_text())
+        path = self._folder / f"{self._name}.md"
+        former = path.read_text() if path.exists() else ""
         text = frame.substitute(
             checks=table(("figure", "value", "limit", ""), self._checks),
             vtk=vtkVersion.GetVTKVersion(),
             driver=driver(),
             sections="\n\n".join(self._sections),
+            figures="\n".join((FIGURES[0], figures_in(former), FIGURES[1])),
             **values,
         )
-        path = self._folder / f"{self._name}.md"
         path.write_text(text.rstrip() + "\n")
         print(f"the report: {path}")
