@@ -85,7 +85,7 @@ void waterMediumMarch(vec3 start, vec3 way, float reach, inout WaterMediumHit fo
 
 WaterMediumHit waterMediumWalk(vec3 start, vec3 way, float depth, float reach)
 {
-  WaterMediumHit found = WaterMediumHit(0.0, reach, depth, waterMediumDepth(start.xy + reach * way.xy), 0.0, false, false);
+  WaterMediumHit found = WaterMediumHit(0.0, reach, depth, waterMediumDepth(start.xy + reach * way.xy), 0.0, false);
   float pixels = length(way.xy * waterMediumSize()); // for all of the way
   bool isFound = start.z <= depth;
   if (isFound && start.z + reach * way.z > found.depthHigh)
@@ -94,7 +94,7 @@ WaterMediumHit waterMediumWalk(vec3 start, vec3 way, float depth, float reach)
   }
   if (!isFound || !waterMediumIsFree(start, way, found.high, found.high * pixels))
   {
-    found = WaterMediumHit(0.0, reach, depth, depth, 0.0, false, false);
+    found = WaterMediumHit(0.0, reach, depth, depth, 0.0, false);
     waterMediumMarch(start, way, reach, found);
   }
   return found;
@@ -126,6 +126,5 @@ WaterMediumView waterMediumMeets(vec3 start, vec3 way, float most, float deepest
   view.share = 0.0;
   view.isOut = !found.isHit && !isInside;
   view.isBelow = view.isOut && waterMediumPassesBelow(start, way, leaves, deepest);
-  view.isHidden = isEdge && found.depthLow >= 1.0;
   return view;
 }

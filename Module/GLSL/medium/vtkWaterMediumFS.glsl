@@ -33,7 +33,7 @@ const float WATER_MEDIUM_TOLERANCE = 1.1; // where a slope that goes on is met, 
 const float WATER_MEDIUM_LONG_PX = 8.0;  // ways that need eight looks, and not four
 const int WATER_MEDIUM_LOOKS_ASIDE = 24;     // to each side of what hides the bed
 const float WATER_MEDIUM_ASIDE_PX = 1.5;   // of the first of them
-const vec2 WATER_MEDIUM_DEEP = vec2(0.9, 0.5); // of the bed's depth: likelier the bed than an object; over ground
+const float WATER_MEDIUM_DEEP = 0.5;       // of the bed's depth: likelier the bed than an object
 const float WATER_MEDIUM_ASIDE_RATE = 1.3; // of a look's distance to that of the one before it: the last is 600 pixels away
 
 float waterAir = 0.0; // of a refracted ray, that is not water; of the slot port
@@ -83,7 +83,6 @@ struct WaterMediumHit
   float depthHigh;
   float share; // of the way from low to high, where the ray meets what is seen at high if that goes on
   bool isHit;  // or else low is the last place where the ray is known to be in front
-  bool isHidden; // all that it could meet, and there is background where it begins
 };
 
 vec2 waterMediumSize(); // of the picture, pixels; of the slot refraction
@@ -172,7 +171,7 @@ bool waterMediumConverge(vec3 start, vec3 way, float pixels, inout WaterMediumHi
       float depthThere = waterMediumDepth(start.xy + there * way.xy);
       if (depthThere == depth)
       {
-        found = WaterMediumHit(there, there, depth, depth, 0.0, true, false);
+        found = WaterMediumHit(there, there, depth, depth, 0.0, true);
         return true;
       }
       waterMediumTest(there, start.z + there * way.z, depthThere, found);
@@ -195,7 +194,6 @@ struct WaterMediumView
   float share; // of the second
   bool isBelow; // the ray meets nothing: it is deeper than anything
   bool isOut;   // it leaves the picture before it meets anything
-  bool isHidden; // all that it could meet is
 };
 
 // Where a ray leaves the picture.
@@ -235,7 +233,7 @@ float waterMediumUnder(vec2 uv)
 }
 
 // The nearest place to one side of an object where something under the water is seen, or obliquely beyond it. What
-// is deep is likelier the bed than a part of the object. Without ground under all of the water nothing else counts.
+// is deep is likelier the bed than a part of the object.
 //
 // end      of a ray behind the object: u, v
 // side     one pixel to the side, as part of the picture
@@ -247,7 +245,7 @@ vec3 waterMediumBeside(vec2 end, vec2 side, vec2 onwards)
   vec3 found = vec3(end, 0.0);
   float aside = WATER_MEDIUM_ASIDE_PX;
   bool isDeep = false;
-  float deep = (waterHasGround != 0 ? WATER_MEDIUM_DEEP.y : WATER_MEDIUM_DEEP.x) * waterBedDepth;
+  float deep = WATER_MEDIUM_DEEP * waterBedDepth;
   for (int i = 0; i < WATER_MEDIUM_LOOKS_ASIDE && !isDeep; ++i)
   {
     vec2 level = end + aside * side;
@@ -257,7 +255,7 @@ vec3 waterMediumBeside(vec2 end, vec2 side, vec2 onwards)
     float under = underLevel > 0.0 ? underLevel : underOblique;
     isDeep = max(underLevel, underOblique) > deep;
     bool isLevel = underLevel > (isDeep ? deep : 0.0);
-    bool isBetter = isDeep || (under > 0.0 && found.z == 0.0 && waterHasGround != 0);
+    bool isBetter = isDeep || (under > 0.0 && found.z == 0.0);
     found = isBetter ? vec3(isLevel ? level : oblique, aside) : found;
     aside *= WATER_MEDIUM_ASIDE_RATE;
   }
@@ -281,7 +279,7 @@ bool waterMediumLookAside(vec2 end, vec2 way, inout WaterMediumView view)
   }
   vec2 from = left.z > 0.0 ? left.xy : right.xy;
   vec2 to = right.z > 0.0 ? right.xy : left.xy;
-  view = WaterMediumView(false, view.s, from, to, left.z / (left.z + right.z), false, false, true);
+  view = WaterMediumView(false, view.s, from, to, left.z / (left.z + right.z), false, false);
   return true;
 }
 
@@ -422,7 +420,7 @@ float waterMediumBetween(WaterMediumRay ray, WaterMediumView view, float depth)
   return view.s + (view.isMet && isNear ? further : 0.0);
 }
 
-// What a ray is taken to meet for which the picture shows nothing: ground that is hidden by its own rim looks like
+// What a ray over ground is taken to meet if the picture shows nothing: ground that is hidden by its own rim looks like
 // what is seen straight through the surface, and what an object hides like what is beside that.
 //
 // dir   of the ray, in the plane's axes
@@ -433,15 +431,14 @@ void waterMediumGuess(WaterPoint point, vec3 dir, WaterMediumRay ray, float most
   float depth = waterMediumDepth(straight);
   float height = waterMediumHeight(straight, depth);
   vec2 end = ray.start.xy + most / max(ray.w + most * ray.rate, 1e-6) * ray.way.xy;
-  if (waterHasGround != 0 && depth < 1.0 && height < 0.0)
+  if (depth < 1.0 && height < 0.0)
   {
-    met.view = WaterMediumView(true, met.view.s, straight, straight, 0.0, false, false, false);
+    met.view = WaterMediumView(true, met.view.s, straight, straight, 0.0, false, false);
     met.depth = depth;
     met.way = height / dir.z;
     met.isNothing = false;
   }
-  else if (waterSide > 0.0 && (waterHasGround != 0 || (met.view.isHidden && waterIsEndless == 0)) &&
-    waterMediumLookAside(end, ray.way.xy, met.view))
+  else if (waterSide > 0.0 && waterMediumLookAside(end, ray.way.xy, met.view))
   {
     met.depth = waterMediumDepth(met.view.from);
     met.isNothing = false;
@@ -497,7 +494,7 @@ WaterMediumMet waterMediumMeet(WaterPoint point, vec3 dir)
   bool isClose = waterSide > 0.0 && met.way > border - WATER_MEDIUM_EDGE * pixel;
   met.isAtBorder = met.isUnderBorder || (isClose && isFine);
   met.isNothing = met.isUnderBorder ? !isThere : met.view.isBelow;
-  if (met.isNothing || met.depth >= 1.0)
+  if (waterHasGround != 0 && (met.isNothing || met.depth >= 1.0))
   {
     waterMediumGuess(point, dir, ray, most, met);
   }

@@ -50,7 +50,7 @@ WaterMediumHit waterMediumMarch(vec3 start, vec3 way, float depth, float reach)
   float overRate = -dot(waterHeightClip.xy, way.xy) / waterHeightClip.z;
   float texel = 1.0 / max(length(way.xy * waterMediumSize()), 1e-6);
   float step = reach / float(WATER_MEDIUM_STEPS);
-  WaterMediumHit found = WaterMediumHit(0.0, reach, depth, depth, 0.0, false, false);
+  WaterMediumHit found = WaterMediumHit(0.0, reach, depth, depth, 0.0, false);
   float apart = WATER_MEDIUM_FURTHER_PX * texel;
   float missFurther = 0.0;
   float at = 0.0;
@@ -100,7 +100,6 @@ WaterMediumHit waterMediumMarch(vec3 start, vec3 way, float depth, float reach)
       gap = isOver ? vec2(1.0, 0.0) : (isKnown ? gap : wider);
       most = gap.x > gap.y ? WATER_MEDIUM_HALVINGS : WATER_MEDIUM_HALVINGS + 4;
       at = found.isHit ? at : place;
-      found.isHidden = found.isHidden || !isKnown;
       halvings += found.isHit ? 1 : 0;
       veil = isLow && !found.isHit ? 1e9 : veil;
       found.low = isLow ? place : found.low;
@@ -119,7 +118,6 @@ WaterMediumHit waterMediumMarch(vec3 start, vec3 way, float depth, float reach)
     found.low = before.x; // what is hidden is likelier than nothing
     found.depthLow = before.y;
   }
-  found.isHidden = found.isHidden && !found.isHit && found.depthLow >= 1.0;
   return found;
 }
 
@@ -129,7 +127,7 @@ WaterMediumHit waterMediumWalk(vec3 start, vec3 way, float depth, float reach)
 {
   float last = waterMediumDepth(start.xy + reach * way.xy);
   float pixels = length(way.xy * waterMediumSize()); // for all of the way
-  WaterMediumHit found = WaterMediumHit(0.0, reach, depth, last, 0.0, false, false);
+  WaterMediumHit found = WaterMediumHit(0.0, reach, depth, last, 0.0, false);
   bool isFound = start.z <= depth;
   if (isFound && start.z + reach * way.z > last)
   {
@@ -141,7 +139,7 @@ WaterMediumHit waterMediumWalk(vec3 start, vec3 way, float depth, float reach)
   }
   else
   {
-    found = WaterMediumHit(reach, reach, last, last, 0.0, false, false);
+    found = WaterMediumHit(reach, reach, last, last, 0.0, false);
   }
   if (!isFound || !waterMediumIsFree(start, way, found.high, found.high * pixels))
   {
@@ -180,6 +178,5 @@ WaterMediumView waterMediumMeets(vec3 start, vec3 way, float most, float deepest
   view.to = view.isMet ? view.from : (floor((start.xy + found.high * way.xy) * size) + 0.5) / size;
   view.isOut = !found.isHit && !isInside;
   view.isBelow = view.isOut && waterMediumPassesBelow(start, way, leaves, deepest);
-  view.isHidden = found.isHidden;
   return view;
 }
