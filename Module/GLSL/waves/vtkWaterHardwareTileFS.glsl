@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkWaterHardwareTileFS.glsl: slot tile for hardware: as vtkWaterTileFS.glsl, with fewer looks where a pixel is
-// small against a texel, and no gradients where these ask for the finest level: hardware filters four numbers of 32
-// bits several times as slowly as it reads a depth.
+// small against a texel, and a level in place of gradients for a single look: hardware filters four numbers of 32 bits
+// several times as slowly as it reads a depth.
 
 const int WATER_TILE_LOOKS = 4;
 const float WATER_TILE_ONE = 0.05; // up to so many texels along the longer side one look is the mean of four,
@@ -26,13 +26,9 @@ vec4 waterTileFour(sampler2DArray tile, vec3 middle, vec2 longer, vec2 shorter, 
 vec4 waterTileMean(sampler2DArray tile, vec3 middle, vec2 longer, vec2 shorter, float texel, int looks)
 {
   float texels = length(longer) / texel;
-  if (texels < (looks == 1 ? 1.0 : WATER_TILE_ONE))
+  if (looks == 1 || texels < WATER_TILE_ONE)
   {
-    return textureLod(tile, middle, 0.0);
-  }
-  if (looks == 1)
-  {
-    return textureGrad(tile, middle, longer, shorter);
+    return textureLod(tile, middle, log2(max(texels, 1.0)));
   }
   if (texels < WATER_TILE_TWO)
   {
