@@ -522,7 +522,7 @@ FAILS = (
     (("slope.pvd", "--contour", "h"), ("cells have 2 dimensions; they must have 3",)),
     (("dry.vts", *DATA), ("no place is wet at any time",)),
     (("slope.pvd", *DATA, "--color-by", "h", "--cmap", "mud"), ("unknown colour map 'mud'", "viridis")),
-    (("slope.pvd", *DATA, "--color-by", "h", "--clim", "3:1"), ("(3, 1)", "both finite")),
+    (("slope.pvd", *DATA, "--color-by", "h", "--clim", "3:1"), ("(3, 1)", "both must be finite")),
     (("slope.pvd", "--level", "v", "--bed", "zb"), ("'v' has 3 components; it must have 1",)),
 )
 

@@ -38,6 +38,11 @@ const float WATER_MEDIUM_ASIDE_RATE = 1.3; // of a look's distance to that of th
 
 float waterAir = 0.0; // of a refracted ray, that is not water; of the slot port
 
+float waterThickness()
+{
+  return 0.02;
+}
+
 float waterMediumDepth(vec2 uv)
 {
   return textureLod(waterSceneDepth, uv, 0.0).r;

@@ -19,7 +19,6 @@ const int WATER_OFF_MAP = 3;
 const int WATER_HIDDEN = 4;
 const int WATER_DOWNWARD = 5;
 
-const float WATER_THICKNESS = 0.02;     // of things that cast shadows, over their distance
 const float WATER_SHADOW_SLACK = 0.003; // of a surface's depth, over its distance
 const float WATER_SHADOW_PX = 2.0;      // of a step towards a light
 const int WATER_SHADOW_STEPS = 128;     // at most
@@ -278,6 +277,10 @@ bool waterIsWaterline(vec2 uv, float depth)
   return dot(waterReflectionHeight, ndc) < waterFloor * dot(waterReflectionW, ndc) + 1.5 * waterTexel;
 }
 
+// Thickness of things that cast shadows, over their distance; of the slot body. Water with a medium looks for them in
+// the picture, too.
+float waterThickness();
+
 // Is a ray to a light stopped where it passes a depth of the reflection texture?
 //
 // isContact  the ray starts on what is there, and does not pass through it in its first texels
@@ -289,7 +292,7 @@ bool waterIsStopped(vec3 start, vec3 way, float texel, bool isContact, WaterPass
   float depth = min(at.z, 1.0) + gapAt;
   float toInfinity = waterReflectionZInfinity - depth;
   bool isStart = isContact && passing.low < 2.0 * texel;
-  bool isSide = isIn && -gapAt < WATER_THICKNESS * toInfinity && !waterIsWaterline(at.xy, depth) &&
+  bool isSide = isIn && -gapAt < waterThickness() * toInfinity && !waterIsWaterline(at.xy, depth) &&
     !waterFacesDown(vec3(at.xy, depth));
   return isSide || (!isStart && waterIsOneSurface(start, way, texel, passing, WATER_SHADOW_SLACK * toInfinity));
 }
