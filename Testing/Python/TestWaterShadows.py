@@ -6,8 +6,8 @@ import pytest
 import water_test as wt
 
 LIMIT = 0.5  # % of the water's pixels
-LAND_SEEDS = (3, 9, 14, 18, 26, 40, 43)  # 14, 18 and 26 have shadows
-THING_SEEDS = (0, 3, 6, 9, 12, 15, 25)
+LAND_SEEDS = (3, 9, 14, 18, 26, 40)  # 14, 18 and 26 have shadows
+THING_SEEDS = (0, 3, 6, 9, 15, 25)
 CLEAR_SEEDS = (1, 10, 18, 43)  # the picture shows what casts the shadows, and the mirrored view does not
 # over the shore from the sea, along it, from the land, from high over it
 BEACH_EYES = (((-5, -25, 8), (0, 0, 0)), ((-15, -15, 10), (0, 0, 0)), ((20, -12, 12), (-3, 0, 0)),
