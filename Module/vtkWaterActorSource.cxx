@@ -217,7 +217,8 @@ namespace
 {
 water_feature_set FeaturesOf(const vtkWaterLook& look)
 {
-  const water_feature_set features = water_features_of(&look.Has);
+  water_feature_set features = water_features_of(&look.Has);
+  features = look.HasGround ? water_features_with_ground(features) : features;
   return look.DomePortRadius > 0.0 ? water_features_with_port(features) : features;
 }
 }

@@ -211,6 +211,18 @@ TEST(port_is_for_what_is_seen_through)
   }
 }
 
+// Only through clear water is ground seen.
+TEST(ground_is_for_what_is_seen_through)
+{
+  for (unsigned has = 0; has < LOOKS; ++has)
+  {
+    const water_feature_set features = expected_of(has);
+    const bool is_clear = (features & WATER_FEATURE_MEDIUM) != 0;
+    assert_int_equal(
+      water_features_with_ground(features), features + (is_clear ? WATER_FEATURE_GROUND : 0));
+  }
+}
+
 // On hardware reads go out together, for what reads, and a pixel has one ray unless there is a
 // peel: nothing else changes.
 TEST(hardware_reads_in_batches)
@@ -258,6 +270,7 @@ TEST(sets_have_room_for_64_features)
   assert_true((water_features_with_hulls(last) & last) != 0);
   assert_true((water_features_with_flow(last) & last) != 0);
   assert_true((water_features_with_port(last) & last) != 0);
+  assert_true((water_features_with_ground(last) & last) != 0);
   assert_true((water_features_with_samples(last) & last) != 0);
   assert_true((water_features_on_hardware(last) & last) != 0);
   assert_true((water_sky_features(last, false, false, &sky) & last) != 0);
@@ -281,9 +294,9 @@ enum
   PHOTON_FILES = sizeof photon_files / sizeof photon_files[0],
   VERTEX_FILES = sizeof vertex_files / sizeof vertex_files[0],
   // looked up in 8 kinds of reflection textures, on 2 of machines, with a mesh, with one that is
-  // not flat, or without, with samples, with hulls, with a current, and under one of 8 kinds of
-  // skies
-  REACHABLE_MAX = (2 + 12 * 8) * LOOKS
+  // not flat, or without, with samples, with hulls, with a current, over ground, and under one of
+  // 8 kinds of skies
+  REACHABLE_MAX = (2 + 13 * 8) * LOOKS
 };
 
 // Features with a sky: one colour, a screen, a map or a cube; from 4 on with a floor.
@@ -340,7 +353,8 @@ static size_t reach_all(const water_feature_set** all)
       features[count + 9] = water_features_with_hulls(features[count + has % 8]);
       features[count + 10] = water_features_with_port(features[count + has % 8]);
       features[count + 11] = water_features_with_flow(features[count + has % 8]);
-      count += 12;
+      features[count + 12] = water_features_with_ground(features[count + has % 8]);
+      count += 13;
     }
   }
   qsort(features, count, sizeof features[0], compare_sets);
@@ -376,7 +390,7 @@ static bool is_empty(const char* slot, water_feature_set features)
     return !(features & WATER_FEATURE_ROUGH);
   }
   if (strcmp(slot, "attenuation") == 0 || strcmp(slot, "refraction") == 0 ||
-    strcmp(slot, "shafts") == 0 || strcmp(slot, "others") == 0)
+    strcmp(slot, "ground") == 0 || strcmp(slot, "shafts") == 0 || strcmp(slot, "others") == 0)
   {
     return !(features & WATER_FEATURE_MEDIUM);
   }
@@ -473,8 +487,8 @@ TEST(slots_stand_in_their_order)
     "highlights", "cover", "gain", "cell", "place", "under", "height", "point", "hulls", "sky",
     "floor", "tile", "slope", "sines", "tiles", "folds", "sea", "normal_maps", "flow", "waves",
     "output", "reflection", "dome", "walk", "behind", "layer", "blur", "caustics", "medium",
-    "shafts", "others", "refraction", "casters", "facet_slopes", "facets", "rays", "shadows",
-    "glitter", "whitecaps", "foam", "sun", "port", "surface" };
+    "shafts", "others", "refraction", "ground", "casters", "facet_slopes", "facets", "rays",
+    "shadows", "glitter", "whitecaps", "foam", "sun", "port", "surface" };
   static const char* const vertex[] = { "cell", "tiles", "sea", "displacement", "heights", "slopes",
     "flow", "depth" };
   static const char* const photon[] = { "gradient", "place", "height", "point", "tile", "sines",
@@ -545,6 +559,7 @@ TEST(vertices_move_where_the_surface_is_displaced)
 TESTS(features_of_every_look_follow_the_rules, layer_and_peel_are_for_traced_rays_alone,
   mesh_is_drawn_as_it_is_or_displaced, a_current_needs_waves_over_a_mesh,
   slopes_of_a_mesh_turn_rays, samples_are_of_what_is_seen_through, port_is_for_what_is_seen_through,
-  hardware_reads_in_batches, water_in_a_mirrored_view_is_smooth_or_rough,
-  sets_have_room_for_64_features, each_slot_has_one_file, slots_stand_in_their_order,
-  every_file_and_feature_is_used, vertices_move_where_the_surface_is_displaced)
+  ground_is_for_what_is_seen_through, hardware_reads_in_batches,
+  water_in_a_mirrored_view_is_smooth_or_rough, sets_have_room_for_64_features,
+  each_slot_has_one_file, slots_stand_in_their_order, every_file_and_feature_is_used,
+  vertices_move_where_the_surface_is_displaced)

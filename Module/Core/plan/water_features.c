@@ -134,6 +134,11 @@ water_feature_set water_features_with_port(water_feature_set features)
   return features | if_has((features & WATER_FEATURE_MEDIUM) != 0, WATER_FEATURE_PORT);
 }
 
+water_feature_set water_features_with_ground(water_feature_set features)
+{
+  return features | if_has((features & WATER_FEATURE_MEDIUM) != 0, WATER_FEATURE_GROUND);
+}
+
 water_feature_set water_features_with_samples(water_feature_set features)
 {
   return features | if_has((features & WATER_FEATURE_MEDIUM) != 0, WATER_FEATURE_SAMPLES);

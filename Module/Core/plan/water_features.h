@@ -53,7 +53,8 @@ extern "C"
   X(SLOPED, "a user's mesh that is not flat: rays follow its slopes")                              \
   X(HULLS, "hulls float in it, with no water inside")                                              \
   X(PORT, "a camera behind a dome port, which may be half under water")                            \
-  X(FLOW, "a current carries the waves over a user's mesh")
+  X(FLOW, "a current carries the waves over a user's mesh")                                        \
+  X(GROUND, "there is ground under all of the water")
 
 typedef enum water_feature_bit
 {
@@ -181,6 +182,10 @@ WATER_FEATURE_LIST(WATER_FEATURE_VALUE)
     WATER_FEATURE_FLAG(HARDWARE_MEDIUM), "tracing of the refracted ray")                           \
   X(refraction, vtkWaterHardwareMediumFS, WATER_FEATURE_FLAG(HARDWARE_MEDIUM), 0,                  \
     "the same, with branches")                                                                     \
+  X(ground, vtkWaterGroundFS, WATER_FEATURE_FLAG(GROUND), 0,                                       \
+    "what a ray meets that the picture does not show")                                             \
+  X(ground, vtkWaterNoGroundFS, WATER_FEATURE_FLAG(MEDIUM), WATER_FEATURE_FLAG(GROUND),            \
+    "deep water")                                                                                  \
   X(casters, vtkWaterPictureShadowsFS, WATER_FEATURE_FLAG(MEDIUM), 0,                              \
     "what the picture shows keeps the sun off")                                                    \
   X(casters, vtkWaterNoPictureShadowsFS, WATER_FEATURE_FLAG(SHADOWS), WATER_FEATURE_FLAG(MEDIUM),  \
@@ -332,6 +337,9 @@ water_feature_set water_features_with_samples(water_feature_set features);
 
 // The same for water that hulls float in.
 water_feature_set water_features_with_hulls(water_feature_set features);
+
+// The same for clear water with ground under all of it.
+water_feature_set water_features_with_ground(water_feature_set features);
 
 // The same for a camera behind a dome port, through which water is seen that is clear.
 water_feature_set water_features_with_port(water_feature_set features);

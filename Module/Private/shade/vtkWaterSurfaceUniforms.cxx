@@ -194,7 +194,6 @@ void vtkWaterSurfaceShader::SetViewParameters(vtkShaderProgram* program)
     uniforms::Set4(program, "waterHullRows", hulls);
     uniforms::Set(program, "waterHullAxis", rows.axis);
   }
-  uniforms::Set(program, "waterHasGround", this->Water->Look.HasGround ? 1 : 0);
   uniforms::Set(program, "waterBedDepth", std::min(plan.bed_depth, kFarUp));
   uniforms::Set(program, "waterIsSubmerged", plan.is_submerged ? 1 : 0);
   uniforms::Set(program, "waterShoreSoftness", look.ShoreSoftness);
