@@ -147,8 +147,12 @@ vtkWaterReflectionPass* vtkWaterActor::GetReflectionPass()
 //------------------------------------------------------------------------------
 const char* vtkWaterActor::GetLastError() const
 {
-  const auto& errors = this->Internal->Errors;
-  return errors.empty() ? "" : errors.front().Text.c_str();
+  const Internals& internal = *this->Internal;
+  if (!internal.Errors.empty())
+  {
+    return internal.Errors.front().Text.c_str();
+  }
+  return internal.HullError.empty() ? internal.FlowError.c_str() : internal.HullError.c_str();
 }
 
 //------------------------------------------------------------------------------

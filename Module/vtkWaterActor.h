@@ -256,7 +256,9 @@ public:
   vtkWaterReflectionPass* GetReflectionPass();
 
   /**
-   * The error of the last plan, with the text of the ErrorEvent. Empty if there was none.
+   * The text of the ErrorEvent for what is wrong in the last frame: with the plan, else with a
+   * hull, else with the current. Empty if nothing is wrong. A value that a setter rejects is not
+   * kept here.
    */
   const char* GetLastError() const;
 

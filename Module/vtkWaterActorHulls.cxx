@@ -63,7 +63,12 @@ vtkActor* vtkWaterActor::GetHull(int number)
 void vtkWaterActor::Internals::CutHulls(vtkWaterSnapshot& water)
 {
   vtkWaterHulls::Surface surface;
-  if (this->Hulls.IsEmpty() || water_plane_normalise(&water.Plane, &surface.Unit) != WATER_OK)
+  if (this->Hulls.IsEmpty())
+  {
+    this->HullError.clear();
+    return;
+  }
+  if (water_plane_normalise(&water.Plane, &surface.Unit) != WATER_OK)
   {
     return;
   }
@@ -78,11 +83,12 @@ void vtkWaterActor::Internals::CutHulls(vtkWaterSnapshot& water)
     this->HullTime = time;
     std::string wrong;
     this->HullTable = this->Hulls.Cut(surface, wrong);
-    if (!wrong.empty() && this->HullError.empty()) // once, until it is mended
+    const bool isKnown = !this->HullError.empty(); // until it is mended
+    this->HullError = wrong;                       // observers of the event may ask for it
+    if (!wrong.empty() && !isKnown)
     {
       vtkErrorWithObjectMacro(this->Self, << wrong);
     }
-    this->HullError = wrong;
   }
   water.Hulls = this->HullTable;
   if (water.Hulls)

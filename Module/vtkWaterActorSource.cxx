@@ -232,13 +232,14 @@ void vtkWaterActor::Internals::ReadFlow(vtkWaterSnapshot& water)
   }
   const std::string wrong = vtkWaterFlow::Check(
     this->Self->UsesOwnSheet() ? nullptr : this->Self->GetMapper(), this->Self->FlowArrayName);
-  if (!wrong.empty() && this->FlowError != wrong) // once, until it is mended
-  {
-    vtkErrorWithObjectMacro(this->Self, "FlowArrayName: " << wrong << ". There is no current.");
-  }
-  this->FlowError = wrong;
+  const std::string said = this->FlowError;
+  this->FlowError = wrong.empty() ? wrong : "FlowArrayName: " + wrong + ". There is no current.";
   if (!wrong.empty())
   {
+    if (said != this->FlowError) // once, until it is mended
+    {
+      vtkErrorWithObjectMacro(this->Self, << this->FlowError);
+    }
     return;
   }
   water.Features = water_features_with_flow(water.Features);

@@ -244,7 +244,7 @@ VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_scene_set_sky(
   vtk_water_scene* scene, const double bottom[3], const double top[3]);
 
 /* Sets the sun, which glitters on waves: azimuth in degrees from +y towards +x, finite; elevation
- * in degrees above the horizon, in [-90, 90]; red, green and blue in [0, 1], NULL for (1, 0.95,
+ * in degrees above the horizon, in [0, 90]; red, green and blue in [0, 1], NULL for (1, 0.95,
  * 0.87). A scene has at most one sun; a new scene has none. A scene without any light is lit from
  * the eye. */
 VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_scene_set_sun(

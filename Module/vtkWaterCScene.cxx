@@ -119,13 +119,13 @@ vtk_water_status vtk_water_scene_set_sun(
       return Fail(VTK_WATER_NULL_ARGUMENT, "scene is NULL");
     }
     const double* rgb = color ? color : kSunColor;
-    if (!std::isfinite(azimuth_deg) || !(elevation_deg >= -90.0 && elevation_deg <= 90.0) ||
+    if (!std::isfinite(azimuth_deg) || !(elevation_deg >= 0.0 && elevation_deg <= 90.0) ||
       !IsColor(rgb))
     {
       return Fail(VTK_WATER_BAD_VALUE,
         "azimuth is " + std::to_string(azimuth_deg) + " and elevation " +
           std::to_string(elevation_deg) +
-          " degrees; they must be finite and in [-90, 90]; red, green and blue in [0, 1]");
+          " degrees; they must be finite and in [0, 90]; red, green and blue in [0, 1]");
     }
     const double up[3] = { 0.0, 0.0, 1.0 };
     double direction[3];

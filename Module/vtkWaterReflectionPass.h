@@ -66,7 +66,7 @@ public:
     WATER_ITSELF,
     MARKED_NOT_REFLECTED,
     OVERLAY,
-    LABEL,
+    LABEL, ///< billboards, rulers, axes and texts that face the camera; see NOT_REFLECTED
     EMPTY,
     BEHIND_PLANE,
     OUT_OF_VIEW,
@@ -407,7 +407,10 @@ public:
   ///@}
 
   /**
-   * Property key that leaves a prop out of reflections, with any value except 0.
+   * Property key that leaves a prop out of reflections, with any value except 0. With the value 0
+   * rulers, axes (vtkCubeAxesActor, vtkAxesActor, vtkPolarAxesActor, vtkGridAxesActor3D and others)
+   * and a vtkFollower with a vtkVectorText are reflected, which they are not without the key.
+   * vtkBillboardTextActor3D and vtkFlagpoleLabel are never reflected.
    */
   static vtkInformationIntegerKey* NOT_REFLECTED();
 

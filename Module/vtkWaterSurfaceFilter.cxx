@@ -177,6 +177,7 @@ void vtkWaterSurfaceFilter::SetName(std::string& member, const std::string& name
   {
     member = name;
     this->AreUnitsTold = false;
+    this->IsSignTold = false;
     this->Modified();
   }
 }
@@ -261,6 +262,29 @@ void vtkWaterSurfaceFilter::CheckUnits(vtkDataArray* level, vtkDataArray* depth,
 }
 
 //------------------------------------------------------------------------------
+bool vtkWaterSurfaceFilter::CheckDepths(vtkDataArray* depth)
+{
+  double range[2] = { 0.0, 0.0 };
+  if (depth)
+  {
+    depth->GetFiniteRange(range);
+  }
+  if (!(range[0] <= range[1] && range[1] < 0.0)) // the first is above the second if none is finite
+  {
+    return true;
+  }
+  if (!this->IsSignTold)
+  {
+    this->IsSignTold = true;
+    vtkWarningMacro("the array '"
+      << this->DepthArrayName << "' is " << range[0] << " to " << range[1]
+      << "; depths must be positive where there is water. There is no water. If its values are the "
+         "bed's heights, name it as the bed; otherwise change its sign.");
+  }
+  return false;
+}
+
+//------------------------------------------------------------------------------
 int vtkWaterSurfaceFilter::FillInputPortInformation(int, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
@@ -309,7 +333,8 @@ int vtkWaterSurfaceFilter::RequestData(
     return 1;
   }
   given.DryDepth = this->DryDepth;
-  if (given.IsBedOfCells == given.AreOfCells) // or they are of other places
+  if (this->CheckDepths(given.Depth) &&
+    given.IsBedOfCells == given.AreOfCells) // or they are of other places
   {
     this->CheckUnits(given.Level, given.Depth, given.Bed);
   }

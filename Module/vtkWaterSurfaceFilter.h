@@ -71,7 +71,8 @@ public:
   ///@{
   /**
    * Name of the array with the water's depth above the bed, one number per point or cell. Values
-   * that are not finite, and values not above DryDepth, are dry. Empty, the default, means that
+   * that are not finite, and values not above DryDepth, are dry. A warning reports an array whose
+   * values are all negative, once. Empty, the default, means that
    * there is no such array; the level is then required.
    */
   void SetDepthArrayName(const std::string& name);
@@ -126,6 +127,7 @@ private:
 
   void SetName(std::string& member, const std::string& name);
   void CheckUnits(vtkDataArray* level, vtkDataArray* depth, vtkDataArray* bed);
+  bool CheckDepths(vtkDataArray* depth);
 
   std::string LevelArrayName;
   std::string DepthArrayName;
@@ -135,6 +137,7 @@ private:
   double MeanLevel = 0.0;
   bool IsMeanKnown = true;
   bool AreUnitsTold = false;
+  bool IsSignTold = false;
   vtkNew<vtkPolyData> Surface; // whose mean it is, until it is known
 };
 

@@ -64,7 +64,10 @@ def contents_of(file, no_data=None):
                      units="metres (--units names another unit)" if surface.is_terrain else
                      "not known; --units names it, by default it follows from the size")
         facts["notes"] += [surface.note] if surface.note else []
-        facts["try"].append(f"vtkwater render {shlex.quote(str(file))} --level {level_for(surface):g}")
+        heights = vtk_to_numpy(surface.data.GetPoints().GetData())[:, 2].astype(float)
+        level = level_among(heights, FLOODED if surface.is_terrain else None)
+        if level is not None:
+            facts["try"].append(f"vtkwater render {shlex.quote(str(file))} --level {plain(level)}")
     if path.is_dir() or suffix in solutions.KINDS:
         try:
             add_steps(facts, path)
@@ -73,6 +76,8 @@ def contents_of(file, no_data=None):
                 raise error from why
     elif why:
         raise why
+    if surface is not None and not facts["try"]:
+        facts["notes"].append(f"all heights are {heights[0]:g}: no level lies between them")
     return facts
 
 
@@ -91,6 +96,8 @@ def add_steps(facts, path):
     facts["times"] = list(source.times)
     facts["arrays"] = [array for array in arrays_of(mesh) if not array["name"].startswith("vtk")]
     options = usual_options(facts["arrays"], is_volume)
+    if not options and not facts["try"] and not is_volume:
+        options = level_over_bed(facts["arrays"])
     if options:
         facts["try"].insert(0, f"vtkwater render {shlex.quote(facts['file'])} {options}")
     elif not facts["try"]:
@@ -116,13 +123,26 @@ def arrays_of(mesh):
                    "range": [float(values.min()), float(values.max())] if values.size else None}
 
 
-def level_for(surface):
-    """A level, rounded to three digits of the heights' range: it floods a part of a terrain, or half of a mesh."""
-    heights = vtk_to_numpy(surface.data.GetPoints().GetData())[:, 2].astype(float)
+def level_among(heights, share=None):
+    """A level between the lowest and the highest of some heights, rounded to three digits of their range or more.
+
+    It floods a share of them, or half of their range. None if all heights are the same.
+    """
     low, high = heights.min(), heights.max()
-    level = np.quantile(heights, FLOODED) if surface.is_terrain else 0.5 * (low + high)
-    digits = 2 - int(np.floor(np.log10(high - low))) if high > low else 6
-    return round(float(level), digits)
+    if not low < high:
+        return None
+    level = 0.5 * (low + high) if share is None else np.quantile(heights, share)
+    if not low < level < high:  # many are the lowest, such as a sea's
+        level = np.quantile(heights[heights > low], share) if level <= low else level
+        level = 0.5 * (low + level)
+    digits = 2 - int(np.floor(np.log10(high - low)))
+    rounded = [round(float(level), more) for more in range(digits, digits + 4)]
+    return next((value for value in rounded if low < value < high), float(level))
+
+
+def plain(value):
+    """A number without an exponent, which an option would not take behind a minus."""
+    return np.format_float_positional(value, trim="-")
 
 
 def usual_options(arrays, is_volume):
@@ -131,7 +151,7 @@ def usual_options(arrays, is_volume):
     for word, names in USUAL_NAMES.items():
         components = (2, 3) if word == "flow" else (1,)
         named[word] = next((array["name"] for name in names for array in arrays if array["components"] in components
-                            and re.sub("[^a-z0-9]", "", array["name"].lower()) == name), None)
+                            and simple(array["name"]) == name), None)
     if is_volume:
         words = ["contour"] if named["contour"] else []
     else:
@@ -140,6 +160,20 @@ def usual_options(arrays, is_volume):
         words += ["flow"] if words and named["flow"] else []
     waves = " --wind 5" if "flow" in words else ""
     return " ".join(f"--{word} {shlex.quote(named[word])}" for word in words) + waves
+
+
+def level_over_bed(arrays):
+    """Options for a flat mesh whose heights are an array with a usual name; empty if it has none."""
+    for array in arrays:
+        if array["components"] == 1 and array["range"] and simple(array["name"]) in USUAL_NAMES["bed"]:
+            level = level_among(np.array(array["range"]))
+            return "" if level is None else f"--level {plain(level)} --bed {shlex.quote(array['name'])}"
+    return ""
+
+
+def simple(name):
+    """A name in lower case, with its letters and digits alone."""
+    return re.sub("[^a-z0-9]", "", name.lower())
 
 
 def text_of(facts):

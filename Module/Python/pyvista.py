@@ -150,9 +150,9 @@ def add_water(
 
     sun : bool | sequence[float], optional
         Adds a scene light, the sun, for glitter, shadows, caustics and light shafts: azimuth (degrees from north
-        towards east, in [-360, 360]) and elevation (degrees above the water, in [-90, 90]). True means (150, 35),
-        which is also the default if ``caustics``, ``light_shafts`` or ``shadows`` need a light. North is y and east is
-        x; for tilted water they are the second and the first of the plane's own axes. The light is in
+        towards east, in [-360, 360]) and elevation (degrees above the water, in [0, 90]). True means (150, 35),
+        which is also the default if ``caustics``, ``light_shafts`` or ``shadows`` need a light. A sun below the
+        horizon lights nothing and is an error: at night, leave ``sun`` out. North is y and east is x; for tilted water they are the second and the first of the plane's own axes. The light is in
         ``plotter.renderer.lights``, has the class ``vtkwater.pyvista.Sun``, and stays when the water is removed.
         Another ``sun`` in the same subplot replaces it. PyVista's own lights stay, and together with the sun they
         overexpose bright meshes: create the plotter with ``pyvista.Plotter(lighting='none')``. The sun is then the

@@ -26,7 +26,7 @@ def sun_of(sun):
         raise TypeError(f"sun must be a bool, or an azimuth and an elevation, not {type(sun).__name__}")
     azimuth, elevation = numbers("sun", sun, 2)
     in_range("sun[0], the azimuth,", azimuth, -360.0, 360.0)
-    in_range("sun[1], the elevation,", elevation, -90.0, 90.0)
+    in_range("sun[1], the elevation,", elevation, 0.0, 90.0)  # a sun under the horizon lights nothing
     return azimuth, elevation
 
 
@@ -98,7 +98,6 @@ def add_clear_sky(self, sun=True, turbidity=TURBIDITY, *, resolution=1024, rende
     if sun is False or sun is None:
         raise ValueError(f"sun is {sun!r}; a clear sky needs one: True, or an azimuth and an elevation")
     azimuth, elevation = sun_of(sun)
-    in_range("sun[1], the elevation,", elevation, 0.0, 90.0)
     turbidity = number("turbidity", turbidity)
     in_range("turbidity", turbidity, LEAST_TURBIDITY, MOST_TURBIDITY)
     if isinstance(resolution, bool) or not hasattr(resolution, "__index__"):

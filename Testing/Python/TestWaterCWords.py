@@ -433,6 +433,13 @@ REFUSALS = (  # name, status, words of the error, function, its arguments for a 
         lambda it: (it.scene, number(0), number(100), None),
     ),
     (
+        "sun_at_night",
+        BAD_VALUE,
+        b"elevation -5.000000 degrees; they must be finite and in [0, 90]",
+        "vtk_water_scene_set_sun",
+        lambda it: (it.scene, number(0), number(-5), None),
+    ),
+    (
         "sun_azimuth",
         BAD_VALUE,
         b"azimuth is nan",

@@ -93,6 +93,44 @@ def test_the_level_of_a_mesh_cuts_it_in_half(folder):
     wt.check_equal("kind, level", (facts["kind"], shlex.split(facts["try"][-1])[-1]), ("mesh", "0"))
 
 
+def suggested(file):
+    """The level of each suggested command; None: it has none."""
+    for words in map(shlex.split, contents_of(file)["try"]):
+        yield float(words[words.index("--level") + 1]) if "--level" in words else None
+
+
+def test_a_level_lies_among_the_heights(folder):
+    """Also if most of the land is a sea, and far from 0; never outside, as 0 is for a flat mesh over a bed at 300."""
+    coast = np.zeros((20, 30), dtype=np.float32)
+    coast[:, 20:] = np.linspace(1.0, 40.0, 10)
+    write_tiff(folder / "coast.tif", coast)
+    write_tiff(folder / "plateau.tif", np.where(coast > 0, -coast, coast))
+    write_tiff(folder / "low.tif", np.tile(np.linspace(-6e-5, 0.0, 41, dtype=np.float32), (21, 1)))
+    cone = vtkConeSource()
+    cone.SetOutputPointsPrecision(1)
+    cone.SetCenter(0.0, 0.0, 1234567.5)
+    cone.SetRadius(0.125)
+    cone.Update()
+    write(vtkXMLPolyDataWriter(), folder / "far.vtp", cone.GetOutput())
+    for name in ("coast.tif", "plateau.tif", "low.tif", "far.vtp"):
+        low, high = contents_of(folder / name)["bounds"][4:]
+        for level in suggested(folder / name):
+            wt.check_equal(f"{name}: {level:.9g} lies inside ({low:.9g}, {high:.9g})", low < level < high, True)
+            wt.check_equal(f"{name}: without exponent", "e" in contents_of(folder / name)["try"][0].split()[-1], False)
+    mesh = flood()
+    mesh.GetPointData().GetArray("zb").FillComponent(0, 300.0)
+    mesh.GetPointData().GetArray("zb").SetTuple1(0, 310.0)
+    write(vtkXMLPolyDataWriter(), folder / "flat.vtp", mesh)
+    wt.check_equal("levels of a flat mesh with a depth", list(suggested(folder / "flat.vtp")), [None])
+    mesh.GetPointData().RemoveArray("H")
+    write(vtkXMLPolyDataWriter(), folder / "flat.vtp", mesh)
+    wt.check_equal("levels of a flat mesh with a bed alone", list(suggested(folder / "flat.vtp")), [305.0])
+    write(vtkSTLWriter(), folder / "flat.stl", mesh)
+    facts = contents_of(folder / "flat.stl")
+    wt.check_equal("commands for a flat mesh", facts["try"], [])
+    wt.check_equal("a note", facts["notes"], ["all heights are 0: no level lies between them"])
+
+
 def test_a_volume_is_shown_by_a_contour(folder):
     facts = contents_of(folder / "tank.vti")
     wt.check_equal("kind", facts["kind"], "solver's volume")

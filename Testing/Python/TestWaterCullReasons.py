@@ -7,7 +7,19 @@ So does it when there is no mirrored view at all; water never mirrors itself, or
 import numpy as np
 import pytest
 import water_test as wt
-from vtkmodules.vtkRenderingCore import vtkActor, vtkAssembly, vtkBillboardTextActor3D, vtkTextActor
+from vtkmodules.vtkCommonCore import vtkInformation
+from vtkmodules.vtkCommonTransforms import vtkTransform
+from vtkmodules.vtkFiltersGeneral import vtkTransformPolyDataFilter
+from vtkmodules.vtkRenderingAnnotation import vtkAxesActor, vtkCubeAxesActor
+from vtkmodules.vtkRenderingCore import (
+    vtkActor,
+    vtkAssembly,
+    vtkBillboardTextActor3D,
+    vtkFollower,
+    vtkPolyDataMapper,
+    vtkTextActor,
+)
+from vtkmodules.vtkRenderingFreeType import vtkVectorText
 from vtkwater import vtkWaterReflectionPass as Pass
 
 RED, GREEN = (1, 0, 0), (0, 1, 0)
@@ -83,6 +95,88 @@ def test_every_fate_is_counted():
     wt.check_equal("fates", Pass.NUMBER_OF_FATES, len(EXPECTED))
     wt.check_equal("all props have a fate", sum(scene.mirror.GetFateCount(i) for i in range(Pass.NUMBER_OF_FATES)), 9)
     wt.check_equal("props reflected", scene.mirror.GetNumberOfPropsReflected(), 1)
+
+
+def cube_axes(camera):
+    axes = vtkCubeAxesActor()
+    axes.SetBounds(-3, 3, -3, 3, 0.2, 3)
+    axes.SetCamera(camera)
+    return axes
+
+
+def axes_of(length):
+    axes = vtkAxesActor()
+    axes.SetTotalLength(length, length, length)
+    return axes
+
+
+def text_of(actor, is_enlarged=False):
+    text = vtkVectorText()
+    text.SetText("Ripple")
+    larger = vtkTransformPolyDataFilter()
+    larger.SetTransform(vtkTransform())
+    larger.SetInputConnection(text.GetOutputPort())
+    mapper = vtkPolyDataMapper()
+    mapper.SetInputConnection((larger if is_enlarged else text).GetOutputPort())
+    actor.SetMapper(mapper)
+    actor.SetPosition(-2, 0, 0.5)
+    return actor
+
+
+def turned(actor, camera):
+    actor.SetCamera(camera)
+    return actor
+
+
+def upright(actor):
+    actor.RotateX(80)
+    return actor
+
+
+def picture_of_a_follower(camera):
+    """A tree, for example, as a picture that turns to the camera: an object of the scene."""
+    actor = turned(vtkFollower(), camera)
+    mapper = vtkPolyDataMapper()
+    mapper.SetInputData(wt.box((0, 0, 1), (2, 2, 2)))
+    actor.SetMapper(mapper)
+    return actor
+
+
+@pytest.mark.parametrize("make, is_label", (
+    (cube_axes, True), (lambda camera: axes_of(3), True), (lambda camera: turned(text_of(vtkFollower()), camera), True),
+    (lambda camera: turned(text_of(vtkFollower(), True), camera), True),
+    (lambda camera: upright(text_of(vtkActor())), False), (picture_of_a_follower, False)),
+    ids=("cube_axes", "axes", "text", "enlarged_text", "text_as_geometry", "picture"))
+def test_rulers_and_axes_are_reflected_on_request_alone(make, is_label):
+    """Annotations are no objects of the scene. The key with 0 reflects them, with 1 nothing."""
+    pictures, fates = {}, {}
+    for key in (None, 0, 1):
+        view = wt.View((320, 240), background=(0, 0, 0))
+        water = wt.add_water(view.renderer, wt.plane((0, 0, 0), (0, 0, 1)), SHEET)
+        camera = wt.place_camera(view.renderer, (0, -15, 5), (0, 0, 0), (1, 60))
+        prop = make(camera)
+        if key is not None:
+            (wt.leave_out if key else wt.reflect)(prop)
+        view.renderer.AddViewProp(prop)
+        pictures[key] = view.picture()
+        wt.save(pictures[key], wt.output_folder() / f"annotation_{prop.GetClassName()}_{key}.png")
+        fates[key] = water.GetReflectionPass().GetFateCount(Pass.LABEL)
+    wt.check_equal("labels without the key, with 0, with 1", list(fates.values()), [int(is_label), 0, 0])
+    wt.check_at_least("pixels that its reflection changes", int((pictures[0] != pictures[1]).any(axis=2).sum()), 100)
+    wt.check_equal("pixels that differ without the key", int((pictures[None] != pictures[is_label]).any(axis=2).sum()), 0)
+
+
+def test_a_stand_in_for_axes_is_reflected():
+    """Who gives them one wants them in the water."""
+    view = wt.View((320, 240), background=(0, 0, 0))
+    water = wt.add_water(view.renderer, wt.plane((0, 0, 0), (0, 0, 1)), SHEET)
+    wt.place_camera(view.renderer, (0, -15, 5), (0, 0, 0), (1, 60))
+    axes, keys = axes_of(3), vtkInformation()
+    keys.Set(Pass.STAND_IN(), axes_of(2))
+    axes.SetPropertyKeys(keys)
+    view.renderer.AddViewProp(axes)
+    view.picture()
+    wt.check_equal("props reflected", water.GetReflectionPass().GetNumberOfPropsReflected(), 1)
 
 
 def test_an_unknown_fate_counts_nothing():

@@ -248,6 +248,7 @@ def test_an_array_of_another_length_is_an_error(of_cells, more):
     scene, without = Scene(mesh), Scene(mesh_of(still), name="")
     wt.check_equal("pixels that differ", int((scene.at(0.4) != without.at(0.4)).sum()), 0)
     wt.check_equal("errors", len(scene.errors), 1)
+    wt.check_equal("the last error is of the current", "no current" in scene.water.GetLastError(), True)
     for word in ("velocity", str(count), str(array.GetNumberOfTuples())):
         wt.check(f"'{word}' is in the error", word in scene.errors[0], True, word in scene.errors[0])
 

@@ -230,8 +230,9 @@ def test_a_tilted_plane_has_hulls_too():
 
 
 def errors_of(water):
+    """For each error, what the water gave as its last error while it was told."""
     errors = []
-    water.AddObserver("ErrorEvent", lambda *_: errors.append(1))
+    water.AddObserver("ErrorEvent", lambda *_: errors.append(water.GetLastError()))
     return errors
 
 
@@ -250,10 +251,15 @@ def test_a_hull_that_is_not_closed_is_an_error_once():
     scene.water.SetTime(1.0)
     scene.view.picture()
     wt.check_equal("errors", len(errors), 1)
+    wt.check_equal("the last error names the hull", "is not closed" in errors[0], True)
+    wt.check_equal("the last error stays", scene.water.GetLastError(), errors[0])
     wt.check_equal("pixels that changed", int((shown != wet).any(axis=2).sum()), 0)
     scene.water.AddHull(scene.boats[1])
     both = scene.view.picture()
     wt.check_at_least("pixels that the other hull makes dry", int((both != wet).any(axis=2).sum()), 30)
+    scene.water.RemoveAllHulls()
+    scene.view.picture()
+    wt.check_equal("the last error without hulls", scene.water.GetLastError(), "")
 
 
 def test_the_error_names_the_open_place_in_the_world():

@@ -58,7 +58,7 @@ def axes_picture(in_parts):
     transform = vtkTransform()
     transform.Translate(0, 0, -1)
     axes.SetUserTransform(transform)
-    scene.renderer.AddActor(axes)
+    scene.renderer.AddActor(wt.reflect(axes))
     scene.picture()
     if in_parts:
         parts = vtkPropCollection()

@@ -236,6 +236,15 @@ def test_water_to_the_horizon_fills_the_picture_and_no_bounds(plotter):
     other.close()
 
 
+def test_a_grid_is_no_object_of_the_scene(plotter):
+    """The rulers of show_grid are not in the water."""
+    water = fill(plotter)
+    plotter.show_grid()
+    picture_of(plotter)
+    wt.check_equal("labels", water.reflection_pass.GetFateCount(water.reflection_pass.LABEL), 1)
+    wt.check_equal("props reflected", water.reflection_pass.GetNumberOfPropsReflected(), 1)
+
+
 WRONG = [  # the exception, a part of its text, the argument
     (ValueError, "level is 'high', an array's name; it needs a surface with this array", {"level": "high"}),
     (TypeError, "level must be a number, not bool", {"level": True}),

@@ -280,6 +280,15 @@ def test_another_unit_is_warned_of(plotter):
     wt.check_equal("warnings", len(caught), 1)
 
 
+def test_negative_depths_are_warned_of(plotter):
+    """Once, with the array's name and range."""
+    mesh = solution()
+    mesh["h"] = np.linspace(-2.0, -0.25, mesh.n_points)
+    with pytest.warns(UserWarning, match="'h' is -2 to -0.25; depths must be positive") as caught:
+        plotter.add_water(mesh, depth="h", bed="zb")
+    wt.check_equal("warnings", len(caught), 1)
+
+
 def test_a_current_carries_the_waves(plotter):
     """Over time the waves are elsewhere than without it; a still one changes nothing; the lakes of a mesh share it."""
     mesh = solution()

@@ -491,6 +491,28 @@ def test_real_water_has_one_unit(bed, sea, wave, names):
     wt.check_equal("warnings", warnings_of(mesh, **names), [])
 
 
+@pytest.mark.parametrize("of_cells", (False, True), ids=("points", "cells"))
+def test_depths_that_are_all_negative_are_told_once(of_cells):
+    """By a warning with the array's name and range; it is no matter of units. A dry step is all 0, or NaN."""
+    mesh = with_unit("h", -1.0, of_cells)
+    data = mesh.GetCellData() if of_cells else mesh.GetPointData()
+    depths = vtk_to_numpy(data.GetArray("h"))
+    depths[:] = np.linspace(-3.0, -0.5, len(depths))
+    depths[0] = np.nan
+    said = warnings_of(mesh, **LEVEL_DEPTH_BED)
+    wt.check_equal("warnings", len(said), 1)
+    words = ("'h' is -", " to -0.5", "must be positive", "There is no water")
+    wt.check_equal(f"words in: {said[0]}", [word for word in words if word not in said[0]], [])
+    for dry in (0.0, np.nan):
+        depths[:] = dry
+        data.GetArray("h").Modified()
+        wt.check_equal(f"warnings of depths of {dry}", warnings_of(mesh, DepthArrayName="h"), [])
+    depths[:] = -1.0
+    depths[1] = 0.5
+    data.GetArray("h").Modified()
+    wt.check_equal("warnings of a wet place among negative depths", warnings_of(mesh, DepthArrayName="h"), [])
+
+
 def test_normals_of_the_bed_are_not_the_surfaces():
     """They would turn its reflections: point normals of a water's mesh are its slopes."""
     for bed in (-1000.0, None):  # all wet, and with a shore

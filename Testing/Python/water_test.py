@@ -289,6 +289,14 @@ def leave_out(prop):
     prop.SetPropertyKeys(keys)
 
 
+def reflect(prop):
+    """Gives rulers and axes the key with which they are reflected, in place of their keys; returns the prop."""
+    keys = vtkInformation()
+    keys.Set(vtkWaterReflectionPass.NOT_REFLECTED(), 0)
+    prop.SetPropertyKeys(keys)
+    return prop
+
+
 def add_water(renderer, water_plane=None, sheet=None, reflectance=1.0):
     """Water that is a perfect mirror, or reflects a constant share; None: exact Fresnel."""
     water = vtkWaterActor()

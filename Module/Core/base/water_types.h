@@ -39,7 +39,7 @@ enum // water_prop.flags, a bit each
   WATER_PROP_NO_BOUNDS = 1 << 2,     // fills the view, whatever its bounds: a skybox
   WATER_PROP_NOT_REFLECTED = 1 << 3, // the user's key requests it
   WATER_PROP_OVERLAY = 1 << 4,       // lives on the screen, not in the scene: 2D actors
-  WATER_PROP_LABEL = 1 << 5,         // faces the user's camera in every draw: billboards
+  WATER_PROP_LABEL = 1 << 5,         // no object of the scene: billboards, rulers, axes
   WATER_PROP_REFUSED = 1 << 6,       // its shader cannot be cut at the water
   WATER_PROP_IS_SKY = 1 << 7         // it shows the sky that water_scene.sky describes
 };
@@ -58,7 +58,7 @@ typedef struct water_prop
   X(WATER_CULL_WATER, "water itself")                                                              \
   X(WATER_CULL_NOT_REFLECTED, "marked as not reflected")                                           \
   X(WATER_CULL_OVERLAY, "overlay")                                                                 \
-  X(WATER_CULL_LABEL, "label facing the camera")                                                   \
+  X(WATER_CULL_LABEL, "label, ruler or axes")                                                      \
   X(WATER_CULL_EMPTY, "empty")                                                                     \
   X(WATER_CULL_BEHIND_PLANE, "behind the water plane")                                             \
   X(WATER_CULL_OUT_OF_VIEW, "out of the mirrored view")                                            \

@@ -2,6 +2,7 @@
 #include "vtkWaterPropReader.h"
 
 #include "vtkActor.h"
+#include "vtkAlgorithm.h"
 #include "vtkInformation.h"
 #include "vtkInformationIntegerKey.h"
 #include "vtkMapper.h"
@@ -14,9 +15,42 @@
 #include "water_plane.h"
 
 #include <algorithm>
+#include <cstring>
+#include <iterator>
 
 namespace
 {
+// Rulers and axes beside a scene: no objects of it.
+const char* const kAnnotations[] = { "vtkCubeAxesActor", "vtkAxesActor", "vtkAxisActor",
+  "vtkAxisFollower", "vtkProp3DAxisFollower", "vtkPolarAxesActor", "vtkGridAxesActor2D",
+  "vtkGridAxesActor3D", "vtkGridAxesPlaneActor2D", "vtkAnnotatedCubeActor" };
+
+// Does a pipeline begin with a text?
+bool IsOfText(vtkAlgorithm* filter)
+{
+  while (
+    filter && filter->GetNumberOfInputPorts() > 0 && filter->GetNumberOfInputConnections(0) > 0)
+  {
+    filter = filter->GetInputAlgorithm(0, 0);
+  }
+  return filter && filter->IsA("vtkVectorText");
+}
+
+bool IsAnnotation(vtkProp* prop)
+{
+  const char* name = prop->GetClassName();
+  if (std::strcmp(name, "vtkOpenGLActor") == 0)
+  {
+    return false; // most of them
+  }
+  if (prop->IsA("vtkFollower") && IsOfText(static_cast<vtkActor*>(prop)->GetMapper()))
+  {
+    return true;
+  }
+  return std::any_of(std::begin(kAnnotations), std::end(kAnnotations),
+    [prop](const char* annotation) { return prop->IsA(annotation); });
+}
+
 // Is the prop the water that is mirrored at, another sheet of its plane, or an assembly with any
 // water?
 bool IsOfWater(vtkProp* prop, const vtkWaterSnapshot& mirrored)
@@ -33,7 +67,8 @@ bool IsOfWater(vtkProp* prop, const vtkWaterSnapshot& mirrored)
     water_plane_is_shared(&plane, origin, &mirrored.Plane, mirrored.Origin);
 }
 
-uint32_t ReadFlags(vtkProp* prop, const vtkWaterSnapshot& mirrored)
+// hasStandIn  what is drawn in reflections is another prop, which the user has chosen
+uint32_t ReadFlags(vtkProp* prop, bool hasStandIn, const vtkWaterSnapshot& mirrored)
 {
   uint32_t flags = prop->GetVisibility() ? static_cast<uint32_t>(WATER_PROP_VISIBLE) : 0u;
   if (IsOfWater(prop, mirrored))
@@ -41,8 +76,8 @@ uint32_t ReadFlags(vtkProp* prop, const vtkWaterSnapshot& mirrored)
     flags |= WATER_PROP_IS_WATER;
   }
   vtkInformation* keys = prop->GetPropertyKeys();
-  if (keys && keys->Has(vtkWaterPropKeys::NotReflected()) &&
-    keys->Get(vtkWaterPropKeys::NotReflected()) != 0)
+  const bool isMarked = keys && keys->Has(vtkWaterPropKeys::NotReflected());
+  if (isMarked && keys->Get(vtkWaterPropKeys::NotReflected()) != 0)
   {
     flags |= WATER_PROP_NOT_REFLECTED;
   }
@@ -50,7 +85,8 @@ uint32_t ReadFlags(vtkProp* prop, const vtkWaterSnapshot& mirrored)
   {
     flags |= WATER_PROP_OVERLAY;
   }
-  if (prop->IsA("vtkBillboardTextActor3D") || prop->IsA("vtkFlagpoleLabel"))
+  const bool isTurned = prop->IsA("vtkBillboardTextActor3D") || prop->IsA("vtkFlagpoleLabel");
+  if (isTurned || (!isMarked && !hasStandIn && IsAnnotation(prop)))
   {
     flags |= WATER_PROP_LABEL;
   }
@@ -104,7 +140,7 @@ water_prop vtkWaterPropReader::Read(
   vtkProp* prop, vtkProp* drawn, const vtkWaterSnapshot& mirrored, bool isRefused)
 {
   water_prop read;
-  read.flags = ReadFlags(prop, mirrored);
+  read.flags = ReadFlags(prop, drawn != prop, mirrored);
   if (isRefused)
   {
     read.flags |= WATER_PROP_REFUSED;

@@ -112,7 +112,7 @@ struct vtkWaterActor::Internals : public vtkWaterSource
   vtkWaterSecondarySurface Secondary;
   vtkWaterSea Sea;
   vtkWaterHulls Hulls;
-  std::string HullError; // that has been said
+  std::string HullError; // of the last frame
   std::string FlowError; // the same
   vtkWaterHullTablePointer HullTable;
   std::pair<vtkMTimeType, double> HullTime = { 0, 0.0 }; // that it is of, and the scene's unit then

@@ -51,7 +51,7 @@ def letters(actor):
 def follower(scene):
     actor = letters(vtkFollower())
     actor.SetCamera(scene.users_camera())
-    scene.add(actor)
+    scene.add(wt.reflect(actor))
 
 
 def upright_text(scene):
@@ -284,7 +284,7 @@ def cube_axes(scene):
     axes.SetCamera(scene.users_camera())
     for name in "XYZ":
         getattr(axes, f"Get{name}AxesLinesProperty")().SetColor(1, 0.8, 0)
-    scene.renderer.AddViewProp(axes)
+    scene.renderer.AddViewProp(wt.reflect(axes))
 
 
 row.cell("vtkCubeAxesActor over the water", cube_axes)

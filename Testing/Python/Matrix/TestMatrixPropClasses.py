@@ -2,10 +2,11 @@
 """Row Classes of props of the mirror matrix: VTK's props that have no cell of their own in another row.
 
 Each stands in the water, half over and half under it, where it can; the near plane of the mirrored picture cuts
-it, whatever its parts are.
+it, whatever its parts are. All have the key that reflects rulers and axes, too.
 """
 
 import mirror_matrix as mm
+import water_test as wt
 from vtk_classes import find
 from vtkmodules.vtkCommonCore import vtkStringArray
 from vtkmodules.vtkCommonTransforms import vtkTransform
@@ -32,7 +33,7 @@ def cell(path, make, name=None, cut=True, **options):
     def fill(scene):
         if cut:
             scene.cut_by_view()
-        scene.renderer.AddViewProp(make(made_class, scene))
+        scene.renderer.AddViewProp(wt.reflect(make(made_class, scene)))
 
     row.cell(name or path.split(".")[1], fill, **options)
 

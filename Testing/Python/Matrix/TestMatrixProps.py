@@ -329,7 +329,7 @@ def axes(scene):
     transform = vtkTransform()
     transform.Translate(-0.5, -1, 0.4)
     actor.SetUserTransform(transform)
-    scene.add(actor)
+    scene.add(wt.reflect(actor))
 
 
 row.cell("vtkAxesActor over the water", axes)
