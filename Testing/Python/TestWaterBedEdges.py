@@ -5,7 +5,8 @@ nothing into what is seen through the surface."""
 import numpy as np
 import pytest
 import water_test as wt
-from vtkmodules.vtkFiltersSources import vtkConeSource
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkFiltersSources import vtkConeSource, vtkPlaneSource
 
 SIZE = (240, 180)
 VIEWS = {"above": (3, -9, 9), "middle": (6, -9, 5), "low": (-4, -12, 1.5)}
@@ -192,3 +193,44 @@ def test_behind_an_object_the_bed_goes_on(is_software, monkeypatch):
     wt.check_at_least("pixels behind the ball", int(behind.sum()), 300)
     off = np.abs(view.picture() - empty).max(axis=2)[behind]
     wt.check_at_most("% of them that differ by more than 20 of 255", 100 * float((off > 20).mean()), 5)
+
+
+def hills_of(count=81, half=10.0):
+    """Land with hills before and behind a valley; all but the hills lies under 0, and so does its border."""
+    x, y = (axis.ravel() for axis in np.meshgrid(np.linspace(-half, half, count), np.linspace(-half, half, count)))
+    z = -3.0 + sum(high * np.exp(-((x - east) ** 2 + (y - north) ** 2) / 8.0)
+                   for east, north, high in ((-4, 3, 7), (5, 4, 4.5), (1, -4, 3.5), (-6, -6, 4)))
+    plane = vtkPlaneSource()
+    plane.SetResolution(count - 1, count - 1)
+    plane.Update()
+    land = plane.GetOutput()
+    vtk_to_numpy(land.GetPoints().GetData())[:] = np.column_stack([x, y, z])
+    land.GetPointData().SetNormals(None)
+    return land
+
+
+@pytest.mark.parametrize("is_software", (1, 0))
+@pytest.mark.parametrize("eye", ((3, -20, 6), (14, -15, 5), (-18, 4, 8)), ids=str)
+def test_a_parallel_view_is_that_of_an_eye_far_away(eye, is_software, monkeypatch):
+    """Behind hills, too, where the end of the bed is hidden: rays that leave the water there do not meet what stands
+    before it."""
+    monkeypatch.setenv("VTK_WATER_SOFTWARE", str(is_software))
+    pictures = []
+    for is_parallel in (True, False):
+        view = wt.View(SIZE, WHITE)
+        wt.add_actor(view.renderer, hills_of(), (0.8, 0.7, 0.5))
+        water = clear_water(view, (-1, 1, -1, 1))
+        water.SetSheetToAutomatic()
+        far = 1.0 if is_parallel else 500.0
+        camera = wt.place_camera(view.renderer, np.multiply(eye, far), (0, 0, 0), (1, 80))
+        away = np.linalg.norm(np.multiply(eye, far))
+        camera.SetClippingRange(away - 18, away + 18)
+        camera.SetParallelProjection(is_parallel)
+        camera.SetParallelScale(6.0)
+        camera.SetViewAngle(2 * np.degrees(np.arctan(6.0 / away)))
+        pictures.append(view.picture())
+        wt.save(pictures[-1], wt.output_folder() / f"far_{eye[0]}_{is_software}_{is_parallel}.png")
+    mask = wt.water_mask(view, water)
+    off = np.abs(pictures[0] - pictures[1]).max(axis=2)
+    wt.check_at_least("% of the pixels are water", 100 * mask.mean(), 20)
+    wt.check_at_most("% of them that differ by more than 30 of 255", 100 * float((off[mask] > 30).mean()), 0.5)

@@ -408,7 +408,9 @@ WaterMediumMet waterMediumMeet(WaterPoint point, vec3 dir)
   met.way = met.view.s * ray.w / max(1.0 - met.view.s * ray.rate, 1e-6);
   float between = waterMediumBetween(ray, met.view, met.depth);
   met.lit = between * ray.w / max(1.0 - between * ray.rate, 1e-6);
-  float apart = abs(waterMediumW(met.view.from, met.depth) - ray.w - met.way * ray.rate);
+  // along the view ray; parallel views have one w
+  float behind = waterHeightClip.z * 2.0 * (met.depth - ray.start.z - met.view.s * ray.way.z) / point.ray.z;
+  float apart = abs(waterClipW.z != 0.0 ? waterMediumW(met.view.from, met.depth) - ray.w - met.way * ray.rate : behind);
   // the bed is likelier than nothing where the picture does not show it
   bool isThere = met.depth < 1.0 &&
     (met.view.isOut || apart < WATER_MEDIUM_BELOW * waterBedDepth + WATER_MEDIUM_EDGE * pixel);
