@@ -11,7 +11,7 @@ from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkContourFilter, vtkGlyph3D, vtkMaskPoints, vtkPolyDataNormals
 from vtkmodules.vtkFiltersFlowPaths import vtkStreamTracer
 from vtkmodules.vtkFiltersSources import vtkGlyphSource2D, vtkPlaneSource
-from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper
+from vtkmodules.vtkRenderingCore import vtkActor, vtkDataSetMapper, vtkPolyDataMapper
 from vtkwater import vtkWaterActor, vtkWaterReflectionPass
 from vtkwater.data_scenes import table_of
 from vtkwater.marks import lay_on_water
@@ -171,6 +171,20 @@ def test_at_a_low_angle_lines_want_more():
     wt.check_at_most("of the lines with the default, %", round(100 * float(scene.shares()[1]), 2), 95)
     lay_on_water(scene.marks, nearer=640)
     wt.check_at_least("of the lines with four times as much, %", round(100 * float(scene.shares()[1]), 2), 99.5)
+
+
+@pytest.mark.parametrize("look", ("opaque", "clear"))
+def test_marks_of_a_mapper_of_any_data_show_too(look):
+    """PyVista's is one."""
+    scene = Scene(contour_lines, SWELL, samples=4, laid=False, **LOOKS[look])
+    mapper = vtkDataSetMapper()
+    mapper.SetInputConnection(scene.marks.GetMapper().GetInputConnection(0, 0))
+    mapper.ScalarVisibilityOff()
+    scene.marks.SetMapper(mapper)
+    lay_on_water(scene.marks)
+    _, share, off, _ = scene.shares()
+    wt.check_at_least("of the lines in their colour, %", round(100 * float(share), 2), 99.5)
+    wt.check_at_most("elsewhere off by, of 255", off, 0)
 
 
 def test_other_objects_hide_them():
