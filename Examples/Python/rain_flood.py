@@ -2,7 +2,10 @@
 """rain_flood: a flood as a solver computed it, coloured by the hour in which the water came.
 
 Six hours of a rain flood in the hills of Tennessee, by landlab's OverlandFlow (Examples/Data/solve_flood.py): the mesh
-of the solver with its depths is the water, and ends where the bed reaches its level.
+of the solver with its depths is the water, and ends where the bed reaches its level. With --plot, the flooded area and
+the volume of the water, which vtkwater.measure measures in each frame, are drawn over the hours, beside the picture;
+in grey those of the solver's cells. They are larger: the solver fills whole cells, and most of its streams are a cell
+or two wide, while the water in the picture ends where the bed rises above its level.
 """
 
 import argparse
@@ -10,13 +13,16 @@ import pathlib
 import sys
 
 import numpy as np
+import vtkmodules.vtkRenderingContextOpenGL2  # noqa: F401  draws charts
 from tqdm import tqdm
 from vtkmodules.util.numpy_support import numpy_to_vtk
-from vtkmodules.vtkCommonCore import vtkLookupTable, vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkStructuredGrid
+from vtkmodules.vtkChartsCore import vtkAxis, vtkChart, vtkChartXY
+from vtkmodules.vtkCommonCore import vtkFloatArray, vtkLookupTable, vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkRectf, vtkStructuredGrid, vtkTable
 from vtkmodules.vtkRenderingAnnotation import vtkScalarBarActor
-from vtkmodules.vtkRenderingCore import vtkPolyDataMapper
-from vtkwater import movies, vtkWaterActor, vtkWaterSurfaceFilter
+from vtkmodules.vtkRenderingContext2D import vtkContextActor
+from vtkmodules.vtkRenderingCore import vtkPolyDataMapper, vtkRenderer
+from vtkwater import measure, movies, vtkWaterActor, vtkWaterSurfaceFilter
 from vtkwater.errors import ending
 from vtkwater.pictures import png_name
 from vtkwater.readers import surface_of_heights
@@ -26,6 +32,10 @@ FLOOD = pathlib.Path(__file__).resolve().parents[1] / "Data/flood.npz"
 EXAGGERATION = 2.0  # heights are drawn this many times higher than they are
 WET = 0.1  # m: shallower water is not shown
 FRAMES_PER_SECOND = 10.0
+PLOT_WIDTH = 0.36  # of the window
+AREA_COLOR, VOLUME_COLOR = (31, 99, 180), (205, 88, 20)  # of the curves and the titles of their axes
+CELLS_COLOR = 150, 150, 150
+AREA_UNIT, VOLUME_UNIT = 1e6, 1e6  # m2 in km2, m3 in millions of m3
 
 
 def read_flood():
@@ -104,12 +114,79 @@ def add_water(scene, mesh, table):
     return water, surface
 
 
+class Plot:
+    """Two charts at the right of a window: the flooded area (km2) and the volume of the water (million m3) over hours.
+
+    The axes are fixed from the start: they end at the last hour, and 5 % above the largest area (m2) and volume (m3).
+    """
+
+    def __init__(self, scene, last_hour, most_area, most_volume):
+        scene.renderer.SetViewport(0.0, 0.0, 1.0 - PLOT_WIDTH, 1.0)
+        self.renderer = vtkRenderer()
+        self.renderer.SetViewport(1.0 - PLOT_WIDTH, 0.0, 1.0, 1.0)
+        self.renderer.SetBackground(1.0, 1.0, 1.0)
+        scene.window.AddRenderer(self.renderer)
+        self.table = vtkTable()
+        for name in ("hours", "area", "volume", "area of cells", "volume of cells"):
+            column = vtkFloatArray()
+            column.SetName(name)
+            self.table.AddColumn(column)
+        self.actor = vtkContextActor()
+        self.renderer.AddActor(self.actor)
+        width, height = scene.window.GetSize()
+        self.charts = [
+            self._chart(vtkRectf(0, share * height, PLOT_WIDTH * width, height / 2), title, column, color, last_hour,
+                        most)
+            for share, title, column, color, most in (
+                (0.5, "flooded area, km\u00b2 (grey: of whole cells)", 1, AREA_COLOR, most_area / AREA_UNIT),
+                (0.0, "volume, million m\u00b3 (grey: of whole cells)", 2, VOLUME_COLOR, most_volume / VOLUME_UNIT))]
+
+    def _chart(self, place, title, column, color, last_hour, most):
+        chart = vtkChartXY()
+        chart.SetAutoSize(False)
+        chart.SetSize(place)
+        chart.SetTitle(title)
+        chart.GetTitleProperties().SetFontSize(14)
+        chart.GetTitleProperties().SetColor([c / 255 for c in color])
+        for side, text, top in ((vtkAxis.BOTTOM, "hours", last_hour), (vtkAxis.LEFT, "", 1.05 * most)):
+            axis = chart.GetAxis(side)
+            axis.SetTitle(text)
+            axis.SetBehavior(vtkAxis.FIXED)
+            axis.SetRange(0.0, top)
+        for number, paint, width in ((column + 2, CELLS_COLOR, 1.5), (column, color, 3.0)):
+            curve = chart.AddPlot(vtkChart.LINE)
+            curve.SetInputData(self.table, 0, number)
+            curve.SetColor(*paint, 255)
+            curve.SetWidth(width)
+            curve.SetVisible(False)
+        self.actor.GetScene().AddItem(chart)
+        return chart
+
+    def add(self, hour, measured, of_cells):
+        """Add areas and volumes (m2, m3) at an hour to the curves: of the picture, and of the solver's cells."""
+        units = AREA_UNIT, VOLUME_UNIT
+        for i, value in enumerate((hour, *np.divide(measured, units), *np.divide(of_cells, units))):
+            self.table.GetColumn(i).InsertNextValue(value)
+        self.table.Modified()
+        for chart in self.charts:
+            for i in range(chart.GetNumberOfPlots()):
+                chart.GetPlot(i).SetVisible(self.table.GetNumberOfRows() > 1)  # VTK draws no line through one point
+                chart.GetPlot(i).Modified()
+
+
+def totals_of_cells(depth, spacing):
+    """Area (m2) and volume (m3) of the cells that are wet, as the solver counts them: each as deep as its point."""
+    wet = depth > WET
+    return np.array((wet.sum(), depth[wet].sum())) * np.prod(spacing)
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("movie", nargs="?", default="rain_flood.gif",
                         help=f"{', '.join(movies.KINDS)}; default: %(default)s")
     parser.add_argument("--frames", type=int, default=60, help="default: %(default)s")
     parser.add_argument("--picture", type=png_name, metavar="FILE.png", help="the last frame, besides")
+    parser.add_argument("--plot", action="store_true", help="flooded area and volume over time, beside the picture")
     arguments = parser.parse_args()
     depths, hours, bed, spacing = read_flood()
     wet = depths > WET
@@ -123,6 +200,8 @@ def main():
     water, surface = add_water(scene, mesh, hours_table(hours[-1]))
     scene.set_sun(170.0, 42.0)
     scene.look(azimuth=110.0, height=42.0, zoom=1.0)
+    most = np.max([totals_of_cells(depth, spacing) for depth in depths], axis=0)
+    plot = Plot(scene, hours[-1], *most) if arguments.plot else None
     with movies.open_movie(arguments.movie, FRAMES_PER_SECOND) as movie, movies.interrupts() as is_stopped:
         for i in tqdm(range(arguments.frames)):
             if is_stopped():
@@ -130,9 +209,13 @@ def main():
             # between two steps of the solver
             step = (len(hours) - 1) * i / max(arguments.frames - 1, 1)
             first = min(int(step), len(hours) - 2)
-            set_array(mesh, "depth", depths[first] + (step - first) * (depths[first + 1] - depths[first]))
+            depth = depths[first] + (step - first) * (depths[first + 1] - depths[first])
+            set_array(mesh, "depth", depth)
             surface.Update()
             water.SetLevel(surface.GetMeanLevel())
+            if plot:
+                hour = np.interp(step, range(len(hours)), hours)
+                plot.add(hour, measure.flooded(water), totals_of_cells(depth, spacing))
             movie.add(scene.picture())
         if arguments.picture:
             scene.write(arguments.picture)
