@@ -174,12 +174,6 @@ class Plot:
                 chart.GetPlot(i).Modified()
 
 
-def totals_of_cells(depth, spacing):
-    """Area (m2) and volume (m3) of the cells that are wet, as the solver counts them: each as deep as its point."""
-    wet = depth > WET
-    return np.array((wet.sum(), depth[wet].sum())) * np.prod(spacing)
-
-
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("movie", nargs="?", default="rain_flood.gif",
@@ -200,7 +194,10 @@ def main():
     water, surface = add_water(scene, mesh, hours_table(hours[-1]))
     scene.set_sun(170.0, 42.0)
     scene.look(azimuth=110.0, height=42.0, zoom=1.0)
-    most = np.max([totals_of_cells(depth, spacing) for depth in depths], axis=0)
+    most = np.zeros(2)
+    for depth in depths if arguments.plot else ():
+        set_array(mesh, "depth", depth)
+        most = np.maximum(most, measure.flooded_cells(mesh, "depth", WET))
     plot = Plot(scene, hours[-1], *most) if arguments.plot else None
     with movies.open_movie(arguments.movie, FRAMES_PER_SECOND) as movie, movies.interrupts() as is_stopped:
         for i in tqdm(range(arguments.frames)):
@@ -215,7 +212,7 @@ def main():
             water.SetLevel(surface.GetMeanLevel())
             if plot:
                 hour = np.interp(step, range(len(hours)), hours)
-                plot.add(hour, measure.flooded(water), totals_of_cells(depth, spacing))
+                plot.add(hour, measure.flooded(water), measure.flooded_cells(mesh, "depth", WET))
             movie.add(scene.picture())
         if arguments.picture:
             scene.write(arguments.picture)

@@ -3,7 +3,8 @@
 
     values = probe(water, [(120.0, 45.0), (130.0, 45.0)])    # {"WaterLevel": ..., "WaterDepth": ..., every array}
     line = shoreline(water, mesh)                            # vtkPolyData, polylines
-    area, volume = flooded(water)
+    area, volume = flooded(water)                           # of the water as it is shown
+    area, volume = flooded_cells(mesh, "depth")              # of the solver's own cells
 
 Everything is measured in plan, over x and y, in the units of the mesh; vertical exaggeration of the picture
 (VerticalScale, a scale of the actor) has no effect. The argument water is the output of a vtkWaterSurfaceFilter, or a
@@ -18,7 +19,7 @@ from vtkmodules.vtkFiltersCore import vtkCleanPolyData, vtkFeatureEdges, vtkStri
 
 from .readers import polygons_of
 
-__all__ = ["flooded", "probe", "shoreline"]
+__all__ = ["flooded", "flooded_cells", "probe", "shoreline"]
 
 DEPTH = "WaterDepth"
 WHOLE = "_vtkwater_whole"  # attribute of an actor: the mapper of all lakes that it stands for
@@ -128,6 +129,9 @@ def shoreline(water, mesh):
 def flooded(water):
     """Return the area that is under water, in plan, and the volume of the water over its bed.
 
+    The water ends where the bed rises above its level, as in the picture. Of a stream that is one or two cells wide,
+    that is much less than the solver's whole cells hold, which are what flooded_cells measures.
+
     Parameters
     ----------
     water : vtkWaterActor, vtkWaterLakes or vtkPolyData
@@ -151,7 +155,7 @@ def flooded(water):
     depth = surface.GetPointData().GetArray(DEPTH)
     depth = None if depth is None else values_of(depth, DEPTH, len(places), "points")
     area, volume = 0.0, 0.0
-    for corners in polygons_by_size(surface):
+    for corners, _ in polygons_by_size(surface):
         middle = 0 if depth is None else depth[corners]
         x, y = (places[corners, axis] - places[corners[:, :1], axis] for axis in (0, 1))
         whole, filled = 0.0, 0.0
@@ -163,6 +167,64 @@ def flooded(water):
         area += float(np.abs(whole).sum())
         volume += float("nan") if depth is None else float((np.sign(whole) * filled).sum())
     return area, volume
+
+
+def flooded_cells(mesh, depth, dry_depth=0.0):
+    """Return the area and the volume of a solver's wet cells: each cell has one depth.
+
+    If the depths are those of points, the cell of a point is its share of the polygons around it: each polygon is
+    divided equally among its corners, as in finite volumes on a median dual mesh (Barth and Jespersen 1989, "The Design
+    and Application of Upwind Schemes on Unstructured Meshes").
+
+    Parameters
+    ----------
+    mesh : vtkDataSet
+        The solver's mesh, the input of the filter.
+    depth : str
+        Name of the array of depths, of points or cells; of points if both have one. NaN is dry.
+    dry_depth : float
+        Cells that are not deeper are dry; 0 or more, in the units of the mesh.
+
+    Returns
+    -------
+    tuple[float, float]
+        In square and cubic units of the mesh.
+
+    Raises
+    ------
+    TypeError
+        If mesh has another type.
+    ValueError
+        If mesh has no such array, if that array has several components or fewer values than points or cells, or if
+        dry_depth is negative or not finite.
+    """
+    if not (hasattr(mesh, "IsA") and mesh.IsA("vtkDataSet")):
+        raise TypeError(f"mesh must be a vtkDataSet, not {type(mesh).__name__}")
+    if not (np.isfinite(dry_depth) and dry_depth >= 0.0):
+        raise ValueError(f"dry_depth is {dry_depth!r}; it must be 0 or more, and finite")
+    surface = polygons_of(mesh)
+    of_points = surface.GetPointData().GetArray(depth)
+    array = of_points or surface.GetCellData().GetArray(depth)
+    if array is None:
+        names = [data.GetArrayName(i) for data in (surface.GetPointData(), surface.GetCellData())
+                 for i in range(data.GetNumberOfArrays()) if data.GetArrayName(i)]
+        raise ValueError(f"the mesh has no array '{depth}'; it has " + (", ".join(names) or "none"))
+    if array.GetNumberOfComponents() != 1:
+        raise ValueError(f"the array '{depth}' has {array.GetNumberOfComponents()} components; it must have 1")
+    count, what = ((surface.GetNumberOfPoints(), "points") if of_points else (surface.GetNumberOfCells(), "cells"))
+    depths = values_of(array, depth, count, what)
+    areas = np.zeros(count)
+    if count:
+        places = vtk_to_numpy(surface.GetPoints().GetData()).astype(float)
+        for corners, numbers in polygons_by_size(surface):
+            x, y = (places[corners, axis] - places[corners[:, :1], axis] for axis in (0, 1))
+            whole = 0.5 * np.abs((x * np.roll(y, -1, axis=1) - np.roll(x, -1, axis=1) * y).sum(axis=1))
+            if of_points:
+                np.add.at(areas, corners, whole[:, None] / corners.shape[1])
+            else:
+                np.add.at(areas, numbers, whole)
+    wet = depths > dry_depth
+    return float(areas[wet].sum()), float((depths[wet] * areas[wet]).sum())
 
 
 def places_of(points):
@@ -264,15 +326,19 @@ def boundary(surface):
 
 
 def polygons_by_size(surface):
-    """Points of the polygons, polygons x corners for each number of corners; strips as triangles."""
+    """Points of the polygons, polygons x corners for each number of corners, and the numbers of their cells; strips as
+    triangles."""
+    first = surface.GetNumberOfVerts() + surface.GetNumberOfLines()
     for cells, is_strips in ((surface.GetPolys(), False), (surface.GetStrips(), True)):
         ends = vtk_to_numpy(cells.GetOffsetsArray())
         points = vtk_to_numpy(cells.GetConnectivityArray())
         sizes = np.diff(ends)
         for size in np.unique(sizes[sizes >= 3]):
             corners = points[ends[:-1][sizes == size][:, None] + np.arange(size)]
+            numbers = first + np.flatnonzero(sizes == size)
             if not is_strips:
-                yield corners
+                yield corners, numbers
                 continue
             for i in range(2, size):
-                yield corners[:, i - 2:i + 1]
+                yield corners[:, i - 2:i + 1], numbers
+        first += cells.GetNumberOfCells()

@@ -240,6 +240,58 @@ def test_without_depths_there_is_no_volume():
     wt.check_equal("of nothing", measure.flooded(vtkPolyData()), (0.0, 0.0))
 
 
+def strip_of(quads, heights=0.0):
+    """Unit squares in a row along x, as polygons."""
+    mesh = vtkPolyData()
+    mesh.SetPoints(vtkPoints())
+    for x in range(quads + 1):
+        for y in (0, 1):
+            mesh.GetPoints().InsertNextPoint(x, y, heights)
+    mesh.SetPolys(vtkCellArray())
+    for x in range(quads):
+        mesh.GetPolys().InsertNextCell(4, (2 * x, 2 * x + 2, 2 * x + 3, 2 * x + 1))
+    return mesh
+
+
+def test_cells_have_one_depth():
+    mesh = strip_of(4)
+    add_array(mesh, "of cells", np.array((1.0, 0.5, np.nan, 2.0)), of_cells=True)
+    wt.check_equal("area, volume", measure.flooded_cells(mesh, "of cells"), (3.0, 3.5))
+    wt.check_equal("deeper than 0.5", measure.flooded_cells(mesh, "of cells", 0.5), (2.0, 3.0))
+
+
+def test_the_cell_of_a_point_is_its_share_of_the_polygons_around_it():
+    """A point at the corner of a square has a quarter of it; one between two, two quarters."""
+    mesh = strip_of(4)
+    depths = np.zeros(10)
+    depths[[0, 4]] = 1.0, 3.0  # a corner, and a point between two squares
+    add_array(mesh, "h", depths)
+    wt.check_equal("area, volume", measure.flooded_cells(mesh, "h"), (0.75, 1.75))
+    mesh.SetPolys(vtkCellArray())
+    mesh.SetStrips(vtkCellArray())
+    mesh.GetStrips().InsertNextCell(4, (0, 2, 1, 3))  # two triangles: the first point is a corner of one
+    wt.check_at_most("of a strip, off by", float(np.abs(np.subtract(measure.flooded_cells(mesh, "h"), 1 / 6)).max()),
+                     1e-12)
+
+
+def test_cells_of_a_sloping_lake_hold_its_water():
+    """Where the mesh is fine the totals of both ways agree."""
+    _, surface, mesh = slope()
+    area, volume = measure.flooded_cells(mesh, "h")
+    wanted = measure.flooded(surface)
+    wt.check_at_most("area off by, of it", abs(area / wanted[0] - 1.0), 0.05)
+    wt.check_at_most("volume off by, of it", abs(volume / wanted[1] - 1.0), 0.01)
+
+
+@pytest.mark.parametrize("arguments, error, words", (
+    ((3.0, "h"), TypeError, "mesh must be a vtkDataSet, not float"),
+    ((strip_of(1), "h"), ValueError, "the mesh has no array 'h'; it has none"),
+    ((strip_of(1), "h", -1.0), ValueError, "dry_depth is -1.0; it must be 0 or more, and finite")))
+def test_totals_of_cells_that_there_are_not(arguments, error, words):
+    with pytest.raises(error, match=words):
+        measure.flooded_cells(*arguments)
+
+
 @pytest.mark.parametrize("scale", (1.0, 3.0))
 def test_a_pick_gives_the_point_and_its_values(scale):
     """As the guide has it: VTK's picker finds the place, and a probe tells what is there."""
