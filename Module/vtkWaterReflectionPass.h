@@ -109,7 +109,8 @@ public:
     UNCHANGED_VIEWS = 1 << 3, ///< a mirrored view equal to the previous one
     SHARED_VIEWS = 1 << 4,    ///< a mirrored view that another sheet of the same plane has
     PROPS = 1 << 5,           ///< props that no visible water reflects
-    PIECES = 1 << 6,          ///< parts of large meshes that no visible water reflects
+    PIECES = 1 << 6,          ///< parts of large meshes, and blocks of composite data, that no
+                              ///< visible water reflects
     PIXELS = 1 << 7,          ///< pixels of the mirrored view that no visible water reflects; with
                               ///< PROPS and PIECES also what only hidden pixels of water reflect
     SKIP_ALL = (1 << 8) - 1
