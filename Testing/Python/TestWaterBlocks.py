@@ -260,8 +260,18 @@ class Scene:
             yield self.view.picture()
 
 
+PLATFORMS = {"software": "1", "GPU": "0"}  # a GPU as far as it can be had: values of VTK_WATER_SOFTWARE
+
+
+@pytest.fixture(params=PLATFORMS)
+def platform(request, monkeypatch):
+    """Whether blocks are left out as in software or as on a GPU; its name."""
+    monkeypatch.setenv("VTK_WATER_SOFTWARE", PLATFORMS[request.param])
+    return request.param
+
+
 @pytest.mark.parametrize("name", SCENES)
-def test_pictures_are_those_with_all_blocks(name):
+def test_pictures_are_those_with_all_blocks(name, platform):
     """A walk round the blocks shows the same with all skips as with none, in the main view, too."""
     sheet, fill = SCENES[name]
     full = Scene(fill, sheet, Pass.SKIP_NONE)
@@ -297,7 +307,7 @@ def needed(scene):
     return count
 
 
-def test_blocks_are_left_out():
+def test_blocks_are_left_out(platform):
     """Those drawn are few more than those that the mirrored view shows; without the skip all are drawn."""
     fill = lambda renderer: add(renderer, kept())  # noqa: E731
     of_one = kept()[0].GetNumberOfCells() * 2
