@@ -9,6 +9,8 @@
 #include "vtkWaterAccessBlocks.h"
 #include "vtkWaterMeshTraits.h"
 
+#include <new>
+
 //------------------------------------------------------------------------------
 vtkWaterBlocks::~vtkWaterBlocks()
 {
@@ -34,17 +36,24 @@ void vtkWaterBlocks::Hide(const water_plan& plan, vtkAbstractMapper* anyMapper, 
   water_clusters_view_make(
     &plan, &this->Target, 0, 1, false, &actor->GetMatrix()->Element[0][0], origin, &view);
   this->Mapper = mapper;
-  bool haveTextures = false;
-  vtkWaterAccess::BlocksMapper::ForEach(
-    mapper, [&](vtkPolyData* data, bool& isVisible, bool hasTexture) {
-      haveTextures = haveTextures || hasTexture;
-      if (isVisible && water_clusters_place(&view, data->GetBounds()) == WATER_BOX_OUTSIDE)
-      {
-        this->Hidden.push_back(data); // first: it may throw
-        isVisible = false;
-      }
-    });
-  if (haveTextures)
+  bool areAllDrawn = false;
+  try
+  {
+    vtkWaterAccess::BlocksMapper::ForEach(
+      mapper, [&](vtkPolyData* data, bool& isVisible, bool hasTexture) {
+        areAllDrawn = areAllDrawn || hasTexture;
+        if (isVisible && water_clusters_place(&view, data->GetBounds()) == WATER_BOX_OUTSIDE)
+        {
+          this->Hidden.push_back(data); // first: it may throw
+          isVisible = false;
+        }
+      });
+  }
+  catch (const std::bad_alloc&)
+  {
+    areAllDrawn = true;
+  }
+  if (areAllDrawn)
   {
     this->TakeBack();
   }
