@@ -134,6 +134,14 @@ void vtkWaterReflectionPass::SetController(vtkMultiProcessController* controller
   {
     this->Reflection->Ranks.SetController(controller);
     this->Modified();
+    const int started = vtkWaterRanks::GetStartedCount();
+    if (this->Reflection->Ranks.GetProcessCount() == 1 && started > 1)
+    {
+      vtkErrorMacro("the controller has 1 process, but MPI has started "
+        << started << ": this rank reflects its own part of the scene alone. Set a controller of "
+        << "all ranks that share the scene, of the MPI that started them; or nullptr for a rank "
+        << "that renders alone.");
+    }
   }
 }
 

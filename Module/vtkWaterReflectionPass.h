@@ -109,7 +109,8 @@ public:
     UNCHANGED_VIEWS = 1 << 3, ///< a mirrored view equal to the previous one
     SHARED_VIEWS = 1 << 4,    ///< a mirrored view that another sheet of the same plane has
     PROPS = 1 << 5,           ///< props that no visible water reflects
-    PIECES = 1 << 6,          ///< parts of large meshes that no visible water reflects
+    PIECES = 1 << 6,          ///< parts of large meshes, and blocks of composite data, that no
+                              ///< visible water reflects
     PIXELS = 1 << 7,          ///< pixels of the mirrored view that no visible water reflects; with
                               ///< PROPS and PIECES also what only hidden pixels of water reflect
     SKIP_ALL = (1 << 8) - 1
@@ -332,7 +333,11 @@ public:
    * correct if these boxes do not overlap. Pixels of textures (normal maps, environment) are not
    * compared. A controller of a single process has no effect. For frames that one rank renders
    * alone, set nullptr on all ranks. vtkWaterLakes does not support ranks: only its first water has
-   * the controller. Source: Documentation/decisions/023-ranks.md. Default is nullptr.
+   * the controller. A controller that is not initialised, or is finalised, is an error of every
+   * frame until another is set, and the water shows its plain colour. A controller of one process
+   * where MPI has started several is an error; the water then reflects this rank's part. MPI itself
+   * ends ranks that render after MPI_Finalize with a controller that is not finalised. Source:
+   * Documentation/decisions/023-ranks.md. Default is nullptr.
    */
   void SetController(vtkMultiProcessController* controller);
   vtkMultiProcessController* GetController() const;

@@ -191,6 +191,13 @@ std::vector<Fault> GetFaults()
   const auto rest = [](double seconds) {
     return [seconds](P) { std::this_thread::sleep_for(std::chrono::duration<double>(seconds)); };
   };
+  // what it sends is that of another version of the water
+  const auto speakAs = [](double version) {
+    return [version](P part) {
+      vtkMultiProcessController* controller = part.Water->GetReflectionPass()->GetController();
+      static_cast<WaterSocketCommunicator*>(controller->GetCommunicator())->Version = version;
+    };
+  };
   return {
     { "leaves before the first frame", OTHERS_END, true, 2, leave, nullptr },
     { "leaves", OTHERS_END, false, 2, leave, nullptr },
@@ -227,6 +234,8 @@ std::vector<Fault> GetFaults()
     { "loses its controller", OTHERS_END, false, 1, noController, nullptr },
     { "rests for long", OTHERS_END, false, 2, rest(2.0 * kWaitLimit), nullptr },
     { "rests a while", ALL_GO_ON, false, 2, rest(0.4 * kWaitLimit), nullptr },
+    { "runs another version", ALL_SAY, true, 2, speakAs(1.0), speakAs(0.0) },
+    { "comes to run an older version", ALL_SAY, false, 1, speakAs(-1.0), speakAs(0.0) },
     { "removes its water", ALL_SAY, false, 2, removeWater,
       [](P part) { part.Renderer->AddActor(part.Water); } },
     { "finalizes its window", ALL_GO_ON, false, 2, [](P part) { part.Window->Finalize(); },
@@ -271,6 +280,12 @@ int Judge(Part& part, const Fault& fault, bool isFaulty)
   {
     part.Render();
     return RIGHT;
+  }
+  const bool isOfVersions = std::string(fault.Name).find("version") != std::string::npos;
+  if (isOfVersions && part.GetError().find("the same version") == std::string::npos)
+  {
+    std::fprintf(stderr, "error: \"%s\"\n", part.GetError().c_str());
+    return WRONG;
   }
   // a water that was removed says nothing
   const bool isSilent = isFaulty && !part.Renderer->HasViewProp(part.Water);

@@ -41,8 +41,12 @@ def run(count):
     """The figures that so many ranks print, by case."""
     done = start(count, *([str(wt.output_folder())] if "WATER_TEST_OUTPUT" in os.environ else []))
     assert done.returncode == 0, done.stdout + done.stderr
+    return cases_of(done.stdout)
+
+
+def cases_of(text):
     cases = {}
-    for line in done.stdout.splitlines():
+    for line in text.splitlines():
         if line.startswith("FIGURES "):
             figures = json.loads(line[len("FIGURES "):])
             cases.setdefault(figures.pop("case"), []).append(figures)
@@ -88,7 +92,7 @@ def test_nothing_is_sent_while_nothing_changes(cases):
 
 def test_ranks_that_differ_say_so(cases):
     """Every rank says it once, none waits, and the picture is as before when they are the same again."""
-    wt.check_equal("faults", len(cases["fault"]), 6)
+    wt.check_equal("faults", len(cases["fault"]), 7)
     for case in cases["fault"]:
         for rank, (said, names_rank, decision, left) in enumerate(case["said"]):
             wt.check_equal(f"{case['fault']}, rank {rank}: errors", said, 1)
@@ -105,6 +109,47 @@ def test_ranks_that_wait_for_one_without_a_controller_are_ended():
     wt.check("exit status", done.returncode, "not 0", done.returncode != 0)
     wt.check_at_most("seconds", time.monotonic() - begun, 30)  # with the start of MPI and Python
     wt.check("says", done.stderr[-300:], "has waited 2 s", "has waited 2 s for the other ranks" in done.stderr)
+
+
+@pytest.mark.parametrize("kind", ("uninitialised", "finalised"))
+def test_controller_that_cannot_speak_is_an_error_of_every_rank(kind):
+    """Said once by the water, not by VTK in every frame; the plain colour is shown, and all is well without it."""
+    done = start(2, "--controller", kind)
+    wt.check_equal(f"{kind}: exit status", done.returncode, 0)
+    wt.check_equal("  errors of VTK", done.stderr.count("Communicator not set"), 0)
+    said = cases_of(done.stdout).get(kind, [])
+    wt.check_equal("  ranks that say something", len(said), 2)
+    for rank in said:
+        wt.check_equal("  errors of the water", len(rank["heard"]), 1)
+        wt.check("  error", rank["left"], "names what to do", "Initialize" in rank["left"] and "Finalize" in rank["left"])
+        wt.check_equal("  the pass prints that it has no communicator", rank["printed"], True)
+        wt.check_at_least("  pixels off the reflection of its part", rank["off own part"], 0.02)
+        wt.check_equal("  error without a controller", rank["left afterwards"], "")
+        wt.check_equal("  pixels off then", rank["off afterwards"], 0)
+
+
+def test_controller_of_one_process_among_several_is_an_error_of_every_rank():
+    """It is set all the same: the rank reflects its own part."""
+    done = start(2, "--controller", "one each")
+    wt.check_equal("exit status", done.returncode, 0)
+    said = cases_of(done.stdout).get("one each", [])
+    wt.check_equal("ranks that say something", len(said), 2)
+    for rank in said:
+        wt.check_equal("errors of the pass", len(rank["heard by pass"]), 1)
+        wt.check("  error", rank["heard by pass"], "names both numbers",
+                 "has 1 process" in rank["heard by pass"][0] and "has started 2" in rank["heard by pass"][0])
+        wt.check_equal("  errors of the water", rank["heard"], [])
+        wt.check_equal("  pixels off the reflection of its part", rank["off own part"], 0)
+
+
+def test_ranks_that_end_mpi_under_a_controller_are_ended():
+    """By MPI itself, which names the call; no rank waits."""
+    begun = time.monotonic()
+    done = start(2, "--controller", "ended")
+    wt.check("exit status", done.returncode, "not 0", done.returncode != 0)
+    wt.check("says", done.stderr[-300:], "MPI_FINALIZE", "MPI_FINALIZE" in done.stderr.upper())
+    wt.check_equal("ranks that go on", cases_of(done.stdout), {})
+    wt.check_at_most("seconds", time.monotonic() - begun, 20)  # the limit of waiting is as long
 
 
 def test_random_frames_are_the_serial_ones(cases):

@@ -2,12 +2,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """ranks_program: what TestWaterRanks starts with mpirun: a scene that is split over ranks, and its serial picture.
 
-usage: mpirun -np N ranks_program.py [FOLDER | --missing | --frames NUMBER]
+usage: mpirun -np N ranks_program.py [FOLDER | --missing | --frames NUMBER | --controller KIND]
 
 Every rank renders its part; the pictures are put together by depth, as a sort-last renderer does, and
 compared on rank 0 with the picture of a window that has all of it. Prints a line of JSON a case on rank 0.
 FOLDER: where pictures go. --frames: random frames alone, so many. --missing: the last rank has no
-controller, and the others may wait for 2 s.
+controller, and the others may wait for 2 s. --controller: all have one that is not initialised, or is
+finalised, or they end MPI under it, or each has one of its own; each rank prints a line.
 """
 
 import ctypes
@@ -22,7 +23,7 @@ from vtkmodules import vtkParallelMPI
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkFloatArray
 
-from vtkwater import vtkWaterActor
+from vtkwater import vtkWaterActor, vtkWaterProperty
 
 SIZE = (320, 240)
 SHEET = (-9, 9, -9, 9)
@@ -353,7 +354,10 @@ def part_company(ranks):
     second.SetLevel(1.0)
     second.GetReflectionPass().SetController(ranks.controller)
     wt.errors_of(second)  # they are not for the log
+    look, lake = water.GetWaterProperty(), vtkWaterProperty()
+    lake.SetPreset("lake")
     faults = {
+        "preset": (lambda: water.SetWaterProperty(lake), lambda: water.SetWaterProperty(look)),
         "look": (lambda: water.GetWaterProperty().SetIndexOfRefraction(1.5),
                  lambda: water.GetWaterProperty().SetIndexOfRefraction(1.333)),
         "time": (lambda: water.SetTime(3), lambda: water.SetTime(0)),
@@ -447,7 +451,47 @@ def be_missing(ranks):
     time.sleep(60)
 
 
+def settle_apart(kind):
+    """A controller that cannot join the ranks: what each says, whether its picture is right, and that of no controller."""
+    ranks = None if kind == "uninitialised" else Ranks()
+    rank = ranks.rank if ranks else 0
+    mine = lambda number: number % 2 == rank  # noqa: E731
+    view, alone = make_view(mine, "calm"), make_view(mine, "calm")
+    reflection = view.water.GetReflectionPass()
+    reflection.SetRankWaitLimit(20)
+    heard, heard_by_pass = wt.errors_of(view.water), wt.errors_of(reflection)
+    if kind == "uninitialised":
+        reflection.SetController(vtkParallelMPI.vtkMPIController())
+    elif kind == "one each":
+        reflection.SetController(ranks.controller.PartitionController(rank, 0))
+    else:
+        reflection.SetController(ranks.controller)
+        view.picture()
+        if kind == "finalised":
+            ranks.end()
+        else:
+            ranks.mpi.MPI_Finalize()
+    for _ in range(3):
+        view.renderer.GetActiveCamera().Azimuth(1)
+        shown = view.picture()
+    text = view.water.GetLastError()
+    printed = str(reflection)
+    reflection.SetController(None)
+    again = view.picture()
+    alone.renderer.GetActiveCamera().DeepCopy(view.renderer.GetActiveCamera())
+    own = alone.picture()
+    print("FIGURES " + json.dumps({
+        "case": kind, "heard": heard, "heard by pass": heard_by_pass, "left": text, "decision": wt.decision_of(view.water),
+        "printed": "no communicator" in printed, "off own part": off(shown, own), "off afterwards": off(again, own),
+        "left afterwards": view.water.GetLastError()}), flush=True)
+    if kind == "one each":
+        ranks.end()
+
+
 def main():
+    if "--controller" in sys.argv:
+        settle_apart(sys.argv[2])
+        return
     ranks = Ranks()
     if "--missing" in sys.argv:
         be_missing(ranks)

@@ -3,6 +3,7 @@
 
 import os
 
+import geometry
 import instruments
 import numpy as np
 import ray_caster
@@ -11,15 +12,20 @@ import water_test as wt
 from instruments import text
 from ratios import compare, terrain
 from report import table
+from TestWaterLarge import mapper_of_blocks
 from timing import Frame
 from tracer import Tracer
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkInformation
+from vtkmodules.vtkCommonDataModel import vtkPartitionedDataSetCollection
+from vtkmodules.vtkRenderingCore import vtkActor
 from vtkwater import vtkWaterReflectionPass
 
 COUNT = 1000
 LIMIT = 80  # % of what could be left out
 POND = (33.6, 35.6, 12.6, 14.6)  # small, in the middle of the terrain's lake
+TILES = 32  # each way: blocks of composite data
+LEFT_OUT, ALL_DRAWN = "blocks left out", "all blocks drawn"
 BESIDE = (17, -5, 0.3), (22, -1, 5)  # between the sides of the view and of what the pond mirrors
 
 TEXT = """
@@ -27,6 +33,11 @@ $count props that water cannot show, under its plane or outside the mirrored vie
 NOT_REFLECTED on each.
 
 $tables
+
+The terrain in $blocks blocks of composite data, which one mapper draws. Blocks that the water cannot show are left out of
+the mirrored view (decision 009).
+
+$composite
 
 Culled work, compared with drawing everything (SKIP_NONE). A prop is needed if one of its points above the plane has its
 mirror image on a pixel of water. Of the fragments, one is needed for each pixel of water that reflects something. This
@@ -48,6 +59,33 @@ def _beside():
     scene = terrain()
     scene.water.SetSheetBounds(*POND)
     return scene, scene.add_things(COUNT, *BESIDE, 0.4)
+
+
+def _in_blocks(scene):
+    data = vtkPartitionedDataSetCollection()
+    for number, tile in enumerate(geometry.terrain(scenes.LEVEL, TILES)):
+        data.SetPartition(number, 0, tile)
+    mapper = mapper_of_blocks()
+    mapper.SetInputDataObject(data)
+    actor = vtkActor()
+    actor.SetMapper(mapper)
+    scene.renderer.AddActor(actor)
+
+
+def _composite(results):
+    plain, ours, whole = (terrain(has_water, fill=_in_blocks) for has_water in (False, True, True))
+    whole.water.GetReflectionPass().SetSkips(
+        vtkWaterReflectionPass.SKIP_ALL & ~vtkWaterReflectionPass.PIECES
+    )
+    for scene in (ours, whole):
+        scene.stand(1)
+    apart = int((ours.view.picture() != whole.view.picture()).any(axis=2).sum())
+    results.check_at_most("composite data: pixels that change", apart, 0, 0)
+    frames = [
+        Frame(name, scene.window, scene.step)
+        for name, scene in (("no water", plain), (LEFT_OUT, ours), (ALL_DRAWN, whole))
+    ]
+    return compare(results, "composite data", frames, ((LEFT_OUT, ALL_DRAWN, 1.0),))
 
 
 def _compare(results, title, make):
@@ -195,5 +233,7 @@ def run(results):
         TEXT,
         count=f"{COUNT:,}",
         tables="\n\n".join(tables),
+        blocks=f"{TILES * TILES:,}",
+        composite=_composite(results),
         shares=_shares(results),
     )

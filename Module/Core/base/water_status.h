@@ -77,7 +77,10 @@ extern "C"
     "all ranks must show the same waters: as many of them, visible on all or on none")             \
   X(WATER_RANKS_DIFFERENT_LOOKS,                                                                   \
     "a water must have the same plane, look, time and settings on all ranks")                      \
-  X(WATER_RANKS_BAD_WATER, "a water must be without an error on all ranks")
+  X(WATER_RANKS_BAD_WATER, "a water must be without an error on all ranks")                        \
+  X(WATER_RANKS_NO_COMMUNICATOR,                                                                   \
+    "a controller must have a communicator: from before the first frame (Initialize) until after " \
+    "the last (Finalize)")
 
 typedef enum water_status
 {

@@ -82,7 +82,7 @@ enum // water_settings.skips, a bit each: invisible work that may be skipped
   WATER_MAY_SKIP_UNCHANGED = 1 << 3, // a reflection texture equal to the last one
   WATER_MAY_SKIP_SHARED = 1 << 4,   // a reflection texture that another sheet of the same plane has
   WATER_MAY_SKIP_PROPS = 1 << 5,    // props that no visible water reflects
-  WATER_MAY_SKIP_CLUSTERS = 1 << 6, // parts of large meshes, likewise
+  WATER_MAY_SKIP_CLUSTERS = 1 << 6, // parts of large meshes and blocks of data, likewise
   WATER_MAY_SKIP_PIXELS = 1 << 7,   // pixels of the reflection texture, likewise
   WATER_MAY_SKIP_ALL = (1 << 8) - 1
 };

@@ -58,6 +58,32 @@ private:
   vtkWaterGpuQueries& Queries;
 };
 
+// What a draw leaves out is there again afterwards, even if an observer throws in it.
+class ScopedCuts
+{
+public:
+  ScopedCuts(vtkWaterClipDistance& clipDistance, vtkWaterClusters& clusters, vtkWaterBlocks& blocks)
+    : ClipDistance(clipDistance)
+    , Clusters(clusters)
+    , Blocks(blocks)
+  {
+  }
+  ~ScopedCuts()
+  {
+    this->ClipDistance.Off();
+    this->Clusters.TakeBack();
+    this->Blocks.TakeBack();
+  }
+
+private:
+  ScopedCuts(const ScopedCuts&) = delete;
+  void operator=(const ScopedCuts&) = delete;
+
+  vtkWaterClipDistance& ClipDistance;
+  vtkWaterClusters& Clusters;
+  vtkWaterBlocks& Blocks;
+};
+
 void SetUpOpaque(vtkOpenGLState* state, const water_plan& plan)
 {
   SetViewportAndScissor(state, plan);
@@ -125,6 +151,7 @@ const char* vtkWaterMirroredView::DrawProps(
   view.Props = &draft.Props;
   view.Sky = &draft.Sky;
   view.Clusters = draft.CanCut ? &this->Clusters : nullptr;
+  view.Blocks = &this->Blocks;
   view.ClipDistance = &this->ClipDistance;
   this->SetCamera(renderer, plan);
   vtkWaterScopedCamera scopedCamera(renderer, this->Camera);
@@ -153,6 +180,7 @@ const char* vtkWaterMirroredView::Draw(vtkRenderer* renderer, const water_plan& 
   }
   vtkOpenGLRenderUtilities::MarkDebugEvent("water: mirrored view begins");
   this->Clusters.BeginView(plan, this->Visible, plan.samples, &this->ClipDistance);
+  this->Blocks.BeginView(this->Visible);
   this->HasLayer = false;
   this->HasPeel = false;
   const char* failure = nullptr;
@@ -228,13 +256,10 @@ void vtkWaterMirroredView::SetCamera(vtkRenderer* renderer, const water_plan& pl
 void vtkWaterMirroredView::DrawProp(vtkRenderer* renderer, const Draft& draft, size_t number)
 {
   draft.Hook->SetMayBeCut(draft.Known[number].MayBeCut);
-  {
-    const vtkWaterScopedFacts scopedFacts(draft.Props[number], draft.Known[number]);
-    const vtkWaterScopedWidgets scopedWidgets(renderer, draft.Props[number]);
-    draft.Props[number]->RenderOpaqueGeometry(renderer);
-  }
-  this->ClipDistance.Off();
-  this->Clusters.TakeBack();
+  const ScopedCuts scopedCuts(this->ClipDistance, this->Clusters, this->Blocks);
+  const vtkWaterScopedFacts scopedFacts(draft.Props[number], draft.Known[number]);
+  const vtkWaterScopedWidgets scopedWidgets(renderer, draft.Props[number]);
+  draft.Props[number]->RenderOpaqueGeometry(renderer);
 }
 
 //------------------------------------------------------------------------------

@@ -6,6 +6,7 @@
 
 #include "vtkSmartPointer.h"
 #include "vtkWaterBackground.h"
+#include "vtkWaterBlocks.h"
 #include "vtkWaterClipDistance.h"
 #include "vtkWaterClosedCells.h"
 #include "vtkWaterClusters.h"
@@ -118,6 +119,7 @@ private:
   vtkWaterVisibility Visibility;
   const water_visibility* Visible = nullptr; // of the last one that was drawn, or is about to be
   vtkWaterClusters Clusters;
+  vtkWaterBlocks Blocks;
   vtkWaterClipDistance ClipDistance;
   vtkWaterGpuQueries GpuQueries;
   vtkSmartPointer<vtkTextureObject> Blank;

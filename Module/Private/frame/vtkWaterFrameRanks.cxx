@@ -83,6 +83,11 @@ bool vtkWaterFrame::IsLeftOut(vtkWaterSource& water)
 //------------------------------------------------------------------------------
 bool vtkWaterFrame::Agree(vtkWaterReflection& reflection)
 {
+  if (reflection.Ranks.IsMute())
+  {
+    this->RanksError = reflection.Ranks.DescribeMute();
+    return false;
+  }
   if (!reflection.Ranks.AreSeveral())
   {
     return true;

@@ -4,6 +4,7 @@
 #include "vtkCommunicator.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <cstring>
 #include <limits>
 #include <numeric>
@@ -36,8 +37,37 @@ std::string vtkWaterRanks::GetText() const
   {
     return "(none)";
   }
+  if (this->IsMute())
+  {
+    return "(no communicator)";
+  }
   return "rank " + std::to_string(this->Controller->GetLocalProcessId()) + " of " +
     std::to_string(this->Controller->GetNumberOfProcesses());
+}
+
+//------------------------------------------------------------------------------
+vtkWaterError vtkWaterRanks::DescribeMute() const
+{
+  vtkWaterError error;
+  error.Kind = water_status_text(WATER_RANKS_NO_COMMUNICATOR);
+  error.Text = error.Kind + "; this " + this->Controller->GetClassName() +
+    " has none. The water shows its plain colour; SetController(nullptr) lets it reflect what this "
+    "process has.";
+  return error;
+}
+
+//------------------------------------------------------------------------------
+int vtkWaterRanks::GetStartedCount()
+{
+  for (const char* name : { "OMPI_COMM_WORLD_SIZE", "PMI_SIZE" })
+  {
+    const char* count = std::getenv(name);
+    if (count)
+    {
+      return std::atoi(count);
+    }
+  }
+  return 0;
 }
 
 //------------------------------------------------------------------------------

@@ -36,17 +36,29 @@ public:
   void SetWaitLimit(double seconds);
   double GetWaitLimit() const { return this->WaitLimit; }
 
+  // Does a controller have nothing to speak by? It is not initialised yet, or finalised: VTK prints
+  // an error each time that it is asked for its processes.
+  bool IsMute() const { return this->Controller && !this->Controller->GetCommunicator(); }
+  vtkWaterError DescribeMute() const;
+
   // Are there others? A controller of one process is as good as none.
-  bool AreSeveral() const
+  bool AreSeveral() const { return this->GetProcessCount() > 1; }
+
+  // 0 without a controller that can speak.
+  int GetProcessCount() const
   {
-    return this->Controller && this->Controller->GetNumberOfProcesses() > 1;
+    return this->Controller && !this->IsMute() ? this->Controller->GetNumberOfProcesses() : 0;
   }
+
+  // How many processes MPI has started together with this one, as Open MPI and those of MPICH's
+  // kind tell each; 0: not known.
+  static int GetStartedCount();
 
   // Another number for each controller; 0 without others: a view that ranks have joined is not that
   // of one, and the reverse.
   vtkMTimeType GetStamp() const { return this->AreSeveral() ? this->Stamp : 0; }
 
-  // "rank 1 of 4", or "(none)" without a controller.
+  // "rank 1 of 4", or "(none)" without a controller, "(no communicator)" of one that is mute.
   std::string GetText() const;
 
   // What all ranks know of a frame. false: they differ, and nothing more may be sent in it; or they

@@ -11,6 +11,7 @@
 #include "vtkProperty.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureUnitManager.h"
+#include "vtkWaterBlocks.h"
 #include "vtkWaterClipDistance.h"
 #include "vtkWaterClusters.h"
 #include "vtkWaterCompat.h"
@@ -291,6 +292,7 @@ bool vtkWaterShaderHook::SetShaderParameters(vtkShaderProgram* program, vtkAbstr
     if (this->Mirrored.Clusters)
     {
       this->Mirrored.Clusters->Give(*this->Mirrored.Plan, program, mapper, prop);
+      this->Mirrored.Blocks->Hide(*this->Mirrored.Plan, mapper, prop);
     }
   }
   if (this->DepthWriter)

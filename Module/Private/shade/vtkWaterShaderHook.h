@@ -23,6 +23,7 @@ class vtkOpenGLRenderWindow;
 class vtkOpenGLState;
 class vtkProp;
 class vtkWaterClipDistance;
+class vtkWaterBlocks;
 class vtkWaterClusters;
 class vtkWaterPropRecords;
 struct vtkWaterSkyTextures;
@@ -56,6 +57,7 @@ public:
     const std::vector<vtkProp*>* Props = nullptr;
     const vtkWaterSkyTextures* Sky = nullptr; // of the plan's sky
     vtkWaterClusters* Clusters = nullptr;     // of large meshes, if they may be drawn in clusters
+    vtkWaterBlocks* Blocks = nullptr;         // of composite data, if Clusters is set
     vtkWaterClipDistance* ClipDistance = nullptr;
   };
 

@@ -14,6 +14,7 @@
 #include "vtkShaderProperty.h"
 #include "vtkTexture.h"
 #include "vtkWaterAccess.h"
+#include "vtkWaterAccessBlocks.h"
 #include "vtkWaterProps.h"
 
 #include <algorithm>
@@ -34,6 +35,15 @@ bool HasAlpha(vtkTexture* texture)
 vtkOpenGLPolyDataMapper* vtkWaterMeshTraits::AsPolyDataMapper(vtkAbstractMapper* mapper)
 {
   return mapper && std::strcmp(mapper->GetClassName(), "vtkOpenGLPolyDataMapper") == 0
+    ? static_cast<vtkOpenGLPolyDataMapper*>(mapper)
+    : nullptr;
+}
+
+//------------------------------------------------------------------------------
+vtkOpenGLPolyDataMapper* vtkWaterMeshTraits::AsBlocksMapper(vtkAbstractMapper* mapper)
+{
+  return mapper &&
+      std::strcmp(mapper->GetClassName(), vtkWaterAccess::BlocksMapper::ClassName()) == 0
     ? static_cast<vtkOpenGLPolyDataMapper*>(mapper)
     : nullptr;
 }
@@ -60,6 +70,7 @@ void vtkWaterMeshTraits::ReadShiftAndScale(
   std::fill_n(shift, 3, 0.0);
   std::fill_n(scale, 3, 1.0);
   vtkOpenGLPolyDataMapper* ofMesh = AsPolyDataMapper(mapper);
+  ofMesh = ofMesh ? ofMesh : AsBlocksMapper(mapper);
   vtkOpenGLVertexBufferObject* vertices =
     ofMesh ? vtkWaterAccess::PolyDataMapper::VerticesOf(ofMesh) : nullptr;
   if (vertices && vertices->GetCoordShiftAndScaleEnabled() && vertices->GetShift().size() == 3 &&
@@ -78,6 +89,17 @@ bool vtkWaterMeshTraits::CanBeCut(
     actor->GetProperty()->GetRepresentation() == VTK_SURFACE &&
     !actor->IsRenderingTranslucentPolygonalGeometry() &&
     !program->IsUniformUsed("PrimitiveIDOffset") && !HasOwnShaders(mapper, actor);
+}
+
+//------------------------------------------------------------------------------
+bool vtkWaterMeshTraits::CanLeaveBlocksOut(vtkOpenGLPolyDataMapper* blocks, vtkActor* actor)
+{
+  vtkMapper* parent = vtkWaterAccess::BlocksMapper::ParentOf(blocks); // has the user's observers
+  return parent && vtkWaterProps::IsInWorld(actor) &&
+    actor->GetProperty()->GetRepresentation() == VTK_SURFACE &&
+    !actor->GetProperty()->GetEdgeVisibility() && // wide edges reach beyond their triangles
+    !actor->IsRenderingTranslucentPolygonalGeometry() && !HasOwnShaders(parent, actor) &&
+    !HasOwnShaders(blocks, actor);
 }
 
 //------------------------------------------------------------------------------

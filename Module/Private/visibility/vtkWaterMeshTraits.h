@@ -17,6 +17,9 @@ namespace vtkWaterMeshTraits
 // The mapper, if it is of exactly that class; nullptr: it is not.
 vtkOpenGLPolyDataMapper* AsPolyDataMapper(vtkAbstractMapper* mapper);
 
+// The mapper, if it is what a mapper of composite data draws its blocks with; nullptr: it is not.
+vtkOpenGLPolyDataMapper* AsBlocksMapper(vtkAbstractMapper* mapper);
+
 // May the vertices be elsewhere than the data says?
 bool HasOwnShaders(vtkAbstractMapper* mapper, vtkActor* actor);
 
@@ -30,6 +33,9 @@ void ReadShiftAndScale(vtkAbstractMapper* mapper, double shift[3], double scale[
 // Can the triangles of a mesh be drawn without some of them? Not when the shader counts them to
 // find the data of their cells.
 bool CanBeCut(vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkActor* actor);
+
+// Can it draw its triangles without those of some blocks?
+bool CanLeaveBlocksOut(vtkOpenGLPolyDataMapper* blocks, vtkActor* actor);
 
 // May a pixel have another depth than its triangle, or none? Fragment shaders write depths where an
 // offset tells coincident surfaces apart, and the user's may write or discard anything.
