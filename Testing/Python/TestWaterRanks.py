@@ -45,11 +45,11 @@ def run(count):
 
 
 def cases_of(text):
+    """The figures in a text, by case; mpirun may have joined the lines of two ranks."""
     cases = {}
-    for line in text.splitlines():
-        if line.startswith("FIGURES "):
-            figures = json.loads(line[len("FIGURES "):])
-            cases.setdefault(figures.pop("case"), []).append(figures)
+    for part in text.split("FIGURES ")[1:]:
+        figures, _ = json.JSONDecoder().raw_decode(part)
+        cases.setdefault(figures.pop("case"), []).append(figures)
     return cases
 
 
