@@ -241,6 +241,7 @@ typedef struct water_scene
   bool is_flat;         // all of it lies in the plane, and is drawn no nearer than that
   bool has_scene_depth; // the eye's picture of what hides the surface is at hand, a depth per pixel
   bool is_software;     // there is no GPU: pixels and triangles are expensive, draws are not
+  bool is_beyond;       // the own view is planned, water_beyond.h, and not the mirrored view
   const water_prop* props; // prop_count of them: all props, not only those the eye sees
   size_t prop_count;
   water_look look;
@@ -293,7 +294,8 @@ typedef struct water_plan
   bool is_enclosed;
   double eta; // index beyond the surface / index on the eye's side
 
-  // draw: the mirrored camera, twice: as matrices and in vtkCamera's terms
+  // draw: the mirrored camera, twice: as matrices and in vtkCamera's terms; of an own view the
+  // eye itself, with a wider frustum
   water_camera mirrored;
   double mirrored_position[3];
   double mirrored_focal_point[3]; // at distance 1
@@ -324,8 +326,8 @@ typedef struct water_plan
   double depth_scale;  // reflection texture depth of a point on the water: its depth in the eye's
                        // picture times this,
   double depth_offset; // and this more
-  double reflection_scale[2]; // part of the reflection texture that the eye's own frustum takes,
-                              // per axis, in (0, 1]
+  double reflection_scale[2]; // part of the reflection texture, or of the own view, that the eye's
+                              // own frustum takes, per axis, in (0, 1]
   double reflection_top; // height over the plane of all that is drawn in the reflection texture;
                          // may be infinite
   double reflection_z_infinity; // water_lookup.h

@@ -3,6 +3,7 @@
 // select, clip, shade. Revised in water_plan_revise.c.
 #include "water_plan.h"
 
+#include "water_beyond.h"
 #include "water_camera.h"
 #include "water_daylight.h"
 #include "water_horizon.h"
@@ -73,8 +74,9 @@ static water_status check(const water_scene* scene, checked* result)
   {
     return WATER_BAD_SURFACE;
   }
+  const double texture_scale = scene->is_beyond ? 1.0 : scene->settings.texture_scale;
   status = water_target_size(
-    scene->viewport_px, scene->settings.texture_scale, scene->max_texture_px, result->texture_px);
+    scene->viewport_px, texture_scale, scene->max_texture_px, result->texture_px);
   if (status != WATER_OK)
   {
     return status;
@@ -123,7 +125,7 @@ static water_decision decide(const water_scene* scene, const checked* input)
   {
     return WATER_NO_REFLECT_EDGE_ON;
   }
-  if (scene->look.constant_reflectance && scene->look.reflectance == 0.0)
+  if (scene->look.constant_reflectance && scene->look.reflectance == 0.0 && !scene->is_beyond)
   {
     return WATER_NO_REFLECT_NO_REFLECTANCE;
   }
@@ -142,7 +144,8 @@ static water_decision decide(const water_scene* scene, const checked* input)
   {
     return WATER_NO_REFLECT_HIDDEN;
   }
-  return scene->has_environment ? WATER_NO_REFLECT_ENVIRONMENT : WATER_REFLECT;
+  return scene->has_environment && !scene->is_beyond ? WATER_NO_REFLECT_ENVIRONMENT
+                                                     : WATER_REFLECT;
 }
 
 // Which part of the picture the water covers.
@@ -406,20 +409,23 @@ water_status water_plan_make(const water_scene* scene, water_plan* plan, water_c
     status = fill_view(scene, &input, &plane, &axes, &made);
     double box[4];
     cover(scene, &input, &plane, box);
-    if (status == WATER_OK && made.decision == WATER_REFLECT && is_faint(scene, &input, &made, box))
+    if (status == WATER_OK && made.decision == WATER_REFLECT && !scene->is_beyond &&
+      is_faint(scene, &input, &made, box))
     {
       made.decision = WATER_NO_REFLECT_FAINT;
     }
     if (status == WATER_OK && made.decision == WATER_REFLECT)
     {
       size_t bad_index = 0;
-      status = fill_draw(scene, &input, &plane, box, &made, reasons, &bad_index);
+      status = scene->is_beyond
+        ? water_beyond_plan(scene, &plane, box, &made, reasons, &bad_index)
+        : fill_draw(scene, &input, &plane, box, &made, reasons, &bad_index);
       if (bad_index < scene->prop_count)
       {
         made.bad_index = bad_index;
         props_status = WATER_BAD_PROP_BOUNDS;
       }
-      if (status == WATER_OK)
+      if (status == WATER_OK && !scene->is_beyond)
       {
         status = fill_shade(scene, &input, &axes, &made);
       }

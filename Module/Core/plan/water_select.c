@@ -187,11 +187,12 @@ size_t water_select_props(const water_camera* mirrored, const water_plane* plane
   water_mat4_multiply(mirrored->view_to_clip, mirrored->world_to_view, world_to_clip);
   const double kept[4] = { plane->normal[0], plane->normal[1], plane->normal[2],
     plane->offset + selection->margin };
+  const uint32_t ignored = selection->is_direct ? WATER_PROP_NOT_REFLECTED : 0;
   size_t bad_index = prop_count;
   for (size_t i = 0; i < prop_count; ++i)
   {
     const double* bounds = props[i].bounds;
-    water_cull_reason reason = reason_of_flags(props[i].flags);
+    water_cull_reason reason = reason_of_flags(props[i].flags & ~ignored);
     if (reason != WATER_CULL_NONE || (props[i].flags & WATER_PROP_NO_BOUNDS))
     {
       reasons[i] = reason;

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// water_beyond.h: the own view of clear water: what lies beyond its surface, as the eye itself sees
+// it through the water's plane. It is wider than the picture, because refracted rays leave that.
+//
+// Measured, and the reason for its width: Documentation/decisions/006-lookup.md.
+#ifndef water_beyond_h
+#define water_beyond_h
+
+#include "water_status.h"
+#include "water_types.h"
+
+#ifdef __cplusplus
+extern "C"
+{
+#endif
+
+// Size of the own view: the picture, and a band around it, without a change of the size of its
+// pixels. The picture's pixels are pixels of it.
+//
+// texture_px     no side longer than max_texture_px
+// picture_scale  part of it per axis that is the picture, in (0, 1]
+//
+// Returns WATER_OK, WATER_BAD_VIEWPORT or WATER_TEXTURE_TOO_LARGE.
+water_status water_beyond_size(
+  const int viewport_px[2], int max_texture_px, int texture_px[2], double picture_scale[2]);
+
+// Widens a part of the picture that water covers, seen from above, by where its refracted rays are
+// looked up. Calm and level water bends a view ray towards the plumb line, so that its image goes
+// from its pixel towards the place where plumb lines vanish. Beside an object that hides the bed,
+// places to its left and right are looked up: all of the width.
+//
+// dir_to_eye  of the plan
+// box         low x, low y, high x, high y in NDC of the eye; may become infinite
+void water_beyond_reach(const double dir_to_eye[12], double box[4]);
+
+// The clip of the own view in the eye's view space: kept side >= 0.
+//
+// plane_view  the plane in the eye's view space, normal towards the eye
+// margin      how far the surface may rise towards the eye, >= 0
+void water_beyond_clip_view(const double plane_view[4], double margin, double clip_plane_view[4]);
+
+// A point in clip space of the eye -> a number, as a row: the same for clip space of the own view.
+//
+// row  may be the same as of_own_view
+void water_beyond_row(const double row[4], const double picture_scale[2], double of_own_view[4]);
+
+// A direction in the plane's axes -> clip of the eye: the same for the own view.
+void water_beyond_dirs(
+  const double dir_to_eye[12], const double picture_scale[2], double dir_to_own_view[12]);
+
+// Fills what a plan knows of the own view: camera, size, clip, and the reason of every prop.
+//
+// plane  normalised, normal towards the eye
+// box    of the picture that the water covers, NDC of the eye
+// plan   the fields of the view are set
+// bad_index  the first prop that is drawn although its bounds are not finite; prop_count: none is
+//
+// Returns WATER_OK or the status of what cannot be planned.
+water_status water_beyond_plan(const water_scene* scene, const water_plane* plane,
+  const double box[4], water_plan* plan, water_cull_reason* reasons, size_t* bad_index);
+
+#ifdef __cplusplus
+}
+#endif
+#endif
