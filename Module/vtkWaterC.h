@@ -130,6 +130,11 @@ VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_actor_set_opacity(
 VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_actor_set_refraction(
   vtk_water_actor* actor, int refraction);
 
+/* Sets where refracted colours come from. 1: an additional view of what lies below the water, wider
+ * than the picture; 0: the picture. Needs refraction. Default 0. */
+VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_actor_set_own_view(
+  vtk_water_actor* actor, int own_view);
+
 /* Sets Jerlov's optical water type, which attenuates what is visible through the surface: "I",
  * "IA", "IB", "II", "III", "1C", "3C", "5C", "7C" or "9C". */
 VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_actor_set_water_type(

@@ -7,6 +7,7 @@
 #include "vtkWaterCInternals.h"
 
 #include <cstring>
+#include <functional>
 
 using namespace vtkWaterC;
 
@@ -32,8 +33,8 @@ vtkSmartPointer<vtkTexture> MakeTexture(const unsigned char* pixels, int width, 
 }
 
 // A setting that is 0 or 1.
-vtk_water_status Switch(
-  vtk_water_actor* actor, const char* name, int value, void (vtkWaterProperty::*set)(bool))
+template <typename Set>
+vtk_water_status Switch(vtk_water_actor* actor, const char* name, int value, const Set& set)
 {
   if (value != 0 && value != 1)
   {
@@ -42,7 +43,8 @@ vtk_water_status Switch(
         std::string(name) + " is " + std::to_string(value) + "; it must be 0 or 1");
     });
   }
-  return Change(actor, [=](vtkWaterActor*, vtkWaterProperty* look) { (look->*set)(value == 1); });
+  return Change(
+    actor, [=](vtkWaterActor*, vtkWaterProperty* look) { std::invoke(set, look, value == 1); });
 }
 }
 
@@ -122,6 +124,13 @@ vtk_water_status vtk_water_actor_set_opacity(vtk_water_actor* actor, double opac
 vtk_water_status vtk_water_actor_set_refraction(vtk_water_actor* actor, int refraction)
 {
   return Switch(actor, "refraction", refraction, &vtkWaterProperty::SetRefraction);
+}
+
+vtk_water_status vtk_water_actor_set_own_view(vtk_water_actor* actor, int own_view)
+{
+  return Switch(actor, "own_view", own_view, [](vtkWaterProperty* look, bool isOn) {
+    look->SetRefractionSource(isOn ? vtkWaterProperty::OWN_VIEW : vtkWaterProperty::PICTURE);
+  });
 }
 
 vtk_water_status vtk_water_actor_set_water_type(vtk_water_actor* actor, const char* name)

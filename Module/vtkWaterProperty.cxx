@@ -195,6 +195,12 @@ void vtkWaterProperty::SetRefraction(bool refraction)
 }
 
 //------------------------------------------------------------------------------
+void vtkWaterProperty::SetRefractionSource(int source)
+{
+  vtkWaterSetInRange(RefractionSource, source, PICTURE, OWN_VIEW);
+}
+
+//------------------------------------------------------------------------------
 void vtkWaterProperty::SetMedium(
   const char* name, double (vtkWaterProperty::*member)[3], const double value[3])
 {
@@ -360,6 +366,7 @@ void vtkWaterProperty::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "DeepColor: (" << this->DeepColor[0] << ", " << this->DeepColor[1] << ", "
      << this->DeepColor[2] << ")\n";
   os << indent << "Refraction: " << (this->Refraction ? "on" : "off") << "\n";
+  os << indent << "RefractionSource: " << this->GetRefractionSourceAsString() << "\n";
   os << indent << "Absorption: (" << this->Absorption[0] << ", " << this->Absorption[1] << ", "
      << this->Absorption[2] << ")\n";
   os << indent << "Scattering: (" << this->Scattering[0] << ", " << this->Scattering[1] << ", "

@@ -83,14 +83,36 @@ public:
   /**
    * Whether the scene is visible through the surface. It is refracted by Snell's law and attenuated
    * by Absorption and Scattering along its path through the water; with a longer path it fades into
-   * DeepColor. The refracted colours are read from the main picture; no extra view of the scene is
-   * rendered. The water is therefore drawn after all other opaque props, and translucent props and
-   * volumes are not visible through it. No effect if Opacity is below 1. Default is off: the water
-   * shows only DeepColor.
+   * DeepColor. RefractionSource says where the refracted colours come from. No effect if Opacity is
+   * below 1. Default is off: the water shows only DeepColor.
    */
   void SetRefraction(bool refraction);
   vtkGetMacro(Refraction, bool);
   vtkBooleanMacro(Refraction, bool);
+  ///@}
+
+  enum RefractionSources
+  {
+    PICTURE = 0,
+    OWN_VIEW = 1
+  };
+
+  ///@{
+  /**
+   * Where the refracted colours come from (RefractionSources). PICTURE: the main picture; no extra
+   * view of the scene is rendered. What lies outside the picture or behind objects above the water
+   * is guessed from what is near it, and translucent props and volumes are not visible through the
+   * water. OWN_VIEW: an additional view of the scene beyond the surface, twice as wide and high as
+   * the picture and without everything on the near side of the water's plane. It is rendered when
+   * the camera or the scene has changed, not when only the waves have. Rulers, axes and labels are
+   * not in it. With several ranks, or if the GPU has no memory for it, PICTURE is used. Needs
+   * Refraction. Default is PICTURE.
+   */
+  void SetRefractionSource(int source);
+  vtkGetMacro(RefractionSource, int);
+  void SetRefractionSourceToPicture() { this->SetRefractionSource(PICTURE); }
+  void SetRefractionSourceToOwnView() { this->SetRefractionSource(OWN_VIEW); }
+  const char* GetRefractionSourceAsString() const;
   ///@}
 
   ///@{
@@ -887,6 +909,7 @@ private:
   double Reflectance = 1.0;
   double IndexOfRefraction = 1.333;
   bool Refraction = false;
+  int RefractionSource = PICTURE;
   double Absorption[3] = { 0.0, 0.0, 0.0 };
   double Scattering[3] = { 0.0, 0.0, 0.0 };
   int DeepColorMode = MEDIUM;

@@ -19,6 +19,7 @@ void vtkWaterProperty::DeepCopy(vtkWaterProperty* other)
   this->Reflectance = other->Reflectance;
   this->IndexOfRefraction = other->IndexOfRefraction;
   this->Refraction = other->Refraction;
+  this->RefractionSource = other->RefractionSource;
   std::copy_n(other->Absorption, 3, this->Absorption);
   std::copy_n(other->Scattering, 3, this->Scattering);
   this->DeepColorMode = other->DeepColorMode;

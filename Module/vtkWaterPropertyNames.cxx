@@ -98,6 +98,12 @@ const char* vtkWaterProperty::GetReflectionSourceAsString() const
 }
 
 //------------------------------------------------------------------------------
+const char* vtkWaterProperty::GetRefractionSourceAsString() const
+{
+  return this->RefractionSource == OWN_VIEW ? "OWN_VIEW" : "PICTURE";
+}
+
+//------------------------------------------------------------------------------
 const char* vtkWaterProperty::GetSeaModelAsString() const
 {
   return this->SeaModel == PHILLIPS ? "PHILLIPS" : "JONSWAP";

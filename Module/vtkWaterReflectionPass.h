@@ -244,6 +244,17 @@ public:
    */
   vtkIdType GetNumberOfReflectionRenders() const;
 
+  ///@{
+  /**
+   * The same for the additional view of what lies below clear water
+   * (vtkWaterProperty::SetRefractionSourceToOwnView): the number of views rendered since the pass
+   * was made, the decision for the last frame (Decisions), and its text.
+   */
+  vtkIdType GetNumberOfOwnViewRenders() const;
+  int GetOwnViewDecision() const;
+  const char* GetOwnViewDecisionAsString() const;
+  ///@}
+
   /**
    * Number of props in the last mirrored view.
    */

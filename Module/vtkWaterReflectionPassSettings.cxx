@@ -312,6 +312,24 @@ vtkIdType vtkWaterReflectionPass::GetNumberOfReflectionRenders() const
 }
 
 //------------------------------------------------------------------------------
+vtkIdType vtkWaterReflectionPass::GetNumberOfOwnViewRenders() const
+{
+  return this->Reflection->GetReport().OwnViewRenderCount;
+}
+
+//------------------------------------------------------------------------------
+int vtkWaterReflectionPass::GetOwnViewDecision() const
+{
+  return this->Reflection->GetReport().OwnViewDecision;
+}
+
+//------------------------------------------------------------------------------
+const char* vtkWaterReflectionPass::GetOwnViewDecisionAsString() const
+{
+  return water_decision_text(this->Reflection->GetReport().OwnViewDecision);
+}
+
+//------------------------------------------------------------------------------
 vtkTextureObject* vtkWaterReflectionPass::GetReflectionTexture()
 {
   return this->Reflection->GetColor();
@@ -428,6 +446,8 @@ void vtkWaterReflectionPass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "RankWaitLimit: " << this->GetRankWaitLimit() << " s\n";
   os << indent << "ShowReflection: " << (this->ShowReflection ? "on" : "off") << "\n";
   os << indent << "NumberOfReflectionRenders: " << this->GetNumberOfReflectionRenders() << "\n";
+  os << indent << "NumberOfOwnViewRenders: " << this->GetNumberOfOwnViewRenders() << "\n";
+  os << indent << "Last own view: " << this->GetOwnViewDecisionAsString() << "\n";
   os << indent << "Last plan: " << this->GetDecisionAsString() << "\n";
   const water_plan& plan = this->Reflection->GetPlan();
   if (this->GetDecision() == RENDERED || this->GetDecision() == REUSED)

@@ -161,6 +161,9 @@ def add_scene_arguments(parser):
     water.add_argument("--refraction", action=argparse.BooleanOptionalAction,
                        help="whether the scene is visible through the surface; default: as in the preset; "
                             "without a preset yes, unless --color or --opacity is given")
+    water.add_argument("--own-view", action=argparse.BooleanOptionalAction,
+                       help="whether the refracted colours come from an additional view of what lies below the water, "
+                            "wider than the picture; turns refraction on; default no")
     water.add_argument("--whitecaps", type=number(0.0, 10.0), nargs="?", const=True, metavar="S",
                        help="foam where the crests of a wind sea break; the number is the time in seconds after which "
                             "1/e of it is left, 3.5 without a number, 0: it goes with the crest")

@@ -29,8 +29,8 @@ class Failure(Exception):
 def words_of(arguments):
     """The command line's settings of the look, for set_look."""
     blows = arguments.wind if arguments.wind_direction is None else (arguments.wind, arguments.wind_direction)
-    same = ("preset", "waves", "whitecaps", "color", "opacity", "refraction", "foam", "caustics", "shadows",
-            "dome_port", "quality", "units")
+    same = ("preset", "waves", "whitecaps", "color", "opacity", "refraction", "own_view", "foam", "caustics",
+            "shadows", "dome_port", "quality", "units")
     return {"wind": blows, **{word: getattr(arguments, word) for word in same}}
 
 

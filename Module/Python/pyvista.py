@@ -49,6 +49,7 @@ def add_water(
     wind=None,
     whitecaps=None,
     refraction=None,
+    own_view=None,
     foam=None,
     caustics=None,
     light_shafts=None,
@@ -125,6 +126,11 @@ def add_water(
     refraction : bool, optional
         Whether the scene is visible through the surface, refracted and attenuated. By default the preset decides.
         Without a preset the default is True, unless ``color`` or ``opacity`` is given.
+
+    own_view : bool, optional
+        Whether the refracted colours come from an additional view of what lies below the water, twice as wide and
+        high as the picture: things outside the picture, behind objects above the water, and translucent ones are then
+        visible through the water. Turns refraction on. The default is False: they come from the picture.
 
     foam : float | bool, optional
         Depth in metres below which the shore foams, finite and not negative; True means 0.25, and
@@ -283,7 +289,7 @@ def add_water(
         check_flow(surface, flow)
     if color_by is not None:
         color_surface(mapper, surface, color_by, cmap, clim)
-        if refraction is None and not any((foam, caustics, light_shafts, dome_port)) and data_opacity in (None, 1):
+        if refraction is None and not any((own_view, foam, caustics, light_shafts, dome_port)) and data_opacity in (None, 1):
             refraction = False  # the data hide what it would show
     has_level = data is None and level is not None
     plane_origin, plane_normal = plane_of(finite("level", level) if has_level else 0.0, normal, origin, scale)
@@ -305,8 +311,8 @@ def add_water(
         actor.GetPlane().SetNormal(plane_normal)
     set_look(look, preset=preset, waves=waves, wind=wind, whitecaps=whitecaps,
              color=None if color is None else color_of(color),
-             opacity=opacity, refraction=refraction, foam=foam, caustics=caustics, light_shafts=light_shafts,
-             shadows=shadows, dome_port=dome_port, quality=quality, units=units)
+             opacity=opacity, refraction=refraction, own_view=own_view, foam=foam, caustics=caustics,
+             light_shafts=light_shafts, shadows=shadows, dome_port=dome_port, quality=quality, units=units)
     if flow is not None and not has_waves(look):
         raise ValueError(f"flow is {flow!r}, but the water is calm: add wind, waves or a preset with waves")
     with raising(actor, SheetBounds="bounds", Time="time"):

@@ -28,7 +28,8 @@ STEEPEST = 0.142  # height by length at which a wave in deep water breaks (Miche
 
 
 def set_look(look, *, preset=None, waves=None, wind=None, whitecaps=None, color=None, opacity=None, refraction=None,
-             foam=None, caustics=None, light_shafts=None, shadows=None, dome_port=None, quality=None, units=None):
+             own_view=None, foam=None, caustics=None, light_shafts=None, shadows=None, dome_port=None, quality=None,
+             units=None):
     """Apply these settings to a new vtkWaterProperty.
 
     Parameters
@@ -53,6 +54,9 @@ def set_look(look, *, preset=None, waves=None, wind=None, whitecaps=None, color=
     refraction : bool
         Whether the scene is visible through the surface. By default the preset decides. Without a preset the default
         is True, unless color or opacity is given.
+    own_view : bool
+        Whether the refracted colours come from an additional view of what lies below the water, wider than the
+        picture. It needs refraction and turns it on.
     foam : float | bool
         Depth in metres below which the shore foams, finite and not negative; True means 0.25, and with automatic
         units at least 1/400 of the scene's diagonal. Foam needs refraction and turns it on.
@@ -90,6 +94,8 @@ def set_look(look, *, preset=None, waves=None, wind=None, whitecaps=None, color=
     port = None if dome_port is None else radius_of(dome_port)
     if refraction is not None:
         refraction = flag("refraction", refraction)
+    if own_view is not None:
+        own_view = flag("own_view", own_view)
     if shadows is not None:
         shadows = flag("shadows", shadows)
     if quality is not None and of_type("quality", quality, str) not in QUALITIES:
@@ -113,8 +119,9 @@ def set_look(look, *, preset=None, waves=None, wind=None, whitecaps=None, color=
     if white and not look.GetSea():
         raise ValueError(f"whitecaps is {whitecaps!r}, but there is no wind sea: add wind")
     through = {"refraction": bool(refraction), "foam": bool(foam_depth), "caustics": bool(strength),
-               "light_shafts": bool(shafts), "dome_port": bool(port)}
-    given = {"foam": foam, "caustics": caustics, "light_shafts": light_shafts, "dome_port": dome_port}
+               "light_shafts": bool(shafts), "dome_port": bool(port), "own_view": bool(own_view)}
+    given = {"foam": foam, "caustics": caustics, "light_shafts": light_shafts, "dome_port": dome_port,
+             "own_view": own_view}
     check_through(look, preset, refraction, share, through, given)
     for name in ("caustics", "light_shafts"):
         if through[name] and not has_waves(look):
@@ -127,6 +134,8 @@ def set_look(look, *, preset=None, waves=None, wind=None, whitecaps=None, color=
         set_units(look, units, waves is None or isinstance(waves, Real))
         if refraction is not None or any(through[word] for word in given):
             look.SetRefraction(refraction is not False)
+        if own_view is not None:
+            look.SetRefractionSource(look.OWN_VIEW if own_view else look.PICTURE)
         if foam_depth is not None:
             look.SetFoamDepth(foam_depth)
             look.SetFoamFitsScene(foam is True)

@@ -191,6 +191,7 @@ CALLS = {
     ),
     "opacity": (lambda it: [("vtk_water_actor_set_opacity", it.water, number(0.5))], look_call("SetOpacity", 0.5), 0),
     "refraction": (c_clear("vtk_water_actor_set_refraction", 0), clear("SetRefraction", False), 1),
+    "own view": (c_clear("vtk_water_actor_set_own_view", 1), clear("SetRefractionSource", 1), 1),
     "water type": (c_clear("vtk_water_actor_set_water_type", b"9C"), clear("SetWaterType", "9C"), 1),
     "foam": (c_clear("vtk_water_actor_set_foam", number(0.3)), clear("SetFoamDepth", 0.3), 1),
     "caustics": (c_clear("vtk_water_actor_set_caustics", number(0.9)), clear("SetCaustics", 0.9), 1),
@@ -357,6 +358,13 @@ REFUSALS = (  # name, status, words of the error, function, its arguments for a 
         lambda it: (it.water, 2),
     ),
     ("refraction_null", NULL_ARGUMENT, b"actor is NULL", "vtk_water_actor_set_refraction", lambda it: (None, 1)),
+    (
+        "own_view",
+        BAD_VALUE,
+        b"own_view is -1; it must be 0 or 1",
+        "vtk_water_actor_set_own_view",
+        lambda it: (it.water, -1),
+    ),
     (
         "water_type",
         BAD_VALUE,

@@ -2,10 +2,11 @@
 """random_refraction: random scenes seen through water, drawn by the module and by the tracer; the section "refraction".
 
     PYTHONPATH=<folder of vtkwater> python Utilities/Accuracy/random_refraction.py --seeds 0:50 --folder DIR
-        [--samples 16] [--worst 10] [--own-views FACTOR...]
+        [--samples 16] [--worst 10] [--own-view] [--own-views FACTOR...]
 
---own-views measures what a view of its own of what lies below the water would bring: the module draws a picture
-FACTOR times as wide and high, without all that is over the water's plane, and its middle is compared.
+--own-view also draws each scene with the module's own view of what lies below (SetRefractionSourceToOwnView).
+--own-views measures what such a view of any width would bring: the module draws a picture FACTOR times as wide and
+high, without all that is over the water's plane, and its middle is compared.
 
 Prints a line for each scene, writes DIR/refraction.json and the worst scenes as pictures: the truth, the module, their
 difference, and strange pixels in white over why the picture may lack what is right (refraction_truth.REASONS).
@@ -54,13 +55,14 @@ STRANGE_COLOR = (255, 255, 255)
 
 
 class Result:
-    def __init__(self, seed, samples, own_views=()):
+    def __init__(self, seed, samples, own_views=(), has_own_view=False):
         scene = refraction_generator.make(seed, SIZE)
         look = scene.water.GetWaterProperty()
         look.RefractionOff()
         mask = wt.water_mask(scene.made, scene.water)
         look.RefractionOn()
         self.picture = scene.made.picture()
+        self.of_own_view = None
         truth = self.truth = refraction_truth.Truth(scene, Tracer(scene.made.renderer, scene.origin), SIZE, samples)
         mask = truth.mask = truth.mask & mask
         self.strange = truth.is_strange(self.picture)
@@ -68,13 +70,20 @@ class Result:
                     "RMSE perfect": self._rmse(truth.once), "strange": int(self.strange.sum()),
                     "strange perfect": int(truth.is_strange(truth.once).sum())}
         self._measure_reasons(self.row, self.picture)
+        if has_own_view:
+            look.SetRefractionSourceToOwnView()
+            self.of_own_view = scene.made.picture()
+            look.SetRefractionSourceToPicture()
+            self.row["own view"] = self._row_of(self.of_own_view)
         for factor in own_views:
             _show_own_view(scene, factor)
-            picture = _middle_of(scene.made.picture(), SIZE)
-            of_view = {"RMSE": self._rmse(picture), "strange": int(truth.is_strange(picture).sum()),
-                       **{name: self.row[name] for name in ("water", "RMSE perfect", "strange perfect")}}
-            self._measure_reasons(of_view, picture)
-            self.row[f"own view {factor}"] = of_view
+            self.row[f"own view {factor}"] = self._row_of(_middle_of(scene.made.picture(), SIZE))
+
+    def _row_of(self, picture):
+        row = {"RMSE": self._rmse(picture), "strange": int(self.truth.is_strange(picture).sum()),
+               **{name: self.row[name] for name in ("water", "RMSE perfect", "strange perfect")}}
+        self._measure_reasons(row, picture)
+        return row
 
     def _measure_reasons(self, row, picture):
         """Figures of a picture, by what the picture without water has of refracted rays."""
@@ -104,7 +113,11 @@ class Result:
         why[self.strange] = STRANGE_COLOR
         apart = np.abs(self.picture - truth.picture) * mask[..., None]
         upper = np.concatenate([truth.picture, self.picture], axis=1)
-        return np.concatenate([np.concatenate([apart, why], axis=1), upper]).clip(0, 255)
+        rows = [np.concatenate([apart, why], axis=1), upper]
+        if self.of_own_view is not None:
+            rows[0:0] = [np.concatenate([np.abs(self.of_own_view - truth.picture) * mask[..., None],
+                                         self.of_own_view], axis=1)]
+        return np.concatenate(rows).clip(0, 255)
 
 
 def _show_own_view(scene, factor):
@@ -130,10 +143,10 @@ def _middle_of(picture, size):
     return picture[top:top + size[1], left:left + size[0]]
 
 
-def measure(seeds, samples=SAMPLES, own_views=()):
+def measure(seeds, samples=SAMPLES, own_views=(), has_own_view=False):
     rows, pictures = [], []
     for seed in seeds:
-        result = Result(seed, samples, own_views)
+        result = Result(seed, samples, own_views, has_own_view)
         print(result.line(), flush=True)
         rows.append(result.row)
         pictures.append(result.panels().astype(np.uint8))
@@ -165,17 +178,20 @@ def main():
     parser.add_argument("--folder", type=pathlib.Path, required=True)
     parser.add_argument("--samples", type=int, default=SAMPLES, help="rays a pixel of the truth: a square number")
     parser.add_argument("--worst", type=int, default=10, help="scenes to save as pictures")
+    parser.add_argument("--own-view", action="store_true", help="also with the module's own view of what lies below")
     parser.add_argument("--own-views", type=int, nargs="+", default=(), metavar="FACTOR",
                         help="also as a view of its own of what lies below, FACTOR times as wide and high")
     arguments = parser.parse_args()
     first, _, end = arguments.seeds.partition(":")
     seeds = range(int(first), int(end) if end else int(first) + 1)
     arguments.folder.mkdir(parents=True, exist_ok=True)
-    rows, pictures = measure(seeds, arguments.samples, arguments.own_views)
+    rows, pictures = measure(seeds, arguments.samples, arguments.own_views, arguments.own_view)
     (arguments.folder / "refraction.json").write_text(json.dumps(rows, indent=1) + "\n")
     for rank, number in enumerate(_by_strange(rows)[:arguments.worst]):
         wt.save(pictures[number], arguments.folder / f"worst-{rank:02}-seed-{rows[number]['seed']}.png")
     print(_summary(rows))
+    if arguments.own_view:
+        print("\nthe module's own view:", _summary([row["own view"] for row in rows]), sep="\n\n")
     for factor in arguments.own_views:
         summary = _summary([row[f"own view {factor}"] for row in rows])
         print(f"\nown view, {factor} times the picture:", summary, sep="\n\n")

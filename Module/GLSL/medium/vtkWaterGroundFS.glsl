@@ -73,7 +73,7 @@ bool waterMediumLookAside(vec2 end, vec2 way, inout WaterMediumView view)
 // most  as of waterMediumMeets
 void waterMediumGuess(WaterPoint point, vec3 dir, WaterMediumRay ray, float most, inout WaterMediumMet met)
 {
-  vec2 straight = 0.5 + 0.5 * point.ndc;
+  vec2 straight = waterMediumPlace(point.ndc);
   float depth = waterMediumDepth(straight);
   float height = waterMediumHeight(straight, depth);
   vec2 end = ray.start.xy + most / max(ray.w + most * ray.rate, 1e-6) * ray.way.xy;

@@ -8,14 +8,14 @@ const float WATER_MEDIUM_JUMP = 8.0; // a silhouette's, in depths that the ray g
 // Asking the texture takes as long as a read.
 vec2 waterMediumSize()
 {
-  return floor(1.0 / waterViewport.zw + 0.5);
+  return floor(1.0 / (waterViewport.zw * waterSceneScale) + 0.5);
 }
 
 // Only beside the background, which may be much brighter: a look at more neighbours took 4 % of a frame on an H200. Several
 // rays of a multisampled picture's pixel need all edges.
 bool waterMediumIsNearEdge(vec2 middle, vec2 next, float depth)
 {
-  return waterSceneIsSorted != 0 || max(waterMediumDepth(next),
+  return waterMediumIsSorted != 0 || max(waterMediumDepth(next),
     max(waterMediumDepth(vec2(next.x, middle.y)), waterMediumDepth(vec2(middle.x, next.y)))) >= 1.0;
 }
 

@@ -3,15 +3,20 @@
 // through the water leaves of it; water_medium.c for the shader.
 //
 // Seen from above the refracted ray runs through the water, from below the view ray does.
+//
+// The picture is what the eye sees without this water, or the water's own view (water_beyond.h), which is wider.
 
-uniform sampler2D waterSceneColor; // the picture without this water; linear
+uniform sampler2D waterSceneColor; // the picture; linear
 uniform sampler2D waterSceneDepth; // its window depth, 1: background; nearest
+uniform vec2 waterSceneScale;      // part of it that the eye sees
+uniform mat4 waterDirToScene;      // direction in the plane's axes -> its clip space
+uniform int waterMediumIsSorted;   // 1: its samples are, as of waterSceneIsSorted
 uniform vec3 waterExtinction;      // absorption + scattering, per unit of the scene
 uniform int waterIsSubmerged;      // 1: the eye is in the water
 uniform int waterSceneIsMixed;     // 1: pixels of the picture are means of several samples
 uniform float waterBedDepth;       // how far the scene reaches under the plane
 uniform vec4 waterSheet;           // from x, to x, from y, to y: where the water ends, from the point under the eye
-uniform vec4 waterHeightClip;      // point in clip space of the eye -> height over the plane, times w
+uniform vec4 waterHeightClip;      // point in clip space of the picture -> height over the plane, times w
 uniform vec4 waterClipW;           // the same -> w of the point in view space
 
 const int WATER_MEDIUM_STEPS = 16;
@@ -36,6 +41,12 @@ float waterAir = 0.0; // of a refracted ray, that is not water; of the slot port
 float waterThickness()
 {
   return 0.02;
+}
+
+// Where the picture shows a place that the eye sees.
+vec2 waterMediumPlace(vec2 ndc)
+{
+  return 0.5 + 0.5 * (waterSceneScale * ndc);
 }
 
 float waterMediumDepth(vec2 uv)
@@ -257,7 +268,7 @@ vec2 waterMediumUnmixed(vec2 uv, float depth)
   vec2 after = near.zw - depth;
   vec2 slope = mix(before, after, lessThan(abs(after), abs(before)));
   // edges of sorted pixels go to and fro: between two others a pixel has no slope
-  slope *= mix(vec2(1.0), step(0.0, before * after), float(waterSceneIsSorted));
+  slope *= mix(vec2(1.0), step(0.0, before * after), float(waterMediumIsSorted));
   float edge = WATER_MEDIUM_BENT * (abs(slope.x) + abs(slope.y)) + 1e-7;
   vec2 isBefore = step(edge, abs(before - slope));
   vec2 isAfter = step(edge, abs(after - slope));
@@ -312,7 +323,7 @@ struct WaterMediumRay
 WaterMediumRay waterMediumTurn(WaterMediumRay ray, vec3 dir, float metres)
 {
   float s = metres / (ray.w + metres * ray.rate);
-  vec4 end = waterDirToEye * vec4(dir, 0.0);
+  vec4 end = waterDirToScene * vec4(dir, 0.0);
   vec3 start = ray.start + s * ray.way;
   vec3 way = 0.5 * (end.xyz - (2.0 * start - 1.0) * end.w);
   return WaterMediumRay(start, way, ray.w + metres * ray.rate, end.w);
@@ -372,7 +383,7 @@ void waterMediumGuess(WaterPoint point, vec3 dir, WaterMediumRay ray, float most
 // dir  of the ray, in the plane's axes
 WaterMediumMet waterMediumMeet(WaterPoint point, vec3 dir)
 {
-  vec3 start = vec3(0.5 + 0.5 * point.ndc, waterWindowDepth(point.ndc, point.moved));
+  vec3 start = vec3(waterMediumPlace(point.ndc), waterWindowDepth(point.ndc, point.moved));
   WaterMediumRay ray =
     waterMediumTurn(WaterMediumRay(start, vec3(0.0), 1.0 / gl_FragCoord.w, 0.0), dir, 0.0);
   float pixel = max(length(point.across), length(point.down));
@@ -431,7 +442,7 @@ float waterMediumLight(WaterPoint point, WaterMediumMet met, vec2 seen, vec3 dir
   float w = 1.0 / gl_FragCoord.w + end.w;
   vec2 ndc = (point.ndc / gl_FragCoord.w + end.xy) / max(w, 1e-6); // beyond the picture's border, too
   w = met.isUnderBorder ? waterMediumW(seen, met.depth) : w;
-  return waterCaustic(met.isUnderBorder ? 2.0 * seen - 1.0 : ndc, w, -way * dir.z, point.ndc);
+  return waterCaustic(met.isUnderBorder ? (2.0 * seen - 1.0) / waterSceneScale : ndc, w, -way * dir.z, point.ndc);
 }
 
 // Color of what a ray meets beyond a point of the surface, and the light that the water adds.
@@ -471,8 +482,8 @@ vec3 waterTransmittedRay(WaterPoint point)
   from = met.depth >= 1.0 ? waterDeepColor : waterAfter(caustic * from, ways.x);
   float gap = length((view.to - view.from) * waterMediumSize());
   bool mayHaveOthers = view.isMet || (gap > 0.0 && gap < WATER_MEDIUM_GAP_PX);
-  int others = mayHaveOthers ? (met.isAtBorder ? 2 : 1) * waterSceneIsSorted : 0;
-  float begun = length((view.from - 0.5 - 0.5 * point.ndc) * waterMediumSize());
+  int others = mayHaveOthers ? (met.isAtBorder ? 2 : 1) * waterMediumIsSorted : 0;
+  float begun = length((view.from - waterMediumPlace(point.ndc)) * waterMediumSize());
   from = waterMediumWithOther(view.from, met.depth, others, begun, from, dir, caustic);
   if (areTwo)
   {
@@ -493,7 +504,7 @@ vec3 waterTransmitted(WaterPoint point);
 // that is the shore, and far over it as good as none, or silhouettes had a shore.
 float waterTransmittedDepth(WaterPoint point)
 {
-  vec2 uv = 0.5 + 0.5 * point.ndc;
+  vec2 uv = waterMediumPlace(point.ndc);
   float depth = waterMediumDepth(uv);
   return depth >= 1.0 || waterSide < 0.0 ? 1e9 : abs(waterMediumHeight(uv, depth));
 }

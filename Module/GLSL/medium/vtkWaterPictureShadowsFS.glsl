@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkWaterPictureShadowsFS.glsl: slot casters: what keeps the sun off and is seen in the picture. The mirrored view does
-// not show the sides that face the eye from above, the picture does.
+// not show the sides that face the eye from above, the picture does. A water's own view shows nothing over the water.
+
+uniform sampler2D waterPictureDepth; // of the picture, whatever is seen through the water
 
 const int WATER_CASTER_STEPS = 128;      // of a ray to the border of the picture
 const float WATER_CASTER_PX = 2.0;       // shortest step
@@ -9,7 +11,7 @@ const float WATER_CASTER_SLACK = 0.003;  // of a surface's depth, over its dista
 // How far a ray is in front of the picture, a window depth.
 float waterCasterGap(vec3 start, vec3 way, float s)
 {
-  return waterMediumDepth(start.xy + s * way.xy) - (start.z + s * way.z);
+  return textureLod(waterPictureDepth, start.xy + s * way.xy, 0.0).r - (start.z + s * way.z);
 }
 
 // Does the ray go through a surface between two places a texel apart? Then its slope there is that of the surface beside.
@@ -34,7 +36,7 @@ float waterPictureShaded(WaterPoint point, vec3 dir, bool isWanted)
   float last = waterMediumLeaves(start, way);
   last = end.w > 0.0 ? min(last, 1.0 / end.w) : last;
   last = way.z < 0.0 ? min(last, -start.z / way.z) : last;
-  vec2 wayPx = abs(way.xy * waterMediumSize());
+  vec2 wayPx = abs(way.xy * floor(1.0 / waterViewport.zw + 0.5));
   float texel = 1.0 / max(max(wayPx.x, wayPx.y), 1e-6);
   float stride = max(WATER_CASTER_PX * texel, last / float(WATER_CASTER_STEPS));
   last = isWanted ? last - stride : 0.0;

@@ -42,6 +42,7 @@ struct vtkWaterLook
   bool HasDeepColor = false; // it is given, whatever the light
   water_medium Medium = water_medium();
   double Extinction[3] = {}; // absorption + scattering
+  bool HasOwnView = false;   // what lies below is seen in a view of its own, or in the picture
   double ShoreSoftness = 0.0;
   double DomePortRadius = 0.0;  // 0: none
   double SlopeVariance[3] = {}; // along, across a direction, degrees
@@ -105,6 +106,7 @@ struct vtkWaterSnapshot
   water_settings Settings = water_settings(); // of its own pass
 
   bool IsClear() const { return (this->Features & WATER_FEATURE_MEDIUM) != 0; }
+  bool WantsOwnView() const { return this->IsClear() && this->Look.HasOwnView; }
   bool IsDisplaced() const { return (this->Features & WATER_FEATURE_DISPLACED) != 0; }
   // How many fields of the sea its texture has (vtkWaterSlopePasses).
   int GetSeaFields() const

@@ -137,6 +137,11 @@ vtkWaterSurfaceShader::Inputs vtkWaterReflection::GetInputs(
     inputs.PeelColor = peel->GetColor();
     inputs.PeelDepth = peel->GetDepth();
   }
+  if (this->HasOwnView && view->Own && this->IsFresh(renderer, frame, water))
+  {
+    OwnView& own = *view->Own;
+    inputs.OwnView = { own.Drawn.GetColor(), own.Drawn.GetDepth(), own.DrawnPlan.reflection_scale };
+  }
   inputs.Sky = this->Gathered.Sky;
   inputs.Ranks = this->Ranks.AreSeveral() ? &this->Ranks : nullptr;
   inputs.MostSteps = this->Quality.ray_steps;
@@ -206,6 +211,7 @@ void vtkWaterReflection::ReleaseGraphicsResources(vtkWindow* window)
     const ViewPointer view = it->second;
     it = this->Views.erase(it);
     this->PlannedFrame = renderer == this->PlannedFor ? 0 : this->PlannedFrame;
+    this->ReleaseOwnView(*view, window);
     if (!view->Mirrored.GetIsDrawing()) // else Commit does it
     {
       view->Mirrored.ReleaseGraphicsResources(window);

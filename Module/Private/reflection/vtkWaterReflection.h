@@ -48,6 +48,8 @@ public:
     double PlanTime = std::numeric_limits<double>::quiet_NaN();
     int ReasonCounts[WATER_CULL_REASON_COUNT] = {};
     vtkIdType RenderCount = 0;  // ever
+    water_decision OwnViewDecision = WATER_NOT_PLANNED;
+    vtkIdType OwnViewRenderCount = 0; // ever
     vtkIdType JoinedPixels = 0; // that the ranks sent each other
   };
   const FrameReport& GetReport() const { return this->Report; }
@@ -115,6 +117,13 @@ public:
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
+  struct OwnView // of clear water, water_beyond.h
+  {
+    vtkWaterMirroredView Drawn; // nothing in it is mirrored
+    water_plan DrawnPlan = water_plan();
+    vtkWaterSignature DrawnSignature;
+  };
+
   struct View // what belongs to one eye of a renderer
   {
     View() { water_quality_begin(&this->Quality); }
@@ -124,6 +133,7 @@ private:
     water_plan DrawnPlan = water_plan(); // what the reflection texture shows was drawn by it
     vtkWaterSignature DrawnSignature;
     bool HasLevels = false;
+    std::unique_ptr<OwnView> Own; // nullptr: no water wants one
     vtkWaterOcclusion Occlusion;
     water_quality_memory Quality;
   };
@@ -170,9 +180,29 @@ private:
   void Draw(const Frame& frame, Attempt& attempt);
   vtkWaterError Commit(const Frame& frame, Attempt& attempt);
   static vtkWaterError Describe(const vtkWaterShortage& shortage);
-  void FindDrawn(const Frame& frame, Attempt& attempt);
-  void Sign(const Frame& frame, Attempt& attempt);
-  void SortDrawn(const Frame& frame, Attempt& attempt); // by how they are drawn
+  struct Choice // of the props for a view of either kind
+  {
+    const water_plan& Plan;
+    const std::vector<water_cull_reason>& Reasons;
+    bool IsDirect; // no prop stands in for another, as one may in a reflection
+  };
+  // The own view, vtkWaterReflectionOwnView.cxx. Returns what went wrong with it.
+  vtkWaterError RenderOwnView(const Frame& frame, Attempt& attempt);
+  // props  of the scene, if they are not those that were gathered
+  water_scene ReadOwnScene(const Frame& frame, std::vector<water_prop>& props) const;
+  // Revises the plan, and carries it out.
+  vtkWaterError DrawOwnView(const Frame& frame, Attempt& attempt, const Choice& choice,
+    const water_scene& scene, water_plan& plan, std::vector<water_cull_reason>& reasons);
+  void ReleaseOwnView(View& view, vtkWindow* window);
+  // Of what is chosen: the props, what they look like, and how they are drawn.
+  static vtkProp* GetDrawn(const Frame& frame, const Choice& choice, size_t i);
+  static void FindDrawn(const Frame& frame, const Attempt& attempt, const Choice& choice,
+    std::vector<vtkProp*>& drawn);
+  void Sign(const Frame& frame, const Choice& choice, const vtkWaterMirroredView::Draft& draft,
+    vtkWaterSignature& signature) const;
+  void SortDrawn(
+    const Frame& frame, const Choice& choice, vtkWaterMirroredView::Draft& draft) const;
+  void CountReasons();
   static bool IsSecondEye(vtkRenderer* renderer);       // of a stereo pair, by the active camera
   ViewPointer GetView(vtkRenderer* renderer);
   View* GetPlannedView();
@@ -187,6 +217,7 @@ private:
   std::vector<water_cull_reason> Reasons;
   water_plan Plan = water_plan(); // of the last frame; const from the third step on
   bool HasView = false;           // the plan's, unless it could not be carried out
+  bool HasOwnView = false;        // of that frame
   water_quality_choice Quality = water_quality_choice();
   FrameReport Report;
   vtkWeakPointer<vtkRenderer> PlannedFor;

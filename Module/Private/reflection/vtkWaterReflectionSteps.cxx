@@ -22,6 +22,7 @@
 bool vtkWaterReflection::Render(const Frame& frame, const std::vector<vtkWaterSource*>& waters)
 {
   this->Report.JoinedPixels = 0;
+  this->HasOwnView = false;
   if (frame.RanksError)
   {
     this->RenderNothing(frame, waters, *frame.RanksError);
@@ -54,6 +55,8 @@ bool vtkWaterReflection::Render(const Frame& frame, const std::vector<vtkWaterSo
     if (!isAgain)
     {
       error = this->Commit(frame, attempt);
+      const vtkWaterError ofOwnView = this->RenderOwnView(frame, attempt);
+      error = error.Text.empty() ? ofOwnView : error;
     }
   } while (isAgain);
   for (vtkWaterSource* water : waters)
@@ -219,18 +222,21 @@ void vtkWaterReflection::SetPlanned(const Frame& frame, const std::vector<const 
 }
 
 //------------------------------------------------------------------------------
-void vtkWaterReflection::FindDrawn(const Frame& frame, Attempt& attempt)
+vtkProp* vtkWaterReflection::GetDrawn(const Frame& frame, const Choice& choice, size_t i)
 {
-  std::vector<vtkProp*>& drawn = attempt.Draft.Props;
+  return choice.IsDirect ? frame.Records->GetProp(i) : frame.Records->GetDrawn(i);
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterReflection::FindDrawn(const Frame& frame, const Attempt& attempt, const Choice& choice,
+  std::vector<vtkProp*>& drawn)
+{
   drawn.clear();
-  int* counts = this->Report.ReasonCounts;
-  std::fill_n(counts, static_cast<int>(WATER_CULL_REASON_COUNT), 0);
-  for (size_t i = 0; i < this->Reasons.size(); ++i)
+  for (size_t i = 0; i < choice.Reasons.size(); ++i)
   {
-    ++counts[this->Reasons[i]];
-    if (this->Reasons[i] == WATER_CULL_NONE)
+    if (choice.Reasons[i] == WATER_CULL_NONE)
     {
-      drawn.push_back(this->Gathered.DrawnProps[i]);
+      drawn.push_back(GetDrawn(frame, choice, i));
       if (!frame.Records->IsPlain(i) && drawn.back()->IsA("vtkLODProp3D"))
       {
         // It chooses its level here, which the renderer has not come to yet, and never does for a
@@ -243,26 +249,39 @@ void vtkWaterReflection::FindDrawn(const Frame& frame, Attempt& attempt)
 }
 
 //------------------------------------------------------------------------------
-void vtkWaterReflection::Sign(const Frame& frame, Attempt& attempt)
+void vtkWaterReflection::CountReasons()
 {
-  vtkWaterSignature& signature = attempt.Signature;
-  signature.Read(frame.Renderer);
-  for (size_t i = 0; i < this->Reasons.size(); ++i)
+  int* counts = this->Report.ReasonCounts;
+  std::fill_n(counts, static_cast<int>(WATER_CULL_REASON_COUNT), 0);
+  for (const water_cull_reason reason : this->Reasons)
   {
-    if (this->Reasons[i] == WATER_CULL_NONE)
+    ++counts[reason];
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterReflection::Sign(const Frame& frame, const Choice& choice,
+  const vtkWaterMirroredView::Draft& draft, vtkWaterSignature& signature) const
+{
+  signature.Read(frame.Renderer);
+  for (size_t i = 0; i < choice.Reasons.size(); ++i)
+  {
+    if (choice.Reasons[i] == WATER_CULL_NONE)
     {
-      signature.AddProp(this->Gathered.DrawnProps[i], frame.Records->GetStamp(frame.Renderer, i));
+      signature.AddProp(GetDrawn(frame, choice, i),
+        choice.IsDirect ? frame.Records->GetOwnStamp(frame.Renderer, i)
+                        : frame.Records->GetStamp(frame.Renderer, i));
     }
   }
-  signature.Add(static_cast<vtkMTimeType>(this->Plan.samples));
-  signature.Add(this->Plan.is_half_float ? 1 : 0);
+  signature.Add(static_cast<vtkMTimeType>(choice.Plan.samples));
+  signature.Add(choice.Plan.is_half_float ? 1 : 0);
   signature.Add(this->Ranks.GetStamp());
-  signature.AddSky(this->Plan.sky, this->Gathered.Sky);
-  signature.Add(this->Gathered.HasMarchedRays ? 1 : 0);
-  signature.Add(this->Gathered.WantsPeel ? 1 : 0);
-  if (attempt.Draft.Shadows)
+  signature.AddSky(choice.Plan.sky, this->Gathered.Sky);
+  signature.Add(draft.HasMarchedRays ? 1 : 0);
+  signature.Add(draft.WantsPeel ? 1 : 0);
+  if (draft.Shadows)
   {
-    signature.AddShadows(frame.Renderer, attempt.Draft.Shadows, *frame.Records);
+    signature.AddShadows(frame.Renderer, draft.Shadows, *frame.Records);
   }
 }
 
@@ -282,8 +301,10 @@ void vtkWaterReflection::Revise(const Frame& frame, Attempt& attempt)
   }
   attempt.Draft.CanCut = (this->Settings.skips & WATER_MAY_SKIP_CLUSTERS) != 0;
   attempt.Draft.Shadows = vtkWaterShadows::Find(renderer);
-  this->FindDrawn(frame, attempt);
-  this->Sign(frame, attempt);
+  const Choice choice = { this->Plan, this->Reasons, false };
+  FindDrawn(frame, attempt, choice, attempt.Draft.Props);
+  this->CountReasons();
+  this->Sign(frame, choice, attempt.Draft, attempt.Signature);
   bool isUnchanged = attempt.Signature.IsSameAs(view.DrawnSignature);
   if (this->Ranks.AreSeveral())
   {
@@ -296,32 +317,34 @@ void vtkWaterReflection::Revise(const Frame& frame, Attempt& attempt)
   this->Report.Decision = this->Plan.decision;
   if (visible)
   {
-    this->FindDrawn(frame, attempt);
+    FindDrawn(frame, attempt, choice, attempt.Draft.Props);
+    this->CountReasons();
   }
 }
 
 //------------------------------------------------------------------------------
-void vtkWaterReflection::SortDrawn(const Frame& frame, Attempt& attempt)
+void vtkWaterReflection::SortDrawn(
+  const Frame& frame, const Choice& choice, vtkWaterMirroredView::Draft& draft) const
 {
-  vtkWaterMirroredView::Draft& draft = attempt.Draft;
-  for (size_t i = 0; i < this->Reasons.size(); ++i)
+  for (size_t i = 0; i < choice.Reasons.size(); ++i)
   {
-    if (this->Reasons[i] == WATER_CULL_NONE)
+    if (choice.Reasons[i] == WATER_CULL_NONE)
     {
       const bool isPlain = frame.Records->IsPlain(i);
+      vtkProp* drawn = GetDrawn(frame, choice, i);
       frame.Records->Reflect(i);
       draft.Known.emplace_back();
       draft.Known.back().MayBeCut =
-        !isPlain || water_plan_cuts(&this->Plan, this->Gathered.Props[i].bounds);
+        !isPlain || water_plan_cuts(&choice.Plan, this->Gathered.Props[i].bounds);
       draft.Known.back().IsUpToDate = frame.Records->IsUpToDate(i);
       draft.Known.back().IsOpaque = frame.Records->IsOpaque(i);
       if (!isPlain)
       {
-        draft.Others.push_back(this->Gathered.DrawnProps[i]);
+        draft.Others.push_back(drawn);
       }
       if (!isPlain || frame.Records->IsTranslucent(i))
       {
-        draft.Blended.push_back(this->Gathered.DrawnProps[i]);
+        draft.Blended.push_back(drawn);
       }
     }
   }
@@ -335,7 +358,7 @@ void vtkWaterReflection::Draw(const Frame& frame, Attempt& attempt)
     return; // the last one shows the same
   }
   attempt.AgreementsDue = 1;
-  this->SortDrawn(frame, attempt);
+  this->SortDrawn(frame, { this->Plan, this->Reasons, false }, attempt.Draft);
   attempt.Drawn->DrawnPlan = water_plan();
   attempt.Drawn->HasLevels = false;
   if (attempt.Draft.Shadows)

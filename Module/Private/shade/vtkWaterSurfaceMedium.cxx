@@ -38,6 +38,12 @@ void vtkWaterSurfaceShader::FindExtinction(double extinction[3]) const
 }
 
 //------------------------------------------------------------------------------
+bool vtkWaterSurfaceShader::HasOwnView() const
+{
+  return this->Drawn.OwnView.Color && this->Water->WantsOwnView();
+}
+
+//------------------------------------------------------------------------------
 void vtkWaterSurfaceShader::BeginMedium(const int viewport_px[4])
 {
   const bool hadFailed = this->Backdrop.GetHasFailed();
@@ -62,8 +68,19 @@ void vtkWaterSurfaceShader::BeginMedium(const int viewport_px[4])
     vtkErrorWithObjectMacro(this->Water->Actor,
       "the GPU provides no textures for the refracted scene. The water shows its plain colour.");
   }
-  this->Use("waterSceneColor", this->Backdrop.GetColor());
-  this->Use("waterSceneDepth", this->Backdrop.GetDepth());
+  const Beyond& own = this->Drawn.OwnView;
+  const bool isOwn = this->HasOwnView();
+  this->Use("waterSceneColor", isOwn ? own.Color : this->Backdrop.GetColor());
+  this->Use("waterSceneDepth", isOwn ? own.Depth : this->Backdrop.GetDepth());
+  if (this->Has(WATER_FEATURE_SHADOWS))
+  {
+    this->Use("waterPictureDepth", this->Backdrop.GetDepth());
+  }
+  std::fill_n(this->PictureScale, 2, 1.0);
+  if (isOwn)
+  {
+    std::copy_n(own.PictureScale, 2, this->PictureScale);
+  }
   if (vtkWaterSampleSort* sorted = this->Backdrop.GetSorted())
   {
     this->Use("waterSceneOther", sorted->GetOther());

@@ -42,6 +42,14 @@ public:
     vtkTextureObject* Depth = nullptr;  // of all
   };
 
+  // The water's own view of what lies beyond it; color nullptr: there is none.
+  struct Beyond
+  {
+    vtkTextureObject* Color = nullptr;
+    vtkTextureObject* Depth = nullptr;
+    const double* PictureScale = nullptr; // part of it that the eye sees, per axis
+  };
+
   // What is drawn.
   struct Inputs
   {
@@ -51,6 +59,7 @@ public:
     vtkTextureObject* Reflection = nullptr; // any texture when nothing is reflected
     vtkTextureObject* ReflectionDepth = nullptr;
     Layer Translucent;
+    Beyond OwnView;
     vtkTextureObject* PeelColor = nullptr; // nullptr: there is no peel
     vtkTextureObject* PeelDepth = nullptr;
     int MostSteps = 0; // of the march
@@ -116,6 +125,7 @@ private:
   void FindDeepColor(double color[3]) const;
   void FindExtinction(double extinction[3]) const;
   void BeginMedium(const int viewport_px[4]);
+  bool HasOwnView() const; // is it that, and not the picture, what is seen through the water?
   void BeginWaves();
   void BeginSea();
   void BeginOldFoam();
@@ -184,6 +194,7 @@ private:
   bool HasShafts = false;
   vtkWaterBackdrop Backdrop;
   bool HasBackdrop = false;
+  double PictureScale[2] = { 1.0, 1.0 }; // part that the eye sees of what the water shows
 };
 
 #endif

@@ -1,0 +1,308 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// test_beyond.c: the own view of clear water: its pixels, its props, its clip, and the part of it
+// that refracted rays come to.
+#include "test_scene.h"
+
+#include "water_beyond.h"
+
+static const uint32_t visible = WATER_PROP_VISIBLE;
+
+// A lake's own view.
+static water_scene lake_beyond(void)
+{
+  water_scene scene = lake();
+  scene.is_beyond = true;
+  scene.is_flat = true;
+  return scene;
+}
+
+// The picture's pixels are pixels of the own view, a whole number of them further in.
+TEST(the_pictures_pixels_are_pixels_of_the_own_view)
+{
+  dice from = dice_seeded(41);
+  const double center[3] = { 0.0, 0.0, 0.0 };
+  for (int number = 0; number < 60; ++number)
+  {
+    random_scene random = scene_rolled(&from, number, center);
+    random.scene.is_beyond = true;
+    const water_plan plan = plan_of(&random.scene, NULL);
+    assert_int_equal(plan.decision, WATER_REFLECT);
+    assert_int_equal(plan.texture_px[0], 1600);
+    assert_int_equal(plan.texture_px[1], 1200);
+    for (int i = 0; i < 20; ++i)
+    {
+      double point[3];
+      double seen[4];
+      double shown[4];
+      point_near(&from, &random, 2.0, point);
+      project(&random.scene.eye, point, 1.0, seen);
+      project(&plan.mirrored, point, 1.0, shown);
+      for (int axis = 0; axis < 2; ++axis)
+      {
+        const double size = random.scene.viewport_px[axis];
+        const double px = 0.5 * (1.0 + seen[axis] / seen[3]) * size;
+        const double own_px = 0.5 * (1.0 + shown[axis] / shown[3]) * plan.texture_px[axis];
+        assert_true(fabs(own_px - px - 0.5 * size) < 1e-6 * size);
+      }
+      assert_true(fabs(shown[2] / shown[3] - seen[2] / seen[3]) < 1e-12); // one depth
+    }
+  }
+}
+
+// No side is longer than the GPU allows; the band gives way, the picture does not.
+TEST(the_gpus_limit_narrows_the_band)
+{
+  const int viewport_px[2] = { 800, 600 };
+  int texture_px[2];
+  double scale[2];
+  assert_int_equal(water_beyond_size(viewport_px, 901, texture_px, scale), WATER_OK);
+  assert_int_equal(texture_px[0], 900); // 50 on each side
+  assert_int_equal(texture_px[1], 900);
+  assert_true(scale[0] == 800.0 / 900.0 && scale[1] == 600.0 / 900.0);
+  assert_int_equal(water_beyond_size(viewport_px, 800, texture_px, scale), WATER_OK);
+  assert_true(texture_px[0] == 800 && scale[0] == 1.0);
+  assert_int_equal(
+    water_beyond_size(viewport_px, 799, texture_px, scale), WATER_TEXTURE_TOO_LARGE);
+}
+
+// What lies beyond the plane is drawn, also beside the picture, and if it is marked as not
+// reflected; what lies on the eye's side is not.
+TEST(what_lies_beyond_is_drawn)
+{
+  const water_prop props[] = {
+    { { -1.0, 1.0, -1.0, 1.0, -3.0, -1.0 }, visible },
+    { { -1.0, 1.0, -1.0, 1.0, 1.0, 3.0 }, visible },
+    { { -1.0, 1.0, -1.0, 1.0, -1.0, 1.0 }, visible },
+    { { -1.0, 1.0, -11.0, -10.0, -3.0, -2.0 }, visible },    // under the eye, out of the picture
+    { { -1.0, 1.0, -90.0, -80.0, -3.0, -2.0 }, visible },    // behind it
+    { { -1.0, 1.0, -1.0, 1.0, -3.0, -1.0 }, visible | WATER_PROP_NOT_REFLECTED },
+    { { -1.0, 1.0, -1.0, 1.0, -3.0, -1.0 }, visible | WATER_PROP_IS_WATER },
+    { { -1.0, 1.0, -1.0, 1.0, -3.0, -1.0 }, 0 },
+  };
+  const water_cull_reason expected[] = { WATER_CULL_NONE, WATER_CULL_BEHIND_PLANE, WATER_CULL_NONE,
+    WATER_CULL_NONE, WATER_CULL_OUT_OF_VIEW, WATER_CULL_NONE, WATER_CULL_WATER,
+    WATER_CULL_INVISIBLE };
+  enum
+  {
+    count = sizeof props / sizeof *props
+  };
+  water_cull_reason reasons[count];
+  water_scene scene = lake_beyond();
+  scene.props = props;
+  scene.prop_count = count;
+  (void)plan_of(&scene, reasons);
+  for (int i = 0; i < count; ++i)
+  {
+    assert_int_equal(reasons[i], expected[i]);
+  }
+  scene.settings.skips &= ~(unsigned)WATER_MAY_SKIP_PROPS;
+  (void)plan_of(&scene, reasons);
+  assert_int_equal(reasons[1], WATER_CULL_NONE);
+  assert_int_equal(reasons[4], WATER_CULL_NONE);
+
+  // an eye in the water looks up through it: what is over it is drawn
+  scene = lake_beyond();
+  scene.props = props;
+  scene.prop_count = 2;
+  scene.plane.normal[2] = -1.0;
+  assert_int_equal(plan_of(&scene, reasons).side, WATER_BELOW);
+  assert_int_equal(reasons[0], WATER_CULL_NONE);
+  assert_int_equal(reasons[1], WATER_CULL_BEHIND_PLANE);
+}
+
+// The clip keeps what is less than the waves' height over the plane, in all of its spaces.
+TEST(the_clip_keeps_what_is_beyond_the_crests)
+{
+  dice from = dice_seeded(42);
+  const double center[3] = { 0.0, 0.0, 0.0 };
+  for (int number = 0; number < 60; ++number)
+  {
+    random_scene random = scene_rolled(&from, number, center);
+    random.scene.is_beyond = true;
+    random.scene.wave_height_max = number % 2 ? 0.3 : 0.0;
+    const water_plan plan = plan_of(&random.scene, NULL);
+    for (int i = 0; i < 20; ++i)
+    {
+      double point[3];
+      double view[4];
+      double clip[4];
+      point_near(&from, &random, 1.0, point);
+      apply(plan.mirrored.world_to_view, point, 1.0, view);
+      project(&plan.mirrored, point, 1.0, clip);
+      const double kept = random.scene.wave_height_max - height_of(&random, point);
+      const double* in_view = plan.clip_plane_view;
+      const double* in_clip = plan.clip_plane_clip;
+      const double* in_world = plan.clip_plane_world;
+      assert_true(fabs(dot(in_view, view) + in_view[3] - kept) < 1e-9);
+      assert_true(fabs(dot(in_clip, clip) + in_clip[3] * clip[3] - kept) < 1e-9);
+      assert_true(fabs(dot(in_world, point) + in_world[3] - kept) < 1e-9);
+      if (clip[3] > 0.0)
+      {
+        const double window[3] = { 0.5 * (1.0 + clip[0] / clip[3]) * plan.texture_px[0],
+          0.5 * (1.0 + clip[1] / clip[3]) * plan.texture_px[1], 0.5 * (1.0 + clip[2] / clip[3]) };
+        const double found = dot(plan.clip_plane_window, window) + plan.clip_plane_window[3];
+        assert_true(fabs(kept) < 1e-6 || (found > 0.0) == (kept > 0.0));
+      }
+    }
+  }
+}
+
+// Refracted rays of calm water (by Snell's law) stay in the part that is drawn, wherever the eye
+// is, and this part is smaller than the whole for an eye that sees the horizon.
+TEST(refracted_rays_stay_in_the_drawn_part)
+{
+  dice from = dice_seeded(43);
+  const double center[3] = { 0.0, 0.0, 0.0 };
+  int looked_up = 0;
+  int smaller = 0;
+  for (int number = 0; number < 300; ++number)
+  {
+    random_scene random = scene_rolled(&from, number, center);
+    random.scene.is_beyond = true;
+    random.scene.is_flat = true;
+    const water_plan plan = plan_of(&random.scene, NULL);
+    const int* rect = plan.texture_rect_px;
+    const int is_above = plan.side == WATER_ABOVE;
+    smaller += rect[3] < plan.texture_px[1];
+    assert_true(is_above || rect[3] == plan.texture_px[1]);
+    assert_int_equal(rect[2], plan.texture_px[0]);
+    for (int i = 0; i < 20; ++i)
+    {
+      double point[3];
+      double seen[4];
+      point_near(&from, &random, 8.0, point);
+      const double height = height_of(&random, point);
+      double ray[3];
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        point[axis] -= height * random.normal[axis]; // on the water
+        ray[axis] = random.is_parallel ? random.view_dir[axis] : point[axis] - random.eye[axis];
+      }
+      project(&random.scene.eye, point, 1.0, seen);
+      int is_in_box = 1;
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        is_in_box = is_in_box && fabs(point[axis] - random.target[axis]) <= 8.0;
+      }
+      if (!is_inside(seen) || !is_in_box)
+      {
+        continue; // no water, or not in the picture
+      }
+      normalise(ray);
+      const double cosine = -dot(ray, random.normal);
+      const double n = 1.333;
+      const double down = cosine / n - sqrt(1.0 - (1.0 - cosine * cosine) / (n * n));
+      for (double way = 0.0; way < 40.0; way += 0.5 + 0.2 * way)
+      {
+        double place[3];
+        double clip[4];
+        for (int axis = 0; axis < 3; ++axis)
+        {
+          place[axis] = point[axis] + way * (ray[axis] / n + down * random.normal[axis]);
+        }
+        project(&plan.mirrored, place, 1.0, clip);
+        if (!is_inside(clip))
+        {
+          break; // it leaves the own view
+        }
+        double px[2];
+        map_place(&plan, place, clip, px);
+        assert_true(px[1] >= 1.0 || rect[1] == 0);
+        assert_true(px[1] <= rect[3] - 1.0 || rect[1] + rect[3] == plan.texture_px[1]);
+        ++looked_up;
+      }
+    }
+  }
+  assert_true(looked_up > 2000);
+  assert_true(smaller > 20);
+
+  // waves bend them anywhere, and so do those of a surface that is not flat
+  water_scene scene = lake_beyond();
+  assert_true(plan_of(&scene, NULL).texture_rect_px[3] < 1200);
+  scene.has_waves = true;
+  assert_int_equal(plan_of(&scene, NULL).texture_rect_px[3], 1200);
+  scene.has_waves = false;
+  scene.is_flat = false;
+  assert_int_equal(plan_of(&scene, NULL).texture_rect_px[3], 1200);
+  scene.is_flat = true;
+  scene.settings.skips = 0;
+  assert_int_equal(plan_of(&scene, NULL).texture_rect_px[3], 1200);
+}
+
+// It does not matter what the water reflects; where the water is not seen there is no own view.
+TEST(it_is_planned_where_the_water_is_seen)
+{
+  water_scene scene = lake_beyond();
+  scene.has_environment = true;
+  assert_int_equal(plan_of(&scene, NULL).decision, WATER_REFLECT);
+  scene.look.constant_reflectance = true;
+  assert_int_equal(plan_of(&scene, NULL).decision, WATER_REFLECT);
+  scene = pool(1.0);
+  scene.settings.reflectance_error = 0.03;
+  assert_int_equal(plan_of(&scene, NULL).decision, WATER_NO_REFLECT_FAINT);
+  scene.is_beyond = true;
+  assert_int_equal(plan_of(&scene, NULL).decision, WATER_REFLECT);
+  scene.is_hidden = true;
+  assert_int_equal(plan_of(&scene, NULL).decision, WATER_NO_REFLECT_HIDDEN);
+  scene.hides_above = true;
+  assert_int_equal(plan_of(&scene, NULL).decision, WATER_NO_REFLECT_FACING_AWAY);
+  scene = lake_beyond();
+  const double eye[3] = { 0.0, -10.0, 5.0 };
+  const double away[3] = { 0.0, -20.0, 10.0 };
+  const double up[3] = { 0.0, 0.0, 1.0 };
+  look_at(eye, away, up, scene.eye.world_to_view);
+  assert_int_equal(plan_of(&scene, NULL).decision, WATER_NO_REFLECT_OUT_OF_VIEW);
+}
+
+// Its size is that of the picture, whatever the scale of the reflection.
+TEST(the_reflections_scale_does_not_matter)
+{
+  water_scene scene = lake_beyond();
+  scene.settings.texture_scale = 0.25;
+  assert_int_equal(plan_of(&scene, NULL).texture_px[0], 1600);
+  assert_int_equal(plan_of(&scene, NULL).samples, 0);
+}
+
+// Rows and directions of the eye's clip space say the same in that of the own view.
+TEST(rows_and_directions_follow_the_band)
+{
+  dice from = dice_seeded(44);
+  const double scale[2] = { 0.5, 0.625 };
+  const double none[2] = { 1.0, 1.0 };
+  for (int number = 0; number < 100; ++number)
+  {
+    double row[4];
+    double clip[4];
+    double own_row[4];
+    double dirs[12];
+    double own_dirs[12];
+    for (int i = 0; i < 4; ++i)
+    {
+      row[i] = dice_roll(&from, -1.0, 1.0);
+      clip[i] = dice_roll(&from, -1.0, 1.0);
+    }
+    for (int i = 0; i < 12; ++i)
+    {
+      dirs[i] = dice_roll(&from, -1.0, 1.0);
+    }
+    water_beyond_row(row, scale, own_row);
+    const double own_clip[4] = { scale[0] * clip[0], scale[1] * clip[1], clip[2], clip[3] };
+    assert_true(fabs(dot(row, clip) + row[3] * clip[3] - dot(own_row, own_clip) -
+                  own_row[3] * own_clip[3]) < 1e-14);
+    water_beyond_dirs(dirs, scale, own_dirs);
+    for (int i = 0; i < 12; ++i)
+    {
+      const double factor = i < 3 ? scale[0] : i < 6 ? scale[1] : 1.0;
+      assert_true(own_dirs[i] == factor * dirs[i]);
+    }
+    water_beyond_row(row, none, own_row);
+    water_beyond_dirs(dirs, none, own_dirs);
+    assert_memory_equal(row, own_row, sizeof row);
+    assert_memory_equal(dirs, own_dirs, sizeof dirs);
+  }
+}
+
+TESTS(the_pictures_pixels_are_pixels_of_the_own_view, the_gpus_limit_narrows_the_band,
+  what_lies_beyond_is_drawn, the_clip_keeps_what_is_beyond_the_crests,
+  refracted_rays_stay_in_the_drawn_part, it_is_planned_where_the_water_is_seen,
+  the_reflections_scale_does_not_matter, rows_and_directions_follow_the_band)
