@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A driver that refuses shaders, framebuffers or memory: the water says so once and shows its plain
 // colour, all else is as without water, and the next picture is right again once the cause is gone.
+// Without memory for its own view, clear water shows what the picture has.
 // The driver's functions are replaced in the loader that VTK calls them through.
 #include "WaterFaultyScene.h"
 
@@ -121,6 +122,34 @@ void ToggleRefraction(FaultyScene& scene)
   look->SetRefraction(!look->GetRefraction());
 }
 #endif
+
+// The own view alone gets no framebuffer: the mirrored view has one already.
+bool CheckOwnView()
+{
+  FaultyScene scene;
+  auto* look = scene.Water->GetWaterProperty();
+  look->SetRefraction(true);
+  const auto ofPicture = scene.Picture();
+  look->SetRefractionSourceToOwnView();
+  checkStatus = glCheckFramebufferStatus;
+  glCheckFramebufferStatus = CheckStatus;
+  refused = 0;
+  const auto faulty = scene.Picture();
+  scene.Picture();
+  glCheckFramebufferStatus = checkStatus;
+  bool ok = WaterCheck("own view: it was refused", refused > 0, true);
+  ok &= WaterCheck<size_t>("own view: errors", scene.Errors.size(), 1);
+  const bool isSaid = !scene.Errors.empty() &&
+    scene.Errors[0].find("own view of refraction: the GPU gave no framebuffer") !=
+      std::string::npos;
+  ok &= WaterCheck("own view: it is said", isSaid, true);
+  ok &= WaterCheck("own view: the picture's is shown", WaterSame(faulty, ofPicture), true);
+  const auto right = scene.Picture();
+  ok &= WaterCheck("own view: and right afterwards", right == ofPicture, false);
+  ok &= WaterCheck<vtkIdType>("own view: rendered",
+    scene.Water->GetReflectionPass()->GetNumberOfOwnViewRenders(), 1);
+  return ok;
+}
 }
 
 int TestWaterDriverFaults(int, char*[])
@@ -140,5 +169,6 @@ int TestWaterDriverFaults(int, char*[])
 #else
   std::cout << "textures: left out, this VTK calls glTexImage2D without a loader" << std::endl;
 #endif
+  ok &= CheckOwnView();
   return ok ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -173,6 +173,32 @@ def _presets(results):
     )
 
 
+def _own_view(results):
+    """Clear water that sees what lies below it in the picture, or in a view of its own."""
+
+    def clear(has_own_view):
+        scene = terrain()
+        look = scene.water.GetWaterProperty()
+        look.SetPreset("lake")
+        look.SetRefractionSource(look.OWN_VIEW if has_own_view else look.PICTURE)
+        return scene
+
+    scene_of = {"no water": terrain(False), "lake, picture": clear(False), "lake, own view": clear(True)}
+    return "\n\n".join(
+        compare(
+            results,
+            title,
+            [
+                Frame(name, scene.window, scene.step if is_moving else scene.pass_time)
+                for name, scene in scene_of.items()
+            ],
+            [("lake, own view", "lake, picture", limit)],
+        )
+        for title, is_moving, limit in (("own view, everything moves", True, None),
+                                        ("own view, only time moves", False, 1.05))
+    )
+
+
 def _lakes(results):
     def lakes(count):
         """The first two in view, the others behind the eye and far beside it."""
@@ -201,7 +227,7 @@ def _lakes(results):
 
 
 def run(results):
-    tables = [part(results) for part in (_static, _unseen, _lookups, _presets, _lakes)]
+    tables = [part(results) for part in (_static, _unseen, _lookups, _presets, _own_view, _lakes)]
     results.add(
         "Ratios",
         TEXT,
