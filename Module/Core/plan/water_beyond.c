@@ -5,13 +5,16 @@
 #include "water_frustum.h"
 #include "water_math.h"
 #include "water_mirror.h"
-#include "water_plane.h"
 #include "water_select.h"
 #include "water_target.h"
 
 // So many times as wide and high as the picture: of 50 random scenes, the pixels with a colour that
 // is none of what is near by fell from 5.4 % (as wide as the picture) to 2.0 % (decision 006).
 static const double band = 2.0;
+
+// Height of the land that is kept at a shore: filtering and the first step of a ray come to the
+// pixel beside.
+static const double shore_px = 2.0;
 
 water_status water_beyond_size(
   const int viewport_px[2], int max_texture_px, int texture_px[2], double picture_scale[2])
@@ -44,13 +47,22 @@ void water_beyond_reach(const double dir_to_eye[12], double box[4])
   box[2] = (double)INFINITY;
 }
 
-void water_beyond_clip_view(const double plane_view[4], double margin, double clip_plane_view[4])
+void water_beyond_clip_view(const water_camera* eye, const int viewport_px[2],
+  const double plane_view[4], double margin, double clip_plane_view[4])
 {
+  // a length over its w that the picture shows so large
+  const double slack = shore_px * 2.0 / (fabs(eye->view_to_clip[5]) * viewport_px[1]);
+  const double* w = eye->view_to_clip + 12;
   for (int i = 0; i < 4; ++i)
   {
-    clip_plane_view[i] = -plane_view[i];
+    clip_plane_view[i] = slack * w[i] - plane_view[i];
   }
   clip_plane_view[3] += margin;
+  const double length = water_vec3_length(clip_plane_view);
+  for (int i = 0; i < 4; ++i)
+  {
+    clip_plane_view[i] /= length;
+  }
 }
 
 void water_beyond_row(const double row[4], const double picture_scale[2], double of_own_view[4])
@@ -79,23 +91,23 @@ static void fill_background(const double picture_scale[2], double own_ndc_to_eye
   own_ndc_to_eye[8] = 1.0;
 }
 
-// kept: the plane, normal away from the eye
-static void select_props(const water_scene* scene, const water_plane* kept, water_plan* plan,
-  water_cull_reason* reasons, size_t* bad_index)
+static void select_props(
+  const water_scene* scene, water_plan* plan, water_cull_reason* reasons, size_t* bad_index)
 {
+  const double* clip = plan->clip_plane_world;
+  const water_plane kept = { { clip[0], clip[1], clip[2] }, clip[3] };
   water_selection selection;
   memset(&selection, 0, sizeof selection);
   selection.is_direct = true;
-  selection.margin = scene->wave_height_max;
   memcpy(selection.texture_px, plan->texture_px, sizeof selection.texture_px);
   water_rect_to_ndc(plan->texture_rect_px, plan->texture_px, selection.box);
   selection.is_off = !(scene->settings.skips & WATER_MAY_SKIP_PROPS);
   *bad_index =
-    water_select_props(&plan->mirrored, kept, &selection, scene->props, scene->prop_count, reasons);
+    water_select_props(&plan->mirrored, &kept, &selection, scene->props, scene->prop_count, reasons);
 }
 
-water_status water_beyond_plan(const water_scene* scene, const water_plane* plane,
-  const double box[4], water_plan* plan, water_cull_reason* reasons, size_t* bad_index)
+water_status water_beyond_plan(const water_scene* scene, const double box[4],
+  water_plan* plan, water_cull_reason* reasons, size_t* bad_index)
 {
   water_status status = water_beyond_size(
     scene->viewport_px, scene->max_texture_px, plan->texture_px, plan->reflection_scale);
@@ -117,13 +129,13 @@ water_status water_beyond_plan(const water_scene* scene, const water_plane* plan
   plan->is_software = scene->is_software;
   plan->depth_scale = 1.0;
   fill_background(plan->reflection_scale, plan->reflection_ndc_to_eye);
-  const water_plane kept = water_plane_turned(plane, WATER_BELOW);
-  select_props(scene, &kept, plan, reasons, bad_index);
   water_mirror_pose(
     &plan->mirrored, plan->mirrored_position, plan->mirrored_focal_point, plan->mirrored_view_up);
   plan->headlight_dir[2] = -1.0; // it is where the eye is
-  water_beyond_clip_view(plan->plane_view, scene->wave_height_max, plan->clip_plane_view);
+  water_beyond_clip_view(&scene->eye, scene->viewport_px, plan->plane_view, scene->wave_height_max,
+    plan->clip_plane_view);
   water_mat4_apply_row(plan->clip_plane_view, plan->mirrored.world_to_view, plan->clip_plane_world);
+  select_props(scene, plan, reasons, bad_index);
   status = water_mirror_clip_clip(
     plan->mirrored.view_to_clip, plan->clip_plane_view, plan->clip_plane_clip);
   if (status == WATER_OK)

@@ -33,11 +33,13 @@ water_status water_beyond_size(
 // box         low x, low y, high x, high y in NDC of the eye; may become infinite
 void water_beyond_reach(const double dir_to_eye[12], double box[4]);
 
-// The clip of the own view in the eye's view space: kept side >= 0.
+// The clip of the own view in the eye's view space: kept side >= 0, unit normal. A strip of some
+// pixels on the eye's side of the plane is kept, too: at a shore rays look at land beside the water.
 //
 // plane_view  the plane in the eye's view space, normal towards the eye
 // margin      how far the surface may rise towards the eye, >= 0
-void water_beyond_clip_view(const double plane_view[4], double margin, double clip_plane_view[4]);
+void water_beyond_clip_view(const water_camera* eye, const int viewport_px[2],
+  const double plane_view[4], double margin, double clip_plane_view[4]);
 
 // A point in clip space of the eye -> a number, as a row: the same for clip space of the own view.
 //
@@ -50,14 +52,13 @@ void water_beyond_dirs(
 
 // Fills what a plan knows of the own view: camera, size, clip, and the reason of every prop.
 //
-// plane  normalised, normal towards the eye
-// box    of the picture that the water covers, NDC of the eye
-// plan   the fields of the view are set
+// box        of the picture that the water covers, NDC of the eye
+// plan       the fields of the view are set
 // bad_index  the first prop that is drawn although its bounds are not finite; prop_count: none is
 //
 // Returns WATER_OK or the status of what cannot be planned.
-water_status water_beyond_plan(const water_scene* scene, const water_plane* plane,
-  const double box[4], water_plan* plan, water_cull_reason* reasons, size_t* bad_index);
+water_status water_beyond_plan(const water_scene* scene, const double box[4], water_plan* plan,
+  water_cull_reason* reasons, size_t* bad_index);
 
 #ifdef __cplusplus
 }

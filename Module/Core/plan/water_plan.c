@@ -418,7 +418,7 @@ water_status water_plan_make(const water_scene* scene, water_plan* plan, water_c
     {
       size_t bad_index = 0;
       status = scene->is_beyond
-        ? water_beyond_plan(scene, &plane, box, &made, reasons, &bad_index)
+        ? water_beyond_plan(scene, box, &made, reasons, &bad_index)
         : fill_draw(scene, &input, &plane, box, &made, reasons, &bad_index);
       if (bad_index < scene->prop_count)
       {
