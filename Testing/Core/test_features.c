@@ -243,7 +243,8 @@ TEST(hardware_reads_in_batches)
   }
 }
 
-// In the mirrored view of another water a water reflects the background, smooth or rough.
+// In the mirrored view of another water a water reflects the background, or the scene, smooth or
+// rough.
 TEST(water_in_a_mirrored_view_is_smooth_or_rough)
 {
   for (unsigned has = 0; has < LOOKS; ++has)
@@ -251,6 +252,8 @@ TEST(water_in_a_mirrored_view_is_smooth_or_rough)
     const water_feature_look look = look_of(has);
     assert_int_equal(water_features_secondary(&look),
       (has & ROUGH) ? WATER_FEATURE_ENVIRONMENT | WATER_FEATURE_ROUGH : WATER_FEATURE_ENVIRONMENT);
+    assert_int_equal(water_features_secondary_view(&look),
+      (has & ROUGH) ? WATER_FEATURE_RAY_TRACED | WATER_FEATURE_ROUGH : 0);
   }
 }
 
@@ -294,9 +297,9 @@ enum
   PHOTON_FILES = sizeof photon_files / sizeof photon_files[0],
   VERTEX_FILES = sizeof vertex_files / sizeof vertex_files[0],
   // looked up in 8 kinds of reflection textures, on 2 of machines, with a mesh, with one that is
-  // not flat, or without, with samples, with hulls, with a current, over ground, and under one of
-  // 8 kinds of skies
-  REACHABLE_MAX = (2 + 13 * 8) * LOOKS
+  // not flat, or without, with samples, with hulls, with a current, over ground, under one of
+  // 8 kinds of skies, and in another water's mirrored view on 2 of machines
+  REACHABLE_MAX = (2 + 15 * 8) * LOOKS
 };
 
 // Features with a sky: one colour, a screen, a map or a cube; from 4 on with a floor.
@@ -354,7 +357,10 @@ static size_t reach_all(const water_feature_set** all)
       features[count + 10] = water_features_with_port(features[count + has % 8]);
       features[count + 11] = water_features_with_flow(features[count + has % 8]);
       features[count + 12] = water_features_with_ground(features[count + has % 8]);
-      count += 13;
+      features[count + 13] =
+        water_features_with_texture(water_features_secondary_view(&look), &texture);
+      features[count + 14] = water_features_on_hardware(features[count + 13]);
+      count += 15;
     }
   }
   qsort(features, count, sizeof features[0], compare_sets);
