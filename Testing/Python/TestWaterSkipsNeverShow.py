@@ -30,6 +30,8 @@ WALKS = {
     ("clear", 0): 30,
     ("levels", 4): 15,
     ("one plane", 8): 15,
+    ("fall", 0): 25,
+    ("fall", 4): 5,
 }
 # what makes a skip likely is likelier
 OFTEN = {"nothing": 4, "wall before the eye": 4, "camera creeps": 5, "wall leaves": 2, "camera behind a hill": 2,

@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkWaterReflection: the mirrored views of one pass, each in five steps: gather, plan, revise,
-// draw, commit. What is decided is decided by the core, before the third step ends.
+// draw, commit. What is decided is decided by the core, before the third step ends. With secondary
+// reflections, each other water in the mirrored view has one of its own, which is drawn before.
 #ifndef vtkWaterReflection_h
 #define vtkWaterReflection_h
 
 #include "vtkOpenGLRenderWindow.h" // for templates
 #include "vtkSmartPointer.h"
+#include "vtkTimeStamp.h"
 #include "vtkWaterGather.h"
 #include "vtkWaterMirroredView.h"
 #include "vtkWaterOcclusion.h"
 #include "vtkWaterRanks.h"
+#include "vtkWaterSecondaryLookup.h"
 #include "vtkWaterSignature.h"
 #include "vtkWaterSource.h"
 #include "vtkWaterSurfaceShader.h"
@@ -25,7 +28,9 @@
 
 class vtkRenderer;
 
-class vtkWaterReflection : public std::enable_shared_from_this<vtkWaterReflection>
+class vtkWaterReflection
+  : public std::enable_shared_from_this<vtkWaterReflection>
+  , public vtkWaterSecondaryLookup
 {
 public:
   // What the pass has set.
@@ -48,6 +53,7 @@ public:
     double PlanTime = std::numeric_limits<double>::quiet_NaN();
     int ReasonCounts[WATER_CULL_REASON_COUNT] = {};
     vtkIdType RenderCount = 0;  // ever
+    vtkIdType SecondaryRenderCount = 0;
     vtkIdType JoinedPixels = 0; // that the ranks sent each other
   };
   const FrameReport& GetReport() const { return this->Report; }
@@ -67,6 +73,7 @@ public:
     // answer waits for what was drawn. Empty: not known.
     std::function<bool()> AreHidden;
     const vtkWaterError* RanksError = nullptr; // the ranks do not agree: there is no view
+    const water_plan* Primary = nullptr; // of the mirrored view that a secondary one is drawn for
   };
 
   // Renders the mirrored view of waters in one plane for the renderer's active camera, unless the
@@ -90,6 +97,9 @@ public:
   vtkWaterSurfaceShader::Inputs GetInputs(
     vtkRenderer* renderer, vtkMTimeType frame, const vtkProp* water);
 
+  // What another water in the mirrored view is shaded with.
+  bool Find(const vtkProp* water, vtkWaterSurfaceShader::Inputs& inputs) override;
+
   // Shows the reflection texture in a corner of the renderer's viewport.
   void DrawCorner(vtkRenderer* renderer, vtkMTimeType frame, const vtkProp* water);
 
@@ -111,6 +121,8 @@ public:
   // context that they measured in: another window's may be current.
   template <typename Value, typename Question>
   Value Ask(Value none, Question question);
+  // ms of the last mirrored view and its secondary views; NaN: not known.
+  double AskTime();
 
   void ReleaseGraphicsResources(vtkWindow* window);
 
@@ -123,6 +135,7 @@ private:
     vtkWaterMirroredView Mirrored;
     water_plan DrawnPlan = water_plan(); // what the reflection texture shows was drawn by it
     vtkWaterSignature DrawnSignature;
+    vtkTimeStamp DrawnTime;
     bool HasLevels = false;
     vtkWaterOcclusion Occlusion;
     water_quality_memory Quality;
@@ -134,7 +147,9 @@ private:
   {
     std::vector<vtkWaterSnapshotPointer> Waters;
     ViewPointer Drawn;
-    vtkWaterError Error; // of the plan
+    std::vector<vtkSmartPointer<vtkProp>> Held; // while secondary views are drawn
+    vtkWaterError Error;          // of the plan
+    vtkWaterError SecondaryError; // of the first secondary view that has one
     vtkWaterSignature Signature;
     vtkWaterMirroredView::Draft Draft;
     const char* Failure = nullptr;
@@ -147,8 +162,31 @@ private:
     double MeasuredMs = 0.0;        // of the last view, on the slowest rank
   };
 
+  struct SecondaryView // of the other waters in one plane
+  {
+    std::vector<const vtkProp*> Waters; // compared only; the first one tells it
+    std::shared_ptr<vtkWaterReflection> Reflection;
+    int IdleCount = 0; // mirrored views since it was last looked up
+  };
+
+  // false: the ranks do not agree.
+  bool RenderView(
+    const Frame& frame, const std::vector<vtkWaterSource*>& waters, vtkWaterError& error);
+  // The secondary views, vtkWaterReflectionSecondary.cxx: of a plan that reflects; before its draw,
+  // as draws do not nest.
+  void RenderSecondary(const Frame& frame, Attempt& attempt);
+  std::vector<std::vector<vtkWaterSource*>> FindSecondary(const Frame& frame) const;
+  SecondaryView& EnsureSecondary(const std::vector<vtkWaterSource*>& waters);
+  void DropSecondary(vtkRenderer* renderer, int idle);
+  bool MayHaveSecondary(const Frame& frame) const;
+  // Are the records of the gathered props? Not if an observer of a secondary view changed the scene.
+  bool HasPropsOf(const vtkWaterPropRecords& records) const;
+  double MeasureSecondary(); // what the last view took as a secondary one, ms
+  void SignSecondary(const Frame& frame, Attempt& attempt) const;
+  void FillInputs(View& view, bool hasTexture, vtkWaterSurfaceShader::Inputs& inputs);
+
   void Gather(const Frame& frame, const std::vector<vtkWaterSource*>& waters, Attempt& attempt);
-  double Measure(View& view) const; // what the last view took, ms, for a quality that asks
+  double Measure(View& view); // what the last view took, ms, for a quality that asks
   bool PlanAndDraw(const Frame& frame, Attempt& attempt); // is there to be a second attempt?
   void ChooseQuality(const Frame& frame, Attempt& attempt);
   // With other ranks, vtkWaterReflectionRanks.cxx: the scene of all of them, or an error; is the
@@ -193,6 +231,8 @@ private:
   bool PlannedForSecondEye = false;
   std::vector<const vtkProp*> PlannedWaters; // compared only
   vtkMTimeType PlannedFrame = 0;
+  std::vector<SecondaryView> Secondary;
+  bool IsSecondarySaid = false; // that the ranks have none
 };
 
 //------------------------------------------------------------------------------
