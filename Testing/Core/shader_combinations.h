@@ -19,7 +19,7 @@ enum
   SHADER_TEXTURE_COUNT = 1 << 3, // what a reflection texture may have
   SHADER_SKY_COUNT = 7, // skies beside the one-coloured one: three, a floor, and they with a floor
   // each as often as it is asked for, and with skies
-  SHADER_SET_COUNT = SHADER_LOOK_COUNT * (1 + 16 * SHADER_TEXTURE_COUNT)
+  SHADER_SET_COUNT = SHADER_LOOK_COUNT * (1 + 14 * SHADER_TEXTURE_COUNT)
 };
 #undef SHADER_ONE_MORE
 
@@ -106,12 +106,8 @@ static inline size_t shader_combinations(water_feature_set* sets)
       const water_feature_set asked =
         water_features_with_texture(water_features_of(&look), &texture);
       const water_feature_set hardware = water_features_on_hardware(asked);
-      const water_feature_set secondary =
-        water_features_with_texture(water_features_secondary_view(&look), &texture);
       sets[count++] = asked;
       sets[count++] = hardware;
-      sets[count++] = secondary;
-      sets[count++] = water_features_on_hardware(secondary);
       if (is_any)
       {
         sets[count++] = water_features_with_mesh(asked);

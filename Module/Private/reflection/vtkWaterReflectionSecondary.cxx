@@ -178,6 +178,7 @@ void vtkWaterReflection::SignSecondary(const Frame& frame, Attempt& attempt) con
     const vtkWaterLook& look = attempt.Waters[i]->Look;
     signature.Add(static_cast<vtkMTimeType>(look.RayTraceSteps));
     signature.Add(static_cast<vtkMTimeType>(look.RayTraceProbes));
+    signature.Add(static_cast<vtkMTimeType>(look.RayTraceRays));
     signature.AddNumber(look.RayTraceFootprint);
   }
   for (const SecondaryView& secondary : this->Secondary)
