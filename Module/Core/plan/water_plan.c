@@ -188,6 +188,19 @@ static bool is_faint(
     input->side == WATER_ABOVE;
 }
 
+// Whether the part of the picture that the water covers is worth a mirrored view.
+//
+// box  that part
+static water_decision decide_by_cover(const water_scene* scene, const checked* input,
+  const water_plane* plane, const water_plan* plan, double box[4])
+{
+  if (!cover(scene, input, plane, box) && (scene->settings.skips & WATER_MAY_SKIP_UNSEEN))
+  {
+    return WATER_NO_REFLECT_OUT_OF_VIEW;
+  }
+  return is_faint(scene, input, plan, box) ? WATER_NO_REFLECT_FAINT : WATER_REFLECT;
+}
+
 // Calm and flat water looks up its own pixels.
 static void fill_visibility(const water_scene* scene, water_plan* plan)
 {
@@ -443,15 +456,9 @@ water_status water_plan_make(const water_scene* scene, water_plan* plan, water_c
     water_lookup_axes(&input.plane, input.side, scene->plane_origin, &axes);
     status = fill_view(scene, &input, &plane, &axes, &made);
     double box[4];
-    const bool is_covered = cover(scene, &input, &plane, box);
-    if (made.decision == WATER_REFLECT && !is_covered &&
-      (scene->settings.skips & WATER_MAY_SKIP_UNSEEN))
+    if (status == WATER_OK && made.decision == WATER_REFLECT)
     {
-      made.decision = WATER_NO_REFLECT_OUT_OF_VIEW;
-    }
-    if (status == WATER_OK && made.decision == WATER_REFLECT && is_faint(scene, &input, &made, box))
-    {
-      made.decision = WATER_NO_REFLECT_FAINT;
+      made.decision = decide_by_cover(scene, &input, &plane, &made, box);
     }
     if (status == WATER_OK && made.decision == WATER_REFLECT)
     {

@@ -177,7 +177,7 @@ private:
   void RenderSecondary(const Frame& frame, Attempt& attempt);
   std::vector<std::vector<vtkWaterSource*>> FindSecondary(const Frame& frame) const;
   SecondaryView& EnsureSecondary(const std::vector<vtkWaterSource*>& waters);
-  void DropSecondary(vtkRenderer* renderer, int idle);
+  void DropSecondary(vtkRenderer* renderer);
   bool MayHaveSecondary(const Frame& frame) const;
   // Are the records of the gathered props? Not if an observer of a secondary view changed the scene.
   bool HasPropsOf(const vtkWaterPropRecords& records) const;

@@ -93,11 +93,11 @@ vtkWaterReflection::SecondaryView& vtkWaterReflection::EnsureSecondary(
 }
 
 //------------------------------------------------------------------------------
-void vtkWaterReflection::DropSecondary(vtkRenderer* renderer, int idle)
+void vtkWaterReflection::DropSecondary(vtkRenderer* renderer)
 {
   for (auto it = this->Secondary.begin(); it != this->Secondary.end();)
   {
-    if (it->IdleCount <= idle)
+    if (it->IdleCount <= kMostIdle)
     {
       ++it;
       continue;
@@ -124,7 +124,7 @@ void vtkWaterReflection::RenderSecondary(const Frame& frame, Attempt& attempt)
   }
   if (!this->MayHaveSecondary(frame))
   {
-    this->DropSecondary(frame.Renderer, 0);
+    this->DropSecondary(frame.Renderer);
     return;
   }
   const std::vector<std::vector<vtkWaterSource*>> groups = this->FindSecondary(frame);
@@ -153,7 +153,7 @@ void vtkWaterReflection::RenderSecondary(const Frame& frame, Attempt& attempt)
       attempt.SecondaryError = error;
     }
   }
-  this->DropSecondary(frame.Renderer, kMostIdle);
+  this->DropSecondary(frame.Renderer);
 }
 
 //------------------------------------------------------------------------------
