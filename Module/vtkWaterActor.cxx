@@ -244,6 +244,7 @@ void vtkWaterActor::ReleaseGraphicsResources(vtkWindow* window)
   this->OwnPass->ReleaseGraphicsResources(window);
   this->Internal->Surface.ReleaseGraphicsResources(window);
   this->Internal->Secondary.ReleaseGraphicsResources(window);
+  this->Internal->SecondaryOfScene.ReleaseGraphicsResources(window);
   if (vtkTexture* environment = this->WaterProperty->GetEnvironmentTexture())
   {
     environment->ReleaseGraphicsResources(window);

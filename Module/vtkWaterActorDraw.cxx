@@ -14,6 +14,7 @@
 #include "vtkWaterReflection.h"
 #include "vtkWaterReflectionPass.h"
 #include "vtkWaterRenderPassKeys.h"
+#include "vtkWaterSecondaryLookup.h"
 #include "vtkWaterShaderHook.h"
 #include "water_horizon.h"
 #include "water_plan.h"
@@ -124,55 +125,24 @@ void vtkWaterActor::Internals::DrawSurface(
   }
 }
 
-//------------------------------------------------------------------------------
-void vtkWaterActor::RenderSecondary(vtkRenderer* renderer, vtkMapper* mapper)
-{
-  vtkWaterShaderHook* hook = vtkWaterFrame::GetHook();
-  const vtkWaterShaderHook::View& view = hook->GetMirroredView();
-  if (std::find(view.Props->begin(), view.Props->end(), this) == view.Props->end())
-  {
-    return; // no endless mirror, whatever drew this water
-  }
-  vtkWaterRenderPassKeys::Add(this, hook);
-  const vtkWaterSnapshotPointer water = this->Internal->Take(renderer);
-  vtkWaterSurfaceShader& surface = this->Internal->Secondary.Surface;
-  water_plan plan;
-  const water_scene scene =
-    vtkWaterGather::ReadSecondary(renderer, *water, view.Eye, view.Plan->sky);
-  water_secondary_plan(&scene, view.Plan, &plan);
-  vtkWaterSurfaceShader::Inputs inputs;
-  inputs.Renderer = static_cast<vtkOpenGLRenderer*>(renderer);
-  inputs.Plan = plan.has_view ? &plan : nullptr;
-  inputs.IsSecondary = true;
-  inputs.Sky = *view.Sky;
-  water_horizon_depths(view.Plan->mirrored.view_to_clip, false, inputs.HorizonDepths);
-  const water_feature_set plain = water_features_secondary(&water->Look.Has);
-  const water_feature_set features =
-    water_sky_features(water->Hulls ? water_features_with_hulls(plain) : plain,
-      vtkWaterSurfaceShader::HasOwnSky(*water), false, &scene.sky);
-  if (surface.UpdateFeatures(
-        water->Mesh.HasVertexHeights ? water_features_with_mesh(features) : features))
-  {
-    this->GetProperty()->Modified(); // the mapper builds the other shader
-  }
-  vtkMapper* drawn = water->IsEndless ? this->Internal->LayHorizon(*water, renderer,
-                                          view.Plan->mirrored, view.Plan->clip_plane_world, mapper)
-                                      : this->Internal->Secondary.Follow(mapper);
-  surface.Begin(water, inputs);
-  this->Internal->DrawSurface(surface, renderer, drawn);
-  surface.End();
-}
-
 namespace
 {
-// The features of a water with what its reflection texture has, and with what draws it.
-water_feature_set FeaturesWith(
-  const vtkWaterSurfaceShader::Inputs& inputs, const vtkWaterSnapshot& water, bool isSoftware)
+// What the reflection texture of a water's draw has.
+water_feature_texture TextureOf(
+  const vtkWaterSurfaceShader::Inputs& inputs, const vtkWaterSnapshot& water)
 {
   water_feature_texture texture = water_feature_texture();
   texture.has_layer = inputs.Translucent.Color != nullptr;
   texture.has_peel = inputs.PeelColor && water.WantsPeel();
   texture.is_enclosed = inputs.Plan && inputs.Plan->is_enclosed;
+  return texture;
+}
+
+// The features of a water with what its reflection texture has, and with what draws it.
+water_feature_set FeaturesWith(
+  const vtkWaterSurfaceShader::Inputs& inputs, const vtkWaterSnapshot& water, bool isSoftware)
+{
+  const water_feature_texture texture = TextureOf(inputs, water);
   const bool hasSamples = inputs.Renderer->GetRenderWindow()->GetMultiSamples() > 1;
   water_feature_set features = water_features_with_texture(water.Features, &texture);
   features = hasSamples ? water_features_with_samples(features) : features;
@@ -191,6 +161,65 @@ water_feature_set FeaturesWith(
   }
   return isSoftware ? features : water_features_on_hardware(features);
 }
+
+// The same in the mirrored view of another water.
+//
+// isLookedUp  a secondary view is; else it reflects the sky alone
+water_feature_set SecondaryFeaturesWith(const vtkWaterSurfaceShader::Inputs& inputs,
+  const vtkWaterSnapshot& water, const water_sky& sky, bool isLookedUp, bool isSoftware)
+{
+  const water_feature_texture texture = TextureOf(inputs, water);
+  water_feature_set features = isLookedUp
+    ? water_features_with_texture(water_features_secondary_view(&water.Look.Has), &texture)
+    : water_features_secondary(&water.Look.Has);
+  features = water.Hulls ? water_features_with_hulls(features) : features;
+  features =
+    water_sky_features(features, vtkWaterSurfaceShader::HasOwnSky(water), false, &sky);
+  features = water.Mesh.HasVertexHeights ? water_features_with_mesh(features) : features;
+  return isSoftware ? features : water_features_on_hardware(features);
+}
+}
+
+
+//------------------------------------------------------------------------------
+void vtkWaterActor::RenderSecondary(vtkRenderer* renderer, vtkMapper* mapper)
+{
+  vtkWaterShaderHook* hook = vtkWaterFrame::GetHook();
+  const vtkWaterShaderHook::View& view = hook->GetMirroredView();
+  if (std::find(view.Props->begin(), view.Props->end(), this) == view.Props->end())
+  {
+    return; // no endless mirror, whatever drew this water
+  }
+  vtkWaterRenderPassKeys::Add(this, hook);
+  const vtkWaterSnapshotPointer water = this->Internal->Take(renderer);
+  vtkWaterSurfaceShader::Inputs inputs;
+  inputs.Renderer = static_cast<vtkOpenGLRenderer*>(renderer);
+  inputs.IsSecondary = true;
+  water_plan plan;
+  const bool isLookedUp = view.Secondary && view.Secondary->Find(this, inputs);
+  if (!isLookedUp)
+  {
+    const water_scene scene =
+      vtkWaterGather::ReadSecondary(renderer, *water, view.Eye, view.Plan->sky);
+    water_secondary_plan(&scene, view.Plan, &plan);
+    inputs.Plan = plan.has_view ? &plan : nullptr;
+    inputs.Sky = *view.Sky;
+  }
+  vtkWaterSecondarySurface& secondary =
+    isLookedUp ? this->Internal->SecondaryOfScene : this->Internal->Secondary;
+  vtkWaterSurfaceShader& surface = secondary.Surface;
+  water_horizon_depths(view.Plan->mirrored.view_to_clip, false, inputs.HorizonDepths);
+  if (surface.UpdateFeatures(SecondaryFeaturesWith(
+        inputs, *water, view.Plan->sky, isLookedUp, vtkWaterFrame::Of(renderer).IsSoftware())))
+  {
+    this->GetProperty()->Modified(); // the mapper builds the other shader
+  }
+  vtkMapper* drawn = water->IsEndless ? this->Internal->LayHorizon(*water, renderer,
+                                          view.Plan->mirrored, view.Plan->clip_plane_world, mapper)
+                                      : secondary.Follow(mapper);
+  surface.Begin(water, inputs);
+  this->Internal->DrawSurface(surface, renderer, drawn);
+  surface.End();
 }
 
 //------------------------------------------------------------------------------

@@ -176,6 +176,23 @@ vtk_water_status vtk_water_pass_set_time_budget(vtk_water_pass* pass, double mil
   });
 }
 
+vtk_water_status vtk_water_pass_set_secondary_reflections(vtk_water_pass* pass, int reflections)
+{
+  return Guarded([&] {
+    if (!pass)
+    {
+      return Fail(VTK_WATER_NULL_ARGUMENT, "pass is NULL");
+    }
+    if (reflections != 0 && reflections != 1)
+    {
+      return Fail(VTK_WATER_BAD_VALUE,
+        "secondary reflections is " + std::to_string(reflections) + "; it must be 0 or 1");
+    }
+    pass->Object->SetSecondaryReflections(reflections == 1);
+    return VTK_WATER_OK;
+  });
+}
+
 vtk_water_status vtk_water_pass_get_render_count(vtk_water_pass* pass, int64_t* count)
 {
   return Ask(

@@ -16,8 +16,8 @@
  *
  * The mirrored view contains opaque and translucent geometry and volumes. They are lit by the
  * scene's lights at their real positions, and clipped at the plane. It does not contain the water
- * itself. Other waters appear in it with their colour and the background's reflection. The mirrored
- * view is flipped in x.
+ * itself. Other waters appear in it with their colour and the background's reflection, or the
+ * scene's (SetSecondaryReflections). The mirrored view is flipped in x.
  *
  * The environment variable VTK_WATER_DEBUG=1 turns ShowReflection on. VTK_WATER_SOFTWARE=0 makes
  * the module treat any renderer as a GPU, VTK_WATER_SOFTWARE=1 as a software renderer
@@ -221,6 +221,21 @@ public:
 
   ///@{
   /**
+   * Whether other waters, in other planes, reflect the scene where they appear in this water's
+   * reflection (one bounce). Off: they reflect only the sky there. On: for each such plane that the
+   * reflection shows, another mirrored view is rendered (a secondary view). In it, waters reflect
+   * only the sky. Waves of other waters appear as roughness, as without this setting. Clear water
+   * keeps the colour of deep water there. Without effect, with one warning, if the pass has a
+   * controller of several ranks. Source: Documentation/decisions/011-water-in-water.md. Default is
+   * off.
+   */
+  void SetSecondaryReflections(bool reflections);
+  bool GetSecondaryReflections() const;
+  vtkBooleanMacro(SecondaryReflections, bool);
+  ///@}
+
+  ///@{
+  /**
    * Whether to show the reflection texture in the lower left quarter of the viewport, as the water
    * sees it (not flipped). For debugging. Default is off, or on with VTK_WATER_DEBUG=1.
    */
@@ -254,6 +269,11 @@ public:
   int GetOwnViewDecision() const;
   const char* GetOwnViewDecisionAsString() const;
   ///@}
+
+  /**
+   * Number of secondary views rendered since the pass was made (SetSecondaryReflections).
+   */
+  vtkIdType GetNumberOfSecondaryRenders() const;
 
   /**
    * Number of props in the last mirrored view.
@@ -394,8 +414,8 @@ public:
   ///@{
   /**
    * Milliseconds of the last measurement with Instrumentation on. Gathering the scene and planning
-   * are measured on the CPU. Drawing the mirrored view and the surface is measured on the GPU, for
-   * the last one that it has finished. The surface's time includes the copy of what is visible
+   * are measured on the CPU. Drawing the mirrored view (with its secondary views) and the surface is
+   * measured on the GPU, for the last one that it has finished. The surface's time includes the copy of what is visible
    * through it. NaN: unknown.
    */
   double GetLastGatherTime() const;

@@ -256,6 +256,25 @@ double vtkWaterReflectionPass::GetGuardBand() const
 }
 
 //------------------------------------------------------------------------------
+void vtkWaterReflectionPass::SetSecondaryReflections(bool reflections)
+{
+  this->Set("SecondaryReflections", this->Reflection->Settings.secondary_reflections, reflections,
+    false, true);
+}
+
+//------------------------------------------------------------------------------
+bool vtkWaterReflectionPass::GetSecondaryReflections() const
+{
+  return this->Reflection->Settings.secondary_reflections;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkWaterReflectionPass::GetNumberOfSecondaryRenders() const
+{
+  return this->Reflection->GetReport().SecondaryRenderCount;
+}
+
+//------------------------------------------------------------------------------
 void vtkWaterReflectionPass::SetInstrumentation(bool instrumentation)
 {
   // no modification: it changes nothing that is rendered
@@ -372,8 +391,7 @@ const char* vtkWaterReflectionPass::GetDecisionAsString() const
 //------------------------------------------------------------------------------
 double vtkWaterReflectionPass::GetLastReflectionTime()
 {
-  return this->Reflection->Ask(vtkMath::Nan(),
-    [](vtkWaterGpuQueries& queries) { return queries.GetTime(vtkWaterGpuQueries::REFLECTION); });
+  return this->Reflection->AskTime();
 }
 
 //------------------------------------------------------------------------------
@@ -423,6 +441,8 @@ void vtkWaterReflectionPass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ColorPrecision: " << this->GetColorPrecisionAsString() << "\n";
   os << indent << "ClipMargin: " << this->GetClipMargin() << "\n";
   os << indent << "GuardBand: " << this->GetGuardBand() << "\n";
+  os << indent << "SecondaryReflections: " << (this->GetSecondaryReflections() ? "on" : "off")
+     << "\n";
   os << indent << "Skips: " << this->GetSkips() << "\n";
   os << indent << "MinimumPropSize: " << this->GetMinimumPropSize() << "\n";
   os << indent << "ReflectanceError: " << this->GetReflectanceError() << "\n";
@@ -448,6 +468,7 @@ void vtkWaterReflectionPass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NumberOfReflectionRenders: " << this->GetNumberOfReflectionRenders() << "\n";
   os << indent << "NumberOfOwnViewRenders: " << this->GetNumberOfOwnViewRenders() << "\n";
   os << indent << "Last own view: " << this->GetOwnViewDecisionAsString() << "\n";
+  os << indent << "NumberOfSecondaryRenders: " << this->GetNumberOfSecondaryRenders() << "\n";
   os << indent << "Last plan: " << this->GetDecisionAsString() << "\n";
   const water_plan& plan = this->Reflection->GetPlan();
   if (this->GetDecision() == RENDERED || this->GetDecision() == REUSED)

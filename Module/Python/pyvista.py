@@ -23,7 +23,7 @@ from .skies import Sun, add_clear_sky, has_scene_light, shine, sun_of
 from .sliders import add_water_level_slider
 from .surfaces import (check_flow, check_has_water, check_level, color_surface, lakes_of, level_and_surface,
                        plane_of, surface_of)
-from .words import finite, has_waves, in_range, number, numbers, set_look, whole_in_range
+from .words import finite, flag, has_waves, in_range, number, numbers, set_look, whole_in_range
 
 __all__ = ["Sun", "add_clear_sky", "add_water", "add_water_level_slider"]
 
@@ -61,6 +61,7 @@ def add_water(
     normal="z",
     origin=(0.0, 0.0, 0.0),
     surface=None,
+    secondary_reflections=None,
     max_mirrors=None,
     hulls=None,
     bounds=None,
@@ -187,6 +188,10 @@ def add_water(
         one water each, in the plane that fits it best (:vtk:`vtkWaterLakes`). With a number as ``level`` there is one
         water, and all of the surface must lie in its plane, apart from waves. The default is a built-in sheet.
 
+    secondary_reflections : bool, optional
+        Whether other waters, in other planes, reflect the scene where this water's reflection shows them. The default
+        is False: they reflect only the sky there. With a ``surface`` of several planes, this applies to all of them.
+
     max_mirrors : int, optional
         With a ``surface`` of several planes: the maximum number of waters in view that reflect the scene, in
         [0, 4096]; the default is 8. The other waters, which cover less of the picture, reflect only the sky.
@@ -280,6 +285,8 @@ def add_water(
         raise ValueError("bounds and surface are both given; bounds apply only to the built-in sheet")
     if max_mirrors is not None:
         max_mirrors = whole_in_range("max_mirrors", max_mirrors, 0, 4096)
+    if secondary_reflections is not None:
+        secondary_reflections = flag("secondary_reflections", secondary_reflections)
     if data_opacity is not None:
         data_opacity = in_range("data_opacity", data_opacity, 0.0, 1.0)
     mapper, data = surface_of(surface, level, depth, bed, normal, origin)
@@ -327,6 +334,8 @@ def add_water(
         actor.SetFlowArrayName(flow)
     if max_mirrors is not None and lakes is not None:
         lakes.SetMaximumNumberOfMirrors(max_mirrors)
+    if secondary_reflections is not None:
+        actor.GetReflectionPass().SetSecondaryReflections(secondary_reflections)
     if has_level and mapper is not None:
         actor.SetMapper(mapper)
     for hull in afloat:

@@ -243,7 +243,8 @@ TEST(hardware_reads_in_batches)
   }
 }
 
-// In the mirrored view of another water a water reflects the background, smooth or rough.
+// In the mirrored view of another water a water reflects the background, or the scene, smooth or
+// rough.
 TEST(water_in_a_mirrored_view_is_smooth_or_rough)
 {
   for (unsigned has = 0; has < LOOKS; ++has)
@@ -251,6 +252,10 @@ TEST(water_in_a_mirrored_view_is_smooth_or_rough)
     const water_feature_look look = look_of(has);
     assert_int_equal(water_features_secondary(&look),
       (has & ROUGH) ? WATER_FEATURE_ENVIRONMENT | WATER_FEATURE_ROUGH : WATER_FEATURE_ENVIRONMENT);
+    assert_int_equal(water_features_secondary_view(&look),
+      (has & ROUGH)
+        ? WATER_FEATURE_RAY_TRACED | WATER_FEATURE_SEVERAL_RAYS | WATER_FEATURE_ROUGH
+        : 0);
   }
 }
 

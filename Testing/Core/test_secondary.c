@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// test_secondary.c: other water in a mirrored view: which rays meet it, where it finds the sky, how
-// rough it is, and which planes are other ones.
+// test_secondary.c: other water in a mirrored view: which rays meet it, where it finds the sky or
+// the scene, how rough it is, and which planes are other ones.
 #include "test_scene.h"
 
 #include "water_math.h"
@@ -146,6 +146,147 @@ TEST(rays_are_of_the_mirrored_eye_and_the_sky_is_of_the_pictures)
   }
 }
 
+// The mirror image of a point at the other water, and the first one's, its eye's too.
+static void image_at(const other_water* other, const double point[3], double image[3])
+{
+  const double arm[3] = { point[0] - other->scene.plane_origin[0],
+    point[1] - other->scene.plane_origin[1], point[2] - other->scene.plane_origin[2] };
+  const double twice = 2.0 * dot(other->normal, arm);
+  for (int i = 0; i < 3; ++i)
+  {
+    image[i] = point[i] - twice * other->normal[i];
+  }
+}
+
+// A secondary view shows a point where the mirrored view would show its image at the other water,
+// turned left to right; headlights and the sky are where the picture's own eye has them.
+TEST(secondary_view_is_mirrored_at_both_planes)
+{
+  dice from = dice_seeded(23);
+  const double center[3] = { 3.0, -2.0, 1.0 };
+  int seen_count = 0;
+  for (int number = 0; number < SCENES; ++number)
+  {
+    const random_scene first = scene_rolled(&from, number, center);
+    const water_plan mirrored = plan_of(&first.scene, NULL);
+    other_water other = other_rolled(&from, &first);
+    const bool is_rough = number % 2 == 1;
+    other.scene.settings.guard_band = 1.2;
+    water_secondary_view(&mirrored, &first.scene.eye, is_rough, &other.scene);
+    other.scene.viewport_rect_px = NULL;
+    water_plan plan;
+    assert_int_equal(water_plan_make(&other.scene, &plan, NULL), WATER_OK);
+    if (plan.decision != WATER_REFLECT)
+    {
+      assert_int_equal(plan.decision, WATER_NO_REFLECT_OUT_OF_VIEW);
+      continue;
+    }
+    assert_near(determinant3(plan.mirrored.world_to_view), 1.0, 1e-12);
+    assert_true(is_rough ? plan.reflection_scale[0] < 0.9 : plan.reflection_scale[0] == 1.0);
+    for (int i = 0; i < POINTS; ++i)
+    {
+      double point[3];
+      double image[3];
+      double truth[4];
+      double shown[4];
+      point_near(&from, &first, 6.0, point);
+      image_at(&other, point, image);
+      project(&mirrored.mirrored, image, 1.0, truth);
+      project(&plan.mirrored, point, 1.0, shown);
+      if (!is_inside(truth))
+      {
+        continue;
+      }
+      ++seen_count;
+      assert_near(shown[0] / shown[3], -plan.reflection_scale[0] * truth[0] / truth[3], 1e-9);
+      assert_near(shown[1] / shown[3], plan.reflection_scale[1] * truth[1] / truth[3], 1e-9);
+
+      double dir[3]; // that the secondary view shows at the point
+      double away[4];
+      double sky[4];
+      for (int j = 0; j < 3; ++j)
+      {
+        dir[j] = first.is_parallel ? -plan.mirrored.world_to_view[8 + j]
+                                   : point[j] - plan.mirrored_position[j];
+      }
+      project(&plan.mirrored, dir, 0.0, away);
+      project(&first.scene.eye, dir, 0.0, sky);
+      const double w = first.is_parallel ? 1.0 : away[3];
+      const double place[3] = { first.is_parallel ? 0.3 : away[0] / w,
+        first.is_parallel ? -0.2 : away[1] / w, 1.0 };
+      assert_near(w * dot(plan.reflection_ndc_to_eye, place), sky[0], 1e-8);
+      assert_near(w * dot(plan.reflection_ndc_to_eye + 3, place), sky[1], 1e-8);
+      assert_near(w * dot(plan.reflection_ndc_to_eye + 6, place), sky[3], 1e-8);
+    }
+    double dir[4];
+    double place[4];
+    double local[3];
+    double to_eye[4];
+    apply(plan.mirrored.world_to_view, first.view_dir, 0.0, dir);
+    apply(plan.mirrored.world_to_view, first.eye, 1.0, place);
+    along_axes(&other, first.view_dir, local);
+    project(&first.scene.eye, first.view_dir, 0.0, to_eye);
+    for (int i = 0; i < 3; ++i)
+    {
+      assert_near(plan.headlight_dir[i], dir[i], 1e-12);
+      assert_near(plan.headlight_position[i], place[i], 1e-9);
+    }
+    for (int i = 0; i < 4; ++i)
+    {
+      assert_near(dot(plan.dir_to_eye + 3 * i, local), to_eye[i], 1e-9);
+    }
+  }
+  assert_in_range(seen_count, 300, SCENES * POINTS);
+}
+
+// What the mirrored view does not show of the other water, its secondary view is not drawn for.
+TEST(secondary_view_is_of_what_the_mirrored_view_shows)
+{
+  water_scene scene = lake();
+  const water_plan mirrored = plan_of(&scene, NULL);
+  const water_camera eye = scene.eye;
+  scene = lake();
+  scene.plane.offset = -8.0; // over the lake and its eye: its underside is seen
+  const double shelf[6] = { -2.0, 2.0, -2.0, 2.0, 8.0, 8.0 };
+  memcpy(scene.surface_bounds, shelf, sizeof shelf);
+  scene.has_waves = scene.has_shadows = scene.is_hidden = scene.has_scene_depth = true;
+  scene.wave_height_max = scene.surface_height = 0.5;
+  scene.settings.texture_scale = 0.5;
+  scene.settings.quality = WATER_QUALITY_TIME_BUDGET;
+  water_secondary_view(&mirrored, &eye, false, &scene);
+  assert_false(
+    scene.has_waves || scene.has_shadows || scene.is_hidden || scene.has_scene_depth);
+  assert_true(scene.wave_height_max == 0.0 && scene.surface_height == 0.0);
+  assert_int_equal(scene.settings.quality, WATER_QUALITY_FIXED);
+  water_plan plan;
+  assert_int_equal(water_plan_make(&scene, &plan, NULL), WATER_OK);
+  assert_int_equal(plan.decision, WATER_REFLECT);
+  assert_int_equal(plan.side, WATER_BELOW);
+  assert_memory_equal(plan.texture_px, mirrored.texture_px, sizeof plan.texture_px);
+
+  const int all[4] = { plan.texture_rect_px[0], plan.texture_rect_px[1], plan.texture_rect_px[2],
+    plan.texture_rect_px[3] };
+  const int half[4] = { 0, 0, 400, 600 }; // in the texture, turned, the other half
+  scene.viewport_rect_px = half;
+  assert_int_equal(water_plan_make(&scene, &plan, NULL), WATER_OK);
+  assert_int_equal(plan.decision, WATER_REFLECT);
+  assert_int_equal(plan.texture_rect_px[0], 398);
+  assert_int_equal(plan.texture_rect_px[0] + plan.texture_rect_px[2], all[0] + all[2]);
+  assert_int_equal(plan.texture_rect_px[1], all[1]);
+  const int none[4] = { 0, 0, 800, 2 };
+  scene.viewport_rect_px = none;
+  assert_int_equal(water_plan_make(&scene, &plan, NULL), WATER_OK);
+  assert_int_equal(plan.decision, WATER_NO_REFLECT_OUT_OF_VIEW);
+  scene.settings.skips &= ~(unsigned)WATER_MAY_SKIP_UNSEEN;
+  assert_int_equal(water_plan_make(&scene, &plan, NULL), WATER_OK);
+  assert_int_equal(plan.decision, WATER_REFLECT);
+
+  water_camera broken = eye;
+  broken.world_to_view[0] = 2.0;
+  scene.picture_eye = &broken;
+  assert_int_equal(water_plan_make(&scene, &plan, NULL), WATER_BAD_CAMERA);
+}
+
 // What is wrong with the other water is said, and there is no view.
 TEST(faults_leave_no_view)
 {
@@ -236,5 +377,7 @@ TEST(the_same_plane_is_known)
   }
 }
 
-TESTS(rays_are_of_the_mirrored_eye_and_the_sky_is_of_the_pictures, faults_leave_no_view,
+TESTS(rays_are_of_the_mirrored_eye_and_the_sky_is_of_the_pictures,
+  secondary_view_is_mirrored_at_both_planes, secondary_view_is_of_what_the_mirrored_view_shows,
+  faults_leave_no_view,
   slopes_are_those_of_the_waves, the_same_plane_is_known)

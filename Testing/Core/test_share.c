@@ -72,7 +72,7 @@ TEST(sheets_of_one_plane_share)
 TEST(every_difference_forbids_sharing)
 {
   const water_share one = sheet();
-  for (int i = 0; i < 14; ++i)
+  for (int i = 0; i < 15; ++i)
   {
     water_share other = sheet();
     water_settings* set = &other.settings;
@@ -89,6 +89,7 @@ TEST(every_difference_forbids_sharing)
     other.has_environment = i == 11;
     other.is_opaque = i != 12;
     other.is_displaced = i == 13;
+    set->secondary_reflections = i == 14;
     assert_false(can(&one, &other, over, false));
   }
 }

@@ -325,6 +325,18 @@ def test_a_pass_has_a_time_budget(small):  # noqa: F811
     wt.check_equal("quality without", mirror.GetQuality(), vtkWaterReflectionPass.FIXED)
 
 
+def test_a_pass_has_secondary_reflections(small):  # noqa: F811
+    """They are turned on and off; another number is an error."""
+    mirror = small.native_water().GetReflectionPass()
+    for value in (1, 0, 1):
+        small.judge("vtk_water_pass_set_secondary_reflections", OK, b"", small.mirror, value)
+        wt.check_equal("on", mirror.GetSecondaryReflections(), value == 1)
+    small.judge("vtk_water_pass_set_secondary_reflections", BAD_VALUE,
+                b"secondary reflections is 2; it must be 0 or 1", small.mirror, 2)
+    small.judge("vtk_water_pass_set_secondary_reflections", NULL_ARGUMENT, b"pass is NULL", None, 1)
+    wt.check_equal("on, after wrong ones", mirror.GetSecondaryReflections(), True)
+
+
 WAVE = (0.0005, 0.03, 20.0, 10.0, 0.0)  # m
 NAN, INFINITY = float("nan"), float("inf")
 REFUSALS = (  # name, status, words of the error, function, its arguments for a SmallScene

@@ -183,6 +183,19 @@ def test_a_plane_or_a_surface_may_be_given(plotter):
     wt.check_equal("bounds of a surface", np.round(mesh.GetBounds()[:2], 6).tolist(), [-3.0, 3.0])
 
 
+@pytest.mark.parametrize("given, expected", (({}, False), ({"secondary_reflections": np.True_}, True)))
+def test_secondary_reflections_arrive_at_every_water(given, expected, plotter):
+    """Those of a surface in two planes have the setting, too."""
+    surface = pv.Plane(center=(0, 0, 0)).merge(pv.Plane(center=(3, 0, 1)))
+    plotter.add_water(surface, **given)
+    plotter.render()
+    props = plotter.renderer.GetViewProps()
+    every = [props.GetItemAsObject(i) for i in range(props.GetNumberOfItems())]
+    waters = [prop for prop in every if isinstance(prop, vtkWaterActor)]
+    wt.check_equal("settings", [water.GetReflectionPass().GetSecondaryReflections() for water in waters],
+                   [expected, expected])
+
+
 def test_in_a_scaled_scene_the_level_is_one_of_the_data(plotter):
     """In a scaled scene the level is one of the data, drawn where the data's height is."""
     plotter.set_scale(zscale=2.0)
@@ -286,6 +299,7 @@ WRONG = [  # the exception, a part of its text, the argument
     (ValueError, "max_mirrors is -7; it must lie in [0, 4096]",
      {"max_mirrors": -7, "surface": pv.Plane(), "level": 0.0, "bounds": None}),
     (TypeError, "data_opacity must be a number, not str", {"data_opacity": "x"}),
+    (TypeError, "secondary_reflections must be bool, not str", {"secondary_reflections": "x"}),
     (ValueError, "data_opacity is 2; it must lie in [0, 1]", {"data_opacity": 2}),
 ]
 

@@ -13,6 +13,7 @@ SETTINGS = {  # what has the setting, its value
     "Reflectance": ("look", 0.625), "IndexOfRefraction": ("look", 1.375), "Opacity": ("look", 0.8125),
     "DeepColor": ("look", (0.125, 0.25, 0.375)), "ReflectanceMode": ("look", 1),
     "TextureScale": ("mirror", 0.4375), "ClipMargin": ("mirror", 0.03125), "MultiSamples": ("mirror", 4),
+    "SecondaryReflections": ("mirror", True),
     "ShowReflection": ("mirror", True), "SheetBounds": ("water", (-11.5, 12.5, -13.5, 14.5)),
     "Level": ("water", 17.25),
 }

@@ -80,6 +80,14 @@ def test_translucent_props_and_volumes_are_blended_in_order(cases):
         wt.check_equal("  error", case["error"], "")
 
 
+def test_secondary_reflections_are_left_out_and_each_rank_says_so(cases):
+    """Once, and the picture is that without them."""
+    (case,) = cases["secondary"]
+    wt.check_equal("warnings, secondary views, errors of each rank", [said == [1, 0, 0] for said in case["said"]],
+                   [True] * len(case["said"]))
+    wt.check_at_most("share of pixels off", case["off"], 0.0)
+
+
 def test_nothing_is_sent_while_nothing_changes(cases):
     """A change on one rank has all of them render again."""
     (case,) = cases["use again"]

@@ -17,7 +17,7 @@ from vtkwater import (command, vtkWaterActor, vtkWaterLakes, vtkWaterProperty, v
 GUIDE = pathlib.Path(__file__).resolve().parents[2] / "Documentation" / "guide.md"
 OF_THE_ACTOR = {"SetLevel", "SetPlane", "SetMapper", "SetSheetBounds", "SetSheetToHorizon", "SetSheetToAutomatic",
                 "SetTime", "GetSkyDirection", "AddHull", "SetFlowArrayName", "SetFlowPeriod"}
-OF_THE_PASS = {"SetTimeBudget", "SetQualityToTimeBudget"}
+OF_THE_PASS = {"SetTimeBudget", "SetQualityToTimeBudget", "SetSecondaryReflections"}
 OF_THE_LAKES = {"SetMaximumNumberOfMirrors"}
 OF_THE_FILTER = {"SetLevelArrayName", "SetDepthArrayName", "SetBedArrayName"}
 # of the plotter and of the picture, not of the water

@@ -342,6 +342,25 @@ def use_again(ranks):
         say(ranks, case="use again", frames=[row.tolist() for row in rows], off=off(together, serial.picture()))
 
 
+def reflect_once(ranks):
+    """Secondary reflections have no effect on ranks, and each says so once."""
+    view = make_view(own_part(ranks, "blocks"), "calm")
+    fall = wt.add_water(view.renderer, wt.plane((0, 6, 0), (0, -1, 0.1)), (-6, 6, -2, 4), 0.7)
+    reflection = view.water.GetReflectionPass()
+    for water in (view.water, fall):
+        water.GetReflectionPass().SetController(ranks.controller)
+    plain = composed(ranks, view)
+    warnings = []
+    view.water.AddObserver("WarningEvent", lambda *_: warnings.append(True))
+    reflection.SecondaryReflectionsOn()
+    for azimuth in (1, -1):
+        view.renderer.GetActiveCamera().Azimuth(azimuth)
+        shown = composed(ranks, view)
+    said = ranks.gather([len(warnings), reflection.GetNumberOfSecondaryRenders(), len(view.water.GetLastError())])
+    if ranks.rank == 0:
+        say(ranks, case="secondary", said=said.tolist(), off=off(plain, shown))
+
+
 def part_company(ranks):
     """Ranks that differ: every one says so, none waits; and they come together again."""
     view = make_view(own_part(ranks, "blocks"), "calm")
@@ -510,6 +529,7 @@ def main():
                 compare(ranks, split, look, folder, 0, serial)
         blend(ranks, folder)
         use_again(ranks)
+        reflect_once(ranks)
         part_company(ranks)
         toggle(ranks, 120)
     ranks.end()

@@ -56,7 +56,8 @@ def blob():
 
 class Scene:
     """kind: "one plane": two calm sheets; "levels": a pool and a sheet with waves besides;
-    "clear": two sheets of a wind sea that is seen through, with sun, shadows and caustics."""
+    "clear": two sheets of a wind sea that is seen through, with sun, shadows and caustics;
+    "fall": a pool, a sheet of water that falls into it and one with waves, which show the scene in each other."""
 
     def __init__(self, kind, skips, samples=0, size=SIZE):
         self.kind, self.skips = kind, skips
@@ -168,6 +169,15 @@ class Scene:
             look.SetCaustics(0.8)
             look.ShadowsOn()
             look.SetFoamDepth(0.2)
+            return
+        if self.kind == "fall":
+            add(0, (-9, 9, -9, 5), 0.9)
+            for origin, normal, sheet in (((0, 5, 0), (0, -1, 0.2), (-5, 3, -2, 3)),
+                                          ((8, 0, 0), (-1, -0.3, 0.3), (-3, 3, -1, 4))):
+                self.waters.append(wt.add_water(self.renderer, wt.plane(origin, normal), sheet, 0.7))
+            self.waters[2].GetWaterProperty().AddWave(0.01, 0.6, 20.0)
+            for water in self.waters:
+                water.GetReflectionPass().SecondaryReflectionsOn()
             return
         add(0, (-9, 0, -9, 9), 0.9)
         add(0, (0, 9, -9, 9), 0.9)

@@ -61,6 +61,12 @@ def _white_sea(look):
     look.SetWhitecaps(True)
 
 
+def _add_fall(scene):
+    """Another water, whose plane leans over the first one; half of its mirrored view shows it."""
+    scene.fall = wt.add_water(scene.renderer, wt.plane((-12, 0, 0), (1, 0.3, -0.25)), (-25, 25, -4, 12))
+    scene.fall.GetWaterProperty().SetReflectance(0.7)
+
+
 # effect: (what the water has beside it, the effect on or off)
 EFFECTS = {
     "refraction": (_waves, lambda look, on: look.SetRefraction(on)),
@@ -74,6 +80,7 @@ EFFECTS = {
     "light shafts": (_from_below, lambda look, on: look.SetLightShafts(1.0 if on else 0.0)),
     "dome port": (_clear, lambda look, on: look.SetDomePortRadius(10.0 if on else 0.0)),
 }
+SECONDARY = "secondary reflections"  # of the reflection, and not of the look
 EYES = {"light shafts": (45.0, 17.6, -1.5)}  # else as in the terrain's scene
 
 
@@ -83,13 +90,19 @@ def _pair(name):
     wt.add_scene_light(scene.renderer, SUN)
     if name in EYES:
         scene.look(EYES[name], kind.target, kind.angle)
-    prepare, switch = EFFECTS[name]
+    prepare, switch = EFFECTS.get(name, (None, None))
     look = scene.water.GetWaterProperty()
-    prepare(look)
+    if name == SECONDARY:
+        _add_fall(scene)
+    else:
+        prepare(look)
 
     def frame(is_on):
         def choose():
-            switch(look, is_on)
+            if name == SECONDARY:
+                scene.water.GetReflectionPass().SetSecondaryReflections(is_on)
+            else:
+                switch(look, is_on)
 
         return Frame("on" if is_on else "off", scene.window, scene.pass_time, choose)
 
@@ -120,7 +133,7 @@ def run(results):
     tables = []
     for kind, value in KINDS.items():
         os.environ["VTK_WATER_SOFTWARE"] = value
-        rows = [_measure(results, effect, kind) for effect in EFFECTS]
+        rows = [_measure(results, effect, kind) for effect in (*EFFECTS, SECONDARY)]
         tables.append(f"**{kind}**\n\n" + table(("effect", "off, ms", "on, ms", "on / off"), rows))
     if kept is None:
         del os.environ["VTK_WATER_SOFTWARE"]

@@ -11,7 +11,7 @@ import pathlib
 import sys
 
 ROWS = ("Surfaces", "Props", "Labels", "Blending", "Light", "View", "Window", "Passes", "Background", "Waters",
-        "WaterInWater", "BadInput", "PropClasses", "MapperClasses", "WidgetClasses", "PassClasses")
+        "WaterInWater", "SecondaryReflections", "BadInput", "PropClasses", "MapperClasses", "WidgetClasses", "PassClasses")
 PLACES = ("Testing/Temporary*/", "")  # in a build tree, or a folder that is a test's own
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 PAGE = ROOT / "Documentation" / "mirror-matrix.md"

@@ -156,6 +156,8 @@ typedef struct water_settings
   water_quality_mode quality;
   double target_error_px;
   double time_budget_ms;
+  bool secondary_reflections; // other waters in the mirrored view reflect the scene, not the sky
+                              // alone
 } water_settings;
 
 // What is painted on the main view's screen before everything else: VTK's gradient modes, or a
@@ -212,7 +214,10 @@ typedef struct water_sky
 typedef struct water_scene
 {
   water_camera eye;
-  int viewport_px[2]; // size of the picture the water is drawn into, >= 1
+  const water_camera* picture_eye; // of the user's picture, if the eye is a mirrored one: what is
+                                   // fixed to a screen or a camera belongs to it; NULL: the eye is
+  int viewport_px[2];          // size of the picture the water is drawn into, >= 1
+  const int* viewport_rect_px; // x, y, width, height of the part of it that counts; NULL: all of it
   water_plane plane;
   double plane_origin[3]; // of the plane's own axes, in world
   bool has_waves;         // the surface is not calm: its reflection is looked up along rays

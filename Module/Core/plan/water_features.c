@@ -159,3 +159,9 @@ water_feature_set water_features_secondary(const water_feature_look* look)
 {
   return WATER_FEATURE_ENVIRONMENT | if_has(water_features_is_rough(look), WATER_FEATURE_ROUGH);
 }
+
+water_feature_set water_features_secondary_view(const water_feature_look* look)
+{
+  return if_has(water_features_is_rough(look),
+    WATER_FEATURE_RAY_TRACED | WATER_FEATURE_SEVERAL_RAYS | WATER_FEATURE_ROUGH);
+}

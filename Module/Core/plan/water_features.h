@@ -351,6 +351,10 @@ water_feature_set water_features_on_hardware(water_feature_set features);
 // The same in the mirrored view of another water: the background, and the mean of all waves.
 water_feature_set water_features_secondary(const water_feature_look* look);
 
+// The same with a secondary view to look up (water_secondary.h): in place of the background, the
+// scene.
+water_feature_set water_features_secondary_view(const water_feature_look* look);
+
 #ifdef __cplusplus
 }
 #endif

@@ -268,6 +268,24 @@ void water_mirror_headlight(
   }
 }
 
+void water_mirror_headlight_of(const water_eye* eye, const water_camera* mirrored,
+  double headlight_dir[3], double headlight_position[3])
+{
+  const double* world = eye->view_to_world;
+  const double ahead[3] = { -world[2], -world[6], -world[10] };
+  const double position[3] = { world[3], world[7], world[11] };
+  double dir[4];
+  double place[4];
+  water_mat4_apply_dir(mirrored->world_to_view, ahead, dir);
+  water_mat4_apply_point(mirrored->world_to_view, position, place);
+  const double length = water_vec3_length(dir);
+  for (int i = 0; i < 3; ++i)
+  {
+    headlight_dir[i] = dir[i] / length;
+    headlight_position[i] = place[i];
+  }
+}
+
 void water_mirror_reflection_to_eye(const water_camera* camera, const water_eye* eye,
   const double plane_view[4], const double reflection_scale[2], double reflection_ndc_to_eye[9])
 {
@@ -293,4 +311,24 @@ void water_mirror_reflection_to_eye(const water_camera* camera, const water_eye*
       reflection_ndc_to_eye[3 * i + j] = water_vec3_dot(to_clip + 4 * rows[i], dir);
     }
   }
+}
+
+water_status water_mirror_reflection_to(
+  const water_camera* camera, const water_camera* mirrored, double reflection_ndc_to_eye[9])
+{
+  water_eye eye;
+  const water_status status = water_camera_decompose(mirrored, &eye);
+  for (int j = 0; j < 3 && status == WATER_OK; ++j)
+  {
+    const double dir[3] = { eye.ndc_to_dir[j], eye.ndc_to_dir[3 + j], eye.ndc_to_dir[6 + j] };
+    double world[4];
+    double clip[4];
+    water_mat4_apply_dir(eye.view_to_world, dir, world);
+    water_mat4_apply_dir(camera->world_to_view, world, clip);
+    water_mat4_apply(camera->view_to_clip, clip, clip);
+    reflection_ndc_to_eye[j] = clip[0];
+    reflection_ndc_to_eye[3 + j] = clip[1];
+    reflection_ndc_to_eye[6 + j] = clip[3];
+  }
+  return status;
 }

@@ -101,6 +101,10 @@ void water_mirror_texture_matrix(const water_camera* mirrored, double world_to_t
 void water_mirror_headlight(
   const double plane_view[4], double headlight_dir[3], double headlight_position[3]);
 
+// The same for any eye and any mirrored camera, such as one that is mirrored at two planes.
+void water_mirror_headlight_of(const water_eye* eye, const water_camera* mirrored,
+  double headlight_dir[3], double headlight_position[3]);
+
 // (x, y, 1) in NDC of the reflection texture -> (x, y, w) in clip of the eye, of the direction that
 // the reflection texture sees there. For a parallel eye that is one and the same direction, and w
 // is 0.
@@ -108,6 +112,12 @@ void water_mirror_headlight(
 // reflection_scale  part of the reflection texture that is the eye's own picture, per axis
 void water_mirror_reflection_to_eye(const water_camera* camera, const water_eye* eye,
   const double plane_view[4], const double reflection_scale[2], double reflection_ndc_to_eye[9]);
+
+// The same for any eye and any mirrored camera.
+//
+// Returns WATER_OK or WATER_BAD_CAMERA (of the mirrored camera); then the matrix is unchanged.
+water_status water_mirror_reflection_to(
+  const water_camera* camera, const water_camera* mirrored, double reflection_ndc_to_eye[9]);
 
 #ifdef __cplusplus
 }

@@ -38,6 +38,7 @@ typedef struct checked
   water_plane plane; // unit length, as the user turned it
   water_plane level; // the same, moved to the surface where the eye is
   water_eye eye;
+  water_eye picture; // the eye of the user's picture, if that is another one
   bool is_at_surface; // there is surface over the eye, or under it
   water_side side;
   int texture_px[2];
@@ -101,6 +102,10 @@ static water_status check(const water_scene* scene, checked* result)
     return status;
   }
   status = water_camera_decompose(&scene->eye, &result->eye);
+  if (status == WATER_OK && scene->picture_eye)
+  {
+    status = water_camera_decompose(scene->picture_eye, &result->picture);
+  }
   if (status != WATER_OK)
   {
     return status;
@@ -148,11 +153,12 @@ static water_decision decide(const water_scene* scene, const checked* input)
                                                      : WATER_REFLECT;
 }
 
-// Which part of the picture the water covers.
-static void cover(
+// Which part of the picture the water covers. false: none of what counts of the picture.
+static bool cover(
   const water_scene* scene, const checked* input, const water_plane* plane, double box[4])
 {
   static const double whole[4] = { -1.0, -1.0, 1.0, 1.0 };
+  double counted[4] = { -1.0, -1.0, 1.0, 1.0 };
   if (!scene->is_endless)
   {
     water_target_box(&scene->eye, plane, scene->surface_bounds, box);
@@ -161,6 +167,17 @@ static void cover(
   {
     memcpy(box, whole, sizeof whole); // it is drawn although nothing of it is seen
   }
+  if (!scene->viewport_rect_px)
+  {
+    return true;
+  }
+  water_rect_to_ndc(scene->viewport_rect_px, scene->viewport_px, counted);
+  for (int i = 0; i < 2; ++i)
+  {
+    box[i] = fmax(box[i], counted[i]);
+    box[2 + i] = fmin(box[2 + i], counted[2 + i]);
+  }
+  return box[0] < box[2] && box[1] < box[3];
 }
 
 // box: of the picture that the water covers
@@ -172,6 +189,20 @@ static bool is_faint(
     water_optics_reflectance_max(&scene->look, plan->eta, plan->ndc_to_ray, box,
       scene->has_waves ? scene->slope_max : 0.0) <= scene->settings.reflectance_error &&
     input->side == WATER_ABOVE;
+}
+
+// Whether the part of the picture that the water covers is worth a mirrored view.
+//
+// box  that part
+static water_decision decide_by_cover(const water_scene* scene, const checked* input,
+  const water_plane* plane, const water_plan* plan, double box[4])
+{
+  if (!cover(scene, input, plane, box) && (scene->settings.skips & WATER_MAY_SKIP_UNSEEN))
+  {
+    return WATER_NO_REFLECT_OUT_OF_VIEW;
+  }
+  return !scene->is_beyond && is_faint(scene, input, plan, box) ? WATER_NO_REFLECT_FAINT
+                                                                : WATER_REFLECT;
 }
 
 // Calm and flat water looks up its own pixels.
@@ -316,7 +347,15 @@ static water_status fill_draw(const water_scene* scene, const checked* input,
   fill_visibility(scene, plan);
   water_mirror_pose(
     &plan->mirrored, plan->mirrored_position, plan->mirrored_focal_point, plan->mirrored_view_up);
-  water_mirror_headlight(plan->plane_view, plan->headlight_dir, plan->headlight_position);
+  if (scene->picture_eye)
+  {
+    water_mirror_headlight_of(
+      &input->picture, &plan->mirrored, plan->headlight_dir, plan->headlight_position);
+  }
+  else
+  {
+    water_mirror_headlight(plan->plane_view, plan->headlight_dir, plan->headlight_position);
+  }
   water_mirror_clip_view(plan->plane_view, margin, plan->clip_plane_view);
   water_mat4_apply_row(plan->clip_plane_view, plan->mirrored.world_to_view, plan->clip_plane_world);
   const water_status status = water_mirror_clip_clip(
@@ -339,7 +378,8 @@ static water_status fill_view(const water_scene* scene, const checked* input,
   memcpy(plan->clip_w, input->eye.clip_to_view + 12, sizeof plan->clip_w);
   water_lookup_pixel_depth(plan->plane_clip, plan->clip_w, plan->pixel_depth);
   water_camera_rays(&input->eye, plane, axes->x_dir, axes->y_dir, plan->ndc_to_ray);
-  water_lookup_dirs(&scene->eye, axes, plan->dir_to_eye);
+  water_lookup_dirs(
+    scene->picture_eye ? scene->picture_eye : &scene->eye, axes, plan->dir_to_eye);
   water_sky_environment(
     scene->environment_up, scene->environment_right, axes, &plan->environment_map);
   water_sky_map_local(&scene->sky.map, axes, &plan->sky_map);
@@ -374,8 +414,20 @@ static water_status fill_view(const water_scene* scene, const checked* input,
 static water_status fill_shade(
   const water_scene* scene, const checked* input, const water_axes* axes, water_plan* plan)
 {
-  water_mirror_reflection_to_eye(&scene->eye, &input->eye, plan->plane_view, plan->reflection_scale,
-    plan->reflection_ndc_to_eye);
+  if (scene->picture_eye)
+  {
+    const water_status status = water_mirror_reflection_to(
+      scene->picture_eye, &plan->mirrored, plan->reflection_ndc_to_eye);
+    if (status != WATER_OK)
+    {
+      return status;
+    }
+  }
+  else
+  {
+    water_mirror_reflection_to_eye(&scene->eye, &input->eye, plan->plane_view,
+      plan->reflection_scale, plan->reflection_ndc_to_eye);
+  }
   water_lookup_depths(&plan->mirrored, &plan->reflection_z_infinity, plan->reflection_tolerance);
   water_lookup_dirs(&plan->mirrored, axes, plan->dir_to_reflection);
   plan->reflection_texel = water_lookup_texel(plan->dir_to_reflection, plan->texture_px);
@@ -408,11 +460,9 @@ water_status water_plan_make(const water_scene* scene, water_plan* plan, water_c
     water_lookup_axes(&input.plane, input.side, scene->plane_origin, &axes);
     status = fill_view(scene, &input, &plane, &axes, &made);
     double box[4];
-    cover(scene, &input, &plane, box);
-    if (status == WATER_OK && made.decision == WATER_REFLECT && !scene->is_beyond &&
-      is_faint(scene, &input, &made, box))
+    if (status == WATER_OK && made.decision == WATER_REFLECT)
     {
-      made.decision = WATER_NO_REFLECT_FAINT;
+      made.decision = decide_by_cover(scene, &input, &plane, &made, box);
     }
     if (status == WATER_OK && made.decision == WATER_REFLECT)
     {

@@ -4,11 +4,9 @@
 #include "water_secondary.h"
 
 #include "water_glitter.h"
-#include "water_lookup.h"
 #include "water_math.h"
 #include "water_phase.h"
 #include "water_plan.h"
-#include "water_plane.h"
 
 #include <limits.h>
 
@@ -18,6 +16,7 @@ water_status water_secondary_plan(
   water_scene seen;
   memset(&seen, 0, sizeof seen);
   seen.eye = mirrored->mirrored;
+  seen.picture_eye = &scene->eye;
   memcpy(seen.viewport_px, mirrored->texture_px, sizeof seen.viewport_px);
   seen.plane = scene->plane;
   memcpy(seen.plane_origin, scene->plane_origin, sizeof seen.plane_origin);
@@ -33,16 +32,29 @@ water_status water_secondary_plan(
   seen.settings.color_precision =
     mirrored->is_half_float ? WATER_COLOR_HALF_FLOAT : WATER_COLOR_EIGHT_BIT;
   seen.max_texture_px = INT_MAX;
-  const water_status status = water_plan_make(&seen, plan, NULL);
-  if (plan->has_view)
-  {
-    water_plane unit;
-    water_axes axes;
-    (void)water_plane_normalise(&scene->plane, &unit); // the plan has checked it
-    water_lookup_axes(&unit, plan->side, scene->plane_origin, &axes);
-    water_lookup_dirs(&scene->eye, &axes, plan->dir_to_eye);
-  }
-  return status;
+  return water_plan_make(&seen, plan, NULL);
+}
+
+void water_secondary_view(
+  const water_plan* mirrored, const water_camera* picture_eye, bool is_rough, water_scene* scene)
+{
+  scene->eye = mirrored->mirrored;
+  scene->picture_eye = picture_eye;
+  memcpy(scene->viewport_px, mirrored->texture_px, sizeof scene->viewport_px);
+  scene->viewport_rect_px = mirrored->texture_rect_px;
+  // the mean of all waves, on a surface at rest
+  scene->has_waves = is_rough;
+  scene->slope_max = is_rough ? (double)INFINITY : 0.0;
+  scene->wave_height_max = 0.0;
+  scene->surface_height = 0.0;
+  scene->has_shadows = false; // nor have they glitter and foam
+  scene->is_hidden = false;
+  scene->has_scene_depth = false; // that of the picture
+  scene->settings.texture_scale = 1.0;
+  scene->settings.quality = WATER_QUALITY_FIXED;
+  scene->settings.multi_samples = is_rough ? 0 : mirrored->samples;
+  scene->settings.color_precision =
+    mirrored->is_half_float ? WATER_COLOR_HALF_FLOAT : WATER_COLOR_EIGHT_BIT;
 }
 
 void water_secondary_slopes(const water_wave* waves, size_t count, const double held[2],

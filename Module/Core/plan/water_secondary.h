@@ -5,6 +5,10 @@
 // reflectance. It needs no reflection texture, which ends the recursion of mirrors. Its waves are
 // shown as roughness, their mean over time, so that a reflection texture does not depend on the
 // time of another water's waves.
+//
+// With secondary reflections it reflects the scene instead: it looks up a secondary view, that of
+// the mirrored camera, mirrored again in its own plane. In that view other waters reflect the
+// background.
 #ifndef water_secondary_h
 #define water_secondary_h
 
@@ -29,6 +33,15 @@ extern "C"
 // colour is shown.
 water_status water_secondary_plan(
   const water_scene* scene, const water_plan* mirrored, water_plan* plan);
+
+// Makes the scene of a secondary view from the scene of another water in the picture.
+//
+// mirrored     the plan in whose view the other water is drawn; it must outlive the scene
+// picture_eye  the eye of the picture; the same
+// is_rough     the other water has waves
+// scene        with all props, and the settings of the pass whose plan this is
+void water_secondary_view(
+  const water_plan* mirrored, const water_camera* picture_eye, bool is_rough, water_scene* scene);
 
 // Variances xx, yy and xy of all slopes along the plane's axes: of checked waves by the sums of
 // (k A)^2 / 2, of a wind sea, and those given for what is too small for either.

@@ -12,7 +12,7 @@ static bool is_same_settings(const water_settings* a, const water_settings* b)
     a->reflectance_error == b->reflectance_error && a->skips == b->skips &&
     a->multi_samples == b->multi_samples && a->color_precision == b->color_precision &&
     a->quality == b->quality && a->target_error_px == b->target_error_px &&
-    a->time_budget_ms == b->time_budget_ms;
+    a->time_budget_ms == b->time_budget_ms && a->secondary_reflections == b->secondary_reflections;
 }
 
 bool water_share_can(

@@ -27,6 +27,7 @@ public:
   };
 
   void SetOn(bool isOn) { this->IsOn = isOn; }
+  bool GetIsOn() const { return this->IsOn; }
 
   // Times what is drawn between the two.
   void Begin(int part, vtkWindow* window);

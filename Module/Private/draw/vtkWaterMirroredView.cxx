@@ -150,6 +150,7 @@ const char* vtkWaterMirroredView::DrawProps(
   view.Eye = vtkWaterGather::ReadCamera(renderer); // before it is the mirrored one
   view.Props = &draft.Props;
   view.Sky = &draft.Sky;
+  view.Secondary = draft.Secondary;
   view.Clusters = draft.CanCut ? &this->Clusters : nullptr;
   view.Blocks = &this->Blocks;
   view.ClipDistance = &this->ClipDistance;

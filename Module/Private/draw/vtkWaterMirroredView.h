@@ -32,6 +32,7 @@ class vtkOpenGLState;
 class vtkProp;
 class vtkRenderer;
 class vtkShadowMapPass;
+class vtkWaterSecondaryLookup;
 class vtkWaterShaderHook;
 
 class vtkWaterMirroredView
@@ -49,6 +50,7 @@ public:
     bool WantsPeel = false;               // and go on behind edges
     bool CanCut = false;                  // clusters of large meshes may be left out
     vtkWaterSkyTextures Sky;              // of the plan's sky
+    vtkWaterSecondaryLookup* Secondary = nullptr; // of other waters; nullptr: they reflect the sky
     vtkShadowMapPass* Shadows = nullptr;  // which is up to date; nullptr: there are none
     vtkWaterRanks* Ranks = nullptr;       // that draw the view together; nullptr: there are none
     // With ranks: tells them what was drawn here, once all that is opaque is, and again if anything

@@ -21,6 +21,7 @@
 #include "water_daylight.h"
 #include "water_lookup.h"
 #include "water_optics.h"
+#include "water_secondary.h"
 #include "water_waves.h"
 
 #include <algorithm>
@@ -145,6 +146,16 @@ void ReadEnvironment(vtkRenderer* renderer, water_scene& scene)
   renderer->GetEnvironmentUp(scene.environment_up);
   renderer->GetEnvironmentRight(scene.environment_right);
 }
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterGather::ReadAsSecondary(vtkRenderer* renderer, const water_plan& mirrored)
+{
+  this->PictureEye = ReadCamera(renderer);
+  water_secondary_view(&mirrored, &this->PictureEye, this->IsRough, &this->Scene);
+  this->HasMarchedRays = this->IsRough;
+  this->WantsPeel = false;
+  this->IsAveraged = false;
 }
 
 //------------------------------------------------------------------------------

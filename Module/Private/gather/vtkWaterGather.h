@@ -55,6 +55,11 @@ struct vtkWaterGather
   void ReadProps(vtkRenderer* renderer, const vtkWaterSnapshot& mirrored,
     const std::function<bool(vtkProp*)>& isRefused, vtkWaterPropRecords& records);
 
+  // Makes it the scene of a secondary view, after Read; of waters that are all rough, or none.
+  //
+  // mirrored  the plan in whose view the waters are drawn; it must outlive the scene
+  void ReadAsSecondary(vtkRenderer* renderer, const water_plan& mirrored);
+
   // Another water for the mirrored view of one, water_secondary.h.
   //
   // eye  of the main view; the renderer's camera is the mirrored one
@@ -69,6 +74,8 @@ struct vtkWaterGather
   static bool ReadView(vtkRenderer* renderer, const vtkWaterSnapshot& water, water_grid_view* view);
 
 private:
+  water_camera PictureEye = water_camera(); // of a secondary view
+
   void ReadWaters(vtkRenderer* renderer, const std::vector<vtkWaterSnapshotPointer>& waters);
   void ReadSurface(const std::vector<vtkWaterSnapshotPointer>& waters);
   void ReadSkyboxes(vtkRenderer* renderer);

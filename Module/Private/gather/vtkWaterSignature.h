@@ -36,12 +36,12 @@ public:
 
   // Adds a number to it.
   void Add(vtkMTimeType value) { this->Values.emplace_back(nullptr, value); }
+  void AddNumber(double value);
 
   // Is it certain that nothing has changed between the two?
   bool IsSameAs(const vtkWaterSignature& other) const;
 
 private:
-  void AddNumber(double value);
   void AddRenderer(vtkRenderer* renderer);
   std::vector<std::pair<const void*, vtkMTimeType>> Values;
   vtkWaterPropTimes Textures; // of the surroundings

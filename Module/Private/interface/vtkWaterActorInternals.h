@@ -109,7 +109,8 @@ struct vtkWaterActor::Internals : public vtkWaterSource
   vtkWaterGrid Grid;               // the sheet when it is displaced
   vtkWaterHorizon Horizon;         // the sheet when it has no end
   vtkWaterSurfaceShader Surface;
-  vtkWaterSecondarySurface Secondary;
+  vtkWaterSecondarySurface Secondary;        // that reflects the sky
+  vtkWaterSecondarySurface SecondaryOfScene; // that looks a secondary view up
   vtkWaterSea Sea;
   vtkWaterHulls Hulls;
   std::string HullError; // of the last frame

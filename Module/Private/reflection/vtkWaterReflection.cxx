@@ -113,20 +113,33 @@ vtkWaterSurfaceShader::Inputs vtkWaterReflection::GetInputs(
 {
   auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
   const ViewPointer view = this->GetView(renderer);
-  vtkWaterMirroredView& mirrored = view->Mirrored;
   vtkWaterSurfaceShader::Inputs inputs;
   inputs.Renderer = static_cast<vtkOpenGLRenderer*>(renderer);
-  inputs.Fog = &mirrored.GetFog();
+  inputs.Fog = &view->Mirrored.GetFog();
   inputs.Plan = this->GetFreshPlan(renderer, frame, water);
   const bool hasTexture = inputs.Plan && water_plan_has_reflection(inputs.Plan);
-  if (hasTexture && this->Gathered.IsRough && !view->HasLevels)
+  this->FillInputs(*view, hasTexture, inputs);
+  if (!hasTexture)
+  {
+    inputs.Reflection = view->Mirrored.GetBlank(window);
+  }
+  inputs.Ranks = this->Ranks.AreSeveral() ? &this->Ranks : nullptr;
+  return inputs;
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterReflection::FillInputs(
+  View& view, bool hasTexture, vtkWaterSurfaceShader::Inputs& inputs)
+{
+  vtkWaterMirroredView& mirrored = view.Mirrored;
+  if (hasTexture && this->Gathered.IsRough && !view.HasLevels)
   {
     // as late as that: software renderers wait for the mirrored view here, and would not begin
     // with the picture
     mirrored.MakeLevels();
-    view->HasLevels = true;
+    view.HasLevels = true;
   }
-  inputs.Reflection = hasTexture ? mirrored.GetColor() : mirrored.GetBlank(window);
+  inputs.Reflection = mirrored.GetColor();
   inputs.ReflectionDepth = mirrored.GetDepth();
   if (vtkWaterTranslucentLayer* layer = mirrored.GetLayer())
   {
@@ -143,10 +156,8 @@ vtkWaterSurfaceShader::Inputs vtkWaterReflection::GetInputs(
     inputs.OwnView = { own.Drawn.GetColor(), own.Drawn.GetDepth(), own.DrawnPlan.reflection_scale };
   }
   inputs.Sky = this->Gathered.Sky;
-  inputs.Ranks = this->Ranks.AreSeveral() ? &this->Ranks : nullptr;
   inputs.MostSteps = this->Quality.ray_steps;
   inputs.MostProbes = this->Quality.ray_probes;
-  return inputs;
 }
 
 //------------------------------------------------------------------------------
@@ -200,6 +211,10 @@ vtkTextureObject* vtkWaterReflection::GetDepth()
 //------------------------------------------------------------------------------
 void vtkWaterReflection::ReleaseGraphicsResources(vtkWindow* window)
 {
+  for (const SecondaryView& secondary : this->Secondary)
+  {
+    secondary.Reflection->ReleaseGraphicsResources(window);
+  }
   for (auto it = this->Views.begin(); it != this->Views.end();)
   {
     vtkRenderer* renderer = it->second->Renderer;

@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkWaterReflection: the mirrored views of one pass, each in five steps: gather, plan, revise,
-// draw, commit. What is decided is decided by the core, before the third step ends.
+// draw, commit. What is decided is decided by the core, before the third step ends. With secondary
+// reflections, each other water in the mirrored view has one of its own, which is drawn before.
 #ifndef vtkWaterReflection_h
 #define vtkWaterReflection_h
 
 #include "vtkOpenGLRenderWindow.h" // for templates
 #include "vtkSmartPointer.h"
+#include "vtkTimeStamp.h"
 #include "vtkWaterGather.h"
 #include "vtkWaterMirroredView.h"
 #include "vtkWaterOcclusion.h"
 #include "vtkWaterRanks.h"
+#include "vtkWaterSecondaryLookup.h"
 #include "vtkWaterSignature.h"
 #include "vtkWaterSource.h"
 #include "vtkWaterSurfaceShader.h"
@@ -25,7 +28,9 @@
 
 class vtkRenderer;
 
-class vtkWaterReflection : public std::enable_shared_from_this<vtkWaterReflection>
+class vtkWaterReflection
+  : public std::enable_shared_from_this<vtkWaterReflection>
+  , public vtkWaterSecondaryLookup
 {
 public:
   // What the pass has set.
@@ -49,7 +54,8 @@ public:
     int ReasonCounts[WATER_CULL_REASON_COUNT] = {};
     vtkIdType RenderCount = 0;  // ever
     water_decision OwnViewDecision = WATER_NOT_PLANNED;
-    vtkIdType OwnViewRenderCount = 0; // ever
+    vtkIdType OwnViewRenderCount = 0;   // ever
+    vtkIdType SecondaryRenderCount = 0; // ever
     vtkIdType JoinedPixels = 0; // that the ranks sent each other
   };
   const FrameReport& GetReport() const { return this->Report; }
@@ -69,6 +75,7 @@ public:
     // answer waits for what was drawn. Empty: not known.
     std::function<bool()> AreHidden;
     const vtkWaterError* RanksError = nullptr; // the ranks do not agree: there is no view
+    const water_plan* Primary = nullptr; // of the mirrored view that a secondary one is drawn for
   };
 
   // Renders the mirrored view of waters in one plane for the renderer's active camera, unless the
@@ -92,6 +99,9 @@ public:
   vtkWaterSurfaceShader::Inputs GetInputs(
     vtkRenderer* renderer, vtkMTimeType frame, const vtkProp* water);
 
+  // What another water in the mirrored view is shaded with.
+  bool Find(const vtkProp* water, vtkWaterSurfaceShader::Inputs& inputs) override;
+
   // Shows the reflection texture in a corner of the renderer's viewport.
   void DrawCorner(vtkRenderer* renderer, vtkMTimeType frame, const vtkProp* water);
 
@@ -113,6 +123,8 @@ public:
   // context that they measured in: another window's may be current.
   template <typename Value, typename Question>
   Value Ask(Value none, Question question);
+  // ms of the last mirrored view and its secondary views; NaN: not known.
+  double AskTime();
 
   void ReleaseGraphicsResources(vtkWindow* window);
 
@@ -132,6 +144,7 @@ private:
     vtkWaterMirroredView Mirrored;
     water_plan DrawnPlan = water_plan(); // what the reflection texture shows was drawn by it
     vtkWaterSignature DrawnSignature;
+    vtkTimeStamp DrawnTime;
     bool HasLevels = false;
     std::unique_ptr<OwnView> Own; // nullptr: no water wants one
     vtkWaterOcclusion Occlusion;
@@ -144,7 +157,9 @@ private:
   {
     std::vector<vtkWaterSnapshotPointer> Waters;
     ViewPointer Drawn;
-    vtkWaterError Error; // of the plan
+    std::vector<vtkSmartPointer<vtkProp>> Held; // while secondary views are drawn
+    vtkWaterError Error;          // of the plan
+    vtkWaterError SecondaryError; // of the first secondary view that has one
     vtkWaterSignature Signature;
     vtkWaterMirroredView::Draft Draft;
     const char* Failure = nullptr;
@@ -157,8 +172,31 @@ private:
     double MeasuredMs = 0.0;        // of the last view, on the slowest rank
   };
 
+  struct SecondaryView // of the other waters in one plane
+  {
+    std::vector<const vtkProp*> Waters; // compared only; the first one tells it
+    std::shared_ptr<vtkWaterReflection> Reflection;
+    int IdleCount = 0; // mirrored views since it was last looked up
+  };
+
+  // false: the ranks do not agree.
+  bool RenderView(
+    const Frame& frame, const std::vector<vtkWaterSource*>& waters, vtkWaterError& error);
+  // The secondary views, vtkWaterReflectionSecondary.cxx: of a plan that reflects; before its draw,
+  // as draws do not nest.
+  void RenderSecondary(const Frame& frame, Attempt& attempt);
+  std::vector<std::vector<vtkWaterSource*>> FindSecondary(const Frame& frame) const;
+  SecondaryView& EnsureSecondary(const std::vector<vtkWaterSource*>& waters);
+  void DropSecondary(vtkRenderer* renderer);
+  bool MayHaveSecondary(const Frame& frame) const;
+  // Are the records of the gathered props? Not if an observer of a secondary view changed the scene.
+  bool HasPropsOf(const vtkWaterPropRecords& records) const;
+  double MeasureSecondary(); // what the last view took as a secondary one, ms
+  void SignSecondary(const Frame& frame, Attempt& attempt) const;
+  void FillInputs(View& view, bool hasTexture, vtkWaterSurfaceShader::Inputs& inputs);
+
   void Gather(const Frame& frame, const std::vector<vtkWaterSource*>& waters, Attempt& attempt);
-  double Measure(View& view) const; // what the last view took, ms, for a quality that asks
+  double Measure(View& view); // what the last view took, ms, for a quality that asks
   bool PlanAndDraw(const Frame& frame, Attempt& attempt); // is there to be a second attempt?
   void ChooseQuality(const Frame& frame, Attempt& attempt);
   // With other ranks, vtkWaterReflectionRanks.cxx: the scene of all of them, or an error; is the
@@ -224,6 +262,8 @@ private:
   bool PlannedForSecondEye = false;
   std::vector<const vtkProp*> PlannedWaters; // compared only
   vtkMTimeType PlannedFrame = 0;
+  std::vector<SecondaryView> Secondary;
+  bool IsSecondarySaid = false; // that the ranks have none
 };
 
 //------------------------------------------------------------------------------

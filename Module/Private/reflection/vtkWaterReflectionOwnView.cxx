@@ -57,7 +57,7 @@ vtkWaterError vtkWaterReflection::RenderOwnView(const Frame& frame, Attempt& att
   vtkWaterError error;
   View& view = *attempt.Drawn;
   this->Report.OwnViewDecision = WATER_NOT_PLANNED;
-  const bool isWanted = !this->Ranks.AreSeveral() &&
+  const bool isWanted = !this->Ranks.AreSeveral() && !frame.Primary &&
     std::any_of(attempt.Waters.begin(), attempt.Waters.end(),
       [](const vtkWaterSnapshotPointer& water) { return water->WantsOwnView(); });
   if (!isWanted)

@@ -21,13 +21,7 @@
 //------------------------------------------------------------------------------
 bool vtkWaterReflection::Render(const Frame& frame, const std::vector<vtkWaterSource*>& waters)
 {
-  this->Report.JoinedPixels = 0;
-  this->HasOwnView = false;
-  if (frame.RanksError)
-  {
-    this->RenderNothing(frame, waters, *frame.RanksError);
-    return false;
-  }
+  vtkWaterError error;
   // drawing runs the user's observers, who may drop any of these
   const std::shared_ptr<vtkWaterReflection> self = this->shared_from_this();
   std::vector<vtkSmartPointer<vtkProp>> held;
@@ -35,8 +29,29 @@ bool vtkWaterReflection::Render(const Frame& frame, const std::vector<vtkWaterSo
   {
     held.emplace_back(water->GetProp());
   }
+  if (!this->RenderView(frame, waters, error))
+  {
+    return false;
+  }
+  for (vtkWaterSource* water : waters)
+  {
+    water->Report(frame.Renderer, error);
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkWaterReflection::RenderView(
+  const Frame& frame, const std::vector<vtkWaterSource*>& waters, vtkWaterError& error)
+{
+  this->Report.JoinedPixels = 0;
+  this->HasOwnView = false;
+  if (frame.RanksError)
+  {
+    this->RenderNothing(frame, waters, *frame.RanksError);
+    return false;
+  }
   frame.Hook->Failures.TakeMirrored(); // of another view
-  vtkWaterError error;
   bool isAgain = false;
   do
   {
@@ -59,10 +74,6 @@ bool vtkWaterReflection::Render(const Frame& frame, const std::vector<vtkWaterSo
       error = error.Text.empty() ? ofOwnView : error;
     }
   } while (isAgain);
-  for (vtkWaterSource* water : waters)
-  {
-    water->Report(frame.Renderer, error);
-  }
   return true;
 }
 
@@ -80,6 +91,13 @@ bool vtkWaterReflection::PlanAndDraw(const Frame& frame, Attempt& attempt)
   const bool isReflecting = this->Plan.decision == WATER_REFLECT;
   if (isReflecting)
   {
+    this->RenderSecondary(frame, attempt);
+    if (!attempt.Held.empty() && !this->HasPropsOf(*frame.Records))
+    {
+      this->Decline(WATER_NOT_PLANNED);
+      this->Plan.decision = WATER_NO_REFLECT_FAILED;
+      return !attempt.IsSecond;
+    }
     this->Revise(frame, attempt);
     areSeveral ? this->DrawOrFail(frame, attempt) : this->Draw(frame, attempt);
   }
@@ -109,6 +127,10 @@ void vtkWaterReflection::Gather(
   vtkWaterFrameHints hints = frame.Hints;
   hints.Background = &this->Background;
   this->Gathered.Read(frame.Renderer, attempt.Waters, frame.Viewport_px, this->Settings, hints);
+  if (frame.Primary)
+  {
+    this->Gathered.ReadAsSecondary(frame.Renderer, *frame.Primary);
+  }
   vtkWaterShaderFailures& failures = frame.Hook->Failures;
   std::function<bool(vtkProp*)> isRefused; // none is, as a rule
   if (!failures.AreNone())
@@ -126,7 +148,7 @@ void vtkWaterReflection::Gather(
 }
 
 //------------------------------------------------------------------------------
-double vtkWaterReflection::Measure(View& view) const
+double vtkWaterReflection::Measure(View& view)
 {
   const water_quality_mode mode = this->Settings.quality;
   if (mode != WATER_QUALITY_TIME_BUDGET && mode != WATER_QUALITY_UPDATE_RATE)
@@ -136,8 +158,14 @@ double vtkWaterReflection::Measure(View& view) const
   // a view that was used again took no time
   const bool wasRendered = this->Report.Decision == WATER_REFLECT;
   vtkWaterGpuQueries& queries = view.Mirrored.GetGpuQueries();
-  return queries.GetTime(vtkWaterGpuQueries::SURFACE) +
+  double time = queries.GetTime(vtkWaterGpuQueries::SURFACE) +
     (wasRendered ? queries.GetTime(vtkWaterGpuQueries::REFLECTION) : 0.0);
+  for (const SecondaryView& secondary : this->Secondary)
+  {
+    const bool wasLookedUp = secondary.IdleCount == 0;
+    time += wasLookedUp ? secondary.Reflection->MeasureSecondary() : 0.0;
+  }
+  return time;
 }
 
 //------------------------------------------------------------------------------
@@ -292,6 +320,7 @@ void vtkWaterReflection::Revise(const Frame& frame, Attempt& attempt)
   View& view = *attempt.Drawn;
   attempt.Draft.Hook = frame.Hook;
   attempt.Draft.Sky = this->Gathered.Sky;
+  attempt.Draft.Secondary = this->MayHaveSecondary(frame) ? this : nullptr;
   // the two are a rank's own, and not joined
   attempt.Draft.HasMarchedRays = this->Gathered.HasMarchedRays && !this->Ranks.AreSeveral();
   attempt.Draft.WantsPeel = this->Gathered.WantsPeel && !this->Ranks.AreSeveral();
@@ -305,6 +334,7 @@ void vtkWaterReflection::Revise(const Frame& frame, Attempt& attempt)
   FindDrawn(frame, attempt, choice, attempt.Draft.Props);
   this->CountReasons();
   this->Sign(frame, choice, attempt.Draft, attempt.Signature);
+  this->SignSecondary(frame, attempt);
   bool isUnchanged = attempt.Signature.IsSameAs(view.DrawnSignature);
   if (this->Ranks.AreSeveral())
   {
@@ -387,7 +417,8 @@ vtkWaterError vtkWaterReflection::Describe(const vtkWaterShortage& shortage)
 //------------------------------------------------------------------------------
 vtkWaterError vtkWaterReflection::Commit(const Frame& frame, Attempt& attempt)
 {
-  vtkWaterError error = attempt.Error;
+  // the picture's own plans say what is wrong with the waters and the props
+  vtkWaterError error = frame.Primary ? vtkWaterError() : attempt.Error;
   if (!water_plan_has_reflection(&this->Plan))
   {
     return error;
@@ -408,7 +439,9 @@ vtkWaterError vtkWaterReflection::Commit(const Frame& frame, Attempt& attempt)
   {
     this->Decline(WATER_NO_REFLECT_FAILED);
     error.Kind = attempt.Failure;
-    error.Text = error.Kind + ". The water shows its plain colour.";
+    error.Text = error.Kind +
+      (frame.Primary ? ", for water in the reflection. It reflects the sky there."
+                     : ". The water shows its plain colour.");
   }
   else
   {
@@ -417,6 +450,11 @@ vtkWaterError vtkWaterReflection::Commit(const Frame& frame, Attempt& attempt)
       ++this->Report.RenderCount;
       view.DrawnPlan = this->Plan;
       view.DrawnSignature = attempt.Signature;
+      view.DrawnTime.Modified();
+    }
+    if (error.Text.empty())
+    {
+      error = attempt.SecondaryError;
     }
     if (error.Text.empty())
     {

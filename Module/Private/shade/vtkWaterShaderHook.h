@@ -26,6 +26,7 @@ class vtkWaterClipDistance;
 class vtkWaterBlocks;
 class vtkWaterClusters;
 class vtkWaterPropRecords;
+class vtkWaterSecondaryLookup;
 struct vtkWaterSkyTextures;
 class vtkWaterSource;
 class vtkWaterSurfaceShader;
@@ -59,6 +60,7 @@ public:
     vtkWaterClusters* Clusters = nullptr;     // of large meshes, if they may be drawn in clusters
     vtkWaterBlocks* Blocks = nullptr;         // of composite data, if Clusters is set
     vtkWaterClipDistance* ClipDistance = nullptr;
+    vtkWaterSecondaryLookup* Secondary = nullptr; // of other waters; nullptr: all reflect the sky
   };
 
   // May what is drawn next be cut by the clip at the water, by where it is? It is if its vertices

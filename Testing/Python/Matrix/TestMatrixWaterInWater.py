@@ -4,7 +4,7 @@
 import mirror_matrix as mm
 import numpy as np
 import water_test as wt
-from mirror_waters import Sheet, add_plain, mirrored_with
+from mirror_waters import Sheet, add_plain, from_below, gradient, mirrored_with, parallel, pixels_of, things
 from vtkmodules.vtkFiltersCore import vtkTriangleFilter
 from vtkmodules.vtkFiltersSources import vtkDiskSource
 from vtkwater import vtkWaterReflectionPass as Pass
@@ -12,47 +12,6 @@ from vtkwater import vtkWaterReflectionPass as Pass
 row = mm.Results("Water in water", __file__)
 LEVEL = (0, 0, 1)
 FIRST = Sheet((0, 0, 0), LEVEL, mm.SHEET, reflectance=1.0)
-
-
-def things(scene):
-    scene.add_data(wt.sphere((0, 0, 0.4), 1.5), (1, 0.6, 0.2), specular=0.6)
-    scene.add_data(wt.box((2.4, 0.8, 0.4), (0.8, 0.8, 2.2)), (0.3, 0.8, 0.4), specular=0.6)
-
-
-def gradient(scene):
-    things(scene)
-    scene.renderer.GradientBackgroundOn()
-    scene.renderer.SetBackground(0.7, 0.75, 0.6)
-    scene.renderer.SetBackground2(0.1, 0.2, 0.7)
-
-
-def parallel(scene):
-    scene.camera.ParallelProjectionOn()
-    scene.camera.SetParallelScale(4)
-    gradient(scene)
-
-
-def from_below(scene):
-    scene.camera.SetPosition(1.5, -9, -3)
-    gradient(scene)
-
-
-def pixels_of(scene, waters, number):
-    """The pixels of one water, which the others may hide."""
-    looks = [water.GetWaterProperty() for water in waters]
-    before = [(look.GetReflectanceMode(), look.GetReflectance(), look.GetDeepColor()) for look in looks]
-    pictures = []
-    for color in ((1, 0, 1), (0, 1, 0)):
-        for i, look in enumerate(looks):
-            look.SetReflectanceModeToConstant()
-            look.SetReflectance(0)
-            look.SetDeepColor(color if i == number else (0.5, 0.5, 0.5))
-        pictures.append(scene.pixels())
-    for look, (mode, reflectance, color) in zip(looks, before):
-        look.SetReflectanceMode(mode)
-        look.SetReflectance(reflectance)
-        look.SetDeepColor(color)
-    return np.abs(pictures[0] - pictures[1]).max(axis=2) > 0
 
 
 def show(name, fill, others, prepare=None, reason=None, wrong=(), exact=True):

@@ -3,7 +3,8 @@
 
 Water in water is a surface with its own colour and, by Fresnel, the background: nothing else is in it, so that
 mirrors do not mirror each other for ever. Here that colour is worked out pixel by pixel from the optics' textbook
-formulas, and an ordinary sheet in the other water's place shows it in the mirrored picture.
+formulas, and an ordinary sheet in the other water's place shows it in the mirrored picture. With secondary
+reflections, the scene is in it in the background's place: VTK's own picture of it, by the camera mirrored twice.
 """
 
 import mirror_scene as ms
@@ -96,8 +97,11 @@ def background(scene, user_composite, dirs):
     return (1 - height) * bottom + height * np.array(scene.renderer.GetBackground2())
 
 
-def colour_of(scene, sheet, user_composite):
-    """What the sheet shows in each pixel of a scene's view, rows x columns x RGB of 255."""
+def colour_of(scene, sheet, user_composite, around=None):
+    """What the sheet shows in each pixel of a scene's view, rows x columns x RGB of 255.
+
+    around  what a calm one reflects in each pixel, of 255; None: the background
+    """
     _, rays = rays_of(scene)
     seen = wt.is_above(scene.camera, sheet.origin, sheet.normal)
     normal = sheet.normal if seen else -sheet.normal
@@ -118,6 +122,7 @@ def colour_of(scene, sheet, user_composite):
         mirrored = np.where(down < 0, mirrored - 2 * down * normal, mirrored)  # bounced once more
         part = (fresnel(cosine, *media) if sheet.reflectance is None else np.full(cosine.shape, sheet.reflectance))
         sky = np.array(sheet.sky) if sheet.sky else background(scene, user_composite, mirrored)
+        sky = sky if around is None or sheet.sky else around / 255
         colour = part[..., None] * sky + (1 - part[..., None]) * sheet.color
         weight = (share * np.maximum(area, 0))[..., None]
         total, weights = total + weight * colour, weights + weight
@@ -130,18 +135,53 @@ def add_plain(scene, sheet, picture):
     return ms.add_sheet(scene, picture, sheet.data, sheet.bounds, sheet.opacity)
 
 
-def mirrored_with(fill, sheet, others, **options):
+def mirrored_with(fill, sheet, others, bounces=False, **options):
     """The mirrored picture of a sheet, turned left to right, with other sheets as what they are in it.
 
     A gradient is the only background that half opaque things must not stand before.
+
+    bounces  the other sheets, which are calm, reflect the scene; else only the background
     """
     scene = ms.Scene(ms.MIRRORED, **options, **sheet.options)
     fill(scene)
     user_composite = composite_of(scene)
     above = scene.is_above()
     ms.mirror(scene)
+    colours = [
+        colour_of(scene, other, user_composite,
+                  mirrored_twice_with(fill, sheet, other, [sheet, *others], **options) if bounces else None)
+        for other in others]
+    return picture_with(scene, user_composite, others, colours, sheet, above)
+
+
+def mirrored_twice_with(fill, sheet, other, sheets, **options):
+    """What another sheet reflects where a sheet's mirrored camera sees it: that camera mirrored in it again.
+
+    sheets  all of them, which show the background there; those in the other's plane are left out
+    """
+    first = ms.Scene(ms.MIRRORED, **options, **sheet.options)
+    fill(first)
+    ms.mirror(first)
+    above = wt.is_above(first.camera, other.origin, other.normal)
+    scene = ms.Scene(ms.MIRRORED, **options, **other.options)
+    scene.is_above = lambda: above  # what is added is cut at the other sheet, on the mirrored eye's side
+    fill(scene)
+    user_composite = composite_of(scene)
+    for plane in (sheet, other):
+        scene.origin, scene.normal = plane.origin, plane.normal
+        ms.mirror(scene)
+    seen = [each for each in sheets if not is_same_plane(each, other)]
+    colours = [colour_of(scene, each, user_composite) for each in seen]
+    return picture_with(scene, user_composite, seen, colours, other, above)
+
+
+def is_same_plane(one, other):
+    return np.allclose(np.abs(one.normal @ other.normal), 1) and abs((one.origin - other.origin) @ other.normal) < 1e-9
+
+
+def picture_with(scene, user_composite, others, colours, sheet, above):
+    """The picture of a mirrored scene, turned left to right, with other sheets that show colours, cut at a sheet."""
     sky = np.rint(255 * background(scene, user_composite, rays_of(scene)[1]))
-    colours = [colour_of(scene, other, user_composite) for other in others]
     is_gradient = scene.renderer.GetGradientBackground()
     if is_gradient:
         scene.renderer.GradientBackgroundOff()
@@ -154,3 +194,45 @@ def mirrored_with(fill, sheet, others, **options):
     if is_gradient:
         picture = np.where((picture == MARK).all(axis=2)[:, :, None], sky, picture)
     return picture[:, ::-1]
+
+
+def things(scene):
+    """A ball and a post that stand in the water."""
+    scene.add_data(wt.sphere((0, 0, 0.4), 1.5), (1, 0.6, 0.2), specular=0.6)
+    scene.add_data(wt.box((2.4, 0.8, 0.4), (0.8, 0.8, 2.2)), (0.3, 0.8, 0.4), specular=0.6)
+
+
+def gradient(scene):
+    things(scene)
+    scene.renderer.GradientBackgroundOn()
+    scene.renderer.SetBackground(0.7, 0.75, 0.6)
+    scene.renderer.SetBackground2(0.1, 0.2, 0.7)
+
+
+def parallel(scene):
+    scene.camera.ParallelProjectionOn()
+    scene.camera.SetParallelScale(4)
+    gradient(scene)
+
+
+def from_below(scene):
+    scene.camera.SetPosition(1.5, -9, -3)
+    gradient(scene)
+
+
+def pixels_of(scene, waters, number):
+    """The pixels of one water, which the others may hide."""
+    looks = [water.GetWaterProperty() for water in waters]
+    before = [(look.GetReflectanceMode(), look.GetReflectance(), look.GetDeepColor()) for look in looks]
+    pictures = []
+    for color in ((1, 0, 1), (0, 1, 0)):
+        for i, look in enumerate(looks):
+            look.SetReflectanceModeToConstant()
+            look.SetReflectance(0)
+            look.SetDeepColor(color if i == number else (0.5, 0.5, 0.5))
+        pictures.append(scene.pixels())
+    for look, (mode, reflectance, color) in zip(looks, before):
+        look.SetReflectanceMode(mode)
+        look.SetReflectance(reflectance)
+        look.SetDeepColor(color)
+    return np.abs(pictures[0] - pictures[1]).max(axis=2) > 0
