@@ -2,14 +2,19 @@
 // vtkWaterActorDraw.cxx: the part of vtkWaterActor that takes part in a frame and draws the
 // surface: in the picture, and in the mirrored views of other waters. See
 // Documentation/decisions/008-shader-slots.md and 011-water-in-water.md.
+#include "vtkCellArray.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLRenderer.h"
+#include "vtkOpenGLState.h"
+#include "vtkPolyData.h"
 #include "vtkProperty.h"
 #include "vtkWaterActorInternals.h"
+#include "vtkWaterBoundPicture.h"
 #include "vtkWaterCompat.h"
 #include "vtkWaterFrame.h"
 #include "vtkWaterGather.h"
 #include "vtkWaterGpuQueries.h"
+#include "vtkWaterMeshTraits.h"
 #include "vtkWaterOcclusion.h"
 #include "vtkWaterReflection.h"
 #include "vtkWaterReflectionPass.h"
@@ -123,6 +128,69 @@ void vtkWaterActor::Internals::DrawSurface(
     this->Self->Superclass::Render(renderer, mapper);
     hook->EndSurface();
   }
+}
+
+//------------------------------------------------------------------------------
+water_buffer_use vtkWaterActor::Internals::JudgeBuffer(const vtkWaterSnapshot& water,
+  const vtkWaterSurfaceShader::Inputs& inputs, water_feature_set features, bool isSoftware,
+  vtkMapper* mapper)
+{
+  auto* window = static_cast<vtkOpenGLRenderWindow*>(inputs.Renderer->GetRenderWindow());
+  vtkProperty* property = this->Self->GetProperty();
+  vtkPolyData* mesh = vtkWaterMeshTraits::FindPolygons(mapper);
+  water_buffer_input input = water_buffer_input();
+  input.is_on = this->GetOwnReflection().Settings.MayBuffer;
+  input.is_software = isSoftware;
+  input.is_plain_draw = !inputs.IsWarmUp && !inputs.Ranks && !this->IsProbing &&
+    this->Self->HasOpaqueGeometry() && water.Look.Opacity >= 1.0 &&
+    property->GetRepresentation() == VTK_SURFACE && !this->Self->GetTexture() &&
+    property->GetNumberOfTextures() == 0 && !this->Surface.GetIsRefused() &&
+    !vtkWaterRenderPassKeys::HasOthers(this->Self, vtkWaterFrame::GetHook()) &&
+    vtkWaterMeshTraits::HasTrianglesOnly(mesh, mapper, property);
+  input.features = features;
+  input.plan = inputs.Plan;
+  std::copy_n(water.Sheet, 4, input.sheet);
+  int viewport[4];
+  inputs.Renderer->GetState()->vtkglGetIntegerv(GL_VIEWPORT, viewport);
+  std::copy_n(viewport + 2, 2, input.viewport_px);
+  input.samples = vtkWaterBoundPicture().Samples;
+  if (mesh)
+  {
+    // polygons become fans of triangles
+    vtkCellArray* polygons = mesh->GetPolys();
+    input.triangle_count = static_cast<double>(
+      polygons->GetNumberOfConnectivityIds() - 2 * polygons->GetNumberOfCells());
+  }
+  const water_buffer_use use = water_buffer_judge(&input);
+  const bool canServe =
+    !this->Surface.Buffer.GetHasFailed() && vtkWaterSurfaceBuffer::CanServe(window);
+  return use == WATER_BUFFER_IN_USE && !canServe ? WATER_BUFFER_TARGET : use;
+}
+
+//------------------------------------------------------------------------------
+bool vtkWaterActor::Internals::DrawBuffered(
+  vtkRenderer* renderer, vtkMapper* mapper, vtkWaterOcclusion& occlusion)
+{
+  auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
+  int viewport[4];
+  window->GetState()->vtkglGetIntegerv(GL_VIEWPORT, viewport);
+  {
+    const vtkWaterSurfaceBuffer::Keeping keeping(
+      this->Surface.Buffer, window, viewport, vtkWaterMeshTraits::ShowsScalars(mapper));
+    if (!keeping.GetIsReady())
+    {
+      return false;
+    }
+    vtkWaterShaderHook* hook = vtkWaterFrame::GetHook();
+    hook->BeginSurface(&this->Surface, nullptr);
+    this->Self->Superclass::Render(renderer, mapper);
+    if (!hook->EndSurface())
+    {
+      return false;
+    }
+  }
+  occlusion.End(); // what is drawn now are no samples of the surface
+  return this->Surface.ShadeBuffer(mapper);
 }
 
 namespace
@@ -258,7 +326,12 @@ void vtkWaterActor::Render(vtkRenderer* renderer, vtkMapper* mapper)
   water_horizon_depths(eye.view_to_clip, isDisplaced, inputs.HorizonDepths);
   vtkMapper* drawn = isDisplaced ? internal.LayGrid(*water, view, mapper)
                                  : internal.LayHorizon(*water, renderer, eye, nullptr, mapper);
-  if (internal.Surface.UpdateFeatures(FeaturesWith(inputs, *water, frame.IsSoftware())))
+  const water_feature_set features = FeaturesWith(inputs, *water, frame.IsSoftware());
+  const water_buffer_use use =
+    internal.JudgeBuffer(*water, inputs, features, frame.IsSoftware(), drawn);
+  const water_feature_set used =
+    use == WATER_BUFFER_IN_USE ? water_features_with_buffer(features) : features;
+  if (internal.Surface.UpdateFeatures(used))
   {
     this->GetProperty()->Modified(); // the mapper builds the other shader
   }
@@ -272,7 +345,17 @@ void vtkWaterActor::Render(vtkRenderer* renderer, vtkMapper* mapper)
   {
     occlusion->Begin(renderer->GetRenderWindow());
   }
-  internal.DrawSurface(internal.Surface, renderer, drawn);
+  own.SetBufferUse(use);
+  if (use == WATER_BUFFER_IN_USE && !internal.DrawBuffered(renderer, drawn, *occlusion))
+  {
+    own.SetBufferUse(WATER_BUFFER_TARGET);
+    internal.Surface.UpdateFeatures(features);
+    this->GetProperty()->Modified();
+  }
+  if (!internal.Surface.GetIsBuffered())
+  {
+    internal.DrawSurface(internal.Surface, renderer, drawn);
+  }
   occlusion->End();
   internal.Surface.End();
   if (!renderer->GetSelector() && !vtkWaterRenderPassKeys::IsBakingShadows(this))

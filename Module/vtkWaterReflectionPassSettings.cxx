@@ -275,6 +275,34 @@ vtkIdType vtkWaterReflectionPass::GetNumberOfSecondaryRenders() const
 }
 
 //------------------------------------------------------------------------------
+void vtkWaterReflectionPass::SetSurfaceBuffer(bool surfaceBuffer)
+{
+  if (this->Reflection->Settings.MayBuffer != surfaceBuffer)
+  {
+    this->Reflection->Settings.MayBuffer = surfaceBuffer;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkWaterReflectionPass::GetSurfaceBuffer() const
+{
+  return this->Reflection->Settings.MayBuffer;
+}
+
+//------------------------------------------------------------------------------
+bool vtkWaterReflectionPass::GetSurfaceIsBuffered() const
+{
+  return this->Reflection->GetReport().BufferUse == WATER_BUFFER_IN_USE;
+}
+
+//------------------------------------------------------------------------------
+const char* vtkWaterReflectionPass::GetSurfaceBufferUseAsString() const
+{
+  return water_buffer_text(this->Reflection->GetReport().BufferUse);
+}
+
+//------------------------------------------------------------------------------
 void vtkWaterReflectionPass::SetInstrumentation(bool instrumentation)
 {
   // no modification: it changes nothing that is rendered
@@ -446,6 +474,7 @@ void vtkWaterReflectionPass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Skips: " << this->GetSkips() << "\n";
   os << indent << "MinimumPropSize: " << this->GetMinimumPropSize() << "\n";
   os << indent << "ReflectanceError: " << this->GetReflectanceError() << "\n";
+  os << indent << "SurfaceBuffer: " << (this->GetSurfaceBuffer() ? "on" : "off") << "\n";
   os << indent << "Instrumentation: " << (this->GetInstrumentation() ? "on" : "off") << "\n";
   if (this->GetInstrumentation())
   {

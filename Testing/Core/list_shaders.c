@@ -26,12 +26,14 @@ typedef struct shader_file
 #define SHADER_FILE(slot, file, any_of, none_of, what) { #slot, #file, any_of, none_of, what },
 static const shader_file surface_files[] = { WATER_SURFACE_FILE_LIST(SHADER_FILE) };
 static const shader_file photon_files[] = { WATER_PHOTON_FILE_LIST(SHADER_FILE) };
+static const shader_file buffer_files[] = { WATER_BUFFER_FILE_LIST(SHADER_FILE) };
 static const shader_file vertex_files[] = { WATER_VERTEX_FILE_LIST(SHADER_FILE) };
 
 enum
 {
   SURFACE_FILE_COUNT = sizeof surface_files / sizeof surface_files[0],
   PHOTON_FILE_COUNT = sizeof photon_files / sizeof photon_files[0],
+  BUFFER_FILE_COUNT = sizeof buffer_files / sizeof buffer_files[0],
   VERTEX_FILE_COUNT = sizeof vertex_files / sizeof vertex_files[0]
 };
 
@@ -118,6 +120,8 @@ static void print_shaders(bool all)
       (i & 1u ? WATER_FEATURE_SEA : 0) | (i & 2u ? WATER_FEATURE_NORMAL_MAPS : 0);
     print_files("frag", features | WATER_FEATURE_CAUSTICS, photon_files, PHOTON_FILE_COUNT);
   }
+  print_files("frag", WATER_FEATURE_BUFFERED, buffer_files, BUFFER_FILE_COUNT);
+  print_files("frag", WATER_FEATURE_BUFFERED | WATER_FEATURE_SLOPED, buffer_files, BUFFER_FILE_COUNT);
   const water_feature_set vertex_sets[] = { WATER_FEATURE_DISPLACED,
     WATER_FEATURE_DISPLACED | WATER_FEATURE_SEA_MOVES, WATER_FEATURE_MESH,
     WATER_FEATURE_MESH | WATER_FEATURE_SLOPED, WATER_FEATURE_MESH | WATER_FEATURE_FLOW };
@@ -185,6 +189,8 @@ int main(int argc, char** argv)
     print_table(surface_files, SURFACE_FILE_COUNT);
     printf("\nFragment shader that follows light from the surface to the bed, for caustics:\n\n");
     print_table(photon_files, PHOTON_FILE_COUNT);
+    printf("\nFragment shader with which a user's mesh writes its surface into a buffer:\n\n");
+    print_table(buffer_files, BUFFER_FILE_COUNT);
     printf("\nVertex shader of a surface that waves displace, or of a user's mesh:\n\n");
     print_table(vertex_files, VERTEX_FILE_COUNT);
     return 0;

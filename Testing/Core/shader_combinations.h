@@ -19,7 +19,7 @@ enum
   SHADER_TEXTURE_COUNT = 1 << 3, // what a reflection texture may have
   SHADER_SKY_COUNT = 7, // skies beside the one-coloured one: three, a floor, and they with a floor
   // each as often as it is asked for, and with skies
-  SHADER_SET_COUNT = SHADER_LOOK_COUNT * (1 + 14 * SHADER_TEXTURE_COUNT)
+  SHADER_SET_COUNT = SHADER_LOOK_COUNT * (1 + 17 * SHADER_TEXTURE_COUNT)
 };
 #undef SHADER_ONE_MORE
 
@@ -119,6 +119,10 @@ static inline size_t shader_combinations(water_feature_set* sets)
         sets[count++] = sloped;
         sets[count++] = water_features_on_hardware(sloped);
         sets[count++] = water_features_with_flow(sloped);
+        sets[count++] = water_features_with_buffer(sloped);
+        sets[count++] = water_features_with_buffer(water_features_with_mesh(asked));
+        sets[count++] =
+          water_features_with_buffer(water_features_with_samples(water_features_with_ground(sloped)));
         sets[count++] = water_features_with_flow(water_features_with_mesh(hardware));
         sets[count++] = water_features_with_hulls(asked);
         sets[count++] = water_features_with_port(hardware);

@@ -211,6 +211,22 @@ TEST(port_is_for_what_is_seen_through)
   }
 }
 
+// Only a mesh of the user's whose vertices tell their heights can be in a buffer.
+TEST(buffers_are_for_meshes)
+{
+  for (unsigned has = 0; has < LOOKS; ++has)
+  {
+    const water_feature_look look = look_of(has);
+    const water_feature_set features = expected_of(has);
+    const water_feature_set meshed = water_features_with_mesh(features);
+    const bool is_mesh = (meshed & WATER_FEATURE_MESH) != 0;
+    assert_int_equal(water_features_with_buffer(features), features);
+    assert_int_equal(
+      water_features_with_buffer(meshed), meshed | (is_mesh ? WATER_FEATURE_BUFFERED : 0));
+    assert_int_equal(is_mesh, !water_features_is_displaced(&look));
+  }
+}
+
 // Only through clear water is ground seen.
 TEST(ground_is_for_what_is_seen_through)
 {
@@ -275,6 +291,7 @@ TEST(sets_have_room_for_64_features)
   assert_true((water_features_with_hulls(last) & last) != 0);
   assert_true((water_features_with_flow(last) & last) != 0);
   assert_true((water_features_with_port(last) & last) != 0);
+  assert_true((water_features_with_buffer(last) & last) != 0);
   assert_true((water_features_with_ground(last) & last) != 0);
   assert_true((water_features_with_samples(last) & last) != 0);
   assert_true((water_features_on_hardware(last) & last) != 0);
@@ -299,9 +316,9 @@ enum
   PHOTON_FILES = sizeof photon_files / sizeof photon_files[0],
   VERTEX_FILES = sizeof vertex_files / sizeof vertex_files[0],
   // looked up in 8 kinds of reflection textures, on 2 of machines, with a mesh, with one that is
-  // not flat, or without, with samples, with hulls, with a current, over ground, and under one of
-  // 8 kinds of skies
-  REACHABLE_MAX = (2 + 13 * 8) * LOOKS
+  // not flat, or without, with samples, with hulls, with a current, over ground, in a buffer, and
+  // under one of 8 kinds of skies
+  REACHABLE_MAX = (2 + 14 * 8) * LOOKS
 };
 
 // Features with a sky: one colour, a screen, a map or a cube; from 4 on with a floor.
@@ -359,7 +376,8 @@ static size_t reach_all(const water_feature_set** all)
       features[count + 10] = water_features_with_port(features[count + has % 8]);
       features[count + 11] = water_features_with_flow(features[count + has % 8]);
       features[count + 12] = water_features_with_ground(features[count + has % 8]);
-      count += 13;
+      features[count + 13] = water_features_with_buffer(features[count + has % 8]);
+      count += 14;
     }
   }
   qsort(features, count, sizeof features[0], compare_sets);
@@ -489,14 +507,14 @@ static void assert_order(
 TEST(slots_stand_in_their_order)
 {
   static const char* const surface[] = { "optics", "gradient", "attenuation", "slopes",
-    "highlights", "cover", "gain", "cell", "place", "under", "height", "point", "hulls", "sky",
+    "highlights", "cover", "gain", "cell", "place", "under", "height", "point", "pixel", "hulls", "sky",
     "floor", "tile", "slope", "sines", "tiles", "folds", "sea", "normal_maps", "flow", "waves",
     "output", "reflection", "dome", "walk", "behind", "layer", "blur", "caustics", "medium",
     "shafts", "others", "refraction", "ground", "casters", "facet_slopes", "facets", "rays",
     "shadows", "glitter", "whitecaps", "foam", "sun", "port", "surface" };
   static const char* const vertex[] = { "cell", "tiles", "sea", "displacement", "heights", "slopes",
     "flow", "depth" };
-  static const char* const photon[] = { "gradient", "place", "height", "point", "tile", "sines",
+  static const char* const photon[] = { "gradient", "place", "height", "point", "pixel", "tile", "sines",
     "tiles", "folds", "sea", "normal_maps", "flow", "waves", "photon" };
   assert_order(photon_files, PHOTON_FILES, photon, sizeof photon / sizeof photon[0]);
   assert_order(surface_files, SURFACE_FILES, surface, sizeof surface / sizeof surface[0]);
@@ -564,6 +582,7 @@ TEST(vertices_move_where_the_surface_is_displaced)
 TESTS(features_of_every_look_follow_the_rules, layer_and_peel_are_for_traced_rays_alone,
   mesh_is_drawn_as_it_is_or_displaced, a_current_needs_waves_over_a_mesh,
   slopes_of_a_mesh_turn_rays, samples_are_of_what_is_seen_through, port_is_for_what_is_seen_through,
+  buffers_are_for_meshes,
   ground_is_for_what_is_seen_through, hardware_reads_in_batches,
   water_in_a_mirrored_view_is_smooth_or_rough, sets_have_room_for_64_features,
   each_slot_has_one_file, slots_stand_in_their_order, every_file_and_feature_is_used,

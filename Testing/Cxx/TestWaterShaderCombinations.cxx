@@ -25,9 +25,10 @@ struct File
 #define WATER_TEST_FILE(slot, file, any_of, none_of, what) { #file, any_of, none_of, file },
 const File surfaceFiles[] = { WATER_SURFACE_FILE_LIST(WATER_TEST_FILE) };
 const File photonFiles[] = { WATER_PHOTON_FILE_LIST(WATER_TEST_FILE) };
+const File bufferFiles[] = { WATER_BUFFER_FILE_LIST(WATER_TEST_FILE) };
 const File vertexFiles[] = { WATER_VERTEX_FILE_LIST(WATER_TEST_FILE) };
 
-const char* const fragmentHead = "#version 150\nout vec4 fragOutput0, fragOutput1;\n";
+const char* const fragmentHead = "#version 150\nout vec4 fragOutput0, fragOutput1, fragOutput2, fragOutput3, fragOutput4;\n";
 
 template <size_t Count>
 std::string Join(const File (&files)[Count], water_feature_set features)
@@ -57,7 +58,7 @@ bool Compiles(const std::string& name, GLenum stage, const std::string& source)
 // A shader that VTK's shader cache would complete.
 bool CompilesAlone(const std::string& name, GLenum stage, std::string source)
 {
-  for (const char* number : { "0", "1" })
+  for (const char* number : { "0", "1", "2", "3", "4" })
   {
     const std::string output = std::string("gl_FragData[") + number + "]";
     for (size_t at = source.find(output); at != std::string::npos; at = source.find(output))
@@ -94,6 +95,17 @@ int TestWaterShaderCombinations(int, char*[])
     ok &= CompilesAlone("photons, features " + std::to_string(features), GL_FRAGMENT_SHADER,
       Join(photonFiles, features));
   }
+  for (const water_feature_set sloped : { water_feature_set(0), WATER_FEATURE_SLOPED })
+  {
+    ok &= CompilesAlone("into a buffer, features " + std::to_string(sloped), GL_FRAGMENT_SHADER,
+      Join(bufferFiles, sloped | WATER_FEATURE_BUFFERED) +
+        "void main()\n{\n  vec4 color = vec4(0.0);\n  waterShade(color);\n"
+        "  gl_FragData[0] = color;\n}\n");
+  }
+  ok &= CompilesAlone("buffer, one sample", GL_FRAGMENT_SHADER,
+    std::string(vtkWaterBufferSortFS) + vtkWaterBufferOneFS);
+  ok &= CompilesAlone("buffer, several samples", GL_FRAGMENT_SHADER,
+    std::string(vtkWaterBufferSortFS) + vtkWaterBufferSampleFS);
   ok &= CompilesAlone("light, vertices", GL_VERTEX_SHADER, vtkWaterLightVS);
   ok &= CompilesAlone("displacement", GL_VERTEX_SHADER,
     Join(vertexFiles, WATER_FEATURE_DISPLACED) +
@@ -108,7 +120,8 @@ int TestWaterShaderCombinations(int, char*[])
   const std::pair<const char*, const char*> alone[] = { { "mirrored", vtkWaterMirroredFS },
     { "plain", vtkWaterPlainFS }, { "cover", vtkWaterCoverFS }, { "fog", vtkWaterFogFS },
     { "bed", vtkWaterBedFS }, { "light", vtkWaterLightFS }, { "sky", vtkWaterSkyFS },
-    { "view", vtkWaterViewFS }, { "volume's depth", vtkWaterVolumeDepthFS } };
+    { "view", vtkWaterViewFS }, { "volume's depth", vtkWaterVolumeDepthFS },
+    { "buffer into the picture", vtkWaterBufferPutFS } };
   for (const auto& [name, source] : alone)
   {
     ok &= CompilesAlone(name, GL_FRAGMENT_SHADER, source);

@@ -20,7 +20,7 @@ command -v glslangValidator >/dev/null || { echo "check_glsl: no glslangValidato
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
-files=(Module/Core/shared/*.glsl Module/GLSL/*/*.glsl)
+files=(Module/Core/shared/*.glsl Module/GLSL/*/*[!S].glsl Module/GLSL/*/*S.glsl) # parts of others come first
 printf '%s\n' "${files[@]}" >"$work/files"
 Utilities/Scripts/list_shaders.sh "$choice" >"$work/list"
 

@@ -129,6 +129,11 @@ water_feature_set water_features_with_hulls(water_feature_set features)
   return features | WATER_FEATURE_HULLS;
 }
 
+water_feature_set water_features_with_buffer(water_feature_set features)
+{
+  return features | if_has((features & WATER_FEATURE_MESH) != 0, WATER_FEATURE_BUFFERED);
+}
+
 water_feature_set water_features_with_port(water_feature_set features)
 {
   return features | if_has((features & WATER_FEATURE_MEDIUM) != 0, WATER_FEATURE_PORT);

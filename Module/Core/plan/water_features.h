@@ -54,7 +54,8 @@ extern "C"
   X(HULLS, "hulls float in it, with no water inside")                                              \
   X(PORT, "a camera behind a dome port, which may be half under water")                            \
   X(FLOW, "a current carries the waves over a user's mesh")                                        \
-  X(GROUND, "there is ground under all of the water")
+  X(GROUND, "there is ground under all of the water")                                              \
+  X(BUFFERED, "a user's mesh whose surface is in a buffer: it is shaded once a pixel")
 
 typedef enum water_feature_bit
 {
@@ -94,19 +95,27 @@ WATER_FEATURE_LIST(WATER_FEATURE_VALUE)
     "the part of a wave that a grid resolves")                                                     \
   X(place, vtkWaterDisplacementFS, WATER_FEATURE_FLAG(DISPLACED), 0,                               \
     "place at rest, from the vertices")                                                            \
-  X(place, vtkWaterMeshPlaceFS, WATER_FEATURE_FLAG(SLOPED), 0,                                     \
+  X(place, vtkWaterMeshPlaceFS, WATER_FEATURE_FLAG(SLOPED), WATER_FEATURE_FLAG(BUFFERED),          \
     "position and slope of a mesh, from the vertices")                                             \
+  X(place, vtkWaterBufferPlaceFS, WATER_FEATURE_FLAG(BUFFERED), 0,                                 \
+    "position and slope of a mesh, from a buffer")                                                 \
   X(place, vtkWaterNoDisplacementFS, 0,                                                            \
-    WATER_FEATURE_FLAG(DISPLACED) | WATER_FEATURE_FLAG(SLOPED), "place at rest, from the pixel")   \
+    WATER_FEATURE_FLAG(DISPLACED) | WATER_FEATURE_FLAG(SLOPED) | WATER_FEATURE_FLAG(BUFFERED),     \
+    "place at rest, from the pixel")                                                               \
   X(under, vtkWaterUnderFS, WATER_FEATURE_FLAG(DISPLACED) | WATER_FEATURE_FLAG(SLOPED), 0,         \
     "the part of the reflection texture that rays ignore")                                         \
   X(under, vtkWaterNothingUnderFS, 0, WATER_FEATURE_FLAG(DISPLACED) | WATER_FEATURE_FLAG(SLOPED),  \
     "nothing: the texture is cut at the surface")                                                  \
-  X(height, vtkWaterMeshHeightFS, WATER_FEATURE_FLAG(MESH), 0,                                     \
+  X(height, vtkWaterMeshHeightFS, WATER_FEATURE_FLAG(MESH), WATER_FEATURE_FLAG(BUFFERED),          \
     "height above the plane, from the vertices")                                                   \
+  X(height, vtkWaterBufferHeightFS, WATER_FEATURE_FLAG(BUFFERED), 0,                               \
+    "height above the plane, from a buffer")                                                       \
   X(height, vtkWaterPixelHeightFS, 0, WATER_FEATURE_FLAG(MESH),                                    \
     "height above the plane, from depth; 0 for a flat sheet")                                      \
   X(point, vtkWaterPointFS, 0, 0, "values that all slots share")                                   \
+  X(pixel, vtkWaterPixelFS, 0, WATER_FEATURE_FLAG(BUFFERED), "depth and changes, of the triangle") \
+  X(pixel, vtkWaterBufferPixelFS, WATER_FEATURE_FLAG(BUFFERED), 0,                                 \
+    "depth and changes, from a buffer")                                                            \
   X(hulls, vtkWaterHullsFS, WATER_FEATURE_FLAG(HULLS), 0, "no water inside hulls")                 \
   X(hulls, vtkWaterNoHullsFS, 0, WATER_FEATURE_FLAG(HULLS), "no hulls float in it")                \
   X(sky, vtkWaterSkyColorFS, 0, WATER_FEATURES_SKY, "the background: one colour")                  \
@@ -238,6 +247,7 @@ WATER_FEATURE_LIST(WATER_FEATURE_VALUE)
   X(place, vtkWaterNoDisplacementFS, 0, 0, "place at rest, from the pixel")                        \
   X(height, vtkWaterPixelHeightFS, 0, 0, "height above the plane, from the pixel's depth")         \
   X(point, vtkWaterPointFS, 0, 0, "values that all slots share, and the sun")                      \
+  X(pixel, vtkWaterPixelFS, 0, 0, "depth and changes, of the fragment")                            \
   X(tile, vtkWaterPhotonTileFS, 0, 0, "slopes from a texture that repeats, smooth between points") \
   X(sines, vtkWaterWavesFS, 0, 0, "sine and Gerstner waves")                                       \
   X(tiles, vtkWaterSeaTiles, WATER_FEATURE_FLAG(SEA), 0, "tiles of a wind sea")                    \
@@ -250,6 +260,15 @@ WATER_FEATURE_LIST(WATER_FEATURE_VALUE)
   X(flow, vtkWaterNoFlowFS, 0, 0, "no current: light counts the waves as at rest")                 \
   X(waves, vtkWaterRippleFS, 0, 0, "the normal, from the last three")                              \
   X(photon, vtkWaterPhotonFS, 0, 0, "where the light of a point reaches the bed")
+
+// Files of the shader with which a user's mesh writes its surface into a buffer, in order: the same,
+// for features that have one.
+#define WATER_BUFFER_FILE_LIST(X)                                                                  \
+  X(place, vtkWaterMeshPlaceFS, WATER_FEATURE_FLAG(SLOPED), 0,                                     \
+    "position and slope of a mesh, from the vertices")                                             \
+  X(place, vtkWaterNoDisplacementFS, 0, WATER_FEATURE_FLAG(SLOPED), "place, from the pixel")       \
+  X(height, vtkWaterMeshHeightFS, 0, 0, "height above the plane, from the vertices")               \
+  X(surface, vtkWaterBufferMeshFS, 0, 0, "into the buffer: height, slope, 1 / w, data")
 
 // Is a file of the lists part of the shader of some features?
 static inline bool water_features_want(
@@ -337,6 +356,9 @@ water_feature_set water_features_with_samples(water_feature_set features);
 
 // The same for water that hulls float in.
 water_feature_set water_features_with_hulls(water_feature_set features);
+
+// The same for a user's mesh whose surface is in a buffer; not for what has no vertex heights.
+water_feature_set water_features_with_buffer(water_feature_set features);
 
 // The same for clear water with ground under all of it.
 water_feature_set water_features_with_ground(water_feature_set features);

@@ -385,7 +385,7 @@ WaterMediumMet waterMediumMeet(WaterPoint point, vec3 dir)
 {
   vec3 start = vec3(waterMediumPlace(point.ndc), waterWindowDepth(point.ndc, point.moved));
   WaterMediumRay ray =
-    waterMediumTurn(WaterMediumRay(start, vec3(0.0), 1.0 / gl_FragCoord.w, 0.0), dir, 0.0);
+    waterMediumTurn(WaterMediumRay(start, vec3(0.0), 1.0 / waterPerW(), 0.0), dir, 0.0);
   float pixel = max(length(point.across), length(point.down));
   float border = waterMediumBorder(point.place, dir.xy, 2.0 * pixel);
   bool isBounded = border * -dir.z < waterBedDepth && waterSide > 0.0;
@@ -439,8 +439,8 @@ WaterMediumMet waterMediumMeet(WaterPoint point, vec3 dir)
 float waterMediumLight(WaterPoint point, WaterMediumMet met, vec2 seen, vec3 dir, float way)
 {
   vec4 end = way * (waterDirToEye * vec4(dir, 0.0));
-  float w = 1.0 / gl_FragCoord.w + end.w;
-  vec2 ndc = (point.ndc / gl_FragCoord.w + end.xy) / max(w, 1e-6); // beyond the picture's border, too
+  float w = 1.0 / waterPerW() + end.w;
+  vec2 ndc = (point.ndc / waterPerW() + end.xy) / max(w, 1e-6); // beyond the picture's border, too
   w = met.isUnderBorder ? waterMediumW(seen, met.depth) : w;
   return waterCaustic(met.isUnderBorder ? (2.0 * seen - 1.0) / waterSceneScale : ndc, w, -way * dir.z, point.ndc);
 }
@@ -517,6 +517,6 @@ vec3 waterSeenFrom(WaterPoint point, vec3 color)
     return color;
   }
   float along = (waterDirToEye * vec4(point.ray, 0.0)).w;
-  float way = 1.0 / (gl_FragCoord.w * along);
+  float way = 1.0 / (waterPerW() * along);
   return mix(waterDeepColor * waterShaftsAlong(point.ray, way), color, waterLeft(way));
 }

@@ -9,7 +9,7 @@ uniform mat4 waterDirToReflection; // direction in the plane's axes -> clip of t
 
 vec2 waterOffsetPlace(WaterPoint point, vec3 normal)
 {
-  float scale = waterOffsetScale * (waterLookup == 2 ? gl_FragCoord.w : 1.0);
+  float scale = waterOffsetScale * (waterLookup == 2 ? waterPerW() : 1.0);
   vec2 offset = scale * waterReflectionScale * normal.xy;
   vec2 uv = point.start.xy + vec2(-offset.x, offset.y);
   if (waterLookup == 3) // the point itself is moved

@@ -2,7 +2,7 @@
 // vtkWaterPointFS.glsl: what all slots of a surface's shader know about their pixel.
 //
 // The slots, each one file of several: sky (waterSky), floor (waterOverFloor), place (waterPlaceOf,
-// waterTilt), under (waterIsUnder), height (waterHeightOf), hulls (waterLeaveHulls), waves
+// waterTilt), under (waterIsUnder), height (waterHeightOf), pixel (waterPerW, waterChangeAcross), hulls (waterLeaveHulls), waves
 // (waterRipple), reflection (waterReflected), layer (waterCross), caustics (waterCaustic), body (waterTransmitted), facets
 // (waterFacets), rays (waterMirrored), shadows (waterShadowed), glitter (waterGlint), foam
 // (waterFoamShare, waterFoamLit), sun (waterSunlit), port (waterThroughPort), output (waterShow); vtkWaterSurfaceFS.glsl puts them together. They
@@ -74,6 +74,11 @@ vec2 waterSeenShift()
   return shift;
 }
 
+float waterPerW();       // 1 / w of the surface at the pixel; of the slot pixel
+float waterDepthHere();  // its window depth
+vec2 waterDepthSlope();  // of that, from pixel to pixel
+void waterPlaceSlope(vec2 middle, out vec2 across, out vec2 down); // of the place at the pixel's middle
+
 vec3 waterFrom = vec3(0.0);       // the pixel's point in the plane's axes, from the one under the eye
 float waterSpread = 0.0;          // radians about a direction that the sky's mean is taken over
 vec2 waterDepthChange = vec2(0.0); // of the window depth, from pixel to pixel
@@ -82,8 +87,25 @@ vec2 waterDepthChange = vec2(0.0); // of the window depth, from pixel to pixel
 // beyond the far plane, too.
 float waterWindowDepth(vec2 ndc, vec2 moved)
 {
-  float endless = 0.5 + 0.5 * dot(waterPixelDepth, vec4(ndc, 1.0, gl_FragCoord.w));
-  return waterIsEndless != 0 ? endless : gl_FragCoord.z + dot(moved, waterDepthChange);
+  float endless = 0.5 + 0.5 * dot(waterPixelDepth, vec4(ndc, 1.0, waterPerW()));
+  return waterIsEndless != 0 ? endless : waterDepthHere() + dot(moved, waterDepthChange);
+}
+
+// Where the reflection texture shows the calm reflection of a point.
+//
+// clip    NDC of the point, 1
+// height  over the plane, over w
+// perW    1 / w
+void waterStart(inout WaterPoint point, vec4 clip, float height, float perW)
+{
+  vec4 mirrored = clip - 2.0 * height * waterNormalClip;
+  point.startW = mirrored.w / perW;
+  vec3 window = 0.5 / mirrored.w * mirrored.xyz;
+  // to the next texel: the pixel's own is a mean that includes the inside of the object there
+  vec2 beside = point.moved / max(max(abs(point.moved.x), abs(point.moved.y)), 1e-6) - point.moved;
+  window.xy += beside * waterViewport.zw;
+  point.start = vec3(0.5 + waterReflectionScale * vec2(-window.x, window.y),
+    waterDepthScale.x * (0.5 + window.z) + waterDepthScale.y);
 }
 
 WaterPoint waterPoint()
@@ -91,29 +113,21 @@ WaterPoint waterPoint()
   WaterPoint point;
   vec2 middle = waterPlaceOf(2.0 * (gl_FragCoord.xy - waterViewport.xy) * waterViewport.zw - 1.0);
   point.moved = waterSeenShift();
-  waterDepthChange = vec2(dFdx(gl_FragCoord.z), dFdy(gl_FragCoord.z));
+  waterDepthChange = waterDepthSlope();
   point.ndc = 2.0 * (gl_FragCoord.xy + point.moved - waterViewport.xy) * waterViewport.zw - 1.0;
   point.ray = normalize(waterNdcToRay * vec3(point.ndc, 1.0));
-  point.across = dFdx(middle);
-  point.down = dFdy(middle);
+  waterPlaceSlope(middle, point.across, point.down);
   point.place = middle + point.moved.x * point.across + point.moved.y * point.down;
   point.variance = vec4(waterSlopeVariance.xy, 0.0, 0.0);
   point.even = vec2(0.0);
   point.jacobian = 1.0;
   vec4 clip = vec4(point.ndc, 2.0 * waterWindowDepth(point.ndc, point.moved) - 1.0, 1.0); // w cancels below
   float height = waterHeightOf(clip);
-  vec4 mirrored = clip - 2.0 * height * waterNormalClip;
-  point.height = height / gl_FragCoord.w;
+  point.height = height / waterPerW();
   point.tilt = waterTilt(point.across, point.down, vec2(dFdx(point.height), dFdy(point.height)));
   point.normal = normalize(vec3(-point.tilt, 1.0));
   waterFrom = vec3(point.place, point.height);
-  point.startW = mirrored.w / gl_FragCoord.w;
-  vec3 window = 0.5 / mirrored.w * mirrored.xyz;
-  // to the next texel: the pixel's own is a mean that includes the inside of the object there
-  vec2 beside = point.moved / max(max(abs(point.moved.x), abs(point.moved.y)), 1e-6) - point.moved;
-  window.xy += beside * waterViewport.zw;
-  point.start = vec3(0.5 + waterReflectionScale * vec2(-window.x, window.y),
-    waterDepthScale.x * (0.5 + window.z) + waterDepthScale.y);
+  waterStart(point, clip, height, waterPerW());
   return point;
 }
 
@@ -126,15 +140,8 @@ struct WaterPointChange
   vec3 normal;
 };
 
-WaterPointChange waterChangeAcross(WaterPoint point)
-{
-  return WaterPointChange(dFdx(point.start), dFdx(point.startW), dFdx(point.ray), dFdx(point.normal));
-}
-
-WaterPointChange waterChangeDown(WaterPoint point)
-{
-  return WaterPointChange(dFdy(point.start), dFdy(point.startW), dFdy(point.ray), dFdy(point.normal));
-}
+WaterPointChange waterChangeAcross(WaterPoint point); // of the slot pixel
+WaterPointChange waterChangeDown(WaterPoint point);
 
 // A point elsewhere in its pixel, as far as it changes evenly: waves that are short against one are not in the slope.
 //

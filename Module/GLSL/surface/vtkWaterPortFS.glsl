@@ -10,7 +10,7 @@ uniform float waterPortRadius;
 float waterThroughPort(inout WaterPoint point)
 {
   // 1 / the way to the surface, which changes evenly over the picture; 0: parallel rays, without an eye
-  float near = gl_FragCoord.w * (waterDirToEye * vec4(point.ray, 0.0)).w;
+  float near = waterPerW() * (waterDirToEye * vec4(point.ray, 0.0)).w;
   float within = (near * waterPortRadius - 1.0) / max(fwidth(near * waterPortRadius), 1e-6);
   float share = waterSide > 0.0 ? clamp(0.5 + within, 0.0, 1.0) : 0.0;
   waterAir = share * max(waterPortRadius - 1.0 / max(near, 1e-9), 0.0);

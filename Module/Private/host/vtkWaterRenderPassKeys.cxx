@@ -55,6 +55,14 @@ bool vtkWaterRenderPassKeys::Has(vtkProp* prop, vtkOpenGLRenderPass* key)
 }
 
 //------------------------------------------------------------------------------
+bool vtkWaterRenderPassKeys::HasOthers(vtkProp* prop, vtkOpenGLRenderPass* key)
+{
+  const Passes passes = GetPasses(prop);
+  return std::any_of(
+    passes.begin(), passes.end(), [key](vtkObjectBase* pass) { return pass != key; });
+}
+
+//------------------------------------------------------------------------------
 void vtkWaterRenderPassKeys::Add(vtkProp* prop, vtkOpenGLRenderPass* key)
 {
   if (Has(prop, key))

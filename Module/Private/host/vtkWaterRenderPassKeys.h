@@ -19,6 +19,7 @@ class vtkRenderer;
 namespace vtkWaterRenderPassKeys
 {
 bool Has(vtkProp* prop, vtkOpenGLRenderPass* key);
+bool HasOthers(vtkProp* prop, vtkOpenGLRenderPass* key); // than that one
 
 // Puts the key on a prop, once.
 void Add(vtkProp* prop, vtkOpenGLRenderPass* key);

@@ -20,12 +20,15 @@
 #include "vtkWaterSurfaceShader.h"
 #include "vtkWaterWarmUp.h"
 #include "vtkWeakPointer.h"
+#include "water_buffer.h"
 
 #include <functional>
 #include <memory>
 #include <string>
 #include <utility>
 #include <vector>
+
+class vtkWaterOcclusion;
 
 struct vtkWaterActor::Internals : public vtkWaterSource
 {
@@ -100,6 +103,12 @@ struct vtkWaterActor::Internals : public vtkWaterSource
   // Draws the surface with its shader, or with the plain one when the driver refuses that. Without
   // a mapper there is nothing to draw.
   void DrawSurface(vtkWaterSurfaceShader& surface, vtkRenderer* renderer, vtkMapper* mapper);
+  // Should the surface be shaded once a pixel?
+  water_buffer_use JudgeBuffer(const vtkWaterSnapshot& water,
+    const vtkWaterSurfaceShader::Inputs& inputs, water_feature_set features, bool isSoftware,
+    vtkMapper* mapper);
+  // Draws it that way. false: nothing is drawn, the driver refuses that.
+  bool DrawBuffered(vtkRenderer* renderer, vtkMapper* mapper, vtkWaterOcclusion& occlusion);
 
   vtkWaterActor* Self;
   vtkWaterSheet Sheet;

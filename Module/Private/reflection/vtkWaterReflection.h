@@ -17,6 +17,7 @@
 #include "vtkWaterSource.h"
 #include "vtkWaterSurfaceShader.h"
 #include "vtkWeakPointer.h"
+#include "water_buffer.h"
 #include "water_quality.h"
 
 #include <functional>
@@ -38,6 +39,7 @@ public:
   {
     UserSettings();
     bool IsInstrumented = false; // times and numbers are taken
+    bool MayBuffer = true;       // the surface of a user's mesh, to shade it once a pixel
   };
   UserSettings Settings;
   vtkWaterRanks Ranks;               // whose scenes are one
@@ -57,9 +59,11 @@ public:
     vtkIdType OwnViewRenderCount = 0;   // ever
     vtkIdType SecondaryRenderCount = 0; // ever
     vtkIdType JoinedPixels = 0; // that the ranks sent each other
+    water_buffer_use BufferUse = WATER_BUFFER_NOT_DRAWN;
   };
   const FrameReport& GetReport() const { return this->Report; }
   void ForgetTimes();
+  void SetBufferUse(water_buffer_use use) { this->Report.BufferUse = use; }
   const water_plan& GetPlan() const { return this->Plan; }
 
   // A frame in which a mirrored view is wanted.

@@ -3,6 +3,7 @@
 
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
+#include "vtkWaterBoundPicture.h"
 #include "vtkWaterGL.h"
 #include "vtkWaterRankPixels.h"
 #include "vtkWaterRanks.h"
@@ -13,72 +14,20 @@
 
 namespace
 {
-// What is bound for drawing.
-struct Source
+using Source = vtkWaterBoundPicture;
+
+// Are there several samples a pixel, in textures? Then these are in the picture.
+bool FindSamples(const Source& source, vtkWaterSampleSort::Picture& picture)
 {
-  Source()
+  if (source.Samples == 0 || !source.HasTextures())
   {
-    glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &this->Framebuffer);
-    glGetIntegerv(GL_DRAW_BUFFER, &this->Buffer);
-    glGetIntegerv(GL_SAMPLES, &this->Samples);
+    return false;
   }
-
-  int Get(int attachment, GLenum name) const
-  {
-    GLint value = 0;
-    glGetFramebufferAttachmentParameteriv(
-      GL_DRAW_FRAMEBUFFER, static_cast<GLenum>(attachment), name, &value);
-    return value;
-  }
-
-  bool HasDepth() const
-  {
-    return !this->Framebuffer ||
-      this->Get(GL_DEPTH_ATTACHMENT, GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE) != GL_NONE;
-  }
-
-  int GetColorType() const
-  {
-    const GLenum name = GL_FRAMEBUFFER_ATTACHMENT_COMPONENT_TYPE;
-    const bool isFloat = this->Framebuffer && this->Get(this->Buffer, name) == GL_FLOAT;
-    return isFloat ? VTK_FLOAT : VTK_UNSIGNED_CHAR;
-  }
-
-  int GetDepthFormat() const
-  {
-    if (!this->Framebuffer)
-    {
-      return vtkTextureObject::Fixed24;
-    }
-    if (this->Get(GL_DEPTH_ATTACHMENT, GL_FRAMEBUFFER_ATTACHMENT_COMPONENT_TYPE) == GL_FLOAT)
-    {
-      return vtkTextureObject::Float32;
-    }
-    const int bits = this->Get(GL_DEPTH_ATTACHMENT, GL_FRAMEBUFFER_ATTACHMENT_DEPTH_SIZE);
-    return bits == 16 ? vtkTextureObject::Fixed16
-                      : (bits == 24 ? vtkTextureObject::Fixed24 : vtkTextureObject::Fixed32);
-  }
-
-  // Are there several samples a pixel, in textures? Then these are in the picture.
-  bool HasSamples(vtkWaterSampleSort::Picture& picture) const
-  {
-    const GLenum type = GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE;
-    if (this->Samples == 0 || !this->Framebuffer || this->Get(this->Buffer, type) != GL_TEXTURE ||
-      this->Get(GL_DEPTH_ATTACHMENT, type) != GL_TEXTURE)
-    {
-      return false;
-    }
-    const GLenum name = GL_FRAMEBUFFER_ATTACHMENT_OBJECT_NAME;
-    picture.Samples = this->Samples;
-    picture.Color = static_cast<unsigned int>(this->Get(this->Buffer, name));
-    picture.Depth = static_cast<unsigned int>(this->Get(GL_DEPTH_ATTACHMENT, name));
-    return true;
-  }
-
-  GLint Framebuffer = 0;
-  GLint Buffer = 0;
-  GLint Samples = 0;
-};
+  picture.Samples = source.Samples;
+  picture.Color = source.GetColorTexture();
+  picture.Depth = source.GetDepthTexture();
+  return true;
+}
 
 bool SetPart(const int rect[4], const int part[4], vtkWaterSampleSort::Picture& picture)
 {
@@ -154,7 +103,7 @@ bool vtkWaterBackdrop::Sort(
 {
   const Source source;
   vtkWaterSampleSort::Picture picture;
-  this->IsSorted = heightClip && source.HasSamples(picture) &&
+  this->IsSorted = heightClip && FindSamples(source, picture) &&
     this->Ensure(window, rect[2], rect[3]) && SetPart(rect, part, picture) &&
     this->Sorted.Draw(window, picture, heightClip, this->Color, this->Depth);
   this->IsMixed = source.Samples > 0 && !this->IsSorted;
@@ -212,7 +161,7 @@ bool vtkWaterBackdrop::Copy(
 int vtkWaterBackdrop::CountSamples()
 {
   vtkWaterSampleSort::Picture picture;
-  const bool areSent = Source().HasSamples(picture) && picture.Samples <= WATER_RANK_SAMPLES_MAX;
+  const bool areSent = FindSamples(Source(), picture) && picture.Samples <= WATER_RANK_SAMPLES_MAX;
   return areSent ? picture.Samples : 0;
 }
 
@@ -252,7 +201,7 @@ bool vtkWaterBackdrop::CopyOfAll(vtkWaterRanks& ranks, vtkOpenGLRenderWindow* wi
     const Source source;
     const unsigned int type = source.GetColorType() == VTK_FLOAT ? GL_FLOAT : GL_UNSIGNED_BYTE;
     isRead = isEmpty ||
-      (source.HasSamples(found) && this->EnsureSamples(window, rect[2], rect[3], samples) &&
+      (FindSamples(source, found) && this->EnsureSamples(window, rect[2], rect[3], samples) &&
         this->RankSamples.Read(window,
           { found.Color, found.Depth, samples,
             { rect[0] + wide[0], rect[1] + wide[1], wide[2], wide[3] } },

@@ -15,27 +15,6 @@
 
 #include <algorithm>
 
-namespace
-{
-// Draws change one sample of each pixel while an object of this class lives.
-struct ScopedSampleMask
-{
-  explicit ScopedSampleMask(vtkOpenGLState* state)
-    : Multisample(state, GL_MULTISAMPLE)
-  {
-    state->vtkglEnable(GL_MULTISAMPLE); // without it all samples are changed
-    glEnable(GL_SAMPLE_MASK);           // VTK does not keep track of it
-  }
-  ~ScopedSampleMask()
-  {
-    glSampleMaski(0, ~0u);
-    glDisable(GL_SAMPLE_MASK);
-  }
-
-  vtkOpenGLState::ScopedglEnableDisable Multisample;
-};
-}
-
 //------------------------------------------------------------------------------
 vtkWaterRankSamples::Picture vtkWaterRankSamples::PictureOf(
   vtkOpenGLFramebufferObject* framebuffer, const int rect[4])
@@ -171,7 +150,7 @@ bool vtkWaterRankSamples::Write(vtkOpenGLRenderWindow* window, const vtkWaterRan
   if (program)
   {
     const vtkWaterScopedOverwrite overwrite(state, rect);
-    const ScopedSampleMask mask(state);
+    const vtkWaterScopedSampleMask mask(state);
     for (int i = 0; i < samples; ++i)
     {
       pixels.UploadSample(color, depth, i);

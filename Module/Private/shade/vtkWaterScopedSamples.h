@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkWaterScopedSamples.h: reading multisampled textures, and overwriting colour and depth.
+// vtkWaterScopedSamples.h: reading multisampled textures, overwriting colour and depth, and drawing
+// into one sample of each pixel.
 #ifndef vtkWaterScopedSamples_h
 #define vtkWaterScopedSamples_h
 
@@ -48,6 +49,25 @@ struct vtkWaterScopedSamples
 
   vtkOpenGLState* State;
   vtkOpenGLState::ScopedglActiveTexture Active;
+};
+
+// Draws change one sample of each pixel, which glSampleMaski chooses, while an object of this class
+// lives.
+struct vtkWaterScopedSampleMask
+{
+  explicit vtkWaterScopedSampleMask(vtkOpenGLState* state)
+    : Multisample(state, GL_MULTISAMPLE)
+  {
+    state->vtkglEnable(GL_MULTISAMPLE); // without it all samples are changed
+    glEnable(GL_SAMPLE_MASK);           // VTK does not keep track of it
+  }
+  ~vtkWaterScopedSampleMask()
+  {
+    glSampleMaski(0, ~0u);
+    glDisable(GL_SAMPLE_MASK);
+  }
+
+  vtkOpenGLState::ScopedglEnableDisable Multisample;
 };
 
 #endif

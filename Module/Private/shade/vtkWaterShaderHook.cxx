@@ -88,7 +88,7 @@ void vtkWaterShaderHook::ReplaceForWater(vtkWaterSource& water, std::string& ver
   water_feature_set features =
     this->Surface ? this->Surface->GetFeatures() : water.Take(nullptr)->Features;
   constexpr water_feature_set ofVertices = WATER_FEATURE_DISPLACED | WATER_FEATURE_SEA_MOVES |
-    WATER_FEATURE_MESH | WATER_FEATURE_SLOPED | WATER_FEATURE_FLOW;
+    WATER_FEATURE_MESH | WATER_FEATURE_SLOPED | WATER_FEATURE_FLOW | WATER_FEATURE_BUFFERED;
   // a geometry shader would have to pass the place at rest, or the height, on
   const bool canAskVertices =
     geometryShader.empty() && vertexShader.find("//VTK::CustomEnd::Impl") != std::string::npos;
@@ -189,6 +189,11 @@ bool vtkWaterShaderHook::PostReplaceShaderValues(std::string& vertexShader,
           "\n  waterTakeData(ambientColor + diffuseColor, opacity, opacityUniform);");
       }
       InsertBefore(fragmentShader, "//VTK::Light::Impl", "\n  waterShade(gl_FragData[0]);");
+      if (Declares(fragmentShader, "waterKeptData"))
+      {
+        InsertBefore(
+          fragmentShader, "//VTK::Light::Impl", "\n  gl_FragData[1] = waterKeptData();");
+      }
     }
     if (this->Surface)
     {

@@ -29,6 +29,7 @@ struct ShaderFile
   const char* Source;
 };
 #define WATER_SHADER_FILE(slot, file, any_of, none_of, what) { any_of, none_of, file },
+const ShaderFile surfaceFiles[] = { WATER_SURFACE_FILE_LIST(WATER_SHADER_FILE) };
 
 template <size_t Count>
 std::string Join(const ShaderFile (&files)[Count], water_feature_set features)
@@ -49,8 +50,19 @@ std::string Join(const ShaderFile (&files)[Count], water_feature_set features)
 //------------------------------------------------------------------------------
 std::string vtkWaterSurfaceShader::GetShader(water_feature_set features)
 {
-  static const ShaderFile files[] = { WATER_SURFACE_FILE_LIST(WATER_SHADER_FILE) };
-  return Join(files, features);
+  static const ShaderFile buffer[] = { WATER_BUFFER_FILE_LIST(WATER_SHADER_FILE) };
+  return features & WATER_FEATURE_BUFFERED ? Join(buffer, features)
+                                           : Join(surfaceFiles, features);
+}
+
+//------------------------------------------------------------------------------
+bool vtkWaterSurfaceShader::ShadeBuffer(vtkAbstractMapper* mapper)
+{
+  const std::string shader =
+    vtkWaterBufferHead + Join(surfaceFiles, this->Features) + vtkWaterBufferShadeFS;
+  return this->Buffer.Shade(shader, [this, mapper](vtkShaderProgram* program) {
+    this->SetParameters(program, mapper, nullptr);
+  });
 }
 
 //------------------------------------------------------------------------------
@@ -385,6 +397,7 @@ void vtkWaterSurfaceShader::ReleaseGraphicsResources(vtkWindow* window)
   }
   this->Flow.ReleaseGraphicsResources();
   this->Backdrop.ReleaseGraphicsResources(window);
+  this->Buffer.ReleaseGraphicsResources(window);
   this->Caustics.ReleaseGraphicsResources(window);
   this->ShaftLight.ReleaseGraphicsResources(window);
   this->IsRefused = false;

@@ -11,6 +11,7 @@
 #include "vtkWaterSkyReader.h"
 #include "vtkWaterSlopeTexture.h"
 #include "vtkWaterSnapshot.h"
+#include "vtkWaterSurfaceBuffer.h"
 #include "water_caustics_plan.h"
 #include "water_grid.h"
 #include "water_shafts.h"
@@ -80,8 +81,14 @@ public:
   bool GetIsSecondary() const { return this->Drawn.IsSecondary; }
   bool GetIsEndless() const { return this->Water && this->Water->IsEndless; }
 
-  // The source that defines waterShade.
+  // The source that defines waterShade, for the triangles of the surface.
   static std::string GetShader(water_feature_set features);
+
+  // Is the surface drawn into a buffer, from which it is shaded?
+  bool GetIsBuffered() const { return this->Has(WATER_FEATURE_BUFFERED); }
+  vtkWaterSurfaceBuffer Buffer;
+  // Shades what the buffer has; the mapper is that of the mesh. false: the driver refuses that.
+  bool ShadeBuffer(vtkAbstractMapper* mapper);
 
   // The source of the fragments that follow light from the surface to the bed.
   static std::string GetPhotonShader(water_feature_set features);

@@ -209,6 +209,7 @@ void vtkWaterSurfaceShader::SetViewParameters(vtkShaderProgram* program)
   uniforms::Set(program, "waterIsSubmerged", plan.is_submerged ? 1 : 0);
   uniforms::Set(program, "waterShoreSoftness", look.ShoreSoftness);
   uniforms::Set(program, "waterPortRadius", look.DomePortRadius);
+  uniforms::Set(program, "waterBufferIsSloped", this->Has(WATER_FEATURE_SLOPED) ? 1 : 0);
 }
 
 //------------------------------------------------------------------------------

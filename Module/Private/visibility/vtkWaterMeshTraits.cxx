@@ -153,10 +153,29 @@ bool vtkWaterMeshTraits::ShowsScalars(vtkAbstractMapper* mapper)
 }
 
 //------------------------------------------------------------------------------
-bool vtkWaterMeshTraits::HasTrianglesOnly(vtkPolyDataMapper* mapper, vtkProperty* property)
+vtkPolyData* vtkWaterMeshTraits::FindPolygons(vtkMapper* mapper)
 {
-  vtkPolyData* mesh = mapper->GetInput();
+  auto* ofData = vtkDataSetMapper::SafeDownCast(mapper);
+  if (ofData && vtkPolyData::SafeDownCast(ofData->GetInput()))
+  {
+    return static_cast<vtkPolyData*>(ofData->GetInput()); // it is drawn as it is
+  }
+  vtkPolyDataMapper* drawn =
+    AsPolyDataMapper(ofData ? static_cast<vtkMapper*>(ofData->GetPolyDataMapper()) : mapper);
+  return drawn ? drawn->GetInput() : nullptr;
+}
+
+//------------------------------------------------------------------------------
+bool vtkWaterMeshTraits::HasTrianglesOnly(
+  vtkPolyData* mesh, vtkMapper* mapper, vtkProperty* property)
+{
   return mesh && mesh->GetNumberOfVerts() == 0 && mesh->GetNumberOfLines() == 0 &&
     mesh->GetNumberOfStrips() == 0 && !mapper->GetSelection() && !property->GetVertexVisibility() &&
     !property->GetEdgeVisibility();
+}
+
+//------------------------------------------------------------------------------
+bool vtkWaterMeshTraits::HasTrianglesOnly(vtkPolyDataMapper* mapper, vtkProperty* property)
+{
+  return HasTrianglesOnly(mapper->GetInput(), mapper, property);
 }

@@ -8,6 +8,7 @@ class vtkAbstractMapper;
 class vtkActor;
 class vtkMapper;
 class vtkOpenGLPolyDataMapper;
+class vtkPolyData;
 class vtkPolyDataMapper;
 class vtkProperty;
 class vtkShaderProgram;
@@ -50,7 +51,11 @@ bool IsSolid(vtkPolyDataMapper* mapper, vtkActor* actor);
 // Is the mesh coloured by an array of its own, through a lookup table or directly?
 bool ShowsScalars(vtkAbstractMapper* mapper);
 
-// Does the mapper draw neither points nor lines besides?
+// The polygons that a mapper of VTK's draws; nullptr: it is of another kind, or has not made them yet.
+vtkPolyData* FindPolygons(vtkMapper* mapper);
+
+// Are there neither points nor lines besides?
+bool HasTrianglesOnly(vtkPolyData* mesh, vtkMapper* mapper, vtkProperty* property);
 bool HasTrianglesOnly(vtkPolyDataMapper* mapper, vtkProperty* property);
 }
 

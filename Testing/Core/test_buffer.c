@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// test_buffer.c: which meshes are shaded once a pixel.
+#include "test_main.h"
+#include "test_scene.h"
+
+#include "water_buffer.h"
+#include "water_lookup.h"
+
+#include <math.h>
+#include <string.h>
+
+enum
+{
+  WIDTH = 800,
+  HEIGHT = 600
+};
+
+static const double eye_place[3] = { 0.0, -20.0, 10.0 };
+
+// What an eye over a level plane sees of it; no more than a judgement asks for.
+static water_plan seen_plan(void)
+{
+  const double target[3] = { 0.0, 0.0, 0.0 };
+  const double up[3] = { 0.0, 0.0, 1.0 };
+  const water_axes axes = { .x_dir = { 1, 0, 0 }, .y_dir = { 0, 1, 0 }, .normal = { 0, 0, 1 } };
+  water_camera camera = { { 0.0 } };
+  look_at(eye_place, target, up, camera.world_to_view);
+  const double box[4] = { -0.36, 0.36, -0.27, 0.27 };
+  frustum_matrix(box, 1.0, 100.0, camera.view_to_clip);
+  water_plan plan;
+  memset(&plan, 0, sizeof plan);
+  plan.has_view = true;
+  plan.plane_view[3] = eye_place[2];
+  plan.origin_xy[1] = eye_place[1];
+  plan.clip_w[2] = 1.0;
+  water_lookup_dirs(&camera, &axes, plan.dir_to_eye);
+  return plan;
+}
+
+// A solver's mesh of a million cells, as clear water.
+static water_buffer_input input_of(const water_plan* plan)
+{
+  const water_buffer_input input = { .is_on = true,
+    .is_software = true,
+    .is_plain_draw = true,
+    .features = WATER_FEATURE_MESH | WATER_FEATURE_SLOPED | WATER_FEATURE_RAY_TRACED |
+      WATER_FEATURE_MEDIUM,
+    .plan = plan,
+    .sheet = { -8, 8, -8, 8 },
+    .viewport_px = { WIDTH, HEIGHT },
+    .samples = 4,
+    .triangle_count = 2e6 };
+  return input;
+}
+
+TEST(small_triangles_are_shaded_once_a_pixel)
+{
+  const water_plan plan = seen_plan();
+  water_buffer_input input = input_of(&plan);
+  assert_int_equal(water_buffer_judge(&input), WATER_BUFFER_IN_USE);
+  input.samples = 0;
+  assert_int_equal(water_buffer_judge(&input), WATER_BUFFER_IN_USE);
+  input.triangle_count = 20000;
+  assert_int_equal(water_buffer_judge(&input), WATER_BUFFER_IN_USE);
+  input.triangle_count = 200; // a thousand pixels each
+  assert_int_equal(water_buffer_judge(&input), WATER_BUFFER_LARGE_TRIANGLES);
+  input.triangle_count = 2;
+  assert_int_equal(water_buffer_judge(&input), WATER_BUFFER_LARGE_TRIANGLES);
+}
+
+// What counts is the size in the picture: of a mesh that is mostly out of view, or of one that is far away.
+TEST(sizes_are_those_in_the_picture)
+{
+  const water_plan plan = seen_plan();
+  water_buffer_input input = input_of(&plan);
+  input.triangle_count = 20000;
+  for (int i = 0; i < 4; ++i)
+  {
+    input.sheet[i] *= 300.0; // of 20,000 triangles a few are in view
+  }
+  assert_int_equal(water_buffer_judge(&input), WATER_BUFFER_LARGE_TRIANGLES);
+  const double behind[4] = { -8, 8, -90, -70 };
+  memcpy(input.sheet, behind, sizeof behind);
+  input.triangle_count = 2e6;
+  assert_int_equal(water_buffer_judge(&input), WATER_BUFFER_LARGE_TRIANGLES);
+  const double speck[4] = { -0.1, 0.1, -0.1, 0.1 };
+  memcpy(input.sheet, speck, sizeof speck);
+  input.triangle_count = 50; // the passes over the picture take longer than they do
+  assert_int_equal(water_buffer_judge(&input), WATER_BUFFER_LARGE_TRIANGLES);
+}
+
+// Each condition has its own answer, and lets no buffer be used.
+TEST(all_else_is_drawn_as_it_is)
+{
+  const water_plan plan = seen_plan();
+  water_buffer_input input = input_of(&plan);
+  input.is_on = false;
+  assert_int_equal(water_buffer_judge(&input), WATER_BUFFER_OFF);
+  input = input_of(&plan);
+  input.is_software = false;
+  assert_int_equal(water_buffer_judge(&input), WATER_BUFFER_HARDWARE);
+  input = input_of(&plan);
+  input.is_plain_draw = false;
+  assert_int_equal(water_buffer_judge(&input), WATER_BUFFER_OTHER_DRAW);
+  input = input_of(NULL);
+  assert_int_equal(water_buffer_judge(&input), WATER_BUFFER_OTHER_DRAW);
+  input = input_of(&plan);
+  input.features &= ~WATER_FEATURE_MESH;
+  assert_int_equal(water_buffer_judge(&input), WATER_BUFFER_NO_MESH);
+  input = input_of(&plan);
+  input.triangle_count = 0.0;
+  assert_int_equal(water_buffer_judge(&input), WATER_BUFFER_NO_MESH);
+  const water_feature_set others[] = { WATER_FEATURE_HULLS, WATER_FEATURE_FLOW,
+    WATER_FEATURE_PORT, WATER_FEATURE_OUTPUT };
+  for (size_t i = 0; i < sizeof others / sizeof others[0]; ++i)
+  {
+    input = input_of(&plan);
+    input.features |= others[i];
+    assert_int_equal(water_buffer_judge(&input), WATER_BUFFER_FEATURE);
+  }
+  input = input_of(&plan);
+  input.features = WATER_FEATURE_MESH;
+  assert_int_equal(water_buffer_judge(&input), WATER_BUFFER_SHORT_SHADER);
+  input = input_of(&plan);
+  input.samples = WATER_BUFFER_SAMPLES_MAX + 1;
+  assert_int_equal(water_buffer_judge(&input), WATER_BUFFER_SIZE);
+  input = input_of(&plan);
+  input.viewport_px[0] = input.viewport_px[1] = 4000;
+  assert_int_equal(water_buffer_judge(&input), WATER_BUFFER_SIZE);
+}
+
+TEST(eyes_in_the_water_and_parallel_rays_have_no_buffer)
+{
+  water_plan plan = seen_plan();
+  const water_buffer_input input = input_of(&plan);
+  plan.is_submerged = true;
+  assert_int_equal(water_buffer_judge(&input), WATER_BUFFER_SUBMERGED);
+  plan.is_submerged = false;
+  plan.is_awash = true;
+  assert_int_equal(water_buffer_judge(&input), WATER_BUFFER_SUBMERGED);
+  plan.is_awash = false;
+  plan.clip_w[2] = 0.0;
+  assert_int_equal(water_buffer_judge(&input), WATER_BUFFER_PARALLEL);
+}
+
+// Large triangles are shaded on the pixels that they cover, small ones on a block each; what covers no sample is not
+// shaded.
+TEST(runs_are_of_blocks)
+{
+  ASSERT_CLOSE(water_buffer_runs(10.0, 1e8, 1) / (10.0 * 1e8), 1.0, 2e-3);
+  ASSERT_CLOSE(water_buffer_runs(1.0, 1.0, 1), 8.0 + 6.0 * sqrt(2.0) + 1.0, 1e-9);
+  ASSERT_CLOSE(water_buffer_runs(1e6, 1e-6, 1), 8.0, 0.1);
+  ASSERT_CLOSE(water_buffer_runs(1e6, 1e-6, 4), 32.0, 0.4);
+  assert_true(water_buffer_runs(4.0, 25.0, 1) > water_buffer_runs(1.0, 100.0, 1));
+}
+
+TEST(every_use_has_its_text)
+{
+  for (int i = 0; i < WATER_BUFFER_COUNT; ++i)
+  {
+    const char* text = water_buffer_text((water_buffer_use)i);
+    assert_true(strlen(text) > 10);
+    for (int j = 0; j < i; ++j)
+    {
+      assert_string_not_equal(text, water_buffer_text((water_buffer_use)j));
+    }
+  }
+  assert_string_equal(water_buffer_text(WATER_BUFFER_COUNT), "unknown");
+}
+
+TESTS(small_triangles_are_shaded_once_a_pixel, sizes_are_those_in_the_picture,
+  all_else_is_drawn_as_it_is, eyes_in_the_water_and_parallel_rays_have_no_buffer,
+  runs_are_of_blocks, every_use_has_its_text)

@@ -1,0 +1,168 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""A dense mesh of the user's is shaded once a pixel, from a buffer, and looks as if each of its triangles were shaded."""
+
+import numpy as np
+import pytest
+import water_test as wt
+from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.vtkCommonCore import vtkLookupTable, vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+from vtkmodules.vtkFiltersSources import vtkConeSource
+from vtkmodules.vtkRenderingCore import vtkActor, vtkHardwareSelector, vtkPolyDataMapper
+
+SIZE = (160, 120)
+HALF = 10.0
+CELLS = 200  # along a side: of smaller triangles than pixels
+MOST_SHARE = 2e-4  # of pixels that may be off by more than 1 of 255
+IN_USE = "the surface is shaded once a pixel, from a buffer"
+
+
+def swell(x, y):
+    return 0.12 * np.sin(0.9 * x + 0.3 * y) + 0.05 * np.cos(1.7 * y)
+
+
+def bed(x, y):
+    return -1.6 + 0.02 * (x * x + y * y) + 0.25 * np.sin(1.3 * x)
+
+
+def flat(x, y):
+    return 0.0 * x
+
+
+def grid(heights, cells=CELLS, values=None, hole=None):
+    """Quads over [-HALF, HALF] in x and y, with an array of values; without those whose middle is in the hole."""
+    places = np.linspace(-HALF, HALF, cells + 1)
+    x, y = (each.ravel() for each in np.meshgrid(places, places))
+    i = np.arange((cells + 1) ** 2).reshape(cells + 1, cells + 1)
+    corners = np.stack([i[:-1, :-1], i[:-1, 1:], i[1:, 1:], i[1:, :-1]], axis=-1).reshape(-1, 4)
+    if hole:
+        corners = corners[~hole(x[corners].mean(axis=1), y[corners].mean(axis=1))]
+    polygons = vtkCellArray()
+    polygons.SetData(4, numpy_to_vtk(np.ascontiguousarray(corners.ravel().astype(np.int64)), deep=1, array_type=16))
+    points = vtkPoints()
+    points.SetDataTypeToDouble()
+    points.SetData(numpy_to_vtk(np.ascontiguousarray(np.column_stack([x, y, heights(x, y)])), deep=1))
+    mesh = vtkPolyData()
+    mesh.SetPoints(points)
+    mesh.SetPolys(polygons)
+    if values is not None:
+        array = numpy_to_vtk(np.ascontiguousarray(values(x, y), dtype=float), deep=1)
+        array.SetName("value")
+        mesh.GetPointData().SetScalars(array)
+    return mesh
+
+
+def actor_of(mesh, color):
+    mapper = vtkPolyDataMapper()
+    mapper.SetInputData(mesh)
+    mapper.ScalarVisibilityOff()
+    actor = vtkActor()
+    actor.SetMapper(mapper)
+    actor.GetProperty().SetColor(color)
+    return actor
+
+
+class Scene:
+    """Clear water of a mesh over a bed that comes out of it at the corners, with a cone in it."""
+
+    def __init__(self, mesh, samples, look=None):
+        self.view = wt.View(SIZE, (0.5, 0.65, 0.8), samples=samples)
+        renderer = self.view.renderer
+        renderer.AddActor(actor_of(grid(bed, 40), (0.7, 0.6, 0.4)))
+        cone = vtkConeSource()
+        cone.SetDirection(0.2, 0.0, 1.0)
+        cone.SetHeight(3.0)
+        cone.SetRadius(1.2)
+        cone.SetCenter(-2.0, 2.0, 0.3)
+        cone.SetResolution(24)
+        cone.Update()
+        renderer.AddActor(actor_of(cone.GetOutput(), (0.9, 0.4, 0.2)))
+        self.water = wt.add_water(renderer, None, None, 0.0)
+        mapper = vtkPolyDataMapper()
+        mapper.SetInputData(mesh)
+        if mesh.GetPointData().GetScalars():
+            mapper.SetLookupTable(table())
+            mapper.SetUseLookupTableScalarRange(True)
+        else:
+            mapper.ScalarVisibilityOff()
+        self.water.SetMapper(mapper)
+        look_of = self.water.GetWaterProperty()
+        look_of.GlitterOff()
+        look_of.RefractionOn()
+        if look:
+            look(look_of)
+        self.mirror = self.water.GetReflectionPass()
+        wt.place_camera(renderer, (0.5, -17.0, 5.0), (0.0, 0.0, -0.5), (1.0, 60.0))
+
+    def picture(self, is_buffered):
+        self.mirror.SetSurfaceBuffer(is_buffered)
+        return self.view.picture()
+
+
+def table():
+    made = vtkLookupTable()
+    made.SetNumberOfTableValues(256)
+    for i in range(256):
+        made.SetTableValue(i, i / 255, 0.4, 1 - i / 255, 1.0)
+    made.SetNanColor(1.0, 1.0, 0.0, 1.0)
+    made.SetRange(-1.0, 1.0)
+    return made
+
+
+def values(x, y):
+    return np.sin(0.4 * x) * np.cos(0.3 * y)
+
+
+def values_with_gaps(x, y):
+    return np.where(np.hypot(x - 3, y + 2) < 2.0, np.nan, values(x, y))
+
+
+def waves(look):
+    look.AddWave(0.02, 1.5, 30.0)
+    look.AddWave(0.008, 0.6, 75.0)
+
+
+def opaque(look):
+    look.RefractionOff()
+
+
+def is_in_hole(x, y):
+    return np.hypot(x - 4, y - 1) < 1.5
+
+
+SCENES = {
+    "clear": (lambda: grid(swell), None),
+    "coloured": (lambda: grid(swell, values=values), None),
+    "gaps": (lambda: grid(swell, values=values_with_gaps), None),
+    "waves": (lambda: grid(swell), waves),
+    "level": (lambda: grid(flat), waves),
+    "opaque": (lambda: grid(swell), opaque),
+    "hole": (lambda: grid(swell, hole=is_in_hole), None),
+}
+
+
+def compare(name, direct, buffered):
+    """Pixels off by more than 1, as a share of the picture; those at an end of the surface apart."""
+    off = np.abs(direct - buffered).max(axis=2) > 1
+    wt.check_at_most(f"{name}: share of pixels off by more than 1", float(off.mean()), MOST_SHARE)
+
+
+@pytest.mark.parametrize("samples", (0, 4), ids=("one", "four"))
+@pytest.mark.parametrize("name", SCENES)
+def test_a_buffer_changes_no_picture(name, samples):
+    make, look = SCENES[name]
+    scene = Scene(make(), samples, look)
+    direct = scene.picture(False)
+    wt.check_equal("not buffered when it is off", scene.mirror.GetSurfaceIsBuffered(), False)
+    buffered = scene.picture(True)
+    wt.check_equal("why", scene.mirror.GetSurfaceBufferUseAsString(), IN_USE)
+    wt.check_at_least("the water is seen", wt.difference(direct, without_water(scene)), 20)
+    compare(name, direct, buffered)
+    wt.check_equal("the same again", wt.difference(scene.picture(False), direct), 0)
+
+
+def without_water(scene):
+    scene.water.VisibilityOff()
+    picture = scene.view.picture()
+    scene.water.VisibilityOn()
+    return picture
