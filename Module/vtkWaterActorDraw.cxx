@@ -4,10 +4,12 @@
 // Documentation/decisions/008-shader-slots.md and 011-water-in-water.md.
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLRenderer.h"
+#include "vtkOpenGLState.h"
 #include "vtkProperty.h"
 #include "vtkWaterActorInternals.h"
 #include "vtkWaterCompat.h"
 #include "vtkWaterFrame.h"
+#include "vtkWaterGL.h"
 #include "vtkWaterGather.h"
 #include "vtkWaterGpuQueries.h"
 #include "vtkWaterOcclusion.h"
@@ -165,6 +167,26 @@ void vtkWaterActor::RenderSecondary(vtkRenderer* renderer, vtkMapper* mapper)
 
 namespace
 {
+// The surface leaves its depth, and transparent black, if another rank's picture shows it.
+class ScopedHole
+{
+public:
+  ScopedHole(vtkOpenGLState* state, bool isHole)
+    : Blend(state, GL_BLEND)
+    , BlendFunc(state)
+  {
+    if (isHole)
+    {
+      state->vtkglEnable(GL_BLEND);
+      state->vtkglBlendFuncSeparate(GL_ZERO, GL_ZERO, GL_ZERO, GL_ZERO);
+    }
+  }
+
+private:
+  vtkOpenGLState::ScopedglEnableDisable Blend;
+  vtkOpenGLState::ScopedglBlendFuncSeparate BlendFunc;
+};
+
 // The features of a water with what its reflection texture has, and with what draws it.
 water_feature_set FeaturesWith(
   const vtkWaterSurfaceShader::Inputs& inputs, const vtkWaterSnapshot& water, bool isSoftware)
@@ -243,7 +265,12 @@ void vtkWaterActor::Render(vtkRenderer* renderer, vtkMapper* mapper)
   {
     occlusion->Begin(renderer->GetRenderWindow());
   }
-  internal.DrawSurface(internal.Surface, renderer, drawn);
+  const bool isHole = !renderer->GetSelector() && !vtkWaterRenderPassKeys::IsBakingShadows(this) &&
+    !frame.GetReflection(internal).Ranks.ShowsWater();
+  {
+    const ScopedHole hole(static_cast<vtkOpenGLRenderer*>(renderer)->GetState(), isHole);
+    internal.DrawSurface(internal.Surface, renderer, drawn);
+  }
   occlusion->End();
   internal.Surface.End();
   if (!renderer->GetSelector() && !vtkWaterRenderPassKeys::IsBakingShadows(this))
