@@ -14,6 +14,7 @@
 
 #include <cstdlib>
 #include <iostream>
+#include <map>
 #include <string>
 
 namespace
@@ -59,31 +60,28 @@ void ArrangeIceT(WaterOrderedScene& scene, vtkMultiProcessController* controller
   pass->SetUseOrderedCompositing(isOrdered);
   pass->SetOrderedCompositingHelper(order);
   scene.Renderer->SetPass(pass);
-  scene.Water->GetReflectionPass()->KeepBackground(scene.Renderer); // it is blanked meanwhile
 }
 
-bool Check(const std::string& engine, vtkMultiProcessController* controller)
+bool Check(const std::string& name, vtkMultiProcessController* controller)
 {
-  if (engine == "depth")
-  {
-    return WaterCheckEngine(
-      "vtkCompositedSynchronizedRenderers", controller, false, SynchronizeRenderers);
-  }
-  if (engine == "blend")
-  {
-    return WaterCheckEngine("vtkCompositeRGBAPass", controller, true, WaterArrangePasses);
-  }
-  const bool isOrdered = engine == "icet-ordered";
-  if (isOrdered || engine == "icet")
-  {
-    const auto arrange = [isOrdered](WaterOrderedScene& scene, vtkMultiProcessController* ranks) {
+  const auto iceT = [](bool isOrdered) {
+    return [isOrdered](WaterOrderedScene& scene, vtkMultiProcessController* ranks) {
       ArrangeIceT(scene, ranks, isOrdered);
     };
-    return WaterCheckEngine(isOrdered ? "vtkIceTCompositePass, ordered" : "vtkIceTCompositePass",
-      controller, isOrdered, arrange);
+  };
+  const std::map<std::string, WaterEngine> engines = {
+    { "depth", { "vtkCompositedSynchronizedRenderers", false, false, SynchronizeRenderers } },
+    { "blend", { "vtkCompositeRGBAPass", true, true, WaterArrangePasses } },
+    { "icet", { "vtkIceTCompositePass", false, false, iceT(false) } },
+    { "icet-ordered", { "vtkIceTCompositePass, ordered", true, false, iceT(true) } }
+  };
+  const auto found = engines.find(name);
+  if (found == engines.end())
+  {
+    std::cerr << "engine '" << name << "': depth, blend, icet or icet-ordered\n";
+    return false;
   }
-  std::cerr << "engine '" << engine << "': depth, blend, icet or icet-ordered\n";
-  return false;
+  return WaterCheckEngine(found->second, controller);
 }
 }
 

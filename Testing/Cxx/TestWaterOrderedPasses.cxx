@@ -11,6 +11,8 @@
 int TestWaterOrderedPasses(int, char*[])
 {
   constexpr unsigned int kPatience = 100; // s, until a process that waits for another is ended
+  // a background that is not black, or not transparent, would hide the ranks behind
+  const WaterEngine engine = { "vtkCompositeRGBAPass", true, true, WaterArrangePasses };
   bool isGood = true;
   for (const int ranks : { 2, 4 })
   {
@@ -18,8 +20,7 @@ int TestWaterOrderedPasses(int, char*[])
                [&](const WaterSockets& sockets, int rank) {
                  alarm(kPatience);
                  const WaterSocketRank self(sockets, rank);
-                 return WaterCheckEngine(
-                   "vtkCompositeRGBAPass", self.Controller, true, WaterArrangePasses);
+                 return WaterCheckEngine(engine, self.Controller);
                }) &&
       isGood;
   }

@@ -99,11 +99,6 @@ inline void WaterArrangePasses(WaterOrderedScene& scene, vtkMultiProcessControll
   vtkNew<vtkCameraPass> camera;
   camera->SetDelegatePass(sequence);
   scene.Renderer->SetPass(camera);
-  if (controller->GetLocalProcessId() != 0)
-  {
-    scene.Renderer->GradientBackgroundOff(); // what is blended over the root's is transparent
-    scene.Renderer->SetBackground(0.0, 0.0, 0.0);
-  }
 }
 
 #endif

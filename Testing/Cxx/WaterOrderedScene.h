@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <fstream>
 #include <functional>
 #include <string>
 #include <vector>
@@ -54,6 +55,7 @@ struct WaterOrderedScene : public WaterTestScene
   // rank: whose part it is; -1: all of it
   WaterOrderedScene(const WaterOrderedLook& look, int rank, int ranks)
   {
+    this->Window->SetSize(160, 120);
     this->Window->SetAlphaBitPlanes(1); // pictures are blended by it
     this->AddThings<vtkPolyDataMapper>();
     if (look.HasGlass)
@@ -76,6 +78,12 @@ struct WaterOrderedScene : public WaterTestScene
 
   // The rank that is farthest from the camera, which is at the near left.
   static int GetFarthest(int ranks) { return ranks - 1; }
+
+  void Blacken()
+  {
+    this->Renderer->GradientBackgroundOff();
+    this->Renderer->SetBackground(0.0, 0.0, 0.0);
+  }
 
   std::vector<unsigned char> Show()
   {
@@ -153,15 +161,41 @@ inline WaterDifference WaterCompare(
   return { static_cast<double>(off) / pixels, std::sqrt(sum / (3.0 * pixels)) };
 }
 
-// Makes a scene one of an engine's: it is told the controller.
-using WaterEngine = std::function<void(WaterOrderedScene&, vtkMultiProcessController*)>;
+// Leaves a picture in the folder WATER_TEST_OUTPUT, if that is set.
+inline void WaterLeave(
+  std::string name, const std::vector<unsigned char>& picture, vtkRenderWindow* window)
+{
+  const char* folder = std::getenv("WATER_TEST_OUTPUT");
+  if (!folder)
+  {
+    return;
+  }
+  std::replace(name.begin(), name.end(), ' ', '-');
+  std::ofstream file(std::string(folder) + "/" + name + ".ppm", std::ios::binary);
+  const auto width = static_cast<size_t>(window->GetSize()[0]);
+  file << "P6 " << width << " " << picture.size() / 4 / width << " 255\n";
+  for (size_t row = picture.size() / 4 / width; row-- > 0;)
+  {
+    for (size_t i = row * width; i < (row + 1) * width; ++i)
+    {
+      file.write(reinterpret_cast<const char*>(&picture[4 * i]), 3);
+    }
+  }
+}
 
-// Shows each look on all ranks by an engine, whose picture is on the root. Does each equal the
-// serial picture as nearly as it does without water?
-//
-// isOrdered  it blends the ranks' pictures in their order
-inline bool WaterCheckEngine(const std::string& name, vtkMultiProcessController* controller,
-  bool isOrdered, const WaterEngine& arrange)
+// An engine that joins the ranks' pictures on the root.
+struct WaterEngine
+{
+  std::string Name;
+  bool IsOrdered; // it blends the pictures in the order of the ranks
+  bool IsBlack;   // it wants a black background
+  // Makes a scene one of the engine's.
+  std::function<void(WaterOrderedScene&, vtkMultiProcessController*)> Arrange;
+};
+
+// Shows each look on all ranks. Does each equal the serial picture as nearly as it does without
+// water?
+inline bool WaterCheckEngine(const WaterEngine& engine, vtkMultiProcessController* controller)
 {
   constexpr double kShare = 0.0002;
   const int rank = controller->GetLocalProcessId();
@@ -170,20 +204,26 @@ inline bool WaterCheckEngine(const std::string& name, vtkMultiProcessController*
   WaterDifference floor = { 0.0, 0.0 };
   for (const WaterOrderedLook& look : WaterOrderedLooks())
   {
-    if (look.HasGlass && !isOrdered)
+    if (look.HasGlass && !engine.IsOrdered)
     {
       continue; // an engine that compares depths does not blend panes of several ranks
     }
     WaterOrderedScene scene(look, rank, ranks);
     vtkWaterReflectionPass* pass = scene.Water->GetReflectionPass();
     pass->SetController(controller);
-    pass->SetFarthestRank(isOrdered ? WaterOrderedScene::GetFarthest(ranks) : -1);
-    arrange(scene, controller);
+    pass->SetFarthestRank(engine.IsOrdered ? WaterOrderedScene::GetFarthest(ranks) : -1);
+    pass->KeepBackground(scene.Renderer); // whatever the engine makes of it
+    if (engine.IsBlack)
+    {
+      scene.Blacken();
+    }
+    engine.Arrange(scene, controller);
     const std::vector<unsigned char> picture = scene.Show();
     const std::string error = scene.Water->GetLastError();
     if (!error.empty())
     {
-      std::cerr << name << ", " << look.Name << ", rank " << rank << ": " << error << std::endl;
+      std::cerr << engine.Name << ", " << look.Name << ", rank " << rank << ": " << error
+                << std::endl;
       isGood = false;
     }
     if (rank != 0)
@@ -191,11 +231,19 @@ inline bool WaterCheckEngine(const std::string& name, vtkMultiProcessController*
       continue;
     }
     WaterOrderedScene serial(look, -1, ranks);
-    const WaterDifference found = WaterCompare(picture, serial.Show());
+    if (engine.IsBlack)
+    {
+      serial.Water->GetReflectionPass()->KeepBackground(serial.Renderer);
+      serial.Blacken();
+    }
+    const std::vector<unsigned char> expected = serial.Show();
+    const WaterDifference found = WaterCompare(picture, expected);
+    WaterLeave(engine.Name + " " + look.Name, picture, scene.Window);
+    WaterLeave(std::string("serial ") + look.Name, expected, serial.Window);
     floor = look.IsWet ? floor : found;
     const bool isNear = look.Limit > 0.0 ? found.Rms <= std::max(floor.Rms, 0.0) + look.Limit
                                          : found.Share <= floor.Share + kShare;
-    std::cout << name << ", " << ranks << " ranks, " << look.Name << ": share of pixels off "
+    std::cout << engine.Name << ", " << ranks << " ranks, " << look.Name << ": share of pixels off "
               << found.Share << ", RMS " << found.Rms << " of 255 (limit: "
               << (look.Limit > 0.0 ? floor.Rms + look.Limit : floor.Share + kShare) << ") "
               << (isNear ? "ok" : "FAILED") << std::endl;

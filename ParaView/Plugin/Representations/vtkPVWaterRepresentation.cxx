@@ -261,8 +261,7 @@ void vtkPVWaterRepresentation::PrepareRender(vtkPVRenderView* view, vtkInformati
     this->Take(inInfo, ranks);
   }
   // translucent data and volumes: the servers' pictures are blended in their order
-  auto* delivery =
-    vtkPVRenderViewDataDeliveryManager::SafeDownCast(vtkPVView::GetDeliveryManager(inInfo));
+  auto* delivery = vtkPVRenderViewDataDeliveryManager::SafeDownCast(view->GetDeliveryManager());
   this->AreServersInOrder =
     ranks && delivery && view->GetUseOrderedCompositing() && this->IsWhole();
   if (this->AreServersInOrder)
