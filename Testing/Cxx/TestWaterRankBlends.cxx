@@ -102,6 +102,8 @@ bool Compare(vtkMultiProcessController* controller, bool isPeeled)
   Scene serial(-1, isPeeled);
   Scene alone(0, isPeeled); // what the water shows of one rank
   const std::vector<unsigned char> expected = Show(serial);
+  WaterLeave(isPeeled ? "blends peeled" : "blends", picture, scene.Window);
+  WaterLeave(isPeeled ? "serial blends peeled" : "serial blends", expected, serial.Window);
   const WaterDifference found = WaterCompare(picture, expected);
   const WaterDifference shown = WaterCompare(Show(alone), expected);
   constexpr double kRms = 0.25;    // of 255
