@@ -12,6 +12,7 @@
 #include "vtkWaterBoundPicture.h"
 #include "vtkWaterCompat.h"
 #include "vtkWaterFrame.h"
+#include "vtkWaterGL.h"
 #include "vtkWaterGather.h"
 #include "vtkWaterGpuQueries.h"
 #include "vtkWaterMeshTraits.h"
@@ -195,6 +196,26 @@ bool vtkWaterActor::Internals::DrawBuffered(
 
 namespace
 {
+// The surface leaves its depth, and transparent black, if another rank's picture shows it.
+class ScopedHole
+{
+public:
+  ScopedHole(vtkOpenGLState* state, bool isHole)
+    : Blend(state, GL_BLEND)
+    , BlendFunc(state)
+  {
+    if (isHole)
+    {
+      state->vtkglEnable(GL_BLEND);
+      state->vtkglBlendFuncSeparate(GL_ZERO, GL_ZERO, GL_ZERO, GL_ZERO);
+    }
+  }
+
+private:
+  vtkOpenGLState::ScopedglEnableDisable Blend;
+  vtkOpenGLState::ScopedglBlendFuncSeparate BlendFunc;
+};
+
 // What the reflection texture of a water's draw has.
 water_feature_texture TextureOf(
   const vtkWaterSurfaceShader::Inputs& inputs, const vtkWaterSnapshot& water)
@@ -352,8 +373,11 @@ void vtkWaterActor::Render(vtkRenderer* renderer, vtkMapper* mapper)
     internal.Surface.UpdateFeatures(features);
     this->GetProperty()->Modified();
   }
+  const bool isHole = !renderer->GetSelector() && !vtkWaterRenderPassKeys::IsBakingShadows(this) &&
+    !frame.GetReflection(internal).Ranks.ShowsWater();
   if (!internal.Surface.GetIsBuffered())
   {
+    const ScopedHole hole(static_cast<vtkOpenGLRenderer*>(renderer)->GetState(), isHole);
     internal.DrawSurface(internal.Surface, renderer, drawn);
   }
   occlusion->End();

@@ -47,6 +47,11 @@ int vtk_water_interface_version(void)
   return 1;
 }
 
+const char* vtk_water_version(void)
+{
+  return WATER_VERSION;
+}
+
 //------------------------------------------------------------------------------
 vtk_water_status vtk_water_actor_new(vtk_water_actor** actor)
 {

@@ -60,6 +60,9 @@ VTKRENDERINGWATER_EXPORT const char* vtk_water_last_error(void);
 /* Version of this interface: 1. */
 VTKRENDERINGWATER_EXPORT int vtk_water_interface_version(void);
 
+/* Version of the module, such as "0.2.0"; never NULL. */
+VTKRENDERINGWATER_EXPORT const char* vtk_water_version(void);
+
 /* The water ---------------------------------------------------------------------------------- */
 
 VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_actor_new(vtk_water_actor** actor);

@@ -221,6 +221,20 @@ double vtkWaterReflectionPass::GetRankWaitLimit() const
 }
 
 //------------------------------------------------------------------------------
+void vtkWaterReflectionPass::SetFarthestRank(int rank)
+{
+  int farthest = this->GetFarthestRank();
+  this->Set("FarthestRank", farthest, rank, -1, std::numeric_limits<int>::max());
+  this->Reflection->Ranks.SetFarthest(farthest);
+}
+
+//------------------------------------------------------------------------------
+int vtkWaterReflectionPass::GetFarthestRank() const
+{
+  return this->Reflection->Ranks.GetFarthest();
+}
+
+//------------------------------------------------------------------------------
 void vtkWaterReflectionPass::SetTimeBudget(double milliseconds)
 {
   this->Set("TimeBudget", this->Reflection->Settings.time_budget_ms, milliseconds, 1e-3, 1e6);
@@ -492,6 +506,7 @@ void vtkWaterReflectionPass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "QualityStep: " << this->GetQualityStep() << "\n";
   os << indent << "TextureScaleInUse: " << this->GetTextureScaleInUse() << "\n";
   os << indent << "Controller: " << this->Reflection->Ranks.GetText() << "\n";
+  os << indent << "FarthestRank: " << this->GetFarthestRank() << "\n";
   os << indent << "RankWaitLimit: " << this->GetRankWaitLimit() << " s\n";
   os << indent << "ShowReflection: " << (this->ShowReflection ? "on" : "off") << "\n";
   os << indent << "NumberOfReflectionRenders: " << this->GetNumberOfReflectionRenders() << "\n";

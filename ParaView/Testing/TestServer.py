@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A client and a server, of which one, both or none has the plugin; and a plugin of another ParaView."""
 import os
+import subprocess
 import sys
 import unittest
 
@@ -62,6 +63,29 @@ class TestServer(unittest.TestCase):
         said = ranks.run([os.environ["WATER_PVPYTHON"], "--force-offscreen-rendering", program, other])
         self.assertRegex(said, "-pv5.99.so.1: cannot open shared object file")
         self.assertIn("refused:", said)
+
+    def test_a_module_of_another_version_is_refused(self):
+        """As from another package, whose folder comes first in the path of libraries."""
+        folder = water_scene.path("other-module")
+        os.makedirs(folder, exist_ok=True)
+        with open(os.environ["WATER_MODULE"], "rb") as stream:
+            data = stream.read()
+        version = os.environ["WATER_VERSION"].encode()
+        self.assertEqual(data.count(b"\0" + version + b"\0"), 1)
+        with open(os.path.join(folder, os.path.basename(os.environ["WATER_MODULE"])), "wb") as stream:
+            stream.write(data.replace(b"\0" + version + b"\0", b"\0" + b"9" + version[1:] + b"\0"))
+        program = water_scene.path("module.py")
+        with open(program, "w", encoding="utf-8") as stream:
+            stream.write("import sys\nsys.path.insert(0, %r)\nimport water_scene\nfrom water_scene import pv\n"
+                         "water_scene.load()\nview = water_scene.make_view()\nwater_scene.add_water(view)\n"
+                         "pv.Render(view)\nprint('the end')\n" % os.path.dirname(os.path.abspath(__file__)))
+        environment = {**ranks.ENVIRONMENT, "LD_LIBRARY_PATH": folder + ":" + os.environ.get("LD_LIBRARY_PATH", "")}
+        said = subprocess.run([os.environ["WATER_PVPYTHON"], "--force-offscreen-rendering", program], text=True,
+                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=120, check=False,
+                              env=environment).stdout
+        self.assertIn("has version 9%s, but the plugin was built with version %s" %
+                      (os.environ["WATER_VERSION"][1:], os.environ["WATER_VERSION"]), said)
+        self.assertIn("the end", said)
 
 
 water_scene.main()

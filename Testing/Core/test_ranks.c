@@ -368,8 +368,47 @@ TEST(calm_on_all_ranks_is_calm)
   assert_false(joined.is_averaged);
 }
 
-TESTS(calm_on_all_ranks_is_calm, bounds_of_all_ranks_are_joined, rank_that_differs_is_named,
-  facts_of_a_view_are_joined, parts_of_a_mesh_are_joined, error_of_one_rank_is_named,
-  all_waters_are_gone, waters_that_differ_are_refused, digest_tells_waves_apart,
-  every_rank_makes_the_same_plan, digest_tells_numbers_apart, digest_tells_settings_apart,
-  draws_are_joined, blended_props_are_boxed)
+// Where the ranks' pictures are blended in an order, the farthest rank shows the water; the root
+// says which that is.
+TEST(water_is_shown_by_all_ranks_or_by_the_farthest)
+{
+  for (size_t rank = 0; rank < 3; ++rank)
+  {
+    assert_true(water_rank_shows_water(-1, rank));
+    assert_int_equal(water_rank_shows_water(2, rank), rank == 2);
+    assert_int_equal(water_rank_shows_water(0, rank), rank == 0);
+  }
+  static const double roots[] = { -1.0, 0.0, 2.0, -7.0 };
+  static const int agreed[] = { -1, 0, 2, -1 };
+  water_rank_view views[3] = { view_of_left, view_of_nothing, view_of_right };
+  views[1].farthest_rank = 1.0; // counts for nothing
+  water_ranks_view joined;
+  size_t bad_rank;
+  for (int i = 0; i < 4; ++i)
+  {
+    views[0].farthest_rank = roots[i];
+    assert_int_equal(water_ranks_join_views(views, 3, 1, &joined, &bad_rank), WATER_OK);
+    assert_int_equal(joined.farthest_rank, agreed[i]);
+  }
+}
+
+TEST(farthest_rank_that_does_not_exist_is_refused)
+{
+  static const double wrong[] = { 3.0, 1e9, NAN };
+  water_rank_view views[3] = { view_of_left, view_of_nothing, view_of_right };
+  water_ranks_view joined;
+  size_t bad_rank;
+  for (int i = 0; i < 3; ++i)
+  {
+    views[0].farthest_rank = wrong[i];
+    assert_int_equal(
+      water_ranks_join_views(views, 3, 1, &joined, &bad_rank), WATER_RANKS_NO_SUCH_RANK);
+  }
+}
+
+TESTS(calm_on_all_ranks_is_calm, water_is_shown_by_all_ranks_or_by_the_farthest,
+  farthest_rank_that_does_not_exist_is_refused, bounds_of_all_ranks_are_joined,
+  rank_that_differs_is_named, facts_of_a_view_are_joined, parts_of_a_mesh_are_joined,
+  error_of_one_rank_is_named, all_waters_are_gone, waters_that_differ_are_refused,
+  digest_tells_waves_apart, every_rank_makes_the_same_plan, digest_tells_numbers_apart,
+  digest_tells_settings_apart, draws_are_joined, blended_props_are_boxed)

@@ -204,6 +204,12 @@ bool SaysErrors(vtkMultiProcessController* controller)
   property->SetShoreSoftness(part.IsLast ? 0.75 : 0.25);
   isGood = part.Says("other shores", looks) && isGood;
   property->SetShoreSoftness(0.25);
+  vtkWaterReflectionPass* pass = water->GetReflectionPass();
+  pass->SetFarthestRank(kRanks);
+  isGood = part.Says("a farthest rank that does not exist", "FarthestRank must be one") && isGood;
+  pass->SetFarthestRank(part.IsLast ? kRanks : kRanks - 1);
+  isGood = part.Says("the number of the root counts", "") && isGood;
+  pass->SetFarthestRank(-1);
   for (const bool isClear : { false, true })
   {
     property->SetRefraction(isClear);

@@ -14,7 +14,7 @@ from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkRenderingCore import vtkRenderWindow
-from vtkwater import vtkRenderingWater, vtkWaterActor
+from vtkwater import __version__, vtkRenderingWater, vtkWaterActor
 
 WIDTH, HEIGHT = 160, 120
 POINTS = np.array([(-1, -1, 0), (1, -1, 0), (1, 1, 0), (-1, 1, 0), (0, 0, 1.5)], dtype=float)
@@ -127,6 +127,8 @@ def view_by_classes():
 def test_the_interface_has_a_version(lib):
     """The interface's version is 1."""
     wt.check_equal("version of the interface", lib.vtk_water_interface_version(), 1)
+    lib.vtk_water_version.restype = ctypes.c_char_p
+    wt.check_equal("version of the module", lib.vtk_water_version().decode(), __version__)
 
 
 def test_the_picture_is_that_of_the_classes(by_c):

@@ -105,6 +105,26 @@ def row_of(row):
             *(f"{1e3 * row['network'][NETWORKS.index(network)]:.2f}" for network in (ETHERNET, INFINIBAND)))
 
 
+def gpus_of(file):
+    """What script/scaling --gpus has measured on a machine with several GPUs, as the text of the page."""
+    if not file.exists():
+        return "Not measured: no machine with several GPUs was available (`script/scaling --pack` says how)."
+    measured = json.loads(file.read_text(encoding="utf-8"))
+    runs = measured["runs"]
+    first = runs[0]
+    head = ("ranks", "GPUs", "ms, parts, dry", "with water", "ms, composited, dry", "with water", "MB", "messages",
+            "% of pixels off, dry", "with water")
+    rows = [(str(run["ranks"]), str(len(set(run["gpus"]))),
+             *(f"{run[name]:.2f}" for name in ("dry_part_ms", "wet_part_ms", "dry_ms", "wet_ms")),
+             f"{run['bytes'] / 1e6:.2f}", f"{run['messages']:.0f}", f"{100 * run['off_dry']:.3f}",
+             f"{100 * run['off_wet']:.3f}") for run in runs]
+    return (f"On one host with several GPUs ({measured['gpu']}), {first['triangles'] / 1e6:.0f} million triangles in "
+            f"{first['props']} props, {first['size'][0]} x {first['size'][1]} pixels, the median of {first['frames']} new "
+            "frames on the slowest rank. \"Parts\": each rank shows its own part, and the water joins the mirrored "
+            "view. \"Composited\": `vtkCompositedSynchronizedRenderers` joins the picture, too. Bytes and messages are "
+            "those of the water. The ranks are processes that talk over sockets.\n\n" + table(head, rows))
+
+
 def main():
     program, folder = sys.argv[1], pathlib.Path(sys.argv[2])
     report = Report(folder, pathlib.Path(__file__).parent / "scaling.md.in")
@@ -130,7 +150,7 @@ def main():
                   f"{1e3 * model.seconds(network, FAR, FAR * scale if scale > 1 else PROPS, pixels):.1f}")
                  for network in (ETHERNET, INFINIBAND) for scale in (1, PROPS_A_RANK)
                  for size, pixels in (("640 x 360", 1.0), ("1920 x 1080", hd))]
-    report.write(predicted=table(("network", "props", "picture", "ms a frame"), predicted),
+    report.write(gpus=gpus_of(folder / "scaling-gpus.json"), predicted=table(("network", "props", "picture", "ms a frame"), predicted),
                  far_messages=f"{model.messages_of(FAR):.0f}",
                  far_ranks=FAR, size=f"{SIZE[0]} x {SIZE[1]}")
     sys.exit(1 if report.has_failed() else 0)

@@ -78,6 +78,7 @@ extern "C"
   X(WATER_RANKS_DIFFERENT_LOOKS,                                                                   \
     "a water must have the same plane, look, time and settings on all ranks")                      \
   X(WATER_RANKS_BAD_WATER, "a water must be without an error on all ranks")                        \
+  X(WATER_RANKS_NO_SUCH_RANK, "FarthestRank must be one of the controller's ranks, or -1")         \
   X(WATER_RANKS_NO_COMMUNICATOR,                                                                   \
     "a controller must have a communicator: from before the first frame (Initialize) until after " \
     "the last (Finalize)")

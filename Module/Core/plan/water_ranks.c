@@ -7,7 +7,7 @@
 #include <string.h>
 
 _Static_assert(sizeof(water_rank_frame) == 11 * sizeof(double), "it travels as doubles");
-_Static_assert(sizeof(water_rank_view) == 19 * sizeof(double), "it travels as doubles");
+_Static_assert(sizeof(water_rank_view) == 20 * sizeof(double), "it travels as doubles");
 _Static_assert(sizeof(water_prop) <= 64, "a prop takes at most 64 bytes");
 _Static_assert(sizeof(water_rank_drawn) == 10 * sizeof(double), "it travels as doubles");
 
@@ -127,6 +127,12 @@ water_status water_ranks_join_views(const water_rank_view* views, size_t rank_co
     made.measured_ms = fmax(made.measured_ms, view->measured_ms);
     join_surface(view, &made);
   }
+  if (!(views[0].farthest_rank < (double)rank_count)) // NaN neither
+  {
+    *bad_rank = 0;
+    return WATER_RANKS_NO_SUCH_RANK;
+  }
+  made.farthest_rank = (int)fmax(views[0].farthest_rank, -1.0);
   made.max_texture_px = (int)max_texture_px;
   made.max_samples = (int)max_samples;
   *joined = made;
@@ -193,6 +199,11 @@ uint64_t water_ranks_digest_waves(uint64_t digest, const water_wave_term* terms,
 double water_ranks_digest_number(uint64_t digest)
 {
   return (double)(digest >> 11);
+}
+
+bool water_rank_shows_water(int farthest_rank, size_t rank)
+{
+  return farthest_rank < 0 || (size_t)farthest_rank == rank;
 }
 
 water_rank_drawn water_rank_drawn_begin(void)

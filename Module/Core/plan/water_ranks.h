@@ -26,7 +26,7 @@ extern "C"
 // with every change of these.
 enum
 {
-  WATER_RANKS_FORMAT = 4
+  WATER_RANKS_FORMAT = 5
 };
 
 // What a rank sends once a frame, before anything is drawn: doubles only, as they travel.
@@ -58,6 +58,9 @@ typedef struct water_rank_view
   double wave_height_max;
   double is_averaged; // 1: waves are averaged over a pixel; 0: they are not
   double max_samples; // a pixel, that the rank's GPU has; 0: none
+  // Whose part of the space is farthest from the eye, where the ranks' pictures are blended in an
+  // order; -1: they are compared by depth. The root's number counts.
+  double farthest_rank;
 } water_rank_view;
 
 // What the ranks agree on for a mirrored view.
@@ -73,8 +76,9 @@ typedef struct water_ranks_view
   double slope_rms;         // the greatest
   double slope_max;
   double wave_height_max;
-  bool is_averaged; // on any
-  int max_samples;  // the least
+  bool is_averaged;  // on any
+  int max_samples;   // the least
+  int farthest_rank; // the root's; -1: none
 } water_ranks_view;
 
 // Joins what all ranks sent for a frame.
@@ -102,7 +106,8 @@ bool water_ranks_are_gone(const water_rank_frame* frames, size_t rank_count);
 //
 // Returns WATER_OK, WATER_RANKS_BAD_WATER (of the first rank that has an error),
 // WATER_RANKS_DIFFERENT_WATERS (views that are not shared by as many) or
-// WATER_RANKS_DIFFERENT_LOOKS; with an error *joined is unchanged.
+// WATER_RANKS_DIFFERENT_LOOKS, or WATER_RANKS_NO_SUCH_RANK for a farthest rank that does not exist;
+// with an error *joined is unchanged.
 water_status water_ranks_join_views(const water_rank_view* views, size_t rank_count, size_t rank,
   water_ranks_view* joined, size_t* bad_rank);
 
@@ -130,6 +135,13 @@ uint64_t water_ranks_digest_waves(uint64_t digest, const water_wave_term* terms,
 
 // A digest as a number that a double holds exactly: its upper 53 bits.
 double water_ranks_digest_number(uint64_t digest);
+
+// Does a rank's picture show the water? Where the ranks' pictures are compared by depth, all do.
+// Where they are blended in an order, the farthest does: the others are transparent at their water,
+// so that they hide neither it nor what stands in it.
+//
+// farthest_rank  of water_ranks_view
+bool water_rank_shows_water(int farthest_rank, size_t rank);
 
 // What a rank sends once its opaque part of a mirrored view is drawn: doubles only.
 typedef struct water_rank_drawn

@@ -109,9 +109,13 @@ const char* vtkWaterMirroredView::JoinBlended(vtkRenderer* renderer, const water
   vtkWaterRankPixels layer;
   opaque.Read(this->Target.GetResolved(), type, rect);
   water_rank_drawn facts = water_rank_drawn();
+  vtkOpenGLFramebufferObject* drawn = nullptr;
   if (hasOwn)
   {
-    const bool isMade = this->Layer.KeepDepth(window, this->Target) && this->Layer.Bind();
+    // samples that are not of all ranks are not those of the joined depth
+    const bool hasSamples = plan.samples > 0 && plan.samples <= WATER_RANK_SAMPLES_MAX;
+    const bool isMade =
+      this->Layer.KeepDepth(window, this->Target, hasSamples) && this->Layer.Bind();
     facts.has_failed = isMade ? 0.0 : 1.0;
     if (isMade)
     {
@@ -123,10 +127,10 @@ const char* vtkWaterMirroredView::JoinBlended(vtkRenderer* renderer, const water
       const vtkWaterScopedWidgets scopedWidgets(renderer, draft.Others);
       this->Layer.DrawColors(renderer, draft.Blended, this->Translucent);
       state->vtkglDisable(GL_SCISSOR_TEST);
+      drawn = this->Layer.Resolve();
     }
   }
-  layer.ReadLayer(
-    hasOwn && facts.has_failed == 0.0 ? this->Layer.GetFramebuffer() : nullptr, type, rect);
+  layer.ReadLayer(drawn, type, rect);
   const std::vector<size_t> order = FindOrder(plan, drawing);
   if (draft.Agree(facts).Result != WATER_RANKS_DRAWN)
   {

@@ -50,15 +50,23 @@ bool vtkWaterTranslucentLayer::Keep(vtkOpenGLRenderWindow* window, vtkWaterTarge
 }
 
 //------------------------------------------------------------------------------
-bool vtkWaterTranslucentLayer::KeepDepth(vtkOpenGLRenderWindow* window, vtkWaterTarget& reflection)
+bool vtkWaterTranslucentLayer::KeepDepth(
+  vtkOpenGLRenderWindow* window, vtkWaterTarget& reflection, bool hasSamples)
 {
-  if (!this->Layer.EnsureAs(window, reflection, false))
+  if (!this->Layer.EnsureAs(window, reflection, hasSamples))
   {
     return false;
   }
   window->GetState()->vtkglDisable(GL_SCISSOR_TEST); // which cuts copies
-  this->Layer.CopyFrom(reflection, GL_DEPTH_BUFFER_BIT, true);
+  this->Layer.CopyFrom(reflection, GL_DEPTH_BUFFER_BIT, !hasSamples);
   return true;
+}
+
+//------------------------------------------------------------------------------
+vtkOpenGLFramebufferObject* vtkWaterTranslucentLayer::Resolve()
+{
+  this->Layer.Resolve();
+  return this->Layer.GetResolved();
 }
 
 //------------------------------------------------------------------------------

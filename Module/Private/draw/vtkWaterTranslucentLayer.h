@@ -38,12 +38,14 @@ public:
   void Draw(vtkRenderer* renderer, vtkWaterShaderHook* hook, const water_plan& plan,
     std::vector<vtkProp*>& props, vtkWaterTranslucent& translucent);
 
-  // The same for a layer that ranks blend, without samples: it begins with the depth of all ranks'
-  // opaque props; after Bind only its colours are drawn.
-  bool KeepDepth(vtkOpenGLRenderWindow* window, vtkWaterTarget& reflection);
+  // The same for a layer that ranks blend: it begins with the depth of all ranks' opaque props;
+  // after Bind only its colours are drawn, and resolved.
+  //
+  // hasSamples  of each sample, else of the pixels
+  bool KeepDepth(vtkOpenGLRenderWindow* window, vtkWaterTarget& reflection, bool hasSamples);
   void DrawColors(
     vtkRenderer* renderer, std::vector<vtkProp*>& props, vtkWaterTranslucent& translucent);
-  vtkOpenGLFramebufferObject* GetFramebuffer() { return this->Layer.GetFramebuffer(); }
+  vtkOpenGLFramebufferObject* Resolve(); // holds the pixels of what was drawn
 
   // Fills the mip levels.
   void MakeLevels();

@@ -186,6 +186,14 @@ bool vtkWaterRanks::JoinViews(const water_rank_view& mine, water_scene& scene,
   size_t bad = 0;
   const water_status status =
     water_ranks_join_views(views.data(), views.size(), rank, &joined, &bad);
+  if (status == WATER_RANKS_NO_SUCH_RANK)
+  {
+    error.Kind = std::string(water_status_text(status)) + "; it is " +
+      std::to_string(static_cast<int>(views[0].farthest_rank)) + ", of " +
+      std::to_string(views.size()) + " ranks";
+    error.Text = error.Kind + ". The water shows its plain colour.";
+    return false;
+  }
   if (status != WATER_OK)
   {
     error = this->Describe(status, bad);
@@ -212,6 +220,7 @@ bool vtkWaterRanks::JoinViews(const water_rank_view& mine, water_scene& scene,
   {
     return false;
   }
+  this->AgreedFarthest = joined.farthest_rank;
   scene = water_ranks_scene(&root, &joined, props.data());
   error = vtkWaterError();
   return true;

@@ -41,6 +41,18 @@ public:
   bool IsMute() const { return this->Controller && !this->Controller->GetCommunicator(); }
   vtkWaterError DescribeMute() const;
 
+  // The rank whose picture shows the water, where pictures are blended in an order; -1: all do. The
+  // root's number counts.
+  void SetFarthest(int rank) { this->Farthest = rank; }
+  int GetFarthest() const { return this->Farthest; }
+  // Does this rank's picture show it, by what was agreed last?
+  bool ShowsWater() const
+  {
+    return !this->AreSeveral() ||
+      water_rank_shows_water(
+        this->AgreedFarthest, static_cast<size_t>(this->Controller->GetLocalProcessId()));
+  }
+
   // Are there others? A controller of one process is as good as none.
   bool AreSeveral() const { return this->GetProcessCount() > 1; }
 
@@ -122,6 +134,8 @@ private:
   vtkSmartPointer<vtkMultiProcessController> Controller;
   std::shared_ptr<Line> Shared;
   double WaitLimit = 0.0;
+  int Farthest = -1;
+  int AgreedFarthest = -1;
   vtkMTimeType Stamp = 0;
 };
 

@@ -114,6 +114,7 @@ bool vtkWaterReflection::JoinScene(const std::vector<vtkWaterSource*>& waters, A
   mine.slope_max = scene.slope_max;
   mine.wave_height_max = scene.wave_height_max;
   mine.is_averaged = this->Gathered.IsAveraged ? 1.0 : 0.0;
+  mine.farthest_rank = this->Ranks.GetFarthest();
   water_ranks_view joined = water_ranks_view();
   if (!this->Ranks.JoinViews(mine, scene, this->RankProps, joined, attempt.Error))
   {

@@ -2,23 +2,40 @@
 #include "vtkPVWaterRepresentation.h"
 
 #include "vtkAlgorithmOutput.h"
+#include "vtkCallbackCommand.h"
+#include "vtkCamera.h"
+#include "vtkCommand.h"
 #include "vtkDataObject.h"
 #include "vtkInformation.h"
 #include "vtkInformationRequestKey.h"
 #include "vtkInformationVector.h"
 #include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
+#include "vtkOrderedCompositingHelper.h"
 #include "vtkPVRenderView.h"
+#include "vtkPVRenderViewDataDeliveryManager.h"
 #include "vtkPVSession.h"
 #include "vtkPVWaterSheetSource.h"
 #include "vtkPolyData.h"
 #include "vtkProcessModule.h"
 #include "vtkRenderer.h"
 #include "vtkWaterActor.h"
+#include "vtkWaterC.h"
 #include "vtkWaterProperty.h"
 #include "vtkWaterReflectionPass.h"
 
 #include <algorithm>
+#include <cstring>
+
+namespace
+{
+// Is the module that is loaded the one that the plugin was built with? Members and virtual
+// functions of another may lie elsewhere.
+bool IsModuleOfPlugin()
+{
+  return std::strcmp(vtk_water_version(), WATER_PLUGIN_VERSION) == 0;
+}
+}
 
 vtkStandardNewMacro(vtkPVWaterRepresentation);
 
@@ -26,10 +43,18 @@ vtkStandardNewMacro(vtkPVWaterRepresentation);
 vtkPVWaterRepresentation::vtkPVWaterRepresentation()
   : Session(vtkPVSession::SafeDownCast(vtkProcessModule::GetProcessModule()->GetActiveSession()))
 {
+  this->Starts->SetClientData(this);
+  this->Starts->SetCallback([](vtkObject* renderer, unsigned long, void* self, void*) {
+    static_cast<vtkPVWaterRepresentation*>(self)->FindFarthest(vtkRenderer::SafeDownCast(renderer));
+  });
 }
 
 //------------------------------------------------------------------------------
-vtkPVWaterRepresentation::~vtkPVWaterRepresentation() = default;
+vtkPVWaterRepresentation::~vtkPVWaterRepresentation()
+{
+  this->Starts->SetClientData(nullptr);
+  this->Starts->SetCallback(nullptr);
+}
 
 //------------------------------------------------------------------------------
 void vtkPVWaterRepresentation::ChangeLook()
@@ -138,7 +163,17 @@ bool vtkPVWaterRepresentation::AddToView(vtkView* view)
   {
     return false;
   }
+  if (!IsModuleOfPlugin())
+  {
+    vtkErrorMacro("The library vtkRenderingWater that is loaded has version "
+      << vtk_water_version() << ", but the plugin was built with version " << WATER_PLUGIN_VERSION
+      << ". The water is not shown. Install the plugin and the library of one package, and remove "
+      << "the folder of the other from LD_LIBRARY_PATH.");
+    return false;
+  }
   renderView->GetRenderer()->AddActor(this->Actor);
+  // after what brings the ranks' cameras together
+  renderView->GetRenderer()->AddObserver(vtkCommand::StartEvent, this->Starts, -0.5f);
   return this->Superclass::AddToView(view);
 }
 
@@ -148,6 +183,7 @@ bool vtkPVWaterRepresentation::RemoveFromView(vtkView* view)
   if (auto* renderView = vtkPVRenderView::SafeDownCast(view))
   {
     renderView->GetRenderer()->RemoveActor(this->Actor);
+    renderView->GetRenderer()->RemoveObserver(this->Starts);
   }
   return this->Superclass::RemoveFromView(view);
 }
@@ -224,6 +260,14 @@ void vtkPVWaterRepresentation::PrepareRender(vtkPVRenderView* view, vtkInformati
   {
     this->Take(inInfo, ranks);
   }
+  // translucent data and volumes: the servers' pictures are blended in their order
+  auto* delivery = vtkPVRenderViewDataDeliveryManager::SafeDownCast(view->GetDeliveryManager());
+  this->AreServersInOrder =
+    ranks && delivery && view->GetUseOrderedCompositing() && this->IsWhole();
+  if (this->AreServersInOrder)
+  {
+    this->ServersInOrder->SetBoundingBoxes(delivery->GetCuts());
+  }
   vtkWaterReflectionPass* pass = this->Actor->GetReflectionPass();
   pass->SetController(ranks);
   // IceT's pass blanks it while it draws
@@ -231,6 +275,17 @@ void vtkPVWaterRepresentation::PrepareRender(vtkPVRenderView* view, vtkInformati
   // the view's passes are unknown to the water, which would keep half floats for them
   pass->SetColorPrecision(view->GetUseToneMapping() ? vtkWaterReflectionPass::HALF_FLOAT
                                                     : vtkWaterReflectionPass::EIGHT_BIT);
+}
+
+//------------------------------------------------------------------------------
+void vtkPVWaterRepresentation::FindFarthest(vtkRenderer* renderer)
+{
+  std::vector<int> order;
+  if (this->AreServersInOrder)
+  {
+    order = this->ServersInOrder->ComputeSortOrder(renderer->GetActiveCamera());
+  }
+  this->Actor->GetReflectionPass()->SetFarthestRank(order.empty() ? -1 : order.back());
 }
 
 //------------------------------------------------------------------------------

@@ -25,11 +25,14 @@
 #include <string> // for members
 #include <vector> // for members
 
+class vtkCallbackCommand;
 class vtkDataObject;
 class vtkMultiProcessController;
+class vtkOrderedCompositingHelper;
 class vtkPVRenderView;
 class vtkPVSession;
 class vtkPolyData;
+class vtkRenderer;
 class vtkWaterActor;
 class vtkWaterProperty;
 
@@ -155,6 +158,8 @@ protected:
   // Puts what was delivered into the actor. ranks: those that render this frame together, or
   // nullptr.
   virtual void Take(vtkInformation* inInfo, vtkMultiProcessController* ranks);
+  // Has every rank the whole surface? Else each has its part of it, where its part of the data is.
+  virtual bool IsWhole() const { return true; }
   // Applies what a subclass has of a look.
   virtual void ApplyMore(vtkWaterProperty*) {}
   void ChangeLook();
@@ -212,10 +217,14 @@ private:
   void ApplyWaves(vtkWaterProperty* look);
   void ApplyOptics(vtkWaterProperty* look);
   void PrepareRender(vtkPVRenderView* view, vtkInformation* inInfo);
+  void FindFarthest(vtkRenderer* renderer);
 
   vtkWeakPointer<vtkPVSession> Session; // the one that this object was made for
   vtkNew<vtkWaterActor> Actor;
   vtkNew<vtkPolyData> Piece;
+  vtkNew<vtkCallbackCommand> Starts;                  // of the view's renderer
+  vtkNew<vtkOrderedCompositingHelper> ServersInOrder; // by their parts of the space
+  bool AreServersInOrder = false;                     // in this frame
   Look Settings;
   bool IsLookNew = true;
 };

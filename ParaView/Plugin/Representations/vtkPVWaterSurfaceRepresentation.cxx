@@ -164,6 +164,9 @@ void vtkPVWaterSurfaceRepresentation::Offer(vtkInformation* inInfo)
 {
   vtkPVView::SetPiece(inInfo, this, this->GetPiece());
   vtkPVRenderView::SetGeometryBounds(inInfo, this, this->GetPiece()->GetBounds());
+  // where the servers' pictures are blended in their order, each needs the part in its own space
+  vtkPVRenderView::SetOrderedCompositingConfiguration(inInfo, this,
+    vtkPVRenderView::DATA_IS_REDISTRIBUTABLE | vtkPVRenderView::USE_DATA_FOR_LOAD_BALANCING);
   this->IsLevelNew[0] = this->IsLevelNew[1] = true;
 }
 

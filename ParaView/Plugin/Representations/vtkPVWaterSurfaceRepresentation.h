@@ -77,6 +77,7 @@ protected:
   void Offer(vtkInformation* inInfo) override;
   void OfferCoarse(vtkInformation* inInfo) override;
   void Take(vtkInformation* inInfo, vtkMultiProcessController* ranks) override;
+  bool IsWhole() const override { return false; }
   void ApplyMore(vtkWaterProperty* look) override;
 
 private:

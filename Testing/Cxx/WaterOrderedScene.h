@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// WaterOrderedScene.h: the test scene, divided between ranks by planes, for engines that blend the
+// ranks' pictures from the farthest to the nearest; and its serial picture.
+#ifndef WaterOrderedScene_h
+#define WaterOrderedScene_h
+
+#include "WaterTestScene.h"
+
+#include "vtkMultiProcessController.h"
+#include "vtkPlaneSource.h"
+#include "vtkPropCollection.h"
+#include "vtkSmartPointer.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkWaterReflectionPass.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <functional>
+#include <string>
+#include <vector>
+
+// Where space is divided: the ranks 0 and 1 are near (y < kWaterCutY), 2 and 3 far; 1 and 3 are on
+// the right (x > kWaterCutX). Of two ranks 0 is near, and 1 far.
+constexpr double kWaterCutY = 0.25;
+constexpr double kWaterCutX = 1.25;
+
+inline int WaterRankAt(const double position[3], int ranks)
+{
+  const int far = position[1] > kWaterCutY ? 1 : 0;
+  return ranks < 4 ? far * (ranks - 1) : 2 * far + (position[0] > kWaterCutX ? 1 : 0);
+}
+
+// What is compared.
+struct WaterOrderedLook
+{
+  const char* Name;
+  bool IsWet;
+  bool IsClear;
+  bool HasGlass; // upright panes, of which each rank has one
+  double Limit;  // root mean square of the difference, of 255; 0: no pixel is off by more than 1
+};
+
+inline std::vector<WaterOrderedLook> WaterOrderedLooks()
+{
+  return { { "dry", false, false, false, 0.0 }, { "opaque water", true, false, false, 0.0 },
+    { "clear water", true, true, false, 0.0 }, { "dry with panes", false, false, true, 1.0 },
+    { "opaque water with panes", true, false, true, 1.0 },
+    { "clear water with panes", true, true, true, 1.0 } };
+}
+
+struct WaterOrderedScene : public WaterTestScene
+{
+  // rank: whose part it is; -1: all of it
+  WaterOrderedScene(const WaterOrderedLook& look, int rank, int ranks)
+  {
+    this->Window->SetSize(160, 120);
+    this->Window->SetAlphaBitPlanes(1); // pictures are blended by it
+    this->AddThings<vtkPolyDataMapper>();
+    if (look.HasGlass)
+    {
+      this->AddPanes();
+    }
+    this->AddWater();
+    this->Water->SetVisibility(look.IsWet);
+    this->Water->GetWaterProperty()->SetRefraction(look.IsClear);
+    this->Renderer->SetUseDepthPeeling(1);
+    this->Renderer->SetMaximumNumberOfPeels(20);
+    this->Renderer->SetOcclusionRatio(0.0);
+    if (rank >= 0)
+    {
+      this->KeepPart(rank, ranks);
+    }
+  }
+
+  std::vector<vtkSmartPointer<vtkObject>> Kept; // of the engine
+
+  // The rank that is farthest from the camera, which is at the near left.
+  static int GetFarthest(int ranks) { return ranks - 1; }
+
+  void Blacken()
+  {
+    this->Renderer->GradientBackgroundOff();
+    this->Renderer->SetBackground(0.0, 0.0, 0.0);
+  }
+
+  std::vector<unsigned char> Show()
+  {
+    this->Window->Render();
+    vtkNew<vtkUnsignedCharArray> pixels;
+    const int* size = this->Window->GetSize();
+    this->Window->GetRGBACharPixelData(0, 0, size[0] - 1, size[1] - 1, 1, pixels);
+    return std::vector<unsigned char>(
+      pixels->GetPointer(0), pixels->GetPointer(0) + pixels->GetNumberOfValues());
+  }
+
+private:
+  void AddPanes()
+  {
+    for (int i = 0; i < 4; ++i)
+    {
+      vtkNew<vtkPlaneSource> pane;
+      const double x = i % 2 == 0 ? -3.5 : 1.6;
+      const double y = i < 2 ? -3.0 : 2.9;
+      pane->SetOrigin(x, y, -1.0);
+      pane->SetPoint1(x + 3.5, y, -1.0);
+      pane->SetPoint2(x, y, 2.6);
+      vtkNew<vtkPolyDataMapper> mapper;
+      mapper->SetInputConnection(pane->GetOutputPort());
+      vtkNew<vtkActor> actor;
+      actor->SetMapper(mapper);
+      actor->GetProperty()->SetColor(0.3 * i, 0.2, 1.0 - 0.3 * i);
+      actor->GetProperty()->SetOpacity(0.45);
+      this->Renderer->AddActor(actor);
+    }
+  }
+
+  void KeepPart(int rank, int ranks)
+  {
+    std::vector<vtkProp*> others;
+    vtkPropCollection* props = this->Renderer->GetViewProps();
+    for (int i = 0; i < props->GetNumberOfItems(); ++i)
+    {
+      auto* actor = vtkActor::SafeDownCast(props->GetItemAsObject(i));
+      if (actor != this->Water.Get() && WaterRankAt(actor->GetCenter(), ranks) != rank)
+      {
+        others.push_back(actor);
+      }
+    }
+    for (vtkProp* prop : others)
+    {
+      this->Renderer->RemoveViewProp(prop);
+    }
+  }
+};
+
+struct WaterDifference
+{
+  double Share; // of the pixels that are off by more than 1 of 255
+  double Rms;   // of 255
+};
+
+inline WaterDifference WaterCompare(
+  const std::vector<unsigned char>& a, const std::vector<unsigned char>& b)
+{
+  size_t off = 0;
+  double sum = 0.0;
+  for (size_t i = 0; i < a.size(); i += 4)
+  {
+    bool isOff = false;
+    for (size_t k = 0; k < 3; ++k)
+    {
+      const double difference = std::abs(a[i + k] - b[i + k]);
+      isOff = isOff || difference > 1.0;
+      sum += difference * difference;
+    }
+    off += isOff;
+  }
+  const double pixels = static_cast<double>(a.size()) / 4.0;
+  return { static_cast<double>(off) / pixels, std::sqrt(sum / (3.0 * pixels)) };
+}
+
+// Leaves a picture in the folder WATER_TEST_OUTPUT, if that is set.
+inline void WaterLeave(
+  std::string name, const std::vector<unsigned char>& picture, vtkRenderWindow* window)
+{
+  const char* folder = std::getenv("WATER_TEST_OUTPUT");
+  if (!folder)
+  {
+    return;
+  }
+  std::replace(name.begin(), name.end(), ' ', '-');
+  std::ofstream file(std::string(folder) + "/" + name + ".ppm", std::ios::binary);
+  const auto width = static_cast<size_t>(window->GetSize()[0]);
+  file << "P6 " << width << " " << picture.size() / 4 / width << " 255\n";
+  for (size_t row = picture.size() / 4 / width; row-- > 0;)
+  {
+    for (size_t i = row * width; i < (row + 1) * width; ++i)
+    {
+      file.write(reinterpret_cast<const char*>(&picture[4 * i]), 3);
+    }
+  }
+}
+
+// An engine that joins the ranks' pictures on the root.
+struct WaterEngine
+{
+  std::string Name;
+  bool IsOrdered; // it blends the pictures in the order of the ranks
+  bool IsBlack;   // it wants a black background
+  // Makes a scene one of the engine's.
+  std::function<void(WaterOrderedScene&, vtkMultiProcessController*)> Arrange;
+};
+
+// Shows each look on all ranks. Does each equal the serial picture as nearly as it does without
+// water?
+inline bool WaterCheckEngine(const WaterEngine& engine, vtkMultiProcessController* controller)
+{
+  constexpr double kShare = 0.0002;
+  const int rank = controller->GetLocalProcessId();
+  const int ranks = controller->GetNumberOfProcesses();
+  bool isGood = true;
+  WaterDifference floor = { 0.0, 0.0 };
+  for (const WaterOrderedLook& look : WaterOrderedLooks())
+  {
+    if (look.HasGlass && !engine.IsOrdered)
+    {
+      continue; // an engine that compares depths does not blend panes of several ranks
+    }
+    WaterOrderedScene scene(look, rank, ranks);
+    vtkWaterReflectionPass* pass = scene.Water->GetReflectionPass();
+    pass->SetController(controller);
+    pass->SetFarthestRank(engine.IsOrdered ? WaterOrderedScene::GetFarthest(ranks) : -1);
+    pass->KeepBackground(scene.Renderer); // whatever the engine makes of it
+    if (engine.IsBlack)
+    {
+      scene.Blacken();
+    }
+    engine.Arrange(scene, controller);
+    const std::vector<unsigned char> picture = scene.Show();
+    const std::string error = scene.Water->GetLastError();
+    if (!error.empty())
+    {
+      std::cerr << engine.Name << ", " << look.Name << ", rank " << rank << ": " << error
+                << std::endl;
+      isGood = false;
+    }
+    if (rank != 0)
+    {
+      continue;
+    }
+    WaterOrderedScene serial(look, -1, ranks);
+    if (engine.IsBlack)
+    {
+      serial.Water->GetReflectionPass()->KeepBackground(serial.Renderer);
+      serial.Blacken();
+    }
+    const std::vector<unsigned char> expected = serial.Show();
+    const WaterDifference found = WaterCompare(picture, expected);
+    WaterLeave(engine.Name + " " + look.Name, picture, scene.Window);
+    WaterLeave(std::string("serial ") + look.Name, expected, serial.Window);
+    floor = look.IsWet ? floor : found;
+    const bool isNear = look.Limit > 0.0 ? found.Rms <= std::max(floor.Rms, 0.0) + look.Limit
+                                         : found.Share <= floor.Share + kShare;
+    std::cout << engine.Name << ", " << ranks << " ranks, " << look.Name << ": share of pixels off "
+              << found.Share << ", RMS " << found.Rms << " of 255 (limit: "
+              << (look.Limit > 0.0 ? floor.Rms + look.Limit : floor.Share + kShare) << ") "
+              << (isNear ? "ok" : "FAILED") << std::endl;
+    isGood = isNear && isGood;
+  }
+  return isGood;
+}
+
+#endif
