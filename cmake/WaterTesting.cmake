@@ -15,7 +15,8 @@
 # QUICK names those that `script/test --quick` runs, in the first window: they get the label quick.
 #
 # ONCE names those that judge formulas, shaders and our own Python. All build trees render with the same rasteriser, so a
-# second VTK shows nothing new: WATER_TESTS_ONCE=OFF leaves them out of its build tree.
+# second VTK shows nothing new: WATER_TESTS_ONCE=OFF leaves them out of its build tree. The other tests there find
+# WATER_TESTS_ONCE=0 in their environment, and may leave out what the first VTK has shown of the test itself.
 #
 # LARGE_PICTURES: Mesa's llvmpipe compiles every shader by LLVM. For small pictures that takes most of a test's time,
 # and half of it without LLVM's optimiser, which is off then (GALLIVM_PERF=nopt). For large ones it would take longer.
@@ -64,6 +65,9 @@ function(water_test_environment result window output)
     "PYTHONDONTWRITEBYTECODE=1"
     "PYTEST_DISABLE_PLUGIN_AUTOLOAD=1" # nobody else's fixtures
     "OPENBLAS_NUM_THREADS=1") # numpy's: other tests have the other processors
+  if(NOT WATER_TESTS_ONCE)
+    list(APPEND environment "WATER_TESTS_ONCE=0")
+  endif()
   if(window STREQUAL "Own")
     list(APPEND environment "VTK_AUTOLOAD_PATH=${CMAKE_BINARY_DIR}/lib/vtkwater-plugins")
   elseif(window STREQUAL "OSMesa")

@@ -3,7 +3,8 @@
 with all skips off.
 
 The environment may ask for other walks: WATER_SKIPS_SEED, a number; and for longer ones: WATER_SKIPS_LENGTH, a
-multiple of the usual number of steps.
+multiple of the usual number of steps. Where another VTK takes the whole walks (WATER_TESTS_ONCE=0) this one takes a
+third of them.
 """
 
 import collections
@@ -21,7 +22,8 @@ from vtkwater import vtkWaterReflectionPass as Pass
 LARGEST_ERROR = 0
 USUAL_SEED = 1
 SEED = int(os.environ.get("WATER_SKIPS_SEED", USUAL_SEED))
-LENGTH = float(os.environ.get("WATER_SKIPS_LENGTH", 1))
+IS_WHOLE = os.environ.get("WATER_TESTS_ONCE") != "0"
+LENGTH = float(os.environ.get("WATER_SKIPS_LENGTH", 1 if IS_WHOLE else 1 / 3))
 
 # kind of scene, samples per pixel of the window: steps
 WALKS = {
@@ -108,8 +110,9 @@ def times(counts, value):
 
 
 every_walk = pytest.mark.parametrize("kind, samples", WALKS)
+on_whole_walks = pytest.mark.skipif(not IS_WHOLE, reason="another VTK takes the whole walks")
 # other walks need not come by everything
-on_the_usual_walks = pytest.mark.skipif(SEED != USUAL_SEED, reason="the walks are not the usual ones")
+on_the_usual_walks = pytest.mark.skipif(SEED != USUAL_SEED or not IS_WHOLE, reason="not the usual walks")
 
 
 @every_walk
@@ -120,6 +123,7 @@ def test_pictures_are_those_without_skips(kind, samples):
                      LARGEST_ERROR)
 
 
+@on_whole_walks
 @every_walk
 def test_mirrored_views_are_saved(kind, samples):
     """The walk needs fewer mirrored views than without skips."""
@@ -128,6 +132,7 @@ def test_mirrored_views_are_saved(kind, samples):
                      0.8 * renders[1])
 
 
+@on_whole_walks
 def test_mirrored_views_wait_for_what_hides_them():
     """Where a camera moves over one plane, some mirrored views are drawn after what may hide them."""
     wt.check_at_least("one plane: mirrored views that waited for what hides them", walk("one plane", 0).waiting, 1)
