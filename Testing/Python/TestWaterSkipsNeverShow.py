@@ -27,11 +27,11 @@ LENGTH = float(os.environ.get("WATER_SKIPS_LENGTH", 1 if IS_WHOLE else 1 / 3))
 
 # kind of scene, samples per pixel of the window: steps
 WALKS = {
-    ("levels", 0): 120,
-    ("one plane", 0): 110,
-    ("clear", 0): 30,
-    ("levels", 4): 15,
-    ("one plane", 8): 15,
+    ("levels", 0): 100,
+    ("one plane", 0): 90,
+    ("clear", 0): 16,
+    ("levels", 4): 10,
+    ("one plane", 8): 12,
 }
 # what makes a skip likely is likelier
 OFTEN = {"nothing": 4, "wall before the eye": 4, "camera creeps": 5, "wall leaves": 2, "camera behind a hill": 2,
