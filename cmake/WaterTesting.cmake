@@ -2,7 +2,7 @@
 # How a test is run: functions for Testing/ and Examples/.
 #
 #   water_add_test(NAME <name> COMMAND <command>... [LABELS <label>...] [TIMEOUT <seconds>]
-#     [PROPERTIES <property> <value>...] [ALL_WINDOWS | NO_WINDOW])
+#     [PROPERTIES <property> <value>...] [ALL_WINDOWS | NO_WINDOW] [LARGE_PICTURES])
 #   water_add_cxx_tests(TestA.cxx ... [LABELS <label>...] [QUICK TestA ...] [ONCE TestA ...] [WINDOWS TestA ...])
 #   water_add_python_tests(TestA.py ... [LABELS <label>...] [QUICK TestA ...] [ONCE TestA ...] [WINDOWS TestA ...])
 #
@@ -15,7 +15,11 @@
 # QUICK names those that `script/test --quick` runs, in the first window: they get the label quick.
 #
 # ONCE names those that judge formulas, shaders and our own Python. All build trees render with the same rasteriser, so a
-# second VTK shows nothing new: WATER_TESTS_ONCE=OFF leaves them out of its build tree.
+# second VTK shows nothing new: WATER_TESTS_ONCE=OFF leaves them out of its build tree. The other tests there find
+# WATER_TESTS_ONCE=0 in their environment, and may leave out what the first VTK has shown of the test itself.
+#
+# LARGE_PICTURES: Mesa's llvmpipe compiles every shader by LLVM. For small pictures that takes most of a test's time,
+# and half of it without LLVM's optimiser, which is off then (GALLIVM_PERF=nopt). For large ones it would take longer.
 #
 # Every test finds in its environment: our library and Python package, VTK_DATA_ROOT (Testing/Data),
 # VTK_BASELINE_ROOT and WATER_TEST_OUTPUT, a folder for what it writes. In COMMAND, the word
@@ -59,7 +63,11 @@ function(water_test_environment result window output)
     "LD_LIBRARY_PATH=${CMAKE_BINARY_DIR}/lib:$ENV{LD_LIBRARY_PATH}"
     "PYTHONPATH=${CMAKE_BINARY_DIR}/${WATER_PYTHON_DESTINATION}"
     "PYTHONDONTWRITEBYTECODE=1"
-    "PYTEST_DISABLE_PLUGIN_AUTOLOAD=1") # nobody else's fixtures
+    "PYTEST_DISABLE_PLUGIN_AUTOLOAD=1" # nobody else's fixtures
+    "OPENBLAS_NUM_THREADS=1") # numpy's: other tests have the other processors
+  if(NOT WATER_TESTS_ONCE)
+    list(APPEND environment "WATER_TESTS_ONCE=0")
+  endif()
   if(window STREQUAL "Own")
     list(APPEND environment "VTK_AUTOLOAD_PATH=${CMAKE_BINARY_DIR}/lib/vtkwater-plugins")
   elseif(window STREQUAL "OSMesa")
@@ -98,7 +106,7 @@ function(water_sanitizer_environment result command)
 endfunction()
 
 function(water_add_test)
-  cmake_parse_arguments(PARSE_ARGV 0 arg "ALL_WINDOWS;NO_WINDOW" "NAME;TIMEOUT" "COMMAND;LABELS;PROPERTIES")
+  cmake_parse_arguments(PARSE_ARGV 0 arg "ALL_WINDOWS;NO_WINDOW;LARGE_PICTURES" "NAME;TIMEOUT" "COMMAND;LABELS;PROPERTIES")
   if(arg_UNPARSED_ARGUMENTS OR NOT arg_NAME OR NOT arg_COMMAND)
     message(FATAL_ERROR "water_add_test(${ARGN}): wants NAME and COMMAND")
   endif()
@@ -129,6 +137,9 @@ function(water_add_test)
     file(MAKE_DIRECTORY "${output}")
     string(REPLACE "{output}" "${output}" command "${arg_COMMAND}")
     water_test_environment(environment ${window} "${output}")
+    if(NOT arg_LARGE_PICTURES)
+      list(APPEND environment "GALLIVM_PERF=nopt")
+    endif()
     if(WATER_SANITIZE)
       water_sanitizer_environment(sanitizers "${command}")
       list(APPEND environment ${sanitizers})

@@ -64,18 +64,19 @@ def main():
     water.SetSheetBounds(-80e3, 96e3, -80e3, 6e3)  # the open sea to the horizon; land is in the north
     scene.set_sun(105.0, 35.0)
     scene.set_camera((4800.0, 1000.0, 190.0), (7600.0, 2250.0, 0.0), 32.0)
+    hours = [DURATION_HOURS * i / max(arguments.frames - 1, 1) for i in range(arguments.frames)]
+    highest = max(hours, key=lambda hour: sea(hour)[0], default=0.0)
     levels = []
     with movies.open_movie(arguments.movie, 10.0) as movie, movies.interrupts() as is_stopped:
-        for i in tqdm(range(arguments.frames)):
+        for i, hour in enumerate(tqdm(hours)):
             if is_stopped():
                 break
-            level, wind = sea(DURATION_HOURS * i / max(arguments.frames - 1, 1))
+            level, wind = sea(hour)
             water.SetLevel(EXAGGERATION * level)
             water.GetWaterProperty().SetWindSpeed(wind)
             water.SetTime(0.1 * i)  # the waves go on as one sees them; hours would blur them
-            picture = scene.picture()
-            movie.add(picture)
-            if arguments.picture and level > max(levels, default=-math.inf):
+            movie.add(scene.picture())
+            if arguments.picture and hour == highest:
                 scene.write(arguments.picture)
             levels.append(level)
     print(f"{arguments.movie}: {len(levels)} of {arguments.frames} frames, highest water {max(levels, default=0.0):.2f} m")

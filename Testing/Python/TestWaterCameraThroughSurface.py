@@ -20,7 +20,7 @@ LARGEST_STEP_SWELL = 25.0  # in one frame all of the surface is drawn from its o
 SWELL = ((0.15, 5.0, 20.0, 10.0), (0.06, 2.3, 80.0, 200.0))
 EYE = (2, -13)
 CREST, TROUGH = 2.2, 3.0  # s: 0.20 m over and 0.18 m under the plane at rest, where the eye is
-FRAMES = int(os.environ.get("WATER_DIVE_FRAMES", "90"))
+FRAMES = int(os.environ.get("WATER_DIVE_FRAMES", "60"))
 DIVES = pytest.mark.parametrize("name, waves, clear", (
     ("calm", (), False), ("wavy", POSTS_WAVES, False),
     ("calm and clear", (), True), ("wavy and clear", POSTS_WAVES, True),

@@ -42,7 +42,12 @@ def magenta(picture):
 @pytest.mark.parametrize("radius", (100.0, 3e4, 6e4))
 def test_no_ray_shows_the_background_behind_a_dome(radius):
     """Water in a dome of 100 m to 60 km never shows the background."""
-    found = [magenta(scene(seed, radius, view)[0].picture()) for seed in SEEDS for view in VIEWS]
+    found = []
+    for seed in SEEDS:
+        made, _ = scene(seed, radius, VIEWS[0])
+        for view in VIEWS:
+            made.renderer.GetActiveCamera().SetPosition(view)
+            found.append(magenta(made.picture()))
     pixels = 240 * 180 * len(found)
     print(f"dome of {radius:g} m: {sum(found)} of {pixels} pixels, most in a picture {max(found)}")
     wt.check_at_most("pixels that show the background behind a dome, %", 100 * sum(found) / pixels, 0)

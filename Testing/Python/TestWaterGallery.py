@@ -34,14 +34,10 @@ def cove_with(monkeypatch, tmp_path, change):
     return picture
 
 
-@pytest.mark.parametrize("name, change", (
-    ("another preset", lambda look: look.SetPreset("lake")),
-    ("no foam", lambda look: look.SetFoamDepth(0.0)),
-), ids=("another_preset", "no_foam"))
-def test_changed_water_is_found(name, change, monkeypatch, tmp_path):
-    """Another preset is found in most of the picture, and missing foam along the shore."""
-    picture = cove_with(monkeypatch, tmp_path, change)
-    wt.check_equal(f"{name}: same", compare_pictures.check(picture, gallery.kept("cove")), False)
+def test_changed_water_is_found(monkeypatch, tmp_path):
+    """Foam that is missing along the shore, in few of the blocks, is found."""
+    picture = cove_with(monkeypatch, tmp_path, lambda look: look.SetFoamDepth(0.0))
+    wt.check_equal("no foam: same", compare_pictures.check(picture, gallery.kept("cove")), False)
 
 
 def test_noise_and_edges_do_not_count():

@@ -5,7 +5,11 @@ Smooth islands in waves. The ray caster follows a pixel's reflected ray to what 
 place is where the mirrored view shows that point. Counted are rays that meet an island at a point
 which the mirrored view sees and has on its picture: nothing can be looked up of the others. The ray
 caster has the normals of the surface under test (wave_scenes.mean_slopes).
+
+With WATER_OTHER_LOOKUPS=1 in the environment, what other lookups and qualities reach is printed, too.
 """
+
+import os
 
 import numpy as np
 import pytest
@@ -71,6 +75,17 @@ def describe(errors):
             f"{100 * (errors < 2).mean():.2f} % under 2 px, {len(errors)} pixels")
 
 
+def print_others(suite):
+    """Prints what other lookups reach at their best, and other qualities."""
+    for lookup, scales in (("FixedOffset", np.linspace(0, 1, 11)), ("ViewScaledOffset", np.linspace(0, 10, 11)),
+                           ("MovedPoint", np.linspace(0, 10, 11))):
+        best = min((suite.errors(f"SetLookupTo{lookup}", scale) for scale in scales), key=np.median)
+        print(f"slope {suite.slope_rms}: {lookup}, the best of {len(scales)} scales: {describe(best)}")
+    suite.errors("SetLookupToRayTraced")
+    for quality in ("Fast", "High"):
+        print(f"slope {suite.slope_rms}: {quality}: {describe(suite.errors('SetRayTraceQualityTo' + quality))}")
+
+
 # rms slope of the waves: least share of pixels under 2 px, in percent
 SHARES = {0.05: 97, 0.10: 96}
 
@@ -85,14 +100,9 @@ def suite(request):
 def test_a_traced_reflection_is_looked_up_where_it_is(suite):
     """Rays traced at the default quality look up within a few pixels of the right place, most far closer."""
     slope_rms = suite.slope_rms
-    # what other lookups reach at their best is printed beside it
-    for lookup, scales in (("FixedOffset", np.linspace(0, 1, 11)), ("ViewScaledOffset", np.linspace(0, 10, 11)),
-                           ("MovedPoint", np.linspace(0, 10, 11))):
-        best = min((suite.errors(f"SetLookupTo{lookup}", scale) for scale in scales), key=np.median)
-        print(f"slope {slope_rms}: {lookup}, the best of {len(scales)} scales: {describe(best)}")
+    if os.environ.get("WATER_OTHER_LOOKUPS"):
+        print_others(suite)
     suite.errors("SetLookupToRayTraced")
-    for quality in ("Fast", "High"):
-        print(f"slope {slope_rms}: {quality}: {describe(suite.errors('SetRayTraceQualityTo' + quality))}")
     errors = suite.errors("SetRayTraceQualityToDefault")
     name = f"slope {slope_rms}, default quality"
     print(f"{name}: {describe(errors)}")

@@ -8,17 +8,24 @@ import numpy as np
 import pytest
 import ray_caster
 import water_test as wt
+import wave_scenes
 from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkCommonTransforms import vtkTransform
 from vtkmodules.vtkRenderingCore import vtkSkybox, vtkTexture
 from vtkwater import vtkWaterProperty, vtkWaterReflectionPass
-from wave_scenes import POSTS_SIZE, POSTS_VIEWS, POSTS_WAVES, SKY, post_scene, posts, rmse
+from wave_scenes import POSTS_VIEWS, POSTS_WAVES, SKY, posts, rmse
+
+SIZE = (280, 210)  # half of the pixels that the accuracy reports have
+
+
+def post_scene(view, **options):
+    return wave_scenes.post_scene(view, size=SIZE, **options)
 
 
 @functools.lru_cache(None)  # several tests need the same, and each takes seconds
 def cast(view, parallel, samples):
     made, _ = post_scene(view, parallel=parallel)
-    return ray_caster.picture(made.renderer.GetActiveCamera(), POSTS_SIZE, posts(), SKY, POSTS_WAVES, 0.0, samples)
+    return ray_caster.picture(made.renderer.GetActiveCamera(), SIZE, posts(), SKY, POSTS_WAVES, 0.0, samples)
 
 
 def truth_of(view, made, water, parallel=False, samples=4):
@@ -41,7 +48,7 @@ def errors_of_view(view):
     traced = rmse(made.picture(), truth, mask)
     wt.save(made.picture(), folder / f"TestWaterReflectionsOnWaves-{view}.png")
     wt.save(np.clip(truth, 0, 255), folder / f"TestWaterReflectionsOnWaves-{view}-truth.png")
-    for lookup, scales in (("ViewScaledOffset", np.linspace(0, 10, 21)), ("FixedOffset", np.linspace(0, 1, 21))):
+    for lookup, scales in (("ViewScaledOffset", np.linspace(0, 10, 11)), ("FixedOffset", np.linspace(0, 1, 11))):
         getattr(look, f"SetLookupTo{lookup}")()
         found = []
         for scale in scales:
@@ -146,13 +153,17 @@ def count_gaps(lookup, headings):
     camera.SetFocalPoint(0, 0, 0.3)
     camera.SetViewUp(0, 0, 1)
     camera.SetClippingRange(0.5, 150)
+    look = water.GetWaterProperty()
     columns = gaps = 0
     for heading in headings:
         angle = np.radians(heading)
         camera.SetPosition(9 * np.sin(angle), -9 * np.cos(angle), 2.2)
         picture = made.picture()
         is_red = (picture[:, :, 0] > 200) & (picture[:, :, 1] < 60)
-        is_water = wt.water_mask(made, water)
+        look.SetReflectance(0)
+        look.SetDeepColor(0, 1, 0)  # nothing else is green alone
+        is_water = np.abs(made.picture() - (0, 255, 0)).max(axis=2) < 120
+        look.SetReflectance(1)
         is_thing = is_red & ~is_water
         for x in range(2, 198):
             rows = np.nonzero(is_thing[:, x])[0]
@@ -167,10 +178,11 @@ def count_gaps(lookup, headings):
 
 def test_things_in_the_water_touch_their_reflections():
     """From every heading, the reflection of a thing that stands in the water begins where the thing ends."""
-    columns, gaps = count_gaps("RayTraced", range(360))
-    wt.check_at_least("contact: columns in which a thing ends on the water, 360 headings", columns, 10000)
+    headings = range(0, 360, 3)
+    columns, gaps = count_gaps("RayTraced", headings)
+    wt.check_at_least("contact: columns in which a thing ends on the water, of each heading", columns / len(headings), 27)
     wt.check_equal("contact: columns with a gap under the thing", gaps, 0)
-    columns, gaps = count_gaps("FixedOffset", range(0, 360, 12))
+    columns, gaps = count_gaps("FixedOffset", range(0, 360, 36))
     print(f"contact: with a fixed offset {gaps} of {columns} columns have a gap")
 
 
@@ -202,7 +214,7 @@ def test_scene_turned_as_a_whole_looks_the_same():
     turn.RotateX(25)
     turn.RotateY(-10)
     rows = np.array([[turn.GetMatrix().GetElement(i, j) for j in range(4)] for i in range(4)])
-    tilted = wt.View(POSTS_SIZE, SKY)
+    tilted = wt.View(SIZE, SKY)
     for actor in made.renderer.GetActors():
         if not actor.IsA("vtkWaterActor"):
             wt.add_actor(tilted.renderer, wt.transformed(actor.GetMapper().GetInput(), turn.GetMatrix()),
@@ -228,7 +240,7 @@ def test_scene_turned_as_a_whole_looks_the_same():
 def test_waves_seen_from_below_reflect_the_things_under_water():
     """The scene with its water turned over, and the waves with it, gives the same picture."""
     made, water = post_scene("middle")
-    below = wt.View(POSTS_SIZE, SKY)
+    below = wt.View(SIZE, SKY)
     for actor in made.renderer.GetActors():
         if not actor.IsA("vtkWaterActor"):
             wt.add_actor(below.renderer, actor.GetMapper().GetInput(), actor.GetProperty().GetColor(), lit=False)

@@ -10,8 +10,8 @@ from vtkwater import vtkWaterProperty
 from wave_scenes import rmse
 
 INDEX = 1.333
-SIZE = (400, 300)
-MIDDLE = (slice(100, 200), slice(100, 300))  # of the picture
+SIZE = (304, 228)
+MIDDLE = (slice(76, 152), slice(76, 228))  # of the picture
 SKY, BED = (0.6, 0.75, 0.9), (0.7, 0.65, 0.5)
 ABSORPTION, DEEP = np.array((0.35, 0.12, 0.06)), np.array((0.02, 0.10, 0.16))
 RIPPLES = ((0.0127, 2.0, 20.0, 10.0), (0.0064, 1.2, 80.0, 200.0))
@@ -143,8 +143,8 @@ def truth_of(things, camera, waves=(), samples=4):
 
 
 @pytest.mark.parametrize("name, position, parallel, waves", (
-    ("high", (1, -9, 9), 0, ()), ("middle", (2, -13, 5), 0, ()), ("parallel", (1, -9, 8), 4, ()),
-    ("middle, waves", (2, -13, 5), 0, RIPPLES)), ids=("high", "middle", "parallel", "middle_with_waves"))
+    ("high", (1, -9, 9), 0, ()), ("parallel", (1, -9, 8), 4, ()), ("middle, waves", (2, -13, 5), 0, RIPPLES)),
+    ids=("high", "parallel", "middle_with_waves"))
 def test_a_scene_under_water_is_the_ray_casters(name, position, parallel, waves):
     """A scene under water is a ray caster's picture; water that reflects nothing renders no mirrored view."""
     made, things = wt.View(SIZE, SKY), things_in_water()

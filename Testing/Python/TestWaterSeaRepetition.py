@@ -2,6 +2,7 @@
 """A picture of a wind sea is not like itself some waves aside; the truth is a sum of random sines of the same spectrum,
 which never repeats."""
 
+import functools
 import math
 
 import numpy as np
@@ -59,6 +60,7 @@ def slope_density(k):
     return height * k**3
 
 
+@functools.lru_cache(None)  # both numbers of cascades are judged by it, and it takes seconds
 def random_sines(wide, seed):
     """The same picture of sines whose wave vectors are drawn from the spectrum: cos^2 spread, no two with one period."""
     random = np.random.default_rng(seed)

@@ -14,7 +14,7 @@ import water_test as wt
 from vtkmodules.vtkRenderingCore import vtkDataSetMapper
 
 SEED = int(os.environ.get("WATER_MESHES_SEED", 1))
-SCENES = int(os.environ.get("WATER_MESHES_SCENES", 2))
+SCENES = int(os.environ.get("WATER_MESHES_SCENES", 1))
 LIMIT_PERCENT = 0.02
 NEAR_FAR = (0.05, 80)  # depths between them are exact enough
 KNOWN = 1e3  # up to there floats tell heights to 6e-5; farther off a height of 1e-3 may be their rounding

@@ -26,17 +26,17 @@ EXAMPLES = {
     "lake": ["Examples/Data/jacksboro.vti", "FOLDER"],
     "lakes": ["PICTURE"],
     "flood": ["--picture", "PICTURE"],
-    "tide": ["FOLDER/tide.gif", "--frames", "30", "--picture", "PICTURE"],
+    "tide": ["FOLDER/tide.gif", "--frames", "10", "--picture", "PICTURE"],
     "rain_flood": ["FOLDER/rain_flood.gif", "--frames", "4", "--picture", "PICTURE"],
     "wake": ["PICTURE"],
-    "strait": ["PICTURE"],
-    "breakwater": ["PICTURE"],
-    "dam_break": ["PICTURE"],
+    "strait": ["PICTURE", "--movie", "FOLDER/strait.gif", "--frames", "2"],
+    "breakwater": ["PICTURE", "--movie", "FOLDER/breakwater.gif", "--frames", "2"],
+    "dam_break": ["PICTURE", "--movie", "FOLDER/dam_break.gif", "--frames", "2"],
     "hull": ["PICTURE"],
     "reservoir": ["PICTURE"],
     "harbour": ["PICTURE"],
     "molecule": ["PICTURE"],
-    "batch": ["--out", "FOLDER", "--make", "6"],
+    "batch": ["--out", "FOLDER", "--make", "4"],
     "sea": ["PICTURE", "2"],
     "wind_farm": ["PICTURE", "3"],
     "waves": ["PICTURE", "2"],
@@ -51,6 +51,7 @@ SCRIPTS = {"cove_below": "cove", "cove_split": "cove"}
 MADE = {"batch": "step_003.png", "lake": "lake.png"}  # where the picture's name is not ours to give
 LOSSLESS = ("first_water", "pyvista_water")
 QUALITY = 88
+MOVIE_BYTES = 40000  # frames of one colour stay far below
 LIMIT_S = 30.0  # for each example, with software rendering on two cores
 
 PROGRAMS = {name: recipe for recipe in recipes.read(ROOT / "Documentation/recipes.md") for name in recipe.pictures}
@@ -63,11 +64,16 @@ def render(name, folder):
         recipes.run(PROGRAMS[name], folder)
         return folder / f"{name}.png"
     picture = folder / MADE.get(name, f"{name}.png")
-    picture.unlink(missing_ok=True)  # of an earlier run
     arguments = [argument.replace("PICTURE", str(picture)).replace("FOLDER", str(folder))
                  for argument in EXAMPLES[name]]
+    movies = [pathlib.Path(argument) for argument in arguments if argument.endswith(".gif")]
+    for file in (picture, *movies):
+        file.unlink(missing_ok=True)  # of an earlier run
     script = ROOT / f"Examples/Python/{SCRIPTS.get(name, name)}.py"
     subprocess.run([sys.executable, script, *arguments], check=True, cwd=ROOT)
+    for movie in movies:
+        if not movie.is_file() or movie.stat().st_size < MOVIE_BYTES:
+            sys.exit(f"gallery: {movie}: no movie of {MOVIE_BYTES} bytes or more was written")
     return picture
 
 
