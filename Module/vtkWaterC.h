@@ -174,6 +174,11 @@ VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_actor_set_dome_port(
 VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_actor_set_units(
   vtk_water_actor* actor, const char* name);
 
+/* Sets the factor by which the scene's heights are drawn higher than they are, in [1e-6, 1e6].
+ * Depths are divided by it before light is attenuated. Default 1. */
+VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_actor_set_vertical_exaggeration(
+  vtk_water_actor* actor, double factor);
+
 /* Sets the quality of reflections on waves: "fast", "default", "high" or "reference". */
 VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_actor_set_quality(
   vtk_water_actor* actor, const char* name);

@@ -171,6 +171,12 @@ vtk_water_status vtk_water_actor_set_units(vtk_water_actor* actor, const char* n
   return Change(actor, [=](vtkWaterActor*, vtkWaterProperty* look) { look->SetUnits(name); });
 }
 
+vtk_water_status vtk_water_actor_set_vertical_exaggeration(vtk_water_actor* actor, double factor)
+{
+  return Change(
+    actor, [=](vtkWaterActor*, vtkWaterProperty* look) { look->SetVerticalExaggeration(factor); });
+}
+
 vtk_water_status vtk_water_actor_set_quality(vtk_water_actor* actor, const char* name)
 {
   return Change(

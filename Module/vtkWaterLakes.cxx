@@ -22,6 +22,7 @@
 #include "vtkWaterGather.h"
 #include "vtkWaterPlanesFilter.h"
 #include "vtkWaterSource.h"
+#include "vtkWaterSurfaceFilter.h"
 #include "vtkWeakPointer.h"
 #include "water_seen.h"
 
@@ -135,6 +136,27 @@ void vtkWaterLakes::SetMapper(vtkMapper* mapper)
 vtkMapper* vtkWaterLakes::GetMapper() const
 {
   return this->Internal->Mapper;
+}
+
+//------------------------------------------------------------------------------
+vtkWaterSurfaceFilter* vtkWaterLakes::SetData(vtkAlgorithmOutput* mesh, const std::string& level,
+  const std::string& depth, const std::string& bed)
+{
+  if (!mesh)
+  {
+    this->SetMapper(nullptr);
+    return nullptr;
+  }
+  vtkNew<vtkWaterSurfaceFilter> surface;
+  surface->SetInputConnection(mesh);
+  surface->SetLevelArrayName(level);
+  surface->SetDepthArrayName(depth);
+  surface->SetBedArrayName(bed);
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputConnection(surface->GetOutputPort());
+  mapper->ScalarVisibilityOff();
+  this->SetMapper(mapper);
+  return surface;
 }
 
 //------------------------------------------------------------------------------

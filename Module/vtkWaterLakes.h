@@ -11,6 +11,10 @@
  *     lakes.GetWater().GetWaterProperty().SetPreset("lake")
  *     lakes.AddTo(renderer)
  *
+ * The water of a solver's mesh, from its arrays of level, depth and bed, is one call:
+ *
+ *     lakes.SetData(reader.GetOutputPort(), "zeta", "h", "")
+ *
  * The first water, which GetWater returns, is that of the largest part. The others copy its
  * settings in the next frame: look, time, transformation, visibility, SceneReflection, vtkActor's
  * property, and the settings of the reflection pass. Setting the plane of the first water moves
@@ -31,15 +35,18 @@
 #include "vtkRenderingWaterModule.h" // for the export macro
 
 #include <memory> // for std::unique_ptr
+#include <string>
 
 #ifdef VTK_ABI_NAMESPACE_BEGIN
 VTK_ABI_NAMESPACE_BEGIN
 #endif
 
+class vtkAlgorithmOutput;
 class vtkMapper;
 class vtkPolyData;
 class vtkRenderer;
 class vtkWaterActor;
+class vtkWaterSurfaceFilter;
 
 class VTKRENDERINGWATER_EXPORT vtkWaterLakes : public vtkObject
 {
@@ -59,6 +66,18 @@ public:
   void SetMapper(vtkMapper* mapper);
   vtkMapper* GetMapper() const;
   ///@}
+
+  /**
+   * Shows the water of a solver's mesh: a vtkWaterSurfaceFilter of the mesh, with these names of
+   * arrays of its level, its depth and the bed, and a vtkPolyDataMapper of the filter's output as
+   * the mapper. Two of the names are enough; the others are empty. The mesh may change from frame
+   * to frame. Colours: SelectColorArray and the other settings of GetMapper().
+   *
+   * Returns the filter, for its other settings, or nullptr if the mesh is nullptr, which means no
+   * water. The filter reports wrong arrays when it is updated. Default is no mesh.
+   */
+  vtkWaterSurfaceFilter* SetData(vtkAlgorithmOutput* mesh, const std::string& level,
+    const std::string& depth, const std::string& bed);
 
   ///@{
   /**

@@ -373,6 +373,7 @@ void vtkWaterProperty::PrintSelf(ostream& os, vtkIndent indent)
      << this->Scattering[2] << ")\n";
   os << indent << "MetresPerUnit: " << this->MetresPerUnit
      << (this->MetresPerUnit == 0.0 ? " (automatic)" : "") << "\n";
+  os << indent << "VerticalExaggeration: " << this->VerticalExaggeration << "\n";
   os << indent << "ShoreSoftness: " << this->ShoreSoftness << "\n";
   os << indent << "DomePortRadius: " << this->DomePortRadius << "\n";
   os << indent << "ReflectionSource: " << this->GetReflectionSourceAsString() << "\n";

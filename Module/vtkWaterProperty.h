@@ -238,6 +238,18 @@ public:
 
   ///@{
   /**
+   * Vertical exaggeration of the scene: the factor by which its heights are drawn higher than they
+   * are, in [1e-6, 1e6]. Depths are divided by it before light is attenuated, and before the foam
+   * and the softness of the shore are placed, so that drawn water looks as clear as the real one.
+   * Refraction and reflection follow what is drawn. With automatic units it has no effect, because
+   * they fit the depth of the scene. Default is 1.
+   */
+  void SetVerticalExaggeration(double factor);
+  vtkGetMacro(VerticalExaggeration, double);
+  ///@}
+
+  ///@{
+  /**
    * Depth over which the reflection fades in at a shore, m: finite and not negative. Only with
    * Refraction, which provides the depth. Default is 0.05.
    */
@@ -915,6 +927,7 @@ private:
   int DeepColorMode = MEDIUM;
   double DeepColor[3] = {};
   double MetresPerUnit = 1.0;
+  double VerticalExaggeration = 1.0;
   double ShoreSoftness = 0.05;
   double DomePortRadius = 0.0;
   int ReflectionSource = SCENE;

@@ -25,6 +25,7 @@ void vtkWaterProperty::DeepCopy(vtkWaterProperty* other)
   this->DeepColorMode = other->DeepColorMode;
   std::copy_n(other->DeepColor, 3, this->DeepColor);
   this->MetresPerUnit = other->MetresPerUnit;
+  this->VerticalExaggeration = other->VerticalExaggeration;
   this->ShoreSoftness = other->ShoreSoftness;
   this->DomePortRadius = other->DomePortRadius;
   this->ReflectionSource = other->ReflectionSource;

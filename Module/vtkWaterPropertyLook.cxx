@@ -14,18 +14,21 @@ VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
 // Lengths in metres to the scene's unit; slopes have none.
-void ToUnits(vtkWaterLook& look)
+//
+// exaggeration  factor by which the scene's depths are drawn deeper
+void ToUnits(vtkWaterLook& look, double exaggeration)
 {
   const double metres = look.MetresPerUnit;
+  const double metresDown = metres / exaggeration;
   for (int i = 0; i < 3; ++i)
   {
-    look.Medium.absorption[i] *= metres;
-    look.Medium.scattering[i] *= metres;
-    look.Extinction[i] *= metres;
+    look.Medium.absorption[i] *= metresDown;
+    look.Medium.scattering[i] *= metresDown;
+    look.Extinction[i] *= metresDown;
   }
-  look.ShoreSoftness /= metres;
+  look.ShoreSoftness /= metresDown;
   look.DomePortRadius /= metres;
-  look.FoamDepth /= metres;
+  look.FoamDepth /= metresDown;
   look.WaveNumber *= metres;
   look.WaveHeightMax /= metres;
   look.WaveReach /= metres;
@@ -79,7 +82,7 @@ void vtkWaterProperty::Describe(double diagonal, vtkWaterLook& look)
   look.Property = this;
   this->DescribeUnits(diagonal, look);
   this->DescribeWaves(look);
-  ToUnits(look);
+  ToUnits(look, this->MetresPerUnit == 0.0 ? 1.0 : this->VerticalExaggeration);
   if (this->FoamFitsScene && this->FoamDepth > 0.0 && this->MetresPerUnit == 0.0)
   {
     look.FoamDepth = water_units_show_foam(look.FoamDepth, diagonal);

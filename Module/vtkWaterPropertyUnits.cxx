@@ -15,6 +15,8 @@ namespace
 {
 constexpr double kSmallestUnit = 1e-9; // m
 constexpr double kLargestUnit = 1e9;
+constexpr double kLeastExaggeration = 1e-6;
+constexpr double kMostExaggeration = 1e6;
 constexpr const char* kAutomatic = "automatic";
 }
 
@@ -32,6 +34,12 @@ void vtkWaterProperty::SetMetresPerUnit(double metres)
     this->MetresPerUnit = metres;
     this->Modified();
   }
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterProperty::SetVerticalExaggeration(double factor)
+{
+  vtkWaterSetInRange(VerticalExaggeration, factor, kLeastExaggeration, kMostExaggeration);
 }
 
 //------------------------------------------------------------------------------

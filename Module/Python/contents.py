@@ -95,6 +95,8 @@ def add_steps(facts, path):
                      "metres (--units names another unit)")
     facts["times"] = list(source.times)
     facts["arrays"] = [array for array in arrays_of(mesh) if not array["name"].startswith("vtk")]
+    for array in facts["arrays"]:
+        array["unit"] = source.unit_of(array["name"])
     options = usual_options(facts["arrays"], is_volume)
     if not options and not facts["try"] and not is_volume:
         options = level_over_bed(facts["arrays"])
@@ -188,6 +190,7 @@ def text_of(facts):
         what = "" if array["components"] == 1 else f", {array['components']} components, magnitude"
         ends = array["range"]
         values = f"{ends[0]:g} to {ends[1]:g}" if ends else "no finite value"
+        values += f" {array['unit']}" if array["unit"] else ""
         first = " in the first step" if len(times) > 1 else ""
         lines.append(f"array: {array['name']} ({array['of']}{what}) {values}{first}")
     lines += [f"note: {note}" for note in facts["notes"]]

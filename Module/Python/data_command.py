@@ -39,11 +39,13 @@ def add_data_arguments(parser, number):
     group.add_argument("--clim", type=color_range, metavar="LOW:HIGH",
                        help="values of the first and the last colour; default: the range over all steps of the file, "
                             "which must all be read")
+    group.add_argument("--log-scale", action="store_true", default=None,
+                       help="colours on a logarithmic scale; the range then begins with the smallest value above 0")
     group.add_argument("--scalar-bar", action=argparse.BooleanOptionalAction, default=None,
                        help="show a scalar bar; default: with --color-by")
     group.add_argument("--lonlat", action=argparse.BooleanOptionalAction, default=None,
-                       help="x and y are longitude and latitude in degrees; default: only if the dimensions of a "
-                            "NetCDF file have these names")
+                       help="x and y are longitude and latitude in degrees; default: as the units of a NetCDF "
+                            "file's coordinates or the names of its dimensions say")
 
 
 def pair(text, what):
@@ -72,7 +74,7 @@ def check_data(parser, arguments):
     """End the program if options of data contradict each other, or are used without data."""
     kind = pathlib.Path(arguments.file).suffix.lower()
     if not is_data(arguments):
-        for word in ("dry_depth", "contour_value", "color_by", "flow", "cmap", "clim", "scalar_bar", "lonlat", "step",
+        for word in ("dry_depth", "contour_value", "color_by", "flow", "cmap", "clim", "log_scale", "scalar_bar", "lonlat", "step",
                      "times"):
             if getattr(arguments, word, None) is not None:
                 parser.error(f"--{word.replace('_', '-')} needs an array that defines the water: add "
@@ -102,7 +104,7 @@ def check_data(parser, arguments):
     if arguments.bed and arguments.level is None and not arguments.depth:
         parser.error("--bed alone does not define the water: add --level or --depth")
     if not arguments.color_by:
-        for word in ("cmap", "clim", "scalar_bar"):
+        for word in ("cmap", "clim", "log_scale", "scalar_bar"):
             if getattr(arguments, word) is not None:
                 parser.error(f"--{word.replace('_', '-')} needs --color-by")
     if getattr(arguments, "step", None) is not None and arguments.time is not None:
@@ -124,10 +126,12 @@ def make_data_water(arguments, words, make_scene):
         words["refraction"] = False  # the data hide what it would show
     value = 0.5 if arguments.contour_value is None else arguments.contour_value
     names.update(level=level, contour=(arguments.contour, value) if arguments.contour else None)
-    water = DataWater(scene, solution, cmap=arguments.cmap, clim=arguments.clim, dry_depth=arguments.dry_depth,
+    water = DataWater(scene, solution, cmap=arguments.cmap, clim=arguments.clim,
+                      log_scale=bool(arguments.log_scale), dry_depth=arguments.dry_depth,
                       exaggeration=1.0 if arguments.contour else arguments.exaggeration, **names, **words)
     if arguments.color_by and arguments.scalar_bar is not False:
-        water.bar(arguments.color_by)
+        unit = solution.unit_of(arguments.color_by)
+        water.bar(arguments.color_by + (f", {unit}" if unit not in ("", "1") else ""))
     elevation = DATA_ELEVATION if arguments.elevation is None else arguments.elevation
     scene.look(arguments.azimuth, elevation, arguments.zoom, all_of_it=True)
     for note in water.notes:

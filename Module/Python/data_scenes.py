@@ -27,6 +27,13 @@ from .words import counted, set_look
 __all__ = ["COLOR_MAPS", "DataWater", "table_of"]
 
 LEVEL = "vtkwater level"  # the array of a level that is one number
+# Units of lengths, in lower case, as files spell them: https://docs.unidata.ucar.edu/udunits
+METRES = {**dict.fromkeys(("m", "meter", "metre", "meters", "metres"), 1.0),
+          **dict.fromkeys(("mm", "millimeter", "millimetre", "millimeters", "millimetres"), 0.001),
+          **dict.fromkeys(("cm", "centimeter", "centimetre", "centimeters", "centimetres"), 0.01),
+          **dict.fromkeys(("km", "kilometer", "kilometre", "kilometers", "kilometres"), 1000.0),
+          **dict.fromkeys(("ft", "foot", "feet", "international_foot", "international_feet"), 0.3048),
+          **dict.fromkeys(("us_survey_foot", "us_survey_feet"), 1200.0 / 3937.0)}
 TABLE_SIZE = 256
 NAN_COLOR = (0.6, 0.6, 0.6, 1.0)
 BAR_TEXT = 14  # points
@@ -56,7 +63,8 @@ class DataWater:
     solution : Solution
         It must read the arrays that are named below; with contour, it must be one of a volume.
     level, depth, bed : str, optional
-        Names of arrays, as in vtkWaterSurfaceFilter; level may also be a number.
+        Names of arrays, as in vtkWaterSurfaceFilter; level may also be a number. If the file states that one of them
+        is in another unit of METRES, it is converted to metres.
     contour : tuple[str, float], optional
         Instead of level, depth and bed: the name of an array of a volume, and its value on the water's surface.
     color_by : str, optional
@@ -68,6 +76,8 @@ class DataWater:
     clim : sequence[float], optional
         The values of the first and the last colour. The default is the array's range over all steps, which are then
         all read.
+    log_scale : bool, default: False
+        Whether the colours have a logarithmic scale; the default of clim then begins with the smallest value above 0.
     dry_depth : float, optional
         DryDepth of the filter.
     exaggeration : float, default: 1.0
@@ -81,8 +91,11 @@ class DataWater:
     """
 
     def __init__(self, scene, solution, *, level=None, depth=None, bed=None, contour=None, color_by=None, flow=None,
-                 cmap=None, clim=None, dry_depth=None, exaggeration=1.0, **words):
+                 cmap=None, clim=None, log_scale=False, dry_depth=None, exaggeration=1.0, **words):
         self.scene, self.solution = scene, solution
+        self._factors = {name: METRES.get(solution.unit_of(name).lower(), 1.0)
+                         for name in (level, depth, bed) if isinstance(name, str)}
+        level, depth, bed = (self._in_metres(name) for name in (level, depth, bed))
         self._level, self._names = level, {"depth": depth, "bed": bed}
         self._exaggeration = exaggeration
         self._ground = self._walls = self._known = None
@@ -106,10 +119,11 @@ class DataWater:
         self._mapper.SetInputConnection(self._shown.GetOutputPort())
         self.water = scene.water = vtkWaterActor()
         set_look(self.water.GetWaterProperty(), **words)
+        self.water.GetWaterProperty().SetVerticalExaggeration(exaggeration)
         if flow:
             self._let_flow(flow)
         if color_by:
-            self._color(color_by, cmap, clim)
+            self._color(color_by, cmap, clim, log_scale)
         self.water.SetMapper(self._mapper)
         plane = vtkPlane()
         plane.SetNormal(0.0, 0.0, 1.0)
@@ -141,6 +155,7 @@ class DataWater:
         bar.SetWidth(0.40)
         bar.SetHeight(height)
         bar.SetNumberOfLabels(5)
+        bar.SetMaximumNumberOfColors(TABLE_SIZE)  # each of the water's
         bar.SetLabelFormat("%.3g" if "%" in bar.GetLabelFormat() else "{:.3g}")
         bar.UnconstrainedFontSizeOn()
         for text in (bar.GetTitleTextProperty(), bar.GetLabelTextProperty()):
@@ -177,8 +192,12 @@ class DataWater:
         self.scene.add_ground(Surface(data, is_terrain=True), level, self._exaggeration)
         self.scene.add_walls(level, is_block=True)
 
+    def _in_metres(self, name):
+        """The name of an array of heights where it is in metres."""
+        return f"{name}, m" if self._factors.get(name, 1.0) != 1.0 else name
+
     def _mesh(self, time):
-        mesh = self.solution.at(time)
+        mesh = with_lengths(self.solution.at(time), self._factors, self._in_metres)
         if self._is_contour and mesh.GetPointData().GetArray(self._contoured) is None:
             convert = vtkCellDataToPointData()
             convert.PassCellDataOn()
@@ -233,11 +252,12 @@ class DataWater:
                              "velocity must have 2 or 3")
         self.water.SetFlowArrayName(name)
 
-    def _color(self, name, cmap, clim):
-        ends = clim or self.solution.range_of(name)
+    def _color(self, name, cmap, clim, log_scale):
+        ends = clim or self.solution.range_of(name, log_scale)
         if ends is None:
-            raise ValueError(f"{self.solution.path}: the array '{name}' has no finite value")
-        self._mapper.SetLookupTable(table_of(cmap or "viridis", ends))
+            raise ValueError(f"{self.solution.path}: the array '{name}' has no finite value"
+                             f"{' above 0' if log_scale else ''}")
+        self._mapper.SetLookupTable(table_of(cmap or "viridis", ends, log_scale))
         self._mapper.UseLookupTableScalarRangeOn()
         of_points = self.solution.step(0).GetPointData().GetArray(name) is not None
         if of_points:
@@ -257,6 +277,21 @@ def normals_of(surface):
     normals.ConsistencyOff()
     normals.SetInputConnection(surface.GetOutputPort())
     return normals
+
+
+def with_lengths(mesh, factors, name_of):
+    """The mesh, with another array for each that is not in metres."""
+    factors = {name: factor for name, factor in factors.items() if factor != 1.0}
+    if not factors:
+        return mesh
+    made = mesh.NewInstance()
+    made.ShallowCopy(mesh)
+    for name, factor in factors.items():
+        of_points = mesh.GetPointData().GetArray(name) is not None
+        array = numpy_to_vtk(factor * vtk_to_numpy(array_of(mesh, name)).astype(float), deep=True)
+        array.SetName(name_of(name))
+        (made.GetPointData() if of_points else made.GetCellData()).AddArray(array)
+    return made
 
 
 def contour_of(name, value):
@@ -323,7 +358,7 @@ def at_points(mesh, name):
     return vtk_to_numpy(array_of(mesh, name)).astype(float)
 
 
-def table_of(name, ends):
+def table_of(name, ends, log_scale=False):
     """A lookup table of a colour map between two values; values outside them have the nearer end's colour.
 
     Parameters
@@ -331,7 +366,9 @@ def table_of(name, ends):
     name : str
         One of COLOR_MAPS, or of matplotlib's where it is installed.
     ends : sequence[float]
-        Finite, and the first not above the second.
+        Finite, and the first not above the second; with log_scale, above 0.
+    log_scale : bool, default: False
+        Whether equal ratios, not equal differences, are equal steps of the colour map.
 
     Raises
     ------
@@ -341,6 +378,8 @@ def table_of(name, ends):
     if not (low <= high and math.isfinite(high - low)):
         raise ValueError(f"the range of colours is ({low:g}, {high:g}); both must be finite, and the "
                          "first must not exceed the second")
+    if log_scale and low <= 0.0:
+        raise ValueError(f"the range of colours is ({low:g}, {high:g}); on a logarithmic scale both must be above 0")
     table = vtkLookupTable()
     table.SetNumberOfTableValues(TABLE_SIZE)
     table.SetVectorModeToMagnitude()
@@ -348,6 +387,8 @@ def table_of(name, ends):
         table.SetTableValue(i, *color, 1.0)
     table.SetNanColor(NAN_COLOR)
     table.SetRange(low, high)
+    if log_scale:
+        table.SetScaleToLog10()
     return table
 
 

@@ -2,6 +2,8 @@
 """Measures the water of a solver's mesh: values at places, the shoreline, the flooded area and the volume.
 
     values = probe(water, [(120.0, 45.0), (130.0, 45.0)])    # {"WaterLevel": ..., "WaterDepth": ..., every array}
+    values = profile(water, (120.0, 45.0), (130.0, 80.0))    # the same along a line, with "distance"
+    values = gauges(solution, [(120.0, 45.0)], depth="h", bed="zb")  # the same at all steps of a file, with "time"
     line = shoreline(water, mesh)                            # vtkPolyData, polylines
     area, volume = flooded(water)                           # of the water as it is shown
     area, volume = flooded_cells(mesh, "depth")              # of the solver's own cells
@@ -17,9 +19,11 @@ from vtkmodules.vtkCommonCore import reference, vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkCellLocator, vtkGenericCell, vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkCleanPolyData, vtkFeatureEdges, vtkStripper
 
+from . import vtkWaterSurfaceFilter
+from .errors import raising
 from .readers import polygons_of
 
-__all__ = ["flooded", "flooded_cells", "probe", "shoreline"]
+__all__ = ["flooded", "flooded_cells", "gauges", "probe", "profile", "shoreline"]
 
 DEPTH = "WaterDepth"
 WHOLE = "_vtkwater_whole"  # attribute of an actor: the mapper of all lakes that it stands for
@@ -70,6 +74,88 @@ def probe(water, points):
         ids = [cell.GetPointId(j) for j in range(cell.GetNumberOfPoints())]
         for name, (values, is_of_points) in arrays.items():
             found[name][i] = np.tensordot(weights, values[ids], 1) if is_of_points else values[first + int(number)]
+    return found
+
+
+def profile(water, start, end, count=200):
+    """Return the values of all arrays of the water along a straight line in plan.
+
+    Parameters
+    ----------
+    water : vtkWaterActor, vtkWaterLakes or vtkPolyData
+    start, end : sequence[float]
+        x and y of the line's ends, in the coordinates of the mesh.
+    count : int
+        Number of places along the line, with both ends; 2 or more.
+
+    Returns
+    -------
+    dict[str, numpy.ndarray]
+        As probe, and the places' "distance" from the start. If the water has an array of this name, "distance" is
+        that array, and the places' is "WaterDistance".
+
+    Raises
+    ------
+    TypeError, ValueError
+        As probe; also if the count is below 2.
+    """
+    if not (isinstance(count, (int, np.integer)) and count >= 2):
+        raise ValueError(f"count is {count!r}; it must be a whole number, 2 or more")
+    ends = places_of([start, end])
+    share = np.linspace(0.0, 1.0, count)
+    values = probe(water, ends[0] + share[:, None] * (ends[1] - ends[0]))
+    values["WaterDistance" if "distance" in values else "distance"] = share * np.hypot(*(ends[1] - ends[0]))
+    return values
+
+
+def gauges(solution, points, *, level=None, depth=None, bed=None, dry_depth=None, times=None):
+    """Return the values of all arrays of the water at given places over time.
+
+    Parameters
+    ----------
+    solution : vtkwater.solutions.Solution
+        It must read the arrays that are named below; its other arrays are probed, too.
+    points : array_like
+        n x 2 or n x 3: x and y of each place, in the coordinates of the mesh; z is ignored.
+    level, depth, bed : str, optional
+        Names of arrays, as in vtkWaterSurfaceFilter: two of them define the water.
+    dry_depth : float, optional
+        DryDepth of the filter.
+    times : sequence[float], optional
+        Default: those of the solution's steps.
+
+    Returns
+    -------
+    dict[str, numpy.ndarray]
+        "time" (m times), and for each array m x n values, NaN where or while there is no water. If the water has an
+        array named "time", "time" is that array, and the times are "WaterTime".
+
+    Raises
+    ------
+    TypeError, ValueError
+        As probe; also if there is no such array.
+    FileError
+        If the file cannot be read at one of the times, or if a time is not among those of the file.
+    """
+    places = places_of(points)
+    surface = vtkWaterSurfaceFilter()
+    times = solution.times if times is None else times
+    steps = []
+    with raising(surface, LevelArrayName="level", DepthArrayName="depth", DryDepth="dry_depth"):
+        surface.SetLevelArrayName(level or "")
+        surface.SetDepthArrayName(depth or "")
+        surface.SetBedArrayName(bed or "")
+        if dry_depth is not None:
+            surface.SetDryDepth(dry_depth)
+        for time in times:
+            surface.SetInputData(solution.at(time))
+            surface.Update()
+            steps.append(probe(surface.GetOutput(), places))
+    # a step without water has no arrays
+    shapes = {name: values.shape for step in steps for name, values in step.items()}
+    found = {name: np.array([step.get(name, np.full(shape, np.nan)) for step in steps])
+             for name, shape in shapes.items()}
+    found["WaterTime" if "time" in found else "time"] = np.array(times, dtype=float)
     return found
 
 

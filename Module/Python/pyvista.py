@@ -21,8 +21,8 @@ from .hulls import hulls_of
 from .measure import WHOLE
 from .skies import Sun, add_clear_sky, has_scene_light, shine, sun_of
 from .sliders import add_water_level_slider
-from .surfaces import (check_flow, check_has_water, check_level, color_surface, lakes_of, level_and_surface,
-                       plane_of, surface_of)
+from .surfaces import (check_flow, check_has_water, check_level, color_surface, exaggeration_of, lakes_of,
+                       level_and_surface, plane_of, surface_of)
 from .words import finite, flag, has_waves, in_range, number, numbers, set_look, whole_in_range
 
 __all__ = ["Sun", "add_clear_sky", "add_water", "add_water_level_slider"]
@@ -44,6 +44,7 @@ def add_water(
     color_by=None,
     cmap=None,
     clim=None,
+    log_scale=False,
     data_opacity=None,
     scalar_bar=True,
     wind=None,
@@ -107,7 +108,12 @@ def add_water(
 
     color_by : str, optional
         An array of the surface's points or cells that colours the water, through ``cmap`` (default: the theme's) and
-        ``clim`` (two values; default: the array's range), as in ``add_mesh``.
+        ``clim`` (two values; default: the array's range), as in ``add_mesh``. ``cmap`` may also be a lookup table
+        (:vtk:`vtkScalarsToColors`) with categories, a scale, a range and a colour of NaN of its own.
+
+    log_scale : bool, default: False
+        Whether these colours have a logarithmic scale. The default of ``clim`` then begins with the smallest value
+        above 0. Values of 0 or less have the first colour.
 
     data_opacity : float, optional
         Opacity of these colours over the refracted scene, in [0, 1]. At the default, 1, they hide the bed.
@@ -263,7 +269,8 @@ def add_water(
     Rendering must happen on the server: ``pyvista.set_jupyter_backend('server')`` or ``'static'``, trame's
     ``VtkRemoteView``.
 
-    Call ``Plotter.set_scale`` before ``add_water``. The brightest scene light glitters on waves: ``sun``, or one of
+    Call ``Plotter.set_scale`` before ``add_water``, which also divides the water's depths by the vertical
+    exaggeration: with ``units='m'`` the water is as clear as without it. The brightest scene light glitters on waves: ``sun``, or one of
     yours. PyVista's default lights are camera lights, not scene lights, and do not glitter.
 
     Examples
@@ -291,11 +298,11 @@ def add_water(
         data_opacity = in_range("data_opacity", data_opacity, 0.0, 1.0)
     mapper, data = surface_of(surface, level, depth, bed, normal, origin)
     check_has_effect(surface, data is None and level is not None, color_by, max_mirrors, cmap=cmap, clim=clim,
-                     data_opacity=data_opacity)
+                     log_scale=log_scale or None, data_opacity=data_opacity)
     if flow is not None:
         check_flow(surface, flow)
     if color_by is not None:
-        color_surface(mapper, surface, color_by, cmap, clim)
+        color_surface(mapper, surface, color_by, cmap, clim, log_scale)
         if refraction is None and not any((own_view, foam, caustics, light_shafts, dome_port)) and data_opacity in (None, 1):
             refraction = False  # the data hide what it would show
     has_level = data is None and level is not None
@@ -320,6 +327,7 @@ def add_water(
              color=None if color is None else color_of(color),
              opacity=opacity, refraction=refraction, own_view=own_view, foam=foam, caustics=caustics,
              light_shafts=light_shafts, shadows=shadows, dome_port=dome_port, quality=quality, units=units)
+    look.SetVerticalExaggeration(exaggeration_of(normal, scale))
     if flow is not None and not has_waves(look):
         raise ValueError(f"flow is {flow!r}, but the water is calm: add wind, waves or a preset with waves")
     with raising(actor, SheetBounds="bounds", Time="time"):

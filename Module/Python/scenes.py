@@ -157,6 +157,7 @@ class Scene:
         if preset is None and not any(words.get(word) for word in ("refraction", "foam", "caustics", "dome_port")):
             words["refraction"] = False
         set_look(self.water.GetWaterProperty(), preset=preset, wind=wind, **words)
+        self.water.GetWaterProperty().SetVerticalExaggeration(exaggeration)
         with raising(self.water):
             self.water.SetLevel(level * exaggeration)
         if self._ground and not self._ground.is_terrain:

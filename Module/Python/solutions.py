@@ -48,8 +48,9 @@ class Solution:
         Read cells of three dimensions, as an unstructured grid.
     is_lonlat : bool, optional
         Whether x and y are longitude and latitude in degrees. They are converted to metres from the south-western
-        corner, on a plane that touches the Earth in the middle of the mesh. The default is True if the file's
-        dimensions have these names.
+        corner, on a plane that touches the Earth in the middle of the mesh. By default the file tells: a NetCDF file
+        by the units of its coordinates (degrees_east, degrees_north) or the names of its dimensions, a GeoTIFF file
+        by its coordinate system.
     read_ahead : bool, default: False
         Read the next step in another process while this one is shown; for series of many steps. Meshes and errors stay
         the same; an error is raised when its step is requested. A step whose file changes after it was read ahead is
@@ -137,16 +138,23 @@ class Solution:
         made.ShallowCopy(between)
         return made
 
-    def range_of(self, name):
-        """The smallest and largest finite value of an array over all steps; for vectors, of their magnitude."""
+    def range_of(self, name, is_positive=False):
+        """The smallest and largest finite value of an array over all steps; for vectors, of their magnitude.
+
+        is_positive  whether only values above 0 count
+        """
         ends = []
         for i in range(len(self.times)):
             values = vtk_to_numpy(array_of(self.step(i), name))
             values = values if values.ndim == 1 else np.linalg.norm(values, axis=1)
-            values = values[np.isfinite(values)]
+            values = values[np.isfinite(values) & ((values > 0) | (not is_positive))]
             if values.size:
                 ends += [float(values.min()), float(values.max())]
         return (min(ends), max(ends)) if ends else None
+
+    def unit_of(self, name):
+        """The unit of an array as a NetCDF file states it, such as "cm"; empty if the file states none."""
+        return self._source.unit_of(name)
 
     def _made(self, i):
         data = self._source.read(i)

@@ -18,8 +18,8 @@ from . import vtkWaterActor, vtkWaterLakes, vtkWaterSurfaceFilter
 from .errors import heed, raising
 from .words import counted, numbers, of_type
 
-__all__ = ["DataSurface", "check_flow", "check_has_water", "check_level", "color_surface", "lakes_of",
-           "level_and_surface", "plane_of", "surface_of"]
+__all__ = ["DataSurface", "check_flow", "check_has_water", "check_level", "color_surface",
+           "exaggeration_of", "lakes_of", "level_and_surface", "plane_of", "surface_of"]
 
 
 class DataSurface:
@@ -52,7 +52,7 @@ class DataSurface:
         self.mapper.ScalarVisibilityOff()
 
 
-def show_array(mapper, dataset, name, cmap=None, clim=None):
+def show_array(mapper, dataset, name, cmap=None, clim=None, log_scale=False):
     """Colour a mapper's surface by an array of points or cells.
 
     Parameters
@@ -62,15 +62,18 @@ def show_array(mapper, dataset, name, cmap=None, clim=None):
         Source of the range, and of the array's association.
     name : str
         Name of an array with one component.
-    cmap : str, optional
-        A matplotlib colour map; default: that of PyVista's theme.
+    cmap : str | vtkScalarsToColors, optional
+        A matplotlib colour map; default: that of PyVista's theme. Or a lookup table, used as it is.
     clim : sequence[float], optional
         The smallest and the largest value of the colour map; default: those of the array.
+    log_scale : bool, default: False
+        Whether equal ratios, not equal differences, are equal steps of the colour map.
 
     Raises
     ------
     ValueError
-        If there is no such array, if it has several components, or if the range is invalid.
+        If there is no such array, if it has several components, if the range is invalid, or if a lookup table is
+        given together with a range or a scale, which it has itself.
     """
     arrays = [*dataset.point_data, *dataset.cell_data]
     if name not in arrays:
@@ -83,30 +86,47 @@ def show_array(mapper, dataset, name, cmap=None, clim=None):
                          "vectors, add their magnitude as an array)")
     if values.dtype.kind not in "buif":
         raise ValueError(f"color_by is {name!r}, an array of {values.dtype}; it must be one of real numbers")
-    if clim is None and not np.isfinite(values).any():
-        raise ValueError(f"color_by is {name!r}, which has no finite value; set clim")
-    low, high = dataset.get_data_range(name) if clim is None else clim
-    if not (low <= high and math.isfinite(high - low)):
-        raise ValueError(f"clim is ({low:g}, {high:g}); both must be finite, and the first must not exceed the second")
+    table = table_for(values, name, cmap, clim, log_scale)
     if is_of_points:
         mapper.SetScalarModeToUsePointFieldData()
     else:
         mapper.SetScalarModeToUseCellFieldData()
     mapper.SelectColorArray(name)
     mapper.SetColorModeToMapScalars()  # bytes are no colours
-    mapper.SetLookupTable(table_of(cmap or pv.global_theme.cmap, low, high))
-    mapper.SetScalarRange(low, high)
+    mapper.SetLookupTable(table)
+    mapper.SetScalarRange(table.GetRange())
     mapper.SetUseLookupTableScalarRange(True)
     mapper.SetInterpolateScalarsBeforeMapping(is_of_points)
     mapper.ScalarVisibilityOn()
 
 
-def table_of(cmap, low, high):
+def table_for(values, name, cmap, clim, log_scale):
+    """The lookup table of an array's values."""
+    if hasattr(cmap, "IsA") and cmap.IsA("vtkScalarsToColors"):
+        if clim is not None or log_scale:
+            word = "clim" if clim is not None else "log_scale"
+            raise ValueError(f"{word} is given, and cmap is a {cmap.GetClassName()}, which has its own range and "
+                             "scale; set them there")
+        return cmap
+    shown = values[np.isfinite(values)]
+    if log_scale:
+        shown = shown[shown > 0]
+    if clim is None and not shown.size:
+        raise ValueError(f"color_by is {name!r}, which has no finite value{' above 0' if log_scale else ''}; set clim")
+    low, high = (float(shown.min()), float(shown.max())) if clim is None else clim
+    if not (low <= high and math.isfinite(high - low)):
+        raise ValueError(f"clim is ({low:g}, {high:g}); both must be finite, and the first must not exceed the second")
+    if log_scale and low <= 0:
+        raise ValueError(f"clim is ({low:g}, {high:g}); with log_scale both must be above 0")
+    return table_of(cmap or pv.global_theme.cmap, low, high, bool(log_scale))
+
+
+def table_of(cmap, low, high, log_scale=False):
     try:
-        return pv.LookupTable(cmap, scalar_range=(low, high))
+        return pv.LookupTable(cmap, scalar_range=(low, high), log_scale=log_scale)
     except (TypeError, ValueError):
         raise ValueError(f"cmap is {cmap!r}; it must be the name of one of matplotlib's colour maps, such as "
-                         "'viridis', or a list of colours") from None
+                         "'viridis', a list of colours, or a lookup table") from None
 
 
 def level_and_surface(water, level, surface):
@@ -153,11 +173,11 @@ def surface_of(surface, level, depth, bed, normal, origin):
     return data.mapper, data
 
 
-def color_surface(mapper, surface, name, cmap, clim):
+def color_surface(mapper, surface, name, cmap, clim, log_scale):
     if mapper is None:
         raise ValueError(f"color_by is {name!r}; it needs a surface with this array")
     ends = None if clim is None else numbers("clim", clim, 2)
-    show_array(mapper, surface, of_type("color_by", name, str), cmap, ends)
+    show_array(mapper, surface, of_type("color_by", name, str), cmap, ends, log_scale)
 
 
 def check_flow(surface, name):
@@ -224,6 +244,15 @@ def axis_of(normal):
     if not 0.0 < sum(part * part for part in normal) ** 0.5 < float("inf"):
         raise ValueError(f"normal is {tuple(normal)}; it must be finite and not zero")
     return normal
+
+
+def exaggeration_of(normal, scale):
+    """The factor by which a scaled renderer draws depths along the normal deeper; 1 where there is no such factor."""
+    along = [part != 0.0 for part in axis_of(normal)]
+    if sum(along) != 1:
+        return 1.0
+    across = {factor for factor, is_along in zip(scale, along) if not is_along}
+    return scale[along.index(True)] / across.pop() if len(across) == 1 else 1.0
 
 
 def plane_of(level, normal, origin, scale):

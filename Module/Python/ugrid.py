@@ -3,6 +3,8 @@
 
 UGRID 1.0: https://ugrid-conventions.github.io/ugrid-conventions
 """
+import re
+
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
 from vtkmodules.vtkCommonCore import vtkPoints
@@ -10,9 +12,19 @@ from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 
 from .readers import FileError
 
-__all__ = ["NoMesh", "UgridMesh"]
+__all__ = ["NoMesh", "UgridMesh", "is_east", "is_north"]
 
 WHAT = "a NetCDF mesh of the UGRID conventions"
+
+
+def is_east(unit):
+    """Whether a unit is that of longitudes, in one of CF's spellings (1.8, section 4.2)."""
+    return re.fullmatch("degrees?(_east|_?E)", unit) is not None
+
+
+def is_north(unit):
+    """Whether a unit is that of latitudes (section 4.1)."""
+    return re.fullmatch("degrees?(_north|_?N)", unit) is not None
 
 
 class NoMesh(FileError):
@@ -38,7 +50,7 @@ class UgridMesh:
         If the mesh does not follow the conventions, or if a time is not finite.
     """
 
-    is_lonlat, hint = False, ""
+    hint = ""
 
     def __init__(self, path):
         from netCDF4 import Dataset
@@ -48,6 +60,8 @@ class UgridMesh:
             mesh = self._topology(file)
             self._mesh = mesh.name
             self._points = self._nodes(file, mesh)
+            units = [unit_of(place) for place in self._named(file, mesh, "node_coordinates", 2)]
+            self.is_lonlat = is_east(units[0]) and is_north(units[1])
             self._corners, self._ends = self._faces(file, mesh)
             times = file.variables.get("time")
             self._time_of = times.dimensions[0] if times is not None and times.dimensions else None
@@ -60,6 +74,11 @@ class UgridMesh:
 
     def files_of(self, i):
         return ()
+
+    def unit_of(self, name):
+        """The unit that the file states for an array; empty if it states none."""
+        with self._open(self._path) as file:
+            return unit_of(file.variables[name]) if name in file.variables else ""
 
     def read(self, i):
         """The mesh of a step; missing values are NaN. Raises FileError if an array does not have the mesh's size."""
@@ -145,3 +164,7 @@ class UgridMesh:
 
     def _not(self, why):
         return FileError(f"{self._path}: not {WHAT}: {why}")
+
+
+def unit_of(variable):
+    return str(getattr(variable, "units", "")).strip()

@@ -85,6 +85,11 @@ def look_call(name, *arguments):
     return lambda view, water: getattr(water.GetWaterProperty(), name)(*arguments)
 
 
+def exaggerated_foam(view, water):
+    clear("SetVerticalExaggeration", 3.0)(view, water)
+    water.GetWaterProperty().SetFoamDepth(0.1)
+
+
 def wave_in_cm(view, water):
     water.GetWaterProperty().AddWave(*WAVE)
     water.GetWaterProperty().SetUnits("cm")
@@ -208,6 +213,12 @@ CALLS = {
         lambda it: [*c_clear("vtk_water_actor_set_foam", number(3.0))(it),
                     ("vtk_water_actor_set_shadows", it.water, 1)],
         in_foam,
+        1,
+    ),
+    "vertical_exaggeration": (
+        lambda it: [*c_clear("vtk_water_actor_set_vertical_exaggeration", number(3.0))(it),
+                    ("vtk_water_actor_set_foam", it.water, number(0.1))],
+        exaggerated_foam,
         1,
     ),
     "units": (
@@ -434,6 +445,8 @@ REFUSALS = (  # name, status, words of the error, function, its arguments for a 
         "vtk_water_actor_set_quality",
         lambda it: (it.water, b"ultra"),
     ),
+    ("vertical_exaggeration", BAD_VALUE, b"VerticalExaggeration is 0; it must lie in [1e-06, 1e+06]",
+     "vtk_water_actor_set_vertical_exaggeration", lambda it: (it.water, number(0.0))),
     ("units", BAD_VALUE, b"Units are 'furlong'; they must be one of um, mm", "vtk_water_actor_set_units",
      lambda it: (it.water, b"furlong")),
     ("quality_null", BAD_VALUE, b"RayTraceQuality", "vtk_water_actor_set_quality", lambda it: (it.water, None)),

@@ -338,6 +338,7 @@ def water_of(folder, *options):
 def test_two_arrays_say_where_the_water_is(folder, options):
     water = water_of(folder, folder / "slope.pvd", *options, "--exaggeration", 20)
     wt.check_equal("wet", water.show(30.0), True)
+    wt.check_equal("exaggeration", water.water.GetWaterProperty().GetVerticalExaggeration(), 20.0)
     wt.check_at_most("level off by", abs(water.water.GetLevel() - 10.0), 1e-6)
     wt.check_at_most("shore off by", abs(water.water.GetBounds()[1] - 150.0), 1e-3)
     ground = water.scene._ground.data.GetBounds()
@@ -523,6 +524,7 @@ FAILS = (
     (("dry.vts", *DATA), ("no place is wet at any time",)),
     (("slope.pvd", *DATA, "--color-by", "h", "--cmap", "mud"), ("unknown colour map 'mud'", "viridis")),
     (("slope.pvd", *DATA, "--color-by", "h", "--clim", "3:1"), ("(3, 1)", "both must be finite")),
+    (("slope.pvd", *DATA, "--color-by", "h", "--log-scale", "--clim", "0:1"), ("(0, 1)", "both must be above 0")),
     (("slope.pvd", "--level", "v", "--bed", "zb"), ("'v' has 3 components; it must have 1",)),
 )
 
@@ -545,6 +547,7 @@ WRONG = (
     (("slope.pvd", "--contour", "a", "--depth", "h"), ("--contour defines",)),
     (("slope.pvd", *DATA, "--contour-value", 0.3), ("--contour-value needs --contour",)),
     (("slope.pvd", *DATA, "--clim", "0:1"), ("needs --color-by",)),
+    (("slope.pvd", *DATA, "--log-scale"), ("--log-scale needs --color-by",)),
     (("slope.pvd", *DATA, "--clim", "wide"), ("'wide' must be two values",)),
     (("slope.pvd", *DATA, "--horizon"), ("--horizon does not apply",)),
     (("slope.pvd", *DATA, "--step", 1, "--time", 0), ("--step and --time",)),

@@ -10,6 +10,8 @@ import water_test as wt
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+from vtkmodules.vtkCommonExecutionModel import vtkTrivialProducer
+from vtkmodules.vtkFiltersCore import vtkPolyDataNormals
 from vtkmodules.vtkRenderingCore import vtkCompositePolyDataMapper, vtkPolyDataMapper, vtkRenderer
 
 from vtkwater import vtkWaterActor, vtkWaterLakes, vtkWaterPlanesFilter
@@ -99,6 +101,30 @@ def test_ten_lakes_of_one_mesh_are_each_exact():
     seen = view.picture()
     waters = waters_of(lakes)
     wt.check_equal("levels", sorted(water.GetLevel() for water in waters), sorted(LEVELS))
+    check_exact(view, seen, waters)
+
+
+def test_flat_lakes_beside_waves_are_exact():
+    """In a mesh whose other parts have waves, with normals of the mesh, flat parts are as exact as calm water."""
+    def waves(x, y):
+        return 0.05 + 0.1 * np.sin(3.0 * x + 2.0 * y)
+
+    made = mesh_of((0.0, waves, 0.2, waves, -0.1), rows=40, columns=30)
+    normals = vtkPolyDataNormals()
+    normals.SetInputData(made)
+    normals.SplittingOff()
+    normals.Update()
+    lakes = lakes_of(normals.GetOutput())
+    view = view_of(things())
+    lakes.AddTo(view.renderer)
+    seen = view.picture()
+    flat = [water for water in waters_of(lakes) if np.ptp(water.GetMapper().GetInput().GetBounds()[4:]) == 0.0]
+    wt.check_equal("flat lakes", sorted(round(water.GetLevel(), 9) for water in flat), [-0.1, 0.0, 0.2])
+    check_exact(view, seen, flat)
+
+
+def check_exact(view, seen, waters):
+    """The pixels of flat waters are those of the scene mirrored at their levels."""
     off, count = 0, 0
     for water in waters:
         normal, origin = (0, 0, 1), (0, 0, water.GetLevel())
@@ -109,6 +135,37 @@ def test_ten_lakes_of_one_mesh_are_each_exact():
         shows_things = (np.ptp(expected[mask], axis=0) > 60).any()
         wt.check_equal(f"the lake at {water.GetLevel():g} shows things", bool(shows_things), True)
     wt.check_at_most("pixels off, percent", 100 * off / count, LIMIT_PERCENT)
+
+
+def test_the_water_of_a_solvers_mesh_is_one_call():
+    """Of two basins with their own levels: a water each, which follows the arrays, and is wet where the bed is lower."""
+    mesh = vtkPolyData()
+    mesh.ShallowCopy(mesh_of((0.0, 0.0)))
+    count = mesh.GetNumberOfPoints()
+    left = vtk_to_numpy(mesh.GetPoints().GetData())[:, 0] < 0.0
+    for name, values in (("zeta", np.where(left, 0.4, 0.9)), ("zb", np.full(count, -1.0))):
+        set_array(mesh, name, values)
+    source = vtkTrivialProducer()
+    source.SetOutput(mesh)
+    lakes = vtkWaterLakes()
+    surface = lakes.SetData(source.GetOutputPort(), "zeta", "", "zb")
+    view = view_of(things())
+    view.renderer.AddActor(lakes.GetWater())
+    lakes.AddTo(view.renderer)
+    view.picture()
+    wt.check_equal("levels", sorted(round(water.GetLevel(), 9) for water in waters_of(lakes)), [0.4, 0.9])
+    wt.check_equal("its filter", lakes.GetMapper().GetInputAlgorithm() is surface, True)
+    set_array(mesh, "zeta", np.where(left, 0.6, -2.0))
+    mesh.Modified()
+    view.picture()
+    wt.check_equal("later", [round(water.GetLevel(), 9) for water in waters_of(lakes)], [0.6])
+    wt.check_equal("of no mesh", lakes.SetData(None, "", "", "") is None and lakes.GetMapper() is None, True)
+
+
+def set_array(mesh, name, values):
+    array = numpy_to_vtk(values, deep=True)
+    array.SetName(name)
+    mesh.GetPointData().AddArray(array)
 
 
 def test_lakes_at_one_level_share_a_plane():

@@ -18,6 +18,7 @@ from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPolyDataWriter
 from vtkmodules.vtkRenderingCore import vtkCellPicker, vtkPolyDataMapper
 from vtkwater import measure, vtkWaterActor, vtkWaterLakes
 from vtkwater.data_scenes import table_of
+from vtkwater.solutions import Solution
 
 LEVEL = 0.4
 SIZE = (320, 240)
@@ -290,6 +291,65 @@ def test_cells_of_a_sloping_lake_hold_its_water():
 def test_totals_of_cells_that_there_are_not(arguments, error, words):
     with pytest.raises(error, match=words):
         measure.flooded_cells(*arguments)
+
+
+@pytest.mark.parametrize("scale", (1.0, 3.0))
+def test_a_profile_goes_along_its_line(scale):
+    """From the land into the water: the depth grows evenly with the distance."""
+    _, surface, _ = slope(scale)
+    start, end = np.array((HALF, -3.0)), np.array((-HALF, 2.0))
+    values = measure.profile(surface, start, end, 101)
+    places = start + np.linspace(0, 1, 101)[:, None] * (end - start)
+    depth = LEVEL - bed_at(places)
+    wet = np.abs(depth) > 1e-6
+    wt.check_equal("wet", np.isfinite(values["WaterDepth"])[wet].tolist(), (depth > 0)[wet].tolist())
+    wt.check_at_most("depth off by", float(np.nanmax(np.abs(values["WaterDepth"] - depth))), 1e-6)
+    wt.check_at_most("distance off by",
+                     float(np.abs(values["distance"] - np.linalg.norm(places - start, axis=1)).max()), 1e-9)
+
+
+@pytest.mark.parametrize("count", (1, 2.5, "two"))
+def test_a_profile_has_two_places_or_more(count):
+    with pytest.raises(ValueError, match=f"count is {count!r}; it must be a whole number, 2 or more"):
+        measure.profile(vtkPolyData(), (0, 0), (1, 1), count)
+
+
+def write_tide(folder, levels):
+    """A file of the slope at each of these levels, an hour apart."""
+    entries = []
+    for i, level in enumerate(levels):
+        mesh = flooded(level)
+        add_array(mesh, "x", places_of(mesh, False)[:, 0])
+        writer = vtkXMLPolyDataWriter()
+        writer.SetInputData(mesh)
+        writer.SetFileName(str(folder / f"{i}.vtp"))
+        writer.Write()
+        entries.append(f'<DataSet timestep="{3600 * i}" file="{i}.vtp"/>')
+    path = folder / "tide.pvd"
+    path.write_text(f'<VTKFile type="Collection"><Collection>{"".join(entries)}</Collection></VTKFile>')
+    return path
+
+
+def test_gauges_tell_every_array_over_time(tmp_path):
+    """A gauge in the deep, one that falls dry, and one on land; at the file's times, and between them."""
+    levels = (0.4, -0.6, 0.8)
+    solution = Solution(write_tide(tmp_path, levels), ["h", "zb", "x"])
+    places = np.array([(-4.0, 1.0), (0.0, -2.0), (4.5, 0.0)])
+    values = measure.gauges(solution, places, depth="h", bed="zb", dry_depth=0.0)
+    depth = np.array(levels)[:, None] - bed_at(places)
+    wt.check_equal("times", values["time"].tolist(), [0.0, 3600.0, 7200.0])
+    wt.check_equal("wet", np.isfinite(values["WaterDepth"]).tolist(), (depth > 0).tolist())
+    wt.check_equal("of these are wet", (depth > 0).sum(axis=0).tolist(), [3, 2, 0])
+    wt.check_at_most("depth off by", float(np.nanmax(np.abs(values["WaterDepth"] - depth))), 1e-6)
+    wt.check_at_most("x off by", float(np.nanmax(np.abs(values["x"] - places[:, 0]))), 1e-6)
+    between = measure.gauges(solution, places[:1], depth="h", bed="zb", times=[1800.0])
+    wt.check_at_most("level half an hour later off by", abs(float(between["WaterLevel"][0, 0]) + 0.1), 1e-6)
+
+
+def test_a_gauge_of_no_array_is_an_error(tmp_path):
+    solution = Solution(write_tide(tmp_path, (0.4,)), ["h"])
+    with pytest.raises(ValueError, match="there is no numeric array 'zb'.*h \\(points\\)"):
+        measure.gauges(solution, [(0, 0)], depth="h", bed="zb")
 
 
 @pytest.mark.parametrize("scale", (1.0, 3.0))

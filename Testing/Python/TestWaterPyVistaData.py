@@ -8,6 +8,8 @@ import weakref
 import numpy as np
 import pytest
 import water_test as wt
+from TestWaterDataBar import along_bar, check_steps, pixels_at
+from vtkmodules.vtkCommonCore import vtkLookupTable, vtkVariant
 from vtkmodules.vtkFiltersPoints import vtkSPHInterpolator, vtkSPHQuinticKernel
 
 try:
@@ -38,6 +40,7 @@ def solution(level=0.4):
     mesh["zeta"] = mesh["zb"] + mesh["h"]
     mesh["c"] = mesh.points[:, 1].astype(float)
     mesh["nothing"] = np.full(mesh.n_points, np.nan)
+    mesh["dry"] = np.zeros(mesh.n_points)
     return mesh
 
 
@@ -167,6 +170,16 @@ def test_a_level_that_the_user_sets_stays_until_the_data_change(plotter):
     wt.check_at_most("level off by", abs(water.GetLevel() - 0.1), 1e-6)
 
 
+@pytest.mark.parametrize("normal, scale, expected", (
+    ("z", (1, 1, 5), 5.0), ("z", (2, 2, 5), 2.5), ("y", (1, 5, 1), 5.0), ("z", (1, 2, 5), 1.0), ((0, 1, 1), (1, 1, 5), 1.0)
+), ids=str)
+def test_in_a_scaled_scene_depths_are_exaggerated(normal, scale, expected, plotter):
+    """The water knows by how much, so that it is as clear as without the scale."""
+    plotter.set_scale(*scale)
+    water = plotter.add_water(level=0.0, normal=normal, bounds=(-1, 1, -1, 1))
+    wt.check_equal("exaggeration", water.GetWaterProperty().GetVerticalExaggeration(), expected)
+
+
 def test_in_a_scaled_scene_the_plane_is_scaled(plotter):
     plotter.set_scale(zscale=5)
     mesh = solution()
@@ -209,6 +222,52 @@ def test_an_array_colours_the_water(of_cells, plotter):
     wt.check_at_most("share of pixels that differ from the mesh's by more than 3", float((off > 3).mean()), 0.01)
 
 
+@pytest.mark.parametrize("is_log", (False, True), ids=("linear", "log"))
+def test_scalar_bar_and_water_agree(is_log, plotter):
+    """Pixels of both, within a step of the table; on a logarithmic scale the range begins above 0."""
+    plotter.window_size = (2 * SIZE[0], 2 * SIZE[1])  # the table has a pixel or more for each of its steps
+    x, y = np.meshgrid(np.linspace(-5, 5, 401), np.linspace(-5, 5, 11))
+    mesh = pv.StructuredGrid(x, y, np.zeros_like(x))
+    mesh["zeta"] = np.zeros(mesh.n_points)
+    exponents = 0.4 * mesh.points[:, 0].astype(float)
+    mesh["c"] = np.where(exponents < -1.999, 0.0, 10.0**exponents) if is_log else exponents
+    water = plotter.add_water(mesh, level="zeta", color_by="c", cmap="gist_rainbow", log_scale=is_log)
+    water.GetWaterProperty().SetReflectanceModeToConstant()
+    water.GetWaterProperty().SetReflectance(0.0)
+    bar = plotter.scalar_bars["c"]
+    table = bar.GetLookupTable()
+    low, high = table.GetRange()
+    wt.check_equal("logarithmic", bool(table.GetScale()), is_log)
+    wt.check_equal("the range begins above 0", low > 0, is_log)
+    shown = from_above(plotter)[::-1]
+    shares, of_bar = along_bar(bar, plotter.renderer, shown, 40)
+    first, last = (np.log10((low, high)) if is_log else (low, high))
+    x, of_water = pixels_at(plotter.renderer, shown, (first + shares * (last - first)) / 0.4, water.GetLevel())
+    check_steps(table, bar=(shares, of_bar), water=((0.4 * x - first) / (last - first), of_water))
+
+
+def test_a_table_of_the_users_is_used_as_it_is(plotter):
+    """Its categories, and its colour of NaN."""
+    mesh = solution()
+    mesh["zeta"] = np.zeros(mesh.n_points)
+    x = mesh.cell_centers().points[:, 0]
+    mesh.cell_data["class"] = np.where(x < -1.0, 3.0, np.where(x < 1.0, np.nan, 7.0))
+    colors = {3.0: (255, 0, 0), 7.0: (0, 255, 0)}
+    table = vtkLookupTable()
+    table.SetNumberOfTableValues(2)
+    table.IndexedLookupOn()
+    table.SetNanColor(0, 0, 1, 1)
+    for i, (value, color) in enumerate(colors.items()):
+        table.SetAnnotation(vtkVariant(value), f"class {value:g}")
+        table.SetTableValue(i, *(part / 255 for part in color), 1.0)
+    water = plotter.add_water(mesh, level="zeta", color_by="class", cmap=table, scalar_bar=False)
+    water.GetWaterProperty().SetReflectanceModeToConstant()
+    water.GetWaterProperty().SetReflectance(0.0)
+    shown = from_above(plotter)[::-1]
+    wt.check_equal("low, NaN, high", pixels_at(plotter.renderer, shown, (-3.0, 0.0, 3.0))[1].tolist(),
+                   [[255, 0, 0], [0, 0, 255], [0, 255, 0]])
+
+
 def test_words_that_colour_arrive(plotter):
     water = plotter.add_water(solution(), depth="h", bed="zb", color_by="c", data_opacity=0.5, scalar_bar=False)
     wt.check_equal("scalar bars", list(plotter.scalar_bars.keys()), [])
@@ -222,7 +281,7 @@ def test_words_that_colour_arrive(plotter):
 @pytest.mark.parametrize("kind, texts, words", (
     (ValueError, ("'eta'", "zb (points)"), {"level": "eta"}),
     (ValueError, ("level", "depth", "zeta (points)"), {"bed": "zb"}),
-    (ValueError, ("color_by is 'speed'", "zb, h, zeta, c, nothing"), {"depth": "h", "color_by": "speed"}),
+    (ValueError, ("color_by is 'speed'", "zb, h, zeta, c, nothing, dry"), {"depth": "h", "color_by": "speed"}),
     (ValueError, ("cmap is 'virids'; it must be the name",), {"depth": "h", "color_by": "c", "cmap": "virids"}),
     (ValueError, ("level is 2", "depth='h'"), {"level": 2, "depth": "h"}),
     (ValueError, ("normal is 'x'",), {"depth": "h", "normal": "x"}),
@@ -230,6 +289,12 @@ def test_words_that_colour_arrive(plotter):
     (ValueError, ("color_by is 'nothing'", "no finite value"), {"depth": "h", "color_by": "nothing"}),
     (ValueError, ("clim is (0, inf)", "finite"), {"depth": "h", "color_by": "c", "clim": (0, float("inf"))}),
     (ValueError, ("clim is (3, 1)",), {"depth": "h", "color_by": "c", "clim": (3, 1)}),
+    (ValueError, ("clim is (0, 1); with log_scale both must be above 0",),
+     {"depth": "h", "color_by": "c", "clim": (0, 1), "log_scale": True}),
+    (ValueError, ("color_by is 'dry', which has no finite value above 0",),
+     {"depth": "h", "color_by": "dry", "log_scale": True}),
+    (ValueError, ("clim is given, and cmap is a vtkLookupTable, which has its own range",),
+     {"depth": "h", "color_by": "c", "clim": (0, 1), "cmap": pv.LookupTable("viridis")}),
     (ValueError, ("clim is (3, 1, 2); it must have 2 numbers",), {"depth": "h", "color_by": "c", "clim": (3, 1, 2)}),
     (TypeError, ("depth must be str",), {"depth": 3}),
     (TypeError, ("color_by must be str",), {"depth": "h", "color_by": 3}),

@@ -599,6 +599,7 @@ def test_hulls_are_meshes_and_actors(plotter):
     ({"data_opacity": 0.5}, ("data_opacity is 0.5", "color_by is not given")),
     ({"cmap": "viridis"}, ("cmap is 'viridis'", "color_by is not given")),
     ({"clim": (0, 2)}, ("clim is (0, 2)", "color_by is not given")),
+    ({"log_scale": True}, ("log_scale is True", "color_by is not given")),
     ({"max_mirrors": 3}, ("max_mirrors is 3", "surface is not given")),
     ({"max_mirrors": 3, "surface": pv.Plane(), "level": 0.0}, ("max_mirrors is 3", "level is a number", "one water")),
 ])

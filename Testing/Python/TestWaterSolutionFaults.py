@@ -6,7 +6,7 @@ import pytest
 import water_test as wt
 from vtkmodules import vtkIONetCDF
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkwater import solutions, sources
+from vtkwater import netcdf, solutions
 from vtkwater.readers import FileError
 from vtkwater.ugrid import NoMesh, UgridMesh
 
@@ -87,8 +87,8 @@ def test_why_a_mesh_is_refused_is_said(tmp_path, monkeypatch, is_vtks, fault, by
 
 def hide_vtks(monkeypatch):
     """As if this were a VTK before 9.2."""
-    of_vtk = sources.reader_of
-    monkeypatch.setattr(sources, "reader_of",
+    of_vtk = netcdf.reader_of
+    monkeypatch.setattr(netcdf, "reader_of",
                         lambda module, name: None if "UGRID" in name else of_vtk(module, name))
 
 

@@ -5,10 +5,14 @@ import numpy as np
 import pytest
 import water_test as wt
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.util.vtkAlgorithm import VTKPythonAlgorithmBase
 from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkPolyData, vtkUnstructuredGrid
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkDataObject, vtkImageData, vtkPolyData, vtkUnstructuredGrid
+from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
 from vtkmodules.vtkFiltersCore import vtkAppendFilter, vtkAppendPolyData, vtkDelaunay2D
+from vtkmodules.vtkFiltersHybrid import vtkTemporalInterpolator
 from vtkmodules.vtkFiltersSources import vtkCubeSource, vtkLineSource
+from vtkmodules.vtkRenderingCore import vtkPolyDataMapper
 from vtkwater import vtkWaterSurfaceFilter
 
 HALF = 5.0  # the mesh covers [-5, 5] x [-5, 5]
@@ -353,6 +357,56 @@ def polygons_of(places, cells):
     mesh.SetPoints(points)
     mesh.SetPolys(polygons)
     return mesh
+
+
+class Steps(VTKPythonAlgorithmBase):
+    """A source of a mesh at each time step, as VTK's readers are."""
+
+    def __init__(self, meshes):
+        super().__init__(nInputPorts=0, nOutputPorts=1, outputType="vtkPolyData")
+        self.meshes = meshes
+
+    def RequestInformation(self, request, inputs, outputs):
+        info, times = outputs.GetInformationObject(0), list(range(len(self.meshes)))
+        info.Set(vtkStreamingDemandDrivenPipeline.TIME_STEPS(), times, len(times))
+        info.Set(vtkStreamingDemandDrivenPipeline.TIME_RANGE(), [times[0], times[-1]], 2)
+        return 1
+
+    def RequestData(self, request, inputs, outputs):
+        info = outputs.GetInformationObject(0)
+        time = info.Get(vtkStreamingDemandDrivenPipeline.UPDATE_TIME_STEP()) or 0.0
+        output = vtkPolyData.GetData(info)
+        output.ShallowCopy(self.meshes[int(time)])
+        output.GetInformation().Set(vtkDataObject.DATA_TIME_STEP(), float(int(time)))
+        return 1
+
+
+def test_the_pipelines_time_is_the_waters():
+    """Behind a source of steps and VTK's interpolator, in any order of times: the level, and the area of the water on
+    the slope, are those of the time."""
+    levels = (0.4, -0.6, 0.8)
+    source = Steps([flooded(level) for level in levels])
+    between = vtkTemporalInterpolator()
+    between.SetInputConnection(source.GetOutputPort())
+    made = vtkWaterSurfaceFilter()
+    made.SetInputConnection(between.GetOutputPort())
+    made.SetLevelArrayName("zeta")
+    made.SetBedArrayName("zb")
+    made.SetDryDepth(0.0)
+    mapper = vtkPolyDataMapper()
+    mapper.SetInputConnection(made.GetOutputPort())
+    for time in (0.0, 2.0, 1.0, 0.0):
+        mapper.GetInputAlgorithm().UpdateTimeStep(time)
+        level = levels[int(time)]
+        wt.check_at_most(f"area at {time} off by", abs(area_of(mapper.GetInput()) - wet_area(level)), 1e-4)
+        wt.check_at_most(f"level at {time} off by", abs(made.GetMeanLevel() - level), 1e-6)
+    # between steps: where both have water
+    mapper.GetInputAlgorithm().UpdateTimeStep(0.25)
+    points = points_of(mapper.GetInput())
+    deep = bed_at(points) < min(levels[:2]) - 0.5
+    level = 0.75 * levels[0] + 0.25 * levels[1]
+    wt.check_at_least("points there", int(deep.sum()), 50)
+    wt.check_at_most("level between two steps off by", float(np.abs(points[deep, 2] - level).max()), 1e-6)
 
 
 def test_wet_meshes_share_their_cells_and_arrays():

@@ -5,6 +5,7 @@ import numpy as np
 import pytest
 import water_test as wt
 from vtkmodules.vtkCommonTransforms import vtkTransform
+from vtkmodules.vtkFiltersSources import vtkPlaneSource
 from vtkwater import vtkWaterProperty
 
 UNITS = {"um": 1e-6, "mm": 1e-3, "cm": 1e-2, "m": 1.0, "km": 1e3, "in": 0.0254, "ft": 0.3048, "mi": 1609.344}
@@ -118,6 +119,61 @@ def test_numbers_out_of_range_are_refused(metres):
     wt.check_equal("errors", len(said), 1)
     wt.check_equal("names the range", "[1e-09, 1e+09]" in said[0], True)
     wt.check_equal("it stays", look.GetMetresPerUnit(), 1.0)
+
+
+def slope():
+    """It falls from 0 to -4 along x."""
+    source = vtkPlaneSource()
+    source.SetOrigin(-5, -4, 0)
+    source.SetPoint1(5, -4, -4)
+    source.SetPoint2(-5, 4, 0)
+    source.Update()
+    return source.GetOutput()
+
+
+def slope_from_above(exaggeration, foam=0.0):
+    """A white bed that falls from 0 to 4 m of depth along x, drawn deeper, under water that absorbs; straight down."""
+    view = wt.View(SIZE, (0, 0, 0))
+    actor = wt.add_actor(view.renderer, slope(),
+                         (1, 1, 1), lit=False)
+    actor.SetScale(1, 1, exaggeration)
+    water = wt.add_water(view.renderer, None, (-5, 5, -4, 4), 0.0)
+    look = water.GetWaterProperty()
+    look.RefractionOn()
+    look.SetAbsorption(0.2, 0.5, 0.9)
+    look.SetScattering(0, 0, 0)
+    look.SetDeepColor(0, 0, 0)
+    look.SetShoreSoftness(0.0)
+    look.SetFoamDepth(foam)
+    look.SetVerticalExaggeration(exaggeration)
+    camera = wt.place_camera(view.renderer, (0, 0, 50), (0, 0, 0), (1, 120), (0, 1, 0))
+    camera.ParallelProjectionOn()
+    camera.SetParallelScale(3.5)
+    return view.picture()
+
+
+@pytest.mark.parametrize("exaggeration", (1.0, 4.0, 0.25))
+def test_exaggerated_depths_are_as_clear_as_true_ones(exaggeration):
+    """What is left of the white bed is exp(-a d) of its true depth, however deep it is drawn; and the foam ends where
+    it does without exaggeration."""
+    picture = slope_from_above(exaggeration)
+    x = (np.arange(SIZE[0]) + 0.5 - 0.5 * SIZE[0]) * 7.0 / SIZE[1]
+    depth = 0.4 * (x + 5.0)
+    inside = np.abs(x) < 4.5
+    expected = 255 * np.exp(-np.array((0.2, 0.5, 0.9)) * depth[inside, None])
+    wt.check_at_most("colour off by, of 255", float(np.abs(picture[60, inside] - expected).max()), 2.0)
+    foamy = slope_from_above(exaggeration, foam=1.0)
+    wt.check_at_most("pixels of foam that differ",
+                     int((np.abs(foamy - slope_from_above(1.0, foam=1.0)).max(axis=2) > 4).sum()), 20)
+
+
+@pytest.mark.parametrize("factor", (0.0, -2.0, float("nan"), 1e7))
+def test_an_exaggeration_out_of_range_is_refused(factor):
+    look = vtkWaterProperty()
+    said = wt.errors_of(look)
+    look.SetVerticalExaggeration(factor)
+    wt.check_equal("errors that name the range", ["must lie in [1e-06, 1e+06]" in text for text in said], [True])
+    wt.check_equal("it stays", look.GetVerticalExaggeration(), 1.0)
 
 
 def printed(water):

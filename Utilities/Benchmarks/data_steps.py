@@ -16,37 +16,18 @@ import time
 import numpy as np
 import pyvista as pv
 import vtkwater.pyvista  # noqa: F401  gives the plotter add_water
+from data_tide import EYE, RANGE, TARGET, Tide
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkwater.solutions import Solution
 
 SIZE = (800, 600)
-HALF_WIDTH = 500.0  # m
 PLAIN, COLOURED, CLEAR = "plain", "coloured", "clear"
 KINDS = (PLAIN, COLOURED, CLEAR)
-RANGE = (0.0, 8.0)  # m, of the depths shown
 
 
-class Tide:
-    """Level and depth at any step, on a mesh of quads; the shore moves in each step."""
-
-    def __init__(self, cells):
-        self.side = round(cells**0.5) + 1
-        places = np.linspace(-HALF_WIDTH, HALF_WIDTH, self.side)
-        self.x, self.y = (each.ravel() for each in np.meshgrid(places, places))
-        self.bed = (-8.0 + 10.0 * (np.hypot(self.x, self.y) / HALF_WIDTH) ** 2
-                    + 1.5 * np.sin(self.x / 60.0) * np.cos(self.y / 45.0))
-
-    def mesh(self, heights):
-        i = np.arange(self.side**2).reshape(self.side, self.side)
-        corners = np.stack([i[:-1, :-1], i[:-1, 1:], i[1:, 1:], i[1:, :-1]], axis=-1).reshape(-1, 4)
-        faces = np.column_stack([np.full(len(corners), 4), corners]).ravel()
-        return pv.PolyData(np.column_stack([self.x, self.y, heights]), faces)
-
-    def step(self, number):
-        """Level, which is the bed's height on land, and depth."""
-        sea = 0.3 * np.sin(0.3 * number) + 0.05 * np.sin(self.x / 30.0 - 0.5 * number)
-        level = np.maximum(sea, self.bed)
-        return level, level - self.bed
+def mesh_of(tide, heights):
+    quads = tide.quads()
+    return pv.PolyData(tide.points(heights), np.column_stack([np.full(len(quads), 4), quads]).ravel())
 
 
 class View:
@@ -54,18 +35,18 @@ class View:
 
     def __init__(self, kind, tide, mesh=None, size=SIZE):
         self.kind, self.tide = kind, tide
-        self.mesh = tide.mesh(tide.bed) if mesh is None else mesh
+        self.mesh = mesh_of(tide, tide.bed) if mesh is None else mesh
         self.plotter = pv.Plotter(off_screen=True, window_size=size)
         if mesh is None:
             self.mesh["zb"] = tide.bed
             self.choose(0)
-            self.plotter.add_mesh(tide.mesh(tide.bed), color="tan")
+            self.plotter.add_mesh(mesh_of(tide, tide.bed), color="tan")
         if kind == PLAIN:
             self.plotter.add_mesh(self.mesh, scalars="h", clim=RANGE)
         else:
             colours = {"color_by": "h", "clim": RANGE} if kind == COLOURED else {}
             self.plotter.add_water(self.mesh, level="zeta", depth="h", bed="zb", **colours)
-        self.plotter.camera_position = [(0, -900, 300), (0, 0, 0), (0, 0, 1)]
+        self.plotter.camera_position = [EYE, TARGET, (0, 0, 1)]
         self.plotter.show(auto_close=False)
         self.window = self.plotter.render_window
 
@@ -74,7 +55,7 @@ class View:
         level, depth = self.tide.step(number)
         self.mesh["h"] = depth
         if self.kind == PLAIN:
-            self.mesh.points = np.column_stack([self.tide.x, self.tide.y, level])
+            self.mesh.points = self.tide.points(level)
         else:
             self.mesh["zeta"] = level
 
@@ -87,7 +68,7 @@ def write_file(path, cells):
     """One step of the tide, its points at the level, without compression."""
     tide = Tide(cells)
     level, depth = tide.step(0)
-    mesh = tide.mesh(level)
+    mesh = mesh_of(tide, level)
     mesh["h"], mesh["zeta"], mesh["zb"] = depth, level, tide.bed
     mesh.save(path)
 
@@ -122,7 +103,7 @@ def write_series(folder, cells, steps):
     tide = Tide(cells)
     entries = []
     for number in range(steps):
-        mesh = tide.mesh(tide.bed)
+        mesh = mesh_of(tide, tide.bed)
         mesh["zeta"], mesh["h"] = tide.step(number)
         mesh["zb"] = tide.bed
         mesh.save(folder / f"{number}.vtp")

@@ -22,14 +22,15 @@ from tables import table  # noqa: E402
 KEPT = DOCUMENTATION / "benchmarks-gpu.json"
 TITLE = "On a GPU"
 PLAIN, MOVING = "no water", "moving"
-MOTIONS = {MOVING: "Camera and time change", "time": "Only the time changes"}
+MOTIONS = {MOVING: "Camera and time change", "time": "Only the time changes",
+           "steps": "Every frame has a new step of a solver's data"}
 PHASES = ("work_ms", "gpu_ms", "gather_ms", "plan_ms", "reflection_ms", "surface_ms")
 
 TEXT = """
 $note Measured on $renderer ($window, VTK $vtk, $cpu, $cores cores) by `script/gpu benchmark --skips`
 (`Utilities/Benchmarks/gpu_frames.py`), in one window whose kinds of frames take turns in a new random order in every
 round. Each turn has three frames to settle, then four that count. Ratios compare medians within a round with the same
-scene without water; the quartiles of all rounds are in brackets.
+scene without water, or with VTK's plain surface of the same data; the quartiles of all rounds are in brackets.
 
 $scenes
 
@@ -37,7 +38,7 @@ $kinds
 
 $frames
 
-Breakdown of the time with a moving camera: the CPU time of all threads; the GPU time from the first command of a
+Breakdown of the time with a moving camera, and of a step of data: the CPU time of all threads; the GPU time from the first command of a
 frame to the last, including its waits for the next command; and of these, reading the scene and planning (CPU), the
 mirrored view and the surface (GPU). In ms, from frames that were not timed otherwise.
 
@@ -67,11 +68,12 @@ def _frames(rows, motion):
     """Kinds by scenes: ms without water, then ratios."""
     rows = {(row["scene"], row["kind"]): row for row in rows if row["motion"] == motion}
     scenes, kinds = _unique(scene for scene, _ in rows), _unique(kind for _, kind in rows)
+    bases = {row.get("base", PLAIN) for row in rows.values()}
     lines = [
         (
-            kind + (", ms" if kind == PLAIN else ""),
+            kind + (", ms" if kind in bases else ""),
             *(
-                "" if not row else text(row["median_ms"], "{:.2f}") if kind == PLAIN else _spread(row)
+                "" if not row else text(row["median_ms"], "{:.2f}") if kind in bases else _spread(row)
                 for row in (rows.get((scene, kind)) for scene in scenes)
             ),
         )
@@ -84,7 +86,7 @@ def _phases(rows):
     lines = [
         (row["scene"], row["kind"], *(
             "" if row.get(name) is None else text(row[name], "{:.2f}") for name in ("median_ms", *PHASES)))
-        for row in rows if row["motion"] == MOVING
+        for row in rows if row["motion"] in (MOVING, "steps")
     ]
     return table(("scene", "kind", "frame", "work", "GPU", "gather", "plan", "reflection", "surface"), lines)
 

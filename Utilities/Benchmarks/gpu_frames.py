@@ -12,6 +12,7 @@ it into the report. Exit status 1: a limit was exceeded; those of a quick run ar
 
     gpu_scenes    what is drawn
     gpu_kinds     without water, with each water, and what a user could do in its place
+    gpu_data      a solver's data, with new arrays in every frame
     gpu_rounds    frames that take turns
     gpu_clock     the GPU's own time
     gpu_limits    what is allowed
@@ -28,7 +29,8 @@ PROJECT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.append(str(PROJECT / "Utilities" / "Accuracy"))  # driver
 sys.path.append(str(PROJECT / "Testing" / "Python"))  # water_test
 
-import gpu_kinds  # noqa: E402  after their paths
+import gpu_data  # noqa: E402  after their paths
+import gpu_kinds  # noqa: E402
 import gpu_limits  # noqa: E402
 import gpu_rounds  # noqa: E402
 import gpu_scenes  # noqa: E402
@@ -47,7 +49,9 @@ SHOTS = {
     "2 M": {MOVING: (*ALL[MOVING], *gpu_kinds.OTHER_PRESETS, COPIES, *gpu_kinds.UNSEEN), TIME: ALL[TIME]},
     "18 M": {MOVING: ALL[MOVING]},
     "1,000 props": ALL,
+    "data": {gpu_data.STEPS: gpu_data.KINDS},
 }
+BASES = {"data": gpu_data.SURFACE}  # what a scene's frames are compared with; the others': without water
 SKIPPED = (CALM, SINES)
 SKIPS = {
     MOVING: ("UNSEEN_WATER", "HIDDEN_WATER", "FAINT_WATER", "UNCHANGED_VIEWS", "SHARED_VIEWS", "PROPS", "PIECES",
@@ -56,7 +60,7 @@ SKIPS = {
 }
 ROUNDS, QUICK_ROUNDS = 100, 4
 QUICK_BUDGET_S = 3.0  # of measuring a scene
-BUDGET_S, BUDGETS_S = 20.0, {"1,000 props": 45.0}  # what the processor draws varies more
+BUDGET_S, BUDGETS_S = 20.0, {"1,000 props": 45.0, "data": 60.0}  # what the processor does varies more
 SKIP_BUDGETS_S = {"2 M": 22.0, "18 M": 30.0, "1,000 props": 60.0}
 SHEET_WIDTH, SHEET_COLUMNS = 480, 3  # of a sheet of pictures: px of one, how many in a row
 WAKE_S = 2.0  # of frames before a scene's first round: an idle GPU raises its clock only then
@@ -66,7 +70,7 @@ def arguments_of():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     names = list(gpu_scenes.scenes(False))
     parser.add_argument("--scenes", nargs="+", choices=names, default=names)
-    parser.add_argument("--kinds", nargs="+", choices=[*gpu_kinds.TEXTS], help="beside no water")
+    parser.add_argument("--kinds", nargs="+", choices=[*gpu_kinds.TEXTS], help="beside what they are compared with")
     parser.add_argument("--rounds", type=int, help=f"at most; without it {ROUNDS}, or what the time allows")
     parser.add_argument("--budget", type=float, help="s of measuring a scene; it sets up longer")
     parser.add_argument("--skips", action="store_true", help="measure each skip, too")
@@ -87,8 +91,12 @@ def shots_of(scene, wanted):
         Shot(kind, motion)
         for motion, kinds in SHOTS.get(scene, FEW).items()
         for kind in kinds
-        if kind == PLAIN or not wanted or kind in wanted
+        if kind == base_of(scene) or not wanted or kind in wanted
     ]
+
+
+def base_of(scene):
+    return BASES.get(scene, PLAIN)
 
 
 def skip_shots(wanted):
@@ -111,6 +119,7 @@ def row_of(section, scene, shot, base):
         "scene": scene.name,
         "motion": shot.motion,
         "kind": shot.kind,
+        "base": base.kind,
         "width": scene.size[0],
         "height": scene.size[1],
         "rounds": len(shot.times),
@@ -143,7 +152,7 @@ def measure_frames(stage, arguments, clock):
     gpu_rounds.ask(stage, shots, clock)
     by_name = {(shot.motion, shot.kind): shot for shot in shots}
     for shot in shots:
-        row = row_of("frames", stage.scene, shot, by_name[shot.motion, PLAIN])
+        row = row_of("frames", stage.scene, shot, by_name[shot.motion, base_of(stage.scene.name)])
         for name, other in (("over_calm", CALM), ("over_second_pass", SECOND_PASS)):
             if (shot.motion, other) in by_name and other != shot.kind:
                 row[name] = gpu_rounds.ratios(shot, by_name[shot.motion, other])[1]
@@ -169,15 +178,20 @@ def measure_skips(stage, arguments):
 
 def picture(stage, name):
     kind = stage.choose(name)
+    motion = next(iter(SHOTS.get(stage.scene.name, FEW)))
     for turn in range(gpu_rounds.SETTLING, -1, -1):
-        kind.step(MOVING, turn)
+        kind.step(motion, turn)
         stage.window.Render()
     return stage.view.shown()
 
 
 def save_pictures(stage, folder):
     """One sheet of small pictures, in the order of the kinds' names."""
-    names = [name for name in gpu_kinds.TEXTS if name != COPIES or stage.scene.name == "2 M"]
+    if stage.scene.tide:
+        names = gpu_data.KINDS
+    else:
+        names = [name for name in gpu_kinds.TEXTS if name not in gpu_data.KINDS
+                 and (name != COPIES or stage.scene.name == "2 M")]
     coarse = max(1, stage.scene.size[0] // SHEET_WIDTH)
     small = [picture(stage, name)[::coarse, ::coarse] for name in names]
     small += [np.zeros_like(small[0])] * (-len(small) % SHEET_COLUMNS)
@@ -204,7 +218,7 @@ def main():
         view = wt.View(scenes[name].size)
         view.renderer.DrawOff()
         stage = gpu_kinds.Stage(view, scenes[name])
-        stage.choose(PLAIN)
+        stage.choose(base_of(name)).step(MOVING, 0)
         view.window.Render()
         if not arguments.only_skips:
             rows += measure_frames(stage, arguments, Clock(view.window))

@@ -8,6 +8,7 @@ pass has a renderer of its own beside it, over the same props.
 import functools
 from dataclasses import dataclass
 
+import gpu_data
 import gpu_scenes
 import kinds
 import water_test as wt
@@ -38,17 +39,21 @@ TEXTS = {
     HIDDEN: "water inside a hill",
     FACING_AWAY: "water seen from its culled side",
     **{name: f'the preset "{name}"' for name in OTHER_PRESETS},
+    **gpu_data.TEXTS,
 }
 
 
 @dataclass
 class Kind:
-    """A kind of frame: the renderers that draw it, the last one the picture; the water, and what only it shows."""
+    """A kind of frame: the renderers that draw it, the last one the picture; the water, what only it shows, and its
+    data."""
 
     name: str
+    scene: gpu_scenes.Scene
     renderers: list
     water: object = None
     props: tuple = ()
+    data: gpu_data.Data = None
 
     def show(self, is_shown):
         for prop in (*self.props, *([self.water] if self.water else [])):
@@ -60,16 +65,18 @@ class Kind:
             side = -1 if i + 1 < len(self.renderers) else 1  # all but the last one are mirrored
             camera = renderer.GetActiveCamera()
             camera.SetViewUp(0, 0, side)
-            x, y, z = gpu_scenes.TARGET
+            x, y, z = self.scene.target
             camera.SetFocalPoint(x, y, side * z)
-            x, y, z = gpu_scenes.EYE
+            x, y, z = self.scene.eye
             camera.SetPosition(x, y, side * z)
             camera.Azimuth(side * gpu_scenes.TURN * (turn % gpu_scenes.TURNS))
-            camera.SetClippingRange(0.25, gpu_scenes.FAR)
+            camera.SetClippingRange(self.scene.range)
 
     def step(self, motion, turn):
         self.stand(turn if motion == MOVING else 0)
-        if self.water:
+        if self.data and motion == gpu_data.STEPS:
+            self.data.show(turn + 1)
+        elif self.water:
             self.water.SetTime(STEP_S * turn)
 
 
@@ -108,7 +115,7 @@ class Stage:
         for prop in self.props:
             renderer.AddVolume(prop) if isinstance(prop, vtkVolume) else renderer.AddActor(prop)
         camera = vtkCamera()
-        camera.SetViewAngle(gpu_scenes.ANGLE)
+        camera.SetViewAngle(self.scene.angle)
         renderer.SetActiveCamera(camera)
         self.scene.prepare(renderer)
         self.window.AddRenderer(renderer)
@@ -116,20 +123,23 @@ class Stage:
 
     def _make(self, name):
         if name == PLAIN:
-            return Kind(name, [self.renderer])
+            return Kind(name, self.scene, [self.renderer])
         if name == SECOND_PASS:
             # first in the window: the picture is drawn last
             self.window.RemoveRenderer(self.renderer)
             self.mirrored = self._renderer()
             self.window.AddRenderer(self.renderer)
-            return Kind(name, [self.mirrored, self.renderer])
+            return Kind(name, self.scene, [self.mirrored, self.renderer])
         if name == COPIES:
-            return Kind(name, [self.renderer], props=tuple(self._copies()))
+            return Kind(name, self.scene, [self.renderer], props=tuple(self._copies()))
+        if name in gpu_data.KINDS:
+            data = gpu_data.Data(name, self.scene.tide, self.renderer)
+            return Kind(name, self.scene, [self.renderer], data.water, data.props, data)
         water = vtkWaterActor()
         water.SetSheetBounds(*gpu_scenes.SHEET)
         self.renderer.AddActor(water)
         _LOOKS[name](water)
-        return Kind(name, [self.renderer], water)
+        return Kind(name, self.scene, [self.renderer], water)
 
     def _copies(self):
         low_x, high_x, low_y, high_y = gpu_scenes.SHEET

@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """gpu_limits: what water may cost on a GPU, as ratios, and whether the rows of gpu_frames keep to it."""
 
+import gpu_data
 from gpu_kinds import CALM, FACING_AWAY, HALF, HIDDEN, LAKE, MOVING, OCEAN, OUT_OF_VIEW, SINES, TIME
 
-# Frame with water / frame without.
+# Frame with water / frame without; of data: a step as water / as VTK's plain surface.
 FRAMES = {
     ("2 M", MOVING): {CALM: 1.5, SINES: 1.8, LAKE: 2.2, OCEAN: 2.2, OUT_OF_VIEW: 1.02, HIDDEN: 1.02,
                       FACING_AWAY: 1.02},
@@ -11,6 +12,7 @@ FRAMES = {
     ("18 M", MOVING): {CALM: 1.4, SINES: 1.6, LAKE: 1.9, OCEAN: 1.9},
     ("1,000 props", MOVING): {CALM: 1.6, SINES: 1.8, LAKE: 2.1, OCEAN: 2.1},
     ("1,000 props", TIME): {CALM: 1.06, HALF: 1.06, SINES: 1.2, LAKE: 1.4, OCEAN: 1.4},
+    ("data", gpu_data.STEPS): {gpu_data.COLOURED: 1.5, gpu_data.CLEAR: 1.5},
 }
 # A kind / another one of the same scene and motion.
 HALF_OVER_CALM = 1.0
@@ -40,7 +42,7 @@ def check(rows, is_quick=False):
             continue
         limit = FRAMES.get((scene, motion), {}).get(kind)
         if limit:
-            add(f"{title} / no water", row["ratio"], limit)
+            add(f"{title} / {row['base']}", row["ratio"], limit)
         if motion == MOVING and kind == HALF:
             add(f"{title} / calm", row.get("over_calm"), HALF_OVER_CALM)
         if motion == MOVING and kind == CALM:

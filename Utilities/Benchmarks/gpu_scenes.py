@@ -6,7 +6,9 @@ A scene makes its props once; all kinds of frames draw the same ones (gpu_kinds)
 
 from dataclasses import dataclass
 
+import data_tide
 import geometry
+import gpu_data
 import numpy as np
 import water_test as wt
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
@@ -16,7 +18,9 @@ from vtkmodules.vtkRenderingCore import vtkActor, vtkGlyph3DMapper, vtkPolyDataM
 
 EYE, TARGET, ANGLE = (2.0, -19.0, 2.6), (0.0, 0.0, 2.0), 32.0
 SHEET = (-60, 60, -60, 60)
-FAR = 150.0
+BED = (0.82, 0.71, 0.55)
+NEAR, FAR = 0.25, 150.0
+DATA_RANGE = (50.0, 2500.0)  # from the nearest to the farthest of the data, and more
 FULL_HD, FULL_4K, QUICK_SIZE = (1920, 1080), (3840, 2160), (320, 180)
 TURN = 0.05  # degrees that the camera goes around from frame to frame
 TURNS = 60  # frames, then it goes there again
@@ -26,13 +30,18 @@ HIDDEN_SAMPLES = 161  # heights along each side that the hill is looked for in
 
 @dataclass(frozen=True)
 class Scene:
-    """make(): its props; prepare(renderer): what else a renderer needs for them."""
+    """make(): its props; prepare(renderer): what else a renderer needs for them; tide: of a scene of data."""
 
     name: str
     text: str
     make: object
     size: tuple = FULL_HD
     prepare: object = lambda renderer: None
+    eye: tuple = EYE
+    target: tuple = TARGET
+    angle: float = ANGLE
+    range: tuple = (NEAR, FAR)
+    tide: data_tide.Tide = None
 
 
 def actor_of(data, color=None):
@@ -138,6 +147,7 @@ def scenes(is_quick):
     hills, fine = 2_000_000 // few, 18_000_000 // few
     props, many = 1000 // (10 if is_quick else 1), 10_000 // few
     plume = 32 if is_quick else 192
+    tide = data_tide.Tide(1_000_000 // few)
 
     def add(scene):
         found[scene.name] = scene
@@ -156,4 +166,7 @@ def scenes(is_quick):
               lambda: [_hills(hills), geometry.plume(size=plume)], wide))
     add(Scene("glyphs", f"2 M, and {100_000 // few:,} cones of a vtkGlyph3DMapper",
               lambda: [_hills(hills), _glyphs(100_000 // few)], wide))
+    add(Scene("data", f"a tide in a basin of {(tide.side - 1)**2:,} cells, with its bed",
+              lambda: [actor_of(gpu_data.mesh_of(tide, tide.bed), BED)], wide, eye=data_tide.EYE,
+              target=data_tide.TARGET, angle=data_tide.ANGLE, range=DATA_RANGE, tide=tide))
     return found

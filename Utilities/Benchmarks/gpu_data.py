@@ -1,0 +1,109 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""gpu_data: a solver's mesh with new arrays in every frame: as VTK's plain surface, and as water.
+
+What PyVista's add_water makes of it, by VTK's classes alone: a GPU's machine may have no PyVista.
+"""
+
+import numpy as np
+from data_tide import RANGE
+from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
+from vtkmodules.vtkCommonCore import vtkLookupTable, vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper
+from vtkwater import vtkWaterLakes, vtkWaterSurfaceFilter
+from vtkwater.words import set_look
+
+SURFACE, COLOURED, CLEAR = "plain surface", "coloured data", "clear data"
+KINDS = (SURFACE, COLOURED, CLEAR)
+STEPS = "steps"  # the motion: a step of the solver in every frame
+TEXTS = {
+    SURFACE: "VTK's surface of the data: points at the level, coloured by depth",
+    COLOURED: "water of the same data, coloured by depth",
+    CLEAR: "clear water of the same data",
+}
+
+
+def mesh_of(tide, heights):
+    mesh, cells = vtkPolyData(), vtkCellArray()
+    quads = tide.quads()
+    cells.SetData(*(numpy_to_vtkIdTypeArray(part.astype(np.int64), deep=True)
+                    for part in (4 * np.arange(len(quads) + 1), quads.ravel())))
+    mesh.SetPolys(cells)
+    set_heights(mesh, tide, heights)
+    return mesh
+
+
+def set_heights(mesh, tide, heights):
+    points = vtkPoints()
+    points.SetData(numpy_to_vtk(tide.points(heights), deep=True))
+    mesh.SetPoints(points)
+
+
+def set_array(mesh, name, values):
+    array = numpy_to_vtk(values, deep=True)
+    array.SetName(name)
+    mesh.GetPointData().AddArray(array)
+
+
+def color(mapper):
+    """By depth."""
+    table = vtkLookupTable()
+    table.SetRange(RANGE)
+    mapper.SetLookupTable(table)
+    mapper.UseLookupTableScalarRangeOn()
+    mapper.SetScalarModeToUsePointFieldData()
+    mapper.SelectColorArray("h")
+    mapper.SetInterpolateScalarsBeforeMapping(True)
+
+
+class Data:
+    """A kind's own mesh, and the actor that shows it; water is None for the plain surface."""
+
+    def __init__(self, name, tide, renderer):
+        self.name, self.tide = name, tide
+        self.mesh = mesh_of(tide, tide.bed)
+        self.water, self.props = None, ()
+        self.show(0)
+        if name == SURFACE:
+            self._add_surface(renderer)
+        else:
+            self._add_water(renderer)
+
+    def show(self, number):
+        """New arrays, as a solver's next step has them; a plain surface has the level as its points."""
+        level, depth = self.tide.step(number)
+        set_array(self.mesh, "h", depth)
+        if self.name == SURFACE:
+            set_heights(self.mesh, self.tide, level)
+        else:
+            set_array(self.mesh, "zeta", level)
+        self.mesh.Modified()
+
+    def _add_surface(self, renderer):
+        mapper, actor = vtkPolyDataMapper(), vtkActor()
+        mapper.SetInputData(self.mesh)
+        color(mapper)
+        actor.SetMapper(mapper)
+        renderer.AddActor(actor)
+        self.props = (actor,)
+
+    def _add_water(self, renderer):
+        set_array(self.mesh, "zb", self.tide.bed)
+        surface = vtkWaterSurfaceFilter()
+        surface.SetInputData(self.mesh)
+        surface.SetLevelArrayName("zeta")
+        surface.SetDepthArrayName("h")
+        surface.SetBedArrayName("zb")
+        mapper = vtkPolyDataMapper()
+        mapper.SetInputConnection(surface.GetOutputPort())
+        if self.name == COLOURED:
+            color(mapper)
+        else:
+            mapper.ScalarVisibilityOff()
+        self.lakes = vtkWaterLakes()
+        self.lakes.SetMapper(mapper)
+        self.lakes.Update()
+        self.water = self.lakes.GetWater()
+        set_look(self.water.GetWaterProperty(), refraction=False if self.name == COLOURED else None)
+        renderer.AddActor(self.water)
+        self.lakes.AddTo(renderer)
