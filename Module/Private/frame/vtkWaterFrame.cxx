@@ -20,6 +20,7 @@
 #include "vtkWaterReflection.h"
 #include "vtkWaterRenderPassKeys.h"
 #include "vtkWaterRendererClass.h"
+#include "vtkWaterSea.h"
 #include "vtkWaterShaderHook.h"
 #include "vtkWaterSource.h"
 #include "water_plan.h"
@@ -209,6 +210,7 @@ void vtkWaterFrame::Allot(vtkWaterSource& water)
     // the key is on all props from the beginning of the frame, or they build their shaders twice
     this->Begin(water);
     isLate = this->EnsureGroup(water).IsLate;
+    this->BeginSea(water);
   }
   if (water.GetProp()->HasOpaqueGeometry())
   {
@@ -217,6 +219,21 @@ void vtkWaterFrame::Allot(vtkWaterSource& water)
   if (!isComposed && !isLate) // else the pass draws before its delegate, or the water before itself
   {
     this->RenderBeforeFrame(water);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterFrame::BeginSea(vtkWaterSource& water)
+{
+  if (this->IsSoftware())
+  {
+    return;
+  }
+  const vtkWaterSnapshotPointer snapshot = water.Take(this->Renderer);
+  if (snapshot->Features & WATER_FEATURE_SEA)
+  {
+    snapshot->Sea->Begin(static_cast<vtkOpenGLRenderWindow*>(this->Renderer->GetRenderWindow()),
+      snapshot->Look.Cascades, snapshot->Look.Sea, snapshot->Time, snapshot->GetSeaFields());
   }
 }
 

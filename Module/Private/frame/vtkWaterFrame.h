@@ -129,6 +129,8 @@ private:
   bool IsFresh(vtkWaterSource& water);
   void RenderShared(vtkWaterSource& water, const int viewport_px[2], bool isLate);
   void RenderBeforeFrame(vtkWaterSource& water);
+  // A GPU computes the water's wind sea while the CPU submits the props: they need not wait for it.
+  void BeginSea(vtkWaterSource& water);
   // Does the frame end here for a water without an extent? With other ranks it continues, to tell
   // them.
   static bool IsLeftOut(vtkWaterSource& water);

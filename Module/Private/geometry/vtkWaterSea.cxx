@@ -5,9 +5,12 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 #include "vtkTextureObject.h"
+#include "vtkWaterQueryResult.h"
 #include "vtkWaterRendererClass.h"
 
 #include <algorithm>
+#include <new>
+#include <utility>
 
 //------------------------------------------------------------------------------
 void vtkWaterSea::Update(const water_cascades& cascades, const water_sea& sea, double time)
@@ -164,8 +167,32 @@ void vtkWaterSea::FillTexels(int fields)
 }
 
 //------------------------------------------------------------------------------
+void vtkWaterSea::Begin(vtkOpenGLRenderWindow* window, const water_cascades& cascades,
+  const water_sea& sea, double time, int fields)
+{
+  const bool wasInUse = std::exchange(this->IsInUse, false);
+  if (!wasInUse || this->IsSoftware(window) || vtkWaterQueryResult::IsAnyAwaited())
+  {
+    return;
+  }
+  try
+  {
+    this->Update(cascades, sea, time);
+    if (this->UploadedFields < fields || !this->Texture.Get(window))
+    {
+      this->UploadedFields = this->DrawTexture(window, fields) ? fields : 0;
+    }
+  }
+  catch (const std::bad_alloc&)
+  {
+    this->UploadedFields = 0; // the draw tries again, and reports it
+  }
+}
+
+//------------------------------------------------------------------------------
 vtkTextureObject* vtkWaterSea::Upload(vtkOpenGLRenderWindow* window, int fields)
 {
+  this->IsInUse = true;
   if (this->UploadedFields >= fields && this->Texture.Get(window))
   {
     return this->Texture.Get(window);

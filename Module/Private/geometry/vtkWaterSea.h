@@ -42,6 +42,11 @@ public:
   // fields  of vtkWaterSlopePasses, 1 to 3
   vtkTextureObject* Upload(vtkOpenGLRenderWindow* window, int fields);
 
+  // On a GPU, computes the texture of a time ahead of its use, if the last frame used it: the GPU
+  // then works on it while the CPU still submits the scene. Does nothing otherwise.
+  void Begin(vtkOpenGLRenderWindow* window, const water_cascades& cascades, const water_sea& sea,
+    double time, int fields);
+
   // In its place, where there is no memory for it: a flat sea.
   vtkTextureObject* UploadFlat(vtkOpenGLRenderWindow* window, int fields);
 
@@ -69,6 +74,7 @@ private:
   water_cascade_fields Fields[WATER_CASCADES_MAX] = {};
   std::vector<float> Texels;
   int UploadedFields = 0; // 0: nothing is uploaded
+  bool IsInUse = false;   // since the last Begin
   vtkWaterSlopeTexture Texture;
   vtkWaterOldFoam OldFoam;
   const char* Detour = nullptr;
