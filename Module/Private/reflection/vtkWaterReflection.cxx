@@ -123,6 +123,11 @@ vtkWaterSurfaceShader::Inputs vtkWaterReflection::GetInputs(
   {
     inputs.Reflection = view->Mirrored.GetBlank(window);
   }
+  if (this->HasOwnView && view->Own && this->IsFresh(renderer, frame, water))
+  {
+    OwnView& own = *view->Own;
+    inputs.OwnView = { own.Drawn.GetColor(), own.Drawn.GetDepth(), own.DrawnPlan.reflection_scale };
+  }
   inputs.Ranks = this->Ranks.AreSeveral() ? &this->Ranks : nullptr;
   return inputs;
 }
@@ -149,11 +154,6 @@ void vtkWaterReflection::FillInputs(
   {
     inputs.PeelColor = peel->GetColor();
     inputs.PeelDepth = peel->GetDepth();
-  }
-  if (this->HasOwnView && view->Own && this->IsFresh(renderer, frame, water))
-  {
-    OwnView& own = *view->Own;
-    inputs.OwnView = { own.Drawn.GetColor(), own.Drawn.GetDepth(), own.DrawnPlan.reflection_scale };
   }
   inputs.Sky = this->Gathered.Sky;
   inputs.MostSteps = this->Quality.ray_steps;
