@@ -52,7 +52,7 @@ public:
     double GatherTime = std::numeric_limits<double>::quiet_NaN(); // ms
     double PlanTime = std::numeric_limits<double>::quiet_NaN();
     int ReasonCounts[WATER_CULL_REASON_COUNT] = {};
-    vtkIdType RenderCount = 0;  // ever
+    vtkIdType RenderCount = 0; // ever
     vtkIdType SecondaryRenderCount = 0;
     vtkIdType JoinedPixels = 0; // that the ranks sent each other
   };
@@ -148,8 +148,8 @@ private:
     std::vector<vtkWaterSnapshotPointer> Waters;
     ViewPointer Drawn;
     std::vector<vtkSmartPointer<vtkProp>> Held; // while secondary views are drawn
-    vtkWaterError Error;          // of the plan
-    vtkWaterError SecondaryError; // of the first secondary view that has one
+    vtkWaterError Error;                        // of the plan
+    vtkWaterError SecondaryError;               // of the first secondary view that has one
     vtkWaterSignature Signature;
     vtkWaterMirroredView::Draft Draft;
     const char* Failure = nullptr;
@@ -179,7 +179,8 @@ private:
   SecondaryView& EnsureSecondary(const std::vector<vtkWaterSource*>& waters);
   void DropSecondary(vtkRenderer* renderer);
   bool MayHaveSecondary(const Frame& frame) const;
-  // Are the records of the gathered props? Not if an observer of a secondary view changed the scene.
+  // Are the records of the gathered props? Not if an observer of a secondary view changed the
+  // scene.
   bool HasPropsOf(const vtkWaterPropRecords& records) const;
   double MeasureSecondary(); // what the last view took as a secondary one, ms
   void SignSecondary(const Frame& frame, Attempt& attempt) const;
