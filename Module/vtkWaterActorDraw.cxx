@@ -262,13 +262,11 @@ water_feature_set SecondaryFeaturesWith(const vtkWaterSurfaceShader::Inputs& inp
     ? water_features_with_texture(water_features_secondary_view(&water.Look.Has), &texture)
     : water_features_secondary(&water.Look.Has);
   features = water.Hulls ? water_features_with_hulls(features) : features;
-  features =
-    water_sky_features(features, vtkWaterSurfaceShader::HasOwnSky(water), false, &sky);
+  features = water_sky_features(features, vtkWaterSurfaceShader::HasOwnSky(water), false, &sky);
   features = water.Mesh.HasVertexHeights ? water_features_with_mesh(features) : features;
   return isSoftware ? features : water_features_on_hardware(features);
 }
 }
-
 
 //------------------------------------------------------------------------------
 void vtkWaterActor::RenderSecondary(vtkRenderer* renderer, vtkMapper* mapper)

@@ -235,8 +235,8 @@ VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_pass_set_texture_scale(
 VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_pass_set_time_budget(
   vtk_water_pass* pass, double milliseconds);
 
-/* Sets secondary reflections. 1: other waters, in other planes, reflect the scene where this water's
- * reflection shows them; 0: they reflect only the sky there. Default 0. */
+/* Sets secondary reflections. 1: other waters, in other planes, reflect the scene where this
+ * water's reflection shows them; 0: they reflect only the sky there. Default 0. */
 VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_pass_set_secondary_reflections(
   vtk_water_pass* pass, int reflections);
 

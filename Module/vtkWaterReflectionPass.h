@@ -430,9 +430,9 @@ public:
   ///@{
   /**
    * Milliseconds of the last measurement with Instrumentation on. Gathering the scene and planning
-   * are measured on the CPU. Drawing the mirrored view (with its secondary views) and the surface is
-   * measured on the GPU, for the last one that it has finished. The surface's time includes the copy of what is visible
-   * through it. NaN: unknown.
+   * are measured on the CPU. Drawing the mirrored view (with its secondary views) and the surface
+   * is measured on the GPU, for the last one that it has finished. The surface's time includes the
+   * copy of what is visible through it. NaN: unknown.
    */
   double GetLastGatherTime() const;
   double GetLastPlanTime() const;

@@ -269,9 +269,8 @@ TEST(water_in_a_mirrored_view_is_smooth_or_rough)
     assert_int_equal(water_features_secondary(&look),
       (has & ROUGH) ? WATER_FEATURE_ENVIRONMENT | WATER_FEATURE_ROUGH : WATER_FEATURE_ENVIRONMENT);
     assert_int_equal(water_features_secondary_view(&look),
-      (has & ROUGH)
-        ? WATER_FEATURE_RAY_TRACED | WATER_FEATURE_SEVERAL_RAYS | WATER_FEATURE_ROUGH
-        : 0);
+      (has & ROUGH) ? WATER_FEATURE_RAY_TRACED | WATER_FEATURE_SEVERAL_RAYS | WATER_FEATURE_ROUGH
+                    : 0);
   }
 }
 

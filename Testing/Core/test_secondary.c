@@ -254,8 +254,7 @@ TEST(secondary_view_is_of_what_the_mirrored_view_shows)
   scene.settings.texture_scale = 0.5;
   scene.settings.quality = WATER_QUALITY_TIME_BUDGET;
   water_secondary_view(&mirrored, &eye, false, &scene);
-  assert_false(
-    scene.has_waves || scene.has_shadows || scene.is_hidden || scene.has_scene_depth);
+  assert_false(scene.has_waves || scene.has_shadows || scene.is_hidden || scene.has_scene_depth);
   assert_true(scene.wave_height_max == 0.0 && scene.surface_height == 0.0);
   assert_int_equal(scene.settings.quality, WATER_QUALITY_FIXED);
   water_plan plan;
@@ -379,5 +378,4 @@ TEST(the_same_plane_is_known)
 
 TESTS(rays_are_of_the_mirrored_eye_and_the_sky_is_of_the_pictures,
   secondary_view_is_mirrored_at_both_planes, secondary_view_is_of_what_the_mirrored_view_shows,
-  faults_leave_no_view,
-  slopes_are_those_of_the_waves, the_same_plane_is_known)
+  faults_leave_no_view, slopes_are_those_of_the_waves, the_same_plane_is_known)

@@ -19,7 +19,8 @@ MOST_SHADOWS = 1.5  # a frame with the walk to the sun, over one without
 
 TEXT = """
 The terrain, $width x $height pixels, on this machine. Each effect is switched on and off in one
-window, the frames in turns; only the time of the waves moves on. What a water has beside the effect
+window, the frames in turns; only the time of the waves moves on, and for secondary reflections the
+camera. What a water has beside the effect
 is the same in both. "Hardware" is the shader for GPUs, drawn by the same renderer.
 
 $tables
@@ -62,9 +63,8 @@ def _white_sea(look):
 
 
 def _add_fall(scene):
-    """Another water, whose plane leans over the first one; half of its mirrored view shows it."""
-    scene.fall = wt.add_water(scene.renderer, wt.plane((-12, 0, 0), (1, 0.3, -0.25)), (-25, 25, -4, 12))
-    scene.fall.GetWaterProperty().SetReflectance(0.7)
+    """Another water, whose plane leans over the first one, which reflects it."""
+    wt.add_water(scene.renderer, wt.plane((24, 9, 0), (1, 0.7, -0.25)), (-7, 7, -1, 4), 0.7)
 
 
 # effect: (what the water has beside it, the effect on or off)
@@ -101,6 +101,7 @@ def _pair(name):
         def choose():
             if name == SECONDARY:
                 scene.water.GetReflectionPass().SetSecondaryReflections(is_on)
+                scene.renderer.GetActiveCamera().Azimuth(0.01)  # or the secondary view would be used again
             else:
                 switch(look, is_on)
 

@@ -216,7 +216,7 @@ typedef struct water_scene
   water_camera eye;
   const water_camera* picture_eye; // of the user's picture, if the eye is a mirrored one: what is
                                    // fixed to a screen or a camera belongs to it; NULL: the eye is
-  int viewport_px[2];          // size of the picture the water is drawn into, >= 1
+  int viewport_px[2];              // size of the picture the water is drawn into, >= 1
   const int* viewport_rect_px; // x, y, width, height of the part of it that counts; NULL: all of it
   water_plane plane;
   double plane_origin[3]; // of the plane's own axes, in world

@@ -38,7 +38,7 @@ typedef struct checked
   water_plane plane; // unit length, as the user turned it
   water_plane level; // the same, moved to the surface where the eye is
   water_eye eye;
-  water_eye picture; // the eye of the user's picture, if that is another one
+  water_eye picture;  // the eye of the user's picture, if that is another one
   bool is_at_surface; // there is surface over the eye, or under it
   water_side side;
   int texture_px[2];
@@ -378,8 +378,7 @@ static water_status fill_view(const water_scene* scene, const checked* input,
   memcpy(plan->clip_w, input->eye.clip_to_view + 12, sizeof plan->clip_w);
   water_lookup_pixel_depth(plan->plane_clip, plan->clip_w, plan->pixel_depth);
   water_camera_rays(&input->eye, plane, axes->x_dir, axes->y_dir, plan->ndc_to_ray);
-  water_lookup_dirs(
-    scene->picture_eye ? scene->picture_eye : &scene->eye, axes, plan->dir_to_eye);
+  water_lookup_dirs(scene->picture_eye ? scene->picture_eye : &scene->eye, axes, plan->dir_to_eye);
   water_sky_environment(
     scene->environment_up, scene->environment_right, axes, &plan->environment_map);
   water_sky_map_local(&scene->sky.map, axes, &plan->sky_map);
@@ -416,8 +415,8 @@ static water_status fill_shade(
 {
   if (scene->picture_eye)
   {
-    const water_status status = water_mirror_reflection_to(
-      scene->picture_eye, &plan->mirrored, plan->reflection_ndc_to_eye);
+    const water_status status =
+      water_mirror_reflection_to(scene->picture_eye, &plan->mirrored, plan->reflection_ndc_to_eye);
     if (status != WATER_OK)
     {
       return status;

@@ -51,8 +51,8 @@ public:
     bool CanCut = false;                  // clusters of large meshes may be left out
     vtkWaterSkyTextures Sky;              // of the plan's sky
     vtkWaterSecondaryLookup* Secondary = nullptr; // of other waters; nullptr: they reflect the sky
-    vtkShadowMapPass* Shadows = nullptr;  // which is up to date; nullptr: there are none
-    vtkWaterRanks* Ranks = nullptr;       // that draw the view together; nullptr: there are none
+    vtkShadowMapPass* Shadows = nullptr;          // which is up to date; nullptr: there are none
+    vtkWaterRanks* Ranks = nullptr; // that draw the view together; nullptr: there are none
     // With ranks: tells them what was drawn here, once all that is opaque is, and again if anything
     // is blended on any of them. Unless all of them have drawn it, Draw ends then.
     std::function<const vtkWaterRanks::Drawing&(const water_rank_drawn& mine)> Agree;

@@ -162,8 +162,8 @@ private:
     std::vector<vtkWaterSnapshotPointer> Waters;
     ViewPointer Drawn;
     std::vector<vtkSmartPointer<vtkProp>> Held; // while secondary views are drawn
-    vtkWaterError Error;          // of the plan
-    vtkWaterError SecondaryError; // of the first secondary view that has one
+    vtkWaterError Error;                        // of the plan
+    vtkWaterError SecondaryError;               // of the first secondary view that has one
     vtkWaterSignature Signature;
     vtkWaterMirroredView::Draft Draft;
     const char* Failure = nullptr;
@@ -193,7 +193,8 @@ private:
   SecondaryView& EnsureSecondary(const std::vector<vtkWaterSource*>& waters);
   void DropSecondary(vtkRenderer* renderer);
   bool MayHaveSecondary(const Frame& frame) const;
-  // Are the records of the gathered props? Not if an observer of a secondary view changed the scene.
+  // Are the records of the gathered props? Not if an observer of a secondary view changed the
+  // scene.
   bool HasPropsOf(const vtkWaterPropRecords& records) const;
   double MeasureSecondary(); // what the last view took as a secondary one, ms
   void SignSecondary(const Frame& frame, Attempt& attempt) const;

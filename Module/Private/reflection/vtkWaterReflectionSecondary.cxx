@@ -114,7 +114,8 @@ void vtkWaterReflection::RenderSecondary(const Frame& frame, Attempt& attempt)
   if (isAsked && this->Ranks.AreSeveral() && !this->IsSecondarySaid)
   {
     vtkWarningWithObjectMacro(attempt.Waters.front()->Actor,
-      "SecondaryReflections is on, but the reflection pass has a controller of several ranks: other "
+      "SecondaryReflections is on, but the reflection pass has a controller of several ranks: "
+      "other "
       "waters in its reflection reflect the sky alone.");
   }
   this->IsSecondarySaid = isAsked && this->Ranks.AreSeveral();
