@@ -108,8 +108,9 @@ def main():
         heights, spacing = land(arguments.land, FIRST, COUNT)
         depths, hours = flood(heights, spacing, np.zeros_like(heights), RAIN, HOURS)
     steps = np.round(depths / COARSEST).astype(np.uint16)
+    bed = heights.astype(np.float32 if arguments.dam else np.int16)
     np.savez_compressed(arguments.out, depth=np.diff(steps.astype(np.int16), axis=0, prepend=np.int16(0)),
-                        step=COARSEST, hours=hours, bed=heights.astype(np.int16 if not arguments.dam else np.float32), spacing=spacing)
+                        step=COARSEST, hours=hours, bed=bed, spacing=spacing)
 
 
 if __name__ == "__main__":

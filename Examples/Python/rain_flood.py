@@ -188,8 +188,8 @@ def main():
                         help=f"{', '.join(movies.KINDS)}; default: %(default)s")
     parser.add_argument("--frames", type=int, default=60, help="default: %(default)s")
     parser.add_argument("--picture", type=png_name, metavar="FILE.png", help="the last frame, besides")
-    parser.add_argument("--dam", action="store_true", help="a dam breaks in a valley of the same map: 15 minutes, coloured "
-                        "by minutes")
+    parser.add_argument("--dam", action="store_true", help="a dam breaks in a valley of the same map: 15 minutes, "
+                        "coloured by minutes")
     parser.add_argument("--plot", action="store_true", help="flooded area and volume over time, beside the picture")
     arguments = parser.parse_args()
     depths, hours, bed, spacing = read_flood(DAM_FLOOD if arguments.dam else FLOOD)

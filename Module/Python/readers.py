@@ -251,8 +251,8 @@ def read_tiff(path, no_data):
 def grid_of_tiff(path, no_data=None):
     """The numbers of a GeoTIFF file: rows from south to north, spacing, origin, no-data value or None, place.
 
-    Lengths in feet, and numbers whose vertical unit is feet, are converted to metres. The place is where the first pixel
-    is, in metres or degrees. For degrees the origin is (0, 0).
+    Lengths in feet, and numbers whose vertical unit is feet, are converted to metres. The place is where the first
+    pixel is, in metres or degrees. For degrees the origin is (0, 0).
     """
     try:
         from PIL import Image
