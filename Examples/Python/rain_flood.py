@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""rain_flood: a flood as a solver computed it, coloured by the hour in which the water came.
+"""rain_flood: a flood as a solver computed it, coloured by the time at which the water came.
 
 Six hours of a rain flood in the hills of Tennessee, by landlab's OverlandFlow (Examples/Data/solve_flood.py): the mesh
-of the solver with its depths is the water, and ends where the bed reaches its level. With --plot, the flooded area and
-the volume of the water, which vtkwater.measure measures in each frame, are drawn over the hours, beside the picture;
-in grey those of the solver's cells. They are larger: the solver fills whole cells, and most of its streams are a cell
-or two wide, while the water in the picture ends where the bed rises above its level.
+of the solver with its depths is the water, and ends where the bed reaches its level. With --dam, a dam breaks in a
+valley of the same map. With --plot, the flooded area and the volume of the water, which vtkwater.measure measures in
+each frame, are drawn over the hours, beside the picture; in grey those of the solver's cells. They are larger: the
+solver fills whole cells, and most of its streams are a cell or two wide, while the water in the picture ends where the
+bed rises above its level.
 """
 
 import argparse
@@ -28,7 +29,8 @@ from vtkwater.pictures import png_name
 from vtkwater.readers import surface_of_heights
 from vtkwater.scenes import Scene
 
-FLOOD = pathlib.Path(__file__).resolve().parents[1] / "Data/flood.npz"
+DATA = pathlib.Path(__file__).resolve().parents[1] / "Data"
+FLOOD, DAM_FLOOD = DATA / "flood.npz", DATA / "dam_flood.npz"
 EXAGGERATION = 2.0  # heights are drawn this many times higher than they are
 WET = 0.1  # m: shallower water is not shown
 FRAMES_PER_SECOND = 10.0
@@ -38,9 +40,9 @@ CELLS_COLOR = 150, 150, 150
 AREA_UNIT, VOLUME_UNIT = 1e6, 1e6  # m2 in km2, m3 in millions of m3
 
 
-def read_flood():
+def read_flood(file=FLOOD):
     """Depths (m) at each hour, rows x columns from the south-west, the hours, the bed's heights and the spacing (m)."""
-    with np.load(FLOOD) as kept:
+    with np.load(file) as kept:
         depths = kept["step"] * np.cumsum(kept["depth"], axis=0, dtype=np.int32)
         return depths, kept["hours"], kept["bed"].astype(float), kept["spacing"]
 
@@ -65,8 +67,8 @@ def set_array(mesh, name, values):
     mesh.GetPointData().AddArray(array)
 
 
-def hours_table(last):
-    """From the colour of the first hour to that of the last."""
+def times_table(last):
+    """From the colour of the first hour, or minute, to that of the last."""
     first, middle, end = np.array(((0.99, 0.88, 0.30), (0.87, 0.28, 0.38), (0.20, 0.06, 0.45)))
     table = vtkLookupTable()
     table.SetNumberOfTableValues(64)
@@ -77,8 +79,8 @@ def hours_table(last):
     return table
 
 
-def add_water(scene, mesh, table):
-    """The water of the mesh, coloured by the hour of its arrival."""
+def add_water(scene, mesh, table, unit="hours"):
+    """The water of the mesh, coloured by the time of its arrival in this unit."""
     surface = vtkWaterSurfaceFilter()
     surface.SetInputData(mesh)
     surface.SetDepthArrayName("depth")
@@ -97,11 +99,11 @@ def add_water(scene, mesh, table):
     scene.renderer.AddActor(water)
     bar = vtkScalarBarActor()
     bar.SetLookupTable(table)
-    bar.SetTitle("hours until the water came")
+    bar.SetTitle(f"{unit} until the water came\n ")  # VTK lays the last line over the labels
     bar.SetOrientationToHorizontal()
-    bar.SetPosition(0.30, 0.88)
+    bar.SetPosition(0.30, 0.86)
     bar.SetWidth(0.40)
-    bar.SetHeight(0.10)
+    bar.SetHeight(0.12)
     bar.SetNumberOfLabels(4)
     bar.SetLabelFormat("%.0f")
     bar.UnconstrainedFontSizeOn()
@@ -174,26 +176,34 @@ class Plot:
                 chart.GetPlot(i).Modified()
 
 
+def arrivals(depths, hours):
+    """The hour at which each place became wet; the last one where it stays dry."""
+    wet = depths > WET
+    return np.where(wet.any(axis=0), hours[wet.argmax(axis=0)], hours[-1])
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("movie", nargs="?", default="rain_flood.gif",
                         help=f"{', '.join(movies.KINDS)}; default: %(default)s")
     parser.add_argument("--frames", type=int, default=60, help="default: %(default)s")
     parser.add_argument("--picture", type=png_name, metavar="FILE.png", help="the last frame, besides")
+    parser.add_argument("--dam", action="store_true", help="a dam breaks in a valley of the same map: 15 minutes, "
+                        "coloured by minutes")
     parser.add_argument("--plot", action="store_true", help="flooded area and volume over time, beside the picture")
     arguments = parser.parse_args()
-    depths, hours, bed, spacing = read_flood()
-    wet = depths > WET
-    arrival = np.where(wet.any(axis=0), hours[wet.argmax(axis=0)], hours[-1])
+    depths, hours, bed, spacing = read_flood(DAM_FLOOD if arguments.dam else FLOOD)
+    unit, units_an_hour = ("minutes", 60.0) if arguments.dam else ("hours", 1.0)
+    arrival = units_an_hour * arrivals(depths, hours)
 
     scene = Scene((960, 600))
     scene.add_ground(surface_of_heights(bed, spacing), bed.min(), EXAGGERATION)
     mesh = solvers_mesh(bed, spacing)
     set_array(mesh, "arrival", arrival)
     set_array(mesh, "depth", depths[0])
-    water, surface = add_water(scene, mesh, hours_table(hours[-1]))
+    water, surface = add_water(scene, mesh, times_table(units_an_hour * hours[-1]), unit)
     scene.set_sun(170.0, 42.0)
-    scene.look(azimuth=110.0, height=42.0, zoom=1.0)
+    scene.look(azimuth=300.0 if arguments.dam else 110.0, height=42.0, zoom=1.05 if arguments.dam else 1.0)
     most = np.zeros(2)
     for depth in depths if arguments.plot else ():
         set_array(mesh, "depth", depth)

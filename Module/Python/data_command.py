@@ -74,8 +74,8 @@ def check_data(parser, arguments):
     """End the program if options of data contradict each other, or are used without data."""
     kind = pathlib.Path(arguments.file).suffix.lower()
     if not is_data(arguments):
-        for word in ("dry_depth", "contour_value", "color_by", "flow", "cmap", "clim", "log_scale", "scalar_bar", "lonlat", "step",
-                     "times"):
+        for word in ("dry_depth", "contour_value", "color_by", "flow", "cmap", "clim", "log_scale", "scalar_bar",
+                     "lonlat", "step", "times"):
             if getattr(arguments, word, None) is not None:
                 parser.error(f"--{word.replace('_', '-')} needs an array that defines the water: add "
                              "--depth, --bed, --contour or the name of an array as --level")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""NetCDF files by VTK's readers: a mesh of the UGRID conventions, or else a grid of CF's; and the units they state.
+"""NetCDF files by VTK's readers: a mesh of the UGRID conventions, otherwise a grid of CF's; and the units they state.
 
     source = open_netcdf(Path("tide.nc"))
     source.is_lonlat        # do its coordinates have the units degrees_east and degrees_north?

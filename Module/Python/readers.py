@@ -31,6 +31,8 @@ TIFF_PIXEL_SCALE, TIFF_TIEPOINT, TIFF_GEO_KEYS, TIFF_NO_DATA = 33550, 33922, 347
 TIFF_BEGINS = (b"II*\0", b"MM\0*")
 ONE_BAND = "write one file per band, such as velocity_x_0.tif and velocity_y_0.tif"
 GEO_KEY_MODEL_TYPE, MODEL_TYPE_GEOGRAPHIC = 1024, 2
+GEO_KEY_LINEAR_UNITS, GEO_KEY_VERTICAL_UNITS = 3076, 4099
+METRES_OF_CODE = {9002: 0.3048, 9003: 1200 / 3937}  # EPSG's international foot and US survey foot
 
 
 class FileError(ValueError):
@@ -249,7 +251,8 @@ def read_tiff(path, no_data):
 def grid_of_tiff(path, no_data=None):
     """The numbers of a GeoTIFF file: rows from south to north, spacing, origin, no-data value or None, place.
 
-    The place is where the first pixel is in the file's own unit. For degrees the origin is (0, 0).
+    Lengths in feet, and numbers whose vertical unit is feet, are converted to metres. The place is where the first
+    pixel is, in metres or degrees. For degrees the origin is (0, 0).
     """
     try:
         from PIL import Image
@@ -285,6 +288,10 @@ def grid_of_tiff(path, no_data=None):
     tie += (0.0,) * 6
     if not all(map(math.isfinite, tie)):
         raise FileError(f"{path}: its tie point {tie[:6]} is not finite")
+    upright = metres_of(keys, GEO_KEY_VERTICAL_UNITS)
+    if upright != 1.0:
+        heights = upright * heights.astype(float)
+        no_data = None if no_data is None else upright * no_data
     south = tie[4] - spacing[1] * (heights.shape[0] - 1 - tie[1])
     place = (tie[3] - spacing[0] * tie[0], south)
     if (GEO_KEY_MODEL_TYPE, 0, 1, MODEL_TYPE_GEOGRAPHIC) in zip(*(keys[i::4] for i in range(4))):
@@ -295,7 +302,15 @@ def grid_of_tiff(path, no_data=None):
         middle = math.radians(latitude)
         spacing = (spacing[0] * METRES_PER_DEGREE * math.cos(middle), spacing[1] * METRES_PER_DEGREE)
         return heights[::-1], spacing, (0.0, 0.0), no_data, place
+    metres = metres_of(keys, GEO_KEY_LINEAR_UNITS)
+    spacing, place = (tuple(metres * part for part in pair) for pair in (spacing, place))
     return heights[::-1], spacing, place, no_data, place
+
+
+def metres_of(keys, key):
+    """Metres in the unit that one of the keys of a GeoTIFF file names; 1 without such a key, and for other units."""
+    return next((METRES_OF_CODE.get(value, 1.0) for found, where, count, value in zip(*(keys[i::4] for i in range(4)))
+                 if (found, where, count) == (key, 0, 1)), 1.0)
 
 
 def numbers_of(value, tag, path):

@@ -27,7 +27,7 @@ class Flood:
         rain_flood.set_array(self.mesh, "arrival", 0 * bed)
         rain_flood.set_array(self.mesh, "depth", self.depths[0])
         self.scene.add_ground(rain_flood.surface_of_heights(bed, self.spacing), bed.min(), rain_flood.EXAGGERATION)
-        self.water, self.surface = rain_flood.add_water(self.scene, self.mesh, rain_flood.hours_table(self.hours[-1]))
+        self.water, self.surface = rain_flood.add_water(self.scene, self.mesh, rain_flood.times_table(self.hours[-1]))
         self.scene.look(azimuth=110.0, height=42.0, zoom=1.0)
         wet = self.depths > rain_flood.WET  # each cell of the solver is as deep as its point
         self.of_cells = np.prod(self.spacing) * np.array((wet.sum((1, 2)), np.where(wet, self.depths, 0.0).sum((1, 2)))).T
@@ -96,3 +96,21 @@ def test_curves_end_at_the_value_of_their_picture(flood, column, color):
         wt.check_at_most(f"{name}: off by, pixels", float(np.abs(rate * values + start - places).max()), 3.0)
     blank = flood.pictures[0][top + 30:top + SIZE[1] // 2, inner:]
     wt.check_equal("pixels of a curve before there are two values", int(is_of(blank, color).sum()), 0)
+
+
+def test_the_dams_lake_runs_down_the_valley():
+    """No water is lost until it leaves over the border; the lake is level at first, falls, and the front goes on: more
+    places have become wet at each time."""
+    depths, hours, bed, spacing = rain_flood.read_flood(rain_flood.DAM_FLOOD)
+    volumes = depths.sum((1, 2)) * np.prod(spacing)
+    edge = depths.copy()
+    edge[:, 3:-3, 3:-3] = 0.0  # points of the border itself stay dry: the water leaves there
+    inside = edge.max(axis=(1, 2)) < rain_flood.WET
+    wt.check_at_least("steps before it leaves", int(inside.sum()), 10)
+    wt.check_at_most("volume then off by, of it", float(np.abs(volumes[inside] / volumes[0] - 1.0).max()), 0.01)
+    lake = depths[0] > rain_flood.WET
+    wt.check_at_most("the lake is level within, m", float(np.ptp((bed + depths[0])[lake])), 0.02)
+    wt.check_at_most("of its depth is left at the end", float(depths[-1][lake].mean() / depths[0][lake].mean()), 0.5)
+    arrival = rain_flood.arrivals(depths, hours)
+    reached = np.array([(arrival <= hour).sum() for hour in hours[inside]])
+    wt.check_at_least("places that become wet from step to step", int(np.diff(reached).min()), 1)

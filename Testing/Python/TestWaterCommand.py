@@ -146,6 +146,19 @@ def test_a_map_in_degrees_is_read_in_metres(folder):
     wt.check_at_most("a map in degrees: km of 3.9 degrees, error", abs(bounds[3] / 1000.0 - 3.9 * 111.195), 0.1)
 
 
+@pytest.mark.parametrize("linear, across, vertical, up", (
+    (9001, 1.0, 9001, 1.0), (9002, 0.3048, None, 1.0), (9003, 1200 / 3937, 9002, 0.3048), (None, 1.0, 9003, 1200 / 3937)))
+def test_a_map_in_feet_is_read_in_metres(folder, linear, across, vertical, up):
+    """Places by the linear unit of the coordinate system, heights by the vertical one; without one they are metres."""
+    keys = [(1024, 0, 1, 1)] + [(key, 0, 1, code) for key, code in ((3076, linear), (4099, vertical)) if code]
+    write_tiff(folder / "feet.tif", valley(), keys=(1, 1, 0, len(keys), *sum(keys, ())))
+    write_tiff(folder / "metres.tif", valley())
+    feet, metres = (readers.read(folder / name).data for name in ("feet.tif", "metres.tif"))
+    wanted = np.array(metres.GetBounds()) * np.repeat((across, across, up), 2)
+    wt.check_at_most("bounds off by, of them", float(np.abs(np.array(feet.GetBounds()) / wanted - 1.0).max()), 1e-6)
+    wt.check_equal("cells, less those at the hole", feet.GetNumberOfCells(), metres.GetNumberOfCells())
+
+
 @pytest.mark.parametrize("name, level",
                          (("valley.vti", 40.0), ("valley.tif", 40.0), ("cone.stl", 0.0), ("cone.vtp", 0.0)))
 def test_every_kind_of_file_makes_a_picture(folder, name, level):

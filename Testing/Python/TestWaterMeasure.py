@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Water of data can be measured: picks, probes, shorelines, areas, volumes; and other tools get its geometry."""
 
+import base64
 import json
 
 import numpy as np
@@ -391,12 +392,28 @@ def test_other_tools_get_the_geometry_with_its_colours(tmp_path):
         off = np.abs(np.array(found[kind].GetBounds()) - surface.GetBounds()).max()
         wt.check_at_most(f"{kind}: bounds off by", float(off), 1e-6)
     wt.check_equal("arrays", found["vtp"].GetPointData().GetNumberOfArrays(), surface.GetPointData().GetNumberOfArrays())
-    wt.check_equal("colours", found["ply"].GetPointData().GetScalars().GetNumberOfComponents(), 3)
+    table, x = water.GetMapper().GetLookupTable(), vtk_to_numpy(surface.GetPointData().GetArray("x"))
+    colors = np.array([table.GetTableValue(table.GetIndex(value))[:3] for value in x]) * 255
+    of_ply = vtk_to_numpy(found["ply"].GetPointData().GetScalars()).astype(int)
+    wt.check_at_most("PLY: colours off by, of 255", float(np.abs(of_ply - colors).max()), 1)
     exporter = vtkGLTFExporter()
     exporter.SetRenderWindow(view.window)
     exporter.SetFileName(str(tmp_path / "water.gltf"))
     exporter.InlineDataOn()
     exporter.Write()
-    meshes = json.loads((tmp_path / "water.gltf").read_text())["meshes"]
+    content = json.loads((tmp_path / "water.gltf").read_text())
+    meshes = content["meshes"]
     wt.check_equal("glTF: meshes, with colours", [set(mesh["primitives"][0]["attributes"]) >= {"POSITION", "COLOR_0"}
                                                   for mesh in meshes], [True])
+    of_gltf = values_of(content, meshes[0]["primitives"][0]["attributes"]["COLOR_0"]).reshape(len(x), -1)[:, :3]
+    wt.check_at_most("glTF: colours off by, of 255",
+                     float(np.abs(of_gltf * (255 if of_gltf.max() <= 1 else 1) - colors).max()), 1)
+
+
+def values_of(content, number):
+    """The numbers of one of a glTF's accessors, whose buffers are in the text."""
+    accessor = content["accessors"][number]
+    view = content["bufferViews"][accessor["bufferView"]]
+    data = base64.b64decode(content["buffers"][view["buffer"]]["uri"].partition("base64,")[2])
+    kind = {5121: np.uint8, 5123: np.uint16, 5126: np.float32}[accessor["componentType"]]
+    return np.frombuffer(data, kind, view["byteLength"] // np.dtype(kind).itemsize, view.get("byteOffset", 0)).astype(float)

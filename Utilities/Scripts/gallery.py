@@ -28,6 +28,7 @@ EXAMPLES = {
     "flood": ["--picture", "PICTURE"],
     "tide": ["FOLDER/tide.gif", "--frames", "10", "--picture", "PICTURE"],
     "rain_flood": ["FOLDER/rain_flood.gif", "--frames", "4", "--picture", "PICTURE"],
+    "dam_flood": ["FOLDER/dam_flood.gif", "--dam", "--frames", "4", "--picture", "PICTURE"],
     "wake": ["PICTURE"],
     "strait": ["PICTURE", "--movie", "FOLDER/strait.gif", "--frames", "2"],
     "breakwater": ["PICTURE", "--movie", "FOLDER/breakwater.gif", "--frames", "2"],
@@ -47,7 +48,7 @@ EXAMPLES = {
     "first_water": ["PICTURE"],
     "pyvista_water": ["PICTURE"],
 }
-SCRIPTS = {"cove_below": "cove", "cove_split": "cove"}
+SCRIPTS = {"cove_below": "cove", "cove_split": "cove", "dam_flood": "rain_flood"}
 MADE = {"batch": "step_003.png", "lake": "lake.png"}  # where the picture's name is not ours to give
 LOSSLESS = ("first_water", "pyvista_water")
 QUALITY = 88
