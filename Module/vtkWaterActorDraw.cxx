@@ -171,18 +171,25 @@ namespace
 class ScopedHole
 {
 public:
-  ScopedHole(vtkOpenGLState* state, bool isHole)
-    : Blend(state, GL_BLEND)
-    , BlendFunc(state)
+  ScopedHole(vtkRenderer* renderer, vtkProp* water, const vtkWaterRanks& ranks)
+    : Blend(StateOf(renderer), GL_BLEND)
+    , BlendFunc(StateOf(renderer))
   {
-    if (isHole)
+    if (!ranks.ShowsWater() && !renderer->GetSelector() &&
+      !vtkWaterRenderPassKeys::IsBakingShadows(water))
     {
+      vtkOpenGLState* state = StateOf(renderer);
       state->vtkglEnable(GL_BLEND);
       state->vtkglBlendFuncSeparate(GL_ZERO, GL_ZERO, GL_ZERO, GL_ZERO);
     }
   }
 
 private:
+  static vtkOpenGLState* StateOf(vtkRenderer* renderer)
+  {
+    return static_cast<vtkOpenGLRenderer*>(renderer)->GetState();
+  }
+
   vtkOpenGLState::ScopedglEnableDisable Blend;
   vtkOpenGLState::ScopedglBlendFuncSeparate BlendFunc;
 };
@@ -265,10 +272,8 @@ void vtkWaterActor::Render(vtkRenderer* renderer, vtkMapper* mapper)
   {
     occlusion->Begin(renderer->GetRenderWindow());
   }
-  const bool isHole = !renderer->GetSelector() && !vtkWaterRenderPassKeys::IsBakingShadows(this) &&
-    !frame.GetReflection(internal).Ranks.ShowsWater();
   {
-    const ScopedHole hole(static_cast<vtkOpenGLRenderer*>(renderer)->GetState(), isHole);
+    const ScopedHole hole(renderer, this, frame.GetReflection(internal).Ranks);
     internal.DrawSurface(internal.Surface, renderer, drawn);
   }
   occlusion->End();
