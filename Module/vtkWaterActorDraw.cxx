@@ -184,6 +184,12 @@ public:
     }
   }
 
+  template <typename Function>
+  void Draw(Function draw) const
+  {
+    draw();
+  }
+
 private:
   static vtkOpenGLState* StateOf(vtkRenderer* renderer)
   {
@@ -223,6 +229,7 @@ water_feature_set FeaturesWith(
 }
 
 //------------------------------------------------------------------------------
+// Long because a draw has many steps, whose order matters.
 void vtkWaterActor::Render(vtkRenderer* renderer, vtkMapper* mapper)
 {
   Internals& internal = *this->Internal;
@@ -272,10 +279,9 @@ void vtkWaterActor::Render(vtkRenderer* renderer, vtkMapper* mapper)
   {
     occlusion->Begin(renderer->GetRenderWindow());
   }
-  {
-    const ScopedHole hole(renderer, this, frame.GetReflection(internal).Ranks);
+  ScopedHole(renderer, this, frame.GetReflection(internal).Ranks).Draw([&]() {
     internal.DrawSurface(internal.Surface, renderer, drawn);
-  }
+  });
   occlusion->End();
   internal.Surface.End();
   if (!renderer->GetSelector() && !vtkWaterRenderPassKeys::IsBakingShadows(this))

@@ -81,7 +81,7 @@ class TestServer(unittest.TestCase):
                          "pv.Render(view)\nprint('the end')\n" % os.path.dirname(os.path.abspath(__file__)))
         environment = {**ranks.ENVIRONMENT, "LD_LIBRARY_PATH": folder + ":" + os.environ.get("LD_LIBRARY_PATH", "")}
         said = subprocess.run([os.environ["WATER_PVPYTHON"], "--force-offscreen-rendering", program], text=True,
-                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=120, check=False,
+                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=ranks.LIMIT, check=False,
                               env=environment).stdout
         self.assertIn("has version 9%s, but the plugin was built with version %s" %
                       (os.environ["WATER_VERSION"][1:], os.environ["WATER_VERSION"]), said)
