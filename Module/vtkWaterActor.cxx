@@ -165,8 +165,9 @@ vtkWaterSource* vtkWaterActor::GetSource()
 double* vtkWaterActor::GetBounds()
 {
   double* bounds = this->FindBounds();
-  // a culler that one rank alone goes by would leave the others waiting for it
-  return bounds && this->Internal->IsDrawnOnAllRanks() ? nullptr : bounds;
+  // a culler that one rank alone goes by would leave the others waiting for it; later in the frame
+  // engines ask where ranks have something to be composited
+  return bounds && this->Internal->IsKeptFromCullers() ? nullptr : bounds;
 }
 
 //------------------------------------------------------------------------------

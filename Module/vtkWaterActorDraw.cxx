@@ -200,18 +200,31 @@ namespace
 class ScopedHole
 {
 public:
-  ScopedHole(vtkOpenGLState* state, bool isHole)
-    : Blend(state, GL_BLEND)
-    , BlendFunc(state)
+  ScopedHole(vtkRenderer* renderer, vtkProp* water, const vtkWaterRanks& ranks)
+    : Blend(StateOf(renderer), GL_BLEND)
+    , BlendFunc(StateOf(renderer))
   {
-    if (isHole)
+    if (!ranks.ShowsWater() && !renderer->GetSelector() &&
+      !vtkWaterRenderPassKeys::IsBakingShadows(water))
     {
+      vtkOpenGLState* state = StateOf(renderer);
       state->vtkglEnable(GL_BLEND);
       state->vtkglBlendFuncSeparate(GL_ZERO, GL_ZERO, GL_ZERO, GL_ZERO);
     }
   }
 
+  template <typename Function>
+  void Draw(Function draw) const
+  {
+    draw();
+  }
+
 private:
+  static vtkOpenGLState* StateOf(vtkRenderer* renderer)
+  {
+    return static_cast<vtkOpenGLRenderer*>(renderer)->GetState();
+  }
+
   vtkOpenGLState::ScopedglEnableDisable Blend;
   vtkOpenGLState::ScopedglBlendFuncSeparate BlendFunc;
 };
@@ -310,6 +323,7 @@ void vtkWaterActor::RenderSecondary(vtkRenderer* renderer, vtkMapper* mapper)
 }
 
 //------------------------------------------------------------------------------
+// Long because a draw has many steps, whose order matters.
 void vtkWaterActor::Render(vtkRenderer* renderer, vtkMapper* mapper)
 {
   Internals& internal = *this->Internal;
@@ -371,12 +385,11 @@ void vtkWaterActor::Render(vtkRenderer* renderer, vtkMapper* mapper)
     internal.Surface.UpdateFeatures(features);
     this->GetProperty()->Modified();
   }
-  const bool isHole = !renderer->GetSelector() && !vtkWaterRenderPassKeys::IsBakingShadows(this) &&
-    !frame.GetReflection(internal).Ranks.ShowsWater();
   if (!internal.Surface.GetIsBuffered())
   {
-    const ScopedHole hole(static_cast<vtkOpenGLRenderer*>(renderer)->GetState(), isHole);
-    internal.DrawSurface(internal.Surface, renderer, drawn);
+    ScopedHole(renderer, this, frame.GetReflection(internal).Ranks).Draw([&]() {
+      internal.DrawSurface(internal.Surface, renderer, drawn);
+    });
   }
   occlusion->End();
   internal.Surface.End();

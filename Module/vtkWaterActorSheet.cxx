@@ -229,6 +229,20 @@ bool vtkWaterActor::Internals::IsDrawnOnAllRanks()
 }
 
 //------------------------------------------------------------------------------
+bool vtkWaterActor::Internals::IsKeptFromCullers()
+{
+  if (!this->IsDrawnOnAllRanks())
+  {
+    return false;
+  }
+  std::vector<vtkRenderer*> scene;
+  FindRenderers(this->Self, scene);
+  // waters begin the frame, once the cullers are through
+  return std::any_of(scene.begin(), scene.end(),
+    [](vtkRenderer* renderer) { return vtkWaterFrame::NumberOf(renderer) == 0; });
+}
+
+//------------------------------------------------------------------------------
 double vtkWaterActor::Internals::GetSceneDiagonal()
 {
   std::vector<vtkRenderer*> scene;

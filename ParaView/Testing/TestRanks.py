@@ -11,8 +11,8 @@ sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import water_scene  # noqa: E402
 import ranks  # noqa: E402
 
-SERVERS = {"calm": (1, 2, 4), "sea": (2,), "basin": (1, 2), "panes": (2,)}  # ranks
-SCENE = sys.argv.pop() if sys.argv[-1] in ("calm", "sea", "basin", "panes") else "calm"
+SERVERS = {"calm": (1, 2, 4), "sea": (2,), "basin": (1, 2), "balls": (2,)}  # ranks
+SCENE = sys.argv.pop() if sys.argv[-1] in ("calm", "sea", "basin", "balls") else "calm"
 
 
 class TestRanks(unittest.TestCase):

@@ -70,10 +70,10 @@ class TestServer(unittest.TestCase):
         os.makedirs(folder, exist_ok=True)
         with open(os.environ["WATER_MODULE"], "rb") as stream:
             data = stream.read()
-        version = os.environ["WATER_VERSION"].encode()
-        self.assertEqual(data.count(b"\0" + version + b"\0"), 1)
+        version = os.environ["WATER_VERSION"].encode() + b"\0"
+        self.assertEqual(data.count(version), 1)
         with open(os.path.join(folder, os.path.basename(os.environ["WATER_MODULE"])), "wb") as stream:
-            stream.write(data.replace(b"\0" + version + b"\0", b"\0" + b"9" + version[1:] + b"\0"))
+            stream.write(data.replace(version, b"9" + version[1:]))
         program = water_scene.path("module.py")
         with open(program, "w", encoding="utf-8") as stream:
             stream.write("import sys\nsys.path.insert(0, %r)\nimport water_scene\nfrom water_scene import pv\n"
@@ -81,7 +81,7 @@ class TestServer(unittest.TestCase):
                          "pv.Render(view)\nprint('the end')\n" % os.path.dirname(os.path.abspath(__file__)))
         environment = {**ranks.ENVIRONMENT, "LD_LIBRARY_PATH": folder + ":" + os.environ.get("LD_LIBRARY_PATH", "")}
         said = subprocess.run([os.environ["WATER_PVPYTHON"], "--force-offscreen-rendering", program], text=True,
-                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=120, check=False,
+                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=ranks.LIMIT, check=False,
                               env=environment).stdout
         self.assertIn("has version 9%s, but the plugin was built with version %s" %
                       (os.environ["WATER_VERSION"][1:], os.environ["WATER_VERSION"]), said)

@@ -72,8 +72,8 @@ bool Check(const std::string& name, vtkMultiProcessController* controller)
   const std::map<std::string, WaterEngine> engines = {
     { "depth", { "vtkCompositedSynchronizedRenderers", false, false, SynchronizeRenderers } },
     { "blend", { "vtkCompositeRGBAPass", true, true, WaterArrangePasses } },
-    { "icet", { "vtkIceTCompositePass", false, false, iceT(false) } },
-    { "icet-ordered", { "vtkIceTCompositePass, ordered", true, false, iceT(true) } }
+    { "icet", { "vtkIceTCompositePass", false, true, iceT(false) } },
+    { "icet-ordered", { "vtkIceTCompositePass, ordered", true, true, iceT(true) } }
   };
   const auto found = engines.find(name);
   if (found == engines.end())

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A scene in pieces with water, for TestRanks.py: pvbatch on some ranks, or a client of a server.
 
-    ranks_program.py NAME [--dry] [--look calm|sea|basin|panes] [--server PORT]
+    ranks_program.py NAME [--dry] [--look calm|sea|basin|balls] [--server PORT]
 
 Writes NAME.png and NAME-animation.png, and says how many pixels the ranks have sent each other. Connected to a
 server, which renders both, it also writes NAME-local.png, which the client renders, and NAME-remote-again.png.
@@ -42,7 +42,7 @@ def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("name")
     parser.add_argument("--dry", action="store_true")
-    parser.add_argument("--look", choices=("calm", "sea", "basin", "panes"), default="calm")
+    parser.add_argument("--look", choices=("calm", "sea", "basin", "balls"), default="calm")
     parser.add_argument("--server")
     options = parser.parse_args()
     if options.server:
@@ -87,8 +87,8 @@ def mountains(view, options):
 
     def place(east, north):
         return [bounds[0] + east * (bounds[1] - bounds[0]), bounds[2] + north * (bounds[3] - bounds[2])]
-    if options.look == "panes":
-        add_boxes(view, place)
+    if options.look == "balls":
+        add_balls(view, place)
     view.CameraPosition = place(0.831, 0.233) + [LEVEL + 150.0]
     view.CameraFocalPoint = place(0.530, 0.122) + [LEVEL + 200.0]
     view.CameraViewUp = [0.0, 0.0, 1.0]
@@ -96,12 +96,16 @@ def mountains(view, options):
     return shown, 5.0
 
 
-def add_boxes(view, place):
-    """Translucent boxes in and above the water, near and far: ParaView blends the ranks' pictures in their order."""
-    side = 0.04 * (place(1, 0)[0] - place(0, 0)[0])
+def add_balls(view, place):
+    """Translucent balls in and above the water, near and far: ParaView blends the ranks' pictures in their order.
+
+    A ball is a source that gives each rank a part; a box would be on all ranks, and blended several times.
+    """
+    radius = 0.025 * (place(1, 0)[0] - place(0, 0)[0])
     for east, north, color in ((0.74, 0.21, [0.9, 0.2, 0.1]), (0.66, 0.15, [0.1, 0.8, 0.3]), (0.58, 0.16, [0.2, 0.2, 0.9])):
-        box = pv.Box(XLength=side, YLength=side, ZLength=300.0, Center=place(east, north) + [LEVEL + 50.0])
-        shown = pv.Show(box, view)
+        ball = pv.Sphere(Radius=radius, Center=place(east, north) + [LEVEL + 0.5 * radius], ThetaResolution=48,
+                         PhiResolution=48)
+        shown = pv.Show(ball, view)
         shown.Opacity = 0.5
         shown.DiffuseColor = shown.AmbientColor = color
 

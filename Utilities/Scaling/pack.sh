@@ -59,7 +59,7 @@ find "$debs/root/usr/lib" \( -name 'libEGL.so*' -o -name 'libGL.so*' -o -name 'l
   -o -name 'libOpenGL.so*' \) -exec cp -P {} "$pack/lib/" \;
 rm -rf "$debs"
 
-tar -C "$pack" -cf - bin lib | xz -T0 -6 >"$out/gpus.tar.xz.part"
+tar -C "$pack" -cf - bin lib | xz -T0 --x86 --lzma2=preset=5,dict=64MiB >"$out/gpus.tar.xz.part"
 mv "$out/gpus.tar.xz.part" "$out/gpus.tar.xz"
 size_mb=$(($(stat -c %s "$out/gpus.tar.xz") / 1000000))
 say "$out/gpus.tar.xz: $size_mb MB, $(find "$pack/lib" -type f | wc -l) libraries"

@@ -138,7 +138,7 @@ double water_ranks_digest_number(uint64_t digest);
 
 // Does a rank's picture show the water? Where the ranks' pictures are compared by depth, all do.
 // Where they are blended in an order, the farthest does: the others are transparent at their water,
-// so that they hide neither it nor what stands in it.
+// so that they hide neither it nor what is in it.
 //
 // farthest_rank  of water_ranks_view
 bool water_rank_shows_water(int farthest_rank, size_t rank);

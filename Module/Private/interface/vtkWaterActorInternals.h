@@ -72,6 +72,8 @@ struct vtkWaterActor::Internals : public vtkWaterSource
   void FindSceneBounds(const std::vector<vtkRenderer*>& scene, double bounds[6]);
   // Is a frame being rendered whose water all ranks draw, whatever each of them sees of it?
   bool IsDrawnOnAllRanks();
+  // The same, while cullers ask.
+  bool IsKeptFromCullers();
   // Of what the water's renderers show, units; 0: there is nothing.
   double GetSceneDiagonal();
   // The waves at the actor's time, in the scene's unit.
