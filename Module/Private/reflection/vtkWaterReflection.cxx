@@ -118,7 +118,9 @@ vtkWaterSurfaceShader::Inputs vtkWaterReflection::GetInputs(
   inputs.Renderer = static_cast<vtkOpenGLRenderer*>(renderer);
   inputs.Fog = &mirrored.GetFog();
   inputs.Plan = this->GetFreshPlan(renderer, frame, water);
-  const bool hasTexture = inputs.Plan && water_plan_has_reflection(inputs.Plan);
+  // whether the water is hidden may be asked before its first mirrored view is drawn
+  const bool hasTexture =
+    inputs.Plan && water_plan_has_reflection(inputs.Plan) && mirrored.GetColor();
   if (hasTexture && this->Gathered.IsRough && !view->HasLevels)
   {
     // as late as that: software renderers wait for the mirrored view here, and would not begin
