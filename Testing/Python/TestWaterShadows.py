@@ -10,8 +10,8 @@ import water_test as wt
 
 LIMIT = 0.5  # % of the water's pixels
 LAND_SEEDS = (14, 26)  # they have shadows
-THING_SEEDS = (0, 3, 15)
-CLEAR_SEEDS = (18, 43)  # the picture shows what casts the shadows, and the mirrored view does not
+THING_SEEDS = (0, 3)
+CLEAR_SEEDS = (18,)  # the picture shows what casts the shadows, and the mirrored view does not
 # over the shore from the sea, along it, from the land, from high over it; whether the water is clear
 BEACH_EYES = (((-5, -25, 8), (0, 0, 0), False), ((-15, -15, 10), (0, 0, 0), True), ((20, -12, 12), (-3, 0, 0), False),
               ((-3, 0, 30), (-3, 0.1, 0), True), ((-4, 25, 14), (-1, 0, 0), False))

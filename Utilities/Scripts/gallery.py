@@ -27,7 +27,7 @@ EXAMPLES = {
     "lakes": ["PICTURE"],
     "flood": ["--picture", "PICTURE"],
     "tide": ["FOLDER/tide.gif", "--frames", "10", "--picture", "PICTURE"],
-    "rain_flood": ["FOLDER/rain_flood.gif", "--frames", "4", "--picture", "PICTURE"],
+    "rain_flood": ["FOLDER/rain_flood.gif", "--frames", "2", "--picture", "PICTURE"],
     "wake": ["PICTURE"],
     "strait": ["PICTURE", "--movie", "FOLDER/strait.gif", "--frames", "2"],
     "breakwater": ["PICTURE", "--movie", "FOLDER/breakwater.gif", "--frames", "2"],
