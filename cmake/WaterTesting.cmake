@@ -4,7 +4,8 @@
 #   water_add_test(NAME <name> COMMAND <command>... [LABELS <label>...] [TIMEOUT <seconds>]
 #     [PROPERTIES <property> <value>...] [ALL_WINDOWS | NO_WINDOW] [LARGE_PICTURES])
 #   water_add_cxx_tests(TestA.cxx ... [LABELS <label>...] [QUICK TestA ...] [ONCE TestA ...] [WINDOWS TestA ...])
-#   water_add_python_tests(TestA.py ... [LABELS <label>...] [QUICK TestA ...] [ONCE TestA ...] [WINDOWS TestA ...])
+#   water_add_python_tests(TestA.py ... [LABELS <label>...] [QUICK TestA ...] [ONCE TestA ...] [WINDOWS TestA ...]
+#     [LARGE TestA ...])
 #
 # A test that renders is run under its own name in the first off-screen window that this VTK has. All windows
 # render with the same rasteriser, so another one shows nothing new to most tests. WINDOWS (ALL_WINDOWS) names
@@ -18,7 +19,7 @@
 # second VTK shows nothing new: WATER_TESTS_ONCE=OFF leaves them out of its build tree. The other tests there find
 # WATER_TESTS_ONCE=0 in their environment, and may leave out what the first VTK has shown of the test itself.
 #
-# LARGE_PICTURES: Mesa's llvmpipe compiles every shader by LLVM. For small pictures that takes most of a test's time,
+# LARGE_PICTURES (LARGE): Mesa's llvmpipe compiles every shader by LLVM. For small pictures that takes most of a test's time,
 # and half of it without LLVM's optimiser, which is off then (GALLIVM_PERF=nopt). For large ones it would take longer.
 #
 # Every test finds in its environment: our library and Python package, VTK_DATA_ROOT (Testing/Data),
@@ -226,10 +227,11 @@ endfunction()
 # Each file is a pytest file for the Python that VTK is wrapped for (Testing/Python/conftest.py). Output
 # is not captured: what VTK writes into it counts, too.
 function(water_add_python_tests)
-  cmake_parse_arguments(PARSE_ARGV 0 arg "" "TIMEOUT" "LABELS;QUICK;ONCE;WINDOWS")
+  cmake_parse_arguments(PARSE_ARGV 0 arg "" "TIMEOUT" "LABELS;QUICK;ONCE;WINDOWS;LARGE")
   water_check_names(QUICK "${arg_QUICK}" "${arg_UNPARSED_ARGUMENTS}")
   water_check_names(WINDOWS "${arg_WINDOWS}" "${arg_UNPARSED_ARGUMENTS}")
   water_check_names(ONCE "${arg_ONCE}" "${arg_UNPARSED_ARGUMENTS}")
+  water_check_names(LARGE "${arg_LARGE}" "${arg_UNPARSED_ARGUMENTS}")
   foreach(source IN LISTS arg_UNPARSED_ARGUMENTS)
     get_filename_component(test "${source}" NAME_WE)
     if(test IN_LIST arg_ONCE AND NOT WATER_TESTS_ONCE)
@@ -237,7 +239,11 @@ function(water_add_python_tests)
     endif()
     water_labels(labels ${test} "python;${arg_LABELS}" "${arg_QUICK}")
     water_all_windows(all_windows ${test} "${arg_WINDOWS}")
-    water_add_test(NAME ${test} ${all_windows}
+    set(large_pictures)
+    if(test IN_LIST arg_LARGE)
+      set(large_pictures LARGE_PICTURES)
+    endif()
+    water_add_test(NAME ${test} ${all_windows} ${large_pictures}
       COMMAND "${Python3_EXECUTABLE}" -m pytest -s -q -p no:cacheprovider
         "${CMAKE_CURRENT_SOURCE_DIR}/${source}"
       LABELS ${labels}

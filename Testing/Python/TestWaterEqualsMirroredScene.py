@@ -7,6 +7,7 @@ pixels of the two must be the same: at most 0.02 % differ by more than 1/255.
 """
 
 import math
+import os
 import pathlib
 import random
 
@@ -175,7 +176,7 @@ def test_a_grazing_view_of_tall_poles(light):
 
 def test_random_planes_and_cameras():
     """From random cameras, water in random planes shows the mirrored scene."""
-    count, seed = 100, 20240607
+    count, seed = 30 if os.environ.get("WATER_TESTS_ONCE") == "0" else 100, 20240607  # another VTK has all
     generator = random.Random(seed)
     print(f"random planes and cameras: {count}, seed {seed}")
     differing = total = 0

@@ -21,7 +21,6 @@ PERIOD = 4.0
 STEP = 0.1  # s
 PIXELS_PER_M = LARGE[1] / (2 * HALF)
 MOST_OFF = 0.02  # of the speed
-RENDERERS = pytest.mark.parametrize("is_software", (1, 0), ids=("software", "hardware"))
 
 
 def mesh_of(current, bumps=0.0, of_cells=False, components=3):
@@ -141,8 +140,7 @@ def test_every_kind_of_array_carries_waves_alike():
             wt.check_equal(f"{name}, {time} s: pixels that differ", int((other.at(time) != picture).sum()), 0)
 
 
-@RENDERERS
-@pytest.mark.parametrize("waves", ("map", "sea"))
+@pytest.mark.parametrize("waves, is_software", (("map", 1), ("sea", 1), ("sea", 0)))
 def test_no_current_is_as_without(waves, is_software, monkeypatch):
     """Zeros, and velocities that are no numbers, leave every pixel as it is without a current."""
     monkeypatch.setenv("VTK_WATER_SOFTWARE", str(is_software))

@@ -100,18 +100,28 @@ def truth(kind, cells=CELLS):
 
     starts, directions, _ = EYE.rays()
     directions = directions / np.linalg.norm(directions, axis=-1, keepdims=True)
-    low, high = np.zeros(starts.shape[:2]), np.full(starts.shape[:2], np.nan)
+    flat_starts, flat_directions = starts.reshape(-1, 3), directions.reshape(-1, 3)
+
+    def is_under(way, rays):
+        points = flat_starts[rays] + way[:, None] * flat_directions[rays]
+        return points[:, 2] < surface(points)[0]
+
+    with np.errstate(divide="ignore"):  # over the highest crest there is nothing to meet
+        enters = np.where(flat_directions[:, 2] < 0, (AMPLITUDE - flat_starts[:, 2]) / flat_directions[:, 2], np.inf)
+    low, high = np.zeros(len(enters)), np.full(len(enters), np.nan)
+    left = np.flatnonzero(enters < 36.0)  # the rays that have met nothing yet
     for way in np.arange(4.0, 36.0, 0.1):  # the first place under the surface
-        points = starts + way * directions
-        is_under = np.isnan(high) & (points[..., 2] < surface(points)[0])
-        high[is_under] = way
-        low[np.isnan(high)] = way
+        here = left[enters[left] <= way]
+        hits = here[is_under(np.full(len(here), way), here)]
+        high[hits] = way
+        left = left[np.isnan(high[left])]
+        low[left] = way
+    met = np.flatnonzero(np.isfinite(high))
     for _ in range(34):
-        middle = 0.5 * (low + high)
-        points = starts + middle[..., None] * directions
-        is_under = points[..., 2] < surface(points)[0]
-        low, high = np.where(is_under, low, middle), np.where(is_under, middle, high)
-    points = starts + high[..., None] * directions
+        middle = 0.5 * (low[met] + high[met])
+        under = is_under(middle, met)
+        low[met], high[met] = np.where(under, low[met], middle), np.where(under, middle, high[met])
+    points = starts + high.reshape(starts.shape[:2])[..., None] * directions
     _, along, across = surface(points)
     normal = np.stack([-along, -across, np.ones_like(along)], axis=-1)
     normal = normal / np.linalg.norm(normal, axis=-1, keepdims=True)

@@ -4,13 +4,13 @@
 import numpy as np
 import pytest
 import water_test as wt
-from TestWaterReflectionsOnWaves import post_scene, truth_of
+from TestWaterReflectionsOnWaves import truth_of
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonTransforms import vtkTransform
 from vtkmodules.vtkFiltersSources import vtkPlaneSource
 from vtkmodules.vtkRenderingCore import vtkCamera, vtkRenderer
 from vtkwater import vtkWaterFrameAverage, vtkWaterProperty
-from wave_scenes import POSTS_VIEWS, SKY, rmse
+from wave_scenes import POSTS_VIEWS, SKY, post_scene, rmse
 
 FRAMES = 16
 

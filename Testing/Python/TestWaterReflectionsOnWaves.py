@@ -23,14 +23,14 @@ def post_scene(view, **options):
 
 
 @functools.lru_cache(None)  # several tests need the same, and each takes seconds
-def cast(view, parallel, samples):
-    made, _ = post_scene(view, parallel=parallel)
-    return ray_caster.picture(made.renderer.GetActiveCamera(), SIZE, posts(), SKY, POSTS_WAVES, 0.0, samples)
+def cast(view, parallel, samples, size):
+    made, _ = wave_scenes.post_scene(view, parallel=parallel, size=size)
+    return ray_caster.picture(made.renderer.GetActiveCamera(), size, posts(), SKY, POSTS_WAVES, 0.0, samples)
 
 
 def truth_of(view, made, water, parallel=False, samples=4):
     """The ray caster's picture, and the pixels that are water and nothing else there and here."""
-    truth, mask = cast(view, parallel, samples)
+    truth, mask = cast(view, parallel, samples, tuple(made.window.GetSize()))
     return truth, mask & wt.water_mask(made, water)
 
 

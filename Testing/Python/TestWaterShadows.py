@@ -1,17 +1,20 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Shadows on the water lie where rays to the sun are stopped, along coasts, too, and nowhere else."""
+"""Shadows on the water lie where rays to the sun are stopped, along coasts, too, and nowhere else.
+
+A coast takes seconds, most of them for its rays. coast_shadows.py by itself looks at 50 of them.
+"""
 
 import coast_shadows as coasts
 import pytest
 import water_test as wt
 
 LIMIT = 0.5  # % of the water's pixels
-LAND_SEEDS = (3, 9, 14, 18, 26, 40)  # 14, 18 and 26 have shadows
-THING_SEEDS = (0, 3, 6, 9, 15, 25)
-CLEAR_SEEDS = (1, 10, 18, 43)  # the picture shows what casts the shadows, and the mirrored view does not
-# over the shore from the sea, along it, from the land, from high over it
-BEACH_EYES = (((-5, -25, 8), (0, 0, 0)), ((-15, -15, 10), (0, 0, 0)), ((20, -12, 12), (-3, 0, 0)),
-              ((-3, 0, 30), (-3, 0.1, 0)), ((-4, 25, 14), (-1, 0, 0)))
+LAND_SEEDS = (14, 26)  # they have shadows
+THING_SEEDS = (0, 3)
+CLEAR_SEEDS = (18,)  # the picture shows what casts the shadows, and the mirrored view does not
+# over the shore from the sea, along it, from the land, from high over it; whether the water is clear
+BEACH_EYES = (((-5, -25, 8), (0, 0, 0), False), ((-15, -15, 10), (0, 0, 0), True), ((20, -12, 12), (-3, 0, 0), False),
+              ((-3, 0, 30), (-3, 0.1, 0), True), ((-4, 25, 14), (-1, 0, 0), False))
 
 
 def check(name, coast, has_refraction=False):
@@ -22,8 +25,7 @@ def check(name, coast, has_refraction=False):
     wt.check_at_most(f"{name}: % that is dark or lit wrongly", 100 * float(dark + lit), LIMIT)
 
 
-@pytest.mark.parametrize("has_refraction", (False, True), ids=("opaque", "clear"))
-@pytest.mark.parametrize("eye, target", BEACH_EYES)
+@pytest.mark.parametrize("eye, target, has_refraction", BEACH_EYES)
 def test_a_beach_shades_no_water(eye, target, has_refraction):
     """A beach of a slope of a tenth, under a sun 45 degrees high, keeps the sun off nothing."""
     check(f"beach from {eye}", coasts.beach(eye, target), has_refraction)

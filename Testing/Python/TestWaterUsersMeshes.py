@@ -18,7 +18,7 @@ SCENES = int(os.environ.get("WATER_MESHES_SCENES", 1))
 LIMIT_PERCENT = 0.02
 NEAR_FAR = (0.05, 80)  # depths between them are exact enough
 KNOWN = 1e3  # up to there floats tell heights to 6e-5; farther off a height of 1e-3 may be their rounding
-DISTANCES = (0, 1e3, 1e4, 1e5, 1e6)
+DISTANCES = (0, 1e3, 1e5, 1e6)
 RENDERERS = pytest.mark.parametrize("is_software", (1, 0), ids=("software", "hardware"))
 AT = pytest.mark.parametrize("distance", DISTANCES, ids="{:g}".format)
 
@@ -80,13 +80,12 @@ def flat_scenes(number, distance):
               "irregular": ms.irregular(generator, int(generator.integers(2, 600)), width)}
 
     def scenes():
-        for name, mesh in meshes.items():
-            for is_single in (False, True):
-                for has_matrix in (False, True):
-                    data, matrix = mapped(generator, place, mesh, ms.points_of(mesh), is_single, has_matrix)
-                    full = f"{name}, {'floats' if is_single else 'doubles'}{', matrix' if has_matrix else ''}"
-                    yield full, ms.Scene(place, eye, contents, ms.mapper_of(data, mode_of(generator, distance, 1e4)),
-                                         matrix)
+        for name, is_single, has_matrix in (("grid", False, False), ("grid", True, True),
+                                            ("irregular", False, True), ("irregular", True, False)):
+            mesh = meshes[name]
+            data, matrix = mapped(generator, place, mesh, ms.points_of(mesh), is_single, has_matrix)
+            full = f"{name}, {'floats' if is_single else 'doubles'}{', matrix' if has_matrix else ''}"
+            yield full, ms.Scene(place, eye, contents, ms.mapper_of(data, mode_of(generator, distance, 1e4)), matrix)
         # the own sheet, which the actor turns and moves in its plane
         turning = place.rotation @ turned(generator) @ place.rotation.T
         moving = place.offset + place.rotation @ (1, 2, 0) - turning @ place.offset
@@ -106,7 +105,7 @@ def test_meshes_in_the_plane_show_the_mirrored_scene(distance, is_software, monk
         for name, scene in scenes:
             picture, mask = scene.seen()
             tally.add(f"scene {number}, {name}", np.abs(picture - truth).max(axis=2)[mask])
-    tally.check(f"in the plane, {distance:g} from the origin", 100000 * SCENES)
+    tally.check(f"in the plane, {distance:g} from the origin", 50000 * SCENES)
 
 
 HEIGHTS = {

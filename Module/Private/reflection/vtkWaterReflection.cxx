@@ -117,7 +117,9 @@ vtkWaterSurfaceShader::Inputs vtkWaterReflection::GetInputs(
   inputs.Renderer = static_cast<vtkOpenGLRenderer*>(renderer);
   inputs.Fog = &view->Mirrored.GetFog();
   inputs.Plan = this->GetFreshPlan(renderer, frame, water);
-  const bool hasTexture = inputs.Plan && water_plan_has_reflection(inputs.Plan);
+  // whether the water is hidden may be asked before its first mirrored view is drawn
+  const bool hasTexture =
+    inputs.Plan && water_plan_has_reflection(inputs.Plan) && view->Mirrored.GetColor();
   this->FillInputs(*view, hasTexture, inputs);
   if (!hasTexture)
   {
