@@ -50,7 +50,7 @@ void water_beyond_row(const double row[4], const double picture_scale[2], double
 void water_beyond_dirs(
   const double dir_to_eye[12], const double picture_scale[2], double dir_to_own_view[12]);
 
-// Fills what a plan knows of the own view: camera, size, clip, and the reason of every prop.
+// Fills what a plan knows of the own view: camera, size, clip, and the reason for every prop.
 //
 // box        of the picture that the water covers, NDC of the eye
 // plan       the fields of the view are set

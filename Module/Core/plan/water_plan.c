@@ -167,7 +167,7 @@ static void cover(
 static bool is_faint(
   const water_scene* scene, const checked* input, const water_plan* plan, const double box[4])
 {
-  return (scene->settings.skips & WATER_MAY_SKIP_FAINT) &&
+  return (scene->settings.skips & WATER_MAY_SKIP_FAINT) && !scene->is_beyond &&
     scene->settings.reflectance_error > 0.0 && !scene->has_shadows &&
     water_optics_reflectance_max(&scene->look, plan->eta, plan->ndc_to_ray, box,
       scene->has_waves ? scene->slope_max : 0.0) <= scene->settings.reflectance_error &&
@@ -383,6 +383,19 @@ static water_status fill_shade(
     &plan->mirrored, plan->plane_view, plan->reflection_height, plan->reflection_w);
 }
 
+// The mirrored view, or the own view.
+static water_status fill_drawn_view(const water_scene* scene, const checked* input,
+  const water_plane* plane, const water_axes* axes, const double box[4], water_plan* plan,
+  water_cull_reason* reasons, size_t* bad_index)
+{
+  if (scene->is_beyond)
+  {
+    return water_beyond_plan(scene, box, plan, reasons, bad_index);
+  }
+  const water_status status = fill_draw(scene, input, plane, box, plan, reasons, bad_index);
+  return status == WATER_OK ? fill_shade(scene, input, axes, plan) : status;
+}
+
 water_status water_plan_make(const water_scene* scene, water_plan* plan, water_cull_reason* reasons)
 {
   water_plan made;
@@ -409,25 +422,18 @@ water_status water_plan_make(const water_scene* scene, water_plan* plan, water_c
     status = fill_view(scene, &input, &plane, &axes, &made);
     double box[4];
     cover(scene, &input, &plane, box);
-    if (status == WATER_OK && made.decision == WATER_REFLECT && !scene->is_beyond &&
-      is_faint(scene, &input, &made, box))
+    if (status == WATER_OK && made.decision == WATER_REFLECT && is_faint(scene, &input, &made, box))
     {
       made.decision = WATER_NO_REFLECT_FAINT;
     }
     if (status == WATER_OK && made.decision == WATER_REFLECT)
     {
       size_t bad_index = 0;
-      status = scene->is_beyond
-        ? water_beyond_plan(scene, box, &made, reasons, &bad_index)
-        : fill_draw(scene, &input, &plane, box, &made, reasons, &bad_index);
+      status = fill_drawn_view(scene, &input, &plane, &axes, box, &made, reasons, &bad_index);
       if (bad_index < scene->prop_count)
       {
         made.bad_index = bad_index;
         props_status = WATER_BAD_PROP_BOUNDS;
-      }
-      if (status == WATER_OK && !scene->is_beyond)
-      {
-        status = fill_shade(scene, &input, &axes, &made);
       }
     }
     if (water_decision_is_unseen(made.decision))
