@@ -65,9 +65,10 @@ vtkWaterError vtkWaterReflection::RenderOwnView(const Frame& frame, Attempt& att
     this->ReleaseOwnView(view, frame.Renderer->GetRenderWindow());
     return error;
   }
-  if (this->GetPlannedView() != &view || attempt.IsAborted)
+  if (this->GetPlannedView() != &view || attempt.IsAborted ||
+    this->Report.Decision == WATER_NO_REFLECT_FAILED)
   {
-    return error;
+    return error; // the plain colour is shown
   }
   std::vector<water_prop> props;
   water_scene scene = this->ReadOwnScene(frame, props);
