@@ -34,7 +34,8 @@ water_status water_beyond_size(
 void water_beyond_reach(const double dir_to_eye[12], double box[4]);
 
 // The clip of the own view in the eye's view space: kept side >= 0, unit normal. A strip of some
-// pixels on the eye's side of the plane is kept, too: at a shore rays look at land beside the water.
+// pixels on the eye's side of the plane is kept, too: at a shore rays look at land beside the
+// water.
 //
 // plane_view  the plane in the eye's view space, normal towards the eye
 // margin      how far the surface may rise towards the eye, >= 0

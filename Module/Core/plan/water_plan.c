@@ -75,8 +75,8 @@ static water_status check(const water_scene* scene, checked* result)
     return WATER_BAD_SURFACE;
   }
   const double texture_scale = scene->is_beyond ? 1.0 : scene->settings.texture_scale;
-  status = water_target_size(
-    scene->viewport_px, texture_scale, scene->max_texture_px, result->texture_px);
+  status =
+    water_target_size(scene->viewport_px, texture_scale, scene->max_texture_px, result->texture_px);
   if (status != WATER_OK)
   {
     return status;
@@ -144,8 +144,7 @@ static water_decision decide(const water_scene* scene, const checked* input)
   {
     return WATER_NO_REFLECT_HIDDEN;
   }
-  return scene->has_environment && !scene->is_beyond ? WATER_NO_REFLECT_ENVIRONMENT
-                                                     : WATER_REFLECT;
+  return scene->has_environment && !scene->is_beyond ? WATER_NO_REFLECT_ENVIRONMENT : WATER_REFLECT;
 }
 
 // Which part of the picture the water covers.

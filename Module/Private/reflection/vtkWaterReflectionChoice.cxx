@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkWaterReflectionChoice.cxx: the part of vtkWaterReflection that knows what is drawn in a view of
-// either kind, the mirrored one or the own view: the props that a plan has chosen.
+// vtkWaterReflectionChoice.cxx: the part of vtkWaterReflection that knows what is drawn in a view
+// of either kind, the mirrored one or the own view: the props that a plan has chosen.
 #include "vtkProp.h"
 #include "vtkRenderer.h"
 #include "vtkWaterPropRecords.h"
@@ -15,8 +15,8 @@ vtkProp* vtkWaterReflection::GetDrawn(const Frame& frame, const Choice& choice, 
 }
 
 //------------------------------------------------------------------------------
-void vtkWaterReflection::FindDrawn(const Frame& frame, const Attempt& attempt, const Choice& choice,
-  std::vector<vtkProp*>& drawn)
+void vtkWaterReflection::FindDrawn(
+  const Frame& frame, const Attempt& attempt, const Choice& choice, std::vector<vtkProp*>& drawn)
 {
   drawn.clear();
   for (size_t i = 0; i < choice.Reasons.size(); ++i)

@@ -110,8 +110,8 @@ vtkWaterError vtkWaterReflection::DrawOwnView(const Frame& frame, Attempt& attem
   FindDrawn(frame, attempt, choice, draft.Props);
   vtkWaterSignature signature;
   this->Sign(frame, choice, draft, signature);
-  water_plan_revise(&scene, &own.DrawnPlan, signature.IsSameAs(own.DrawnSignature), nullptr, &plan,
-    reasons.data());
+  water_plan_revise(
+    &scene, &own.DrawnPlan, signature.IsSameAs(own.DrawnSignature), nullptr, &plan, reasons.data());
   if (plan.decision != WATER_REFLECT)
   {
     return Describe(own.Drawn.GetShortage());
