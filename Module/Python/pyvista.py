@@ -136,7 +136,7 @@ def add_water(
 
     own_view : bool, optional
         Whether the refracted colours come from an additional view of what lies below the water, twice as wide and
-        high as the picture: things outside the picture, behind objects above the water, and translucent ones are then
+        high as the picture: objects outside the picture, behind others above the water, and translucent ones are then
         visible through the water. Turns refraction on. The default is False: they come from the picture.
 
     foam : float | bool, optional

@@ -61,8 +61,7 @@ TEST(the_gpus_limit_narrows_the_band)
   assert_true(scale[0] == 800.0 / 900.0 && scale[1] == 600.0 / 900.0);
   assert_int_equal(water_beyond_size(viewport_px, 800, texture_px, scale), WATER_OK);
   assert_true(texture_px[0] == 800 && scale[0] == 1.0);
-  assert_int_equal(
-    water_beyond_size(viewport_px, 799, texture_px, scale), WATER_TEXTURE_TOO_LARGE);
+  assert_int_equal(water_beyond_size(viewport_px, 799, texture_px, scale), WATER_TEXTURE_TOO_LARGE);
 }
 
 // What lies beyond the plane is drawn, also beside the picture, and if it is marked as not
@@ -73,8 +72,8 @@ TEST(what_lies_beyond_is_drawn)
     { { -1.0, 1.0, -1.0, 1.0, -3.0, -1.0 }, visible },
     { { -1.0, 1.0, -1.0, 1.0, 1.0, 3.0 }, visible },
     { { -1.0, 1.0, -1.0, 1.0, -1.0, 1.0 }, visible },
-    { { -1.0, 1.0, -11.0, -10.0, -3.0, -2.0 }, visible },    // under the eye, out of the picture
-    { { -1.0, 1.0, -90.0, -80.0, -3.0, -2.0 }, visible },    // behind it
+    { { -1.0, 1.0, -11.0, -10.0, -3.0, -2.0 }, visible }, // under the eye, out of the picture
+    { { -1.0, 1.0, -90.0, -80.0, -3.0, -2.0 }, visible }, // behind it
     { { -1.0, 1.0, -1.0, 1.0, -3.0, -1.0 }, visible | WATER_PROP_NOT_REFLECTED },
     { { -1.0, 1.0, -1.0, 1.0, -3.0, -1.0 }, visible | WATER_PROP_IS_WATER },
     { { -1.0, 1.0, -1.0, 1.0, -3.0, -1.0 }, 0 },
@@ -131,8 +130,7 @@ TEST(the_clip_keeps_what_is_beyond_the_crests)
       apply(plan.mirrored.world_to_view, point, 1.0, view);
       project(&plan.mirrored, point, 1.0, clip);
       const double pixel = 2.0 * clip[3] / (random.scene.eye.view_to_clip[5] * 600.0);
-      const double kept =
-        random.scene.wave_height_max + 2.0 * pixel - height_of(&random, point);
+      const double kept = random.scene.wave_height_max + 2.0 * pixel - height_of(&random, point);
       const double* in_view = plan.clip_plane_view;
       const double* in_clip = plan.clip_plane_clip;
       const double* in_world = plan.clip_plane_world;

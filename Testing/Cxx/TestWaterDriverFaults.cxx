@@ -146,8 +146,8 @@ bool CheckOwnView()
   ok &= WaterCheck("own view: the picture's is shown", WaterSame(faulty, ofPicture), true);
   const auto right = scene.Picture();
   ok &= WaterCheck("own view: and right afterwards", right == ofPicture, false);
-  ok &= WaterCheck<vtkIdType>("own view: rendered",
-    scene.Water->GetReflectionPass()->GetNumberOfOwnViewRenders(), 1);
+  ok &= WaterCheck<vtkIdType>(
+    "own view: rendered", scene.Water->GetReflectionPass()->GetNumberOfOwnViewRenders(), 1);
   return ok;
 }
 }

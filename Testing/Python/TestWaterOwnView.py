@@ -5,6 +5,7 @@ import numpy as np
 import pytest
 import ray_caster
 import water_test as wt
+from vtkmodules.vtkCommonCore import vtkInformation
 from TestWaterRefractsAndAbsorbs import BED, SIZE, clear_water, look_at, truth_of
 from vtkwater import vtkWaterReflectionPass
 
@@ -127,6 +128,22 @@ def test_it_is_rendered_only_when_something_in_it_has_changed():
     pool.camera.SetViewUp(0, 1, 0)
     wt.check_equal("out of view", pool.renders(), 0)
     wt.check_equal("out of view, decision", pool.passes.GetOwnViewDecision(), vtkWaterReflectionPass.WATER_OUT_OF_VIEW)
+
+
+def test_what_is_said_of_reflections_does_not_matter():
+    """A prop that is not reflected, or that another one stands in for in reflections, is seen through the water."""
+    pool = Pool(bed_box(-2, 2))
+    pool.look.SetRefractionSourceToOwnView()
+    plain = pool.made.picture()
+    wt.leave_out(pool.actors[1])
+    wt.check_equal("not reflected: the same picture", np.array_equal(plain, pool.made.picture()), True)
+    other = wt.add_actor(pool.made.renderer, wt.box((5, 5, -1), (1, 1, 1)), (0, 0, 1), lit=False)
+    pool.made.renderer.RemoveActor(other)
+    keys = vtkInformation()
+    keys.Set(vtkWaterReflectionPass.STAND_IN(), other)
+    pool.actors[1].SetPropertyKeys(keys)
+    wt.check_equal("a stand-in: the same picture", np.array_equal(plain, pool.made.picture()), True)
+    wt.check_at_least("own views", pool.passes.GetNumberOfOwnViewRenders(), 1)
 
 
 def test_skips_do_not_show():

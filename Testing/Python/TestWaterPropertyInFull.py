@@ -154,6 +154,7 @@ CHOICES = [
     (vtkWaterProperty, "DeepColorMode", "DeepColorModes"),
     (vtkWaterProperty, "ReflectanceMode", "ReflectanceModes"),
     (vtkWaterProperty, "ReflectionSource", "ReflectionSources"),
+    (vtkWaterProperty, "RefractionSource", "RefractionSources"),
     (vtkWaterProperty, "SeaModel", "SeaModels"),
     (vtkWaterProperty, "Lookup", "Lookups"),
     (vtkWaterProperty, "Output", "Outputs"),

@@ -102,12 +102,12 @@ static void select_props(
   memcpy(selection.texture_px, plan->texture_px, sizeof selection.texture_px);
   water_rect_to_ndc(plan->texture_rect_px, plan->texture_px, selection.box);
   selection.is_off = !(scene->settings.skips & WATER_MAY_SKIP_PROPS);
-  *bad_index =
-    water_select_props(&plan->mirrored, &kept, &selection, scene->props, scene->prop_count, reasons);
+  *bad_index = water_select_props(
+    &plan->mirrored, &kept, &selection, scene->props, scene->prop_count, reasons);
 }
 
-water_status water_beyond_plan(const water_scene* scene, const double box[4],
-  water_plan* plan, water_cull_reason* reasons, size_t* bad_index)
+water_status water_beyond_plan(const water_scene* scene, const double box[4], water_plan* plan,
+  water_cull_reason* reasons, size_t* bad_index)
 {
   water_status status = water_beyond_size(
     scene->viewport_px, scene->max_texture_px, plan->texture_px, plan->reflection_scale);

@@ -34,7 +34,8 @@ water_status water_beyond_size(
 void water_beyond_reach(const double dir_to_eye[12], double box[4]);
 
 // The clip of the own view in the eye's view space: kept side >= 0, unit normal. A strip of some
-// pixels on the eye's side of the plane is kept, too: at a shore rays look at land beside the water.
+// pixels on the eye's side of the plane is kept, too: at a shore rays look at land beside the
+// water.
 //
 // plane_view  the plane in the eye's view space, normal towards the eye
 // margin      how far the surface may rise towards the eye, >= 0
@@ -50,7 +51,7 @@ void water_beyond_row(const double row[4], const double picture_scale[2], double
 void water_beyond_dirs(
   const double dir_to_eye[12], const double picture_scale[2], double dir_to_own_view[12]);
 
-// Fills what a plan knows of the own view: camera, size, clip, and the reason of every prop.
+// Fills what a plan knows of the own view: camera, size, clip, and the reason for every prop.
 //
 // box        of the picture that the water covers, NDC of the eye
 // plan       the fields of the view are set

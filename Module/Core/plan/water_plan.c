@@ -76,8 +76,8 @@ static water_status check(const water_scene* scene, checked* result)
     return WATER_BAD_SURFACE;
   }
   const double texture_scale = scene->is_beyond ? 1.0 : scene->settings.texture_scale;
-  status = water_target_size(
-    scene->viewport_px, texture_scale, scene->max_texture_px, result->texture_px);
+  status =
+    water_target_size(scene->viewport_px, texture_scale, scene->max_texture_px, result->texture_px);
   if (status != WATER_OK)
   {
     return status;
@@ -149,8 +149,7 @@ static water_decision decide(const water_scene* scene, const checked* input)
   {
     return WATER_NO_REFLECT_HIDDEN;
   }
-  return scene->has_environment && !scene->is_beyond ? WATER_NO_REFLECT_ENVIRONMENT
-                                                     : WATER_REFLECT;
+  return scene->has_environment && !scene->is_beyond ? WATER_NO_REFLECT_ENVIRONMENT : WATER_REFLECT;
 }
 
 // Which part of the picture the water covers. false: none of what counts of the picture.
@@ -184,7 +183,7 @@ static bool cover(
 static bool is_faint(
   const water_scene* scene, const checked* input, const water_plan* plan, const double box[4])
 {
-  return (scene->settings.skips & WATER_MAY_SKIP_FAINT) &&
+  return (scene->settings.skips & WATER_MAY_SKIP_FAINT) && !scene->is_beyond &&
     scene->settings.reflectance_error > 0.0 && !scene->has_shadows &&
     water_optics_reflectance_max(&scene->look, plan->eta, plan->ndc_to_ray, box,
       scene->has_waves ? scene->slope_max : 0.0) <= scene->settings.reflectance_error &&
@@ -201,8 +200,7 @@ static water_decision decide_by_cover(const water_scene* scene, const checked* i
   {
     return WATER_NO_REFLECT_OUT_OF_VIEW;
   }
-  return !scene->is_beyond && is_faint(scene, input, plan, box) ? WATER_NO_REFLECT_FAINT
-                                                                : WATER_REFLECT;
+  return is_faint(scene, input, plan, box) ? WATER_NO_REFLECT_FAINT : WATER_REFLECT;
 }
 
 // Calm and flat water looks up its own pixels.
@@ -434,6 +432,19 @@ static water_status fill_shade(
     &plan->mirrored, plan->plane_view, plan->reflection_height, plan->reflection_w);
 }
 
+// The mirrored view, or the own view.
+static water_status fill_drawn_view(const water_scene* scene, const checked* input,
+  const water_plane* plane, const water_axes* axes, const double box[4], water_plan* plan,
+  water_cull_reason* reasons, size_t* bad_index)
+{
+  if (scene->is_beyond)
+  {
+    return water_beyond_plan(scene, box, plan, reasons, bad_index);
+  }
+  const water_status status = fill_draw(scene, input, plane, box, plan, reasons, bad_index);
+  return status == WATER_OK ? fill_shade(scene, input, axes, plan) : status;
+}
+
 water_status water_plan_make(const water_scene* scene, water_plan* plan, water_cull_reason* reasons)
 {
   water_plan made;
@@ -466,17 +477,11 @@ water_status water_plan_make(const water_scene* scene, water_plan* plan, water_c
     if (status == WATER_OK && made.decision == WATER_REFLECT)
     {
       size_t bad_index = 0;
-      status = scene->is_beyond
-        ? water_beyond_plan(scene, box, &made, reasons, &bad_index)
-        : fill_draw(scene, &input, &plane, box, &made, reasons, &bad_index);
+      status = fill_drawn_view(scene, &input, &plane, &axes, box, &made, reasons, &bad_index);
       if (bad_index < scene->prop_count)
       {
         made.bad_index = bad_index;
         props_status = WATER_BAD_PROP_BOUNDS;
-      }
-      if (status == WATER_OK && !scene->is_beyond)
-      {
-        status = fill_shade(scene, &input, &axes, &made);
       }
     }
     if (water_decision_is_unseen(made.decision))

@@ -40,11 +40,11 @@ bool water_select_is_in_view(const water_camera* camera, const double bounds[6])
 
 typedef struct water_selection
 {
-  bool is_off;   // draw all that the flags and the bounds allow
+  bool is_off;    // draw all that the flags and the bounds allow
   bool is_direct; // no reflection: what is marked as not reflected is drawn
-  double box[4]; // part of the reflection texture that the water looks up, NDC: low x, low y, high
-                 // x, high y
-  double margin; // how far behind the plane geometry is kept, >= 0
+  double box[4];  // part of the reflection texture that the water looks up, NDC: low x, low y, high
+                  // x, high y
+  double margin;  // how far behind the plane geometry is kept, >= 0
   double prop_px_min; // smaller props are left out, >= 0
   int texture_px[2];
 } water_selection;

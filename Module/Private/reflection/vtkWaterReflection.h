@@ -54,7 +54,7 @@ public:
     double GatherTime = std::numeric_limits<double>::quiet_NaN(); // ms
     double PlanTime = std::numeric_limits<double>::quiet_NaN();
     int ReasonCounts[WATER_CULL_REASON_COUNT] = {};
-    vtkIdType RenderCount = 0;  // ever
+    vtkIdType RenderCount = 0; // ever
     water_decision OwnViewDecision = WATER_NOT_PLANNED;
     vtkIdType OwnViewRenderCount = 0;   // ever
     vtkIdType SecondaryRenderCount = 0; // ever
@@ -239,14 +239,14 @@ private:
   void ReleaseOwnView(View& view, vtkWindow* window);
   // Of what is chosen: the props, what they look like, and how they are drawn.
   static vtkProp* GetDrawn(const Frame& frame, const Choice& choice, size_t i);
-  static void FindDrawn(const Frame& frame, const Attempt& attempt, const Choice& choice,
-    std::vector<vtkProp*>& drawn);
+  static void FindDrawn(
+    const Frame& frame, const Attempt& attempt, const Choice& choice, std::vector<vtkProp*>& drawn);
   void Sign(const Frame& frame, const Choice& choice, const vtkWaterMirroredView::Draft& draft,
     vtkWaterSignature& signature) const;
   void SortDrawn(
     const Frame& frame, const Choice& choice, vtkWaterMirroredView::Draft& draft) const;
   void CountReasons();
-  static bool IsSecondEye(vtkRenderer* renderer);       // of a stereo pair, by the active camera
+  static bool IsSecondEye(vtkRenderer* renderer); // of a stereo pair, by the active camera
   ViewPointer GetView(vtkRenderer* renderer);
   View* GetPlannedView();
   const water_plan* GetFreshPlan(

@@ -6,7 +6,6 @@
 #include "vtkOpenGLRenderer.h"
 #include "vtkProp.h"
 #include "vtkWaterPropRecords.h"
-#include "vtkWaterProps.h"
 #include "vtkWaterReflection.h"
 #include "vtkWaterShaderHook.h"
 #include "vtkWaterShadows.h"
@@ -22,7 +21,8 @@ water_scene vtkWaterReflection::ReadOwnScene(
   for (size_t i = 0; i < scene.prop_count; ++i)
   {
     vtkProp* prop = frame.Records->GetProp(i);
-    if (prop == frame.Records->GetDrawn(i))
+    const bool isReflected = (this->Gathered.Props[i].flags & WATER_PROP_NOT_REFLECTED) == 0;
+    if (isReflected && prop == frame.Records->GetDrawn(i))
     {
       continue;
     }
@@ -30,12 +30,10 @@ water_scene vtkWaterReflection::ReadOwnScene(
     {
       props = this->Gathered.Props;
     }
+    // its bounds were not read: they are not worth it for the few there are
+    const uint32_t visible = prop->GetVisibility() ? WATER_PROP_VISIBLE : 0;
     props[i].flags &= ~static_cast<uint32_t>(WATER_PROP_VISIBLE);
-    props[i].flags |= prop->GetVisibility() ? static_cast<uint32_t>(WATER_PROP_VISIBLE) : 0u;
-    if (const double* bounds = vtkWaterProps::GetBounds(prop))
-    {
-      std::copy_n(bounds, 6, props[i].bounds);
-    }
+    props[i].flags |= visible | WATER_PROP_NO_BOUNDS;
   }
   scene.props = props.empty() ? scene.props : props.data();
   return scene;
@@ -65,9 +63,10 @@ vtkWaterError vtkWaterReflection::RenderOwnView(const Frame& frame, Attempt& att
     this->ReleaseOwnView(view, frame.Renderer->GetRenderWindow());
     return error;
   }
-  if (this->GetPlannedView() != &view || attempt.IsAborted)
+  if (this->GetPlannedView() != &view || attempt.IsAborted ||
+    this->Report.Decision == WATER_NO_REFLECT_FAILED)
   {
-    return error;
+    return error; // the plain colour is shown
   }
   std::vector<water_prop> props;
   water_scene scene = this->ReadOwnScene(frame, props);
@@ -111,8 +110,8 @@ vtkWaterError vtkWaterReflection::DrawOwnView(const Frame& frame, Attempt& attem
   FindDrawn(frame, attempt, choice, draft.Props);
   vtkWaterSignature signature;
   this->Sign(frame, choice, draft, signature);
-  water_plan_revise(&scene, &own.DrawnPlan, signature.IsSameAs(own.DrawnSignature), nullptr, &plan,
-    reasons.data());
+  water_plan_revise(
+    &scene, &own.DrawnPlan, signature.IsSameAs(own.DrawnSignature), nullptr, &plan, reasons.data());
   if (plan.decision != WATER_REFLECT)
   {
     return Describe(own.Drawn.GetShortage());

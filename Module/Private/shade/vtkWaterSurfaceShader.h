@@ -159,6 +159,7 @@ private:
   // A sampler that is not looked at, but must have a texture.
   void SetNoTexture(vtkShaderProgram* program, const char* name);
   void SetViewParameters(vtkShaderProgram* program);
+  void SetMediumParameters(vtkShaderProgram* program);
   void SetReflectionParameters(vtkShaderProgram* program);
   void SetSkyParameters(vtkShaderProgram* program);
   void SetSunParameters(vtkShaderProgram* program);

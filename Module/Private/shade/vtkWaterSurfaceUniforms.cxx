@@ -165,26 +165,11 @@ void vtkWaterSurfaceShader::SetViewParameters(vtkShaderProgram* program)
   uniforms::Set(program, "waterEta", water_optics_eta(&look.Optics, plan.side));
   uniforms::Set(
     program, "waterReflectance", look.Optics.constant_reflectance ? look.Optics.reflectance : -1.0);
-  double heightClip[4];
-  double clipW[4];
-  double dirToScene[12];
-  water_beyond_row(plan.plane_clip, this->PictureScale, heightClip);
-  water_beyond_row(plan.clip_w, this->PictureScale, clipW);
-  water_beyond_dirs(plan.dir_to_eye, this->PictureScale, dirToScene);
-  uniforms::Set2(program, "waterSceneScale", this->PictureScale);
-  uniforms::Set4(program, "waterHeightClip", heightClip);
-  uniforms::Set4(program, "waterClipW", clipW);
-  uniforms::SetMatrix4x3(program, "waterDirToScene", dirToScene);
+  this->SetMediumParameters(program);
   uniforms::Set(program, "waterRestSteps",
     water_waves_rest_steps(program->IsUniformUsed("waterAxesToClip"), this->IsSteep));
-  double extinction[3];
-  this->FindExtinction(extinction);
-  uniforms::Set3(program, "waterExtinction", extinction);
   uniforms::Set(program, "waterFootprint", look.RayTraceFootprint);
-  const bool isOwn = this->HasOwnView();
-  uniforms::Set(program, "waterSceneIsMixed", !isOwn && this->Backdrop.GetIsMixed() ? 1 : 0);
   const bool isSorted = this->Backdrop.GetSorted() != nullptr;
-  uniforms::Set(program, "waterMediumIsSorted", !isOwn && isSorted ? 1 : 0);
   uniforms::Set(program, "waterSceneIsSorted", isSorted ? 1 : 0);
   if (!isSorted)
   {
@@ -210,6 +195,29 @@ void vtkWaterSurfaceShader::SetViewParameters(vtkShaderProgram* program)
   uniforms::Set(program, "waterShoreSoftness", look.ShoreSoftness);
   uniforms::Set(program, "waterPortRadius", look.DomePortRadius);
   uniforms::Set(program, "waterBufferIsSloped", this->Has(WATER_FEATURE_SLOPED) ? 1 : 0);
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterSurfaceShader::SetMediumParameters(vtkShaderProgram* program)
+{
+  namespace uniforms = vtkWaterUniforms;
+  const water_plan& plan = *this->Drawn.Plan;
+  double extinction[3];
+  this->FindExtinction(extinction);
+  uniforms::Set3(program, "waterExtinction", extinction);
+  double heightClip[4];
+  double clipW[4];
+  double dirToScene[12];
+  water_beyond_row(plan.plane_clip, this->PictureScale, heightClip);
+  water_beyond_row(plan.clip_w, this->PictureScale, clipW);
+  water_beyond_dirs(plan.dir_to_eye, this->PictureScale, dirToScene);
+  uniforms::Set2(program, "waterSceneScale", this->PictureScale);
+  uniforms::Set4(program, "waterHeightClip", heightClip);
+  uniforms::Set4(program, "waterClipW", clipW);
+  uniforms::SetMatrix4x3(program, "waterDirToScene", dirToScene);
+  const bool isOwn = this->HasOwnView(); // it has one sample a pixel
+  uniforms::Set(program, "waterSceneIsMixed", !isOwn && this->Backdrop.GetIsMixed() ? 1 : 0);
+  uniforms::Set(program, "waterMediumIsSorted", !isOwn && this->Backdrop.GetSorted() ? 1 : 0);
 }
 
 //------------------------------------------------------------------------------
