@@ -11,7 +11,7 @@ enum
   BLOCK_HEIGHT = 2
 };
 
-static const double most_samples_of_all = 32e6; // of a picture: 1 GB of buffer
+static const double most_samples_of_all = 16e6; // of a picture: 0.8 GB of buffer
 static const double pays = 1.5; // times as many runs: the buffer itself takes some
 static const double least = 0.02; // runs per pixel of the picture that are not worth a buffer
 
