@@ -262,6 +262,7 @@ water_feature_set FeaturesWith(
 }
 
 //------------------------------------------------------------------------------
+// Long because the steps of a draw follow each other, and share what they find out.
 void vtkWaterActor::Render(vtkRenderer* renderer, vtkMapper* mapper)
 {
   Internals& internal = *this->Internal;

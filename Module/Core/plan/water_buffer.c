@@ -6,13 +6,13 @@
 
 enum
 {
-  CELLS = 16, // of the mesh's rectangle, along each side
+  CELLS = 16,      // of the mesh's rectangle, along each side
   BLOCK_WIDTH = 4, // pixels that llvmpipe shades together, with AVX2
   BLOCK_HEIGHT = 2
 };
 
 static const double most_samples_of_all = 16e6; // of a picture: 0.8 GB of buffer
-static const double pays = 1.5; // times as many runs: the buffer itself takes some
+static const double pays = 1.5;                 // times as many runs: the buffer itself takes some
 static const double least = 0.02; // runs per pixel of the picture that are not worth a buffer
 
 // Looks with a long shader: others are a lookup at the pixel's place.
@@ -26,8 +26,8 @@ double water_buffer_runs(double triangle_count, double area_px, int samples)
 {
   // a triangle of random place and direction, half of a square: Minkowski's sum of it and a block
   const double side = sqrt(2.0 * area_px);
-  const double blocks = 1.0 + side / BLOCK_WIDTH + side / BLOCK_HEIGHT +
-    area_px / (BLOCK_WIDTH * BLOCK_HEIGHT);
+  const double blocks =
+    1.0 + side / BLOCK_WIDTH + side / BLOCK_HEIGHT + area_px / (BLOCK_WIDTH * BLOCK_HEIGHT);
   const double shaded = fmin(1.0, area_px * fmax(samples, 1));
   return triangle_count * shaded * blocks * BLOCK_WIDTH * BLOCK_HEIGHT;
 }
