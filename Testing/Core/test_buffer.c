@@ -68,6 +68,17 @@ TEST(small_triangles_are_shaded_once_a_pixel)
   assert_int_equal(water_buffer_judge(&input), WATER_BUFFER_LARGE_TRIANGLES);
 }
 
+// The shader of water that is not clear is shorter: fewer runs of it are worth less.
+TEST(opaque_water_has_a_buffer_for_smaller_triangles)
+{
+  const water_plan plan = seen_plan();
+  water_buffer_input input = input_of(&plan);
+  input.features &= ~WATER_FEATURE_MEDIUM;
+  assert_int_equal(water_buffer_judge(&input), WATER_BUFFER_IN_USE);
+  input.triangle_count = 20000;
+  assert_int_equal(water_buffer_judge(&input), WATER_BUFFER_LARGE_TRIANGLES);
+}
+
 // What counts is the size in the picture: of a mesh that is mostly out of view, or of one that is
 // far away.
 TEST(sizes_are_those_in_the_picture)
@@ -170,5 +181,5 @@ TEST(every_use_has_its_text)
 }
 
 TESTS(small_triangles_are_shaded_once_a_pixel, sizes_are_those_in_the_picture,
-  all_else_is_drawn_as_it_is, eyes_in_the_water_and_parallel_rays_have_no_buffer,
-  runs_are_of_blocks, every_use_has_its_text)
+  opaque_water_has_a_buffer_for_smaller_triangles, all_else_is_drawn_as_it_is,
+  eyes_in_the_water_and_parallel_rays_have_no_buffer, runs_are_of_blocks, every_use_has_its_text)

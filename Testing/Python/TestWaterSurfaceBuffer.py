@@ -14,7 +14,7 @@ SIZE = (120, 90)
 HALF = 10.0
 CELLS = 160  # along a side: most triangles are smaller than a pixel
 MOST_SHARE = 2e-4  # of pixels that may be off by more than 1 of 255
-MOST_AT_ENDS = 0.02
+MOST_SHARE_OF_SAMPLES, WORST_OF_SAMPLES = 2e-3, 24
 IN_USE = "the surface is shaded once a pixel, from a buffer"
 
 
@@ -150,14 +150,15 @@ def near_ends(is_water):
     return np.any(parts, axis=0) & ~np.all(parts, axis=0)
 
 
-def compare(name, direct, buffered, none):
-    """Pixels off by more than 1: none but a few, and at the ends of multisampled surfaces not many: samples of several
-    triangles count there as one or two."""
+def compare(name, direct, buffered, none, samples):
+    """Pixels off by more than 1: next to none. With several samples a few more, where a pixel shows an edge of the
+    reflection: each of the pixel's triangles is shaded in the direct draw, and their mean in a buffer."""
     off = np.abs(direct - buffered).max(axis=2)
     ends = near_ends(np.abs(direct - none).max(axis=2) > 0)
-    wt.check_at_most(f"{name}: share of pixels off by more than 1", float((off[~ends] > 1).mean()), MOST_SHARE)
-    wt.check_at_most(f"{name}: the same at ends", float((off[ends] > 1).mean()), MOST_AT_ENDS)
-    print("worst of the inside, and at ends:", off[~ends].max(), off[ends].max(), "pixels", (off[~ends] > 1).sum(), (off[ends] > 1).sum(), ends.sum())
+    most = MOST_SHARE_OF_SAMPLES if samples else MOST_SHARE
+    wt.check_at_most(f"{name}: share of pixels off by more than 1", float((off[~ends] > 1).mean()), most)
+    wt.check_at_most(f"{name}: the same at the surface's ends", float((off[ends] > 1).mean()), 10 * most)
+    wt.check_at_most(f"{name}: the worst pixel", int(off.max()), WORST_OF_SAMPLES if samples else 2)
 
 
 @pytest.mark.parametrize("samples", (0, 4), ids=("one", "four"))
@@ -171,7 +172,7 @@ def test_a_buffer_changes_no_picture(name, samples):
     wt.check_equal("why", scene.mirror.GetSurfaceBufferUseAsString(), IN_USE)
     none = without_water(scene)
     wt.check_at_least("the water is seen", wt.difference(direct, none), 20)
-    compare(name, direct, buffered, none)
+    compare(name, direct, buffered, none, samples)
     wt.check_equal("the same again", wt.difference(scene.picture(False), direct), 0)
 
 

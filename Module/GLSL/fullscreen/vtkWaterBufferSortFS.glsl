@@ -69,7 +69,7 @@ void main()
   for (int i = 0; i < waterBufferSamples; ++i)
   {
     vec4 texel = waterBufferAt(pixel, i);
-    vec4 color = waterBufferDataAt(pixel, i);
+    vec4 color = clamp(waterBufferDataAt(pixel, i), 0.0, 1.0); // beyond the triangle's end it may be any
     bool isThere = texel.w > 0.0;
     bool isFirst = isThere && counts.x == 0.0;
     first = isFirst ? texel : first;
