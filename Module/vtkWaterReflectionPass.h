@@ -452,9 +452,9 @@ public:
 
   ///@{
   /**
-   * Whether the surface of a user's mesh with many small triangles may be shaded once per pixel, from
-   * a buffer. This is faster with software rendering, and the picture is the same, except for rounding
-   * and at the borders of the surface. Default is on. A GPU never uses a buffer.
+   * Whether the surface of a user's mesh with many small triangles may be shaded once per pixel,
+   * from a buffer. This is faster with software rendering, and the picture is the same, except for
+   * rounding and at the borders of the surface. Default is on. A GPU never uses a buffer.
    */
   void SetSurfaceBuffer(bool surfaceBuffer);
   bool GetSurfaceBuffer() const;
@@ -463,7 +463,8 @@ public:
 
   ///@{
   /**
-   * Whether the last draw of the surface used such a buffer; a text that says so, or why it did not.
+   * Whether the last draw of the surface used such a buffer; a text that says so, or why it did
+   * not.
    */
   bool GetSurfaceIsBuffered() const;
   const char* GetSurfaceBufferUseAsString() const;

@@ -121,7 +121,8 @@ static void print_shaders(bool all)
     print_files("frag", features | WATER_FEATURE_CAUSTICS, photon_files, PHOTON_FILE_COUNT);
   }
   print_files("frag", WATER_FEATURE_BUFFERED, buffer_files, BUFFER_FILE_COUNT);
-  print_files("frag", WATER_FEATURE_BUFFERED | WATER_FEATURE_SLOPED, buffer_files, BUFFER_FILE_COUNT);
+  print_files(
+    "frag", WATER_FEATURE_BUFFERED | WATER_FEATURE_SLOPED, buffer_files, BUFFER_FILE_COUNT);
   const water_feature_set vertex_sets[] = { WATER_FEATURE_DISPLACED,
     WATER_FEATURE_DISPLACED | WATER_FEATURE_SEA_MOVES, WATER_FEATURE_MESH,
     WATER_FEATURE_MESH | WATER_FEATURE_SLOPED, WATER_FEATURE_MESH | WATER_FEATURE_FLOW };

@@ -121,8 +121,8 @@ static inline size_t shader_combinations(water_feature_set* sets)
         sets[count++] = water_features_with_flow(sloped);
         sets[count++] = water_features_with_buffer(sloped);
         sets[count++] = water_features_with_buffer(water_features_with_mesh(asked));
-        sets[count++] =
-          water_features_with_buffer(water_features_with_samples(water_features_with_ground(sloped)));
+        sets[count++] = water_features_with_buffer(
+          water_features_with_samples(water_features_with_ground(sloped)));
         sets[count++] = water_features_with_flow(water_features_with_mesh(hardware));
         sets[count++] = water_features_with_hulls(asked);
         sets[count++] = water_features_with_port(hardware);

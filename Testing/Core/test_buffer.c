@@ -43,8 +43,8 @@ static water_buffer_input input_of(const water_plan* plan)
   const water_buffer_input input = { .is_on = true,
     .is_software = true,
     .is_plain_draw = true,
-    .features = WATER_FEATURE_MESH | WATER_FEATURE_SLOPED | WATER_FEATURE_RAY_TRACED |
-      WATER_FEATURE_MEDIUM,
+    .features =
+      WATER_FEATURE_MESH | WATER_FEATURE_SLOPED | WATER_FEATURE_RAY_TRACED | WATER_FEATURE_MEDIUM,
     .plan = plan,
     .sheet = { -8, 8, -8, 8 },
     .viewport_px = { WIDTH, HEIGHT },
@@ -68,7 +68,19 @@ TEST(small_triangles_are_shaded_once_a_pixel)
   assert_int_equal(water_buffer_judge(&input), WATER_BUFFER_LARGE_TRIANGLES);
 }
 
-// What counts is the size in the picture: of a mesh that is mostly out of view, or of one that is far away.
+// The shader of water that is not clear is shorter: fewer runs of it are worth less.
+TEST(opaque_water_has_a_buffer_for_smaller_triangles)
+{
+  const water_plan plan = seen_plan();
+  water_buffer_input input = input_of(&plan);
+  input.features &= ~WATER_FEATURE_MEDIUM;
+  assert_int_equal(water_buffer_judge(&input), WATER_BUFFER_IN_USE);
+  input.triangle_count = 20000;
+  assert_int_equal(water_buffer_judge(&input), WATER_BUFFER_LARGE_TRIANGLES);
+}
+
+// What counts is the size in the picture: of a mesh that is mostly out of view, or of one that is
+// far away.
 TEST(sizes_are_those_in_the_picture)
 {
   const water_plan plan = seen_plan();
@@ -110,8 +122,8 @@ TEST(all_else_is_drawn_as_it_is)
   input = input_of(&plan);
   input.triangle_count = 0.0;
   assert_int_equal(water_buffer_judge(&input), WATER_BUFFER_NO_MESH);
-  const water_feature_set others[] = { WATER_FEATURE_HULLS, WATER_FEATURE_FLOW,
-    WATER_FEATURE_PORT, WATER_FEATURE_OUTPUT };
+  const water_feature_set others[] = { WATER_FEATURE_HULLS, WATER_FEATURE_FLOW, WATER_FEATURE_PORT,
+    WATER_FEATURE_OUTPUT };
   for (size_t i = 0; i < sizeof others / sizeof others[0]; ++i)
   {
     input = input_of(&plan);
@@ -143,8 +155,8 @@ TEST(eyes_in_the_water_and_parallel_rays_have_no_buffer)
   assert_int_equal(water_buffer_judge(&input), WATER_BUFFER_PARALLEL);
 }
 
-// Large triangles are shaded on the pixels that they cover, small ones on a block each; what covers no sample is not
-// shaded.
+// Large triangles are shaded on the pixels that they cover, small ones on a block each; what covers
+// no sample is not shaded.
 TEST(runs_are_of_blocks)
 {
   ASSERT_CLOSE(water_buffer_runs(10.0, 1e8, 1) / (10.0 * 1e8), 1.0, 2e-3);
@@ -169,5 +181,5 @@ TEST(every_use_has_its_text)
 }
 
 TESTS(small_triangles_are_shaded_once_a_pixel, sizes_are_those_in_the_picture,
-  all_else_is_drawn_as_it_is, eyes_in_the_water_and_parallel_rays_have_no_buffer,
-  runs_are_of_blocks, every_use_has_its_text)
+  opaque_water_has_a_buffer_for_smaller_triangles, all_else_is_drawn_as_it_is,
+  eyes_in_the_water_and_parallel_rays_have_no_buffer, runs_are_of_blocks, every_use_has_its_text)

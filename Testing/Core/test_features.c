@@ -506,15 +506,15 @@ static void assert_order(
 TEST(slots_stand_in_their_order)
 {
   static const char* const surface[] = { "optics", "gradient", "attenuation", "slopes",
-    "highlights", "cover", "gain", "cell", "place", "under", "height", "point", "pixel", "hulls", "sky",
-    "floor", "tile", "slope", "sines", "tiles", "folds", "sea", "normal_maps", "flow", "waves",
-    "output", "reflection", "dome", "walk", "behind", "layer", "blur", "caustics", "medium",
-    "shafts", "others", "refraction", "ground", "casters", "facet_slopes", "facets", "rays",
-    "shadows", "glitter", "whitecaps", "foam", "sun", "port", "surface" };
+    "highlights", "cover", "gain", "cell", "place", "under", "height", "point", "pixel", "hulls",
+    "sky", "floor", "tile", "slope", "sines", "tiles", "folds", "sea", "normal_maps", "flow",
+    "waves", "output", "reflection", "dome", "walk", "behind", "layer", "blur", "caustics",
+    "medium", "shafts", "others", "refraction", "ground", "casters", "facet_slopes", "facets",
+    "rays", "shadows", "glitter", "whitecaps", "foam", "sun", "port", "surface" };
   static const char* const vertex[] = { "cell", "tiles", "sea", "displacement", "heights", "slopes",
     "flow", "depth" };
-  static const char* const photon[] = { "gradient", "place", "height", "point", "pixel", "tile", "sines",
-    "tiles", "folds", "sea", "normal_maps", "flow", "waves", "photon" };
+  static const char* const photon[] = { "gradient", "place", "height", "point", "pixel", "tile",
+    "sines", "tiles", "folds", "sea", "normal_maps", "flow", "waves", "photon" };
   assert_order(photon_files, PHOTON_FILES, photon, sizeof photon / sizeof photon[0]);
   assert_order(surface_files, SURFACE_FILES, surface, sizeof surface / sizeof surface[0]);
   assert_order(vertex_files, VERTEX_FILES, vertex, 8);
@@ -581,8 +581,7 @@ TEST(vertices_move_where_the_surface_is_displaced)
 TESTS(features_of_every_look_follow_the_rules, layer_and_peel_are_for_traced_rays_alone,
   mesh_is_drawn_as_it_is_or_displaced, a_current_needs_waves_over_a_mesh,
   slopes_of_a_mesh_turn_rays, samples_are_of_what_is_seen_through, port_is_for_what_is_seen_through,
-  buffers_are_for_meshes,
-  ground_is_for_what_is_seen_through, hardware_reads_in_batches,
+  buffers_are_for_meshes, ground_is_for_what_is_seen_through, hardware_reads_in_batches,
   water_in_a_mirrored_view_is_smooth_or_rough, sets_have_room_for_64_features,
   each_slot_has_one_file, slots_stand_in_their_order, every_file_and_feature_is_used,
   vertices_move_where_the_surface_is_displaced)

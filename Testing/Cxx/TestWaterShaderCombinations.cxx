@@ -28,7 +28,8 @@ const File photonFiles[] = { WATER_PHOTON_FILE_LIST(WATER_TEST_FILE) };
 const File bufferFiles[] = { WATER_BUFFER_FILE_LIST(WATER_TEST_FILE) };
 const File vertexFiles[] = { WATER_VERTEX_FILE_LIST(WATER_TEST_FILE) };
 
-const char* const fragmentHead = "#version 150\nout vec4 fragOutput0, fragOutput1, fragOutput2, fragOutput3, fragOutput4;\n";
+const char* const fragmentHead =
+  "#version 150\nout vec4 fragOutput0, fragOutput1, fragOutput2, fragOutput3, fragOutput4;\n";
 
 template <size_t Count>
 std::string Join(const File (&files)[Count], water_feature_set features)

@@ -10,10 +10,11 @@ from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkFiltersSources import vtkConeSource
 from vtkmodules.vtkRenderingCore import vtkActor, vtkHardwareSelector, vtkPolyDataMapper
 
-SIZE = (160, 120)
+SIZE = (120, 90)
 HALF = 10.0
-CELLS = 200  # along a side: of smaller triangles than pixels
+CELLS = 160  # along a side: most triangles are smaller than a pixel
 MOST_SHARE = 2e-4  # of pixels that may be off by more than 1 of 255
+MOST_SHARE_OF_SAMPLES, WORST_OF_SAMPLES = 2e-3, 24
 IN_USE = "the surface is shaded once a pixel, from a buffer"
 
 
@@ -141,10 +142,23 @@ SCENES = {
 }
 
 
-def compare(name, direct, buffered):
-    """Pixels off by more than 1, as a share of the picture; those at an end of the surface apart."""
-    off = np.abs(direct - buffered).max(axis=2) > 1
-    wt.check_at_most(f"{name}: share of pixels off by more than 1", float(off.mean()), MOST_SHARE)
+def near_ends(is_water):
+    """Pixels within two of one that shows water on one side of it and none on the other."""
+    padded = np.pad(is_water, 2, mode="edge")
+    height, width = is_water.shape
+    parts = [padded[i:i + height, j:j + width] for i in range(5) for j in range(5)]
+    return np.any(parts, axis=0) & ~np.all(parts, axis=0)
+
+
+def compare(name, direct, buffered, none, samples):
+    """Pixels off by more than 1: next to none. With several samples a few more, where a pixel shows an edge of the
+    reflection: each of the pixel's triangles is shaded in the direct draw, and their mean in a buffer."""
+    off = np.abs(direct - buffered).max(axis=2)
+    ends = near_ends(np.abs(direct - none).max(axis=2) > 0)
+    most = MOST_SHARE_OF_SAMPLES if samples else MOST_SHARE
+    wt.check_at_most(f"{name}: share of pixels off by more than 1", float((off[~ends] > 1).mean()), most)
+    wt.check_at_most(f"{name}: the same at the surface's ends", float((off[ends] > 1).mean()), 10 * most)
+    wt.check_at_most(f"{name}: the worst pixel", int(off.max()), WORST_OF_SAMPLES if samples else 2)
 
 
 @pytest.mark.parametrize("samples", (0, 4), ids=("one", "four"))
@@ -156,8 +170,9 @@ def test_a_buffer_changes_no_picture(name, samples):
     wt.check_equal("not buffered when it is off", scene.mirror.GetSurfaceIsBuffered(), False)
     buffered = scene.picture(True)
     wt.check_equal("why", scene.mirror.GetSurfaceBufferUseAsString(), IN_USE)
-    wt.check_at_least("the water is seen", wt.difference(direct, without_water(scene)), 20)
-    compare(name, direct, buffered)
+    none = without_water(scene)
+    wt.check_at_least("the water is seen", wt.difference(direct, none), 20)
+    compare(name, direct, buffered, none, samples)
     wt.check_equal("the same again", wt.difference(scene.picture(False), direct), 0)
 
 
@@ -166,3 +181,52 @@ def without_water(scene):
     picture = scene.view.picture()
     scene.water.VisibilityOn()
     return picture
+
+
+def wide_triangles(scene):
+    scene.water.GetMapper().SetInputData(grid(swell, 2))
+
+
+def translucent(scene):
+    scene.water.GetWaterProperty().SetOpacity(0.5)
+
+
+OTHERS = {
+    "large enough": wide_triangles,
+    "parallel projection": lambda scene: scene.view.renderer.GetActiveCamera().ParallelProjectionOn(),
+    "edges, points": lambda scene: scene.water.GetProperty().EdgeVisibilityOn(),
+    "a translucent surface": translucent,
+    "another output": lambda scene: scene.water.GetWaterProperty().SetOutputToReflectance(),
+}
+
+
+@pytest.mark.parametrize("why", OTHERS)
+def test_other_draws_have_no_buffer(why):
+    scene = Scene(grid(swell), 0)
+    scene.view.picture()
+    wt.check_equal("buffered before", scene.mirror.GetSurfaceIsBuffered(), True)
+    OTHERS[why](scene)
+    scene.view.picture()
+    said = scene.mirror.GetSurfaceBufferUseAsString()
+    wt.check_equal(f"{why}, of: {said}", why in said, True)
+    wt.check_equal("buffered", scene.mirror.GetSurfaceIsBuffered(), False)
+
+
+def test_a_gpu_has_no_buffer(on_a_gpu):
+    scene = Scene(grid(swell), 0)
+    scene.view.picture()
+    wt.check_equal("a GPU's reason", "GPU" in scene.mirror.GetSurfaceBufferUseAsString(), True)
+
+
+def test_a_selection_is_drawn_as_it_is():
+    """It finds the water, and the picture after it is the one before."""
+    scene = Scene(grid(swell), 0)
+    before = scene.view.picture()
+    selector = vtkHardwareSelector()
+    selector.SetRenderer(scene.view.renderer)
+    selector.SetArea(10, 10, 30, 20)
+    found = selector.Select()
+    props = [found.GetNode(i).GetProperties().Get(found.GetNode(i).PROP()) for i in range(found.GetNumberOfNodes())]
+    wt.check_equal("the water is found", scene.water in props, True)
+    wt.check_equal("the picture after it", wt.difference(scene.view.picture(), before), 0)
+    wt.check_equal("buffered", scene.mirror.GetSurfaceIsBuffered(), True)

@@ -46,9 +46,8 @@ The same of $few cells, whose triangles cover many pixels each:
 $few_steps
 
 llvmpipe shades several neighbouring pixels at once, so a triangle that covers one pixel costs as much as a group of
-pixels. The shader of water is longer than that of a plain surface, and that of clear water is the longest. This, and
-not the work on the new data, is why a step of clear water exceeds the limit. A picture with a quarter of the pixels
-has a smaller ratio:
+pixels. Water of such a mesh is therefore shaded once per pixel, from a buffer (decision 024). A picture with a quarter
+of the pixels:
 
 $small_steps
 

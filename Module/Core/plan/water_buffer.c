@@ -6,14 +6,15 @@
 
 enum
 {
-  CELLS = 16, // of the mesh's rectangle, along each side
+  CELLS = 16,      // of the mesh's rectangle, along each side
   BLOCK_WIDTH = 4, // pixels that llvmpipe shades together, with AVX2
   BLOCK_HEIGHT = 2
 };
 
-static const double most_samples_of_all = 32e6; // of a picture: 1 GB of buffer
-static const double pays = 1.5; // times as many runs: the buffer itself takes some
-static const double least = 0.02; // runs per pixel of the picture that are not worth a buffer
+static const double most_samples_of_all = 16e6; // of a picture: 0.8 GB of buffer
+static const double pays = 2.0;                 // times as many runs: the buffer itself takes some
+static const double pays_opaque = 6.0; // the same for the shorter shader of water that is not clear
+static const double least = 0.02;      // runs per pixel of the picture that are not worth a buffer
 
 // Looks with a long shader: others are a lookup at the pixel's place.
 static const water_feature_set long_features = WATER_FEATURE_FLAG(RAY_TRACED) |
@@ -26,8 +27,8 @@ double water_buffer_runs(double triangle_count, double area_px, int samples)
 {
   // a triangle of random place and direction, half of a square: Minkowski's sum of it and a block
   const double side = sqrt(2.0 * area_px);
-  const double blocks = 1.0 + side / BLOCK_WIDTH + side / BLOCK_HEIGHT +
-    area_px / (BLOCK_WIDTH * BLOCK_HEIGHT);
+  const double blocks =
+    1.0 + side / BLOCK_WIDTH + side / BLOCK_HEIGHT + area_px / (BLOCK_WIDTH * BLOCK_HEIGHT);
   const double shaded = fmin(1.0, area_px * fmax(samples, 1));
   return triangle_count * shaded * blocks * BLOCK_WIDTH * BLOCK_HEIGHT;
 }
@@ -91,7 +92,8 @@ static bool has_small_triangles(const water_buffer_input* input)
     covered += area;
     runs += area > 0.0 ? water_buffer_runs(count, area / count, input->samples) : 0.0;
   }
-  return runs > pays * fmin(covered, picture) + least * picture;
+  const bool is_clear = (input->features & WATER_FEATURE_MEDIUM) != 0;
+  return runs > (is_clear ? pays : pays_opaque) * fmin(covered, picture) + least * picture;
 }
 
 water_buffer_use water_buffer_judge(const water_buffer_input* input)

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // water_buffer.h: in addition to the plan: whether a user's mesh is shaded once a pixel.
 //
-// A software renderer runs the shader for each triangle, on all pixels of a block of which the triangle covers a part. The
-// shader of water is long. A mesh whose triangles are small is therefore drawn with a short shader into a buffer, which has
-// its height, its slope and its distance at each pixel. Then the long shader runs once a pixel.
+// A software renderer runs the shader for each triangle, on all pixels of a block of which the
+// triangle covers a part. The shader of water is long. A mesh whose triangles are small is
+// therefore drawn with a short shader into a buffer, which has its height, its slope and its
+// distance at each pixel. Then the long shader runs once a pixel.
 #ifndef water_buffer_h
 #define water_buffer_h
 
@@ -61,8 +62,8 @@ typedef struct water_buffer_input
 // Decides on a buffer. It pays if the shader would run on many more pixels than the surface covers.
 water_buffer_use water_buffer_judge(const water_buffer_input* input);
 
-// On how many pixels a software renderer runs the shader for triangles of one size, each of which has its own block of
-// pixels.
+// On how many pixels a software renderer runs the shader for triangles of one size, each of which
+// has its own block of pixels.
 //
 // area_px  of a triangle, > 0
 // samples  per pixel, >= 1: a triangle that covers none is not shaded

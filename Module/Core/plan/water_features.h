@@ -261,8 +261,8 @@ WATER_FEATURE_LIST(WATER_FEATURE_VALUE)
   X(waves, vtkWaterRippleFS, 0, 0, "the normal, from the last three")                              \
   X(photon, vtkWaterPhotonFS, 0, 0, "where the light of a point reaches the bed")
 
-// Files of the shader with which a user's mesh writes its surface into a buffer, in order: the same,
-// for features that have one.
+// Files of the shader with which a user's mesh writes its surface into a buffer, in order: the
+// same, for features that have one.
 #define WATER_BUFFER_FILE_LIST(X)                                                                  \
   X(place, vtkWaterMeshPlaceFS, WATER_FEATURE_FLAG(SLOPED), 0,                                     \
     "position and slope of a mesh, from the vertices")                                             \

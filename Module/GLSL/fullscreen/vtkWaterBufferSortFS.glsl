@@ -1,9 +1,9 @@
 //VTK::System::Dec
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkWaterBufferSortFS.glsl: the samples of a surface buffer's pixel become one texel, or two where they show two parts of
-// the surface that lie behind each other. Each sample has the pixel's middle on the plane of its own triangle, so the mean
-// of many triangles is the surface in that middle. vtkWaterBufferSampleFS.glsl or vtkWaterBufferOneFS.glsl reads the
-// samples.
+// vtkWaterBufferSortFS.glsl: the samples of a surface buffer's pixel become one texel, or two where they show parts of the
+// surface that lie behind each other, or are turned against each other. Each sample has the pixel's middle on the plane of
+// its own triangle, so the mean of many triangles is the surface in that middle. vtkWaterBufferSampleFS.glsl or
+// vtkWaterBufferOneFS.glsl reads the samples.
 //
 // A pixel beside the surface, with a pixel of it within two by two, gets the texel that it would have: the shader takes
 // derivatives there.
@@ -21,6 +21,7 @@ uniform mat4 waterDirToEye;
 
 const float WATER_BUFFER_WITHIN = 0.5; // pixels: samples of one surface are no farther from its plane
 const float WATER_BUFFER_EVEN = 1e-3;  // the same of 1 / w, where the plane is seen from straight above
+const float WATER_BUFFER_TURN = 0.02;  // of slope: triangles that a shore cuts turn by more, and look different
 
 vec4 waterBufferAt(ivec2 pixel, int number);     // texel of a sample
 vec4 waterBufferDataAt(ivec2 pixel, int number); // its data's colour
@@ -68,12 +69,12 @@ void main()
   for (int i = 0; i < waterBufferSamples; ++i)
   {
     vec4 texel = waterBufferAt(pixel, i);
-    vec4 color = waterBufferDataAt(pixel, i);
+    vec4 color = clamp(waterBufferDataAt(pixel, i), 0.0, 1.0); // beyond the triangle's end it may be any
     bool isThere = texel.w > 0.0;
     bool isFirst = isThere && counts.x == 0.0;
     first = isFirst ? texel : first;
     tolerance = isFirst ? waterSortTolerance(texel) : tolerance;
-    bool isNear = abs(texel.w - first.w) <= tolerance;
+    bool isNear = abs(texel.w - first.w) <= tolerance && length(texel.yz - first.yz) <= WATER_BUFFER_TURN;
     vec2 share = isThere ? (isNear ? vec2(1.0, 0.0) : vec2(0.0, 1.0)) : vec2(0.0);
     texels[0] += share.x * texel;
     texels[1] += share.y * texel;

@@ -11,6 +11,7 @@ uniform int waterBufferIsSloped;   // 0: a pixel's place follows from the pixel 
 #include "vtkWaterTangent.glsl"
 
 const float WATER_BUFFER_ALIKE = 0.25; // of how much 1 / w changes to the next pixel: so far off, it is of another surface
+const float WATER_BUFFER_EVEN = 0.01;  // of slope: the same
 
 vec2 waterBufferNdc(vec2 moved)
 {
@@ -82,12 +83,13 @@ void waterPlaceSlope(vec2 middle, out vec2 across, out vec2 down)
 //
 // taken   the derivative
 // beside  where the neighbour is, pixels
-// perW    change of 1 / w to the neighbour
-WaterPointChange waterBufferChange(WaterPoint point, WaterPointChange taken, vec2 beside, float perW)
+// change  of the texel to the neighbour
+WaterPointChange waterBufferChange(WaterPoint point, WaterPointChange taken, vec2 beside, vec4 change)
 {
   vec4 texel = waterBufferBeside(beside);
-  float off = abs(waterBuffered.w + perW - texel.w);
-  bool isAlike = off <= WATER_BUFFER_ALIKE * abs(texel.w - waterBuffered.w) + 1e-3 * texel.w;
+  float off = abs(waterBuffered.w + change.w - texel.w);
+  bool isAlike = off <= WATER_BUFFER_ALIKE * abs(texel.w - waterBuffered.w) + 1e-3 * texel.w &&
+    length(change.yz) <= WATER_BUFFER_EVEN;
   WaterPoint other = point;
   other.ndc += 2.0 * beside * waterViewport.zw;
   other.ray = normalize(waterNdcToRay * vec3(other.ndc, 1.0));
@@ -108,7 +110,7 @@ WaterPointChange waterChangeAcross(WaterPoint point)
   WaterPointChange taken =
     WaterPointChange(dFdx(point.start), dFdx(point.startW), dFdx(point.ray), dFdx(point.normal));
   float side = waterTangentSide().x;
-  return waterBufferChange(point, taken, vec2(side, 0.0), side * dFdx(waterBuffered.w));
+  return waterBufferChange(point, taken, vec2(side, 0.0), side * dFdx(waterBuffered));
 }
 
 WaterPointChange waterChangeDown(WaterPoint point)
@@ -116,5 +118,5 @@ WaterPointChange waterChangeDown(WaterPoint point)
   WaterPointChange taken =
     WaterPointChange(dFdy(point.start), dFdy(point.startW), dFdy(point.ray), dFdy(point.normal));
   float side = waterTangentSide().y;
-  return waterBufferChange(point, taken, vec2(0.0, side), side * dFdy(waterBuffered.w));
+  return waterBufferChange(point, taken, vec2(0.0, side), side * dFdy(waterBuffered));
 }

@@ -191,8 +191,7 @@ bool vtkWaterShaderHook::PostReplaceShaderValues(std::string& vertexShader,
       InsertBefore(fragmentShader, "//VTK::Light::Impl", "\n  waterShade(gl_FragData[0]);");
       if (Declares(fragmentShader, "waterKeptData"))
       {
-        InsertBefore(
-          fragmentShader, "//VTK::Light::Impl", "\n  gl_FragData[1] = waterKeptData();");
+        InsertBefore(fragmentShader, "//VTK::Light::Impl", "\n  gl_FragData[1] = waterKeptData();");
       }
     }
     if (this->Surface)

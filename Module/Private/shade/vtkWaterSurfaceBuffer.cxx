@@ -144,8 +144,8 @@ bool vtkWaterSurfaceBuffer::Ensure(const int viewport[4], bool hasData)
 }
 
 //------------------------------------------------------------------------------
-vtkWaterSurfaceBuffer::Keeping::Keeping(vtkWaterSurfaceBuffer& buffer,
-  vtkOpenGLRenderWindow* window, const int viewport[4], bool hasData)
+vtkWaterSurfaceBuffer::Keeping::Keeping(
+  vtkWaterSurfaceBuffer& buffer, vtkOpenGLRenderWindow* window, const int viewport[4], bool hasData)
   : Buffer(buffer)
   , State(window->GetState())
   , IsBlending(window->GetState()->GetEnumState(GL_BLEND))
@@ -216,8 +216,8 @@ bool vtkWaterSurfaceBuffer::Sort(const std::function<void(vtkShaderProgram*)>& s
   vtkWaterUniforms::Set(program, "waterBufferHasData", this->HasData ? 1 : 0);
   if (this->Samples > 0)
   {
-    const vtkWaterScopedSamples samples(state, this->Kept->GetHandle(),
-      (this->HasData ? this->KeptData : this->Kept)->GetHandle());
+    const vtkWaterScopedSamples samples(
+      state, this->Kept->GetHandle(), (this->HasData ? this->KeptData : this->Kept)->GetHandle());
     vtkWaterUniforms::Set(program, "waterBufferKept", 0);
     vtkWaterUniforms::Set(program, "waterBufferKeptData", 1);
     this->SortQuad.Draw();
@@ -343,9 +343,9 @@ void vtkWaterSurfaceBuffer::ReleaseGraphicsResources(vtkWindow* window)
     }
     *framebuffer = nullptr;
   }
-  for (auto* texture : { &this->Kept, &this->KeptData, &this->Texels[0], &this->Texels[1],
-         &this->Data[0], &this->Data[1], &this->Masks, &this->Depth, &this->Shaded[0],
-         &this->Shaded[1] })
+  for (auto* texture :
+    { &this->Kept, &this->KeptData, &this->Texels[0], &this->Texels[1], &this->Data[0],
+      &this->Data[1], &this->Masks, &this->Depth, &this->Shaded[0], &this->Shaded[1] })
   {
     if (*texture && window)
     {

@@ -4,7 +4,8 @@
 //
 //   keep   the mesh is drawn with a short shader, against the depth of the picture, which gets its
 //          own: height, slope and distance of each sample
-//   sort   a pixel's samples become one texel, or two where two parts of the surface lie behind each
+//   sort   a pixel's samples become one texel, or two where two parts of the surface lie behind
+//   each
 //          other
 //   shade  the water's shader runs for each of these texels
 //   put    each sample of the picture gets the colour of its texel

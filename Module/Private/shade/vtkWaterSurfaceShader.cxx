@@ -51,8 +51,7 @@ std::string Join(const ShaderFile (&files)[Count], water_feature_set features)
 std::string vtkWaterSurfaceShader::GetShader(water_feature_set features)
 {
   static const ShaderFile buffer[] = { WATER_BUFFER_FILE_LIST(WATER_SHADER_FILE) };
-  return features & WATER_FEATURE_BUFFERED ? Join(buffer, features)
-                                           : Join(surfaceFiles, features);
+  return features & WATER_FEATURE_BUFFERED ? Join(buffer, features) : Join(surfaceFiles, features);
 }
 
 //------------------------------------------------------------------------------
@@ -60,9 +59,8 @@ bool vtkWaterSurfaceShader::ShadeBuffer(vtkAbstractMapper* mapper)
 {
   const std::string shader =
     vtkWaterBufferHead + Join(surfaceFiles, this->Features) + vtkWaterBufferShadeFS;
-  return this->Buffer.Shade(shader, [this, mapper](vtkShaderProgram* program) {
-    this->SetParameters(program, mapper, nullptr);
-  });
+  return this->Buffer.Shade(shader,
+    [this, mapper](vtkShaderProgram* program) { this->SetParameters(program, mapper, nullptr); });
 }
 
 //------------------------------------------------------------------------------

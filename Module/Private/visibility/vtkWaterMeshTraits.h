@@ -51,7 +51,8 @@ bool IsSolid(vtkPolyDataMapper* mapper, vtkActor* actor);
 // Is the mesh coloured by an array of its own, through a lookup table or directly?
 bool ShowsScalars(vtkAbstractMapper* mapper);
 
-// The polygons that a mapper of VTK's draws; nullptr: it is of another kind, or has not made them yet.
+// The polygons that a mapper of VTK's draws; nullptr: it is of another kind, or has not made them
+// yet.
 vtkPolyData* FindPolygons(vtkMapper* mapper);
 
 // Are there neither points nor lines besides?
