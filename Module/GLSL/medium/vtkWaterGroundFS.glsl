@@ -54,7 +54,7 @@ vec4 waterMediumBeside(vec2 end, vec2 side, vec2 onwards, float deep)
 //
 // end     of the ray: u, v, depth
 // way     in the picture
-// isPost  is the object narrow, with the bed on both sides, which is nearer to the ray than the object? Or else nothing is found
+// isPost  is the object narrow, with the bed on both sides, nearer to the ray than the object? Or else nothing is found
 bool waterMediumLookAside(vec3 end, vec2 way, bool isPost, inout WaterMediumView view)
 {
   vec2 size = waterMediumSize();
@@ -79,15 +79,16 @@ bool waterMediumLookAside(vec3 end, vec2 way, bool isPost, inout WaterMediumView
 // It meets a floor behind a rim. What is seen over a post may be a wall far behind the ray.
 //
 // deepest  of s: there the ray is deeper than anything
-bool waterMediumMeetsLast(WaterMediumRay ray, WaterMediumView view, float deepest)
+bool waterMediumMeetsLast(WaterMediumRay ray, WaterMediumMet met, float deepest)
 {
   float texel = 1.0 / max(length(ray.way.xy * waterMediumSize()), 1e-6);
   vec2 bases = texel * vec2(WATER_MEDIUM_SHORT_PX, WATER_MEDIUM_BASE_PX); // one may reach to something else
-  vec2 before = view.s - bases;
-  vec2 depths = vec2(waterMediumDepth(ray.start.xy + before.x * ray.way.xy), waterMediumDepth(ray.start.xy + before.y * ray.way.xy));
-  float miss = ray.start.z + view.s * ray.way.z - waterMediumDepth(view.from);
+  vec2 before = met.view.s - bases;
+  vec2 depths =
+    vec2(waterMediumDepth(ray.start.xy + before.x * ray.way.xy), waterMediumDepth(ray.start.xy + before.y * ray.way.xy));
+  float miss = ray.start.z + met.view.s * ray.way.z - met.depth;
   vec2 rates = (miss - ray.start.z - before * ray.way.z + depths) / bases;
-  return -miss <= max(rates.x, rates.y) * (deepest - view.s);
+  return -miss <= max(rates.x, rates.y) * (deepest - met.view.s);
 }
 
 // What a ray over ground is taken to meet if the picture shows nothing: ground that is hidden by its own rim looks like
@@ -106,7 +107,7 @@ void waterMediumGuess(WaterPoint point, vec3 dir, WaterMediumRay ray, float most
   bool isOverEnd = met.view.isHidden && met.depth < 1.0 && !met.isNothing;
   bool isStraight = depth < 1.0 && height < 0.0 && !isOverEnd;
   bool isLast = waterMediumHeight(met.view.from, met.depth) < -WATER_MEDIUM_LOWEST * waterBedDepth ||
-    waterMediumMeetsLast(ray, met.view, deepest);
+    waterMediumMeetsLast(ray, met, deepest);
   if (isStraight)
   {
     met.view = WaterMediumView(true, met.view.s, straight, straight, 0.0, false, false, false);
