@@ -221,6 +221,8 @@ public:
    * own scale. Without a preset, light is therefore attenuated as if the deepest bed were 30 m
    * deep, or 120 m if the scene is ten times as wide as deep. A flat bed, such as the floor of a
    * pool or a tank, is treated as 5 m deep if the water's automatic sheet ends with its ground.
+   * Around objects in open water (the automatic sheet reaches to the horizon), the deepest part of
+   * them is treated as 10 m deep.
    * Default is 1.
    */
   void SetMetresPerUnit(double metres);

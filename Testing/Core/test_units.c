@@ -108,23 +108,26 @@ TEST(scaled_waves_have_the_same_slopes)
 }
 
 // The deepest bed counts as natural, or four times as deep in a map; one that there is not changes
-// nothing.
+// nothing. The floor of a tank counts as a sixth as deep, and objects in open water as a third.
 TEST(beds_count_as_deep_as_is_natural)
 {
   const double extinction[3] = { 0.3, 0.1, 0.05 };
   const double depths[6] = { 10.0, 60.0, 90.0, 6000.0, 0.0, 1e-9 };
   const double diagonals[6] = { 1000.0, 300.0, 600.0, 1000.0, 1000.0, 1000.0 };
   const double times[6] = { 12.0, 0.5, 2.5 / 3.0, 1.0 / 64.0, 1.0, 16.0 };
+  const double open_times[6] = { 1.0, 1.0 / 6.0, 1.0 / 9.0, 1.0 / 64.0, 1.0, 16.0 };
   const double flat_times[6] = { 0.5, 1.0 / 12.0, 1.0 / 18.0, 1.0 / 64.0, 1.0, 16.0 };
   for (int i = 0; i < 6; ++i)
   {
     double dimmed[3];
-    water_units_dim(extinction, depths[i], diagonals[i], 30.0, false, dimmed);
+    water_units_dim(extinction, depths[i], diagonals[i], 30.0, WATER_UNITS_BED_UNEVEN, dimmed);
     ASSERT_CLOSE(dimmed[0], 0.3 * times[i], 1e-12);
     ASSERT_CLOSE(dimmed[2], 0.05 * times[i], 1e-12);
-    water_units_dim(extinction, depths[i], diagonals[i], 30.0, true, dimmed);
+    water_units_dim(extinction, depths[i], diagonals[i], 30.0, WATER_UNITS_BED_FLAT, dimmed);
     ASSERT_CLOSE(dimmed[0], 0.3 * flat_times[i], 1e-12);
-    water_units_dim(extinction, depths[i], diagonals[i], 0.0, true, dimmed);
+    water_units_dim(extinction, depths[i], diagonals[i], 30.0, WATER_UNITS_BED_NONE, dimmed);
+    ASSERT_CLOSE(dimmed[0], 0.3 * open_times[i], 1e-12);
+    water_units_dim(extinction, depths[i], diagonals[i], 0.0, WATER_UNITS_BED_FLAT, dimmed);
     ASSERT_CLOSE(dimmed[1], 0.1, 0.0);
   }
 }

@@ -195,6 +195,51 @@ def test_behind_an_object_the_bed_goes_on(is_software, monkeypatch):
     wt.check_at_most("% of them that differ by more than 20 of 255", 100 * float((off > 20).mean()), 5)
 
 
+def pool_with(is_empty, eye):
+    """A view of a pool of 12 m x 6 m whose walls are darker than its floor, with a post near one end or without."""
+    view = wt.View((320, 240), WHITE)
+    for middle, size, color in (((0, 0, -2.1), (12.0, 6.0, 0.2), (0.8, 0.9, 0.9)),
+                                ((0, 3.1, -0.95), (12.4, 0.2, 2.5), (0.3, 0.3, 0.3)),
+                                ((0, -3.1, -0.95), (12.4, 0.2, 2.5), (0.3, 0.3, 0.3)),
+                                ((6.1, 0, -0.95), (0.2, 6.0, 2.5), (0.3, 0.3, 0.3)),
+                                ((-6.1, 0, -0.95), (0.2, 6.0, 2.5), (0.3, 0.3, 0.3))):
+        wt.add_actor(view.renderer, wt.box(middle, size), color).GetProperty().LightingOff()
+    if not is_empty:
+        post = wt.add_actor(view.renderer, wt.box((-3, 0, -0.75), (0.5, 0.5, 2.5)), (0.9, 0.7, 0.0))
+        post.GetProperty().LightingOff()
+    water = clear_water(view, None)
+    water.SetSheetToAutomatic()
+    wt.place_camera(view.renderer, eye, (-3, 0, -0.5), (0.5, 60))
+    return view, water
+
+
+@pytest.mark.parametrize("is_software", (1, 0))
+@pytest.mark.parametrize("eye", ((10, 10, 11), (8, 5, 8), (6, -6, 8)), ids=str)
+def test_behind_a_post_the_floor_goes_on(eye, is_software, monkeypatch):
+    """A post hides the floor behind it, and what is seen above it is a wall. The water there shows the floor as far as
+    without the post, and not the wall."""
+    monkeypatch.setenv("VTK_WATER_SOFTWARE", str(is_software))
+    view, water = pool_with(False, eye)
+    picture = view.picture()
+    water.VisibilityOff()
+    dry = view.picture()
+    post = (dry[..., 0] > 200) & (dry[..., 2] < 60)
+    without, its_water = pool_with(True, eye)
+    right = without.picture()
+    its_water.VisibilityOff()
+    is_water = np.abs(right - without.picture()).max(axis=2) > 3
+    rows = np.arange(len(post))[:, None]
+    over = post.any(axis=0) & (rows > np.where(post, rows, -1).max(axis=0))  # in the columns that the post takes
+    behind = over & is_water & (right.min(axis=2) > 80)
+    wt.save(picture, wt.output_folder() / f"post_{eye[0]}_{is_software}.png")
+    wt.save(right, wt.output_folder() / f"no_post_{eye[0]}_{is_software}.png")
+    wt.check_at_least("pixels behind the post where the floor is seen", int(behind.sum()), 100)
+    off = np.abs(picture - right).max(axis=2)[behind]
+    # what is straight behind the surface instead: 71 to 100 %; the rest is the wall's foot, and the post's edges
+    wt.check_at_most("% of them that differ by more than 20 of 255", 100 * float((off > 20).mean()),
+                     35 if is_software else 60)
+
+
 def hills_of(count=81, half=10.0):
     """Land with hills before and behind a valley; all but the hills lies under 0, and so does its border."""
     x, y = (axis.ravel() for axis in np.meshgrid(np.linspace(-half, half, count), np.linspace(-half, half, count)))

@@ -266,6 +266,26 @@ def test_shallow_beds_of_unknown_units_count_as_deep():
     wt.check_at_least("metres: red over that of deep water", int((bed_seen(0.5, "m") - deep)[0]), 80)
 
 
+@pytest.mark.parametrize("size", (1e-3, 1.0, 1e5))
+def test_objects_in_open_water_are_seen_to_their_foot(size):
+    """The foot of a pyramid in open water of an unknown unit is as good as 10 m deep. It differs from the water beside it
+    all along its edge: what is as good as 30 m deep shows a glow at the waterline that fades before the foot."""
+    view = wt.View((160, 120), (1.0, 1.0, 1.0))
+    wt.add_actor(view.renderer, wt.pyramid((0, 0, 0.2 * size), size, radius=0.5 * size), (1.0, 0.55, 0.0), lit=False)
+    water = wt.add_water(view.renderer, None, None, None)
+    water.SetSheetToAutomatic()
+    look = water.GetWaterProperty()
+    look.RefractionOn()
+    look.SetUnits("automatic")
+    wt.place_camera(view.renderer, (0, -2.0 * size, 2.2 * size), (0, 0, -0.2 * size), (0.1 * size, 100 * size))
+    picture = view.picture()
+    wt.save(picture, wt.output_folder() / f"foot_{size:g}.png")
+    off = np.abs(picture[:, 80].astype(int) - picture[:, 20]).max(axis=1)  # through the foot, and beside it
+    foot = int((off > 4).argmax())
+    wt.check_at_least("the foot's row from below", foot, 10)
+    wt.check_at_least("the foot over the water beside it, of 255", int(off[foot + 1]), 50)
+
+
 def test_calm_water_has_no_waves_to_hide():
     view, water = scene(1.0, lambda look: None, "automatic")
     view.picture()

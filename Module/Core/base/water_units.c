@@ -11,6 +11,7 @@ static const double waves_across = 400.0;
 static const double most_dim = 16.0;
 static const double least_dim = 1.0 / 64.0;
 static const double in_a_tank = 1.0 / 6.0; // of the natural depth
+static const double in_the_open = 1.0 / 3.0;
 
 typedef struct named_unit
 {
@@ -56,13 +57,14 @@ double water_units_fit(double diagonal, const double natural_m[2])
 }
 
 void water_units_dim(const double extinction[3], double bed_depth, double diagonal,
-  double natural_depth, bool is_flat, double dimmed[3])
+  double natural_depth, water_units_bed bed, double dimmed[3])
 {
   double times = 1.0;
   if (bed_depth > 0.0 && natural_depth > 0.0)
   {
     const double flatness = fmin(fmax(2.0 - 10.0 * bed_depth / diagonal, 0.0), 1.0);
-    times = (is_flat ? in_a_tank : 1.0 + 3.0 * flatness) * natural_depth / bed_depth;
+    const double parts[] = { 1.0 + 3.0 * flatness, in_a_tank, in_the_open };
+    times = parts[bed] * natural_depth / bed_depth;
     times = fmin(fmax(times, least_dim), most_dim);
   }
   for (int i = 0; i < 3; ++i)

@@ -42,21 +42,32 @@ const char* water_units_name(size_t i);
 // natural_m  the least and the largest natural size, m, > 0
 double water_units_fit(double diagonal, const double natural_m[2]);
 
+// What lies under a water.
+typedef enum water_units_bed
+{
+  WATER_UNITS_BED_UNEVEN, // or of unknown shape
+  WATER_UNITS_BED_FLAT,
+  WATER_UNITS_BED_NONE // objects stand or float in open water
+} water_units_bed;
+
 // Attenuation in a scene of unknown unit: 1/64 to 16 times that of the medium, so that the deepest
 // bed is treated as naturally deep, or as four times as deep in a map. In a map the water then
 // hides the deep parts and shows the shore; elsewhere, objects that reach into the water stay
 // visible. A map is a scene at least ten times as wide as deep. A scene that is at most five times
 // as wide is not a map; between the two, the depth changes linearly. A flat bed is treated as the
-// visible floor of a tank or a pool: a sixth of the natural depth, however wide the scene is.
+// visible floor of a tank or a pool: a sixth of the natural depth, however wide the scene is. Open
+// water around objects has no bed: the deepest part of them is treated as a third as deep. If it
+// were deeper, the water would show a blurred glow of their colour at the waterline, and not their
+// shape.
 //
 // extinction     of the medium, per unit
 // bed_depth      of the deepest bed under the water, units; nothing changes unless it is > 0
 // diagonal       of the scene, units
 // natural_depth  units; 0: beds are as deep as they are
-// is_flat        the bed is flat
+// bed            what lies under the water
 // dimmed         extinction to use; may be extinction
 void water_units_dim(const double extinction[3], double bed_depth, double diagonal,
-  double natural_depth, bool is_flat, double dimmed[3]);
+  double natural_depth, water_units_bed bed, double dimmed[3]);
 
 // Depth of foam at the shore, units, that a picture of the whole scene shows: at least 1/400 of its
 // diagonal.

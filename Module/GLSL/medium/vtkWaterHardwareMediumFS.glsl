@@ -125,6 +125,7 @@ WaterMediumView waterMediumMeets(vec3 start, vec3 way, float most, float deepest
   view.to = isEdge ? (floor((start.xy + found.high * way.xy) * size) + 0.5) / size : view.from;
   view.share = 0.0;
   view.isOut = !found.isHit && !isInside;
+  view.isHidden = isEdge && waterMediumHeight(view.to, found.depthHigh) > 0.0; // it stands over the water
   view.isBelow = view.isOut && waterMediumPassesBelow(start, way, leaves, deepest);
   return view;
 }

@@ -205,6 +205,7 @@ struct WaterMediumView
   float share; // of the second
   bool isBelow; // the ray meets nothing: it is deeper than anything
   bool isOut;   // it leaves the picture before it meets anything
+  bool isHidden; // something hides where it ends
 };
 
 // Where a ray leaves the picture.
@@ -428,7 +429,7 @@ WaterMediumMet waterMediumMeet(WaterPoint point, vec3 dir)
   bool isClose = waterSide > 0.0 && met.way > border - WATER_MEDIUM_EDGE * pixel;
   met.isAtBorder = met.isUnderBorder || (isClose && isFine);
   met.isNothing = met.isUnderBorder ? !isThere : met.view.isBelow;
-  if (met.isNothing || met.depth >= 1.0)
+  if (met.isNothing || met.depth >= 1.0 || met.view.isHidden)
   {
     waterMediumGuess(point, dir, ray, most, met);
   }

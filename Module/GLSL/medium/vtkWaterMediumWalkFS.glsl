@@ -177,6 +177,7 @@ WaterMediumView waterMediumMeets(vec3 start, vec3 way, float most, float deepest
   view.from = start.xy + (view.isMet ? view.s : found.low) * way.xy;
   view.to = view.isMet ? view.from : (floor((start.xy + found.high * way.xy) * size) + 0.5) / size;
   view.isOut = !found.isHit && !isInside;
+  view.isHidden = !found.isHit && isInside && !view.isMet;
   view.isBelow = view.isOut && waterMediumPassesBelow(start, way, leaves, deepest);
   return view;
 }

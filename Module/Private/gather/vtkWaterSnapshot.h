@@ -14,6 +14,7 @@
 #include "water_medium.h"
 #include "water_old_foam.h"
 #include "water_types.h"
+#include "water_units.h"
 #include "water_waves.h"
 
 #include <memory>
@@ -31,7 +32,7 @@ struct vtkWaterLook
   double MetresPerUnit = 1.0;
   double NaturalDepth = 0.0; // of the deepest bed; water_units_dim
   bool HasGround = false;    // under all of the water
-  bool HasFlatBed = false;   // that ground is
+  water_units_bed Bed = WATER_UNITS_BED_UNEVEN;
   double SceneDiagonal = 0.0;
   bool HidesWaves = false;          // they are too short for the scene
   water_look Optics = water_look(); // constant 0 only if nothing is reflected

@@ -34,7 +34,7 @@ void vtkWaterSurfaceShader::FindExtinction(double extinction[3]) const
   const vtkWaterLook& look = this->Water->Look;
   const double depth = this->Drawn.Plan ? this->Drawn.Plan->bed_depth : 0.0;
   water_units_dim(
-    look.Extinction, depth, look.SceneDiagonal, look.NaturalDepth, look.HasFlatBed, extinction);
+    look.Extinction, depth, look.SceneDiagonal, look.NaturalDepth, look.Bed, extinction);
 }
 
 //------------------------------------------------------------------------------
