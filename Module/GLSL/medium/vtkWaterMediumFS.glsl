@@ -6,7 +6,6 @@
 
 uniform sampler2D waterSceneColor; // the picture without this water; linear
 uniform sampler2D waterSceneDepth; // its window depth, 1: background; nearest
-uniform vec3 waterExtinction;      // absorption + scattering, per unit of the scene
 uniform int waterIsSubmerged;      // 1: the eye is in the water
 uniform int waterSceneIsMixed;     // 1: pixels of the picture are means of several samples
 uniform float waterBedDepth;       // how far the scene reaches under the plane
