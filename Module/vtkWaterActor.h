@@ -211,13 +211,12 @@ public:
 
   ///@{
   /**
-   * What the matter of MatterArrayName absorbs and scatters, in 1/m per unit of its concentration,
-   * at 650, 550 and 450 nm (red, green, blue): finite and not negative; other values are rejected
-   * with an error. As for vtkWaterProperty's Scattering, count only light that is scattered
-   * backward. A dye scatters nothing. Default is suspended mineral sediment with concentrations in
-   * g/m^3 (equal to mg/l): absorption (0.0032, 0.0110, 0.0376), scattering (0.012, 0.012, 0.012).
+   * What the matter of MatterArrayName absorbs, in 1/m per unit of its concentration, at 650, 550
+   * and 450 nm (red, green, blue): finite and not negative; other values are rejected with an
+   * error. Default is (0.0032, 0.0110, 0.0376): suspended mineral sediment with concentrations in
+   * g/m^3 (equal to mg/l).
    *
-   * Source: Babin et al. 2003 (absorption); Neukermans et al. 2012 (scattering).
+   * Source: Babin et al. 2003.
    */
   void SetMatterAbsorption(double red, double green, double blue);
   void SetMatterAbsorption(const double perUnit[3])
@@ -225,6 +224,17 @@ public:
     this->SetMatterAbsorption(perUnit[0], perUnit[1], perUnit[2]);
   }
   vtkGetVector3Macro(MatterAbsorption, double);
+  ///@}
+
+  ///@{
+  /**
+   * What the matter of MatterArrayName scatters, in 1/m per unit of its concentration, at 650, 550
+   * and 450 nm (red, green, blue): finite and not negative; other values are rejected with an
+   * error. As for vtkWaterProperty's Scattering, count only light that is scattered backward; a dye
+   * scatters nothing. Default is (0.012, 0.012, 0.012), that of the sediment of MatterAbsorption.
+   *
+   * Source: Neukermans et al. 2012.
+   */
   void SetMatterScattering(double red, double green, double blue);
   void SetMatterScattering(const double perUnit[3])
   {
