@@ -19,7 +19,7 @@
 #include "vtkWaterProperty.h"
 #include "vtkWaterReflection.h"
 #include "vtkWaterReflectionPass.h"
-#include "water_flow.h"
+#include "water_matter.h"
 #include "water_plane.h"
 
 #include <algorithm>
@@ -35,6 +35,7 @@ vtkWaterActor::vtkWaterActor()
   , OwnPass(vtkSmartPointer<vtkWaterReflectionPass>::New())
 {
   this->Superclass::SetMapper(this->Internal->Sheet.GetMapper());
+  water_matter_sediment(this->MatterAbsorption, this->MatterScattering);
 }
 
 //------------------------------------------------------------------------------
@@ -122,23 +123,6 @@ void vtkWaterActor::SetMeshSlopes(bool isOn)
 }
 
 //------------------------------------------------------------------------------
-void vtkWaterActor::SetFlowArrayName(const std::string& name)
-{
-  if (this->FlowArrayName != name)
-  {
-    this->FlowArrayName = name;
-    this->Internal->FlowError.clear();
-    this->Modified();
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkWaterActor::SetFlowPeriod(double seconds)
-{
-  vtkWaterSetInRange(FlowPeriod, seconds, WATER_FLOW_PERIOD_MIN, WATER_FLOW_PERIOD_MAX);
-}
-
-//------------------------------------------------------------------------------
 vtkWaterReflectionPass* vtkWaterActor::GetReflectionPass()
 {
   return this->ComposedPass ? this->ComposedPass.Get() : this->OwnPass.Get();
@@ -152,7 +136,15 @@ const char* vtkWaterActor::GetLastError() const
   {
     return internal.Errors.front().Text.c_str();
   }
-  return internal.HullError.empty() ? internal.FlowError.c_str() : internal.HullError.c_str();
+  for (const std::string* error :
+    { &internal.HullError, &internal.FlowError, &internal.MatterError })
+  {
+    if (!error->empty())
+    {
+      return error->c_str();
+    }
+  }
+  return internal.FoamError.c_str();
 }
 
 //------------------------------------------------------------------------------
@@ -277,6 +269,11 @@ void vtkWaterActor::ShallowCopy(vtkProp* prop)
     this->SetMeshSlopes(other->MeshSlopes);
     this->SetFlowArrayName(other->FlowArrayName);
     this->SetFlowPeriod(other->FlowPeriod);
+    this->SetMatterArrayName(other->MatterArrayName);
+    this->SetMatterAbsorption(other->MatterAbsorption);
+    this->SetMatterScattering(other->MatterScattering);
+    this->SetFoamArrayName(other->FoamArrayName);
+    this->SetFoamMeasure(other->FoamMeasure);
     this->RemoveAllHulls();
     for (int i = 0; i < other->GetNumberOfHulls(); ++i)
     {
@@ -335,6 +332,13 @@ void vtkWaterActor::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MeshSlopes: " << (this->MeshSlopes ? "on" : "off") << "\n";
   os << indent << "FlowArrayName: " << this->FlowArrayName << "\n";
   os << indent << "FlowPeriod: " << this->FlowPeriod << "\n";
+  os << indent << "MatterArrayName: " << this->MatterArrayName << "\n";
+  os << indent << "MatterAbsorption: (" << this->MatterAbsorption[0] << ", "
+     << this->MatterAbsorption[1] << ", " << this->MatterAbsorption[2] << ")\n";
+  os << indent << "MatterScattering: (" << this->MatterScattering[0] << ", "
+     << this->MatterScattering[1] << ", " << this->MatterScattering[2] << ")\n";
+  os << indent << "FoamArrayName: " << this->FoamArrayName << "\n";
+  os << indent << "FoamMeasure: " << this->GetFoamMeasureAsString() << "\n";
   os << indent << "SceneReflection: " << (this->SceneReflection ? "on" : "off") << "\n";
   os << indent << "Hulls: " << this->GetNumberOfHulls() << "\n";
   vtkWaterLook look;

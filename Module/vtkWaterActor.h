@@ -34,6 +34,7 @@
 #include "vtkWeakPointer.h"          // for members
 #include "vtkWrappingHints.h"        // for VTK_WRAPEXCLUDE
 
+#include <array>
 #include <memory> // for std::unique_ptr
 #include <string>
 #include <vector>
@@ -189,6 +190,102 @@ public:
 
   ///@{
   /**
+   * Name of an array of a user's mesh with the concentration of matter that the water carries, such
+   * as sediment, algae or a dye: one number per point or cell, finite and not negative. It absorbs
+   * and scatters light (MatterAbsorption, MatterScattering) in addition to the water itself. Needs
+   * vtkWaterProperty's Refraction, and a mapper with one data set. Each ray sees the concentration
+   * of the point of the surface where it enters the water, along its whole refracted path: after x
+   * metres exp(-(absorption + scattering) x) of the light remain. With the DeepColorMode MEDIUM the
+   * colour of deep water follows the matter; a given colour does not. An eye in the water looks
+   * through clear water. Where the concentration is 0, the picture is the same as without the
+   * array. Negative values and values that are not finite count as 0; a warning tells of them,
+   * once. A missing array, or one with several components, is reported as an error, once; the water
+   * is then clear. Changes of the array take effect in the next frame. Empty, the default: no
+   * matter.
+   *
+   * Source: Beer 1852.
+   */
+  void SetMatterArrayName(const std::string& name);
+  std::string GetMatterArrayName() const { return this->MatterArrayName; }
+  ///@}
+
+  ///@{
+  /**
+   * What the matter of MatterArrayName absorbs, in 1/m per unit of its concentration, at 650, 550
+   * and 450 nm (red, green, blue): finite and not negative; other values are rejected with an
+   * error. Default is (0.0032, 0.0110, 0.0376): suspended mineral sediment with concentrations in
+   * g/m^3 (equal to mg/l).
+   *
+   * Source: Babin et al. 2003.
+   */
+  void SetMatterAbsorption(double red, double green, double blue);
+  void SetMatterAbsorption(const double perUnit[3])
+  {
+    this->SetMatterAbsorption(perUnit[0], perUnit[1], perUnit[2]);
+  }
+  vtkGetVector3Macro(MatterAbsorption, double);
+  ///@}
+
+  ///@{
+  /**
+   * What the matter of MatterArrayName scatters, in 1/m per unit of its concentration, at 650, 550
+   * and 450 nm (red, green, blue): finite and not negative; other values are rejected with an
+   * error. As for vtkWaterProperty's Scattering, count only light that is scattered backward; a dye
+   * scatters nothing. Default is (0.012, 0.012, 0.012), that of the sediment of MatterAbsorption.
+   *
+   * Source: Neukermans et al. 2012.
+   */
+  void SetMatterScattering(double red, double green, double blue);
+  void SetMatterScattering(const double perUnit[3])
+  {
+    this->SetMatterScattering(perUnit[0], perUnit[1], perUnit[2]);
+  }
+  vtkGetVector3Macro(MatterScattering, double);
+  ///@}
+
+  ///@{
+  /**
+   * Name of an array of a user's mesh that says how much foam there is: one number per point or
+   * cell, a value of FoamMeasure. The foam has the colour and the structure of the water's other
+   * foam, and is added to it: the larger of the covers counts. Needs a mapper with one data set.
+   * Negative values and values that are not finite count as 0, and covers above 1 as 1; a warning
+   * tells of them, once. A missing array, or one with several components, is reported as an error,
+   * once; there is then no foam from data. Changes of the array take effect in the next frame.
+   * Empty, the default: no foam from data.
+   */
+  void SetFoamArrayName(const std::string& name);
+  std::string GetFoamArrayName() const { return this->FoamArrayName; }
+  ///@}
+
+  enum FoamMeasures
+  {
+    COVER = 0,
+    FROUDE_NUMBER = 1,
+    BREAKING_INDEX = 2
+  };
+
+  ///@{
+  /**
+   * What the values of FoamArrayName are. COVER: the share of the surface that foam covers, in [0,
+   * 1], such as the fraction of air at the surface. FROUDE_NUMBER: velocity over sqrt(g depth);
+   * foam begins at 1, where a flow becomes faster than its waves, and covers everything from 1.7
+   * on, where hydraulic jumps have breaking rollers. BREAKING_INDEX: height of the waves over the
+   * depth; foam begins at 0.78, where waves break on a level bed, and covers everything from 1.13
+   * on, where they break on a slope of 1 in 20. Between the two values the cover is linear, which
+   * was chosen. Another number is rejected with an error. Default is COVER.
+   *
+   * Source: Chow 1959, "Open-Channel Hydraulics"; McCowan 1894; Weggel 1972.
+   */
+  void SetFoamMeasure(int measure);
+  vtkGetMacro(FoamMeasure, int);
+  void SetFoamMeasureToCover() { this->SetFoamMeasure(COVER); }
+  void SetFoamMeasureToFroudeNumber() { this->SetFoamMeasure(FROUDE_NUMBER); }
+  void SetFoamMeasureToBreakingIndex() { this->SetFoamMeasure(BREAKING_INDEX); }
+  const char* GetFoamMeasureAsString() const;
+  ///@}
+
+  ///@{
+  /**
    * Time of the waves in seconds, in [-1e15, 1e15]; another value is rejected with an error. The
    * picture depends only on this number, not on earlier frames. Default is 0.
    */
@@ -257,8 +354,8 @@ public:
 
   /**
    * The text of the ErrorEvent for what is wrong in the last frame: with the plan, else with a
-   * hull, else with the current. Empty if nothing is wrong. A value that a setter rejects is not
-   * kept here.
+   * hull, else with the current, the matter or the foam of data. Empty if nothing is wrong. A value
+   * that a setter rejects is not kept here.
    */
   const char* GetLastError() const;
 
@@ -304,6 +401,7 @@ private:
 
   bool UsesOwnSheet();
   bool ShowsOpaqueData();
+  void SetMatter(const char* name, double (&member)[3], const std::array<double, 3>& given);
   // Does the built-in sheet reach to the horizon?
   bool IsEndless() { return this->SheetToHorizon && this->UsesOwnSheet(); }
   // What GetBounds returns between frames.
@@ -334,6 +432,11 @@ private:
   bool MeshSlopes = true;
   std::string FlowArrayName;
   double FlowPeriod = 4.0;
+  std::string MatterArrayName;
+  double MatterAbsorption[3]; // that of sediment
+  double MatterScattering[3];
+  std::string FoamArrayName;
+  int FoamMeasure = COVER;
 };
 
 #ifdef VTK_ABI_NAMESPACE_END

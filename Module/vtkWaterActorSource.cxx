@@ -9,14 +9,11 @@
 #include "vtkWaterActorInternals.h"
 #include "vtkWaterCompat.h"
 #include "vtkWaterErrors.h"
-#include "vtkWaterFlow.h"
 #include "vtkWaterFrame.h"
 #include "vtkWaterMeshTraits.h"
 #include "vtkWaterProperty.h"
 #include "vtkWaterReflection.h"
 #include "vtkWaterReflectionPass.h"
-#include "water_cascade.h"
-#include "water_flow.h"
 #include "water_plane.h"
 #include "water_slopes.h"
 
@@ -92,6 +89,14 @@ void vtkWaterActor::Internals::ReadPlane(water_plane* plane, double origin[3])
   {
     water_plane_project(&unit, origin, origin);
   }
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterActor::Internals::ReadPlaces(vtkWaterSnapshot& water)
+{
+  this->ReadPlane(&water.Plane, water.Origin);
+  std::copy_n(this->Self->Plane->GetOrigin(), 3, water.GivenOrigin);
+  std::copy_n(this->Self->Plane->GetNormal(), 3, water.GivenNormal);
 }
 
 //------------------------------------------------------------------------------
@@ -225,49 +230,6 @@ water_feature_set FeaturesOf(const vtkWaterLook& look)
 }
 
 //------------------------------------------------------------------------------
-void vtkWaterActor::Internals::ReadFlow(vtkWaterSnapshot& water)
-{
-  if (this->Self->FlowArrayName.empty())
-  {
-    return;
-  }
-  const std::string wrong = vtkWaterFlow::Check(
-    this->Self->UsesOwnSheet() ? nullptr : this->Self->GetMapper(), this->Self->FlowArrayName);
-  const std::string said = this->FlowError;
-  this->FlowError = wrong.empty() ? wrong : "FlowArrayName: " + wrong + ". There is no current.";
-  if (!wrong.empty())
-  {
-    if (said != this->FlowError) // once, until it is mended
-    {
-      vtkErrorWithObjectMacro(this->Self, << this->FlowError);
-    }
-    return;
-  }
-  water.Features = water_features_with_flow(water.Features);
-  water.FlowArrayName = this->Self->FlowArrayName;
-  water.FlowPeriod = this->Self->FlowPeriod;
-  const vtkWaterLook& look = water.Look;
-  double longest = look.WaveNumber > 0.0 ? 2.0 * vtkMath::Pi() / look.WaveNumber : 0.0;
-  for (const vtkWaterNormalMaps::Layer& layer : look.NormalMaps)
-  {
-    longest = std::max(longest, 0.5 * layer.Map.size); // two waves a side
-  }
-  water.FlowLikeness = water_flow_likeness(longest);
-  for (size_t i = 0; look.Has.has_sea && i < look.Cascades.count; ++i)
-  {
-    double band[2]; // per m
-    water_cascades_band(&look.Cascades, &look.Sea, i, band);
-    water.FlowBands[i][0] = band[0] * look.MetresPerUnit;
-    water.FlowBands[i][1] = band[1] * look.MetresPerUnit;
-  }
-  if ((water.Features & WATER_FEATURE_FLOW) != 0)
-  {
-    // where the current is slower further on it makes waves steeper
-    water.Look.SlopeLookedUp = std::numeric_limits<double>::infinity();
-  }
-}
-
-//------------------------------------------------------------------------------
 vtkWaterSnapshotPointer vtkWaterActor::Internals::Take(vtkRenderer* renderer)
 {
   const vtkMTimeType frame = renderer ? vtkWaterFrame::NumberOf(renderer) : 0;
@@ -285,9 +247,7 @@ vtkWaterSnapshotPointer vtkWaterActor::Internals::Take(vtkRenderer* renderer)
   {
     std::copy_n(bounds, 6, made->Bounds);
   }
-  this->ReadPlane(&made->Plane, made->Origin);
-  std::copy_n(this->Self->Plane->GetOrigin(), 3, made->GivenOrigin);
-  std::copy_n(this->Self->Plane->GetNormal(), 3, made->GivenNormal);
+  this->ReadPlaces(*made);
   made->IsEndless = this->Self->IsEndless();
   made->IsSheet = made->IsEndless || (this->Self->UsesOwnSheet() && this->Self->GetIsIdentity());
   std::copy_n(this->Sheet.GetRectangle(), 4, made->Sheet);
@@ -299,6 +259,7 @@ vtkWaterSnapshotPointer vtkWaterActor::Internals::Take(vtkRenderer* renderer)
     this->ReadMesh(made->Plane, &made->Mesh);
   }
   made->Time = this->Self->Time;
+  this->ReadFoam(*made);
   this->Describe(made->Look);
   made->Look.Has.is_opaque = this->Self->HasOpaqueGeometry() != 0;
   made->Look.Has.has_environment =
@@ -310,7 +271,7 @@ vtkWaterSnapshotPointer vtkWaterActor::Internals::Take(vtkRenderer* renderer)
       ? water_features_with_slopes(made->Features, made->Look.Has.lookup)
       : water_features_with_mesh(made->Features);
   }
-  this->ReadFlow(*made);
+  this->ReadData(*made);
   if (made->IsSloped())
   {
     made->Look.SlopeRMS = water_slopes_together(made->Look.SlopeRMS, made->Mesh.SlopeRMS);

@@ -192,8 +192,8 @@ VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_actor_set_environment(
 
 /* Sets a mesh as the water's surface, instead of the built-in sheet: point_count times x, y, z;
  * triangle_count times three point indices. The data are copied. It should lie in the water's
- * plane, apart from waves. NULL points, the default: the sheet. Either way there is no current
- * then. */
+ * plane, apart from waves. NULL points, the default: the sheet. Either way there is no current,
+ * no matter and no foam of data then. */
 VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_actor_set_surface(vtk_water_actor* actor,
   const double* points, size_t point_count, const int64_t* triangles, size_t triangle_count);
 
@@ -208,6 +208,27 @@ VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_actor_set_flow(
  * 1e6]: longer for slow water, shorter where the current changes from place to place. Default 4. */
 VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_actor_set_flow_period(
   vtk_water_actor* actor, double seconds);
+
+/* Sets the concentration of matter that the water carries, such as sediment or a dye, at the points
+ * of vtk_water_actor_set_surface, of which there must be as many; finite and not negative, others
+ * count as 0. The data are copied; call it again for another time. NULL, the default: no matter. It
+ * is seen with vtk_water_actor_set_refraction. */
+VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_actor_set_matter(
+  vtk_water_actor* actor, const double* concentrations, size_t point_count);
+
+/* Sets what the matter absorbs and what it scatters back, each at 650, 550 and 450 nm in 1/m per
+ * unit of its concentration, finite and not negative. Default: mineral sediment in g/m^3, {0.0032,
+ * 0.0110, 0.0376} and {0.012, 0.012, 0.012}. */
+VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_actor_set_matter_optics(
+  vtk_water_actor* actor, const double absorption[3], const double scattering[3]);
+
+/* Sets how much foam there is at the points of vtk_water_actor_set_surface, of which there must be
+ * as many. measure says what the values are: "cover", the share of the surface that foam covers, in
+ * [0, 1]; "froude", Froude numbers, with foam from 1 on, which covers everything from 1.7 on;
+ * "breaking", heights of the waves over the depth, with foam from 0.78 on, which covers everything
+ * from 1.13 on. The data are copied. NULL values, the default: no foam of data. */
+VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_actor_set_foam_data(
+  vtk_water_actor* actor, const double* values, size_t point_count, const char* measure);
 
 /* Sets the time of the waves, s in [-1e15, 1e15]. */
 VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_actor_set_time(

@@ -7,6 +7,7 @@
 #include "vtkPoints.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkWaterCInternals.h"
+#include "water_foam_measure.h"
 
 #include <algorithm>
 
@@ -14,7 +15,45 @@ using namespace vtkWaterC;
 
 namespace
 {
-constexpr const char* kFlow = "vtk_water_flow"; // name of the array
+// names of arrays
+constexpr const char* kFlow = "vtk_water_flow";
+constexpr const char* kMatter = "vtk_water_matter";
+constexpr const char* kFoam = "vtk_water_foam";
+
+// Gives the surface's points values, and names them to the water. nullptr: it gets an empty name.
+//
+// what  the values are
+vtk_water_status SetPointValues(vtk_water_actor* actor, const double* values, size_t count,
+  int components, const char* name, const char* what,
+  void (vtkWaterActor::*setName)(const std::string&))
+{
+  if (!actor)
+  {
+    return Fail(VTK_WATER_NULL_ARGUMENT, "actor is NULL");
+  }
+  vtkPolyData* mesh = actor->Surface;
+  const vtkIdType places = mesh ? mesh->GetNumberOfPoints() : 0;
+  if (values && (!mesh || static_cast<uint64_t>(places) != count))
+  {
+    return Fail(VTK_WATER_BAD_VALUE,
+      std::string("there are ") + what + " of " + std::to_string(count) + " points; " +
+        (mesh
+            ? "the surface has " + std::to_string(places)
+            : std::string("the water needs a surface of as many, by vtk_water_actor_set_surface")));
+  }
+  if (values)
+  {
+    vtkNew<vtkDoubleArray> array;
+    array->SetName(name);
+    array->SetNumberOfComponents(components);
+    array->SetNumberOfTuples(places);
+    std::copy_n(values, static_cast<size_t>(components) * count, array->GetPointer(0));
+    mesh->GetPointData()->AddArray(array);
+    mesh->Modified();
+  }
+  (actor->Object->*setName)(values ? name : "");
+  return VTK_WATER_OK;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -77,6 +116,8 @@ vtk_water_status vtk_water_actor_set_surface(vtk_water_actor* actor, const doubl
     actor->Surface = points ? MakeMesh(points, point_count, triangles, triangle_count) : nullptr;
     mapper->SetInputData(actor->Surface);
     water->SetFlowArrayName("");
+    water->SetMatterArrayName("");
+    water->SetFoamArrayName("");
     water->SetMapper(points ? mapper.Get() : nullptr);
   });
 }
@@ -85,35 +126,55 @@ vtk_water_status vtk_water_actor_set_flow(
   vtk_water_actor* actor, const double* velocities, size_t point_count)
 {
   return Guarded([&] {
-    if (!actor)
+    return SetPointValues(
+      actor, velocities, point_count, 3, kFlow, "velocities", &vtkWaterActor::SetFlowArrayName);
+  });
+}
+
+vtk_water_status vtk_water_actor_set_matter(
+  vtk_water_actor* actor, const double* concentrations, size_t point_count)
+{
+  return Guarded([&] {
+    return SetPointValues(actor, concentrations, point_count, 1, kMatter, "concentrations",
+      &vtkWaterActor::SetMatterArrayName);
+  });
+}
+
+vtk_water_status vtk_water_actor_set_matter_optics(
+  vtk_water_actor* actor, const double absorption[3], const double scattering[3])
+{
+  if (actor && (!absorption || !scattering))
+  {
+    return Guarded([&] {
+      return Fail(
+        VTK_WATER_NULL_ARGUMENT, absorption ? "scattering is NULL" : "absorption is NULL");
+    });
+  }
+  return Change(actor, [=](vtkWaterActor* water, vtkWaterProperty*) {
+    water->SetMatterAbsorption(absorption);
+    water->SetMatterScattering(scattering);
+  });
+}
+
+vtk_water_status vtk_water_actor_set_foam_data(
+  vtk_water_actor* actor, const double* values, size_t point_count, const char* measure)
+{
+  return Guarded([&] {
+    const int number = water_foam_measure_of(measure);
+    if (actor && values && number == WATER_FOAM_MEASURE_COUNT)
     {
-      return Fail(VTK_WATER_NULL_ARGUMENT, "actor is NULL");
+      return measure
+        ? Fail(VTK_WATER_BAD_VALUE,
+            std::string("measure is '") + measure + "'; it must be cover, froude or breaking")
+        : Fail(VTK_WATER_NULL_ARGUMENT, "measure is NULL");
     }
-    vtkWaterActor* water = actor->Object;
-    vtkPolyData* mesh = actor->Surface;
-    const vtkIdType places = mesh ? mesh->GetNumberOfPoints() : 0;
-    if (velocities && (!mesh || static_cast<uint64_t>(places) != point_count))
+    const vtk_water_status status = SetPointValues(
+      actor, values, point_count, 1, kFoam, "values of foam", &vtkWaterActor::SetFoamArrayName);
+    if (status == VTK_WATER_OK && values)
     {
-      return Fail(VTK_WATER_BAD_VALUE,
-        "there are velocities of " + std::to_string(point_count) + " points; " +
-          (mesh ? "the surface has " + std::to_string(places)
-                : std::string(
-                    "the water needs a surface of as many, by vtk_water_actor_set_surface")));
+      actor->Object->SetFoamMeasure(number);
     }
-    if (!velocities)
-    {
-      water->SetFlowArrayName("");
-      return VTK_WATER_OK;
-    }
-    vtkNew<vtkDoubleArray> array;
-    array->SetName(kFlow);
-    array->SetNumberOfComponents(3);
-    array->SetNumberOfTuples(places);
-    std::copy_n(velocities, 3 * point_count, array->GetPointer(0));
-    mesh->GetPointData()->AddArray(array);
-    mesh->Modified();
-    water->SetFlowArrayName(kFlow);
-    return VTK_WATER_OK;
+    return status;
   });
 }
 

@@ -51,7 +51,7 @@ void vtkWaterProperty::Describe(double diagonal, vtkWaterLook& look)
   look.Has.has_refraction = this->Refraction;
   look.Has.has_caustics = this->Caustics > 0.0 || this->LightShafts > 0.0;
   look.Has.has_glitter = this->Glitter;
-  look.Has.has_foam = this->FoamDepth > 0.0 || this->FoamStretch > 0.0;
+  look.Has.has_foam = this->FoamDepth > 0.0 || this->FoamStretch > 0.0 || look.HasFoamData;
   look.Has.has_shadows = this->Shadows;
   look.Has.has_output = this->Output != COLOR;
   look.RollsOff = this->HighlightRollOff;

@@ -31,7 +31,8 @@ def words_of(arguments):
     blows = arguments.wind if arguments.wind_direction is None else (arguments.wind, arguments.wind_direction)
     same = ("preset", "waves", "whitecaps", "color", "opacity", "refraction", "own_view", "foam", "caustics",
             "shadows", "dome_port", "quality", "units")
-    return {"wind": blows, **{word: getattr(arguments, word) for word in same}}
+    return {"wind": blows, "matter": getattr(arguments, "matter", None),
+            **{word: getattr(arguments, word) for word in same}}
 
 
 def words_for(ground, arguments):

@@ -6,6 +6,7 @@ import sys
 
 from . import readers, solutions, tiff_stack
 from .data_scenes import COLOR_MAPS, DataWater
+from .vertex_data import FOAM_MEASURES, VertexData
 
 __all__ = ["DATA_ELEVATION", "add_data_arguments", "check_data", "is_data", "make_data_water", "report", "time_of",
            "time_range"]
@@ -34,6 +35,16 @@ def add_data_arguments(parser, number):
                        "magnitude")
     group.add_argument("--flow", metavar="ARRAY", help="velocity of a current, m/s, that carries the small waves; "
                        "give the water some with --preset, --wind or --waves")
+    group.add_argument("--matter", metavar="ARRAY", help="concentration of matter that the water carries, such as "
+                       "sediment or a dye: it absorbs and scatters light, and colours deep water")
+    for word, what, default in (("absorption", "absorbs", "0.0032,0.0110,0.0376"),
+                                ("scattering", "scatters back", "0.012,0.012,0.012")):
+        group.add_argument(f"--matter-{word}", type=three_numbers, metavar="R,G,B",
+                           help=f"what it {what} at 650, 550 and 450 nm, 1/m per unit of its concentration; default "
+                                f"{default}, for mineral sediment in g/m^3")
+    group.add_argument("--foam-by", metavar="ARRAY", help="array that says how much foam there is")
+    group.add_argument("--foam-measure", choices=FOAM_MEASURES, help="what its values are: the share of the surface "
+                       "that foam covers (the default), Froude numbers, or heights of waves over the depth")
     group.add_argument("--cmap", metavar="NAME", help=f"colour map: {', '.join(COLOR_MAPS)}, or any of matplotlib's "
                        "if it is installed; default viridis")
     group.add_argument("--clim", type=color_range, metavar="LOW:HIGH",
@@ -58,6 +69,14 @@ def pair(text, what):
     raise argparse.ArgumentTypeError(f"{text!r} must be {what}, separated by a colon")
 
 
+def three_numbers(text):
+    try:
+        red, green, blue = map(float, text.split(","))
+    except ValueError:
+        raise argparse.ArgumentTypeError(f"{text!r} must be three numbers such as 0.1,0.3,0.9") from None
+    return red, green, blue
+
+
 def color_range(text):
     return pair(text, "two values such as 0:3")
 
@@ -74,8 +93,9 @@ def check_data(parser, arguments):
     """End the program if options of data contradict each other, or are used without data."""
     kind = pathlib.Path(arguments.file).suffix.lower()
     if not is_data(arguments):
-        for word in ("dry_depth", "contour_value", "color_by", "flow", "cmap", "clim", "log_scale", "scalar_bar",
-                     "lonlat", "step", "times"):
+        for word in ("dry_depth", "contour_value", "color_by", "flow", "matter", "matter_absorption",
+                     "matter_scattering", "foam_by", "foam_measure", "cmap", "clim", "log_scale", "scalar_bar", "lonlat",
+                     "step", "times"):
             if getattr(arguments, word, None) is not None:
                 parser.error(f"--{word.replace('_', '-')} needs an array that defines the water: add "
                              "--depth, --bed, --contour or the name of an array as --level")
@@ -107,25 +127,36 @@ def check_data(parser, arguments):
         for word in ("cmap", "clim", "log_scale", "scalar_bar"):
             if getattr(arguments, word) is not None:
                 parser.error(f"--{word.replace('_', '-')} needs --color-by")
+    try:
+        vertex_data_of(arguments).check_colors(arguments.color_by, None)
+    except ValueError as error:
+        parser.error(str(error))
     if getattr(arguments, "step", None) is not None and arguments.time is not None:
         parser.error("--step and --time are both given; use only one of them")
+
+
+def vertex_data_of(arguments):
+    return VertexData(**{word: getattr(arguments, word) for word in (
+        "flow", "matter", "matter_absorption", "matter_scattering", "foam_by", "foam_measure")})
 
 
 def make_data_water(arguments, words, make_scene):
     """The water of a solver's file, its bed, and the view, in a scene that is made when the file is read."""
     level = arguments.level[0] if isinstance(arguments.level, tuple) else arguments.level
     names = {"level": level if isinstance(level, str) else None, "depth": arguments.depth, "bed": arguments.bed,
-             "contour": arguments.contour, "color_by": arguments.color_by, "flow": arguments.flow}
-    solution = solutions.Solution(arguments.file, dict.fromkeys(filter(None, names.values())),
+             "contour": arguments.contour, "color_by": arguments.color_by}
+    data = vertex_data_of(arguments)
+    read = [*filter(None, names.values()), *data.given().values()]
+    solution = solutions.Solution(arguments.file, dict.fromkeys(read),
                                   bool(arguments.contour), arguments.lonlat,
                                   read_ahead=arguments.command == "animate")
     scene = make_scene(arguments)
     words["units"] = words["units"] or "m"
-    hides = arguments.color_by and not any(words[word] for word in ("foam", "caustics", "dome_port"))
+    hides = arguments.color_by and not any(words[word] for word in ("foam", "caustics", "dome_port", "matter"))
     if words["refraction"] is None and hides:
         words["refraction"] = False  # the data hide what it would show
     value = 0.5 if arguments.contour_value is None else arguments.contour_value
-    names.update(level=level, contour=(arguments.contour, value) if arguments.contour else None)
+    names.update(level=level, data=data, contour=(arguments.contour, value) if arguments.contour else None)
     water = DataWater(scene, solution, cmap=arguments.cmap, clim=arguments.clim,
                       log_scale=bool(arguments.log_scale), dry_depth=arguments.dry_depth,
                       exaggeration=1.0 if arguments.contour else arguments.exaggeration, **names, **words)

@@ -22,7 +22,8 @@ from . import vtkWaterActor, vtkWaterSurfaceFilter
 from .errors import heed, raising
 from .readers import ELEVATION, Surface
 from .solutions import array_of
-from .words import counted, set_look
+from .vertex_data import wrong_components
+from .words import set_look
 
 __all__ = ["COLOR_MAPS", "DataWater", "table_of"]
 
@@ -69,8 +70,8 @@ class DataWater:
         Instead of level, depth and bed: the name of an array of a volume, and its value on the water's surface.
     color_by : str, optional
         An array that colours the water; vectors by their magnitude.
-    flow : str, optional
-        An array with the velocity of a current, m/s, that carries the small waves.
+    data : VertexData, optional
+        Arrays of a current, of matter in the water, of foam.
     cmap : str, optional
         One of COLOR_MAPS or, where it is installed, of matplotlib's; default 'viridis'.
     clim : sequence[float], optional
@@ -90,7 +91,7 @@ class DataWater:
     FileError, ValueError
     """
 
-    def __init__(self, scene, solution, *, level=None, depth=None, bed=None, contour=None, color_by=None, flow=None,
+    def __init__(self, scene, solution, *, level=None, depth=None, bed=None, contour=None, color_by=None, data=None,
                  cmap=None, clim=None, log_scale=False, dry_depth=None, exaggeration=1.0, **words):
         self.scene, self.solution = scene, solution
         self._factors = {name: METRES.get(solution.unit_of(name).lower(), 1.0)
@@ -120,8 +121,8 @@ class DataWater:
         self.water = scene.water = vtkWaterActor()
         set_look(self.water.GetWaterProperty(), **words)
         self.water.GetWaterProperty().SetVerticalExaggeration(exaggeration)
-        if flow:
-            self._let_flow(flow)
+        if data is not None:
+            self._give(data)
         if color_by:
             self._color(color_by, cmap, clim, log_scale)
         self.water.SetMapper(self._mapper)
@@ -245,12 +246,12 @@ class DataWater:
         elevation.SetName(ELEVATION)
         self._ground.GetPointData().SetScalars(elevation)
 
-    def _let_flow(self, name):
-        components = array_of(self.solution.step(0), name).GetNumberOfComponents()
-        if components not in (2, 3):
-            raise ValueError(f"{self.solution.path}: the array '{name}' has {counted(components, 'component')}; a "
-                             "velocity must have 2 or 3")
-        self.water.SetFlowArrayName(name)
+    def _give(self, data):
+        for word, name in data.given().items():
+            wrong = wrong_components(word, array_of(self.solution.step(0), name).GetNumberOfComponents())
+            if wrong:
+                raise ValueError(f"{self.solution.path}: the array '{name}' has {wrong} for {word.replace('_', '-')}")
+        data.give(self.water)
 
     def _color(self, name, cmap, clim, log_scale):
         ends = clim or self.solution.range_of(name, log_scale)

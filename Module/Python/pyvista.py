@@ -21,9 +21,10 @@ from .hulls import hulls_of
 from .measure import WHOLE
 from .skies import Sun, add_clear_sky, has_scene_light, shine, sun_of
 from .sliders import add_water_level_slider
-from .surfaces import (check_flow, check_has_water, check_level, color_surface, exaggeration_of, lakes_of,
-                       level_and_surface, plane_of, surface_of)
-from .words import finite, flag, has_waves, in_range, number, numbers, set_look, whole_in_range
+from .surfaces import (check_has_water, check_level, color_surface, exaggeration_of, lakes_of, level_and_surface,
+                       plane_of, surface_of)
+from .vertex_data import VertexData
+from .words import finite, flag, in_range, number, numbers, set_look, whole_in_range
 
 __all__ = ["Sun", "add_clear_sky", "add_water", "add_water_level_slider"]
 
@@ -41,6 +42,11 @@ def add_water(
     depth=None,
     bed=None,
     flow=None,
+    matter=None,
+    matter_absorption=None,
+    matter_scattering=None,
+    foam_by=None,
+    foam_measure=None,
     color_by=None,
     cmap=None,
     clim=None,
@@ -105,6 +111,25 @@ def add_water(
         An array of the surface's points or cells with the velocity of a current, m/s, 2 or 3 components. It carries
         the small waves: give the water some with ``preset``, ``wind`` or ``waves``, and set ``actor.time`` before each
         frame (:vtk:`vtkWaterActor`'s ``FlowArrayName``).
+
+    matter : str, optional
+        An array of the surface's points or cells with the concentration of matter that the water carries, such as
+        sediment or a dye, finite and not negative. It absorbs and scatters light on the way through the water, and
+        colours deep water (:vtk:`vtkWaterActor`'s ``MatterArrayName``). Turns refraction on.
+
+    matter_absorption, matter_scattering : sequence[float], optional
+        What the ``matter`` absorbs, and what it scatters back, at 650, 550 and 450 nm, in 1/m per unit of its
+        concentration. The default is mineral sediment with concentrations in g/m^3 (mg/l):
+        ``(0.0032, 0.0110, 0.0376)`` and ``(0.012, 0.012, 0.012)``.
+
+    foam_by : str, optional
+        An array of the surface's points or cells that says how much foam there is (``FoamArrayName``).
+
+    foam_measure : str, default: 'cover'
+        What the values of ``foam_by`` are. ``'cover'``: the share of the surface that foam covers, in [0, 1], such as
+        the fraction of air at the surface. ``'froude'``: Froude numbers; foam begins at 1 and covers everything from
+        1.7 on. ``'breaking'``: heights of the waves over the depth; foam begins at 0.78 and covers everything from
+        1.13 on.
 
     color_by : str, optional
         An array of the surface's points or cells that colours the water, through ``cmap`` (default: the theme's) and
@@ -299,11 +324,14 @@ def add_water(
     mapper, data = surface_of(surface, level, depth, bed, normal, origin)
     check_has_effect(surface, data is None and level is not None, color_by, max_mirrors, cmap=cmap, clim=clim,
                      log_scale=log_scale or None, data_opacity=data_opacity)
-    if flow is not None:
-        check_flow(surface, flow)
+    vertex_data = VertexData(flow=flow, matter=matter, matter_absorption=matter_absorption,
+                             matter_scattering=matter_scattering, foam_by=foam_by, foam_measure=foam_measure)
+    vertex_data.check(surface)
+    vertex_data.check_colors(color_by, data_opacity)
     if color_by is not None:
         color_surface(mapper, surface, color_by, cmap, clim, log_scale)
-        if refraction is None and not any((own_view, foam, caustics, light_shafts, dome_port)) and data_opacity in (None, 1):
+        through = own_view, foam, caustics, light_shafts, dome_port, matter
+        if refraction is None and not any(through) and data_opacity in (None, 1):
             refraction = False  # the data hide what it would show
     has_level = data is None and level is not None
     plane_origin, plane_normal = plane_of(finite("level", level) if has_level else 0.0, normal, origin, scale)
@@ -326,10 +354,9 @@ def add_water(
     set_look(look, preset=preset, waves=waves, wind=wind, whitecaps=whitecaps,
              color=None if color is None else color_of(color),
              opacity=opacity, refraction=refraction, own_view=own_view, foam=foam, caustics=caustics,
-             light_shafts=light_shafts, shadows=shadows, dome_port=dome_port, quality=quality, units=units)
+             light_shafts=light_shafts, shadows=shadows, dome_port=dome_port, matter=matter, quality=quality, units=units)
     look.SetVerticalExaggeration(exaggeration_of(normal, scale))
-    if flow is not None and not has_waves(look):
-        raise ValueError(f"flow is {flow!r}, but the water is calm: add wind, waves or a preset with waves")
+    vertex_data.check_look(look)
     with raising(actor, SheetBounds="bounds", Time="time"):
         if bounds is not None:
             set_bounds(actor, bounds)
@@ -338,8 +365,7 @@ def add_water(
         actor.SetTime(number("time", time))
     if data_opacity is not None:
         look.SetDataOpacity(data_opacity)
-    if flow is not None:
-        actor.SetFlowArrayName(flow)
+    vertex_data.give(actor)
     if max_mirrors is not None and lakes is not None:
         lakes.SetMaximumNumberOfMirrors(max_mirrors)
     if secondary_reflections is not None:

@@ -16,10 +16,10 @@ from vtkmodules.vtkFiltersGeometry import vtkDataSetSurfaceFilter
 
 from . import vtkWaterActor, vtkWaterLakes, vtkWaterSurfaceFilter
 from .errors import heed, raising
-from .words import counted, numbers, of_type
+from .words import numbers, of_type
 
-__all__ = ["DataSurface", "check_flow", "check_has_water", "check_level", "color_surface",
-           "exaggeration_of", "lakes_of", "level_and_surface", "plane_of", "surface_of"]
+__all__ = ["DataSurface", "check_has_water", "check_level", "color_surface", "exaggeration_of", "lakes_of",
+           "level_and_surface", "plane_of", "surface_of"]
 
 
 class DataSurface:
@@ -178,20 +178,6 @@ def color_surface(mapper, surface, name, cmap, clim, log_scale):
         raise ValueError(f"color_by is {name!r}; it needs a surface with this array")
     ends = None if clim is None else numbers("clim", clim, 2)
     show_array(mapper, surface, of_type("color_by", name, str), cmap, ends, log_scale)
-
-
-def check_flow(surface, name):
-    """Raises TypeError or ValueError unless a surface has an array of velocities with this name."""
-    of_type("flow", name, str)
-    if surface is None:
-        raise ValueError(f"flow is {name!r}; it needs a surface with this array")
-    if name not in (*surface.point_data, *surface.cell_data):
-        known = ", ".join([*surface.point_data, *surface.cell_data]) or "(there is none)"
-        raise ValueError(f"flow is {name!r}; it must be one of the arrays {known}")
-    values = surface.point_data[name] if name in surface.point_data else surface.cell_data[name]
-    components = 1 if values.ndim == 1 else values.shape[1]
-    if components not in (2, 3):
-        raise ValueError(f"flow is {name!r}, which has {counted(components, 'component')}; it must have 2 or 3")
 
 
 def lakes_of(mapper, normal):

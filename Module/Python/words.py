@@ -28,8 +28,8 @@ STEEPEST = 0.142  # height by length at which a wave in deep water breaks (Miche
 
 
 def set_look(look, *, preset=None, waves=None, wind=None, whitecaps=None, color=None, opacity=None, refraction=None,
-             own_view=None, foam=None, caustics=None, light_shafts=None, shadows=None, dome_port=None, quality=None,
-             units=None):
+             own_view=None, foam=None, caustics=None, light_shafts=None, shadows=None, dome_port=None, matter=None,
+             quality=None, units=None):
     """Apply these settings to a new vtkWaterProperty.
 
     Parameters
@@ -71,6 +71,8 @@ def set_look(look, *, preset=None, waves=None, wind=None, whitecaps=None, color=
     dome_port : float
         Radius in metres of a dome port, the glass dome around an underwater camera, finite and not negative; 0 means
         no port. A port needs refraction and turns it on.
+    matter : str
+        Name of an array with the concentration of matter that the water carries. It needs refraction and turns it on.
     quality : str
         Quality of reflections on waves: 'fast', 'default', 'high' or 'reference'.
     units : str | float
@@ -119,9 +121,10 @@ def set_look(look, *, preset=None, waves=None, wind=None, whitecaps=None, color=
     if white and not look.GetSea():
         raise ValueError(f"whitecaps is {whitecaps!r}, but there is no wind sea: add wind")
     through = {"refraction": bool(refraction), "foam": bool(foam_depth), "caustics": bool(strength),
-               "light_shafts": bool(shafts), "dome_port": bool(port), "own_view": bool(own_view)}
+               "light_shafts": bool(shafts), "dome_port": bool(port), "own_view": bool(own_view),
+               "matter": bool(matter)}
     given = {"foam": foam, "caustics": caustics, "light_shafts": light_shafts, "dome_port": dome_port,
-             "own_view": own_view}
+             "own_view": own_view, "matter": matter}
     check_through(look, preset, refraction, share, through, given)
     for name in ("caustics", "light_shafts"):
         if through[name] and not has_waves(look):

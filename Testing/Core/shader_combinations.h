@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // shader_combinations.h: all sets of features that a surface's shader can be asked for, from all
-// looks; with a mesh of the user's, hulls, a peel or a dome of some; with each sky of some of those
-// that see one.
+// looks; with a mesh of the user's, its data, hulls, a peel or a dome of some; with each sky of
+// some of those that see one.
 #ifndef shader_combinations_h
 #define shader_combinations_h
 
@@ -124,6 +124,10 @@ static inline size_t shader_combinations(water_feature_set* sets)
         sets[count++] = water_features_with_buffer(
           water_features_with_samples(water_features_with_ground(sloped)));
         sets[count++] = water_features_with_flow(water_features_with_mesh(hardware));
+        sets[count++] = water_features_with_matter(water_features_with_mesh(asked));
+        sets[count++] = water_features_with_matter(water_features_with_samples(hardware));
+        sets[count++] = water_features_with_foam_data(water_features_with_mesh(asked));
+        sets[count++] = water_features_with_foam_data(water_features_with_matter(sloped));
         sets[count++] = water_features_with_hulls(asked);
         sets[count++] = water_features_with_port(hardware);
         sets[count++] = water_features_with_ground(asked);

@@ -168,6 +168,30 @@ TEST(a_current_needs_waves_over_a_mesh)
   }
 }
 
+// Matter takes light from what is seen through the water, whatever draws the surface.
+TEST(matter_is_in_what_is_seen_through)
+{
+  for (unsigned has = 0; has < LOOKS; ++has)
+  {
+    const water_feature_set features = expected_of(has);
+    const bool is_clear = (features & WATER_FEATURE_MEDIUM) != 0;
+    assert_int_equal(
+      water_features_with_matter(features), features + (is_clear ? WATER_FEATURE_MATTER : 0));
+  }
+}
+
+// Data say how much foam there is on water that has foam.
+TEST(data_of_foam_need_foam)
+{
+  for (unsigned has = 0; has < LOOKS; ++has)
+  {
+    const water_feature_set features = expected_of(has);
+    const bool has_foam = (features & WATER_FEATURE_FOAM) != 0;
+    assert_int_equal(
+      water_features_with_foam_data(features), features + (has_foam ? WATER_FEATURE_FOAM_DATA : 0));
+  }
+}
+
 // The slopes of a mesh turn rays, which are looked up as those of waves; not where waves move it.
 TEST(slopes_of_a_mesh_turn_rays)
 {
@@ -289,6 +313,8 @@ TEST(sets_have_room_for_64_features)
   assert_true((water_features_with_slopes(last, WATER_LOOKUP_RAY_TRACED) & last) != 0);
   assert_true((water_features_with_hulls(last) & last) != 0);
   assert_true((water_features_with_flow(last) & last) != 0);
+  assert_true((water_features_with_matter(last) & last) != 0);
+  assert_true((water_features_with_foam_data(last) & last) != 0);
   assert_true((water_features_with_port(last) & last) != 0);
   assert_true((water_features_with_buffer(last) & last) != 0);
   assert_true((water_features_with_ground(last) & last) != 0);
@@ -315,9 +341,9 @@ enum
   PHOTON_FILES = sizeof photon_files / sizeof photon_files[0],
   VERTEX_FILES = sizeof vertex_files / sizeof vertex_files[0],
   // looked up in 8 kinds of reflection textures, on 2 of machines, with a mesh, with one that is
-  // not flat, or without, with samples, with hulls, with a current, over ground, in a buffer, and
-  // under one of 8 kinds of skies
-  REACHABLE_MAX = (2 + 14 * 8) * LOOKS
+  // not flat, or without, with samples, with hulls, with a current, with matter, with foam of data,
+  // over ground, in a buffer, and under one of 8 kinds of skies
+  REACHABLE_MAX = (2 + 16 * 8) * LOOKS
 };
 
 // Features with a sky: one colour, a screen, a map or a cube; from 4 on with a floor.
@@ -376,7 +402,9 @@ static size_t reach_all(const water_feature_set** all)
       features[count + 11] = water_features_with_flow(features[count + has % 8]);
       features[count + 12] = water_features_with_ground(features[count + has % 8]);
       features[count + 13] = water_features_with_buffer(features[count + has % 8]);
-      count += 14;
+      features[count + 14] = water_features_with_matter(features[count + has % 8]);
+      features[count + 15] = water_features_with_foam_data(features[count + has % 8]);
+      count += 16;
     }
   }
   qsort(features, count, sizeof features[0], compare_sets);
@@ -423,6 +451,18 @@ static bool is_empty(const char* slot, water_feature_set features)
   if (strcmp(slot, "cover") == 0)
   {
     return !(features & WATER_FEATURE_FOAM);
+  }
+  if (strcmp(slot, "foam_data") == 0)
+  {
+    return !(features & WATER_FEATURE_FOAM);
+  }
+  if (strcmp(slot, "mixture") == 0)
+  {
+    return !(features & WATER_FEATURE_MATTER);
+  }
+  if (strcmp(slot, "measure") == 0)
+  {
+    return !(features & WATER_FEATURE_FOAM_DATA);
   }
   if (strcmp(slot, "gain") == 0)
   {
@@ -505,19 +545,20 @@ static void assert_order(
 // files stand together, and no file stands twice.
 TEST(slots_stand_in_their_order)
 {
-  static const char* const surface[] = { "optics", "gradient", "attenuation", "slopes",
-    "highlights", "cover", "gain", "cell", "place", "under", "height", "point", "pixel", "hulls",
-    "sky", "floor", "tile", "slope", "sines", "tiles", "folds", "sea", "normal_maps", "flow",
-    "waves", "output", "reflection", "dome", "walk", "behind", "layer", "blur", "caustics",
-    "medium", "shafts", "others", "refraction", "ground", "casters", "facet_slopes", "facets",
-    "rays", "shadows", "glitter", "whitecaps", "foam", "sun", "port", "surface" };
+  static const char* const surface[] = { "optics", "gradient", "attenuation", "mixture", "slopes",
+    "highlights", "cover", "measure", "gain", "cell", "place", "under", "height", "clarity",
+    "point", "pixel", "hulls", "sky", "floor", "tile", "slope", "sines", "tiles", "folds", "sea",
+    "normal_maps", "flow", "waves", "output", "reflection", "dome", "walk", "behind", "layer",
+    "blur", "caustics", "medium", "shafts", "others", "refraction", "ground", "casters",
+    "facet_slopes", "facets", "rays", "shadows", "glitter", "whitecaps", "foam_data", "foam", "sun",
+    "port", "surface" };
   static const char* const vertex[] = { "cell", "tiles", "sea", "displacement", "heights", "slopes",
-    "flow", "depth" };
+    "flow", "matter", "foam", "depth" };
   static const char* const photon[] = { "gradient", "place", "height", "point", "pixel", "tile",
     "sines", "tiles", "folds", "sea", "normal_maps", "flow", "waves", "photon" };
   assert_order(photon_files, PHOTON_FILES, photon, sizeof photon / sizeof photon[0]);
   assert_order(surface_files, SURFACE_FILES, surface, sizeof surface / sizeof surface[0]);
-  assert_order(vertex_files, VERTEX_FILES, vertex, 8);
+  assert_order(vertex_files, VERTEX_FILES, vertex, sizeof vertex / sizeof vertex[0]);
 }
 
 // No file and no feature is there for nothing: some shader has it, and all but the files of every
@@ -549,9 +590,17 @@ TEST(every_file_and_feature_is_used)
 }
 
 // Vertices are moved by a shader exactly where the surface is displaced, and tell their heights
-// exactly where a mesh of the user's is drawn as it is. All can be kept from being cut.
+// exactly where a mesh of the user's is drawn as it is, and data where it has some. All can be kept
+// from being cut.
 TEST(vertices_move_where_the_surface_is_displaced)
 {
+  static const struct
+  {
+    const char* slot;
+    water_feature_set feature;
+  } still[] = { { "heights", WATER_FEATURE_FLAG(MESH) }, { "slopes", WATER_FEATURE_FLAG(SLOPED) },
+    { "flow", WATER_FEATURE_FLAG(FLOW) }, { "matter", WATER_FEATURE_FLAG(MATTER) },
+    { "foam", WATER_FEATURE_FLAG(FOAM_DATA) } };
   const water_feature_set* reachable = NULL;
   const size_t count = reach_all(&reachable);
   for (size_t i = 0; i < count; ++i)
@@ -559,13 +608,11 @@ TEST(vertices_move_where_the_surface_is_displaced)
     for (int j = 0; j < VERTEX_FILES; ++j)
     {
       const file* at = &vertex_files[j];
-      const bool is_flow = strcmp(at->slot, "flow") == 0;
-      const water_feature_set still = strcmp(at->slot, "heights") == 0 ? WATER_FEATURE_MESH
-        : is_flow                                                      ? WATER_FEATURE_FLOW
-                                                                       : WATER_FEATURE_SLOPED;
-      const bool is_still =
-        strcmp(at->slot, "heights") == 0 || strcmp(at->slot, "slopes") == 0 || is_flow;
-      const water_feature_set feature = is_still ? still : WATER_FEATURE_DISPLACED;
+      water_feature_set feature = WATER_FEATURE_DISPLACED;
+      for (size_t k = 0; k < sizeof still / sizeof still[0]; ++k)
+      {
+        feature = strcmp(at->slot, still[k].slot) == 0 ? still[k].feature : feature;
+      }
       const bool is_for_all = strcmp(at->slot, "depth") == 0;
       const bool has_sea = (reachable[i] & WATER_FEATURE_SEA_MOVES) != 0;
       const bool is_of_sea =
@@ -580,8 +627,9 @@ TEST(vertices_move_where_the_surface_is_displaced)
 
 TESTS(features_of_every_look_follow_the_rules, layer_and_peel_are_for_traced_rays_alone,
   mesh_is_drawn_as_it_is_or_displaced, a_current_needs_waves_over_a_mesh,
-  slopes_of_a_mesh_turn_rays, samples_are_of_what_is_seen_through, port_is_for_what_is_seen_through,
-  buffers_are_for_meshes, ground_is_for_what_is_seen_through, hardware_reads_in_batches,
+  matter_is_in_what_is_seen_through, data_of_foam_need_foam, slopes_of_a_mesh_turn_rays,
+  samples_are_of_what_is_seen_through, port_is_for_what_is_seen_through, buffers_are_for_meshes,
+  ground_is_for_what_is_seen_through, hardware_reads_in_batches,
   water_in_a_mirrored_view_is_smooth_or_rough, sets_have_room_for_64_features,
   each_slot_has_one_file, slots_stand_in_their_order, every_file_and_feature_is_used,
   vertices_move_where_the_surface_is_displaced)

@@ -274,6 +274,42 @@ std::vector<Formula> MakeScalars()
         return Outputs{ value, value, value, value };
       },
       OfUnit });
+  formulas.push_back({ "foam of a measure", vtkWaterFoamMeasure,
+    "vec4(waterFoamOfMeasure(testCase(0).x, testCase(0).y, testCase(0).z))", 3, 16.0,
+    [](Inputs& in) {
+      in[0] = Between(0.0, 2.0);
+      in[1] = Between(0.0, 1.0);
+      in[2] = in[1] + Between(0.3, 1.0);
+    },
+    [](const Inputs& in) {
+      const double value = water_shared_foam_of_measure(in[0], in[1], in[2]);
+      return Outputs{ value, value, value, value };
+    },
+    OfUnit });
+  formulas.push_back({ "coefficient of water with matter", vtkWaterMatter,
+    "vec4(waterWithMatter(testCase(0).x, testCase(0).y, testCase(0).z))", 3, 8.0,
+    [](Inputs& in) {
+      in[0] = Magnitude(1e-4, 1e2);
+      in[1] = Magnitude(1e-4, 1e2);
+      in[2] = generator() % 16 ? Magnitude(1e-3, 1e4) : 0.0;
+    },
+    [](const Inputs& in) {
+      const double value = water_shared_with_matter(in[0], in[1], in[2]);
+      return Outputs{ value, value, value, value };
+    },
+    LargestOf });
+  formulas.push_back({ "color of deep water", vtkWaterMatter,
+    "vec4(waterEncoded(testCase(0).x * waterSentBack(testCase(0).y, testCase(0).z)))", 3, 64.0,
+    [](Inputs& in) {
+      in[0] = Between(0.0, 4.0);
+      in[1] = Magnitude(1e-3, 1.0);
+      in[2] = in[1] + (generator() % 16 ? Magnitude(1e-3, 1.0) : 0.0);
+    },
+    [](const Inputs& in) {
+      const double value = water_shared_encoded(in[0] * water_shared_sent_back(in[1], in[2]));
+      return Outputs{ value, value, value, value };
+    },
+    OfUnit });
   formulas.push_back({ "gain of layers", vtkWaterFlowGain,
     "vec4(waterFlowGain(testCase(0).x, testCase(0).y, testCase(0).z))", 3, 16.0,
     [](Inputs& in) {

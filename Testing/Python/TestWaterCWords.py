@@ -36,6 +36,7 @@ BED = np.array([(-4, -4, -0.9), (4, -4, -0.9), (4, 4, 0.4), (-4, 4, 0.4)], dtype
 BED_TRIANGLES = np.array([(0, 1, 2), (0, 2, 3)], dtype=np.int64)
 SURFACE = np.array([(-3, -3, LEVEL), (3, -3, LEVEL), (3, 3, LEVEL), (-3, 3, LEVEL)], dtype=float)
 FLOW = np.array([(0.4, 0.1, 0.0)] * 4)  # m/s
+POINT_VALUES = np.array((0.0, 0.4, 1.5, 2.0))  # of matter, and Froude numbers
 UNDER_WATER = ((0, -3.5, LEVEL - 0.4), (0, 3, LEVEL - 0.3))  # an eye and what it looks at
 SKY = np.add.outer(3 * np.arange(40), 2 * np.arange(60))[:, :, None] + np.array([0, 60, 100])
 SKY = np.ascontiguousarray(SKY % 256, dtype=np.uint8)
@@ -148,6 +149,34 @@ def by_a_current(view, water):
     water.SetFlowPeriod(2.0)
 
 
+def by_data(view, water, setter):
+    """The mesh over a bed in the sun, with values at its points."""
+    clear("SetShoreSoftness", 0.05)(view, water)
+    array = numpy_to_vtk(POINT_VALUES, deep=True)
+    array.SetName("values")
+    by_a_mesh(view, water).GetPointData().AddArray(array)
+    setter(water)
+
+
+def with_matter(water):
+    water.SetMatterArrayName("values")
+    water.SetMatterAbsorption(0.1, 0.5, 2.0)
+    water.SetMatterScattering(0.2, 0.1, 0.0)
+
+
+def with_foam(water):
+    water.SetFoamArrayName("values")
+    water.SetFoamMeasureToFroudeNumber()
+
+
+def c_data(*calls):
+    """The same by C's functions, each with its arguments."""
+    def all_calls(it):
+        return [*c_clear("vtk_water_actor_set_refraction", 1)(it), surface_call(it),
+                *[(f"vtk_water_actor_set_{name}", it.water, *arguments) for name, *arguments in calls]]
+    return all_calls
+
+
 def surface_call(it):
     return ("vtk_water_actor_set_surface", it.water, SURFACE.ctypes, ctypes.c_size_t(len(SURFACE)),
             BED_TRIANGLES.ctypes, ctypes.c_size_t(len(BED_TRIANGLES)))
@@ -245,6 +274,17 @@ CALLS = {
                     ("vtk_water_actor_set_flow", it.water, FLOW.ctypes, ctypes.c_size_t(len(FLOW)))],
         by_a_current,
         0,
+    ),
+    "matter": (
+        c_data(("matter_optics", doubles(0.1, 0.5, 2.0), doubles(0.2, 0.1, 0.0)),
+               ("matter", POINT_VALUES.ctypes, ctypes.c_size_t(4))),
+        lambda view, water: by_data(view, water, with_matter),
+        1,
+    ),
+    "foam data": (
+        c_data(("foam_data", POINT_VALUES.ctypes, ctypes.c_size_t(4), b"froude")),
+        lambda view, water: by_data(view, water, with_foam),
+        1,
     ),
     "sun": (lambda it: [("vtk_water_scene_set_sun", it.scene, number(30.0), number(0.0), None)], add_sun, 1),
     "lamp": (
@@ -532,6 +572,20 @@ REFUSALS = (  # name, status, words of the error, function, its arguments for a 
     ("flow_null", NULL_ARGUMENT, b"actor is NULL", "vtk_water_actor_set_flow", lambda it: (None, FLOW.ctypes, 4)),
     ("flow_period", BAD_VALUE, b"FlowPeriod is 0; it must lie in [", "vtk_water_actor_set_flow_period",
      lambda it: (it.water, number(0.0))),
+    ("matter_of_the_sheet", BAD_VALUE, b"concentrations of 4 points; the water needs a surface",
+     "vtk_water_actor_set_matter", lambda it: (it.water, POINT_VALUES.ctypes, ctypes.c_size_t(4))),
+    ("matter_null", NULL_ARGUMENT, b"actor is NULL", "vtk_water_actor_set_matter",
+     lambda it: (None, POINT_VALUES.ctypes, 4)),
+    ("matter_absorption", BAD_VALUE, b"MatterAbsorption is (-1, 0, 0)", "vtk_water_actor_set_matter_optics",
+     lambda it: (it.water, doubles(-1, 0, 0), doubles(0, 0, 0))),
+    ("matter_scattering", NULL_ARGUMENT, b"scattering is NULL", "vtk_water_actor_set_matter_optics",
+     lambda it: (it.water, doubles(1, 0, 0), None)),
+    ("foam_of_the_sheet", BAD_VALUE, b"values of foam of 4 points; the water needs", "vtk_water_actor_set_foam_data",
+     lambda it: (it.water, POINT_VALUES.ctypes, ctypes.c_size_t(4), b"cover")),
+    ("foam_measure", BAD_VALUE, b"measure is 'wet'; it must be cover, froude or breaking",
+     "vtk_water_actor_set_foam_data", lambda it: (it.water, POINT_VALUES.ctypes, ctypes.c_size_t(4), b"wet")),
+    ("foam_measure_null", NULL_ARGUMENT, b"measure is NULL", "vtk_water_actor_set_foam_data",
+     lambda it: (it.water, POINT_VALUES.ctypes, ctypes.c_size_t(4), None)),
     ("lights_null", NULL_ARGUMENT, b"scene is NULL", "vtk_water_scene_remove_all_lights", lambda it: (None,)),
 )
 

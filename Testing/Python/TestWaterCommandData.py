@@ -434,6 +434,29 @@ def test_a_current_carries_the_waves(folder, capsys):
         wt.check(f"{name}: error", told, words, status not in (0, None) and words in told)
 
 
+def test_matter_and_foam_are_those_of_arrays(folder, capsys):
+    """--matter and --foam-by change the picture; what contradicts itself, or is not there, is an error."""
+    options = (*DATA, "--units", "m", *LOOK, "--step", 2)
+    pictures = {}
+    for name, more in (("none", ()), ("matter", ("--matter", "h", "--matter-absorption", "1,2,5")),
+                       ("foam", ("--foam-by", "h", "--foam-measure", "froude"))):
+        wt.check_equal("status", run(folder, capsys, "render", folder / "slope.pvd", *options, *more, "--out",
+                                     folder / f"{name}.png")[0], 0)
+        pictures[name] = pixels_of(folder / f"{name}.png")
+    for name in ("matter", "foam"):
+        wt.check_at_least(f"pixels that {name} changes",
+                          int((pictures[name] != pictures["none"]).any(axis=2).sum()), 100)
+    for more, words in ((("--matter", "v"), "the array 'v' has 3 components; it must have 1 for matter"),
+                        (("--foam-by", "air"), "there is no array 'air'"),
+                        (("--foam-measure", "froude"), "foam_measure is 'froude', but foam_by is not given"),
+                        (("--matter", "h", "--matter-absorption", "1,2"), "three numbers such as"),
+                        (("--matter", "h", "--no-refraction"), "matter needs refraction"),
+                        (("--matter", "h", "--color-by", "h"), "the colours hide the matter")):
+        status, _, told = run(folder, capsys, "render", folder / "slope.pvd", *options, *more, "--out",
+                              folder / "wrong.png")
+        wt.check(f"{more}: error", told, words, status not in (0, None) and words in told)
+
+
 def test_colours_are_those_of_all_steps(folder):
     """A vector by its length, at every time through one table; --clim says another."""
     water = water_of(folder, folder / "slope.pvd", *DATA, "--color-by", "v")

@@ -384,6 +384,62 @@ def test_a_wrong_current_is_an_error(error, words, flow, plotter):
         plotter.add_water(mesh, depth="h", bed="zb", flow="velocity")
 
 
+def test_matter_and_foam_of_data(plotter):
+    """Matter darkens the bed where there is some, as the classes show it; foam is white where a flow is fast; both are
+    cut at the shore with the water."""
+    mesh = solution()
+    plotter.add_mesh(pv.Plane(center=(0, 0, -2), i_size=40, j_size=40), color="white", lighting=False)
+    mesh["silt"] = np.where(mesh.points[:, 1] > 0, 200.0, 0.0)
+    mesh["fr"] = np.where(mesh.points[:, 1] > 0, 0.0, 3.0)
+    words = {"depth": "h", "bed": "zb", "name": "water", "units": "m", "sun": (0, 90)}
+    clear = from_above_with(plotter, mesh, words).astype(int)
+    silty = from_above_with(plotter, mesh, {**words, "matter": "silt", "matter_absorption": (0, 0.1, 0.3),
+                                            "matter_scattering": (0, 0, 0)}).astype(int)
+    foamy = from_above_with(plotter, mesh, {**words, "foam_by": "fr", "foam_measure": "froude"}).astype(int)
+    middle, far = (slice(60, 100), slice(100, 140)), (slice(140, 180), slice(100, 140))  # y > 0, and y < 0
+    wt.check_at_least("blue that matter takes", float((clear - silty)[middle][..., 2].mean()), 20)
+    wt.check_equal("pixels that it changes where there is none", int((clear != silty)[far].sum()), 0)
+    wt.check_at_least("foam brightens", float((foamy - clear)[far].mean()), 10)
+    wt.check_equal("pixels that it changes where the flow is slow", int((clear != foamy)[middle].sum()), 0)
+    wt.check_equal("dry pixels that change", int((clear != silty)[:, 230:].sum() + (clear != foamy)[:, 230:].sum()), 0)
+
+
+def from_above_with(plotter, mesh, words):
+    water = plotter.add_water(mesh, **words)
+    look = water.GetWaterProperty()
+    look.SetReflectanceModeToConstant()
+    look.SetReflectance(0)
+    return from_above(plotter)
+
+
+@pytest.mark.parametrize("error, words, given", (
+    (ValueError, ("matter is 'silt'", "arrays zb, h"), {"matter": "silt"}),
+    (ValueError, ("matter is 'v', which has 3 components; it must have 1",), {"matter": "v"}),
+    (TypeError, ("matter must be str",), {"matter": 3.0}),
+    (ValueError, ("foam_by is 'fr'", "arrays zb, h"), {"foam_by": "fr"}),
+    (ValueError, ("foam_by is 'v', which has 3 components",), {"foam_by": "v"}),
+    (ValueError, ("foam_measure is 'Froude'", "cover, froude, breaking"), {"foam_by": "c", "foam_measure": "Froude"}),
+    (ValueError, ("foam_measure is 'froude', but foam_by is not given",), {"foam_measure": "froude"}),
+    (ValueError, ("matter_absorption is (1, 2, 3), but matter is not given",), {"matter_absorption": (1, 2, 3)}),
+    (ValueError, ("matter_scattering is (1, 2)", "must have 3"), {"matter": "c", "matter_scattering": (1, 2)}),
+    (ValueError, ("matter_absorption is (-1.0, 0.0, 0.0)", "not negative"),
+     {"matter": "c", "matter_absorption": (-1, 0, 0)}),
+    (ValueError, ("matter is 'c', but refraction is False",), {"matter": "c", "refraction": False}),
+    (ValueError, ("matter is 'c', but opacity is 0.5",), {"matter": "c", "opacity": 0.5}),
+    (ValueError, ("matter is 'c', but color_by is 'h'", "data_opacity"), {"matter": "c", "color_by": "h"})))
+def test_wrong_matter_and_foam_are_errors(error, words, given, plotter):
+    """The text names the argument, and the arrays that there are; no water is added."""
+    mesh = solution()
+    mesh["v"] = np.ones((mesh.n_points, 3))
+    with pytest.raises(error) as told:
+        plotter.add_water(mesh, depth="h", bed="zb", **given)
+    for word in words:
+        wt.check(f"'{word}' is in the error", str(told.value), word, word in str(told.value))
+    wt.check_equal("actors", len(plotter.renderer.actors), 0)
+    with pytest.raises(ValueError, match="needs a surface"):
+        plotter.add_water(level=0.0, matter="c")
+
+
 def particles_of(spacing):
     """A swell as a solver of smoothed particles writes it: places, densities and masses."""
     sides = np.arange(-1.0, 1.0 + 0.5 * spacing, spacing)

@@ -16,7 +16,8 @@ from vtkwater import (command, vtkWaterActor, vtkWaterLakes, vtkWaterProperty, v
 
 GUIDE = pathlib.Path(__file__).resolve().parents[2] / "Documentation" / "guide.md"
 OF_THE_ACTOR = {"SetLevel", "SetPlane", "SetMapper", "SetSheetBounds", "SetSheetToHorizon", "SetSheetToAutomatic",
-                "SetTime", "GetSkyDirection", "AddHull", "SetFlowArrayName", "SetFlowPeriod"}
+                "SetTime", "GetSkyDirection", "AddHull", "SetFlowArrayName", "SetFlowPeriod",
+                "SetMatterArrayName", "SetMatterAbsorption", "SetMatterScattering", "SetFoamArrayName", "SetFoamMeasure"}
 OF_THE_PASS = {"SetTimeBudget", "SetQualityToTimeBudget", "SetSecondaryReflections"}
 OF_THE_LAKES = {"SetMaximumNumberOfMirrors"}
 OF_THE_FILTER = {"SetLevelArrayName", "SetDepthArrayName", "SetBedArrayName"}

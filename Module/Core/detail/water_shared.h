@@ -14,6 +14,8 @@ extern "C"
 double water_shared_fresnel(double cosine, double eta);
 double water_shared_schlick(double cosine, double eta);
 double water_shared_transmittance(double extinction, double way);
+double water_shared_sent_back(double scattering, double extinction);
+double water_shared_encoded(double linear);
 double water_shared_slope_density(double xx, double yy, double xy, double area, double x, double y);
 double water_shared_glitter_spread(double eye_cosine, double facet4);
 // References of tests: nothing in the module calls them; shaders have their text.
@@ -22,6 +24,8 @@ double water_shared_scattered(double extinction, double from, double to);
 double water_shared_roll_off(double light);
 double water_shared_shore_foam(double depth, double turn);
 double water_shared_foam_threshold(double share);
+double water_shared_foam_of_measure(double value, double first, double last);
+double water_shared_with_matter(double clear, double per_unit, double concentration);
 double water_shared_flow_gain(double weight, double apart, double likeness);
 double water_shared_flow_band_gain(double weight, double apart, double first, double last);
 double water_shared_gradient_height(double y, double w);

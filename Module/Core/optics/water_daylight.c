@@ -4,6 +4,7 @@
 #include "water_daylight.h"
 
 #include "water_math.h"
+#include "water_shared.h"
 
 static double clamp_unit(double value)
 {
@@ -12,8 +13,7 @@ static double clamp_unit(double value)
 
 double water_display_encode(double linear)
 {
-  const double value = clamp_unit(linear);
-  return value <= 0.0031308 ? 12.92 * value : 1.055 * pow(value, 1.0 / 2.4) - 0.055;
+  return water_shared_encoded(linear);
 }
 
 double water_display_decode(double shown)

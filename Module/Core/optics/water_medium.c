@@ -110,8 +110,7 @@ void water_medium_reflectance(const water_medium* medium, double reflectance[3])
   water_medium_extinction(medium, extinction);
   for (int channel = 0; channel < 3; ++channel)
   {
-    reflectance[channel] =
-      extinction[channel] > 0.0 ? 0.33 * (medium->scattering[channel] / extinction[channel]) : 0.0;
+    reflectance[channel] = water_shared_sent_back(medium->scattering[channel], extinction[channel]);
   }
 }
 

@@ -21,7 +21,8 @@ static const water_feature_set long_features = WATER_FEATURE_FLAG(RAY_TRACED) |
   WATER_FEATURE_FLAG(OFFSET) | WATER_FEATURE_FLAG(MEDIUM) | WATER_FEATURE_FLAG(WAVES);
 // What a buffer does not have.
 static const water_feature_set other_features = WATER_FEATURE_FLAG(HULLS) |
-  WATER_FEATURE_FLAG(FLOW) | WATER_FEATURE_FLAG(PORT) | WATER_FEATURE_FLAG(OUTPUT);
+  WATER_FEATURE_FLAG(FLOW) | WATER_FEATURE_FLAG(MATTER) | WATER_FEATURE_FLAG(FOAM_DATA) |
+  WATER_FEATURE_FLAG(PORT) | WATER_FEATURE_FLAG(OUTPUT);
 
 double water_buffer_runs(double triangle_count, double area_px, int samples)
 {

@@ -124,6 +124,16 @@ water_feature_set water_features_with_flow(water_feature_set features)
   return features | if_has(has_both, WATER_FEATURE_FLOW);
 }
 
+water_feature_set water_features_with_matter(water_feature_set features)
+{
+  return features | if_has((features & WATER_FEATURE_MEDIUM) != 0, WATER_FEATURE_MATTER);
+}
+
+water_feature_set water_features_with_foam_data(water_feature_set features)
+{
+  return features | if_has((features & WATER_FEATURE_FOAM) != 0, WATER_FEATURE_FOAM_DATA);
+}
+
 water_feature_set water_features_with_hulls(water_feature_set features)
 {
   return features | WATER_FEATURE_HULLS;

@@ -55,7 +55,9 @@ extern "C"
   X(PORT, "a camera behind a dome port, which may be half under water")                            \
   X(FLOW, "a current carries the waves over a user's mesh")                                        \
   X(GROUND, "there is ground under all of the water")                                              \
-  X(BUFFERED, "a user's mesh whose surface is in a buffer: it is shaded once a pixel")
+  X(BUFFERED, "a user's mesh whose surface is in a buffer: it is shaded once a pixel")            \
+  X(MATTER, "data say how much matter the water carries")                                          \
+  X(FOAM_DATA, "data say how much foam there is")
 
 typedef enum water_feature_bit
 {
@@ -87,9 +89,11 @@ WATER_FEATURE_LIST(WATER_FEATURE_VALUE)
   X(gradient, vtkWaterGradient, 0, 0, "background colour in a direction")                          \
   X(attenuation, vtkWaterAttenuation, WATER_FEATURE_FLAG(MEDIUM), 0,                               \
     "attenuation of light in the water")                                                           \
+  X(mixture, vtkWaterMatter, WATER_FEATURE_FLAG(MATTER), 0, "water that carries matter")           \
   X(slopes, vtkWaterSlopes, WATER_FEATURE_FLAG(GLITTER), 0, "slopes as a distribution")            \
   X(highlights, vtkWaterHighlights, WATER_FEATURE_FLAG(GLITTER), 0, "light over white")            \
   X(cover, vtkWaterFoamCover, WATER_FEATURE_FLAG(FOAM), 0, "foam coverage")                        \
+  X(measure, vtkWaterFoamMeasure, WATER_FEATURE_FLAG(FOAM_DATA), 0, "foam of a measure")           \
   X(gain, vtkWaterFlowGain, WATER_FEATURE_FLAG(FLOW), 0, "two layers of waves as steep as one")    \
   X(cell, vtkWaterCell, WATER_FEATURE_FLAG(DISPLACED), 0,                                          \
     "the part of a wave that a grid resolves")                                                     \
@@ -112,6 +116,9 @@ WATER_FEATURE_LIST(WATER_FEATURE_VALUE)
     "height above the plane, from a buffer")                                                       \
   X(height, vtkWaterPixelHeightFS, 0, WATER_FEATURE_FLAG(MESH),                                    \
     "height above the plane, from depth; 0 for a flat sheet")                                      \
+  X(clarity, vtkWaterMatterFS, WATER_FEATURE_FLAG(MATTER), 0,                                      \
+    "as much matter in the water as data say")                                                     \
+  X(clarity, vtkWaterClarityFS, 0, WATER_FEATURE_FLAG(MATTER), "the same water everywhere")        \
   X(point, vtkWaterPointFS, 0, 0, "values that all slots share")                                   \
   X(pixel, vtkWaterPixelFS, 0, WATER_FEATURE_FLAG(BUFFERED), "depth and changes, of the triangle") \
   X(pixel, vtkWaterBufferPixelFS, WATER_FEATURE_FLAG(BUFFERED), 0,                                 \
@@ -215,6 +222,9 @@ WATER_FEATURE_LIST(WATER_FEATURE_VALUE)
   X(whitecaps, vtkWaterWhitecapsFS, WATER_FEATURE_FLAG(WHITECAPS), 0, "white crests of a sea")     \
   X(whitecaps, vtkWaterNoWhitecapsFS, WATER_FEATURE_FLAG(FOAM), WATER_FEATURE_FLAG(WHITECAPS),     \
     "none")                                                                                        \
+  X(foam_data, vtkWaterFoamDataFS, WATER_FEATURE_FLAG(FOAM_DATA), 0, "as much foam as data say")   \
+  X(foam_data, vtkWaterNoFoamDataFS, WATER_FEATURE_FLAG(FOAM), WATER_FEATURE_FLAG(FOAM_DATA),      \
+    "none")                                                                                        \
   X(foam, vtkWaterFoamFS, WATER_FEATURE_FLAG(FOAM), 0, "at the shore and on crests")               \
   X(foam, vtkWaterNoFoamFS, 0, WATER_FEATURE_FLAG(FOAM), "none")                                   \
   X(sun, vtkWaterSunFS, WATER_FEATURE_FLAG(GLITTER) | WATER_FEATURE_FLAG(FOAM), 0,                 \
@@ -238,6 +248,8 @@ WATER_FEATURE_LIST(WATER_FEATURE_VALUE)
   X(slopes, vtkWaterMeshSlopesVS, WATER_FEATURE_FLAG(SLOPED), 0,                                   \
     "positions and normals of the vertices")                                                       \
   X(flow, vtkWaterFlowVS, WATER_FEATURE_FLAG(FLOW), 0, "current at the vertices")                  \
+  X(matter, vtkWaterMatterVS, WATER_FEATURE_FLAG(MATTER), 0, "matter at the vertices")             \
+  X(foam, vtkWaterFoamDataVS, WATER_FEATURE_FLAG(FOAM_DATA), 0, "foam at the vertices")            \
   X(depth, vtkWaterDepthVS, 0, 0, "an endless surface is not cut at the near and far planes")
 
 // Files of the shader that follows light from the surface to the bed (water_caustics.h), in order:
@@ -350,6 +362,13 @@ water_feature_set water_features_with_slopes(water_feature_set features, water_l
 // The same for a mesh whose current carries the waves; without waves, or where they displace it,
 // there is nothing to carry.
 water_feature_set water_features_with_flow(water_feature_set features);
+
+// The same for a mesh whose data say how much matter clear water carries: there is a way through it
+// for the matter to take light from.
+water_feature_set water_features_with_matter(water_feature_set features);
+
+// The same for a mesh whose data say how much foam there is on water with foam.
+water_feature_set water_features_with_foam_data(water_feature_set features);
 
 // The same for a window of several samples a pixel.
 water_feature_set water_features_with_samples(water_feature_set features);

@@ -21,6 +21,10 @@
 #define waterFlowGain water_shared_flow_gain
 #define waterFlowBandGain water_shared_flow_band_gain
 #define waterFoamThreshold water_shared_foam_threshold
+#define waterFoamOfMeasure water_shared_foam_of_measure
+#define waterWithMatter water_shared_with_matter
+#define waterSentBack water_shared_sent_back
+#define waterEncoded water_shared_encoded
 #define waterGradientShare water_shared_gradient_share
 #define waterGradientHeight water_shared_gradient_height
 #define waterPhase water_shared_phase
@@ -31,8 +35,10 @@
 #include "vtkWaterAttenuation.glsl"
 #include "vtkWaterFlowGain.glsl"
 #include "vtkWaterFoamCover.glsl"
+#include "vtkWaterFoamMeasure.glsl"
 #include "vtkWaterGradient.glsl"
 #include "vtkWaterHighlights.glsl"
+#include "vtkWaterMatter.glsl"
 #include "vtkWaterOptics.glsl"
 #include "vtkWaterSlopes.glsl"
 #include "vtkWaterTurns.glsl"

@@ -11,7 +11,6 @@ uniform sampler2D waterSceneDepth; // its window depth, 1: background; nearest
 uniform vec2 waterSceneScale;      // part of it that the eye sees
 uniform mat4 waterDirToScene;      // direction in the plane's axes -> its clip space
 uniform int waterMediumIsSorted;   // 1: its samples are, as of waterSceneIsSorted
-uniform vec3 waterExtinction;      // absorption + scattering, per unit of the scene
 uniform int waterIsSubmerged;      // 1: the eye is in the water
 uniform int waterSceneIsMixed;     // 1: pixels of the picture are means of several samples
 uniform float waterBedDepth;       // how far the scene reaches under the plane

@@ -66,7 +66,7 @@ float waterFoamCover(WaterPoint point, vec2 place, float pixel)
   {
     cover = max(cover, clamp(2.0 - 2.0 * point.jacobian / waterFoamJacobian, 0.0, 1.0));
   }
-  return max(cover, waterWhitecap(point, place, pixel));
+  return waterWithFoamData(max(cover, waterWhitecap(point, place, pixel)));
 }
 
 // How much of a pixel is foam, in [0, 1].

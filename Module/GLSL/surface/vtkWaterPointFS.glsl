@@ -23,7 +23,6 @@ uniform float waterSide;           // 1: seen from above, -1: from below
 uniform float waterEta;            // index beyond the surface / index on the eye's side
 uniform int waterIsReflecting;     // 0: there is no mirrored view
 uniform float waterReflectance;    // 0 to 1, or below 0: Fresnel
-uniform vec3 waterDeepColor;       // of water without an end
 uniform vec3 waterSunDir;          // towards it, in the plane's axes
 uniform vec3 waterSlopeVariance;   // xx, yy, xy of the slopes too small for waves
 uniform vec4 waterSkyBottom;       // of the background; a: 1 when the sky is known in all directions

@@ -60,6 +60,7 @@ struct vtkWaterLook
   double FoamDepth = 0.0;
   double FoamJacobian = 0.0; // crests are foam below it
   double FoamColor[3] = {};
+  bool HasFoamData = false; // of a mesh, which say how much foam there is
   int Lookup = 0;
   double OffsetScale = 0.0;
   int RayTraceSteps = 0;
@@ -103,6 +104,10 @@ struct vtkWaterSnapshot
   double FlowLikeness = 0.0;          // of the waves that flow, water_flow.h
   double FlowBands[WATER_CASCADES_MAX][2] = { { 1.0, 2.0 }, { 1.0, 2.0 },
     { 1.0, 2.0 } };                           // of a wind sea's tiles, rad/unit
+  std::string MatterArrayName;                // in use if WATER_FEATURE_MATTER is
+  water_medium Matter = water_medium();       // per unit of concentration, and of the scene
+  std::string FoamArrayName;                  // in use if WATER_FEATURE_FOAM_DATA is
+  int FoamMeasure = 0;                        // water_foam_measure
   vtkWaterSea* Sea = nullptr;                 // the actor's; brought to the time by who needs it
   water_settings Settings = water_settings(); // of its own pass
 

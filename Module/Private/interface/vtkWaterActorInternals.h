@@ -18,6 +18,7 @@
 #include "vtkWaterSheet.h"
 #include "vtkWaterSource.h"
 #include "vtkWaterSurfaceShader.h"
+#include "vtkWaterVertexData.h"
 #include "vtkWaterWarmUp.h"
 #include "vtkWeakPointer.h"
 #include "water_buffer.h"
@@ -91,8 +92,23 @@ struct vtkWaterActor::Internals : public vtkWaterSource
   bool LowerByWaves(double* places, size_t count);
   // Adds the waterlines of what floats in the water. Says what is wrong with it, once.
   void CutHulls(vtkWaterSnapshot& water);
-  // Lets the current of the mesh carry the waves. Says what is wrong with it, once.
+  // Can the mesh's array of this name be used? Says what is wrong with it, once.
+  //
+  // setting  that names it
+  // without  what there is without it
+  // said     what was said last
+  bool CanUse(const vtkWaterVertexData::Use& use, const std::string& name, const char* setting,
+    const char* without, std::string& said);
+  // The plane as it is used, and as it was given.
+  void ReadPlaces(vtkWaterSnapshot& water);
+  // Lets arrays of the mesh add to the features that are known of it.
+  void ReadData(vtkWaterSnapshot& water);
+  // Lets the current of the mesh carry the waves.
   void ReadFlow(vtkWaterSnapshot& water);
+  // Lets data of the mesh say what matter the water carries.
+  void ReadMatter(vtkWaterSnapshot& water);
+  // The same of how much foam there is; before the look is known, which depends on it.
+  void ReadFoam(vtkWaterSnapshot& water);
   // The own sheet as this eye sees it; a user's mapper is drawn as it is.
   vtkMapper* LayGrid(const vtkWaterSnapshot& water, const water_grid_view& view, vtkMapper* mapper);
   // The endless sheet as the renderer's active camera sees it; a user's mapper, or a sheet with an
@@ -126,6 +142,8 @@ struct vtkWaterActor::Internals : public vtkWaterSource
   vtkWaterHulls Hulls;
   std::string HullError; // of the last frame
   std::string FlowError; // the same
+  std::string MatterError;
+  std::string FoamError;
   vtkWaterHullTablePointer HullTable;
   std::pair<vtkMTimeType, double> HullTime = { 0, 0.0 }; // that it is of, and the scene's unit then
   vtkWaterWarmUp WarmUp;

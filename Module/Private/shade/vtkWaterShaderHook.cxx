@@ -88,7 +88,8 @@ void vtkWaterShaderHook::ReplaceForWater(vtkWaterSource& water, std::string& ver
   water_feature_set features =
     this->Surface ? this->Surface->GetFeatures() : water.Take(nullptr)->Features;
   constexpr water_feature_set ofVertices = WATER_FEATURE_DISPLACED | WATER_FEATURE_SEA_MOVES |
-    WATER_FEATURE_MESH | WATER_FEATURE_SLOPED | WATER_FEATURE_FLOW | WATER_FEATURE_BUFFERED;
+    WATER_FEATURE_MESH | WATER_FEATURE_SLOPED | WATER_FEATURE_FLOW | WATER_FEATURE_MATTER |
+    WATER_FEATURE_FOAM_DATA | WATER_FEATURE_BUFFERED;
   // a geometry shader would have to pass the place at rest, or the height, on
   const bool canAskVertices =
     geometryShader.empty() && vertexShader.find("//VTK::CustomEnd::Impl") != std::string::npos;
@@ -114,6 +115,14 @@ void vtkWaterShaderHook::ReplaceForWater(vtkWaterSource& water, std::string& ver
     if (features & WATER_FEATURE_FLOW)
     {
       InsertBefore(vertexShader, "//VTK::CustomEnd::Impl", "  waterMeasureFlow();");
+    }
+    if (features & WATER_FEATURE_MATTER)
+    {
+      InsertBefore(vertexShader, "//VTK::CustomEnd::Impl", "  waterMeasureMatter();");
+    }
+    if (features & WATER_FEATURE_FOAM_DATA)
+    {
+      InsertBefore(vertexShader, "//VTK::CustomEnd::Impl", "  waterMeasureFoam();");
     }
     InsertBefore(vertexShader, "//VTK::CustomEnd::Impl", "  waterKeepDepth(gl_Position);");
   }
@@ -187,6 +196,10 @@ bool vtkWaterShaderHook::PostReplaceShaderValues(std::string& vertexShader,
         // what the mapper's scalars show without light
         InsertBefore(fragmentShader, "//VTK::Light::Impl",
           "\n  waterTakeData(ambientColor + diffuseColor, opacity, opacityUniform);");
+      }
+      if (Declares(fragmentShader, "waterTakeMatter"))
+      {
+        InsertBefore(fragmentShader, "//VTK::Light::Impl", "\n  waterTakeMatter(waterSide > 0.0);");
       }
       InsertBefore(fragmentShader, "//VTK::Light::Impl", "\n  waterShade(gl_FragData[0]);");
       if (Declares(fragmentShader, "waterKeptData"))

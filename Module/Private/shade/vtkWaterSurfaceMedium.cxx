@@ -31,10 +31,16 @@ void vtkWaterSurfaceShader::FindDeepColor(double color[3]) const
 //------------------------------------------------------------------------------
 void vtkWaterSurfaceShader::FindExtinction(double extinction[3]) const
 {
+  this->Dim(this->Water->Look.Extinction, extinction);
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterSurfaceShader::Dim(const double coefficients[3], double dimmed[3]) const
+{
   const vtkWaterLook& look = this->Water->Look;
   const double depth = this->Drawn.Plan ? this->Drawn.Plan->bed_depth : 0.0;
   water_units_dim(
-    look.Extinction, depth, look.SceneDiagonal, look.NaturalDepth, look.Bed, extinction);
+    coefficients, depth, look.SceneDiagonal, look.NaturalDepth, look.Bed, dimmed);
 }
 
 //------------------------------------------------------------------------------

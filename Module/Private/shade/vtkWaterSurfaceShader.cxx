@@ -394,6 +394,8 @@ void vtkWaterSurfaceShader::ReleaseGraphicsResources(vtkWindow* window)
     texture.ReleaseGraphicsResources(window);
   }
   this->Flow.ReleaseGraphicsResources();
+  this->Matter.ReleaseGraphicsResources();
+  this->Foam.ReleaseGraphicsResources();
   this->Backdrop.ReleaseGraphicsResources(window);
   this->Buffer.ReleaseGraphicsResources(window);
   this->Caustics.ReleaseGraphicsResources(window);

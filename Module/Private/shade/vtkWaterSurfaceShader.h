@@ -6,12 +6,12 @@
 #include "vtkSmartPointer.h"
 #include "vtkWaterBackdrop.h"
 #include "vtkWaterCaustics.h"
-#include "vtkWaterFlow.h"
 #include "vtkWaterIsotropicTexture.h"
 #include "vtkWaterSkyReader.h"
 #include "vtkWaterSlopeTexture.h"
 #include "vtkWaterSnapshot.h"
 #include "vtkWaterSurfaceBuffer.h"
+#include "vtkWaterVertexData.h"
 #include "water_caustics_plan.h"
 #include "water_grid.h"
 #include "water_shafts.h"
@@ -131,6 +131,8 @@ private:
   // Colour of infinitely deep water in the light of what is drawn.
   void FindDeepColor(double color[3]) const;
   void FindExtinction(double extinction[3]) const;
+  // Coefficients of the water as they are used in this scene.
+  void Dim(const double coefficients[3], double dimmed[3]) const;
   void BeginMedium(const int viewport_px[4]);
   bool HasOwnView() const; // is it that, and not the picture, what is seen through the water?
   void BeginWaves();
@@ -168,8 +170,15 @@ private:
   void SetShaftParameters(vtkShaderProgram* program);
   void SetSeaParameters(vtkShaderProgram* program);
   void SetNormalMapParameters(vtkShaderProgram* program);
-  void SetFlowParameters(
+  void SetFlowParameters(vtkShaderProgram* program);
+
+  // Of arrays of the mesh.
+  void SetVertexData(
     vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkOpenGLVertexArrayObject* vertices);
+  // Says what is wrong with an array's values, once.
+  void TellWrong(const vtkWaterVertexData& data, const char* setting, const std::string& name,
+    std::string& said) const;
+  void SetMatterParameters(vtkShaderProgram* program);
 
   water_feature_set Features = 0;
   bool IsRefused = false;
@@ -193,7 +202,11 @@ private:
   vtkWaterSlopeTexture NormalMaps[vtkWaterNormalMaps::Limit];
   std::pair<vtkTexture*, vtkMTimeType> NormalMapTimes[vtkWaterNormalMaps::Limit] = {}; // of those
   double NormalMapTexels[vtkWaterNormalMaps::Limit] = {};                              // their size
-  vtkWaterFlow Flow;
+  vtkWaterVertexData Flow;
+  vtkWaterVertexData Matter;
+  vtkWaterVertexData Foam;
+  std::string MatterWrong; // with its values, which has been said of the array
+  std::string FoamWrong;
   vtkWaterCaustics Caustics;
   water_caustics Light = water_caustics(); // of the draw
   bool HasLight = false;

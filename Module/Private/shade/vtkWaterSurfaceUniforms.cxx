@@ -16,7 +16,6 @@
 #include "vtkWaterUniforms.h"
 #include "water_beyond.h"
 #include "water_flatness.h"
-#include "water_flow.h"
 #include "water_glitter.h"
 #include "water_lookup.h"
 #include "water_optics.h"
@@ -86,47 +85,14 @@ void vtkWaterSurfaceShader::SetParameters(
   {
     this->SetNormalMapParameters(program);
   }
-  if (plan && this->Has(WATER_FEATURE_FLOW))
+  if (plan)
   {
-    this->SetFlowParameters(program, mapper, vertices);
+    this->SetVertexData(program, mapper, vertices);
   }
   if (this->HasSea)
   {
     this->SetSeaParameters(program);
   }
-}
-
-//------------------------------------------------------------------------------
-void vtkWaterSurfaceShader::SetFlowParameters(
-  vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkOpenGLVertexArrayObject* vertices)
-{
-  namespace uniforms = vtkWaterUniforms;
-  const vtkWaterSnapshot& water = *this->Water;
-  water_plane unit;
-  water_axes axes;
-  if (water_plane_normalise(&water.Plane, &unit) != WATER_OK)
-  {
-    return; // there is no plan then
-  }
-  water_lookup_axes(&unit, this->Drawn.Plan->side, water.Origin, &axes);
-  double across[3];
-  double down[3];
-  water_flow_ways(
-    &axes, water.Mesh.ToWorld, water.FlowPeriod, water.Look.MetresPerUnit, across, down);
-  const water_flow flow = water_flow_at(water.Time, water.FlowPeriod);
-  const double layers[3] = { flow.gone[0], flow.gone[1], flow.weight };
-  uniforms::Set3(program, "waterFlowAcross", across);
-  uniforms::Set3(program, "waterFlowDown", down);
-  uniforms::Set3(program, "waterFlowLayers", layers);
-  uniforms::Set(program, "waterFlowLikeness", water.FlowLikeness);
-  double bands[WATER_CASCADES_MAX][4] = {};
-  for (size_t i = 0; i < WATER_CASCADES_MAX; ++i)
-  {
-    std::copy_n(water.FlowBands[i], 2, bands[i]);
-  }
-  uniforms::Set4s(program, "waterFlowBands", WATER_CASCADES_MAX, bands);
-  vtkPolyDataMapper* drawn = vtkWaterMeshTraits::AsPolyDataMapper(mapper);
-  this->Flow.Add(drawn ? drawn->GetInput() : nullptr, water.FlowArrayName, program, vertices);
 }
 
 //------------------------------------------------------------------------------
