@@ -82,6 +82,12 @@ def pixels(one, other):
                                  water_scene.read(water_scene.path(other + ".png")))
 
 
+def rms(one, other):
+    """The root mean square of the difference of two of the programs' pictures, of 255."""
+    difference = (water_scene.read(water_scene.path(one + ".png")) - water_scene.read(water_scene.path(other + ".png")))
+    return float((difference ** 2).mean() ** 0.5)
+
+
 def counts(said, name):
     """The numbers that a line of the program's output gives."""
     return [int(number) for number in re.search(name + r":([ \d]+)", said).group(1).split()]

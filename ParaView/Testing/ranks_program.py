@@ -102,7 +102,8 @@ def add_balls(view, place):
     A ball is a source that gives each rank a part; a box would be on all ranks, and blended several times.
     """
     radius = 0.025 * (place(1, 0)[0] - place(0, 0)[0])
-    for east, north, color in ((0.74, 0.21, [0.9, 0.2, 0.1]), (0.66, 0.15, [0.1, 0.8, 0.3]), (0.58, 0.16, [0.2, 0.2, 0.9])):
+    for east, north, color in ((0.74, 0.21, [0.9, 0.2, 0.1]), (0.66, 0.15, [0.1, 0.8, 0.3]),
+                               (0.58, 0.16, [0.2, 0.2, 0.9])):
         ball = pv.Sphere(Radius=radius, Center=place(east, north) + [LEVEL + 0.5 * radius], ThetaResolution=48,
                          PhiResolution=48)
         shown = pv.Show(ball, view)
