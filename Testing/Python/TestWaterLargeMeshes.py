@@ -20,8 +20,7 @@ pytestmark = pytest.mark.usefixtures("on_a_gpu")
 
 SIZE = (320, 240)
 CELLS = 150  # a side: 45,000 triangles
-# another VTK has more where WATER_TESTS_ONCE=0
-SEEDS = range(int(os.environ.get("WATER_LARGE_MESHES", 1 if os.environ.get("WATER_TESTS_ONCE") == "0" else 4)))
+SEEDS = range(int(os.environ.get("WATER_LARGE_MESHES", 4)))
 WAVES = ((0.05, 4.0, 20, 0), (0.03, 2.3, 80, 30))
 
 
