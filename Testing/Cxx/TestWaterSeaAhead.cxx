@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A GPU computes a wind sea that was in the last picture before the props are drawn, so that it does
-// not wait for them. It computes another sea when the water is drawn, once in a frame, and none
-// that is not drawn.
+// A GPU computes a wind sea that was in the last picture before the props are drawn, so that it
+// does not wait for them. It computes another sea when the water is drawn, once in a frame, and
+// none that is not drawn.
 #include "WaterTestScene.h"
 
 #include "vtkWaterGL.h"
@@ -64,8 +64,7 @@ int TestWaterSeaAhead(int, char*[])
   ok &= WaterCheck("at the same time it is not computed again",
     CopiedInFrame(scene, 0.5, atProp) == Layers{ 0, 0 }, true);
   scene.Water->SetVisibility(false);
-  ok &= WaterCheck(
-    "it is invisible", CopiedInFrame(scene, 1.0, atProp) == Layers{ 0, 0 }, true);
+  ok &= WaterCheck("it is invisible", CopiedInFrame(scene, 1.0, atProp) == Layers{ 0, 0 }, true);
   scene.Water->SetVisibility(true);
   scene.Renderer->GetActiveCamera()->SetPosition(3, -15, 400);
   scene.Renderer->GetActiveCamera()->SetFocalPoint(3, -40, 430); // it is behind the eye

@@ -55,7 +55,7 @@ extern "C"
   X(PORT, "a camera behind a dome port, which may be half under water")                            \
   X(FLOW, "a current carries the waves over a user's mesh")                                        \
   X(GROUND, "there is ground under all of the water")                                              \
-  X(BUFFERED, "a user's mesh whose surface is in a buffer: it is shaded once a pixel")            \
+  X(BUFFERED, "a user's mesh whose surface is in a buffer: it is shaded once a pixel")             \
   X(MATTER, "data say how much matter the water carries")                                          \
   X(FOAM_DATA, "data say how much foam there is")
 

@@ -58,7 +58,7 @@ public:
     water_decision OwnViewDecision = WATER_NOT_PLANNED;
     vtkIdType OwnViewRenderCount = 0;   // ever
     vtkIdType SecondaryRenderCount = 0; // ever
-    vtkIdType JoinedPixels = 0; // that the ranks sent each other
+    vtkIdType JoinedPixels = 0;         // that the ranks sent each other
     water_buffer_use BufferUse = WATER_BUFFER_NOT_DRAWN;
   };
   const FrameReport& GetReport() const { return this->Report; }

@@ -46,6 +46,34 @@ bool IsMatte(vtkProp* prop)
   auto* actor = vtkActor::SafeDownCast(prop);
   return actor && !actor->GetBackfaceProperty() && actor->GetProperty()->GetSpecular() <= 0.0;
 }
+
+// Calls the slots of a water's shader where VTK's code has what they need.
+void CallSlots(std::string& vertexShader, std::string& fragmentShader, vtkAbstractMapper* mapper)
+{
+  if (Declares(vertexShader, "waterMeasureSlope") &&
+    vertexShader.find(" normalMC;") == std::string::npos)
+  {
+    InsertBefore(vertexShader, "void waterMeasureSlope(", vtkWaterNormalsVS);
+  }
+  if (Declares(fragmentShader, "waterShade"))
+  {
+    if (vtkWaterMeshTraits::ShowsScalars(mapper))
+    {
+      // what the mapper's scalars show without light
+      InsertBefore(fragmentShader, "//VTK::Light::Impl",
+        "\n  waterTakeData(ambientColor + diffuseColor, opacity, opacityUniform);");
+    }
+    if (Declares(fragmentShader, "waterTakeMatter"))
+    {
+      InsertBefore(fragmentShader, "//VTK::Light::Impl", "\n  waterTakeMatter(waterSide > 0.0);");
+    }
+    InsertBefore(fragmentShader, "//VTK::Light::Impl", "\n  waterShade(gl_FragData[0]);");
+    if (Declares(fragmentShader, "waterKeptData"))
+    {
+      InsertBefore(fragmentShader, "//VTK::Light::Impl", "\n  gl_FragData[1] = waterKeptData();");
+    }
+  }
+}
 }
 
 //------------------------------------------------------------------------------
@@ -184,29 +212,7 @@ bool vtkWaterShaderHook::PostReplaceShaderValues(std::string& vertexShader,
   vtkWaterShaderFailures::Prepare(mapper);
   if (prop->IsA("vtkWaterActor"))
   {
-    if (Declares(vertexShader, "waterMeasureSlope") &&
-      vertexShader.find(" normalMC;") == std::string::npos)
-    {
-      InsertBefore(vertexShader, "void waterMeasureSlope(", vtkWaterNormalsVS);
-    }
-    if (Declares(fragmentShader, "waterShade"))
-    {
-      if (vtkWaterMeshTraits::ShowsScalars(mapper))
-      {
-        // what the mapper's scalars show without light
-        InsertBefore(fragmentShader, "//VTK::Light::Impl",
-          "\n  waterTakeData(ambientColor + diffuseColor, opacity, opacityUniform);");
-      }
-      if (Declares(fragmentShader, "waterTakeMatter"))
-      {
-        InsertBefore(fragmentShader, "//VTK::Light::Impl", "\n  waterTakeMatter(waterSide > 0.0);");
-      }
-      InsertBefore(fragmentShader, "//VTK::Light::Impl", "\n  waterShade(gl_FragData[0]);");
-      if (Declares(fragmentShader, "waterKeptData"))
-      {
-        InsertBefore(fragmentShader, "//VTK::Light::Impl", "\n  gl_FragData[1] = waterKeptData();");
-      }
-    }
+    CallSlots(vertexShader, fragmentShader, mapper);
     if (this->Surface)
     {
       this->SetIsAwaited(true);

@@ -39,8 +39,7 @@ void vtkWaterSurfaceShader::Dim(const double coefficients[3], double dimmed[3]) 
 {
   const vtkWaterLook& look = this->Water->Look;
   const double depth = this->Drawn.Plan ? this->Drawn.Plan->bed_depth : 0.0;
-  water_units_dim(
-    coefficients, depth, look.SceneDiagonal, look.NaturalDepth, look.Bed, dimmed);
+  water_units_dim(coefficients, depth, look.SceneDiagonal, look.NaturalDepth, look.Bed, dimmed);
 }
 
 //------------------------------------------------------------------------------
