@@ -462,7 +462,7 @@ bool CheckWaves(WaterShaderRun& run, const std::string& name, double steepness, 
   moved.IsOfVertices = true;
   const Formula slope{ name + ", slope over a place",
     std::string(vtkWaterGradient) + vtkWaterNoDisplacementFS + vtkWaterPixelHeightFS +
-      vtkWaterPointFS + vtkWaterWavesFS +
+      vtkWaterPointFS + vtkWaterPixelFS + vtkWaterWavesFS +
       "vec4 testSlope(vec2 place)\n{\n  vec4 variance = vec4(0.0);\n  float jacobian;\n"
       "  vec2 slope = waterSlope(place, vec2(0.0), vec2(0.0), vec3(0.0), variance, jacobian);\n"
       "  return vec4(slope, jacobian, variance.x);\n}\n",

@@ -4,6 +4,7 @@ somebody does: behind a wall, out of view, facing away, reflecting next to nothi
 
 import numpy as np
 import pytest
+import skip_scenes
 import water_test as wt
 from vtkwater import vtkWaterReflectionPass as Pass
 
@@ -88,6 +89,23 @@ def test_water_behind_a_wall_is_not_mirrored(samples, waves):
     again = frame(f"{name}, it has left", scenes, "RENDERED")
     wt.check_at_least(f"{name}: the wall is seen", int(np.abs(hidden - seen).max()), 50)
     wt.check_at_least(f"{name}: the water is seen", int((np.abs(hidden - again).max(axis=2) > 8).sum()), 2000)
+
+
+def test_a_sea_whose_first_draw_asks_whether_it_is_hidden():
+    """A clear wind sea is asked whether it is hidden by a shader that has not been drawn before, in which textures of
+    several kinds have units of their own: it is there when the eye goes from behind a hill to below the water."""
+    scenes = [skip_scenes.Scene("clear", skips) for skips in (Pass.SKIP_ALL, Pass.SKIP_NONE)]
+    steps = (lambda scene: scene.renderer.GradientBackgroundOn(),
+             lambda scene: scene.place_camera((-2.3, 18, 1.04), (-0.23, 0, 0.6), angle=29),
+             lambda scene: scene.place_camera((-0.72, -3.07, -0.42), (-1.02, 5.92, -0.21), angle=60))
+    for step in steps:
+        for_both(scenes, lambda scene: scene.picture())
+        for_both(scenes, step)
+    pictures = [scene.picture() for scene in scenes]
+    wt.check_equal("largest error", int(np.abs(pictures[0] - pictures[1]).max()), 0)
+    for_both(scenes, lambda scene: scene.waters[1].VisibilityOff())
+    without = scenes[1].picture()
+    wt.check_at_least("pixels of the sheet that was hidden", int((pictures[1] != without).any(axis=2).sum()), 100)
 
 
 def test_a_wall_that_leaves_an_unchanged_scene_brings_the_last_view_back():

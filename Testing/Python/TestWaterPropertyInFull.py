@@ -158,6 +158,7 @@ CHOICES = [
     (vtkWaterProperty, "SeaModel", "SeaModels"),
     (vtkWaterProperty, "Lookup", "Lookups"),
     (vtkWaterProperty, "Output", "Outputs"),
+    (vtkWaterActor, "FoamMeasure", "FoamMeasures"),
     (vtkWaterReflectionPass, "ColorPrecision", "ColorPrecisions"),
     (vtkWaterReflectionPass, "Quality", "Qualities"),
 ]

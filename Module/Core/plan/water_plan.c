@@ -231,6 +231,7 @@ static void fill_props(const water_scene* scene, const water_eye* eye, const wat
 {
   water_selection selection;
   selection.is_off = false;
+  selection.is_direct = false;
   selection.margin = margin;
   selection.prop_px_min = scene->settings.prop_px_min;
   memcpy(selection.texture_px, plan->texture_px, sizeof selection.texture_px);

@@ -153,6 +153,10 @@ private:
   void UploadWaves(const double origin[2]);
   void UploadNormalMap(size_t number);
   void UploadHulls();
+  // Samplers of different kinds may not share a texture unit, even if nothing is read from them: GL
+  // then draws nothing. A new program has all of them at unit 0, and a draw that only asks whether
+  // the water is visible has no textures.
+  void PartSamplers(vtkShaderProgram* program);
   void SetDisplacement(vtkShaderProgram* program);
   void SetVertexHeights(vtkShaderProgram* program, vtkAbstractMapper* mapper);
   // Of a mesh that is not flat, from its vertex origin.

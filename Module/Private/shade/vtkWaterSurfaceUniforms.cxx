@@ -7,6 +7,7 @@
 #include "vtkOpenGLState.h"
 #include "vtkProperty.h"
 #include "vtkShaderProgram.h"
+#include "vtkTextureUnitManager.h"
 #include "vtkTexture.h"
 #include "vtkTextureObject.h"
 #include "vtkWaterGL.h"
@@ -35,6 +36,17 @@ constexpr double kFlat[4] = { 0.0, 0.0, 0.0, 0.0 };
 }
 
 //------------------------------------------------------------------------------
+void vtkWaterSurfaceShader::PartSamplers(vtkShaderProgram* program)
+{
+  const int units = this->GetWindow()->GetTextureUnitManager()->GetNumberOfTextureUnits();
+  for (const char* name : { "waterSea", "waterOldFoam", "waterNormalMap0", "waterNormalMap1" })
+  {
+    vtkWaterUniforms::Set(program, name, units - 2);
+  }
+  vtkWaterUniforms::Set(program, "waterSkyCube", units - 3);
+}
+
+//------------------------------------------------------------------------------
 void vtkWaterSurfaceShader::SetParameters(
   vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkOpenGLVertexArrayObject* vertices)
 {
@@ -46,6 +58,7 @@ void vtkWaterSurfaceShader::SetParameters(
   const water_plan* plan = this->Drawn.Plan;
   const vtkWaterLook& look = this->Water->Look;
   const bool hasView = plan && (this->HasBackdrop || !this->Has(WATER_FEATURE_MEDIUM));
+  this->PartSamplers(program);
   for (const auto& [name, texture] : this->Active)
   {
     uniforms::Set(program, name, texture);
