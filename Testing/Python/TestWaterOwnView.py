@@ -6,9 +6,10 @@ import pytest
 import ray_caster
 import water_test as wt
 from vtkmodules.vtkCommonCore import vtkInformation
-from TestWaterRefractsAndAbsorbs import BED, SIZE, clear_water, look_at, truth_of
+from TestWaterRefractsAndAbsorbs import BED, clear_water, look_at, truth_of
 from vtkwater import vtkWaterReflectionPass
 
+SIZE = (400, 300)
 RED = (0.9, 0.1, 0.1)
 DEPTH = 3.0
 EYE = (0, -7, 5)
@@ -44,7 +45,7 @@ class Pool:
         """% of the water's pixels that differ from the truth by more than 40 of 255, and the picture."""
         self.look.SetRefractionSource(source)
         picture = self.made.picture()
-        truth, mask = truth_of(self.things, self.camera, samples=1)
+        truth, mask = truth_of(self.things, self.camera, samples=1, size=SIZE)
         return 100 * float((np.abs(picture - truth).max(axis=2) > 40)[mask].mean()), picture
 
     def renders(self):

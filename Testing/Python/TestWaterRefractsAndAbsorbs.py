@@ -38,8 +38,8 @@ def clear_water(made, absorption, deep=(0, 0, 0), reflectance=0.0, scattering=(0
     return water
 
 
-def rays_of(camera, samples=1):
-    start, ray = ray_caster.eye_rays(camera, SIZE, samples)
+def rays_of(camera, samples=1, size=SIZE):
+    start, ray = ray_caster.eye_rays(camera, size, samples)
     with np.errstate(divide="ignore"):
         to_water = np.where(ray[:, 2] < 0, -start[:, 2] / ray[:, 2], np.inf)
     return start, ray, to_water
@@ -125,9 +125,9 @@ def things_in_water():
     return things
 
 
-def truth_of(things, camera, waves=(), samples=4):
+def truth_of(things, camera, waves=(), samples=4, size=SIZE):
     """The ray caster's picture, of 255, and which of its pixels show nothing but water."""
-    start, ray, to_water = rays_of(camera, samples)
+    start, ray, to_water = rays_of(camera, samples, size)
     colors, distance = ray_caster.cast(things, SKY, start, ray)
     is_water = to_water < distance
     point = start[is_water] + to_water[is_water][:, None] * ray[is_water]
@@ -138,7 +138,7 @@ def truth_of(things, camera, waves=(), samples=4):
     seen, way = ray_caster.cast(things, DEEP, point, refracted(ray[is_water], normal, 1 / INDEX))
     left = np.exp(-ABSORPTION * np.where(np.isfinite(way), way, 1e9)[:, None])
     colors[is_water] = left * seen + (1 - left) * DEEP
-    shape = (SIZE[1], samples, SIZE[0], samples)
+    shape = (size[1], samples, size[0], samples)
     return 255 * colors.reshape(*shape, 3).mean(axis=(1, 3)), is_water.reshape(shape).all(axis=(1, 3))
 
 
