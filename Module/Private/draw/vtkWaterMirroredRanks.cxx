@@ -12,6 +12,7 @@
 #include "vtkWaterRankPixels.h"
 #include "vtkWaterRankSamples.h"
 #include "vtkWaterScopedWidgets.h"
+#include "vtkWaterTranslucent.h"
 #include "vtkWaterVolumeCuts.h"
 
 #include <algorithm>
@@ -113,7 +114,8 @@ const char* vtkWaterMirroredView::JoinBlended(vtkRenderer* renderer, const water
   if (hasOwn)
   {
     // samples that are not of all ranks are not those of the joined depth
-    const bool hasSamples = plan.samples > 0 && plan.samples <= WATER_RANK_SAMPLES_MAX;
+    const bool hasSamples = plan.samples > 0 && plan.samples <= WATER_RANK_SAMPLES_MAX &&
+      vtkWaterTranslucent::HasSamples(renderer);
     const bool isMade =
       this->Layer.KeepDepth(window, this->Target, hasSamples) && this->Layer.Bind();
     facts.has_failed = isMade ? 0.0 : 1.0;

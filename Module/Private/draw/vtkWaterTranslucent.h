@@ -30,6 +30,13 @@ public:
 
   void ReleaseGraphicsResources(vtkWindow* window);
 
+  // Does the way in which the renderer blends have samples? Blending in any order does not: VTK
+  // draws it into framebuffers of its own.
+  static bool HasSamples(vtkRenderer* renderer)
+  {
+    return GetBlending(renderer) != ORDER_INDEPENDENT;
+  }
+
 private:
   enum Blendings // as the renderer's flags choose it
   {
