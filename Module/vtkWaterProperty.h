@@ -382,13 +382,12 @@ public:
 
   ///@{
   /**
-   * Shadows of objects on the water's glitter and foam. For each point a ray to the sun is traced
-   * in the mirrored view. The point is in shadow if the ray crosses a surface in that view, from
-   * either side, or passes behind an upright edge by less than a twentieth of the distance. Objects
-   * outside the picture, and sides that face away from the mirrored eye, are not in that view and
-   * cast no shadow. Needs Lookup RAY_TRACED. Rays are followed only where they can change the
-   * pixel's colour by more than half of 1/255. In software, water that glitters everywhere takes
-   * 1.8 times as long. Default is off.
+   * Shadows of objects on the water's glitter and foam. What casts them is drawn along the sun's
+   * rays into a view of its own, with the pixels of the picture, wherever it is itself. Translucent
+   * props, volumes, and props that are not reflected cast none; nor does anything with ranks of a
+   * parallel program. The sun is a direction. The view is drawn again when the camera, the sun or
+   * an object has changed. Default is off.
+   * Source: Blinn 1988, "Me and My (Fake) Shadow".
    */
   void SetShadows(bool shadows);
   vtkGetMacro(Shadows, bool);

@@ -106,7 +106,6 @@ void vtkWaterProperty::DescribeWaves(vtkWaterLook& look)
   look.WaveNumber = look.Has.has_sea ? 0.0 : water_waves_number(waves.data(), waves.size());
   water_waves_reach(waves.data(), waves.size(), &look.WaveHeightMax, &look.WaveReach);
   look.WaveGridSize = this->WaveGridSize;
-  look.CastsShadows = water_features_has_shadows(&look.Has);
   const double steepest = water_features_is_of_sines(&look.Has)
     ? water_waves_looked_up(waves.data(), waves.size())
     : std::numeric_limits<double>::infinity();

@@ -31,7 +31,7 @@ enum
   MOVERS = SINES | SEA,
   WAVES = SINES | SEA | NORMAL_MAPS,
   ROUGH = WAVES | SLOPES,
-  RAYS = ROUGH | SHADOWS | OUTPUT
+  RAYS = ROUGH | OUTPUT
 };
 
 #define ONE_MORE(member, what) +1
@@ -114,8 +114,7 @@ TEST(features_of_every_look_follow_the_rules)
     assert_int_equal(
       water_features_has_shadows(&look), (expected_of(has) & WATER_FEATURE_SHADOWS) != 0);
     assert_int_equal(water_features_is_of_sines(&look),
-      !(has & (OFFSET | SEA | GEOMETRY | NORMAL_MAPS | SLOPES)) &&
-        !(expected_of(has) & WATER_FEATURE_SHADOWS));
+      !(has & (OFFSET | SEA | GEOMETRY | NORMAL_MAPS | SLOPES)));
   }
 }
 
@@ -444,10 +443,6 @@ static bool is_empty(const char* slot, water_feature_set features)
   {
     return !(features & WATER_FEATURE_MEDIUM);
   }
-  if (strcmp(slot, "casters") == 0)
-  {
-    return !(features & (WATER_FEATURE_MEDIUM | WATER_FEATURE_SHADOWS));
-  }
   if (strcmp(slot, "cover") == 0)
   {
     return !(features & WATER_FEATURE_FOAM);
@@ -549,8 +544,8 @@ TEST(slots_stand_in_their_order)
     "highlights", "cover", "measure", "gain", "cell", "place", "under", "height", "clarity",
     "point", "pixel", "hulls", "sky", "floor", "tile", "slope", "sines", "tiles", "folds", "sea",
     "normal_maps", "flow", "waves", "output", "reflection", "dome", "walk", "behind", "layer",
-    "blur", "caustics", "medium", "shafts", "others", "refraction", "ground", "casters",
-    "facet_slopes", "facets", "rays", "shadows", "glitter", "whitecaps", "foam_data", "foam", "sun",
+    "blur", "caustics", "medium", "shafts", "others", "refraction", "ground", "facet_slopes",
+    "facets", "rays", "shadows", "glitter", "whitecaps", "foam_data", "foam", "sun",
     "port", "surface" };
   static const char* const vertex[] = { "cell", "tiles", "sea", "displacement", "heights", "slopes",
     "flow", "matter", "foam", "depth" };

@@ -163,22 +163,7 @@ TEST(most_is_reflected_in_a_corner)
   ASSERT_CLOSE(water_optics_reflectance_max(&look, 1.333, rows, box, 0.0), most, 1e-14);
 }
 
-// What changes a byte by one at most is half of its step, and less where dark colours are spread.
-TEST(least_light_is_half_a_step)
-{
-  ASSERT_CLOSE(water_optics_least_light(false, false), 1.0 / 510.0, 1e-15);
-  ASSERT_CLOSE(water_optics_least_light(false, true), 1.0 / 510.0 / 12.92, 1e-15);
-  assert_true(water_optics_least_light(true, false) == 0.0);
-  water_scene scene = lake();
-  ASSERT_CLOSE(plan_of(&scene, NULL).least_light, 1.0 / 510.0, 1e-15);
-  scene.is_encoded = true;
-  assert_true(plan_of(&scene, NULL).least_light < 1.0 / 6000.0);
-  scene.may_tone_map = true;
-  assert_true(plan_of(&scene, NULL).least_light == 0.0);
-}
-
 TESTS(fresnel_has_the_known_values, brewster_angle_reflects_one_polarisation,
   critical_angle_of_water, reflectance_is_the_same_both_ways, schlick_is_close_to_fresnel,
   ends_of_the_range_are_safe, plan_carries_the_index_beyond,
-  joined_waters_reflect_no_less_than_each, most_is_reflected_in_a_corner,
-  least_light_is_half_a_step)
+  joined_waters_reflect_no_less_than_each, most_is_reflected_in_a_corner)

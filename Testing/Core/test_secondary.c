@@ -249,12 +249,12 @@ TEST(secondary_view_is_of_what_the_mirrored_view_shows)
   scene.plane.offset = -8.0; // over the lake and its eye: its underside is seen
   const double shelf[6] = { -2.0, 2.0, -2.0, 2.0, 8.0, 8.0 };
   memcpy(scene.surface_bounds, shelf, sizeof shelf);
-  scene.has_waves = scene.has_shadows = scene.is_hidden = scene.has_scene_depth = true;
+  scene.has_waves = scene.is_hidden = scene.has_scene_depth = true;
   scene.wave_height_max = scene.surface_height = 0.5;
   scene.settings.texture_scale = 0.5;
   scene.settings.quality = WATER_QUALITY_TIME_BUDGET;
   water_secondary_view(&mirrored, &eye, false, &scene);
-  assert_false(scene.has_waves || scene.has_shadows || scene.is_hidden || scene.has_scene_depth);
+  assert_false(scene.has_waves || scene.is_hidden || scene.has_scene_depth);
   assert_true(scene.wave_height_max == 0.0 && scene.surface_height == 0.0);
   assert_int_equal(scene.settings.quality, WATER_QUALITY_FIXED);
   water_plan plan;

@@ -97,10 +97,6 @@ TEST(faint_is_what_the_steepest_and_the_flattest_ray_reflect)
   mirror.look.reflectance = 0.001;
   mirror.settings.reflectance_error = 0.5 / 255.0;
   assert_int_equal(decision_of(&mirror), WATER_NO_REFLECT_FAINT);
-  // shadows are looked up however little is reflected
-  mirror.has_shadows = true;
-  assert_int_equal(decision_of(&mirror), WATER_REFLECT);
-  mirror.has_shadows = false;
   mirror.look.reflectance = 0.002;
   assert_int_equal(decision_of(&mirror), WATER_REFLECT);
 }

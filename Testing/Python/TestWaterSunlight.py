@@ -128,7 +128,7 @@ def test_shadow_on_glitter_is_where_rays_to_the_sun_are_stopped():
     is_lit = (~np.isfinite(way) & ~np.isfinite(seen)).reshape(SIZE[1], SIZE[0]) & (bright > 30)
     wt.check_at_least("shadow: pixels of glitter in it", int(is_shaded.sum()), 300)
     wt.check_at_least("shadow: % of them that are dark", 100 * float((shadowed < 10)[is_shaded].mean()), 90)
-    # what passes behind the post, as the mirrored view has it, counts as shaded
+    # a shadow's edge is soft over a pixel
     wt.check_at_least("shadow: % of the lit glitter that stays", 100 * float((shadowed == bright)[is_lit].mean()), 94)
 
 

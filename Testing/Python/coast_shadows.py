@@ -5,7 +5,7 @@ Land is a height over (x, y), and posts and rocks stand in it. A place on the wa
 to the sun meets either: the height is compared along the ray in double precision, and posts and rocks are met by
 ray_caster's formulas.
 
-usage: coast_shadows.py [--coasts 50] [--limit 0.5] [--clear]: the figures of that many coasts, by one command
+usage: coast_shadows.py [--coasts 50] [--limit 0.5]: the figures of that many coasts, by one command
 """
 
 import argparse
@@ -163,15 +163,18 @@ def around(mask):
     return np.any([wide[i:i + height, j:j + width] for i in range(3) for j in range(3)], axis=0)
 
 
-def compared(coast, has_refraction=False):
-    """Shares of the water's pixels that are wrongly dark, and wrongly lit; the share in shadow; a picture of it all."""
+def compared(coast, has_refraction=False, known=None):
+    """Shares of the water's pixels that are wrongly dark, and wrongly lit; the share in shadow; a picture of it all.
+
+    known: what truth says of the coast, if it was asked before
+    """
     view, look = view_of(coast)
     if has_refraction:
         look.RefractionOn()
     bright = view.picture()[:, :, 0]
     look.ShadowsOn()
     shown = view.picture()[:, :, 0]
-    is_water, shaded = truth(coast, view)
+    is_water, shaded = known or truth(coast, view)
     is_seen = is_water & (bright > 15)
     is_dark = shown < 0.5 * bright
     is_clear = is_seen & ~(around(is_water & shaded) & around(is_water & ~shaded))
@@ -189,18 +192,22 @@ def main():
     parser = argparse.ArgumentParser(description=main.__doc__)
     parser.add_argument("--coasts", type=int, default=50, help="how many, of each kind (default 50)")
     parser.add_argument("--limit", type=float, default=0.5, help="%% of the water's pixels (default 0.5)")
-    parser.add_argument("--clear", action="store_true", help="water that is looked through (RefractionOn)")
     arguments = parser.parse_args()
     for kind, has_things in (("land", False), ("land, posts and balls", True)):
-        wrong = []
+        wrong = {"opaque": [], "clear": []}
         for seed in range(arguments.coasts):
-            dark, lit, _, _ = compared(random_coast(seed, has_things), arguments.clear)
-            wrong.append(100 * (dark + lit))
-            if wrong[-1] > arguments.limit:
-                print(f"{kind}, {seed}: {100 * dark:.2f} % wrongly dark, {100 * lit:.2f} % wrongly lit", flush=True)
-        over = sum(share > arguments.limit for share in wrong)
-        print(f"{kind}: {over} of {len(wrong)} over {arguments.limit} %; median {np.median(wrong):.3f} %, "
-              f"mean {np.mean(wrong):.3f} %, largest {max(wrong):.2f} %", flush=True)
+            coast = random_coast(seed, has_things)
+            known = truth(coast, view_of(coast)[0])
+            for water, shares in wrong.items():
+                dark, lit, _, _ = compared(coast, water == "clear", known)
+                shares.append(100 * (dark + lit))
+                if shares[-1] > arguments.limit:
+                    print(f"{kind}, {seed}, {water} water: {100 * dark:.2f} % wrongly dark, {100 * lit:.2f} % wrongly lit",
+                          flush=True)
+        for water, shares in wrong.items():
+            over = sum(share > arguments.limit for share in shares)
+            print(f"{kind}, {water} water: {over} of {len(shares)} over {arguments.limit} %; median {np.median(shares):.3f} %, "
+                  f"mean {np.mean(shares):.3f} %, largest {max(shares):.2f} %", flush=True)
 
 
 if __name__ == "__main__":

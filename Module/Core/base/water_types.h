@@ -221,8 +221,6 @@ typedef struct water_scene
   water_plane plane;
   double plane_origin[3]; // of the plane's own axes, in world
   bool has_waves;         // the surface is not calm: its reflection is looked up along rays
-  bool has_shadows;       // what the reflection texture shows keeps light off it, however little is
-                          // reflected
   double slope_rms;       // of the waves, >= 0
   double slope_max;       // no slope that a reflection is looked up with is steeper; infinity: none
                           // is known, or the reflection texture is read elsewhere, too
@@ -247,6 +245,7 @@ typedef struct water_scene
   bool has_scene_depth; // the eye's picture of what hides the surface is at hand, a depth per pixel
   bool is_software;     // there is no GPU: pixels and triangles are expensive, draws are not
   bool is_beyond;       // the own view is planned, water_beyond.h, and not the mirrored view
+  bool is_from_sun;     // the sun view is, water_sun_view.h
   const water_prop* props; // prop_count of them: all props, not only those the eye sees
   size_t prop_count;
   water_look look;
@@ -255,7 +254,6 @@ typedef struct water_scene
   int calm_samples_min; // of a calm reflection, per pixel, if the user sets none
   int max_samples;      // per pixel, that the GPU has; 0: none
   bool may_tone_map;    // a later pass may map tones
-  bool is_encoded;      // the window encodes colours as sRGB once they are drawn
   int max_texture_px;   // the GPU's limit for a side of a texture, >= 1
 } water_scene;
 
@@ -316,13 +314,16 @@ typedef struct water_plan
   int samples;        // per pixel of the mirrored view; 0: none
   bool is_half_float; // colours are half floats, or bytes
   bool rolls_off;     // light brighter than white rolls off, because no pass maps tones afterwards
-  double least_light; // a change of a pixel's colour up to that is not seen
   int texture_rect_px[4]; // x, y, width, height of the part the water can look up
   double height_rounding; // of dot(plane_clip, NDC) in single precision
   double visible_px_max;  // if the eye's picture shows less of the water, it pays to wait for it
   bool has_visibility;    // it is at hand: what only pixels would show that no water in it looks up
                           // is left out
   bool is_software;       // the scene's
+
+  // of a sun view, water_sun_view.h: window depth 1 - depth * (height + bottom) / w
+  double sun_view_depth;
+  double sun_view_bottom;
 
   // shade: where the reflection texture shows what
   double reflection_ndc_to_eye[9]; // (x, y, 1) in NDC of the reflection texture -> (x, y, w) in

@@ -5,8 +5,6 @@
 #include "water_math.h"
 #include "water_shared.h"
 
-static const double srgb_steepest = 12.92; // slope of the encoding from linear light, at 0
-
 static double clamp_unit(double value)
 {
   return fmin(fmax(value, 0.0), 1.0);
@@ -82,10 +80,4 @@ double water_optics_reflectance_max(const water_look* look, double eta, const do
 double water_optics_critical_rad(double eta)
 {
   return asin(clamp_unit(eta));
-}
-
-double water_optics_least_light(bool may_tone_map, bool is_encoded)
-{
-  const double step = 0.5 / 255.0;
-  return may_tone_map ? 0.0 : is_encoded ? step / srgb_steepest : step;
 }

@@ -52,12 +52,6 @@ double water_optics_reflectance_max(const water_look* look, double eta, const do
 // Reference of tests: nothing in the module calls it.
 double water_optics_critical_rad(double eta);
 
-// A change of a pixel's colour, in [0, 1], up to which its byte changes by 1 at most: half a step.
-//
-// may_tone_map  the picture may be made brighter before it has bytes: 0
-// is_encoded    colours are encoded as sRGB, which is steepest where it is dark (IEC 61966-2-1)
-double water_optics_least_light(bool may_tone_map, bool is_encoded);
-
 #ifdef __cplusplus
 }
 #endif

@@ -14,7 +14,7 @@ bool water_features_is_rough(const water_feature_look* look)
 
 bool water_features_needs_rays(const water_feature_look* look)
 {
-  return water_features_is_rough(look) || look->has_output || look->has_shadows;
+  return water_features_is_rough(look) || look->has_output;
 }
 
 bool water_features_is_displaced(const water_feature_look* look)
@@ -44,9 +44,8 @@ bool water_features_has_shadows(const water_feature_look* look)
 
 bool water_features_is_of_sines(const water_feature_look* look)
 {
-  // shadows are looked up along rays of their own
   return look->lookup == WATER_LOOKUP_RAY_TRACED && !look->has_sea && !look->has_wave_geometry &&
-    !look->has_normal_maps && !look->has_slope_variance && !water_features_has_shadows(look);
+    !look->has_normal_maps && !look->has_slope_variance;
 }
 
 static water_feature_set reflection_of(const water_feature_look* look)

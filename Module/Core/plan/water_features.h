@@ -202,10 +202,6 @@ WATER_FEATURE_LIST(WATER_FEATURE_VALUE)
     "what a ray meets that the picture does not show")                                             \
   X(ground, vtkWaterNoGroundFS, WATER_FEATURE_FLAG(MEDIUM), WATER_FEATURE_FLAG(GROUND),            \
     "deep water")                                                                                  \
-  X(casters, vtkWaterPictureShadowsFS, WATER_FEATURE_FLAG(MEDIUM), 0,                              \
-    "what the picture shows keeps the sun off")                                                    \
-  X(casters, vtkWaterNoPictureShadowsFS, WATER_FEATURE_FLAG(SHADOWS), WATER_FEATURE_FLAG(MEDIUM),  \
-    "nothing")                                                                                     \
   X(facet_slopes, vtkWaterFacetSlopesFS, WATER_FEATURE_FLAG(ROUGH), 0, "the slopes of the facets") \
   X(facets, vtkWaterFacetsFS, WATER_FEATURE_FLAG(ROUGH), WATER_FEATURE_FLAG(HARDWARE_FACETS),      \
     "several facets per pixel")                                                                    \
@@ -323,14 +319,13 @@ typedef struct water_feature_look
 // Does the surface have waves of any kind, or slopes?
 bool water_features_is_rough(const water_feature_look* look);
 
-// Is the reflection looked up along rays? Not with a calm look, which has no confidence output and
-// no shadows.
+// Is the reflection looked up along rays? Not with a calm look that has no confidence output.
 bool water_features_needs_rays(const water_feature_look* look);
 
 // Do waves displace the surface?
 bool water_features_is_displaced(const water_feature_look* look);
 
-// Do objects in the reflection texture cast shadows on glitter or foam?
+// Do objects cast shadows on glitter or foam?
 bool water_features_has_shadows(const water_feature_look* look);
 
 // Do only sines turn reflected rays? Only they have a maximum slope, which bounds the turn of a

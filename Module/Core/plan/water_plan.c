@@ -14,6 +14,7 @@
 #include "water_plane.h"
 #include "water_select.h"
 #include "water_sky.h"
+#include "water_sun_view.h"
 #include "water_target.h"
 #include "water_visibility.h"
 
@@ -62,6 +63,12 @@ static void select_side(const water_scene* scene, checked* result)
   }
 }
 
+// Is it the mirrored view that is planned?
+static bool is_mirrored(const water_scene* scene)
+{
+  return !scene->is_beyond && !scene->is_from_sun;
+}
+
 // All checks but that of the props, in the order of water_status.h.
 static water_status check(const water_scene* scene, checked* result)
 {
@@ -75,7 +82,7 @@ static water_status check(const water_scene* scene, checked* result)
   {
     return WATER_BAD_SURFACE;
   }
-  const double texture_scale = scene->is_beyond ? 1.0 : scene->settings.texture_scale;
+  const double texture_scale = is_mirrored(scene) ? scene->settings.texture_scale : 1.0;
   status =
     water_target_size(scene->viewport_px, texture_scale, scene->max_texture_px, result->texture_px);
   if (status != WATER_OK)
@@ -130,7 +137,7 @@ static water_decision decide(const water_scene* scene, const checked* input)
   {
     return WATER_NO_REFLECT_EDGE_ON;
   }
-  if (scene->look.constant_reflectance && scene->look.reflectance == 0.0 && !scene->is_beyond)
+  if (scene->look.constant_reflectance && scene->look.reflectance == 0.0 && is_mirrored(scene))
   {
     return WATER_NO_REFLECT_NO_REFLECTANCE;
   }
@@ -149,7 +156,7 @@ static water_decision decide(const water_scene* scene, const checked* input)
   {
     return WATER_NO_REFLECT_HIDDEN;
   }
-  return scene->has_environment && !scene->is_beyond ? WATER_NO_REFLECT_ENVIRONMENT : WATER_REFLECT;
+  return scene->has_environment && is_mirrored(scene) ? WATER_NO_REFLECT_ENVIRONMENT : WATER_REFLECT;
 }
 
 // Which part of the picture the water covers. false: none of what counts of the picture.
@@ -183,8 +190,8 @@ static bool cover(
 static bool is_faint(
   const water_scene* scene, const checked* input, const water_plan* plan, const double box[4])
 {
-  return (scene->settings.skips & WATER_MAY_SKIP_FAINT) && !scene->is_beyond &&
-    scene->settings.reflectance_error > 0.0 && !scene->has_shadows &&
+  return (scene->settings.skips & WATER_MAY_SKIP_FAINT) && is_mirrored(scene) &&
+    scene->settings.reflectance_error > 0.0 &&
     water_optics_reflectance_max(&scene->look, plan->eta, plan->ndc_to_ray, box,
       scene->has_waves ? scene->slope_max : 0.0) <= scene->settings.reflectance_error &&
     input->side == WATER_ABOVE;
@@ -433,7 +440,7 @@ static water_status fill_shade(
     &plan->mirrored, plan->plane_view, plan->reflection_height, plan->reflection_w);
 }
 
-// The mirrored view, or the own view.
+// The mirrored view, the own view, or the sun view.
 static water_status fill_drawn_view(const water_scene* scene, const checked* input,
   const water_plane* plane, const water_axes* axes, const double box[4], water_plan* plan,
   water_cull_reason* reasons, size_t* bad_index)
@@ -441,6 +448,11 @@ static water_status fill_drawn_view(const water_scene* scene, const checked* inp
   if (scene->is_beyond)
   {
     return water_beyond_plan(scene, box, plan, reasons, bad_index);
+  }
+  if (scene->is_from_sun)
+  {
+    *bad_index = scene->prop_count; // the mirrored view's plan tells of it
+    return water_sun_view_plan(scene, plane, drop_of(scene, plane), box, plan, reasons);
   }
   const water_status status = fill_draw(scene, input, plane, box, plan, reasons, bad_index);
   return status == WATER_OK ? fill_shade(scene, input, axes, plan) : status;
@@ -497,7 +509,6 @@ water_status water_plan_make(const water_scene* scene, water_plan* plan, water_c
     }
   }
   made.rolls_off = !scene->may_tone_map;
-  made.least_light = water_optics_least_light(scene->may_tone_map, scene->is_encoded);
   made.is_sky_known = isfinite(made.reflection_top) && !made.is_enclosed;
   *plan = made;
   return status != WATER_OK ? status : props_status;

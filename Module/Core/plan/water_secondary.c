@@ -47,7 +47,6 @@ void water_secondary_view(
   scene->slope_max = is_rough ? (double)INFINITY : 0.0;
   scene->wave_height_max = 0.0;
   scene->surface_height = 0.0;
-  scene->has_shadows = false; // nor have they glitter and foam
   scene->is_hidden = false;
   scene->has_scene_depth = false; // that of the picture
   scene->settings.texture_scale = 1.0;

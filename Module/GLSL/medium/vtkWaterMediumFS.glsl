@@ -37,11 +37,6 @@ const float WATER_MEDIUM_LONG_PX = 8.0;  // ways that need eight looks, and not 
 
 float waterAir = 0.0; // of a refracted ray, that is not water; of the slot port
 
-float waterThickness()
-{
-  return 0.02;
-}
-
 // Where the picture shows a place that the eye sees.
 vec2 waterMediumPlace(vec2 ndc)
 {

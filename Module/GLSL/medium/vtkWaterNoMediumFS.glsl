@@ -1,11 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkWaterNoMediumFS.glsl: slot body of water that nothing is seen in.
 
-float waterThickness()
-{
-  return 0.05;
-}
-
 vec3 waterTransmitted(WaterPoint point)
 {
   return waterDeepColor;

@@ -15,12 +15,6 @@ vec3 waterReflected(WaterPoint point, out int reason, out vec2 uv)
   return waterAround(point, point.normal, uv);
 }
 
-// How much of the light from a direction something keeps off, as far as the reflection texture shows it.
-float waterShaded(WaterPoint point, vec3 dir, bool isWanted)
-{
-  return 0.0;
-}
-
 // What a facet sees: a place of the reflection texture, or a colour.
 struct WaterRayHit
 {

@@ -9,9 +9,3 @@ vec3 waterReflected(WaterPoint point, out int reason, out vec2 uv)
   uv = point.start.xy;
   return textureLod(waterReflection, uv, 0.0).rgb;
 }
-
-// How much of the light from a direction something keeps off, as far as the reflection texture shows it.
-float waterShaded(WaterPoint point, vec3 dir, bool isWanted)
-{
-  return 0.0;
-}

@@ -158,8 +158,18 @@ const char* vtkWaterMirroredView::DrawProps(
   vtkWaterScopedCamera scopedCamera(renderer, this->Camera);
   vtkWaterScopedMirroredView scopedView(draft.Hook, view);
   vtkWaterScopedRenderTimes scopedTimes(renderer, draft.Props);
+  if (draft.IsDepth)
+  {
+    auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
+    window->GetState()->vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+  }
   vtkWaterShadows::Draw(
     renderer, draft.Shadows, draft.Props, [&]() { this->DrawOpaque(renderer, plan, draft); });
+  if (draft.IsDepth)
+  {
+    this->Target.Resolve();
+    return nullptr;
+  }
   if (draft.Ranks)
   {
     return this->JoinOpaque(renderer, plan, draft);

@@ -49,6 +49,7 @@ public:
     bool HasMarchedRays = false;          // rays are traced in it
     bool WantsPeel = false;               // and go on behind edges
     bool CanCut = false;                  // clusters of large meshes may be left out
+    bool IsDepth = false;                 // depths of what is opaque are all that is looked at
     vtkWaterSkyTextures Sky;              // of the plan's sky
     vtkWaterSecondaryLookup* Secondary = nullptr; // of other waters; nullptr: they reflect the sky
     vtkShadowMapPass* Shadows = nullptr;          // which is up to date; nullptr: there are none

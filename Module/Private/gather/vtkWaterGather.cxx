@@ -217,7 +217,6 @@ void vtkWaterGather::ReadWaters(
     const vtkWaterLook& look = water->Look;
     const bool needsRays = water->NeedsRays();
     scene.has_waves = scene.has_waves || needsRays;
-    scene.has_shadows = scene.has_shadows || look.CastsShadows;
     scene.slope_rms = std::max(scene.slope_rms, look.SlopeRMS);
     scene.slope_max = std::max(scene.slope_max, look.SlopeLookedUp);
     scene.has_environment = scene.has_environment && look.Has.has_environment;
@@ -321,7 +320,6 @@ void vtkWaterGather::Read(vtkRenderer* renderer, const std::vector<vtkWaterSnaps
   this->Scene.has_scene_depth = hints.HasSceneDepth;
   this->Scene.is_software = hints.IsSoftware;
   this->Scene.may_tone_map = hints.MayToneMap;
-  this->Scene.is_encoded = window->GetUsingSRGBColorSpace();
   this->Scene.window_samples = window->GetMultiSamples();
   this->ReadWaters(renderer, waters);
   vtkWaterSkyReader::ReadBackground(renderer, this->Scene.sky, this->Sky);

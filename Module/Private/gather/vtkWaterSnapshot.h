@@ -69,7 +69,6 @@ struct vtkWaterLook
   int RayTraceLayers = 1;
   double RayTraceFootprint = 1.0;
   int Output = 0;
-  bool CastsShadows = false;   // what the reflection texture shows keeps light off glitter and foam
   water_sea Sea = water_sea(); // in use if Has.has_sea
   water_cascades Cascades = water_cascades();
   double SeaBeyond[WATER_CASCADES_MAX + 1][2] = {}; // slope variances from a tile on, of the axes
@@ -113,6 +112,7 @@ struct vtkWaterSnapshot
 
   bool IsClear() const { return (this->Features & WATER_FEATURE_MEDIUM) != 0; }
   bool WantsOwnView() const { return this->IsClear() && this->Look.HasOwnView; }
+  bool WantsSunView() const { return (this->Features & WATER_FEATURE_SHADOWS) != 0; }
   bool IsDisplaced() const { return (this->Features & WATER_FEATURE_DISPLACED) != 0; }
   // How many fields of the sea its texture has (vtkWaterSlopePasses).
   int GetSeaFields() const

@@ -127,8 +127,14 @@ vtkWaterSurfaceShader::Inputs vtkWaterReflection::GetInputs(
   }
   if (this->HasOwnView && view->Own && this->IsFresh(renderer, frame, water))
   {
-    OwnView& own = *view->Own;
+    OtherView& own = *view->Own;
     inputs.OwnView = { own.Drawn.GetColor(), own.Drawn.GetDepth(), own.DrawnPlan.reflection_scale };
+  }
+  if (this->HasSunView && view->Sun && this->IsFresh(renderer, frame, water))
+  {
+    OtherView& sun = *view->Sun;
+    inputs.SunView = { sun.Drawn.GetDepth(), sun.DrawnPlan.sun_view_depth,
+      sun.DrawnPlan.sun_view_bottom };
   }
   inputs.Ranks = this->Ranks.AreSeveral() ? &this->Ranks : nullptr;
   return inputs;
@@ -228,7 +234,8 @@ void vtkWaterReflection::ReleaseGraphicsResources(vtkWindow* window)
     const ViewPointer view = it->second;
     it = this->Views.erase(it);
     this->PlannedFrame = renderer == this->PlannedFor ? 0 : this->PlannedFrame;
-    this->ReleaseOwnView(*view, window);
+    ReleaseOther(view->Own, window);
+    ReleaseOther(view->Sun, window);
     if (!view->Mirrored.GetIsDrawing()) // else Commit does it
     {
       view->Mirrored.ReleaseGraphicsResources(window);

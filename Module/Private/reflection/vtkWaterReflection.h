@@ -57,6 +57,7 @@ public:
     vtkIdType RenderCount = 0; // ever
     water_decision OwnViewDecision = WATER_NOT_PLANNED;
     vtkIdType OwnViewRenderCount = 0;   // ever
+    vtkIdType SunViewRenderCount = 0;   // ever
     vtkIdType SecondaryRenderCount = 0; // ever
     vtkIdType JoinedPixels = 0;         // that the ranks sent each other
     water_buffer_use BufferUse = WATER_BUFFER_NOT_DRAWN;
@@ -133,7 +134,7 @@ public:
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
-  struct OwnView // of clear water, water_beyond.h
+  struct OtherView // the own view of clear water, water_beyond.h, or the sun view, water_sun_view.h
   {
     vtkWaterMirroredView Drawn; // nothing in it is mirrored
     water_plan DrawnPlan = water_plan();
@@ -150,7 +151,8 @@ private:
     vtkWaterSignature DrawnSignature;
     vtkTimeStamp DrawnTime;
     bool HasLevels = false;
-    std::unique_ptr<OwnView> Own; // nullptr: no water wants one
+    std::unique_ptr<OtherView> Own; // nullptr: no water wants one
+    std::unique_ptr<OtherView> Sun;
     vtkWaterOcclusion Occlusion;
     water_quality_memory Quality;
   };
@@ -223,20 +225,35 @@ private:
   void Draw(const Frame& frame, Attempt& attempt);
   vtkWaterError Commit(const Frame& frame, Attempt& attempt);
   static vtkWaterError Describe(const vtkWaterShortage& shortage);
-  struct Choice // of the props for a view of either kind
+  struct Choice // of the props for a view of any kind
   {
     const water_plan& Plan;
     const std::vector<water_cull_reason>& Reasons;
     bool IsDirect; // no prop stands in for another, as one may in a reflection
   };
-  // The own view, vtkWaterReflectionOwnView.cxx. Returns what went wrong with it.
+  // The own view and the sun view, vtkWaterReflectionOtherViews.cxx. Each returns what went wrong
+  // with it.
+  vtkWaterError RenderOtherViews(const Frame& frame, Attempt& attempt);
   vtkWaterError RenderOwnView(const Frame& frame, Attempt& attempt);
+  vtkWaterError RenderSunView(const Frame& frame, Attempt& attempt);
   // props  of the scene, if they are not those that were gathered
   water_scene ReadOwnScene(const Frame& frame, std::vector<water_prop>& props) const;
-  // Revises the plan, and carries it out.
-  vtkWaterError DrawOwnView(const Frame& frame, Attempt& attempt, const Choice& choice,
-    const water_scene& scene, water_plan& plan, std::vector<water_cull_reason>& reasons);
-  void ReleaseOwnView(View& view, vtkWindow* window);
+  struct Other // a view that is to be drawn
+  {
+    std::unique_ptr<OtherView>& View;
+    vtkIdType& RenderCount;
+    const char* Name;    // for errors
+    const char* Without; // what the water shows then
+    bool IsDirect;       // Choice
+    bool IsDepth;        // Draft
+  };
+  // Plans the view, revises the plan, and carries it out.
+  vtkWaterError RenderOther(const Frame& frame, Attempt& attempt, water_scene& scene, water_plan& plan,
+    const Other& other);
+  vtkWaterError DrawOther(const Frame& frame, Attempt& attempt, const Choice& choice,
+    const water_scene& scene, water_plan& plan, std::vector<water_cull_reason>& reasons,
+    const Other& other);
+  static void ReleaseOther(std::unique_ptr<OtherView>& view, vtkWindow* window);
   // Of what is chosen: the props, what they look like, and how they are drawn.
   static vtkProp* GetDrawn(const Frame& frame, const Choice& choice, size_t i);
   static void FindDrawn(
@@ -261,6 +278,7 @@ private:
   water_plan Plan = water_plan(); // of the last frame; const from the third step on
   bool HasView = false;           // the plan's, unless it could not be carried out
   bool HasOwnView = false;        // of that frame
+  bool HasSunView = false;
   water_quality_choice Quality = water_quality_choice();
   FrameReport Report;
   vtkWeakPointer<vtkRenderer> PlannedFor;

@@ -67,8 +67,7 @@ void AddLook(const vtkWaterLook& look, Numbers& numbers)
       static_cast<double>(look.Lookup), look.OffsetScale, static_cast<double>(look.RayTraceSteps),
       static_cast<double>(look.RayTraceProbes), static_cast<double>(look.RayTraceRays),
       static_cast<double>(look.RayTraceLayers), look.RayTraceFootprint,
-      static_cast<double>(look.Output), look.CastsShadows ? 1.0 : 0.0,
-      look.Environment ? 1.0 : 0.0 });
+      static_cast<double>(look.Output), look.Environment ? 1.0 : 0.0 });
   AddFeatures(look.Has, numbers);
   AddSea(look, numbers);
   AddNormalMaps(look, numbers);

@@ -45,7 +45,7 @@ bool vtkWaterReflection::RenderView(
   const Frame& frame, const std::vector<vtkWaterSource*>& waters, vtkWaterError& error)
 {
   this->Report.JoinedPixels = 0;
-  this->HasOwnView = false;
+  this->HasOwnView = this->HasSunView = false;
   if (frame.RanksError)
   {
     this->RenderNothing(frame, waters, *frame.RanksError);
@@ -70,8 +70,8 @@ bool vtkWaterReflection::RenderView(
     if (!isAgain)
     {
       error = this->Commit(frame, attempt);
-      const vtkWaterError ofOwnView = this->RenderOwnView(frame, attempt);
-      error = error.Text.empty() ? ofOwnView : error;
+      const vtkWaterError ofOthers = this->RenderOtherViews(frame, attempt);
+      error = error.Text.empty() ? ofOthers : error;
     }
   } while (isAgain);
   return true;

@@ -77,10 +77,6 @@ void vtkWaterSurfaceShader::BeginMedium(const int viewport_px[4])
   const bool isOwn = this->HasOwnView();
   this->Use("waterSceneColor", isOwn ? own.Color : this->Backdrop.GetColor());
   this->Use("waterSceneDepth", isOwn ? own.Depth : this->Backdrop.GetDepth());
-  if (this->Has(WATER_FEATURE_SHADOWS))
-  {
-    this->Use("waterPictureDepth", this->Backdrop.GetDepth());
-  }
   std::fill_n(this->PictureScale, 2, 1.0);
   if (isOwn)
   {

@@ -346,6 +346,10 @@ void vtkWaterSurfaceShader::Begin(const vtkWaterSnapshotPointer& water, const In
       this->Use("waterPeelBehindDepth", inputs.PeelDepth);
     }
   }
+  if (inputs.Plan && this->Has(WATER_FEATURE_SHADOWS) && inputs.SunView.Depth)
+  {
+    this->Use("waterSunView", inputs.SunView.Depth);
+  }
   if (inputs.Plan && this->Has(WATER_FEATURE_HULLS))
   {
     this->UploadHulls();

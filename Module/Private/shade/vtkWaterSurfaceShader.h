@@ -51,6 +51,14 @@ public:
     const double* PictureScale = nullptr; // part of it that the eye sees, per axis
   };
 
+  // What keeps the sun off; depth nullptr: nothing does, or it is not known.
+  struct Shade
+  {
+    vtkTextureObject* Depth = nullptr;
+    double Scale = 0.0; // water_plan.sun_view_depth
+    double Bottom = 0.0;
+  };
+
   // What is drawn.
   struct Inputs
   {
@@ -61,6 +69,7 @@ public:
     vtkTextureObject* ReflectionDepth = nullptr;
     Layer Translucent;
     Beyond OwnView;
+    Shade SunView;
     vtkTextureObject* PeelColor = nullptr; // nullptr: there is no peel
     vtkTextureObject* PeelDepth = nullptr;
     int MostSteps = 0; // of the march

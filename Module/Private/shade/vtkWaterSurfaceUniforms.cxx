@@ -355,7 +355,13 @@ void vtkWaterSurfaceShader::SetSunParameters(vtkShaderProgram* program)
   uniforms::Set(program, "waterFoamUnit", look.MetresPerUnit);
   uniforms::Set(program, "waterFoamTurn", water_lookup_pattern_turn(this->Water->Time));
   uniforms::Set(program, "waterRollsOff", plan.rolls_off && look.RollsOff ? 1 : 0);
-  uniforms::Set(program, "waterLeastLight", plan.least_light);
+  const Shade& shade = this->Drawn.SunView;
+  const double depth[3] = { shade.Scale, shade.Bottom, shade.Depth ? 1.0 : 0.0 };
+  uniforms::Set3(program, "waterSunViewDepth", depth);
+  if (this->Has(WATER_FEATURE_SHADOWS) && !shade.Depth)
+  {
+    this->SetNoTexture(program, "waterSunView");
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -63,7 +63,7 @@ static inline void fuzz_scene(fuzz_input* from, water_prop* props, water_scene* 
   memset(scene, 0, sizeof *scene);
   const uint8_t flags = fuzz_byte(from);
   scene->has_waves = flags & 1;
-  scene->has_shadows = flags & 2;
+  scene->is_from_sun = flags & 2;
   scene->has_environment = flags & 4;
   scene->has_sun = flags & 8;
   scene->hides_above = flags & 16;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkWaterReflectionOwnView.cxx: the part of vtkWaterReflection that renders the own view of clear
-// water (water_beyond.h), in the same five steps as the mirrored view and after it. What is
-// gathered is the same.
+// vtkWaterReflectionOtherViews.cxx: the part of vtkWaterReflection that renders the own view of
+// clear water (water_beyond.h) and the sun view (water_sun_view.h), in the same five steps as the
+// mirrored view and after it. What is gathered is the same.
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLRenderer.h"
 #include "vtkProp.h"
@@ -40,38 +40,79 @@ water_scene vtkWaterReflection::ReadOwnScene(
 }
 
 //------------------------------------------------------------------------------
-void vtkWaterReflection::ReleaseOwnView(View& view, vtkWindow* window)
+void vtkWaterReflection::ReleaseOther(std::unique_ptr<OtherView>& view, vtkWindow* window)
 {
-  if (view.Own && !view.Own->Drawn.GetIsDrawing()) // else who draws it does it
+  if (view && !view->Drawn.GetIsDrawing()) // else who draws it does it
   {
-    view.Own->Drawn.ReleaseGraphicsResources(window);
-    view.Own = nullptr;
+    view->Drawn.ReleaseGraphicsResources(window);
+    view = nullptr;
   }
+}
+
+//------------------------------------------------------------------------------
+vtkWaterError vtkWaterReflection::RenderOtherViews(const Frame& frame, Attempt& attempt)
+{
+  const vtkWaterError ofOwnView = this->RenderOwnView(frame, attempt);
+  const vtkWaterError ofSunView = this->RenderSunView(frame, attempt);
+  return ofOwnView.Text.empty() ? ofSunView : ofOwnView;
 }
 
 //------------------------------------------------------------------------------
 vtkWaterError vtkWaterReflection::RenderOwnView(const Frame& frame, Attempt& attempt)
 {
-  vtkWaterError error;
-  View& view = *attempt.Drawn;
   this->Report.OwnViewDecision = WATER_NOT_PLANNED;
+  View& view = *attempt.Drawn;
+  const Other other = { view.Own, this->Report.OwnViewRenderCount, "own view of refraction",
+    "The water shows what the picture has of the scene below (RefractionSource).", true, false };
   const bool isWanted = !this->Ranks.AreSeveral() && !frame.Primary &&
     std::any_of(attempt.Waters.begin(), attempt.Waters.end(),
       [](const vtkWaterSnapshotPointer& water) { return water->WantsOwnView(); });
   if (!isWanted)
   {
-    this->ReleaseOwnView(view, frame.Renderer->GetRenderWindow());
-    return error;
-  }
-  if (this->GetPlannedView() != &view || attempt.IsAborted ||
-    this->Report.Decision == WATER_NO_REFLECT_FAILED)
-  {
-    return error; // the plain colour is shown
+    ReleaseOther(view.Own, frame.Renderer->GetRenderWindow());
+    return vtkWaterError();
   }
   std::vector<water_prop> props;
   water_scene scene = this->ReadOwnScene(frame, props);
+  water_plan plan = water_plan();
+  vtkWaterError error = this->RenderOther(frame, attempt, scene, plan, other);
+  this->Report.OwnViewDecision = plan.decision;
+  this->HasOwnView = water_plan_has_reflection(&plan);
+  return error;
+}
+
+//------------------------------------------------------------------------------
+vtkWaterError vtkWaterReflection::RenderSunView(const Frame& frame, Attempt& attempt)
+{
+  View& view = *attempt.Drawn;
+  const Other other = { view.Sun, this->Report.SunViewRenderCount, "sun view",
+    "Nothing casts shadows on the water (Shadows).", false, true };
+  const bool isWanted = !this->Ranks.AreSeveral() && !frame.Primary &&
+    std::any_of(attempt.Waters.begin(), attempt.Waters.end(),
+      [](const vtkWaterSnapshotPointer& water) { return water->WantsSunView(); });
+  if (!isWanted)
+  {
+    ReleaseOther(view.Sun, frame.Renderer->GetRenderWindow());
+    return vtkWaterError();
+  }
+  water_scene scene = this->Gathered.Scene;
+  scene.is_from_sun = true;
+  water_plan plan = water_plan();
+  vtkWaterError error = this->RenderOther(frame, attempt, scene, plan, other);
+  this->HasSunView = water_plan_has_reflection(&plan);
+  return error;
+}
+
+//------------------------------------------------------------------------------
+vtkWaterError vtkWaterReflection::RenderOther(
+  const Frame& frame, Attempt& attempt, water_scene& scene, water_plan& plan, const Other& other)
+{
+  if (this->GetPlannedView() != attempt.Drawn.get() || attempt.IsAborted ||
+    this->Report.Decision == WATER_NO_REFLECT_FAILED)
+  {
+    return vtkWaterError(); // the plain colour is shown
+  }
   std::vector<water_cull_reason> reasons(scene.prop_count, WATER_CULL_NONE);
-  water_plan plan;
   // what is wrong with the scene is told by the mirrored view's plan
   (void)water_plan_make(&scene, &plan, reasons.data());
   const bool isAsked = water_plan_has_reflection(&this->Plan);
@@ -80,33 +121,35 @@ vtkWaterError vtkWaterReflection::RenderOwnView(const Frame& frame, Attempt& att
     scene.is_hidden = true;
     (void)water_plan_make(&scene, &plan, reasons.data());
   }
-  if (plan.decision == WATER_REFLECT)
-  {
-    error = this->DrawOwnView(frame, attempt, { plan, reasons, true }, scene, plan, reasons);
-  }
-  this->Report.OwnViewDecision = plan.decision;
-  this->HasOwnView = water_plan_has_reflection(&plan);
-  return error;
+  return plan.decision == WATER_REFLECT
+    ? this->DrawOther(
+        frame, attempt, { plan, reasons, other.IsDirect }, scene, plan, reasons, other)
+    : vtkWaterError();
 }
 
 //------------------------------------------------------------------------------
-vtkWaterError vtkWaterReflection::DrawOwnView(const Frame& frame, Attempt& attempt,
+vtkWaterError vtkWaterReflection::DrawOther(const Frame& frame, Attempt& attempt,
   const Choice& choice, const water_scene& scene, water_plan& plan,
-  std::vector<water_cull_reason>& reasons)
+  std::vector<water_cull_reason>& reasons, const Other& other)
 {
   vtkWaterError error;
   View& view = *attempt.Drawn;
   auto* window = static_cast<vtkOpenGLRenderWindow*>(frame.Renderer->GetRenderWindow());
-  if (!view.Own)
+  if (!other.View)
   {
-    view.Own = std::make_unique<OwnView>();
+    other.View = std::make_unique<OtherView>();
   }
-  OwnView& own = *view.Own;
+  OtherView& own = *other.View;
   vtkWaterMirroredView::Draft draft;
   draft.Hook = frame.Hook;
-  draft.Sky = this->Gathered.Sky;
-  draft.CanCut = (this->Settings.skips & WATER_MAY_SKIP_CLUSTERS) != 0;
+  draft.IsDepth = other.IsDepth;
+  // which triangles a pixel shows is known of cameras' own projections
+  draft.CanCut = !other.IsDepth && (this->Settings.skips & WATER_MAY_SKIP_CLUSTERS) != 0;
   draft.Shadows = vtkWaterShadows::Find(frame.Renderer);
+  if (!other.IsDepth)
+  {
+    draft.Sky = this->Gathered.Sky;
+  }
   FindDrawn(frame, attempt, choice, draft.Props);
   vtkWaterSignature signature;
   this->Sign(frame, choice, draft, signature);
@@ -132,9 +175,8 @@ vtkWaterError vtkWaterReflection::DrawOwnView(const Frame& frame, Attempt& attem
   else if (failure)
   {
     plan.decision = WATER_NO_REFLECT_FAILED;
-    error.Kind = std::string("own view of refraction: ") + failure;
-    error.Text =
-      error.Kind + ". The water shows what the picture has of the scene below (RefractionSource).";
+    error.Kind = std::string(other.Name) + ": " + failure;
+    error.Text = error.Kind + ". " + other.Without;
   }
   else if (window->GetAbortRender() || frame.Hook->Failures.TakeMirrored())
   {
@@ -142,7 +184,7 @@ vtkWaterError vtkWaterReflection::DrawOwnView(const Frame& frame, Attempt& attem
   }
   else
   {
-    ++this->Report.OwnViewRenderCount;
+    ++other.RenderCount;
     own.DrawnPlan = plan;
     own.DrawnSignature = signature;
     error = Describe(own.Drawn.GetShortage());

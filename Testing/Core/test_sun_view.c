@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// test_sun_view.c: the sun view: what lies on one ray to the sun lies in one place of it, the
+// highest thing first, and that place is the water's own pixel.
+#include "test_scene.h"
+
+#include "water_sun_view.h"
+
+static const uint32_t visible = WATER_PROP_VISIBLE;
+
+// Sets a sun over a scene's water, not lower than 6 degrees.
+static void roll_sun(dice* from, random_scene* random, double to_sun[3])
+{
+  do
+  {
+    dice_dir(from, to_sun);
+  } while (dot(to_sun, random->normal) < 0.1);
+  memcpy(random->scene.sun_dir, to_sun, sizeof random->scene.sun_dir);
+  random->scene.has_sun = random->scene.is_from_sun = true;
+}
+
+// Is the eye on the side that the normal points to? The sun view is for no other.
+static bool is_above(const random_scene* random)
+{
+  return dot(random->normal, random->scene.plane.normal) > 0.0;
+}
+
+// Every point of a ray from the water to the sun is seen at the pixel where the eye sees the water,
+// at a depth that tells its height.
+TEST(a_ray_to_the_sun_is_one_pixel)
+{
+  dice from = dice_seeded(71);
+  const double center[3] = { 0.0, 0.0, 0.0 };
+  water_prop prop = { { 0.0 }, visible, 0.0f };
+  int count = 0;
+  for (int number = 0; number < 120; ++number)
+  {
+    random_scene random = scene_rolled(&from, number, center);
+    double to_sun[3];
+    roll_sun(&from, &random, to_sun);
+    for (int i = 0; i < 6; ++i)
+    {
+      prop.bounds[i] = random.target[i / 2] + (i % 2 ? 1.0 : -1.0);
+    }
+    random.scene.props = &prop;
+    random.scene.prop_count = 1;
+    if (!is_above(&random))
+    {
+      continue;
+    }
+    water_cull_reason reason;
+    const water_plan plan = plan_of(&random.scene, &reason);
+    assert_int_equal(plan.decision, WATER_REFLECT);
+    for (int i = 0; i < 20; ++i)
+    {
+      double water[3];
+      point_near(&from, &random, 2.0, water);
+      const double up = height_of(&random, water);
+      const double length = dice_roll(&from, 0.0, 3.0);
+      double point[3];
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        water[axis] -= up * random.normal[axis];
+        point[axis] = water[axis] + length * to_sun[axis];
+      }
+      double seen[4];
+      double shown[4];
+      project(&random.scene.eye, water, 1.0, seen);
+      project(&plan.mirrored, point, 1.0, shown);
+      ASSERT_CLOSE(shown[0] / shown[3], seen[0] / seen[3], 1e-9);
+      ASSERT_CLOSE(shown[1] / shown[3], seen[1] / seen[3], 1e-9);
+      const double depth = 1.0 -
+        plan.sun_view_depth * (length * dot(to_sun, random.normal) + plan.sun_view_bottom) /
+          seen[3];
+      ASSERT_CLOSE(0.5 + 0.5 * shown[2] / shown[3], depth, 1e-9);
+      ++count;
+    }
+  }
+  assert_true(count > 500);
+}
+
+// A lake with a sun in the south, 45 degrees high.
+static water_scene lake_in_the_sun(const water_prop* props, size_t count)
+{
+  water_scene scene = lake();
+  scene.sun_dir[1] = -1.0;
+  scene.sun_dir[2] = 1.0;
+  scene.has_sun = scene.is_from_sun = scene.is_flat = true;
+  scene.props = props;
+  scene.prop_count = count;
+  return scene;
+}
+
+// What casts its shadow on water that the eye sees is drawn, wherever it is itself.
+TEST(casters_are_drawn_and_nothing_else)
+{
+  const water_prop props[] = {
+    { { -1.0, 1.0, -1.0, 1.0, 1.0, 2.0 }, visible, 0.0f },
+    { { -1.0, 1.0, -41.0, -40.0, 37.0, 45.0 }, visible, 0.0f },  // behind the eye, high up
+    { { -1.0, 1.0, -41.0, -40.0, 1.0, 2.0 }, visible, 0.0f },    // its shadow is behind, too
+    { { -1.0, 1.0, -1.0, 1.0, -2.0, -1.0 }, visible, 0.0f },     // under the water
+    { { 90.0, 91.0, -1.0, 1.0, 1.0, 2.0 }, visible, 0.0f },      // beside the picture
+    { { -1.0, 1.0, -1.0, 1.0, 1.0, 2.0 }, 0, 0.0f },
+    { { -1.0, 1.0, -1.0, 1.0, 1.0, 2.0 }, visible | WATER_PROP_IS_WATER, 0.0f },
+    { { -1.0, 1.0, -1.0, 1.0, 1.0, 2.0 }, visible | WATER_PROP_NO_BOUNDS, 0.0f }, // a skybox
+    { { -99.0, 99.0, -99.0, 99.0, -99.0, 99.0 }, visible, 0.0f },                 // a dome
+  };
+  const bool expected[] = { true, true, false, false, false, false, false, false, false };
+  enum
+  {
+    COUNT = sizeof props / sizeof props[0]
+  };
+  const water_scene scene = lake_in_the_sun(props, COUNT);
+  water_cull_reason reasons[COUNT];
+  const water_plan plan = plan_of(&scene, reasons);
+  assert_int_equal(plan.decision, WATER_REFLECT);
+  for (int i = 0; i < COUNT; ++i)
+  {
+    assert_int_equal(reasons[i] == WATER_CULL_NONE, expected[i]);
+  }
+}
+
+// Without a sun over the water, or anything over it, there is no view.
+TEST(without_sun_or_casters_there_is_no_view)
+{
+  const water_prop post = { { -1.0, 1.0, -1.0, 1.0, 1.0, 2.0 }, visible, 0.0f };
+  const water_prop bed = { { -1.0, 1.0, -1.0, 1.0, -2.0, -1.0 }, visible, 0.0f };
+  water_cull_reason reason;
+  water_scene scene = lake_in_the_sun(&post, 1);
+  assert_int_equal(plan_of(&scene, &reason).decision, WATER_REFLECT);
+  scene.has_sun = false;
+  assert_int_equal(plan_of(&scene, &reason).decision, WATER_NO_REFLECT_OUT_OF_VIEW);
+  scene.has_sun = true;
+  scene.sun_dir[2] = -1.0;
+  assert_int_equal(plan_of(&scene, &reason).decision, WATER_NO_REFLECT_OUT_OF_VIEW);
+  scene = lake_in_the_sun(&bed, 1);
+  assert_int_equal(plan_of(&scene, &reason).decision, WATER_NO_REFLECT_OUT_OF_VIEW);
+}
+
+// The camera is a rigid view, and things in the picture are before its near plane.
+TEST(nothing_that_casts_a_shadow_is_cut)
+{
+  const water_prop tower = { { -1.0, 1.0, -1.0, 1.0, 0.0, 500.0 }, visible, 0.0f };
+  const water_scene scene = lake_in_the_sun(&tower, 1);
+  water_cull_reason reason;
+  const water_plan plan = plan_of(&scene, &reason);
+  ASSERT_CLOSE(determinant3(plan.mirrored.world_to_view), 1.0, 1e-12);
+  for (int i = 0; i <= 8; ++i)
+  {
+    const double height = 0.01 + i; // of what casts a shadow into the picture
+    const double point[3] = { 0.0, -height, height };
+    double clip[4];
+    project(&plan.mirrored, point, 1.0, clip);
+    assert_true(is_inside(clip));
+  }
+}
+
+TESTS(a_ray_to_the_sun_is_one_pixel, casters_are_drawn_and_nothing_else,
+  without_sun_or_casters_there_is_no_view, nothing_that_casts_a_shadow_is_cut)
