@@ -44,10 +44,17 @@ mirrored view and the surface (GPU). In ms, from frames that were not timed othe
 
 $phases
 
+$effects
 $skips
 Limits:
 
 $limits
+"""
+
+EFFECTS = """Each effect of a water, on and off in one window, the frames in turns, over the terrain of the effects' section; the
+ratio with its quartiles.
+
+$table
 """
 
 SKIPS = """A frame with all skips / the same frame without one of them, in the same round: below 1 the skip saves time.
@@ -104,6 +111,13 @@ def _skips(rows):
     return string.Template(SKIPS).substitute(table=table(("scene", "moves", "kind", *names), lines))
 
 
+def _effects(rows):
+    if not rows:
+        return ""
+    lines = [(row["kind"], f"{row['off_ms']:.2f}", f"{row['median_ms']:.2f}", _spread(row)) for row in rows]
+    return string.Template(EFFECTS).substitute(table=table(("effect", "off, ms", "on, ms", "on / off"), lines))
+
+
 def section():
     """The section's text; None: nothing is kept."""
     kept = json.loads(KEPT.read_text()) if KEPT.is_file() else {}
@@ -120,6 +134,7 @@ def section():
         kinds=table(("kind", ""), kept["kinds"].items()),
         frames="\n\n".join(f"**{MOTIONS[motion]}**\n\n{_frames(frames, motion)}" for motion in motions),
         phases=_phases(frames),
+        effects=_effects([row for row in kept["rows"] if row["section"] == "effects"]),
         skips=_skips([row for row in kept["rows"] if row["section"] == "skips"]),
         limits=table(("figure", "value", "limit", ""), [
             tuple(each[name] for name in ("figure", "value", "limit", "verdict")) for each in kept["limits"]]),

@@ -5,6 +5,7 @@
     script/gpu benchmark --skips                  and each skip against the same frame without it
     script/gpu benchmark --only-skips             the latter alone
     script/gpu benchmark --scenes '2 M' --kinds calm sines
+    script/gpu benchmark --scenes effects         each effect of a water, on and off, without the rest
     script/gpu benchmark --quick                  small everything: does it run?
 
 Writes benchmarks-gpu.json into $OUT or --folder; kept as Documentation/benchmarks-gpu.json, `gpu` puts
@@ -13,6 +14,7 @@ it into the report. Exit status 1: a limit was exceeded; those of a quick run ar
     gpu_scenes    what is drawn
     gpu_kinds     without water, with each water, and what a user could do in its place
     gpu_data      a solver's data, with new arrays in every frame
+    effect_scenes each effect of a water, on and off; also those of script/benchmark
     gpu_rounds    frames that take turns
     gpu_clock     the GPU's own time
     gpu_limits    what is allowed
@@ -29,7 +31,8 @@ PROJECT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.append(str(PROJECT / "Utilities" / "Accuracy"))  # driver
 sys.path.append(str(PROJECT / "Testing" / "Python"))  # water_test
 
-import gpu_data  # noqa: E402  after their paths
+import effect_scenes  # noqa: E402  after their paths
+import gpu_data  # noqa: E402
 import gpu_kinds  # noqa: E402
 import gpu_limits  # noqa: E402
 import gpu_rounds  # noqa: E402
@@ -64,11 +67,14 @@ BUDGET_S, BUDGETS_S = 20.0, {"1,000 props": 45.0, "data": 60.0}  # what the proc
 SKIP_BUDGETS_S = {"2 M": 22.0, "18 M": 30.0, "1,000 props": 60.0}
 SHEET_WIDTH, SHEET_COLUMNS = 480, 3  # of a sheet of pictures: px of one, how many in a row
 WAKE_S = 2.0  # of frames before a scene's first round: an idle GPU raises its clock only then
+EFFECTS = "effects"  # in place of a scene
+EFFECTS_TEXT = "the terrain, each effect of the water on and off"
+EFFECT_ROUNDS, EFFECT_BUDGET_S, QUICK_EFFECT_BUDGET_S = 60, 1.5, 0.2  # a pair
 
 
 def arguments_of():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    names = list(gpu_scenes.scenes(False))
+    names = [*gpu_scenes.scenes(False), EFFECTS]
     parser.add_argument("--scenes", nargs="+", choices=names, default=names)
     parser.add_argument("--kinds", nargs="+", choices=[*gpu_kinds.TEXTS], help="beside what they are compared with")
     parser.add_argument("--rounds", type=int, help=f"at most; without it {ROUNDS}, or what the time allows")
@@ -176,6 +182,20 @@ def measure_skips(stage, arguments):
         yield row
 
 
+def measure_effects(arguments):
+    size = gpu_scenes.QUICK_SIZE if arguments.quick else gpu_scenes.FULL_HD
+    rounds = QUICK_ROUNDS if arguments.quick else EFFECT_ROUNDS
+    budget_s = QUICK_EFFECT_BUDGET_S if arguments.quick else EFFECT_BUDGET_S
+    for effect in effect_scenes.EFFECTS:
+        found = effect_scenes.measured(effect, size, rounds, budget_s)
+        ratios = np.array(found.on.times) / np.array(found.off.times)
+        low, ratio, high = np.percentile(ratios, (25, 50, 75))
+        yield {"section": EFFECTS, "scene": EFFECTS, "motion": MOVING, "kind": found.name, "base": "off",
+               "width": size[0], "height": size[1], "rounds": len(ratios), "off_ms": found.off.median,
+               "median_ms": found.on.median, "work_ms": found.on.work, "ratio": ratio, "ratio_q1": low,
+               "ratio_q3": high, "changed": found.changed}
+
+
 def picture(stage, name):
     kind = stage.choose(name)
     motion = next(iter(SHOTS.get(stage.scene.name, FEW)))
@@ -212,8 +232,23 @@ def main():
     found = machine.describe()
     print(*(f"{name}: {value}" for name, value in found.items()), sep="\n", flush=True)
     scenes, rows, limits = gpu_scenes.scenes(arguments.quick), [], []
+    texts = {name: scene.text for name, scene in scenes.items()} | {EFFECTS: EFFECTS_TEXT}
+
+    def keep():
+        write(arguments, {"machine": found, "quick": arguments.quick, "scenes": texts, "kinds": gpu_kinds.TEXTS,
+                          "limits": limits, "rows": rows})
+
     for name in arguments.scenes:
         begin = time.perf_counter()
+        if name == EFFECTS:
+            print(f"{name}: {EFFECTS_TEXT}", flush=True)
+            for row in measure_effects(arguments):
+                say(row)
+                rows.append(row)
+            limits = gpu_limits.check(rows, arguments.quick)
+            keep()
+            print(f"  {time.perf_counter() - begin:.0f} s", flush=True)
+            continue
         print(f"{name}: {scenes[name].text}", flush=True)
         view = wt.View(scenes[name].size)
         view.renderer.DrawOff()
@@ -228,9 +263,7 @@ def main():
             save_pictures(stage, arguments.folder)
         stage.close()
         limits = gpu_limits.check(rows, arguments.quick)
-        write(arguments, {"machine": found, "quick": arguments.quick,
-                          "scenes": {name: scene.text for name, scene in scenes.items()},
-                          "kinds": gpu_kinds.TEXTS, "limits": limits, "rows": rows})
+        keep()
         print(f"  {time.perf_counter() - begin:.0f} s", flush=True)
 
     for limit in limits:

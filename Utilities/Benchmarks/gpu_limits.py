@@ -2,6 +2,7 @@
 """gpu_limits: what water may cost on a GPU, as ratios, and whether the rows of gpu_frames keep to it."""
 
 import gpu_data
+from effect_scenes import LEAST_CHANGE
 from gpu_kinds import CALM, FACING_AWAY, HALF, HIDDEN, LAKE, MOVING, OCEAN, OUT_OF_VIEW, SINES, TIME
 
 # Frame with water / frame without; of data: a step as water / as VTK's plain surface.
@@ -21,6 +22,12 @@ SKIP = 1.03  # all skips / all but one
 PIXELS = 0  # that unseen water changes
 
 
+def _is_there(row):
+    """An effect that changes no pixel is not the one that was to be measured."""
+    return {"figure": f"{row['kind']}: share of pixels that it changes", "value": f"{row['changed']:.4f}",
+            "limit": f">= {LEAST_CHANGE:g}", "verdict": "ok" if row["changed"] >= LEAST_CHANGE else "over"}
+
+
 def check(rows, is_quick=False):
     """Figures with their limits, as the report shows them. Times of a quick run are none."""
     found = []
@@ -34,6 +41,8 @@ def check(rows, is_quick=False):
         scene, motion, kind = row["scene"], row["motion"], row["kind"]
         title = f"{scene}, {motion}: {kind}"
         add(f"{title}: pixels that it changes", row.get("pixels"), PIXELS, 0)
+        if row["section"] == "effects":
+            found.append(_is_there(row))
         if is_quick:
             continue
         if row["section"] == "skips":
