@@ -213,13 +213,10 @@ public:
     }
   }
 
-  template <typename Function>
-  void Draw(Function draw) const
-  {
-    draw();
-  }
-
 private:
+  ScopedHole(const ScopedHole&) = delete;
+  void operator=(const ScopedHole&) = delete;
+
   static vtkOpenGLState* StateOf(vtkRenderer* renderer)
   {
     return static_cast<vtkOpenGLRenderer*>(renderer)->GetState();
@@ -387,9 +384,8 @@ void vtkWaterActor::Render(vtkRenderer* renderer, vtkMapper* mapper)
   }
   if (!internal.Surface.GetIsBuffered())
   {
-    ScopedHole(renderer, this, frame.GetReflection(internal).Ranks).Draw([&]() {
-      internal.DrawSurface(internal.Surface, renderer, drawn);
-    });
+    const ScopedHole hole(renderer, this, frame.GetReflection(internal).Ranks);
+    internal.DrawSurface(internal.Surface, renderer, drawn);
   }
   occlusion->End();
   internal.Surface.End();
