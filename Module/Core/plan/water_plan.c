@@ -156,7 +156,8 @@ static water_decision decide(const water_scene* scene, const checked* input)
   {
     return WATER_NO_REFLECT_HIDDEN;
   }
-  return scene->has_environment && is_mirrored(scene) ? WATER_NO_REFLECT_ENVIRONMENT : WATER_REFLECT;
+  return scene->has_environment && is_mirrored(scene) ? WATER_NO_REFLECT_ENVIRONMENT
+                                                      : WATER_REFLECT;
 }
 
 // Which part of the picture the water covers. false: none of what counts of the picture.

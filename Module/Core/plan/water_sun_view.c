@@ -100,8 +100,7 @@ static double select_casters(const water_scene* scene, const water_eye* eye,
   {
     const water_prop* prop = scene->props + i;
     if (reasons[i] == WATER_CULL_NONE &&
-      (water_prop_is_unbounded(prop) ||
-        water_lookup_is_enclosed(plane, eye, prop, 1, reasons + i)))
+      (water_prop_is_unbounded(prop) || water_lookup_is_enclosed(plane, eye, prop, 1, reasons + i)))
     {
       reasons[i] = WATER_CULL_OUT_OF_WATER;
     }
@@ -184,8 +183,8 @@ water_status water_sun_view_plan(const water_scene* scene, const water_plane* pl
   plan->headlight_dir[2] = -1.0;
   // waves are looked up where the plane is below or above them, which may be elsewhere
   const bool is_level = scene->is_flat && (scene->settings.skips & WATER_MAY_SKIP_PIXELS);
-  water_target_rect(is_level ? box : whole, plan->reflection_scale, plan->texture_px,
-    plan->texture_rect_px);
+  water_target_rect(
+    is_level ? box : whole, plan->reflection_scale, plan->texture_px, plan->texture_rect_px);
   water_selection selection;
   memset(&selection, 0, sizeof selection);
   selection.is_off = true;

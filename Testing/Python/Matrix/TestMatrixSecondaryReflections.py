@@ -2,14 +2,11 @@
 """Row Secondary reflections of the mirror matrix: other waters in a mirrored view reflect the scene, with one bounce."""
 
 import mirror_matrix as mm
-import numpy as np
 import water_test as wt
-from mirror_waters import Sheet, add_plain, from_below, gradient, mirrored_with, parallel, pixels_of, things
+from mirror_waters import FIRST, LEVEL, Sheet, apart, composed, from_below, gradient, mirrored_with, parallel, things
 from vtkwater import vtkWaterReflectionPass as Pass
 
 row = mm.Results("Secondary reflections", __file__)
-LEVEL = (0, 0, 1)
-FIRST = Sheet((0, 0, 0), LEVEL, mm.SHEET, reflectance=1.0)
 WALL_PLACE = (0, 3, 0), (0.7, -1, -0.25), (-6, 6, -3, 5)  # leans over the things, which it shows from behind
 WALL = Sheet(*WALL_PLACE, reflectance=0.7)
 RAMP = Sheet((-2.6, 1, 1.2), (0.9, -0.35, -0.3), (-2.5, 2.5, -2.2, 2.5), reflectance=0.7)
@@ -29,22 +26,9 @@ def show(name, fill, others, prepare=None, reason=None, exact=True):
     seen = scene.pixels()
     wt.check_equal(f"{name}: errors", sum(errors, []), [])
     renders = waters[0].GetReflectionPass().GetNumberOfSecondaryRenders()
-    of_others = np.any([pixels_of(scene, waters, i) for i in range(1, len(waters))], axis=0)
-    pixels = pixels_of(scene, waters, 0) & ~of_others
-    for water in waters:
-        water.VisibilityOff()
-    without = scene.pixels()
-    without[of_others] = seen[of_others]  # they have a mirrored picture of their own
-
-    def composed(bounces):
-        truth = mm.Scene(mm.COMPOSED)
-        fill(truth)
-        add_plain(truth, FIRST, mirrored_with(fill, FIRST, others, bounces))
-        for other in others:
-            add_plain(truth, other, seen)
-        return truth.pixels()
-
-    row.compare(name, seen, composed(True), without, pixels, composed(False), reason, exact)
+    without, pixels = apart(scene, waters, seen)
+    truth, control = (composed(fill, others, seen, mirrored_with(fill, FIRST, others, bounces)) for bounces in (True, False))
+    row.compare(name, seen, truth, without, pixels, control, reason, exact)
     return renders
 
 

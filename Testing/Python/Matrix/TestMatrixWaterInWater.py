@@ -4,14 +4,12 @@
 import mirror_matrix as mm
 import numpy as np
 import water_test as wt
-from mirror_waters import Sheet, add_plain, from_below, gradient, mirrored_with, parallel, pixels_of, things
+from mirror_waters import FIRST, LEVEL, Sheet, apart, composed, from_below, gradient, mirrored_with, parallel, things
 from vtkmodules.vtkFiltersCore import vtkTriangleFilter
 from vtkmodules.vtkFiltersSources import vtkDiskSource
 from vtkwater import vtkWaterReflectionPass as Pass
 
 row = mm.Results("Water in water", __file__)
-LEVEL = (0, 0, 1)
-FIRST = Sheet((0, 0, 0), LEVEL, mm.SHEET, reflectance=1.0)
 
 
 def show(name, fill, others, prepare=None, reason=None, wrong=(), exact=True):
@@ -23,22 +21,9 @@ def show(name, fill, others, prepare=None, reason=None, wrong=(), exact=True):
         prepare(waters)
     seen = scene.pixels()
     renders = [water.GetReflectionPass().GetNumberOfReflectionRenders() for water in waters]
-    of_others = np.any([pixels_of(scene, waters, i) for i in range(1, len(waters))], axis=0)
-    pixels = pixels_of(scene, waters, 0) & ~of_others
-    for water in waters:
-        water.VisibilityOff()
-    without = scene.pixels()
-    without[of_others] = seen[of_others]  # they have a mirrored picture of their own
-
-    def composed(inside):
-        truth = mm.Scene(mm.COMPOSED)
-        fill(truth)
-        add_plain(truth, FIRST, mirrored_with(fill, FIRST, inside))
-        for other in others:
-            add_plain(truth, other, seen)
-        return truth.pixels()
-
-    row.compare(name, seen, composed(others), without, pixels, composed(wrong), reason, exact)
+    without, pixels = apart(scene, waters, seen)
+    truth, control = (composed(fill, others, seen, mirrored_with(fill, FIRST, inside)) for inside in (others, wrong))
+    row.compare(name, seen, truth, without, pixels, control, reason, exact)
     return renders
 
 

@@ -56,6 +56,10 @@ class Sheet:
         return water
 
 
+LEVEL = (0, 0, 1)
+FIRST = Sheet((0, 0, 0), LEVEL, ms.SHEET, reflectance=1.0)  # whose mirrored picture has the others
+
+
 def composite_of(scene):
     """World to clip of the scene's camera, 4 x 4."""
     matrix = scene.camera.GetCompositeProjectionTransformMatrix(scene.renderer.GetTiledAspectRatio(), -1, 1)
@@ -236,3 +240,24 @@ def pixels_of(scene, waters, number):
         look.SetReflectance(reflectance)
         look.SetDeepColor(color)
     return np.abs(pictures[0] - pictures[1]).max(axis=2) > 0
+
+
+def apart(scene, waters, seen):
+    """The picture without water, but with the others' pixels as seen; the pixels of the first water alone."""
+    of_others = np.any([pixels_of(scene, waters, i) for i in range(1, len(waters))], axis=0)
+    pixels = pixels_of(scene, waters, 0) & ~of_others
+    for water in waters:
+        water.VisibilityOff()
+    without = scene.pixels()
+    without[of_others] = seen[of_others]  # they have a mirrored picture of their own
+    return without, pixels
+
+
+def composed(fill, others, seen, mirrored):
+    """The picture with ordinary sheets in place of the waters: the first shows a mirrored picture, the others what is seen."""
+    truth = ms.Scene(ms.COMPOSED)
+    fill(truth)
+    add_plain(truth, FIRST, mirrored)
+    for other in others:
+        add_plain(truth, other, seen)
+    return truth.pixels()
