@@ -113,8 +113,8 @@ TEST(features_of_every_look_follow_the_rules)
     assert_int_equal(water_features_is_displaced(&look), (has & GEOMETRY) && (has & MOVERS));
     assert_int_equal(
       water_features_has_shadows(&look), (expected_of(has) & WATER_FEATURE_SHADOWS) != 0);
-    assert_int_equal(water_features_is_of_sines(&look),
-      !(has & (OFFSET | SEA | GEOMETRY | NORMAL_MAPS | SLOPES)));
+    assert_int_equal(
+      water_features_is_of_sines(&look), !(has & (OFFSET | SEA | GEOMETRY | NORMAL_MAPS | SLOPES)));
   }
 }
 
@@ -439,7 +439,8 @@ static bool is_empty(const char* slot, water_feature_set features)
     return !(features & WATER_FEATURE_ROUGH);
   }
   if (strcmp(slot, "attenuation") == 0 || strcmp(slot, "refraction") == 0 ||
-    strcmp(slot, "ground") == 0 || strcmp(slot, "shafts") == 0 || strcmp(slot, "others") == 0)
+    strcmp(slot, "picture") == 0 || strcmp(slot, "ground") == 0 || strcmp(slot, "shafts") == 0 ||
+    strcmp(slot, "others") == 0)
   {
     return !(features & WATER_FEATURE_MEDIUM);
   }
@@ -544,8 +545,8 @@ TEST(slots_stand_in_their_order)
     "highlights", "cover", "measure", "gain", "cell", "place", "under", "height", "clarity",
     "point", "pixel", "hulls", "sky", "floor", "tile", "slope", "sines", "tiles", "folds", "sea",
     "normal_maps", "flow", "waves", "output", "reflection", "dome", "walk", "behind", "layer",
-    "blur", "caustics", "medium", "shafts", "others", "refraction", "ground", "facet_slopes",
-    "facets", "rays", "shadows", "glitter", "whitecaps", "foam_data", "foam", "sun",
+    "blur", "caustics", "picture", "medium", "shafts", "others", "refraction", "ground",
+    "facet_slopes", "facets", "rays", "shadows", "glitter", "whitecaps", "foam_data", "foam", "sun",
     "port", "surface" };
   static const char* const vertex[] = { "cell", "tiles", "sea", "displacement", "heights", "slopes",
     "flow", "matter", "foam", "depth" };

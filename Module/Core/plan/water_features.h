@@ -184,6 +184,8 @@ WATER_FEATURE_LIST(WATER_FEATURE_VALUE)
   X(blur, vtkWaterNoBlurFS, WATER_FEATURE_FLAG(ENVIRONMENT), 0, "none")                            \
   X(caustics, vtkWaterCausticsFS, WATER_FEATURE_FLAG(CAUSTICS), 0, "light that waves focus")       \
   X(caustics, vtkWaterNoCausticsFS, 0, WATER_FEATURE_FLAG(CAUSTICS), "none")                       \
+  X(picture, vtkWaterMediumPictureFS, WATER_FEATURE_FLAG(MEDIUM), 0,                               \
+    "what is below the surface, as a picture with depths")                                         \
   X(medium, vtkWaterMediumFS, WATER_FEATURE_FLAG(MEDIUM), 0,                                       \
     "the scene, refracted and attenuated")                                                         \
   X(medium, vtkWaterNoMediumFS, 0, WATER_FEATURE_FLAG(MEDIUM), "the water's own colour")           \

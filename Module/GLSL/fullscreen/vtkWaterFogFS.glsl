@@ -10,7 +10,7 @@ uniform sampler2D waterSceneColor;
 uniform sampler2D waterSceneDepth; // 1: background
 uniform mat3 waterNdcToRay;        // as in vtkWaterPointFS.glsl
 uniform mat4 waterDirToEye;
-uniform vec4 waterHeightClip; // as in vtkWaterMediumFS.glsl
+uniform vec4 waterHeightClip; // as in vtkWaterMediumPictureFS.glsl
 uniform float waterSide;      // of the eye: 1 over the water, -1 under it
 uniform vec4 waterClipW;
 uniform vec3 waterDeepColor;

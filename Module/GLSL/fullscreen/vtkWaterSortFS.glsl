@@ -15,7 +15,7 @@ uniform int waterSampleCount;
 uniform vec2 waterSamplePlaces[32]; // pixels, from the middle
 uniform vec4 waterSampleRect;       // of the picture in its framebuffer: x, y, width, height in pixels
 uniform vec4 waterSamplePart;       // of that what is drawn
-uniform vec4 waterHeightClip;       // as in vtkWaterMediumFS.glsl
+uniform vec4 waterHeightClip;       // as in vtkWaterMediumPictureFS.glsl
 
 const float WATER_SORT_BENT = 1.5; // a plane's depths are not so many times as far apart as its slope has them
 const float WATER_SORT_NEARLY = 0.9999999; // the background

@@ -9,7 +9,7 @@
 in vec2 texCoord;
 uniform sampler2D waterBedSource; // window depths of the picture, or the draw before
 uniform int waterBedStep;         // 0 to 3
-uniform vec4 waterHeightClip;     // as in vtkWaterMediumFS.glsl
+uniform vec4 waterHeightClip;     // as in vtkWaterMediumPictureFS.glsl
 uniform vec4 waterClipW;
 uniform vec2 waterBedBlock;       // of the picture, a texel's sides as parts of it
 uniform float waterCausticDepth;  // where nothing is known
