@@ -95,10 +95,10 @@ TEST(casters_are_drawn_and_nothing_else)
 {
   const water_prop props[] = {
     { { -1.0, 1.0, -1.0, 1.0, 1.0, 2.0 }, visible, 0.0f },
-    { { -1.0, 1.0, -41.0, -40.0, 37.0, 45.0 }, visible, 0.0f },  // behind the eye, high up
-    { { -1.0, 1.0, -41.0, -40.0, 1.0, 2.0 }, visible, 0.0f },    // its shadow is behind, too
-    { { -1.0, 1.0, -1.0, 1.0, -2.0, -1.0 }, visible, 0.0f },     // under the water
-    { { 90.0, 91.0, -1.0, 1.0, 1.0, 2.0 }, visible, 0.0f },      // beside the picture
+    { { -1.0, 1.0, -41.0, -40.0, 37.0, 45.0 }, visible, 0.0f }, // behind the eye, high up
+    { { -1.0, 1.0, -41.0, -40.0, 1.0, 2.0 }, visible, 0.0f },   // its shadow is behind, too
+    { { -1.0, 1.0, -1.0, 1.0, -2.0, -1.0 }, visible, 0.0f },    // under the water
+    { { 90.0, 91.0, -1.0, 1.0, 1.0, 2.0 }, visible, 0.0f },     // beside the picture
     { { -1.0, 1.0, -1.0, 1.0, 1.0, 2.0 }, 0, 0.0f },
     { { -1.0, 1.0, -1.0, 1.0, 1.0, 2.0 }, visible | WATER_PROP_IS_WATER, 0.0f },
     { { -1.0, 1.0, -1.0, 1.0, 1.0, 2.0 }, visible | WATER_PROP_NO_BOUNDS, 0.0f }, // a skybox

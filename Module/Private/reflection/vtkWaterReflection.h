@@ -248,8 +248,8 @@ private:
     bool IsDepth;        // Draft
   };
   // Plans the view, revises the plan, and carries it out.
-  vtkWaterError RenderOther(const Frame& frame, Attempt& attempt, water_scene& scene, water_plan& plan,
-    const Other& other);
+  vtkWaterError RenderOther(
+    const Frame& frame, Attempt& attempt, water_scene& scene, water_plan& plan, const Other& other);
   vtkWaterError DrawOther(const Frame& frame, Attempt& attempt, const Choice& choice,
     const water_scene& scene, water_plan& plan, std::vector<water_cull_reason>& reasons,
     const Other& other);
