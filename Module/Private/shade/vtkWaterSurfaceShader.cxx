@@ -289,6 +289,24 @@ void vtkWaterSurfaceShader::BeginReflection(const int viewport_px[4])
 }
 
 //------------------------------------------------------------------------------
+void vtkWaterSurfaceShader::UseReflection()
+{
+  const Inputs& drawn = this->Drawn;
+  this->Use("waterReflectionDepth", drawn.ReflectionDepth);
+  if (drawn.Translucent.Color)
+  {
+    this->Use("waterOpaque", drawn.Translucent.Opaque);
+    this->Use("waterLayer", drawn.Translucent.Color);
+    this->Use("waterLayerDepth", drawn.Translucent.Depth);
+  }
+  if (this->Has(WATER_FEATURE_PEELED))
+  {
+    this->Use("waterPeelColor", drawn.PeelColor);
+    this->Use("waterPeelBehindDepth", drawn.PeelDepth);
+  }
+}
+
+//------------------------------------------------------------------------------
 void vtkWaterSurfaceShader::Activate()
 {
   for (const auto& [name, texture] : this->Active)
@@ -333,18 +351,7 @@ void vtkWaterSurfaceShader::Begin(const vtkWaterSnapshotPointer& water, const In
   }
   if (inputs.Plan && this->Has(WATER_FEATURE_RAY_TRACED))
   {
-    this->Use("waterReflectionDepth", inputs.ReflectionDepth);
-    if (inputs.Translucent.Color)
-    {
-      this->Use("waterOpaque", inputs.Translucent.Opaque);
-      this->Use("waterLayer", inputs.Translucent.Color);
-      this->Use("waterLayerDepth", inputs.Translucent.Depth);
-    }
-    if (this->Has(WATER_FEATURE_PEELED))
-    {
-      this->Use("waterPeelColor", inputs.PeelColor);
-      this->Use("waterPeelBehindDepth", inputs.PeelDepth);
-    }
+    this->UseReflection();
   }
   if (inputs.Plan && this->Has(WATER_FEATURE_SHADOWS) && inputs.SunView.Depth)
   {

@@ -148,6 +148,7 @@ private:
   void BeginSea();
   void BeginOldFoam();
   void BeginReflection(const int viewport_px[4]);
+  void UseReflection(); // what rays in the reflection texture look up
   void BeginSky();
   void BindSky(const char* name, vtkTexture* texture);
   // Light that waves gather, and the fog that is drawn in it, of textures that are active.
