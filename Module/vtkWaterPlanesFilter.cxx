@@ -32,7 +32,8 @@ namespace
 std::string FindTooFewPoints(vtkPolyData* mesh)
 {
   std::string few;
-  if (!mesh)
+  const auto isTooFew = [](const vtkIdType*, vtkIdType count) { return count < 3; };
+  if (!mesh || !vtkWaterHasCell(mesh->GetPolys(), isTooFew))
   {
     return few;
   }

@@ -177,13 +177,23 @@ void vtkWaterColumns::Spread(vtkPolyData* mesh)
   const auto isUnknown = [this](vtkIdType point) {
     return !vtkMath::IsFinite(this->Levels[static_cast<size_t>(point)]);
   };
+  vtkCellArray* cells = mesh->GetPolys();
+  std::vector<std::vector<vtkIdType>> shores( // cells with known and unknown points, of each block
+    static_cast<size_t>(vtkWaterBlockCount(cells->GetNumberOfCells())));
+  vtkWaterForBlocks(
+    cells->GetNumberOfCells(), [&](vtkIdType block, vtkIdType begin, vtkIdType end) {
+      std::vector<vtkIdType>& found = shores[static_cast<size_t>(block)];
+      vtkWaterForCells(
+        cells, begin, end, [&](vtkIdType cell, const vtkIdType* points, vtkIdType count) {
+          const auto unknown = std::count_if(points, points + count, isUnknown);
+          if (unknown > 0 && unknown < count)
+          {
+            found.push_back(cell);
+          }
+        });
+    });
   std::unordered_map<vtkIdType, Mean> means; // of the points beside the water: few
-  vtkWaterForEachCell(mesh->GetPolys(), [&](vtkIdType, const vtkIdType* points, vtkIdType count) {
-    const auto unknown = std::count_if(points, points + count, isUnknown);
-    if (unknown == 0 || unknown == count)
-    {
-      return;
-    }
+  const auto add = [&](vtkIdType, const vtkIdType* points, vtkIdType count) {
     Mean own;
     std::for_each(points, points + count,
       [&](vtkIdType point) { own.Add(this->Levels[static_cast<size_t>(point)]); });
@@ -194,7 +204,14 @@ void vtkWaterColumns::Spread(vtkPolyData* mesh)
         means[points[i]].Add(own.Get());
       }
     }
-  });
+  };
+  for (const std::vector<vtkIdType>& ofBlock : shores)
+  {
+    for (vtkIdType cell : ofBlock)
+    {
+      vtkWaterForCells(cells, cell, cell + 1, add);
+    }
+  }
   for (const auto& [point, mean] : means)
   {
     this->Levels[static_cast<size_t>(point)] = mean.Get();

@@ -169,6 +169,13 @@ void vtkWaterParts::Find(vtkPolyData* mesh, const double up[3], size_t most)
   this->Fit(mesh, up);
   this->Share(mesh, most);
   this->Cells.assign(this->Planes.size(), {});
+  this->HasOne = this->Planes.size() == 1 && this->IsTight &&
+    std::find(this->PartOfCell.begin(), this->PartOfCell.end(), kNone) == this->PartOfCell.end() &&
+    std::find(this->PlaneOfPart.begin(), this->PlaneOfPart.end(), kNone) == this->PlaneOfPart.end();
+  if (this->HasOne) // nothing will be extracted
+  {
+    return;
+  }
   for (size_t cell = 0; cell < this->PartOfCell.size(); ++cell)
   {
     const int64_t part = this->PartOfCell[cell];
@@ -183,7 +190,7 @@ void vtkWaterParts::Find(vtkPolyData* mesh, const double up[3], size_t most)
 //------------------------------------------------------------------------------
 bool vtkWaterParts::HasAll(size_t plane) const
 {
-  return this->IsTight && this->Cells[plane].size() == this->PartOfCell.size();
+  return this->HasOne || (this->IsTight && this->Cells[plane].size() == this->PartOfCell.size());
 }
 
 //------------------------------------------------------------------------------

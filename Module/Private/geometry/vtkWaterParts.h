@@ -48,6 +48,7 @@ private:
   std::vector<water_fit> Fits;     // of the parts
   std::vector<int64_t> PlaneOfPart; // none: it has no area
   bool IsTight = false;             // no point beside the polygons' widens the mesh's bounds
+  bool HasOne = false;              // plane, of all polygons
   std::vector<Plane> Planes;
   std::vector<std::vector<vtkIdType>> Cells; // of the planes
   std::vector<vtkIdType> Extracted;          // of each point: where it is in the part; else none

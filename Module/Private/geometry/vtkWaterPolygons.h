@@ -12,6 +12,7 @@
 #include "vtkSmartPointer.h"
 
 #include <algorithm>
+#include <atomic>
 #include <string>
 
 class vtkDataSet;
@@ -102,6 +103,24 @@ void vtkWaterForBlocks(vtkIdType number, Function function)
       function(block, begin, std::min(begin + vtkWaterBlockSize, number));
     }
   });
+}
+
+// Is there a cell for which predicate(points, count) holds? Several threads look.
+template <typename Predicate>
+bool vtkWaterHasCell(vtkCellArray* cells, Predicate predicate)
+{
+  std::atomic<bool> isFound{ false };
+  vtkWaterForBlocks(cells->GetNumberOfCells(), [&](vtkIdType, vtkIdType begin, vtkIdType end) {
+    bool isHere = false;
+    vtkWaterForCells(cells, begin, end, [&](vtkIdType, const vtkIdType* points, vtkIdType count) {
+      isHere = isHere || predicate(points, count);
+    });
+    if (isHere)
+    {
+      isFound = true;
+    }
+  });
+  return isFound;
 }
 
 #endif
