@@ -59,5 +59,17 @@ TEST(what_has_no_area_has_no_normal)
   assert_false(water_polygon_normal(line, 0, normal));
 }
 
-TESTS(a_triangle_s_normal_follows_the_right_hand, a_concave_polygon_has_the_normal_of_its_whole,
-  a_bent_quad_has_the_mean_normal, what_has_no_area_has_no_normal)
+TEST(sums_of_normals_become_units)
+{
+  float normals[9] = { 3.0f, 0.0f, 4.0f, 0.0f, 0.0f, 0.0f, 0.0f, -2e-20f, 0.0f };
+  const double expected[9] = { 0.6, 0.0, 0.8, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0 };
+  water_polygon_unit_normals(normals, 3);
+  for (int i = 0; i < 9; ++i)
+  {
+    ASSERT_CLOSE((double)normals[i], expected[i], 1e-7);
+  }
+}
+
+TESTS(sums_of_normals_become_units, a_triangle_s_normal_follows_the_right_hand,
+  a_concave_polygon_has_the_normal_of_its_whole, a_bent_quad_has_the_mean_normal,
+  what_has_no_area_has_no_normal)

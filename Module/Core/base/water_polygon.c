@@ -29,3 +29,17 @@ bool water_polygon_normal(const double* corners, size_t count, double normal[3])
   }
   return is_known;
 }
+
+void water_polygon_unit_normals(float* normals, size_t count)
+{
+  for (size_t i = 0; i < count; ++i)
+  {
+    float* row = normals + 3 * i;
+    const double sum[3] = { (double)row[0], (double)row[1], (double)row[2] };
+    const double length = water_vec3_length(sum);
+    for (size_t axis = 0; axis < 3 && length > 0.0; ++axis)
+    {
+      row[axis] = (float)(sum[axis] / length);
+    }
+  }
+}

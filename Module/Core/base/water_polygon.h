@@ -21,6 +21,11 @@ extern "C"
 // Returns whether there is one: the polygon has three corners or more and an area that is finite.
 bool water_polygon_normal(const double* corners, size_t count, double normal[3]);
 
+// Gives sums of normals the length 1. (0, 0, 0) stays.
+//
+// normals  count rows of 3
+void water_polygon_unit_normals(float* normals, size_t count);
+
 #ifdef __cplusplus
 }
 #endif

@@ -45,7 +45,7 @@ private:
   std::vector<int64_t> Parents;    // of points
   std::vector<int64_t> PartOfCell; // none: it has less than three points, or one that is not finite
   size_t PartCount = 0;
-  std::vector<water_fit> Fits;     // of the parts
+  std::vector<water_fit> Fits;      // of the parts
   std::vector<int64_t> PlaneOfPart; // none: it has no area
   bool IsTight = false;             // no point beside the polygons' widens the mesh's bounds
   bool HasOne = false;              // plane, of all polygons

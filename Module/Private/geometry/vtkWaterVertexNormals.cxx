@@ -2,7 +2,6 @@
 #include "vtkWaterVertexNormals.h"
 
 #include "vtkFloatArray.h"
-#include "vtkMath.h"
 #include "vtkPolyData.h"
 #include "vtkWaterPolygons.h"
 #include "water_polygon.h"
@@ -48,10 +47,7 @@ vtkSmartPointer<vtkFloatArray> vtkWaterVertexNormals(vtkPolyData* mesh)
     }
   });
   vtkSMPTools::For(0, count, [all](vtkIdType begin, vtkIdType end) {
-    for (vtkIdType point = begin; point < end; ++point)
-    {
-      vtkMath::Normalize(all + 3 * point);
-    }
+    water_polygon_unit_normals(all + 3 * begin, static_cast<size_t>(end - begin));
   });
   return normals;
 }
