@@ -244,7 +244,7 @@ typedef struct water_scene
   bool hides_below;
   bool is_hidden;       // all of it is behind the scene
   bool is_flat;         // all of it lies in the plane, and is drawn no nearer than that
-  bool has_scene_depth; // the eye's picture of what hides the surface is at hand, a depth per pixel
+  bool has_scene_depth; // the depths of what hides the surface are known, per pixel
   bool is_software;     // there is no GPU: pixels and triangles are expensive, draws are not
   bool is_beyond;       // the own view is planned, water_beyond.h, and not the mirrored view
   const water_prop* props; // prop_count of them: all props, not only those the eye sees
@@ -320,8 +320,8 @@ typedef struct water_plan
   int texture_rect_px[4]; // x, y, width, height of the part the water can look up
   double height_rounding; // of dot(plane_clip, NDC) in single precision
   double visible_px_max;  // if the eye's picture shows less of the water, it pays to wait for it
-  bool has_visibility;    // it is at hand: what only pixels would show that no water in it looks up
-                          // is left out
+  bool has_visibility;    // the picture is known: what only hidden pixels of water would look up is
+                          // left out
   bool is_software;       // the scene's
 
   // shade: where the reflection texture shows what
