@@ -154,7 +154,7 @@ VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_actor_set_caustics(
   vtk_water_actor* actor, double strength);
 
 /* Sets light shafts for a camera under water: the share of the light there, in [0, 1], that varies
- * with what the waves gather; with refraction, waves and a sun. Default 0: no shafts. */
+ * because the waves above focus it; with refraction, waves and a sun. Default 0: no shafts. */
 VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_actor_set_light_shafts(
   vtk_water_actor* actor, double share);
 
