@@ -198,9 +198,9 @@ public:
    * metres exp(-(absorption + scattering) x) of the light remain. With the DeepColorMode MEDIUM the
    * colour of deep water follows the matter; a given colour does not. An eye in the water looks
    * through clear water. Where the concentration is 0, the picture is the same as without the
-   * array. Negative values and values that are not finite count as 0; one warning reports them. A missing array, or one with several components, is reported as an error, once; the water
-   * is then clear. Changes of the array take effect in the next frame. Empty, the default: no
-   * matter.
+   * array. Negative values and values that are not finite count as 0; one warning reports them. A
+   * missing array, or one with several components, is reported as an error, once; the water is then
+   * clear. Changes of the array take effect in the next frame. Empty, the default: no matter.
    *
    * Source: Beer 1852.
    */
@@ -353,8 +353,8 @@ public:
 
   /**
    * The text of the ErrorEvent for what is wrong in the last frame: with the plan, otherwise with
-   * a hull, otherwise with the current, the matter or the foam from data. Empty if nothing is wrong. A value
-   * that a setter rejects is not kept here.
+   * a hull, otherwise with the current, the matter or the foam from data. Empty if nothing is
+   * wrong. A value that a setter rejects is not kept here.
    */
   const char* GetLastError() const;
 

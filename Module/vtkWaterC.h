@@ -192,7 +192,8 @@ VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_actor_set_environment(
 
 /* Sets a mesh as the water's surface, instead of the built-in sheet: point_count times x, y, z;
  * triangle_count times three point indices. The data are copied. It should lie in the water's
- * plane, apart from waves. NULL points, the default: the sheet. Either call removes the current, * the matter and the foam from data. */
+ * plane, apart from waves. NULL points, the default: the sheet. Either call removes the current, *
+ * the matter and the foam from data. */
 VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_actor_set_surface(vtk_water_actor* actor,
   const double* points, size_t point_count, const int64_t* triangles, size_t triangle_count);
 

@@ -242,11 +242,11 @@ typedef struct water_scene
   bool is_endless;          // the surface reaches to the horizon, whatever these bounds
   bool hides_above;         // the surface is not drawn for an eye above it, or below
   bool hides_below;
-  bool is_hidden;       // all of it is behind the scene
-  bool is_flat;         // all of it lies in the plane, and is drawn no nearer than that
-  bool has_scene_depth; // the depths of what hides the surface are known, per pixel
-  bool is_software;     // there is no GPU: pixels and triangles are expensive, draws are not
-  bool is_beyond;       // the own view is planned, water_beyond.h, and not the mirrored view
+  bool is_hidden;          // all of it is behind the scene
+  bool is_flat;            // all of it lies in the plane, and is drawn no nearer than that
+  bool has_scene_depth;    // the depths of what hides the surface are known, per pixel
+  bool is_software;        // there is no GPU: pixels and triangles are expensive, draws are not
+  bool is_beyond;          // the own view is planned, water_beyond.h, and not the mirrored view
   const water_prop* props; // prop_count of them: all props, not only those the eye sees
   size_t prop_count;
   water_look look;

@@ -116,8 +116,7 @@ WATER_FEATURE_LIST(WATER_FEATURE_VALUE)
     "height above the plane, from a buffer")                                                       \
   X(height, vtkWaterPixelHeightFS, 0, WATER_FEATURE_FLAG(MESH),                                    \
     "height above the plane, from depth; 0 for a flat sheet")                                      \
-  X(clarity, vtkWaterMatterFS, WATER_FEATURE_FLAG(MATTER), 0,                                      \
-    "matter in the water, from data")                                                              \
+  X(clarity, vtkWaterMatterFS, WATER_FEATURE_FLAG(MATTER), 0, "matter in the water, from data")    \
   X(clarity, vtkWaterClarityFS, 0, WATER_FEATURE_FLAG(MATTER), "the same water everywhere")        \
   X(point, vtkWaterPointFS, 0, 0, "values that all slots share")                                   \
   X(pixel, vtkWaterPixelFS, 0, WATER_FEATURE_FLAG(BUFFERED), "depth and changes, of the triangle") \
