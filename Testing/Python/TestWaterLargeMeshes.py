@@ -89,8 +89,7 @@ class Scene:
 
     def __init__(self, seed, skips, has_waves, samples):
         self.random = np.random.default_rng(seed)
-        self.view = wt.View(SIZE)
-        self.view.window.SetMultiSamples(samples)
+        self.view = wt.View(SIZE, samples=samples)
         self.data = hilly(self.random)
         self.land = wt.add_actor(self.view.renderer, self.data, (0.6, 0.5, 0.3))
         self.land.GetMapper().ScalarVisibilityOn()
