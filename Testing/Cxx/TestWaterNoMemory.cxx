@@ -116,7 +116,7 @@ struct LargeScene : public FaultyScene
       actor->GetProperty()->SetColor(0.9, 0.7, 0.3 + 0.4 * i);
       this->Renderer->AddActor(actor);
     }
-    this->Water->GetReflectionPass()->SetTextureScale(4.0);
+    this->Water->GetReflectionPass()->SetTextureScale(2.0);
   }
   // With everything drawn: shaders and buffers are there afterwards, and nothing of ours.
   Bytes Whole()
