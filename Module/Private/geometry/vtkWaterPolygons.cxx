@@ -11,13 +11,29 @@
 
 namespace
 {
+// Do cells have no other points than those of a data set? This is asked for every step of a mesh.
+bool AreAllIn(vtkCellArray* cells, vtkIdType points)
+{
+#ifdef VTK_USE_64BIT_IDS
+  if (cells->IsStorage64Bit())
+  {
+    const vtkTypeInt64* first = cells->GetConnectivityArray64()->GetPointer(0);
+    // without a sign, a negative number is larger than all others
+    return std::all_of(first, first + cells->GetNumberOfConnectivityIds(), [points](auto point) {
+      return static_cast<vtkTypeUInt64>(point) < static_cast<vtkTypeUInt64>(points);
+    });
+  }
+#endif
+  return false; // not known
+}
+
 // What is wrong with cells; empty: nothing is.
 //
 // start   number of the first of them in the data set
 // points  their number
 std::string FindWrongPoint(vtkCellArray* cells, vtkIdType start, vtkIdType points)
 {
-  if (!cells)
+  if (!cells || AreAllIn(cells, points))
   {
     return {};
   }
