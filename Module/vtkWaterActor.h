@@ -198,10 +198,9 @@ public:
    * metres exp(-(absorption + scattering) x) of the light remain. With the DeepColorMode MEDIUM the
    * colour of deep water follows the matter; a given colour does not. An eye in the water looks
    * through clear water. Where the concentration is 0, the picture is the same as without the
-   * array. Negative values and values that are not finite count as 0; a warning tells of them,
-   * once. A missing array, or one with several components, is reported as an error, once; the water
-   * is then clear. Changes of the array take effect in the next frame. Empty, the default: no
-   * matter.
+   * array. Negative values and values that are not finite count as 0; one warning reports them. A
+   * missing array, or one with several components, is reported as an error, once; the water is then
+   * clear. Changes of the array take effect in the next frame. Empty, the default: no matter.
    *
    * Source: Beer 1852.
    */
@@ -248,8 +247,8 @@ public:
    * Name of an array of a user's mesh that says how much foam there is: one number per point or
    * cell, a value of FoamMeasure. The foam has the colour and the structure of the water's other
    * foam, and is added to it: the larger of the covers counts. Needs a mapper with one data set.
-   * Negative values and values that are not finite count as 0, and covers above 1 as 1; a warning
-   * tells of them, once. A missing array, or one with several components, is reported as an error,
+   * Negative values and values that are not finite count as 0, and covers above 1 as 1; one warning
+   * reports them. A missing array, or one with several components, is reported as an error,
    * once; there is then no foam from data. Changes of the array take effect in the next frame.
    * Empty, the default: no foam from data.
    */
@@ -353,9 +352,9 @@ public:
   vtkWaterReflectionPass* GetReflectionPass();
 
   /**
-   * The text of the ErrorEvent for what is wrong in the last frame: with the plan, else with a
-   * hull, else with the current, the matter or the foam of data. Empty if nothing is wrong. A value
-   * that a setter rejects is not kept here.
+   * The text of the ErrorEvent for what is wrong in the last frame: with the plan, otherwise with
+   * a hull, otherwise with the current, the matter or the foam from data. Empty if nothing is
+   * wrong. A value that a setter rejects is not kept here.
    */
   const char* GetLastError() const;
 

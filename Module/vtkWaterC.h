@@ -154,7 +154,7 @@ VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_actor_set_caustics(
   vtk_water_actor* actor, double strength);
 
 /* Sets light shafts for a camera under water: the share of the light there, in [0, 1], that varies
- * with what the waves gather; with refraction, waves and a sun. Default 0: no shafts. */
+ * because the waves above focus it; with refraction, waves and a sun. Default 0: no shafts. */
 VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_actor_set_light_shafts(
   vtk_water_actor* actor, double share);
 
@@ -192,8 +192,8 @@ VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_actor_set_environment(
 
 /* Sets a mesh as the water's surface, instead of the built-in sheet: point_count times x, y, z;
  * triangle_count times three point indices. The data are copied. It should lie in the water's
- * plane, apart from waves. NULL points, the default: the sheet. Either way there is no current,
- * no matter and no foam of data then. */
+ * plane, apart from waves. NULL points, the default: the sheet. Either call removes the current, *
+ * the matter and the foam from data. */
 VTKRENDERINGWATER_EXPORT vtk_water_status vtk_water_actor_set_surface(vtk_water_actor* actor,
   const double* points, size_t point_count, const int64_t* triangles, size_t triangle_count);
 

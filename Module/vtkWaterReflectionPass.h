@@ -392,9 +392,9 @@ public:
    * Rank whose picture shows the water, for engines that blend the ranks' pictures in an order and
    * do not compare their depths: vtkCompositeRGBAPass, and vtkIceTCompositePass with ordered
    * compositing. It must be the rank that the engine treats as the farthest from the eye. Set it
-   * before each frame in which it changes; the number of rank 0 counts for all. The pictures of the
-   * other ranks are transparent black where their water is, so that they hide neither the water nor
-   * what is in it. They keep what is in front of their water. In [-1, ranks - 1]; -1: all ranks
+   * before each frame in which it changes; all ranks use the number set on rank 0. The pictures of
+   * the other ranks are transparent black where their water is, so that they hide neither the water
+   * nor what is in it. They keep what is in front of their water. In [-1, ranks - 1]; -1: all ranks
    * draw the water, for engines that compare depths. Has no effect without other ranks. Water with
    * an Opacity below 1, and an eye below clear water, are not supported: use an engine that
    * compares depths. Source: Documentation/decisions/023-ranks.md. Default is -1.

@@ -37,8 +37,8 @@ system_vtk_dir() {
   [ -n "$config" ] && dirname "$config"
 }
 
-# configure FOLDER CMAKE-ARGUMENT...: configures only when the arguments are new; later changes of CMake
-# files are the build's business.
+# configure FOLDER CMAKE-ARGUMENT...: configures only when the arguments are new; the build handles later changes
+# of CMake files.
 configure() {
   local folder=$1 stamp=$1/.configured-with
   shift

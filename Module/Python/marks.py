@@ -21,11 +21,12 @@ def lay_on_water(actor, nearer=NEARER):
 
     Without it, lines at the heights of a surface are broken, as on every surface in VTK. Clear water shows parts of
     them again, refracted, and water that is not flat reflects them. This function draws the lines after the water and
-    a little nearer to the eye, and leaves them out of reflections. Objects before the water still hide them. It changes
-    no geometry, and may be called again.
+    a little nearer to the eye, and leaves them out of reflections. Objects in front of the water still hide
+    them. It changes no geometry, and may be called again.
 
-    Lines that cross are blended where they do, unless the renderer uses depth peeling. Polygons, such as filled arrows,
-    raise an error: they are objects in the water, which reflects and refracts them. Add them without this function.
+    Crossing lines are blended where they cross, unless the renderer uses depth peeling. Polygons, such as filled
+    arrows, raise an error: they are objects in the water, which reflects and refracts them. Add them without this
+    function.
 
     Parameters
     ----------

@@ -215,8 +215,8 @@ def shoreline(water, mesh):
 def flooded(water):
     """Return the area that is under water, in plan, and the volume of the water over its bed.
 
-    The water ends where the bed rises above its level, as in the picture. Of a stream that is one or two cells wide,
-    that is much less than the solver's whole cells hold, which are what flooded_cells measures.
+    The water ends where the bed rises above its level, as in the picture. In streams that are one or two
+    cells wide, this volume is much smaller than that of the solver's whole cells, which flooded_cells measures.
 
     Parameters
     ----------

@@ -173,9 +173,9 @@ def add_water(
         turn refraction on, and add the default ``sun`` to a subplot without a scene light.
 
     light_shafts : float | bool, optional
-        Light shafts for a camera under water: the share, in [0, 1], of the light there that varies with what the waves
-        gather; True means 1. Light shafts need waves, turn refraction on, and add the default ``sun`` to a subplot
-        without a scene light.
+        Light shafts for a camera under water: the share, in [0, 1], of the light there that varies because the waves
+        above focus it; True means 1. Light shafts need waves, turn refraction on, and add the default ``sun`` to a
+        subplot without a scene light.
 
     shadows : bool, optional
         Whether objects cast shadows on the water's glitter and foam. True adds the default ``sun`` to a subplot
@@ -190,7 +190,8 @@ def add_water(
         Adds a scene light, the sun, for glitter, shadows, caustics and light shafts: azimuth (degrees from north
         towards east, in [-360, 360]) and elevation (degrees above the water, in [0, 90]). True means (150, 35),
         which is also the default if ``caustics``, ``light_shafts`` or ``shadows`` need a light. A sun below the
-        horizon lights nothing and is an error: at night, leave ``sun`` out. North is y and east is x; for tilted water they are the second and the first of the plane's own axes. The light is in
+        horizon lights nothing and is an error: at night, leave ``sun`` out. North is y and east is x; for tilted
+        water they are the second and the first of the plane's own axes. The light is in
         ``plotter.renderer.lights``, has the class ``vtkwater.pyvista.Sun``, and stays when the water is removed.
         Another ``sun`` in the same subplot replaces it. PyVista's own lights stay, and together with the sun they
         overexpose bright meshes: create the plotter with ``pyvista.Plotter(lighting='none')``. The sun is then the
@@ -285,9 +286,9 @@ def add_water(
     UserWarning
         If PyVista's notebook backend is ``'client'`` or ``'html'``, because vtk.js draws no water; if the water's
         level is below the whole terrain, which hides it; if it is above the whole scene by more than the scene's
-        diagonal; or if the surface lies farther from the scene than both are wide together. The text names the scene's
-        heights, or both places. If one of the ``waves`` is steeper than water waves can be: they break at a height of
-        0.142 of their length.
+        diagonal; if the surface lies farther from the scene than both are wide together; or if one of the ``waves`` is
+        steeper than water waves can be, which break at a height of 0.142 of their length. The text names the scene's
+        heights, or both places, or the wave.
 
     Notes
     -----
@@ -295,8 +296,8 @@ def add_water(
     ``VtkRemoteView``.
 
     Call ``Plotter.set_scale`` before ``add_water``, which also divides the water's depths by the vertical
-    exaggeration: with ``units='m'`` the water is as clear as without it. The brightest scene light glitters on waves: ``sun``, or one of
-    yours. PyVista's default lights are camera lights, not scene lights, and do not glitter.
+    exaggeration: with ``units='m'`` the water is as clear as without it. The brightest scene light glitters on waves:
+    ``sun``, or one of yours. PyVista's default lights are camera lights, not scene lights, and do not glitter.
 
     Examples
     --------

@@ -99,7 +99,8 @@ bool Says(const FaultyScene& scene, const std::string& name, const std::string& 
 // one.
 struct LargeScene : public FaultyScene
 {
-  LargeScene()
+  explicit LargeScene(vtkRenderWindow* window = WaterTestWindow())
+    : FaultyScene(window)
   {
     for (int i = 0; i < 2; ++i)
     {
@@ -115,7 +116,7 @@ struct LargeScene : public FaultyScene
       actor->GetProperty()->SetColor(0.9, 0.7, 0.3 + 0.4 * i);
       this->Renderer->AddActor(actor);
     }
-    this->Water->GetReflectionPass()->SetTextureScale(4.0);
+    this->Water->GetReflectionPass()->SetTextureScale(2.0);
   }
   // With everything drawn: shaders and buffers are there afterwards, and nothing of ours.
   Bytes Whole()
@@ -131,14 +132,16 @@ struct LargeScene : public FaultyScene
   }
 };
 
+// All scenes of a check have one window, so that their shaders are compiled once.
 bool CheckPieces()
 {
+  const auto window = WaterTestWindow();
   constexpr size_t kLarge = 20000; // bytes: all else that is allocated in these frames is smaller
   bool ok = true;
   int number = 0;
   for (bool isDone = false; !isDone && number < 100; ++number)
   {
-    LargeScene scene;
+    LargeScene scene(window);
     const Bytes right = scene.Whole();
     scene.BeginSkipping();
     const Bytes poor = PictureWithout(scene, number, kLarge);
@@ -152,7 +155,7 @@ bool CheckPieces()
   }
   ok &= WaterCheck("several allocations have failed", number > 2, true);
 
-  LargeScene scene;
+  LargeScene scene(window);
   const Bytes right = scene.Whole();
   scene.BeginSkipping();
   for (int i = 0; i < 3; ++i)
@@ -167,6 +170,7 @@ bool CheckPieces()
 // which has just become larger.
 bool CheckHidden()
 {
+  const auto window = WaterTestWindow();
   constexpr size_t kLarge = 20000;
   bool ok = true;
   bool hasAskedPicture = false;
@@ -177,7 +181,7 @@ bool CheckHidden()
     const std::string name = "hidden, without allocation " + std::to_string(number);
     for (int i = 0; i < 2; ++i)
     {
-      LargeScene scene;
+      LargeScene scene(window);
       vtkNew<vtkSphereSource> ball;
       ball->SetCenter(2.0, -10.0, 3.0);
       ball->SetRadius(2.0);
@@ -204,7 +208,8 @@ bool CheckHidden()
 
 struct SeaScene : public FaultyScene
 {
-  explicit SeaScene(int size)
+  explicit SeaScene(int size, vtkRenderWindow* window = WaterTestWindow())
+    : FaultyScene(window)
   {
     auto* look = this->Water->GetWaterProperty();
     look->SeaOn();
@@ -217,13 +222,13 @@ bool CheckSea()
 {
   constexpr int kSize = 128;
   constexpr size_t kLarge = 2500; // bytes: the tables of a tile of this size
-  SeaScene wanted(kSize);
-  const Bytes right = wanted.Picture();
+  const auto window = WaterTestWindow();
+  const Bytes right = SeaScene(kSize, window).Picture();
   bool ok = true;
   int number = 0;
   for (bool isDone = false; !isDone && number < 100; ++number)
   {
-    SeaScene scene(64); // builds the shader
+    SeaScene scene(64, window); // builds the shader
     scene.Picture();
     scene.Water->GetWaterProperty()->SetSeaTileSize(kSize);
     const Bytes poor = PictureWithout(scene, number, kLarge);
@@ -235,7 +240,7 @@ bool CheckSea()
   }
   ok &= WaterCheck("many allocations have failed", number > 50, true);
 
-  SeaScene scene(64);
+  SeaScene scene(64, window);
   scene.Picture(); // builds the shader
   scene.Water->GetWaterProperty()->SetSeaTileSize(kSize);
   Bytes flat;

@@ -40,7 +40,8 @@ struct FaultyScene : public WaterTestScene
 {
   std::vector<std::string> Errors;
 
-  FaultyScene()
+  explicit FaultyScene(vtkRenderWindow* window = WaterTestWindow())
+    : WaterTestScene(window)
   {
     this->AddThings<vtkPolyDataMapper>();
     this->AddWater();

@@ -11,6 +11,7 @@
 #include "vtkProperty.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
+#include "vtkSmartPointer.h"
 #include "vtkSphereSource.h"
 #include "vtkWaterActor.h"
 #include "vtkWaterProperty.h"
@@ -28,16 +29,24 @@ bool WaterCheck(const std::string& name, const Value& value, const Value& expect
   return holds;
 }
 
+inline vtkSmartPointer<vtkRenderWindow> WaterTestWindow()
+{
+  auto window = vtkSmartPointer<vtkRenderWindow>::New();
+  window->SetOffScreenRendering(1);
+  window->SetMultiSamples(0);
+  return window;
+}
+
 struct WaterTestScene
 {
-  vtkNew<vtkRenderWindow> Window;
+  vtkSmartPointer<vtkRenderWindow> Window;
   vtkNew<vtkRenderer> Renderer;
   vtkNew<vtkWaterActor> Water;
 
-  WaterTestScene()
+  // window: one that scenes before this one were rendered in; Mesa has compiled their shaders
+  explicit WaterTestScene(vtkRenderWindow* window = WaterTestWindow())
+    : Window(window)
   {
-    this->Window->SetOffScreenRendering(1);
-    this->Window->SetMultiSamples(0);
     this->Window->SetSize(300, 225);
     this->Window->AddRenderer(this->Renderer);
     this->Renderer->GradientBackgroundOn();
@@ -49,6 +58,7 @@ struct WaterTestScene
     camera->SetViewUp(0, 0, 1);
     camera->SetClippingRange(1, 60);
   }
+  ~WaterTestScene() { this->Window->RemoveRenderer(this->Renderer); } // others may use the window
 
   // Adds columns and a ball, drawn by mappers of the given class.
   template <typename Mapper>

@@ -143,8 +143,7 @@ class Scene:
 
 @pytest.mark.parametrize("look", LOOKS)
 @pytest.mark.parametrize("swell", (0.0, SWELL), ids=SHAPES)
-@pytest.mark.parametrize("samples", (0, 4))
-@pytest.mark.parametrize("make", MARKS)
+@pytest.mark.parametrize("make, samples", [("contour lines", 0), *((make, 4) for make in MARKS)])
 def test_marks_show_where_they_lie_and_once(make, samples, swell, look):
     scene = Scene(MARKS[make], swell, samples=samples, **LOOKS[look])
     count, share, off, picture = scene.shares()

@@ -22,7 +22,7 @@ from vtkwater import vtkWaterProperty
 SINES = ((0.25, 12.0, 80.0, 30.0, 0.0), (0.25, 7.0, 40.0, 100.0, 0.0), (0.2, 4.0, 120.0, 0.0, 0.0))
 STEEP = ((0.5, 6.0, 20.0, 30.0, 0.9), (0.2, 5.0, 75.0, 0.0, 0.9))
 SHEET = (-60, 60, -60, 60)
-HEADINGS = int(os.environ.get("WATER_POLE_HEADINGS", 40))
+HEADINGS = int(os.environ.get("WATER_POLE_HEADINGS", 24))
 
 
 def scene(waves, size=(200, 150), sheet=SHEET, reflectance=1.0, plane=None):
@@ -145,12 +145,12 @@ def picks(geometry):
     is_water = wt.water_mask(made, water)
     selector = vtkHardwareSelector()
     selector.SetRenderer(made.renderer)
+    selector.SetArea(20, 30, 179, 119)
+    selector.CaptureBuffers()  # drawn once for all places
     picked = np.zeros_like(is_water)
     for y in range(30, 120, 3):
         for x in range(20, 180, 16):
-            selector.SetArea(x, y, x, y)
-            selection = selector.Select()
-            picked[y, x] = selection.GetNumberOfNodes() > 0
+            picked[y, x] = selector.GenerateSelection(x, y, x, y).GetNumberOfNodes() > 0
     grid = np.ix_(range(30, 120, 3), range(20, 180, 16))
     return picked[grid], is_water[grid]
 

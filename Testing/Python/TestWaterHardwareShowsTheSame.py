@@ -140,12 +140,13 @@ def pictures(is_software, monkeypatch, set_look, positions, output="Color", **mo
     monkeypatch.setenv("VTK_WATER_SOFTWARE", str(is_software))
     view, water = made_of(set_look, **more)
     getattr(water.GetWaterProperty(), f"SetOutputTo{output}")()
+    wt.place_camera(view.renderer, next(iter(positions)), (0, 0, 0), (0.3, 200))
+    water.SetTime(0.0)
+    view.picture()  # the first picture below uses its mirrored view again
+    water.SetTime(0.7)
     made = []
     for position in positions:
         wt.place_camera(view.renderer, position, (0, 0, 0), (0.3, 200))
-        water.SetTime(0.0)
-        view.picture()
-        water.SetTime(0.7)
         made.append(view.picture())
     return made
 

@@ -25,7 +25,7 @@ MODES = (
 
 
 def build(mode):
-    view = wt.View((320, 240), samples=8 if mode == "multisampling" else 0)
+    view = wt.View((320, 240), samples=8 if mode == "multisampling" else 0, is_new=True)
     renderers = [view.renderer]
     if mode == "two viewports":
         view.renderer.SetViewport(0, 0, 0.5, 1)

@@ -13,7 +13,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "Utilities"
 import refraction_generator  # noqa: E402
 import refraction_truth  # noqa: E402
 
-SIZE = (120, 90)
+SIZE = (108, 81)
 # seeds: the most % of strange pixels, and the RMSE of 255, where the picture has what is right
 LIMITS = {29: (1.0, 12.0), 31: (1.0, 6.0), 47: (1.0, 6.0)}
 BED_ENDS = {9004: (1.0, 13.0), 9009: (2.5, 13.0)}  # parallel beams at a low angle that see the end of a bed

@@ -12,7 +12,7 @@ from vtkmodules.vtkRenderingCore import vtkCamera, vtkRenderer
 from vtkwater import vtkWaterFrameAverage, vtkWaterProperty
 from wave_scenes import POSTS_VIEWS, SKY, post_scene, rmse
 
-FRAMES = 16
+FRAMES = 8
 
 
 def mean_of(window, frames=FRAMES):

@@ -95,15 +95,51 @@ def unheard():
         vtkLogger.SetStderrVerbosity(verbosity)
 
 
-class View:
-    """A small off-screen window with one renderer."""
+def settings_of(window):
+    """What tests change of a window."""
+    return (window.GetSize(), window.GetMultiSamples(), window.GetStereoRender(), window.GetStereoType(),
+            window.GetNumberOfLayers(), window.GetDesiredUpdateRate(), window.GetAlphaBitPlanes(),
+            window.GetTileScale(), window.GetTileViewport(), window.GetSwapBuffers(), window.GetErase(),
+            window.GetUseSRGBColorSpace(), window.GetInteractor(), window.GetClassName())
 
-    def __init__(self, size=(320, 240), background=(0.2, 0.3, 0.4), samples=0):
-        self.window = vtkRenderWindow()
-        self.window.SetOffScreenRendering(True)
-        self.window.SetMultiSamples(samples)
-        self.window.SetSize(*size)
+
+class View:
+    """A small off-screen window with one renderer.
+
+    Mesa compiles each shader anew for each window, which takes most of a test's time. A window that nobody uses any
+    more, and that is as it was made, is therefore used again by the next view of the same kind (windows_at_rest), with a
+    new renderer. is_new: make a window, for tests of what happens in its first frames. WATER_TEST_NEW_WINDOWS=1 in the
+    environment: make one for every view.
+    """
+
+    windows_at_rest = {}  # by size, samples and the environment that the module reads
+
+    def __init__(self, size=(320, 240), background=(0.2, 0.3, 0.4), samples=0, is_new=False):
+        software = os.environ.get("VTK_WATER_SOFTWARE")
+        self.window_kind = None if is_new or os.environ.get("WATER_TEST_NEW_WINDOWS") else (tuple(size), samples, software)
+        rest = View.windows_at_rest.get(self.window_kind)
+        if rest:
+            self.window = rest.pop()
+        else:
+            self.window = vtkRenderWindow()
+            self.window.SetOffScreenRendering(True)
+            self.window.SetMultiSamples(samples)
+            self.window.SetSize(*size)
+        self.settings = settings_of(self.window)
         self.renderer = self.add_renderer(background)
+
+    def __del__(self):
+        window, renderer = self.window, self.renderer
+        self.window = self.renderer = None
+        is_held = sys.getrefcount(window) > 2 or sys.getrefcount(renderer) > 2  # by a test; 2: here, and the argument
+        if self.window_kind is None or is_held or not window.GetNeverRendered() == 0 or settings_of(window) != self.settings:
+            return
+        renderers = window.GetRenderers()
+        while renderers.GetNumberOfItems():
+            window.RemoveRenderer(renderers.GetItemAsObject(0))
+        del renderers
+        if window.GetReferenceCount() == 1:  # held by this wrapper alone
+            View.windows_at_rest.setdefault(self.window_kind, []).append(window)
 
     def add_renderer(self, background, viewport=(0, 0, 1, 1)):
         renderer = vtkRenderer()

@@ -78,6 +78,6 @@ def run(report):
         for kind, number in KINDS.items():
             apart = float((said == number).mean() - (known == number).mean())
             report.check_at_most(
-                f"{name}: {kind}, module and tracer apart, % of the pixels", 100 * abs(apart), LIMIT, 2)
+                f"{name}: {kind}, pixels by which module and tracer differ, %", 100 * abs(apart), LIMIT, 2)
     report.add("Confidence", TEXT, shares=table(("scene", "", *KINDS, "sky, behind"), rows),
                matrices="\n\n".join(_matrix(name, *both) for name, both in scenes.items()))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""figures: one table of the figures to reach, beside their limits, in Documentation/accuracy.md.
+"""figures: one table of the target figures, with their limits, in Documentation/accuracy.md.
 
     PYTHONPATH=<folder of vtkwater> python Utilities/Accuracy/figures.py --scenes DIR... --refraction DIR
         [--reference 9000:9008] [--meshes SEED] [--to FILE]
@@ -63,7 +63,7 @@ def of_refraction(rows):
     pixels = np.array([row["water"] for row in rows])
     errors = np.array([row["RMSE"] for row in rows])
     strange = 100 * sum(row["strange"] for row in rows) / pixels.sum()
-    return [row_of(f"{name}: % of pixels with a colour that the truth has not near by", strange, 0),
+    return [row_of(f"{name}: % of pixels with a colour that the truth does not have nearby", strange, 0),
             row_of(f"{name}: RMSE, all pixels together", np.sqrt(np.average(errors**2, weights=pixels)),
                    MOST_REFRACTION),
             row_of(f"{name}: RMSE, median of the scenes", np.median(errors), MOST_REFRACTION),
@@ -130,7 +130,7 @@ def main():
     rows += of_reference(arguments.reference) if arguments.reference else []
     rows += of_meshes(arguments.meshes) if arguments.meshes is not None else []
     rows += of_refraction(json.loads((arguments.refraction / "refraction.json").read_text()))
-    text = table(("figure to reach", "value", "limit", ""), rows)
+    text = table(("target figure", "value", "limit", ""), rows)
     put_figures(arguments.to, text)
     print(text)
 

@@ -166,7 +166,7 @@ def run(report):
         report.check_at_least(f"{name}: pixels counted", len(sloped), 1000, 0)
         report.check_at_most(f"{name}: median error, px", float(np.median(sloped)), 0.2)
         report.check_at_least(f"{name}: % of hits within 1 px", 100 * float((sloped <= 1).mean()), 95, 2)
-        report.check_at_least(f"{name}: median error by the plane's normal, px", float(np.median(plane)), 2)
+        report.check_at_least(f"{name}: median error with the plane's normal, px", float(np.median(plane)), 2)
         for low, high in zip(BINS, BINS[1:]):
             chosen = (height >= low) & (height < high)
             if chosen.sum() >= LEAST:

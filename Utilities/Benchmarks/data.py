@@ -55,12 +55,11 @@ The first picture of a file of $file_cells cells without compression, each in a 
 
 $first
 
-A series of compressed files of a quarter of the cells, a step read and drawn: $ahead
+Reading and drawing a step of a series of compressed files with a quarter of the cells takes $ahead
 
-Memory allocated by a process that shows $count steps: over the later half it goes up or down by $memory MB.
+The memory of a process that shows $count steps varies by $memory MB over the second half of the steps.
 
-50 lakes of one mesh at 50 levels, 6 of them in view: $lakes_ms ms a frame and $lakes_views mirrored views, over 6
-waters placed by hand with $placed_ms ms and $placed_views ($lakes_ratio). Pixels that differ: $lakes_pixels.
+50 lakes of one mesh at 50 levels, 6 of them in view, take $lakes_ms ms per frame with $lakes_views mirrored views. 6 waters that are placed by hand take $placed_ms ms with $placed_views views (ratio $lakes_ratio). Pixels that differ: $lakes_pixels.
 
 Values of $places random places of a coloured surface, read back from the picture's pixels with optics off: off by at
 most $color_error steps of the table.
@@ -160,7 +159,7 @@ def _measure_ahead(results):
     results.row("data", "series", "read when asked for", median_ms=1000 * plain)
     results.row("data", "series", "read ahead", median_ms=1000 * ahead, ratio=ahead / plain)
     print(f"data: a step of a series: {plain:.3f} s, read ahead {ahead:.3f} s, {ahead / plain:.2f}", flush=True)
-    return (f"{1000 * plain:.0f} ms when it is read as it is asked for, {1000 * ahead:.0f} ms when another process "
+    return (f"{1000 * plain:.0f} ms if the step is read when it is needed, and {1000 * ahead:.0f} ms if another process "
             f"reads it ahead ({ahead / plain:.2f}).")
 
 

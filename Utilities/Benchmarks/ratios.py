@@ -222,7 +222,7 @@ def _lakes(results):
         for name, scene in (("two lakes", two), ("eight lakes", eight))
     ]
     return compare(
-        results, "lakes at levels of their own", frames, (("eight lakes", "two lakes", 1.1),)
+        results, "lakes at different levels", frames, (("eight lakes", "two lakes", 1.1),)
     )
 
 

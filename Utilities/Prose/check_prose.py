@@ -5,8 +5,9 @@
 usage: check_prose.py [--self-test] [FILE...]
 
 Without files it reads the Markdown pages, their templates and the README of each folder, the comments of the public
-headers (of the classes and the core), and the docstrings, messages and --help of the Python package. Code is left
-out. Prints `file:line: sentence [phrase -> replacement]` and ends with 1 if it finds any. --self-test: checks that a
+headers (of the classes and the core), the docstrings, messages and --help of the Python package, and the comments and
+messages of the scripts. Code is left out. It also finds lines of over 240 characters in the Markdown pages, except in
+tables and code. Prints `file:line: sentence [phrase -> replacement]` and ends with 1 if it finds any. --self-test: checks that a
 bad sentence is found in each kind of file, and not in code.
 """
 import ast
@@ -21,7 +22,9 @@ ROOT = Path(__file__).resolve().parents[2]
 PHRASES = Path(__file__).with_name("phrases.tsv")
 TEXTS = ("*.md", "Documentation/*.md", "Documentation/decisions/*.md", "Documentation/site/*.md",
          "Utilities/**/*.md.in", "Module/**/README.md", "Examples/**/README.md", "Utilities/**/README.md",
-         "Module/vtkWater*.h", "Module/Core/*/*.h", "Module/Python/*.py", "Module/Python/*.py.in")
+         "Module/vtkWater*.h", "Module/Core/*/*.h", "Module/Python/*.py", "Module/Python/*.py.in", "ParaView/**/*.md",
+         "script/*")
+LONGEST_LINE = 240  # of a paragraph: longer ones cannot be compared, or commented on, in a diff
 CODE = "Code"  # replaces code in a sentence
 
 
@@ -86,7 +89,22 @@ def strings(text):
                     yield node.lineno + value.count("\n", 0, block.start()), " ".join(block.group().split())
 
 
-READERS = {".md": markdown, ".in": markdown, ".h": comments, ".py": strings}
+def shell(text):
+    """The blocks of comments in a script, and its messages."""
+    block, first = [], 0
+    for number, line in enumerate([*text.splitlines(), ""], 1):
+        comment = re.match(r"\s*# ?(?!!|shellcheck)(.*)", line)
+        if comment and comment.group(1).strip():
+            first = first if block else number
+            block.append(comment.group(1).strip())
+        elif block:
+            yield first, " ".join(block)
+            block = []
+        for message in re.finditer(r"\b(?:say|die|echo) \"([^\"]* [^\"]*)\"", line):
+            yield number, message.group(1)
+
+
+READERS = {".md": markdown, ".in": markdown, ".h": comments, ".py": strings, "": shell, ".sh": shell}
 
 
 def sentences(path, name):
@@ -112,7 +130,20 @@ def check(paths, root):
         command = ["diction", "--ignore-double-words", "--suggest", "--no-default-file", "--file", phrases, text]
         found = subprocess.run(command, capture_output=True, text=True, check=True)
     hits = (re.fullmatch(r"\S+:(\d+): (.*\[.* -> .*)", line) for line in found.stdout.splitlines())
-    return [f"{places[(int(hit[1]) - 1) // 2]}: {hit[2]}" for hit in hits if hit]
+    return [f"{places[(int(hit[1]) - 1) // 2]}: {hit[2]}" for hit in hits if hit] + [
+        line for path in paths for line in long_lines(path, root)]
+
+
+def long_lines(path, root):
+    """The lines of a Markdown page that are too long, except in tables and code."""
+    if path.suffix not in (".md", ".in") or path.name.endswith(".py.in"):
+        return []
+    is_code, found = False, []
+    for number, line in enumerate(path.read_text().splitlines(), 1):
+        is_code ^= line.lstrip().startswith("```")
+        if len(line) > LONGEST_LINE and not is_code and not line.startswith(("|", "![", "    ")):
+            found.append(f"{path.relative_to(root)}:{number}: a line of {len(line)} characters; at most {LONGEST_LINE}")
+    return found
 
 
 def texts():
@@ -126,6 +157,8 @@ def self_test():
         "page.md": f"# Title\n\nGood.\n\n- an item\n- {bad.lower()}\n\n| a | {bad.split(chr(10))[1]} |\n",
         "page.md.in": f"Good. {bad}\n",
         "public.h": f"/**\n * Good.\n *\n * {bad.replace(chr(10), chr(10) + ' * ')}\n */\nint x; ///< wants two\n",
+        "long.md": f"{'word ' * 60}\n\n| {'cell ' * 60} |\n",
+        "script": f"#!/usr/bin/env bash\n# Good.\n# {bad.replace(chr(10), chr(10) + '# ')}\nwants=1\ndie \"it wants two\"\n",
         "module.py": f'"""Good.\n\n{bad}\n"""\nraise ValueError(f"{{x}} wants {{y}} numbers")\n',
     }
     code = {
@@ -133,7 +166,8 @@ def self_test():
         "code.h": "/** @code\n * wants code\n * @endcode */\nint wants(int refused);\n",
         "code.py": 'wants = "refused"\n# wants\n',
     }
-    expected = {"page.md": [6, 9], "page.md.in": [1], "public.h": [4, 7], "module.py": [3, 6]}
+    expected = {"page.md": [6, 9], "page.md.in": [1], "public.h": [4, 7], "module.py": [3, 6],
+                "long.md": [1], "script": [2, 6]}
     with tempfile.TemporaryDirectory() as folder:
         for name, text in {**planted, **code}.items():
             Path(folder, name).write_text(text)

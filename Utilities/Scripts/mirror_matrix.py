@@ -9,6 +9,7 @@ import argparse
 import json
 import pathlib
 import sys
+import textwrap
 
 ROWS = ("Surfaces", "Props", "Labels", "Blending", "Light", "View", "Window", "Passes", "Background", "Waters",
         "WaterInWater", "SecondaryReflections", "BadInput", "PropClasses", "MapperClasses", "WidgetClasses", "PassClasses")
@@ -80,11 +81,12 @@ def classes_without():
     rows = [line.split("\t") for line in CLASSES.read_text().splitlines() if not line.startswith("#")]
     kinds = [row[2] for row in rows]
     names = {kind: [row[0] for row in rows if row[2] == kind] for kind in kinds}
-    lines = ["## Classes of VTK without a cell", "",
-             f"VTK has {len(rows)} concrete props, mappers and passes; `Testing/Python/Matrix/{CLASSES.name}` names the "
-             f"cells of {kinds.count('cell')}. The `New()` of one of these creates {kinds.count('made by')} others. "
-             f"{kinds.count('overlay')} are 2D overlays, drawn over the finished picture: "
-             f"{', '.join(names['overlay'])}. These have no cell:", "", "| class | VTK | reason |", "|---|---|---|"]
+    text = (f"VTK has {len(rows)} concrete props, mappers and passes; `Testing/Python/Matrix/{CLASSES.name}` names the "
+            f"cells of {kinds.count('cell')}. The `New()` of one of these creates {kinds.count('made by')} others. "
+            f"{kinds.count('overlay')} are 2D overlays, drawn over the finished picture: "
+            f"{', '.join(names['overlay'])}. These have no cell:")
+    lines = ["## Classes of VTK without a cell", "", *textwrap.wrap(text, 120), "", "| class | VTK | reason |",
+             "|---|---|---|"]
     return lines + [f"| {name} | {versions.replace(' ', ', ')} | {text} |" for name, versions, kind, text in rows
                     if kind == "none"]
 

@@ -317,8 +317,8 @@ typedef struct water_plan
   int texture_rect_px[4]; // x, y, width, height of the part the water can look up
   double height_rounding; // of dot(plane_clip, NDC) in single precision
   double visible_px_max;  // if the eye's picture shows less of the water, it pays to wait for it
-  bool has_visibility;    // it is at hand: what only pixels would show that no water in it looks up
-                          // is left out
+  bool has_visibility;    // the picture is known: what only hidden pixels of water would look up is
+                          // left out
   bool is_software;       // the scene's
 
   // of a sun view, water_sun_view.h: window depth 1 - depth * (height + bottom) / w

@@ -25,8 +25,8 @@ water_status water_beyond_size(
   const int viewport_px[2], int max_texture_px, int texture_px[2], double picture_scale[2]);
 
 // Widens a part of the picture that water covers, seen from above, by where its refracted rays are
-// looked up. Calm and level water bends a view ray towards the plumb line, so that its image goes
-// from its pixel towards the place where plumb lines vanish. Beside an object that hides the bed,
+// looked up. Calm, level water bends a view ray towards the vertical, so that its image moves
+// from its pixel towards the vanishing point of verticals. Beside an object that hides the bed,
 // places to its left and right are looked up: all of the width.
 //
 // dir_to_eye  of the plan

@@ -56,8 +56,8 @@ extern "C"
   X(FLOW, "a current carries the waves over a user's mesh")                                        \
   X(GROUND, "there is ground under all of the water")                                              \
   X(BUFFERED, "a user's mesh whose surface is in a buffer: it is shaded once a pixel")             \
-  X(MATTER, "data say how much matter the water carries")                                          \
-  X(FOAM_DATA, "data say how much foam there is")
+  X(MATTER, "data give the concentration of matter in the water")                                  \
+  X(FOAM_DATA, "data give the foam cover")
 
 typedef enum water_feature_bit
 {
@@ -93,7 +93,7 @@ WATER_FEATURE_LIST(WATER_FEATURE_VALUE)
   X(slopes, vtkWaterSlopes, WATER_FEATURE_FLAG(GLITTER), 0, "slopes as a distribution")            \
   X(highlights, vtkWaterHighlights, WATER_FEATURE_FLAG(GLITTER), 0, "light over white")            \
   X(cover, vtkWaterFoamCover, WATER_FEATURE_FLAG(FOAM), 0, "foam coverage")                        \
-  X(measure, vtkWaterFoamMeasure, WATER_FEATURE_FLAG(FOAM_DATA), 0, "foam of a measure")           \
+  X(measure, vtkWaterFoamMeasure, WATER_FEATURE_FLAG(FOAM_DATA), 0, "foam cover from a measure")   \
   X(gain, vtkWaterFlowGain, WATER_FEATURE_FLAG(FLOW), 0, "two layers of waves as steep as one")    \
   X(cell, vtkWaterCell, WATER_FEATURE_FLAG(DISPLACED), 0,                                          \
     "the part of a wave that a grid resolves")                                                     \
@@ -116,8 +116,7 @@ WATER_FEATURE_LIST(WATER_FEATURE_VALUE)
     "height above the plane, from a buffer")                                                       \
   X(height, vtkWaterPixelHeightFS, 0, WATER_FEATURE_FLAG(MESH),                                    \
     "height above the plane, from depth; 0 for a flat sheet")                                      \
-  X(clarity, vtkWaterMatterFS, WATER_FEATURE_FLAG(MATTER), 0,                                      \
-    "as much matter in the water as data say")                                                     \
+  X(clarity, vtkWaterMatterFS, WATER_FEATURE_FLAG(MATTER), 0, "matter in the water, from data")    \
   X(clarity, vtkWaterClarityFS, 0, WATER_FEATURE_FLAG(MATTER), "the same water everywhere")        \
   X(point, vtkWaterPointFS, 0, 0, "values that all slots share")                                   \
   X(pixel, vtkWaterPixelFS, 0, WATER_FEATURE_FLAG(BUFFERED), "depth and changes, of the triangle") \
@@ -190,7 +189,7 @@ WATER_FEATURE_LIST(WATER_FEATURE_VALUE)
     "the scene, refracted and attenuated")                                                         \
   X(medium, vtkWaterNoMediumFS, 0, WATER_FEATURE_FLAG(MEDIUM), "the water's own colour")           \
   X(shafts, vtkWaterShaftsFS, WATER_FEATURE_FLAG(CAUSTICS), 0,                                     \
-    "the same, in the water before an eye in it")                                                  \
+    "the same, in the water in front of an eye in it")                                             \
   X(shafts, vtkWaterNoShaftsFS, WATER_FEATURE_FLAG(MEDIUM), WATER_FEATURE_FLAG(CAUSTICS), "none")  \
   X(others, vtkWaterOthersFS, WATER_FEATURE_FLAG(SAMPLES), 0,                                      \
     "other surfaces in a multisampled pixel")                                                      \
@@ -201,7 +200,7 @@ WATER_FEATURE_LIST(WATER_FEATURE_VALUE)
   X(refraction, vtkWaterHardwareMediumFS, WATER_FEATURE_FLAG(HARDWARE_MEDIUM), 0,                  \
     "the same, with branches")                                                                     \
   X(ground, vtkWaterGroundFS, WATER_FEATURE_FLAG(GROUND), 0,                                       \
-    "what a ray meets that the picture does not show")                                             \
+    "what a ray meets outside the picture")                                                        \
   X(ground, vtkWaterNoGroundFS, WATER_FEATURE_FLAG(MEDIUM), WATER_FEATURE_FLAG(GROUND),            \
     "deep water")                                                                                  \
   X(facet_slopes, vtkWaterFacetSlopesFS, WATER_FEATURE_FLAG(ROUGH), 0, "the slopes of the facets") \
@@ -220,7 +219,7 @@ WATER_FEATURE_LIST(WATER_FEATURE_VALUE)
   X(whitecaps, vtkWaterWhitecapsFS, WATER_FEATURE_FLAG(WHITECAPS), 0, "white crests of a sea")     \
   X(whitecaps, vtkWaterNoWhitecapsFS, WATER_FEATURE_FLAG(FOAM), WATER_FEATURE_FLAG(WHITECAPS),     \
     "none")                                                                                        \
-  X(foam_data, vtkWaterFoamDataFS, WATER_FEATURE_FLAG(FOAM_DATA), 0, "as much foam as data say")   \
+  X(foam_data, vtkWaterFoamDataFS, WATER_FEATURE_FLAG(FOAM_DATA), 0, "foam, from data")            \
   X(foam_data, vtkWaterNoFoamDataFS, WATER_FEATURE_FLAG(FOAM), WATER_FEATURE_FLAG(FOAM_DATA),      \
     "none")                                                                                        \
   X(foam, vtkWaterFoamFS, WATER_FEATURE_FLAG(FOAM), 0, "at the shore and on crests")               \
@@ -267,7 +266,7 @@ WATER_FEATURE_LIST(WATER_FEATURE_VALUE)
   X(normal_maps, vtkWaterNormalMapsFS, WATER_FEATURE_FLAG(NORMAL_MAPS), 0,                         \
     "normal maps that move")                                                                       \
   X(normal_maps, vtkWaterNoNormalMapsFS, 0, WATER_FEATURE_FLAG(NORMAL_MAPS), "none")               \
-  X(flow, vtkWaterNoFlowFS, 0, 0, "no current: light counts the waves as at rest")                 \
+  X(flow, vtkWaterNoFlowFS, 0, 0, "no current: caustics treat waves as at rest")                   \
   X(waves, vtkWaterRippleFS, 0, 0, "the normal, from the last three")                              \
   X(photon, vtkWaterPhotonFS, 0, 0, "where the light of a point reaches the bed")
 
