@@ -5,6 +5,7 @@
 #include "vtkCompositeDataSet.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
+#include "vtkFloatArray.h"
 #include "vtkIdList.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -13,10 +14,10 @@
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
-#include "vtkPolyDataNormals.h"
 #include "vtkWaterCompat.h"
 #include "vtkWaterParts.h"
 #include "vtkWaterPolygons.h"
+#include "vtkWaterVertexNormals.h"
 #include "water_plane.h"
 
 #include <algorithm>
@@ -30,17 +31,21 @@ namespace
 // The first polygon of a mesh that has too few points to be one; empty: there is none.
 std::string FindTooFewPoints(vtkPolyData* mesh)
 {
-  const vtkIdType start = mesh ? mesh->GetNumberOfVerts() + mesh->GetNumberOfLines() : 0;
-  for (vtkIdType cell = 0; mesh && cell < mesh->GetNumberOfPolys(); ++cell)
+  std::string few;
+  const auto isTooFew = [](const vtkIdType*, vtkIdType count) { return count < 3; };
+  if (!mesh || !vtkWaterHasCell(mesh->GetPolys(), isTooFew))
   {
-    const vtkIdType count = mesh->GetPolys()->GetCellSize(cell);
-    if (count < 3)
+    return few;
+  }
+  const vtkIdType start = mesh->GetNumberOfVerts() + mesh->GetNumberOfLines();
+  vtkWaterForEachCell(mesh->GetPolys(), [&](vtkIdType cell, const vtkIdType*, vtkIdType count) {
+    if (count < 3 && few.empty())
     {
-      return "cell " + std::to_string(start + cell) + " is a polygon of " + std::to_string(count) +
+      few = "cell " + std::to_string(start + cell) + " is a polygon of " + std::to_string(count) +
         " points; it must have at least 3";
     }
-  }
-  return {};
+  });
+  return few;
 }
 
 void AddField(vtkPolyData* block, const char* name, const double* values, int count)
@@ -55,16 +60,10 @@ void AddField(vtkPolyData* block, const char* name, const double* values, int co
 // Smooth ones, where the mesh has none.
 void AddNormals(vtkPolyData* block)
 {
-  if (block->GetPointData()->GetNormals())
+  if (!block->GetPointData()->GetNormals())
   {
-    return;
+    block->GetPointData()->SetNormals(vtkWaterVertexNormals(block).Get());
   }
-  vtkNew<vtkPolyDataNormals> normals;
-  normals->SetInputData(block);
-  normals->SplittingOff();
-  normals->ConsistencyOff();
-  normals->Update();
-  block->GetPointData()->SetNormals(normals->GetOutput()->GetPointData()->GetNormals());
 }
 }
 

@@ -320,9 +320,92 @@ TEST(the_first_part_begins_a_plane_whatever_the_tolerance)
   }
 }
 
-TESTS(a_level_lake_has_its_own_level_exactly, a_slope_is_found_whatever_the_triangles,
-  a_far_place_costs_no_digits, a_level_is_kept_unless_a_tilt_is_what_heights_are_made_of,
-  no_plane_is_closer, a_line_of_triangles_leans_along_itself_alone, up_may_be_any_direction,
+static double tilted_swell(double x, double y)
+{
+  return 3.0 + 0.02 * x + 0.3 * sin(0.9 * x) * cos(1.3 * y);
+}
+
+// Triangles of a square of 12 x 12 cells, added to three fits in turn, which are joined; and to
+// one.
+static void fit_in_blocks(
+  double (*height_at)(double, double), double x0, water_fit* joined, water_fit* whole)
+{
+  water_fit blocks[3];
+  for (int i = 0; i < 3; ++i)
+  {
+    water_fit_begin(up_z, &blocks[i]);
+  }
+  water_fit_begin(up_z, joined);
+  water_fit_begin(up_z, whole);
+  for (int i = 0; i < 144; ++i)
+  {
+    double corners[12];
+    for (int k = 0; k < 4; ++k)
+    {
+      corners[3 * k] = x0 + i % 12 + (k == 1 || k == 2);
+      corners[3 * k + 1] = i / 12 + (k >= 2);
+      corners[3 * k + 2] = height_at(corners[3 * k], corners[3 * k + 1]);
+    }
+    assert_true(water_fit_add_polygon(corners, 4, &blocks[i % 7 % 3]));
+    assert_true(water_fit_add_polygon(corners, 4, whole));
+  }
+  for (int i = 0; i < 3; ++i)
+  {
+    water_fit_join(&blocks[i], joined);
+  }
+}
+
+TEST(blocks_of_a_part_are_joined)
+{
+  water_fit joined;
+  water_fit whole;
+  water_fit_plane planes[2];
+  for (int i = 0; i < 2; ++i)
+  {
+    fit_in_blocks(tilted_swell, i * 1e6, &joined, &whole);
+    assert_int_equal(water_fit_judge(&joined, &planes[0]), WATER_OK);
+    assert_int_equal(water_fit_judge(&whole, &planes[1]), WATER_OK);
+    ASSERT_CLOSE(planes[0].area, 144.0, 1e-9);
+    ASSERT_CLOSE(planes[0].rms, planes[1].rms, 1e-10);
+    for (int k = 0; k < 3; ++k)
+    {
+      ASSERT_CLOSE(planes[0].normal[k], planes[1].normal[k], 1e-12);
+      ASSERT_CLOSE(planes[0].origin[k], planes[1].origin[k], 1e-8);
+    }
+    assert_memory_equal(joined.bounds, whole.bounds, sizeof whole.bounds);
+  }
+}
+
+TEST(a_level_lake_in_blocks_keeps_its_level_exactly)
+{
+  water_fit joined;
+  water_fit whole;
+  water_fit_plane plane;
+  fit_in_blocks(at_seven, 734561.25, &joined, &whole);
+  assert_int_equal(water_fit_judge(&joined, &plane), WATER_OK);
+  assert_true(plane.is_level && plane.origin[2] == 7.0);
+  ASSERT_CLOSE(plane.rms, 0.0, 0.0);
+}
+
+TEST(a_block_without_polygons_changes_nothing)
+{
+  water_fit joined;
+  water_fit whole;
+  water_fit empty;
+  fit_in_blocks(tilted_swell, 0.0, &joined, &whole);
+  water_fit_begin(up_z, &empty);
+  const water_fit before = whole;
+  water_fit_join(&empty, &whole);
+  assert_memory_equal(&before, &whole, sizeof whole);
+  water_fit_join(&whole, &empty);
+  assert_memory_equal(&empty, &whole, sizeof whole);
+}
+
+TESTS(blocks_of_a_part_are_joined, a_level_lake_in_blocks_keeps_its_level_exactly,
+  a_block_without_polygons_changes_nothing, a_level_lake_has_its_own_level_exactly,
+  a_slope_is_found_whatever_the_triangles, a_far_place_costs_no_digits,
+  a_level_is_kept_unless_a_tilt_is_what_heights_are_made_of, no_plane_is_closer,
+  a_line_of_triangles_leans_along_itself_alone, up_may_be_any_direction,
   what_has_no_area_has_no_plane, lakes_at_one_level_share_a_plane,
   beyond_the_most_planes_a_part_joins_the_nearest, tolerance_is_what_is_not_seen_or_not_known,
   a_concave_polygon_has_its_own_area, a_polygon_that_is_not_finite_is_ignored,

@@ -91,6 +91,33 @@ TEST(points_of_the_plane_have_no_height_but_their_rounding)
   }
 }
 
+// Points that several inspections looked at are judged together.
+TEST(inspections_are_joined)
+{
+  dice from = dice_seeded(5);
+  for (int i = 0; i < 20; ++i)
+  {
+    mesh laid = mesh_rolled(&from, 100.0);
+    lay(&from, i % 2 ? 1e-3 : 0.1, false, &laid);
+    water_flatness parts[2];
+    for (int half = 0; half < 2; ++half)
+    {
+      assert_true(water_flatness_begin(&laid.unit, identity, laid.bounds, false, &parts[half]));
+      for (int j = half; j < POINTS; j += 2)
+      {
+        water_flatness_add(laid.points[j], &parts[half]);
+      }
+    }
+    const double reach = fmax(parts[0].reach, parts[1].reach);
+    water_flatness_join(&parts[(i / 2) % 2], &parts[1 - (i / 2) % 2]);
+    const water_flatness* joined = &parts[1 - (i / 2) % 2];
+    ASSERT_CLOSE(joined->reach, reach, 0.0);
+    const double judge = water_flatness_judge(joined);
+    assert_true(judge == judged(&laid, false));
+    assert_true(isinf(judge) == (i % 2 == 0));
+  }
+}
+
 // What is as high as 1e-4 of the mesh's size is not looked at further: no eye takes it for flat.
 TEST(high_points_end_the_search)
 {
@@ -253,6 +280,6 @@ TEST(vertices_know_their_height)
   }
 }
 
-TESTS(points_of_the_plane_have_no_height_but_their_rounding, high_points_end_the_search,
-  without_bounds_or_with_a_projection_there_are_no_heights,
+TESTS(points_of_the_plane_have_no_height_but_their_rounding, inspections_are_joined,
+  high_points_end_the_search, without_bounds_or_with_a_projection_there_are_no_heights,
   heights_that_are_seen_are_not_taken_as_flat, vertices_know_their_height)

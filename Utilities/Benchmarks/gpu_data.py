@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""gpu_data: a solver's mesh with new arrays in every frame: as VTK's plain surface, and as water.
+"""gpu_data: a solver's mesh with new arrays in every frame: as VTK's plain surface, and as water. A frame's time
+includes giving the arrays to VTK: a plain surface needs points at the level, which the water's filter makes itself.
 
 What PyVista's add_water makes of it, by VTK's classes alone: a GPU's machine may have no PyVista.
 """
@@ -35,12 +36,12 @@ def mesh_of(tide, heights):
 
 def set_heights(mesh, tide, heights):
     points = vtkPoints()
-    points.SetData(numpy_to_vtk(tide.points(heights), deep=True))
+    points.SetData(numpy_to_vtk(tide.points(heights)))  # VTK keeps numpy's memory, as in PyVista
     mesh.SetPoints(points)
 
 
 def set_array(mesh, name, values):
-    array = numpy_to_vtk(values, deep=True)
+    array = numpy_to_vtk(values)
     array.SetName(name)
     mesh.GetPointData().AddArray(array)
 
@@ -63,15 +64,20 @@ class Data:
         self.name, self.tide = name, tide
         self.mesh = mesh_of(tide, tide.bed)
         self.water, self.props = None, ()
-        self.show(0)
+        self.solve(0)
+        self.show()
         if name == SURFACE:
             self._add_surface(renderer)
         else:
             self._add_water(renderer)
 
-    def show(self, number):
-        """New arrays, as a solver's next step has them; a plain surface has the level as its points."""
-        level, depth = self.tide.step(number)
+    def solve(self, number):
+        """What a solver does: new arrays of level and depth."""
+        self._step = self.tide.step(number)
+
+    def show(self):
+        """Gives VTK the arrays; a plain surface has the level as its points."""
+        level, depth = self._step
         set_array(self.mesh, "h", depth)
         if self.name == SURFACE:
             set_heights(self.mesh, self.tide, level)

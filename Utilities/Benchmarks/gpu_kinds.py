@@ -75,9 +75,14 @@ class Kind:
     def step(self, motion, turn):
         self.stand(turn if motion == MOVING else 0)
         if self.data and motion == gpu_data.STEPS:
-            self.data.show(turn + 1)
+            self.data.solve(turn + 1)
         elif self.water:
             self.water.SetTime(STEP_S * turn)
+
+    def bring(self):
+        """What a frame has to do before it is drawn, and is timed with it."""
+        if self.data:
+            self.data.show()
 
 
 class Stage:

@@ -13,6 +13,7 @@ FRAMES = {
     ("1,000 props", MOVING): {CALM: 1.6, SINES: 1.8, LAKE: 2.1, OCEAN: 2.1},
     ("1,000 props", TIME): {CALM: 1.06, HALF: 1.06, SINES: 1.2, LAKE: 1.4, OCEAN: 1.4},
     ("data", gpu_data.STEPS): {gpu_data.COLOURED: 1.5, gpu_data.CLEAR: 1.5},
+    ("data, threads", gpu_data.STEPS): {gpu_data.COLOURED: 1.5, gpu_data.CLEAR: 1.5},
 }
 # A kind / another one of the same scene and motion.
 HALF_OVER_CALM = 1.0

@@ -39,7 +39,7 @@ def _turn(stage, shot, number, draw):
         reflection.SetSkips(reflection.SKIP_ALL if shot.skips is None else shot.skips)
     for i in range(SETTLING + COUNTED):
         kind.step(shot.motion, number * COUNTED + i)
-        result = draw()
+        result = draw(kind)
         if i >= SETTLING:
             yield result
 
@@ -49,8 +49,9 @@ def measure(stage, shots, rounds, budget_s, wake_s):
     random = np.random.default_rng(SEED)
     order = list(shots)
 
-    def draw():
+    def draw(kind):
         begin, work = time.perf_counter(), time.process_time()
+        kind.bring()
         stage.window.Render()
         stage.window.WaitForCompletion()
         return 1000 * (time.perf_counter() - begin), 1000 * (time.process_time() - work)
@@ -77,20 +78,21 @@ def measure(stage, shots, rounds, budget_s, wake_s):
 def ask(stage, shots, clock):
     """Fills in what is said of frames that are not timed: instruments wait for the GPU."""
 
-    def draw():
+    def draw(kind):
+        kind.bring()
         stage.window.Render()
         stage.window.WaitForCompletion()
 
     for shot in shots:
         if clock.is_there:
-            spans = list(_turn(stage, shot, 0, lambda: clock.time(draw)))
+            spans = list(_turn(stage, shot, 0, lambda kind: clock.time(lambda: draw(kind))))
             shot.said["gpu_ms"] = float(np.median(spans))
         water = stage.kind(shot.kind).water
         if not water:
             continue
 
-        def read(water=water):
-            draw()
+        def read(kind, water=water):
+            draw(kind)
             return instruments.read(water)
 
         instruments.turn_on(water)

@@ -15,6 +15,8 @@ static const double narrow = 1e-8;
 // Of a surface's diagonal: a reflection that is off by so much is not seen where the surface is.
 static const double shared = 1e-6;
 static const double roundings = 4.0; // of a height, in floats
+// The two coordinates of each second moment.
+static const int axes[6][2] = { { 0, 0 }, { 0, 1 }, { 1, 1 }, { 0, 2 }, { 1, 2 }, { 2, 2 } };
 
 void water_fit_begin(const double up[3], water_fit* fit)
 {
@@ -34,31 +36,23 @@ static void place_of(const water_fit* fit, const double corner[3], double place[
   place[2] = water_vec3_dot(fit->up, off);
 }
 
-// Integral of the product of two linear functions over a triangle, by their values at its corners.
-// Source: the barycentric monomials' integrals, A (1 + [i = j]) / 12.
-static double product_of(double area, const double p[3][3], int i, int j)
+// Adds the integrals of the products of coordinates over a triangle: xx, xy, yy, xz, yz, zz.
+// Source: the integrals of linear functions' products, A (1 + [i = j]) / 12 for the corners i, j.
+static void add_products(double area, double p[3][3], double second[6])
 {
-  double sum_i = 0.0;
-  double sum_j = 0.0;
-  double sum_ij = 0.0;
-  for (int k = 0; k < 3; ++k)
+  const double share = area / 12.0;
+  double sum[3];
+  for (int i = 0; i < 3; ++i)
   {
-    sum_i += p[k][i];
-    sum_j += p[k][j];
-    sum_ij += p[k][i] * p[k][j];
+    sum[i] = p[0][i] + p[1][i] + p[2][i];
   }
-  return area / 12.0 * (sum_ij + sum_i * sum_j);
-}
-
-// Triangle number i of a polygon's fan about its first corner: its corners' places, and its area,
-// which is negative where it is turned clockwise.
-static double fan_of(const water_fit* fit, const double* corners, size_t i, double p[3][3])
-{
-  place_of(fit, corners, p[0]);
-  place_of(fit, corners + 3 * (i + 1), p[1]);
-  place_of(fit, corners + 3 * (i + 2), p[2]);
-  return 0.5 *
-    ((p[1][0] - p[0][0]) * (p[2][1] - p[0][1]) - (p[1][1] - p[0][1]) * (p[2][0] - p[0][0]));
+  for (int number = 0; number < 6; ++number)
+  {
+    const int i = axes[number][0];
+    const int j = axes[number][1];
+    const double products = p[0][i] * p[0][j] + p[1][i] * p[1][j] + p[2][i] * p[2][j];
+    second[number] += share * (products + sum[i] * sum[j]);
+  }
 }
 
 bool water_fit_add_polygon(const double* corners, size_t count, water_fit* fit)
@@ -78,30 +72,40 @@ bool water_fit_add_polygon(const double* corners, size_t count, water_fit* fit)
   {
     memcpy(fit->origin, corners, sizeof fit->origin);
   }
-  static const int axes[6][2] = { { 0, 0 }, { 0, 1 }, { 1, 1 }, { 0, 2 }, { 1, 2 }, { 2, 2 } };
-  double p[3][3];
-  double turn = 0.0; // over zero: the whole of it is counter-clockwise
-  for (size_t i = 0; i + 2 < count; ++i)
-  {
-    turn += fan_of(fit, corners, i, p);
-  }
   for (size_t i = 0; i < count; ++i)
   {
     water_bounds_add_point(fit->bounds, corners + 3 * i);
   }
-  for (size_t k = 0; k + 2 < count; ++k)
+  // Of a fan about the first corner. Triangles that turn clockwise have negative areas, so what the
+  // fan covers outside a concave polygon is taken away again.
+  double area = 0.0;
+  double first[3] = { 0.0, 0.0, 0.0 };
+  double second[6] = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 };
+  double p[3][3];
+  place_of(fit, corners, p[0]);
+  place_of(fit, corners + 3, p[1]);
+  for (size_t k = 2; k < count; ++k)
   {
-    // what a fan covers outside a concave polygon, it takes away again
-    const double area = fan_of(fit, corners, k, p) * (turn < 0.0 ? -1.0 : 1.0);
-    fit->area += area;
+    place_of(fit, corners + 3 * k, p[2]);
+    const double part =
+      0.5 * ((p[1][0] - p[0][0]) * (p[2][1] - p[0][1]) - (p[1][1] - p[0][1]) * (p[2][0] - p[0][0]));
+    area += part;
     for (int i = 0; i < 3; ++i)
     {
-      fit->first[i] += area / 3.0 * (p[0][i] + p[1][i] + p[2][i]);
+      first[i] += part / 3.0 * (p[0][i] + p[1][i] + p[2][i]);
     }
-    for (int i = 0; i < 6; ++i)
-    {
-      fit->second[i] += product_of(area, p, axes[i][0], axes[i][1]);
-    }
+    add_products(part, p, second);
+    memcpy(p[1], p[2], sizeof p[1]);
+  }
+  const double sign = area < 0.0 ? -1.0 : 1.0; // the whole polygon turns clockwise
+  fit->area += sign * area;
+  for (int i = 0; i < 3; ++i)
+  {
+    fit->first[i] += sign * first[i];
+  }
+  for (int i = 0; i < 6; ++i)
+  {
+    fit->second[i] += sign * second[i];
   }
   return true;
 }
@@ -110,6 +114,34 @@ void water_fit_add(const double a[3], const double b[3], const double c[3], wate
 {
   const double corners[9] = { a[0], a[1], a[2], b[0], b[1], b[2], c[0], c[1], c[2] };
   water_fit_add_polygon(corners, 3, fit);
+}
+
+void water_fit_join(const water_fit* other, water_fit* fit)
+{
+  if (water_bounds_is_empty(other->bounds))
+  {
+    return;
+  }
+  if (water_bounds_is_empty(fit->bounds))
+  {
+    *fit = *other;
+    return;
+  }
+  double off[3]; // what the other's places are less than they are from this fit's origin
+  place_of(fit, other->origin, off);
+  for (int number = 0; number < 6; ++number)
+  {
+    const int i = axes[number][0];
+    const int j = axes[number][1];
+    fit->second[number] += other->second[number] + off[i] * other->first[j] +
+      off[j] * other->first[i] + off[i] * off[j] * other->area;
+  }
+  for (int i = 0; i < 3; ++i)
+  {
+    fit->first[i] += other->first[i] + off[i] * other->area;
+  }
+  fit->area += other->area;
+  water_bounds_add(fit->bounds, other->bounds);
 }
 
 // The slope of the best plane. covariance: xx, xy, yy, x height, y height
@@ -159,7 +191,6 @@ water_status water_fit_judge(const water_fit* fit, water_fit_plane* plane)
   {
     mean[i] = fit->first[i] / fit->area;
   }
-  static const int axes[6][2] = { { 0, 0 }, { 0, 1 }, { 1, 1 }, { 0, 2 }, { 1, 2 }, { 2, 2 } };
   double covariance[6];
   for (int i = 0; i < 6; ++i)
   {

@@ -58,6 +58,10 @@ bool water_fit_add_polygon(const double* corners, size_t count, water_fit* fit);
 // Adds a triangle: its corners in world. Triangles that are not finite are ignored.
 void water_fit_add(const double a[3], const double b[3], const double c[3], water_fit* fit);
 
+// Adds all that another fit with the same up direction has, so that blocks of a part may be added
+// apart.
+void water_fit_join(const water_fit* other, water_fit* fit);
+
 // The plane of the triangles added so far. It is level in three cases: the best plane is tilted by
 // less than 1e-4 rad, which moves a reflection by less than a fifth of a pixel in a picture with
 // 1000 pixels per radian; the tilt explains less than half of the heights' mean square, as with

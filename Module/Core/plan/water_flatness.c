@@ -73,6 +73,12 @@ bool water_flatness_add(const double point[3], water_flatness* flatness)
   return !is_high;
 }
 
+void water_flatness_join(const water_flatness* other, water_flatness* flatness)
+{
+  flatness->height_max = fmax(flatness->height_max, other->height_max);
+  flatness->reach = fmax(flatness->reach, other->reach);
+}
+
 double water_flatness_judge(const water_flatness* flatness)
 {
   return flatness->height_max > flatness->rounding ? flatness->height_max : 0.0;

@@ -49,6 +49,9 @@ bool water_flatness_begin(const water_plane* unit, const double mesh_to_world[16
 // Returns false if the point is too high: only reach needs the other points then.
 bool water_flatness_add(const double point[3], water_flatness* flatness);
 
+// Adds the points of another inspection that began with the same mesh and plane.
+void water_flatness_join(const water_flatness* other, water_flatness* flatness);
+
 // The largest distance of a point from the plane. 0: within the precision of their coordinates, the
 // points lie in the plane; infinity: they do not, from any view.
 double water_flatness_judge(const water_flatness* flatness);

@@ -19,16 +19,15 @@ int64_t water_regions_find(int64_t* parents, int64_t point)
   return point;
 }
 
-void water_regions_join(int64_t* parents, int64_t a, int64_t b)
+void water_regions_join(int64_t* parents, const int64_t* points, size_t count)
 {
-  const int64_t of_a = water_regions_find(parents, a);
-  const int64_t of_b = water_regions_find(parents, b);
-  if (of_a < of_b)
+  int64_t region = count > 0 ? water_regions_find(parents, points[0]) : 0;
+  for (size_t i = 1; i < count; ++i)
   {
-    parents[of_b] = of_a;
-  }
-  else
-  {
-    parents[of_a] = of_b;
+    const int64_t other = water_regions_find(parents, points[i]);
+    const int64_t lower = other < region ? other : region;
+    parents[other] = lower;
+    parents[region] = lower;
+    region = lower;
   }
 }

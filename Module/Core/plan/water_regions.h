@@ -22,8 +22,8 @@ void water_regions_begin(int64_t* parents, size_t count);
 // The point that stands for the region of a point.
 int64_t water_regions_find(int64_t* parents, int64_t point);
 
-// Makes one region of those of two points. The lower point stands for it.
-void water_regions_join(int64_t* parents, int64_t a, int64_t b);
+// Makes one region of those of a cell's points. The lowest point stands for it.
+void water_regions_join(int64_t* parents, const int64_t* points, size_t count);
 
 #ifdef __cplusplus
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkWaterColumns.h"
 
-#include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
 #include "vtkMath.h"
 #include "vtkPolyData.h"
 #include "vtkSMPTools.h"
@@ -12,10 +12,30 @@
 
 namespace
 {
-double ValueOf(vtkDataArray* array, vtkIdType i)
+// The values of an array; NaN if there is no array.
+class Values
 {
-  return array ? array->GetComponent(i, 0) : vtkMath::Nan();
-}
+public:
+  explicit Values(vtkDataArray* array)
+    : Array(array)
+  {
+    auto* doubles = vtkArrayDownCast<vtkDoubleArray>(array);
+    this->Doubles = doubles ? doubles->GetPointer(0) : nullptr;
+  }
+
+  double operator[](vtkIdType i) const
+  {
+    if (this->Doubles) // without a virtual call
+    {
+      return this->Doubles[i];
+    }
+    return this->Array ? this->Array->GetComponent(i, 0) : vtkMath::Nan();
+  }
+
+private:
+  vtkDataArray* Array;
+  const double* Doubles;
+};
 
 // The mean of finite numbers.
 class Mean
@@ -82,30 +102,33 @@ void vtkWaterColumns::ReadBeds(vtkPolyData* mesh, const Given& given)
   if (given.Bed && given.IsBedOfCells)
   {
     std::vector<Mean> means = MeansOf(mesh);
+    const Values bedsOfCells(given.Bed);
     vtkWaterForEachCell(
       mesh->GetPolys(), [&](vtkIdType cell, const vtkIdType* points, vtkIdType count) {
-        std::for_each(points, points + count, [&](vtkIdType point) {
-          means[static_cast<size_t>(point)].Add(ValueOf(given.Bed, cell));
-        });
+        std::for_each(points, points + count,
+          [&](vtkIdType point) { means[static_cast<size_t>(point)].Add(bedsOfCells[cell]); });
       });
     std::transform(
       means.begin(), means.end(), this->Beds.begin(), [](const Mean& mean) { return mean.Get(); });
     return;
   }
+  const Values beds(given.Bed);
   vtkDataArray* places = mesh->GetPoints()->GetData(); // thread-safe, unlike its GetPoint
   ForEachPoint(mesh, [&](vtkIdType i) {
     double& bed = this->Beds[static_cast<size_t>(i)];
-    bed = given.Bed ? ValueOf(given.Bed, i) : given.Level ? bed : places->GetComponent(i, 2);
+    bed = given.Bed ? beds[i] : given.Level ? bed : places->GetComponent(i, 2);
   });
 }
 
 //------------------------------------------------------------------------------
 void vtkWaterColumns::ReadPoints(vtkPolyData* mesh, const Given& given)
 {
+  const Values levels(given.Level);
+  const Values depths(given.Depth);
   ForEachPoint(mesh, [&](vtkIdType i) {
     const auto at = static_cast<size_t>(i);
-    const water_column column = water_shore_column(
-      ValueOf(given.Level, i), this->Beds[at], ValueOf(given.Depth, i), given.DryDepth);
+    const water_column column =
+      water_shore_column(levels[i], this->Beds[at], depths[i], given.DryDepth);
     this->IsWet[at] = column.is_wet;
     this->Beds[at] = column.bed;
     this->Levels[at] = column.is_wet ? column.level : vtkMath::Nan();
@@ -115,6 +138,9 @@ void vtkWaterColumns::ReadPoints(vtkPolyData* mesh, const Given& given)
 //------------------------------------------------------------------------------
 void vtkWaterColumns::ReadCells(vtkPolyData* mesh, const Given& given)
 {
+  const Values givenLevels(given.Level);
+  const Values givenDepths(given.Depth);
+  const Values givenBeds(given.Bed);
   std::vector<Mean> levels = MeansOf(mesh);
   std::vector<Mean> beds = MeansOf(mesh);
   this->IsCellWet.assign(static_cast<size_t>(mesh->GetNumberOfCells()), 0);
@@ -123,9 +149,9 @@ void vtkWaterColumns::ReadCells(vtkPolyData* mesh, const Given& given)
       Mean own;
       std::for_each(points, points + count,
         [&](vtkIdType point) { own.Add(this->Beds[static_cast<size_t>(point)]); });
-      const double bed = given.IsBedOfCells ? ValueOf(given.Bed, cell) : own.Get();
-      const water_column column = water_shore_column(
-        ValueOf(given.Level, cell), bed, ValueOf(given.Depth, cell), given.DryDepth);
+      const double bed = given.IsBedOfCells ? givenBeds[cell] : own.Get();
+      const water_column column =
+        water_shore_column(givenLevels[cell], bed, givenDepths[cell], given.DryDepth);
       this->IsCellWet[static_cast<size_t>(cell)] = column.is_wet;
       for (vtkIdType i = 0; i < count; ++i)
       {
@@ -151,13 +177,23 @@ void vtkWaterColumns::Spread(vtkPolyData* mesh)
   const auto isUnknown = [this](vtkIdType point) {
     return !vtkMath::IsFinite(this->Levels[static_cast<size_t>(point)]);
   };
+  vtkCellArray* cells = mesh->GetPolys();
+  std::vector<std::vector<vtkIdType>> shores( // cells with known and unknown points, of each block
+    static_cast<size_t>(vtkWaterBlockCount(cells->GetNumberOfCells())));
+  vtkWaterForBlocks(
+    cells->GetNumberOfCells(), [&](vtkIdType block, vtkIdType begin, vtkIdType end) {
+      std::vector<vtkIdType>& found = shores[static_cast<size_t>(block)];
+      vtkWaterForCells(
+        cells, begin, end, [&](vtkIdType cell, const vtkIdType* points, vtkIdType count) {
+          const auto unknown = std::count_if(points, points + count, isUnknown);
+          if (unknown > 0 && unknown < count)
+          {
+            found.push_back(cell);
+          }
+        });
+    });
   std::unordered_map<vtkIdType, Mean> means; // of the points beside the water: few
-  vtkWaterForEachCell(mesh->GetPolys(), [&](vtkIdType, const vtkIdType* points, vtkIdType count) {
-    const auto unknown = std::count_if(points, points + count, isUnknown);
-    if (unknown == 0 || unknown == count)
-    {
-      return;
-    }
+  const auto add = [&](vtkIdType, const vtkIdType* points, vtkIdType count) {
     Mean own;
     std::for_each(points, points + count,
       [&](vtkIdType point) { own.Add(this->Levels[static_cast<size_t>(point)]); });
@@ -168,7 +204,14 @@ void vtkWaterColumns::Spread(vtkPolyData* mesh)
         means[points[i]].Add(own.Get());
       }
     }
-  });
+  };
+  for (const std::vector<vtkIdType>& ofBlock : shores)
+  {
+    for (vtkIdType cell : ofBlock)
+    {
+      vtkWaterForCells(cells, cell, cell + 1, add);
+    }
+  }
   for (const auto& [point, mean] : means)
   {
     this->Levels[static_cast<size_t>(point)] = mean.Get();

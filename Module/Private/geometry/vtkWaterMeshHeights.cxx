@@ -10,11 +10,13 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
+#include "vtkWaterPolygons.h"
 #include "water_flatness.h"
 #include "water_slopes.h"
 
 #include <algorithm>
 #include <limits>
+#include <vector>
 
 namespace
 {
@@ -91,11 +93,20 @@ vtkWaterMesh vtkWaterMeshHeights::Measure(
   }
   mesh.HasVertexHeights = true;
   std::copy_n(flatness.height, 4, mesh.Height);
-  double point[3];
-  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
+  const vtkWaterPlaces places(points);
+  const vtkIdType count = points->GetNumberOfPoints();
+  std::vector<water_flatness> found(static_cast<size_t>(vtkWaterBlockCount(count)), flatness);
+  vtkWaterForBlocks(count, [&](vtkIdType block, vtkIdType begin, vtkIdType end) {
+    double point[3];
+    for (vtkIdType i = begin; i < end; ++i)
+    {
+      places.Get(i, point);
+      water_flatness_add(point, &found[static_cast<size_t>(block)]);
+    }
+  });
+  for (const water_flatness& ofBlock : found)
   {
-    points->GetPoint(i, point);
-    water_flatness_add(point, &flatness);
+    water_flatness_join(&ofBlock, &flatness);
   }
   mesh.HeightMax = water_flatness_judge(&flatness);
   mesh.Reach = flatness.reach;

@@ -19,6 +19,7 @@
 namespace
 {
 constexpr int64_t kNone = -1;
+constexpr size_t kBlockFits = 1 << 14; // more than fit into a processor's cache are not worth it
 
 size_t Index(int64_t number)
 {
@@ -33,9 +34,51 @@ void vtkWaterParts::Join(vtkPolyData* mesh)
   water_regions_begin(this->Parents.data(), this->Parents.size());
   vtkWaterForEachCell(
     mesh->GetPolys(), [this](vtkIdType, const vtkIdType* points, vtkIdType count) {
-      for (vtkIdType i = 1; i < count; ++i)
+      static_assert(sizeof(vtkIdType) == sizeof(int64_t), "VTK's numbers are those of the core");
+      water_regions_join(
+        this->Parents.data(), reinterpret_cast<const int64_t*>(points), Index(count));
+    });
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterParts::Number(vtkPolyData* mesh)
+{
+  std::vector<int64_t> partOfPoint(this->Parents.size(), kNone); // of those that stand for a region
+  this->PartOfCell.assign(Index(mesh->GetNumberOfPolys()), kNone);
+  this->PartCount = 0;
+  vtkWaterForEachCell(
+    mesh->GetPolys(), [&](vtkIdType cell, const vtkIdType* points, vtkIdType count) {
+      if (count < 3)
       {
-        water_regions_join(this->Parents.data(), points[0], points[i]);
+        return;
+      }
+      int64_t& part = partOfPoint[Index(water_regions_find(this->Parents.data(), points[0]))];
+      part = part == kNone ? static_cast<int64_t>(this->PartCount++) : part;
+      this->PartOfCell[Index(cell)] = part;
+    });
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterParts::Fit(
+  vtkPolyData* mesh, vtkIdType begin, vtkIdType end, std::vector<water_fit>& fits)
+{
+  const vtkWaterPlaces places(mesh->GetPoints());
+  std::vector<double> corners;
+  vtkWaterForCells(
+    mesh->GetPolys(), begin, end, [&](vtkIdType cell, const vtkIdType* points, vtkIdType count) {
+      int64_t& part = this->PartOfCell[Index(cell)];
+      if (part == kNone)
+      {
+        return;
+      }
+      corners.resize(3 * Index(count));
+      for (vtkIdType i = 0; i < count; ++i)
+      {
+        places.Get(points[i], &corners[3 * Index(i)]);
+      }
+      if (!water_fit_add_polygon(corners.data(), Index(count), &fits[Index(part)]))
+      {
+        part = kNone;
       }
     });
 }
@@ -43,33 +86,26 @@ void vtkWaterParts::Join(vtkPolyData* mesh)
 //------------------------------------------------------------------------------
 void vtkWaterParts::Fit(vtkPolyData* mesh, const double up[3])
 {
-  vtkCellArray* cells = mesh->GetPolys();
-  this->PartOfPoint.assign(this->Parents.size(), kNone);
-  this->PartOfCell.assign(Index(cells->GetNumberOfCells()), kNone);
-  this->Fits.clear();
-  std::vector<double> corners;
-  vtkWaterForEachCell(cells, [&](vtkIdType cell, const vtkIdType* points, vtkIdType count) {
-    if (count < 3)
-    {
-      return;
-    }
-    corners.resize(3 * Index(count));
-    for (vtkIdType i = 0; i < count; ++i)
-    {
-      mesh->GetPoint(points[i], &corners[3 * Index(i)]);
-    }
-    int64_t& part = this->PartOfPoint[Index(water_regions_find(this->Parents.data(), points[0]))];
-    if (part == kNone)
-    {
-      part = static_cast<int64_t>(this->Fits.size());
-      this->Fits.emplace_back();
-      water_fit_begin(up, &this->Fits.back());
-    }
-    if (water_fit_add_polygon(corners.data(), Index(count), &this->Fits[Index(part)]))
-    {
-      this->PartOfCell[Index(cell)] = part;
-    }
+  water_fit empty;
+  water_fit_begin(up, &empty);
+  this->Fits.assign(this->PartCount, empty);
+  const vtkIdType cells = mesh->GetNumberOfPolys();
+  if (Index(vtkWaterBlockCount(cells)) * this->PartCount > kBlockFits)
+  {
+    this->Fit(mesh, 0, cells, this->Fits);
+    return;
+  }
+  std::vector<std::vector<water_fit>> fits(Index(vtkWaterBlockCount(cells)), this->Fits);
+  vtkWaterForBlocks(cells, [&](vtkIdType block, vtkIdType begin, vtkIdType end) {
+    this->Fit(mesh, begin, end, fits[Index(block)]);
   });
+  for (const std::vector<water_fit>& ofBlock : fits)
+  {
+    for (size_t part = 0; part < this->PartCount; ++part)
+    {
+      water_fit_join(&ofBlock[part], &this->Fits[part]);
+    }
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -129,9 +165,17 @@ void vtkWaterParts::Share(vtkPolyData* mesh, size_t most)
 void vtkWaterParts::Find(vtkPolyData* mesh, const double up[3], size_t most)
 {
   this->Join(mesh);
+  this->Number(mesh);
   this->Fit(mesh, up);
   this->Share(mesh, most);
   this->Cells.assign(this->Planes.size(), {});
+  this->HasOne = this->Planes.size() == 1 && this->IsTight &&
+    std::find(this->PartOfCell.begin(), this->PartOfCell.end(), kNone) == this->PartOfCell.end() &&
+    std::find(this->PlaneOfPart.begin(), this->PlaneOfPart.end(), kNone) == this->PlaneOfPart.end();
+  if (this->HasOne) // nothing will be extracted
+  {
+    return;
+  }
   for (size_t cell = 0; cell < this->PartOfCell.size(); ++cell)
   {
     const int64_t part = this->PartOfCell[cell];
@@ -146,7 +190,7 @@ void vtkWaterParts::Find(vtkPolyData* mesh, const double up[3], size_t most)
 //------------------------------------------------------------------------------
 bool vtkWaterParts::HasAll(size_t plane) const
 {
-  return this->IsTight && this->Cells[plane].size() == this->PartOfCell.size();
+  return this->HasOne || (this->IsTight && this->Cells[plane].size() == this->PartOfCell.size());
 }
 
 //------------------------------------------------------------------------------

@@ -37,15 +37,18 @@ public:
 
 private:
   void Join(vtkPolyData* mesh);
+  void Number(vtkPolyData* mesh);
+  void Fit(vtkPolyData* mesh, vtkIdType begin, vtkIdType end, std::vector<water_fit>& fits);
   void Fit(vtkPolyData* mesh, const double up[3]);
   void Share(vtkPolyData* mesh, size_t most);
 
-  std::vector<int64_t> Parents;     // of points
-  std::vector<int64_t> PartOfPoint; // of the points that stand for a region; else none
+  std::vector<int64_t> Parents;    // of points
   std::vector<int64_t> PartOfCell; // none: it has less than three points, or one that is not finite
+  size_t PartCount = 0;
   std::vector<water_fit> Fits;     // of the parts
   std::vector<int64_t> PlaneOfPart; // none: it has no area
   bool IsTight = false;             // no point beside the polygons' widens the mesh's bounds
+  bool HasOne = false;              // plane, of all polygons
   std::vector<Plane> Planes;
   std::vector<std::vector<vtkIdType>> Cells; // of the planes
   std::vector<vtkIdType> Extracted;          // of each point: where it is in the part; else none

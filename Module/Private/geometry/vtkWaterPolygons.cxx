@@ -17,7 +17,13 @@ namespace
 // points  their number
 std::string FindWrongPoint(vtkCellArray* cells, vtkIdType start, vtkIdType points)
 {
-  if (!cells)
+  const auto isWrong = [points](const vtkIdType* corners, vtkIdType count) {
+    return std::any_of(corners, corners + count, [points](vtkIdType point) {
+      // without a sign, a negative number is larger than all others
+      return static_cast<vtkTypeUInt64>(point) >= static_cast<vtkTypeUInt64>(points);
+    });
+  };
+  if (!cells || !vtkWaterHasCell(cells, isWrong)) // every step of a mesh is asked
   {
     return {};
   }

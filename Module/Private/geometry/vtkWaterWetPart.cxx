@@ -98,26 +98,27 @@ void vtkWaterWetPart::ClassifyCells()
   {
     this->Cells[Index(dyke)] = Cell::Dry;
   }
+  vtkCellArray* cells = this->Mesh->GetPolys();
+  vtkWaterForBlocks(cells->GetNumberOfCells(), [&](vtkIdType, vtkIdType begin, vtkIdType end) {
+    vtkWaterForCells(
+      cells, begin, end, [&](vtkIdType cell, const vtkIdType* corners, vtkIdType count) {
+        Cell& kind = this->Cells[Index(cell)];
+        const auto wet = std::count_if(corners, corners + count,
+          [&depths](vtkIdType point) { return depths[Index(point)] > 0.0; });
+        const bool isDry = kind == Cell::Dry || wet == 0 || count < 3;
+        kind = isDry ? Cell::Dry : (wet == count ? Cell::Wet : Cell::Cut);
+      });
+  });
   this->PointMap.assign(Index(points), -1);
-  vtkWaterForEachCell(
-    this->Mesh->GetPolys(), [&](vtkIdType cell, const vtkIdType* corners, vtkIdType count) {
-      Cell& kind = this->Cells[Index(cell)];
-      const auto wet = std::count_if(corners, corners + count,
-        [&depths](vtkIdType point) { return depths[Index(point)] > 0.0; });
-      if (kind == Cell::Dry || wet == 0 || count < 3)
-      {
-        kind = Cell::Dry;
-        return;
-      }
-      kind = wet == count ? Cell::Wet : Cell::Cut;
-      if (kind == Cell::Wet)
-      {
-        ++this->WetCells;
-        this->WetCorners += count;
-        std::for_each(
-          corners, corners + count, [this](vtkIdType point) { this->PointMap[Index(point)] = 0; });
-      }
-    });
+  vtkWaterForEachCell(cells, [this](vtkIdType cell, const vtkIdType* corners, vtkIdType count) {
+    if (this->Cells[Index(cell)] == Cell::Wet)
+    {
+      ++this->WetCells;
+      this->WetCorners += count;
+      std::for_each(
+        corners, corners + count, [this](vtkIdType point) { this->PointMap[Index(point)] = 0; });
+    }
+  });
   this->IsAll = this->WetCells == static_cast<vtkIdType>(this->Cells.size()) &&
     std::find(this->PointMap.begin(), this->PointMap.end(), -1) == this->PointMap.end();
 }

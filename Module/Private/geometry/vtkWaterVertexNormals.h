@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkWaterVertexNormals: smooth normals of a mesh of polygons, one per point.
+//
+// They are those of vtkPolyDataNormals without splitting and without reordering: the mean direction
+// of the unit normals of the polygons at a point. That filter needs half of the time that a step of
+// a large mesh takes, because it lists the cells of each point first.
+#ifndef vtkWaterVertexNormals_h
+#define vtkWaterVertexNormals_h
+
+#include "vtkSmartPointer.h"
+
+class vtkFloatArray;
+class vtkPolyData;
+
+// (0, 0, 0) at points without a polygon that has an area.
+vtkSmartPointer<vtkFloatArray> vtkWaterVertexNormals(vtkPolyData* mesh);
+
+#endif
