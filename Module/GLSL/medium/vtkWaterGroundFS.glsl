@@ -18,47 +18,34 @@ float waterMediumUnder(vec2 uv)
   return isInside && depth < 1.0 ? max(-waterMediumHeight(uv, depth), 0.0) : 0.0;
 }
 
-// The nearest place to the left of an object, and to its right, where something under the water is seen, or obliquely
-// beyond it. What is deep is likelier the bed than a part of the object. One loop for both sides: software renderers go
-// through each loop once at least.
+// The nearest place to one side of an object where something under the water is seen, or obliquely beyond it. What
+// is deep is likelier the bed than a part of the object.
 //
 // end      of a ray behind the object: u, v
-// side     one pixel to the right, as part of the picture
+// side     one pixel to the side, as part of the picture
 // onwards  the same in the direction of the ray
 // deep     what is under the plane by more than that is the bed
 //
-// left, right  the place, how far away it is, pixels, and 1 if it is deep; all 0: there is none
-void waterMediumBeside(vec2 end, vec2 side, vec2 onwards, float deep, out vec4 left, out vec4 right)
+// Returns the place, how far away it is, pixels, and 1 if it is deep; all 0: there is none
+vec4 waterMediumBeside(vec2 end, vec2 side, vec2 onwards, float deep)
 {
-  vec4 none = vec4(end, 0.0, 0.0);
-  vec4 found = none;
-  left = none;
-  right = none;
+  vec4 found = vec4(end, 0.0, 0.0);
   float aside = WATER_MEDIUM_ASIDE_PX;
-  int looks = 0;
-  bool isRight = false;
-  bool isLast = false; // of both sides
-  do
+  bool isDeep = false;
+  for (int i = 0; i < WATER_MEDIUM_LOOKS_ASIDE && !isDeep; ++i)
   {
-    vec2 level = end + (isRight ? aside : -aside) * side;
+    vec2 level = end + aside * side;
     vec2 oblique = level + aside * onwards;
     float underLevel = waterMediumUnder(level);
     float underOblique = waterMediumUnder(oblique);
     float under = underLevel > 0.0 ? underLevel : underOblique;
-    bool isDeep = max(underLevel, underOblique) > deep;
+    isDeep = max(underLevel, underOblique) > deep;
     bool isLevel = underLevel > (isDeep ? deep : 0.0);
     bool isBetter = isDeep || (under > 0.0 && found.z == 0.0);
     found = isBetter ? vec4(isLevel ? level : oblique, aside, isDeep ? 1.0 : 0.0) : found;
-    ++looks;
-    bool isEnd = isDeep || looks == WATER_MEDIUM_LOOKS_ASIDE; // of one side
-    left = isRight ? left : found;
-    right = isRight ? found : right;
-    isLast = isEnd && isRight;
-    isRight = isRight || isEnd;
-    aside = isEnd ? WATER_MEDIUM_ASIDE_PX : WATER_MEDIUM_ASIDE_RATE * aside;
-    looks = isEnd ? 0 : looks;
-    found = isEnd ? none : found;
-  } while (!isLast);
+    aside *= WATER_MEDIUM_ASIDE_RATE;
+  }
+  return found;
 }
 
 // What a ray is taken to meet if an object hides all that it could meet: what is seen under the water to the left and
@@ -73,9 +60,8 @@ bool waterMediumLookAside(vec3 end, vec2 way, bool isPost, inout WaterMediumView
   vec2 size = waterMediumSize();
   vec2 onwards = way / max(length(way * size), 1e-9);
   float deep = (isPost ? WATER_MEDIUM_LOWEST : WATER_MEDIUM_DEEP) * waterBedDepth;
-  vec4 left;
-  vec4 right;
-  waterMediumBeside(end.xy, vec2(1.0, 0.0) / size, onwards, deep, left, right);
+  vec4 left = waterMediumBeside(end.xy, vec2(-1.0, 0.0) / size, onwards, deep);
+  vec4 right = waterMediumBeside(end.xy, vec2(1.0, 0.0) / size, onwards, deep);
   float nearest = min(waterMediumDepth(left.xy), waterMediumDepth(right.xy));
   bool isBed = min(left.w, right.w) > 0.0 &&
     (waterMediumUnder(end.xy) > deep || nearest > mix(waterMediumDepth(end.xy), end.z, WATER_MEDIUM_APART));

@@ -460,34 +460,40 @@ vec3 waterTransmittedRay(WaterPoint point)
     return waterDeepColor;
   }
   WaterMediumView view = met.view;
+  vec3 from = waterMediumColor(view.from, met.depth);
+  vec3 to = from;
+  vec3 ways = vec3(met.way); // of what is seen at the first place, at the second, and of both
+  float depthTo = met.depth;
   bool areTwo = !view.isMet && !met.isUnderBorder;
-  bool isLevel = areTwo || met.isUnderBorder; // the way is that over level beds
   waterMediumIsEdge = waterMediumIsEdge || areTwo;
+  if (areTwo || met.isUnderBorder) // over level beds
+  {
+    depthTo = waterMediumDepth(view.to);
+    to = waterMediumColor(view.to, depthTo);
+    ways.xy = max(vec2(waterMediumHeight(view.from, met.depth), waterMediumHeight(view.to, depthTo)) / dir.z, vec2(0.0));
+    ways.z = areTwo ? mix(ways.x, ways.y, view.share) : ways.x;
+  }
+  if (waterSide < 0.0)
+  {
+    vec3 color = mix(from, to, view.share);
+    bool isSky = met.depth >= 1.0 || (!view.isMet && waterHasFloor());
+    return isSky && waterIsSkyKnown() ? waterSky(dir) : color;
+  }
+  float caustic = waterMediumLight(point, met, view.from, dir, areTwo || met.isUnderBorder ? ways.x : met.lit);
+  from = met.depth >= 1.0 ? waterDeepColor : waterAfter(caustic * from, ways.x);
   float gap = length((view.to - view.from) * waterMediumSize());
   bool mayHaveOthers = view.isMet || (gap > 0.0 && gap < WATER_MEDIUM_GAP_PX);
   int others = mayHaveOthers ? (met.isAtBorder ? 2 : 1) * waterMediumIsSorted : 0;
   float begun = length((view.from - waterMediumPlace(point.ndc)) * waterMediumSize());
-  vec3 seen = vec3(0.0);
-  bool isFirst = true;
-  bool isLast = false;
-  do // few pixels have two places: software renderers would execute a branch for the second in all
+  from = waterMediumWithOther(view.from, met.depth, others, begun, from, dir, caustic);
+  if (areTwo)
   {
-    vec2 uv = isFirst ? view.from : view.to;
-    float depth = isFirst ? met.depth : waterMediumDepth(view.to);
-    vec3 color = waterMediumColor(uv, depth);
-    if (waterSide > 0.0)
-    {
-      float way = isLevel ? max(waterMediumHeight(uv, depth) / dir.z, 0.0) : met.way;
-      float caustic = waterMediumLight(point, met, uv, dir, isLevel ? way : met.lit);
-      color = depth >= 1.0 ? waterDeepColor : waterAfter(caustic * color, way);
-      color = waterMediumWithOther(uv, depth, others, begun, color, dir, caustic);
-    }
-    seen = isFirst ? color : mix(seen, color, view.share);
-    isLast = !(isFirst && areTwo);
-    isFirst = false;
-  } while (!isLast);
-  bool isSky = met.depth >= 1.0 || (!view.isMet && waterHasFloor());
-  return waterSide < 0.0 && isSky && waterIsSkyKnown() ? waterSky(dir) : seen;
+    caustic = waterMediumLight(point, met, view.to, dir, ways.y);
+    to = depthTo >= 1.0 ? waterDeepColor : waterAfter(caustic * to, ways.y);
+    to = waterMediumWithOther(view.to, depthTo, others, begun, to, dir, caustic);
+    from = mix(from, to, view.share);
+  }
+  return from;
 }
 
 // Color of what lies beyond a point of the surface, and the light that the water adds; of the slot others.
