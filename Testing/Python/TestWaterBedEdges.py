@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 import water_test as wt
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkFiltersSources import vtkConeSource, vtkPlaneSource
+from vtkmodules.vtkFiltersSources import vtkConeSource, vtkDiskSource, vtkPlaneSource
 
 SIZE = (240, 180)
 VIEWS = {"above": (3, -9, 9), "middle": (6, -9, 5), "low": (-4, -12, 1.5)}
@@ -167,6 +167,40 @@ def test_a_face_seen_at_its_edge_shows_no_background(samples, is_software, monke
     grey = is_near & (picture.min(axis=2) > 115)
     wt.check_at_least("pixels of the cone", int((is_near & (picture[..., 0] > picture[..., 2] + 60)).sum()), 2000)
     wt.check_at_most("whitish pixels beside it", int(grey.sum()), 0)
+
+
+@pytest.mark.parametrize("samples", (0, 4))
+@pytest.mark.parametrize("is_software", (1, 0))
+def test_thin_things_over_the_water_are_seen_once(samples, is_software, monkeypatch):
+    """Rays that pass behind thin black rings over the water meet the bed on their other side. No dots or arcs of
+    the rings' colour are beside them."""
+    monkeypatch.setenv("VTK_WATER_SOFTWARE", str(is_software))
+    view = wt.View(SIZE, WHITE, samples)
+    wt.add_actor(view.renderer, wt.box((0, 0, -0.9), (30, 30, 0.02)), (0.8, 0.8, 0.7)).GetProperty().LightingOff()
+    for number in range(6):
+        ring = vtkDiskSource()
+        ring.SetInnerRadius(0.3 + 0.04 * number)
+        ring.SetOuterRadius(0.3 + 0.04 * number + 0.05)
+        ring.SetCircumferentialResolution(48)
+        ring.Update()
+        middle = (1.3 * (number % 3 - 1), 1.4 * (number // 3) - 0.7, 0)
+        actor = wt.add_actor(view.renderer, wt.moved(ring.GetOutput(), middle), (0, 0, 0))
+        actor.SetOrigin(*middle)
+        actor.RotateX(60)
+        actor.SetPosition(0, 0, 0.6)
+        actor.GetProperty().LightingOff()
+    water = clear_water(view, (-10, 10, -10, 10))
+    wt.place_camera(view.renderer, (0, -7, 6), (0, 0, 0), (0.5, 60))
+    picture = view.picture()
+    water.VisibilityOff()
+    dry = view.picture()
+    of_rings = dry.min(axis=2) < 170
+    near = of_rings.copy()
+    for dy, dx in ((1, 0), (-1, 0), (0, 1), (0, -1)):
+        near |= np.roll(of_rings, (dy, dx), (0, 1))
+    wt.check_at_least("pixels of the rings", int(of_rings.sum()), 500)
+    wt.save(picture, wt.output_folder() / f"rings_{samples}_{is_software}.png")
+    wt.check_at_most("dark pixels beside them", int((~near & (picture.max(axis=2) < 90)).sum()), 0)
 
 
 @pytest.mark.parametrize("is_software", (1, 0))

@@ -55,7 +55,7 @@ def test_no_dotted_line_is_along_the_waterline(is_software, monkeypatch):
 
 
 # seeds: the most that errors at the edges may be of those without water, with 4 samples
-RATIOS = {8: 1.13, 4: 1.1, 10: 1.3, 12: 1.1, 6: 1.1}
+RATIOS = {8: 1.1, 4: 1.1, 10: 1.1, 12: 1.1, 6: 1.1, 102: 1.1}
 
 
 @pytest.mark.parametrize("seed", RATIOS)

@@ -10,7 +10,7 @@ and their difference, with water and below with the plane. Exit status 1: a limi
 The truth is a picture eight times as wide and as high, without anti-aliasing, made small by the mean. The error
 is the RMSE, of 255, of pixels within two of an edge of the water: waterline, silhouettes over water, the sheet's border.
 The same error of the same scene with an opaque plane of the water's mean colour in its place says what the mode does
-without water.
+without water. The whole picture is compared with that of the scene without water and plane, too.
 """
 
 import argparse
@@ -48,7 +48,8 @@ PLACES = {
 TEXT = """
 $count random scenes ($seeds), $width x $height pixels: rocks and posts in clear or opaque, calm or rippled water,
 over beds with and without a shore. RMSE, of 255, of the pixels within $near of an edge of the water, compared with 64
-samples per pixel; and the same with an opaque plane instead of the water. If the driver has fewer samples than a mode
+samples per pixel; and the same with an opaque plane instead of the water. The last columns are the RMSE of the whole
+picture, with the water and with neither water nor plane. If the driver has fewer samples than a mode
 requests, it uses the driver's number. frames-4 is the mean of four pictures, each drawn in full with all pixels shifted
 to one of the four sample positions: the best result that four samples per pixel can have. frames-8 and frames-16 are
 the same with more samples. On an NVIDIA H200, which has 16 samples, the median ratios are 1.02 with
@@ -141,13 +142,16 @@ class Result:
         self.mask = near_edges(mask)
         self.truth, self.pictures = self._pictures(view, modes, side)
         water.VisibilityOff()
+        self.bare_truth, self.bare_pictures = self._pictures(view, modes, side)
         add_plane(scene, tuple(self.truth[mask].mean(axis=0) / 255))
         self.plane_truth, self.plane_pictures = self._pictures(view, modes, side)
         self.row = {"seed": scene.seed, **scene.facts, "pixels": int(self.mask.sum())}
         for mode in modes:
             self.row[mode] = rmse(self.pictures[mode], self.truth, self.mask)
             self.row[f"{mode} plane"] = rmse(self.plane_pictures[mode], self.plane_truth, self.mask)
-            self.row[f"{mode} whole"] = rmse(self.pictures[mode], self.truth, np.ones_like(self.mask))
+            whole = np.ones_like(self.mask)
+            self.row[f"{mode} whole"] = rmse(self.pictures[mode], self.truth, whole)
+            self.row[f"{mode} bare"] = rmse(self.bare_pictures[mode], self.bare_truth, whole)
 
     @staticmethod
     def _pictures(view, modes, side):
@@ -210,13 +214,13 @@ def _summary(results, modes):
     cells = []
     for mode in modes:
         ratios = np.array([ratio(result.row, mode) for result in results])
-        errors, planes, wholes = (np.array([result.row[mode + name] for result in results])
-                                  for name in ("", " plane", " whole"))
+        errors, planes, wholes, bares = (np.array([result.row[mode + name] for result in results])
+                                         for name in ("", " plane", " whole", " bare"))
         cells.append((mode, f"{np.median(errors):.2f}", f"{errors.max():.2f}", f"{np.median(planes):.2f}",
                       f"{planes.max():.2f}", f"{np.median(ratios):.2f}", f"{ratios.max():.2f}",
-                      str(int((ratios <= MOST_RATIO).sum())), f"{np.median(wholes):.2f}"))
+                      str(int((ratios <= MOST_RATIO).sum())), f"{np.median(wholes):.2f}", f"{np.median(bares):.2f}"))
     return table(("mode", "water: median", "worst", "plane: median", "worst", "ratio: median", "worst",
-                  f"scenes up to {MOST_RATIO:g}", "whole picture: median"), cells)
+                  f"scenes up to {MOST_RATIO:g}", "whole picture: median", "no water, whole: median"), cells)
 
 
 def run(report):

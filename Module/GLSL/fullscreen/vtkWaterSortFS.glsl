@@ -11,12 +11,12 @@
 in vec2 texCoord;
 uniform sampler2DMS waterSampleColor;
 uniform sampler2DMS waterSampleDepth; // window depth, 1: background
-uniform int waterSampleCount;
 uniform vec2 waterSamplePlaces[32]; // pixels, from the middle
 uniform vec4 waterSampleRect;       // of the picture in its framebuffer: x, y, width, height in pixels
 uniform vec4 waterSamplePart;       // of that what is drawn
 uniform vec4 waterHeightClip;       // as in vtkWaterMediumPictureFS.glsl
 
+const int WATER_SORT_SAMPLES = 4; // of the picture: the number is replaced
 const float WATER_SORT_BENT = 1.5; // a plane's depths are not so many times as far apart as its slope has them
 const float WATER_SORT_NEARLY = 0.9999999; // the background
 
@@ -38,9 +38,10 @@ bool waterIsBeyond(int i, float depth)
 }
 
 // How the depth changes before and after a pixel, on one axis.
-vec2 waterDepthChange(ivec2 axis)
+//
+// depth  there
+vec2 waterDepthChange(float depth, ivec2 axis)
 {
-  float depth = waterSampleDepthOf(waterPixel, 0);
   return vec2(depth - waterSampleDepthOf(waterPixel - axis, 0), waterSampleDepthOf(waterPixel + axis, 0) - depth);
 }
 
@@ -54,22 +55,27 @@ float waterDepthSlope(vec2 change)
 
 void main()
 {
-  vec3 beyond = vec3(0.0); // sum of places, number
+  // Arrays, and a number of samples that compilers know: software renderers read a depth more slowly than they sort it.
+  float depths[WATER_SORT_SAMPLES];
+  float beyond[WATER_SORT_SAMPLES]; // 1: beyond the water's plane
+  vec3 places = vec3(0.0); // sum of those beyond it, number
   vec2 range = vec2(2.0, -1.0);
   vec2 rangeBeyond = range;
-  for (int i = 0; i < waterSampleCount; ++i)
+  for (int i = 0; i < WATER_SORT_SAMPLES; ++i)
   {
     float depth = waterSampleDepthOf(waterPixel, i);
     bool isBeyond = waterIsBeyond(i, depth);
     vec2 wider = vec2(min(rangeBeyond.x, depth), max(rangeBeyond.y, depth));
     rangeBeyond = isBeyond ? wider : rangeBeyond;
-    beyond += isBeyond ? vec3(waterSamplePlaces[i], 1.0) : vec3(0.0);
+    places += isBeyond ? vec3(waterSamplePlaces[i], 1.0) : vec3(0.0);
     range = vec2(min(range.x, depth), max(range.y, depth));
+    depths[i] = depth;
+    beyond[i] = isBeyond ? 1.0 : 0.0;
   }
-  bool isSeen = beyond.z > 0.0;
+  bool isSeen = places.z > 0.0;
   range = isSeen ? rangeBeyond : range;
-  vec2 across = waterDepthChange(ivec2(1, 0));
-  vec2 up = waterDepthChange(ivec2(0, 1));
+  vec2 across = waterDepthChange(depths[0], ivec2(1, 0));
+  vec2 up = waterDepthChange(depths[0], ivec2(0, 1));
   vec2 slope = vec2(waterDepthSlope(across), waterDepthSlope(up));
   float spread = WATER_SORT_BENT * (min(abs(across.x), abs(across.y)) + min(abs(up.x), abs(up.y))) + 1e-7;
   float middle = range.y - range.x > spread ? 0.5 * (range.x + range.y) : 2.0;
@@ -77,27 +83,27 @@ void main()
 
   vec4 near = vec4(0.0); // sum of colors, number
   vec4 far = vec4(0.0);
-  vec2 depths = vec2(0.0);
-  bool isPart = isSeen && beyond.z < float(waterSampleCount);
-  vec2 seen = isPart ? beyond.xy / beyond.z : vec2(0.0); // the surface's rays begin there
-  for (int i = 0; i < waterSampleCount; ++i)
+  vec2 sums = vec2(0.0); // of depths
+  bool isPart = isSeen && places.z < float(WATER_SORT_SAMPLES);
+  vec2 seen = isPart ? places.xy / places.z : vec2(0.0); // the surface's rays begin there
+  for (int i = 0; i < WATER_SORT_SAMPLES; ++i)
   {
-    float depth = waterSampleDepthOf(waterPixel, i);
+    float depth = depths[i];
     vec4 color = vec4(texelFetch(waterSampleColor, waterCorner + waterPixel, i).rgb, 1.0);
-    bool isLeftOut = isSeen && !waterIsBeyond(i, depth);
+    bool isLeftOut = isSeen && beyond[i] == 0.0;
     bool isNear = depth <= middle;
     near += isLeftOut || !isNear ? vec4(0.0) : color;
     far += isLeftOut || isNear ? vec4(0.0) : color;
     float there = depth < 1.0 ? clamp(depth - dot(slope, waterSamplePlaces[i] - seen), 0.0, WATER_SORT_NEARLY) : depth;
-    depths += isLeftOut ? vec2(0.0) : (isNear ? vec2(there, 0.0) : vec2(0.0, there));
+    sums += isLeftOut ? vec2(0.0) : (isNear ? vec2(there, 0.0) : vec2(0.0, there));
   }
   bool isFarMore = far.w > near.w;
   vec4 more = isFarMore ? far : near;
   vec4 less = isFarMore ? near : far;
-  depths /= max(vec2(near.w, far.w), vec2(1.0));
+  sums /= max(vec2(near.w, far.w), vec2(1.0));
   float count = near.w + far.w;
   gl_FragData[0] = vec4(more.rgb / more.w, 1.0);
   gl_FragData[1] = vec4(less.rgb / max(less.w, 1.0), less.w / count);
-  gl_FragData[2] = vec4(isFarMore ? depths.x : depths.y, seen, 0.0);
-  gl_FragDepth = isFarMore ? depths.y : depths.x;
+  gl_FragData[2] = vec4(isFarMore ? sums.x : sums.y, seen, 0.0);
+  gl_FragDepth = isFarMore ? sums.y : sums.x;
 }

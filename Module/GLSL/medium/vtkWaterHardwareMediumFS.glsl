@@ -11,12 +11,15 @@ vec2 waterMediumSize()
   return floor(1.0 / (waterViewport.zw * waterSceneScale) + 0.5);
 }
 
-// Only beside the background, which may be much brighter: a look at more neighbours took 4 % of a frame on an H200. Several
-// rays of a multisampled picture's pixel need all edges.
+// Only beside the background, which may be much brighter, and what stands over the water: a look at more neighbours took
+// 4 % of a frame on an H200. Several rays of a multisampled picture's pixel need all edges.
 bool waterMediumIsNearEdge(vec2 middle, vec2 next, float depth)
 {
-  return waterMediumIsSorted != 0 || max(waterMediumDepth(next),
-    max(waterMediumDepth(vec2(next.x, middle.y)), waterMediumDepth(vec2(middle.x, next.y)))) >= 1.0;
+  vec3 near = vec3(
+    waterMediumDepth(next), waterMediumDepth(vec2(next.x, middle.y)), waterMediumDepth(vec2(middle.x, next.y)));
+  float nearest = min(near.x, min(near.y, near.z));
+  bool isOver = dot(waterHeightClip, vec4(2.0 * vec3(next, nearest) - 1.0, 1.0)) > 0.0;
+  return waterMediumIsSorted != 0 || max(near.x, max(near.y, near.z)) >= 1.0 || isOver;
 }
 
 // As in vtkWaterMediumWalkFS.glsl.
@@ -85,7 +88,7 @@ void waterMediumMarch(vec3 start, vec3 way, float reach, inout WaterMediumHit fo
 
 WaterMediumHit waterMediumWalk(vec3 start, vec3 way, float depth, float reach)
 {
-  WaterMediumHit found = WaterMediumHit(0.0, reach, depth, waterMediumDepth(start.xy + reach * way.xy), 0.0, false);
+  WaterMediumHit found = WaterMediumHit(0.0, reach, depth, waterMediumDepth(start.xy + reach * way.xy), 0.0, false, false);
   float pixels = length(way.xy * waterMediumSize()); // for all of the way
   bool isFound = start.z <= depth;
   if (isFound && start.z + reach * way.z > found.depthHigh)
@@ -94,7 +97,7 @@ WaterMediumHit waterMediumWalk(vec3 start, vec3 way, float depth, float reach)
   }
   if (!isFound || !waterMediumIsFree(start, way, found.high, found.high * pixels))
   {
-    found = WaterMediumHit(0.0, reach, depth, depth, 0.0, false);
+    found = WaterMediumHit(0.0, reach, depth, depth, 0.0, false, false);
     waterMediumMarch(start, way, reach, found);
   }
   return found;

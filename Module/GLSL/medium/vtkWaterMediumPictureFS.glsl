@@ -86,6 +86,7 @@ struct WaterMediumHit
   float depthHigh;
   float share; // of the way from low to high, where the ray meets what is seen at high if that goes on
   bool isHit;  // or else low is the last place where the ray is known to be in front
+  bool isGap;  // something hides what is between
 };
 
 vec2 waterMediumSize(); // of the picture, pixels; of the slot refraction
@@ -174,7 +175,7 @@ bool waterMediumConverge(vec3 start, vec3 way, float pixels, inout WaterMediumHi
       float depthThere = waterMediumDepth(start.xy + there * way.xy);
       if (depthThere == depth)
       {
-        found = WaterMediumHit(there, there, depth, depth, 0.0, true);
+        found = WaterMediumHit(there, there, depth, depth, 0.0, true, false);
         return true;
       }
       waterMediumTest(there, start.z + there * way.z, depthThere, found);

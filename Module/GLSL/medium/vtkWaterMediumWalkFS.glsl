@@ -7,7 +7,6 @@ const int WATER_MEDIUM_TRIES = 2;    // so many steps may be halved
 const float WATER_MEDIUM_JUMP = 1.2; // how much further than to where the ray was in front
 const float WATER_MEDIUM_FURTHER_PX = 3.0;
 const float WATER_MEDIUM_SLACK_PX = 0.8; // depths are those of pixels' middles
-const float WATER_MEDIUM_GAP = 0.1;  // of a step: what is still as wide was not halved, as it is hidden
 
 vec2 waterMediumSize()
 {
@@ -50,7 +49,7 @@ WaterMediumHit waterMediumMarch(vec3 start, vec3 way, float depth, float reach)
   float overRate = -dot(waterHeightClip.xy, way.xy) / waterHeightClip.z;
   float texel = 1.0 / max(length(way.xy * waterMediumSize()), 1e-6);
   float step = reach / float(WATER_MEDIUM_STEPS);
-  WaterMediumHit found = WaterMediumHit(0.0, reach, depth, depth, 0.0, false);
+  WaterMediumHit found = WaterMediumHit(0.0, reach, depth, depth, 0.0, false, false);
   float apart = WATER_MEDIUM_FURTHER_PX * texel;
   float missFurther = 0.0;
   float at = 0.0;
@@ -118,6 +117,7 @@ WaterMediumHit waterMediumMarch(vec3 start, vec3 way, float depth, float reach)
     found.low = before.x; // what is hidden is likelier than nothing
     found.depthLow = before.y;
   }
+  found.isGap = found.isHit && gap.x <= gap.y; // however narrow: between the two is the color of what hides it
   return found;
 }
 
@@ -127,7 +127,7 @@ WaterMediumHit waterMediumWalk(vec3 start, vec3 way, float depth, float reach)
 {
   float last = waterMediumDepth(start.xy + reach * way.xy);
   float pixels = length(way.xy * waterMediumSize()); // for all of the way
-  WaterMediumHit found = WaterMediumHit(0.0, reach, depth, last, 0.0, false);
+  WaterMediumHit found = WaterMediumHit(0.0, reach, depth, last, 0.0, false, false);
   bool isFound = start.z <= depth;
   if (isFound && start.z + reach * way.z > last)
   {
@@ -139,7 +139,7 @@ WaterMediumHit waterMediumWalk(vec3 start, vec3 way, float depth, float reach)
   }
   else
   {
-    found = WaterMediumHit(reach, reach, last, last, 0.0, false);
+    found = WaterMediumHit(reach, reach, last, last, 0.0, false, false);
   }
   if (!isFound || !waterMediumIsFree(start, way, found.high, found.high * pixels))
   {
@@ -165,13 +165,12 @@ WaterMediumView waterMediumMeets(vec3 start, vec3 way, float most, float deepest
   WaterMediumHit found = waterMediumWalk(start, way, depth, reach);
   vec2 size = waterMediumSize();
   float wide = found.high - found.low;
-  bool isGap = wide > WATER_MEDIUM_GAP * reach / float(WATER_MEDIUM_STEPS) && wide * length(way.xy * size) > 2.0;
   // the false position between the two
   float missLow = start.z + found.low * way.z - found.depthLow;
   float missHigh = start.z + found.high * way.z - found.depthHigh;
   float share = found.isHit ? clamp(-missLow / max(missHigh - missLow, 1e-20), 0.0, 1.0) : 0.0;
   WaterMediumView view;
-  view.isMet = found.isHit ? !isGap : isInside && found.low >= reach * (1.0 - 1e-6);
+  view.isMet = found.isHit ? !found.isGap : isInside && found.low >= reach * (1.0 - 1e-6);
   view.s = found.low + share * wide;
   view.share = view.isMet ? share : (found.isHit ? found.share : 0.0);
   view.from = start.xy + (view.isMet ? view.s : found.low) * way.xy;

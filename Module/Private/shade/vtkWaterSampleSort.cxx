@@ -10,10 +10,12 @@
 #include "vtkWaterUniforms.h"
 
 #include <algorithm>
+#include <string>
 
 namespace
 {
 constexpr int kMostSamples = 32; // as in vtkWaterSortFS.glsl
+constexpr const char* kCount = "WATER_SORT_SAMPLES = 4"; // there
 
 vtkSmartPointer<vtkTextureObject> MakeTexture(
   vtkOpenGLRenderWindow* window, unsigned int width, unsigned int height, int type)
@@ -47,6 +49,20 @@ bool vtkWaterSampleSort::Ensure(vtkOpenGLRenderWindow* window, vtkTextureObject*
 }
 
 //------------------------------------------------------------------------------
+vtkShaderProgram* vtkWaterSampleSort::Ready(vtkOpenGLRenderWindow* window, int samples)
+{
+  if (samples != this->Samples)
+  {
+    this->Quad.ReleaseGraphicsResources();
+    this->Samples = samples;
+    this->Source = vtkWaterSortFS;
+    vtkShaderProgram::Substitute(
+      this->Source, kCount, "WATER_SORT_SAMPLES = " + std::to_string(samples));
+  }
+  return this->Quad.Ready(window, this->Source.c_str());
+}
+
+//------------------------------------------------------------------------------
 bool vtkWaterSampleSort::Draw(vtkOpenGLRenderWindow* window, const Picture& picture,
   const double* heightClip, vtkTextureObject* color, vtkTextureObject* depth)
 {
@@ -73,7 +89,7 @@ bool vtkWaterSampleSort::Draw(vtkOpenGLRenderWindow* window, const Picture& pict
   const char* reason = nullptr;
   vtkShaderProgram* program = vtkOpenGLFramebufferObject::GetFrameBufferStatus(
                                 vtkOpenGLFramebufferObject::GetBothMode(), reason)
-    ? this->Quad.Ready(window, vtkWaterSortFS)
+    ? this->Ready(window, picture.Samples)
     : nullptr;
   if (program)
   {
@@ -81,7 +97,6 @@ bool vtkWaterSampleSort::Draw(vtkOpenGLRenderWindow* window, const Picture& pict
     const vtkWaterScopedSamples samples(state, picture.Color, picture.Depth);
     vtkWaterUniforms::Set(program, "waterSampleColor", 0);
     vtkWaterUniforms::Set(program, "waterSampleDepth", 1);
-    vtkWaterUniforms::Set(program, "waterSampleCount", picture.Samples);
     program->SetUniform2fv("waterSamplePlaces", picture.Samples, places);
     double rect[4];
     double part[4];

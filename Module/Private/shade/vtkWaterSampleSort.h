@@ -9,6 +9,9 @@
 #include "vtkTextureObject.h" // for members
 #include "vtkWaterQuad.h"
 
+#include <string>
+
+class vtkShaderProgram;
 class vtkOpenGLRenderWindow;
 class vtkWindow;
 
@@ -48,10 +51,15 @@ public:
 private:
   bool Ensure(vtkOpenGLRenderWindow* window, vtkTextureObject* color);
 
+  // The program for so many samples; nullptr: it does not compile.
+  vtkShaderProgram* Ready(vtkOpenGLRenderWindow* window, int samples);
+
   vtkSmartPointer<vtkTextureObject> Other;
   vtkSmartPointer<vtkTextureObject> OtherPlace;
   vtkSmartPointer<vtkOpenGLFramebufferObject> Framebuffer;
   vtkWaterQuad Quad;
+  std::string Source; // of its shader
+  int Samples = 0;    // it is for so many
 };
 
 #endif
