@@ -35,16 +35,21 @@ struct WaterOrderedLook
   const char* Name;
   bool IsWet;
   bool IsClear;
-  bool HasGlass; // upright panes, of which each rank has one
-  double Limit;  // root mean square of the difference, of 255; 0: no pixel is off by more than 1
+  bool IsEndless; // to the horizon
+  bool HasGlass;  // upright panes, of which each rank has one
+  double Limit;   // root mean square of the difference, of 255; 0: no pixel is off by more than 1
 };
 
 inline std::vector<WaterOrderedLook> WaterOrderedLooks()
 {
-  return { { "dry", false, false, false, 0.0 }, { "opaque water", true, false, false, 0.0 },
-    { "clear water", true, true, false, 0.0 }, { "dry with panes", false, false, true, 1.0 },
-    { "opaque water with panes", true, false, true, 1.0 },
-    { "clear water with panes", true, true, true, 1.0 } };
+  return { { "dry", false, false, false, false, 0.0 },
+    { "opaque water", true, false, false, false, 0.0 },
+    { "clear water", true, true, false, false, 0.0 },
+    { "opaque water to the horizon", true, false, true, false, 0.0 },
+    { "clear water to the horizon", true, true, true, false, 0.0 },
+    { "dry with panes", false, false, false, true, 1.0 },
+    { "opaque water with panes", true, false, false, true, 1.0 },
+    { "clear water with panes", true, true, false, true, 1.0 } };
 }
 
 struct WaterOrderedScene : public WaterTestScene
@@ -60,6 +65,10 @@ struct WaterOrderedScene : public WaterTestScene
       this->AddPanes();
     }
     this->AddWater();
+    if (look.IsEndless)
+    {
+      this->Water->SetSheetToHorizon();
+    }
     this->Water->SetVisibility(look.IsWet);
     this->Water->GetWaterProperty()->SetRefraction(look.IsClear);
     this->Renderer->SetUseDepthPeeling(1);
