@@ -2,6 +2,7 @@
 """TestWaterLarge: a picture of 256 tiles, as many as 16,384 x 16,384 pixels take, and data of 1,000 blocks."""
 
 import numpy as np
+import pytest
 import water_test as wt
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkVersion
@@ -19,6 +20,25 @@ def fill(view):
     wt.place_camera(view.renderer, (3, -13, 3), (0, 0, 0.4), (0.5, 60))
     wt.add_scene_light(view.renderer, (2, -4, 5))
     wt.add_water(view.renderer, None, (-9, 9, -9, 9))
+
+
+def fill_clear(view, has_waves):
+    """A bed and balls on it, seen through water that reflects by Fresnel's law."""
+    fill(view)
+    wt.add_actor(view.renderer, wt.box((0, 0, -1.5), (18, 18, 0.4)), (0.8, 0.7, 0.5))
+    for i in range(6):
+        wt.add_actor(view.renderer, wt.sphere((2 * i - 5, 1.3 * (i % 3) - 4, -1), 0.4), (0.2, 0.3 + 0.1 * i, 0.9 - 0.1 * i))
+    props = view.renderer.GetViewProps()
+    water = next(prop for prop in (props.GetItemAsObject(i) for i in range(props.GetNumberOfItems()))
+                 if prop.IsA("vtkWaterActor"))
+    look = water.GetWaterProperty()
+    look.SetReflectanceModeToFresnel()
+    look.SetMetresPerUnit(1)
+    look.RefractionOn()
+    if has_waves:
+        look.AddWave(0.05, 2.1, 30)
+        look.AddWave(0.03, 1.3, 75)
+    return water
 
 
 def tiled(view):
@@ -51,6 +71,26 @@ def test_256_tiles_are_the_picture_in_one_piece():
     all_off, seam_off = seams(tiled(view), whole.picture())
     wt.check_at_most("share of pixels off", all_off, 0.0002)
     wt.check_at_most("  beside the edges of tiles", seam_off, 0.0002)
+
+
+@pytest.mark.parametrize("has_waves", (False, True), ids=("calm", "waves"))
+def test_256_tiles_of_clear_water_have_no_seams(has_waves):
+    """What refracted and traced rays find beside a tile is drawn for it, though no view of its own was asked for.
+
+    Rays in waves are searched for in as many steps as in the whole picture, of which some cross more of it: they
+    differ here and there, and no more beside edges of tiles than elsewhere.
+    """
+    view, whole = wt.View(SIZE), wt.View((SCALE * SIZE[0], SCALE * SIZE[1]))
+    water = fill_clear(view, has_waves)
+    fill_clear(whole, has_waves).GetWaterProperty().SetRefractionSourceToOwnView()
+    all_off, seam_off = seams(tiled(view), whole.picture())
+    wt.check_equal("error", water.GetLastError(), "")
+    if has_waves:
+        wt.check_at_most("share of pixels off", all_off, 0.02)
+        wt.check_at_most("  beside the edges of tiles, of that elsewhere", seam_off / all_off, 1.1)
+    else:
+        wt.check_at_most("share of pixels off", all_off, 0.0002)
+        wt.check_at_most("  beside the edges of tiles", seam_off, 0.0002)
 
 
 def blocks(count):
