@@ -173,7 +173,7 @@ double* vtkWaterActor::FindBounds()
   if (this->IsEndless())
   {
     vtkMath::UninitializeBounds(this->Bounds); // of vtkProp3D, for its other questions
-    return nullptr;
+    return this->Internal->FindSeenBounds(this->DisplacedBounds) ? this->DisplacedBounds : nullptr;
   }
   double* bounds = this->Superclass::GetBounds();
   if (!this->Internal->IsDisplaced() || !bounds || !vtkMath::AreBoundsInitialized(bounds))

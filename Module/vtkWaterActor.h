@@ -102,10 +102,11 @@ public:
   /**
    * Extends the built-in sheet to the horizon: it fills the visible part of the plane for each
    * camera. Any plane has a horizon, but a parallel camera sees none. The sheet is not part of the
-   * scene's bounds (GetBounds returns nullptr), is never culled, and is not cut at the camera's
-   * near and far planes, which ResetCamera and ResetCameraClippingRange set for the rest of the
-   * scene. The actor's position does not move it. SetSheetBounds and ResetSheetBounds replace this
-   * setting; a user's mapper takes precedence over it. Default is off.
+   * scene's bounds (GetBounds returns nullptr, except while several ranks draw a frame), is never
+   * culled, and is not cut at the camera's near and far planes, which ResetCamera and
+   * ResetCameraClippingRange set for the rest of the scene. The actor's position does not move it.
+   * SetSheetBounds and ResetSheetBounds replace this setting; a user's mapper takes precedence over
+   * it. Default is off.
    */
   void SetSheetToHorizon();
   vtkGetMacro(SheetToHorizon, bool);

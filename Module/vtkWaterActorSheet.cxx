@@ -10,7 +10,9 @@
 #include "vtkWaterCompat.h"
 #include "vtkWaterErrors.h"
 #include "vtkWaterFrame.h"
+#include "vtkWaterGather.h"
 #include "vtkWaterReflection.h"
+#include "water_horizon.h"
 #include "water_plane.h"
 
 #include <algorithm>
@@ -240,6 +242,40 @@ bool vtkWaterActor::Internals::IsKeptFromCullers()
   // waters begin the frame, once the cullers are through
   return std::any_of(scene.begin(), scene.end(),
     [](vtkRenderer* renderer) { return vtkWaterFrame::NumberOf(renderer) == 0; });
+}
+
+//------------------------------------------------------------------------------
+bool vtkWaterActor::Internals::FindSeenBounds(double bounds[6])
+{
+  if (!this->IsDrawnOnAllRanks() || this->IsKeptFromCullers())
+  {
+    return false;
+  }
+  std::vector<vtkRenderer*> scene;
+  FindRenderers(this->Self, scene);
+  water_plane plane;
+  double origin[3];
+  this->ReadPlane(&plane, origin);
+  vtkWaterLook look;
+  this->Describe(look);
+  const bool isDisplaced = this->IsDisplaced();
+  vtkBoundingBox box;
+  for (vtkRenderer* renderer : scene)
+  {
+    const water_camera eye = vtkWaterGather::ReadCamera(renderer);
+    double seen[6];
+    if (vtkWaterFrame::NumberOf(renderer) != 0 &&
+      water_horizon_bounds(&eye, &plane, isDisplaced ? look.WaveHeightMax : 0.0,
+        isDisplaced ? look.WaveReach : 0.0, seen))
+    {
+      box.AddBounds(seen);
+    }
+  }
+  if (box.IsValid())
+  {
+    box.GetBounds(bounds);
+  }
+  return box.IsValid() != 0;
 }
 
 //------------------------------------------------------------------------------

@@ -14,6 +14,8 @@
 #include "vtkWaterProperty.h"
 #include "vtkWaterReflection.h"
 #include "vtkWaterReflectionPass.h"
+#include "vtkWindow.h"
+#include "water_beyond.h"
 #include "water_plane.h"
 #include "water_slopes.h"
 
@@ -243,7 +245,8 @@ vtkWaterSnapshotPointer vtkWaterActor::Internals::Take(vtkRenderer* renderer)
   }
   auto made = std::make_shared<vtkWaterSnapshot>();
   made->Actor = this->Self;
-  if (const double* bounds = this->Self->FindBounds()) // lays the sheet where it is now
+  const double* bounds = this->Self->FindBounds(); // lays the sheet where it is now
+  if (bounds && !this->Self->IsEndless())
   {
     std::copy_n(bounds, 6, made->Bounds);
   }
@@ -261,6 +264,10 @@ vtkWaterSnapshotPointer vtkWaterActor::Internals::Take(vtkRenderer* renderer)
   made->Time = this->Self->Time;
   this->ReadFoam(*made);
   this->Describe(made->Look);
+  if (vtkWindow* window = renderer ? renderer->GetVTKWindow() : nullptr)
+  {
+    made->Look.HasOwnView = water_beyond_is_wanted(made->Look.HasOwnView, window->GetTileScale());
+  }
   made->Look.Has.is_opaque = this->Self->HasOpaqueGeometry() != 0;
   made->Look.Has.has_environment =
     made->Look.Has.has_environment || !this->Self->SceneReflection || !this->MayMirror;

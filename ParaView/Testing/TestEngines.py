@@ -12,7 +12,7 @@ sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import water_scene  # noqa: E402
 import ranks  # noqa: E402
 
-LOOKS = {"depth": 3, "icet": 3, "blend": 6, "icet-ordered": 6}
+LOOKS = {"depth": 5, "icet": 5, "blend": 8, "icet-ordered": 8}
 ENGINE = sys.argv.pop() if sys.argv[-1] in LOOKS else "depth"
 
 

@@ -53,15 +53,44 @@ TEST(the_pictures_pixels_are_pixels_of_the_own_view)
 TEST(the_gpus_limit_narrows_the_band)
 {
   const int viewport_px[2] = { 800, 600 };
+  const int no_tile[2] = { 0, 1 };
   int texture_px[2];
   double scale[2];
-  assert_int_equal(water_beyond_size(viewport_px, 901, texture_px, scale), WATER_OK);
+  assert_int_equal(water_beyond_size(viewport_px, no_tile, 901, texture_px, scale), WATER_OK);
   assert_int_equal(texture_px[0], 900); // 50 on each side
   assert_int_equal(texture_px[1], 900);
   assert_true(scale[0] == 800.0 / 900.0 && scale[1] == 600.0 / 900.0);
-  assert_int_equal(water_beyond_size(viewport_px, 800, texture_px, scale), WATER_OK);
+  assert_int_equal(water_beyond_size(viewport_px, no_tile, 800, texture_px, scale), WATER_OK);
   assert_true(texture_px[0] == 800 && scale[0] == 1.0);
-  assert_int_equal(water_beyond_size(viewport_px, 799, texture_px, scale), WATER_TEXTURE_TOO_LARGE);
+  assert_int_equal(
+    water_beyond_size(viewport_px, no_tile, 799, texture_px, scale), WATER_TEXTURE_TOO_LARGE);
+}
+
+// A tile's refracted rays leave it: it has a view of its own, asked for or not.
+TEST(tiles_have_a_view_of_their_own)
+{
+  const int tiles[4][2] = { { 0, 0 }, { 1, 1 }, { 1, 2 }, { 16, 16 } };
+  for (int i = 0; i < 4; ++i)
+  {
+    assert_true(water_beyond_is_wanted(true, tiles[i]));
+    assert_int_equal(water_beyond_is_wanted(false, tiles[i]), i >= 2);
+  }
+}
+
+// Beside a tile as much is drawn as beside the picture that it is a tile of.
+TEST(band_of_a_tile_is_that_of_the_picture)
+{
+  const int whole_px[2] = { 800, 600 };
+  const int tile_px[2] = { 200, 300 };
+  const int no_tile[2] = { 1, 1 };
+  const int tile_scale[2] = { 4, 2 };
+  int texture_px[2];
+  double scale[2];
+  assert_int_equal(water_beyond_size(whole_px, no_tile, 16384, texture_px, scale), WATER_OK);
+  assert_true(texture_px[0] == 800 + 2 * 400 && texture_px[1] == 600 + 2 * 300);
+  assert_int_equal(water_beyond_size(tile_px, tile_scale, 16384, texture_px, scale), WATER_OK);
+  assert_true(texture_px[0] == 200 + 2 * 400 && texture_px[1] == 300 + 2 * 300);
+  assert_true(scale[0] == 0.2 && scale[1] == 300.0 / 900.0);
 }
 
 // What lies beyond the plane is drawn, also beside the picture, and if it is marked as not
@@ -305,7 +334,8 @@ TEST(rows_and_directions_follow_the_band)
   }
 }
 
-TESTS(the_pictures_pixels_are_pixels_of_the_own_view, the_gpus_limit_narrows_the_band,
+TESTS(tiles_have_a_view_of_their_own, band_of_a_tile_is_that_of_the_picture,
+  the_pictures_pixels_are_pixels_of_the_own_view, the_gpus_limit_narrows_the_band,
   what_lies_beyond_is_drawn, the_clip_keeps_what_is_beyond_the_crests,
   refracted_rays_stay_in_the_drawn_part, it_is_planned_where_the_water_is_seen,
   the_reflections_scale_does_not_matter, rows_and_directions_follow_the_band)

@@ -624,10 +624,48 @@ TEST(near_plane_stays_for_props_without_an_image)
   assert_memory_equal(&camera, &scene.eye, sizeof camera);
 }
 
-TESTS(near_plane_stays_for_props_without_an_image, sheet_is_what_the_eye_sees,
-  sheet_lies_in_the_plane, sheet_ends_at_the_horizon, unseen_planes_have_no_sheet,
-  eye_on_the_plane_has_a_sheet, sheet_is_cut_at_another_plane, box_is_what_the_surface_covers,
-  endless_surface_is_planned_without_bounds, depth_of_a_pixel_is_the_surfaces,
-  near_plane_cuts_no_reflection, near_plane_has_an_end, held_depths_keep_their_order,
-  background_is_seen_through_endless_water, grid_reaches_to_the_horizon,
-  grid_is_balanced_about_the_eye)
+// The box around what is seen holds all corners of the sheet, lies in its plane, and is as thick as
+// the waves; an eye among them is in it, whatever it looks at. Without a horizon there is none.
+TEST(bounds_are_around_what_is_seen)
+{
+  const water_scene scene = shore(5.0, 0.0);
+  const water_horizon horizon = sheet_of(&scene);
+  double bounds[6];
+  assert_true(water_horizon_bounds(&scene.eye, &scene.plane, 0.0, 0.0, bounds));
+  ASSERT_CLOSE(bounds[4], 0.0, 0.0);
+  ASSERT_CLOSE(bounds[5], 0.0, 0.0);
+  assert_true(fmax(bounds[1] - bounds[0], bounds[3] - bounds[2]) > 1e6); // to the horizon
+  for (int part = 0; part < WATER_HORIZON_PARTS; ++part)
+  {
+    for (int i = 0; i < horizon.counts[part]; ++i)
+    {
+      double point[3];
+      corner_of(&horizon, part, i, point);
+      for (int k = 0; k < 2; ++k)
+      {
+        assert_true(point[k] >= bounds[2 * k] && point[k] <= bounds[2 * k + 1]);
+      }
+    }
+  }
+  double waves[6];
+  assert_true(water_horizon_bounds(&scene.eye, &scene.plane, 0.5, 0.25, waves));
+  ASSERT_CLOSE(waves[4], -0.5, 1e-9);
+  ASSERT_CLOSE(waves[5], 0.5, 1e-9);
+  ASSERT_CLOSE(waves[0], bounds[0] - 0.25, 1e-6);
+  const water_scene sky = shore(5.0, 2.0);
+  assert_false(water_horizon_bounds(&sky.eye, &sky.plane, 4.5, 0.0, bounds));
+  assert_true(water_horizon_bounds(&sky.eye, &sky.plane, 5.5, 0.0, bounds));
+  assert_true(bounds[4] <= 5.0 && bounds[5] >= 5.0);
+  const double point[4] = { 0.0, 0.0, 0.0, 1.0 };
+  water_scene flat = shore(5.0, 0.0);
+  memcpy(flat.plane.normal, point, sizeof flat.plane.normal);
+  assert_false(water_horizon_bounds(&flat.eye, &flat.plane, 0.0, 0.0, bounds));
+}
+
+TESTS(bounds_are_around_what_is_seen, near_plane_stays_for_props_without_an_image,
+  sheet_is_what_the_eye_sees, sheet_lies_in_the_plane, sheet_ends_at_the_horizon,
+  unseen_planes_have_no_sheet, eye_on_the_plane_has_a_sheet, sheet_is_cut_at_another_plane,
+  box_is_what_the_surface_covers, endless_surface_is_planned_without_bounds,
+  depth_of_a_pixel_is_the_surfaces, near_plane_cuts_no_reflection, near_plane_has_an_end,
+  held_depths_keep_their_order, background_is_seen_through_endless_water,
+  grid_reaches_to_the_horizon, grid_is_balanced_about_the_eye)

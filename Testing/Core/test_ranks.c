@@ -117,6 +117,8 @@ TEST(parts_of_a_mesh_are_joined)
   views[0].wave_height_max = 0.5;
   views[2].wave_height_max = 1.5;
   views[0].is_averaged = 1.0;
+  views[1].has_marched_rays = 1.0;
+  views[2].wants_peel = 1.0;
   const water_scene root = lake();
   for (size_t rank = 0; rank < 3; ++rank)
   {
@@ -124,6 +126,8 @@ TEST(parts_of_a_mesh_are_joined)
     size_t bad_rank;
     assert_int_equal(water_ranks_join_views(views, 3, rank, &joined, &bad_rank), WATER_OK);
     assert_true(joined.is_averaged);
+    assert_true(joined.has_marched_rays);
+    assert_true(joined.wants_peel);
     const water_scene scene = water_ranks_scene(&root, &joined, NULL);
     assert_true(scene.has_waves);
     ASSERT_CLOSE(scene.slope_rms, 0.25, 0.0);
@@ -360,12 +364,16 @@ TEST(calm_on_all_ranks_is_calm)
   {
     views[i].has_waves = 0.0;
     views[i].is_averaged = 0.0;
+    views[i].has_marched_rays = 0.0;
+    views[i].wants_peel = 0.0;
   }
   water_ranks_view joined;
   size_t bad_rank;
   assert_int_equal(water_ranks_join_views(views, 2, 0, &joined, &bad_rank), WATER_OK);
   assert_false(joined.has_waves);
   assert_false(joined.is_averaged);
+  assert_false(joined.has_marched_rays);
+  assert_false(joined.wants_peel);
 }
 
 // Where the ranks' pictures are blended in an order, the farthest rank shows the water; the root

@@ -215,7 +215,8 @@ TEST(guard_band_never_shrinks_the_map)
     assert_true(water_target_guard_band(&scene.eye, slopes[i]) == 1.0);
     int px[2] = { 800, 600 };
     double scale[2];
-    water_target_widen(bands[i], 16384, px, scale);
+    const double both[2] = { bands[i], bands[i] };
+    water_target_widen(both, 16384, px, scale);
     assert_true(px[0] == 800 && px[1] == 600 && scale[0] == 1.0 && scale[1] == 1.0);
   }
   assert_true(water_target_guard_band(&scene.eye, 1e300) == 1.25);
@@ -277,12 +278,31 @@ TEST(rect_beyond_the_map_is_its_border)
   ASSERT_CLOSE(box[3], 2.0 / 600.0 - 1.0, 1e-15);
 }
 
+// Waves look up as much beside a tile as beside the picture that it is a tile of, on each side.
+TEST(guard_band_of_a_tile_is_that_of_the_picture)
+{
+  const water_scene scene = lake();
+  const int tile_scale[2] = { 4, 2 };
+  water_camera tile = scene.eye;
+  tile.view_to_clip[0] *= 4.0;
+  tile.view_to_clip[5] *= 2.0;
+  const water_camera whole = water_target_whole(&tile, tile_scale);
+  assert_memory_equal(&whole, &scene.eye, sizeof whole);
+  double bands[2];
+  water_target_tile_bands(1.25, tile_scale, bands);
+  int px[2] = { 200, 300 };
+  double scale[2];
+  water_target_widen(bands, 16384, px, scale);
+  assert_true(px[0] == 200 + 2 * 100 && px[1] == 300 + 2 * 75);
+}
+
 // A guard band ends at the limit of textures, with even margins.
 TEST(guard_band_ends_at_the_limit)
 {
   int px[2] = { 1000, 995 };
   double scale[2];
-  water_target_widen(1e300, 1100, px, scale);
+  const double bands[2] = { 1e300, 1e300 };
+  water_target_widen(bands, 1100, px, scale);
   assert_true(px[0] == 1100 && px[1] == 995 + 2 * 52);
   ASSERT_CLOSE(scale[0], 1000.0 / 1100.0, 1e-15);
   assert_int_equal(water_target_size(px, (double)INFINITY, 16384, px), WATER_BAD_TEXTURE_SCALE);
@@ -299,9 +319,9 @@ TEST(averaged_frames_are_twice_as_fine)
   assert_true(water_target_fine_scale(viewport_px, 1.0, 1279) == 1.0);
 }
 
-TESTS(averaged_frames_are_twice_as_fine, size_is_picture_times_scale,
-  size_over_the_limit_is_refused, rect_of_a_known_pond_is_tight_and_flipped,
-  rect_of_a_rough_pond_covers_the_mirror_images, rect_is_never_empty, rect_is_clamped_to_the_map,
-  rect_is_all_of_the_map_where_there_is_no_picture, rect_covers_every_lookup,
-  guard_band_never_shrinks_the_map, reach_is_the_turn_of_the_steepest_ray,
+TESTS(guard_band_of_a_tile_is_that_of_the_picture, averaged_frames_are_twice_as_fine,
+  size_is_picture_times_scale, size_over_the_limit_is_refused,
+  rect_of_a_known_pond_is_tight_and_flipped, rect_of_a_rough_pond_covers_the_mirror_images,
+  rect_is_never_empty, rect_is_clamped_to_the_map, rect_is_all_of_the_map_where_there_is_no_picture,
+  rect_covers_every_lookup, guard_band_never_shrinks_the_map, reach_is_the_turn_of_the_steepest_ray,
   rect_beyond_the_map_is_its_border, guard_band_ends_at_the_limit)

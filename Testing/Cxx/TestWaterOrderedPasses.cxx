@@ -6,7 +6,6 @@
 #include "WaterSocketRanks.h"
 
 #include <cstdlib>
-#include <unistd.h>
 
 int TestWaterOrderedPasses(int, char*[])
 {
@@ -16,12 +15,9 @@ int TestWaterOrderedPasses(int, char*[])
   bool isGood = true;
   for (const int ranks : { 2, 4 })
   {
-    isGood = WaterRunRanks(ranks,
-               [&](const WaterSockets& sockets, int rank) {
-                 alarm(kPatience);
-                 const WaterSocketRank self(sockets, rank);
-                 return WaterCheckEngine(engine, self.Controller);
-               }) &&
+    isGood =
+      WaterRunRanks(ranks, kPatience,
+        [&](const WaterSocketRank& self) { return WaterCheckEngine(engine, self.Controller); }) &&
       isGood;
   }
   return isGood ? EXIT_SUCCESS : EXIT_FAILURE;

@@ -9,7 +9,6 @@
 #include "vtkVersionMacros.h"
 
 #include <cstdlib>
-#include <unistd.h>
 
 namespace
 {
@@ -84,11 +83,7 @@ private:
 std::vector<unsigned char> Show(Scene& scene)
 {
   scene.Window->Render();
-  vtkNew<vtkUnsignedCharArray> pixels;
-  const int* size = scene.Window->GetSize();
-  scene.Window->GetRGBACharPixelData(0, 0, size[0] - 1, size[1] - 1, 1, pixels);
-  return std::vector<unsigned char>(
-    pixels->GetPointer(0), pixels->GetPointer(0) + pixels->GetNumberOfValues());
+  return WaterRead(scene.Window);
 }
 
 bool Compare(vtkMultiProcessController* controller, bool isPlain)
@@ -118,10 +113,8 @@ bool Compare(vtkMultiProcessController* controller, bool isPlain)
   return error.empty() && found.Rms <= kRms && found.Share <= kShare && shown.Rms > 5.0;
 }
 
-bool Run(const WaterSockets& sockets, int rank)
+bool Run(const WaterSocketRank& self)
 {
-  alarm(kPatience);
-  const WaterSocketRank self(sockets, rank);
   const bool isGood = Compare(self.Controller, false);
   return Compare(self.Controller, true) && isGood;
 }
@@ -129,5 +122,5 @@ bool Run(const WaterSockets& sockets, int rank)
 
 int TestWaterRankBlends(int, char*[])
 {
-  return WaterRunRanks(kRanks, Run) ? EXIT_SUCCESS : EXIT_FAILURE;
+  return WaterRunRanks(kRanks, kPatience, Run) ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -11,7 +11,6 @@
 #include <algorithm>
 #include <cstdint>
 #include <cstdlib>
-#include <unistd.h>
 #include <vector>
 
 namespace
@@ -71,11 +70,10 @@ bool CheckAtMost(const std::string& name, double value, double limit)
   return holds;
 }
 
-bool Run(const WaterSockets& sockets, int rank)
+bool Run(const WaterSocketRank& self)
 {
-  alarm(kPatience);
-  const int ranks = static_cast<int>(sockets.size());
-  const WaterSocketRank self(sockets, rank);
+  const int rank = self.Rank;
+  const int ranks = self.Ranks;
   bool isGood = true;
   double agreement[2] = {};
   for (int k = 0; k < 4; ++k)
@@ -116,7 +114,6 @@ bool Run(const WaterSockets& sockets, int rank)
     const double bytes = (agreement[1] - agreement[0]) / 60.0 / ranks;
     isGood = CheckAtMost("bytes a prop and rank of the agreement", bytes, kBytesOfProp) && isGood;
   }
-  alarm(0);
   return isGood;
 }
 }
@@ -126,7 +123,7 @@ int TestWaterRankBytes(int, char*[])
   bool isGood = true;
   for (const int ranks : { 2, 4 })
   {
-    isGood = WaterRunRanks(ranks, Run) && isGood;
+    isGood = WaterRunRanks(ranks, kPatience, Run) && isGood;
   }
   return isGood ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A rank that dies, throws, runs out of memory, loses its context or never comes: the others say so
 // and go on, or end with an error, in time. None hangs. Each fault has processes of its own.
+#include "WaterRankScene.h"
 #include "WaterSocketRanks.h"
 #include "WaterTestScene.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkCommand.h"
 #include "vtkMapper.h"
-#include "vtkPropCollection.h"
 #include "vtkShaderProperty.h"
 #include "vtkWaterReflectionPass.h"
 
@@ -72,22 +72,14 @@ struct Part : public WaterTestScene
   {
     this->AddThings<vtkPolyDataMapper>();
     const int rank = controller->GetLocalProcessId();
-    std::vector<vtkProp*> others;
-    vtkPropCollection* props = this->Renderer->GetViewProps();
-    for (int i = 0; i < props->GetNumberOfItems(); ++i)
-    {
-      auto* actor = vtkActor::SafeDownCast(props->GetItemAsObject(i));
-      if (i % kRanks != rank)
+    WaterKeepProps(*this, [&](vtkActor* actor, int number) {
+      const bool isOwn = number % kRanks == rank;
+      if (isOwn)
       {
-        others.push_back(actor);
-        continue;
+        (this->First ? this->Glass : this->First) = actor;
       }
-      (this->First ? this->Glass : this->First) = actor;
-    }
-    for (vtkProp* prop : others)
-    {
-      this->Renderer->RemoveViewProp(prop);
-    }
+      return isOwn;
+    });
     this->Glass->GetProperty()->SetOpacity(0.5);
     this->Thing->SetMapper(this->First->GetMapper());
     this->Renderer->AddActor(this->Thing);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A scene that is split over processes and composited by VTK's own sort-last renderer shows the
 // picture of one process. The processes are forked and talk over sockets: no MPI is needed.
+#include "WaterPictures.h"
+#include "WaterRankScene.h"
 #include "WaterSocketRanks.h"
 #include "WaterTestScene.h"
 
@@ -11,16 +13,11 @@
 #include "vtkPlaneSource.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkPropCollection.h"
-#include "vtkUnsignedCharArray.h"
 #include "vtkWaterReflectionPass.h"
 
-#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <string>
-#include <sys/wait.h>
-#include <unistd.h>
 #include <vector>
 
 namespace
@@ -32,22 +29,7 @@ constexpr double kShare = 0.0002;       // of the pixels, that may be off by mor
 std::vector<unsigned char> Show(WaterTestScene& scene)
 {
   scene.Window->Render();
-  vtkNew<vtkUnsignedCharArray> pixels;
-  const int* size = scene.Window->GetSize();
-  scene.Window->GetRGBACharPixelData(0, 0, size[0] - 1, size[1] - 1, 1, pixels);
-  return std::vector<unsigned char>(
-    pixels->GetPointer(0), pixels->GetPointer(0) + pixels->GetNumberOfValues());
-}
-
-double ShareOff(const std::vector<unsigned char>& a, const std::vector<unsigned char>& b)
-{
-  size_t count = 0;
-  for (size_t i = 0; i < a.size(); i += 4)
-  {
-    const auto isOff = [&](size_t k) { return std::abs(a[i + k] - b[i + k]) > 1; };
-    count += isOff(0) || isOff(1) || isOff(2);
-  }
-  return 4.0 * static_cast<double>(count) / static_cast<double>(a.size());
+  return WaterRead(scene.Window);
 }
 
 void Fill(WaterTestScene& scene, bool isWet, bool isClear)
@@ -58,23 +40,9 @@ void Fill(WaterTestScene& scene, bool isWet, bool isClear)
   scene.Water->GetWaterProperty()->SetRefraction(isClear);
 }
 
-// Leaves a rank its own things.
 void KeepPart(WaterTestScene& scene, int rank)
 {
-  std::vector<vtkProp*> others;
-  vtkPropCollection* props = scene.Renderer->GetViewProps();
-  for (int i = 0; i < props->GetNumberOfItems(); ++i)
-  {
-    auto* prop = vtkProp::SafeDownCast(props->GetItemAsObject(i));
-    if (prop != scene.Water.Get() && i % kRanks != rank)
-    {
-      others.push_back(prop);
-    }
-  }
-  for (vtkProp* prop : others)
-  {
-    scene.Renderer->RemoveViewProp(prop);
-  }
+  WaterKeepProps(scene, [rank](vtkActor*, int number) { return number % kRanks == rank; });
 }
 
 // What one rank renders; on the root its share of pixels off, elsewhere 0.
@@ -95,7 +63,7 @@ double Compare(vtkMultiProcessController* controller, bool isWet, bool isClear)
   }
   WaterTestScene serial;
   Fill(serial, isWet, isClear);
-  return ShareOff(picture, Show(serial));
+  return WaterCompare(picture, Show(serial)).Share;
 }
 
 // A rank's strip of a surface, of as many as there are parts; with waves it is not flat.
@@ -262,15 +230,13 @@ bool Forgets(vtkMultiProcessController* controller)
   return isGood;
 }
 
-bool Run(int rank, const WaterSockets& sockets)
+bool Run(const WaterSocketRank& self)
 {
-  alarm(kPatience);
-  const WaterSocketRank self(sockets, rank);
   vtkMultiProcessController* dummy = self.Controller;
   const double floor = Compare(dummy, false, false);
   const double opaque = Compare(dummy, true, false);
   const double clear = Compare(dummy, true, true);
-  if (rank == 0)
+  if (self.Rank == 0)
   {
     std::cout << "share of pixels off without water: " << floor << ", opaque: " << opaque
               << ", clear: " << clear << " (limit " << kShare << " more)" << std::endl;
@@ -278,32 +244,11 @@ bool Run(int rank, const WaterSockets& sockets)
   bool isGood = opaque <= floor + kShare && clear <= floor + kShare;
   isGood = ShowsMeshes(dummy) && isGood;
   isGood = SaysErrors(dummy) && isGood;
-  isGood = Forgets(dummy) && isGood;
-  alarm(0);
-  return isGood;
+  return Forgets(dummy) && isGood;
 }
 }
 
 int TestWaterSortLast(int, char*[])
 {
-  const WaterSockets sockets = WaterConnect(kRanks); // and processes, before anything is rendered
-  bool isGood = !sockets.empty();
-  std::vector<pid_t> others;
-  for (int rank = 1; isGood && rank < kRanks; ++rank)
-  {
-    const pid_t pid = fork();
-    if (pid == 0)
-    {
-      _exit(Run(rank, sockets) ? EXIT_SUCCESS : EXIT_FAILURE);
-    }
-    isGood = pid > 0;
-    others.push_back(pid);
-  }
-  isGood = isGood && Run(0, sockets);
-  for (const pid_t pid : others)
-  {
-    int status = EXIT_FAILURE;
-    isGood = waitpid(pid, &status, 0) == pid && status == 0 && isGood;
-  }
-  return isGood ? EXIT_SUCCESS : EXIT_FAILURE;
+  return WaterRunRanks(kRanks, kPatience, Run) ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -4,19 +4,16 @@
 #ifndef WaterOrderedScene_h
 #define WaterOrderedScene_h
 
+#include "WaterPictures.h"
+#include "WaterRankScene.h"
 #include "WaterTestScene.h"
 
 #include "vtkMultiProcessController.h"
 #include "vtkPlaneSource.h"
-#include "vtkPropCollection.h"
 #include "vtkSmartPointer.h"
-#include "vtkUnsignedCharArray.h"
 #include "vtkWaterReflectionPass.h"
 
 #include <algorithm>
-#include <cmath>
-#include <cstdlib>
-#include <fstream>
 #include <functional>
 #include <string>
 #include <vector>
@@ -38,16 +35,21 @@ struct WaterOrderedLook
   const char* Name;
   bool IsWet;
   bool IsClear;
-  bool HasGlass; // upright panes, of which each rank has one
-  double Limit;  // root mean square of the difference, of 255; 0: no pixel is off by more than 1
+  bool IsEndless; // to the horizon
+  bool HasGlass;  // upright panes, of which each rank has one
+  double Limit;   // root mean square of the difference, of 255; 0: no pixel is off by more than 1
 };
 
 inline std::vector<WaterOrderedLook> WaterOrderedLooks()
 {
-  return { { "dry", false, false, false, 0.0 }, { "opaque water", true, false, false, 0.0 },
-    { "clear water", true, true, false, 0.0 }, { "dry with panes", false, false, true, 1.0 },
-    { "opaque water with panes", true, false, true, 1.0 },
-    { "clear water with panes", true, true, true, 1.0 } };
+  return { { "dry", false, false, false, false, 0.0 },
+    { "opaque water", true, false, false, false, 0.0 },
+    { "clear water", true, true, false, false, 0.0 },
+    { "opaque water to the horizon", true, false, true, false, 0.0 },
+    { "clear water to the horizon", true, true, true, false, 0.0 },
+    { "dry with panes", false, false, false, true, 1.0 },
+    { "opaque water with panes", true, false, false, true, 1.0 },
+    { "clear water with panes", true, true, false, true, 1.0 } };
 }
 
 struct WaterOrderedScene : public WaterTestScene
@@ -63,6 +65,10 @@ struct WaterOrderedScene : public WaterTestScene
       this->AddPanes();
     }
     this->AddWater();
+    if (look.IsEndless)
+    {
+      this->Water->SetSheetToHorizon();
+    }
     this->Water->SetVisibility(look.IsWet);
     this->Water->GetWaterProperty()->SetRefraction(look.IsClear);
     this->Renderer->SetUseDepthPeeling(1);
@@ -70,7 +76,8 @@ struct WaterOrderedScene : public WaterTestScene
     this->Renderer->SetOcclusionRatio(0.0);
     if (rank >= 0)
     {
-      this->KeepPart(rank, ranks);
+      WaterKeepProps(*this,
+        [&](vtkActor* actor, int) { return WaterRankAt(actor->GetCenter(), ranks) == rank; });
     }
   }
 
@@ -89,11 +96,7 @@ struct WaterOrderedScene : public WaterTestScene
   std::vector<unsigned char> Show()
   {
     this->Window->Render();
-    vtkNew<vtkUnsignedCharArray> pixels;
-    const int* size = this->Window->GetSize();
-    this->Window->GetRGBACharPixelData(0, 0, size[0] - 1, size[1] - 1, 1, pixels);
-    return std::vector<unsigned char>(
-      pixels->GetPointer(0), pixels->GetPointer(0) + pixels->GetNumberOfValues());
+    return WaterRead(this->Window);
   }
 
 private:
@@ -116,73 +119,7 @@ private:
       this->Renderer->AddActor(actor);
     }
   }
-
-  void KeepPart(int rank, int ranks)
-  {
-    std::vector<vtkProp*> others;
-    vtkPropCollection* props = this->Renderer->GetViewProps();
-    for (int i = 0; i < props->GetNumberOfItems(); ++i)
-    {
-      auto* actor = vtkActor::SafeDownCast(props->GetItemAsObject(i));
-      if (actor != this->Water.Get() && WaterRankAt(actor->GetCenter(), ranks) != rank)
-      {
-        others.push_back(actor);
-      }
-    }
-    for (vtkProp* prop : others)
-    {
-      this->Renderer->RemoveViewProp(prop);
-    }
-  }
 };
-
-struct WaterDifference
-{
-  double Share; // of the pixels that are off by more than 1 of 255
-  double Rms;   // of 255
-};
-
-inline WaterDifference WaterCompare(
-  const std::vector<unsigned char>& a, const std::vector<unsigned char>& b)
-{
-  size_t off = 0;
-  double sum = 0.0;
-  for (size_t i = 0; i < a.size(); i += 4)
-  {
-    bool isOff = false;
-    for (size_t k = 0; k < 3; ++k)
-    {
-      const double difference = std::abs(a[i + k] - b[i + k]);
-      isOff = isOff || difference > 1.0;
-      sum += difference * difference;
-    }
-    off += isOff;
-  }
-  const double pixels = static_cast<double>(a.size()) / 4.0;
-  return { static_cast<double>(off) / pixels, std::sqrt(sum / (3.0 * pixels)) };
-}
-
-// Leaves a picture in the folder WATER_TEST_OUTPUT, if that is set.
-inline void WaterLeave(
-  std::string name, const std::vector<unsigned char>& picture, vtkRenderWindow* window)
-{
-  const char* folder = std::getenv("WATER_TEST_OUTPUT");
-  if (!folder)
-  {
-    return;
-  }
-  std::replace(name.begin(), name.end(), ' ', '-');
-  std::ofstream file(std::string(folder) + "/" + name + ".ppm", std::ios::binary);
-  const auto width = static_cast<size_t>(window->GetSize()[0]);
-  file << "P6 " << width << " " << picture.size() / 4 / width << " 255\n";
-  for (size_t row = picture.size() / 4 / width; row-- > 0;)
-  {
-    for (size_t i = row * width; i < (row + 1) * width; ++i)
-    {
-      file.write(reinterpret_cast<const char*>(&picture[4 * i]), 3);
-    }
-  }
-}
 
 // An engine that joins the ranks' pictures on the root.
 struct WaterEngine

@@ -190,6 +190,8 @@ inline void WaterKeepOwn(const WaterSockets& sockets, int rank)
 struct WaterSocketRank
 {
   WaterSocketRank(const WaterSockets& sockets, int rank)
+    : Rank(rank)
+    , Ranks(static_cast<int>(sockets.size()))
   {
     WaterKeepOwn(sockets, rank);
     this->Communicator->Begin(rank, sockets[static_cast<size_t>(rank)]);
@@ -197,14 +199,17 @@ struct WaterSocketRank
     this->Controller->SetRMICommunicator(this->Communicator);
   }
 
+  const int Rank;
+  const int Ranks;
   vtkNew<WaterSocketCommunicator> Communicator;
   vtkNew<vtkDummyController> Controller;
 };
 
-// Runs a function of the sockets and the rank in a process for each rank. Are all of its results
-// true?
+// Runs a function of a WaterSocketRank in a process for each rank. Are all of its results true?
+//
+// patience  s, until a process that waits for another is ended
 template <typename Function>
-bool WaterRunRanks(int ranks, Function run)
+bool WaterRunRanks(int ranks, unsigned int patience, Function run)
 {
   const WaterSockets sockets = WaterConnect(static_cast<size_t>(ranks));
   bool isGood = !sockets.empty();
@@ -215,7 +220,11 @@ bool WaterRunRanks(int ranks, Function run)
     const pid_t pid = fork();
     if (pid == 0)
     {
-      _exit(run(sockets, rank) ? EXIT_SUCCESS : EXIT_FAILURE);
+      alarm(patience);
+      const WaterSocketRank self(sockets, rank);
+      const bool isRight = run(self);
+      alarm(0);
+      _exit(isRight ? EXIT_SUCCESS : EXIT_FAILURE);
     }
     isGood = pid > 0;
     children.push_back(pid);

@@ -26,9 +26,10 @@ RENDERED, FAILED, REUSED = 1, 2, 8
 
 
 def mpirun_command(count):
-    """What starts so many ranks; empty without mpirun."""
+    """What starts so many ranks; empty without mpirun. A rank that waits leaves the processor to the others."""
     as_root = ["--allow-run-as-root"] if os.geteuid() == 0 else []
-    return [MPIRUN, *as_root, "--oversubscribe", "--bind-to", "none", "-np", str(count)] if MPIRUN else []
+    waiting = ["--mca", "mpi_yield_when_idle", "1"]
+    return [MPIRUN, *as_root, "--oversubscribe", "--bind-to", "none", *waiting, "-np", str(count)] if MPIRUN else []
 
 
 def start(count, *arguments):

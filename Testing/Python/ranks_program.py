@@ -166,9 +166,9 @@ SEAS = {
 }
 
 
-def make_view(mine, look, samples=0):
+def make_view(mine, look, samples=0, size=SIZE):
     """A window with those things whose number is mine, and water; look "dry": none; "sheet": a plane of VTK's."""
-    view = wt.View(SIZE, samples=samples)
+    view = wt.View(size, samples=samples)
     view.renderer.GradientBackgroundOn()
     view.renderer.SetBackground2(0.9, 0.6, 0.3)
     wt.place_camera(view.renderer, (14, -11, 3.5), (0, 0, 0.3), (0.5, 80))

@@ -8,11 +8,12 @@
 // rank shows its part or VTK's engine composites all, the median milliseconds of the slowest rank;
 // bytes and messages of a frame with water; and the share of pixels by which the composited
 // pictures differ from those of one process.
+#include "WaterPictures.h"
+#include "WaterRankScene.h"
 #include "WaterSocketRanks.h"
 #include "WaterTestScene.h"
 
 #include "vtkCompositedSynchronizedRenderers.h"
-#include "vtkUnsignedCharArray.h"
 #include "vtkWaterReflectionPass.h"
 
 #include <algorithm>
@@ -22,7 +23,6 @@
 #include <cstring>
 #include <dlfcn.h>
 #include <string>
-#include <unistd.h>
 #include <vector>
 
 namespace
@@ -40,33 +40,10 @@ struct Task
   int Frames;
 };
 
-// Balls in a square, each rank's in a block of it; rank -1: all of them.
+// A rank's part; rank -1: all of it.
 void Fill(WaterTestScene& scene, const Task& task, int rank)
 {
-  int side = 1;
-  while (side * side < task.Props)
-  {
-    ++side;
-  }
-  const double step = 17.0 / side;
-  for (int i = 0; i < task.Props; ++i)
-  {
-    if (rank >= 0 && static_cast<long long>(i) * task.Ranks / task.Props != rank)
-    {
-      continue;
-    }
-    vtkNew<vtkSphereSource> ball;
-    ball->SetCenter(-8.5 + step * (i % side), -6.5 + step * (i / side), 0.6 + 0.1 * (i % 7));
-    ball->SetRadius(0.45 * step);
-    ball->SetThetaResolution(task.Resolution);
-    ball->SetPhiResolution(task.Resolution);
-    vtkNew<vtkPolyDataMapper> mapper;
-    mapper->SetInputConnection(ball->GetOutputPort());
-    vtkNew<vtkActor> actor;
-    actor->SetMapper(mapper);
-    actor->GetProperty()->SetColor(0.2 + 0.1 * (i % 8), 0.9 - 0.1 * (i % 5), 0.4);
-    scene.Renderer->AddActor(actor);
-  }
+  WaterAddBalls(scene, task.Props, task.Ranks, task.Resolution, rank);
   scene.Window->SetSize(task.Size[0], task.Size[1]);
 }
 
@@ -85,26 +62,6 @@ void FindDevice(unsigned char id[kIdSize])
   {
     ask(deviceUuid, 0, id);
   }
-}
-
-std::vector<unsigned char> Read(WaterTestScene& scene)
-{
-  vtkNew<vtkUnsignedCharArray> pixels;
-  const int* size = scene.Window->GetSize();
-  scene.Window->GetRGBACharPixelData(0, 0, size[0] - 1, size[1] - 1, 1, pixels);
-  return std::vector<unsigned char>(
-    pixels->GetPointer(0), pixels->GetPointer(0) + pixels->GetNumberOfValues());
-}
-
-double ShareOff(const std::vector<unsigned char>& a, const std::vector<unsigned char>& b)
-{
-  size_t count = 0;
-  for (size_t i = 0; i < a.size(); i += 4)
-  {
-    const auto isOff = [&](size_t k) { return std::abs(a[i + k] - b[i + k]) > 1; };
-    count += isOff(0) || isOff(1) || isOff(2);
-  }
-  return 4.0 * static_cast<double>(count) / static_cast<double>(a.size());
 }
 
 // A kind of frame: a scene that is composited, or of which each rank shows its part.
@@ -192,12 +149,11 @@ void PrintDevices(vtkMultiProcessController* controller)
   }
 }
 
-bool Run(const WaterSockets& sockets, int rank, const Task& task)
+bool Run(const WaterSocketRank& self, const Task& task)
 {
-  alarm(kPatience);
+  const int rank = self.Rank;
   const std::string device = std::to_string(task.Devices > 0 ? rank % task.Devices : 0);
   setenv("VTK_DEFAULT_EGL_DEVICE_INDEX", device.c_str(), 1);
-  const WaterSocketRank self(sockets, rank);
   vtkMultiProcessController* controller = self.Controller;
   Part dry(task, controller, false);
   Part wet(task, controller, true);
@@ -206,7 +162,7 @@ bool Run(const WaterSockets& sockets, int rank, const Task& task)
   for (Part* part : { &dry, &wet }) // shaders are built
   {
     Measure(*part, controller, true);
-    const std::vector<unsigned char> picture = Read(part->Scene);
+    const std::vector<unsigned char> picture = WaterRead(part->Scene.Window);
     if (rank == 0)
     {
       WaterTestScene serial;
@@ -217,7 +173,7 @@ bool Run(const WaterSockets& sockets, int rank, const Task& task)
         serial.AddWater();
       }
       serial.Window->Render();
-      off[part == &wet] = ShareOff(picture, Read(serial));
+      off[part == &wet] = WaterCompare(picture, WaterRead(serial.Window)).Share;
     }
     controller->Barrier();
   }
@@ -267,7 +223,6 @@ bool Run(const WaterSockets& sockets, int rank, const Task& task)
       sum[0], sum[1], static_cast<long long>(pass->GetNumberOfPixelsJoined()), off[0], off[1]);
     std::fflush(stdout);
   }
-  alarm(0);
   return isGood;
 }
 }
@@ -290,6 +245,6 @@ int main(int argc, char* argv[])
     return EXIT_FAILURE;
   }
   const bool isGood = WaterRunRanks(
-    task.Ranks, [&](const WaterSockets& sockets, int rank) { return Run(sockets, rank, task); });
+    task.Ranks, kPatience, [&](const WaterSocketRank& self) { return Run(self, task); });
   return isGood ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -3,6 +3,7 @@
 // over processes, on each of some simulated networks (MB_PER_S 0: no limit). Prints one line of
 // JSON: per frame the processor's time of the busiest rank, bytes and messages of all ranks and of
 // the busiest, and for each network its time on the slowest rank.
+#include "WaterRankScene.h"
 #include "WaterSocketRanks.h"
 #include "WaterTestScene.h"
 
@@ -12,7 +13,6 @@
 #include <cstdlib>
 #include <ctime>
 #include <string>
-#include <unistd.h>
 #include <vector>
 
 namespace
@@ -40,43 +40,13 @@ double ProcessorTime()
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-// Columns in a square, each rank's in a block of it; a ball is fine enough that drawing takes time.
-void Fill(WaterTestScene& scene, const Task& task, int rank)
+bool Run(const WaterSocketRank& self, const Task& task)
 {
-  int side = 1;
-  while (side * side < task.Props)
-  {
-    ++side;
-  }
-  const double step = 17.0 / side;
-  for (int i = 0; i < task.Props; ++i)
-  {
-    if (static_cast<long long>(i) * task.Ranks / task.Props != rank)
-    {
-      continue;
-    }
-    vtkNew<vtkSphereSource> ball;
-    ball->SetCenter(-8.5 + step * (i % side), -6.5 + step * (i / side), 0.6 + 0.1 * (i % 7));
-    ball->SetRadius(0.45 * step);
-    ball->SetThetaResolution(48);
-    ball->SetPhiResolution(48);
-    vtkNew<vtkPolyDataMapper> mapper;
-    mapper->SetInputConnection(ball->GetOutputPort());
-    vtkNew<vtkActor> actor;
-    actor->SetMapper(mapper);
-    actor->GetProperty()->SetColor(0.2 + 0.1 * (i % 8), 0.9 - 0.1 * (i % 5), 0.4);
-    scene.Renderer->AddActor(actor);
-  }
-  scene.AddWater();
-}
-
-bool Run(const WaterSockets& sockets, int rank, const Task& task)
-{
-  alarm(kPatience);
-  const WaterSocketRank self(sockets, rank);
+  constexpr int kResolution = 48; // drawing a ball takes time
   WaterTestScene scene;
   scene.Window->SetSize(task.Size[0], task.Size[1]);
-  Fill(scene, task, rank);
+  WaterAddBalls(scene, task.Props, task.Ranks, kResolution, self.Rank);
+  scene.AddWater();
   auto* pass = scene.Water->GetReflectionPass();
   pass->SetController(self.Controller);
   scene.Window->Render(); // shaders are built
@@ -106,7 +76,7 @@ bool Run(const WaterSockets& sockets, int rank, const Task& task)
   std::vector<double> most(mine.size());
   self.Controller->Reduce(mine.data(), sum.data(), size, vtkCommunicator::SUM_OP, 0);
   self.Controller->Reduce(mine.data(), most.data(), size, vtkCommunicator::MAX_OP, 0);
-  if (rank == 0)
+  if (self.Rank == 0)
   {
     std::printf("{\"ranks\": %d, \"props\": %d, \"pixels\": %lld, \"work\": %.6f, \"bytes\": %.0f, "
                 "\"bytes_most\": %.0f, \"messages\": %.0f, \"messages_most\": %.0f, \"network\": [",
@@ -119,7 +89,6 @@ bool Run(const WaterSockets& sockets, int rank, const Task& task)
     std::printf("]}\n");
     std::fflush(stdout);
   }
-  alarm(0);
   return std::string(scene.Water->GetLastError()).empty() &&
     pass->GetDecision() == vtkWaterReflectionPass::RENDERED;
 }
@@ -146,6 +115,6 @@ int main(int argc, char* argv[])
     task.Networks.push_back({ 1e-6 * latency, speed > 0.0 ? 1e-6 / speed : 0.0 });
   }
   const bool isGood = WaterRunRanks(
-    task.Ranks, [&](const WaterSockets& sockets, int rank) { return Run(sockets, rank, task); });
+    task.Ranks, kPatience, [&](const WaterSocketRank& self) { return Run(self, task); });
   return isGood ? EXIT_SUCCESS : EXIT_FAILURE;
 }

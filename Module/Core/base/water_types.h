@@ -217,6 +217,9 @@ typedef struct water_scene
   const water_camera* picture_eye; // of the user's picture, if the eye is a mirrored one: what is
                                    // fixed to a screen or a camera belongs to it; NULL: the eye is
   int viewport_px[2];              // size of the picture the water is drawn into, >= 1
+  int tile_scale[2]; // so many times as wide and high is the picture that this one is a tile of; 0,
+                     // 1: it is none. What is looked up beside a tile is as wide as beside the
+                     // whole picture.
   const int* viewport_rect_px; // x, y, width, height of the part of it that counts; NULL: all of it
   water_plane plane;
   double plane_origin[3]; // of the plane's own axes, in world

@@ -16,13 +16,20 @@ static const double band = 2.0;
 // pixel beside.
 static const double shore_px = 2.0;
 
-water_status water_beyond_size(
-  const int viewport_px[2], int max_texture_px, int texture_px[2], double picture_scale[2])
+bool water_beyond_is_wanted(bool is_asked, const int tile_scale[2])
+{
+  return is_asked || tile_scale[0] > 1 || tile_scale[1] > 1;
+}
+
+water_status water_beyond_size(const int viewport_px[2], const int tile_scale[2],
+  int max_texture_px, int texture_px[2], double picture_scale[2])
 {
   const water_status status = water_target_size(viewport_px, 1.0, max_texture_px, texture_px);
   if (status == WATER_OK)
   {
-    water_target_widen(band, max_texture_px, texture_px, picture_scale);
+    double bands[2];
+    water_target_tile_bands(band, tile_scale, bands);
+    water_target_widen(bands, max_texture_px, texture_px, picture_scale);
   }
   return status;
 }
@@ -109,8 +116,8 @@ static void select_props(
 water_status water_beyond_plan(const water_scene* scene, const double box[4], water_plan* plan,
   water_cull_reason* reasons, size_t* bad_index)
 {
-  water_status status = water_beyond_size(
-    scene->viewport_px, scene->max_texture_px, plan->texture_px, plan->reflection_scale);
+  water_status status = water_beyond_size(scene->viewport_px, scene->tile_scale,
+    scene->max_texture_px, plan->texture_px, plan->reflection_scale);
   if (status != WATER_OK)
   {
     return status;

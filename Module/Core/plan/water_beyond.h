@@ -14,15 +14,22 @@ extern "C"
 {
 #endif
 
-// Size of the own view: the picture, and a band around it, without a change of the size of its
-// pixels. The picture's pixels are pixels of it.
+// Is what lies beyond drawn in a view of its own? It is if the user asks for it, and for a tile of
+// a picture: refracted rays leave a tile, and the tiles beside it are not there to be looked up.
 //
+// tile_scale  as in water_scene
+bool water_beyond_is_wanted(bool is_asked, const int tile_scale[2]);
+
+// Size of the own view: the picture, and a band around it, without a change of the size of its
+// pixels. The picture's pixels are pixels of it. The band of a tile is that of the whole picture.
+//
+// tile_scale     as in water_scene
 // texture_px     no side longer than max_texture_px
 // picture_scale  part of it per axis that is the picture, in (0, 1]
 //
 // Returns WATER_OK, WATER_BAD_VIEWPORT or WATER_TEXTURE_TOO_LARGE.
-water_status water_beyond_size(
-  const int viewport_px[2], int max_texture_px, int texture_px[2], double picture_scale[2]);
+water_status water_beyond_size(const int viewport_px[2], const int tile_scale[2],
+  int max_texture_px, int texture_px[2], double picture_scale[2]);
 
 // Widens a part of the picture that water covers, seen from above, by where its refracted rays are
 // looked up. Calm, level water bends a view ray towards the vertical, so that its image moves

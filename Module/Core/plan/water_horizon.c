@@ -253,3 +253,65 @@ bool water_horizon_make(const water_camera* camera, const water_plane* plane, co
   *horizon = made;
   return made.counts[0] + made.counts[1] + made.counts[2] > 0;
 }
+
+// Adds the corners of what a camera sees between its near and its far plane.
+static void add_view(const water_eye* eye, double bounds[6])
+{
+  static const double whole[6] = { -1.0, 1.0, -1.0, 1.0, -1.0, 1.0 };
+  for (int i = 0; i < 8; ++i)
+  {
+    double corner[4] = { 0.0, 0.0, 0.0, 1.0 };
+    double view[4];
+    double world[4];
+    water_bounds_corner(whole, i, corner);
+    water_mat4_apply(eye->clip_to_view, corner, view);
+    water_mat4_apply(eye->view_to_world, view, world);
+    for (int k = 0; k < 3; ++k)
+    {
+      world[k] /= world[3];
+    }
+    water_bounds_add_point(bounds, world);
+  }
+}
+
+bool water_horizon_bounds(const water_camera* camera, const water_plane* plane, double height,
+  double reach, double bounds[6])
+{
+  water_eye eye;
+  water_plane unit;
+  if (water_plane_normalise(plane, &unit) != WATER_OK ||
+    water_camera_decompose(camera, &eye) != WATER_OK)
+  {
+    return false;
+  }
+  double made[6];
+  water_bounds_begin(made);
+  water_horizon horizon;
+  bool is_seen = water_horizon_make(camera, plane, NULL, &horizon);
+  for (int part = 0; part < WATER_HORIZON_PARTS; ++part)
+  {
+    for (int i = 0; i < horizon.counts[part]; ++i)
+    {
+      double corner[3];
+      for (int k = 0; k < 3; ++k)
+      {
+        corner[k] = horizon.foot[k] + horizon.corners[part][i][k];
+      }
+      water_bounds_add_point(made, corner);
+    }
+  }
+  double plane_view[4];
+  water_camera_plane_view(&eye, &unit, plane_view);
+  if (height > 0.0 &&
+    (!eye.has_center ||
+      fabs(water_vec3_dot(plane_view, eye.center_view) + plane_view[3]) <= height))
+  {
+    is_seen = true;
+    add_view(&eye, made);
+  }
+  if (is_seen)
+  {
+    water_plane_displaced_bounds(&unit, made, height, reach, bounds);
+  }
+  return is_seen;
+}

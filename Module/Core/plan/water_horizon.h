@@ -60,6 +60,18 @@ bool water_horizon_make(const water_camera* camera, const water_plane* plane, co
 // 50th of the way there. Of flat water none hides another: all of it has the planes' own.
 void water_horizon_depths(const double view_to_clip[16], bool is_displaced, double depths[3]);
 
+// A box around all that an eye sees of an endless surface, for engines that composite the ranks'
+// pictures only where there are props' bounds.
+//
+// plane   of any scale
+// height  how far waves move the surface up or down, >= 0: an eye among them sees it everywhere
+// reach   and in the plane
+// bounds  xmin, xmax, ymin, ymax, zmin, zmax in world
+//
+// Returns whether it sees any of it; if not, bounds are unchanged.
+bool water_horizon_bounds(const water_camera* camera, const water_plane* plane, double height,
+  double reach, double bounds[6]);
+
 // The part of the picture that an endless surface covers.
 //
 // plane   normalised, as the user turned it

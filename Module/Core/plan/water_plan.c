@@ -328,10 +328,13 @@ static water_status fill_draw(const water_scene* scene, const checked* input,
   plan->reflection_scale[0] = plan->reflection_scale[1] = 1.0;
   if (scene->has_waves)
   {
+    const water_camera whole = water_target_whole(&scene->eye, scene->tile_scale);
     const double band = scene->settings.guard_band > 0.0
       ? scene->settings.guard_band
-      : water_target_guard_band(&scene->eye, scene->slope_rms);
-    water_target_widen(band, scene->max_texture_px, plan->texture_px, plan->reflection_scale);
+      : water_target_guard_band(&whole, scene->slope_rms);
+    double bands[2];
+    water_target_tile_bands(band, scene->tile_scale, bands);
+    water_target_widen(bands, scene->max_texture_px, plan->texture_px, plan->reflection_scale);
     water_mirror_widen(plan->reflection_scale, &plan->mirrored);
   }
   double looked_up[4];

@@ -7,7 +7,7 @@
 #include <string.h>
 
 _Static_assert(sizeof(water_rank_frame) == 11 * sizeof(double), "it travels as doubles");
-_Static_assert(sizeof(water_rank_view) == 20 * sizeof(double), "it travels as doubles");
+_Static_assert(sizeof(water_rank_view) == 22 * sizeof(double), "it travels as doubles");
 _Static_assert(sizeof(water_prop) <= 64, "a prop takes at most 64 bytes");
 _Static_assert(sizeof(water_rank_drawn) == 10 * sizeof(double), "it travels as doubles");
 
@@ -91,6 +91,8 @@ static void join_surface(const water_rank_view* view, water_ranks_view* made)
   made->slope_max = fmax(made->slope_max, view->slope_max);
   made->wave_height_max = fmax(made->wave_height_max, view->wave_height_max);
   made->is_averaged = made->is_averaged || view->is_averaged != 0.0;
+  made->has_marched_rays = made->has_marched_rays || view->has_marched_rays != 0.0;
+  made->wants_peel = made->wants_peel || view->wants_peel != 0.0;
 }
 
 water_status water_ranks_join_views(const water_rank_view* views, size_t rank_count, size_t rank,

@@ -26,7 +26,7 @@ extern "C"
 // with every change of these.
 enum
 {
-  WATER_RANKS_FORMAT = 5
+  WATER_RANKS_FORMAT = 6
 };
 
 // What a rank sends once a frame, before anything is drawn: doubles only, as they travel.
@@ -61,6 +61,9 @@ typedef struct water_rank_view
   // Whose part of the space is farthest from the eye, where the ranks' pictures are blended in an
   // order; -1: they are compared by depth. The root's number counts.
   double farthest_rank;
+  // By the rank's part of a mesh, too:
+  double has_marched_rays; // 1: rays are traced in the reflection texture; 0: they are not
+  double wants_peel;       // 1: and go on behind edges; 0: they do not
 } water_rank_view;
 
 // What the ranks agree on for a mirrored view.
@@ -76,9 +79,11 @@ typedef struct water_ranks_view
   double slope_rms;         // the greatest
   double slope_max;
   double wave_height_max;
-  bool is_averaged;  // on any
-  int max_samples;   // the least
-  int farthest_rank; // the root's; -1: none
+  bool is_averaged;      // on any
+  bool has_marched_rays; // on any: all keep apart what they blend
+  bool wants_peel;       // on any: all draw what is behind the first things
+  int max_samples;       // the least
+  int farthest_rank;     // the root's; -1: none
 } water_ranks_view;
 
 // Joins what all ranks sent for a frame.

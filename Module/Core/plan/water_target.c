@@ -192,13 +192,31 @@ double water_target_guard_band(const water_camera* camera, double slope_rms)
   return fmin(fmax(1.0 + turn, 1.0), 1.25);
 }
 
+void water_target_tile_bands(double guard_band, const int tile_scale[2], double bands[2])
+{
+  for (int i = 0; i < 2; ++i)
+  {
+    bands[i] = 1.0 + fmax((double)tile_scale[i], 1.0) * (guard_band - 1.0);
+  }
+}
+
+water_camera water_target_whole(const water_camera* tile, const int tile_scale[2])
+{
+  water_camera whole = *tile;
+  for (int i = 0; i < 2; ++i)
+  {
+    whole.view_to_clip[5 * i] /= fmax((double)tile_scale[i], 1.0);
+  }
+  return whole;
+}
+
 void water_target_widen(
-  double guard_band, int max_texture_px, int texture_px[2], double reflection_scale[2])
+  const double guard_band[2], int max_texture_px, int texture_px[2], double reflection_scale[2])
 {
   for (int i = 0; i < 2; ++i)
   {
     const int inner = texture_px[i];
-    const double wanted = ceil(0.5 * fmax(guard_band - 1.0, 0.0) * inner);
+    const double wanted = ceil(0.5 * fmax(guard_band[i] - 1.0, 0.0) * inner);
     const int most = (max_texture_px - inner) / 2;
     const int margin = wanted < (double)most ? (int)wanted : most;
     texture_px[i] = inner + 2 * margin;

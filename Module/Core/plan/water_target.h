@@ -63,11 +63,21 @@ double water_target_guard_band(const water_camera* camera, double slope_rms);
 
 // Widens a reflection texture by a guard band without a change of the size of its texels.
 //
-// guard_band  >= 1; less counts as 1
+// guard_band  of each axis, >= 1; less counts as 1
 // texture_px  changed; even margins, and no more than max_texture_px
 // reflection_scale   part of the reflection texture per axis that is the picture without the band
 void water_target_widen(
-  double guard_band, int max_texture_px, int texture_px[2], double reflection_scale[2]);
+  const double guard_band[2], int max_texture_px, int texture_px[2], double reflection_scale[2]);
+
+// The same bands of a tile of a picture: its margins are as wide as those of the whole picture.
+//
+// guard_band  of the whole picture
+// tile_scale  as in water_scene
+void water_target_tile_bands(double guard_band, const int tile_scale[2], double bands[2]);
+
+// The camera of the picture that a camera's picture is a tile of: with the scale of the whole, but
+// not its place.
+water_camera water_target_whole(const water_camera* tile, const int tile_scale[2]);
 
 #ifdef __cplusplus
 }

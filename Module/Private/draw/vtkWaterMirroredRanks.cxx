@@ -53,6 +53,15 @@ std::vector<size_t> FindOrder(const water_plan& plan, const vtkWaterRanks::Drawi
 }
 }
 
+// What a rank has read before it says so to the others.
+struct vtkWaterMirroredView::RankParts
+{
+  vtkWaterRankPixels Opaque; // of all ranks
+  vtkWaterRankPixels Layer;  // what it blends itself
+  vtkWaterRankPixels Depths; // and where that is
+  vtkWaterRankPixels Peel;   // what it has behind the first things of all
+};
+
 //------------------------------------------------------------------------------
 const char* vtkWaterMirroredView::JoinOpaque(
   vtkRenderer* renderer, const water_plan& plan, Draft& draft)
@@ -94,55 +103,116 @@ const char* vtkWaterMirroredView::JoinOpaque(
     this->RankSamples.Write(window, pixels, picture.Samples, rect, drawn);
     this->Target.Resolve();
   }
-  return drawing.HasBlended ? this->JoinBlended(renderer, plan, draft, drawing) : nullptr;
+  return drawing.HasBlended || draft.WantsPeel ? this->JoinMore(renderer, plan, draft, drawing)
+                                               : nullptr;
 }
 
 //------------------------------------------------------------------------------
-const char* vtkWaterMirroredView::JoinBlended(vtkRenderer* renderer, const water_plan& plan,
-  Draft& draft, const vtkWaterRanks::Drawing& drawing)
+bool vtkWaterMirroredView::DrawOwnLayer(
+  vtkRenderer* renderer, const water_plan& plan, Draft& draft, RankParts& parts)
 {
   auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
   const int* rect = plan.texture_rect_px;
   const bool hasOwn = vtkWaterTranslucentLayer::IsNeeded(draft.Blended, draft.Others);
   // floats: nothing computes with half ones
   const unsigned int type = this->Target.HasHalfFloats() ? GL_FLOAT : GL_UNSIGNED_BYTE;
-  vtkWaterRankPixels opaque;
-  vtkWaterRankPixels layer;
-  opaque.Read(this->Target.GetResolved(), type, rect);
-  water_rank_drawn facts = water_rank_drawn();
+  parts.Opaque.Read(this->Target.GetResolved(), type, rect);
+  // samples that are not of all ranks are not those of the joined depth
+  const bool hasSamples = plan.samples > 0 && plan.samples <= WATER_RANK_SAMPLES_MAX &&
+    vtkWaterTranslucent::HasSamples(renderer);
+  if ((hasOwn || draft.HasMarchedRays) &&
+    !(this->Layer.KeepDepth(window, this->Target, hasSamples, draft.HasMarchedRays) &&
+      this->Layer.Bind()))
+  {
+    return false;
+  }
   vtkOpenGLFramebufferObject* drawn = nullptr;
   if (hasOwn)
   {
-    // samples that are not of all ranks are not those of the joined depth
-    const bool hasSamples = plan.samples > 0 && plan.samples <= WATER_RANK_SAMPLES_MAX &&
-      vtkWaterTranslucent::HasSamples(renderer);
-    const bool isMade =
-      this->Layer.KeepDepth(window, this->Target, hasSamples) && this->Layer.Bind();
-    facts.has_failed = isMade ? 0.0 : 1.0;
-    if (isMade)
+    vtkOpenGLState* state = window->GetState();
+    state->vtkglViewport(0, 0, plan.texture_px[0], plan.texture_px[1]);
+    state->vtkglEnable(GL_SCISSOR_TEST);
+    state->vtkglScissor(rect[0], rect[1], rect[2], rect[3]);
+    const vtkWaterVolumeCuts cuts(plan, draft.Others);
+    const vtkWaterScopedWidgets scopedWidgets(renderer, draft.Others);
+    this->Layer.DrawColors(renderer, draft.Blended, this->Translucent);
+    if (draft.HasMarchedRays)
     {
-      vtkOpenGLState* state = window->GetState();
-      state->vtkglViewport(0, 0, plan.texture_px[0], plan.texture_px[1]);
-      state->vtkglEnable(GL_SCISSOR_TEST);
-      state->vtkglScissor(rect[0], rect[1], rect[2], rect[3]);
-      const vtkWaterVolumeCuts cuts(plan, draft.Others);
-      const vtkWaterScopedWidgets scopedWidgets(renderer, draft.Others);
-      this->Layer.DrawColors(renderer, draft.Blended, this->Translucent);
-      state->vtkglDisable(GL_SCISSOR_TEST);
-      drawn = this->Layer.Resolve();
+      this->Layer.DrawDepths(renderer, draft.Hook, plan, draft.Blended);
     }
+    state->vtkglDisable(GL_SCISSOR_TEST);
+    drawn = this->Layer.Resolve();
   }
-  layer.ReadLayer(drawn, type, rect);
+  parts.Layer.ReadLayer(drawn, type, rect);
+  if (draft.HasMarchedRays)
+  {
+    parts.Depths.ReadDepths(drawn, parts.Opaque);
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkWaterMirroredView::DrawOwnPeel(
+  vtkRenderer* renderer, const water_plan& plan, Draft& draft, RankParts& parts)
+{
+  this->DrawPeel(renderer, plan, draft); // behind what is nearest on all ranks
+  if (this->HasPeel)
+  {
+    parts.Peel.Read(this->Peel.GetFramebuffer(),
+      this->Target.HasHalfFloats() ? GL_HALF_FLOAT : GL_UNSIGNED_BYTE, plan.texture_rect_px);
+  }
+  return this->HasPeel;
+}
+
+//------------------------------------------------------------------------------
+bool vtkWaterMirroredView::JoinLayers(
+  const Draft& draft, const std::vector<size_t>& order, RankParts& parts)
+{
+  if (!parts.Layer.BlendInOrder(*draft.Ranks, order))
+  {
+    return false;
+  }
+  if (draft.HasMarchedRays)
+  {
+    if (!parts.Depths.KeepNearest(*draft.Ranks))
+    {
+      return false;
+    }
+    parts.Layer.Upload(this->Layer.GetColor(), nullptr);
+    parts.Depths.UploadDepths(this->Layer.GetDepth(), parts.Opaque);
+    this->HasLayer = true;
+  }
+  parts.Opaque.Blend(parts.Layer);
+  parts.Opaque.Upload(this->Target.GetColor(), nullptr);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+const char* vtkWaterMirroredView::JoinMore(vtkRenderer* renderer, const water_plan& plan,
+  Draft& draft, const vtkWaterRanks::Drawing& drawing)
+{
+  RankParts parts;
+  const bool isDrawn = (!drawing.HasBlended || this->DrawOwnLayer(renderer, plan, draft, parts)) &&
+    (!draft.WantsPeel || this->DrawOwnPeel(renderer, plan, draft, parts));
+  water_rank_drawn facts = water_rank_drawn();
+  facts.has_failed = isDrawn ? 0.0 : 1.0;
   const std::vector<size_t> order = FindOrder(plan, drawing);
   if (draft.Agree(facts).Result != WATER_RANKS_DRAWN)
   {
-    return facts.has_failed == 0.0 ? nullptr : "the GPU gave no framebuffer for translucent props";
+    return isDrawn ? nullptr
+                   : "the GPU gave no framebuffer for translucent props, or for what is behind";
   }
-  if (!layer.BlendInOrder(*draft.Ranks, order))
+  if (drawing.HasBlended && !this->JoinLayers(draft, order, parts))
   {
     return kUnreachable;
   }
-  opaque.Blend(layer);
-  opaque.Upload(this->Target.GetColor(), nullptr);
+  if (draft.WantsPeel)
+  {
+    if (!parts.Peel.KeepNearest(*draft.Ranks))
+    {
+      return kUnreachable;
+    }
+    parts.Peel.Upload(this->Peel.GetColor(), this->Peel.GetDepth());
+  }
   return nullptr;
 }

@@ -55,7 +55,8 @@ public:
     vtkShadowMapPass* Shadows = nullptr;          // which is up to date; nullptr: there are none
     vtkWaterRanks* Ranks = nullptr; // that draw the view together; nullptr: there are none
     // With ranks: tells them what was drawn here, once all that is opaque is, and again if anything
-    // is blended on any of them. Unless all of them have drawn it, Draw ends then.
+    // is blended on any of them, or a peel is wanted. Unless all of them have drawn it, Draw ends
+    // then.
     std::function<const vtkWaterRanks::Drawing&(const water_rank_drawn& mine)> Agree;
   };
 
@@ -108,10 +109,14 @@ private:
   void DrawOpaque(vtkRenderer* renderer, const water_plan& plan, const Draft& draft);
   void DrawTranslucent(vtkRenderer* renderer, const water_plan& plan, Draft& draft);
   // With other ranks, vtkWaterMirroredRanks.cxx: what is opaque on all of them, then what all
-  // blend.
+  // blend, and what is behind the first things.
+  struct RankParts;
   const char* JoinOpaque(vtkRenderer* renderer, const water_plan& plan, Draft& draft);
-  const char* JoinBlended(vtkRenderer* renderer, const water_plan& plan, Draft& draft,
+  const char* JoinMore(vtkRenderer* renderer, const water_plan& plan, Draft& draft,
     const vtkWaterRanks::Drawing& drawing);
+  bool DrawOwnLayer(vtkRenderer* renderer, const water_plan& plan, Draft& draft, RankParts& parts);
+  bool DrawOwnPeel(vtkRenderer* renderer, const water_plan& plan, Draft& draft, RankParts& parts);
+  bool JoinLayers(const Draft& draft, const std::vector<size_t>& order, RankParts& parts);
   void DrawPeel(vtkRenderer* renderer, const water_plan& plan, Draft& draft);
   void DrawProp(vtkRenderer* renderer, const Draft& draft, size_t number);
 

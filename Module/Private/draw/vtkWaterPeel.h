@@ -18,6 +18,7 @@ public:
   bool Begin(vtkOpenGLRenderWindow* window, vtkWaterTarget& reflection);
   void End(vtkOpenGLRenderWindow* window);
 
+  vtkOpenGLFramebufferObject* GetFramebuffer() { return this->Target.GetFramebuffer(); }
   vtkTextureObject* GetColor() { return this->Target.GetColor(); }
   vtkTextureObject* GetDepth() { return this->Target.GetDepth(); }
 

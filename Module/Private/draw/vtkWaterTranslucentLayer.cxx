@@ -51,13 +51,18 @@ bool vtkWaterTranslucentLayer::Keep(vtkOpenGLRenderWindow* window, vtkWaterTarge
 
 //------------------------------------------------------------------------------
 bool vtkWaterTranslucentLayer::KeepDepth(
-  vtkOpenGLRenderWindow* window, vtkWaterTarget& reflection, bool hasSamples)
+  vtkOpenGLRenderWindow* window, vtkWaterTarget& reflection, bool hasSamples, bool hasOpaque)
 {
-  if (!this->Layer.EnsureAs(window, reflection, hasSamples))
+  if (!this->Layer.EnsureAs(window, reflection, hasSamples) ||
+    (hasOpaque && !this->Opaque.EnsureAs(window, reflection, false)))
   {
     return false;
   }
   window->GetState()->vtkglDisable(GL_SCISSOR_TEST); // which cuts copies
+  if (hasOpaque)
+  {
+    this->Opaque.CopyFrom(reflection, GL_COLOR_BUFFER_BIT, true);
+  }
   this->Layer.CopyFrom(reflection, GL_DEPTH_BUFFER_BIT, !hasSamples);
   return true;
 }

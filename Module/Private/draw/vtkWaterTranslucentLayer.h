@@ -38,13 +38,17 @@ public:
   void Draw(vtkRenderer* renderer, vtkWaterShaderHook* hook, const water_plan& plan,
     std::vector<vtkProp*>& props, vtkWaterTranslucent& translucent);
 
-  // The same for a layer that ranks blend: it begins with the depth of all ranks' opaque props;
-  // after Bind only its colours are drawn, and resolved.
+  // The same for a layer that ranks join: it begins with the depth of all ranks' opaque props;
+  // after Bind its colours are drawn, then its depths where rays look for them, and resolved.
   //
   // hasSamples  of each sample, else of the pixels
-  bool KeepDepth(vtkOpenGLRenderWindow* window, vtkWaterTarget& reflection, bool hasSamples);
+  // hasOpaque   keeps the reflection texture's colours, too
+  bool KeepDepth(
+    vtkOpenGLRenderWindow* window, vtkWaterTarget& reflection, bool hasSamples, bool hasOpaque);
   void DrawColors(
     vtkRenderer* renderer, std::vector<vtkProp*>& props, vtkWaterTranslucent& translucent);
+  void DrawDepths(vtkRenderer* renderer, vtkWaterShaderHook* hook, const water_plan& plan,
+    const std::vector<vtkProp*>& props);
   vtkOpenGLFramebufferObject* Resolve(); // holds the pixels of what was drawn
 
   // Fills the mip levels.
@@ -58,8 +62,6 @@ public:
 
 private:
   void DrawAlpha(vtkRenderer* renderer, const std::vector<vtkProp*>& props);
-  void DrawDepths(vtkRenderer* renderer, vtkWaterShaderHook* hook, const water_plan& plan,
-    const std::vector<vtkProp*>& props);
   void DrawVolumeDepth(
     vtkOpenGLRenderWindow* window, const water_plan& plan, const vtkWaterProps::Box& box);
 

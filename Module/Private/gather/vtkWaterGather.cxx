@@ -314,6 +314,7 @@ void vtkWaterGather::Read(vtkRenderer* renderer, const std::vector<vtkWaterSnaps
   this->Scene.eye = ReadCamera(renderer);
   this->Camera = renderer->GetActiveCamera();
   std::copy_n(viewport_px, 2, this->Scene.viewport_px);
+  window->GetTileScale(this->Scene.tile_scale[0], this->Scene.tile_scale[1]);
   this->Scene.plane = first.Plane;
   std::copy_n(first.Origin, 3, this->Scene.plane_origin);
   this->Scene.settings = settings;

@@ -75,6 +75,9 @@ struct vtkWaterActor::Internals : public vtkWaterSource
   bool IsDrawnOnAllRanks();
   // The same, while cullers ask.
   bool IsKeptFromCullers();
+  // What the eye sees of an endless sheet, in a frame that ranks render together: IceT composites
+  // their pictures only where there are bounds. false: no bounds are needed, or none of it is seen.
+  bool FindSeenBounds(double bounds[6]);
   // Of what the water's renderers show, units; 0: there is nothing.
   double GetSceneDiagonal();
   // The waves at the actor's time, in the scene's unit.

@@ -113,6 +113,8 @@ bool vtkWaterReflection::JoinScene(const std::vector<vtkWaterSource*>& waters, A
   mine.slope_max = scene.slope_max;
   mine.wave_height_max = scene.wave_height_max;
   mine.is_averaged = this->Gathered.IsAveraged ? 1.0 : 0.0;
+  mine.has_marched_rays = this->Gathered.HasMarchedRays ? 1.0 : 0.0;
+  mine.wants_peel = this->Gathered.WantsPeel ? 1.0 : 0.0;
   mine.farthest_rank = this->Ranks.GetFarthest();
   water_ranks_view joined = water_ranks_view();
   if (!this->Ranks.JoinViews(mine, scene, this->RankProps, joined, attempt.Error))
@@ -122,6 +124,8 @@ bool vtkWaterReflection::JoinScene(const std::vector<vtkWaterSource*>& waters, A
   attempt.FirstProp = joined.first_prop;
   attempt.MeasuredMs = joined.measured_ms;
   this->Gathered.IsAveraged = joined.is_averaged;
+  this->Gathered.HasMarchedRays = joined.has_marched_rays;
+  this->Gathered.WantsPeel = joined.wants_peel;
   return true;
 }
 
@@ -169,7 +173,8 @@ const vtkWaterRanks::Drawing& vtkWaterReflection::JoinDrawn(
   const bool isFirst = attempt.Drawing.Bounds.empty();
   attempt.Drawing = this->Ranks.JoinDrawn(mine);
   const bool isGoingOn = attempt.Drawing.Result == WATER_RANKS_DRAWN;
-  attempt.AgreementsDue = isFirst && isGoingOn && attempt.Drawing.HasBlended ? 1 : 0;
+  const bool isMoreToCome = attempt.Drawing.HasBlended || attempt.Draft.WantsPeel;
+  attempt.AgreementsDue = isFirst && isGoingOn && isMoreToCome ? 1 : 0;
   return attempt.Drawing;
 }
 

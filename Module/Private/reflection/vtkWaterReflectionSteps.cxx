@@ -257,9 +257,8 @@ void vtkWaterReflection::Revise(const Frame& frame, Attempt& attempt)
   attempt.Draft.Hook = frame.Hook;
   attempt.Draft.Sky = this->Gathered.Sky;
   attempt.Draft.Secondary = this->MayHaveSecondary(frame) ? this : nullptr;
-  // the two are a rank's own, and not joined
-  attempt.Draft.HasMarchedRays = this->Gathered.HasMarchedRays && !this->Ranks.AreSeveral();
-  attempt.Draft.WantsPeel = this->Gathered.WantsPeel && !this->Ranks.AreSeveral();
+  attempt.Draft.HasMarchedRays = this->Gathered.HasMarchedRays;
+  attempt.Draft.WantsPeel = this->Gathered.WantsPeel;
   if (attempt.Draft.WantsPeel)
   {
     frame.Hook->WantPeel();

@@ -31,6 +31,10 @@ public:
   // Likewise of a layer, which has colours only; nullptr: nothing is in it.
   void ReadLayer(vtkOpenGLFramebufferObject* framebuffer, unsigned int type, const int rect[4]);
 
+  // Likewise of depths alone, where they are nearer than those of another picture of the rectangle;
+  // nullptr: nowhere.
+  void ReadDepths(vtkOpenGLFramebufferObject* framebuffer, const vtkWaterRankPixels& behind);
+
   // Ranks' pixels become those of all. All ranks call it, or none. false: they cannot be reached.
   bool KeepNearest(vtkWaterRanks& ranks);
   bool BlendInOrder(vtkWaterRanks& ranks, const std::vector<size_t>& order);
@@ -40,6 +44,7 @@ public:
 
   // Writes them back; depth may be nullptr.
   void Upload(vtkTextureObject* color, vtkTextureObject* depth) const;
+  void UploadDepths(vtkTextureObject* depth, const vtkWaterRankPixels& behind);
   void UploadSample(vtkTextureObject* color, vtkTextureObject* depth, int sample) const;
 
 private:

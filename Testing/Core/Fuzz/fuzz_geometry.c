@@ -228,7 +228,8 @@ static void fuzz_steps(fuzz_input* from)
   }
   water_rect_to_ndc(rect, px, four);
   const double band = water_target_guard_band(&camera, fuzz_double(from));
-  water_target_widen(fmax(band, fuzz_double(from)), 16384, px, scale);
+  const double bands[2] = { fmax(band, fuzz_double(from)), band };
+  water_target_widen(bands, 16384, px, scale);
   PROMISED(px[0] <= 16384 && px[1] <= 16384);
   const double eta = fuzz_double(from);
   const double cosine = fuzz_double(from);
