@@ -232,6 +232,27 @@ water_feature_set FeaturesOf(const vtkWaterLook& look)
 }
 
 //------------------------------------------------------------------------------
+void vtkWaterActor::Internals::ReadExtent(vtkWaterSnapshot& water)
+{
+  const double* bounds = this->Self->FindBounds(); // lays the sheet where it is now
+  if (bounds && !this->Self->IsEndless())
+  {
+    std::copy_n(bounds, 6, water.Bounds);
+  }
+  this->ReadPlaces(water);
+  water.IsEndless = this->Self->IsEndless();
+  water.IsSheet = water.IsEndless || (this->Self->UsesOwnSheet() && this->Self->GetIsIdentity());
+  std::copy_n(this->Sheet.GetRectangle(), 4, water.Sheet);
+  water.HasBorder = water.IsSheet && !water.IsEndless;
+  if (!water.IsSheet)
+  {
+    water.HasBorder =
+      water_sheet_around(&water.Plane, water.Origin, water.Bounds, water.Sheet) == WATER_OK;
+    this->ReadMesh(water.Plane, &water.Mesh);
+  }
+}
+
+//------------------------------------------------------------------------------
 vtkWaterSnapshotPointer vtkWaterActor::Internals::Take(vtkRenderer* renderer)
 {
   const vtkMTimeType frame = renderer ? vtkWaterFrame::NumberOf(renderer) : 0;
@@ -245,22 +266,7 @@ vtkWaterSnapshotPointer vtkWaterActor::Internals::Take(vtkRenderer* renderer)
   }
   auto made = std::make_shared<vtkWaterSnapshot>();
   made->Actor = this->Self;
-  const double* bounds = this->Self->FindBounds(); // lays the sheet where it is now
-  if (bounds && !this->Self->IsEndless())
-  {
-    std::copy_n(bounds, 6, made->Bounds);
-  }
-  this->ReadPlaces(*made);
-  made->IsEndless = this->Self->IsEndless();
-  made->IsSheet = made->IsEndless || (this->Self->UsesOwnSheet() && this->Self->GetIsIdentity());
-  std::copy_n(this->Sheet.GetRectangle(), 4, made->Sheet);
-  made->HasBorder = made->IsSheet && !made->IsEndless;
-  if (!made->IsSheet)
-  {
-    made->HasBorder =
-      water_sheet_around(&made->Plane, made->Origin, made->Bounds, made->Sheet) == WATER_OK;
-    this->ReadMesh(made->Plane, &made->Mesh);
-  }
+  this->ReadExtent(*made);
   made->Time = this->Self->Time;
   this->ReadFoam(*made);
   this->Describe(made->Look);

@@ -217,8 +217,8 @@ typedef struct water_scene
   const water_camera* picture_eye; // of the user's picture, if the eye is a mirrored one: what is
                                    // fixed to a screen or a camera belongs to it; NULL: the eye is
   int viewport_px[2];              // size of the picture the water is drawn into, >= 1
-  int tile_scale[2]; // so many times as wide and high is the picture that this one is a tile of; 0,
-                     // 1: it is none. What is looked up beside a tile is as wide as beside the
+  int tile_scale[2]; // size of the picture that this one is a tile of, over the size of the tile;
+                     // 0, 1: it is none. What is looked up beside a tile is as wide as beside the
                      // whole picture.
   const int* viewport_rect_px; // x, y, width, height of the part of it that counts; NULL: all of it
   water_plane plane;
@@ -243,12 +243,13 @@ typedef struct water_scene
   bool is_endless;          // the surface reaches to the horizon, whatever these bounds
   bool hides_above;         // the surface is not drawn for an eye above it, or below
   bool hides_below;
-  bool is_hidden;       // all of it is behind the scene
-  bool is_flat;         // all of it lies in the plane, and is drawn no nearer than that
-  bool has_scene_depth; // the eye's picture of what hides the surface is at hand, a depth per pixel
-  bool is_software;     // there is no GPU: pixels and triangles are expensive, draws are not
-  bool is_beyond;       // the own view is planned, water_beyond.h, and not the mirrored view
-  bool is_from_sun;     // the sun view is, water_sun_view.h
+  bool is_hidden; // all of it is behind the scene
+  bool is_flat;   // all of it lies in the plane, and is drawn no nearer than that
+  bool
+    has_scene_depth; // the eye's picture of what hides the surface is available, a depth per pixel
+  bool is_software;  // there is no GPU: pixels and triangles are expensive, draws are not
+  bool is_beyond;    // the own view is planned, water_beyond.h, and not the mirrored view
+  bool is_from_sun;  // the sun view is, water_sun_view.h
   const water_prop* props; // prop_count of them: all props, not only those the eye sees
   size_t prop_count;
   water_look look;

@@ -81,7 +81,7 @@ typedef struct water_ranks_view
   double wave_height_max;
   bool is_averaged;      // on any
   bool has_marched_rays; // on any: all keep apart what they blend
-  bool wants_peel;       // on any: all draw what is behind the first things
+  bool wants_peel;       // on any: all draw what is behind the first props
   int max_samples;       // the least
   int farthest_rank;     // the root's; -1: none
 } water_ranks_view;

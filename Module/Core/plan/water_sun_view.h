@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // water_sun_view.h: the sun view: what is between the sun and the water, laid down along the
 // sun's rays on the water's plane, in the eye's own picture. A pixel of it tells whether anything
-// keeps the sun off the water that the eye sees there.
+// blocks the sun's light on the water that the eye sees there.
 //
 // Source: Blinn 1988, "Me and My (Fake) Shadow". The depth is the height over the plane, of the
-// highest thing on a ray: waves compare their own with it.
+// highest prop on a ray: waves compare their own with it.
 #ifndef water_sun_view_h
 #define water_sun_view_h
 

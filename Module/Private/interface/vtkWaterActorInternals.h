@@ -104,6 +104,8 @@ struct vtkWaterActor::Internals : public vtkWaterSource
     const char* without, std::string& said);
   // The plane as it is used, and as it was given.
   void ReadPlaces(vtkWaterSnapshot& water);
+  // Where the surface is, and its mesh.
+  void ReadExtent(vtkWaterSnapshot& water);
   // Lets arrays of the mesh add to the features that are known of it.
   void ReadData(vtkWaterSnapshot& water);
   // Lets the current of the mesh carry the waves.

@@ -14,7 +14,7 @@
 
 namespace
 {
-constexpr int kMostSamples = 32; // as in vtkWaterSortFS.glsl
+constexpr int kMostSamples = 32;                         // as in vtkWaterSortFS.glsl
 constexpr const char* kCount = "WATER_SORT_SAMPLES = 4"; // there
 
 vtkSmartPointer<vtkTextureObject> MakeTexture(
