@@ -34,6 +34,8 @@ COLOR, SUN_COLOR = (0.2, 0.5, 0.3), (1.0, 0.95, 0.87)
 GRAY = (0.7, 0.7, 0.7)
 BED = np.array([(-4, -4, -0.9), (4, -4, -0.9), (4, 4, 0.4), (-4, 4, 0.4)], dtype=float)
 BED_TRIANGLES = np.array([(0, 1, 2), (0, 2, 3)], dtype=np.int64)
+PATCH = np.array([(-2, -2.4, -0.63), (2, -2.4, -0.63), (2, -1.75, -0.524), (-2, -1.75, -0.524)], dtype=float)  # on the bed
+RED = (0.9, 0.1, 0.1)
 SURFACE = np.array([(-3, -3, LEVEL), (3, -3, LEVEL), (3, 3, LEVEL), (-3, 3, LEVEL)], dtype=float)
 FLOW = np.array([(0.4, 0.1, 0.0)] * 4)  # m/s
 POINT_VALUES = np.array((0.0, 0.4, 1.5, 2.0))  # of matter, and Froude numbers
@@ -96,10 +98,10 @@ def wave_in_cm(view, water):
     water.GetWaterProperty().SetUnits("cm")
 
 
-def bed():
-    """Ground that falls from over the water to 0.8 under it."""
+def bed(places=BED):
+    """Ground that falls from over the water to 0.8 under it, or another quad."""
     data, points, cells = vtkPolyData(), vtkPoints(), vtkCellArray()
-    points.SetData(numpy_to_vtk(BED, deep=True))
+    points.SetData(numpy_to_vtk(places, deep=True))
     cells.SetData(3, numpy_to_vtkIdTypeArray(BED_TRIANGLES.ravel(), deep=True))
     data.SetPoints(points)
     data.SetPolys(cells)
@@ -125,6 +127,17 @@ def c_clear(function, argument):
                         ctypes.c_size_t(2), doubles(*GRAY)),
                        ("vtk_water_scene_set_sun", it.scene, number(azimuth), number(elevation), doubles(1, 1, 1)),
                        ("vtk_water_actor_set_refraction", it.water, 1), (function, it.water, argument)]
+
+
+def patch_beside_the_picture(view, water):
+    """A red patch that only refracted rays meet, below the picture's border: the own view shows it."""
+    wt.add_actor(view.renderer, bed(PATCH), RED)
+    clear("SetRefractionSource", 1)(view, water)
+
+
+def c_patch_beside_the_picture(it):
+    return [("vtk_water_scene_add_mesh", it.scene, PATCH.ctypes, ctypes.c_size_t(4), BED_TRIANGLES.ctypes,
+             ctypes.c_size_t(2), doubles(*RED)), *c_clear("vtk_water_actor_set_own_view", 1)(it)]
 
 
 def by_a_mesh(view, water):
@@ -225,7 +238,7 @@ CALLS = {
     ),
     "opacity": (lambda it: [("vtk_water_actor_set_opacity", it.water, number(0.5))], look_call("SetOpacity", 0.5), 0),
     "refraction": (c_clear("vtk_water_actor_set_refraction", 0), clear("SetRefraction", False), 1),
-    "own view": (c_clear("vtk_water_actor_set_own_view", 1), clear("SetRefractionSource", 1), 1),
+    "own view": (c_patch_beside_the_picture, patch_beside_the_picture, 1),
     "water type": (c_clear("vtk_water_actor_set_water_type", b"9C"), clear("SetWaterType", "9C"), 1),
     "foam": (c_clear("vtk_water_actor_set_foam", number(0.3)), clear("SetFoamDepth", 0.3), 1),
     "caustics": (c_clear("vtk_water_actor_set_caustics", number(0.9)), clear("SetCaustics", 0.9), 1),
