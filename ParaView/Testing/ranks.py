@@ -8,7 +8,8 @@ import subprocess
 import water_scene
 
 PROGRAM = os.path.join(os.path.dirname(os.path.abspath(__file__)), "ranks_program.py")
-MPIRUN = [os.environ["WATER_MPIRUN"], "--oversubscribe", "--bind-to", "none"]
+# a rank that waits leaves the processor to those that do not: by default it asks without end
+MPIRUN = [os.environ["WATER_MPIRUN"], "--oversubscribe", "--bind-to", "none", "--mca", "mpi_yield_when_idle", "1"]
 LIMIT = 600  # seconds, for a hang; four ranks of a busy machine are slow
 # without what says that this process is a rank already: pvpython is one of MPI's programs, too
 ENVIRONMENT = {name: value for name, value in os.environ.items()
@@ -27,9 +28,9 @@ def on_ranks(ranks, command):
     return command if ranks == 1 else MPIRUN + ["-np", str(ranks)] + command
 
 
-def batch(ranks, name, *arguments):
-    """Runs the program by pvbatch on so many ranks. Returns what it says."""
-    return run(on_ranks(ranks, [os.environ["WATER_PVBATCH"], "--force-offscreen-rendering", PROGRAM, name,
+def batch(ranks, name, *arguments, program=PROGRAM):
+    """Runs a program by pvbatch on so many ranks. Returns what it says."""
+    return run(on_ranks(ranks, [os.environ["WATER_PVBATCH"], "--force-offscreen-rendering", program, name,
                                 *arguments]))
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""TestWaterLarge: pictures of 256 tiles, as many as 16,384 x 16,384 pixels take; data of 1,000 blocks, and in pieces."""
+"""TestWaterLarge: pictures of 256 tiles, as many as 16,384 x 16,384 pixels take; data of 1,000 blocks and in pieces."""
 
 import numpy as np
 import pytest
