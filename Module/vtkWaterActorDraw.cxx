@@ -234,6 +234,7 @@ water_feature_texture TextureOf(
   texture.has_layer = inputs.Translucent.Color != nullptr;
   texture.has_peel = inputs.PeelColor && water.WantsPeel();
   texture.is_enclosed = inputs.Plan && inputs.Plan->is_enclosed;
+  texture.has_sky_view = inputs.Plan && inputs.SkyView.Color;
   return texture;
 }
 

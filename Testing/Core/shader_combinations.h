@@ -16,7 +16,7 @@ enum
 {
   SHADER_LOOK_BITS = 1 WATER_FEATURE_LOOK_LIST(SHADER_ONE_MORE), // and the kind of lookup
   SHADER_LOOK_COUNT = 1 << SHADER_LOOK_BITS,
-  SHADER_TEXTURE_COUNT = 1 << 3, // what a reflection texture may have
+  SHADER_TEXTURE_COUNT = 1 << 4, // what a reflection texture may have
   SHADER_SKY_COUNT = 7, // skies beside the one-coloured one: three, a floor, and they with a floor
   // each as often as it is asked for, and with skies
   SHADER_SET_COUNT = SHADER_LOOK_COUNT * (1 + 17 * SHADER_TEXTURE_COUNT)
@@ -49,7 +49,7 @@ static inline bool shader_has_little_or_much(unsigned number)
 static inline water_feature_texture shader_texture(unsigned number)
 {
   const water_feature_texture texture = { (number & 1u) != 0, (number & 2u) != 0,
-    (number & 4u) != 0 };
+    (number & 4u) != 0, (number & 8u) != 0 };
   return texture;
 }
 
@@ -68,7 +68,8 @@ static inline size_t shader_add_skies(water_feature_set* sets, size_t count)
     WATER_FEATURE_RAY_TRACED | WATER_FEATURE_ENVIRONMENT | WATER_FEATURE_MEDIUM;
   const water_feature_set other = WATER_FEATURE_OUTPUT | WATER_FEATURE_SHADOWS |
     WATER_FEATURE_FOAM | WATER_FEATURE_CAUSTICS | WATER_FEATURE_NORMAL_MAPS | WATER_FEATURE_MESH |
-    WATER_FEATURE_SAMPLES | WATER_FEATURE_DISPLACED | WATER_FEATURE_GLITTER;
+    WATER_FEATURE_SAMPLES | WATER_FEATURE_DISPLACED | WATER_FEATURE_GLITTER |
+    WATER_FEATURE_SKY_VIEW;
   const size_t bare = count;
   for (size_t i = 0; i < bare; ++i)
   {

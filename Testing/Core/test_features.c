@@ -136,6 +136,13 @@ TEST(layer_and_peel_are_for_traced_rays_alone)
       features + (is_traced ? WATER_FEATURE_PEELED : 0));
     assert_int_equal(water_features_with_texture(features, &dome),
       features + (is_traced || is_offset ? WATER_FEATURE_ENCLOSED : 0));
+    const water_feature_texture sky = { .is_enclosed = true, .has_sky_view = true };
+    const water_feature_set seen = WATER_FEATURE_ENCLOSED | WATER_FEATURE_SKY_VIEW;
+    assert_int_equal(water_features_with_texture(features, &sky),
+      features +
+        (is_traced      ? seen
+            : is_offset ? WATER_FEATURE_ENCLOSED
+                        : 0));
   }
 }
 
@@ -484,7 +491,7 @@ static bool is_empty(const char* slot, water_feature_set features)
   {
     return !(features & WATER_FEATURE_FOAM);
   }
-  if (strcmp(slot, "layer") == 0 || strcmp(slot, "behind") == 0)
+  if (strcmp(slot, "layer") == 0 || strcmp(slot, "behind") == 0 || strcmp(slot, "end") == 0)
   {
     return !(features & lookups);
   }
@@ -544,8 +551,8 @@ TEST(slots_stand_in_their_order)
   static const char* const surface[] = { "optics", "gradient", "attenuation", "mixture", "slopes",
     "highlights", "cover", "measure", "gain", "cell", "place", "under", "height", "clarity",
     "point", "pixel", "hulls", "sky", "floor", "tile", "slope", "sines", "tiles", "folds", "sea",
-    "normal_maps", "flow", "waves", "output", "reflection", "dome", "walk", "behind", "layer",
-    "blur", "caustics", "picture", "medium", "shafts", "others", "refraction", "ground",
+    "normal_maps", "flow", "waves", "output", "reflection", "dome", "end", "walk", "behind",
+    "layer", "blur", "caustics", "picture", "medium", "shafts", "others", "refraction", "ground",
     "facet_slopes", "facets", "rays", "shadows", "glitter", "whitecaps", "foam_data", "foam", "sun",
     "port", "surface" };
   static const char* const vertex[] = { "cell", "tiles", "sea", "displacement", "heights", "slopes",

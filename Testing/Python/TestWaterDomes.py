@@ -5,8 +5,9 @@ that no ray could see, which is magenta here."""
 import numpy as np
 import pytest
 import water_test as wt
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkFiltersSources import vtkSphereSource
-from wave_scenes import POSTS_WAVES
+from wave_scenes import POSTS_WAVES, reflected_rays
 
 MAGENTA = (1.0, 0.0, 1.0)
 DOME = (0.5, 0.7, 0.9)
@@ -72,6 +73,53 @@ def test_a_far_wall_is_met_before_the_end_of_its_rays(is_software, monkeypatch):
         made.renderer.GetActors().GetItemAsObject(0).GetMapper().SetInputData(wall)
         shown.append((made.picture() == 255 * np.array(MAGENTA)).all(axis=2))
     wt.check_at_most("pixels that show the background before the far wall alone, %", 100 * (shown[1] & ~shown[0]).mean(), 0.1)
+
+
+def colored_dome(radius):
+    """A sphere whose colour changes with direction, so that a ray that is off sees another one; and that colour."""
+    dome = vtkSphereSource()
+    dome.SetRadius(radius)
+    dome.SetThetaResolution(128)
+    dome.SetPhiResolution(96)
+    dome.Update()
+    points = vtk_to_numpy(dome.GetOutput().GetPoints().GetData())
+    colors = numpy_to_vtk(np.rint(color_of(points)).astype(np.uint8), deep=True)
+    dome.GetOutput().GetPointData().SetScalars(colors)
+    return dome.GetOutput()
+
+
+def color_of(place):
+    """255 RGB of a place on the dome: four waves of light around it, and one up it."""
+    turn, height = np.arctan2(place[..., 1], place[..., 0]), place[..., 2] / np.linalg.norm(place, axis=-1)
+    return 127 + 90 * np.stack([np.cos(4 * turn), np.sin(4 * turn), np.cos(3 * height)], axis=-1)
+
+
+@pytest.mark.parametrize("is_parallel", (False, True))
+def test_rays_that_leave_the_picture_meet_the_dome(is_parallel):
+    """Water alone in a dome: every pixel's ray, in the picture or beside it, sees the dome where a sphere is met."""
+    radius, size = 60.0, (160, 120)
+    made = wt.View(size, MAGENTA)
+    dome = wt.add_actor(made.renderer, colored_dome(radius), (1, 1, 1), lit=False)
+    dome.GetMapper().ScalarVisibilityOn()
+    water = wt.add_water(made.renderer, None, (-40, 40, -40, 40), reflectance=1.0)
+    wave = (0.2, 8.0, 30.0, 0.0)  # slope 0.16
+    water.GetWaterProperty().AddWave(*wave)
+    camera = made.renderer.GetActiveCamera()
+    camera.SetPosition(0, -20, 12)
+    camera.SetFocalPoint(0, 0, 0)
+    camera.SetViewUp(0, 0, 1)
+    camera.SetParallelProjection(is_parallel)
+    camera.SetParallelScale(8)
+    camera.SetClippingRange(0.1, 300)
+    shown = made.picture().astype(float)
+    mask = wt.water_mask(made, water)
+    place, away = reflected_rays(camera, size, (wave,))
+    ahead = (place * away).sum(axis=1)
+    way = np.sqrt(ahead**2 - (place**2).sum(axis=1) + radius**2) - ahead
+    right = color_of(place + way[:, None] * away).reshape(size[1], size[0], 3)
+    off = np.abs(shown - right).max(axis=2)[mask]
+    wt.check_at_most("median distance from the colour of the dome, of 255", float(np.median(off)), 2)
+    wt.check_at_most("pixels that are off by more than 12 of 255, %", 100 * float((off > 12).mean()), 2)
 
 
 def test_background_is_still_shown_where_nothing_is_drawn():

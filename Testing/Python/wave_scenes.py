@@ -155,5 +155,19 @@ def looked_up(made, water):
     return np.stack([red * 16 + green // 16, green % 16 * 256 + blue], axis=1) / 4095.0
 
 
+def reflected_rays(camera, size, waves):
+    """For each pixel, row by row from below: its place on the plane z = 0, and the direction of its reflected ray."""
+    x, y = np.meshgrid(*((np.arange(count) + 0.5) / count * 2 - 1 for count in size))
+    start, ray = ray_caster.rays_at(camera, size, x.ravel(), y.ravel())
+    place = start - (start[:, 2] / ray[:, 2])[:, None] * ray
+    _, along_x, along_y = ray_caster.heights_and_slopes(waves, place[:, 0], place[:, 1], 0.0)
+    normal = np.stack([-along_x, -along_y, np.ones_like(along_x)], axis=1)
+    normal /= np.linalg.norm(normal, axis=1, keepdims=True)
+    ray = ray / np.linalg.norm(ray, axis=1, keepdims=True)
+    away = ray - 2 * (ray * normal).sum(axis=1, keepdims=True) * normal
+    away[:, 2] = np.abs(away[:, 2])  # one that would meet the water again is bounced off it once more
+    return place, away
+
+
 def rmse(picture, truth, mask):
     return float(np.sqrt(((picture - truth)[mask] ** 2).mean()))

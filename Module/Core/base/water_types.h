@@ -250,6 +250,7 @@ typedef struct water_scene
   bool is_software;  // there is no GPU: pixels and triangles are expensive, draws are not
   bool is_beyond;    // the own view is planned, water_beyond.h, and not the mirrored view
   bool is_from_sun;  // the sun view is, water_sun_view.h
+  bool is_of_sky;    // the sky view is, water_sky_view.h
   const water_prop* props; // prop_count of them: all props, not only those the eye sees
   size_t prop_count;
   water_look look;
@@ -299,7 +300,9 @@ typedef struct water_plan
   bool is_sky_known;
   // a drawn mesh may be the sky: the reflection texture's alpha is 0 where nothing was drawn
   bool is_enclosed;
-  double eta; // index beyond the surface / index on the eye's side
+  double rest_top; // with a sky view: height over the plane of all else in the reflection texture,
+  double rest_depth; // and its largest depth there
+  double eta;        // index beyond the surface / index on the eye's side
 
   // draw: the mirrored camera, twice: as matrices and in vtkCamera's terms; of an own view the
   // eye itself, with a wider frustum
@@ -328,6 +331,11 @@ typedef struct water_plan
   // of a sun view, water_sun_view.h: window depth 1 - depth * (height + bottom) / w
   double sun_view_depth;
   double sun_view_bottom;
+
+  // of a sky view, water_sky_view.h
+  double sky_view_at[3];   // where it is from, in the plane's axes, from origin_xy
+  double sky_view_dirs[9]; // direction in the plane's axes -> x, y and w of its clip space
+  double sky_view_near[2]; // 1 / w is depth [0] + [1], for a depth of its window
 
   // shade: where the reflection texture shows what
   double reflection_ndc_to_eye[9]; // (x, y, 1) in NDC of the reflection texture -> (x, y, w) in

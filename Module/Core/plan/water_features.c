@@ -93,7 +93,8 @@ water_feature_set water_features_with_texture(
   const bool is_looked_up = (features & (WATER_FEATURE_RAY_TRACED | WATER_FEATURE_OFFSET)) != 0;
   return features | if_has(is_traced && texture->has_layer, WATER_FEATURE_TRANSLUCENT) |
     if_has(is_traced && texture->has_peel, WATER_FEATURE_PEELED) |
-    if_has(is_looked_up && texture->is_enclosed, WATER_FEATURE_ENCLOSED);
+    if_has(is_looked_up && texture->is_enclosed, WATER_FEATURE_ENCLOSED) |
+    if_has(is_traced && texture->is_enclosed && texture->has_sky_view, WATER_FEATURE_SKY_VIEW);
 }
 
 water_feature_set water_features_with_mesh(water_feature_set features)

@@ -57,7 +57,8 @@ extern "C"
   X(GROUND, "there is ground under all of the water")                                              \
   X(BUFFERED, "a user's mesh whose surface is in a buffer: it is shaded once a pixel")             \
   X(MATTER, "data give the concentration of matter in the water")                                  \
-  X(FOAM_DATA, "data give the foam cover")
+  X(FOAM_DATA, "data give the foam cover")                                                         \
+  X(SKY_VIEW, "what may be the sky has a view of its own")
 
 typedef enum water_feature_bit
 {
@@ -83,7 +84,8 @@ WATER_FEATURE_LIST(WATER_FEATURE_VALUE)
 // features that a look can have, the conditions of one slot exclude each other.
 // A sky that is looked up in a texture, or in more than a vertical gradient.
 #define WATER_FEATURES_SKY                                                                         \
-  (WATER_FEATURE_FLAG(SKY_SCREEN) | WATER_FEATURE_FLAG(SKY_MAP) | WATER_FEATURE_FLAG(SKY_CUBE))
+  (WATER_FEATURE_FLAG(SKY_SCREEN) | WATER_FEATURE_FLAG(SKY_MAP) | WATER_FEATURE_FLAG(SKY_CUBE) |   \
+    WATER_FEATURE_FLAG(SKY_VIEW))
 #define WATER_SURFACE_FILE_LIST(X)                                                                 \
   X(optics, vtkWaterOptics, 0, 0, "Fresnel's law")                                                 \
   X(gradient, vtkWaterGradient, 0, 0, "background colour in a direction")                          \
@@ -129,6 +131,7 @@ WATER_FEATURE_LIST(WATER_FEATURE_VALUE)
     "the background: a picture, or a gradient")                                                    \
   X(sky, vtkWaterSkyMapFS, WATER_FEATURE_FLAG(SKY_MAP), 0, "a picture in longitude and latitude")  \
   X(sky, vtkWaterSkyCubeFS, WATER_FEATURE_FLAG(SKY_CUBE), 0, "a cube map")                         \
+  X(sky, vtkWaterSkyViewFS, WATER_FEATURE_FLAG(SKY_VIEW), 0, "meshes that may be the sky")         \
   X(floor, vtkWaterSkyFloorFS, WATER_FEATURE_FLAG(SKY_FLOOR), 0, "floor of a skybox")              \
   X(floor, vtkWaterNoSkyFloorFS, 0, WATER_FEATURE_FLAG(SKY_FLOOR), "none")                         \
   X(tile, vtkWaterTileFS, WATER_FEATURE_FLAG(WAVES), WATER_FEATURE_FLAG(HARDWARE_TILE),            \
@@ -161,8 +164,14 @@ WATER_FEATURE_LIST(WATER_FEATURE_VALUE)
   X(reflection, vtkWaterMirrorFS, 0,                                                               \
     WATER_FEATURE_FLAG(ENVIRONMENT) | WATER_FEATURE_FLAG(RAY_TRACED) | WATER_FEATURE_FLAG(OFFSET), \
     "calm: the pixel's own place")                                                                 \
-  X(dome, vtkWaterDomeFS, WATER_FEATURE_FLAG(ENCLOSED), 0, "undrawn texels have no colour")        \
+  X(dome, vtkWaterDomeFS, WATER_FEATURE_FLAG(ENCLOSED), WATER_FEATURE_FLAG(SKY_VIEW),              \
+    "undrawn texels have no colour")                                                               \
+  X(dome, vtkWaterSkyDomeFS, WATER_FEATURE_FLAG(SKY_VIEW), 0, "the sky has a view of its own")     \
   X(dome, vtkWaterNoDomeFS, 0, WATER_FEATURE_FLAG(ENCLOSED), "it is the background")               \
+  X(end, vtkWaterSkyEndFS, WATER_FEATURE_FLAG(SKY_VIEW), 0, "in a mesh that may be the sky")       \
+  X(end, vtkWaterNoSkyEndFS,                                                                       \
+    WATER_FEATURE_FLAG(ENVIRONMENT) | WATER_FEATURE_FLAG(RAY_TRACED) | WATER_FEATURE_FLAG(OFFSET), \
+    WATER_FEATURE_FLAG(SKY_VIEW), "where nothing was drawn")                                       \
   X(walk, vtkWaterRayWalkFS, WATER_FEATURE_FLAG(RAY_TRACED), WATER_FEATURE_FLAG(HARDWARE_RAYS),    \
     "sequential reads")                                                                            \
   X(walk, vtkWaterHardwareRaysFS, WATER_FEATURE_FLAG(HARDWARE_RAYS), 0, "several reads at once")   \
@@ -339,9 +348,10 @@ water_feature_set water_features_of(const water_feature_look* look);
 // What a reflection texture has in addition to its colours and depths.
 typedef struct water_feature_texture
 {
-  bool has_layer;   // of translucent props
-  bool has_peel;    // of what lies behind its first surfaces
-  bool is_enclosed; // water_plan.is_enclosed
+  bool has_layer;    // of translucent props
+  bool has_peel;     // of what lies behind its first surfaces
+  bool is_enclosed;  // water_plan.is_enclosed
+  bool has_sky_view; // water_sky_view.h
 } water_feature_texture;
 
 // The same with the reflection texture that it looks up.

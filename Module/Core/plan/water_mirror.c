@@ -243,6 +243,23 @@ void water_mirror_clip_window(
   }
 }
 
+water_status water_mirror_clip_plan(const water_plane* plane, double margin, water_plan* plan)
+{
+  double to_world[16] = { 0.0 };
+  const double clip[4] = { plane->normal[0], plane->normal[1], plane->normal[2],
+    plane->offset + margin };
+  memcpy(plan->clip_plane_world, clip, sizeof clip);
+  (void)water_mat4_invert_affine(plan->mirrored.world_to_view, to_world); // it is rigid
+  water_mat4_apply_row(clip, to_world, plan->clip_plane_view);
+  const water_status status = water_mirror_clip_clip(
+    plan->mirrored.view_to_clip, plan->clip_plane_view, plan->clip_plane_clip);
+  if (status == WATER_OK)
+  {
+    water_mirror_clip_window(plan->clip_plane_clip, plan->texture_px, plan->clip_plane_window);
+  }
+  return status;
+}
+
 void water_mirror_texture_matrix(const water_camera* mirrored, double world_to_texture[16])
 {
   water_mat4_multiply(mirrored->view_to_clip, mirrored->world_to_view, world_to_texture);

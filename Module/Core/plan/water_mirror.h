@@ -92,6 +92,14 @@ water_status water_mirror_clip_clip(
 void water_mirror_clip_window(
   const double clip_plane_clip[4], const int texture_px[2], double clip_plane_window[4]);
 
+// The clip at a plane, and a margin under it, in all spaces of a plan's own camera, wherever that
+// is.
+//
+// plane  normalised; the side of its normal is kept
+//
+// Returns WATER_OK or WATER_BAD_CAMERA (the camera's projection has no inverse).
+water_status water_mirror_clip_plan(const water_plane* plane, double margin, water_plan* plan);
+
 // World to the reflection texture: divide by w: u, v, depth in [0, 1]. Reference of tests for where
 // a point is looked up, and for programs that use the core alone: nothing in the module calls it.
 void water_mirror_texture_matrix(const water_camera* mirrored, double world_to_texture[16]);

@@ -14,6 +14,7 @@
 #include "water_plane.h"
 #include "water_select.h"
 #include "water_sky.h"
+#include "water_sky_view.h"
 #include "water_sun_view.h"
 #include "water_target.h"
 #include "water_visibility.h"
@@ -66,7 +67,7 @@ static void select_side(const water_scene* scene, checked* result)
 // Is it the mirrored view that is planned?
 static bool is_mirrored(const water_scene* scene)
 {
-  return !scene->is_beyond && !scene->is_from_sun;
+  return !scene->is_beyond && !scene->is_from_sun && !scene->is_of_sky;
 }
 
 // All checks but that of the props, in the order of water_status.h.
@@ -280,6 +281,12 @@ static void fill_props(const water_scene* scene, const water_eye* eye, const wat
   plan->depth_scale = reach.scale * nearer;
   plan->depth_offset = reach.scale * (1.0 - nearer);
   plan->reflection_top += scene->wave_height_max; // a ray may start in a trough
+  if (plan->is_enclosed && scene->has_waves)
+  {
+    water_sky_view_rest(&plan->mirrored, plane, eye, scene->props, scene->prop_count, reasons,
+      &plan->rest_top, &plan->rest_depth);
+    plan->rest_top += scene->wave_height_max;
+  }
 }
 
 // Samples per pixel of the mirrored view. Rays need texels that show one object: a mixed texel at
@@ -444,7 +451,7 @@ static water_status fill_shade(
     &plan->mirrored, plan->plane_view, plan->reflection_height, plan->reflection_w);
 }
 
-// The mirrored view, the own view, or the sun view.
+// The mirrored view, the own view, the sun view, or the sky view.
 static water_status fill_drawn_view(const water_scene* scene, const checked* input,
   const water_plane* plane, const water_axes* axes, const double box[4], water_plan* plan,
   water_cull_reason* reasons, size_t* bad_index)
@@ -457,6 +464,11 @@ static water_status fill_drawn_view(const water_scene* scene, const checked* inp
   {
     *bad_index = scene->prop_count; // the mirrored view's plan tells of it
     return water_sun_view_plan(scene, plane, drop_of(scene, plane), box, plan, reasons);
+  }
+  if (scene->is_of_sky)
+  {
+    *bad_index = scene->prop_count;
+    return water_sky_view_plan(scene, plane, axes, drop_of(scene, plane), box, plan, reasons);
   }
   const water_status status = fill_draw(scene, input, plane, box, plan, reasons, bad_index);
   return status == WATER_OK ? fill_shade(scene, input, axes, plan) : status;

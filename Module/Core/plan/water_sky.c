@@ -141,7 +141,7 @@ water_feature_set water_sky_features(
   const bool is_looked_up =
     (features & (WATER_FEATURE_RAY_TRACED | WATER_FEATURE_ENVIRONMENT)) != 0 ||
     ((features & WATER_FEATURE_MEDIUM) != 0 && is_below);
-  if (!is_looked_up)
+  if (!is_looked_up || (features & WATER_FEATURE_SKY_VIEW) != 0)
   {
     return features;
   }

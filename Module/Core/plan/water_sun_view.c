@@ -124,24 +124,6 @@ static double nearest_of(const water_plan* plan, const double box[4])
   return most > 0.0 ? 1.0 / most : 1.0;
 }
 
-// The clip at the plane, and the margin under it.
-static water_status fill_clip(const water_plane* plane, double margin, water_plan* plan)
-{
-  double from_sun[16] = { 0.0 };
-  const double clip[4] = { plane->normal[0], plane->normal[1], plane->normal[2],
-    plane->offset + margin };
-  memcpy(plan->clip_plane_world, clip, sizeof clip);
-  (void)water_mat4_invert_affine(plan->mirrored.world_to_view, from_sun);
-  water_mat4_apply_row(clip, from_sun, plan->clip_plane_view);
-  const water_status status = water_mirror_clip_clip(
-    plan->mirrored.view_to_clip, plan->clip_plane_view, plan->clip_plane_clip);
-  if (status == WATER_OK)
-  {
-    water_mirror_clip_window(plan->clip_plane_clip, plan->texture_px, plan->clip_plane_window);
-  }
-  return status;
-}
-
 static water_status fill_camera(const water_scene* scene, const water_plane* plane, double margin,
   const double box[4], double top, water_plan* plan)
 {
@@ -160,7 +142,7 @@ static water_status fill_camera(const water_scene* scene, const water_plane* pla
   plan->sun_view_bottom = margin;
   water_mirror_pose(
     &plan->mirrored, plan->mirrored_position, plan->mirrored_focal_point, plan->mirrored_view_up);
-  return fill_clip(plane, margin, plan);
+  return water_mirror_clip_plan(plane, margin, plan);
 }
 
 water_status water_sun_view_plan(const water_scene* scene, const water_plane* plane, double margin,

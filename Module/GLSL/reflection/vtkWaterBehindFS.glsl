@@ -84,9 +84,9 @@ void waterLookBehind(vec3 start, inout WaterRayHit hit)
     bool isMet = met.x || met.y;
     vec2 ends = passage.depthsLow;
     bool isFree = !isMet && waterInFront(ends, passage.rayLow) == 0; // in front of all once more
-    bool isSky = !isMet && (ends.x >= 1.0 || ends.y >= 1.0);
+    bool isSky = !isMet && (waterIsSky(ends.x) || waterIsSky(ends.y));
     // of the two, which shows it
-    bool isFirst = isMet ? met.x : isFree || ends.x >= 1.0;
+    bool isFirst = isMet ? met.x : isFree || waterIsSky(ends.x);
     bool isBetween = !isMet && !isSky && !isFree && !hit.isInside && ends.y >= passage.rayLow;
     bool isKnown = isMet || isSky || isFree || isBetween;
     vec2 uv = start.xy + (isMet ? passage.high : 1.0) * way.xy;

@@ -49,6 +49,7 @@ vec3 waterFacets(WaterPoint point, out float reflectance, inout int reason, inou
   waterMarchRay(point.start, isOne, hit);
   if (isOne)
   {
+    waterTakeSky(hit);
     waterLookBehind(point.start, hit);
     waterCross(point, hit);
     places.inner = hit.uv.xyxy;

@@ -89,6 +89,7 @@ vec3 waterOneFacet(WaterPoint point, out float reflectance, out int reason, out 
   reflectance = waterFacetReflectance(point, normal);
   WaterRayHit hit = waterEstimateHit(point, normal);
   waterFollowRay(point.start, hit);
+  waterTakeSky(hit);
   waterLookBehind(point.start, hit);
   waterCross(point, hit);
   reason = waterReason(hit);

@@ -109,7 +109,7 @@ void waterRefine(vec3 start, float s, float depth, inout WaterRayHit hit)
     }
   }
   bool isEnd = s >= 1.0; // nothing was met
-  bool isSky = isEnd && (hit.isOver || (depth >= 1.0 && !hit.isInside));
+  bool isSky = isEnd && (hit.isOver || (waterIsSky(depth) && (waterIsSkyByRay() || !hit.isInside)));
   hit.uv = start.xy + s * hit.line.xy;
   hit.reason = isEnd ? (hit.isInside ? WATER_SKY : WATER_OFF_MAP) : WATER_HIT;
   hit.isPlace = !isSky || !waterIsSkyKnown();
@@ -222,14 +222,14 @@ void waterMarchRay(vec3 start, inout WaterRayHit hit)
   hit.behind = (march.rayHigh - march.depthHigh) / toInfinity;
   hit.passed = march.high;
   bool isSurface = march.depthLow - march.depthHigh <= waterReflectionTolerance.y * toInfinity;
-  bool isOpen = hit.isInside && depthEnd >= 1.0;
+  bool isOpen = hit.isInside && waterIsSky(depthEnd);
   // the front side, not filtered
   vec2 front = (floor((start.xy + march.low * way.xy) * waterReflectionTexels) + 0.5) / waterReflectionTexels;
   // met nothing; a surface: filtered; goes behind something, and where it ends there is sky; front
   vec2 uv = start.xy + (march.isHit && isSurface ? march.high : 1.0) * way.xy;
   hit.uv = march.isHit && !isSurface && !isOpen ? front : uv;
-  bool isSky = march.isHit ? !isSurface && (isOpen ? depthEnd >= WATER_UNMET : march.depthLow >= 1.0)
-                           : hit.isOver || (!hit.isInside && depthEnd >= 1.0);
+  bool isSky = march.isHit ? !isSurface && (isOpen ? waterIsSkyByRay() || depthEnd >= WATER_UNMET : waterIsSky(march.depthLow))
+                           : hit.isOver || (waterIsSky(depthEnd) && (waterIsSkyByRay() || !hit.isInside));
   hit.reason = march.isHit ? (isSurface ? WATER_HIT : WATER_HIDDEN)
                            : (hit.isInside ? WATER_SKY : WATER_OFF_MAP);
   hit.isPlace = !isSky || !waterIsSkyKnown();

@@ -37,6 +37,11 @@ float waterTop();                // height over the plane of all that there is t
 
 float waterDepthAt(vec2 uv); // of the reflection texture; of the slot layer
 
+// Of the slot end. Is nothing but the sky that deep in the reflection texture? Is the sky known by a ray's direction, and
+// not by the place in the reflection texture where the ray ends?
+bool waterIsSky(float depth);
+bool waterIsSkyByRay();
+
 // Depth of what the ray may meet where the reflection texture has another. What lies under the surface, or before all of the ray, only hides
 // what it meets.
 float waterToMeet(vec2 uv, float depth)
@@ -80,7 +85,13 @@ struct WaterRayHit
   float near;     // depth of the nearest thing that a probe found before that
   float behind;   // how far behind the edge of a thing it went, over the thing's distance
   float passed;   // s where that is
+  vec2 skyPlace;  // where in the reflection texture the sky is that it may meet; only
+  bool isSkyThere; // if that is there
 };
+
+// Of the slot end: finds the sky that a ray may meet; takes it where the ray meets nothing else.
+void waterFindSky(vec3 start, float startW, vec3 dir, inout WaterRayHit hit);
+void waterTakeSky(inout WaterRayHit hit);
 
 // Where a ray goes, and how far: up to the ray's first look at the reflection texture.
 //
@@ -115,7 +126,8 @@ WaterRayHit waterAim(vec3 start, float startW, vec3 dir)
 void waterJudge(inout WaterRayHit hit)
 {
   bool isSky = hit.s >= 1.0 &&
-    (hit.isInside ? hit.isOver && hit.depth >= WATER_UNMET : hit.depth >= 1.0);
+    (hit.isInside ? (hit.isOver && hit.depth >= WATER_UNMET) || (waterIsSkyByRay() && waterIsSky(hit.depth))
+                  : waterIsSky(hit.depth));
   hit.isPlace = !isSky || !waterIsSkyKnown();
   // a ray ends where it is over all that there is: the texture shows there what lies beyond in another direction, which is
   // the same if the sky has one colour, and mixes what is beside it into a blurred one
@@ -162,6 +174,7 @@ WaterRayHit waterEstimateHitAlong(vec3 start, float startW, vec3 dir)
   hit.s = 0.0;
   waterTwoSteps(start, hit);
   hit.color = waterSky(dir);
+  waterFindSky(start, startW, dir, hit);
   waterJudge(hit);
   return hit;
 }
@@ -207,6 +220,7 @@ vec3 waterReflected(WaterPoint point, out int reason, out vec2 uv)
 {
   WaterRayHit hit = waterEstimateHit(point, point.normal);
   waterFollowRay(point.start, hit);
+  waterTakeSky(hit);
   reason = waterReason(hit);
   waterLookBehind(point.start, hit);
   uv = hit.uv;

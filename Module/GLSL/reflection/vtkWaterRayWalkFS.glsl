@@ -97,7 +97,7 @@ void waterMarchRay(vec3 start, bool isWanted, inout WaterRayHit hit)
     depth = waterDepthToMeet(uv);
   }
   bool isEnd = s >= 1.0; // nothing was met
-  bool isSky = isEnd && (hit.isOver || (depth >= 1.0 && !hit.isInside));
+  bool isSky = isEnd && (hit.isOver || (waterIsSky(depth) && (waterIsSkyByRay() || !hit.isInside)));
   int reason = isEnd ? (hit.isInside ? WATER_SKY : WATER_OFF_MAP) : WATER_HIT;
   if (!isSettled)
   {
@@ -142,15 +142,15 @@ void waterMarchRay(vec3 start, bool isWanted, inout WaterRayHit hit)
     hit.behind = (rayHigh - depthHigh) / (waterReflectionZInfinity - depthHigh);
     hit.passed = high;
     bool isSurface = depthLow - depthHigh <= waterReflectionTolerance.y * (waterReflectionZInfinity - depthHigh);
-    bool isOpen = hit.isInside && depthEnd >= 1.0;
+    bool isOpen = hit.isInside && waterIsSky(depthEnd);
     // the front side, not filtered
     vec2 size = vec2(textureSize(waterReflection, 0));
     vec2 front = (floor((start.xy + low * way.xy) * size) + 0.5) / size;
     // met nothing; a surface: filtered; goes behind something, and where it ends there is sky; front
     uv = start.xy + (isHit && isSurface ? high : 1.0) * way.xy;
     uv = isHit && !isSurface && !isOpen ? front : uv;
-    isSky = isHit ? !isSurface && (isOpen ? depthEnd >= WATER_UNMET : depthLow >= 1.0)
-                  : hit.isOver || (!hit.isInside && depthEnd >= 1.0);
+    isSky = isHit ? !isSurface && (isOpen ? waterIsSkyByRay() || depthEnd >= WATER_UNMET : waterIsSky(depthLow))
+                  : hit.isOver || (waterIsSky(depthEnd) && (waterIsSkyByRay() || !hit.isInside));
     reason = isHit ? (isSurface ? WATER_HIT : WATER_HIDDEN)
                    : (hit.isInside ? WATER_SKY : WATER_OFF_MAP);
   }

@@ -136,6 +136,11 @@ vtkWaterSurfaceShader::Inputs vtkWaterReflection::GetInputs(
     inputs.SunView = { sun.Drawn.GetDepth(), sun.DrawnPlan.sun_view_depth,
       sun.DrawnPlan.sun_view_bottom };
   }
+  if (this->HasSkyView && view->Sky && this->IsFresh(renderer, frame, water))
+  {
+    OtherView& sky = *view->Sky;
+    inputs.SkyView = { sky.Drawn.GetColor(), sky.Drawn.GetDepth(), &sky.DrawnPlan };
+  }
   inputs.Ranks = this->Ranks.AreSeveral() ? &this->Ranks : nullptr;
   return inputs;
 }
@@ -236,6 +241,7 @@ void vtkWaterReflection::ReleaseGraphicsResources(vtkWindow* window)
     this->PlannedFrame = renderer == this->PlannedFor ? 0 : this->PlannedFrame;
     ReleaseOther(view->Own, window);
     ReleaseOther(view->Sun, window);
+    ReleaseOther(view->Sky, window);
     if (!view->Mirrored.GetIsDrawing()) // else Commit does it
     {
       view->Mirrored.ReleaseGraphicsResources(window);

@@ -58,6 +58,7 @@ public:
     water_decision OwnViewDecision = WATER_NOT_PLANNED;
     vtkIdType OwnViewRenderCount = 0;   // ever
     vtkIdType SunViewRenderCount = 0;   // ever
+    vtkIdType SkyViewRenderCount = 0;   // ever
     vtkIdType SecondaryRenderCount = 0; // ever
     vtkIdType JoinedPixels = 0;         // that the ranks sent each other
     water_buffer_use BufferUse = WATER_BUFFER_NOT_DRAWN;
@@ -134,7 +135,8 @@ public:
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
-  struct OtherView // the own view of clear water, water_beyond.h, or the sun view, water_sun_view.h
+  struct OtherView // own view (water_beyond.h), sun view (water_sun_view.h), sky view
+                   // (water_sky_view.h)
   {
     vtkWaterMirroredView Drawn; // nothing in it is mirrored
     water_plan DrawnPlan = water_plan();
@@ -153,6 +155,7 @@ private:
     bool HasLevels = false;
     std::unique_ptr<OtherView> Own; // nullptr: no water wants one
     std::unique_ptr<OtherView> Sun;
+    std::unique_ptr<OtherView> Sky;
     vtkWaterOcclusion Occlusion;
     water_quality_memory Quality;
   };
@@ -231,11 +234,12 @@ private:
     const std::vector<water_cull_reason>& Reasons;
     bool IsDirect; // no prop stands in for another, as one may in a reflection
   };
-  // The own view and the sun view, vtkWaterReflectionOtherViews.cxx. Each returns what went wrong
-  // with it.
+  // The own view, the sun view and the sky view, vtkWaterReflectionOtherViews.cxx. Each returns
+  // what went wrong with it.
   vtkWaterError RenderOtherViews(const Frame& frame, Attempt& attempt);
   vtkWaterError RenderOwnView(const Frame& frame, Attempt& attempt);
   vtkWaterError RenderSunView(const Frame& frame, Attempt& attempt);
+  vtkWaterError RenderSkyView(const Frame& frame, Attempt& attempt);
   // props  of the scene, if they are not those that were gathered
   water_scene ReadOwnScene(const Frame& frame, std::vector<water_prop>& props) const;
   struct Other // a view that is to be drawn
@@ -279,6 +283,7 @@ private:
   bool HasView = false;           // the plan's, unless it could not be carried out
   bool HasOwnView = false;        // of that frame
   bool HasSunView = false;
+  bool HasSkyView = false;
   water_quality_choice Quality = water_quality_choice();
   FrameReport Report;
   vtkWeakPointer<vtkRenderer> PlannedFor;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkWaterReflectionOtherViews.cxx: the part of vtkWaterReflection that renders the own view of
-// clear water (water_beyond.h) and the sun view (water_sun_view.h), in the same five steps as the
-// mirrored view and after it. What is gathered is the same.
+// clear water (water_beyond.h), the sun view (water_sun_view.h) and the sky view
+// (water_sky_view.h), in the same five steps as the mirrored view and after it. What is gathered is
+// the same.
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLRenderer.h"
 #include "vtkProp.h"
@@ -54,7 +55,9 @@ vtkWaterError vtkWaterReflection::RenderOtherViews(const Frame& frame, Attempt& 
 {
   const vtkWaterError ofOwnView = this->RenderOwnView(frame, attempt);
   const vtkWaterError ofSunView = this->RenderSunView(frame, attempt);
-  return ofOwnView.Text.empty() ? ofSunView : ofOwnView;
+  const vtkWaterError ofSkyView = this->RenderSkyView(frame, attempt);
+  const vtkWaterError& first = ofOwnView.Text.empty() ? ofSunView : ofOwnView;
+  return first.Text.empty() ? ofSkyView : first;
 }
 
 //------------------------------------------------------------------------------
@@ -100,6 +103,31 @@ vtkWaterError vtkWaterReflection::RenderSunView(const Frame& frame, Attempt& att
   water_plan plan = water_plan();
   vtkWaterError error = this->RenderOther(frame, attempt, scene, plan, other);
   this->HasSunView = water_plan_has_reflection(&plan);
+  return error;
+}
+
+//------------------------------------------------------------------------------
+vtkWaterError vtkWaterReflection::RenderSkyView(const Frame& frame, Attempt& attempt)
+{
+  View& view = *attempt.Drawn;
+  const Other other = { view.Sky, this->Report.SkyViewRenderCount, "sky view",
+    "Rays that leave the reflection texture meet no dome.", true, false };
+  const bool isWanted = !this->Ranks.AreSeveral() && !frame.Primary && this->Plan.is_enclosed &&
+    this->Gathered.Scene.has_waves && water_plan_has_reflection(&this->Plan);
+  if (!isWanted)
+  {
+    ReleaseOther(view.Sky, frame.Renderer->GetRenderWindow());
+    return vtkWaterError();
+  }
+  water_scene scene = this->Gathered.Scene;
+  scene.is_of_sky = true;
+  water_plan plan = water_plan();
+  vtkWaterError error = this->RenderOther(frame, attempt, scene, plan, other);
+  this->HasSkyView = water_plan_has_reflection(&plan);
+  if (plan.decision == WATER_REFLECT && this->Gathered.IsRough)
+  {
+    view.Sky->Drawn.MakeLevels();
+  }
   return error;
 }
 

@@ -45,7 +45,7 @@ bool vtkWaterReflection::RenderView(
   const Frame& frame, const std::vector<vtkWaterSource*>& waters, vtkWaterError& error)
 {
   this->Report.JoinedPixels = 0;
-  this->HasOwnView = this->HasSunView = false;
+  this->HasOwnView = this->HasSunView = this->HasSkyView = false;
   if (frame.RanksError)
   {
     this->RenderNothing(frame, waters, *frame.RanksError);

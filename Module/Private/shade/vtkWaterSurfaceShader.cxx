@@ -357,6 +357,11 @@ void vtkWaterSurfaceShader::Begin(const vtkWaterSnapshotPointer& water, const In
   {
     this->Use("waterSunView", inputs.SunView.Depth);
   }
+  if (inputs.Plan && this->Has(WATER_FEATURE_SKY_VIEW))
+  {
+    this->Use("waterSkyView", inputs.SkyView.Color);
+    this->Use("waterSkyViewDepth", inputs.SkyView.Depth);
+  }
   if (inputs.Plan && this->Has(WATER_FEATURE_HULLS))
   {
     this->UploadHulls();

@@ -59,6 +59,14 @@ public:
     double Bottom = 0.0;
   };
 
+  // What may be the sky, water_sky_view.h; color nullptr: there is no view of it.
+  struct Around
+  {
+    vtkTextureObject* Color = nullptr;
+    vtkTextureObject* Depth = nullptr;
+    const water_plan* Plan = nullptr; // that it was drawn by
+  };
+
   // What is drawn.
   struct Inputs
   {
@@ -70,6 +78,7 @@ public:
     Layer Translucent;
     Beyond OwnView;
     Shade SunView;
+    Around SkyView;
     vtkTextureObject* PeelColor = nullptr; // nullptr: there is no peel
     vtkTextureObject* PeelDepth = nullptr;
     int MostSteps = 0; // of the march

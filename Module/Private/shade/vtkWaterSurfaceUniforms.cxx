@@ -283,7 +283,8 @@ void vtkWaterSurfaceShader::SetReflectionParameters(vtkShaderProgram* program)
   uniforms::Set(program, "waterTexel", std::min(plan.reflection_texel, kFarUp));
   uniforms::Set(program, "waterSlack",
     water_waves_slack(std::max(look.WaveHeightMax, this->Water->Mesh.Reach)));
-  uniforms::Set(program, "waterReflectionTop", std::min(plan.reflection_top, kFarUp));
+  const double top = this->Has(WATER_FEATURE_SKY_VIEW) ? plan.rest_top : plan.reflection_top;
+  uniforms::Set(program, "waterReflectionTop", std::min(top, kFarUp));
   uniforms::Set(program, "waterReflectionZInfinity", plan.reflection_z_infinity);
   uniforms::Set2(program, "waterReflectionTolerance", plan.reflection_tolerance);
   uniforms::Set(program, "waterSteps", std::min(look.RayTraceSteps, this->Drawn.MostSteps));
@@ -298,7 +299,8 @@ void vtkWaterSurfaceShader::SetReflectionParameters(vtkShaderProgram* program)
 void vtkWaterSurfaceShader::SetSkyParameters(vtkShaderProgram* program)
 {
   const water_plan& plan = *this->Drawn.Plan;
-  const double isKnown = plan.is_sky_known ? 1.0 : 0.0;
+  const water_plan* around = this->Has(WATER_FEATURE_SKY_VIEW) ? this->Drawn.SkyView.Plan : nullptr;
+  const double isKnown = plan.is_sky_known || around ? 1.0 : 0.0;
   const double* bottom = plan.sky.bottom;
   const double* top = plan.sky.top;
   const double bottomKnown[4] = { bottom[0], bottom[1], bottom[2], isKnown };
@@ -320,7 +322,14 @@ void vtkWaterSurfaceShader::SetSkyParameters(vtkShaderProgram* program)
   const bool isOwn = HasOwnSky(*this->Water);
   const water_sky_map& map = *water_sky_of(&plan, isOwn);
   vtkWaterUniforms::Set(
-    program, "waterSkyIsOneColor", water_sky_is_one_color(&plan, isOwn) ? 1 : 0);
+    program, "waterSkyIsOneColor", water_sky_is_one_color(&plan, isOwn) && !around ? 1 : 0);
+  if (around)
+  {
+    vtkWaterUniforms::SetMatrix3(program, "waterDirToSkyView", around->sky_view_dirs);
+    vtkWaterUniforms::Set3(program, "waterSkyViewAt", around->sky_view_at);
+    vtkWaterUniforms::Set2(program, "waterSkyViewNear", around->sky_view_near);
+    vtkWaterUniforms::Set(program, "waterRestDepth", plan.rest_depth);
+  }
   const double shown[3] = { map.exponent, map.level, brightest };
   vtkWaterUniforms::SetMatrix3(program, "waterDirToMap", map.to_map);
   vtkWaterUniforms::Set2(program, "waterMapLatitude", map.latitude);
