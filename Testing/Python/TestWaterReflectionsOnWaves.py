@@ -9,8 +9,10 @@ import pytest
 import ray_caster
 import water_test as wt
 import wave_scenes
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkCommonTransforms import vtkTransform
+from vtkmodules.vtkFiltersSources import vtkPlaneSource
 from vtkmodules.vtkRenderingCore import vtkSkybox, vtkTexture
 from vtkwater import vtkWaterProperty, vtkWaterReflectionPass
 from wave_scenes import POSTS_VIEWS, POSTS_WAVES, SKY, posts, rmse
@@ -299,3 +301,45 @@ def test_rays_off_the_map_meet_the_skybox():
     picture = made.picture()
     is_sky = wt.water_mask(made, water) & (picture.max(axis=2) == picture.min(axis=2))
     wt.check_at_most("skybox: water that shows the background under it, pixels", int((picture[is_sky] < 128).sum()), 0)
+
+
+def beach_color(place):
+    return np.stack([np.full(len(place), 40), 120 + 2 * (place[:, 1] - 10), np.full(len(place), 120)], axis=1).astype(np.uint8)
+
+
+def beach(rise):
+    """A plane that rises from the water at y = 10, and its colour, which changes along it; wider than what is seen."""
+    source = vtkPlaneSource()
+    source.SetOrigin(-150, 5, -5 * rise)
+    source.SetPoint1(150, 5, -5 * rise)
+    source.SetPoint2(-150, 60, 50 * rise)
+    source.SetYResolution(55)
+    source.Update()
+    data = source.GetOutput()
+    data.GetPointData().SetScalars(numpy_to_vtk(beach_color(vtk_to_numpy(data.GetPoints().GetData())), deep=True))
+    return data
+
+
+@pytest.mark.parametrize("is_software", (0, 1))
+def test_a_low_beach_is_reflected_where_the_mirrored_eye_sees_it_from_inside(is_software, monkeypatch):
+    """Rays that waves turn to a beach pass behind its waterline, as the mirrored eye sees it, before they meet it."""
+    monkeypatch.setenv("VTK_WATER_SOFTWARE", str(is_software))
+    rise, wave, size = 0.1, (0.4, 20.0, 60.0, 0.0), (200, 150)
+    made = wt.View(size, (1, 1, 1))
+    wt.add_actor(made.renderer, beach(rise), (1, 1, 1), lit=False).GetMapper().ScalarVisibilityOn()
+    water = wt.add_water(made.renderer, None, (-150, 150, -100, 60), reflectance=1.0)
+    water.GetWaterProperty().AddWave(*wave)
+    camera = made.renderer.GetActiveCamera()
+    camera.SetPosition(0, -25, 10)
+    camera.SetFocalPoint(0, 10, 0)
+    camera.SetViewUp(0, 0, 1)
+    camera.SetClippingRange(0.1, 500)
+    shown, mask = made.picture().astype(float), wt.water_mask(made, water)
+    place, away = wave_scenes.reflected_rays(camera, size, (wave,))
+    over, falls = place[:, 2] - rise * (place[:, 1] - 10), away[:, 2] - rise * away[:, 1]
+    met = place + np.where(falls < 0, -over / np.where(falls < 0, falls, -1), 0)[:, None] * away
+    is_met = (falls < 0) & (over > 0) & (met[:, 1] < 60) & (np.abs(met[:, 0]) < 150)
+    right = np.where(is_met[:, None], beach_color(met), 255).reshape(*mask.shape, 3)
+    wt.check_at_least("water that reflects the beach, %", 100 * is_met.reshape(mask.shape)[mask].mean(), 4)
+    off = (np.abs(shown - right).max(axis=2) > 40)[mask]
+    wt.check_at_most("water that shows the sky for the beach, or the beach for the sky, %", 100 * off.mean(), 2.5)

@@ -222,6 +222,12 @@ void waterMarchRay(vec3 start, inout WaterRayHit hit)
   hit.behind = (march.rayHigh - march.depthHigh) / toInfinity;
   hit.passed = march.high;
   bool isSurface = march.depthLow - march.depthHigh <= waterReflectionTolerance.y * toInfinity;
+  if (march.isHit && !isSurface && hit.behind <= waterReflectionTolerance.y)
+  {
+    float leaves = march.high;
+    isSurface = waterComesOut(start, way, true, march.depthHigh, leaves);
+    march.high = isSurface ? leaves : march.high;
+  }
   bool isOpen = hit.isInside && waterIsSky(depthEnd);
   // the front side, not filtered
   vec2 front = (floor((start.xy + march.low * way.xy) * waterReflectionTexels) + 0.5) / waterReflectionTexels;

@@ -24,6 +24,8 @@ const int WATER_FACET_PROBES = 3; // for one of several facets
 
 const float WATER_PROBE_PX = 6.0; // between probes; the default's are closer on ways below 42
 
+const float WATER_OUT_STRIDE = 0.25; // of a step of the march: the depth of one surface changes little in it
+
 const float WATER_UNMET = 2.0; // depth of what a ray cannot meet: beyond the background's
 
 float waterFloor = -1e30;   // height that no ray of this pixel meets anything below
@@ -189,6 +191,38 @@ WaterRayHit waterEstimateHit(WaterPoint point, vec3 normal)
   WaterRayHit hit = waterEstimateHitAlong(point.start, point.startW, dir);
   hit.isDown = isDown;
   return hit;
+}
+
+// A ray that has gone behind the edge of a surface, such as a shore that the mirrored eye sees from inside the land, meets
+// the other side of that surface where it comes out of it.
+//
+// isWanted  or else nothing is looked at
+// depth     of the reflection texture at s, in front of the ray
+// s         where on the ray that is; where it comes out
+//
+// Returns whether it comes out.
+bool waterComesOut(vec3 start, vec3 way, bool isWanted, float depth, inout float s)
+{
+  float stride = WATER_OUT_STRIDE / float(waterSteps);
+  float behind = min(start.z + s * way.z, 1.0) - depth;
+  bool isOut = false;
+  bool isGone = !isWanted;
+  int rest = 4 * waterSteps;
+  do
+  {
+    float next = min(s + stride, 1.0);
+    float depthNext = waterDepthToMeet(start.xy + next * way.xy);
+    float behindNext = min(start.z + next * way.z, 1.0) - depthNext;
+    // another object, or none
+    isGone = isGone || abs(depthNext - depth) > waterReflectionTolerance.y * (waterReflectionZInfinity - depth);
+    isOut = !isGone && behindNext <= 0.0;
+    float part = isOut ? behind / max(behind - behindNext, 1e-20) : 1.0;
+    s = isGone ? s : mix(s, next, part);
+    depth = depthNext;
+    behind = behindNext;
+    --rest;
+  } while (rest > 0 && !isGone && !isOut && s < 1.0);
+  return isOut;
 }
 
 // Finds out where the ray of an estimate ends: one that has not converged is marched, others are refined; of the

@@ -142,6 +142,10 @@ void waterMarchRay(vec3 start, bool isWanted, inout WaterRayHit hit)
     hit.behind = (rayHigh - depthHigh) / (waterReflectionZInfinity - depthHigh);
     hit.passed = high;
     bool isSurface = depthLow - depthHigh <= waterReflectionTolerance.y * (waterReflectionZInfinity - depthHigh);
+    float leaves = high;
+    bool isOut = waterComesOut(start, way, isHit && !isSurface && hit.behind <= waterReflectionTolerance.y, depthHigh, leaves);
+    high = isOut ? leaves : high;
+    isSurface = isSurface || isOut;
     bool isOpen = hit.isInside && waterIsSky(depthEnd);
     // the front side, not filtered
     vec2 size = vec2(textureSize(waterReflection, 0));
