@@ -66,6 +66,18 @@ TEST(the_gpus_limit_narrows_the_band)
     water_beyond_size(viewport_px, no_tile, 799, texture_px, scale), WATER_TEXTURE_TOO_LARGE);
 }
 
+// A picture that no texture holds is said.
+TEST(a_picture_larger_than_textures_has_none)
+{
+  const double box[4] = { -1.0, -1.0, 1.0, 1.0 };
+  water_scene scene = lake_beyond();
+  water_plan plan = plan_of(&scene, NULL);
+  size_t bad_index = 0;
+  scene.max_texture_px = 799;
+  assert_int_equal(
+    water_beyond_plan(&scene, box, &plan, NULL, &bad_index), WATER_TEXTURE_TOO_LARGE);
+}
+
 // A tile's refracted rays leave it: it has a view of its own, asked for or not.
 TEST(tiles_have_a_view_of_their_own)
 {
@@ -334,8 +346,9 @@ TEST(rows_and_directions_follow_the_band)
   }
 }
 
-TESTS(tiles_have_a_view_of_their_own, band_of_a_tile_is_that_of_the_picture,
-  the_pictures_pixels_are_pixels_of_the_own_view, the_gpus_limit_narrows_the_band,
-  what_lies_beyond_is_drawn, the_clip_keeps_what_is_beyond_the_crests,
-  refracted_rays_stay_in_the_drawn_part, it_is_planned_where_the_water_is_seen,
-  the_reflections_scale_does_not_matter, rows_and_directions_follow_the_band)
+TESTS(a_picture_larger_than_textures_has_none, tiles_have_a_view_of_their_own,
+  band_of_a_tile_is_that_of_the_picture, the_pictures_pixels_are_pixels_of_the_own_view,
+  the_gpus_limit_narrows_the_band, what_lies_beyond_is_drawn,
+  the_clip_keeps_what_is_beyond_the_crests, refracted_rays_stay_in_the_drawn_part,
+  it_is_planned_where_the_water_is_seen, the_reflections_scale_does_not_matter,
+  rows_and_directions_follow_the_band)

@@ -101,6 +101,20 @@ TEST(sizes_are_those_in_the_picture)
   assert_int_equal(water_buffer_judge(&input), WATER_BUFFER_LARGE_TRIANGLES);
 }
 
+// A cell of the rectangle that reaches behind the eye is as large as the picture, and no larger.
+TEST(cells_may_reach_behind_the_eye)
+{
+  const water_plan plan = seen_plan();
+  water_buffer_input input = input_of(&plan);
+  // of a middle before the eye and two corners behind it there is one cell
+  const double long_sheet[4] = { -120, 136, -346, 294 };
+  memcpy(input.sheet, long_sheet, sizeof long_sheet);
+  input.triangle_count = 2560; // 10 in a cell
+  assert_int_equal(water_buffer_judge(&input), WATER_BUFFER_LARGE_TRIANGLES);
+  input.triangle_count = 2560e6;
+  assert_int_equal(water_buffer_judge(&input), WATER_BUFFER_IN_USE);
+}
+
 // Each condition has its own answer, and lets no buffer be used.
 TEST(all_else_is_drawn_as_it_is)
 {
@@ -181,5 +195,6 @@ TEST(every_use_has_its_text)
 }
 
 TESTS(small_triangles_are_shaded_once_a_pixel, sizes_are_those_in_the_picture,
-  opaque_water_has_a_buffer_for_smaller_triangles, all_else_is_drawn_as_it_is,
-  eyes_in_the_water_and_parallel_rays_have_no_buffer, runs_are_of_blocks, every_use_has_its_text)
+  opaque_water_has_a_buffer_for_smaller_triangles, cells_may_reach_behind_the_eye,
+  all_else_is_drawn_as_it_is, eyes_in_the_water_and_parallel_rays_have_no_buffer,
+  runs_are_of_blocks, every_use_has_its_text)

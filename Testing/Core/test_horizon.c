@@ -380,6 +380,14 @@ TEST(endless_surface_is_planned_without_bounds)
   plan = plan_of(&scene, NULL);
   assert_int_equal(plan.decision, WATER_NO_REFLECT_OUT_OF_VIEW);
   assert_false(plan.is_awash);
+  scene.settings.skips &= ~(unsigned)WATER_MAY_SKIP_UNSEEN; // it is drawn as if all of it were seen
+  plan = plan_of(&scene, NULL);
+  assert_int_equal(plan.decision, WATER_REFLECT);
+  const int whole[4] = { 0, 0, plan.texture_px[0], plan.texture_px[1] };
+  for (int i = 0; i < 4; ++i)
+  {
+    assert_int_equal(plan.texture_rect_px[i], whole[i]);
+  }
 }
 
 // The depth of a pixel's surface follows from 1 / w, and in parallel from the pixel; before the

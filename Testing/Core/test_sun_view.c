@@ -154,5 +154,58 @@ TEST(nothing_that_casts_a_shadow_is_cut)
   }
 }
 
-TESTS(a_ray_to_the_sun_is_one_pixel, casters_are_drawn_and_nothing_else,
-  without_sun_or_casters_there_is_no_view, nothing_that_casts_a_shadow_is_cut)
+// The sun's view of water under an eye that looks along the axes of the world: it has an up
+// direction of its own wherever the sun is, and looks down along its rays.
+TEST(the_camera_looks_along_the_rays)
+{
+  const water_prop post = { { -1.0, 1.0, -1.0, 1.0, 1.0, 2.0 }, visible, 0.0f };
+  const double suns[][3] = { { 0.0, 0.0, 1.0 }, { 1.0, 0.1, 0.2 }, { 0.1, 1.0, 0.2 },
+    { 0.1, 0.2, 1.0 }, { 0.2, 0.1, 1.0 }, { 1.0, 0.2, 0.1 } };
+  for (size_t i = 0; i < sizeof suns / sizeof suns[0]; ++i)
+  {
+    water_scene scene = lake_in_the_sun(&post, 1);
+    memcpy(scene.sun_dir, suns[i], sizeof suns[i]);
+    scene.settings.skips &= ~(unsigned)WATER_MAY_SKIP_PROPS;
+    water_cull_reason reason;
+    const water_plan plan = plan_of(&scene, &reason);
+    assert_int_equal(plan.decision, WATER_REFLECT);
+    const double* view = plan.mirrored.world_to_view;
+    double to_sun[3] = { suns[i][0], suns[i][1], suns[i][2] };
+    normalise(to_sun);
+    for (int row = 0; row < 3; ++row)
+    {
+      ASSERT_CLOSE(dot(view + 4 * row, view + 4 * row), 1.0, 1e-12);
+      ASSERT_CLOSE(dot(view + 4 * row, to_sun), row == 2 ? 1.0 : 0.0, 1e-12);
+    }
+    double clip[4]; // of a point 100 m away from the sun: in front of the camera
+    const double point[3] = { -100.0 * to_sun[0], -100.0 * to_sun[1], -100.0 * to_sun[2] };
+    double seen[4];
+    apply(view, point, 1.0, seen);
+    assert_true(seen[2] < 0.0);
+    project(&plan.mirrored, point, 1.0, clip);
+    assert_true(isfinite(clip[3]));
+  }
+}
+
+// What cannot be planned is said.
+TEST(faults_are_named)
+{
+  const water_prop post = { { -1.0, 1.0, -1.0, 1.0, 1.0, 2.0 }, visible, 0.0f };
+  const double box[4] = { -1.0, -1.0, 1.0, 1.0 };
+  const water_scene right = lake_in_the_sun(&post, 1);
+  water_cull_reason reason = WATER_CULL_NONE;
+  water_plan plan;
+  memset(&plan, 0, sizeof plan);
+  water_scene scene = right;
+  scene.max_texture_px = 799; // less than the picture is wide
+  assert_int_equal(
+    water_sun_view_plan(&scene, &scene.plane, 0.0, box, &plan, &reason), WATER_TEXTURE_TOO_LARGE);
+  scene = right;
+  memset(scene.eye.world_to_view, 0, sizeof scene.eye.world_to_view);
+  assert_int_equal(
+    water_sun_view_plan(&scene, &scene.plane, 0.0, box, &plan, &reason), WATER_BAD_CAMERA);
+}
+
+TESTS(a_ray_to_the_sun_is_one_pixel, the_camera_looks_along_the_rays, faults_are_named,
+  casters_are_drawn_and_nothing_else, without_sun_or_casters_there_is_no_view,
+  nothing_that_casts_a_shadow_is_cut)

@@ -259,6 +259,22 @@ def test_the_walls_of_high_ground_stand_in_the_water(exaggeration):
                      round(lowest - 2.0 * exaggeration, 9), 0)
 
 
+def color_of_a_bed(exaggeration, told=None):
+    """Seen from straight above through clear water of 4 m. told: what the water is told, if not the same."""
+    scene = Scene((64, 48))
+    scene.add_ground(readers.surface_of_heights(np.full((5, 5), -4.0), (10.0, 10.0)), 0.0, exaggeration)
+    scene.add_water(0.0, exaggeration=told or exaggeration, refraction=True)
+    wt.place_camera(scene.renderer, (20, 20, 60), (20, 20, 0), (1, 200), view_up=(0, 1, 0))
+    return scene.picture()[24, 32].astype(int)
+
+
+def test_water_over_exaggerated_ground_is_as_clear():
+    """The bed of a terrain that is drawn deeper has its colour."""
+    plain = color_of_a_bed(1.0)
+    wt.check_at_most("colour of the bed 3 times as deep, off by", int(np.abs(color_of_a_bed(3.0) - plain).max()), 2)
+    wt.check_at_least("off by if the water were not told", int(np.abs(color_of_a_bed(3.0, 1.0) - plain).max()), 10)
+
+
 LEVEL_1, LEVEL_50 = ("--level", 1), ("--level", 50)
 BAD_FILES = (
     ("missing.vti: no such file", ("missing.vti", *LEVEL_1)),

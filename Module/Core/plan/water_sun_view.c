@@ -47,16 +47,10 @@ static void look_down(const double at[3], const double to_sun[3], double way, do
   view[15] = 1.0;
 }
 
-water_status water_sun_view_camera(const water_camera* eye, const water_plane* plane,
-  const double to_sun[3], double bottom, double top, double nearest_w, water_camera* camera,
-  double* depth)
+void water_sun_view_camera(const water_camera* eye, const double view_to_world[16],
+  const water_plane* plane, const double to_sun[3], double bottom, double top, double nearest_w,
+  water_camera* camera, double* depth)
 {
-  water_eye taken;
-  const water_status status = water_camera_decompose(eye, &taken);
-  if (status != WATER_OK)
-  {
-    return status;
-  }
   const double* n = plane->normal;
   const double sine = fmax(water_vec3_dot(n, to_sun), lowest_sine);
   const double height[4] = { n[0], n[1], n[2], plane->offset };
@@ -75,8 +69,7 @@ water_status water_sun_view_camera(const water_camera* eye, const water_plane* p
   {
     laid[8 + i] = laid[12 + i] - 2.0 * scale * (height[i] + (i == 3 ? bottom : 0.0));
   }
-  const double* to_world = taken.view_to_world;
-  const double at[3] = { to_world[3], to_world[7], to_world[11] };
+  const double at[3] = { view_to_world[3], view_to_world[7], view_to_world[11] };
   const double way = far_away * (fabs(water_plane_height(plane, at)) + bottom + top);
   water_camera made = *eye;
   double from_sun[16] = { 0.0 };
@@ -85,7 +78,6 @@ water_status water_sun_view_camera(const water_camera* eye, const water_plane* p
   water_mat4_multiply(laid, from_sun, made.view_to_clip);
   *camera = made;
   *depth = scale;
-  return WATER_OK;
 }
 
 // Chooses the props, and leaves out the sky and what may be it: things without bounds, and around
@@ -124,8 +116,8 @@ static double nearest_of(const water_plan* plan, const double box[4])
   return most > 0.0 ? 1.0 / most : 1.0;
 }
 
-static water_status fill_camera(const water_scene* scene, const water_plane* plane, double margin,
-  const double box[4], double top, water_plan* plan)
+static water_status fill_camera(const water_scene* scene, const water_eye* eye,
+  const water_plane* plane, double margin, const double box[4], double top, water_plan* plan)
 {
   double to_sun[3];
   const double length = water_vec3_length(scene->sun_dir);
@@ -133,12 +125,8 @@ static water_status fill_camera(const water_scene* scene, const water_plane* pla
   {
     to_sun[i] = scene->sun_dir[i] / length;
   }
-  const water_status status = water_sun_view_camera(&scene->eye, plane, to_sun, margin, top,
+  water_sun_view_camera(&scene->eye, eye->view_to_world, plane, to_sun, margin, top,
     nearest_of(plan, box), &plan->mirrored, &plan->sun_view_depth);
-  if (status != WATER_OK)
-  {
-    return status;
-  }
   plan->sun_view_bottom = margin;
   water_mirror_pose(
     &plan->mirrored, plan->mirrored_position, plan->mirrored_focal_point, plan->mirrored_view_up);
@@ -177,7 +165,7 @@ water_status water_sun_view_plan(const water_scene* scene, const water_plane* pl
   {
     return WATER_OK;
   }
-  status = fill_camera(scene, plane, margin, box, top, plan);
+  status = fill_camera(scene, &eye, plane, margin, box, top, plan);
   selection.is_off = !(scene->settings.skips & WATER_MAY_SKIP_PROPS);
   selection.margin = margin;
   memcpy(selection.texture_px, plan->texture_px, sizeof selection.texture_px);

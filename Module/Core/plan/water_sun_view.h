@@ -18,20 +18,18 @@ extern "C"
 
 // Points of the world, laid down on the plane, in clip space of the eye.
 //
-// plane      normalised, normal towards the eye
-// to_sun     in world, unit length; over the plane
-// bottom     what is less than so far below the plane is in the view, too, >= 0
-// top        height over the plane of the highest thing, > 0
-// nearest_w  of the water in clip space of the eye, > 0
-// camera     looks from far away along the sun's rays; its projection does the rest
-// depth      window depth of a point: 1 - depth * (its height + bottom) / w, w of where it is laid
-//            down
-//
-// Returns WATER_OK or WATER_BAD_CAMERA (the eye's matrix has no inverse); then the outputs are
-// unchanged.
-water_status water_sun_view_camera(const water_camera* eye, const water_plane* plane,
-  const double to_sun[3], double bottom, double top, double nearest_w, water_camera* camera,
-  double* depth);
+// view_to_world  of the eye (water_eye)
+// plane          normalised, normal towards the eye
+// to_sun         in world, unit length; over the plane
+// bottom         what is less than so far below the plane is in the view, too, >= 0
+// top            height over the plane of the highest thing, > 0
+// nearest_w      of the water in clip space of the eye, > 0
+// camera         looks from far away along the sun's rays; its projection does the rest
+// depth          window depth of a point: 1 - depth * (its height + bottom) / w, w of where it is
+//                laid down
+void water_sun_view_camera(const water_camera* eye, const double view_to_world[16],
+  const water_plane* plane, const double to_sun[3], double bottom, double top, double nearest_w,
+  water_camera* camera, double* depth);
 
 // Fills what a plan knows of the sun view: camera, size, clip, and the reason for every prop. What
 // has no bounds casts no shadow, nor what is around the eye and may be the sky. Where nothing casts
