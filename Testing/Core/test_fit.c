@@ -401,7 +401,38 @@ TEST(a_block_without_polygons_changes_nothing)
   assert_memory_equal(&empty, &whole, sizeof whole);
 }
 
-TESTS(blocks_of_a_part_are_joined, a_level_lake_in_blocks_keeps_its_level_exactly,
+// A triangle, a quad that turns clockwise and a concave pentagon, then one that is not finite and
+// one that is whole: as lists of a mesh, and one by one. Turned axes, too.
+TEST(polygons_of_a_mesh_are_those_that_are_added_one_by_one)
+{
+  const double points[] = { 100.0, 50.0, 3.0, 101.0, 50.0, 3.1, 101.0, 51.0, 3.2, 100.0, 51.0, 3.3,
+    100.4, 50.4, 3.1, (double)NAN, 0.0, 0.0 };
+  const int64_t starts[] = { 0, 3, 7, 12, 15, 18 };
+  const int64_t corners[] = { 0, 1, 2, 3, 2, 1, 0, 0, 1, 2, 4, 3, 0, 1, 5, 1, 2, 3 };
+  const double ups[2][3] = { { 0.0, 0.0, 1.0 }, { 0.6, 0.0, 0.8 } };
+  for (int turned = 0; turned < 2; ++turned)
+  {
+    water_fit listed;
+    water_fit single;
+    water_fit_begin(ups[turned], &listed);
+    water_fit_begin(ups[turned], &single);
+    assert_int_equal(water_fit_add_polygons(points, starts, corners, 5, &listed), 3);
+    assert_int_equal(water_fit_add_polygons(points, starts + 4, corners, 1, &listed), 1);
+    for (int polygon = 0; polygon < 5; ++polygon)
+    {
+      double own[15];
+      const int64_t count = starts[polygon + 1] - starts[polygon];
+      for (int64_t k = 0; k < count; ++k)
+      {
+        memcpy(own + 3 * k, points + 3 * corners[starts[polygon] + k], 3 * sizeof *own);
+      }
+      assert_true(water_fit_add_polygon(own, (size_t)count, &single) == (polygon != 3));
+    }
+    assert_memory_equal(&listed, &single, sizeof listed);
+  }
+}
+
+TESTS(polygons_of_a_mesh_are_those_that_are_added_one_by_one, blocks_of_a_part_are_joined, a_level_lake_in_blocks_keeps_its_level_exactly,
   a_block_without_polygons_changes_nothing, a_level_lake_has_its_own_level_exactly,
   a_slope_is_found_whatever_the_triangles, a_far_place_costs_no_digits,
   a_level_is_kept_unless_a_tilt_is_what_heights_are_made_of, no_plane_is_closer,

@@ -24,90 +24,162 @@ void water_fit_begin(const double up[3], water_fit* fit)
   memcpy(fit->up, up, sizeof fit->up);
   water_plane_axes(up, fit->x_dir, fit->y_dir);
   water_bounds_begin(fit->bounds);
+  fit->is_upright = up[2] == 1.0 && fit->x_dir[0] == 1.0 && fit->y_dir[1] == 1.0;
 }
 
 // A corner in the axes, from the fit's origin.
-static void place_of(const water_fit* fit, const double corner[3], double place[3])
+static inline void place_of(const water_fit* fit, const double corner[3], double place[3])
 {
   const double off[3] = { corner[0] - fit->origin[0], corner[1] - fit->origin[1],
     corner[2] - fit->origin[2] };
+  if (fit->is_upright) // the products below are then the same, and take a third of all the time
+  {
+    memcpy(place, off, sizeof off);
+    return;
+  }
   place[0] = water_vec3_dot(fit->x_dir, off);
   place[1] = water_vec3_dot(fit->y_dir, off);
   place[2] = water_vec3_dot(fit->up, off);
 }
 
-// Adds the integrals of the products of coordinates over a triangle: xx, xy, yy, xz, yz, zz.
+// The integral of the product of two coordinates over a triangle, over a twelfth of its area.
 // Source: the integrals of linear functions' products, A (1 + [i = j]) / 12 for the corners i, j.
-static void add_products(double area, double p[3][3], double second[6])
+static inline double product_of(
+  const double* a, const double* b, const double* c, const double* sum, int i, int j)
 {
-  const double share = area / 12.0;
-  double sum[3];
+  return a[i] * a[j] + b[i] * b[j] + c[i] * c[j] + sum[i] * sum[j];
+}
+
+// Integrals over a polygon, with the sign of the side that it turns to.
+typedef struct integrals
+{
+  double area;
+  double first[3];
+  double second[6];
+} integrals;
+
+static inline void add_triangle(
+  const double* a, const double* b, const double* c, integrals* polygon)
+{
+  const double area =
+    0.5 * ((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]));
+  const double third = area * (1.0 / 3.0);
+  const double share = area * (1.0 / 12.0);
+  const double sum[3] = { a[0] + b[0] + c[0], a[1] + b[1] + c[1], a[2] + b[2] + c[2] };
+  polygon->area += area;
   for (int i = 0; i < 3; ++i)
   {
-    sum[i] = p[0][i] + p[1][i] + p[2][i];
+    polygon->first[i] += third * sum[i];
   }
-  for (int number = 0; number < 6; ++number)
+  polygon->second[0] += share * product_of(a, b, c, sum, 0, 0);
+  polygon->second[1] += share * product_of(a, b, c, sum, 0, 1);
+  polygon->second[2] += share * product_of(a, b, c, sum, 1, 1);
+  polygon->second[3] += share * product_of(a, b, c, sum, 0, 2);
+  polygon->second[4] += share * product_of(a, b, c, sum, 1, 2);
+  polygon->second[5] += share * product_of(a, b, c, sum, 2, 2);
+}
+
+// Adds the polygon's integrals, with the sign that makes its area positive: all of it may turn
+// clockwise.
+static inline void add_integrals(const integrals* polygon, integrals* sum)
+{
+  const double sign = polygon->area < 0.0 ? -1.0 : 1.0;
+  sum->area += sign * polygon->area;
+  for (int i = 0; i < 3; ++i)
   {
-    const int i = axes[number][0];
-    const int j = axes[number][1];
-    const double products = p[0][i] * p[0][j] + p[1][i] * p[1][j] + p[2][i] * p[2][j];
-    second[number] += share * (products + sum[i] * sum[j]);
+    sum->first[i] += sign * polygon->first[i];
   }
+  for (int i = 0; i < 6; ++i)
+  {
+    sum->second[i] += sign * polygon->second[i];
+  }
+}
+
+// A corner of a polygon; without a list of corners, the points are the polygon's.
+static inline const double* corner_of(const double* points, const int64_t* corners, size_t number)
+{
+  return points + 3 * (corners ? corners[number] : (int64_t)number);
+}
+
+// Of a fan about the first corner. Triangles that turn clockwise have negative areas, so what the
+// fan covers outside a concave polygon is taken away again.
+static inline void add_fan(
+  const water_fit* fit, const double* points, const int64_t* corners, size_t count, integrals* sum)
+{
+  integrals polygon = { 0.0, { 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 } };
+  double first[3];
+  double sides[2][3]; // of the triangle, by turns
+  place_of(fit, corner_of(points, corners, 0), first);
+  place_of(fit, corner_of(points, corners, 1), sides[1]);
+  for (size_t k = 2; k < count; ++k)
+  {
+    place_of(fit, corner_of(points, corners, k), sides[k % 2]);
+    add_triangle(first, sides[1 - k % 2], sides[k % 2], &polygon);
+  }
+  add_integrals(&polygon, sum);
+}
+
+static inline bool are_usable(const double* points, const int64_t* corners, size_t count)
+{
+  bool are = count >= 3;
+  for (size_t k = 0; k < count; ++k)
+  {
+    are = are && water_all_usable(corner_of(points, corners, k), 3);
+  }
+  return are;
+}
+
+static inline size_t add_polygons(const double* points, const int64_t* starts,
+  const int64_t* corners, size_t count, water_fit* fit)
+{
+  // sums and bounds of their own: in the fit's memory, each polygon would wait for the one before
+  integrals sum = { fit->area, { fit->first[0], fit->first[1], fit->first[2] }, { 0.0 } };
+  double bounds[6];
+  memcpy(sum.second, fit->second, sizeof sum.second);
+  memcpy(bounds, fit->bounds, sizeof bounds);
+  size_t done = 0;
+  for (; done < count; ++done)
+  {
+    const int64_t* polygon = corners ? corners + starts[done] : NULL;
+    const size_t size = (size_t)(starts[done + 1] - starts[done]);
+    if (!are_usable(points, polygon, size))
+    {
+      break;
+    }
+    if (water_bounds_is_empty(bounds))
+    {
+      memcpy(fit->origin, corner_of(points, polygon, 0), sizeof fit->origin);
+    }
+    for (size_t k = 0; k < size; ++k)
+    {
+      water_bounds_add_point(bounds, corner_of(points, polygon, k));
+    }
+    if (size == 4) // a loop of a known length is faster, and most large meshes have quads
+    {
+      add_fan(fit, points, polygon, 4, &sum);
+    }
+    else
+    {
+      add_fan(fit, points, polygon, size, &sum);
+    }
+  }
+  fit->area = sum.area;
+  memcpy(fit->first, sum.first, sizeof sum.first);
+  memcpy(fit->second, sum.second, sizeof sum.second);
+  memcpy(fit->bounds, bounds, sizeof bounds);
+  return done;
+}
+
+size_t water_fit_add_polygons(const double* points, const int64_t* starts, const int64_t* corners,
+  size_t count, water_fit* fit)
+{
+  return add_polygons(points, starts, corners, count, fit);
 }
 
 bool water_fit_add_polygon(const double* corners, size_t count, water_fit* fit)
 {
-  if (count < 3)
-  {
-    return false;
-  }
-  for (size_t i = 0; i < count; ++i)
-  {
-    if (!water_all_usable(corners + 3 * i, 3))
-    {
-      return false;
-    }
-  }
-  if (water_bounds_is_empty(fit->bounds))
-  {
-    memcpy(fit->origin, corners, sizeof fit->origin);
-  }
-  for (size_t i = 0; i < count; ++i)
-  {
-    water_bounds_add_point(fit->bounds, corners + 3 * i);
-  }
-  // Of a fan about the first corner. Triangles that turn clockwise have negative areas, so what the
-  // fan covers outside a concave polygon is taken away again.
-  double area = 0.0;
-  double first[3] = { 0.0, 0.0, 0.0 };
-  double second[6] = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 };
-  double p[3][3];
-  place_of(fit, corners, p[0]);
-  place_of(fit, corners + 3, p[1]);
-  for (size_t k = 2; k < count; ++k)
-  {
-    place_of(fit, corners + 3 * k, p[2]);
-    const double part =
-      0.5 * ((p[1][0] - p[0][0]) * (p[2][1] - p[0][1]) - (p[1][1] - p[0][1]) * (p[2][0] - p[0][0]));
-    area += part;
-    for (int i = 0; i < 3; ++i)
-    {
-      first[i] += part / 3.0 * (p[0][i] + p[1][i] + p[2][i]);
-    }
-    add_products(part, p, second);
-    memcpy(p[1], p[2], sizeof p[1]);
-  }
-  const double sign = area < 0.0 ? -1.0 : 1.0; // the whole polygon turns clockwise
-  fit->area += sign * area;
-  for (int i = 0; i < 3; ++i)
-  {
-    fit->first[i] += sign * first[i];
-  }
-  for (int i = 0; i < 6; ++i)
-  {
-    fit->second[i] += sign * second[i];
-  }
-  return true;
+  const int64_t starts[2] = { 0, (int64_t)count };
+  return add_polygons(corners, starts, NULL, 1, fit) == 1;
 }
 
 void water_fit_add(const double a[3], const double b[3], const double c[3], water_fit* fit)

@@ -14,6 +14,7 @@
 
 #include <stdbool.h>
 #include <stddef.h>
+#include <stdint.h>
 
 #ifdef __cplusplus
 extern "C"
@@ -26,6 +27,7 @@ typedef struct water_fit
   double up[3]; // unit length; the other two are the plane's own axes (water_plane_axes)
   double x_dir[3];
   double y_dir[3];
+  bool is_upright; // up is z, and the axes are those of the world
   double origin[3]; // the first corner
   double area;      // seen along up
   double first[3];  // integrals of x, y and the height
@@ -54,6 +56,16 @@ void water_fit_begin(const double up[3], water_fit* fit);
 // Returns whether it was added: it has three corners or more, and no coordinate is over 1e100 or is
 // not finite.
 bool water_fit_add_polygon(const double* corners, size_t count, water_fit* fit);
+
+// Adds polygons of a mesh, up to the first one that cannot be added.
+//
+// points   of the mesh, in world: rows of 3
+// starts   count + 1: where each polygon's corners begin in the list, and where the last one's end
+// corners  points, all in [0, number of points)
+//
+// Returns the number of those that were added.
+size_t water_fit_add_polygons(const double* points, const int64_t* starts, const int64_t* corners,
+  size_t count, water_fit* fit);
 
 // Adds a triangle: its corners in world. Triangles that are not finite are ignored.
 void water_fit_add(const double a[3], const double b[3], const double c[3], water_fit* fit);

@@ -63,6 +63,12 @@ void vtkWaterParts::Fit(
   vtkPolyData* mesh, vtkIdType begin, vtkIdType end, std::vector<water_fit>& fits)
 {
   const vtkWaterPlaces places(mesh->GetPoints());
+  const vtkWaterCellLists lists(mesh->GetPolys());
+  if (places.GetDoubles() && lists.Starts)
+  {
+    this->FitRuns(places.GetDoubles(), lists, begin, end, fits);
+    return;
+  }
   std::vector<double> corners;
   vtkWaterForCells(
     mesh->GetPolys(), begin, end, [&](vtkIdType cell, const vtkIdType* points, vtkIdType count) {
@@ -81,6 +87,31 @@ void vtkWaterParts::Fit(
         part = kNone;
       }
     });
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterParts::FitRuns(const double* points, const vtkWaterCellLists& lists, vtkIdType begin,
+  vtkIdType end, std::vector<water_fit>& fits)
+{
+  for (vtkIdType cell = begin; cell < end;)
+  {
+    const int64_t part = this->PartOfCell[Index(cell)];
+    vtkIdType next = cell + 1;
+    while (next < end && this->PartOfCell[Index(next)] == part)
+    {
+      ++next;
+    }
+    while (part != kNone && cell < next)
+    {
+      cell += static_cast<vtkIdType>(water_fit_add_polygons(
+        points, lists.Starts + cell, lists.Corners, Index(next - cell), &fits[Index(part)]));
+      if (cell < next)
+      {
+        this->PartOfCell[Index(cell++)] = kNone;
+      }
+    }
+    cell = next;
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -11,6 +11,7 @@
 #include <vector>
 
 class vtkPolyData;
+struct vtkWaterCellLists;
 
 class vtkWaterParts
 {
@@ -39,6 +40,9 @@ private:
   void Join(vtkPolyData* mesh);
   void Number(vtkPolyData* mesh);
   void Fit(vtkPolyData* mesh, vtkIdType begin, vtkIdType end, std::vector<water_fit>& fits);
+  // The same for runs of cells of one part, without copies of their corners.
+  void FitRuns(const double* points, const vtkWaterCellLists& lists, vtkIdType begin, vtkIdType end,
+    std::vector<water_fit>& fits);
   void Fit(vtkPolyData* mesh, const double up[3]);
   void Share(vtkPolyData* mesh, size_t most);
 

@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cstdint>
 #include <string>
 
 class vtkDataSet;
@@ -46,9 +47,29 @@ public:
     this->Array->GetTuple(point, place);
   }
 
+  // Rows of 3, if that is how they are stored; else nullptr.
+  const double* GetDoubles() const { return this->Doubles; }
+
 private:
   vtkDataArray* Array;
   const double* Doubles;
+};
+
+// The cells as lists of 64 bits, if that is how they are stored; else nullptr.
+struct vtkWaterCellLists
+{
+  explicit vtkWaterCellLists(vtkCellArray* cells)
+  {
+    if (cells->IsStorage64Bit())
+    {
+      this->Starts = reinterpret_cast<const int64_t*>(cells->GetOffsetsArray64()->GetPointer(0));
+      this->Corners =
+        reinterpret_cast<const int64_t*>(cells->GetConnectivityArray64()->GetPointer(0));
+    }
+  }
+
+  const int64_t* Starts = nullptr; // one more than there are cells
+  const int64_t* Corners = nullptr;
 };
 
 // Calls function(cell, points, count) for the cells from begin up to end, in order.
