@@ -61,8 +61,7 @@ typedef struct integrals
 static inline void add_triangle(
   const double* a, const double* b, const double* c, integrals* polygon)
 {
-  const double area =
-    0.5 * ((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]));
+  const double area = 0.5 * ((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]));
   const double third = area * (1.0 / 3.0);
   const double share = area * (1.0 / 12.0);
   const double sum[3] = { a[0] + b[0] + c[0], a[1] + b[1] + c[1], a[2] + b[2] + c[2] };
@@ -129,8 +128,8 @@ static inline bool are_usable(const double* points, const int64_t* corners, size
   return are;
 }
 
-static inline size_t add_polygons(const double* points, const int64_t* starts,
-  const int64_t* corners, size_t count, water_fit* fit)
+static inline size_t add_polygons(
+  const double* points, const int64_t* starts, const int64_t* corners, size_t count, water_fit* fit)
 {
   // sums and bounds of their own: in the fit's memory, each polygon would wait for the one before
   integrals sum = { fit->area, { fit->first[0], fit->first[1], fit->first[2] }, { 0.0 } };
@@ -170,8 +169,8 @@ static inline size_t add_polygons(const double* points, const int64_t* starts,
   return done;
 }
 
-size_t water_fit_add_polygons(const double* points, const int64_t* starts, const int64_t* corners,
-  size_t count, water_fit* fit)
+size_t water_fit_add_polygons(
+  const double* points, const int64_t* starts, const int64_t* corners, size_t count, water_fit* fit)
 {
   return add_polygons(points, starts, corners, count, fit);
 }

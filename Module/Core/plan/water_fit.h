@@ -27,7 +27,7 @@ typedef struct water_fit
   double up[3]; // unit length; the other two are the plane's own axes (water_plane_axes)
   double x_dir[3];
   double y_dir[3];
-  bool is_upright; // up is z, and the axes are those of the world
+  bool is_upright;  // up is z, and the axes are those of the world
   double origin[3]; // the first corner
   double area;      // seen along up
   double first[3];  // integrals of x, y and the height
