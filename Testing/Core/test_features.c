@@ -392,7 +392,8 @@ static size_t reach_all(const water_feature_set** all)
     count += 2;
     for (unsigned kind = 0; kind < 8; ++kind)
     {
-      const water_feature_texture texture = { kind & 1, kind >> 1 & 1, kind >> 2 & 1 };
+      const water_feature_texture texture = { kind & 1, kind >> 1 & 1, kind >> 2 & 1,
+        (kind ^ kind >> 1) & 1 };
       features[count] = water_features_with_texture(water_features_of(&look), &texture);
       features[count + 1] = water_features_on_hardware(features[count]);
       features[count + 2] = water_features_with_mesh(features[count]);
