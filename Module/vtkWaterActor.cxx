@@ -175,7 +175,10 @@ double* vtkWaterActor::FindBounds()
     vtkMath::UninitializeBounds(this->Bounds); // of vtkProp3D, for its other questions
     return this->Internal->FindSeenBounds(this->DisplacedBounds) ? this->DisplacedBounds : nullptr;
   }
+  const bool wasDrawing = this->Internal->IsDrawing;
+  this->Internal->SetIsDrawing(true); // the other mapper would have to cut
   double* bounds = this->Superclass::GetBounds();
+  this->Internal->SetIsDrawing(wasDrawing);
   if (!this->Internal->IsDisplaced() || !bounds || !vtkMath::AreBoundsInitialized(bounds))
   {
     return bounds;
@@ -198,6 +201,7 @@ double* vtkWaterActor::FindBounds()
 //------------------------------------------------------------------------------
 void vtkWaterActor::SetMapper(vtkMapper* mapper)
 {
+  this->Internal->SetDrawnMapper(nullptr);
   this->Superclass::SetMapper(mapper ? mapper : this->Internal->Sheet.GetMapper());
   this->Internal->Report(nullptr, vtkWaterError());
 }

@@ -4,6 +4,7 @@
 #include "vtkMath.h"
 #include "vtkWaterActorInternals.h"
 #include "vtkWaterCompat.h"
+#include "vtkWaterUncutMesh.h"
 #include "vtkWaterVertexData.h"
 #include "water_cascade.h"
 #include "water_flow.h"
@@ -149,6 +150,12 @@ void vtkWaterActor::Internals::ReadData(vtkWaterSnapshot& water)
   if (water.Look.HasFoamData)
   {
     water.Features = water_features_with_foam_data(water.Features);
+  }
+  vtkMapper* mapper = this->Self->GetMapper();
+  if (mapper->GetNumberOfInputConnections(0) > 0 &&
+    vtkWaterUncutMesh::SafeDownCast(mapper->GetInputDataObject(0, 0)))
+  {
+    water.Features = water_features_with_shore(water.Features);
   }
   this->ReadFlow(water);
   this->ReadMatter(water);

@@ -275,6 +275,7 @@ water_feature_set SecondaryFeaturesWith(const vtkWaterSurfaceShader::Inputs& inp
   features = water.Hulls ? water_features_with_hulls(features) : features;
   features = water_sky_features(features, vtkWaterSurfaceShader::HasOwnSky(water), false, &sky);
   features = water.Mesh.HasVertexHeights ? water_features_with_mesh(features) : features;
+  features |= water.Features & WATER_FEATURE_SHORE;
   return isSoftware ? features : water_features_on_hardware(features);
 }
 }

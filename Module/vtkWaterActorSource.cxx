@@ -221,6 +221,28 @@ void vtkWaterActor::Internals::SetMayMirror(bool mayMirror)
   }
 }
 
+//------------------------------------------------------------------------------
+void vtkWaterActor::Internals::SetDrawnMapper(vtkMapper* mapper)
+{
+  this->SetIsDrawing(false);
+  this->OtherMapper = mapper;
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterActor::Internals::SetIsDrawing(bool isDrawing)
+{
+  if (this->IsDrawing != isDrawing && this->OtherMapper)
+  {
+    // not by SetMapper, which makes the actor another one for all who keep what they know of it
+    vtkMapper* other = this->OtherMapper;
+    other->Register(this->Self);
+    this->OtherMapper = this->Self->Mapper;
+    this->Self->Mapper->UnRegister(this->Self);
+    this->Self->Mapper = other;
+    this->IsDrawing = isDrawing;
+  }
+}
+
 namespace
 {
 water_feature_set FeaturesOf(const vtkWaterLook& look)

@@ -20,6 +20,7 @@
 #include "vtkWaterActor.h"
 #include "vtkWaterCompat.h"
 #include "vtkWaterGather.h"
+#include "vtkWaterLakesInternals.h"
 #include "vtkWaterPlanesFilter.h"
 #include "vtkWaterSource.h"
 #include "vtkWaterSurfaceFilter.h"
@@ -34,34 +35,6 @@
 
 VTK_ABI_NAMESPACE_BEGIN
 vtkStandardNewMacro(vtkWaterLakes);
-
-struct vtkWaterLakes::Internals
-{
-  struct Host // that the waters are in
-  {
-    vtkWeakPointer<vtkRenderer> Renderer;
-    unsigned long Observer = 0;
-  };
-
-  // Renderers that are gone have let go of the waters.
-  void ForgetTheGone()
-  {
-    this->Hosts.erase(std::remove_if(this->Hosts.begin(), this->Hosts.end(),
-                        [](const Host& host) { return !host.Renderer; }),
-      this->Hosts.end());
-  }
-
-  vtkSmartPointer<vtkMapper> Mapper;
-  vtkNew<vtkWaterPlanesFilter> Filter;
-  vtkNew<vtkPolyData> Nothing; // that the first one shows when there is no water
-  std::vector<vtkSmartPointer<vtkWaterActor>> Waters;
-  std::vector<vtkSmartPointer<vtkMapper>> Mappers; // theirs
-  std::vector<Host> Hosts;
-  vtkMTimeType BuiltTime = 0; // of the planes
-  vtkMTimeType MapperTime = 0;
-  vtkMTimeType FollowedTime = 0;
-  std::array<double, 16> Matrix{}; // of the first water, that planes have been moved by
-};
 
 namespace
 {
@@ -238,13 +211,15 @@ void vtkWaterLakes::AddTo(vtkRenderer* renderer)
   command->SetClientData(this);
   command->SetClientDataDeleteCallback(
     [](void* self) { static_cast<vtkWaterLakes*>(self)->UnRegister(nullptr); });
-  command->SetCallback([](vtkObject* caller, unsigned long, void* self, void*) {
+  command->SetCallback([](vtkObject* caller, unsigned long event, void* self, void*) {
     const vtkSmartPointer<vtkWaterLakes> lakes = static_cast<vtkWaterLakes*>(self);
-    lakes->BeginFrame(static_cast<vtkRenderer*>(caller));
+    event == vtkCommand::StartEvent ? lakes->BeginFrame(static_cast<vtkRenderer*>(caller))
+                                    : lakes->EndFrame();
   });
   Internals::Host host;
   host.Renderer = renderer;
-  host.Observer = renderer->AddObserver(vtkCommand::StartEvent, command);
+  host.Observers[0] = renderer->AddObserver(vtkCommand::StartEvent, command);
+  host.Observers[1] = renderer->AddObserver(vtkCommand::EndEvent, command);
   hosts.push_back(host);
 }
 
@@ -259,14 +234,17 @@ void vtkWaterLakes::RemoveFrom(vtkRenderer* renderer)
   {
     return;
   }
-  const unsigned long observer = found->Observer;
+  const std::array<unsigned long, 2> observers = { found->Observers[0], found->Observers[1] };
   hosts.erase(found);
   for (const auto& water : this->Internal->Waters)
   {
     renderer->RemoveActor(water);
     water->GetSource()->SetMayMirror(true);
   }
-  renderer->RemoveObserver(observer);
+  for (unsigned long observer : observers)
+  {
+    renderer->RemoveObserver(observer);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -277,8 +255,13 @@ void vtkWaterLakes::BeginFrame(vtkRenderer* renderer)
     this->RemoveFrom(renderer);
     return;
   }
+  this->ReadRenderer(renderer);
   this->Update();
   this->ChooseMirrors(renderer);
+  for (const auto& water : this->Internal->Waters)
+  {
+    water->GetSource()->SetIsDrawing(!renderer->GetSelector()); // cells are selected of the cut mesh
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -298,7 +281,8 @@ void vtkWaterLakes::Update()
     internal.Filter->SetInputConnection(input);
     internal.BuiltTime = 0;
   }
-  if (input)
+  internal.IsUncut = input && this->ReadUncut(input);
+  if (input && !internal.IsUncut)
   {
     internal.Filter->Update();
   }
@@ -314,12 +298,8 @@ void vtkWaterLakes::Rebuild()
   first->ComputeMatrix();
   std::array<double, 16> matrix;
   std::copy_n(&first->GetMatrix()->Element[0][0], 16, matrix.begin());
-  vtkMultiBlockDataSet* planes = nullptr; // the filter keeps those of an input that is gone
-  if (internal.Filter->GetNumberOfInputConnections(0) > 0)
-  {
-    planes = vtkMultiBlockDataSet::SafeDownCast(internal.Filter->GetOutputDataObject(0));
-  }
-  const vtkMTimeType time = internal.Mapper && planes ? planes->GetMTime() : 1;
+  vtkMTimeType time = 1;
+  const std::vector<vtkPolyData*> parts = this->FindParts(&time);
   const vtkMTimeType mapperTime = internal.Mapper ? internal.Mapper->GetMTime() : 0;
   if (time == internal.BuiltTime && mapperTime == internal.MapperTime && matrix == internal.Matrix)
   {
@@ -328,21 +308,47 @@ void vtkWaterLakes::Rebuild()
   internal.BuiltTime = time;
   internal.MapperTime = mapperTime;
   internal.Matrix = matrix;
-  const unsigned int count = internal.Mapper && planes ? planes->GetNumberOfBlocks() : 0;
-  this->Resize(std::max<size_t>(count, 1));
-  for (unsigned int i = 0; i < internal.Waters.size(); ++i)
+  this->Resize(std::max<size_t>(parts.size(), 1));
+  for (size_t i = 0; i < internal.Waters.size(); ++i)
   {
-    const bool isThere = i < count;
-    auto* block = isThere ? vtkPolyData::SafeDownCast(planes->GetBlock(i)) : internal.Nothing.Get();
-    this->ShowPart(i, block);
+    const bool isThere = i < parts.size();
+    this->ShowPart(i, isThere ? parts[i] : internal.Nothing.Get());
     if (isThere)
     {
       vtkNew<vtkPlane> plane;
-      MovePlane(block, first->GetMatrix(), plane);
+      MovePlane(parts[i], first->GetMatrix(), plane);
       internal.Waters[i]->SetPlane(plane);
     }
   }
   internal.FollowedTime = 0;
+}
+
+//------------------------------------------------------------------------------
+std::vector<vtkPolyData*> vtkWaterLakes::FindParts(vtkMTimeType* time) const
+{
+  const Internals& internal = *this->Internal;
+  std::vector<vtkPolyData*> parts;
+  if (internal.IsUncut)
+  {
+    *time = internal.UncutTime;
+    for (const auto& block : internal.Uncut.GetBlocks())
+    {
+      parts.push_back(block);
+    }
+    return parts;
+  }
+  // the filter keeps the planes of an input that is gone
+  const bool hasInput = internal.Mapper && internal.Filter->GetNumberOfInputConnections(0) > 0;
+  auto* planes = hasInput
+    ? vtkMultiBlockDataSet::SafeDownCast(internal.Filter->GetOutputDataObject(0))
+    : nullptr;
+  const unsigned int count = planes ? planes->GetNumberOfBlocks() : 0;
+  *time = planes ? planes->GetMTime() : 1;
+  for (unsigned int i = 0; i < count; ++i)
+  {
+    parts.push_back(vtkPolyData::SafeDownCast(planes->GetBlock(i)));
+  }
+  return parts;
 }
 
 //------------------------------------------------------------------------------
@@ -385,6 +391,11 @@ void vtkWaterLakes::ShowPart(size_t number, vtkPolyData* part)
   {
     mapper->ShallowCopy(internal.Mapper);
   }
+  if (internal.IsUncut && vtkWaterUncutMesh::SafeDownCast(part))
+  {
+    this->ShowUncut(number, part, mapper);
+    return;
+  }
   mapper->SetInputDataObject(0, part);
   internal.Waters[number]->SetMapper(mapper);
 }
@@ -407,6 +418,7 @@ void vtkWaterLakes::Follow()
     const vtkSmartPointer<vtkPlane> plane = water->GetPlane();
     water->ShallowCopy(first);
     water->SetMapper(mapper);
+    water->GetSource()->SetDrawnMapper(this->FindDrawnMapper(i));
     water->SetPlane(plane);
   }
 }
@@ -440,6 +452,9 @@ void vtkWaterLakes::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "MaximumNumberOfMirrors: " << this->MaximumNumberOfMirrors << "\n";
+  os << indent << "ShoreCut: " << this->GetShoreCutAsString() << "\n";
+  os << indent << "IsShoreCutWhileDrawn: " << (this->GetIsShoreCutWhileDrawn() ? "yes" : "no")
+     << "\n";
   os << indent << "NumberOfWaters: " << this->GetNumberOfWaters() << "\n";
   os << indent << "Mapper: " << this->GetMapper() << "\n";
   os << indent << "PlanesFilter:\n";

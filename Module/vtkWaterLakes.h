@@ -36,6 +36,7 @@
 
 #include <memory> // for std::unique_ptr
 #include <string>
+#include <vector>
 
 #ifdef VTK_ABI_NAMESPACE_BEGIN
 VTK_ABI_NAMESPACE_BEGIN
@@ -108,6 +109,46 @@ public:
   int GetMaximumNumberOfPlanes() const;
   ///@}
 
+  enum ShoreCuts
+  {
+    CUT_AUTOMATIC = 0,
+    CUT_IN_FILTER = 1,
+    CUT_WHILE_DRAWN = 2
+  };
+
+  ///@{
+  /**
+   * Who cuts the water of a vtkWaterSurfaceFilter at the shore (SetData, or a mapper of that
+   * filter's output). CUT_IN_FILTER: the filter, in each step. CUT_WHILE_DRAWN: the renderer, which
+   * draws the filter's whole input and cuts it at the depth of 0: a step of a large mesh then costs
+   * the processor less, because no cell is cut and none is sent again. The line is the same in
+   * triangles; in a quad it has a bend on the diagonal where VTK splits it. CUT_AUTOMATIC:
+   * CUT_WHILE_DRAWN on a GPU, CUT_IN_FILTER with software rendering.
+   *
+   * The filter cuts anyway if the picture would differ, or cannot be drawn so: before the first
+   * frame; if cells are dry as a whole next to water (a solver's dry cells behind a dyke); if
+   * polygons of five corners or more are crossed twice by the shore, or a quad has water of two
+   * lakes; if a shown array has no number at a dry point beside the water; with a level alone;
+   * with mappers other than vtkPolyDataMapper, with edges, vertices, wireframe or shader code of
+   * the user's; with a driver whose clip distances are wrong.
+   *
+   * Pickers, exporters and filters that use a water's mapper, or the vtkWaterSurfaceFilter, get the
+   * cut mesh. It is made when it is asked for. Another number is rejected with an error. Default is
+   * CUT_AUTOMATIC.
+   */
+  void SetShoreCut(int cut);
+  vtkGetMacro(ShoreCut, int);
+  void SetShoreCutToAutomatic() { this->SetShoreCut(CUT_AUTOMATIC); }
+  void SetShoreCutToInFilter() { this->SetShoreCut(CUT_IN_FILTER); }
+  void SetShoreCutToWhileDrawn() { this->SetShoreCut(CUT_WHILE_DRAWN); }
+  const char* GetShoreCutAsString() const;
+  ///@}
+
+  /**
+   * Whether the shore is cut while it is drawn, since the last Update.
+   */
+  bool GetIsShoreCutWhileDrawn() const;
+
   ///@{
   /**
    * The waters after the last Update. The first one always exists, so their number is at least 1.
@@ -144,12 +185,25 @@ private:
 
   struct Internals;
 
-  // What a frame of a renderer begins with.
+  // What a frame of a renderer begins with, and ends with.
   void BeginFrame(vtkRenderer* renderer);
+  void EndFrame();
+  // Which of them draws the waters.
+  void ReadRenderer(vtkRenderer* renderer);
+  // Reads a step for meshes that are cut while they are drawn. false: the filter is to cut.
+  bool ReadUncut(vtkAlgorithmOutput* input);
+  // The arrays of points that the picture shows.
+  std::vector<std::string> FindShownNames() const;
+  // The mapper that draws a water in place of its own; nullptr: none does.
+  vtkMapper* FindDrawnMapper(size_t number) const;
+  // The parts of the surface, one for each plane, and when they were made.
+  std::vector<vtkPolyData*> FindParts(vtkMTimeType* time) const;
   // Makes as many waters as there are planes.
   void Rebuild();
   void Resize(size_t count);
   void ShowPart(size_t number, vtkPolyData* part);
+  // The same of a mesh that is cut while it is drawn, whose mapper for all others is given.
+  void ShowUncut(size_t number, vtkPolyData* part, vtkMapper* mapper);
   // Gives the others what the first one has.
   void Follow();
   // Chooses the waters that have a mirrored view.
@@ -157,6 +211,7 @@ private:
 
   std::unique_ptr<Internals> Internal;
   int MaximumNumberOfMirrors = 8;
+  int ShoreCut = CUT_AUTOMATIC;
 };
 
 #ifdef VTK_ABI_NAMESPACE_END

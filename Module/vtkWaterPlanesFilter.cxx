@@ -3,8 +3,6 @@
 
 #include "vtkCellArray.h"
 #include "vtkCompositeDataSet.h"
-#include "vtkDoubleArray.h"
-#include "vtkFieldData.h"
 #include "vtkFloatArray.h"
 #include "vtkIdList.h"
 #include "vtkInformation.h"
@@ -46,15 +44,6 @@ std::string FindTooFewPoints(vtkPolyData* mesh)
     }
   });
   return few;
-}
-
-void AddField(vtkPolyData* block, const char* name, const double* values, int count)
-{
-  vtkNew<vtkDoubleArray> array;
-  array->SetName(name);
-  array->SetNumberOfComponents(count);
-  array->InsertNextTuple(values);
-  block->GetFieldData()->AddArray(array);
 }
 
 // Smooth ones, where the mesh has none.
@@ -160,9 +149,7 @@ int vtkWaterPlanesFilter::RequestData(
     {
       AddNormals(block);
     }
-    AddField(block, "WaterPlaneOrigin", found.Fit.origin, 3);
-    AddField(block, "WaterPlaneNormal", found.Fit.normal, 3);
-    AddField(block, "WaterArea", &found.Area, 1);
+    parts.Describe(i, block);
     const auto number = static_cast<unsigned int>(i);
     output->SetBlock(number, block);
     output->GetMetaData(number)->Set(

@@ -29,8 +29,8 @@ vtkStandardNewMacro(vtkWaterSurfaceFilter);
 
 namespace
 {
-constexpr const char* kLevel = "WaterLevel";
-constexpr const char* kDepth = "WaterDepth";
+constexpr const char* kLevel = vtkWaterColumns::LevelName;
+constexpr const char* kDepth = vtkWaterColumns::DepthName;
 constexpr vtkIdType kSample = 4096; // places whose heights are compared
 
 // Names of all arrays, for an error.
@@ -216,6 +216,11 @@ void vtkWaterSurfaceFilter::SetVerticalScale(double scale)
 //------------------------------------------------------------------------------
 double vtkWaterSurfaceFilter::GetMeanLevel()
 {
+  if (this->IsCutMissing) // the step was drawn, and cut there
+  {
+    this->IsCutMissing = false;
+    this->Update();
+  }
   if (!this->IsMeanKnown) // asked by few, and it takes a walk over all polygons
   {
     this->MeanLevel = MeanHeightOf(this->Surface);
@@ -292,37 +297,31 @@ int vtkWaterSurfaceFilter::FillInputPortInformation(int, vtkInformation* info)
 }
 
 //------------------------------------------------------------------------------
-int vtkWaterSurfaceFilter::RequestData(
-  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+bool vtkWaterSurfaceFilter::ReadStep(
+  vtkDataSet* input, vtkPolyData* mesh, vtkWaterColumns& columns)
 {
-  vtkDataSet* input = vtkDataSet::GetData(inputVector[0]);
-  vtkPolyData* output = vtkPolyData::GetData(outputVector);
-  this->MeanLevel = 0.0;
-  this->IsMeanKnown = true;
-  this->Surface->Initialize();
   if (!input || input->GetNumberOfCells() == 0 || input->GetNumberOfPoints() == 0)
   {
-    return 1;
+    return false;
   }
   const int dimension = DimensionOf(input);
   if (dimension < 2)
   {
     vtkErrorMacro("the mesh has no cells of two dimensions. There is no surface.");
-    return 1;
+    return false;
   }
   if (dimension == 3)
   {
     vtkErrorMacro("the mesh has cells of three dimensions; it must have two. Contour the free "
                   "surface first, and give the water that as its mapper's input.");
-    return 1; // once: a failure would be told by the pipeline, too
+    return false;
   }
   const std::string wrongPoint = vtkWaterFindWrongPoint(input);
   if (!wrongPoint.empty())
   {
     vtkErrorMacro(<< wrongPoint << ". There is no surface.");
-    return 1;
+    return false;
   }
-  vtkNew<vtkPolyData> mesh;
   vtkWaterPolygonsOf(input, mesh);
   vtkWaterColumns::Given given;
   const std::string wrong =
@@ -330,7 +329,7 @@ int vtkWaterSurfaceFilter::RequestData(
   if (!wrong.empty())
   {
     vtkErrorMacro(<< wrong << ". There is no surface.");
-    return 1;
+    return false;
   }
   given.DryDepth = this->DryDepth;
   if (this->CheckDepths(given.Depth) &&
@@ -338,10 +337,31 @@ int vtkWaterSurfaceFilter::RequestData(
   {
     this->CheckUnits(given.Level, given.Depth, given.Bed);
   }
-  vtkWaterColumns columns;
   columns.Make(mesh, given);
-  vtkWaterWetPart(mesh, columns, this->VerticalScale).Make(kLevel, kDepth, output);
-  if (!given.Depth && !given.Bed)
+  return true;
+}
+
+//------------------------------------------------------------------------------
+int vtkWaterSurfaceFilter::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkPolyData* output = vtkPolyData::GetData(outputVector);
+  this->MeanLevel = 0.0;
+  this->IsMeanKnown = true;
+  this->IsCutMissing = false;
+  this->NumberOfCutCells = 0;
+  this->Surface->Initialize();
+  vtkNew<vtkPolyData> mesh;
+  vtkWaterColumns columns;
+  if (!this->ReadStep(vtkDataSet::GetData(inputVector[0]), mesh, columns))
+  {
+    return 1; // said once: a failure would be told by the pipeline, too
+  }
+  vtkWaterWetPart part(
+    mesh, columns.GetLevels(), columns.GetDepths(), columns.GetDykes(), this->VerticalScale);
+  part.Make(kLevel, kDepth, output);
+  this->NumberOfCutCells = part.GetCutCount();
+  if (!columns.HasDepths())
   {
     output->GetPointData()->RemoveArray(kDepth); // nobody knows it
   }
@@ -359,6 +379,7 @@ void vtkWaterSurfaceFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "BedArrayName: " << this->BedArrayName << "\n";
   os << indent << "DryDepth: " << this->DryDepth << "\n";
   os << indent << "VerticalScale: " << this->VerticalScale << "\n";
+  os << indent << "NumberOfCutCells: " << this->NumberOfCutCells << "\n";
   os << indent << "MeanLevel: " << this->GetMeanLevel() << "\n";
 }
 VTK_ABI_NAMESPACE_END

@@ -49,7 +49,10 @@ VTK_ABI_NAMESPACE_BEGIN
 #endif
 
 class vtkDataArray;
+class vtkDataSet;
 class vtkPolyData;
+class vtkWaterColumns;
+class vtkWaterLakes;
 
 class VTKRENDERINGWATER_EXPORT vtkWaterSurfaceFilter : public vtkPolyDataAlgorithm
 {
@@ -113,6 +116,13 @@ public:
    */
   double GetMeanLevel();
 
+  /**
+   * Number of cells that the last update cut at the shore (NumberOfCutCells). A vtkWaterLakes that
+   * cuts the shore while it is drawn needs no update of this filter; whoever uses its output
+   * updates it.
+   */
+  vtkGetMacro(NumberOfCutCells, vtkIdType);
+
 protected:
   vtkWaterSurfaceFilter();
   ~vtkWaterSurfaceFilter() override;
@@ -125,7 +135,12 @@ private:
   vtkWaterSurfaceFilter(const vtkWaterSurfaceFilter&) = delete;
   void operator=(const vtkWaterSurfaceFilter&) = delete;
 
+  friend class vtkWaterLakes; // which reads steps without cutting them
+
   void SetName(std::string& member, const std::string& name);
+  // The polygons of a data set, with level and depth at each point. Says what is wrong; false: then
+  // there is no surface.
+  bool ReadStep(vtkDataSet* input, vtkPolyData* mesh, vtkWaterColumns& columns);
   void CheckUnits(vtkDataArray* level, vtkDataArray* depth, vtkDataArray* bed);
   bool CheckDepths(vtkDataArray* depth);
 
@@ -135,7 +150,9 @@ private:
   double DryDepth = 0.001;
   double VerticalScale = 1.0;
   double MeanLevel = 0.0;
+  vtkIdType NumberOfCutCells = 0;
   bool IsMeanKnown = true;
+  bool IsCutMissing = false; // the last step was read for a drawing alone
   bool AreUnitsTold = false;
   bool IsSignTold = false;
   vtkNew<vtkPolyData> Surface; // whose mean it is, until it is known

@@ -126,7 +126,8 @@ static void print_shaders(bool all)
   const water_feature_set vertex_sets[] = { WATER_FEATURE_DISPLACED,
     WATER_FEATURE_DISPLACED | WATER_FEATURE_SEA_MOVES, WATER_FEATURE_MESH,
     WATER_FEATURE_MESH | WATER_FEATURE_SLOPED, WATER_FEATURE_MESH | WATER_FEATURE_FLOW,
-    WATER_FEATURE_MESH | WATER_FEATURE_MATTER, WATER_FEATURE_MESH | WATER_FEATURE_FOAM_DATA };
+    WATER_FEATURE_MESH | WATER_FEATURE_MATTER, WATER_FEATURE_MESH | WATER_FEATURE_FOAM_DATA,
+    WATER_FEATURE_MESH | WATER_FEATURE_SHORE };
   for (size_t i = 0; i < sizeof vertex_sets / sizeof vertex_sets[0]; ++i)
   {
     print_files("vert", vertex_sets[i], vertex_files, VERTEX_FILE_COUNT);

@@ -19,7 +19,7 @@ enum
   SHADER_TEXTURE_COUNT = 1 << 4, // what a reflection texture may have
   SHADER_SKY_COUNT = 7, // skies beside the one-coloured one: three, a floor, and they with a floor
   // each as often as it is asked for, and with skies
-  SHADER_SET_COUNT = SHADER_LOOK_COUNT * (1 + 17 * SHADER_TEXTURE_COUNT)
+  SHADER_SET_COUNT = SHADER_LOOK_COUNT * (1 + 18 * SHADER_TEXTURE_COUNT)
 };
 #undef SHADER_ONE_MORE
 
@@ -129,6 +129,7 @@ static inline size_t shader_combinations(water_feature_set* sets)
         sets[count++] = water_features_with_matter(water_features_with_samples(hardware));
         sets[count++] = water_features_with_foam_data(water_features_with_mesh(asked));
         sets[count++] = water_features_with_foam_data(water_features_with_matter(sloped));
+        sets[count++] = water_features_with_shore(water_features_with_mesh(hardware));
         sets[count++] = water_features_with_hulls(asked);
         sets[count++] = water_features_with_port(hardware);
         sets[count++] = water_features_with_ground(asked);

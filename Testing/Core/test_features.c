@@ -198,6 +198,16 @@ TEST(data_of_foam_need_foam)
   }
 }
 
+// Any mesh can be cut at the shore, also one that waves displace: the cut is at its vertices.
+TEST(any_mesh_can_be_cut_at_the_shore)
+{
+  for (unsigned has = 0; has < LOOKS; ++has)
+  {
+    const water_feature_set features = expected_of(has);
+    assert_int_equal(water_features_with_shore(features), features + WATER_FEATURE_SHORE);
+  }
+}
+
 // The slopes of a mesh turn rays, which are looked up as those of waves; not where waves move it.
 TEST(slopes_of_a_mesh_turn_rays)
 {
@@ -604,7 +614,7 @@ TEST(vertices_move_where_the_surface_is_displaced)
     water_feature_set feature;
   } still[] = { { "heights", WATER_FEATURE_FLAG(MESH) }, { "slopes", WATER_FEATURE_FLAG(SLOPED) },
     { "flow", WATER_FEATURE_FLAG(FLOW) }, { "matter", WATER_FEATURE_FLAG(MATTER) },
-    { "foam", WATER_FEATURE_FLAG(FOAM_DATA) } };
+    { "foam", WATER_FEATURE_FLAG(FOAM_DATA) }, { "shore", WATER_FEATURE_FLAG(SHORE) } };
   const water_feature_set* reachable = NULL;
   const size_t count = reach_all(&reachable);
   for (size_t i = 0; i < count; ++i)
@@ -631,7 +641,8 @@ TEST(vertices_move_where_the_surface_is_displaced)
 
 TESTS(features_of_every_look_follow_the_rules, layer_and_peel_are_for_traced_rays_alone,
   mesh_is_drawn_as_it_is_or_displaced, a_current_needs_waves_over_a_mesh,
-  matter_is_in_what_is_seen_through, data_of_foam_need_foam, slopes_of_a_mesh_turn_rays,
+  matter_is_in_what_is_seen_through, data_of_foam_need_foam,
+  any_mesh_can_be_cut_at_the_shore, slopes_of_a_mesh_turn_rays,
   samples_are_of_what_is_seen_through, port_is_for_what_is_seen_through, buffers_are_for_meshes,
   ground_is_for_what_is_seen_through, hardware_reads_in_batches,
   water_in_a_mirrored_view_is_smooth_or_rough, sets_have_room_for_64_features,

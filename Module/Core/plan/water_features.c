@@ -134,6 +134,11 @@ water_feature_set water_features_with_foam_data(water_feature_set features)
   return features | if_has((features & WATER_FEATURE_FOAM) != 0, WATER_FEATURE_FOAM_DATA);
 }
 
+water_feature_set water_features_with_shore(water_feature_set features)
+{
+  return features | WATER_FEATURE_SHORE;
+}
+
 water_feature_set water_features_with_hulls(water_feature_set features)
 {
   return features | WATER_FEATURE_HULLS;

@@ -58,7 +58,8 @@ extern "C"
   X(BUFFERED, "a user's mesh whose surface is in a buffer: it is shaded once a pixel")             \
   X(MATTER, "data give the concentration of matter in the water")                                  \
   X(FOAM_DATA, "data give the foam cover")                                                         \
-  X(SKY_VIEW, "what may be the sky has a view of its own")
+  X(SKY_VIEW, "what may be the sky has a view of its own")                                         \
+  X(SHORE, "a user's mesh is cut at the shore while it is drawn")
 
 typedef enum water_feature_bit
 {
@@ -256,6 +257,7 @@ WATER_FEATURE_LIST(WATER_FEATURE_VALUE)
   X(flow, vtkWaterFlowVS, WATER_FEATURE_FLAG(FLOW), 0, "current at the vertices")                  \
   X(matter, vtkWaterMatterVS, WATER_FEATURE_FLAG(MATTER), 0, "matter at the vertices")             \
   X(foam, vtkWaterFoamDataVS, WATER_FEATURE_FLAG(FOAM_DATA), 0, "foam at the vertices")            \
+  X(shore, vtkWaterShoreVS, WATER_FEATURE_FLAG(SHORE), 0, "cuts a mesh at the shore")              \
   X(depth, vtkWaterDepthVS, 0, 0, "an endless surface is not cut at the near and far planes")
 
 // Files of the shader that follows light from the surface to the bed (water_caustics.h), in order:
@@ -375,6 +377,9 @@ water_feature_set water_features_with_matter(water_feature_set features);
 
 // The same for a mesh whose data say how much foam there is on water with foam.
 water_feature_set water_features_with_foam_data(water_feature_set features);
+
+// The same for a mesh that is cut at the shore while it is drawn.
+water_feature_set water_features_with_shore(water_feature_set features);
 
 // The same for a window of several samples a pixel.
 water_feature_set water_features_with_samples(water_feature_set features);

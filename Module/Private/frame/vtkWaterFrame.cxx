@@ -98,8 +98,7 @@ void vtkWaterFrame::Begin(vtkWaterSource& water)
   std::for_each(others.begin(), others.end(), vtkWaterProps::DropOwnStandIn);
   thread.SwitchTo(renderer, others);
   // before any prop asks for its shader
-  thread.Hook->CanClip = thread.ClipProbe.Works(
-    static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow()), water.GetProp());
+  thread.Hook->CanClip = this->ClipsWell(water.GetProp());
   this->Number.Modified();
   const auto addKey = [&](vtkProp* prop) {
     if (prop->GetVisibility() && !vtkWaterRenderPassKeys::Has(prop, thread.Hook))
@@ -174,6 +173,13 @@ bool vtkWaterFrame::IsSoftware()
     this->IsSoftwareWindow = vtkWaterRendererClass::IsSoftware();
   }
   return this->IsSoftwareWindow;
+}
+
+//------------------------------------------------------------------------------
+bool vtkWaterFrame::ClipsWell(vtkProp* water)
+{
+  return vtkWaterFrameThread::Get().ClipProbe.Works(
+    static_cast<vtkOpenGLRenderWindow*>(this->Renderer->GetRenderWindow()), water);
 }
 
 //------------------------------------------------------------------------------

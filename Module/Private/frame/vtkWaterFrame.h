@@ -80,6 +80,9 @@ public:
   // Does the processor execute GL, and no GPU?
   bool IsSoftware();
 
+  // Does the driver cut by clip distances as it should? The water is told if not, for debugging.
+  bool ClipsWell(vtkProp* water);
+
   // Is this the first water that an eye is in, in this frame? The others add no fog.
   bool BeginFog(const water_plan& plan);
 

@@ -8,6 +8,7 @@
 
 #include <string>
 
+class vtkMapper;
 class vtkProp;
 class vtkRenderer;
 class vtkWaterReflection;
@@ -51,6 +52,11 @@ public:
   // May it have a mirrored view? Those who share the views of a frame among waters say so; whether
   // it is to have one at all, the user says.
   virtual void SetMayMirror(bool mayMirror) = 0;
+
+  // A mapper that draws the water in place of its own, which shows the same to all others: between
+  // the two calls of SetIsDrawing, and when the water is asked for its bounds. nullptr: none does.
+  virtual void SetDrawnMapper(vtkMapper* mapper) = 0;
+  virtual void SetIsDrawing(bool isDrawing) = 0;
 
   // Draws the surface to be counted, without a trace.
   virtual void Probe(vtkRenderer* renderer) = 0;

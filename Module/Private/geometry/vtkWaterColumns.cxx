@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkWaterColumns.h"
 
-#include "vtkDoubleArray.h"
 #include "vtkMath.h"
 #include "vtkPolyData.h"
 #include "vtkSMPTools.h"
@@ -77,9 +76,15 @@ void ForEachPoint(vtkPolyData* mesh, Function function)
 void vtkWaterColumns::Make(vtkPolyData* mesh, const Given& given)
 {
   const auto count = static_cast<size_t>(mesh->GetNumberOfPoints());
-  this->Levels.assign(count, vtkMath::Nan());
+  this->LevelArray = vtkSmartPointer<vtkDoubleArray>::New();
+  this->DepthArray = vtkSmartPointer<vtkDoubleArray>::New();
+  this->LevelArray->SetNumberOfValues(mesh->GetNumberOfPoints());
+  this->DepthArray->SetNumberOfValues(mesh->GetNumberOfPoints());
+  this->Levels = this->LevelArray->GetPointer(0);
+  this->Depths = this->DepthArray->GetPointer(0);
+  std::fill_n(this->Levels, count, vtkMath::Nan());
   this->Beds.assign(count, vtkMath::Nan());
-  this->Depths.assign(count, 0.0);
+  this->AreDepthsKnown = given.Depth || given.Bed;
   this->IsWet.assign(count, 0);
   this->IsCellWet.clear();
   this->Dykes.clear();

@@ -4,6 +4,8 @@
 #ifndef vtkWaterColumns_h
 #define vtkWaterColumns_h
 
+#include "vtkDoubleArray.h"
+#include "vtkSmartPointer.h"
 #include "vtkType.h"
 #include "water_shore.h"
 
@@ -26,12 +28,22 @@ public:
     double DryDepth = 0.0;
   };
 
+  // Of a surface's arrays.
+  static constexpr const char* LevelName = "WaterLevel";
+  static constexpr const char* DepthName = "WaterDepth";
+
   // mesh  of polygons alone
   void Make(vtkPolyData* mesh, const Given& given);
 
   // At each point; a point far from all water has its own bed as the level.
-  const std::vector<double>& GetLevels() const { return this->Levels; }
-  const std::vector<double>& GetDepths() const { return this->Depths; }
+  const double* GetLevels() const { return this->Levels; }
+  const double* GetDepths() const { return this->Depths; }
+  // The same, for a surface to keep: another Make leaves them alone.
+  vtkDoubleArray* GetLevelArray() const { return this->LevelArray; }
+  vtkDoubleArray* GetDepthArray() const { return this->DepthArray; }
+
+  // Do the data say where the water ends? Else the depths are of no use but their signs.
+  bool HasDepths() const { return this->AreDepthsKnown; }
 
   // Cells that the solver calls dry though their bed lies below the water beside them, or that no
   // water is beside.
@@ -44,9 +56,12 @@ private:
   void Spread(vtkPolyData* mesh);
   void FindDykes(vtkPolyData* mesh);
 
-  std::vector<double> Levels; // NaN: not known
+  vtkSmartPointer<vtkDoubleArray> LevelArray;
+  vtkSmartPointer<vtkDoubleArray> DepthArray;
+  double* Levels = nullptr; // of the arrays; NaN: not known
+  double* Depths = nullptr;
+  bool AreDepthsKnown = false;
   std::vector<double> Beds;
-  std::vector<double> Depths;
   std::vector<char> IsWet;     // points: the bed alone says where the water ends
   std::vector<char> IsCellWet; // of data of cells; else empty
   std::vector<vtkIdType> Dykes;

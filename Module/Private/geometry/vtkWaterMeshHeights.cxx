@@ -11,6 +11,7 @@
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkWaterPolygons.h"
+#include "vtkWaterUncutMesh.h"
 #include "water_flatness.h"
 #include "water_slopes.h"
 
@@ -44,6 +45,7 @@ double MeasureSlopes(vtkPointSet* data, vtkMatrix4x4* meshToWorld, const water_p
 {
   water_slopes slopes;
   water_slopes_begin(&unit, &slopes);
+  auto* uncut = vtkWaterUncutMesh::SafeDownCast(data);
   auto* mesh = vtkPolyData::SafeDownCast(data); // asking that by cells would make it build them
   const vtkIdType count = mesh ? mesh->GetPolys()->GetNumberOfCells() : data->GetNumberOfCells();
   const vtkIdType step = std::max<vtkIdType>(count / kCells, 1);
@@ -51,6 +53,10 @@ double MeasureSlopes(vtkPointSet* data, vtkMatrix4x4* meshToWorld, const water_p
   for (vtkIdType cell = 0; cell < count; cell += step)
   {
     mesh ? mesh->GetPolys()->GetCellAtId(cell, points) : data->GetCellPoints(cell, points);
+    if (uncut && !uncut->HasWater(points->GetPointer(0), points->GetNumberOfIds()))
+    {
+      continue;
+    }
     double corners[3][3]; // of a fan about the first point
     for (vtkIdType i = 0; i < points->GetNumberOfIds(); ++i)
     {

@@ -9,6 +9,7 @@
 #include "vtkNew.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
+#include "vtkWaterUncutMesh.h"
 
 #include <algorithm>
 #include <sstream>
@@ -64,10 +65,15 @@ water_placement_verdict vtkWaterMeshPlacement::Judge(
   vtkCellArray* cells = mesh->GetPolys();
   const vtkIdType count = cells->GetNumberOfCells();
   const vtkIdType step = std::max<vtkIdType>(count / kSampledCells, 1);
+  auto* uncut = vtkWaterUncutMesh::SafeDownCast(mesh);
   vtkNew<vtkIdList> points;
   for (vtkIdType cell = 0; cell < count; cell += step)
   {
     cells->GetCellAtId(cell, points);
+    if (uncut && !uncut->HasWater(points->GetPointer(0), points->GetNumberOfIds()))
+    {
+      continue;
+    }
     double corners[3][3]; // of a fan about the first point
     for (vtkIdType i = 0; i < points->GetNumberOfIds(); ++i)
     {

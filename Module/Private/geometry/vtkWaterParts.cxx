@@ -4,6 +4,7 @@
 #include "vtkBoundingBox.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
+#include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
@@ -11,6 +12,7 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkWaterPolygons.h"
+#include "vtkWaterWetPolygons.h"
 #include "water_regions.h"
 
 #include <algorithm>
@@ -19,6 +21,15 @@
 namespace
 {
 constexpr int64_t kNone = -1;
+void AddField(vtkPolyData* polygons, const char* name, const double* values, int count)
+{
+  vtkNew<vtkDoubleArray> array;
+  array->SetName(name);
+  array->SetNumberOfComponents(count);
+  array->InsertNextTuple(values);
+  polygons->GetFieldData()->AddArray(array);
+}
+
 constexpr size_t kBlockFits = 1 << 14; // more than fit into a processor's cache are not worth it
 
 size_t Index(int64_t number)
@@ -33,11 +44,53 @@ void vtkWaterParts::Join(vtkPolyData* mesh)
   this->Parents.resize(Index(mesh->GetNumberOfPoints()));
   water_regions_begin(this->Parents.data(), this->Parents.size());
   vtkWaterForEachCell(
-    mesh->GetPolys(), [this](vtkIdType, const vtkIdType* points, vtkIdType count) {
+    mesh->GetPolys(), [this](vtkIdType cell, const vtkIdType* points, vtkIdType count) {
       static_assert(sizeof(vtkIdType) == sizeof(int64_t), "VTK's numbers are those of the core");
-      water_regions_join(
-        this->Parents.data(), reinterpret_cast<const int64_t*>(points), Index(count));
+      if (this->IsWhole(cell))
+      {
+        water_regions_join(
+          this->Parents.data(), reinterpret_cast<const int64_t*>(points), Index(count));
+      }
+      else if (this->Shore->Kinds[Index(cell)] == vtkWaterShoreCells::Cut)
+      {
+        this->JoinCut(points, count);
+      }
     });
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterParts::JoinCut(const vtkIdType* points, vtkIdType count)
+{
+  vtkWaterForWetParts(this->Shore->Depths, points, count,
+    [this, points](const water_shore_corner* corners, const vtkIdType* own, size_t made) {
+      std::vector<int64_t>& joined = this->Joined;
+      joined.clear();
+      for (size_t i = 0; i < made; ++i)
+      {
+        joined.push_back(own[corners[i].from]); // of an edge that is its wet end
+      }
+      water_regions_join(this->Parents.data(), joined.data(), joined.size());
+    });
+}
+
+//------------------------------------------------------------------------------
+int64_t vtkWaterParts::RegionOf(vtkIdType cell, const vtkIdType* points, vtkIdType count)
+{
+  if (this->IsWhole(cell))
+  {
+    return water_regions_find(this->Parents.data(), points[0]);
+  }
+  int64_t region = kNone;
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    if (this->Shore->Depths[points[i]] > 0.0)
+    {
+      const int64_t other = water_regions_find(this->Parents.data(), points[i]);
+      this->SharedCount += region != kNone && other != region ? 1 : 0;
+      region = other;
+    }
+  }
+  return region;
 }
 
 //------------------------------------------------------------------------------
@@ -46,13 +99,15 @@ void vtkWaterParts::Number(vtkPolyData* mesh)
   std::vector<int64_t> partOfPoint(this->Parents.size(), kNone); // of those that stand for a region
   this->PartOfCell.assign(Index(mesh->GetNumberOfPolys()), kNone);
   this->PartCount = 0;
+  this->SharedCount = 0;
   vtkWaterForEachCell(
     mesh->GetPolys(), [&](vtkIdType cell, const vtkIdType* points, vtkIdType count) {
-      if (count < 3)
+      if (count < 3 ||
+        (this->Shore && this->Shore->Kinds[Index(cell)] == vtkWaterShoreCells::Dry))
       {
         return;
       }
-      int64_t& part = partOfPoint[Index(water_regions_find(this->Parents.data(), points[0]))];
+      int64_t& part = partOfPoint[Index(this->RegionOf(cell, points, count))];
       part = part == kNone ? static_cast<int64_t>(this->PartCount++) : part;
       this->PartOfCell[Index(cell)] = part;
     });
@@ -73,7 +128,7 @@ void vtkWaterParts::Fit(
   vtkWaterForCells(
     mesh->GetPolys(), begin, end, [&](vtkIdType cell, const vtkIdType* points, vtkIdType count) {
       int64_t& part = this->PartOfCell[Index(cell)];
-      if (part == kNone)
+      if (part == kNone || !this->IsWhole(cell))
       {
         return;
       }
@@ -95,9 +150,10 @@ void vtkWaterParts::FitRuns(const double* points, const vtkWaterCellLists& lists
 {
   for (vtkIdType cell = begin; cell < end;)
   {
-    const int64_t part = this->PartOfCell[Index(cell)];
+    const int64_t part = this->IsWhole(cell) ? this->PartOfCell[Index(cell)] : kNone;
     vtkIdType next = cell + 1;
-    while (next < end && this->PartOfCell[Index(next)] == part)
+    while (part != kNone && next < end && this->PartOfCell[Index(next)] == part &&
+      this->IsWhole(next))
     {
       ++next;
     }
@@ -140,6 +196,68 @@ void vtkWaterParts::Fit(vtkPolyData* mesh, const double up[3])
 }
 
 //------------------------------------------------------------------------------
+void vtkWaterParts::FitCut(vtkPolyData* mesh)
+{
+  const vtkWaterPlaces places(mesh->GetPoints());
+  std::vector<double> corners;
+  const auto addPart = [&](int64_t& part, const water_shore_corner* wet, const vtkIdType* own,
+                         size_t made) {
+    corners.resize(3 * made);
+    for (size_t i = 0; i < made; ++i)
+    {
+      double from[3];
+      double to[3];
+      places.Get(own[wet[i].from], from);
+      places.Get(own[wet[i].to], to);
+      water_shore_point(from, to, wet[i].share, &corners[3 * i]);
+    }
+    if (part != kNone && !water_fit_add_polygon(corners.data(), made, &this->Fits[Index(part)]))
+    {
+      part = kNone;
+    }
+  };
+  for (vtkIdType cell : this->Shore->CutCells)
+  {
+    vtkWaterForCells(mesh->GetPolys(), cell, cell + 1,
+      [&](vtkIdType, const vtkIdType* points, vtkIdType count) {
+        int64_t& part = this->PartOfCell[Index(cell)];
+        vtkWaterForWetParts(this->Shore->Depths, points, count,
+          [&](const water_shore_corner* wet, const vtkIdType* own, size_t made) {
+            addPart(part, wet, own, made);
+          });
+      });
+  }
+}
+
+//------------------------------------------------------------------------------
+size_t vtkWaterParts::CountUnplaced() const
+{
+  size_t count = 0;
+  for (size_t cell = 0; cell < this->PartOfCell.size(); ++cell)
+  {
+    const bool hasWater = !this->Shore || this->Shore->Kinds[cell] != vtkWaterShoreCells::Dry;
+    count += hasWater && this->PartOfCell[cell] == kNone ? 1 : 0;
+  }
+  return count;
+}
+
+//------------------------------------------------------------------------------
+int64_t vtkWaterParts::PlaneOf(vtkIdType cell) const
+{
+  const int64_t part = this->PartOfCell[Index(cell)];
+  return part == kNone ? kNone : this->PlaneOfPart[Index(part)];
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterParts::Describe(size_t plane, vtkPolyData* polygons) const
+{
+  const Plane& found = this->Planes[plane];
+  AddField(polygons, "WaterPlaneOrigin", found.Fit.origin, 3);
+  AddField(polygons, "WaterPlaneNormal", found.Fit.normal, 3);
+  AddField(polygons, "WaterArea", &found.Area, 1);
+}
+
+//------------------------------------------------------------------------------
 void vtkWaterParts::Share(vtkPolyData* mesh, size_t most)
 {
   std::vector<water_fit_plane> found(this->Fits.size());
@@ -166,9 +284,13 @@ void vtkWaterParts::Share(vtkPolyData* mesh, size_t most)
   {
     box.GetBounds(bounds);
   }
-  double all[6];
-  mesh->GetBounds(all);
-  this->IsTight = std::equal(bounds, bounds + 6, all);
+  this->IsTight = true; // land does not matter
+  if (!this->Shore)
+  {
+    double all[6];
+    mesh->GetBounds(all);
+    this->IsTight = std::equal(bounds, bounds + 6, all);
+  }
   const double coordinate =
     std::accumulate(bounds, bounds + 6, 0.0, [](double largest, double bound) {
       return std::max({ largest, bound, -bound });
@@ -189,19 +311,27 @@ void vtkWaterParts::Share(vtkPolyData* mesh, size_t most)
     plane.Fit = parts[first[planes[i]]];
     plane.Area += parts[i].area;
     plane.IsFlat = plane.IsFlat && parts[i].rms <= rounding;
+    vtkBoundingBox all(plane.Bounds);
+    all.AddBounds(this->Fits[sorted[i]].bounds);
+    all.GetBounds(plane.Bounds);
   }
 }
 
 //------------------------------------------------------------------------------
-void vtkWaterParts::Find(vtkPolyData* mesh, const double up[3], size_t most)
+void vtkWaterParts::Find(
+  vtkPolyData* mesh, const double up[3], size_t most, const vtkWaterShoreCells* shore)
 {
+  this->Shore = shore;
   this->Join(mesh);
   this->Number(mesh);
   this->Fit(mesh, up);
+  if (shore)
+  {
+    this->FitCut(mesh);
+  }
   this->Share(mesh, most);
   this->Cells.assign(this->Planes.size(), {});
-  this->HasOne = this->Planes.size() == 1 && this->IsTight &&
-    std::find(this->PartOfCell.begin(), this->PartOfCell.end(), kNone) == this->PartOfCell.end() &&
+  this->HasOne = this->Planes.size() == 1 && this->IsTight && this->CountUnplaced() == 0 &&
     std::find(this->PlaneOfPart.begin(), this->PlaneOfPart.end(), kNone) == this->PlaneOfPart.end();
   if (this->HasOne) // nothing will be extracted
   {

@@ -5,6 +5,7 @@
 #define vtkWaterParts_h
 
 #include "vtkType.h"
+#include "vtkWaterShoreCells.h"
 #include "water_fit.h"
 
 #include <cstdint>
@@ -21,23 +22,47 @@ public:
     water_fit_plane Fit; // of its largest part
     double Area = 0.0;   // of all of its parts, seen along up
     bool IsFlat = true;  // none of them leaves it by more than its coordinates are rounded by
+    double Bounds[6] = { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 }; // of all of its parts
   };
 
-  // mesh  of polygons alone
-  // up    unit length
-  // most  planes
-  void Find(vtkPolyData* mesh, const double up[3], size_t most);
+  // mesh   of polygons alone
+  // up     unit length
+  // most   planes
+  // shore  the parts are those of its water alone; nullptr: all is water
+  void Find(
+    vtkPolyData* mesh, const double up[3], size_t most, const vtkWaterShoreCells* shore = nullptr);
 
   const std::vector<Plane>& GetPlanes() const { return this->Planes; }
 
   // Are all polygons in a plane, and the mesh's bounds theirs?
   bool HasAll(size_t plane) const;
 
+  // Cells with water of two parts, and cells of a part with a coordinate that is no number.
+  size_t GetSharedCount() const { return this->SharedCount; }
+  size_t CountUnplaced() const;
+  // The plane that a cell is in; below 0: none.
+  int64_t PlaneOf(vtkIdType cell) const;
+  const std::vector<vtkIdType>& GetCells(size_t plane) const { return this->Cells[plane]; }
+
+  // Adds what is known of a plane to the field data of its polygons.
+  void Describe(size_t plane, vtkPolyData* polygons) const;
+
   // The polygons in a plane, with their points and all arrays of both.
   void Extract(vtkPolyData* mesh, size_t plane, vtkPolyData* extracted);
 
 private:
   void Join(vtkPolyData* mesh);
+  // Of a cell that the shore cuts: the corners that are under water, or on the shore.
+  void JoinCut(const vtkIdType* points, vtkIdType count);
+  // The part of a cell's water.
+  int64_t RegionOf(vtkIdType cell, const vtkIdType* points, vtkIdType count);
+  // Is all of a cell in a part?
+  bool IsWhole(vtkIdType cell) const
+  {
+    return !this->Shore || this->Shore->Kinds[static_cast<size_t>(cell)] == vtkWaterShoreCells::Wet;
+  }
+  // What is under water of the cells that the shore cuts.
+  void FitCut(vtkPolyData* mesh);
   void Number(vtkPolyData* mesh);
   void Fit(vtkPolyData* mesh, vtkIdType begin, vtkIdType end, std::vector<water_fit>& fits);
   // The same for runs of cells of one part, without copies of their corners.
@@ -46,6 +71,9 @@ private:
   void Fit(vtkPolyData* mesh, const double up[3]);
   void Share(vtkPolyData* mesh, size_t most);
 
+  const vtkWaterShoreCells* Shore = nullptr; // while parts are found
+  size_t SharedCount = 0;
+  std::vector<int64_t> Joined; // corners of one cell
   std::vector<int64_t> Parents;    // of points
   std::vector<int64_t> PartOfCell; // none: it has less than three points, or one that is not finite
   size_t PartCount = 0;

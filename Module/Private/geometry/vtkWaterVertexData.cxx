@@ -234,6 +234,26 @@ void vtkWaterVertexData::Add(vtkPolyData* mesh, const Use& use, const std::strin
 }
 
 //------------------------------------------------------------------------------
+bool vtkWaterVertexData::Add(vtkFloatArray* values, const char* attribute,
+  vtkShaderProgram* program, vtkOpenGLVertexArrayObject* vertices)
+{
+  vertices->Bind();
+  const std::pair<void*, vtkMTimeType> now(values, values->GetMTime());
+  if (this->Uploaded != now || this->Buffer->GetHandle() == 0)
+  {
+    this->Uploaded = { nullptr, 0 };
+    if (!this->Buffer->Upload(values->GetPointer(0),
+          static_cast<size_t>(values->GetNumberOfValues()), vtkOpenGLBufferObject::ArrayBuffer))
+    {
+      return false;
+    }
+    this->Uploaded = now;
+  }
+  return vertices->AddAttributeArray(
+    program, this->Buffer, attribute, 0, sizeof(float), VTK_FLOAT, 1, false);
+}
+
+//------------------------------------------------------------------------------
 void vtkWaterVertexData::ReleaseGraphicsResources()
 {
   this->Buffer->ReleaseGraphicsResources();

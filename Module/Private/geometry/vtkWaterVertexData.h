@@ -16,6 +16,7 @@
 #include <utility>
 
 class vtkDataArray;
+class vtkFloatArray;
 class vtkMapper;
 class vtkOpenGLVertexArrayObject;
 class vtkPolyData;
@@ -47,6 +48,10 @@ public:
 
   // Adds the values of the mesh that is about to be drawn; without such an array they are 0.
   void Add(vtkPolyData* mesh, const Use& use, const std::string& name, vtkShaderProgram* program,
+    vtkOpenGLVertexArrayObject* vertices);
+
+  // Adds numbers that are used as they are, one for each vertex. false: they cannot be added.
+  bool Add(vtkFloatArray* values, const char* attribute, vtkShaderProgram* program,
     vtkOpenGLVertexArrayObject* vertices);
 
   // What is wrong with values of the last mesh that was added; empty: nothing.

@@ -4,14 +4,19 @@
 #include "vtkFloatArray.h"
 #include "vtkPolyData.h"
 #include "vtkWaterPolygons.h"
+#include "vtkWaterShoreCells.h"
 #include "water_polygon.h"
 
 #include <algorithm>
 #include <vector>
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkFloatArray> vtkWaterVertexNormals(vtkPolyData* mesh)
+vtkSmartPointer<vtkFloatArray> vtkWaterVertexNormals(
+  vtkPolyData* mesh, const vtkWaterShoreCells* shore)
 {
+  const auto isLand = [shore](vtkIdType cell) {
+    return shore && shore->Kinds[static_cast<size_t>(cell)] == vtkWaterShoreCells::Dry;
+  };
   const vtkIdType count = mesh->GetNumberOfPoints();
   const auto normals = vtkSmartPointer<vtkFloatArray>::New();
   normals->SetName("Normals");
@@ -26,6 +31,10 @@ vtkSmartPointer<vtkFloatArray> vtkWaterVertexNormals(vtkPolyData* mesh)
     std::vector<double> corners;
     vtkWaterForCells(
       cells, begin, end, [&](vtkIdType cell, const vtkIdType* points, vtkIdType cornerCount) {
+        if (isLand(cell))
+        {
+          return;
+        }
         corners.resize(3 * static_cast<size_t>(cornerCount));
         for (vtkIdType i = 0; i < cornerCount; ++i)
         {
@@ -37,6 +46,10 @@ vtkSmartPointer<vtkFloatArray> vtkWaterVertexNormals(vtkPolyData* mesh)
       });
   });
   vtkWaterForEachCell(cells, [&](vtkIdType cell, const vtkIdType* points, vtkIdType cornerCount) {
+    if (isLand(cell))
+    {
+      return;
+    }
     const float* normal = &ofCells[3 * static_cast<size_t>(cell)];
     for (vtkIdType i = 0; i < cornerCount; ++i)
     {

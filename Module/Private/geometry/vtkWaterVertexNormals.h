@@ -11,8 +11,12 @@
 
 class vtkFloatArray;
 class vtkPolyData;
+struct vtkWaterShoreCells;
 
 // (0, 0, 0) at points without a polygon that has an area.
-vtkSmartPointer<vtkFloatArray> vtkWaterVertexNormals(vtkPolyData* mesh);
+//
+// shore  polygons without water are left out; nullptr: there are none
+vtkSmartPointer<vtkFloatArray> vtkWaterVertexNormals(
+  vtkPolyData* mesh, const vtkWaterShoreCells* shore = nullptr);
 
 #endif

@@ -11,7 +11,6 @@
 #include "vtkPolyData.h"
 #include "vtkPolygon.h"
 #include "vtkSMPTools.h"
-#include "vtkWaterColumns.h"
 #include "vtkWaterPolygons.h"
 
 #include <algorithm>
@@ -53,9 +52,12 @@ void TriangulateInto(
 }
 
 //------------------------------------------------------------------------------
-vtkWaterWetPart::vtkWaterWetPart(vtkPolyData* mesh, const vtkWaterColumns& columns, double scale)
+vtkWaterWetPart::vtkWaterWetPart(vtkPolyData* mesh, const double* levels, const double* depths,
+  const std::vector<vtkIdType>& dykes, double scale)
   : Mesh(mesh)
-  , Columns(columns)
+  , Levels(levels)
+  , Depths(depths)
+  , Dykes(dykes)
   , Scale(scale)
 {
 }
@@ -91,10 +93,10 @@ void vtkWaterWetPart::Make(const char* levelName, const char* depthName, vtkPoly
 //------------------------------------------------------------------------------
 void vtkWaterWetPart::ClassifyCells()
 {
-  const std::vector<double>& depths = this->Columns.GetDepths();
+  const double* depths = this->Depths;
   const vtkIdType points = this->Mesh->GetNumberOfPoints();
   this->Cells.assign(Index(this->Mesh->GetNumberOfPolys()), Cell::Wet);
-  for (vtkIdType dyke : this->Columns.GetDykes())
+  for (vtkIdType dyke : this->Dykes)
   {
     this->Cells[Index(dyke)] = Cell::Dry;
   }
@@ -104,7 +106,7 @@ void vtkWaterWetPart::ClassifyCells()
       cells, begin, end, [&](vtkIdType cell, const vtkIdType* corners, vtkIdType count) {
         Cell& kind = this->Cells[Index(cell)];
         const auto wet = std::count_if(corners, corners + count,
-          [&depths](vtkIdType point) { return depths[Index(point)] > 0.0; });
+          [depths](vtkIdType point) { return depths[Index(point)] > 0.0; });
         const bool isDry = kind == Cell::Dry || wet == 0 || count < 3;
         kind = isDry ? Cell::Dry : (wet == count ? Cell::Wet : Cell::Cut);
       });
@@ -139,7 +141,7 @@ void vtkWaterWetPart::NumberPoints()
 //------------------------------------------------------------------------------
 void vtkWaterWetPart::CutCells()
 {
-  const std::vector<double>& depths = this->Columns.GetDepths();
+  const double* depths = this->Depths;
   std::vector<double> own;
   vtkNew<vtkIdList> triangles;
   vtkWaterForEachCell(
@@ -148,9 +150,10 @@ void vtkWaterWetPart::CutCells()
       {
         return;
       }
+      ++this->CutCount;
       own.clear();
       std::transform(corners, corners + count, std::back_inserter(own),
-        [&depths](vtkIdType point) { return depths[Index(point)]; });
+        [depths](vtkIdType point) { return depths[Index(point)]; });
       if (count <= 4 && !water_shore_is_split(own.data(), own.size()))
       {
         this->CutPolygon(cell, corners, Index(count));
@@ -171,7 +174,7 @@ void vtkWaterWetPart::CutPolygon(vtkIdType cell, const vtkIdType* points, size_t
   double depths[4];
   water_shore_corner corners[8];
   std::transform(points, points + count, depths,
-    [this](vtkIdType point) { return this->Columns.GetDepths()[Index(point)]; });
+    [this](vtkIdType point) { return this->Depths[Index(point)]; });
   const size_t made = water_shore_cut(depths, count, corners);
   // triangles: VTK 9.1 finds places outside of a quad that is no parallelogram in it
   for (size_t number = 0; number + 2 < made; ++number)
@@ -240,8 +243,8 @@ void vtkWaterWetPart::AddPoints(
     for (vtkIdType i = begin; i < end; ++i)
     {
       const vtkIdType point = this->IsAll ? i : this->Kept[Index(i)];
-      level[i] = this->Columns.GetLevels()[Index(point)];
-      depth[i] = std::max(this->Columns.GetDepths()[Index(point)], 0.0);
+      level[i] = this->Levels[Index(point)];
+      depth[i] = std::max(this->Depths[Index(point)], 0.0);
       places->GetTuple(point, place + 3 * i);
       place[3 * i + 2] = this->Scale * level[i];
     }
@@ -254,8 +257,8 @@ void vtkWaterWetPart::AddPoints(
     double to[3];
     places->GetTuple(edge.From, from);
     places->GetTuple(edge.To, to);
-    from[2] = this->Columns.GetLevels()[Index(edge.From)];
-    to[2] = this->Columns.GetLevels()[Index(edge.To)];
+    from[2] = this->Levels[Index(edge.From)];
+    to[2] = this->Levels[Index(edge.To)];
     water_shore_point(from, to, edge.Share, place + 3 * at);
     level[at] = place[3 * at + 2];
     depth[at] = 0.0;

@@ -16,18 +16,23 @@ class vtkDoubleArray;
 class vtkIdList;
 class vtkPointData;
 class vtkPolyData;
-class vtkWaterColumns;
 
 class vtkWaterWetPart
 {
 public:
-  // mesh     of polygons alone
-  // columns  of its points
-  // scale    of heights: the z of a point is scale * level
-  vtkWaterWetPart(vtkPolyData* mesh, const vtkWaterColumns& columns, double scale);
+  // mesh    of polygons alone
+  // levels  of its points
+  // depths  of the same, below 0 on land
+  // dykes   cells that are dry whatever the depths
+  // scale   of heights: the z of a point is scale * level
+  vtkWaterWetPart(vtkPolyData* mesh, const double* levels, const double* depths,
+    const std::vector<vtkIdType>& dykes, double scale);
 
   // Points at the level, the mesh's arrays, and two arrays with the level and the depth of points.
   void Make(const char* levelName, const char* depthName, vtkPolyData* output);
+
+  // Cells that were cut.
+  vtkIdType GetCutCount() const { return this->CutCount; }
 
 private:
   enum class Cell : char
@@ -57,11 +62,14 @@ private:
   void KeepKnownValues(vtkPointData* from, vtkPointData* to) const;
 
   vtkPolyData* Mesh;
-  const vtkWaterColumns& Columns;
+  const double* Levels;
+  const double* Depths;
+  const std::vector<vtkIdType>& Dykes;
   double Scale;
   bool IsAll = true; // everything is wet, and each point is one of a polygon
   std::vector<Cell> Cells;
   vtkIdType WetCells = 0;
+  vtkIdType CutCount = 0;
   vtkIdType WetCorners = 0;
   std::vector<vtkIdType> PointMap; // from the mesh's points to the part's; -1: not in it
   std::vector<vtkIdType> Kept;     // points of the mesh, by their number in the part

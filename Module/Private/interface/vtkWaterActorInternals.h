@@ -4,7 +4,9 @@
 #ifndef vtkWaterActorInternals_h
 #define vtkWaterActorInternals_h
 
+#include "vtkMapper.h"
 #include "vtkRenderer.h"
+#include "vtkSmartPointer.h"
 #include "vtkWaterActor.h"
 #include "vtkWaterGrid.h"
 #include "vtkWaterGround.h"
@@ -55,6 +57,8 @@ struct vtkWaterActor::Internals : public vtkWaterSource
   bool HasSheetError() const override;
   void SetSceneBounds(const double* bounds) override;
   void SetMayMirror(bool mayMirror) override;
+  void SetDrawnMapper(vtkMapper* mapper) override;
+  void SetIsDrawing(bool isDrawing) override;
   void Probe(vtkRenderer* renderer) override;
   vtkWaterReflection& GetOwnReflection() override;
   vtkWaterReflection* GetComposedReflection() override;
@@ -152,6 +156,8 @@ struct vtkWaterActor::Internals : public vtkWaterSource
   vtkWaterHullTablePointer HullTable;
   std::pair<vtkMTimeType, double> HullTime = { 0, 0.0 }; // that it is of, and the scene's unit then
   vtkWaterWarmUp WarmUp;
+  vtkSmartPointer<vtkMapper> OtherMapper; // the drawn one; while it draws, the actor's own
+  bool IsDrawing = false;
   std::vector<SourcedError> Errors;
   bool IsUpdatingSheet = false;
   bool MayMirror = true;

@@ -117,7 +117,7 @@ void vtkWaterShaderHook::ReplaceForWater(vtkWaterSource& water, std::string& ver
     this->Surface ? this->Surface->GetFeatures() : water.Take(nullptr)->Features;
   constexpr water_feature_set ofVertices = WATER_FEATURE_DISPLACED | WATER_FEATURE_SEA_MOVES |
     WATER_FEATURE_MESH | WATER_FEATURE_SLOPED | WATER_FEATURE_FLOW | WATER_FEATURE_MATTER |
-    WATER_FEATURE_FOAM_DATA | WATER_FEATURE_BUFFERED;
+    WATER_FEATURE_FOAM_DATA | WATER_FEATURE_BUFFERED | WATER_FEATURE_SHORE;
   // a geometry shader would have to pass the place at rest, or the height, on
   const bool canAskVertices =
     geometryShader.empty() && vertexShader.find("//VTK::CustomEnd::Impl") != std::string::npos;
@@ -151,6 +151,10 @@ void vtkWaterShaderHook::ReplaceForWater(vtkWaterSource& water, std::string& ver
     if (features & WATER_FEATURE_FOAM_DATA)
     {
       InsertBefore(vertexShader, "//VTK::CustomEnd::Impl", "  waterMeasureFoam();");
+    }
+    if (features & WATER_FEATURE_SHORE)
+    {
+      InsertBefore(vertexShader, "//VTK::CustomEnd::Impl", "  waterCutShore();");
     }
     InsertBefore(vertexShader, "//VTK::CustomEnd::Impl", "  waterKeepDepth(gl_Position);");
   }
@@ -263,6 +267,7 @@ bool vtkWaterShaderHook::EndSurface()
 {
   const bool isRefused = this->IsAwaited;
   this->SetIsAwaited(false);
+  this->Surface->EndDraw();
   this->Surface = nullptr;
   return !isRefused;
 }

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkWaterSurfaceData.cxx: the part of vtkWaterSurfaceShader that shows arrays of a mesh: a
-// current, matter in the water, foam.
+// current, matter in the water, foam, and the depth that ends it at the shore.
 #include "vtkActor.h"
 #include "vtkOpenGLPolyDataMapper.h"
 #include "vtkShaderProgram.h"
 #include "vtkWaterMeshTraits.h"
 #include "vtkWaterSurfaceShader.h"
+#include "vtkWaterUncutMesh.h"
 #include "vtkWaterUniforms.h"
 #include "water_flow.h"
 #include "water_foam_measure.h"
@@ -42,6 +43,19 @@ void vtkWaterSurfaceShader::SetVertexData(
     this->Foam.Add(
       mesh, vtkWaterVertexData::Foam(water.FoamMeasure), water.FoamArrayName, program, vertices);
     this->TellWrong(this->Foam, "FoamArrayName", water.FoamArrayName, this->FoamWrong);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterSurfaceShader::CutShore(
+  vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkOpenGLVertexArrayObject* vertices)
+{
+  vtkPolyDataMapper* drawn = vtkWaterMeshTraits::AsPolyDataMapper(mapper);
+  auto* mesh = vtkWaterUncutMesh::SafeDownCast(drawn ? drawn->GetInput() : nullptr);
+  static const char* const attribute = "waterShoreMC";
+  if (mesh && vertices && this->Has(WATER_FEATURE_SHORE) && program->IsAttributeUsed(attribute))
+  {
+    this->ShoreClip.Set(this->Shore.Add(mesh->GetDistances(), attribute, program, vertices));
   }
 }
 

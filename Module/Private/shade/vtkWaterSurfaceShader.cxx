@@ -412,6 +412,7 @@ void vtkWaterSurfaceShader::ReleaseGraphicsResources(vtkWindow* window)
   this->Flow.ReleaseGraphicsResources();
   this->Matter.ReleaseGraphicsResources();
   this->Foam.ReleaseGraphicsResources();
+  this->Shore.ReleaseGraphicsResources();
   this->Backdrop.ReleaseGraphicsResources(window);
   this->Buffer.ReleaseGraphicsResources(window);
   this->Caustics.ReleaseGraphicsResources(window);

@@ -6,6 +6,7 @@
 #include "vtkSmartPointer.h"
 #include "vtkWaterBackdrop.h"
 #include "vtkWaterCaustics.h"
+#include "vtkWaterClipDistance.h"
 #include "vtkWaterIsotropicTexture.h"
 #include "vtkWaterSkyReader.h"
 #include "vtkWaterSlopeTexture.h"
@@ -136,6 +137,9 @@ public:
   void SetParameters(
     vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkOpenGLVertexArrayObject* vertices);
 
+  // After the mapper has drawn.
+  void EndDraw() { this->ShoreClip.Off(); }
+
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
@@ -198,6 +202,9 @@ private:
   // Of arrays of the mesh.
   void SetVertexData(
     vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkOpenGLVertexArrayObject* vertices);
+  // Cuts a mesh at the shore while it is drawn.
+  void CutShore(
+    vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkOpenGLVertexArrayObject* vertices);
   // Says what is wrong with an array's values, once.
   void TellWrong(const vtkWaterVertexData& data, const char* setting, const std::string& name,
     std::string& said) const;
@@ -228,6 +235,8 @@ private:
   vtkWaterVertexData Flow;
   vtkWaterVertexData Matter;
   vtkWaterVertexData Foam;
+  vtkWaterVertexData Shore;
+  vtkWaterClipDistance ShoreClip{ 1 };
   std::string MatterWrong; // with its values, which has been said of the array
   std::string FoamWrong;
   vtkWaterCaustics Caustics;

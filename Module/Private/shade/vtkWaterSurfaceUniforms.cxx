@@ -102,6 +102,7 @@ void vtkWaterSurfaceShader::SetParameters(
   {
     this->SetVertexData(program, mapper, vertices);
   }
+  this->CutShore(program, mapper, vertices); // also where it shows its plain colour
   if (this->HasSea)
   {
     this->SetSeaParameters(program);

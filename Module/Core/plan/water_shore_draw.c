@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "water_shore_draw.h"
+
+#include <float.h>
+#include <math.h>
+
+// A difference of two of these is finite in floats.
+static const double largest = 1e37;
+
+bool water_shore_draw_is_wanted(const water_shore_renderer* renderer)
+{
+  const bool can = renderer->clips_well && renderer->is_plain_draw && renderer->is_of_the_mesh;
+  if (renderer->setting == WATER_SHORE_CUT_AUTOMATIC)
+  {
+    return can && !renderer->is_software;
+  }
+  return can && renderer->setting == WATER_SHORE_CUT_WHILE_DRAWN;
+}
+
+bool water_shore_draw_is_exact(const water_shore_facts* facts)
+{
+  return facts->has_depths && facts->dykes == 0 && facts->crossed == 0 && facts->shared == 0 &&
+    facts->unplaced == 0 && facts->unknown == 0;
+}
+
+float water_shore_distance(double depth)
+{
+  if (depth > 0.0)
+  {
+    return (float)fmin(fmax(depth, (double)FLT_MIN), largest);
+  }
+  return (float)fmax(fmin(depth, -(double)FLT_MIN), -largest);
+}

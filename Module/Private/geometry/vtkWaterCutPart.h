@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkWaterCutPart: a mesh that is cut at the shore while it is drawn (vtkWaterUncutMesh), cut for
+// whoever asks for its polygons: pickers, exporters, filters. Without them it never executes.
+#ifndef vtkWaterCutPart_h
+#define vtkWaterCutPart_h
+
+#include "vtkPolyDataAlgorithm.h"
+
+VTK_ABI_NAMESPACE_BEGIN
+class vtkWaterCutPart : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkWaterCutPart* New();
+  vtkTypeMacro(vtkWaterCutPart, vtkPolyDataAlgorithm);
+
+protected:
+  vtkWaterCutPart();
+  ~vtkWaterCutPart() override;
+
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+
+private:
+  vtkWaterCutPart(const vtkWaterCutPart&) = delete;
+  void operator=(const vtkWaterCutPart&) = delete;
+};
+VTK_ABI_NAMESPACE_END
+
+#endif

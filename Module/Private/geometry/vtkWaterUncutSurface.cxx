@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkWaterUncutSurface.h"
+
+#include "vtkCellData.h"
+#include "vtkDoubleArray.h"
+#include "vtkMath.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkSMPTools.h"
+#include "vtkWaterColumns.h"
+#include "vtkWaterPolygons.h"
+#include "vtkWaterVertexNormals.h"
+#include "water_shore.h"
+
+#include <algorithm>
+
+namespace
+{
+size_t Index(vtkIdType number)
+{
+  return static_cast<size_t>(number);
+}
+
+// Of a point's values: those that are no numbers.
+size_t CountUnknown(vtkDataArray* array, vtkIdType point)
+{
+  size_t count = 0;
+  for (int i = 0; i < array->GetNumberOfComponents(); ++i)
+  {
+    count += vtkMath::IsFinite(array->GetComponent(point, i)) ? 0 : 1;
+  }
+  return count;
+}
+
+// The first wet corner of a cell.
+vtkIdType WetCornerOf(vtkCellArray* polygons, vtkIdType cell, const double* depths)
+{
+  vtkIdType found = 0;
+  vtkWaterForCells(
+    polygons, cell, cell + 1, [&](vtkIdType, const vtkIdType* points, vtkIdType count) {
+      found = *std::find_if(points, points + count - 1,
+        [depths](vtkIdType point) { return depths[point] > 0.0; });
+    });
+  return found;
+}
+
+vtkSmartPointer<vtkFloatArray> DistancesOf(const double* depths, vtkIdType count)
+{
+  auto made = vtkSmartPointer<vtkFloatArray>::New();
+  made->SetNumberOfValues(count);
+  float* distances = made->GetPointer(0);
+  vtkSMPTools::For(0, count, [depths, distances](vtkIdType begin, vtkIdType end) {
+    std::transform(depths + begin, depths + end, distances + begin, water_shore_distance);
+  });
+  return made;
+}
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterUncutSurface::Classify(const Given& given, const vtkWaterColumns& columns)
+{
+  const double* depths = columns.GetDepths();
+  vtkCellArray* polygons = given.Mesh->GetPolys();
+  this->Facts = water_shore_facts();
+  this->Facts.has_depths = columns.HasDepths();
+  this->Cells.Classify(polygons, depths);
+  for (vtkIdType dyke : columns.GetDykes())
+  {
+    this->Facts.dykes += this->Cells.Kinds[Index(dyke)] != vtkWaterShoreCells::Dry ? 1 : 0;
+  }
+  std::vector<double> own;
+  for (vtkIdType cell : this->Cells.CutCells)
+  {
+    vtkWaterForCells(
+      polygons, cell, cell + 1, [&](vtkIdType, const vtkIdType* points, vtkIdType count) {
+        own.clear();
+        for (vtkIdType i = 0; i < count; ++i)
+        {
+          own.push_back(depths[points[i]]);
+          for (vtkDataArray* array : given.Shown)
+          {
+            const bool isShown = array && own.back() <= 0.0;
+            this->Facts.unknown += isShown ? CountUnknown(array, points[i]) : 0;
+          }
+        }
+        const bool isSplit = count > 4 && water_shore_is_split(own.data(), own.size());
+        this->Facts.crossed += isSplit ? 1 : 0;
+      });
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterUncutSurface::Place(
+  const Given& given, const vtkWaterColumns& columns, vtkIdType still)
+{
+  const vtkIdType count = given.Mesh->GetNumberOfPoints();
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->SetNumberOfPoints(count);
+  double* made = static_cast<double*>(points->GetVoidPointer(0));
+  const double* depths = columns.GetDepths();
+  const double* levels = columns.GetLevels();
+  const vtkWaterPlaces places(given.Mesh->GetPoints());
+  const auto place = [&](vtkIdType point, vtkIdType from) {
+    places.Get(from, made + 3 * point);
+    made[3 * point + 2] = given.Scale * levels[from];
+  };
+  vtkSMPTools::For(0, count, [&](vtkIdType begin, vtkIdType end) {
+    for (vtkIdType point = begin; point < end; ++point)
+    {
+      place(point, depths[point] > 0.0 ? point : still);
+    }
+  });
+  for (vtkIdType cell : this->Cells.CutCells)
+  {
+    vtkWaterForCells(given.Mesh->GetPolys(), cell, cell + 1,
+      [&](vtkIdType, const vtkIdType* corners, vtkIdType size) {
+        std::for_each(corners, corners + size, [&](vtkIdType point) { place(point, point); });
+      });
+  }
+  this->Whole->SetPoints(points);
+}
+
+//------------------------------------------------------------------------------
+bool vtkWaterUncutSurface::Make(const Given& given, const vtkWaterColumns& columns)
+{
+  this->Blocks.clear();
+  this->Classify(given, columns);
+  if (!water_shore_draw_is_exact(&this->Facts))
+  {
+    return false;
+  }
+  const auto& kinds = this->Cells.Kinds;
+  const auto first = std::find_if(kinds.begin(), kinds.end(),
+    [](vtkWaterShoreCells::Kind kind) { return kind != vtkWaterShoreCells::Dry; });
+  if (first == kinds.end())
+  {
+    return true; // all is land
+  }
+  const double* depths = columns.GetDepths();
+  this->Whole = vtkSmartPointer<vtkWaterUncutMesh>::New();
+  this->Whole->ShallowCopy(given.Mesh);
+  // those of the mesh, which may be its bed's, are not the surface's
+  this->Whole->GetPointData()->SetNormals(nullptr);
+  this->Whole->GetPointData()->SetTangents(nullptr);
+  this->Whole->GetCellData()->SetNormals(nullptr);
+  columns.GetLevelArray()->SetName(vtkWaterColumns::LevelName);
+  columns.GetDepthArray()->SetName(vtkWaterColumns::DepthName);
+  this->Whole->GetPointData()->AddArray(columns.GetLevelArray());
+  this->Whole->GetPointData()->AddArray(columns.GetDepthArray());
+  this->Place(given, columns,
+    WetCornerOf(given.Mesh->GetPolys(), static_cast<vtkIdType>(first - kinds.begin()), depths));
+  this->Parts.Find(this->Whole, given.Up, given.MostPlanes, &this->Cells);
+  this->Facts.shared = this->Parts.GetSharedCount();
+  this->Facts.unplaced = this->Parts.CountUnplaced();
+  if (!water_shore_draw_is_exact(&this->Facts))
+  {
+    return false;
+  }
+  const size_t planes = this->Parts.GetPlanes().size();
+  const bool hasOne = planes > 0 && this->Parts.HasAll(0);
+  // the other waters have their cells alone, and so has the first one if most cells are others'
+  const auto land = std::count(kinds.begin(), kinds.end(), vtkWaterShoreCells::Dry);
+  const bool isWholeDrawn = hasOne ||
+    (planes > 0 && 2 * this->Parts.GetCells(0).size() > kinds.size() - static_cast<size_t>(land));
+  for (size_t i = 0; i < planes; ++i)
+  {
+    this->Blocks.push_back(this->Whole);
+    if (i > 0 || !isWholeDrawn)
+    {
+      this->Blocks[i] = vtkSmartPointer<vtkWaterUncutMesh>::New();
+      this->Parts.Extract(this->Whole, i, this->Blocks[i]);
+    }
+  }
+  if (isWholeDrawn && !hasOne)
+  {
+    this->Leave(given, columns, 0); // the others have copies
+  }
+  for (size_t i = 0; i < planes; ++i)
+  {
+    this->Finish(i, this->Blocks[i], this->Blocks[i] == this->Whole);
+    this->Blocks[i]->SetHeightScale(given.Scale);
+  }
+  this->Whole = nullptr;
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterUncutSurface::Leave(
+  const Given& given, const vtkWaterColumns& columns, size_t plane)
+{
+  double* depths = columns.GetDepthArray()->GetPointer(0);
+  vtkCellArray* polygons = given.Mesh->GetPolys();
+  std::vector<vtkIdType> kept; // of the cut cells
+  for (size_t cell = 0; cell < this->Cells.Kinds.size(); ++cell)
+  {
+    const auto number = static_cast<vtkIdType>(cell);
+    if (this->Cells.Kinds[cell] == vtkWaterShoreCells::Dry)
+    {
+      continue;
+    }
+    if (this->Parts.PlaneOf(number) != static_cast<int64_t>(plane))
+    {
+      this->Cells.Kinds[cell] = vtkWaterShoreCells::Dry;
+      vtkWaterForCells(
+        polygons, number, number + 1, [&](vtkIdType, const vtkIdType* points, vtkIdType count) {
+          std::for_each(points, points + count,
+            [depths](vtkIdType point) { depths[point] = std::min(depths[point], -depths[point]); });
+        });
+    }
+    else if (this->Cells.Kinds[cell] == vtkWaterShoreCells::Cut)
+    {
+      kept.push_back(number);
+    }
+  }
+  this->Cells.CutCells = kept;
+  this->Place(given, columns, WetCornerOf(polygons, this->Parts.GetCells(plane).front(), depths));
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterUncutSurface::Finish(size_t plane, vtkWaterUncutMesh* block, bool isWhole) const
+{
+  auto* depths =
+    vtkArrayDownCast<vtkDoubleArray>(block->GetPointData()->GetArray(vtkWaterColumns::DepthName));
+  block->SetDistances(DistancesOf(depths->GetPointer(0), depths->GetNumberOfTuples()));
+  if (!this->Parts.GetPlanes()[plane].IsFlat)
+  {
+    block->GetPointData()->SetNormals(
+      vtkWaterVertexNormals(block, isWhole ? &this->Cells : nullptr).Get());
+  }
+  this->Parts.Describe(plane, block);
+  block->SetWetBounds(this->Parts.GetPlanes()[plane].Bounds);
+}
