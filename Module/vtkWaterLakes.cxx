@@ -260,7 +260,8 @@ void vtkWaterLakes::BeginFrame(vtkRenderer* renderer)
   this->ChooseMirrors(renderer);
   for (const auto& water : this->Internal->Waters)
   {
-    water->GetSource()->SetIsDrawing(!renderer->GetSelector()); // cells are selected of the cut mesh
+    water->GetSource()->SetIsDrawing(
+      !renderer->GetSelector()); // cells are selected of the cut mesh
   }
 }
 

@@ -30,8 +30,7 @@ vtkDataSet* UpdateInput(vtkAlgorithm* filter)
   vtkAlgorithmOutput* input = filter->GetInputConnection(0, 0);
   filter->UpdateInformation();
   filter->PropagateUpdateExtent();
-  auto* executive =
-    vtkDemandDrivenPipeline::SafeDownCast(input->GetProducer()->GetExecutive());
+  auto* executive = vtkDemandDrivenPipeline::SafeDownCast(input->GetProducer()->GetExecutive());
   if (!executive || !executive->UpdateData(input->GetIndex()))
   {
     return nullptr;
@@ -159,9 +158,8 @@ bool vtkWaterLakes::ReadUncut(vtkAlgorithmOutput* input)
   if (mapper->GetScalarVisibility())
   {
     int isOfCells = 0;
-    vtkAbstractArray* colors = vtkAbstractMapper::GetAbstractScalars(mesh,
-      mapper->GetScalarMode(), mapper->GetArrayAccessMode(), mapper->GetArrayId(),
-      mapper->GetArrayName(), isOfCells);
+    vtkAbstractArray* colors = vtkAbstractMapper::GetAbstractScalars(mesh, mapper->GetScalarMode(),
+      mapper->GetArrayAccessMode(), mapper->GetArrayId(), mapper->GetArrayName(), isOfCells);
     given.Shown.push_back(isOfCells == 0 ? vtkDataArray::SafeDownCast(colors) : nullptr);
   }
   internal.IsUncutExact = internal.Uncut.Make(given, columns);

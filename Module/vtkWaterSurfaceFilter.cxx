@@ -297,8 +297,7 @@ int vtkWaterSurfaceFilter::FillInputPortInformation(int, vtkInformation* info)
 }
 
 //------------------------------------------------------------------------------
-bool vtkWaterSurfaceFilter::ReadStep(
-  vtkDataSet* input, vtkPolyData* mesh, vtkWaterColumns& columns)
+bool vtkWaterSurfaceFilter::ReadStep(vtkDataSet* input, vtkPolyData* mesh, vtkWaterColumns& columns)
 {
   if (!input || input->GetNumberOfCells() == 0 || input->GetNumberOfPoints() == 0)
   {

@@ -641,10 +641,9 @@ TEST(vertices_move_where_the_surface_is_displaced)
 
 TESTS(features_of_every_look_follow_the_rules, layer_and_peel_are_for_traced_rays_alone,
   mesh_is_drawn_as_it_is_or_displaced, a_current_needs_waves_over_a_mesh,
-  matter_is_in_what_is_seen_through, data_of_foam_need_foam,
-  any_mesh_can_be_cut_at_the_shore, slopes_of_a_mesh_turn_rays,
-  samples_are_of_what_is_seen_through, port_is_for_what_is_seen_through, buffers_are_for_meshes,
-  ground_is_for_what_is_seen_through, hardware_reads_in_batches,
+  matter_is_in_what_is_seen_through, data_of_foam_need_foam, any_mesh_can_be_cut_at_the_shore,
+  slopes_of_a_mesh_turn_rays, samples_are_of_what_is_seen_through, port_is_for_what_is_seen_through,
+  buffers_are_for_meshes, ground_is_for_what_is_seen_through, hardware_reads_in_batches,
   water_in_a_mirrored_view_is_smooth_or_rough, sets_have_room_for_64_features,
   each_slot_has_one_file, slots_stand_in_their_order, every_file_and_feature_is_used,
   vertices_move_where_the_surface_is_displaced)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// water_shore_draw.h: in addition to water_shore.h: whether the shore of a solver's mesh is cut while
-// the mesh is drawn, and by what number at each vertex.
+// water_shore_draw.h: in addition to water_shore.h: whether the shore of a solver's mesh is cut
+// while the mesh is drawn, and by what number at each vertex.
 //
 // The graphics card cuts triangles where a number that is linear in each of them is below 0. The
 // depth is such a number, so the line is the same that water_shore_cut finds in triangles. The mesh
@@ -34,10 +34,10 @@ typedef enum water_shore_cut_setting
 typedef struct water_shore_renderer
 {
   water_shore_cut_setting setting;
-  bool is_software;     // GL is executed by the processor
-  bool clips_well;      // its clip distances are right
-  bool is_plain_draw;   // triangles, by VTK's own shaders of polygons
-  bool is_of_the_mesh;  // what is drawn comes from the filter that knows the mesh
+  bool is_software;    // GL is executed by the processor
+  bool clips_well;     // its clip distances are right
+  bool is_plain_draw;  // triangles, by VTK's own shaders of polygons
+  bool is_of_the_mesh; // what is drawn comes from the filter that knows the mesh
 } water_shore_renderer;
 
 // Is it worth trying? In software the vertices of dry land cost more than the cut.
@@ -46,12 +46,12 @@ bool water_shore_draw_is_wanted(const water_shore_renderer* renderer);
 // What a step has that a number at each vertex cannot tell, all counted.
 typedef struct water_shore_facts
 {
-  bool has_depths;     // false: the data do not say where the water ends
-  size_t dykes;        // cells that are dry as a whole, with wet corners
-  size_t crossed;      // polygons of five corners or more that the water crosses twice
-  size_t shared;       // cells with water of two lakes
-  size_t unplaced;     // wet cells with a coordinate that is no number
-  size_t unknown;      // values at dry corners beside the water that are no numbers
+  bool has_depths; // false: the data do not say where the water ends
+  size_t dykes;    // cells that are dry as a whole, with wet corners
+  size_t crossed;  // polygons of five corners or more that the water crosses twice
+  size_t shared;   // cells with water of two lakes
+  size_t unplaced; // wet cells with a coordinate that is no number
+  size_t unknown;  // values at dry corners beside the water that are no numbers
 } water_shore_facts;
 
 // Does the mesh as it is drawn show the same as the cut mesh?

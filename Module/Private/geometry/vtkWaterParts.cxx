@@ -102,8 +102,7 @@ void vtkWaterParts::Number(vtkPolyData* mesh)
   this->SharedCount = 0;
   vtkWaterForEachCell(
     mesh->GetPolys(), [&](vtkIdType cell, const vtkIdType* points, vtkIdType count) {
-      if (count < 3 ||
-        (this->Shore && this->Shore->Kinds[Index(cell)] == vtkWaterShoreCells::Dry))
+      if (count < 3 || (this->Shore && this->Shore->Kinds[Index(cell)] == vtkWaterShoreCells::Dry))
       {
         return;
       }
@@ -152,8 +151,8 @@ void vtkWaterParts::FitRuns(const double* points, const vtkWaterCellLists& lists
   {
     const int64_t part = this->IsWhole(cell) ? this->PartOfCell[Index(cell)] : kNone;
     vtkIdType next = cell + 1;
-    while (part != kNone && next < end && this->PartOfCell[Index(next)] == part &&
-      this->IsWhole(next))
+    while (
+      part != kNone && next < end && this->PartOfCell[Index(next)] == part && this->IsWhole(next))
     {
       ++next;
     }
@@ -218,8 +217,8 @@ void vtkWaterParts::FitCut(vtkPolyData* mesh)
   };
   for (vtkIdType cell : this->Shore->CutCells)
   {
-    vtkWaterForCells(mesh->GetPolys(), cell, cell + 1,
-      [&](vtkIdType, const vtkIdType* points, vtkIdType count) {
+    vtkWaterForCells(
+      mesh->GetPolys(), cell, cell + 1, [&](vtkIdType, const vtkIdType* points, vtkIdType count) {
         int64_t& part = this->PartOfCell[Index(cell)];
         vtkWaterForWetParts(this->Shore->Depths, points, count,
           [&](const water_shore_corner* wet, const vtkIdType* own, size_t made) {

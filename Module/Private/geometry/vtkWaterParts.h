@@ -73,7 +73,7 @@ private:
 
   const vtkWaterShoreCells* Shore = nullptr; // while parts are found
   size_t SharedCount = 0;
-  std::vector<int64_t> Joined; // corners of one cell
+  std::vector<int64_t> Joined;     // corners of one cell
   std::vector<int64_t> Parents;    // of points
   std::vector<int64_t> PartOfCell; // none: it has less than three points, or one that is not finite
   size_t PartCount = 0;

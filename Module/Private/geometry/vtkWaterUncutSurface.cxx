@@ -38,8 +38,8 @@ vtkIdType WetCornerOf(vtkCellArray* polygons, vtkIdType cell, const double* dept
   vtkIdType found = 0;
   vtkWaterForCells(
     polygons, cell, cell + 1, [&](vtkIdType, const vtkIdType* points, vtkIdType count) {
-      found = *std::find_if(points, points + count - 1,
-        [depths](vtkIdType point) { return depths[point] > 0.0; });
+      found = *std::find_if(
+        points, points + count - 1, [depths](vtkIdType point) { return depths[point] > 0.0; });
     });
   return found;
 }
@@ -186,8 +186,7 @@ bool vtkWaterUncutSurface::Make(const Given& given, const vtkWaterColumns& colum
 }
 
 //------------------------------------------------------------------------------
-void vtkWaterUncutSurface::Leave(
-  const Given& given, const vtkWaterColumns& columns, size_t plane)
+void vtkWaterUncutSurface::Leave(const Given& given, const vtkWaterColumns& columns, size_t plane)
 {
   double* depths = columns.GetDepthArray()->GetPointer(0);
   vtkCellArray* polygons = given.Mesh->GetPolys();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkWaterUncutSurface: the waters of a solver's mesh as meshes that are cut at the shore while they
-// are drawn: what vtkWaterWetPart and vtkWaterPlanesFilter make together, without cutting a cell.
+// vtkWaterUncutSurface: the waters of a solver's mesh as meshes that are cut at the shore while
+// they are drawn: what vtkWaterWetPart and vtkWaterPlanesFilter make together, without cutting a
+// cell.
 #ifndef vtkWaterUncutSurface_h
 #define vtkWaterUncutSurface_h
 

@@ -173,8 +173,8 @@ void vtkWaterWetPart::CutPolygon(vtkIdType cell, const vtkIdType* points, size_t
 {
   double depths[4];
   water_shore_corner corners[8];
-  std::transform(points, points + count, depths,
-    [this](vtkIdType point) { return this->Depths[Index(point)]; });
+  std::transform(
+    points, points + count, depths, [this](vtkIdType point) { return this->Depths[Index(point)]; });
   const size_t made = water_shore_cut(depths, count, corners);
   // triangles: VTK 9.1 finds places outside of a quad that is no parallelogram in it
   for (size_t number = 0; number + 2 < made; ++number)

@@ -35,8 +35,7 @@ struct vtkWaterLakes::Internals
     std::vector<std::string> Shown;
     bool operator==(const UncutKey& other) const
     {
-      return this->Input == other.Input && this->Times == other.Times &&
-        this->Shown == other.Shown;
+      return this->Input == other.Input && this->Times == other.Times && this->Shown == other.Shown;
     }
   };
 
@@ -52,18 +51,18 @@ struct vtkWaterLakes::Internals
   vtkNew<vtkWaterPlanesFilter> Filter;
   vtkNew<vtkPolyData> Nothing; // that the first one shows when there is no water
   std::vector<vtkSmartPointer<vtkWaterActor>> Waters;
-  std::vector<vtkSmartPointer<vtkMapper>> Mappers; // theirs
-  std::vector<vtkSmartPointer<vtkMapper>> DrawnMappers; // of meshes that are cut while drawn
+  std::vector<vtkSmartPointer<vtkMapper>> Mappers;        // theirs
+  std::vector<vtkSmartPointer<vtkMapper>> DrawnMappers;   // of meshes that are cut while drawn
   std::vector<vtkSmartPointer<vtkWaterCutPart>> CutParts; // of the same
   std::vector<Host> Hosts;
   vtkWaterUncutSurface Uncut;
-  bool IsUncut = false;         // the waters are its blocks, else those of the filter
-  bool IsUncutExact = false;    // as far as is known of the step
-  bool IsSoftware = true;       // the renderer of the last frame; none has been drawn yet
-  bool ClipsWell = false;       // the same
-  vtkMTimeType UncutTime = 0;   // a time for each step that was read
-  UncutKey Key;                 // what that is of
-  vtkMTimeType BuiltTime = 0;   // of the planes
+  bool IsUncut = false;       // the waters are its blocks, else those of the filter
+  bool IsUncutExact = false;  // as far as is known of the step
+  bool IsSoftware = true;     // the renderer of the last frame; none has been drawn yet
+  bool ClipsWell = false;     // the same
+  vtkMTimeType UncutTime = 0; // a time for each step that was read
+  UncutKey Key;               // what that is of
+  vtkMTimeType BuiltTime = 0; // of the planes
   vtkMTimeType MapperTime = 0;
   vtkMTimeType FollowedTime = 0;
   std::array<double, 16> Matrix{}; // of the first water, that planes have been moved by
