@@ -134,7 +134,7 @@ bool vtkWaterLakes::ReadUncut(vtkAlgorithmOutput* input)
   internal.UncutTime = now.GetMTime();
   surface->IsCutMissing = true;
   vtkNew<vtkPolyData> mesh;
-  vtkWaterColumns columns;
+  vtkWaterColumns& columns = internal.Columns;
   if (!surface->ReadStep(data, mesh, columns))
   {
     internal.Uncut.Forget(); // no surface, which has been said

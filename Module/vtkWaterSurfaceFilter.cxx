@@ -122,6 +122,20 @@ int DimensionOf(vtkDataSet* data)
   return most;
 }
 
+// What tells whether a data set's cells are those that were looked at before.
+std::array<vtkMTimeType, 5> CellsOf(vtkDataSet* data)
+{
+  auto* mesh = vtkPolyData::SafeDownCast(data);
+  if (!mesh || mesh->GetNumberOfCells() != mesh->GetNumberOfPolys())
+  {
+    return {}; // not known
+  }
+  vtkCellArray* polygons = mesh->GetPolys();
+  return { 1, reinterpret_cast<vtkMTimeType>(polygons), polygons->GetMTime(),
+    static_cast<vtkMTimeType>(polygons->GetNumberOfConnectivityIds()),
+    static_cast<vtkMTimeType>(mesh->GetNumberOfPoints()) };
+}
+
 // Some values of an array, of places all over the mesh; empty: there is no array.
 std::vector<double> SampleOf(vtkDataArray* array)
 {
@@ -315,12 +329,15 @@ bool vtkWaterSurfaceFilter::ReadStep(vtkDataSet* input, vtkPolyData* mesh, vtkWa
                   "surface first, and give the water that as its mapper's input.");
     return false;
   }
-  const std::string wrongPoint = vtkWaterFindWrongPoint(input);
+  const std::array<vtkMTimeType, 5> cells = CellsOf(input);
+  const std::string wrongPoint =
+    cells[0] != 0 && cells == this->Checked ? std::string() : vtkWaterFindWrongPoint(input);
   if (!wrongPoint.empty())
   {
     vtkErrorMacro(<< wrongPoint << ". There is no surface.");
     return false;
   }
+  this->Checked = cells;
   vtkWaterPolygonsOf(input, mesh);
   vtkWaterColumns::Given given;
   const std::string wrong =

@@ -42,6 +42,7 @@
 #include "vtkPolyDataAlgorithm.h"
 #include "vtkRenderingWaterModule.h" // for the export macro
 
+#include <array>
 #include <string>
 
 #ifdef VTK_ABI_NAMESPACE_BEGIN
@@ -155,7 +156,8 @@ private:
   bool IsCutMissing = false; // the last step was read for a drawing alone
   bool AreUnitsTold = false;
   bool IsSignTold = false;
-  vtkNew<vtkPolyData> Surface; // whose mean it is, until it is known
+  std::array<vtkMTimeType, 5> Checked{}; // the cells whose points have been checked
+  vtkNew<vtkPolyData> Surface;           // whose mean it is, until it is known
 };
 
 #ifdef VTK_ABI_NAMESPACE_END

@@ -358,8 +358,8 @@ enum
   VERTEX_FILES = sizeof vertex_files / sizeof vertex_files[0],
   // looked up in 8 kinds of reflection textures, on 2 of machines, with a mesh, with one that is
   // not flat, or without, with samples, with hulls, with a current, with matter, with foam of data,
-  // over ground, in a buffer, and under one of 8 kinds of skies
-  REACHABLE_MAX = (2 + 16 * 8) * LOOKS
+  // over ground, in a buffer, cut at the shore, and under one of 8 kinds of skies
+  REACHABLE_MAX = (2 + 17 * 8) * LOOKS
 };
 
 // Features with a sky: one colour, a screen, a map or a cube; from 4 on with a floor.
@@ -421,7 +421,8 @@ static size_t reach_all(const water_feature_set** all)
       features[count + 13] = water_features_with_buffer(features[count + has % 8]);
       features[count + 14] = water_features_with_matter(features[count + has % 8]);
       features[count + 15] = water_features_with_foam_data(features[count + has % 8]);
-      count += 16;
+      features[count + 16] = water_features_with_shore(features[count + has % 8]);
+      count += 17;
     }
   }
   qsort(features, count, sizeof features[0], compare_sets);
@@ -567,7 +568,7 @@ TEST(slots_stand_in_their_order)
     "facet_slopes", "facets", "rays", "shadows", "glitter", "whitecaps", "foam_data", "foam", "sun",
     "port", "surface" };
   static const char* const vertex[] = { "cell", "tiles", "sea", "displacement", "heights", "slopes",
-    "flow", "matter", "foam", "depth" };
+    "flow", "matter", "foam", "shore", "depth" };
   static const char* const photon[] = { "gradient", "place", "height", "point", "pixel", "tile",
     "sines", "tiles", "folds", "sea", "normal_maps", "flow", "waves", "photon" };
   assert_order(photon_files, PHOTON_FILES, photon, sizeof photon / sizeof photon[0]);

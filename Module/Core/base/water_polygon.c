@@ -12,17 +12,27 @@ static inline void cross_of(
   water_vec3_cross(a, b, product);
 }
 
-bool water_polygon_normal(const double* corners, size_t count, double normal[3])
+// A corner of a polygon; without a list of corners, the points are the polygon's.
+static inline const double* corner_of(const double* points, const int64_t* corners, size_t number)
+{
+  return points + 3 * (corners ? corners[number] : (int64_t)number);
+}
+
+static inline bool find_normal(
+  const double* points, const int64_t* corners, size_t count, double normal[3])
 {
   double area[3] = { 0.0, 0.0, 0.0 };
+  const double* first = count > 0 ? corner_of(points, corners, 0) : NULL;
   if (count == 4) // half of the work: a quad's area vector is the product of its diagonals
   {
-    cross_of(corners, corners + 6, corners + 3, corners + 9, area);
+    cross_of(first, corner_of(points, corners, 2), corner_of(points, corners, 1),
+      corner_of(points, corners, 3), area);
   }
   for (size_t i = 2; i < count && count != 4; ++i)
   {
     double product[3];
-    cross_of(corners, corners + 3 * (i - 1), corners, corners + 3 * i, product);
+    cross_of(
+      first, corner_of(points, corners, i - 1), first, corner_of(points, corners, i), product);
     for (size_t axis = 0; axis < 3; ++axis)
     {
       area[axis] += product[axis];
@@ -36,6 +46,31 @@ bool water_polygon_normal(const double* corners, size_t count, double normal[3])
     normal[axis] = is_known ? scale * area[axis] : 0.0;
   }
   return is_known;
+}
+
+bool water_polygon_normal(const double* corners, size_t count, double normal[3])
+{
+  return find_normal(corners, NULL, count, normal);
+}
+
+void water_polygon_add_normals(
+  const double* points, const int64_t* starts, const int64_t* corners, size_t count, float* sums)
+{
+  for (size_t polygon = 0; polygon < count; ++polygon)
+  {
+    const int64_t* own = corners + starts[polygon];
+    const size_t size = (size_t)(starts[polygon + 1] - starts[polygon]);
+    double normal[3];
+    find_normal(points, own, size, normal);
+    const float rounded[3] = { (float)normal[0], (float)normal[1], (float)normal[2] };
+    for (size_t k = 0; k < size; ++k)
+    {
+      float* sum = sums + 3 * own[k];
+      sum[0] += rounded[0];
+      sum[1] += rounded[1];
+      sum[2] += rounded[2];
+    }
+  }
 }
 
 void water_polygon_unit_normals(float* normals, size_t count)

@@ -5,6 +5,7 @@
 
 #include <stdbool.h>
 #include <stddef.h>
+#include <stdint.h>
 
 #ifdef __cplusplus
 extern "C"
@@ -20,6 +21,15 @@ extern "C"
 //
 // Returns whether there is one: the polygon has three corners or more and an area that is finite.
 bool water_polygon_normal(const double* corners, size_t count, double normal[3]);
+
+// Adds the unit normal of each polygon of a mesh, in floats, to the sums at all of its corners.
+//
+// points   of the mesh: rows of 3
+// starts   count + 1: where each polygon's corners begin in the list, and where the last one's end
+// corners  points
+// sums     a row of 3 for each point
+void water_polygon_add_normals(
+  const double* points, const int64_t* starts, const int64_t* corners, size_t count, float* sums);
 
 // Gives sums of normals the length 1. (0, 0, 0) stays.
 //

@@ -128,6 +128,188 @@ static inline bool are_usable(const double* points, const int64_t* corners, size
   return are;
 }
 
+// So many quads are summed at once, each in sums of its own: compilers use wide instructions then.
+#define LANES 16
+
+typedef struct lanes
+{
+  double area[LANES];
+  double first[3][LANES];
+  double second[6][LANES];
+  double low[3][LANES]; // of corners
+  double high[3][LANES];
+} lanes;
+
+static void lanes_begin(const double bounds[6], lanes* sums)
+{
+  memset(sums, 0, sizeof *sums);
+  for (int lane = 0; lane < LANES; ++lane)
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      sums->low[i][lane] = bounds[2 * i];
+      sums->high[i][lane] = bounds[2 * i + 1];
+    }
+  }
+}
+
+// Adds the part of a quad's integrals that the middle of a side stands for.
+static inline void add_side(double weight, const double* a, const double* b, integrals* quad)
+{
+  const double x = 0.5 * (a[0] + b[0]);
+  const double y = 0.5 * (a[1] + b[1]);
+  const double z = 0.5 * (a[2] + b[2]);
+  const double wx = weight * x;
+  const double wy = weight * y;
+  const double wz = weight * z;
+  quad->first[0] += wx;
+  quad->first[1] += wy;
+  quad->first[2] += wz;
+  quad->second[0] += wx * x;
+  quad->second[1] += wx * y;
+  quad->second[2] += wy * y;
+  quad->second[3] += wx * z;
+  quad->second[4] += wy * z;
+  quad->second[5] += wz * z;
+}
+
+// The corners of that many quads: [corner][axis][lane].
+typedef double lane_places[4][3][LANES];
+
+// Reads them. false: a coordinate is not usable.
+static inline bool read_quads(const double* points, const int64_t* corners, lane_places place)
+{
+  double wrong = 0.0;
+  for (int lane = 0; lane < LANES; ++lane)
+  {
+    for (int k = 0; k < 4; ++k)
+    {
+      const double* point = points + 3 * corners[4 * lane + k];
+      for (int i = 0; i < 3; ++i)
+      {
+        place[k][i][lane] = point[i];
+        wrong += fabs(point[i]) <= water_largest ? 0.0 : 1.0; // NaN neither
+      }
+    }
+  }
+  return wrong == 0.0;
+}
+
+static inline void add_bounds(lane_places place, lanes* restrict sums)
+{
+  for (int lane = 0; lane < LANES; ++lane)
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      double low = sums->low[i][lane];
+      double high = sums->high[i][lane];
+      for (int k = 0; k < 4; ++k)
+      {
+        low = place[k][i][lane] < low ? place[k][i][lane] : low;
+        high = place[k][i][lane] > high ? place[k][i][lane] : high;
+      }
+      sums->low[i][lane] = low;
+      sums->high[i][lane] = high;
+    }
+  }
+}
+
+// Adds that many quads, of an upright fit. A quad is two triangles with the side from its first to
+// its third corner in common. The integral of a quadratic function over a triangle is a third of
+// the area times the sum over the middles of its sides.
+static inline void add_quads(lane_places place, const double origin[3], lanes* restrict sums)
+{
+  for (int lane = 0; lane < LANES; ++lane)
+  {
+    double at[4][3];
+    for (int k = 0; k < 4; ++k)
+    {
+      for (int i = 0; i < 3; ++i)
+      {
+        at[k][i] = place[k][i][lane] - origin[i];
+      }
+    }
+    const double across[2] = { at[2][0] - at[0][0], at[2][1] - at[0][1] };
+    const double one =
+      0.5 * ((at[1][0] - at[0][0]) * across[1] - (at[1][1] - at[0][1]) * across[0]);
+    const double other =
+      0.5 * (across[0] * (at[3][1] - at[0][1]) - across[1] * (at[3][0] - at[0][0]));
+    const double third = one + other < 0.0 ? -1.0 / 3.0 : 1.0 / 3.0;
+    integrals quad = { 0.0, { 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 } };
+    add_side(third * one, at[0], at[1], &quad);
+    add_side(third * one, at[1], at[2], &quad);
+    add_side(third * other, at[2], at[3], &quad);
+    add_side(third * other, at[3], at[0], &quad);
+    add_side(third * (one + other), at[0], at[2], &quad);
+    sums->area[lane] += fabs(one + other);
+    for (int i = 0; i < 3; ++i)
+    {
+      sums->first[i][lane] += quad.first[i];
+    }
+    for (int i = 0; i < 6; ++i)
+    {
+      sums->second[i][lane] += quad.second[i];
+    }
+  }
+}
+
+static void add_lanes(const lanes* sums, integrals* sum, double bounds[6])
+{
+  for (int lane = 0; lane < LANES; ++lane)
+  {
+    sum->area += sums->area[lane];
+    for (int i = 0; i < 3; ++i)
+    {
+      sum->first[i] += sums->first[i][lane];
+      bounds[2 * i] = fmin(bounds[2 * i], sums->low[i][lane]);
+      bounds[2 * i + 1] = fmax(bounds[2 * i + 1], sums->high[i][lane]);
+    }
+    for (int i = 0; i < 6; ++i)
+    {
+      sum->second[i] += sums->second[i][lane];
+    }
+  }
+}
+
+static bool are_quads(const int64_t* starts)
+{
+  bool are = true;
+  for (size_t i = 0; i < LANES; ++i)
+  {
+    are = are && starts[i + 1] - starts[i] == 4;
+  }
+  return are;
+}
+
+// Adds quads of a list from its beginning, as long as there are many in a row, after a first
+// polygon. Returns how many.
+static size_t add_rows(
+  const double* points, const int64_t* starts, const int64_t* corners, size_t count, water_fit* fit)
+{
+  size_t done = 0;
+  if (!corners || !fit->is_upright || count < LANES || water_bounds_is_empty(fit->bounds))
+  {
+    return 0;
+  }
+  integrals sum = { fit->area, { fit->first[0], fit->first[1], fit->first[2] }, { 0.0 } };
+  memcpy(sum.second, fit->second, sizeof sum.second);
+  lanes quads;
+  lanes_begin(fit->bounds, &quads);
+  lane_places place;
+  while (count - done >= LANES && are_quads(starts + done) &&
+    read_quads(points, corners + starts[done], place))
+  {
+    add_bounds(place, &quads);
+    add_quads(place, fit->origin, &quads);
+    done += LANES;
+  }
+  add_lanes(&quads, &sum, fit->bounds);
+  fit->area = sum.area;
+  memcpy(fit->first, sum.first, sizeof sum.first);
+  memcpy(fit->second, sum.second, sizeof sum.second);
+  return done;
+}
+
 static inline size_t add_polygons(
   const double* points, const int64_t* starts, const int64_t* corners, size_t count, water_fit* fit)
 {
@@ -172,7 +354,20 @@ static inline size_t add_polygons(
 size_t water_fit_add_polygons(
   const double* points, const int64_t* starts, const int64_t* corners, size_t count, water_fit* fit)
 {
-  return add_polygons(points, starts, corners, count, fit);
+  size_t done = 0;
+  while (done < count)
+  {
+    const size_t row = add_rows(points, starts + done, corners, count - done, fit);
+    const size_t left = count - done - row;
+    const size_t alone = left < LANES ? left : LANES; // the first of all, or no row
+    const size_t added = add_polygons(points, starts + done + row, corners, alone, fit);
+    done += row + added;
+    if (added < alone)
+    {
+      break;
+    }
+  }
+  return done;
 }
 
 bool water_fit_add_polygon(const double* corners, size_t count, water_fit* fit)

@@ -23,11 +23,14 @@ bool water_shore_draw_is_exact(const water_shore_facts* facts)
     facts->unplaced == 0 && facts->unknown == 0;
 }
 
-float water_shore_distance(double depth)
+void water_shore_distances(const double* depths, size_t count, float* distances)
 {
-  if (depth > 0.0)
+  const double least = (double)FLT_MIN;
+  for (size_t i = 0; i < count; ++i)
   {
-    return (float)fmin(fmax(depth, (double)FLT_MIN), largest);
+    const double size = fabs(depths[i]);
+    const double kept = size < largest ? size : largest;
+    const double seen = kept > least ? kept : least;
+    distances[i] = (float)(depths[i] > 0.0 ? seen : -seen);
   }
-  return (float)fmax(fmin(depth, -(double)FLT_MIN), -largest);
 }

@@ -50,16 +50,16 @@ typedef struct water_shore_facts
   size_t dykes;    // cells that are dry as a whole, with wet corners
   size_t crossed;  // polygons of five corners or more that the water crosses twice
   size_t shared;   // cells with water of two lakes
-  size_t unplaced; // wet cells with a coordinate that is no number
-  size_t unknown;  // values at dry corners beside the water that are no numbers
+  size_t unplaced; // wet cells with a coordinate that is not a number
+  size_t unknown;  // values at dry corners beside the water that are not numbers
 } water_shore_facts;
 
 // Does the mesh as it is drawn show the same as the cut mesh?
 bool water_shore_draw_is_exact(const water_shore_facts* facts);
 
-// The number of a vertex: above 0 in water, below 0 on land, linear in the depth. A depth of 0 is
+// The numbers of vertices: above 0 in water, below 0 on land, linear in the depth. A depth of 0 is
 // land: a triangle with all three corners at 0 would be drawn as a whole.
-float water_shore_distance(double depth);
+void water_shore_distances(const double* depths, size_t count, float* distances);
 
 #ifdef __cplusplus
 }

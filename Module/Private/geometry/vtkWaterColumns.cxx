@@ -7,6 +7,7 @@
 #include "vtkWaterPolygons.h"
 
 #include <algorithm>
+#include <atomic>
 #include <unordered_map>
 
 namespace
@@ -82,23 +83,90 @@ void vtkWaterColumns::Make(vtkPolyData* mesh, const Given& given)
   this->DepthArray->SetNumberOfValues(mesh->GetNumberOfPoints());
   this->Levels = this->LevelArray->GetPointer(0);
   this->Depths = this->DepthArray->GetPointer(0);
-  std::fill_n(this->Levels, count, vtkMath::Nan());
-  this->Beds.assign(count, vtkMath::Nan());
   this->AreDepthsKnown = given.Depth || given.Bed;
-  this->IsWet.assign(count, 0);
+  this->Beds.resize(count);
+  this->IsWet.resize(count);
   this->IsCellWet.clear();
   this->Dykes.clear();
-  this->ReadBeds(mesh, given);
-  given.AreOfCells ? this->ReadCells(mesh, given) : this->ReadPoints(mesh, given);
+  this->AreCellsKnown = false;
+  if (given.AreOfCells || (given.Bed && given.IsBedOfCells))
+  {
+    this->ReadBeds(mesh, given);
+  }
+  if (!given.AreOfCells)
+  {
+    this->MakeOfPoints(mesh, given);
+    return;
+  }
+  std::fill_n(this->Levels, count, vtkMath::Nan());
+  std::fill(this->IsWet.begin(), this->IsWet.end(), 0);
+  this->ReadCells(mesh, given);
   this->Spread(mesh);
   this->FindDykes(mesh);
-  ForEachPoint(mesh, [this](vtkIdType point) {
-    const auto i = static_cast<size_t>(point);
-    this->Depths[i] = water_shore_depth(this->IsWet[i] != 0, this->Levels[i], this->Beds[i]);
-    const bool isKnown = vtkMath::IsFinite(this->Levels[i]);
-    const bool hasBed = vtkMath::IsFinite(this->Beds[i]);
-    this->Levels[i] = isKnown ? this->Levels[i] : (hasBed ? this->Beds[i] : 0.0);
+  ForEachPoint(mesh, [this](vtkIdType point) { this->Finish(point); });
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterColumns::Finish(vtkIdType point)
+{
+  const auto i = static_cast<size_t>(point);
+  this->Depths[i] = water_shore_depth(this->IsWet[i] != 0, this->Levels[i], this->Beds[i]);
+  const bool isKnown = vtkMath::IsFinite(this->Levels[i]);
+  const bool hasBed = vtkMath::IsFinite(this->Beds[i]);
+  this->Levels[i] = isKnown ? this->Levels[i] : (hasBed ? this->Beds[i] : 0.0);
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterColumns::MakeOfPoints(vtkPolyData* mesh, const Given& given)
+{
+  const Values levels(given.Level);
+  const Values depths(given.Depth);
+  const bool isBedHere = given.IsBedOfCells && given.Bed; // of cells, it has been read
+  const Values beds(isBedHere ? nullptr : given.Bed);
+  vtkDataArray* places = mesh->GetPoints()->GetData(); // thread-safe, unlike its GetPoint
+  std::atomic<bool> isOdd{ false };                    // a wet point has no water by level and bed
+  vtkSMPTools::For(0, mesh->GetNumberOfPoints(), [&](vtkIdType begin, vtkIdType end) {
+    bool isOddHere = false;
+    for (vtkIdType i = begin; i < end; ++i)
+    {
+      const auto at = static_cast<size_t>(i);
+      const double noBed = given.Level ? vtkMath::Nan() : places->GetComponent(i, 2);
+      const double bed = isBedHere ? this->Beds[at] : (given.Bed ? beds[i] : noBed);
+      const water_column column = water_shore_column(levels[i], bed, depths[i], given.DryDepth);
+      this->IsWet[at] = column.is_wet;
+      this->Beds[at] = column.bed;
+      this->Levels[at] = column.is_wet ? column.level : vtkMath::Nan();
+      this->Finish(i);
+      isOddHere = isOddHere || (column.is_wet && !(this->Depths[at] > 0.0));
+    }
+    if (isOddHere)
+    {
+      isOdd = true;
+    }
   });
+  if (isOdd)
+  {
+    this->Spread(mesh);
+  }
+  else // the cells with wet and dry points are those that the shore cuts: one walk finds both
+  {
+    this->Cells.Classify(mesh->GetPolys(), this->Depths);
+    this->AreCellsKnown = true;
+    this->SpreadOver(mesh, { this->Cells.CutCells });
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterColumns::ShareCells(vtkCellArray* polygons, vtkWaterShoreCells& cells) const
+{
+  if (this->AreCellsKnown)
+  {
+    cells = this->Cells;
+  }
+  else
+  {
+    cells.Classify(polygons, this->Depths);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -121,22 +189,7 @@ void vtkWaterColumns::ReadBeds(vtkPolyData* mesh, const Given& given)
   vtkDataArray* places = mesh->GetPoints()->GetData(); // thread-safe, unlike its GetPoint
   ForEachPoint(mesh, [&](vtkIdType i) {
     double& bed = this->Beds[static_cast<size_t>(i)];
-    bed = given.Bed ? beds[i] : given.Level ? bed : places->GetComponent(i, 2);
-  });
-}
-
-//------------------------------------------------------------------------------
-void vtkWaterColumns::ReadPoints(vtkPolyData* mesh, const Given& given)
-{
-  const Values levels(given.Level);
-  const Values depths(given.Depth);
-  ForEachPoint(mesh, [&](vtkIdType i) {
-    const auto at = static_cast<size_t>(i);
-    const water_column column =
-      water_shore_column(levels[i], this->Beds[at], depths[i], given.DryDepth);
-    this->IsWet[at] = column.is_wet;
-    this->Beds[at] = column.bed;
-    this->Levels[at] = column.is_wet ? column.level : vtkMath::Nan();
+    bed = given.Bed ? beds[i] : given.Level ? vtkMath::Nan() : places->GetComponent(i, 2);
   });
 }
 
@@ -179,32 +232,41 @@ void vtkWaterColumns::ReadCells(vtkPolyData* mesh, const Given& given)
 //------------------------------------------------------------------------------
 void vtkWaterColumns::Spread(vtkPolyData* mesh)
 {
-  const auto isUnknown = [this](vtkIdType point) {
-    return !vtkMath::IsFinite(this->Levels[static_cast<size_t>(point)]);
-  };
   vtkCellArray* cells = mesh->GetPolys();
-  std::vector<std::vector<vtkIdType>> shores( // cells with known and unknown points, of each block
+  std::vector<std::vector<vtkIdType>> shores( // cells with wet and dry points, of each block
     static_cast<size_t>(vtkWaterBlockCount(cells->GetNumberOfCells())));
   vtkWaterForBlocks(
     cells->GetNumberOfCells(), [&](vtkIdType block, vtkIdType begin, vtkIdType end) {
       std::vector<vtkIdType>& found = shores[static_cast<size_t>(block)];
       vtkWaterForCells(
         cells, begin, end, [&](vtkIdType cell, const vtkIdType* points, vtkIdType count) {
-          const auto unknown = std::count_if(points, points + count, isUnknown);
-          if (unknown > 0 && unknown < count)
+          const auto dry = std::count_if(points, points + count,
+            [this](vtkIdType point) { return !this->IsWet[static_cast<size_t>(point)]; });
+          if (dry > 0 && dry < count)
           {
             found.push_back(cell);
           }
         });
     });
+  this->SpreadOver(mesh, shores);
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterColumns::SpreadOver(
+  vtkPolyData* mesh, const std::vector<std::vector<vtkIdType>>& shores)
+{
   std::unordered_map<vtkIdType, Mean> means; // of the points beside the water: few
   const auto add = [&](vtkIdType, const vtkIdType* points, vtkIdType count) {
     Mean own;
-    std::for_each(points, points + count,
-      [&](vtkIdType point) { own.Add(this->Levels[static_cast<size_t>(point)]); });
+    const auto isWet = [this](
+                         vtkIdType point) { return this->IsWet[static_cast<size_t>(point)] != 0; };
     for (vtkIdType i = 0; i < count; ++i)
     {
-      if (isUnknown(points[i]))
+      own.Add(isWet(points[i]) ? this->Levels[points[i]] : vtkMath::Nan());
+    }
+    for (vtkIdType i = 0; i < count; ++i)
+    {
+      if (!isWet(points[i]))
       {
         means[points[i]].Add(own.Get());
       }
@@ -214,12 +276,13 @@ void vtkWaterColumns::Spread(vtkPolyData* mesh)
   {
     for (vtkIdType cell : ofBlock)
     {
-      vtkWaterForCells(cells, cell, cell + 1, add);
+      vtkWaterForCells(mesh->GetPolys(), cell, cell + 1, add);
     }
   }
   for (const auto& [point, mean] : means)
   {
-    this->Levels[static_cast<size_t>(point)] = mean.Get();
+    this->Levels[point] = mean.Get();
+    this->Finish(point);
   }
 }
 

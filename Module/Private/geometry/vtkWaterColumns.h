@@ -7,6 +7,7 @@
 #include "vtkDoubleArray.h"
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
+#include "vtkWaterShoreCells.h"
 #include "water_shore.h"
 
 #include <vector>
@@ -42,6 +43,9 @@ public:
   vtkDoubleArray* GetLevelArray() const { return this->LevelArray; }
   vtkDoubleArray* GetDepthArray() const { return this->DepthArray; }
 
+  // Which polygons of the mesh are under water, by the depths.
+  void ShareCells(vtkCellArray* polygons, vtkWaterShoreCells& cells) const;
+
   // Do the data say where the water ends? Else the depths are of no use but their signs.
   bool HasDepths() const { return this->AreDepthsKnown; }
 
@@ -50,10 +54,15 @@ public:
   const std::vector<vtkIdType>& GetDykes() const { return this->Dykes; }
 
 private:
-  void ReadPoints(vtkPolyData* mesh, const Given& given);
+  // Of data of points.
+  void MakeOfPoints(vtkPolyData* mesh, const Given& given);
   void ReadCells(vtkPolyData* mesh, const Given& given);
   void ReadBeds(vtkPolyData* mesh, const Given& given);
+  // Extends the levels of wet points to those beside them.
   void Spread(vtkPolyData* mesh);
+  void SpreadOver(vtkPolyData* mesh, const std::vector<std::vector<vtkIdType>>& shores);
+  // The depth of a point, once its level is known, and a level where there is none.
+  void Finish(vtkIdType point);
   void FindDykes(vtkPolyData* mesh);
 
   vtkSmartPointer<vtkDoubleArray> LevelArray;
@@ -65,6 +74,8 @@ private:
   std::vector<char> IsWet;     // points: the bed alone says where the water ends
   std::vector<char> IsCellWet; // of data of cells; else empty
   std::vector<vtkIdType> Dykes;
+  vtkWaterShoreCells Cells; // if they are known
+  bool AreCellsKnown = false;
 };
 
 #endif

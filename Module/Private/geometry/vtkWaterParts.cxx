@@ -100,6 +100,7 @@ void vtkWaterParts::Number(vtkPolyData* mesh)
   this->PartOfCell.assign(Index(mesh->GetNumberOfPolys()), kNone);
   this->PartCount = 0;
   this->SharedCount = 0;
+  this->UnplacedCount = 0;
   vtkWaterForEachCell(
     mesh->GetPolys(), [&](vtkIdType cell, const vtkIdType* points, vtkIdType count) {
       if (count < 3 || (this->Shore && this->Shore->Kinds[Index(cell)] == vtkWaterShoreCells::Dry))
@@ -138,6 +139,7 @@ void vtkWaterParts::Fit(
       }
       if (!water_fit_add_polygon(corners.data(), Index(count), &fits[Index(part)]))
       {
+        ++this->UnplacedCount;
         part = kNone;
       }
     });
@@ -162,6 +164,7 @@ void vtkWaterParts::FitRuns(const double* points, const vtkWaterCellLists& lists
         points, lists.Starts + cell, lists.Corners, Index(next - cell), &fits[Index(part)]));
       if (cell < next)
       {
+        ++this->UnplacedCount;
         this->PartOfCell[Index(cell++)] = kNone;
       }
     }
@@ -212,6 +215,7 @@ void vtkWaterParts::FitCut(vtkPolyData* mesh)
     }
     if (part != kNone && !water_fit_add_polygon(corners.data(), made, &this->Fits[Index(part)]))
     {
+      ++this->UnplacedCount;
       part = kNone;
     }
   };
@@ -226,18 +230,6 @@ void vtkWaterParts::FitCut(vtkPolyData* mesh)
           });
       });
   }
-}
-
-//------------------------------------------------------------------------------
-size_t vtkWaterParts::CountUnplaced() const
-{
-  size_t count = 0;
-  for (size_t cell = 0; cell < this->PartOfCell.size(); ++cell)
-  {
-    const bool hasWater = !this->Shore || this->Shore->Kinds[cell] != vtkWaterShoreCells::Dry;
-    count += hasWater && this->PartOfCell[cell] == kNone ? 1 : 0;
-  }
-  return count;
 }
 
 //------------------------------------------------------------------------------
@@ -330,7 +322,7 @@ void vtkWaterParts::Find(
   }
   this->Share(mesh, most);
   this->Cells.assign(this->Planes.size(), {});
-  this->HasOne = this->Planes.size() == 1 && this->IsTight && this->CountUnplaced() == 0 &&
+  this->HasOne = this->Planes.size() == 1 && this->IsTight && this->UnplacedCount == 0 &&
     std::find(this->PlaneOfPart.begin(), this->PlaneOfPart.end(), kNone) == this->PlaneOfPart.end();
   if (this->HasOne) // nothing will be extracted
   {

@@ -8,6 +8,7 @@
 #include "vtkWaterShoreCells.h"
 #include "water_fit.h"
 
+#include <atomic>
 #include <cstdint>
 #include <vector>
 
@@ -39,7 +40,7 @@ public:
 
   // Cells with water of two parts, and cells of a part with a coordinate that is no number.
   size_t GetSharedCount() const { return this->SharedCount; }
-  size_t CountUnplaced() const;
+  size_t GetUnplacedCount() const { return this->UnplacedCount; }
   // The plane that a cell is in; below 0: none.
   int64_t PlaneOf(vtkIdType cell) const;
   const std::vector<vtkIdType>& GetCells(size_t plane) const { return this->Cells[plane]; }
@@ -73,6 +74,7 @@ private:
 
   const vtkWaterShoreCells* Shore = nullptr; // while parts are found
   size_t SharedCount = 0;
+  std::atomic<size_t> UnplacedCount{ 0 };
   std::vector<int64_t> Joined;     // corners of one cell
   std::vector<int64_t> Parents;    // of points
   std::vector<int64_t> PartOfCell; // none: it has less than three points, or one that is not finite

@@ -20,7 +20,7 @@ public:
   static vtkWaterUncutMesh* New();
   vtkTypeMacro(vtkWaterUncutMesh, vtkPolyData);
 
-  // One for each point: water_shore_distance.
+  // One for each point: water_shore_distances.
   void SetDistances(vtkFloatArray* distances) { this->Distances = distances; }
   vtkFloatArray* GetDistances() const { return this->Distances; }
 

@@ -50,7 +50,7 @@ vtkSmartPointer<vtkFloatArray> DistancesOf(const double* depths, vtkIdType count
   made->SetNumberOfValues(count);
   float* distances = made->GetPointer(0);
   vtkSMPTools::For(0, count, [depths, distances](vtkIdType begin, vtkIdType end) {
-    std::transform(depths + begin, depths + end, distances + begin, water_shore_distance);
+    water_shore_distances(depths + begin, static_cast<size_t>(end - begin), distances + begin);
   });
   return made;
 }
@@ -63,7 +63,7 @@ void vtkWaterUncutSurface::Classify(const Given& given, const vtkWaterColumns& c
   vtkCellArray* polygons = given.Mesh->GetPolys();
   this->Facts = water_shore_facts();
   this->Facts.has_depths = columns.HasDepths();
-  this->Cells.Classify(polygons, depths);
+  columns.ShareCells(polygons, this->Cells);
   for (vtkIdType dyke : columns.GetDykes())
   {
     this->Facts.dykes += this->Cells.Kinds[Index(dyke)] != vtkWaterShoreCells::Dry ? 1 : 0;
@@ -122,6 +122,7 @@ void vtkWaterUncutSurface::Place(
 }
 
 //------------------------------------------------------------------------------
+// Long because a surface is made in many steps, whose order matters.
 bool vtkWaterUncutSurface::Make(const Given& given, const vtkWaterColumns& columns)
 {
   this->Blocks.clear();
@@ -152,7 +153,7 @@ bool vtkWaterUncutSurface::Make(const Given& given, const vtkWaterColumns& colum
     WetCornerOf(given.Mesh->GetPolys(), static_cast<vtkIdType>(first - kinds.begin()), depths));
   this->Parts.Find(this->Whole, given.Up, given.MostPlanes, &this->Cells);
   this->Facts.shared = this->Parts.GetSharedCount();
-  this->Facts.unplaced = this->Parts.CountUnplaced();
+  this->Facts.unplaced = this->Parts.GetUnplacedCount();
   if (!water_shore_draw_is_exact(&this->Facts))
   {
     return false;

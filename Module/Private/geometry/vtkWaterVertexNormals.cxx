@@ -10,6 +10,27 @@
 #include <algorithm>
 #include <vector>
 
+namespace
+{
+// The same sums without a list of the cells' normals, which several threads need.
+template <typename Predicate>
+void AddInOrder(const double* points, const vtkWaterCellLists& lists, vtkIdType count,
+  Predicate isLand, float* sums)
+{
+  for (vtkIdType cell = 0; cell < count;)
+  {
+    vtkIdType next = cell;
+    while (next < count && !isLand(next))
+    {
+      ++next;
+    }
+    water_polygon_add_normals(
+      points, lists.Starts + cell, lists.Corners, static_cast<size_t>(next - cell), sums);
+    cell = next + 1;
+  }
+}
+}
+
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkFloatArray> vtkWaterVertexNormals(
   vtkPolyData* mesh, const vtkWaterShoreCells* shore)
@@ -22,10 +43,17 @@ vtkSmartPointer<vtkFloatArray> vtkWaterVertexNormals(
   normals->SetName("Normals");
   normals->SetNumberOfComponents(3);
   normals->SetNumberOfTuples(count);
-  normals->Fill(0.0);
   float* all = normals->GetPointer(0);
+  std::fill_n(all, 3 * count, 0.0f);
   const vtkWaterPlaces places(mesh->GetPoints());
   vtkCellArray* cells = mesh->GetPolys();
+  const vtkWaterCellLists lists(cells);
+  if (places.GetDoubles() && lists.Starts && vtkSMPTools::GetEstimatedNumberOfThreads() == 1)
+  {
+    AddInOrder(places.GetDoubles(), lists, cells->GetNumberOfCells(), isLand, all);
+    water_polygon_unit_normals(all, static_cast<size_t>(count));
+    return normals;
+  }
   std::vector<float> ofCells(3 * static_cast<size_t>(cells->GetNumberOfCells()));
   vtkWaterForBlocks(cells->GetNumberOfCells(), [&](vtkIdType, vtkIdType begin, vtkIdType end) {
     std::vector<double> corners;

@@ -9,6 +9,7 @@
 #include "vtkRenderer.h"
 #include "vtkSmartPointer.h"
 #include "vtkWaterActor.h"
+#include "vtkWaterColumns.h"
 #include "vtkWaterCutPart.h"
 #include "vtkWaterLakes.h"
 #include "vtkWaterPlanesFilter.h"
@@ -55,6 +56,7 @@ struct vtkWaterLakes::Internals
   std::vector<vtkSmartPointer<vtkMapper>> DrawnMappers;   // of meshes that are cut while drawn
   std::vector<vtkSmartPointer<vtkWaterCutPart>> CutParts; // of the same
   std::vector<Host> Hosts;
+  vtkWaterColumns Columns; // of the last step; its memory is used again
   vtkWaterUncutSurface Uncut;
   bool IsUncut = false;       // the waters are its blocks, else those of the filter
   bool IsUncutExact = false;  // as far as is known of the step
