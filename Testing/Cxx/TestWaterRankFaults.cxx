@@ -31,6 +31,8 @@ constexpr int kRanks = 3;
 constexpr double kWaitLimit = 2.0; // s, the setting, where ranks are to end
 constexpr double kSlow = 30.0;     // s, where they are not, on a busy machine
 constexpr double kPatience = 10.0; // s, from the fault to the end of every process
+// What a rank sends in a frame with clear water; with more, a fault would come in the next frame.
+constexpr int kMessages = 10;
 
 enum Ends
 {
@@ -139,7 +141,7 @@ enum Expected
 
 struct Fault
 {
-  const char* Name;
+  std::string Name;
   Expected Ending;
   bool IsFirst; // in the first frame
   int Rank;
@@ -190,7 +192,7 @@ std::vector<Fault> GetFaults()
       static_cast<WaterSocketCommunicator*>(controller->GetCommunicator())->Version = version;
     };
   };
-  return {
+  std::vector<Fault> faults = {
     { "leaves before the first frame", OTHERS_END, true, 2, leave, nullptr },
     { "leaves", OTHERS_END, false, 2, leave, nullptr },
     { "the root leaves", OTHERS_END, false, 0, leave, nullptr },
@@ -241,12 +243,23 @@ std::vector<Fault> GetFaults()
       },
       nullptr },
   };
+  for (int i = 0; i < kMessages; ++i) // wherever the others are in their agreements
+  {
+    faults.push_back({ "leaves before message " + std::to_string(i) + " below clear water",
+      OTHERS_END, false, 1,
+      [i](P part) {
+        vtkMultiProcessController* controller = part.Water->GetReflectionPass()->GetController();
+        static_cast<WaterSocketCommunicator*>(controller->GetCommunicator())->MessagesLeft = i;
+      },
+      nullptr });
+  }
+  return faults;
 }
 
 // Below clear water all ranks have it.
 void SetUp(Part& part, const Fault& fault)
 {
-  if (std::string(fault.Name).find("clear") != std::string::npos)
+  if (fault.Name.find("clear") != std::string::npos)
   {
     part.Water->GetWaterProperty()->RefractionOn();
   }
@@ -273,7 +286,7 @@ int Judge(Part& part, const Fault& fault, bool isFaulty)
     part.Render();
     return RIGHT;
   }
-  const bool isOfVersions = std::string(fault.Name).find("version") != std::string::npos;
+  const bool isOfVersions = fault.Name.find("version") != std::string::npos;
   if (isOfVersions && part.GetError().find("the same version") == std::string::npos)
   {
     std::fprintf(stderr, "error: \"%s\"\n", part.GetError().c_str());
@@ -484,7 +497,7 @@ bool TryHalf(const std::string& words, int half)
   int number = 0;
   for (const Fault& fault : GetFaults())
   {
-    if (number++ % 2 == half && std::string(fault.Name).find(words) != std::string::npos)
+    if (number++ % 2 == half && fault.Name.find(words) != std::string::npos)
     {
       isGood = Try(fault) && isGood;
     }
