@@ -105,8 +105,8 @@ public:
    * water. OWN_VIEW: an additional view of the scene beyond the surface, twice as wide and high as
    * the picture and without everything on the near side of the water's plane. It is rendered when
    * the camera or the scene has changed, not when only the waves have. Rulers, axes and labels are
-   * not in it. With several ranks, or if the GPU has no memory for it, PICTURE is used. Needs
-   * Refraction. Default is PICTURE.
+   * not in it. If the GPU has no memory for it, PICTURE is used. Needs Refraction. Default is
+   * PICTURE.
    */
   void SetRefractionSource(int source);
   vtkGetMacro(RefractionSource, int);
@@ -384,9 +384,9 @@ public:
   /**
    * Shadows of objects on the water's glitter and foam. What casts them is drawn along the sun's
    * rays into a view of its own, with the pixels of the picture, wherever it is itself. Translucent
-   * props, volumes, and props that are not reflected cast none; nor does anything with ranks of a
-   * parallel program. The sun is a direction. The view is drawn again when the camera, the sun or
-   * an object has changed. Default is off.
+   * props, volumes, and props that are not reflected cast none. The sun is a direction. The view is
+   * drawn again when the camera, the sun or an object has changed, with a controller of several
+   * ranks on any of them. Default is off.
    * Source: Blinn 1988, "Me and My (Fake) Shadow".
    */
   void SetShadows(bool shadows);

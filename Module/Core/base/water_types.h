@@ -41,7 +41,9 @@ enum // water_prop.flags, a bit each
   WATER_PROP_OVERLAY = 1 << 4,       // lives on the screen, not in the scene: 2D actors
   WATER_PROP_LABEL = 1 << 5,         // no object of the scene: billboards, rulers, axes
   WATER_PROP_REFUSED = 1 << 6,       // its shader cannot be cut at the water
-  WATER_PROP_IS_SKY = 1 << 7         // it shows the sky that water_scene.sky describes
+  WATER_PROP_IS_SKY = 1 << 7,        // it shows the sky that water_scene.sky describes
+  WATER_PROP_OWN_OTHER = 1 << 8,     // an own view does not draw what a mirrored view draws of it
+  WATER_PROP_OWN_VISIBLE = 1 << 9    // what it draws instead is visible
 };
 
 typedef struct water_prop

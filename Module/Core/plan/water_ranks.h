@@ -26,7 +26,7 @@ extern "C"
 // with every change of these.
 enum
 {
-  WATER_RANKS_FORMAT = 7
+  WATER_RANKS_FORMAT = 8
 };
 
 // What a rank sends once a frame, before anything is drawn: doubles only, as they travel.
