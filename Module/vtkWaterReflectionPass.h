@@ -413,8 +413,8 @@ public:
   void KeepBackground(vtkRenderer* renderer);
 
   /**
-   * Number of pixels of the mirrored view that the ranks joined in the last frame; 0 if the last
-   * view was reused, or without other ranks.
+   * Number of pixels of the mirrored view, the own view, the sun view and the sky view that the
+   * ranks joined in the last frame; 0 if all were reused, or without other ranks.
    */
   vtkIdType GetNumberOfPixelsJoined() const;
 

@@ -270,9 +270,13 @@ private:
   vtkWaterError CommitOther(
     const Frame& frame, const Attempt& part, water_plan& plan, const Other& other);
   // With other ranks, vtkWaterReflectionRankViews.cxx: DrawOther, of what all of them have.
+  // First they agree whether it is drawn, or used again, or cannot be drawn.
   vtkWaterError DrawOtherOfAll(const Frame& frame, Attempt& part, const Choice& choice,
     const water_scene& scene, water_plan& plan, std::vector<water_cull_reason>& reasons,
     const Other& other);
+  water_decision AgreeOnOther(const Frame& frame, Attempt& part, const Choice& choice,
+    const water_scene& scene, std::vector<water_cull_reason>& reasons, const Other& other);
+  static void Fail(Attempt& part, const std::string& text);
   static void ReleaseOther(std::unique_ptr<OtherView>& view, vtkWindow* window);
   // Of what is chosen: the props, what they look like, and how they are drawn.
   static vtkProp* GetDrawn(const Frame& frame, const Choice& choice, size_t i);

@@ -11,9 +11,16 @@
 #include <exception>
 
 //------------------------------------------------------------------------------
-vtkWaterError vtkWaterReflection::DrawOtherOfAll(const Frame& frame, Attempt& part,
-  const Choice& choice, const water_scene& scene, water_plan& plan,
-  std::vector<water_cull_reason>& reasons, const Other& other)
+void vtkWaterReflection::Fail(Attempt& part, const std::string& text)
+{
+  part.FailureText = text;
+  part.Failure = part.FailureText.c_str();
+}
+
+//------------------------------------------------------------------------------
+water_decision vtkWaterReflection::AgreeOnOther(const Frame& frame, Attempt& part,
+  const Choice& choice, const water_scene& scene, std::vector<water_cull_reason>& reasons,
+  const Other& other)
 {
   enum
   {
@@ -25,37 +32,41 @@ vtkWaterError vtkWaterReflection::DrawOtherOfAll(const Frame& frame, Attempt& pa
   claims[GOES_ON] = this->GetPlannedView() == part.Drawn.get() && !part.IsAborted &&
     !frame.Renderer->GetRenderWindow()->GetAbortRender();
   const bool hasMirrored = this->Report.Decision != WATER_NO_REFLECT_FAILED;
-  const auto fail = [&part](const std::string& text) {
-    part.FailureText = text;
-    part.Failure = part.FailureText.c_str();
-  };
   try
   {
     claims[IS_THE_SAME] = this->ReviseOther(frame, part, choice, scene, reasons, other);
   }
   catch (const std::exception& thrown)
   {
-    fail(std::string("reading its props was ended by an exception (") + thrown.what() + ")");
+    Fail(part, std::string("reading its props was ended by an exception (") + thrown.what() + ")");
   }
   claims[CAN_DRAW] = hasMirrored && !part.Failure;
   this->Ranks.HoldOnAll(claims);
+  if (!claims[CAN_DRAW] && hasMirrored && !part.Failure)
+  {
+    Fail(part, "another rank could not draw its part");
+  }
   if (!claims[CAN_DRAW] || !claims[GOES_ON])
   {
-    plan.decision = WATER_NO_REFLECT_FAILED;
-    if (!hasMirrored || claims[CAN_DRAW])
-    {
-      return vtkWaterError(); // has been said, or is none
-    }
-    if (!part.Failure)
-    {
-      fail("another rank could not draw its part");
-    }
-    return this->CommitOther(frame, part, plan, other);
+    return WATER_NO_REFLECT_FAILED;
   }
-  if (claims[IS_THE_SAME])
+  return claims[IS_THE_SAME] ? WATER_REUSE : WATER_REFLECT;
+}
+
+//------------------------------------------------------------------------------
+vtkWaterError vtkWaterReflection::DrawOtherOfAll(const Frame& frame, Attempt& part,
+  const Choice& choice, const water_scene& scene, water_plan& plan,
+  std::vector<water_cull_reason>& reasons, const Other& other)
+{
+  plan.decision = this->AgreeOnOther(frame, part, choice, scene, reasons, other);
+  if (plan.decision == WATER_REUSE)
   {
-    plan.decision = WATER_REUSE;
     return Describe(other.View->Drawn.GetShortage());
+  }
+  if (plan.decision == WATER_NO_REFLECT_FAILED)
+  {
+    // without a failure it has been said of the mirrored view, or the user has ended the draw
+    return part.Failure ? this->CommitOther(frame, part, plan, other) : vtkWaterError();
   }
   part.Draft.Ranks = &this->Ranks;
   part.Draft.Agree = [this, &frame, &part](
@@ -69,14 +80,14 @@ vtkWaterError vtkWaterReflection::DrawOtherOfAll(const Frame& frame, Attempt& pa
   }
   catch (const std::exception& thrown)
   {
-    fail(std::string("its draw was ended by an exception (") + thrown.what() + ")");
+    Fail(part, std::string("its draw was ended by an exception (") + thrown.what() + ")");
   }
-  // what one rank's driver refused is left out of the next one, of all ranks
   const bool isOfOther = !part.Failure;
+  // what one rank's driver refused is left out of the next one, of all ranks
   const bool isRefused = this->FinishDrawn(frame, part, plan);
   if (isOfOther && part.Failure)
   {
-    fail("rank " + std::to_string(part.Drawing.BadRank) + " could not draw its part");
+    Fail(part, "rank " + std::to_string(part.Drawing.BadRank) + " could not draw its part");
   }
   part.IsAborted = part.IsAborted || isRefused;
   return this->CommitOther(frame, part, plan, other);
