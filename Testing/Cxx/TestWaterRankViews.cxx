@@ -8,6 +8,9 @@
 #include "WaterSocketRanks.h"
 
 #include "vtkFloatArray.h"
+#include "vtkInformation.h"
+#include "vtkInformationIntegerKey.h"
+#include "vtkInformationObjectBaseKey.h"
 #include "vtkLight.h"
 #include "vtkPointData.h"
 #include "vtkWaterReflectionPass.h"
@@ -40,7 +43,8 @@ const Look kLooks[] = { { "shadows on glitter", SUN_VIEW, false },
   { "shadows on waves", SUN_VIEW, true }, { "own view", OWN_VIEW, false },
   { "own view with waves", OWN_VIEW, true }, { "sky view", SKY_VIEW, true } };
 
-// A floor of many boxes.
+// A floor of many boxes. Some are not reflected; others have a ball high over the water that is
+// reflected in their place. An own view shows neither difference.
 void AddBed(vtkRenderer* renderer)
 {
   for (int i = 0; i < 36; ++i)
@@ -56,6 +60,22 @@ void AddBed(vtkRenderer* renderer)
     actor->SetMapper(mapper);
     actor->GetProperty()->SetColor(0.9 - 0.2 * (i % 5), 0.3 + 0.1 * (i % 7), 0.2 + 0.2 * (i % 4));
     actor->GetProperty()->LightingOff();
+    vtkNew<vtkInformation> keys;
+    if (i % 5 == 1)
+    {
+      keys->Set(vtkWaterReflectionPass::NOT_REFLECTED(), 1);
+    }
+    else if (i % 5 == 3)
+    {
+      vtkNew<vtkSphereSource> ball;
+      ball->SetCenter(3.0 * (i % 6) - 7.5, 6.0, 3.0);
+      vtkNew<vtkPolyDataMapper> ballMapper;
+      ballMapper->SetInputConnection(ball->GetOutputPort());
+      vtkNew<vtkActor> standIn;
+      standIn->SetMapper(ballMapper);
+      keys->Set(vtkWaterReflectionPass::STAND_IN(), standIn);
+    }
+    actor->SetPropertyKeys(keys);
     renderer->AddActor(actor);
   }
 }
