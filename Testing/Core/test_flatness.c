@@ -367,9 +367,8 @@ TEST(limit_of_the_nearest_water)
     ASSERT_CLOSE(
       256.0 * shift_at_bottom(pitches[i], half_angle, height, viewport_px[1]), 1.0, 1e-6);
     // a near plane beyond that point: what is seen is farther away
-    frustum_matrix(
-      (double[4]){ -50.0 * side, 50.0 * side, -100.0 * side, 100.0 * side }, 100.0, 1e4,
-      scene.eye.view_to_clip);
+    frustum_matrix((double[4]){ -50.0 * side, 50.0 * side, -100.0 * side, 100.0 * side }, 100.0,
+      1e4, scene.eye.view_to_clip);
     const water_plan far_plan = plan_of(&scene, NULL);
     assert_true(seen_from(&far_plan, viewport_px) > 3.0 * height);
     // as high as the eye: seen

@@ -65,8 +65,7 @@ TEST(reach_is_that_of_the_farthest_corner)
   {
     const random_scene random = scene_rolled(&from, number, center);
     water_horizon horizon;
-    assert_true(
-      water_horizon_make(&random.scene.eye, &random.scene.plane, NULL, &horizon));
+    assert_true(water_horizon_make(&random.scene.eye, &random.scene.plane, NULL, &horizon));
     for (int k = 0; k < 3; ++k)
     {
       double reach = 0.0;
@@ -95,8 +94,7 @@ TEST(depths_of_waves_end_at_infinity)
   water_horizon_depths(clip, true, depths);
   const double beyond = 2.0 * near_z / (far_z - near_z); // infinity's depth, less the far plane's
   ASSERT_CLOSE(depths[1], 1.0 - 0.02 * beyond, 1e-12);
-  ASSERT_CLOSE(
-    depths[1] + depths[2] * (1.0 + beyond - depths[1]), 1.0 - 1.0 / 4194304.0, 1e-12);
+  ASSERT_CLOSE(depths[1] + depths[2] * (1.0 + beyond - depths[1]), 1.0 - 1.0 / 4194304.0, 1e-12);
 }
 
 static bool box_of(const water_scene* scene, double height, double box[4])
