@@ -166,7 +166,7 @@ static bool cover(
   const water_scene* scene, const checked* input, const water_plane* plane, double box[4])
 {
   static const double whole[4] = { -1.0, -1.0, 1.0, 1.0 };
-  double counted[4] = { -1.0, -1.0, 1.0, 1.0 };
+  double counted[4];
   if (!scene->is_endless)
   {
     water_target_box(&scene->eye, plane, scene->surface_bounds, box);
