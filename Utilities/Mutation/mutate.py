@@ -352,7 +352,8 @@ def main():
           f"{len(results) - same - caught} alive: {100.0 * share:.1f} %")
     if arguments.sample and len(results) > same:
         low, high = interval(share, len(results) - same)
-        print(f"of all mutants {100.0 * low:.1f} to {100.0 * high:.1f} %, with 95 % confidence")
+        print(f"of all mutants {100.0 * low:.1f} to {100.0 * high:.1f} %, with 95 % confidence "
+              f"(seed {arguments.seed})")
     return 0 if share >= LEAST_CAUGHT and not wrong else 1
 
 
