@@ -245,6 +245,16 @@ TEST(the_rest_is_all_of_it)
   double clip[4];
   project(&plan.mirrored, farthest, 1.0, clip);
   ASSERT_CLOSE(plan.rest_depth, 0.5 + 0.5 * clip[2] / clip[3], 1e-12);
+
+  // the last but one of a list in the middle of others has no bounds
+  water_prop list[8];
+  for (int i = 0; i < 8; ++i)
+  {
+    list[i] = props[i % 4];
+  }
+  list[6].flags |= WATER_PROP_NO_BOUNDS;
+  scene.props = list + 4;
+  ASSERT_CLOSE(plan_of(&scene, reasons).rest_depth, 1.0, 0.0);
 }
 
 // NDC of the middle of what a box around flat water covers of the picture.

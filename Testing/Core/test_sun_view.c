@@ -340,6 +340,8 @@ TEST(the_rectangle_is_that_of_calm_water)
     assert_int_equal(plan.texture_px[0], 800);
     assert_int_equal(plan.texture_px[1], 600);
     assert_int_equal(plan.texture_rect_px[2] == 800 && plan.texture_rect_px[3] == 600, i > 0);
+    assert_true(plan.headlight_dir[0] == 0.0 && plan.headlight_dir[1] == 0.0);
+    assert_true(plan.headlight_dir[2] == -1.0); // ahead; no light is seen in depths
     if (i == 0) // from x = -1 to 1 at y = -3: w = (7 * 10 + 25) / 125^0.5
     {
       const double half = 400.0 / (95.0 / sqrt(125.0)) / (4.0 / 3.0);
