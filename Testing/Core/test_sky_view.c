@@ -358,6 +358,16 @@ TEST(the_view_reaches_under_the_troughs)
   const double* at = plan.mirrored_position;
   const double far = 1.01 * sqrt(radius * radius * 2.0 + pow(radius + fabs(at[1]), 2.0));
   ASSERT_CLOSE(plan.clip_plane_world[3], 0.01 * far + 0.25, 1e-9);
+  for (int i = 0; i < 2; ++i) // in its picture, too: on both sides of the clip
+  {
+    const double point[3] = { 5.0, 80.0, (i ? -0.99 : -1.01) * plan.clip_plane_world[3] };
+    double clip[4];
+    project(&plan.mirrored, point, 1.0, clip);
+    const double window[3] = { (0.5 + 0.5 * clip[0] / clip[3]) * plan.texture_px[0],
+      (0.5 + 0.5 * clip[1] / clip[3]) * plan.texture_px[1], 0.5 + 0.5 * clip[2] / clip[3] };
+    const double* plane = plan.clip_plane_window;
+    assert_true((dot(plane, window) + plane[3] > 0.0) == (i == 1));
+  }
 }
 
 // The view is a square, as long as the longer side of the picture.
