@@ -5,9 +5,9 @@
 Each mutant is compiled alone, linked with the unchanged rest into a shared library, and the tests,
 built once, are run with that: those that include the file's header, the one of its own name first,
 then those that caught most so far, then the shortest. Only tests that some mutant needs are built.
-Mutants that survive are tried with all tests, and then under the address and undefined behaviour
-sanitizers, as the preset sanitize would run them. A test that never ends is known by the time it
-computes, which no load on the machine lengthens. See script/mutation.
+Mutants that survive are tried under the address and undefined behaviour sanitizers, as the preset
+sanitize would run them, and then with all other tests. A test that never ends is known by the time
+it computes, which no load on the machine lengthens. See script/mutation.
 """
 import argparse
 import collections
@@ -205,9 +205,9 @@ class Judge:
         if not hasattr(self.local, "bench"):
             self.local.bench = Bench(self.folder / threading.current_thread().name, self.build)
         own = mutant.file.split(".")[0].replace("water_", "")
-        nouns = self.build.tests
-        if not self.is_whole:
-            nouns = tests_for(mutant.file, nouns, self.build.texts)
+        nouns = tests_for(mutant.file, self.build.tests, self.build.texts)
+        if self.is_whole:  # those have been asked before
+            nouns = [noun for noun in self.build.tests if noun not in nouns]
         order = sorted(nouns, key=lambda noun: (noun != own, -self.kills[mutant.file, noun],
                                                 self.build.seconds[noun]))
         killer = self.local.bench.killer(mutant, order)
@@ -233,7 +233,7 @@ def read_equivalents():
 
 
 def judged(mutants, folder, kind, jobs, how="", is_whole=False):
-    """(mutant, killer and how) of each, in order; progress to stderr. is_whole: by all tests.
+    """(mutant, killer and how) of each, in order; progress to stderr. is_whole: by all other tests.
 
     What is caught goes to the table at once, so that --again can take up a run that was ended.
     """
@@ -326,7 +326,8 @@ def main():
     results.update((mutant.key, killer) for mutant, killer in judged(
         [mutant for mutant in mutants if mutant.key not in last],
         arguments.folder, "plain", arguments.jobs))
-    for kind, is_whole, how in (("plain", True, ""), ("sanitized", False, " under the sanitizers")):
+    # all other tests come last: they take half a minute for a mutant, and catch few
+    for kind, is_whole, how in (("sanitized", False, " under the sanitizers"), ("plain", True, "")):
         alive = [mutant for mutant in mutants
                  if not results[mutant.key] and mutant.key not in equivalents]
         results.update((mutant.key, killer) for mutant, killer in
