@@ -100,6 +100,33 @@ TEST(one_dome_of_many_props)
   }
 }
 
+// A dome far from the world's origin is as wide as one about it.
+TEST(a_dome_far_from_the_origin)
+{
+  const double far[3] = { 5e3, 7e3, 3e3 };
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    water_scene scene = lake();
+    double eye[3] = { 0.0, -10.0, 5.0 };
+    double target[3] = { 0.0, 0.0, 0.0 };
+    const double up[3] = { 0.0, 0.0, 1.0 };
+    water_prop dome = { { -90.0, 90.0, -90.0, 90.0, -90.0, 90.0 }, visible, 0.0f };
+    eye[axis] += far[axis];
+    target[axis] += far[axis];
+    for (int i = 0; i < 2; ++i)
+    {
+      dome.bounds[2 * axis + i] += far[axis];
+      scene.surface_bounds[2 * axis + i] += far[axis];
+    }
+    scene.plane.offset = axis == 2 ? -far[2] : 0.0;
+    look_at(eye, target, up, scene.eye.world_to_view);
+    scene.props = &dome;
+    scene.prop_count = 1;
+    water_cull_reason reason;
+    assert_true(plan_of(&scene, &reason).is_enclosed);
+  }
+}
+
 // Only a part of the picture counts, such as that of a reflection's reflection: none, if it has no
 // width or height.
 TEST(nothing_counts_in_a_rectangle_without_an_area)
@@ -223,7 +250,7 @@ TEST(near_plane_stays_without_a_far_plane)
 }
 
 TESTS(clip_is_under_the_troughs, heights_at_the_end_of_their_range, tops_are_over_the_troughs,
-  one_dome_of_many_props, nothing_counts_in_a_rectangle_without_an_area,
+  one_dome_of_many_props, a_dome_far_from_the_origin, nothing_counts_in_a_rectangle_without_an_area,
   unseen_endless_water_may_be_drawn, light_rolls_off_where_nothing_maps_it,
   depths_with_both_planes_moved, near_plane_stays_at_the_edges_of_props,
   near_plane_stays_without_a_far_plane)
