@@ -127,6 +127,28 @@ TEST(a_dome_far_from_the_origin)
   }
 }
 
+// A wide point beside the water reaches into its reflection, by half of its width, on every side.
+TEST(wide_points_reach_in_from_all_sides)
+{
+  for (int side = 0; side < 4; ++side)
+  {
+    for (int is_wide = 0; is_wide < 2; ++is_wide)
+    {
+      water_scene scene =
+        pool(5.0); // half of the picture; from 10 below, a point 1 high is 11 away
+      const double place = (side & 1 ? -0.53 : 0.53) * 11.0;
+      const double x = side & 2 ? 0.0 : place;
+      const double y = side & 2 ? place : 0.0;
+      const water_prop point = { { x, x, y, y, 1.0, 1.0 }, visible, is_wide ? 60.0f : 1.0f };
+      scene.props = &point;
+      scene.prop_count = 1;
+      water_cull_reason reason;
+      (void)plan_of(&scene, &reason);
+      assert_int_equal(reason, is_wide ? WATER_CULL_NONE : WATER_CULL_OUT_OF_WATER);
+    }
+  }
+}
+
 // Only a part of the picture counts, such as that of a reflection's reflection: none, if it has no
 // width or height.
 TEST(nothing_counts_in_a_rectangle_without_an_area)
@@ -250,7 +272,7 @@ TEST(near_plane_stays_without_a_far_plane)
 }
 
 TESTS(clip_is_under_the_troughs, heights_at_the_end_of_their_range, tops_are_over_the_troughs,
-  one_dome_of_many_props, a_dome_far_from_the_origin, nothing_counts_in_a_rectangle_without_an_area,
-  unseen_endless_water_may_be_drawn, light_rolls_off_where_nothing_maps_it,
-  depths_with_both_planes_moved, near_plane_stays_at_the_edges_of_props,
-  near_plane_stays_without_a_far_plane)
+  one_dome_of_many_props, a_dome_far_from_the_origin, wide_points_reach_in_from_all_sides,
+  nothing_counts_in_a_rectangle_without_an_area, unseen_endless_water_may_be_drawn,
+  light_rolls_off_where_nothing_maps_it, depths_with_both_planes_moved,
+  near_plane_stays_at_the_edges_of_props, near_plane_stays_without_a_far_plane)
