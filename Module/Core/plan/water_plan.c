@@ -166,7 +166,7 @@ static bool cover(
   const water_scene* scene, const checked* input, const water_plane* plane, double box[4])
 {
   static const double whole[4] = { -1.0, -1.0, 1.0, 1.0 };
-  double counted[4] = { -1.0, -1.0, 1.0, 1.0 };
+  double counted[4];
   if (!scene->is_endless)
   {
     water_target_box(&scene->eye, plane, scene->surface_bounds, box);
@@ -313,8 +313,8 @@ static double drop_of(const water_scene* scene, const water_plane* plane)
   double lowest = 0.0;
   for (int i = 0; i < 8 && !scene->is_endless; ++i)
   {
-    const double* bounds = scene->surface_bounds;
-    const double corner[3] = { bounds[i & 1], bounds[2 + (i >> 1 & 1)], bounds[4 + (i >> 2)] };
+    double corner[3];
+    water_bounds_corner(scene->surface_bounds, i, corner);
     lowest = fmin(lowest, water_plane_height(plane, corner));
   }
   return scene->is_endless ? scene->wave_height_max
