@@ -352,10 +352,11 @@ typedef struct water_plan
                          // may be infinite
   double reflection_z_infinity; // water_lookup.h
   double reflection_tolerance[2];
-  double reflection_height[4];  // point in NDC of the reflection texture -> height over the plane,
-                                // times 1 / w
-  double reflection_w[4];       // the same -> 1 / w
-  double reflection_texel;      // height that a texel of the reflection texture spans, over its w
+  double reflection_height[4]; // point in NDC of the reflection texture -> height over the plane,
+                               // times 1 / w
+  double reflection_w[4];      // the same -> 1 / w
+  double reflection_waterline[4]; // water_lookup_waterline
+  double reflection_texel;        // height that a texel of the reflection texture spans, over its w
   double dir_to_reflection[12]; // direction in the plane's axes -> clip of the reflection texture;
                                 // 4 rows of 3
 } water_plan;

@@ -445,8 +445,10 @@ static water_status fill_shade(
   water_lookup_depths(&plan->mirrored, &plan->reflection_z_infinity, plan->reflection_tolerance);
   water_lookup_dirs(&plan->mirrored, axes, plan->dir_to_reflection);
   plan->reflection_texel = water_lookup_texel(plan->dir_to_reflection, plan->texture_px);
-  return water_lookup_heights(
+  const water_status status = water_lookup_heights(
     &plan->mirrored, plan->plane_view, plan->reflection_height, plan->reflection_w);
+  water_lookup_waterline(plan->reflection_height, plan->texture_px, plan->reflection_waterline);
+  return status;
 }
 
 // The mirrored view, the own view, the sun view, or the sky view.

@@ -148,8 +148,8 @@ double water_ranks_digest_number(uint64_t digest);
 // farthest_rank  of water_ranks_view
 bool water_rank_shows_water(int farthest_rank, size_t rank);
 
-// Numbers travel with WATER_RANKS_IS_HERE as the last one of each rank. A communicator that has lost
-// a rank may tell its root so, and still give the others what it has of that rank: nothing.
+// Numbers travel with WATER_RANKS_IS_HERE as the last one of each rank. A communicator that has
+// lost a rank may tell its root so, and still give the others what it has of that rank: nothing.
 #define WATER_RANKS_IS_HERE 1.0
 
 // Have all ranks sent theirs? If so, the numbers of each are moved together, without that last one.
