@@ -84,9 +84,9 @@ public:
    * unit. The origin of these axes is the plane's origin. The first axis is the world's x axis
    * projected onto the plane (y if the normal is within 45 degrees of x); the second is the cross
    * product of the normal and the first. For a horizontal sheet they are the world's x and y. The
-   * values must be finite, with min < max; others are rejected with an error. They replace
-   * SetSheetToHorizon. Default is none: the sheet covers the bounds of the scene
-   * (ResetSheetBounds).
+   * values must be finite, with min < max; others are rejected with an error. This call turns off
+   * SetSheetToHorizon and SetSheetToAutomatic. Default is none: the sheet covers the bounds of the
+   * scene (ResetSheetBounds).
    */
   void SetSheetBounds(double xmin, double xmax, double ymin, double ymax);
   void SetSheetBounds(const double bounds[4])
@@ -150,10 +150,10 @@ public:
 
   ///@{
   /**
-   * Whether the slopes of a user's mesh turn its reflections, as waves do: by its point normals, or
-   * without them by its triangles. Off: each point shows what the plane would reflect at its
-   * height. Has no effect on a mesh that lies in its plane, or whose points are displaced by waves
-   * (WaveGeometry). Default is on.
+   * Whether the slopes of a user's mesh turn its reflections, as waves do. The slopes are those of
+   * its point normals or, without any, of its triangles. Off: each point reflects as if the surface
+   * were level there. Has no effect on a mesh that lies in its plane, or whose points are displaced
+   * by waves (WaveGeometry). Default is on.
    */
   void SetMeshSlopes(bool isOn);
   vtkGetMacro(MeshSlopes, bool);
@@ -180,10 +180,10 @@ public:
   ///@{
   /**
    * Seconds for which the current of FlowArrayName carries a layer of waves before the layer starts
-   * again; two layers alternate. Changes of the velocity along this path stretch the waves: a
-   * shorter period stretches them less, and with a longer period a wave can be followed farther.
-   * Waves longer than the distance that the current covers in half a period are hardly carried. In
-   * [1e-3, 1e6]; another value is rejected with an error. Default is 4.
+   * again; two layers alternate. Where the velocity changes along this path, the waves are
+   * stretched, less so with a shorter period. With a longer period, the eye can follow a wave
+   * farther. The current hardly carries waves that are longer than the distance it covers in half a
+   * period. In [1e-3, 1e6]; another value is rejected with an error. Default is 4.
    */
   void SetFlowPeriod(double seconds);
   vtkGetMacro(FlowPeriod, double);
@@ -246,8 +246,8 @@ public:
   ///@{
   /**
    * Name of an array of a user's mesh that says how much foam there is: one number per point or
-   * cell, a value of FoamMeasure. The foam has the colour and the structure of the water's other
-   * foam, and is added to it: the larger of the covers counts. Needs a mapper with one data set.
+   * cell, whose meaning FoamMeasure sets. This foam looks like the water's other foam. Where both
+   * are present, the larger cover counts. Needs a mapper with one data set.
    * Negative values and values that are not finite count as 0, and covers above 1 as 1; one warning
    * reports them. A missing array, or one with several components, is reported as an error,
    * once; there is then no foam from data. Changes of the array take effect in the next frame.
@@ -271,8 +271,8 @@ public:
    * foam begins at 1, where a flow becomes faster than its waves, and covers everything from 1.7
    * on, where hydraulic jumps have breaking rollers. BREAKING_INDEX: height of the waves over the
    * depth; foam begins at 0.78, where waves break on a level bed, and covers everything from 1.13
-   * on, where they break on a slope of 1 in 20. Between the two values the cover is linear, which
-   * was chosen. Another number is rejected with an error. Default is COVER.
+   * on, where they break on a slope of 1 in 20. Between the two values the cover increases
+   * linearly; this part has no source. Another number is rejected with an error. Default is COVER.
    *
    * Source: Chow 1959, "Open-Channel Hydraulics"; McCowan 1894; Weggel 1972.
    */
@@ -347,15 +347,15 @@ public:
   bool GetMeshPlacement(double placement[4]) VTK_SIZEHINT(placement, 4);
 
   /**
-   * The pass that renders this water's reflection: a pass that the user added to the renderer's
-   * chain, once that has rendered; otherwise the actor's own. Never null.
+   * The pass that renders this water's reflection. It is the actor's own pass until a pass that the
+   * user added to the renderer's chain has rendered this water. Never null.
    */
   vtkWaterReflectionPass* GetReflectionPass();
 
   /**
-   * The text of the ErrorEvent for what is wrong in the last frame: with the plan, otherwise with
-   * a hull, otherwise with the current, the matter or the foam from data. Empty if nothing is
-   * wrong. A value that a setter rejects is not kept here.
+   * Text of the ErrorEvent for the first problem in the last frame: in the scene, otherwise in a
+   * hull, otherwise in the current, the matter or the foam from data. Empty without a problem.
+   * Values that setters have rejected are not included.
    */
   const char* GetLastError() const;
 

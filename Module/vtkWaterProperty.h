@@ -105,8 +105,8 @@ public:
    * water. OWN_VIEW: an additional view of the scene beyond the surface, twice as wide and high as
    * the picture and without everything on the near side of the water's plane. It is rendered when
    * the camera or the scene has changed, not when only the waves have. Rulers, axes and labels are
-   * not in it. With several ranks, or if the GPU has no memory for it, PICTURE is used. Needs
-   * Refraction. Default is PICTURE.
+   * not in it. If the GPU has no memory for it, PICTURE is used. Needs Refraction. Default is
+   * PICTURE.
    */
   void SetRefractionSource(int source);
   vtkGetMacro(RefractionSource, int);
@@ -184,9 +184,10 @@ public:
 
   ///@{
   /**
-   * Source of the colour of infinitely deep water. MEDIUM: the share of the light that Absorption
-   * and Scattering send back up, 0.33 b / (a + b), under the renderer's distant lights and
-   * background. Positional lights are ignored; a headlight is treated as a light at the eye. GIVEN:
+   * Source of the colour of infinitely deep water. MEDIUM: the share of the light that the water
+   * scatters back up, 0.33 b / (a + b) with the absorption a and the scattering b, under the
+   * renderer's distant lights and background. Positional lights are ignored; a headlight is treated
+   * as a light at the eye. GIVEN:
    * DeepColor, independent of the light. Default is MEDIUM.
    *
    * Source: Morel and Prieur 1977, "Analysis of Variations in Ocean Color".
@@ -217,13 +218,12 @@ public:
    * treated as a scene in metres, a smaller one as 200 to 400 m across, a larger one as 1000 to
    * 2000 m across. A preset may have other ranges (a pool: 4 to 32 units are metres, a smaller
    * scene is 4 to 8 m across, a larger one 20 to 40 m). Waves shorter than 1/400 of the scene are
-   * then not shown, and GetWaveHeight agrees with what is shown. The heights of a map have their
-   * own scale. Without a preset, light is therefore attenuated as if the deepest bed were 30 m
-   * deep, or 120 m if the scene is ten times as wide as deep. A flat bed, such as the floor of a
-   * pool or a tank, is treated as 5 m deep if the water's automatic sheet ends with its ground.
-   * Around objects in open water (the automatic sheet reaches to the horizon), the deepest part of
-   * them is treated as 10 m deep.
-   * Default is 1.
+   * then not shown, and GetWaveHeight agrees with what is shown. In a map, heights often have
+   * another scale than widths. Without a preset, light is therefore attenuated as if the deepest
+   * bed were 30 m deep, or 120 m if the scene is ten times as wide as deep. A flat bed, such as the
+   * floor of a pool or a tank, is treated as 5 m deep if the water's automatic sheet ends with its
+   * ground. If the automatic sheet reaches to the horizon, the deepest part of the objects in the
+   * water is treated as 10 m deep. Default is 1.
    */
   void SetMetresPerUnit(double metres);
   vtkGetMacro(MetresPerUnit, double);
@@ -305,9 +305,9 @@ public:
 
   ///@{
   /**
-   * Glitter of the sun on waves, and on water with a SlopeVariance, by the distribution of their
-   * slopes. The sun is the brightest scene light of the renderer; a headlight does not count.
-   * Default is on.
+   * Glitter of the sun on waves, and on water with a SlopeVariance, computed from the distribution
+   * of the slopes. The sun is the brightest scene light of the renderer; a headlight does not
+   * count. Default is on.
    *
    * Source: Cox and Munk 1954, "Measurement of the Roughness of the Sea Surface from Photographs of
    * the Sun's Glitter".
@@ -342,9 +342,9 @@ public:
 
   ///@{
   /**
-   * Foam where the water is shallower than FoamDepth, m: finite and not negative; with Refraction.
-   * It covers the waterline. Bands of foam travel towards the shore with a period of 12 s. Default
-   * is 0: no foam.
+   * Foam where the water is shallower than FoamDepth, m: finite and not negative. Needs Refraction.
+   * The foam covers the waterline, and bands of it travel towards the shore with a period of 12 s.
+   * Default is 0: no foam.
    */
   void SetFoamDepth(double depth);
   vtkGetMacro(FoamDepth, double);
@@ -382,11 +382,12 @@ public:
 
   ///@{
   /**
-   * Shadows of objects on the water's glitter and foam. What casts them is drawn along the sun's
-   * rays into a view of its own, with the pixels of the picture, wherever it is itself. Translucent
-   * props, volumes, and props that are not reflected cast none; nor does anything with ranks of a
-   * parallel program. The sun is a direction. The view is drawn again when the camera, the sun or
-   * an object has changed. Default is off.
+   * Shadows of objects on the water's glitter and foam. Objects that cast a shadow into the picture
+   * are drawn along the sun's rays into a separate view, even if they are outside the picture
+   * themselves. The view has as many pixels as the picture, and is drawn again when the camera, the
+   * sun or an object has changed, with a controller of several ranks on any of them. Translucent
+   * props, volumes and props that are not reflected cast no shadows. The sun is treated as
+   * infinitely distant. Default is off.
    * Source: Blinn 1988, "Me and My (Fake) Shadow".
    */
   void SetShadows(bool shadows);
@@ -396,12 +397,12 @@ public:
 
   ///@{
   /**
-   * Strength of caustics, the light that waves focus on what lies under them, in [0, 1]; with
-   * Refraction, waves and a sun (a scene light). At 1 the light follows from the slopes of the
-   * waves: it is traced from the surface to the bed and conserved, and only the sun's disc, the
-   * pixels of the picture and the smallest waves blur it. Displaced waves light the bed as if they
-   * lay in the plane. If a GPU has no float textures, an ErrorEvent is reported once, and the light
-   * is that of calm water. Default is 0: no caustics. Source: Shah et al. 2007, "Caustics Mapping".
+   * Strength of caustics, the light that waves focus on the bed, in [0, 1]. Needs Refraction, waves
+   * and a sun (a scene light). At 1 the light is physical: it is traced from the slopes of the
+   * waves to the bed and conserved, and is blurred only by the sun's disc, the pixels of the
+   * picture and the smallest waves. Displaced waves light the bed as if they lay in the plane. If a
+   * GPU has no float textures, an ErrorEvent is reported once, and the bed is lit as under calm
+   * water. Default is 0: no caustics. Source: Shah et al. 2007, "Caustics Mapping".
    */
   void SetCaustics(double strength);
   vtkGetMacro(Caustics, double);
@@ -409,10 +410,10 @@ public:
 
   ///@{
   /**
-   * Light shafts for a camera under water: the share, in [0, 1], of the light in the water, and on
-   * objects in it, that varies because the waves above focus it. Needs Refraction, waves, a sun, a
-   * medium (absorption or scattering in every channel) and a camera with perspective; the mean
-   * light is that of calm water. Default is 0: no shafts. Source: Iwasaki et al. 2002, "An
+   * Light shafts for a camera under water: the share, in [0, 1], of the light in the water and on
+   * objects in it that the waves above focus into shafts. The mean light stays that of calm water.
+   * Needs Refraction, waves, a sun, a medium (absorption or scattering in every channel) and a
+   * camera with perspective. Default is 0: no shafts. Source: Iwasaki et al. 2002, "An
    * Efficient Method for Rendering Underwater Optical Effects Using Graphics Hardware".
    */
   void SetLightShafts(double share);
@@ -422,11 +423,11 @@ public:
   ///@{
   /**
    * Opacity of data colours, in [0, 1], if the actor's mapper shows scalars through its lookup
-   * table. At 1 they are the colour of the water and hide what lies below; below 1 they are blended
-   * with it. The opacity that the table gives a colour multiplies it: a table can show clear water
-   * where a dye is thin. Reflection, glitter and foam are added on top: without these
-   * (SetReflectance(0), GlitterOff) the picture shows the lookup table's colours, unlit. Default
-   * is 1.
+   * table. At 1 these colours replace the colour of the water and hide what lies below; below 1
+   * they are blended with it. The opacity of each colour in the table multiplies this value, so
+   * that a table can show clear water where a dye is thin. Reflection, glitter and foam are added
+   * on top. Without them (SetReflectance(0), GlitterOff), the picture shows exactly the colours of
+   * the lookup table, unlit. Default is 1.
    */
   void SetDataOpacity(double opacity);
   vtkGetMacro(DataOpacity, double);
@@ -443,10 +444,10 @@ public:
 
   ///@{
   /**
-   * Adds a wave; any number is possible. The height is the sum of amplitude times the sine of k . x
-   * + phase - omega t, with x in the plane's own axes and omega from the dispersion relation for
-   * Depth. With waves the surface is a flat sheet with the waves' normals or, with WaveGeometry,
-   * displaced.
+   * Adds a wave; there may be any number. The height of the surface is the sum over all waves of
+   * amplitude * sin(k . x + phase - omega t), with x in the plane's own axes and omega from the
+   * dispersion relation for Depth. The surface is a flat sheet with the normals of the waves, or
+   * displaced (WaveGeometry).
    *
    * amplitude  m, half the height from trough to crest, finite and not negative
    * wavelength m, finite and greater than 0
@@ -485,19 +486,19 @@ public:
   double GetSlopeRMS() const;
 
   /**
-   * Upper bound of the wave height, m: the sum of the waves' amplitudes plus, if WaveGeometry
-   * displaces a wind sea, 6 standard deviations of its height. No point is displaced further up or
-   * down, except one in 6e7 of the sea's crests.
+   * Upper bound of the waves' height above or below the plane, m: the sum of their amplitudes plus,
+   * if WaveGeometry displaces a wind sea, 6 standard deviations of its height. One in 6e7 crests of
+   * the sea is higher.
    */
   double GetWaveHeightMax() const;
 
   ///@{
   /**
    * Adds one of at most two normal maps that move over the water, in addition to other waves. In a
-   * texture, red and green are the components along the plane's axes and blue the one upwards, from
-   * -1 to 1 stored as 0 to 255: 3 or 4 channels of 8 bits, from 2 x 2 to 4096 x 4096. nullptr is a
-   * built-in map of ripples with an rms slope of 0.1. Normal maps have no heights: GetWaveHeight
-   * and GetWaveNormal ignore them.
+   * texture, red and green are the components of the normal along the plane's axes, and blue is the
+   * component upwards; -1 to 1 are stored as 0 to 255. The texture has 3 or 4 channels of 8 bits,
+   * and 2 x 2 to 4096 x 4096 pixels. nullptr selects a built-in map of ripples with an rms slope of
+   * 0.1. Normal maps have no heights: GetWaveHeight and GetWaveNormal ignore them.
    *
    * size       m of water that the map covers, in [1e-6, 1e9]
    * speed      m/s at which it moves, finite
@@ -521,8 +522,8 @@ public:
    * do not. The displacement is vertical and, for steep waves and the sea (SeaChoppiness), also
    * horizontal. Off: a flat sheet with the waves' normals, which is cheaper, and accurate if waves
    * are low compared with the objects in them. On: the built-in sheet becomes a grid over the
-   * visible area. The points of a user's mesh are displaced as they are, so it needs several points
-   * per wavelength. No effect without waves, nor on edges and wide lines. Default is off.
+   * visible area. A user's mesh is displaced at its points and not refined, so it needs several
+   * points per wavelength. No effect without waves, nor on edges and wide lines. Default is off.
    */
   void SetWaveGeometry(bool geometry);
   vtkGetMacro(WaveGeometry, bool);
@@ -531,9 +532,9 @@ public:
 
   ///@{
   /**
-   * Cells along a side of the grid for displaced waves (WaveGeometry), in [16, 2048]: the same
-   * number across the view and into its depth. Waves with fewer than four cells keep part of their
-   * height, those with fewer than two only their normals. Default is 256.
+   * Number of cells of the grid for displaced waves (WaveGeometry), both across the view and into
+   * its depth, in [16, 2048]. Where a wave spans fewer than four cells, it loses part of its
+   * height; with fewer than two, only its normals remain. Default is 256.
    */
   void SetWaveGridSize(int size);
   vtkGetMacro(WaveGridSize, int);
@@ -550,10 +551,10 @@ public:
 
   ///@{
   /**
-   * A wind sea: random waves with the spectrum of a wind, on square tiles that repeat in both
-   * directions (SeaCascades). They are added to the waves of AddWave. Between the points of a tile,
-   * heights and slopes are bilinear, both in GetWaveHeight and in the picture. Waves too short for
-   * a pixel, or for the tiles, roughen the reflection. Default is off.
+   * A wind sea: random waves with the spectrum that a wind raises, on square tiles that repeat in
+   * both directions (SeaCascades). They are added to the waves of AddWave. Between the points of a
+   * tile, heights and slopes are interpolated bilinearly, both in GetWaveHeight and in the picture.
+   * Waves too short for a pixel or for the tiles roughen the reflection. Default is off.
    *
    * Source: Tessendorf 2001, "Simulating Ocean Water".
    */
@@ -708,10 +709,10 @@ public:
   ///@{
   /**
    * Life time of whitecaps, seconds in [0, 10]: foam stays where a crest of the sea broke, and
-   * after this time a share 1/e of it is left. With what is breaking it covers GetWhitecapCover of
-   * the surface in the mean. It is a function of the time alone (vtkWaterActor::SetTime), and is
-   * left by the crests of the sea's first tile (SeaCascades). 0: whitecaps appear and vanish with
-   * the crest. Default is 3.5.
+   * after this time a share 1/e of it is left. Breaking crests and this older foam together cover
+   * GetWhitecapCover of the surface on average. Only crests of the sea's first tile (SeaCascades)
+   * leave foam behind. The foam depends only on the time (vtkWaterActor::SetTime), not on earlier
+   * frames. 0: whitecaps appear and vanish with their crest. Default is 3.5.
    *
    * Source: Callaghan, Deane, Stokes and Ward 2012, "Observed Variation in the Decay Time of
    * Oceanic Whitecap Foam" (0.5 to 8 s, longer for larger breakers).

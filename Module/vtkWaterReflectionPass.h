@@ -136,10 +136,11 @@ public:
 
   ///@{
   /**
-   * Samples per pixel of the mirrored view, 0 to 32 and at most what the GPU supports; 0 and 1 mean
-   * none. -1, the default, chooses. With waves: none, because the rays sample edges themselves, and
-   * texels that mix two objects at an edge would show as webs around reflections. With calm water:
-   * as many as the window's MultiSamples, at most 8, and at least 4 in the quality "high".
+   * Samples per pixel of the mirrored view, 0 to 32, limited to what the GPU supports; 0 and 1 turn
+   * multisampling off. -1, the default, chooses the number. With waves it is 0, because the rays
+   * sample edges themselves, and texels that mix two objects at an edge would show as webs around
+   * reflections. With calm water it is the window's MultiSamples, at most 8, and at least 4 with
+   * the ray-trace quality "high".
    */
   void SetMultiSamples(int samples);
   int GetMultiSamples() const;
@@ -225,9 +226,9 @@ public:
    * reflection (one bounce). Off: they reflect only the sky there. On: for each such plane that the
    * reflection shows, another mirrored view is rendered (a secondary view). In it, waters reflect
    * only the sky. Waves of other waters appear as roughness, as without this setting. Clear water
-   * keeps the colour of deep water there. Without effect, with one warning, if the pass has a
-   * controller of several ranks. Source: Documentation/decisions/011-water-in-water.md. Default is
-   * off.
+   * keeps the colour of deep water there. If the pass has a controller of several ranks, the
+   * setting has no effect, and one warning says so. Source:
+   * Documentation/decisions/011-water-in-water.md. Default is off.
    */
   void SetSecondaryReflections(bool reflections);
   bool GetSecondaryReflections() const;
@@ -237,7 +238,7 @@ public:
   ///@{
   /**
    * Whether to show the reflection texture in the lower left quarter of the viewport, as the water
-   * sees it (not flipped). For debugging. Default is off, or on with VTK_WATER_DEBUG=1.
+   * sees it (not flipped). For debugging. Default is off, with VTK_WATER_DEBUG=1 on.
    */
   vtkSetMacro(ShowReflection, bool);
   vtkGetMacro(ShowReflection, bool);
@@ -282,7 +283,8 @@ public:
 
   ///@{
   /**
-   * Number of the renderer's props with a fate (Fates) in the last plan, 0 for an unknown fate.
+   * Number of the renderer's props that had this fate (Fates) in the last plan; 0 for an unknown
+   * fate.
    * GetFateAsString returns the fate in words.
    */
   int GetFateCount(int fate) const;
@@ -413,8 +415,8 @@ public:
   void KeepBackground(vtkRenderer* renderer);
 
   /**
-   * Number of pixels of the mirrored view that the ranks joined in the last frame; 0 if the last
-   * view was reused, or without other ranks.
+   * Number of pixels of the mirrored view, the own view, the sun view and the sky view that the
+   * ranks joined in the last frame; 0 if all were reused, or without other ranks.
    */
   vtkIdType GetNumberOfPixelsJoined() const;
 

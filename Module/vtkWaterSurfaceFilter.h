@@ -26,12 +26,12 @@
  * z; for other directions, transform the mesh first.
  *
  * Level, depth and bed must have the same unit. If one array seems to have another unit, a warning
- * names it, once, with the ranges of all arrays. With all three heights, this is the case if level
- * = bed + depth holds only after a conversion between millimetres, centimetres, feet and metres.
- * With depth and bed alone, it is the case if their sum is calm only after such a conversion of the
- * depth. With level and bed alone, it is the case if the levels lie far below the lowest bed; or if
- * they lie far above the whole bed, but would lie among its heights after such a conversion. Other
- * mistakes of units look like real water and are not detected.
+ * names it, once, with the ranges of all arrays. The checks convert an array between millimetres,
+ * centimetres, feet and metres. With all three arrays, there is a warning if level = bed + depth
+ * holds only after a conversion. With depth and bed alone, there is one if the surface, their sum,
+ * is level only after a conversion of the depth. With level and bed alone, there is one if the
+ * levels lie far below the lowest bed, or far above the whole bed but among its heights after a
+ * conversion. Other mistakes of units look like real water and are not detected.
  *
  * @sa vtkWaterActor
  */
@@ -75,9 +75,9 @@ public:
   ///@{
   /**
    * Name of the array with the water's depth above the bed, one number per point or cell. Values
-   * that are not finite, and values not above DryDepth, are dry. A warning reports an array whose
-   * values are all negative, once. Empty, the default, means that
-   * there is no such array; the level is then required.
+   * that are not finite, and values not above DryDepth, are dry. If all values of an array are
+   * negative, a warning says so, once. Empty, the default, means that there is no such array; the
+   * level is then required.
    */
   void SetDepthArrayName(const std::string& name);
   std::string GetDepthArrayName() const { return this->DepthArrayName; }

@@ -346,9 +346,28 @@ TEST(rows_and_directions_follow_the_band)
   }
 }
 
+// Flags and bounds as they were, unless something else is drawn.
+TEST(the_own_view_has_what_stands_there_itself)
+{
+  const water_prop given = { { 1.0, 2.0, 3.0, 4.0, 5.0, 6.0 },
+    WATER_PROP_VISIBLE | WATER_PROP_LABEL | WATER_PROP_OWN_VISIBLE, 2.0f };
+  water_prop prop = given;
+  water_prop made = water_beyond_prop(&prop);
+  assert_int_equal(made.flags, given.flags);
+  assert_memory_equal(made.bounds, given.bounds, sizeof given.bounds);
+  assert_true(made.width_px == 2.0f);
+  prop.flags = WATER_PROP_VISIBLE | WATER_PROP_LABEL | WATER_PROP_OWN_OTHER; // which is hidden
+  made = water_beyond_prop(&prop);
+  assert_int_equal(made.flags & WATER_PROP_VISIBLE, 0);
+  assert_true((made.flags & WATER_PROP_NO_BOUNDS) && (made.flags & WATER_PROP_LABEL));
+  prop.flags = WATER_PROP_OWN_OTHER | WATER_PROP_OWN_VISIBLE; // the stand-in is hidden
+  made = water_beyond_prop(&prop);
+  assert_true((made.flags & WATER_PROP_VISIBLE) && (made.flags & WATER_PROP_NO_BOUNDS));
+}
+
 TESTS(a_picture_larger_than_textures_has_none, tiles_have_a_view_of_their_own,
   band_of_a_tile_is_that_of_the_picture, the_pictures_pixels_are_pixels_of_the_own_view,
   the_gpus_limit_narrows_the_band, what_lies_beyond_is_drawn,
   the_clip_keeps_what_is_beyond_the_crests, refracted_rays_stay_in_the_drawn_part,
   it_is_planned_where_the_water_is_seen, the_reflections_scale_does_not_matter,
-  rows_and_directions_follow_the_band)
+  rows_and_directions_follow_the_band, the_own_view_has_what_stands_there_itself)

@@ -205,6 +205,42 @@ TEST(other_suns_and_airs_are_refused)
   assert_true(water_clear_sky_make(0.0, 90.0, 10.0, &sky));
 }
 
-TESTS(colors_are_those_of_the_paper, skies_are_not_purple, zenith_has_its_luminance,
-  skies_look_like_skies, horizon_has_no_step, low_suns_are_red, exposure_shows_the_mean,
-  places_of_the_picture, other_suns_and_airs_are_refused)
+// The mean is what level ground gets: over the hemisphere, the mean weighted with the cosine. Here
+// it is summed in steps of a degree.
+TEST(the_mean_is_that_of_the_hemisphere)
+{
+  const double radian = 3.14159265358979323846 / 180.0;
+  const double elevations[] = { 10.0, 40.0, 80.0 };
+  for (size_t number = 0; number < sizeof elevations / sizeof *elevations; ++number)
+  {
+    water_clear_sky sky;
+    assert_true(water_clear_sky_make(70.0, elevations[number], 3.0, &sky));
+    double sum[3] = { 0.0, 0.0, 0.0 };
+    double weights = 0.0;
+    for (int i = 0; i < 90; ++i)
+    {
+      const double high = (i + 0.5) * radian;
+      const double weight = cos(high) * sin(high);
+      for (int j = 0; j < 360; ++j)
+      {
+        const double turn = j * radian;
+        const double dir[3] = { cos(high) * cos(turn), cos(high) * sin(turn), sin(high) };
+        double color[3];
+        water_clear_sky_color(&sky, dir, color);
+        for (int k = 0; k < 3; ++k)
+        {
+          sum[k] += weight * color[k];
+        }
+        weights += weight;
+      }
+    }
+    for (int k = 0; k < 3; ++k)
+    {
+      ASSERT_CLOSE(sky.mean[k] / (sum[k] / weights), 1.0, 5e-3);
+    }
+  }
+}
+
+TESTS(the_mean_is_that_of_the_hemisphere, colors_are_those_of_the_paper, skies_are_not_purple,
+  zenith_has_its_luminance, skies_look_like_skies, horizon_has_no_step, low_suns_are_red,
+  exposure_shows_the_mean, places_of_the_picture, other_suns_and_airs_are_refused)

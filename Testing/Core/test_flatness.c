@@ -280,6 +280,103 @@ TEST(vertices_know_their_height)
   }
 }
 
-TESTS(points_of_the_plane_have_no_height_but_their_rounding, inspections_are_joined,
+// The largest height of a search is 1e-4 of the diagonal in world, and heights are known to 16
+// roundings of the largest terms, in floats to one of a float.
+TEST(limits_are_those_of_the_mesh)
+{
+  const water_plane level = { { 0.0, 0.0, 1.0 }, -100.0 };
+  const double bounds[6] = { 1.0, 5.0, -1.0, 3.0, -3.0, 2.0 };
+  double matrix[16] = { 1.0, 0.0, 2.0, 7.0, 2.0, 3.0, 0.0, 8.0, 2.0, 4.0, -1.0, 9.0, 0.0, 0.0, 0.0,
+    1.0 };
+  water_flatness flatness;
+  assert_true(water_flatness_begin(&level, matrix, bounds, false, &flatness));
+  const double sides[3] = { 4.0 * 3.0, 4.0 * 5.0, 5.0 * sqrt(5.0) }; // the columns are 3, 5, 5^1/2
+  const double diagonal = sqrt(dot(sides, sides));
+  ASSERT_CLOSE(flatness.limit / diagonal, 1e-4, 1e-16);
+  // heights are 2 x + 4 y - z + 9 - 100
+  const double terms = 2.0 * 5.0 + 4.0 * 3.0 + 3.0;
+  ASSERT_CLOSE(flatness.rounding / (DBL_EPSILON * (terms + 100.0 + 91.0)), 16.0, 1e-12);
+  const double rounding = flatness.rounding;
+  assert_true(water_flatness_begin(&level, matrix, bounds, true, &flatness));
+  ASSERT_CLOSE((flatness.rounding - rounding) / terms, (double)FLT_EPSILON, 1e-15);
+}
+
+// A height at a limit is not over it. The highest point is known, whatever the order.
+TEST(heights_at_the_limits)
+{
+  const double half[3] = { 0.0, 0.0, 0.5 };
+  const double low[3] = { 0.0, 0.0, -0.25 };
+  const double high[3] = { 0.0, 0.0, -3.0 };
+  water_flatness flatness = { { 0.0, 0.0, 1.0, 0.0 }, 0.0, 0.25, 0.5, 0.0 };
+  assert_true(water_flatness_add(low, &flatness));
+  ASSERT_CLOSE(water_flatness_judge(&flatness), 0.0, 0.0);
+  assert_true(water_flatness_add(half, &flatness));
+  ASSERT_CLOSE(water_flatness_judge(&flatness), 0.5, 0.0);
+  assert_false(water_flatness_add(high, &flatness));
+  assert_true(water_flatness_add(low, &flatness));
+  ASSERT_CLOSE(flatness.reach, 3.0, 0.0);
+  flatness.limit = 0.125;
+  flatness.height_max = 0.0;
+  assert_true(water_flatness_add(low, &flatness)); // over the limit, but not over its rounding
+}
+
+// The height from which on a surface is seen.
+static double seen_from(const water_plan* plan, const int viewport_px[2])
+{
+  double low = 1e-9;
+  double high = 10.0;
+  while (high > low * (1.0 + 1e-12))
+  {
+    const double middle = sqrt(low * high);
+    *(water_flatness_is_unseen(plan, middle, viewport_px) ? &low : &high) = middle;
+  }
+  return low;
+}
+
+// The picture's shift, in pixels along y, of the point over the picture's lowest middle that is
+// that high, seen from an eye 5 over the water that looks up by an angle.
+static double shift_at_bottom(double pitch, double half_angle, double height, int rows)
+{
+  const double down = half_angle - pitch; // of the lowest ray, under the horizon
+  const double away = (5.0 - height) / tan(down);
+  const double below = atan2(5.0 + height, away); // its mirror image, under the horizon
+  return 0.5 * rows * (tan(below + pitch) / tan(half_angle) - 1.0);
+}
+
+// The limit is not only safe, but the very height at which the nearest water's reflection is off by
+// a 256th of a pixel. In small pictures such heights are a part of the eye's.
+TEST(limit_of_the_nearest_water)
+{
+  const double half_angle = 0.6;
+  const double pitches[] = { 0.3, 0.1, 0.0 };
+  for (size_t i = 0; i < sizeof pitches / sizeof *pitches; ++i)
+  {
+    const int viewport_px[2] = { 1, 2 };
+    water_scene scene = lake();
+    const double eye[3] = { 0.0, -10.0, 5.0 };
+    const double target[3] = { 0.0, -10.0 + cos(pitches[i]), 5.0 + sin(pitches[i]) };
+    const double up[3] = { 0.0, 0.0, 1.0 };
+    const double side = tan(half_angle);
+    const double box[4] = { -0.5 * side, 0.5 * side, -side, side };
+    look_at(eye, target, up, scene.eye.world_to_view);
+    frustum_matrix(box, 1.0, 1000.0, scene.eye.view_to_clip);
+    const double bounds[6] = { -10.0, 10.0, -10.0, 1000.0, 0.0, 0.0 };
+    memcpy(scene.surface_bounds, bounds, sizeof bounds);
+    const water_plan plan = plan_of(&scene, NULL);
+    const double height = seen_from(&plan, viewport_px);
+    ASSERT_CLOSE(
+      256.0 * shift_at_bottom(pitches[i], half_angle, height, viewport_px[1]), 1.0, 1e-6);
+    // a near plane beyond that point: what is seen is farther away
+    frustum_matrix((double[4]){ -50.0 * side, 50.0 * side, -100.0 * side, 100.0 * side }, 100.0,
+      1e4, scene.eye.view_to_clip);
+    const water_plan far_plan = plan_of(&scene, NULL);
+    assert_true(seen_from(&far_plan, viewport_px) > 3.0 * height);
+    // as high as the eye: seen
+    assert_false(water_flatness_is_unseen(&plan, 5.0, viewport_px));
+  }
+}
+
+TESTS(limits_are_those_of_the_mesh, heights_at_the_limits, limit_of_the_nearest_water,
+  points_of_the_plane_have_no_height_but_their_rounding, inspections_are_joined,
   high_points_end_the_search, without_bounds_or_with_a_projection_there_are_no_heights,
   heights_that_are_seen_are_not_taken_as_flat, vertices_know_their_height)

@@ -147,6 +147,21 @@ TEST(meshes_without_a_size_have_no_current)
   }
 }
 
-TESTS(meshes_without_a_size_have_no_current, velocities_that_no_water_has_count_as_0,
-  layers_take_turns, any_time_is_in_a_period, ways_are_in_the_scenes_unit, the_variance_is_kept,
-  the_variance_of_a_band_is_kept)
+// A matrix that flattens a mesh upright leaves no area for a current.
+TEST(flattened_meshes_have_no_current)
+{
+  const water_axes axes = axes_of();
+  const double matrix[16] = { 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 };
+  double across[3];
+  double down[3];
+  water_flow_ways(&axes, matrix, 4.0, 1.0, across, down);
+  for (int i = 0; i < 3; ++i)
+  {
+    ASSERT_CLOSE(across[i], 0.0, 0.0);
+    ASSERT_CLOSE(down[i], 0.0, 0.0);
+  }
+}
+
+TESTS(flattened_meshes_have_no_current, meshes_without_a_size_have_no_current,
+  velocities_that_no_water_has_count_as_0, layers_take_turns, any_time_is_in_a_period,
+  ways_are_in_the_scenes_unit, the_variance_is_kept, the_variance_of_a_band_is_kept)

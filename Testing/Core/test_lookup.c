@@ -429,6 +429,24 @@ TEST(horizon_of_a_level_camera)
   assert_memory_equal(rect, all, sizeof rect);
 }
 
+// What a texel more to the right, or up, gains in height at one depth.
+TEST(waterline_follows_from_heights_of_texels)
+{
+  const int texture_px[2] = { 320, 240 };
+  // height / w of a place in NDC, as for an eye that looks down, and is rolled
+  const double heights[4] = { 0.03, -0.4, 0.7, -0.2 };
+  double waterline[4];
+  water_lookup_waterline(heights, texture_px, waterline);
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    const double texel[2] = { 100.0, 70.0 };
+    const double here = 2.0 * texel[axis] / texture_px[axis] - 1.0;
+    const double next = 2.0 * (texel[axis] + 1.0) / texture_px[axis] - 1.0;
+    ASSERT_CLOSE(waterline[axis], heights[axis] * next - heights[axis] * here, 1e-15);
+    ASSERT_CLOSE(waterline[2 + axis], texture_px[axis], 0.0);
+  }
+}
+
 // Foam is after 12 s as it was, before the time 0, too.
 TEST(foam_comes_back)
 {
@@ -437,10 +455,10 @@ TEST(foam_comes_back)
   ASSERT_CLOSE(water_lookup_pattern_turn(1200003.0), 0.25, 1e-9);
 }
 
-TESTS(foam_comes_back, pixel_of_a_place_leads_back_to_it, what_is_under_water_is_under_the_horizon,
-  horizon_of_a_level_camera, directions_lead_to_the_pictures_of_points_along_them,
-  depth_at_infinity_is_where_rays_end, waves_use_the_whole_map,
-  guard_band_widens_the_map_about_its_middle, guard_band_follows_the_waves,
+TESTS(waterline_follows_from_heights_of_texels, foam_comes_back, pixel_of_a_place_leads_back_to_it,
+  what_is_under_water_is_under_the_horizon, horizon_of_a_level_camera,
+  directions_lead_to_the_pictures_of_points_along_them, depth_at_infinity_is_where_rays_end,
+  waves_use_the_whole_map, guard_band_widens_the_map_about_its_middle, guard_band_follows_the_waves,
   top_is_the_highest_drawn_corner, environment_has_its_own_axes,
   sun_is_seen_in_the_axes_of_the_plane, depth_of_the_map_tells_heights,
   mirrored_view_reaches_down_into_troughs, mirrored_view_begins_at_the_lowest_point)

@@ -270,6 +270,23 @@ TEST(far_plane_moves_behind_the_drawn_props)
   assert_int_in_range(moved, 500, 2900);
 }
 
+// Widening scales the rows of x and y, each by its own factor, whatever is in them, and no others.
+TEST(widening_scales_two_rows)
+{
+  water_camera camera;
+  memset(&camera, 0, sizeof camera);
+  for (int i = 0; i < 16; ++i)
+  {
+    camera.view_to_clip[i] = 1.0;
+  }
+  const double scale[2] = { 0.5, 0.25 };
+  water_mirror_widen(scale, &camera);
+  for (int i = 0; i < 16; ++i)
+  {
+    ASSERT_CLOSE(camera.view_to_clip[i], i < 4 ? 0.5 : (i < 8 ? 0.25 : 1.0), 0.0);
+  }
+}
+
 // A projection without inverse has no clip plane: refused, output untouched.
 TEST(clip_needs_a_projection_with_an_inverse)
 {
@@ -283,5 +300,5 @@ TEST(clip_needs_a_projection_with_an_inverse)
 TESTS(mirrored_camera_of_a_known_eye, pose_and_matrix_are_the_same_camera,
   point_on_water_keeps_its_pixel, point_above_water_is_seen_as_its_mirror_image,
   mirrored_twice_is_the_eye, clip_has_the_sign_of_the_height, far_plane_stays_without_a_reason,
-  far_plane_keeps_its_margin, far_plane_moves_behind_the_drawn_props,
+  far_plane_keeps_its_margin, far_plane_moves_behind_the_drawn_props, widening_scales_two_rows,
   clip_needs_a_projection_with_an_inverse)

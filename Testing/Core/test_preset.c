@@ -108,6 +108,22 @@ TEST(water_has_the_clarity_of_its_name)
   assert_true(!pool.look.constant_reflectance);
 }
 
+// A clear lake is Jerlov's type IB with particles: they scatter 0.010 / m of what the type was said
+// to absorb, and 0.020 / m more.
+TEST(the_default_is_a_clear_lake)
+{
+  water_medium lake;
+  water_medium sea;
+  double natural[3];
+  water_preset_default(&lake, natural);
+  water_type_medium(WATER_TYPE_IB, &sea);
+  for (int i = 0; i < 3; ++i)
+  {
+    ASSERT_CLOSE(lake.scattering[i] - sea.scattering[i], 0.030, 1e-15);
+    ASSERT_CLOSE(lake.absorption[i] - sea.absorption[i], -0.010, 1e-15);
+  }
+}
+
 // A name that is none, or no name, is refused.
 TEST(unknown_names_are_refused)
 {
@@ -118,5 +134,5 @@ TEST(unknown_names_are_refused)
   assert_string_equal(preset.name, "pool");
 }
 
-TESTS(presets_are_good_input, waves_have_the_size_of_their_name, ripples_of_a_pool_cross,
-  water_has_the_clarity_of_its_name, unknown_names_are_refused)
+TESTS(the_default_is_a_clear_lake, presets_are_good_input, waves_have_the_size_of_their_name,
+  ripples_of_a_pool_cross, water_has_the_clarity_of_its_name, unknown_names_are_refused)

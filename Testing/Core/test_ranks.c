@@ -414,7 +414,54 @@ TEST(farthest_rank_that_does_not_exist_is_refused)
   }
 }
 
-TESTS(calm_on_all_ranks_is_calm, water_is_shown_by_all_ranks_or_by_the_farthest,
+// A rank that has sent nothing is noticed, wherever it is; those of all are moved together.
+TEST(numbers_of_a_lost_rank_are_refused)
+{
+  const double sent[9] = { 1.0, 2.0, WATER_RANKS_IS_HERE, 3.0, 4.0, WATER_RANKS_IS_HERE, 5.0, 6.0,
+    WATER_RANKS_IS_HERE };
+  double numbers[9];
+  memcpy(numbers, sent, sizeof sent);
+  assert_true(water_ranks_take_numbers(numbers, 2, 3));
+  for (int i = 0; i < 6; ++i)
+  {
+    ASSERT_CLOSE(numbers[i], i + 1.0, 0.0);
+  }
+  for (size_t lost = 0; lost < 3; ++lost)
+  {
+    memcpy(numbers, sent, sizeof sent);
+    memset(numbers + 3 * lost, 0, 3 * sizeof *numbers);
+    assert_false(water_ranks_take_numbers(numbers, 2, 3));
+  }
+}
+
+// The rectangle is around those of all ranks that show clear water, in any order; its samples are
+// those of all, or none.
+TEST(parts_with_clear_water_are_joined)
+{
+  const water_rank_part left = { { 10.0, 40.0, 20.0, 5.0 }, 4.0 };
+  const water_rank_part right = { { 15.0, 30.0, 90.0, 12.0 }, 4.0 };
+  const water_rank_part flat = { { 0.0, 0.0, 500.0, 0.0 }, 4.0 };
+  const water_rank_part narrow = { { -90.0, -90.0, 0.0, 70.0 }, 8.0 };
+  const water_rank_part orders[3][3] = { { left, right, flat }, { flat, right, left },
+    { right, flat, left } };
+  static const int all[4] = { 10, 30, 95, 15 };
+  int rect[4];
+  for (int i = 0; i < 3; ++i)
+  {
+    assert_int_equal(water_ranks_join_parts(orders[i], 3, rect), 4);
+    assert_memory_equal(rect, all, sizeof all);
+  }
+  const water_rank_part unequal[3] = { left, narrow, right };
+  assert_int_equal(water_ranks_join_parts(unequal, 3, rect), 0);
+  assert_memory_equal(rect, all, sizeof all);
+  const water_rank_part none[2] = { flat, flat };
+  static const int empty[4] = { 0, 0, 0, 0 };
+  assert_int_equal(water_ranks_join_parts(none, 2, rect), 4);
+  assert_memory_equal(rect, empty, sizeof empty);
+}
+
+TESTS(numbers_of_a_lost_rank_are_refused, parts_with_clear_water_are_joined,
+  calm_on_all_ranks_is_calm, water_is_shown_by_all_ranks_or_by_the_farthest,
   farthest_rank_that_does_not_exist_is_refused, bounds_of_all_ranks_are_joined,
   rank_that_differs_is_named, facts_of_a_view_are_joined, parts_of_a_mesh_are_joined,
   error_of_one_rank_is_named, all_waters_are_gone, waters_that_differ_are_refused,

@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A rank that dies, throws, runs out of memory, loses its context or never comes: the others say so
 // and go on, or end with an error, in time. None hangs. Each fault has processes of its own.
-#include "WaterRankScene.h"
+#include "WaterRankPart.h"
 #include "WaterSocketRanks.h"
 #include "WaterTestScene.h"
 
-#include "vtkCallbackCommand.h"
-#include "vtkCommand.h"
-#include "vtkMapper.h"
 #include "vtkShaderProperty.h"
 #include "vtkWaterReflectionPass.h"
 
@@ -31,6 +28,11 @@ constexpr int kRanks = 3;
 constexpr double kWaitLimit = 2.0; // s, the setting, where ranks are to end
 constexpr double kSlow = 30.0;     // s, where they are not, on a busy machine
 constexpr double kPatience = 10.0; // s, from the fault to the end of every process
+// What a rank sends in a frame with clear water; with more, a fault would come in the next frame.
+constexpr int kMessages = 10;
+// What it sends in a frame with all views between its mirrored view and its picture.
+constexpr int kFirstOfViews = 9;
+constexpr int kEndOfViews = 20;
 
 enum Ends
 {
@@ -39,94 +41,6 @@ enum Ends
   SAID = 10,          // an error, and the rank has given up
   WRONG = 11,
   THREW = 12
-};
-
-// A prop that throws when it is asked where it is, once the cullers have asked.
-class FaultyActor : public vtkActor
-{
-public:
-  static FaultyActor* New();
-  vtkTypeMacro(FaultyActor, vtkActor);
-  bool IsBroken = false;
-  bool IsCulled = false;
-  void SetAllocatedRenderTime(double seconds, vtkViewport* viewport) override
-  {
-    this->IsCulled = true;
-    this->vtkActor::SetAllocatedRenderTime(seconds, viewport);
-  }
-  double* GetBounds() override
-  {
-    if (this->IsBroken && this->IsCulled)
-    {
-      throw std::runtime_error("no bounds");
-    }
-    return this->vtkActor::GetBounds();
-  }
-};
-vtkStandardNewMacro(FaultyActor);
-
-// A rank's part of the scene: every third thing, one of them translucent.
-struct Part : public WaterTestScene
-{
-  explicit Part(vtkMultiProcessController* controller)
-  {
-    this->AddThings<vtkPolyDataMapper>();
-    const int rank = controller->GetLocalProcessId();
-    WaterKeepProps(*this, [&](vtkActor* actor, int number) {
-      const bool isOwn = number % kRanks == rank;
-      if (isOwn)
-      {
-        (this->First ? this->Glass : this->First) = actor;
-      }
-      return isOwn;
-    });
-    this->Glass->GetProperty()->SetOpacity(0.5);
-    this->Thing->SetMapper(this->First->GetMapper());
-    this->Renderer->AddActor(this->Thing);
-    this->AddWater();
-    this->Water->GetReflectionPass()->SetController(controller);
-    this->Water->GetReflectionPass()->SetRankWaitLimit(kSlow);
-    vtkNew<vtkCallbackCommand> nothing; // errors are asked for, not printed
-    nothing->SetCallback([](vtkObject*, unsigned long, void*, void*) {});
-    this->Water->AddObserver(vtkCommand::ErrorEvent, nothing);
-    this->Renderer->AddObserver(vtkCommand::ErrorEvent, nothing);
-  }
-
-  // Does something when a thing is drawn, mirrored or not.
-  void When(vtkActor* actor, bool isMirrored, std::function<void()> action)
-  {
-    this->Action = action;
-    this->IsMirrored = isMirrored;
-    vtkNew<vtkCallbackCommand> command;
-    command->SetClientData(this);
-    command->SetCallback([](vtkObject*, unsigned long, void* data, void*) {
-      auto* self = static_cast<Part*>(data);
-      const double height = self->Renderer->GetActiveCamera()->GetPosition()[2];
-      if (self->Action && (height < 0.0) == self->IsMirrored)
-      {
-        self->Action();
-      }
-    });
-    actor->GetMapper()->AddObserver(vtkCommand::UpdateShaderEvent, command);
-  }
-
-  void Render()
-  {
-    this->Renderer->GetActiveCamera()->Azimuth(1.0); // or nothing is drawn
-    this->Window->Render();
-  }
-
-  std::string GetError() { return this->Water->GetLastError(); }
-  bool IsReflecting()
-  {
-    return this->Water->GetReflectionPass()->GetDecision() == vtkWaterReflectionPass::RENDERED;
-  }
-
-  vtkActor* First = nullptr;
-  vtkActor* Glass = nullptr;
-  vtkNew<FaultyActor> Thing;
-  std::function<void()> Action;
-  bool IsMirrored = false;
 };
 
 enum Expected
@@ -139,7 +53,7 @@ enum Expected
 
 struct Fault
 {
-  const char* Name;
+  std::string Name;
   Expected Ending;
   bool IsFirst; // in the first frame
   int Rank;
@@ -169,13 +83,17 @@ std::vector<Fault> GetFaults()
 {
   using P = Part&;
   const auto mirrored = [](std::function<void()> action) {
-    return [action](P part) { part.When(part.First, true, action); };
+    return [action](P part) { part.When(part.First, RankView::MIRRORED, action); };
   };
   const auto drawn = [](std::function<void()> action) {
-    return [action](P part) { part.When(part.First, false, action); };
+    return [action](P part) { part.When(part.First, RankView::PICTURE, action); };
   };
   const auto blended = [](std::function<void()> action) {
-    return [action](P part) { part.When(part.Glass, true, action); };
+    return [action](P part) { part.When(part.Glass, RankView::MIRRORED, action); };
+  };
+  const auto inView = [](RankView view, std::function<void()> action) {
+    return [view, action](
+             P part) { part.When(view == RankView::SKY ? part.Dome : part.First, view, action); };
   };
   const auto leave = [](P) { _exit(RIGHT); };
   const auto removeWater = [](P part) { part.Renderer->RemoveActor(part.Water); };
@@ -190,7 +108,7 @@ std::vector<Fault> GetFaults()
       static_cast<WaterSocketCommunicator*>(controller->GetCommunicator())->Version = version;
     };
   };
-  return {
+  std::vector<Fault> faults = {
     { "leaves before the first frame", OTHERS_END, true, 2, leave, nullptr },
     { "leaves", OTHERS_END, false, 2, leave, nullptr },
     { "the root leaves", OTHERS_END, false, 0, leave, nullptr },
@@ -206,6 +124,12 @@ std::vector<Fault> GetFaults()
     { "the root throws in its mirrored view", ALL_SAY, false, 0, mirrored(Throw), Forget },
     { "has no memory in its mirrored view", ALL_SAY, false, 1, mirrored(LoseMemory), Forget },
     { "has no memory for what it blends", ALL_SAY, false, 1, blended(LoseMemory), Forget },
+    { "throws in its own view", ALL_SAY, false, 2, inView(RankView::OWN, Throw), Forget },
+    { "throws in its sun view", ALL_SAY, false, 1, inView(RankView::SUN, Throw), Forget },
+    { "the root throws in its sky view", ALL_SAY, false, 0, inView(RankView::SKY, Throw), Forget },
+    { "has no memory in its sun view", ALL_SAY, false, 2, inView(RankView::SUN, LoseMemory),
+      Forget },
+    { "is killed in its sun view", OTHERS_END, false, 2, inView(RankView::SUN, Die), nullptr },
     { "throws when it is read", ALL_SAY, false, 2,
       [](P part) {
         part.Thing->IsBroken = true;
@@ -216,7 +140,7 @@ std::vector<Fault> GetFaults()
     { "throws in its picture below clear water", OTHERS_END, false, 1,
       [](P part) {
         part.Water->GetWaterProperty()->RefractionOn();
-        part.When(part.First, false, Throw);
+        part.When(part.First, RankView::PICTURE, Throw);
       },
       nullptr },
     { "never adds its water", OTHERS_END, true, 2, removeWater, nullptr },
@@ -234,21 +158,47 @@ std::vector<Fault> GetFaults()
       nullptr },
     { "finalizes its window in its mirrored view", NONE_HANGS, false, 2,
       [](P part) {
-        part.When(part.First, true, [&part]() {
+        part.When(part.First, RankView::MIRRORED, [&part]() {
           part.Action = nullptr;
           part.Window->Finalize();
         });
       },
       nullptr },
   };
+  // wherever the others are in their agreements
+  const auto addLeaving = [&faults](int message, const char* where) {
+    faults.push_back(
+      { "leaves before message " + std::to_string(message) + where, OTHERS_END, false, 1,
+        [message](P part) {
+          vtkMultiProcessController* controller = part.Water->GetReflectionPass()->GetController();
+          static_cast<WaterSocketCommunicator*>(controller->GetCommunicator())->MessagesLeft =
+            message;
+        },
+        nullptr });
+  };
+  for (int i = 0; i < kMessages; ++i)
+  {
+    addLeaving(i, " below clear water");
+  }
+  for (int i = kFirstOfViews; i < kEndOfViews; ++i)
+  {
+    addLeaving(i, " of all views");
+  }
+  return faults;
 }
 
-// Below clear water all ranks have it.
-void SetUp(Part& part, const Fault& fault)
+// What all ranks have by the fault's name.
+void SetUp(Part& part, const Fault& fault, int rank)
 {
-  if (std::string(fault.Name).find("clear") != std::string::npos)
+  const auto isNamed = [&fault](
+                         const char* word) { return fault.Name.find(word) != std::string::npos; };
+  if (isNamed("clear"))
   {
     part.Water->GetWaterProperty()->RefractionOn();
+  }
+  if (isNamed("own view") || isNamed("sun view") || isNamed("sky view") || isNamed("all views"))
+  {
+    part.WantViews(rank == 0);
   }
 }
 
@@ -273,7 +223,7 @@ int Judge(Part& part, const Fault& fault, bool isFaulty)
     part.Render();
     return RIGHT;
   }
-  const bool isOfVersions = std::string(fault.Name).find("version") != std::string::npos;
+  const bool isOfVersions = fault.Name.find("version") != std::string::npos;
   if (isOfVersions && part.GetError().find("the same version") == std::string::npos)
   {
     std::fprintf(stderr, "error: \"%s\"\n", part.GetError().c_str());
@@ -302,8 +252,8 @@ int Judge(Part& part, const Fault& fault, bool isFaulty)
 int Run(const WaterSockets& sockets, int rank, const Fault& fault)
 {
   const WaterSocketRank self(sockets, rank);
-  Part part(self.Controller);
-  SetUp(part, fault);
+  Part part(self.Controller, kRanks, kSlow);
+  SetUp(part, fault, rank);
   if (!fault.IsFirst)
   {
     part.Render();
@@ -484,7 +434,7 @@ bool TryHalf(const std::string& words, int half)
   int number = 0;
   for (const Fault& fault : GetFaults())
   {
-    if (number++ % 2 == half && std::string(fault.Name).find(words) != std::string::npos)
+    if (number++ % 2 == half && fault.Name.find(words) != std::string::npos)
     {
       isGood = Try(fault) && isGood;
     }

@@ -37,6 +37,8 @@ public:
   double Clock = 0.0; // s, of this rank
   // Added to the first of the numbers that are sent, as from another version; 0: nothing.
   double Version = 0.0;
+  // How many messages this process sends before it ends, as if killed; -1: it does not end.
+  std::int64_t MessagesLeft = -1;
 
   void Begin(int rank, const std::vector<int>& sockets)
   {
@@ -48,6 +50,11 @@ public:
 
   int SendVoidArray(const void* data, vtkIdType length, int type, int remote, int) override
   {
+    if (this->MessagesLeft == 0)
+    {
+      _exit(EXIT_FAILURE);
+    }
+    this->MessagesLeft -= this->MessagesLeft > 0 ? 1 : 0;
     std::vector<double> numbers;
     if (this->Version != 0.0 && type == VTK_DOUBLE && length > 0)
     {
@@ -73,6 +80,11 @@ public:
     const bool isRead = this->Read(remote, &count, sizeof count) && count <= most &&
       this->Read(remote, &arrival, sizeof arrival) && this->Read(remote, data, SizeOf(count, type));
     this->Count = isRead ? count : 0;
+    for (size_t i = 0; !isRead && i < SizeOf(most, type); ++i)
+    {
+      // nothing is promised here: small numbers, and such as would be a rectangle without end
+      static_cast<unsigned char*>(data)[i] = i / 8 % 2 == 0 ? 0 : 0x81;
+    }
     const double busy = this->SecondsPerByte * static_cast<double>(SizeOf(this->Count, type));
     this->Clock = std::max(this->Clock + busy, arrival);
     return isRead;

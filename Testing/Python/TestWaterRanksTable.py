@@ -19,7 +19,7 @@ from TestWaterRanks import OF_ALL_PIXELS, mpirun_command
 IS_WHOLE = os.environ.get("WATER_RANKS_ALL") == "1"
 COUNTS = (1, 2, 4, 8) if IS_WHOLE else (2,)
 SOME_LOOKS = ("dry", "sheet", "painted displaced sea", "unbounded dry", "clear waves", "sea", "displaced sea",
-              "clear displaced sea", "unbounded clear")
+              "clear displaced sea", "unbounded clear", "shadows", "own view")
 SOME_SPLITS = ("blocks", "one empty", "random")
 
 pytest.importorskip("vtkmodules.vtkParallelMPI", reason="this VTK has no vtkParallelMPI")

@@ -343,3 +343,30 @@ def test_a_low_beach_is_reflected_where_the_mirrored_eye_sees_it_from_inside(is_
     wt.check_at_least("water that reflects the beach, %", 100 * is_met.reshape(mask.shape)[mask].mean(), 4)
     off = (np.abs(shown - right).max(axis=2) > 40)[mask]
     wt.check_at_most("water that shows the sky for the beach, or the beach for the sky, %", 100 * off.mean(), 2.5)
+
+
+@pytest.mark.parametrize("is_software", (0, 1))
+def test_a_wall_is_reflected_down_to_its_waterline(is_software, monkeypatch):
+    """Next to a wall of one colour the water shows nothing else: the wall's foot is at the end of what the mirrored view has."""
+    monkeypatch.setenv("VTK_WATER_SOFTWARE", str(is_software))
+    made = wt.View((200, 150), (1, 1, 1))
+    wall = vtkPlaneSource()
+    wall.SetOrigin(-60, 10, -5)
+    wall.SetPoint1(60, 14, -5)  # not along the rows of pixels
+    wall.SetPoint2(-60, 10, 8)
+    wall.Update()
+    wt.add_actor(made.renderer, wall.GetOutput(), (160 / 255, 40 / 255, 40 / 255), lit=False)
+    water = wt.add_water(made.renderer, None, (-60, 60, -60, 20), reflectance=1.0)
+    water.GetWaterProperty().AddWave(0.01, 3.0, 50.0, 0.0)
+    water.GetWaterProperty().SetRayTraceQualityToFast()  # one ray: others of a pixel may start behind the wall
+    camera = made.renderer.GetActiveCamera()
+    camera.SetPosition(0, -12, 5)
+    camera.SetFocalPoint(0, 9, 0)
+    camera.SetViewUp(0, 0, 1)
+    camera.SetClippingRange(0.1, 500)
+    water.GetReflectionPass().SetMultiSamples(0)
+    shown, mask = made.picture().astype(float), wt.water_mask(made, water)
+    rows = np.arange(mask.shape[0])[:, None]
+    foot = np.where(mask, rows, -1).max(axis=0)  # the first row is the lowest
+    off = np.abs(shown[foot, np.arange(mask.shape[1])] - (160, 40, 40)).max(axis=1)
+    wt.check_at_most("columns in which the water at the wall's foot is not the wall's colour, %", 100 * (off > 2).mean(), 0)

@@ -16,7 +16,7 @@ INDEX = 1.333
 SUN_RADIUS = np.radians(0.2665)
 GREY = 0.16  # of the bed: a light of 6 is white
 MOST = 6.0  # light that is compared, and pixels show
-BATCH = 1 << 20
+BATCH = 1 << 15  # photons at a time, which fit the cache of a processor
 
 
 @dataclasses.dataclass

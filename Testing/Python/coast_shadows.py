@@ -119,14 +119,22 @@ def view_of(coast):
 
 def meets_land(coast, start, ray, farthest):
     """Which rays meet the land, from their start to the farthest."""
+    return ray_caster.in_blocks(lambda *rows: _meets_land(coast, *rows), start, farthest[:, None] * ray)
+
+
+def _meets_land(coast, start, way):
     met = np.zeros(len(start), dtype=bool)
     left = np.arange(len(start))  # those that have met nothing yet
+    places, ways = start.T, way.T
+    found = np.zeros(len(left), dtype=bool)
     for number, part in enumerate((np.arange(STEPS) + 0.5) / STEPS):
-        x, y, z = (start[left, i] + part * farthest[left] * ray[left, i] for i in range(3))
-        inside = (np.abs(x) < REACH) & (np.abs(y) < REACH)
-        met[left] = inside & (z < coast.height(x, y))
+        x, y, z = (place + part * each for place, each in zip(places, ways))
+        found |= (np.abs(x) < REACH) & (np.abs(y) < REACH) & (z < coast.height(x, y))
         if number % 8 == 7:  # to leave them out costs, too
-            left = left[~met[left]]
+            met[left[found]] = True
+            left, places, ways = left[~found], places[:, ~found], ways[:, ~found]
+            found = np.zeros(len(left), dtype=bool)
+    met[left[found]] = True
     return met
 
 

@@ -11,6 +11,7 @@ WallTruth         of meshes of any height: rays of the eye are cast at the trian
 """
 
 import numpy as np
+import ray_caster
 import water_test as wt
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
@@ -222,17 +223,24 @@ def add_wall(renderer, place):
 
 def cast(starts, directions, triangles):
     """Where rays meet the first of some triangles, which no two of cover each other seen along z; NaN: nowhere."""
-    first = np.full(starts.shape[:2], np.inf)
+    first = ray_caster.in_blocks(lambda *rays: _first(*rays, triangles), starts.reshape(-1, 3), directions.reshape(-1, 3))
+    first = first.reshape(starts.shape[:2])
+    return starts + np.where(np.isfinite(first), first, np.nan)[..., None] * directions
+
+
+def _first(start, direction, triangles):
+    """How far along rays the first triangle is; inf: they meet none."""
+    first = np.full(len(start), np.inf)
     for a, b, c in triangles:
         normal = np.cross(b - a, c - a)
-        way = ((a - starts) @ normal) / (directions @ normal)
-        points = starts + way[..., None] * directions
+        way = ((a - start) @ normal) / (direction @ normal)
+        x, y = (start[:, axis] + way * direction[:, axis] for axis in (0, 1))
         is_inside = way > 0
         for p, q in ((a, b), (b, c), (c, a)):
-            edge = (q - p)[0] * (points[..., 1] - p[1]) - (q - p)[1] * (points[..., 0] - p[0])
+            edge = (q - p)[0] * (y - p[1]) - (q - p)[1] * (x - p[0])
             is_inside &= edge * np.sign(normal[2]) >= -1e-9
         first = np.where(is_inside & (way < first), way, first)
-    return starts + np.where(np.isfinite(first), first, np.nan)[..., None] * directions
+    return first
 
 
 class WallTruth:

@@ -148,6 +148,18 @@ def make_clear_displaced_sea(water):
     make_clear(water)
 
 
+def make_shadowed(water):
+    make_waves(water)
+    water.GetWaterProperty().SetSlopeVariance(0.3, 0.3)
+    water.GetWaterProperty().ShadowsOn()
+
+
+def make_own_view(water):
+    make_waves(water)
+    make_clear(water)
+    water.GetWaterProperty().SetRefractionSourceToOwnView()
+
+
 LOOKS = {
     "calm": lambda water: None,
     "waves": make_waves,
@@ -163,6 +175,8 @@ SEAS = {
     "clear displaced waves": make_clear_displaced_waves,
     "clear sea": make_clear_sea,
     "clear displaced sea": make_clear_displaced_sea,
+    "shadows": make_shadowed,
+    "own view": make_own_view,
 }
 
 
@@ -416,7 +430,10 @@ def change(view, kind, number, value):
     elif kind == 4:
         view.window.SetSize(80 + 4 * number, 60 + 3 * number)
     elif kind == 5:
-        view.water.GetWaterProperty().SetPreset(PRESETS[number % len(PRESETS)])
+        look = view.water.GetWaterProperty()
+        look.SetPreset(PRESETS[number % len(PRESETS)])
+        look.SetShadows(value < 0.5)  # views of their own come and go
+        look.SetRefractionSource(look.OWN_VIEW if value % 0.5 < 0.25 else look.PICTURE)
     elif kind == 6:
         view.water.SetTime(10 * value)
 

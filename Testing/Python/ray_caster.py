@@ -77,11 +77,25 @@ class Translucent:
         return (1 - self.opacity) ** is_there.sum(axis=0), np.where(is_there, places, np.inf).min(axis=0)
 
 
+BLOCK = 1 << 14  # rays at a time: what they need stays in the processor's cache, which is three times as fast
+
+
+def in_blocks(function, *arrays):
+    """Results of a function of rows, block by block; the rows of all results together."""
+    parts = [function(*(np.asfortranarray(array[begin:begin + BLOCK]) for array in arrays))
+             for begin in range(0, max(len(arrays[0]), 1), BLOCK)]
+    return np.concatenate(parts) if isinstance(parts[0], np.ndarray) else [np.concatenate(each) for each in zip(*parts)]
+
+
 def cast(things, background, start, ray, clear=()):
     """Colours (n x 3) that rays of unit length see, and the distances to them (inf: background).
 
     clear: Translucent, none within another; their distances do not count.
     """
+    return in_blocks(lambda *rows: _cast(things, background, *rows, clear), start, ray)
+
+
+def _cast(things, background, start, ray, clear):
     nearest = np.full(len(ray), np.inf)
     colors = np.tile(np.asarray(background, dtype=float), (len(ray), 1))
     for thing in things:
@@ -169,6 +183,10 @@ def _array(matrix):
 
 def meet_waves(start, ray, waves, time, farthest):
     """Distances at which rays first meet displaced sines (inf: not within the farthest)."""
+    return in_blocks(lambda *rows: _meet_waves(*rows, waves, time, farthest), start, ray)
+
+
+def _meet_waves(start, ray, waves, time, farthest):
     top = sum(wave[0] for wave in waves)
 
     def over(way, rays):
@@ -197,7 +215,16 @@ def meet_waves(start, ray, waves, time, farthest):
 def picture(camera, size, things, background, waves, time, samples=4, clear=()):
     """The picture of level water at z = 0 that reflects everything (255 RGB), and which pixels are
     water and nothing else. waves: as in heights_and_slopes, or a function (x, y) -> slopes; clear: as in cast."""
-    start, ray = eye_rays(camera, size, samples)
+    colors, is_water = in_blocks(lambda *rows: _water_colors(*rows, things, background, waves, time, clear),
+                                 *eye_rays(camera, size, samples))
+    width, height = size
+    shape = (height, samples, width, samples)
+    return (255 * colors.reshape(*shape, 3).mean(axis=(1, 3)),
+            is_water.reshape(shape).all(axis=(1, 3)))
+
+
+def _water_colors(start, ray, things, background, waves, time, clear):
+    """Colours that rays see, and which of them meet the water first."""
     colors, distance = cast(things, background, start, ray)
     with np.errstate(divide="ignore"):
         to_water = np.where(ray[:, 2] < 0, -start[:, 2] / ray[:, 2], np.inf)
@@ -216,7 +243,4 @@ def picture(camera, size, things, background, waves, time, samples=4, clear=()):
     away = seen - 2 * dot(seen, normal)[:, None] * normal
     away[:, 2] = np.abs(away[:, 2])  # a ray that would meet the water again is bounced off once more
     colors[is_water] = cast(things, background, point, away, clear)[0]
-    width, height = size
-    shape = (height, samples, width, samples)
-    return (255 * colors.reshape(*shape, 3).mean(axis=(1, 3)),
-            is_water.reshape(shape).all(axis=(1, 3)))
+    return colors, is_water

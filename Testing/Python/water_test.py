@@ -176,6 +176,11 @@ def difference(first, second):
     return int(np.abs(first - second).max())
 
 
+def count_colors(pixels):
+    """How many colours pixels (..., 3) have, of whole numbers up to 255; rows are slow to sort."""
+    return len(np.unique(np.asarray(pixels).reshape(-1, 3).astype(int) @ (1, 256, 65536)))
+
+
 def with_normals(source):
     """Output of a source with normals, hard edges split, in double precision."""
     normals = vtkPolyDataNormals()

@@ -35,26 +35,45 @@ class LocatorTracer:
             colors = np.full(corners.shape, actor.GetProperty().GetColor())
             if actor.GetMapper().GetScalarVisibility() and data.GetPointData().GetScalars():
                 colors = vtk_to_numpy(data.GetPointData().GetScalars())[ids] / 255
-            self._things.append((locator, corners, colors, np.linalg.norm(data.GetBounds())))
+            self._things.append((locator, corners, colors, np.array(data.GetBounds()).reshape(3, 2)))
 
     def cast(self, start, ray):
         colors, distance = np.tile(self._background, (len(ray), 1)), np.full(len(ray), np.inf)
         t, part, cell, place, parts = mutable(0.0), mutable(0), mutable(0), np.zeros(3), np.zeros(3)
-        for locator, corners, of_corners, radius in self._things:
-            farthest = 2 * radius + np.linalg.norm(start + self._origin, axis=1).max()
-            for i, (first, way) in enumerate(zip(start + self._origin, farthest * ray)):
-                if locator.IntersectWithLine(first, first + way, 0.0, t, place, parts, part, cell) and (
+        start = start + self._origin
+        for locator, corners, of_corners, bounds in self._things:
+            radius = np.linalg.norm(bounds)
+            farthest = 2 * radius + np.linalg.norm(start, axis=1).max()
+            rays, cells, places = [], [], []
+            for i in np.flatnonzero(_may_meet(start, ray, bounds, 1e-6 * farthest)):
+                if locator.IntersectWithLine(start[i], start[i] + farthest * ray[i], 0.0, t, place, parts, part, cell) and (
                         float(t) * farthest < distance[i]):
                     distance[i] = float(t) * farthest
-                    colors[i] = _weights(place, corners[int(cell)]) @ of_corners[int(cell)]
+                    rays.append(i)
+                    cells.append(int(cell))
+                    places.append(place.copy())
+            if rays:
+                weights = _weights(np.array(places), corners[cells].astype(float))
+                colors[rays] = np.einsum("ij,ijk->ik", weights, of_corners[cells])
         return colors, distance
 
 
+def _may_meet(start, ray, bounds, slack):
+    """Which rays pass through a box, a little widened: the others need not be asked one by one."""
+    with np.errstate(divide="ignore", invalid="ignore"):
+        ends = np.stack([(bounds[:, side] + (slack if side else -slack) - start) / ray for side in (0, 1)])
+    enters, leaves = np.fmin(*ends).max(axis=1), np.fmax(*ends).min(axis=1)
+    return ~((enters > leaves) | (leaves < 0))  # NaN, of a ray in a side of the box: it may
+
+
 def _weights(place, corners):
-    """Barycentric."""
-    sides = np.stack([corners[1] - corners[0], corners[2] - corners[0]], axis=1)
-    second, third = np.linalg.lstsq(sides, place - corners[0], rcond=None)[0]
-    return np.array((1 - second - third, second, third))
+    """Barycentric, of places in triangles."""
+    one, other, arm = corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0], place - corners[:, 0]
+    dot = ray_caster.dot
+    area = dot(one, one) * dot(other, other) - dot(one, other) ** 2  # twice the area, squared
+    second = (dot(other, other) * dot(one, arm) - dot(one, other) * dot(other, arm)) / area
+    third = (dot(one, one) * dot(other, arm) - dot(one, other) * dot(one, arm)) / area
+    return np.stack((1 - second - third, second, third), axis=1)
 
 
 class Truth:

@@ -41,7 +41,9 @@ enum // water_prop.flags, a bit each
   WATER_PROP_OVERLAY = 1 << 4,       // lives on the screen, not in the scene: 2D actors
   WATER_PROP_LABEL = 1 << 5,         // no object of the scene: billboards, rulers, axes
   WATER_PROP_REFUSED = 1 << 6,       // its shader cannot be cut at the water
-  WATER_PROP_IS_SKY = 1 << 7         // it shows the sky that water_scene.sky describes
+  WATER_PROP_IS_SKY = 1 << 7,        // it shows the sky that water_scene.sky describes
+  WATER_PROP_OWN_OTHER = 1 << 8,     // an own view does not draw what a mirrored view draws of it
+  WATER_PROP_OWN_VISIBLE = 1 << 9    // what it draws instead is visible
 };
 
 typedef struct water_prop
@@ -350,10 +352,11 @@ typedef struct water_plan
                          // may be infinite
   double reflection_z_infinity; // water_lookup.h
   double reflection_tolerance[2];
-  double reflection_height[4];  // point in NDC of the reflection texture -> height over the plane,
-                                // times 1 / w
-  double reflection_w[4];       // the same -> 1 / w
-  double reflection_texel;      // height that a texel of the reflection texture spans, over its w
+  double reflection_height[4]; // point in NDC of the reflection texture -> height over the plane,
+                               // times 1 / w
+  double reflection_w[4];      // the same -> 1 / w
+  double reflection_waterline[4]; // water_lookup_waterline
+  double reflection_texel;        // height that a texel of the reflection texture spans, over its w
   double dir_to_reflection[12]; // direction in the plane's axes -> clip of the reflection texture;
                                 // 4 rows of 3
 } water_plan;

@@ -34,6 +34,18 @@ water_status water_beyond_size(const int viewport_px[2], const int tile_scale[2]
   return status;
 }
 
+water_prop water_beyond_prop(const water_prop* prop)
+{
+  water_prop made = *prop;
+  if (prop->flags & WATER_PROP_OWN_OTHER)
+  {
+    const uint32_t visible = prop->flags & WATER_PROP_OWN_VISIBLE ? WATER_PROP_VISIBLE : 0;
+    made.flags &= ~(uint32_t)WATER_PROP_VISIBLE;
+    made.flags |= visible | WATER_PROP_NO_BOUNDS;
+  }
+  return made;
+}
+
 void water_beyond_reach(const double dir_to_eye[12], double box[4])
 {
   // the plumb line's direction, away from the eye, in clip space: from an image p all plumb lines

@@ -91,7 +91,7 @@ static bool has_small_triangles(const water_buffer_input* input)
   {
     const double area = fmin(cell_area(input, i % CELLS, i / CELLS), picture);
     covered += area;
-    runs += area > 0.0 ? water_buffer_runs(count, area / count, input->samples) : 0.0;
+    runs += water_buffer_runs(count, area / count, input->samples);
   }
   const bool is_clear = (input->features & WATER_FEATURE_MEDIUM) != 0;
   return runs > (is_clear ? pays : pays_opaque) * fmin(covered, picture) + least * picture;
@@ -100,7 +100,7 @@ static bool has_small_triangles(const water_buffer_input* input)
 water_buffer_use water_buffer_judge(const water_buffer_input* input)
 {
   const water_plan* plan = input->plan;
-  const int samples = input->samples > 1 ? input->samples : 1;
+  const double samples = fmax(input->samples, 1);
   if (!input->is_on)
   {
     return WATER_BUFFER_OFF;

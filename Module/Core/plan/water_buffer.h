@@ -65,7 +65,7 @@ water_buffer_use water_buffer_judge(const water_buffer_input* input);
 // On how many pixels a software renderer runs the shader for triangles of one size, each of which
 // has its own block of pixels.
 //
-// area_px  of a triangle, > 0
+// area_px  of a triangle, >= 0
 // samples  per pixel, >= 1: a triangle that covers none is not shaded
 double water_buffer_runs(double triangle_count, double area_px, int samples);
 

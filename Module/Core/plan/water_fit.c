@@ -24,7 +24,7 @@ void water_fit_begin(const double up[3], water_fit* fit)
   memcpy(fit->up, up, sizeof fit->up);
   water_plane_axes(up, fit->x_dir, fit->y_dir);
   water_bounds_begin(fit->bounds);
-  fit->is_upright = up[2] == 1.0 && fit->x_dir[0] == 1.0 && fit->y_dir[1] == 1.0;
+  fit->is_upright = up[2] == 1.0;
 }
 
 // A corner in the axes, from the fit's origin.
@@ -444,11 +444,10 @@ water_status water_fit_judge(const water_fit* fit, water_fit_plane* plane)
   {
     diagonal[i] = fit->bounds[2 * i + 1] - fit->bounds[2 * i];
   }
-  // an upright part has the area of its corners' rounding; squares of very large coordinates
-  // overflow
+  // an upright part has the area of its corners' rounding; of very large coordinates the products
+  // of two overflow first, times an area
   const double least = roundings * DBL_EPSILON * water_vec3_dot(diagonal, diagonal);
-  if (!(fit->area > least) || !isfinite(fit->area) || !water_all_finite(fit->first, 3) ||
-    !water_all_finite(fit->second, 6))
+  if (!(fit->area > least) || !water_all_finite(fit->second, 6))
   {
     return WATER_BAD_SURFACE;
   }

@@ -92,7 +92,7 @@ double water_fit_tolerance(double diagonal, double coordinate, bool is_single);
 
 // Finds which parts lie in one plane. A part joins the first plane from which no point of it is
 // farther than the tolerance. Otherwise it begins a new plane or, if their maximum number is
-// reached, joins the nearest.
+// reached, joins the nearest, of several the first.
 //
 // The first part begins a plane, whatever the tolerance.
 //

@@ -294,6 +294,16 @@ double water_lookup_texel(const double dir_to_reflection[12], const int texture_
   return 1.0 / hypot(x_px, y_px);
 }
 
+void water_lookup_waterline(
+  const double reflection_height[4], const int texture_px[2], double waterline[4])
+{
+  for (int i = 0; i < 2; ++i)
+  {
+    waterline[i] = 2.0 * reflection_height[i] / texture_px[i];
+    waterline[2 + i] = texture_px[i];
+  }
+}
+
 // Height over a plane of the highest corner of a prop's bounds: every product is the largest there,
 // and so every rounded sum.
 static double top_of(const water_plane* plane, const double bounds[6])

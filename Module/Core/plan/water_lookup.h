@@ -126,6 +126,15 @@ water_status water_lookup_heights(const water_camera* mirrored, const double pla
 // down.
 double water_lookup_texel(const double dir_to_reflection[12], const int texture_px[2]);
 
+// Where the waterline is of what the reflection texture shows. It has nothing below the water, so a
+// filtered read next to the waterline would mix in what is behind.
+//
+// reflection_height  of water_lookup_heights
+// waterline          what the height over the plane / w gains per texel in x and y, at one depth;
+//                    the texture's size, texels
+void water_lookup_waterline(
+  const double reflection_height[4], const int texture_px[2], double waterline[4]);
+
 // Depth to which props reach under a plane, >= 0: a ray that is deeper meets none of them. Props
 // that are not shown, or have no bounds, are ignored.
 //

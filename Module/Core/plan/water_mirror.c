@@ -179,7 +179,7 @@ double water_mirror_near(
   }
   scale = fmax(scale, least);
   double* clip = mirrored->view_to_clip;
-  for (int j = 0; j < 4 && scale < 1.0; ++j)
+  for (int j = 0; j < 4; ++j)
   {
     clip[8 + j] = scale * clip[8 + j] + (1.0 - scale) * clip[12 + j];
   }

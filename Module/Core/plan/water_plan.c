@@ -166,7 +166,7 @@ static bool cover(
   const water_scene* scene, const checked* input, const water_plane* plane, double box[4])
 {
   static const double whole[4] = { -1.0, -1.0, 1.0, 1.0 };
-  double counted[4] = { -1.0, -1.0, 1.0, 1.0 };
+  double counted[4];
   if (!scene->is_endless)
   {
     water_target_box(&scene->eye, plane, scene->surface_bounds, box);
@@ -313,8 +313,8 @@ static double drop_of(const water_scene* scene, const water_plane* plane)
   double lowest = 0.0;
   for (int i = 0; i < 8 && !scene->is_endless; ++i)
   {
-    const double* bounds = scene->surface_bounds;
-    const double corner[3] = { bounds[i & 1], bounds[2 + (i >> 1 & 1)], bounds[4 + (i >> 2)] };
+    double corner[3];
+    water_bounds_corner(scene->surface_bounds, i, corner);
     lowest = fmin(lowest, water_plane_height(plane, corner));
   }
   return scene->is_endless ? scene->wave_height_max
@@ -445,8 +445,10 @@ static water_status fill_shade(
   water_lookup_depths(&plan->mirrored, &plan->reflection_z_infinity, plan->reflection_tolerance);
   water_lookup_dirs(&plan->mirrored, axes, plan->dir_to_reflection);
   plan->reflection_texel = water_lookup_texel(plan->dir_to_reflection, plan->texture_px);
-  return water_lookup_heights(
+  const water_status status = water_lookup_heights(
     &plan->mirrored, plan->plane_view, plan->reflection_height, plan->reflection_w);
+  water_lookup_waterline(plan->reflection_height, plan->texture_px, plan->reflection_waterline);
+  return status;
 }
 
 // The mirrored view, the own view, the sun view, or the sky view.

@@ -60,7 +60,7 @@ size_t water_rank_pixels_limit(const water_rank_picture* picture)
   return 16 + picture->pixel_count * (4 * picture->words + 6);
 }
 
-static unsigned char* put_number(size_t number, unsigned char* next)
+static inline unsigned char* put_number(size_t number, unsigned char* next)
 {
   for (; number > 127; number >>= 7)
   {
@@ -70,8 +70,13 @@ static unsigned char* put_number(size_t number, unsigned char* next)
   return next;
 }
 
-static bool take_number(reader* from, size_t* number)
+static inline bool take_number(reader* from, size_t* number)
 {
+  if (from->next < from->end && *from->next < 128) // as a rule
+  {
+    *number = *from->next++;
+    return true;
+  }
   uint64_t read = 0; // a size_t may have 32 bits
   for (int shift = 0; shift < 63 && from->next < from->end; shift += 7)
   {
@@ -106,7 +111,7 @@ static void learn(guess* known, uint32_t depth)
   known->rest = (unsigned char)(depth & 255);
 }
 
-static unsigned char* put_depth(uint32_t depth, guess* known, unsigned char* next)
+static inline unsigned char* put_depth(uint32_t depth, guess* known, unsigned char* next)
 {
   const int32_t off = (int32_t)(depth >> 8) - next_guess(known);
   const size_t size = off < 0 ? 2 * (size_t)-off - 1 : 2 * (size_t)off;
@@ -120,7 +125,7 @@ static unsigned char* put_depth(uint32_t depth, guess* known, unsigned char* nex
   return next;
 }
 
-static bool take_depth(reader* from, guess* known, uint32_t* depth)
+static inline bool take_depth(reader* from, guess* known, uint32_t* depth)
 {
   size_t size;
   if (!take_number(from, &size) || size > (size_t)1 << 27 ||
@@ -139,7 +144,12 @@ static bool take_depth(reader* from, guess* known, uint32_t* depth)
 static bool is_one_color(const water_rank_picture* picture, size_t i, size_t j)
 {
   const size_t words = picture->words;
-  return memcmp(picture->colors + i * words, picture->colors + j * words, words * 4) == 0;
+  const uint32_t* first = picture->colors + i * words;
+  const uint32_t* second = picture->colors + j * words;
+  // each pixel asks: a call with a number of bytes that the compiler does not know takes longer
+  return words == 1 ? *first == *second
+    : words == 2    ? first[0] == second[0] && first[1] == second[1]
+                    : memcmp(first, second, words * 4) == 0;
 }
 
 // Is something there: drawn, or in a layer?
@@ -194,6 +204,27 @@ static size_t find_run(
   return i - begin;
 }
 
+static unsigned char* put_depths(
+  const water_rank_picture* picture, size_t begin, size_t length, guess* known, unsigned char* next)
+{
+  const uint32_t* depths = picture->depths;
+  if (picture->samples > 1)
+  {
+    for (size_t i = begin; i < begin + length; ++i)
+    {
+      next = put_depth(depths[i], guess_of(picture, known, i), next);
+    }
+    return next;
+  }
+  guess own = *known; // which no byte that is written can change: it stays in registers
+  for (size_t i = begin; i < begin + length; ++i)
+  {
+    next = put_depth(depths[i], &own, next);
+  }
+  *known = own;
+  return next;
+}
+
 size_t water_rank_pixels_encode(
   const water_rank_picture* picture, bool has_background, unsigned char* bytes)
 {
@@ -213,14 +244,28 @@ size_t water_rank_pixels_encode(
     }
     if (kind == RUN_ONE_DRAWN || kind == RUN_MANY_DRAWN)
     {
-      for (size_t j = i; j < i + length; ++j)
-      {
-        next = put_depth(picture->depths[j], guess_of(picture, known, j), next);
-      }
+      next = put_depths(picture, i, length, known, next);
     }
     i += length;
   }
   return (size_t)(next - bytes);
+}
+
+// The same as memcpy, of a size that the compiler knows.
+static inline void copy_color(const unsigned char* from, size_t words, uint32_t* color)
+{
+  if (words == 1)
+  {
+    memcpy(color, from, 4);
+  }
+  else if (words == 2)
+  {
+    memcpy(color, from, 8);
+  }
+  else
+  {
+    memcpy(color, from, 4 * words);
+  }
 }
 
 // Reads one run into a picture.
@@ -252,7 +297,7 @@ static bool merge_run(reader* from, int kind, size_t begin, size_t length, water
       }
       picture->depths[i] = depth;
     }
-    memcpy(picture->colors + i * words, colors, 4 * words);
+    copy_color(colors, words, picture->colors + i * words);
   }
   return true;
 }

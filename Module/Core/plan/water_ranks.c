@@ -9,6 +9,7 @@
 _Static_assert(sizeof(water_rank_frame) == 11 * sizeof(double), "it travels as doubles");
 _Static_assert(sizeof(water_rank_view) == 22 * sizeof(double), "it travels as doubles");
 _Static_assert(sizeof(water_prop) <= 64, "a prop takes at most 64 bytes");
+_Static_assert(sizeof(water_rank_part) == 5 * sizeof(double), "it travels as doubles");
 _Static_assert(sizeof(water_rank_drawn) == 10 * sizeof(double), "it travels as doubles");
 
 static void begin_bounds(double bounds[6])
@@ -206,6 +207,50 @@ double water_ranks_digest_number(uint64_t digest)
 bool water_rank_shows_water(int farthest_rank, size_t rank)
 {
   return farthest_rank < 0 || (size_t)farthest_rank == rank;
+}
+
+bool water_ranks_take_numbers(double* numbers, size_t count, size_t rank_count)
+{
+  for (size_t i = 0; i < rank_count; ++i)
+  {
+    const double* sent = numbers + i * (count + 1);
+    if (sent[count] != WATER_RANKS_IS_HERE)
+    {
+      return false;
+    }
+    memmove(numbers + i * count, sent, count * sizeof *numbers);
+  }
+  return true;
+}
+
+int water_ranks_join_parts(const water_rank_part* parts, size_t rank_count, int rect_px[4])
+{
+  double first[2] = { 0.0, 0.0 };
+  double end[2] = { 0.0, 0.0 };
+  bool is_empty = true;
+  bool is_equal = true;
+  for (size_t i = 0; i < rank_count; ++i)
+  {
+    const double* rect = parts[i].rect_px;
+    is_equal = is_equal && parts[i].samples == parts[0].samples;
+    if (rect[2] <= 0.0 || rect[3] <= 0.0)
+    {
+      continue;
+    }
+    for (int axis = 0; axis < 2; ++axis)
+    {
+      const double last = rect[axis] + rect[2 + axis];
+      first[axis] = is_empty ? rect[axis] : fmin(first[axis], rect[axis]);
+      end[axis] = is_empty ? last : fmax(end[axis], last);
+    }
+    is_empty = false;
+  }
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    rect_px[axis] = (int)first[axis];
+    rect_px[2 + axis] = (int)(end[axis] - first[axis]);
+  }
+  return is_equal ? (int)parts[0].samples : 0;
 }
 
 water_rank_drawn water_rank_drawn_begin(void)

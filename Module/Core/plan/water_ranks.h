@@ -26,7 +26,7 @@ extern "C"
 // with every change of these.
 enum
 {
-  WATER_RANKS_FORMAT = 6
+  WATER_RANKS_FORMAT = 8
 };
 
 // What a rank sends once a frame, before anything is drawn: doubles only, as they travel.
@@ -147,6 +147,28 @@ double water_ranks_digest_number(uint64_t digest);
 //
 // farthest_rank  of water_ranks_view
 bool water_rank_shows_water(int farthest_rank, size_t rank);
+
+// Numbers travel with WATER_RANKS_IS_HERE as the last one of each rank. A communicator that has
+// lost a rank may tell its root so, and still give the others what it has of that rank: nothing.
+#define WATER_RANKS_IS_HERE 1.0
+
+// Have all ranks sent theirs? If so, the numbers of each are moved together, without that last one.
+//
+// numbers  count + 1 of each rank, in the order of the ranks; on return count of each
+bool water_ranks_take_numbers(double* numbers, size_t count, size_t rank_count);
+
+// The part of its picture in which a rank shows clear water: doubles only.
+typedef struct water_rank_part
+{
+  double rect_px[4]; // x, y, width, height; nothing if one of the last two is not positive
+  double samples;    // a pixel
+} water_rank_part;
+
+// The rectangle around the parts of all ranks, {0, 0, 0, 0} if none has one. Returns the samples of
+// a pixel, 0 if not all ranks have as many.
+//
+// rank_count  >= 1
+int water_ranks_join_parts(const water_rank_part* parts, size_t rank_count, int rect_px[4]);
 
 // What a rank sends once its opaque part of a mirrored view is drawn: doubles only.
 typedef struct water_rank_drawn

@@ -67,9 +67,9 @@ static double farthest_depth(const double world_to_clip[16], const double bounds
   double farthest = 0.0;
   for (int corner = 0; corner < 8; ++corner)
   {
-    const double point[3] = { bounds[corner & 1], bounds[2 + (corner >> 1 & 1)],
-      bounds[4 + (corner >> 2)] };
+    double point[3];
     double clip[4];
+    water_bounds_corner(bounds, corner, point);
     water_mat4_apply_point(world_to_clip, point, clip);
     farthest = clip[3] > 0.0 ? fmax(farthest, 0.5 + 0.5 * clip[2] / clip[3]) : farthest;
   }

@@ -25,9 +25,7 @@ static const double nearer = 0.5;
 static void look_down(const double at[3], const double to_sun[3], double way, double view[16])
 {
   double axis[3] = { 0.0, 0.0, 0.0 };
-  const int least = fabs(to_sun[0]) < fabs(to_sun[1]) ? (fabs(to_sun[0]) < fabs(to_sun[2]) ? 0 : 2)
-                                                      : (fabs(to_sun[1]) < fabs(to_sun[2]) ? 1 : 2);
-  axis[least] = 1.0;
+  axis[fabs(to_sun[0]) < 0.6 ? 0 : 1] = 1.0; // any that is not along the rays
   double right[3];
   double up[3];
   water_vec3_cross(axis, to_sun, right);

@@ -17,3 +17,9 @@ bool waterIsUnder(vec2 uv, float depth, float height)
   float slack = min(waterTexel / perW, waterSlack);
   return dot(waterReflectionHeight, ndc) < (height - slack) * perW;
 }
+
+// What is a little under the plane is in the mirrored view of such a surface.
+vec2 waterOverWaterline(vec2 uv, float height)
+{
+  return uv;
+}

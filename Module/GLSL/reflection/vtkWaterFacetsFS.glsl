@@ -35,6 +35,7 @@ vec3 waterFacets(WaterPoint point, out float reflectance, inout int reason, inou
     reflectance += share;
     hit = waterEstimateHit(point, normal);
     waterRefineHit(point.start, isOne, hit);
+    hit.uv = isOne ? hit.uv : waterPlaceOver(point.start, hit);
     if (!isOne)
     {
       waterCrossFacet(point, normal, i, hit);
@@ -51,6 +52,7 @@ vec3 waterFacets(WaterPoint point, out float reflectance, inout int reason, inou
   {
     waterTakeSky(hit);
     waterLookBehind(point.start, hit);
+    hit.uv = waterPlaceOver(point.start, hit);
     waterCross(point, hit);
     places.inner = hit.uv.xyxy;
     places.shares.x = hit.isPlace ? share : 0.0;

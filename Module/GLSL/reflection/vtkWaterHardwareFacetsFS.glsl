@@ -91,6 +91,7 @@ vec3 waterOneFacet(WaterPoint point, out float reflectance, out int reason, out 
   waterFollowRay(point.start, hit);
   waterTakeSky(hit);
   waterLookBehind(point.start, hit);
+  hit.uv = waterPlaceOver(point.start, hit);
   waterCross(point, hit);
   reason = waterReason(hit);
   uv = hit.uv;
@@ -118,6 +119,7 @@ vec3 waterSeveralFacets(WaterPoint point, vec2 azimuth, float variance, int coun
     WaterFacet facet = waterAimFacet(point, normal, depth, share);
     reflectance += facet.share;
     waterTraceFacet(point.start, facet);
+    facet.hit.uv = waterPlaceOver(point.start, facet.hit);
     waterCrossFacet(point, normal, i, facet.hit);
     reflected += facet.hit.isPlace ? vec3(0.0) : facet.share * facet.hit.color;
     // the last four move along

@@ -47,6 +47,11 @@ void waterRefineHit(vec3 start, bool isFollowed, inout WaterRayHit hit) {}
 
 void waterMarchRay(vec3 start, bool isWanted, inout WaterRayHit hit) {}
 
+vec2 waterPlaceOver(vec3 start, WaterRayHit hit)
+{
+  return hit.uv;
+}
+
 int waterReason(WaterRayHit hit)
 {
   return 1;

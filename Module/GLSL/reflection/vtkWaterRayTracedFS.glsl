@@ -81,6 +81,7 @@ struct WaterRayHit
   bool isOver;   // ends over all that the reflection texture shows
   bool isInside; // ends on the reflection texture
   float s;
+  float rise;       // what the ray gains along its line: height over w
   float depthStart; // of the reflection texture, at the ray's ends
   float depth;
   bool isSettled; // the estimate is what it meets
@@ -117,7 +118,9 @@ WaterRayHit waterAim(vec3 start, float startW, vec3 dir)
   hit.isOver = overAll < min(last, leaves);
   last = min(last, overAll);
   hit.isInside = last <= leaves;
-  hit.line = line * min(last, leaves);
+  float end = min(last, leaves);
+  hit.line = line * end;
+  hit.rise = dir.z * end;
   // only where the sky in its place is known
   float nearest = min(start.z, start.z + hit.line.z);
   waterNearest = waterIsSkyKnown() ? nearest - waterSlackAt(nearest) : -1e30;
@@ -229,6 +232,14 @@ bool waterComesOut(vec3 start, vec3 way, bool isWanted, float depth, inout float
 // slot walk.
 void waterFollowRay(vec3 start, inout WaterRayHit hit);
 
+// Keeps the place of what a ray meets off the waterline. Surfaces are read with a filter, and beyond the waterline there is
+// nothing of them.
+vec2 waterPlaceOver(vec3 start, WaterRayHit hit)
+{
+  float s = dot(hit.uv - start.xy, hit.line.xy) / max(dot(hit.line.xy, hit.line.xy), 1e-20);
+  return hit.reason == WATER_HIT ? waterOverWaterline(hit.uv, s * hit.rise) : hit.uv;
+}
+
 // Why the point has its reflection.
 int waterReason(WaterRayHit hit)
 {
@@ -257,6 +268,7 @@ vec3 waterReflected(WaterPoint point, out int reason, out vec2 uv)
   waterTakeSky(hit);
   reason = waterReason(hit);
   waterLookBehind(point.start, hit);
+  hit.uv = waterPlaceOver(point.start, hit);
   uv = hit.uv;
   waterCross(point, hit);
   return hit.isPlace ? waterDrawn(textureLod(waterReflection, uv, 0.0), hit.color) : hit.color;

@@ -108,6 +108,23 @@ const char* vtkWaterMirroredView::JoinOpaque(
 }
 
 //------------------------------------------------------------------------------
+const char* vtkWaterMirroredView::JoinHeights(const water_plan& plan, const Draft& draft)
+{
+  vtkWaterRankPixels pixels;
+  pixels.ReadDepths(this->Target.GetResolved(), plan.texture_rect_px);
+  if (draft.Agree(water_rank_drawn_begin()).Result != WATER_RANKS_DRAWN)
+  {
+    return nullptr;
+  }
+  if (!pixels.KeepNearest(*draft.Ranks))
+  {
+    return kUnreachable;
+  }
+  pixels.UploadDepths(this->Target.GetDepth());
+  return nullptr;
+}
+
+//------------------------------------------------------------------------------
 bool vtkWaterMirroredView::DrawOwnLayer(
   vtkRenderer* renderer, const water_plan& plan, Draft& draft, RankParts& parts)
 {

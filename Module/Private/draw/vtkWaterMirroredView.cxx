@@ -168,7 +168,7 @@ const char* vtkWaterMirroredView::DrawProps(
   if (draft.IsDepth)
   {
     this->Target.Resolve();
-    return nullptr;
+    return draft.Ranks ? this->JoinHeights(plan, draft) : nullptr;
   }
   if (draft.Ranks)
   {

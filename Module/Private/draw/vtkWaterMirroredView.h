@@ -112,6 +112,7 @@ private:
   // blend, and what is behind the first things.
   struct RankParts;
   const char* JoinOpaque(vtkRenderer* renderer, const water_plan& plan, Draft& draft);
+  const char* JoinHeights(const water_plan& plan, const Draft& draft); // of a depth alone
   const char* JoinMore(vtkRenderer* renderer, const water_plan& plan, Draft& draft,
     const vtkWaterRanks::Drawing& drawing);
   bool DrawOwnLayer(vtkRenderer* renderer, const water_plan& plan, Draft& draft, RankParts& parts);

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkWaterRanks.h"
 
-#include "vtkCommunicator.h"
-
 #include <algorithm>
 #include <cstdlib>
 #include <cstring>
-#include <limits>
 #include <numeric>
 
 namespace
@@ -121,10 +118,17 @@ bool vtkWaterRanks::Speak(const char* what, Calls calls)
 bool vtkWaterRanks::GatherNumbers(
   const char* what, const double* mine, size_t count, std::vector<double>& all)
 {
-  all.resize(count * static_cast<size_t>(this->Controller->GetNumberOfProcesses()));
-  return this->Speak(what, [&]() {
-    return this->Controller->AllGather(mine, all.data(), static_cast<vtkIdType>(count)) != 0;
+  const auto ranks = static_cast<size_t>(this->Controller->GetNumberOfProcesses());
+  std::vector<double> own(mine, mine + count);
+  own.push_back(WATER_RANKS_IS_HERE);
+  all.assign(own.size() * ranks, 0.0);
+  const bool isReached = this->Speak(what, [&]() {
+    return this->Controller->AllGather(
+             own.data(), all.data(), static_cast<vtkIdType>(own.size())) != 0 &&
+      water_ranks_take_numbers(all.data(), count, ranks);
   });
+  all.resize(count * ranks);
+  return isReached;
 }
 
 //------------------------------------------------------------------------------
@@ -229,40 +233,35 @@ bool vtkWaterRanks::JoinViews(const water_rank_view& mine, water_scene& scene,
 //------------------------------------------------------------------------------
 void vtkWaterRanks::HoldOnAll(std::vector<int>& claims)
 {
-  std::vector<int> joined(claims.size());
-  const bool isReached = this->Speak("whether all can go on", [&]() {
-    return this->Controller->AllReduce(claims.data(), joined.data(),
-             static_cast<vtkIdType>(claims.size()), vtkCommunicator::MIN_OP) != 0;
-  });
-  if (!isReached)
+  // gathered, not reduced: what a communicator makes of a rank that it has lost can be any number
+  const std::vector<double> mine(claims.begin(), claims.end());
+  std::vector<double> all;
+  if (!this->GatherNumbers("whether all can go on", mine.data(), mine.size(), all))
   {
-    std::fill(joined.begin(), joined.end(), 0);
+    std::fill(claims.begin(), claims.end(), 0);
+    return;
   }
-  claims.swap(joined);
+  for (size_t i = 0; i < all.size(); ++i)
+  {
+    int& claim = claims[i % claims.size()];
+    claim = claim && all[i] != 0.0 ? 1 : 0;
+  }
 }
 
 //------------------------------------------------------------------------------
 bool vtkWaterRanks::JoinRects(int rect[4], int& samples)
 {
-  constexpr int none = std::numeric_limits<int>::max();
-  const bool isEmpty = rect[2] <= 0 || rect[3] <= 0;
-  // the ends as negative numbers: the least of all ranks' is asked
-  const int mine[6] = { isEmpty ? none : rect[0], isEmpty ? none : rect[1],
-    isEmpty ? none : -(rect[0] + rect[2]), isEmpty ? none : -(rect[1] + rect[3]), samples,
-    -samples };
-  int all[6];
-  const bool isReached = this->Speak("the part of the picture below the surface",
-    [&]() { return this->Controller->AllReduce(mine, all, 6, vtkCommunicator::MIN_OP) != 0; });
-  if (!isReached)
+  constexpr size_t size = sizeof(water_rank_part) / sizeof(double);
+  double mine[size] = { 0.0, 0.0, 0.0, 0.0, static_cast<double>(samples) };
+  std::copy_n(rect, 4, mine);
+  std::vector<double> all;
+  if (!this->GatherNumbers("the part of the picture below the surface", mine, size, all))
   {
     return false;
   }
-  samples = all[4] == -all[5] ? all[4] : 0;
-  const bool areEmpty = all[0] == none;
-  rect[0] = areEmpty ? 0 : all[0];
-  rect[1] = areEmpty ? 0 : all[1];
-  rect[2] = areEmpty ? 0 : -all[2] - all[0];
-  rect[3] = areEmpty ? 0 : -all[3] - all[1];
+  std::vector<water_rank_part> parts(all.size() / size);
+  std::memcpy(parts.data(), all.data(), all.size() * sizeof(double));
+  samples = water_ranks_join_parts(parts.data(), parts.size(), rect);
   return true;
 }
 

@@ -216,7 +216,8 @@ private:
   bool IsUnchangedOnAll(const Attempt& attempt, bool isUnchanged);
   const vtkWaterRanks::Drawing& JoinDrawn(
     const Frame& frame, Attempt& attempt, const water_rank_drawn& mine);
-  bool FinishDrawn(const Frame& frame, Attempt& attempt); // is there to be a second attempt?
+  // Is there to be a second attempt?
+  bool FinishDrawn(const Frame& frame, Attempt& attempt, const water_plan& plan);
   bool GatherOrFail(
     const Frame& frame, const std::vector<vtkWaterSource*>& waters, Attempt& attempt);
   void DrawOrFail(const Frame& frame, Attempt& attempt);
@@ -240,9 +241,10 @@ private:
   vtkWaterError RenderOwnView(const Frame& frame, Attempt& attempt);
   vtkWaterError RenderSunView(const Frame& frame, Attempt& attempt);
   vtkWaterError RenderSkyView(const Frame& frame, Attempt& attempt);
-  // props  of the scene, if they are not those that were gathered
-  water_scene ReadOwnScene(const Frame& frame, std::vector<water_prop>& props) const;
-  struct Other // a view that is to be drawn
+  static bool WantOwnView(const Attempt& attempt);
+  void MarkOwnProps(const Frame& frame); // in what was gathered
+  water_scene GetSceneOfAll() const;     // with the props of all ranks
+  struct Other                           // a view that is to be drawn
   {
     std::unique_ptr<OtherView>& View;
     vtkIdType& RenderCount;
@@ -254,9 +256,27 @@ private:
   // Plans the view, revises the plan, and carries it out.
   vtkWaterError RenderOther(
     const Frame& frame, Attempt& attempt, water_scene& scene, water_plan& plan, const Other& other);
-  vtkWaterError DrawOther(const Frame& frame, Attempt& attempt, const Choice& choice,
+  // part     the attempt at this view
+  // scene    with this rank's props, and reasons are of them
+  // choice   of plan and reasons
+  vtkWaterError DrawOther(const Frame& frame, Attempt& part, const Choice& choice,
     const water_scene& scene, water_plan& plan, std::vector<water_cull_reason>& reasons,
     const Other& other);
+  // Is the last one used again?
+  bool ReviseOther(const Frame& frame, Attempt& part, const Choice& choice,
+    const water_scene& scene, std::vector<water_cull_reason>& reasons, const Other& other);
+  const char* CarryOutOther(
+    const Frame& frame, Attempt& part, const Choice& choice, OtherView& own);
+  vtkWaterError CommitOther(
+    const Frame& frame, const Attempt& part, water_plan& plan, const Other& other);
+  // With other ranks, vtkWaterReflectionRankViews.cxx: DrawOther, of what all of them have.
+  // First they agree whether it is drawn, or used again, or cannot be drawn.
+  vtkWaterError DrawOtherOfAll(const Frame& frame, Attempt& part, const Choice& choice,
+    const water_scene& scene, water_plan& plan, std::vector<water_cull_reason>& reasons,
+    const Other& other);
+  water_decision AgreeOnOther(const Frame& frame, Attempt& part, const Choice& choice,
+    const water_scene& scene, std::vector<water_cull_reason>& reasons, const Other& other);
+  static void Fail(Attempt& part, const std::string& text);
   static void ReleaseOther(std::unique_ptr<OtherView>& view, vtkWindow* window);
   // Of what is chosen: the props, what they look like, and how they are drawn.
   static vtkProp* GetDrawn(const Frame& frame, const Choice& choice, size_t i);

@@ -10,33 +10,43 @@
 #include "vtkWaterReflection.h"
 #include "vtkWaterShaderHook.h"
 #include "vtkWaterShadows.h"
+#include "water_beyond.h"
 
 #include <algorithm>
+#include <cstddef>
 
 //------------------------------------------------------------------------------
-water_scene vtkWaterReflection::ReadOwnScene(
-  const Frame& frame, std::vector<water_prop>& props) const
+bool vtkWaterReflection::WantOwnView(const Attempt& attempt)
 {
-  water_scene scene = this->Gathered.Scene;
-  scene.is_beyond = true;
-  for (size_t i = 0; i < scene.prop_count; ++i)
+  return std::any_of(attempt.Waters.begin(), attempt.Waters.end(),
+    [](const vtkWaterSnapshotPointer& water) { return water->WantsOwnView(); });
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterReflection::MarkOwnProps(const Frame& frame)
+{
+  for (size_t i = 0; i < this->Gathered.Props.size(); ++i)
   {
     vtkProp* prop = frame.Records->GetProp(i);
-    const bool isReflected = (this->Gathered.Props[i].flags & WATER_PROP_NOT_REFLECTED) == 0;
-    if (isReflected && prop == frame.Records->GetDrawn(i))
+    uint32_t& flags = this->Gathered.Props[i].flags;
+    const bool isReflected = (flags & WATER_PROP_NOT_REFLECTED) == 0;
+    if (!isReflected || prop != frame.Records->GetDrawn(i))
     {
-      continue;
+      // its bounds were not read: they are not worth it for the few there are
+      flags |= WATER_PROP_OWN_OTHER | (prop->GetVisibility() ? WATER_PROP_OWN_VISIBLE : 0);
     }
-    if (props.empty())
-    {
-      props = this->Gathered.Props;
-    }
-    // its bounds were not read: they are not worth it for the few there are
-    const uint32_t visible = prop->GetVisibility() ? WATER_PROP_VISIBLE : 0;
-    props[i].flags &= ~static_cast<uint32_t>(WATER_PROP_VISIBLE);
-    props[i].flags |= visible | WATER_PROP_NO_BOUNDS;
   }
-  scene.props = props.empty() ? scene.props : props.data();
+}
+
+//------------------------------------------------------------------------------
+water_scene vtkWaterReflection::GetSceneOfAll() const
+{
+  water_scene scene = this->Gathered.Scene;
+  if (this->Ranks.AreSeveral())
+  {
+    scene.props = this->RankProps.data();
+    scene.prop_count = this->RankProps.size();
+  }
   return scene;
 }
 
@@ -67,16 +77,17 @@ vtkWaterError vtkWaterReflection::RenderOwnView(const Frame& frame, Attempt& att
   View& view = *attempt.Drawn;
   const Other other = { view.Own, this->Report.OwnViewRenderCount, "own view of refraction",
     "The water shows what the picture has of the scene below (RefractionSource).", true, false };
-  const bool isWanted = !this->Ranks.AreSeveral() && !frame.Primary &&
-    std::any_of(attempt.Waters.begin(), attempt.Waters.end(),
-      [](const vtkWaterSnapshotPointer& water) { return water->WantsOwnView(); });
-  if (!isWanted)
+  if (frame.Primary || !WantOwnView(attempt))
   {
     ReleaseOther(view.Own, frame.Renderer->GetRenderWindow());
     return vtkWaterError();
   }
-  std::vector<water_prop> props;
-  water_scene scene = this->ReadOwnScene(frame, props);
+  water_scene scene = this->GetSceneOfAll();
+  std::vector<water_prop> props(scene.prop_count);
+  std::transform(scene.props, scene.props + scene.prop_count, props.begin(),
+    [](const water_prop& prop) { return water_beyond_prop(&prop); });
+  scene.props = props.data();
+  scene.is_beyond = true;
   water_plan plan = water_plan();
   vtkWaterError error = this->RenderOther(frame, attempt, scene, plan, other);
   this->Report.OwnViewDecision = plan.decision;
@@ -90,7 +101,7 @@ vtkWaterError vtkWaterReflection::RenderSunView(const Frame& frame, Attempt& att
   View& view = *attempt.Drawn;
   const Other other = { view.Sun, this->Report.SunViewRenderCount, "sun view",
     "Nothing casts shadows on the water (Shadows).", false, true };
-  const bool isWanted = !this->Ranks.AreSeveral() && !frame.Primary &&
+  const bool isWanted = !frame.Primary &&
     std::any_of(attempt.Waters.begin(), attempt.Waters.end(),
       [](const vtkWaterSnapshotPointer& water) { return water->WantsSunView(); });
   if (!isWanted)
@@ -98,7 +109,7 @@ vtkWaterError vtkWaterReflection::RenderSunView(const Frame& frame, Attempt& att
     ReleaseOther(view.Sun, frame.Renderer->GetRenderWindow());
     return vtkWaterError();
   }
-  water_scene scene = this->Gathered.Scene;
+  water_scene scene = this->GetSceneOfAll();
   scene.is_from_sun = true;
   water_plan plan = water_plan();
   vtkWaterError error = this->RenderOther(frame, attempt, scene, plan, other);
@@ -112,14 +123,14 @@ vtkWaterError vtkWaterReflection::RenderSkyView(const Frame& frame, Attempt& att
   View& view = *attempt.Drawn;
   const Other other = { view.Sky, this->Report.SkyViewRenderCount, "sky view",
     "Rays that leave the reflection texture meet no dome.", true, false };
-  const bool isWanted = !this->Ranks.AreSeveral() && !frame.Primary && this->Plan.is_enclosed &&
+  const bool isWanted = !frame.Primary && this->Plan.is_enclosed &&
     this->Gathered.Scene.has_waves && water_plan_has_reflection(&this->Plan);
   if (!isWanted)
   {
     ReleaseOther(view.Sky, frame.Renderer->GetRenderWindow());
     return vtkWaterError();
   }
-  water_scene scene = this->Gathered.Scene;
+  water_scene scene = this->GetSceneOfAll();
   scene.is_of_sky = true;
   water_plan plan = water_plan();
   vtkWaterError error = this->RenderOther(frame, attempt, scene, plan, other);
@@ -135,8 +146,10 @@ vtkWaterError vtkWaterReflection::RenderSkyView(const Frame& frame, Attempt& att
 vtkWaterError vtkWaterReflection::RenderOther(
   const Frame& frame, Attempt& attempt, water_scene& scene, water_plan& plan, const Other& other)
 {
-  if (this->GetPlannedView() != attempt.Drawn.get() || attempt.IsAborted ||
-    this->Report.Decision == WATER_NO_REFLECT_FAILED)
+  const bool areSeveral = this->Ranks.AreSeveral();
+  const bool isInVain = this->GetPlannedView() != attempt.Drawn.get() || attempt.IsAborted ||
+    this->Report.Decision == WATER_NO_REFLECT_FAILED;
+  if (isInVain && !areSeveral) // ranks tell each other
   {
     return vtkWaterError(); // the plain colour is shown
   }
@@ -149,26 +162,35 @@ vtkWaterError vtkWaterReflection::RenderOther(
     scene.is_hidden = true;
     (void)water_plan_make(&scene, &plan, reasons.data());
   }
-  return plan.decision == WATER_REFLECT
-    ? this->DrawOther(
-        frame, attempt, { plan, reasons, other.IsDirect }, scene, plan, reasons, other)
-    : vtkWaterError();
-}
-
-//------------------------------------------------------------------------------
-vtkWaterError vtkWaterReflection::DrawOther(const Frame& frame, Attempt& attempt,
-  const Choice& choice, const water_scene& scene, water_plan& plan,
-  std::vector<water_cull_reason>& reasons, const Other& other)
-{
-  vtkWaterError error;
-  View& view = *attempt.Drawn;
-  auto* window = static_cast<vtkOpenGLRenderWindow*>(frame.Renderer->GetRenderWindow());
+  if (plan.decision != WATER_REFLECT)
+  {
+    return vtkWaterError();
+  }
+  // of the props of all ranks, its own
+  const size_t own = this->Gathered.Props.size();
+  reasons.erase(reasons.begin(), reasons.begin() + static_cast<std::ptrdiff_t>(attempt.FirstProp));
+  reasons.resize(own);
+  scene.props += attempt.FirstProp;
+  scene.prop_count = own;
   if (!other.View)
   {
     other.View = std::make_unique<OtherView>();
   }
-  OtherView& own = *other.View;
-  vtkWaterMirroredView::Draft draft;
+  Attempt part;
+  part.Waters = attempt.Waters;
+  part.Drawn = attempt.Drawn;
+  part.IsAborted = attempt.IsAborted;
+  const Choice choice = { plan, reasons, other.IsDirect };
+  return areSeveral ? this->DrawOtherOfAll(frame, part, choice, scene, plan, reasons, other)
+                    : this->DrawOther(frame, part, choice, scene, plan, reasons, other);
+}
+
+//------------------------------------------------------------------------------
+bool vtkWaterReflection::ReviseOther(const Frame& frame, Attempt& part, const Choice& choice,
+  const water_scene& scene, std::vector<water_cull_reason>& reasons, const Other& other)
+{
+  const OtherView& own = *other.View;
+  vtkWaterMirroredView::Draft& draft = part.Draft;
   draft.Hook = frame.Hook;
   draft.IsDepth = other.IsDepth;
   // which triangles a pixel shows is known of cameras' own projections
@@ -178,35 +200,47 @@ vtkWaterError vtkWaterReflection::DrawOther(const Frame& frame, Attempt& attempt
   {
     draft.Sky = this->Gathered.Sky;
   }
-  FindDrawn(frame, attempt, choice, draft.Props);
-  vtkWaterSignature signature;
-  this->Sign(frame, choice, draft, signature);
-  water_plan_revise(
-    &scene, &own.DrawnPlan, signature.IsSameAs(own.DrawnSignature), nullptr, &plan, reasons.data());
-  if (plan.decision != WATER_REFLECT)
-  {
-    return Describe(own.Drawn.GetShortage());
-  }
-  this->SortDrawn(frame, choice, draft);
+  FindDrawn(frame, part, choice, draft.Props);
+  this->Sign(frame, choice, draft, part.Signature);
+  water_plan revised = choice.Plan;
+  water_plan_revise(&scene, &own.DrawnPlan, part.Signature.IsSameAs(own.DrawnSignature), nullptr,
+    &revised, reasons.data());
+  return revised.decision == WATER_REUSE;
+}
+
+//------------------------------------------------------------------------------
+const char* vtkWaterReflection::CarryOutOther(
+  const Frame& frame, Attempt& part, const Choice& choice, OtherView& own)
+{
+  this->SortDrawn(frame, choice, part.Draft);
   own.DrawnPlan = water_plan();
-  if (draft.Shadows)
+  if (part.Draft.Shadows)
   {
-    vtkWaterShadows::Bake(frame.Renderer, draft.Shadows);
+    vtkWaterShadows::Bake(frame.Renderer, part.Draft.Shadows);
   }
-  (void)own.Drawn.FindVisible(frame.Renderer, plan, false); // all of it is looked at
-  const char* failure = own.Drawn.Draw(frame.Renderer, plan, draft);
-  if (this->GetPlannedView() != &view)
+  (void)own.Drawn.FindVisible(frame.Renderer, choice.Plan, false); // all of it is looked at
+  return own.Drawn.Draw(frame.Renderer, choice.Plan, part.Draft);
+}
+
+//------------------------------------------------------------------------------
+vtkWaterError vtkWaterReflection::CommitOther(
+  const Frame& frame, const Attempt& part, water_plan& plan, const Other& other)
+{
+  vtkWaterError error;
+  OtherView& own = *other.View;
+  vtkRenderWindow* window = frame.Renderer->GetRenderWindow();
+  if (this->GetPlannedView() != part.Drawn.get())
   {
     own.Drawn.ReleaseGraphicsResources(window); // was wanted in the middle of it
     plan.decision = WATER_NOT_PLANNED;
   }
-  else if (failure)
+  else if (part.Failure)
   {
     plan.decision = WATER_NO_REFLECT_FAILED;
-    error.Kind = std::string(other.Name) + ": " + failure;
+    error.Kind = std::string(other.Name) + ": " + part.Failure;
     error.Text = error.Kind + ". " + other.Without;
   }
-  else if (window->GetAbortRender() || frame.Hook->Failures.TakeMirrored())
+  else if (part.IsAborted || window->GetAbortRender() || frame.Hook->Failures.TakeMirrored())
   {
     plan.decision = WATER_NOT_PLANNED; // what was refused is left out of the next one
   }
@@ -214,8 +248,22 @@ vtkWaterError vtkWaterReflection::DrawOther(const Frame& frame, Attempt& attempt
   {
     ++other.RenderCount;
     own.DrawnPlan = plan;
-    own.DrawnSignature = signature;
+    own.DrawnSignature = part.Signature;
     error = Describe(own.Drawn.GetShortage());
   }
   return error;
+}
+
+//------------------------------------------------------------------------------
+vtkWaterError vtkWaterReflection::DrawOther(const Frame& frame, Attempt& part, const Choice& choice,
+  const water_scene& scene, water_plan& plan, std::vector<water_cull_reason>& reasons,
+  const Other& other)
+{
+  if (this->ReviseOther(frame, part, choice, scene, reasons, other))
+  {
+    plan.decision = WATER_REUSE;
+    return Describe(other.View->Drawn.GetShortage());
+  }
+  part.Failure = this->CarryOutOther(frame, part, choice, *other.View);
+  return this->CommitOther(frame, part, plan, other);
 }

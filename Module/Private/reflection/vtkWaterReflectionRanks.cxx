@@ -61,9 +61,10 @@ void AddLook(const vtkWaterLook& look, Numbers& numbers)
   numbers.insert(numbers.end(),
     { look.MetresPerUnit, look.NaturalDepth, look.Optics.index_of_refraction,
       look.Optics.reflectance, look.Optics.constant_reflectance ? 1.0 : 0.0, look.DataOpacity,
-      look.Opacity, look.HasDeepColor ? 1.0 : 0.0, look.ShoreSoftness, look.DomePortRadius,
-      look.WaveNumber, look.WaveHeightMax, look.WaveReach, static_cast<double>(look.WaveGridSize),
-      look.Caustics, look.LightShafts, look.RollsOff ? 1.0 : 0.0, look.FoamDepth, look.FoamJacobian,
+      look.Opacity, look.HasDeepColor ? 1.0 : 0.0, look.HasOwnView ? 1.0 : 0.0, look.ShoreSoftness,
+      look.DomePortRadius, look.WaveNumber, look.WaveHeightMax, look.WaveReach,
+      static_cast<double>(look.WaveGridSize), look.Caustics, look.LightShafts,
+      look.RollsOff ? 1.0 : 0.0, look.FoamDepth, look.FoamJacobian,
       static_cast<double>(look.Lookup), look.OffsetScale, static_cast<double>(look.RayTraceSteps),
       static_cast<double>(look.RayTraceProbes), static_cast<double>(look.RayTraceRays),
       static_cast<double>(look.RayTraceLayers), look.RayTraceFootprint,
@@ -179,7 +180,7 @@ const vtkWaterRanks::Drawing& vtkWaterReflection::JoinDrawn(
 }
 
 //------------------------------------------------------------------------------
-bool vtkWaterReflection::FinishDrawn(const Frame& frame, Attempt& attempt)
+bool vtkWaterReflection::FinishDrawn(const Frame& frame, Attempt& attempt, const water_plan& plan)
 {
   while (attempt.AgreementsDue > 0) // the others wait for what this rank could not do
   {
@@ -198,8 +199,8 @@ bool vtkWaterReflection::FinishDrawn(const Frame& frame, Attempt& attempt)
   }
   if (drawing.Result == WATER_RANKS_DRAWN)
   {
-    const int* rect = this->Plan.texture_rect_px;
-    this->Report.JoinedPixels = static_cast<vtkIdType>(rect[2]) * rect[3];
+    const int* rect = plan.texture_rect_px;
+    this->Report.JoinedPixels += static_cast<vtkIdType>(rect[2]) * rect[3];
   }
   // what one rank's driver refused is left out of a second view, of all ranks
   return drawing.Result == WATER_RANKS_DRAW_AGAIN;

@@ -103,7 +103,7 @@ bool vtkWaterReflection::PlanAndDraw(const Frame& frame, Attempt& attempt)
   }
   if (this->Plan.decision == WATER_REFLECT && areSeveral)
   {
-    return this->FinishDrawn(frame, attempt);
+    return this->FinishDrawn(frame, attempt, this->Plan);
   }
   // what was refused in this view is left out of a second one
   attempt.IsAborted = frame.Renderer->GetRenderWindow()->GetAbortRender() != 0;
@@ -138,6 +138,10 @@ void vtkWaterReflection::Gather(
     isRefused = [&failures](vtkProp* prop) { return failures.Has(prop); };
   }
   this->Gathered.ReadProps(frame.Renderer, *attempt.Waters.front(), isRefused, *frame.Records);
+  if (!frame.Primary && WantOwnView(attempt))
+  {
+    this->MarkOwnProps(frame);
+  }
   this->OwnEye = this->Gathered.Scene.eye;
   attempt.Drawn = this->GetView(frame.Renderer);
   attempt.MeasuredMs = this->Measure(*attempt.Drawn);

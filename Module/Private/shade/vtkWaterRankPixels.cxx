@@ -141,26 +141,39 @@ void vtkWaterRankPixels::ReadLayer(
 }
 
 //------------------------------------------------------------------------------
-void vtkWaterRankPixels::ReadDepths(
-  vtkOpenGLFramebufferObject* framebuffer, const vtkWaterRankPixels& behind)
+void vtkWaterRankPixels::ReadDepths(vtkOpenGLFramebufferObject* framebuffer, const int rect[4])
 {
-  const int* rect = behind.Rect;
   this->Allocate(GL_UNSIGNED_BYTE, rect, 1);
-  this->Depths.assign(behind.Depths.size(), WATER_RANK_NOTHING);
-  if (!framebuffer)
-  {
-    return;
-  }
+  this->Depths.resize(this->Colors.size());
   vtkOpenGLState* state = framebuffer->GetContext()->GetState();
   state->PushFramebufferBindings();
   framebuffer->Bind(vtkOpenGLFramebufferObject::GetReadMode());
   glReadPixels(
     rect[0], rect[1], rect[2], rect[3], GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, this->Depths.data());
   state->PopFramebufferBindings();
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterRankPixels::ReadDepths(
+  vtkOpenGLFramebufferObject* framebuffer, const vtkWaterRankPixels& behind)
+{
+  if (!framebuffer)
+  {
+    this->Allocate(GL_UNSIGNED_BYTE, behind.Rect, 1);
+    this->Depths.assign(behind.Depths.size(), WATER_RANK_NOTHING);
+    return;
+  }
+  this->ReadDepths(framebuffer, behind.Rect);
   std::transform(this->Depths.begin(), this->Depths.end(), behind.Depths.begin(),
     this->Depths.begin(), [](std::uint32_t own, std::uint32_t other) {
       return own < other ? own : WATER_RANK_NOTHING; // which is not sent
     });
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterRankPixels::UploadDepths(vtkTextureObject* depth) const
+{
+  Write(depth, this->Rect, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, this->Depths.data());
 }
 
 //------------------------------------------------------------------------------
@@ -169,7 +182,7 @@ void vtkWaterRankPixels::UploadDepths(vtkTextureObject* depth, const vtkWaterRan
   std::transform(this->Depths.begin(), this->Depths.end(), behind.Depths.begin(),
     this->Depths.begin(),
     [](std::uint32_t own, std::uint32_t other) { return std::min(own, other); });
-  Write(depth, this->Rect, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, this->Depths.data());
+  this->UploadDepths(depth);
 }
 
 //------------------------------------------------------------------------------

@@ -35,6 +35,9 @@ public:
   // nullptr: nowhere.
   void ReadDepths(vtkOpenGLFramebufferObject* framebuffer, const vtkWaterRankPixels& behind);
 
+  // Likewise of all depths of a framebuffer.
+  void ReadDepths(vtkOpenGLFramebufferObject* framebuffer, const int rect[4]);
+
   // Ranks' pixels become those of all. All ranks call it, or none. false: they cannot be reached.
   bool KeepNearest(vtkWaterRanks& ranks);
   bool BlendInOrder(vtkWaterRanks& ranks, const std::vector<size_t>& order);
@@ -44,6 +47,7 @@ public:
 
   // Writes them back; depth may be nullptr.
   void Upload(vtkTextureObject* color, vtkTextureObject* depth) const;
+  void UploadDepths(vtkTextureObject* depth) const;
   void UploadDepths(vtkTextureObject* depth, const vtkWaterRankPixels& behind);
   void UploadSample(vtkTextureObject* color, vtkTextureObject* depth, int sample) const;
 

@@ -281,6 +281,7 @@ void vtkWaterSurfaceShader::SetReflectionParameters(vtkShaderProgram* program)
   uniforms::SetMatrix4x3(program, "waterDirToReflection", plan.dir_to_reflection);
   uniforms::Set4(program, "waterReflectionHeight", plan.reflection_height);
   uniforms::Set4(program, "waterReflectionW", plan.reflection_w);
+  uniforms::Set4(program, "waterWaterline", plan.reflection_waterline);
   uniforms::Set(program, "waterTexel", std::min(plan.reflection_texel, kFarUp));
   uniforms::Set(program, "waterSlack",
     water_waves_slack(std::max(look.WaveHeightMax, this->Water->Mesh.Reach)));
