@@ -1,0 +1,154 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""A shore that the renderer cuts while it draws is the one that the filter cuts."""
+
+import numpy as np
+import pytest
+import TestWaterShoreline as tide
+import water_test as wt
+from vtkmodules.vtkCommonDataModel import vtkCellArray
+from vtkmodules.vtkCommonExecutionModel import vtkTrivialProducer
+from vtkwater import vtkWaterLakes
+
+STEPS = (0, 3, 7)
+SIZE = (320, 240)
+
+
+@pytest.fixture(autouse=True)
+def _rules_of_hardware(monkeypatch):
+    monkeypatch.setenv("VTK_WATER_SOFTWARE", "0")
+
+
+def quads():
+    cells, row = vtkCellArray(), tide.CELLS + 1
+    for j in range(tide.CELLS):
+        for i in range(tide.CELLS):
+            first = j * row + i
+            cells.InsertNextCell(4, [first, first + 1, first + row + 1, first + row])
+    return cells
+
+
+class Tide:
+    """Water of a mesh over its bed, which rises out of it, with a ball; the depth is what a function of bed and step says."""
+
+    def __init__(self, cut, depth_of, areas_have_quads=False, refracts=False, samples=0):
+        self.mesh, self.places = tide.grid()
+        if areas_have_quads:
+            self.mesh.SetPolys(quads())
+        self.depth_of = depth_of
+        self.view = wt.View(SIZE, (0.2, 0.3, 0.5), samples=samples)
+        wt.add_actor(self.view.renderer, self.mesh, (0.8, 0.4, 0.1), lit=False)
+        wt.add_actor(self.view.renderer, wt.sphere((2, 3, 2), 1.5), (0.9, 0.1, 0.1))
+        self.source = vtkTrivialProducer()
+        self.source.SetOutput(self.mesh)
+        self.set_step(0)
+        self.water = vtkWaterLakes()
+        self.water.SetData(self.source.GetOutputPort(), "", "h", "zb")
+        self.water.SetShoreCut(cut)
+        self.water.GetWater().GetWaterProperty().SetRefraction(refracts)
+        self.water.AddTo(self.view.renderer)
+        camera = self.view.renderer.GetActiveCamera()
+        camera.SetPosition(0, -22, 14)
+        camera.SetFocalPoint(0, 0, 0)
+        camera.SetViewUp(0, 0, 1)
+        camera.SetViewAngle(40)
+
+    def set_step(self, step):
+        tide.add(self.mesh, "h", self.depth_of(self.places[:, 2], step))
+        self.mesh.Modified()
+        self.source.Modified()
+
+    def pictures(self):
+        made = []
+        for step in STEPS:
+            self.set_step(step)
+            made.append(self.view.picture().astype(int))
+        return made
+
+
+def tide_depth(bed, step):
+    return tide.level_of(step) - bed
+
+
+def ponds_depth(bed, step):
+    """Water at two levels, with dry land between."""
+    return np.where(bed < 0, -1.0 - bed, 2.5 + 0.1 * step - bed)
+
+
+def both(depth_of, **others):
+    """The same pictures, cut in the filter and while they are drawn; and whether the latter were."""
+    in_filter = Tide(vtkWaterLakes.CUT_IN_FILTER, depth_of, **others)
+    drawn = Tide(vtkWaterLakes.CUT_WHILE_DRAWN, depth_of, **others)
+    pairs = list(zip(in_filter.pictures(), drawn.pictures()))
+    assert not in_filter.water.GetIsShoreCutWhileDrawn()
+    return pairs, drawn
+
+
+def worst_of(pairs, by=1):
+    return max(100 * (np.abs(one - other).max(axis=2) > by).mean() for one, other in pairs)
+
+
+@pytest.mark.parametrize("samples", (0, 4))
+@pytest.mark.parametrize("refracts", (False, True))
+@pytest.mark.parametrize("areas_have_quads", (False, True))
+def test_pictures_are_those_of_the_filter(areas_have_quads, refracts, samples):
+    """In quads the shore has a bend on the diagonal; samples of pixels at the shore may differ."""
+    pairs, drawn = both(tide_depth, areas_have_quads=areas_have_quads, refracts=refracts, samples=samples)
+    assert drawn.water.GetIsShoreCutWhileDrawn()
+    name = f"{'quads' if areas_have_quads else 'triangles'}, {'clear' if refracts else 'opaque'}, {samples} samples"
+    limit = 0.02 if not areas_have_quads and samples == 0 else 0.05
+    wt.check_at_most(f"{name}: pixels off by more than 1 of 255, %", worst_of(pairs), limit)
+    steps = [picture for _, picture in pairs]
+    wt.check_at_least(f"{name}: pixels that the tide changes, %", worst_of([steps[:2]]), 5)
+
+
+def test_two_levels_of_water():
+    pairs, drawn = both(ponds_depth)
+    wt.check_equal("two levels: waters", drawn.water.GetNumberOfWaters(), 2)
+    wt.check_at_most("two levels: pixels off by more than 1 of 255, %", worst_of(pairs), 0.05)
+
+
+def test_no_water_at_all():
+    pairs, _ = both(lambda bed, step: np.full(len(bed), -1.0))
+    wt.check_at_most("dry: pixels off, %", worst_of(pairs, 0), 0)
+
+
+def test_depths_that_are_no_numbers():
+    """They are dry, whoever cuts."""
+
+    def holes(bed, step):
+        depth = tide_depth(bed, step)
+        depth[::37] = np.nan
+        return depth
+
+    pairs, _ = both(holes)
+    wt.check_at_most("NaN: pixels off by more than 1 of 255, %", worst_of(pairs), 0.05)
+
+
+def test_what_is_asked_for_is_the_cut_mesh():
+    """Filters, pickers and exporters get the mesh that the filter cuts."""
+    _, drawn = both(tide_depth)
+    mapper = drawn.water.GetMapper()
+    mapper.GetInputAlgorithm().Update()
+    cut = mapper.GetInputAlgorithm().GetOutput()
+    depths = cut.GetPointData().GetArray("h")
+    wt.check_at_least("cut mesh: least depth of its points", depths.GetRange()[0], -1e-9)
+
+
+def test_software_renderers_cut_in_the_filter(monkeypatch):
+    monkeypatch.setenv("VTK_WATER_SOFTWARE", "1")
+    made = Tide(vtkWaterLakes.CUT_AUTOMATIC, tide_depth)
+    made.pictures()
+    assert not made.water.GetIsShoreCutWhileDrawn()
+    monkeypatch.setenv("VTK_WATER_SOFTWARE", "0")
+    made = Tide(vtkWaterLakes.CUT_AUTOMATIC, tide_depth)
+    made.pictures()
+    assert made.water.GetIsShoreCutWhileDrawn()
+
+
+def test_wrong_number_is_an_error():
+    water = vtkWaterLakes()
+    errors = []
+    water.AddObserver("ErrorEvent", lambda *_: errors.append(1))
+    water.SetShoreCut(3)
+    wt.check_equal("errors", len(errors), 1)
+    wt.check_equal("kept", water.GetShoreCutAsString(), "CUT_AUTOMATIC")
