@@ -12,7 +12,9 @@
 #include "vtkWaterVertexNormals.h"
 #include "vtkWaterWetPart.h"
 
+#ifdef VTK_ABI_NAMESPACE_BEGIN
 VTK_ABI_NAMESPACE_BEGIN
+#endif
 vtkStandardNewMacro(vtkWaterCutPart);
 
 //------------------------------------------------------------------------------
@@ -45,4 +47,6 @@ int vtkWaterCutPart::RequestData(
   output->GetFieldData()->PassData(whole->GetFieldData());
   return 1;
 }
+#ifdef VTK_ABI_NAMESPACE_BEGIN
 VTK_ABI_NAMESPACE_END
+#endif

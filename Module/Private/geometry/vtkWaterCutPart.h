@@ -6,7 +6,9 @@
 
 #include "vtkPolyDataAlgorithm.h"
 
+#ifdef VTK_ABI_NAMESPACE_BEGIN
 VTK_ABI_NAMESPACE_BEGIN
+#endif
 class vtkWaterCutPart : public vtkPolyDataAlgorithm
 {
 public:
@@ -24,6 +26,8 @@ private:
   vtkWaterCutPart(const vtkWaterCutPart&) = delete;
   void operator=(const vtkWaterCutPart&) = delete;
 };
+#ifdef VTK_ABI_NAMESPACE_BEGIN
 VTK_ABI_NAMESPACE_END
+#endif
 
 #endif

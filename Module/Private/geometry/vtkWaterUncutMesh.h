@@ -13,7 +13,9 @@
 
 #include <algorithm>
 
+#ifdef VTK_ABI_NAMESPACE_BEGIN
 VTK_ABI_NAMESPACE_BEGIN
+#endif
 class vtkWaterUncutMesh : public vtkPolyData
 {
 public:
@@ -50,6 +52,8 @@ private:
   vtkSmartPointer<vtkFloatArray> Distances;
   double HeightScale = 1.0;
 };
+#ifdef VTK_ABI_NAMESPACE_BEGIN
 VTK_ABI_NAMESPACE_END
+#endif
 
 #endif
