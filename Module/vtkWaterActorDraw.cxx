@@ -108,6 +108,12 @@ void vtkWaterActor::Internals::Probe(vtkRenderer* renderer)
 }
 
 //------------------------------------------------------------------------------
+vtkMapper* vtkWaterActor::Internals::CutMapper(vtkMapper* mapper) const
+{
+  return this->IsDrawing && mapper == this->Self->Mapper ? this->OtherMapper.Get() : mapper;
+}
+
+//------------------------------------------------------------------------------
 void vtkWaterActor::Internals::DrawSurface(
   vtkWaterSurfaceShader& surface, vtkRenderer* renderer, vtkMapper* mapper)
 {
@@ -119,14 +125,15 @@ void vtkWaterActor::Internals::DrawSurface(
   vtkOpenGLState* probed =
     this->IsProbing ? static_cast<vtkOpenGLRenderer*>(renderer)->GetState() : nullptr;
   hook->BeginSurface(&surface, probed);
-  this->Self->Superclass::Render(renderer, mapper);
+  this->Self->Superclass::Render(
+    renderer, surface.GetIsRefused() ? this->CutMapper(mapper) : mapper);
   if (!hook->EndSurface() && !surface.GetIsRefused())
   {
     surface.SetIsRefused();
     vtkErrorWithObjectMacro(
       this->Self, "The driver rejects the water's shader. The water shows its plain colour.");
     hook->BeginSurface(&surface, probed);
-    this->Self->Superclass::Render(renderer, mapper);
+    this->Self->Superclass::Render(renderer, this->CutMapper(mapper));
     hook->EndSurface();
   }
 }

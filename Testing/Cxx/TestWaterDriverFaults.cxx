@@ -7,10 +7,16 @@
 
 #include "../../Module/Private/host/vtkWaterGL.h"
 
+#include "vtkDoubleArray.h"
 #include "vtkLogger.h"
 #include "vtkOutputWindow.h"
+#include "vtkPlaneSource.h"
+#include "vtkPointData.h"
+#include "vtkTrivialProducer.h"
+#include "vtkWaterLakes.h"
 #include "vtkWaterReflectionPass.h"
 
+#include <cstdlib>
 #include <cstring>
 #include <functional>
 
@@ -123,6 +129,64 @@ void ToggleRefraction(FaultyScene& scene)
 }
 #endif
 
+// Water of a solver's mesh over a slope, and what it looks like when its shader is refused.
+std::vector<unsigned char> RefusedShore(int cut, bool& isCutWhileDrawn)
+{
+  vtkNew<vtkPlaneSource> plane;
+  plane->SetOrigin(-8.0, -6.0, 0.0);
+  plane->SetPoint1(8.0, -6.0, 0.0);
+  plane->SetPoint2(-8.0, 6.0, 0.0);
+  plane->SetResolution(7, 5);
+  plane->Update();
+  vtkNew<vtkDoubleArray> depths;
+  depths->SetName("h");
+  vtkNew<vtkDoubleArray> bed;
+  bed->SetName("zb");
+  for (vtkIdType i = 0; i < plane->GetOutput()->GetNumberOfPoints(); ++i)
+  {
+    double point[3];
+    plane->GetOutput()->GetPoint(i, point);
+    bed->InsertNextValue(0.3 * point[0] + 0.1 * point[1]);
+    depths->InsertNextValue(-bed->GetValue(i));
+  }
+  plane->GetOutput()->GetPointData()->AddArray(depths);
+  plane->GetOutput()->GetPointData()->AddArray(bed);
+  vtkNew<vtkTrivialProducer> source;
+  source->SetOutput(plane->GetOutput());
+  FaultyScene scene;
+  scene.Renderer->RemoveActor(scene.Water);
+  vtkNew<vtkWaterLakes> lakes;
+  lakes->SetData(source->GetOutputPort(), "", "h", "zb");
+  lakes->SetShoreCut(cut);
+  lakes->AddTo(scene.Renderer);
+  scene.Picture(); // every new window fills the loader again
+  shaderSource = glShaderSource;
+  glShaderSource = ShaderSource;
+  lakes->GetWater()->GetWaterProperty()->AddWave(0.01, 2.0, 20.0); // another shader
+  const auto first = scene.Picture();
+  isCutWhileDrawn = lakes->GetIsShoreCutWhileDrawn();
+  const auto second = scene.Picture();
+  glShaderSource = shaderSource;
+  return WaterSame(first, second) ? first : std::vector<unsigned char>();
+}
+
+// The plain colour ends at the shore as the water does.
+bool CheckShore()
+{
+  setenv("VTK_WATER_SOFTWARE", "0", 1);
+  refused = 0;
+  bool isDrawn = false;
+  bool isUncut = false;
+  const auto right = RefusedShore(vtkWaterLakes::CUT_IN_FILTER, isDrawn);
+  bool ok = WaterCheck("shore: the filter cuts", isDrawn, false);
+  const auto faulty = RefusedShore(vtkWaterLakes::CUT_WHILE_DRAWN, isUncut);
+  unsetenv("VTK_WATER_SOFTWARE");
+  ok &= WaterCheck("shore: cut while drawn", isUncut, true);
+  ok &= WaterCheck("shore: it was refused", refused > 1, true);
+  ok &= WaterCheck("shore: the plain colour ends there", WaterSame(faulty, right), true);
+  return ok;
+}
+
 // The own view alone gets no framebuffer: the mirrored view has one already.
 bool CheckOwnView()
 {
@@ -170,5 +234,6 @@ int TestWaterDriverFaults(int, char*[])
   std::cout << "textures: left out, this VTK calls glTexImage2D without a loader" << std::endl;
 #endif
   ok &= CheckOwnView();
+  ok &= CheckShore();
   return ok ? EXIT_SUCCESS : EXIT_FAILURE;
 }

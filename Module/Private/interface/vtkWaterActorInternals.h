@@ -127,6 +127,8 @@ struct vtkWaterActor::Internals : public vtkWaterSource
   // kept  where the sheet is wanted, as in water_horizon_make
   vtkMapper* LayHorizon(const vtkWaterSnapshot& water, vtkRenderer* renderer,
     const water_camera& eye, const double* kept, vtkMapper* mapper);
+  // The mapper to draw with where nothing cuts a mesh at the shore: the plain shader does not.
+  vtkMapper* CutMapper(vtkMapper* mapper) const;
   // Draws the surface with its shader, or with the plain one when the driver refuses that. Without
   // a mapper there is nothing to draw.
   void DrawSurface(vtkWaterSurfaceShader& surface, vtkRenderer* renderer, vtkMapper* mapper);
