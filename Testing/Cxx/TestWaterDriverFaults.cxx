@@ -40,6 +40,7 @@ void ShaderSource(GLuint shader, GLsizei count, const GLchar* const* text, const
 // VTK draws a mesh whose shader was refused without a program, and what that shows is the driver's
 // choice.
 int drawnWithout = 0;
+int drawnCut = 0; // at the shore; llvmpipe cuts, too, where that is not enabled
 PFNGLDRAWRANGEELEMENTSPROC drawElements = nullptr;
 void DrawElements(
   GLenum mode, GLuint first, GLuint last, GLsizei count, GLenum type, const void* place)
@@ -47,6 +48,7 @@ void DrawElements(
   GLint program = 0;
   glGetIntegerv(GL_CURRENT_PROGRAM, &program);
   drawnWithout += program == 0 && !glIsEnabled(GL_RASTERIZER_DISCARD) ? 1 : 0;
+  drawnCut += glIsEnabled(GL_CLIP_DISTANCE0 + 1) ? 1 : 0;
   drawElements(mode, first, last, count, type, place);
 }
 
@@ -160,6 +162,12 @@ std::vector<unsigned char> RefusedShore(int cut, bool& isCutWhileDrawn)
   lakes->SetShoreCut(cut);
   lakes->AddTo(scene.Renderer);
   scene.Picture(); // every new window fills the loader again
+  drawnCut = 0;
+  drawElements = glDrawRangeElements;
+  glDrawRangeElements = DrawElements;
+  lakes->GetWater()->SetTime(1.0); // or nothing is drawn
+  scene.Picture();
+  glDrawRangeElements = drawElements;
   shaderSource = glShaderSource;
   glShaderSource = ShaderSource;
   lakes->GetWater()->GetWaterProperty()->AddWave(0.01, 2.0, 20.0); // another shader
@@ -179,9 +187,11 @@ bool CheckShore()
   bool isUncut = false;
   const auto right = RefusedShore(vtkWaterLakes::CUT_IN_FILTER, isDrawn);
   bool ok = WaterCheck("shore: the filter cuts", isDrawn, false);
+  ok &= WaterCheck("shore: draws that are cut there", drawnCut, 0);
   const auto faulty = RefusedShore(vtkWaterLakes::CUT_WHILE_DRAWN, isUncut);
   unsetenv("VTK_WATER_SOFTWARE");
   ok &= WaterCheck("shore: cut while drawn", isUncut, true);
+  ok &= WaterCheck("shore: draws that are cut", drawnCut, 1);
   ok &= WaterCheck("shore: it was refused", refused > 1, true);
   ok &= WaterCheck("shore: the plain colour ends there", WaterSame(faulty, right), true);
   return ok;

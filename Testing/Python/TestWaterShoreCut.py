@@ -103,12 +103,14 @@ def test_pictures_are_those_of_the_filter(areas_have_quads, refracts, samples):
 
 def test_two_levels_of_water():
     pairs, drawn = both(ponds_depth)
+    assert drawn.water.GetIsShoreCutWhileDrawn()
     wt.check_equal("two levels: waters", drawn.water.GetNumberOfWaters(), 2)
     wt.check_at_most("two levels: pixels off by more than 1 of 255, %", worst_of(pairs), 0.05)
 
 
 def test_no_water_at_all():
-    pairs, _ = both(lambda bed, step: np.full(len(bed), -1.0))
+    pairs, drawn = both(lambda bed, step: np.full(len(bed), -1.0))
+    assert drawn.water.GetIsShoreCutWhileDrawn()
     wt.check_at_most("dry: pixels off, %", worst_of(pairs, 0), 0)
 
 
@@ -120,13 +122,15 @@ def test_depths_that_are_no_numbers():
         depth[::37] = np.nan
         return depth
 
-    pairs, _ = both(holes)
+    pairs, drawn = both(holes)
+    assert drawn.water.GetIsShoreCutWhileDrawn()
     wt.check_at_most("NaN: pixels off by more than 1 of 255, %", worst_of(pairs), 0.05)
 
 
 def test_what_is_asked_for_is_the_cut_mesh():
     """Filters, pickers and exporters get the mesh that the filter cuts."""
     _, drawn = both(tide_depth)
+    assert drawn.water.GetIsShoreCutWhileDrawn()
     mapper = drawn.water.GetMapper()
     mapper.GetInputAlgorithm().Update()
     cut = mapper.GetInputAlgorithm().GetOutput()
