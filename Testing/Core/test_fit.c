@@ -295,10 +295,8 @@ TEST(a_polygon_that_is_not_finite_is_ignored)
   ASSERT_CLOSE(plane.reach, sqrt(8.0), 1e-12);
 }
 
-// Each coordinate may be, but not their squares' squares.
-TEST(what_overflows_has_no_plane)
+static void assert_no_plane(const double corners[9])
 {
-  const double corners[9] = { 0, 0, 0, 1e99, 0, 0, 0, 1e99, 1e99 };
   water_fit fit;
   water_fit_plane plane = { .rms = 42.0 };
   water_fit_begin(up_z, &fit);
@@ -432,6 +430,19 @@ TEST(polygons_of_a_mesh_are_those_that_are_added_one_by_one)
   }
 }
 
+// Each coordinate may be, but not their squares' squares.
+TEST(what_overflows_has_no_plane)
+{
+  const double corners[9] = { 0, 0, 0, 1e99, 0, 0, 0, 1e99, 1e99 };
+  assert_no_plane(corners);
+}
+
+TEST(a_point_has_no_plane)
+{
+  const double corners[9] = { 3, 4, 5, 3, 4, 5, 3, 4, 5 };
+  assert_no_plane(corners);
+}
+
 TESTS(polygons_of_a_mesh_are_those_that_are_added_one_by_one, blocks_of_a_part_are_joined,
   a_level_lake_in_blocks_keeps_its_level_exactly, a_block_without_polygons_changes_nothing,
   a_level_lake_has_its_own_level_exactly, a_slope_is_found_whatever_the_triangles,
@@ -440,5 +451,5 @@ TESTS(polygons_of_a_mesh_are_those_that_are_added_one_by_one, blocks_of_a_part_a
   what_has_no_area_has_no_plane, lakes_at_one_level_share_a_plane,
   beyond_the_most_planes_a_part_joins_the_nearest, tolerance_is_what_is_not_seen_or_not_known,
   a_concave_polygon_has_its_own_area, a_polygon_that_is_not_finite_is_ignored,
-  what_overflows_has_no_plane, what_is_upright_but_for_rounding_has_no_plane,
+  what_overflows_has_no_plane, a_point_has_no_plane, what_is_upright_but_for_rounding_has_no_plane,
   the_first_part_begins_a_plane_whatever_the_tolerance)

@@ -82,17 +82,6 @@ TEST(a_pyramid_is_level_at_its_mean)
   ASSERT_CLOSE(plane.rms, sqrt(1.0 / 6.0 - 1.0 / 9.0), 1e-14);
 }
 
-TEST(a_point_has_no_plane)
-{
-  const double corners[9] = { 3, 4, 5, 3, 4, 5, 3, 4, 5 };
-  water_fit fit;
-  water_fit_plane plane = { .rms = 42.0 };
-  water_fit_begin(up_z, &fit);
-  assert_true(water_fit_add_polygon(corners, 3, &fit));
-  assert_int_equal(water_fit_judge(&fit, &plane), WATER_BAD_SURFACE);
-  assert_true(plane.rms == 42.0);
-}
-
 static water_fit_plane level_at(double height)
 {
   const water_fit_plane made = { .normal = { 0.0, 0.0, 1.0 },
@@ -124,5 +113,5 @@ TEST(of_planes_at_one_distance_the_first_is_joined)
 }
 
 TESTS(a_slanted_triangle_keeps_its_slope, a_slanted_canal_leans_along_itself_alone,
-  a_pyramid_is_level_at_its_mean, a_point_has_no_plane, a_part_at_the_tolerance_shares_the_plane,
+  a_pyramid_is_level_at_its_mean, a_part_at_the_tolerance_shares_the_plane,
   of_planes_at_one_distance_the_first_is_joined)

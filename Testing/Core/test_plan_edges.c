@@ -198,8 +198,7 @@ TEST(depths_with_both_planes_moved)
   const double target[3] = { 0.0, 1.0, 0.7 };
   const double up[3] = { 0.0, 0.0, 1.0 };
   const double box[4] = { -4.0, 4.0, -3.0, 3.0 };
-  look_at(eye, target, up, scene.eye.world_to_view);
-  frustum_matrix(box, 3.0, 50.0, scene.eye.view_to_clip);
+  see_from(&scene, eye, target, up, box, 3.0, 50.0);
   const water_prop props[2] = { { { -2.0, 2.0, 1.0, 2.0, 0.0, 1.0 }, visible, 0.0f },
     { { -2.0, 2.0, 100.0, 120.0, 0.0, 30.0 }, visible, 0.0f } };
   water_cull_reason reasons[2];
@@ -228,8 +227,7 @@ static water_scene level_view(void)
   const double target[3] = { 0.0, 1.0, 1.0 };
   const double up[3] = { 0.0, 0.0, 1.0 };
   const double box[4] = { -1.0, 1.0, -1.0, 1.0 };
-  look_at(eye, target, up, scene.eye.world_to_view);
-  frustum_matrix(box, 1.0, 3.0, scene.eye.view_to_clip);
+  see_from(&scene, eye, target, up, box, 1.0, 3.0);
   return scene;
 }
 

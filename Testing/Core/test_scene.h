@@ -147,6 +147,14 @@ static inline void ortho_matrix(const double box[4], double near_z, double far_z
   m[15] = 1.0;
 }
 
+// Lets an eye in perspective see a scene; box as in frustum_matrix.
+static inline void see_from(water_scene* scene, const double eye[3], const double target[3],
+  const double up[3], const double box[4], double near_z, double far_z)
+{
+  look_at(eye, target, up, scene->eye.world_to_view);
+  frustum_matrix(box, near_z, far_z, scene->eye.view_to_clip);
+}
+
 // A lake z = 0 of 20 x 20 with an eye 5 over it, 800 x 600 pixels, 90 degrees high.
 static inline water_scene lake(void)
 {
@@ -157,8 +165,7 @@ static inline water_scene lake(void)
   const double up[3] = { 0.0, 0.0, 1.0 };
   const double box[4] = { -4.0 / 3.0, 4.0 / 3.0, -1.0, 1.0 };
   const double bounds[6] = { -10.0, 10.0, -10.0, 10.0, 0.0, 0.0 };
-  look_at(eye, target, up, scene.eye.world_to_view);
-  frustum_matrix(box, 1.0, 1000.0, scene.eye.view_to_clip);
+  see_from(&scene, eye, target, up, box, 1.0, 1000.0);
   scene.viewport_px[0] = 800;
   scene.viewport_px[1] = 600;
   scene.plane.normal[2] = 1.0;
@@ -179,8 +186,7 @@ static inline water_scene pool(double half)
   const double target[3] = { 0.0, 0.0, 0.0 };
   const double up[3] = { 0.0, 1.0, 0.0 };
   const double box[4] = { -1.0, 1.0, -1.0, 1.0 };
-  look_at(eye, target, up, scene.eye.world_to_view);
-  frustum_matrix(box, 1.0, 1000.0, scene.eye.view_to_clip);
+  see_from(&scene, eye, target, up, box, 1.0, 1000.0);
   for (int i = 0; i < 4; ++i)
   {
     scene.surface_bounds[i] = i % 2 ? half : -half;
