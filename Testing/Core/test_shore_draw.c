@@ -56,6 +56,14 @@ TEST(one_cell_that_would_differ_is_enough_for_the_filter)
   }
 }
 
+TEST(the_largest_water_takes_the_whole_mesh_if_most_of_it_is_its_own)
+{
+  assert_true(water_shore_draw_is_whole(7, 7));
+  assert_true(water_shore_draw_is_whole(4, 7));
+  assert_false(water_shore_draw_is_whole(3, 6));
+  assert_false(water_shore_draw_is_whole(3, 7));
+}
+
 // Where a renderer cuts an edge is where the depth is 0 along it.
 TEST(edges_are_cut_at_the_depth_of_zero)
 {
@@ -91,5 +99,6 @@ TEST(land_and_water_have_numbers_of_their_own)
 }
 
 TESTS(gpus_cut_unless_told_otherwise, renderers_that_cannot_cut_do_not,
-  one_cell_that_would_differ_is_enough_for_the_filter, edges_are_cut_at_the_depth_of_zero,
-  land_and_water_have_numbers_of_their_own)
+  one_cell_that_would_differ_is_enough_for_the_filter,
+  the_largest_water_takes_the_whole_mesh_if_most_of_it_is_its_own,
+  edges_are_cut_at_the_depth_of_zero, land_and_water_have_numbers_of_their_own)

@@ -23,6 +23,11 @@ bool water_shore_draw_is_exact(const water_shore_facts* facts)
     facts->unplaced == 0 && facts->unknown == 0;
 }
 
+bool water_shore_draw_is_whole(size_t own_cells, size_t wet_cells)
+{
+  return own_cells > wet_cells - own_cells;
+}
+
 void water_shore_distances(const double* depths, size_t count, float* distances)
 {
   const double least = (double)FLT_MIN;

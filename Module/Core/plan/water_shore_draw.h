@@ -57,6 +57,12 @@ typedef struct water_shore_facts
 // Does the mesh as it is drawn show the same as the cut mesh?
 bool water_shore_draw_is_exact(const water_shore_facts* facts);
 
+// Is the whole mesh drawn for the largest of several waters? The others have copies of their own
+// cells. If most of the wet cells are theirs, so has the largest.
+//
+// own_cells, wet_cells  with water of the largest, and of all
+bool water_shore_draw_is_whole(size_t own_cells, size_t wet_cells);
+
 // The numbers of vertices: above 0 in water, below 0 on land, linear in the depth. A depth of 0 is
 // land: a triangle with all three corners at 0 would be drawn as a whole.
 void water_shore_distances(const double* depths, size_t count, float* distances);

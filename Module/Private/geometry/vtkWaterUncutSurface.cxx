@@ -160,10 +160,11 @@ bool vtkWaterUncutSurface::Make(const Given& given, const vtkWaterColumns& colum
   }
   const size_t planes = this->Parts.GetPlanes().size();
   const bool hasOne = planes > 0 && this->Parts.HasAll(0);
-  // the other waters have their cells alone, and so has the first one if most cells are others'
   const auto land = std::count(kinds.begin(), kinds.end(), vtkWaterShoreCells::Dry);
   const bool isWholeDrawn = hasOne ||
-    (planes > 0 && 2 * this->Parts.GetCells(0).size() > kinds.size() - static_cast<size_t>(land));
+    (planes > 0 &&
+      water_shore_draw_is_whole(
+        this->Parts.GetCells(0).size(), kinds.size() - static_cast<size_t>(land)));
   for (size_t i = 0; i < planes; ++i)
   {
     this->Blocks.push_back(this->Whole);
