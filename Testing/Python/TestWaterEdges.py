@@ -58,9 +58,11 @@ def test_no_dotted_line_is_along_the_waterline(is_software, monkeypatch):
 RATIOS = {8: 1.1, 4: 1.1, 10: 1.1, 12: 1.1, 6: 1.1, 102: 1.1}
 
 
+@pytest.mark.parametrize("is_software", (1, 0))
 @pytest.mark.parametrize("seed", RATIOS)
-def test_edges_in_random_scenes_are_smooth(seed):
+def test_edges_in_random_scenes_are_smooth(seed, is_software, monkeypatch):
     """Near edges of the water, multisampled pictures are nearly as close to the truth as they are without water."""
+    monkeypatch.setenv("VTK_WATER_SOFTWARE", str(is_software))
     result = edges.Result(edge_generator.make(seed, edges.SIZE), ("MSAA-4", "FXAA", "SSAA"))
     wt.check_at_least(f"seed {seed}: pixels near edges", result.row["pixels"], 500)
     wt.check_at_most(f"seed {seed}: MSAA, of the error without water", edges.ratio(result.row, "MSAA-4"), RATIOS[seed])

@@ -20,9 +20,11 @@ BED_ENDS = {9004: (1.0, 13.0), 9009: (2.5, 13.0)}  # parallel beams at a low ang
 OUTSIDE = (9316,)
 
 
+@pytest.mark.parametrize("is_software", (1, 0))
 @pytest.mark.parametrize("seed", [*LIMITS, *BED_ENDS])
-def test_what_the_picture_has_is_shown_without_notches(seed):
+def test_what_the_picture_has_is_shown_without_notches(seed, is_software, monkeypatch):
     """Where the picture has what a refracted ray meets, notches and blocks of other colours are next to none."""
+    monkeypatch.setenv("VTK_WATER_SOFTWARE", str(is_software))
     scene = refraction_generator.make(seed, SIZE)
     look = scene.water.GetWaterProperty()
     look.RefractionOff()

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkWaterHardwareMediumFS.glsl: slot refraction for hardware, where a branch that a pixel does not take costs nothing, and
-// registers count: a march that goes on behind what hides the bed, as in vtkWaterMediumWalkFS.glsl, took a quarter more of
-// the surface's time on an H200. Here the color beside the edge is taken.
+// vtkWaterHardwareMediumFS.glsl: slot refraction for hardware, where a branch that a pixel does not take costs nothing: the
+// march ends early, and short ways take fewer steps. What hides the bed is passed as in vtkWaterMediumWalkFS.glsl, but
+// whether a surface goes on is told from one place, not from three.
 
-const float WATER_MEDIUM_JUMP = 8.0; // a silhouette's, in depths that the ray goes meanwhile
+const float WATER_MEDIUM_STEP_PX = 1.0;  // least length of a step
+const float WATER_MEDIUM_SLACK_PX = 1.0; // depths are those of pixels' middles
+// A ray that has come to a surface since it was last in front is behind it by the depth that it went meanwhile, or a
+// little more. Behind a silhouette it is further.
+const float WATER_MEDIUM_JUMP = 1.3;
 
 // Asking the texture takes as long as a read.
 vec2 waterMediumSize()
@@ -43,18 +47,34 @@ float waterMediumReach(vec3 start, vec3 way, float depth)
     : reach;
 }
 
-void waterMediumTestSteps(vec3 start, vec3 way, vec4 at, vec4 depths, inout WaterMediumHit found)
+// The depth at a place of a ray of what is as high as its start.
+float waterMediumLevel(vec3 start, vec3 way, float at)
 {
-  for (int i = 0; i < 4; ++i)
-  {
-    if (!found.isHit)
-    {
-      waterMediumTest(at[i], start.z + at[i] * way.z, depths[i], found);
-    }
-  }
+  return start.z - at * dot(waterHeightClip.xy, way.xy) / waterHeightClip.z;
 }
 
-// Halves the step of a hit four times, each time with both of the next middles.
+// Tests a place of a ray. What stands over the water hides the bed, and so does a surface that the ray is far behind.
+// Neither tells where the ray is. The first such surface under the water is kept as a hit until there is a better one:
+// something is likelier than nothing.
+//
+// Returns whether the ray is behind a surface that it has come to since it was last in front.
+bool waterMediumTestKnown(vec3 start, vec3 way, float at, float depth, inout WaterMediumHit found)
+{
+  float level = waterMediumLevel(start, way, at);
+  float miss = start.z + at * way.z - depth;
+  bool isBehind = miss > 0.0 && depth >= level;
+  bool isMet = isBehind && miss <= WATER_MEDIUM_JUMP * way.z * (at - found.low);
+  bool isNone = found.high <= found.low;
+  bool isLow = miss <= 0.0 && depth >= level && (depth < 1.0 || isNone);
+  bool isHigh = isMet || (isBehind && isNone);
+  found.low = isLow ? at : found.low;
+  found.depthLow = isLow ? depth : found.depthLow;
+  found.high = isHigh ? at : found.high;
+  found.depthHigh = isHigh ? depth : found.depthHigh;
+  return isMet;
+}
+
+// Halves the part where a ray is met four times, each time with both of the next middles.
 void waterMediumHalve(vec3 start, vec3 way, inout WaterMediumHit found)
 {
   for (int i = 0; i < 2; ++i)
@@ -65,40 +85,71 @@ void waterMediumHalve(vec3 start, vec3 way, inout WaterMediumHit found)
     float depth = waterMediumDepth(start.xy + middle * way.xy);
     float depthLower = waterMediumDepth(start.xy + lower * way.xy);
     float depthUpper = waterMediumDepth(start.xy + upper * way.xy);
-    float rayDepth = start.z + middle * way.z;
-    bool isLower = rayDepth > depth;
-    waterMediumTest(middle, rayDepth, depth, found);
-    float next = isLower ? lower : upper;
-    waterMediumTest(next, start.z + next * way.z, isLower ? depthLower : depthUpper, found);
+    bool isLower = start.z + middle * way.z > depth;
+    waterMediumTestKnown(start, way, middle, depth, found);
+    waterMediumTestKnown(start, way, isLower ? lower : upper, isLower ? depthLower : depthUpper, found);
   }
 }
 
-void waterMediumMarch(vec3 start, vec3 way, float reach, inout WaterMediumHit found)
+// The march in equal steps to the first place where a ray is behind a surface that it has come to.
+WaterMediumHit waterMediumMarch(vec3 start, vec3 way, float depth, float reach)
 {
-  for (int first = 1; first <= WATER_MEDIUM_STEPS && !found.isHit; first += 4)
+  float texel = 1.0 / max(length(way.xy * waterMediumSize()), 1e-6);
+  int steps = 4 * clamp(int(ceil(0.25 * reach / (WATER_MEDIUM_STEP_PX * texel))), 1, WATER_MEDIUM_STEPS / 4);
+  WaterMediumHit found = WaterMediumHit(0.0, 0.0, depth, depth, 0.0, false, false);
+  for (int first = 1; first <= steps && !found.isHit; first += 4)
   {
-    vec4 at = reach * (vec4(float(first)) + vec4(0.0, 1.0, 2.0, 3.0)) / float(WATER_MEDIUM_STEPS);
-    waterMediumTestSteps(start, way, at, waterMediumReadSteps(start, way, at), found);
+    vec4 at = reach * (vec4(float(first)) + vec4(0.0, 1.0, 2.0, 3.0)) / float(steps);
+    vec4 depths = waterMediumReadSteps(start, way, at);
+    found.isHit = waterMediumTestKnown(start, way, at.x, depths.x, found) ||
+      waterMediumTestKnown(start, way, at.y, depths.y, found) ||
+      waterMediumTestKnown(start, way, at.z, depths.z, found) ||
+      waterMediumTestKnown(start, way, at.w, depths.w, found);
   }
+  found.isHit = found.high > found.low;
   if (found.isHit)
   {
     waterMediumHalve(start, way, found);
+    float missLow = start.z + found.low * way.z - found.depthLow;
+    float missHigh = start.z + found.high * way.z - found.depthHigh;
+    found.share = -missLow / max(missHigh - missLow, 1e-20);
+    // is that where the ray comes in, or is it hidden?
+    WaterMediumHit there = found;
+    float at = mix(found.low, found.high, found.share);
+    waterMediumTestKnown(start, way, at, waterMediumDepth(start.xy + at * way.xy), there);
+    bool isJump = missHigh > WATER_MEDIUM_JUMP * way.z * max(found.high - found.low, texel);
+    found.isGap = isJump || (there.low == found.low && there.high == found.high);
+    found.share = isJump ? 0.0 : found.share;
   }
+  return found;
 }
 
 WaterMediumHit waterMediumWalk(vec3 start, vec3 way, float depth, float reach)
 {
-  WaterMediumHit found = WaterMediumHit(0.0, reach, depth, waterMediumDepth(start.xy + reach * way.xy), 0.0, false, false);
+  float last = waterMediumDepth(start.xy + reach * way.xy);
+  WaterMediumHit found = WaterMediumHit(0.0, reach, depth, last, 0.0, false, false);
   float pixels = length(way.xy * waterMediumSize()); // for all of the way
   bool isFound = start.z <= depth;
-  if (isFound && start.z + reach * way.z > found.depthHigh)
+  if (isFound && start.z + reach * way.z > last)
   {
-    isFound = waterMediumConverge(start, way, pixels, found);
+    if (!waterMediumConverge(start, way, pixels, found))
+    {
+      waterMediumHalve(start, way, found);
+    }
+    // on the whole it comes to a bed as fast as to what is straight behind the surface, and is not far behind that
+    float rate = depth < 1.0 ? max((depth - start.z) / max(found.high, 1e-20), way.z) : way.z;
+    float wide = max(found.high - found.low, 1.0 / max(pixels, 1e-6));
+    isFound = found.depthHigh >= waterMediumLevel(start, way, found.high) &&
+      found.depthLow - found.depthHigh <= WATER_MEDIUM_SLACK_PX * rate * wide;
+  }
+  else
+  {
+    found.low = reach;
+    found.depthLow = last;
   }
   if (!isFound || !waterMediumIsFree(start, way, found.high, found.high * pixels))
   {
-    found = WaterMediumHit(0.0, reach, depth, depth, 0.0, false, false);
-    waterMediumMarch(start, way, reach, found);
+    found = waterMediumMarch(start, way, depth, reach);
   }
   return found;
 }
@@ -114,21 +165,20 @@ WaterMediumView waterMediumMeets(vec3 start, vec3 way, float most, float deepest
 
   WaterMediumHit found = waterMediumWalk(start, way, depth, reach);
   vec2 size = waterMediumSize();
-  float texel = 1.0 / max(length(way.xy * size), 1e-6);
-  bool isEdge =
-    found.isHit && found.depthLow - found.depthHigh > WATER_MEDIUM_JUMP * way.z * max(found.high - found.low, texel);
   // the false position between the two, which are close
   float missLow = start.z + found.low * way.z - found.depthLow;
   float missHigh = start.z + found.high * way.z - found.depthHigh;
+  float share = found.isHit ? -missLow / max(missHigh - missLow, 1e-20) : 0.0;
   WaterMediumView view;
-  view.s = found.isHit ? found.low - missLow * (found.high - found.low) / max(missHigh - missLow, 1e-20) : reach;
-  view.isMet = !isEdge && (found.isHit || isInside);
-  // behind something: what is beside it, not filtered
-  view.from = isEdge ? (floor((start.xy + found.low * way.xy) * size) + 0.5) / size : start.xy + view.s * way.xy;
-  view.to = isEdge ? (floor((start.xy + found.high * way.xy) * size) + 0.5) / size : view.from;
-  view.share = 0.0;
+  view.isMet = found.isHit ? !found.isGap && found.depthLow < 1.0 : isInside && found.low >= reach * (1.0 - 1e-6);
+  view.s = mix(found.low, found.high, share);
+  view.share = view.isMet ? 0.0 : found.share;
   view.isOut = !found.isHit && !isInside;
-  view.isHidden = isEdge && waterMediumHeight(view.to, found.depthHigh) > 0.0; // it stands over the water
+  view.isHidden = !found.isHit && isInside && !view.isMet;
+  // what is beside that which hides it, not filtered
+  vec2 beside = (floor((start.xy + found.low * way.xy) * size) + 0.5) / size;
+  view.from = found.isGap || view.isHidden ? beside : start.xy + view.s * way.xy;
+  view.to = !view.isMet ? (floor((start.xy + found.high * way.xy) * size) + 0.5) / size : view.from;
   view.isBelow = view.isOut && waterMediumPassesBelow(start, way, leaves, deepest);
   return view;
 }

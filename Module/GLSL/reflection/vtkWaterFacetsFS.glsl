@@ -35,7 +35,6 @@ vec3 waterFacets(WaterPoint point, out float reflectance, inout int reason, inou
     reflectance += share;
     hit = waterEstimateHit(point, normal);
     waterRefineHit(point.start, isOne, hit);
-    hit.uv = isOne ? hit.uv : waterPlaceOver(point.start, hit);
     if (!isOne)
     {
       waterCrossFacet(point, normal, i, hit);

@@ -119,7 +119,6 @@ vec3 waterSeveralFacets(WaterPoint point, vec2 azimuth, float variance, int coun
     WaterFacet facet = waterAimFacet(point, normal, depth, share);
     reflectance += facet.share;
     waterTraceFacet(point.start, facet);
-    facet.hit.uv = waterPlaceOver(point.start, facet.hit);
     waterCrossFacet(point, normal, i, facet.hit);
     reflected += facet.hit.isPlace ? vec3(0.0) : facet.share * facet.hit.color;
     // the last four move along
