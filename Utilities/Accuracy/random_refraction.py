@@ -47,7 +47,7 @@ $summary
 
 $pictures
 
-*The truth and the module; below, their difference, and strange pixels (white) over where what is right is: seen
+*The truth and the module; below, their difference, and strange pixels (white) over where the correct colour is: seen
 (green), hidden by what is over the water (red), hidden under the water (yellow), out of the picture (blue).*
 """
 REASON_COLORS = ((60, 110, 60), (150, 50, 40), (190, 150, 40), (60, 70, 150))
@@ -212,7 +212,7 @@ def _summary(rows):
         error = sum(row[f"pixels {reason}"] * row[f"RMSE {reason}"] ** 2 for row in rows)
         cells.append((reason, f"{100 * pixels / water:.2f} %", str(sum(row[f"strange {reason}"] for row in rows)),
                       f"{(error / max(pixels, 1)) ** 0.5:.2f}", str(sum(row[f"strange {reason}"] > 0 for row in rows))))
-    text = table(("what is right is", "share of the pixels", "strange pixels", "RMSE of 255", "scenes with strange"), cells)
+    text = table(("the correct colour is", "share of the pixels", "strange pixels", "RMSE of 255", "scenes with strange"), cells)
     return text + (f"\n\nall: {sum(row['strange'] for row in rows)} strange of {water} "
                    f"(one ray: {sum(row['strange perfect'] for row in rows)}), scenes with RMSE <= {MOST_RMSE:g}: "
                    f"{sum(row['RMSE'] <= MOST_RMSE for row in rows)} (one ray "

@@ -25,10 +25,10 @@ TESTING = PROJECT / "Testing"
 PACK = pathlib.Path(os.environ["WATER_GPU_PACK"])
 NOT_HERE = {
     "TestWaterPyVista": "PyVista is not in the pack",
-    **dict.fromkeys(("TestExampleBreakwater", "TestWaterCommandData", "TestWaterSolutionFaults"),
+    **dict.fromkeys(("TestExampleBreakwater", "TestWaterCommandData", "TestWaterFileUnits", "TestWaterSolutionFaults"),
                     "VTK's readers of NetCDF and HDF are not in the pack"),
     "TestMatrixNamesEveryClass": "the pack has a part of VTK",
-    "TestWaterRanks": "MPI is not in the pack",
+    **dict.fromkeys(("TestWaterRanks", "TestWaterRankFeatures", "TestWaterRanksTable"), "MPI is not in the pack"),
 }
 FAULTS = "Utilities/Stress/faults.py"  # starts two processes for each fault: several share them
 FAULTS_A_TEST = 8
