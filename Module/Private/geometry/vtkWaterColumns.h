@@ -7,6 +7,7 @@
 #include "vtkDoubleArray.h"
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
+#include "vtkWaterKept.h"
 #include "vtkWaterShoreCells.h"
 #include "water_shore.h"
 
@@ -39,7 +40,7 @@ public:
   // At each point; a point far from all water has its own bed as the level.
   const double* GetLevels() const { return this->Levels; }
   const double* GetDepths() const { return this->Depths; }
-  // The same, for a surface to keep: another Make leaves them alone.
+  // The same, for a surface to keep: another Make leaves them alone while anybody has them.
   vtkDoubleArray* GetLevelArray() const { return this->LevelArray; }
   vtkDoubleArray* GetDepthArray() const { return this->DepthArray; }
 
@@ -65,6 +66,8 @@ private:
   void Finish(vtkIdType point);
   void FindDykes(vtkPolyData* mesh);
 
+  vtkWaterKept<vtkDoubleArray> KeptLevels;
+  vtkWaterKept<vtkDoubleArray> KeptDepths;
   vtkSmartPointer<vtkDoubleArray> LevelArray;
   vtkSmartPointer<vtkDoubleArray> DepthArray;
   double* Levels = nullptr; // of the arrays; NaN: not known

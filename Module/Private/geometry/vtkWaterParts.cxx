@@ -96,7 +96,8 @@ int64_t vtkWaterParts::RegionOf(vtkIdType cell, const vtkIdType* points, vtkIdTy
 //------------------------------------------------------------------------------
 void vtkWaterParts::Number(vtkPolyData* mesh)
 {
-  std::vector<int64_t> partOfPoint(this->Parents.size(), kNone); // of those that stand for a region
+  std::vector<int64_t>& partOfPoint = this->PartOfPoint;
+  partOfPoint.assign(this->Parents.size(), kNone);
   this->PartOfCell.assign(Index(mesh->GetNumberOfPolys()), kNone);
   this->PartCount = 0;
   this->SharedCount = 0;

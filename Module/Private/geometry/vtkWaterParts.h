@@ -78,6 +78,7 @@ private:
   std::vector<int64_t> Joined;     // corners of one cell
   std::vector<int64_t> Parents;    // of points
   std::vector<int64_t> PartOfCell; // none: it has less than three points, or one that is not finite
+  std::vector<int64_t> PartOfPoint; // of those that stand for a region
   size_t PartCount = 0;
   std::vector<water_fit> Fits;      // of the parts
   std::vector<int64_t> PlaneOfPart; // none: it has no area

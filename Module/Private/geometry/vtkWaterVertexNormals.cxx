@@ -33,16 +33,14 @@ void AddInOrder(const double* points, const vtkWaterCellLists& lists, vtkIdType 
 
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkFloatArray> vtkWaterVertexNormals(
-  vtkPolyData* mesh, const vtkWaterShoreCells* shore)
+  vtkPolyData* mesh, const vtkWaterShoreCells* shore, vtkWaterKept<vtkFloatArray>* kept)
 {
   const auto isLand = [shore](vtkIdType cell) {
     return shore && shore->Kinds[static_cast<size_t>(cell)] == vtkWaterShoreCells::Dry;
   };
   const vtkIdType count = mesh->GetNumberOfPoints();
-  const auto normals = vtkSmartPointer<vtkFloatArray>::New();
-  normals->SetName("Normals");
-  normals->SetNumberOfComponents(3);
-  normals->SetNumberOfTuples(count);
+  vtkWaterKept<vtkFloatArray> alone;
+  const vtkSmartPointer<vtkFloatArray> normals = (kept ? kept : &alone)->Take("Normals", 3, count);
   float* all = normals->GetPointer(0);
   std::fill_n(all, 3 * count, 0.0f);
   const vtkWaterPlaces places(mesh->GetPoints());
