@@ -185,6 +185,10 @@ bool vtkWaterUncutSurface::Make(const Given& given, const vtkWaterColumns& colum
   this->Whole->GetCellData()->SetNormals(nullptr);
   this->Whole->GetPointData()->AddArray(columns.GetLevelArray());
   this->Whole->GetPointData()->AddArray(columns.GetDepthArray());
+  vtkNew<vtkPolyData> solved;
+  solved->SetPoints(given.Mesh->GetPoints());
+  solved->SetPolys(given.Mesh->GetPolys());
+  this->Whole->SetSolvedMesh(solved);
   this->Places = this->KeptPlaces.Take("Points", 3, given.Mesh->GetNumberOfPoints());
   this->Place(given, columns,
     WetCornerOf(given.Mesh->GetPolys(), static_cast<vtkIdType>(first - kinds.begin()), depths));
