@@ -22,8 +22,10 @@ extern "C"
 #if defined(__x86_64__) && defined(__GLIBC__) && defined(__GNUC__) && !defined(__clang__) &&       \
   !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 #define WATER_WIDE __attribute__((target_clones("default", "avx2")))
+#define WATER_WIDE_PART __attribute__((always_inline)) // of such a function
 #else
 #define WATER_WIDE
+#define WATER_WIDE_PART
 #endif
 
 static inline bool water_all_finite(const double* values, int count)

@@ -41,7 +41,9 @@ void water_shore_places(const double* points, const double* levels, const double
     const bool is_wet = depths[i] > 0.0;
     const double place[3] = { is_wet ? points[3 * i] : still[0],
       is_wet ? points[3 * i + 1] : still[1], is_wet ? scale * levels[i] : still[2] };
-    memcpy(places + 3 * i, place, sizeof place);
+    places[3 * i] = place[0]; // a copy of all three would wait for the row to be stored
+    places[3 * i + 1] = place[1];
+    places[3 * i + 2] = place[2];
     water_bounds_add_point(own, place);
   }
   memcpy(bounds, own, sizeof own);
