@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkWaterCellChunks.h"
+
+#include "vtkCellArray.h"
+#include "vtkPolyData.h"
+#include "vtkWaterPolygons.h"
+#include "vtkWaterShoreCells.h"
+
+#include <limits>
+
+namespace
+{
+constexpr size_t kMost = 32;  // cells of a chunk: more, and few chunks are far from all shores
+constexpr size_t kLeast = 8; // on average: else looking at chunks takes as long as at cells
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterCellChunks::Update(vtkPolyData* mesh)
+{
+  std::array<vtkMTimeType, 4> now{};
+  if (mesh)
+  {
+    vtkCellArray* cells = mesh->GetPolys();
+    now = { reinterpret_cast<vtkMTimeType>(cells), cells->GetMTime(),
+      static_cast<vtkMTimeType>(cells->GetNumberOfConnectivityIds()),
+      static_cast<vtkMTimeType>(mesh->GetNumberOfPoints()) };
+  }
+  const bool comesAgain = mesh && now == this->Seen;
+  this->Seen = now;
+  if (!comesAgain)
+  {
+    this->Begins.clear();
+    this->IsFound = false;
+  }
+  else if (!this->IsFound)
+  {
+    this->Find(mesh);
+    this->IsFound = true;
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterCellChunks::Find(vtkPolyData* mesh)
+{
+  const vtkWaterCellLists lists(mesh->GetPolys());
+  const auto cells = static_cast<size_t>(mesh->GetNumberOfPolys());
+  const auto points = static_cast<size_t>(mesh->GetNumberOfPoints());
+  const size_t count = lists.Starts
+    ? water_chunks_split(lists.Starts, lists.Corners, cells, kMost, nullptr)
+    : cells;
+  if (count * kLeast > cells || count > std::numeric_limits<int32_t>::max())
+  {
+    return;
+  }
+  this->Begins.resize(count + 1);
+  water_chunks_split(lists.Starts, lists.Corners, cells, kMost, this->Begins.data());
+  this->FirstPoints.resize(count);
+  for (size_t i = 0; i < count; ++i)
+  {
+    const int64_t first = lists.Starts[this->Begins[i]];
+    this->FirstPoints[i] = first < lists.Starts[this->Begins[i] + 1] ? lists.Corners[first] : 0;
+  }
+  std::vector<int32_t> last(points);
+  std::vector<int32_t> seen(count);
+  const auto link = [&](water_chunk_link* links) {
+    return water_chunks_link(lists.Starts, lists.Corners, this->Begins.data(), count, last.data(),
+      points, seen.data(), links);
+  };
+  this->Links.resize(link(nullptr));
+  link(this->Links.data());
+  this->Kinds.resize(count);
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterCellChunks::Judge(const vtkWaterShoreCells& shore)
+{
+  static_assert(vtkWaterShoreCells::Dry == 0 && vtkWaterShoreCells::Wet == 1, "as the core has it");
+  water_chunks_judge(this->Begins.data(), this->GetCount(), this->Links.data(), this->Links.size(),
+    reinterpret_cast<const char*>(shore.Kinds.data()), this->Kinds.data());
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterCellChunks::Join(int64_t* parents, size_t points) const
+{
+  water_chunks_join(this->Links.data(), this->Links.size(), this->Kinds.data(), parents, points);
+}

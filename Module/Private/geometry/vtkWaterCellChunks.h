@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkWaterCellChunks: the chunks of a mesh's cells (water_chunks.h), found when the mesh comes for
+// the second time: finding them takes as long as they save in some steps.
+#ifndef vtkWaterCellChunks_h
+#define vtkWaterCellChunks_h
+
+#include "vtkType.h"
+#include "water_chunks.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+class vtkPolyData;
+struct vtkWaterShoreCells;
+
+class vtkWaterCellChunks
+{
+public:
+  // mesh  of polygons alone; nullptr: one that will not come again
+  void Update(vtkPolyData* mesh);
+
+  // 0: there are none, or they would save nothing.
+  size_t GetCount() const { return this->Begins.empty() ? 0 : this->Begins.size() - 1; }
+
+  vtkIdType BeginOf(size_t chunk) const { return this->Begins[chunk]; }
+  vtkIdType FirstPointOf(size_t chunk) const { return this->FirstPoints[chunk]; }
+
+  void Judge(const vtkWaterShoreCells& shore);
+  water_chunk_kind KindOf(size_t chunk) const
+  {
+    return static_cast<water_chunk_kind>(this->Kinds[chunk]);
+  }
+
+  // Joins the regions of those that are inside.
+  void Join(int64_t* parents, size_t points) const;
+
+private:
+  void Find(vtkPolyData* mesh);
+
+  std::array<vtkMTimeType, 4> Seen{}; // the last mesh's cells
+  bool IsFound = false;               // that it has chunks, or has none
+  std::vector<int64_t> Begins;
+  std::vector<int64_t> FirstPoints;
+  std::vector<water_chunk_link> Links;
+  std::vector<unsigned char> Kinds;
+};
+
+#endif
