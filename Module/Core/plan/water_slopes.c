@@ -46,7 +46,14 @@ void water_slopes_add_polygon(const double* points, const int64_t* corners, size
   for (size_t i = 0; i < count; ++i)
   {
     double* place = i == 0 ? first : sides[i % 2];
-    water_mat4_apply_point(mesh_to_world, points + 3 * corners[i], place);
+    if (mesh_to_world)
+    {
+      water_mat4_apply_point(mesh_to_world, points + 3 * corners[i], place);
+    }
+    else // half of the work
+    {
+      memcpy(place, points + 3 * corners[i], 3 * sizeof(double));
+    }
     if (i >= 2)
     {
       add_triangle(first, sides[1 - i % 2], sides[i % 2], slopes);

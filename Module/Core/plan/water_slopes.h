@@ -31,7 +31,7 @@ void water_slopes_begin(const water_plane* unit, water_slopes* slopes);
 //
 // points         of the mesh, in its own coordinates: rows of 3
 // corners        count points
-// mesh_to_world  affine
+// mesh_to_world  affine; NULL: the mesh's coordinates are those of the world
 void water_slopes_add_polygon(const double* points, const int64_t* corners, size_t count,
   const double mesh_to_world[16], water_slopes* slopes);
 

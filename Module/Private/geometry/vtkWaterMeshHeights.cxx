@@ -53,14 +53,15 @@ double MeasureSlopes(vtkPointSet* data, vtkMatrix4x4* meshToWorld, const water_p
   const vtkWaterCellLists lists(mesh ? mesh->GetPolys() : nullptr);
   if (places.GetDoubles() && lists.Starts) // the loop below copies each corner several times
   {
+    const double* matrix = meshToWorld->IsIdentity() ? nullptr : &meshToWorld->Element[0][0];
     for (vtkIdType cell = 0; cell < count; cell += step)
     {
       const int64_t* corners = lists.Corners + lists.Starts[cell];
       const vtkIdType size = lists.Starts[cell + 1] - lists.Starts[cell];
       if (!uncut || uncut->HasWater(reinterpret_cast<const vtkIdType*>(corners), size))
       {
-        water_slopes_add_polygon(places.GetDoubles(), corners, static_cast<size_t>(size),
-          &meshToWorld->Element[0][0], &slopes);
+        water_slopes_add_polygon(
+          places.GetDoubles(), corners, static_cast<size_t>(size), matrix, &slopes);
       }
     }
     return water_slopes_rms(&slopes);

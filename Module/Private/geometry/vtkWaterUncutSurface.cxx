@@ -4,6 +4,10 @@
 #include "vtkBoundingBox.h"
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
+#include "vtkInformation.h"
+#include "vtkInformationDoubleVectorKey.h"
+#include "vtkInformationInformationVectorKey.h"
+#include "vtkInformationVector.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
@@ -56,6 +60,19 @@ void FillDistances(const double* depths, vtkFloatArray* made)
     });
 }
 
+// Tells VTK the ranges of an array's columns, which it asks before it sends points to a graphics
+// card, and which it would find by another walk. A change of the array makes it forget them.
+void TellRanges(vtkDataArray* array, const double bounds[6])
+{
+  vtkNew<vtkInformationVector> columns;
+  columns->SetNumberOfInformationObjects(3);
+  for (int i = 0; i < 3; ++i)
+  {
+    columns->GetInformationObject(i)->Set(vtkDataArray::COMPONENT_RANGE(), bounds + 2 * i, 2);
+  }
+  array->GetInformation()->Set(vtkAbstractArray::PER_COMPONENT(), columns);
+}
+
 // Points whose bounds are known: VTK need not look for them.
 class BoundedPoints : public vtkPoints
 {
@@ -65,6 +82,7 @@ public:
   void SetPlaces(vtkDoubleArray* places, const double bounds[6])
   {
     this->SetData(places);
+    TellRanges(places, bounds);
     std::copy_n(bounds, 6, this->Bounds);
     this->ComputeTime.Modified();
   }
