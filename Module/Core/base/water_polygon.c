@@ -97,11 +97,16 @@ WATER_WIDE_PART static inline void find_quad_normals(
   }
 }
 
-static inline void add_normal(
-  const int64_t* corners, size_t count, float x, float y, float z, float* sums)
+// share  NULL: all points
+WATER_WIDE_PART static inline void add_normal(const int64_t* corners, size_t count, float x,
+  float y, float z, const water_polygon_share* share, float* sums)
 {
   for (size_t k = 0; k < count; ++k)
   {
+    if (share && (share->owners[corners[k]] == share->owner) != share->is_owned)
+    {
+      continue;
+    }
     float* sum = sums + 3 * corners[k];
     sum[0] += x;
     sum[1] += y;
@@ -109,9 +114,8 @@ static inline void add_normal(
   }
 }
 
-WATER_WIDE
-void water_polygon_add_normals(
-  const double* points, const int64_t* starts, const int64_t* corners, size_t count, float* sums)
+WATER_WIDE_PART static inline void add_normals(const double* points, const int64_t* starts,
+  const int64_t* corners, size_t count, const water_polygon_share* share, float* sums)
 {
   for (size_t polygon = 0; polygon < count;)
   {
@@ -122,7 +126,8 @@ void water_polygon_add_normals(
       find_quad_normals(points, own, normals);
       for (int lane = 0; lane < LANES; ++lane)
       {
-        add_normal(own + 4 * lane, 4, normals[0][lane], normals[1][lane], normals[2][lane], sums);
+        add_normal(
+          own + 4 * lane, 4, normals[0][lane], normals[1][lane], normals[2][lane], share, sums);
       }
       polygon += LANES;
       continue;
@@ -130,9 +135,23 @@ void water_polygon_add_normals(
     const size_t size = (size_t)(starts[polygon + 1] - starts[polygon]);
     double normal[3];
     find_normal(points, own, size, normal);
-    add_normal(own, size, (float)normal[0], (float)normal[1], (float)normal[2], sums);
+    add_normal(own, size, (float)normal[0], (float)normal[1], (float)normal[2], share, sums);
     ++polygon;
   }
+}
+
+WATER_WIDE
+void water_polygon_add_normals(
+  const double* points, const int64_t* starts, const int64_t* corners, size_t count, float* sums)
+{
+  add_normals(points, starts, corners, count, NULL, sums);
+}
+
+WATER_WIDE
+void water_polygon_add_shared_normals(const double* points, const int64_t* starts,
+  const int64_t* corners, size_t count, const water_polygon_share* share, float* sums)
+{
+  add_normals(points, starts, corners, count, share, sums);
 }
 
 // Gives that many rows the length 1.

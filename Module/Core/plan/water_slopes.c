@@ -61,6 +61,12 @@ void water_slopes_add_polygon(const double* points, const int64_t* corners, size
   }
 }
 
+void water_slopes_join(const water_slopes* other, water_slopes* slopes)
+{
+  slopes->area += other->area;
+  slopes->squares += other->squares;
+}
+
 double water_slopes_rms(const water_slopes* slopes)
 {
   return slopes->area > 0.0 ? sqrt(slopes->squares / slopes->area) : 0.0;

@@ -35,6 +35,9 @@ void water_slopes_begin(const water_plane* unit, water_slopes* slopes);
 void water_slopes_add_polygon(const double* points, const int64_t* corners, size_t count,
   const double mesh_to_world[16], water_slopes* slopes);
 
+// Adds what another inspection with the same plane has seen.
+void water_slopes_join(const water_slopes* other, water_slopes* slopes);
+
 // Looks at a triangle: its corners in world. What is not finite is left out, and walls count as
 // slopes of 10.
 void water_slopes_add(

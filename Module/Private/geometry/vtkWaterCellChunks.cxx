@@ -6,12 +6,14 @@
 #include "vtkWaterPolygons.h"
 #include "vtkWaterShoreCells.h"
 
+#include <algorithm>
 #include <limits>
 
 namespace
 {
 constexpr size_t kMost = 32;  // cells of a chunk: more, and few chunks are far from all shores
 constexpr size_t kLeast = 8; // on average: else looking at chunks takes as long as at cells
+constexpr vtkIdType kShared = 16; // one thread adds to points of several blocks: not to many
 }
 
 //------------------------------------------------------------------------------
@@ -30,11 +32,13 @@ void vtkWaterCellChunks::Update(vtkPolyData* mesh)
   if (!comesAgain)
   {
     this->Begins.clear();
+    this->Blocks = vtkWaterCellBlocks();
     this->IsFound = false;
   }
   else if (!this->IsFound)
   {
     this->Find(mesh);
+    this->FindBlocks(mesh);
     this->IsFound = true;
   }
 }
@@ -69,6 +73,37 @@ void vtkWaterCellChunks::Find(vtkPolyData* mesh)
   this->Links.resize(link(nullptr));
   link(this->Links.data());
   this->Kinds.resize(count);
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterCellChunks::FindBlocks(vtkPolyData* mesh)
+{
+  constexpr uint16_t none = std::numeric_limits<uint16_t>::max();
+  vtkCellArray* cells = mesh->GetPolys();
+  const vtkIdType count = cells->GetNumberOfCells();
+  if (vtkWaterBlockCount(count) >= none)
+  {
+    return;
+  }
+  this->Blocks.FirstBlocks.assign(static_cast<size_t>(mesh->GetNumberOfPoints()), none);
+  vtkWaterForEachCell(cells, [&](vtkIdType cell, const vtkIdType* points, vtkIdType size) {
+    const auto own = static_cast<uint16_t>(cell / vtkWaterBlockSize);
+    bool isShared = false;
+    for (vtkIdType i = 0; i < size; ++i)
+    {
+      uint16_t& first = this->Blocks.FirstBlocks[static_cast<size_t>(points[i])];
+      first = std::min(first, own);
+      isShared = isShared || first < own;
+    }
+    if (isShared)
+    {
+      this->Blocks.SharedCells.push_back(cell);
+    }
+  });
+  if (static_cast<vtkIdType>(this->Blocks.SharedCells.size()) > count / kShared)
+  {
+    this->Blocks = vtkWaterCellBlocks();
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -14,6 +14,13 @@
 class vtkPolyData;
 struct vtkWaterShoreCells;
 
+// What vtkWaterForBlocks' blocks of a mesh's cells have in common.
+struct vtkWaterCellBlocks
+{
+  std::vector<uint16_t> FirstBlocks;  // of each point: that has it
+  std::vector<vtkIdType> SharedCells; // with a point that a block before their own has, in order
+};
+
 class vtkWaterCellChunks
 {
 public:
@@ -32,11 +39,18 @@ public:
     return static_cast<water_chunk_kind>(this->Kinds[chunk]);
   }
 
+  // nullptr: they are not known, or share too many points.
+  const vtkWaterCellBlocks* GetBlocks() const
+  {
+    return this->Blocks.FirstBlocks.empty() ? nullptr : &this->Blocks;
+  }
+
   // Joins the regions of those that are inside.
   void Join(int64_t* parents, size_t points) const;
 
 private:
   void Find(vtkPolyData* mesh);
+  void FindBlocks(vtkPolyData* mesh);
 
   std::array<vtkMTimeType, 4> Seen{}; // the last mesh's cells
   bool IsFound = false;               // that it has chunks, or has none
@@ -44,6 +58,7 @@ private:
   std::vector<int64_t> FirstPoints;
   std::vector<water_chunk_link> Links;
   std::vector<unsigned char> Kinds;
+  vtkWaterCellBlocks Blocks;
 };
 
 #endif

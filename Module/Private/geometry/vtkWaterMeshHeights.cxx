@@ -54,15 +54,22 @@ double MeasureSlopes(vtkPointSet* data, vtkMatrix4x4* meshToWorld, const water_p
   if (places.GetDoubles() && lists.Starts) // the loop below copies each corner several times
   {
     const double* matrix = meshToWorld->IsIdentity() ? nullptr : &meshToWorld->Element[0][0];
-    for (vtkIdType cell = 0; cell < count; cell += step)
-    {
-      const int64_t* corners = lists.Corners + lists.Starts[cell];
-      const vtkIdType size = lists.Starts[cell + 1] - lists.Starts[cell];
-      if (!uncut || uncut->HasWater(reinterpret_cast<const vtkIdType*>(corners), size))
+    std::vector<water_slopes> found(static_cast<size_t>(vtkWaterBlockCount(count)), slopes);
+    vtkWaterForBlocks(count, [&](vtkIdType block, vtkIdType begin, vtkIdType end) {
+      for (vtkIdType cell = (begin + step - 1) / step * step; cell < end; cell += step)
       {
-        water_slopes_add_polygon(
-          places.GetDoubles(), corners, static_cast<size_t>(size), matrix, &slopes);
+        const int64_t* corners = lists.Corners + lists.Starts[cell];
+        const vtkIdType size = lists.Starts[cell + 1] - lists.Starts[cell];
+        if (!uncut || uncut->HasWater(reinterpret_cast<const vtkIdType*>(corners), size))
+        {
+          water_slopes_add_polygon(places.GetDoubles(), corners, static_cast<size_t>(size), matrix,
+            &found[static_cast<size_t>(block)]);
+        }
       }
+    });
+    for (const water_slopes& ofBlock : found)
+    {
+      water_slopes_join(&ofBlock, &slopes);
     }
     return water_slopes_rms(&slopes);
   }

@@ -42,6 +42,7 @@ public:
   // Cells with water of two parts, and cells of a part with a coordinate that is no number.
   size_t GetSharedCount() const { return this->SharedCount; }
   size_t GetUnplacedCount() const { return this->UnplacedCount; }
+  const vtkWaterCellBlocks* GetBlocks() const { return this->Chunks.GetBlocks(); }
   // The plane that a cell is in; below 0: none.
   int64_t PlaneOf(vtkIdType cell) const;
   const std::vector<vtkIdType>& GetCells(size_t plane) const { return this->Cells[plane]; }
