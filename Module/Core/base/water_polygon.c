@@ -140,18 +140,28 @@ WATER_WIDE_PART static inline void add_normals(const double* points, const int64
   }
 }
 
-WATER_WIDE
-void water_polygon_add_normals(
+WATER_WIDE static void add_all_normals(
   const double* points, const int64_t* starts, const int64_t* corners, size_t count, float* sums)
 {
   add_normals(points, starts, corners, count, NULL, sums);
 }
 
-WATER_WIDE
-void water_polygon_add_shared_normals(const double* points, const int64_t* starts,
+void water_polygon_add_normals(
+  const double* points, const int64_t* starts, const int64_t* corners, size_t count, float* sums)
+{
+  add_all_normals(points, starts, corners, count, sums);
+}
+
+WATER_WIDE static void add_shared_normals(const double* points, const int64_t* starts,
   const int64_t* corners, size_t count, const water_polygon_share* share, float* sums)
 {
   add_normals(points, starts, corners, count, share, sums);
+}
+
+void water_polygon_add_shared_normals(const double* points, const int64_t* starts,
+  const int64_t* corners, size_t count, const water_polygon_share* share, float* sums)
+{
+  add_shared_normals(points, starts, corners, count, share, sums);
 }
 
 // Gives that many rows the length 1.
@@ -181,8 +191,7 @@ WATER_WIDE_PART static inline void unit_rows(float* normals)
   }
 }
 
-WATER_WIDE
-void water_polygon_unit_normals(float* normals, size_t count)
+WATER_WIDE static void make_unit_normals(float* normals, size_t count)
 {
   size_t done = 0;
   for (; count - done >= LANES; done += LANES)
@@ -197,4 +206,9 @@ void water_polygon_unit_normals(float* normals, size_t count)
     unit_rows(last);
     memcpy(normals + 3 * done, last, size);
   }
+}
+
+void water_polygon_unit_normals(float* normals, size_t count)
+{
+  make_unit_normals(normals, count);
 }

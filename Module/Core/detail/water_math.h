@@ -18,7 +18,8 @@ extern "C"
 #endif
 
 // A function that walks over large meshes: where the processor has them, it uses wider
-// instructions. Each number is still computed by the same operations, so results are the same.
+// instructions. Each number is still computed by the same operations, so results are the same. Only
+// for static functions: a program would find the others of another library.
 #if defined(__x86_64__) && defined(__GLIBC__) && defined(__GNUC__) && !defined(__clang__) &&       \
   !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 #define WATER_WIDE __attribute__((target_clones("default", "avx2")))

@@ -300,8 +300,7 @@ static bool are_quads(const int64_t* starts)
 
 // Adds quads of a list from its beginning, as long as there are many in a row, after a first
 // polygon. Returns how many.
-WATER_WIDE
-static size_t add_rows(
+WATER_WIDE static size_t add_rows(
   const double* points, const int64_t* starts, const int64_t* corners, size_t count, water_fit* fit)
 {
   size_t done = 0;

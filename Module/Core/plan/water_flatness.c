@@ -79,8 +79,7 @@ bool water_flatness_add(const double point[3], water_flatness* flatness)
 
 // The largest height is added as a point's would be: only it matters, because if any is too high,
 // so is it.
-WATER_WIDE
-void water_flatness_add_points(const double* points, size_t count, water_flatness* flatness)
+WATER_WIDE static void add_points(const double* points, size_t count, water_flatness* flatness)
 {
   enum
   {
@@ -101,6 +100,11 @@ void water_flatness_add_points(const double* points, size_t count, water_flatnes
     highest = most[lane] > highest ? most[lane] : highest;
   }
   add_height(highest, flatness);
+}
+
+void water_flatness_add_points(const double* points, size_t count, water_flatness* flatness)
+{
+  add_points(points, count, flatness);
 }
 
 void water_flatness_join(const water_flatness* other, water_flatness* flatness)

@@ -55,8 +55,7 @@ double water_shore_level(double level, double bed)
   return isfinite(level) ? level : (isfinite(bed) ? bed : 0.0);
 }
 
-WATER_WIDE
-bool water_shore_columns(const water_shore_rows* rows, size_t count, double dry_depth)
+WATER_WIDE static bool find_columns(const water_shore_rows* rows, size_t count, double dry_depth)
 {
   size_t odd = 0;
   for (size_t i = 0; i < count; ++i)
@@ -73,6 +72,11 @@ bool water_shore_columns(const water_shore_rows* rows, size_t count, double dry_
     odd += column.is_wet && !(depth > 0.0) ? 1 : 0;
   }
   return odd > 0;
+}
+
+bool water_shore_columns(const water_shore_rows* rows, size_t count, double dry_depth)
+{
+  return find_columns(rows, count, dry_depth);
 }
 
 // Adds a corner, unless it is the one before it.

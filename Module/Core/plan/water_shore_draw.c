@@ -30,8 +30,7 @@ bool water_shore_draw_is_whole(size_t own_cells, size_t wet_cells)
   return own_cells > wet_cells - own_cells;
 }
 
-WATER_WIDE
-void water_shore_places(const double* points, const double* levels, const double* depths,
+WATER_WIDE static void find_places(const double* points, const double* levels, const double* depths,
   size_t count, double scale, const double still[3], double* places, double bounds[6])
 {
   double own[6]; // in the caller's memory, each point would wait for the one before
@@ -49,8 +48,13 @@ void water_shore_places(const double* points, const double* levels, const double
   memcpy(bounds, own, sizeof own);
 }
 
-WATER_WIDE
-void water_shore_distances(const double* depths, size_t count, float* distances)
+void water_shore_places(const double* points, const double* levels, const double* depths,
+  size_t count, double scale, const double still[3], double* places, double bounds[6])
+{
+  find_places(points, levels, depths, count, scale, still, places, bounds);
+}
+
+WATER_WIDE static void find_distances(const double* depths, size_t count, float* distances)
 {
   const double least = (double)FLT_MIN;
   for (size_t i = 0; i < count; ++i)
@@ -60,4 +64,9 @@ void water_shore_distances(const double* depths, size_t count, float* distances)
     const double seen = kept > least ? kept : least;
     distances[i] = (float)(depths[i] > 0.0 ? seen : -seen);
   }
+}
+
+void water_shore_distances(const double* depths, size_t count, float* distances)
+{
+  find_distances(depths, count, distances);
 }
