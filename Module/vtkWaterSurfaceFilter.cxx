@@ -164,7 +164,8 @@ bool HasDepth(vtkDataArray* depth)
 {
   const vtkIdType count = depth->GetNumberOfTuples();
   vtkIdType i = 0;
-  while (i < count && !(vtkMath::IsFinite(depth->GetComponent(i, 0)) && depth->GetComponent(i, 0) >= 0.0))
+  while (i < count &&
+    !(vtkMath::IsFinite(depth->GetComponent(i, 0)) && depth->GetComponent(i, 0) >= 0.0))
   {
     ++i;
   }

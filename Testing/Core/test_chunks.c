@@ -214,8 +214,8 @@ TEST(chunks_know_what_is_beside_them)
     {
       continue; // at its corners: of four chunks, those that follow each other are linked
     }
-    assert_int_equal(mesh.kinds[i],
-      is_it ? WATER_CHUNK_PART : (is_near ? WATER_CHUNK_RIM : WATER_CHUNK_INSIDE));
+    assert_int_equal(
+      mesh.kinds[i], is_it ? WATER_CHUNK_PART : (is_near ? WATER_CHUNK_RIM : WATER_CHUNK_INSIDE));
   }
   memset(mesh.cells, 0, sizeof mesh.cells);
   water_chunks_judge(mesh.begins, mesh.chunks, mesh.links, mesh.link_count, mesh.cells, mesh.kinds);

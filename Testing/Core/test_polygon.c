@@ -111,8 +111,8 @@ static void sum_one_by_one(float sums[3 * MIXED])
     const int64_t size = mixed_starts[i + 1] - mixed_starts[i];
     for (int64_t k = 0; k < size; ++k)
     {
-      memcpy(corners + 3 * k, mixed_points + 3 * mixed_corners[mixed_starts[i] + k],
-        3 * sizeof(double));
+      memcpy(
+        corners + 3 * k, mixed_points + 3 * mixed_corners[mixed_starts[i] + k], 3 * sizeof(double));
     }
     double normal[3];
     water_polygon_normal(corners, (size_t)size, normal);
@@ -174,12 +174,13 @@ TEST(shares_of_a_mesh_make_the_whole)
   {
     const int half = turn == 0 ? 1 : turn - 1 ? 1 : 0; // the order of the first two is any
     const water_polygon_share share = { owners, (uint16_t)half, turn < 2 };
-    water_polygon_add_shared_normals(mixed_points, mixed_starts + half * MIXED / 2, mixed_corners,
-      MIXED / 2, &share, sums);
+    water_polygon_add_shared_normals(
+      mixed_points, mixed_starts + half * MIXED / 2, mixed_corners, MIXED / 2, &share, sums);
   }
   assert_memory_equal(sums, expected, sizeof sums);
 }
 
 TESTS(sums_of_normals_become_units, a_triangle_s_normal_follows_the_right_hand,
   a_concave_polygon_has_the_normal_of_its_whole, a_bent_quad_has_the_mean_normal,
-  what_has_no_area_has_no_normal, rows_of_quads_have_the_same_normals, shares_of_a_mesh_make_the_whole)
+  what_has_no_area_has_no_normal, rows_of_quads_have_the_same_normals,
+  shares_of_a_mesh_make_the_whole)

@@ -117,4 +117,5 @@ TEST(land_lies_in_one_place)
 TESTS(gpus_cut_unless_told_otherwise, renderers_that_cannot_cut_do_not,
   one_cell_that_would_differ_is_enough_for_the_filter,
   the_largest_water_takes_the_whole_mesh_if_most_of_it_is_its_own,
-  edges_are_cut_at_the_depth_of_zero, land_and_water_have_numbers_of_their_own, land_lies_in_one_place)
+  edges_are_cut_at_the_depth_of_zero, land_and_water_have_numbers_of_their_own,
+  land_lies_in_one_place)

@@ -35,11 +35,9 @@ bool ComesAgain(Hold hold)
 
 int TestWaterKeptArrays(int, char*[])
 {
-  bool ok = WaterCheck("nobody has it",
-    ComesAgain([](vtkDoubleArray*) { return 0; }), true);
-  ok &= WaterCheck("somebody has it", ComesAgain([](vtkDoubleArray* array) {
-    return vtkSmartPointer<vtkDoubleArray>(array);
-  }),
+  bool ok = WaterCheck("nobody has it", ComesAgain([](vtkDoubleArray*) { return 0; }), true);
+  ok &= WaterCheck("somebody has it",
+    ComesAgain([](vtkDoubleArray* array) { return vtkSmartPointer<vtkDoubleArray>(array); }),
     false);
   ok &= WaterCheck("points have it", ComesAgain([](vtkDoubleArray* array) {
     auto points = vtkSmartPointer<vtkPoints>::New();
@@ -84,7 +82,8 @@ int TestWaterKeptArrays(int, char*[])
   ok &= WaterCheck("is newer", second->GetMTime() > time, true);
   second->FillValue(6.0);
   ok &= WaterCheck("and has another range", second->GetRange(0)[1], 6.0);
-  ok &= WaterCheck("is of VTK's class", std::string(second->GetClassName()), std::string("vtkDoubleArray"));
+  ok &= WaterCheck(
+    "is of VTK's class", std::string(second->GetClassName()), std::string("vtkDoubleArray"));
   last = second;
   const vtkSmartPointer<vtkDoubleArray> third = kept.Take("third", 3, 1000);
   ok &= WaterCheck("two steps have arrays of their own", third.Get() != last, true);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The triangles of a mesh that is cut while drawn are listed once, whatever is land in a step; other
-// polygons, other points of the solver's and values of cells make a list anew.
+// The triangles of a mesh that is cut while drawn are listed once, whatever is land in a step;
+// other polygons, other points of the solver's and values of cells make a list anew.
 #include "WaterTestScene.h"
 
 #include "vtkWaterUncutMapper.h"

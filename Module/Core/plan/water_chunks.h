@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// water_chunks.h: in addition to water_regions.h: a mesh's cells in chunks, so that the next step of
-// the same mesh need look only at the cells near its shore.
+// water_chunks.h: in addition to water_regions.h: a mesh's cells in chunks, so that the next step
+// of the same mesh need look only at the cells near its shore.
 //
-// A chunk is a row of consecutive cells, each of which shares a point with the one before. If all of
-// its cells are under water, they are connected. The chunks that share points are known once for a
-// mesh. A chunk is inside if it and all of those that it shares points with are under water: its
+// A chunk is a row of consecutive cells, each of which shares a point with the one before. If all
+// of its cells are under water, they are connected. The chunks that share points are known once for
+// a mesh. A chunk is inside if it and all of those that it shares points with are under water: its
 // points need not be looked at.
 #ifndef water_chunks_h
 #define water_chunks_h
@@ -19,9 +19,9 @@ extern "C"
 
 typedef enum water_chunk_kind
 {
-  WATER_CHUNK_LAND,   // no water
-  WATER_CHUNK_PART,   // some
-  WATER_CHUNK_RIM,    // all of it is under water, but not all beside it
+  WATER_CHUNK_LAND, // no water
+  WATER_CHUNK_PART, // some
+  WATER_CHUNK_RIM,  // all of it is under water, but not all beside it
   WATER_CHUNK_INSIDE
 } water_chunk_kind;
 

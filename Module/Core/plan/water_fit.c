@@ -155,7 +155,8 @@ static void lanes_begin(const double bounds[6], lanes* sums)
 
 // Adds the part of a quad's integrals that the middle of a side stands for: first twice, and second
 // four times as much, which the sums of all quads are divided by.
-WATER_WIDE_PART static inline void add_side(double weight, const double* a, const double* b, integrals* quad)
+WATER_WIDE_PART static inline void add_side(
+  double weight, const double* a, const double* b, integrals* quad)
 {
   const double x = a[0] + b[0];
   const double y = a[1] + b[1];
@@ -234,7 +235,8 @@ WATER_WIDE_PART static inline bool add_bounds(lane_places place, lanes* restrict
 // Adds that many quads, of an upright fit. A quad is two triangles with the side from its first to
 // its third corner in common. The integral of a quadratic function over a triangle is a third of
 // the area times the sum over the middles of its sides.
-WATER_WIDE_PART static inline void add_quads(lane_places place, const double origin[3], lanes* restrict sums)
+WATER_WIDE_PART static inline void add_quads(
+  lane_places place, const double origin[3], lanes* restrict sums)
 {
   for (int lane = 0; lane < LANES; ++lane)
   {

@@ -11,8 +11,8 @@
 
 namespace
 {
-constexpr size_t kMost = 32;  // cells of a chunk: more, and few chunks are far from all shores
-constexpr size_t kLeast = 8; // on average: else looking at chunks takes as long as at cells
+constexpr size_t kMost = 32;      // cells of a chunk: more, and few chunks are far from all shores
+constexpr size_t kLeast = 8;      // on average: else looking at chunks takes as long as at cells
 constexpr vtkIdType kShared = 16; // one thread adds to points of several blocks: not to many
 }
 
@@ -49,9 +49,8 @@ void vtkWaterCellChunks::Find(vtkPolyData* mesh)
   const vtkWaterCellLists lists(mesh->GetPolys());
   const auto cells = static_cast<size_t>(mesh->GetNumberOfPolys());
   const auto points = static_cast<size_t>(mesh->GetNumberOfPoints());
-  const size_t count = lists.Starts
-    ? water_chunks_split(lists.Starts, lists.Corners, cells, kMost, nullptr)
-    : cells;
+  const size_t count =
+    lists.Starts ? water_chunks_split(lists.Starts, lists.Corners, cells, kMost, nullptr) : cells;
   if (count * kLeast > cells || count > std::numeric_limits<int32_t>::max())
   {
     return;

@@ -42,7 +42,7 @@ public:
     taken->SetNumberOfTuples(rows);
     taken->Memory = taken->GetPointer(0);
     taken->DataChanged();
-    taken->Modified(); // or it would be drawn as it was
+    taken->Modified();             // or it would be drawn as it was
     this->Arrays.push_back(taken); // the oldest are first
     if (this->Arrays.size() > kTurns)
     {

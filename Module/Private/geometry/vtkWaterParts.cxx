@@ -148,8 +148,8 @@ void vtkWaterParts::Number(vtkPolyData* mesh)
     }
     const int32_t part = this->Chunks.KindOf(chunk) == WATER_CHUNK_LAND
       ? kNone
-      : this->NumberOf(water_regions_find(
-          this->Parents.data(), static_cast<int64_t>(points + chunk)));
+      : this->NumberOf(
+          water_regions_find(this->Parents.data(), static_cast<int64_t>(points + chunk)));
     std::fill(this->PartOfCell.begin() + begin, this->PartOfCell.begin() + end, part);
   }
 }

@@ -301,9 +301,9 @@ void vtkWaterUncutSurface::Finish(size_t plane, vtkWaterUncutMesh* block, bool i
   block->SetDistances(distances);
   if (!this->Parts.GetPlanes()[plane].IsFlat)
   {
-    block->GetPointData()->SetNormals(vtkWaterVertexNormals(
-      block, isWhole ? &this->Cells : nullptr, isWhole ? &this->KeptNormals : nullptr,
-      isWhole ? this->Parts.GetBlocks() : nullptr).Get());
+    block->GetPointData()->SetNormals(vtkWaterVertexNormals(block, isWhole ? &this->Cells : nullptr,
+      isWhole ? &this->KeptNormals : nullptr, isWhole ? this->Parts.GetBlocks() : nullptr)
+                                        .Get());
   }
   this->Parts.Describe(plane, block);
   block->SetWetBounds(this->Parts.GetPlanes()[plane].Bounds);

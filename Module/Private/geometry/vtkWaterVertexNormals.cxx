@@ -57,8 +57,8 @@ void AddInPlace(const double* points, vtkCellArray* cells, Predicate isLand,
   vtkWaterForBlocks(
     cells->GetNumberOfCells(), [&](vtkIdType block, vtkIdType first, vtkIdType last) {
       const water_polygon_share share = shareOf(block, true);
-      ForRows(first, last, isLand,
-        [&](vtkIdType begin, vtkIdType end) { add(begin, end, &share); });
+      ForRows(
+        first, last, isLand, [&](vtkIdType begin, vtkIdType end) { add(begin, end, &share); });
     });
   for (vtkIdType cell : blocks->SharedCells)
   {
@@ -72,8 +72,8 @@ void AddInPlace(const double* points, vtkCellArray* cells, Predicate isLand,
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkFloatArray> vtkWaterVertexNormals(
-  vtkPolyData* mesh, const vtkWaterShoreCells* shore, vtkWaterKept<vtkFloatArray>* kept,
+vtkSmartPointer<vtkFloatArray> vtkWaterVertexNormals(vtkPolyData* mesh,
+  const vtkWaterShoreCells* shore, vtkWaterKept<vtkFloatArray>* kept,
   const vtkWaterCellBlocks* blocks)
 {
   const auto isLand = [shore](vtkIdType cell) {
