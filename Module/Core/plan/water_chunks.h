@@ -5,7 +5,7 @@
 // A chunk is a row of consecutive cells, each of which shares a point with the one before. If all
 // of its cells are under water, they are connected. The chunks that share points are known once for
 // a mesh. A chunk is inside if it and all of those that it shares points with are under water: its
-// points need not be looked at.
+// points need not be read.
 #ifndef water_chunks_h
 #define water_chunks_h
 

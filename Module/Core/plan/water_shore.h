@@ -58,7 +58,7 @@ typedef struct water_shore_rows
 // Returns whether a wet point has no water by its level and bed.
 bool water_shore_columns(const water_shore_rows* rows, size_t count, double dry_depth);
 
-// The level of a point as a surface has it: where there is none, that of its bed, or else 0.
+// The level of a point as a surface has it: where there is none, that of its bed, otherwise 0.
 double water_shore_level(double level, double bed);
 
 // A corner of what is wet of a polygon: a corner of the polygon (from == to, share 0), or the shore
