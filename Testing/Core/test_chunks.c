@@ -237,5 +237,54 @@ TEST(chunks_are_connected_rows_of_cells)
   assert_int_equal(mesh.begins[6], WIDTH);
 }
 
+// Each point of a chunk is listed once; whether they are under water says what all of its cells
+// are.
+TEST(chunks_list_their_points)
+{
+  static int32_t last[POINTS];
+  static int32_t ends[CELLS + 1];
+  static int32_t listed[4 * CELLS];
+  static double depths[POINTS];
+  dice from = dice_seeded(14);
+  int found[3] = { 0, 0, 0 };
+  for (int turn = 0; turn < 40; ++turn)
+  {
+    lay(&from, turn % 4 == 3);
+    split(MOST);
+    const size_t count = water_chunks_list(
+      mesh.starts, mesh.corners, mesh.begins, mesh.chunks, last, POINTS, ends, NULL);
+    assert_int_equal(water_chunks_list(mesh.starts, mesh.corners, mesh.begins, mesh.chunks, last,
+                       POINTS, ends, listed),
+      count);
+    assert_int_equal(ends[mesh.chunks], count);
+    const double high = dice_roll(&from, -20.0, 20.0);
+    for (int i = 0; i < POINTS; ++i)
+    {
+      depths[i] = high + i % (WIDTH + 1) - 0.5 * WIDTH;
+    }
+    for (size_t chunk = 0; chunk < mesh.chunks; ++chunk)
+    {
+      int corners = 0;
+      int wet = 0;
+      for (int64_t i = 4 * mesh.begins[chunk]; i < 4 * mesh.begins[chunk + 1]; ++i)
+      {
+        int times = 0;
+        for (int32_t j = ends[chunk]; j < ends[chunk + 1]; ++j)
+        {
+          times += listed[j] == mesh.corners[i] ? 1 : 0;
+        }
+        assert_int_equal(times, 1);
+        ++corners;
+        wet += depths[mesh.corners[i]] > 0.0 ? 1 : 0;
+      }
+      const int said =
+        water_chunks_water(depths, listed + ends[chunk], (size_t)(ends[chunk + 1] - ends[chunk]));
+      assert_int_equal(said, wet == corners ? 1 : (wet == 0 ? 0 : -1));
+      ++found[said + 1];
+    }
+  }
+  assert_true(found[0] > 100 && found[1] > 100 && found[2] > 100);
+}
+
 TESTS(chunks_join_what_their_cells_join, chunks_know_what_is_beside_them,
-  chunks_are_connected_rows_of_cells)
+  chunks_are_connected_rows_of_cells, chunks_list_their_points)

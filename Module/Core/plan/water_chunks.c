@@ -81,6 +81,46 @@ size_t water_chunks_link(const int64_t* starts, const int64_t* corners, const in
   return count;
 }
 
+size_t water_chunks_list(const int64_t* starts, const int64_t* corners, const int64_t* begins,
+  size_t chunks, int32_t* last, size_t points, int32_t* ends, int32_t* listed)
+{
+  size_t count = 0;
+  for (size_t i = 0; i < points; ++i)
+  {
+    last[i] = -1;
+  }
+  for (size_t chunk = 0; chunk < chunks; ++chunk)
+  {
+    ends[chunk] = (int32_t)count;
+    for (int64_t i = starts[begins[chunk]]; i < starts[begins[chunk + 1]]; ++i)
+    {
+      const int64_t point = corners[i];
+      if (last[point] == (int32_t)chunk)
+      {
+        continue;
+      }
+      last[point] = (int32_t)chunk;
+      if (listed)
+      {
+        listed[count] = (int32_t)point;
+      }
+      ++count;
+    }
+  }
+  ends[chunks] = (int32_t)count;
+  return count;
+}
+
+int water_chunks_water(const double* depths, const int32_t* points, size_t count)
+{
+  size_t wet = 0;
+  for (size_t i = 0; i < count; ++i)
+  {
+    wet += depths[points[i]] > 0.0 ? 1 : 0;
+  }
+  return wet == count ? 1 : (wet == 0 ? 0 : -1);
+}
+
 void water_chunks_judge(const int64_t* begins, size_t chunks, const water_chunk_link* links,
   size_t link_count, const char* cells, unsigned char* kinds)
 {

@@ -54,6 +54,24 @@ size_t water_chunks_split(
 size_t water_chunks_link(const int64_t* starts, const int64_t* corners, const int64_t* begins,
   size_t chunks, int32_t* last, size_t points, int32_t* seen, water_chunk_link* links);
 
+// Lists the points of each chunk, each once.
+//
+// last    one for each point: memory to work with
+// ends    chunks + 1: where the points of each chunk begin in the list, and where the last one's
+// end listed  room for all, as a first call says with NULL
+//
+// Returns the number of points in the list, which must be below 2^31.
+size_t water_chunks_list(const int64_t* starts, const int64_t* corners, const int64_t* begins,
+  size_t chunks, int32_t* last, size_t points, int32_t* ends, int32_t* listed);
+
+// Are the points of a chunk under water?
+//
+// depths  above 0: it is
+// points  of the chunk: count of them
+//
+// Returns 1: all are, 0: none is, -1: some are.
+int water_chunks_water(const double* depths, const int32_t* points, size_t count);
+
 // What chunks are.
 //
 // cells  0: without water, 1: under water as a whole, others: with water

@@ -49,21 +49,29 @@ void vtkWaterCellChunks::Find(vtkPolyData* mesh)
   const vtkWaterCellLists lists(mesh->GetPolys());
   const auto cells = static_cast<size_t>(mesh->GetNumberOfPolys());
   const auto points = static_cast<size_t>(mesh->GetNumberOfPoints());
-  const size_t count =
-    lists.Starts ? water_chunks_split(lists.Starts, lists.Corners, cells, kMost, nullptr) : cells;
-  if (count * kLeast > cells || count > std::numeric_limits<int32_t>::max())
+  constexpr auto most = static_cast<size_t>(std::numeric_limits<int32_t>::max());
+  const auto isTooFew = [](const vtkIdType*, vtkIdType size) { return size < 3; };
+  if (!lists.Starts || points > most ||
+    static_cast<size_t>(mesh->GetPolys()->GetNumberOfConnectivityIds()) > most ||
+    vtkWaterHasCell(mesh->GetPolys(), isTooFew)) // those have no water, whatever their points have
+  {
+    return;
+  }
+  const size_t count = water_chunks_split(lists.Starts, lists.Corners, cells, kMost, nullptr);
+  if (count * kLeast > cells)
   {
     return;
   }
   this->Begins.resize(count + 1);
   water_chunks_split(lists.Starts, lists.Corners, cells, kMost, this->Begins.data());
-  this->FirstPoints.resize(count);
-  for (size_t i = 0; i < count; ++i)
-  {
-    const int64_t first = lists.Starts[this->Begins[i]];
-    this->FirstPoints[i] = first < lists.Starts[this->Begins[i] + 1] ? lists.Corners[first] : 0;
-  }
   std::vector<int32_t> last(points);
+  const auto list = [&](int32_t* listed) {
+    return water_chunks_list(lists.Starts, lists.Corners, this->Begins.data(), count, last.data(),
+      points, this->PointEnds.data(), listed);
+  };
+  this->PointEnds.resize(count + 1);
+  this->Points.resize(list(nullptr));
+  list(this->Points.data());
   std::vector<int32_t> seen(count);
   const auto link = [&](water_chunk_link* links) {
     return water_chunks_link(lists.Starts, lists.Corners, this->Begins.data(), count, last.data(),

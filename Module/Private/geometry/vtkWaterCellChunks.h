@@ -31,7 +31,18 @@ public:
   size_t GetCount() const { return this->Begins.empty() ? 0 : this->Begins.size() - 1; }
 
   vtkIdType BeginOf(size_t chunk) const { return this->Begins[chunk]; }
-  vtkIdType FirstPointOf(size_t chunk) const { return this->FirstPoints[chunk]; }
+  vtkIdType FirstPointOf(size_t chunk) const
+  {
+    return this->Points[static_cast<size_t>(this->PointEnds[chunk])];
+  }
+
+  // Are the points of a chunk under water? 1: all are, 0: none is, -1: some are.
+  int FindWater(size_t chunk, const double* depths) const
+  {
+    const int32_t begin = this->PointEnds[chunk];
+    return water_chunks_water(
+      depths, this->Points.data() + begin, static_cast<size_t>(this->PointEnds[chunk + 1] - begin));
+  }
 
   void Judge(const vtkWaterShoreCells& shore);
   water_chunk_kind KindOf(size_t chunk) const
@@ -55,7 +66,8 @@ private:
   std::array<vtkMTimeType, 4> Seen{}; // the last mesh's cells
   bool IsFound = false;               // that it has chunks, or has none
   std::vector<int64_t> Begins;
-  std::vector<int64_t> FirstPoints;
+  std::vector<int32_t> PointEnds; // of each chunk, in the list of points
+  std::vector<int32_t> Points;
   std::vector<water_chunk_link> Links;
   std::vector<unsigned char> Kinds;
   vtkWaterCellBlocks Blocks;

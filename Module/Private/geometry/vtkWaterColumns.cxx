@@ -90,6 +90,7 @@ void vtkWaterColumns::Make(vtkPolyData* mesh, const Given& given)
   this->DepthArray = this->KeptDepths.Take(DepthName, 1, mesh->GetNumberOfPoints());
   this->Levels = this->LevelArray->GetPointer(0);
   this->Depths = this->DepthArray->GetPointer(0);
+  this->Chunks.Update(mesh);
   this->AreDepthsKnown = given.Depth || given.Bed;
   this->Beds.resize(count);
   this->IsWet.resize(count);
@@ -166,14 +167,14 @@ void vtkWaterColumns::MakeOfPoints(vtkPolyData* mesh, const Given& given)
   }
   else // the cells with wet and dry points are those that the shore cuts: one walk finds both
   {
-    this->Cells.Classify(mesh->GetPolys(), this->Depths);
+    this->Cells.Classify(mesh->GetPolys(), this->Depths, &this->Chunks);
     this->AreCellsKnown = true;
     this->SpreadOver(mesh, { this->Cells.CutCells });
   }
 }
 
 //------------------------------------------------------------------------------
-void vtkWaterColumns::ShareCells(vtkCellArray* polygons, vtkWaterShoreCells& cells) const
+void vtkWaterColumns::ShareCells(vtkCellArray* polygons, vtkWaterShoreCells& cells)
 {
   if (this->AreCellsKnown)
   {
@@ -181,7 +182,7 @@ void vtkWaterColumns::ShareCells(vtkCellArray* polygons, vtkWaterShoreCells& cel
   }
   else
   {
-    cells.Classify(polygons, this->Depths);
+    cells.Classify(polygons, this->Depths, &this->Chunks);
   }
 }
 

@@ -7,6 +7,7 @@
 #include "vtkDoubleArray.h"
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
+#include "vtkWaterCellChunks.h"
 #include "vtkWaterKept.h"
 #include "vtkWaterShoreCells.h"
 #include "water_shore.h"
@@ -45,7 +46,7 @@ public:
   vtkDoubleArray* GetDepthArray() const { return this->DepthArray; }
 
   // Which polygons of the mesh are under water, by the depths.
-  void ShareCells(vtkCellArray* polygons, vtkWaterShoreCells& cells) const;
+  void ShareCells(vtkCellArray* polygons, vtkWaterShoreCells& cells);
 
   // Do the data say where the water ends? Else the depths are of no use but their signs.
   bool HasDepths() const { return this->AreDepthsKnown; }
@@ -77,7 +78,8 @@ private:
   std::vector<char> IsWet;     // points: the bed alone says where the water ends
   std::vector<char> IsCellWet; // of data of cells; else empty
   std::vector<vtkIdType> Dykes;
-  vtkWaterShoreCells Cells; // if they are known
+  vtkWaterCellChunks Chunks; // of the mesh
+  vtkWaterShoreCells Cells;  // if they are known
   bool AreCellsKnown = false;
 };
 

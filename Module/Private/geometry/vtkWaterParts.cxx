@@ -11,6 +11,7 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkWaterCellChunks.h"
 #include "vtkWaterPolygons.h"
 #include "vtkWaterWetPolygons.h"
 #include "water_regions.h"
@@ -39,11 +40,16 @@ size_t Index(int64_t number)
 }
 
 //------------------------------------------------------------------------------
+size_t vtkWaterParts::CountChunks() const
+{
+  return this->Shore ? this->Shore->Chunks->GetCount() : 0;
+}
+
+//------------------------------------------------------------------------------
 void vtkWaterParts::Join(vtkPolyData* mesh)
 {
-  this->Chunks.Update(this->Shore ? mesh : nullptr);
   const size_t points = Index(mesh->GetNumberOfPoints());
-  const size_t chunks = this->Chunks.GetCount();
+  const size_t chunks = this->CountChunks();
   this->Parents.resize(points + chunks);
   water_regions_begin(this->Parents.data(), this->Parents.size());
   if (chunks == 0)
@@ -51,22 +57,23 @@ void vtkWaterParts::Join(vtkPolyData* mesh)
     this->JoinCells(mesh, 0, mesh->GetNumberOfPolys());
     return;
   }
-  this->Chunks.Judge(*this->Shore);
+  this->Shore->Chunks->Judge(*this->Shore);
   for (size_t chunk = 0; chunk < chunks; ++chunk)
   {
-    const water_chunk_kind kind = this->Chunks.KindOf(chunk);
+    const water_chunk_kind kind = this->Shore->Chunks->KindOf(chunk);
     if (kind == WATER_CHUNK_PART || kind == WATER_CHUNK_RIM)
     {
-      this->JoinCells(mesh, this->Chunks.BeginOf(chunk), this->Chunks.BeginOf(chunk + 1));
+      this->JoinCells(
+        mesh, this->Shore->Chunks->BeginOf(chunk), this->Shore->Chunks->BeginOf(chunk + 1));
     }
     if (kind == WATER_CHUNK_RIM) // it is one region, with that of any of its points
     {
       const int64_t same[2] = { static_cast<int64_t>(points + chunk),
-        this->Chunks.FirstPointOf(chunk) };
+        this->Shore->Chunks->FirstPointOf(chunk) };
       water_regions_join(this->Parents.data(), same, 2);
     }
   }
-  this->Chunks.Join(this->Parents.data(), points);
+  this->Shore->Chunks->Join(this->Parents.data(), points);
 }
 
 //------------------------------------------------------------------------------
@@ -130,7 +137,7 @@ void vtkWaterParts::Number(vtkPolyData* mesh)
   this->PartCount = 0;
   this->SharedCount = 0;
   this->UnplacedCount = 0;
-  const size_t chunks = this->Chunks.GetCount();
+  const size_t chunks = this->CountChunks();
   if (chunks == 0)
   {
     this->NumberCells(mesh, 0, mesh->GetNumberOfPolys());
@@ -139,14 +146,14 @@ void vtkWaterParts::Number(vtkPolyData* mesh)
   const size_t points = Index(mesh->GetNumberOfPoints());
   for (size_t chunk = 0; chunk < chunks; ++chunk) // in the order of cells, as without chunks
   {
-    const vtkIdType begin = this->Chunks.BeginOf(chunk);
-    const vtkIdType end = this->Chunks.BeginOf(chunk + 1);
-    if (this->Chunks.KindOf(chunk) == WATER_CHUNK_PART)
+    const vtkIdType begin = this->Shore->Chunks->BeginOf(chunk);
+    const vtkIdType end = this->Shore->Chunks->BeginOf(chunk + 1);
+    if (this->Shore->Chunks->KindOf(chunk) == WATER_CHUNK_PART)
     {
       this->NumberCells(mesh, begin, end);
       continue;
     }
-    const int32_t part = this->Chunks.KindOf(chunk) == WATER_CHUNK_LAND
+    const int32_t part = this->Shore->Chunks->KindOf(chunk) == WATER_CHUNK_LAND
       ? kNone
       : this->NumberOf(
           water_regions_find(this->Parents.data(), static_cast<int64_t>(points + chunk)));

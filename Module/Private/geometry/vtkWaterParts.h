@@ -5,7 +5,6 @@
 #define vtkWaterParts_h
 
 #include "vtkType.h"
-#include "vtkWaterCellChunks.h"
 #include "vtkWaterShoreCells.h"
 #include "water_fit.h"
 
@@ -42,7 +41,6 @@ public:
   // Cells with water of two parts, and cells of a part with a coordinate that is no number.
   size_t GetSharedCount() const { return this->SharedCount; }
   size_t GetUnplacedCount() const { return this->UnplacedCount; }
-  const vtkWaterCellBlocks* GetBlocks() const { return this->Chunks.GetBlocks(); }
   // The plane that a cell is in; below 0: none.
   int64_t PlaneOf(vtkIdType cell) const;
   const std::vector<vtkIdType>& GetCells(size_t plane) const { return this->Cells[plane]; }
@@ -58,6 +56,8 @@ private:
   void JoinCells(vtkPolyData* mesh, vtkIdType begin, vtkIdType end);
   // Of a cell that the shore cuts: the corners that are under water, or on the shore.
   void JoinCut(const vtkIdType* points, vtkIdType count);
+  // Of the mesh, if it comes again; else 0.
+  size_t CountChunks() const;
   // The part of a cell's water.
   int64_t RegionOf(vtkIdType cell, const vtkIdType* points, vtkIdType count);
   // Is all of a cell in a part?
@@ -81,7 +81,6 @@ private:
   size_t SharedCount = 0;
   std::atomic<size_t> UnplacedCount{ 0 };
   std::vector<int64_t> Joined;     // corners of one cell
-  vtkWaterCellChunks Chunks;       // of a mesh that comes again; else none
   std::vector<int64_t> Parents;    // of points and, after them, of chunks
   std::vector<int32_t> PartOfCell; // none: it has less than three points, or one that is not finite
   std::vector<int32_t> PartOfPoint; // of those that stand for a region, and of chunks

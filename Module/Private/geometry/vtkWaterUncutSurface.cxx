@@ -13,6 +13,7 @@
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkSMPTools.h"
+#include "vtkWaterCellChunks.h"
 #include "vtkWaterColumns.h"
 #include "vtkWaterPolygons.h"
 #include "vtkWaterVertexNormals.h"
@@ -90,7 +91,7 @@ public:
 }
 
 //------------------------------------------------------------------------------
-void vtkWaterUncutSurface::Classify(const Given& given, const vtkWaterColumns& columns)
+void vtkWaterUncutSurface::Classify(const Given& given, vtkWaterColumns& columns)
 {
   const double* depths = columns.GetDepths();
   vtkCellArray* polygons = given.Mesh->GetPolys();
@@ -179,7 +180,7 @@ void vtkWaterUncutSurface::Place(
 
 //------------------------------------------------------------------------------
 // Long because a surface is made in many steps, whose order matters.
-bool vtkWaterUncutSurface::Make(const Given& given, const vtkWaterColumns& columns)
+bool vtkWaterUncutSurface::Make(const Given& given, vtkWaterColumns& columns)
 {
   this->Blocks.clear();
   this->Classify(given, columns);
@@ -302,7 +303,7 @@ void vtkWaterUncutSurface::Finish(size_t plane, vtkWaterUncutMesh* block, bool i
   if (!this->Parts.GetPlanes()[plane].IsFlat)
   {
     block->GetPointData()->SetNormals(vtkWaterVertexNormals(block, isWhole ? &this->Cells : nullptr,
-      isWhole ? &this->KeptNormals : nullptr, isWhole ? this->Parts.GetBlocks() : nullptr)
+      isWhole ? &this->KeptNormals : nullptr, isWhole ? this->Cells.Chunks->GetBlocks() : nullptr)
                                         .Get());
   }
   this->Parts.Describe(plane, block);

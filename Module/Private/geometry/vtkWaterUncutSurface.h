@@ -30,7 +30,7 @@ public:
   };
 
   // Returns whether the drawn meshes show the same as the cut one; false: there are none.
-  bool Make(const Given& given, const vtkWaterColumns& columns);
+  bool Make(const Given& given, vtkWaterColumns& columns);
 
   // There is no water.
   void Forget();
@@ -41,7 +41,7 @@ public:
 
 private:
   // Which cells have water; counts what a drawing cannot show.
-  void Classify(const Given& given, const vtkWaterColumns& columns);
+  void Classify(const Given& given, vtkWaterColumns& columns);
   // Puts all points to their places; those of dry cells to the place of one that has water.
   void Place(const Given& given, const vtkWaterColumns& columns, vtkIdType still);
   // Makes land of the water in all other planes.
