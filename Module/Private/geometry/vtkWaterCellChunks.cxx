@@ -4,7 +4,6 @@
 #include "vtkCellArray.h"
 #include "vtkPolyData.h"
 #include "vtkWaterPolygons.h"
-#include "vtkWaterShoreCells.h"
 
 #include <algorithm>
 #include <limits>
@@ -114,11 +113,10 @@ void vtkWaterCellChunks::FindBlocks(vtkPolyData* mesh)
 }
 
 //------------------------------------------------------------------------------
-void vtkWaterCellChunks::Judge(const vtkWaterShoreCells& shore)
+void vtkWaterCellChunks::Judge(const char* cells)
 {
-  static_assert(vtkWaterShoreCells::Dry == 0 && vtkWaterShoreCells::Wet == 1, "as the core has it");
   water_chunks_judge(this->Begins.data(), this->GetCount(), this->Links.data(), this->Links.size(),
-    reinterpret_cast<const char*>(shore.Kinds.data()), this->Kinds.data());
+    cells, this->Kinds.data());
 }
 
 //------------------------------------------------------------------------------

@@ -12,7 +12,6 @@
 #include <vector>
 
 class vtkPolyData;
-struct vtkWaterShoreCells;
 
 // What vtkWaterForBlocks' blocks of a mesh's cells have in common.
 struct vtkWaterCellBlocks
@@ -44,7 +43,8 @@ public:
       depths, this->Points.data() + begin, static_cast<size_t>(this->PointEnds[chunk + 1] - begin));
   }
 
-  void Judge(const vtkWaterShoreCells& shore);
+  // cells  as of water_chunks_judge
+  void Judge(const char* cells);
   water_chunk_kind KindOf(size_t chunk) const
   {
     return static_cast<water_chunk_kind>(this->Kinds[chunk]);

@@ -57,7 +57,8 @@ void vtkWaterParts::Join(vtkPolyData* mesh)
     this->JoinCells(mesh, 0, mesh->GetNumberOfPolys());
     return;
   }
-  this->Shore->Chunks->Judge(*this->Shore);
+  static_assert(vtkWaterShoreCells::Dry == 0 && vtkWaterShoreCells::Wet == 1, "as the core has it");
+  this->Shore->Chunks->Judge(reinterpret_cast<const char*>(this->Shore->Kinds.data()));
   for (size_t chunk = 0; chunk < chunks; ++chunk)
   {
     const water_chunk_kind kind = this->Shore->Chunks->KindOf(chunk);
