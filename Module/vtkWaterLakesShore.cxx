@@ -17,6 +17,7 @@
 #include "vtkWaterMeshTraits.h"
 #include "vtkWaterSource.h"
 #include "vtkWaterSurfaceFilter.h"
+#include "vtkWaterUncutMapper.h"
 #include "water_plane.h"
 #include "water_shore_draw.h"
 
@@ -183,9 +184,9 @@ void vtkWaterLakes::ShowUncut(size_t number, vtkPolyData* part, vtkMapper* mappe
   internal.CutParts.resize(internal.Waters.size());
   vtkSmartPointer<vtkMapper>& drawn = internal.DrawnMappers[number];
   vtkSmartPointer<vtkWaterCutPart>& cut = internal.CutParts[number];
-  if (!drawn || !drawn->IsA(mapper->GetClassName()))
+  if (!drawn)
   {
-    drawn.TakeReference(mapper->NewInstance());
+    drawn = vtkSmartPointer<vtkWaterUncutMapper>::New(); // of the mapper's class: IsPlainDraw
   }
   if (!cut)
   {

@@ -7,6 +7,7 @@
 #include "vtkGenericCell.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
@@ -158,6 +159,19 @@ std::string RangeOf(const std::string& name, vtkDataArray* array)
   return text.str();
 }
 
+// Is a number not below 0? Mostly the first is, so that no array need be read for its range.
+bool HasDepth(vtkDataArray* depth)
+{
+  const vtkIdType count = depth->GetNumberOfTuples();
+  vtkIdType i = 0;
+  while (i < count &&
+    !(vtkMath::IsFinite(depth->GetComponent(i, 0)) && depth->GetComponent(i, 0) >= 0.0))
+  {
+    ++i;
+  }
+  return i < count;
+}
+
 double MeanHeightOf(vtkPolyData* surface)
 {
   const water_plane ground = { { 0.0, 0.0, 1.0 }, 0.0 };
@@ -283,11 +297,12 @@ void vtkWaterSurfaceFilter::CheckUnits(vtkDataArray* level, vtkDataArray* depth,
 //------------------------------------------------------------------------------
 bool vtkWaterSurfaceFilter::CheckDepths(vtkDataArray* depth)
 {
-  double range[2] = { 0.0, 0.0 };
-  if (depth)
+  if (!depth || HasDepth(depth))
   {
-    depth->GetFiniteRange(range);
+    return true;
   }
+  double range[2];
+  depth->GetFiniteRange(range);
   if (!(range[0] <= range[1] && range[1] < 0.0)) // the first is above the second if none is finite
   {
     return true;

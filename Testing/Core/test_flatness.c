@@ -376,7 +376,33 @@ TEST(limit_of_the_nearest_water)
   }
 }
 
+// Many at once are judged as one by one.
+TEST(points_are_added_at_once)
+{
+  dice from = dice_seeded(6);
+  for (int i = 0; i < 40; ++i)
+  {
+    mesh laid = mesh_rolled(&from, 100.0);
+    lay(&from, i % 2 ? 1e-3 : (i % 4 ? 0.1 : 30.0), false, &laid);
+    laid.points[13][1] = (double)NAN;
+    laid.points[14][0] = (double)INFINITY;
+    water_flatness one;
+    water_flatness all;
+    assert_true(water_flatness_begin(&laid.unit, identity, laid.bounds, false, &one));
+    all = one;
+    for (int j = 0; j < POINTS; ++j)
+    {
+      water_flatness_add(laid.points[j], &one);
+    }
+    water_flatness_add_points(laid.points[0], POINTS, &all);
+    assert_memory_equal(&all.reach, &one.reach, sizeof one.reach);
+    assert_memory_equal(&all.height_max, &one.height_max, sizeof one.height_max);
+    water_flatness_add_points(laid.points[0], 0, &all);
+    ASSERT_CLOSE(all.reach, one.reach, 0.0);
+  }
+}
+
 TESTS(limits_are_those_of_the_mesh, heights_at_the_limits, limit_of_the_nearest_water,
   points_of_the_plane_have_no_height_but_their_rounding, inspections_are_joined,
   high_points_end_the_search, without_bounds_or_with_a_projection_there_are_no_heights,
-  heights_that_are_seen_are_not_taken_as_flat, vertices_know_their_height)
+  heights_that_are_seen_are_not_taken_as_flat, vertices_know_their_height, points_are_added_at_once)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // test_polygon.c: the normals of polygons.
-#include "test_main.h"
+#include "test_scene.h"
 
 #include "water_polygon.h"
 
@@ -70,6 +70,117 @@ TEST(sums_of_normals_become_units)
   }
 }
 
+// Triangles and quads, in rows and mixed, some without a normal.
+enum
+{
+  MIXED = 200
+};
+
+static double mixed_points[3 * MIXED];
+static int64_t mixed_starts[MIXED + 1];
+static int64_t mixed_corners[4 * MIXED];
+
+static void mix(dice* from)
+{
+  for (int i = 0; i < 3 * MIXED; ++i)
+  {
+    mixed_points[i] = dice_roll(from, -1.0, 1.0);
+  }
+  mixed_points[31] = (double)NAN;
+  mixed_points[60] = 1e200;
+  int64_t count = 0;
+  for (int i = 0; i < MIXED; ++i)
+  {
+    mixed_starts[i] = count;
+    const int size = i % 50 == 3 ? 3 : 4;
+    for (int k = 0; k < size; ++k)
+    {
+      mixed_corners[count++] = (int64_t)dice_roll(from, 0.0, MIXED);
+    }
+  }
+  mixed_starts[MIXED] = count;
+}
+
+// What the sums must be, bit by bit: each polygon's normal, one after the other.
+static void sum_one_by_one(float sums[3 * MIXED])
+{
+  memset(sums, 0, 3 * MIXED * sizeof(float));
+  for (int i = 0; i < MIXED; ++i)
+  {
+    double corners[12];
+    const int64_t size = mixed_starts[i + 1] - mixed_starts[i];
+    for (int64_t k = 0; k < size; ++k)
+    {
+      memcpy(
+        corners + 3 * k, mixed_points + 3 * mixed_corners[mixed_starts[i] + k], 3 * sizeof(double));
+    }
+    double normal[3];
+    water_polygon_normal(corners, (size_t)size, normal);
+    for (int64_t k = 0; k < size; ++k)
+    {
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        sums[3 * mixed_corners[mixed_starts[i] + k] + axis] += (float)normal[axis];
+      }
+    }
+  }
+}
+
+TEST(rows_of_quads_have_the_same_normals)
+{
+  dice from = dice_seeded(21);
+  for (int i = 0; i < 20; ++i)
+  {
+    mix(&from);
+    float expected[3 * MIXED];
+    float sums[3 * MIXED] = { 0.0f };
+    sum_one_by_one(expected);
+    water_polygon_add_normals(mixed_points, mixed_starts, mixed_corners, MIXED, sums);
+    assert_memory_equal(sums, expected, sizeof sums);
+    water_polygon_unit_normals(sums, MIXED);
+    for (int j = 0; j < MIXED; ++j)
+    {
+      const double sum[3] = { (double)expected[3 * j], (double)expected[3 * j + 1],
+        (double)expected[3 * j + 2] };
+      const double length = sqrt(dot(sum, sum));
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        const double one = length > 0.0 ? sum[axis] / length : 0.0;
+        ASSERT_CLOSE((double)sums[3 * j + axis], one, 1e-7);
+      }
+    }
+  }
+}
+
+// Two who share a mesh: each adds to its own points, and then the second to those of the first.
+TEST(shares_of_a_mesh_make_the_whole)
+{
+  dice from = dice_seeded(22);
+  mix(&from);
+  float expected[3 * MIXED];
+  float sums[3 * MIXED] = { 0.0f };
+  uint16_t owners[MIXED];
+  sum_one_by_one(expected);
+  memset(owners, 0xff, sizeof owners);
+  for (int half = 1; half >= 0; --half) // the first half has what it has
+  {
+    const int64_t begin = mixed_starts[half * MIXED / 2];
+    for (int64_t i = begin; i < mixed_starts[(half + 1) * MIXED / 2]; ++i)
+    {
+      owners[mixed_corners[i]] = (uint16_t)half;
+    }
+  }
+  for (int turn = 0; turn < 3; ++turn)
+  {
+    const int half = turn == 0 ? 1 : turn - 1 ? 1 : 0; // the order of the first two is any
+    const water_polygon_share share = { owners, (uint16_t)half, turn < 2 };
+    water_polygon_add_shared_normals(
+      mixed_points, mixed_starts + half * MIXED / 2, mixed_corners, MIXED / 2, &share, sums);
+  }
+  assert_memory_equal(sums, expected, sizeof sums);
+}
+
 TESTS(sums_of_normals_become_units, a_triangle_s_normal_follows_the_right_hand,
   a_concave_polygon_has_the_normal_of_its_whole, a_bent_quad_has_the_mean_normal,
-  what_has_no_area_has_no_normal)
+  what_has_no_area_has_no_normal, rows_of_quads_have_the_same_normals,
+  shares_of_a_mesh_make_the_whole)

@@ -4,6 +4,8 @@
 
 #include "water_shore.h"
 
+#include <string.h>
+
 TEST(two_heights_make_the_third)
 {
   const double none = (double)NAN;
@@ -138,7 +140,58 @@ TEST(triangles_cover_a_polygon)
   ASSERT_CLOSE(area, 5.0, 1e-15);
 }
 
+// One of each: finite, none, infinite, not given.
+TEST(columns_are_those_of_single_points)
+{
+  enum
+  {
+    VALUES = 6,
+    ROWS = VALUES * VALUES * VALUES
+  };
+  const double values[VALUES] = { 3.0, 1.0, -2.0, 0.0005, (double)NAN, (double)INFINITY };
+  double given[3][ROWS];
+  for (int i = 0; i < ROWS; ++i)
+  {
+    given[0][i] = values[i % VALUES];
+    given[1][i] = values[i / VALUES % VALUES];
+    given[2][i] = values[i / VALUES / VALUES];
+  }
+  for (int has = 1; has < 8; ++has)
+  {
+    double levels[ROWS];
+    double depths[ROWS];
+    double beds[ROWS];
+    char are_wet[ROWS];
+    const water_shore_rows rows = { has & 1 ? given[0] : NULL, has & 2 ? given[1] : NULL,
+      has & 4 ? given[2] : NULL, levels, depths, beds, are_wet };
+    bool is_odd = false;
+    const bool said = water_shore_columns(&rows, ROWS, 0.001);
+    for (int i = 0; i < ROWS; ++i)
+    {
+      const water_column column = water_shore_column(has & 1 ? given[0][i] : (double)NAN,
+        has & 2 ? given[1][i] : (double)NAN, has & 4 ? given[2][i] : (double)NAN, 0.001);
+      const double level = column.is_wet ? column.level : (double)NAN;
+      const double depth = water_shore_depth(column.is_wet, level, column.bed);
+      const double kept = water_shore_level(level, column.bed);
+      assert_int_equal(are_wet[i], column.is_wet);
+      assert_memory_equal(&depths[i], &depth, sizeof depth);
+      assert_memory_equal(&levels[i], &kept, sizeof kept);
+      assert_memory_equal(&beds[i], &column.bed, sizeof depth);
+      is_odd = is_odd || (column.is_wet && !(depth > 0.0));
+    }
+    assert_int_equal(said, is_odd);
+  }
+}
+
+TEST(land_has_the_level_of_its_bed)
+{
+  ASSERT_CLOSE(water_shore_level(2.0, 5.0), 2.0, 0.0);
+  ASSERT_CLOSE(water_shore_level((double)NAN, 5.0), 5.0, 0.0);
+  ASSERT_CLOSE(water_shore_level((double)NAN, -(double)INFINITY), 0.0, 0.0);
+}
+
 TESTS(the_shore_is_a_share_of_the_way_along_its_edge, triangles_cover_a_polygon,
   two_heights_make_the_third, a_level_alone_is_wet, what_is_shallow_or_no_number_is_dry,
   depths_cross_zero_at_the_shore, polygons_are_cut_at_the_shore, a_corner_on_the_shore_stands_once,
-  water_that_meets_land_twice_is_split)
+  water_that_meets_land_twice_is_split, columns_are_those_of_single_points,
+  land_has_the_level_of_its_bed)

@@ -98,7 +98,24 @@ TEST(land_and_water_have_numbers_of_their_own)
   }
 }
 
+// Water where it is, at its level; land, and what is no number, in one place. Bounds grow.
+TEST(land_lies_in_one_place)
+{
+  const double points[12] = { 1, 2, 50, 3, 4, 60, 5, 6, 70, 7, 8, 80 };
+  const double levels[4] = { 0.5, 9.0, -1.0, 9.0 };
+  const double depths[4] = { 2.0, -1.0, 0.1, (double)NAN };
+  const double still[3] = { 1, 2, 5 };
+  const double expected[12] = { 1, 2, 5, 1, 2, 5, 5, 6, -10, 1, 2, 5 };
+  double places[12];
+  double bounds[6] = { 1, 1, 2, 2, 5, 7 };
+  water_shore_places(points, levels, depths, 4, 10.0, still, places, bounds);
+  assert_memory_equal(places, expected, sizeof places);
+  const double grown[6] = { 1, 5, 2, 6, -10, 7 };
+  assert_memory_equal(bounds, grown, sizeof bounds);
+}
+
 TESTS(gpus_cut_unless_told_otherwise, renderers_that_cannot_cut_do_not,
   one_cell_that_would_differ_is_enough_for_the_filter,
   the_largest_water_takes_the_whole_mesh_if_most_of_it_is_its_own,
-  edges_are_cut_at_the_depth_of_zero, land_and_water_have_numbers_of_their_own)
+  edges_are_cut_at_the_depth_of_zero, land_and_water_have_numbers_of_their_own,
+  land_lies_in_one_place)

@@ -159,5 +159,34 @@ TEST(normals_stay_normal)
   }
 }
 
+// A polygon is the fan about its first corner; a matrix moves it; parts are joined.
+TEST(polygons_are_fans)
+{
+  const double points[15] = { 0, 0, 0, 2, 0, 0.2, 3, 2, 0.9, 1, 3, 0.1, 0, 2, -0.3 };
+  const int64_t corners[5] = { 4, 0, 1, 2, 3 };
+  const double places[9][3] = { { 0, 2, -0.3 }, { 0, 0, 0 }, { 2, 0, 0.2 }, { 0, 2, -0.3 },
+    { 2, 0, 0.2 }, { 3, 2, 0.9 }, { 0, 2, -0.3 }, { 3, 2, 0.9 }, { 1, 3, 0.1 } };
+  const double wide[16] = { 2, 0, 0, 5, 0, 2, 0, 6, 0, 0, 1, 7, 0, 0, 0, 1 };
+  water_slopes slopes;
+  water_slopes_begin(&level, &slopes);
+  water_slopes_add_polygon(points, corners, 5, NULL, &slopes);
+  ASSERT_CLOSE(water_slopes_rms(&slopes), rms_of(places, 3), 0.0);
+  water_slopes moved;
+  water_slopes_begin(&level, &moved);
+  water_slopes_add_polygon(points, corners, 5, wide, &moved);
+  ASSERT_CLOSE(water_slopes_rms(&moved), 0.5 * rms_of(places, 3), 1e-12);
+  water_slopes_add_polygon(points, corners, 2, wide, &moved); // no triangle
+  ASSERT_CLOSE(water_slopes_rms(&moved), 0.5 * rms_of(places, 3), 1e-12);
+  water_slopes both;
+  water_slopes_begin(&level, &both);
+  water_slopes_add(places[0], places[1], places[2], &both);
+  water_slopes rest;
+  water_slopes_begin(&level, &rest);
+  water_slopes_add(places[3], places[4], places[5], &rest);
+  water_slopes_add(places[6], places[7], places[8], &rest);
+  water_slopes_join(&rest, &both);
+  ASSERT_CLOSE(water_slopes_rms(&both), water_slopes_rms(&slopes), 1e-15);
+}
+
 TESTS(slopes_are_weighed_by_area, any_triangle_has_a_slope, vertices_know_their_places,
-  normals_stay_normal)
+  normals_stay_normal, polygons_are_fans)

@@ -31,6 +31,18 @@ bool water_polygon_normal(const double* corners, size_t count, double normal[3])
 void water_polygon_add_normals(
   const double* points, const int64_t* starts, const int64_t* corners, size_t count, float* sums);
 
+// The points that somebody adds to, if several add to one mesh at once.
+typedef struct water_polygon_share
+{
+  const uint16_t* owners; // of each point
+  uint16_t owner;
+  bool is_owned; // the owner's points, else all but these
+} water_polygon_share;
+
+// The same for a share of the points alone.
+void water_polygon_add_shared_normals(const double* points, const int64_t* starts,
+  const int64_t* corners, size_t count, const water_polygon_share* share, float* sums);
+
 // Gives sums of normals the length 1. (0, 0, 0) stays.
 //
 // normals  count rows of 3

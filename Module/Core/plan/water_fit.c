@@ -153,12 +153,14 @@ static void lanes_begin(const double bounds[6], lanes* sums)
   }
 }
 
-// Adds the part of a quad's integrals that the middle of a side stands for.
-static inline void add_side(double weight, const double* a, const double* b, integrals* quad)
+// Adds the part of a quad's integrals that the middle of a side stands for: first twice, and second
+// four times as much, which the sums of all quads are divided by.
+WATER_WIDE_PART static inline void add_side(
+  double weight, const double* a, const double* b, integrals* quad)
 {
-  const double x = 0.5 * (a[0] + b[0]);
-  const double y = 0.5 * (a[1] + b[1]);
-  const double z = 0.5 * (a[2] + b[2]);
+  const double x = a[0] + b[0];
+  const double y = a[1] + b[1];
+  const double z = a[2] + b[2];
   const double wx = weight * x;
   const double wy = weight * y;
   const double wz = weight * z;
@@ -176,48 +178,65 @@ static inline void add_side(double weight, const double* a, const double* b, int
 // The corners of that many quads: [corner][axis][lane].
 typedef double lane_places[4][3][LANES];
 
-// Reads them. false: a coordinate is not usable.
-static inline bool read_quads(const double* points, const int64_t* corners, lane_places place)
+WATER_WIDE_PART static inline void read_quads(
+  const double* points, const int64_t* corners, lane_places place)
 {
-  double wrong = 0.0;
   for (int lane = 0; lane < LANES; ++lane)
   {
     for (int k = 0; k < 4; ++k)
     {
       const double* point = points + 3 * corners[4 * lane + k];
-      for (int i = 0; i < 3; ++i)
-      {
-        place[k][i][lane] = point[i];
-        wrong += fabs(point[i]) <= water_largest ? 0.0 : 1.0; // NaN neither
-      }
+      place[k][0][lane] = point[0];
+      place[k][1][lane] = point[1];
+      place[k][2][lane] = point[2];
     }
   }
-  return wrong == 0.0;
 }
 
-static inline void add_bounds(lane_places place, lanes* restrict sums)
+// Adds their bounds, unless a coordinate is not usable. Returns whether it did.
+WATER_WIDE_PART static inline bool add_bounds(lane_places place, lanes* restrict sums)
 {
+  double wrong[LANES];
+  double low[3][LANES];
+  double high[3][LANES];
   for (int lane = 0; lane < LANES; ++lane)
   {
+    double count = 0.0;
     for (int i = 0; i < 3; ++i)
     {
-      double low = sums->low[i][lane];
-      double high = sums->high[i][lane];
+      double least = sums->low[i][lane];
+      double most = sums->high[i][lane];
       for (int k = 0; k < 4; ++k)
       {
-        low = place[k][i][lane] < low ? place[k][i][lane] : low;
-        high = place[k][i][lane] > high ? place[k][i][lane] : high;
+        const double value = place[k][i][lane];
+        least = value < least ? value : least;
+        most = value > most ? value : most;
+        count += fabs(value) <= water_largest ? 0.0 : 1.0; // NaN neither
       }
-      sums->low[i][lane] = low;
-      sums->high[i][lane] = high;
+      low[i][lane] = least;
+      high[i][lane] = most;
     }
+    wrong[lane] = count;
   }
+  double all = 0.0;
+  for (int lane = 0; lane < LANES; ++lane)
+  {
+    all += wrong[lane];
+  }
+  if (all > 0.0)
+  {
+    return false;
+  }
+  memcpy(sums->low, low, sizeof low);
+  memcpy(sums->high, high, sizeof high);
+  return true;
 }
 
 // Adds that many quads, of an upright fit. A quad is two triangles with the side from its first to
 // its third corner in common. The integral of a quadratic function over a triangle is a third of
 // the area times the sum over the middles of its sides.
-static inline void add_quads(lane_places place, const double origin[3], lanes* restrict sums)
+WATER_WIDE_PART static inline void add_quads(
+  lane_places place, const double origin[3], lanes* restrict sums)
 {
   for (int lane = 0; lane < LANES; ++lane)
   {
@@ -260,13 +279,13 @@ static void add_lanes(const lanes* sums, integrals* sum, double bounds[6])
     sum->area += sums->area[lane];
     for (int i = 0; i < 3; ++i)
     {
-      sum->first[i] += sums->first[i][lane];
+      sum->first[i] += 0.5 * sums->first[i][lane];
       bounds[2 * i] = fmin(bounds[2 * i], sums->low[i][lane]);
       bounds[2 * i + 1] = fmax(bounds[2 * i + 1], sums->high[i][lane]);
     }
     for (int i = 0; i < 6; ++i)
     {
-      sum->second[i] += sums->second[i][lane];
+      sum->second[i] += 0.25 * sums->second[i][lane];
     }
   }
 }
@@ -283,7 +302,7 @@ static bool are_quads(const int64_t* starts)
 
 // Adds quads of a list from its beginning, as long as there are many in a row, after a first
 // polygon. Returns how many.
-static size_t add_rows(
+WATER_WIDE static size_t add_rows(
   const double* points, const int64_t* starts, const int64_t* corners, size_t count, water_fit* fit)
 {
   size_t done = 0;
@@ -296,10 +315,13 @@ static size_t add_rows(
   lanes quads;
   lanes_begin(fit->bounds, &quads);
   lane_places place;
-  while (count - done >= LANES && are_quads(starts + done) &&
-    read_quads(points, corners + starts[done], place))
+  while (count - done >= LANES && are_quads(starts + done))
   {
-    add_bounds(place, &quads);
+    read_quads(points, corners + starts[done], place);
+    if (!add_bounds(place, &quads))
+    {
+      break;
+    }
     add_quads(place, fit->origin, &quads);
     done += LANES;
   }

@@ -59,10 +59,8 @@ bool water_flatness_begin(const water_plane* unit, const double mesh_to_world[16
   return true;
 }
 
-bool water_flatness_add(const double point[3], water_flatness* flatness)
+static bool add_height(double height, water_flatness* flatness)
 {
-  const double* row = flatness->height;
-  const double height = fabs(water_vec3_dot(row, point) + row[3]);
   flatness->reach = isfinite(height) ? fmax(flatness->reach, height) : flatness->reach;
   if (!isfinite(height) || height <= flatness->height_max)
   {
@@ -71,6 +69,42 @@ bool water_flatness_add(const double point[3], water_flatness* flatness)
   const bool is_high = height > flatness->limit && height > flatness->rounding;
   flatness->height_max = is_high ? (double)INFINITY : height;
   return !is_high;
+}
+
+bool water_flatness_add(const double point[3], water_flatness* flatness)
+{
+  const double* row = flatness->height;
+  return add_height(fabs(water_vec3_dot(row, point) + row[3]), flatness);
+}
+
+// The largest height is added as a point's would be: only it matters, because if any is too high,
+// so is it.
+WATER_WIDE static void add_points(const double* points, size_t count, water_flatness* flatness)
+{
+  enum
+  {
+    LANES = 8 // each with a maximum of its own: compilers use wide instructions then
+  };
+  const double row[4] = { flatness->height[0], flatness->height[1], flatness->height[2],
+    flatness->height[3] };
+  double most[LANES] = { 0.0 };
+  for (size_t i = 0; i < count; ++i)
+  {
+    const double height = fabs(water_vec3_dot(row, points + 3 * i) + row[3]);
+    double* lane = most + i % LANES;
+    *lane = height > *lane && height <= DBL_MAX ? height : *lane;
+  }
+  double highest = 0.0;
+  for (int lane = 0; lane < LANES; ++lane)
+  {
+    highest = most[lane] > highest ? most[lane] : highest;
+  }
+  add_height(highest, flatness);
+}
+
+void water_flatness_add_points(const double* points, size_t count, water_flatness* flatness)
+{
+  add_points(points, count, flatness);
 }
 
 void water_flatness_join(const water_flatness* other, water_flatness* flatness)

@@ -12,6 +12,7 @@
 #include "water_types.h"
 
 #include <stdbool.h>
+#include <stddef.h>
 
 #ifdef __cplusplus
 extern "C"
@@ -48,6 +49,9 @@ bool water_flatness_begin(const water_plane* unit, const double mesh_to_world[16
 //
 // Returns false if the point is too high: only reach needs the other points then.
 bool water_flatness_add(const double point[3], water_flatness* flatness);
+
+// Adds many points: rows of 3.
+void water_flatness_add_points(const double* points, size_t count, water_flatness* flatness);
 
 // Adds the points of another inspection that began with the same mesh and plane.
 void water_flatness_join(const water_flatness* other, water_flatness* flatness);

@@ -2,11 +2,13 @@
 // water_shore.c: where a solver's water is, and where it ends.
 #include "water_shore.h"
 
+#include "water_math.h"
+
 #include <math.h>
 
 static const double far_off = 1.0; // depth, of any sign, where nothing else is known
 
-water_column water_shore_column(double level, double bed, double depth, double dry_depth)
+static inline water_column column_of(double level, double bed, double depth, double dry_depth)
 {
   const bool has_depth = !isnan(depth);
   const bool has_bed = !isnan(bed);
@@ -28,7 +30,12 @@ water_column water_shore_column(double level, double bed, double depth, double d
   return column;
 }
 
-double water_shore_depth(bool is_wet, double level, double bed)
+water_column water_shore_column(double level, double bed, double depth, double dry_depth)
+{
+  return column_of(level, bed, depth, dry_depth);
+}
+
+static inline double depth_of(bool is_wet, double level, double bed)
 {
   const double depth = level - bed;
   if (isnan(depth) || isinf(depth))
@@ -36,6 +43,40 @@ double water_shore_depth(bool is_wet, double level, double bed)
     return is_wet ? far_off : -far_off;
   }
   return is_wet ? depth : -fabs(depth);
+}
+
+double water_shore_depth(bool is_wet, double level, double bed)
+{
+  return depth_of(is_wet, level, bed);
+}
+
+double water_shore_level(double level, double bed)
+{
+  return isfinite(level) ? level : (isfinite(bed) ? bed : 0.0);
+}
+
+WATER_WIDE static bool find_columns(const water_shore_rows* rows, size_t count, double dry_depth)
+{
+  size_t odd = 0;
+  for (size_t i = 0; i < count; ++i)
+  {
+    const water_column column = column_of(rows->given_levels ? rows->given_levels[i] : (double)NAN,
+      rows->given_beds ? rows->given_beds[i] : (double)NAN,
+      rows->given_depths ? rows->given_depths[i] : (double)NAN, dry_depth);
+    const double level = column.is_wet ? column.level : (double)NAN;
+    const double depth = depth_of(column.is_wet, level, column.bed);
+    rows->are_wet[i] = column.is_wet;
+    rows->beds[i] = column.bed;
+    rows->levels[i] = water_shore_level(level, column.bed);
+    rows->depths[i] = depth;
+    odd += column.is_wet && !(depth > 0.0) ? 1 : 0;
+  }
+  return odd > 0;
+}
+
+bool water_shore_columns(const water_shore_rows* rows, size_t count, double dry_depth)
+{
+  return find_columns(rows, count, dry_depth);
 }
 
 // Adds a corner, unless it is the one before it.

@@ -41,6 +41,26 @@ water_column water_shore_column(double level, double bed, double depth, double d
 // level   of a dry place: that of the wet ones beside it; NaN: there are none
 double water_shore_depth(bool is_wet, double level, double bed);
 
+// What a solver gives of points, and what is found of them: rows of the same length.
+typedef struct water_shore_rows
+{
+  const double* given_levels; // NULL: not given
+  const double* given_beds;
+  const double* given_depths;
+  double* levels; // as of water_shore_level; that of land is its bed's
+  double* depths; // as of water_shore_depth
+  double* beds;   // of water_column
+  char* are_wet;
+} water_shore_rows;
+
+// water_shore_column, water_shore_depth and water_shore_level of many points; land has no level.
+//
+// Returns whether a wet point has no water by its level and bed.
+bool water_shore_columns(const water_shore_rows* rows, size_t count, double dry_depth);
+
+// The level of a point as a surface has it: where there is none, that of its bed, otherwise 0.
+double water_shore_level(double level, double bed);
+
 // A corner of what is wet of a polygon: a corner of the polygon (from == to, share 0), or the shore
 // on one of its edges.
 typedef struct water_shore_corner

@@ -63,6 +63,19 @@ bool water_shore_draw_is_exact(const water_shore_facts* facts);
 // own_cells, wet_cells  with water of the largest, and of all
 bool water_shore_draw_is_whole(size_t own_cells, size_t wet_cells);
 
+// The places of a mesh's vertices: at the level, and those of land all in one place, so that what
+// only looks at points sees the water alone.
+//
+// points  of the mesh: rows of 3
+// levels  in their unit
+// depths  above 0 in water
+// scale   of levels: heights are scale * level
+// still   the place of land
+// places  rows of 3
+// bounds  xmin, xmax, ymin, ymax, zmin, zmax: the places are added to them
+void water_shore_places(const double* points, const double* levels, const double* depths,
+  size_t count, double scale, const double still[3], double* places, double bounds[6]);
+
 // The numbers of vertices: above 0 in water, below 0 on land, linear in the depth. A depth of 0 is
 // land: a triangle with all three corners at 0 would be drawn as a whole.
 void water_shore_distances(const double* depths, size_t count, float* distances);

@@ -12,7 +12,8 @@ void water_slopes_begin(const water_plane* unit, water_slopes* slopes)
   memcpy(slopes->normal, unit->normal, sizeof slopes->normal);
 }
 
-void water_slopes_add(const double a[3], const double b[3], const double c[3], water_slopes* slopes)
+static inline void add_triangle(
+  const double a[3], const double b[3], const double c[3], water_slopes* slopes)
 {
   const double along[3] = { b[0] - a[0], b[1] - a[1], b[2] - a[2] };
   const double across[3] = { c[0] - a[0], c[1] - a[1], c[2] - a[2] };
@@ -24,10 +25,46 @@ void water_slopes_add(const double a[3], const double b[3], const double c[3], w
   {
     return;
   }
-  const double upright = fmax(size - level * level, 0.0); // squared
-  const double area = fmax(level, sqrt(upright) / steepest);
+  const double rest = size - level * level;
+  const double upright = rest > 0.0 ? rest : 0.0; // squared
+  const double steep = 0.5 * steepest * steepest * level * level;
+  const double area = upright < steep ? level : fmax(level, sqrt(upright) / steepest);
   slopes->area += area;
   slopes->squares += upright / area;
+}
+
+void water_slopes_add(const double a[3], const double b[3], const double c[3], water_slopes* slopes)
+{
+  add_triangle(a, b, c, slopes);
+}
+
+void water_slopes_add_polygon(const double* points, const int64_t* corners, size_t count,
+  const double mesh_to_world[16], water_slopes* slopes)
+{
+  double first[4];
+  double sides[2][4]; // of the triangle, by turns
+  for (size_t i = 0; i < count; ++i)
+  {
+    double* place = i == 0 ? first : sides[i % 2];
+    if (mesh_to_world)
+    {
+      water_mat4_apply_point(mesh_to_world, points + 3 * corners[i], place);
+    }
+    else // half of the work
+    {
+      memcpy(place, points + 3 * corners[i], 3 * sizeof(double));
+    }
+    if (i >= 2)
+    {
+      add_triangle(first, sides[1 - i % 2], sides[i % 2], slopes);
+    }
+  }
+}
+
+void water_slopes_join(const water_slopes* other, water_slopes* slopes)
+{
+  slopes->area += other->area;
+  slopes->squares += other->squares;
 }
 
 double water_slopes_rms(const water_slopes* slopes)

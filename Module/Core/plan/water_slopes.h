@@ -8,6 +8,8 @@
 #include "water_types.h"
 
 #include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
 
 #ifdef __cplusplus
 extern "C"
@@ -24,6 +26,17 @@ typedef struct water_slopes
 
 // unit  normalised plane of the water
 void water_slopes_begin(const water_plane* unit, water_slopes* slopes);
+
+// Looks at the triangles of a polygon's fan about its first corner.
+//
+// points         of the mesh, in its own coordinates: rows of 3
+// corners        count points
+// mesh_to_world  affine; NULL: the mesh's coordinates are those of the world
+void water_slopes_add_polygon(const double* points, const int64_t* corners, size_t count,
+  const double mesh_to_world[16], water_slopes* slopes);
+
+// Adds what another inspection with the same plane has seen.
+void water_slopes_join(const water_slopes* other, water_slopes* slopes);
 
 // Looks at a triangle: its corners in world. What is not finite is left out, and walls count as
 // slopes of 10.

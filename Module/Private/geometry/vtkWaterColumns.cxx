@@ -32,6 +32,13 @@ public:
     return this->Array ? this->Array->GetComponent(i, 0) : vtkMath::Nan();
   }
 
+  // Are they doubles, or not there?
+  bool AreRows() const { return this->Doubles || !this->Array; }
+  const double* GetRows(vtkIdType begin) const
+  {
+    return this->Doubles ? this->Doubles + begin : nullptr;
+  }
+
 private:
   vtkDataArray* Array;
   const double* Doubles;
@@ -77,12 +84,13 @@ void ForEachPoint(vtkPolyData* mesh, Function function)
 void vtkWaterColumns::Make(vtkPolyData* mesh, const Given& given)
 {
   const auto count = static_cast<size_t>(mesh->GetNumberOfPoints());
-  this->LevelArray = vtkSmartPointer<vtkDoubleArray>::New();
-  this->DepthArray = vtkSmartPointer<vtkDoubleArray>::New();
-  this->LevelArray->SetNumberOfValues(mesh->GetNumberOfPoints());
-  this->DepthArray->SetNumberOfValues(mesh->GetNumberOfPoints());
+  this->LevelArray = nullptr; // its memory may be free then
+  this->DepthArray = nullptr;
+  this->LevelArray = this->KeptLevels.Take(LevelName, 1, mesh->GetNumberOfPoints());
+  this->DepthArray = this->KeptDepths.Take(DepthName, 1, mesh->GetNumberOfPoints());
   this->Levels = this->LevelArray->GetPointer(0);
   this->Depths = this->DepthArray->GetPointer(0);
+  this->Chunks.Update(mesh);
   this->AreDepthsKnown = given.Depth || given.Bed;
   this->Beds.resize(count);
   this->IsWet.resize(count);
@@ -111,9 +119,7 @@ void vtkWaterColumns::Finish(vtkIdType point)
 {
   const auto i = static_cast<size_t>(point);
   this->Depths[i] = water_shore_depth(this->IsWet[i] != 0, this->Levels[i], this->Beds[i]);
-  const bool isKnown = vtkMath::IsFinite(this->Levels[i]);
-  const bool hasBed = vtkMath::IsFinite(this->Beds[i]);
-  this->Levels[i] = isKnown ? this->Levels[i] : (hasBed ? this->Beds[i] : 0.0);
+  this->Levels[i] = water_shore_level(this->Levels[i], this->Beds[i]);
 }
 
 //------------------------------------------------------------------------------
@@ -124,20 +130,31 @@ void vtkWaterColumns::MakeOfPoints(vtkPolyData* mesh, const Given& given)
   const bool isBedHere = given.IsBedOfCells && given.Bed; // of cells, it has been read
   const Values beds(isBedHere ? nullptr : given.Bed);
   vtkDataArray* places = mesh->GetPoints()->GetData(); // thread-safe, unlike its GetPoint
-  std::atomic<bool> isOdd{ false };                    // a wet point has no water by level and bed
+  const bool isBedOfPlaces = !given.Bed && !given.Level;
+  const bool areRows = levels.AreRows() && depths.AreRows() && beds.AreRows() && !isBedOfPlaces;
+  std::atomic<bool> isOdd{ false }; // a wet point has no water by level and bed
+  const auto make = [&](const double* level, const double* bed, const double* depth, vtkIdType i,
+                      vtkIdType count) {
+    const auto at = static_cast<size_t>(i);
+    const water_shore_rows rows = { level, bed, depth, this->Levels + i, this->Depths + i,
+      &this->Beds[at], &this->IsWet[at] };
+    return water_shore_columns(&rows, static_cast<size_t>(count), given.DryDepth);
+  };
   vtkSMPTools::For(0, mesh->GetNumberOfPoints(), [&](vtkIdType begin, vtkIdType end) {
     bool isOddHere = false;
-    for (vtkIdType i = begin; i < end; ++i)
+    const double* bedRows = isBedHere ? this->Beds.data() + begin : beds.GetRows(begin);
+    if (areRows)
     {
-      const auto at = static_cast<size_t>(i);
-      const double noBed = given.Level ? vtkMath::Nan() : places->GetComponent(i, 2);
-      const double bed = isBedHere ? this->Beds[at] : (given.Bed ? beds[i] : noBed);
-      const water_column column = water_shore_column(levels[i], bed, depths[i], given.DryDepth);
-      this->IsWet[at] = column.is_wet;
-      this->Beds[at] = column.bed;
-      this->Levels[at] = column.is_wet ? column.level : vtkMath::Nan();
-      this->Finish(i);
-      isOddHere = isOddHere || (column.is_wet && !(this->Depths[at] > 0.0));
+      isOddHere = make(levels.GetRows(begin), bedRows, depths.GetRows(begin), begin, end - begin);
+    }
+    for (vtkIdType i = begin; i < end && !areRows; ++i)
+    {
+      const double level = levels[i];
+      const double depth = depths[i];
+      const double bed = isBedHere ? this->Beds[static_cast<size_t>(i)]
+        : isBedOfPlaces            ? places->GetComponent(i, 2)
+                                   : beds[i];
+      isOddHere = make(&level, &bed, &depth, i, 1) || isOddHere;
     }
     if (isOddHere)
     {
@@ -150,14 +167,14 @@ void vtkWaterColumns::MakeOfPoints(vtkPolyData* mesh, const Given& given)
   }
   else // the cells with wet and dry points are those that the shore cuts: one walk finds both
   {
-    this->Cells.Classify(mesh->GetPolys(), this->Depths);
+    this->Cells.Classify(mesh->GetPolys(), this->Depths, &this->Chunks);
     this->AreCellsKnown = true;
     this->SpreadOver(mesh, { this->Cells.CutCells });
   }
 }
 
 //------------------------------------------------------------------------------
-void vtkWaterColumns::ShareCells(vtkCellArray* polygons, vtkWaterShoreCells& cells) const
+void vtkWaterColumns::ShareCells(vtkCellArray* polygons, vtkWaterShoreCells& cells)
 {
   if (this->AreCellsKnown)
   {
@@ -165,7 +182,7 @@ void vtkWaterColumns::ShareCells(vtkCellArray* polygons, vtkWaterShoreCells& cel
   }
   else
   {
-    cells.Classify(polygons, this->Depths);
+    cells.Classify(polygons, this->Depths, &this->Chunks);
   }
 }
 

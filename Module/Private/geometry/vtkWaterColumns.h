@@ -7,6 +7,8 @@
 #include "vtkDoubleArray.h"
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
+#include "vtkWaterCellChunks.h"
+#include "vtkWaterKept.h"
 #include "vtkWaterShoreCells.h"
 #include "water_shore.h"
 
@@ -39,12 +41,12 @@ public:
   // At each point; a point far from all water has its own bed as the level.
   const double* GetLevels() const { return this->Levels; }
   const double* GetDepths() const { return this->Depths; }
-  // The same, for a surface to keep: another Make leaves them alone.
+  // The same, for a surface to keep: another Make leaves them alone while anybody has them.
   vtkDoubleArray* GetLevelArray() const { return this->LevelArray; }
   vtkDoubleArray* GetDepthArray() const { return this->DepthArray; }
 
   // Which polygons of the mesh are under water, by the depths.
-  void ShareCells(vtkCellArray* polygons, vtkWaterShoreCells& cells) const;
+  void ShareCells(vtkCellArray* polygons, vtkWaterShoreCells& cells);
 
   // Do the data say where the water ends? Else the depths are of no use but their signs.
   bool HasDepths() const { return this->AreDepthsKnown; }
@@ -65,6 +67,8 @@ private:
   void Finish(vtkIdType point);
   void FindDykes(vtkPolyData* mesh);
 
+  vtkWaterKept<vtkDoubleArray> KeptLevels;
+  vtkWaterKept<vtkDoubleArray> KeptDepths;
   vtkSmartPointer<vtkDoubleArray> LevelArray;
   vtkSmartPointer<vtkDoubleArray> DepthArray;
   double* Levels = nullptr; // of the arrays; NaN: not known
@@ -74,7 +78,8 @@ private:
   std::vector<char> IsWet;     // points: the bed alone says where the water ends
   std::vector<char> IsCellWet; // of data of cells; else empty
   std::vector<vtkIdType> Dykes;
-  vtkWaterShoreCells Cells; // if they are known
+  vtkWaterCellChunks Chunks; // of the mesh
+  vtkWaterShoreCells Cells;  // if they are known
   bool AreCellsKnown = false;
 };
 

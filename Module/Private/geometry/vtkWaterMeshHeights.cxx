@@ -49,6 +49,30 @@ double MeasureSlopes(vtkPointSet* data, vtkMatrix4x4* meshToWorld, const water_p
   auto* mesh = vtkPolyData::SafeDownCast(data); // asking that by cells would make it build them
   const vtkIdType count = mesh ? mesh->GetPolys()->GetNumberOfCells() : data->GetNumberOfCells();
   const vtkIdType step = std::max<vtkIdType>(count / kCells, 1);
+  const vtkWaterPlaces places(data->GetPoints());
+  const vtkWaterCellLists lists(mesh ? mesh->GetPolys() : nullptr);
+  if (places.GetDoubles() && lists.Starts) // the loop below copies each corner several times
+  {
+    const double* matrix = meshToWorld->IsIdentity() ? nullptr : &meshToWorld->Element[0][0];
+    std::vector<water_slopes> found(static_cast<size_t>(vtkWaterBlockCount(count)), slopes);
+    vtkWaterForBlocks(count, [&](vtkIdType block, vtkIdType begin, vtkIdType end) {
+      for (vtkIdType cell = (begin + step - 1) / step * step; cell < end; cell += step)
+      {
+        const int64_t* corners = lists.Corners + lists.Starts[cell];
+        const vtkIdType size = lists.Starts[cell + 1] - lists.Starts[cell];
+        if (!uncut || uncut->HasWater(reinterpret_cast<const vtkIdType*>(corners), size))
+        {
+          water_slopes_add_polygon(places.GetDoubles(), corners, static_cast<size_t>(size), matrix,
+            &found[static_cast<size_t>(block)]);
+        }
+      }
+    });
+    for (const water_slopes& ofBlock : found)
+    {
+      water_slopes_join(&ofBlock, &slopes);
+    }
+    return water_slopes_rms(&slopes);
+  }
   vtkNew<vtkIdList> points;
   for (vtkIdType cell = 0; cell < count; cell += step)
   {
@@ -103,11 +127,18 @@ vtkWaterMesh vtkWaterMeshHeights::Measure(
   const vtkIdType count = points->GetNumberOfPoints();
   std::vector<water_flatness> found(static_cast<size_t>(vtkWaterBlockCount(count)), flatness);
   vtkWaterForBlocks(count, [&](vtkIdType block, vtkIdType begin, vtkIdType end) {
+    water_flatness* all = &found[static_cast<size_t>(block)];
+    if (places.GetDoubles())
+    {
+      water_flatness_add_points(
+        places.GetDoubles() + 3 * begin, static_cast<size_t>(end - begin), all);
+      return;
+    }
     double point[3];
     for (vtkIdType i = begin; i < end; ++i)
     {
       places.Get(i, point);
-      water_flatness_add(point, &found[static_cast<size_t>(block)]);
+      water_flatness_add(point, all);
     }
   });
   for (const water_flatness& ofBlock : found)

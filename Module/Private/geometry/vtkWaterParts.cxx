@@ -11,6 +11,7 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkWaterCellChunks.h"
 #include "vtkWaterPolygons.h"
 #include "vtkWaterWetPolygons.h"
 #include "water_regions.h"
@@ -20,7 +21,7 @@
 
 namespace
 {
-constexpr int64_t kNone = -1;
+constexpr int32_t kNone = -1;
 void AddField(vtkPolyData* polygons, const char* name, const double* values, int count)
 {
   vtkNew<vtkDoubleArray> array;
@@ -39,12 +40,48 @@ size_t Index(int64_t number)
 }
 
 //------------------------------------------------------------------------------
+size_t vtkWaterParts::CountChunks() const
+{
+  return this->Shore ? this->Shore->Chunks->GetCount() : 0;
+}
+
+//------------------------------------------------------------------------------
 void vtkWaterParts::Join(vtkPolyData* mesh)
 {
-  this->Parents.resize(Index(mesh->GetNumberOfPoints()));
+  const size_t points = Index(mesh->GetNumberOfPoints());
+  const size_t chunks = this->CountChunks();
+  this->Parents.resize(points + chunks);
   water_regions_begin(this->Parents.data(), this->Parents.size());
-  vtkWaterForEachCell(
-    mesh->GetPolys(), [this](vtkIdType cell, const vtkIdType* points, vtkIdType count) {
+  if (chunks == 0)
+  {
+    this->JoinCells(mesh, 0, mesh->GetNumberOfPolys());
+    return;
+  }
+  static_assert(vtkWaterShoreCells::Dry == 0 && vtkWaterShoreCells::Wet == 1, "as the core has it");
+  this->Shore->Chunks->Judge(reinterpret_cast<const char*>(this->Shore->Kinds.data()));
+  for (size_t chunk = 0; chunk < chunks; ++chunk)
+  {
+    const water_chunk_kind kind = this->Shore->Chunks->KindOf(chunk);
+    if (kind == WATER_CHUNK_PART || kind == WATER_CHUNK_RIM)
+    {
+      this->JoinCells(
+        mesh, this->Shore->Chunks->BeginOf(chunk), this->Shore->Chunks->BeginOf(chunk + 1));
+    }
+    if (kind == WATER_CHUNK_RIM) // it is one region, with that of any of its points
+    {
+      const int64_t same[2] = { static_cast<int64_t>(points + chunk),
+        this->Shore->Chunks->FirstPointOf(chunk) };
+      water_regions_join(this->Parents.data(), same, 2);
+    }
+  }
+  this->Shore->Chunks->Join(this->Parents.data(), points);
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterParts::JoinCells(vtkPolyData* mesh, vtkIdType begin, vtkIdType end)
+{
+  vtkWaterForCells(
+    mesh->GetPolys(), begin, end, [this](vtkIdType cell, const vtkIdType* points, vtkIdType count) {
       static_assert(sizeof(vtkIdType) == sizeof(int64_t), "VTK's numbers are those of the core");
       if (this->IsWhole(cell))
       {
@@ -96,20 +133,52 @@ int64_t vtkWaterParts::RegionOf(vtkIdType cell, const vtkIdType* points, vtkIdTy
 //------------------------------------------------------------------------------
 void vtkWaterParts::Number(vtkPolyData* mesh)
 {
-  std::vector<int64_t> partOfPoint(this->Parents.size(), kNone); // of those that stand for a region
-  this->PartOfCell.assign(Index(mesh->GetNumberOfPolys()), kNone);
+  this->PartOfPoint.assign(this->Parents.size(), kNone);
+  this->PartOfCell.resize(Index(mesh->GetNumberOfPolys()));
   this->PartCount = 0;
   this->SharedCount = 0;
   this->UnplacedCount = 0;
-  vtkWaterForEachCell(
-    mesh->GetPolys(), [&](vtkIdType cell, const vtkIdType* points, vtkIdType count) {
-      if (count < 3 || (this->Shore && this->Shore->Kinds[Index(cell)] == vtkWaterShoreCells::Dry))
-      {
-        return;
-      }
-      int64_t& part = partOfPoint[Index(this->RegionOf(cell, points, count))];
-      part = part == kNone ? static_cast<int64_t>(this->PartCount++) : part;
-      this->PartOfCell[Index(cell)] = part;
+  const size_t chunks = this->CountChunks();
+  if (chunks == 0)
+  {
+    this->NumberCells(mesh, 0, mesh->GetNumberOfPolys());
+    return;
+  }
+  const size_t points = Index(mesh->GetNumberOfPoints());
+  for (size_t chunk = 0; chunk < chunks; ++chunk) // in the order of cells, as without chunks
+  {
+    const vtkIdType begin = this->Shore->Chunks->BeginOf(chunk);
+    const vtkIdType end = this->Shore->Chunks->BeginOf(chunk + 1);
+    if (this->Shore->Chunks->KindOf(chunk) == WATER_CHUNK_PART)
+    {
+      this->NumberCells(mesh, begin, end);
+      continue;
+    }
+    const int32_t part = this->Shore->Chunks->KindOf(chunk) == WATER_CHUNK_LAND
+      ? kNone
+      : this->NumberOf(
+          water_regions_find(this->Parents.data(), static_cast<int64_t>(points + chunk)));
+    std::fill(this->PartOfCell.begin() + begin, this->PartOfCell.begin() + end, part);
+  }
+}
+
+//------------------------------------------------------------------------------
+int32_t vtkWaterParts::NumberOf(int64_t region)
+{
+  int32_t& part = this->PartOfPoint[Index(region)];
+  part = part == kNone ? static_cast<int32_t>(this->PartCount++) : part;
+  return part;
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterParts::NumberCells(vtkPolyData* mesh, vtkIdType begin, vtkIdType end)
+{
+  vtkWaterForCells(
+    mesh->GetPolys(), begin, end, [&](vtkIdType cell, const vtkIdType* points, vtkIdType count) {
+      const bool isLand =
+        count < 3 || (this->Shore && this->Shore->Kinds[Index(cell)] == vtkWaterShoreCells::Dry);
+      this->PartOfCell[Index(cell)] =
+        isLand ? kNone : this->NumberOf(this->RegionOf(cell, points, count));
     });
 }
 
@@ -127,7 +196,7 @@ void vtkWaterParts::Fit(
   std::vector<double> corners;
   vtkWaterForCells(
     mesh->GetPolys(), begin, end, [&](vtkIdType cell, const vtkIdType* points, vtkIdType count) {
-      int64_t& part = this->PartOfCell[Index(cell)];
+      int32_t& part = this->PartOfCell[Index(cell)];
       if (part == kNone || !this->IsWhole(cell))
       {
         return;
@@ -151,7 +220,7 @@ void vtkWaterParts::FitRuns(const double* points, const vtkWaterCellLists& lists
 {
   for (vtkIdType cell = begin; cell < end;)
   {
-    const int64_t part = this->IsWhole(cell) ? this->PartOfCell[Index(cell)] : kNone;
+    const int32_t part = this->IsWhole(cell) ? this->PartOfCell[Index(cell)] : kNone;
     vtkIdType next = cell + 1;
     while (
       part != kNone && next < end && this->PartOfCell[Index(next)] == part && this->IsWhole(next))
@@ -202,7 +271,7 @@ void vtkWaterParts::FitCut(vtkPolyData* mesh)
 {
   const vtkWaterPlaces places(mesh->GetPoints());
   std::vector<double> corners;
-  const auto addPart = [&](int64_t& part, const water_shore_corner* wet, const vtkIdType* own,
+  const auto addPart = [&](int32_t& part, const water_shore_corner* wet, const vtkIdType* own,
                          size_t made) {
     corners.resize(3 * made);
     for (size_t i = 0; i < made; ++i)
@@ -223,7 +292,7 @@ void vtkWaterParts::FitCut(vtkPolyData* mesh)
   {
     vtkWaterForCells(
       mesh->GetPolys(), cell, cell + 1, [&](vtkIdType, const vtkIdType* points, vtkIdType count) {
-        int64_t& part = this->PartOfCell[Index(cell)];
+        int32_t& part = this->PartOfCell[Index(cell)];
         vtkWaterForWetParts(this->Shore->Depths, points, count,
           [&](const water_shore_corner* wet, const vtkIdType* own, size_t made) {
             addPart(part, wet, own, made);
@@ -235,7 +304,7 @@ void vtkWaterParts::FitCut(vtkPolyData* mesh)
 //------------------------------------------------------------------------------
 int64_t vtkWaterParts::PlaneOf(vtkIdType cell) const
 {
-  const int64_t part = this->PartOfCell[Index(cell)];
+  const int32_t part = this->PartOfCell[Index(cell)];
   return part == kNone ? kNone : this->PlaneOfPart[Index(part)];
 }
 
@@ -330,13 +399,13 @@ void vtkWaterParts::Find(
   }
   for (size_t cell = 0; cell < this->PartOfCell.size(); ++cell)
   {
-    const int64_t part = this->PartOfCell[cell];
+    const int32_t part = this->PartOfCell[cell];
     if (part != kNone && this->PlaneOfPart[Index(part)] != kNone)
     {
       this->Cells[Index(this->PlaneOfPart[Index(part)])].push_back(static_cast<vtkIdType>(cell));
     }
   }
-  this->Extracted.assign(this->Parents.size(), kNone);
+  this->Extracted.assign(Index(mesh->GetNumberOfPoints()), kNone);
 }
 
 //------------------------------------------------------------------------------

@@ -53,8 +53,11 @@ public:
 
 private:
   void Join(vtkPolyData* mesh);
+  void JoinCells(vtkPolyData* mesh, vtkIdType begin, vtkIdType end);
   // Of a cell that the shore cuts: the corners that are under water, or on the shore.
   void JoinCut(const vtkIdType* points, vtkIdType count);
+  // Of the mesh, if it comes again; else 0.
+  size_t CountChunks() const;
   // The part of a cell's water.
   int64_t RegionOf(vtkIdType cell, const vtkIdType* points, vtkIdType count);
   // Is all of a cell in a part?
@@ -65,6 +68,8 @@ private:
   // What is under water of the cells that the shore cuts.
   void FitCut(vtkPolyData* mesh);
   void Number(vtkPolyData* mesh);
+  void NumberCells(vtkPolyData* mesh, vtkIdType begin, vtkIdType end);
+  int32_t NumberOf(int64_t region);
   void Fit(vtkPolyData* mesh, vtkIdType begin, vtkIdType end, std::vector<water_fit>& fits);
   // The same for runs of cells of one part, without copies of their corners.
   void FitRuns(const double* points, const vtkWaterCellLists& lists, vtkIdType begin, vtkIdType end,
@@ -76,8 +81,9 @@ private:
   size_t SharedCount = 0;
   std::atomic<size_t> UnplacedCount{ 0 };
   std::vector<int64_t> Joined;     // corners of one cell
-  std::vector<int64_t> Parents;    // of points
-  std::vector<int64_t> PartOfCell; // none: it has less than three points, or one that is not finite
+  std::vector<int64_t> Parents;    // of points and, after them, of chunks
+  std::vector<int32_t> PartOfCell; // none: it has less than three points, or one that is not finite
+  std::vector<int32_t> PartOfPoint; // of those that stand for a region, and of chunks
   size_t PartCount = 0;
   std::vector<water_fit> Fits;      // of the parts
   std::vector<int64_t> PlaneOfPart; // none: it has no area

@@ -41,7 +41,10 @@ public:
   {
     if (this->Doubles) // a virtual call for each point costs as much as what is done with it
     {
-      std::copy_n(this->Doubles + 3 * point, 3, place);
+      const double* own = this->Doubles + 3 * point;
+      place[0] = own[0]; // std::copy_n calls a function, which takes longer
+      place[1] = own[1];
+      place[2] = own[2];
       return;
     }
     this->Array->GetTuple(point, place);
@@ -60,7 +63,7 @@ struct vtkWaterCellLists
 {
   explicit vtkWaterCellLists(vtkCellArray* cells)
   {
-    if (cells->IsStorage64Bit())
+    if (cells && cells->IsStorage64Bit())
     {
       this->Starts = reinterpret_cast<const int64_t*>(cells->GetOffsetsArray64()->GetPointer(0));
       this->Corners =

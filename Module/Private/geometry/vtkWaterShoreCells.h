@@ -5,9 +5,11 @@
 
 #include "vtkType.h"
 
+#include <cstddef>
 #include <vector>
 
 class vtkCellArray;
+class vtkWaterCellChunks;
 
 struct vtkWaterShoreCells
 {
@@ -19,11 +21,20 @@ struct vtkWaterShoreCells
   };
 
   // depths  of points, finite, below 0 on land; kept, not copied
-  void Classify(vtkCellArray* polygons, const double* depths);
+  // chunks  of the polygons; kept, too
+  void Classify(vtkCellArray* polygons, const double* depths, vtkWaterCellChunks* chunks);
 
   const double* Depths = nullptr;
+  vtkWaterCellChunks* Chunks = nullptr;
   std::vector<Kind> Kinds;
   std::vector<vtkIdType> CutCells; // in order
+
+private:
+  // Of some cells; adds those that are cut.
+  void ClassifyCells(
+    vtkCellArray* polygons, vtkIdType begin, vtkIdType end, std::vector<vtkIdType>& cut);
+  void ClassifyChunks(
+    vtkCellArray* polygons, size_t begin, size_t end, std::vector<vtkIdType>& cut);
 };
 
 #endif

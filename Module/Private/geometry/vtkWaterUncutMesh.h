@@ -26,6 +26,10 @@ public:
   void SetDistances(vtkFloatArray* distances) { this->Distances = distances; }
   vtkFloatArray* GetDistances() const { return this->Distances; }
 
+  // Points and polygons as the solver has them, if they are those of this mesh; else nullptr.
+  void SetSolvedMesh(vtkPolyData* mesh) { this->SolvedMesh = mesh; }
+  vtkPolyData* GetSolvedMesh() const { return this->SolvedMesh; }
+
   // The z of a point is so many times its level.
   void SetHeightScale(double scale) { this->HeightScale = scale; }
   double GetHeightScale() const { return this->HeightScale; }
@@ -50,6 +54,7 @@ private:
   void operator=(const vtkWaterUncutMesh&) = delete;
 
   vtkSmartPointer<vtkFloatArray> Distances;
+  vtkSmartPointer<vtkPolyData> SolvedMesh;
   double HeightScale = 1.0;
 };
 #ifdef VTK_ABI_NAMESPACE_BEGIN

@@ -1,18 +1,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkWaterUncutSurface.h"
 
+#include "vtkBoundingBox.h"
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
+#include "vtkInformation.h"
+#include "vtkInformationDoubleVectorKey.h"
+#include "vtkInformationInformationVectorKey.h"
+#include "vtkInformationVector.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
+#include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkSMPTools.h"
+#include "vtkWaterCellChunks.h"
 #include "vtkWaterColumns.h"
 #include "vtkWaterPolygons.h"
 #include "vtkWaterVertexNormals.h"
 #include "water_shore.h"
 
 #include <algorithm>
+#include <array>
 
 namespace
 {
@@ -44,20 +52,46 @@ vtkIdType WetCornerOf(vtkCellArray* polygons, vtkIdType cell, const double* dept
   return found;
 }
 
-vtkSmartPointer<vtkFloatArray> DistancesOf(const double* depths, vtkIdType count)
+void FillDistances(const double* depths, vtkFloatArray* made)
 {
-  auto made = vtkSmartPointer<vtkFloatArray>::New();
-  made->SetNumberOfValues(count);
   float* distances = made->GetPointer(0);
-  vtkSMPTools::For(0, count, [depths, distances](vtkIdType begin, vtkIdType end) {
-    water_shore_distances(depths + begin, static_cast<size_t>(end - begin), distances + begin);
-  });
-  return made;
+  vtkSMPTools::For(
+    0, made->GetNumberOfValues(), [depths, distances](vtkIdType begin, vtkIdType end) {
+      water_shore_distances(depths + begin, static_cast<size_t>(end - begin), distances + begin);
+    });
 }
+
+// Tells VTK the ranges of an array's columns, which it asks before it sends points to a graphics
+// card, and which it would find by another walk. A change of the array makes it forget them.
+void TellRanges(vtkDataArray* array, const double bounds[6])
+{
+  vtkNew<vtkInformationVector> columns;
+  columns->SetNumberOfInformationObjects(3);
+  for (int i = 0; i < 3; ++i)
+  {
+    columns->GetInformationObject(i)->Set(vtkDataArray::COMPONENT_RANGE(), bounds + 2 * i, 2);
+  }
+  array->GetInformation()->Set(vtkAbstractArray::PER_COMPONENT(), columns);
+}
+
+// Points whose bounds are known: VTK need not look for them.
+class BoundedPoints : public vtkPoints
+{
+public:
+  static BoundedPoints* New() { VTK_STANDARD_NEW_BODY(BoundedPoints); }
+
+  void SetPlaces(vtkDoubleArray* places, const double bounds[6])
+  {
+    this->SetData(places);
+    TellRanges(places, bounds);
+    std::copy_n(bounds, 6, this->Bounds);
+    this->ComputeTime.Modified();
+  }
+};
 }
 
 //------------------------------------------------------------------------------
-void vtkWaterUncutSurface::Classify(const Given& given, const vtkWaterColumns& columns)
+void vtkWaterUncutSurface::Classify(const Given& given, vtkWaterColumns& columns)
 {
   const double* depths = columns.GetDepths();
   vtkCellArray* polygons = given.Mesh->GetPolys();
@@ -94,36 +128,59 @@ void vtkWaterUncutSurface::Place(
   const Given& given, const vtkWaterColumns& columns, vtkIdType still)
 {
   const vtkIdType count = given.Mesh->GetNumberOfPoints();
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  points->SetNumberOfPoints(count);
-  double* made = static_cast<double*>(points->GetVoidPointer(0));
+  double* made = this->Places->GetPointer(0);
   const double* depths = columns.GetDepths();
   const double* levels = columns.GetLevels();
   const vtkWaterPlaces places(given.Mesh->GetPoints());
-  const auto place = [&](vtkIdType point, vtkIdType from) {
-    places.Get(from, made + 3 * point);
-    made[3 * point + 2] = given.Scale * levels[from];
-  };
-  vtkSMPTools::For(0, count, [&](vtkIdType begin, vtkIdType end) {
-    for (vtkIdType point = begin; point < end; ++point)
+  double land[3]; // where it lies
+  places.Get(still, land);
+  land[2] = given.Scale * levels[still];
+  const std::array<double, 6> begun = { land[0], land[0], land[1], land[1], land[2], land[2] };
+  std::vector<std::array<double, 6>> bounds(Index(vtkWaterBlockCount(count)), begun);
+  vtkWaterForBlocks(count, [&](vtkIdType block, vtkIdType begin, vtkIdType end) {
+    double* all = bounds[Index(block)].data();
+    if (places.GetDoubles())
     {
-      place(point, depths[point] > 0.0 ? point : still);
+      water_shore_places(places.GetDoubles() + 3 * begin, levels + begin, depths + begin,
+        Index(end - begin), given.Scale, land, made + 3 * begin, all);
+      return;
+    }
+    for (vtkIdType i = begin; i < end; ++i)
+    {
+      double point[3];
+      places.Get(i, point);
+      water_shore_places(point, levels + i, depths + i, 1, given.Scale, land, made + 3 * i, all);
     }
   });
+  vtkBoundingBox box;
+  for (const std::array<double, 6>& ofBlock : bounds)
+  {
+    box.AddBounds(ofBlock.data());
+  }
+  std::array<double, 6> all;
+  box.GetBounds(all.data());
+  static const double wet = 1.0; // the dry corners beside the water are needed, too
   for (vtkIdType cell : this->Cells.CutCells)
   {
     vtkWaterForCells(given.Mesh->GetPolys(), cell, cell + 1,
       [&](vtkIdType, const vtkIdType* corners, vtkIdType size) {
-        std::for_each(corners, corners + size, [&](vtkIdType point) { place(point, point); });
+        std::for_each(corners, corners + size, [&](vtkIdType i) {
+          double point[3];
+          places.Get(i, point);
+          water_shore_places(
+            point, levels + i, &wet, 1, given.Scale, land, made + 3 * i, all.data());
+        });
       });
   }
+  this->Places->Modified();
+  vtkNew<BoundedPoints> points;
+  points->SetPlaces(this->Places, all.data());
   this->Whole->SetPoints(points);
 }
 
 //------------------------------------------------------------------------------
 // Long because a surface is made in many steps, whose order matters.
-bool vtkWaterUncutSurface::Make(const Given& given, const vtkWaterColumns& columns)
+bool vtkWaterUncutSurface::Make(const Given& given, vtkWaterColumns& columns)
 {
   this->Blocks.clear();
   this->Classify(given, columns);
@@ -145,10 +202,13 @@ bool vtkWaterUncutSurface::Make(const Given& given, const vtkWaterColumns& colum
   this->Whole->GetPointData()->SetNormals(nullptr);
   this->Whole->GetPointData()->SetTangents(nullptr);
   this->Whole->GetCellData()->SetNormals(nullptr);
-  columns.GetLevelArray()->SetName(vtkWaterColumns::LevelName);
-  columns.GetDepthArray()->SetName(vtkWaterColumns::DepthName);
   this->Whole->GetPointData()->AddArray(columns.GetLevelArray());
   this->Whole->GetPointData()->AddArray(columns.GetDepthArray());
+  vtkNew<vtkPolyData> solved;
+  solved->SetPoints(given.Mesh->GetPoints());
+  solved->SetPolys(given.Mesh->GetPolys());
+  this->Whole->SetSolvedMesh(solved);
+  this->Places = this->KeptPlaces.Take("Points", 3, given.Mesh->GetNumberOfPoints());
   this->Place(given, columns,
     WetCornerOf(given.Mesh->GetPolys(), static_cast<vtkIdType>(first - kinds.begin()), depths));
   this->Parts.Find(this->Whole, given.Up, given.MostPlanes, &this->Cells);
@@ -184,7 +244,19 @@ bool vtkWaterUncutSurface::Make(const Given& given, const vtkWaterColumns& colum
     this->Blocks[i]->SetHeightScale(given.Scale);
   }
   this->Whole = nullptr;
+  this->Places = nullptr;
   return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkWaterUncutSurface::Forget()
+{
+  this->Blocks.clear();
+  this->Whole = nullptr;
+  this->Places = nullptr;
+  this->KeptPlaces.Forget();
+  this->KeptDistances.Forget();
+  this->KeptNormals.Forget();
 }
 
 //------------------------------------------------------------------------------
@@ -219,15 +291,20 @@ void vtkWaterUncutSurface::Leave(const Given& given, const vtkWaterColumns& colu
 }
 
 //------------------------------------------------------------------------------
-void vtkWaterUncutSurface::Finish(size_t plane, vtkWaterUncutMesh* block, bool isWhole) const
+void vtkWaterUncutSurface::Finish(size_t plane, vtkWaterUncutMesh* block, bool isWhole)
 {
   auto* depths =
     vtkArrayDownCast<vtkDoubleArray>(block->GetPointData()->GetArray(vtkWaterColumns::DepthName));
-  block->SetDistances(DistancesOf(depths->GetPointer(0), depths->GetNumberOfTuples()));
+  const vtkIdType count = depths->GetNumberOfTuples();
+  vtkWaterKept<vtkFloatArray> own; // the parts of a mesh are of another size in each step
+  auto distances = (isWhole ? &this->KeptDistances : &own)->Take("distances", 1, count);
+  FillDistances(depths->GetPointer(0), distances);
+  block->SetDistances(distances);
   if (!this->Parts.GetPlanes()[plane].IsFlat)
   {
-    block->GetPointData()->SetNormals(
-      vtkWaterVertexNormals(block, isWhole ? &this->Cells : nullptr).Get());
+    block->GetPointData()->SetNormals(vtkWaterVertexNormals(block, isWhole ? &this->Cells : nullptr,
+      isWhole ? &this->KeptNormals : nullptr, isWhole ? this->Cells.Chunks->GetBlocks() : nullptr)
+                                        .Get());
   }
   this->Parts.Describe(plane, block);
   block->SetWetBounds(this->Parts.GetPlanes()[plane].Bounds);

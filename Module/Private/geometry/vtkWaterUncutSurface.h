@@ -6,6 +6,7 @@
 #define vtkWaterUncutSurface_h
 
 #include "vtkSmartPointer.h"
+#include "vtkWaterKept.h"
 #include "vtkWaterParts.h"
 #include "vtkWaterUncutMesh.h"
 #include "water_shore_draw.h"
@@ -29,10 +30,10 @@ public:
   };
 
   // Returns whether the drawn meshes show the same as the cut one; false: there are none.
-  bool Make(const Given& given, const vtkWaterColumns& columns);
+  bool Make(const Given& given, vtkWaterColumns& columns);
 
   // There is no water.
-  void Forget() { this->Blocks.clear(); }
+  void Forget();
 
   // Of the waters, one for each plane, that of the largest part first: with the arrays and field
   // data of the blocks of vtkWaterPlanesFilter.
@@ -40,17 +41,21 @@ public:
 
 private:
   // Which cells have water; counts what a drawing cannot show.
-  void Classify(const Given& given, const vtkWaterColumns& columns);
+  void Classify(const Given& given, vtkWaterColumns& columns);
   // Puts all points to their places; those of dry cells to the place of one that has water.
   void Place(const Given& given, const vtkWaterColumns& columns, vtkIdType still);
   // Makes land of the water in all other planes.
   void Leave(const Given& given, const vtkWaterColumns& columns, size_t plane);
-  void Finish(size_t plane, vtkWaterUncutMesh* block, bool isWhole) const;
+  void Finish(size_t plane, vtkWaterUncutMesh* block, bool isWhole);
 
   vtkWaterShoreCells Cells;
   water_shore_facts Facts = water_shore_facts();
   vtkWaterParts Parts;
   vtkSmartPointer<vtkWaterUncutMesh> Whole;
+  vtkSmartPointer<vtkDoubleArray> Places; // its points
+  vtkWaterKept<vtkDoubleArray> KeptPlaces;
+  vtkWaterKept<vtkFloatArray> KeptDistances;
+  vtkWaterKept<vtkFloatArray> KeptNormals;
   std::vector<vtkSmartPointer<vtkWaterUncutMesh>> Blocks;
 };
 

@@ -3,6 +3,7 @@
 
 #include "vtkFloatArray.h"
 #include "vtkPolyData.h"
+#include "vtkWaterCellChunks.h"
 #include "vtkWaterPolygons.h"
 #include "vtkWaterShoreCells.h"
 #include "water_polygon.h"
@@ -12,46 +13,88 @@
 
 namespace
 {
-// The same sums without a list of the cells' normals, which several threads need.
-template <typename Predicate>
-void AddInOrder(const double* points, const vtkWaterCellLists& lists, vtkIdType count,
-  Predicate isLand, float* sums)
+// Calls function(begin, end) for rows of cells that are not land.
+template <typename Predicate, typename Function>
+void ForRows(vtkIdType begin, vtkIdType end, Predicate isLand, Function function)
 {
-  for (vtkIdType cell = 0; cell < count;)
+  for (vtkIdType cell = begin; cell < end;)
   {
     vtkIdType next = cell;
-    while (next < count && !isLand(next))
+    while (next < end && !isLand(next))
     {
       ++next;
     }
-    water_polygon_add_normals(
-      points, lists.Starts + cell, lists.Corners, static_cast<size_t>(next - cell), sums);
+    if (next > cell)
+    {
+      function(cell, next);
+    }
     cell = next + 1;
+  }
+}
+
+// The same sums without a list of the cells' normals: by one thread, or by several of which each
+// adds to the points that no block before its own has; the others follow, in the order of cells.
+template <typename Predicate>
+void AddInPlace(const double* points, vtkCellArray* cells, Predicate isLand,
+  const vtkWaterCellBlocks* blocks, float* sums)
+{
+  const vtkWaterCellLists lists(cells);
+  const auto add = [&](vtkIdType begin, vtkIdType end, const water_polygon_share* share) {
+    const auto count = static_cast<size_t>(end - begin);
+    const int64_t* starts = lists.Starts + begin;
+    share ? water_polygon_add_shared_normals(points, starts, lists.Corners, count, share, sums)
+          : water_polygon_add_normals(points, starts, lists.Corners, count, sums);
+  };
+  const auto shareOf = [&](vtkIdType block, bool isOwned) {
+    return water_polygon_share{ blocks->FirstBlocks.data(), static_cast<uint16_t>(block), isOwned };
+  };
+  if (!blocks)
+  {
+    ForRows(0, cells->GetNumberOfCells(), isLand,
+      [&](vtkIdType begin, vtkIdType end) { add(begin, end, nullptr); });
+    return;
+  }
+  vtkWaterForBlocks(
+    cells->GetNumberOfCells(), [&](vtkIdType block, vtkIdType first, vtkIdType last) {
+      const water_polygon_share share = shareOf(block, true);
+      ForRows(
+        first, last, isLand, [&](vtkIdType begin, vtkIdType end) { add(begin, end, &share); });
+    });
+  for (vtkIdType cell : blocks->SharedCells)
+  {
+    const water_polygon_share share = shareOf(cell / vtkWaterBlockSize, false);
+    if (!isLand(cell))
+    {
+      add(cell, cell + 1, &share);
+    }
   }
 }
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkFloatArray> vtkWaterVertexNormals(
-  vtkPolyData* mesh, const vtkWaterShoreCells* shore)
+vtkSmartPointer<vtkFloatArray> vtkWaterVertexNormals(vtkPolyData* mesh,
+  const vtkWaterShoreCells* shore, vtkWaterKept<vtkFloatArray>* kept,
+  const vtkWaterCellBlocks* blocks)
 {
   const auto isLand = [shore](vtkIdType cell) {
     return shore && shore->Kinds[static_cast<size_t>(cell)] == vtkWaterShoreCells::Dry;
   };
   const vtkIdType count = mesh->GetNumberOfPoints();
-  const auto normals = vtkSmartPointer<vtkFloatArray>::New();
-  normals->SetName("Normals");
-  normals->SetNumberOfComponents(3);
-  normals->SetNumberOfTuples(count);
+  vtkWaterKept<vtkFloatArray> alone;
+  const vtkSmartPointer<vtkFloatArray> normals = (kept ? kept : &alone)->Take("Normals", 3, count);
   float* all = normals->GetPointer(0);
-  std::fill_n(all, 3 * count, 0.0f);
+  vtkSMPTools::For(0, count,
+    [all](vtkIdType begin, vtkIdType end) { std::fill(all + 3 * begin, all + 3 * end, 0.0f); });
+  const auto finish = [all](vtkIdType begin, vtkIdType end) {
+    water_polygon_unit_normals(all + 3 * begin, static_cast<size_t>(end - begin));
+  };
   const vtkWaterPlaces places(mesh->GetPoints());
   vtkCellArray* cells = mesh->GetPolys();
-  const vtkWaterCellLists lists(cells);
-  if (places.GetDoubles() && lists.Starts && vtkSMPTools::GetEstimatedNumberOfThreads() == 1)
+  const bool isAlone = vtkSMPTools::GetEstimatedNumberOfThreads() == 1;
+  if (places.GetDoubles() && vtkWaterCellLists(cells).Starts && (isAlone || blocks))
   {
-    AddInOrder(places.GetDoubles(), lists, cells->GetNumberOfCells(), isLand, all);
-    water_polygon_unit_normals(all, static_cast<size_t>(count));
+    AddInPlace(places.GetDoubles(), cells, isLand, isAlone ? nullptr : blocks, all);
+    vtkSMPTools::For(0, count, finish);
     return normals;
   }
   std::vector<float> ofCells(3 * static_cast<size_t>(cells->GetNumberOfCells()));
@@ -87,8 +130,6 @@ vtkSmartPointer<vtkFloatArray> vtkWaterVertexNormals(
       sum[2] += normal[2];
     }
   });
-  vtkSMPTools::For(0, count, [all](vtkIdType begin, vtkIdType end) {
-    water_polygon_unit_normals(all + 3 * begin, static_cast<size_t>(end - begin));
-  });
+  vtkSMPTools::For(0, count, finish);
   return normals;
 }

@@ -8,15 +8,19 @@
 #define vtkWaterVertexNormals_h
 
 #include "vtkSmartPointer.h"
+#include "vtkWaterKept.h"
 
-class vtkFloatArray;
 class vtkPolyData;
+struct vtkWaterCellBlocks;
 struct vtkWaterShoreCells;
 
 // (0, 0, 0) at points without a polygon that has an area.
 //
 // shore  polygons without water are left out; nullptr: there are none
-vtkSmartPointer<vtkFloatArray> vtkWaterVertexNormals(
-  vtkPolyData* mesh, const vtkWaterShoreCells* shore = nullptr);
+// kept   the array is of these; nullptr: it is new
+// blocks of the mesh's cells, if they are known: several threads are faster then
+vtkSmartPointer<vtkFloatArray> vtkWaterVertexNormals(vtkPolyData* mesh,
+  const vtkWaterShoreCells* shore = nullptr, vtkWaterKept<vtkFloatArray>* kept = nullptr,
+  const vtkWaterCellBlocks* blocks = nullptr);
 
 #endif
