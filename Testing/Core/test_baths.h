@@ -56,7 +56,7 @@ static const bath baths[] = {
     { 1.333, 0.1, 0.05, { 9000, 8000 }, 16384, false } },
   // so steep that the grid is much wider than the texture, and both as large as they may be
   { { 0, 0, 10 }, { 0, 0, 0 }, { 0, 1, 0 }, { 1, 1 }, true, 3.0, { 15, 45 },
-    { 1.333, 0.3, 0.05, { 100, 100 }, 64, false } },
+    { 1.333, 0.6, 0.05, { 100, 100 }, 64, false } },
   // the horizon across the picture, tilted to either side, and upside down
   { { 0, -10, 5 }, { 0, 0, 3 }, { 0.5, 0, 1 }, { 0.8, 0.6 }, false, 2.0, { 35, 80 },
     { 1.333, 0.02, 0.1, { 800, 600 }, 16384, false } },
