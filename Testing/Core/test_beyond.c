@@ -365,9 +365,36 @@ TEST(the_own_view_has_what_stands_there_itself)
   assert_true((made.flags & WATER_PROP_VISIBLE) && (made.flags & WATER_PROP_NO_BOUNDS));
 }
 
-TESTS(a_picture_larger_than_textures_has_none, tiles_have_a_view_of_their_own,
-  band_of_a_tile_is_that_of_the_picture, the_pictures_pixels_are_pixels_of_the_own_view,
-  the_gpus_limit_narrows_the_band, what_lies_beyond_is_drawn,
-  the_clip_keeps_what_is_beyond_the_crests, refracted_rays_stay_in_the_drawn_part,
-  it_is_planned_where_the_water_is_seen, the_reflections_scale_does_not_matter,
-  rows_and_directions_follow_the_band, the_own_view_has_what_stands_there_itself)
+// Plumb lines go down in the picture from where they vanish on, and up from there, if the eye looks
+// down; if it looks up, they go away from there, and reach the whole picture.
+TEST(plumb_lines_reach_to_where_they_vanish)
+{
+  static const double inf = (double)INFINITY;
+  // y and w of the direction up in clip space; low and high y of the water; of what is reached
+  static const double rows[7][6] = { { 0.25, -0.5, -0.25, 0.5, -0.5, 0.5 }, // vanish under it
+    { 0.25, -0.5, -0.75, -0.625, -0.75, -0.5 },                             // over it
+    { 0.25, -0.5, -0.75, 0.5, -0.75, 0.5 },                                 // in it
+    { 0.5, 1.0, 0.25, 0.75, -inf, inf },                                    // from in it
+    { 0.5, 1.0, -0.5, 0.25, -inf, 0.25 },                                   // from over it
+    { 0.5, 1.0, 0.625, 0.75, 0.625, inf },                                  // from under it
+    { 0.5, 0.0, -0.5, 0.25, -inf, 0.25 } };                                 // nowhere: all go down
+  for (int i = 0; i < 7; ++i)
+  {
+    double dir_to_eye[12] = { 0.0 };
+    dir_to_eye[5] = rows[i][0];
+    dir_to_eye[11] = rows[i][1];
+    double box[4] = { -0.25, rows[i][2], 0.25, rows[i][3] };
+    water_beyond_reach(dir_to_eye, box);
+    assert_true(isinf(box[0]) && box[0] < 0.0 && isinf(box[2]) && box[2] > 0.0);
+    assert_true(box[1] <= rows[i][4] && box[1] >= rows[i][4]);
+    assert_true(box[3] <= rows[i][5] && box[3] >= rows[i][5]);
+  }
+}
+
+TESTS(plumb_lines_reach_to_where_they_vanish, a_picture_larger_than_textures_has_none,
+  tiles_have_a_view_of_their_own, band_of_a_tile_is_that_of_the_picture,
+  the_pictures_pixels_are_pixels_of_the_own_view, the_gpus_limit_narrows_the_band,
+  what_lies_beyond_is_drawn, the_clip_keeps_what_is_beyond_the_crests,
+  refracted_rays_stay_in_the_drawn_part, it_is_planned_where_the_water_is_seen,
+  the_reflections_scale_does_not_matter, rows_and_directions_follow_the_band,
+  the_own_view_has_what_stands_there_itself)

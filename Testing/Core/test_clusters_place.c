@@ -180,5 +180,28 @@ TEST(bands_mark_what_is_in_them)
   free(terrain);
 }
 
-TESTS(rounding_knows_how_far_the_origin_is, far_meshes_are_cut_as_near_ones,
-  bands_are_for_cores_and_large_meshes, bands_mark_what_is_in_them)
+// Of a half-space that leans along all axes, a box is kept if its lowest corner is: its low x, high
+// y and low z, at 2 - 2 + 4 - 3 = 1 over the plane. Each of the three alone can take it under.
+TEST(lowest_corner_decides_what_is_kept)
+{
+  static const double kept[4] = { 1.0, -2.0, 2.0, -3.0 };
+  static const double box[6] = { 2.0, 9.0, -1.0, 1.0, 2.0, 5.0 };
+  static const int ends[3] = { 0, 3, 4 };
+  static const double moved[3] = { 0.5, 2.0, 1.0 };
+  water_clusters_view view;
+  memset(&view, 0, sizeof view);
+  memcpy(view.frustum.planes[5], kept, sizeof kept);
+  assert_true(water_clusters_is_kept(&view, box));
+  for (int i = 0; i < 3; ++i)
+  {
+    double lower[6];
+    memcpy(lower, box, sizeof lower);
+    lower[ends[i]] = moved[i];
+    assert_false(water_clusters_is_kept(&view, lower));
+  }
+  view.frustum.planes[5][3] = -4.5;
+  assert_false(water_clusters_is_kept(&view, box));
+}
+
+TESTS(lowest_corner_decides_what_is_kept, rounding_knows_how_far_the_origin_is,
+  far_meshes_are_cut_as_near_ones, bands_are_for_cores_and_large_meshes, bands_mark_what_is_in_them)

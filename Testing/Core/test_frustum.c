@@ -60,6 +60,16 @@ TEST(every_plane_divides)
   assert_int_equal(water_frustum_divides(&frustum, 6, left, 1e-12), 0);
 }
 
+// What is behind a plane by less than rounding is not divided off: here by 0.05 of 1.95.
+TEST(rounding_divides_nothing_off)
+{
+  water_frustum frustum = { { { 1.0, 0.0, 0.0, -1.0 } }, 0.0, { { 0 } } };
+  const double hardly_behind[6] = { -0.5, 0.95, 0.0, 1.0, 0.0, 1.0 };
+  water_frustum_prepare(&frustum);
+  assert_int_equal(water_frustum_divides(&frustum, 6, hardly_behind, 0.1), -1);
+  assert_int_equal(water_frustum_divides(&frustum, 6, hardly_behind, 0.01), 0);
+}
+
 // Of a view in NDC the sides are those of the part of the picture, before and behind it -1 and 1.
 TEST(sides_are_those_of_the_part)
 {
@@ -77,4 +87,4 @@ TEST(sides_are_those_of_the_part)
 }
 
 TESTS(behind_by_more_than_rounding, touching_is_not_behind, every_plane_divides,
-  sides_are_those_of_the_part)
+  rounding_divides_nothing_off, sides_are_those_of_the_part)

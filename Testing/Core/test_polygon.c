@@ -180,7 +180,38 @@ TEST(shares_of_a_mesh_make_the_whole)
   assert_memory_equal(sums, expected, sizeof sums);
 }
 
-TESTS(sums_of_normals_become_units, a_triangle_s_normal_follows_the_right_hand,
+// Of five corners: the areas of three triangles about the first corner, added.
+TEST(a_pentagon_s_normal_is_that_of_its_parts)
+{
+  // in two planes that meet along the diagonal x = 2, with the area vectors (0, 0, 4) and (-2, 0,
+  // 2)
+  const double corners[15] = { 0, 0, 0, 2, 0, 0, 3, 1, 1, 2, 2, 0, 0, 2, 0 };
+  assert_normal(corners, 5, -1.0 / sqrt(26.0), 0, 5.0 / sqrt(26.0));
+}
+
+// Each point gets the normals of the polygons that it is a corner of, and no other point does.
+TEST(points_get_the_normals_of_their_polygons)
+{
+  const double points[18] = { 9, 9, 9, 0, 0, 0, 2, 0, 0, 2, 2, 0, 0, 2, 0, 0, 0, 5 };
+  const int64_t starts[4] = { 1, 5, 8, 10 };
+  // a square in z = 0, a triangle in x = 0 that looks to +x, and a line; the first corner is of
+  // none
+  const int64_t corners[10] = { 0, 1, 2, 3, 4, 1, 4, 5, 0, 3 };
+  const double expected[18] = { 1, 1, 1, 2, 1, 2, 1, 1, 2, 1, 1, 2, 2, 1, 2, 2, 1, 1 };
+  float sums[18];
+  for (int i = 0; i < 18; ++i)
+  {
+    sums[i] = 1.0f; // what was there is added to
+  }
+  water_polygon_add_normals(points, starts, corners, 3, sums);
+  for (int i = 0; i < 18; ++i)
+  {
+    ASSERT_CLOSE((double)sums[i], expected[i], 0.0);
+  }
+}
+
+TESTS(sums_of_normals_become_units, a_pentagon_s_normal_is_that_of_its_parts,
+  points_get_the_normals_of_their_polygons, a_triangle_s_normal_follows_the_right_hand,
   a_concave_polygon_has_the_normal_of_its_whole, a_bent_quad_has_the_mean_normal,
   what_has_no_area_has_no_normal, rows_of_quads_have_the_same_normals,
   shares_of_a_mesh_make_the_whole)

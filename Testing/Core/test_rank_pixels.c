@@ -5,6 +5,7 @@
 
 #include "water_rank_pixels.h"
 
+#include <stdlib.h>
 #include <string.h>
 
 enum
@@ -206,7 +207,11 @@ TEST(wrong_bytes_are_refused)
   const size_t size = water_rank_pixels_encode(&from, true, bytes);
   for (size_t i = 0; i < size; ++i)
   {
-    assert_false(water_rank_pixels_merge(bytes, i, WATER_RANK_REPLACE, &to));
+    unsigned char* given = malloc(i + 1); // sanitizers see who reads on
+    assert_non_null(given);
+    memcpy(given + 1, bytes, i);
+    assert_false(water_rank_pixels_merge(given + 1, i, WATER_RANK_REPLACE, &to));
+    free(given);
   }
   assert_false(water_rank_pixels_merge(bytes, size + 1, WATER_RANK_REPLACE, &to));
   uint64_t state = 3;

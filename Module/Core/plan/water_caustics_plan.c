@@ -31,7 +31,7 @@ static bool invert3(const double m[9], double inverse[9])
     water_vec3_cross(m + 3 * ((i + 1) % 3), m + 3 * ((i + 2) % 3), columns[i]);
   }
   const double determinant = water_vec3_dot(m, columns[0]);
-  if (!(fabs(determinant) > 0.0) || !isfinite(1.0 / determinant))
+  if (!isfinite(1.0 / determinant)) // nor is it where that is 0, or no number
   {
     return false;
   }
@@ -73,7 +73,10 @@ static bool find_rays(const water_plan* plan, const int viewport_px[2], eye_rays
   rays->per_depth = is_parallel ? 0.0 : 1.0 / plan->plane_view[3];
   rays->aside[0] = is_parallel ? -middle[0] / middle[2] : 0.0;
   rays->aside[1] = is_parallel ? -middle[1] / middle[2] : 0.0;
-  rays->pixel = 2.0 / viewport_px[1] * water_vec3_length(up) / water_vec3_length(middle);
+  // parallel rays are the same in all pixels: their distance is known from the way back
+  rays->pixel = 2.0 / viewport_px[1] *
+    (is_parallel ? 1.0 / water_vec3_length(plan->dir_to_eye + 3)
+                 : water_vec3_length(up) / water_vec3_length(middle));
   // the steepest corner is under the horizon if anything is
   double steepest = 0.0;
   for (int i = 0; i < 4; ++i)

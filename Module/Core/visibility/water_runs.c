@@ -119,15 +119,14 @@ typedef struct collection
   const water_runs_mesh* mesh;
   water_run* runs;
   size_t count;
-  bool may_join; // all leaves since the last run may be drawn with it
+  bool may_join; // there is a run, and all leaves since may be drawn with it
 } collection;
 
 // Leaves that no run draws may be drawn besides: those in the air where the clip is off, any where
 // it is on.
 static void pass_by(collection* found, uint8_t place)
 {
-  const bool is_cut = found->count > 0 && found->runs[found->count - 1].is_cut;
-  found->may_join = found->may_join && (is_cut || place == IN_AIR);
+  found->may_join = found->may_join && (found->runs[found->count - 1].is_cut || place == IN_AIR);
 }
 
 static void collect(collection* found, size_t leaf, bool is_cut)
@@ -136,9 +135,8 @@ static void collect(collection* found, size_t leaf, bool is_cut)
   const size_t first = leaf * size;
   const size_t rest = found->mesh->triangle_count - first;
   const size_t count = size < rest ? size : rest;
-  water_run* last = found->count > 0 ? &found->runs[found->count - 1] : NULL;
-  if (last && last->is_cut == is_cut && found->may_join &&
-    first - (last->first + last->count) <= WATER_RUNS_GAP)
+  water_run* last = found->may_join ? &found->runs[found->count - 1] : NULL;
+  if (last && last->is_cut == is_cut && first - (last->first + last->count) <= WATER_RUNS_GAP)
   {
     last->count = first + count - last->first;
   }
