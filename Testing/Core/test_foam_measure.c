@@ -78,6 +78,7 @@ TEST(names_find_their_measures)
   assert_int_equal(water_foam_measure_of("Froude"), WATER_FOAM_MEASURE_COUNT);
   assert_int_equal(water_foam_measure_of(NULL), WATER_FOAM_MEASURE_COUNT);
   assert_string_equal(water_foam_measure_text((water_foam_measure)-1), "unknown measure");
+  assert_string_equal(water_foam_measure_text(WATER_FOAM_MEASURE_COUNT), "unknown measure");
   double ends[2];
   water_foam_measure_ends((water_foam_measure)7, ends); // as of a cover
   ASSERT_CLOSE(ends[0], 0.0, 0.0);

@@ -70,6 +70,30 @@ TEST(rounding_divides_nothing_off)
   assert_int_equal(water_frustum_divides(&frustum, 6, hardly_behind, 0.01), 0);
 }
 
+// A box is held if its lowest corner is before each plane: at 1 + 2 + 3 - 4 = 2 of the slanted one.
+// Each of its three coordinates can take it behind.
+TEST(lowest_corner_decides_what_is_held)
+{
+  static const double box[6] = { 1.0, 5.0, 1.0, 5.0, 1.0, 5.0 };
+  static const double lower[3] = { -2.0, -0.5, 0.0 };
+  for (int i = 0; i < 6; ++i)
+  {
+    water_frustum frustum;
+    memset(&frustum, 0, sizeof frustum); // the other planes are touched
+    const double plane[4] = { 1.0, 2.0, 3.0, -4.0 };
+    memcpy(frustum.planes[i], plane, sizeof plane);
+    water_frustum_prepare(&frustum);
+    assert_true(water_frustum_holds(&frustum, box));
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      double moved[6];
+      memcpy(moved, box, sizeof moved);
+      moved[2 * axis] = lower[axis];
+      assert_false(water_frustum_holds(&frustum, moved));
+    }
+  }
+}
+
 // Of a view in NDC the sides are those of the part of the picture, before and behind it -1 and 1.
 TEST(sides_are_those_of_the_part)
 {
@@ -87,4 +111,4 @@ TEST(sides_are_those_of_the_part)
 }
 
 TESTS(behind_by_more_than_rounding, touching_is_not_behind, every_plane_divides,
-  rounding_divides_nothing_off, sides_are_those_of_the_part)
+  rounding_divides_nothing_off, lowest_corner_decides_what_is_held, sides_are_those_of_the_part)
