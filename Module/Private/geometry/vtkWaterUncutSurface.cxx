@@ -24,11 +24,6 @@
 
 namespace
 {
-size_t Index(vtkIdType number)
-{
-  return static_cast<size_t>(number);
-}
-
 // Of a point's values: those that are no numbers.
 size_t CountUnknown(vtkDataArray* array, vtkIdType point)
 {
@@ -100,7 +95,8 @@ void vtkWaterUncutSurface::Classify(const Given& given, vtkWaterColumns& columns
   columns.ShareCells(polygons, this->Cells);
   for (vtkIdType dyke : columns.GetDykes())
   {
-    this->Facts.dykes += this->Cells.Kinds[Index(dyke)] != vtkWaterShoreCells::Dry ? 1 : 0;
+    this->Facts.dykes +=
+      this->Cells.Kinds[static_cast<size_t>(dyke)] != vtkWaterShoreCells::Dry ? 1 : 0;
   }
   std::vector<double> own;
   for (vtkIdType cell : this->Cells.CutCells)
@@ -136,13 +132,13 @@ void vtkWaterUncutSurface::Place(
   places.Get(still, land);
   land[2] = given.Scale * levels[still];
   const std::array<double, 6> begun = { land[0], land[0], land[1], land[1], land[2], land[2] };
-  std::vector<std::array<double, 6>> bounds(Index(vtkWaterBlockCount(count)), begun);
+  std::vector<std::array<double, 6>> bounds(static_cast<size_t>(vtkWaterBlockCount(count)), begun);
   vtkWaterForBlocks(count, [&](vtkIdType block, vtkIdType begin, vtkIdType end) {
-    double* all = bounds[Index(block)].data();
+    double* all = bounds[static_cast<size_t>(block)].data();
     if (places.GetDoubles())
     {
       water_shore_places(places.GetDoubles() + 3 * begin, levels + begin, depths + begin,
-        Index(end - begin), given.Scale, land, made + 3 * begin, all);
+        static_cast<size_t>(end - begin), given.Scale, land, made + 3 * begin, all);
       return;
     }
     for (vtkIdType i = begin; i < end; ++i)
