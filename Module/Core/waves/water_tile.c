@@ -64,10 +64,18 @@ static mode mode_of(const water_tile* tile, size_t column, size_t row)
   return made;
 }
 
+// Where a tile's band ends. The corners of the square have waves beyond its Nyquist wave number,
+// but not in all directions: they count as waves that it leaves out.
+static double end_of(const water_tile* tile)
+{
+  const double nyquist = 0.5 * water_two_pi * (double)tile->size / tile->length;
+  return tile->k_high > 0.0 ? fmin(tile->k_high, nyquist) : nyquist;
+}
+
 static bool is_in_band(const water_tile* tile, const mode* m)
 {
   const double k = hypot(m->k[0], m->k[1]);
-  return m->is_used && k >= tile->k_low && (tile->k_high == 0.0 || k < tile->k_high);
+  return m->is_used && k >= tile->k_low && k < end_of(tile);
 }
 
 // One number for each (i, j), whatever the tile's size (16384 at most).
@@ -194,8 +202,7 @@ double water_tile_natural_length(const water_sea* sea)
 void water_tile_slopes(
   const water_tile* tile, const water_sea* sea, double held[2], double left_out[2])
 {
-  const double nyquist = 0.5 * water_two_pi * (double)tile->size / tile->length;
-  const double end = tile->k_high > 0.0 ? fmin(tile->k_high, nyquist) : nyquist;
+  const double end = end_of(tile);
   held[0] = held[1] = left_out[0] = left_out[1] = 0.0;
   (void)water_sea_slopes(sea, tile->k_low, end, held);
   if (end < WATER_TILE_SHORTEST)

@@ -32,7 +32,7 @@ typedef struct water_tile
   double period; // s after which the sea repeats itself exactly, >= 0; 0: it never does
   uint64_t seed; // the same seed gives the same sea
   double k_low;  // rad/m: shorter wave vectors are left out, >= 0
-  double k_high; // and those from here on, > k_low; 0: none
+  double k_high; // and those from here on, > k_low; 0: the Nyquist wave number pi size / length
 } water_tile;
 
 typedef enum water_tile_field
