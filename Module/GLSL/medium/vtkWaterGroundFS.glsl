@@ -99,6 +99,10 @@ bool waterMediumMeetsLast(WaterMediumRay ray, WaterMediumMet met, float deepest)
 // most  as of waterMediumMeets
 void waterMediumGuess(WaterPoint point, vec3 dir, WaterMediumRay ray, float most, inout WaterMediumMet met)
 {
+  if (!met.isNothing && met.depth < 1.0 && !met.view.isHidden)
+  {
+    return;
+  }
   vec2 straight = waterMediumPlace(point.ndc);
   float depth = waterMediumDepth(straight);
   float height = waterMediumHeight(straight, depth);

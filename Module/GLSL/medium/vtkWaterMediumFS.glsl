@@ -69,7 +69,7 @@ float waterMediumBetween(WaterMediumRay ray, WaterMediumView view, float depth)
   return view.s + (view.isMet && isNear ? further : 0.0);
 }
 
-// What a ray is taken to meet if the picture shows nothing that it could meet; of the slot ground.
+// Corrects what a ray is found to meet where the picture does not show it; of the slot ground.
 //
 // dir   of the ray, in the plane's axes
 // most  as of waterMediumMeets
@@ -125,10 +125,7 @@ WaterMediumMet waterMediumMeet(WaterPoint point, vec3 dir)
   bool isClose = waterSide > 0.0 && met.way > border - WATER_MEDIUM_EDGE * pixel;
   met.isAtBorder = met.isUnderBorder || (isClose && isFine);
   met.isNothing = met.isUnderBorder ? !isThere : met.view.isBelow;
-  if (met.isNothing || met.depth >= 1.0 || met.view.isHidden)
-  {
-    waterMediumGuess(point, dir, ray, most, met);
-  }
+  waterMediumGuess(point, dir, ray, most, met);
   return met;
 }
 
