@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkWaterActorSource.cxx: the part of vtkWaterActor that the rooms below ask: its snapshot, its
 // plane, its passes, and where they say what is wrong.
+#include "vtkCamera.h"
 #include "vtkMath.h"
 #include "vtkPlane.h"
 #include "vtkPolyData.h"
@@ -274,6 +275,20 @@ void vtkWaterActor::Internals::ReadExtent(vtkWaterSnapshot& water)
   }
 }
 
+namespace
+{
+bool HasOwnView(const vtkWaterSnapshot& water, vtkRenderer* renderer)
+{
+  const int whole[2] = { 1, 1 };
+  vtkWindow* window = renderer ? renderer->GetVTKWindow() : nullptr;
+  vtkCamera* camera = window ? renderer->GetActiveCamera() : nullptr;
+  const bool isLow = camera &&
+    water_beyond_is_low(&water.Plane, camera->GetPosition(), camera->GetDirectionOfProjection());
+  return water_beyond_is_wanted(water.Look.RefractionSource, water.Look.Bed == WATER_UNITS_BED_NONE,
+    isLow, window ? window->GetTileScale() : whole);
+}
+}
+
 //------------------------------------------------------------------------------
 vtkWaterSnapshotPointer vtkWaterActor::Internals::Take(vtkRenderer* renderer)
 {
@@ -292,10 +307,7 @@ vtkWaterSnapshotPointer vtkWaterActor::Internals::Take(vtkRenderer* renderer)
   made->Time = this->Self->Time;
   this->ReadFoam(*made);
   this->Describe(made->Look);
-  if (vtkWindow* window = renderer ? renderer->GetVTKWindow() : nullptr)
-  {
-    made->Look.HasOwnView = water_beyond_is_wanted(made->Look.HasOwnView, window->GetTileScale());
-  }
+  made->Look.HasOwnView = HasOwnView(*made, renderer);
   made->Look.Has.is_opaque = this->Self->HasOpaqueGeometry() != 0;
   made->Look.Has.has_environment =
     made->Look.Has.has_environment || !this->Self->SceneReflection || !this->MayMirror;

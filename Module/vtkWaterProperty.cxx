@@ -197,7 +197,7 @@ void vtkWaterProperty::SetRefraction(bool refraction)
 //------------------------------------------------------------------------------
 void vtkWaterProperty::SetRefractionSource(int source)
 {
-  vtkWaterSetInRange(RefractionSource, source, PICTURE, OWN_VIEW);
+  vtkWaterSetInRange(RefractionSource, source, PICTURE, AUTOMATIC);
 }
 
 //------------------------------------------------------------------------------

@@ -94,7 +94,8 @@ public:
   enum RefractionSources
   {
     PICTURE = 0,
-    OWN_VIEW = 1
+    OWN_VIEW = 1,
+    AUTOMATIC = 2
   };
 
   ///@{
@@ -105,13 +106,15 @@ public:
    * water. OWN_VIEW: an additional view of the scene beyond the surface, twice as wide and high as
    * the picture and without everything on the near side of the water's plane. It is rendered when
    * the camera or the scene has changed, not when only the waves have. Rulers, axes and labels are
-   * not in it. If the GPU has no memory for it, PICTURE is used. Needs Refraction. Default is
-   * PICTURE.
+   * not in it. If the GPU has no memory for it, PICTURE is used. AUTOMATIC: OWN_VIEW if
+   * vtkWaterActor::SheetToAutomatic finds open water, and the camera is above the surface and looks
+   * down by less than 30 degrees; otherwise PICTURE. Needs Refraction. Default is PICTURE.
    */
   void SetRefractionSource(int source);
   vtkGetMacro(RefractionSource, int);
   void SetRefractionSourceToPicture() { this->SetRefractionSource(PICTURE); }
   void SetRefractionSourceToOwnView() { this->SetRefractionSource(OWN_VIEW); }
+  void SetRefractionSourceToAutomatic() { this->SetRefractionSource(AUTOMATIC); }
   const char* GetRefractionSourceAsString() const;
   ///@}
 

@@ -62,7 +62,7 @@ void vtkWaterProperty::Describe(double diagonal, vtkWaterLook& look)
   std::copy_n(this->Absorption, 3, look.Medium.absorption);
   std::copy_n(this->Scattering, 3, look.Medium.scattering);
   std::copy_n(this->Internal->Extinction, 3, look.Extinction);
-  look.HasOwnView = this->RefractionSource == OWN_VIEW;
+  look.RefractionSource = static_cast<water_refraction_source>(this->RefractionSource);
   look.ShoreSoftness = this->ShoreSoftness;
   look.DomePortRadius = this->DomePortRadius;
   look.Caustics = this->Caustics;

@@ -100,7 +100,8 @@ const char* vtkWaterProperty::GetReflectionSourceAsString() const
 //------------------------------------------------------------------------------
 const char* vtkWaterProperty::GetRefractionSourceAsString() const
 {
-  return this->RefractionSource == OWN_VIEW ? "OWN_VIEW" : "PICTURE";
+  static const char* const names[] = { "PICTURE", "OWN_VIEW", "AUTOMATIC" };
+  return names[this->RefractionSource];
 }
 
 //------------------------------------------------------------------------------

@@ -56,7 +56,7 @@ def set_look(look, *, preset=None, waves=None, wind=None, whitecaps=None, color=
         is True, unless color or opacity is given.
     own_view : bool
         Whether the refracted colours come from an additional view of what lies below the water, wider than the
-        picture. It needs refraction and turns it on.
+        picture. It needs refraction and turns it on. By default, open water seen from a low camera has one.
     foam : float | bool
         Depth in metres below which the shore foams, finite and not negative; True means 0.25, and with automatic
         units at least 1/400 of the scene's diagonal. Foam needs refraction and turns it on.

@@ -84,9 +84,33 @@ TEST(tiles_have_a_view_of_their_own)
   const int tiles[4][2] = { { 0, 0 }, { 1, 1 }, { 1, 2 }, { 16, 16 } };
   for (int i = 0; i < 4; ++i)
   {
-    assert_true(water_beyond_is_wanted(true, tiles[i]));
-    assert_int_equal(water_beyond_is_wanted(false, tiles[i]), i >= 2);
+    assert_true(water_beyond_is_wanted(WATER_FROM_OWN_VIEW, false, false, tiles[i]));
+    assert_int_equal(water_beyond_is_wanted(WATER_FROM_PICTURE, true, true, tiles[i]), i >= 2);
+    assert_int_equal(water_beyond_is_wanted(WATER_FROM_AUTOMATIC, false, true, tiles[i]), i >= 2);
+    assert_int_equal(water_beyond_is_wanted(WATER_FROM_AUTOMATIC, true, false, tiles[i]), i >= 2);
+    assert_true(water_beyond_is_wanted(WATER_FROM_AUTOMATIC, true, true, tiles[i]));
   }
+}
+
+// Low: above the plane, and looking down by less than 30 degrees, or up. On a tilted plane, of any
+// scale.
+TEST(a_low_eye_looks_down_by_less_than_thirty_degrees)
+{
+  const water_plane plane = { { 0.0, 6.0, 8.0 }, -10.0 }; // through (0, 0.6, 0.8)
+  for (int degrees = -90; degrees <= 90; ++degrees)
+  {
+    const double down = ((double)degrees + 0.25) * acos(-1.0) / 180.0;
+    // from the plane's axis x and its normal
+    const double ahead[3] = { cos(down), -0.6 * sin(down), -0.8 * sin(down) };
+    const double above[3] = { 5.0, 1.2, 1.6 };
+    const double below[3] = { 5.0, 0.3, 0.4 };
+    assert_int_equal(water_beyond_is_low(&plane, above, ahead), degrees < 30);
+    assert_false(water_beyond_is_low(&plane, below, ahead));
+  }
+  const water_plane none = { { 0.0, 0.0, 0.0 }, 1.0 };
+  const double eye[3] = { 0.0, 0.0, 1.0 };
+  const double ahead[3] = { 1.0, 0.0, 0.0 };
+  assert_false(water_beyond_is_low(&none, eye, ahead));
 }
 
 // Beside a tile as much is drawn as beside the picture that it is a tile of.
@@ -392,9 +416,9 @@ TEST(plumb_lines_reach_to_where_they_vanish)
 }
 
 TESTS(plumb_lines_reach_to_where_they_vanish, a_picture_larger_than_textures_has_none,
-  tiles_have_a_view_of_their_own, band_of_a_tile_is_that_of_the_picture,
-  the_pictures_pixels_are_pixels_of_the_own_view, the_gpus_limit_narrows_the_band,
-  what_lies_beyond_is_drawn, the_clip_keeps_what_is_beyond_the_crests,
-  refracted_rays_stay_in_the_drawn_part, it_is_planned_where_the_water_is_seen,
-  the_reflections_scale_does_not_matter, rows_and_directions_follow_the_band,
-  the_own_view_has_what_stands_there_itself)
+  tiles_have_a_view_of_their_own, a_low_eye_looks_down_by_less_than_thirty_degrees,
+  band_of_a_tile_is_that_of_the_picture, the_pictures_pixels_are_pixels_of_the_own_view,
+  the_gpus_limit_narrows_the_band, what_lies_beyond_is_drawn,
+  the_clip_keeps_what_is_beyond_the_crests, refracted_rays_stay_in_the_drawn_part,
+  it_is_planned_where_the_water_is_seen, the_reflections_scale_does_not_matter,
+  rows_and_directions_follow_the_band, the_own_view_has_what_stands_there_itself)

@@ -5,6 +5,7 @@
 #include "water_frustum.h"
 #include "water_math.h"
 #include "water_mirror.h"
+#include "water_plane.h"
 #include "water_select.h"
 #include "water_target.h"
 
@@ -16,9 +17,21 @@ static const double band = 2.0;
 // pixel beside.
 static const double shore_px = 2.0;
 
-bool water_beyond_is_wanted(bool is_asked, const int tile_scale[2])
+// Sine of 30 degrees: PyVista's own camera looks down by 35.
+static const double low_sine = 0.5;
+
+bool water_beyond_is_low(const water_plane* plane, const double eye[3], const double ahead[3])
 {
-  return is_asked || tile_scale[0] > 1 || tile_scale[1] > 1;
+  water_plane unit;
+  return water_plane_normalise(plane, &unit) == WATER_OK && water_plane_height(&unit, eye) > 0.0 &&
+    -water_vec3_dot(unit.normal, ahead) < low_sine;
+}
+
+bool water_beyond_is_wanted(
+  water_refraction_source source, bool is_open, bool is_low, const int tile_scale[2])
+{
+  const bool is_chosen = source == WATER_FROM_AUTOMATIC && is_open && is_low;
+  return source == WATER_FROM_OWN_VIEW || is_chosen || tile_scale[0] > 1 || tile_scale[1] > 1;
 }
 
 water_status water_beyond_size(const int viewport_px[2], const int tile_scale[2],

@@ -14,11 +14,30 @@ extern "C"
 {
 #endif
 
-// Is what lies beyond drawn in a view of its own? It is if the user asks for it, and for a tile of
-// a picture: refracted rays leave a tile, and the tiles beside it are not there to be looked up.
+// Where the refracted colours come from.
+typedef enum water_refraction_source
+{
+  WATER_FROM_PICTURE,
+  WATER_FROM_OWN_VIEW,
+  WATER_FROM_AUTOMATIC // the own view, if the picture lacks much
+} water_refraction_source;
+
+// Does the picture lack much of what a low eye sees in open water? Refracted rays leave it at its
+// lower border, and objects hide each other. Seen from above they do so less, and the own view,
+// whose objects are cut at the plane, would show their inside.
 //
+// plane  of any scale; not of an invalid one
+// ahead  unit vector along which the camera looks
+bool water_beyond_is_low(const water_plane* plane, const double eye[3], const double ahead[3]);
+
+// Is what lies beyond drawn in a view of its own? Always for a tile of a picture: refracted rays
+// leave a tile, and the tiles beside it are not there to be looked up.
+//
+// is_open     no ground is known to lie under the water
+// is_low      water_beyond_is_low
 // tile_scale  as in water_scene
-bool water_beyond_is_wanted(bool is_asked, const int tile_scale[2]);
+bool water_beyond_is_wanted(
+  water_refraction_source source, bool is_open, bool is_low, const int tile_scale[2]);
 
 // Size of the own view: the picture, and a band around it, without a change of the size of its
 // pixels. The picture's pixels are pixels of it. The band of a tile is that of the whole picture.

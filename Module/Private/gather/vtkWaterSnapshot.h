@@ -9,6 +9,7 @@
 #include "vtkWaterHulls.h"
 #include "vtkWaterMeshHeights.h"
 #include "vtkWaterNormalMaps.h"
+#include "water_beyond.h"
 #include "water_cascade.h"
 #include "water_features.h"
 #include "water_medium.h"
@@ -43,7 +44,8 @@ struct vtkWaterLook
   bool HasDeepColor = false; // it is given, whatever the light
   water_medium Medium = water_medium();
   double Extinction[3] = {}; // absorption + scattering
-  bool HasOwnView = false;   // what lies below is seen in a view of its own, or in the picture
+  water_refraction_source RefractionSource = WATER_FROM_PICTURE;
+  bool HasOwnView = false; // what lies below is seen in a view of its own, or in the picture
   double ShoreSoftness = 0.0;
   double DomePortRadius = 0.0;  // 0: none
   double SlopeVariance[3] = {}; // along, across a direction, degrees
