@@ -19,12 +19,13 @@ bool waterMediumIsAfterBackground(vec2 uv, vec2 pixel)
 // the background and what is over the water: rays that meet them would be specks.
 void waterMediumGuess(WaterPoint point, vec3 dir, WaterMediumRay ray, float most, inout WaterMediumMet met)
 {
+  bool isPicture = waterIsOpen != 0 && waterSide > 0.0 && waterSceneScale.x >= 1.0; // and not the own view
   vec2 pixel = ray.way.xy / max(length(ray.way.xy * waterMediumSize()), 1e-6);
   vec2 end = ray.start.xy + most / max(ray.w + most * ray.rate, 1e-6) * ray.way.xy;
-  vec2 after = met.view.isMet ? met.view.from + WATER_MEDIUM_SLIVER_PX * pixel : end;
+  vec2 after = met.view.isHidden ? end : met.view.from + WATER_MEDIUM_SLIVER_PX * pixel;
   float depth = waterMediumDepth(after);
   bool isOver = depth < 1.0 && waterMediumHeight(after, depth) > 0.0;
-  bool isSliver = met.view.isMet && isOver && waterMediumIsAfterBackground(met.view.from, pixel);
-  bool isHidden = !met.view.isMet && (met.depth >= 1.0 || (met.view.isHidden && isOver));
-  met.isNothing = met.isNothing || (waterIsOpen != 0 && waterSide > 0.0 && (isHidden || isSliver));
+  bool isSliver = !met.view.isHidden && isOver && waterMediumIsAfterBackground(met.view.from, pixel);
+  bool isHidden = met.view.isHidden ? isOver : !met.view.isMet && met.depth >= 1.0;
+  met.isNothing = met.isNothing || (isPicture && (isHidden || isSliver));
 }
