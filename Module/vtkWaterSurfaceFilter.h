@@ -43,6 +43,7 @@
 #include "vtkRenderingWaterModule.h" // for the export macro
 
 #include <array>
+#include <memory>
 #include <string>
 
 #ifdef VTK_ABI_NAMESPACE_BEGIN
@@ -53,6 +54,7 @@ class vtkDataArray;
 class vtkDataSet;
 class vtkPolyData;
 class vtkWaterColumns;
+class vtkWaterGridPolygons;
 class vtkWaterLakes;
 
 class VTKRENDERINGWATER_EXPORT vtkWaterSurfaceFilter : public vtkPolyDataAlgorithm
@@ -158,6 +160,7 @@ private:
   bool IsSignTold = false;
   std::array<vtkMTimeType, 5> Checked{}; // the cells whose points have been checked
   vtkNew<vtkPolyData> Surface;           // whose mean it is, until it is known
+  std::unique_ptr<vtkWaterGridPolygons> Polygons;
 };
 
 #ifdef VTK_ABI_NAMESPACE_END
