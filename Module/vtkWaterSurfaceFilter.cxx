@@ -20,9 +20,11 @@
 #include "vtkWaterWetPart.h"
 #include "water_heights.h"
 #include "water_placement.h"
+#include "water_shore.h"
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <sstream>
 #include <vector>
@@ -140,7 +142,8 @@ std::array<vtkMTimeType, 5> CellsOf(vtkDataSet* data)
     static_cast<vtkMTimeType>(data->GetNumberOfPoints()) };
 }
 
-// Some values of an array, of places all over the mesh; empty: there is no array.
+// Some values of an array, of places all over the mesh, without fill values; empty: there is no
+// array.
 std::vector<double> SampleOf(vtkDataArray* array)
 {
   std::vector<double> values;
@@ -148,7 +151,8 @@ std::vector<double> SampleOf(vtkDataArray* array)
   const vtkIdType step = std::max<vtkIdType>(count / kSample, 1);
   for (vtkIdType i = 0; i < count; i += step)
   {
-    values.push_back(array->GetComponent(i, 0));
+    const double value = array->GetComponent(i, 0);
+    values.push_back(std::abs(value) <= water_shore_highest ? value : vtkMath::Nan());
   }
   return values;
 }

@@ -160,18 +160,33 @@ def test_a_film_is_dry():
     wt.check_equal("cells with a smaller threshold", surface.GetNumberOfCells(), mesh.GetNumberOfCells())
 
 
-@pytest.mark.parametrize("bad", (float("nan"), float("inf"), -1.0))
-def test_what_is_no_depth_is_dry(bad):
+FILLS = (9.96921e36, 1e20, -1e20)  # of NetCDF and of models
+NO_NUMBERS = (float("nan"), float("inf"))
+NO_HEIGHTS = [  # a bed that is no number is not known; -1 is a level as any other
+    *(({"DepthArrayName": "h", "BedArrayName": "zb"}, "h", bad) for bad in (*NO_NUMBERS, -1.0, *FILLS)),
+    *(({"DepthArrayName": "h", "BedArrayName": "zb"}, "zb", bad) for bad in FILLS),
+    *(({"LevelArrayName": "zeta", "BedArrayName": "zb"}, "zeta", bad) for bad in (*NO_NUMBERS, *FILLS)),
+    *(({"LevelArrayName": "zeta", "BedArrayName": "zb"}, "zb", bad) for bad in FILLS),
+    *(({"LevelArrayName": "zeta"}, "zeta", bad) for bad in (*NO_NUMBERS, *FILLS))]
+
+
+@pytest.mark.parametrize("names, spoilt, bad", NO_HEIGHTS,
+                         ids=lambda value: "_".join(value) if isinstance(value, dict) else str(value))
+def test_what_is_no_height_is_dry(names, spoilt, bad):
+    """The water ends beside it, and is elsewhere as it was."""
+    if (spoilt == "zb" and not abs(bad) > 1e9) or (spoilt == "zeta" and bad == -1.0):
+        pytest.skip("a bed that is no number is not known, and -1 is a level as any other")
     mesh = flooded(10.0)
-    depths = vtk_to_numpy(mesh.GetPointData().GetArray("h")).copy()
-    far = places_of(mesh, False)[:, 0] > 2
-    depths[far] = bad
-    add_array(mesh, "h", depths)
-    _, surface, said = surface_of(mesh, DepthArrayName="h", BedArrayName="zb")
+    values = vtk_to_numpy(mesh.GetPointData().GetArray(spoilt)).copy()
+    values[places_of(mesh, False)[:, 0] > 2] = bad
+    add_array(mesh, spoilt, values)
+    _, surface, said = surface_of(mesh, **names)
     wt.check_equal("errors", said, [])
-    wt.check_equal("numbers are finite", bool(np.isfinite(points_of(surface)).all()), True)
-    wt.check_at_most("water reaches to x", float(points_of(surface)[:, 0].max()), 3.5)
-    wt.check_at_least("and to x", float(points_of(surface)[:, 0].max()), 2.0)
+    places = points_of(surface)
+    wt.check_equal("numbers are finite", bool(np.isfinite(places).all()), True)
+    wt.check_at_most("water reaches to x", float(places[:, 0].max()), 3.5)
+    wt.check_at_least("and to x", float(places[:, 0].max()), 2.0)
+    wt.check_at_most("heights off by", float(np.abs(places[:, 2] - 10.0).max()), 1e-9)
 
 
 def test_the_level_alone_is_wet_everywhere():
