@@ -108,13 +108,13 @@ class Basin:
 
     PICTURE, SIDE, HALF = (400, 300), 101, 500.0
 
-    def __init__(self, cut):
+    def __init__(self, cut, place=(0.0, 0.0)):
         self.mesh, points, cells = vtkPolyData(), vtkPoints(), vtkCellArray()
         self.x, self.y = (part.ravel() for part in np.meshgrid(*2 * [np.linspace(-self.HALF, self.HALF, self.SIDE)]))
         first = (np.arange(self.SIDE - 1)[:, None] * self.SIDE + np.arange(self.SIDE - 1)).ravel()
         for quad in np.stack([first, first + 1, first + self.SIDE + 1, first + self.SIDE], axis=1).tolist():
             cells.InsertNextCell(4, quad)
-        points.SetData(numpy_to_vtk(np.column_stack([self.x, self.y, 0 * self.x]), deep=True))
+        points.SetData(numpy_to_vtk(np.column_stack([self.x + place[0], self.y + place[1], 0 * self.x]), deep=True))
         self.mesh.SetPoints(points)
         self.mesh.SetPolys(cells)
         tide.add(self.mesh, "zb", self.bed_at(self.x, self.y))
@@ -129,7 +129,7 @@ class Basin:
         look.SetReflectance(0.0)
         look.SetDeepColor(0, 0, 0)
         self.water.AddTo(self.view.renderer)
-        camera = wt.place_camera(self.view.renderer, (0, 0, 900), (0, 0, 0), (100, 2000), (0, 1, 0))
+        camera = wt.place_camera(self.view.renderer, (*place, 900), (*place, 0), (100, 2000), (0, 1, 0))
         camera.ParallelProjectionOn()
         camera.SetParallelScale(0.9 * self.HALF)
 
@@ -175,6 +175,16 @@ def test_the_shore_of_quads_is_within_half_a_pixel(cut):
         wt.check_at_least(f"step {step}: pixels on the shore", int((np.abs(distance) < 1).sum()), 200)
         wt.check_at_least(f"step {step}: % that is wet", 100 * float(wet.mean()), 30)
     wt.check_equal("cut while drawn", basin.water.GetIsShoreCutWhileDrawn(), cut == vtkWaterLakes.CUT_WHILE_DRAWN)
+
+
+@pytest.mark.parametrize("cut", (vtkWaterLakes.CUT_IN_FILTER, vtkWaterLakes.CUT_WHILE_DRAWN), ids=("filter", "drawn"))
+def test_a_mesh_in_utm_coordinates_has_the_same_shore(cut):
+    """Places are doubles, and stay so until VTK moves them to the middle of the mesh."""
+    near, far = Basin(cut), Basin(cut, (500_000.0, 4_500_000.0))
+    for step in (1, 4, 9):
+        wt.check_equal(f"step {step}: pixels off", int((near.is_wet(step) != far.is_wet(step)).sum()), 0)
+        wt.check_at_least(f"step {step}: % that is wet", 100 * float(far.is_wet(step).mean()), 30)
+    wt.check_equal("cut while drawn", far.water.GetIsShoreCutWhileDrawn(), cut == vtkWaterLakes.CUT_WHILE_DRAWN)
 
 
 def test_two_levels_of_water():
