@@ -24,7 +24,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <limits>
 #include <sstream>
 #include <vector>
@@ -151,8 +150,7 @@ std::vector<double> SampleOf(vtkDataArray* array)
   const vtkIdType step = std::max<vtkIdType>(count / kSample, 1);
   for (vtkIdType i = 0; i < count; i += step)
   {
-    const double value = array->GetComponent(i, 0);
-    values.push_back(std::abs(value) <= water_shore_highest ? value : vtkMath::Nan());
+    values.push_back(water_shore_known(array->GetComponent(i, 0)));
   }
   return values;
 }

@@ -58,10 +58,12 @@ TEST(fill_values_of_files_are_dry)
     assert_false(water_shore_column(3.0, none, fill, 0.0).is_wet);
     assert_false(water_shore_column(none, 1.0, fill, 0.0).is_wet);
     ASSERT_CLOSE(water_shore_level(none, fill), 0.0, 0.0);
+    assert_true(isnan(water_shore_known(fill)));
     assert_true(water_shore_depth(false, 3.0, fill) < 0.0);
     assert_true(water_shore_depth(false, 3.0, fill) > -10.0); // the shore is not at its neighbour
   }
   assert_true(water_shore_column(none, 0.999e9, 1.0, 0.0).is_wet);
+  ASSERT_CLOSE(water_shore_known(-0.999e9), -0.999e9, 0.0);
 }
 
 // The shore lies where the bed reaches the level, and dry land never comes under water.

@@ -677,6 +677,19 @@ def test_another_unit_is_told_once(name, factor, names, words, of_cells):
     wt.check_equal(f"words in: {said[0]}", [word for word in words if word not in said[0]], [])
 
 
+@pytest.mark.parametrize("name, names", [
+    (name, names) for names in (LEVEL_DEPTH_BED, LEVEL_BED, {"DepthArrayName": "h", "BedArrayName": "zb"})
+    for name in names.values()], ids=lambda value: value if isinstance(value, str) else "of_" + "_".join(value.values()))
+def test_fill_values_are_of_no_unit(name, names):
+    """Of places without data nothing is known: a right mesh is not told to be wrong, and a wrong one is."""
+    for factor, count in ((1.0, 0), (100.0, 1)):
+        mesh = with_unit(next(iter(names.values())), factor, False)
+        values = vtk_to_numpy(mesh.GetPointData().GetArray(name)).copy()
+        values[::3] = 9.96921e36
+        add_array(mesh, name, values)
+        wt.check_equal(f"warnings, {factor:g}", len(warnings_of(mesh, **names)), count)
+
+
 @pytest.mark.parametrize("bed, sea, wave", (
     (lambda x: -5000.0 + x, 0.0, 0.5), (lambda x: 300.0 * x - 1200.0, 0.0, 30.0), (lambda x: 20.0 + x, 0.0, 0.0),
     (lambda x: x * x, -3.0, 0.0), (lambda x: 0.0 * x, 1.0, 0.1), (lambda x: 1400.0 + x, 1897.0, 0.0),

@@ -13,6 +13,11 @@ static inline bool is_beyond(double height)
   return fabs(height) > water_shore_highest; // not of NaN
 }
 
+double water_shore_known(double height)
+{
+  return is_beyond(height) ? (double)NAN : height;
+}
+
 static inline water_column column_of(double level, double bed, double depth, double dry_depth)
 {
   const bool has_depth = !isnan(depth);

@@ -27,6 +27,9 @@ typedef struct water_column
 // Heights and depths farther than that from 0 are fill values of files, in any unit of length.
 #define water_shore_highest 1e9
 
+// A height or depth as it is given; NaN if it is such a fill value.
+double water_shore_known(double height);
+
 // Completes the heights that a solver gives for a place; pass NaN for those that it does not give.
 // With all three, the depth determines whether the place is wet. With the level alone, or with
 // level and depth but no bed, it is wet.
